@@ -30,6 +30,7 @@ from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.yarn_point import YarnPoint, to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.visibility import Hit, first_hit
 
 # Samples of a ray while it crosses the finest thread, and while it falls through the relief of the cloth.
 STEPS_PER_THREAD, STEPS_PER_RELIEF = 24, 24
@@ -86,10 +87,11 @@ def radiance(layout: ClothLayout, appearance: Appearance, view: Floats, paths: i
     ]
     eye = Array3f(*(Float(float(part)) + dr.zeros(Float, paths) for part in view))
     dr.make_opaque(eye)
-    start = model.locate(place[0], place[1], eye)
-    dr.eval(start)
-    reflected, transmitted, once = _walk(model, start, eye, seed)
-    yarn = ~start.hole.numpy()
+    seen = to_face_frame(eye, eye.z < 0)
+    hit = first_hit(model.surface, place[0], place[1], seen, eye.z < 0, quality=model.quality)
+    dr.eval(hit)
+    reflected, transmitted, once = _walk(model, hit, eye, seed)
+    yarn = ~hit.hole.numpy()
     back, through, first = (
         np.stack([c.numpy() for c in value]).astype(np.float64)[:, yarn]
         for value in (reflected, transmitted, once)
@@ -101,10 +103,8 @@ def radiance(layout: ClothLayout, appearance: Appearance, view: Floats, paths: i
     return Radiance(reflection_mean, transmission_mean, once_mean, error, float(yarn.mean()))
 
 
-def _walk(
-    model: YarnScattering, start: YarnPoint, eye: Array3f, seed: int
-) -> tuple[Array3f, Array3f, Array3f]:
-    count = dr.width(start.x)
+def _walk(model: YarnScattering, start: Hit, eye: Array3f, seed: int) -> tuple[Array3f, Array3f, Array3f]:
+    count, face = dr.width(start.x), Bool(eye.z < 0)
     rng = dr.llvm.PCG32(size=count, initstate=UInt64(seed))
     zero = dr.zeros(Array3f, count)
 
@@ -112,6 +112,7 @@ def _walk(
         step: UInt32,
         x: Float,
         y: Float,
+        z: Float,
         back: Bool,
         view: Array3f,
         weight: Array3f,
@@ -121,12 +122,12 @@ def _walk(
         once: Array3f,
         rng: Any,
     ) -> tuple[Any, ...]:
-        point = model.at(x, y, back, Bool(False))
+        point = model.at(x, y, back, Bool(False), ray=(view, z))
         direction, factor, far, stays = _scattered(model, point, view, rng)
         weight = dr.select(alive, weight * factor, 0)
         ray, met, escaped = _traced(model, point, direction, far, alive & ~stays)
         # Seen from the first face: the ray may have changed sides once more through a hole.
-        same = ray.back == start.back
+        same = ray.back == face
         light = dr.select(escaped, weight, 0)
         reflected += dr.select(same, light, 0)
         transmitted += dr.select(same, 0, light)
@@ -138,19 +139,20 @@ def _walk(
         moved = met & alive
         return (
             step + 1,
-            dr.select(moved, ray.x, x), dr.select(moved, ray.y, y), dr.select(moved, ray.back, back),
+            dr.select(moved, ray.x, x), dr.select(moved, ray.y, y), dr.select(moved, ray.z, z),
+            dr.select(moved, ray.back, back),
             dr.select(moved, -ray.direction, view), weight, alive & (step + 1 < MAX_BOUNCES),
             reflected, transmitted, once, rng,
         )  # fmt: skip
 
     state = (
-        dr.zeros(UInt32, count), Float(start.x), Float(start.y), Bool(start.back),
-        to_face_frame(eye, start.back),
+        dr.zeros(UInt32, count), Float(start.x), Float(start.y), Float(start.height), face,
+        to_face_frame(eye, face),
         dr.full(Array3f, 1, count), ~start.hole, Array3f(zero), Array3f(zero), Array3f(zero), rng,
     )  # fmt: skip
-    result = dr.while_loop(state, lambda *s: s[6], bounce, label="paths between yarns")
-    dr.eval(result[7:10])
-    return result[7:10]
+    result = dr.while_loop(state, lambda *s: s[7], bounce, label="paths between yarns")
+    dr.eval(result[8:11])
+    return result[8:11]
 
 
 def _scattered(
@@ -208,7 +210,7 @@ def _traced(
     cell = dr.opaque(Float, fine / STEPS_PER_THREAD)
     fall = dr.opaque(Float, max(highest - lowest, 1e-6) / STEPS_PER_RELIEF)
     back = point.back ^ far
-    level, _ = surface.height(point.x, point.y, back)
+    level = dr.select(far, surface.height(point.x, point.y, back)[0], point.height)
     across = dr.sqrt(dr.square(direction.x) + dr.square(direction.y))
     size = dr.minimum(cell / dr.maximum(across, 1e-6), fall / dr.maximum(abs(direction.z), 1e-6))
 
@@ -251,5 +253,5 @@ def _traced(
         inside = ~hole & (z + middle * direction.z < level)
         first, last = dr.select(inside, first, middle), dr.select(inside, middle, last)
     moved = dr.select(met, last, 0)
-    ray = _Ray(x + moved * direction.x, y + moved * direction.y, z, direction, back)
+    ray = _Ray(x + moved * direction.x, y + moved * direction.y, z + moved * direction.z, direction, back)
     return ray, met & active, ~met & active

@@ -64,7 +64,7 @@ class SurfaceSamples:
     Attributes:
         by_rays: components at the hit of the view ray through each position [4, n], 1/sr.
         continuous, wall, hole: kind of that hit [n], bool, exactly one of them true.
-        by_points: components at the surface point below each position [4, n], 1/sr.
+        by_points: the same where the ray through the surface point below each position meets yarn.
         area: its visible projected area A [n].
     """
 
@@ -110,14 +110,18 @@ def surface_samples(
     back = types.Bool(eye.z < 0)
     _, hole = plain.surface.height(x, y, back)
     below = plain.at(x, y, back, hole)
+    ray = to_face_frame(eye, back), below.height
+    # Where yarns dive, points lie well below the tubes that rays meet: they count as walls.
+    dives = plain.surface.surface(x, y, back, ray).depth > 1e-3 * min(plain.surface.finest)
+    area = dr.select(dives, 0, projected_area(plain, below, eye))
     is_null, wall = np.asarray(met.point.hole.numpy(), bool), np.asarray(met.wall.numpy(), bool)
     return SurfaceSamples(
         by_rays=_shaded(plain, met.point, towards, eye),
         continuous=~wall & ~is_null,
         wall=wall,
         hole=is_null,
-        by_points=_shaded(plain, below, towards, eye),
-        area=np.asarray(projected_area(plain, below, eye).numpy(), np.float64),
+        by_points=_shaded(plain, plain.at(x, y, back, hole, ray=ray), towards, eye),
+        area=np.asarray(area.numpy(), np.float64),
     )
 
 

@@ -15,7 +15,8 @@ import pytest
 from drjit.llvm.ad import Bool, Float, Float64
 
 from loomlight.core.errors import InputError
-from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
+from loomlight.yarn.flanks import SurfacePoint
+from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import MIN_GAP, ClothLayout, FamilyLayout
 
 from .layouts import PLAIN, SATIN, TWILL, even_layout, random_layout

@@ -60,7 +60,7 @@ from loomlight.scattering import (
     sheen_coefficients,
     variation,
 )
-from loomlight.yarn import max_heights, rays, runs, search, threads
+from loomlight.yarn import flanks, max_heights, rays, runs, search, threads
 from tools.shaders.neural_constants import neural_constants
 
 Value: TypeAlias = float | str | Sequence["Value"]
@@ -80,6 +80,7 @@ MODULES: dict[str, tuple[ModuleType, ...]] = {
         detail,
         directions,
         fibre,
+        flanks,
         groups,
         hemisphere,
         joint_lookup,

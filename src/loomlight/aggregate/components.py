@@ -39,7 +39,7 @@ COLOURS = ("red", "green", "blue")
 LIGHT_VISIBILITY = "light_visibility"
 # A ray that ends deeper below the surface than this fraction of the finest thread has hit a wall. The error
 # of the search on continuous yarn is smaller; of rays that hit walls, 1 in 100 ends closer to the upper edge.
-_WALL = 1e-3
+_WALL, _FOOT = 1e-3, 0.1
 
 
 @dataclass
@@ -47,12 +47,17 @@ class ViewHits:
     """Intersections of parallel view rays with the cloth.
 
     Attributes:
-        point: the yarn points; on walls, with the frame of the nearest edge.
-        wall: the ray has hit the vertical side of a yarn.
+        point: the yarn points, on the yarns' tubes (`yarn/flanks.py`).
+        wall: the ray has ended well below its yarn's tube, on the side of a yarn or where it dives.
+        foot: on such a side, so far below that light reaches it as it reaches the yarn beside it.
+        x, y: where the ray has ended, millimetres.
     """
 
     point: YarnPoint
     wall: Mask
+    foot: Mask
+    x: Float
+    y: Float
 
 
 def without_sheen_and_variation(model: YarnScattering, between_yarns: bool = True) -> YarnScattering:
@@ -81,11 +86,13 @@ def trace_views(model: YarnScattering, x: Float, y: Float, view: Vec3, active: M
     """
     types = array_types(x)
     back = types.Bool(view.z < 0)
-    hit = first_hit(model.surface, x, y, to_face_frame(view, back), back, active, model.quality)
-    point = model.at(hit.x, hit.y, back, hit.hole)
-    depth = point.height - hit.height
-    wall = ~hit.hole & (depth > dr.opaque(types.Float, _WALL * min(model.surface.finest)))
-    return ViewHits(point, wall)
+    seen = to_face_frame(view, back)
+    hit = first_hit(model.surface, x, y, seen, back, active, model.quality)
+    ray = seen, hit.height
+    point = model.at(hit.x, hit.y, back, hit.hole, ray=ray)
+    depth, finest = model.surface.surface(hit.x, hit.y, back, ray).depth, min(model.surface.finest)
+    wall, foot = (~hit.hole & (depth > dr.opaque(types.Float, share * finest)) for share in (_WALL, _FOOT))
+    return ViewHits(point, wall, foot, hit.x, hit.y)
 
 
 class Scattering(Protocol):

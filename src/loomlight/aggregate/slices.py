@@ -260,14 +260,14 @@ class _HitField:
 def _shadow_texel(maps: ShadowMaps, hits: ViewHits, view: Vec3) -> UInt:
     """Texels of the shadow maps for yarn points.
 
-    A ray that hit a wall ends on the edge of a yarn, and half of the texels around it are of the yarn below,
+    A ray that hit a wall ends at the edge of a yarn, and half of the texels around it are of the yarn below,
     in its shadow. One texel further along the ray is on the yarn itself.
     """
     types = array_types(hits.point.x)
     length = dr.rsqrt(maximum(dr.square(view.x) + dr.square(view.y), 1e-12))
     step_x, step_y = (dr.opaque(types.Float, step) for step in maps.grid.step)
-    further = dr.select(hits.wall, types.Float(1), 0) * length
-    return maps.texel(hits.point.x - further * view.x * step_x, hits.point.y - further * view.y * step_y)
+    further = dr.select(hits.wall, dr.select(hits.foot, types.Float(-1), 1), 0) * length
+    return maps.texel(hits.x - further * view.x * step_x, hits.y - further * view.y * step_y)
 
 
 def _unit_vectors(directions: ArrayLike) -> NDArray[np.float64]:

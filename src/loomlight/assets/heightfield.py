@@ -164,10 +164,7 @@ def _number_map(folder: Path, field: str, value: float | str) -> _Map:
 def heightfield_record(source: Heightfield) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """The record of a height field, as JSON, and the tensors beside it."""
     record = _Record(
-        name=source.name,
-        size_mm=list(source.size_mm),
-        height_mm=source.height_mm,
-        specular=source.specular,
+        name=source.name, size_mm=list(source.size_mm), height_mm=source.height_mm, specular=source.specular
     )
     maps = {name: getattr(source, name) for name in _MAPS}
     return record.model_dump(), {name: _stored(map_) for name, map_ in maps.items() if map_ is not None}

@@ -82,11 +82,7 @@ class SourceKind:
 SOURCE_KINDS: dict[str, SourceKind] = {
     "fabric": SourceKind(Fabric, fabric_record, fabric_from_record, load_fabric),
     "heightfield": SourceKind(
-        Heightfield,
-        heightfield_record,
-        heightfield_from_record,
-        load_heightfield,
-        is_heightfield_file,
+        Heightfield, heightfield_record, heightfield_from_record, load_heightfield, is_heightfield_file
     ),
     "material": SourceKind(Material, material_record, material_from_record, load_material, is_material_file),
     "merl": SourceKind(MerlLibrary, merl_record, merl_from_record, load_merl, is_merl_file),

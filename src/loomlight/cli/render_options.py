@@ -21,12 +21,10 @@ OutputOption = Annotated[
     ),
 ]
 ModelOption = Annotated[
-    str | None,
-    typer.Option(help="One of the models below; by default what a .loom holds, else lobes."),
+    str | None, typer.Option(help="One of the models below; by default what a .loom holds, else lobes.")
 ]
 SceneOption = Annotated[
-    str | None,
-    typer.Option(help="flat, sphere, cylinder, drape (default), or a Mitsuba scene FILE.xml."),
+    str | None, typer.Option(help="flat, sphere, cylinder, drape (default), or a Mitsuba scene FILE.xml.")
 ]
 MeshOption = Annotated[
     Path | None, typer.Option(help="An .obj, .ply, .gltf or .glb file to clothe instead; it needs uv.")
@@ -41,8 +39,7 @@ EnvironmentTurnOption = Annotated[
     float, typer.Option("--env-turn", help="Turns it about the vertical, degrees.")
 ]
 LightOption = Annotated[
-    str | None,
-    typer.Option(help="studio, sunsky, point or directional; by default what suits the scene."),
+    str | None, typer.Option(help="studio, sunsky, point or directional; by default what suits the scene.")
 ]
 LightFromOption = Annotated[
     str | None,
@@ -57,8 +54,7 @@ SizeOption = Annotated[
 ]
 ZoomOption = Annotated[float, typer.Option(help="1 frames the whole object, 10 is ten times closer.")]
 DepthOption = Annotated[
-    int | None,
-    typer.Option("--max-depth", help="Longest light path, in segments; 8, or a scene file's own."),
+    int | None, typer.Option("--max-depth", help="Longest light path, in segments; 8, or a scene file's own.")
 ]
 ExposureOption = Annotated[float, typer.Option(help="Stops; +1 is twice as bright.")]
 WhiteBalanceOption = Annotated[
@@ -66,8 +62,7 @@ WhiteBalanceOption = Annotated[
     typer.Option(metavar="KELVIN", help="Colour temperature of the light that is shown as white; 6500."),
 ]
 DenoiseOption = Annotated[
-    str,
-    typer.Option(metavar="auto|off", help="auto takes noise out of pictures, and leaves yarns sharp."),
+    str, typer.Option(metavar="auto|off", help="auto takes noise out of pictures, and leaves yarns sharp.")
 ]
 InsetOption = Annotated[
     bool | None,

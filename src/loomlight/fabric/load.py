@@ -15,13 +15,7 @@ from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.fabric.measured_colours import with_measured_colours
 from loomlight.fabric.plausibility import require_interlacing, warn_of_slips
-from loomlight.fabric.reading import (
-    one_line,
-    parse_fabric_file,
-    read_text,
-    speaking_of,
-    validate_fields,
-)
+from loomlight.fabric.reading import one_line, parse_fabric_file, read_text, speaking_of, validate_fields
 from loomlight.fabric.sentences import sentence_of
 from loomlight.weave.draft import Draft
 from loomlight.weave.load import DRAFT_SUFFIXES, load_draft

@@ -192,13 +192,7 @@ def footprint_path_class() -> type:
                 return super().render_forward(scene, params, camera, seed, spp)
 
         def render_backward(
-            self,
-            scene: Any,
-            params: Any,
-            grad_in: Any,
-            sensor: Any = 0,
-            seed: Any = 0,
-            spp: int = 0,
+            self, scene: Any, params: Any, grad_in: Any, sensor: Any = 0, seed: Any = 0, spp: int = 0
         ) -> None:
             with self._filtering(scene, sensor, replays=True) as camera:
                 super().render_backward(scene, params, grad_in, camera, seed, spp)

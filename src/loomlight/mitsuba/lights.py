@@ -62,7 +62,16 @@ def light_dicts(
     if light == "studio":
         return {"studio": {"type": "envmap", "bitmap": mi.Bitmap(studio_radiance(direction))}}
     if light == "sunsky":
-        return {"sunsky": _sunsky(direction)}
+        # The sun keeps its true width: Mitsuba samples a wider one far too seldom, and allows one sky alone.
+        sunsky = {
+            "type": "sunsky",
+            "sun_direction": direction.tolist(),
+            "turbidity": 4.0,
+            "sun_scale": _DAYLIGHT,
+            "sky_scale": _DAYLIGHT,
+            "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], -90),  # its own up is z
+        }
+        return {"sunsky": sunsky}
     if light == "point":
         distance = 3 * radius
         point = {
@@ -131,15 +140,3 @@ def studio_radiance(direction: NDArray[np.float64]) -> NDArray[np.float32]:
         _KEY_SHARE * key / (key * facing).sum() + (1 - _KEY_SHARE) * dome / (dome * facing).sum()
     )
     return np.repeat(radiance[..., None], 3, axis=-1).astype(np.float32)
-
-
-def _sunsky(direction: NDArray[np.float64]) -> dict[str, Any]:
-    # The sun keeps its true width: Mitsuba samples a wider one far too seldom, and one sky is all it allows.
-    return {
-        "type": "sunsky",
-        "sun_direction": direction.tolist(),
-        "turbidity": 4.0,
-        "sun_scale": _DAYLIGHT,
-        "sky_scale": _DAYLIGHT,
-        "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], -90),  # its own up is z
-    }

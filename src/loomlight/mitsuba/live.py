@@ -30,13 +30,7 @@ class LivePicture:
     """
 
     def __init__(
-        self,
-        scene: mi.Scene,
-        *,
-        spp: int = 1,
-        sensor: int = 0,
-        integrator: Any = None,
-        records: bool = True,
+        self, scene: mi.Scene, *, spp: int = 1, sensor: int = 0, integrator: Any = None, records: bool = True
     ) -> None:
         """Takes the first pictures, which compile the kernels.
 

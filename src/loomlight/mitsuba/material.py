@@ -10,11 +10,7 @@ from loomlight.models.material_spec import Material, resolve
 
 
 def material_bsdf(
-    material: Material,
-    model: str | None = None,
-    *,
-    albedo: dict[str, Any] | None = None,
-    **options: Any,
+    material: Material, model: str | None = None, *, albedo: dict[str, Any] | None = None, **options: Any
 ) -> Callable[[tuple[float, float]], Any]:
     """A function from (mm per unit of u, mm per unit of v) to a Mitsuba BSDF; a variant must be set.
 

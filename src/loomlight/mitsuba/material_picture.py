@@ -24,14 +24,7 @@ from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.placement import Placement
 from loomlight.mitsuba.rendering import PartialPicture, Progress
 from loomlight.mitsuba.rendering import render as render_scene
-from loomlight.mitsuba.scenes import (
-    DEFAULT_SIZE,
-    SCENES,
-    BsdfFactory,
-    ClothScene,
-    SceneOptions,
-    build_scene,
-)
+from loomlight.mitsuba.scenes import DEFAULT_SIZE, SCENES, BsdfFactory, ClothScene, SceneOptions, build_scene
 from loomlight.mitsuba.time_estimate import (
     MODEL_SECONDS,
     SCENE_SECONDS,

@@ -108,12 +108,7 @@ class MaterialReflectance:
         self._inputs = np.concatenate([part.values for part in inputs], axis=-1)
 
     def values(
-        self,
-        positions: _Floats,
-        levels: _Floats,
-        lights: _Floats,
-        views: _Floats,
-        seed: tuple[int, ...],
+        self, positions: _Floats, levels: _Floats, lights: _Floats, views: _Floats, seed: tuple[int, ...]
     ) -> _Floats:
         """Estimates of f·cos [n, 3] from four points each; see `Reflectance.values`."""
         rng = np.random.default_rng(seed)
@@ -161,10 +156,7 @@ def _loaded(element: ElementTree.Element, name: str) -> Any:
 def _warn_of_losses(source: Material, bsdf: mi.BSDF) -> None:
     """Says once what of a BSDF is left out."""
     flags: Any = mi.BSDFFlags
-    lost = {
-        "mirror reflection": flags.DeltaReflection,
-        "transmission": flags.Transmission,
-    }
+    lost = {"mirror reflection": flags.DeltaReflection, "transmission": flags.Transmission}
     found = [name for name, flag in lost.items() if mi.has_flag(bsdf.flags(), flag)]
     if found:
         warnings.warn(

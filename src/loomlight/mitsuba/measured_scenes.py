@@ -194,10 +194,7 @@ def _view(shot: MeasuredShot, size: tuple[int, int]) -> View:
 
 
 def _parts(
-    shot: MeasuredShot,
-    size: tuple[int, int],
-    bsdfs: Sequence[BsdfFactory],
-    scale: Sequence[float],
+    shot: MeasuredShot, size: tuple[int, int], bsdfs: Sequence[BsdfFactory], scale: Sequence[float]
 ) -> dict[str, Any]:
     """The scene's dictionary, with the weave of each piece drawn 1/`scale` times as large as it is."""
     pieces = [piece() for piece in shot.pieces]

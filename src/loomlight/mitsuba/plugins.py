@@ -34,11 +34,7 @@ def register_plugins() -> None:
         _on_variant(None, mi.variant())
 
 
-def make_bsdf(
-    model: Model,
-    uv_size_mm: tuple[float, float],
-    albedo: dict[str, Any] | None = None,
-) -> Any:
+def make_bsdf(model: Model, uv_size_mm: tuple[float, float], albedo: dict[str, Any] | None = None) -> Any:
     """The BSDF of a model that is at hand.
 
     Args:

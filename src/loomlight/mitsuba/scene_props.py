@@ -18,11 +18,7 @@ _PAPER = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.8}}
 def ground(centre: NDArray[np.float64], radius: float, height: float) -> dict[str, Any]:
     """A wide sheet of paper just below `height`, around an object of `radius`."""
     transform = mi.ScalarTransform4f().translate([centre[0], height - 1e-3 * radius, centre[2]])
-    return {
-        "type": "disk",
-        "to_world": transform.rotate([1, 0, 0], -90).scale(60 * radius),
-        "bsdf": _PAPER,
-    }
+    return {"type": "disk", "to_world": transform.rotate([1, 0, 0], -90).scale(60 * radius), "bsdf": _PAPER}
 
 
 def backdrop(centre: NDArray[np.float64], radius: float, depth: float) -> dict[str, Any]:

@@ -173,11 +173,7 @@ def fabric_card(
         gc.collect()
         shown = build_scene(scene, material_bsdf(made), size=(side, side), zoom=zoom)
         linear = render(
-            shown.scene,
-            spp=spp,
-            integrator=shown.integrator,
-            white_balance=white_balance,
-            denoise=denoise,
+            shown.scene, spp=spp, integrator=shown.integrator, white_balance=white_balance, denoise=denoise
         )
         return encoded(linear)
 

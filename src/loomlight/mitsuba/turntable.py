@@ -17,14 +17,7 @@ from loomlight.mitsuba.camera import framing
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.material_picture import RenderSettings, further_cloths, shown_material
 from loomlight.mitsuba.rendering import render
-from loomlight.mitsuba.scenes import (
-    CLOTH_NAME,
-    SCENES,
-    UNCOVERED_NAME,
-    ClothScene,
-    SceneOptions,
-    build_scene,
-)
+from loomlight.mitsuba.scenes import CLOTH_NAME, SCENES, UNCOVERED_NAME, ClothScene, SceneOptions, build_scene
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.material_spec import Material
 
@@ -36,10 +29,7 @@ _UP = np.array([0.0, 1.0, 0.0])
 
 
 def turntable(
-    material: Material,
-    scene: str | os.PathLike[str],
-    count: int,
-    settings: RenderSettings,
+    material: Material, scene: str | os.PathLike[str], count: int, settings: RenderSettings
 ) -> Iterator[NDArray[np.float32]]:
     """`count` pictures of one turn of a material on a built-in scene or a mesh; see `render`.
 

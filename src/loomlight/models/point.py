@@ -51,11 +51,10 @@ class PointBsdf(SeparableBsdf):
         centre, back = footprint.centre, array_types(view.x).Bool(view.z < 0)
         # Derivatives of where a ray meets yarn would be wrong as well as dear.
         with dr.suspend_grad():
-            hit = first_hit(
-                model.surface, centre.x, centre.y, to_face_frame(view, back), back, active, model.quality
-            )
+            seen = to_face_frame(view, back)
+            hit = first_hit(model.surface, centre.x, centre.y, seen, back, active, model.quality)
         size = footprint.spread_side if model.has_detail else None
-        self.point = model.at(hit.x, hit.y, back, hit.hole, size, tint)
+        self.point = model.at(hit.x, hit.y, back, hit.hole, size, tint, (seen, hit.height))
 
     @cached_property
     def hole(self) -> Float:

@@ -96,6 +96,10 @@ DISPATCHES: tuple[Dispatch, ...] = (
         ((2, "columns", "rows", "texels_across", "texels_along"),),
         clears="texel_counts",
     ),
+    # Twice: what rows sum up to first says which groups are hidden from above.
+    Dispatch("bake_row_totals", "bake_coverage", (("rows", "width"),), each="face"),
+    Dispatch("bake_stand_ins", "bake_coverage", ((4, "width"),), each="face"),
+    Dispatch("bake_cover_hidden", "bake_rays", (("columns", "rows"),), each="face"),
     Dispatch("bake_first_level", "bake_coverage", (("columns", "rows", "width"),), each="face"),
     Dispatch("bake_row_totals", "bake_coverage", (("rows", "width"),), each="face"),
     Dispatch("bake_coverage_scales", "bake_coverage", ((4, "width"),), each="face"),
@@ -121,6 +125,7 @@ SCRATCH: dict[str, Size] = {
     "group_moments": ((2, "groups", MOMENTS),),
     "areas": ((2, NODES, "groups"), (2, NODES)),
     "area_scales": ((2, "groups"), (2,)),
+    "stand_ins": ((8, "width"),),
     "row_totals": ((4, "rows", "width"),),
     "row_largest": ((4, "rows", "width"),),
     "coverage_means": ((8, "width"),),
@@ -129,7 +134,7 @@ SCRATCH: dict[str, Size] = {
 }
 # Bytes of the other buffers that only baking uses.
 BUFFER_BYTES: dict[str, Size] = {
-    "hits": ((40, 2, NODES, "rays"), (40, 2, _TOP_DOWN)),
+    "hits": ((44, 2, NODES, "rays"), (44, 2, _TOP_DOWN)),
     "texel_counts": ((4, 2, "columns", "rows", "width"),),
     "coverage_pyramid": ((16, "face_nodes", "width"),),
 }

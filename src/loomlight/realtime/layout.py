@@ -52,16 +52,8 @@ FAMILY: Fields = (
     ("quantities", "uint", "1 and the principal coordinates of albedos; 1 where threads are alike"),
     ("colour_mean", "uint", "mean of the twelve albedos over the threads"),
     ("colour_axes", "uint", "albedos that a principal coordinate of 1 adds [quantities − 1, 12]"),
-    (
-        "colour_threads",
-        "uint",
-        "quantities of each thread, and integrals before it [n + 1, 3, quantities]",
-    ),
-    (
-        "colour_areas",
-        "uint",
-        "summed areas of crossings with the family on top [m + 1, n + 1, quantities]",
-    ),
+    ("colour_threads", "uint", "quantities of each thread, and integrals before it [n + 1, 3, quantities]"),
+    ("colour_areas", "uint", "summed areas of crossings with the family on top [m + 1, n + 1, quantities]"),
     ("area_unit", "float", "square millimetres that the integer 1 of these integrals stands for"),
     ("crossing_area", "float", "mean visible area of a crossing"),
     *((name, "float", meaning) for name, meaning in detail.FAMILY_NUMBERS.items()),
@@ -82,11 +74,7 @@ LOBES: Fields = (
     ("light_visibility", "uint", "bytes [2 faces, 2 sides, hemisphere nodes, packs]: 255 is 1"),
     ("irradiance", "uint", "bytes [2 faces, 2 sides, hemisphere nodes, packs]: 255 is 1/π"),
     ("moments", "uint", "numbers of each group [2 faces, 4 packs, 12]"),
-    (
-        "joint",
-        "uint",
-        "factors [2 faces, 2 sides, view or light, joint nodes, 8], two 16-bit numbers a word",
-    ),
+    ("joint", "uint", "factors [2 faces, 2 sides, view or light, joint nodes, 8], two 16-bit numbers a word"),
     ("front_hole_weight", "float", "weight of holes"),
     ("back_hole_weight", "float", "the same of the back"),
     ("threads_per_mm", "float", "1 / mean size of a thread"),
@@ -288,8 +276,7 @@ VERTEX: Fields = (
 )
 
 SURFACE_HIT: Fields = (
-    ("x", "float", "position on the cloth"),
-    ("y", "float", ""),
+    *_vector("place", "where it lies"),
     ("flags", "uint", "bits of `bake.slang`: family, hole, passing, group"),
     *_vector("normal", "unit normal, in the frame of the face"),
     *_vector("tangent", "unit fibre direction"),
@@ -332,6 +319,7 @@ BAKE: Fields = (
     ("group_moments", "uint", "[2 faces, groups, MOMENTS]"),
     ("areas", "uint", "projected areas [2 faces, nodes, groups + 1]"),
     ("area_scales", "uint", "largest of them [2 faces, groups + 1]"),
+    ("stand_ins", "uint", "whose counts a group has, by byte [2 faces, 4·(packs + 1)]"),
     ("row_totals", "uint", "counts of a row of the first level [rows, 4·(packs + 1)]"),
     ("row_largest", "uint", "largest means of a row [rows, 4·(packs + 1)]"),
     ("coverage_means", "uint", "of the whole repeat [2 faces, 4·(packs + 1)]"),

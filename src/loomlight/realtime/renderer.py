@@ -348,11 +348,7 @@ class Renderer:
             vertex={"module": vertex, "entry_point": "raster_vertex", "buffers": []},
             primitive={"topology": "triangle-list", "cull_mode": "none"},
             # Depth is near / distance: larger is nearer.
-            depth_stencil={
-                "format": "depth32float",
-                "depth_write_enabled": True,
-                "depth_compare": "greater",
-            },
+            depth_stencil={"format": "depth32float", "depth_write_enabled": True, "depth_compare": "greater"},
             fragment={
                 "module": fragment,
                 "entry_point": "raster_fragment",

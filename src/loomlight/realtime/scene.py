@@ -143,12 +143,7 @@ class Camera:
         right = _unit(np.cross(forward, np.asarray(self.up, float)), "the camera's up")
         up = np.cross(right, forward)
         half = math.tan(math.radians(self.field_of_view) / 2) / min(width, height)
-        return {
-            "origin": origin,
-            "right": right * half * width,
-            "up": up * half * height,
-            "forward": forward,
-        }
+        return {"origin": origin, "right": right * half * width, "up": up * half * height, "forward": forward}
 
 
 Light = DirectionalLight | PointLight

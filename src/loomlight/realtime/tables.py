@@ -91,11 +91,7 @@ def pack_fabrics(
 
 
 def _pack_fabric(
-    record: np.void,
-    families: Record,
-    table: WordTable,
-    layout: ClothLayout,
-    appearance: Appearance,
+    record: np.void, families: Record, table: WordTable, layout: ClothLayout, appearance: Appearance
 ) -> None:
     geometry = YarnGeometry(layout)
     warp, weft = geometry.families
@@ -166,13 +162,7 @@ def _pack_family(
         "roughness": appearance.roughness,
     }
     rows = np.stack(
-        [
-            np.sin(threads.inclination),
-            np.tan(threads.inclination / 2),
-            threads.arc,
-            threads.edge_drop,
-        ],
-        axis=1,
+        [np.sin(threads.inclination), np.tan(threads.inclination / 2), threads.arc, threads.edge_drop], axis=1
     )
     values["bend_table"] = table.add(rows[:1] if threads.uniform else rows)
     if not threads.uniform:

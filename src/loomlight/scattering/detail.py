@@ -30,7 +30,7 @@ from loomlight.core.arrays import Float, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, opaque
 from loomlight.scattering.appearance import Appearance, YarnDetail
 from loomlight.scattering.variation import FIBRE_CELL_LENGTH, Gain, hash_bits, hash_key
-from loomlight.yarn.geometry import SurfacePoint
+from loomlight.yarn.flanks import SurfacePoint
 from loomlight.yarn.threads import SECTION_ANGLE
 
 # Sine of the turn of a ply's normal at its edges, and by what share of the albedo its grooves are darker.

@@ -212,7 +212,8 @@ class Interreflection:
             normal_z: z of its normal in the frame of the face that is seen.
             height: millimetres, on that face.
         """
-        return self._blocked(self._by_point, point_terms(normal_z, height * self._per_relief), is_warp, back)
+        terms = point_terms(normal_z, height * self._per_relief)
+        return self._blocked(self._by_point, terms, is_warp, back)
 
     def blocked_from(self, view: Vec3, back: Mask) -> tuple[Blocked, Blocked, Float]:
         """Means of the blocked shares of warp and of weft where views meet them, and the share that is warp.

@@ -178,15 +178,14 @@ def ray_shares(
     """Hits of the rays of `openness_of`; other arguments are its own."""
     rays = _Rays(geometry, array_types(llvm_float()))
     shares, layers = rays.shares(blend, roughness, optical_depth)
-    is_warp, yarn = rays.hits()
     is_blocked, meets_warp = rays.first_blocks(blend)
     return RayShares(
-        is_warp,
-        yarn,
+        rays.is_warp.numpy(),
+        ~rays.hole.numpy(),
         is_blocked,
         meets_warp,
-        rays.normal_cosines(),
-        rays.heights(),
+        rays.near[1].z.numpy().astype(np.float64),
+        rays.near[0].numpy().astype(np.float64),
         np.stack([shares[0, :, half::2].mean(axis=1) for half in (0, 1)]),
         shares[1].mean(axis=1),
         layers.mean(axis=3),
@@ -263,6 +262,8 @@ class _Rays:
     Attributes:
         views: unit vectors [3, n] in the frame of their face.
         face: 0 for the front, 1 for the back [n].
+        hole, is_warp: whether a ray meets no yarn, and whether warp [n].
+        near: height, millimetres, and normal of the yarn that it meets.
     """
 
     def __init__(self, surface: Surface, types: ArrayTypes) -> None:
@@ -275,25 +276,13 @@ class _Rays:
         back = types.Bool(upload(types.UInt32, self.face) == 1)
         x, y = (upload(types.Float, np.tile(part, 2)) for part in (across * width, along * height))
         hit = first_hit(surface, x, y, view, back, quality=QUALITY)
-        point = surface.surface(hit.x, hit.y, back)
-        far = surface.surface(hit.x, hit.y, ~back)
-        self._view, self._back, self._hole = view, back, hit.hole
-        self._x, self._y = hit.x, hit.y
-        self._near, self._far = (point.height, point.normal), (far.height, far.normal)
-        self._tangent, self._is_warp = point.tangent, point.is_warp
-        dr.eval(self._x, self._y, self._hole, self._near, self._far, self._tangent, self._is_warp, view, back)
-
-    def hits(self) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Whether rays meet warp [n], and whether they meet yarn."""
-        return self._is_warp.numpy(), ~self._hole.numpy()
-
-    def normal_cosines(self) -> NDArray[np.float64]:
-        """Cosines between the yarns' normals and the cloth's [n]."""
-        return self._near[1].z.numpy().astype(np.float64)
-
-    def heights(self) -> NDArray[np.float64]:
-        """Heights of the yarn points on their face [n], millimetres."""
-        return self._near[0].numpy().astype(np.float64)
+        point = surface.surface(hit.x, hit.y, back, (view, hit.height))
+        far = surface.surface(point.x, point.y, ~back)
+        self._view, self._back, self.hole = view, back, hit.hole
+        self._x, self._y = point.x, point.y
+        self.near, self._far = (point.height, point.normal), (far.height, far.normal)
+        self._tangent, self.is_warp = point.tangent, point.is_warp
+        dr.eval(self._x, self._y, self.hole, self.near, self._far, self._tangent, self.is_warp, view, back)
 
     def first_blocks(self, blend: float) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """Whether yarn blocks one diffuse direction of every ray [n], and whether that yarn is warp.
@@ -305,11 +294,13 @@ class _Rays:
         number = dr.arange(types.UInt32, self.views.shape[1])
         u = [types.Float(number) * share for share in (0.7548776662, 0.5698402910)]
         u = types.Vector2(*(part - dr.floor(part) for part in u))
-        normal = self._near[1]
+        normal = self.near[1]
         direction = sample_diffuse(normal, dr.opaque(types.Float, blend), u)
-        own = ~self._hole & (dr.dot(direction, normal) <= 0)
-        met, is_warp = _met(surface, types, self._x, self._y, direction, self._back, ~self._hole & ~own)
-        is_warp = dr.select(own, self._is_warp, is_warp)
+        own = ~self.hole & (dr.dot(direction, normal) <= 0)
+        met, is_warp = _met(
+            surface, types, (self._x, self._y, self.near[0]), direction, self._back, ~self.hole & ~own
+        )
+        is_warp = dr.select(own, self.is_warp, is_warp)
         met |= own
         dr.eval(met, is_warp)
         return met.numpy(), is_warp.numpy()
@@ -339,11 +330,11 @@ class _Rays:
         back = dr.gather(types.Bool, self._back, ray)
         x, y = (dr.gather(types.Float, part, ray) for part in (self._x, self._y))
         view, tangent, normal = (
-            dr.gather(types.Vector3, part, ray) for part in (self._view, self._tangent, self._near[1])
+            dr.gather(types.Vector3, part, ray) for part in (self._view, self._tangent, self.near[1])
         )
-        yarn = ~dr.gather(types.Bool, self._hole, ray)
+        yarn = ~dr.gather(types.Bool, self.hole, ray)
         per_cosine = dr.pi * dr.rcp(up.z)
-        for side, (height, facing) in enumerate((self._near, self._far)):
+        for side, (height, facing) in enumerate((self.near, self._far)):
             height, facing = dr.gather(types.Float, height, ray), dr.gather(types.Vector3, facing, ray)
             searched = yarn & (dr.dot(facing, up) > 0)
             free = unoccluded(
@@ -361,9 +352,13 @@ class _Rays:
 
 
 def _met(
-    surface: Surface, types: ArrayTypes, x: Any, y: Any, direction: Any, back: Any, active: Any
+    surface: Surface, types: ArrayTypes, place: tuple[Any, Any, Any], direction: Any, back: Any, active: Any
 ) -> tuple[Any, Any]:
-    """Whether rays from yarn points, rising or falling, meet yarn of their face, and whether that is warp."""
+    """Whether rays from yarn points, rising or falling, meet yarn of their face, and whether that is warp.
+
+    Args:
+        place: draft coordinates and height of the points, millimetres.
+    """
     low, high = (dr.opaque(types.Float, height) for height in surface.height_bounds)
     fine = min(surface.finest)
     lift = dr.opaque(types.Float, _LIFT * fine)
@@ -371,16 +366,16 @@ def _met(
     cell = dr.opaque(types.Float, fine / MET_STEPS)
     fall = dr.opaque(types.Float, max(surface.height_bounds[1] - surface.height_bounds[0], 1e-6) / MET_STEPS)
     step = direction * minimum(cell / maximum(across, 1e-6), fall / maximum(abs(direction.z), 1e-6))
-    height, _ = surface.height(x, y, back)
+    x, y, height = place
 
-    def advance(place: Any, searching: Any, met: Any, count: Any) -> tuple[Any, ...]:
-        place = place + step
-        level, hole = surface.height(place.x, place.y, back)
-        hit = searching & ~hole & (place.z < level)
-        inside = (place.z <= high) & (place.z >= low - (high - low)) & (count < MAX_MET_STEPS)
-        return place, searching & ~hit & inside, met | hit, count + 1
+    def advance(at: Any, searching: Any, met: Any, count: Any) -> tuple[Any, ...]:
+        at = at + step
+        level, hole = surface.height(at.x, at.y, back)
+        hit = searching & ~hole & (at.z < level)
+        inside = (at.z <= high) & (at.z >= low - (high - low)) & (count < MAX_MET_STEPS)
+        return at, searching & ~hit & inside, met | hit, count + 1
 
     start = types.Vector3(x, y, height + lift), types.Bool(active), types.Bool(False), types.UInt32(0)
-    place, _, met, _ = dr.while_loop(start, lambda *state: state[1], advance, label="cloth: blocks")
+    end, _, met, _ = dr.while_loop(start, lambda *state: state[1], advance, label="cloth: blocks")
     # A lane stays at its last sample only in symbolic loops; in every mode what it met is kept with it.
-    return met, surface.surface(place.x, place.y, back).is_warp
+    return met, surface.surface(end.x, end.y, back).is_warp

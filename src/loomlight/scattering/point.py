@@ -26,12 +26,7 @@ from loomlight.scattering.detail import (
     turned_frame,
     under_hair,
 )
-from loomlight.scattering.diffuse import (
-    diffuse_pdf,
-    diffuse_reflection,
-    diffuse_transmission,
-    sample_diffuse,
-)
+from loomlight.scattering.diffuse import diffuse_pdf, diffuse_reflection, diffuse_transmission, sample_diffuse
 from loomlight.scattering.family_parameters import ALBEDO_NAMES, FamilyParameters
 from loomlight.scattering.fibre import (
     layer_albedo_estimate,
@@ -42,12 +37,7 @@ from loomlight.scattering.fibre import (
     transmission,
 )
 from loomlight.scattering.interreflection import Interreflection, Scattered, bounced, scattered
-from loomlight.scattering.sheen import (
-    sample_sheen,
-    sheen_pdf,
-    sheen_transmittance,
-    sheen_with_transmittance,
-)
+from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance, sheen_with_transmittance
 from loomlight.scattering.variation import FIBRES_ACROSS, vary_albedos
 from loomlight.scattering.yarn_point import (
     Albedos,
@@ -57,7 +47,7 @@ from loomlight.scattering.yarn_point import (
     tinted,
     to_face_frame,
 )
-from loomlight.yarn.geometry import SurfacePoint
+from loomlight.yarn.flanks import SurfacePoint
 from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality, Surface
 from loomlight.yarn.visibility import first_hit, unoccluded
 
@@ -73,10 +63,7 @@ class YarnScattering:
     """
 
     def __init__(
-        self,
-        surface: Surface,
-        appearance: Appearance,
-        quality: SearchQuality = DEFAULT_QUALITY,
+        self, surface: Surface, appearance: Appearance, quality: SearchQuality = DEFAULT_QUALITY
     ) -> None:
         self.surface = surface
         self.appearance = appearance
@@ -148,7 +135,7 @@ class YarnScattering:
         back = types.Bool(view.z < 0)
         seen = to_face_frame(view, back)
         hit = first_hit(self.surface, x, y, seen, back, active, self.quality)
-        return self.at(hit.x, hit.y, back, hit.hole, size, tint)
+        return self.at(hit.x, hit.y, back, hit.hole, size, tint, (seen, hit.height))
 
     def at(
         self,
@@ -158,6 +145,7 @@ class YarnScattering:
         hole: Mask,
         size: Float | None = None,
         tint: Color3 | None = None,
+        ray: tuple[Vec3, Float] | None = None,
     ) -> YarnPoint:
         """The yarn point at draft coordinates x, y (millimetres) of one face, without parallax.
 
@@ -167,7 +155,8 @@ class YarnScattering:
             tint: what diffuse albedos of the cloth are multiplied with, Color3; None for 1.
         """
         types = array_types(x)
-        point = self.surface.surface(x, y, back)
+        point = self.surface.surface(x, y, back, ray)
+        x, y = point.x, point.y
         warp, weft = self.parameters(types)
         albedos = Albedos(
             *(

@@ -10,7 +10,8 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.yarn.geometry import CellBounds, Probe, SurfacePoint, YarnGeometry
+from loomlight.yarn.flanks import SurfacePoint
+from loomlight.yarn.geometry import CellBounds, Probe, YarnGeometry
 
 
 class DetachedSurface:
@@ -45,7 +46,7 @@ class DetachedSurface:
         with dr.suspend_grad():
             return self.geometry.cell_bounds(x, y, back, right, up)
 
-    def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
-        point = self.geometry.surface(x, y, back)
+    def surface(self, x: Any, y: Any, back: Any, ray: Any = None) -> SurfacePoint:
+        point = self.geometry.surface(x, y, back, ray)
         point.height = dr.detach(point.height)
         return point

@@ -137,12 +137,7 @@ class VariedFamily:
         centre = tables.centre - tables.lower[0]
         place = np.stack([lower, upper, centre, tables.half_width], axis=1)
         self._place = upload(types.Float, place)
-        bend = [
-            np.sin(tables.inclination),
-            np.tan(tables.inclination / 2),
-            tables.arc,
-            tables.edge_drop,
-        ]
+        bend = [np.sin(tables.inclination), np.tan(tables.inclination / 2), tables.arc, tables.edge_drop]
         self._bend = upload(types.Float, np.stack(bend, axis=1))
 
     def _row(self, table: Float, thread: UInt) -> Any:

@@ -29,41 +29,12 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
 from loomlight.yarn.families import Cell, select_cell, span_along
+from loomlight.yarn.flanks import SurfacePoint, Tube, filled_share, meet_tube
 from loomlight.yarn.geometry_tables import DeviceTables, prepare_layout
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.max_heights import PYRAMID_RADII, TILE_CELLS
 from loomlight.yarn.runs import CELL_MAX_LEVELS
 from loomlight.yarn.threads import SECTION_ANGLE, FamilyTables
-
-
-@dataclass
-class SurfacePoint:
-    """A point of the cloth. Seen from behind, in the mirrored frame of the back face.
-
-    Attributes:
-        hole: neither family is here; nothing below then means anything.
-        is_warp: the family that shows.
-        warp_thread, weft_thread: index of the end and the pick whose cells meet here.
-        height: above the plane of the crown lines, millimetres.
-        normal: unit normal n_p of the yarn [3].
-        tangent: unit fibre direction t [3], in the tangent plane.
-        across: distance from the middle of the thread, millimetres, signed.
-        fibre_across, fibre_along: position on the yarn's unrolled section across and along its fibres, which
-            are straight there, millimetres.
-        shown_share: part of its thread that is on this face around here, 0 to 1.
-    """
-
-    hole: Mask
-    is_warp: Mask
-    warp_thread: UInt
-    weft_thread: UInt
-    height: Float
-    normal: Vec3
-    tangent: Vec3
-    across: Float
-    fibre_across: Float
-    fibre_along: Float
-    shown_share: Float
 
 
 @dataclass
@@ -218,7 +189,7 @@ class YarnGeometry:
     def probe(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> Probe:
         """The surface at draft coordinates x, y (millimetres) for a search; see `search.Surface.probe`."""
         types = array_types(x)
-        point, shown, run, (slope_x, slope_y) = self._surface(x, y, back)
+        point, shown, run, (slope_x, slope_y), _ = self._surface(x, y, back)
         crossing = shown.crossing
         return Probe(
             height=point.height,
@@ -252,29 +223,37 @@ class YarnGeometry:
             side_y=dr.select(up, crossing.weft.above, crossing.weft.below),
         )
 
-    def surface(self, x: Float, y: Float, back: Mask) -> SurfacePoint:
+    def surface(self, x: Float, y: Float, back: Mask, ray: tuple[Vec3, Float] | None = None) -> SurfacePoint:
         """The point of the cloth above draft coordinates x, y (millimetres, any number of repeats).
 
         Args:
             x, y: Float arrays, along the weft and along the warp.
             back: Bool, seen from behind.
+            ray: unit vector [3] towards the eye, z > 0, and the height where a ray from there has ended; the
+                point is where it meets the yarn's tube (`flanks.py`), which walls and dives cut off.
         """
-        return self._surface(x, y, back)[0]
+        point, _, _, _, tube = self._surface(x, y, back)
+        if ray is not None:
+            meet_tube(point, tube, self._twist(point.is_warp, back, array_types(x)), ray)
+        return point
+
+    def _twist(self, is_warp: Mask, back: Mask, types: ArrayTypes) -> Float:
+        numbers = self._numbers(self._tables(types))
+        twist = dr.select(is_warp, numbers["warp twist"], numbers["weft twist"])
+        return dr.select(back, -twist, twist)
 
     def _surface(
         self, x: Float, y: Float, back: Mask
-    ) -> tuple[SurfacePoint, _Shown, _Run, tuple[Float, Float]]:
+    ) -> tuple[SurfacePoint, _Shown, _Run, tuple[Float, Float], Tube]:
         types = array_types(x)
         tables = self._tables(types)
         shown = _show(tables, types, x, y, back)
         is_warp = shown.is_warp
         numbers = self._numbers(tables)
         warp_beta, weft_beta = numbers["warp scale"], numbers["weft scale"]
-        warp_twist, weft_twist = numbers["warp twist"], numbers["weft twist"]
         beta = dr.select(is_warp, warp_beta, weft_beta)
         other_beta = dr.select(is_warp, weft_beta, warp_beta)
-        twist = dr.select(is_warp, warp_twist, weft_twist)
-        twist = dr.select(back, -twist, twist)
+        twist = self._twist(is_warp, back, types)
 
         # The thread's own cell gives its cross-section, the cell of the thread it crosses the way along.
         own = select_cell(is_warp, shown.crossing.warp, shown.crossing.weft)
@@ -293,18 +272,18 @@ class YarnGeometry:
         arc = dr.select(flank, run.other_reach, run.reach)
         along = dr.select(flank, arc + run.distance, maximum(arc - run.distance, 0))
         sign = dr.select(over, types.Float(1), types.Float(-1))
-        tube = arc * dr.rcp(run.sine) - sign * section
-        root_square = maximum(dr.fma(tube, tube, -dr.square(along)), 1e-20)
+        bow = arc * dr.rcp(run.sine) - sign * section
+        root_square = maximum(dr.fma(bow, bow, -dr.square(along)), 1e-20)
         inverse_root = dr.rsqrt(root_square)
         bent = along > 0
-        fall = dr.square(along) / dr.fma(root_square, inverse_root, tube)
-        slope_across = section_slope * dr.select(bent, tube * inverse_root, 1)
+        fall = dr.square(along) / dr.fma(root_square, inverse_root, bow)
+        slope_across = section_slope * dr.select(bent, bow * inverse_root, 1)
         outwards = dr.select(shown.on_top, types.Float(1), types.Float(-1)) * along * inverse_root
         slope_along = dr.select(bent, outwards, 0) * dr.select(
             run.near_start, types.Float(1), types.Float(-1)
         )
 
-        dive, dive_slope = _dive(types, tables, shown, run, crossed, other_beta)
+        dive, dive_slope, filled = _dive(types, tables, shown, run, crossed, other_beta)
         bend = dr.select(run.straight, 0, beta * sign)
         level = dr.fma(bend, arc * run.half_tangent, dr.fma(-beta, section, -dive))
         height = dr.fma(-bend, fall, level)
@@ -337,9 +316,14 @@ class YarnGeometry:
             across=across,
             fibre_across=dr.fma(unrolled, cosine, lengthwise * sine),
             fibre_along=dr.fma(lengthwise, cosine, -unrolled * sine),
+            x=x,
+            y=y,
+            depth=types.Float(0),
             shown_share=dr.select(shown.on_top, run.share, 1 - run.share),
         )
-        return point, shown, run, (slope_x, slope_y)
+        slope = dr.fma(-(1 - filled) * dr.rcp(beta), dive_slope, slope_along)
+        tube = Tube(radius, across, slope, beta, dr.fma(filled, dive, height))
+        return point, shown, run, (slope_x, slope_y), tube
 
 
 @dataclass
@@ -459,8 +443,8 @@ def _edge(cell: Cell, shown: _Shown, run: _Run, lengthwise: Mask, forwards: Mask
 
 def _dive(
     types: ArrayTypes, tables: DeviceTables, shown: _Shown, run: _Run, crossed: Cell, other_beta: Float
-) -> tuple[Float, Float]:
-    """Depth by which the thread is pushed down here, and its slope along the thread's axis."""
+) -> tuple[Float, Float, Float]:
+    """Depth by which the thread is pushed down here, its slope along the axis, and `filled_share`."""
     low_side = crossed.below < crossed.above
     distance = minimum(crossed.below, crossed.above)
     # A gap reaches equally far into both cells that share it.
@@ -485,7 +469,7 @@ def _dive(
     rate = 6 * share * (1 - share) * inverse_gap
     depth = dr.fma(beyond - here, blend, here)
     slope = (here - beyond) * rate * dr.select(low_side, types.Float(1), types.Float(-1))
-    return depth, slope
+    return depth, slope, filled_share(2 * half_gap, crossed.half_width)
 
 
 def _fibre_direction(across_slope: Float, along_slope: Float, twist: Float) -> tuple[Float, Float]:

@@ -10,7 +10,8 @@ import drjit as dr
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
 from loomlight.core.masked_branch import masked_branch
-from loomlight.yarn.geometry import CellBounds, Probe, SurfacePoint
+from loomlight.yarn.flanks import SurfacePoint
+from loomlight.yarn.geometry import CellBounds, Probe
 
 # Rays start above the surface by this fraction of the finest thread, so that rounding does not shadow it.
 LIFT = 2e-3
@@ -54,8 +55,8 @@ class Surface(Protocol):
     def cell_bounds(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> CellBounds:
         """The part of `probe` that rays above the cell need."""
 
-    def surface(self, x: Float, y: Float, back: Mask) -> SurfacePoint:
-        """The point at draft coordinates, millimetres."""
+    def surface(self, x: Float, y: Float, back: Mask, ray: tuple[Vec3, Float] | None = None) -> SurfacePoint:
+        """The point at draft coordinates, millimetres; for `ray` see `YarnGeometry.surface`."""
 
 
 @dataclass(frozen=True)

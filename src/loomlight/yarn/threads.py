@@ -17,13 +17,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.yarn.distinct_words import DistinctWords
 from loomlight.yarn.layout import MIN_GAP, FamilyLayout
-from loomlight.yarn.runs import (
-    CELL_MAX_LEVELS,
-    MAX_ARC,
-    MAX_NEIGHBOUR,
-    MAX_OFFSET,
-    row_blocks,
-)
+from loomlight.yarn.runs import CELL_MAX_LEVELS, MAX_ARC, MAX_NEIGHBOUR, MAX_OFFSET, row_blocks
 
 # The cross-section is an arc of ±80°: at 90° the variance of 1/n_z over it would be infinite.
 SECTION_ANGLE = math.radians(80.0)
@@ -233,10 +227,7 @@ class _RunEnds:
 
 
 def _run_ends(
-    words: NDArray[np.uint32],
-    lower: NDArray[np.float64],
-    upper: NDArray[np.float64],
-    period: float,
+    words: NDArray[np.uint32], lower: NDArray[np.float64], upper: NDArray[np.float64], period: float
 ) -> _RunEnds:
     count = lower.size
     here = np.arange(words.shape[1], dtype=np.int32)

@@ -87,7 +87,7 @@ def test_projected_area_is_what_finer_rays_hit(name: str, degrees: float, azimut
     for back in (False, True):
         x, y = _places(geometry, 1)
         hit = first_hit(geometry, x, y, view, Bool(back), True, REFERENCE_QUALITY)
-        point = geometry.surface(hit.x, hit.y, Bool(back))
+        point = geometry.surface(hit.x, hit.y, Bool(back), (view, hit.height))
         nearest = NearestGroup(groups, array_types(Float))
         met = nearest.find(Bool(back), SurfaceHits.of(point, point.hole))
         met = dr.select(hit.hole, nearest.hole_index, met).numpy()
@@ -141,7 +141,7 @@ def test_moments_are_those_of_what_finer_rays_hit(name: str) -> None:
     nearest = NearestGroup(groups, array_types(Float))
     for back in (False, True):
         hit = first_hit(geometry, x, y, view, Bool(back), True, REFERENCE_QUALITY)
-        point = geometry.surface(hit.x, hit.y, Bool(back))
+        point = geometry.surface(hit.x, hit.y, Bool(back), (view, hit.height))
         met = nearest.find(Bool(back), SurfaceHits.of(point, point.hole))
         met = dr.select(hit.hole, nearest.hole_index, met).numpy()
         normal, tangent = (part.numpy().T.astype(np.float64) for part in (point.normal, point.tangent))
@@ -189,19 +189,18 @@ def test_lit_is_what_finer_shadow_rays_say(name: str, degrees: float, azimuth: f
     view = Array3f(*np.ascontiguousarray(views.T, np.float32))
     for back in (False, True):
         hit = first_hit(geometry, x, y, view, Bool(back), True, REFERENCE_QUALITY)
-        hit_x, hit_y = hit.x, hit.y
-        point = geometry.surface(hit_x, hit_y, Bool(back))
+        point = geometry.surface(hit.x, hit.y, Bool(back), (view, hit.height))
         nearest = NearestGroup(groups, array_types(Float))
         hole = point.hole | hit.hole
         number = nearest.find(Bool(back), SurfaceHits.of(point, hole)).numpy()
         count = np.bincount(number, minlength=groups.count + 1)[:-1]
         for side in (0, 1):
             face = Bool(back ^ bool(side))
-            own = geometry.surface(hit_x, hit_y, face)
+            own = geometry.surface(point.x, point.y, face) if side else point
             towards = Array3f(*light.tolist())
             awake = ~own.hole & (dr.dot(own.normal, towards) > 0)
             free = unoccluded(
-                geometry, hit_x, hit_y, own.height, towards, face, awake, REFERENCE_QUALITY
+                geometry, point.x, point.y, own.height, towards, face, awake, REFERENCE_QUALITY
             ).numpy()
             normal = point.normal.numpy().astype(np.float64)
             # In the frame of the face seen light from the other side has z < 0, and lights −n.
@@ -251,9 +250,10 @@ def test_from_the_zenith_everything_is_seen_and_lit(name: str) -> None:
         there = nearest.find(Bool(face), SurfaceHits.of(point, point.hole)).numpy()
         area = np.bincount(there, minlength=groups.count + 1) / len(there)
         assert (np.abs(tables.projected_area[face, zenith] - area) < _noise(area)).all()
-        # The nodes around, 22° off, count as eight rays, and small groups have hardly more.
+        # Groups are lit as all views see them, with flanks that lean over; what this view sees is more lit by
+        # the ratio of joint visibility.
         lit = tables.light_visibility[face, 0][zenith] @ area[:-1] / area[:-1].sum()
-        assert (lit > 0.97).all()
+        assert (lit > 0.9).all()
     # Grazing light reaches less.
     if name == "open plain":
         assert tables.projected_area[:, zenith, -1].min() > 0.1

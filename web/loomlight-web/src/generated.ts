@@ -259,7 +259,7 @@ export const RECORDS = {
     },
   },
   Bake: {
-    words: 40,
+    words: 41,
     fields: {
       "fabric": [0, "uint"],
       "per_family": [1, "uint"],
@@ -296,11 +296,12 @@ export const RECORDS = {
       "group_moments": [32, "uint"],
       "areas": [33, "uint"],
       "area_scales": [34, "uint"],
-      "row_totals": [35, "uint"],
-      "row_largest": [36, "uint"],
-      "coverage_means": [37, "uint"],
-      "coverage_scales": [38, "uint"],
-      "hole_bytes": [39, "uint"],
+      "stand_ins": [35, "uint"],
+      "row_totals": [36, "uint"],
+      "row_largest": [37, "uint"],
+      "coverage_means": [38, "uint"],
+      "coverage_scales": [39, "uint"],
+      "hole_bytes": [40, "uint"],
     },
   },
   Layer: {
@@ -402,12 +403,18 @@ export const MEAN_TURNED = [0.297, -0.086, -3.12] as const;
 export const MEAN_THROUGH = [0.579, 0.31, -2.014, 0.786] as const;
 export const TYPICAL_DEPTH = 1.4;
 
+// yarn.flanks
+export const FLANK_BESIDE = 0.01;
+export const FILLED_GAP = 0.2;
+export const OPEN_GAP = 0.45;
+
 // models.lobes.groups
 export const NORMAL_WEIGHT = 0.5;
 export const SHARE_WEIGHT = 2.0;
 export const CLUSTERED_SAMPLES = 2048;
 export const MIN_VIEW_SAMPLES = 64;
 export const MIN_VIEW_HITS = 8.0;
+export const HIDDEN_SHARE = 0.015625;
 export const GROUPS_PER_PACK = 4;
 
 // models.lobes.hemisphere

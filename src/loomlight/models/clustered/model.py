@@ -137,11 +137,7 @@ class ClusteredModel(FilteredFabricModel):
             model=self.name,
             source=self.fabric,
             tensors=self.tables.arrays(),
-            settings={
-                "samples": self.samples,
-                "texels": self.texels,
-                "tables_version": _TABLES_VERSION,
-            },
+            settings={"samples": self.samples, "texels": self.texels, "tables_version": _TABLES_VERSION},
         )
 
     @classmethod
@@ -204,11 +200,7 @@ class ClusteredModel(FilteredFabricModel):
         if types.Float not in self._uploaded:
             appearance = self.fabric.appearance()
             self._uploaded[types.Float] = DeviceTables(
-                self.tables,
-                self._geometry.size,
-                appearance.diffuse_blend,
-                appearance.optical_depth,
-                types,
+                self.tables, self._geometry.size, appearance.diffuse_blend, appearance.optical_depth, types
             )
         return self._uploaded[types.Float]
 

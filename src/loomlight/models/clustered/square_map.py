@@ -76,12 +76,7 @@ def bin_taps(direction: Vec3, bins: int = BINS) -> BinTaps:
     corner = row * bins + column
     return BinTaps(
         (corner, corner + 1, corner + bins, corner + (bins + 1)),
-        (
-            (1 - across) * (1 - along),
-            across * (1 - along),
-            (1 - across) * along,
-            types.Float(across * along),
-        ),
+        ((1 - across) * (1 - along), across * (1 - along), (1 - across) * along, types.Float(across * along)),
     )
 
 

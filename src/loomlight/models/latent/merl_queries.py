@@ -27,12 +27,7 @@ class MerlReflectance:
         self.slopes = np.zeros((1, 1, 1, 1, 2), np.float32)
 
     def values(
-        self,
-        positions: _Floats,
-        levels: _Floats,
-        lights: _Floats,
-        views: _Floats,
-        seed: tuple[int, ...],
+        self, positions: _Floats, levels: _Floats, lights: _Floats, views: _Floats, seed: tuple[int, ...]
     ) -> _Floats:
         """f·cos of the BRDFs that the positions lie in."""
         del levels, seed

@@ -41,12 +41,7 @@ class Reflectance(Protocol):
     def slopes(self) -> _Floats: ...
 
     def values(
-        self,
-        positions: _Floats,
-        levels: _Floats,
-        lights: _Floats,
-        views: _Floats,
-        seed: tuple[int, ...],
+        self, positions: _Floats, levels: _Floats, lights: _Floats, views: _Floats, seed: tuple[int, ...]
     ) -> _Floats:
         """f·cos [n, 3], linear RGB, 1/sr, filtered over footprints; unbiased estimates of it are right too.
 

@@ -15,11 +15,7 @@ from loomlight.core.backend import array_types, maximum, minimum
 from loomlight.core.footprint import Footprint
 from loomlight.core.masked_branch import masked_branch
 from loomlight.models.between_yarns import Bounced
-from loomlight.models.lobes.point_sampled import (
-    point_sampled,
-    point_sampled_hole,
-    with_search_quality,
-)
+from loomlight.models.lobes.point_sampled import point_sampled, point_sampled_hole, with_search_quality
 from loomlight.models.lobes.prefiltered import PrefilteredLobes, TableLookup, half_vector
 from loomlight.models.lobes.proposal import Mixture, density, draw, mixture_of, packs_density, total_weight
 from loomlight.models.lobes.regimes import Regime
@@ -107,21 +103,22 @@ class LobesBsdf(FilteredBsdf):
         types, surface, centre = array_types(self.view.x), model.surface, footprint.centre
         point_weight = 1 - self._regime.prefiltered
 
-        def intersect(_: tuple[Float, Float, Float]) -> tuple[Float, Float, Float]:
-            view = to_face_frame(self.view, back)
-            hit = first_hit(surface, centre.x, centre.y, view, back, True, model.quality)
-            hit_weight = dr.select(hit.hole, 0, point_weight)
-            return dr.select(hit.hole, centre.x, hit.x), dr.select(hit.hole, centre.y, hit.y), hit_weight
+        view = to_face_frame(self.view, back)
 
-        start = centre.x, centre.y, types.Float(point_weight)
-        x, y, weight = masked_branch(point_weight > 0, start, intersect, "lobes: central ray")
+        def intersect(_: tuple[Float, ...]) -> tuple[Float, ...]:
+            hit = first_hit(surface, centre.x, centre.y, view, back, True, model.quality)
+            x, y = dr.select(hit.hole, centre.x, hit.x), dr.select(hit.hole, centre.y, hit.y)
+            return x, y, hit.height, dr.select(hit.hole, 0, point_weight)
+
+        start = centre.x, centre.y, types.Float(0 * point_weight), types.Float(point_weight)
+        x, y, end, weight = masked_branch(point_weight > 0, start, intersect, "lobes: central ray")
         shifted = types.Vector2(dr.lerp(centre.x, x, weight), dr.lerp(centre.y, y, weight))
         mean = means.over(replace(footprint, centre=shifted), back)
         if not varies:
             return FamilyAlbedos(*mean)
 
         def vary(families: tuple[Albedos, Albedos]) -> tuple[Albedos, Albedos]:
-            point = surface.surface(x, y, back)
+            point = surface.surface(x, y, back, (view, end))
             hair = model.hair(x, y, back, size)
             warp, weft = (
                 _lerp(

@@ -23,8 +23,8 @@ from loomlight.core.invariant_divider import InvariantDivider
 from loomlight.models.lobes.cell_kinds import CELL_COUNT, CrossingKinds, count_by_kinds
 from loomlight.models.lobes.cloth_samples import UploadedCloth
 from loomlight.models.lobes.coverage_lookup import TENT_VARIANCE
-from loomlight.models.lobes.groups import NearestGroup
-from loomlight.models.lobes.packed_uint8 import pack_count
+from loomlight.models.lobes.groups import Groups, NearestGroup, stand_ins
+from loomlight.models.lobes.packed_uint8 import byte_of_group, pack_count
 from loomlight.yarn.geometry import YarnGeometry
 
 # Blur steps that make tents of cells: what each neighbour gives to a cell, at most (no weight may be
@@ -229,6 +229,20 @@ def _count_all(cloth: UploadedCloth, nearest: NearestGroup, texels: _Texels, cou
     packed = dr.zeros(cloth.types.UInt32, words)
     texels.add(cloth, nearest, dr.arange(cloth.types.UInt32, count), packed)
     return packed
+
+
+def cover_hidden(cells: CellCounts, groups: Groups, area: NDArray[np.float64]) -> None:
+    """Gives groups that are hidden from straight above the counts of those they lie beside; waits for counts.
+
+    Args:
+        area: projected areas [2 faces, nodes, 2 K groups and holes]; see `VisibilityTables`.
+    """
+    counts, offsets = cells.counts(), byte_of_group(groups.per_family)
+    texels = counts.sum(axis=(1, 2), dtype=np.float64)[:, offsets] / (counts[0, ..., 0].size * cells.texels)
+    for of_face, sources in zip(counts, stand_ins(groups, texels, area[..., :-1].max(axis=1)), strict=True):
+        for group in np.flatnonzero(sources != np.arange(groups.count)):
+            of_face[..., offsets[group]] = of_face[..., offsets[sources[group]]]
+    cells.packed = counts.view(np.uint32).ravel()
 
 
 def build_pyramid(cells: CellCounts) -> CoveragePyramid:

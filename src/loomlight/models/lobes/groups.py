@@ -22,7 +22,7 @@ from loomlight.core.parallel_map import parallel_map
 from loomlight.models.lobes.cloth_samples import GOLDEN_FRACTION, FaceSamples, SurfaceHits, TopDownSamples
 from loomlight.models.lobes.clustering import FEATURES, BisectingClusters
 from loomlight.models.lobes.packed_uint8 import pack_count
-from loomlight.yarn.geometry import SurfacePoint
+from loomlight.yarn.flanks import SurfacePoint
 
 # Weight of the normal beside the fibre direction in distances: highlights are narrow in the latter.
 NORMAL_WEIGHT = 0.5
@@ -35,6 +35,8 @@ CLUSTERED_SAMPLES = 1 << 11
 MIN_VIEW_SAMPLES = 64
 # Groups that fewer views hit keep the moments of their centroid: a covariance of so few is unreliable.
 MIN_VIEW_HITS = 8.0
+# Groups that cover less of the cloth from above than this share of what some view sees of them are hidden.
+HIDDEN_SHARE = 1 / 64
 # Families get groups in multiples of a pack, uint8x4.
 GROUPS_PER_PACK = 4
 # Numbers of a centroid in memory, and a distance above all others.
@@ -213,3 +215,22 @@ def with_view_moments(groups: Groups, sums: NDArray[np.float64]) -> Groups:
         tangent=np.where(few, groups.tangent, tangent),
         covariance=np.where(few[..., None], groups.covariance, covariance),
     )
+
+
+def stand_ins(groups: Groups, coverage: NDArray[np.float64], seen: NDArray[np.float64]) -> NDArray[np.intp]:
+    """The group of the same face [2, 2 K] that each group lies where it lies: mostly itself.
+
+    Flanks below the edges of yarns are hidden from straight above, where coverage is counted. They lie where
+    that group of their family does which looks most like them among those that show.
+
+    Args:
+        coverage: of the repeat, by each group [2, 2 K].
+        seen: the largest projected area of each group [2, 2 K].
+    """
+    hidden = coverage < HIDDEN_SHARE * np.maximum(seen, 1e-9)
+    is_warp = np.arange(groups.count) < groups.warp_count[:, None]
+    other = hidden[:, None] | (is_warp[:, :, None] != is_warp[:, None])
+    offset = groups.centroids[:, :, None] - groups.centroids[:, None]
+    distance = np.where(other, np.inf, np.square(offset).sum(axis=-1))
+    itself = ~hidden | np.isinf(distance).all(axis=-1)
+    return np.where(itself, np.arange(groups.count), distance.argmin(axis=-1))

@@ -16,6 +16,7 @@ heuristic, Veach and Guibas 1995). Means over pairs of directions are then produ
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import drjit as dr
 import numpy as np
@@ -36,7 +37,7 @@ from loomlight.models.lobes.joint_lookup import (
     MAX_JOINT_RATIO,
     packed_factors,
 )
-from loomlight.models.lobes.visibility_rays import BAKE_QUALITY, SurfaceHits
+from loomlight.models.lobes.visibility_rays import BAKE_QUALITY, SurfaceHits, direction_of
 from loomlight.yarn.search import SearchQuality
 from loomlight.yarn.visibility import first_hit, unoccluded
 
@@ -60,6 +61,8 @@ _WEIGHT_POWER = 0.75
 _COLUMNS, _ITERATIONS = 2 * JOINT_TERMS, 8
 
 Floats = NDArray[np.float32]
+# Where shadow rays start, and the normal there.
+_Start: TypeAlias = tuple[Vec3, Vec3]
 
 
 @dataclass
@@ -68,14 +71,14 @@ class JointPoints:
 
     Attributes:
         hits: their yarn.
-        on_wall: the side of a yarn is hit.
+        on_flank: the ray has ended below its yarn's tube, on a wall or where the yarn dives.
         facing: normal of what is hit, the yarn or its side.
         rings: the last free ring along each azimuth [3·2·_POINTS·JOINT_AZIMUTHS], for the view, light of the
-            view's side on walls, and light of the other side.
+            view's side on flanks, and light of the other side.
     """
 
     hits: SurfaceHits
-    on_wall: Mask
+    on_flank: Mask
     facing: Vec3
     rings: UInt
 
@@ -92,22 +95,22 @@ def launch_joint(cloth: FrozenArg[UploadedCloth]) -> JointPoints:
     rows = np.pad(joint_directions(), ((0, 0), (0, 1))).astype(np.float32)
     directions = upload(types.Float, rows)
     thread = dr.opaque(types.Float, min(cloth.value.geometry.finest))
-    hits, on_wall, facing, place = _trace_hits(cloth, directions, thread)
-    rings = _free_rings(cloth, directions, thread, facing, place, on_wall, hits.hole)
-    return JointPoints(hits, on_wall, facing, rings)
+    hits, on, of_view, of_light = _trace_hits(cloth, directions, thread)
+    rings = _free_rings(cloth, directions, thread, of_view, of_light, on, hits.hole)
+    return JointPoints(hits, on[1], of_view[1], rings)
 
 
 @FrozenFunction
 def _trace_hits(
     cloth: UploadedCloth, directions: Float, thread: Float
-) -> tuple[SurfaceHits, Mask, Vec3, Vec3]:
-    """Of `JointPoints` all but the rings, and where hits lie [3], millimetres."""
+) -> tuple[SurfaceHits, tuple[Mask, Mask], _Start, _Start]:
+    """Hits; whether they are on a wall, on a flank; where views and where light meet them."""
     types, geometry = cloth.types, cloth.geometry
     lane = dr.arange(types.UInt32, 2 * _POINTS)
     back = lane >= _POINTS
     node = dr.select(back, lane - _POINTS, lane) // VIEWS
     x, y = cloth.positions.in_lattice(lane % VIEWS, VIEWS, node)
-    view = _direction(cloth, directions, node)
+    view = direction_of(cloth, directions, node)
     hit = first_hit(geometry, x, y, view, back, True, _VIEW_QUALITY)
     point = geometry.surface(hit.x, hit.y, back)
     hole = hit.hole | point.hole
@@ -119,7 +122,10 @@ def _trace_hits(
     side = types.Vector3(dr.select(faces_x, beside[0], 0), dr.select(faces_x, 0, beside[1]), 0)
     place = types.Vector3(hit.x, hit.y, dr.select(on_wall, hit.height, point.height))
     facing = dr.select(on_wall, side, point.normal)
-    return SurfaceHits.of(point, hole), on_wall, facing, place
+    met = geometry.surface(hit.x, hit.y, back, (view, hit.height))
+    on_flank = ~hole & (met.depth > _BELOW * thread)
+    of_light = types.Vector3(met.x, met.y, met.height), met.normal
+    return SurfaceHits.of(met, hole), (on_wall, on_flank), (place, facing), of_light
 
 
 @FrozenFunction
@@ -127,9 +133,9 @@ def _free_rings(
     cloth: UploadedCloth,
     directions: Float,
     thread: Float,
-    facing: Vec3,
-    place: Vec3,
-    on_wall: Mask,
+    of_view: _Start,
+    of_light: _Start,
+    on: tuple[Mask, Mask],
     hole: Mask,
 ) -> UInt:
     """`JointPoints.rings`, by bisection: along an azimuth, rings are free down to the horizon."""
@@ -137,22 +143,24 @@ def _free_rings(
     lane = dr.arange(types.UInt32, 3 * 2 * _POINTS * JOINT_AZIMUTHS)
     ray = lane // JOINT_AZIMUTHS
     kind, number = ray // (2 * _POINTS), ray % (2 * _POINTS)
-    start, normal = dr.gather(types.Vector3, place, number), dr.gather(types.Vector3, facing, number)
-    is_wall = dr.gather(types.Bool, on_wall, number)
+    (start, facing), lit = ([dr.gather(types.Vector3, v, number) for v in of] for of in (of_view, of_light))
+    on_wall, on_flank = (dr.gather(types.Bool, mask, number) for mask in on)
+    start = dr.select(kind == _VIEW, start, lit[0])
     face = (number >= _POINTS) ^ (kind == _BEHIND)
     point = geometry.surface(start.x, start.y, face)
-    from_wall = is_wall & (kind == _VIEW)
-    normal = dr.select(from_wall, normal, point.normal)
-    # Off walls, light of the view's side reaches what views reach.
-    active = ~dr.gather(types.Bool, hole, number) & ((kind != _LIT) | is_wall) & (from_wall | ~point.hole)
+    from_wall = on_wall & (kind == _VIEW)
+    # Off flanks, light of the view's side reaches what views reach.
+    is_lit = (kind == _LIT) & on_flank
+    active = ~dr.gather(types.Bool, hole, number) & (is_lit | (~point.hole & (kind != _LIT)) | from_wall)
+    normal = dr.select(is_lit, lit[1], dr.select(from_wall, facing, point.normal))
     aside = dr.select(from_wall, _OUTWARDS * thread, 0)
     x, y = dr.fma(normal.x, aside, start.x), dr.fma(normal.y, aside, start.y)
-    height = dr.select(from_wall, start.z, point.height)
+    height = dr.select(from_wall | is_lit, start.z, point.height)
     first = lane % JOINT_AZIMUTHS * RINGS
 
     def next_ring(rings: UInt, step: UInt) -> tuple[UInt, UInt]:
         """The rings `step` further out where those are free, else as they are."""
-        direction = _direction(cloth, directions, first + rings + step)
+        direction = direction_of(cloth, directions, first + rings + step)
         searched = active & (dr.dot(normal, direction) > 0)
         is_free = unoccluded(geometry, x, y, height, direction, face, searched, BAKE_QUALITY)
         return dr.select(is_free, rings + step, rings), step // 2
@@ -166,11 +174,6 @@ def _free_rings(
     return rings
 
 
-def _direction(cloth: UploadedCloth, directions: Float, node: UInt) -> Vec3:
-    row = dr.gather(cloth.types.Vector4, directions, node)
-    return cloth.types.Vector3(row.x, row.y, row.z)
-
-
 def joint_factors(points: JointPoints, groups: Groups, diffuse_blend: float) -> NDArray[np.int16]:
     """Factors [2 faces, 2 sides, view or light, JOINT_NODES, JOINT_FACTORS], packed; waits for rays.
 
@@ -181,7 +184,7 @@ def joint_factors(points: JointPoints, groups: Groups, diffuse_blend: float) -> 
     rings = points.rings.numpy().reshape(3, 2, _POINTS, JOINT_AZIMUTHS, 1)
     hits = points.hits
     group_of = group_of_hits(hits, hits.hole, groups).reshape(2, _POINTS)
-    hole, on_wall = (part.numpy().reshape(2, _POINTS) for part in (hits.hole, points.on_wall))
+    hole, on_flank = (part.numpy().reshape(2, _POINTS) for part in (hits.hole, points.on_flank))
     normal, facing = (
         np.stack([part.numpy() for part in vector], axis=-1).reshape(2, _POINTS, 3)
         for vector in (hits.normal, points.facing)
@@ -191,7 +194,7 @@ def joint_factors(points: JointPoints, groups: Groups, diffuse_blend: float) -> 
     for face in range(2):
         is_free = [(rings[kind, face] >= np.arange(RINGS)).reshape(_POINTS, -1) for kind in range(3)]
         seen = _seen_weights(is_free[_VIEW] & ~hole[face, :, None], facing[face], nodes)
-        lit = np.where(on_wall[face, :, None], is_free[_LIT], is_free[_VIEW]), is_free[_BEHIND]
+        lit = np.where(on_flank[face, :, None], is_free[_LIT], is_free[_VIEW]), is_free[_BEHIND]
         members = _members(group_of[face], groups, face)
         across, up = normal[face, :, :2] @ nodes[:, :2].T, normal[face, :, 2:] * nodes[:, 2]
         for side, cosine in enumerate((up + across, up - across)):

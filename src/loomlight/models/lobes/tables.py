@@ -16,7 +16,7 @@ from loomlight.core.arrays import FloatType
 from loomlight.core.errors import InputError
 from loomlight.core.frozen import FrozenArg
 from loomlight.models.lobes.cloth_samples import top_down_samples, upload_cloth
-from loomlight.models.lobes.coverage_pyramid import CoveragePyramid, build_pyramid, count_cells
+from loomlight.models.lobes.coverage_pyramid import CoveragePyramid, build_pyramid, count_cells, cover_hidden
 from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups
 from loomlight.models.lobes.hemisphere import NODES
 from loomlight.models.lobes.joint_lookup import JOINT_FACTORS, JOINT_NODES
@@ -94,6 +94,7 @@ def bake_tables(
     groups = find_groups(top_down, from_views, per_family)
     cells = count_cells(cloth, FrozenArg(NearestGroup(groups, cloth.value.types)), per_family)
     visibility, groups = tabulate_visibility(rays, groups, diffuse_blend)
+    cover_hidden(cells, groups, visibility.projected_area)
     coverage = build_pyramid(cells)
     projected_area, area_scale = _quantized_area(visibility, per_family)
     moments, hole_weight = _moments(groups, coverage, area_scale)

@@ -49,7 +49,7 @@ class ViewRays:
         rays: of each node and face.
         directions: unit vectors of all nodes, uploaded [4 NODES].
         hits: first hits; arbitrary where a ray passes through the cloth.
-        x, y: where they lie, millimetres.
+        place: where they lie [3], millimetres, on the yarns' tubes (`yarn/flanks.py`).
         below_plane: the hit lies below z = 0.
         starts_in_gap: the ray crosses z = 0 where there is no yarn.
     """
@@ -57,8 +57,7 @@ class ViewRays:
     rays: int
     directions: Float
     hits: SurfaceHits
-    x: Float
-    y: Float
+    place: Vec3
     below_plane: Mask
     starts_in_gap: Mask
 
@@ -105,8 +104,8 @@ def launch_views(cloth: FrozenArg[UploadedCloth], per_family: int) -> ViewRays:
     rays = ray_count(per_family)
     rows = np.pad(node_directions(), ((0, 0), (0, 1))).astype(np.float32)
     directions = upload(cloth.value.types.Float, rows)
-    hits, x, y, below_plane = _trace_views(cloth, directions, rays)
-    return ViewRays(rays, directions, hits, x, y, below_plane, _start_in_gaps(cloth, rays))
+    hits, place, below_plane = _trace_views(cloth, directions, rays)
+    return ViewRays(rays, directions, hits, place, below_plane, _start_in_gaps(cloth, rays))
 
 
 def view_samples(views: ViewRays) -> FaceSamples:
@@ -137,7 +136,7 @@ def launch_rays(cloth: FrozenArg[UploadedCloth], samples: TopDownSamples, views:
     gaps = samples.gaps[:: max(1, len(samples.gaps) // MAX_GAP_RAYS)][:MAX_GAP_RAYS]
     # Uploads wait for kernels that run, so they come before the launches.
     lanes, starts = upload(UInt32, from_gaps.astype(np.uint32)), upload(Float, gaps)
-    is_lit, is_lit_behind = _trace_shadows(cloth, directions, rays, views.x, views.y)
+    is_lit, is_lit_behind = _trace_shadows(cloth, directions, rays, views.place, views.hits.normal)
     gap_is_null = _trace_gaps(cloth, directions, starts, len(gaps)) if len(gaps) else None
     has_null = len(from_gaps) > 0
     view_is_null = _trace_null(cloth, directions, rays, lanes, views.below_plane) if has_null else None
@@ -153,34 +152,33 @@ def _start_in_gaps(cloth: UploadedCloth, rays: int) -> Mask:
 
 @FrozenFunction
 def _trace_shadows(
-    cloth: UploadedCloth, directions: Float, rays: int, x: Float, y: Float
+    cloth: UploadedCloth, directions: Float, rays: int, place: Vec3, normal: Vec3
 ) -> tuple[Mask, Mask]:
-    """Whether light from each node reaches hits at x, y, and from the other side the other face there."""
+    """Whether light from each node reaches hits, and from the other side the other face there."""
     types = cloth.types
     back, node, ray = _rays_of_nodes(cloth, rays, dr.arange(types.UInt32, 2 * NODES * rays))
     per_node = dr.opaque(types.UInt32, rays)
     start = start_of_shadow_ray(node, ray, per_node) + dr.select(back, NODES * per_node, 0)
-    x, y = dr.gather(types.Float, x, start), dr.gather(types.Float, y, start)
-    light = _direction(cloth, directions, node)
+    x, y, height = dr.gather(types.Vector3, place, start)
+    light = direction_of(cloth, directions, node)
 
-    def reaches(face: Mask) -> Mask:
-        point = cloth.geometry.surface(x, y, face)
-        faces_light = ~point.hole & (dr.dot(point.normal, light) > 0)
-        return unoccluded(cloth.geometry, x, y, point.height, light, face, faces_light, BAKE_QUALITY)
+    def reaches(height: Float, normal: Vec3, face: Mask) -> Mask:
+        faces_light = dr.dot(normal, light) > 0
+        return unoccluded(cloth.geometry, x, y, height, light, face, faces_light, BAKE_QUALITY)
 
-    return reaches(back), reaches(~back)
+    far = cloth.geometry.surface(x, y, ~back)
+    is_lit_behind = ~far.hole & reaches(far.height, far.normal, ~back)
+    return reaches(height, dr.gather(types.Vector3, normal, start), back), is_lit_behind
 
 
 @FrozenFunction
-def _trace_views(
-    cloth: UploadedCloth, directions: Float, rays: int
-) -> tuple[SurfaceHits, Float, Float, Mask]:
-    """First hits of views that do not pass through the cloth, their x and y, and whether they lie below 0."""
+def _trace_views(cloth: UploadedCloth, directions: Float, rays: int) -> tuple[SurfaceHits, Vec3, Mask]:
+    """First hits of views that do not pass through the cloth, where they lie [3], and whether below 0."""
     back, x, y, view = _rays(cloth, directions, rays, dr.arange(cloth.types.UInt32, 2 * NODES * rays))
     hit = first_hit(cloth.geometry, x, y, view, back, True, BAKE_QUALITY, passing=False)
-    point = cloth.geometry.surface(hit.x, hit.y, back)
+    point = cloth.geometry.surface(hit.x, hit.y, back, (view, hit.height))
     hits = SurfaceHits.of(point, point.hole)
-    return hits, hit.x, hit.y, hit.height <= 0
+    return hits, cloth.types.Vector3(point.x, point.y, point.height), hit.height <= 0
 
 
 @FrozenFunction
@@ -201,14 +199,14 @@ def _trace_gaps(cloth: UploadedCloth, directions: Float, starts: Float, count: i
     lane = dr.arange(types.UInt32, NODES * count)
     node, ray = InvariantDivider(count, types).divide(lane)
     x, y = dr.gather(types.Vector2, starts, ray)
-    view = _direction(cloth, directions, node)
+    view = direction_of(cloth, directions, node)
     return passes_through(cloth.geometry, x, y, view, lane < 0, True, BAKE_QUALITY)
 
 
 def _rays(cloth: UploadedCloth, directions: Float, rays: int, lane: UInt) -> tuple[Mask, Float, Float, Vec3]:
     """Rays of both faces and all nodes, `rays` of each: back, x, y, direction."""
     back, x, y, node = _positions(cloth, rays, lane)
-    return back, x, y, _direction(cloth, directions, node)
+    return back, x, y, direction_of(cloth, directions, node)
 
 
 def _positions(cloth: UploadedCloth, rays: int, lane: UInt) -> tuple[Mask, Float, Float, UInt]:
@@ -225,7 +223,7 @@ def _rays_of_nodes(cloth: UploadedCloth, rays: int, lane: UInt) -> tuple[Mask, U
     return back, node, ray
 
 
-def _direction(cloth: UploadedCloth, directions: Float, node: UInt) -> Vec3:
+def direction_of(cloth: UploadedCloth, directions: Float, node: UInt) -> Vec3:
     """Unit vector of a node."""
     row = dr.gather(cloth.types.Vector4, directions, node)
     return cloth.types.Vector3(row.x, row.y, row.z)

@@ -33,11 +33,7 @@ from loomlight.models.neumip.networks import (
     sampler_widths,
 )
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
-from loomlight.models.neumip.settings import (
-    DEFAULT_QUALITY,
-    QUALITIES,
-    settings_of,
-)
+from loomlight.models.neumip.settings import DEFAULT_QUALITY, QUALITIES, settings_of
 from loomlight.models.textured_model import (
     TexturedBsdf,
     TexturedModel,

@@ -144,11 +144,7 @@ class DeviceWeights:
         return self._texel(self._features, taps)
 
     def value(
-        self,
-        latent: Sequence[Float],
-        light: Sequence[Float],
-        view: Sequence[Float],
-        network: str = "decoder",
+        self, latent: Sequence[Float], light: Sequence[Float], view: Sequence[Float], network: str = "decoder"
     ) -> list[Float]:
         """f·cos, three channels, 1/sr, of x and y of light and view in the frame of the face seen.
 

@@ -12,11 +12,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.simd import CompiledKernel, Floats, host_target
 from loomlight.models.neural.architecture import NetworkTable
-from loomlight.models.neural.decoder_kernel import (
-    EntryPoint,
-    decoder_kernel,
-    packed_layers,
-)
+from loomlight.models.neural.decoder_kernel import EntryPoint, decoder_kernel, packed_layers
 from loomlight.models.neural.encoded_fabric import EncodedFabric
 from loomlight.models.neural.latent_table import LatentTable
 from loomlight.models.neural.weights import Weights

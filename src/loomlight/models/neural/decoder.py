@@ -24,13 +24,7 @@ from loomlight.core.arrays import Array, Float, Mask, Vec3
 from loomlight.core.backend import array_types, clip
 from loomlight.core.simd import call_kernel, can_use_kernel
 from loomlight.models.neural.architecture import BUNDLES, VIEW_FEATURES
-from loomlight.models.neural.codings import (
-    DIFFUSE,
-    fibre_features,
-    mixed_bundles,
-    one_blob,
-    unmapped,
-)
+from loomlight.models.neural.codings import DIFFUSE, fibre_features, mixed_bundles, one_blob, unmapped
 from loomlight.models.neural.compiled import compiled_decoder
 from loomlight.models.neural.decoder_kernel import EntryPoint
 from loomlight.models.neural.footprint_coding import (

@@ -27,12 +27,7 @@ from loomlight.models.neural.encoded_fabric import EncodedFabric
 from loomlight.models.neural.encoder import repeat_threads
 from loomlight.models.neural.encoding import encode, encode_pair
 from loomlight.models.neural.fibres import Fibres
-from loomlight.models.neural.footprint_coding import (
-    AnisotropicTaps,
-    levels_of,
-    mean_pitch,
-    taps_of_footprint,
-)
+from loomlight.models.neural.footprint_coding import AnisotropicTaps, levels_of, mean_pitch, taps_of_footprint
 from loomlight.models.neural.latent_table import LatentTable
 from loomlight.models.neural.light_visibility import light_visibility_of
 from loomlight.models.neural.proposal import Proposal, proposal_of

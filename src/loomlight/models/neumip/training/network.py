@@ -100,12 +100,7 @@ class NeumipNetwork(nn.Module):
         return functional.relu(outputs), opacity
 
     def latent(
-        self,
-        positions: Tensor,
-        levels: Tensor,
-        views: Tensor,
-        faces: Tensor,
-        offset_frozen: bool = False,
+        self, positions: Tensor, levels: Tensor, views: Tensor, faces: Tensor, offset_frozen: bool = False
     ) -> Tensor:
         """Interpolated texels of the pyramid [n, 7]; arguments as of `forward`."""
         shape, (u, v) = self.shape, positions.T

@@ -35,6 +35,7 @@ struct Bake_std430_0
     @align(4) group_moments_0 : u32,
     @align(4) areas_0 : u32,
     @align(4) area_scales_0 : u32,
+    @align(4) stand_ins_0 : u32,
     @align(4) row_totals_0 : u32,
     @align(4) row_largest_0 : u32,
     @align(4) coverage_means_0 : u32,
@@ -248,112 +249,53 @@ fn bytes_of_0( word_0 : u32) -> vec4<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn bake_first_level(@builtin(global_invocation_id) id_1 : vec3<u32>)
+fn bake_row_totals(@builtin(global_invocation_id) id_1 : vec3<u32>)
 {
     var _S1 : u32 = thread_index_0(id_1);
     var _S2 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
     var _S3 : Level_0 = this_level_0();
-    if(_S1 >= (_S3.columns_2 * _S3.rows_2 * _S2))
+    if(_S1 >= (_S3.rows_2 * _S2))
     {
         return;
     }
-    var _S4 : u32 = _S1 % _S2;
-    var _S5 : u32 = _S1 / _S2;
-    var _S6 : u32 = _S5 % _S3.columns_2;
-    var _S7 : i32 = i32(_S6);
-    var _S8 : u32 = _S1 / _S2;
-    var _S9 : u32 = _S8 / _S3.columns_2;
-    var _S10 : i32 = i32(_S9);
-    var _S11 : i32 = i32(steps_0[i32(7)]);
-    var _S12 : i32 = i32(steps_0[i32(8)]);
-    var _S13 : u32 = _S3.face_0 * _S3.columns_2 * _S3.rows_2;
-    const _S14 : vec4<f32> = vec4<f32>(0.0f, 0.0f, 0.0f, 0.0f);
-    var j_0 : i32 = - _S12;
-    var mean_0 : vec4<f32> = _S14;
-    for(;;)
-    {
-        if(j_0 <= _S12)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S15 : u32 = u32(_S10 + j_0 + i32(u32(16) * _S3.rows_2)) % _S3.rows_2;
-        var _S16 : u32 = _S13 + _S15 * _S3.columns_2;
-        var i_0 : i32 = - _S11;
-        var part_0 : vec4<f32> = _S14;
-        for(;;)
-        {
-            if(i_0 <= _S11)
-            {
-            }
-            else
-            {
-                break;
-            }
-            var _S17 : u32 = u32(_S7 + i_0 + i32(u32(16) * _S3.columns_2)) % _S3.columns_2;
-            var part_1 : vec4<f32> = part_0 + vec4<f32>((bitcast<f32>((steps_0[u32(16) + u32(abs(i_0))])))) * bytes_of_0(texel_counts_0[(_S16 + _S17) * _S2 + _S4]);
-            i_0 = i_0 + i32(1);
-            part_0 = part_1;
-        }
-        var mean_1 : vec4<f32> = mean_0 + vec4<f32>((bitcast<f32>((steps_0[u32(32) + u32(abs(j_0))])))) * part_0;
-        j_0 = j_0 + i32(1);
-        mean_0 = mean_1;
-    }
-    coverage_pyramid_0[_S1] = mean_0 / vec4<f32>(f32(bakes_0[i32(0)].texels_across_0 * bakes_0[i32(0)].texels_along_0));
-    return;
-}
-
-@compute
-@workgroup_size(64, 1, 1)
-fn bake_row_totals(@builtin(global_invocation_id) id_2 : vec3<u32>)
-{
-    var _S18 : u32 = thread_index_0(id_2);
-    var _S19 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
-    var _S20 : Level_0 = this_level_0();
-    if(_S18 >= (_S20.rows_2 * _S19))
-    {
-        return;
-    }
-    var _S21 : u32 = _S18 / _S19;
-    const _S22 : vec4<u32> = vec4<u32>(u32(0), u32(0), u32(0), u32(0));
+    var _S4 : u32 = _S1 / _S2;
+    const _S5 : vec4<u32> = vec4<u32>(u32(0), u32(0), u32(0), u32(0));
     var largest_0 : vec4<f32> = vec4<f32>(0.0f, 0.0f, 0.0f, 0.0f);
     var column_0 : u32 = u32(0);
-    var total_0 : vec4<u32> = _S22;
+    var total_0 : vec4<u32> = _S5;
     for(;;)
     {
-        if(column_0 < (_S20.columns_2))
+        if(column_0 < (_S3.columns_2))
         {
         }
         else
         {
             break;
         }
-        var _S23 : u32 = (_S21 * _S20.columns_2 + column_0) * _S19;
-        var _S24 : u32 = _S18 % _S19;
-        var _S25 : u32 = _S23 + _S24;
-        var total_1 : vec4<u32> = total_0 + vec4<u32>(bytes_of_0(texel_counts_0[_S20.face_0 * _S20.columns_2 * _S20.rows_2 * _S19 + _S25]));
-        var _S26 : vec4<f32> = max(largest_0, coverage_pyramid_0[_S25]);
-        var _S27 : u32 = column_0 + u32(1);
-        largest_0 = _S26;
-        column_0 = _S27;
+        var _S6 : u32 = (_S4 * _S3.columns_2 + column_0) * _S2;
+        var _S7 : u32 = _S1 % _S2;
+        var _S8 : u32 = _S6 + _S7;
+        var total_1 : vec4<u32> = total_0 + vec4<u32>(bytes_of_0(texel_counts_0[_S3.face_0 * _S3.columns_2 * _S3.rows_2 * _S2 + _S8]));
+        var _S9 : vec4<f32> = max(largest_0, coverage_pyramid_0[_S8]);
+        var _S10 : u32 = column_0 + u32(1);
+        largest_0 = _S9;
+        column_0 = _S10;
         total_0 = total_1;
     }
-    var i_1 : u32 = u32(0);
+    var i_0 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < u32(4))
+        if(i_0 < u32(4))
         {
         }
         else
         {
             break;
         }
-        var _S28 : u32 = _S18 * u32(4);
-        scratch_0[bakes_0[i32(0)].row_totals_0 + _S28 + i_1] = total_0[i_1];
-        scratch_0[bakes_0[i32(0)].row_largest_0 + _S28 + i_1] = (bitcast<u32>((largest_0[i_1])));
-        i_1 = i_1 + u32(1);
+        var _S11 : u32 = _S1 * u32(4);
+        scratch_0[bakes_0[i32(0)].row_totals_0 + _S11 + i_0] = total_0[i_0];
+        scratch_0[bakes_0[i32(0)].row_largest_0 + _S11 + i_0] = (bitcast<u32>((largest_0[i_0])));
+        i_0 = i_0 + u32(1);
     }
     return;
 }
@@ -363,42 +305,196 @@ fn scratch_number_0( index_0 : u32) -> f32
     return (bitcast<f32>((scratch_0[index_0])));
 }
 
-@compute
-@workgroup_size(64, 1, 1)
-fn bake_coverage_scales(@builtin(global_invocation_id) id_3 : vec3<u32>)
+fn square_0( x_0 : f32) -> f32
 {
-    var _S29 : u32;
-    var _S30 : u32 = thread_index_0(id_3);
-    var _S31 : u32 = u32(4) * (bakes_0[i32(0)].packs_0 + u32(1));
-    var _S32 : Level_0 = this_level_0();
-    if(_S30 >= _S31)
-    {
-        return;
-    }
-    var largest_1 : f32 = 9.99999971718068537e-10f;
+    return x_0 * x_0;
+}
+
+fn group_of_byte_0( _S12 : i32,  _S13 : u32,  _S14 : u32) -> u32
+{
+    var _S15 : u32 = u32(2) * bakes_0[_S12].packs_0;
+    var _S16 : u32 = select(u32(0), u32(1), _S13 >= _S15);
+    var _S17 : u32 = _S13 - _S16 * _S15;
+    return select(_S14, _S16 * bakes_0[_S12].per_family_0 + _S17, ((_S17 < (bakes_0[_S12].per_family_0)) & ((_S13 < (u32(2) * _S15)))));
+}
+
+fn byte_of_group_0( _S18 : i32,  _S19 : u32) -> u32
+{
+    return select(_S19 - bakes_0[_S18].per_family_0 + u32(2) * bakes_0[_S18].packs_0, _S19, _S19 < (bakes_0[_S18].per_family_0));
+}
+
+fn share_of_byte_0( _S20 : i32,  _S21 : Level_0,  _S22 : u32) -> f32
+{
+    var _S23 : u32;
     var row_0 : u32 = u32(0);
     var total_2 : u32 = u32(0);
     for(;;)
     {
-        _S29 = _S32.rows_2;
-        if(row_0 < (_S32.rows_2))
+        _S23 = _S21.rows_2;
+        if(row_0 < (_S21.rows_2))
         {
         }
         else
         {
             break;
         }
-        var _S33 : u32 = row_0 * _S31;
-        var total_3 : u32 = total_2 + scratch_0[bakes_0[i32(0)].row_totals_0 + _S33 + _S30];
-        var _S34 : f32 = max(largest_1, scratch_number_0(bakes_0[i32(0)].row_largest_0 + _S33 + _S30));
-        var _S35 : u32 = row_0 + u32(1);
-        largest_1 = _S34;
-        row_0 = _S35;
+        var total_3 : u32 = total_2 + scratch_0[bakes_0[_S20].row_totals_0 + row_0 * u32(4) * (bakes_0[_S20].packs_0 + u32(1)) + _S22];
+        row_0 = row_0 + u32(1);
         total_2 = total_3;
     }
-    var _S36 : u32 = _S32.face_0 * _S31;
-    scratch_0[bakes_0[i32(0)].coverage_means_0 + _S36 + _S30] = (bitcast<u32>((f32(total_2) / (f32(_S32.columns_2 * _S29) * f32(bakes_0[i32(0)].texels_across_0 * bakes_0[i32(0)].texels_along_0)))));
-    scratch_0[bakes_0[i32(0)].coverage_scales_0 + _S36 + _S30] = (bitcast<u32>((largest_1)));
+    return f32(total_2) / (f32(_S21.columns_2 * _S23) * f32(bakes_0[_S20].texels_across_0 * bakes_0[_S20].texels_along_0));
+}
+
+fn is_hidden_0( _S24 : i32,  _S25 : Level_0,  _S26 : u32) -> bool
+{
+    return (share_of_byte_0(_S24, _S25, byte_of_group_0(_S24, _S26))) < (0.015625f * scratch_number_0(bakes_0[_S24].area_scales_0 + _S25.face_0 * (u32(2) * bakes_0[_S24].per_family_0 + u32(1)) + _S26));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn bake_stand_ins(@builtin(global_invocation_id) id_2 : vec3<u32>)
+{
+    var _S27 : u32 = thread_index_0(id_2);
+    var _S28 : Level_0 = this_level_0();
+    var _S29 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
+    if(_S27 >= (u32(4) * _S29))
+    {
+        return;
+    }
+    var _S30 : u32 = u32(2) * bakes_0[i32(0)].per_family_0;
+    var _S31 : u32 = group_of_byte_0(i32(0), _S27, _S30);
+    var _S32 : u32 = _S30 - u32(1);
+    var _S33 : u32 = min(_S31, _S32);
+    var _S34 : u32 = scratch_0[bakes_0[i32(0)].facts_0 + u32(14) + _S28.face_0];
+    var _S35 : u32 = bakes_0[i32(0)].centroids_0 + _S28.face_0 * _S30 * u32(7);
+    var least_0 : f32 = select(0.0f, 1.0e+09f, is_hidden_0(i32(0), _S28, _S33));
+    var nearest_0 : u32 = _S31;
+    var other_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(other_0 < _S30)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var k_0 : u32 = u32(0);
+        var distance_0 : f32 = 0.0f;
+        for(;;)
+        {
+            if(k_0 < u32(7))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var distance_1 : f32 = distance_0 + square_0(scratch_number_0(_S35 + other_0 * u32(7) + k_0) - scratch_number_0(_S35 + _S33 * u32(7) + k_0));
+            k_0 = k_0 + u32(1);
+            distance_0 = distance_1;
+        }
+        var _S36 : bool = (((((other_0 < _S34) == (_S33 < _S34)) & ((distance_0 < least_0)))) & ((!is_hidden_0(i32(0), _S28, other_0))));
+        var _S37 : u32 = select(nearest_0, other_0, _S36);
+        var _S38 : f32 = select(least_0, distance_0, _S36);
+        var _S39 : u32 = other_0 + u32(1);
+        least_0 = _S38;
+        nearest_0 = _S37;
+        other_0 = _S39;
+    }
+    scratch_0[bakes_0[i32(0)].stand_ins_0 + _S28.face_0 * u32(4) * _S29 + _S27] = select(_S27, byte_of_group_0(i32(0), min(nearest_0, _S32)), _S31 < _S30);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn bake_first_level(@builtin(global_invocation_id) id_3 : vec3<u32>)
+{
+    var _S40 : u32 = thread_index_0(id_3);
+    var _S41 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
+    var _S42 : Level_0 = this_level_0();
+    if(_S40 >= (_S42.columns_2 * _S42.rows_2 * _S41))
+    {
+        return;
+    }
+    var _S43 : u32 = _S40 % _S41;
+    var _S44 : u32 = _S40 / _S41;
+    var _S45 : u32 = _S44 % _S42.columns_2;
+    var _S46 : i32 = i32(_S45);
+    var _S47 : u32 = _S40 / _S41;
+    var _S48 : u32 = _S47 / _S42.columns_2;
+    var _S49 : i32 = i32(_S48);
+    var _S50 : i32 = i32(steps_0[i32(7)]);
+    var _S51 : i32 = i32(steps_0[i32(8)]);
+    var _S52 : u32 = _S42.face_0 * _S42.columns_2 * _S42.rows_2;
+    const _S53 : vec4<f32> = vec4<f32>(0.0f, 0.0f, 0.0f, 0.0f);
+    var j_0 : i32 = - _S51;
+    var mean_0 : vec4<f32> = _S53;
+    for(;;)
+    {
+        if(j_0 <= _S51)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S54 : u32 = u32(_S49 + j_0 + i32(u32(16) * _S42.rows_2)) % _S42.rows_2;
+        var _S55 : u32 = _S52 + _S54 * _S42.columns_2;
+        var i_1 : i32 = - _S50;
+        var part_0 : vec4<f32> = _S53;
+        for(;;)
+        {
+            if(i_1 <= _S50)
+            {
+            }
+            else
+            {
+                break;
+            }
+            var _S56 : u32 = u32(_S46 + i_1 + i32(u32(16) * _S42.columns_2)) % _S42.columns_2;
+            var part_1 : vec4<f32> = part_0 + vec4<f32>((bitcast<f32>((steps_0[u32(16) + u32(abs(i_1))])))) * bytes_of_0(texel_counts_0[(_S55 + _S56) * _S41 + _S43]);
+            i_1 = i_1 + i32(1);
+            part_0 = part_1;
+        }
+        var mean_1 : vec4<f32> = mean_0 + vec4<f32>((bitcast<f32>((steps_0[u32(32) + u32(abs(j_0))])))) * part_0;
+        j_0 = j_0 + i32(1);
+        mean_0 = mean_1;
+    }
+    coverage_pyramid_0[_S40] = mean_0 / vec4<f32>(f32(bakes_0[i32(0)].texels_across_0 * bakes_0[i32(0)].texels_along_0));
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn bake_coverage_scales(@builtin(global_invocation_id) id_4 : vec3<u32>)
+{
+    var _S57 : u32 = thread_index_0(id_4);
+    var _S58 : u32 = u32(4) * (bakes_0[i32(0)].packs_0 + u32(1));
+    var _S59 : Level_0 = this_level_0();
+    if(_S57 >= _S58)
+    {
+        return;
+    }
+    var largest_1 : f32 = 9.99999971718068537e-10f;
+    var row_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(row_1 < (_S59.rows_2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S60 : f32 = max(largest_1, scratch_number_0(bakes_0[i32(0)].row_largest_0 + row_1 * _S58 + _S57));
+        var _S61 : u32 = row_1 + u32(1);
+        largest_1 = _S60;
+        row_1 = _S61;
+    }
+    var _S62 : u32 = _S59.face_0 * _S58;
+    scratch_0[bakes_0[i32(0)].coverage_means_0 + _S62 + _S57] = (bitcast<u32>((share_of_byte_0(i32(0), _S59, _S57))));
+    scratch_0[bakes_0[i32(0)].coverage_scales_0 + _S62 + _S57] = (bitcast<u32>((largest_1)));
     return;
 }
 
@@ -410,7 +506,7 @@ struct Taps_0
 
 fn taps_of_0( node_0 : u32,  count_0 : u32,  below_0 : u32,  far_weight_1 : f32) -> Taps_0
 {
-    var _S37 : f32 = (f32(node_0) + 0.5f) * (f32(below_0) / f32(count_0)) - 0.5f;
+    var _S63 : f32 = (f32(node_0) + 0.5f) * (f32(below_0) / f32(count_0)) - 0.5f;
     var taps_0 : Taps_0;
     var tap_0 : u32 = u32(0);
     for(;;)
@@ -422,20 +518,20 @@ fn taps_of_0( node_0 : u32,  count_0 : u32,  below_0 : u32,  far_weight_1 : f32)
         {
             break;
         }
-        var _S38 : f32 = _S37 + f32(tap_0) - 1.5f;
-        var _S39 : f32 = floor(_S38 + 0.00000999999974738f);
-        var _S40 : f32 = max(_S38 - _S39, 0.0f);
-        var _S41 : f32 = 0.5f * select(1.0f - far_weight_1, far_weight_1, ((tap_0 == u32(0)) | ((tap_0 == u32(3)))));
-        var _S42 : u32 = u32(2) * tap_0;
-        var _S43 : i32 = i32(_S39);
-        var _S44 : i32 = i32(4) * i32(below_0);
-        var _S45 : u32 = u32(_S43 + _S44) % below_0;
-        taps_0.nodes_0[_S42] = _S45;
-        var _S46 : u32 = _S42 + u32(1);
-        var _S47 : u32 = u32(_S43 + i32(1) + _S44) % below_0;
-        taps_0.nodes_0[_S46] = _S47;
-        taps_0.weights_0[_S42] = _S41 * (1.0f - _S40);
-        taps_0.weights_0[_S46] = _S41 * _S40;
+        var _S64 : f32 = _S63 + f32(tap_0) - 1.5f;
+        var _S65 : f32 = floor(_S64 + 0.00000999999974738f);
+        var _S66 : f32 = max(_S64 - _S65, 0.0f);
+        var _S67 : f32 = 0.5f * select(1.0f - far_weight_1, far_weight_1, ((tap_0 == u32(0)) | ((tap_0 == u32(3)))));
+        var _S68 : u32 = u32(2) * tap_0;
+        var _S69 : i32 = i32(_S65);
+        var _S70 : i32 = i32(4) * i32(below_0);
+        var _S71 : u32 = u32(_S69 + _S70) % below_0;
+        taps_0.nodes_0[_S68] = _S71;
+        var _S72 : u32 = _S68 + u32(1);
+        var _S73 : u32 = u32(_S69 + i32(1) + _S70) % below_0;
+        taps_0.nodes_0[_S72] = _S73;
+        taps_0.weights_0[_S68] = _S67 * (1.0f - _S66);
+        taps_0.weights_0[_S72] = _S67 * _S66;
         tap_0 = tap_0 + u32(1);
     }
     return taps_0;
@@ -443,25 +539,25 @@ fn taps_of_0( node_0 : u32,  count_0 : u32,  below_0 : u32,  far_weight_1 : f32)
 
 @compute
 @workgroup_size(64, 1, 1)
-fn bake_downsample(@builtin(global_invocation_id) id_4 : vec3<u32>)
+fn bake_downsample(@builtin(global_invocation_id) id_5 : vec3<u32>)
 {
-    var _S48 : u32 = thread_index_0(id_4);
-    var _S49 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
-    var _S50 : Level_0 = this_level_0();
-    if(_S48 >= (_S50.columns_2 * _S50.rows_2 * _S49))
+    var _S74 : u32 = thread_index_0(id_5);
+    var _S75 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
+    var _S76 : Level_0 = this_level_0();
+    if(_S74 >= (_S76.columns_2 * _S76.rows_2 * _S75))
     {
         return;
     }
-    var _S51 : u32 = _S48 / _S49;
-    var _S52 : u32 = _S51 % _S50.columns_2;
-    var _S53 : f32 = bakes_0[i32(0)].far_weight_0;
-    var _S54 : Taps_0 = taps_of_0(_S52, _S50.columns_2, _S50.below_columns_0, bakes_0[i32(0)].far_weight_0);
-    var _S55 : u32 = _S48 / _S49;
-    var _S56 : u32 = _S55 / _S50.columns_2;
-    var _S57 : Taps_0 = taps_of_0(_S56, _S50.rows_2, _S50.below_rows_0, _S53);
-    const _S58 : vec4<f32> = vec4<f32>(0.0f, 0.0f, 0.0f, 0.0f);
+    var _S77 : u32 = _S74 / _S75;
+    var _S78 : u32 = _S77 % _S76.columns_2;
+    var _S79 : f32 = bakes_0[i32(0)].far_weight_0;
+    var _S80 : Taps_0 = taps_of_0(_S78, _S76.columns_2, _S76.below_columns_0, bakes_0[i32(0)].far_weight_0);
+    var _S81 : u32 = _S74 / _S75;
+    var _S82 : u32 = _S81 / _S76.columns_2;
+    var _S83 : Taps_0 = taps_of_0(_S82, _S76.rows_2, _S76.below_rows_0, _S79);
+    const _S84 : vec4<f32> = vec4<f32>(0.0f, 0.0f, 0.0f, 0.0f);
     var j_1 : u32 = u32(0);
-    var mean_2 : vec4<f32> = _S58;
+    var mean_2 : vec4<f32> = _S84;
     for(;;)
     {
         if(j_1 < u32(8))
@@ -471,16 +567,16 @@ fn bake_downsample(@builtin(global_invocation_id) id_4 : vec3<u32>)
         {
             break;
         }
-        var _S59 : u32 = j_1;
+        var _S85 : u32 = j_1;
         var mean_3 : vec4<f32>;
-        if((_S57.weights_0[j_1]) == 0.0f)
+        if((_S83.weights_0[j_1]) == 0.0f)
         {
             mean_3 = mean_2;
             j_1 = j_1 + u32(1);
             mean_2 = mean_3;
             continue;
         }
-        var _S60 : u32 = _S50.below_first_0 + _S57.nodes_0[j_1] * _S50.below_columns_0;
+        var _S86 : u32 = _S76.below_first_0 + _S83.nodes_0[j_1] * _S76.below_columns_0;
         var i_2 : u32 = u32(0);
         mean_3 = mean_2;
         for(;;)
@@ -492,38 +588,38 @@ fn bake_downsample(@builtin(global_invocation_id) id_4 : vec3<u32>)
             {
                 break;
             }
-            var _S61 : u32 = i_2;
-            if((_S54.weights_0[i_2]) != 0.0f)
+            var _S87 : u32 = i_2;
+            if((_S80.weights_0[i_2]) != 0.0f)
             {
-                var _S62 : f32 = _S57.weights_0[_S59] * _S54.weights_0[_S61];
-                var _S63 : u32 = (_S60 + _S54.nodes_0[i_2]) * _S49;
-                var _S64 : u32 = _S48 % _S49;
-                mean_3 = mean_3 + vec4<f32>(_S62) * coverage_pyramid_0[_S63 + _S64];
+                var _S88 : f32 = _S83.weights_0[_S85] * _S80.weights_0[_S87];
+                var _S89 : u32 = (_S86 + _S80.nodes_0[i_2]) * _S75;
+                var _S90 : u32 = _S74 % _S75;
+                mean_3 = mean_3 + vec4<f32>(_S88) * coverage_pyramid_0[_S89 + _S90];
             }
             i_2 = i_2 + u32(1);
         }
         j_1 = j_1 + u32(1);
         mean_2 = mean_3;
     }
-    coverage_pyramid_0[_S50.first_0 * _S49 + _S48] = mean_2;
+    coverage_pyramid_0[_S76.first_0 * _S75 + _S74] = mean_2;
     return;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn bake_pack_coverage(@builtin(global_invocation_id) id_5 : vec3<u32>)
+fn bake_pack_coverage(@builtin(global_invocation_id) id_6 : vec3<u32>)
 {
-    var _S65 : u32 = thread_index_0(id_5);
-    var _S66 : u32 = bakes_0[i32(0)].packs_0;
-    var _S67 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
-    var _S68 : u32 = bakes_0[i32(0)].face_nodes_0;
-    if(_S65 >= (bakes_0[i32(0)].face_nodes_0 * _S67))
+    var _S91 : u32 = thread_index_0(id_6);
+    var _S92 : u32 = bakes_0[i32(0)].packs_0;
+    var _S93 : u32 = bakes_0[i32(0)].packs_0 + u32(1);
+    var _S94 : u32 = bakes_0[i32(0)].face_nodes_0;
+    if(_S91 >= (bakes_0[i32(0)].face_nodes_0 * _S93))
     {
         return;
     }
-    var _S69 : u32 = steps_0[i32(0)];
-    var _S70 : u32 = _S65 % _S67;
-    var _S71 : vec4<f32> = coverage_pyramid_0[_S65];
+    var _S95 : u32 = steps_0[i32(0)];
+    var _S96 : u32 = _S91 % _S93;
+    var _S97 : vec4<f32> = coverage_pyramid_0[_S91];
     var i_3 : u32 = u32(0);
     var word_1 : u32 = u32(0);
     for(;;)
@@ -535,32 +631,32 @@ fn bake_pack_coverage(@builtin(global_invocation_id) id_5 : vec3<u32>)
         {
             break;
         }
-        var word_2 : u32 = (word_1 | (((u32(min(_S71[i_3] * (255.0f / scratch_number_0(bakes_0[i32(0)].coverage_scales_0 + (_S69 * _S67 + _S70) * u32(4) + i_3)) + 0.5f, 255.0f)) << ((u32(8) * i_3))))));
+        var word_2 : u32 = (word_1 | (((u32(min(_S97[i_3] * (255.0f / scratch_number_0(bakes_0[i32(0)].coverage_scales_0 + (_S95 * _S93 + _S96) * u32(4) + i_3)) + 0.5f, 255.0f)) << ((u32(8) * i_3))))));
         i_3 = i_3 + u32(1);
         word_1 = word_2;
     }
-    var _S72 : u32 = _S69 * _S68;
-    var _S73 : u32 = _S65 / _S67;
-    var _S74 : u32 = _S72 + _S73;
-    if(_S70 == _S66)
+    var _S98 : u32 = _S95 * _S94;
+    var _S99 : u32 = _S91 / _S93;
+    var _S100 : u32 = _S98 + _S99;
+    if(_S96 == _S92)
     {
-        scratch_0[bakes_0[i32(0)].hole_bytes_0 + _S74] = (word_1 & (u32(255)));
+        scratch_0[bakes_0[i32(0)].hole_bytes_0 + _S100] = (word_1 & (u32(255)));
     }
     else
     {
-        tables_0[fabrics_0[bakes_0[i32(0)].fabric_0].lobes_0.coverage_0 + _S74 * _S66 + _S70] = word_1;
+        tables_0[fabrics_0[bakes_0[i32(0)].fabric_0].lobes_0.coverage_0 + _S100 * _S92 + _S96] = word_1;
     }
     return;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn bake_pack_holes(@builtin(global_invocation_id) id_6 : vec3<u32>)
+fn bake_pack_holes(@builtin(global_invocation_id) id_7 : vec3<u32>)
 {
-    var _S75 : u32 = thread_index_0(id_6);
-    var _S76 : u32 = u32(4) * _S75;
-    var _S77 : u32 = u32(2) * bakes_0[i32(0)].face_nodes_0;
-    if(_S76 >= _S77)
+    var _S101 : u32 = thread_index_0(id_7);
+    var _S102 : u32 = u32(4) * _S101;
+    var _S103 : u32 = u32(2) * bakes_0[i32(0)].face_nodes_0;
+    if(_S102 >= _S103)
     {
         return;
     }
@@ -575,13 +671,13 @@ fn bake_pack_holes(@builtin(global_invocation_id) id_6 : vec3<u32>)
         {
             break;
         }
-        if((_S76 + i_4) < _S77)
+        if((_S102 + i_4) < _S103)
         {
-            word_3 = (word_3 | (((scratch_0[bakes_0[i32(0)].hole_bytes_0 + _S76 + i_4] << ((u32(8) * i_4))))));
+            word_3 = (word_3 | (((scratch_0[bakes_0[i32(0)].hole_bytes_0 + _S102 + i_4] << ((u32(8) * i_4))))));
         }
         i_4 = i_4 + u32(1);
     }
-    tables_0[fabrics_0[bakes_0[i32(0)].fabric_0].lobes_0.coverage_holes_0 + _S75] = word_3;
+    tables_0[fabrics_0[bakes_0[i32(0)].fabric_0].lobes_0.coverage_holes_0 + _S101] = word_3;
     return;
 }
 

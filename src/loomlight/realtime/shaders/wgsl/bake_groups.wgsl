@@ -35,6 +35,7 @@ struct Bake_std430_0
     @align(4) group_moments_0 : u32,
     @align(4) areas_0 : u32,
     @align(4) area_scales_0 : u32,
+    @align(4) stand_ins_0 : u32,
     @align(4) row_totals_0 : u32,
     @align(4) row_largest_0 : u32,
     @align(4) coverage_means_0 : u32,
@@ -48,8 +49,9 @@ struct Bake_std430_0
 
 struct SurfaceHit_std430_0
 {
-    @align(4) x_0 : f32,
-    @align(4) y_0 : f32,
+    @align(4) place_x_0 : f32,
+    @align(4) place_y_0 : f32,
+    @align(4) place_z_0 : f32,
     @align(4) flags_0 : u32,
     @align(4) normal_x_0 : f32,
     @align(4) normal_y_0 : f32,
@@ -720,9 +722,9 @@ fn bake_bisect(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invoca
     return;
 }
 
-fn square_0( x_1 : f32) -> f32
+fn square_0( x_0 : f32) -> f32
 {
-    return x_1 * x_1;
+    return x_0 * x_0;
 }
 
 fn weighted_error_0( _S91 : i32,  _S92 : u32,  _S93 : u32) -> f32

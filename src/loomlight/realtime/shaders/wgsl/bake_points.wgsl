@@ -35,6 +35,7 @@ struct Bake_std430_0
     @align(4) group_moments_0 : u32,
     @align(4) areas_0 : u32,
     @align(4) area_scales_0 : u32,
+    @align(4) stand_ins_0 : u32,
     @align(4) row_totals_0 : u32,
     @align(4) row_largest_0 : u32,
     @align(4) coverage_means_0 : u32,
@@ -46,8 +47,9 @@ struct Bake_std430_0
 
 struct SurfaceHit_std430_0
 {
-    @align(4) x_0 : f32,
-    @align(4) y_0 : f32,
+    @align(4) place_x_0 : f32,
+    @align(4) place_y_0 : f32,
+    @align(4) place_z_0 : f32,
     @align(4) flags_0 : u32,
     @align(4) normal_x_0 : f32,
     @align(4) normal_y_0 : f32,
@@ -170,8 +172,8 @@ fn bake_gaps(@builtin(local_invocation_id) thread_0 : vec3<u32>)
         }
         var _S27 : SurfaceHit_std430_0 = hits_0[scratch_0[bakes_0[i32(0)].lists_0 + u32(32768) + i_1 * _S24]];
         var _S28 : u32 = bakes_0[i32(0)].gaps_0 + u32(2) * i_1;
-        scratch_0[_S28] = (bitcast<u32>((hits_0[scratch_0[bakes_0[i32(0)].lists_0 + u32(32768) + i_1 * _S24]].x_0)));
-        scratch_0[_S28 + u32(1)] = (bitcast<u32>((_S27.y_0)));
+        scratch_0[_S28] = (bitcast<u32>((hits_0[scratch_0[bakes_0[i32(0)].lists_0 + u32(32768) + i_1 * _S24]].place_x_0)));
+        scratch_0[_S28 + u32(1)] = (bitcast<u32>((_S27.place_y_0)));
         i_1 = i_1 + u32(256);
     }
     if(_S22 == u32(0))

@@ -35,6 +35,7 @@ struct Bake_std430_0
     @align(4) group_moments_0 : u32,
     @align(4) areas_0 : u32,
     @align(4) area_scales_0 : u32,
+    @align(4) stand_ins_0 : u32,
     @align(4) row_totals_0 : u32,
     @align(4) row_largest_0 : u32,
     @align(4) coverage_means_0 : u32,
@@ -46,8 +47,9 @@ struct Bake_std430_0
 
 struct SurfaceHit_std430_0
 {
-    @align(4) x_0 : f32,
-    @align(4) y_0 : f32,
+    @align(4) place_x_0 : f32,
+    @align(4) place_y_0 : f32,
+    @align(4) place_z_0 : f32,
     @align(4) flags_0 : u32,
     @align(4) normal_x_0 : f32,
     @align(4) normal_y_0 : f32,
@@ -320,10 +322,10 @@ fn bake_view_sums(@builtin(global_invocation_id) id_1 : vec3<u32>)
     return;
 }
 
-fn sine_cosine_0( x_1 : f32) -> vec2<f32>
+fn sine_cosine_0( x_0 : f32) -> vec2<f32>
 {
-    var _S15 : f32 = floor(x_1 * 0.63661974668502808f + 0.5f);
-    var _S16 : f32 = x_1 - _S15 * 1.5703125f - _S15 * 0.00048375129699707f - _S15 * 7.54979012640433211e-08f;
+    var _S15 : f32 = floor(x_0 * 0.63661974668502808f + 0.5f);
+    var _S16 : f32 = x_0 - _S15 * 1.5703125f - _S15 * 0.00048375129699707f - _S15 * 7.54979012640433211e-08f;
     var _S17 : f32 = _S16 * _S16;
     var _S18 : f32 = ((-0.00019515295571182f * _S17 + 0.00833216123282909f) * _S17 - 0.16666655242443085f) * _S17 * _S16 + _S16;
     var _S19 : f32 = ((0.00002443315679557f * _S17 - 0.00138873164542019f) * _S17 + 0.04166664555668831f) * _S17 * _S17 - 0.5f * _S17 + 1.0f;

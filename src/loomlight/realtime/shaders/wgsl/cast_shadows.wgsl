@@ -794,7 +794,7 @@ fn edge_drop_0( family_7 : u32,  thread_8 : u32,  step_1 : i32) -> f32
     return table_number_0(families_0[family_7].bend_table_0 + select(u32(turns_and_remainder_0(family_7, f32(i32(thread_8) + step_1)).y) * u32(4), u32(0), (families_0[family_7].is_alike_0) != u32(0)) + u32(3));
 }
 
-fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec2<f32>
+fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec3<f32>
 {
     var _S72 : bool = (crossed_1.below_0) < (crossed_1.above_0);
     var _S73 : f32 = min(crossed_1.below_0, crossed_1.above_0);
@@ -818,9 +818,11 @@ fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_
     {
         _S77 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S72));
     }
-    var _S78 : f32 = 1.0f / max(2.0f * _S74, 9.999999960041972e-13f);
-    var _S79 : f32 = clamp((_S74 - _S73) * _S78, 0.0f, 1.0f);
-    return vec2<f32>(_S76 + (_S77 - _S76) * (_S79 * _S79 * (3.0f - 2.0f * _S79)), (_S76 - _S77) * (6.0f * _S79 * (1.0f - _S79) * _S78) * select(-1.0f, 1.0f, _S72));
+    var _S78 : f32 = 2.0f * _S74;
+    var _S79 : f32 = 1.0f / max(_S78, 9.999999960041972e-13f);
+    var _S80 : f32 = clamp((_S74 - _S73) * _S79, 0.0f, 1.0f);
+    var _S81 : f32 = clamp((0.44999998807907104f - _S78 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
+    return vec3<f32>(_S76 + (_S77 - _S76) * (_S80 * _S80 * (3.0f - 2.0f * _S80)), (_S76 - _S77) * (6.0f * _S80 * (1.0f - _S80) * _S79) * select(-1.0f, 1.0f, _S72), _S81 * _S81 * (3.0f - 2.0f * _S81));
 }
 
 struct StepControl_0
@@ -838,12 +840,12 @@ fn step_control_0( direction_3 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S80 : f32 = direction_3.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S80), 9.99999971718068537e-10f);
-    var _S81 : f32 = direction_3.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S81), 9.99999971718068537e-10f);
-    control_0.right_0 = _S80 > 0.0f;
-    control_0.up_0 = _S81 > 0.0f;
+    var _S82 : f32 = direction_3.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S82), 9.99999971718068537e-10f);
+    var _S83 : f32 = direction_3.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S83), 9.99999971718068537e-10f);
+    control_0.right_0 = _S82 > 0.0f;
+    control_0.up_0 = _S83 > 0.0f;
     return control_0;
 }
 
@@ -867,19 +869,19 @@ fn no_previous_sample_0() -> PreviousSample_0
 
 fn outline_distance_0( cell_6 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
 {
-    var _S82 : f32 = select(- cell_6.across_0, cell_6.across_0, forwards_0);
-    var _S83 : f32 = select(cell_6.below_0, cell_6.above_0, forwards_0);
-    var _S84 : f32 = - cell_6.half_width_1;
-    var _S85 : bool = _S82 < _S84;
-    var _S86 : bool = _S82 >= (cell_6.half_width_1);
-    var _S87 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
-    var _S88 : f32 = select(cell_6.half_width_1, _S84, _S85) - _S82;
-    var _S89 : f32 = select(_S83, 2.0f * _S83 + _S82 - cell_6.half_width_1, ((shown_2.hole_0) | (((_S87 & ((!shown_2.on_top_0)))))));
-    if((((_S87 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S85)))))))
+    var _S84 : f32 = select(- cell_6.across_0, cell_6.across_0, forwards_0);
+    var _S85 : f32 = select(cell_6.below_0, cell_6.above_0, forwards_0);
+    var _S86 : f32 = - cell_6.half_width_1;
+    var _S87 : bool = _S84 < _S86;
+    var _S88 : bool = _S84 >= (cell_6.half_width_1);
+    var _S89 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
+    var _S90 : f32 = select(cell_6.half_width_1, _S86, _S87) - _S84;
+    var _S91 : f32 = select(_S85, 2.0f * _S85 + _S84 - cell_6.half_width_1, ((shown_2.hole_0) | (((_S89 & ((!shown_2.on_top_0)))))));
+    if((((_S89 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S87)))))))
     {
         return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
     }
-    return select(_S88, _S89, _S86);
+    return select(_S90, _S91, _S88);
 }
 
 struct Probe_0
@@ -898,21 +900,21 @@ struct Probe_0
 
 fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
 {
-    var _S90 : f32 = previous_1.rate_0 * step_4;
-    var _S91 : f32 = rate_1 * step_4;
+    var _S92 : f32 = previous_1.rate_0 * step_4;
+    var _S93 : f32 = rate_1 * step_4;
     if(((((((((!previous_1.known_0) | ((here_0.hole_1)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((((3.0f * previous_1.clearance_0 + _S90) >= 0.0f) & (((3.0f * clearance_1 - _S91) >= 0.0f))))
+    if((((3.0f * previous_1.clearance_0 + _S92) >= 0.0f) & (((3.0f * clearance_1 - _S93) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S92 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S93 : f32 = 6.0f * _S92 - 4.0f * _S90 - 2.0f * _S91;
-    var _S94 : f32 = -2.0f * _S90 / max(_S93 + sqrt(max(_S93 * _S93 - 4.0f * (3.0f * (_S90 + _S91 - 2.0f * _S92)) * _S90, 0.0f)), 9.99999968265522539e-21f);
-    var _S95 : f32 = 1.0f - _S94;
-    return select(-1.0f, _S95 * step_4, ((((_S94 > 0.01999999955296516f) & ((_S95 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S94 + 1.0f) + _S90 * _S94) * _S95 * _S95 + (clearance_1 * (2.0f * _S95 + 1.0f) - _S91 * _S95) * _S94 * _S94) < 0.0f))));
+    var _S94 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S95 : f32 = 6.0f * _S94 - 4.0f * _S92 - 2.0f * _S93;
+    var _S96 : f32 = -2.0f * _S92 / max(_S95 + sqrt(max(_S95 * _S95 - 4.0f * (3.0f * (_S92 + _S93 - 2.0f * _S94)) * _S92, 0.0f)), 9.99999968265522539e-21f);
+    var _S97 : f32 = 1.0f - _S96;
+    return select(-1.0f, _S97 * step_4, ((((_S96 > 0.01999999955296516f) & ((_S97 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S96 + 1.0f) + _S92 * _S96) * _S97 * _S97 + (clearance_1 * (2.0f * _S97 + 1.0f) - _S93 * _S97) * _S96 * _S96) < 0.0f))));
 }
 
 fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
@@ -932,8 +934,8 @@ fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_1 : f32,  side_y_
 
 fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S96 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
-    return min(this_2.step_2, select(max(_S96, 0.0f) + this_2.epsilon_0, _S96 - this_2.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S96 + clearance_3) < 0.0f)))) & ((_S96 > (2.0f * this_2.epsilon_0))))));
+    var _S98 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
+    return min(this_2.step_2, select(max(_S98, 0.0f) + this_2.epsilon_0, _S98 - this_2.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S98 + clearance_3) < 0.0f)))) & ((_S98 > (2.0f * this_2.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -954,10 +956,10 @@ fn ViewRay_rate_0( this_4 : ViewRay_0,  here_3 : Probe_0) -> f32
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S97 : f32 = end_0 - start_1;
-    var _S98 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S97;
-    var _S99 : f32 = 3.0f * _S97 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S97, 9.99999968265522539e-21f);
+    var _S99 : f32 = end_0 - start_1;
+    var _S100 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S99;
+    var _S101 : f32 = 3.0f * _S99 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S99, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -968,10 +970,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S100 : f32 = clamp(share_1 - (((_S98 * share_1 + _S99) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S98 * share_1 + 2.0f * _S99) * share_1 + start_rate_0, 0.10000000149011612f * _S97 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S101 : i32 = i_0 + i32(1);
-        share_1 = _S100;
-        i_0 = _S101;
+        var _S102 : f32 = clamp(share_1 - (((_S100 * share_1 + _S101) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S100 * share_1 + 2.0f * _S101) * share_1 + start_rate_0, 0.10000000149011612f * _S99 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S103 : i32 = i_0 + i32(1);
+        share_1 = _S102;
+        i_0 = _S103;
     }
     return share_1;
 }
@@ -993,10 +995,10 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
 
 fn arc_tangent_0( y_3 : f32,  x_8 : f32) -> f32
 {
-    var _S102 : f32 = abs(x_8);
-    var _S103 : f32 = abs(y_3);
-    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S102, _S103) / max(max(_S102, _S103), 1.00000000317107685e-30f));
-    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S103 > _S102);
+    var _S104 : f32 = abs(x_8);
+    var _S105 : f32 = abs(y_3);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S104, _S105) / max(max(_S104, _S105), 1.00000000317107685e-30f));
+    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S105 > _S104);
     var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_8 < 0.0f);
     return select(angle_2, - angle_2, y_3 < 0.0f);
 }
@@ -1010,32 +1012,32 @@ struct NodeTaps_0
 
 fn node_taps_of_0( direction_4 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
 {
-    var _S104 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
-    var _S105 : f32 = floor(_S104);
-    var _S106 : f32 = _S104 - _S105;
-    var _S107 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    var _S108 : f32 = 7.0f * _S107 * sqrt(_S107);
-    var _S109 : f32 = min(floor(_S108), 6.0f);
-    var _S110 : f32 = _S108 - _S109;
-    var _S111 : u32 = u32(i32(_S105) + i32(azimuths_0)) % azimuths_0;
-    var _S112 : u32 = u32(_S109);
-    var _S113 : u32 = _S111 * u32(8) + _S112;
-    var _S114 : u32 = (_S111 + u32(1)) % azimuths_0;
-    var _S115 : u32 = _S114 * u32(8) + _S112;
+    var _S106 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
+    var _S107 : f32 = floor(_S106);
+    var _S108 : f32 = _S106 - _S107;
+    var _S109 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    var _S110 : f32 = 7.0f * _S109 * sqrt(_S109);
+    var _S111 : f32 = min(floor(_S110), 6.0f);
+    var _S112 : f32 = _S110 - _S111;
+    var _S113 : u32 = u32(i32(_S107) + i32(azimuths_0)) % azimuths_0;
+    var _S114 : u32 = u32(_S111);
+    var _S115 : u32 = _S113 * u32(8) + _S114;
+    var _S116 : u32 = (_S113 + u32(1)) % azimuths_0;
+    var _S117 : u32 = _S116 * u32(8) + _S114;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S113, _S113 + u32(1), _S115, _S115 + u32(1));
-    var _S116 : f32 = 1.0f - _S106;
-    var _S117 : f32 = 1.0f - _S110;
-    var _S118 : vec4<u32> = vec4<u32>(vec4<f32>(_S116 * _S117, _S116 * _S110, _S106 * _S117, _S106 * _S110) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S118;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S118.x + _S118.y + _S118.z + _S118.w);
+    taps_0.nodes_0 = vec4<u32>(_S115, _S115 + u32(1), _S117, _S117 + u32(1));
+    var _S118 : f32 = 1.0f - _S108;
+    var _S119 : f32 = 1.0f - _S112;
+    var _S120 : vec4<u32> = vec4<u32>(vec4<f32>(_S118 * _S119, _S118 * _S112, _S108 * _S119, _S108 * _S112) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S120;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S120.x + _S120.y + _S120.z + _S120.w);
     return taps_0;
 }
 
 fn node_taps_0( direction_5 : vec3<f32>) -> NodeTaps_0
 {
-    var _S119 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
-    return _S119;
+    var _S121 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
+    return _S121;
 }
 
 fn wrapped_cell_0( position_4 : f32,  count_2 : f32) -> f32
@@ -1050,16 +1052,16 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_1 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S120 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S121 : vec4<u32> = ((packs_1 & (_S120))) * taps_1.weights_0;
-    var _S122 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S120))) * taps_1.weights_0;
-    return bytes_of_sums_0(_S121.x + _S121.y + _S121.z + _S121.w, _S122.x + _S122.y + _S122.z + _S122.w) * vec4<f32>(taps_1.inverse_sum_0);
+    var _S122 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S123 : vec4<u32> = ((packs_1 & (_S122))) * taps_1.weights_0;
+    var _S124 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S122))) * taps_1.weights_0;
+    return bytes_of_sums_0(_S123.x + _S123.y + _S123.z + _S123.w, _S124.x + _S124.y + _S124.z + _S124.w) * vec4<f32>(taps_1.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_2 : NodeTaps_0,  table_1 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S123 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_2, vec4<u32>(words_0[_S123.x], words_0[_S123.y], words_0[_S123.z], words_0[_S123.w]));
+    var _S125 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_2, vec4<u32>(words_0[_S125.x], words_0[_S125.y], words_0[_S125.z], words_0[_S125.w]));
 }
 
 fn sheen_scale_0( x_9 : f32,  y_4 : f32) -> f32
@@ -1079,18 +1081,18 @@ fn sheen_reflectance_0( x_11 : f32,  y_6 : f32) -> f32
 
 fn exponential_0( x_12 : f32) -> f32
 {
-    var _S124 : f32 = clamp(x_12, -87.0f, 88.0f);
-    var _S125 : f32 = floor(_S124 * 1.4426950216293335f + 0.5f);
-    var _S126 : f32 = _S124 - _S125 * 0.693359375f + _S125 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S126 + 0.00139819993637502f) * _S126 + 0.00833345204591751f) * _S126 + 0.04166579619050026f) * _S126 + 0.1666666567325592f) * _S126 + 0.5f) * _S126 * _S126 + _S126 + 1.0f) * (bitcast<f32>(((u32(i32(_S125) + i32(127)) << (u32(23)))))), 0.0f, x_12 < -87.0f);
+    var _S126 : f32 = clamp(x_12, -87.0f, 88.0f);
+    var _S127 : f32 = floor(_S126 * 1.4426950216293335f + 0.5f);
+    var _S128 : f32 = _S126 - _S127 * 0.693359375f + _S127 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S128 + 0.00139819993637502f) * _S128 + 0.00833345204591751f) * _S128 + 0.04166579619050026f) * _S128 + 0.1666666567325592f) * _S128 + 0.5f) * _S128 * _S128 + _S128 + 1.0f) * (bitcast<f32>(((u32(i32(_S127) + i32(127)) << (u32(23)))))), 0.0f, x_12 < -87.0f);
 }
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S127 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S128 : f32 = 2.0f * sqrt(_S127) - 1.0f;
-    var _S129 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S128, _S129), 0.00999999977648258f, 1.0f), clamp((1.0f - _S127) * sheen_shear_0(_S128, _S129), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S128, _S129), -60.0f, 60.0f))));
+    var _S129 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S130 : f32 = 2.0f * sqrt(_S129) - 1.0f;
+    var _S131 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S130, _S131), 0.00999999977648258f, 1.0f), clamp((1.0f - _S129) * sheen_shear_0(_S130, _S131), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S130, _S131), -60.0f, 60.0f))));
 }
 
 fn camera_right_0() -> vec3<f32>
@@ -1113,80 +1115,80 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S130 : u32,  _S131 : u32,  _S132 : f32,  _S133 : f32) -> VisiblePoint_0
+fn face_point_0( _S132 : u32,  _S133 : u32,  _S134 : f32,  _S135 : f32) -> VisiblePoint_0
 {
-    var _S134 : u32 = u32(3) * _S131;
-    var _S135 : Vertex_0 = vertex_at_0(_S134);
-    var _S136 : Vertex_0 = vertex_at_0(_S134 + u32(1));
-    var _S137 : Vertex_0 = vertex_at_0(_S134 + u32(2));
-    var _S138 : vec3<f32> = position_of_0(_S135);
-    var _S139 : vec3<f32> = position_of_0(_S136) - _S138;
-    var _S140 : vec3<f32> = position_of_0(_S137) - _S138;
-    var _S141 : f32 = _S136.u_0 - _S135.u_0;
-    var _S142 : f32 = _S136.v_0 - _S135.v_0;
-    var _S143 : vec2<f32> = vec2<f32>(_S141, _S142);
-    var _S144 : f32 = _S137.u_0 - _S135.u_0;
-    var _S145 : f32 = _S137.v_0 - _S135.v_0;
-    var _S146 : vec2<f32> = vec2<f32>(_S144, _S145);
-    var _S147 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S141 * _S145 - _S142 * _S144) < 0.0f));
-    var _S148 : vec3<f32> = _S147 * (vec3<f32>(_S145) * _S139 - vec3<f32>(_S142) * _S140);
-    var _S149 : vec3<f32> = _S147 * (vec3<f32>(_S141) * _S140 - vec3<f32>(_S144) * _S139);
+    var _S136 : u32 = u32(3) * _S133;
+    var _S137 : Vertex_0 = vertex_at_0(_S136);
+    var _S138 : Vertex_0 = vertex_at_0(_S136 + u32(1));
+    var _S139 : Vertex_0 = vertex_at_0(_S136 + u32(2));
+    var _S140 : vec3<f32> = position_of_0(_S137);
+    var _S141 : vec3<f32> = position_of_0(_S138) - _S140;
+    var _S142 : vec3<f32> = position_of_0(_S139) - _S140;
+    var _S143 : f32 = _S138.u_0 - _S137.u_0;
+    var _S144 : f32 = _S138.v_0 - _S137.v_0;
+    var _S145 : vec2<f32> = vec2<f32>(_S143, _S144);
+    var _S146 : f32 = _S139.u_0 - _S137.u_0;
+    var _S147 : f32 = _S139.v_0 - _S137.v_0;
+    var _S148 : vec2<f32> = vec2<f32>(_S146, _S147);
+    var _S149 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S143 * _S147 - _S144 * _S146) < 0.0f));
+    var _S150 : vec3<f32> = _S149 * (vec3<f32>(_S147) * _S141 - vec3<f32>(_S144) * _S142);
+    var _S151 : vec3<f32> = _S149 * (vec3<f32>(_S143) * _S142 - vec3<f32>(_S146) * _S141);
     var point_1 : VisiblePoint_0;
-    var _S150 : vec3<f32> = vec3<f32>(_S132);
-    var _S151 : vec3<f32> = vec3<f32>(_S133);
-    var _S152 : vec3<f32> = normalize(vec3<f32>((1.0f - _S132 - _S133)) * normal_of_0(_S135) + _S150 * normal_of_0(_S136) + _S151 * normal_of_0(_S137));
-    point_1.normal_0 = _S152;
-    var _S153 : vec3<f32> = normalize(_S148 - _S152 * vec3<f32>(dot(_S152, _S148)));
-    point_1.axis_x_0 = _S153;
-    point_1.axis_y_0 = cross(_S152, _S153);
-    var _S154 : vec3<f32> = normalize(cross(_S139, _S140));
-    point_1.face_normal_0 = select_vector_0((dot(_S154, _S152)) < 0.0f, (vec3<f32>(0) - _S154), _S154);
-    point_1.position_0 = _S138 + _S150 * _S139 + _S151 * _S140;
-    point_1.view_0 = _S152;
-    var _S155 : vec2<f32> = vec2<f32>(_S135.u_0, _S135.v_0) + vec2<f32>(_S132) * _S143 + vec2<f32>(_S133) * _S146;
-    point_1.uv_0 = _S155;
-    var _S156 : bool = (dot(cross(_S148, _S149), _S152)) < 0.0f;
-    var _S157 : vec2<f32> = vec2<f32>(fabrics_0[_S130].uv_width_0, select(fabrics_0[_S130].uv_height_0, - fabrics_0[_S130].uv_height_0, _S156));
-    point_1.draft_per_uv_0 = _S157;
-    point_1.draft_0 = _S155 * _S157 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S130].uv_height_0, _S156));
-    var _S158 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S158;
-    point_1.draft_dy_0 = _S158;
+    var _S152 : vec3<f32> = vec3<f32>(_S134);
+    var _S153 : vec3<f32> = vec3<f32>(_S135);
+    var _S154 : vec3<f32> = normalize(vec3<f32>((1.0f - _S134 - _S135)) * normal_of_0(_S137) + _S152 * normal_of_0(_S138) + _S153 * normal_of_0(_S139));
+    point_1.normal_0 = _S154;
+    var _S155 : vec3<f32> = normalize(_S150 - _S154 * vec3<f32>(dot(_S154, _S150)));
+    point_1.axis_x_0 = _S155;
+    point_1.axis_y_0 = cross(_S154, _S155);
+    var _S156 : vec3<f32> = normalize(cross(_S141, _S142));
+    point_1.face_normal_0 = select_vector_0((dot(_S156, _S154)) < 0.0f, (vec3<f32>(0) - _S156), _S156);
+    point_1.position_0 = _S140 + _S152 * _S141 + _S153 * _S142;
+    point_1.view_0 = _S154;
+    var _S157 : vec2<f32> = vec2<f32>(_S137.u_0, _S137.v_0) + vec2<f32>(_S134) * _S145 + vec2<f32>(_S135) * _S148;
+    point_1.uv_0 = _S157;
+    var _S158 : bool = (dot(cross(_S150, _S151), _S154)) < 0.0f;
+    var _S159 : vec2<f32> = vec2<f32>(fabrics_0[_S132].uv_width_0, select(fabrics_0[_S132].uv_height_0, - fabrics_0[_S132].uv_height_0, _S158));
+    point_1.draft_per_uv_0 = _S159;
+    point_1.draft_0 = _S157 * _S159 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S132].uv_height_0, _S158));
+    var _S160 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S160;
+    point_1.draft_dy_0 = _S160;
     return point_1;
 }
 
-fn visible_point_0( _S159 : u32,  _S160 : u32,  _S161 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S161 : u32,  _S162 : u32,  _S163 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S162 : u32 = u32(3) * _S160;
-    var _S163 : Vertex_0 = vertex_at_0(_S162);
-    var _S164 : Vertex_0 = vertex_at_0(_S162 + u32(1));
-    var _S165 : Vertex_0 = vertex_at_0(_S162 + u32(2));
-    var _S166 : vec3<f32> = position_of_0(_S163);
-    var _S167 : vec3<f32> = position_of_0(_S164) - _S166;
-    var _S168 : vec3<f32> = position_of_0(_S165) - _S166;
-    var _S169 : vec3<f32> = cross(_S167, _S168);
-    var _S170 : f32 = f32(frame_record_0.width_0);
-    var _S171 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S170));
-    var _S172 : f32 = f32(frame_record_0.height_0);
-    var _S173 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S172));
-    var _S174 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S161.x) + 0.5f - 0.5f * _S170)) * _S171 + vec3<f32>((f32(_S161.y) + 0.5f - 0.5f * _S172)) * _S173;
-    var _S175 : f32 = dot(_S174, _S169);
-    var _S176 : f32 = 1.0f / select(1.00000000317107685e-30f, _S175, (abs(_S175)) > 1.00000000317107685e-30f);
-    var _S177 : vec3<f32> = _S166 - camera_origin_0();
-    var _S178 : vec3<f32> = vec3<f32>((dot(_S177, _S169) * _S176));
-    var _S179 : vec3<f32> = _S174 * _S178 - _S177;
-    var _S180 : vec3<f32> = _S178 * (_S171 - _S174 * vec3<f32>((dot(_S171, _S169) * _S176)));
-    var _S181 : vec3<f32> = _S178 * (_S173 - _S174 * vec3<f32>((dot(_S173, _S169) * _S176)));
-    var _S182 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S169), 1.00000000317107685e-30f)));
-    var _S183 : vec3<f32> = cross(_S168, _S169) * _S182;
-    var _S184 : vec3<f32> = cross(_S169, _S167) * _S182;
-    var _S185 : vec2<f32> = vec2<f32>(_S164.u_0 - _S163.u_0, _S164.v_0 - _S163.v_0);
-    var _S186 : vec2<f32> = vec2<f32>(_S165.u_0 - _S163.u_0, _S165.v_0 - _S163.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S159, _S160, dot(_S179, _S183), dot(_S179, _S184));
-    point_2.position_0 = _S166 + _S179;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S174));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S180, _S183)) * _S185 + vec2<f32>(dot(_S180, _S184)) * _S186) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S181, _S183)) * _S185 + vec2<f32>(dot(_S181, _S184)) * _S186) * point_2.draft_per_uv_0;
+    var _S164 : u32 = u32(3) * _S162;
+    var _S165 : Vertex_0 = vertex_at_0(_S164);
+    var _S166 : Vertex_0 = vertex_at_0(_S164 + u32(1));
+    var _S167 : Vertex_0 = vertex_at_0(_S164 + u32(2));
+    var _S168 : vec3<f32> = position_of_0(_S165);
+    var _S169 : vec3<f32> = position_of_0(_S166) - _S168;
+    var _S170 : vec3<f32> = position_of_0(_S167) - _S168;
+    var _S171 : vec3<f32> = cross(_S169, _S170);
+    var _S172 : f32 = f32(frame_record_0.width_0);
+    var _S173 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S172));
+    var _S174 : f32 = f32(frame_record_0.height_0);
+    var _S175 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S174));
+    var _S176 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S163.x) + 0.5f - 0.5f * _S172)) * _S173 + vec3<f32>((f32(_S163.y) + 0.5f - 0.5f * _S174)) * _S175;
+    var _S177 : f32 = dot(_S176, _S171);
+    var _S178 : f32 = 1.0f / select(1.00000000317107685e-30f, _S177, (abs(_S177)) > 1.00000000317107685e-30f);
+    var _S179 : vec3<f32> = _S168 - camera_origin_0();
+    var _S180 : vec3<f32> = vec3<f32>((dot(_S179, _S171) * _S178));
+    var _S181 : vec3<f32> = _S176 * _S180 - _S179;
+    var _S182 : vec3<f32> = _S180 * (_S173 - _S176 * vec3<f32>((dot(_S173, _S171) * _S178)));
+    var _S183 : vec3<f32> = _S180 * (_S175 - _S176 * vec3<f32>((dot(_S175, _S171) * _S178)));
+    var _S184 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S171), 1.00000000317107685e-30f)));
+    var _S185 : vec3<f32> = cross(_S170, _S171) * _S184;
+    var _S186 : vec3<f32> = cross(_S171, _S169) * _S184;
+    var _S187 : vec2<f32> = vec2<f32>(_S166.u_0 - _S165.u_0, _S166.v_0 - _S165.v_0);
+    var _S188 : vec2<f32> = vec2<f32>(_S167.u_0 - _S165.u_0, _S167.v_0 - _S165.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S161, _S162, dot(_S181, _S185), dot(_S181, _S186));
+    point_2.position_0 = _S168 + _S181;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S176));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S182, _S185)) * _S187 + vec2<f32>(dot(_S182, _S186)) * _S188) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S183, _S185)) * _S187 + vec2<f32>(dot(_S183, _S186)) * _S188) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -1202,80 +1204,80 @@ struct LightSample_0
      distance_2 : f32,
 };
 
-fn environment_texel_0( _S187 : u32,  _S188 : u32) -> vec3<f32>
+fn environment_texel_0( _S189 : u32,  _S190 : u32) -> vec3<f32>
 {
-    var _S189 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S187 * frame_record_0.environment_columns_0 + _S188);
-    return vec3<f32>(scene_number_0(_S189), scene_number_0(_S189 + u32(1)), scene_number_0(_S189 + u32(2)));
+    var _S191 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S189 * frame_record_0.environment_columns_0 + _S190);
+    return vec3<f32>(scene_number_0(_S191), scene_number_0(_S191 + u32(1)), scene_number_0(_S191 + u32(2)));
 }
 
-fn sample_environment_0( _S190 : vec2<f32>,  _S191 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S192 : vec2<f32>,  _S193 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S192 : u32 = frame_record_0.environment_rows_0;
-    var _S193 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S190.y);
-    var _S194 : u32 = frame_record_0.environment_columns_0;
-    var _S195 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S193.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S190.x);
-    var _S196 : vec3<f32> = environment_texel_0(_S193.index_2, _S195.index_2);
-    (*_S191) = _S196 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S196), 9.99999968265522539e-21f)));
-    var _S197 : f32 = 3.14159274101257324f / f32(_S192);
-    var _S198 : f32 = mix(sine_cosine_0(f32(_S193.index_2) * _S197).y, sine_cosine_0(f32(_S193.index_2 + u32(1)) * _S197).y, _S193.remainder_0);
-    var _S199 : f32 = sqrt(max(1.0f - _S198 * _S198, 0.0f));
-    var _S200 : vec2<f32> = sine_cosine_0((f32(_S195.index_2) + _S195.remainder_0) * (6.28318548202514648f / f32(_S194)));
-    var _S201 : f32 = _S199 * _S200.x;
-    var _S202 : f32 = - _S199 * _S200.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S201 + frame_record_0.environment_sine_0 * _S202, _S198, frame_record_0.environment_cosine_0 * _S202 - frame_record_0.environment_sine_0 * _S201);
+    var _S194 : u32 = frame_record_0.environment_rows_0;
+    var _S195 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S192.y);
+    var _S196 : u32 = frame_record_0.environment_columns_0;
+    var _S197 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S195.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S192.x);
+    var _S198 : vec3<f32> = environment_texel_0(_S195.index_2, _S197.index_2);
+    (*_S193) = _S198 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S198), 9.99999968265522539e-21f)));
+    var _S199 : f32 = 3.14159274101257324f / f32(_S194);
+    var _S200 : f32 = mix(sine_cosine_0(f32(_S195.index_2) * _S199).y, sine_cosine_0(f32(_S195.index_2 + u32(1)) * _S199).y, _S195.remainder_0);
+    var _S201 : f32 = sqrt(max(1.0f - _S200 * _S200, 0.0f));
+    var _S202 : vec2<f32> = sine_cosine_0((f32(_S197.index_2) + _S197.remainder_0) * (6.28318548202514648f / f32(_S196)));
+    var _S203 : f32 = _S201 * _S202.x;
+    var _S204 : f32 = - _S201 * _S202.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S203 + frame_record_0.environment_sine_0 * _S204, _S200, frame_record_0.environment_cosine_0 * _S204 - frame_record_0.environment_sine_0 * _S203);
 }
 
-fn light_sample_0( _S203 : u32,  _S204 : vec2<u32>,  _S205 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S205 : u32,  _S206 : vec2<u32>,  _S207 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_2 = 1.00000001504746622e+30f;
-    var _S206 : u32 = frame_record_0.lights_0;
-    if(_S203 >= (frame_record_0.lights_0))
+    var _S208 : u32 = frame_record_0.lights_0;
+    if(_S205 >= (frame_record_0.lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S207 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S204, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S203 - _S206), u32(3)), &(weight_0));
-        sample_0.towards_0 = _S207;
+        var _S209 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S206, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S205 - _S208), u32(3)), &(weight_0));
+        sample_0.towards_0 = _S209;
         sample_0.irradiance_1 = weight_0 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S208 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S203);
-    sample_0.irradiance_1 = vec3<f32>(_S208.red_0, _S208.green_0, _S208.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S208.x_3, _S208.y_1, _S208.z_1);
-    if((_S208.is_point_0) != u32(0))
+    var _S210 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S205);
+    sample_0.irradiance_1 = vec3<f32>(_S210.red_0, _S210.green_0, _S210.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S210.x_3, _S210.y_1, _S210.z_1);
+    if((_S210.is_point_0) != u32(0))
     {
-        var _S209 : vec3<f32> = sample_0.towards_0 - _S205;
-        var _S210 : f32 = max(square_0(_S209), 9.999999960041972e-13f);
-        sample_0.distance_2 = sqrt(_S210);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S210);
-        sample_0.towards_0 = normalize(_S209);
+        var _S211 : vec3<f32> = sample_0.towards_0 - _S207;
+        var _S212 : f32 = max(square_0(_S211), 9.999999960041972e-13f);
+        sample_0.distance_2 = sqrt(_S212);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S212);
+        sample_0.towards_0 = normalize(_S211);
     }
     return sample_0;
 }
 
-fn seen_position_0( _S211 : u32,  _S212 : vec2<u32>) -> vec3<f32>
+fn seen_position_0( _S213 : u32,  _S214 : vec2<u32>) -> vec3<f32>
 {
-    var _S213 : u32 = u32(3) * _S211;
-    var _S214 : vec3<f32> = position_of_0(vertex_at_0(_S213));
-    var _S215 : vec3<f32> = position_of_0(vertex_at_0(_S213 + u32(1))) - _S214;
-    var _S216 : vec3<f32> = position_of_0(vertex_at_0(_S213 + u32(2))) - _S214;
-    var _S217 : vec3<f32> = cross(_S215, _S216);
-    var _S218 : f32 = 1.0f / max(square_0(_S217), 1.00000000317107685e-30f);
-    var _S219 : f32 = f32(frame_record_0.width_0);
-    var _S220 : f32 = f32(frame_record_0.height_0);
-    var _S221 : vec3<f32> = camera_forward_0() + camera_right_0() * vec3<f32>((2.0f * (f32(_S212.x) + 0.5f + frame_record_0.jitter_x_0 - 0.5f * _S219) / _S219)) - camera_up_0() * vec3<f32>((2.0f * (f32(_S212.y) + 0.5f + frame_record_0.jitter_y_0 - 0.5f * _S220) / _S220));
-    var _S222 : f32 = dot(_S221, _S217);
-    var _S223 : vec3<f32> = _S214 - camera_origin_0();
-    var _S224 : vec3<f32> = _S221 * vec3<f32>((dot(_S223, _S217) / select(1.00000000317107685e-30f, _S222, (abs(_S222)) > 1.00000000317107685e-30f))) - _S223;
-    var _S225 : f32 = clamp(dot(_S224, cross(_S216, _S217)) * _S218, 0.0f, 1.0f);
-    return _S214 + vec3<f32>(_S225) * _S215 + vec3<f32>(clamp(dot(_S224, cross(_S217, _S215)) * _S218, 0.0f, 1.0f - _S225)) * _S216;
+    var _S215 : u32 = u32(3) * _S213;
+    var _S216 : vec3<f32> = position_of_0(vertex_at_0(_S215));
+    var _S217 : vec3<f32> = position_of_0(vertex_at_0(_S215 + u32(1))) - _S216;
+    var _S218 : vec3<f32> = position_of_0(vertex_at_0(_S215 + u32(2))) - _S216;
+    var _S219 : vec3<f32> = cross(_S217, _S218);
+    var _S220 : f32 = 1.0f / max(square_0(_S219), 1.00000000317107685e-30f);
+    var _S221 : f32 = f32(frame_record_0.width_0);
+    var _S222 : f32 = f32(frame_record_0.height_0);
+    var _S223 : vec3<f32> = camera_forward_0() + camera_right_0() * vec3<f32>((2.0f * (f32(_S214.x) + 0.5f + frame_record_0.jitter_x_0 - 0.5f * _S221) / _S221)) - camera_up_0() * vec3<f32>((2.0f * (f32(_S214.y) + 0.5f + frame_record_0.jitter_y_0 - 0.5f * _S222) / _S222));
+    var _S224 : f32 = dot(_S223, _S219);
+    var _S225 : vec3<f32> = _S216 - camera_origin_0();
+    var _S226 : vec3<f32> = _S223 * vec3<f32>((dot(_S225, _S219) / select(1.00000000317107685e-30f, _S224, (abs(_S224)) > 1.00000000317107685e-30f))) - _S225;
+    var _S227 : f32 = clamp(dot(_S226, cross(_S218, _S219)) * _S220, 0.0f, 1.0f);
+    return _S216 + vec3<f32>(_S227) * _S217 + vec3<f32>(clamp(dot(_S226, cross(_S219, _S217)) * _S220, 0.0f, 1.0f - _S227)) * _S218;
 }
 
-fn nearest_hit_0( _S226 : vec3<f32>,  _S227 : vec3<f32>,  _S228 : f32,  _S229 : f32,  _S230 : u32,  _S231 : bool) -> Hit_0
+fn nearest_hit_0( _S228 : vec3<f32>,  _S229 : vec3<f32>,  _S230 : f32,  _S231 : f32,  _S232 : u32,  _S233 : bool) -> Hit_0
 {
-    var _S232 : vec3<f32> = vec3<f32>(inverse_of_0(_S227.x), inverse_of_0(_S227.y), inverse_of_0(_S227.z));
+    var _S234 : vec3<f32> = vec3<f32>(inverse_of_0(_S229.x), inverse_of_0(_S229.y), inverse_of_0(_S229.z));
     var found_0 : Hit_0;
     found_0.face_2 = u32(4294967295);
-    found_0.distance_0 = _S229;
+    found_0.distance_0 = _S231;
     found_0.weight_b_0 = 0.0f;
     found_0.weight_c_0 = 0.0f;
     var node_2 : u32 = u32(1);
@@ -1289,23 +1291,23 @@ fn nearest_hit_0( _S226 : vec3<f32>,  _S227 : vec3<f32>,  _S228 : f32,  _S229 : 
             break;
         }
         var node_3 : u32;
-        if(!meets_node_0(node_2, _S226, _S232, _S228, found_0.distance_0))
+        if(!meets_node_0(node_2, _S228, _S234, _S230, found_0.distance_0))
         {
             node_3 = following_node_0(node_2);
         }
         else
         {
-            var _S233 : u32 = frame_record_0.leaves_0;
+            var _S235 : u32 = frame_record_0.leaves_0;
             if(node_2 < (frame_record_0.leaves_0))
             {
                 node_3 = node_2 * u32(2);
             }
             else
             {
-                var _S234 : u32 = frame_record_0.leaf_faces_0 + u32(4) * (node_2 - _S233);
-                var _S235 : u32 = following_node_0(node_2);
+                var _S236 : u32 = frame_record_0.leaf_faces_0 + u32(4) * (node_2 - _S235);
+                var _S237 : u32 = following_node_0(node_2);
                 var number_1 : u32 = u32(0);
-                node_3 = _S235;
+                node_3 = _S237;
                 for(;;)
                 {
                     if(number_1 < u32(4))
@@ -1315,30 +1317,30 @@ fn nearest_hit_0( _S226 : vec3<f32>,  _S227 : vec3<f32>,  _S228 : f32,  _S229 : 
                     {
                         break;
                     }
-                    var _S236 : u32 = scene_words_0[_S234 + number_1];
-                    if(((_S236 == u32(4294967295)) | ((_S236 == _S230))))
+                    var _S238 : u32 = scene_words_0[_S236 + number_1];
+                    if(((_S238 == u32(4294967295)) | ((_S238 == _S232))))
                     {
                         number_1 = number_1 + u32(1);
                         continue;
                     }
-                    var _S237 : Hit_0 = meet_face_0(_S236, _S226, _S227);
-                    if((((((_S237.face_2) == u32(4294967295)) | (((_S237.distance_0) <= _S228)))) | (((_S237.distance_0) >= (found_0.distance_0)))))
+                    var _S239 : Hit_0 = meet_face_0(_S238, _S228, _S229);
+                    if((((((_S239.face_2) == u32(4294967295)) | (((_S239.distance_0) <= _S230)))) | (((_S239.distance_0) >= (found_0.distance_0)))))
                     {
                         number_1 = number_1 + u32(1);
                         continue;
                     }
-                    found_0 = _S237;
-                    var _S238 : bool;
-                    if(_S231)
+                    found_0 = _S239;
+                    var _S240 : bool;
+                    if(_S233)
                     {
-                        _S238 = (fabrics_0[fabric_of_0(_S236)].is_open_0) == u32(0);
+                        _S240 = (fabrics_0[fabric_of_0(_S238)].is_open_0) == u32(0);
                     }
                     else
                     {
-                        _S238 = false;
+                        _S240 = false;
                     }
                     var node_4 : u32;
-                    if(_S238)
+                    if(_S240)
                     {
                         node_4 = u32(0);
                     }
@@ -1363,16 +1365,16 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S239 : u32,  _S240 : Footprint_0,  _S241 : f32) -> Regime_0
+fn regime_of_0( _S241 : u32,  _S242 : Footprint_0,  _S243 : f32) -> Regime_0
 {
-    var _S242 : f32 = Footprint_spread_side_0(_S240);
-    var _S243 : f32 = clamp((binary_logarithm_0(max(_S242, 9.99999971718068537e-10f)) - fabrics_0[_S239].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S244 : f32 = Footprint_spread_side_0(_S242);
+    var _S245 : f32 = clamp((binary_logarithm_0(max(_S244, 9.99999971718068537e-10f)) - fabrics_0[_S241].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S244 : f32 = _S243 * _S243 * (3.0f - 2.0f * _S243);
-    regime_0.prefiltered_0 = _S244;
-    var _S245 : f32 = _S242 * fabrics_0[_S239].lobes_0.threads_per_mm_0;
-    regime_0.threads_0 = _S245;
-    regime_0.points_0 = select(0.0f, clamp(_S245 * 12.0f, 1.0f, mix(max(8.0f / _S241, 1.0f), 1.0f, _S244)), _S244 < 1.0f);
+    var _S246 : f32 = _S245 * _S245 * (3.0f - 2.0f * _S245);
+    regime_0.prefiltered_0 = _S246;
+    var _S247 : f32 = _S244 * fabrics_0[_S241].lobes_0.threads_per_mm_0;
+    regime_0.threads_0 = _S247;
+    regime_0.points_0 = select(0.0f, clamp(_S247 * 12.0f, 1.0f, mix(max(8.0f / _S243, 1.0f), 1.0f, _S246)), _S246 < 1.0f);
     return regime_0;
 }
 
@@ -1393,134 +1395,136 @@ struct Sample_0
      height_5 : f32,
      slope_across_0 : f32,
      slope_along_0 : f32,
+     dive_1 : vec3<f32>,
      slope_x_1 : f32,
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S246 : u32,  _S247 : f32,  _S248 : f32,  _S249 : bool) -> Crossing_0
+fn crossing_at_0( _S248 : u32,  _S249 : f32,  _S250 : f32,  _S251 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S246].warp_0, _S247);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S246].weft_0, _S248);
-    var _S250 : u32 = fabrics_0[_S246].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S246].ends_1 + crossing_2.warp_1.thread_2);
-    var _S251 : u32 = words_0[_S250];
-    crossing_2.warp_word_0 = _S251;
-    crossing_2.weft_word_0 = words_0[_S250 + u32(1)];
-    crossing_2.warp_above_0 = (((_S251 & (u32(1)))) == u32(1)) != _S249;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S248].warp_0, _S249);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S248].weft_0, _S250);
+    var _S252 : u32 = fabrics_0[_S248].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S248].ends_1 + crossing_2.warp_1.thread_2);
+    var _S253 : u32 = words_0[_S252];
+    crossing_2.warp_word_0 = _S253;
+    crossing_2.weft_word_0 = words_0[_S252 + u32(1)];
+    crossing_2.warp_above_0 = (((_S253 & (u32(1)))) == u32(1)) != _S251;
     return crossing_2;
 }
 
-fn sample_at_0( _S252 : u32,  _S253 : f32,  _S254 : f32,  _S255 : bool) -> Sample_0
+fn sample_at_0( _S254 : u32,  _S255 : f32,  _S256 : f32,  _S257 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S256 : Crossing_0 = crossing_at_0(_S252, _S253, _S254, _S255);
-    sample_1.crossing_1 = _S256;
-    var _S257 : Shown_0 = shown_at_0(_S256, _S255);
-    sample_1.shown_3 = _S257;
-    var _S258 : u32 = select(fabrics_0[_S252].weft_0, fabrics_0[_S252].warp_0, _S257.is_warp_0);
-    var _S259 : u32 = select(fabrics_0[_S252].warp_0, fabrics_0[_S252].weft_0, _S257.is_warp_0);
-    var _S260 : Cell_0 = select_cell_0(_S257.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
-    var _S261 : Cell_0 = select_cell_0(_S257.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
-    var _S262 : Run_0 = unpack_0(_S258, _S259, _S260.thread_2, _S261, _S257.word_0);
-    var _S263 : Section_0 = section_at_0(_S260);
-    var _S264 : bool = ((_S257.on_top_0) & (((_S262.distance_1) < (_S263.drop_0 * _S262.bend_1.sine_0))));
-    var _S265 : f32 = select(-1.0f, 1.0f, ((_S257.on_top_0) & ((!_S264))));
-    var _S266 : f32 = select(_S262.reach_0, _S262.other_reach_0, _S264);
-    var _S267 : f32 = select(max(_S266 - _S262.distance_1, 0.0f), _S266 + _S262.distance_1, _S264);
-    var _S268 : f32 = _S266 / _S262.bend_1.sine_0 - _S265 * _S263.drop_0;
-    var _S269 : f32 = _S267 * _S267;
-    var _S270 : f32 = max(_S268 * _S268 - _S269, 9.99999968265522539e-21f);
-    var _S271 : f32 = rsqrt_0(_S270);
-    var _S272 : f32 = _S269 / (_S270 * _S271 + _S268);
-    var _S273 : bool = _S267 > 0.0f;
-    var _S274 : f32 = select(-1.0f, 1.0f, _S257.on_top_0) * select(-1.0f, 1.0f, _S262.near_start_0);
-    var _S275 : f32 = _S263.slope_0 * select(1.0f, _S268 * _S271, _S273);
-    sample_1.slope_across_0 = _S275;
-    var _S276 : f32 = select(0.0f, _S274 * _S267 * _S271, _S273);
-    sample_1.slope_along_0 = _S276;
-    var _S277 : vec2<f32> = dive_0(_S259, _S257, _S262, _S261);
-    sample_1.height_5 = select(families_0[_S258].height_scale_0 * _S265, 0.0f, _S262.straight_0) * (_S266 * _S262.bend_1.half_tangent_0 - _S272) - families_0[_S258].height_scale_0 * _S263.drop_0 - _S277.x;
-    var _S278 : f32 = families_0[_S258].height_scale_0 * _S275;
-    var _S279 : f32 = families_0[_S258].height_scale_0 * _S276 - _S277.y;
-    sample_1.slope_x_1 = select(_S279, _S278, _S257.is_warp_0);
-    sample_1.slope_y_1 = select(_S278, _S279, _S257.is_warp_0);
-    sample_1.run_3 = _S262;
-    sample_1.section_1 = _S263;
+    var _S258 : Crossing_0 = crossing_at_0(_S254, _S255, _S256, _S257);
+    sample_1.crossing_1 = _S258;
+    var _S259 : Shown_0 = shown_at_0(_S258, _S257);
+    sample_1.shown_3 = _S259;
+    var _S260 : u32 = select(fabrics_0[_S254].weft_0, fabrics_0[_S254].warp_0, _S259.is_warp_0);
+    var _S261 : u32 = select(fabrics_0[_S254].warp_0, fabrics_0[_S254].weft_0, _S259.is_warp_0);
+    var _S262 : Cell_0 = select_cell_0(_S259.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
+    var _S263 : Cell_0 = select_cell_0(_S259.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
+    var _S264 : Run_0 = unpack_0(_S260, _S261, _S262.thread_2, _S263, _S259.word_0);
+    var _S265 : Section_0 = section_at_0(_S262);
+    var _S266 : bool = ((_S259.on_top_0) & (((_S264.distance_1) < (_S265.drop_0 * _S264.bend_1.sine_0))));
+    var _S267 : f32 = select(-1.0f, 1.0f, ((_S259.on_top_0) & ((!_S266))));
+    var _S268 : f32 = select(_S264.reach_0, _S264.other_reach_0, _S266);
+    var _S269 : f32 = select(max(_S268 - _S264.distance_1, 0.0f), _S268 + _S264.distance_1, _S266);
+    var _S270 : f32 = _S268 / _S264.bend_1.sine_0 - _S267 * _S265.drop_0;
+    var _S271 : f32 = _S269 * _S269;
+    var _S272 : f32 = max(_S270 * _S270 - _S271, 9.99999968265522539e-21f);
+    var _S273 : f32 = rsqrt_0(_S272);
+    var _S274 : f32 = _S271 / (_S272 * _S273 + _S270);
+    var _S275 : bool = _S269 > 0.0f;
+    var _S276 : f32 = select(-1.0f, 1.0f, _S259.on_top_0) * select(-1.0f, 1.0f, _S264.near_start_0);
+    var _S277 : f32 = _S265.slope_0 * select(1.0f, _S270 * _S273, _S275);
+    sample_1.slope_across_0 = _S277;
+    var _S278 : f32 = select(0.0f, _S276 * _S269 * _S273, _S275);
+    sample_1.slope_along_0 = _S278;
+    var _S279 : vec3<f32> = dive_0(_S261, _S259, _S264, _S263);
+    sample_1.dive_1 = _S279;
+    sample_1.height_5 = select(families_0[_S260].height_scale_0 * _S267, 0.0f, _S264.straight_0) * (_S268 * _S264.bend_1.half_tangent_0 - _S274) - families_0[_S260].height_scale_0 * _S265.drop_0 - _S279.x;
+    var _S280 : f32 = families_0[_S260].height_scale_0 * _S277;
+    var _S281 : f32 = families_0[_S260].height_scale_0 * _S278 - _S279.y;
+    sample_1.slope_x_1 = select(_S281, _S280, _S259.is_warp_0);
+    sample_1.slope_y_1 = select(_S280, _S281, _S259.is_warp_0);
+    sample_1.run_3 = _S264;
+    sample_1.section_1 = _S265;
     return sample_1;
 }
 
-fn steps_per_length_0( _S280 : u32,  _S281 : SearchQuality_0,  _S282 : vec3<f32>) -> f32
+fn steps_per_length_0( _S282 : u32,  _S283 : SearchQuality_0,  _S284 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S282.x) * fabrics_0[_S280].threads_per_x_0, abs(_S282.y) * fabrics_0[_S280].threads_per_y_0) * _S281.steps_per_thread_0, abs(_S282.z) * fabrics_0[_S280].per_relief_0 * _S281.steps_per_relief_0);
+    return max(max(abs(_S284.x) * fabrics_0[_S282].threads_per_x_0, abs(_S284.y) * fabrics_0[_S282].threads_per_y_0) * _S283.steps_per_thread_0, abs(_S284.z) * fabrics_0[_S282].per_relief_0 * _S283.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S283 : u32,  _S284 : Crossing_0) -> f32
+fn cell_maximum_0( _S285 : u32,  _S286 : Crossing_0) -> f32
 {
-    var _S285 : u32 = select(fabrics_0[_S283].weft_0, fabrics_0[_S283].warp_0, _S284.warp_above_0);
-    return f32((select(_S284.weft_word_0, _S284.warp_word_0, _S284.warp_above_0) >> (u32(28)))) * families_0[_S285].height_scale_0 * families_0[_S285].level_0;
+    var _S287 : u32 = select(fabrics_0[_S285].weft_0, fabrics_0[_S285].warp_0, _S286.warp_above_0);
+    return f32((select(_S286.weft_word_0, _S286.warp_word_0, _S286.warp_above_0) >> (u32(28)))) * families_0[_S287].height_scale_0 * families_0[_S287].level_0;
 }
 
-fn probe_0( _S286 : u32,  _S287 : f32,  _S288 : f32,  _S289 : bool,  _S290 : bool,  _S291 : bool) -> Probe_0
+fn probe_0( _S288 : u32,  _S289 : f32,  _S290 : f32,  _S291 : bool,  _S292 : bool,  _S293 : bool) -> Probe_0
 {
-    var _S292 : Sample_0 = sample_at_0(_S286, _S287, _S288, _S289);
+    var _S294 : Sample_0 = sample_at_0(_S288, _S289, _S290, _S291);
     var probe_1 : Probe_0;
-    probe_1.height_2 = _S292.height_5;
-    probe_1.hole_1 = _S292.shown_3.hole_0;
-    probe_1.slope_x_0 = _S292.slope_x_1;
-    probe_1.slope_y_0 = _S292.slope_y_1;
-    probe_1.yarn_1 = select(_S292.crossing_1.weft_1.thread_2 * u32(2), _S292.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S292.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S286, _S292.crossing_1);
-    probe_1.side_x_0 = select(_S292.crossing_1.warp_1.below_0, _S292.crossing_1.warp_1.above_0, _S290);
-    probe_1.side_y_0 = select(_S292.crossing_1.weft_1.below_0, _S292.crossing_1.weft_1.above_0, _S291);
-    probe_1.edge_x_0 = outline_distance_0(_S292.crossing_1.warp_1, _S292.shown_3, _S292.run_3, !_S292.shown_3.is_warp_0, _S290);
-    probe_1.edge_y_0 = outline_distance_0(_S292.crossing_1.weft_1, _S292.shown_3, _S292.run_3, _S292.shown_3.is_warp_0, _S291);
+    probe_1.height_2 = _S294.height_5;
+    probe_1.hole_1 = _S294.shown_3.hole_0;
+    probe_1.slope_x_0 = _S294.slope_x_1;
+    probe_1.slope_y_0 = _S294.slope_y_1;
+    probe_1.yarn_1 = select(_S294.crossing_1.weft_1.thread_2 * u32(2), _S294.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S294.shown_3.is_warp_0);
+    probe_1.cell_max_0 = cell_maximum_0(_S288, _S294.crossing_1);
+    probe_1.side_x_0 = select(_S294.crossing_1.warp_1.below_0, _S294.crossing_1.warp_1.above_0, _S292);
+    probe_1.side_y_0 = select(_S294.crossing_1.weft_1.below_0, _S294.crossing_1.weft_1.above_0, _S293);
+    probe_1.edge_x_0 = outline_distance_0(_S294.crossing_1.warp_1, _S294.shown_3, _S294.run_3, !_S294.shown_3.is_warp_0, _S292);
+    probe_1.edge_y_0 = outline_distance_0(_S294.crossing_1.weft_1, _S294.shown_3, _S294.run_3, _S294.shown_3.is_warp_0, _S293);
     return probe_1;
 }
 
-fn is_free_0( _S293 : u32,  _S294 : SearchQuality_0,  _S295 : vec3<f32>,  _S296 : vec3<f32>,  _S297 : bool,  _S298 : f32) -> bool
+fn is_free_0( _S295 : u32,  _S296 : SearchQuality_0,  _S297 : vec3<f32>,  _S298 : vec3<f32>,  _S299 : bool,  _S300 : f32) -> bool
 {
-    var _S299 : f32 = _S296.z;
-    if(_S299 <= 0.0f)
+    var _S301 : f32 = _S298.z;
+    if(_S301 <= 0.0f)
     {
         return false;
     }
-    var _S300 : f32 = 1.0f / max(_S294.shadow_share_0 * steps_per_length_0(_S293, _S294, _S296), 9.99999971718068537e-10f);
-    var _S301 : StepControl_0 = step_control_0(_S296.xy, _S300);
+    var _S302 : f32 = 1.0f / max(_S296.shadow_share_0 * steps_per_length_0(_S295, _S296, _S298), 9.99999971718068537e-10f);
+    var _S303 : StepControl_0 = step_control_0(_S298.xy, _S302);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_3 : u32 = u32(0);
     var distance_3 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_3 < u32(1024)) & (((_S295.z + _S299 * distance_3) < _S298))))
+        if(((count_3 < u32(1024)) & (((_S297.z + _S301 * distance_3) < _S300))))
         {
         }
         else
         {
             break;
         }
-        var _S302 : vec3<f32> = _S295 + _S296 * vec3<f32>(distance_3);
-        var _S303 : Probe_0 = probe_0(_S293, _S302.x, _S302.y, _S297, _S301.right_0, _S301.up_0);
-        var _S304 : f32 = _S302.z;
-        var _S305 : f32 = _S304 - _S303.height_2;
-        var _S306 : f32 = _S299 - _S303.slope_x_0 * _S296.x - _S303.slope_y_0 * _S296.y;
-        if(((!_S303.hole_1) & ((_S305 < 0.0f))))
+        var _S304 : vec3<f32> = _S297 + _S298 * vec3<f32>(distance_3);
+        var _S305 : Probe_0 = probe_0(_S295, _S304.x, _S304.y, _S299, _S303.right_0, _S303.up_0);
+        var _S306 : f32 = _S304.z;
+        var _S307 : f32 = _S306 - _S305.height_2;
+        var _S308 : f32 = _S301 - _S305.slope_x_0 * _S298.x - _S305.slope_y_0 * _S298.y;
+        if(((!_S305.hole_1) & ((_S307 < 0.0f))))
         {
             return false;
         }
-        var _S307 : f32 = way_back_to_dip_0(previous_3, _S305, _S306, last_step_0, _S303);
-        if(_S307 >= 0.0f)
+        var _S309 : f32 = way_back_to_dip_0(previous_3, _S307, _S308, last_step_0, _S305);
+        if(_S309 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S307;
-            distance_3 = distance_3 - _S307;
+            var last_step_1 : f32 = last_step_0 - _S309;
+            distance_3 = distance_3 - _S309;
             last_step_0 = last_step_1;
             count_3 = count_3 + u32(1);
             continue;
         }
-        var _S308 : bool = _S304 > (_S303.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S301, _S303, _S305, _S306), max(StepControl_to_cell_exit_0(_S301, _S303.side_x_0, _S303.side_y_0), _S300), _S308);
+        var _S310 : bool = _S306 > (_S305.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S303, _S305, _S307, _S308), max(StepControl_to_cell_exit_0(_S303, _S305.side_x_0, _S305.side_y_0), _S302), _S310);
         var distance_4 : f32 = distance_3 + last_step_2;
-        previous_3 = after_sample_0(_S305, _S306, _S303, _S308);
+        previous_3 = after_sample_0(_S307, _S308, _S305, _S310);
         distance_3 = distance_4;
         last_step_0 = last_step_2;
         count_3 = count_3 + u32(1);
@@ -1528,13 +1532,13 @@ fn is_free_0( _S293 : u32,  _S294 : SearchQuality_0,  _S295 : vec3<f32>,  _S296 
     return true;
 }
 
-fn passes_through_0( _S309 : u32,  _S310 : SearchQuality_0,  _S311 : f32,  _S312 : f32,  _S313 : vec3<f32>,  _S314 : bool) -> bool
+fn passes_through_0( _S311 : u32,  _S312 : SearchQuality_0,  _S313 : f32,  _S314 : f32,  _S315 : vec3<f32>,  _S316 : bool) -> bool
 {
-    if(!sample_at_0(_S309, _S311, _S312, _S314).shown_3.hole_0)
+    if(!sample_at_0(_S311, _S313, _S314, _S316).shown_3.hole_0)
     {
         return false;
     }
-    var _S315 : vec3<f32> = vec3<f32>(_S311, _S312, 0.0f);
+    var _S317 : vec3<f32> = vec3<f32>(_S313, _S314, 0.0f);
     var passes_0 : bool = true;
     var side_0 : u32 = u32(0);
     for(;;)
@@ -1546,10 +1550,10 @@ fn passes_through_0( _S309 : u32,  _S310 : SearchQuality_0,  _S311 : f32,  _S312
         {
             break;
         }
-        var _S316 : bool = is_free_0(_S309, _S310, _S315, select_vector_0(side_0 == u32(0), _S313, vec3<f32>(- _S313.x, - _S313.y, _S313.z)), _S314 != (side_0 == u32(1)), fabrics_0[_S309].height_high_0);
-        var _S317 : u32 = side_0 + u32(1);
-        passes_0 = _S316;
-        side_0 = _S317;
+        var _S318 : bool = is_free_0(_S311, _S312, _S317, select_vector_0(side_0 == u32(0), _S315, vec3<f32>(- _S315.x, - _S315.y, _S315.z)), _S316 != (side_0 == u32(1)), fabrics_0[_S311].height_high_0);
+        var _S319 : u32 = side_0 + u32(1);
+        passes_0 = _S318;
+        side_0 = _S319;
     }
     return passes_0;
 }
@@ -1564,14 +1568,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S318 : u32,  _S319 : f32,  _S320 : f32,  _S321 : f32,  _S322 : vec3<f32>,  _S323 : bool) -> f32
+fn max_height_along_0( _S320 : u32,  _S321 : f32,  _S322 : f32,  _S323 : f32,  _S324 : vec3<f32>,  _S325 : bool) -> f32
 {
-    var _S324 : f32 = _S322.x;
-    var _S325 : f32 = _S322.y;
-    var _S326 : u32 = (words_0[fabrics_0[_S318].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S318].weft_0, _S320).thread_2 / u32(2) * fabrics_0[_S318].max_height_columns_0 + locate_0(fabrics_0[_S318].warp_0, _S319).thread_2 / u32(2)) + (select(u32(0), u32(1), _S324 > 0.0f) + select(u32(0), u32(2), _S325 > 0.0f))] >> (u32(select(i32(0), i32(4), _S323))));
-    var _S327 : f32 = max(abs(_S324) * fabrics_0[_S318].threads_per_x_0, abs(_S325) * fabrics_0[_S318].threads_per_y_0) / _S322.z;
-    var _S328 : f32 = fabrics_0[_S318].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S318].height_high_0;
+    var _S326 : f32 = _S324.x;
+    var _S327 : f32 = _S324.y;
+    var _S328 : u32 = (words_0[fabrics_0[_S320].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S320].weft_0, _S322).thread_2 / u32(2) * fabrics_0[_S320].max_height_columns_0 + locate_0(fabrics_0[_S320].warp_0, _S321).thread_2 / u32(2)) + (select(u32(0), u32(1), _S326 > 0.0f) + select(u32(0), u32(2), _S327 > 0.0f))] >> (u32(select(i32(0), i32(4), _S325))));
+    var _S329 : f32 = max(abs(_S326) * fabrics_0[_S320].threads_per_x_0, abs(_S327) * fabrics_0[_S320].threads_per_y_0) / _S324.z;
+    var _S330 : f32 = fabrics_0[_S320].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S320].height_high_0;
     var number_2 : i32 = i32(3);
     for(;;)
     {
@@ -1582,26 +1586,26 @@ fn max_height_along_0( _S318 : u32,  _S319 : f32,  _S320 : f32,  _S321 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S321) * _S327) <= (PYRAMID_RADII_0[number_2]))
+        if(((max_height_0 - _S323) * _S329) <= (PYRAMID_RADII_0[number_2]))
         {
-            max_height_0 = min(max_height_0, f32((((_S326 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S328);
+            max_height_0 = min(max_height_0, f32((((_S328 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S330);
         }
         number_2 = number_2 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S329 : u32,  _S330 : f32,  _S331 : f32,  _S332 : bool,  _S333 : bool,  _S334 : bool) -> vec3<f32>
+fn cell_bounds_0( _S331 : u32,  _S332 : f32,  _S333 : f32,  _S334 : bool,  _S335 : bool,  _S336 : bool) -> vec3<f32>
 {
-    var _S335 : Crossing_0 = crossing_at_0(_S329, _S330, _S331, _S332);
-    return vec3<f32>(cell_maximum_0(_S329, _S335), select(_S335.warp_1.below_0, _S335.warp_1.above_0, _S333), select(_S335.weft_1.below_0, _S335.weft_1.above_0, _S334));
+    var _S337 : Crossing_0 = crossing_at_0(_S331, _S332, _S333, _S334);
+    return vec3<f32>(cell_maximum_0(_S331, _S337), select(_S337.warp_1.below_0, _S337.warp_1.above_0, _S335), select(_S337.weft_1.below_0, _S337.weft_1.above_0, _S336));
 }
 
-fn first_sample_height_0( _S336 : u32,  _S337 : ViewRay_0,  _S338 : StepControl_0,  _S339 : bool) -> f32
+fn first_sample_height_0( _S338 : u32,  _S339 : ViewRay_0,  _S340 : StepControl_0,  _S341 : bool) -> f32
 {
-    var _S340 : f32 = max_height_along_0(_S336, _S337.origin_2.x, _S337.origin_2.y, 0.0f, vec3<f32>(_S337.slope_1, 1.0f), _S339);
+    var _S342 : f32 = max_height_along_0(_S338, _S339.origin_2.x, _S339.origin_2.y, 0.0f, vec3<f32>(_S339.slope_1, 1.0f), _S341);
     var count_4 : u32 = u32(0);
-    var height_7 : f32 = _S340;
+    var height_7 : f32 = _S342;
     for(;;)
     {
         if(count_4 < u32(1024))
@@ -1611,12 +1615,12 @@ fn first_sample_height_0( _S336 : u32,  _S337 : ViewRay_0,  _S338 : StepControl_
         {
             break;
         }
-        var _S341 : vec2<f32> = ViewRay_at_0(_S337, height_7);
-        var _S342 : vec3<f32> = cell_bounds_0(_S336, _S341.x, _S341.y, _S339, _S338.right_0, _S338.up_0);
-        var _S343 : f32 = height_7 - _S342.x;
-        var _S344 : f32 = StepControl_to_cell_exit_0(_S338, _S342.y, _S342.z);
-        var height_8 : f32 = height_7 - clamp(_S343, 0.0f, _S344);
-        if(_S343 <= _S344)
+        var _S343 : vec2<f32> = ViewRay_at_0(_S339, height_7);
+        var _S344 : vec3<f32> = cell_bounds_0(_S338, _S343.x, _S343.y, _S341, _S340.right_0, _S340.up_0);
+        var _S345 : f32 = height_7 - _S344.x;
+        var _S346 : f32 = StepControl_to_cell_exit_0(_S340, _S344.y, _S344.z);
+        var height_8 : f32 = height_7 - clamp(_S345, 0.0f, _S346);
+        if(_S345 <= _S346)
         {
             height_7 = height_8;
             break;
@@ -1627,12 +1631,12 @@ fn first_sample_height_0( _S336 : u32,  _S337 : ViewRay_0,  _S338 : StepControl_
     return height_7;
 }
 
-fn search_down_0( _S345 : u32,  _S346 : ViewRay_0,  _S347 : StepControl_0,  _S348 : bool) -> ViewRayEnd_0
+fn search_down_0( _S347 : u32,  _S348 : ViewRay_0,  _S349 : StepControl_0,  _S350 : bool) -> ViewRayEnd_0
 {
-    var _S349 : f32 = fabrics_0[_S345].height_low_0 - (fabrics_0[_S345].height_high_0 - fabrics_0[_S345].height_low_0);
+    var _S351 : f32 = fabrics_0[_S347].height_low_0 - (fabrics_0[_S347].height_high_0 - fabrics_0[_S347].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S345, _S346, _S347, _S348);
-    end_1.last_step_3 = _S347.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S347, _S348, _S349, _S350);
+    end_1.last_step_3 = _S349.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -1647,115 +1651,115 @@ fn search_down_0( _S345 : u32,  _S346 : ViewRay_0,  _S347 : StepControl_0,  _S34
         {
             break;
         }
-        var _S350 : vec2<f32> = ViewRay_at_0(_S346, end_1.height_6);
-        var _S351 : Probe_0 = probe_0(_S345, _S350.x, _S350.y, _S348, _S347.right_0, _S347.up_0);
-        var _S352 : f32 = end_1.height_6 - _S351.height_2;
-        var _S353 : f32 = ViewRay_rate_0(_S346, _S351);
-        end_1.depth_0 = - _S352;
-        end_1.rate_4 = _S353;
-        var _S354 : bool = !_S351.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S354))) & (((end_1.previous_4.yarn_0) == (_S351.yarn_1))));
-        if((((_S354 & ((_S352 <= 0.0f)))) | (((end_1.height_6) <= _S349))))
+        var _S352 : vec2<f32> = ViewRay_at_0(_S348, end_1.height_6);
+        var _S353 : Probe_0 = probe_0(_S347, _S352.x, _S352.y, _S350, _S349.right_0, _S349.up_0);
+        var _S354 : f32 = end_1.height_6 - _S353.height_2;
+        var _S355 : f32 = ViewRay_rate_0(_S348, _S353);
+        end_1.depth_0 = - _S354;
+        end_1.rate_4 = _S355;
+        var _S356 : bool = !_S353.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S356))) & (((end_1.previous_4.yarn_0) == (_S353.yarn_1))));
+        if((((_S356 & ((_S354 <= 0.0f)))) | (((end_1.height_6) <= _S351))))
         {
             break;
         }
-        var _S355 : f32 = way_back_to_dip_0(end_1.previous_4, _S352, _S353, end_1.last_step_3, _S351);
-        if(_S355 >= 0.0f)
+        var _S357 : f32 = way_back_to_dip_0(end_1.previous_4, _S354, _S355, end_1.last_step_3, _S353);
+        if(_S357 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S355;
-            end_1.last_step_3 = end_1.last_step_3 - _S355;
+            end_1.height_6 = end_1.height_6 + _S357;
+            end_1.last_step_3 = end_1.last_step_3 - _S357;
             count_5 = count_5 + u32(1);
             continue;
         }
-        var _S356 : f32 = min(StepControl_to_cell_exit_0(_S347, _S351.side_x_0, _S351.side_y_0), end_1.height_6 - _S351.cell_max_0);
-        var _S357 : f32 = StepControl_to_next_sample_0(_S347, _S351, _S352, _S353);
-        end_1.previous_4 = after_sample_0(_S352, _S353, _S351, _S356 > _S357);
-        var _S358 : f32 = max(_S356, _S357);
-        end_1.last_step_3 = _S358;
-        end_1.height_6 = end_1.height_6 - _S358;
+        var _S358 : f32 = min(StepControl_to_cell_exit_0(_S349, _S353.side_x_0, _S353.side_y_0), end_1.height_6 - _S353.cell_max_0);
+        var _S359 : f32 = StepControl_to_next_sample_0(_S349, _S353, _S354, _S355);
+        end_1.previous_4 = after_sample_0(_S354, _S355, _S353, _S358 > _S359);
+        var _S360 : f32 = max(_S358, _S359);
+        end_1.last_step_3 = _S360;
+        end_1.height_6 = end_1.height_6 - _S360;
         count_5 = count_5 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S359 : u32,  _S360 : ViewRay_0,  _S361 : StepControl_0,  _S362 : bool,  _S363 : ViewRayEnd_0,  _S364 : u32) -> f32
+fn refined_height_0( _S361 : u32,  _S362 : ViewRay_0,  _S363 : StepControl_0,  _S364 : bool,  _S365 : ViewRayEnd_0,  _S366 : u32) -> f32
 {
-    var _S365 : f32 = fabrics_0[_S359].height_high_0 - fabrics_0[_S359].height_low_0;
-    var above_2 : f32 = _S363.height_6 + _S363.last_step_3;
-    var above_gap_1 : f32 = clamp(_S363.previous_4.clearance_0, 0.0f, _S365);
-    var under_gap_1 : f32 = clamp(_S363.depth_0, 0.0f, _S365);
-    var middle_0 : f32 = select(between_0(above_2, _S363.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S363.previous_4.rate_0 * _S363.last_step_3, _S363.rate_4 * _S363.last_step_3) * _S363.last_step_3, _S363.smooth_0);
+    var _S367 : f32 = fabrics_0[_S361].height_high_0 - fabrics_0[_S361].height_low_0;
+    var above_2 : f32 = _S365.height_6 + _S365.last_step_3;
+    var above_gap_1 : f32 = clamp(_S365.previous_4.clearance_0, 0.0f, _S367);
+    var under_gap_1 : f32 = clamp(_S365.depth_0, 0.0f, _S367);
+    var middle_0 : f32 = select(between_0(above_2, _S365.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S365.previous_4.rate_0 * _S365.last_step_3, _S365.rate_4 * _S365.last_step_3) * _S365.last_step_3, _S365.smooth_0);
     var side_1 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S363.height_6;
+    var under_1 : f32 = _S365.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S364)
+        if(i_1 < _S366)
         {
         }
         else
         {
             break;
         }
-        var _S366 : vec2<f32> = ViewRay_at_0(_S360, middle_0);
-        var _S367 : Probe_0 = probe_0(_S359, _S366.x, _S366.y, _S362, _S361.right_0, _S361.up_0);
-        var _S368 : f32 = clamp(middle_0 - select(_S367.height_2, -1.0e+09f, _S367.hole_1), - _S365, _S365);
-        if(_S368 <= 0.0f)
+        var _S368 : vec2<f32> = ViewRay_at_0(_S362, middle_0);
+        var _S369 : Probe_0 = probe_0(_S361, _S368.x, _S368.y, _S364, _S363.right_0, _S363.up_0);
+        var _S370 : f32 = clamp(middle_0 - select(_S369.height_2, -1.0e+09f, _S369.hole_1), - _S367, _S367);
+        if(_S370 <= 0.0f)
         {
-            var _S369 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_1 > 0.0f);
-            var _S370 : f32 = - _S368;
+            var _S371 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_1 > 0.0f);
+            var _S372 : f32 = - _S370;
             under_1 = middle_0;
-            above_gap_2 = _S369;
-            under_gap_2 = _S370;
+            above_gap_2 = _S371;
+            under_gap_2 = _S372;
             side_1 = 1.0f;
         }
         else
         {
-            var _S371 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_1 < 0.0f);
+            var _S373 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_1 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S368;
-            under_gap_2 = _S371;
+            above_gap_2 = _S370;
+            under_gap_2 = _S373;
             side_1 = -1.0f;
         }
-        var _S372 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S368 / min(ViewRay_rate_0(_S360, _S367), -9.99999997475242708e-07f), under_1, above_3), _S363.smooth_0);
-        var _S373 : u32 = i_1 + u32(1);
-        middle_0 = _S372;
-        i_1 = _S373;
+        var _S374 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S370 / min(ViewRay_rate_0(_S362, _S369), -9.99999997475242708e-07f), under_1, above_3), _S365.smooth_0);
+        var _S375 : u32 = i_1 + u32(1);
+        middle_0 = _S374;
+        i_1 = _S375;
     }
-    return select(under_1, middle_0, _S363.smooth_0);
+    return select(under_1, middle_0, _S365.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S374 : u32,  _S375 : SearchQuality_0,  _S376 : f32,  _S377 : f32,  _S378 : vec3<f32>,  _S379 : bool) -> Hit_1
+fn first_hit_of_yarn_0( _S376 : u32,  _S377 : SearchQuality_0,  _S378 : f32,  _S379 : f32,  _S380 : vec3<f32>,  _S381 : bool) -> Hit_1
 {
-    var _S380 : f32 = max(_S378.z, 0.00009999999747379f);
+    var _S382 : f32 = max(_S380.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_2 = vec2<f32>(_S376, _S377);
-    var _S381 : vec2<f32> = _S378.xy / vec2<f32>(_S380);
-    ray_0.slope_1 = _S381;
-    var _S382 : StepControl_0 = step_control_0((vec2<f32>(0) - _S381), 1.0f / max(steps_per_length_0(_S374, _S375, _S378) / _S380, 9.99999971718068537e-10f));
-    var _S383 : ViewRayEnd_0 = search_down_0(_S374, ray_0, _S382, _S379);
+    ray_0.origin_2 = vec2<f32>(_S378, _S379);
+    var _S383 : vec2<f32> = _S380.xy / vec2<f32>(_S382);
+    ray_0.slope_1 = _S383;
+    var _S384 : StepControl_0 = step_control_0((vec2<f32>(0) - _S383), 1.0f / max(steps_per_length_0(_S376, _S377, _S380) / _S382, 9.99999971718068537e-10f));
+    var _S385 : ViewRayEnd_0 = search_down_0(_S376, ray_0, _S384, _S381);
     var hit_1 : Hit_1;
     hit_1.hole_2 = false;
-    var _S384 : f32 = refined_height_0(_S374, ray_0, _S382, _S379, _S383, _S375.refinements_0);
-    hit_1.height_4 = _S384;
-    var _S385 : vec2<f32> = ViewRay_at_0(ray_0, _S384);
-    hit_1.x_13 = _S385.x;
-    hit_1.y_7 = _S385.y;
+    var _S386 : f32 = refined_height_0(_S376, ray_0, _S384, _S381, _S385, _S377.refinements_0);
+    hit_1.height_4 = _S386;
+    var _S387 : vec2<f32> = ViewRay_at_0(ray_0, _S386);
+    hit_1.x_13 = _S387.x;
+    hit_1.y_7 = _S387.y;
     return hit_1;
 }
 
-fn first_hit_0( _S386 : u32,  _S387 : SearchQuality_0,  _S388 : f32,  _S389 : f32,  _S390 : vec3<f32>,  _S391 : bool) -> Hit_1
+fn first_hit_0( _S388 : u32,  _S389 : SearchQuality_0,  _S390 : f32,  _S391 : f32,  _S392 : vec3<f32>,  _S393 : bool) -> Hit_1
 {
-    if(!passes_through_0(_S386, _S387, _S388, _S389, _S390, _S391))
+    if(!passes_through_0(_S388, _S389, _S390, _S391, _S392, _S393))
     {
-        return first_hit_of_yarn_0(_S386, _S387, _S388, _S389, _S390, _S391);
+        return first_hit_of_yarn_0(_S388, _S389, _S390, _S391, _S392, _S393);
     }
     var hit_2 : Hit_1;
-    hit_2.x_13 = _S388;
-    hit_2.y_7 = _S389;
+    hit_2.x_13 = _S390;
+    hit_2.y_7 = _S391;
     hit_2.height_4 = 0.0f;
     hit_2.hole_2 = true;
     return hit_2;
@@ -1766,23 +1770,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S392 : u32,  _S393 : f32) -> vec3<f32>
+fn pyramid_level_0( _S394 : u32,  _S395 : f32) -> vec3<f32>
 {
-    var _S394 : u32 = fabrics_0[_S392].lobes_0.levels_0 + u32(4) * u32(min(_S393, fabrics_0[_S392].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S394), table_number_0(_S394 + u32(1)), table_number_0(_S394 + u32(2)));
+    var _S396 : u32 = fabrics_0[_S394].lobes_0.levels_0 + u32(4) * u32(min(_S395, fabrics_0[_S394].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S396), table_number_0(_S396 + u32(1)), table_number_0(_S396 + u32(2)));
 }
 
-fn coverage_taps_0( _S395 : u32,  _S396 : Footprint_0,  _S397 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S397 : u32,  _S398 : Footprint_0,  _S399 : bool) -> CoverageTaps_0
 {
-    var _S398 : Lobes_std430_0 = fabrics_0[_S395].lobes_0;
-    var _S399 : f32 = Footprint_spread_side_0(_S396) * fabrics_0[_S395].lobes_0.inverse_base_size_0;
-    var _S400 : vec3<f32> = pyramid_level_0(_S395, floor(binary_logarithm_0(max(0.68000000715255737f * _S399, 1.0f))));
-    var _S401 : f32 = 1.0f / max(_S399, 9.99999997475242708e-07f);
-    var _S402 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S395].warp_0].inverse_period_0, families_0[fabrics_0[_S395].weft_0].inverse_period_0);
-    var _S403 : vec2<f32> = _S396.centre_0 * _S402;
-    var _S404 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S401 * _S401), 0.0f, 1.0f)), 0.3333333432674408f * _S401), 1.0f));
-    var _S405 : vec2<f32> = _S396.dx_0 * _S402 * _S404;
-    var _S406 : vec2<f32> = _S396.dy_0 * _S402 * _S404;
+    var _S400 : Lobes_std430_0 = fabrics_0[_S397].lobes_0;
+    var _S401 : f32 = Footprint_spread_side_0(_S398) * fabrics_0[_S397].lobes_0.inverse_base_size_0;
+    var _S402 : vec3<f32> = pyramid_level_0(_S397, floor(binary_logarithm_0(max(0.68000000715255737f * _S401, 1.0f))));
+    var _S403 : f32 = 1.0f / max(_S401, 9.99999997475242708e-07f);
+    var _S404 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S397].warp_0].inverse_period_0, families_0[fabrics_0[_S397].weft_0].inverse_period_0);
+    var _S405 : vec2<f32> = _S398.centre_0 * _S404;
+    var _S406 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S403 * _S403), 0.0f, 1.0f)), 0.3333333432674408f * _S403), 1.0f));
+    var _S407 : vec2<f32> = _S398.dx_0 * _S404 * _S406;
+    var _S408 : vec2<f32> = _S398.dy_0 * _S404 * _S406;
     var taps_3 : CoverageTaps_0;
     var number_3 : u32 = u32(0);
     for(;;)
@@ -1794,15 +1798,15 @@ fn coverage_taps_0( _S395 : u32,  _S396 : Footprint_0,  _S397 : bool) -> Coverag
         {
             break;
         }
-        var _S407 : vec2<f32> = _S403 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S405 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S406;
-        var _S408 : f32 = _S400.y;
-        taps_3.nodes_1[number_3] = select(u32(0), _S398.face_nodes_0, _S397) + u32(wrapped_cell_0(_S407.y, _S400.z) * _S408 + wrapped_cell_0(_S407.x, _S408) + _S400.x);
+        var _S409 : vec2<f32> = _S405 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S407 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S408;
+        var _S410 : f32 = _S402.y;
+        taps_3.nodes_1[number_3] = select(u32(0), _S400.face_nodes_0, _S399) + u32(wrapped_cell_0(_S409.y, _S402.z) * _S410 + wrapped_cell_0(_S409.x, _S410) + _S402.x);
         number_3 = number_3 + u32(1);
     }
     return taps_3;
 }
 
-fn coverage_of_holes_0( _S409 : u32,  _S410 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S411 : u32,  _S412 : CoverageTaps_0) -> f32
 {
     var number_4 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -1815,40 +1819,40 @@ fn coverage_of_holes_0( _S409 : u32,  _S410 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S409].lobes_0.coverage_holes_0 + _S410.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S410.nodes_1[number_4] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S411].lobes_0.coverage_holes_0 + _S412.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S412.nodes_1[number_4] % u32(4)))))) & (u32(255))));
         number_4 = number_4 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S411 : u32,  _S412 : CoverageTaps_0,  _S413 : NodeTaps_0,  _S414 : bool) -> f32
+fn prefiltered_hole_0( _S413 : u32,  _S414 : CoverageTaps_0,  _S415 : NodeTaps_0,  _S416 : bool) -> f32
 {
-    var _S415 : f32 = interpolate_table_0(_S413, fabrics_0[_S411].lobes_0.projected_area_0 + fabrics_0[_S411].lobes_0.packs_0, fabrics_0[_S411].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S411, _S412) * _S415 * _S415 * select(fabrics_0[_S411].lobes_0.front_hole_weight_0, fabrics_0[_S411].lobes_0.back_hole_weight_0, _S414), 1.0f);
+    var _S417 : f32 = interpolate_table_0(_S415, fabrics_0[_S413].lobes_0.projected_area_0 + fabrics_0[_S413].lobes_0.packs_0, fabrics_0[_S413].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S413, _S414) * _S417 * _S417 * select(fabrics_0[_S413].lobes_0.front_hole_weight_0, fabrics_0[_S413].lobes_0.back_hole_weight_0, _S416), 1.0f);
 }
 
-fn passed_share_0( _S416 : u32,  _S417 : VisiblePoint_0,  _S418 : vec3<f32>,  _S419 : f32,  _S420 : vec2<f32>) -> f32
+fn passed_share_0( _S418 : u32,  _S419 : VisiblePoint_0,  _S420 : vec3<f32>,  _S421 : f32,  _S422 : vec2<f32>) -> f32
 {
-    if((fabrics_0[_S416].has_yarns_0) == u32(0))
+    if((fabrics_0[_S418].has_yarns_0) == u32(0))
     {
-        return fabrics_0[_S416].mean_hole_0;
+        return fabrics_0[_S418].mean_hole_0;
     }
-    var _S421 : vec3<f32> = to_local_0(_S417, _S418);
-    var _S422 : bool = (_S421.z) < 0.0f;
-    var _S423 : vec3<f32> = to_face_frame_0(_S421, _S422);
+    var _S423 : vec3<f32> = to_local_0(_S419, _S420);
+    var _S424 : bool = (_S423.z) < 0.0f;
+    var _S425 : vec3<f32> = to_face_frame_0(_S423, _S424);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S417.draft_0;
-    footprint_0.dx_0 = vec2<f32>(_S419, 0.0f);
-    footprint_0.dy_0 = vec2<f32>(0.0f, _S419);
-    var _S424 : f32 = select(0.0f, regime_of_0(_S416, footprint_0, 1.0f).prefiltered_0, (fabrics_0[_S416].lobes_0.is_baked_0) != u32(0));
+    footprint_0.centre_0 = _S419.draft_0;
+    footprint_0.dx_0 = vec2<f32>(_S421, 0.0f);
+    footprint_0.dy_0 = vec2<f32>(0.0f, _S421);
+    var _S426 : f32 = select(0.0f, regime_of_0(_S418, footprint_0, 1.0f).prefiltered_0, (fabrics_0[_S418].lobes_0.is_baked_0) != u32(0));
     var share_2 : f32;
-    if(_S424 < 1.0f)
+    if(_S426 < 1.0f)
     {
-        var _S425 : vec2<f32> = footprint_0.centre_0 + (_S420 - vec2<f32>(0.5f)) * vec2<f32>(_S419);
-        if(first_hit_0(_S416, default_quality_0(), _S425.x, _S425.y, _S423, _S422).hole_2)
+        var _S427 : vec2<f32> = footprint_0.centre_0 + (_S422 - vec2<f32>(0.5f)) * vec2<f32>(_S421);
+        if(first_hit_0(_S418, default_quality_0(), _S427.x, _S427.y, _S425, _S424).hole_2)
         {
-            share_2 = 1.0f - _S424;
+            share_2 = 1.0f - _S426;
         }
         else
         {
@@ -1859,100 +1863,100 @@ fn passed_share_0( _S416 : u32,  _S417 : VisiblePoint_0,  _S418 : vec3<f32>,  _S
     {
         share_2 = 0.0f;
     }
-    if(_S424 > 0.0f)
+    if(_S426 > 0.0f)
     {
-        var _S426 : NodeTaps_0 = node_taps_0(_S423);
-        var nodes_2 : NodeTaps_0 = _S426;
-        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((select(u32(0), u32(1), _S422) * u32(256)));
-        share_2 = share_2 + _S424 * prefiltered_hole_0(_S416, coverage_taps_0(_S416, footprint_0, _S422), nodes_2, _S422);
+        var _S428 : NodeTaps_0 = node_taps_0(_S425);
+        var nodes_2 : NodeTaps_0 = _S428;
+        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((select(u32(0), u32(1), _S424) * u32(256)));
+        share_2 = share_2 + _S426 * prefiltered_hole_0(_S418, coverage_taps_0(_S418, footprint_0, _S424), nodes_2, _S424);
     }
-    var _S427 : f32 = fabrics_0[_S416].sheen_strength_0;
-    if((fabrics_0[_S416].sheen_strength_0) > 0.0f)
+    var _S429 : f32 = fabrics_0[_S418].sheen_strength_0;
+    if((fabrics_0[_S418].sheen_strength_0) > 0.0f)
     {
-        share_2 = share_2 * (1.0f - _S427 * sheen_lobe_0(_S423.z, fabrics_0[_S416].sheen_roughness_0).z);
+        share_2 = share_2 * (1.0f - _S429 * sheen_lobe_0(_S425.z, fabrics_0[_S418].sheen_roughness_0).z);
     }
     return share_2;
 }
 
-fn visibility_of_0( _S428 : VisiblePoint_0,  _S429 : u32,  _S430 : vec2<u32>,  _S431 : u32) -> f32
+fn visibility_of_0( _S430 : VisiblePoint_0,  _S431 : u32,  _S432 : vec2<u32>,  _S433 : u32) -> f32
 {
-    var _S432 : bool;
-    var _S433 : LightSample_0 = light_sample_0(_S431, _S430, _S428.position_0);
-    var _S434 : vec3<f32> = seen_position_0(_S429, _S430) + vec3<f32>((select(1.0f, -1.0f, (dot(_S433.towards_0, _S428.face_normal_0)) < 0.0f) * frame_record_0.ray_offset_0)) * _S428.face_normal_0;
-    var _S435 : vec2<f32> = _S428.draft_dx_0;
-    var _S436 : vec2<f32> = _S428.draft_dy_0;
-    var _S437 : f32 = sqrt(0.5f * (dot(_S435, _S435) + dot(_S436, _S436)));
+    var _S434 : bool;
+    var _S435 : LightSample_0 = light_sample_0(_S433, _S432, _S430.position_0);
+    var _S436 : vec3<f32> = seen_position_0(_S431, _S432) + vec3<f32>((select(1.0f, -1.0f, (dot(_S435.towards_0, _S430.face_normal_0)) < 0.0f) * frame_record_0.ray_offset_0)) * _S430.face_normal_0;
+    var _S437 : vec2<f32> = _S430.draft_dx_0;
+    var _S438 : vec2<f32> = _S430.draft_dy_0;
+    var _S439 : f32 = sqrt(0.5f * (dot(_S437, _S437) + dot(_S438, _S438)));
     var nearest_1 : f32 = 0.0f;
-    var without_0 : u32 = _S429;
+    var without_0 : u32 = _S431;
     var layer_0 : u32 = u32(0);
     var visibility_0 : f32 = 1.0f;
     for(;;)
     {
-        var _S438 : bool = layer_0 < u32(8);
-        var _S439 : bool = visibility_0 > 0.00100000004749745f;
-        _S432 = _S439;
-        if((_S438 & (_S439)))
+        var _S440 : bool = layer_0 < u32(8);
+        var _S441 : bool = visibility_0 > 0.00100000004749745f;
+        _S434 = _S441;
+        if((_S440 & (_S441)))
         {
         }
         else
         {
             break;
         }
-        var _S440 : Hit_0 = nearest_hit_0(_S434, _S433.towards_0, nearest_1, _S433.distance_2, without_0, true);
-        if((_S440.face_2) == u32(4294967295))
+        var _S442 : Hit_0 = nearest_hit_0(_S436, _S435.towards_0, nearest_1, _S435.distance_2, without_0, true);
+        if((_S442.face_2) == u32(4294967295))
         {
             break;
         }
-        var _S441 : u32 = fabric_of_0(_S440.face_2);
-        var _S442 : VisiblePoint_0 = face_point_0(_S441, _S440.face_2, _S440.weight_b_0, _S440.weight_c_0);
-        var _S443 : vec2<f32> = pixel_sequence_0(_S430, frame_record_0.pass_number_0, u32(5) + u32(2) * (u32(8) * _S431 + layer_0));
-        var _S444 : f32;
-        if((fabrics_0[_S441].is_open_0) != u32(0))
+        var _S443 : u32 = fabric_of_0(_S442.face_2);
+        var _S444 : VisiblePoint_0 = face_point_0(_S443, _S442.face_2, _S442.weight_b_0, _S442.weight_c_0);
+        var _S445 : vec2<f32> = pixel_sequence_0(_S432, frame_record_0.pass_number_0, u32(5) + u32(2) * (u32(8) * _S433 + layer_0));
+        var _S446 : f32;
+        if((fabrics_0[_S443].is_open_0) != u32(0))
         {
-            var _S445 : f32 = passed_share_0(_S441, _S442, (vec3<f32>(0) - _S433.towards_0), _S437, _S443);
-            _S444 = _S445;
+            var _S447 : f32 = passed_share_0(_S443, _S444, (vec3<f32>(0) - _S435.towards_0), _S439, _S445);
+            _S446 = _S447;
         }
         else
         {
-            _S444 = 0.0f;
+            _S446 = 0.0f;
         }
-        var visibility_1 : f32 = visibility_0 * _S444;
-        var _S446 : u32 = layer_0 + u32(1);
-        nearest_1 = _S440.distance_0;
-        without_0 = _S440.face_2;
-        layer_0 = _S446;
+        var visibility_1 : f32 = visibility_0 * _S446;
+        var _S448 : u32 = layer_0 + u32(1);
+        nearest_1 = _S442.distance_0;
+        without_0 = _S442.face_2;
+        layer_0 = _S448;
         visibility_0 = visibility_1;
     }
-    return select(0.0f, visibility_0, _S432);
+    return select(0.0f, visibility_0, _S434);
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S447 : u32 = id_0.x;
-    var _S448 : bool;
-    if(_S447 >= (frame_record_0.width_0))
+    var _S449 : u32 = id_0.x;
+    var _S450 : bool;
+    if(_S449 >= (frame_record_0.width_0))
     {
-        _S448 = true;
+        _S450 = true;
     }
     else
     {
-        _S448 = (id_0.y) >= (frame_record_0.height_0);
+        _S450 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S448)
+    if(_S450)
     {
         return;
     }
-    var _S449 : u32 = id_0.y * frame_record_0.width_0 + _S447;
-    var _S450 : u32 = layers_0[_S449].face_0;
-    if((layers_0[_S449].face_0) == u32(0))
+    var _S451 : u32 = id_0.y * frame_record_0.width_0 + _S449;
+    var _S452 : u32 = layers_0[_S451].face_0;
+    if((layers_0[_S451].face_0) == u32(0))
     {
         return;
     }
-    var _S451 : u32 = _S450 - u32(1);
-    var _S452 : vec2<u32> = id_0.xy;
-    var _S453 : VisiblePoint_0 = visible_point_0(fabric_of_0(_S451), _S451, _S452);
+    var _S453 : u32 = _S452 - u32(1);
+    var _S454 : vec2<u32> = id_0.xy;
+    var _S455 : VisiblePoint_0 = visible_point_0(fabric_of_0(_S453), _S453, _S454);
     var number_5 : u32 = u32(0);
     for(;;)
     {
@@ -1963,8 +1967,8 @@ fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        var _S454 : f32 = visibility_of_0(_S453, _S451, _S452, number_5);
-        visibilities_0[number_5 * frame_record_0.width_0 * frame_record_0.height_0 + _S449] = _S454;
+        var _S456 : f32 = visibility_of_0(_S455, _S453, _S454, number_5);
+        visibilities_0[number_5 * frame_record_0.width_0 * frame_record_0.height_0 + _S451] = _S456;
         number_5 = number_5 + u32(1);
     }
     return;

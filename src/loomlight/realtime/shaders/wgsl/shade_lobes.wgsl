@@ -578,10 +578,12 @@ struct SurfacePoint_0
      across_0 : f32,
      fibre_across_0 : f32,
      fibre_along_0 : f32,
+     x_8 : f32,
+     y_2 : f32,
      shown_share_0 : f32,
 };
 
-fn SurfacePoint_x24init_0( hole_1 : bool,  is_warp_1 : bool,  warp_thread_1 : u32,  weft_thread_1 : u32,  height_3 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  across_1 : f32,  fibre_across_1 : f32,  fibre_along_1 : f32,  shown_share_1 : f32) -> SurfacePoint_0
+fn SurfacePoint_x24init_0( hole_1 : bool,  is_warp_1 : bool,  warp_thread_1 : u32,  weft_thread_1 : u32,  height_3 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  across_1 : f32,  fibre_across_1 : f32,  fibre_along_1 : f32,  x_9 : f32,  y_3 : f32,  shown_share_1 : f32) -> SurfacePoint_0
 {
     var _S44 : SurfacePoint_0;
     _S44.hole_0 = hole_1;
@@ -594,6 +596,8 @@ fn SurfacePoint_x24init_0( hole_1 : bool,  is_warp_1 : bool,  warp_thread_1 : u3
     _S44.across_0 = across_1;
     _S44.fibre_across_0 = fibre_across_1;
     _S44.fibre_along_0 = fibre_along_1;
+    _S44.x_8 = x_9;
+    _S44.y_2 = y_3;
     _S44.shown_share_0 = shown_share_1;
     return _S44;
 }
@@ -873,7 +877,7 @@ fn edge_drop_0( family_7 : u32,  thread_8 : u32,  step_1 : i32) -> f32
     return table_number_0(families_0[family_7].bend_table_0 + select(u32(turns_and_remainder_0(family_7, f32(i32(thread_8) + step_1)).y) * u32(4), u32(0), (families_0[family_7].is_alike_0) != u32(0)) + u32(3));
 }
 
-fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec2<f32>
+fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec3<f32>
 {
     var _S76 : bool = (crossed_1.below_0) < (crossed_1.above_0);
     var _S77 : f32 = min(crossed_1.below_0, crossed_1.above_0);
@@ -897,9 +901,11 @@ fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_
     {
         _S81 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S76));
     }
-    var _S82 : f32 = 1.0f / max(2.0f * _S78, 9.999999960041972e-13f);
-    var _S83 : f32 = clamp((_S78 - _S77) * _S82, 0.0f, 1.0f);
-    return vec2<f32>(_S80 + (_S81 - _S80) * (_S83 * _S83 * (3.0f - 2.0f * _S83)), (_S80 - _S81) * (6.0f * _S83 * (1.0f - _S83) * _S82) * select(-1.0f, 1.0f, _S76));
+    var _S82 : f32 = 2.0f * _S78;
+    var _S83 : f32 = 1.0f / max(_S82, 9.999999960041972e-13f);
+    var _S84 : f32 = clamp((_S78 - _S77) * _S83, 0.0f, 1.0f);
+    var _S85 : f32 = clamp((0.44999998807907104f - _S82 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
+    return vec3<f32>(_S80 + (_S81 - _S80) * (_S84 * _S84 * (3.0f - 2.0f * _S84)), (_S80 - _S81) * (6.0f * _S84 * (1.0f - _S84) * _S83) * select(-1.0f, 1.0f, _S76), _S85 * _S85 * (3.0f - 2.0f * _S85));
 }
 
 struct StepControl_0
@@ -917,12 +923,12 @@ fn step_control_0( direction_2 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S84 : f32 = direction_2.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S84), 9.99999971718068537e-10f);
-    var _S85 : f32 = direction_2.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S85), 9.99999971718068537e-10f);
-    control_0.right_0 = _S84 > 0.0f;
-    control_0.up_0 = _S85 > 0.0f;
+    var _S86 : f32 = direction_2.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S86), 9.99999971718068537e-10f);
+    var _S87 : f32 = direction_2.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S87), 9.99999971718068537e-10f);
+    control_0.right_0 = _S86 > 0.0f;
+    control_0.up_0 = _S87 > 0.0f;
     return control_0;
 }
 
@@ -946,19 +952,19 @@ fn no_previous_sample_0() -> PreviousSample_0
 
 fn outline_distance_0( cell_6 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
 {
-    var _S86 : f32 = select(- cell_6.across_2, cell_6.across_2, forwards_0);
-    var _S87 : f32 = select(cell_6.below_0, cell_6.above_0, forwards_0);
-    var _S88 : f32 = - cell_6.half_width_1;
-    var _S89 : bool = _S86 < _S88;
-    var _S90 : bool = _S86 >= (cell_6.half_width_1);
-    var _S91 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_3)));
-    var _S92 : f32 = select(cell_6.half_width_1, _S88, _S89) - _S86;
-    var _S93 : f32 = select(_S87, 2.0f * _S87 + _S86 - cell_6.half_width_1, ((shown_2.hole_3) | (((_S91 & ((!shown_2.on_top_0)))))));
-    if((((_S91 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S89)))))))
+    var _S88 : f32 = select(- cell_6.across_2, cell_6.across_2, forwards_0);
+    var _S89 : f32 = select(cell_6.below_0, cell_6.above_0, forwards_0);
+    var _S90 : f32 = - cell_6.half_width_1;
+    var _S91 : bool = _S88 < _S90;
+    var _S92 : bool = _S88 >= (cell_6.half_width_1);
+    var _S93 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_3)));
+    var _S94 : f32 = select(cell_6.half_width_1, _S90, _S91) - _S88;
+    var _S95 : f32 = select(_S89, 2.0f * _S89 + _S88 - cell_6.half_width_1, ((shown_2.hole_3) | (((_S93 & ((!shown_2.on_top_0)))))));
+    if((((_S93 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S91)))))))
     {
         return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
     }
-    return select(_S92, _S93, _S90);
+    return select(_S94, _S95, _S92);
 }
 
 struct Probe_0
@@ -977,21 +983,21 @@ struct Probe_0
 
 fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
 {
-    var _S94 : f32 = previous_1.rate_0 * step_4;
-    var _S95 : f32 = rate_1 * step_4;
+    var _S96 : f32 = previous_1.rate_0 * step_4;
+    var _S97 : f32 = rate_1 * step_4;
     if(((((((((!previous_1.known_0) | ((here_0.hole_4)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((((3.0f * previous_1.clearance_0 + _S94) >= 0.0f) & (((3.0f * clearance_1 - _S95) >= 0.0f))))
+    if((((3.0f * previous_1.clearance_0 + _S96) >= 0.0f) & (((3.0f * clearance_1 - _S97) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S96 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S97 : f32 = 6.0f * _S96 - 4.0f * _S94 - 2.0f * _S95;
-    var _S98 : f32 = -2.0f * _S94 / max(_S97 + sqrt(max(_S97 * _S97 - 4.0f * (3.0f * (_S94 + _S95 - 2.0f * _S96)) * _S94, 0.0f)), 9.99999968265522539e-21f);
-    var _S99 : f32 = 1.0f - _S98;
-    return select(-1.0f, _S99 * step_4, ((((_S98 > 0.01999999955296516f) & ((_S99 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S98 + 1.0f) + _S94 * _S98) * _S99 * _S99 + (clearance_1 * (2.0f * _S99 + 1.0f) - _S95 * _S99) * _S98 * _S98) < 0.0f))));
+    var _S98 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S99 : f32 = 6.0f * _S98 - 4.0f * _S96 - 2.0f * _S97;
+    var _S100 : f32 = -2.0f * _S96 / max(_S99 + sqrt(max(_S99 * _S99 - 4.0f * (3.0f * (_S96 + _S97 - 2.0f * _S98)) * _S96, 0.0f)), 9.99999968265522539e-21f);
+    var _S101 : f32 = 1.0f - _S100;
+    return select(-1.0f, _S101 * step_4, ((((_S100 > 0.01999999955296516f) & ((_S101 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S100 + 1.0f) + _S96 * _S100) * _S101 * _S101 + (clearance_1 * (2.0f * _S101 + 1.0f) - _S97 * _S101) * _S100 * _S100) < 0.0f))));
 }
 
 fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
@@ -1011,8 +1017,8 @@ fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_1 : f32,  side_y_
 
 fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S100 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
-    return min(this_2.step_2, select(max(_S100, 0.0f) + this_2.epsilon_0, _S100 - this_2.epsilon_0, ((((!here_2.hole_4) & (((rate_3 * _S100 + clearance_3) < 0.0f)))) & ((_S100 > (2.0f * this_2.epsilon_0))))));
+    var _S102 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
+    return min(this_2.step_2, select(max(_S102, 0.0f) + this_2.epsilon_0, _S102 - this_2.epsilon_0, ((((!here_2.hole_4) & (((rate_3 * _S102 + clearance_3) < 0.0f)))) & ((_S102 > (2.0f * this_2.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -1033,10 +1039,10 @@ fn ViewRay_rate_0( this_4 : ViewRay_0,  here_3 : Probe_0) -> f32
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S101 : f32 = end_0 - start_1;
-    var _S102 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S101;
-    var _S103 : f32 = 3.0f * _S101 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S101, 9.99999968265522539e-21f);
+    var _S103 : f32 = end_0 - start_1;
+    var _S104 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S103;
+    var _S105 : f32 = 3.0f * _S103 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S103, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -1047,10 +1053,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S104 : f32 = clamp(share_1 - (((_S102 * share_1 + _S103) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S102 * share_1 + 2.0f * _S103) * share_1 + start_rate_0, 0.10000000149011612f * _S101 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S105 : i32 = i_0 + i32(1);
-        share_1 = _S104;
-        i_0 = _S105;
+        var _S106 : f32 = clamp(share_1 - (((_S104 * share_1 + _S105) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S104 * share_1 + 2.0f * _S105) * share_1 + start_rate_0, 0.10000000149011612f * _S103 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S107 : i32 = i_0 + i32(1);
+        share_1 = _S106;
+        i_0 = _S107;
     }
     return share_1;
 }
@@ -1062,27 +1068,37 @@ fn between_0( above_1 : f32,  under_0 : f32,  above_gap_0 : f32,  under_gap_0 : 
 
 fn fibre_direction_0( across_slope_0 : f32,  along_slope_0 : f32,  sine_1 : f32,  cosine_0 : f32) -> vec2<f32>
 {
-    var _S106 : f32 = along_slope_0 * along_slope_0 + 1.0f;
-    var _S107 : f32 = rsqrt_0(_S106);
-    var _S108 : f32 = sine_1 * _S107 * rsqrt_0(_S106 + across_slope_0 * across_slope_0);
-    return vec2<f32>(- _S108 * _S106, _S108 * across_slope_0 * along_slope_0 + cosine_0 * _S107);
+    var _S108 : f32 = along_slope_0 * along_slope_0 + 1.0f;
+    var _S109 : f32 = rsqrt_0(_S108);
+    var _S110 : f32 = sine_1 * _S109 * rsqrt_0(_S108 + across_slope_0 * across_slope_0);
+    return vec2<f32>(- _S110 * _S108, _S110 * across_slope_0 * along_slope_0 + cosine_0 * _S109);
 }
 
-fn arc_sine_0( x_8 : f32) -> f32
+fn arc_sine_0( x_10 : f32) -> f32
 {
-    var _S109 : f32 = abs(x_8);
-    var _S110 : bool = _S109 > 0.5f;
-    var _S111 : f32 = select(_S109 * _S109, 0.5f * (1.0f - _S109), _S110);
-    var _S112 : f32 = select(_S109, sqrt(max(_S111, 0.0f)), _S110);
-    var _S113 : f32 = ((((0.04216320067644119f * _S111 + 0.02418131195008755f) * _S111 + 0.04547002539038658f) * _S111 + 0.07495300471782684f) * _S111 + 0.16666752099990845f) * _S111 * _S112 + _S112;
-    var _S114 : f32 = select(_S113, 1.57079637050628662f - 2.0f * _S113, _S110);
-    return select(_S114, - _S114, x_8 < 0.0f);
+    var _S111 : f32 = abs(x_10);
+    var _S112 : bool = _S111 > 0.5f;
+    var _S113 : f32 = select(_S111 * _S111, 0.5f * (1.0f - _S111), _S112);
+    var _S114 : f32 = select(_S111, sqrt(max(_S113, 0.0f)), _S112);
+    var _S115 : f32 = ((((0.04216320067644119f * _S113 + 0.02418131195008755f) * _S113 + 0.04547002539038658f) * _S113 + 0.07495300471782684f) * _S113 + 0.16666752099990845f) * _S113 * _S114 + _S114;
+    var _S116 : f32 = select(_S115, 1.57079637050628662f - 2.0f * _S115, _S112);
+    return select(_S116, - _S116, x_10 < 0.0f);
 }
 
 fn run_share_0( word_2 : u32) -> f32
 {
-    var _S115 : f32 = f32(((((word_2 >> (u32(1)))) & (u32(127)))) + ((((word_2 >> (u32(8)))) & (u32(127)))) + u32(1));
-    return _S115 / (_S115 + 0.5f * f32(((((word_2 >> (u32(15)))) & (u32(63)))) + ((((word_2 >> (u32(21)))) & (u32(63))))));
+    var _S117 : f32 = f32(((((word_2 >> (u32(1)))) & (u32(127)))) + ((((word_2 >> (u32(8)))) & (u32(127)))) + u32(1));
+    return _S117 / (_S117 + 0.5f * f32(((((word_2 >> (u32(15)))) & (u32(63)))) + ((((word_2 >> (u32(21)))) & (u32(63))))));
+}
+
+fn angle_of_0( direction_3 : vec2<f32>) -> f32
+{
+    var _S118 : f32 = direction_3.x;
+    var _S119 : f32 = arc_sine_0(_S118);
+    var _S120 : bool = _S118 < 0.0f;
+    var _S121 : f32 = select(3.14159274101257324f, -3.14159274101257324f, _S120);
+    var _S122 : f32 = direction_3.y;
+    return select(0.5f * _S121 - select(1.0f, -1.0f, _S120) * arc_sine_0(_S122), select(_S119, _S121 - _S119, _S122 < 0.0f), (abs(_S118)) < 0.69999998807907104f);
 }
 
 struct Hair_0
@@ -1094,11 +1110,11 @@ struct Hair_0
 
 fn Hair_x24init_0( cover_1 : f32,  normal_4 : vec3<f32>,  tangent_3 : vec3<f32>) -> Hair_0
 {
-    var _S116 : Hair_0;
-    _S116.cover_0 = cover_1;
-    _S116.normal_3 = normal_4;
-    _S116.tangent_2 = tangent_3;
-    return _S116;
+    var _S123 : Hair_0;
+    _S123.cover_0 = cover_1;
+    _S123.normal_3 = normal_4;
+    _S123.tangent_2 = tangent_3;
+    return _S123;
 }
 
 fn fade_0( size_1 : f32,  period_1 : f32) -> f32
@@ -1141,14 +1157,14 @@ fn albedos_of_0( family_8 : u32,  thread_9 : u32) -> Albedos_0
 
 fn fibre_cell_0( across_4 : f32,  along_0 : f32,  width_2 : f32) -> vec3<f32>
 {
-    var _S117 : f32 = floor(across_4 / width_2);
-    return vec3<f32>(_S117, along_0 / (width_2 * 40.0f) + 0.61799997091293335f * _S117, 2.0f * (across_4 / width_2 - _S117) - 1.0f);
+    var _S124 : f32 = floor(across_4 / width_2);
+    return vec3<f32>(_S124, along_0 / (width_2 * 40.0f) + 0.61799997091293335f * _S124, 2.0f * (across_4 / width_2 - _S124) - 1.0f);
 }
 
 fn ply_offset_0( family_9 : u32,  point_1 : SurfacePoint_0,  back_4 : bool) -> f32
 {
-    var _S118 : f32 = (point_1.fibre_across_0 * families_0[family_9].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_9].ply_sine_0, - families_0[family_9].ply_sine_0, back_4)) * families_0[family_9].plies_per_mm_0;
-    return 2.0f * (_S118 - floor(_S118)) - 1.0f;
+    var _S125 : f32 = (point_1.fibre_across_0 * families_0[family_9].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_9].ply_sine_0, - families_0[family_9].ply_sine_0, back_4)) * families_0[family_9].plies_per_mm_0;
+    return 2.0f * (_S125 - floor(_S125)) - 1.0f;
 }
 
 fn signed_noise_0( bits_1 : u32) -> f32
@@ -1163,22 +1179,22 @@ fn smooth_share_0( share_2 : f32) -> f32
 
 fn wave_noise_0( key_1 : u32,  position_4 : f32) -> vec2<f32>
 {
-    var _S119 : f32 = floor(position_4);
-    var _S120 : f32 = position_4 - _S119;
-    var _S121 : u32 = u32(i32(_S119));
-    var _S122 : f32 = signed_noise_0(hash_bits_0(key_1, _S121));
-    var _S123 : f32 = signed_noise_0(hash_bits_0(key_1, _S121 + u32(1)));
-    return vec2<f32>(mix(_S122, _S123, smooth_share_0(_S120)), 6.0f * _S120 * (1.0f - _S120) * (_S123 - _S122));
+    var _S126 : f32 = floor(position_4);
+    var _S127 : f32 = position_4 - _S126;
+    var _S128 : u32 = u32(i32(_S126));
+    var _S129 : f32 = signed_noise_0(hash_bits_0(key_1, _S128));
+    var _S130 : f32 = signed_noise_0(hash_bits_0(key_1, _S128 + u32(1)));
+    return vec2<f32>(mix(_S129, _S130, smooth_share_0(_S127)), 6.0f * _S127 * (1.0f - _S127) * (_S130 - _S129));
 }
 
 fn cell_noise_0( key_2 : u32,  cell_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S124 : f32 = cell_7.y;
-    var _S125 : f32 = floor(_S124);
-    var _S126 : u32 = u32(i32(cell_7.x)) * u32(65536) + u32(i32(_S125));
-    var _S127 : u32 = hash_bits_0(key_2, _S126);
-    var _S128 : u32 = hash_bits_0(key_2, _S126 + u32(1));
-    return mix(vec2<f32>(signed_noise_0(_S127), signed_noise_0((_S127 >> (u32(16))))), vec2<f32>(signed_noise_0(_S128), signed_noise_0((_S128 >> (u32(16))))), vec2<f32>(smooth_share_0(_S124 - _S125)));
+    var _S131 : f32 = cell_7.y;
+    var _S132 : f32 = floor(_S131);
+    var _S133 : u32 = u32(i32(cell_7.x)) * u32(65536) + u32(i32(_S132));
+    var _S134 : u32 = hash_bits_0(key_2, _S133);
+    var _S135 : u32 = hash_bits_0(key_2, _S133 + u32(1));
+    return mix(vec2<f32>(signed_noise_0(_S134), signed_noise_0((_S134 >> (u32(16))))), vec2<f32>(signed_noise_0(_S135), signed_noise_0((_S135 >> (u32(16))))), vec2<f32>(smooth_share_0(_S131 - _S132)));
 }
 
 fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
@@ -1188,14 +1204,14 @@ fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
 
 fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S129 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S129.x, _S129.y), _S129.z), 0.0f));
+    var _S136 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S136.x, _S136.y), _S136.z), 0.0f));
 }
 
 fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
 {
-    var _S130 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
-    return min(max(min(min(_S130.x, _S130.y), _S130.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
+    var _S137 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
+    return min(max(min(min(_S137.x, _S137.y), _S137.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
 fn fibre_gain_0( thread_11 : u32,  cell_8 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
@@ -1212,14 +1228,14 @@ struct YarnFrame_0
 
 fn under_hair_0( frame_0 : YarnFrame_0,  hair_0 : Hair_0) -> YarnFrame_0
 {
-    var _S131 : vec3<f32> = select_vector_1((dot(frame_0.tangent_4, hair_0.tangent_2)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_2), hair_0.tangent_2);
+    var _S138 : vec3<f32> = select_vector_1((dot(frame_0.tangent_4, hair_0.tangent_2)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_2), hair_0.tangent_2);
     var blended_0 : YarnFrame_0;
-    var _S132 : vec3<f32> = vec3<f32>(hair_0.cover_0);
-    var _S133 : vec3<f32> = normalize(mix(frame_0.normal_5, hair_0.normal_3, _S132));
-    blended_0.normal_5 = _S133;
-    var _S134 : vec3<f32> = mix(frame_0.tangent_4, _S131, _S132);
-    var _S135 : vec3<f32> = _S134 - vec3<f32>(dot(_S134, _S133)) * _S133;
-    blended_0.tangent_4 = _S135 * vec3<f32>(rsqrt_0(max(dot(_S135, _S135), 9.999999960041972e-13f)));
+    var _S139 : vec3<f32> = vec3<f32>(hair_0.cover_0);
+    var _S140 : vec3<f32> = normalize(mix(frame_0.normal_5, hair_0.normal_3, _S139));
+    blended_0.normal_5 = _S140;
+    var _S141 : vec3<f32> = mix(frame_0.tangent_4, _S138, _S139);
+    var _S142 : vec3<f32> = _S141 - vec3<f32>(dot(_S141, _S140)) * _S140;
+    blended_0.tangent_4 = _S142 * vec3<f32>(rsqrt_0(max(dot(_S142, _S142), 9.999999960041972e-13f)));
     blended_0.loss_0 = frame_0.loss_0 * (1.0f - hair_0.cover_0);
     return blended_0;
 }
@@ -1231,18 +1247,18 @@ fn diffuse_gain_0( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
 
 fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_6 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S136 : f32 = light_1.z;
-    if(_S136 <= 0.0f)
+    var _S143 : f32 = light_1.z;
+    if(_S143 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S136, 0.0f), max(dot(light_1, normal_6), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S143, 0.0f), max(dot(light_1, normal_6), 0.0f), blend_1);
 }
 
-fn projected_area_1( direction_3 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_1 : f32) -> f32
+fn projected_area_1( direction_4 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S137 : f32 = dot(direction_3, tangent_5);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S137 * _S137 + 1.0f, roughness_1 * roughness_1));
+    var _S144 : f32 = dot(direction_4, tangent_5);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S144 * _S144 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn mean_attenuation_0( depth_0 : f32) -> f32
@@ -1256,45 +1272,45 @@ fn mean_attenuation_0( depth_0 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
 {
-    var _S138 : f32 = roughness_2 * roughness_2;
-    var _S139 : f32 = squared_along_0 * (1.0f - _S138) + _S138;
-    return 0.31830987334251404f * _S138 * roughness_2 / (_S139 * _S139);
+    var _S145 : f32 = roughness_2 * roughness_2;
+    var _S146 : f32 = squared_along_0 * (1.0f - _S145) + _S145;
+    return 0.31830987334251404f * _S145 * roughness_2 / (_S146 * _S146);
 }
 
 fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S140 : vec3<f32> = light_2 + view_1;
-    var _S141 : f32 = dot(_S140, tangent_6);
-    return flake_density_0(min(_S141 * _S141 / max(square_0(_S140), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S147 : vec3<f32> = light_2 + view_1;
+    var _S148 : f32 = dot(_S147, tangent_6);
+    return flake_density_0(min(_S148 * _S148 / max(square_0(_S147), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 fn transmission_1( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S142 : f32 = - dot(light_3, normal_7);
-    var _S143 : f32 = dot(view_2, normal_7);
-    if(((_S142 <= 0.0f) | ((_S143 <= 0.0f))))
+    var _S149 : f32 = - dot(light_3, normal_7);
+    var _S150 : f32 = dot(view_2, normal_7);
+    if(((_S149 <= 0.0f) | ((_S150 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S144 : f32 = 1.0f / max(_S143, 9.99999997475242708e-07f);
-    var _S145 : f32 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S142, 9.99999997475242708e-07f);
-    var _S146 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S144;
-    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S145, _S146)) * mean_attenuation_0(optical_depth_1 * abs(_S145 - _S146)) * _S144;
+    var _S151 : f32 = 1.0f / max(_S150, 9.99999997475242708e-07f);
+    var _S152 : f32 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S149, 9.99999997475242708e-07f);
+    var _S153 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S151;
+    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S152, _S153)) * mean_attenuation_0(optical_depth_1 * abs(_S152 - _S153)) * _S151;
 }
 
 fn reflection_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S147 : f32 = dot(light_4, normal_8);
-    var _S148 : f32 = dot(view_3, normal_8);
-    if(((_S147 <= 0.0f) | ((_S148 <= 0.0f))))
+    var _S154 : f32 = dot(light_4, normal_8);
+    var _S155 : f32 = dot(view_3, normal_8);
+    if(((_S154 <= 0.0f) | ((_S155 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S149 : f32 = max(_S147, 9.99999997475242708e-07f);
-    var _S150 : f32 = max(_S148, 9.99999997475242708e-07f);
-    var _S151 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S150 + projected_area_1(view_3, tangent_8, roughness_5) * _S149;
-    var _S152 : f32 = optical_depth_2 * _S151 / (_S149 * _S150);
-    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S152 * mean_attenuation_0(_S152)) * _S149 / _S151;
+    var _S156 : f32 = max(_S154, 9.99999997475242708e-07f);
+    var _S157 : f32 = max(_S155, 9.99999997475242708e-07f);
+    var _S158 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S157 + projected_area_1(view_3, tangent_8, roughness_5) * _S156;
+    var _S159 : f32 = optical_depth_2 * _S158 / (_S156 * _S157);
+    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S159 * mean_attenuation_0(_S159)) * _S156 / _S158;
 }
 
 fn with_added_0( sums_1 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
@@ -1323,9 +1339,9 @@ fn wrapped_cell_0( position_5 : f32,  count_2 : f32) -> f32
     return min(floor((position_5 - floor(position_5)) * count_2), count_2 - 1.0f);
 }
 
-fn arc_tangent_quotient_0( x_9 : f32,  y_2 : f32) -> f32
+fn arc_tangent_quotient_0( x_11 : f32,  y_4 : f32) -> f32
 {
-    return ((((((0.0f * x_9 + 0.00809729471802711f) * x_9 + -0.0377517081797123f) * x_9 + 0.08475969731807709f) * x_9 + -0.13537675142288208f) * x_9 + 0.19895026087760925f) * x_9 + -0.33327975869178772f) * x_9 + 0.99999970197677612f;
+    return ((((((0.0f * x_11 + 0.00809729471802711f) * x_11 + -0.0377517081797123f) * x_11 + 0.08475969731807709f) * x_11 + -0.13537675142288208f) * x_11 + 0.19895026087760925f) * x_11 + -0.33327975869178772f) * x_11 + 0.99999970197677612f;
 }
 
 fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
@@ -1333,14 +1349,14 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
 }
 
-fn arc_tangent_0( y_3 : f32,  x_10 : f32) -> f32
+fn arc_tangent_0( y_5 : f32,  x_12 : f32) -> f32
 {
-    var _S153 : f32 = abs(x_10);
-    var _S154 : f32 = abs(y_3);
-    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S153, _S154) / max(max(_S153, _S154), 1.00000000317107685e-30f));
-    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S154 > _S153);
-    var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_10 < 0.0f);
-    return select(angle_2, - angle_2, y_3 < 0.0f);
+    var _S160 : f32 = abs(x_12);
+    var _S161 : f32 = abs(y_5);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S160, _S161) / max(max(_S160, _S161), 1.00000000317107685e-30f));
+    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S161 > _S160);
+    var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_12 < 0.0f);
+    return select(angle_2, - angle_2, y_5 < 0.0f);
 }
 
 struct NodeTaps_0
@@ -1350,47 +1366,47 @@ struct NodeTaps_0
      inverse_sum_0 : f32,
 };
 
-fn node_taps_of_0( direction_4 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
+fn node_taps_of_0( direction_5 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
 {
-    var _S155 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
-    var _S156 : f32 = floor(_S155);
-    var _S157 : f32 = _S155 - _S156;
-    var _S158 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    var _S159 : f32 = 7.0f * _S158 * sqrt(_S158);
-    var _S160 : f32 = min(floor(_S159), 6.0f);
-    var _S161 : f32 = _S159 - _S160;
-    var _S162 : u32 = u32(i32(_S156) + i32(azimuths_0)) % azimuths_0;
-    var _S163 : u32 = u32(_S160);
-    var _S164 : u32 = _S162 * u32(8) + _S163;
-    var _S165 : u32 = (_S162 + u32(1)) % azimuths_0;
-    var _S166 : u32 = _S165 * u32(8) + _S163;
+    var _S162 : f32 = arc_tangent_0(direction_5.y, direction_5.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
+    var _S163 : f32 = floor(_S162);
+    var _S164 : f32 = _S162 - _S163;
+    var _S165 : f32 = sqrt(clamp((1.0f - abs(direction_5.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    var _S166 : f32 = 7.0f * _S165 * sqrt(_S165);
+    var _S167 : f32 = min(floor(_S166), 6.0f);
+    var _S168 : f32 = _S166 - _S167;
+    var _S169 : u32 = u32(i32(_S163) + i32(azimuths_0)) % azimuths_0;
+    var _S170 : u32 = u32(_S167);
+    var _S171 : u32 = _S169 * u32(8) + _S170;
+    var _S172 : u32 = (_S169 + u32(1)) % azimuths_0;
+    var _S173 : u32 = _S172 * u32(8) + _S170;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S164, _S164 + u32(1), _S166, _S166 + u32(1));
-    var _S167 : f32 = 1.0f - _S157;
-    var _S168 : f32 = 1.0f - _S161;
-    var _S169 : vec4<u32> = vec4<u32>(vec4<f32>(_S167 * _S168, _S167 * _S161, _S157 * _S168, _S157 * _S161) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S169;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S169.x + _S169.y + _S169.z + _S169.w);
+    taps_0.nodes_0 = vec4<u32>(_S171, _S171 + u32(1), _S173, _S173 + u32(1));
+    var _S174 : f32 = 1.0f - _S164;
+    var _S175 : f32 = 1.0f - _S168;
+    var _S176 : vec4<u32> = vec4<u32>(vec4<f32>(_S174 * _S175, _S174 * _S168, _S164 * _S175, _S164 * _S168) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S176;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S176.x + _S176.y + _S176.z + _S176.w);
     return taps_0;
 }
 
-fn node_taps_0( direction_5 : vec3<f32>) -> NodeTaps_0
+fn node_taps_0( direction_6 : vec3<f32>) -> NodeTaps_0
 {
-    var _S170 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
-    return _S170;
+    var _S177 : NodeTaps_0 = node_taps_of_0(direction_6, u32(32));
+    return _S177;
 }
 
 fn half_vector_0( light_5 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S171 : vec3<f32> = light_5 + view_4;
-    return _S171 * vec3<f32>(rsqrt_0(max(square_0(_S171), 9.999999960041972e-13f)));
+    var _S178 : vec3<f32> = light_5 + view_4;
+    return _S178 * vec3<f32>(rsqrt_0(max(square_0(_S178), 9.999999960041972e-13f)));
 }
 
 fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f32>
 {
-    var _S172 : vec4<f32> = vec4<f32>(0.0f);
+    var _S179 : vec4<f32> = vec4<f32>(0.0f);
     var i_1 : u32 = u32(0);
-    var sums_2 : vec4<f32> = _S172;
+    var sums_2 : vec4<f32> = _S179;
     for(;;)
     {
         if(i_1 < u32(4))
@@ -1400,9 +1416,9 @@ fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f
         {
             break;
         }
-        var _S173 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
-        var _S174 : vec2<u32> = vec2<u32>(words_0[_S173], words_0[_S173 + u32(1)]);
-        var sums_3 : vec4<f32> = sums_2 + vec4<f32>(((vec4<i32>(vec2<i32>((_S174 << (vec2<u32>(u32(16))))), vec2<i32>(_S174)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
+        var _S180 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
+        var _S181 : vec2<u32> = vec2<u32>(words_0[_S180], words_0[_S180 + u32(1)]);
+        var sums_3 : vec4<f32> = sums_2 + vec4<f32>(((vec4<i32>(vec2<i32>((_S181 << (vec2<u32>(u32(16))))), vec2<i32>(_S181)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
         i_1 = i_1 + u32(1);
         sums_2 = sums_3;
     }
@@ -1416,16 +1432,16 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_2 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S175 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S176 : vec4<u32> = ((packs_1 & (_S175))) * taps_2.weights_0;
-    var _S177 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S175))) * taps_2.weights_0;
-    return bytes_of_sums_0(_S176.x + _S176.y + _S176.z + _S176.w, _S177.x + _S177.y + _S177.z + _S177.w) * vec4<f32>(taps_2.inverse_sum_0);
+    var _S182 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S183 : vec4<u32> = ((packs_1 & (_S182))) * taps_2.weights_0;
+    var _S184 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S182))) * taps_2.weights_0;
+    return bytes_of_sums_0(_S183.x + _S183.y + _S183.z + _S183.w, _S184.x + _S184.y + _S184.z + _S184.w) * vec4<f32>(taps_2.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_3 : NodeTaps_0,  table_2 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S178 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_3, vec4<u32>(words_0[_S178.x], words_0[_S178.y], words_0[_S178.z], words_0[_S178.w]));
+    var _S185 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_3, vec4<u32>(words_0[_S185.x], words_0[_S185.y], words_0[_S185.z], words_0[_S185.w]));
 }
 
 struct Group_0
@@ -1443,54 +1459,54 @@ fn group_at_0( row_1 : u32,  roughness_7 : f32) -> Group_0
     var group_0 : Group_0;
     group_0.normal_9 = vec3<f32>(table_number_0(row_1), table_number_0(row_1 + u32(1)), table_number_0(row_1 + u32(2)));
     group_0.weight_2 = table_number_0(row_1 + u32(3));
-    var _S179 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
-    group_0.tangent_9 = _S179;
-    var _S180 : f32 = table_number_0(row_1 + u32(7));
-    var _S181 : f32 = table_number_0(row_1 + u32(8));
-    group_0.variance_0 = vec3<f32>(_S180, _S181, 1.0f - square_0(_S179) - _S180 - _S181);
+    var _S186 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
+    group_0.tangent_9 = _S186;
+    var _S187 : f32 = table_number_0(row_1 + u32(7));
+    var _S188 : f32 = table_number_0(row_1 + u32(8));
+    group_0.variance_0 = vec3<f32>(_S187, _S188, 1.0f - square_0(_S186) - _S187 - _S188);
     group_0.covariance_0 = vec3<f32>(table_number_0(row_1 + u32(9)), table_number_0(row_1 + u32(10)), table_number_0(row_1 + u32(11)));
     group_0.roughness_6 = roughness_7;
     return group_0;
 }
 
-fn Group_variance_along_0( this_5 : Group_0,  direction_6 : vec3<f32>) -> f32
+fn Group_variance_along_0( this_5 : Group_0,  direction_7 : vec3<f32>) -> f32
 {
-    var _S182 : f32 = direction_6.x;
-    var _S183 : f32 = direction_6.y;
-    var _S184 : f32 = direction_6.z;
-    return max(dot(this_5.variance_0, direction_6 * direction_6) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S182 * _S183, _S182 * _S184, _S183 * _S184)), 0.0f);
+    var _S189 : f32 = direction_7.x;
+    var _S190 : f32 = direction_7.y;
+    var _S191 : f32 = direction_7.z;
+    return max(dot(this_5.variance_0, direction_7 * direction_7) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S189 * _S190, _S189 * _S191, _S190 * _S191)), 0.0f);
 }
 
-fn mean_area_0( group_1 : Group_0,  direction_7 : vec3<f32>) -> f32
+fn mean_area_0( group_1 : Group_0,  direction_8 : vec3<f32>) -> f32
 {
-    var _S185 : f32 = dot(direction_7, group_1.tangent_9);
-    var _S186 : f32 = group_1.roughness_6;
-    var _S187 : f32 = _S186 * _S186;
-    return sqrt(max((_S187 - 1.0f) * (_S185 * _S185 + Group_variance_along_0(group_1, direction_7)) + 1.0f, _S187));
+    var _S192 : f32 = dot(direction_8, group_1.tangent_9);
+    var _S193 : f32 = group_1.roughness_6;
+    var _S194 : f32 = _S193 * _S193;
+    return sqrt(max((_S194 - 1.0f) * (_S192 * _S192 + Group_variance_along_0(group_1, direction_8)) + 1.0f, _S194));
 }
 
 fn mean_density_0( group_2 : Group_0,  half_0 : vec3<f32>) -> f32
 {
-    var _S188 : f32 = group_2.roughness_6;
-    var _S189 : f32 = max(sqrt(max(1.0f - _S188 * _S188, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
-    var _S190 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
-    var _S191 : f32 = dot(half_0, group_2.tangent_9);
-    var _S192 : f32 = _S189 * (_S191 - _S190);
-    var _S193 : f32 = _S189 * (_S191 + _S190);
-    var _S194 : f32 = _S192 * _S193;
-    var _S195 : f32 = 2.0f * _S190 * _S189;
-    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S194) / ((_S192 * _S192 + 1.0f) * (_S193 * _S193 + 1.0f)) + arc_tangent_0(_S195, 1.0f + _S194) / _S195);
+    var _S195 : f32 = group_2.roughness_6;
+    var _S196 : f32 = max(sqrt(max(1.0f - _S195 * _S195, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
+    var _S197 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
+    var _S198 : f32 = dot(half_0, group_2.tangent_9);
+    var _S199 : f32 = _S196 * (_S198 - _S197);
+    var _S200 : f32 = _S196 * (_S198 + _S197);
+    var _S201 : f32 = _S199 * _S200;
+    var _S202 : f32 = 2.0f * _S197 * _S196;
+    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S201) / ((_S199 * _S199 + 1.0f) * (_S200 * _S200 + 1.0f)) + arc_tangent_0(_S202, 1.0f + _S201) / _S202);
 }
 
 fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>,  view_5 : vec3<f32>,  optical_depth_3 : f32) -> f32
 {
-    var _S196 : bool = (light_6.z) < 0.0f;
-    var _S197 : f32 = dot(light_6, group_3.normal_9);
-    var _S198 : f32 = max(dot(view_5, group_3.normal_9), 0.01999999955296516f);
-    var _S199 : f32 = mean_area_0(group_3, light_6) / max(select(_S197, - _S197, _S196), 0.01999999955296516f);
-    var _S200 : f32 = mean_area_0(group_3, view_5) / _S198;
-    var _S201 : f32 = optical_depth_3 * max(select(_S199 + _S200, abs(_S199 - _S200), _S196), 0.00100000004749745f);
-    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9)), 1.0f, _S196) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S199, _S200)), _S196) * (1.0f - exponential_0(- _S201)) / _S201 / _S198);
+    var _S203 : bool = (light_6.z) < 0.0f;
+    var _S204 : f32 = dot(light_6, group_3.normal_9);
+    var _S205 : f32 = max(dot(view_5, group_3.normal_9), 0.01999999955296516f);
+    var _S206 : f32 = mean_area_0(group_3, light_6) / max(select(_S204, - _S204, _S203), 0.01999999955296516f);
+    var _S207 : f32 = mean_area_0(group_3, view_5) / _S205;
+    var _S208 : f32 = optical_depth_3 * max(select(_S206 + _S207, abs(_S206 - _S207), _S203), 0.00100000004749745f);
+    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9)), 1.0f, _S203) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S206, _S207)), _S203) * (1.0f - exponential_0(- _S208)) / _S208 / _S205);
 }
 
 struct Bound_0
@@ -1505,16 +1521,16 @@ struct Bound_0
 
 fn bound_at_0( family_10 : u32,  position_6 : f32) -> Bound_0
 {
-    var _S202 : Cell_0 = locate_0(family_10, position_6);
-    var _S203 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S202.thread_2 + u32(1));
+    var _S209 : Cell_0 = locate_0(family_10, position_6);
+    var _S210 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S209.thread_2 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_12 = _S202.thread_2;
-    bound_0.turns_2 = round((position_6 - families_0[family_10].start_0 - _S203 - _S202.below_0) * families_0[family_10].inverse_period_0);
-    bound_0.cell_9 = _S202.below_0;
-    var _S204 : f32 = 2.0f * _S202.half_width_1;
-    bound_0.width_3 = _S204;
-    bound_0.visible_0 = clamp((_S202.across_2 + _S202.half_width_1) / _S204, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S202.below_0, _S202.below_0 - _S202.across_2 - _S202.half_width_1) + max(_S202.across_2 - _S202.half_width_1, 0.0f);
+    bound_0.thread_12 = _S209.thread_2;
+    bound_0.turns_2 = round((position_6 - families_0[family_10].start_0 - _S210 - _S209.below_0) * families_0[family_10].inverse_period_0);
+    bound_0.cell_9 = _S209.below_0;
+    var _S211 : f32 = 2.0f * _S209.half_width_1;
+    bound_0.width_3 = _S211;
+    bound_0.visible_0 = clamp((_S209.across_2 + _S209.half_width_1) / _S211, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S209.below_0, _S209.below_0 - _S209.across_2 - _S209.half_width_1) + max(_S209.across_2 - _S209.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1526,11 +1542,11 @@ struct Stretch_0
 
 fn stretch_of_0( family_11 : u32,  centre_1 : f32,  size_2 : f32) -> Stretch_0
 {
-    var _S205 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
-    var _S206 : f32 = 0.5f * max(size_2, families_0[family_11].smallest_box_0);
+    var _S212 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
+    var _S213 : f32 = 0.5f * max(size_2, families_0[family_11].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_1 = bound_at_0(family_11, _S205 - _S206);
-    stretch_0.high_1 = bound_at_0(family_11, _S205 + _S206);
+    stretch_0.low_1 = bound_at_0(family_11, _S212 - _S213);
+    stretch_0.high_1 = bound_at_0(family_11, _S212 + _S213);
     return stretch_0;
 }
 
@@ -1541,25 +1557,25 @@ fn Stretch_turns_0( this_6 : Stretch_0) -> f32
 
 fn lengths_0( family_12 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S207 : f32 = Stretch_turns_0(stretch_1);
-    var _S208 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_1.thread_12;
-    var _S209 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_1.thread_12;
-    var _S210 : f32 = table_number_0(_S209) - table_number_0(_S208);
-    var _S211 : f32 = table_number_0(_S209 + u32(1)) - table_number_0(_S208 + u32(1));
-    return vec3<f32>(_S210 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_3 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_3 + _S207 * families_0[family_12].visible_total_0, _S211 - _S210 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S207 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S211 + stretch_1.high_1.cell_9 - stretch_1.low_1.cell_9 + _S207 * families_0[family_12].period_0);
+    var _S214 : f32 = Stretch_turns_0(stretch_1);
+    var _S215 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_1.thread_12;
+    var _S216 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_1.thread_12;
+    var _S217 : f32 = table_number_0(_S216) - table_number_0(_S215);
+    var _S218 : f32 = table_number_0(_S216 + u32(1)) - table_number_0(_S215 + u32(1));
+    return vec3<f32>(_S217 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_3 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_3 + _S214 * families_0[family_12].visible_total_0, _S218 - _S217 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S214 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S218 + stretch_1.high_1.cell_9 - stretch_1.low_1.cell_9 + _S214 * families_0[family_12].period_0);
 }
 
 fn integrals_along_0( family_13 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S212 : u32 = u32(3) * families_0[family_13].quantities_0;
-    var _S213 : u32 = families_0[family_13].colour_threads_0 + _S212 * stretch_2.low_1.thread_12 + quantity_0;
-    var _S214 : u32 = families_0[family_13].colour_threads_0 + _S212 * stretch_2.high_1.thread_12 + quantity_0;
-    var _S215 : u32 = families_0[family_13].colour_threads_0 + _S212 * u32(families_0[family_13].count_0) + quantity_0;
-    var _S216 : f32 = table_number_0(_S213);
-    var _S217 : f32 = table_number_0(_S214);
-    var _S218 : f32 = Stretch_turns_0(stretch_2);
-    var _S219 : u32 = u32(2) * families_0[family_13].quantities_0;
-    return vec2<f32>(table_number_0(_S214 + families_0[family_13].quantities_0) - table_number_0(_S213 + families_0[family_13].quantities_0) + _S217 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_3 - _S216 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_3 + _S218 * table_number_0(_S215 + families_0[family_13].quantities_0), table_number_0(_S214 + _S219) - table_number_0(_S213 + _S219) + _S217 * stretch_2.high_1.cell_9 - _S216 * stretch_2.low_1.cell_9 + _S218 * table_number_0(_S215 + _S219));
+    var _S219 : u32 = u32(3) * families_0[family_13].quantities_0;
+    var _S220 : u32 = families_0[family_13].colour_threads_0 + _S219 * stretch_2.low_1.thread_12 + quantity_0;
+    var _S221 : u32 = families_0[family_13].colour_threads_0 + _S219 * stretch_2.high_1.thread_12 + quantity_0;
+    var _S222 : u32 = families_0[family_13].colour_threads_0 + _S219 * u32(families_0[family_13].count_0) + quantity_0;
+    var _S223 : f32 = table_number_0(_S220);
+    var _S224 : f32 = table_number_0(_S221);
+    var _S225 : f32 = Stretch_turns_0(stretch_2);
+    var _S226 : u32 = u32(2) * families_0[family_13].quantities_0;
+    return vec2<f32>(table_number_0(_S221 + families_0[family_13].quantities_0) - table_number_0(_S220 + families_0[family_13].quantities_0) + _S224 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_3 - _S223 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_3 + _S225 * table_number_0(_S222 + families_0[family_13].quantities_0), table_number_0(_S221 + _S226) - table_number_0(_S220 + _S226) + _S224 * stretch_2.high_1.cell_9 - _S223 * stretch_2.low_1.cell_9 + _S225 * table_number_0(_S222 + _S226));
 }
 
 fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
@@ -1569,16 +1585,16 @@ fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_8 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S220 : u32 = entries_0.z;
-    var _S221 : u32 = entries_0.x;
-    return vec4<u32>(_S220 - _S221 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S220, entries_0.y - _S221, whole_0);
+    var _S227 : u32 = entries_0.z;
+    var _S228 : u32 = entries_0.x;
+    return vec4<u32>(_S227 - _S228 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S227, entries_0.y - _S228, whole_0);
 }
 
 fn row_differences_0( across_5 : Stretch_0,  row_2 : u32,  count_3 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S222 : u32 = row_2 + across_5.low_1.thread_12 * quantities_1;
-    var _S223 : u32 = row_2 + across_5.high_1.thread_12 * quantities_1;
-    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S222], words_0[_S222 + quantities_1], words_0[_S223], words_0[_S223 + quantities_1]), words_0[row_2 + count_3 * quantities_1]);
+    var _S229 : u32 = row_2 + across_5.low_1.thread_12 * quantities_1;
+    var _S230 : u32 = row_2 + across_5.high_1.thread_12 * quantities_1;
+    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S229], words_0[_S229 + quantities_1], words_0[_S230], words_0[_S230 + quantities_1]), words_0[row_2 + count_3 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
@@ -1588,25 +1604,25 @@ fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
 
 fn integral_on_top_0( family_14 : u32,  across_6 : Stretch_0,  along_1 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S224 : u32 = u32(families_0[family_14].count_0);
-    var _S225 : u32 = (_S224 + u32(1)) * families_0[family_14].quantities_0;
-    var _S226 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
-    var _S227 : vec4<u32> = row_differences_0(across_6, _S226 + along_1.low_1.thread_12 * _S225, _S224, families_0[family_14].quantities_0);
-    var _S228 : vec4<u32> = row_differences_0(across_6, _S226 + along_1.high_1.thread_12 * _S225, _S224, families_0[family_14].quantities_0);
-    var _S229 : vec4<u32> = row_differences_0(across_6, _S226 + crossing_count_0 * _S225, _S224, families_0[family_14].quantities_0);
-    var _S230 : vec4<f32> = Stretch_weights_0(across_6);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S228 - _S227 + select_vector_2(Stretch_wraps_0(along_1), _S229, vec4<u32>(vec4<i32>(i32(0)))))), _S230), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S226 + (along_1.high_1.thread_12 + u32(1)) * _S225, _S224, families_0[family_14].quantities_0) - _S228)), _S230), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S226 + (along_1.low_1.thread_12 + u32(1)) * _S225, _S224, families_0[family_14].quantities_0) - _S227)), _S230), dot(vec4<f32>(vec4<i32>(_S229)), _S230)), Stretch_weights_0(along_1)) * families_0[family_14].area_unit_0;
+    var _S231 : u32 = u32(families_0[family_14].count_0);
+    var _S232 : u32 = (_S231 + u32(1)) * families_0[family_14].quantities_0;
+    var _S233 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
+    var _S234 : vec4<u32> = row_differences_0(across_6, _S233 + along_1.low_1.thread_12 * _S232, _S231, families_0[family_14].quantities_0);
+    var _S235 : vec4<u32> = row_differences_0(across_6, _S233 + along_1.high_1.thread_12 * _S232, _S231, families_0[family_14].quantities_0);
+    var _S236 : vec4<u32> = row_differences_0(across_6, _S233 + crossing_count_0 * _S232, _S231, families_0[family_14].quantities_0);
+    var _S237 : vec4<f32> = Stretch_weights_0(across_6);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S235 - _S234 + select_vector_2(Stretch_wraps_0(along_1), _S236, vec4<u32>(vec4<i32>(i32(0)))))), _S237), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S233 + (along_1.high_1.thread_12 + u32(1)) * _S232, _S231, families_0[family_14].quantities_0) - _S235)), _S237), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S233 + (along_1.low_1.thread_12 + u32(1)) * _S232, _S231, families_0[family_14].quantities_0) - _S234)), _S237), dot(vec4<f32>(vec4<i32>(_S236)), _S237)), Stretch_weights_0(along_1)) * families_0[family_14].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_3 : f32,  row_3 : u32) -> Albedos_0
 {
-    var _S231 : Albedos_0 = table_albedos_0(row_3);
+    var _S238 : Albedos_0 = table_albedos_0(row_3);
     var sum_0 : Albedos_0;
-    var _S232 : vec3<f32> = vec3<f32>(weight_3);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S232 * _S231.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S232 * _S231.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S232 * _S231.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S232 * _S231.specular_transmit_0;
+    var _S239 : vec3<f32> = vec3<f32>(weight_3);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S239 * _S238.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S239 * _S238.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S239 * _S238.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S239 * _S238.specular_transmit_0;
     return sum_0;
 }
 
@@ -1617,7 +1633,7 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
     {
         return albedos_2;
     }
-    var _S233 : vec3<f32> = lengths_0(crossing_1, other_2);
+    var _S240 : vec3<f32> = lengths_0(crossing_1, other_2);
     var is_exposed_0 : bool = false;
     var weight_4 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -1630,24 +1646,24 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
         {
             break;
         }
-        var _S234 : vec2<f32> = integrals_along_0(family_15, own_1, quantity_2);
-        var _S235 : f32 = integral_on_top_0(family_15, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
-        var _S236 : f32 = _S234.x;
-        var _S237 : f32 = _S236 * _S233.x;
-        var _S238 : f32 = select(_S235, _S237 - _S235, back_5);
-        var _S239 : bool = quantity_2 == u32(0);
-        if(_S239)
+        var _S241 : vec2<f32> = integrals_along_0(family_15, own_1, quantity_2);
+        var _S242 : f32 = integral_on_top_0(family_15, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
+        var _S243 : f32 = _S241.x;
+        var _S244 : f32 = _S243 * _S240.x;
+        var _S245 : f32 = select(_S242, _S244 - _S242, back_5);
+        var _S246 : bool = quantity_2 == u32(0);
+        if(_S246)
         {
-            is_exposed_0 = _S238 > (16.0f * families_0[family_15].area_unit_0 * min(_S237 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S237);
+            is_exposed_0 = _S245 > (16.0f * families_0[family_15].area_unit_0 * min(_S244 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S244);
         }
-        var _S240 : f32 = _S236 * _S233.y + select(0.0f, _S238, is_exposed_0) + 0.000244140625f * _S233.z * _S234.y;
-        if(_S239)
+        var _S247 : f32 = _S243 * _S240.y + select(0.0f, _S245, is_exposed_0) + 0.000244140625f * _S240.z * _S241.y;
+        if(_S246)
         {
-            weight_4 = 1.0f / max(_S240, 9.99999968265522539e-21f);
+            weight_4 = 1.0f / max(_S247, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S240 * weight_4, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S247 * weight_4, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1661,11 +1677,11 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
 fn lerp_albedos_0( first_5 : Albedos_0,  second_1 : Albedos_0,  weight_5 : f32) -> Albedos_0
 {
     var albedos_3 : Albedos_0;
-    var _S241 : vec3<f32> = vec3<f32>(weight_5);
-    albedos_3.diffuse_reflect_0 = mix(first_5.diffuse_reflect_0, second_1.diffuse_reflect_0, _S241);
-    albedos_3.diffuse_transmit_0 = mix(first_5.diffuse_transmit_0, second_1.diffuse_transmit_0, _S241);
-    albedos_3.specular_reflect_0 = mix(first_5.specular_reflect_0, second_1.specular_reflect_0, _S241);
-    albedos_3.specular_transmit_0 = mix(first_5.specular_transmit_0, second_1.specular_transmit_0, _S241);
+    var _S248 : vec3<f32> = vec3<f32>(weight_5);
+    albedos_3.diffuse_reflect_0 = mix(first_5.diffuse_reflect_0, second_1.diffuse_reflect_0, _S248);
+    albedos_3.diffuse_transmit_0 = mix(first_5.diffuse_transmit_0, second_1.diffuse_transmit_0, _S248);
+    albedos_3.specular_reflect_0 = mix(first_5.specular_reflect_0, second_1.specular_reflect_0, _S248);
+    albedos_3.specular_transmit_0 = mix(first_5.specular_transmit_0, second_1.specular_transmit_0, _S248);
     return albedos_3;
 }
 
@@ -1698,47 +1714,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S242 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S249 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S243 : vec3<f32> = sends_0.sky_warp_0 + _S242 * sends_0.crossing_warp_0;
-    found_0.warp_3 = _S243;
-    var _S244 : vec3<f32> = sends_0.sky_weft_0 + _S242 * sends_0.crossing_weft_0;
-    found_0.weft_3 = _S244;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S243 + vec3<f32>(sends_0.blocks_weft_0) * _S244;
+    var _S250 : vec3<f32> = sends_0.sky_warp_0 + _S249 * sends_0.crossing_warp_0;
+    found_0.warp_3 = _S250;
+    var _S251 : vec3<f32> = sends_0.sky_weft_0 + _S249 * sends_0.crossing_weft_0;
+    found_0.weft_3 = _S251;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S250 + vec3<f32>(sends_0.blocks_weft_0) * _S251;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_6 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S245 : f32 = 1.0f - view_6.z;
-    var _S246 : f32 = _S245 * _S245;
+    var _S252 : f32 = 1.0f - view_6.z;
+    var _S253 : f32 = _S252 * _S252;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S247 : f32 = view_6.x;
-    var _S248 : f32 = _S247 * _S247;
-    var _S249 : f32 = view_6.y;
-    var _S250 : f32 = _S249 * _S249;
-    (*terms_0)[i32(1)] = sqrt(max(_S248 + _S250, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S246;
-    (*terms_0)[i32(3)] = _S246 * _S246;
-    (*terms_0)[i32(4)] = _S248 - _S250;
+    var _S254 : f32 = view_6.x;
+    var _S255 : f32 = _S254 * _S254;
+    var _S256 : f32 = view_6.y;
+    var _S257 : f32 = _S256 * _S256;
+    (*terms_0)[i32(1)] = sqrt(max(_S255 + _S257, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S253;
+    (*terms_0)[i32(3)] = _S253 * _S253;
+    (*terms_0)[i32(4)] = _S255 - _S257;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_7 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S251 : f32 = 1.0f - view_7.z;
-    var _S252 : f32 = _S251 * _S251;
+    var _S258 : f32 = 1.0f - view_7.z;
+    var _S259 : f32 = _S258 * _S258;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S253 : f32 = view_7.x;
-    var _S254 : f32 = _S253 * _S253;
-    var _S255 : f32 = view_7.y;
-    var _S256 : f32 = _S255 * _S255;
-    (*terms_1)[i32(1)] = sqrt(max(_S254 + _S256, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S252;
-    (*terms_1)[i32(3)] = _S252 * _S252;
-    (*terms_1)[i32(4)] = _S254 - _S256;
+    var _S260 : f32 = view_7.x;
+    var _S261 : f32 = _S260 * _S260;
+    var _S262 : f32 = view_7.y;
+    var _S263 : f32 = _S262 * _S262;
+    (*terms_1)[i32(1)] = sqrt(max(_S261 + _S263, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S259;
+    (*terms_1)[i32(3)] = _S259 * _S259;
+    (*terms_1)[i32(4)] = _S261 - _S263;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -1766,11 +1782,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S257 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S258 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S264 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S265 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_6 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_4) + _S258 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S258 * interior_0.far_1 + yarn_2.back_6 * _S257;
+    bounced_0.reflected_0 = yarn_2.back_6 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_4) + _S265 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S265 * interior_0.far_1 + yarn_2.back_6 * _S264;
     return bounced_0;
 }
 
@@ -1784,61 +1800,61 @@ fn sum_of_0( first_6 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_8 : vec3<f32>) -> vec3<f32>
 {
-    var _S259 : f32 = light_7.z;
-    return select_vector_1((_S259 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S259) * 0.31830987334251404f));
+    var _S266 : f32 = light_7.z;
+    return select_vector_1((_S266 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S266) * 0.31830987334251404f));
 }
 
-fn sheen_scale_0( x_11 : f32,  y_4 : f32) -> f32
+fn sheen_scale_0( x_13 : f32,  y_6 : f32) -> f32
 {
-    return (((((0.0f * x_11 + (((((-1.1402510404586792f * y_4 + 0.40672621130943298f) * y_4 + 1.65398800373077393f) * y_4 + -1.29730904102325439f) * y_4 + 0.30570998787879944f) * y_4 + -0.0220868494361639f)) * x_11 + (((((-0.21142719686031342f * y_4 + 1.05947399139404297f) * y_4 + -0.41116121411323547f) * y_4 + -0.93859231472015381f) * y_4 + 0.51606941223144531f) * y_4 + 0.05409301072359085f)) * x_11 + (((((1.22944498062133789f * y_4 + -0.45962560176849365f) * y_4 + -1.63861405849456787f) * y_4 + 1.33565104007720947f) * y_4 + -0.45725581049919128f) * y_4 + 0.08243165910243988f)) * x_11 + (((((0.39779931306838989f * y_4 + -1.18879103660583496f) * y_4 + 0.28251591324806213f) * y_4 + 1.168984055519104f) * y_4 + -0.76864629983901978f) * y_4 + 0.0091691892594099f)) * x_11 + (((((-0.26563560962677002f * y_4 + -0.19379159808158875f) * y_4 + 0.2677634060382843f) * y_4 + 0.00270519289188087f) * y_4 + 0.14349560439586639f) * y_4 + 0.10290180146694183f)) * x_11 + (((((-0.20701569318771362f * y_4 + 0.24526430666446686f) * y_4 + 0.19551840424537659f) * y_4 + 0.07586126774549484f) * y_4 + 0.38894739747047424f) * y_4 + 0.15043120086193085f);
+    return (((((0.0f * x_13 + (((((-1.1402510404586792f * y_6 + 0.40672621130943298f) * y_6 + 1.65398800373077393f) * y_6 + -1.29730904102325439f) * y_6 + 0.30570998787879944f) * y_6 + -0.0220868494361639f)) * x_13 + (((((-0.21142719686031342f * y_6 + 1.05947399139404297f) * y_6 + -0.41116121411323547f) * y_6 + -0.93859231472015381f) * y_6 + 0.51606941223144531f) * y_6 + 0.05409301072359085f)) * x_13 + (((((1.22944498062133789f * y_6 + -0.45962560176849365f) * y_6 + -1.63861405849456787f) * y_6 + 1.33565104007720947f) * y_6 + -0.45725581049919128f) * y_6 + 0.08243165910243988f)) * x_13 + (((((0.39779931306838989f * y_6 + -1.18879103660583496f) * y_6 + 0.28251591324806213f) * y_6 + 1.168984055519104f) * y_6 + -0.76864629983901978f) * y_6 + 0.0091691892594099f)) * x_13 + (((((-0.26563560962677002f * y_6 + -0.19379159808158875f) * y_6 + 0.2677634060382843f) * y_6 + 0.00270519289188087f) * y_6 + 0.14349560439586639f) * y_6 + 0.10290180146694183f)) * x_13 + (((((-0.20701569318771362f * y_6 + 0.24526430666446686f) * y_6 + 0.19551840424537659f) * y_6 + 0.07586126774549484f) * y_6 + 0.38894739747047424f) * y_6 + 0.15043120086193085f);
 }
 
-fn sheen_shear_0( x_12 : f32,  y_5 : f32) -> f32
+fn sheen_shear_0( x_14 : f32,  y_7 : f32) -> f32
 {
-    return ((((0.0f * x_12 + (((((-0.10608240216970444f * y_5 + 1.99214303493499756f) * y_5 + -1.42255294322967529f) * y_5 + -1.09495604038238525f) * y_5 + 0.59180057048797607f) * y_5 + 0.06902855634689331f)) * x_12 + (((((-0.46220690011978149f * y_5 + -0.29113379120826721f) * y_5 + 1.39025199413299561f) * y_5 + 0.35589990019798279f) * y_5 + -1.17120099067687988f) * y_5 + 0.15940259397029877f)) * x_12 + (((((2.26068711280822754f * y_5 + -3.64728999137878418f) * y_5 + -0.72173482179641724f) * y_5 + 3.07659196853637695f) * y_5 + -0.6827620267868042f) * y_5 + -0.3039557933807373f)) * x_12 + (((((0.81201767921447754f * y_5 + 0.36014080047607422f) * y_5 + -1.72646903991699219f) * y_5 + -0.22630110383033752f) * y_5 + 0.89514690637588501f) * y_5 + -0.10397960245609283f)) * x_12 + (((((-0.37648698687553406f * y_5 + 1.10974001884460449f) * y_5 + 0.17824520170688629f) * y_5 + -1.04968702793121338f) * y_5 + 0.1461234986782074f) * y_5 + -0.00475129019469023f);
+    return ((((0.0f * x_14 + (((((-0.10608240216970444f * y_7 + 1.99214303493499756f) * y_7 + -1.42255294322967529f) * y_7 + -1.09495604038238525f) * y_7 + 0.59180057048797607f) * y_7 + 0.06902855634689331f)) * x_14 + (((((-0.46220690011978149f * y_7 + -0.29113379120826721f) * y_7 + 1.39025199413299561f) * y_7 + 0.35589990019798279f) * y_7 + -1.17120099067687988f) * y_7 + 0.15940259397029877f)) * x_14 + (((((2.26068711280822754f * y_7 + -3.64728999137878418f) * y_7 + -0.72173482179641724f) * y_7 + 3.07659196853637695f) * y_7 + -0.6827620267868042f) * y_7 + -0.3039557933807373f)) * x_14 + (((((0.81201767921447754f * y_7 + 0.36014080047607422f) * y_7 + -1.72646903991699219f) * y_7 + -0.22630110383033752f) * y_7 + 0.89514690637588501f) * y_7 + -0.10397960245609283f)) * x_14 + (((((-0.37648698687553406f * y_7 + 1.10974001884460449f) * y_7 + 0.17824520170688629f) * y_7 + -1.04968702793121338f) * y_7 + 0.1461234986782074f) * y_7 + -0.00475129019469023f);
 }
 
-fn sheen_reflectance_0( x_13 : f32,  y_6 : f32) -> f32
+fn sheen_reflectance_0( x_15 : f32,  y_8 : f32) -> f32
 {
-    return ((((0.0f * x_13 + (((((12.95646953582763672f * y_6 + -21.38032913208007812f) * y_6 + -7.37853097915649414f) * y_6 + 34.55607986450195312f) * y_6 + -23.61347007751464844f) * y_6 + 5.00126314163208008f)) * x_13 + (((((10.91487026214599609f * y_6 + -6.08202791213989258f) * y_6 + -38.2036285400390625f) * y_6 + 53.3440399169921875f) * y_6 + -21.91996002197265625f) * y_6 + 2.01606011390686035f)) * x_13 + (((((-14.52206039428710938f * y_6 + 36.803619384765625f) * y_6 + -22.94047927856445312f) * y_6 + -10.07973003387451172f) * y_6 + 15.77003955841064453f) * y_6 + -4.92722177505493164f)) * x_13 + (((((-7.62505722045898438f * y_6 + 1.27310299873352051f) * y_6 + 31.19523048400878906f) * y_6 + -44.39989852905273438f) * y_6 + 26.44947052001953125f) * y_6 + -8.73507976531982422f)) * x_13 + (((((5.65633487701416016f * y_6 + -17.66820907592773438f) * y_6 + 24.65356063842773438f) * y_6 + -19.38941001892089844f) * y_6 + 11.06159019470214844f) * y_6 + -3.06573700904846191f);
+    return ((((0.0f * x_15 + (((((12.95646953582763672f * y_8 + -21.38032913208007812f) * y_8 + -7.37853097915649414f) * y_8 + 34.55607986450195312f) * y_8 + -23.61347007751464844f) * y_8 + 5.00126314163208008f)) * x_15 + (((((10.91487026214599609f * y_8 + -6.08202791213989258f) * y_8 + -38.2036285400390625f) * y_8 + 53.3440399169921875f) * y_8 + -21.91996002197265625f) * y_8 + 2.01606011390686035f)) * x_15 + (((((-14.52206039428710938f * y_8 + 36.803619384765625f) * y_8 + -22.94047927856445312f) * y_8 + -10.07973003387451172f) * y_8 + 15.77003955841064453f) * y_8 + -4.92722177505493164f)) * x_15 + (((((-7.62505722045898438f * y_8 + 1.27310299873352051f) * y_8 + 31.19523048400878906f) * y_8 + -44.39989852905273438f) * y_8 + 26.44947052001953125f) * y_8 + -8.73507976531982422f)) * x_15 + (((((5.65633487701416016f * y_8 + -17.66820907592773438f) * y_8 + 24.65356063842773438f) * y_8 + -19.38941001892089844f) * y_8 + 11.06159019470214844f) * y_8 + -3.06573700904846191f);
 }
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_8 : f32) -> vec3<f32>
 {
-    var _S260 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S261 : f32 = 2.0f * sqrt(_S260) - 1.0f;
-    var _S262 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S261, _S262), 0.00999999977648258f, 1.0f), clamp((1.0f - _S260) * sheen_shear_0(_S261, _S262), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S261, _S262), -60.0f, 60.0f))));
+    var _S267 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S268 : f32 = 2.0f * sqrt(_S267) - 1.0f;
+    var _S269 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S268, _S269), 0.00999999977648258f, 1.0f), clamp((1.0f - _S267) * sheen_shear_0(_S268, _S269), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S268, _S269), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_8 : vec3<f32>,  view_9 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S263 : f32 = light_8.z;
-    if(((_S263 <= 0.0f) | (((view_9.z) <= 0.0f))))
+    var _S270 : f32 = light_8.z;
+    if(((_S270 <= 0.0f) | (((view_9.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S264 : vec2<f32> = view_9.xy;
-    var _S265 : f32 = dot(_S264, _S264);
-    var _S266 : vec2<f32> = select_vector_0(_S265 > 9.99999968265522539e-21f, _S264 * vec2<f32>(rsqrt_0(max(_S265, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S267 : f32 = scale_0 * dot(light_8.xy, _S266) + shear_0 * _S263;
-    var _S268 : f32 = scale_0 * (light_8.y * _S266.x - light_8.x * _S266.y);
-    var _S269 : f32 = _S267 * _S267 + _S268 * _S268 + _S263 * _S263;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S263 / max(_S269 * _S269, 9.99999968265522539e-21f);
+    var _S271 : vec2<f32> = view_9.xy;
+    var _S272 : f32 = dot(_S271, _S271);
+    var _S273 : vec2<f32> = select_vector_0(_S272 > 9.99999968265522539e-21f, _S271 * vec2<f32>(rsqrt_0(max(_S272, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S274 : f32 = scale_0 * dot(light_8.xy, _S273) + shear_0 * _S270;
+    var _S275 : f32 = scale_0 * (light_8.y * _S273.x - light_8.x * _S273.y);
+    var _S276 : f32 = _S274 * _S274 + _S275 * _S275 + _S270 * _S270;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S270 / max(_S276 * _S276, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
 {
-    var _S270 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_9);
-    var _S271 : f32 = strength_0 * _S270.z;
-    return vec2<f32>(_S271 * transformed_cosine_0(light_9, view_10, _S270.x, _S270.y), 1.0f - _S271);
+    var _S277 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_9);
+    var _S278 : f32 = strength_0 * _S277.z;
+    return vec2<f32>(_S278 * transformed_cosine_0(light_9, view_10, _S277.x, _S277.y), 1.0f - _S278);
 }
 
 fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
 {
-    var _S272 : f32 = layers_0[index_7].share_0;
+    var _S279 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_10;
-    layers_0[index_7].share_0 = _S272 * (1.0f - light_10.w);
+    layers_0[index_7].share_0 = _S279 * (1.0f - light_10.w);
     return;
 }
 
@@ -1862,100 +1878,100 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S273 : u32,  _S274 : u32,  _S275 : f32,  _S276 : f32) -> VisiblePoint_0
+fn face_point_0( _S280 : u32,  _S281 : u32,  _S282 : f32,  _S283 : f32) -> VisiblePoint_0
 {
-    var _S277 : u32 = u32(3) * _S274;
-    var _S278 : Vertex_0 = vertex_at_0(_S277);
-    var _S279 : Vertex_0 = vertex_at_0(_S277 + u32(1));
-    var _S280 : Vertex_0 = vertex_at_0(_S277 + u32(2));
-    var _S281 : vec3<f32> = position_of_0(_S278);
-    var _S282 : vec3<f32> = position_of_0(_S279) - _S281;
-    var _S283 : vec3<f32> = position_of_0(_S280) - _S281;
-    var _S284 : f32 = _S279.u_0 - _S278.u_0;
-    var _S285 : f32 = _S279.v_0 - _S278.v_0;
-    var _S286 : vec2<f32> = vec2<f32>(_S284, _S285);
-    var _S287 : f32 = _S280.u_0 - _S278.u_0;
-    var _S288 : f32 = _S280.v_0 - _S278.v_0;
-    var _S289 : vec2<f32> = vec2<f32>(_S287, _S288);
-    var _S290 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S284 * _S288 - _S285 * _S287) < 0.0f));
-    var _S291 : vec3<f32> = _S290 * (vec3<f32>(_S288) * _S282 - vec3<f32>(_S285) * _S283);
-    var _S292 : vec3<f32> = _S290 * (vec3<f32>(_S284) * _S283 - vec3<f32>(_S287) * _S282);
+    var _S284 : u32 = u32(3) * _S281;
+    var _S285 : Vertex_0 = vertex_at_0(_S284);
+    var _S286 : Vertex_0 = vertex_at_0(_S284 + u32(1));
+    var _S287 : Vertex_0 = vertex_at_0(_S284 + u32(2));
+    var _S288 : vec3<f32> = position_of_0(_S285);
+    var _S289 : vec3<f32> = position_of_0(_S286) - _S288;
+    var _S290 : vec3<f32> = position_of_0(_S287) - _S288;
+    var _S291 : f32 = _S286.u_0 - _S285.u_0;
+    var _S292 : f32 = _S286.v_0 - _S285.v_0;
+    var _S293 : vec2<f32> = vec2<f32>(_S291, _S292);
+    var _S294 : f32 = _S287.u_0 - _S285.u_0;
+    var _S295 : f32 = _S287.v_0 - _S285.v_0;
+    var _S296 : vec2<f32> = vec2<f32>(_S294, _S295);
+    var _S297 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S291 * _S295 - _S292 * _S294) < 0.0f));
+    var _S298 : vec3<f32> = _S297 * (vec3<f32>(_S295) * _S289 - vec3<f32>(_S292) * _S290);
+    var _S299 : vec3<f32> = _S297 * (vec3<f32>(_S291) * _S290 - vec3<f32>(_S294) * _S289);
     var point_2 : VisiblePoint_0;
-    var _S293 : vec3<f32> = vec3<f32>(_S275);
-    var _S294 : vec3<f32> = vec3<f32>(_S276);
-    var _S295 : vec3<f32> = normalize(vec3<f32>((1.0f - _S275 - _S276)) * normal_of_0(_S278) + _S293 * normal_of_0(_S279) + _S294 * normal_of_0(_S280));
-    point_2.normal_0 = _S295;
-    var _S296 : vec3<f32> = normalize(_S291 - _S295 * vec3<f32>(dot(_S295, _S291)));
-    point_2.axis_x_0 = _S296;
-    point_2.axis_y_0 = cross(_S295, _S296);
-    var _S297 : vec3<f32> = normalize(cross(_S282, _S283));
-    point_2.face_normal_0 = select_vector_1((dot(_S297, _S295)) < 0.0f, (vec3<f32>(0) - _S297), _S297);
-    point_2.position_0 = _S281 + _S293 * _S282 + _S294 * _S283;
-    point_2.view_0 = _S295;
-    var _S298 : vec2<f32> = vec2<f32>(_S278.u_0, _S278.v_0) + vec2<f32>(_S275) * _S286 + vec2<f32>(_S276) * _S289;
-    point_2.uv_1 = _S298;
-    var _S299 : bool = (dot(cross(_S291, _S292), _S295)) < 0.0f;
-    var _S300 : vec2<f32> = vec2<f32>(fabrics_0[_S273].uv_width_0, select(fabrics_0[_S273].uv_height_0, - fabrics_0[_S273].uv_height_0, _S299));
-    point_2.draft_per_uv_0 = _S300;
-    point_2.draft_0 = _S298 * _S300 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S273].uv_height_0, _S299));
-    var _S301 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S301;
-    point_2.draft_dy_0 = _S301;
+    var _S300 : vec3<f32> = vec3<f32>(_S282);
+    var _S301 : vec3<f32> = vec3<f32>(_S283);
+    var _S302 : vec3<f32> = normalize(vec3<f32>((1.0f - _S282 - _S283)) * normal_of_0(_S285) + _S300 * normal_of_0(_S286) + _S301 * normal_of_0(_S287));
+    point_2.normal_0 = _S302;
+    var _S303 : vec3<f32> = normalize(_S298 - _S302 * vec3<f32>(dot(_S302, _S298)));
+    point_2.axis_x_0 = _S303;
+    point_2.axis_y_0 = cross(_S302, _S303);
+    var _S304 : vec3<f32> = normalize(cross(_S289, _S290));
+    point_2.face_normal_0 = select_vector_1((dot(_S304, _S302)) < 0.0f, (vec3<f32>(0) - _S304), _S304);
+    point_2.position_0 = _S288 + _S300 * _S289 + _S301 * _S290;
+    point_2.view_0 = _S302;
+    var _S305 : vec2<f32> = vec2<f32>(_S285.u_0, _S285.v_0) + vec2<f32>(_S282) * _S293 + vec2<f32>(_S283) * _S296;
+    point_2.uv_1 = _S305;
+    var _S306 : bool = (dot(cross(_S298, _S299), _S302)) < 0.0f;
+    var _S307 : vec2<f32> = vec2<f32>(fabrics_0[_S280].uv_width_0, select(fabrics_0[_S280].uv_height_0, - fabrics_0[_S280].uv_height_0, _S306));
+    point_2.draft_per_uv_0 = _S307;
+    point_2.draft_0 = _S305 * _S307 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S280].uv_height_0, _S306));
+    var _S308 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S308;
+    point_2.draft_dy_0 = _S308;
     return point_2;
 }
 
-fn visible_point_0( _S302 : u32,  _S303 : u32,  _S304 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S309 : u32,  _S310 : u32,  _S311 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S305 : u32 = u32(3) * _S303;
-    var _S306 : Vertex_0 = vertex_at_0(_S305);
-    var _S307 : Vertex_0 = vertex_at_0(_S305 + u32(1));
-    var _S308 : Vertex_0 = vertex_at_0(_S305 + u32(2));
-    var _S309 : vec3<f32> = position_of_0(_S306);
-    var _S310 : vec3<f32> = position_of_0(_S307) - _S309;
-    var _S311 : vec3<f32> = position_of_0(_S308) - _S309;
-    var _S312 : vec3<f32> = cross(_S310, _S311);
-    var _S313 : f32 = f32(frame_record_0.width_0);
-    var _S314 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S313));
-    var _S315 : f32 = f32(frame_record_0.height_0);
-    var _S316 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S315));
-    var _S317 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S304.x) + 0.5f - 0.5f * _S313)) * _S314 + vec3<f32>((f32(_S304.y) + 0.5f - 0.5f * _S315)) * _S316;
-    var _S318 : f32 = dot(_S317, _S312);
-    var _S319 : f32 = 1.0f / select(1.00000000317107685e-30f, _S318, (abs(_S318)) > 1.00000000317107685e-30f);
-    var _S320 : vec3<f32> = _S309 - camera_origin_0();
-    var _S321 : vec3<f32> = vec3<f32>((dot(_S320, _S312) * _S319));
-    var _S322 : vec3<f32> = _S317 * _S321 - _S320;
-    var _S323 : vec3<f32> = _S321 * (_S314 - _S317 * vec3<f32>((dot(_S314, _S312) * _S319)));
-    var _S324 : vec3<f32> = _S321 * (_S316 - _S317 * vec3<f32>((dot(_S316, _S312) * _S319)));
-    var _S325 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S312), 1.00000000317107685e-30f)));
-    var _S326 : vec3<f32> = cross(_S311, _S312) * _S325;
-    var _S327 : vec3<f32> = cross(_S312, _S310) * _S325;
-    var _S328 : vec2<f32> = vec2<f32>(_S307.u_0 - _S306.u_0, _S307.v_0 - _S306.v_0);
-    var _S329 : vec2<f32> = vec2<f32>(_S308.u_0 - _S306.u_0, _S308.v_0 - _S306.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S302, _S303, dot(_S322, _S326), dot(_S322, _S327));
-    point_3.position_0 = _S309 + _S322;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S317));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S323, _S326)) * _S328 + vec2<f32>(dot(_S323, _S327)) * _S329) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S324, _S326)) * _S328 + vec2<f32>(dot(_S324, _S327)) * _S329) * point_3.draft_per_uv_0;
+    var _S312 : u32 = u32(3) * _S310;
+    var _S313 : Vertex_0 = vertex_at_0(_S312);
+    var _S314 : Vertex_0 = vertex_at_0(_S312 + u32(1));
+    var _S315 : Vertex_0 = vertex_at_0(_S312 + u32(2));
+    var _S316 : vec3<f32> = position_of_0(_S313);
+    var _S317 : vec3<f32> = position_of_0(_S314) - _S316;
+    var _S318 : vec3<f32> = position_of_0(_S315) - _S316;
+    var _S319 : vec3<f32> = cross(_S317, _S318);
+    var _S320 : f32 = f32(frame_record_0.width_0);
+    var _S321 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S320));
+    var _S322 : f32 = f32(frame_record_0.height_0);
+    var _S323 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S322));
+    var _S324 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S311.x) + 0.5f - 0.5f * _S320)) * _S321 + vec3<f32>((f32(_S311.y) + 0.5f - 0.5f * _S322)) * _S323;
+    var _S325 : f32 = dot(_S324, _S319);
+    var _S326 : f32 = 1.0f / select(1.00000000317107685e-30f, _S325, (abs(_S325)) > 1.00000000317107685e-30f);
+    var _S327 : vec3<f32> = _S316 - camera_origin_0();
+    var _S328 : vec3<f32> = vec3<f32>((dot(_S327, _S319) * _S326));
+    var _S329 : vec3<f32> = _S324 * _S328 - _S327;
+    var _S330 : vec3<f32> = _S328 * (_S321 - _S324 * vec3<f32>((dot(_S321, _S319) * _S326)));
+    var _S331 : vec3<f32> = _S328 * (_S323 - _S324 * vec3<f32>((dot(_S323, _S319) * _S326)));
+    var _S332 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S319), 1.00000000317107685e-30f)));
+    var _S333 : vec3<f32> = cross(_S318, _S319) * _S332;
+    var _S334 : vec3<f32> = cross(_S319, _S317) * _S332;
+    var _S335 : vec2<f32> = vec2<f32>(_S314.u_0 - _S313.u_0, _S314.v_0 - _S313.v_0);
+    var _S336 : vec2<f32> = vec2<f32>(_S315.u_0 - _S313.u_0, _S315.v_0 - _S313.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S309, _S310, dot(_S329, _S333), dot(_S329, _S334));
+    point_3.position_0 = _S316 + _S329;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S324));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S330, _S333)) * _S335 + vec2<f32>(dot(_S330, _S334)) * _S336) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S331, _S333)) * _S335 + vec2<f32>(dot(_S331, _S334)) * _S336) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S330 : u32,  _S331 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S337 : u32,  _S338 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S332 : u32 = fabrics_0[_S330].albedo_map_levels_0;
-    if((fabrics_0[_S330].albedo_map_levels_0) == u32(0))
+    var _S339 : u32 = fabrics_0[_S337].albedo_map_levels_0;
+    if((fabrics_0[_S337].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S333 : vec2<f32> = vec2<f32>(fabrics_0[_S330].uv_width_0, fabrics_0[_S330].uv_height_0);
-    var _S334 : vec2<f32> = _S331.draft_dx_0 / _S333;
-    var _S335 : vec2<f32> = _S331.draft_dy_0 / _S333;
-    var _S336 : u32 = _S332 - u32(1);
-    var _S337 : u32 = (u32(1) << (_S336));
-    var _S338 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S334.x * _S335.y - _S334.y * _S335.x), 9.99999968265522539e-21f) * (square_1(f32(_S337)) / 3.0f)), 0.0f, f32(_S332) - 1.0f);
-    var _S339 : u32 = min(u32(_S338), max(_S332, u32(2)) - u32(2));
-    var _S340 : u32 = min(_S339 + u32(1), _S336);
-    var _S341 : u32 = (u32(1) << ((u32(2) * _S332)));
-    return mix(map_level_0(fabrics_0[_S330].albedo_map_0 + (_S341 - ((_S341 >> ((u32(2) * _S339))))) / u32(3), (_S337 >> (_S339)), _S331.uv_1), map_level_0(fabrics_0[_S330].albedo_map_0 + (_S341 - ((_S341 >> ((u32(2) * _S340))))) / u32(3), (_S337 >> (_S340)), _S331.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S338 - f32(_S339))) - 1.0f) / 3.0f)));
+    var _S340 : vec2<f32> = vec2<f32>(fabrics_0[_S337].uv_width_0, fabrics_0[_S337].uv_height_0);
+    var _S341 : vec2<f32> = _S338.draft_dx_0 / _S340;
+    var _S342 : vec2<f32> = _S338.draft_dy_0 / _S340;
+    var _S343 : u32 = _S339 - u32(1);
+    var _S344 : u32 = (u32(1) << (_S343));
+    var _S345 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S341.x * _S342.y - _S341.y * _S342.x), 9.99999968265522539e-21f) * (square_1(f32(_S344)) / 3.0f)), 0.0f, f32(_S339) - 1.0f);
+    var _S346 : u32 = min(u32(_S345), max(_S339, u32(2)) - u32(2));
+    var _S347 : u32 = min(_S346 + u32(1), _S343);
+    var _S348 : u32 = (u32(1) << ((u32(2) * _S339)));
+    return mix(map_level_0(fabrics_0[_S337].albedo_map_0 + (_S348 - ((_S348 >> ((u32(2) * _S346))))) / u32(3), (_S344 >> (_S346)), _S338.uv_1), map_level_0(fabrics_0[_S337].albedo_map_0 + (_S348 - ((_S348 >> ((u32(2) * _S347))))) / u32(3), (_S344 >> (_S347)), _S338.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S345 - f32(_S346))) - 1.0f) / 3.0f)));
 }
 
 fn light_sample_count_0() -> u32
@@ -1963,13 +1979,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S342 : u32,  _S343 : vec2<u32>) -> f32
+fn visibility_at_0( _S349 : u32,  _S350 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S342 * frame_record_0.height_0 + _S343.y) * frame_record_0.width_0 + _S343.x];
+    return visibilities_0[(_S349 * frame_record_0.height_0 + _S350.y) * frame_record_0.width_0 + _S350.x];
 }
 
 struct LightSample_0
@@ -1979,52 +1995,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S344 : u32,  _S345 : u32) -> vec3<f32>
+fn environment_texel_0( _S351 : u32,  _S352 : u32) -> vec3<f32>
 {
-    var _S346 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S344 * frame_record_0.environment_columns_0 + _S345);
-    return vec3<f32>(scene_number_0(_S346), scene_number_0(_S346 + u32(1)), scene_number_0(_S346 + u32(2)));
+    var _S353 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S351 * frame_record_0.environment_columns_0 + _S352);
+    return vec3<f32>(scene_number_0(_S353), scene_number_0(_S353 + u32(1)), scene_number_0(_S353 + u32(2)));
 }
 
-fn sample_environment_0( _S347 : vec2<f32>,  _S348 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S354 : vec2<f32>,  _S355 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S349 : u32 = frame_record_0.environment_rows_0;
-    var _S350 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S347.y);
-    var _S351 : u32 = frame_record_0.environment_columns_0;
-    var _S352 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S350.index_3 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S347.x);
-    var _S353 : vec3<f32> = environment_texel_0(_S350.index_3, _S352.index_3);
-    (*_S348) = _S353 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S353), 9.99999968265522539e-21f)));
-    var _S354 : f32 = 3.14159274101257324f / f32(_S349);
-    var _S355 : f32 = mix(sine_cosine_0(f32(_S350.index_3) * _S354).y, sine_cosine_0(f32(_S350.index_3 + u32(1)) * _S354).y, _S350.remainder_0);
-    var _S356 : f32 = sqrt(max(1.0f - _S355 * _S355, 0.0f));
-    var _S357 : vec2<f32> = sine_cosine_0((f32(_S352.index_3) + _S352.remainder_0) * (6.28318548202514648f / f32(_S351)));
-    var _S358 : f32 = _S356 * _S357.x;
-    var _S359 : f32 = - _S356 * _S357.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S358 + frame_record_0.environment_sine_0 * _S359, _S355, frame_record_0.environment_cosine_0 * _S359 - frame_record_0.environment_sine_0 * _S358);
+    var _S356 : u32 = frame_record_0.environment_rows_0;
+    var _S357 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S354.y);
+    var _S358 : u32 = frame_record_0.environment_columns_0;
+    var _S359 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S357.index_3 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S354.x);
+    var _S360 : vec3<f32> = environment_texel_0(_S357.index_3, _S359.index_3);
+    (*_S355) = _S360 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S360), 9.99999968265522539e-21f)));
+    var _S361 : f32 = 3.14159274101257324f / f32(_S356);
+    var _S362 : f32 = mix(sine_cosine_0(f32(_S357.index_3) * _S361).y, sine_cosine_0(f32(_S357.index_3 + u32(1)) * _S361).y, _S357.remainder_0);
+    var _S363 : f32 = sqrt(max(1.0f - _S362 * _S362, 0.0f));
+    var _S364 : vec2<f32> = sine_cosine_0((f32(_S359.index_3) + _S359.remainder_0) * (6.28318548202514648f / f32(_S358)));
+    var _S365 : f32 = _S363 * _S364.x;
+    var _S366 : f32 = - _S363 * _S364.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S365 + frame_record_0.environment_sine_0 * _S366, _S362, frame_record_0.environment_cosine_0 * _S366 - frame_record_0.environment_sine_0 * _S365);
 }
 
-fn light_sample_0( _S360 : u32,  _S361 : vec2<u32>,  _S362 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S367 : u32,  _S368 : vec2<u32>,  _S369 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S363 : u32 = frame_record_0.lights_0;
-    if(_S360 >= (frame_record_0.lights_0))
+    var _S370 : u32 = frame_record_0.lights_0;
+    if(_S367 >= (frame_record_0.lights_0))
     {
         var weight_6 : vec3<f32>;
-        var _S364 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S361, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S360 - _S363), u32(3)), &(weight_6));
-        sample_0.towards_0 = _S364;
+        var _S371 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S368, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S367 - _S370), u32(3)), &(weight_6));
+        sample_0.towards_0 = _S371;
         sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S365 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S360);
-    sample_0.irradiance_1 = vec3<f32>(_S365.red_0, _S365.green_0, _S365.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S365.x_7, _S365.y_1, _S365.z_1);
-    if((_S365.is_point_0) != u32(0))
+    var _S372 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S367);
+    sample_0.irradiance_1 = vec3<f32>(_S372.red_0, _S372.green_0, _S372.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S372.x_7, _S372.y_1, _S372.z_1);
+    if((_S372.is_point_0) != u32(0))
     {
-        var _S366 : vec3<f32> = sample_0.towards_0 - _S362;
-        var _S367 : f32 = max(square_0(_S366), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S367);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S367);
-        sample_0.towards_0 = normalize(_S366);
+        var _S373 : vec3<f32> = sample_0.towards_0 - _S369;
+        var _S374 : f32 = max(square_0(_S373), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S374);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S374);
+        sample_0.towards_0 = normalize(_S373);
     }
     return sample_0;
 }
@@ -2049,28 +2065,28 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S368 : u32,  _S369 : Footprint_0,  _S370 : f32) -> Regime_0
+fn regime_of_0( _S375 : u32,  _S376 : Footprint_0,  _S377 : f32) -> Regime_0
 {
-    var _S371 : f32 = Footprint_spread_side_0(_S369);
-    var _S372 : f32 = clamp((binary_logarithm_0(max(_S371, 9.99999971718068537e-10f)) - fabrics_0[_S368].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S378 : f32 = Footprint_spread_side_0(_S376);
+    var _S379 : f32 = clamp((binary_logarithm_0(max(_S378, 9.99999971718068537e-10f)) - fabrics_0[_S375].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S373 : f32 = _S372 * _S372 * (3.0f - 2.0f * _S372);
-    regime_0.prefiltered_0 = _S373;
-    var _S374 : f32 = _S371 * fabrics_0[_S368].lobes_0.threads_per_mm_0;
-    regime_0.threads_1 = _S374;
-    regime_0.points_0 = select(0.0f, clamp(_S374 * 12.0f, 1.0f, mix(max(8.0f / _S370, 1.0f), 1.0f, _S373)), _S373 < 1.0f);
+    var _S380 : f32 = _S379 * _S379 * (3.0f - 2.0f * _S379);
+    regime_0.prefiltered_0 = _S380;
+    var _S381 : f32 = _S378 * fabrics_0[_S375].lobes_0.threads_per_mm_0;
+    regime_0.threads_1 = _S381;
+    regime_0.points_0 = select(0.0f, clamp(_S381 * 12.0f, 1.0f, mix(max(8.0f / _S377, 1.0f), 1.0f, _S380)), _S380 < 1.0f);
     return regime_0;
 }
 
-fn varies_at_0( _S375 : u32,  _S376 : f32) -> bool
+fn varies_at_0( _S382 : u32,  _S383 : f32) -> bool
 {
-    return (((((fabrics_0[_S375].fibre_noise_0) > 0.0f) | (((fabrics_0[_S375].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S375].has_detail_0) != u32(0)) & ((_S376 >= 0.0f))))));
+    return (((((fabrics_0[_S382].fibre_noise_0) > 0.0f) | (((fabrics_0[_S382].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S382].has_detail_0) != u32(0)) & ((_S383 >= 0.0f))))));
 }
 
 struct Hit_0
 {
-     x_14 : f32,
-     y_7 : f32,
+     x_16 : f32,
+     y_9 : f32,
      hole_5 : bool,
      height_6 : f32,
 };
@@ -2084,134 +2100,136 @@ struct Sample_0
      height_7 : f32,
      slope_across_0 : f32,
      slope_along_0 : f32,
+     dive_1 : vec3<f32>,
      slope_x_1 : f32,
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S377 : u32,  _S378 : f32,  _S379 : f32,  _S380 : bool) -> Crossing_0
+fn crossing_at_0( _S384 : u32,  _S385 : f32,  _S386 : f32,  _S387 : bool) -> Crossing_0
 {
     var crossing_3 : Crossing_0;
-    crossing_3.warp_2 = locate_0(fabrics_0[_S377].warp_0, _S378);
-    crossing_3.weft_2 = locate_0(fabrics_0[_S377].weft_0, _S379);
-    var _S381 : u32 = fabrics_0[_S377].run_words_0 + u32(2) * (crossing_3.weft_2.thread_2 * fabrics_0[_S377].ends_1 + crossing_3.warp_2.thread_2);
-    var _S382 : u32 = words_0[_S381];
-    crossing_3.warp_word_0 = _S382;
-    crossing_3.weft_word_0 = words_0[_S381 + u32(1)];
-    crossing_3.warp_above_0 = (((_S382 & (u32(1)))) == u32(1)) != _S380;
+    crossing_3.warp_2 = locate_0(fabrics_0[_S384].warp_0, _S385);
+    crossing_3.weft_2 = locate_0(fabrics_0[_S384].weft_0, _S386);
+    var _S388 : u32 = fabrics_0[_S384].run_words_0 + u32(2) * (crossing_3.weft_2.thread_2 * fabrics_0[_S384].ends_1 + crossing_3.warp_2.thread_2);
+    var _S389 : u32 = words_0[_S388];
+    crossing_3.warp_word_0 = _S389;
+    crossing_3.weft_word_0 = words_0[_S388 + u32(1)];
+    crossing_3.warp_above_0 = (((_S389 & (u32(1)))) == u32(1)) != _S387;
     return crossing_3;
 }
 
-fn sample_at_0( _S383 : u32,  _S384 : f32,  _S385 : f32,  _S386 : bool) -> Sample_0
+fn sample_at_0( _S390 : u32,  _S391 : f32,  _S392 : f32,  _S393 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S387 : Crossing_0 = crossing_at_0(_S383, _S384, _S385, _S386);
-    sample_1.crossing_2 = _S387;
-    var _S388 : Shown_0 = shown_at_0(_S387, _S386);
-    sample_1.shown_3 = _S388;
-    var _S389 : u32 = select(fabrics_0[_S383].weft_0, fabrics_0[_S383].warp_0, _S388.is_warp_2);
-    var _S390 : u32 = select(fabrics_0[_S383].warp_0, fabrics_0[_S383].weft_0, _S388.is_warp_2);
-    var _S391 : Cell_0 = select_cell_0(_S388.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
-    var _S392 : Cell_0 = select_cell_0(_S388.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
-    var _S393 : Run_0 = unpack_0(_S389, _S390, _S391.thread_2, _S392, _S388.word_0);
-    var _S394 : Section_0 = section_at_0(_S391);
-    var _S395 : bool = ((_S388.on_top_0) & (((_S393.distance_0) < (_S394.drop_0 * _S393.bend_1.sine_0))));
-    var _S396 : f32 = select(-1.0f, 1.0f, ((_S388.on_top_0) & ((!_S395))));
-    var _S397 : f32 = select(_S393.reach_0, _S393.other_reach_0, _S395);
-    var _S398 : f32 = select(max(_S397 - _S393.distance_0, 0.0f), _S397 + _S393.distance_0, _S395);
-    var _S399 : f32 = _S397 / _S393.bend_1.sine_0 - _S396 * _S394.drop_0;
-    var _S400 : f32 = _S398 * _S398;
-    var _S401 : f32 = max(_S399 * _S399 - _S400, 9.99999968265522539e-21f);
-    var _S402 : f32 = rsqrt_0(_S401);
-    var _S403 : f32 = _S400 / (_S401 * _S402 + _S399);
-    var _S404 : bool = _S398 > 0.0f;
-    var _S405 : f32 = select(-1.0f, 1.0f, _S388.on_top_0) * select(-1.0f, 1.0f, _S393.near_start_0);
-    var _S406 : f32 = _S394.slope_0 * select(1.0f, _S399 * _S402, _S404);
-    sample_1.slope_across_0 = _S406;
-    var _S407 : f32 = select(0.0f, _S405 * _S398 * _S402, _S404);
-    sample_1.slope_along_0 = _S407;
-    var _S408 : vec2<f32> = dive_0(_S390, _S388, _S393, _S392);
-    sample_1.height_7 = select(families_0[_S389].height_scale_0 * _S396, 0.0f, _S393.straight_0) * (_S397 * _S393.bend_1.half_tangent_0 - _S403) - families_0[_S389].height_scale_0 * _S394.drop_0 - _S408.x;
-    var _S409 : f32 = families_0[_S389].height_scale_0 * _S406;
-    var _S410 : f32 = families_0[_S389].height_scale_0 * _S407 - _S408.y;
-    sample_1.slope_x_1 = select(_S410, _S409, _S388.is_warp_2);
-    sample_1.slope_y_1 = select(_S409, _S410, _S388.is_warp_2);
-    sample_1.run_3 = _S393;
-    sample_1.section_1 = _S394;
+    var _S394 : Crossing_0 = crossing_at_0(_S390, _S391, _S392, _S393);
+    sample_1.crossing_2 = _S394;
+    var _S395 : Shown_0 = shown_at_0(_S394, _S393);
+    sample_1.shown_3 = _S395;
+    var _S396 : u32 = select(fabrics_0[_S390].weft_0, fabrics_0[_S390].warp_0, _S395.is_warp_2);
+    var _S397 : u32 = select(fabrics_0[_S390].warp_0, fabrics_0[_S390].weft_0, _S395.is_warp_2);
+    var _S398 : Cell_0 = select_cell_0(_S395.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
+    var _S399 : Cell_0 = select_cell_0(_S395.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
+    var _S400 : Run_0 = unpack_0(_S396, _S397, _S398.thread_2, _S399, _S395.word_0);
+    var _S401 : Section_0 = section_at_0(_S398);
+    var _S402 : bool = ((_S395.on_top_0) & (((_S400.distance_0) < (_S401.drop_0 * _S400.bend_1.sine_0))));
+    var _S403 : f32 = select(-1.0f, 1.0f, ((_S395.on_top_0) & ((!_S402))));
+    var _S404 : f32 = select(_S400.reach_0, _S400.other_reach_0, _S402);
+    var _S405 : f32 = select(max(_S404 - _S400.distance_0, 0.0f), _S404 + _S400.distance_0, _S402);
+    var _S406 : f32 = _S404 / _S400.bend_1.sine_0 - _S403 * _S401.drop_0;
+    var _S407 : f32 = _S405 * _S405;
+    var _S408 : f32 = max(_S406 * _S406 - _S407, 9.99999968265522539e-21f);
+    var _S409 : f32 = rsqrt_0(_S408);
+    var _S410 : f32 = _S407 / (_S408 * _S409 + _S406);
+    var _S411 : bool = _S405 > 0.0f;
+    var _S412 : f32 = select(-1.0f, 1.0f, _S395.on_top_0) * select(-1.0f, 1.0f, _S400.near_start_0);
+    var _S413 : f32 = _S401.slope_0 * select(1.0f, _S406 * _S409, _S411);
+    sample_1.slope_across_0 = _S413;
+    var _S414 : f32 = select(0.0f, _S412 * _S405 * _S409, _S411);
+    sample_1.slope_along_0 = _S414;
+    var _S415 : vec3<f32> = dive_0(_S397, _S395, _S400, _S399);
+    sample_1.dive_1 = _S415;
+    sample_1.height_7 = select(families_0[_S396].height_scale_0 * _S403, 0.0f, _S400.straight_0) * (_S404 * _S400.bend_1.half_tangent_0 - _S410) - families_0[_S396].height_scale_0 * _S401.drop_0 - _S415.x;
+    var _S416 : f32 = families_0[_S396].height_scale_0 * _S413;
+    var _S417 : f32 = families_0[_S396].height_scale_0 * _S414 - _S415.y;
+    sample_1.slope_x_1 = select(_S417, _S416, _S395.is_warp_2);
+    sample_1.slope_y_1 = select(_S416, _S417, _S395.is_warp_2);
+    sample_1.run_3 = _S400;
+    sample_1.section_1 = _S401;
     return sample_1;
 }
 
-fn steps_per_length_0( _S411 : u32,  _S412 : SearchQuality_0,  _S413 : vec3<f32>) -> f32
+fn steps_per_length_0( _S418 : u32,  _S419 : SearchQuality_0,  _S420 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S413.x) * fabrics_0[_S411].threads_per_x_0, abs(_S413.y) * fabrics_0[_S411].threads_per_y_0) * _S412.steps_per_thread_0, abs(_S413.z) * fabrics_0[_S411].per_relief_0 * _S412.steps_per_relief_0);
+    return max(max(abs(_S420.x) * fabrics_0[_S418].threads_per_x_0, abs(_S420.y) * fabrics_0[_S418].threads_per_y_0) * _S419.steps_per_thread_0, abs(_S420.z) * fabrics_0[_S418].per_relief_0 * _S419.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S414 : u32,  _S415 : Crossing_0) -> f32
+fn cell_maximum_0( _S421 : u32,  _S422 : Crossing_0) -> f32
 {
-    var _S416 : u32 = select(fabrics_0[_S414].weft_0, fabrics_0[_S414].warp_0, _S415.warp_above_0);
-    return f32((select(_S415.weft_word_0, _S415.warp_word_0, _S415.warp_above_0) >> (u32(28)))) * families_0[_S416].height_scale_0 * families_0[_S416].level_0;
+    var _S423 : u32 = select(fabrics_0[_S421].weft_0, fabrics_0[_S421].warp_0, _S422.warp_above_0);
+    return f32((select(_S422.weft_word_0, _S422.warp_word_0, _S422.warp_above_0) >> (u32(28)))) * families_0[_S423].height_scale_0 * families_0[_S423].level_0;
 }
 
-fn probe_0( _S417 : u32,  _S418 : f32,  _S419 : f32,  _S420 : bool,  _S421 : bool,  _S422 : bool) -> Probe_0
+fn probe_0( _S424 : u32,  _S425 : f32,  _S426 : f32,  _S427 : bool,  _S428 : bool,  _S429 : bool) -> Probe_0
 {
-    var _S423 : Sample_0 = sample_at_0(_S417, _S418, _S419, _S420);
+    var _S430 : Sample_0 = sample_at_0(_S424, _S425, _S426, _S427);
     var probe_1 : Probe_0;
-    probe_1.height_4 = _S423.height_7;
-    probe_1.hole_4 = _S423.shown_3.hole_3;
-    probe_1.slope_x_0 = _S423.slope_x_1;
-    probe_1.slope_y_0 = _S423.slope_y_1;
-    probe_1.yarn_1 = select(_S423.crossing_2.weft_2.thread_2 * u32(2), _S423.crossing_2.warp_2.thread_2 * u32(2) + u32(1), _S423.shown_3.is_warp_2);
-    probe_1.cell_max_0 = cell_maximum_0(_S417, _S423.crossing_2);
-    probe_1.side_x_0 = select(_S423.crossing_2.warp_2.below_0, _S423.crossing_2.warp_2.above_0, _S421);
-    probe_1.side_y_0 = select(_S423.crossing_2.weft_2.below_0, _S423.crossing_2.weft_2.above_0, _S422);
-    probe_1.edge_x_0 = outline_distance_0(_S423.crossing_2.warp_2, _S423.shown_3, _S423.run_3, !_S423.shown_3.is_warp_2, _S421);
-    probe_1.edge_y_0 = outline_distance_0(_S423.crossing_2.weft_2, _S423.shown_3, _S423.run_3, _S423.shown_3.is_warp_2, _S422);
+    probe_1.height_4 = _S430.height_7;
+    probe_1.hole_4 = _S430.shown_3.hole_3;
+    probe_1.slope_x_0 = _S430.slope_x_1;
+    probe_1.slope_y_0 = _S430.slope_y_1;
+    probe_1.yarn_1 = select(_S430.crossing_2.weft_2.thread_2 * u32(2), _S430.crossing_2.warp_2.thread_2 * u32(2) + u32(1), _S430.shown_3.is_warp_2);
+    probe_1.cell_max_0 = cell_maximum_0(_S424, _S430.crossing_2);
+    probe_1.side_x_0 = select(_S430.crossing_2.warp_2.below_0, _S430.crossing_2.warp_2.above_0, _S428);
+    probe_1.side_y_0 = select(_S430.crossing_2.weft_2.below_0, _S430.crossing_2.weft_2.above_0, _S429);
+    probe_1.edge_x_0 = outline_distance_0(_S430.crossing_2.warp_2, _S430.shown_3, _S430.run_3, !_S430.shown_3.is_warp_2, _S428);
+    probe_1.edge_y_0 = outline_distance_0(_S430.crossing_2.weft_2, _S430.shown_3, _S430.run_3, _S430.shown_3.is_warp_2, _S429);
     return probe_1;
 }
 
-fn is_free_0( _S424 : u32,  _S425 : SearchQuality_0,  _S426 : vec3<f32>,  _S427 : vec3<f32>,  _S428 : bool,  _S429 : f32) -> bool
+fn is_free_0( _S431 : u32,  _S432 : SearchQuality_0,  _S433 : vec3<f32>,  _S434 : vec3<f32>,  _S435 : bool,  _S436 : f32) -> bool
 {
-    var _S430 : f32 = _S427.z;
-    if(_S430 <= 0.0f)
+    var _S437 : f32 = _S434.z;
+    if(_S437 <= 0.0f)
     {
         return false;
     }
-    var _S431 : f32 = 1.0f / max(_S425.shadow_share_0 * steps_per_length_0(_S424, _S425, _S427), 9.99999971718068537e-10f);
-    var _S432 : StepControl_0 = step_control_0(_S427.xy, _S431);
+    var _S438 : f32 = 1.0f / max(_S432.shadow_share_0 * steps_per_length_0(_S431, _S432, _S434), 9.99999971718068537e-10f);
+    var _S439 : StepControl_0 = step_control_0(_S434.xy, _S438);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S426.z + _S430 * distance_2) < _S429))))
+        if(((count_4 < u32(1024)) & (((_S433.z + _S437 * distance_2) < _S436))))
         {
         }
         else
         {
             break;
         }
-        var _S433 : vec3<f32> = _S426 + _S427 * vec3<f32>(distance_2);
-        var _S434 : Probe_0 = probe_0(_S424, _S433.x, _S433.y, _S428, _S432.right_0, _S432.up_0);
-        var _S435 : f32 = _S433.z;
-        var _S436 : f32 = _S435 - _S434.height_4;
-        var _S437 : f32 = _S430 - _S434.slope_x_0 * _S427.x - _S434.slope_y_0 * _S427.y;
-        if(((!_S434.hole_4) & ((_S436 < 0.0f))))
+        var _S440 : vec3<f32> = _S433 + _S434 * vec3<f32>(distance_2);
+        var _S441 : Probe_0 = probe_0(_S431, _S440.x, _S440.y, _S435, _S439.right_0, _S439.up_0);
+        var _S442 : f32 = _S440.z;
+        var _S443 : f32 = _S442 - _S441.height_4;
+        var _S444 : f32 = _S437 - _S441.slope_x_0 * _S434.x - _S441.slope_y_0 * _S434.y;
+        if(((!_S441.hole_4) & ((_S443 < 0.0f))))
         {
             return false;
         }
-        var _S438 : f32 = way_back_to_dip_0(previous_3, _S436, _S437, last_step_0, _S434);
-        if(_S438 >= 0.0f)
+        var _S445 : f32 = way_back_to_dip_0(previous_3, _S443, _S444, last_step_0, _S441);
+        if(_S445 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S438;
-            distance_2 = distance_2 - _S438;
+            var last_step_1 : f32 = last_step_0 - _S445;
+            distance_2 = distance_2 - _S445;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S439 : bool = _S435 > (_S434.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S432, _S434, _S436, _S437), max(StepControl_to_cell_exit_0(_S432, _S434.side_x_0, _S434.side_y_0), _S431), _S439);
+        var _S446 : bool = _S442 > (_S441.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S439, _S441, _S443, _S444), max(StepControl_to_cell_exit_0(_S439, _S441.side_x_0, _S441.side_y_0), _S438), _S446);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S436, _S437, _S434, _S439);
+        previous_3 = after_sample_0(_S443, _S444, _S441, _S446);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2219,13 +2237,13 @@ fn is_free_0( _S424 : u32,  _S425 : SearchQuality_0,  _S426 : vec3<f32>,  _S427 
     return true;
 }
 
-fn passes_through_0( _S440 : u32,  _S441 : SearchQuality_0,  _S442 : f32,  _S443 : f32,  _S444 : vec3<f32>,  _S445 : bool) -> bool
+fn passes_through_0( _S447 : u32,  _S448 : SearchQuality_0,  _S449 : f32,  _S450 : f32,  _S451 : vec3<f32>,  _S452 : bool) -> bool
 {
-    if(!sample_at_0(_S440, _S442, _S443, _S445).shown_3.hole_3)
+    if(!sample_at_0(_S447, _S449, _S450, _S452).shown_3.hole_3)
     {
         return false;
     }
-    var _S446 : vec3<f32> = vec3<f32>(_S442, _S443, 0.0f);
+    var _S453 : vec3<f32> = vec3<f32>(_S449, _S450, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
@@ -2237,10 +2255,10 @@ fn passes_through_0( _S440 : u32,  _S441 : SearchQuality_0,  _S442 : f32,  _S443
         {
             break;
         }
-        var _S447 : bool = is_free_0(_S440, _S441, _S446, select_vector_1(side_1 == u32(0), _S444, vec3<f32>(- _S444.x, - _S444.y, _S444.z)), _S445 != (side_1 == u32(1)), fabrics_0[_S440].height_high_0);
-        var _S448 : u32 = side_1 + u32(1);
-        passes_0 = _S447;
-        side_1 = _S448;
+        var _S454 : bool = is_free_0(_S447, _S448, _S453, select_vector_1(side_1 == u32(0), _S451, vec3<f32>(- _S451.x, - _S451.y, _S451.z)), _S452 != (side_1 == u32(1)), fabrics_0[_S447].height_high_0);
+        var _S455 : u32 = side_1 + u32(1);
+        passes_0 = _S454;
+        side_1 = _S455;
     }
     return passes_0;
 }
@@ -2255,14 +2273,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S449 : u32,  _S450 : f32,  _S451 : f32,  _S452 : f32,  _S453 : vec3<f32>,  _S454 : bool) -> f32
+fn max_height_along_0( _S456 : u32,  _S457 : f32,  _S458 : f32,  _S459 : f32,  _S460 : vec3<f32>,  _S461 : bool) -> f32
 {
-    var _S455 : f32 = _S453.x;
-    var _S456 : f32 = _S453.y;
-    var _S457 : u32 = (words_0[fabrics_0[_S449].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S449].weft_0, _S451).thread_2 / u32(2) * fabrics_0[_S449].max_height_columns_0 + locate_0(fabrics_0[_S449].warp_0, _S450).thread_2 / u32(2)) + (select(u32(0), u32(1), _S455 > 0.0f) + select(u32(0), u32(2), _S456 > 0.0f))] >> (u32(select(i32(0), i32(4), _S454))));
-    var _S458 : f32 = max(abs(_S455) * fabrics_0[_S449].threads_per_x_0, abs(_S456) * fabrics_0[_S449].threads_per_y_0) / _S453.z;
-    var _S459 : f32 = fabrics_0[_S449].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S449].height_high_0;
+    var _S462 : f32 = _S460.x;
+    var _S463 : f32 = _S460.y;
+    var _S464 : u32 = (words_0[fabrics_0[_S456].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S456].weft_0, _S458).thread_2 / u32(2) * fabrics_0[_S456].max_height_columns_0 + locate_0(fabrics_0[_S456].warp_0, _S457).thread_2 / u32(2)) + (select(u32(0), u32(1), _S462 > 0.0f) + select(u32(0), u32(2), _S463 > 0.0f))] >> (u32(select(i32(0), i32(4), _S461))));
+    var _S465 : f32 = max(abs(_S462) * fabrics_0[_S456].threads_per_x_0, abs(_S463) * fabrics_0[_S456].threads_per_y_0) / _S460.z;
+    var _S466 : f32 = fabrics_0[_S456].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S456].height_high_0;
     var number_1 : i32 = i32(3);
     for(;;)
     {
@@ -2273,26 +2291,26 @@ fn max_height_along_0( _S449 : u32,  _S450 : f32,  _S451 : f32,  _S452 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S452) * _S458) <= (PYRAMID_RADII_0[number_1]))
+        if(((max_height_0 - _S459) * _S465) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = min(max_height_0, f32((((_S457 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S459);
+            max_height_0 = min(max_height_0, f32((((_S464 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S466);
         }
         number_1 = number_1 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S460 : u32,  _S461 : f32,  _S462 : f32,  _S463 : bool,  _S464 : bool,  _S465 : bool) -> vec3<f32>
+fn cell_bounds_0( _S467 : u32,  _S468 : f32,  _S469 : f32,  _S470 : bool,  _S471 : bool,  _S472 : bool) -> vec3<f32>
 {
-    var _S466 : Crossing_0 = crossing_at_0(_S460, _S461, _S462, _S463);
-    return vec3<f32>(cell_maximum_0(_S460, _S466), select(_S466.warp_2.below_0, _S466.warp_2.above_0, _S464), select(_S466.weft_2.below_0, _S466.weft_2.above_0, _S465));
+    var _S473 : Crossing_0 = crossing_at_0(_S467, _S468, _S469, _S470);
+    return vec3<f32>(cell_maximum_0(_S467, _S473), select(_S473.warp_2.below_0, _S473.warp_2.above_0, _S471), select(_S473.weft_2.below_0, _S473.weft_2.above_0, _S472));
 }
 
-fn first_sample_height_0( _S467 : u32,  _S468 : ViewRay_0,  _S469 : StepControl_0,  _S470 : bool) -> f32
+fn first_sample_height_0( _S474 : u32,  _S475 : ViewRay_0,  _S476 : StepControl_0,  _S477 : bool) -> f32
 {
-    var _S471 : f32 = max_height_along_0(_S467, _S468.origin_0.x, _S468.origin_0.y, 0.0f, vec3<f32>(_S468.slope_1, 1.0f), _S470);
+    var _S478 : f32 = max_height_along_0(_S474, _S475.origin_0.x, _S475.origin_0.y, 0.0f, vec3<f32>(_S475.slope_1, 1.0f), _S477);
     var count_5 : u32 = u32(0);
-    var height_9 : f32 = _S471;
+    var height_9 : f32 = _S478;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -2302,12 +2320,12 @@ fn first_sample_height_0( _S467 : u32,  _S468 : ViewRay_0,  _S469 : StepControl_
         {
             break;
         }
-        var _S472 : vec2<f32> = ViewRay_at_0(_S468, height_9);
-        var _S473 : vec3<f32> = cell_bounds_0(_S467, _S472.x, _S472.y, _S470, _S469.right_0, _S469.up_0);
-        var _S474 : f32 = height_9 - _S473.x;
-        var _S475 : f32 = StepControl_to_cell_exit_0(_S469, _S473.y, _S473.z);
-        var height_10 : f32 = height_9 - clamp(_S474, 0.0f, _S475);
-        if(_S474 <= _S475)
+        var _S479 : vec2<f32> = ViewRay_at_0(_S475, height_9);
+        var _S480 : vec3<f32> = cell_bounds_0(_S474, _S479.x, _S479.y, _S477, _S476.right_0, _S476.up_0);
+        var _S481 : f32 = height_9 - _S480.x;
+        var _S482 : f32 = StepControl_to_cell_exit_0(_S476, _S480.y, _S480.z);
+        var height_10 : f32 = height_9 - clamp(_S481, 0.0f, _S482);
+        if(_S481 <= _S482)
         {
             height_9 = height_10;
             break;
@@ -2318,12 +2336,12 @@ fn first_sample_height_0( _S467 : u32,  _S468 : ViewRay_0,  _S469 : StepControl_
     return height_9;
 }
 
-fn search_down_0( _S476 : u32,  _S477 : ViewRay_0,  _S478 : StepControl_0,  _S479 : bool) -> ViewRayEnd_0
+fn search_down_0( _S483 : u32,  _S484 : ViewRay_0,  _S485 : StepControl_0,  _S486 : bool) -> ViewRayEnd_0
 {
-    var _S480 : f32 = fabrics_0[_S476].height_low_0 - (fabrics_0[_S476].height_high_0 - fabrics_0[_S476].height_low_0);
+    var _S487 : f32 = fabrics_0[_S483].height_low_0 - (fabrics_0[_S483].height_high_0 - fabrics_0[_S483].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_8 = first_sample_height_0(_S476, _S477, _S478, _S479);
-    end_1.last_step_3 = _S478.epsilon_0;
+    end_1.height_8 = first_sample_height_0(_S483, _S484, _S485, _S486);
+    end_1.last_step_3 = _S485.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2338,147 +2356,199 @@ fn search_down_0( _S476 : u32,  _S477 : ViewRay_0,  _S478 : StepControl_0,  _S47
         {
             break;
         }
-        var _S481 : vec2<f32> = ViewRay_at_0(_S477, end_1.height_8);
-        var _S482 : Probe_0 = probe_0(_S476, _S481.x, _S481.y, _S479, _S478.right_0, _S478.up_0);
-        var _S483 : f32 = end_1.height_8 - _S482.height_4;
-        var _S484 : f32 = ViewRay_rate_0(_S477, _S482);
-        end_1.depth_1 = - _S483;
-        end_1.rate_4 = _S484;
-        var _S485 : bool = !_S482.hole_4;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S485))) & (((end_1.previous_4.yarn_0) == (_S482.yarn_1))));
-        if((((_S485 & ((_S483 <= 0.0f)))) | (((end_1.height_8) <= _S480))))
+        var _S488 : vec2<f32> = ViewRay_at_0(_S484, end_1.height_8);
+        var _S489 : Probe_0 = probe_0(_S483, _S488.x, _S488.y, _S486, _S485.right_0, _S485.up_0);
+        var _S490 : f32 = end_1.height_8 - _S489.height_4;
+        var _S491 : f32 = ViewRay_rate_0(_S484, _S489);
+        end_1.depth_1 = - _S490;
+        end_1.rate_4 = _S491;
+        var _S492 : bool = !_S489.hole_4;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S492))) & (((end_1.previous_4.yarn_0) == (_S489.yarn_1))));
+        if((((_S492 & ((_S490 <= 0.0f)))) | (((end_1.height_8) <= _S487))))
         {
             break;
         }
-        var _S486 : f32 = way_back_to_dip_0(end_1.previous_4, _S483, _S484, end_1.last_step_3, _S482);
-        if(_S486 >= 0.0f)
+        var _S493 : f32 = way_back_to_dip_0(end_1.previous_4, _S490, _S491, end_1.last_step_3, _S489);
+        if(_S493 >= 0.0f)
         {
-            end_1.height_8 = end_1.height_8 + _S486;
-            end_1.last_step_3 = end_1.last_step_3 - _S486;
+            end_1.height_8 = end_1.height_8 + _S493;
+            end_1.last_step_3 = end_1.last_step_3 - _S493;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S487 : f32 = min(StepControl_to_cell_exit_0(_S478, _S482.side_x_0, _S482.side_y_0), end_1.height_8 - _S482.cell_max_0);
-        var _S488 : f32 = StepControl_to_next_sample_0(_S478, _S482, _S483, _S484);
-        end_1.previous_4 = after_sample_0(_S483, _S484, _S482, _S487 > _S488);
-        var _S489 : f32 = max(_S487, _S488);
-        end_1.last_step_3 = _S489;
-        end_1.height_8 = end_1.height_8 - _S489;
+        var _S494 : f32 = min(StepControl_to_cell_exit_0(_S485, _S489.side_x_0, _S489.side_y_0), end_1.height_8 - _S489.cell_max_0);
+        var _S495 : f32 = StepControl_to_next_sample_0(_S485, _S489, _S490, _S491);
+        end_1.previous_4 = after_sample_0(_S490, _S491, _S489, _S494 > _S495);
+        var _S496 : f32 = max(_S494, _S495);
+        end_1.last_step_3 = _S496;
+        end_1.height_8 = end_1.height_8 - _S496;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S490 : u32,  _S491 : ViewRay_0,  _S492 : StepControl_0,  _S493 : bool,  _S494 : ViewRayEnd_0,  _S495 : u32) -> f32
+fn refined_height_0( _S497 : u32,  _S498 : ViewRay_0,  _S499 : StepControl_0,  _S500 : bool,  _S501 : ViewRayEnd_0,  _S502 : u32) -> f32
 {
-    var _S496 : f32 = fabrics_0[_S490].height_high_0 - fabrics_0[_S490].height_low_0;
-    var above_2 : f32 = _S494.height_8 + _S494.last_step_3;
-    var above_gap_1 : f32 = clamp(_S494.previous_4.clearance_0, 0.0f, _S496);
-    var under_gap_1 : f32 = clamp(_S494.depth_1, 0.0f, _S496);
-    var middle_0 : f32 = select(between_0(above_2, _S494.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S494.previous_4.rate_0 * _S494.last_step_3, _S494.rate_4 * _S494.last_step_3) * _S494.last_step_3, _S494.smooth_0);
+    var _S503 : f32 = fabrics_0[_S497].height_high_0 - fabrics_0[_S497].height_low_0;
+    var above_2 : f32 = _S501.height_8 + _S501.last_step_3;
+    var above_gap_1 : f32 = clamp(_S501.previous_4.clearance_0, 0.0f, _S503);
+    var under_gap_1 : f32 = clamp(_S501.depth_1, 0.0f, _S503);
+    var middle_0 : f32 = select(between_0(above_2, _S501.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S501.previous_4.rate_0 * _S501.last_step_3, _S501.rate_4 * _S501.last_step_3) * _S501.last_step_3, _S501.smooth_0);
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S494.height_8;
+    var under_1 : f32 = _S501.height_8;
     var above_3 : f32 = above_2;
     var i_2 : u32 = u32(0);
     for(;;)
     {
-        if(i_2 < _S495)
+        if(i_2 < _S502)
         {
         }
         else
         {
             break;
         }
-        var _S497 : vec2<f32> = ViewRay_at_0(_S491, middle_0);
-        var _S498 : Probe_0 = probe_0(_S490, _S497.x, _S497.y, _S493, _S492.right_0, _S492.up_0);
-        var _S499 : f32 = clamp(middle_0 - select(_S498.height_4, -1.0e+09f, _S498.hole_4), - _S496, _S496);
-        if(_S499 <= 0.0f)
+        var _S504 : vec2<f32> = ViewRay_at_0(_S498, middle_0);
+        var _S505 : Probe_0 = probe_0(_S497, _S504.x, _S504.y, _S500, _S499.right_0, _S499.up_0);
+        var _S506 : f32 = clamp(middle_0 - select(_S505.height_4, -1.0e+09f, _S505.hole_4), - _S503, _S503);
+        if(_S506 <= 0.0f)
         {
-            var _S500 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
-            var _S501 : f32 = - _S499;
+            var _S507 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
+            var _S508 : f32 = - _S506;
             under_1 = middle_0;
-            above_gap_2 = _S500;
-            under_gap_2 = _S501;
+            above_gap_2 = _S507;
+            under_gap_2 = _S508;
             side_2 = 1.0f;
         }
         else
         {
-            var _S502 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
+            var _S509 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S499;
-            under_gap_2 = _S502;
+            above_gap_2 = _S506;
+            under_gap_2 = _S509;
             side_2 = -1.0f;
         }
-        var _S503 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S499 / min(ViewRay_rate_0(_S491, _S498), -9.99999997475242708e-07f), under_1, above_3), _S494.smooth_0);
-        var _S504 : u32 = i_2 + u32(1);
-        middle_0 = _S503;
-        i_2 = _S504;
+        var _S510 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S506 / min(ViewRay_rate_0(_S498, _S505), -9.99999997475242708e-07f), under_1, above_3), _S501.smooth_0);
+        var _S511 : u32 = i_2 + u32(1);
+        middle_0 = _S510;
+        i_2 = _S511;
     }
-    return select(under_1, middle_0, _S494.smooth_0);
+    return select(under_1, middle_0, _S501.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S505 : u32,  _S506 : SearchQuality_0,  _S507 : f32,  _S508 : f32,  _S509 : vec3<f32>,  _S510 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S512 : u32,  _S513 : SearchQuality_0,  _S514 : f32,  _S515 : f32,  _S516 : vec3<f32>,  _S517 : bool) -> Hit_0
 {
-    var _S511 : f32 = max(_S509.z, 0.00009999999747379f);
+    var _S518 : f32 = max(_S516.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S507, _S508);
-    var _S512 : vec2<f32> = _S509.xy / vec2<f32>(_S511);
-    ray_0.slope_1 = _S512;
-    var _S513 : StepControl_0 = step_control_0((vec2<f32>(0) - _S512), 1.0f / max(steps_per_length_0(_S505, _S506, _S509) / _S511, 9.99999971718068537e-10f));
-    var _S514 : ViewRayEnd_0 = search_down_0(_S505, ray_0, _S513, _S510);
+    ray_0.origin_0 = vec2<f32>(_S514, _S515);
+    var _S519 : vec2<f32> = _S516.xy / vec2<f32>(_S518);
+    ray_0.slope_1 = _S519;
+    var _S520 : StepControl_0 = step_control_0((vec2<f32>(0) - _S519), 1.0f / max(steps_per_length_0(_S512, _S513, _S516) / _S518, 9.99999971718068537e-10f));
+    var _S521 : ViewRayEnd_0 = search_down_0(_S512, ray_0, _S520, _S517);
     var hit_0 : Hit_0;
     hit_0.hole_5 = false;
-    var _S515 : f32 = refined_height_0(_S505, ray_0, _S513, _S510, _S514, _S506.refinements_0);
-    hit_0.height_6 = _S515;
-    var _S516 : vec2<f32> = ViewRay_at_0(ray_0, _S515);
-    hit_0.x_14 = _S516.x;
-    hit_0.y_7 = _S516.y;
+    var _S522 : f32 = refined_height_0(_S512, ray_0, _S520, _S517, _S521, _S513.refinements_0);
+    hit_0.height_6 = _S522;
+    var _S523 : vec2<f32> = ViewRay_at_0(ray_0, _S522);
+    hit_0.x_16 = _S523.x;
+    hit_0.y_9 = _S523.y;
     return hit_0;
 }
 
-fn first_hit_0( _S517 : u32,  _S518 : SearchQuality_0,  _S519 : f32,  _S520 : f32,  _S521 : vec3<f32>,  _S522 : bool) -> Hit_0
+fn first_hit_0( _S524 : u32,  _S525 : SearchQuality_0,  _S526 : f32,  _S527 : f32,  _S528 : vec3<f32>,  _S529 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S517, _S518, _S519, _S520, _S521, _S522))
+    if(!passes_through_0(_S524, _S525, _S526, _S527, _S528, _S529))
     {
-        return first_hit_of_yarn_0(_S517, _S518, _S519, _S520, _S521, _S522);
+        return first_hit_of_yarn_0(_S524, _S525, _S526, _S527, _S528, _S529);
     }
     var hit_1 : Hit_0;
-    hit_1.x_14 = _S519;
-    hit_1.y_7 = _S520;
+    hit_1.x_16 = _S526;
+    hit_1.y_9 = _S527;
     hit_1.height_6 = 0.0f;
     hit_1.hole_5 = true;
     return hit_1;
 }
 
-fn surface_at_0( _S523 : u32,  _S524 : f32,  _S525 : f32,  _S526 : bool) -> SurfacePoint_0
+fn surface_of_0( _S530 : u32,  _S531 : Sample_0,  _S532 : f32,  _S533 : f32,  _S534 : bool) -> SurfacePoint_0
 {
-    var _S527 : Sample_0 = sample_at_0(_S523, _S524, _S525, _S526);
-    var _S528 : u32 = select(fabrics_0[_S523].weft_0, fabrics_0[_S523].warp_0, _S527.shown_3.is_warp_2);
-    var _S529 : f32 = families_0[_S528].twist_sine_0 * select(1.0f, -1.0f, _S526);
-    var _S530 : f32 = select(-1.0f, 1.0f, _S527.shown_3.is_warp_2);
-    var _S531 : vec2<f32> = fibre_direction_0(_S527.slope_across_0, _S530 * _S527.slope_along_0, _S529, families_0[_S528].twist_cosine_0);
-    var _S532 : f32 = _S531.x;
-    var _S533 : f32 = _S531.y;
-    var _S534 : f32 = select(_S527.slope_y_1, _S527.slope_x_1, _S527.shown_3.is_warp_2) * _S532 + _S530 * select(_S527.slope_x_1, _S527.slope_y_1, _S527.shown_3.is_warp_2) * _S533;
-    var _S535 : f32 = select(_S527.crossing_2.weft_2.half_width_1, _S527.crossing_2.warp_2.half_width_1, _S527.shown_3.is_warp_2) * 1.0154266357421875f;
-    var _S536 : f32 = _S535 * arc_sine_0(clamp(_S527.section_1.across_3 / _S535, -1.0f, 1.0f));
-    var _S537 : f32 = select(- _S524, _S525, _S527.shown_3.is_warp_2);
+    var _S535 : u32 = select(fabrics_0[_S530].weft_0, fabrics_0[_S530].warp_0, _S531.shown_3.is_warp_2);
+    var _S536 : f32 = families_0[_S535].twist_sine_0 * select(1.0f, -1.0f, _S534);
+    var _S537 : f32 = select(-1.0f, 1.0f, _S531.shown_3.is_warp_2);
+    var _S538 : vec2<f32> = fibre_direction_0(_S531.slope_across_0, _S537 * _S531.slope_along_0, _S536, families_0[_S535].twist_cosine_0);
+    var _S539 : f32 = _S538.x;
+    var _S540 : f32 = _S538.y;
+    var _S541 : f32 = select(_S531.slope_y_1, _S531.slope_x_1, _S531.shown_3.is_warp_2) * _S539 + _S537 * select(_S531.slope_x_1, _S531.slope_y_1, _S531.shown_3.is_warp_2) * _S540;
+    var _S542 : f32 = select(_S531.crossing_2.weft_2.half_width_1, _S531.crossing_2.warp_2.half_width_1, _S531.shown_3.is_warp_2) * 1.0154266357421875f;
+    var _S543 : f32 = _S542 * arc_sine_0(clamp(_S531.section_1.across_3 / _S542, -1.0f, 1.0f));
+    var _S544 : f32 = select(- _S532, _S533, _S531.shown_3.is_warp_2);
     var point_4 : SurfacePoint_0;
-    point_4.hole_0 = _S527.shown_3.hole_3;
-    point_4.is_warp_0 = _S527.shown_3.is_warp_2;
-    point_4.warp_thread_0 = _S527.crossing_2.warp_2.thread_2;
-    point_4.weft_thread_0 = _S527.crossing_2.weft_2.thread_2;
-    point_4.height_2 = _S527.height_7;
-    point_4.normal_1 = normalize(vec3<f32>(- _S527.slope_x_1, - _S527.slope_y_1, 1.0f));
-    point_4.tangent_0 = normalize(select_vector_1(_S527.shown_3.is_warp_2, vec3<f32>(_S532, _S533, _S534), vec3<f32>(- _S533, _S532, _S534)));
-    point_4.across_0 = _S527.section_1.across_3;
-    point_4.fibre_across_0 = _S536 * families_0[_S528].twist_cosine_0 + _S537 * _S529;
-    point_4.fibre_along_0 = _S537 * families_0[_S528].twist_cosine_0 - _S536 * _S529;
-    var _S538 : f32 = run_share_0(_S527.shown_3.word_0);
-    point_4.shown_share_0 = select(1.0f - _S538, _S538, _S527.shown_3.on_top_0);
+    point_4.hole_0 = _S531.shown_3.hole_3;
+    point_4.is_warp_0 = _S531.shown_3.is_warp_2;
+    point_4.warp_thread_0 = _S531.crossing_2.warp_2.thread_2;
+    point_4.weft_thread_0 = _S531.crossing_2.weft_2.thread_2;
+    point_4.height_2 = _S531.height_7;
+    point_4.normal_1 = normalize(vec3<f32>(- _S531.slope_x_1, - _S531.slope_y_1, 1.0f));
+    point_4.tangent_0 = normalize(select_vector_1(_S531.shown_3.is_warp_2, vec3<f32>(_S539, _S540, _S541), vec3<f32>(- _S540, _S539, _S541)));
+    point_4.across_0 = _S531.section_1.across_3;
+    point_4.fibre_across_0 = _S543 * families_0[_S535].twist_cosine_0 + _S544 * _S536;
+    point_4.fibre_along_0 = _S544 * families_0[_S535].twist_cosine_0 - _S543 * _S536;
+    var _S545 : f32 = run_share_0(_S531.shown_3.word_0);
+    point_4.shown_share_0 = select(1.0f - _S545, _S545, _S531.shown_3.on_top_0);
+    point_4.x_8 = _S532;
+    point_4.y_2 = _S533;
     return point_4;
+}
+
+fn surface_met_0( _S546 : u32,  _S547 : f32,  _S548 : f32,  _S549 : f32,  _S550 : vec3<f32>,  _S551 : bool) -> SurfacePoint_0
+{
+    var _S552 : Sample_0 = sample_at_0(_S546, _S547, _S548, _S551);
+    var point_5 : SurfacePoint_0 = surface_of_0(_S546, _S552, _S547, _S548, _S551);
+    var _S553 : u32 = select(fabrics_0[_S546].weft_0, fabrics_0[_S546].warp_0, point_5.is_warp_0);
+    var _S554 : f32 = select(_S552.crossing_2.weft_2.half_width_1, _S552.crossing_2.warp_2.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
+    var _S555 : f32 = _S552.dive_1.z;
+    var _S556 : f32 = _S552.slope_along_0 - (1.0f - _S555) * _S552.dive_1.y / families_0[_S553].height_scale_0;
+    var _S557 : f32 = rsqrt_0(_S556 * _S556 + 1.0f);
+    var _S558 : f32 = _S550.x;
+    var _S559 : f32 = _S550.y;
+    var _S560 : f32 = select(_S559, _S558, point_5.is_warp_0);
+    var _S561 : f32 = _S550.z;
+    var _S562 : f32 = (_S561 / families_0[_S553].height_scale_0 - _S556 * select(_S558, _S559, point_5.is_warp_0)) * _S557;
+    var _S563 : f32 = square_1(_S554);
+    var _S564 : f32 = sqrt(max(_S563 - square_1(point_5.across_0), 0.0f)) - (_S552.height_7 + _S555 * _S552.dive_1.x - _S549) / families_0[_S553].height_scale_0 * _S557;
+    var _S565 : f32 = square_1(_S560) + square_1(_S562) + 9.999999960041972e-13f;
+    var _S566 : f32 = point_5.across_0 * _S560 + _S564 * _S562;
+    var _S567 : f32 = square_1(point_5.across_0) + square_1(_S564) - _S563;
+    var _S568 : f32 = sqrt(max(square_1(_S566) - _S565 * _S567, 0.0f));
+    var _S569 : f32 = clamp(select((_S568 - _S566) / _S565, - _S567 / max(_S566 + _S568, 9.999999960041972e-13f), _S566 > 0.0f), - _S554, _S554);
+    var _S570 : f32 = point_5.across_0 + _S569 * _S560;
+    point_5.across_0 = _S570;
+    var _S571 : vec2<f32> = normalize(vec2<f32>(_S570, _S564 + _S569 * _S562));
+    var _S572 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
+    var _S573 : f32 = families_0[_S553].twist_sine_0 * select(1.0f, -1.0f, _S551);
+    var _S574 : f32 = _S571.x;
+    var _S575 : f32 = _S573 * _S574 * _S557;
+    var _S576 : f32 = _S571.y;
+    var _S577 : f32 = - _S573 * _S576;
+    var _S578 : f32 = families_0[_S553].twist_cosine_0 * _S557 - _S572 * _S556 * _S575;
+    var _S579 : f32 = families_0[_S553].height_scale_0 * (families_0[_S553].twist_cosine_0 * _S572 * _S556 * _S557 + _S575);
+    var _S580 : f32 = families_0[_S553].height_scale_0 * _S574;
+    var _S581 : f32 = - families_0[_S553].height_scale_0 * _S556 * _S557 * _S576;
+    point_5.normal_1 = normalize(vec3<f32>(select(_S581, _S580, point_5.is_warp_0), select(_S580, _S581, point_5.is_warp_0), _S557 * _S576));
+    point_5.tangent_0 = normalize(vec3<f32>(select(- _S578, _S577, point_5.is_warp_0), select(_S577, _S578, point_5.is_warp_0), _S579));
+    var _S582 : f32 = _S554 * angle_of_0(_S571);
+    var _S583 : f32 = select(- _S547 - _S569 * _S558, _S548 + _S569 * _S559, point_5.is_warp_0);
+    point_5.fibre_across_0 = _S582 * families_0[_S553].twist_cosine_0 + _S583 * _S573;
+    point_5.fibre_along_0 = _S583 * families_0[_S553].twist_cosine_0 - _S582 * _S573;
+    var _S584 : f32 = 0.00999999977648258f * _S554;
+    var _S585 : f32 = - _S584;
+    var _S586 : bool = _S569 < _S585;
+    var _S587 : f32 = select(_S584, _S585, _S560 < 0.0f);
+    var _S588 : f32 = max(_S569, 0.0f);
+    point_5.x_8 = point_5.x_8 + select(_S588 * _S558, select(0.0f, _S587, point_5.is_warp_0), _S586);
+    point_5.y_2 = point_5.y_2 + select(_S588 * _S559, select(_S587, 0.0f, point_5.is_warp_0), _S586);
+    point_5.height_2 = select(_S549 + _S569 * _S561, _S549, _S586);
+    return point_5;
 }
 
 struct YarnPoint_0
@@ -2486,8 +2556,8 @@ struct YarnPoint_0
      back_7 : bool,
      hole_6 : bool,
      is_warp_3 : bool,
-     x_15 : f32,
-     y_8 : f32,
+     x_17 : f32,
+     y_10 : f32,
      height_11 : f32,
      normal_10 : vec3<f32>,
      tangent_10 : vec3<f32>,
@@ -2497,73 +2567,73 @@ struct YarnPoint_0
      albedos_6 : Albedos_0,
 };
 
-fn has_hairs_0( _S539 : u32) -> bool
+fn has_hairs_0( _S589 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S539].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S539].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S589].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S589].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_at_0( _S540 : u32,  _S541 : vec2<f32>,  _S542 : bool,  _S543 : f32) -> Hair_0
+fn hair_at_0( _S590 : u32,  _S591 : vec2<f32>,  _S592 : bool,  _S593 : f32) -> Hair_0
 {
-    var _S544 : f32 = fabrics_0[_S540].fibre_size_0;
-    var _S545 : f32 = 17.0f * fabrics_0[_S540].fibre_size_0;
-    var _S546 : f32 = fade_0(_S543, _S545);
-    var _S547 : vec2<f32> = _S541 / vec2<f32>(_S545);
-    var _S548 : u32 = hash_key_0(select(u32(0), u32(1), _S542), ((fabrics_0[_S540].seed_0) ^ (u32(1013904242))));
-    var _S549 : f32 = 1.0f / max(_S543, 0.07999999821186066f * fabrics_0[_S540].fibre_size_0);
-    var _S550 : f32 = min(0.63999998569488525f * fabrics_0[_S540].fibre_size_0 * _S549, 1.0f);
-    const _S551 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S594 : f32 = fabrics_0[_S590].fibre_size_0;
+    var _S595 : f32 = 17.0f * fabrics_0[_S590].fibre_size_0;
+    var _S596 : f32 = fade_0(_S593, _S595);
+    var _S597 : vec2<f32> = _S591 / vec2<f32>(_S595);
+    var _S598 : u32 = hash_key_0(select(u32(0), u32(1), _S592), ((fabrics_0[_S590].seed_0) ^ (u32(1013904242))));
+    var _S599 : f32 = 1.0f / max(_S593, 0.07999999821186066f * fabrics_0[_S590].fibre_size_0);
+    var _S600 : f32 = min(0.63999998569488525f * fabrics_0[_S590].fibre_size_0 * _S599, 1.0f);
+    const _S601 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_2 : f32 = 0.0f;
     var hair_away_0 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S551;
+    var hair_across_0 : vec2<f32> = _S601;
     var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(((_S546 > 0.0f) & ((number_2 < u32(18)))))
+        if(((_S596 > 0.0f) & ((number_2 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S552 : u32 = number_2 / u32(9);
-        var _S553 : u32 = number_2 / u32(3) - u32(3) * _S552;
-        var _S554 : vec2<f32> = floor(_S547) + vec2<f32>(f32(number_2 - u32(3) * _S553 - u32(9) * _S552), f32(_S553)) - vec2<f32>(1.0f);
-        var _S555 : u32 = hash_bits_0(_S548 + _S552, u32(i32(_S554.x)) * u32(65536) + u32(i32(_S554.y)));
-        var _S556 : u32 = hash_bits_0(_S548, _S555);
-        var _S557 : vec2<f32> = _S547 - _S554 - vec2<f32>(share_of_0(_S555), share_of_0((_S555 >> (u32(10)))));
-        var _S558 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S555 >> (u32(20)))));
-        var _S559 : f32 = mix(5.0f, 16.0f, share_of_0((_S556 >> (u32(10))))) / 17.0f;
-        var _S560 : f32 = _S557.x;
-        var _S561 : f32 = _S558.y;
-        var _S562 : f32 = _S557.y;
-        var _S563 : f32 = _S558.x;
-        var _S564 : f32 = (_S560 * _S561 + _S562 * _S563) / _S559;
-        var _S565 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S556 >> (u32(20)))) - 1.0f);
-        var _S566 : f32 = 2.0f * _S565 * _S564;
-        var _S567 : f32 = rsqrt_0(_S566 * _S566 + 1.0f);
-        var _S568 : f32 = (_S562 * _S561 - _S560 * _S563 - _S565 * _S559 * _S564 * _S564) * _S567 * 17.0f;
-        var _S569 : f32 = clamp((0.31999999284744263f - abs(_S568)) * _S544 * _S549 + 0.5f, 0.0f, _S550);
-        if((((((share_of_0(_S556)) < (families_0[select(fabrics_0[_S540].weft_0, fabrics_0[_S540].warp_0, ((((_S556 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S564)) < 1.0f)))) & ((_S569 > cover_2))))
+        var _S602 : u32 = number_2 / u32(9);
+        var _S603 : u32 = number_2 / u32(3) - u32(3) * _S602;
+        var _S604 : vec2<f32> = floor(_S597) + vec2<f32>(f32(number_2 - u32(3) * _S603 - u32(9) * _S602), f32(_S603)) - vec2<f32>(1.0f);
+        var _S605 : u32 = hash_bits_0(_S598 + _S602, u32(i32(_S604.x)) * u32(65536) + u32(i32(_S604.y)));
+        var _S606 : u32 = hash_bits_0(_S598, _S605);
+        var _S607 : vec2<f32> = _S597 - _S604 - vec2<f32>(share_of_0(_S605), share_of_0((_S605 >> (u32(10)))));
+        var _S608 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S605 >> (u32(20)))));
+        var _S609 : f32 = mix(5.0f, 16.0f, share_of_0((_S606 >> (u32(10))))) / 17.0f;
+        var _S610 : f32 = _S607.x;
+        var _S611 : f32 = _S608.y;
+        var _S612 : f32 = _S607.y;
+        var _S613 : f32 = _S608.x;
+        var _S614 : f32 = (_S610 * _S611 + _S612 * _S613) / _S609;
+        var _S615 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S606 >> (u32(20)))) - 1.0f);
+        var _S616 : f32 = 2.0f * _S615 * _S614;
+        var _S617 : f32 = rsqrt_0(_S616 * _S616 + 1.0f);
+        var _S618 : f32 = (_S612 * _S611 - _S610 * _S613 - _S615 * _S609 * _S614 * _S614) * _S617 * 17.0f;
+        var _S619 : f32 = clamp((0.31999999284744263f - abs(_S618)) * _S594 * _S599 + 0.5f, 0.0f, _S600);
+        if((((((share_of_0(_S606)) < (families_0[select(fabrics_0[_S590].weft_0, fabrics_0[_S590].warp_0, ((((_S606 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S614)) < 1.0f)))) & ((_S619 > cover_2))))
         {
-            var _S570 : vec2<f32> = vec2<f32>(- _S563 - _S566 * _S561, _S561 - _S566 * _S563) * vec2<f32>(_S567);
-            cover_2 = _S569;
-            hair_away_0 = _S568;
-            hair_across_0 = _S570;
+            var _S620 : vec2<f32> = vec2<f32>(- _S613 - _S616 * _S611, _S611 - _S616 * _S613) * vec2<f32>(_S617);
+            cover_2 = _S619;
+            hair_away_0 = _S618;
+            hair_across_0 = _S620;
         }
         number_2 = number_2 + u32(1);
     }
-    var _S571 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S621 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_0 = _S546 * cover_2;
-    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S571) * hair_across_0, sqrt(1.0f - _S571 * _S571));
+    hair_1.cover_0 = _S596 * cover_2;
+    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S621) * hair_across_0, sqrt(1.0f - _S621 * _S621));
     hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     return hair_1;
 }
 
-fn thread_number_0( _S572 : u32,  _S573 : SurfacePoint_0,  _S574 : f32,  _S575 : f32) -> u32
+fn thread_number_0( _S622 : u32,  _S623 : SurfacePoint_0,  _S624 : f32,  _S625 : f32) -> u32
 {
-    var _S576 : u32 = select(fabrics_0[_S572].weft_0, fabrics_0[_S572].warp_0, _S573.is_warp_0);
-    return u32(i32(floor((select(_S575, _S574, _S573.is_warp_0) - _S573.across_0) / families_0[_S576].period_0)) * i32(families_0[_S576].count_0) + i32(select(_S573.weft_thread_0, _S573.warp_thread_0, _S573.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S573.is_warp_0);
+    var _S626 : u32 = select(fabrics_0[_S622].weft_0, fabrics_0[_S622].warp_0, _S623.is_warp_0);
+    return u32(i32(floor((select(_S625, _S624, _S623.is_warp_0) - _S623.across_0) / families_0[_S626].period_0)) * i32(families_0[_S626].count_0) + i32(select(_S623.weft_thread_0, _S623.warp_thread_0, _S623.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S623.is_warp_0);
 }
 
 struct FibreNoise_0
@@ -2576,271 +2646,276 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S577 : u32,  _S578 : u32,  _S579 : SurfacePoint_0,  _S580 : u32,  _S581 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S627 : u32,  _S628 : u32,  _S629 : SurfacePoint_0,  _S630 : u32,  _S631 : f32) -> FibreNoise_0
 {
-    var _S582 : f32 = 5.0f * fabrics_0[_S577].fibre_size_0;
-    var _S583 : vec2<f32> = wave_noise_0(hash_key_0(_S580, ((fabrics_0[_S577].seed_0) ^ (u32(458671337)))), _S579.fibre_along_0 / (25.0f * fabrics_0[_S577].fibre_size_0));
-    var _S584 : f32 = _S579.fibre_across_0 + families_0[_S578].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S577].fibre_size_0 * _S583.x;
-    var _S585 : vec3<f32> = fibre_cell_0(_S584, _S579.fibre_along_0, fabrics_0[_S577].fibre_size_0);
+    var _S632 : f32 = 5.0f * fabrics_0[_S627].fibre_size_0;
+    var _S633 : vec2<f32> = wave_noise_0(hash_key_0(_S630, ((fabrics_0[_S627].seed_0) ^ (u32(458671337)))), _S629.fibre_along_0 / (25.0f * fabrics_0[_S627].fibre_size_0));
+    var _S634 : f32 = _S629.fibre_across_0 + families_0[_S628].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S627].fibre_size_0 * _S633.x;
+    var _S635 : vec3<f32> = fibre_cell_0(_S634, _S629.fibre_along_0, fabrics_0[_S627].fibre_size_0);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S580, ((fabrics_0[_S577].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S584, _S579.fibre_along_0, _S582));
-    noise_0.bundle_weight_0 = fade_0(_S581, _S582);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S580, ((fabrics_0[_S577].seed_0) ^ (u32(48610963)))), _S585);
-    noise_0.fibre_weight_0 = fade_0(_S581, fabrics_0[_S577].fibre_size_0);
-    noise_0.offset_1 = _S585.z;
-    noise_0.slope_2 = 0.5f * _S583.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S630, ((fabrics_0[_S627].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S634, _S629.fibre_along_0, _S632));
+    noise_0.bundle_weight_0 = fade_0(_S631, _S632);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S630, ((fabrics_0[_S627].seed_0) ^ (u32(48610963)))), _S635);
+    noise_0.fibre_weight_0 = fade_0(_S631, fabrics_0[_S627].fibre_size_0);
+    noise_0.offset_1 = _S635.z;
+    noise_0.slope_2 = 0.5f * _S633.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S586 : u32,  _S587 : u32,  _S588 : SurfacePoint_0,  _S589 : vec2<f32>,  _S590 : bool,  _S591 : u32,  _S592 : f32) -> vec2<f32>
+fn detail_gain_0( _S636 : u32,  _S637 : u32,  _S638 : SurfacePoint_0,  _S639 : vec2<f32>,  _S640 : bool,  _S641 : u32,  _S642 : f32) -> vec2<f32>
 {
-    var _S593 : vec2<f32> = vec2<f32>(0.0f);
+    var _S643 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S587].has_plies_0) > 0.0f)
+    if((families_0[_S637].has_plies_0) > 0.0f)
     {
-        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S592, 1.0f / families_0[_S587].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S587, _S588, _S590))), 0.20000000298023224f);
+        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S642, 1.0f / families_0[_S637].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S637, _S638, _S640))), 0.20000000298023224f);
     }
     else
     {
-        gain_2 = _S593;
+        gain_2 = _S643;
     }
-    if((families_0[_S587].fibre_tone_0) > 0.0f)
+    if((families_0[_S637].fibre_tone_0) > 0.0f)
     {
-        var _S594 : FibreNoise_0 = fibre_noise_at_0(_S586, _S587, _S588, _S591, _S592);
-        gain_2 = gain_2 + vec2<f32>(families_0[_S587].fibre_tone_0) * vec2<f32>(_S594.bundle_weight_0 * _S594.bundle_0.y + _S594.fibre_weight_0 * _S594.fibre_0.y, _S594.bundle_weight_0 + _S594.fibre_weight_0);
+        var _S644 : FibreNoise_0 = fibre_noise_at_0(_S636, _S637, _S638, _S641, _S642);
+        gain_2 = gain_2 + vec2<f32>(families_0[_S637].fibre_tone_0) * vec2<f32>(_S644.bundle_weight_0 * _S644.bundle_0.y + _S644.fibre_weight_0 * _S644.fibre_0.y, _S644.bundle_weight_0 + _S644.fibre_weight_0);
     }
-    if((families_0[_S587].slub_0) > 0.0f)
+    if((families_0[_S637].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S587].slub_0 * fade_0(_S592, 1.0f / families_0[_S587].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S591, ((fabrics_0[_S586].seed_0) ^ (u32(1373058189)))), select(- _S589.x, _S589.y, _S588.is_warp_0) * families_0[_S587].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S588.across_0 * families_0[_S587].per_half_width_0), 1.0f)), 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S637].slub_0 * fade_0(_S642, 1.0f / families_0[_S637].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S641, ((fabrics_0[_S636].seed_0) ^ (u32(1373058189)))), select(- _S639.x, _S639.y, _S638.is_warp_0) * families_0[_S637].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S638.across_0 * families_0[_S637].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_2;
 }
 
-fn vary_albedos_0( _S595 : u32,  _S596 : Albedos_0,  _S597 : u32,  _S598 : u32,  _S599 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S645 : u32,  _S646 : Albedos_0,  _S647 : u32,  _S648 : u32,  _S649 : vec2<f32>) -> Albedos_0
 {
-    var _S600 : vec3<f32> = max(_S596.specular_reflect_0, _S596.specular_transmit_0);
-    var _S601 : vec3<f32> = _S596.diffuse_reflect_0 + _S596.diffuse_transmit_0;
-    var _S602 : vec3<f32> = vec3<f32>(fabrics_0[_S595].layer_bound_0);
-    var _S603 : vec3<f32> = vec3<f32>(1.0f);
-    var _S604 : vec3<f32> = _S603 - _S602 * _S600;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S597, fabrics_0[_S595].colour_noise_0, fabrics_0[_S595].seed_0), _S601, _S604);
-    var _S605 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S599.y, vec3<f32>(colour_1) * _S601, _S604) * _S599.x)));
-    var _S606 : f32 = bounded_gain_0(fibre_gain_0(_S597, _S598, fabrics_0[_S595].fibre_noise_0, fabrics_0[_S595].seed_0), _S600, min((_S603 - _S605 * _S601) / _S602, vec3<f32>(1.0f)));
+    var _S650 : vec3<f32> = max(_S646.specular_reflect_0, _S646.specular_transmit_0);
+    var _S651 : vec3<f32> = _S646.diffuse_reflect_0 + _S646.diffuse_transmit_0;
+    var _S652 : vec3<f32> = vec3<f32>(fabrics_0[_S645].layer_bound_0);
+    var _S653 : vec3<f32> = vec3<f32>(1.0f);
+    var _S654 : vec3<f32> = _S653 - _S652 * _S650;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S647, fabrics_0[_S645].colour_noise_0, fabrics_0[_S645].seed_0), _S651, _S654);
+    var _S655 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S649.y, vec3<f32>(colour_1) * _S651, _S654) * _S649.x)));
+    var _S656 : f32 = bounded_gain_0(fibre_gain_0(_S647, _S648, fabrics_0[_S645].fibre_noise_0, fabrics_0[_S645].seed_0), _S650, min((_S653 - _S655 * _S651) / _S652, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S605 * _S596.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S605 * _S596.diffuse_transmit_0;
-    var _S607 : vec3<f32> = vec3<f32>(_S606);
-    varied_0.specular_reflect_0 = _S607 * _S596.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S607 * _S596.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S655 * _S646.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S655 * _S646.diffuse_transmit_0;
+    var _S657 : vec3<f32> = vec3<f32>(_S656);
+    varied_0.specular_reflect_0 = _S657 * _S646.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S657 * _S646.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S608 : u32,  _S609 : SurfacePoint_0,  _S610 : Albedos_0,  _S611 : f32,  _S612 : f32,  _S613 : bool,  _S614 : f32,  _S615 : f32) -> Albedos_0
+fn varied_at_0( _S658 : u32,  _S659 : SurfacePoint_0,  _S660 : Albedos_0,  _S661 : f32,  _S662 : f32,  _S663 : bool,  _S664 : f32,  _S665 : f32) -> Albedos_0
 {
-    var _S616 : u32 = thread_number_0(_S608, _S609, _S611, _S612);
-    var _S617 : vec3<f32> = fibre_cell_0(_S609.fibre_across_0, _S609.fibre_along_0, fabrics_0[_S608].fibre_size_0);
-    var _S618 : vec2<f32> = vec2<f32>(0.0f);
+    var _S666 : u32 = thread_number_0(_S658, _S659, _S661, _S662);
+    var _S667 : vec3<f32> = fibre_cell_0(_S659.fibre_across_0, _S659.fibre_along_0, fabrics_0[_S658].fibre_size_0);
+    var _S668 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S608].has_detail_0) != u32(0)) & ((_S614 >= 0.0f))))
+    if((((fabrics_0[_S658].has_detail_0) != u32(0)) & ((_S664 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S608, select(fabrics_0[_S608].weft_0, fabrics_0[_S608].warp_0, _S609.is_warp_0), _S609, vec2<f32>(_S611, _S612), _S613, _S616, _S614) * vec2<f32>(1.0f - _S615, 1.0f);
+        gain_3 = detail_gain_0(_S658, select(fabrics_0[_S658].weft_0, fabrics_0[_S658].warp_0, _S659.is_warp_0), _S659, vec2<f32>(_S661, _S662), _S663, _S666, _S664) * vec2<f32>(1.0f - _S665, 1.0f);
     }
     else
     {
-        gain_3 = _S618;
+        gain_3 = _S668;
     }
-    return vary_albedos_0(_S608, _S610, _S616, u32(i32(_S617.x)) * u32(65536) + u32(i32(floor(_S617.y))), gain_3);
+    return vary_albedos_0(_S658, _S660, _S666, u32(i32(_S667.x)) * u32(65536) + u32(i32(floor(_S667.y))), gain_3);
 }
 
-fn turned_frame_0( _S619 : u32,  _S620 : u32,  _S621 : SurfacePoint_0,  _S622 : bool,  _S623 : u32,  _S624 : f32) -> YarnFrame_0
+fn turned_frame_0( _S669 : u32,  _S670 : u32,  _S671 : SurfacePoint_0,  _S672 : bool,  _S673 : u32,  _S674 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_5 = _S621.normal_1;
-    frame_2.tangent_4 = _S621.tangent_0;
+    frame_2.normal_5 = _S671.normal_1;
+    frame_2.tangent_4 = _S671.tangent_0;
     frame_2.loss_0 = 0.0f;
-    if((families_0[_S620].has_plies_0) > 0.0f)
+    if((families_0[_S670].has_plies_0) > 0.0f)
     {
-        var _S625 : f32 = fade_0(_S624, 1.0f / families_0[_S620].plies_per_mm_0);
-        var _S626 : f32 = _S625 * 0.41999998688697815f * ply_offset_0(_S620, _S621, _S622);
-        var _S627 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S628 : vec3<f32> = vec3<f32>(families_0[_S620].ply_cosine_0);
-        var _S629 : vec3<f32> = vec3<f32>(select(families_0[_S620].ply_sine_0, - families_0[_S620].ply_sine_0, _S622));
-        var _S630 : vec3<f32> = _S628 * _S627 + _S629 * frame_2.tangent_4;
-        var _S631 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S626 * _S626));
-        var _S632 : vec3<f32> = vec3<f32>(_S626);
-        frame_2.tangent_4 = _S628 * (_S628 * frame_2.tangent_4 - _S629 * _S627) + _S629 * (_S631 * _S630 - _S632 * frame_2.normal_5);
-        frame_2.normal_5 = _S631 * frame_2.normal_5 + _S632 * _S630;
-        frame_2.loss_0 = _S625 * _S625 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
+        var _S675 : f32 = fade_0(_S674, 1.0f / families_0[_S670].plies_per_mm_0);
+        var _S676 : f32 = _S675 * 0.41999998688697815f * ply_offset_0(_S670, _S671, _S672);
+        var _S677 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S678 : vec3<f32> = vec3<f32>(families_0[_S670].ply_cosine_0);
+        var _S679 : vec3<f32> = vec3<f32>(select(families_0[_S670].ply_sine_0, - families_0[_S670].ply_sine_0, _S672));
+        var _S680 : vec3<f32> = _S678 * _S677 + _S679 * frame_2.tangent_4;
+        var _S681 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S676 * _S676));
+        var _S682 : vec3<f32> = vec3<f32>(_S676);
+        frame_2.tangent_4 = _S678 * (_S678 * frame_2.tangent_4 - _S679 * _S677) + _S679 * (_S681 * _S680 - _S682 * frame_2.normal_5);
+        frame_2.normal_5 = _S681 * frame_2.normal_5 + _S682 * _S680;
+        frame_2.loss_0 = _S675 * _S675 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
     }
-    var _S633 : f32 = families_0[_S620].fibre_tilt_0;
-    if((families_0[_S620].fibre_tilt_0) > 0.0f)
+    var _S683 : f32 = families_0[_S670].fibre_tilt_0;
+    if((families_0[_S670].fibre_tilt_0) > 0.0f)
     {
-        var _S634 : FibreNoise_0 = fibre_noise_at_0(_S619, _S620, _S621, _S623, _S624);
-        var _S635 : f32 = 1.09858846664428711f * _S633 * (_S634.bundle_weight_0 * _S634.bundle_0.x + _S634.fibre_weight_0 * (_S634.fibre_0.x + _S634.offset_1));
-        var _S636 : f32 = _S633 * (1.42099642753601074f * (_S634.bundle_weight_0 * _S634.bundle_0.y + _S634.fibre_weight_0 * _S634.fibre_0.y) - _S634.bundle_weight_0 * _S634.slope_2);
-        var _S637 : f32 = square_1(_S634.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S633 * _S633 * ((0.24761904776096344f * (square_1(_S634.bundle_weight_0) + _S637) + _S637 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S638 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S639 : vec2<f32> = sine_cosine_0(_S635);
-        var _S640 : vec2<f32> = sine_cosine_0(_S636);
-        var _S641 : vec3<f32> = vec3<f32>(_S639.y);
-        var _S642 : vec3<f32> = vec3<f32>(_S639.x);
-        var _S643 : vec3<f32> = _S641 * _S638 - _S642 * frame_2.normal_5;
-        frame_2.normal_5 = _S641 * frame_2.normal_5 + _S642 * _S638;
-        frame_2.tangent_4 = vec3<f32>(_S640.y) * frame_2.tangent_4 + vec3<f32>(_S640.x) * _S643;
+        var _S684 : FibreNoise_0 = fibre_noise_at_0(_S669, _S670, _S671, _S673, _S674);
+        var _S685 : f32 = 1.09858846664428711f * _S683 * (_S684.bundle_weight_0 * _S684.bundle_0.x + _S684.fibre_weight_0 * (_S684.fibre_0.x + _S684.offset_1));
+        var _S686 : f32 = _S683 * (1.42099642753601074f * (_S684.bundle_weight_0 * _S684.bundle_0.y + _S684.fibre_weight_0 * _S684.fibre_0.y) - _S684.bundle_weight_0 * _S684.slope_2);
+        var _S687 : f32 = square_1(_S684.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S683 * _S683 * ((0.24761904776096344f * (square_1(_S684.bundle_weight_0) + _S687) + _S687 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S688 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S689 : vec2<f32> = sine_cosine_0(_S685);
+        var _S690 : vec2<f32> = sine_cosine_0(_S686);
+        var _S691 : vec3<f32> = vec3<f32>(_S689.y);
+        var _S692 : vec3<f32> = vec3<f32>(_S689.x);
+        var _S693 : vec3<f32> = _S691 * _S688 - _S692 * frame_2.normal_5;
+        frame_2.normal_5 = _S691 * frame_2.normal_5 + _S692 * _S688;
+        frame_2.tangent_4 = vec3<f32>(_S690.y) * frame_2.tangent_4 + vec3<f32>(_S690.x) * _S693;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S644 : u32,  _S645 : SurfacePoint_0,  _S646 : f32,  _S647 : f32,  _S648 : bool,  _S649 : bool,  _S650 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S694 : u32,  _S695 : SurfacePoint_0,  _S696 : bool,  _S697 : bool,  _S698 : f32) -> YarnPoint_0
 {
-    var _S651 : u32 = select(fabrics_0[_S644].weft_0, fabrics_0[_S644].warp_0, _S645.is_warp_0);
-    var _S652 : bool = (((fabrics_0[_S644].has_detail_0) != u32(0)) & ((_S650 >= 0.0f)));
-    var _S653 : vec3<f32> = vec3<f32>(0.0f);
-    var _S654 : Hair_0 = Hair_x24init_0(0.0f, _S653, _S653);
-    var _S655 : bool;
-    if(_S652)
+    var _S699 : u32 = select(fabrics_0[_S694].weft_0, fabrics_0[_S694].warp_0, _S695.is_warp_0);
+    var _S700 : bool = (((fabrics_0[_S694].has_detail_0) != u32(0)) & ((_S698 >= 0.0f)));
+    var _S701 : vec3<f32> = vec3<f32>(0.0f);
+    var _S702 : Hair_0 = Hair_x24init_0(0.0f, _S701, _S701);
+    var _S703 : bool;
+    if(_S700)
     {
-        _S655 = has_hairs_0(_S644);
+        _S703 = has_hairs_0(_S694);
     }
     else
     {
-        _S655 = false;
+        _S703 = false;
     }
     var hair_2 : Hair_0;
-    if(_S655)
+    if(_S703)
     {
-        hair_2 = hair_at_0(_S644, vec2<f32>(_S646, _S647), _S648, _S650);
+        hair_2 = hair_at_0(_S694, vec2<f32>(_S695.x_8, _S695.y_2), _S696, _S698);
     }
     else
     {
-        hair_2 = _S654;
+        hair_2 = _S702;
     }
-    var albedos_7 : Albedos_0 = albedos_of_0(_S651, select(_S645.weft_thread_0, _S645.warp_thread_0, _S645.is_warp_0));
+    var albedos_7 : Albedos_0 = albedos_of_0(_S699, select(_S695.weft_thread_0, _S695.warp_thread_0, _S695.is_warp_0));
     var albedos_8 : Albedos_0;
-    if(varies_at_0(_S644, _S650))
+    if(varies_at_0(_S694, _S698))
     {
-        albedos_8 = varied_at_0(_S644, _S645, albedos_7, _S646, _S647, _S648, _S650, hair_2.cover_0);
+        albedos_8 = varied_at_0(_S694, _S695, albedos_7, _S695.x_8, _S695.y_2, _S696, _S698, hair_2.cover_0);
     }
     else
     {
         albedos_8 = albedos_7;
     }
-    var point_5 : YarnPoint_0;
-    point_5.back_7 = _S648;
-    point_5.hole_6 = _S649;
-    point_5.is_warp_3 = _S645.is_warp_0;
-    point_5.x_15 = _S646;
-    point_5.y_8 = _S647;
-    point_5.height_11 = _S645.height_2;
-    point_5.normal_10 = _S645.normal_1;
-    point_5.tangent_10 = _S645.tangent_0;
-    point_5.surface_normal_0 = _S645.normal_1;
-    point_5.diffuse_gain_1 = 1.0f;
-    if(_S652)
+    var point_6 : YarnPoint_0;
+    point_6.back_7 = _S696;
+    point_6.hole_6 = _S697;
+    point_6.is_warp_3 = _S695.is_warp_0;
+    point_6.x_17 = _S695.x_8;
+    point_6.y_10 = _S695.y_2;
+    point_6.height_11 = _S695.height_2;
+    point_6.normal_10 = _S695.normal_1;
+    point_6.tangent_10 = _S695.tangent_0;
+    point_6.surface_normal_0 = _S695.normal_1;
+    point_6.diffuse_gain_1 = 1.0f;
+    if(_S700)
     {
-        var _S656 : YarnFrame_0 = turned_frame_0(_S644, _S651, _S645, _S648, thread_number_0(_S644, _S645, _S646, _S647), _S650);
+        var _S704 : YarnFrame_0 = turned_frame_0(_S694, _S699, _S695, _S696, thread_number_0(_S694, _S695, _S695.x_8, _S695.y_2), _S698);
         var frame_3 : YarnFrame_0;
-        if(has_hairs_0(_S644))
+        if(has_hairs_0(_S694))
         {
-            frame_3 = under_hair_0(_S656, hair_2);
+            frame_3 = under_hair_0(_S704, hair_2);
         }
         else
         {
-            frame_3 = _S656;
+            frame_3 = _S704;
         }
-        point_5.normal_10 = frame_3.normal_5;
-        point_5.tangent_10 = frame_3.tangent_4;
-        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S644].diffuse_blend_0);
+        point_6.normal_10 = frame_3.normal_5;
+        point_6.tangent_10 = frame_3.tangent_4;
+        point_6.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S694].diffuse_blend_0);
     }
-    point_5.roughness_10 = families_0[_S651].roughness_0;
-    point_5.albedos_6 = albedos_8;
-    return point_5;
+    point_6.roughness_10 = families_0[_S699].roughness_0;
+    point_6.albedos_6 = albedos_8;
+    return point_6;
 }
 
-fn unoccluded_0( _S657 : u32,  _S658 : SearchQuality_0,  _S659 : f32,  _S660 : f32,  _S661 : f32,  _S662 : vec3<f32>,  _S663 : bool) -> bool
+fn surface_at_0( _S705 : u32,  _S706 : f32,  _S707 : f32,  _S708 : bool) -> SurfacePoint_0
 {
-    if((_S662.z) <= 0.0f)
+    return surface_of_0(_S705, sample_at_0(_S705, _S706, _S707, _S708), _S706, _S707, _S708);
+}
+
+fn unoccluded_0( _S709 : u32,  _S710 : SearchQuality_0,  _S711 : f32,  _S712 : f32,  _S713 : f32,  _S714 : vec3<f32>,  _S715 : bool) -> bool
+{
+    if((_S714.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S657, _S658, vec3<f32>(_S659, _S660, _S661 + fabrics_0[_S657].lift_0), _S662, _S663, max_height_along_0(_S657, _S659, _S660, _S661, _S662, _S663));
+    return is_free_0(_S709, _S710, vec3<f32>(_S711, _S712, _S713 + fabrics_0[_S709].lift_0), _S714, _S715, max_height_along_0(_S709, _S711, _S712, _S713, _S714, _S715));
 }
 
-fn is_lit_0( _S664 : u32,  _S665 : SearchQuality_0,  _S666 : YarnPoint_0,  _S667 : vec3<f32>) -> bool
+fn is_lit_0( _S716 : u32,  _S717 : SearchQuality_0,  _S718 : YarnPoint_0,  _S719 : vec3<f32>) -> bool
 {
-    if(_S666.hole_6)
+    if(_S718.hole_6)
     {
         return true;
     }
-    var _S668 : vec3<f32> = to_face_frame_0(_S667, _S666.back_7);
-    var _S669 : f32 = _S668.z;
-    var _S670 : bool = _S669 < 0.0f;
+    var _S720 : vec3<f32> = to_face_frame_0(_S719, _S718.back_7);
+    var _S721 : f32 = _S720.z;
+    var _S722 : bool = _S721 < 0.0f;
     var normal_11 : vec3<f32>;
     var height_12 : f32;
-    if(_S670)
+    if(_S722)
     {
-        var _S671 : SurfacePoint_0 = surface_at_0(_S664, _S666.x_15, _S666.y_8, !_S666.back_7);
-        normal_11 = _S671.normal_1;
-        height_12 = _S671.height_2;
+        var _S723 : SurfacePoint_0 = surface_at_0(_S716, _S718.x_17, _S718.y_10, !_S718.back_7);
+        normal_11 = _S723.normal_1;
+        height_12 = _S723.height_2;
     }
     else
     {
-        normal_11 = _S666.surface_normal_0;
-        height_12 = _S666.height_11;
+        normal_11 = _S718.surface_normal_0;
+        height_12 = _S718.height_11;
     }
-    var _S672 : vec3<f32> = vec3<f32>(_S668.xy, abs(_S669));
-    if((dot(normal_11, _S672)) <= 0.0f)
+    var _S724 : vec3<f32> = vec3<f32>(_S720.xy, abs(_S721));
+    if((dot(normal_11, _S724)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S664, _S665, _S666.x_15, _S666.y_8, height_12, _S672, (_S666.back_7) != _S670);
+    return unoccluded_0(_S716, _S717, _S718.x_17, _S718.y_10, height_12, _S724, (_S718.back_7) != _S722);
 }
 
-fn components_of_point_0( _S673 : u32,  _S674 : SearchQuality_0,  _S675 : YarnPoint_0,  _S676 : vec3<f32>,  _S677 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S725 : u32,  _S726 : SearchQuality_0,  _S727 : YarnPoint_0,  _S728 : vec3<f32>,  _S729 : vec3<f32>) -> Components_0
 {
     var result_3 : Components_0 = no_components_0();
-    result_3.hole_2 = select(0.0f, 1.0f, _S675.hole_6);
-    var _S678 : bool;
-    if(_S675.hole_6)
+    result_3.hole_2 = select(0.0f, 1.0f, _S727.hole_6);
+    var _S730 : bool;
+    if(_S727.hole_6)
     {
-        _S678 = true;
+        _S730 = true;
     }
     else
     {
-        _S678 = !is_lit_0(_S673, _S674, _S675, _S676);
+        _S730 = !is_lit_0(_S725, _S726, _S727, _S728);
     }
-    if(_S678)
+    if(_S730)
     {
         return result_3;
     }
-    var _S679 : vec3<f32> = to_face_frame_0(_S676, _S675.back_7);
-    var _S680 : vec3<f32> = to_face_frame_0(_S677, _S675.back_7);
-    var _S681 : bool = (_S679.z) < 0.0f;
-    var _S682 : f32 = _S675.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S681, (vec3<f32>(0) - _S679), _S679), _S675.normal_10, fabrics_0[_S673].diffuse_blend_0);
-    var _S683 : f32;
-    if(_S681)
+    var _S731 : vec3<f32> = to_face_frame_0(_S728, _S727.back_7);
+    var _S732 : vec3<f32> = to_face_frame_0(_S729, _S727.back_7);
+    var _S733 : bool = (_S731.z) < 0.0f;
+    var _S734 : f32 = _S727.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S733, (vec3<f32>(0) - _S731), _S731), _S727.normal_10, fabrics_0[_S725].diffuse_blend_0);
+    var _S735 : f32;
+    if(_S733)
     {
-        _S683 = transmission_1(_S679, _S680, _S675.normal_10, _S675.tangent_10, _S675.roughness_10, fabrics_0[_S673].optical_depth_0);
+        _S735 = transmission_1(_S731, _S732, _S727.normal_10, _S727.tangent_10, _S727.roughness_10, fabrics_0[_S725].optical_depth_0);
     }
     else
     {
-        _S683 = reflection_0(_S679, _S680, _S675.normal_10, _S675.tangent_10, _S675.roughness_10, fabrics_0[_S673].optical_depth_0);
+        _S735 = reflection_0(_S731, _S732, _S727.normal_10, _S727.tangent_10, _S727.roughness_10, fabrics_0[_S725].optical_depth_0);
     }
-    result_3.diffuse_warp_0 = select(0.0f, _S682, _S675.is_warp_3);
-    result_3.diffuse_weft_0 = select(_S682, 0.0f, _S675.is_warp_3);
-    result_3.specular_warp_0 = select(0.0f, _S683, _S675.is_warp_3);
-    result_3.specular_weft_0 = select(_S683, 0.0f, _S675.is_warp_3);
+    result_3.diffuse_warp_0 = select(0.0f, _S734, _S727.is_warp_3);
+    result_3.diffuse_weft_0 = select(_S734, 0.0f, _S727.is_warp_3);
+    result_3.specular_warp_0 = select(0.0f, _S735, _S727.is_warp_3);
+    result_3.specular_weft_0 = select(_S735, 0.0f, _S727.is_warp_3);
     result_3.light_visibility_1 = 1.0f;
     return result_3;
 }
 
-fn openness_number_0( _S684 : u32,  _S685 : u32) -> f32
+fn openness_number_0( _S736 : u32,  _S737 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S684].openness_0 + _S685);
+    return table_number_0(fabrics_0[_S736].openness_0 + _S737);
 }
 
-fn blocked_of_terms_0( _S686 : u32,  _S687 : u32,  _S688 : array<f32, i32(6)>,  _S689 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S738 : u32,  _S739 : u32,  _S740 : array<f32, i32(6)>,  _S741 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
@@ -2857,14 +2932,14 @@ fn blocked_of_terms_0( _S686 : u32,  _S687 : u32,  _S688 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S689)
+            if(term_0 < _S741)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S686, _S687 + share_4 * _S689 + term_0) * _S688[term_0];
+            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S738, _S739 + share_4 * _S741 + term_0) * _S740[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_4] = saturate(shares_0[share_4]);
@@ -2877,24 +2952,24 @@ fn blocked_of_terms_0( _S686 : u32,  _S687 : u32,  _S688 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_at_0( _S690 : u32,  _S691 : bool,  _S692 : bool,  _S693 : f32,  _S694 : f32) -> Blocked_0
+fn blocked_at_0( _S742 : u32,  _S743 : bool,  _S744 : bool,  _S745 : f32,  _S746 : f32) -> Blocked_0
 {
-    var _S695 : f32 = _S694 * openness_number_0(_S690, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S693, _S695, _S693 * _S693, _S693 * _S695, _S695 * _S695 );
-    return blocked_of_terms_0(_S690, u32(60) + (select(u32(0), u32(2), _S692) + select(u32(1), u32(0), _S691)) * u32(18), terms_2, u32(6));
+    var _S747 : f32 = _S746 * openness_number_0(_S742, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S745, _S747, _S745 * _S745, _S745 * _S747, _S747 * _S747 );
+    return blocked_of_terms_0(_S742, u32(60) + (select(u32(0), u32(2), _S744) + select(u32(1), u32(0), _S743)) * u32(18), terms_2, u32(6));
 }
 
-fn with_blocked_0( _S696 : u32,  _S697 : Blocked_0,  _S698 : YarnPoint_0,  _S699 : bool,  _S700 : f32) -> Blocked_0
+fn with_blocked_0( _S748 : u32,  _S749 : Blocked_0,  _S750 : YarnPoint_0,  _S751 : bool,  _S752 : f32) -> Blocked_0
 {
-    if(((_S698.hole_6) | (((_S698.is_warp_3) != _S699))))
+    if(((_S750.hole_6) | (((_S750.is_warp_3) != _S751))))
     {
-        return _S697;
+        return _S749;
     }
-    var _S701 : Blocked_0 = blocked_at_0(_S696, _S699, _S698.back_7, _S698.surface_normal_0.z, _S698.height_11);
+    var _S753 : Blocked_0 = blocked_at_0(_S748, _S751, _S750.back_7, _S750.surface_normal_0.z, _S750.height_11);
     var result_4 : Blocked_0;
-    result_4.by_warp_0 = _S697.by_warp_0 + _S700 * _S701.by_warp_0;
-    result_4.by_weft_0 = _S697.by_weft_0 + _S700 * _S701.by_weft_0;
-    result_4.far_0 = _S697.far_0 + _S700 * _S701.far_0;
+    result_4.by_warp_0 = _S749.by_warp_0 + _S752 * _S753.by_warp_0;
+    result_4.by_weft_0 = _S749.by_weft_0 + _S752 * _S753.by_weft_0;
+    result_4.far_0 = _S749.far_0 + _S752 * _S753.far_0;
     return result_4;
 }
 
@@ -2903,23 +2978,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S702 : u32,  _S703 : f32) -> vec3<f32>
+fn pyramid_level_0( _S754 : u32,  _S755 : f32) -> vec3<f32>
 {
-    var _S704 : u32 = fabrics_0[_S702].lobes_0.levels_0 + u32(4) * u32(min(_S703, fabrics_0[_S702].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S704), table_number_0(_S704 + u32(1)), table_number_0(_S704 + u32(2)));
+    var _S756 : u32 = fabrics_0[_S754].lobes_0.levels_0 + u32(4) * u32(min(_S755, fabrics_0[_S754].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S756), table_number_0(_S756 + u32(1)), table_number_0(_S756 + u32(2)));
 }
 
-fn coverage_taps_0( _S705 : u32,  _S706 : Footprint_0,  _S707 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S757 : u32,  _S758 : Footprint_0,  _S759 : bool) -> CoverageTaps_0
 {
-    var _S708 : Lobes_std430_0 = fabrics_0[_S705].lobes_0;
-    var _S709 : f32 = Footprint_spread_side_0(_S706) * fabrics_0[_S705].lobes_0.inverse_base_size_0;
-    var _S710 : vec3<f32> = pyramid_level_0(_S705, floor(binary_logarithm_0(max(0.68000000715255737f * _S709, 1.0f))));
-    var _S711 : f32 = 1.0f / max(_S709, 9.99999997475242708e-07f);
-    var _S712 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S705].warp_0].inverse_period_0, families_0[fabrics_0[_S705].weft_0].inverse_period_0);
-    var _S713 : vec2<f32> = _S706.centre_0 * _S712;
-    var _S714 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S711 * _S711), 0.0f, 1.0f)), 0.3333333432674408f * _S711), 1.0f));
-    var _S715 : vec2<f32> = _S706.dx_0 * _S712 * _S714;
-    var _S716 : vec2<f32> = _S706.dy_0 * _S712 * _S714;
+    var _S760 : Lobes_std430_0 = fabrics_0[_S757].lobes_0;
+    var _S761 : f32 = Footprint_spread_side_0(_S758) * fabrics_0[_S757].lobes_0.inverse_base_size_0;
+    var _S762 : vec3<f32> = pyramid_level_0(_S757, floor(binary_logarithm_0(max(0.68000000715255737f * _S761, 1.0f))));
+    var _S763 : f32 = 1.0f / max(_S761, 9.99999997475242708e-07f);
+    var _S764 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S757].warp_0].inverse_period_0, families_0[fabrics_0[_S757].weft_0].inverse_period_0);
+    var _S765 : vec2<f32> = _S758.centre_0 * _S764;
+    var _S766 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S763 * _S763), 0.0f, 1.0f)), 0.3333333432674408f * _S763), 1.0f));
+    var _S767 : vec2<f32> = _S758.dx_0 * _S764 * _S766;
+    var _S768 : vec2<f32> = _S758.dy_0 * _S764 * _S766;
     var taps_4 : CoverageTaps_0;
     var number_3 : u32 = u32(0);
     for(;;)
@@ -2931,24 +3006,24 @@ fn coverage_taps_0( _S705 : u32,  _S706 : Footprint_0,  _S707 : bool) -> Coverag
         {
             break;
         }
-        var _S717 : vec2<f32> = _S713 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S715 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S716;
-        var _S718 : f32 = _S710.y;
-        taps_4.nodes_1[number_3] = select(u32(0), _S708.face_nodes_0, _S707) + u32(wrapped_cell_0(_S717.y, _S710.z) * _S718 + wrapped_cell_0(_S717.x, _S718) + _S710.x);
+        var _S769 : vec2<f32> = _S765 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S767 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S768;
+        var _S770 : f32 = _S762.y;
+        taps_4.nodes_1[number_3] = select(u32(0), _S760.face_nodes_0, _S759) + u32(wrapped_cell_0(_S769.y, _S762.z) * _S770 + wrapped_cell_0(_S769.x, _S770) + _S762.x);
         number_3 = number_3 + u32(1);
     }
     return taps_4;
 }
 
-fn joint_ratios_0( _S719 : u32,  _S720 : vec3<f32>,  _S721 : vec3<f32>,  _S722 : bool) -> vec2<f32>
+fn joint_ratios_0( _S771 : u32,  _S772 : vec3<f32>,  _S773 : vec3<f32>,  _S774 : bool) -> vec2<f32>
 {
-    var _S723 : NodeTaps_0 = node_taps_of_0(_S721, u32(16));
-    var _S724 : NodeTaps_0 = node_taps_of_0(_S720, u32(16));
-    var _S725 : u32 = fabrics_0[_S719].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S722) + select(u32(0), u32(1), (_S720.z) < 0.0f)) * u32(512);
-    var _S726 : u32 = _S725 + u32(512);
-    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S723, _S725, u32(0)), joint_terms_0(_S724, _S726, u32(0))), dot(joint_terms_0(_S723, _S725, u32(1)), joint_terms_0(_S724, _S726, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
+    var _S775 : NodeTaps_0 = node_taps_of_0(_S773, u32(16));
+    var _S776 : NodeTaps_0 = node_taps_of_0(_S772, u32(16));
+    var _S777 : u32 = fabrics_0[_S771].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S774) + select(u32(0), u32(1), (_S772.z) < 0.0f)) * u32(512);
+    var _S778 : u32 = _S777 + u32(512);
+    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S775, _S777, u32(0)), joint_terms_0(_S776, _S778, u32(0))), dot(joint_terms_0(_S775, _S777, u32(1)), joint_terms_0(_S776, _S778, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
 }
 
-fn coverage_of_pack_0( _S727 : u32,  _S728 : CoverageTaps_0,  _S729 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S779 : u32,  _S780 : CoverageTaps_0,  _S781 : u32) -> vec4<f32>
 {
     var number_4 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -2962,9 +3037,9 @@ fn coverage_of_pack_0( _S727 : u32,  _S728 : CoverageTaps_0,  _S729 : u32) -> ve
         {
             break;
         }
-        var _S730 : u32 = words_0[fabrics_0[_S727].lobes_0.coverage_0 + _S728.nodes_1[number_4] * fabrics_0[_S727].lobes_0.packs_0 + _S729];
-        var even_2 : u32 = even_1 + ((_S730 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S730 >> (u32(8)))) & (u32(16711935))));
+        var _S782 : u32 = words_0[fabrics_0[_S779].lobes_0.coverage_0 + _S780.nodes_1[number_4] * fabrics_0[_S779].lobes_0.packs_0 + _S781];
+        var even_2 : u32 = even_1 + ((_S782 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S782 >> (u32(8)))) & (u32(16711935))));
         number_4 = number_4 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -2972,7 +3047,7 @@ fn coverage_of_pack_0( _S727 : u32,  _S728 : CoverageTaps_0,  _S729 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S731 : u32,  _S732 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S783 : u32,  _S784 : CoverageTaps_0) -> f32
 {
     var number_5 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -2985,33 +3060,33 @@ fn coverage_of_holes_0( _S731 : u32,  _S732 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S731].lobes_0.coverage_holes_0 + _S732.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S732.nodes_1[number_5] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S783].lobes_0.coverage_holes_0 + _S784.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S784.nodes_1[number_5] % u32(4)))))) & (u32(255))));
         number_5 = number_5 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S733 : u32,  _S734 : CoverageTaps_0,  _S735 : NodeTaps_0,  _S736 : bool) -> f32
+fn prefiltered_hole_0( _S785 : u32,  _S786 : CoverageTaps_0,  _S787 : NodeTaps_0,  _S788 : bool) -> f32
 {
-    var _S737 : f32 = interpolate_table_0(_S735, fabrics_0[_S733].lobes_0.projected_area_0 + fabrics_0[_S733].lobes_0.packs_0, fabrics_0[_S733].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S733, _S734) * _S737 * _S737 * select(fabrics_0[_S733].lobes_0.front_hole_weight_0, fabrics_0[_S733].lobes_0.back_hole_weight_0, _S736), 1.0f);
+    var _S789 : f32 = interpolate_table_0(_S787, fabrics_0[_S785].lobes_0.projected_area_0 + fabrics_0[_S785].lobes_0.packs_0, fabrics_0[_S785].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S785, _S786) * _S789 * _S789 * select(fabrics_0[_S785].lobes_0.front_hole_weight_0, fabrics_0[_S785].lobes_0.back_hole_weight_0, _S788), 1.0f);
 }
 
-fn prefiltered_components_0( _S738 : u32,  _S739 : Footprint_0,  _S740 : vec3<f32>,  _S741 : vec3<f32>,  _S742 : bool) -> Components_0
+fn prefiltered_components_0( _S790 : u32,  _S791 : Footprint_0,  _S792 : vec3<f32>,  _S793 : vec3<f32>,  _S794 : bool) -> Components_0
 {
-    var _S743 : CoverageTaps_0 = coverage_taps_0(_S738, _S739, _S742);
-    var _S744 : NodeTaps_0 = node_taps_0(_S741);
-    var view_nodes_0 : NodeTaps_0 = _S744;
-    var _S745 : NodeTaps_0 = node_taps_0(_S740);
-    var light_nodes_0 : NodeTaps_0 = _S745;
-    var _S746 : u32 = select(u32(0), u32(1), _S742);
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S746 * u32(256)));
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S746 + select(u32(0), u32(1), (_S740.z) < 0.0f)) * u32(256)));
-    var _S747 : vec3<f32> = half_vector_0(_S740, _S741);
-    var _S748 : vec2<f32> = joint_ratios_0(_S738, _S740, _S741, _S742);
-    var _S749 : Lobes_std430_0 = fabrics_0[_S738].lobes_0;
-    var _S750 : u32 = select(fabrics_0[_S738].lobes_0.front_warp_packs_0, fabrics_0[_S738].lobes_0.back_warp_packs_0, _S742);
+    var _S795 : CoverageTaps_0 = coverage_taps_0(_S790, _S791, _S794);
+    var _S796 : NodeTaps_0 = node_taps_0(_S793);
+    var view_nodes_0 : NodeTaps_0 = _S796;
+    var _S797 : NodeTaps_0 = node_taps_0(_S792);
+    var light_nodes_0 : NodeTaps_0 = _S797;
+    var _S798 : u32 = select(u32(0), u32(1), _S794);
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S798 * u32(256)));
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S798 + select(u32(0), u32(1), (_S792.z) < 0.0f)) * u32(256)));
+    var _S799 : vec3<f32> = half_vector_0(_S792, _S793);
+    var _S800 : vec2<f32> = joint_ratios_0(_S790, _S792, _S793, _S794);
+    var _S801 : Lobes_std430_0 = fabrics_0[_S790].lobes_0;
+    var _S802 : u32 = select(fabrics_0[_S790].lobes_0.front_warp_packs_0, fabrics_0[_S790].lobes_0.back_warp_packs_0, _S794);
     var sums_4 : Components_0;
     sums_4.diffuse_warp_0 = 0.0f;
     sums_4.diffuse_weft_0 = 0.0f;
@@ -3022,19 +3097,19 @@ fn prefiltered_components_0( _S738 : u32,  _S739 : Footprint_0,  _S740 : vec3<f3
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        if(pack_0 < (_S749.packs_0))
+        if(pack_0 < (_S801.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S751 : vec4<f32> = coverage_of_pack_0(_S738, _S743, pack_0);
-        var _S752 : vec4<f32> = interpolate_table_0(view_nodes_0, _S749.projected_area_0 + pack_0, _S749.packs_0 + u32(1));
-        var _S753 : vec4<f32> = interpolate_table_0(light_nodes_0, _S749.light_visibility_0 + pack_0, _S749.packs_0) / vec4<f32>(255.0f);
-        var _S754 : vec4<f32> = interpolate_table_0(light_nodes_0, _S749.irradiance_0 + pack_0, _S749.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S755 : bool = pack_0 < _S750;
-        var _S756 : f32 = families_0[select(fabrics_0[_S738].weft_0, fabrics_0[_S738].warp_0, _S755)].roughness_0;
+        var _S803 : vec4<f32> = coverage_of_pack_0(_S790, _S795, pack_0);
+        var _S804 : vec4<f32> = interpolate_table_0(view_nodes_0, _S801.projected_area_0 + pack_0, _S801.packs_0 + u32(1));
+        var _S805 : vec4<f32> = interpolate_table_0(light_nodes_0, _S801.light_visibility_0 + pack_0, _S801.packs_0) / vec4<f32>(255.0f);
+        var _S806 : vec4<f32> = interpolate_table_0(light_nodes_0, _S801.irradiance_0 + pack_0, _S801.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S807 : bool = pack_0 < _S802;
+        var _S808 : f32 = families_0[select(fabrics_0[_S790].weft_0, fabrics_0[_S790].warp_0, _S807)].roughness_0;
         var number_6 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
@@ -3048,263 +3123,263 @@ fn prefiltered_components_0( _S738 : u32,  _S739 : Footprint_0,  _S740 : vec3<f3
             {
                 break;
             }
-            var _S757 : Group_0 = group_at_0(_S749.moments_0 + u32(12) * (u32(4) * (_S746 * _S749.packs_0 + pack_0) + number_6), _S756);
-            var _S758 : f32 = _S751[number_6] * _S752[number_6] * _S752[number_6] * _S757.weight_2;
-            var diffuse_1 : f32 = diffuse_0 + _S758 * _S754[number_6];
-            var specular_1 : f32 = specular_0 + _S758 * layer_value_0(_S757, _S747, _S740, _S741, fabrics_0[_S738].optical_depth_0) * _S753[number_6];
-            var lit_1 : f32 = lit_0 + _S758 * _S753[number_6];
-            var total_3 : f32 = total_2 + _S758;
+            var _S809 : Group_0 = group_at_0(_S801.moments_0 + u32(12) * (u32(4) * (_S798 * _S801.packs_0 + pack_0) + number_6), _S808);
+            var _S810 : f32 = _S803[number_6] * _S804[number_6] * _S804[number_6] * _S809.weight_2;
+            var diffuse_1 : f32 = diffuse_0 + _S810 * _S806[number_6];
+            var specular_1 : f32 = specular_0 + _S810 * layer_value_0(_S809, _S799, _S792, _S793, fabrics_0[_S790].optical_depth_0) * _S805[number_6];
+            var lit_1 : f32 = lit_0 + _S810 * _S805[number_6];
+            var total_3 : f32 = total_2 + _S810;
             number_6 = number_6 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             lit_0 = lit_1;
             total_2 = total_3;
         }
-        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_0, _S755);
-        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_0, 0.0f, _S755);
-        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_0, _S755);
-        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_0, 0.0f, _S755);
-        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S748.y, _S748.x, _S755);
+        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_0, _S807);
+        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_0, 0.0f, _S807);
+        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_0, _S807);
+        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_0, 0.0f, _S807);
+        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S800.y, _S800.x, _S807);
         pack_0 = pack_0 + u32(1);
     }
-    var _S759 : f32 = prefiltered_hole_0(_S738, _S743, view_nodes_0, _S742);
-    sums_4.hole_2 = _S759;
-    var _S760 : f32 = 1.0f - _S759;
-    var _S761 : f32 = _S760 / max(total_2, 9.999999960041972e-13f);
-    var _S762 : f32 = _S761 * _S748.x;
-    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * _S762;
-    var _S763 : f32 = _S761 * _S748.y;
-    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * _S763;
-    sums_4.specular_warp_0 = sums_4.specular_warp_0 * _S762;
-    sums_4.specular_weft_0 = sums_4.specular_weft_0 * _S763;
-    sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S761, _S760);
+    var _S811 : f32 = prefiltered_hole_0(_S790, _S795, view_nodes_0, _S794);
+    sums_4.hole_2 = _S811;
+    var _S812 : f32 = 1.0f - _S811;
+    var _S813 : f32 = _S812 / max(total_2, 9.999999960041972e-13f);
+    var _S814 : f32 = _S813 * _S800.x;
+    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * _S814;
+    var _S815 : f32 = _S813 * _S800.y;
+    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * _S815;
+    sums_4.specular_warp_0 = sums_4.specular_warp_0 * _S814;
+    sums_4.specular_weft_0 = sums_4.specular_weft_0 * _S815;
+    sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S813, _S812);
     return sums_4;
 }
 
-fn albedos_over_0( _S764 : u32,  _S765 : Footprint_0,  _S766 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S816 : u32,  _S817 : Footprint_0,  _S818 : bool) -> FamilyAlbedos_0
 {
-    var _S767 : vec2<f32> = _S765.dx_0;
-    var _S768 : vec2<f32> = _S765.dy_0;
-    var _S769 : vec2<f32> = sqrt(_S767 * _S767 + _S768 * _S768);
-    var _S770 : Stretch_0 = stretch_of_0(fabrics_0[_S764].warp_0, _S765.centre_0.x, _S769.x);
-    var _S771 : Stretch_0 = stretch_of_0(fabrics_0[_S764].weft_0, _S765.centre_0.y, _S769.y);
+    var _S819 : vec2<f32> = _S817.dx_0;
+    var _S820 : vec2<f32> = _S817.dy_0;
+    var _S821 : vec2<f32> = sqrt(_S819 * _S819 + _S820 * _S820);
+    var _S822 : Stretch_0 = stretch_of_0(fabrics_0[_S816].warp_0, _S817.centre_0.x, _S821.x);
+    var _S823 : Stretch_0 = stretch_of_0(fabrics_0[_S816].weft_0, _S817.centre_0.y, _S821.y);
     var albedos_9 : FamilyAlbedos_0;
-    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S764].warp_0, fabrics_0[_S764].weft_0, _S770, _S771, _S766);
-    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S764].weft_0, fabrics_0[_S764].warp_0, _S771, _S770, _S766);
+    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S816].warp_0, fabrics_0[_S816].weft_0, _S822, _S823, _S818);
+    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S816].weft_0, fabrics_0[_S816].warp_0, _S823, _S822, _S818);
     return albedos_9;
 }
 
-fn lobes_estimate_of_pass_0( _S772 : u32,  _S773 : Footprint_0,  _S774 : f32,  _S775 : vec2<f32>,  _S776 : vec3<f32>,  _S777 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S824 : u32,  _S825 : Footprint_0,  _S826 : f32,  _S827 : vec2<f32>,  _S828 : vec3<f32>,  _S829 : vec3<f32>) -> Estimate_0
 {
-    var _S778 : f32;
-    var _S779 : Regime_0 = regime_of_0(_S772, _S773, _S774);
-    var _S780 : bool = (_S777.z) < 0.0f;
-    var _S781 : vec3<f32> = to_face_frame_0(_S777, _S780);
-    var _S782 : f32 = Footprint_spread_side_0(_S773);
-    var _S783 : bool = varies_at_0(_S772, _S782);
-    var _S784 : f32 = 1.0f - _S779.prefiltered_0;
-    var _S785 : bool = ((_S784 > 0.0f) & (((_S783 | (((((families_0[fabrics_0[_S772].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S772].weft_0].quantities_0) > u32(1))))))))));
-    var box_0 : Footprint_0 = _S773;
-    var _S786 : vec3<f32> = vec3<f32>(0.0f);
-    var _S787 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S786, _S786, 0.0f, 0.0f, 0.0f, 0.0f);
-    var _S788 : Components_0 = no_components_0();
+    var _S830 : f32;
+    var _S831 : Regime_0 = regime_of_0(_S824, _S825, _S826);
+    var _S832 : bool = (_S829.z) < 0.0f;
+    var _S833 : vec3<f32> = to_face_frame_0(_S829, _S832);
+    var _S834 : f32 = Footprint_spread_side_0(_S825);
+    var _S835 : bool = varies_at_0(_S824, _S834);
+    var _S836 : f32 = 1.0f - _S831.prefiltered_0;
+    var _S837 : bool = ((_S836 > 0.0f) & (((_S835 | (((((families_0[fabrics_0[_S824].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S824].weft_0].quantities_0) > u32(1))))))))));
+    var box_0 : Footprint_0 = _S825;
+    var _S838 : vec3<f32> = vec3<f32>(0.0f);
+    var _S839 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S838, _S838, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
+    var _S840 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S789 : u32 = select(u32(1), u32(0), _S785);
-    var points_1 : Components_0 = _S788;
+    var _S841 : u32 = select(u32(1), u32(0), _S837);
+    var points_1 : Components_0 = _S840;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S787;
-    var central_place_0 : vec2<f32> = _S773.centre_0;
-    var number_7 : u32 = _S789;
+    var central_0 : SurfacePoint_0 = _S839;
+    var central_place_0 : vec2<f32> = _S825.centre_0;
+    var number_7 : u32 = _S841;
     for(;;)
     {
-        var _S790 : f32 = f32(number_7);
-        _S778 = _S779.points_0;
-        if(_S790 < (_S779.points_0 + 1.0f))
+        var _S842 : f32 = f32(number_7);
+        _S830 = _S831.points_0;
+        if(_S842 < (_S831.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S791 : bool = number_7 == u32(0);
-        var _S792 : u32 = number_7 - u32(1);
-        var _S793 : vec2<f32> = POINT_OFFSETS_0[select(_S792, u32(0), _S791)] + _S775;
-        var _S794 : vec2<f32> = select_vector_0(_S791, vec2<f32>(0.0f), _S793 - round(_S793));
-        var _S795 : vec2<f32> = _S773.centre_0 + vec2<f32>(_S794.x) * _S773.dx_0 + vec2<f32>(_S794.y) * _S773.dy_0;
-        var _S796 : SearchQuality_0 = quality_of_0(select(_S779.threads_1, 0.0f, _S791));
-        var _S797 : Hit_0 = first_hit_0(_S772, _S796, _S795.x, _S795.y, _S781, _S780);
-        var _S798 : SurfacePoint_0 = surface_at_0(_S772, _S797.x_14, _S797.y_7, _S780);
-        if(_S791)
+        var _S843 : bool = number_7 == u32(0);
+        var _S844 : u32 = number_7 - u32(1);
+        var _S845 : vec2<f32> = POINT_OFFSETS_0[select(_S844, u32(0), _S843)] + _S827;
+        var _S846 : vec2<f32> = select_vector_0(_S843, vec2<f32>(0.0f), _S845 - round(_S845));
+        var _S847 : vec2<f32> = _S825.centre_0 + vec2<f32>(_S846.x) * _S825.dx_0 + vec2<f32>(_S846.y) * _S825.dy_0;
+        var _S848 : SearchQuality_0 = quality_of_0(select(_S831.threads_1, 0.0f, _S843));
+        var _S849 : Hit_0 = first_hit_0(_S824, _S848, _S847.x, _S847.y, _S833, _S832);
+        var _S850 : SurfacePoint_0 = surface_met_0(_S824, _S849.x_16, _S849.y_9, _S849.height_6, _S833, _S832);
+        if(_S843)
         {
-            var central_weight_1 : f32 = select(_S784, 0.0f, _S797.hole_5);
-            var central_place_1 : vec2<f32> = vec2<f32>(_S797.x_14, _S797.y_7);
-            box_0.centre_0 = mix(_S773.centre_0, central_place_1, vec2<f32>(central_weight_1));
+            var central_weight_1 : f32 = select(_S836, 0.0f, _S849.hole_5);
+            var central_place_1 : vec2<f32> = vec2<f32>(_S849.x_16, _S849.y_9);
+            box_0.centre_0 = mix(_S825.centre_0, central_place_1, vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S798;
+            central_0 = _S850;
             central_place_0 = central_place_1;
             number_7 = number_7 + u32(1);
             continue;
         }
-        var _S799 : YarnPoint_0 = yarn_point_of_0(_S772, _S798, _S797.x_14, _S797.y_7, _S780, _S797.hole_5, _S782);
-        var _S800 : f32 = min(_S779.points_0 - f32(_S792), 1.0f);
-        var _S801 : Components_0 = with_added_0(points_1, components_of_point_0(_S772, _S796, _S799, _S776, _S777), _S800);
-        if((fabrics_0[_S772].openness_0) != u32(4294967295))
+        var _S851 : YarnPoint_0 = yarn_point_of_0(_S824, _S850, _S832, _S849.hole_5, _S834);
+        var _S852 : f32 = min(_S831.points_0 - f32(_S844), 1.0f);
+        var _S853 : Components_0 = with_added_0(points_1, components_of_point_0(_S824, _S848, _S851, _S828, _S829), _S852);
+        if((fabrics_0[_S824].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S772, close_1.warp_1, _S799, true, _S800);
-            close_1.weft_1 = with_blocked_0(_S772, close_1.weft_1, _S799, false, _S800);
+            close_1.warp_1 = with_blocked_0(_S824, close_1.warp_1, _S851, true, _S852);
+            close_1.weft_1 = with_blocked_0(_S824, close_1.weft_1, _S851, false, _S852);
         }
-        points_1 = _S801;
+        points_1 = _S853;
         number_7 = number_7 + u32(1);
     }
-    close_1.weight_0 = _S784;
-    var _S802 : f32 = max(_S778, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S802);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S802);
+    close_1.weight_0 = _S836;
+    var _S854 : f32 = max(_S830, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S854);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S854);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S788, points_1, _S784 / _S802);
-    if((_S779.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S840, points_1, _S836 / _S854);
+    if((_S831.prefiltered_0) > 0.0f)
     {
-        var _S803 : Components_0 = prefiltered_components_0(_S772, _S773, to_face_frame_0(_S776, _S780), _S781, _S780);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S803, _S779.prefiltered_0);
+        var _S855 : Components_0 = prefiltered_components_0(_S824, _S825, to_face_frame_0(_S828, _S832), _S833, _S832);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S855, _S831.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S772, box_0, _S780);
-    if((_S783 & ((central_weight_0 > 0.0f))))
+    estimate_0.albedos_5 = albedos_over_0(_S824, box_0, _S832);
+    if((_S835 & ((central_weight_0 > 0.0f))))
     {
-        var _S804 : SurfacePoint_0 = central_0;
-        var _S805 : Albedos_0;
+        var _S856 : SurfacePoint_0 = central_0;
+        var _S857 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S805 = estimate_0.albedos_5.warp_5;
+            _S857 = estimate_0.albedos_5.warp_5;
         }
         else
         {
-            _S805 = estimate_0.albedos_5.weft_5;
+            _S857 = estimate_0.albedos_5.weft_5;
         }
-        var _S806 : bool;
-        if((fabrics_0[_S772].has_detail_0) != u32(0))
+        var _S858 : bool;
+        if((fabrics_0[_S824].has_detail_0) != u32(0))
         {
-            _S806 = has_hairs_0(_S772);
-        }
-        else
-        {
-            _S806 = false;
-        }
-        var _S807 : f32;
-        if(_S806)
-        {
-            _S807 = hair_at_0(_S772, central_place_0, _S780, _S782).cover_0;
+            _S858 = has_hairs_0(_S824);
         }
         else
         {
-            _S807 = 0.0f;
+            _S858 = false;
         }
-        var _S808 : Albedos_0 = lerp_albedos_0(_S805, varied_at_0(_S772, central_0, _S805, central_place_0.x, central_place_0.y, _S780, _S782, _S807), central_weight_0);
-        if(_S804.is_warp_0)
+        var _S859 : f32;
+        if(_S858)
         {
-            estimate_0.albedos_5.warp_5 = _S808;
+            _S859 = hair_at_0(_S824, central_place_0, _S832, _S834).cover_0;
         }
         else
         {
-            estimate_0.albedos_5.weft_5 = _S808;
+            _S859 = 0.0f;
+        }
+        var _S860 : Albedos_0 = lerp_albedos_0(_S857, varied_at_0(_S824, central_0, _S857, central_place_0.x, central_place_0.y, _S832, _S834, _S859), central_weight_0);
+        if(_S856.is_warp_0)
+        {
+            estimate_0.albedos_5.warp_5 = _S860;
+        }
+        else
+        {
+            estimate_0.albedos_5.weft_5 = _S860;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S809 : u32,  _S810 : Albedos_0,  _S811 : u32,  _S812 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S861 : u32,  _S862 : Albedos_0,  _S863 : u32,  _S864 : vec3<f32>) -> Scattered_0
 {
-    var _S813 : u32 = u32(159) + u32(2) * _S811;
+    var _S865 : u32 = u32(159) + u32(2) * _S863;
     var yarn_3 : Scattered_0;
-    yarn_3.back_6 = _S812 * _S810.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S809, _S813)) * _S810.specular_reflect_0;
-    yarn_3.through_0 = _S812 * _S810.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S809, _S813 + u32(1))) * _S810.specular_transmit_0;
+    yarn_3.back_6 = _S864 * _S862.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S861, _S865)) * _S862.specular_reflect_0;
+    yarn_3.through_0 = _S864 * _S862.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S861, _S865 + u32(1))) * _S862.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S814 : u32,  _S815 : u32,  _S816 : vec3<f32>,  _S817 : vec3<f32>,  _S818 : vec3<f32>,  _S819 : vec3<f32>,  _S820 : ptr<function, vec3<f32>>,  _S821 : ptr<function, vec3<f32>>)
+fn sent_0( _S866 : u32,  _S867 : u32,  _S868 : vec3<f32>,  _S869 : vec3<f32>,  _S870 : vec3<f32>,  _S871 : vec3<f32>,  _S872 : ptr<function, vec3<f32>>,  _S873 : ptr<function, vec3<f32>>)
 {
-    var _S822 : u32 = u32(146) + u32(4) * _S815;
-    var _S823 : f32 = openness_number_0(_S814, _S822 + u32(1));
-    var _S824 : f32 = openness_number_0(_S814, _S822 + u32(2));
-    var _S825 : vec3<f32> = vec3<f32>(1.0f);
-    var _S826 : vec3<f32> = _S825 - _S818 * vec3<f32>(openness_number_0(_S814, _S822));
-    var _S827 : vec3<f32> = _S825 - _S819 * vec3<f32>(openness_number_0(_S814, _S822 + u32(3)));
-    var _S828 : vec3<f32> = _S825 / (_S826 * _S827 - _S818 * _S819 * vec3<f32>((_S823 * _S824)));
-    (*_S820) = (_S816 * _S827 + _S818 * vec3<f32>(_S823) * _S817) * _S828;
-    (*_S821) = (_S817 * _S826 + _S819 * vec3<f32>(_S824) * _S816) * _S828;
+    var _S874 : u32 = u32(146) + u32(4) * _S867;
+    var _S875 : f32 = openness_number_0(_S866, _S874 + u32(1));
+    var _S876 : f32 = openness_number_0(_S866, _S874 + u32(2));
+    var _S877 : vec3<f32> = vec3<f32>(1.0f);
+    var _S878 : vec3<f32> = _S877 - _S870 * vec3<f32>(openness_number_0(_S866, _S874));
+    var _S879 : vec3<f32> = _S877 - _S871 * vec3<f32>(openness_number_0(_S866, _S874 + u32(3)));
+    var _S880 : vec3<f32> = _S877 / (_S878 * _S879 - _S870 * _S871 * vec3<f32>((_S875 * _S876)));
+    (*_S872) = (_S868 * _S879 + _S870 * vec3<f32>(_S875) * _S869) * _S880;
+    (*_S873) = (_S869 * _S878 + _S871 * vec3<f32>(_S876) * _S868) * _S880;
     return;
 }
 
-fn face_sends_0( _S829 : u32,  _S830 : u32,  _S831 : Scattered_0,  _S832 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S881 : u32,  _S882 : u32,  _S883 : Scattered_0,  _S884 : Scattered_0) -> FaceSends_0
 {
-    var _S833 : u32 = u32(2) * _S830;
-    var _S834 : u32 = u32(142) + _S833;
-    var _S835 : f32 = openness_number_0(_S829, _S834);
-    var _S836 : f32 = openness_number_0(_S829, _S834 + u32(1));
-    var _S837 : vec3<f32> = vec3<f32>((1.0f - _S835)) * _S831.back_6;
-    var _S838 : vec3<f32> = vec3<f32>((1.0f - _S836)) * _S832.back_6;
+    var _S885 : u32 = u32(2) * _S882;
+    var _S886 : u32 = u32(142) + _S885;
+    var _S887 : f32 = openness_number_0(_S881, _S886);
+    var _S888 : f32 = openness_number_0(_S881, _S886 + u32(1));
+    var _S889 : vec3<f32> = vec3<f32>((1.0f - _S887)) * _S883.back_6;
+    var _S890 : vec3<f32> = vec3<f32>((1.0f - _S888)) * _S884.back_6;
     var sends_1 : FaceSends_0;
-    var _S839 : u32 = u32(154) + _S833;
-    var _S840 : f32 = openness_number_0(_S829, _S839);
-    sends_1.blocks_warp_0 = _S840;
-    var _S841 : f32 = openness_number_0(_S829, _S839 + u32(1));
-    sends_1.blocks_weft_0 = _S841;
-    sends_1.open_0 = _S840 * _S835 + _S841 * _S836;
-    var _S842 : vec3<f32> = vec3<f32>(_S835) * _S831.back_6;
-    var _S843 : vec3<f32> = vec3<f32>(_S836) * _S832.back_6;
-    var _S844 : vec3<f32> = sends_1.sky_warp_0;
-    var _S845 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S829, _S830, _S842, _S843, _S837, _S838, &(_S844), &(_S845));
-    sends_1.sky_warp_0 = _S844;
-    sends_1.sky_weft_0 = _S845;
-    var _S846 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S847 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S829, _S830, _S831.through_0, _S832.through_0, _S837, _S838, &(_S846), &(_S847));
-    sends_1.crossing_warp_0 = _S846;
-    sends_1.crossing_weft_0 = _S847;
+    var _S891 : u32 = u32(154) + _S885;
+    var _S892 : f32 = openness_number_0(_S881, _S891);
+    sends_1.blocks_warp_0 = _S892;
+    var _S893 : f32 = openness_number_0(_S881, _S891 + u32(1));
+    sends_1.blocks_weft_0 = _S893;
+    sends_1.open_0 = _S892 * _S887 + _S893 * _S888;
+    var _S894 : vec3<f32> = vec3<f32>(_S887) * _S883.back_6;
+    var _S895 : vec3<f32> = vec3<f32>(_S888) * _S884.back_6;
+    var _S896 : vec3<f32> = sends_1.sky_warp_0;
+    var _S897 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S881, _S882, _S894, _S895, _S889, _S890, &(_S896), &(_S897));
+    sends_1.sky_warp_0 = _S896;
+    sends_1.sky_weft_0 = _S897;
+    var _S898 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S899 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S881, _S882, _S883.through_0, _S884.through_0, _S889, _S890, &(_S898), &(_S899));
+    sends_1.crossing_warp_0 = _S898;
+    sends_1.crossing_weft_0 = _S899;
     return sends_1;
 }
 
-fn interior_of_0( _S848 : u32,  _S849 : vec3<f32>,  _S850 : bool) -> Interior_0
+fn interior_of_0( _S900 : u32,  _S901 : vec3<f32>,  _S902 : bool) -> Interior_0
 {
-    var _S851 : Scattered_0 = scattered_by_0(_S848, table_albedos_0(families_0[fabrics_0[_S848].warp_0].colour_mean_0), u32(0), _S849);
-    var _S852 : Scattered_0 = scattered_by_0(_S848, table_albedos_0(families_0[fabrics_0[_S848].weft_0].colour_mean_0), u32(1), _S849);
-    var _S853 : FaceSends_0 = face_sends_0(_S848, select(u32(0), u32(1), _S850), _S851, _S852);
-    var _S854 : FaceSends_0 = face_sends_0(_S848, select(u32(1), u32(0), _S850), _S851, _S852);
-    var _S855 : vec3<f32> = vec3<f32>(_S853.blocks_warp_0);
-    var _S856 : vec3<f32> = vec3<f32>(_S853.blocks_weft_0);
-    var _S857 : vec3<f32> = _S855 * _S853.crossing_warp_0 + _S856 * _S853.crossing_weft_0;
-    var _S858 : vec3<f32> = vec3<f32>(_S854.blocks_warp_0);
-    var _S859 : vec3<f32> = vec3<f32>(_S854.blocks_weft_0);
-    var _S860 : vec3<f32> = _S858 * _S854.crossing_warp_0 + _S859 * _S854.crossing_weft_0;
-    var _S861 : f32 = 1.0f - _S853.open_0;
-    var _S862 : f32 = 1.0f - _S854.open_0;
-    var _S863 : vec3<f32> = vec3<f32>(1.0f);
-    var _S864 : vec3<f32> = _S863 / (_S863 - _S857 * _S860 * vec3<f32>((_S861 * _S862)));
-    var _S865 : vec3<f32> = _S860 * (vec3<f32>(_S853.open_0) + vec3<f32>(_S861) * (_S855 * _S853.sky_warp_0 + _S856 * _S853.sky_weft_0)) * _S864;
-    var _S866 : vec3<f32> = _S857 * (vec3<f32>(_S854.open_0) + vec3<f32>(_S862) * (_S858 * _S854.sky_warp_0 + _S859 * _S854.sky_weft_0)) * _S864;
-    var _S867 : FaceRadiance_0 = face_radiance_0(_S853, _S854.open_0, _S865, _S866);
-    var _S868 : FaceRadiance_0 = face_radiance_0(_S854, _S853.open_0, _S866, _S865);
+    var _S903 : Scattered_0 = scattered_by_0(_S900, table_albedos_0(families_0[fabrics_0[_S900].warp_0].colour_mean_0), u32(0), _S901);
+    var _S904 : Scattered_0 = scattered_by_0(_S900, table_albedos_0(families_0[fabrics_0[_S900].weft_0].colour_mean_0), u32(1), _S901);
+    var _S905 : FaceSends_0 = face_sends_0(_S900, select(u32(0), u32(1), _S902), _S903, _S904);
+    var _S906 : FaceSends_0 = face_sends_0(_S900, select(u32(1), u32(0), _S902), _S903, _S904);
+    var _S907 : vec3<f32> = vec3<f32>(_S905.blocks_warp_0);
+    var _S908 : vec3<f32> = vec3<f32>(_S905.blocks_weft_0);
+    var _S909 : vec3<f32> = _S907 * _S905.crossing_warp_0 + _S908 * _S905.crossing_weft_0;
+    var _S910 : vec3<f32> = vec3<f32>(_S906.blocks_warp_0);
+    var _S911 : vec3<f32> = vec3<f32>(_S906.blocks_weft_0);
+    var _S912 : vec3<f32> = _S910 * _S906.crossing_warp_0 + _S911 * _S906.crossing_weft_0;
+    var _S913 : f32 = 1.0f - _S905.open_0;
+    var _S914 : f32 = 1.0f - _S906.open_0;
+    var _S915 : vec3<f32> = vec3<f32>(1.0f);
+    var _S916 : vec3<f32> = _S915 / (_S915 - _S909 * _S912 * vec3<f32>((_S913 * _S914)));
+    var _S917 : vec3<f32> = _S912 * (vec3<f32>(_S905.open_0) + vec3<f32>(_S913) * (_S907 * _S905.sky_warp_0 + _S908 * _S905.sky_weft_0)) * _S916;
+    var _S918 : vec3<f32> = _S909 * (vec3<f32>(_S906.open_0) + vec3<f32>(_S914) * (_S910 * _S906.sky_warp_0 + _S911 * _S906.sky_weft_0)) * _S916;
+    var _S919 : FaceRadiance_0 = face_radiance_0(_S905, _S906.open_0, _S917, _S918);
+    var _S920 : FaceRadiance_0 = face_radiance_0(_S906, _S905.open_0, _S918, _S917);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S867.warp_3;
-    interior_1.weft_4 = _S867.weft_3;
-    interior_1.leaked_1 = _S867.leaked_0;
-    interior_1.far_1 = _S868.mean_1;
-    interior_1.far_leaked_0 = _S868.leaked_0;
+    interior_1.warp_4 = _S919.warp_3;
+    interior_1.weft_4 = _S919.weft_3;
+    interior_1.leaked_1 = _S919.leaked_0;
+    interior_1.far_1 = _S920.mean_1;
+    interior_1.far_leaked_0 = _S920.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S869 : u32,  _S870 : vec3<f32>,  _S871 : bool,  _S872 : bool) -> Blocked_0
+fn blocked_from_0( _S921 : u32,  _S922 : vec3<f32>,  _S923 : bool,  _S924 : bool) -> Blocked_0
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S870, &(terms_3));
-    return blocked_of_terms_0(_S869, (select(u32(0), u32(2), _S872) + select(u32(1), u32(0), _S871)) * u32(15), terms_3, u32(5));
+    view_terms_0(_S922, &(terms_3));
+    return blocked_of_terms_0(_S921, (select(u32(0), u32(2), _S924) + select(u32(1), u32(0), _S923)) * u32(15), terms_3, u32(5));
 }
 
-fn warp_seen_from_0( _S873 : u32,  _S874 : vec3<f32>,  _S875 : bool) -> f32
+fn warp_seen_from_0( _S925 : u32,  _S926 : vec3<f32>,  _S927 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S874, &(terms_4));
+    view_terms_1(_S926, &(terms_4));
     var term_1 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -3316,132 +3391,132 @@ fn warp_seen_from_0( _S873 : u32,  _S874 : vec3<f32>,  _S875 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S873, u32(132) + select(u32(0), u32(5), _S875) + term_1) * terms_4[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S925, u32(132) + select(u32(0), u32(5), _S927) + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S876 : u32,  _S877 : FamilyAlbedos_0,  _S878 : vec3<f32>,  _S879 : Interior_0,  _S880 : Blocked_0,  _S881 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S928 : u32,  _S929 : FamilyAlbedos_0,  _S930 : vec3<f32>,  _S931 : Interior_0,  _S932 : Blocked_0,  _S933 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S880, scattered_by_0(_S876, _S877.warp_5, u32(0), _S878), _S879), bounced_by_0(_S881, scattered_by_0(_S876, _S877.weft_5, u32(1), _S878), _S879));
+    return sum_of_0(bounced_by_0(_S932, scattered_by_0(_S928, _S929.warp_5, u32(0), _S930), _S931), bounced_by_0(_S933, scattered_by_0(_S928, _S929.weft_5, u32(1), _S930), _S931));
 }
 
-fn bounced_far_0( _S882 : u32,  _S883 : FamilyAlbedos_0,  _S884 : vec3<f32>,  _S885 : Interior_0,  _S886 : vec3<f32>,  _S887 : bool,  _S888 : f32,  _S889 : f32,  _S890 : f32) -> Bounced_0
+fn bounced_far_0( _S934 : u32,  _S935 : FamilyAlbedos_0,  _S936 : vec3<f32>,  _S937 : Interior_0,  _S938 : vec3<f32>,  _S939 : bool,  _S940 : f32,  _S941 : f32,  _S942 : f32) -> Bounced_0
 {
-    var _S891 : Blocked_0 = blocked_from_0(_S882, _S886, true, _S887);
-    var _S892 : Blocked_0 = blocked_from_0(_S882, _S886, false, _S887);
-    var _S893 : f32 = _S888 / max(1.0f - _S891.by_warp_0 - _S891.by_weft_0, 0.10000000149011612f);
-    var _S894 : f32 = (0.0020000000949949f * warp_seen_from_0(_S882, _S886, _S887) + _S893) / (_S893 + _S889 / max(1.0f - _S892.by_warp_0 - _S892.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S895 : f32 = 1.0f - _S890;
-    return bounced_of_families_0(_S882, _S883, _S884, _S885, scaled_0(_S891, _S894 * _S895), scaled_0(_S892, (1.0f - _S894) * _S895));
+    var _S943 : Blocked_0 = blocked_from_0(_S934, _S938, true, _S939);
+    var _S944 : Blocked_0 = blocked_from_0(_S934, _S938, false, _S939);
+    var _S945 : f32 = _S940 / max(1.0f - _S943.by_warp_0 - _S943.by_weft_0, 0.10000000149011612f);
+    var _S946 : f32 = (0.0020000000949949f * warp_seen_from_0(_S934, _S938, _S939) + _S945) / (_S945 + _S941 / max(1.0f - _S944.by_warp_0 - _S944.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S947 : f32 = 1.0f - _S942;
+    return bounced_of_families_0(_S934, _S935, _S936, _S937, scaled_0(_S943, _S946 * _S947), scaled_0(_S944, (1.0f - _S946) * _S947));
 }
 
-fn bounced_over_0( _S896 : u32,  _S897 : Components_0,  _S898 : CloseUp_0,  _S899 : FamilyAlbedos_0,  _S900 : vec3<f32>,  _S901 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S948 : u32,  _S949 : Components_0,  _S950 : CloseUp_0,  _S951 : FamilyAlbedos_0,  _S952 : vec3<f32>,  _S953 : vec3<f32>) -> Bounced_0
 {
-    var _S902 : bool = (_S901.z) < 0.0f;
-    var _S903 : Interior_0 = interior_of_0(_S896, _S900, _S902);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S896, _S899, _S900, _S903, to_face_frame_0(_S901, _S902), _S902, _S897.diffuse_warp_0, _S897.diffuse_weft_0, _S897.hole_2);
-    if((_S898.weight_0) > 0.0f)
+    var _S954 : bool = (_S953.z) < 0.0f;
+    var _S955 : Interior_0 = interior_of_0(_S948, _S952, _S954);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S948, _S951, _S952, _S955, to_face_frame_0(_S953, _S954), _S954, _S949.diffuse_warp_0, _S949.diffuse_weft_0, _S949.hole_2);
+    if((_S950.weight_0) > 0.0f)
     {
-        var _S904 : Bounced_0 = bounced_of_families_0(_S896, _S899, _S900, _S903, _S898.warp_1, _S898.weft_1);
-        var _S905 : vec3<f32> = vec3<f32>(_S898.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S904.reflected_0, _S905);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S904.transmitted_0, _S905);
+        var _S956 : Bounced_0 = bounced_of_families_0(_S948, _S951, _S952, _S955, _S950.warp_1, _S950.weft_1);
+        var _S957 : vec3<f32> = vec3<f32>(_S950.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S956.reflected_0, _S957);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S956.transmitted_0, _S957);
     }
     return bounced_2;
 }
 
-fn composed_0( _S906 : u32,  _S907 : Components_0,  _S908 : CloseUp_0,  _S909 : FamilyAlbedos_0,  _S910 : vec3<f32>,  _S911 : vec3<f32>,  _S912 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S958 : u32,  _S959 : Components_0,  _S960 : CloseUp_0,  _S961 : FamilyAlbedos_0,  _S962 : vec3<f32>,  _S963 : vec3<f32>,  _S964 : vec3<f32>) -> vec3<f32>
 {
-    var _S913 : Albedos_0 = tinted_0(_S909.warp_5, _S910);
-    var _S914 : Albedos_0 = tinted_0(_S909.weft_5, _S910);
-    var _S915 : vec3<f32> = vec3<f32>(_S907.diffuse_warp_0);
-    var _S916 : vec3<f32> = vec3<f32>(_S907.diffuse_weft_0);
-    var _S917 : vec3<f32> = vec3<f32>(_S907.specular_warp_0);
-    var _S918 : vec3<f32> = vec3<f32>(_S907.specular_weft_0);
-    var _S919 : vec3<f32> = _S913.diffuse_reflect_0 * _S915 + _S914.diffuse_reflect_0 * _S916 + _S913.specular_reflect_0 * _S917 + _S914.specular_reflect_0 * _S918;
-    var _S920 : f32 = _S912.z;
+    var _S965 : Albedos_0 = tinted_0(_S961.warp_5, _S962);
+    var _S966 : Albedos_0 = tinted_0(_S961.weft_5, _S962);
+    var _S967 : vec3<f32> = vec3<f32>(_S959.diffuse_warp_0);
+    var _S968 : vec3<f32> = vec3<f32>(_S959.diffuse_weft_0);
+    var _S969 : vec3<f32> = vec3<f32>(_S959.specular_warp_0);
+    var _S970 : vec3<f32> = vec3<f32>(_S959.specular_weft_0);
+    var _S971 : vec3<f32> = _S965.diffuse_reflect_0 * _S967 + _S966.diffuse_reflect_0 * _S968 + _S965.specular_reflect_0 * _S969 + _S966.specular_reflect_0 * _S970;
+    var _S972 : f32 = _S964.z;
     var body_0 : vec3<f32>;
-    if((_S911.z * _S920) < 0.0f)
+    if((_S963.z * _S972) < 0.0f)
     {
-        body_0 = _S913.diffuse_transmit_0 * _S915 + _S914.diffuse_transmit_0 * _S916 + _S913.specular_transmit_0 * _S917 + _S914.specular_transmit_0 * _S918;
+        body_0 = _S965.diffuse_transmit_0 * _S967 + _S966.diffuse_transmit_0 * _S968 + _S965.specular_transmit_0 * _S969 + _S966.specular_transmit_0 * _S970;
     }
     else
     {
-        body_0 = _S919;
+        body_0 = _S971;
     }
-    if((fabrics_0[_S906].openness_0) != u32(4294967295))
+    if((fabrics_0[_S958].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S906, _S907, _S908, _S909, _S910, _S912), _S911, _S912);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S958, _S959, _S960, _S961, _S962, _S964), _S963, _S964);
     }
-    var _S921 : f32 = fabrics_0[_S906].sheen_strength_0;
-    if((fabrics_0[_S906].sheen_strength_0) <= 0.0f)
+    var _S973 : f32 = fabrics_0[_S958].sheen_strength_0;
+    if((fabrics_0[_S958].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S922 : bool = _S920 < 0.0f;
-    var _S923 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S911, _S922), to_face_frame_0(_S912, _S922), _S921, fabrics_0[_S906].sheen_roughness_0);
-    return vec3<f32>(_S923.y) * body_0 + vec3<f32>(((_S907.light_visibility_1 + _S907.hole_2) * _S923.x));
+    var _S974 : bool = _S972 < 0.0f;
+    var _S975 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S963, _S974), to_face_frame_0(_S964, _S974), _S973, fabrics_0[_S958].sheen_roughness_0);
+    return vec3<f32>(_S975.y) * body_0 + vec3<f32>(((_S959.light_visibility_1 + _S959.hole_2) * _S975.x));
 }
 
-fn light_of_footprint_0( _S924 : u32,  _S925 : VisiblePoint_0,  _S926 : vec2<u32>,  _S927 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S976 : u32,  _S977 : VisiblePoint_0,  _S978 : vec2<u32>,  _S979 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S925.draft_0;
-    footprint_0.dx_0 = _S925.draft_dx_0;
-    footprint_0.dy_0 = _S925.draft_dy_0;
-    var _S928 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S929 : vec3<f32> = to_local_0(_S925, _S925.view_0);
-    var _S930 : u32 = light_sample_count_0();
-    var _S931 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S977.draft_0;
+    footprint_0.dx_0 = _S977.draft_dx_0;
+    footprint_0.dy_0 = _S977.draft_dy_0;
+    var _S980 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S981 : vec3<f32> = to_local_0(_S977, _S977.view_0);
+    var _S982 : u32 = light_sample_count_0();
+    var _S983 : vec3<f32> = vec3<f32>(0.0f);
     var number_8 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S931;
+    var radiance_1 : vec3<f32> = _S983;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        if(number_8 < (max(_S930, u32(1))))
+        if(number_8 < (max(_S982, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S932 : f32;
-        if(number_8 < _S930)
+        var _S984 : f32;
+        if(number_8 < _S982)
         {
-            _S932 = visibility_at_0(number_8, _S926);
+            _S984 = visibility_at_0(number_8, _S978);
         }
         else
         {
-            _S932 = 0.0f;
+            _S984 = 0.0f;
         }
-        var _S933 : bool;
-        if(_S932 <= 0.0f)
+        var _S985 : bool;
+        if(_S984 <= 0.0f)
         {
-            _S933 = number_8 > u32(0);
+            _S985 = number_8 > u32(0);
         }
         else
         {
-            _S933 = false;
+            _S985 = false;
         }
-        if(_S933)
+        if(_S985)
         {
             number_8 = number_8 + u32(1);
             continue;
         }
-        var _S934 : LightSample_0 = light_sample_0(number_8, _S926, _S925.position_0);
-        var _S935 : vec3<f32> = to_local_0(_S925, _S934.towards_0);
-        var _S936 : Estimate_0 = lobes_estimate_of_pass_0(_S924, footprint_0, 1.0f, _S928, _S935, _S929);
-        radiance_1 = radiance_1 + vec3<f32>(_S932) * _S934.irradiance_1 * composed_0(_S924, _S936.components_0, _S936.close_0, _S936.albedos_5, _S927, _S935, _S929);
-        hole_7 = _S936.components_0.hole_2;
+        var _S986 : LightSample_0 = light_sample_0(number_8, _S978, _S977.position_0);
+        var _S987 : vec3<f32> = to_local_0(_S977, _S986.towards_0);
+        var _S988 : Estimate_0 = lobes_estimate_of_pass_0(_S976, footprint_0, 1.0f, _S980, _S987, _S981);
+        radiance_1 = radiance_1 + vec3<f32>(_S984) * _S986.irradiance_1 * composed_0(_S976, _S988.components_0, _S988.close_0, _S988.albedos_5, _S979, _S987, _S981);
+        hole_7 = _S988.components_0.hole_2;
         number_8 = number_8 + u32(1);
     }
-    var _S937 : f32 = fabrics_0[_S924].sheen_strength_0;
-    if((fabrics_0[_S924].sheen_strength_0) > 0.0f)
+    var _S989 : f32 = fabrics_0[_S976].sheen_strength_0;
+    if((fabrics_0[_S976].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S937 * sheen_lobe_0(abs(_S929.z), fabrics_0[_S924].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S989 * sheen_lobe_0(abs(_S981.z), fabrics_0[_S976].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -3450,32 +3525,32 @@ fn light_of_footprint_0( _S924 : u32,  _S925 : VisiblePoint_0,  _S926 : vec2<u32
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S938 : u32 = id_0.x;
-    var _S939 : bool;
-    if(_S938 >= (frame_record_0.width_0))
+    var _S990 : u32 = id_0.x;
+    var _S991 : bool;
+    if(_S990 >= (frame_record_0.width_0))
     {
-        _S939 = true;
+        _S991 = true;
     }
     else
     {
-        _S939 = (id_0.y) >= (frame_record_0.height_0);
+        _S991 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S939)
+    if(_S991)
     {
         return;
     }
-    var _S940 : u32 = id_0.y * frame_record_0.width_0 + _S938;
-    var _S941 : u32 = layers_0[_S940].face_0;
-    if((layers_0[_S940].face_0) == u32(0))
+    var _S992 : u32 = id_0.y * frame_record_0.width_0 + _S990;
+    var _S993 : u32 = layers_0[_S992].face_0;
+    if((layers_0[_S992].face_0) == u32(0))
     {
         return;
     }
-    var _S942 : u32 = _S941 - u32(1);
-    var _S943 : u32 = fabric_of_0(_S942);
-    var _S944 : vec2<u32> = id_0.xy;
-    var _S945 : VisiblePoint_0 = visible_point_0(_S943, _S942, _S944);
-    var _S946 : vec4<f32> = light_of_footprint_0(_S943, _S945, _S944, filtered_albedo_0(_S943, _S945));
-    accumulate_0(_S940, _S946);
+    var _S994 : u32 = _S993 - u32(1);
+    var _S995 : u32 = fabric_of_0(_S994);
+    var _S996 : vec2<u32> = id_0.xy;
+    var _S997 : VisiblePoint_0 = visible_point_0(_S995, _S994, _S996);
+    var _S998 : vec4<f32> = light_of_footprint_0(_S995, _S997, _S996, filtered_albedo_0(_S995, _S997));
+    accumulate_0(_S992, _S998);
     return;
 }
 

@@ -686,7 +686,7 @@ fn edge_drop_0( family_7 : u32,  thread_8 : u32,  step_1 : i32) -> f32
     return table_number_0(families_0[family_7].bend_table_0 + select(u32(turns_and_remainder_0(family_7, f32(i32(thread_8) + step_1)).y) * u32(4), u32(0), (families_0[family_7].is_alike_0) != u32(0)) + u32(3));
 }
 
-fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec2<f32>
+fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec3<f32>
 {
     var _S59 : bool = (crossed_1.below_0) < (crossed_1.above_0);
     var _S60 : f32 = min(crossed_1.below_0, crossed_1.above_0);
@@ -710,9 +710,11 @@ fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_
     {
         _S64 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S59));
     }
-    var _S65 : f32 = 1.0f / max(2.0f * _S61, 9.999999960041972e-13f);
-    var _S66 : f32 = clamp((_S61 - _S60) * _S65, 0.0f, 1.0f);
-    return vec2<f32>(_S63 + (_S64 - _S63) * (_S66 * _S66 * (3.0f - 2.0f * _S66)), (_S63 - _S64) * (6.0f * _S66 * (1.0f - _S66) * _S65) * select(-1.0f, 1.0f, _S59));
+    var _S65 : f32 = 2.0f * _S61;
+    var _S66 : f32 = 1.0f / max(_S65, 9.999999960041972e-13f);
+    var _S67 : f32 = clamp((_S61 - _S60) * _S66, 0.0f, 1.0f);
+    var _S68 : f32 = clamp((0.44999998807907104f - _S65 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
+    return vec3<f32>(_S63 + (_S64 - _S63) * (_S67 * _S67 * (3.0f - 2.0f * _S67)), (_S63 - _S64) * (6.0f * _S67 * (1.0f - _S67) * _S66) * select(-1.0f, 1.0f, _S59), _S68 * _S68 * (3.0f - 2.0f * _S68));
 }
 
 struct StepControl_0
@@ -730,12 +732,12 @@ fn step_control_0( direction_2 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S67 : f32 = direction_2.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S67), 9.99999971718068537e-10f);
-    var _S68 : f32 = direction_2.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S68), 9.99999971718068537e-10f);
-    control_0.right_0 = _S67 > 0.0f;
-    control_0.up_0 = _S68 > 0.0f;
+    var _S69 : f32 = direction_2.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S69), 9.99999971718068537e-10f);
+    var _S70 : f32 = direction_2.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S70), 9.99999971718068537e-10f);
+    control_0.right_0 = _S69 > 0.0f;
+    control_0.up_0 = _S70 > 0.0f;
     return control_0;
 }
 
@@ -759,19 +761,19 @@ fn no_previous_sample_0() -> PreviousSample_0
 
 fn outline_distance_0( cell_6 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
 {
-    var _S69 : f32 = select(- cell_6.across_0, cell_6.across_0, forwards_0);
-    var _S70 : f32 = select(cell_6.below_0, cell_6.above_0, forwards_0);
-    var _S71 : f32 = - cell_6.half_width_1;
-    var _S72 : bool = _S69 < _S71;
-    var _S73 : bool = _S69 >= (cell_6.half_width_1);
-    var _S74 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
-    var _S75 : f32 = select(cell_6.half_width_1, _S71, _S72) - _S69;
-    var _S76 : f32 = select(_S70, 2.0f * _S70 + _S69 - cell_6.half_width_1, ((shown_2.hole_0) | (((_S74 & ((!shown_2.on_top_0)))))));
-    if((((_S74 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S72)))))))
+    var _S71 : f32 = select(- cell_6.across_0, cell_6.across_0, forwards_0);
+    var _S72 : f32 = select(cell_6.below_0, cell_6.above_0, forwards_0);
+    var _S73 : f32 = - cell_6.half_width_1;
+    var _S74 : bool = _S71 < _S73;
+    var _S75 : bool = _S71 >= (cell_6.half_width_1);
+    var _S76 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
+    var _S77 : f32 = select(cell_6.half_width_1, _S73, _S74) - _S71;
+    var _S78 : f32 = select(_S72, 2.0f * _S72 + _S71 - cell_6.half_width_1, ((shown_2.hole_0) | (((_S76 & ((!shown_2.on_top_0)))))));
+    if((((_S76 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S74)))))))
     {
         return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
     }
-    return select(_S75, _S76, _S73);
+    return select(_S77, _S78, _S75);
 }
 
 struct Probe_0
@@ -790,21 +792,21 @@ struct Probe_0
 
 fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
 {
-    var _S77 : f32 = previous_1.rate_0 * step_4;
-    var _S78 : f32 = rate_1 * step_4;
+    var _S79 : f32 = previous_1.rate_0 * step_4;
+    var _S80 : f32 = rate_1 * step_4;
     if(((((((((!previous_1.known_0) | ((here_0.hole_1)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((((3.0f * previous_1.clearance_0 + _S77) >= 0.0f) & (((3.0f * clearance_1 - _S78) >= 0.0f))))
+    if((((3.0f * previous_1.clearance_0 + _S79) >= 0.0f) & (((3.0f * clearance_1 - _S80) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S79 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S80 : f32 = 6.0f * _S79 - 4.0f * _S77 - 2.0f * _S78;
-    var _S81 : f32 = -2.0f * _S77 / max(_S80 + sqrt(max(_S80 * _S80 - 4.0f * (3.0f * (_S77 + _S78 - 2.0f * _S79)) * _S77, 0.0f)), 9.99999968265522539e-21f);
-    var _S82 : f32 = 1.0f - _S81;
-    return select(-1.0f, _S82 * step_4, ((((_S81 > 0.01999999955296516f) & ((_S82 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S81 + 1.0f) + _S77 * _S81) * _S82 * _S82 + (clearance_1 * (2.0f * _S82 + 1.0f) - _S78 * _S82) * _S81 * _S81) < 0.0f))));
+    var _S81 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S82 : f32 = 6.0f * _S81 - 4.0f * _S79 - 2.0f * _S80;
+    var _S83 : f32 = -2.0f * _S79 / max(_S82 + sqrt(max(_S82 * _S82 - 4.0f * (3.0f * (_S79 + _S80 - 2.0f * _S81)) * _S79, 0.0f)), 9.99999968265522539e-21f);
+    var _S84 : f32 = 1.0f - _S83;
+    return select(-1.0f, _S84 * step_4, ((((_S83 > 0.01999999955296516f) & ((_S84 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S83 + 1.0f) + _S79 * _S83) * _S84 * _S84 + (clearance_1 * (2.0f * _S84 + 1.0f) - _S80 * _S84) * _S83 * _S83) < 0.0f))));
 }
 
 fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
@@ -824,8 +826,8 @@ fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_1 : f32,  side_y_
 
 fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S83 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
-    return min(this_2.step_2, select(max(_S83, 0.0f) + this_2.epsilon_0, _S83 - this_2.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S83 + clearance_3) < 0.0f)))) & ((_S83 > (2.0f * this_2.epsilon_0))))));
+    var _S85 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
+    return min(this_2.step_2, select(max(_S85, 0.0f) + this_2.epsilon_0, _S85 - this_2.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S85 + clearance_3) < 0.0f)))) & ((_S85 > (2.0f * this_2.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -846,10 +848,10 @@ fn ViewRay_rate_0( this_4 : ViewRay_0,  here_3 : Probe_0) -> f32
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S84 : f32 = end_0 - start_1;
-    var _S85 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S84;
-    var _S86 : f32 = 3.0f * _S84 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S84, 9.99999968265522539e-21f);
+    var _S86 : f32 = end_0 - start_1;
+    var _S87 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S86;
+    var _S88 : f32 = 3.0f * _S86 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S86, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -860,10 +862,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S87 : f32 = clamp(share_1 - (((_S85 * share_1 + _S86) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S85 * share_1 + 2.0f * _S86) * share_1 + start_rate_0, 0.10000000149011612f * _S84 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S88 : i32 = i_0 + i32(1);
-        share_1 = _S87;
-        i_0 = _S88;
+        var _S89 : f32 = clamp(share_1 - (((_S87 * share_1 + _S88) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S87 * share_1 + 2.0f * _S88) * share_1 + start_rate_0, 0.10000000149011612f * _S86 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S90 : i32 = i_0 + i32(1);
+        share_1 = _S89;
+        i_0 = _S90;
     }
     return share_1;
 }
@@ -875,27 +877,37 @@ fn between_0( above_1 : f32,  under_0 : f32,  above_gap_0 : f32,  under_gap_0 : 
 
 fn fibre_direction_0( across_slope_0 : f32,  along_slope_0 : f32,  sine_1 : f32,  cosine_0 : f32) -> vec2<f32>
 {
-    var _S89 : f32 = along_slope_0 * along_slope_0 + 1.0f;
-    var _S90 : f32 = rsqrt_0(_S89);
-    var _S91 : f32 = sine_1 * _S90 * rsqrt_0(_S89 + across_slope_0 * across_slope_0);
-    return vec2<f32>(- _S91 * _S89, _S91 * across_slope_0 * along_slope_0 + cosine_0 * _S90);
+    var _S91 : f32 = along_slope_0 * along_slope_0 + 1.0f;
+    var _S92 : f32 = rsqrt_0(_S91);
+    var _S93 : f32 = sine_1 * _S92 * rsqrt_0(_S91 + across_slope_0 * across_slope_0);
+    return vec2<f32>(- _S93 * _S91, _S93 * across_slope_0 * along_slope_0 + cosine_0 * _S92);
 }
 
 fn arc_sine_0( x_6 : f32) -> f32
 {
-    var _S92 : f32 = abs(x_6);
-    var _S93 : bool = _S92 > 0.5f;
-    var _S94 : f32 = select(_S92 * _S92, 0.5f * (1.0f - _S92), _S93);
-    var _S95 : f32 = select(_S92, sqrt(max(_S94, 0.0f)), _S93);
-    var _S96 : f32 = ((((0.04216320067644119f * _S94 + 0.02418131195008755f) * _S94 + 0.04547002539038658f) * _S94 + 0.07495300471782684f) * _S94 + 0.16666752099990845f) * _S94 * _S95 + _S95;
-    var _S97 : f32 = select(_S96, 1.57079637050628662f - 2.0f * _S96, _S93);
-    return select(_S97, - _S97, x_6 < 0.0f);
+    var _S94 : f32 = abs(x_6);
+    var _S95 : bool = _S94 > 0.5f;
+    var _S96 : f32 = select(_S94 * _S94, 0.5f * (1.0f - _S94), _S95);
+    var _S97 : f32 = select(_S94, sqrt(max(_S96, 0.0f)), _S95);
+    var _S98 : f32 = ((((0.04216320067644119f * _S96 + 0.02418131195008755f) * _S96 + 0.04547002539038658f) * _S96 + 0.07495300471782684f) * _S96 + 0.16666752099990845f) * _S96 * _S97 + _S97;
+    var _S99 : f32 = select(_S98, 1.57079637050628662f - 2.0f * _S98, _S95);
+    return select(_S99, - _S99, x_6 < 0.0f);
 }
 
 fn run_share_0( word_2 : u32) -> f32
 {
-    var _S98 : f32 = f32(((((word_2 >> (u32(1)))) & (u32(127)))) + ((((word_2 >> (u32(8)))) & (u32(127)))) + u32(1));
-    return _S98 / (_S98 + 0.5f * f32(((((word_2 >> (u32(15)))) & (u32(63)))) + ((((word_2 >> (u32(21)))) & (u32(63))))));
+    var _S100 : f32 = f32(((((word_2 >> (u32(1)))) & (u32(127)))) + ((((word_2 >> (u32(8)))) & (u32(127)))) + u32(1));
+    return _S100 / (_S100 + 0.5f * f32(((((word_2 >> (u32(15)))) & (u32(63)))) + ((((word_2 >> (u32(21)))) & (u32(63))))));
+}
+
+fn angle_of_0( direction_3 : vec2<f32>) -> f32
+{
+    var _S101 : f32 = direction_3.x;
+    var _S102 : f32 = arc_sine_0(_S101);
+    var _S103 : bool = _S101 < 0.0f;
+    var _S104 : f32 = select(3.14159274101257324f, -3.14159274101257324f, _S103);
+    var _S105 : f32 = direction_3.y;
+    return select(0.5f * _S104 - select(1.0f, -1.0f, _S103) * arc_sine_0(_S105), select(_S102, _S104 - _S102, _S105 < 0.0f), (abs(_S101)) < 0.69999998807907104f);
 }
 
 struct Hair_0
@@ -907,11 +919,11 @@ struct Hair_0
 
 fn Hair_x24init_0( cover_1 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>) -> Hair_0
 {
-    var _S99 : Hair_0;
-    _S99.cover_0 = cover_1;
-    _S99.normal_1 = normal_2;
-    _S99.tangent_0 = tangent_1;
-    return _S99;
+    var _S106 : Hair_0;
+    _S106.cover_0 = cover_1;
+    _S106.normal_1 = normal_2;
+    _S106.tangent_0 = tangent_1;
+    return _S106;
 }
 
 fn fade_0( size_1 : f32,  period_1 : f32) -> f32
@@ -926,16 +938,16 @@ fn share_of_0( bits_0 : u32) -> f32
 
 fn sine_cosine_0( x_7 : f32) -> vec2<f32>
 {
-    var _S100 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
-    var _S101 : f32 = x_7 - _S100 * 1.5703125f - _S100 * 0.00048375129699707f - _S100 * 7.54979012640433211e-08f;
-    var _S102 : f32 = _S101 * _S101;
-    var _S103 : f32 = ((-0.00019515295571182f * _S102 + 0.00833216123282909f) * _S102 - 0.16666655242443085f) * _S102 * _S101 + _S101;
-    var _S104 : f32 = ((0.00002443315679557f * _S102 - 0.00138873164542019f) * _S102 + 0.04166664555668831f) * _S102 * _S102 - 0.5f * _S102 + 1.0f;
-    var _S105 : u32 = (u32(i32(_S100)) & (u32(3)));
-    var _S106 : vec2<f32> = select_vector_1(((_S105 & (u32(1)))) != u32(0), vec2<f32>(_S104, _S103), vec2<f32>(_S103, _S104));
-    var _S107 : f32 = _S106.x;
-    var _S108 : f32 = _S106.y;
-    return vec2<f32>(select(_S107, - _S107, ((_S105 & (u32(2)))) != u32(0)), select(_S108, - _S108, (((_S105 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S107 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
+    var _S108 : f32 = x_7 - _S107 * 1.5703125f - _S107 * 0.00048375129699707f - _S107 * 7.54979012640433211e-08f;
+    var _S109 : f32 = _S108 * _S108;
+    var _S110 : f32 = ((-0.00019515295571182f * _S109 + 0.00833216123282909f) * _S109 - 0.16666655242443085f) * _S109 * _S108 + _S108;
+    var _S111 : f32 = ((0.00002443315679557f * _S109 - 0.00138873164542019f) * _S109 + 0.04166664555668831f) * _S109 * _S109 - 0.5f * _S109 + 1.0f;
+    var _S112 : u32 = (u32(i32(_S107)) & (u32(3)));
+    var _S113 : vec2<f32> = select_vector_1(((_S112 & (u32(1)))) != u32(0), vec2<f32>(_S111, _S110), vec2<f32>(_S110, _S111));
+    var _S114 : f32 = _S113.x;
+    var _S115 : f32 = _S113.y;
+    return vec2<f32>(select(_S114, - _S114, ((_S112 & (u32(2)))) != u32(0)), select(_S115, - _S115, (((_S112 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 fn table_colour_0( index_4 : u32) -> vec3<f32>
@@ -968,8 +980,8 @@ fn albedos_of_0( family_8 : u32,  thread_9 : u32) -> Albedos_0
 
 fn fibre_cell_0( across_2 : f32,  along_0 : f32,  width_2 : f32) -> vec3<f32>
 {
-    var _S109 : f32 = floor(across_2 / width_2);
-    return vec3<f32>(_S109, along_0 / (width_2 * 40.0f) + 0.61799997091293335f * _S109, 2.0f * (across_2 / width_2 - _S109) - 1.0f);
+    var _S116 : f32 = floor(across_2 / width_2);
+    return vec3<f32>(_S116, along_0 / (width_2 * 40.0f) + 0.61799997091293335f * _S116, 2.0f * (across_2 / width_2 - _S116) - 1.0f);
 }
 
 struct SurfacePoint_0
@@ -984,13 +996,15 @@ struct SurfacePoint_0
      across_3 : f32,
      fibre_across_0 : f32,
      fibre_along_0 : f32,
+     x_8 : f32,
+     y_1 : f32,
      shown_share_0 : f32,
 };
 
 fn ply_offset_0( family_9 : u32,  point_1 : SurfacePoint_0,  back_4 : bool) -> f32
 {
-    var _S110 : f32 = (point_1.fibre_across_0 * families_0[family_9].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_9].ply_sine_0, - families_0[family_9].ply_sine_0, back_4)) * families_0[family_9].plies_per_mm_0;
-    return 2.0f * (_S110 - floor(_S110)) - 1.0f;
+    var _S117 : f32 = (point_1.fibre_across_0 * families_0[family_9].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_9].ply_sine_0, - families_0[family_9].ply_sine_0, back_4)) * families_0[family_9].plies_per_mm_0;
+    return 2.0f * (_S117 - floor(_S117)) - 1.0f;
 }
 
 fn signed_noise_0( bits_1 : u32) -> f32
@@ -1005,22 +1019,22 @@ fn smooth_share_0( share_2 : f32) -> f32
 
 fn wave_noise_0( key_1 : u32,  position_4 : f32) -> vec2<f32>
 {
-    var _S111 : f32 = floor(position_4);
-    var _S112 : f32 = position_4 - _S111;
-    var _S113 : u32 = u32(i32(_S111));
-    var _S114 : f32 = signed_noise_0(hash_bits_0(key_1, _S113));
-    var _S115 : f32 = signed_noise_0(hash_bits_0(key_1, _S113 + u32(1)));
-    return vec2<f32>(mix(_S114, _S115, smooth_share_0(_S112)), 6.0f * _S112 * (1.0f - _S112) * (_S115 - _S114));
+    var _S118 : f32 = floor(position_4);
+    var _S119 : f32 = position_4 - _S118;
+    var _S120 : u32 = u32(i32(_S118));
+    var _S121 : f32 = signed_noise_0(hash_bits_0(key_1, _S120));
+    var _S122 : f32 = signed_noise_0(hash_bits_0(key_1, _S120 + u32(1)));
+    return vec2<f32>(mix(_S121, _S122, smooth_share_0(_S119)), 6.0f * _S119 * (1.0f - _S119) * (_S122 - _S121));
 }
 
 fn cell_noise_0( key_2 : u32,  cell_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S116 : f32 = cell_7.y;
-    var _S117 : f32 = floor(_S116);
-    var _S118 : u32 = u32(i32(cell_7.x)) * u32(65536) + u32(i32(_S117));
-    var _S119 : u32 = hash_bits_0(key_2, _S118);
-    var _S120 : u32 = hash_bits_0(key_2, _S118 + u32(1));
-    return mix(vec2<f32>(signed_noise_0(_S119), signed_noise_0((_S119 >> (u32(16))))), vec2<f32>(signed_noise_0(_S120), signed_noise_0((_S120 >> (u32(16))))), vec2<f32>(smooth_share_0(_S116 - _S117)));
+    var _S123 : f32 = cell_7.y;
+    var _S124 : f32 = floor(_S123);
+    var _S125 : u32 = u32(i32(cell_7.x)) * u32(65536) + u32(i32(_S124));
+    var _S126 : u32 = hash_bits_0(key_2, _S125);
+    var _S127 : u32 = hash_bits_0(key_2, _S125 + u32(1));
+    return mix(vec2<f32>(signed_noise_0(_S126), signed_noise_0((_S126 >> (u32(16))))), vec2<f32>(signed_noise_0(_S127), signed_noise_0((_S127 >> (u32(16))))), vec2<f32>(smooth_share_0(_S123 - _S124)));
 }
 
 fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
@@ -1030,14 +1044,14 @@ fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
 
 fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S121 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S121.x, _S121.y), _S121.z), 0.0f));
+    var _S128 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S128.x, _S128.y), _S128.z), 0.0f));
 }
 
 fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
 {
-    var _S122 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
-    return min(max(min(min(_S122.x, _S122.y), _S122.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
+    var _S129 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
+    return min(max(min(min(_S129.x, _S129.y), _S129.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
 fn fibre_gain_0( thread_11 : u32,  cell_8 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
@@ -1054,14 +1068,14 @@ struct YarnFrame_0
 
 fn under_hair_0( frame_0 : YarnFrame_0,  hair_0 : Hair_0) -> YarnFrame_0
 {
-    var _S123 : vec3<f32> = select_vector_0((dot(frame_0.tangent_3, hair_0.tangent_0)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_0), hair_0.tangent_0);
+    var _S130 : vec3<f32> = select_vector_0((dot(frame_0.tangent_3, hair_0.tangent_0)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_0), hair_0.tangent_0);
     var blended_0 : YarnFrame_0;
-    var _S124 : vec3<f32> = vec3<f32>(hair_0.cover_0);
-    var _S125 : vec3<f32> = normalize(mix(frame_0.normal_4, hair_0.normal_1, _S124));
-    blended_0.normal_4 = _S125;
-    var _S126 : vec3<f32> = mix(frame_0.tangent_3, _S123, _S124);
-    var _S127 : vec3<f32> = _S126 - vec3<f32>(dot(_S126, _S125)) * _S125;
-    blended_0.tangent_3 = _S127 * vec3<f32>(rsqrt_0(max(dot(_S127, _S127), 9.999999960041972e-13f)));
+    var _S131 : vec3<f32> = vec3<f32>(hair_0.cover_0);
+    var _S132 : vec3<f32> = normalize(mix(frame_0.normal_4, hair_0.normal_1, _S131));
+    blended_0.normal_4 = _S132;
+    var _S133 : vec3<f32> = mix(frame_0.tangent_3, _S130, _S131);
+    var _S134 : vec3<f32> = _S133 - vec3<f32>(dot(_S133, _S132)) * _S132;
+    blended_0.tangent_3 = _S134 * vec3<f32>(rsqrt_0(max(dot(_S134, _S134), 9.999999960041972e-13f)));
     blended_0.loss_0 = frame_0.loss_0 * (1.0f - hair_0.cover_0);
     return blended_0;
 }
@@ -1092,13 +1106,13 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S128 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S135 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S129 : vec3<f32> = sends_0.sky_warp_0 + _S128 * sends_0.crossing_warp_0;
-    found_0.warp_2 = _S129;
-    var _S130 : vec3<f32> = sends_0.sky_weft_0 + _S128 * sends_0.crossing_weft_0;
-    found_0.weft_2 = _S130;
-    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S129 + vec3<f32>(sends_0.blocks_weft_0) * _S130;
+    var _S136 : vec3<f32> = sends_0.sky_warp_0 + _S135 * sends_0.crossing_warp_0;
+    found_0.warp_2 = _S136;
+    var _S137 : vec3<f32> = sends_0.sky_weft_0 + _S135 * sends_0.crossing_weft_0;
+    found_0.weft_2 = _S137;
+    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S136 + vec3<f32>(sends_0.blocks_weft_0) * _S137;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
@@ -1133,11 +1147,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_0 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S131 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
-    var _S132 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_2.through_0;
+    var _S138 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
+    var _S139 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_5 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_3) + _S132 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S132 * interior_0.far_1 + yarn_2.back_5 * _S131;
+    bounced_0.reflected_0 = yarn_2.back_5 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_3) + _S139 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S139 * interior_0.far_1 + yarn_2.back_5 * _S138;
     return bounced_0;
 }
 
@@ -1173,22 +1187,22 @@ fn choose_0( table_0 : u32,  count_1 : u32,  number_0 : f32) -> Choice_0
         {
             break;
         }
-        var _S133 : u32 = (low_0 + high_0) / u32(2);
-        if((scene_number_0(table_0 + _S133)) <= number_0)
+        var _S140 : u32 = (low_0 + high_0) / u32(2);
+        if((scene_number_0(table_0 + _S140)) <= number_0)
         {
-            low_0 = _S133;
+            low_0 = _S140;
         }
         else
         {
-            high_0 = _S133;
+            high_0 = _S140;
         }
     }
-    var _S134 : u32 = table_0 + low_0;
-    var _S135 : f32 = scene_number_0(_S134);
-    var _S136 : f32 = scene_number_0(_S134 + u32(1));
+    var _S141 : u32 = table_0 + low_0;
+    var _S142 : f32 = scene_number_0(_S141);
+    var _S143 : f32 = scene_number_0(_S141 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_6 = low_0;
-    choice_0.remainder_0 = saturate((number_0 - _S135) / max(_S136 - _S135, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_0 - _S142) / max(_S143 - _S142, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1200,8 +1214,8 @@ fn mean_1( colour_0 : vec3<f32>) -> f32
 struct Light_0
 {
      is_point_0 : u32,
-     x_8 : f32,
-     y_1 : f32,
+     x_9 : f32,
+     y_2 : f32,
      z_1 : f32,
      red_0 : f32,
      green_0 : f32,
@@ -1212,8 +1226,8 @@ fn scene_light_0( first_4 : u32) -> Light_0
 {
     var record_1 : Light_0;
     record_1.is_point_0 = scene_words_0[first_4];
-    record_1.x_8 = (bitcast<f32>((scene_words_0[first_4 + u32(1)])));
-    record_1.y_1 = (bitcast<f32>((scene_words_0[first_4 + u32(2)])));
+    record_1.x_9 = (bitcast<f32>((scene_words_0[first_4 + u32(1)])));
+    record_1.y_2 = (bitcast<f32>((scene_words_0[first_4 + u32(2)])));
     record_1.z_1 = (bitcast<f32>((scene_words_0[first_4 + u32(3)])));
     record_1.red_0 = (bitcast<f32>((scene_words_0[first_4 + u32(4)])));
     record_1.green_0 = (bitcast<f32>((scene_words_0[first_4 + u32(5)])));
@@ -1223,18 +1237,18 @@ fn scene_light_0( first_4 : u32) -> Light_0
 
 fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_5 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S137 : f32 = light_1.z;
-    if(_S137 <= 0.0f)
+    var _S144 : f32 = light_1.z;
+    if(_S144 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S137, 0.0f), max(dot(light_1, normal_5), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S144, 0.0f), max(dot(light_1, normal_5), 0.0f), blend_1);
 }
 
-fn projected_area_1( direction_3 : vec3<f32>,  tangent_4 : vec3<f32>,  roughness_1 : f32) -> f32
+fn projected_area_1( direction_4 : vec3<f32>,  tangent_4 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S138 : f32 = dot(direction_3, tangent_4);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S138 * _S138 + 1.0f, roughness_1 * roughness_1));
+    var _S145 : f32 = dot(direction_4, tangent_4);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S145 * _S145 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn mean_attenuation_0( depth_0 : f32) -> f32
@@ -1248,104 +1262,104 @@ fn mean_attenuation_0( depth_0 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
 {
-    var _S139 : f32 = roughness_2 * roughness_2;
-    var _S140 : f32 = squared_along_0 * (1.0f - _S139) + _S139;
-    return 0.31830987334251404f * _S139 * roughness_2 / (_S140 * _S140);
+    var _S146 : f32 = roughness_2 * roughness_2;
+    var _S147 : f32 = squared_along_0 * (1.0f - _S146) + _S146;
+    return 0.31830987334251404f * _S146 * roughness_2 / (_S147 * _S147);
 }
 
 fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S141 : vec3<f32> = light_2 + view_1;
-    var _S142 : f32 = dot(_S141, tangent_5);
-    return flake_density_0(min(_S142 * _S142 / max(square_0(_S141), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S148 : vec3<f32> = light_2 + view_1;
+    var _S149 : f32 = dot(_S148, tangent_5);
+    return flake_density_0(min(_S149 * _S149 / max(square_0(_S148), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 fn reflection_0( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_6 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S143 : f32 = dot(light_3, normal_6);
-    var _S144 : f32 = dot(view_2, normal_6);
-    if(((_S143 <= 0.0f) | ((_S144 <= 0.0f))))
+    var _S150 : f32 = dot(light_3, normal_6);
+    var _S151 : f32 = dot(view_2, normal_6);
+    if(((_S150 <= 0.0f) | ((_S151 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S145 : f32 = max(_S143, 9.99999997475242708e-07f);
-    var _S146 : f32 = max(_S144, 9.99999997475242708e-07f);
-    var _S147 : f32 = projected_area_1(light_3, tangent_6, roughness_4) * _S146 + projected_area_1(view_2, tangent_6, roughness_4) * _S145;
-    var _S148 : f32 = optical_depth_1 * _S147 / (_S145 * _S146);
-    return 0.25f * density_between_0(light_3, view_2, tangent_6, roughness_4) * (_S148 * mean_attenuation_0(_S148)) * _S145 / _S147;
+    var _S152 : f32 = max(_S150, 9.99999997475242708e-07f);
+    var _S153 : f32 = max(_S151, 9.99999997475242708e-07f);
+    var _S154 : f32 = projected_area_1(light_3, tangent_6, roughness_4) * _S153 + projected_area_1(view_2, tangent_6, roughness_4) * _S152;
+    var _S155 : f32 = optical_depth_1 * _S154 / (_S152 * _S153);
+    return 0.25f * density_between_0(light_3, view_2, tangent_6, roughness_4) * (_S155 * mean_attenuation_0(_S155)) * _S152 / _S154;
 }
 
 fn transmission_1( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S149 : f32 = - dot(light_4, normal_7);
-    var _S150 : f32 = dot(view_3, normal_7);
-    if(((_S149 <= 0.0f) | ((_S150 <= 0.0f))))
+    var _S156 : f32 = - dot(light_4, normal_7);
+    var _S157 : f32 = dot(view_3, normal_7);
+    if(((_S156 <= 0.0f) | ((_S157 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S151 : f32 = 1.0f / max(_S150, 9.99999997475242708e-07f);
-    var _S152 : f32 = projected_area_1(light_4, tangent_7, roughness_5) / max(_S149, 9.99999997475242708e-07f);
-    var _S153 : f32 = projected_area_1(view_3, tangent_7, roughness_5) * _S151;
-    return density_between_0(light_4, view_3, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S152, _S153)) * mean_attenuation_0(optical_depth_2 * abs(_S152 - _S153)) * _S151;
+    var _S158 : f32 = 1.0f / max(_S157, 9.99999997475242708e-07f);
+    var _S159 : f32 = projected_area_1(light_4, tangent_7, roughness_5) / max(_S156, 9.99999997475242708e-07f);
+    var _S160 : f32 = projected_area_1(view_3, tangent_7, roughness_5) * _S158;
+    return density_between_0(light_4, view_3, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S159, _S160)) * mean_attenuation_0(optical_depth_2 * abs(_S159 - _S160)) * _S158;
 }
 
-fn sheen_scale_0( x_9 : f32,  y_2 : f32) -> f32
+fn sheen_scale_0( x_10 : f32,  y_3 : f32) -> f32
 {
-    return (((((0.0f * x_9 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_9 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_9 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_9 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_9 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_9 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
+    return (((((0.0f * x_10 + (((((-1.1402510404586792f * y_3 + 0.40672621130943298f) * y_3 + 1.65398800373077393f) * y_3 + -1.29730904102325439f) * y_3 + 0.30570998787879944f) * y_3 + -0.0220868494361639f)) * x_10 + (((((-0.21142719686031342f * y_3 + 1.05947399139404297f) * y_3 + -0.41116121411323547f) * y_3 + -0.93859231472015381f) * y_3 + 0.51606941223144531f) * y_3 + 0.05409301072359085f)) * x_10 + (((((1.22944498062133789f * y_3 + -0.45962560176849365f) * y_3 + -1.63861405849456787f) * y_3 + 1.33565104007720947f) * y_3 + -0.45725581049919128f) * y_3 + 0.08243165910243988f)) * x_10 + (((((0.39779931306838989f * y_3 + -1.18879103660583496f) * y_3 + 0.28251591324806213f) * y_3 + 1.168984055519104f) * y_3 + -0.76864629983901978f) * y_3 + 0.0091691892594099f)) * x_10 + (((((-0.26563560962677002f * y_3 + -0.19379159808158875f) * y_3 + 0.2677634060382843f) * y_3 + 0.00270519289188087f) * y_3 + 0.14349560439586639f) * y_3 + 0.10290180146694183f)) * x_10 + (((((-0.20701569318771362f * y_3 + 0.24526430666446686f) * y_3 + 0.19551840424537659f) * y_3 + 0.07586126774549484f) * y_3 + 0.38894739747047424f) * y_3 + 0.15043120086193085f);
 }
 
-fn sheen_shear_0( x_10 : f32,  y_3 : f32) -> f32
+fn sheen_shear_0( x_11 : f32,  y_4 : f32) -> f32
 {
-    return ((((0.0f * x_10 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_10 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_10 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_10 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_10 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
+    return ((((0.0f * x_11 + (((((-0.10608240216970444f * y_4 + 1.99214303493499756f) * y_4 + -1.42255294322967529f) * y_4 + -1.09495604038238525f) * y_4 + 0.59180057048797607f) * y_4 + 0.06902855634689331f)) * x_11 + (((((-0.46220690011978149f * y_4 + -0.29113379120826721f) * y_4 + 1.39025199413299561f) * y_4 + 0.35589990019798279f) * y_4 + -1.17120099067687988f) * y_4 + 0.15940259397029877f)) * x_11 + (((((2.26068711280822754f * y_4 + -3.64728999137878418f) * y_4 + -0.72173482179641724f) * y_4 + 3.07659196853637695f) * y_4 + -0.6827620267868042f) * y_4 + -0.3039557933807373f)) * x_11 + (((((0.81201767921447754f * y_4 + 0.36014080047607422f) * y_4 + -1.72646903991699219f) * y_4 + -0.22630110383033752f) * y_4 + 0.89514690637588501f) * y_4 + -0.10397960245609283f)) * x_11 + (((((-0.37648698687553406f * y_4 + 1.10974001884460449f) * y_4 + 0.17824520170688629f) * y_4 + -1.04968702793121338f) * y_4 + 0.1461234986782074f) * y_4 + -0.00475129019469023f);
 }
 
-fn sheen_reflectance_0( x_11 : f32,  y_4 : f32) -> f32
+fn sheen_reflectance_0( x_12 : f32,  y_5 : f32) -> f32
 {
-    return ((((0.0f * x_11 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_11 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_11 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_11 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_11 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
+    return ((((0.0f * x_12 + (((((12.95646953582763672f * y_5 + -21.38032913208007812f) * y_5 + -7.37853097915649414f) * y_5 + 34.55607986450195312f) * y_5 + -23.61347007751464844f) * y_5 + 5.00126314163208008f)) * x_12 + (((((10.91487026214599609f * y_5 + -6.08202791213989258f) * y_5 + -38.2036285400390625f) * y_5 + 53.3440399169921875f) * y_5 + -21.91996002197265625f) * y_5 + 2.01606011390686035f)) * x_12 + (((((-14.52206039428710938f * y_5 + 36.803619384765625f) * y_5 + -22.94047927856445312f) * y_5 + -10.07973003387451172f) * y_5 + 15.77003955841064453f) * y_5 + -4.92722177505493164f)) * x_12 + (((((-7.62505722045898438f * y_5 + 1.27310299873352051f) * y_5 + 31.19523048400878906f) * y_5 + -44.39989852905273438f) * y_5 + 26.44947052001953125f) * y_5 + -8.73507976531982422f)) * x_12 + (((((5.65633487701416016f * y_5 + -17.66820907592773438f) * y_5 + 24.65356063842773438f) * y_5 + -19.38941001892089844f) * y_5 + 11.06159019470214844f) * y_5 + -3.06573700904846191f);
 }
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_6 : f32) -> vec3<f32>
 {
-    var _S154 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S155 : f32 = 2.0f * sqrt(_S154) - 1.0f;
-    var _S156 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S155, _S156), 0.00999999977648258f, 1.0f), clamp((1.0f - _S154) * sheen_shear_0(_S155, _S156), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S155, _S156), -60.0f, 60.0f))));
+    var _S161 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S162 : f32 = 2.0f * sqrt(_S161) - 1.0f;
+    var _S163 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S162, _S163), 0.00999999977648258f, 1.0f), clamp((1.0f - _S161) * sheen_shear_0(_S162, _S163), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S162, _S163), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_5 : vec3<f32>,  view_4 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S157 : f32 = light_5.z;
-    if(((_S157 <= 0.0f) | (((view_4.z) <= 0.0f))))
+    var _S164 : f32 = light_5.z;
+    if(((_S164 <= 0.0f) | (((view_4.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S158 : vec2<f32> = view_4.xy;
-    var _S159 : f32 = dot(_S158, _S158);
-    var _S160 : vec2<f32> = select_vector_1(_S159 > 9.99999968265522539e-21f, _S158 * vec2<f32>(rsqrt_0(max(_S159, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S161 : f32 = scale_0 * dot(light_5.xy, _S160) + shear_0 * _S157;
-    var _S162 : f32 = scale_0 * (light_5.y * _S160.x - light_5.x * _S160.y);
-    var _S163 : f32 = _S161 * _S161 + _S162 * _S162 + _S157 * _S157;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S157 / max(_S163 * _S163, 9.99999968265522539e-21f);
+    var _S165 : vec2<f32> = view_4.xy;
+    var _S166 : f32 = dot(_S165, _S165);
+    var _S167 : vec2<f32> = select_vector_1(_S166 > 9.99999968265522539e-21f, _S165 * vec2<f32>(rsqrt_0(max(_S166, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S168 : f32 = scale_0 * dot(light_5.xy, _S167) + shear_0 * _S164;
+    var _S169 : f32 = scale_0 * (light_5.y * _S167.x - light_5.x * _S167.y);
+    var _S170 : f32 = _S168 * _S168 + _S169 * _S169 + _S164 * _S164;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S164 / max(_S170 * _S170, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_6 : vec3<f32>,  view_5 : vec3<f32>,  strength_0 : f32,  roughness_7 : f32) -> vec2<f32>
 {
-    var _S164 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
-    var _S165 : f32 = strength_0 * _S164.z;
-    return vec2<f32>(_S165 * transformed_cosine_0(light_6, view_5, _S164.x, _S164.y), 1.0f - _S165);
+    var _S171 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
+    var _S172 : f32 = strength_0 * _S171.z;
+    return vec2<f32>(_S172 * transformed_cosine_0(light_6, view_5, _S171.x, _S171.y), 1.0f - _S172);
 }
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_6 : vec3<f32>) -> vec3<f32>
 {
-    var _S166 : f32 = light_7.z;
-    return select_vector_0((_S166 * view_6.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S166) * 0.31830987334251404f));
+    var _S173 : f32 = light_7.z;
+    return select_vector_0((_S173 * view_6.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S173) * 0.31830987334251404f));
 }
 
 fn accumulate_0( index_7 : u32,  light_8 : vec4<f32>)
 {
-    var _S167 : f32 = layers_0[index_7].share_0;
+    var _S174 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_8;
-    layers_0[index_7].share_0 = _S167 * (1.0f - light_8.w);
+    layers_0[index_7].share_0 = _S174 * (1.0f - light_8.w);
     return;
 }
 
@@ -1369,100 +1383,100 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S168 : u32,  _S169 : u32,  _S170 : f32,  _S171 : f32) -> VisiblePoint_0
+fn face_point_0( _S175 : u32,  _S176 : u32,  _S177 : f32,  _S178 : f32) -> VisiblePoint_0
 {
-    var _S172 : u32 = u32(3) * _S169;
-    var _S173 : Vertex_0 = vertex_at_0(_S172);
-    var _S174 : Vertex_0 = vertex_at_0(_S172 + u32(1));
-    var _S175 : Vertex_0 = vertex_at_0(_S172 + u32(2));
-    var _S176 : vec3<f32> = position_of_0(_S173);
-    var _S177 : vec3<f32> = position_of_0(_S174) - _S176;
-    var _S178 : vec3<f32> = position_of_0(_S175) - _S176;
-    var _S179 : f32 = _S174.u_0 - _S173.u_0;
-    var _S180 : f32 = _S174.v_0 - _S173.v_0;
-    var _S181 : vec2<f32> = vec2<f32>(_S179, _S180);
-    var _S182 : f32 = _S175.u_0 - _S173.u_0;
-    var _S183 : f32 = _S175.v_0 - _S173.v_0;
-    var _S184 : vec2<f32> = vec2<f32>(_S182, _S183);
-    var _S185 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S179 * _S183 - _S180 * _S182) < 0.0f));
-    var _S186 : vec3<f32> = _S185 * (vec3<f32>(_S183) * _S177 - vec3<f32>(_S180) * _S178);
-    var _S187 : vec3<f32> = _S185 * (vec3<f32>(_S179) * _S178 - vec3<f32>(_S182) * _S177);
+    var _S179 : u32 = u32(3) * _S176;
+    var _S180 : Vertex_0 = vertex_at_0(_S179);
+    var _S181 : Vertex_0 = vertex_at_0(_S179 + u32(1));
+    var _S182 : Vertex_0 = vertex_at_0(_S179 + u32(2));
+    var _S183 : vec3<f32> = position_of_0(_S180);
+    var _S184 : vec3<f32> = position_of_0(_S181) - _S183;
+    var _S185 : vec3<f32> = position_of_0(_S182) - _S183;
+    var _S186 : f32 = _S181.u_0 - _S180.u_0;
+    var _S187 : f32 = _S181.v_0 - _S180.v_0;
+    var _S188 : vec2<f32> = vec2<f32>(_S186, _S187);
+    var _S189 : f32 = _S182.u_0 - _S180.u_0;
+    var _S190 : f32 = _S182.v_0 - _S180.v_0;
+    var _S191 : vec2<f32> = vec2<f32>(_S189, _S190);
+    var _S192 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S186 * _S190 - _S187 * _S189) < 0.0f));
+    var _S193 : vec3<f32> = _S192 * (vec3<f32>(_S190) * _S184 - vec3<f32>(_S187) * _S185);
+    var _S194 : vec3<f32> = _S192 * (vec3<f32>(_S186) * _S185 - vec3<f32>(_S189) * _S184);
     var point_2 : VisiblePoint_0;
-    var _S188 : vec3<f32> = vec3<f32>(_S170);
-    var _S189 : vec3<f32> = vec3<f32>(_S171);
-    var _S190 : vec3<f32> = normalize(vec3<f32>((1.0f - _S170 - _S171)) * normal_of_0(_S173) + _S188 * normal_of_0(_S174) + _S189 * normal_of_0(_S175));
-    point_2.normal_0 = _S190;
-    var _S191 : vec3<f32> = normalize(_S186 - _S190 * vec3<f32>(dot(_S190, _S186)));
-    point_2.axis_x_0 = _S191;
-    point_2.axis_y_0 = cross(_S190, _S191);
-    var _S192 : vec3<f32> = normalize(cross(_S177, _S178));
-    point_2.face_normal_0 = select_vector_0((dot(_S192, _S190)) < 0.0f, (vec3<f32>(0) - _S192), _S192);
-    point_2.position_0 = _S176 + _S188 * _S177 + _S189 * _S178;
-    point_2.view_0 = _S190;
-    var _S193 : vec2<f32> = vec2<f32>(_S173.u_0, _S173.v_0) + vec2<f32>(_S170) * _S181 + vec2<f32>(_S171) * _S184;
-    point_2.uv_1 = _S193;
-    var _S194 : bool = (dot(cross(_S186, _S187), _S190)) < 0.0f;
-    var _S195 : vec2<f32> = vec2<f32>(fabrics_0[_S168].uv_width_0, select(fabrics_0[_S168].uv_height_0, - fabrics_0[_S168].uv_height_0, _S194));
-    point_2.draft_per_uv_0 = _S195;
-    point_2.draft_0 = _S193 * _S195 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S168].uv_height_0, _S194));
-    var _S196 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S196;
-    point_2.draft_dy_0 = _S196;
+    var _S195 : vec3<f32> = vec3<f32>(_S177);
+    var _S196 : vec3<f32> = vec3<f32>(_S178);
+    var _S197 : vec3<f32> = normalize(vec3<f32>((1.0f - _S177 - _S178)) * normal_of_0(_S180) + _S195 * normal_of_0(_S181) + _S196 * normal_of_0(_S182));
+    point_2.normal_0 = _S197;
+    var _S198 : vec3<f32> = normalize(_S193 - _S197 * vec3<f32>(dot(_S197, _S193)));
+    point_2.axis_x_0 = _S198;
+    point_2.axis_y_0 = cross(_S197, _S198);
+    var _S199 : vec3<f32> = normalize(cross(_S184, _S185));
+    point_2.face_normal_0 = select_vector_0((dot(_S199, _S197)) < 0.0f, (vec3<f32>(0) - _S199), _S199);
+    point_2.position_0 = _S183 + _S195 * _S184 + _S196 * _S185;
+    point_2.view_0 = _S197;
+    var _S200 : vec2<f32> = vec2<f32>(_S180.u_0, _S180.v_0) + vec2<f32>(_S177) * _S188 + vec2<f32>(_S178) * _S191;
+    point_2.uv_1 = _S200;
+    var _S201 : bool = (dot(cross(_S193, _S194), _S197)) < 0.0f;
+    var _S202 : vec2<f32> = vec2<f32>(fabrics_0[_S175].uv_width_0, select(fabrics_0[_S175].uv_height_0, - fabrics_0[_S175].uv_height_0, _S201));
+    point_2.draft_per_uv_0 = _S202;
+    point_2.draft_0 = _S200 * _S202 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S175].uv_height_0, _S201));
+    var _S203 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S203;
+    point_2.draft_dy_0 = _S203;
     return point_2;
 }
 
-fn visible_point_0( _S197 : u32,  _S198 : u32,  _S199 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S204 : u32,  _S205 : u32,  _S206 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S200 : u32 = u32(3) * _S198;
-    var _S201 : Vertex_0 = vertex_at_0(_S200);
-    var _S202 : Vertex_0 = vertex_at_0(_S200 + u32(1));
-    var _S203 : Vertex_0 = vertex_at_0(_S200 + u32(2));
-    var _S204 : vec3<f32> = position_of_0(_S201);
-    var _S205 : vec3<f32> = position_of_0(_S202) - _S204;
-    var _S206 : vec3<f32> = position_of_0(_S203) - _S204;
-    var _S207 : vec3<f32> = cross(_S205, _S206);
-    var _S208 : f32 = f32(frame_record_0.width_0);
-    var _S209 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S208));
-    var _S210 : f32 = f32(frame_record_0.height_0);
-    var _S211 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S210));
-    var _S212 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S199.x) + 0.5f - 0.5f * _S208)) * _S209 + vec3<f32>((f32(_S199.y) + 0.5f - 0.5f * _S210)) * _S211;
-    var _S213 : f32 = dot(_S212, _S207);
-    var _S214 : f32 = 1.0f / select(1.00000000317107685e-30f, _S213, (abs(_S213)) > 1.00000000317107685e-30f);
-    var _S215 : vec3<f32> = _S204 - camera_origin_0();
-    var _S216 : vec3<f32> = vec3<f32>((dot(_S215, _S207) * _S214));
-    var _S217 : vec3<f32> = _S212 * _S216 - _S215;
-    var _S218 : vec3<f32> = _S216 * (_S209 - _S212 * vec3<f32>((dot(_S209, _S207) * _S214)));
-    var _S219 : vec3<f32> = _S216 * (_S211 - _S212 * vec3<f32>((dot(_S211, _S207) * _S214)));
-    var _S220 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S207), 1.00000000317107685e-30f)));
-    var _S221 : vec3<f32> = cross(_S206, _S207) * _S220;
-    var _S222 : vec3<f32> = cross(_S207, _S205) * _S220;
-    var _S223 : vec2<f32> = vec2<f32>(_S202.u_0 - _S201.u_0, _S202.v_0 - _S201.v_0);
-    var _S224 : vec2<f32> = vec2<f32>(_S203.u_0 - _S201.u_0, _S203.v_0 - _S201.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S197, _S198, dot(_S217, _S221), dot(_S217, _S222));
-    point_3.position_0 = _S204 + _S217;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S212));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S218, _S221)) * _S223 + vec2<f32>(dot(_S218, _S222)) * _S224) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S219, _S221)) * _S223 + vec2<f32>(dot(_S219, _S222)) * _S224) * point_3.draft_per_uv_0;
+    var _S207 : u32 = u32(3) * _S205;
+    var _S208 : Vertex_0 = vertex_at_0(_S207);
+    var _S209 : Vertex_0 = vertex_at_0(_S207 + u32(1));
+    var _S210 : Vertex_0 = vertex_at_0(_S207 + u32(2));
+    var _S211 : vec3<f32> = position_of_0(_S208);
+    var _S212 : vec3<f32> = position_of_0(_S209) - _S211;
+    var _S213 : vec3<f32> = position_of_0(_S210) - _S211;
+    var _S214 : vec3<f32> = cross(_S212, _S213);
+    var _S215 : f32 = f32(frame_record_0.width_0);
+    var _S216 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S215));
+    var _S217 : f32 = f32(frame_record_0.height_0);
+    var _S218 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S217));
+    var _S219 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S206.x) + 0.5f - 0.5f * _S215)) * _S216 + vec3<f32>((f32(_S206.y) + 0.5f - 0.5f * _S217)) * _S218;
+    var _S220 : f32 = dot(_S219, _S214);
+    var _S221 : f32 = 1.0f / select(1.00000000317107685e-30f, _S220, (abs(_S220)) > 1.00000000317107685e-30f);
+    var _S222 : vec3<f32> = _S211 - camera_origin_0();
+    var _S223 : vec3<f32> = vec3<f32>((dot(_S222, _S214) * _S221));
+    var _S224 : vec3<f32> = _S219 * _S223 - _S222;
+    var _S225 : vec3<f32> = _S223 * (_S216 - _S219 * vec3<f32>((dot(_S216, _S214) * _S221)));
+    var _S226 : vec3<f32> = _S223 * (_S218 - _S219 * vec3<f32>((dot(_S218, _S214) * _S221)));
+    var _S227 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S214), 1.00000000317107685e-30f)));
+    var _S228 : vec3<f32> = cross(_S213, _S214) * _S227;
+    var _S229 : vec3<f32> = cross(_S214, _S212) * _S227;
+    var _S230 : vec2<f32> = vec2<f32>(_S209.u_0 - _S208.u_0, _S209.v_0 - _S208.v_0);
+    var _S231 : vec2<f32> = vec2<f32>(_S210.u_0 - _S208.u_0, _S210.v_0 - _S208.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S204, _S205, dot(_S224, _S228), dot(_S224, _S229));
+    point_3.position_0 = _S211 + _S224;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S219));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S225, _S228)) * _S230 + vec2<f32>(dot(_S225, _S229)) * _S231) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S226, _S228)) * _S230 + vec2<f32>(dot(_S226, _S229)) * _S231) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S225 : u32,  _S226 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S232 : u32,  _S233 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S227 : u32 = fabrics_0[_S225].albedo_map_levels_0;
-    if((fabrics_0[_S225].albedo_map_levels_0) == u32(0))
+    var _S234 : u32 = fabrics_0[_S232].albedo_map_levels_0;
+    if((fabrics_0[_S232].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S228 : vec2<f32> = vec2<f32>(fabrics_0[_S225].uv_width_0, fabrics_0[_S225].uv_height_0);
-    var _S229 : vec2<f32> = _S226.draft_dx_0 / _S228;
-    var _S230 : vec2<f32> = _S226.draft_dy_0 / _S228;
-    var _S231 : u32 = _S227 - u32(1);
-    var _S232 : u32 = (u32(1) << (_S231));
-    var _S233 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S229.x * _S230.y - _S229.y * _S230.x), 9.99999968265522539e-21f) * (square_1(f32(_S232)) / 3.0f)), 0.0f, f32(_S227) - 1.0f);
-    var _S234 : u32 = min(u32(_S233), max(_S227, u32(2)) - u32(2));
-    var _S235 : u32 = min(_S234 + u32(1), _S231);
-    var _S236 : u32 = (u32(1) << ((u32(2) * _S227)));
-    return mix(map_level_0(fabrics_0[_S225].albedo_map_0 + (_S236 - ((_S236 >> ((u32(2) * _S234))))) / u32(3), (_S232 >> (_S234)), _S226.uv_1), map_level_0(fabrics_0[_S225].albedo_map_0 + (_S236 - ((_S236 >> ((u32(2) * _S235))))) / u32(3), (_S232 >> (_S235)), _S226.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S233 - f32(_S234))) - 1.0f) / 3.0f)));
+    var _S235 : vec2<f32> = vec2<f32>(fabrics_0[_S232].uv_width_0, fabrics_0[_S232].uv_height_0);
+    var _S236 : vec2<f32> = _S233.draft_dx_0 / _S235;
+    var _S237 : vec2<f32> = _S233.draft_dy_0 / _S235;
+    var _S238 : u32 = _S234 - u32(1);
+    var _S239 : u32 = (u32(1) << (_S238));
+    var _S240 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S236.x * _S237.y - _S236.y * _S237.x), 9.99999968265522539e-21f) * (square_1(f32(_S239)) / 3.0f)), 0.0f, f32(_S234) - 1.0f);
+    var _S241 : u32 = min(u32(_S240), max(_S234, u32(2)) - u32(2));
+    var _S242 : u32 = min(_S241 + u32(1), _S238);
+    var _S243 : u32 = (u32(1) << ((u32(2) * _S234)));
+    return mix(map_level_0(fabrics_0[_S232].albedo_map_0 + (_S243 - ((_S243 >> ((u32(2) * _S241))))) / u32(3), (_S239 >> (_S241)), _S233.uv_1), map_level_0(fabrics_0[_S232].albedo_map_0 + (_S243 - ((_S243 >> ((u32(2) * _S242))))) / u32(3), (_S239 >> (_S242)), _S233.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S240 - f32(_S241))) - 1.0f) / 3.0f)));
 }
 
 struct YarnPoint_0
@@ -1470,8 +1484,8 @@ struct YarnPoint_0
      back_6 : bool,
      hole_3 : bool,
      is_warp_2 : bool,
-     x_12 : f32,
-     y_5 : f32,
+     x_13 : f32,
+     y_6 : f32,
      height_5 : f32,
      normal_8 : vec3<f32>,
      tangent_8 : vec3<f32>,
@@ -1483,8 +1497,8 @@ struct YarnPoint_0
 
 struct Hit_0
 {
-     x_13 : f32,
-     y_6 : f32,
+     x_14 : f32,
+     y_7 : f32,
      hole_4 : bool,
      height_6 : f32,
 };
@@ -1498,134 +1512,136 @@ struct Sample_0
      height_7 : f32,
      slope_across_0 : f32,
      slope_along_0 : f32,
+     dive_1 : vec3<f32>,
      slope_x_1 : f32,
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S237 : u32,  _S238 : f32,  _S239 : f32,  _S240 : bool) -> Crossing_0
+fn crossing_at_0( _S244 : u32,  _S245 : f32,  _S246 : f32,  _S247 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S237].warp_0, _S238);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S237].weft_0, _S239);
-    var _S241 : u32 = fabrics_0[_S237].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S237].ends_1 + crossing_2.warp_1.thread_2);
-    var _S242 : u32 = words_0[_S241];
-    crossing_2.warp_word_0 = _S242;
-    crossing_2.weft_word_0 = words_0[_S241 + u32(1)];
-    crossing_2.warp_above_0 = (((_S242 & (u32(1)))) == u32(1)) != _S240;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S244].warp_0, _S245);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S244].weft_0, _S246);
+    var _S248 : u32 = fabrics_0[_S244].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S244].ends_1 + crossing_2.warp_1.thread_2);
+    var _S249 : u32 = words_0[_S248];
+    crossing_2.warp_word_0 = _S249;
+    crossing_2.weft_word_0 = words_0[_S248 + u32(1)];
+    crossing_2.warp_above_0 = (((_S249 & (u32(1)))) == u32(1)) != _S247;
     return crossing_2;
 }
 
-fn sample_at_0( _S243 : u32,  _S244 : f32,  _S245 : f32,  _S246 : bool) -> Sample_0
+fn sample_at_0( _S250 : u32,  _S251 : f32,  _S252 : f32,  _S253 : bool) -> Sample_0
 {
     var sample_0 : Sample_0;
-    var _S247 : Crossing_0 = crossing_at_0(_S243, _S244, _S245, _S246);
-    sample_0.crossing_1 = _S247;
-    var _S248 : Shown_0 = shown_at_0(_S247, _S246);
-    sample_0.shown_3 = _S248;
-    var _S249 : u32 = select(fabrics_0[_S243].weft_0, fabrics_0[_S243].warp_0, _S248.is_warp_0);
-    var _S250 : u32 = select(fabrics_0[_S243].warp_0, fabrics_0[_S243].weft_0, _S248.is_warp_0);
-    var _S251 : Cell_0 = select_cell_0(_S248.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
-    var _S252 : Cell_0 = select_cell_0(_S248.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
-    var _S253 : Run_0 = unpack_0(_S249, _S250, _S251.thread_2, _S252, _S248.word_0);
-    var _S254 : Section_0 = section_at_0(_S251);
-    var _S255 : bool = ((_S248.on_top_0) & (((_S253.distance_0) < (_S254.drop_0 * _S253.bend_1.sine_0))));
-    var _S256 : f32 = select(-1.0f, 1.0f, ((_S248.on_top_0) & ((!_S255))));
-    var _S257 : f32 = select(_S253.reach_0, _S253.other_reach_0, _S255);
-    var _S258 : f32 = select(max(_S257 - _S253.distance_0, 0.0f), _S257 + _S253.distance_0, _S255);
-    var _S259 : f32 = _S257 / _S253.bend_1.sine_0 - _S256 * _S254.drop_0;
-    var _S260 : f32 = _S258 * _S258;
-    var _S261 : f32 = max(_S259 * _S259 - _S260, 9.99999968265522539e-21f);
-    var _S262 : f32 = rsqrt_0(_S261);
-    var _S263 : f32 = _S260 / (_S261 * _S262 + _S259);
-    var _S264 : bool = _S258 > 0.0f;
-    var _S265 : f32 = select(-1.0f, 1.0f, _S248.on_top_0) * select(-1.0f, 1.0f, _S253.near_start_0);
-    var _S266 : f32 = _S254.slope_0 * select(1.0f, _S259 * _S262, _S264);
-    sample_0.slope_across_0 = _S266;
-    var _S267 : f32 = select(0.0f, _S265 * _S258 * _S262, _S264);
-    sample_0.slope_along_0 = _S267;
-    var _S268 : vec2<f32> = dive_0(_S250, _S248, _S253, _S252);
-    sample_0.height_7 = select(families_0[_S249].height_scale_0 * _S256, 0.0f, _S253.straight_0) * (_S257 * _S253.bend_1.half_tangent_0 - _S263) - families_0[_S249].height_scale_0 * _S254.drop_0 - _S268.x;
-    var _S269 : f32 = families_0[_S249].height_scale_0 * _S266;
-    var _S270 : f32 = families_0[_S249].height_scale_0 * _S267 - _S268.y;
-    sample_0.slope_x_1 = select(_S270, _S269, _S248.is_warp_0);
-    sample_0.slope_y_1 = select(_S269, _S270, _S248.is_warp_0);
-    sample_0.run_3 = _S253;
-    sample_0.section_1 = _S254;
+    var _S254 : Crossing_0 = crossing_at_0(_S250, _S251, _S252, _S253);
+    sample_0.crossing_1 = _S254;
+    var _S255 : Shown_0 = shown_at_0(_S254, _S253);
+    sample_0.shown_3 = _S255;
+    var _S256 : u32 = select(fabrics_0[_S250].weft_0, fabrics_0[_S250].warp_0, _S255.is_warp_0);
+    var _S257 : u32 = select(fabrics_0[_S250].warp_0, fabrics_0[_S250].weft_0, _S255.is_warp_0);
+    var _S258 : Cell_0 = select_cell_0(_S255.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    var _S259 : Cell_0 = select_cell_0(_S255.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    var _S260 : Run_0 = unpack_0(_S256, _S257, _S258.thread_2, _S259, _S255.word_0);
+    var _S261 : Section_0 = section_at_0(_S258);
+    var _S262 : bool = ((_S255.on_top_0) & (((_S260.distance_0) < (_S261.drop_0 * _S260.bend_1.sine_0))));
+    var _S263 : f32 = select(-1.0f, 1.0f, ((_S255.on_top_0) & ((!_S262))));
+    var _S264 : f32 = select(_S260.reach_0, _S260.other_reach_0, _S262);
+    var _S265 : f32 = select(max(_S264 - _S260.distance_0, 0.0f), _S264 + _S260.distance_0, _S262);
+    var _S266 : f32 = _S264 / _S260.bend_1.sine_0 - _S263 * _S261.drop_0;
+    var _S267 : f32 = _S265 * _S265;
+    var _S268 : f32 = max(_S266 * _S266 - _S267, 9.99999968265522539e-21f);
+    var _S269 : f32 = rsqrt_0(_S268);
+    var _S270 : f32 = _S267 / (_S268 * _S269 + _S266);
+    var _S271 : bool = _S265 > 0.0f;
+    var _S272 : f32 = select(-1.0f, 1.0f, _S255.on_top_0) * select(-1.0f, 1.0f, _S260.near_start_0);
+    var _S273 : f32 = _S261.slope_0 * select(1.0f, _S266 * _S269, _S271);
+    sample_0.slope_across_0 = _S273;
+    var _S274 : f32 = select(0.0f, _S272 * _S265 * _S269, _S271);
+    sample_0.slope_along_0 = _S274;
+    var _S275 : vec3<f32> = dive_0(_S257, _S255, _S260, _S259);
+    sample_0.dive_1 = _S275;
+    sample_0.height_7 = select(families_0[_S256].height_scale_0 * _S263, 0.0f, _S260.straight_0) * (_S264 * _S260.bend_1.half_tangent_0 - _S270) - families_0[_S256].height_scale_0 * _S261.drop_0 - _S275.x;
+    var _S276 : f32 = families_0[_S256].height_scale_0 * _S273;
+    var _S277 : f32 = families_0[_S256].height_scale_0 * _S274 - _S275.y;
+    sample_0.slope_x_1 = select(_S277, _S276, _S255.is_warp_0);
+    sample_0.slope_y_1 = select(_S276, _S277, _S255.is_warp_0);
+    sample_0.run_3 = _S260;
+    sample_0.section_1 = _S261;
     return sample_0;
 }
 
-fn steps_per_length_0( _S271 : u32,  _S272 : SearchQuality_0,  _S273 : vec3<f32>) -> f32
+fn steps_per_length_0( _S278 : u32,  _S279 : SearchQuality_0,  _S280 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S273.x) * fabrics_0[_S271].threads_per_x_0, abs(_S273.y) * fabrics_0[_S271].threads_per_y_0) * _S272.steps_per_thread_0, abs(_S273.z) * fabrics_0[_S271].per_relief_0 * _S272.steps_per_relief_0);
+    return max(max(abs(_S280.x) * fabrics_0[_S278].threads_per_x_0, abs(_S280.y) * fabrics_0[_S278].threads_per_y_0) * _S279.steps_per_thread_0, abs(_S280.z) * fabrics_0[_S278].per_relief_0 * _S279.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S274 : u32,  _S275 : Crossing_0) -> f32
+fn cell_maximum_0( _S281 : u32,  _S282 : Crossing_0) -> f32
 {
-    var _S276 : u32 = select(fabrics_0[_S274].weft_0, fabrics_0[_S274].warp_0, _S275.warp_above_0);
-    return f32((select(_S275.weft_word_0, _S275.warp_word_0, _S275.warp_above_0) >> (u32(28)))) * families_0[_S276].height_scale_0 * families_0[_S276].level_0;
+    var _S283 : u32 = select(fabrics_0[_S281].weft_0, fabrics_0[_S281].warp_0, _S282.warp_above_0);
+    return f32((select(_S282.weft_word_0, _S282.warp_word_0, _S282.warp_above_0) >> (u32(28)))) * families_0[_S283].height_scale_0 * families_0[_S283].level_0;
 }
 
-fn probe_0( _S277 : u32,  _S278 : f32,  _S279 : f32,  _S280 : bool,  _S281 : bool,  _S282 : bool) -> Probe_0
+fn probe_0( _S284 : u32,  _S285 : f32,  _S286 : f32,  _S287 : bool,  _S288 : bool,  _S289 : bool) -> Probe_0
 {
-    var _S283 : Sample_0 = sample_at_0(_S277, _S278, _S279, _S280);
+    var _S290 : Sample_0 = sample_at_0(_S284, _S285, _S286, _S287);
     var probe_1 : Probe_0;
-    probe_1.height_2 = _S283.height_7;
-    probe_1.hole_1 = _S283.shown_3.hole_0;
-    probe_1.slope_x_0 = _S283.slope_x_1;
-    probe_1.slope_y_0 = _S283.slope_y_1;
-    probe_1.yarn_1 = select(_S283.crossing_1.weft_1.thread_2 * u32(2), _S283.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S283.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S277, _S283.crossing_1);
-    probe_1.side_x_0 = select(_S283.crossing_1.warp_1.below_0, _S283.crossing_1.warp_1.above_0, _S281);
-    probe_1.side_y_0 = select(_S283.crossing_1.weft_1.below_0, _S283.crossing_1.weft_1.above_0, _S282);
-    probe_1.edge_x_0 = outline_distance_0(_S283.crossing_1.warp_1, _S283.shown_3, _S283.run_3, !_S283.shown_3.is_warp_0, _S281);
-    probe_1.edge_y_0 = outline_distance_0(_S283.crossing_1.weft_1, _S283.shown_3, _S283.run_3, _S283.shown_3.is_warp_0, _S282);
+    probe_1.height_2 = _S290.height_7;
+    probe_1.hole_1 = _S290.shown_3.hole_0;
+    probe_1.slope_x_0 = _S290.slope_x_1;
+    probe_1.slope_y_0 = _S290.slope_y_1;
+    probe_1.yarn_1 = select(_S290.crossing_1.weft_1.thread_2 * u32(2), _S290.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S290.shown_3.is_warp_0);
+    probe_1.cell_max_0 = cell_maximum_0(_S284, _S290.crossing_1);
+    probe_1.side_x_0 = select(_S290.crossing_1.warp_1.below_0, _S290.crossing_1.warp_1.above_0, _S288);
+    probe_1.side_y_0 = select(_S290.crossing_1.weft_1.below_0, _S290.crossing_1.weft_1.above_0, _S289);
+    probe_1.edge_x_0 = outline_distance_0(_S290.crossing_1.warp_1, _S290.shown_3, _S290.run_3, !_S290.shown_3.is_warp_0, _S288);
+    probe_1.edge_y_0 = outline_distance_0(_S290.crossing_1.weft_1, _S290.shown_3, _S290.run_3, _S290.shown_3.is_warp_0, _S289);
     return probe_1;
 }
 
-fn is_free_0( _S284 : u32,  _S285 : SearchQuality_0,  _S286 : vec3<f32>,  _S287 : vec3<f32>,  _S288 : bool,  _S289 : f32) -> bool
+fn is_free_0( _S291 : u32,  _S292 : SearchQuality_0,  _S293 : vec3<f32>,  _S294 : vec3<f32>,  _S295 : bool,  _S296 : f32) -> bool
 {
-    var _S290 : f32 = _S287.z;
-    if(_S290 <= 0.0f)
+    var _S297 : f32 = _S294.z;
+    if(_S297 <= 0.0f)
     {
         return false;
     }
-    var _S291 : f32 = 1.0f / max(_S285.shadow_share_0 * steps_per_length_0(_S284, _S285, _S287), 9.99999971718068537e-10f);
-    var _S292 : StepControl_0 = step_control_0(_S287.xy, _S291);
+    var _S298 : f32 = 1.0f / max(_S292.shadow_share_0 * steps_per_length_0(_S291, _S292, _S294), 9.99999971718068537e-10f);
+    var _S299 : StepControl_0 = step_control_0(_S294.xy, _S298);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_2 : u32 = u32(0);
     var distance_1 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_2 < u32(1024)) & (((_S286.z + _S290 * distance_1) < _S289))))
+        if(((count_2 < u32(1024)) & (((_S293.z + _S297 * distance_1) < _S296))))
         {
         }
         else
         {
             break;
         }
-        var _S293 : vec3<f32> = _S286 + _S287 * vec3<f32>(distance_1);
-        var _S294 : Probe_0 = probe_0(_S284, _S293.x, _S293.y, _S288, _S292.right_0, _S292.up_0);
-        var _S295 : f32 = _S293.z;
-        var _S296 : f32 = _S295 - _S294.height_2;
-        var _S297 : f32 = _S290 - _S294.slope_x_0 * _S287.x - _S294.slope_y_0 * _S287.y;
-        if(((!_S294.hole_1) & ((_S296 < 0.0f))))
+        var _S300 : vec3<f32> = _S293 + _S294 * vec3<f32>(distance_1);
+        var _S301 : Probe_0 = probe_0(_S291, _S300.x, _S300.y, _S295, _S299.right_0, _S299.up_0);
+        var _S302 : f32 = _S300.z;
+        var _S303 : f32 = _S302 - _S301.height_2;
+        var _S304 : f32 = _S297 - _S301.slope_x_0 * _S294.x - _S301.slope_y_0 * _S294.y;
+        if(((!_S301.hole_1) & ((_S303 < 0.0f))))
         {
             return false;
         }
-        var _S298 : f32 = way_back_to_dip_0(previous_3, _S296, _S297, last_step_0, _S294);
-        if(_S298 >= 0.0f)
+        var _S305 : f32 = way_back_to_dip_0(previous_3, _S303, _S304, last_step_0, _S301);
+        if(_S305 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S298;
-            distance_1 = distance_1 - _S298;
+            var last_step_1 : f32 = last_step_0 - _S305;
+            distance_1 = distance_1 - _S305;
             last_step_0 = last_step_1;
             count_2 = count_2 + u32(1);
             continue;
         }
-        var _S299 : bool = _S295 > (_S294.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S292, _S294, _S296, _S297), max(StepControl_to_cell_exit_0(_S292, _S294.side_x_0, _S294.side_y_0), _S291), _S299);
+        var _S306 : bool = _S302 > (_S301.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S299, _S301, _S303, _S304), max(StepControl_to_cell_exit_0(_S299, _S301.side_x_0, _S301.side_y_0), _S298), _S306);
         var distance_2 : f32 = distance_1 + last_step_2;
-        previous_3 = after_sample_0(_S296, _S297, _S294, _S299);
+        previous_3 = after_sample_0(_S303, _S304, _S301, _S306);
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_2 = count_2 + u32(1);
@@ -1633,13 +1649,13 @@ fn is_free_0( _S284 : u32,  _S285 : SearchQuality_0,  _S286 : vec3<f32>,  _S287 
     return true;
 }
 
-fn passes_through_0( _S300 : u32,  _S301 : SearchQuality_0,  _S302 : f32,  _S303 : f32,  _S304 : vec3<f32>,  _S305 : bool) -> bool
+fn passes_through_0( _S307 : u32,  _S308 : SearchQuality_0,  _S309 : f32,  _S310 : f32,  _S311 : vec3<f32>,  _S312 : bool) -> bool
 {
-    if(!sample_at_0(_S300, _S302, _S303, _S305).shown_3.hole_0)
+    if(!sample_at_0(_S307, _S309, _S310, _S312).shown_3.hole_0)
     {
         return false;
     }
-    var _S306 : vec3<f32> = vec3<f32>(_S302, _S303, 0.0f);
+    var _S313 : vec3<f32> = vec3<f32>(_S309, _S310, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
@@ -1651,10 +1667,10 @@ fn passes_through_0( _S300 : u32,  _S301 : SearchQuality_0,  _S302 : f32,  _S303
         {
             break;
         }
-        var _S307 : bool = is_free_0(_S300, _S301, _S306, select_vector_0(side_1 == u32(0), _S304, vec3<f32>(- _S304.x, - _S304.y, _S304.z)), _S305 != (side_1 == u32(1)), fabrics_0[_S300].height_high_0);
-        var _S308 : u32 = side_1 + u32(1);
-        passes_0 = _S307;
-        side_1 = _S308;
+        var _S314 : bool = is_free_0(_S307, _S308, _S313, select_vector_0(side_1 == u32(0), _S311, vec3<f32>(- _S311.x, - _S311.y, _S311.z)), _S312 != (side_1 == u32(1)), fabrics_0[_S307].height_high_0);
+        var _S315 : u32 = side_1 + u32(1);
+        passes_0 = _S314;
+        side_1 = _S315;
     }
     return passes_0;
 }
@@ -1669,14 +1685,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S309 : u32,  _S310 : f32,  _S311 : f32,  _S312 : f32,  _S313 : vec3<f32>,  _S314 : bool) -> f32
+fn max_height_along_0( _S316 : u32,  _S317 : f32,  _S318 : f32,  _S319 : f32,  _S320 : vec3<f32>,  _S321 : bool) -> f32
 {
-    var _S315 : f32 = _S313.x;
-    var _S316 : f32 = _S313.y;
-    var _S317 : u32 = (words_0[fabrics_0[_S309].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S309].weft_0, _S311).thread_2 / u32(2) * fabrics_0[_S309].max_height_columns_0 + locate_0(fabrics_0[_S309].warp_0, _S310).thread_2 / u32(2)) + (select(u32(0), u32(1), _S315 > 0.0f) + select(u32(0), u32(2), _S316 > 0.0f))] >> (u32(select(i32(0), i32(4), _S314))));
-    var _S318 : f32 = max(abs(_S315) * fabrics_0[_S309].threads_per_x_0, abs(_S316) * fabrics_0[_S309].threads_per_y_0) / _S313.z;
-    var _S319 : f32 = fabrics_0[_S309].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S309].height_high_0;
+    var _S322 : f32 = _S320.x;
+    var _S323 : f32 = _S320.y;
+    var _S324 : u32 = (words_0[fabrics_0[_S316].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S316].weft_0, _S318).thread_2 / u32(2) * fabrics_0[_S316].max_height_columns_0 + locate_0(fabrics_0[_S316].warp_0, _S317).thread_2 / u32(2)) + (select(u32(0), u32(1), _S322 > 0.0f) + select(u32(0), u32(2), _S323 > 0.0f))] >> (u32(select(i32(0), i32(4), _S321))));
+    var _S325 : f32 = max(abs(_S322) * fabrics_0[_S316].threads_per_x_0, abs(_S323) * fabrics_0[_S316].threads_per_y_0) / _S320.z;
+    var _S326 : f32 = fabrics_0[_S316].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S316].height_high_0;
     var number_1 : i32 = i32(3);
     for(;;)
     {
@@ -1687,26 +1703,26 @@ fn max_height_along_0( _S309 : u32,  _S310 : f32,  _S311 : f32,  _S312 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S312) * _S318) <= (PYRAMID_RADII_0[number_1]))
+        if(((max_height_0 - _S319) * _S325) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = min(max_height_0, f32((((_S317 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S319);
+            max_height_0 = min(max_height_0, f32((((_S324 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S326);
         }
         number_1 = number_1 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S320 : u32,  _S321 : f32,  _S322 : f32,  _S323 : bool,  _S324 : bool,  _S325 : bool) -> vec3<f32>
+fn cell_bounds_0( _S327 : u32,  _S328 : f32,  _S329 : f32,  _S330 : bool,  _S331 : bool,  _S332 : bool) -> vec3<f32>
 {
-    var _S326 : Crossing_0 = crossing_at_0(_S320, _S321, _S322, _S323);
-    return vec3<f32>(cell_maximum_0(_S320, _S326), select(_S326.warp_1.below_0, _S326.warp_1.above_0, _S324), select(_S326.weft_1.below_0, _S326.weft_1.above_0, _S325));
+    var _S333 : Crossing_0 = crossing_at_0(_S327, _S328, _S329, _S330);
+    return vec3<f32>(cell_maximum_0(_S327, _S333), select(_S333.warp_1.below_0, _S333.warp_1.above_0, _S331), select(_S333.weft_1.below_0, _S333.weft_1.above_0, _S332));
 }
 
-fn first_sample_height_0( _S327 : u32,  _S328 : ViewRay_0,  _S329 : StepControl_0,  _S330 : bool) -> f32
+fn first_sample_height_0( _S334 : u32,  _S335 : ViewRay_0,  _S336 : StepControl_0,  _S337 : bool) -> f32
 {
-    var _S331 : f32 = max_height_along_0(_S327, _S328.origin_0.x, _S328.origin_0.y, 0.0f, vec3<f32>(_S328.slope_1, 1.0f), _S330);
+    var _S338 : f32 = max_height_along_0(_S334, _S335.origin_0.x, _S335.origin_0.y, 0.0f, vec3<f32>(_S335.slope_1, 1.0f), _S337);
     var count_3 : u32 = u32(0);
-    var height_9 : f32 = _S331;
+    var height_9 : f32 = _S338;
     for(;;)
     {
         if(count_3 < u32(1024))
@@ -1716,12 +1732,12 @@ fn first_sample_height_0( _S327 : u32,  _S328 : ViewRay_0,  _S329 : StepControl_
         {
             break;
         }
-        var _S332 : vec2<f32> = ViewRay_at_0(_S328, height_9);
-        var _S333 : vec3<f32> = cell_bounds_0(_S327, _S332.x, _S332.y, _S330, _S329.right_0, _S329.up_0);
-        var _S334 : f32 = height_9 - _S333.x;
-        var _S335 : f32 = StepControl_to_cell_exit_0(_S329, _S333.y, _S333.z);
-        var height_10 : f32 = height_9 - clamp(_S334, 0.0f, _S335);
-        if(_S334 <= _S335)
+        var _S339 : vec2<f32> = ViewRay_at_0(_S335, height_9);
+        var _S340 : vec3<f32> = cell_bounds_0(_S334, _S339.x, _S339.y, _S337, _S336.right_0, _S336.up_0);
+        var _S341 : f32 = height_9 - _S340.x;
+        var _S342 : f32 = StepControl_to_cell_exit_0(_S336, _S340.y, _S340.z);
+        var height_10 : f32 = height_9 - clamp(_S341, 0.0f, _S342);
+        if(_S341 <= _S342)
         {
             height_9 = height_10;
             break;
@@ -1732,12 +1748,12 @@ fn first_sample_height_0( _S327 : u32,  _S328 : ViewRay_0,  _S329 : StepControl_
     return height_9;
 }
 
-fn search_down_0( _S336 : u32,  _S337 : ViewRay_0,  _S338 : StepControl_0,  _S339 : bool) -> ViewRayEnd_0
+fn search_down_0( _S343 : u32,  _S344 : ViewRay_0,  _S345 : StepControl_0,  _S346 : bool) -> ViewRayEnd_0
 {
-    var _S340 : f32 = fabrics_0[_S336].height_low_0 - (fabrics_0[_S336].height_high_0 - fabrics_0[_S336].height_low_0);
+    var _S347 : f32 = fabrics_0[_S343].height_low_0 - (fabrics_0[_S343].height_high_0 - fabrics_0[_S343].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_8 = first_sample_height_0(_S336, _S337, _S338, _S339);
-    end_1.last_step_3 = _S338.epsilon_0;
+    end_1.height_8 = first_sample_height_0(_S343, _S344, _S345, _S346);
+    end_1.last_step_3 = _S345.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -1752,221 +1768,273 @@ fn search_down_0( _S336 : u32,  _S337 : ViewRay_0,  _S338 : StepControl_0,  _S33
         {
             break;
         }
-        var _S341 : vec2<f32> = ViewRay_at_0(_S337, end_1.height_8);
-        var _S342 : Probe_0 = probe_0(_S336, _S341.x, _S341.y, _S339, _S338.right_0, _S338.up_0);
-        var _S343 : f32 = end_1.height_8 - _S342.height_2;
-        var _S344 : f32 = ViewRay_rate_0(_S337, _S342);
-        end_1.depth_1 = - _S343;
-        end_1.rate_4 = _S344;
-        var _S345 : bool = !_S342.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S345))) & (((end_1.previous_4.yarn_0) == (_S342.yarn_1))));
-        if((((_S345 & ((_S343 <= 0.0f)))) | (((end_1.height_8) <= _S340))))
+        var _S348 : vec2<f32> = ViewRay_at_0(_S344, end_1.height_8);
+        var _S349 : Probe_0 = probe_0(_S343, _S348.x, _S348.y, _S346, _S345.right_0, _S345.up_0);
+        var _S350 : f32 = end_1.height_8 - _S349.height_2;
+        var _S351 : f32 = ViewRay_rate_0(_S344, _S349);
+        end_1.depth_1 = - _S350;
+        end_1.rate_4 = _S351;
+        var _S352 : bool = !_S349.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S352))) & (((end_1.previous_4.yarn_0) == (_S349.yarn_1))));
+        if((((_S352 & ((_S350 <= 0.0f)))) | (((end_1.height_8) <= _S347))))
         {
             break;
         }
-        var _S346 : f32 = way_back_to_dip_0(end_1.previous_4, _S343, _S344, end_1.last_step_3, _S342);
-        if(_S346 >= 0.0f)
+        var _S353 : f32 = way_back_to_dip_0(end_1.previous_4, _S350, _S351, end_1.last_step_3, _S349);
+        if(_S353 >= 0.0f)
         {
-            end_1.height_8 = end_1.height_8 + _S346;
-            end_1.last_step_3 = end_1.last_step_3 - _S346;
+            end_1.height_8 = end_1.height_8 + _S353;
+            end_1.last_step_3 = end_1.last_step_3 - _S353;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S347 : f32 = min(StepControl_to_cell_exit_0(_S338, _S342.side_x_0, _S342.side_y_0), end_1.height_8 - _S342.cell_max_0);
-        var _S348 : f32 = StepControl_to_next_sample_0(_S338, _S342, _S343, _S344);
-        end_1.previous_4 = after_sample_0(_S343, _S344, _S342, _S347 > _S348);
-        var _S349 : f32 = max(_S347, _S348);
-        end_1.last_step_3 = _S349;
-        end_1.height_8 = end_1.height_8 - _S349;
+        var _S354 : f32 = min(StepControl_to_cell_exit_0(_S345, _S349.side_x_0, _S349.side_y_0), end_1.height_8 - _S349.cell_max_0);
+        var _S355 : f32 = StepControl_to_next_sample_0(_S345, _S349, _S350, _S351);
+        end_1.previous_4 = after_sample_0(_S350, _S351, _S349, _S354 > _S355);
+        var _S356 : f32 = max(_S354, _S355);
+        end_1.last_step_3 = _S356;
+        end_1.height_8 = end_1.height_8 - _S356;
         count_4 = count_4 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S350 : u32,  _S351 : ViewRay_0,  _S352 : StepControl_0,  _S353 : bool,  _S354 : ViewRayEnd_0,  _S355 : u32) -> f32
+fn refined_height_0( _S357 : u32,  _S358 : ViewRay_0,  _S359 : StepControl_0,  _S360 : bool,  _S361 : ViewRayEnd_0,  _S362 : u32) -> f32
 {
-    var _S356 : f32 = fabrics_0[_S350].height_high_0 - fabrics_0[_S350].height_low_0;
-    var above_2 : f32 = _S354.height_8 + _S354.last_step_3;
-    var above_gap_1 : f32 = clamp(_S354.previous_4.clearance_0, 0.0f, _S356);
-    var under_gap_1 : f32 = clamp(_S354.depth_1, 0.0f, _S356);
-    var middle_0 : f32 = select(between_0(above_2, _S354.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S354.previous_4.rate_0 * _S354.last_step_3, _S354.rate_4 * _S354.last_step_3) * _S354.last_step_3, _S354.smooth_0);
+    var _S363 : f32 = fabrics_0[_S357].height_high_0 - fabrics_0[_S357].height_low_0;
+    var above_2 : f32 = _S361.height_8 + _S361.last_step_3;
+    var above_gap_1 : f32 = clamp(_S361.previous_4.clearance_0, 0.0f, _S363);
+    var under_gap_1 : f32 = clamp(_S361.depth_1, 0.0f, _S363);
+    var middle_0 : f32 = select(between_0(above_2, _S361.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S361.previous_4.rate_0 * _S361.last_step_3, _S361.rate_4 * _S361.last_step_3) * _S361.last_step_3, _S361.smooth_0);
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S354.height_8;
+    var under_1 : f32 = _S361.height_8;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S355)
+        if(i_1 < _S362)
         {
         }
         else
         {
             break;
         }
-        var _S357 : vec2<f32> = ViewRay_at_0(_S351, middle_0);
-        var _S358 : Probe_0 = probe_0(_S350, _S357.x, _S357.y, _S353, _S352.right_0, _S352.up_0);
-        var _S359 : f32 = clamp(middle_0 - select(_S358.height_2, -1.0e+09f, _S358.hole_1), - _S356, _S356);
-        if(_S359 <= 0.0f)
+        var _S364 : vec2<f32> = ViewRay_at_0(_S358, middle_0);
+        var _S365 : Probe_0 = probe_0(_S357, _S364.x, _S364.y, _S360, _S359.right_0, _S359.up_0);
+        var _S366 : f32 = clamp(middle_0 - select(_S365.height_2, -1.0e+09f, _S365.hole_1), - _S363, _S363);
+        if(_S366 <= 0.0f)
         {
-            var _S360 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
-            var _S361 : f32 = - _S359;
+            var _S367 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
+            var _S368 : f32 = - _S366;
             under_1 = middle_0;
-            above_gap_2 = _S360;
-            under_gap_2 = _S361;
+            above_gap_2 = _S367;
+            under_gap_2 = _S368;
             side_2 = 1.0f;
         }
         else
         {
-            var _S362 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
+            var _S369 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S359;
-            under_gap_2 = _S362;
+            above_gap_2 = _S366;
+            under_gap_2 = _S369;
             side_2 = -1.0f;
         }
-        var _S363 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S359 / min(ViewRay_rate_0(_S351, _S358), -9.99999997475242708e-07f), under_1, above_3), _S354.smooth_0);
-        var _S364 : u32 = i_1 + u32(1);
-        middle_0 = _S363;
-        i_1 = _S364;
+        var _S370 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S366 / min(ViewRay_rate_0(_S358, _S365), -9.99999997475242708e-07f), under_1, above_3), _S361.smooth_0);
+        var _S371 : u32 = i_1 + u32(1);
+        middle_0 = _S370;
+        i_1 = _S371;
     }
-    return select(under_1, middle_0, _S354.smooth_0);
+    return select(under_1, middle_0, _S361.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S365 : u32,  _S366 : SearchQuality_0,  _S367 : f32,  _S368 : f32,  _S369 : vec3<f32>,  _S370 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S372 : u32,  _S373 : SearchQuality_0,  _S374 : f32,  _S375 : f32,  _S376 : vec3<f32>,  _S377 : bool) -> Hit_0
 {
-    var _S371 : f32 = max(_S369.z, 0.00009999999747379f);
+    var _S378 : f32 = max(_S376.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S367, _S368);
-    var _S372 : vec2<f32> = _S369.xy / vec2<f32>(_S371);
-    ray_0.slope_1 = _S372;
-    var _S373 : StepControl_0 = step_control_0((vec2<f32>(0) - _S372), 1.0f / max(steps_per_length_0(_S365, _S366, _S369) / _S371, 9.99999971718068537e-10f));
-    var _S374 : ViewRayEnd_0 = search_down_0(_S365, ray_0, _S373, _S370);
+    ray_0.origin_0 = vec2<f32>(_S374, _S375);
+    var _S379 : vec2<f32> = _S376.xy / vec2<f32>(_S378);
+    ray_0.slope_1 = _S379;
+    var _S380 : StepControl_0 = step_control_0((vec2<f32>(0) - _S379), 1.0f / max(steps_per_length_0(_S372, _S373, _S376) / _S378, 9.99999971718068537e-10f));
+    var _S381 : ViewRayEnd_0 = search_down_0(_S372, ray_0, _S380, _S377);
     var hit_0 : Hit_0;
     hit_0.hole_4 = false;
-    var _S375 : f32 = refined_height_0(_S365, ray_0, _S373, _S370, _S374, _S366.refinements_0);
-    hit_0.height_6 = _S375;
-    var _S376 : vec2<f32> = ViewRay_at_0(ray_0, _S375);
-    hit_0.x_13 = _S376.x;
-    hit_0.y_6 = _S376.y;
+    var _S382 : f32 = refined_height_0(_S372, ray_0, _S380, _S377, _S381, _S373.refinements_0);
+    hit_0.height_6 = _S382;
+    var _S383 : vec2<f32> = ViewRay_at_0(ray_0, _S382);
+    hit_0.x_14 = _S383.x;
+    hit_0.y_7 = _S383.y;
     return hit_0;
 }
 
-fn first_hit_0( _S377 : u32,  _S378 : SearchQuality_0,  _S379 : f32,  _S380 : f32,  _S381 : vec3<f32>,  _S382 : bool) -> Hit_0
+fn first_hit_0( _S384 : u32,  _S385 : SearchQuality_0,  _S386 : f32,  _S387 : f32,  _S388 : vec3<f32>,  _S389 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S377, _S378, _S379, _S380, _S381, _S382))
+    if(!passes_through_0(_S384, _S385, _S386, _S387, _S388, _S389))
     {
-        return first_hit_of_yarn_0(_S377, _S378, _S379, _S380, _S381, _S382);
+        return first_hit_of_yarn_0(_S384, _S385, _S386, _S387, _S388, _S389);
     }
     var hit_1 : Hit_0;
-    hit_1.x_13 = _S379;
-    hit_1.y_6 = _S380;
+    hit_1.x_14 = _S386;
+    hit_1.y_7 = _S387;
     hit_1.height_6 = 0.0f;
     hit_1.hole_4 = true;
     return hit_1;
 }
 
-fn surface_at_0( _S383 : u32,  _S384 : f32,  _S385 : f32,  _S386 : bool) -> SurfacePoint_0
+fn surface_of_0( _S390 : u32,  _S391 : Sample_0,  _S392 : f32,  _S393 : f32,  _S394 : bool) -> SurfacePoint_0
 {
-    var _S387 : Sample_0 = sample_at_0(_S383, _S384, _S385, _S386);
-    var _S388 : u32 = select(fabrics_0[_S383].weft_0, fabrics_0[_S383].warp_0, _S387.shown_3.is_warp_0);
-    var _S389 : f32 = families_0[_S388].twist_sine_0 * select(1.0f, -1.0f, _S386);
-    var _S390 : f32 = select(-1.0f, 1.0f, _S387.shown_3.is_warp_0);
-    var _S391 : vec2<f32> = fibre_direction_0(_S387.slope_across_0, _S390 * _S387.slope_along_0, _S389, families_0[_S388].twist_cosine_0);
-    var _S392 : f32 = _S391.x;
-    var _S393 : f32 = _S391.y;
-    var _S394 : f32 = select(_S387.slope_y_1, _S387.slope_x_1, _S387.shown_3.is_warp_0) * _S392 + _S390 * select(_S387.slope_x_1, _S387.slope_y_1, _S387.shown_3.is_warp_0) * _S393;
-    var _S395 : f32 = select(_S387.crossing_1.weft_1.half_width_1, _S387.crossing_1.warp_1.half_width_1, _S387.shown_3.is_warp_0) * 1.0154266357421875f;
-    var _S396 : f32 = _S395 * arc_sine_0(clamp(_S387.section_1.across_1 / _S395, -1.0f, 1.0f));
-    var _S397 : f32 = select(- _S384, _S385, _S387.shown_3.is_warp_0);
+    var _S395 : u32 = select(fabrics_0[_S390].weft_0, fabrics_0[_S390].warp_0, _S391.shown_3.is_warp_0);
+    var _S396 : f32 = families_0[_S395].twist_sine_0 * select(1.0f, -1.0f, _S394);
+    var _S397 : f32 = select(-1.0f, 1.0f, _S391.shown_3.is_warp_0);
+    var _S398 : vec2<f32> = fibre_direction_0(_S391.slope_across_0, _S397 * _S391.slope_along_0, _S396, families_0[_S395].twist_cosine_0);
+    var _S399 : f32 = _S398.x;
+    var _S400 : f32 = _S398.y;
+    var _S401 : f32 = select(_S391.slope_y_1, _S391.slope_x_1, _S391.shown_3.is_warp_0) * _S399 + _S397 * select(_S391.slope_x_1, _S391.slope_y_1, _S391.shown_3.is_warp_0) * _S400;
+    var _S402 : f32 = select(_S391.crossing_1.weft_1.half_width_1, _S391.crossing_1.warp_1.half_width_1, _S391.shown_3.is_warp_0) * 1.0154266357421875f;
+    var _S403 : f32 = _S402 * arc_sine_0(clamp(_S391.section_1.across_1 / _S402, -1.0f, 1.0f));
+    var _S404 : f32 = select(- _S392, _S393, _S391.shown_3.is_warp_0);
     var point_4 : SurfacePoint_0;
-    point_4.hole_2 = _S387.shown_3.hole_0;
-    point_4.is_warp_1 = _S387.shown_3.is_warp_0;
-    point_4.warp_thread_0 = _S387.crossing_1.warp_1.thread_2;
-    point_4.weft_thread_0 = _S387.crossing_1.weft_1.thread_2;
-    point_4.height_4 = _S387.height_7;
-    point_4.normal_3 = normalize(vec3<f32>(- _S387.slope_x_1, - _S387.slope_y_1, 1.0f));
-    point_4.tangent_2 = normalize(select_vector_0(_S387.shown_3.is_warp_0, vec3<f32>(_S392, _S393, _S394), vec3<f32>(- _S393, _S392, _S394)));
-    point_4.across_3 = _S387.section_1.across_1;
-    point_4.fibre_across_0 = _S396 * families_0[_S388].twist_cosine_0 + _S397 * _S389;
-    point_4.fibre_along_0 = _S397 * families_0[_S388].twist_cosine_0 - _S396 * _S389;
-    var _S398 : f32 = run_share_0(_S387.shown_3.word_0);
-    point_4.shown_share_0 = select(1.0f - _S398, _S398, _S387.shown_3.on_top_0);
+    point_4.hole_2 = _S391.shown_3.hole_0;
+    point_4.is_warp_1 = _S391.shown_3.is_warp_0;
+    point_4.warp_thread_0 = _S391.crossing_1.warp_1.thread_2;
+    point_4.weft_thread_0 = _S391.crossing_1.weft_1.thread_2;
+    point_4.height_4 = _S391.height_7;
+    point_4.normal_3 = normalize(vec3<f32>(- _S391.slope_x_1, - _S391.slope_y_1, 1.0f));
+    point_4.tangent_2 = normalize(select_vector_0(_S391.shown_3.is_warp_0, vec3<f32>(_S399, _S400, _S401), vec3<f32>(- _S400, _S399, _S401)));
+    point_4.across_3 = _S391.section_1.across_1;
+    point_4.fibre_across_0 = _S403 * families_0[_S395].twist_cosine_0 + _S404 * _S396;
+    point_4.fibre_along_0 = _S404 * families_0[_S395].twist_cosine_0 - _S403 * _S396;
+    var _S405 : f32 = run_share_0(_S391.shown_3.word_0);
+    point_4.shown_share_0 = select(1.0f - _S405, _S405, _S391.shown_3.on_top_0);
+    point_4.x_8 = _S392;
+    point_4.y_1 = _S393;
     return point_4;
 }
 
-fn has_hairs_0( _S399 : u32) -> bool
+fn surface_met_0( _S406 : u32,  _S407 : f32,  _S408 : f32,  _S409 : f32,  _S410 : vec3<f32>,  _S411 : bool) -> SurfacePoint_0
 {
-    return (((families_0[fabrics_0[_S399].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S399].weft_0].hairiness_0) > 0.0f)));
+    var _S412 : Sample_0 = sample_at_0(_S406, _S407, _S408, _S411);
+    var point_5 : SurfacePoint_0 = surface_of_0(_S406, _S412, _S407, _S408, _S411);
+    var _S413 : u32 = select(fabrics_0[_S406].weft_0, fabrics_0[_S406].warp_0, point_5.is_warp_1);
+    var _S414 : f32 = select(_S412.crossing_1.weft_1.half_width_1, _S412.crossing_1.warp_1.half_width_1, point_5.is_warp_1) * 1.0154266357421875f;
+    var _S415 : f32 = _S412.dive_1.z;
+    var _S416 : f32 = _S412.slope_along_0 - (1.0f - _S415) * _S412.dive_1.y / families_0[_S413].height_scale_0;
+    var _S417 : f32 = rsqrt_0(_S416 * _S416 + 1.0f);
+    var _S418 : f32 = _S410.x;
+    var _S419 : f32 = _S410.y;
+    var _S420 : f32 = select(_S419, _S418, point_5.is_warp_1);
+    var _S421 : f32 = _S410.z;
+    var _S422 : f32 = (_S421 / families_0[_S413].height_scale_0 - _S416 * select(_S418, _S419, point_5.is_warp_1)) * _S417;
+    var _S423 : f32 = square_1(_S414);
+    var _S424 : f32 = sqrt(max(_S423 - square_1(point_5.across_3), 0.0f)) - (_S412.height_7 + _S415 * _S412.dive_1.x - _S409) / families_0[_S413].height_scale_0 * _S417;
+    var _S425 : f32 = square_1(_S420) + square_1(_S422) + 9.999999960041972e-13f;
+    var _S426 : f32 = point_5.across_3 * _S420 + _S424 * _S422;
+    var _S427 : f32 = square_1(point_5.across_3) + square_1(_S424) - _S423;
+    var _S428 : f32 = sqrt(max(square_1(_S426) - _S425 * _S427, 0.0f));
+    var _S429 : f32 = clamp(select((_S428 - _S426) / _S425, - _S427 / max(_S426 + _S428, 9.999999960041972e-13f), _S426 > 0.0f), - _S414, _S414);
+    var _S430 : f32 = point_5.across_3 + _S429 * _S420;
+    point_5.across_3 = _S430;
+    var _S431 : vec2<f32> = normalize(vec2<f32>(_S430, _S424 + _S429 * _S422));
+    var _S432 : f32 = select(-1.0f, 1.0f, point_5.is_warp_1);
+    var _S433 : f32 = families_0[_S413].twist_sine_0 * select(1.0f, -1.0f, _S411);
+    var _S434 : f32 = _S431.x;
+    var _S435 : f32 = _S433 * _S434 * _S417;
+    var _S436 : f32 = _S431.y;
+    var _S437 : f32 = - _S433 * _S436;
+    var _S438 : f32 = families_0[_S413].twist_cosine_0 * _S417 - _S432 * _S416 * _S435;
+    var _S439 : f32 = families_0[_S413].height_scale_0 * (families_0[_S413].twist_cosine_0 * _S432 * _S416 * _S417 + _S435);
+    var _S440 : f32 = families_0[_S413].height_scale_0 * _S434;
+    var _S441 : f32 = - families_0[_S413].height_scale_0 * _S416 * _S417 * _S436;
+    point_5.normal_3 = normalize(vec3<f32>(select(_S441, _S440, point_5.is_warp_1), select(_S440, _S441, point_5.is_warp_1), _S417 * _S436));
+    point_5.tangent_2 = normalize(vec3<f32>(select(- _S438, _S437, point_5.is_warp_1), select(_S437, _S438, point_5.is_warp_1), _S439));
+    var _S442 : f32 = _S414 * angle_of_0(_S431);
+    var _S443 : f32 = select(- _S407 - _S429 * _S418, _S408 + _S429 * _S419, point_5.is_warp_1);
+    point_5.fibre_across_0 = _S442 * families_0[_S413].twist_cosine_0 + _S443 * _S433;
+    point_5.fibre_along_0 = _S443 * families_0[_S413].twist_cosine_0 - _S442 * _S433;
+    var _S444 : f32 = 0.00999999977648258f * _S414;
+    var _S445 : f32 = - _S444;
+    var _S446 : bool = _S429 < _S445;
+    var _S447 : f32 = select(_S444, _S445, _S420 < 0.0f);
+    var _S448 : f32 = max(_S429, 0.0f);
+    point_5.x_8 = point_5.x_8 + select(_S448 * _S418, select(0.0f, _S447, point_5.is_warp_1), _S446);
+    point_5.y_1 = point_5.y_1 + select(_S448 * _S419, select(_S447, 0.0f, point_5.is_warp_1), _S446);
+    point_5.height_4 = select(_S409 + _S429 * _S421, _S409, _S446);
+    return point_5;
 }
 
-fn hair_at_0( _S400 : u32,  _S401 : vec2<f32>,  _S402 : bool,  _S403 : f32) -> Hair_0
+fn has_hairs_0( _S449 : u32) -> bool
 {
-    var _S404 : f32 = fabrics_0[_S400].fibre_size_0;
-    var _S405 : f32 = 17.0f * fabrics_0[_S400].fibre_size_0;
-    var _S406 : f32 = fade_0(_S403, _S405);
-    var _S407 : vec2<f32> = _S401 / vec2<f32>(_S405);
-    var _S408 : u32 = hash_key_0(select(u32(0), u32(1), _S402), ((fabrics_0[_S400].seed_0) ^ (u32(1013904242))));
-    var _S409 : f32 = 1.0f / max(_S403, 0.07999999821186066f * fabrics_0[_S400].fibre_size_0);
-    var _S410 : f32 = min(0.63999998569488525f * fabrics_0[_S400].fibre_size_0 * _S409, 1.0f);
-    const _S411 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    return (((families_0[fabrics_0[_S449].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S449].weft_0].hairiness_0) > 0.0f)));
+}
+
+fn hair_at_0( _S450 : u32,  _S451 : vec2<f32>,  _S452 : bool,  _S453 : f32) -> Hair_0
+{
+    var _S454 : f32 = fabrics_0[_S450].fibre_size_0;
+    var _S455 : f32 = 17.0f * fabrics_0[_S450].fibre_size_0;
+    var _S456 : f32 = fade_0(_S453, _S455);
+    var _S457 : vec2<f32> = _S451 / vec2<f32>(_S455);
+    var _S458 : u32 = hash_key_0(select(u32(0), u32(1), _S452), ((fabrics_0[_S450].seed_0) ^ (u32(1013904242))));
+    var _S459 : f32 = 1.0f / max(_S453, 0.07999999821186066f * fabrics_0[_S450].fibre_size_0);
+    var _S460 : f32 = min(0.63999998569488525f * fabrics_0[_S450].fibre_size_0 * _S459, 1.0f);
+    const _S461 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_2 : f32 = 0.0f;
     var hair_away_0 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S411;
+    var hair_across_0 : vec2<f32> = _S461;
     var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(((_S406 > 0.0f) & ((number_2 < u32(18)))))
+        if(((_S456 > 0.0f) & ((number_2 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S412 : u32 = number_2 / u32(9);
-        var _S413 : u32 = number_2 / u32(3) - u32(3) * _S412;
-        var _S414 : vec2<f32> = floor(_S407) + vec2<f32>(f32(number_2 - u32(3) * _S413 - u32(9) * _S412), f32(_S413)) - vec2<f32>(1.0f);
-        var _S415 : u32 = hash_bits_0(_S408 + _S412, u32(i32(_S414.x)) * u32(65536) + u32(i32(_S414.y)));
-        var _S416 : u32 = hash_bits_0(_S408, _S415);
-        var _S417 : vec2<f32> = _S407 - _S414 - vec2<f32>(share_of_0(_S415), share_of_0((_S415 >> (u32(10)))));
-        var _S418 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S415 >> (u32(20)))));
-        var _S419 : f32 = mix(5.0f, 16.0f, share_of_0((_S416 >> (u32(10))))) / 17.0f;
-        var _S420 : f32 = _S417.x;
-        var _S421 : f32 = _S418.y;
-        var _S422 : f32 = _S417.y;
-        var _S423 : f32 = _S418.x;
-        var _S424 : f32 = (_S420 * _S421 + _S422 * _S423) / _S419;
-        var _S425 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S416 >> (u32(20)))) - 1.0f);
-        var _S426 : f32 = 2.0f * _S425 * _S424;
-        var _S427 : f32 = rsqrt_0(_S426 * _S426 + 1.0f);
-        var _S428 : f32 = (_S422 * _S421 - _S420 * _S423 - _S425 * _S419 * _S424 * _S424) * _S427 * 17.0f;
-        var _S429 : f32 = clamp((0.31999999284744263f - abs(_S428)) * _S404 * _S409 + 0.5f, 0.0f, _S410);
-        if((((((share_of_0(_S416)) < (families_0[select(fabrics_0[_S400].weft_0, fabrics_0[_S400].warp_0, ((((_S416 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S424)) < 1.0f)))) & ((_S429 > cover_2))))
+        var _S462 : u32 = number_2 / u32(9);
+        var _S463 : u32 = number_2 / u32(3) - u32(3) * _S462;
+        var _S464 : vec2<f32> = floor(_S457) + vec2<f32>(f32(number_2 - u32(3) * _S463 - u32(9) * _S462), f32(_S463)) - vec2<f32>(1.0f);
+        var _S465 : u32 = hash_bits_0(_S458 + _S462, u32(i32(_S464.x)) * u32(65536) + u32(i32(_S464.y)));
+        var _S466 : u32 = hash_bits_0(_S458, _S465);
+        var _S467 : vec2<f32> = _S457 - _S464 - vec2<f32>(share_of_0(_S465), share_of_0((_S465 >> (u32(10)))));
+        var _S468 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S465 >> (u32(20)))));
+        var _S469 : f32 = mix(5.0f, 16.0f, share_of_0((_S466 >> (u32(10))))) / 17.0f;
+        var _S470 : f32 = _S467.x;
+        var _S471 : f32 = _S468.y;
+        var _S472 : f32 = _S467.y;
+        var _S473 : f32 = _S468.x;
+        var _S474 : f32 = (_S470 * _S471 + _S472 * _S473) / _S469;
+        var _S475 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S466 >> (u32(20)))) - 1.0f);
+        var _S476 : f32 = 2.0f * _S475 * _S474;
+        var _S477 : f32 = rsqrt_0(_S476 * _S476 + 1.0f);
+        var _S478 : f32 = (_S472 * _S471 - _S470 * _S473 - _S475 * _S469 * _S474 * _S474) * _S477 * 17.0f;
+        var _S479 : f32 = clamp((0.31999999284744263f - abs(_S478)) * _S454 * _S459 + 0.5f, 0.0f, _S460);
+        if((((((share_of_0(_S466)) < (families_0[select(fabrics_0[_S450].weft_0, fabrics_0[_S450].warp_0, ((((_S466 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S474)) < 1.0f)))) & ((_S479 > cover_2))))
         {
-            var _S430 : vec2<f32> = vec2<f32>(- _S423 - _S426 * _S421, _S421 - _S426 * _S423) * vec2<f32>(_S427);
-            cover_2 = _S429;
-            hair_away_0 = _S428;
-            hair_across_0 = _S430;
+            var _S480 : vec2<f32> = vec2<f32>(- _S473 - _S476 * _S471, _S471 - _S476 * _S473) * vec2<f32>(_S477);
+            cover_2 = _S479;
+            hair_away_0 = _S478;
+            hair_across_0 = _S480;
         }
         number_2 = number_2 + u32(1);
     }
-    var _S431 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S481 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_0 = _S406 * cover_2;
-    hair_1.normal_1 = vec3<f32>(vec2<f32>(_S431) * hair_across_0, sqrt(1.0f - _S431 * _S431));
+    hair_1.cover_0 = _S456 * cover_2;
+    hair_1.normal_1 = vec3<f32>(vec2<f32>(_S481) * hair_across_0, sqrt(1.0f - _S481 * _S481));
     hair_1.tangent_0 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     return hair_1;
 }
 
-fn varies_at_0( _S432 : u32,  _S433 : f32) -> bool
+fn varies_at_0( _S482 : u32,  _S483 : f32) -> bool
 {
-    return (((((fabrics_0[_S432].fibre_noise_0) > 0.0f) | (((fabrics_0[_S432].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S432].has_detail_0) != u32(0)) & ((_S433 >= 0.0f))))));
+    return (((((fabrics_0[_S482].fibre_noise_0) > 0.0f) | (((fabrics_0[_S482].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S482].has_detail_0) != u32(0)) & ((_S483 >= 0.0f))))));
 }
 
-fn thread_number_0( _S434 : u32,  _S435 : SurfacePoint_0,  _S436 : f32,  _S437 : f32) -> u32
+fn thread_number_0( _S484 : u32,  _S485 : SurfacePoint_0,  _S486 : f32,  _S487 : f32) -> u32
 {
-    var _S438 : u32 = select(fabrics_0[_S434].weft_0, fabrics_0[_S434].warp_0, _S435.is_warp_1);
-    return u32(i32(floor((select(_S437, _S436, _S435.is_warp_1) - _S435.across_3) / families_0[_S438].period_0)) * i32(families_0[_S438].count_0) + i32(select(_S435.weft_thread_0, _S435.warp_thread_0, _S435.is_warp_1))) * u32(2) + select(u32(0), u32(1), _S435.is_warp_1);
+    var _S488 : u32 = select(fabrics_0[_S484].weft_0, fabrics_0[_S484].warp_0, _S485.is_warp_1);
+    return u32(i32(floor((select(_S487, _S486, _S485.is_warp_1) - _S485.across_3) / families_0[_S488].period_0)) * i32(families_0[_S488].count_0) + i32(select(_S485.weft_thread_0, _S485.warp_thread_0, _S485.is_warp_1))) * u32(2) + select(u32(0), u32(1), _S485.is_warp_1);
 }
 
 struct FibreNoise_0
@@ -1979,201 +2047,202 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S439 : u32,  _S440 : u32,  _S441 : SurfacePoint_0,  _S442 : u32,  _S443 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S489 : u32,  _S490 : u32,  _S491 : SurfacePoint_0,  _S492 : u32,  _S493 : f32) -> FibreNoise_0
 {
-    var _S444 : f32 = 5.0f * fabrics_0[_S439].fibre_size_0;
-    var _S445 : vec2<f32> = wave_noise_0(hash_key_0(_S442, ((fabrics_0[_S439].seed_0) ^ (u32(458671337)))), _S441.fibre_along_0 / (25.0f * fabrics_0[_S439].fibre_size_0));
-    var _S446 : f32 = _S441.fibre_across_0 + families_0[_S440].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S439].fibre_size_0 * _S445.x;
-    var _S447 : vec3<f32> = fibre_cell_0(_S446, _S441.fibre_along_0, fabrics_0[_S439].fibre_size_0);
+    var _S494 : f32 = 5.0f * fabrics_0[_S489].fibre_size_0;
+    var _S495 : vec2<f32> = wave_noise_0(hash_key_0(_S492, ((fabrics_0[_S489].seed_0) ^ (u32(458671337)))), _S491.fibre_along_0 / (25.0f * fabrics_0[_S489].fibre_size_0));
+    var _S496 : f32 = _S491.fibre_across_0 + families_0[_S490].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S489].fibre_size_0 * _S495.x;
+    var _S497 : vec3<f32> = fibre_cell_0(_S496, _S491.fibre_along_0, fabrics_0[_S489].fibre_size_0);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S442, ((fabrics_0[_S439].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S446, _S441.fibre_along_0, _S444));
-    noise_0.bundle_weight_0 = fade_0(_S443, _S444);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S442, ((fabrics_0[_S439].seed_0) ^ (u32(48610963)))), _S447);
-    noise_0.fibre_weight_0 = fade_0(_S443, fabrics_0[_S439].fibre_size_0);
-    noise_0.offset_1 = _S447.z;
-    noise_0.slope_2 = 0.5f * _S445.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S492, ((fabrics_0[_S489].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S496, _S491.fibre_along_0, _S494));
+    noise_0.bundle_weight_0 = fade_0(_S493, _S494);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S492, ((fabrics_0[_S489].seed_0) ^ (u32(48610963)))), _S497);
+    noise_0.fibre_weight_0 = fade_0(_S493, fabrics_0[_S489].fibre_size_0);
+    noise_0.offset_1 = _S497.z;
+    noise_0.slope_2 = 0.5f * _S495.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S448 : u32,  _S449 : u32,  _S450 : SurfacePoint_0,  _S451 : vec2<f32>,  _S452 : bool,  _S453 : u32,  _S454 : f32) -> vec2<f32>
+fn detail_gain_0( _S498 : u32,  _S499 : u32,  _S500 : SurfacePoint_0,  _S501 : vec2<f32>,  _S502 : bool,  _S503 : u32,  _S504 : f32) -> vec2<f32>
 {
-    var _S455 : vec2<f32> = vec2<f32>(0.0f);
+    var _S505 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S449].has_plies_0) > 0.0f)
+    if((families_0[_S499].has_plies_0) > 0.0f)
     {
-        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S454, 1.0f / families_0[_S449].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S449, _S450, _S452))), 0.20000000298023224f);
+        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S504, 1.0f / families_0[_S499].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S499, _S500, _S502))), 0.20000000298023224f);
     }
     else
     {
-        gain_2 = _S455;
+        gain_2 = _S505;
     }
-    if((families_0[_S449].fibre_tone_0) > 0.0f)
+    if((families_0[_S499].fibre_tone_0) > 0.0f)
     {
-        var _S456 : FibreNoise_0 = fibre_noise_at_0(_S448, _S449, _S450, _S453, _S454);
-        gain_2 = gain_2 + vec2<f32>(families_0[_S449].fibre_tone_0) * vec2<f32>(_S456.bundle_weight_0 * _S456.bundle_0.y + _S456.fibre_weight_0 * _S456.fibre_0.y, _S456.bundle_weight_0 + _S456.fibre_weight_0);
+        var _S506 : FibreNoise_0 = fibre_noise_at_0(_S498, _S499, _S500, _S503, _S504);
+        gain_2 = gain_2 + vec2<f32>(families_0[_S499].fibre_tone_0) * vec2<f32>(_S506.bundle_weight_0 * _S506.bundle_0.y + _S506.fibre_weight_0 * _S506.fibre_0.y, _S506.bundle_weight_0 + _S506.fibre_weight_0);
     }
-    if((families_0[_S449].slub_0) > 0.0f)
+    if((families_0[_S499].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S449].slub_0 * fade_0(_S454, 1.0f / families_0[_S449].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S453, ((fabrics_0[_S448].seed_0) ^ (u32(1373058189)))), select(- _S451.x, _S451.y, _S450.is_warp_1) * families_0[_S449].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S450.across_3 * families_0[_S449].per_half_width_0), 1.0f)), 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S499].slub_0 * fade_0(_S504, 1.0f / families_0[_S499].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S503, ((fabrics_0[_S498].seed_0) ^ (u32(1373058189)))), select(- _S501.x, _S501.y, _S500.is_warp_1) * families_0[_S499].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S500.across_3 * families_0[_S499].per_half_width_0), 1.0f)), 1.0f);
     }
     return gain_2;
 }
 
-fn vary_albedos_0( _S457 : u32,  _S458 : Albedos_0,  _S459 : u32,  _S460 : u32,  _S461 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S507 : u32,  _S508 : Albedos_0,  _S509 : u32,  _S510 : u32,  _S511 : vec2<f32>) -> Albedos_0
 {
-    var _S462 : vec3<f32> = max(_S458.specular_reflect_0, _S458.specular_transmit_0);
-    var _S463 : vec3<f32> = _S458.diffuse_reflect_0 + _S458.diffuse_transmit_0;
-    var _S464 : vec3<f32> = vec3<f32>(fabrics_0[_S457].layer_bound_0);
-    var _S465 : vec3<f32> = vec3<f32>(1.0f);
-    var _S466 : vec3<f32> = _S465 - _S464 * _S462;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S459, fabrics_0[_S457].colour_noise_0, fabrics_0[_S457].seed_0), _S463, _S466);
-    var _S467 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S461.y, vec3<f32>(colour_1) * _S463, _S466) * _S461.x)));
-    var _S468 : f32 = bounded_gain_0(fibre_gain_0(_S459, _S460, fabrics_0[_S457].fibre_noise_0, fabrics_0[_S457].seed_0), _S462, min((_S465 - _S467 * _S463) / _S464, vec3<f32>(1.0f)));
+    var _S512 : vec3<f32> = max(_S508.specular_reflect_0, _S508.specular_transmit_0);
+    var _S513 : vec3<f32> = _S508.diffuse_reflect_0 + _S508.diffuse_transmit_0;
+    var _S514 : vec3<f32> = vec3<f32>(fabrics_0[_S507].layer_bound_0);
+    var _S515 : vec3<f32> = vec3<f32>(1.0f);
+    var _S516 : vec3<f32> = _S515 - _S514 * _S512;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S509, fabrics_0[_S507].colour_noise_0, fabrics_0[_S507].seed_0), _S513, _S516);
+    var _S517 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S511.y, vec3<f32>(colour_1) * _S513, _S516) * _S511.x)));
+    var _S518 : f32 = bounded_gain_0(fibre_gain_0(_S509, _S510, fabrics_0[_S507].fibre_noise_0, fabrics_0[_S507].seed_0), _S512, min((_S515 - _S517 * _S513) / _S514, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S467 * _S458.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S467 * _S458.diffuse_transmit_0;
-    var _S469 : vec3<f32> = vec3<f32>(_S468);
-    varied_0.specular_reflect_0 = _S469 * _S458.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S469 * _S458.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S517 * _S508.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S517 * _S508.diffuse_transmit_0;
+    var _S519 : vec3<f32> = vec3<f32>(_S518);
+    varied_0.specular_reflect_0 = _S519 * _S508.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S519 * _S508.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S470 : u32,  _S471 : SurfacePoint_0,  _S472 : Albedos_0,  _S473 : f32,  _S474 : f32,  _S475 : bool,  _S476 : f32,  _S477 : f32) -> Albedos_0
+fn varied_at_0( _S520 : u32,  _S521 : SurfacePoint_0,  _S522 : Albedos_0,  _S523 : f32,  _S524 : f32,  _S525 : bool,  _S526 : f32,  _S527 : f32) -> Albedos_0
 {
-    var _S478 : u32 = thread_number_0(_S470, _S471, _S473, _S474);
-    var _S479 : vec3<f32> = fibre_cell_0(_S471.fibre_across_0, _S471.fibre_along_0, fabrics_0[_S470].fibre_size_0);
-    var _S480 : vec2<f32> = vec2<f32>(0.0f);
+    var _S528 : u32 = thread_number_0(_S520, _S521, _S523, _S524);
+    var _S529 : vec3<f32> = fibre_cell_0(_S521.fibre_across_0, _S521.fibre_along_0, fabrics_0[_S520].fibre_size_0);
+    var _S530 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S470].has_detail_0) != u32(0)) & ((_S476 >= 0.0f))))
+    if((((fabrics_0[_S520].has_detail_0) != u32(0)) & ((_S526 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S470, select(fabrics_0[_S470].weft_0, fabrics_0[_S470].warp_0, _S471.is_warp_1), _S471, vec2<f32>(_S473, _S474), _S475, _S478, _S476) * vec2<f32>(1.0f - _S477, 1.0f);
+        gain_3 = detail_gain_0(_S520, select(fabrics_0[_S520].weft_0, fabrics_0[_S520].warp_0, _S521.is_warp_1), _S521, vec2<f32>(_S523, _S524), _S525, _S528, _S526) * vec2<f32>(1.0f - _S527, 1.0f);
     }
     else
     {
-        gain_3 = _S480;
+        gain_3 = _S530;
     }
-    return vary_albedos_0(_S470, _S472, _S478, u32(i32(_S479.x)) * u32(65536) + u32(i32(floor(_S479.y))), gain_3);
+    return vary_albedos_0(_S520, _S522, _S528, u32(i32(_S529.x)) * u32(65536) + u32(i32(floor(_S529.y))), gain_3);
 }
 
-fn turned_frame_0( _S481 : u32,  _S482 : u32,  _S483 : SurfacePoint_0,  _S484 : bool,  _S485 : u32,  _S486 : f32) -> YarnFrame_0
+fn turned_frame_0( _S531 : u32,  _S532 : u32,  _S533 : SurfacePoint_0,  _S534 : bool,  _S535 : u32,  _S536 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_4 = _S483.normal_3;
-    frame_2.tangent_3 = _S483.tangent_2;
+    frame_2.normal_4 = _S533.normal_3;
+    frame_2.tangent_3 = _S533.tangent_2;
     frame_2.loss_0 = 0.0f;
-    if((families_0[_S482].has_plies_0) > 0.0f)
+    if((families_0[_S532].has_plies_0) > 0.0f)
     {
-        var _S487 : f32 = fade_0(_S486, 1.0f / families_0[_S482].plies_per_mm_0);
-        var _S488 : f32 = _S487 * 0.41999998688697815f * ply_offset_0(_S482, _S483, _S484);
-        var _S489 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
-        var _S490 : vec3<f32> = vec3<f32>(families_0[_S482].ply_cosine_0);
-        var _S491 : vec3<f32> = vec3<f32>(select(families_0[_S482].ply_sine_0, - families_0[_S482].ply_sine_0, _S484));
-        var _S492 : vec3<f32> = _S490 * _S489 + _S491 * frame_2.tangent_3;
-        var _S493 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S488 * _S488));
-        var _S494 : vec3<f32> = vec3<f32>(_S488);
-        frame_2.tangent_3 = _S490 * (_S490 * frame_2.tangent_3 - _S491 * _S489) + _S491 * (_S493 * _S492 - _S494 * frame_2.normal_4);
-        frame_2.normal_4 = _S493 * frame_2.normal_4 + _S494 * _S492;
-        frame_2.loss_0 = _S487 * _S487 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
+        var _S537 : f32 = fade_0(_S536, 1.0f / families_0[_S532].plies_per_mm_0);
+        var _S538 : f32 = _S537 * 0.41999998688697815f * ply_offset_0(_S532, _S533, _S534);
+        var _S539 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
+        var _S540 : vec3<f32> = vec3<f32>(families_0[_S532].ply_cosine_0);
+        var _S541 : vec3<f32> = vec3<f32>(select(families_0[_S532].ply_sine_0, - families_0[_S532].ply_sine_0, _S534));
+        var _S542 : vec3<f32> = _S540 * _S539 + _S541 * frame_2.tangent_3;
+        var _S543 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S538 * _S538));
+        var _S544 : vec3<f32> = vec3<f32>(_S538);
+        frame_2.tangent_3 = _S540 * (_S540 * frame_2.tangent_3 - _S541 * _S539) + _S541 * (_S543 * _S542 - _S544 * frame_2.normal_4);
+        frame_2.normal_4 = _S543 * frame_2.normal_4 + _S544 * _S542;
+        frame_2.loss_0 = _S537 * _S537 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
     }
-    var _S495 : f32 = families_0[_S482].fibre_tilt_0;
-    if((families_0[_S482].fibre_tilt_0) > 0.0f)
+    var _S545 : f32 = families_0[_S532].fibre_tilt_0;
+    if((families_0[_S532].fibre_tilt_0) > 0.0f)
     {
-        var _S496 : FibreNoise_0 = fibre_noise_at_0(_S481, _S482, _S483, _S485, _S486);
-        var _S497 : f32 = 1.09858846664428711f * _S495 * (_S496.bundle_weight_0 * _S496.bundle_0.x + _S496.fibre_weight_0 * (_S496.fibre_0.x + _S496.offset_1));
-        var _S498 : f32 = _S495 * (1.42099642753601074f * (_S496.bundle_weight_0 * _S496.bundle_0.y + _S496.fibre_weight_0 * _S496.fibre_0.y) - _S496.bundle_weight_0 * _S496.slope_2);
-        var _S499 : f32 = square_1(_S496.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S495 * _S495 * ((0.24761904776096344f * (square_1(_S496.bundle_weight_0) + _S499) + _S499 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S500 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
-        var _S501 : vec2<f32> = sine_cosine_0(_S497);
-        var _S502 : vec2<f32> = sine_cosine_0(_S498);
-        var _S503 : vec3<f32> = vec3<f32>(_S501.y);
-        var _S504 : vec3<f32> = vec3<f32>(_S501.x);
-        var _S505 : vec3<f32> = _S503 * _S500 - _S504 * frame_2.normal_4;
-        frame_2.normal_4 = _S503 * frame_2.normal_4 + _S504 * _S500;
-        frame_2.tangent_3 = vec3<f32>(_S502.y) * frame_2.tangent_3 + vec3<f32>(_S502.x) * _S505;
+        var _S546 : FibreNoise_0 = fibre_noise_at_0(_S531, _S532, _S533, _S535, _S536);
+        var _S547 : f32 = 1.09858846664428711f * _S545 * (_S546.bundle_weight_0 * _S546.bundle_0.x + _S546.fibre_weight_0 * (_S546.fibre_0.x + _S546.offset_1));
+        var _S548 : f32 = _S545 * (1.42099642753601074f * (_S546.bundle_weight_0 * _S546.bundle_0.y + _S546.fibre_weight_0 * _S546.fibre_0.y) - _S546.bundle_weight_0 * _S546.slope_2);
+        var _S549 : f32 = square_1(_S546.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S545 * _S545 * ((0.24761904776096344f * (square_1(_S546.bundle_weight_0) + _S549) + _S549 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S550 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
+        var _S551 : vec2<f32> = sine_cosine_0(_S547);
+        var _S552 : vec2<f32> = sine_cosine_0(_S548);
+        var _S553 : vec3<f32> = vec3<f32>(_S551.y);
+        var _S554 : vec3<f32> = vec3<f32>(_S551.x);
+        var _S555 : vec3<f32> = _S553 * _S550 - _S554 * frame_2.normal_4;
+        frame_2.normal_4 = _S553 * frame_2.normal_4 + _S554 * _S550;
+        frame_2.tangent_3 = vec3<f32>(_S552.y) * frame_2.tangent_3 + vec3<f32>(_S552.x) * _S555;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S506 : u32,  _S507 : SurfacePoint_0,  _S508 : f32,  _S509 : f32,  _S510 : bool,  _S511 : bool,  _S512 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S556 : u32,  _S557 : SurfacePoint_0,  _S558 : bool,  _S559 : bool,  _S560 : f32) -> YarnPoint_0
 {
-    var _S513 : u32 = select(fabrics_0[_S506].weft_0, fabrics_0[_S506].warp_0, _S507.is_warp_1);
-    var _S514 : bool = (((fabrics_0[_S506].has_detail_0) != u32(0)) & ((_S512 >= 0.0f)));
-    var _S515 : vec3<f32> = vec3<f32>(0.0f);
-    var _S516 : Hair_0 = Hair_x24init_0(0.0f, _S515, _S515);
-    var _S517 : bool;
-    if(_S514)
+    var _S561 : u32 = select(fabrics_0[_S556].weft_0, fabrics_0[_S556].warp_0, _S557.is_warp_1);
+    var _S562 : bool = (((fabrics_0[_S556].has_detail_0) != u32(0)) & ((_S560 >= 0.0f)));
+    var _S563 : vec3<f32> = vec3<f32>(0.0f);
+    var _S564 : Hair_0 = Hair_x24init_0(0.0f, _S563, _S563);
+    var _S565 : bool;
+    if(_S562)
     {
-        _S517 = has_hairs_0(_S506);
+        _S565 = has_hairs_0(_S556);
     }
     else
     {
-        _S517 = false;
+        _S565 = false;
     }
     var hair_2 : Hair_0;
-    if(_S517)
+    if(_S565)
     {
-        hair_2 = hair_at_0(_S506, vec2<f32>(_S508, _S509), _S510, _S512);
+        hair_2 = hair_at_0(_S556, vec2<f32>(_S557.x_8, _S557.y_1), _S558, _S560);
     }
     else
     {
-        hair_2 = _S516;
+        hair_2 = _S564;
     }
-    var albedos_3 : Albedos_0 = albedos_of_0(_S513, select(_S507.weft_thread_0, _S507.warp_thread_0, _S507.is_warp_1));
+    var albedos_3 : Albedos_0 = albedos_of_0(_S561, select(_S557.weft_thread_0, _S557.warp_thread_0, _S557.is_warp_1));
     var albedos_4 : Albedos_0;
-    if(varies_at_0(_S506, _S512))
+    if(varies_at_0(_S556, _S560))
     {
-        albedos_4 = varied_at_0(_S506, _S507, albedos_3, _S508, _S509, _S510, _S512, hair_2.cover_0);
+        albedos_4 = varied_at_0(_S556, _S557, albedos_3, _S557.x_8, _S557.y_1, _S558, _S560, hair_2.cover_0);
     }
     else
     {
         albedos_4 = albedos_3;
     }
-    var point_5 : YarnPoint_0;
-    point_5.back_6 = _S510;
-    point_5.hole_3 = _S511;
-    point_5.is_warp_2 = _S507.is_warp_1;
-    point_5.x_12 = _S508;
-    point_5.y_5 = _S509;
-    point_5.height_5 = _S507.height_4;
-    point_5.normal_8 = _S507.normal_3;
-    point_5.tangent_8 = _S507.tangent_2;
-    point_5.surface_normal_0 = _S507.normal_3;
-    point_5.diffuse_gain_1 = 1.0f;
-    if(_S514)
+    var point_6 : YarnPoint_0;
+    point_6.back_6 = _S558;
+    point_6.hole_3 = _S559;
+    point_6.is_warp_2 = _S557.is_warp_1;
+    point_6.x_13 = _S557.x_8;
+    point_6.y_6 = _S557.y_1;
+    point_6.height_5 = _S557.height_4;
+    point_6.normal_8 = _S557.normal_3;
+    point_6.tangent_8 = _S557.tangent_2;
+    point_6.surface_normal_0 = _S557.normal_3;
+    point_6.diffuse_gain_1 = 1.0f;
+    if(_S562)
     {
-        var _S518 : YarnFrame_0 = turned_frame_0(_S506, _S513, _S507, _S510, thread_number_0(_S506, _S507, _S508, _S509), _S512);
+        var _S566 : YarnFrame_0 = turned_frame_0(_S556, _S561, _S557, _S558, thread_number_0(_S556, _S557, _S557.x_8, _S557.y_1), _S560);
         var frame_3 : YarnFrame_0;
-        if(has_hairs_0(_S506))
+        if(has_hairs_0(_S556))
         {
-            frame_3 = under_hair_0(_S518, hair_2);
+            frame_3 = under_hair_0(_S566, hair_2);
         }
         else
         {
-            frame_3 = _S518;
+            frame_3 = _S566;
         }
-        point_5.normal_8 = frame_3.normal_4;
-        point_5.tangent_8 = frame_3.tangent_3;
-        point_5.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S506].diffuse_blend_0);
+        point_6.normal_8 = frame_3.normal_4;
+        point_6.tangent_8 = frame_3.tangent_3;
+        point_6.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S556].diffuse_blend_0);
     }
-    point_5.roughness_8 = families_0[_S513].roughness_0;
-    point_5.albedos_2 = albedos_4;
-    return point_5;
+    point_6.roughness_8 = families_0[_S561].roughness_0;
+    point_6.albedos_2 = albedos_4;
+    return point_6;
 }
 
-fn locate_yarn_0( _S519 : u32,  _S520 : SearchQuality_0,  _S521 : f32,  _S522 : f32,  _S523 : vec3<f32>,  _S524 : f32) -> YarnPoint_0
+fn locate_yarn_0( _S567 : u32,  _S568 : SearchQuality_0,  _S569 : f32,  _S570 : f32,  _S571 : vec3<f32>,  _S572 : f32) -> YarnPoint_0
 {
-    var _S525 : bool = (_S523.z) < 0.0f;
-    var _S526 : Hit_0 = first_hit_0(_S519, _S520, _S521, _S522, to_face_frame_0(_S523, _S525), _S525);
-    return yarn_point_of_0(_S519, surface_at_0(_S519, _S526.x_13, _S526.y_6, _S525), _S526.x_13, _S526.y_6, _S525, _S526.hole_4, _S524);
+    var _S573 : bool = (_S571.z) < 0.0f;
+    var _S574 : vec3<f32> = to_face_frame_0(_S571, _S573);
+    var _S575 : Hit_0 = first_hit_0(_S567, _S568, _S569, _S570, _S574, _S573);
+    return yarn_point_of_0(_S567, surface_met_0(_S567, _S575.x_14, _S575.y_7, _S575.height_6, _S574, _S573), _S573, _S575.hole_4, _S572);
 }
 
-fn openness_number_0( _S527 : u32,  _S528 : u32) -> f32
+fn openness_number_0( _S576 : u32,  _S577 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S527].openness_0 + _S528);
+    return table_number_0(fabrics_0[_S576].openness_0 + _S577);
 }
 
-fn blocked_of_terms_0( _S529 : u32,  _S530 : u32,  _S531 : array<f32, i32(6)>,  _S532 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S578 : u32,  _S579 : u32,  _S580 : array<f32, i32(6)>,  _S581 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_3 : u32 = u32(0);
@@ -2190,14 +2259,14 @@ fn blocked_of_terms_0( _S529 : u32,  _S530 : u32,  _S531 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S532)
+            if(term_0 < _S581)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S529, _S530 + share_3 * _S532 + term_0) * _S531[term_0];
+            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S578, _S579 + share_3 * _S581 + term_0) * _S580[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_3] = saturate(shares_0[share_3]);
@@ -2210,106 +2279,106 @@ fn blocked_of_terms_0( _S529 : u32,  _S530 : u32,  _S531 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_at_0( _S533 : u32,  _S534 : bool,  _S535 : bool,  _S536 : f32,  _S537 : f32) -> Blocked_0
+fn blocked_at_0( _S582 : u32,  _S583 : bool,  _S584 : bool,  _S585 : f32,  _S586 : f32) -> Blocked_0
 {
-    var _S538 : f32 = _S537 * openness_number_0(_S533, u32(158));
-    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S536, _S538, _S536 * _S536, _S536 * _S538, _S538 * _S538 );
-    return blocked_of_terms_0(_S533, u32(60) + (select(u32(0), u32(2), _S535) + select(u32(1), u32(0), _S534)) * u32(18), terms_0, u32(6));
+    var _S587 : f32 = _S586 * openness_number_0(_S582, u32(158));
+    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S585, _S587, _S585 * _S585, _S585 * _S587, _S587 * _S587 );
+    return blocked_of_terms_0(_S582, u32(60) + (select(u32(0), u32(2), _S584) + select(u32(1), u32(0), _S583)) * u32(18), terms_0, u32(6));
 }
 
-fn scattered_by_0( _S539 : u32,  _S540 : Albedos_0,  _S541 : u32,  _S542 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S588 : u32,  _S589 : Albedos_0,  _S590 : u32,  _S591 : vec3<f32>) -> Scattered_0
 {
-    var _S543 : u32 = u32(159) + u32(2) * _S541;
+    var _S592 : u32 = u32(159) + u32(2) * _S590;
     var yarn_3 : Scattered_0;
-    yarn_3.back_5 = _S542 * _S540.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S539, _S543)) * _S540.specular_reflect_0;
-    yarn_3.through_0 = _S542 * _S540.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S539, _S543 + u32(1))) * _S540.specular_transmit_0;
+    yarn_3.back_5 = _S591 * _S589.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S588, _S592)) * _S589.specular_reflect_0;
+    yarn_3.through_0 = _S591 * _S589.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S588, _S592 + u32(1))) * _S589.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S544 : u32,  _S545 : u32,  _S546 : vec3<f32>,  _S547 : vec3<f32>,  _S548 : vec3<f32>,  _S549 : vec3<f32>,  _S550 : ptr<function, vec3<f32>>,  _S551 : ptr<function, vec3<f32>>)
+fn sent_0( _S593 : u32,  _S594 : u32,  _S595 : vec3<f32>,  _S596 : vec3<f32>,  _S597 : vec3<f32>,  _S598 : vec3<f32>,  _S599 : ptr<function, vec3<f32>>,  _S600 : ptr<function, vec3<f32>>)
 {
-    var _S552 : u32 = u32(146) + u32(4) * _S545;
-    var _S553 : f32 = openness_number_0(_S544, _S552 + u32(1));
-    var _S554 : f32 = openness_number_0(_S544, _S552 + u32(2));
-    var _S555 : vec3<f32> = vec3<f32>(1.0f);
-    var _S556 : vec3<f32> = _S555 - _S548 * vec3<f32>(openness_number_0(_S544, _S552));
-    var _S557 : vec3<f32> = _S555 - _S549 * vec3<f32>(openness_number_0(_S544, _S552 + u32(3)));
-    var _S558 : vec3<f32> = _S555 / (_S556 * _S557 - _S548 * _S549 * vec3<f32>((_S553 * _S554)));
-    (*_S550) = (_S546 * _S557 + _S548 * vec3<f32>(_S553) * _S547) * _S558;
-    (*_S551) = (_S547 * _S556 + _S549 * vec3<f32>(_S554) * _S546) * _S558;
+    var _S601 : u32 = u32(146) + u32(4) * _S594;
+    var _S602 : f32 = openness_number_0(_S593, _S601 + u32(1));
+    var _S603 : f32 = openness_number_0(_S593, _S601 + u32(2));
+    var _S604 : vec3<f32> = vec3<f32>(1.0f);
+    var _S605 : vec3<f32> = _S604 - _S597 * vec3<f32>(openness_number_0(_S593, _S601));
+    var _S606 : vec3<f32> = _S604 - _S598 * vec3<f32>(openness_number_0(_S593, _S601 + u32(3)));
+    var _S607 : vec3<f32> = _S604 / (_S605 * _S606 - _S597 * _S598 * vec3<f32>((_S602 * _S603)));
+    (*_S599) = (_S595 * _S606 + _S597 * vec3<f32>(_S602) * _S596) * _S607;
+    (*_S600) = (_S596 * _S605 + _S598 * vec3<f32>(_S603) * _S595) * _S607;
     return;
 }
 
-fn face_sends_0( _S559 : u32,  _S560 : u32,  _S561 : Scattered_0,  _S562 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S608 : u32,  _S609 : u32,  _S610 : Scattered_0,  _S611 : Scattered_0) -> FaceSends_0
 {
-    var _S563 : u32 = u32(2) * _S560;
-    var _S564 : u32 = u32(142) + _S563;
-    var _S565 : f32 = openness_number_0(_S559, _S564);
-    var _S566 : f32 = openness_number_0(_S559, _S564 + u32(1));
-    var _S567 : vec3<f32> = vec3<f32>((1.0f - _S565)) * _S561.back_5;
-    var _S568 : vec3<f32> = vec3<f32>((1.0f - _S566)) * _S562.back_5;
+    var _S612 : u32 = u32(2) * _S609;
+    var _S613 : u32 = u32(142) + _S612;
+    var _S614 : f32 = openness_number_0(_S608, _S613);
+    var _S615 : f32 = openness_number_0(_S608, _S613 + u32(1));
+    var _S616 : vec3<f32> = vec3<f32>((1.0f - _S614)) * _S610.back_5;
+    var _S617 : vec3<f32> = vec3<f32>((1.0f - _S615)) * _S611.back_5;
     var sends_1 : FaceSends_0;
-    var _S569 : u32 = u32(154) + _S563;
-    var _S570 : f32 = openness_number_0(_S559, _S569);
-    sends_1.blocks_warp_0 = _S570;
-    var _S571 : f32 = openness_number_0(_S559, _S569 + u32(1));
-    sends_1.blocks_weft_0 = _S571;
-    sends_1.open_0 = _S570 * _S565 + _S571 * _S566;
-    var _S572 : vec3<f32> = vec3<f32>(_S565) * _S561.back_5;
-    var _S573 : vec3<f32> = vec3<f32>(_S566) * _S562.back_5;
-    var _S574 : vec3<f32> = sends_1.sky_warp_0;
-    var _S575 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S559, _S560, _S572, _S573, _S567, _S568, &(_S574), &(_S575));
-    sends_1.sky_warp_0 = _S574;
-    sends_1.sky_weft_0 = _S575;
-    var _S576 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S577 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S559, _S560, _S561.through_0, _S562.through_0, _S567, _S568, &(_S576), &(_S577));
-    sends_1.crossing_warp_0 = _S576;
-    sends_1.crossing_weft_0 = _S577;
+    var _S618 : u32 = u32(154) + _S612;
+    var _S619 : f32 = openness_number_0(_S608, _S618);
+    sends_1.blocks_warp_0 = _S619;
+    var _S620 : f32 = openness_number_0(_S608, _S618 + u32(1));
+    sends_1.blocks_weft_0 = _S620;
+    sends_1.open_0 = _S619 * _S614 + _S620 * _S615;
+    var _S621 : vec3<f32> = vec3<f32>(_S614) * _S610.back_5;
+    var _S622 : vec3<f32> = vec3<f32>(_S615) * _S611.back_5;
+    var _S623 : vec3<f32> = sends_1.sky_warp_0;
+    var _S624 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S608, _S609, _S621, _S622, _S616, _S617, &(_S623), &(_S624));
+    sends_1.sky_warp_0 = _S623;
+    sends_1.sky_weft_0 = _S624;
+    var _S625 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S626 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S608, _S609, _S610.through_0, _S611.through_0, _S616, _S617, &(_S625), &(_S626));
+    sends_1.crossing_warp_0 = _S625;
+    sends_1.crossing_weft_0 = _S626;
     return sends_1;
 }
 
-fn interior_of_0( _S578 : u32,  _S579 : vec3<f32>,  _S580 : bool) -> Interior_0
+fn interior_of_0( _S627 : u32,  _S628 : vec3<f32>,  _S629 : bool) -> Interior_0
 {
-    var _S581 : Scattered_0 = scattered_by_0(_S578, table_albedos_0(families_0[fabrics_0[_S578].warp_0].colour_mean_0), u32(0), _S579);
-    var _S582 : Scattered_0 = scattered_by_0(_S578, table_albedos_0(families_0[fabrics_0[_S578].weft_0].colour_mean_0), u32(1), _S579);
-    var _S583 : FaceSends_0 = face_sends_0(_S578, select(u32(0), u32(1), _S580), _S581, _S582);
-    var _S584 : FaceSends_0 = face_sends_0(_S578, select(u32(1), u32(0), _S580), _S581, _S582);
-    var _S585 : vec3<f32> = vec3<f32>(_S583.blocks_warp_0);
-    var _S586 : vec3<f32> = vec3<f32>(_S583.blocks_weft_0);
-    var _S587 : vec3<f32> = _S585 * _S583.crossing_warp_0 + _S586 * _S583.crossing_weft_0;
-    var _S588 : vec3<f32> = vec3<f32>(_S584.blocks_warp_0);
-    var _S589 : vec3<f32> = vec3<f32>(_S584.blocks_weft_0);
-    var _S590 : vec3<f32> = _S588 * _S584.crossing_warp_0 + _S589 * _S584.crossing_weft_0;
-    var _S591 : f32 = 1.0f - _S583.open_0;
-    var _S592 : f32 = 1.0f - _S584.open_0;
-    var _S593 : vec3<f32> = vec3<f32>(1.0f);
-    var _S594 : vec3<f32> = _S593 / (_S593 - _S587 * _S590 * vec3<f32>((_S591 * _S592)));
-    var _S595 : vec3<f32> = _S590 * (vec3<f32>(_S583.open_0) + vec3<f32>(_S591) * (_S585 * _S583.sky_warp_0 + _S586 * _S583.sky_weft_0)) * _S594;
-    var _S596 : vec3<f32> = _S587 * (vec3<f32>(_S584.open_0) + vec3<f32>(_S592) * (_S588 * _S584.sky_warp_0 + _S589 * _S584.sky_weft_0)) * _S594;
-    var _S597 : FaceRadiance_0 = face_radiance_0(_S583, _S584.open_0, _S595, _S596);
-    var _S598 : FaceRadiance_0 = face_radiance_0(_S584, _S583.open_0, _S596, _S595);
+    var _S630 : Scattered_0 = scattered_by_0(_S627, table_albedos_0(families_0[fabrics_0[_S627].warp_0].colour_mean_0), u32(0), _S628);
+    var _S631 : Scattered_0 = scattered_by_0(_S627, table_albedos_0(families_0[fabrics_0[_S627].weft_0].colour_mean_0), u32(1), _S628);
+    var _S632 : FaceSends_0 = face_sends_0(_S627, select(u32(0), u32(1), _S629), _S630, _S631);
+    var _S633 : FaceSends_0 = face_sends_0(_S627, select(u32(1), u32(0), _S629), _S630, _S631);
+    var _S634 : vec3<f32> = vec3<f32>(_S632.blocks_warp_0);
+    var _S635 : vec3<f32> = vec3<f32>(_S632.blocks_weft_0);
+    var _S636 : vec3<f32> = _S634 * _S632.crossing_warp_0 + _S635 * _S632.crossing_weft_0;
+    var _S637 : vec3<f32> = vec3<f32>(_S633.blocks_warp_0);
+    var _S638 : vec3<f32> = vec3<f32>(_S633.blocks_weft_0);
+    var _S639 : vec3<f32> = _S637 * _S633.crossing_warp_0 + _S638 * _S633.crossing_weft_0;
+    var _S640 : f32 = 1.0f - _S632.open_0;
+    var _S641 : f32 = 1.0f - _S633.open_0;
+    var _S642 : vec3<f32> = vec3<f32>(1.0f);
+    var _S643 : vec3<f32> = _S642 / (_S642 - _S636 * _S639 * vec3<f32>((_S640 * _S641)));
+    var _S644 : vec3<f32> = _S639 * (vec3<f32>(_S632.open_0) + vec3<f32>(_S640) * (_S634 * _S632.sky_warp_0 + _S635 * _S632.sky_weft_0)) * _S643;
+    var _S645 : vec3<f32> = _S636 * (vec3<f32>(_S633.open_0) + vec3<f32>(_S641) * (_S637 * _S633.sky_warp_0 + _S638 * _S633.sky_weft_0)) * _S643;
+    var _S646 : FaceRadiance_0 = face_radiance_0(_S632, _S633.open_0, _S644, _S645);
+    var _S647 : FaceRadiance_0 = face_radiance_0(_S633, _S632.open_0, _S645, _S644);
     var interior_1 : Interior_0;
-    interior_1.warp_3 = _S597.warp_2;
-    interior_1.weft_3 = _S597.weft_2;
-    interior_1.leaked_1 = _S597.leaked_0;
-    interior_1.far_1 = _S598.mean_0;
-    interior_1.far_leaked_0 = _S598.leaked_0;
+    interior_1.warp_3 = _S646.warp_2;
+    interior_1.weft_3 = _S646.weft_2;
+    interior_1.leaked_1 = _S646.leaked_0;
+    interior_1.far_1 = _S647.mean_0;
+    interior_1.far_leaked_0 = _S647.leaked_0;
     return interior_1;
 }
 
-fn bounced_at_0( _S599 : u32,  _S600 : YarnPoint_0,  _S601 : vec3<f32>) -> Bounced_0
+fn bounced_at_0( _S648 : u32,  _S649 : YarnPoint_0,  _S650 : vec3<f32>) -> Bounced_0
 {
     var nothing_0 : Bounced_0;
-    var _S602 : vec3<f32> = vec3<f32>(0.0f);
-    nothing_0.reflected_0 = _S602;
-    nothing_0.transmitted_0 = _S602;
-    if((((fabrics_0[_S599].openness_0) == u32(4294967295)) | ((_S600.hole_3))))
+    var _S651 : vec3<f32> = vec3<f32>(0.0f);
+    nothing_0.reflected_0 = _S651;
+    nothing_0.transmitted_0 = _S651;
+    if((((fabrics_0[_S648].openness_0) == u32(4294967295)) | ((_S649.hole_3))))
     {
         return nothing_0;
     }
-    return bounced_by_0(blocked_at_0(_S599, _S600.is_warp_2, _S600.back_6, _S600.surface_normal_0.z, _S600.height_5), scattered_by_0(_S599, _S600.albedos_2, select(u32(1), u32(0), _S600.is_warp_2), _S601), interior_of_0(_S599, _S601, _S600.back_6));
+    return bounced_by_0(blocked_at_0(_S648, _S649.is_warp_2, _S649.back_6, _S649.surface_normal_0.z, _S649.height_5), scattered_by_0(_S648, _S649.albedos_2, select(u32(1), u32(0), _S649.is_warp_2), _S650), interior_of_0(_S648, _S650, _S649.back_6));
 }
 
 fn light_sample_count_0() -> u32
@@ -2317,13 +2386,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S603 : u32,  _S604 : vec2<u32>) -> f32
+fn visibility_at_0( _S652 : u32,  _S653 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S603 * frame_record_0.height_0 + _S604.y) * frame_record_0.width_0 + _S604.x];
+    return visibilities_0[(_S652 * frame_record_0.height_0 + _S653.y) * frame_record_0.width_0 + _S653.x];
 }
 
 struct LightSample_0
@@ -2333,153 +2402,158 @@ struct LightSample_0
      distance_3 : f32,
 };
 
-fn environment_texel_0( _S605 : u32,  _S606 : u32) -> vec3<f32>
+fn environment_texel_0( _S654 : u32,  _S655 : u32) -> vec3<f32>
 {
-    var _S607 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S605 * frame_record_0.environment_columns_0 + _S606);
-    return vec3<f32>(scene_number_0(_S607), scene_number_0(_S607 + u32(1)), scene_number_0(_S607 + u32(2)));
+    var _S656 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S654 * frame_record_0.environment_columns_0 + _S655);
+    return vec3<f32>(scene_number_0(_S656), scene_number_0(_S656 + u32(1)), scene_number_0(_S656 + u32(2)));
 }
 
-fn sample_environment_0( _S608 : vec2<f32>,  _S609 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S657 : vec2<f32>,  _S658 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S610 : u32 = frame_record_0.environment_rows_0;
-    var _S611 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S608.y);
-    var _S612 : u32 = frame_record_0.environment_columns_0;
-    var _S613 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S611.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S608.x);
-    var _S614 : vec3<f32> = environment_texel_0(_S611.index_6, _S613.index_6);
-    (*_S609) = _S614 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S614), 9.99999968265522539e-21f)));
-    var _S615 : f32 = 3.14159274101257324f / f32(_S610);
-    var _S616 : f32 = mix(sine_cosine_0(f32(_S611.index_6) * _S615).y, sine_cosine_0(f32(_S611.index_6 + u32(1)) * _S615).y, _S611.remainder_0);
-    var _S617 : f32 = sqrt(max(1.0f - _S616 * _S616, 0.0f));
-    var _S618 : vec2<f32> = sine_cosine_0((f32(_S613.index_6) + _S613.remainder_0) * (6.28318548202514648f / f32(_S612)));
-    var _S619 : f32 = _S617 * _S618.x;
-    var _S620 : f32 = - _S617 * _S618.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S619 + frame_record_0.environment_sine_0 * _S620, _S616, frame_record_0.environment_cosine_0 * _S620 - frame_record_0.environment_sine_0 * _S619);
+    var _S659 : u32 = frame_record_0.environment_rows_0;
+    var _S660 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S657.y);
+    var _S661 : u32 = frame_record_0.environment_columns_0;
+    var _S662 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S660.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S657.x);
+    var _S663 : vec3<f32> = environment_texel_0(_S660.index_6, _S662.index_6);
+    (*_S658) = _S663 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S663), 9.99999968265522539e-21f)));
+    var _S664 : f32 = 3.14159274101257324f / f32(_S659);
+    var _S665 : f32 = mix(sine_cosine_0(f32(_S660.index_6) * _S664).y, sine_cosine_0(f32(_S660.index_6 + u32(1)) * _S664).y, _S660.remainder_0);
+    var _S666 : f32 = sqrt(max(1.0f - _S665 * _S665, 0.0f));
+    var _S667 : vec2<f32> = sine_cosine_0((f32(_S662.index_6) + _S662.remainder_0) * (6.28318548202514648f / f32(_S661)));
+    var _S668 : f32 = _S666 * _S667.x;
+    var _S669 : f32 = - _S666 * _S667.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S668 + frame_record_0.environment_sine_0 * _S669, _S665, frame_record_0.environment_cosine_0 * _S669 - frame_record_0.environment_sine_0 * _S668);
 }
 
-fn light_sample_0( _S621 : u32,  _S622 : vec2<u32>,  _S623 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S670 : u32,  _S671 : vec2<u32>,  _S672 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_3 = 1.00000001504746622e+30f;
-    var _S624 : u32 = frame_record_0.lights_0;
-    if(_S621 >= (frame_record_0.lights_0))
+    var _S673 : u32 = frame_record_0.lights_0;
+    if(_S670 >= (frame_record_0.lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S625 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S622, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S621 - _S624), u32(3)), &(weight_0));
-        sample_1.towards_0 = _S625;
+        var _S674 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S671, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S670 - _S673), u32(3)), &(weight_0));
+        sample_1.towards_0 = _S674;
         sample_1.irradiance_1 = weight_0 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S626 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S621);
-    sample_1.irradiance_1 = vec3<f32>(_S626.red_0, _S626.green_0, _S626.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S626.x_8, _S626.y_1, _S626.z_1);
-    if((_S626.is_point_0) != u32(0))
+    var _S675 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S670);
+    sample_1.irradiance_1 = vec3<f32>(_S675.red_0, _S675.green_0, _S675.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S675.x_9, _S675.y_2, _S675.z_1);
+    if((_S675.is_point_0) != u32(0))
     {
-        var _S627 : vec3<f32> = sample_1.towards_0 - _S623;
-        var _S628 : f32 = max(square_0(_S627), 9.999999960041972e-13f);
-        sample_1.distance_3 = sqrt(_S628);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S628);
-        sample_1.towards_0 = normalize(_S627);
+        var _S676 : vec3<f32> = sample_1.towards_0 - _S672;
+        var _S677 : f32 = max(square_0(_S676), 9.999999960041972e-13f);
+        sample_1.distance_3 = sqrt(_S677);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S677);
+        sample_1.towards_0 = normalize(_S676);
     }
     return sample_1;
 }
 
-fn scattered_0( _S629 : u32,  _S630 : YarnPoint_0,  _S631 : vec3<f32>,  _S632 : vec3<f32>) -> vec3<f32>
+fn scattered_0( _S678 : u32,  _S679 : YarnPoint_0,  _S680 : vec3<f32>,  _S681 : vec3<f32>) -> vec3<f32>
 {
-    var _S633 : vec3<f32> = vec3<f32>(0.0f);
-    var _S634 : bool = !_S630.hole_3;
-    var _S635 : f32 = _S631.z;
+    var _S682 : vec3<f32> = vec3<f32>(0.0f);
+    var _S683 : bool = !_S679.hole_3;
+    var _S684 : f32 = _S680.z;
     var value_1 : vec3<f32>;
-    if((_S634 & ((_S635 > 0.0f))))
+    if((_S683 & ((_S684 > 0.0f))))
     {
-        value_1 = _S630.albedos_2.diffuse_reflect_0 * vec3<f32>(_S630.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0(_S631, _S630.normal_8, fabrics_0[_S629].diffuse_blend_0)) + _S630.albedos_2.specular_reflect_0 * vec3<f32>(reflection_0(_S631, _S632, _S630.normal_8, _S630.tangent_8, _S630.roughness_8, fabrics_0[_S629].optical_depth_0));
+        value_1 = _S679.albedos_2.diffuse_reflect_0 * vec3<f32>(_S679.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0(_S680, _S679.normal_8, fabrics_0[_S678].diffuse_blend_0)) + _S679.albedos_2.specular_reflect_0 * vec3<f32>(reflection_0(_S680, _S681, _S679.normal_8, _S679.tangent_8, _S679.roughness_8, fabrics_0[_S678].optical_depth_0));
     }
     else
     {
-        if((_S634 & ((_S635 < 0.0f))))
+        if((_S683 & ((_S684 < 0.0f))))
         {
-            value_1 = _S630.albedos_2.diffuse_transmit_0 * vec3<f32>(_S630.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S631), _S630.normal_8, fabrics_0[_S629].diffuse_blend_0)) + _S630.albedos_2.specular_transmit_0 * vec3<f32>(transmission_1(_S631, _S632, _S630.normal_8, _S630.tangent_8, _S630.roughness_8, fabrics_0[_S629].optical_depth_0));
+            value_1 = _S679.albedos_2.diffuse_transmit_0 * vec3<f32>(_S679.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S680), _S679.normal_8, fabrics_0[_S678].diffuse_blend_0)) + _S679.albedos_2.specular_transmit_0 * vec3<f32>(transmission_1(_S680, _S681, _S679.normal_8, _S679.tangent_8, _S679.roughness_8, fabrics_0[_S678].optical_depth_0));
         }
         else
         {
-            value_1 = _S633;
+            value_1 = _S682;
         }
     }
-    var _S636 : f32 = fabrics_0[_S629].sheen_strength_0;
-    if((fabrics_0[_S629].sheen_strength_0) <= 0.0f)
+    var _S685 : f32 = fabrics_0[_S678].sheen_strength_0;
+    if((fabrics_0[_S678].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    var _S637 : vec2<f32> = sheen_with_transmittance_0(_S631, _S632, _S636, fabrics_0[_S629].sheen_roughness_0);
-    return vec3<f32>(_S637.y) * value_1 + vec3<f32>(_S637.x);
+    var _S686 : vec2<f32> = sheen_with_transmittance_0(_S680, _S681, _S685, fabrics_0[_S678].sheen_roughness_0);
+    return vec3<f32>(_S686.y) * value_1 + vec3<f32>(_S686.x);
 }
 
-fn unoccluded_0( _S638 : u32,  _S639 : SearchQuality_0,  _S640 : f32,  _S641 : f32,  _S642 : f32,  _S643 : vec3<f32>,  _S644 : bool) -> bool
+fn surface_at_0( _S687 : u32,  _S688 : f32,  _S689 : f32,  _S690 : bool) -> SurfacePoint_0
 {
-    if((_S643.z) <= 0.0f)
+    return surface_of_0(_S687, sample_at_0(_S687, _S688, _S689, _S690), _S688, _S689, _S690);
+}
+
+fn unoccluded_0( _S691 : u32,  _S692 : SearchQuality_0,  _S693 : f32,  _S694 : f32,  _S695 : f32,  _S696 : vec3<f32>,  _S697 : bool) -> bool
+{
+    if((_S696.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S638, _S639, vec3<f32>(_S640, _S641, _S642 + fabrics_0[_S638].lift_0), _S643, _S644, max_height_along_0(_S638, _S640, _S641, _S642, _S643, _S644));
+    return is_free_0(_S691, _S692, vec3<f32>(_S693, _S694, _S695 + fabrics_0[_S691].lift_0), _S696, _S697, max_height_along_0(_S691, _S693, _S694, _S695, _S696, _S697));
 }
 
-fn is_lit_0( _S645 : u32,  _S646 : SearchQuality_0,  _S647 : YarnPoint_0,  _S648 : vec3<f32>) -> bool
+fn is_lit_0( _S698 : u32,  _S699 : SearchQuality_0,  _S700 : YarnPoint_0,  _S701 : vec3<f32>) -> bool
 {
-    if(_S647.hole_3)
+    if(_S700.hole_3)
     {
         return true;
     }
-    var _S649 : vec3<f32> = to_face_frame_0(_S648, _S647.back_6);
-    var _S650 : f32 = _S649.z;
-    var _S651 : bool = _S650 < 0.0f;
+    var _S702 : vec3<f32> = to_face_frame_0(_S701, _S700.back_6);
+    var _S703 : f32 = _S702.z;
+    var _S704 : bool = _S703 < 0.0f;
     var normal_9 : vec3<f32>;
     var height_11 : f32;
-    if(_S651)
+    if(_S704)
     {
-        var _S652 : SurfacePoint_0 = surface_at_0(_S645, _S647.x_12, _S647.y_5, !_S647.back_6);
-        normal_9 = _S652.normal_3;
-        height_11 = _S652.height_4;
+        var _S705 : SurfacePoint_0 = surface_at_0(_S698, _S700.x_13, _S700.y_6, !_S700.back_6);
+        normal_9 = _S705.normal_3;
+        height_11 = _S705.height_4;
     }
     else
     {
-        normal_9 = _S647.surface_normal_0;
-        height_11 = _S647.height_5;
+        normal_9 = _S700.surface_normal_0;
+        height_11 = _S700.height_5;
     }
-    var _S653 : vec3<f32> = vec3<f32>(_S649.xy, abs(_S650));
-    if((dot(normal_9, _S653)) <= 0.0f)
+    var _S706 : vec3<f32> = vec3<f32>(_S702.xy, abs(_S703));
+    if((dot(normal_9, _S706)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S645, _S646, _S647.x_12, _S647.y_5, height_11, _S653, (_S647.back_6) != _S651);
+    return unoccluded_0(_S698, _S699, _S700.x_13, _S700.y_6, height_11, _S706, (_S700.back_6) != _S704);
 }
 
-fn evaluate_with_0( _S654 : u32,  _S655 : SearchQuality_0,  _S656 : YarnPoint_0,  _S657 : Bounced_0,  _S658 : vec3<f32>,  _S659 : vec3<f32>) -> vec3<f32>
+fn evaluate_with_0( _S707 : u32,  _S708 : SearchQuality_0,  _S709 : YarnPoint_0,  _S710 : Bounced_0,  _S711 : vec3<f32>,  _S712 : vec3<f32>) -> vec3<f32>
 {
-    var _S660 : vec3<f32> = to_face_frame_0(_S659, _S656.back_6);
-    var _S661 : vec3<f32> = scattered_0(_S654, _S656, to_face_frame_0(_S658, _S656.back_6), _S660);
-    var _S662 : bool;
-    if((max(_S661.x, max(_S661.y, _S661.z))) <= 0.0f)
+    var _S713 : vec3<f32> = to_face_frame_0(_S712, _S709.back_6);
+    var _S714 : vec3<f32> = scattered_0(_S707, _S709, to_face_frame_0(_S711, _S709.back_6), _S713);
+    var _S715 : bool;
+    if((max(_S714.x, max(_S714.y, _S714.z))) <= 0.0f)
     {
-        _S662 = true;
+        _S715 = true;
     }
     else
     {
-        _S662 = !is_lit_0(_S654, _S655, _S656, _S658);
+        _S715 = !is_lit_0(_S707, _S708, _S709, _S711);
     }
     var value_2 : vec3<f32>;
-    if(_S662)
+    if(_S715)
     {
         value_2 = vec3<f32>(0.0f);
     }
     else
     {
-        value_2 = _S661;
+        value_2 = _S714;
     }
-    var between_1 : vec3<f32> = bounced_value_0(_S657, _S658, _S659);
-    var _S663 : f32 = fabrics_0[_S654].sheen_strength_0;
+    var between_1 : vec3<f32> = bounced_value_0(_S710, _S711, _S712);
+    var _S716 : f32 = fabrics_0[_S707].sheen_strength_0;
     var between_2 : vec3<f32>;
-    if((fabrics_0[_S654].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S707].sheen_strength_0) > 0.0f)
     {
-        between_2 = between_1 * vec3<f32>((1.0f - _S663 * sheen_lobe_0(abs(_S660.z), fabrics_0[_S654].sheen_roughness_0).z));
+        between_2 = between_1 * vec3<f32>((1.0f - _S716 * sheen_lobe_0(abs(_S713.z), fabrics_0[_S707].sheen_roughness_0).z));
     }
     else
     {
@@ -2488,35 +2562,35 @@ fn evaluate_with_0( _S654 : u32,  _S655 : SearchQuality_0,  _S656 : YarnPoint_0,
     return value_2 + between_2;
 }
 
-fn straight_through_0( _S664 : u32,  _S665 : YarnPoint_0,  _S666 : vec3<f32>) -> f32
+fn straight_through_0( _S717 : u32,  _S718 : YarnPoint_0,  _S719 : vec3<f32>) -> f32
 {
-    if(!_S665.hole_3)
+    if(!_S718.hole_3)
     {
         return 0.0f;
     }
-    var _S667 : f32 = fabrics_0[_S664].sheen_strength_0;
-    if((fabrics_0[_S664].sheen_strength_0) <= 0.0f)
+    var _S720 : f32 = fabrics_0[_S717].sheen_strength_0;
+    if((fabrics_0[_S717].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S667 * sheen_lobe_0(abs(_S666.z), fabrics_0[_S664].sheen_roughness_0).z;
+    return 1.0f - _S720 * sheen_lobe_0(abs(_S719.z), fabrics_0[_S717].sheen_roughness_0).z;
 }
 
-fn light_of_point_0( _S668 : u32,  _S669 : VisiblePoint_0,  _S670 : vec2<u32>,  _S671 : vec3<f32>,  _S672 : vec2<f32>) -> vec4<f32>
+fn light_of_point_0( _S721 : u32,  _S722 : VisiblePoint_0,  _S723 : vec2<u32>,  _S724 : vec3<f32>,  _S725 : vec2<f32>) -> vec4<f32>
 {
-    var _S673 : SearchQuality_0 = default_quality_0();
-    var _S674 : vec3<f32> = to_local_0(_S669, _S669.view_0);
+    var _S726 : SearchQuality_0 = default_quality_0();
+    var _S727 : vec3<f32> = to_local_0(_S722, _S722.view_0);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S672;
-    footprint_0.dx_0 = _S669.draft_dx_0;
-    footprint_0.dy_0 = _S669.draft_dy_0;
-    var _S675 : YarnPoint_0 = locate_yarn_0(_S668, _S673, _S672.x, _S672.y, _S674, Footprint_spread_side_0(footprint_0));
-    var point_6 : YarnPoint_0 = _S675;
-    var _S676 : Bounced_0 = bounced_at_0(_S668, _S675, _S671);
-    point_6.albedos_2 = tinted_0(point_6.albedos_2, _S671);
-    var _S677 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S725;
+    footprint_0.dx_0 = _S722.draft_dx_0;
+    footprint_0.dy_0 = _S722.draft_dy_0;
+    var _S728 : YarnPoint_0 = locate_yarn_0(_S721, _S726, _S725.x, _S725.y, _S727, Footprint_spread_side_0(footprint_0));
+    var point_7 : YarnPoint_0 = _S728;
+    var _S729 : Bounced_0 = bounced_at_0(_S721, _S728, _S724);
+    point_7.albedos_2 = tinted_0(point_7.albedos_2, _S724);
+    var _S730 : vec3<f32> = vec3<f32>(0.0f);
     var number_3 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S677;
+    var radiance_1 : vec3<f32> = _S730;
     for(;;)
     {
         if(number_3 < (light_sample_count_0()))
@@ -2526,51 +2600,51 @@ fn light_of_point_0( _S668 : u32,  _S669 : VisiblePoint_0,  _S670 : vec2<u32>,  
         {
             break;
         }
-        var _S678 : f32 = visibility_at_0(number_3, _S670);
-        if(_S678 <= 0.0f)
+        var _S731 : f32 = visibility_at_0(number_3, _S723);
+        if(_S731 <= 0.0f)
         {
             number_3 = number_3 + u32(1);
             continue;
         }
-        var _S679 : LightSample_0 = light_sample_0(number_3, _S670, _S669.position_0);
-        radiance_1 = radiance_1 + vec3<f32>(_S678) * _S679.irradiance_1 * evaluate_with_0(_S668, _S673, point_6, _S676, to_local_0(_S669, _S679.towards_0), _S674);
+        var _S732 : LightSample_0 = light_sample_0(number_3, _S723, _S722.position_0);
+        radiance_1 = radiance_1 + vec3<f32>(_S731) * _S732.irradiance_1 * evaluate_with_0(_S721, _S726, point_7, _S729, to_local_0(_S722, _S732.towards_0), _S727);
         number_3 = number_3 + u32(1);
     }
-    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S668, point_6, _S674));
+    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S721, point_7, _S727));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S680 : u32 = id_0.x;
-    var _S681 : bool;
-    if(_S680 >= (frame_record_0.width_0))
+    var _S733 : u32 = id_0.x;
+    var _S734 : bool;
+    if(_S733 >= (frame_record_0.width_0))
     {
-        _S681 = true;
+        _S734 = true;
     }
     else
     {
-        _S681 = (id_0.y) >= (frame_record_0.height_0);
+        _S734 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S681)
+    if(_S734)
     {
         return;
     }
-    var _S682 : vec2<u32> = id_0.xy;
-    var _S683 : u32 = id_0.y * frame_record_0.width_0 + _S680;
-    var _S684 : u32 = layers_0[_S683].face_0;
-    if((layers_0[_S683].face_0) == u32(0))
+    var _S735 : vec2<u32> = id_0.xy;
+    var _S736 : u32 = id_0.y * frame_record_0.width_0 + _S733;
+    var _S737 : u32 = layers_0[_S736].face_0;
+    if((layers_0[_S736].face_0) == u32(0))
     {
         return;
     }
-    var _S685 : u32 = _S684 - u32(1);
-    var _S686 : u32 = fabric_of_0(_S685);
-    var _S687 : VisiblePoint_0 = visible_point_0(_S686, _S685, _S682);
-    var _S688 : vec3<f32> = filtered_albedo_0(_S686, _S687);
-    var _S689 : vec4<f32> = vec4<f32>(0.0f);
+    var _S738 : u32 = _S737 - u32(1);
+    var _S739 : u32 = fabric_of_0(_S738);
+    var _S740 : VisiblePoint_0 = visible_point_0(_S739, _S738, _S735);
+    var _S741 : vec3<f32> = filtered_albedo_0(_S739, _S740);
+    var _S742 : vec4<f32> = vec4<f32>(0.0f);
     var k_0 : u32 = u32(0);
-    var sum_0 : vec4<f32> = _S689;
+    var sum_0 : vec4<f32> = _S742;
     for(;;)
     {
         if(k_0 < (frame_record_0.samples_0))
@@ -2580,12 +2654,12 @@ fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        var _S690 : vec2<f32> = pixel_sequence_0(_S682, frame_record_0.pass_number_0 * frame_record_0.samples_0 + k_0, u32(1)) - vec2<f32>(0.5f);
-        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(_S686, _S687, _S682, _S688, _S687.draft_0 + vec2<f32>(_S690.x) * _S687.draft_dx_0 + vec2<f32>(_S690.y) * _S687.draft_dy_0);
+        var _S743 : vec2<f32> = pixel_sequence_0(_S735, frame_record_0.pass_number_0 * frame_record_0.samples_0 + k_0, u32(1)) - vec2<f32>(0.5f);
+        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(_S739, _S740, _S735, _S741, _S740.draft_0 + vec2<f32>(_S743.x) * _S740.draft_dx_0 + vec2<f32>(_S743.y) * _S740.draft_dy_0);
         k_0 = k_0 + u32(1);
         sum_0 = sum_1;
     }
-    accumulate_0(_S683, sum_0 / vec4<f32>(f32(frame_record_0.samples_0)));
+    accumulate_0(_S736, sum_0 / vec4<f32>(f32(frame_record_0.samples_0)));
     return;
 }
 
