@@ -169,7 +169,7 @@ def brute_force(
         )
         point = probes[0].locate(x, y, view)
         three = probes[0].evaluate(point, light, view)
-        fourth = probes[1].evaluate(probes[1].at(point.x, point.y, point.back, point.hole), light, view)
+        fourth = probes[1].evaluate(probes[1].locate(x, y, view), light, view)
         hole = probes[0].straight_through(point, view)
         sums.add(first, part.stop - part.start, [three.x, three.y, three.z, fourth.x, hole])
     mean, variance = sums.moments(samples)
