@@ -10,26 +10,27 @@ from numpy.typing import NDArray
 from scipy.stats import chi2
 
 ROWS, COLUMNS = 16, 24
-_POINTS = 8  # of the Gauss rule along each side of a cell
+_POINTS = 8
 _MIN = 5.0  # cells that expect fewer directions are pooled, or the statistic is not chi-square's
 
 Density = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 
 
-def cell_shares(density: Density) -> NDArray[np.float64]:
+def cell_shares(density: Density, points: int = _POINTS) -> NDArray[np.float64]:
     """Integrals of a density over cells of equal solid angle [ROWS · COLUMNS].
 
     Args:
         density: from unit vectors [n, 3] to 1/sr [n].
+        points: of the Gauss rule along each side of a cell.
     """
-    nodes, weights = np.polynomial.legendre.leggauss(_POINTS)
+    nodes, weights = np.polynomial.legendre.leggauss(points)
     place, weight = (nodes + 1) / 2, weights / 2
     z = -1 + 2 * (np.arange(ROWS)[:, None] + place).ravel() / ROWS
     azimuth = 2 * math.pi * (np.arange(COLUMNS)[:, None] + place).ravel() / COLUMNS
     z, azimuth = (grid.ravel() for grid in np.meshgrid(z, azimuth, indexing="ij"))
     radius = np.sqrt(1 - z**2)
     actual = density(np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1))
-    cells = actual.astype(np.float64).reshape(ROWS, _POINTS, COLUMNS, _POINTS)
+    cells = actual.astype(np.float64).reshape(ROWS, points, COLUMNS, points)
     area = 4 * math.pi / (ROWS * COLUMNS)
     return np.einsum("rpcq,p,q->rc", cells, weight, weight).ravel() * area
 

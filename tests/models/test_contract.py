@@ -213,11 +213,13 @@ def test_the_cloth_repeats(name: str, cloth: str) -> None:
     model, queried = built(name, cloth), queries(fabric(cloth), 800, seed=4)
     width, height = fabric(cloth).repeat_mm
     here, there = (answers(model, part) for part in (queried, queried.moved((width, -2 * height))))
+    # Each of the points that `samples` takes of a footprint may lie at an edge.
+    lanes = 4 * 800 if name == "samples" else None
     for part, values in here.parts.items():
         # Float32 positions 3 repeats away differ by 1e-6 mm, which highlights magnify.
-        close(there.parts[part], values, rtol=1e-2)
-    close(there.value.numpy(), here.value.numpy(), rtol=1e-2)
-    close(there.pdf.numpy(), here.pdf.numpy(), rtol=1e-2)
+        close(there.parts[part], values, 1e-2, lanes)
+    close(there.value.numpy(), here.value.numpy(), 1e-2, lanes)
+    close(there.pdf.numpy(), here.pdf.numpy(), 1e-2, lanes)
 
 
 @every_model
@@ -360,6 +362,9 @@ def test_directions_are_distributed_by_their_density(
     actual = drawn(model, spread_over(model, view, size, count), seed=9)
     passes, chance = actual.is_null.numpy(), actual.pdf.numpy()
     through = float(chance[passes].mean()) if passes.any() else 0.0
+    if abs(shares.sum() + through - 1) > 3e-3:
+        # A narrow lobe needs a finer rule.
+        shares = cell_shares(density, points=24)
     # The rule's error at the edge of a lobe is a few thousandths of a cell.
     assert abs(shares.sum() + through - 1) < 5e-3
     np.testing.assert_allclose(chance[passes], through, rtol=1e-3)
