@@ -32,6 +32,7 @@ from papers.composed_scenes import Composition, composed_scene
 from papers.renders import one_picture
 from papers.setting import LATENT, Setting
 from papers.zeltner2024.layered_materials import layered_material
+from papers.zeltner2024.six_layers import SIX_LAYERS, six_layer_material
 from papers.zeltner2024.two_normals import TWO_NORMALS, two_normal_material
 
 # Texels a side, of textures and latents.
@@ -39,7 +40,7 @@ RESOLUTION = 128
 VIEWS = {"whole": 1.0, "close": 3.5, "far": 0.25}
 _TOWARDS_CAMERA, _TOWARDS_LIGHT = (0.0, 0.25, 1.0), np.array([-0.6, 0.75, 0.6])
 # Camera to sphere, to ground or sphere, to light.
-_DEPTH = 3
+DEPTH = 3
 # Where the close view looks: the middle of the sphere's front, a little above.
 _FOCUS = (-0.02, 0.04, 0.09)
 METRICS = (
@@ -90,7 +91,9 @@ def metric_table(title: str, errors: dict[str, ShownError], note: str = "") -> T
 
 
 def stage_material(name: str) -> Material:
-    """A material of the stage, of `LAYERED` or `TWO_NORMALS`."""
+    """A material of the stage, of `LAYERED` or `TWO_NORMALS`, or `SIX_LAYERS`."""
+    if name == SIX_LAYERS:
+        return six_layer_material(RESOLUTION)
     make = two_normal_material if name in TWO_NORMALS else layered_material
     return make(name, RESOLUTION)
 
@@ -137,7 +140,7 @@ def model_factory(model: Model) -> Callable[[tuple[float, float]], Any]:
 
 
 def stage_scene(
-    factory: Callable[[tuple[float, float]], Any], view: str, setting: Setting, depth: int = _DEPTH
+    factory: Callable[[tuple[float, float]], Any], view: str, setting: Setting, depth: int = DEPTH
 ) -> MeasuredScene:
     """The sphere in one of `VIEWS`.
 
