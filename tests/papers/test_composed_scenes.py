@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import pytest
 
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import ClothMesh, cloth_shapes, material_bsdf, render
@@ -51,6 +52,7 @@ def test_pixels_on_one_piece_count() -> None:
     assert np.allclose(picture[counted], 0.5, atol=1e-3)
 
 
+@pytest.mark.usefixtures("height_field_alone")
 def test_a_height_field_shows_what_the_point_model_shows() -> None:
     """Parallax and shadows by Mitsuba's rays and by the search of yarns, on plain weave seen aslant."""
     yarn = "translucency = 0\nspecular = 0.4\nroughness = 0.4\n"

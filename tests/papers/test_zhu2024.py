@@ -97,10 +97,10 @@ def test_without_parallax_hidden_points_are_dark() -> None:
     numbers = [Float(rng.random(1 << 12, dtype=np.float32)) for _ in range(3)]
     drawn = flat.sample(numbers[0], Array2f(numbers[1], numbers[2]))
     assert np.isfinite(drawn.weight.numpy()).all()
-    # Straight from above nothing is hidden and nothing is moved.
+    # Straight from above nothing is hidden, and nothing moved but to the tubes of yarns that dive.
     above = Array3f(0.0, 0.0, 1.0)
     same = [at.at(above, footprint).value(light).y.numpy() for at in (without_parallax(model), model)]
-    assert np.mean(np.abs(same[0] - same[1]) > 1e-4) < 0.01
+    assert np.mean(np.abs(same[0] - same[1]) > 1e-4) < 0.04
 
 
 def test_errors_that_no_longer_fall_are_noise() -> None:
@@ -127,6 +127,7 @@ def test_equal_quality_of_a_scene(setting: Setting, monkeypatch: pytest.MonkeyPa
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("height_field_alone")
 def test_parallax_is_the_height_fields(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cylinder, "_VERTICES_A_THREAD", 12)
     monkeypatch.setattr(cylinder, "_VIEWS", cylinder._VIEWS[:1])
