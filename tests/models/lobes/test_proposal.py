@@ -124,7 +124,7 @@ def test_directions_are_distributed_by_their_density(name: str) -> None:
     ("name", "view", "wider", "away", "turned"),
     [
         ("smooth satin", VIEWS[1], 1, 2, 0),
-        ("long rib", VIEWS[1], 1, 2, 0),
+        ("long rib", VIEWS[1], 1, 2.5, 0),
         ("smooth satin", VIEWS[4], 8, 0, 0),
         ("smooth satin", VIEWS[3], 1, 0, 12),
     ],

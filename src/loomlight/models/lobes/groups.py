@@ -26,7 +26,7 @@ from loomlight.yarn.flanks import SurfacePoint
 
 # Weight of the normal beside the fibre direction in distances: highlights are narrow in the latter.
 NORMAL_WEIGHT = 0.5
-# Weight of the shown share: a damask from afar is .13 off, .22 without. Plain cloth has one share a family.
+# Weight of the shown share: a damask from afar is .14 off, .22 without. Plain cloth has one share a family.
 SHARE_WEIGHT = 2.0
 FEATURE_WEIGHTS = np.array([*[NORMAL_WEIGHT] * 3, 1, 1, 1, SHARE_WEIGHT], np.float32)
 # Most samples that a family is clustered by.
