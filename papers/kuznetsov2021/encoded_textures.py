@@ -33,8 +33,9 @@ from loomlight.models.query_parts import draw_directions
 from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.relu_layers import relu_layers
 from loomlight.training.soap import Soap
+from loomlight.training.torch_functions import fetched
 from papers.kuznetsov2021.designs import Design
-from papers.kuznetsov2021.neural_textures import NeuralTextures, fetched
+from papers.kuznetsov2021.neural_textures import NeuralTextures
 
 _Floats = NDArray[np.float32]
 # Pairs of light and view of an apparent BRDF, and hidden layers of an encoder.

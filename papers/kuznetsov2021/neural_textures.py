@@ -22,7 +22,7 @@ from loomlight.models.mip_pyramid import PyramidShape, Taps, bilinear_taps, tril
 from loomlight.models.neumip.networks import EXPOSURE, Weights
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
 from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.network import SLOPE, Gather
+from loomlight.models.neumip.training.network import SLOPE
 from loomlight.models.neumip.training.train import (
     Batches,
     gains_of,
@@ -31,7 +31,7 @@ from loomlight.models.neumip.training.train import (
 )
 from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.relu_layers import numbers_of, numbers_of_layers, relu_layers
-from loomlight.training.torch_functions import TorchTextures
+from loomlight.training.torch_functions import TorchTextures, fetched
 from papers.kuznetsov2021.designs import Design
 
 _FUNCTIONS = TorchTextures()
@@ -241,10 +241,3 @@ def blurred(texture: Tensor, sigma: float) -> Tensor:
     squared = along[:, None] ** 2 + across[None, :] ** 2
     response = torch.exp(-2 * (torch.pi * sigma) ** 2 * squared)
     return torch.fft.irfft2(torch.fft.rfft2(texture) * response, s=(rows, columns))
-
-
-def fetched(rows: Tensor, taps: Taps) -> Tensor:
-    """Weighted sums of texels [n, channels]."""
-    texels, weights = torch.stack(taps.texels, dim=1), torch.stack(taps.weights, dim=1)
-    found: Tensor = Gather.apply(texels, weights, rows)
-    return found

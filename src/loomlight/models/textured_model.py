@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import hashlib
 import os
-from abc import abstractmethod
 from collections.abc import Callable, Iterable, Mapping
 from importlib import import_module
 from itertools import pairwise
@@ -21,13 +20,13 @@ from numpy.typing import DTypeLike, NDArray
 
 from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
-from loomlight.core.arrays import Color3, Float, FloatType, UInt, Vec3
+from loomlight.core.arrays import Color3, Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.files import cache_folder
 from loomlight.core.footprint import Footprint
-from loomlight.models.interface import FootprintBsdf, Model
+from loomlight.models.interface import FootprintBsdf, Model, Option
 from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.relu_network import Layers
 from loomlight.scattering.yarn_point import to_face_frame
@@ -35,6 +34,14 @@ from loomlight.scattering.yarn_point import to_face_frame
 # Texels a side of textures; a power of two between these.
 MIN_RESOLUTION, MAX_RESOLUTION = 8, 1024
 DEVICES = ("cpu", "cuda")
+# What all of their trainings can be told.
+TRAINING_OPTIONS = (
+    Option("seed", int, "a whole number from 0", low=0, high=2**32 - 1, is_training=True),
+    Option("steps", int, "a whole number from 1", low=1, high=10**7, is_training=True),
+    # Where queries and checkpoints stay; by default they are removed at the end.
+    Option("folder", str, "the path of a folder", is_training=True),
+    Option("device", str, "cpu or cuda", is_training=True),
+)
 # Texels a side that a file may have.
 _MAX_TEXELS = 4096
 # Smallest side of a footprint in texels: log2(0) has no value.
@@ -62,10 +69,11 @@ DeviceT = TypeVar("DeviceT")
 class TexturedBsdf(FootprintBsdf):
     """The BSDF of footprints for one view: their place in the textures, and the face that is seen."""
 
-    def __init__(self, weights: TexturedWeights, view: Vec3, footprint: Footprint) -> None:
+    def __init__(self, model: Any, view: Vec3, footprint: Footprint) -> None:
         super().__init__(view, footprint)
-        self._weights = weights
+        self._model, self._weights = model, model.weights
         self._types = array_types(view.x)
+        self._device = model.device_weights(self._types.Float)
         self._back = self._types.Bool(view.z < 0)
         self._facing = to_face_frame(view, self._back)
 
@@ -96,6 +104,8 @@ class TexturedModel(Model, Generic[WeightsT, DeviceT]):
     """Textures and networks that are trained for one source.
 
     Attributes:
+        bsdf: the class of its BSDFs.
+        device: the class of `weights` on one backend.
         weights: what was trained.
         multiply_adds: of one query.
         bytes_fetched: by one query.
@@ -105,6 +115,8 @@ class TexturedModel(Model, Generic[WeightsT, DeviceT]):
     conserves_energy: ClassVar[bool] = False
     symbolic: ClassVar[bool] = False
     trains: ClassVar[bool] = True
+    bsdf: ClassVar[type[TexturedBsdf]]
+    device: ClassVar[Callable[..., Any]]
     multiply_adds: int
     bytes_fetched: int
 
@@ -112,20 +124,23 @@ class TexturedModel(Model, Generic[WeightsT, DeviceT]):
         self.source, self.weights = source, weights
         self._devices: dict[type, DeviceT] = {}
 
-    @abstractmethod
-    def _upload(self, float_type: FloatType) -> DeviceT:
-        """Textures and networks on one backend."""
-
     @final
     def device_weights(self, float_type: FloatType) -> DeviceT:
         """Textures and networks on one backend, uploaded once."""
         if float_type not in self._devices:
-            self._devices[float_type] = self._upload(float_type)
+            self._devices[float_type] = type(self).device(self.weights, float_type)
         return self._devices[float_type]
 
     def upload(self, types: ArrayTypes) -> None:
         """Puts textures and networks on a backend."""
         self.device_weights(types.Float)
+
+    def at(
+        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+    ) -> TexturedBsdf:
+        """The BSDF of footprints for one view each; it keeps no albedos apart, so `tint` is ignored."""
+        del tint, active
+        return self.bsdf(self, view, footprint)
 
     def facts(self) -> dict[str, str]:
         """The source, and the size of textures."""

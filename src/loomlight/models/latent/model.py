@@ -17,10 +17,9 @@ import numpy as np
 
 from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
-from loomlight.core.arrays import Color3, Float, FloatType, Mask, Vec2, Vec3
+from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, clip, maximum
 from loomlight.core.errors import InputError
-from loomlight.core.footprint import Footprint
 from loomlight.models.interface import Option
 from loomlight.models.latent.networks import (
     ALBEDO_WIDTHS,
@@ -39,13 +38,13 @@ from loomlight.models.latent.settings import (
     DEFAULT_QUALITY,
     FEATURES,
     LOSSES,
-    OPTIMISERS,
     QUALITIES,
     RUNGS,
     settings_of,
 )
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.textured_model import (
+    TRAINING_OPTIONS,
     TexturedBsdf,
     TexturedModel,
     layers_of_loom,
@@ -65,11 +64,6 @@ PRECISIONS = ("float32", "float16")
 @final
 class LatentBsdf(TexturedBsdf):
     """The BSDF of footprints for one view: latent, frames and lobes, which no light changes."""
-
-    def __init__(self, model: LatentModel, view: Vec3, footprint: Footprint) -> None:
-        super().__init__(model.weights, view, footprint)
-        self._model = model
-        self._device = model.device_weights(self._types.Float)
 
     @property
     def directional_albedo(self) -> Color3:
@@ -131,7 +125,7 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
         multiply_adds: of the decoder, texels and frames included.
     """
 
-    name = "latent"
+    name, bsdf, device = "latent", LatentBsdf, DeviceWeights
     options = (
         Option("quality", str, f"one of {', '.join(QUALITIES)}"),
         Option("decoder", str, f"one of {', '.join(DECODERS)}"),
@@ -145,12 +139,7 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
         # Half-vector features beside the frames; the paper has none.
         Option("features", str, f"one of {', '.join(FEATURES)}", is_training=True),
         Option("loss", str, f"one of {', '.join(LOSSES)}", is_training=True),
-        Option("optimiser", str, f"one of {', '.join(OPTIMISERS)}", is_training=True),
-        Option("seed", int, "a whole number from 0", low=0, high=2**32 - 1, is_training=True),
-        Option("steps", int, "a whole number from 1", low=1, high=10**7, is_training=True),
-        # Where queries and checkpoints stay; by default they are removed at the end.
-        Option("folder", str, "the path of a folder", is_training=True),
-        Option("device", str, "cpu or cuda", is_training=True),
+        *TRAINING_OPTIONS,
     )
 
     def __init__(
@@ -178,7 +167,6 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
         rung: str = "frames",
         features: str | None = None,
         loss: str = AUTO,
-        optimiser: str | None = None,
         seed: int = 0,
         steps: int | None = None,
         folder: str | os.PathLike[str] | None = None,
@@ -194,23 +182,13 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
             InputError: a source of which no queries can be taken, or an option that cannot be.
             MissingDependencyError: PyTorch is missing.
         """
-        settings = settings_of(quality, resolution, decoder, rung, loss, seed, steps, optimiser, features)
+        settings = settings_of(quality, resolution, decoder, rung, loss, seed, steps, features)
         if mips not in MIPS:
             raise InputError(f'mips = "{mips}" is wrong: give {" or ".join(MIPS)}.')
         if precision not in PRECISIONS:
             raise InputError(f'precision = "{precision}" is wrong: give {" or ".join(PRECISIONS)}.')
         weights = run_training(cls.name, source, settings, folder, report, device)
         return cls(source, weights, mips, precision)
-
-    def _upload(self, float_type: FloatType) -> DeviceWeights:
-        return DeviceWeights(self.weights, float_type)
-
-    def at(
-        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
-    ) -> LatentBsdf:
-        """The BSDF of footprints for one view each; it keeps no albedos apart, so `tint` is ignored."""
-        del tint, active
-        return LatentBsdf(self, view, footprint)
 
     def to_loom(self) -> LoomFile:
         """A file of textures and networks."""

@@ -20,13 +20,8 @@ FEATURES = ("half-vector", "none")
 # "auto" is `loss_of_kind`.
 AUTO = "auto"
 LOSSES = (AUTO, "log", "cube-root", "relative")
-# SOAP is Adam in the eigenbases of a matrix's gradients; the paper has Adam.
-OPTIMISERS = ("soap", "adam")
-DEFAULT_OPTIMISER = OPTIMISERS[0]
-# Largest rates of networks and of textures, of an optimiser that is not the quality's.
-_RATES = {"soap": (1e-2, 2e-2), "adam": (5e-3, 1e-2)}
 # Part of every identity: to be raised when the same settings give other weights.
-_VERSION = 5
+_VERSION = 6
 
 
 def loss_of_kind(kind: str) -> str:
@@ -48,7 +43,7 @@ class LatentSettings:
         rung: how much of the model is used, of `RUNGS`.
         features: of `FEATURES`.
         loss: of `LOSSES`.
-        optimiser: of `OPTIMISERS`, for encoder, textures and decoder.
+        optimiser: of encoder, textures and decoder, "soap" or the paper's "adam".
         queries: of the source.
         samples: estimates of which the value of a query is the mean.
         steps: updates of encoder, textures and decoder.
@@ -66,7 +61,7 @@ class LatentSettings:
     rung: str = "frames"
     features: str = FEATURES[0]
     loss: str = AUTO
-    optimiser: str = DEFAULT_OPTIMISER
+    optimiser: str = "soap"
     queries: int = 1 << 20
     samples: int = 8
     steps: int = 2500
@@ -115,14 +110,13 @@ def settings_of(
     loss: str = AUTO,
     seed: int = 0,
     steps: int | None = None,
-    optimiser: str | None = None,
     features: str | None = None,
 ) -> LatentSettings:
     """The settings of a quality with some of them chosen.
 
     Args:
         steps: of the model; the sampler is trained a third as many.
-        optimiser, features: by default those of the quality.
+        features: by default those of the quality.
 
     Raises:
         InputError: an unknown quality or name of another choice, or a resolution that is no power of two.
@@ -132,16 +126,12 @@ def settings_of(
         ("decoder", decoder, DECODERS),
         ("rung", rung, RUNGS),
         ("loss", loss, LOSSES),
-        ("optimiser", optimiser or DEFAULT_OPTIMISER, OPTIMISERS),
         ("features", features or FEATURES[0], FEATURES),
     )
     for name, value, known in named:
         if value not in known:
             raise InputError(f"{name} = {shown(value)} does not exist: {closest(value, known)}")
     chosen = replace(QUALITIES[quality], decoder=decoder, rung=rung, loss=loss, seed=seed)
-    if optimiser is not None and optimiser != chosen.optimiser:
-        rate, texture_rate = _RATES[optimiser]
-        chosen = replace(chosen, optimiser=optimiser, rate=rate, texture_rate=texture_rate)
     if features is not None:
         chosen = replace(chosen, features=features)
     require_training(resolution, steps)

@@ -18,9 +18,8 @@ from numpy.typing import NDArray
 
 from loomlight.assets.loom_file import LoomFile, Setting
 from loomlight.assets.sources import Source
-from loomlight.core.arrays import Color3, Float, FloatType, Mask, Vec2, Vec3
+from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
-from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Option
 from loomlight.models.learned_proposal import LearnedProposal
@@ -35,6 +34,7 @@ from loomlight.models.neumip.networks import (
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
 from loomlight.models.neumip.settings import DEFAULT_QUALITY, QUALITIES, settings_of
 from loomlight.models.textured_model import (
+    TRAINING_OPTIONS,
     TexturedBsdf,
     TexturedModel,
     layers_of_loom,
@@ -48,11 +48,6 @@ from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
 @final
 class NeumipBsdf(TexturedBsdf):
     """The BSDF of footprints for one view: the latent of stage 1, which no light changes (section 6)."""
-
-    def __init__(self, model: NeumipModel, view: Vec3, footprint: Footprint) -> None:
-        super().__init__(model.weights, view, footprint)
-        self._model = model
-        self._device = model.device_weights(self._types.Float)
 
     @cached_property
     def hole(self) -> Float:
@@ -107,18 +102,14 @@ class NeumipBsdf(TexturedBsdf):
 class NeumipModel(TexturedModel[Weights, DeviceWeights]):
     """kuznetsov2021: textures and networks that are trained for one source; see `TexturedModel`."""
 
-    name = "neumip"
+    name, bsdf, device = "neumip", NeumipBsdf, DeviceWeights
     has_holes = True
     options = (
         Option("quality", str, f"one of {', '.join(QUALITIES)}"),
         Option("resolution", int, "a power of two from 8 to 1024", low=8, high=1024),
         # Without it, the paper's baseline.
         Option("offset", bool, "true or false"),
-        Option("seed", int, "a whole number from 0", low=0, high=2**32 - 1, is_training=True),
-        Option("steps", int, "a whole number from 1", low=1, high=10**7, is_training=True),
-        # Where queries and checkpoints stay; by default they are removed at the end.
-        Option("folder", str, "the path of a folder", is_training=True),
-        Option("device", str, "cpu or cuda", is_training=True),
+        *TRAINING_OPTIONS,
     )
 
     def __init__(self, source: Source, weights: Weights) -> None:
@@ -157,16 +148,6 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
     def open_area(self) -> float:
         """Mean share of light that passes straight through, 0 to 1."""
         return self.weights.open_area
-
-    def _upload(self, float_type: FloatType) -> DeviceWeights:
-        return DeviceWeights(self.weights, float_type)
-
-    def at(
-        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
-    ) -> NeumipBsdf:
-        """The BSDF of footprints for one view each; it keeps no albedos apart, so `tint` is ignored."""
-        del tint, active
-        return NeumipBsdf(self, view, footprint)
 
     def to_loom(self) -> LoomFile:
         """A file of textures and networks."""

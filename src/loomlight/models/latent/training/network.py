@@ -23,7 +23,7 @@ from loomlight.models.latent.networks import (
 from loomlight.models.latent.queries import Reflectance
 from loomlight.models.mip_pyramid import PyramidShape, level_taps
 from loomlight.training.relu_layers import numbers_of, numbers_of_layers, relu_layers
-from loomlight.training.torch_functions import TORCH, TorchTextures
+from loomlight.training.torch_functions import TORCH, TorchTextures, fetched
 
 # Added to values before cube roots, whose slope at 0 is infinite, and to what relative errors are divided by.
 _ROOT, _RELATIVE = 1e-4, 1e-2
@@ -74,17 +74,12 @@ class LatentNetwork(nn.Module):
         """
         shape, (u, v) = self.shape, positions.T
         taps = level_taps(shape, u, v, levels, faces * shape.texels, _TEXTURES)
-        texels, weights = torch.stack(taps.texels, dim=1), torch.stack(taps.weights, dim=1)
-
-        def fetched(table: Tensor) -> Tensor:
-            return functional.embedding_bag(texels, table, per_sample_weights=weights, mode="sum")
-
         if not encoded:
-            return self.scale * fetched(self.latents)
+            return self.scale * fetched(self.latents, taps)
         # The encoder costs ten times as much as the decoder: it runs for queries or for texels, the fewer.
         if len(self.inputs) <= len(positions):
-            return fetched(self.encoder(self.inputs))
-        latent: Tensor = self.encoder(fetched(self.inputs))
+            return fetched(self.encoder(self.inputs), taps)
+        latent: Tensor = self.encoder(fetched(self.inputs, taps))
         return latent
 
     @torch.no_grad()

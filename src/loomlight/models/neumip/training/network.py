@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
-from loomlight.models.mip_pyramid import PyramidShape, Taps, bilinear_taps, trilinear_taps
+from loomlight.models.mip_pyramid import PyramidShape, bilinear_taps, trilinear_taps
 from loomlight.models.neumip.networks import (
     CHANNELS,
     DECODER_WIDTHS,
@@ -21,7 +19,7 @@ from loomlight.models.neumip.networks import (
 )
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
 from loomlight.training.relu_layers import numbers_of, numbers_of_layers, relu_layers
-from loomlight.training.torch_functions import TorchTextures
+from loomlight.training.torch_functions import TorchTextures, fetched
 
 # Biases of the last layer: of the final ReLU, which must not begin at 0, and of the ray depth.
 _FIRST_VALUE = 0.3
@@ -108,18 +106,12 @@ class NeumipNetwork(nn.Module):
             texture = self.offset_texture.detach() if offset_frozen else self.offset_texture
             start = faces * (shape.columns * shape.rows)
             taps = bilinear_taps(u, v, shape.columns, shape.rows, start, _TEXTURES)
-            depth = self.offset(torch.cat([self._fetched(texture, taps), views], dim=1))[:, 0]
+            depth = self.offset(torch.cat([self.scale * fetched(texture, taps), views], dim=1))[:, 0]
             cosine = torch.sqrt((1 - views.square().sum(1)).clamp(min=0))
             slope = 1 / cosine.clamp(min=MIN_COSINE)
             u, v = shifted(shape, u, v, depth, views[:, 0], views[:, 1], slope)
         taps = trilinear_taps(shape, u, v, levels, faces * shape.texels, _TEXTURES)
-        return self._fetched(self.features, taps)
-
-    def _fetched(self, table: Tensor, taps: Taps) -> Tensor:
-        """Weighted sums of texels [n, channels]."""
-        texels, weights = torch.stack(taps.texels, dim=1), torch.stack(taps.weights, dim=1)
-        found: Tensor = Gather.apply(texels, weights, table)
-        return self.scale * found
+        return self.scale * fetched(self.features, taps)
 
     def _decoded(self, inputs: Tensor, is_transmission: Tensor | None) -> Tensor:
         if self.transmission is None or is_transmission is None:
@@ -151,25 +143,3 @@ class NeumipNetwork(nn.Module):
             offset_texels = np.multiply(*quantised(numbers_of(self.scale * self.offset_texture)))
         features = np.multiply(*quantised(numbers_of(self.scale * self.features)))
         return Weights(self.shape, features, offset_texels, layers, reflectance)
-
-
-class Gather(torch.autograd.Function):
-    """`embedding_bag` of weighted sums, whose own gradient sorts the texels and takes four times as long."""
-
-    @staticmethod
-    def forward(ctx: Any, texels: Tensor, weights: Tensor, table: Tensor) -> Tensor:
-        ctx.save_for_backward(texels, weights, table)
-        return functional.embedding_bag(texels, table, per_sample_weights=weights, mode="sum")
-
-    @staticmethod
-    def backward(ctx: Any, *outer: Any) -> Any:
-        texels, weights, table = ctx.saved_tensors
-        (gradient,) = outer
-        of_weights = of_table = None
-        if ctx.needs_input_grad[1]:
-            of_weights = torch.bmm(table[texels], gradient[:, :, None])[:, :, 0]
-        if ctx.needs_input_grad[2]:
-            of_table = torch.zeros_like(table)
-            rows = (weights[:, :, None] * gradient[:, None]).flatten(0, 1)
-            of_table.index_put_((texels.flatten(),), rows, accumulate=True)
-        return None, of_weights, of_table
