@@ -20,10 +20,10 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.latent.fabric_queries import FabricReflectance
 from loomlight.models.latent.queries import REFLECTANCES
-from loomlight.models.latent.query_stream import PART, QueryStream, draw_lights
+from loomlight.models.latent.query_stream import QueryStream, draw_lights
 from loomlight.models.latent.settings import QUALITIES, LatentSettings
 from loomlight.models.latent.training import train
-from loomlight.models.latent.training.train import cone_of, rate_factor, taken_queries, train_latent
+from loomlight.models.latent.training.train import rate_factor, taken_queries, train_latent
 from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density
 from loomlight.training.direction_sampler import sampler_loss
 from loomlight.training.relu_layers import relu_layers
@@ -146,20 +146,10 @@ def test_libraries_take_many_small_steps_and_no_frames(
     assert (weights.frames, weights.shape.is_apart, len(weights.latents)) == (None, True, 4)
 
 
-def test_mollification_and_rate_follow_the_supplemental(tmp_path: Path) -> None:
-    published = QUALITIES["published"]
-    assert published.steps * published.mollified == pytest.approx(20_000)
-    last = math.ceil(published.mollified * published.queries / PART)
-    assert math.degrees(cone_of(published, 0)) == pytest.approx(10, abs=0.01)
-    assert math.degrees(cone_of(published, last // 2)) == pytest.approx(5, abs=0.1)
-    assert cone_of(published, last) == 0
+def test_the_rate_follows_the_supplemental_and_damaged_queries_are_taken_anew(tmp_path: Path) -> None:
     assert rate_factor(0) == 1
     assert rate_factor(1) == pytest.approx(0.1)
-    # Cones make values differ, and leave the centres of queries alone.
     reflectance = REFLECTANCES.of(TWILL, 8)
-    sharp, blurred = (QueryStream(reflectance, 4, 4, 0, lambda _, a=a: a).part(0, 200) for a in (0.0, 0.17))
-    assert np.array_equal(sharp.lights, blurred.lights)
-    assert not np.array_equal(sharp.values, blurred.values)
     first = taken_queries(TWILL, short(), reflectance, 4, tmp_path, lambda done, total: None)
     (file,) = tmp_path.iterdir()
     file.write_bytes(file.read_bytes()[:-100])

@@ -8,14 +8,13 @@ drawn alike; the others by half vectors close to a normal of the footprint, whic
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.models.latent.queries import SIZE_OF_SIGMA, Reflectance
-from loomlight.models.query_parts import MIN_COSINE, PART, QueryArrays, draw_directions, from_cosine
+from loomlight.models.query_parts import MIN_COSINE, PART, QueryArrays, draw_directions
 
 _Floats = NDArray[np.float32]
 # Share of queries whose level is uniform; the others' density quarters with each level, as texels do.
@@ -50,22 +49,15 @@ class Queries(QueryArrays):
 class QueryStream:
     """Queries of a source."""
 
-    def __init__(
-        self,
-        reflectance: Reflectance,
-        levels: int,
-        samples: int,
-        seed: int,
-        cone: Callable[[int], float] = lambda number: 0.0,
-    ) -> None:
+    def __init__(self, reflectance: Reflectance, levels: int, samples: int, seed: int) -> None:
         """
         Args:
             levels: of the pyramid.
             samples: estimates of which a value is the mean.
-            cone: half-angle in radians of the cone of lights that a part is mollified over, by its number.
         """
-        self._reflectance, self._levels, self._samples = reflectance, levels, samples
-        self._seed, self._cone = seed, cone
+        self._reflectance, self._levels, self._seed = reflectance, levels, seed
+        # Of exact values one estimate is enough.
+        self._samples = 1 if reflectance.is_apart else samples
 
     def part(self, number: int, count: int = PART) -> Queries:
         """The queries of one part."""
@@ -79,22 +71,17 @@ class QueryStream:
         turn = np.where(faces == 1, -1, 1).astype(np.float32)[:, None]
         to_face = np.concatenate([np.ones_like(turn), np.ones_like(turn), turn], axis=1)
 
-        cone = self._cone(number)
-        # Of exact values one estimate is enough.
-        samples = self._samples if cone > 0 or not self._reflectance.is_apart else 1
-
         def repeated(rows: _Floats) -> _Floats:
-            return np.repeat(rows, samples, axis=0)
+            return np.repeat(rows, self._samples, axis=0)
 
-        spread = _within_cones(rng, repeated(lights), cone)
         estimates = self._reflectance.values(
             repeated(positions),
             repeated(levels.astype(np.float32)),
-            spread * repeated(to_face),
+            repeated(lights * to_face),
             repeated(views * to_face),
             key,
         )
-        values = estimates.reshape(count, samples, 3).mean(axis=1, dtype=np.float32)
+        values = estimates.reshape(count, self._samples, 3).mean(axis=1, dtype=np.float32)
         return Queries(positions, levels, lights, views, faces, values)
 
     def _slopes(
@@ -136,19 +123,3 @@ def draw_levels(rng: np.random.Generator, count: int, levels: int) -> NDArray[np
     texels = 0.25 ** np.arange(levels)
     shares = _UNIFORM_LEVELS / levels + (1 - _UNIFORM_LEVELS) * texels / texels.sum()
     return rng.choice(levels, count, p=shares).astype(np.uint8)
-
-
-def _within_cones(rng: np.random.Generator, lights: _Floats, angle: float) -> _Floats:
-    """Directions uniform in cones about lights, none of them below the surface."""
-    if angle <= 0:
-        return lights
-    count = len(lights)
-    cosine = 1 - rng.random(count) * (1 - math.cos(angle))
-    local = from_cosine(cosine, 2 * math.pi * rng.random(count))
-    # A frame about each light: its z is above 0, so it is never −z.
-    x, y, z = lights.T
-    scale = 1 / (1 + z)
-    tangent = np.stack([1 - x * x * scale, -x * y * scale, -x], axis=1)
-    bitangent = np.stack([-x * y * scale, 1 - y * y * scale, -y], axis=1)
-    spread = local[:, :1] * tangent + local[:, 1:2] * bitangent + local[:, 2:] * lights
-    return np.where(spread[:, 2:] > MIN_COSINE, spread, lights).astype(np.float32)

@@ -21,7 +21,7 @@ FEATURES = ("half-vector", "none")
 AUTO = "auto"
 LOSSES = (AUTO, "log", "cube-root", "relative")
 # Part of every identity: to be raised when the same settings give other weights.
-_VERSION = 6
+_VERSION = 7
 
 
 def loss_of_kind(kind: str) -> str:
@@ -48,7 +48,6 @@ class LatentSettings:
         samples: estimates of which the value of a query is the mean.
         steps: updates of encoder, textures and decoder.
         encoder_share: share of the steps that train the encoder; the others train its textures.
-        mollified: share of the queries whose lights are cones, and of the steps that use them.
         batch: queries of a step.
         rate: largest learning rate of the networks; the smallest is a tenth of it.
         texture_rate: largest learning rate of the textures.
@@ -66,7 +65,6 @@ class LatentSettings:
     samples: int = 8
     steps: int = 2500
     encoder_share: float = 0.3
-    mollified: float = 1 / 15
     batch: int = 1 << 12
     rate: float = 1e-2
     texture_rate: float = 2e-2

@@ -26,14 +26,14 @@ from loomlight.models.latent.query_stream import Queries, QueryStream, draw_leve
 from loomlight.models.latent.settings import AUTO, DECODERS, FEATURES, LatentSettings, loss_of_kind
 from loomlight.models.latent.training.network import LatentNetwork, loss_of, texel_inputs
 from loomlight.models.mip_pyramid import PyramidShape
-from loomlight.models.query_parts import PART, FileStore, Progress, draw_directions, stored_queries
+from loomlight.models.query_parts import FileStore, Progress, draw_directions, stored_queries
 from loomlight.training.direction_sampler import sampler_loss
 from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.side_by_side import SideBySide
 from loomlight.training.soap import Soap
 
-# Half-angle of the first cone of mollified lights (eq. 2), and the smallest rate over the largest (eq. 1).
-_FIRST_CONE, _LAST_RATE = math.radians(10), 0.1
+# The smallest rate over the largest (eq. 1).
+_LAST_RATE = 0.1
 # Lights of a view in a step of the sampler.
 _LIGHTS = 16
 # Of libraries, steps are so many times as many, with batches so many times as small: in equal time their
@@ -152,14 +152,6 @@ def _train_phases(
 _Losses = Callable[[int], Iterator[Tensor]]
 
 
-def cone_of(settings: LatentSettings, number: int) -> float:
-    """Half-angle of the cone that the lights of a part of the queries are mollified over, radians (eq. 2)."""
-    parts = settings.mollified * settings.queries / PART
-    if number + 0.5 >= parts:
-        return 0.0
-    return 0.5 * _FIRST_CONE * (1 + math.cos(math.pi * (number + 0.5) / parts))
-
-
 def taken_queries(
     source: Source,
     settings: LatentSettings,
@@ -169,9 +161,7 @@ def taken_queries(
     report: Progress,
 ) -> Queries:
     """All queries of a training; parts that the folder holds are read."""
-    stream = QueryStream(
-        reflectance, levels, settings.samples, settings.seed, lambda number: cone_of(settings, number)
-    )
+    stream = QueryStream(reflectance, levels, settings.samples, settings.seed)
     store = FileStore(Queries, folder, settings.identity(source))
 
     def done(number: int, parts: int) -> None:
@@ -186,15 +176,12 @@ def rate_factor(progress: float) -> float:
 
 
 class _Batches:
-    """Losses of steps: mollified queries first, then passes over the others, each in its own order."""
+    """Losses of steps: each pass over the queries is in an order of its own."""
 
     def __init__(self, network: LatentNetwork, queries: Queries, settings: LatentSettings) -> None:
         self._network, self._queries, self._settings = network, queries, settings
         self._device = network.latents.device
         self._side_by_side = SideBySide.for_batch(self._device.type, settings.batch)
-        parts = sum(cone_of(settings, number) > 0 for number in range(-(-settings.queries // PART)))
-        self._mollified = min(parts * PART, len(queries) // 2)
-        self._mollified_steps = round(settings.mollified * settings.steps) if parts else 0
         self._order: tuple[int, NDArray[np.intp]] | None = None
 
     def losses(self, step: int, encoded: bool, first: int) -> Iterator[Tensor]:
@@ -221,17 +208,11 @@ class _Batches:
         return loss_of(self._network(latent, lights, views), values, self._settings.loss)
 
     def _chosen(self, step: int) -> NDArray[np.intp]:
-        batch, seed = self._settings.batch, self._settings.seed
-        if step < self._mollified_steps:
-            # Cones shrink along these queries, so steps go along them too, an eighth of them at a time.
-            span = max(min(batch, self._mollified), self._mollified // 8)
-            start = round((self._mollified - span) * step / max(1, self._mollified_steps - 1))
-            return start + np.random.default_rng([seed, _BATCHES, 1, step]).integers(span, size=batch)
-        sharp = len(self._queries) - self._mollified
-        number, place = divmod(step - self._mollified_steps, max(1, sharp // batch))
+        batch = self._settings.batch
+        number, place = divmod(step, max(1, len(self._queries) // batch))
         if self._order is None or self._order[0] != number:
-            order = np.random.default_rng([seed, _BATCHES, 0, number]).permutation(sharp)
-            self._order = number, self._mollified + order
+            rng = np.random.default_rng([self._settings.seed, _BATCHES, number])
+            self._order = number, rng.permutation(len(self._queries))
         return self._order[1][place * batch : (place + 1) * batch]
 
 
