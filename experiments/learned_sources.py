@@ -19,6 +19,7 @@ from argparse import ArgumentParser, Namespace
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 import numpy as np
 from drjit.llvm.ad import Array2f, Array3f
@@ -44,7 +45,7 @@ from tools.make_merl_library import main as write_library
 
 # Files of sources, the model that each is baked for, and its options; the library is written when needed.
 LIBRARY = "merl-library"
-SOURCES: dict[str, tuple[str, str, dict[str, int]]] = {
+SOURCES: dict[str, tuple[str, str, dict[str, Any]]] = {
     "jersey": ("examples/jersey/jersey.toml", "neumip", {"resolution": 64, "steps": 2000}),
     "corduroy": ("examples/corduroy/corduroy.toml", "neumip", {"resolution": 64, "steps": 2000}),
     "leather": ("examples/leather/leather.toml", "neumip", {"resolution": 128, "steps": 2500}),
@@ -72,20 +73,21 @@ class _Queries:
 def measure(options: Namespace) -> Figures:
     require_llvm()
     options.folder.mkdir(parents=True, exist_ok=True)
-    return {"rows": {name: _row(name, options.folder) for name in options.names or SOURCES}}
+    return {"rows": {name: _row(name, options) for name in options.names or SOURCES}}
 
 
-def _row(name: str, folder: Path) -> Figures:
-    path = SOURCES[name][0]
+def _row(name: str, options: Namespace) -> Figures:
+    path, kind, chosen = SOURCES[name]
+    if options.quality is not None:
+        chosen = {"quality": options.quality}
     if name != LIBRARY:
-        return _of_source(load_source(path, kind_of_file(path, "fabric")), name, folder)
+        return _of_source(load_source(path, kind_of_file(path, "fabric")), name, kind, chosen, options.folder)
     with TemporaryDirectory() as place:
         write_library(Path(place) / name)
-        return _of_source(load_source(Path(place) / name, "merl"), name, folder)
+        return _of_source(load_source(Path(place) / name, "merl"), name, kind, chosen, options.folder)
 
 
-def _of_source(source: Source, name: str, folder: Path) -> Figures:
-    _, kind, chosen = SOURCES[name]
+def _of_source(source: Source, name: str, kind: str, chosen: dict[str, Any], folder: Path) -> Figures:
     file, record = folder / f"{name}.loom", folder / f"{name}.json"
     if not record.exists():
         start = time.process_time()
@@ -163,6 +165,7 @@ def _columns(values: _Floats) -> _Floats:
 
 def _add_options(parser: ArgumentParser) -> None:
     parser.add_argument("folder", type=Path)
+    parser.add_argument("--quality", metavar="NAME", help="of all trainings, in place of their options")
     parser.add_argument("names", nargs="*", choices=[[], *SOURCES], help="some of the sources")
 
 
