@@ -92,8 +92,10 @@ def fibre_curves(layout: ClothLayout, settings: FibreSettings) -> list[FibreCurv
         for thread in range(len(family.spacing)):
             rng = np.random.default_rng([settings.seed, int(is_warp), thread])
             along, height = _centre_line(other, heights[thread])
+            # A weft's own direction is -x, and along x its turns are the other way.
+            twist = family.twist if is_warp else -family.twist
             across, up, radius = _sections(
-                family, thread, thickness, along, float(other.spacing.sum()), settings, rng
+                family, twist, thread, thickness, along, float(other.spacing.sum()), settings, rng
             )
             place = np.cumsum(family.spacing)[thread] - 0.5 * family.spacing[thread] + across
             line = np.broadcast_to(along, across.shape)
@@ -137,6 +139,7 @@ def _centre_line(
 
 def _sections(
     family: FamilyLayout,
+    twist: float,
     thread: int,
     thickness: float,
     along: NDArray[np.float64],
@@ -146,7 +149,7 @@ def _sections(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
     """Places of fibres in the yarn's section, across and up [fibres, n], and their radius, millimetres."""
     half_width, half_height = 0.5 * family.width[thread], 0.5 * min(thickness, family.width[thread])
-    turns = round(length * math.tan(family.twist) / (2 * math.pi * half_width))
+    turns = round(length * math.tan(twist) / (2 * math.pi * half_width))
     angle = 2 * math.pi * turns * along / length
     count = settings.fibres
     radius = math.sqrt(settings.packing * half_width * half_height / (settings.plies * count))

@@ -2,15 +2,19 @@
 
     python -m tools.make_yarn_sheet [--pixels N] [--threads N] [--spp N] [--only NAME,…] [-o FILE.jpg]
     python -m tools.make_yarn_sheet --gaps
+    python -m tools.make_yarn_sheet --fibres [--spp N] [--only NAME,…] [-o FILE.jpg]
 
 The first makes yarns.jpg, a close-up of every kind. The second makes yarn-gaps.jpg: six kinds at 10, 30, 100
-and 300 pixels a thread, on the left with a gap of 0.2, on the right with their own.
+and 300 pixels a thread, on the left with a gap of 0.2, on the right with their own. The third makes
+yarn-fibres.jpg: the same kinds and zooms, each beside fibres path traced in the same place and light
+(`fibre_scene.py`), whose absorption shows the same colour (`ABSORPTION`).
 Cloths differ as the yarns' usual ones do, in weave and colour; all else is by `yarn = "…"`.
 """
 
 from __future__ import annotations
 
 from argparse import ArgumentParser
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -18,19 +22,24 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 from loomlight.core.images import encoded
-from loomlight.fabric import fabric_from_text
+from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.file import YARNS
-from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
+from loomlight.mitsuba import ClothScene, build_scene, choose_variant, material_bsdf, render
 from loomlight.models.registry import make_model
+from tools.fibre_scene import Shown, fibre_picture
 
 IMAGES = Path(__file__).resolve().parents[1] / "docs" / "images"
 FILE = IMAGES / "yarns.jpg"
 GAPS_FILE = IMAGES / "yarn-gaps.jpg"
+FIBRES_FILE = IMAGES / "yarn-fibres.jpg"
 OF_GAPS = ("cotton", "linen", "wool", "silk", "filament polyester", "viscose")
 PIXELS_A_THREAD = (10, 30, 100, 300)
 # Pixels of a square of the sheet of gaps.
 SIDE = 160
 COLUMNS = 4
+SAMPLES = 48
+# Of the sheet of fibres: pixels of a square, between pairs of them, of a thread that is far away; samples.
+FIBRE_SIDE, RULE, FAR_PIXELS, FIBRE_SAMPLES = 128, 4, 30, 24
 # The light comes from the side, so that relief shows.
 EXPOSURE = 1.6
 CLOTHS = {
@@ -43,35 +52,63 @@ CLOTHS = {
     "filament polyester": ("plain", "#44627f", "#44627f"),
     "viscose": ("twill 2/1", "#4d6f4b", "#4d6f4b"),
 }
+# What fibres absorb over what deep hair of the yarn's albedo does, linear RGB: their cloth shows our colour.
+# `python -m experiments.fibre_truth --fit` finds it.
+ABSORPTION = {
+    "cotton": (1.28, 3.42, 2.75),
+    "linen": (3.42, 2.63, 1.91),
+    "wool": (1.38, 1.43, 1.33),
+    "silk": (2.22, 3.0, 2.94),
+    "filament polyester": (1.76, 1.56, 1.49),
+    "viscose": (1.77, 1.57, 1.8),
+}
 
 
-def close_up(name: str, pixels: int, threads: float, spp: int, more: str = "") -> NDArray[np.uint8]:
-    """A square of cloth of `threads` threads, `pixels` pixels a thread, 8-bit sRGB; `more` are fields."""
+def cloth(name: str, more: str = "") -> Fabric:
+    """The cloth of a kind of yarn; `more` are fields."""
     weave, warp, weft = CLOTHS[name]
     kind = f'yarn = "{name}"\n' if name in YARNS else ""
-    fabric = fabric_from_text(
+    return fabric_from_text(
         f'weave = "{weave}"\n{kind}{more}\n[warp]\ncolor = "{warp}"\n[weft]\ncolor = "{weft}"\n'
     )
-    side = round(pixels * threads)
+
+
+def flat_scene(fabric: Fabric, side: int, threads: float) -> ClothScene:
+    """The flat scene, of which a picture of `side` pixels a side shows `threads` threads."""
     spacing = float(fabric.layout().warp.spacing[0])
-    shown = build_scene(
+    return build_scene(
         "flat",
         material_bsdf(make_model("point", fabric)),
         size=(side, side),
         # The flat scene is 100 mm wide.
         zoom=100 / (spacing * threads),
     )
+
+
+def close_up(name: str, pixels: int, threads: float, spp: int, more: str = "") -> NDArray[np.uint8]:
+    """A square of cloth of `threads` threads, `pixels` pixels a thread, 8-bit sRGB; `more` are fields."""
+    shown = flat_scene(cloth(name, more), round(pixels * threads), threads)
     return encoded(EXPOSURE * render(shown.scene, spp=spp, integrator=shown.integrator))
 
 
-def labelled(picture: NDArray[np.uint8], name: str) -> Image.Image:
-    """The picture with a name in its lower left corner."""
+def fibre_close_up(name: str, pixels: int, threads: float, spp: int) -> NDArray[np.uint8]:
+    """The same square of fibres, 8-bit sRGB; far away fewer and thicker ones."""
+    fabric = cloth(name)
+    scene = flat_scene(fabric, round(pixels * threads), threads)
+    across, points = (20, 8) if pixels < FAR_PIXELS else (30, 16)
+    shown = Shown(threads, across, points, ABSORPTION[name])
+    return encoded(EXPOSURE * fibre_picture(fabric, scene, shown, spp))
+
+
+def labelled(picture: NDArray[np.uint8], name: str, size: int = 18) -> Image.Image:
+    """The picture with a name in letters of `size` pixels in its lower left corner."""
     image = Image.fromarray(picture)
     draw = ImageDraw.Draw(image, "RGBA")
-    font = ImageFont.load_default(size=18)
-    left, top, right, bottom = draw.textbbox((10, image.height - 32), name, font=font)
-    draw.rectangle((left - 6, top - 5, right + 6, bottom + 5), fill=(0, 0, 0, 150))
-    draw.text((10, image.height - 32), name, font=font, fill=(255, 255, 255, 255))
+    font = ImageFont.load_default(size=size)
+    place = size // 2 + 1, image.height - 16 * size // 9
+    left, top, right, bottom = draw.textbbox(place, name, font=font)
+    draw.rectangle((left - size // 3, top - 5, right + size // 3, bottom + 5), fill=(0, 0, 0, 150))
+    draw.text(place, name, font=font, fill=(255, 255, 255, 255))
     return image
 
 
@@ -89,27 +126,47 @@ def gaps_sheet(spp: int) -> Image.Image:
     return Image.fromarray(np.concatenate(rows))
 
 
+def fibres_sheet(names: Sequence[str], spp: int) -> Image.Image:
+    """Rows of kinds at 10 to 300 pixels a thread, each square beside that of fibres."""
+    rows = []
+    for name in names:
+        tiles = []
+        for pixels in PIXELS_A_THREAD:
+            threads = FIBRE_SIDE / pixels
+            pair = close_up(name, pixels, threads, SAMPLES), fibre_close_up(name, pixels, threads, spp)
+            tiles += [*pair, np.full((FIBRE_SIDE, RULE, 3), 255, np.uint8)]
+        tiles[0] = np.asarray(labelled(tiles[0], name, 11))
+        rows.append(np.concatenate(tiles[:-1], axis=1))
+    return Image.fromarray(np.concatenate(rows))
+
+
 def main() -> None:
     """Renders the pictures and writes the sheet."""
     parser = ArgumentParser(description=__doc__)
     parser.add_argument("--pixels", type=int, default=300, help="of a thread")
     parser.add_argument("--threads", type=float, default=1.6, help="across a close-up")
-    parser.add_argument("--spp", type=int, default=48)
+    parser.add_argument("--spp", type=int, help=f"{SAMPLES}, or {FIBRE_SAMPLES} of fibres")
     parser.add_argument("--only", help="names, separated by commas")
-    parser.add_argument("--output", "-o", type=Path, default=FILE)
+    parser.add_argument("--output", "-o", type=Path)
     parser.add_argument("--gaps", action="store_true", help="make yarn-gaps.jpg instead")
+    parser.add_argument("--fibres", action="store_true", help="make yarn-fibres.jpg instead")
     options = parser.parse_args()
     choose_variant(None)
     if options.gaps:
-        gaps_sheet(options.spp).save(GAPS_FILE, quality=84)
+        gaps_sheet(options.spp or SAMPLES).save(GAPS_FILE, quality=84)
+        return
+    if options.fibres:
+        names = options.only.split(",") if options.only else OF_GAPS
+        fibres_sheet(names, options.spp or FIBRE_SAMPLES).save(options.output or FIBRES_FILE, quality=84)
         return
     names = options.only.split(",") if options.only else list(CLOTHS)
-    tiles = [labelled(close_up(name, options.pixels, options.threads, options.spp), name) for name in names]
+    spp = options.spp or SAMPLES
+    tiles = [labelled(close_up(name, options.pixels, options.threads, spp), name) for name in names]
     side, columns = tiles[0].width, min(COLUMNS, len(tiles))
     sheet = Image.new("RGB", (columns * side, -(-len(tiles) // columns) * side))
     for number, tile in enumerate(tiles):
         sheet.paste(tile, (number % columns * side, number // columns * side))
-    sheet.save(options.output, quality=82)
+    sheet.save(options.output or FILE, quality=82)
 
 
 if __name__ == "__main__":

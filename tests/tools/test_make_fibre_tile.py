@@ -53,6 +53,19 @@ def test_fibres_go_on_in_the_next_repeat() -> None:
         np.testing.assert_allclose(one.points[:, -3:], one.points[:, :3] + step, atol=1e-9)
 
 
+def test_both_families_twist_alike() -> None:
+    """Seen along either yarn's own direction, +y of the warp and -x of the weft, fibres turn the same way."""
+    fabric = fabric_from_text(
+        'weave = "twill 4/4"\ngap = 0.2\n[warp]\ntwist_deg = 30\n[weft]\ntwist_deg = 30\n'
+    )
+    for one in fibre_curves(fabric.layout(), FibreSettings(plies=1, fibres=20)):
+        across = one.points[..., 0 if one.is_warp else 1]
+        across = across - across.mean()
+        up = one.points[..., 2] - one.points[..., 2].mean(axis=0)
+        turn = across[:, :-1] * np.diff(up) - up[:, :-1] * np.diff(across)
+        assert turn.sum() * (1 if one.is_warp else -1) > 0
+
+
 def test_a_tile_is_written_and_traced(tmp_path: Path) -> None:
     """Red warps reflect red, from both sides; holes are between the yarns."""
     source = load_source(write_fibre_tile(TWILL, tmp_path / "tile", SMALL))
