@@ -20,7 +20,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mesh.scale import uv_size
 from loomlight.mitsuba.bsdf_samples import plain, variant_types
-from loomlight.mitsuba.mesh_arrays import MeshArrays, make_shape
+from loomlight.mitsuba.meshes import to_shape
 from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.sheen import sheen_with_transmittance
 from loomlight.yarn.geometry import YarnGeometry
@@ -47,7 +47,7 @@ def height_field_shape(piece: ClothMesh, fabric: Fabric) -> Any:
     solid = piece.triangles[~holes[piece.triangles].any(axis=1)]
     positions = piece.positions + piece.normals * (1e-3 * np.where(holes, 0, heights))[:, None]
     bsdf = _yarn_bsdf(YarnScattering(geometry, fabric.appearance()), millimetres)
-    return make_shape("height field", MeshArrays(positions, piece.normals, piece.uv, solid), bsdf)
+    return to_shape(ClothMesh(positions, piece.normals, piece.uv, solid, "height field"), bsdf)
 
 
 def _yarn_bsdf(model: YarnScattering, millimetres: tuple[float, float]) -> Any:

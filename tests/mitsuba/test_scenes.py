@@ -14,9 +14,13 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.mitsuba import SCENES, build_scene, render
+from loomlight.fabric import fabric_from_text
+from loomlight.fabric.facts import cloth_facts
+from loomlight.mitsuba import SCENES, ClothScene, build_scene, material_bsdf, render
 from loomlight.mitsuba.camera import framing
-from loomlight.mitsuba.mesh_arrays import arrays_of
+from loomlight.mitsuba.meshes import from_shape
+from loomlight.mitsuba.placement import Placement
+from loomlight.models.registry import make_model
 
 DATA = os.environ.get("LOOMLIGHT_DATA")
 WHITE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.8}}
@@ -139,6 +143,7 @@ def test_scene_files_take_size_and_zoom(tmp_path: Path) -> None:
         ({"metres_per_unit": -1}, "metres_per_unit = -1"),
         ({"name": "none.xml"}, "none.xml does not exist"),
         ({"bsdf": {"type": "no_such_bsdf"}}, "no_such_bsdf"),
+        ({"edge": "frayed"}, 'edge = "frayed" is unknown: use hem, pinked, raw'),
     ],
 )
 def test_bad_arguments_end_in_a_sentence(arguments: dict[str, Any], says: str) -> None:
@@ -239,7 +244,7 @@ def test_no_ray_slips_through_between_two_triangles() -> None:
     """Rays from all around to points of the edges of the draped mesh, which two triangles share."""
     shown = build_scene("drape", WHITE, size=(16, 16))
     (cloth,) = (shape for shape in shown.scene.shapes() if shape.id() == "cloth")
-    mesh = arrays_of(cloth)
+    mesh = from_shape(cloth, "drape")
     positions, faces = mesh.positions, mesh.triangles
     normals = np.cross(
         positions[faces[:, 1]] - positions[faces[:, 0]], positions[faces[:, 2]] - positions[faces[:, 0]]
@@ -263,3 +268,50 @@ def test_no_ray_slips_through_between_two_triangles() -> None:
     hit = shown.scene.ray_intersect_preliminary(ray)
     # Rounding of places half a metre from the origin, seen at an angle.
     assert (np.array(hit.t) < 0.1 + 1e-5).all()
+
+
+def heights_of(shown: ClothScene) -> np.ndarray:
+    """z of the vertices of the cloth, millimetres."""
+    (cloth,) = (shape for shape in shown.scene.shapes() if shape.id() == "cloth")
+    return 1000 * np.array(cloth.vertex_positions_buffer()).reshape(-1, 3)[:, 2]
+
+
+def test_edges_are_as_suits_the_scene() -> None:
+    """A pinked flat piece close to its paper, a hem of the drape, and no edges unless asked for."""
+    counts = {
+        edge: [len(heights_of(build_scene(name, WHITE, size=(8, 8), edge=edge))) for name in SCENES]
+        for edge in ("raw", None, "hem", "pinked")
+    }
+    raw, own = counts["raw"], counts[None]
+    flat, sphere, cylinder, drape = range(len(SCENES))
+    assert own[flat] == counts["pinked"][flat] > raw[flat]
+    assert own[drape] == counts["hem"][drape] > raw[drape]
+    assert (own[sphere], own[cylinder]) == (raw[sphere], raw[cylinder])
+    flats = (build_scene("flat", WHITE, size=(8, 8), edge=edge).scene.shapes() for edge in ("raw", None))
+    paper = [shape.bbox().min.z for shapes in flats for shape in shapes if shape.id() == "backdrop"]
+    np.testing.assert_allclose(paper, [-0.004, -0.001], atol=1e-6)
+
+
+def test_a_hem_is_twice_as_thick_as_the_fabric() -> None:
+    fabric = fabric_from_text('weave = "plain"\n[warp]\nwidth_mm = 0.4\n[weft]\nwidth_mm = 0.4\n')
+    thickness = cloth_facts(fabric).thickness_mm
+    assert 0.5 < thickness < 1
+    for scale in (1.0, 2.0):
+        cloth = material_bsdf(make_model("point", fabric))
+        shown = build_scene("flat", cloth, size=(8, 8), edge="hem", placement=Placement(scale=scale))
+        assert heights_of(shown).min() == pytest.approx(-2 * thickness * scale, rel=1e-5)
+
+
+def test_edges_leave_the_cloth_within_as_it_was() -> None:
+    """The folds of the drape from the very same place, with and without a hem."""
+    raw, hem = (build_scene("drape", WHITE, size=(24, 24), zoom=2.5, edge=edge) for edge in ("raw", "hem"))
+    hem.look_from(raw.view)
+    before, after = (render(shown.scene, spp=256) for shown in (raw, hem))
+    # Noise of 256 samples; light from the paper, which lies the thickness of a hem lower, is a part of it.
+    np.testing.assert_allclose(after.mean(), before.mean(), rtol=2e-3)
+    np.testing.assert_allclose(after, before, rtol=0.1)
+
+
+def test_scene_files_have_edges_of_their_own(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="edge = hem does not go with the scene file"):
+        build_scene(write_scene(tmp_path), WHITE, edge="hem")

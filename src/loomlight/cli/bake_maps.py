@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from loomlight.cli.outputs import check_output, done, require_not_read
+from loomlight.cli.render_options import FabricArgument
 from loomlight.cli.values import parse_numbers, parse_size, require_within
 from loomlight.core.errors import InputError
 
@@ -19,9 +20,7 @@ MAX_WINDOW = 1e5
 
 
 def bake_maps(
-    fabric: Annotated[
-        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
-    ],
+    fabric: FabricArgument,
     output: Annotated[
         Path,
         typer.Option("--output", "-o", help="An .exr file with all maps, or .png for one picture a map."),

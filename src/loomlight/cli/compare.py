@@ -10,6 +10,7 @@ import typer
 
 from loomlight.cli.outputs import done, require_not_read
 from loomlight.cli.progress import progress
+from loomlight.cli.render_options import FabricArgument
 from loomlight.cli.values import parse_size, require_within
 from loomlight.core.errors import LoomlightWarning
 
@@ -17,9 +18,7 @@ EXAMPLE = "Example: loomlight compare examples/denim.toml --models lobes,point -
 
 
 def compare(
-    fabric: Annotated[
-        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
-    ],
+    fabric: FabricArgument,
     output: Annotated[
         Path, typer.Option("--output", "-o", metavar="DIR", help="The folder for index.html and table.json.")
     ],

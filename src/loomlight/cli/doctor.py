@@ -91,11 +91,11 @@ def findings() -> Iterator[Finding]:
     yield _python()
     missing = False
     for name in PACKAGES:
-        finding = _package(name)
+        finding = _package(name, f"python -m pip install {name}", True)
         missing = missing or finding.remedy is not None
         yield finding
     for name, (extra, purpose) in EXTRAS.items():
-        yield _extra(name, extra, purpose)
+        yield _package(name, f"needed {purpose}: python -m pip install 'loomlight[{extra}]'", False)
     if missing:
         return
     llvm = _llvm()
@@ -113,19 +113,11 @@ def _python() -> Finding:
     return Finding("Python", found, remedy)
 
 
-def _package(name: str) -> Finding:
+def _package(name: str, remedy: str, needed: bool) -> Finding:
     try:
         return Finding(name, version(name))
     except PackageNotFoundError:
-        return Finding(name, "not installed", f"python -m pip install {name}")
-
-
-def _extra(name: str, extra: str, purpose: str) -> Finding:
-    try:
-        return Finding(name, version(name))
-    except PackageNotFoundError:
-        remedy = f"needed {purpose}: python -m pip install 'loomlight[{extra}]'"
-        return Finding(name, "not installed", remedy, needed=False)
+        return Finding(name, "not installed", remedy, needed)
 
 
 def _llvm() -> Finding:

@@ -8,14 +8,13 @@ from typing import Annotated
 import typer
 
 from loomlight.cli.outputs import done, require_not_read
+from loomlight.cli.render_options import FabricArgument, RealtimeModelOption
 
 EXAMPLE = "Example: loomlight export examples/denim.toml --to wgsl -o denim-wgsl"
 
 
 def export(
-    fabric: Annotated[
-        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
-    ],
+    fabric: FabricArgument,
     to: Annotated[
         str,
         typer.Option(help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf or materialx."),
@@ -23,12 +22,7 @@ def export(
     output: Annotated[
         Path, typer.Option("--output", "-o", help="The folder to write: new, or of an export.")
     ],
-    model: Annotated[
-        str | None,
-        typer.Option(
-            help="lobes, point, neural, clustered, neumip or latent; by default as in the .loom, else lobes."
-        ),
-    ] = None,
+    model: RealtimeModelOption = None,
     distance: Annotated[
         float | None,
         typer.Option(help="Metres from which textures of gltf and materialx are seen; by default close."),

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from loomlight.cli import render_options as option
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
-from loomlight.cli.render_options import WhiteBalanceOption
 from loomlight.cli.values import parse_size, require_within
 from loomlight.core.errors import LoomlightWarning, MissingDependencyError
 
@@ -31,30 +31,19 @@ _NO_WINDOW = (
 
 
 def play(
-    fabric: Annotated[
-        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
-    ],
+    fabric: option.FabricArgument,
     scene: Annotated[str, typer.Option(help="flat, sphere, cylinder or drape.")] = "drape",
-    mesh: Annotated[
-        Path | None, typer.Option(help="An .obj, .ply, .gltf or .glb file to clothe instead; it needs uv.")
-    ] = None,
+    mesh: option.MeshOption = None,
     metres_per_unit: Annotated[float, typer.Option(help="Length of one unit of the mesh, metres.")] = 1.0,
-    model: Annotated[
-        str | None,
-        typer.Option(
-            help="lobes, point, neural, clustered, neumip or latent; by default as in the .loom, else lobes."
-        ),
-    ] = None,
+    model: option.RealtimeModelOption = None,
     environment: Annotated[
         Path | None, typer.Option("--env", help="A latitude-longitude picture: .exr, .hdr, .png or .jpg.")
     ] = None,
-    environment_turn: Annotated[
-        float, typer.Option("--env-turn", help="Turns it about the vertical, degrees.")
-    ] = 0.0,
+    environment_turn: option.EnvironmentTurnOption = 0.0,
     size: Annotated[str | None, typer.Option(metavar="WxH", help="Pixels of the window; 960x720.")] = None,
-    zoom: Annotated[float, typer.Option(help="1 frames the whole object, 10 is ten times closer.")] = 1.0,
+    zoom: option.ZoomOption = 1.0,
     exposure: Annotated[float, typer.Option(help="Stops; the keys + and - change it.")] = 0.0,
-    white_balance: WhiteBalanceOption = None,
+    white_balance: option.WhiteBalanceOption = None,
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", help="Write a frame as .png or .exr, off screen, and open no window."),
@@ -78,38 +67,24 @@ def play(
     if output is not None:
         check_output(output, (".png", ".exr"), [fabric, mesh, environment])
     canvas = None if output is not None else _window(pixels)
-    viewer = _viewer(
-        fabric,
-        scene,
-        mesh,
-        metres_per_unit,
-        model,
-        environment,
-        environment_turn,
-        pixels,
-        zoom,
-        exposure,
-        white_balance,
-    )
+    lighting = environment, environment_turn, white_balance, exposure
+    viewer = _viewer(fabric, model, (scene, mesh, metres_per_unit), lighting, pixels, zoom)
     if output is not None:
         _write(viewer, output, passes, exposure)
     elif canvas is not None:
         viewer.attach(canvas)
-        _loop().run()
+        from rendercanvas.auto import loop
+
+        loop.run()
 
 
 def _viewer(
     fabric: str,
-    scene: str,
-    mesh: Path | None,
-    metres_per_unit: float,
     model: str | None,
-    environment: Path | None,
-    environment_turn: float,
+    worn: tuple[str, Path | None, float],
+    lighting: tuple[Path | None, float, float | None, float],
     size: tuple[int, int],
     zoom: float,
-    exposure: float,
-    white_balance: float | None,
 ) -> Viewer:
     import numpy as np
 
@@ -124,6 +99,8 @@ def _viewer(
     from loomlight.realtime.orbit import Orbit
     from loomlight.realtime.viewer import Lighting, Viewer
 
+    scene, mesh, metres_per_unit = worn
+    environment, environment_turn, white_balance, exposure = lighting
     choose_variant(None)
     material = material_of(fabric)
     cloth, towards_camera, towards_light = built_in_cloth(scene, mesh)
@@ -150,15 +127,11 @@ def _viewer(
         for name, place in places.items()
     ]
     # What the user named comes first.
-    lightings = [
-        *around[::-1],
-        Lighting("directional", [DirectionalLight(towards_light, tuple(np.pi * gains))]),
-    ]
+    sun = Lighting("directional", [DirectionalLight(towards_light, tuple(np.pi * gains))])
     renderer = Renderer([piece], size, model)
     view = framing(cloth.positions, towards_camera, size)
     orbit = Orbit.between(view.origin, view.target)
-    models = models_of(material)
-    return Viewer(renderer, orbit.closer_by(zoom), lightings, models, exposure)
+    return Viewer(renderer, orbit.closer_by(zoom), [*around[::-1], sun], models_of(material), exposure)
 
 
 def _write(viewer: Viewer, output: Path, passes: int | None, exposure: float) -> None:
@@ -217,9 +190,3 @@ def _window(size: tuple[int, int]) -> Any:
 def _is_offscreen() -> bool:
     """Whether rendercanvas is told to draw off screen, as its own tests do."""
     return os.environ.get("RENDERCANVAS_FORCE_OFFSCREEN", "") in ("1", "true", "yes")
-
-
-def _loop() -> Any:
-    from rendercanvas.auto import loop
-
-    return loop

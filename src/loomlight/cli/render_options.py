@@ -11,6 +11,15 @@ FabricsArgument = Annotated[
     list[str],
     typer.Argument(metavar="FABRIC...", help="Fabric files, drafts, .loom files, or weaves' names."),
 ]
+FabricArgument = Annotated[
+    str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
+]
+RealtimeModelOption = Annotated[
+    str | None,
+    typer.Option(
+        help="lobes, point, neural, clustered, neumip or latent; by default as in the .loom, else lobes."
+    ),
+]
 OutputOption = Annotated[
     str,
     typer.Option(
@@ -85,6 +94,10 @@ ClothOption = Annotated[
 TurnOption = Annotated[float, typer.Option(help="Turns the weave on the mesh, degrees.")]
 ShiftOption = Annotated[str, typer.Option(metavar="X,Y", help="Shifts the weave on the mesh, millimetres.")]
 ScaleOption = Annotated[float, typer.Option(help="2 shows threads twice as large as life.")]
+EdgeOption = Annotated[
+    str | None,
+    typer.Option(metavar="hem|pinked|raw", help="Edges of the cloth; by default as suits the scene."),
+]
 TurntableOption = Annotated[
     int | None,
     typer.Option(metavar="N", help="N pictures of one turn: .png or .exr, numbered, or one .webp or .gif."),

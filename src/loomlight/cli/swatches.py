@@ -12,27 +12,30 @@ from loomlight.cli.fleet import ExecutorName, SlurmSettings, Workers, executor_o
 from loomlight.cli.interruption import note_left
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
-from loomlight.cli.render_options import DenoiseOption, WhiteBalanceOption
+from loomlight.cli.render_options import (
+    DenoiseOption,
+    FabricsArgument,
+    SamplesOption,
+    VariantOption,
+    WhiteBalanceOption,
+)
 from loomlight.cli.values import require_within
 
 EXAMPLE = "Example: loomlight swatches examples/*.toml -o sheet.png"
 
 
 def swatches(
-    fabrics: Annotated[
-        list[str],
-        typer.Argument(metavar="FABRIC...", help="Fabric files, drafts, .loom files, or weaves' names."),
-    ],
+    fabrics: FabricsArgument,
     output: Annotated[
         Path, typer.Option("--output", "-o", help="The sheet to write: a .png picture or an .html page.")
     ],
     model: Annotated[str, typer.Option(help="One of the models below.")] = "lobes",
     side: Annotated[int, typer.Option("--size", metavar="PIXELS", help="Side of each picture.")] = 240,
-    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel.")] = 8,
+    samples: SamplesOption = 8,
     title: Annotated[str, typer.Option(help="Heading of a page.")] = "Fabrics",
     white_balance: WhiteBalanceOption = None,
     denoise: DenoiseOption = "auto",
-    variant: Annotated[str | None, typer.Option(help="llvm_ad_rgb (default) or cuda_ad_rgb.")] = None,
+    variant: VariantOption = None,
     workers: Workers = 1,
     executor: ExecutorName = "local",
     slurm: SlurmSettings = None,

@@ -85,8 +85,7 @@ def cleaned(mesh: ClothMesh) -> ClothMesh:
     check_indices(triangles, count, mesh.name)
     if not (np.abs(mesh.positions[triangles]) < MAX_COORDINATE).all():
         raise InputError(f"{mesh.name} is damaged: a vertex position is not finite, or beyond ±1e15.")
-    a, b, c = (mesh.positions[triangles[:, corner]] for corner in range(3))
-    triangles = triangles[np.any(np.cross(b - a, c - a) != 0, axis=1)]
+    triangles = triangles[np.any(cross_products(mesh) != 0, axis=1)]
     used = np.zeros(count, bool)
     used[triangles] = True
     mesh = ClothMesh(
@@ -155,7 +154,7 @@ def metric(mesh: ClothMesh) -> tuple[NDArray[np.float64], NDArray[np.float64], N
     inverse = np.where(usable, 1 / np.where(usable, determinant, 1), np.nan)[:, None]
     dp_du = (v2[:, None] * (b - a) - v1[:, None] * (c - a)) * inverse
     dp_dv = (u1[:, None] * (c - a) - u2[:, None] * (b - a)) * inverse
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    area = np.linalg.norm(cross_products(mesh), axis=1) / 2
     return np.where(usable, area, np.nan), dp_du, dp_dv
 
 

@@ -5,6 +5,7 @@ The reference plane lies at the mean height.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import mitsuba as mi
@@ -12,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.assets.heightfield import Heightfield
-from loomlight.mitsuba.mesh_arrays import MeshArrays, make_shape
+from loomlight.mesh.cloth_mesh import ClothMesh, joined
+from loomlight.mitsuba.meshes import to_shape
 from loomlight.mitsuba.periodic_paths import COPIES, PeriodicPaths, Tile
 from loomlight.mitsuba.variants import choose_variant
 
@@ -50,17 +52,11 @@ def _tiles(source: Heightfield, relief: NDArray[np.floating[Any]]) -> Any:
     width, height = source.size_mm
     shifts = range(-COPIES, COPIES + 1)
     offsets = [np.array([column * width, row * height, 0]) for row in shifts for column in shifts]
-    count = len(offsets)
-    copies = MeshArrays(
-        np.concatenate([one.positions + offset for offset in offsets]),
-        np.tile(one.normals, (count, 1)),
-        np.tile(one.uv, (count, 1)),
-        np.concatenate([one.triangles + number * len(one.positions) for number in range(count)]),
-    )
-    return make_shape("relief", copies, mi.load_dict(_bsdf(source)))
+    copies = [replace(one, positions=one.positions + offset) for offset in offsets]
+    return to_shape(joined(copies), _bsdf(source))
 
 
-def _mesh(source: Heightfield, relief: NDArray[np.floating[Any]]) -> MeshArrays:
+def _mesh(source: Heightfield, relief: NDArray[np.floating[Any]]) -> ClothMesh:
     """The relief over one tile, a vertex a texel of the height map, and one more at the far sides."""
     rows, columns = relief.shape
     width, height = source.size_mm
@@ -79,12 +75,8 @@ def _mesh(source: Heightfield, relief: NDArray[np.floating[Any]]) -> MeshArrays:
     corner = (np.arange(rows)[:, None] * (columns + 1) + np.arange(columns)).ravel()
     right, up, far = corner + 1, corner + columns + 1, corner + columns + 2
     triangles = np.concatenate([np.stack([corner, right, far], 1), np.stack([corner, far, up], 1)])
-    return MeshArrays(
-        positions.reshape(-1, 3).astype(np.float32),
-        normal.reshape(-1, 3).astype(np.float32),
-        np.stack([u, v], axis=-1).reshape(-1, 2).astype(np.float32),
-        triangles.astype(np.uint32),
-    )
+    uv = np.stack([u, v], axis=-1).reshape(-1, 2)
+    return ClothMesh(positions.reshape(-1, 3), normal.reshape(-1, 3), uv, triangles, "relief")
 
 
 def _bsdf(source: Heightfield) -> dict[str, Any]:

@@ -63,30 +63,19 @@ def light_dicts(
         return {"studio": {"type": "envmap", "bitmap": mi.Bitmap(studio_radiance(direction))}}
     if light == "sunsky":
         # The sun keeps its true width: Mitsuba samples a wider one far too seldom, and allows one sky alone.
-        sunsky = {
-            "type": "sunsky",
-            "sun_direction": direction.tolist(),
-            "turbidity": 4.0,
-            "sun_scale": _DAYLIGHT,
-            "sky_scale": _DAYLIGHT,
-            "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], -90),  # its own up is z
-        }
-        return {"sunsky": sunsky}
+        scale = {"sun_scale": _DAYLIGHT, "sky_scale": _DAYLIGHT}
+        upright = mi.ScalarTransform4f().rotate([1, 0, 0], -90)  # its own up is z
+        sky = {"type": "sunsky", "sun_direction": direction.tolist(), "turbidity": 4.0, "to_world": upright}
+        return {"sunsky": sky | scale}
     if light == "point":
         distance = 3 * radius
-        point = {
-            "type": "point",
-            "position": (centre + distance * direction).tolist(),
-            "intensity": {"type": "rgb", "value": float(np.pi * (distance - radius) ** 2)},
-        }
-        return {"point": point}
+        intensity = {"type": "rgb", "value": float(np.pi * (distance - radius) ** 2)}
+        place = (centre + distance * direction).tolist()
+        return {"point": {"type": "point", "position": place, "intensity": intensity}}
     if light == "directional":
-        directional = {
-            "type": "directional",
-            "direction": (-direction).tolist(),
-            "irradiance": {"type": "rgb", "value": float(np.pi)},
-        }
-        return {"directional": directional}
+        irradiance = {"type": "rgb", "value": float(np.pi)}
+        sun = {"type": "directional", "direction": (-direction).tolist(), "irradiance": irradiance}
+        return {"directional": sun}
     raise InputError(f'light = "{light}" is unknown: use {", ".join(LIGHTS)}, or an environment picture.')
 
 

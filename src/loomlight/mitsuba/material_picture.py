@@ -7,7 +7,7 @@ import os
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,6 +65,8 @@ class RenderSettings:
         light_from: azimuth and elevation of the main light, degrees.
         max_depth: of light paths, surfaces.
         placement: turn, shift and scale of the pattern on the cloth.
+        edge: "hem", "pinked" (zigzag) or "raw"; by default as the scene has it: hems of the drape and of
+            meshes, a pinked flat piece, else raw. Scene files have their own.
         exposure: stops, −30 to 30; colours are multiplied by 2**exposure.
         white_balance: colour temperature of the light that is shown as white, 1667 to 25000 K; None leaves
             colours as they are, relative to daylight of 6500 K.
@@ -94,6 +96,7 @@ class RenderSettings:
     light_from: tuple[float, float] | None = None
     max_depth: int | None = None
     placement: Placement = field(default_factory=Placement)
+    edge: str | None = None
     exposure: float = 0.0
     white_balance: float | None = None
     denoise: str = "auto"
@@ -116,18 +119,13 @@ class RenderSettings:
     @property
     def scene_options(self) -> SceneOptions:
         """The keyword arguments of `build_scene`."""
-        return SceneOptions(
-            mesh=self.mesh,
-            metres_per_unit=self.metres_per_unit,
-            environment=self.environment,
-            environment_turn=self.environment_turn,
-            light=self.light,
-            light_from=self.light_from,
-            zoom=self.zoom,
-            size=self.size,
-            max_depth=self.max_depth,
-            placement=self.placement,
-        )
+        return cast(SceneOptions, {name: getattr(self, name) for name in SceneOptions.__annotations__})
+
+    @property
+    def picture_options(self) -> dict[str, Any]:
+        """The keyword arguments of `rendering.render`."""
+        names = ("spp", "seed", "exposure", "white_balance", "denoise")
+        return {name: getattr(self, name) for name in names}
 
     def changed(self, **changes: Any) -> RenderSettings:
         """The settings with others of these names.
@@ -260,7 +258,7 @@ class RenderJob:
     def coarse_picture(self, size: tuple[int, int]) -> NDArray[np.float32]:
         """The picture by single yarn points, of fewer pixels: it needs no baking and no large kernel."""
         shown, close_up = self._built(self.material.by(REFERENCE_MODEL), size)
-        film = self._render(shown, _COARSE_SAMPLES, denoise="off")
+        film = self._render(shown, spp=_COARSE_SAMPLES, denoise="off")
         whole = resized(film, self._size)
         return whole if close_up is None else close_up.drawn_on(whole)
 
@@ -293,7 +291,7 @@ class RenderJob:
                 partial(drawn(picture))
 
         with estimate.step("whole") as progress:
-            return drawn(self._render(shown, self.settings.spp, progress=progress, partial=show))
+            return drawn(self._render(shown, progress=progress, partial=show))
 
     def _built(self, material: MaterialSpec, size: tuple[int, int]) -> tuple[ClothScene, Inset | None]:
         # A kernel holds all living BSDFs: with those of an earlier picture it would be another one.
@@ -309,23 +307,6 @@ class RenderJob:
         shown.integrator.corner = close_up.corner
         return shown, close_up
 
-    def _render(
-        self,
-        shown: ClothScene,
-        spp: int,
-        *,
-        denoise: str | None = None,
-        progress: Progress | None = None,
-        partial: PartialPicture | None = None,
-    ) -> NDArray[np.float32]:
-        return render_scene(
-            shown.scene,
-            spp=spp,
-            seed=self.settings.seed,
-            exposure=self.settings.exposure,
-            white_balance=self.settings.white_balance,
-            denoise=denoise or self.settings.denoise,
-            integrator=shown.integrator,
-            progress=progress,
-            partial=partial,
-        )
+    def _render(self, shown: ClothScene, **options: Any) -> NDArray[np.float32]:
+        options = {**self.settings.picture_options, **options}
+        return render_scene(shown.scene, integrator=shown.integrator, **options)

@@ -23,7 +23,7 @@ from loomlight.fabric import Fabric
 from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mesh.scale import uv_size
 from loomlight.mitsuba import cloth_shapes
-from loomlight.mitsuba.camera import View, framing, perspective, require_size
+from loomlight.mitsuba.camera import framing, perspective, require_size
 from loomlight.mitsuba.lights import light_dicts
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.meshes import to_shape
@@ -98,19 +98,6 @@ class MeasuredScene:
     yarns_per_pixel: float
 
 
-@dataclass(frozen=True, eq=False)
-class _Measure:
-    """The view of a scene's camera, whatever the fabric.
-
-    Attributes:
-        piece: number of the piece that each pixel lies wholly on, −1 for none [height, width].
-        side_mm: side of the median footprint on each piece, millimetres of the mesh's own scale.
-    """
-
-    piece: NDArray[np.intp]
-    side_mm: tuple[float, ...]
-
-
 def measured_scene(
     name: str,
     fabrics: Sequence[Fabric],
@@ -156,18 +143,19 @@ def shot_scene(
         InputError: a size out of range.
     """
     require_size(size)
-    measure = _measured(shot, size)
+    counted, side_mm = _measured(shot, size)
     scale = [
         shot.yarns * fabric_scale(fabric.layout()).thread / side
-        for (fabric, _), side in zip(cloths, measure.side_mm, strict=False)
+        for (fabric, _), side in zip(cloths, side_mm, strict=False)
     ]
     scene = mi.load_dict(_parts(shot, size, [bsdf for _, bsdf in cloths], scale))
-    return MeasuredScene(scene, _integrator(pixel_centres), measure.piece >= 0, shot.yarns)
+    integrator = mi.load_dict({"type": "footprint_path", "max_depth": _DEPTH, "pixel_centres": pixel_centres})
+    return MeasuredScene(scene, integrator, counted, shot.yarns)
 
 
 def shot_counted(shot: MeasuredShot, size: tuple[int, int]) -> NDArray[np.bool_]:
     """Pixels of a shot that lie wholly on one piece of cloth [height, width], whatever the fabric."""
-    return _measured(shot, size).piece >= 0
+    return _measured(shot, size)[0]
 
 
 def require_scenes(names: Sequence[str]) -> None:
@@ -184,34 +172,28 @@ def _shot(name: str) -> MeasuredShot:
     return _SHOTS[name]
 
 
-def _integrator(pixel_centres: bool) -> Any:
-    return mi.load_dict({"type": "footprint_path", "max_depth": _DEPTH, "pixel_centres": pixel_centres})
-
-
-def _view(shot: MeasuredShot, size: tuple[int, int]) -> View:
-    view = framing(shot.pieces[0]().positions, np.array(shot.towards_camera), size)
-    return view.closer(shot.zoom, view.target)
-
-
 def _parts(
     shot: MeasuredShot, size: tuple[int, int], bsdfs: Sequence[BsdfFactory], scale: Sequence[float]
 ) -> dict[str, Any]:
     """The scene's dictionary, with the weave of each piece drawn 1/`scale` times as large as it is."""
     pieces = [piece() for piece in shot.pieces]
-    sensor = perspective(_view(shot, size), size)
+    first = pieces[0].positions
+    view = framing(first, np.array(shot.towards_camera), size)
+    sensor = perspective(view.closer(shot.zoom, view.target), size)
     sensor["film"]["rfilter"] = {"type": "box"}
     parts: dict[str, Any] = {**empty_scene(), "sensor": sensor}
     for number, (piece, bsdf) in enumerate(zip(pieces, bsdfs, strict=False)):
         across, along = uv_size(piece)
         material = loaded_bsdf(bsdf((across * scale[number], along * scale[number])))
         parts[f"cloth{number}"] = to_shape(piece, material)
-    first = pieces[0].positions
     centre = (first.min(axis=0) + first.max(axis=0)) / 2
     return parts | light_dicts(shot.light, centre, 1.0, np.array(shot.towards_light))
 
 
 @lru_cache(maxsize=32)
-def _measured(shot: MeasuredShot, size: tuple[int, int]) -> _Measure:
+def _measured(shot: MeasuredShot, size: tuple[int, int]) -> tuple[NDArray[np.bool_], list[float]]:
+    """Pixels that lie wholly on one piece [height, width]; the side of each piece's median footprint, mm."""
+
     def grey(_uv_size: tuple[float, float]) -> dict[str, Any]:
         return {"type": "twosided", "bsdf": {"type": "diffuse"}}
 
@@ -223,14 +205,12 @@ def _measured(shot: MeasuredShot, size: tuple[int, int]) -> _Measure:
             _, other = _seen(scene, size, x, y)[0]
             shared &= other == number
     area = dr.abs(si.duv_dx.x * si.duv_dy.y - si.duv_dx.y * si.duv_dy.x).numpy()
-    counted = shared.numpy()
-    width, height = size
-    pieces = np.where(counted, number.numpy().astype(np.intp), -1)
+    pieces = np.where(shared.numpy(), number.numpy().astype(np.intp), -1)
     sides = []
     for index, piece in enumerate(shot.pieces):
         across, along = uv_size(piece())
         sides.append(float(np.sqrt(np.median(area[pieces == index]) * across * along)))
-    return _Measure(pieces.reshape(height, width), tuple(sides))
+    return (pieces >= 0).reshape(size[::-1]), sides
 
 
 def _seen(scene: mi.Scene, size: tuple[int, int], x: float, y: float) -> Any:

@@ -222,16 +222,8 @@ def model_bsdf_class() -> type:
             return bsdf_sample(drawn, si, active & _is_seen(si))
 
         @nested
-        def eval_pdf_sample(
-            self,
-            ctx: mi.BSDFContext,
-            si: mi.SurfaceInteraction3f,
-            wo: Any,
-            sample1: Any,
-            sample2: Any,
-            active: Mask = True,
-        ) -> Any:
-            return self.eval_pdf_sample_and_null_transmission(ctx, si, wo, sample1, sample2, active)[:-1]
+        def eval_pdf_sample(self, *arguments: Any) -> Any:
+            return self.eval_pdf_sample_and_null_transmission(*arguments)[:-1]
 
         def eval_pdf_sample_and_null_transmission(
             self,

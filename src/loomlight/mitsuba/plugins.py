@@ -17,7 +17,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.images import PICTURE_SUFFIXES, require_picture_size
 from loomlight.mitsuba.integrator import footprint_path_class
 from loomlight.mitsuba.model_bsdf import GivenModel, model_bsdf_class
-from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, is_supported, require_backend
+from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, require_backend
 from loomlight.models.interface import Model
 from loomlight.models.registry import MODELS
 
@@ -58,7 +58,7 @@ def make_bsdf(model: Model, uv_size_mm: tuple[float, float], albedo: dict[str, A
 def _on_variant(_previous: str | None, variant: str | None) -> None:
     if variant is None:
         return
-    if not is_supported(variant):
+    if variant not in SUPPORTED_VARIANTS:
         for plugin in (_INTEGRATOR, *(entry.plugin for entry in MODELS.values())):
             register = mi.register_integrator if plugin == _INTEGRATOR else mi.register_bsdf
             register(plugin, partial(_refuse, plugin=plugin, variant=variant))

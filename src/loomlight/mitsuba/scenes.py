@@ -14,17 +14,20 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
+from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.facts import cloth_facts
 from loomlight.mesh.cloth_mesh import ClothMesh, joined
+from loomlight.mesh.edges import EDGES, edged
 from loomlight.mesh.reading import read_mesh
 from loomlight.mesh.scale import warn_of_extent, warn_of_scale
 from loomlight.mitsuba import cloth_shapes
 from loomlight.mitsuba.camera import View, framing, look_at, perspective, require_size, require_zoom
+from loomlight.mitsuba.cloth_shapes import CYLINDER_RADIUS, SPHERE_RADIUS
 from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.garment import Garment, read_garment
 from loomlight.mitsuba.integrator import footprint_integrator
 from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
-from loomlight.mitsuba.mesh_arrays import set_uv
-from loomlight.mitsuba.meshes import from_shape, to_shape
+from loomlight.mitsuba.meshes import from_shape, set_uv, to_shape
 from loomlight.mitsuba.placement import Placement, placed
 from loomlight.mitsuba.scene_meshes import check_scene_meshes
 from loomlight.mitsuba.scene_props import backdrop, ball, ground
@@ -45,6 +48,8 @@ DEFAULT_SIZE = (640, 480)
 # Half the extent of a mesh, metres: beyond, threads are lost in the rounding of coordinates.
 MIN_RADIUS, MAX_RADIUS = 1e-5, 1e4
 
+# Of cloth of which it is not known, metres.
+_THICKNESS = 5e-4
 # Of the ball behind the paper of scenes that show none, metres.
 _UNSEEN = 2.0
 
@@ -65,6 +70,7 @@ class SceneOptions(TypedDict, total=False):
     size: tuple[int, int] | None
     max_depth: int | None
     placement: Placement
+    edge: str | None
 
 
 @dataclass(frozen=True)
@@ -83,7 +89,7 @@ class ClothScene:
     # Of a class that is made anew for each variant, and so has no type.
     integrator: Any
     uv_size_mm: tuple[float, float]
-    point: tuple[float, float, float]
+    point: NDArray[np.float64]
     view: View
 
     def look_from(self, view: View) -> None:
@@ -102,33 +108,22 @@ class _Setup:
 
     cloth: Callable[[], ClothMesh]
     towards_camera: tuple[float, float, float]
-    light: str
     towards_light: tuple[float, float, float]
     ground: bool = False
     backdrop: float | None = None
+    edge: str = "raw"
 
 
 # As catalogues show cloth: on white paper, in a studio whose light is neutral. A flat piece, a ball and a
 # roll lie on it, seen from above; the paper is some millimetres behind, so that it cuts none.
+_FRONT = (0, 0, 1)
 _SETUPS = {
-    "flat": _Setup(cloth_shapes.flat, (0, 0, 1), "studio", (-0.5, 0.6, 0.8), backdrop=-0.004),
-    "sphere": _Setup(
-        cloth_shapes.sphere,
-        (0, 0, 1),
-        "studio",
-        (-0.45, 0.6, 0.75),
-        backdrop=-cloth_shapes.SPHERE_RADIUS - 0.001,
-    ),
-    "cylinder": _Setup(
-        cloth_shapes.cylinder,
-        (0, 0, 1),
-        "studio",
-        (-0.3, 0.6, 0.8),
-        backdrop=-cloth_shapes.CYLINDER_RADIUS - 0.001,
-    ),
-    "drape": _Setup(cloth_shapes.drape, (0.35, 0.55, 1), "studio", (-0.6, 0.75, 0.6), ground=True),
+    "flat": _Setup(cloth_shapes.flat, _FRONT, (-0.5, 0.6, 0.8), backdrop=-0.004, edge="pinked"),
+    "sphere": _Setup(cloth_shapes.sphere, _FRONT, (-0.45, 0.6, 0.75), backdrop=-0.001 - SPHERE_RADIUS),
+    "cylinder": _Setup(cloth_shapes.cylinder, _FRONT, (-0.3, 0.6, 0.8), backdrop=-0.001 - CYLINDER_RADIUS),
+    "drape": _Setup(cloth_shapes.drape, (0.35, 0.55, 1), (-0.6, 0.75, 0.6), ground=True, edge="hem"),
 }
-_MESH = _Setup(cloth_shapes.drape, (0.3, 0.35, 1), "studio", (-0.6, 0.75, 0.6), ground=True)
+_MESH = replace(_SETUPS["drape"], towards_camera=(0.3, 0.35, 1))
 
 SCENES = tuple(_SETUPS)
 
@@ -147,6 +142,7 @@ def build_scene(
     size: tuple[int, int] | None = None,
     max_depth: int | None = None,
     placement: Placement = Placement(),  # noqa: B008 (frozen)
+    edge: str | None = "raw",
     others: Mapping[str, BsdfFactory] | None = None,
 ) -> ClothScene:
     """A scene that shows the cloth `bsdf`; a Mitsuba variant must be set.
@@ -156,27 +152,24 @@ def build_scene(
             Mitsuba scene, FILE.xml, in which every mesh whose BSDF has the id "fabric" is given the cloth.
         bsdf: a function from (mm per unit of u, mm per unit of v) of a piece of cloth to its BSDF, or the
             dictionary of it, such as `material_bsdf` gives; or the dictionary itself.
-        mesh: an OBJ, PLY, glTF or GLB file to show in place of the named scene's cloth, on the ground.
-        metres_per_unit: the length of one unit of the mesh, or of the scene file.
-        environment: a latitude-longitude picture that lights a built-in scene in place of its light.
-        environment_turn: degrees about the vertical.
-        light: studio, sunsky, point or directional; by default what the scene was designed with.
-        light_from: where that light comes from, degrees: azimuth (0 from +z, where the camera of `flat`
+        mesh, metres_per_unit, environment, environment_turn, light, zoom, placement: of `RenderSettings`.
+        light_from: where the light comes from, degrees: azimuth (0 from +z, where the camera of `flat`
             stands, 90 from +x, its right) and elevation (90 from +y); by default as designed.
-        zoom: 1 frames the whole object, 10 is ten times closer to the cloth in the middle of the picture.
         size: width and height in pixels; 640 × 480 by default, a scene file's own otherwise.
         max_depth: longest path, in segments; 8 by default, a scene file's own otherwise.
-        placement: how the cloth lies on the mesh.
+        edge: "hem" folds the cloth's open edges over, "pinked" cuts them in teeth, "raw" leaves them as the
+            mesh has them; None is what suits the scene. Scene files have their own.
         others: further cloths: of a scene file by the id of the BSDF that each replaces, of a mesh by the
             name of a part or of its material.
 
     Raises:
         InputError: an unknown scene or light, a value out of range, or a file that cannot be used.
     """
-    _require_numbers(zoom, size, metres_per_unit, max_depth)
+    _require_values(zoom, size, metres_per_unit, max_depth, edge)
     factory = bsdf if callable(bsdf) else _always(bsdf)
     if Path(name).suffix.lower() == ".xml":
         given = {"mesh": mesh, "environment": environment, "light": light, "light_from": light_from}
+        given["edge"] = None if edge == "raw" else edge
         for field, value in given.items():
             if value is not None:
                 raise InputError(
@@ -198,41 +191,54 @@ def build_scene(
         worn = Garment([(setup.cloth(), factory)], None)
     else:
         setup, worn = _MESH, read_garment(mesh, metres_per_unit, factory, others or {})
-    size = size or DEFAULT_SIZE
-    cloth = joined([replace(piece, uv=np.zeros((0, 2))) for piece in worn.meshes])
+    size, edge = size or DEFAULT_SIZE, edge or setup.edge
+    shapes, cloth, uv_size_mm = _dressed(worn, placement, edge)
     centre, radius = _bounds(cloth)
-    view = framing(cloth.positions, np.array(setup.towards_camera), size)
     _require_extent(cloth.name, radius)
+    view = framing(cloth.positions, np.array(setup.towards_camera), size)
     paths = {"max_depth": max_depth or DEFAULT_DEPTH, "rr_depth": ROULETTE_DEPTH}
     integrator = mi.load_dict({"type": "footprint_path", **paths})
-    laid = [(*placed(piece, placement), own) for piece, own in worn.pieces]
-    parts: dict[str, Any] = {**empty_scene(), "integrator": integrator}
-    for number, (piece, millimetres, own) in enumerate(laid):
-        parts[f"{CLOTH_NAME}{number or ''}"] = to_shape(piece, loaded_bsdf(own(millimetres)))
-    if worn.uncovered is not None:
-        bare = replace(worn.uncovered, uv=np.zeros((len(worn.uncovered.positions), 2)))
-        parts[UNCOVERED_NAME] = to_shape(bare, _UNCOVERED)
+    parts: dict[str, Any] = {**empty_scene(), "integrator": integrator, **shapes}
     if environment is not None:
         parts["environment"] = environment_dict(environment, environment_turn)
     else:
         towards = np.array(setup.towards_light) if light_from is None else direction_of(*light_from)
-        parts |= light_dicts(setup.light if light is None else light, centre, radius, towards)
+        parts |= light_dicts("studio" if light is None else light, centre, radius, towards)
     if setup.ground:
         parts["ground"] = ground(centre, radius, float(cloth.positions[:, 1].min()))
     if mesh is None:
         parts["ball"] = ball(_UNSEEN if setup.backdrop is not None else 0.0)
     if setup.backdrop is not None:
-        parts["backdrop"] = backdrop(centre, radius, setup.backdrop)
+        lies = setup.edge == edge == "pinked"
+        depth = -1e-3 * float(np.clip(placement.scale, 1, 4)) if lies else setup.backdrop
+        parts["backdrop"] = backdrop(centre, radius, depth)
     point = _facing_point(cloth, view)
     view = view.closer(zoom, point)
     parts["sensor"] = perspective(view, size)
-    return ClothScene(
-        scene=_loaded(parts),
-        integrator=integrator,
-        uv_size_mm=laid[0][1],
-        point=(float(point[0]), float(point[1]), float(point[2])),
-        view=view,
-    )
+    return ClothScene(_loaded(parts), integrator, uv_size_mm, point, view)
+
+
+def _dressed(
+    worn: Garment[BsdfFactory], placement: Placement, edge: str
+) -> tuple[dict[str, mi.Mesh], ClothMesh, tuple[float, float]]:
+    """Shapes by name, all their triangles without uv, and millimetres per unit of u and of v of the first."""
+    laid = [(*placed(piece, placement), own) for piece, own in worn.pieces]
+    bsdfs = [loaded_bsdf(own(millimetres)) for _, millimetres, own in laid]
+    meshes = [piece for piece, _, _ in laid]
+    names = [f"{CLOTH_NAME}{number or ''}" for number in range(len(laid))]
+    thickness = [_thickness(bsdf) for bsdf in bsdfs]
+    if worn.uncovered is not None:
+        meshes.append(replace(worn.uncovered, uv=np.zeros((len(worn.uncovered.positions), 2))))
+        names, bsdfs, thickness = [*names, UNCOVERED_NAME], [*bsdfs, _UNCOVERED], [*thickness, 0]
+    meshes = edged(meshes, edge, thickness, placement.scale)
+    shapes = {name: to_shape(mesh, bsdf) for name, mesh, bsdf in zip(names, meshes, bsdfs, strict=True)}
+    return shapes, joined([replace(mesh, uv=np.zeros((0, 2))) for mesh in meshes]), laid[0][1]
+
+
+def _thickness(bsdf: Any) -> float:
+    """Metres of a cloth."""
+    source = getattr(getattr(bsdf, "model", None), "source", None)
+    return cloth_facts(source).thickness_mm / 1000 if isinstance(source, Fabric) else _THICKNESS
 
 
 def _require_extent(name: str, radius: float) -> None:
@@ -243,8 +249,8 @@ def _require_extent(name: str, radius: float) -> None:
         )
 
 
-def _require_numbers(
-    zoom: float, size: tuple[int, int] | None, metres_per_unit: float, max_depth: int | None
+def _require_values(
+    zoom: float, size: tuple[int, int] | None, metres_per_unit: float, max_depth: int | None, edge: str | None
 ) -> None:
     require_zoom(zoom)
     if size is not None:
@@ -253,6 +259,8 @@ def _require_numbers(
         raise InputError(f"metres_per_unit = {metres_per_unit:g} is out of range: it is a length above 0.")
     if max_depth is not None and max_depth < 1:
         raise InputError(f"max_depth = {max_depth} is out of range: a path has at least 1 segment.")
+    if edge not in (None, *EDGES):
+        raise InputError(f'edge = "{edge}" is unknown: use {", ".join(EDGES)}.')
 
 
 def built_in_cloth(
@@ -370,13 +378,7 @@ def _from_file(
     integrator = footprint_integrator(scene)
     if max_depth is not None:
         integrator.max_depth = max_depth
-    return ClothScene(
-        scene=scene,
-        integrator=integrator,
-        uv_size_mm=uv_sizes[0],
-        point=(float(point[0]), float(point[1]), float(point[2])),
-        view=view,
-    )
+    return ClothScene(scene, integrator, uv_sizes[0], point, view)
 
 
 def _move_camera(

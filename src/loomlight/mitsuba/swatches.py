@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import gc
-import os
 import re
 import time
 import warnings
@@ -27,6 +26,7 @@ from loomlight.core.work_map import work_map
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts, repeat_text, three_digits
 from loomlight.mitsuba.material import material_bsdf
+from loomlight.mitsuba.placement import Placement
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import build_scene
 from loomlight.mitsuba.variants import choose_variant
@@ -80,7 +80,7 @@ def fabric_cards(
     """The cards of fabrics; one that cannot be used is left out with a warning.
 
     Args:
-        fabrics: as of `fabric_card`.
+        fabrics: fabric files, drafts, `.loom` files or weaves' names.
         folder: keeps the cards.
         executor: who renders; this process by default.
         report: called with (fabrics done, fabrics in all).
@@ -132,57 +132,35 @@ def fabric_cards(
     return cards
 
 
-def _card(settings: CardSettings, fabric: str) -> bytes:
-    choose_variant(settings.variant)
-    card = fabric_card(
-        fabric,
-        settings.side,
-        model=settings.model,
-        spp=settings.spp,
-        white_balance=settings.white_balance,
-        denoise=settings.denoise,
-    )
-    return card_to_bytes(card)
-
-
-def fabric_card(
-    path: str | os.PathLike[str],
-    side: int,
-    *,
-    model: str,
-    spp: int,
-    white_balance: float | None = None,
-    denoise: str = "off",
-) -> Card:
-    """The card of a fabric file, a draft, a `.loom` or a weave's name; a variant must be set.
-
-    Args:
-        side: of each picture, pixels.
-        model: by which it is rendered.
-        spp: samples a pixel.
-        white_balance, denoise: see `render`.
+def _card(settings: CardSettings, path: str) -> bytes:
+    """The card of a fabric file, a draft, a `.loom` or a weave's name.
 
     Raises:
         InputError: no fabric, or one that the model cannot handle.
     """
+    choose_variant(settings.variant)
     fabric = fabric_of_path(path)
-    made = make_model(model, fabric)
+    made, side = make_model(settings.model, fabric), settings.side
 
-    def picture(scene: str, zoom: float) -> Pixels:
+    def picture(scene: str, placement: Placement) -> Pixels:
         # A kernel holds all living BSDFs: with those of the last picture it would be another one.
         gc.collect()
-        shown = build_scene(scene, material_bsdf(made), size=(side, side), zoom=zoom)
+        shown = build_scene(scene, material_bsdf(made), size=(side, side), placement=placement, edge=None)
         linear = render(
-            shown.scene, spp=spp, integrator=shown.integrator, white_balance=white_balance, denoise=denoise
+            shown.scene,
+            spp=settings.spp,
+            integrator=shown.integrator,
+            white_balance=settings.white_balance,
+            denoise=settings.denoise,
         )
         return encoded(linear)
 
     pictures = {
         "drawdown": _drawdown(fabric.draft, side),
-        f"{SWATCH_MM:g} mm of it": picture("flat", _FLAT_MM / SWATCH_MM),
-        "draped": picture("drape", 1.0),
+        f"{SWATCH_MM:g} mm of it": picture("flat", Placement(scale=_FLAT_MM / SWATCH_MM)),
+        "draped": picture("drape", Placement()),
     }
-    return Card(fabric.name, fact_lines(fabric), pictures)
+    return card_to_bytes(Card(fabric.name, fact_lines(fabric), pictures))
 
 
 def fact_lines(fabric: Fabric) -> list[str]:

@@ -7,11 +7,11 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-import drjit as dr
 import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.backend import upload
 from loomlight.core.errors import InputError
 from loomlight.mitsuba.camera import framing
 from loomlight.mitsuba.material import material_bsdf
@@ -43,14 +43,7 @@ def turntable(
     bsdf, others = material_bsdf(shown_material(material, settings)), further_cloths(settings)
     shown = build_scene(scene, bsdf, others=others, **whole)
     turning = Turntable(shown, settings.zoom, about_middle=settings.mesh is not None)
-    yield from turning.pictures(
-        count,
-        spp=settings.spp,
-        seed=settings.seed,
-        exposure=settings.exposure,
-        white_balance=settings.white_balance,
-        denoise=settings.denoise,
-    )
+    yield from turning.pictures(count, **settings.picture_options)
 
 
 class Turntable:
@@ -87,8 +80,9 @@ class Turntable:
 
     def _turn(self, angle: float) -> None:
         for piece, (positions, normals) in self._rows.items():
-            self._params[f"{piece}.vertex_positions"] = _flat(self._turned(positions, angle))
-            self._params[f"{piece}.vertex_normals"] = _flat(_rotated(normals, angle))
+            rows = {"positions": self._turned(positions, angle), "normals": _rotated(normals, angle)}
+            for name, values in rows.items():
+                self._params[f"{piece}.vertex_{name}"] = upload(mi.Float, values.astype(np.float32))
         self._params.update()
 
     def _turned(self, positions: NDArray[np.float64], angle: float) -> NDArray[np.float64]:
@@ -106,7 +100,3 @@ def _rotated(vectors: NDArray[np.float64], angle: float) -> NDArray[np.float64]:
     """[n, 3], counter-clockwise as seen from above, degrees."""
     cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
     return vectors @ np.array([[cosine, 0, -sine], [0, 1, 0], [sine, 0, cosine]])
-
-
-def _flat(rows: NDArray[np.float64]) -> Any:
-    return mi.Float(dr.ravel(mi.TensorXf(rows.astype(np.float32))))

@@ -33,17 +33,8 @@ def choose_variant(name: str | None = None) -> str:
     return chosen
 
 
-def is_supported(variant: str | None) -> bool:
-    """Whether the plugins exist in `variant`."""
-    return variant in SUPPORTED_VARIANTS
-
-
 def require_backend(variant: str) -> None:
-    """Raises MissingDependencyError unless kernels of `variant` can be compiled here.
-
-    Raises:
-        MissingDependencyError: no usable LLVM library, or no usable CUDA device.
-    """
+    """Raises MissingDependencyError unless kernels of `variant` can be compiled here."""
     if variant.startswith("llvm"):
         require_llvm()
     elif not dr.has_backend(dr.JitBackend.CUDA):
