@@ -20,6 +20,7 @@ ITEMS = (
         model=LATENT,
     ),
     Item("zeltner2024/tables5-11", "2×16, 2×32 and 3×64, close and from far", tables.quality, model=LATENT),
+    Item("zeltner2024/whole", "whole spheres by the default network", tables.whole, model=LATENT),
     Item(
         "zeltner2024/fig5",
         "beside a simple analytic BRDF with 8 channels",

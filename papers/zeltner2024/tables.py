@@ -103,6 +103,17 @@ def quality(setting: Setting) -> Evidence:
     )
 
 
+def whole(setting: Setting) -> Evidence:
+    """The default network alone, as it is baked: whole spheres."""
+    return _compared(
+        setting,
+        "whole spheres by the default network",
+        ("whole",),
+        ["2×32"],
+        lambda source: {"2×32": model_factory(trained(source, setting))},
+    )
+
+
 def eight_channels(setting: Setting) -> Evidence:
     """Figure 5: the model beside a simple analytic BRDF with as many channels."""
     return _compared(

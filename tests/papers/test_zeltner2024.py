@@ -69,6 +69,13 @@ def test_ablation_has_six_metrics_of_each_rung(setting: Setting, monkeypatch: py
     assert len(list((setting.runs / "zeltner2024").glob("*.loom"))) == 2
 
 
+def test_the_whole_sphere_of_the_default_network(setting: Setting) -> None:
+    summary, one = tables.whole(setting).tables
+    assert summary.columns == one.columns == ["2×32"]
+    assert summary.rows["Mean FLIP"][0] == pytest.approx(one.rows["Mean FLIP"][0])
+    assert one.title == "rough-plastic, whole"
+
+
 def test_six_errors_are_what_they_are_called() -> None:
     reference = np.full((4, 4, 3), 0.5, np.float32)
     picture = reference + np.float32(0.1)
