@@ -60,10 +60,8 @@ def both(
 def contrast(picture: Picture, pixels: int) -> dict[str, float]:
     """Standard deviation of luminance over its mean, in bands of size."""
     light = picture @ LUMINANCE
-    blurred = {0.0: light}
-    for sizes in BANDS.values():
-        for size in sizes:
-            blurred.setdefault(size, gaussian_blur(light[..., None], size * pixels)[..., 0])
+    sizes = {size for band in BANDS.values() for size in band if size > 0}
+    blurred = {size: gaussian_blur(light[..., None], size * pixels)[..., 0] for size in sizes} | {0.0: light}
     return {
         name: float((blurred[low] - blurred[high]).std() / light.mean())
         for name, (low, high) in BANDS.items()

@@ -15,6 +15,9 @@ from __future__ import annotations
 
 from argparse import ArgumentParser
 from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
@@ -38,8 +41,8 @@ PIXELS_A_THREAD = (10, 30, 100, 300)
 SIDE = 160
 COLUMNS = 4
 SAMPLES = 48
-# Of the sheet of fibres: pixels of a square, between pairs of them, of a thread that is far away; samples.
-FIBRE_SIDE, RULE, FAR_PIXELS, FIBRE_SAMPLES = 128, 4, 30, 24
+# Of the sheet of fibres: pixels of a square, between pairs of them, of a far thread; samples; tries.
+FIBRE_SIDE, RULE, FAR_PIXELS, FIBRE_SAMPLES, ATTEMPTS = 128, 4, 30, 16, 3
 # The light comes from the side, so that relief shows.
 EXPOSURE = 1.6
 CLOTHS = {
@@ -130,14 +133,28 @@ def fibres_sheet(names: Sequence[str], spp: int) -> Image.Image:
     """Rows of kinds at 10 to 300 pixels a thread, each square beside that of fibres."""
     rows = []
     for name in names:
-        tiles = []
-        for pixels in PIXELS_A_THREAD:
-            threads = FIBRE_SIDE / pixels
-            pair = close_up(name, pixels, threads, SAMPLES), fibre_close_up(name, pixels, threads, spp)
-            tiles += [*pair, np.full((FIBRE_SIDE, RULE, 3), 255, np.uint8)]
-        tiles[0] = np.asarray(labelled(tiles[0], name, 11))
-        rows.append(np.concatenate(tiles[:-1], axis=1))
+        for attempt in range(ATTEMPTS):
+            # Mitsuba crashes in some pictures of curves on CPUs: each row has a process of its own.
+            with ProcessPoolExecutor(1, get_context("spawn")) as pool:
+                try:
+                    rows.append(pool.submit(fibres_row, name, spp).result())
+                    break
+                except BrokenProcessPool:
+                    if attempt + 1 == ATTEMPTS:
+                        raise
     return Image.fromarray(np.concatenate(rows))
+
+
+def fibres_row(name: str, spp: int) -> NDArray[np.uint8]:
+    """The row of a kind, 8-bit sRGB."""
+    choose_variant(None)
+    tiles = []
+    for pixels in PIXELS_A_THREAD:
+        threads = FIBRE_SIDE / pixels
+        pair = close_up(name, pixels, threads, SAMPLES), fibre_close_up(name, pixels, threads, spp)
+        tiles += [*pair, np.full((FIBRE_SIDE, RULE, 3), 255, np.uint8)]
+    tiles[0] = np.asarray(labelled(tiles[0], name, 11))
+    return np.concatenate(tiles[:-1], axis=1)
 
 
 def main() -> None:
