@@ -16,7 +16,15 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.facts import cloth_facts
-from loomlight.mitsuba import SCENES, ClothScene, build_scene, material_bsdf, render
+from loomlight.mitsuba import (
+    SCENES,
+    ClothScene,
+    RenderSettings,
+    build_scene,
+    cloth_shapes,
+    material_bsdf,
+    render,
+)
 from loomlight.mitsuba.camera import framing
 from loomlight.mitsuba.meshes import from_shape
 from loomlight.mitsuba.placement import Placement
@@ -315,3 +323,53 @@ def test_edges_leave_the_cloth_within_as_it_was() -> None:
 def test_scene_files_have_edges_of_their_own(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="edge = hem does not go with the scene file"):
         build_scene(write_scene(tmp_path), WHITE, edge="hem")
+
+
+def write_ball(file: Path) -> Path:
+    """A coarse ball with smooth normals: 16 by 10 quadrilaterals."""
+
+    def place(u: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, ...]:
+        around, polar = 2 * np.pi * u, np.pi * (0.02 + 0.96 * v)
+        return (
+            0.2 * np.sin(polar) * np.cos(around),
+            -0.2 * np.cos(polar),
+            0.2 * -np.sin(polar) * np.sin(around),
+        )
+
+    mesh = cloth_shapes.grid_surface((17, 11), place, "ball")
+    rows = {"v": mesh.positions, "vt": mesh.uv, "vn": mesh.normals}
+    lines = [f"{kind} {' '.join(map(str, row))}" for kind, values in rows.items() for row in values]
+    lines += ["f " + " ".join(f"{n}/{n}/{n}" for n in triangle) for triangle in mesh.triangles + 1]
+    file.write_text("\n".join(lines) + "\n")
+    return file
+
+
+def test_shadow_ends_where_shading_does(tmp_path: Path) -> None:
+    """On a coarse ball, whose triangles turn away from the light before its normals do."""
+    ball = write_ball(tmp_path / "ball.obj")
+    options: dict[str, Any] = {"light": "directional", "light_from": (-80, 20), "max_depth": 2}
+    shown = build_scene("drape", WHITE, mesh=ball, size=(48, 48), **options)
+    y, x = (mi.Float(rows.ravel().astype(np.float32)) for rows in np.mgrid[0:48, 0:48])
+    ray, _ = shown.scene.sensors()[0].sample_ray(0, 0, mi.Point2f((x + 0.5) / 48, (y + 0.5) / 48), 0)
+    si = shown.scene.ray_intersect(ray)
+    azimuth, elevation = np.radians(options["light_from"])
+    light = [np.sin(azimuth) * np.cos(elevation), np.sin(elevation), np.cos(azimuth) * np.cos(elevation)]
+    cosine = np.array(si.sh_frame.n).T @ light
+    place = np.array(si.p).T
+    # Of the ball, above the ground and well within the outline.
+    inside = (np.linalg.norm(place, axis=1) < 0.21) & (place[:, 1] > -0.15) & (np.array(si.wi.z) > 0.3)
+    assert inside.sum() > 300
+    errors = []
+    for soft in (True, False):
+        shown.integrator.soft_terminator = soft
+        picture = render(shown.scene, spp=16, integrator=shown.integrator)[..., 0].ravel()
+        # Irradiance π, albedo 0.8.
+        errors.append(np.abs(picture - 0.8 * np.maximum(cosine, 0))[inside].max())
+    # A pixel sees 0.4 of 48 of the ball, a change of cosine of 0.03, and its filter is wider.
+    assert errors[0] < 0.04
+    assert errors[1] > 0.06
+
+
+def test_narrow_lights_have_a_soft_terminator() -> None:
+    assert RenderSettings(light="directional").soft_terminator
+    assert not RenderSettings().soft_terminator

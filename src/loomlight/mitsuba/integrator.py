@@ -65,6 +65,7 @@ def footprint_path_class() -> type:
             pass_number: of this render among those that make up the picture with one `PixelSampler`.
             skip_film: nobody asks the film afterwards: it may be left out then.
             apart: samples count in their own pixels alone; see `PixelFilter`.
+            soft_terminator: shadows begin on the smooth surface that vertex normals stand for.
             corner: a close-up in a corner of the picture, or None.
         """
 
@@ -76,7 +77,7 @@ def footprint_path_class() -> type:
             self.picture_samples = 0
             self.pass_number = 0
             self.skip_film = False
-            self.apart = False
+            self.apart, self.soft_terminator = False, False
             self.corner: Corner | None = None
             self._pixel_filter: PixelFilter | None = None
             self._offset: Vec2 | None = None
@@ -242,7 +243,7 @@ def footprint_path_class() -> type:
             # Path replay follows the very paths again: there holes are left to chance.
             blends = traits.filtered_holes and not self._replays
             least_share = least_share_of(samples, hittable)
-            vertices = PathVertices(scene, traits, direct_only, blends, least_share)
+            vertices = PathVertices(scene, traits, direct_only, blends, least_share, self.soft_terminator)
 
             first = FirstFootprint.of(self._pixel_filter, self._offset, ray, samples)
             # Beyond the first scattering each of so many samples stands for its part of the pixel.

@@ -127,6 +127,11 @@ class RenderSettings:
         names = ("spp", "seed", "exposure", "white_balance", "denoise")
         return {name: getattr(self, name) for name in names}
 
+    @property
+    def soft_terminator(self) -> bool:
+        """Whether flat triangles could show at the edge of shadow: of narrow lights, not of the studio's."""
+        return self.light in ("point", "directional", "sunsky")
+
     def changed(self, **changes: Any) -> RenderSettings:
         """The settings with others of these names.
 
@@ -299,6 +304,7 @@ class RenderJob:
         setting: SceneOptions = {**self.settings.scene_options, "size": size}
         others = further_cloths(self.settings)
         shown = build_scene(self.scene, material_bsdf(material), others=others, **setting)
+        shown.integrator.soft_terminator = self.settings.soft_terminator
         if not self._inset:
             return shown, None
         if not isinstance(material.source, Fabric):

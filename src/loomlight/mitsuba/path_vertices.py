@@ -102,16 +102,17 @@ class PathVertices:
     """Steps that every vertex of a path takes in one scene."""
 
     def __init__(
-        self, scene: Any, traits: SceneTraits, direct_only: bool, blends: bool, least_share: Float
+        self, scene: Any, traits: SceneTraits, direct_only: bool, blends: bool, least_share: Float, soft: bool
     ) -> None:
         """
         Args:
+            soft: shadow rays begin on the smooth surface; see `above_triangle`.
             direct_only: paths end with the first light sample, and no drawn direction can hit an emitter.
             blends: `Scattering.through` is asked for.
             least_share: of noisy light through holes; less is left to Russian roulette.
         """
         self._scene = scene
-        self._traits = traits
+        self._traits, self._soft_terminator = traits, soft
         self._direct_only = direct_only
         self._blends = blends
         self._least_share = least_share if traits.hittable_emitters else mi.Float(_LEAST_SHARE)
@@ -153,17 +154,18 @@ class PathVertices:
         lit = active & mi.has_flag(si.bsdf().flags(), mi.BSDFFlags.Smooth)
         ds, arriving = self._scene.sample_emitter_direction(si, sampler.next_2d(), False, lit)
         lit &= ds.pdf != 0
+        origin = above_triangle(si, ds.d, lit) if self._soft_terminator else si
         # Rays to points and along directions are coherent: Embree then takes them together, which makes
         # pictures of direct light a sixth faster.
         coherent = not self._traits.hittable_emitters
         if self._traits.porous_shadows:
             # Where no light arrives the BSDF need not be evaluated.
             arriving *= _transmittance(
-                self._scene, si, ds.p, path, coherent, sampler.next_1d(), self._least_share, lit
+                self._scene, origin, ds.p, path, coherent, sampler.next_1d(), self._least_share, lit
             )
             lit &= dr.max(arriving) > 0
         else:
-            lit &= ~self._scene.ray_test(si.spawn_ray_to(ds.p), coherent, lit)
+            lit &= ~self._scene.ray_test(origin.spawn_ray_to(ds.p), coherent, lit)
         return LightSample(ds, si.to_local(ds.d), arriving, lit)
 
     def enters(self, si: mi.SurfaceInteraction3f, valid: Mask, bounces: Mask) -> Mask:
@@ -284,6 +286,29 @@ class PathVertices:
 
         results: tuple[Any, Any] = dr.dispatch(bsdf, call, si, light.to_light, light.lit, enters)
         return results
+
+
+def above_triangle(si: Any, towards: Vec3, active: Mask) -> Any:
+    """`si` moved from a flat triangle to the smooth surface that its vertex normals stand for.
+
+    Shadows that neighbouring triangles cast end where the shading does. Source: Hanika, "Hacking the shadow
+    terminator", Ray Tracing Gems II (2021), chapter 4.
+
+    Args:
+        towards: the light; the surface bulges to its side.
+    """
+    mesh = mi.MeshPtr(si.shape)
+    smooth = active & si.shape.is_mesh() & mesh.has_vertex_normals()
+    corners = mesh.face_indices(si.prim_index, smooth)
+    a, b, c = (mesh.vertex_position(corner, smooth) - si.p for corner in corners)
+    area, moved = dr.cross(b - a, c - a), mi.Vector3f(0)
+    for corner, place, one, other in zip(corners, (a, b, c), (b, c, a), (c, a, b), strict=True):
+        normal = dr.mulsign(mesh.vertex_normal(corner, smooth), dr.dot(si.sh_frame.n, towards))
+        weight = dr.dot(dr.cross(one, other), area) * dr.rcp(dr.squared_norm(area))
+        moved += weight * maximum(dr.dot(place, normal), 0) * normal
+    found = mi.SurfaceInteraction3f(si)
+    found.p = si.p + dr.select(smooth & dr.isfinite(dr.squared_norm(moved)), moved, 0)
+    return found
 
 
 def reflected(light: LightSample, scattering: Scattering, throughput: Color3) -> Color3:

@@ -42,6 +42,7 @@ def turntable(
     whole: SceneOptions = {**settings.scene_options, "zoom": 1.0}
     bsdf, others = material_bsdf(shown_material(material, settings)), further_cloths(settings)
     shown = build_scene(scene, bsdf, others=others, **whole)
+    shown.integrator.soft_terminator = settings.soft_terminator
     turning = Turntable(shown, settings.zoom, about_middle=settings.mesh is not None)
     yield from turning.pictures(count, **settings.picture_options)
 
