@@ -66,7 +66,7 @@ def test_sampling_of_the_point_model() -> None:
     numbers = random_numbers(rng, COUNT)
     body = (
         "let q = default_quality(); let back = view.z < 0.0; let at = surface_at(fabric, x, y, back);"
-        "let p = yarn_point_of(fabric, at, back, at.hole, NO_DETAIL);"
+        "let p = yarn_point_of(fabric, at, view, back, at.hole, NO_DETAIL);"
         "let s = sample_point(fabric, q, p, view, choice, u); let d = point_pdf(fabric, p, light, view);"
         "let f = s.weight * s.pdf;"
     )

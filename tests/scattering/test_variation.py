@@ -86,7 +86,7 @@ def test_varied_albedos_stay_inside_the_bound() -> None:
     given = albedos_from_colour(rng.random((count, 3)), rng.random(count), rng.random(count), depth)
     colours = tuple(jit.Array3f(values.T.astype(np.float32)) for values in given)
     thread = dr.arange(jit.UInt32, count)
-    varied = vary_albedos(colours, thread, thread + 9, 1.0, 1.0, 7, layer_albedo_bound(depth))
+    varied = vary_albedos(colours, thread, thread + 9, (1.0, 1.0, jit.UInt32(7), layer_albedo_bound(depth)))
     rows = Albedos(*(np.minimum(values.numpy().T.astype(float), 1) for values in varied))
     assert all(values.numpy().max() < 1 + 1e-6 for values in varied)
     check_albedos(rows, "warp", depth)

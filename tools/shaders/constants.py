@@ -54,10 +54,12 @@ from loomlight.scattering import (
     detail,
     directions,
     fibre,
+    hairs,
     lobe_mixture,
     openness,
     sheen,
     sheen_coefficients,
+    unevenness,
     variation,
 )
 from loomlight.yarn import flanks, max_heights, rays, runs, search, threads
@@ -82,6 +84,7 @@ MODULES: dict[str, tuple[ModuleType, ...]] = {
         fibre,
         flanks,
         groups,
+        hairs,
         hemisphere,
         joint_lookup,
         lobe_bsdf,
@@ -97,6 +100,7 @@ MODULES: dict[str, tuple[ModuleType, ...]] = {
         runs,
         search,
         threads,
+        unevenness,
         variation,
         visibility_rays,
         visibility_tables,

@@ -133,7 +133,8 @@ def lobes(
         )
     else:
         specular = (transmission if transmits else reflection)(facing, facing_view, *frame)
-    return diffuse, specular
+    lit = dr.select(is_transmission, 1, point.under_hairs(facing))
+    return diffuse * lit, specular * lit
 
 
 def components(

@@ -95,25 +95,7 @@ def _compares(first: Float, second: Float) -> bool:
 
 
 # Functions of Dr.Jit arrays, for formulas that take the module of array functions as an argument.
-DRJIT: Any = SimpleNamespace(
-    abs=dr.abs,
-    asin=dr.asin,
-    atan2=dr.atan2,
-    clip=clip,
-    exp=dr.exp,
-    floor=dr.floor,
-    fma=dr.fma,
-    log=dr.log,
-    log2=dr.log2,
-    maximum=maximum,
-    minimum=minimum,
-    rcp=dr.rcp,
-    rsqrt=dr.rsqrt,
-    select=dr.select,
-    sincos=dr.sincos,
-    sqrt=dr.sqrt,
-    square=dr.square,
-)
+DRJIT: Any = SimpleNamespace(**{**vars(dr), "clip": clip, "maximum": maximum, "minimum": minimum})
 
 
 def channel_mean(colour: Color3) -> Float:

@@ -7,10 +7,6 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-# Added to denominators of SMAPE; and the threshold of bright values, 1/sr.
-_SMAPE_FLOOR = 0.002
-BRIGHT = 0.01
-
 
 @dataclass(frozen=True)
 class ErrorSums:
@@ -22,8 +18,6 @@ class ErrorSums:
         absolute: Σ |p − t|.
         squared: Σ (p − t)².
         signed: Σ (p − t).
-        symmetric: Σ 2|p − t| / (p + t + 0.002).
-        bright_count, bright_symmetric: the same over t > 0.01 alone.
     """
 
     count: float = 0.0
@@ -31,9 +25,6 @@ class ErrorSums:
     absolute: float = 0.0
     squared: float = 0.0
     signed: float = 0.0
-    symmetric: float = 0.0
-    bright_count: float = 0.0
-    bright_symmetric: float = 0.0
 
     def __add__(self, other: ErrorSums) -> ErrorSums:
         return ErrorSums(*(getattr(self, f.name) + getattr(other, f.name) for f in fields(self)))
@@ -49,24 +40,13 @@ class ErrorSums:
         return self.squared / self.count if self.count else float("nan")
 
     @property
-    def smape(self) -> float:
-        """Mean of 2|p − t| / (p + t + 0.002)."""
-        return self.symmetric / self.count if self.count else float("nan")
-
-    @property
-    def bright_smape(self) -> float:
-        """SMAPE over t > 0.01 alone: the darkest queries are a third of SMAPE with little absolute error."""
-        return self.bright_symmetric / self.bright_count if self.bright_count else float("nan")
-
-    @property
     def bias(self) -> float:
         """Mean signed error over the mean of the truth; NaN without light."""
         return self.signed / self.truth if self.truth > 0 else float("nan")
 
     def values(self) -> dict[str, float]:
         """Every metric by name, and the number of values."""
-        names = ("nmae", "mse", "smape", "bright_smape", "bias")
-        return {**{name: float(getattr(self, name)) for name in names}, "count": float(self.count)}
+        return {name: float(getattr(self, name)) for name in ("nmae", "mse", "bias", "count")}
 
 
 def error_sums(predicted: ArrayLike, truth: ArrayLike) -> ErrorSums:
@@ -75,18 +55,12 @@ def error_sums(predicted: ArrayLike, truth: ArrayLike) -> ErrorSums:
     if p.shape != t.shape:
         raise ValueError(f"{p.size} predictions of {t.size} values")
     difference = p - t
-    size = np.abs(difference)
-    symmetric = 2 * size / (np.maximum(p, 0) + t + _SMAPE_FLOOR)
-    bright = t > BRIGHT
     return ErrorSums(
         count=float(t.size),
         truth=float(t.sum()),
-        absolute=float(size.sum()),
+        absolute=float(np.abs(difference).sum()),
         squared=float((difference**2).sum()),
         signed=float(difference.sum()),
-        symmetric=float(symmetric.sum()),
-        bright_count=float(bright.sum()),
-        bright_symmetric=float(symmetric[bright].sum()),
     )
 
 

@@ -181,7 +181,8 @@ def model_bsdf_class() -> type:
             edges = uv_footprint(si, self.pixel_angle)
             footprint = replace(draft_footprint(si, self.uv_size, edges), samples=self.pixel_samples)
             view = dr.select(_is_seen(si), si.wi, mi.Vector3f(0, 0, 1))
-            return self.model.at(plain(view), footprint, self._tint(si, edges, active), active)
+            footprint, tint = self.model.on_cloth(footprint), self._tint(si, edges, active)
+            return self.model.at(plain(view), footprint, tint, active)
 
         def _tint(self, si: mi.SurfaceInteraction3f, edges: tuple[Any, Any], active: Mask) -> Color3 | None:
             if self.albedo is None:

@@ -18,12 +18,14 @@ from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
 from loomlight.core.backend import ArrayTypes
 from loomlight.core.errors import InputError
+from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.file import yarn_range
 from loomlight.fabric.load import edited_fabric
 from loomlight.models.interface import Model, Parameter, Values
 from loomlight.models.live_albedos import LiveAlbedos
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.unevenness import Unevenness
 from loomlight.scattering.yarn_point import Albedos
 from loomlight.weave.draft import Threads
 from loomlight.yarn.geometry import YarnGeometry
@@ -52,6 +54,17 @@ class FabricModel(Model):
     def __init__(self, fabric: Fabric) -> None:
         self.fabric = fabric
         self.source = fabric
+        spacings = [float(np.mean(family.spacing)) for family in (fabric.layout().warp, fabric.layout().weft)]
+        self._unevenness = Unevenness(fabric.appearance(), (spacings[0], spacings[1]))
+
+    def upload(self, types: ArrayTypes) -> None:
+        """Puts the numbers of uneven threads on a backend; derived classes put theirs too."""
+        self._unevenness.upload(types)
+
+    @final
+    def on_cloth(self, footprint: Footprint) -> Footprint:
+        """The footprint in the draft, whose threads the cloth's wander about."""
+        return replace(footprint, centre=self._unevenness.place(footprint.centre))
 
     @property
     @final
@@ -100,6 +113,7 @@ class FilteredFabricModel(FabricModel):
 
     def upload(self, types: ArrayTypes) -> None:
         """Puts albedos on a backend; derived classes put theirs too."""
+        super().upload(types)
         self.means.upload(types)
 
     def literals(self) -> tuple[float, ...]:

@@ -216,6 +216,10 @@ class Model(ABC):
         """
         return type(self).for_source(source)
 
+    def on_cloth(self, footprint: Footprint) -> Footprint:
+        """The footprint of the source that one of the cloth shows: the same, but for uneven threads."""
+        return footprint
+
     def upload(self, types: ArrayTypes) -> None:
         """Puts all tables on a backend: symbolic calls may not upload any."""
         del types

@@ -169,6 +169,7 @@ class PointModel(FabricModel):
 
     def upload(self, types: ArrayTypes) -> None:
         """Puts the yarns and their parameters on a backend."""
+        super().upload(types)
         self._geometry.upload(types)
         upload_extent(self.point_model.surface, types)
         self.point_model.parameters(types)

@@ -167,6 +167,7 @@ class SampledModel(FabricModel):
 
     def upload(self, types: ArrayTypes) -> None:
         """Puts the yarns and their albedos on a backend."""
+        super().upload(types)
         surface = self.point_model.surface
         assert isinstance(surface, YarnGeometry)
         surface.upload(types)

@@ -1,4 +1,4 @@
-"""Yarns close up: plies, fibres, slubs and hairs on the smooth tube of the geometry.
+"""Yarns close up: plies, fibres and slubs on the smooth tube of the geometry.
 
 Nothing here moves the surface: normals and fibre directions turn, and diffuse albedos vary, about those of
 the smooth yarn. Every turn is a rotation of the whole frame, so tangent and normal stay perpendicular and
@@ -8,8 +8,7 @@ the energy bound of `albedo.py` holds at every point.
   linearly from edge to edge, and the grooves between plies are darker.
 - *Fibres* are long cells of the fibre coordinates. Noise that is smooth along a cell turns the normal across
   the fibre, and the fibre itself; fibres of a bundle move together.
-- *Slubs* are noise along the thread: where it is thick its margins are lighter, where it is thin darker.
-- *Hairs* are arcs that lie on the cloth; one may begin in each cell of a square grid.
+- *Slubs* are noise along the thread: where it is thick it is lighter, where it is thin darker.
 
 Turns are symmetric about 0 and gains have mean 1, so that means over many threads stay. Each part fades
 before its period falls below the side of the footprint: what a pixel cannot resolve is not drawn.
@@ -22,7 +21,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import drjit as dr
 
@@ -34,8 +32,8 @@ from loomlight.yarn.flanks import SurfacePoint
 from loomlight.yarn.threads import SECTION_ANGLE
 
 # Sine of the turn of a ply's normal at its edges, and by what share of the albedo its grooves are darker.
-PLY_EDGE_SINE = 0.42
-GROOVE_DEPTH = 0.6
+PLY_EDGE_SINE = 0.62
+GROOVE_DEPTH = 0.95
 # Turned normals see less of a dome, as light from below the yarn's own surface is lost. How much more diffuse
 # light makes up for it, over the mean of 1 − cos of the turn (`experiments/yarn_detail.py`).
 DIFFUSE_TURN_LOSS = 0.85
@@ -48,25 +46,18 @@ WAVE_SHARE = 0.5
 SLUB_LENGTH = 9.0
 # Share of the albedo that fibres vary by for each radian that they stray, and at most.
 TONE_OF_TILT, MAX_TONE = 0.5, 0.15
-# Hairs: grids of cells, a hair a cell; in widths of a fibre the side of cells, half the width of hairs, and
-# half their length from and to; and their largest sagitta over half the length.
-HAIR_LAYERS = 2
-HAIR_CELL = 17.0
-HAIR_HALF_WIDTH = 0.32
-HAIR_MIN, HAIR_MAX = 5.0, 16.0
-HAIR_CURL = 0.7
-# Sine of the turn of a hair's normal at its edges.
-HAIR_EDGE_SINE = 0.8
+# By how much darker gaps between fibres, and between bundles, are over that share.
+FIBRE_GROOVE = 4.5
+# How much of the depth varies from bundle to bundle.
+GROOVE_VARIATION = 0.5
+LOWEST_EXCESS = -0.95
 # Largest share of the albedo that slubs add or take.
-SLUB_DEPTH = 0.25
-# Part of the noise of slubs that the middle of a yarn shows; its margins show all.
-SLUB_MIDDLE = 0.4
+SLUB_DEPTH = 0.15
 
 BUNDLE_STREAM = 0x68BC21EB
 WAVE_STREAM = 0x1B56C4E9
 TILT_STREAM = 0x02E5BE93
 SLUB_STREAM = 0x51D7348D
-HAIR_STREAM = 0x3C6EF372
 
 # 1 / deviation of the sum of noises that turn normals and fibres. Uniform numbers in ±1 have the variance
 # 1/3, and smoothed along their cells 26/35 of it.
@@ -85,7 +76,6 @@ FAMILY_NUMBERS = {
     "fibre_tone": "share of the albedo that fibres vary by",
     "slub": "0 to 1",
     "slubs_per_mm": "along the thread",
-    "per_half_width": "2 / width of the yarn",
     "hairiness": "0 to 1",
 }
 
@@ -103,7 +93,6 @@ def family_numbers(detail: YarnDetail) -> dict[str, float]:
         "fibre_tone": min(TONE_OF_TILT * detail.fibre_tilt, MAX_TONE),
         "slub": detail.slub,
         "slubs_per_mm": 1 / (SLUB_LENGTH * detail.width),
-        "per_half_width": 2 / detail.width,
         "hairiness": detail.hairiness,
     }
 
@@ -118,8 +107,7 @@ class DetailNumbers:
         fibre_size: width of a fibre, millimetres.
         period: width and height of the repeat, millimetres.
         threads: of warp and of weft in the repeat.
-        seed, fibre_noise, colour_noise: see `Variation`.
-        layer_bound: see `Appearance`.
+        seed, noise: see `Variation` and `variation.NoiseNumbers`.
     """
 
     def __init__(
@@ -132,9 +120,9 @@ class DetailNumbers:
         self.period = opaque(types.Float, period)
         self.threads = opaque(types.Int32, [len(family.diffuse_reflect) for family in families])
         self.seed = opaque(types.UInt32, variation.seed)
-        self.fibre_noise = opaque(types.Float, variation.fibre_noise)
-        self.colour_noise = opaque(types.Float, variation.colour_noise)
-        self.layer_bound = opaque(types.Float, appearance.layer_bound)
+        strengths = variation.fibre_noise, variation.colour_noise, appearance.layer_bound
+        fibre, colour, bound = (opaque(types.Float, number) for number in strengths)
+        self.noise = fibre, colour, self.seed, bound
         self._families = [
             {name: opaque(types.Float, number) for name, number in family_numbers(family.detail).items()}
             for family in families
@@ -143,24 +131,6 @@ class DetailNumbers:
     def of(self, name: str, is_warp: Mask) -> Float:
         """A number of the family that shows."""
         return dr.select(is_warp, self._families[0][name], self._families[1][name])
-
-    def hairiness(self, is_warp: Mask) -> Float:
-        """Probability that a cell has a hair of that family."""
-        return self.of("hairiness", is_warp)
-
-
-@dataclass
-class Hair:
-    """The hair on top of a point.
-
-    Attributes:
-        cover: share of the footprint that it covers, 0 to 1.
-        normal, tangent: of the hair [3].
-    """
-
-    cover: Float
-    normal: Vec3
-    tangent: Vec3
 
 
 def fade(size: Float, period: Float) -> Float:
@@ -187,11 +157,13 @@ class Frame:
     Attributes:
         normal, tangent: unit vectors [3] at right angles.
         loss: mean of 1 − cos of the angle that detail turns normals by here.
+        shade: mean share of light that hairs take here.
     """
 
     normal: Vec3
     tangent: Vec3
     loss: Float
+    shade: Float = 0.0
 
 
 def turned_frame(numbers: DetailNumbers, point: SurfacePoint, back: Mask, thread: UInt, size: Float) -> Frame:
@@ -218,16 +190,15 @@ def turned_frame(numbers: DetailNumbers, point: SurfacePoint, back: Mask, thread
     normal = cosine * normal + sine * across_ply
     tangent = lean_cosine * along_ply + lean_sine * across_turned
 
-    noise = _fibre_noise(numbers, point, thread, size)
+    bundle, fibre, slope = _fibre_noise(numbers, point, thread, size)
     amount = numbers.of("fibre_tilt", point.is_warp)
     # Fibres are round.
-    tilt = noise.bundle_weight * noise.bundle_tilt + noise.weight * (noise.tilt + noise.offset)
-    tilt *= TILT_SCALE * amount
-    of_bundle, of_fibre = dr.square(noise.bundle_weight), dr.square(noise.weight)
+    tilt = TILT_SCALE * amount * (bundle.weight * bundle.tilt + fibre.weight * (fibre.tilt + fibre.offset))
+    of_bundle, of_fibre = dr.square(bundle.weight), dr.square(fibre.weight)
     variance = (NOISE_VARIANCE * (of_bundle + of_fibre) + of_fibre / 3) * TILT_SCALE**2
     loss = dr.fma(0.5 * dr.square(amount), variance, loss)
-    turn = TURN_SCALE * (noise.bundle_weight * noise.bundle_turn + noise.weight * noise.turn)
-    turn = amount * dr.fma(-noise.bundle_weight, noise.slope, turn)
+    turn = TURN_SCALE * (bundle.weight * bundle.turn + fibre.weight * fibre.turn)
+    turn = amount * dr.fma(-bundle.weight, slope, turn)
     across = dr.cross(tangent, normal)
     (sine, cosine) = dr.sincos(tilt)
     normal, across = cosine * normal + sine * across, cosine * across - sine * normal
@@ -246,53 +217,42 @@ def diffuse_gain(frame: Frame, blend: Float) -> Float:
         blend: w, the weight of the yarn normal.
     """
     returned = dr.fma(0.5 * blend, frame.normal.z - 1, 1)
-    return minimum(dr.fma(DIFFUSE_TURN_LOSS * blend, frame.loss, 1), dr.rcp(returned))
+    return minimum(dr.fma(DIFFUSE_TURN_LOSS * blend, frame.loss, 1 + frame.shade), dr.rcp(returned))
 
 
 @dataclass
-class _FibreNoise:
-    """Noise of the fibre at a point and of its bundle.
+class _Noise:
+    """Noise of the bundle or the fibre at a point.
 
     Attributes:
-        tilt, turn: of the bundle, and of the fibre, in ±1.
-        offset: position across the fibre, −1 to 1.
-        slope: of the wave, at a stray of one radian.
+        weight: of what it shows, 0 to 1.
+        tilt, turn: in ±1.
+        offset: position across it, −1 to 1.
     """
 
-    bundle_tilt: Float
-    bundle_turn: Float
-    bundle_weight: Float
+    weight: Float
     tilt: Float
     turn: Float
-    weight: Float
     offset: Float
-    slope: Float
 
 
-def _fibre_noise(numbers: DetailNumbers, point: SurfacePoint, thread: UInt, size: Float) -> _FibreNoise:
-    fibre = numbers.fibre_size
-    bundle = BUNDLE_FIBRES * fibre
-    seed = numbers.seed
-    amount = numbers.of("fibre_tilt", point.is_warp)
+def _fibre_noise(
+    numbers: DetailNumbers, point: SurfacePoint, thread: UInt, size: Float
+) -> tuple[_Noise, _Noise, Float]:
+    """Noise of the bundle and of the fibre, and the slope of the wave at a stray of one radian."""
+    fibre, seed = numbers.fibre_size, numbers.seed
     # Fibres wave together along the yarn.
     inverse = dr.rcp(WAVE_LENGTH * fibre)
-    key = hash_key(thread, seed ^ WAVE_STREAM)
-    wave, slope = _wave(key, point.fibre_along * inverse)
-    across = dr.fma(amount * WAVE_SHARE * WAVE_LENGTH * fibre, wave, point.fibre_across)
-    column, row, _ = fibre_cell(across, point.fibre_along, bundle)
-    bundle_tilt, bundle_turn = _noise(hash_key(thread, seed ^ BUNDLE_STREAM), column, row)
-    column, row, offset = fibre_cell(across, point.fibre_along, fibre)
-    tilt, turn = _noise(hash_key(thread, seed ^ TILT_STREAM), column, row)
-    return _FibreNoise(
-        bundle_tilt=bundle_tilt,
-        bundle_turn=bundle_turn,
-        bundle_weight=fade(size, bundle),
-        tilt=tilt,
-        turn=turn,
-        weight=fade(size, fibre),
-        offset=offset,
-        slope=WAVE_SHARE * slope,
-    )
+    wave, slope = _wave(hash_key(thread, seed ^ WAVE_STREAM), point.fibre_along * inverse)
+    amount = numbers.of("fibre_tilt", point.is_warp) * WAVE_SHARE * WAVE_LENGTH * fibre
+    across = dr.fma(amount, wave, point.fibre_across)
+
+    def noise(width: Float, stream: int) -> _Noise:
+        column, row, offset = fibre_cell(across, point.fibre_along, width)
+        tilt, turn = _noise(hash_key(thread, seed ^ stream), column, row)
+        return _Noise(fade(size, width), tilt, turn, offset)
+
+    return noise(BUNDLE_FIBRES * fibre, BUNDLE_STREAM), noise(fibre, TILT_STREAM), WAVE_SHARE * slope
 
 
 def fibre_cell(across: Float, along: Float, width: Float) -> tuple[Float, Float, Float]:
@@ -338,123 +298,32 @@ def _signed(bits: UInt) -> Float:
     return dr.fma(types.Float(bits) + 0.5, 2**-15, -1)
 
 
-def detail_gain(
-    numbers: DetailNumbers, point: SurfacePoint, x: Float, y: Float, back: Mask, thread: UInt, size: Float
-) -> Gain:
-    """Gain of the diffuse albedos by grooves between plies and by slubs.
+def _groove(depth: Float, offset: Float) -> tuple[Float, Float]:
+    """Excess of a gain of mean 1 that falls by `depth` at edges, ±1, of what is round; its largest."""
+    eighth = dr.square(dr.square(dr.square(offset)))
+    return depth * (1 / 9 - eighth), depth * (1 / 9)
 
-    Args:
-        x, y: draft coordinates, millimetres.
-        thread, size: see `turned_frame`.
-    """
+
+def detail_gain(numbers: DetailNumbers, point: SurfacePoint, back: Mask, thread: UInt, size: Float) -> Gain:
+    """Gain of the diffuse albedos by grooves between plies and fibres, and by slubs; see `turned_frame`."""
     period = dr.rcp(numbers.of("plies_per_mm", point.is_warp))
     weight = GROOVE_DEPTH * numbers.of("has_plies", point.is_warp) * fade(size, period)
-    # The mean of the fourth power over a ply is a fifth.
-    fourth = dr.square(dr.square(ply_offset(numbers, point, back)))
-    excess = weight * (0.2 - fourth)
-    largest = 0.2 * weight
+    excess, largest = _groove(weight, ply_offset(numbers, point, back))
 
-    noise = _fibre_noise(numbers, point, thread, size)
+    bundle, fibre, _ = _fibre_noise(numbers, point, thread, size)
     tone = numbers.of("fibre_tone", point.is_warp)
-    excess += tone * (noise.bundle_weight * noise.bundle_turn + noise.weight * noise.turn)
-    largest += tone * (noise.bundle_weight + noise.weight)
+    varied = dr.fma(GROOVE_VARIATION, bundle.tilt, 1 - GROOVE_VARIATION)
+    for noise, depth in ((bundle, varied), (fibre, 1)):
+        gap, most = _groove(FIBRE_GROOVE * tone * noise.weight * depth, noise.offset)
+        excess += dr.fma(tone * noise.weight, noise.turn, gap)
+        largest += dr.fma(tone, noise.weight, most)
 
     per_slub = numbers.of("slubs_per_mm", point.is_warp)
     weight = SLUB_DEPTH * numbers.of("slub", point.is_warp) * fade(size, dr.rcp(per_slub))
-    lengthwise = dr.select(point.is_warp, y, -x)
+    lengthwise = dr.select(point.is_warp, point.y, -point.x)
     key = hash_key(thread, numbers.seed ^ SLUB_STREAM)
     wave, _ = _wave(key, lengthwise * per_slub)
-    margin = minimum(dr.square(point.across * numbers.of("per_half_width", point.is_warp)), 1)
-    excess += weight * wave * dr.fma(1 - SLUB_MIDDLE, margin, SLUB_MIDDLE)
+    excess += weight * wave
     largest += weight
-    return Gain(excess, largest)
-
-
-def hair_at(numbers: DetailNumbers, x: Float, y: Float, back: Mask, size: Float) -> Hair:
-    """The hair on top of a point, in the frame of the face that is seen.
-
-    Args:
-        x, y: draft coordinates, millimetres.
-        size: side of the footprint, millimetres.
-    """
-    types = array_types(x)
-    x, y, size = dr.detach(x), dr.detach(y), dr.detach(types.Float(size))
-    fibre = numbers.fibre_size
-    weight = fade(size, HAIR_CELL * fibre)
-    inverse = dr.rcp(HAIR_CELL * fibre)
-    cell_x, cell_y = dr.floor(x * inverse), dr.floor(y * inverse)
-    side = dr.select(back, types.UInt32(1), types.UInt32(0))
-    key = hash_key(side, numbers.seed ^ HAIR_STREAM)
-    # A bar of the hair's width, seen by a box of the footprint's side.
-    inverse_size = dr.rcp(maximum(size, 0.25 * HAIR_HALF_WIDTH * fibre))
-    most = minimum(2 * HAIR_HALF_WIDTH * fibre * inverse_size, 1)
-
-    def add(number: Any, *best: Any) -> tuple[Any, ...]:
-        layer = number // 9
-        row = number // 3 - 3 * layer
-        column = number - 3 * row - 9 * layer
-        place_x = cell_x + types.Float(column) - 1
-        place_y = cell_y + types.Float(row) - 1
-        first = hash_bits(
-            key + layer, types.UInt32(types.Int32(place_x)) * 65536 + types.UInt32(types.Int32(place_y))
-        )
-        second = hash_bits(key, first)
-        offset_x = x * inverse - place_x - _share(first)
-        offset_y = y * inverse - place_y - _share(first >> 10)
-        sine, cosine = dr.sincos(math.pi * _share(first >> 20))
-        half = dr.fma(_share(second >> 10), HAIR_MAX - HAIR_MIN, HAIR_MIN) * (1 / HAIR_CELL)
-        along = (offset_x * cosine + offset_y * sine) * dr.rcp(half)
-        across = offset_y * cosine - offset_x * sine
-        curl = HAIR_CURL * dr.fma(2, _share(second >> 20), -1)
-        slope = 2 * curl * along
-        inverse_length = dr.rsqrt(dr.fma(slope, slope, 1))
-        # Distance from the arc, in widths of a fibre.
-        away = dr.fma(-curl * half, dr.square(along), across) * inverse_length * HAIR_CELL
-        edge = HAIR_HALF_WIDTH - abs(away)
-        cover = clip(dr.fma(edge * fibre, inverse_size, 0.5), 0, most)
-        is_warp = (second >> 30) & 1 == 1
-        exists = (_share(second) < numbers.hairiness(is_warp)) & (abs(along) < 1)
-        taken = exists & (cover > best[0])
-        # Across the hair's own direction.
-        across_x = (-sine - slope * cosine) * inverse_length
-        across_y = (cosine - slope * sine) * inverse_length
-        found = cover, across_x, across_y, away
-        return number + 1, *(dr.select(taken, new, old) for new, old in zip(found, best, strict=True))
-
-    width = dr.width(x, y, size, back)
-    zero = dr.zeros(types.Float, width)
-    start = (
-        dr.zeros(types.UInt32, width),
-        zero,
-        zero,
-        dr.ones(types.Float, width),
-        dr.zeros(types.Float, width),
-    )
-    active = types.Bool(weight > 0)
-    _, cover, across_x, across_y, away = dr.while_loop(
-        start, lambda number, *_: active & (number < 9 * HAIR_LAYERS), add, label="detail: hairs"
-    )
-    sine = clip(away * (HAIR_EDGE_SINE / HAIR_HALF_WIDTH), -HAIR_EDGE_SINE, HAIR_EDGE_SINE)
-    cosine = dr.sqrt(dr.fma(-sine, sine, 1))
-    return Hair(
-        cover=weight * cover,
-        normal=types.Vector3(sine * across_x, sine * across_y, cosine),
-        tangent=types.Vector3(across_y, -across_x, 0),
-    )
-
-
-def _share(bits: UInt) -> Float:
-    """The lowest ten bits as a number in (0, 1)."""
-    types = array_types(dr.float32_array_t(type(bits)))
-    return (types.Float(bits & 1023) + 0.5) * 2**-10
-
-
-def under_hair(frame: Frame, hair: Hair) -> Frame:
-    """The frame of a yarn point, blended with that of the hair on top by what it covers."""
-    # A fibre has no front and no rear.
-    hair_tangent = dr.select(dr.dot(frame.tangent, hair.tangent) < 0, -hair.tangent, hair.tangent)
-    normal = dr.normalize(dr.lerp(frame.normal, hair.normal, hair.cover))
-    tangent = dr.lerp(frame.tangent, hair_tangent, hair.cover)
-    tangent = dr.fma(-dr.dot(tangent, normal), normal, tangent)
-    tangent *= dr.rsqrt(maximum(dr.squared_norm(tangent), 1e-12))
-    return Frame(normal, tangent, frame.loss * (1 - hair.cover))
+    # Where grooves cross.
+    return Gain(maximum(excess, LOWEST_EXCESS), largest)

@@ -17,14 +17,10 @@ from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximu
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.detail import (
     DetailNumbers,
-    Frame,
-    Hair,
     detail_gain,
     diffuse_gain,
     fibre_cell,
-    hair_at,
     turned_frame,
-    under_hair,
 )
 from loomlight.scattering.diffuse import diffuse_pdf, diffuse_reflection, diffuse_transmission, sample_diffuse
 from loomlight.scattering.family_parameters import ALBEDO_NAMES, FamilyParameters
@@ -36,6 +32,7 @@ from loomlight.scattering.fibre import (
     sample_specular,
     transmission,
 )
+from loomlight.scattering.hairs import Hair, Hairs, under_hair
 from loomlight.scattering.interreflection import Interreflection, Scattered, bounced, scattered
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance, sheen_with_transmittance
 from loomlight.scattering.variation import FIBRES_ACROSS, vary_albedos
@@ -48,7 +45,7 @@ from loomlight.scattering.yarn_point import (
     to_face_frame,
 )
 from loomlight.yarn.flanks import SurfacePoint
-from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality, Surface
+from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality, Surface, extent_of
 from loomlight.yarn.visibility import first_hit, unoccluded
 
 
@@ -156,51 +153,50 @@ class YarnScattering:
         """
         types = array_types(x)
         point = self.surface.surface(x, y, back, ray)
-        x, y = point.x, point.y
         warp, weft = self.parameters(types)
-        albedos = Albedos(
-            *(
-                dr.select(
-                    point.is_warp,
-                    warp.albedo(number, point.warp_thread),
-                    weft.albedo(number, point.weft_thread),
-                )
-                for number in range(len(ALBEDO_NAMES))
-            )
+        hairs = self.hairs(point, back, size)
+        hair = None if hairs is None else hairs.seen(types.Vector3(0, 0, 1) if ray is None else ray[0])
+        is_warp = point.is_warp if hair is None else hair.family(point.is_warp)
+        of_warp, of_weft = (
+            [family.albedo(number, thread) for number in range(len(ALBEDO_NAMES))]
+            for family, thread in ((warp, point.warp_thread), (weft, point.weft_thread))
         )
-        hair = self.hair(x, y, back, size)
+        albedos = Albedos(*(dr.select(is_warp, *pair) for pair in zip(of_warp, of_weft, strict=True)))
         if self.varies_at(size):
-            albedos = self.varied(point, albedos, x, y, back, size, hair)
+            albedos = self.varied(point, albedos, back, size, hair)
         albedos = tinted(albedos, tint)
-        roughness = dr.select(point.is_warp, warp.roughness, weft.roughness)
-        frame = self._turned_frame(point, x, y, back, size, hair)
-        return YarnPoint(
+        roughness = dr.select(is_warp, warp.roughness, weft.roughness)
+        frame = None
+        if size is not None and self.has_detail:
+            frame = turned_frame(self.detail(types), point, back, self.thread_number(point), size)
+            frame = frame if hair is None else under_hair(frame, hair)
+        surface_normal = None if frame is None else point.normal
+        height = point.height
+        if hairs is not None and hair is not None:
+            # It lies above all yarns, which hide no light from it.
+            height = dr.fma(hair.cover, hairs.below, height)
+            surface_normal = dr.normalize(dr.lerp(surface_normal, types.Vector3(0, 0, 1), hair.cover))
+        found = YarnPoint(
             back=back,
             hole=hole,
-            x=x,
-            y=y,
-            height=point.height,
+            x=point.x,
+            y=point.y,
+            height=height,
             normal=point.normal if frame is None else frame.normal,
             tangent=point.tangent if frame is None else frame.tangent,
-            is_warp=point.is_warp,
+            is_warp=is_warp,
             roughness=roughness,
             albedos=albedos,
-            surface_normal=None if frame is None else point.normal,
+            surface_normal=surface_normal,
+            hairs=None if hair is None else (hairs, hair.cover),
             diffuse_gain=None if frame is None else diffuse_gain(frame, self.appearance.diffuse_blend),
-            bounced=self._bounced(point, albedos, roughness, back, hole, tint),
         )
+        found.bounced = self._bounced(found, tint)
+        return found
 
-    def _bounced(
-        self,
-        point: SurfacePoint,
-        albedos: Albedos,
-        roughness: Float,
-        back: Mask,
-        hole: Mask,
-        tint: Color3 | None,
-    ) -> tuple[Color3, Color3] | None:
+    def _bounced(self, point: YarnPoint, tint: Color3 | None) -> tuple[Color3, Color3] | None:
         """Albedos of light between yarns at a point, reflected and transmitted; 0 in holes."""
-        types = array_types(roughness)
+        types = array_types(point.roughness)
         between = self.between_yarns(types)
         if between is None:
             return None
@@ -209,10 +205,11 @@ class YarnScattering:
             scattered_by(tinted(Albedos(*family.mean()), tint), family.roughness, depth)
             for family in self.parameters(types)
         )
-        blocked = between.blocked_at(point.is_warp, back, point.normal.z, point.height)
-        own = scattered_by(albedos, roughness, depth)
-        reflected, transmitted = bounced(blocked, own, between.interior(warp, weft, back))
-        return dr.select(hole, 0, reflected), dr.select(hole, 0, transmitted)
+        normal = point.normal if point.surface_normal is None else point.surface_normal
+        blocked = between.blocked_at(point.is_warp, point.back, normal.z, point.height)
+        own = scattered_by(point.albedos, point.roughness, depth)
+        reflected, transmitted = bounced(blocked, own, between.interior(warp, weft, point.back))
+        return dr.select(point.hole, 0, reflected), dr.select(point.hole, 0, transmitted)
 
     @property
     def varies(self) -> bool:
@@ -221,38 +218,24 @@ class YarnScattering:
 
     def varies_at(self, size: Float | None) -> bool:
         """Whether albedos vary by chance or by what yarns show to footprints of a side; see `at`."""
-        if size is None or not self.has_detail:
-            return self.varies
-        details = self.appearance.warp.detail, self.appearance.weft.detail
-        return self.varies or any(
-            detail.plies > 1 or max(detail.fibre_tilt, detail.slub) > 0 for detail in details
-        )
+        return self.varies or (size is not None and self.has_detail)
 
-    def hair(self, x: Float, y: Float, back: Mask, size: Float | None) -> Hair | None:
-        """The hair on top of draft coordinates x, y (millimetres); None where there are none."""
-        if size is None or not self.has_detail:
+    def hairs(self, point: SurfacePoint, back: Mask, size: Float | None) -> Hairs | None:
+        """The hairs over a point; None where there are none. See `at`."""
+        types = array_types(point.height)
+        if size is None or not self.has_detail or not self.detail(types).has_hairs:
             return None
-        numbers = self.detail(array_types(x))
-        return hair_at(numbers, x, y, back, size) if numbers.has_hairs else None
+        below = extent_of(self.surface, types).high - point.height
+        return Hairs(self.detail(types), types.Vector2(point.x, point.y), below, back, size)
 
-    def _turned_frame(
-        self, point: SurfacePoint, x: Float, y: Float, back: Mask, size: Float | None, hair: Hair | None
-    ) -> Frame | None:
-        """The frame of a point of the surface with the yarn's detail; None where there is none."""
-        if size is None or not self.has_detail:
-            return None
-        thread = self.thread_number(point, x, y)
-        frame = turned_frame(self.detail(array_types(x)), point, back, thread, size)
-        return frame if hair is None else under_hair(frame, hair)
-
-    def thread_number(self, point: SurfacePoint, x: Float, y: Float) -> UInt:
-        """Number of the thread at draft coordinates x, y (millimetres) over the whole cloth, UInt32.
+    def thread_number(self, point: SurfacePoint) -> UInt:
+        """Number of the thread of a point over the whole cloth, UInt32.
 
         Were it counted within the repeat, what varies by chance would repeat with the draft.
         """
-        types = array_types(x)
+        types = array_types(point.x)
         numbers = self.detail(types)
-        position = dr.select(point.is_warp, x, y) - point.across
+        position = dr.select(point.is_warp, point.x, point.y) - point.across
         period = dr.select(point.is_warp, *numbers.period)
         threads = dr.select(point.is_warp, *numbers.threads)
         index = dr.select(point.is_warp, types.Int32(point.warp_thread), types.Int32(point.weft_thread))
@@ -263,45 +246,28 @@ class YarnScattering:
     def varied(
         self,
         point: SurfacePoint,
-        albedos: Albedos,
-        x: Float,
-        y: Float,
-        back: Mask = False,
+        old: Albedos,
+        back: Mask,
         size: Float | None = None,
         hair: Hair | None = None,
     ) -> Albedos:
-        """Albedos of the thread at draft coordinates x, y (millimetres), varied as it is there.
+        """Albedos of the thread of a point, varied as it is there.
 
         Args:
             size: see `at`.
             hair: on top, which hides grooves and slubs.
         """
-        types = array_types(x)
-        numbers = self.detail(types)
-        thread = self.thread_number(point, x, y)
+        types = array_types(point.x)
+        numbers, thread = self.detail(types), self.thread_number(point)
         column, row, _ = fibre_cell(point.fibre_across, point.fibre_along, numbers.fibre_size)
         cell = types.UInt32(types.Int32(column)) * 65536 + types.UInt32(types.Int32(dr.floor(row)))
         gain = None
         if size is not None and self.has_detail:
-            gain = detail_gain(numbers, point, x, y, back, thread, size)
+            gain = detail_gain(numbers, point, back, thread, size)
             if hair is not None:
                 gain.excess *= 1 - hair.cover
-        varied = vary_albedos(
-            (
-                albedos.diffuse_reflect,
-                albedos.diffuse_transmit,
-                albedos.specular_reflect,
-                albedos.specular_transmit,
-            ),
-            thread,
-            cell,
-            numbers.fibre_noise,
-            numbers.colour_noise,
-            numbers.seed,
-            numbers.layer_bound,
-            gain,
-        )
-        return Albedos(*varied)
+        parts = old.diffuse_reflect, old.diffuse_transmit, old.specular_reflect, old.specular_transmit
+        return Albedos(*vary_albedos(parts, thread, cell, numbers.noise, gain))
 
     def visibility(self, point: YarnPoint, light: Vec3, active: Mask = True) -> Mask:
         """Whether nothing of the cloth hides the light from the point: Bool."""
@@ -387,6 +353,7 @@ class YarnScattering:
         albedos = point.albedos
         near = albedos.diffuse_reflect * point.diffuse(diffuse_reflection(light, point.normal, blend))
         near += albedos.specular_reflect * reflection(light, view, *frame)
+        near *= point.under_hairs(light)
         far = albedos.diffuse_transmit * point.diffuse(diffuse_transmission(light, point.normal, blend))
         far += albedos.specular_transmit * transmission(light, view, *frame)
         value = dr.select(above, near, dr.select(below, far, types.Color3(0)))

@@ -8,6 +8,7 @@ the room that the energy bound leaves.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import drjit as dr
 
@@ -22,6 +23,10 @@ MAX_FIBRE_GAIN = 10.0
 # Two streams that share a seed and a thread must not share numbers.
 FIBRE_STREAM = 0x9E3779B9
 THREAD_STREAM = 0x7F4A7C15
+
+FourColours: TypeAlias = tuple[Color3, Color3, Color3, Color3]
+# From fibre to fibre and from thread to thread, 0 to 1; the seed; κ of `albedo.layer_albedo_bound`.
+NoiseNumbers: TypeAlias = tuple[Float, Float, UInt, Float]
 
 
 @dataclass
@@ -86,15 +91,8 @@ def thread_gain(thread: UInt, amount: Float, seed: UInt) -> Float:
 
 
 def vary_albedos(
-    albedos: tuple[Color3, Color3, Color3, Color3],
-    thread: UInt,
-    cell: UInt,
-    fibre_noise: Float,
-    colour_noise: Float,
-    seed: UInt,
-    layer_bound: Float,
-    detail: Gain | None = None,
-) -> tuple[Color3, Color3, Color3, Color3]:
+    albedos: FourColours, thread: UInt, cell: UInt, noise: NoiseNumbers, detail: Gain | None = None
+) -> FourColours:
     """The four albedos of one point varied by fibre and thread, still inside the energy bound.
 
     The thread's gain applies to the diffuse terms first, then that of the yarn's detail, which is made
@@ -103,10 +101,10 @@ def vary_albedos(
 
     Args:
         albedos: diffuse_reflect, diffuse_transmit, specular_reflect, specular_transmit; Color3 each.
-        thread, cell, seed: see `fibre_gain`; noises 0 to 1.
-        layer_bound: κ of `albedo.layer_albedo_bound`.
+        thread, cell: see `fibre_gain`.
         detail: of the diffuse albedos, by what the yarn shows close up; None for none.
     """
+    fibre_noise, colour_noise, seed, layer_bound = noise
     diffuse_reflect, diffuse_transmit, specular_reflect, specular_transmit = albedos
     highlight = maximum(specular_reflect, specular_transmit)
     diffuse = diffuse_reflect + diffuse_transmit

@@ -37,6 +37,7 @@ class YarnPoint:
         albedos: of its thread; None where they are not asked for.
         surface_normal: of the yarn's surface [3], which hides light; None is `normal`.
         diffuse_gain: what turned normals gain (`detail.diffuse_gain`); None is 1.
+        hairs: those over it, and the share of the footprint that one covers; None without.
         bounced: albedos of light between yarns, reflected and transmitted, Color3 each; None without.
     """
 
@@ -52,11 +53,19 @@ class YarnPoint:
     albedos: Any
     surface_normal: Any = None
     diffuse_gain: Any = None
+    hairs: Any = None
     bounced: Any = None
 
     def diffuse(self, value: Float) -> Float:
         """The diffuse term at this point, of its value for smooth yarn."""
         return value if self.diffuse_gain is None else value * self.diffuse_gain
+
+    def under_hairs(self, light: Vec3) -> Float:
+        """Share of light from a direction [3], in the frame of the face, that hairs let by."""
+        if self.hairs is None:
+            return array_types(self.x).Float(1)
+        hairs, cover = self.hairs
+        return dr.lerp(hairs.lit(light), 1, cover)
 
 
 @dataclass

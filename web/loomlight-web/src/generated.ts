@@ -6,7 +6,7 @@ export type Field = readonly [word: number, kind: "float" | "uint"];
 /** Records as buffers hold them: size in words, and fields by their names. */
 export const RECORDS = {
   Family: {
-    words: 41,
+    words: 40,
     fields: {
       "is_alike": [0, "uint"],
       "count": [1, "float"],
@@ -47,8 +47,7 @@ export const RECORDS = {
       "fibre_tone": [36, "float"],
       "slub": [37, "float"],
       "slubs_per_mm": [38, "float"],
-      "per_half_width": [39, "float"],
-      "hairiness": [40, "float"],
+      "hairiness": [39, "float"],
     },
   },
   Fabric: {
@@ -364,8 +363,8 @@ export const TEXEL_JITTER_X = 3242174889;
 export const TEXEL_JITTER_Y = 2447445413;
 
 // scattering.detail
-export const PLY_EDGE_SINE = 0.42;
-export const GROOVE_DEPTH = 0.6;
+export const PLY_EDGE_SINE = 0.62;
+export const GROOVE_DEPTH = 0.95;
 export const DIFFUSE_TURN_LOSS = 0.85;
 export const BUNDLE_FIBRES = 5.0;
 export const WAVE_LENGTH = 25.0;
@@ -373,20 +372,14 @@ export const WAVE_SHARE = 0.5;
 export const SLUB_LENGTH = 9.0;
 export const TONE_OF_TILT = 0.5;
 export const MAX_TONE = 0.15;
-export const HAIR_LAYERS = 2;
-export const HAIR_CELL = 17.0;
-export const HAIR_HALF_WIDTH = 0.32;
-export const HAIR_MIN = 5.0;
-export const HAIR_MAX = 16.0;
-export const HAIR_CURL = 0.7;
-export const HAIR_EDGE_SINE = 0.8;
-export const SLUB_DEPTH = 0.25;
-export const SLUB_MIDDLE = 0.4;
+export const FIBRE_GROOVE = 4.5;
+export const GROOVE_VARIATION = 0.5;
+export const LOWEST_EXCESS = -0.95;
+export const SLUB_DEPTH = 0.15;
 export const BUNDLE_STREAM = 1757159915;
 export const WAVE_STREAM = 458671337;
 export const TILT_STREAM = 48610963;
 export const SLUB_STREAM = 1373058189;
-export const HAIR_STREAM = 1013904242;
 export const NOISE_VARIANCE = 0.24761904761904763;
 export const TILT_SCALE = 1.0985884360051028;
 export const TURN_SCALE = 1.4209964001470128;
@@ -416,6 +409,23 @@ export const MIN_VIEW_SAMPLES = 64;
 export const MIN_VIEW_HITS = 8.0;
 export const HIDDEN_SHARE = 0.015625;
 export const GROUPS_PER_PACK = 4;
+
+// scattering.hairs
+export const HAIR_LAYERS = 2;
+export const HAIR_CELL = 17.0;
+export const HAIR_HALF_WIDTH = 0.28;
+export const HAIR_MIN = 5.0;
+export const HAIR_MAX = 16.0;
+export const HAIR_HEIGHT = 2.0;
+export const HAIR_LIFT = 6.0;
+export const HAIR_CURL = 0.7;
+export const HAIR_BEND = 0.5;
+export const HAIR_EDGE_SINE = 0.8;
+export const HAIR_SHADOW = 0.8;
+export const HAIR_BLUR = 1.0;
+export const HAIR_LEAN = 3.0;
+export const MEAN_SHADE = 0.04231972318339101;
+export const HAIR_STREAM = 1013904242;
 
 // models.lobes.hemisphere
 export const AZIMUTHS = 32;
@@ -503,6 +513,11 @@ export const SECTION_ANGLE = 1.3962634015954636;
 export const MIN_INCLINATION = 0.001;
 export const STEEPEST_SHARE = 0.95;
 export const FINEST_CELL = 0.015625;
+
+// scattering.unevenness
+export const UNEVENNESS = 0.2;
+export const UNEVEN_CELL = 4.0;
+export const UNEVEN_STREAM = 625341585;
 
 // scattering.variation
 export const FIBRES_ACROSS = 30;

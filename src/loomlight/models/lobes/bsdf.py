@@ -119,14 +119,12 @@ class LobesBsdf(FilteredBsdf):
 
         def vary(families: tuple[Albedos, Albedos]) -> tuple[Albedos, Albedos]:
             point = surface.surface(x, y, back, (view, end))
-            hair = model.hair(x, y, back, size)
+            hairs = model.hairs(point, back, size)
+            hair = None if hairs is None else hairs.seen(view)
+            is_warp = point.is_warp if hair is None else hair.family(point.is_warp)
             warp, weft = (
-                _lerp(
-                    family,
-                    model.varied(point, family, x, y, back, size, hair),
-                    dr.select(is_family, weight, 0),
-                )
-                for family, is_family in zip(families, (point.is_warp, ~point.is_warp), strict=True)
+                _lerp(old, model.varied(point, old, back, size, hair), dr.select(shown, weight, 0))
+                for old, shown in zip(families, (is_warp, ~is_warp), strict=True)
             )
             return warp, weft
 

@@ -40,6 +40,5 @@ export function detailNumbers(detail: YarnDetail, width: number, twist: number):
     ply_cosine: Math.cos(lean),
     fibre_tone: Math.min(TONE_OF_TILT * detail.fibre_tilt, MAX_TONE),
     slubs_per_mm: 1 / (SLUB_LENGTH * width),
-    per_half_width: 2 / width,
   };
 }

@@ -199,7 +199,6 @@ struct Family_std430_0
     @align(4) fibre_tone_0 : f32,
     @align(4) slub_0 : f32,
     @align(4) slubs_per_mm_0 : f32,
-    @align(4) per_half_width_0 : f32,
     @align(4) hairiness_0 : f32,
 };
 

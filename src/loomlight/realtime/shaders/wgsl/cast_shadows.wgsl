@@ -216,8 +216,6 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(6) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
-
 struct Family_std430_0
 {
     @align(4) is_alike_0 : u32,
@@ -259,11 +257,12 @@ struct Family_std430_0
     @align(4) fibre_tone_0 : f32,
     @align(4) slub_0 : f32,
     @align(4) slubs_per_mm_0 : f32,
-    @align(4) per_half_width_0 : f32,
     @align(4) hairiness_0 : f32,
 };
 
 @binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
+
+@binding(6) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
@@ -365,16 +364,31 @@ fn hash_bits_0( key_0 : u32,  cell_0 : u32) -> u32
     return scramble_0(cell_0 + key_0);
 }
 
-fn uniform_hash_0( thread_1 : u32,  cell_1 : u32,  stream_1 : u32) -> f32
+fn uneven_corner_0( key_1 : u32,  cell_1 : u32) -> f32
 {
-    return (f32(((hash_bits_0(hash_key_0(thread_1, stream_1), cell_1)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    return f32(((hash_bits_0(key_1, cell_1)) >> (u32(9)))) * 2.384185791015625e-07f - 1.0f;
+}
+
+fn uneven_octave_0( key_2 : u32,  place_0 : vec2<f32>) -> f32
+{
+    var _S4 : vec2<f32> = floor(place_0);
+    var _S5 : vec2<f32> = place_0 - _S4;
+    var _S6 : vec2<f32> = _S5 * _S5 * (vec2<f32>(3.0f) - vec2<f32>(2.0f) * _S5);
+    var _S7 : u32 = u32(i32(_S4.x)) * u32(65536) + u32(i32(_S4.y));
+    var _S8 : f32 = _S6.x;
+    return mix(mix(uneven_corner_0(key_2, _S7), uneven_corner_0(key_2, _S7 + u32(65536)), _S8), mix(uneven_corner_0(key_2, _S7 + u32(1)), uneven_corner_0(key_2, _S7 + u32(65537)), _S8), _S6.y);
+}
+
+fn uniform_hash_0( thread_1 : u32,  cell_2 : u32,  stream_1 : u32) -> f32
+{
+    return (f32(((hash_bits_0(hash_key_0(thread_1, stream_1), cell_2)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
 }
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_0 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S4 : u32 = pixel_0.x;
-    var _S5 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S4, _S5, stream_2), uniform_hash_0(_S4, _S5, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S9 : u32 = pixel_0.x;
+    var _S10 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S9, _S10, stream_2), uniform_hash_0(_S9, _S10, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_1 : u32) -> f32
@@ -401,22 +415,22 @@ fn choose_0( table_0 : u32,  count_1 : u32,  number_0 : f32) -> Choice_0
         {
             break;
         }
-        var _S6 : u32 = (low_0 + high_0) / u32(2);
-        if((scene_number_0(table_0 + _S6)) <= number_0)
+        var _S11 : u32 = (low_0 + high_0) / u32(2);
+        if((scene_number_0(table_0 + _S11)) <= number_0)
         {
-            low_0 = _S6;
+            low_0 = _S11;
         }
         else
         {
-            high_0 = _S6;
+            high_0 = _S11;
         }
     }
-    var _S7 : u32 = table_0 + low_0;
-    var _S8 : f32 = scene_number_0(_S7);
-    var _S9 : f32 = scene_number_0(_S7 + u32(1));
+    var _S12 : u32 = table_0 + low_0;
+    var _S13 : f32 = scene_number_0(_S12);
+    var _S14 : f32 = scene_number_0(_S12 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_2 = low_0;
-    choice_0.remainder_0 = saturate((number_0 - _S8) / max(_S9 - _S8, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_0 - _S13) / max(_S14 - _S13, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -427,16 +441,16 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_2 : f32) -> vec2<f32>
 {
-    var _S10 : f32 = floor(x_2 * 0.63661974668502808f + 0.5f);
-    var _S11 : f32 = x_2 - _S10 * 1.5703125f - _S10 * 0.00048375129699707f - _S10 * 7.54979012640433211e-08f;
-    var _S12 : f32 = _S11 * _S11;
-    var _S13 : f32 = ((-0.00019515295571182f * _S12 + 0.00833216123282909f) * _S12 - 0.16666655242443085f) * _S12 * _S11 + _S11;
-    var _S14 : f32 = ((0.00002443315679557f * _S12 - 0.00138873164542019f) * _S12 + 0.04166664555668831f) * _S12 * _S12 - 0.5f * _S12 + 1.0f;
-    var _S15 : u32 = (u32(i32(_S10)) & (u32(3)));
-    var _S16 : vec2<f32> = select_vector_1(((_S15 & (u32(1)))) != u32(0), vec2<f32>(_S14, _S13), vec2<f32>(_S13, _S14));
-    var _S17 : f32 = _S16.x;
-    var _S18 : f32 = _S16.y;
-    return vec2<f32>(select(_S17, - _S17, ((_S15 & (u32(2)))) != u32(0)), select(_S18, - _S18, (((_S15 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S15 : f32 = floor(x_2 * 0.63661974668502808f + 0.5f);
+    var _S16 : f32 = x_2 - _S15 * 1.5703125f - _S15 * 0.00048375129699707f - _S15 * 7.54979012640433211e-08f;
+    var _S17 : f32 = _S16 * _S16;
+    var _S18 : f32 = ((-0.00019515295571182f * _S17 + 0.00833216123282909f) * _S17 - 0.16666655242443085f) * _S17 * _S16 + _S16;
+    var _S19 : f32 = ((0.00002443315679557f * _S17 - 0.00138873164542019f) * _S17 + 0.04166664555668831f) * _S17 * _S17 - 0.5f * _S17 + 1.0f;
+    var _S20 : u32 = (u32(i32(_S15)) & (u32(3)));
+    var _S21 : vec2<f32> = select_vector_1(((_S20 & (u32(1)))) != u32(0), vec2<f32>(_S19, _S18), vec2<f32>(_S18, _S19));
+    var _S22 : f32 = _S21.x;
+    var _S23 : f32 = _S21.y;
+    return vec2<f32>(select(_S22, - _S22, ((_S20 & (u32(2)))) != u32(0)), select(_S23, - _S23, (((_S20 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
@@ -470,19 +484,19 @@ fn inverse_of_0( component_0 : f32) -> f32
 
 fn meets_node_0( node_0 : u32,  origin_0 : vec3<f32>,  inverse_0 : vec3<f32>,  nearest_0 : f32,  farthest_0 : f32) -> bool
 {
-    var _S19 : u32 = u32(6) * (node_0 - u32(1));
-    var _S20 : vec3<f32> = (vec3<f32>(scene_number_0(_S19), scene_number_0(_S19 + u32(1)), scene_number_0(_S19 + u32(2))) - origin_0) * inverse_0;
-    var _S21 : vec3<f32> = (vec3<f32>(scene_number_0(_S19 + u32(3)), scene_number_0(_S19 + u32(4)), scene_number_0(_S19 + u32(5))) - origin_0) * inverse_0;
-    var _S22 : vec3<f32> = min(_S20, _S21);
-    var _S23 : vec3<f32> = max(_S20, _S21) * vec3<f32>(1.0000004768371582f);
-    return (max(max(_S22.x, _S22.y), max(_S22.z, nearest_0))) <= (min(min(_S23.x, _S23.y), min(_S23.z, farthest_0)));
+    var _S24 : u32 = u32(6) * (node_0 - u32(1));
+    var _S25 : vec3<f32> = (vec3<f32>(scene_number_0(_S24), scene_number_0(_S24 + u32(1)), scene_number_0(_S24 + u32(2))) - origin_0) * inverse_0;
+    var _S26 : vec3<f32> = (vec3<f32>(scene_number_0(_S24 + u32(3)), scene_number_0(_S24 + u32(4)), scene_number_0(_S24 + u32(5))) - origin_0) * inverse_0;
+    var _S27 : vec3<f32> = min(_S25, _S26);
+    var _S28 : vec3<f32> = max(_S25, _S26) * vec3<f32>(1.0000004768371582f);
+    return (max(max(_S27.x, _S27.y), max(_S27.z, nearest_0))) <= (min(min(_S28.x, _S28.y), min(_S28.z, farthest_0)));
 }
 
 fn following_node_0( node_1 : u32) -> u32
 {
-    var _S24 : u32 = node_1 + u32(1);
-    var _S25 : u32 = (_S24 >> ((firstbitlow_0(_S24))));
-    return select(_S25, u32(0), _S25 == u32(1));
+    var _S29 : u32 = node_1 + u32(1);
+    var _S30 : u32 = (_S29 >> ((firstbitlow_0(_S29))));
+    return select(_S30, u32(0), _S30 == u32(1));
 }
 
 struct Hit_0
@@ -495,23 +509,23 @@ struct Hit_0
 
 fn meet_face_0( face_3 : u32,  origin_1 : vec3<f32>,  direction_0 : vec3<f32>) -> Hit_0
 {
-    var _S26 : u32 = u32(3) * face_3;
-    var _S27 : vec3<f32> = position_of_0(vertex_at_0(_S26));
-    var _S28 : vec3<f32> = position_of_0(vertex_at_0(_S26 + u32(1))) - _S27;
-    var _S29 : vec3<f32> = position_of_0(vertex_at_0(_S26 + u32(2))) - _S27;
-    var _S30 : vec3<f32> = cross(direction_0, _S29);
-    var _S31 : f32 = dot(_S28, _S30);
-    var _S32 : bool = (abs(_S31)) > 1.00000000317107685e-30f;
-    var _S33 : f32 = 1.0f / select(1.00000000317107685e-30f, _S31, _S32);
-    var _S34 : vec3<f32> = origin_1 - _S27;
-    var _S35 : vec3<f32> = cross(_S34, _S28);
+    var _S31 : u32 = u32(3) * face_3;
+    var _S32 : vec3<f32> = position_of_0(vertex_at_0(_S31));
+    var _S33 : vec3<f32> = position_of_0(vertex_at_0(_S31 + u32(1))) - _S32;
+    var _S34 : vec3<f32> = position_of_0(vertex_at_0(_S31 + u32(2))) - _S32;
+    var _S35 : vec3<f32> = cross(direction_0, _S34);
+    var _S36 : f32 = dot(_S33, _S35);
+    var _S37 : bool = (abs(_S36)) > 1.00000000317107685e-30f;
+    var _S38 : f32 = 1.0f / select(1.00000000317107685e-30f, _S36, _S37);
+    var _S39 : vec3<f32> = origin_1 - _S32;
+    var _S40 : vec3<f32> = cross(_S39, _S33);
     var hit_0 : Hit_0;
-    var _S36 : f32 = dot(_S34, _S30) * _S33;
-    hit_0.weight_b_0 = _S36;
-    var _S37 : f32 = dot(direction_0, _S35) * _S33;
-    hit_0.weight_c_0 = _S37;
-    hit_0.distance_0 = dot(_S29, _S35) * _S33;
-    hit_0.face_2 = select(u32(4294967295), face_3, ((((((_S36 >= 0.0f) & ((_S37 >= 0.0f)))) & (((_S36 + _S37) <= 1.0f)))) & (_S32)));
+    var _S41 : f32 = dot(_S39, _S35) * _S38;
+    hit_0.weight_b_0 = _S41;
+    var _S42 : f32 = dot(direction_0, _S40) * _S38;
+    hit_0.weight_c_0 = _S42;
+    hit_0.distance_0 = dot(_S34, _S40) * _S38;
+    hit_0.face_2 = select(u32(4294967295), face_3, ((((((_S41 >= 0.0f) & ((_S42 >= 0.0f)))) & (((_S41 + _S42) <= 1.0f)))) & (_S37)));
     return hit_0;
 }
 
@@ -537,8 +551,8 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_1 : vec3<f32>) -> vec3<f32>
 
 fn to_face_frame_0( direction_2 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S38 : f32 = direction_2.z;
-    return vec3<f32>(direction_2.xy, select(_S38, - _S38, back_2));
+    var _S43 : f32 = direction_2.z;
+    return vec3<f32>(direction_2.xy, select(_S43, - _S43, back_2));
 }
 
 struct Footprint_0
@@ -550,20 +564,20 @@ struct Footprint_0
 
 fn Footprint_spread_side_0( this_0 : Footprint_0) -> f32
 {
-    var _S39 : vec2<f32> = this_0.dx_0;
-    var _S40 : vec2<f32> = this_0.dy_0;
-    return sqrt(0.5f * (dot(_S39, _S39) + dot(_S40, _S40)));
+    var _S44 : vec2<f32> = this_0.dx_0;
+    var _S45 : vec2<f32> = this_0.dy_0;
+    return sqrt(0.5f * (dot(_S44, _S44) + dot(_S45, _S45)));
 }
 
 fn natural_logarithm_0( x_4 : f32) -> f32
 {
-    var _S41 : u32 = (bitcast<u32>((x_4)));
-    var m_0 : f32 = (bitcast<f32>(((((_S41 & (u32(8388607)))) | (u32(1056964608))))));
-    var _S42 : bool = m_0 < 0.70710676908493042f;
-    var exponent_0 : f32 = f32(i32((_S41 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S42);
-    var m_1 : f32 = select(m_0, m_0 + m_0, _S42) - 1.0f;
-    var _S43 : f32 = m_1 * m_1;
-    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S43 - exponent_0 * 0.00021219444170129f - 0.5f * _S43) + exponent_0 * 0.693359375f;
+    var _S46 : u32 = (bitcast<u32>((x_4)));
+    var m_0 : f32 = (bitcast<f32>(((((_S46 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S47 : bool = m_0 < 0.70710676908493042f;
+    var exponent_0 : f32 = f32(i32((_S46 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S47);
+    var m_1 : f32 = select(m_0, m_0 + m_0, _S47) - 1.0f;
+    var _S48 : f32 = m_1 * m_1;
+    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S48 - exponent_0 * 0.00021219444170129f - 0.5f * _S48) + exponent_0 * 0.693359375f;
 }
 
 fn binary_logarithm_0( x_5 : f32) -> f32
@@ -591,8 +605,8 @@ fn default_quality_0() -> SearchQuality_0
 
 fn turns_and_remainder_0( family_0 : u32,  index_3 : f32) -> vec2<f32>
 {
-    var _S44 : f32 = floor(fma(index_3, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
-    return vec2<f32>(_S44, fma(- _S44, families_0[family_0].count_0, index_3));
+    var _S49 : f32 = floor(fma(index_3, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
+    return vec2<f32>(_S49, fma(- _S49, families_0[family_0].count_0, index_3));
 }
 
 struct Cell_0
@@ -606,15 +620,15 @@ struct Cell_0
 
 fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
 {
-    var _S45 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
-    var cell_2 : Cell_0;
-    var _S46 : f32 = fma(- _S45, families_0[family_1].size_0, position_1);
-    cell_2.below_0 = _S46;
-    cell_2.above_0 = families_0[family_1].size_0 - _S46;
-    cell_2.across_0 = _S46 - 0.5f * families_0[family_1].size_0;
-    cell_2.half_width_1 = families_0[family_1].half_width_0;
-    cell_2.thread_2 = u32(clamp(turns_and_remainder_0(family_1, _S45).y, 0.0f, families_0[family_1].count_0 - 1.0f));
-    return cell_2;
+    var _S50 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
+    var cell_3 : Cell_0;
+    var _S51 : f32 = fma(- _S50, families_0[family_1].size_0, position_1);
+    cell_3.below_0 = _S51;
+    cell_3.above_0 = families_0[family_1].size_0 - _S51;
+    cell_3.across_0 = _S51 - 0.5f * families_0[family_1].size_0;
+    cell_3.half_width_1 = families_0[family_1].half_width_0;
+    cell_3.thread_2 = u32(clamp(turns_and_remainder_0(family_1, _S50).y, 0.0f, families_0[family_1].count_0 - 1.0f));
+    return cell_3;
 }
 
 fn table_number_0( index_4 : u32) -> f32
@@ -626,17 +640,17 @@ fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
 {
     var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
     var turns_1 : f32 = turns_0 - floor(turns_0);
-    var _S47 : f32 = turns_1 * families_0[family_2].period_0;
+    var _S52 : f32 = turns_1 * families_0[family_2].period_0;
     var thread_3 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
-    var _S48 : u32 = min(thread_3 + select(u32(0), u32(1), _S47 >= (table_number_0(families_0[family_2].place_table_0 + thread_3 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
-    var _S49 : u32 = families_0[family_2].place_table_0 + _S48 * u32(4);
-    var cell_3 : Cell_0;
-    cell_3.thread_2 = _S48;
-    cell_3.below_0 = _S47 - table_number_0(_S49);
-    cell_3.above_0 = table_number_0(_S49 + u32(1)) - _S47;
-    cell_3.across_0 = _S47 - table_number_0(_S49 + u32(2));
-    cell_3.half_width_1 = table_number_0(_S49 + u32(3));
-    return cell_3;
+    var _S53 : u32 = min(thread_3 + select(u32(0), u32(1), _S52 >= (table_number_0(families_0[family_2].place_table_0 + thread_3 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
+    var _S54 : u32 = families_0[family_2].place_table_0 + _S53 * u32(4);
+    var cell_4 : Cell_0;
+    cell_4.thread_2 = _S53;
+    cell_4.below_0 = _S52 - table_number_0(_S54);
+    cell_4.above_0 = table_number_0(_S54 + u32(1)) - _S52;
+    cell_4.across_0 = _S52 - table_number_0(_S54 + u32(2));
+    cell_4.half_width_1 = table_number_0(_S54 + u32(3));
+    return cell_4;
 }
 
 fn locate_0( family_3 : u32,  position_3 : f32) -> Cell_0
@@ -667,33 +681,33 @@ struct Crossing_0
 
 fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
 {
-    var _S50 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
+    var _S55 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     var shown_0 : Shown_0;
-    var _S51 : bool = !((abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1));
-    var _S52 : bool = (_S50 & (((_S51 | ((crossing_0.warp_above_0))))));
-    shown_0.is_warp_0 = _S52;
-    shown_0.hole_0 = ((!_S50) & (_S51));
-    var _S53 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S52);
-    shown_0.word_0 = _S53;
-    shown_0.on_top_0 = (((_S53 & (u32(1)))) == u32(1)) != back_3;
+    var _S56 : bool = !((abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1));
+    var _S57 : bool = (_S55 & (((_S56 | ((crossing_0.warp_above_0))))));
+    shown_0.is_warp_0 = _S57;
+    shown_0.hole_0 = ((!_S55) & (_S56));
+    var _S58 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S57);
+    shown_0.word_0 = _S58;
+    shown_0.on_top_0 = (((_S58 & (u32(1)))) == u32(1)) != back_3;
     return shown_0;
 }
 
 fn select_cell_0( is_first_0 : bool,  first_2 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
-    var cell_4 : Cell_0;
-    cell_4.thread_2 = select(second_0.thread_2, first_2.thread_2, is_first_0);
-    cell_4.across_0 = select(second_0.across_0, first_2.across_0, is_first_0);
-    cell_4.half_width_1 = select(second_0.half_width_1, first_2.half_width_1, is_first_0);
-    cell_4.below_0 = select(second_0.below_0, first_2.below_0, is_first_0);
-    cell_4.above_0 = select(second_0.above_0, first_2.above_0, is_first_0);
-    return cell_4;
+    var cell_5 : Cell_0;
+    cell_5.thread_2 = select(second_0.thread_2, first_2.thread_2, is_first_0);
+    cell_5.across_0 = select(second_0.across_0, first_2.across_0, is_first_0);
+    cell_5.half_width_1 = select(second_0.half_width_1, first_2.half_width_1, is_first_0);
+    cell_5.below_0 = select(second_0.below_0, first_2.below_0, is_first_0);
+    cell_5.above_0 = select(second_0.above_0, first_2.above_0, is_first_0);
+    return cell_5;
 }
 
 fn boundary_0( family_4 : u32,  thread_4 : u32,  step_0 : i32) -> f32
 {
-    var _S54 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_4) + step_0));
-    return fma(_S54.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S54.y) * u32(4)));
+    var _S59 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_4) + step_0));
+    return fma(_S59.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S59.y) * u32(4)));
 }
 
 fn span_0( family_5 : u32,  thread_5 : u32,  first_3 : i32,  last_0 : i32) -> f32
@@ -714,11 +728,11 @@ struct Bend_0
 
 fn bend_of_0( family_6 : u32,  thread_6 : u32) -> Bend_0
 {
-    var _S55 : u32 = families_0[family_6].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_6].is_alike_0) != u32(0));
+    var _S60 : u32 = families_0[family_6].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_6].is_alike_0) != u32(0));
     var bend_0 : Bend_0;
-    bend_0.sine_0 = table_number_0(_S55);
-    bend_0.half_tangent_0 = table_number_0(_S55 + u32(1));
-    bend_0.arc_0 = table_number_0(_S55 + u32(2));
+    bend_0.sine_0 = table_number_0(_S60);
+    bend_0.half_tangent_0 = table_number_0(_S60 + u32(1));
+    bend_0.arc_0 = table_number_0(_S60 + u32(2));
     return bend_0;
 }
 
@@ -738,29 +752,29 @@ struct Run_0
 
 fn unpack_0( own_0 : u32,  other_0 : u32,  thread_7 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
-    var _S56 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
-    var _S57 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
-    var _S58 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
-    var _S59 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
+    var _S61 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
+    var _S62 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
+    var _S63 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
+    var _S64 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
     var run_0 : Run_0;
-    var _S60 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
-    run_0.straight_0 = _S60;
-    var _S61 : i32 = - _S56;
-    var _S62 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S61, i32(0));
-    run_0.from_start_0 = _S62;
-    var _S63 : i32 = _S57 + i32(1);
-    var _S64 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S63);
-    run_0.to_end_0 = _S64;
-    var _S65 : bool = _S62 < _S64;
-    run_0.near_start_0 = _S65;
-    var _S66 : i32 = select(_S63, _S61 - _S58, _S65);
-    var _S67 : i32 = select(_S63 + _S59, _S61, _S65);
+    var _S65 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
+    run_0.straight_0 = _S65;
+    var _S66 : i32 = - _S61;
+    var _S67 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S66, i32(0));
+    run_0.from_start_0 = _S67;
+    var _S68 : i32 = _S62 + i32(1);
+    var _S69 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S68);
+    run_0.to_end_0 = _S69;
+    var _S70 : bool = _S67 < _S69;
+    run_0.near_start_0 = _S70;
+    var _S71 : i32 = select(_S68, _S66 - _S63, _S70);
+    var _S72 : i32 = select(_S68 + _S64, _S66, _S70);
     run_0.bend_1 = bend_of_0(own_0, thread_7);
-    run_0.distance_1 = select(min(_S62, _S64), 1.0e+06f, _S60);
-    run_0.reach_0 = min(0.5f * (_S62 + _S64), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S66, _S67), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S56 == i32(0);
-    run_0.last_crossing_0 = _S57 == i32(0);
+    run_0.distance_1 = select(min(_S67, _S69), 1.0e+06f, _S65);
+    run_0.reach_0 = min(0.5f * (_S67 + _S69), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S71, _S72), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S61 == i32(0);
+    run_0.last_crossing_0 = _S62 == i32(0);
     return run_0;
 }
 
@@ -776,16 +790,16 @@ struct Section_0
      slope_0 : f32,
 };
 
-fn section_at_0( cell_5 : Cell_0) -> Section_0
+fn section_at_0( cell_6 : Cell_0) -> Section_0
 {
-    var _S68 : f32 = cell_5.half_width_1 * 1.0154266357421875f;
+    var _S73 : f32 = cell_6.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S69 : f32 = clamp(cell_5.across_0, - cell_5.half_width_1, cell_5.half_width_1);
-    section_0.across_1 = _S69;
-    var _S70 : f32 = _S68 * _S68 - square_1(_S69);
-    var _S71 : f32 = rsqrt_0(_S70);
-    section_0.drop_0 = _S68 - _S70 * _S71;
-    section_0.slope_0 = - _S69 * _S71;
+    var _S74 : f32 = clamp(cell_6.across_0, - cell_6.half_width_1, cell_6.half_width_1);
+    section_0.across_1 = _S74;
+    var _S75 : f32 = _S73 * _S73 - square_1(_S74);
+    var _S76 : f32 = rsqrt_0(_S75);
+    section_0.drop_0 = _S73 - _S75 * _S76;
+    section_0.slope_0 = - _S74 * _S76;
     return section_0;
 }
 
@@ -796,33 +810,33 @@ fn edge_drop_0( family_7 : u32,  thread_8 : u32,  step_1 : i32) -> f32
 
 fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec3<f32>
 {
-    var _S72 : bool = (crossed_1.below_0) < (crossed_1.above_0);
-    var _S73 : f32 = min(crossed_1.below_0, crossed_1.above_0);
-    var _S74 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S72) - crossed_1.half_width_1;
-    var _S75 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S72);
-    var _S76 : f32;
+    var _S77 : bool = (crossed_1.below_0) < (crossed_1.above_0);
+    var _S78 : f32 = min(crossed_1.below_0, crossed_1.above_0);
+    var _S79 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S77) - crossed_1.half_width_1;
+    var _S80 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S77);
+    var _S81 : f32;
     if(shown_1.on_top_0)
     {
-        _S76 = 0.0f;
+        _S81 = 0.0f;
     }
     else
     {
-        _S76 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
+        _S81 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
     }
-    var _S77 : f32;
-    if((shown_1.on_top_0) != _S75)
+    var _S82 : f32;
+    if((shown_1.on_top_0) != _S80)
     {
-        _S77 = 0.0f;
+        _S82 = 0.0f;
     }
     else
     {
-        _S77 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S72));
+        _S82 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S77));
     }
-    var _S78 : f32 = 2.0f * _S74;
-    var _S79 : f32 = 1.0f / max(_S78, 9.999999960041972e-13f);
-    var _S80 : f32 = clamp((_S74 - _S73) * _S79, 0.0f, 1.0f);
-    var _S81 : f32 = clamp((0.44999998807907104f - _S78 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
-    return vec3<f32>(_S76 + (_S77 - _S76) * (_S80 * _S80 * (3.0f - 2.0f * _S80)), (_S76 - _S77) * (6.0f * _S80 * (1.0f - _S80) * _S79) * select(-1.0f, 1.0f, _S72), _S81 * _S81 * (3.0f - 2.0f * _S81));
+    var _S83 : f32 = 2.0f * _S79;
+    var _S84 : f32 = 1.0f / max(_S83, 9.999999960041972e-13f);
+    var _S85 : f32 = clamp((_S79 - _S78) * _S84, 0.0f, 1.0f);
+    var _S86 : f32 = clamp((0.44999998807907104f - _S83 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
+    return vec3<f32>(_S81 + (_S82 - _S81) * (_S85 * _S85 * (3.0f - 2.0f * _S85)), (_S81 - _S82) * (6.0f * _S85 * (1.0f - _S85) * _S84) * select(-1.0f, 1.0f, _S77), _S86 * _S86 * (3.0f - 2.0f * _S86));
 }
 
 struct StepControl_0
@@ -840,12 +854,12 @@ fn step_control_0( direction_3 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S82 : f32 = direction_3.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S82), 9.99999971718068537e-10f);
-    var _S83 : f32 = direction_3.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S83), 9.99999971718068537e-10f);
-    control_0.right_0 = _S82 > 0.0f;
-    control_0.up_0 = _S83 > 0.0f;
+    var _S87 : f32 = direction_3.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S87), 9.99999971718068537e-10f);
+    var _S88 : f32 = direction_3.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S88), 9.99999971718068537e-10f);
+    control_0.right_0 = _S87 > 0.0f;
+    control_0.up_0 = _S88 > 0.0f;
     return control_0;
 }
 
@@ -867,21 +881,21 @@ fn no_previous_sample_0() -> PreviousSample_0
     return previous_0;
 }
 
-fn outline_distance_0( cell_6 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
+fn outline_distance_0( cell_7 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
 {
-    var _S84 : f32 = select(- cell_6.across_0, cell_6.across_0, forwards_0);
-    var _S85 : f32 = select(cell_6.below_0, cell_6.above_0, forwards_0);
-    var _S86 : f32 = - cell_6.half_width_1;
-    var _S87 : bool = _S84 < _S86;
-    var _S88 : bool = _S84 >= (cell_6.half_width_1);
-    var _S89 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
-    var _S90 : f32 = select(cell_6.half_width_1, _S86, _S87) - _S84;
-    var _S91 : f32 = select(_S85, 2.0f * _S85 + _S84 - cell_6.half_width_1, ((shown_2.hole_0) | (((_S89 & ((!shown_2.on_top_0)))))));
-    if((((_S89 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S87)))))))
+    var _S89 : f32 = select(- cell_7.across_0, cell_7.across_0, forwards_0);
+    var _S90 : f32 = select(cell_7.below_0, cell_7.above_0, forwards_0);
+    var _S91 : f32 = - cell_7.half_width_1;
+    var _S92 : bool = _S89 < _S91;
+    var _S93 : bool = _S89 >= (cell_7.half_width_1);
+    var _S94 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
+    var _S95 : f32 = select(cell_7.half_width_1, _S91, _S92) - _S89;
+    var _S96 : f32 = select(_S90, 2.0f * _S90 + _S89 - cell_7.half_width_1, ((shown_2.hole_0) | (((_S94 & ((!shown_2.on_top_0)))))));
+    if((((_S94 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S92)))))))
     {
         return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
     }
-    return select(_S90, _S91, _S88);
+    return select(_S95, _S96, _S93);
 }
 
 struct Probe_0
@@ -900,21 +914,21 @@ struct Probe_0
 
 fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
 {
-    var _S92 : f32 = previous_1.rate_0 * step_4;
-    var _S93 : f32 = rate_1 * step_4;
+    var _S97 : f32 = previous_1.rate_0 * step_4;
+    var _S98 : f32 = rate_1 * step_4;
     if(((((((((!previous_1.known_0) | ((here_0.hole_1)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((((3.0f * previous_1.clearance_0 + _S92) >= 0.0f) & (((3.0f * clearance_1 - _S93) >= 0.0f))))
+    if((((3.0f * previous_1.clearance_0 + _S97) >= 0.0f) & (((3.0f * clearance_1 - _S98) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S94 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S95 : f32 = 6.0f * _S94 - 4.0f * _S92 - 2.0f * _S93;
-    var _S96 : f32 = -2.0f * _S92 / max(_S95 + sqrt(max(_S95 * _S95 - 4.0f * (3.0f * (_S92 + _S93 - 2.0f * _S94)) * _S92, 0.0f)), 9.99999968265522539e-21f);
-    var _S97 : f32 = 1.0f - _S96;
-    return select(-1.0f, _S97 * step_4, ((((_S96 > 0.01999999955296516f) & ((_S97 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S96 + 1.0f) + _S92 * _S96) * _S97 * _S97 + (clearance_1 * (2.0f * _S97 + 1.0f) - _S93 * _S97) * _S96 * _S96) < 0.0f))));
+    var _S99 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S100 : f32 = 6.0f * _S99 - 4.0f * _S97 - 2.0f * _S98;
+    var _S101 : f32 = -2.0f * _S97 / max(_S100 + sqrt(max(_S100 * _S100 - 4.0f * (3.0f * (_S97 + _S98 - 2.0f * _S99)) * _S97, 0.0f)), 9.99999968265522539e-21f);
+    var _S102 : f32 = 1.0f - _S101;
+    return select(-1.0f, _S102 * step_4, ((((_S101 > 0.01999999955296516f) & ((_S102 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S101 + 1.0f) + _S97 * _S101) * _S102 * _S102 + (clearance_1 * (2.0f * _S102 + 1.0f) - _S98 * _S102) * _S101 * _S101) < 0.0f))));
 }
 
 fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
@@ -934,8 +948,8 @@ fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_1 : f32,  side_y_
 
 fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S98 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
-    return min(this_2.step_2, select(max(_S98, 0.0f) + this_2.epsilon_0, _S98 - this_2.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S98 + clearance_3) < 0.0f)))) & ((_S98 > (2.0f * this_2.epsilon_0))))));
+    var _S103 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
+    return min(this_2.step_2, select(max(_S103, 0.0f) + this_2.epsilon_0, _S103 - this_2.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S103 + clearance_3) < 0.0f)))) & ((_S103 > (2.0f * this_2.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -956,10 +970,10 @@ fn ViewRay_rate_0( this_4 : ViewRay_0,  here_3 : Probe_0) -> f32
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S99 : f32 = end_0 - start_1;
-    var _S100 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S99;
-    var _S101 : f32 = 3.0f * _S99 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S99, 9.99999968265522539e-21f);
+    var _S104 : f32 = end_0 - start_1;
+    var _S105 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S104;
+    var _S106 : f32 = 3.0f * _S104 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S104, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -970,10 +984,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S102 : f32 = clamp(share_1 - (((_S100 * share_1 + _S101) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S100 * share_1 + 2.0f * _S101) * share_1 + start_rate_0, 0.10000000149011612f * _S99 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S103 : i32 = i_0 + i32(1);
-        share_1 = _S102;
-        i_0 = _S103;
+        var _S107 : f32 = clamp(share_1 - (((_S105 * share_1 + _S106) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S105 * share_1 + 2.0f * _S106) * share_1 + start_rate_0, 0.10000000149011612f * _S104 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S108 : i32 = i_0 + i32(1);
+        share_1 = _S107;
+        i_0 = _S108;
     }
     return share_1;
 }
@@ -995,10 +1009,10 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
 
 fn arc_tangent_0( y_3 : f32,  x_8 : f32) -> f32
 {
-    var _S104 : f32 = abs(x_8);
-    var _S105 : f32 = abs(y_3);
-    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S104, _S105) / max(max(_S104, _S105), 1.00000000317107685e-30f));
-    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S105 > _S104);
+    var _S109 : f32 = abs(x_8);
+    var _S110 : f32 = abs(y_3);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S109, _S110) / max(max(_S109, _S110), 1.00000000317107685e-30f));
+    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S110 > _S109);
     var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_8 < 0.0f);
     return select(angle_2, - angle_2, y_3 < 0.0f);
 }
@@ -1012,32 +1026,32 @@ struct NodeTaps_0
 
 fn node_taps_of_0( direction_4 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
 {
-    var _S106 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
-    var _S107 : f32 = floor(_S106);
-    var _S108 : f32 = _S106 - _S107;
-    var _S109 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    var _S110 : f32 = 7.0f * _S109 * sqrt(_S109);
-    var _S111 : f32 = min(floor(_S110), 6.0f);
-    var _S112 : f32 = _S110 - _S111;
-    var _S113 : u32 = u32(i32(_S107) + i32(azimuths_0)) % azimuths_0;
-    var _S114 : u32 = u32(_S111);
-    var _S115 : u32 = _S113 * u32(8) + _S114;
-    var _S116 : u32 = (_S113 + u32(1)) % azimuths_0;
-    var _S117 : u32 = _S116 * u32(8) + _S114;
+    var _S111 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
+    var _S112 : f32 = floor(_S111);
+    var _S113 : f32 = _S111 - _S112;
+    var _S114 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    var _S115 : f32 = 7.0f * _S114 * sqrt(_S114);
+    var _S116 : f32 = min(floor(_S115), 6.0f);
+    var _S117 : f32 = _S115 - _S116;
+    var _S118 : u32 = u32(i32(_S112) + i32(azimuths_0)) % azimuths_0;
+    var _S119 : u32 = u32(_S116);
+    var _S120 : u32 = _S118 * u32(8) + _S119;
+    var _S121 : u32 = (_S118 + u32(1)) % azimuths_0;
+    var _S122 : u32 = _S121 * u32(8) + _S119;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S115, _S115 + u32(1), _S117, _S117 + u32(1));
-    var _S118 : f32 = 1.0f - _S108;
-    var _S119 : f32 = 1.0f - _S112;
-    var _S120 : vec4<u32> = vec4<u32>(vec4<f32>(_S118 * _S119, _S118 * _S112, _S108 * _S119, _S108 * _S112) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S120;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S120.x + _S120.y + _S120.z + _S120.w);
+    taps_0.nodes_0 = vec4<u32>(_S120, _S120 + u32(1), _S122, _S122 + u32(1));
+    var _S123 : f32 = 1.0f - _S113;
+    var _S124 : f32 = 1.0f - _S117;
+    var _S125 : vec4<u32> = vec4<u32>(vec4<f32>(_S123 * _S124, _S123 * _S117, _S113 * _S124, _S113 * _S117) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S125;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S125.x + _S125.y + _S125.z + _S125.w);
     return taps_0;
 }
 
 fn node_taps_0( direction_5 : vec3<f32>) -> NodeTaps_0
 {
-    var _S121 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
-    return _S121;
+    var _S126 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
+    return _S126;
 }
 
 fn wrapped_cell_0( position_4 : f32,  count_2 : f32) -> f32
@@ -1052,16 +1066,16 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_1 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S122 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S123 : vec4<u32> = ((packs_1 & (_S122))) * taps_1.weights_0;
-    var _S124 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S122))) * taps_1.weights_0;
-    return bytes_of_sums_0(_S123.x + _S123.y + _S123.z + _S123.w, _S124.x + _S124.y + _S124.z + _S124.w) * vec4<f32>(taps_1.inverse_sum_0);
+    var _S127 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S128 : vec4<u32> = ((packs_1 & (_S127))) * taps_1.weights_0;
+    var _S129 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S127))) * taps_1.weights_0;
+    return bytes_of_sums_0(_S128.x + _S128.y + _S128.z + _S128.w, _S129.x + _S129.y + _S129.z + _S129.w) * vec4<f32>(taps_1.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_2 : NodeTaps_0,  table_1 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S125 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_2, vec4<u32>(words_0[_S125.x], words_0[_S125.y], words_0[_S125.z], words_0[_S125.w]));
+    var _S130 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_2, vec4<u32>(words_0[_S130.x], words_0[_S130.y], words_0[_S130.z], words_0[_S130.w]));
 }
 
 fn sheen_scale_0( x_9 : f32,  y_4 : f32) -> f32
@@ -1081,18 +1095,18 @@ fn sheen_reflectance_0( x_11 : f32,  y_6 : f32) -> f32
 
 fn exponential_0( x_12 : f32) -> f32
 {
-    var _S126 : f32 = clamp(x_12, -87.0f, 88.0f);
-    var _S127 : f32 = floor(_S126 * 1.4426950216293335f + 0.5f);
-    var _S128 : f32 = _S126 - _S127 * 0.693359375f + _S127 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S128 + 0.00139819993637502f) * _S128 + 0.00833345204591751f) * _S128 + 0.04166579619050026f) * _S128 + 0.1666666567325592f) * _S128 + 0.5f) * _S128 * _S128 + _S128 + 1.0f) * (bitcast<f32>(((u32(i32(_S127) + i32(127)) << (u32(23)))))), 0.0f, x_12 < -87.0f);
+    var _S131 : f32 = clamp(x_12, -87.0f, 88.0f);
+    var _S132 : f32 = floor(_S131 * 1.4426950216293335f + 0.5f);
+    var _S133 : f32 = _S131 - _S132 * 0.693359375f + _S132 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S133 + 0.00139819993637502f) * _S133 + 0.00833345204591751f) * _S133 + 0.04166579619050026f) * _S133 + 0.1666666567325592f) * _S133 + 0.5f) * _S133 * _S133 + _S133 + 1.0f) * (bitcast<f32>(((u32(i32(_S132) + i32(127)) << (u32(23)))))), 0.0f, x_12 < -87.0f);
 }
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S129 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S130 : f32 = 2.0f * sqrt(_S129) - 1.0f;
-    var _S131 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S130, _S131), 0.00999999977648258f, 1.0f), clamp((1.0f - _S129) * sheen_shear_0(_S130, _S131), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S130, _S131), -60.0f, 60.0f))));
+    var _S134 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S135 : f32 = 2.0f * sqrt(_S134) - 1.0f;
+    var _S136 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S135, _S136), 0.00999999977648258f, 1.0f), clamp((1.0f - _S134) * sheen_shear_0(_S135, _S136), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S135, _S136), -60.0f, 60.0f))));
 }
 
 fn camera_right_0() -> vec3<f32>
@@ -1115,80 +1129,97 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S132 : u32,  _S133 : u32,  _S134 : f32,  _S135 : f32) -> VisiblePoint_0
+fn uneven_shift_0( _S137 : u32,  _S138 : u32,  _S139 : u32,  _S140 : vec2<f32>) -> f32
 {
-    var _S136 : u32 = u32(3) * _S133;
-    var _S137 : Vertex_0 = vertex_at_0(_S136);
-    var _S138 : Vertex_0 = vertex_at_0(_S136 + u32(1));
-    var _S139 : Vertex_0 = vertex_at_0(_S136 + u32(2));
-    var _S140 : vec3<f32> = position_of_0(_S137);
-    var _S141 : vec3<f32> = position_of_0(_S138) - _S140;
-    var _S142 : vec3<f32> = position_of_0(_S139) - _S140;
-    var _S143 : f32 = _S138.u_0 - _S137.u_0;
-    var _S144 : f32 = _S138.v_0 - _S137.v_0;
-    var _S145 : vec2<f32> = vec2<f32>(_S143, _S144);
-    var _S146 : f32 = _S139.u_0 - _S137.u_0;
-    var _S147 : f32 = _S139.v_0 - _S137.v_0;
-    var _S148 : vec2<f32> = vec2<f32>(_S146, _S147);
-    var _S149 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S143 * _S147 - _S144 * _S146) < 0.0f));
-    var _S150 : vec3<f32> = _S149 * (vec3<f32>(_S147) * _S141 - vec3<f32>(_S144) * _S142);
-    var _S151 : vec3<f32> = _S149 * (vec3<f32>(_S143) * _S142 - vec3<f32>(_S146) * _S141);
+    var _S141 : f32 = families_0[_S139].period_0 / families_0[_S139].count_0;
+    var _S142 : u32 = hash_key_0(_S138, ((fabrics_0[_S137].seed_0) ^ (u32(625341585))));
+    var _S143 : vec2<f32> = vec2<f32>(_S140.x, _S140.y / 4.0f) / vec2<f32>(_S141);
+    return 0.20000000298023224f * sqrt(families_0[_S139].slub_0) * _S141 * (uneven_octave_0(_S142, _S143) * 0.66666668653488159f + uneven_octave_0(_S142 + u32(1), vec2<f32>(2.0f) * _S143 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+}
+
+fn uneven_place_0( _S144 : u32,  _S145 : vec2<f32>) -> vec2<f32>
+{
+    if((fabrics_0[_S144].has_detail_0) == u32(0))
+    {
+        return _S145;
+    }
+    return _S145 + vec2<f32>(uneven_shift_0(_S144, u32(0), fabrics_0[_S144].warp_0, _S145), uneven_shift_0(_S144, u32(1), fabrics_0[_S144].weft_0, _S145.yx));
+}
+
+fn face_point_0( _S146 : u32,  _S147 : u32,  _S148 : f32,  _S149 : f32) -> VisiblePoint_0
+{
+    var _S150 : u32 = u32(3) * _S147;
+    var _S151 : Vertex_0 = vertex_at_0(_S150);
+    var _S152 : Vertex_0 = vertex_at_0(_S150 + u32(1));
+    var _S153 : Vertex_0 = vertex_at_0(_S150 + u32(2));
+    var _S154 : vec3<f32> = position_of_0(_S151);
+    var _S155 : vec3<f32> = position_of_0(_S152) - _S154;
+    var _S156 : vec3<f32> = position_of_0(_S153) - _S154;
+    var _S157 : f32 = _S152.u_0 - _S151.u_0;
+    var _S158 : f32 = _S152.v_0 - _S151.v_0;
+    var _S159 : vec2<f32> = vec2<f32>(_S157, _S158);
+    var _S160 : f32 = _S153.u_0 - _S151.u_0;
+    var _S161 : f32 = _S153.v_0 - _S151.v_0;
+    var _S162 : vec2<f32> = vec2<f32>(_S160, _S161);
+    var _S163 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S157 * _S161 - _S158 * _S160) < 0.0f));
+    var _S164 : vec3<f32> = _S163 * (vec3<f32>(_S161) * _S155 - vec3<f32>(_S158) * _S156);
+    var _S165 : vec3<f32> = _S163 * (vec3<f32>(_S157) * _S156 - vec3<f32>(_S160) * _S155);
     var point_1 : VisiblePoint_0;
-    var _S152 : vec3<f32> = vec3<f32>(_S134);
-    var _S153 : vec3<f32> = vec3<f32>(_S135);
-    var _S154 : vec3<f32> = normalize(vec3<f32>((1.0f - _S134 - _S135)) * normal_of_0(_S137) + _S152 * normal_of_0(_S138) + _S153 * normal_of_0(_S139));
-    point_1.normal_0 = _S154;
-    var _S155 : vec3<f32> = normalize(_S150 - _S154 * vec3<f32>(dot(_S154, _S150)));
-    point_1.axis_x_0 = _S155;
-    point_1.axis_y_0 = cross(_S154, _S155);
-    var _S156 : vec3<f32> = normalize(cross(_S141, _S142));
-    point_1.face_normal_0 = select_vector_0((dot(_S156, _S154)) < 0.0f, (vec3<f32>(0) - _S156), _S156);
-    point_1.position_0 = _S140 + _S152 * _S141 + _S153 * _S142;
-    point_1.view_0 = _S154;
-    var _S157 : vec2<f32> = vec2<f32>(_S137.u_0, _S137.v_0) + vec2<f32>(_S134) * _S145 + vec2<f32>(_S135) * _S148;
-    point_1.uv_0 = _S157;
-    var _S158 : bool = (dot(cross(_S150, _S151), _S154)) < 0.0f;
-    var _S159 : vec2<f32> = vec2<f32>(fabrics_0[_S132].uv_width_0, select(fabrics_0[_S132].uv_height_0, - fabrics_0[_S132].uv_height_0, _S158));
-    point_1.draft_per_uv_0 = _S159;
-    point_1.draft_0 = _S157 * _S159 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S132].uv_height_0, _S158));
-    var _S160 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S160;
-    point_1.draft_dy_0 = _S160;
+    var _S166 : vec3<f32> = vec3<f32>(_S148);
+    var _S167 : vec3<f32> = vec3<f32>(_S149);
+    var _S168 : vec3<f32> = normalize(vec3<f32>((1.0f - _S148 - _S149)) * normal_of_0(_S151) + _S166 * normal_of_0(_S152) + _S167 * normal_of_0(_S153));
+    point_1.normal_0 = _S168;
+    var _S169 : vec3<f32> = normalize(_S164 - _S168 * vec3<f32>(dot(_S168, _S164)));
+    point_1.axis_x_0 = _S169;
+    point_1.axis_y_0 = cross(_S168, _S169);
+    var _S170 : vec3<f32> = normalize(cross(_S155, _S156));
+    point_1.face_normal_0 = select_vector_0((dot(_S170, _S168)) < 0.0f, (vec3<f32>(0) - _S170), _S170);
+    point_1.position_0 = _S154 + _S166 * _S155 + _S167 * _S156;
+    point_1.view_0 = _S168;
+    var _S171 : vec2<f32> = vec2<f32>(_S151.u_0, _S151.v_0) + vec2<f32>(_S148) * _S159 + vec2<f32>(_S149) * _S162;
+    point_1.uv_0 = _S171;
+    var _S172 : bool = (dot(cross(_S164, _S165), _S168)) < 0.0f;
+    var _S173 : vec2<f32> = vec2<f32>(fabrics_0[_S146].uv_width_0, select(fabrics_0[_S146].uv_height_0, - fabrics_0[_S146].uv_height_0, _S172));
+    point_1.draft_per_uv_0 = _S173;
+    point_1.draft_0 = uneven_place_0(_S146, _S171 * _S173 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S146].uv_height_0, _S172)));
+    var _S174 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S174;
+    point_1.draft_dy_0 = _S174;
     return point_1;
 }
 
-fn visible_point_0( _S161 : u32,  _S162 : u32,  _S163 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S175 : u32,  _S176 : u32,  _S177 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S164 : u32 = u32(3) * _S162;
-    var _S165 : Vertex_0 = vertex_at_0(_S164);
-    var _S166 : Vertex_0 = vertex_at_0(_S164 + u32(1));
-    var _S167 : Vertex_0 = vertex_at_0(_S164 + u32(2));
-    var _S168 : vec3<f32> = position_of_0(_S165);
-    var _S169 : vec3<f32> = position_of_0(_S166) - _S168;
-    var _S170 : vec3<f32> = position_of_0(_S167) - _S168;
-    var _S171 : vec3<f32> = cross(_S169, _S170);
-    var _S172 : f32 = f32(frame_record_0.width_0);
-    var _S173 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S172));
-    var _S174 : f32 = f32(frame_record_0.height_0);
-    var _S175 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S174));
-    var _S176 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S163.x) + 0.5f - 0.5f * _S172)) * _S173 + vec3<f32>((f32(_S163.y) + 0.5f - 0.5f * _S174)) * _S175;
-    var _S177 : f32 = dot(_S176, _S171);
-    var _S178 : f32 = 1.0f / select(1.00000000317107685e-30f, _S177, (abs(_S177)) > 1.00000000317107685e-30f);
-    var _S179 : vec3<f32> = _S168 - camera_origin_0();
-    var _S180 : vec3<f32> = vec3<f32>((dot(_S179, _S171) * _S178));
-    var _S181 : vec3<f32> = _S176 * _S180 - _S179;
-    var _S182 : vec3<f32> = _S180 * (_S173 - _S176 * vec3<f32>((dot(_S173, _S171) * _S178)));
-    var _S183 : vec3<f32> = _S180 * (_S175 - _S176 * vec3<f32>((dot(_S175, _S171) * _S178)));
-    var _S184 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S171), 1.00000000317107685e-30f)));
-    var _S185 : vec3<f32> = cross(_S170, _S171) * _S184;
-    var _S186 : vec3<f32> = cross(_S171, _S169) * _S184;
-    var _S187 : vec2<f32> = vec2<f32>(_S166.u_0 - _S165.u_0, _S166.v_0 - _S165.v_0);
-    var _S188 : vec2<f32> = vec2<f32>(_S167.u_0 - _S165.u_0, _S167.v_0 - _S165.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S161, _S162, dot(_S181, _S185), dot(_S181, _S186));
-    point_2.position_0 = _S168 + _S181;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S176));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S182, _S185)) * _S187 + vec2<f32>(dot(_S182, _S186)) * _S188) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S183, _S185)) * _S187 + vec2<f32>(dot(_S183, _S186)) * _S188) * point_2.draft_per_uv_0;
+    var _S178 : u32 = u32(3) * _S176;
+    var _S179 : Vertex_0 = vertex_at_0(_S178);
+    var _S180 : Vertex_0 = vertex_at_0(_S178 + u32(1));
+    var _S181 : Vertex_0 = vertex_at_0(_S178 + u32(2));
+    var _S182 : vec3<f32> = position_of_0(_S179);
+    var _S183 : vec3<f32> = position_of_0(_S180) - _S182;
+    var _S184 : vec3<f32> = position_of_0(_S181) - _S182;
+    var _S185 : vec3<f32> = cross(_S183, _S184);
+    var _S186 : f32 = f32(frame_record_0.width_0);
+    var _S187 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S186));
+    var _S188 : f32 = f32(frame_record_0.height_0);
+    var _S189 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S188));
+    var _S190 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S177.x) + 0.5f - 0.5f * _S186)) * _S187 + vec3<f32>((f32(_S177.y) + 0.5f - 0.5f * _S188)) * _S189;
+    var _S191 : f32 = dot(_S190, _S185);
+    var _S192 : f32 = 1.0f / select(1.00000000317107685e-30f, _S191, (abs(_S191)) > 1.00000000317107685e-30f);
+    var _S193 : vec3<f32> = _S182 - camera_origin_0();
+    var _S194 : vec3<f32> = vec3<f32>((dot(_S193, _S185) * _S192));
+    var _S195 : vec3<f32> = _S190 * _S194 - _S193;
+    var _S196 : vec3<f32> = _S194 * (_S187 - _S190 * vec3<f32>((dot(_S187, _S185) * _S192)));
+    var _S197 : vec3<f32> = _S194 * (_S189 - _S190 * vec3<f32>((dot(_S189, _S185) * _S192)));
+    var _S198 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S185), 1.00000000317107685e-30f)));
+    var _S199 : vec3<f32> = cross(_S184, _S185) * _S198;
+    var _S200 : vec3<f32> = cross(_S185, _S183) * _S198;
+    var _S201 : vec2<f32> = vec2<f32>(_S180.u_0 - _S179.u_0, _S180.v_0 - _S179.v_0);
+    var _S202 : vec2<f32> = vec2<f32>(_S181.u_0 - _S179.u_0, _S181.v_0 - _S179.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S175, _S176, dot(_S195, _S199), dot(_S195, _S200));
+    point_2.position_0 = _S182 + _S195;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S190));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S196, _S199)) * _S201 + vec2<f32>(dot(_S196, _S200)) * _S202) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S197, _S199)) * _S201 + vec2<f32>(dot(_S197, _S200)) * _S202) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -1204,80 +1235,80 @@ struct LightSample_0
      distance_2 : f32,
 };
 
-fn environment_texel_0( _S189 : u32,  _S190 : u32) -> vec3<f32>
+fn environment_texel_0( _S203 : u32,  _S204 : u32) -> vec3<f32>
 {
-    var _S191 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S189 * frame_record_0.environment_columns_0 + _S190);
-    return vec3<f32>(scene_number_0(_S191), scene_number_0(_S191 + u32(1)), scene_number_0(_S191 + u32(2)));
+    var _S205 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S203 * frame_record_0.environment_columns_0 + _S204);
+    return vec3<f32>(scene_number_0(_S205), scene_number_0(_S205 + u32(1)), scene_number_0(_S205 + u32(2)));
 }
 
-fn sample_environment_0( _S192 : vec2<f32>,  _S193 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S206 : vec2<f32>,  _S207 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S194 : u32 = frame_record_0.environment_rows_0;
-    var _S195 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S192.y);
-    var _S196 : u32 = frame_record_0.environment_columns_0;
-    var _S197 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S195.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S192.x);
-    var _S198 : vec3<f32> = environment_texel_0(_S195.index_2, _S197.index_2);
-    (*_S193) = _S198 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S198), 9.99999968265522539e-21f)));
-    var _S199 : f32 = 3.14159274101257324f / f32(_S194);
-    var _S200 : f32 = mix(sine_cosine_0(f32(_S195.index_2) * _S199).y, sine_cosine_0(f32(_S195.index_2 + u32(1)) * _S199).y, _S195.remainder_0);
-    var _S201 : f32 = sqrt(max(1.0f - _S200 * _S200, 0.0f));
-    var _S202 : vec2<f32> = sine_cosine_0((f32(_S197.index_2) + _S197.remainder_0) * (6.28318548202514648f / f32(_S196)));
-    var _S203 : f32 = _S201 * _S202.x;
-    var _S204 : f32 = - _S201 * _S202.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S203 + frame_record_0.environment_sine_0 * _S204, _S200, frame_record_0.environment_cosine_0 * _S204 - frame_record_0.environment_sine_0 * _S203);
+    var _S208 : u32 = frame_record_0.environment_rows_0;
+    var _S209 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S206.y);
+    var _S210 : u32 = frame_record_0.environment_columns_0;
+    var _S211 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S209.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S206.x);
+    var _S212 : vec3<f32> = environment_texel_0(_S209.index_2, _S211.index_2);
+    (*_S207) = _S212 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S212), 9.99999968265522539e-21f)));
+    var _S213 : f32 = 3.14159274101257324f / f32(_S208);
+    var _S214 : f32 = mix(sine_cosine_0(f32(_S209.index_2) * _S213).y, sine_cosine_0(f32(_S209.index_2 + u32(1)) * _S213).y, _S209.remainder_0);
+    var _S215 : f32 = sqrt(max(1.0f - _S214 * _S214, 0.0f));
+    var _S216 : vec2<f32> = sine_cosine_0((f32(_S211.index_2) + _S211.remainder_0) * (6.28318548202514648f / f32(_S210)));
+    var _S217 : f32 = _S215 * _S216.x;
+    var _S218 : f32 = - _S215 * _S216.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S217 + frame_record_0.environment_sine_0 * _S218, _S214, frame_record_0.environment_cosine_0 * _S218 - frame_record_0.environment_sine_0 * _S217);
 }
 
-fn light_sample_0( _S205 : u32,  _S206 : vec2<u32>,  _S207 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S219 : u32,  _S220 : vec2<u32>,  _S221 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_2 = 1.00000001504746622e+30f;
-    var _S208 : u32 = frame_record_0.lights_0;
-    if(_S205 >= (frame_record_0.lights_0))
+    var _S222 : u32 = frame_record_0.lights_0;
+    if(_S219 >= (frame_record_0.lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S209 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S206, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S205 - _S208), u32(3)), &(weight_0));
-        sample_0.towards_0 = _S209;
+        var _S223 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S220, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S219 - _S222), u32(3)), &(weight_0));
+        sample_0.towards_0 = _S223;
         sample_0.irradiance_1 = weight_0 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S210 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S205);
-    sample_0.irradiance_1 = vec3<f32>(_S210.red_0, _S210.green_0, _S210.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S210.x_3, _S210.y_1, _S210.z_1);
-    if((_S210.is_point_0) != u32(0))
+    var _S224 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S219);
+    sample_0.irradiance_1 = vec3<f32>(_S224.red_0, _S224.green_0, _S224.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S224.x_3, _S224.y_1, _S224.z_1);
+    if((_S224.is_point_0) != u32(0))
     {
-        var _S211 : vec3<f32> = sample_0.towards_0 - _S207;
-        var _S212 : f32 = max(square_0(_S211), 9.999999960041972e-13f);
-        sample_0.distance_2 = sqrt(_S212);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S212);
-        sample_0.towards_0 = normalize(_S211);
+        var _S225 : vec3<f32> = sample_0.towards_0 - _S221;
+        var _S226 : f32 = max(square_0(_S225), 9.999999960041972e-13f);
+        sample_0.distance_2 = sqrt(_S226);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S226);
+        sample_0.towards_0 = normalize(_S225);
     }
     return sample_0;
 }
 
-fn seen_position_0( _S213 : u32,  _S214 : vec2<u32>) -> vec3<f32>
+fn seen_position_0( _S227 : u32,  _S228 : vec2<u32>) -> vec3<f32>
 {
-    var _S215 : u32 = u32(3) * _S213;
-    var _S216 : vec3<f32> = position_of_0(vertex_at_0(_S215));
-    var _S217 : vec3<f32> = position_of_0(vertex_at_0(_S215 + u32(1))) - _S216;
-    var _S218 : vec3<f32> = position_of_0(vertex_at_0(_S215 + u32(2))) - _S216;
-    var _S219 : vec3<f32> = cross(_S217, _S218);
-    var _S220 : f32 = 1.0f / max(square_0(_S219), 1.00000000317107685e-30f);
-    var _S221 : f32 = f32(frame_record_0.width_0);
-    var _S222 : f32 = f32(frame_record_0.height_0);
-    var _S223 : vec3<f32> = camera_forward_0() + camera_right_0() * vec3<f32>((2.0f * (f32(_S214.x) + 0.5f + frame_record_0.jitter_x_0 - 0.5f * _S221) / _S221)) - camera_up_0() * vec3<f32>((2.0f * (f32(_S214.y) + 0.5f + frame_record_0.jitter_y_0 - 0.5f * _S222) / _S222));
-    var _S224 : f32 = dot(_S223, _S219);
-    var _S225 : vec3<f32> = _S216 - camera_origin_0();
-    var _S226 : vec3<f32> = _S223 * vec3<f32>((dot(_S225, _S219) / select(1.00000000317107685e-30f, _S224, (abs(_S224)) > 1.00000000317107685e-30f))) - _S225;
-    var _S227 : f32 = clamp(dot(_S226, cross(_S218, _S219)) * _S220, 0.0f, 1.0f);
-    return _S216 + vec3<f32>(_S227) * _S217 + vec3<f32>(clamp(dot(_S226, cross(_S219, _S217)) * _S220, 0.0f, 1.0f - _S227)) * _S218;
+    var _S229 : u32 = u32(3) * _S227;
+    var _S230 : vec3<f32> = position_of_0(vertex_at_0(_S229));
+    var _S231 : vec3<f32> = position_of_0(vertex_at_0(_S229 + u32(1))) - _S230;
+    var _S232 : vec3<f32> = position_of_0(vertex_at_0(_S229 + u32(2))) - _S230;
+    var _S233 : vec3<f32> = cross(_S231, _S232);
+    var _S234 : f32 = 1.0f / max(square_0(_S233), 1.00000000317107685e-30f);
+    var _S235 : f32 = f32(frame_record_0.width_0);
+    var _S236 : f32 = f32(frame_record_0.height_0);
+    var _S237 : vec3<f32> = camera_forward_0() + camera_right_0() * vec3<f32>((2.0f * (f32(_S228.x) + 0.5f + frame_record_0.jitter_x_0 - 0.5f * _S235) / _S235)) - camera_up_0() * vec3<f32>((2.0f * (f32(_S228.y) + 0.5f + frame_record_0.jitter_y_0 - 0.5f * _S236) / _S236));
+    var _S238 : f32 = dot(_S237, _S233);
+    var _S239 : vec3<f32> = _S230 - camera_origin_0();
+    var _S240 : vec3<f32> = _S237 * vec3<f32>((dot(_S239, _S233) / select(1.00000000317107685e-30f, _S238, (abs(_S238)) > 1.00000000317107685e-30f))) - _S239;
+    var _S241 : f32 = clamp(dot(_S240, cross(_S232, _S233)) * _S234, 0.0f, 1.0f);
+    return _S230 + vec3<f32>(_S241) * _S231 + vec3<f32>(clamp(dot(_S240, cross(_S233, _S231)) * _S234, 0.0f, 1.0f - _S241)) * _S232;
 }
 
-fn nearest_hit_0( _S228 : vec3<f32>,  _S229 : vec3<f32>,  _S230 : f32,  _S231 : f32,  _S232 : u32,  _S233 : bool) -> Hit_0
+fn nearest_hit_0( _S242 : vec3<f32>,  _S243 : vec3<f32>,  _S244 : f32,  _S245 : f32,  _S246 : u32,  _S247 : bool) -> Hit_0
 {
-    var _S234 : vec3<f32> = vec3<f32>(inverse_of_0(_S229.x), inverse_of_0(_S229.y), inverse_of_0(_S229.z));
+    var _S248 : vec3<f32> = vec3<f32>(inverse_of_0(_S243.x), inverse_of_0(_S243.y), inverse_of_0(_S243.z));
     var found_0 : Hit_0;
     found_0.face_2 = u32(4294967295);
-    found_0.distance_0 = _S231;
+    found_0.distance_0 = _S245;
     found_0.weight_b_0 = 0.0f;
     found_0.weight_c_0 = 0.0f;
     var node_2 : u32 = u32(1);
@@ -1291,23 +1322,23 @@ fn nearest_hit_0( _S228 : vec3<f32>,  _S229 : vec3<f32>,  _S230 : f32,  _S231 : 
             break;
         }
         var node_3 : u32;
-        if(!meets_node_0(node_2, _S228, _S234, _S230, found_0.distance_0))
+        if(!meets_node_0(node_2, _S242, _S248, _S244, found_0.distance_0))
         {
             node_3 = following_node_0(node_2);
         }
         else
         {
-            var _S235 : u32 = frame_record_0.leaves_0;
+            var _S249 : u32 = frame_record_0.leaves_0;
             if(node_2 < (frame_record_0.leaves_0))
             {
                 node_3 = node_2 * u32(2);
             }
             else
             {
-                var _S236 : u32 = frame_record_0.leaf_faces_0 + u32(4) * (node_2 - _S235);
-                var _S237 : u32 = following_node_0(node_2);
+                var _S250 : u32 = frame_record_0.leaf_faces_0 + u32(4) * (node_2 - _S249);
+                var _S251 : u32 = following_node_0(node_2);
                 var number_1 : u32 = u32(0);
-                node_3 = _S237;
+                node_3 = _S251;
                 for(;;)
                 {
                     if(number_1 < u32(4))
@@ -1317,30 +1348,30 @@ fn nearest_hit_0( _S228 : vec3<f32>,  _S229 : vec3<f32>,  _S230 : f32,  _S231 : 
                     {
                         break;
                     }
-                    var _S238 : u32 = scene_words_0[_S236 + number_1];
-                    if(((_S238 == u32(4294967295)) | ((_S238 == _S232))))
+                    var _S252 : u32 = scene_words_0[_S250 + number_1];
+                    if(((_S252 == u32(4294967295)) | ((_S252 == _S246))))
                     {
                         number_1 = number_1 + u32(1);
                         continue;
                     }
-                    var _S239 : Hit_0 = meet_face_0(_S238, _S228, _S229);
-                    if((((((_S239.face_2) == u32(4294967295)) | (((_S239.distance_0) <= _S230)))) | (((_S239.distance_0) >= (found_0.distance_0)))))
+                    var _S253 : Hit_0 = meet_face_0(_S252, _S242, _S243);
+                    if((((((_S253.face_2) == u32(4294967295)) | (((_S253.distance_0) <= _S244)))) | (((_S253.distance_0) >= (found_0.distance_0)))))
                     {
                         number_1 = number_1 + u32(1);
                         continue;
                     }
-                    found_0 = _S239;
-                    var _S240 : bool;
-                    if(_S233)
+                    found_0 = _S253;
+                    var _S254 : bool;
+                    if(_S247)
                     {
-                        _S240 = (fabrics_0[fabric_of_0(_S238)].is_open_0) == u32(0);
+                        _S254 = (fabrics_0[fabric_of_0(_S252)].is_open_0) == u32(0);
                     }
                     else
                     {
-                        _S240 = false;
+                        _S254 = false;
                     }
                     var node_4 : u32;
-                    if(_S240)
+                    if(_S254)
                     {
                         node_4 = u32(0);
                     }
@@ -1365,16 +1396,16 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S241 : u32,  _S242 : Footprint_0,  _S243 : f32) -> Regime_0
+fn regime_of_0( _S255 : u32,  _S256 : Footprint_0,  _S257 : f32) -> Regime_0
 {
-    var _S244 : f32 = Footprint_spread_side_0(_S242);
-    var _S245 : f32 = clamp((binary_logarithm_0(max(_S244, 9.99999971718068537e-10f)) - fabrics_0[_S241].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S258 : f32 = Footprint_spread_side_0(_S256);
+    var _S259 : f32 = clamp((binary_logarithm_0(max(_S258, 9.99999971718068537e-10f)) - fabrics_0[_S255].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S246 : f32 = _S245 * _S245 * (3.0f - 2.0f * _S245);
-    regime_0.prefiltered_0 = _S246;
-    var _S247 : f32 = _S244 * fabrics_0[_S241].lobes_0.threads_per_mm_0;
-    regime_0.threads_0 = _S247;
-    regime_0.points_0 = select(0.0f, clamp(_S247 * 12.0f, 1.0f, mix(max(8.0f / _S243, 1.0f), 1.0f, _S246)), _S246 < 1.0f);
+    var _S260 : f32 = _S259 * _S259 * (3.0f - 2.0f * _S259);
+    regime_0.prefiltered_0 = _S260;
+    var _S261 : f32 = _S258 * fabrics_0[_S255].lobes_0.threads_per_mm_0;
+    regime_0.threads_0 = _S261;
+    regime_0.points_0 = select(0.0f, clamp(_S261 * 12.0f, 1.0f, mix(max(8.0f / _S257, 1.0f), 1.0f, _S260)), _S260 < 1.0f);
     return regime_0;
 }
 
@@ -1400,131 +1431,131 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S248 : u32,  _S249 : f32,  _S250 : f32,  _S251 : bool) -> Crossing_0
+fn crossing_at_0( _S262 : u32,  _S263 : f32,  _S264 : f32,  _S265 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S248].warp_0, _S249);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S248].weft_0, _S250);
-    var _S252 : u32 = fabrics_0[_S248].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S248].ends_1 + crossing_2.warp_1.thread_2);
-    var _S253 : u32 = words_0[_S252];
-    crossing_2.warp_word_0 = _S253;
-    crossing_2.weft_word_0 = words_0[_S252 + u32(1)];
-    crossing_2.warp_above_0 = (((_S253 & (u32(1)))) == u32(1)) != _S251;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S262].warp_0, _S263);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S262].weft_0, _S264);
+    var _S266 : u32 = fabrics_0[_S262].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S262].ends_1 + crossing_2.warp_1.thread_2);
+    var _S267 : u32 = words_0[_S266];
+    crossing_2.warp_word_0 = _S267;
+    crossing_2.weft_word_0 = words_0[_S266 + u32(1)];
+    crossing_2.warp_above_0 = (((_S267 & (u32(1)))) == u32(1)) != _S265;
     return crossing_2;
 }
 
-fn sample_at_0( _S254 : u32,  _S255 : f32,  _S256 : f32,  _S257 : bool) -> Sample_0
+fn sample_at_0( _S268 : u32,  _S269 : f32,  _S270 : f32,  _S271 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S258 : Crossing_0 = crossing_at_0(_S254, _S255, _S256, _S257);
-    sample_1.crossing_1 = _S258;
-    var _S259 : Shown_0 = shown_at_0(_S258, _S257);
-    sample_1.shown_3 = _S259;
-    var _S260 : u32 = select(fabrics_0[_S254].weft_0, fabrics_0[_S254].warp_0, _S259.is_warp_0);
-    var _S261 : u32 = select(fabrics_0[_S254].warp_0, fabrics_0[_S254].weft_0, _S259.is_warp_0);
-    var _S262 : Cell_0 = select_cell_0(_S259.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
-    var _S263 : Cell_0 = select_cell_0(_S259.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
-    var _S264 : Run_0 = unpack_0(_S260, _S261, _S262.thread_2, _S263, _S259.word_0);
-    var _S265 : Section_0 = section_at_0(_S262);
-    var _S266 : bool = ((_S259.on_top_0) & (((_S264.distance_1) < (_S265.drop_0 * _S264.bend_1.sine_0))));
-    var _S267 : f32 = select(-1.0f, 1.0f, ((_S259.on_top_0) & ((!_S266))));
-    var _S268 : f32 = select(_S264.reach_0, _S264.other_reach_0, _S266);
-    var _S269 : f32 = select(max(_S268 - _S264.distance_1, 0.0f), _S268 + _S264.distance_1, _S266);
-    var _S270 : f32 = _S268 / _S264.bend_1.sine_0 - _S267 * _S265.drop_0;
-    var _S271 : f32 = _S269 * _S269;
-    var _S272 : f32 = max(_S270 * _S270 - _S271, 9.99999968265522539e-21f);
-    var _S273 : f32 = rsqrt_0(_S272);
-    var _S274 : f32 = _S271 / (_S272 * _S273 + _S270);
-    var _S275 : bool = _S269 > 0.0f;
-    var _S276 : f32 = select(-1.0f, 1.0f, _S259.on_top_0) * select(-1.0f, 1.0f, _S264.near_start_0);
-    var _S277 : f32 = _S265.slope_0 * select(1.0f, _S270 * _S273, _S275);
-    sample_1.slope_across_0 = _S277;
-    var _S278 : f32 = select(0.0f, _S276 * _S269 * _S273, _S275);
-    sample_1.slope_along_0 = _S278;
-    var _S279 : vec3<f32> = dive_0(_S261, _S259, _S264, _S263);
-    sample_1.dive_1 = _S279;
-    sample_1.height_5 = select(families_0[_S260].height_scale_0 * _S267, 0.0f, _S264.straight_0) * (_S268 * _S264.bend_1.half_tangent_0 - _S274) - families_0[_S260].height_scale_0 * _S265.drop_0 - _S279.x;
-    var _S280 : f32 = families_0[_S260].height_scale_0 * _S277;
-    var _S281 : f32 = families_0[_S260].height_scale_0 * _S278 - _S279.y;
-    sample_1.slope_x_1 = select(_S281, _S280, _S259.is_warp_0);
-    sample_1.slope_y_1 = select(_S280, _S281, _S259.is_warp_0);
-    sample_1.run_3 = _S264;
-    sample_1.section_1 = _S265;
+    var _S272 : Crossing_0 = crossing_at_0(_S268, _S269, _S270, _S271);
+    sample_1.crossing_1 = _S272;
+    var _S273 : Shown_0 = shown_at_0(_S272, _S271);
+    sample_1.shown_3 = _S273;
+    var _S274 : u32 = select(fabrics_0[_S268].weft_0, fabrics_0[_S268].warp_0, _S273.is_warp_0);
+    var _S275 : u32 = select(fabrics_0[_S268].warp_0, fabrics_0[_S268].weft_0, _S273.is_warp_0);
+    var _S276 : Cell_0 = select_cell_0(_S273.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
+    var _S277 : Cell_0 = select_cell_0(_S273.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
+    var _S278 : Run_0 = unpack_0(_S274, _S275, _S276.thread_2, _S277, _S273.word_0);
+    var _S279 : Section_0 = section_at_0(_S276);
+    var _S280 : bool = ((_S273.on_top_0) & (((_S278.distance_1) < (_S279.drop_0 * _S278.bend_1.sine_0))));
+    var _S281 : f32 = select(-1.0f, 1.0f, ((_S273.on_top_0) & ((!_S280))));
+    var _S282 : f32 = select(_S278.reach_0, _S278.other_reach_0, _S280);
+    var _S283 : f32 = select(max(_S282 - _S278.distance_1, 0.0f), _S282 + _S278.distance_1, _S280);
+    var _S284 : f32 = _S282 / _S278.bend_1.sine_0 - _S281 * _S279.drop_0;
+    var _S285 : f32 = _S283 * _S283;
+    var _S286 : f32 = max(_S284 * _S284 - _S285, 9.99999968265522539e-21f);
+    var _S287 : f32 = rsqrt_0(_S286);
+    var _S288 : f32 = _S285 / (_S286 * _S287 + _S284);
+    var _S289 : bool = _S283 > 0.0f;
+    var _S290 : f32 = select(-1.0f, 1.0f, _S273.on_top_0) * select(-1.0f, 1.0f, _S278.near_start_0);
+    var _S291 : f32 = _S279.slope_0 * select(1.0f, _S284 * _S287, _S289);
+    sample_1.slope_across_0 = _S291;
+    var _S292 : f32 = select(0.0f, _S290 * _S283 * _S287, _S289);
+    sample_1.slope_along_0 = _S292;
+    var _S293 : vec3<f32> = dive_0(_S275, _S273, _S278, _S277);
+    sample_1.dive_1 = _S293;
+    sample_1.height_5 = select(families_0[_S274].height_scale_0 * _S281, 0.0f, _S278.straight_0) * (_S282 * _S278.bend_1.half_tangent_0 - _S288) - families_0[_S274].height_scale_0 * _S279.drop_0 - _S293.x;
+    var _S294 : f32 = families_0[_S274].height_scale_0 * _S291;
+    var _S295 : f32 = families_0[_S274].height_scale_0 * _S292 - _S293.y;
+    sample_1.slope_x_1 = select(_S295, _S294, _S273.is_warp_0);
+    sample_1.slope_y_1 = select(_S294, _S295, _S273.is_warp_0);
+    sample_1.run_3 = _S278;
+    sample_1.section_1 = _S279;
     return sample_1;
 }
 
-fn steps_per_length_0( _S282 : u32,  _S283 : SearchQuality_0,  _S284 : vec3<f32>) -> f32
+fn steps_per_length_0( _S296 : u32,  _S297 : SearchQuality_0,  _S298 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S284.x) * fabrics_0[_S282].threads_per_x_0, abs(_S284.y) * fabrics_0[_S282].threads_per_y_0) * _S283.steps_per_thread_0, abs(_S284.z) * fabrics_0[_S282].per_relief_0 * _S283.steps_per_relief_0);
+    return max(max(abs(_S298.x) * fabrics_0[_S296].threads_per_x_0, abs(_S298.y) * fabrics_0[_S296].threads_per_y_0) * _S297.steps_per_thread_0, abs(_S298.z) * fabrics_0[_S296].per_relief_0 * _S297.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S285 : u32,  _S286 : Crossing_0) -> f32
+fn cell_maximum_0( _S299 : u32,  _S300 : Crossing_0) -> f32
 {
-    var _S287 : u32 = select(fabrics_0[_S285].weft_0, fabrics_0[_S285].warp_0, _S286.warp_above_0);
-    return f32((select(_S286.weft_word_0, _S286.warp_word_0, _S286.warp_above_0) >> (u32(28)))) * families_0[_S287].height_scale_0 * families_0[_S287].level_0;
+    var _S301 : u32 = select(fabrics_0[_S299].weft_0, fabrics_0[_S299].warp_0, _S300.warp_above_0);
+    return f32((select(_S300.weft_word_0, _S300.warp_word_0, _S300.warp_above_0) >> (u32(28)))) * families_0[_S301].height_scale_0 * families_0[_S301].level_0;
 }
 
-fn probe_0( _S288 : u32,  _S289 : f32,  _S290 : f32,  _S291 : bool,  _S292 : bool,  _S293 : bool) -> Probe_0
+fn probe_0( _S302 : u32,  _S303 : f32,  _S304 : f32,  _S305 : bool,  _S306 : bool,  _S307 : bool) -> Probe_0
 {
-    var _S294 : Sample_0 = sample_at_0(_S288, _S289, _S290, _S291);
+    var _S308 : Sample_0 = sample_at_0(_S302, _S303, _S304, _S305);
     var probe_1 : Probe_0;
-    probe_1.height_2 = _S294.height_5;
-    probe_1.hole_1 = _S294.shown_3.hole_0;
-    probe_1.slope_x_0 = _S294.slope_x_1;
-    probe_1.slope_y_0 = _S294.slope_y_1;
-    probe_1.yarn_1 = select(_S294.crossing_1.weft_1.thread_2 * u32(2), _S294.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S294.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S288, _S294.crossing_1);
-    probe_1.side_x_0 = select(_S294.crossing_1.warp_1.below_0, _S294.crossing_1.warp_1.above_0, _S292);
-    probe_1.side_y_0 = select(_S294.crossing_1.weft_1.below_0, _S294.crossing_1.weft_1.above_0, _S293);
-    probe_1.edge_x_0 = outline_distance_0(_S294.crossing_1.warp_1, _S294.shown_3, _S294.run_3, !_S294.shown_3.is_warp_0, _S292);
-    probe_1.edge_y_0 = outline_distance_0(_S294.crossing_1.weft_1, _S294.shown_3, _S294.run_3, _S294.shown_3.is_warp_0, _S293);
+    probe_1.height_2 = _S308.height_5;
+    probe_1.hole_1 = _S308.shown_3.hole_0;
+    probe_1.slope_x_0 = _S308.slope_x_1;
+    probe_1.slope_y_0 = _S308.slope_y_1;
+    probe_1.yarn_1 = select(_S308.crossing_1.weft_1.thread_2 * u32(2), _S308.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S308.shown_3.is_warp_0);
+    probe_1.cell_max_0 = cell_maximum_0(_S302, _S308.crossing_1);
+    probe_1.side_x_0 = select(_S308.crossing_1.warp_1.below_0, _S308.crossing_1.warp_1.above_0, _S306);
+    probe_1.side_y_0 = select(_S308.crossing_1.weft_1.below_0, _S308.crossing_1.weft_1.above_0, _S307);
+    probe_1.edge_x_0 = outline_distance_0(_S308.crossing_1.warp_1, _S308.shown_3, _S308.run_3, !_S308.shown_3.is_warp_0, _S306);
+    probe_1.edge_y_0 = outline_distance_0(_S308.crossing_1.weft_1, _S308.shown_3, _S308.run_3, _S308.shown_3.is_warp_0, _S307);
     return probe_1;
 }
 
-fn is_free_0( _S295 : u32,  _S296 : SearchQuality_0,  _S297 : vec3<f32>,  _S298 : vec3<f32>,  _S299 : bool,  _S300 : f32) -> bool
+fn is_free_0( _S309 : u32,  _S310 : SearchQuality_0,  _S311 : vec3<f32>,  _S312 : vec3<f32>,  _S313 : bool,  _S314 : f32) -> bool
 {
-    var _S301 : f32 = _S298.z;
-    if(_S301 <= 0.0f)
+    var _S315 : f32 = _S312.z;
+    if(_S315 <= 0.0f)
     {
         return false;
     }
-    var _S302 : f32 = 1.0f / max(_S296.shadow_share_0 * steps_per_length_0(_S295, _S296, _S298), 9.99999971718068537e-10f);
-    var _S303 : StepControl_0 = step_control_0(_S298.xy, _S302);
+    var _S316 : f32 = 1.0f / max(_S310.shadow_share_0 * steps_per_length_0(_S309, _S310, _S312), 9.99999971718068537e-10f);
+    var _S317 : StepControl_0 = step_control_0(_S312.xy, _S316);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_3 : u32 = u32(0);
     var distance_3 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_3 < u32(1024)) & (((_S297.z + _S301 * distance_3) < _S300))))
+        if(((count_3 < u32(1024)) & (((_S311.z + _S315 * distance_3) < _S314))))
         {
         }
         else
         {
             break;
         }
-        var _S304 : vec3<f32> = _S297 + _S298 * vec3<f32>(distance_3);
-        var _S305 : Probe_0 = probe_0(_S295, _S304.x, _S304.y, _S299, _S303.right_0, _S303.up_0);
-        var _S306 : f32 = _S304.z;
-        var _S307 : f32 = _S306 - _S305.height_2;
-        var _S308 : f32 = _S301 - _S305.slope_x_0 * _S298.x - _S305.slope_y_0 * _S298.y;
-        if(((!_S305.hole_1) & ((_S307 < 0.0f))))
+        var _S318 : vec3<f32> = _S311 + _S312 * vec3<f32>(distance_3);
+        var _S319 : Probe_0 = probe_0(_S309, _S318.x, _S318.y, _S313, _S317.right_0, _S317.up_0);
+        var _S320 : f32 = _S318.z;
+        var _S321 : f32 = _S320 - _S319.height_2;
+        var _S322 : f32 = _S315 - _S319.slope_x_0 * _S312.x - _S319.slope_y_0 * _S312.y;
+        if(((!_S319.hole_1) & ((_S321 < 0.0f))))
         {
             return false;
         }
-        var _S309 : f32 = way_back_to_dip_0(previous_3, _S307, _S308, last_step_0, _S305);
-        if(_S309 >= 0.0f)
+        var _S323 : f32 = way_back_to_dip_0(previous_3, _S321, _S322, last_step_0, _S319);
+        if(_S323 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S309;
-            distance_3 = distance_3 - _S309;
+            var last_step_1 : f32 = last_step_0 - _S323;
+            distance_3 = distance_3 - _S323;
             last_step_0 = last_step_1;
             count_3 = count_3 + u32(1);
             continue;
         }
-        var _S310 : bool = _S306 > (_S305.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S303, _S305, _S307, _S308), max(StepControl_to_cell_exit_0(_S303, _S305.side_x_0, _S305.side_y_0), _S302), _S310);
+        var _S324 : bool = _S320 > (_S319.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S317, _S319, _S321, _S322), max(StepControl_to_cell_exit_0(_S317, _S319.side_x_0, _S319.side_y_0), _S316), _S324);
         var distance_4 : f32 = distance_3 + last_step_2;
-        previous_3 = after_sample_0(_S307, _S308, _S305, _S310);
+        previous_3 = after_sample_0(_S321, _S322, _S319, _S324);
         distance_3 = distance_4;
         last_step_0 = last_step_2;
         count_3 = count_3 + u32(1);
@@ -1532,13 +1563,13 @@ fn is_free_0( _S295 : u32,  _S296 : SearchQuality_0,  _S297 : vec3<f32>,  _S298 
     return true;
 }
 
-fn passes_through_0( _S311 : u32,  _S312 : SearchQuality_0,  _S313 : f32,  _S314 : f32,  _S315 : vec3<f32>,  _S316 : bool) -> bool
+fn passes_through_0( _S325 : u32,  _S326 : SearchQuality_0,  _S327 : f32,  _S328 : f32,  _S329 : vec3<f32>,  _S330 : bool) -> bool
 {
-    if(!sample_at_0(_S311, _S313, _S314, _S316).shown_3.hole_0)
+    if(!sample_at_0(_S325, _S327, _S328, _S330).shown_3.hole_0)
     {
         return false;
     }
-    var _S317 : vec3<f32> = vec3<f32>(_S313, _S314, 0.0f);
+    var _S331 : vec3<f32> = vec3<f32>(_S327, _S328, 0.0f);
     var passes_0 : bool = true;
     var side_0 : u32 = u32(0);
     for(;;)
@@ -1550,10 +1581,10 @@ fn passes_through_0( _S311 : u32,  _S312 : SearchQuality_0,  _S313 : f32,  _S314
         {
             break;
         }
-        var _S318 : bool = is_free_0(_S311, _S312, _S317, select_vector_0(side_0 == u32(0), _S315, vec3<f32>(- _S315.x, - _S315.y, _S315.z)), _S316 != (side_0 == u32(1)), fabrics_0[_S311].height_high_0);
-        var _S319 : u32 = side_0 + u32(1);
-        passes_0 = _S318;
-        side_0 = _S319;
+        var _S332 : bool = is_free_0(_S325, _S326, _S331, select_vector_0(side_0 == u32(0), _S329, vec3<f32>(- _S329.x, - _S329.y, _S329.z)), _S330 != (side_0 == u32(1)), fabrics_0[_S325].height_high_0);
+        var _S333 : u32 = side_0 + u32(1);
+        passes_0 = _S332;
+        side_0 = _S333;
     }
     return passes_0;
 }
@@ -1568,14 +1599,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S320 : u32,  _S321 : f32,  _S322 : f32,  _S323 : f32,  _S324 : vec3<f32>,  _S325 : bool) -> f32
+fn max_height_along_0( _S334 : u32,  _S335 : f32,  _S336 : f32,  _S337 : f32,  _S338 : vec3<f32>,  _S339 : bool) -> f32
 {
-    var _S326 : f32 = _S324.x;
-    var _S327 : f32 = _S324.y;
-    var _S328 : u32 = (words_0[fabrics_0[_S320].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S320].weft_0, _S322).thread_2 / u32(2) * fabrics_0[_S320].max_height_columns_0 + locate_0(fabrics_0[_S320].warp_0, _S321).thread_2 / u32(2)) + (select(u32(0), u32(1), _S326 > 0.0f) + select(u32(0), u32(2), _S327 > 0.0f))] >> (u32(select(i32(0), i32(4), _S325))));
-    var _S329 : f32 = max(abs(_S326) * fabrics_0[_S320].threads_per_x_0, abs(_S327) * fabrics_0[_S320].threads_per_y_0) / _S324.z;
-    var _S330 : f32 = fabrics_0[_S320].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S320].height_high_0;
+    var _S340 : f32 = _S338.x;
+    var _S341 : f32 = _S338.y;
+    var _S342 : u32 = (words_0[fabrics_0[_S334].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S334].weft_0, _S336).thread_2 / u32(2) * fabrics_0[_S334].max_height_columns_0 + locate_0(fabrics_0[_S334].warp_0, _S335).thread_2 / u32(2)) + (select(u32(0), u32(1), _S340 > 0.0f) + select(u32(0), u32(2), _S341 > 0.0f))] >> (u32(select(i32(0), i32(4), _S339))));
+    var _S343 : f32 = max(abs(_S340) * fabrics_0[_S334].threads_per_x_0, abs(_S341) * fabrics_0[_S334].threads_per_y_0) / _S338.z;
+    var _S344 : f32 = fabrics_0[_S334].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S334].height_high_0;
     var number_2 : i32 = i32(3);
     for(;;)
     {
@@ -1586,26 +1617,26 @@ fn max_height_along_0( _S320 : u32,  _S321 : f32,  _S322 : f32,  _S323 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S323) * _S329) <= (PYRAMID_RADII_0[number_2]))
+        if(((max_height_0 - _S337) * _S343) <= (PYRAMID_RADII_0[number_2]))
         {
-            max_height_0 = min(max_height_0, f32((((_S328 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S330);
+            max_height_0 = min(max_height_0, f32((((_S342 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S344);
         }
         number_2 = number_2 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S331 : u32,  _S332 : f32,  _S333 : f32,  _S334 : bool,  _S335 : bool,  _S336 : bool) -> vec3<f32>
+fn cell_bounds_0( _S345 : u32,  _S346 : f32,  _S347 : f32,  _S348 : bool,  _S349 : bool,  _S350 : bool) -> vec3<f32>
 {
-    var _S337 : Crossing_0 = crossing_at_0(_S331, _S332, _S333, _S334);
-    return vec3<f32>(cell_maximum_0(_S331, _S337), select(_S337.warp_1.below_0, _S337.warp_1.above_0, _S335), select(_S337.weft_1.below_0, _S337.weft_1.above_0, _S336));
+    var _S351 : Crossing_0 = crossing_at_0(_S345, _S346, _S347, _S348);
+    return vec3<f32>(cell_maximum_0(_S345, _S351), select(_S351.warp_1.below_0, _S351.warp_1.above_0, _S349), select(_S351.weft_1.below_0, _S351.weft_1.above_0, _S350));
 }
 
-fn first_sample_height_0( _S338 : u32,  _S339 : ViewRay_0,  _S340 : StepControl_0,  _S341 : bool) -> f32
+fn first_sample_height_0( _S352 : u32,  _S353 : ViewRay_0,  _S354 : StepControl_0,  _S355 : bool) -> f32
 {
-    var _S342 : f32 = max_height_along_0(_S338, _S339.origin_2.x, _S339.origin_2.y, 0.0f, vec3<f32>(_S339.slope_1, 1.0f), _S341);
+    var _S356 : f32 = max_height_along_0(_S352, _S353.origin_2.x, _S353.origin_2.y, 0.0f, vec3<f32>(_S353.slope_1, 1.0f), _S355);
     var count_4 : u32 = u32(0);
-    var height_7 : f32 = _S342;
+    var height_7 : f32 = _S356;
     for(;;)
     {
         if(count_4 < u32(1024))
@@ -1615,12 +1646,12 @@ fn first_sample_height_0( _S338 : u32,  _S339 : ViewRay_0,  _S340 : StepControl_
         {
             break;
         }
-        var _S343 : vec2<f32> = ViewRay_at_0(_S339, height_7);
-        var _S344 : vec3<f32> = cell_bounds_0(_S338, _S343.x, _S343.y, _S341, _S340.right_0, _S340.up_0);
-        var _S345 : f32 = height_7 - _S344.x;
-        var _S346 : f32 = StepControl_to_cell_exit_0(_S340, _S344.y, _S344.z);
-        var height_8 : f32 = height_7 - clamp(_S345, 0.0f, _S346);
-        if(_S345 <= _S346)
+        var _S357 : vec2<f32> = ViewRay_at_0(_S353, height_7);
+        var _S358 : vec3<f32> = cell_bounds_0(_S352, _S357.x, _S357.y, _S355, _S354.right_0, _S354.up_0);
+        var _S359 : f32 = height_7 - _S358.x;
+        var _S360 : f32 = StepControl_to_cell_exit_0(_S354, _S358.y, _S358.z);
+        var height_8 : f32 = height_7 - clamp(_S359, 0.0f, _S360);
+        if(_S359 <= _S360)
         {
             height_7 = height_8;
             break;
@@ -1631,12 +1662,12 @@ fn first_sample_height_0( _S338 : u32,  _S339 : ViewRay_0,  _S340 : StepControl_
     return height_7;
 }
 
-fn search_down_0( _S347 : u32,  _S348 : ViewRay_0,  _S349 : StepControl_0,  _S350 : bool) -> ViewRayEnd_0
+fn search_down_0( _S361 : u32,  _S362 : ViewRay_0,  _S363 : StepControl_0,  _S364 : bool) -> ViewRayEnd_0
 {
-    var _S351 : f32 = fabrics_0[_S347].height_low_0 - (fabrics_0[_S347].height_high_0 - fabrics_0[_S347].height_low_0);
+    var _S365 : f32 = fabrics_0[_S361].height_low_0 - (fabrics_0[_S361].height_high_0 - fabrics_0[_S361].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S347, _S348, _S349, _S350);
-    end_1.last_step_3 = _S349.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S361, _S362, _S363, _S364);
+    end_1.last_step_3 = _S363.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -1651,115 +1682,115 @@ fn search_down_0( _S347 : u32,  _S348 : ViewRay_0,  _S349 : StepControl_0,  _S35
         {
             break;
         }
-        var _S352 : vec2<f32> = ViewRay_at_0(_S348, end_1.height_6);
-        var _S353 : Probe_0 = probe_0(_S347, _S352.x, _S352.y, _S350, _S349.right_0, _S349.up_0);
-        var _S354 : f32 = end_1.height_6 - _S353.height_2;
-        var _S355 : f32 = ViewRay_rate_0(_S348, _S353);
-        end_1.depth_0 = - _S354;
-        end_1.rate_4 = _S355;
-        var _S356 : bool = !_S353.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S356))) & (((end_1.previous_4.yarn_0) == (_S353.yarn_1))));
-        if((((_S356 & ((_S354 <= 0.0f)))) | (((end_1.height_6) <= _S351))))
+        var _S366 : vec2<f32> = ViewRay_at_0(_S362, end_1.height_6);
+        var _S367 : Probe_0 = probe_0(_S361, _S366.x, _S366.y, _S364, _S363.right_0, _S363.up_0);
+        var _S368 : f32 = end_1.height_6 - _S367.height_2;
+        var _S369 : f32 = ViewRay_rate_0(_S362, _S367);
+        end_1.depth_0 = - _S368;
+        end_1.rate_4 = _S369;
+        var _S370 : bool = !_S367.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S370))) & (((end_1.previous_4.yarn_0) == (_S367.yarn_1))));
+        if((((_S370 & ((_S368 <= 0.0f)))) | (((end_1.height_6) <= _S365))))
         {
             break;
         }
-        var _S357 : f32 = way_back_to_dip_0(end_1.previous_4, _S354, _S355, end_1.last_step_3, _S353);
-        if(_S357 >= 0.0f)
+        var _S371 : f32 = way_back_to_dip_0(end_1.previous_4, _S368, _S369, end_1.last_step_3, _S367);
+        if(_S371 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S357;
-            end_1.last_step_3 = end_1.last_step_3 - _S357;
+            end_1.height_6 = end_1.height_6 + _S371;
+            end_1.last_step_3 = end_1.last_step_3 - _S371;
             count_5 = count_5 + u32(1);
             continue;
         }
-        var _S358 : f32 = min(StepControl_to_cell_exit_0(_S349, _S353.side_x_0, _S353.side_y_0), end_1.height_6 - _S353.cell_max_0);
-        var _S359 : f32 = StepControl_to_next_sample_0(_S349, _S353, _S354, _S355);
-        end_1.previous_4 = after_sample_0(_S354, _S355, _S353, _S358 > _S359);
-        var _S360 : f32 = max(_S358, _S359);
-        end_1.last_step_3 = _S360;
-        end_1.height_6 = end_1.height_6 - _S360;
+        var _S372 : f32 = min(StepControl_to_cell_exit_0(_S363, _S367.side_x_0, _S367.side_y_0), end_1.height_6 - _S367.cell_max_0);
+        var _S373 : f32 = StepControl_to_next_sample_0(_S363, _S367, _S368, _S369);
+        end_1.previous_4 = after_sample_0(_S368, _S369, _S367, _S372 > _S373);
+        var _S374 : f32 = max(_S372, _S373);
+        end_1.last_step_3 = _S374;
+        end_1.height_6 = end_1.height_6 - _S374;
         count_5 = count_5 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S361 : u32,  _S362 : ViewRay_0,  _S363 : StepControl_0,  _S364 : bool,  _S365 : ViewRayEnd_0,  _S366 : u32) -> f32
+fn refined_height_0( _S375 : u32,  _S376 : ViewRay_0,  _S377 : StepControl_0,  _S378 : bool,  _S379 : ViewRayEnd_0,  _S380 : u32) -> f32
 {
-    var _S367 : f32 = fabrics_0[_S361].height_high_0 - fabrics_0[_S361].height_low_0;
-    var above_2 : f32 = _S365.height_6 + _S365.last_step_3;
-    var above_gap_1 : f32 = clamp(_S365.previous_4.clearance_0, 0.0f, _S367);
-    var under_gap_1 : f32 = clamp(_S365.depth_0, 0.0f, _S367);
-    var middle_0 : f32 = select(between_0(above_2, _S365.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S365.previous_4.rate_0 * _S365.last_step_3, _S365.rate_4 * _S365.last_step_3) * _S365.last_step_3, _S365.smooth_0);
+    var _S381 : f32 = fabrics_0[_S375].height_high_0 - fabrics_0[_S375].height_low_0;
+    var above_2 : f32 = _S379.height_6 + _S379.last_step_3;
+    var above_gap_1 : f32 = clamp(_S379.previous_4.clearance_0, 0.0f, _S381);
+    var under_gap_1 : f32 = clamp(_S379.depth_0, 0.0f, _S381);
+    var middle_0 : f32 = select(between_0(above_2, _S379.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S379.previous_4.rate_0 * _S379.last_step_3, _S379.rate_4 * _S379.last_step_3) * _S379.last_step_3, _S379.smooth_0);
     var side_1 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S365.height_6;
+    var under_1 : f32 = _S379.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S366)
+        if(i_1 < _S380)
         {
         }
         else
         {
             break;
         }
-        var _S368 : vec2<f32> = ViewRay_at_0(_S362, middle_0);
-        var _S369 : Probe_0 = probe_0(_S361, _S368.x, _S368.y, _S364, _S363.right_0, _S363.up_0);
-        var _S370 : f32 = clamp(middle_0 - select(_S369.height_2, -1.0e+09f, _S369.hole_1), - _S367, _S367);
-        if(_S370 <= 0.0f)
+        var _S382 : vec2<f32> = ViewRay_at_0(_S376, middle_0);
+        var _S383 : Probe_0 = probe_0(_S375, _S382.x, _S382.y, _S378, _S377.right_0, _S377.up_0);
+        var _S384 : f32 = clamp(middle_0 - select(_S383.height_2, -1.0e+09f, _S383.hole_1), - _S381, _S381);
+        if(_S384 <= 0.0f)
         {
-            var _S371 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_1 > 0.0f);
-            var _S372 : f32 = - _S370;
+            var _S385 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_1 > 0.0f);
+            var _S386 : f32 = - _S384;
             under_1 = middle_0;
-            above_gap_2 = _S371;
-            under_gap_2 = _S372;
+            above_gap_2 = _S385;
+            under_gap_2 = _S386;
             side_1 = 1.0f;
         }
         else
         {
-            var _S373 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_1 < 0.0f);
+            var _S387 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_1 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S370;
-            under_gap_2 = _S373;
+            above_gap_2 = _S384;
+            under_gap_2 = _S387;
             side_1 = -1.0f;
         }
-        var _S374 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S370 / min(ViewRay_rate_0(_S362, _S369), -9.99999997475242708e-07f), under_1, above_3), _S365.smooth_0);
-        var _S375 : u32 = i_1 + u32(1);
-        middle_0 = _S374;
-        i_1 = _S375;
+        var _S388 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S384 / min(ViewRay_rate_0(_S376, _S383), -9.99999997475242708e-07f), under_1, above_3), _S379.smooth_0);
+        var _S389 : u32 = i_1 + u32(1);
+        middle_0 = _S388;
+        i_1 = _S389;
     }
-    return select(under_1, middle_0, _S365.smooth_0);
+    return select(under_1, middle_0, _S379.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S376 : u32,  _S377 : SearchQuality_0,  _S378 : f32,  _S379 : f32,  _S380 : vec3<f32>,  _S381 : bool) -> Hit_1
+fn first_hit_of_yarn_0( _S390 : u32,  _S391 : SearchQuality_0,  _S392 : f32,  _S393 : f32,  _S394 : vec3<f32>,  _S395 : bool) -> Hit_1
 {
-    var _S382 : f32 = max(_S380.z, 0.00009999999747379f);
+    var _S396 : f32 = max(_S394.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_2 = vec2<f32>(_S378, _S379);
-    var _S383 : vec2<f32> = _S380.xy / vec2<f32>(_S382);
-    ray_0.slope_1 = _S383;
-    var _S384 : StepControl_0 = step_control_0((vec2<f32>(0) - _S383), 1.0f / max(steps_per_length_0(_S376, _S377, _S380) / _S382, 9.99999971718068537e-10f));
-    var _S385 : ViewRayEnd_0 = search_down_0(_S376, ray_0, _S384, _S381);
+    ray_0.origin_2 = vec2<f32>(_S392, _S393);
+    var _S397 : vec2<f32> = _S394.xy / vec2<f32>(_S396);
+    ray_0.slope_1 = _S397;
+    var _S398 : StepControl_0 = step_control_0((vec2<f32>(0) - _S397), 1.0f / max(steps_per_length_0(_S390, _S391, _S394) / _S396, 9.99999971718068537e-10f));
+    var _S399 : ViewRayEnd_0 = search_down_0(_S390, ray_0, _S398, _S395);
     var hit_1 : Hit_1;
     hit_1.hole_2 = false;
-    var _S386 : f32 = refined_height_0(_S376, ray_0, _S384, _S381, _S385, _S377.refinements_0);
-    hit_1.height_4 = _S386;
-    var _S387 : vec2<f32> = ViewRay_at_0(ray_0, _S386);
-    hit_1.x_13 = _S387.x;
-    hit_1.y_7 = _S387.y;
+    var _S400 : f32 = refined_height_0(_S390, ray_0, _S398, _S395, _S399, _S391.refinements_0);
+    hit_1.height_4 = _S400;
+    var _S401 : vec2<f32> = ViewRay_at_0(ray_0, _S400);
+    hit_1.x_13 = _S401.x;
+    hit_1.y_7 = _S401.y;
     return hit_1;
 }
 
-fn first_hit_0( _S388 : u32,  _S389 : SearchQuality_0,  _S390 : f32,  _S391 : f32,  _S392 : vec3<f32>,  _S393 : bool) -> Hit_1
+fn first_hit_0( _S402 : u32,  _S403 : SearchQuality_0,  _S404 : f32,  _S405 : f32,  _S406 : vec3<f32>,  _S407 : bool) -> Hit_1
 {
-    if(!passes_through_0(_S388, _S389, _S390, _S391, _S392, _S393))
+    if(!passes_through_0(_S402, _S403, _S404, _S405, _S406, _S407))
     {
-        return first_hit_of_yarn_0(_S388, _S389, _S390, _S391, _S392, _S393);
+        return first_hit_of_yarn_0(_S402, _S403, _S404, _S405, _S406, _S407);
     }
     var hit_2 : Hit_1;
-    hit_2.x_13 = _S390;
-    hit_2.y_7 = _S391;
+    hit_2.x_13 = _S404;
+    hit_2.y_7 = _S405;
     hit_2.height_4 = 0.0f;
     hit_2.hole_2 = true;
     return hit_2;
@@ -1770,23 +1801,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S394 : u32,  _S395 : f32) -> vec3<f32>
+fn pyramid_level_0( _S408 : u32,  _S409 : f32) -> vec3<f32>
 {
-    var _S396 : u32 = fabrics_0[_S394].lobes_0.levels_0 + u32(4) * u32(min(_S395, fabrics_0[_S394].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S396), table_number_0(_S396 + u32(1)), table_number_0(_S396 + u32(2)));
+    var _S410 : u32 = fabrics_0[_S408].lobes_0.levels_0 + u32(4) * u32(min(_S409, fabrics_0[_S408].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S410), table_number_0(_S410 + u32(1)), table_number_0(_S410 + u32(2)));
 }
 
-fn coverage_taps_0( _S397 : u32,  _S398 : Footprint_0,  _S399 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S411 : u32,  _S412 : Footprint_0,  _S413 : bool) -> CoverageTaps_0
 {
-    var _S400 : Lobes_std430_0 = fabrics_0[_S397].lobes_0;
-    var _S401 : f32 = Footprint_spread_side_0(_S398) * fabrics_0[_S397].lobes_0.inverse_base_size_0;
-    var _S402 : vec3<f32> = pyramid_level_0(_S397, floor(binary_logarithm_0(max(0.68000000715255737f * _S401, 1.0f))));
-    var _S403 : f32 = 1.0f / max(_S401, 9.99999997475242708e-07f);
-    var _S404 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S397].warp_0].inverse_period_0, families_0[fabrics_0[_S397].weft_0].inverse_period_0);
-    var _S405 : vec2<f32> = _S398.centre_0 * _S404;
-    var _S406 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S403 * _S403), 0.0f, 1.0f)), 0.3333333432674408f * _S403), 1.0f));
-    var _S407 : vec2<f32> = _S398.dx_0 * _S404 * _S406;
-    var _S408 : vec2<f32> = _S398.dy_0 * _S404 * _S406;
+    var _S414 : Lobes_std430_0 = fabrics_0[_S411].lobes_0;
+    var _S415 : f32 = Footprint_spread_side_0(_S412) * fabrics_0[_S411].lobes_0.inverse_base_size_0;
+    var _S416 : vec3<f32> = pyramid_level_0(_S411, floor(binary_logarithm_0(max(0.68000000715255737f * _S415, 1.0f))));
+    var _S417 : f32 = 1.0f / max(_S415, 9.99999997475242708e-07f);
+    var _S418 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S411].warp_0].inverse_period_0, families_0[fabrics_0[_S411].weft_0].inverse_period_0);
+    var _S419 : vec2<f32> = _S412.centre_0 * _S418;
+    var _S420 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S417 * _S417), 0.0f, 1.0f)), 0.3333333432674408f * _S417), 1.0f));
+    var _S421 : vec2<f32> = _S412.dx_0 * _S418 * _S420;
+    var _S422 : vec2<f32> = _S412.dy_0 * _S418 * _S420;
     var taps_3 : CoverageTaps_0;
     var number_3 : u32 = u32(0);
     for(;;)
@@ -1798,15 +1829,15 @@ fn coverage_taps_0( _S397 : u32,  _S398 : Footprint_0,  _S399 : bool) -> Coverag
         {
             break;
         }
-        var _S409 : vec2<f32> = _S405 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S407 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S408;
-        var _S410 : f32 = _S402.y;
-        taps_3.nodes_1[number_3] = select(u32(0), _S400.face_nodes_0, _S399) + u32(wrapped_cell_0(_S409.y, _S402.z) * _S410 + wrapped_cell_0(_S409.x, _S410) + _S402.x);
+        var _S423 : vec2<f32> = _S419 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S421 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S422;
+        var _S424 : f32 = _S416.y;
+        taps_3.nodes_1[number_3] = select(u32(0), _S414.face_nodes_0, _S413) + u32(wrapped_cell_0(_S423.y, _S416.z) * _S424 + wrapped_cell_0(_S423.x, _S424) + _S416.x);
         number_3 = number_3 + u32(1);
     }
     return taps_3;
 }
 
-fn coverage_of_holes_0( _S411 : u32,  _S412 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S425 : u32,  _S426 : CoverageTaps_0) -> f32
 {
     var number_4 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -1819,40 +1850,40 @@ fn coverage_of_holes_0( _S411 : u32,  _S412 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S411].lobes_0.coverage_holes_0 + _S412.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S412.nodes_1[number_4] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S425].lobes_0.coverage_holes_0 + _S426.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S426.nodes_1[number_4] % u32(4)))))) & (u32(255))));
         number_4 = number_4 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S413 : u32,  _S414 : CoverageTaps_0,  _S415 : NodeTaps_0,  _S416 : bool) -> f32
+fn prefiltered_hole_0( _S427 : u32,  _S428 : CoverageTaps_0,  _S429 : NodeTaps_0,  _S430 : bool) -> f32
 {
-    var _S417 : f32 = interpolate_table_0(_S415, fabrics_0[_S413].lobes_0.projected_area_0 + fabrics_0[_S413].lobes_0.packs_0, fabrics_0[_S413].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S413, _S414) * _S417 * _S417 * select(fabrics_0[_S413].lobes_0.front_hole_weight_0, fabrics_0[_S413].lobes_0.back_hole_weight_0, _S416), 1.0f);
+    var _S431 : f32 = interpolate_table_0(_S429, fabrics_0[_S427].lobes_0.projected_area_0 + fabrics_0[_S427].lobes_0.packs_0, fabrics_0[_S427].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S427, _S428) * _S431 * _S431 * select(fabrics_0[_S427].lobes_0.front_hole_weight_0, fabrics_0[_S427].lobes_0.back_hole_weight_0, _S430), 1.0f);
 }
 
-fn passed_share_0( _S418 : u32,  _S419 : VisiblePoint_0,  _S420 : vec3<f32>,  _S421 : f32,  _S422 : vec2<f32>) -> f32
+fn passed_share_0( _S432 : u32,  _S433 : VisiblePoint_0,  _S434 : vec3<f32>,  _S435 : f32,  _S436 : vec2<f32>) -> f32
 {
-    if((fabrics_0[_S418].has_yarns_0) == u32(0))
+    if((fabrics_0[_S432].has_yarns_0) == u32(0))
     {
-        return fabrics_0[_S418].mean_hole_0;
+        return fabrics_0[_S432].mean_hole_0;
     }
-    var _S423 : vec3<f32> = to_local_0(_S419, _S420);
-    var _S424 : bool = (_S423.z) < 0.0f;
-    var _S425 : vec3<f32> = to_face_frame_0(_S423, _S424);
+    var _S437 : vec3<f32> = to_local_0(_S433, _S434);
+    var _S438 : bool = (_S437.z) < 0.0f;
+    var _S439 : vec3<f32> = to_face_frame_0(_S437, _S438);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S419.draft_0;
-    footprint_0.dx_0 = vec2<f32>(_S421, 0.0f);
-    footprint_0.dy_0 = vec2<f32>(0.0f, _S421);
-    var _S426 : f32 = select(0.0f, regime_of_0(_S418, footprint_0, 1.0f).prefiltered_0, (fabrics_0[_S418].lobes_0.is_baked_0) != u32(0));
+    footprint_0.centre_0 = _S433.draft_0;
+    footprint_0.dx_0 = vec2<f32>(_S435, 0.0f);
+    footprint_0.dy_0 = vec2<f32>(0.0f, _S435);
+    var _S440 : f32 = select(0.0f, regime_of_0(_S432, footprint_0, 1.0f).prefiltered_0, (fabrics_0[_S432].lobes_0.is_baked_0) != u32(0));
     var share_2 : f32;
-    if(_S426 < 1.0f)
+    if(_S440 < 1.0f)
     {
-        var _S427 : vec2<f32> = footprint_0.centre_0 + (_S422 - vec2<f32>(0.5f)) * vec2<f32>(_S421);
-        if(first_hit_0(_S418, default_quality_0(), _S427.x, _S427.y, _S425, _S424).hole_2)
+        var _S441 : vec2<f32> = footprint_0.centre_0 + (_S436 - vec2<f32>(0.5f)) * vec2<f32>(_S435);
+        if(first_hit_0(_S432, default_quality_0(), _S441.x, _S441.y, _S439, _S438).hole_2)
         {
-            share_2 = 1.0f - _S426;
+            share_2 = 1.0f - _S440;
         }
         else
         {
@@ -1863,100 +1894,100 @@ fn passed_share_0( _S418 : u32,  _S419 : VisiblePoint_0,  _S420 : vec3<f32>,  _S
     {
         share_2 = 0.0f;
     }
-    if(_S426 > 0.0f)
+    if(_S440 > 0.0f)
     {
-        var _S428 : NodeTaps_0 = node_taps_0(_S425);
-        var nodes_2 : NodeTaps_0 = _S428;
-        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((select(u32(0), u32(1), _S424) * u32(256)));
-        share_2 = share_2 + _S426 * prefiltered_hole_0(_S418, coverage_taps_0(_S418, footprint_0, _S424), nodes_2, _S424);
+        var _S442 : NodeTaps_0 = node_taps_0(_S439);
+        var nodes_2 : NodeTaps_0 = _S442;
+        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((select(u32(0), u32(1), _S438) * u32(256)));
+        share_2 = share_2 + _S440 * prefiltered_hole_0(_S432, coverage_taps_0(_S432, footprint_0, _S438), nodes_2, _S438);
     }
-    var _S429 : f32 = fabrics_0[_S418].sheen_strength_0;
-    if((fabrics_0[_S418].sheen_strength_0) > 0.0f)
+    var _S443 : f32 = fabrics_0[_S432].sheen_strength_0;
+    if((fabrics_0[_S432].sheen_strength_0) > 0.0f)
     {
-        share_2 = share_2 * (1.0f - _S429 * sheen_lobe_0(_S425.z, fabrics_0[_S418].sheen_roughness_0).z);
+        share_2 = share_2 * (1.0f - _S443 * sheen_lobe_0(_S439.z, fabrics_0[_S432].sheen_roughness_0).z);
     }
     return share_2;
 }
 
-fn visibility_of_0( _S430 : VisiblePoint_0,  _S431 : u32,  _S432 : vec2<u32>,  _S433 : u32) -> f32
+fn visibility_of_0( _S444 : VisiblePoint_0,  _S445 : u32,  _S446 : vec2<u32>,  _S447 : u32) -> f32
 {
-    var _S434 : bool;
-    var _S435 : LightSample_0 = light_sample_0(_S433, _S432, _S430.position_0);
-    var _S436 : vec3<f32> = seen_position_0(_S431, _S432) + vec3<f32>((select(1.0f, -1.0f, (dot(_S435.towards_0, _S430.face_normal_0)) < 0.0f) * frame_record_0.ray_offset_0)) * _S430.face_normal_0;
-    var _S437 : vec2<f32> = _S430.draft_dx_0;
-    var _S438 : vec2<f32> = _S430.draft_dy_0;
-    var _S439 : f32 = sqrt(0.5f * (dot(_S437, _S437) + dot(_S438, _S438)));
+    var _S448 : bool;
+    var _S449 : LightSample_0 = light_sample_0(_S447, _S446, _S444.position_0);
+    var _S450 : vec3<f32> = seen_position_0(_S445, _S446) + vec3<f32>((select(1.0f, -1.0f, (dot(_S449.towards_0, _S444.face_normal_0)) < 0.0f) * frame_record_0.ray_offset_0)) * _S444.face_normal_0;
+    var _S451 : vec2<f32> = _S444.draft_dx_0;
+    var _S452 : vec2<f32> = _S444.draft_dy_0;
+    var _S453 : f32 = sqrt(0.5f * (dot(_S451, _S451) + dot(_S452, _S452)));
     var nearest_1 : f32 = 0.0f;
-    var without_0 : u32 = _S431;
+    var without_0 : u32 = _S445;
     var layer_0 : u32 = u32(0);
     var visibility_0 : f32 = 1.0f;
     for(;;)
     {
-        var _S440 : bool = layer_0 < u32(8);
-        var _S441 : bool = visibility_0 > 0.00100000004749745f;
-        _S434 = _S441;
-        if((_S440 & (_S441)))
+        var _S454 : bool = layer_0 < u32(8);
+        var _S455 : bool = visibility_0 > 0.00100000004749745f;
+        _S448 = _S455;
+        if((_S454 & (_S455)))
         {
         }
         else
         {
             break;
         }
-        var _S442 : Hit_0 = nearest_hit_0(_S436, _S435.towards_0, nearest_1, _S435.distance_2, without_0, true);
-        if((_S442.face_2) == u32(4294967295))
+        var _S456 : Hit_0 = nearest_hit_0(_S450, _S449.towards_0, nearest_1, _S449.distance_2, without_0, true);
+        if((_S456.face_2) == u32(4294967295))
         {
             break;
         }
-        var _S443 : u32 = fabric_of_0(_S442.face_2);
-        var _S444 : VisiblePoint_0 = face_point_0(_S443, _S442.face_2, _S442.weight_b_0, _S442.weight_c_0);
-        var _S445 : vec2<f32> = pixel_sequence_0(_S432, frame_record_0.pass_number_0, u32(5) + u32(2) * (u32(8) * _S433 + layer_0));
-        var _S446 : f32;
-        if((fabrics_0[_S443].is_open_0) != u32(0))
+        var _S457 : u32 = fabric_of_0(_S456.face_2);
+        var _S458 : VisiblePoint_0 = face_point_0(_S457, _S456.face_2, _S456.weight_b_0, _S456.weight_c_0);
+        var _S459 : vec2<f32> = pixel_sequence_0(_S446, frame_record_0.pass_number_0, u32(5) + u32(2) * (u32(8) * _S447 + layer_0));
+        var _S460 : f32;
+        if((fabrics_0[_S457].is_open_0) != u32(0))
         {
-            var _S447 : f32 = passed_share_0(_S443, _S444, (vec3<f32>(0) - _S435.towards_0), _S439, _S445);
-            _S446 = _S447;
+            var _S461 : f32 = passed_share_0(_S457, _S458, (vec3<f32>(0) - _S449.towards_0), _S453, _S459);
+            _S460 = _S461;
         }
         else
         {
-            _S446 = 0.0f;
+            _S460 = 0.0f;
         }
-        var visibility_1 : f32 = visibility_0 * _S446;
-        var _S448 : u32 = layer_0 + u32(1);
-        nearest_1 = _S442.distance_0;
-        without_0 = _S442.face_2;
-        layer_0 = _S448;
+        var visibility_1 : f32 = visibility_0 * _S460;
+        var _S462 : u32 = layer_0 + u32(1);
+        nearest_1 = _S456.distance_0;
+        without_0 = _S456.face_2;
+        layer_0 = _S462;
         visibility_0 = visibility_1;
     }
-    return select(0.0f, visibility_0, _S434);
+    return select(0.0f, visibility_0, _S448);
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S449 : u32 = id_0.x;
-    var _S450 : bool;
-    if(_S449 >= (frame_record_0.width_0))
+    var _S463 : u32 = id_0.x;
+    var _S464 : bool;
+    if(_S463 >= (frame_record_0.width_0))
     {
-        _S450 = true;
+        _S464 = true;
     }
     else
     {
-        _S450 = (id_0.y) >= (frame_record_0.height_0);
+        _S464 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S450)
+    if(_S464)
     {
         return;
     }
-    var _S451 : u32 = id_0.y * frame_record_0.width_0 + _S449;
-    var _S452 : u32 = layers_0[_S451].face_0;
-    if((layers_0[_S451].face_0) == u32(0))
+    var _S465 : u32 = id_0.y * frame_record_0.width_0 + _S463;
+    var _S466 : u32 = layers_0[_S465].face_0;
+    if((layers_0[_S465].face_0) == u32(0))
     {
         return;
     }
-    var _S453 : u32 = _S452 - u32(1);
-    var _S454 : vec2<u32> = id_0.xy;
-    var _S455 : VisiblePoint_0 = visible_point_0(fabric_of_0(_S453), _S453, _S454);
+    var _S467 : u32 = _S466 - u32(1);
+    var _S468 : vec2<u32> = id_0.xy;
+    var _S469 : VisiblePoint_0 = visible_point_0(fabric_of_0(_S467), _S467, _S468);
     var number_5 : u32 = u32(0);
     for(;;)
     {
@@ -1967,8 +1998,8 @@ fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        var _S456 : f32 = visibility_of_0(_S455, _S453, _S454, number_5);
-        visibilities_0[number_5 * frame_record_0.width_0 * frame_record_0.height_0 + _S451] = _S456;
+        var _S470 : f32 = visibility_of_0(_S469, _S467, _S468, number_5);
+        visibilities_0[number_5 * frame_record_0.width_0 * frame_record_0.height_0 + _S465] = _S470;
         number_5 = number_5 + u32(1);
     }
     return;

@@ -216,6 +216,52 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
+struct Family_std430_0
+{
+    @align(4) is_alike_0 : u32,
+    @align(4) count_0 : f32,
+    @align(4) inverse_count_0 : f32,
+    @align(4) half_inverse_count_0 : f32,
+    @align(4) size_0 : f32,
+    @align(4) inverse_size_0 : f32,
+    @align(4) half_width_0 : f32,
+    @align(4) start_0 : f32,
+    @align(4) period_0 : f32,
+    @align(4) inverse_period_0 : f32,
+    @align(4) bins_0 : f32,
+    @align(4) first_thread_table_0 : u32,
+    @align(4) place_table_0 : u32,
+    @align(4) bend_table_0 : u32,
+    @align(4) height_scale_0 : f32,
+    @align(4) twist_sine_0 : f32,
+    @align(4) twist_cosine_0 : f32,
+    @align(4) level_0 : f32,
+    @align(4) roughness_0 : f32,
+    @align(4) albedo_table_0 : u32,
+    @align(4) albedo_stride_0 : u32,
+    @align(4) before_0 : u32,
+    @align(4) visible_total_0 : f32,
+    @align(4) smallest_box_0 : f32,
+    @align(4) quantities_0 : u32,
+    @align(4) colour_mean_0 : u32,
+    @align(4) colour_axes_0 : u32,
+    @align(4) colour_threads_0 : u32,
+    @align(4) colour_areas_0 : u32,
+    @align(4) area_unit_0 : f32,
+    @align(4) crossing_area_0 : f32,
+    @align(4) has_plies_0 : f32,
+    @align(4) plies_per_mm_0 : f32,
+    @align(4) ply_sine_0 : f32,
+    @align(4) ply_cosine_0 : f32,
+    @align(4) fibre_tilt_0 : f32,
+    @align(4) fibre_tone_0 : f32,
+    @align(4) slub_0 : f32,
+    @align(4) slubs_per_mm_0 : f32,
+    @align(4) hairiness_0 : f32,
+};
+
+@binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
+
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
 @binding(3) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
@@ -1468,6 +1514,38 @@ fn normal_of_0( vertex_1 : Vertex_0) -> vec3<f32>
     return vec3<f32>(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
 }
 
+fn scramble_0( value_0 : u32) -> u32
+{
+    var _S151 : u32 = value_0 * u32(747796405) + u32(2891336453);
+    var _S152 : u32 = ((((_S151 >> ((((_S151 >> (u32(28)))) + u32(4))))) ^ (_S151))) * u32(277803737);
+    return (((_S152 >> (u32(22)))) ^ (_S152));
+}
+
+fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
+{
+    return scramble_0(thread_0 + scramble_0(stream_0));
+}
+
+fn hash_bits_0( key_0 : u32,  cell_0 : u32) -> u32
+{
+    return scramble_0(cell_0 + key_0);
+}
+
+fn uneven_corner_0( key_1 : u32,  cell_1 : u32) -> f32
+{
+    return f32(((hash_bits_0(key_1, cell_1)) >> (u32(9)))) * 2.384185791015625e-07f - 1.0f;
+}
+
+fn uneven_octave_0( key_2 : u32,  place_0 : vec2<f32>) -> f32
+{
+    var _S153 : vec2<f32> = floor(place_0);
+    var _S154 : vec2<f32> = place_0 - _S153;
+    var _S155 : vec2<f32> = _S154 * _S154 * (vec2<f32>(3.0f) - vec2<f32>(2.0f) * _S154);
+    var _S156 : u32 = u32(i32(_S153.x)) * u32(65536) + u32(i32(_S153.y));
+    var _S157 : f32 = _S155.x;
+    return mix(mix(uneven_corner_0(key_2, _S156), uneven_corner_0(key_2, _S156 + u32(65536)), _S157), mix(uneven_corner_0(key_2, _S156 + u32(1)), uneven_corner_0(key_2, _S156 + u32(65537)), _S157), _S155.y);
+}
+
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
@@ -1488,50 +1566,33 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
 }
 
-fn scramble_0( value_0 : u32) -> u32
+fn uniform_hash_0( thread_1 : u32,  cell_2 : u32,  stream_1 : u32) -> f32
 {
-    var _S151 : u32 = value_0 * u32(747796405) + u32(2891336453);
-    var _S152 : u32 = ((((_S151 >> ((((_S151 >> (u32(28)))) + u32(4))))) ^ (_S151))) * u32(277803737);
-    return (((_S152 >> (u32(22)))) ^ (_S152));
-}
-
-fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
-{
-    return scramble_0(thread_0 + scramble_0(stream_0));
-}
-
-fn hash_bits_0( key_0 : u32,  cell_0 : u32) -> u32
-{
-    return scramble_0(cell_0 + key_0);
-}
-
-fn uniform_hash_0( thread_1 : u32,  cell_1 : u32,  stream_1 : u32) -> f32
-{
-    return (f32(((hash_bits_0(hash_key_0(thread_1, stream_1), cell_1)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    return (f32(((hash_bits_0(hash_key_0(thread_1, stream_1), cell_2)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
 }
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_0 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S153 : u32 = pixel_0.x;
-    var _S154 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S153, _S154, stream_2), uniform_hash_0(_S153, _S154, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S158 : u32 = pixel_0.x;
+    var _S159 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S158, _S159, stream_2), uniform_hash_0(_S158, _S159, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S155 : f32 = direction_1.z;
-    return vec3<f32>(direction_1.xy, select(_S155, - _S155, back_2));
+    var _S160 : f32 = direction_1.z;
+    return vec3<f32>(direction_1.xy, select(_S160, - _S160, back_2));
 }
 
 fn natural_logarithm_0( x_3 : f32) -> f32
 {
-    var _S156 : u32 = (bitcast<u32>((x_3)));
-    var m_0 : f32 = (bitcast<f32>(((((_S156 & (u32(8388607)))) | (u32(1056964608))))));
-    var _S157 : bool = m_0 < 0.70710676908493042f;
-    var exponent_0 : f32 = f32(i32((_S156 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S157);
-    var m_1 : f32 = select(m_0, m_0 + m_0, _S157) - 1.0f;
-    var _S158 : f32 = m_1 * m_1;
-    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S158 - exponent_0 * 0.00021219444170129f - 0.5f * _S158) + exponent_0 * 0.693359375f;
+    var _S161 : u32 = (bitcast<u32>((x_3)));
+    var m_0 : f32 = (bitcast<f32>(((((_S161 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S162 : bool = m_0 < 0.70710676908493042f;
+    var exponent_0 : f32 = f32(i32((_S161 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S162);
+    var m_1 : f32 = select(m_0, m_0 + m_0, _S162) - 1.0f;
+    var _S163 : f32 = m_1 * m_1;
+    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S163 - exponent_0 * 0.00021219444170129f - 0.5f * _S163) + exponent_0 * 0.693359375f;
 }
 
 fn binary_logarithm_0( x_4 : f32) -> f32
@@ -1542,9 +1603,9 @@ fn binary_logarithm_0( x_4 : f32) -> f32
 fn no_numbers_0() -> Eight_0
 {
     var numbers_1 : Eight_0;
-    var _S159 : vec4<f32> = vec4<f32>(0.0f);
-    numbers_1.low_0 = _S159;
-    numbers_1.high_0 = _S159;
+    var _S164 : vec4<f32> = vec4<f32>(0.0f);
+    numbers_1.low_0 = _S164;
+    numbers_1.high_0 = _S164;
     return numbers_1;
 }
 
@@ -1563,25 +1624,25 @@ fn eight_halves_0( packed_0 : vec4<u32>) -> Eight_0
 
 fn texel_numbers_0( first_25 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_0
 {
-    var _S160 : u32 = first_25 + texel_0 * elements_1;
-    var _S161 : vec4<u32> = packed_numbers_0[_S160];
+    var _S165 : u32 = first_25 + texel_0 * elements_1;
+    var _S166 : vec4<u32> = packed_numbers_0[_S165];
     if(elements_1 == u32(1))
     {
-        return eight_halves_0(_S161);
+        return eight_halves_0(_S166);
     }
     var numbers_3 : Eight_0;
-    numbers_3.low_0 = (bitcast<vec4<f32>>((_S161)));
-    numbers_3.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S160 + u32(1)])));
+    numbers_3.low_0 = (bitcast<vec4<f32>>((_S166)));
+    numbers_3.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S165 + u32(1)])));
     return numbers_3;
 }
 
-fn add_bilinear_0( first_26 : u32,  elements_2 : u32,  start_0 : u32,  columns_1 : u32,  rows_1 : u32,  uv_2 : vec2<f32>,  weight_0 : f32,  sums_6 : ptr<function, Eight_0>)
+fn add_bilinear_0( first_26 : u32,  elements_2 : u32,  start_1 : u32,  columns_1 : u32,  rows_1 : u32,  uv_2 : vec2<f32>,  weight_0 : f32,  sums_6 : ptr<function, Eight_0>)
 {
-    var _S162 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
-    var _S163 : vec2<f32> = floor(_S162);
-    var _S164 : vec2<f32> = _S162 - _S163;
-    var _S165 : i32 = i32(_S163.x);
-    var _S166 : i32 = i32(_S163.y);
+    var _S167 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
+    var _S168 : vec2<f32> = floor(_S167);
+    var _S169 : vec2<f32> = _S167 - _S168;
+    var _S170 : i32 = i32(_S168.x);
+    var _S171 : i32 = i32(_S168.y);
     var tap_0 : u32 = u32(0);
     for(;;)
     {
@@ -1592,14 +1653,14 @@ fn add_bilinear_0( first_26 : u32,  elements_2 : u32,  start_0 : u32,  columns_1
         {
             break;
         }
-        var _S167 : u32 = (tap_0 & (u32(1)));
-        var _S168 : u32 = (tap_0 >> (u32(1)));
-        var _S169 : Eight_0 = texel_numbers_0(first_26, elements_2, start_0 + ((u32(_S166 + i32(_S168)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S165 + i32(_S167)) & ((columns_1 - u32(1))))));
-        var _S170 : f32 = _S164.y;
-        var _S171 : f32 = _S164.x;
-        var _S172 : vec4<f32> = vec4<f32>((select(1.0f - _S170, _S170, _S168 != u32(0)) * select(1.0f - _S171, _S171, _S167 != u32(0)) * weight_0));
-        (*sums_6).low_0 = (*sums_6).low_0 + _S172 * _S169.low_0;
-        (*sums_6).high_0 = (*sums_6).high_0 + _S172 * _S169.high_0;
+        var _S172 : u32 = (tap_0 & (u32(1)));
+        var _S173 : u32 = (tap_0 >> (u32(1)));
+        var _S174 : Eight_0 = texel_numbers_0(first_26, elements_2, start_1 + ((u32(_S171 + i32(_S173)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S170 + i32(_S172)) & ((columns_1 - u32(1))))));
+        var _S175 : f32 = _S169.y;
+        var _S176 : f32 = _S169.x;
+        var _S177 : vec4<f32> = vec4<f32>((select(1.0f - _S175, _S175, _S173 != u32(0)) * select(1.0f - _S176, _S176, _S172 != u32(0)) * weight_0));
+        (*sums_6).low_0 = (*sums_6).low_0 + _S177 * _S174.low_0;
+        (*sums_6).high_0 = (*sums_6).high_0 + _S177 * _S174.high_0;
         tap_0 = tap_0 + u32(1);
     }
     return;
@@ -1614,19 +1675,19 @@ struct TexelPyramid_0
      face_texels_2 : u32,
 };
 
-fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_2 : u32,  weight_1 : f32,  sums_7 : ptr<function, Eight_0>)
+fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_1 : vec2<f32>,  level_1 : u32,  face_2 : u32,  weight_1 : f32,  sums_7 : ptr<function, Eight_0>)
 {
-    var _S173 : u32 = this_4.levels_4 + u32(3) * level_0;
-    add_bilinear_0(this_4.first_27, this_4.elements_3, face_2 * this_4.face_texels_2 + words_0[_S173], words_0[_S173 + u32(1)], words_0[_S173 + u32(2)], place_0, weight_1, &((*sums_7)));
+    var _S178 : u32 = this_4.levels_4 + u32(3) * level_1;
+    add_bilinear_0(this_4.first_27, this_4.elements_3, face_2 * this_4.face_texels_2 + words_0[_S178], words_0[_S178 + u32(1)], words_0[_S178 + u32(2)], place_1, weight_1, &((*sums_7)));
     return;
 }
 
-fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_3 : vec2<f32>,  level_1 : f32,  face_3 : u32) -> Eight_0
+fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_3 : vec2<f32>,  level_2 : f32,  face_3 : u32) -> Eight_0
 {
-    var _S174 : f32 = clamp(level_1, 0.0f, this_5.last_level_3);
-    var _S175 : f32 = clamp(floor(_S174), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
-    var _S176 : f32 = _S174 - _S175;
-    var _S177 : vec2<f32> = within_repeat_0(uv_3);
+    var _S179 : f32 = clamp(level_2, 0.0f, this_5.last_level_3);
+    var _S180 : f32 = clamp(floor(_S179), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
+    var _S181 : f32 = _S179 - _S180;
+    var _S182 : vec2<f32> = within_repeat_0(uv_3);
     var texel_1 : Eight_0 = no_numbers_0();
     var offset_1 : u32 = u32(0);
     for(;;)
@@ -1638,27 +1699,27 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_3 : vec2<f32>,  l
         {
             break;
         }
-        var _S178 : f32 = select(_S176, 1.0f - _S176, offset_1 == u32(0));
-        if(_S178 > 0.0f)
+        var _S183 : f32 = select(_S181, 1.0f - _S181, offset_1 == u32(0));
+        if(_S183 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S177, u32(_S175) + offset_1, face_3, _S178, &(texel_1));
+            TexelPyramid_add_level_0(this_5, _S182, u32(_S180) + offset_1, face_3, _S183, &(texel_1));
         }
         offset_1 = offset_1 + u32(1);
     }
     return texel_1;
 }
 
-fn TexelPyramid_of_level_0( this_6 : TexelPyramid_0,  uv_4 : vec2<f32>,  level_2 : u32,  face_4 : u32) -> Eight_0
+fn TexelPyramid_of_level_0( this_6 : TexelPyramid_0,  uv_4 : vec2<f32>,  level_3 : u32,  face_4 : u32) -> Eight_0
 {
     var texel_2 : Eight_0 = no_numbers_0();
-    TexelPyramid_add_level_0(this_6, within_repeat_0(uv_4), level_2, face_4, 1.0f, &(texel_2));
+    TexelPyramid_add_level_0(this_6, within_repeat_0(uv_4), level_3, face_4, 1.0f, &(texel_2));
     return texel_2;
 }
 
 fn channel_0( numbers_4 : Eight_0,  k_0 : i32) -> f32
 {
-    var _S179 : i32 = (k_0 & (i32(3)));
-    return select(numbers_4.high_0[_S179], numbers_4.low_0[_S179], k_0 < i32(4));
+    var _S184 : i32 = (k_0 & (i32(3)));
+    return select(numbers_4.high_0[_S184], numbers_4.low_0[_S184], k_0 < i32(4));
 }
 
 struct LatentFrame_0
@@ -1671,11 +1732,11 @@ struct LatentFrame_0
 fn frame_of_0( normal_2 : vec3<f32>,  tangent_1 : vec3<f32>) -> LatentFrame_0
 {
     var result_0 : LatentFrame_0;
-    var _S180 : vec3<f32> = normalize(normal_2 + vec3<f32>(0.0f, 0.0f, 1.0f));
-    result_0.normal_1 = _S180;
-    var _S181 : vec3<f32> = normalize(tangent_1 + vec3<f32>(1.0f, 0.0f, 0.0f));
-    result_0.tangent_0 = _S181;
-    result_0.bitangent_0 = cross(_S180, _S181);
+    var _S185 : vec3<f32> = normalize(normal_2 + vec3<f32>(0.0f, 0.0f, 1.0f));
+    result_0.normal_1 = _S185;
+    var _S186 : vec3<f32> = normalize(tangent_1 + vec3<f32>(1.0f, 0.0f, 0.0f));
+    result_0.tangent_0 = _S186;
+    result_0.bitangent_0 = cross(_S185, _S186);
     return result_0;
 }
 
@@ -1690,9 +1751,9 @@ struct Choice_0
      remainder_0 : f32,
 };
 
-fn choose_0( table_0 : u32,  count_0 : u32,  number_0 : f32) -> Choice_0
+fn choose_0( table_0 : u32,  count_1 : u32,  number_0 : f32) -> Choice_0
 {
-    var high_6 : u32 = count_0;
+    var high_6 : u32 = count_1;
     var low_6 : u32 = u32(0);
     for(;;)
     {
@@ -1703,22 +1764,22 @@ fn choose_0( table_0 : u32,  count_0 : u32,  number_0 : f32) -> Choice_0
         {
             break;
         }
-        var _S182 : u32 = (low_6 + high_6) / u32(2);
-        if((scene_number_0(table_0 + _S182)) <= number_0)
+        var _S187 : u32 = (low_6 + high_6) / u32(2);
+        if((scene_number_0(table_0 + _S187)) <= number_0)
         {
-            low_6 = _S182;
+            low_6 = _S187;
         }
         else
         {
-            high_6 = _S182;
+            high_6 = _S187;
         }
     }
-    var _S183 : u32 = table_0 + low_6;
-    var _S184 : f32 = scene_number_0(_S183);
-    var _S185 : f32 = scene_number_0(_S183 + u32(1));
+    var _S188 : u32 = table_0 + low_6;
+    var _S189 : f32 = scene_number_0(_S188);
+    var _S190 : f32 = scene_number_0(_S188 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_2 = low_6;
-    choice_0.remainder_0 = saturate((number_0 - _S184) / max(_S185 - _S184, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_0 - _S189) / max(_S190 - _S189, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1729,16 +1790,16 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_5 : f32) -> vec2<f32>
 {
-    var _S186 : f32 = floor(x_5 * 0.63661974668502808f + 0.5f);
-    var _S187 : f32 = x_5 - _S186 * 1.5703125f - _S186 * 0.00048375129699707f - _S186 * 7.54979012640433211e-08f;
-    var _S188 : f32 = _S187 * _S187;
-    var _S189 : f32 = ((-0.00019515295571182f * _S188 + 0.00833216123282909f) * _S188 - 0.16666655242443085f) * _S188 * _S187 + _S187;
-    var _S190 : f32 = ((0.00002443315679557f * _S188 - 0.00138873164542019f) * _S188 + 0.04166664555668831f) * _S188 * _S188 - 0.5f * _S188 + 1.0f;
-    var _S191 : u32 = (u32(i32(_S186)) & (u32(3)));
-    var _S192 : vec2<f32> = select_vector_1(((_S191 & (u32(1)))) != u32(0), vec2<f32>(_S190, _S189), vec2<f32>(_S189, _S190));
-    var _S193 : f32 = _S192.x;
-    var _S194 : f32 = _S192.y;
-    return vec2<f32>(select(_S193, - _S193, ((_S191 & (u32(2)))) != u32(0)), select(_S194, - _S194, (((_S191 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S191 : f32 = floor(x_5 * 0.63661974668502808f + 0.5f);
+    var _S192 : f32 = x_5 - _S191 * 1.5703125f - _S191 * 0.00048375129699707f - _S191 * 7.54979012640433211e-08f;
+    var _S193 : f32 = _S192 * _S192;
+    var _S194 : f32 = ((-0.00019515295571182f * _S193 + 0.00833216123282909f) * _S193 - 0.16666655242443085f) * _S193 * _S192 + _S192;
+    var _S195 : f32 = ((0.00002443315679557f * _S193 - 0.00138873164542019f) * _S193 + 0.04166664555668831f) * _S193 * _S193 - 0.5f * _S193 + 1.0f;
+    var _S196 : u32 = (u32(i32(_S191)) & (u32(3)));
+    var _S197 : vec2<f32> = select_vector_1(((_S196 & (u32(1)))) != u32(0), vec2<f32>(_S195, _S194), vec2<f32>(_S194, _S195));
+    var _S198 : f32 = _S197.x;
+    var _S199 : f32 = _S197.y;
+    return vec2<f32>(select(_S198, - _S198, ((_S196 & (u32(2)))) != u32(0)), select(_S199, - _S199, (((_S196 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
@@ -1772,19 +1833,19 @@ fn LatentFrame_coordinates_0( this_7 : LatentFrame_0,  direction_2 : vec3<f32>) 
 
 fn half_vector_feature_0( view_1 : vec3<f32>,  light_1 : vec3<f32>) -> f32
 {
-    var _S195 : vec3<f32> = view_1 + light_1;
-    var _S196 : f32 = max(_S195.z, 0.01999999955296516f);
-    var _S197 : f32 = _S195.x;
-    var _S198 : f32 = _S195.y;
-    return 0.25f * natural_logarithm_0((_S197 * _S197 + _S198 * _S198) / (_S196 * _S196) + 0.00030000001424924f);
+    var _S200 : vec3<f32> = view_1 + light_1;
+    var _S201 : f32 = max(_S200.z, 0.01999999955296516f);
+    var _S202 : f32 = _S200.x;
+    var _S203 : f32 = _S200.y;
+    return 0.25f * natural_logarithm_0((_S202 * _S202 + _S203 * _S203) / (_S201 * _S201) + 0.00030000001424924f);
 }
 
 fn exponential_0( x_7 : f32) -> f32
 {
-    var _S199 : f32 = clamp(x_7, -87.0f, 88.0f);
-    var _S200 : f32 = floor(_S199 * 1.4426950216293335f + 0.5f);
-    var _S201 : f32 = _S199 - _S200 * 0.693359375f + _S200 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S201 + 0.00139819993637502f) * _S201 + 0.00833345204591751f) * _S201 + 0.04166579619050026f) * _S201 + 0.1666666567325592f) * _S201 + 0.5f) * _S201 * _S201 + _S201 + 1.0f) * (bitcast<f32>(((u32(i32(_S200) + i32(127)) << (u32(23)))))), 0.0f, x_7 < -87.0f);
+    var _S204 : f32 = clamp(x_7, -87.0f, 88.0f);
+    var _S205 : f32 = floor(_S204 * 1.4426950216293335f + 0.5f);
+    var _S206 : f32 = _S204 - _S205 * 0.693359375f + _S205 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S206 + 0.00139819993637502f) * _S206 + 0.00833345204591751f) * _S206 + 0.04166579619050026f) * _S206 + 0.1666666567325592f) * _S206 + 0.5f) * _S206 * _S206 + _S206 + 1.0f) * (bitcast<f32>(((u32(i32(_S205) + i32(127)) << (u32(23)))))), 0.0f, x_7 < -87.0f);
 }
 
 fn bounded_exponential_0( exponent_1 : f32) -> f32
@@ -1794,9 +1855,9 @@ fn bounded_exponential_0( exponent_1 : f32) -> f32
 
 fn accumulate_0( index_3 : u32,  light_2 : vec4<f32>)
 {
-    var _S202 : f32 = layers_0[index_3].share_0;
+    var _S207 : f32 = layers_0[index_3].share_0;
     radiance_0[index_3] = radiance_0[index_3] + vec4<f32>(layers_0[index_3].share_0) * light_2;
-    layers_0[index_3].share_0 = _S202 * (1.0f - light_2.w);
+    layers_0[index_3].share_0 = _S207 * (1.0f - light_2.w);
     return;
 }
 
@@ -1820,80 +1881,97 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S203 : u32,  _S204 : u32,  _S205 : f32,  _S206 : f32) -> VisiblePoint_0
+fn uneven_shift_0( _S208 : u32,  _S209 : u32,  _S210 : u32,  _S211 : vec2<f32>) -> f32
 {
-    var _S207 : u32 = u32(3) * _S204;
-    var _S208 : Vertex_0 = vertex_at_0(_S207);
-    var _S209 : Vertex_0 = vertex_at_0(_S207 + u32(1));
-    var _S210 : Vertex_0 = vertex_at_0(_S207 + u32(2));
-    var _S211 : vec3<f32> = position_of_0(_S208);
-    var _S212 : vec3<f32> = position_of_0(_S209) - _S211;
-    var _S213 : vec3<f32> = position_of_0(_S210) - _S211;
-    var _S214 : f32 = _S209.u_0 - _S208.u_0;
-    var _S215 : f32 = _S209.v_0 - _S208.v_0;
-    var _S216 : vec2<f32> = vec2<f32>(_S214, _S215);
-    var _S217 : f32 = _S210.u_0 - _S208.u_0;
-    var _S218 : f32 = _S210.v_0 - _S208.v_0;
-    var _S219 : vec2<f32> = vec2<f32>(_S217, _S218);
-    var _S220 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S214 * _S218 - _S215 * _S217) < 0.0f));
-    var _S221 : vec3<f32> = _S220 * (vec3<f32>(_S218) * _S212 - vec3<f32>(_S215) * _S213);
-    var _S222 : vec3<f32> = _S220 * (vec3<f32>(_S214) * _S213 - vec3<f32>(_S217) * _S212);
+    var _S212 : f32 = families_0[_S210].period_0 / families_0[_S210].count_0;
+    var _S213 : u32 = hash_key_0(_S209, ((fabrics_0[_S208].seed_0) ^ (u32(625341585))));
+    var _S214 : vec2<f32> = vec2<f32>(_S211.x, _S211.y / 4.0f) / vec2<f32>(_S212);
+    return 0.20000000298023224f * sqrt(families_0[_S210].slub_0) * _S212 * (uneven_octave_0(_S213, _S214) * 0.66666668653488159f + uneven_octave_0(_S213 + u32(1), vec2<f32>(2.0f) * _S214 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+}
+
+fn uneven_place_0( _S215 : u32,  _S216 : vec2<f32>) -> vec2<f32>
+{
+    if((fabrics_0[_S215].has_detail_0) == u32(0))
+    {
+        return _S216;
+    }
+    return _S216 + vec2<f32>(uneven_shift_0(_S215, u32(0), fabrics_0[_S215].warp_0, _S216), uneven_shift_0(_S215, u32(1), fabrics_0[_S215].weft_0, _S216.yx));
+}
+
+fn face_point_0( _S217 : u32,  _S218 : u32,  _S219 : f32,  _S220 : f32) -> VisiblePoint_0
+{
+    var _S221 : u32 = u32(3) * _S218;
+    var _S222 : Vertex_0 = vertex_at_0(_S221);
+    var _S223 : Vertex_0 = vertex_at_0(_S221 + u32(1));
+    var _S224 : Vertex_0 = vertex_at_0(_S221 + u32(2));
+    var _S225 : vec3<f32> = position_of_0(_S222);
+    var _S226 : vec3<f32> = position_of_0(_S223) - _S225;
+    var _S227 : vec3<f32> = position_of_0(_S224) - _S225;
+    var _S228 : f32 = _S223.u_0 - _S222.u_0;
+    var _S229 : f32 = _S223.v_0 - _S222.v_0;
+    var _S230 : vec2<f32> = vec2<f32>(_S228, _S229);
+    var _S231 : f32 = _S224.u_0 - _S222.u_0;
+    var _S232 : f32 = _S224.v_0 - _S222.v_0;
+    var _S233 : vec2<f32> = vec2<f32>(_S231, _S232);
+    var _S234 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S228 * _S232 - _S229 * _S231) < 0.0f));
+    var _S235 : vec3<f32> = _S234 * (vec3<f32>(_S232) * _S226 - vec3<f32>(_S229) * _S227);
+    var _S236 : vec3<f32> = _S234 * (vec3<f32>(_S228) * _S227 - vec3<f32>(_S231) * _S226);
     var point_1 : VisiblePoint_0;
-    var _S223 : vec3<f32> = vec3<f32>(_S205);
-    var _S224 : vec3<f32> = vec3<f32>(_S206);
-    var _S225 : vec3<f32> = normalize(vec3<f32>((1.0f - _S205 - _S206)) * normal_of_0(_S208) + _S223 * normal_of_0(_S209) + _S224 * normal_of_0(_S210));
-    point_1.normal_0 = _S225;
-    var _S226 : vec3<f32> = normalize(_S221 - _S225 * vec3<f32>(dot(_S225, _S221)));
-    point_1.axis_x_0 = _S226;
-    point_1.axis_y_0 = cross(_S225, _S226);
-    var _S227 : vec3<f32> = normalize(cross(_S212, _S213));
-    point_1.face_normal_0 = select_vector_2((dot(_S227, _S225)) < 0.0f, (vec3<f32>(0) - _S227), _S227);
-    point_1.position_0 = _S211 + _S223 * _S212 + _S224 * _S213;
-    point_1.view_0 = _S225;
-    var _S228 : vec2<f32> = vec2<f32>(_S208.u_0, _S208.v_0) + vec2<f32>(_S205) * _S216 + vec2<f32>(_S206) * _S219;
-    point_1.uv_0 = _S228;
-    var _S229 : bool = (dot(cross(_S221, _S222), _S225)) < 0.0f;
-    var _S230 : vec2<f32> = vec2<f32>(fabrics_0[_S203].uv_width_0, select(fabrics_0[_S203].uv_height_0, - fabrics_0[_S203].uv_height_0, _S229));
-    point_1.draft_per_uv_0 = _S230;
-    point_1.draft_0 = _S228 * _S230 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S203].uv_height_0, _S229));
-    var _S231 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S231;
-    point_1.draft_dy_0 = _S231;
+    var _S237 : vec3<f32> = vec3<f32>(_S219);
+    var _S238 : vec3<f32> = vec3<f32>(_S220);
+    var _S239 : vec3<f32> = normalize(vec3<f32>((1.0f - _S219 - _S220)) * normal_of_0(_S222) + _S237 * normal_of_0(_S223) + _S238 * normal_of_0(_S224));
+    point_1.normal_0 = _S239;
+    var _S240 : vec3<f32> = normalize(_S235 - _S239 * vec3<f32>(dot(_S239, _S235)));
+    point_1.axis_x_0 = _S240;
+    point_1.axis_y_0 = cross(_S239, _S240);
+    var _S241 : vec3<f32> = normalize(cross(_S226, _S227));
+    point_1.face_normal_0 = select_vector_2((dot(_S241, _S239)) < 0.0f, (vec3<f32>(0) - _S241), _S241);
+    point_1.position_0 = _S225 + _S237 * _S226 + _S238 * _S227;
+    point_1.view_0 = _S239;
+    var _S242 : vec2<f32> = vec2<f32>(_S222.u_0, _S222.v_0) + vec2<f32>(_S219) * _S230 + vec2<f32>(_S220) * _S233;
+    point_1.uv_0 = _S242;
+    var _S243 : bool = (dot(cross(_S235, _S236), _S239)) < 0.0f;
+    var _S244 : vec2<f32> = vec2<f32>(fabrics_0[_S217].uv_width_0, select(fabrics_0[_S217].uv_height_0, - fabrics_0[_S217].uv_height_0, _S243));
+    point_1.draft_per_uv_0 = _S244;
+    point_1.draft_0 = uneven_place_0(_S217, _S242 * _S244 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S217].uv_height_0, _S243)));
+    var _S245 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S245;
+    point_1.draft_dy_0 = _S245;
     return point_1;
 }
 
-fn visible_point_0( _S232 : u32,  _S233 : u32,  _S234 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S246 : u32,  _S247 : u32,  _S248 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S235 : u32 = u32(3) * _S233;
-    var _S236 : Vertex_0 = vertex_at_0(_S235);
-    var _S237 : Vertex_0 = vertex_at_0(_S235 + u32(1));
-    var _S238 : Vertex_0 = vertex_at_0(_S235 + u32(2));
-    var _S239 : vec3<f32> = position_of_0(_S236);
-    var _S240 : vec3<f32> = position_of_0(_S237) - _S239;
-    var _S241 : vec3<f32> = position_of_0(_S238) - _S239;
-    var _S242 : vec3<f32> = cross(_S240, _S241);
-    var _S243 : f32 = f32(frame_record_0.width_0);
-    var _S244 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S243));
-    var _S245 : f32 = f32(frame_record_0.height_0);
-    var _S246 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S245));
-    var _S247 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S234.x) + 0.5f - 0.5f * _S243)) * _S244 + vec3<f32>((f32(_S234.y) + 0.5f - 0.5f * _S245)) * _S246;
-    var _S248 : f32 = dot(_S247, _S242);
-    var _S249 : f32 = 1.0f / select(1.00000000317107685e-30f, _S248, (abs(_S248)) > 1.00000000317107685e-30f);
-    var _S250 : vec3<f32> = _S239 - camera_origin_0();
-    var _S251 : vec3<f32> = vec3<f32>((dot(_S250, _S242) * _S249));
-    var _S252 : vec3<f32> = _S247 * _S251 - _S250;
-    var _S253 : vec3<f32> = _S251 * (_S244 - _S247 * vec3<f32>((dot(_S244, _S242) * _S249)));
-    var _S254 : vec3<f32> = _S251 * (_S246 - _S247 * vec3<f32>((dot(_S246, _S242) * _S249)));
-    var _S255 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S242), 1.00000000317107685e-30f)));
-    var _S256 : vec3<f32> = cross(_S241, _S242) * _S255;
-    var _S257 : vec3<f32> = cross(_S242, _S240) * _S255;
-    var _S258 : vec2<f32> = vec2<f32>(_S237.u_0 - _S236.u_0, _S237.v_0 - _S236.v_0);
-    var _S259 : vec2<f32> = vec2<f32>(_S238.u_0 - _S236.u_0, _S238.v_0 - _S236.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S232, _S233, dot(_S252, _S256), dot(_S252, _S257));
-    point_2.position_0 = _S239 + _S252;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S247));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S253, _S256)) * _S258 + vec2<f32>(dot(_S253, _S257)) * _S259) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S254, _S256)) * _S258 + vec2<f32>(dot(_S254, _S257)) * _S259) * point_2.draft_per_uv_0;
+    var _S249 : u32 = u32(3) * _S247;
+    var _S250 : Vertex_0 = vertex_at_0(_S249);
+    var _S251 : Vertex_0 = vertex_at_0(_S249 + u32(1));
+    var _S252 : Vertex_0 = vertex_at_0(_S249 + u32(2));
+    var _S253 : vec3<f32> = position_of_0(_S250);
+    var _S254 : vec3<f32> = position_of_0(_S251) - _S253;
+    var _S255 : vec3<f32> = position_of_0(_S252) - _S253;
+    var _S256 : vec3<f32> = cross(_S254, _S255);
+    var _S257 : f32 = f32(frame_record_0.width_0);
+    var _S258 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S257));
+    var _S259 : f32 = f32(frame_record_0.height_0);
+    var _S260 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S259));
+    var _S261 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S248.x) + 0.5f - 0.5f * _S257)) * _S258 + vec3<f32>((f32(_S248.y) + 0.5f - 0.5f * _S259)) * _S260;
+    var _S262 : f32 = dot(_S261, _S256);
+    var _S263 : f32 = 1.0f / select(1.00000000317107685e-30f, _S262, (abs(_S262)) > 1.00000000317107685e-30f);
+    var _S264 : vec3<f32> = _S253 - camera_origin_0();
+    var _S265 : vec3<f32> = vec3<f32>((dot(_S264, _S256) * _S263));
+    var _S266 : vec3<f32> = _S261 * _S265 - _S264;
+    var _S267 : vec3<f32> = _S265 * (_S258 - _S261 * vec3<f32>((dot(_S258, _S256) * _S263)));
+    var _S268 : vec3<f32> = _S265 * (_S260 - _S261 * vec3<f32>((dot(_S260, _S256) * _S263)));
+    var _S269 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S256), 1.00000000317107685e-30f)));
+    var _S270 : vec3<f32> = cross(_S255, _S256) * _S269;
+    var _S271 : vec3<f32> = cross(_S256, _S254) * _S269;
+    var _S272 : vec2<f32> = vec2<f32>(_S251.u_0 - _S250.u_0, _S251.v_0 - _S250.v_0);
+    var _S273 : vec2<f32> = vec2<f32>(_S252.u_0 - _S250.u_0, _S252.v_0 - _S250.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S246, _S247, dot(_S266, _S270), dot(_S266, _S271));
+    point_2.position_0 = _S253 + _S266;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S261));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S267, _S270)) * _S272 + vec2<f32>(dot(_S267, _S271)) * _S273) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S268, _S270)) * _S272 + vec2<f32>(dot(_S268, _S271)) * _S273) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -1913,31 +1991,31 @@ struct LatentView_0
      back_3 : bool,
 };
 
-fn latent_view_0( _S260 : u32,  _S261 : Footprint_0,  _S262 : vec3<f32>,  _S263 : f32,  _S264 : ptr<function, LatentView_0>)
+fn latent_view_0( _S274 : u32,  _S275 : Footprint_0,  _S276 : vec3<f32>,  _S277 : f32,  _S278 : ptr<function, LatentView_0>)
 {
-    var _S265 : Latent_std430_0 = fabrics_0[_S260].latent_0;
-    var _S266 : bool = (_S262.z) < 0.0f;
-    (*_S264).back_3 = _S266;
-    (*_S264).view_2 = to_face_frame_0(_S262, _S266);
-    var _S267 : u32 = select(u32(0), _S265.back_1, _S266);
-    var _S268 : vec2<f32> = _S261.centre_0 * vec2<f32>(_S265.repeats_per_x_1, _S265.repeats_per_y_1);
-    var _S269 : vec2<f32> = vec2<f32>(f32(words_0[_S265.levels_3 + u32(1)]), f32(words_0[_S265.levels_3 + u32(2)]));
-    var _S270 : vec2<f32> = select_vector_1((_S265.is_apart_0) != u32(0), (floor(_S268 * _S269) + vec2<f32>(0.5f)) / _S269, _S268);
-    var _S271 : f32 = clamp(binary_logarithm_0(max(sqrt(abs(_S261.dx_0.x * _S261.dy_0.y - _S261.dx_0.y * _S261.dy_0.x)) * _S265.texels_per_mm_1, 9.99999971718068537e-10f)), 0.0f, _S265.last_level_2);
+    var _S279 : Latent_std430_0 = fabrics_0[_S274].latent_0;
+    var _S280 : bool = (_S276.z) < 0.0f;
+    (*_S278).back_3 = _S280;
+    (*_S278).view_2 = to_face_frame_0(_S276, _S280);
+    var _S281 : u32 = select(u32(0), _S279.back_1, _S280);
+    var _S282 : vec2<f32> = _S275.centre_0 * vec2<f32>(_S279.repeats_per_x_1, _S279.repeats_per_y_1);
+    var _S283 : vec2<f32> = vec2<f32>(f32(words_0[_S279.levels_3 + u32(1)]), f32(words_0[_S279.levels_3 + u32(2)]));
+    var _S284 : vec2<f32> = select_vector_1((_S279.is_apart_0) != u32(0), (floor(_S282 * _S283) + vec2<f32>(0.5f)) / _S283, _S282);
+    var _S285 : f32 = clamp(binary_logarithm_0(max(sqrt(abs(_S275.dx_0.x * _S275.dy_0.y - _S275.dx_0.y * _S275.dy_0.x)) * _S279.texels_per_mm_1, 9.99999971718068537e-10f)), 0.0f, _S279.last_level_2);
     var pyramid_0 : TexelPyramid_0;
-    pyramid_0.first_27 = _S265.texels_1;
-    pyramid_0.elements_3 = _S265.texel_elements_1;
-    pyramid_0.levels_4 = _S265.levels_3;
-    pyramid_0.last_level_3 = _S265.last_level_2;
-    pyramid_0.face_texels_2 = _S265.face_texels_1;
+    pyramid_0.first_27 = _S279.texels_1;
+    pyramid_0.elements_3 = _S279.texel_elements_1;
+    pyramid_0.levels_4 = _S279.levels_3;
+    pyramid_0.last_level_3 = _S279.last_level_2;
+    pyramid_0.face_texels_2 = _S279.face_texels_1;
     var texel_3 : Eight_0;
-    if((_S265.is_trilinear_0) != u32(0))
+    if((_S279.is_trilinear_0) != u32(0))
     {
-        texel_3 = TexelPyramid_between_levels_0(pyramid_0, _S270, _S271, _S267);
+        texel_3 = TexelPyramid_between_levels_0(pyramid_0, _S284, _S285, _S281);
     }
     else
     {
-        texel_3 = TexelPyramid_of_level_0(pyramid_0, _S270, u32(_S271) + select(u32(0), u32(1), _S263 < (_S271 - floor(_S271))), _S267);
+        texel_3 = TexelPyramid_of_level_0(pyramid_0, _S284, u32(_S285) + select(u32(0), u32(1), _S277 < (_S285 - floor(_S285))), _S281);
     }
     var k_1 : i32 = i32(0);
     for(;;)
@@ -1949,17 +2027,17 @@ fn latent_view_0( _S260 : u32,  _S261 : Footprint_0,  _S262 : vec3<f32>,  _S263 
         {
             break;
         }
-        (*_S264).latent_1[k_1] = channel_0(texel_3, k_1);
+        (*_S278).latent_1[k_1] = channel_0(texel_3, k_1);
         k_1 = k_1 + i32(1);
     }
     var weights_26 : FloatWeights_0;
-    weights_26.first_0 = _S265.frames_0;
-    var _S272 : array<f32, i32(8)> = (*_S264).latent_1;
+    weights_26.first_0 = _S279.frames_0;
+    var _S286 : array<f32, i32(8)> = (*_S278).latent_1;
     var sums_8 : array<f32, i32(12)>;
-    dense_9(weights_26, u32(0), false, &(_S272), &(sums_8));
-    (*_S264).latent_1 = _S272;
-    (*_S264).first_29 = frame_of_0(vec3<f32>(sums_8[i32(0)], sums_8[i32(1)], sums_8[i32(2)]), vec3<f32>(sums_8[i32(3)], sums_8[i32(4)], sums_8[i32(5)]));
-    (*_S264).second_0 = frame_of_0(vec3<f32>(sums_8[i32(6)], sums_8[i32(7)], sums_8[i32(8)]), vec3<f32>(sums_8[i32(9)], sums_8[i32(10)], sums_8[i32(11)]));
+    dense_9(weights_26, u32(0), false, &(_S286), &(sums_8));
+    (*_S278).latent_1 = _S286;
+    (*_S278).first_29 = frame_of_0(vec3<f32>(sums_8[i32(0)], sums_8[i32(1)], sums_8[i32(2)]), vec3<f32>(sums_8[i32(3)], sums_8[i32(4)], sums_8[i32(5)]));
+    (*_S278).second_0 = frame_of_0(vec3<f32>(sums_8[i32(6)], sums_8[i32(7)], sums_8[i32(8)]), vec3<f32>(sums_8[i32(9)], sums_8[i32(10)], sums_8[i32(11)]));
     return;
 }
 
@@ -1968,13 +2046,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S273 : u32,  _S274 : vec2<u32>) -> f32
+fn visibility_at_0( _S287 : u32,  _S288 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S273 * frame_record_0.height_0 + _S274.y) * frame_record_0.width_0 + _S274.x];
+    return visibilities_0[(_S287 * frame_record_0.height_0 + _S288.y) * frame_record_0.width_0 + _S288.x];
 }
 
 struct LightSample_0
@@ -1984,69 +2062,69 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S275 : u32,  _S276 : u32) -> vec3<f32>
+fn environment_texel_0( _S289 : u32,  _S290 : u32) -> vec3<f32>
 {
-    var _S277 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S275 * frame_record_0.environment_columns_0 + _S276);
-    return vec3<f32>(scene_number_0(_S277), scene_number_0(_S277 + u32(1)), scene_number_0(_S277 + u32(2)));
+    var _S291 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S289 * frame_record_0.environment_columns_0 + _S290);
+    return vec3<f32>(scene_number_0(_S291), scene_number_0(_S291 + u32(1)), scene_number_0(_S291 + u32(2)));
 }
 
-fn sample_environment_0( _S278 : vec2<f32>,  _S279 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S292 : vec2<f32>,  _S293 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S280 : u32 = frame_record_0.environment_rows_0;
-    var _S281 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S278.y);
-    var _S282 : u32 = frame_record_0.environment_columns_0;
-    var _S283 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S281.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S278.x);
-    var _S284 : vec3<f32> = environment_texel_0(_S281.index_2, _S283.index_2);
-    (*_S279) = _S284 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S284), 9.99999968265522539e-21f)));
-    var _S285 : f32 = 3.14159274101257324f / f32(_S280);
-    var _S286 : f32 = mix(sine_cosine_0(f32(_S281.index_2) * _S285).y, sine_cosine_0(f32(_S281.index_2 + u32(1)) * _S285).y, _S281.remainder_0);
-    var _S287 : f32 = sqrt(max(1.0f - _S286 * _S286, 0.0f));
-    var _S288 : vec2<f32> = sine_cosine_0((f32(_S283.index_2) + _S283.remainder_0) * (6.28318548202514648f / f32(_S282)));
-    var _S289 : f32 = _S287 * _S288.x;
-    var _S290 : f32 = - _S287 * _S288.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S289 + frame_record_0.environment_sine_0 * _S290, _S286, frame_record_0.environment_cosine_0 * _S290 - frame_record_0.environment_sine_0 * _S289);
+    var _S294 : u32 = frame_record_0.environment_rows_0;
+    var _S295 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S292.y);
+    var _S296 : u32 = frame_record_0.environment_columns_0;
+    var _S297 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S295.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S292.x);
+    var _S298 : vec3<f32> = environment_texel_0(_S295.index_2, _S297.index_2);
+    (*_S293) = _S298 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S298), 9.99999968265522539e-21f)));
+    var _S299 : f32 = 3.14159274101257324f / f32(_S294);
+    var _S300 : f32 = mix(sine_cosine_0(f32(_S295.index_2) * _S299).y, sine_cosine_0(f32(_S295.index_2 + u32(1)) * _S299).y, _S295.remainder_0);
+    var _S301 : f32 = sqrt(max(1.0f - _S300 * _S300, 0.0f));
+    var _S302 : vec2<f32> = sine_cosine_0((f32(_S297.index_2) + _S297.remainder_0) * (6.28318548202514648f / f32(_S296)));
+    var _S303 : f32 = _S301 * _S302.x;
+    var _S304 : f32 = - _S301 * _S302.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S303 + frame_record_0.environment_sine_0 * _S304, _S300, frame_record_0.environment_cosine_0 * _S304 - frame_record_0.environment_sine_0 * _S303);
 }
 
-fn light_sample_0( _S291 : u32,  _S292 : vec2<u32>,  _S293 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S305 : u32,  _S306 : vec2<u32>,  _S307 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S294 : u32 = frame_record_0.lights_0;
-    if(_S291 >= (frame_record_0.lights_0))
+    var _S308 : u32 = frame_record_0.lights_0;
+    if(_S305 >= (frame_record_0.lights_0))
     {
         var weight_2 : vec3<f32>;
-        var _S295 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S292, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S291 - _S294), u32(3)), &(weight_2));
-        sample_0.towards_0 = _S295;
+        var _S309 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S306, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S305 - _S308), u32(3)), &(weight_2));
+        sample_0.towards_0 = _S309;
         sample_0.irradiance_1 = weight_2 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S296 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S291);
-    sample_0.irradiance_1 = vec3<f32>(_S296.red_0, _S296.green_0, _S296.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S296.x_6, _S296.y_1, _S296.z_1);
-    if((_S296.is_point_0) != u32(0))
+    var _S310 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S305);
+    sample_0.irradiance_1 = vec3<f32>(_S310.red_0, _S310.green_0, _S310.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S310.x_6, _S310.y_1, _S310.z_1);
+    if((_S310.is_point_0) != u32(0))
     {
-        var _S297 : vec3<f32> = sample_0.towards_0 - _S293;
-        var _S298 : f32 = max(square_0(_S297), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S298);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S298);
-        sample_0.towards_0 = normalize(_S297);
+        var _S311 : vec3<f32> = sample_0.towards_0 - _S307;
+        var _S312 : f32 = max(square_0(_S311), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S312);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S312);
+        sample_0.towards_0 = normalize(_S311);
     }
     return sample_0;
 }
 
-fn latent_value_0( _S299 : u32,  _S300 : ptr<function, LatentView_0>,  _S301 : vec3<f32>) -> vec3<f32>
+fn latent_value_0( _S313 : u32,  _S314 : ptr<function, LatentView_0>,  _S315 : vec3<f32>) -> vec3<f32>
 {
-    var _S302 : vec3<f32> = to_face_frame_0(_S301, (*_S300).back_3);
-    var _S303 : f32 = _S302.z;
-    if(_S303 <= 0.0f)
+    var _S316 : vec3<f32> = to_face_frame_0(_S315, (*_S314).back_3);
+    var _S317 : f32 = _S316.z;
+    if(_S317 <= 0.0f)
     {
         return vec3<f32>(0.0f);
     }
     var inputs_32 : array<f32, i32(24)>;
-    var _S304 : vec3<f32> = LatentFrame_coordinates_0((*_S300).first_29, (*_S300).view_2);
-    var _S305 : vec3<f32> = LatentFrame_coordinates_0((*_S300).first_29, _S302);
-    var _S306 : vec3<f32> = LatentFrame_coordinates_0((*_S300).second_0, (*_S300).view_2);
-    var _S307 : vec3<f32> = LatentFrame_coordinates_0((*_S300).second_0, _S302);
+    var _S318 : vec3<f32> = LatentFrame_coordinates_0((*_S314).first_29, (*_S314).view_2);
+    var _S319 : vec3<f32> = LatentFrame_coordinates_0((*_S314).first_29, _S316);
+    var _S320 : vec3<f32> = LatentFrame_coordinates_0((*_S314).second_0, (*_S314).view_2);
+    var _S321 : vec3<f32> = LatentFrame_coordinates_0((*_S314).second_0, _S316);
     var axis_0 : i32 = i32(0);
     for(;;)
     {
@@ -2057,17 +2135,17 @@ fn latent_value_0( _S299 : u32,  _S300 : ptr<function, LatentView_0>,  _S301 : v
         {
             break;
         }
-        inputs_32[axis_0] = _S304[axis_0];
-        inputs_32[i32(3) + axis_0] = _S305[axis_0];
-        inputs_32[i32(6) + axis_0] = _S306[axis_0];
-        inputs_32[i32(9) + axis_0] = _S307[axis_0];
+        inputs_32[axis_0] = _S318[axis_0];
+        inputs_32[i32(3) + axis_0] = _S319[axis_0];
+        inputs_32[i32(6) + axis_0] = _S320[axis_0];
+        inputs_32[i32(9) + axis_0] = _S321[axis_0];
         axis_0 = axis_0 + i32(1);
     }
-    inputs_32[i32(12)] = half_vector_feature_0(_S304, _S305);
-    inputs_32[i32(13)] = half_vector_feature_0(_S306, _S307);
-    var _S308 : f32 = 1.0f - sqrt(max(0.25f * square_0((*_S300).view_2 + _S302), 9.99999993922529029e-09f));
-    inputs_32[i32(14)] = _S308 * (_S308 * _S308 * _S308 * _S308);
-    inputs_32[i32(15)] = natural_logarithm_0(max(_S303, 0.00999999977648258f));
+    inputs_32[i32(12)] = half_vector_feature_0(_S318, _S319);
+    inputs_32[i32(13)] = half_vector_feature_0(_S320, _S321);
+    var _S322 : f32 = 1.0f - sqrt(max(0.25f * square_0((*_S314).view_2 + _S316), 9.99999993922529029e-09f));
+    inputs_32[i32(14)] = _S322 * (_S322 * _S322 * _S322 * _S322);
+    inputs_32[i32(15)] = natural_logarithm_0(max(_S317, 0.00999999977648258f));
     var k_2 : i32 = i32(0);
     for(;;)
     {
@@ -2078,40 +2156,40 @@ fn latent_value_0( _S299 : u32,  _S300 : ptr<function, LatentView_0>,  _S301 : v
         {
             break;
         }
-        inputs_32[i32(16) + k_2] = (*_S300).latent_1[k_2];
+        inputs_32[i32(16) + k_2] = (*_S314).latent_1[k_2];
         k_2 = k_2 + i32(1);
     }
     var outputs_27 : array<f32, i32(3)>;
-    var _S309 : Latent_std430_0 = fabrics_0[_S299].latent_0;
-    if((fabrics_0[_S299].latent_0.hidden_0) == u32(16))
+    var _S323 : Latent_std430_0 = fabrics_0[_S313].latent_0;
+    if((fabrics_0[_S313].latent_0.hidden_0) == u32(16))
     {
-        decode_2(_S309.decoder_1, &(inputs_32), &(outputs_27));
+        decode_2(_S323.decoder_1, &(inputs_32), &(outputs_27));
     }
     else
     {
-        if((_S309.hidden_0) == u32(32))
+        if((_S323.hidden_0) == u32(32))
         {
-            decode_1(_S309.decoder_1, &(inputs_32), &(outputs_27));
+            decode_1(_S323.decoder_1, &(inputs_32), &(outputs_27));
         }
         else
         {
-            decode_0(_S309.decoder_1, &(inputs_32), &(outputs_27));
+            decode_0(_S323.decoder_1, &(inputs_32), &(outputs_27));
         }
     }
     return vec3<f32>(bounded_exponential_0(outputs_27[i32(0)] - 3.0f), bounded_exponential_0(outputs_27[i32(1)] - 3.0f), bounded_exponential_0(outputs_27[i32(2)] - 3.0f));
 }
 
-fn light_of_latent_0( _S310 : u32,  _S311 : VisiblePoint_0,  _S312 : vec2<u32>) -> vec4<f32>
+fn light_of_latent_0( _S324 : u32,  _S325 : VisiblePoint_0,  _S326 : vec2<u32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S311.draft_0;
-    footprint_0.dx_0 = _S311.draft_dx_0;
-    footprint_0.dy_0 = _S311.draft_dy_0;
+    footprint_0.centre_0 = _S325.draft_0;
+    footprint_0.dx_0 = _S325.draft_dx_0;
+    footprint_0.dy_0 = _S325.draft_dy_0;
     var seen_0 : LatentView_0;
-    latent_view_0(_S310, footprint_0, to_local_0(_S311, _S311.view_0), pixel_sequence_0(_S312, frame_record_0.pass_number_0, u32(1)).x, &(seen_0));
-    var _S313 : vec3<f32> = vec3<f32>(0.0f);
+    latent_view_0(_S324, footprint_0, to_local_0(_S325, _S325.view_0), pixel_sequence_0(_S326, frame_record_0.pass_number_0, u32(1)).x, &(seen_0));
+    var _S327 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S313;
+    var radiance_1 : vec3<f32> = _S327;
     for(;;)
     {
         if(number_1 < (light_sample_count_0()))
@@ -2121,16 +2199,16 @@ fn light_of_latent_0( _S310 : u32,  _S311 : VisiblePoint_0,  _S312 : vec2<u32>) 
         {
             break;
         }
-        var _S314 : f32 = visibility_at_0(number_1, _S312);
-        if(_S314 <= 0.0f)
+        var _S328 : f32 = visibility_at_0(number_1, _S326);
+        if(_S328 <= 0.0f)
         {
             number_1 = number_1 + u32(1);
             continue;
         }
-        var _S315 : LightSample_0 = light_sample_0(number_1, _S312, _S311.position_0);
-        var _S316 : vec3<f32> = vec3<f32>(_S314) * _S315.irradiance_1;
-        var _S317 : vec3<f32> = latent_value_0(_S310, &(seen_0), to_local_0(_S311, _S315.towards_0));
-        radiance_1 = radiance_1 + _S316 * _S317;
+        var _S329 : LightSample_0 = light_sample_0(number_1, _S326, _S325.position_0);
+        var _S330 : vec3<f32> = vec3<f32>(_S328) * _S329.irradiance_1;
+        var _S331 : vec3<f32> = latent_value_0(_S324, &(seen_0), to_local_0(_S325, _S329.towards_0));
+        radiance_1 = radiance_1 + _S330 * _S331;
         number_1 = number_1 + u32(1);
     }
     return vec4<f32>(radiance_1, 1.0f);
@@ -2140,30 +2218,30 @@ fn light_of_latent_0( _S310 : u32,  _S311 : VisiblePoint_0,  _S312 : vec2<u32>) 
 @workgroup_size(8, 8, 1)
 fn shade_latent(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S318 : u32 = id_0.x;
-    var _S319 : bool;
-    if(_S318 >= (frame_record_0.width_0))
+    var _S332 : u32 = id_0.x;
+    var _S333 : bool;
+    if(_S332 >= (frame_record_0.width_0))
     {
-        _S319 = true;
+        _S333 = true;
     }
     else
     {
-        _S319 = (id_0.y) >= (frame_record_0.height_0);
+        _S333 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S319)
+    if(_S333)
     {
         return;
     }
-    var _S320 : u32 = id_0.y * frame_record_0.width_0 + _S318;
-    var _S321 : u32 = layers_0[_S320].face_0;
-    if((layers_0[_S320].face_0) == u32(0))
+    var _S334 : u32 = id_0.y * frame_record_0.width_0 + _S332;
+    var _S335 : u32 = layers_0[_S334].face_0;
+    if((layers_0[_S334].face_0) == u32(0))
     {
         return;
     }
-    var _S322 : u32 = _S321 - u32(1);
-    var _S323 : u32 = fabric_of_0(_S322);
-    var _S324 : vec2<u32> = id_0.xy;
-    accumulate_0(_S320, light_of_latent_0(_S323, visible_point_0(_S323, _S322, _S324), _S324));
+    var _S336 : u32 = _S335 - u32(1);
+    var _S337 : u32 = fabric_of_0(_S336);
+    var _S338 : vec2<u32> = id_0.xy;
+    accumulate_0(_S334, light_of_latent_0(_S337, visible_point_0(_S337, _S336, _S338), _S338));
     return;
 }
 

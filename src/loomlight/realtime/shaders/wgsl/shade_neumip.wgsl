@@ -216,6 +216,52 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
+struct Family_std430_0
+{
+    @align(4) is_alike_0 : u32,
+    @align(4) count_0 : f32,
+    @align(4) inverse_count_0 : f32,
+    @align(4) half_inverse_count_0 : f32,
+    @align(4) size_0 : f32,
+    @align(4) inverse_size_0 : f32,
+    @align(4) half_width_0 : f32,
+    @align(4) start_0 : f32,
+    @align(4) period_0 : f32,
+    @align(4) inverse_period_0 : f32,
+    @align(4) bins_0 : f32,
+    @align(4) first_thread_table_0 : u32,
+    @align(4) place_table_0 : u32,
+    @align(4) bend_table_0 : u32,
+    @align(4) height_scale_0 : f32,
+    @align(4) twist_sine_0 : f32,
+    @align(4) twist_cosine_0 : f32,
+    @align(4) level_0 : f32,
+    @align(4) roughness_0 : f32,
+    @align(4) albedo_table_0 : u32,
+    @align(4) albedo_stride_0 : u32,
+    @align(4) before_0 : u32,
+    @align(4) visible_total_0 : f32,
+    @align(4) smallest_box_0 : f32,
+    @align(4) quantities_0 : u32,
+    @align(4) colour_mean_0 : u32,
+    @align(4) colour_axes_0 : u32,
+    @align(4) colour_threads_0 : u32,
+    @align(4) colour_areas_0 : u32,
+    @align(4) area_unit_0 : f32,
+    @align(4) crossing_area_0 : f32,
+    @align(4) has_plies_0 : f32,
+    @align(4) plies_per_mm_0 : f32,
+    @align(4) ply_sine_0 : f32,
+    @align(4) ply_cosine_0 : f32,
+    @align(4) fibre_tilt_0 : f32,
+    @align(4) fibre_tone_0 : f32,
+    @align(4) slub_0 : f32,
+    @align(4) slubs_per_mm_0 : f32,
+    @align(4) hairiness_0 : f32,
+};
+
+@binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
+
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
 @binding(3) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
@@ -1242,6 +1288,38 @@ fn normal_of_0( vertex_1 : Vertex_0) -> vec3<f32>
     return vec3<f32>(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
 }
 
+fn scramble_0( value_0 : u32) -> u32
+{
+    var _S123 : u32 = value_0 * u32(747796405) + u32(2891336453);
+    var _S124 : u32 = ((((_S123 >> ((((_S123 >> (u32(28)))) + u32(4))))) ^ (_S123))) * u32(277803737);
+    return (((_S124 >> (u32(22)))) ^ (_S124));
+}
+
+fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
+{
+    return scramble_0(thread_0 + scramble_0(stream_0));
+}
+
+fn hash_bits_0( key_0 : u32,  cell_0 : u32) -> u32
+{
+    return scramble_0(cell_0 + key_0);
+}
+
+fn uneven_corner_0( key_1 : u32,  cell_1 : u32) -> f32
+{
+    return f32(((hash_bits_0(key_1, cell_1)) >> (u32(9)))) * 2.384185791015625e-07f - 1.0f;
+}
+
+fn uneven_octave_0( key_2 : u32,  place_0 : vec2<f32>) -> f32
+{
+    var _S125 : vec2<f32> = floor(place_0);
+    var _S126 : vec2<f32> = place_0 - _S125;
+    var _S127 : vec2<f32> = _S126 * _S126 * (vec2<f32>(3.0f) - vec2<f32>(2.0f) * _S126);
+    var _S128 : u32 = u32(i32(_S125.x)) * u32(65536) + u32(i32(_S125.y));
+    var _S129 : f32 = _S127.x;
+    return mix(mix(uneven_corner_0(key_2, _S128), uneven_corner_0(key_2, _S128 + u32(65536)), _S129), mix(uneven_corner_0(key_2, _S128 + u32(1)), uneven_corner_0(key_2, _S128 + u32(65537)), _S129), _S127.y);
+}
+
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
@@ -1264,16 +1342,16 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
 
 fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S123 : f32 = direction_1.z;
-    return vec3<f32>(direction_1.xy, select(_S123, - _S123, back_2));
+    var _S130 : f32 = direction_1.z;
+    return vec3<f32>(direction_1.xy, select(_S130, - _S130, back_2));
 }
 
 fn no_numbers_0() -> Eight_0
 {
     var numbers_1 : Eight_0;
-    var _S124 : vec4<f32> = vec4<f32>(0.0f);
-    numbers_1.low_0 = _S124;
-    numbers_1.high_0 = _S124;
+    var _S131 : vec4<f32> = vec4<f32>(0.0f);
+    numbers_1.low_0 = _S131;
+    numbers_1.high_0 = _S131;
     return numbers_1;
 }
 
@@ -1287,25 +1365,25 @@ fn eight_halves_0( packed_0 : vec4<u32>) -> Eight_0
 
 fn texel_numbers_0( first_18 : u32,  elements_1 : u32,  texel_0 : u32) -> Eight_0
 {
-    var _S125 : u32 = first_18 + texel_0 * elements_1;
-    var _S126 : vec4<u32> = packed_numbers_0[_S125];
+    var _S132 : u32 = first_18 + texel_0 * elements_1;
+    var _S133 : vec4<u32> = packed_numbers_0[_S132];
     if(elements_1 == u32(1))
     {
-        return eight_halves_0(_S126);
+        return eight_halves_0(_S133);
     }
     var numbers_3 : Eight_0;
-    numbers_3.low_0 = (bitcast<vec4<f32>>((_S126)));
-    numbers_3.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S125 + u32(1)])));
+    numbers_3.low_0 = (bitcast<vec4<f32>>((_S133)));
+    numbers_3.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S132 + u32(1)])));
     return numbers_3;
 }
 
-fn add_bilinear_0( first_19 : u32,  elements_2 : u32,  start_0 : u32,  columns_1 : u32,  rows_1 : u32,  uv_1 : vec2<f32>,  weight_0 : f32,  sums_5 : ptr<function, Eight_0>)
+fn add_bilinear_0( first_19 : u32,  elements_2 : u32,  start_1 : u32,  columns_1 : u32,  rows_1 : u32,  uv_1 : vec2<f32>,  weight_0 : f32,  sums_5 : ptr<function, Eight_0>)
 {
-    var _S127 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
-    var _S128 : vec2<f32> = floor(_S127);
-    var _S129 : vec2<f32> = _S127 - _S128;
-    var _S130 : i32 = i32(_S128.x);
-    var _S131 : i32 = i32(_S128.y);
+    var _S134 : vec2<f32> = uv_1 * vec2<f32>(f32(columns_1), f32(rows_1)) - vec2<f32>(0.5f);
+    var _S135 : vec2<f32> = floor(_S134);
+    var _S136 : vec2<f32> = _S134 - _S135;
+    var _S137 : i32 = i32(_S135.x);
+    var _S138 : i32 = i32(_S135.y);
     var tap_0 : u32 = u32(0);
     for(;;)
     {
@@ -1316,26 +1394,26 @@ fn add_bilinear_0( first_19 : u32,  elements_2 : u32,  start_0 : u32,  columns_1
         {
             break;
         }
-        var _S132 : u32 = (tap_0 & (u32(1)));
-        var _S133 : u32 = (tap_0 >> (u32(1)));
-        var _S134 : Eight_0 = texel_numbers_0(first_19, elements_2, start_0 + ((u32(_S131 + i32(_S133)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S130 + i32(_S132)) & ((columns_1 - u32(1))))));
-        var _S135 : f32 = _S129.y;
-        var _S136 : f32 = _S129.x;
-        var _S137 : vec4<f32> = vec4<f32>((select(1.0f - _S135, _S135, _S133 != u32(0)) * select(1.0f - _S136, _S136, _S132 != u32(0)) * weight_0));
-        (*sums_5).low_0 = (*sums_5).low_0 + _S137 * _S134.low_0;
-        (*sums_5).high_0 = (*sums_5).high_0 + _S137 * _S134.high_0;
+        var _S139 : u32 = (tap_0 & (u32(1)));
+        var _S140 : u32 = (tap_0 >> (u32(1)));
+        var _S141 : Eight_0 = texel_numbers_0(first_19, elements_2, start_1 + ((u32(_S138 + i32(_S140)) & ((rows_1 - u32(1))))) * columns_1 + ((u32(_S137 + i32(_S139)) & ((columns_1 - u32(1))))));
+        var _S142 : f32 = _S136.y;
+        var _S143 : f32 = _S136.x;
+        var _S144 : vec4<f32> = vec4<f32>((select(1.0f - _S142, _S142, _S140 != u32(0)) * select(1.0f - _S143, _S143, _S139 != u32(0)) * weight_0));
+        (*sums_5).low_0 = (*sums_5).low_0 + _S144 * _S141.low_0;
+        (*sums_5).high_0 = (*sums_5).high_0 + _S144 * _S141.high_0;
         tap_0 = tap_0 + u32(1);
     }
     return;
 }
 
-fn add_bilinear_1( first_20 : u32,  elements_3 : u32,  start_1 : u32,  columns_2 : u32,  rows_2 : u32,  uv_2 : vec2<f32>,  weight_1 : f32,  sums_6 : ptr<function, Eight_0>)
+fn add_bilinear_1( first_20 : u32,  elements_3 : u32,  start_2 : u32,  columns_2 : u32,  rows_2 : u32,  uv_2 : vec2<f32>,  weight_1 : f32,  sums_6 : ptr<function, Eight_0>)
 {
-    var _S138 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_2), f32(rows_2)) - vec2<f32>(0.5f);
-    var _S139 : vec2<f32> = floor(_S138);
-    var _S140 : vec2<f32> = _S138 - _S139;
-    var _S141 : i32 = i32(_S139.x);
-    var _S142 : i32 = i32(_S139.y);
+    var _S145 : vec2<f32> = uv_2 * vec2<f32>(f32(columns_2), f32(rows_2)) - vec2<f32>(0.5f);
+    var _S146 : vec2<f32> = floor(_S145);
+    var _S147 : vec2<f32> = _S145 - _S146;
+    var _S148 : i32 = i32(_S146.x);
+    var _S149 : i32 = i32(_S146.y);
     var tap_1 : u32 = u32(0);
     for(;;)
     {
@@ -1346,14 +1424,14 @@ fn add_bilinear_1( first_20 : u32,  elements_3 : u32,  start_1 : u32,  columns_2
         {
             break;
         }
-        var _S143 : u32 = (tap_1 & (u32(1)));
-        var _S144 : u32 = (tap_1 >> (u32(1)));
-        var _S145 : Eight_0 = texel_numbers_0(first_20, elements_3, start_1 + ((u32(_S142 + i32(_S144)) & ((rows_2 - u32(1))))) * columns_2 + ((u32(_S141 + i32(_S143)) & ((columns_2 - u32(1))))));
-        var _S146 : f32 = _S140.y;
-        var _S147 : f32 = _S140.x;
-        var _S148 : vec4<f32> = vec4<f32>((select(1.0f - _S146, _S146, _S144 != u32(0)) * select(1.0f - _S147, _S147, _S143 != u32(0)) * weight_1));
-        (*sums_6).low_0 = (*sums_6).low_0 + _S148 * _S145.low_0;
-        (*sums_6).high_0 = (*sums_6).high_0 + _S148 * _S145.high_0;
+        var _S150 : u32 = (tap_1 & (u32(1)));
+        var _S151 : u32 = (tap_1 >> (u32(1)));
+        var _S152 : Eight_0 = texel_numbers_0(first_20, elements_3, start_2 + ((u32(_S149 + i32(_S151)) & ((rows_2 - u32(1))))) * columns_2 + ((u32(_S148 + i32(_S150)) & ((columns_2 - u32(1))))));
+        var _S153 : f32 = _S147.y;
+        var _S154 : f32 = _S147.x;
+        var _S155 : vec4<f32> = vec4<f32>((select(1.0f - _S153, _S153, _S151 != u32(0)) * select(1.0f - _S154, _S154, _S150 != u32(0)) * weight_1));
+        (*sums_6).low_0 = (*sums_6).low_0 + _S155 * _S152.low_0;
+        (*sums_6).high_0 = (*sums_6).high_0 + _S155 * _S152.high_0;
         tap_1 = tap_1 + u32(1);
     }
     return;
@@ -1361,16 +1439,16 @@ fn add_bilinear_1( first_20 : u32,  elements_3 : u32,  start_1 : u32,  columns_2
 
 fn channel_0( numbers_4 : Eight_0,  k_0 : i32) -> f32
 {
-    var _S149 : i32 = (k_0 & (i32(3)));
-    return select(numbers_4.high_0[_S149], numbers_4.low_0[_S149], k_0 < i32(4));
+    var _S156 : i32 = (k_0 & (i32(3)));
+    return select(numbers_4.high_0[_S156], numbers_4.low_0[_S156], k_0 < i32(4));
 }
 
 fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>,  view_1 : vec2<f32>,  face_2 : u32) -> f32
 {
-    var _S150 : u32 = words_0[(*model_0).levels_2 + u32(1)];
-    var _S151 : u32 = words_0[(*model_0).levels_2 + u32(2)];
+    var _S157 : u32 = words_0[(*model_0).levels_2 + u32(1)];
+    var _S158 : u32 = words_0[(*model_0).levels_2 + u32(2)];
     var texel_1 : Eight_0 = no_numbers_0();
-    add_bilinear_0((*model_0).offset_texels_0, (*model_0).texel_elements_0, face_2 * _S150 * _S151, _S150, _S151, fract(uv_3), 1.0f, &(texel_1));
+    add_bilinear_0((*model_0).offset_texels_0, (*model_0).texel_elements_0, face_2 * _S157 * _S158, _S157, _S158, fract(uv_3), 1.0f, &(texel_1));
     var inputs_24 : array<f32, i32(9)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -1396,13 +1474,13 @@ fn neumip_depth_0( model_0 : ptr<function, Neumip_std430_0>,  uv_3 : vec2<f32>, 
 
 fn natural_logarithm_0( x_3 : f32) -> f32
 {
-    var _S152 : u32 = (bitcast<u32>((x_3)));
-    var m_0 : f32 = (bitcast<f32>(((((_S152 & (u32(8388607)))) | (u32(1056964608))))));
-    var _S153 : bool = m_0 < 0.70710676908493042f;
-    var exponent_0 : f32 = f32(i32((_S152 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S153);
-    var m_1 : f32 = select(m_0, m_0 + m_0, _S153) - 1.0f;
-    var _S154 : f32 = m_1 * m_1;
-    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S154 - exponent_0 * 0.00021219444170129f - 0.5f * _S154) + exponent_0 * 0.693359375f;
+    var _S159 : u32 = (bitcast<u32>((x_3)));
+    var m_0 : f32 = (bitcast<f32>(((((_S159 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S160 : bool = m_0 < 0.70710676908493042f;
+    var exponent_0 : f32 = f32(i32((_S159 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S160);
+    var m_1 : f32 = select(m_0, m_0 + m_0, _S160) - 1.0f;
+    var _S161 : f32 = m_1 * m_1;
+    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S161 - exponent_0 * 0.00021219444170129f - 0.5f * _S161) + exponent_0 * 0.693359375f;
 }
 
 fn binary_logarithm_0( x_4 : f32) -> f32
@@ -1424,19 +1502,19 @@ struct TexelPyramid_0
      face_texels_2 : u32,
 };
 
-fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_0 : vec2<f32>,  level_0 : u32,  face_3 : u32,  weight_2 : f32,  sums_7 : ptr<function, Eight_0>)
+fn TexelPyramid_add_level_0( this_4 : TexelPyramid_0,  place_1 : vec2<f32>,  level_1 : u32,  face_3 : u32,  weight_2 : f32,  sums_7 : ptr<function, Eight_0>)
 {
-    var _S155 : u32 = this_4.levels_4 + u32(3) * level_0;
-    add_bilinear_1(this_4.first_21, this_4.elements_4, face_3 * this_4.face_texels_2 + words_0[_S155], words_0[_S155 + u32(1)], words_0[_S155 + u32(2)], place_0, weight_2, &((*sums_7)));
+    var _S162 : u32 = this_4.levels_4 + u32(3) * level_1;
+    add_bilinear_1(this_4.first_21, this_4.elements_4, face_3 * this_4.face_texels_2 + words_0[_S162], words_0[_S162 + u32(1)], words_0[_S162 + u32(2)], place_1, weight_2, &((*sums_7)));
     return;
 }
 
-fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  level_1 : f32,  face_4 : u32) -> Eight_0
+fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  level_2 : f32,  face_4 : u32) -> Eight_0
 {
-    var _S156 : f32 = clamp(level_1, 0.0f, this_5.last_level_3);
-    var _S157 : f32 = clamp(floor(_S156), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
-    var _S158 : f32 = _S156 - _S157;
-    var _S159 : vec2<f32> = within_repeat_0(uv_5);
+    var _S163 : f32 = clamp(level_2, 0.0f, this_5.last_level_3);
+    var _S164 : f32 = clamp(floor(_S163), 0.0f, max(this_5.last_level_3 - 1.0f, 0.0f));
+    var _S165 : f32 = _S163 - _S164;
+    var _S166 : vec2<f32> = within_repeat_0(uv_5);
     var texel_2 : Eight_0 = no_numbers_0();
     var offset_1 : u32 = u32(0);
     for(;;)
@@ -1448,10 +1526,10 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  l
         {
             break;
         }
-        var _S160 : f32 = select(_S158, 1.0f - _S158, offset_1 == u32(0));
-        if(_S160 > 0.0f)
+        var _S167 : f32 = select(_S165, 1.0f - _S165, offset_1 == u32(0));
+        if(_S167 > 0.0f)
         {
-            TexelPyramid_add_level_0(this_5, _S159, u32(_S157) + offset_1, face_4, _S160, &(texel_2));
+            TexelPyramid_add_level_0(this_5, _S166, u32(_S164) + offset_1, face_4, _S167, &(texel_2));
         }
         offset_1 = offset_1 + u32(1);
     }
@@ -1460,10 +1538,10 @@ fn TexelPyramid_between_levels_0( this_5 : TexelPyramid_0,  uv_5 : vec2<f32>,  l
 
 fn exponential_0( x_5 : f32) -> f32
 {
-    var _S161 : f32 = clamp(x_5, -87.0f, 88.0f);
-    var _S162 : f32 = floor(_S161 * 1.4426950216293335f + 0.5f);
-    var _S163 : f32 = _S161 - _S162 * 0.693359375f + _S162 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S163 + 0.00139819993637502f) * _S163 + 0.00833345204591751f) * _S163 + 0.04166579619050026f) * _S163 + 0.1666666567325592f) * _S163 + 0.5f) * _S163 * _S163 + _S163 + 1.0f) * (bitcast<f32>(((u32(i32(_S162) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
+    var _S168 : f32 = clamp(x_5, -87.0f, 88.0f);
+    var _S169 : f32 = floor(_S168 * 1.4426950216293335f + 0.5f);
+    var _S170 : f32 = _S168 - _S169 * 0.693359375f + _S169 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S170 + 0.00139819993637502f) * _S170 + 0.00833345204591751f) * _S170 + 0.04166579619050026f) * _S170 + 0.1666666567325592f) * _S170 + 0.5f) * _S170 * _S170 + _S170 + 1.0f) * (bitcast<f32>(((u32(i32(_S169) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
 }
 
 fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0,  view_2 : vec2<f32>) -> f32
@@ -1491,33 +1569,16 @@ fn neumip_hole_0( model_1 : ptr<function, Neumip_std430_0>,  texel_3 : Eight_0, 
     return 1.0f / (1.0f + exponential_0(- clamp(opening_0[i32(0)], -30.0f, 30.0f)));
 }
 
-fn scramble_0( value_0 : u32) -> u32
+fn uniform_hash_0( thread_1 : u32,  cell_2 : u32,  stream_1 : u32) -> f32
 {
-    var _S164 : u32 = value_0 * u32(747796405) + u32(2891336453);
-    var _S165 : u32 = ((((_S164 >> ((((_S164 >> (u32(28)))) + u32(4))))) ^ (_S164))) * u32(277803737);
-    return (((_S165 >> (u32(22)))) ^ (_S165));
-}
-
-fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
-{
-    return scramble_0(thread_0 + scramble_0(stream_0));
-}
-
-fn hash_bits_0( key_0 : u32,  cell_0 : u32) -> u32
-{
-    return scramble_0(cell_0 + key_0);
-}
-
-fn uniform_hash_0( thread_1 : u32,  cell_1 : u32,  stream_1 : u32) -> f32
-{
-    return (f32(((hash_bits_0(hash_key_0(thread_1, stream_1), cell_1)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    return (f32(((hash_bits_0(hash_key_0(thread_1, stream_1), cell_2)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
 }
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_0 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S166 : u32 = pixel_0.x;
-    var _S167 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S166, _S167, stream_2), uniform_hash_0(_S166, _S167, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S171 : u32 = pixel_0.x;
+    var _S172 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S171, _S172, stream_2), uniform_hash_0(_S171, _S172, stream_2 + u32(1))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_1 : u32) -> f32
@@ -1531,9 +1592,9 @@ struct Choice_0
      remainder_0 : f32,
 };
 
-fn choose_0( table_0 : u32,  count_0 : u32,  number_0 : f32) -> Choice_0
+fn choose_0( table_0 : u32,  count_1 : u32,  number_0 : f32) -> Choice_0
 {
-    var high_5 : u32 = count_0;
+    var high_5 : u32 = count_1;
     var low_5 : u32 = u32(0);
     for(;;)
     {
@@ -1544,22 +1605,22 @@ fn choose_0( table_0 : u32,  count_0 : u32,  number_0 : f32) -> Choice_0
         {
             break;
         }
-        var _S168 : u32 = (low_5 + high_5) / u32(2);
-        if((scene_number_0(table_0 + _S168)) <= number_0)
+        var _S173 : u32 = (low_5 + high_5) / u32(2);
+        if((scene_number_0(table_0 + _S173)) <= number_0)
         {
-            low_5 = _S168;
+            low_5 = _S173;
         }
         else
         {
-            high_5 = _S168;
+            high_5 = _S173;
         }
     }
-    var _S169 : u32 = table_0 + low_5;
-    var _S170 : f32 = scene_number_0(_S169);
-    var _S171 : f32 = scene_number_0(_S169 + u32(1));
+    var _S174 : u32 = table_0 + low_5;
+    var _S175 : f32 = scene_number_0(_S174);
+    var _S176 : f32 = scene_number_0(_S174 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_2 = low_5;
-    choice_0.remainder_0 = saturate((number_0 - _S170) / max(_S171 - _S170, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_0 - _S175) / max(_S176 - _S175, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1570,16 +1631,16 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_6 : f32) -> vec2<f32>
 {
-    var _S172 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
-    var _S173 : f32 = x_6 - _S172 * 1.5703125f - _S172 * 0.00048375129699707f - _S172 * 7.54979012640433211e-08f;
-    var _S174 : f32 = _S173 * _S173;
-    var _S175 : f32 = ((-0.00019515295571182f * _S174 + 0.00833216123282909f) * _S174 - 0.16666655242443085f) * _S174 * _S173 + _S173;
-    var _S176 : f32 = ((0.00002443315679557f * _S174 - 0.00138873164542019f) * _S174 + 0.04166664555668831f) * _S174 * _S174 - 0.5f * _S174 + 1.0f;
-    var _S177 : u32 = (u32(i32(_S172)) & (u32(3)));
-    var _S178 : vec2<f32> = select_vector_1(((_S177 & (u32(1)))) != u32(0), vec2<f32>(_S176, _S175), vec2<f32>(_S175, _S176));
-    var _S179 : f32 = _S178.x;
-    var _S180 : f32 = _S178.y;
-    return vec2<f32>(select(_S179, - _S179, ((_S177 & (u32(2)))) != u32(0)), select(_S180, - _S180, (((_S177 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S177 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
+    var _S178 : f32 = x_6 - _S177 * 1.5703125f - _S177 * 0.00048375129699707f - _S177 * 7.54979012640433211e-08f;
+    var _S179 : f32 = _S178 * _S178;
+    var _S180 : f32 = ((-0.00019515295571182f * _S179 + 0.00833216123282909f) * _S179 - 0.16666655242443085f) * _S179 * _S178 + _S178;
+    var _S181 : f32 = ((0.00002443315679557f * _S179 - 0.00138873164542019f) * _S179 + 0.04166664555668831f) * _S179 * _S179 - 0.5f * _S179 + 1.0f;
+    var _S182 : u32 = (u32(i32(_S177)) & (u32(3)));
+    var _S183 : vec2<f32> = select_vector_1(((_S182 & (u32(1)))) != u32(0), vec2<f32>(_S181, _S180), vec2<f32>(_S180, _S181));
+    var _S184 : f32 = _S183.x;
+    var _S185 : f32 = _S183.y;
+    return vec2<f32>(select(_S184, - _S184, ((_S182 & (u32(2)))) != u32(0)), select(_S185, - _S185, (((_S182 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
@@ -1608,9 +1669,9 @@ fn scene_light_0( first_22 : u32) -> Light_0
 
 fn accumulate_0( index_3 : u32,  light_1 : vec4<f32>)
 {
-    var _S181 : f32 = layers_0[index_3].share_0;
+    var _S186 : f32 = layers_0[index_3].share_0;
     radiance_0[index_3] = radiance_0[index_3] + vec4<f32>(layers_0[index_3].share_0) * light_1;
-    layers_0[index_3].share_0 = _S181 * (1.0f - light_1.w);
+    layers_0[index_3].share_0 = _S186 * (1.0f - light_1.w);
     return;
 }
 
@@ -1634,80 +1695,97 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S182 : u32,  _S183 : u32,  _S184 : f32,  _S185 : f32) -> VisiblePoint_0
+fn uneven_shift_0( _S187 : u32,  _S188 : u32,  _S189 : u32,  _S190 : vec2<f32>) -> f32
 {
-    var _S186 : u32 = u32(3) * _S183;
-    var _S187 : Vertex_0 = vertex_at_0(_S186);
-    var _S188 : Vertex_0 = vertex_at_0(_S186 + u32(1));
-    var _S189 : Vertex_0 = vertex_at_0(_S186 + u32(2));
-    var _S190 : vec3<f32> = position_of_0(_S187);
-    var _S191 : vec3<f32> = position_of_0(_S188) - _S190;
-    var _S192 : vec3<f32> = position_of_0(_S189) - _S190;
-    var _S193 : f32 = _S188.u_0 - _S187.u_0;
-    var _S194 : f32 = _S188.v_0 - _S187.v_0;
-    var _S195 : vec2<f32> = vec2<f32>(_S193, _S194);
-    var _S196 : f32 = _S189.u_0 - _S187.u_0;
-    var _S197 : f32 = _S189.v_0 - _S187.v_0;
-    var _S198 : vec2<f32> = vec2<f32>(_S196, _S197);
-    var _S199 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S193 * _S197 - _S194 * _S196) < 0.0f));
-    var _S200 : vec3<f32> = _S199 * (vec3<f32>(_S197) * _S191 - vec3<f32>(_S194) * _S192);
-    var _S201 : vec3<f32> = _S199 * (vec3<f32>(_S193) * _S192 - vec3<f32>(_S196) * _S191);
+    var _S191 : f32 = families_0[_S189].period_0 / families_0[_S189].count_0;
+    var _S192 : u32 = hash_key_0(_S188, ((fabrics_0[_S187].seed_0) ^ (u32(625341585))));
+    var _S193 : vec2<f32> = vec2<f32>(_S190.x, _S190.y / 4.0f) / vec2<f32>(_S191);
+    return 0.20000000298023224f * sqrt(families_0[_S189].slub_0) * _S191 * (uneven_octave_0(_S192, _S193) * 0.66666668653488159f + uneven_octave_0(_S192 + u32(1), vec2<f32>(2.0f) * _S193 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+}
+
+fn uneven_place_0( _S194 : u32,  _S195 : vec2<f32>) -> vec2<f32>
+{
+    if((fabrics_0[_S194].has_detail_0) == u32(0))
+    {
+        return _S195;
+    }
+    return _S195 + vec2<f32>(uneven_shift_0(_S194, u32(0), fabrics_0[_S194].warp_0, _S195), uneven_shift_0(_S194, u32(1), fabrics_0[_S194].weft_0, _S195.yx));
+}
+
+fn face_point_0( _S196 : u32,  _S197 : u32,  _S198 : f32,  _S199 : f32) -> VisiblePoint_0
+{
+    var _S200 : u32 = u32(3) * _S197;
+    var _S201 : Vertex_0 = vertex_at_0(_S200);
+    var _S202 : Vertex_0 = vertex_at_0(_S200 + u32(1));
+    var _S203 : Vertex_0 = vertex_at_0(_S200 + u32(2));
+    var _S204 : vec3<f32> = position_of_0(_S201);
+    var _S205 : vec3<f32> = position_of_0(_S202) - _S204;
+    var _S206 : vec3<f32> = position_of_0(_S203) - _S204;
+    var _S207 : f32 = _S202.u_0 - _S201.u_0;
+    var _S208 : f32 = _S202.v_0 - _S201.v_0;
+    var _S209 : vec2<f32> = vec2<f32>(_S207, _S208);
+    var _S210 : f32 = _S203.u_0 - _S201.u_0;
+    var _S211 : f32 = _S203.v_0 - _S201.v_0;
+    var _S212 : vec2<f32> = vec2<f32>(_S210, _S211);
+    var _S213 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S207 * _S211 - _S208 * _S210) < 0.0f));
+    var _S214 : vec3<f32> = _S213 * (vec3<f32>(_S211) * _S205 - vec3<f32>(_S208) * _S206);
+    var _S215 : vec3<f32> = _S213 * (vec3<f32>(_S207) * _S206 - vec3<f32>(_S210) * _S205);
     var point_1 : VisiblePoint_0;
-    var _S202 : vec3<f32> = vec3<f32>(_S184);
-    var _S203 : vec3<f32> = vec3<f32>(_S185);
-    var _S204 : vec3<f32> = normalize(vec3<f32>((1.0f - _S184 - _S185)) * normal_of_0(_S187) + _S202 * normal_of_0(_S188) + _S203 * normal_of_0(_S189));
-    point_1.normal_0 = _S204;
-    var _S205 : vec3<f32> = normalize(_S200 - _S204 * vec3<f32>(dot(_S204, _S200)));
-    point_1.axis_x_0 = _S205;
-    point_1.axis_y_0 = cross(_S204, _S205);
-    var _S206 : vec3<f32> = normalize(cross(_S191, _S192));
-    point_1.face_normal_0 = select_vector_2((dot(_S206, _S204)) < 0.0f, (vec3<f32>(0) - _S206), _S206);
-    point_1.position_0 = _S190 + _S202 * _S191 + _S203 * _S192;
-    point_1.view_0 = _S204;
-    var _S207 : vec2<f32> = vec2<f32>(_S187.u_0, _S187.v_0) + vec2<f32>(_S184) * _S195 + vec2<f32>(_S185) * _S198;
-    point_1.uv_0 = _S207;
-    var _S208 : bool = (dot(cross(_S200, _S201), _S204)) < 0.0f;
-    var _S209 : vec2<f32> = vec2<f32>(fabrics_0[_S182].uv_width_0, select(fabrics_0[_S182].uv_height_0, - fabrics_0[_S182].uv_height_0, _S208));
-    point_1.draft_per_uv_0 = _S209;
-    point_1.draft_0 = _S207 * _S209 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S182].uv_height_0, _S208));
-    var _S210 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S210;
-    point_1.draft_dy_0 = _S210;
+    var _S216 : vec3<f32> = vec3<f32>(_S198);
+    var _S217 : vec3<f32> = vec3<f32>(_S199);
+    var _S218 : vec3<f32> = normalize(vec3<f32>((1.0f - _S198 - _S199)) * normal_of_0(_S201) + _S216 * normal_of_0(_S202) + _S217 * normal_of_0(_S203));
+    point_1.normal_0 = _S218;
+    var _S219 : vec3<f32> = normalize(_S214 - _S218 * vec3<f32>(dot(_S218, _S214)));
+    point_1.axis_x_0 = _S219;
+    point_1.axis_y_0 = cross(_S218, _S219);
+    var _S220 : vec3<f32> = normalize(cross(_S205, _S206));
+    point_1.face_normal_0 = select_vector_2((dot(_S220, _S218)) < 0.0f, (vec3<f32>(0) - _S220), _S220);
+    point_1.position_0 = _S204 + _S216 * _S205 + _S217 * _S206;
+    point_1.view_0 = _S218;
+    var _S221 : vec2<f32> = vec2<f32>(_S201.u_0, _S201.v_0) + vec2<f32>(_S198) * _S209 + vec2<f32>(_S199) * _S212;
+    point_1.uv_0 = _S221;
+    var _S222 : bool = (dot(cross(_S214, _S215), _S218)) < 0.0f;
+    var _S223 : vec2<f32> = vec2<f32>(fabrics_0[_S196].uv_width_0, select(fabrics_0[_S196].uv_height_0, - fabrics_0[_S196].uv_height_0, _S222));
+    point_1.draft_per_uv_0 = _S223;
+    point_1.draft_0 = uneven_place_0(_S196, _S221 * _S223 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S196].uv_height_0, _S222)));
+    var _S224 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S224;
+    point_1.draft_dy_0 = _S224;
     return point_1;
 }
 
-fn visible_point_0( _S211 : u32,  _S212 : u32,  _S213 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S225 : u32,  _S226 : u32,  _S227 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S214 : u32 = u32(3) * _S212;
-    var _S215 : Vertex_0 = vertex_at_0(_S214);
-    var _S216 : Vertex_0 = vertex_at_0(_S214 + u32(1));
-    var _S217 : Vertex_0 = vertex_at_0(_S214 + u32(2));
-    var _S218 : vec3<f32> = position_of_0(_S215);
-    var _S219 : vec3<f32> = position_of_0(_S216) - _S218;
-    var _S220 : vec3<f32> = position_of_0(_S217) - _S218;
-    var _S221 : vec3<f32> = cross(_S219, _S220);
-    var _S222 : f32 = f32(frame_record_0.width_0);
-    var _S223 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S222));
-    var _S224 : f32 = f32(frame_record_0.height_0);
-    var _S225 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S224));
-    var _S226 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S213.x) + 0.5f - 0.5f * _S222)) * _S223 + vec3<f32>((f32(_S213.y) + 0.5f - 0.5f * _S224)) * _S225;
-    var _S227 : f32 = dot(_S226, _S221);
-    var _S228 : f32 = 1.0f / select(1.00000000317107685e-30f, _S227, (abs(_S227)) > 1.00000000317107685e-30f);
-    var _S229 : vec3<f32> = _S218 - camera_origin_0();
-    var _S230 : vec3<f32> = vec3<f32>((dot(_S229, _S221) * _S228));
-    var _S231 : vec3<f32> = _S226 * _S230 - _S229;
-    var _S232 : vec3<f32> = _S230 * (_S223 - _S226 * vec3<f32>((dot(_S223, _S221) * _S228)));
-    var _S233 : vec3<f32> = _S230 * (_S225 - _S226 * vec3<f32>((dot(_S225, _S221) * _S228)));
-    var _S234 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S221), 1.00000000317107685e-30f)));
-    var _S235 : vec3<f32> = cross(_S220, _S221) * _S234;
-    var _S236 : vec3<f32> = cross(_S221, _S219) * _S234;
-    var _S237 : vec2<f32> = vec2<f32>(_S216.u_0 - _S215.u_0, _S216.v_0 - _S215.v_0);
-    var _S238 : vec2<f32> = vec2<f32>(_S217.u_0 - _S215.u_0, _S217.v_0 - _S215.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S211, _S212, dot(_S231, _S235), dot(_S231, _S236));
-    point_2.position_0 = _S218 + _S231;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S226));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S232, _S235)) * _S237 + vec2<f32>(dot(_S232, _S236)) * _S238) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S233, _S235)) * _S237 + vec2<f32>(dot(_S233, _S236)) * _S238) * point_2.draft_per_uv_0;
+    var _S228 : u32 = u32(3) * _S226;
+    var _S229 : Vertex_0 = vertex_at_0(_S228);
+    var _S230 : Vertex_0 = vertex_at_0(_S228 + u32(1));
+    var _S231 : Vertex_0 = vertex_at_0(_S228 + u32(2));
+    var _S232 : vec3<f32> = position_of_0(_S229);
+    var _S233 : vec3<f32> = position_of_0(_S230) - _S232;
+    var _S234 : vec3<f32> = position_of_0(_S231) - _S232;
+    var _S235 : vec3<f32> = cross(_S233, _S234);
+    var _S236 : f32 = f32(frame_record_0.width_0);
+    var _S237 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S236));
+    var _S238 : f32 = f32(frame_record_0.height_0);
+    var _S239 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S238));
+    var _S240 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S227.x) + 0.5f - 0.5f * _S236)) * _S237 + vec3<f32>((f32(_S227.y) + 0.5f - 0.5f * _S238)) * _S239;
+    var _S241 : f32 = dot(_S240, _S235);
+    var _S242 : f32 = 1.0f / select(1.00000000317107685e-30f, _S241, (abs(_S241)) > 1.00000000317107685e-30f);
+    var _S243 : vec3<f32> = _S232 - camera_origin_0();
+    var _S244 : vec3<f32> = vec3<f32>((dot(_S243, _S235) * _S242));
+    var _S245 : vec3<f32> = _S240 * _S244 - _S243;
+    var _S246 : vec3<f32> = _S244 * (_S237 - _S240 * vec3<f32>((dot(_S237, _S235) * _S242)));
+    var _S247 : vec3<f32> = _S244 * (_S239 - _S240 * vec3<f32>((dot(_S239, _S235) * _S242)));
+    var _S248 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S235), 1.00000000317107685e-30f)));
+    var _S249 : vec3<f32> = cross(_S234, _S235) * _S248;
+    var _S250 : vec3<f32> = cross(_S235, _S233) * _S248;
+    var _S251 : vec2<f32> = vec2<f32>(_S230.u_0 - _S229.u_0, _S230.v_0 - _S229.v_0);
+    var _S252 : vec2<f32> = vec2<f32>(_S231.u_0 - _S229.u_0, _S231.v_0 - _S229.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S225, _S226, dot(_S245, _S249), dot(_S245, _S250));
+    point_2.position_0 = _S232 + _S245;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S240));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S246, _S249)) * _S251 + vec2<f32>(dot(_S246, _S250)) * _S252) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S247, _S249)) * _S251 + vec2<f32>(dot(_S247, _S250)) * _S252) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -1726,32 +1804,32 @@ struct NeumipView_0
      hole_0 : f32,
 };
 
-fn neumip_view_0( _S239 : u32,  _S240 : Footprint_0,  _S241 : vec3<f32>,  _S242 : ptr<function, NeumipView_0>)
+fn neumip_view_0( _S253 : u32,  _S254 : Footprint_0,  _S255 : vec3<f32>,  _S256 : ptr<function, NeumipView_0>)
 {
-    var _S243 : Neumip_std430_0 = fabrics_0[_S239].neumip_0;
-    var _S244 : bool = (_S241.z) < 0.0f;
-    var _S245 : u32 = select(u32(0), _S243.back_0, _S244);
-    var _S246 : vec3<f32> = to_face_frame_0(_S241, _S244);
-    var uv_6 : vec2<f32> = _S240.centre_0 * vec2<f32>(_S243.repeats_per_x_0, _S243.repeats_per_y_0);
+    var _S257 : Neumip_std430_0 = fabrics_0[_S253].neumip_0;
+    var _S258 : bool = (_S255.z) < 0.0f;
+    var _S259 : u32 = select(u32(0), _S257.back_0, _S258);
+    var _S260 : vec3<f32> = to_face_frame_0(_S255, _S258);
+    var uv_6 : vec2<f32> = _S254.centre_0 * vec2<f32>(_S257.repeats_per_x_0, _S257.repeats_per_y_0);
     var uv_7 : vec2<f32>;
-    if((_S243.has_offset_0) != u32(0))
+    if((_S257.has_offset_0) != u32(0))
     {
-        var _S247 : vec2<f32> = _S246.xy;
-        var _S248 : f32 = neumip_depth_0(&(_S243), uv_6, _S247, _S245);
-        uv_7 = uv_6 + vec2<f32>((_S248 / max(_S246.z, 0.60000002384185791f))) * _S247 * vec2<f32>(_S243.unit_x_0, _S243.unit_y_0);
+        var _S261 : vec2<f32> = _S260.xy;
+        var _S262 : f32 = neumip_depth_0(&(_S257), uv_6, _S261, _S259);
+        uv_7 = uv_6 + vec2<f32>((_S262 / max(_S260.z, 0.60000002384185791f))) * _S261 * vec2<f32>(_S257.unit_x_0, _S257.unit_y_0);
     }
     else
     {
         uv_7 = uv_6;
     }
-    var _S249 : f32 = sqrt(abs(_S240.dx_0.x * _S240.dy_0.y - _S240.dx_0.y * _S240.dy_0.x)) * _S243.texels_per_mm_0;
+    var _S263 : f32 = sqrt(abs(_S254.dx_0.x * _S254.dy_0.y - _S254.dx_0.y * _S254.dy_0.x)) * _S257.texels_per_mm_0;
     var pyramid_0 : TexelPyramid_0;
-    pyramid_0.first_21 = _S243.features_0;
-    pyramid_0.elements_4 = _S243.texel_elements_0;
-    pyramid_0.levels_4 = _S243.levels_2;
-    pyramid_0.last_level_3 = _S243.last_level_1;
-    pyramid_0.face_texels_2 = _S243.face_texels_0;
-    var _S250 : Eight_0 = TexelPyramid_between_levels_0(pyramid_0, uv_7, binary_logarithm_0(max(_S249, 9.99999971718068537e-10f)), _S245);
+    pyramid_0.first_21 = _S257.features_0;
+    pyramid_0.elements_4 = _S257.texel_elements_0;
+    pyramid_0.levels_4 = _S257.levels_2;
+    pyramid_0.last_level_3 = _S257.last_level_1;
+    pyramid_0.face_texels_2 = _S257.face_texels_0;
+    var _S264 : Eight_0 = TexelPyramid_between_levels_0(pyramid_0, uv_7, binary_logarithm_0(max(_S263, 9.99999971718068537e-10f)), _S259);
     var k_3 : i32 = i32(0);
     for(;;)
     {
@@ -1762,23 +1840,23 @@ fn neumip_view_0( _S239 : u32,  _S240 : Footprint_0,  _S241 : vec3<f32>,  _S242 
         {
             break;
         }
-        (*_S242).latent_1[k_3] = channel_0(_S250, k_3);
+        (*_S256).latent_1[k_3] = channel_0(_S264, k_3);
         k_3 = k_3 + i32(1);
     }
-    var _S251 : vec2<f32> = _S246.xy;
-    (*_S242).view_3 = _S251;
-    (*_S242).back_3 = _S244;
-    var _S252 : f32;
-    if((_S243.has_holes_0) != u32(0))
+    var _S265 : vec2<f32> = _S260.xy;
+    (*_S256).view_3 = _S265;
+    (*_S256).back_3 = _S258;
+    var _S266 : f32;
+    if((_S257.has_holes_0) != u32(0))
     {
-        var _S253 : f32 = neumip_hole_0(&(_S243), _S250, _S251);
-        _S252 = _S253;
+        var _S267 : f32 = neumip_hole_0(&(_S257), _S264, _S265);
+        _S266 = _S267;
     }
     else
     {
-        _S252 = 0.0f;
+        _S266 = 0.0f;
     }
-    (*_S242).hole_0 = _S252;
+    (*_S256).hole_0 = _S266;
     return;
 }
 
@@ -1787,13 +1865,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S254 : u32,  _S255 : vec2<u32>) -> f32
+fn visibility_at_0( _S268 : u32,  _S269 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S254 * frame_record_0.height_0 + _S255.y) * frame_record_0.width_0 + _S255.x];
+    return visibilities_0[(_S268 * frame_record_0.height_0 + _S269.y) * frame_record_0.width_0 + _S269.x];
 }
 
 struct LightSample_0
@@ -1803,63 +1881,63 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S256 : u32,  _S257 : u32) -> vec3<f32>
+fn environment_texel_0( _S270 : u32,  _S271 : u32) -> vec3<f32>
 {
-    var _S258 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S256 * frame_record_0.environment_columns_0 + _S257);
-    return vec3<f32>(scene_number_0(_S258), scene_number_0(_S258 + u32(1)), scene_number_0(_S258 + u32(2)));
+    var _S272 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S270 * frame_record_0.environment_columns_0 + _S271);
+    return vec3<f32>(scene_number_0(_S272), scene_number_0(_S272 + u32(1)), scene_number_0(_S272 + u32(2)));
 }
 
-fn sample_environment_0( _S259 : vec2<f32>,  _S260 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S273 : vec2<f32>,  _S274 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S261 : u32 = frame_record_0.environment_rows_0;
-    var _S262 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S259.y);
-    var _S263 : u32 = frame_record_0.environment_columns_0;
-    var _S264 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S262.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S259.x);
-    var _S265 : vec3<f32> = environment_texel_0(_S262.index_2, _S264.index_2);
-    (*_S260) = _S265 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S265), 9.99999968265522539e-21f)));
-    var _S266 : f32 = 3.14159274101257324f / f32(_S261);
-    var _S267 : f32 = mix(sine_cosine_0(f32(_S262.index_2) * _S266).y, sine_cosine_0(f32(_S262.index_2 + u32(1)) * _S266).y, _S262.remainder_0);
-    var _S268 : f32 = sqrt(max(1.0f - _S267 * _S267, 0.0f));
-    var _S269 : vec2<f32> = sine_cosine_0((f32(_S264.index_2) + _S264.remainder_0) * (6.28318548202514648f / f32(_S263)));
-    var _S270 : f32 = _S268 * _S269.x;
-    var _S271 : f32 = - _S268 * _S269.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S270 + frame_record_0.environment_sine_0 * _S271, _S267, frame_record_0.environment_cosine_0 * _S271 - frame_record_0.environment_sine_0 * _S270);
+    var _S275 : u32 = frame_record_0.environment_rows_0;
+    var _S276 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S273.y);
+    var _S277 : u32 = frame_record_0.environment_columns_0;
+    var _S278 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S276.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S273.x);
+    var _S279 : vec3<f32> = environment_texel_0(_S276.index_2, _S278.index_2);
+    (*_S274) = _S279 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S279), 9.99999968265522539e-21f)));
+    var _S280 : f32 = 3.14159274101257324f / f32(_S275);
+    var _S281 : f32 = mix(sine_cosine_0(f32(_S276.index_2) * _S280).y, sine_cosine_0(f32(_S276.index_2 + u32(1)) * _S280).y, _S276.remainder_0);
+    var _S282 : f32 = sqrt(max(1.0f - _S281 * _S281, 0.0f));
+    var _S283 : vec2<f32> = sine_cosine_0((f32(_S278.index_2) + _S278.remainder_0) * (6.28318548202514648f / f32(_S277)));
+    var _S284 : f32 = _S282 * _S283.x;
+    var _S285 : f32 = - _S282 * _S283.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S284 + frame_record_0.environment_sine_0 * _S285, _S281, frame_record_0.environment_cosine_0 * _S285 - frame_record_0.environment_sine_0 * _S284);
 }
 
-fn light_sample_0( _S272 : u32,  _S273 : vec2<u32>,  _S274 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S286 : u32,  _S287 : vec2<u32>,  _S288 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S275 : u32 = frame_record_0.lights_0;
-    if(_S272 >= (frame_record_0.lights_0))
+    var _S289 : u32 = frame_record_0.lights_0;
+    if(_S286 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S276 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S273, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S272 - _S275), u32(3)), &(weight_3));
-        sample_0.towards_0 = _S276;
+        var _S290 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S287, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S286 - _S289), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S290;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S277 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S272);
-    sample_0.irradiance_1 = vec3<f32>(_S277.red_0, _S277.green_0, _S277.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S277.x_7, _S277.y_1, _S277.z_1);
-    if((_S277.is_point_0) != u32(0))
+    var _S291 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S286);
+    sample_0.irradiance_1 = vec3<f32>(_S291.red_0, _S291.green_0, _S291.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S291.x_7, _S291.y_1, _S291.z_1);
+    if((_S291.is_point_0) != u32(0))
     {
-        var _S278 : vec3<f32> = sample_0.towards_0 - _S274;
-        var _S279 : f32 = max(square_0(_S278), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S279);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S279);
-        sample_0.towards_0 = normalize(_S278);
+        var _S292 : vec3<f32> = sample_0.towards_0 - _S288;
+        var _S293 : f32 = max(square_0(_S292), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S293);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S293);
+        sample_0.towards_0 = normalize(_S292);
     }
     return sample_0;
 }
 
-fn neumip_value_0( _S280 : u32,  _S281 : ptr<function, NeumipView_0>,  _S282 : vec3<f32>) -> vec3<f32>
+fn neumip_value_0( _S294 : u32,  _S295 : ptr<function, NeumipView_0>,  _S296 : vec3<f32>) -> vec3<f32>
 {
-    var _S283 : vec3<f32> = to_face_frame_0(_S282, (*_S281).back_3);
-    var _S284 : f32 = _S283.z;
-    var _S285 : Neumip_std430_0 = fabrics_0[_S280].neumip_0;
-    var _S286 : bool = ((_S284 < 0.0f) & (((fabrics_0[_S280].neumip_0.transmits_0) != u32(0))));
-    if(((_S284 <= 0.0f) & ((!_S286))))
+    var _S297 : vec3<f32> = to_face_frame_0(_S296, (*_S295).back_3);
+    var _S298 : f32 = _S297.z;
+    var _S299 : Neumip_std430_0 = fabrics_0[_S294].neumip_0;
+    var _S300 : bool = ((_S298 < 0.0f) & (((fabrics_0[_S294].neumip_0.transmits_0) != u32(0))));
+    if(((_S298 <= 0.0f) & ((!_S300))))
     {
         return vec3<f32>(0.0f);
     }
@@ -1874,31 +1952,31 @@ fn neumip_value_0( _S280 : u32,  _S281 : ptr<function, NeumipView_0>,  _S282 : v
         {
             break;
         }
-        inputs_26[k_4] = (*_S281).latent_1[k_4];
+        inputs_26[k_4] = (*_S295).latent_1[k_4];
         k_4 = k_4 + i32(1);
     }
-    inputs_26[i32(7)] = _S283.x;
-    inputs_26[i32(8)] = _S283.y;
-    inputs_26[i32(9)] = (*_S281).view_3.x;
-    inputs_26[i32(10)] = (*_S281).view_3.y;
+    inputs_26[i32(7)] = _S297.x;
+    inputs_26[i32(8)] = _S297.y;
+    inputs_26[i32(9)] = (*_S295).view_3.x;
+    inputs_26[i32(10)] = (*_S295).view_3.y;
     var network_3 : MLP_0;
-    network_3.weights_20.first_0 = select(_S285.decoder_0, _S285.transmission_0, _S286);
+    network_3.weights_20.first_0 = select(_S299.decoder_0, _S299.transmission_0, _S300);
     var outputs_20 : array<f32, i32(3)>;
     MLP_evaluate_0(network_3, &(inputs_26), &(outputs_20));
     return max(vec3<f32>(outputs_20[i32(0)], outputs_20[i32(1)], outputs_20[i32(2)]), vec3<f32>(0.0f)) * vec3<f32>(0.31830987334251404f);
 }
 
-fn light_of_neumip_0( _S287 : u32,  _S288 : VisiblePoint_0,  _S289 : vec2<u32>) -> vec4<f32>
+fn light_of_neumip_0( _S301 : u32,  _S302 : VisiblePoint_0,  _S303 : vec2<u32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S288.draft_0;
-    footprint_0.dx_0 = _S288.draft_dx_0;
-    footprint_0.dy_0 = _S288.draft_dy_0;
+    footprint_0.centre_0 = _S302.draft_0;
+    footprint_0.dx_0 = _S302.draft_dx_0;
+    footprint_0.dy_0 = _S302.draft_dy_0;
     var seen_0 : NeumipView_0;
-    neumip_view_0(_S287, footprint_0, to_local_0(_S288, _S288.view_0), &(seen_0));
-    var _S290 : vec3<f32> = vec3<f32>(0.0f);
+    neumip_view_0(_S301, footprint_0, to_local_0(_S302, _S302.view_0), &(seen_0));
+    var _S304 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S290;
+    var radiance_1 : vec3<f32> = _S304;
     for(;;)
     {
         if(number_1 < (light_sample_count_0()))
@@ -1908,16 +1986,16 @@ fn light_of_neumip_0( _S287 : u32,  _S288 : VisiblePoint_0,  _S289 : vec2<u32>) 
         {
             break;
         }
-        var _S291 : f32 = visibility_at_0(number_1, _S289);
-        if(_S291 <= 0.0f)
+        var _S305 : f32 = visibility_at_0(number_1, _S303);
+        if(_S305 <= 0.0f)
         {
             number_1 = number_1 + u32(1);
             continue;
         }
-        var _S292 : LightSample_0 = light_sample_0(number_1, _S289, _S288.position_0);
-        var _S293 : vec3<f32> = vec3<f32>(_S291) * _S292.irradiance_1;
-        var _S294 : vec3<f32> = neumip_value_0(_S287, &(seen_0), to_local_0(_S288, _S292.towards_0));
-        radiance_1 = radiance_1 + _S293 * _S294;
+        var _S306 : LightSample_0 = light_sample_0(number_1, _S303, _S302.position_0);
+        var _S307 : vec3<f32> = vec3<f32>(_S305) * _S306.irradiance_1;
+        var _S308 : vec3<f32> = neumip_value_0(_S301, &(seen_0), to_local_0(_S302, _S306.towards_0));
+        radiance_1 = radiance_1 + _S307 * _S308;
         number_1 = number_1 + u32(1);
     }
     return vec4<f32>(radiance_1, 1.0f - seen_0.hole_0);
@@ -1927,30 +2005,30 @@ fn light_of_neumip_0( _S287 : u32,  _S288 : VisiblePoint_0,  _S289 : vec2<u32>) 
 @workgroup_size(8, 8, 1)
 fn shade_neumip(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S295 : u32 = id_0.x;
-    var _S296 : bool;
-    if(_S295 >= (frame_record_0.width_0))
+    var _S309 : u32 = id_0.x;
+    var _S310 : bool;
+    if(_S309 >= (frame_record_0.width_0))
     {
-        _S296 = true;
+        _S310 = true;
     }
     else
     {
-        _S296 = (id_0.y) >= (frame_record_0.height_0);
+        _S310 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S296)
+    if(_S310)
     {
         return;
     }
-    var _S297 : u32 = id_0.y * frame_record_0.width_0 + _S295;
-    var _S298 : u32 = layers_0[_S297].face_0;
-    if((layers_0[_S297].face_0) == u32(0))
+    var _S311 : u32 = id_0.y * frame_record_0.width_0 + _S309;
+    var _S312 : u32 = layers_0[_S311].face_0;
+    if((layers_0[_S311].face_0) == u32(0))
     {
         return;
     }
-    var _S299 : u32 = _S298 - u32(1);
-    var _S300 : u32 = fabric_of_0(_S299);
-    var _S301 : vec2<u32> = id_0.xy;
-    accumulate_0(_S297, light_of_neumip_0(_S300, visible_point_0(_S300, _S299, _S301), _S301));
+    var _S313 : u32 = _S312 - u32(1);
+    var _S314 : u32 = fabric_of_0(_S313);
+    var _S315 : vec2<u32> = id_0.xy;
+    accumulate_0(_S311, light_of_neumip_0(_S314, visible_point_0(_S314, _S313, _S315), _S315));
     return;
 }
 

@@ -216,10 +216,6 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(3) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
-
-@binding(2) @group(0) var<storage, read> words_0 : array<u32>;
-
 struct Family_std430_0
 {
     @align(4) is_alike_0 : u32,
@@ -261,11 +257,14 @@ struct Family_std430_0
     @align(4) fibre_tone_0 : f32,
     @align(4) slub_0 : f32,
     @align(4) slubs_per_mm_0 : f32,
-    @align(4) per_half_width_0 : f32,
     @align(4) hairiness_0 : f32,
 };
 
 @binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
+
+@binding(3) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
+
+@binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
 @binding(6) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
@@ -1380,6 +1379,38 @@ fn normal_of_0( vertex_1 : Vertex_0) -> vec3<f32>
     return vec3<f32>(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
 }
 
+fn scramble_0( value_0 : u32) -> u32
+{
+    var _S140 : u32 = value_0 * u32(747796405) + u32(2891336453);
+    var _S141 : u32 = ((((_S140 >> ((((_S140 >> (u32(28)))) + u32(4))))) ^ (_S140))) * u32(277803737);
+    return (((_S141 >> (u32(22)))) ^ (_S141));
+}
+
+fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
+{
+    return scramble_0(thread_0 + scramble_0(stream_0));
+}
+
+fn hash_bits_0( key_0 : u32,  cell_0 : u32) -> u32
+{
+    return scramble_0(cell_0 + key_0);
+}
+
+fn uneven_corner_0( key_1 : u32,  cell_1 : u32) -> f32
+{
+    return f32(((hash_bits_0(key_1, cell_1)) >> (u32(9)))) * 2.384185791015625e-07f - 1.0f;
+}
+
+fn uneven_octave_0( key_2 : u32,  place_0 : vec2<f32>) -> f32
+{
+    var _S142 : vec2<f32> = floor(place_0);
+    var _S143 : vec2<f32> = place_0 - _S142;
+    var _S144 : vec2<f32> = _S143 * _S143 * (vec2<f32>(3.0f) - vec2<f32>(2.0f) * _S143);
+    var _S145 : u32 = u32(i32(_S142.x)) * u32(65536) + u32(i32(_S142.y));
+    var _S146 : f32 = _S144.x;
+    return mix(mix(uneven_corner_0(key_2, _S145), uneven_corner_0(key_2, _S145 + u32(65536)), _S146), mix(uneven_corner_0(key_2, _S145 + u32(1)), uneven_corner_0(key_2, _S145 + u32(65537)), _S146), _S144.y);
+}
+
 fn square_1( x_4 : f32) -> f32
 {
     return x_4 * x_4;
@@ -1387,13 +1418,13 @@ fn square_1( x_4 : f32) -> f32
 
 fn natural_logarithm_0( x_5 : f32) -> f32
 {
-    var _S140 : u32 = (bitcast<u32>((x_5)));
-    var m_0 : f32 = (bitcast<f32>(((((_S140 & (u32(8388607)))) | (u32(1056964608))))));
-    var _S141 : bool = m_0 < 0.70710676908493042f;
-    var exponent_0 : f32 = f32(i32((_S140 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S141);
-    var m_1 : f32 = select(m_0, m_0 + m_0, _S141) - 1.0f;
-    var _S142 : f32 = m_1 * m_1;
-    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S142 - exponent_0 * 0.00021219444170129f - 0.5f * _S142) + exponent_0 * 0.693359375f;
+    var _S147 : u32 = (bitcast<u32>((x_5)));
+    var m_0 : f32 = (bitcast<f32>(((((_S147 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S148 : bool = m_0 < 0.70710676908493042f;
+    var exponent_0 : f32 = f32(i32((_S147 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S148);
+    var m_1 : f32 = select(m_0, m_0 + m_0, _S148) - 1.0f;
+    var _S149 : f32 = m_1 * m_1;
+    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S149 - exponent_0 * 0.00021219444170129f - 0.5f * _S149) + exponent_0 * 0.693359375f;
 }
 
 fn binary_logarithm_0( x_6 : f32) -> f32
@@ -1403,37 +1434,37 @@ fn binary_logarithm_0( x_6 : f32) -> f32
 
 fn exponential_0( x_7 : f32) -> f32
 {
-    var _S143 : f32 = clamp(x_7, -87.0f, 88.0f);
-    var _S144 : f32 = floor(_S143 * 1.4426950216293335f + 0.5f);
-    var _S145 : f32 = _S143 - _S144 * 0.693359375f + _S144 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S145 + 0.00139819993637502f) * _S145 + 0.00833345204591751f) * _S145 + 0.04166579619050026f) * _S145 + 0.1666666567325592f) * _S145 + 0.5f) * _S145 * _S145 + _S145 + 1.0f) * (bitcast<f32>(((u32(i32(_S144) + i32(127)) << (u32(23)))))), 0.0f, x_7 < -87.0f);
+    var _S150 : f32 = clamp(x_7, -87.0f, 88.0f);
+    var _S151 : f32 = floor(_S150 * 1.4426950216293335f + 0.5f);
+    var _S152 : f32 = _S150 - _S151 * 0.693359375f + _S151 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S152 + 0.00139819993637502f) * _S152 + 0.00833345204591751f) * _S152 + 0.04166579619050026f) * _S152 + 0.1666666567325592f) * _S152 + 0.5f) * _S152 * _S152 + _S152 + 1.0f) * (bitcast<f32>(((u32(i32(_S151) + i32(127)) << (u32(23)))))), 0.0f, x_7 < -87.0f);
 }
 
 fn map_texel_0( index_0 : u32) -> vec3<f32>
 {
-    var _S146 : u32 = scene_words_0[index_0];
-    var _S147 : vec3<f32> = vec3<f32>(f32((_S146 & (u32(1023)))), f32((((_S146 >> (u32(10)))) & (u32(1023)))), f32((_S146 >> (u32(20))))) / vec3<f32>(1023.0f);
-    return _S147 * _S147;
+    var _S153 : u32 = scene_words_0[index_0];
+    var _S154 : vec3<f32> = vec3<f32>(f32((_S153 & (u32(1023)))), f32((((_S153 >> (u32(10)))) & (u32(1023)))), f32((_S153 >> (u32(20))))) / vec3<f32>(1023.0f);
+    return _S154 * _S154;
 }
 
 fn map_level_0( first_20 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S148 : f32 = uv_0.x;
-    var _S149 : f32 = f32(side_0);
-    var _S150 : f32 = (_S148 - floor(_S148)) * _S149 - 0.5f;
-    var _S151 : f32 = uv_0.y;
-    var _S152 : f32 = (_S151 - floor(_S151)) * _S149 - 0.5f;
-    var _S153 : f32 = floor(_S150);
-    var _S154 : i32 = i32(side_0);
-    var _S155 : u32 = side_0 - u32(1);
-    var _S156 : u32 = (u32(i32(_S153) + _S154) & (_S155));
-    var _S157 : f32 = floor(_S152);
-    var _S158 : u32 = (u32(i32(_S157) + _S154) & (_S155));
-    var _S159 : u32 = ((_S156 + u32(1)) & (_S155));
-    var _S160 : u32 = first_20 + _S158 * side_0;
-    var _S161 : vec3<f32> = vec3<f32>((_S150 - _S153));
-    var _S162 : u32 = first_20 + (((_S158 + u32(1)) & (_S155))) * side_0;
-    return mix(mix(map_texel_0(_S160 + _S156), map_texel_0(_S160 + _S159), _S161), mix(map_texel_0(_S162 + _S156), map_texel_0(_S162 + _S159), _S161), vec3<f32>((_S152 - _S157)));
+    var _S155 : f32 = uv_0.x;
+    var _S156 : f32 = f32(side_0);
+    var _S157 : f32 = (_S155 - floor(_S155)) * _S156 - 0.5f;
+    var _S158 : f32 = uv_0.y;
+    var _S159 : f32 = (_S158 - floor(_S158)) * _S156 - 0.5f;
+    var _S160 : f32 = floor(_S157);
+    var _S161 : i32 = i32(side_0);
+    var _S162 : u32 = side_0 - u32(1);
+    var _S163 : u32 = (u32(i32(_S160) + _S161) & (_S162));
+    var _S164 : f32 = floor(_S159);
+    var _S165 : u32 = (u32(i32(_S164) + _S161) & (_S162));
+    var _S166 : u32 = ((_S163 + u32(1)) & (_S162));
+    var _S167 : u32 = first_20 + _S165 * side_0;
+    var _S168 : vec3<f32> = vec3<f32>((_S157 - _S160));
+    var _S169 : u32 = first_20 + (((_S165 + u32(1)) & (_S162))) * side_0;
+    return mix(mix(map_texel_0(_S167 + _S163), map_texel_0(_S167 + _S166), _S168), mix(map_texel_0(_S169 + _S163), map_texel_0(_S169 + _S166), _S168), vec3<f32>((_S159 - _S164)));
 }
 
 struct VisiblePoint_0
@@ -1465,24 +1496,24 @@ struct Footprint_0
 
 fn row_of_taps_0( footprint_0 : Footprint_0) -> vec3<f32>
 {
-    var _S163 : f32 = footprint_0.dx_0.x;
-    var _S164 : f32 = footprint_0.dy_0.x;
-    var _S165 : f32 = _S163 * _S163 + _S164 * _S164;
-    var _S166 : f32 = footprint_0.dx_0.y;
-    var _S167 : f32 = footprint_0.dy_0.y;
-    var _S168 : f32 = _S166 * _S166 + _S167 * _S167;
-    var _S169 : f32 = _S163 * _S166 + _S164 * _S167;
-    var _S170 : f32 = 0.5f * (_S165 - _S168);
-    var _S171 : f32 = 0.5f * (_S165 + _S168);
-    var _S172 : f32 = sqrt(_S170 * _S170 + _S169 * _S169);
-    var _S173 : f32 = _S171 + _S172;
-    var _S174 : f32 = max(_S173 - 1.5f * max(_S171 - _S172, 0.0f), 0.0f);
-    var _S175 : f32 = square_1(4.0f);
-    var _S176 : f32 = max(_S171 - 0.5f * _S174, _S173 / _S175);
-    var _S177 : f32 = sqrt(max(min(_S174, _S173 - _S176), 0.0f) / (_S175 - 1.0f));
-    var _S178 : f32 = _S170 / max(_S172, 1.00000000317107685e-30f);
-    var _S179 : f32 = sqrt(max(0.5f * (1.0f - _S178), 0.0f));
-    return vec3<f32>(sqrt(_S176), _S177 * sqrt(max(0.5f * (1.0f + _S178), 0.0f)), select(_S177 * _S179, - _S177 * _S179, _S169 < 0.0f));
+    var _S170 : f32 = footprint_0.dx_0.x;
+    var _S171 : f32 = footprint_0.dy_0.x;
+    var _S172 : f32 = _S170 * _S170 + _S171 * _S171;
+    var _S173 : f32 = footprint_0.dx_0.y;
+    var _S174 : f32 = footprint_0.dy_0.y;
+    var _S175 : f32 = _S173 * _S173 + _S174 * _S174;
+    var _S176 : f32 = _S170 * _S173 + _S171 * _S174;
+    var _S177 : f32 = 0.5f * (_S172 - _S175);
+    var _S178 : f32 = 0.5f * (_S172 + _S175);
+    var _S179 : f32 = sqrt(_S177 * _S177 + _S176 * _S176);
+    var _S180 : f32 = _S178 + _S179;
+    var _S181 : f32 = max(_S180 - 1.5f * max(_S178 - _S179, 0.0f), 0.0f);
+    var _S182 : f32 = square_1(4.0f);
+    var _S183 : f32 = max(_S178 - 0.5f * _S181, _S180 / _S182);
+    var _S184 : f32 = sqrt(max(min(_S181, _S180 - _S183), 0.0f) / (_S182 - 1.0f));
+    var _S185 : f32 = _S177 / max(_S179, 1.00000000317107685e-30f);
+    var _S186 : f32 = sqrt(max(0.5f * (1.0f - _S185), 0.0f));
+    return vec3<f32>(sqrt(_S183), _S184 * sqrt(max(0.5f * (1.0f + _S185), 0.0f)), select(_S184 * _S186, - _S184 * _S186, _S176 < 0.0f));
 }
 
 struct AnisotropicTaps_0
@@ -1495,14 +1526,14 @@ struct AnisotropicTaps_0
 
 fn AnisotropicTaps_size_0( this_2 : AnisotropicTaps_0) -> f32
 {
-    var _S180 : f32 = this_2.first_21.x;
-    var _S181 : f32 = this_2.second_0.x;
-    var _S182 : f32 = this_2.side_1;
-    var _S183 : f32 = _S182 * _S182;
-    var _S184 : f32 = this_2.first_21.y;
-    var _S185 : f32 = this_2.second_0.y;
-    var _S186 : f32 = 12.0f * (_S180 * _S184 + _S181 * _S185);
-    return sqrt(sqrt(max((12.0f * (_S180 * _S180 + _S181 * _S181) + _S183) * (12.0f * (_S184 * _S184 + _S185 * _S185) + _S183) - _S186 * _S186, square_1(_S183))));
+    var _S187 : f32 = this_2.first_21.x;
+    var _S188 : f32 = this_2.second_0.x;
+    var _S189 : f32 = this_2.side_1;
+    var _S190 : f32 = _S189 * _S189;
+    var _S191 : f32 = this_2.first_21.y;
+    var _S192 : f32 = this_2.second_0.y;
+    var _S193 : f32 = 12.0f * (_S187 * _S191 + _S188 * _S192);
+    return sqrt(sqrt(max((12.0f * (_S187 * _S187 + _S188 * _S188) + _S190) * (12.0f * (_S191 * _S191 + _S192 * _S192) + _S190) - _S193 * _S193, square_1(_S190))));
 }
 
 fn footprint_coordinates_0( taps_0 : AnisotropicTaps_0) -> vec3<f32>
@@ -1512,8 +1543,8 @@ fn footprint_coordinates_0( taps_0 : AnisotropicTaps_0) -> vec3<f32>
 
 fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S187 : f32 = direction_1.z;
-    return vec3<f32>(direction_1.xy, select(_S187, - _S187, back_2));
+    var _S194 : f32 = direction_1.z;
+    return vec3<f32>(direction_1.xy, select(_S194, - _S194, back_2));
 }
 
 fn table_number_0( index_1 : u32) -> f32
@@ -1528,9 +1559,9 @@ fn wrapped_0( index_2 : f32,  count_1 : f32) -> f32
 
 fn AnisotropicTaps_has_steps_0( this_3 : AnisotropicTaps_0) -> bool
 {
-    var _S188 : vec2<f32> = this_3.first_21;
-    var _S189 : vec2<f32> = this_3.second_0;
-    return (max(dot(_S188, _S188), dot(_S189, _S189))) > 0.0f;
+    var _S195 : vec2<f32> = this_3.first_21;
+    var _S196 : vec2<f32> = this_3.second_0;
+    return (max(dot(_S195, _S195), dot(_S196, _S196))) > 0.0f;
 }
 
 fn AnisotropicTaps_place_0( this_4 : AnisotropicTaps_0,  number_0 : u32) -> vec2<f32>
@@ -1540,8 +1571,8 @@ fn AnisotropicTaps_place_0( this_4 : AnisotropicTaps_0,  number_0 : u32) -> vec2
 
 fn bump_0( distance_0 : f32) -> f32
 {
-    var _S190 : f32 = max(1.0f - distance_0 * distance_0, 0.0f);
-    return _S190 * _S190;
+    var _S197 : f32 = max(1.0f - distance_0 * distance_0, 0.0f);
+    return _S197 * _S197;
 }
 
 fn correction_weight_of_0( coded_size_0 : f32) -> f32
@@ -1551,13 +1582,13 @@ fn correction_weight_of_0( coded_size_0 : f32) -> f32
 
 fn turns_and_remainder_0( family_0 : u32,  index_3 : f32) -> vec2<f32>
 {
-    var _S191 : f32 = floor(fma(index_3, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
-    return vec2<f32>(_S191, fma(- _S191, families_0[family_0].count_0, index_3));
+    var _S198 : f32 = floor(fma(index_3, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
+    return vec2<f32>(_S198, fma(- _S198, families_0[family_0].count_0, index_3));
 }
 
 struct Cell_0
 {
-     thread_0 : u32,
+     thread_1 : u32,
      across_0 : f32,
      half_width_1 : f32,
      below_0 : f32,
@@ -1566,32 +1597,32 @@ struct Cell_0
 
 fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
 {
-    var _S192 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
-    var cell_0 : Cell_0;
-    var _S193 : f32 = fma(- _S192, families_0[family_1].size_0, position_1);
-    cell_0.below_0 = _S193;
-    cell_0.above_0 = families_0[family_1].size_0 - _S193;
-    cell_0.across_0 = _S193 - 0.5f * families_0[family_1].size_0;
-    cell_0.half_width_1 = families_0[family_1].half_width_0;
-    cell_0.thread_0 = u32(clamp(turns_and_remainder_0(family_1, _S192).y, 0.0f, families_0[family_1].count_0 - 1.0f));
-    return cell_0;
+    var _S199 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
+    var cell_2 : Cell_0;
+    var _S200 : f32 = fma(- _S199, families_0[family_1].size_0, position_1);
+    cell_2.below_0 = _S200;
+    cell_2.above_0 = families_0[family_1].size_0 - _S200;
+    cell_2.across_0 = _S200 - 0.5f * families_0[family_1].size_0;
+    cell_2.half_width_1 = families_0[family_1].half_width_0;
+    cell_2.thread_1 = u32(clamp(turns_and_remainder_0(family_1, _S199).y, 0.0f, families_0[family_1].count_0 - 1.0f));
+    return cell_2;
 }
 
 fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
 {
     var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
     var turns_1 : f32 = turns_0 - floor(turns_0);
-    var _S194 : f32 = turns_1 * families_0[family_2].period_0;
-    var thread_1 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
-    var _S195 : u32 = min(thread_1 + select(u32(0), u32(1), _S194 >= (table_number_0(families_0[family_2].place_table_0 + thread_1 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
-    var _S196 : u32 = families_0[family_2].place_table_0 + _S195 * u32(4);
-    var cell_1 : Cell_0;
-    cell_1.thread_0 = _S195;
-    cell_1.below_0 = _S194 - table_number_0(_S196);
-    cell_1.above_0 = table_number_0(_S196 + u32(1)) - _S194;
-    cell_1.across_0 = _S194 - table_number_0(_S196 + u32(2));
-    cell_1.half_width_1 = table_number_0(_S196 + u32(3));
-    return cell_1;
+    var _S201 : f32 = turns_1 * families_0[family_2].period_0;
+    var thread_2 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
+    var _S202 : u32 = min(thread_2 + select(u32(0), u32(1), _S201 >= (table_number_0(families_0[family_2].place_table_0 + thread_2 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
+    var _S203 : u32 = families_0[family_2].place_table_0 + _S202 * u32(4);
+    var cell_3 : Cell_0;
+    cell_3.thread_1 = _S202;
+    cell_3.below_0 = _S201 - table_number_0(_S203);
+    cell_3.above_0 = table_number_0(_S203 + u32(1)) - _S201;
+    cell_3.across_0 = _S201 - table_number_0(_S203 + u32(2));
+    cell_3.half_width_1 = table_number_0(_S203 + u32(3));
+    return cell_3;
 }
 
 fn locate_0( family_3 : u32,  position_3 : f32) -> Cell_0
@@ -1605,9 +1636,9 @@ fn locate_0( family_3 : u32,  position_3 : f32) -> Cell_0
 
 struct Bound_0
 {
-     thread_2 : u32,
+     thread_3 : u32,
      turns_2 : f32,
-     cell_2 : f32,
+     cell_4 : f32,
      visible_0 : f32,
      width_2 : f32,
      gap_0 : f32,
@@ -1615,16 +1646,16 @@ struct Bound_0
 
 fn bound_at_0( family_4 : u32,  position_4 : f32) -> Bound_0
 {
-    var _S197 : Cell_0 = locate_0(family_4, position_4);
-    var _S198 : f32 = table_number_0(families_0[family_4].before_0 + u32(2) * _S197.thread_0 + u32(1));
+    var _S204 : Cell_0 = locate_0(family_4, position_4);
+    var _S205 : f32 = table_number_0(families_0[family_4].before_0 + u32(2) * _S204.thread_1 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_2 = _S197.thread_0;
-    bound_0.turns_2 = round((position_4 - families_0[family_4].start_0 - _S198 - _S197.below_0) * families_0[family_4].inverse_period_0);
-    bound_0.cell_2 = _S197.below_0;
-    var _S199 : f32 = 2.0f * _S197.half_width_1;
-    bound_0.width_2 = _S199;
-    bound_0.visible_0 = clamp((_S197.across_0 + _S197.half_width_1) / _S199, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S197.below_0, _S197.below_0 - _S197.across_0 - _S197.half_width_1) + max(_S197.across_0 - _S197.half_width_1, 0.0f);
+    bound_0.thread_3 = _S204.thread_1;
+    bound_0.turns_2 = round((position_4 - families_0[family_4].start_0 - _S205 - _S204.below_0) * families_0[family_4].inverse_period_0);
+    bound_0.cell_4 = _S204.below_0;
+    var _S206 : f32 = 2.0f * _S204.half_width_1;
+    bound_0.width_2 = _S206;
+    bound_0.visible_0 = clamp((_S204.across_0 + _S204.half_width_1) / _S206, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S204.below_0, _S204.below_0 - _S204.across_0 - _S204.half_width_1) + max(_S204.across_0 - _S204.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1636,11 +1667,11 @@ struct Stretch_0
 
 fn stretch_of_0( family_5 : u32,  centre_2 : f32,  size_1 : f32) -> Stretch_0
 {
-    var _S200 : f32 = centre_2 - floor((centre_2 - families_0[family_5].start_0) * families_0[family_5].inverse_period_0) * families_0[family_5].period_0;
-    var _S201 : f32 = 0.5f * max(size_1, families_0[family_5].smallest_box_0);
+    var _S207 : f32 = centre_2 - floor((centre_2 - families_0[family_5].start_0) * families_0[family_5].inverse_period_0) * families_0[family_5].period_0;
+    var _S208 : f32 = 0.5f * max(size_1, families_0[family_5].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_7 = bound_at_0(family_5, _S200 - _S201);
-    stretch_0.high_7 = bound_at_0(family_5, _S200 + _S201);
+    stretch_0.low_7 = bound_at_0(family_5, _S207 - _S208);
+    stretch_0.high_7 = bound_at_0(family_5, _S207 + _S208);
     return stretch_0;
 }
 
@@ -1674,44 +1705,44 @@ fn Stretch_turns_0( this_5 : Stretch_0) -> f32
 
 fn lengths_0( family_6 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S202 : f32 = Stretch_turns_0(stretch_1);
-    var _S203 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.low_7.thread_2;
-    var _S204 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.high_7.thread_2;
-    var _S205 : f32 = table_number_0(_S204) - table_number_0(_S203);
-    var _S206 : f32 = table_number_0(_S204 + u32(1)) - table_number_0(_S203 + u32(1));
-    return vec3<f32>(_S205 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_2 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_2 + _S202 * families_0[family_6].visible_total_0, _S206 - _S205 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S202 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S206 + stretch_1.high_7.cell_2 - stretch_1.low_7.cell_2 + _S202 * families_0[family_6].period_0);
+    var _S209 : f32 = Stretch_turns_0(stretch_1);
+    var _S210 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.low_7.thread_3;
+    var _S211 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.high_7.thread_3;
+    var _S212 : f32 = table_number_0(_S211) - table_number_0(_S210);
+    var _S213 : f32 = table_number_0(_S211 + u32(1)) - table_number_0(_S210 + u32(1));
+    return vec3<f32>(_S212 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_2 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_2 + _S209 * families_0[family_6].visible_total_0, _S213 - _S212 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S209 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S213 + stretch_1.high_7.cell_4 - stretch_1.low_7.cell_4 + _S209 * families_0[family_6].period_0);
 }
 
 fn integrals_along_0( family_7 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S207 : u32 = u32(3) * families_0[family_7].quantities_0;
-    var _S208 : u32 = families_0[family_7].colour_threads_0 + _S207 * stretch_2.low_7.thread_2 + quantity_0;
-    var _S209 : u32 = families_0[family_7].colour_threads_0 + _S207 * stretch_2.high_7.thread_2 + quantity_0;
-    var _S210 : u32 = families_0[family_7].colour_threads_0 + _S207 * u32(families_0[family_7].count_0) + quantity_0;
-    var _S211 : f32 = table_number_0(_S208);
-    var _S212 : f32 = table_number_0(_S209);
-    var _S213 : f32 = Stretch_turns_0(stretch_2);
-    var _S214 : u32 = u32(2) * families_0[family_7].quantities_0;
-    return vec2<f32>(table_number_0(_S209 + families_0[family_7].quantities_0) - table_number_0(_S208 + families_0[family_7].quantities_0) + _S212 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_2 - _S211 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_2 + _S213 * table_number_0(_S210 + families_0[family_7].quantities_0), table_number_0(_S209 + _S214) - table_number_0(_S208 + _S214) + _S212 * stretch_2.high_7.cell_2 - _S211 * stretch_2.low_7.cell_2 + _S213 * table_number_0(_S210 + _S214));
+    var _S214 : u32 = u32(3) * families_0[family_7].quantities_0;
+    var _S215 : u32 = families_0[family_7].colour_threads_0 + _S214 * stretch_2.low_7.thread_3 + quantity_0;
+    var _S216 : u32 = families_0[family_7].colour_threads_0 + _S214 * stretch_2.high_7.thread_3 + quantity_0;
+    var _S217 : u32 = families_0[family_7].colour_threads_0 + _S214 * u32(families_0[family_7].count_0) + quantity_0;
+    var _S218 : f32 = table_number_0(_S215);
+    var _S219 : f32 = table_number_0(_S216);
+    var _S220 : f32 = Stretch_turns_0(stretch_2);
+    var _S221 : u32 = u32(2) * families_0[family_7].quantities_0;
+    return vec2<f32>(table_number_0(_S216 + families_0[family_7].quantities_0) - table_number_0(_S215 + families_0[family_7].quantities_0) + _S219 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_2 - _S218 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_2 + _S220 * table_number_0(_S217 + families_0[family_7].quantities_0), table_number_0(_S216 + _S221) - table_number_0(_S215 + _S221) + _S219 * stretch_2.high_7.cell_4 - _S218 * stretch_2.low_7.cell_4 + _S220 * table_number_0(_S217 + _S221));
 }
 
 fn Stretch_wraps_0( this_6 : Stretch_0) -> bool
 {
-    return (this_6.high_7.thread_2) < (this_6.low_7.thread_2);
+    return (this_6.high_7.thread_3) < (this_6.low_7.thread_3);
 }
 
 fn Stretch_differences_0( this_7 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S215 : u32 = entries_0.z;
-    var _S216 : u32 = entries_0.x;
-    return vec4<u32>(_S215 - _S216 + select(u32(0), whole_0, Stretch_wraps_0(this_7)), entries_0.w - _S215, entries_0.y - _S216, whole_0);
+    var _S222 : u32 = entries_0.z;
+    var _S223 : u32 = entries_0.x;
+    return vec4<u32>(_S222 - _S223 + select(u32(0), whole_0, Stretch_wraps_0(this_7)), entries_0.w - _S222, entries_0.y - _S223, whole_0);
 }
 
 fn row_differences_0( across_1 : Stretch_0,  row_7 : u32,  count_2 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S217 : u32 = row_7 + across_1.low_7.thread_2 * quantities_1;
-    var _S218 : u32 = row_7 + across_1.high_7.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S217], words_0[_S217 + quantities_1], words_0[_S218], words_0[_S218 + quantities_1]), words_0[row_7 + count_2 * quantities_1]);
+    var _S224 : u32 = row_7 + across_1.low_7.thread_3 * quantities_1;
+    var _S225 : u32 = row_7 + across_1.high_7.thread_3 * quantities_1;
+    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S224], words_0[_S224 + quantities_1], words_0[_S225], words_0[_S225 + quantities_1]), words_0[row_7 + count_2 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_8 : Stretch_0) -> vec4<f32>
@@ -1721,25 +1752,25 @@ fn Stretch_weights_0( this_8 : Stretch_0) -> vec4<f32>
 
 fn integral_on_top_0( family_8 : u32,  across_2 : Stretch_0,  along_0 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S219 : u32 = u32(families_0[family_8].count_0);
-    var _S220 : u32 = (_S219 + u32(1)) * families_0[family_8].quantities_0;
-    var _S221 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
-    var _S222 : vec4<u32> = row_differences_0(across_2, _S221 + along_0.low_7.thread_2 * _S220, _S219, families_0[family_8].quantities_0);
-    var _S223 : vec4<u32> = row_differences_0(across_2, _S221 + along_0.high_7.thread_2 * _S220, _S219, families_0[family_8].quantities_0);
-    var _S224 : vec4<u32> = row_differences_0(across_2, _S221 + crossing_count_0 * _S220, _S219, families_0[family_8].quantities_0);
-    var _S225 : vec4<f32> = Stretch_weights_0(across_2);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S223 - _S222 + select_vector_3(Stretch_wraps_0(along_0), _S224, vec4<u32>(vec4<i32>(i32(0)))))), _S225), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S221 + (along_0.high_7.thread_2 + u32(1)) * _S220, _S219, families_0[family_8].quantities_0) - _S223)), _S225), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S221 + (along_0.low_7.thread_2 + u32(1)) * _S220, _S219, families_0[family_8].quantities_0) - _S222)), _S225), dot(vec4<f32>(vec4<i32>(_S224)), _S225)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
+    var _S226 : u32 = u32(families_0[family_8].count_0);
+    var _S227 : u32 = (_S226 + u32(1)) * families_0[family_8].quantities_0;
+    var _S228 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
+    var _S229 : vec4<u32> = row_differences_0(across_2, _S228 + along_0.low_7.thread_3 * _S227, _S226, families_0[family_8].quantities_0);
+    var _S230 : vec4<u32> = row_differences_0(across_2, _S228 + along_0.high_7.thread_3 * _S227, _S226, families_0[family_8].quantities_0);
+    var _S231 : vec4<u32> = row_differences_0(across_2, _S228 + crossing_count_0 * _S227, _S226, families_0[family_8].quantities_0);
+    var _S232 : vec4<f32> = Stretch_weights_0(across_2);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S230 - _S229 + select_vector_3(Stretch_wraps_0(along_0), _S231, vec4<u32>(vec4<i32>(i32(0)))))), _S232), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S228 + (along_0.high_7.thread_3 + u32(1)) * _S227, _S226, families_0[family_8].quantities_0) - _S230)), _S232), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S228 + (along_0.low_7.thread_3 + u32(1)) * _S227, _S226, families_0[family_8].quantities_0) - _S229)), _S232), dot(vec4<f32>(vec4<i32>(_S231)), _S232)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_8 : u32) -> Albedos_0
 {
-    var _S226 : Albedos_0 = table_albedos_0(row_8);
+    var _S233 : Albedos_0 = table_albedos_0(row_8);
     var sum_0 : Albedos_0;
-    var _S227 : vec3<f32> = vec3<f32>(weight_0);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S227 * _S226.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S227 * _S226.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S227 * _S226.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S227 * _S226.specular_transmit_0;
+    var _S234 : vec3<f32> = vec3<f32>(weight_0);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S234 * _S233.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S234 * _S233.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S234 * _S233.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S234 * _S233.specular_transmit_0;
     return sum_0;
 }
 
@@ -1750,7 +1781,7 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
     {
         return albedos_2;
     }
-    var _S228 : vec3<f32> = lengths_0(crossing_0, other_0);
+    var _S235 : vec3<f32> = lengths_0(crossing_0, other_0);
     var is_exposed_0 : bool = false;
     var weight_1 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -1763,24 +1794,24 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
         {
             break;
         }
-        var _S229 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
-        var _S230 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
-        var _S231 : f32 = _S229.x;
-        var _S232 : f32 = _S231 * _S228.x;
-        var _S233 : f32 = select(_S230, _S232 - _S230, back_3);
-        var _S234 : bool = quantity_2 == u32(0);
-        if(_S234)
+        var _S236 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
+        var _S237 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
+        var _S238 : f32 = _S236.x;
+        var _S239 : f32 = _S238 * _S235.x;
+        var _S240 : f32 = select(_S237, _S239 - _S237, back_3);
+        var _S241 : bool = quantity_2 == u32(0);
+        if(_S241)
         {
-            is_exposed_0 = _S233 > (16.0f * families_0[family_9].area_unit_0 * min(_S232 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S232);
+            is_exposed_0 = _S240 > (16.0f * families_0[family_9].area_unit_0 * min(_S239 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S239);
         }
-        var _S235 : f32 = _S231 * _S228.y + select(0.0f, _S233, is_exposed_0) + 0.000244140625f * _S228.z * _S229.y;
-        if(_S234)
+        var _S242 : f32 = _S238 * _S235.y + select(0.0f, _S240, is_exposed_0) + 0.000244140625f * _S235.z * _S236.y;
+        if(_S241)
         {
-            weight_1 = 1.0f / max(_S235, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S242, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S235 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S242 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1791,33 +1822,16 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
     return albedos_2;
 }
 
-fn scramble_0( value_0 : u32) -> u32
+fn uniform_hash_0( thread_4 : u32,  cell_5 : u32,  stream_1 : u32) -> f32
 {
-    var _S236 : u32 = value_0 * u32(747796405) + u32(2891336453);
-    var _S237 : u32 = ((((_S236 >> ((((_S236 >> (u32(28)))) + u32(4))))) ^ (_S236))) * u32(277803737);
-    return (((_S237 >> (u32(22)))) ^ (_S237));
-}
-
-fn hash_key_0( thread_3 : u32,  stream_0 : u32) -> u32
-{
-    return scramble_0(thread_3 + scramble_0(stream_0));
-}
-
-fn hash_bits_0( key_0 : u32,  cell_3 : u32) -> u32
-{
-    return scramble_0(cell_3 + key_0);
-}
-
-fn uniform_hash_0( thread_4 : u32,  cell_4 : u32,  stream_1 : u32) -> f32
-{
-    return (f32(((hash_bits_0(hash_key_0(thread_4, stream_1), cell_4)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    return (f32(((hash_bits_0(hash_key_0(thread_4, stream_1), cell_5)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
 }
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_5 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S238 : u32 = pixel_0.x;
-    var _S239 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S238, _S239, stream_2), uniform_hash_0(_S238, _S239, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S243 : u32 = pixel_0.x;
+    var _S244 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S243, _S244, stream_2), uniform_hash_0(_S243, _S244, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_6 : u32) -> f32
@@ -1844,22 +1858,22 @@ fn choose_0( table_0 : u32,  count_3 : u32,  number_1 : f32) -> Choice_0
         {
             break;
         }
-        var _S240 : u32 = (low_8 + high_8) / u32(2);
-        if((scene_number_0(table_0 + _S240)) <= number_1)
+        var _S245 : u32 = (low_8 + high_8) / u32(2);
+        if((scene_number_0(table_0 + _S245)) <= number_1)
         {
-            low_8 = _S240;
+            low_8 = _S245;
         }
         else
         {
-            high_8 = _S240;
+            high_8 = _S245;
         }
     }
-    var _S241 : u32 = table_0 + low_8;
-    var _S242 : f32 = scene_number_0(_S241);
-    var _S243 : f32 = scene_number_0(_S241 + u32(1));
+    var _S246 : u32 = table_0 + low_8;
+    var _S247 : f32 = scene_number_0(_S246);
+    var _S248 : f32 = scene_number_0(_S246 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_7 = low_8;
-    choice_0.remainder_0 = saturate((number_1 - _S242) / max(_S243 - _S242, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_1 - _S247) / max(_S248 - _S247, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1870,16 +1884,16 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_8 : f32) -> vec2<f32>
 {
-    var _S244 : f32 = floor(x_8 * 0.63661974668502808f + 0.5f);
-    var _S245 : f32 = x_8 - _S244 * 1.5703125f - _S244 * 0.00048375129699707f - _S244 * 7.54979012640433211e-08f;
-    var _S246 : f32 = _S245 * _S245;
-    var _S247 : f32 = ((-0.00019515295571182f * _S246 + 0.00833216123282909f) * _S246 - 0.16666655242443085f) * _S246 * _S245 + _S245;
-    var _S248 : f32 = ((0.00002443315679557f * _S246 - 0.00138873164542019f) * _S246 + 0.04166664555668831f) * _S246 * _S246 - 0.5f * _S246 + 1.0f;
-    var _S249 : u32 = (u32(i32(_S244)) & (u32(3)));
-    var _S250 : vec2<f32> = select_vector_1(((_S249 & (u32(1)))) != u32(0), vec2<f32>(_S248, _S247), vec2<f32>(_S247, _S248));
-    var _S251 : f32 = _S250.x;
-    var _S252 : f32 = _S250.y;
-    return vec2<f32>(select(_S251, - _S251, ((_S249 & (u32(2)))) != u32(0)), select(_S252, - _S252, (((_S249 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S249 : f32 = floor(x_8 * 0.63661974668502808f + 0.5f);
+    var _S250 : f32 = x_8 - _S249 * 1.5703125f - _S249 * 0.00048375129699707f - _S249 * 7.54979012640433211e-08f;
+    var _S251 : f32 = _S250 * _S250;
+    var _S252 : f32 = ((-0.00019515295571182f * _S251 + 0.00833216123282909f) * _S251 - 0.16666655242443085f) * _S251 * _S250 + _S250;
+    var _S253 : f32 = ((0.00002443315679557f * _S251 - 0.00138873164542019f) * _S251 + 0.04166664555668831f) * _S251 * _S251 - 0.5f * _S251 + 1.0f;
+    var _S254 : u32 = (u32(i32(_S249)) & (u32(3)));
+    var _S255 : vec2<f32> = select_vector_1(((_S254 & (u32(1)))) != u32(0), vec2<f32>(_S253, _S252), vec2<f32>(_S252, _S253));
+    var _S256 : f32 = _S255.x;
+    var _S257 : f32 = _S255.y;
+    return vec2<f32>(select(_S256, - _S256, ((_S254 & (u32(2)))) != u32(0)), select(_S257, - _S257, (((_S254 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
@@ -1918,9 +1932,9 @@ fn mirrored_bundle_0( bundle_0 : u32) -> u32
 
 fn light_visibility_of_0( diffuse_0 : f32,  light_1 : vec3<f32>,  view_1 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S253 : f32 = max(abs(light_1.z), 0.00100000004749745f);
-    var _S254 : vec2<f32> = light_1.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S253, (0.59700000286102295f * _S253 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S254, view_1.xy) * rsqrt_0(max(dot(_S254, _S254), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    var _S258 : f32 = max(abs(light_1.z), 0.00100000004749745f);
+    var _S259 : vec2<f32> = light_1.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S258, (0.59700000286102295f * _S258 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S259, view_1.xy) * rsqrt_0(max(dot(_S259, _S259), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
 struct Blocked_0
@@ -1950,9 +1964,9 @@ fn no_close_up_0() -> CloseUp_0
 {
     var nothing_1 : CloseUp_0;
     nothing_1.weight_2 = 0.0f;
-    var _S255 : Blocked_0 = no_blocked_0();
-    nothing_1.warp_1 = _S255;
-    nothing_1.weft_1 = _S255;
+    var _S260 : Blocked_0 = no_blocked_0();
+    nothing_1.warp_1 = _S260;
+    nothing_1.weft_1 = _S260;
     return nothing_1;
 }
 
@@ -1985,47 +1999,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S256 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S261 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S257 : vec3<f32> = sends_0.sky_warp_0 + _S256 * sends_0.crossing_warp_0;
-    found_0.warp_2 = _S257;
-    var _S258 : vec3<f32> = sends_0.sky_weft_0 + _S256 * sends_0.crossing_weft_0;
-    found_0.weft_2 = _S258;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S257 + vec3<f32>(sends_0.blocks_weft_0) * _S258;
+    var _S262 : vec3<f32> = sends_0.sky_warp_0 + _S261 * sends_0.crossing_warp_0;
+    found_0.warp_2 = _S262;
+    var _S263 : vec3<f32> = sends_0.sky_weft_0 + _S261 * sends_0.crossing_weft_0;
+    found_0.weft_2 = _S263;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S262 + vec3<f32>(sends_0.blocks_weft_0) * _S263;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S259 : f32 = 1.0f - view_2.z;
-    var _S260 : f32 = _S259 * _S259;
+    var _S264 : f32 = 1.0f - view_2.z;
+    var _S265 : f32 = _S264 * _S264;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S261 : f32 = view_2.x;
-    var _S262 : f32 = _S261 * _S261;
-    var _S263 : f32 = view_2.y;
-    var _S264 : f32 = _S263 * _S263;
-    (*terms_0)[i32(1)] = sqrt(max(_S262 + _S264, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S260;
-    (*terms_0)[i32(3)] = _S260 * _S260;
-    (*terms_0)[i32(4)] = _S262 - _S264;
+    var _S266 : f32 = view_2.x;
+    var _S267 : f32 = _S266 * _S266;
+    var _S268 : f32 = view_2.y;
+    var _S269 : f32 = _S268 * _S268;
+    (*terms_0)[i32(1)] = sqrt(max(_S267 + _S269, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S265;
+    (*terms_0)[i32(3)] = _S265 * _S265;
+    (*terms_0)[i32(4)] = _S267 - _S269;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_3 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S265 : f32 = 1.0f - view_3.z;
-    var _S266 : f32 = _S265 * _S265;
+    var _S270 : f32 = 1.0f - view_3.z;
+    var _S271 : f32 = _S270 * _S270;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S267 : f32 = view_3.x;
-    var _S268 : f32 = _S267 * _S267;
-    var _S269 : f32 = view_3.y;
-    var _S270 : f32 = _S269 * _S269;
-    (*terms_1)[i32(1)] = sqrt(max(_S268 + _S270, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S266;
-    (*terms_1)[i32(3)] = _S266 * _S266;
-    (*terms_1)[i32(4)] = _S268 - _S270;
+    var _S272 : f32 = view_3.x;
+    var _S273 : f32 = _S272 * _S272;
+    var _S274 : f32 = view_3.y;
+    var _S275 : f32 = _S274 * _S274;
+    (*terms_1)[i32(1)] = sqrt(max(_S273 + _S275, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S271;
+    (*terms_1)[i32(3)] = _S271 * _S271;
+    (*terms_1)[i32(4)] = _S273 - _S275;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -2062,11 +2076,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_0 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S271 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S272 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_0.through_0;
+    var _S276 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S277 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_0.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_3) + _S272 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S272 * interior_0.far_1 + yarn_0.back_4 * _S271;
+    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_3) + _S277 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S277 * interior_0.far_1 + yarn_0.back_4 * _S276;
     return bounced_0;
 }
 
@@ -2080,8 +2094,8 @@ fn sum_of_0( first_23 : Bounced_0,  second_1 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S273 : f32 = light_2.z;
-    return select_vector_2((_S273 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S273) * 0.31830987334251404f));
+    var _S278 : f32 = light_2.z;
+    return select_vector_2((_S278 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S278) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_10 : f32,  y_2 : f32) -> f32
@@ -2101,40 +2115,40 @@ fn sheen_reflectance_0( x_12 : f32,  y_4 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S274 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S275 : f32 = 2.0f * sqrt(_S274) - 1.0f;
-    var _S276 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S275, _S276), 0.00999999977648258f, 1.0f), clamp((1.0f - _S274) * sheen_shear_0(_S275, _S276), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S275, _S276), -60.0f, 60.0f))));
+    var _S279 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S280 : f32 = 2.0f * sqrt(_S279) - 1.0f;
+    var _S281 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S280, _S281), 0.00999999977648258f, 1.0f), clamp((1.0f - _S279) * sheen_shear_0(_S280, _S281), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S280, _S281), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S277 : f32 = light_3.z;
-    if(((_S277 <= 0.0f) | (((view_5.z) <= 0.0f))))
+    var _S282 : f32 = light_3.z;
+    if(((_S282 <= 0.0f) | (((view_5.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S278 : vec2<f32> = view_5.xy;
-    var _S279 : f32 = dot(_S278, _S278);
-    var _S280 : vec2<f32> = select_vector_1(_S279 > 9.99999968265522539e-21f, _S278 * vec2<f32>(rsqrt_0(max(_S279, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S281 : f32 = scale_1 * dot(light_3.xy, _S280) + shear_0 * _S277;
-    var _S282 : f32 = scale_1 * (light_3.y * _S280.x - light_3.x * _S280.y);
-    var _S283 : f32 = _S281 * _S281 + _S282 * _S282 + _S277 * _S277;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S277 / max(_S283 * _S283, 9.99999968265522539e-21f);
+    var _S283 : vec2<f32> = view_5.xy;
+    var _S284 : f32 = dot(_S283, _S283);
+    var _S285 : vec2<f32> = select_vector_1(_S284 > 9.99999968265522539e-21f, _S283 * vec2<f32>(rsqrt_0(max(_S284, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S286 : f32 = scale_1 * dot(light_3.xy, _S285) + shear_0 * _S282;
+    var _S287 : f32 = scale_1 * (light_3.y * _S285.x - light_3.x * _S285.y);
+    var _S288 : f32 = _S286 * _S286 + _S287 * _S287 + _S282 * _S282;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S282 / max(_S288 * _S288, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S284 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
-    var _S285 : f32 = strength_0 * _S284.z;
-    return vec2<f32>(_S285 * transformed_cosine_0(light_4, view_6, _S284.x, _S284.y), 1.0f - _S285);
+    var _S289 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
+    var _S290 : f32 = strength_0 * _S289.z;
+    return vec2<f32>(_S290 * transformed_cosine_0(light_4, view_6, _S289.x, _S289.y), 1.0f - _S290);
 }
 
 fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
 {
-    var _S286 : f32 = layers_0[index_8].share_0;
+    var _S291 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_5;
-    layers_0[index_8].share_0 = _S286 * (1.0f - light_5.w);
+    layers_0[index_8].share_0 = _S291 * (1.0f - light_5.w);
     return;
 }
 
@@ -2158,100 +2172,117 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S287 : u32,  _S288 : u32,  _S289 : f32,  _S290 : f32) -> VisiblePoint_0
+fn uneven_shift_0( _S292 : u32,  _S293 : u32,  _S294 : u32,  _S295 : vec2<f32>) -> f32
 {
-    var _S291 : u32 = u32(3) * _S288;
-    var _S292 : Vertex_0 = vertex_at_0(_S291);
-    var _S293 : Vertex_0 = vertex_at_0(_S291 + u32(1));
-    var _S294 : Vertex_0 = vertex_at_0(_S291 + u32(2));
-    var _S295 : vec3<f32> = position_of_0(_S292);
-    var _S296 : vec3<f32> = position_of_0(_S293) - _S295;
-    var _S297 : vec3<f32> = position_of_0(_S294) - _S295;
-    var _S298 : f32 = _S293.u_0 - _S292.u_0;
-    var _S299 : f32 = _S293.v_0 - _S292.v_0;
-    var _S300 : vec2<f32> = vec2<f32>(_S298, _S299);
-    var _S301 : f32 = _S294.u_0 - _S292.u_0;
-    var _S302 : f32 = _S294.v_0 - _S292.v_0;
-    var _S303 : vec2<f32> = vec2<f32>(_S301, _S302);
-    var _S304 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S298 * _S302 - _S299 * _S301) < 0.0f));
-    var _S305 : vec3<f32> = _S304 * (vec3<f32>(_S302) * _S296 - vec3<f32>(_S299) * _S297);
-    var _S306 : vec3<f32> = _S304 * (vec3<f32>(_S298) * _S297 - vec3<f32>(_S301) * _S296);
+    var _S296 : f32 = families_0[_S294].period_0 / families_0[_S294].count_0;
+    var _S297 : u32 = hash_key_0(_S293, ((fabrics_0[_S292].seed_0) ^ (u32(625341585))));
+    var _S298 : vec2<f32> = vec2<f32>(_S295.x, _S295.y / 4.0f) / vec2<f32>(_S296);
+    return 0.20000000298023224f * sqrt(families_0[_S294].slub_0) * _S296 * (uneven_octave_0(_S297, _S298) * 0.66666668653488159f + uneven_octave_0(_S297 + u32(1), vec2<f32>(2.0f) * _S298 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+}
+
+fn uneven_place_0( _S299 : u32,  _S300 : vec2<f32>) -> vec2<f32>
+{
+    if((fabrics_0[_S299].has_detail_0) == u32(0))
+    {
+        return _S300;
+    }
+    return _S300 + vec2<f32>(uneven_shift_0(_S299, u32(0), fabrics_0[_S299].warp_0, _S300), uneven_shift_0(_S299, u32(1), fabrics_0[_S299].weft_0, _S300.yx));
+}
+
+fn face_point_0( _S301 : u32,  _S302 : u32,  _S303 : f32,  _S304 : f32) -> VisiblePoint_0
+{
+    var _S305 : u32 = u32(3) * _S302;
+    var _S306 : Vertex_0 = vertex_at_0(_S305);
+    var _S307 : Vertex_0 = vertex_at_0(_S305 + u32(1));
+    var _S308 : Vertex_0 = vertex_at_0(_S305 + u32(2));
+    var _S309 : vec3<f32> = position_of_0(_S306);
+    var _S310 : vec3<f32> = position_of_0(_S307) - _S309;
+    var _S311 : vec3<f32> = position_of_0(_S308) - _S309;
+    var _S312 : f32 = _S307.u_0 - _S306.u_0;
+    var _S313 : f32 = _S307.v_0 - _S306.v_0;
+    var _S314 : vec2<f32> = vec2<f32>(_S312, _S313);
+    var _S315 : f32 = _S308.u_0 - _S306.u_0;
+    var _S316 : f32 = _S308.v_0 - _S306.v_0;
+    var _S317 : vec2<f32> = vec2<f32>(_S315, _S316);
+    var _S318 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S312 * _S316 - _S313 * _S315) < 0.0f));
+    var _S319 : vec3<f32> = _S318 * (vec3<f32>(_S316) * _S310 - vec3<f32>(_S313) * _S311);
+    var _S320 : vec3<f32> = _S318 * (vec3<f32>(_S312) * _S311 - vec3<f32>(_S315) * _S310);
     var point_1 : VisiblePoint_0;
-    var _S307 : vec3<f32> = vec3<f32>(_S289);
-    var _S308 : vec3<f32> = vec3<f32>(_S290);
-    var _S309 : vec3<f32> = normalize(vec3<f32>((1.0f - _S289 - _S290)) * normal_of_0(_S292) + _S307 * normal_of_0(_S293) + _S308 * normal_of_0(_S294));
-    point_1.normal_0 = _S309;
-    var _S310 : vec3<f32> = normalize(_S305 - _S309 * vec3<f32>(dot(_S309, _S305)));
-    point_1.axis_x_0 = _S310;
-    point_1.axis_y_0 = cross(_S309, _S310);
-    var _S311 : vec3<f32> = normalize(cross(_S296, _S297));
-    point_1.face_normal_0 = select_vector_2((dot(_S311, _S309)) < 0.0f, (vec3<f32>(0) - _S311), _S311);
-    point_1.position_0 = _S295 + _S307 * _S296 + _S308 * _S297;
-    point_1.view_0 = _S309;
-    var _S312 : vec2<f32> = vec2<f32>(_S292.u_0, _S292.v_0) + vec2<f32>(_S289) * _S300 + vec2<f32>(_S290) * _S303;
-    point_1.uv_1 = _S312;
-    var _S313 : bool = (dot(cross(_S305, _S306), _S309)) < 0.0f;
-    var _S314 : vec2<f32> = vec2<f32>(fabrics_0[_S287].uv_width_0, select(fabrics_0[_S287].uv_height_0, - fabrics_0[_S287].uv_height_0, _S313));
-    point_1.draft_per_uv_0 = _S314;
-    point_1.draft_0 = _S312 * _S314 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S287].uv_height_0, _S313));
-    var _S315 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S315;
-    point_1.draft_dy_0 = _S315;
+    var _S321 : vec3<f32> = vec3<f32>(_S303);
+    var _S322 : vec3<f32> = vec3<f32>(_S304);
+    var _S323 : vec3<f32> = normalize(vec3<f32>((1.0f - _S303 - _S304)) * normal_of_0(_S306) + _S321 * normal_of_0(_S307) + _S322 * normal_of_0(_S308));
+    point_1.normal_0 = _S323;
+    var _S324 : vec3<f32> = normalize(_S319 - _S323 * vec3<f32>(dot(_S323, _S319)));
+    point_1.axis_x_0 = _S324;
+    point_1.axis_y_0 = cross(_S323, _S324);
+    var _S325 : vec3<f32> = normalize(cross(_S310, _S311));
+    point_1.face_normal_0 = select_vector_2((dot(_S325, _S323)) < 0.0f, (vec3<f32>(0) - _S325), _S325);
+    point_1.position_0 = _S309 + _S321 * _S310 + _S322 * _S311;
+    point_1.view_0 = _S323;
+    var _S326 : vec2<f32> = vec2<f32>(_S306.u_0, _S306.v_0) + vec2<f32>(_S303) * _S314 + vec2<f32>(_S304) * _S317;
+    point_1.uv_1 = _S326;
+    var _S327 : bool = (dot(cross(_S319, _S320), _S323)) < 0.0f;
+    var _S328 : vec2<f32> = vec2<f32>(fabrics_0[_S301].uv_width_0, select(fabrics_0[_S301].uv_height_0, - fabrics_0[_S301].uv_height_0, _S327));
+    point_1.draft_per_uv_0 = _S328;
+    point_1.draft_0 = uneven_place_0(_S301, _S326 * _S328 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S301].uv_height_0, _S327)));
+    var _S329 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S329;
+    point_1.draft_dy_0 = _S329;
     return point_1;
 }
 
-fn visible_point_0( _S316 : u32,  _S317 : u32,  _S318 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S330 : u32,  _S331 : u32,  _S332 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S319 : u32 = u32(3) * _S317;
-    var _S320 : Vertex_0 = vertex_at_0(_S319);
-    var _S321 : Vertex_0 = vertex_at_0(_S319 + u32(1));
-    var _S322 : Vertex_0 = vertex_at_0(_S319 + u32(2));
-    var _S323 : vec3<f32> = position_of_0(_S320);
-    var _S324 : vec3<f32> = position_of_0(_S321) - _S323;
-    var _S325 : vec3<f32> = position_of_0(_S322) - _S323;
-    var _S326 : vec3<f32> = cross(_S324, _S325);
-    var _S327 : f32 = f32(frame_record_0.width_0);
-    var _S328 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S327));
-    var _S329 : f32 = f32(frame_record_0.height_0);
-    var _S330 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S329));
-    var _S331 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S318.x) + 0.5f - 0.5f * _S327)) * _S328 + vec3<f32>((f32(_S318.y) + 0.5f - 0.5f * _S329)) * _S330;
-    var _S332 : f32 = dot(_S331, _S326);
-    var _S333 : f32 = 1.0f / select(1.00000000317107685e-30f, _S332, (abs(_S332)) > 1.00000000317107685e-30f);
-    var _S334 : vec3<f32> = _S323 - camera_origin_0();
-    var _S335 : vec3<f32> = vec3<f32>((dot(_S334, _S326) * _S333));
-    var _S336 : vec3<f32> = _S331 * _S335 - _S334;
-    var _S337 : vec3<f32> = _S335 * (_S328 - _S331 * vec3<f32>((dot(_S328, _S326) * _S333)));
-    var _S338 : vec3<f32> = _S335 * (_S330 - _S331 * vec3<f32>((dot(_S330, _S326) * _S333)));
-    var _S339 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S326), 1.00000000317107685e-30f)));
-    var _S340 : vec3<f32> = cross(_S325, _S326) * _S339;
-    var _S341 : vec3<f32> = cross(_S326, _S324) * _S339;
-    var _S342 : vec2<f32> = vec2<f32>(_S321.u_0 - _S320.u_0, _S321.v_0 - _S320.v_0);
-    var _S343 : vec2<f32> = vec2<f32>(_S322.u_0 - _S320.u_0, _S322.v_0 - _S320.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S316, _S317, dot(_S336, _S340), dot(_S336, _S341));
-    point_2.position_0 = _S323 + _S336;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S331));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S337, _S340)) * _S342 + vec2<f32>(dot(_S337, _S341)) * _S343) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S338, _S340)) * _S342 + vec2<f32>(dot(_S338, _S341)) * _S343) * point_2.draft_per_uv_0;
+    var _S333 : u32 = u32(3) * _S331;
+    var _S334 : Vertex_0 = vertex_at_0(_S333);
+    var _S335 : Vertex_0 = vertex_at_0(_S333 + u32(1));
+    var _S336 : Vertex_0 = vertex_at_0(_S333 + u32(2));
+    var _S337 : vec3<f32> = position_of_0(_S334);
+    var _S338 : vec3<f32> = position_of_0(_S335) - _S337;
+    var _S339 : vec3<f32> = position_of_0(_S336) - _S337;
+    var _S340 : vec3<f32> = cross(_S338, _S339);
+    var _S341 : f32 = f32(frame_record_0.width_0);
+    var _S342 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S341));
+    var _S343 : f32 = f32(frame_record_0.height_0);
+    var _S344 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S343));
+    var _S345 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S332.x) + 0.5f - 0.5f * _S341)) * _S342 + vec3<f32>((f32(_S332.y) + 0.5f - 0.5f * _S343)) * _S344;
+    var _S346 : f32 = dot(_S345, _S340);
+    var _S347 : f32 = 1.0f / select(1.00000000317107685e-30f, _S346, (abs(_S346)) > 1.00000000317107685e-30f);
+    var _S348 : vec3<f32> = _S337 - camera_origin_0();
+    var _S349 : vec3<f32> = vec3<f32>((dot(_S348, _S340) * _S347));
+    var _S350 : vec3<f32> = _S345 * _S349 - _S348;
+    var _S351 : vec3<f32> = _S349 * (_S342 - _S345 * vec3<f32>((dot(_S342, _S340) * _S347)));
+    var _S352 : vec3<f32> = _S349 * (_S344 - _S345 * vec3<f32>((dot(_S344, _S340) * _S347)));
+    var _S353 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S340), 1.00000000317107685e-30f)));
+    var _S354 : vec3<f32> = cross(_S339, _S340) * _S353;
+    var _S355 : vec3<f32> = cross(_S340, _S338) * _S353;
+    var _S356 : vec2<f32> = vec2<f32>(_S335.u_0 - _S334.u_0, _S335.v_0 - _S334.v_0);
+    var _S357 : vec2<f32> = vec2<f32>(_S336.u_0 - _S334.u_0, _S336.v_0 - _S334.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S330, _S331, dot(_S350, _S354), dot(_S350, _S355));
+    point_2.position_0 = _S337 + _S350;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S345));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S351, _S354)) * _S356 + vec2<f32>(dot(_S351, _S355)) * _S357) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S352, _S354)) * _S356 + vec2<f32>(dot(_S352, _S355)) * _S357) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S344 : u32,  _S345 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S358 : u32,  _S359 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S346 : u32 = fabrics_0[_S344].albedo_map_levels_0;
-    if((fabrics_0[_S344].albedo_map_levels_0) == u32(0))
+    var _S360 : u32 = fabrics_0[_S358].albedo_map_levels_0;
+    if((fabrics_0[_S358].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S347 : vec2<f32> = vec2<f32>(fabrics_0[_S344].uv_width_0, fabrics_0[_S344].uv_height_0);
-    var _S348 : vec2<f32> = _S345.draft_dx_0 / _S347;
-    var _S349 : vec2<f32> = _S345.draft_dy_0 / _S347;
-    var _S350 : u32 = _S346 - u32(1);
-    var _S351 : u32 = (u32(1) << (_S350));
-    var _S352 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S348.x * _S349.y - _S348.y * _S349.x), 9.99999968265522539e-21f) * (square_1(f32(_S351)) / 3.0f)), 0.0f, f32(_S346) - 1.0f);
-    var _S353 : u32 = min(u32(_S352), max(_S346, u32(2)) - u32(2));
-    var _S354 : u32 = min(_S353 + u32(1), _S350);
-    var _S355 : u32 = (u32(1) << ((u32(2) * _S346)));
-    return mix(map_level_0(fabrics_0[_S344].albedo_map_0 + (_S355 - ((_S355 >> ((u32(2) * _S353))))) / u32(3), (_S351 >> (_S353)), _S345.uv_1), map_level_0(fabrics_0[_S344].albedo_map_0 + (_S355 - ((_S355 >> ((u32(2) * _S354))))) / u32(3), (_S351 >> (_S354)), _S345.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S352 - f32(_S353))) - 1.0f) / 3.0f)));
+    var _S361 : vec2<f32> = vec2<f32>(fabrics_0[_S358].uv_width_0, fabrics_0[_S358].uv_height_0);
+    var _S362 : vec2<f32> = _S359.draft_dx_0 / _S361;
+    var _S363 : vec2<f32> = _S359.draft_dy_0 / _S361;
+    var _S364 : u32 = _S360 - u32(1);
+    var _S365 : u32 = (u32(1) << (_S364));
+    var _S366 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S362.x * _S363.y - _S362.y * _S363.x), 9.99999968265522539e-21f) * (square_1(f32(_S365)) / 3.0f)), 0.0f, f32(_S360) - 1.0f);
+    var _S367 : u32 = min(u32(_S366), max(_S360, u32(2)) - u32(2));
+    var _S368 : u32 = min(_S367 + u32(1), _S364);
+    var _S369 : u32 = (u32(1) << ((u32(2) * _S360)));
+    return mix(map_level_0(fabrics_0[_S358].albedo_map_0 + (_S369 - ((_S369 >> ((u32(2) * _S367))))) / u32(3), (_S365 >> (_S367)), _S359.uv_1), map_level_0(fabrics_0[_S358].albedo_map_0 + (_S369 - ((_S369 >> ((u32(2) * _S368))))) / u32(3), (_S365 >> (_S368)), _S359.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S366 - f32(_S367))) - 1.0f) / 3.0f)));
 }
 
 struct NeuralView_0
@@ -2263,29 +2294,29 @@ struct NeuralView_0
      back_5 : bool,
 };
 
-fn anisotropic_taps_0( _S356 : u32,  _S357 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S370 : u32,  _S371 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S358 : vec3<f32> = row_of_taps_0(_S357);
-    var _S359 : vec2<f32> = _S357.dx_0;
-    var _S360 : vec2<f32> = _S357.dy_0;
-    var _S361 : f32 = dot(_S359, _S359) + dot(_S360, _S360);
-    var _S362 : f32 = _S357.dx_0.x * _S357.dy_0.y - _S357.dx_0.y * _S357.dy_0.x;
-    var _S363 : f32 = 0.5f * (_S361 + sqrt(max(_S361 * _S361 - 4.0f * _S362 * _S362, 0.0f)));
-    var _S364 : bool = ((_S363 < (5.5f * (_S361 - _S363))) & ((_S361 > (8.0f * fabrics_0[_S356].neural_0.pitch_0 * fabrics_0[_S356].neural_0.pitch_0))));
-    var _S365 : vec2<f32> = vec2<f32>(fabrics_0[_S356].neural_0.ends_per_mm_0, fabrics_0[_S356].neural_0.picks_per_mm_0);
+    var _S372 : vec3<f32> = row_of_taps_0(_S371);
+    var _S373 : vec2<f32> = _S371.dx_0;
+    var _S374 : vec2<f32> = _S371.dy_0;
+    var _S375 : f32 = dot(_S373, _S373) + dot(_S374, _S374);
+    var _S376 : f32 = _S371.dx_0.x * _S371.dy_0.y - _S371.dx_0.y * _S371.dy_0.x;
+    var _S377 : f32 = 0.5f * (_S375 + sqrt(max(_S375 * _S375 - 4.0f * _S376 * _S376, 0.0f)));
+    var _S378 : bool = ((_S377 < (5.5f * (_S375 - _S377))) & ((_S375 > (8.0f * fabrics_0[_S370].neural_0.pitch_0 * fabrics_0[_S370].neural_0.pitch_0))));
+    var _S379 : vec2<f32> = vec2<f32>(fabrics_0[_S370].neural_0.ends_per_mm_0, fabrics_0[_S370].neural_0.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S357.centre_0 * _S365;
-    taps_1.side_1 = select(_S358.x, sqrt(0.125f * _S361), _S364) / fabrics_0[_S356].neural_0.pitch_0;
-    var _S366 : vec2<f32> = vec2<f32>(0.25f);
-    var _S367 : vec2<f32> = _S358.yz;
-    taps_1.first_21 = select_vector_1(_S364, _S366 * _S357.dx_0, _S367) * _S365;
-    taps_1.second_0 = select_vector_1(_S364, _S366 * _S357.dy_0, vec2<f32>(0.5f) * _S367) * _S365;
+    taps_1.centre_1 = _S371.centre_0 * _S379;
+    taps_1.side_1 = select(_S372.x, sqrt(0.125f * _S375), _S378) / fabrics_0[_S370].neural_0.pitch_0;
+    var _S380 : vec2<f32> = vec2<f32>(0.25f);
+    var _S381 : vec2<f32> = _S372.yz;
+    taps_1.first_21 = select_vector_1(_S378, _S380 * _S371.dx_0, _S381) * _S379;
+    taps_1.second_0 = select_vector_1(_S378, _S380 * _S371.dy_0, vec2<f32>(0.5f) * _S381) * _S379;
     return taps_1;
 }
 
-fn add_texel_0( _S368 : u32,  _S369 : u32,  _S370 : f32,  _S371 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S382 : u32,  _S383 : u32,  _S384 : f32,  _S385 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S372 : u32 = fabrics_0[_S368].neural_0.latents_0 + _S369 * u32(8);
+    var _S386 : u32 = fabrics_0[_S382].neural_0.latents_0 + _S383 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -2296,34 +2327,34 @@ fn add_texel_0( _S368 : u32,  _S369 : u32,  _S370 : f32,  _S371 : ptr<function, 
         {
             break;
         }
-        var _S373 : Eight_0 = eight_halves_0(packed_numbers_0[_S372 + part_0]);
-        var _S374 : i32 = i32(u32(8) * part_0);
-        (*_S371)[_S374] = (*_S371)[_S374] + _S370 * _S373.low_0[i32(0)];
-        (*_S371)[_S374 + i32(4)] = (*_S371)[_S374 + i32(4)] + _S370 * _S373.high_0[i32(0)];
-        var _S375 : i32 = _S374 + i32(1);
-        (*_S371)[_S375] = (*_S371)[_S375] + _S370 * _S373.low_0[i32(1)];
-        (*_S371)[_S375 + i32(4)] = (*_S371)[_S375 + i32(4)] + _S370 * _S373.high_0[i32(1)];
-        var _S376 : i32 = _S374 + i32(2);
-        (*_S371)[_S376] = (*_S371)[_S376] + _S370 * _S373.low_0[i32(2)];
-        (*_S371)[_S376 + i32(4)] = (*_S371)[_S376 + i32(4)] + _S370 * _S373.high_0[i32(2)];
-        var _S377 : i32 = _S374 + i32(3);
-        (*_S371)[_S377] = (*_S371)[_S377] + _S370 * _S373.low_0[i32(3)];
-        (*_S371)[_S377 + i32(4)] = (*_S371)[_S377 + i32(4)] + _S370 * _S373.high_0[i32(3)];
+        var _S387 : Eight_0 = eight_halves_0(packed_numbers_0[_S386 + part_0]);
+        var _S388 : i32 = i32(u32(8) * part_0);
+        (*_S385)[_S388] = (*_S385)[_S388] + _S384 * _S387.low_0[i32(0)];
+        (*_S385)[_S388 + i32(4)] = (*_S385)[_S388 + i32(4)] + _S384 * _S387.high_0[i32(0)];
+        var _S389 : i32 = _S388 + i32(1);
+        (*_S385)[_S389] = (*_S385)[_S389] + _S384 * _S387.low_0[i32(1)];
+        (*_S385)[_S389 + i32(4)] = (*_S385)[_S389 + i32(4)] + _S384 * _S387.high_0[i32(1)];
+        var _S390 : i32 = _S388 + i32(2);
+        (*_S385)[_S390] = (*_S385)[_S390] + _S384 * _S387.low_0[i32(2)];
+        (*_S385)[_S390 + i32(4)] = (*_S385)[_S390 + i32(4)] + _S384 * _S387.high_0[i32(2)];
+        var _S391 : i32 = _S388 + i32(3);
+        (*_S385)[_S391] = (*_S385)[_S391] + _S384 * _S387.low_0[i32(3)];
+        (*_S385)[_S391 + i32(4)] = (*_S385)[_S391 + i32(4)] + _S384 * _S387.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S378 : u32,  _S379 : u32,  _S380 : bool,  _S381 : vec2<f32>,  _S382 : f32,  _S383 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S392 : u32,  _S393 : u32,  _S394 : bool,  _S395 : vec2<f32>,  _S396 : f32,  _S397 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S384 : Neural_std430_0 = fabrics_0[_S378].neural_0;
-    var _S385 : u32 = fabrics_0[_S378].neural_0.levels_1 + u32(4) * _S379;
-    var _S386 : f32 = table_number_0(_S385);
-    var _S387 : f32 = table_number_0(_S385 + u32(1));
-    var _S388 : f32 = table_number_0(_S385 + u32(2));
-    var _S389 : vec2<f32> = _S381 * vec2<f32>(table_number_0(_S385 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S379 > u32(3)) & ((_S379 < (fabrics_0[_S378].neural_0.top_level_0))))));
-    var _S390 : vec2<f32> = floor(_S389);
-    var _S391 : vec2<f32> = _S389 - _S390;
+    var _S398 : Neural_std430_0 = fabrics_0[_S392].neural_0;
+    var _S399 : u32 = fabrics_0[_S392].neural_0.levels_1 + u32(4) * _S393;
+    var _S400 : f32 = table_number_0(_S399);
+    var _S401 : f32 = table_number_0(_S399 + u32(1));
+    var _S402 : f32 = table_number_0(_S399 + u32(2));
+    var _S403 : vec2<f32> = _S395 * vec2<f32>(table_number_0(_S399 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S393 > u32(3)) & ((_S393 < (fabrics_0[_S392].neural_0.top_level_0))))));
+    var _S404 : vec2<f32> = floor(_S403);
+    var _S405 : vec2<f32> = _S403 - _S404;
     var corner_1 : u32 = u32(0);
     for(;;)
     {
@@ -2334,16 +2365,16 @@ fn add_level_0( _S378 : u32,  _S379 : u32,  _S380 : bool,  _S381 : vec2<f32>,  _
         {
             break;
         }
-        var _S392 : f32 = f32((corner_1 & (u32(1))));
-        var _S393 : f32 = f32((corner_1 >> (u32(1))));
-        var _S394 : vec2<f32> = mix(vec2<f32>(1.0f) - _S391, _S391, vec2<f32>(_S392, _S393));
-        add_texel_0(_S378, u32(_S386 + wrapped_0(_S390.y + _S393, _S388) * _S387 + wrapped_0(_S390.x + _S392, _S387)) + select(u32(0), _S384.texels_0, _S380), _S382 * _S394.x * _S394.y, &((*_S383)));
+        var _S406 : f32 = f32((corner_1 & (u32(1))));
+        var _S407 : f32 = f32((corner_1 >> (u32(1))));
+        var _S408 : vec2<f32> = mix(vec2<f32>(1.0f) - _S405, _S405, vec2<f32>(_S406, _S407));
+        add_texel_0(_S392, u32(_S400 + wrapped_0(_S404.y + _S407, _S402) * _S401 + wrapped_0(_S404.x + _S406, _S401)) + select(u32(0), _S398.texels_0, _S394), _S396 * _S408.x * _S408.y, &((*_S397)));
         corner_1 = corner_1 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S395 : u32,  _S396 : AnisotropicTaps_0,  _S397 : vec3<f32>,  _S398 : bool,  _S399 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S409 : u32,  _S410 : AnisotropicTaps_0,  _S411 : vec3<f32>,  _S412 : bool,  _S413 : ptr<function, array<f32, i32(88)>>)
 {
     var k_0 : i32 = i32(0);
     for(;;)
@@ -2355,28 +2386,28 @@ fn code_footprint_0( _S395 : u32,  _S396 : AnisotropicTaps_0,  _S397 : vec3<f32>
         {
             break;
         }
-        (*_S399)[k_0] = 0.0f;
+        (*_S413)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S400 : vec2<f32> = vec2<f32>(fabrics_0[_S395].neural_0.ends_0, fabrics_0[_S395].neural_0.picks_0);
-    var _S401 : f32 = f32(fabrics_0[_S395].neural_0.top_level_0);
-    var _S402 : f32 = clamp(binary_logarithm_0(max(_S396.side_1, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S401);
-    var _S403 : f32 = min(floor(_S402), _S401 - 1.0f);
-    var _S404 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S396));
+    var _S414 : vec2<f32> = vec2<f32>(fabrics_0[_S409].neural_0.ends_0, fabrics_0[_S409].neural_0.picks_0);
+    var _S415 : f32 = f32(fabrics_0[_S409].neural_0.top_level_0);
+    var _S416 : f32 = clamp(binary_logarithm_0(max(_S410.side_1, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S415);
+    var _S417 : f32 = min(floor(_S416), _S415 - 1.0f);
+    var _S418 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S410));
     var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(number_2 < (u32(2) * _S404))
+        if(number_2 < (u32(2) * _S418))
         {
         }
         else
         {
             break;
         }
-        var _S405 : vec2<f32> = AnisotropicTaps_place_0(_S396, (number_2 >> (u32(1))));
-        var _S406 : bool = ((number_2 & (u32(1)))) != u32(0);
-        var _S407 : f32 = _S402 - _S403;
-        add_level_0(_S395, u32(_S403) + select(u32(0), u32(1), _S406), _S398, clamp(_S405 - _S400 * floor(_S405 / _S400), vec2<f32>(0.0f), _S400), select(1.0f - _S407, _S407, _S406) / f32(_S404), &((*_S399)));
+        var _S419 : vec2<f32> = AnisotropicTaps_place_0(_S410, (number_2 >> (u32(1))));
+        var _S420 : bool = ((number_2 & (u32(1)))) != u32(0);
+        var _S421 : f32 = _S416 - _S417;
+        add_level_0(_S409, u32(_S417) + select(u32(0), u32(1), _S420), _S412, clamp(_S419 - _S414 * floor(_S419 / _S414), vec2<f32>(0.0f), _S414), select(1.0f - _S421, _S421, _S420) / f32(_S418), &((*_S413)));
         number_2 = number_2 + u32(1);
     }
     var number_3 : i32 = i32(0);
@@ -2399,7 +2430,7 @@ fn code_footprint_0( _S395 : u32,  _S396 : AnisotropicTaps_0,  _S397 : vec3<f32>
             {
                 break;
             }
-            var offset_1 : f32 = _S397[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_1 : f32 = _S411[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
             var offset_2 : f32;
             if(number_3 < i32(2))
             {
@@ -2409,7 +2440,7 @@ fn code_footprint_0( _S395 : u32,  _S396 : AnisotropicTaps_0,  _S397 : vec3<f32>
             {
                 offset_2 = offset_1;
             }
-            (*_S399)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
+            (*_S413)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_3 = number_3 + i32(1);
@@ -2417,45 +2448,45 @@ fn code_footprint_0( _S395 : u32,  _S396 : AnisotropicTaps_0,  _S397 : vec3<f32>
     return;
 }
 
-fn crown_fibres_0( _S408 : u32,  _S409 : bool,  _S410 : bool) -> vec3<f32>
+fn crown_fibres_0( _S422 : u32,  _S423 : bool,  _S424 : bool) -> vec3<f32>
 {
-    if(_S409)
+    if(_S423)
     {
-        return vec3<f32>(select(1.0f, -1.0f, _S410) * fabrics_0[_S408].neural_0.warp_x_0, fabrics_0[_S408].neural_0.warp_y_0, fabrics_0[_S408].neural_0.warp_roughness_0);
+        return vec3<f32>(select(1.0f, -1.0f, _S424) * fabrics_0[_S422].neural_0.warp_x_0, fabrics_0[_S422].neural_0.warp_y_0, fabrics_0[_S422].neural_0.warp_roughness_0);
     }
-    return vec3<f32>(fabrics_0[_S408].neural_0.weft_x_0, select(1.0f, -1.0f, _S410) * fabrics_0[_S408].neural_0.weft_y_0, fabrics_0[_S408].neural_0.weft_roughness_0);
+    return vec3<f32>(fabrics_0[_S422].neural_0.weft_x_0, select(1.0f, -1.0f, _S424) * fabrics_0[_S422].neural_0.weft_y_0, fabrics_0[_S422].neural_0.weft_roughness_0);
 }
 
-fn neural_view_0( _S411 : u32,  _S412 : Footprint_0,  _S413 : vec3<f32>,  _S414 : ptr<function, NeuralView_0>)
+fn neural_view_0( _S425 : u32,  _S426 : Footprint_0,  _S427 : vec3<f32>,  _S428 : ptr<function, NeuralView_0>)
 {
-    var _S415 : bool = (_S413.z) < 0.0f;
-    var _S416 : AnisotropicTaps_0 = anisotropic_taps_0(_S411, _S412);
-    var _S417 : vec3<f32> = footprint_coordinates_0(_S416);
-    var _S418 : vec3<f32> = to_face_frame_0(_S413, _S415);
+    var _S429 : bool = (_S427.z) < 0.0f;
+    var _S430 : AnisotropicTaps_0 = anisotropic_taps_0(_S425, _S426);
+    var _S431 : vec3<f32> = footprint_coordinates_0(_S430);
+    var _S432 : vec3<f32> = to_face_frame_0(_S427, _S429);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S411].neural_0.network_0;
+    weights_23.first_2 = fabrics_0[_S425].neural_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S411, _S416, _S417, _S415, &(inputs_23));
+    code_footprint_0(_S425, _S430, _S431, _S429, &(inputs_23));
     var hidden_1 : array<f32, i32(96)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(100)>;
     dense_part_8(weights_23, u32(1068), false, &(hidden_1), &(fused_0));
-    fused_0[i32(96)] = _S418.x;
-    fused_0[i32(97)] = _S418.y;
-    var _S419 : vec2<f32> = _S418.xy;
-    fused_0[i32(98)] = dot(crown_fibres_0(_S411, true, _S415).xy, _S419);
-    fused_0[i32(99)] = dot(crown_fibres_0(_S411, false, _S415).xy, _S419);
+    fused_0[i32(96)] = _S432.x;
+    fused_0[i32(97)] = _S432.y;
+    var _S433 : vec2<f32> = _S432.xy;
+    fused_0[i32(98)] = dot(crown_fibres_0(_S425, true, _S429).xy, _S433);
+    fused_0[i32(99)] = dot(crown_fibres_0(_S425, false, _S429).xy, _S433);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
     var hole_1 : array<f32, i32(1)>;
     dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
-    var _S420 : array<f32, i32(96)> = (*_S414).sums_7;
-    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S420));
-    (*_S414).sums_7 = _S420;
-    (*_S414).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
-    (*_S414).correction_weight_0 = correction_weight_of_0(_S417.z);
-    (*_S414).view_7 = _S418;
-    (*_S414).back_5 = _S415;
+    var _S434 : array<f32, i32(96)> = (*_S428).sums_7;
+    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S434));
+    (*_S428).sums_7 = _S434;
+    (*_S428).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
+    (*_S428).correction_weight_0 = correction_weight_of_0(_S431.z);
+    (*_S428).view_7 = _S432;
+    (*_S428).back_5 = _S429;
     return;
 }
 
@@ -2465,16 +2496,16 @@ struct FamilyAlbedos_0
      weft_4 : Albedos_0,
 };
 
-fn albedos_over_0( _S421 : u32,  _S422 : Footprint_0,  _S423 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S435 : u32,  _S436 : Footprint_0,  _S437 : bool) -> FamilyAlbedos_0
 {
-    var _S424 : vec2<f32> = _S422.dx_0;
-    var _S425 : vec2<f32> = _S422.dy_0;
-    var _S426 : vec2<f32> = sqrt(_S424 * _S424 + _S425 * _S425);
-    var _S427 : Stretch_0 = stretch_of_0(fabrics_0[_S421].warp_0, _S422.centre_0.x, _S426.x);
-    var _S428 : Stretch_0 = stretch_of_0(fabrics_0[_S421].weft_0, _S422.centre_0.y, _S426.y);
+    var _S438 : vec2<f32> = _S436.dx_0;
+    var _S439 : vec2<f32> = _S436.dy_0;
+    var _S440 : vec2<f32> = sqrt(_S438 * _S438 + _S439 * _S439);
+    var _S441 : Stretch_0 = stretch_of_0(fabrics_0[_S435].warp_0, _S436.centre_0.x, _S440.x);
+    var _S442 : Stretch_0 = stretch_of_0(fabrics_0[_S435].weft_0, _S436.centre_0.y, _S440.y);
     var albedos_4 : FamilyAlbedos_0;
-    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S421].warp_0, fabrics_0[_S421].weft_0, _S427, _S428, _S423);
-    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S421].weft_0, fabrics_0[_S421].warp_0, _S428, _S427, _S423);
+    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S435].warp_0, fabrics_0[_S435].weft_0, _S441, _S442, _S437);
+    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S435].weft_0, fabrics_0[_S435].warp_0, _S442, _S441, _S437);
     return albedos_4;
 }
 
@@ -2483,13 +2514,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S429 : u32,  _S430 : vec2<u32>) -> f32
+fn visibility_at_0( _S443 : u32,  _S444 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S429 * frame_record_0.height_0 + _S430.y) * frame_record_0.width_0 + _S430.x];
+    return visibilities_0[(_S443 * frame_record_0.height_0 + _S444.y) * frame_record_0.width_0 + _S444.x];
 }
 
 struct LightSample_0
@@ -2499,52 +2530,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S431 : u32,  _S432 : u32) -> vec3<f32>
+fn environment_texel_0( _S445 : u32,  _S446 : u32) -> vec3<f32>
 {
-    var _S433 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S431 * frame_record_0.environment_columns_0 + _S432);
-    return vec3<f32>(scene_number_0(_S433), scene_number_0(_S433 + u32(1)), scene_number_0(_S433 + u32(2)));
+    var _S447 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S445 * frame_record_0.environment_columns_0 + _S446);
+    return vec3<f32>(scene_number_0(_S447), scene_number_0(_S447 + u32(1)), scene_number_0(_S447 + u32(2)));
 }
 
-fn sample_environment_0( _S434 : vec2<f32>,  _S435 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S448 : vec2<f32>,  _S449 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S436 : u32 = frame_record_0.environment_rows_0;
-    var _S437 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S434.y);
-    var _S438 : u32 = frame_record_0.environment_columns_0;
-    var _S439 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S437.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S434.x);
-    var _S440 : vec3<f32> = environment_texel_0(_S437.index_7, _S439.index_7);
-    (*_S435) = _S440 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S440), 9.99999968265522539e-21f)));
-    var _S441 : f32 = 3.14159274101257324f / f32(_S436);
-    var _S442 : f32 = mix(sine_cosine_0(f32(_S437.index_7) * _S441).y, sine_cosine_0(f32(_S437.index_7 + u32(1)) * _S441).y, _S437.remainder_0);
-    var _S443 : f32 = sqrt(max(1.0f - _S442 * _S442, 0.0f));
-    var _S444 : vec2<f32> = sine_cosine_0((f32(_S439.index_7) + _S439.remainder_0) * (6.28318548202514648f / f32(_S438)));
-    var _S445 : f32 = _S443 * _S444.x;
-    var _S446 : f32 = - _S443 * _S444.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S445 + frame_record_0.environment_sine_0 * _S446, _S442, frame_record_0.environment_cosine_0 * _S446 - frame_record_0.environment_sine_0 * _S445);
+    var _S450 : u32 = frame_record_0.environment_rows_0;
+    var _S451 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S448.y);
+    var _S452 : u32 = frame_record_0.environment_columns_0;
+    var _S453 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S451.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S448.x);
+    var _S454 : vec3<f32> = environment_texel_0(_S451.index_7, _S453.index_7);
+    (*_S449) = _S454 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S454), 9.99999968265522539e-21f)));
+    var _S455 : f32 = 3.14159274101257324f / f32(_S450);
+    var _S456 : f32 = mix(sine_cosine_0(f32(_S451.index_7) * _S455).y, sine_cosine_0(f32(_S451.index_7 + u32(1)) * _S455).y, _S451.remainder_0);
+    var _S457 : f32 = sqrt(max(1.0f - _S456 * _S456, 0.0f));
+    var _S458 : vec2<f32> = sine_cosine_0((f32(_S453.index_7) + _S453.remainder_0) * (6.28318548202514648f / f32(_S452)));
+    var _S459 : f32 = _S457 * _S458.x;
+    var _S460 : f32 = - _S457 * _S458.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S459 + frame_record_0.environment_sine_0 * _S460, _S456, frame_record_0.environment_cosine_0 * _S460 - frame_record_0.environment_sine_0 * _S459);
 }
 
-fn light_sample_0( _S447 : u32,  _S448 : vec2<u32>,  _S449 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S461 : u32,  _S462 : vec2<u32>,  _S463 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S450 : u32 = frame_record_0.lights_0;
-    if(_S447 >= (frame_record_0.lights_0))
+    var _S464 : u32 = frame_record_0.lights_0;
+    if(_S461 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S451 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S448, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S447 - _S450), u32(3)), &(weight_3));
-        sample_0.towards_0 = _S451;
+        var _S465 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S462, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S461 - _S464), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S465;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S452 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S447);
-    sample_0.irradiance_1 = vec3<f32>(_S452.red_0, _S452.green_0, _S452.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S452.x_9, _S452.y_1, _S452.z_1);
-    if((_S452.is_point_0) != u32(0))
+    var _S466 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S461);
+    sample_0.irradiance_1 = vec3<f32>(_S466.red_0, _S466.green_0, _S466.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S466.x_9, _S466.y_1, _S466.z_1);
+    if((_S466.is_point_0) != u32(0))
     {
-        var _S453 : vec3<f32> = sample_0.towards_0 - _S449;
-        var _S454 : f32 = max(square_0(_S453), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S454);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S454);
-        sample_0.towards_0 = normalize(_S453);
+        var _S467 : vec3<f32> = sample_0.towards_0 - _S463;
+        var _S468 : f32 = max(square_0(_S467), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S468);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S468);
+        sample_0.towards_0 = normalize(_S467);
     }
     return sample_0;
 }
@@ -2559,16 +2590,16 @@ struct Components_0
      hole_2 : f32,
 };
 
-fn code_light_0( _S455 : u32,  _S456 : vec3<f32>,  _S457 : vec3<f32>,  _S458 : bool,  _S459 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S469 : u32,  _S470 : vec3<f32>,  _S471 : vec3<f32>,  _S472 : bool,  _S473 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S459)[i32(0)] = _S456.x;
-    (*_S459)[i32(1)] = _S456.y;
-    (*_S459)[i32(2)] = _S456.z;
-    var _S460 : vec3<f32> = _S456 + _S457;
-    var _S461 : f32 = _S460.z;
-    var _S462 : f32 = _S461 * _S461 + 0.00009999999747379f;
-    var _S463 : vec2<f32> = _S460.xy;
-    var _S464 : f32 = 1.0f / (dot(_S463, _S463) + _S462);
+    (*_S473)[i32(0)] = _S470.x;
+    (*_S473)[i32(1)] = _S470.y;
+    (*_S473)[i32(2)] = _S470.z;
+    var _S474 : vec3<f32> = _S470 + _S471;
+    var _S475 : f32 = _S474.z;
+    var _S476 : f32 = _S475 * _S475 + 0.00009999999747379f;
+    var _S477 : vec2<f32> = _S474.xy;
+    var _S478 : f32 = 1.0f / (dot(_S477, _S477) + _S476);
     var family_10 : i32 = i32(0);
     for(;;)
     {
@@ -2579,12 +2610,12 @@ fn code_light_0( _S455 : u32,  _S456 : vec3<f32>,  _S457 : vec3<f32>,  _S458 : b
         {
             break;
         }
-        var _S465 : vec3<f32> = crown_fibres_0(_S455, family_10 == i32(0), _S458);
-        var _S466 : vec2<f32> = _S465.xy;
-        (*_S459)[i32(3) + family_10] = dot(_S466, _S456.xy);
-        var _S467 : f32 = dot(_S466, _S463);
-        var _S468 : f32 = _S467 * _S467;
-        var _S469 : f32 = (0.75f * _S467 / (0.5f * sqrt(_S468 + _S462) + abs(_S467)) + 0.5f) * 8.0f;
+        var _S479 : vec3<f32> = crown_fibres_0(_S469, family_10 == i32(0), _S472);
+        var _S480 : vec2<f32> = _S479.xy;
+        (*_S473)[i32(3) + family_10] = dot(_S480, _S470.xy);
+        var _S481 : f32 = dot(_S480, _S477);
+        var _S482 : f32 = _S481 * _S481;
+        var _S483 : f32 = (0.75f * _S481 / (0.5f * sqrt(_S482 + _S476) + abs(_S481)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -2595,26 +2626,26 @@ fn code_light_0( _S455 : u32,  _S456 : vec3<f32>,  _S457 : vec3<f32>,  _S458 : b
             {
                 break;
             }
-            (*_S459)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S469 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S473)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S483 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S470 : f32 = _S465.z;
-        var _S471 : f32 = _S470 * _S470;
-        var _S472 : f32 = _S468 * _S464 * (1.0f - _S471) + _S471;
-        (*_S459)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S471 * _S470 / (_S472 * _S472));
+        var _S484 : f32 = _S479.z;
+        var _S485 : f32 = _S484 * _S484;
+        var _S486 : f32 = _S482 * _S478 * (1.0f - _S485) + _S485;
+        (*_S473)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S485 * _S484 / (_S486 * _S486));
         family_10 = family_10 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S473 : u32,  _S474 : u32,  _S475 : u32,  _S476 : vec3<f32>,  _S477 : vec3<f32>,  _S478 : bool,  _S479 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S487 : u32,  _S488 : u32,  _S489 : u32,  _S490 : vec3<f32>,  _S491 : vec3<f32>,  _S492 : bool,  _S493 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S480 : vec3<f32> = _S476 + _S477;
-    var _S481 : f32 = 1.0f / (square_0(_S480) + 0.00009999999747379f);
-    var _S482 : f32 = _S480.x;
-    var _S483 : f32 = select(_S482, - _S482, ((_S474 == u32(0)) & (_S478)));
-    var _S484 : f32 = _S480.y;
-    var _S485 : f32 = select(_S484, - _S484, ((_S474 == u32(1)) & (_S478)));
+    var _S494 : vec3<f32> = _S490 + _S491;
+    var _S495 : f32 = 1.0f / (square_0(_S494) + 0.00009999999747379f);
+    var _S496 : f32 = _S494.x;
+    var _S497 : f32 = select(_S496, - _S496, ((_S488 == u32(0)) & (_S492)));
+    var _S498 : f32 = _S494.y;
+    var _S499 : f32 = select(_S498, - _S498, ((_S488 == u32(1)) & (_S492)));
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
     for(;;)
@@ -2626,27 +2657,27 @@ fn mixed_bundles_0( _S473 : u32,  _S474 : u32,  _S475 : u32,  _S476 : vec3<f32>,
         {
             break;
         }
-        var _S486 : u32 = _S474 * u32(25);
-        var _S487 : u32 = fabrics_0[_S473].neural_0.bundles_0 + u32(4) * (_S486 + bundle_1);
-        var _S488 : f32 = dot(vec3<f32>(table_number_0(_S487), table_number_0(_S487 + u32(1)), table_number_0(_S487 + u32(2))), vec3<f32>(_S483, _S485, _S480.z));
-        var _S489 : f32 = _S488 * _S488 * _S481 + table_number_0(_S487 + u32(3));
-        var sum_3 : f32 = sum_2 + max((*_S479)[_S475 + _S486 + select(bundle_1, mirrored_bundle_0(bundle_1), _S478)], (*_S479)[_S475 + _S486 + select(bundle_1, mirrored_bundle_0(bundle_1), _S478)] * 0.00999999977648258f) / (_S489 * _S489);
+        var _S500 : u32 = _S488 * u32(25);
+        var _S501 : u32 = fabrics_0[_S487].neural_0.bundles_0 + u32(4) * (_S500 + bundle_1);
+        var _S502 : f32 = dot(vec3<f32>(table_number_0(_S501), table_number_0(_S501 + u32(1)), table_number_0(_S501 + u32(2))), vec3<f32>(_S497, _S499, _S494.z));
+        var _S503 : f32 = _S502 * _S502 * _S495 + table_number_0(_S501 + u32(3));
+        var sum_3 : f32 = sum_2 + max((*_S493)[_S489 + _S500 + select(bundle_1, mirrored_bundle_0(bundle_1), _S492)], (*_S493)[_S489 + _S500 + select(bundle_1, mirrored_bundle_0(bundle_1), _S492)] * 0.00999999977648258f) / (_S503 * _S503);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn neural_components_0( _S490 : u32,  _S491 : ptr<function, NeuralView_0>,  _S492 : vec3<f32>) -> Components_0
+fn neural_components_0( _S504 : u32,  _S505 : ptr<function, NeuralView_0>,  _S506 : vec3<f32>) -> Components_0
 {
-    var _S493 : bool = (*_S491).back_5;
-    var _S494 : vec3<f32> = to_face_frame_0(_S492, (*_S491).back_5);
-    var _S495 : vec3<f32> = (*_S491).view_7;
+    var _S507 : bool = (*_S505).back_5;
+    var _S508 : vec3<f32> = to_face_frame_0(_S506, (*_S505).back_5);
+    var _S509 : vec3<f32> = (*_S505).view_7;
     var weights_24 : HalfWeights_0;
-    var _S496 : Neural_std430_0 = fabrics_0[_S490].neural_0;
-    weights_24.first_2 = fabrics_0[_S490].neural_0.network_0;
+    var _S510 : Neural_std430_0 = fabrics_0[_S504].neural_0;
+    weights_24.first_2 = fabrics_0[_S504].neural_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S490, _S494, (*_S491).view_7, (*_S491).back_5, &(directions_0));
+    code_light_0(_S504, _S508, (*_S505).view_7, (*_S505).back_5, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -2658,7 +2689,7 @@ fn neural_components_0( _S490 : u32,  _S491 : ptr<function, NeuralView_0>,  _S49
         {
             break;
         }
-        skip_0[k_1] = (*_S491).sums_7[k_1];
+        skip_0[k_1] = (*_S505).sums_7[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
@@ -2718,27 +2749,27 @@ fn neural_components_0( _S490 : u32,  _S491 : ptr<function, NeuralView_0>,  _S49
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(7700), false, &(hidden_2), &(outputs_17));
-    var _S497 : bool;
-    if((_S496.is_corrected_0) != u32(0))
+    var _S511 : bool;
+    if((_S510.is_corrected_0) != u32(0))
     {
-        _S497 = (_S494.z) > 0.0f;
+        _S511 = (_S508.z) > 0.0f;
     }
     else
     {
-        _S497 = false;
+        _S511 = false;
     }
-    if(_S497)
+    if(_S511)
     {
-        _S497 = ((*_S491).correction_weight_0) > 0.0f;
+        _S511 = ((*_S505).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S497 = false;
+        _S511 = false;
     }
-    if(_S497)
+    if(_S511)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S496.correction_0;
+        fitted_0.first_0 = _S510.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -2751,114 +2782,114 @@ fn neural_components_0( _S490 : u32,  _S491 : ptr<function, NeuralView_0>,  _S49
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S491).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S505).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    var _S498 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S494.z) > 0.0f);
+    var _S512 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S508.z) > 0.0f);
     var result_2 : Components_0;
-    var _S499 : f32 = unmapped_0(outputs_17[i32(0)], _S498);
-    result_2.diffuse_warp_0 = _S499;
-    var _S500 : f32 = unmapped_0(outputs_17[i32(1)], _S498);
-    result_2.diffuse_weft_0 = _S500;
-    var _S501 : f32 = 2979.9580078125f * _S498;
-    var _S502 : f32 = mixed_bundles_0(_S490, u32(0), u32(2), _S494, _S495, _S493, &(outputs_17));
-    result_2.specular_warp_0 = clamp(_S502, 0.0f, _S501);
-    var _S503 : f32 = mixed_bundles_0(_S490, u32(1), u32(2), _S494, _S495, _S493, &(outputs_17));
-    result_2.specular_weft_0 = clamp(_S503, 0.0f, _S501);
-    result_2.hole_2 = (*_S491).hole_0;
-    result_2.light_visibility_1 = min(light_visibility_of_0(_S499 + _S500, _S494, _S495, fabrics_0[_S490].diffuse_blend_0), 1.0f - (*_S491).hole_0);
+    var _S513 : f32 = unmapped_0(outputs_17[i32(0)], _S512);
+    result_2.diffuse_warp_0 = _S513;
+    var _S514 : f32 = unmapped_0(outputs_17[i32(1)], _S512);
+    result_2.diffuse_weft_0 = _S514;
+    var _S515 : f32 = 2979.9580078125f * _S512;
+    var _S516 : f32 = mixed_bundles_0(_S504, u32(0), u32(2), _S508, _S509, _S507, &(outputs_17));
+    result_2.specular_warp_0 = clamp(_S516, 0.0f, _S515);
+    var _S517 : f32 = mixed_bundles_0(_S504, u32(1), u32(2), _S508, _S509, _S507, &(outputs_17));
+    result_2.specular_weft_0 = clamp(_S517, 0.0f, _S515);
+    result_2.hole_2 = (*_S505).hole_0;
+    result_2.light_visibility_1 = min(light_visibility_of_0(_S513 + _S514, _S508, _S509, fabrics_0[_S504].diffuse_blend_0), 1.0f - (*_S505).hole_0);
     return result_2;
 }
 
-fn openness_number_0( _S504 : u32,  _S505 : u32) -> f32
+fn openness_number_0( _S518 : u32,  _S519 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S504].openness_0 + _S505);
+    return table_number_0(fabrics_0[_S518].openness_0 + _S519);
 }
 
-fn scattered_by_0( _S506 : u32,  _S507 : Albedos_0,  _S508 : u32,  _S509 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S520 : u32,  _S521 : Albedos_0,  _S522 : u32,  _S523 : vec3<f32>) -> Scattered_0
 {
-    var _S510 : u32 = u32(159) + u32(2) * _S508;
+    var _S524 : u32 = u32(159) + u32(2) * _S522;
     var yarn_1 : Scattered_0;
-    yarn_1.back_4 = _S509 * _S507.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S506, _S510)) * _S507.specular_reflect_0;
-    yarn_1.through_0 = _S509 * _S507.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S506, _S510 + u32(1))) * _S507.specular_transmit_0;
+    yarn_1.back_4 = _S523 * _S521.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S520, _S524)) * _S521.specular_reflect_0;
+    yarn_1.through_0 = _S523 * _S521.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S520, _S524 + u32(1))) * _S521.specular_transmit_0;
     return yarn_1;
 }
 
-fn sent_0( _S511 : u32,  _S512 : u32,  _S513 : vec3<f32>,  _S514 : vec3<f32>,  _S515 : vec3<f32>,  _S516 : vec3<f32>,  _S517 : ptr<function, vec3<f32>>,  _S518 : ptr<function, vec3<f32>>)
+fn sent_0( _S525 : u32,  _S526 : u32,  _S527 : vec3<f32>,  _S528 : vec3<f32>,  _S529 : vec3<f32>,  _S530 : vec3<f32>,  _S531 : ptr<function, vec3<f32>>,  _S532 : ptr<function, vec3<f32>>)
 {
-    var _S519 : u32 = u32(146) + u32(4) * _S512;
-    var _S520 : f32 = openness_number_0(_S511, _S519 + u32(1));
-    var _S521 : f32 = openness_number_0(_S511, _S519 + u32(2));
-    var _S522 : vec3<f32> = vec3<f32>(1.0f);
-    var _S523 : vec3<f32> = _S522 - _S515 * vec3<f32>(openness_number_0(_S511, _S519));
-    var _S524 : vec3<f32> = _S522 - _S516 * vec3<f32>(openness_number_0(_S511, _S519 + u32(3)));
-    var _S525 : vec3<f32> = _S522 / (_S523 * _S524 - _S515 * _S516 * vec3<f32>((_S520 * _S521)));
-    (*_S517) = (_S513 * _S524 + _S515 * vec3<f32>(_S520) * _S514) * _S525;
-    (*_S518) = (_S514 * _S523 + _S516 * vec3<f32>(_S521) * _S513) * _S525;
+    var _S533 : u32 = u32(146) + u32(4) * _S526;
+    var _S534 : f32 = openness_number_0(_S525, _S533 + u32(1));
+    var _S535 : f32 = openness_number_0(_S525, _S533 + u32(2));
+    var _S536 : vec3<f32> = vec3<f32>(1.0f);
+    var _S537 : vec3<f32> = _S536 - _S529 * vec3<f32>(openness_number_0(_S525, _S533));
+    var _S538 : vec3<f32> = _S536 - _S530 * vec3<f32>(openness_number_0(_S525, _S533 + u32(3)));
+    var _S539 : vec3<f32> = _S536 / (_S537 * _S538 - _S529 * _S530 * vec3<f32>((_S534 * _S535)));
+    (*_S531) = (_S527 * _S538 + _S529 * vec3<f32>(_S534) * _S528) * _S539;
+    (*_S532) = (_S528 * _S537 + _S530 * vec3<f32>(_S535) * _S527) * _S539;
     return;
 }
 
-fn face_sends_0( _S526 : u32,  _S527 : u32,  _S528 : Scattered_0,  _S529 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S540 : u32,  _S541 : u32,  _S542 : Scattered_0,  _S543 : Scattered_0) -> FaceSends_0
 {
-    var _S530 : u32 = u32(2) * _S527;
-    var _S531 : u32 = u32(142) + _S530;
-    var _S532 : f32 = openness_number_0(_S526, _S531);
-    var _S533 : f32 = openness_number_0(_S526, _S531 + u32(1));
-    var _S534 : vec3<f32> = vec3<f32>((1.0f - _S532)) * _S528.back_4;
-    var _S535 : vec3<f32> = vec3<f32>((1.0f - _S533)) * _S529.back_4;
+    var _S544 : u32 = u32(2) * _S541;
+    var _S545 : u32 = u32(142) + _S544;
+    var _S546 : f32 = openness_number_0(_S540, _S545);
+    var _S547 : f32 = openness_number_0(_S540, _S545 + u32(1));
+    var _S548 : vec3<f32> = vec3<f32>((1.0f - _S546)) * _S542.back_4;
+    var _S549 : vec3<f32> = vec3<f32>((1.0f - _S547)) * _S543.back_4;
     var sends_1 : FaceSends_0;
-    var _S536 : u32 = u32(154) + _S530;
-    var _S537 : f32 = openness_number_0(_S526, _S536);
-    sends_1.blocks_warp_0 = _S537;
-    var _S538 : f32 = openness_number_0(_S526, _S536 + u32(1));
-    sends_1.blocks_weft_0 = _S538;
-    sends_1.open_0 = _S537 * _S532 + _S538 * _S533;
-    var _S539 : vec3<f32> = vec3<f32>(_S532) * _S528.back_4;
-    var _S540 : vec3<f32> = vec3<f32>(_S533) * _S529.back_4;
-    var _S541 : vec3<f32> = sends_1.sky_warp_0;
-    var _S542 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S526, _S527, _S539, _S540, _S534, _S535, &(_S541), &(_S542));
-    sends_1.sky_warp_0 = _S541;
-    sends_1.sky_weft_0 = _S542;
-    var _S543 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S544 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S526, _S527, _S528.through_0, _S529.through_0, _S534, _S535, &(_S543), &(_S544));
-    sends_1.crossing_warp_0 = _S543;
-    sends_1.crossing_weft_0 = _S544;
+    var _S550 : u32 = u32(154) + _S544;
+    var _S551 : f32 = openness_number_0(_S540, _S550);
+    sends_1.blocks_warp_0 = _S551;
+    var _S552 : f32 = openness_number_0(_S540, _S550 + u32(1));
+    sends_1.blocks_weft_0 = _S552;
+    sends_1.open_0 = _S551 * _S546 + _S552 * _S547;
+    var _S553 : vec3<f32> = vec3<f32>(_S546) * _S542.back_4;
+    var _S554 : vec3<f32> = vec3<f32>(_S547) * _S543.back_4;
+    var _S555 : vec3<f32> = sends_1.sky_warp_0;
+    var _S556 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S540, _S541, _S553, _S554, _S548, _S549, &(_S555), &(_S556));
+    sends_1.sky_warp_0 = _S555;
+    sends_1.sky_weft_0 = _S556;
+    var _S557 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S558 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S540, _S541, _S542.through_0, _S543.through_0, _S548, _S549, &(_S557), &(_S558));
+    sends_1.crossing_warp_0 = _S557;
+    sends_1.crossing_weft_0 = _S558;
     return sends_1;
 }
 
-fn interior_of_0( _S545 : u32,  _S546 : vec3<f32>,  _S547 : bool) -> Interior_0
+fn interior_of_0( _S559 : u32,  _S560 : vec3<f32>,  _S561 : bool) -> Interior_0
 {
-    var _S548 : Scattered_0 = scattered_by_0(_S545, table_albedos_0(families_0[fabrics_0[_S545].warp_0].colour_mean_0), u32(0), _S546);
-    var _S549 : Scattered_0 = scattered_by_0(_S545, table_albedos_0(families_0[fabrics_0[_S545].weft_0].colour_mean_0), u32(1), _S546);
-    var _S550 : FaceSends_0 = face_sends_0(_S545, select(u32(0), u32(1), _S547), _S548, _S549);
-    var _S551 : FaceSends_0 = face_sends_0(_S545, select(u32(1), u32(0), _S547), _S548, _S549);
-    var _S552 : vec3<f32> = vec3<f32>(_S550.blocks_warp_0);
-    var _S553 : vec3<f32> = vec3<f32>(_S550.blocks_weft_0);
-    var _S554 : vec3<f32> = _S552 * _S550.crossing_warp_0 + _S553 * _S550.crossing_weft_0;
-    var _S555 : vec3<f32> = vec3<f32>(_S551.blocks_warp_0);
-    var _S556 : vec3<f32> = vec3<f32>(_S551.blocks_weft_0);
-    var _S557 : vec3<f32> = _S555 * _S551.crossing_warp_0 + _S556 * _S551.crossing_weft_0;
-    var _S558 : f32 = 1.0f - _S550.open_0;
-    var _S559 : f32 = 1.0f - _S551.open_0;
-    var _S560 : vec3<f32> = vec3<f32>(1.0f);
-    var _S561 : vec3<f32> = _S560 / (_S560 - _S554 * _S557 * vec3<f32>((_S558 * _S559)));
-    var _S562 : vec3<f32> = _S557 * (vec3<f32>(_S550.open_0) + vec3<f32>(_S558) * (_S552 * _S550.sky_warp_0 + _S553 * _S550.sky_weft_0)) * _S561;
-    var _S563 : vec3<f32> = _S554 * (vec3<f32>(_S551.open_0) + vec3<f32>(_S559) * (_S555 * _S551.sky_warp_0 + _S556 * _S551.sky_weft_0)) * _S561;
-    var _S564 : FaceRadiance_0 = face_radiance_0(_S550, _S551.open_0, _S562, _S563);
-    var _S565 : FaceRadiance_0 = face_radiance_0(_S551, _S550.open_0, _S563, _S562);
+    var _S562 : Scattered_0 = scattered_by_0(_S559, table_albedos_0(families_0[fabrics_0[_S559].warp_0].colour_mean_0), u32(0), _S560);
+    var _S563 : Scattered_0 = scattered_by_0(_S559, table_albedos_0(families_0[fabrics_0[_S559].weft_0].colour_mean_0), u32(1), _S560);
+    var _S564 : FaceSends_0 = face_sends_0(_S559, select(u32(0), u32(1), _S561), _S562, _S563);
+    var _S565 : FaceSends_0 = face_sends_0(_S559, select(u32(1), u32(0), _S561), _S562, _S563);
+    var _S566 : vec3<f32> = vec3<f32>(_S564.blocks_warp_0);
+    var _S567 : vec3<f32> = vec3<f32>(_S564.blocks_weft_0);
+    var _S568 : vec3<f32> = _S566 * _S564.crossing_warp_0 + _S567 * _S564.crossing_weft_0;
+    var _S569 : vec3<f32> = vec3<f32>(_S565.blocks_warp_0);
+    var _S570 : vec3<f32> = vec3<f32>(_S565.blocks_weft_0);
+    var _S571 : vec3<f32> = _S569 * _S565.crossing_warp_0 + _S570 * _S565.crossing_weft_0;
+    var _S572 : f32 = 1.0f - _S564.open_0;
+    var _S573 : f32 = 1.0f - _S565.open_0;
+    var _S574 : vec3<f32> = vec3<f32>(1.0f);
+    var _S575 : vec3<f32> = _S574 / (_S574 - _S568 * _S571 * vec3<f32>((_S572 * _S573)));
+    var _S576 : vec3<f32> = _S571 * (vec3<f32>(_S564.open_0) + vec3<f32>(_S572) * (_S566 * _S564.sky_warp_0 + _S567 * _S564.sky_weft_0)) * _S575;
+    var _S577 : vec3<f32> = _S568 * (vec3<f32>(_S565.open_0) + vec3<f32>(_S573) * (_S569 * _S565.sky_warp_0 + _S570 * _S565.sky_weft_0)) * _S575;
+    var _S578 : FaceRadiance_0 = face_radiance_0(_S564, _S565.open_0, _S576, _S577);
+    var _S579 : FaceRadiance_0 = face_radiance_0(_S565, _S564.open_0, _S577, _S576);
     var interior_1 : Interior_0;
-    interior_1.warp_3 = _S564.warp_2;
-    interior_1.weft_3 = _S564.weft_2;
-    interior_1.leaked_1 = _S564.leaked_0;
-    interior_1.far_1 = _S565.mean_1;
-    interior_1.far_leaked_0 = _S565.leaked_0;
+    interior_1.warp_3 = _S578.warp_2;
+    interior_1.weft_3 = _S578.weft_2;
+    interior_1.leaked_1 = _S578.leaked_0;
+    interior_1.far_1 = _S579.mean_1;
+    interior_1.far_leaked_0 = _S579.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S566 : u32,  _S567 : u32,  _S568 : array<f32, i32(6)>,  _S569 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S580 : u32,  _S581 : u32,  _S582 : array<f32, i32(6)>,  _S583 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_2 : u32 = u32(0);
@@ -2875,14 +2906,14 @@ fn blocked_of_terms_0( _S566 : u32,  _S567 : u32,  _S568 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S569)
+            if(term_0 < _S583)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_2] = shares_0[share_2] + openness_number_0(_S566, _S567 + share_2 * _S569 + term_0) * _S568[term_0];
+            shares_0[share_2] = shares_0[share_2] + openness_number_0(_S580, _S581 + share_2 * _S583 + term_0) * _S582[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_2] = saturate(shares_0[share_2]);
@@ -2895,17 +2926,17 @@ fn blocked_of_terms_0( _S566 : u32,  _S567 : u32,  _S568 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_from_0( _S570 : u32,  _S571 : vec3<f32>,  _S572 : bool,  _S573 : bool) -> Blocked_0
+fn blocked_from_0( _S584 : u32,  _S585 : vec3<f32>,  _S586 : bool,  _S587 : bool) -> Blocked_0
 {
     var terms_2 : array<f32, i32(6)>;
-    view_terms_0(_S571, &(terms_2));
-    return blocked_of_terms_0(_S570, (select(u32(0), u32(2), _S573) + select(u32(1), u32(0), _S572)) * u32(15), terms_2, u32(5));
+    view_terms_0(_S585, &(terms_2));
+    return blocked_of_terms_0(_S584, (select(u32(0), u32(2), _S587) + select(u32(1), u32(0), _S586)) * u32(15), terms_2, u32(5));
 }
 
-fn warp_seen_from_0( _S574 : u32,  _S575 : vec3<f32>,  _S576 : bool) -> f32
+fn warp_seen_from_0( _S588 : u32,  _S589 : vec3<f32>,  _S590 : bool) -> f32
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_1(_S575, &(terms_3));
+    view_terms_1(_S589, &(terms_3));
     var term_1 : u32 = u32(0);
     var share_3 : f32 = 0.0f;
     for(;;)
@@ -2917,90 +2948,90 @@ fn warp_seen_from_0( _S574 : u32,  _S575 : vec3<f32>,  _S576 : bool) -> f32
         {
             break;
         }
-        var share_4 : f32 = share_3 + openness_number_0(_S574, u32(132) + select(u32(0), u32(5), _S576) + term_1) * terms_3[term_1];
+        var share_4 : f32 = share_3 + openness_number_0(_S588, u32(132) + select(u32(0), u32(5), _S590) + term_1) * terms_3[term_1];
         term_1 = term_1 + u32(1);
         share_3 = share_4;
     }
     return saturate(share_3);
 }
 
-fn bounced_of_families_0( _S577 : u32,  _S578 : FamilyAlbedos_0,  _S579 : vec3<f32>,  _S580 : Interior_0,  _S581 : Blocked_0,  _S582 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S591 : u32,  _S592 : FamilyAlbedos_0,  _S593 : vec3<f32>,  _S594 : Interior_0,  _S595 : Blocked_0,  _S596 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S581, scattered_by_0(_S577, _S578.warp_4, u32(0), _S579), _S580), bounced_by_0(_S582, scattered_by_0(_S577, _S578.weft_4, u32(1), _S579), _S580));
+    return sum_of_0(bounced_by_0(_S595, scattered_by_0(_S591, _S592.warp_4, u32(0), _S593), _S594), bounced_by_0(_S596, scattered_by_0(_S591, _S592.weft_4, u32(1), _S593), _S594));
 }
 
-fn bounced_far_0( _S583 : u32,  _S584 : FamilyAlbedos_0,  _S585 : vec3<f32>,  _S586 : Interior_0,  _S587 : vec3<f32>,  _S588 : bool,  _S589 : f32,  _S590 : f32,  _S591 : f32) -> Bounced_0
+fn bounced_far_0( _S597 : u32,  _S598 : FamilyAlbedos_0,  _S599 : vec3<f32>,  _S600 : Interior_0,  _S601 : vec3<f32>,  _S602 : bool,  _S603 : f32,  _S604 : f32,  _S605 : f32) -> Bounced_0
 {
-    var _S592 : Blocked_0 = blocked_from_0(_S583, _S587, true, _S588);
-    var _S593 : Blocked_0 = blocked_from_0(_S583, _S587, false, _S588);
-    var _S594 : f32 = _S589 / max(1.0f - _S592.by_warp_0 - _S592.by_weft_0, 0.10000000149011612f);
-    var _S595 : f32 = (0.0020000000949949f * warp_seen_from_0(_S583, _S587, _S588) + _S594) / (_S594 + _S590 / max(1.0f - _S593.by_warp_0 - _S593.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S596 : f32 = 1.0f - _S591;
-    return bounced_of_families_0(_S583, _S584, _S585, _S586, scaled_0(_S592, _S595 * _S596), scaled_0(_S593, (1.0f - _S595) * _S596));
+    var _S606 : Blocked_0 = blocked_from_0(_S597, _S601, true, _S602);
+    var _S607 : Blocked_0 = blocked_from_0(_S597, _S601, false, _S602);
+    var _S608 : f32 = _S603 / max(1.0f - _S606.by_warp_0 - _S606.by_weft_0, 0.10000000149011612f);
+    var _S609 : f32 = (0.0020000000949949f * warp_seen_from_0(_S597, _S601, _S602) + _S608) / (_S608 + _S604 / max(1.0f - _S607.by_warp_0 - _S607.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S610 : f32 = 1.0f - _S605;
+    return bounced_of_families_0(_S597, _S598, _S599, _S600, scaled_0(_S606, _S609 * _S610), scaled_0(_S607, (1.0f - _S609) * _S610));
 }
 
-fn bounced_over_0( _S597 : u32,  _S598 : Components_0,  _S599 : CloseUp_0,  _S600 : FamilyAlbedos_0,  _S601 : vec3<f32>,  _S602 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S611 : u32,  _S612 : Components_0,  _S613 : CloseUp_0,  _S614 : FamilyAlbedos_0,  _S615 : vec3<f32>,  _S616 : vec3<f32>) -> Bounced_0
 {
-    var _S603 : bool = (_S602.z) < 0.0f;
-    var _S604 : Interior_0 = interior_of_0(_S597, _S601, _S603);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S597, _S600, _S601, _S604, to_face_frame_0(_S602, _S603), _S603, _S598.diffuse_warp_0, _S598.diffuse_weft_0, _S598.hole_2);
-    if((_S599.weight_2) > 0.0f)
+    var _S617 : bool = (_S616.z) < 0.0f;
+    var _S618 : Interior_0 = interior_of_0(_S611, _S615, _S617);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S611, _S614, _S615, _S618, to_face_frame_0(_S616, _S617), _S617, _S612.diffuse_warp_0, _S612.diffuse_weft_0, _S612.hole_2);
+    if((_S613.weight_2) > 0.0f)
     {
-        var _S605 : Bounced_0 = bounced_of_families_0(_S597, _S600, _S601, _S604, _S599.warp_1, _S599.weft_1);
-        var _S606 : vec3<f32> = vec3<f32>(_S599.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S605.reflected_0, _S606);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S605.transmitted_0, _S606);
+        var _S619 : Bounced_0 = bounced_of_families_0(_S611, _S614, _S615, _S618, _S613.warp_1, _S613.weft_1);
+        var _S620 : vec3<f32> = vec3<f32>(_S613.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S619.reflected_0, _S620);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S619.transmitted_0, _S620);
     }
     return bounced_2;
 }
 
-fn composed_0( _S607 : u32,  _S608 : Components_0,  _S609 : CloseUp_0,  _S610 : FamilyAlbedos_0,  _S611 : vec3<f32>,  _S612 : vec3<f32>,  _S613 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S621 : u32,  _S622 : Components_0,  _S623 : CloseUp_0,  _S624 : FamilyAlbedos_0,  _S625 : vec3<f32>,  _S626 : vec3<f32>,  _S627 : vec3<f32>) -> vec3<f32>
 {
-    var _S614 : Albedos_0 = tinted_0(_S610.warp_4, _S611);
-    var _S615 : Albedos_0 = tinted_0(_S610.weft_4, _S611);
-    var _S616 : vec3<f32> = vec3<f32>(_S608.diffuse_warp_0);
-    var _S617 : vec3<f32> = vec3<f32>(_S608.diffuse_weft_0);
-    var _S618 : vec3<f32> = vec3<f32>(_S608.specular_warp_0);
-    var _S619 : vec3<f32> = vec3<f32>(_S608.specular_weft_0);
-    var _S620 : vec3<f32> = _S614.diffuse_reflect_0 * _S616 + _S615.diffuse_reflect_0 * _S617 + _S614.specular_reflect_0 * _S618 + _S615.specular_reflect_0 * _S619;
-    var _S621 : f32 = _S613.z;
+    var _S628 : Albedos_0 = tinted_0(_S624.warp_4, _S625);
+    var _S629 : Albedos_0 = tinted_0(_S624.weft_4, _S625);
+    var _S630 : vec3<f32> = vec3<f32>(_S622.diffuse_warp_0);
+    var _S631 : vec3<f32> = vec3<f32>(_S622.diffuse_weft_0);
+    var _S632 : vec3<f32> = vec3<f32>(_S622.specular_warp_0);
+    var _S633 : vec3<f32> = vec3<f32>(_S622.specular_weft_0);
+    var _S634 : vec3<f32> = _S628.diffuse_reflect_0 * _S630 + _S629.diffuse_reflect_0 * _S631 + _S628.specular_reflect_0 * _S632 + _S629.specular_reflect_0 * _S633;
+    var _S635 : f32 = _S627.z;
     var body_0 : vec3<f32>;
-    if((_S612.z * _S621) < 0.0f)
+    if((_S626.z * _S635) < 0.0f)
     {
-        body_0 = _S614.diffuse_transmit_0 * _S616 + _S615.diffuse_transmit_0 * _S617 + _S614.specular_transmit_0 * _S618 + _S615.specular_transmit_0 * _S619;
+        body_0 = _S628.diffuse_transmit_0 * _S630 + _S629.diffuse_transmit_0 * _S631 + _S628.specular_transmit_0 * _S632 + _S629.specular_transmit_0 * _S633;
     }
     else
     {
-        body_0 = _S620;
+        body_0 = _S634;
     }
-    if((fabrics_0[_S607].openness_0) != u32(4294967295))
+    if((fabrics_0[_S621].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S607, _S608, _S609, _S610, _S611, _S613), _S612, _S613);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S621, _S622, _S623, _S624, _S625, _S627), _S626, _S627);
     }
-    var _S622 : f32 = fabrics_0[_S607].sheen_strength_0;
-    if((fabrics_0[_S607].sheen_strength_0) <= 0.0f)
+    var _S636 : f32 = fabrics_0[_S621].sheen_strength_0;
+    if((fabrics_0[_S621].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S623 : bool = _S621 < 0.0f;
-    var _S624 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S612, _S623), to_face_frame_0(_S613, _S623), _S622, fabrics_0[_S607].sheen_roughness_0);
-    return vec3<f32>(_S624.y) * body_0 + vec3<f32>(((_S608.light_visibility_1 + _S608.hole_2) * _S624.x));
+    var _S637 : bool = _S635 < 0.0f;
+    var _S638 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S626, _S637), to_face_frame_0(_S627, _S637), _S636, fabrics_0[_S621].sheen_roughness_0);
+    return vec3<f32>(_S638.y) * body_0 + vec3<f32>(((_S622.light_visibility_1 + _S622.hole_2) * _S638.x));
 }
 
-fn light_of_neural_0( _S625 : u32,  _S626 : VisiblePoint_0,  _S627 : vec2<u32>,  _S628 : vec3<f32>) -> vec4<f32>
+fn light_of_neural_0( _S639 : u32,  _S640 : VisiblePoint_0,  _S641 : vec2<u32>,  _S642 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.centre_0 = _S626.draft_0;
-    footprint_1.dx_0 = _S626.draft_dx_0;
-    footprint_1.dy_0 = _S626.draft_dy_0;
-    var _S629 : vec3<f32> = to_local_0(_S626, _S626.view_0);
+    footprint_1.centre_0 = _S640.draft_0;
+    footprint_1.dx_0 = _S640.draft_dx_0;
+    footprint_1.dy_0 = _S640.draft_dy_0;
+    var _S643 : vec3<f32> = to_local_0(_S640, _S640.view_0);
     var activations_0 : NeuralView_0;
-    neural_view_0(_S625, footprint_1, _S629, &(activations_0));
-    var _S630 : f32 = _S629.z;
-    var _S631 : FamilyAlbedos_0 = albedos_over_0(_S625, footprint_1, _S630 < 0.0f);
-    var _S632 : vec3<f32> = vec3<f32>(0.0f);
+    neural_view_0(_S639, footprint_1, _S643, &(activations_0));
+    var _S644 : f32 = _S643.z;
+    var _S645 : FamilyAlbedos_0 = albedos_over_0(_S639, footprint_1, _S644 < 0.0f);
+    var _S646 : vec3<f32> = vec3<f32>(0.0f);
     var number_4 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S632;
+    var radiance_1 : vec3<f32> = _S646;
     for(;;)
     {
         if(number_4 < (light_sample_count_0()))
@@ -3010,24 +3041,24 @@ fn light_of_neural_0( _S625 : u32,  _S626 : VisiblePoint_0,  _S627 : vec2<u32>, 
         {
             break;
         }
-        var _S633 : f32 = visibility_at_0(number_4, _S627);
-        if(_S633 <= 0.0f)
+        var _S647 : f32 = visibility_at_0(number_4, _S641);
+        if(_S647 <= 0.0f)
         {
             number_4 = number_4 + u32(1);
             continue;
         }
-        var _S634 : LightSample_0 = light_sample_0(number_4, _S627, _S626.position_0);
-        var _S635 : vec3<f32> = to_local_0(_S626, _S634.towards_0);
-        var _S636 : Components_0 = neural_components_0(_S625, &(activations_0), _S635);
-        radiance_1 = radiance_1 + vec3<f32>(_S633) * _S634.irradiance_1 * composed_0(_S625, _S636, no_close_up_0(), _S631, _S628, _S635, _S629);
+        var _S648 : LightSample_0 = light_sample_0(number_4, _S641, _S640.position_0);
+        var _S649 : vec3<f32> = to_local_0(_S640, _S648.towards_0);
+        var _S650 : Components_0 = neural_components_0(_S639, &(activations_0), _S649);
+        radiance_1 = radiance_1 + vec3<f32>(_S647) * _S648.irradiance_1 * composed_0(_S639, _S650, no_close_up_0(), _S645, _S642, _S649, _S643);
         number_4 = number_4 + u32(1);
     }
     var hole_3 : f32 = activations_0.hole_0;
-    var _S637 : f32 = fabrics_0[_S625].sheen_strength_0;
+    var _S651 : f32 = fabrics_0[_S639].sheen_strength_0;
     var hole_4 : f32;
-    if((fabrics_0[_S625].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S639].sheen_strength_0) > 0.0f)
     {
-        hole_4 = hole_3 * (1.0f - _S637 * sheen_lobe_0(abs(_S630), fabrics_0[_S625].sheen_roughness_0).z);
+        hole_4 = hole_3 * (1.0f - _S651 * sheen_lobe_0(abs(_S644), fabrics_0[_S639].sheen_roughness_0).z);
     }
     else
     {
@@ -3040,31 +3071,31 @@ fn light_of_neural_0( _S625 : u32,  _S626 : VisiblePoint_0,  _S627 : vec2<u32>, 
 @workgroup_size(8, 8, 1)
 fn shade_neural(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S638 : u32 = id_0.x;
-    var _S639 : bool;
-    if(_S638 >= (frame_record_0.width_0))
+    var _S652 : u32 = id_0.x;
+    var _S653 : bool;
+    if(_S652 >= (frame_record_0.width_0))
     {
-        _S639 = true;
+        _S653 = true;
     }
     else
     {
-        _S639 = (id_0.y) >= (frame_record_0.height_0);
+        _S653 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S639)
+    if(_S653)
     {
         return;
     }
-    var _S640 : u32 = id_0.y * frame_record_0.width_0 + _S638;
-    var _S641 : u32 = layers_0[_S640].face_0;
-    if((layers_0[_S640].face_0) == u32(0))
+    var _S654 : u32 = id_0.y * frame_record_0.width_0 + _S652;
+    var _S655 : u32 = layers_0[_S654].face_0;
+    if((layers_0[_S654].face_0) == u32(0))
     {
         return;
     }
-    var _S642 : u32 = _S641 - u32(1);
-    var _S643 : u32 = fabric_of_0(_S642);
-    var _S644 : vec2<u32> = id_0.xy;
-    var _S645 : VisiblePoint_0 = visible_point_0(_S643, _S642, _S644);
-    accumulate_0(_S640, light_of_neural_0(_S643, _S645, _S644, filtered_albedo_0(_S643, _S645)));
+    var _S656 : u32 = _S655 - u32(1);
+    var _S657 : u32 = fabric_of_0(_S656);
+    var _S658 : vec2<u32> = id_0.xy;
+    var _S659 : VisiblePoint_0 = visible_point_0(_S657, _S656, _S658);
+    accumulate_0(_S654, light_of_neural_0(_S657, _S659, _S658, filtered_albedo_0(_S657, _S659)));
     return;
 }
 

@@ -257,7 +257,6 @@ struct Family_std430_0
     @align(4) fibre_tone_0 : f32,
     @align(4) slub_0 : f32,
     @align(4) slubs_per_mm_0 : f32,
-    @align(4) per_half_width_0 : f32,
     @align(4) hairiness_0 : f32,
 };
 
@@ -343,67 +342,11 @@ fn normal_of_0( vertex_1 : Vertex_0) -> vec3<f32>
     return vec3<f32>(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
 }
 
-fn square_1( x_2 : f32) -> f32
-{
-    return x_2 * x_2;
-}
-
-fn natural_logarithm_0( x_3 : f32) -> f32
-{
-    var _S1 : u32 = (bitcast<u32>((x_3)));
-    var m_0 : f32 = (bitcast<f32>(((((_S1 & (u32(8388607)))) | (u32(1056964608))))));
-    var _S2 : bool = m_0 < 0.70710676908493042f;
-    var exponent_0 : f32 = f32(i32((_S1 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S2);
-    var m_1 : f32 = select(m_0, m_0 + m_0, _S2) - 1.0f;
-    var _S3 : f32 = m_1 * m_1;
-    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S3 - exponent_0 * 0.00021219444170129f - 0.5f * _S3) + exponent_0 * 0.693359375f;
-}
-
-fn binary_logarithm_0( x_4 : f32) -> f32
-{
-    return natural_logarithm_0(x_4) * 1.4426950216293335f;
-}
-
-fn exponential_0( x_5 : f32) -> f32
-{
-    var _S4 : f32 = clamp(x_5, -87.0f, 88.0f);
-    var _S5 : f32 = floor(_S4 * 1.4426950216293335f + 0.5f);
-    var _S6 : f32 = _S4 - _S5 * 0.693359375f + _S5 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S6 + 0.00139819993637502f) * _S6 + 0.00833345204591751f) * _S6 + 0.04166579619050026f) * _S6 + 0.1666666567325592f) * _S6 + 0.5f) * _S6 * _S6 + _S6 + 1.0f) * (bitcast<f32>(((u32(i32(_S5) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
-}
-
-fn map_texel_0( index_0 : u32) -> vec3<f32>
-{
-    var _S7 : u32 = scene_words_0[index_0];
-    var _S8 : vec3<f32> = vec3<f32>(f32((_S7 & (u32(1023)))), f32((((_S7 >> (u32(10)))) & (u32(1023)))), f32((_S7 >> (u32(20))))) / vec3<f32>(1023.0f);
-    return _S8 * _S8;
-}
-
-fn map_level_0( first_1 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
-{
-    var _S9 : f32 = uv_0.x;
-    var _S10 : f32 = f32(side_0);
-    var _S11 : f32 = (_S9 - floor(_S9)) * _S10 - 0.5f;
-    var _S12 : f32 = uv_0.y;
-    var _S13 : f32 = (_S12 - floor(_S12)) * _S10 - 0.5f;
-    var _S14 : f32 = floor(_S11);
-    var _S15 : i32 = i32(side_0);
-    var _S16 : u32 = side_0 - u32(1);
-    var _S17 : u32 = (u32(i32(_S14) + _S15) & (_S16));
-    var _S18 : f32 = floor(_S13);
-    var _S19 : u32 = (u32(i32(_S18) + _S15) & (_S16));
-    var _S20 : u32 = ((_S17 + u32(1)) & (_S16));
-    var _S21 : u32 = first_1 + _S19 * side_0;
-    var _S22 : vec3<f32> = vec3<f32>((_S11 - _S14));
-    var _S23 : u32 = first_1 + (((_S19 + u32(1)) & (_S16))) * side_0;
-    return mix(mix(map_texel_0(_S21 + _S17), map_texel_0(_S21 + _S20), _S22), mix(map_texel_0(_S23 + _S17), map_texel_0(_S23 + _S20), _S22), vec3<f32>((_S13 - _S18)));
-}
-
 fn scramble_0( value_0 : u32) -> u32
 {
-    var _S24 : u32 = value_0 * u32(747796405) + u32(2891336453);
-    var _S25 : u32 = ((((_S24 >> ((((_S24 >> (u32(28)))) + u32(4))))) ^ (_S24))) * u32(277803737);
-    return (((_S25 >> (u32(22)))) ^ (_S25));
+    var _S1 : u32 = value_0 * u32(747796405) + u32(2891336453);
+    var _S2 : u32 = ((((_S1 >> ((((_S1 >> (u32(28)))) + u32(4))))) ^ (_S1))) * u32(277803737);
+    return (((_S2 >> (u32(22)))) ^ (_S2));
 }
 
 fn hash_key_0( thread_0 : u32,  stream_0 : u32) -> u32
@@ -416,16 +359,87 @@ fn hash_bits_0( key_0 : u32,  cell_0 : u32) -> u32
     return scramble_0(cell_0 + key_0);
 }
 
-fn uniform_hash_0( thread_1 : u32,  cell_1 : u32,  stream_1 : u32) -> f32
+fn uneven_corner_0( key_1 : u32,  cell_1 : u32) -> f32
 {
-    return (f32(((hash_bits_0(hash_key_0(thread_1, stream_1), cell_1)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    return f32(((hash_bits_0(key_1, cell_1)) >> (u32(9)))) * 2.384185791015625e-07f - 1.0f;
+}
+
+fn uneven_octave_0( key_2 : u32,  place_0 : vec2<f32>) -> f32
+{
+    var _S3 : vec2<f32> = floor(place_0);
+    var _S4 : vec2<f32> = place_0 - _S3;
+    var _S5 : vec2<f32> = _S4 * _S4 * (vec2<f32>(3.0f) - vec2<f32>(2.0f) * _S4);
+    var _S6 : u32 = u32(i32(_S3.x)) * u32(65536) + u32(i32(_S3.y));
+    var _S7 : f32 = _S5.x;
+    return mix(mix(uneven_corner_0(key_2, _S6), uneven_corner_0(key_2, _S6 + u32(65536)), _S7), mix(uneven_corner_0(key_2, _S6 + u32(1)), uneven_corner_0(key_2, _S6 + u32(65537)), _S7), _S5.y);
+}
+
+fn square_1( x_2 : f32) -> f32
+{
+    return x_2 * x_2;
+}
+
+fn natural_logarithm_0( x_3 : f32) -> f32
+{
+    var _S8 : u32 = (bitcast<u32>((x_3)));
+    var m_0 : f32 = (bitcast<f32>(((((_S8 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S9 : bool = m_0 < 0.70710676908493042f;
+    var exponent_0 : f32 = f32(i32((_S8 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S9);
+    var m_1 : f32 = select(m_0, m_0 + m_0, _S9) - 1.0f;
+    var _S10 : f32 = m_1 * m_1;
+    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S10 - exponent_0 * 0.00021219444170129f - 0.5f * _S10) + exponent_0 * 0.693359375f;
+}
+
+fn binary_logarithm_0( x_4 : f32) -> f32
+{
+    return natural_logarithm_0(x_4) * 1.4426950216293335f;
+}
+
+fn exponential_0( x_5 : f32) -> f32
+{
+    var _S11 : f32 = clamp(x_5, -87.0f, 88.0f);
+    var _S12 : f32 = floor(_S11 * 1.4426950216293335f + 0.5f);
+    var _S13 : f32 = _S11 - _S12 * 0.693359375f + _S12 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S13 + 0.00139819993637502f) * _S13 + 0.00833345204591751f) * _S13 + 0.04166579619050026f) * _S13 + 0.1666666567325592f) * _S13 + 0.5f) * _S13 * _S13 + _S13 + 1.0f) * (bitcast<f32>(((u32(i32(_S12) + i32(127)) << (u32(23)))))), 0.0f, x_5 < -87.0f);
+}
+
+fn map_texel_0( index_0 : u32) -> vec3<f32>
+{
+    var _S14 : u32 = scene_words_0[index_0];
+    var _S15 : vec3<f32> = vec3<f32>(f32((_S14 & (u32(1023)))), f32((((_S14 >> (u32(10)))) & (u32(1023)))), f32((_S14 >> (u32(20))))) / vec3<f32>(1023.0f);
+    return _S15 * _S15;
+}
+
+fn map_level_0( first_1 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
+{
+    var _S16 : f32 = uv_0.x;
+    var _S17 : f32 = f32(side_0);
+    var _S18 : f32 = (_S16 - floor(_S16)) * _S17 - 0.5f;
+    var _S19 : f32 = uv_0.y;
+    var _S20 : f32 = (_S19 - floor(_S19)) * _S17 - 0.5f;
+    var _S21 : f32 = floor(_S18);
+    var _S22 : i32 = i32(side_0);
+    var _S23 : u32 = side_0 - u32(1);
+    var _S24 : u32 = (u32(i32(_S21) + _S22) & (_S23));
+    var _S25 : f32 = floor(_S20);
+    var _S26 : u32 = (u32(i32(_S25) + _S22) & (_S23));
+    var _S27 : u32 = ((_S24 + u32(1)) & (_S23));
+    var _S28 : u32 = first_1 + _S26 * side_0;
+    var _S29 : vec3<f32> = vec3<f32>((_S18 - _S21));
+    var _S30 : u32 = first_1 + (((_S26 + u32(1)) & (_S23))) * side_0;
+    return mix(mix(map_texel_0(_S28 + _S24), map_texel_0(_S28 + _S27), _S29), mix(map_texel_0(_S30 + _S24), map_texel_0(_S30 + _S27), _S29), vec3<f32>((_S20 - _S25)));
+}
+
+fn uniform_hash_0( thread_1 : u32,  cell_2 : u32,  stream_1 : u32) -> f32
+{
+    return (f32(((hash_bits_0(hash_key_0(thread_1, stream_1), cell_2)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
 }
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_1 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S26 : u32 = pixel_0.x;
-    var _S27 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S26, _S27, stream_2), uniform_hash_0(_S26, _S27, stream_2 + u32(1))) + vec2<f32>(f32((index_1 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S31 : u32 = pixel_0.x;
+    var _S32 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S31, _S32, stream_2), uniform_hash_0(_S31, _S32, stream_2 + u32(1))) + vec2<f32>(f32((index_1 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 struct SearchQuality_0
@@ -475,21 +489,21 @@ struct Footprint_0
 
 fn Footprint_spread_side_0( this_0 : Footprint_0) -> f32
 {
-    var _S28 : vec2<f32> = this_0.dx_0;
-    var _S29 : vec2<f32> = this_0.dy_0;
-    return sqrt(0.5f * (dot(_S28, _S28) + dot(_S29, _S29)));
+    var _S33 : vec2<f32> = this_0.dx_0;
+    var _S34 : vec2<f32> = this_0.dy_0;
+    return sqrt(0.5f * (dot(_S33, _S33) + dot(_S34, _S34)));
 }
 
 fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S30 : f32 = direction_1.z;
-    return vec3<f32>(direction_1.xy, select(_S30, - _S30, back_2));
+    var _S35 : f32 = direction_1.z;
+    return vec3<f32>(direction_1.xy, select(_S35, - _S35, back_2));
 }
 
 fn turns_and_remainder_0( family_0 : u32,  index_2 : f32) -> vec2<f32>
 {
-    var _S31 : f32 = floor(fma(index_2, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
-    return vec2<f32>(_S31, fma(- _S31, families_0[family_0].count_0, index_2));
+    var _S36 : f32 = floor(fma(index_2, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
+    return vec2<f32>(_S36, fma(- _S36, families_0[family_0].count_0, index_2));
 }
 
 struct Cell_0
@@ -503,15 +517,15 @@ struct Cell_0
 
 fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
 {
-    var _S32 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
-    var cell_2 : Cell_0;
-    var _S33 : f32 = fma(- _S32, families_0[family_1].size_0, position_1);
-    cell_2.below_0 = _S33;
-    cell_2.above_0 = families_0[family_1].size_0 - _S33;
-    cell_2.across_0 = _S33 - 0.5f * families_0[family_1].size_0;
-    cell_2.half_width_1 = families_0[family_1].half_width_0;
-    cell_2.thread_2 = u32(clamp(turns_and_remainder_0(family_1, _S32).y, 0.0f, families_0[family_1].count_0 - 1.0f));
-    return cell_2;
+    var _S37 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
+    var cell_3 : Cell_0;
+    var _S38 : f32 = fma(- _S37, families_0[family_1].size_0, position_1);
+    cell_3.below_0 = _S38;
+    cell_3.above_0 = families_0[family_1].size_0 - _S38;
+    cell_3.across_0 = _S38 - 0.5f * families_0[family_1].size_0;
+    cell_3.half_width_1 = families_0[family_1].half_width_0;
+    cell_3.thread_2 = u32(clamp(turns_and_remainder_0(family_1, _S37).y, 0.0f, families_0[family_1].count_0 - 1.0f));
+    return cell_3;
 }
 
 fn table_number_0( index_3 : u32) -> f32
@@ -523,17 +537,17 @@ fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
 {
     var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
     var turns_1 : f32 = turns_0 - floor(turns_0);
-    var _S34 : f32 = turns_1 * families_0[family_2].period_0;
+    var _S39 : f32 = turns_1 * families_0[family_2].period_0;
     var thread_3 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
-    var _S35 : u32 = min(thread_3 + select(u32(0), u32(1), _S34 >= (table_number_0(families_0[family_2].place_table_0 + thread_3 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
-    var _S36 : u32 = families_0[family_2].place_table_0 + _S35 * u32(4);
-    var cell_3 : Cell_0;
-    cell_3.thread_2 = _S35;
-    cell_3.below_0 = _S34 - table_number_0(_S36);
-    cell_3.above_0 = table_number_0(_S36 + u32(1)) - _S34;
-    cell_3.across_0 = _S34 - table_number_0(_S36 + u32(2));
-    cell_3.half_width_1 = table_number_0(_S36 + u32(3));
-    return cell_3;
+    var _S40 : u32 = min(thread_3 + select(u32(0), u32(1), _S39 >= (table_number_0(families_0[family_2].place_table_0 + thread_3 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
+    var _S41 : u32 = families_0[family_2].place_table_0 + _S40 * u32(4);
+    var cell_4 : Cell_0;
+    cell_4.thread_2 = _S40;
+    cell_4.below_0 = _S39 - table_number_0(_S41);
+    cell_4.above_0 = table_number_0(_S41 + u32(1)) - _S39;
+    cell_4.across_0 = _S39 - table_number_0(_S41 + u32(2));
+    cell_4.half_width_1 = table_number_0(_S41 + u32(3));
+    return cell_4;
 }
 
 fn locate_0( family_3 : u32,  position_3 : f32) -> Cell_0
@@ -564,33 +578,33 @@ struct Crossing_0
 
 fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
 {
-    var _S37 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
+    var _S42 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     var shown_0 : Shown_0;
-    var _S38 : bool = !((abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1));
-    var _S39 : bool = (_S37 & (((_S38 | ((crossing_0.warp_above_0))))));
-    shown_0.is_warp_0 = _S39;
-    shown_0.hole_0 = ((!_S37) & (_S38));
-    var _S40 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S39);
-    shown_0.word_0 = _S40;
-    shown_0.on_top_0 = (((_S40 & (u32(1)))) == u32(1)) != back_3;
+    var _S43 : bool = !((abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1));
+    var _S44 : bool = (_S42 & (((_S43 | ((crossing_0.warp_above_0))))));
+    shown_0.is_warp_0 = _S44;
+    shown_0.hole_0 = ((!_S42) & (_S43));
+    var _S45 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S44);
+    shown_0.word_0 = _S45;
+    shown_0.on_top_0 = (((_S45 & (u32(1)))) == u32(1)) != back_3;
     return shown_0;
 }
 
 fn select_cell_0( is_first_0 : bool,  first_2 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
-    var cell_4 : Cell_0;
-    cell_4.thread_2 = select(second_0.thread_2, first_2.thread_2, is_first_0);
-    cell_4.across_0 = select(second_0.across_0, first_2.across_0, is_first_0);
-    cell_4.half_width_1 = select(second_0.half_width_1, first_2.half_width_1, is_first_0);
-    cell_4.below_0 = select(second_0.below_0, first_2.below_0, is_first_0);
-    cell_4.above_0 = select(second_0.above_0, first_2.above_0, is_first_0);
-    return cell_4;
+    var cell_5 : Cell_0;
+    cell_5.thread_2 = select(second_0.thread_2, first_2.thread_2, is_first_0);
+    cell_5.across_0 = select(second_0.across_0, first_2.across_0, is_first_0);
+    cell_5.half_width_1 = select(second_0.half_width_1, first_2.half_width_1, is_first_0);
+    cell_5.below_0 = select(second_0.below_0, first_2.below_0, is_first_0);
+    cell_5.above_0 = select(second_0.above_0, first_2.above_0, is_first_0);
+    return cell_5;
 }
 
 fn boundary_0( family_4 : u32,  thread_4 : u32,  step_0 : i32) -> f32
 {
-    var _S41 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_4) + step_0));
-    return fma(_S41.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S41.y) * u32(4)));
+    var _S46 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_4) + step_0));
+    return fma(_S46.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S46.y) * u32(4)));
 }
 
 fn span_0( family_5 : u32,  thread_5 : u32,  first_3 : i32,  last_0 : i32) -> f32
@@ -611,11 +625,11 @@ struct Bend_0
 
 fn bend_of_0( family_6 : u32,  thread_6 : u32) -> Bend_0
 {
-    var _S42 : u32 = families_0[family_6].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_6].is_alike_0) != u32(0));
+    var _S47 : u32 = families_0[family_6].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_6].is_alike_0) != u32(0));
     var bend_0 : Bend_0;
-    bend_0.sine_0 = table_number_0(_S42);
-    bend_0.half_tangent_0 = table_number_0(_S42 + u32(1));
-    bend_0.arc_0 = table_number_0(_S42 + u32(2));
+    bend_0.sine_0 = table_number_0(_S47);
+    bend_0.half_tangent_0 = table_number_0(_S47 + u32(1));
+    bend_0.arc_0 = table_number_0(_S47 + u32(2));
     return bend_0;
 }
 
@@ -635,29 +649,29 @@ struct Run_0
 
 fn unpack_0( own_0 : u32,  other_0 : u32,  thread_7 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
-    var _S43 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
-    var _S44 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
-    var _S45 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
-    var _S46 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
+    var _S48 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
+    var _S49 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
+    var _S50 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
+    var _S51 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
     var run_0 : Run_0;
-    var _S47 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
-    run_0.straight_0 = _S47;
-    var _S48 : i32 = - _S43;
-    var _S49 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S48, i32(0));
-    run_0.from_start_0 = _S49;
-    var _S50 : i32 = _S44 + i32(1);
-    var _S51 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S50);
-    run_0.to_end_0 = _S51;
-    var _S52 : bool = _S49 < _S51;
-    run_0.near_start_0 = _S52;
-    var _S53 : i32 = select(_S50, _S48 - _S45, _S52);
-    var _S54 : i32 = select(_S50 + _S46, _S48, _S52);
+    var _S52 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
+    run_0.straight_0 = _S52;
+    var _S53 : i32 = - _S48;
+    var _S54 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S53, i32(0));
+    run_0.from_start_0 = _S54;
+    var _S55 : i32 = _S49 + i32(1);
+    var _S56 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S55);
+    run_0.to_end_0 = _S56;
+    var _S57 : bool = _S54 < _S56;
+    run_0.near_start_0 = _S57;
+    var _S58 : i32 = select(_S55, _S53 - _S50, _S57);
+    var _S59 : i32 = select(_S55 + _S51, _S53, _S57);
     run_0.bend_1 = bend_of_0(own_0, thread_7);
-    run_0.distance_0 = select(min(_S49, _S51), 1.0e+06f, _S47);
-    run_0.reach_0 = min(0.5f * (_S49 + _S51), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S53, _S54), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S43 == i32(0);
-    run_0.last_crossing_0 = _S44 == i32(0);
+    run_0.distance_0 = select(min(_S54, _S56), 1.0e+06f, _S52);
+    run_0.reach_0 = min(0.5f * (_S54 + _S56), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S58, _S59), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S48 == i32(0);
+    run_0.last_crossing_0 = _S49 == i32(0);
     return run_0;
 }
 
@@ -668,16 +682,16 @@ struct Section_0
      slope_0 : f32,
 };
 
-fn section_at_0( cell_5 : Cell_0) -> Section_0
+fn section_at_0( cell_6 : Cell_0) -> Section_0
 {
-    var _S55 : f32 = cell_5.half_width_1 * 1.0154266357421875f;
+    var _S60 : f32 = cell_6.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S56 : f32 = clamp(cell_5.across_0, - cell_5.half_width_1, cell_5.half_width_1);
-    section_0.across_1 = _S56;
-    var _S57 : f32 = _S55 * _S55 - square_1(_S56);
-    var _S58 : f32 = rsqrt_0(_S57);
-    section_0.drop_0 = _S55 - _S57 * _S58;
-    section_0.slope_0 = - _S56 * _S58;
+    var _S61 : f32 = clamp(cell_6.across_0, - cell_6.half_width_1, cell_6.half_width_1);
+    section_0.across_1 = _S61;
+    var _S62 : f32 = _S60 * _S60 - square_1(_S61);
+    var _S63 : f32 = rsqrt_0(_S62);
+    section_0.drop_0 = _S60 - _S62 * _S63;
+    section_0.slope_0 = - _S61 * _S63;
     return section_0;
 }
 
@@ -688,33 +702,33 @@ fn edge_drop_0( family_7 : u32,  thread_8 : u32,  step_1 : i32) -> f32
 
 fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec3<f32>
 {
-    var _S59 : bool = (crossed_1.below_0) < (crossed_1.above_0);
-    var _S60 : f32 = min(crossed_1.below_0, crossed_1.above_0);
-    var _S61 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S59) - crossed_1.half_width_1;
-    var _S62 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S59);
-    var _S63 : f32;
+    var _S64 : bool = (crossed_1.below_0) < (crossed_1.above_0);
+    var _S65 : f32 = min(crossed_1.below_0, crossed_1.above_0);
+    var _S66 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S64) - crossed_1.half_width_1;
+    var _S67 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S64);
+    var _S68 : f32;
     if(shown_1.on_top_0)
     {
-        _S63 = 0.0f;
+        _S68 = 0.0f;
     }
     else
     {
-        _S63 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
+        _S68 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
     }
-    var _S64 : f32;
-    if((shown_1.on_top_0) != _S62)
+    var _S69 : f32;
+    if((shown_1.on_top_0) != _S67)
     {
-        _S64 = 0.0f;
+        _S69 = 0.0f;
     }
     else
     {
-        _S64 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S59));
+        _S69 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S64));
     }
-    var _S65 : f32 = 2.0f * _S61;
-    var _S66 : f32 = 1.0f / max(_S65, 9.999999960041972e-13f);
-    var _S67 : f32 = clamp((_S61 - _S60) * _S66, 0.0f, 1.0f);
-    var _S68 : f32 = clamp((0.44999998807907104f - _S65 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
-    return vec3<f32>(_S63 + (_S64 - _S63) * (_S67 * _S67 * (3.0f - 2.0f * _S67)), (_S63 - _S64) * (6.0f * _S67 * (1.0f - _S67) * _S66) * select(-1.0f, 1.0f, _S59), _S68 * _S68 * (3.0f - 2.0f * _S68));
+    var _S70 : f32 = 2.0f * _S66;
+    var _S71 : f32 = 1.0f / max(_S70, 9.999999960041972e-13f);
+    var _S72 : f32 = clamp((_S66 - _S65) * _S71, 0.0f, 1.0f);
+    var _S73 : f32 = clamp((0.44999998807907104f - _S70 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
+    return vec3<f32>(_S68 + (_S69 - _S68) * (_S72 * _S72 * (3.0f - 2.0f * _S72)), (_S68 - _S69) * (6.0f * _S72 * (1.0f - _S72) * _S71) * select(-1.0f, 1.0f, _S64), _S73 * _S73 * (3.0f - 2.0f * _S73));
 }
 
 struct StepControl_0
@@ -732,12 +746,12 @@ fn step_control_0( direction_2 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S69 : f32 = direction_2.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S69), 9.99999971718068537e-10f);
-    var _S70 : f32 = direction_2.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S70), 9.99999971718068537e-10f);
-    control_0.right_0 = _S69 > 0.0f;
-    control_0.up_0 = _S70 > 0.0f;
+    var _S74 : f32 = direction_2.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S74), 9.99999971718068537e-10f);
+    var _S75 : f32 = direction_2.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S75), 9.99999971718068537e-10f);
+    control_0.right_0 = _S74 > 0.0f;
+    control_0.up_0 = _S75 > 0.0f;
     return control_0;
 }
 
@@ -759,21 +773,21 @@ fn no_previous_sample_0() -> PreviousSample_0
     return previous_0;
 }
 
-fn outline_distance_0( cell_6 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
+fn outline_distance_0( cell_7 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
 {
-    var _S71 : f32 = select(- cell_6.across_0, cell_6.across_0, forwards_0);
-    var _S72 : f32 = select(cell_6.below_0, cell_6.above_0, forwards_0);
-    var _S73 : f32 = - cell_6.half_width_1;
-    var _S74 : bool = _S71 < _S73;
-    var _S75 : bool = _S71 >= (cell_6.half_width_1);
-    var _S76 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
-    var _S77 : f32 = select(cell_6.half_width_1, _S73, _S74) - _S71;
-    var _S78 : f32 = select(_S72, 2.0f * _S72 + _S71 - cell_6.half_width_1, ((shown_2.hole_0) | (((_S76 & ((!shown_2.on_top_0)))))));
-    if((((_S76 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S74)))))))
+    var _S76 : f32 = select(- cell_7.across_0, cell_7.across_0, forwards_0);
+    var _S77 : f32 = select(cell_7.below_0, cell_7.above_0, forwards_0);
+    var _S78 : f32 = - cell_7.half_width_1;
+    var _S79 : bool = _S76 < _S78;
+    var _S80 : bool = _S76 >= (cell_7.half_width_1);
+    var _S81 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
+    var _S82 : f32 = select(cell_7.half_width_1, _S78, _S79) - _S76;
+    var _S83 : f32 = select(_S77, 2.0f * _S77 + _S76 - cell_7.half_width_1, ((shown_2.hole_0) | (((_S81 & ((!shown_2.on_top_0)))))));
+    if((((_S81 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S79)))))))
     {
         return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
     }
-    return select(_S77, _S78, _S75);
+    return select(_S82, _S83, _S80);
 }
 
 struct Probe_0
@@ -792,21 +806,21 @@ struct Probe_0
 
 fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
 {
-    var _S79 : f32 = previous_1.rate_0 * step_4;
-    var _S80 : f32 = rate_1 * step_4;
+    var _S84 : f32 = previous_1.rate_0 * step_4;
+    var _S85 : f32 = rate_1 * step_4;
     if(((((((((!previous_1.known_0) | ((here_0.hole_1)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((((3.0f * previous_1.clearance_0 + _S79) >= 0.0f) & (((3.0f * clearance_1 - _S80) >= 0.0f))))
+    if((((3.0f * previous_1.clearance_0 + _S84) >= 0.0f) & (((3.0f * clearance_1 - _S85) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S81 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S82 : f32 = 6.0f * _S81 - 4.0f * _S79 - 2.0f * _S80;
-    var _S83 : f32 = -2.0f * _S79 / max(_S82 + sqrt(max(_S82 * _S82 - 4.0f * (3.0f * (_S79 + _S80 - 2.0f * _S81)) * _S79, 0.0f)), 9.99999968265522539e-21f);
-    var _S84 : f32 = 1.0f - _S83;
-    return select(-1.0f, _S84 * step_4, ((((_S83 > 0.01999999955296516f) & ((_S84 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S83 + 1.0f) + _S79 * _S83) * _S84 * _S84 + (clearance_1 * (2.0f * _S84 + 1.0f) - _S80 * _S84) * _S83 * _S83) < 0.0f))));
+    var _S86 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S87 : f32 = 6.0f * _S86 - 4.0f * _S84 - 2.0f * _S85;
+    var _S88 : f32 = -2.0f * _S84 / max(_S87 + sqrt(max(_S87 * _S87 - 4.0f * (3.0f * (_S84 + _S85 - 2.0f * _S86)) * _S84, 0.0f)), 9.99999968265522539e-21f);
+    var _S89 : f32 = 1.0f - _S88;
+    return select(-1.0f, _S89 * step_4, ((((_S88 > 0.01999999955296516f) & ((_S89 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S88 + 1.0f) + _S84 * _S88) * _S89 * _S89 + (clearance_1 * (2.0f * _S89 + 1.0f) - _S85 * _S89) * _S88 * _S88) < 0.0f))));
 }
 
 fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
@@ -826,8 +840,8 @@ fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_1 : f32,  side_y_
 
 fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S85 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
-    return min(this_2.step_2, select(max(_S85, 0.0f) + this_2.epsilon_0, _S85 - this_2.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S85 + clearance_3) < 0.0f)))) & ((_S85 > (2.0f * this_2.epsilon_0))))));
+    var _S90 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
+    return min(this_2.step_2, select(max(_S90, 0.0f) + this_2.epsilon_0, _S90 - this_2.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S90 + clearance_3) < 0.0f)))) & ((_S90 > (2.0f * this_2.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -848,10 +862,10 @@ fn ViewRay_rate_0( this_4 : ViewRay_0,  here_3 : Probe_0) -> f32
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S86 : f32 = end_0 - start_1;
-    var _S87 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S86;
-    var _S88 : f32 = 3.0f * _S86 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S86, 9.99999968265522539e-21f);
+    var _S91 : f32 = end_0 - start_1;
+    var _S92 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S91;
+    var _S93 : f32 = 3.0f * _S91 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S91, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -862,10 +876,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S89 : f32 = clamp(share_1 - (((_S87 * share_1 + _S88) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S87 * share_1 + 2.0f * _S88) * share_1 + start_rate_0, 0.10000000149011612f * _S86 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S90 : i32 = i_0 + i32(1);
-        share_1 = _S89;
-        i_0 = _S90;
+        var _S94 : f32 = clamp(share_1 - (((_S92 * share_1 + _S93) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S92 * share_1 + 2.0f * _S93) * share_1 + start_rate_0, 0.10000000149011612f * _S91 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S95 : i32 = i_0 + i32(1);
+        share_1 = _S94;
+        i_0 = _S95;
     }
     return share_1;
 }
@@ -877,37 +891,37 @@ fn between_0( above_1 : f32,  under_0 : f32,  above_gap_0 : f32,  under_gap_0 : 
 
 fn fibre_direction_0( across_slope_0 : f32,  along_slope_0 : f32,  sine_1 : f32,  cosine_0 : f32) -> vec2<f32>
 {
-    var _S91 : f32 = along_slope_0 * along_slope_0 + 1.0f;
-    var _S92 : f32 = rsqrt_0(_S91);
-    var _S93 : f32 = sine_1 * _S92 * rsqrt_0(_S91 + across_slope_0 * across_slope_0);
-    return vec2<f32>(- _S93 * _S91, _S93 * across_slope_0 * along_slope_0 + cosine_0 * _S92);
+    var _S96 : f32 = along_slope_0 * along_slope_0 + 1.0f;
+    var _S97 : f32 = rsqrt_0(_S96);
+    var _S98 : f32 = sine_1 * _S97 * rsqrt_0(_S96 + across_slope_0 * across_slope_0);
+    return vec2<f32>(- _S98 * _S96, _S98 * across_slope_0 * along_slope_0 + cosine_0 * _S97);
 }
 
 fn arc_sine_0( x_6 : f32) -> f32
 {
-    var _S94 : f32 = abs(x_6);
-    var _S95 : bool = _S94 > 0.5f;
-    var _S96 : f32 = select(_S94 * _S94, 0.5f * (1.0f - _S94), _S95);
-    var _S97 : f32 = select(_S94, sqrt(max(_S96, 0.0f)), _S95);
-    var _S98 : f32 = ((((0.04216320067644119f * _S96 + 0.02418131195008755f) * _S96 + 0.04547002539038658f) * _S96 + 0.07495300471782684f) * _S96 + 0.16666752099990845f) * _S96 * _S97 + _S97;
-    var _S99 : f32 = select(_S98, 1.57079637050628662f - 2.0f * _S98, _S95);
-    return select(_S99, - _S99, x_6 < 0.0f);
+    var _S99 : f32 = abs(x_6);
+    var _S100 : bool = _S99 > 0.5f;
+    var _S101 : f32 = select(_S99 * _S99, 0.5f * (1.0f - _S99), _S100);
+    var _S102 : f32 = select(_S99, sqrt(max(_S101, 0.0f)), _S100);
+    var _S103 : f32 = ((((0.04216320067644119f * _S101 + 0.02418131195008755f) * _S101 + 0.04547002539038658f) * _S101 + 0.07495300471782684f) * _S101 + 0.16666752099990845f) * _S101 * _S102 + _S102;
+    var _S104 : f32 = select(_S103, 1.57079637050628662f - 2.0f * _S103, _S100);
+    return select(_S104, - _S104, x_6 < 0.0f);
 }
 
 fn run_share_0( word_2 : u32) -> f32
 {
-    var _S100 : f32 = f32(((((word_2 >> (u32(1)))) & (u32(127)))) + ((((word_2 >> (u32(8)))) & (u32(127)))) + u32(1));
-    return _S100 / (_S100 + 0.5f * f32(((((word_2 >> (u32(15)))) & (u32(63)))) + ((((word_2 >> (u32(21)))) & (u32(63))))));
+    var _S105 : f32 = f32(((((word_2 >> (u32(1)))) & (u32(127)))) + ((((word_2 >> (u32(8)))) & (u32(127)))) + u32(1));
+    return _S105 / (_S105 + 0.5f * f32(((((word_2 >> (u32(15)))) & (u32(63)))) + ((((word_2 >> (u32(21)))) & (u32(63))))));
 }
 
 fn angle_of_0( direction_3 : vec2<f32>) -> f32
 {
-    var _S101 : f32 = direction_3.x;
-    var _S102 : f32 = arc_sine_0(_S101);
-    var _S103 : bool = _S101 < 0.0f;
-    var _S104 : f32 = select(3.14159274101257324f, -3.14159274101257324f, _S103);
-    var _S105 : f32 = direction_3.y;
-    return select(0.5f * _S104 - select(1.0f, -1.0f, _S103) * arc_sine_0(_S105), select(_S102, _S104 - _S102, _S105 < 0.0f), (abs(_S101)) < 0.69999998807907104f);
+    var _S106 : f32 = direction_3.x;
+    var _S107 : f32 = arc_sine_0(_S106);
+    var _S108 : bool = _S106 < 0.0f;
+    var _S109 : f32 = select(3.14159274101257324f, -3.14159274101257324f, _S108);
+    var _S110 : f32 = direction_3.y;
+    return select(0.5f * _S109 - select(1.0f, -1.0f, _S108) * arc_sine_0(_S110), select(_S107, _S109 - _S107, _S110 < 0.0f), (abs(_S106)) < 0.69999998807907104f);
 }
 
 struct Hair_0
@@ -915,15 +929,19 @@ struct Hair_0
      cover_0 : f32,
      normal_1 : vec3<f32>,
      tangent_0 : vec3<f32>,
+     is_warp_1 : bool,
+     shade_0 : f32,
 };
 
-fn Hair_x24init_0( cover_1 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>) -> Hair_0
+fn Hair_x24init_0( cover_1 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_warp_2 : bool,  shade_1 : f32) -> Hair_0
 {
-    var _S106 : Hair_0;
-    _S106.cover_0 = cover_1;
-    _S106.normal_1 = normal_2;
-    _S106.tangent_0 = tangent_1;
-    return _S106;
+    var _S111 : Hair_0;
+    _S111.cover_0 = cover_1;
+    _S111.normal_1 = normal_2;
+    _S111.tangent_0 = tangent_1;
+    _S111.is_warp_1 = is_warp_2;
+    _S111.shade_0 = shade_1;
+    return _S111;
 }
 
 fn fade_0( size_1 : f32,  period_1 : f32) -> f32
@@ -938,16 +956,16 @@ fn share_of_0( bits_0 : u32) -> f32
 
 fn sine_cosine_0( x_7 : f32) -> vec2<f32>
 {
-    var _S107 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
-    var _S108 : f32 = x_7 - _S107 * 1.5703125f - _S107 * 0.00048375129699707f - _S107 * 7.54979012640433211e-08f;
-    var _S109 : f32 = _S108 * _S108;
-    var _S110 : f32 = ((-0.00019515295571182f * _S109 + 0.00833216123282909f) * _S109 - 0.16666655242443085f) * _S109 * _S108 + _S108;
-    var _S111 : f32 = ((0.00002443315679557f * _S109 - 0.00138873164542019f) * _S109 + 0.04166664555668831f) * _S109 * _S109 - 0.5f * _S109 + 1.0f;
-    var _S112 : u32 = (u32(i32(_S107)) & (u32(3)));
-    var _S113 : vec2<f32> = select_vector_1(((_S112 & (u32(1)))) != u32(0), vec2<f32>(_S111, _S110), vec2<f32>(_S110, _S111));
-    var _S114 : f32 = _S113.x;
-    var _S115 : f32 = _S113.y;
-    return vec2<f32>(select(_S114, - _S114, ((_S112 & (u32(2)))) != u32(0)), select(_S115, - _S115, (((_S112 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S112 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
+    var _S113 : f32 = x_7 - _S112 * 1.5703125f - _S112 * 0.00048375129699707f - _S112 * 7.54979012640433211e-08f;
+    var _S114 : f32 = _S113 * _S113;
+    var _S115 : f32 = ((-0.00019515295571182f * _S114 + 0.00833216123282909f) * _S114 - 0.16666655242443085f) * _S114 * _S113 + _S113;
+    var _S116 : f32 = ((0.00002443315679557f * _S114 - 0.00138873164542019f) * _S114 + 0.04166664555668831f) * _S114 * _S114 - 0.5f * _S114 + 1.0f;
+    var _S117 : u32 = (u32(i32(_S112)) & (u32(3)));
+    var _S118 : vec2<f32> = select_vector_1(((_S117 & (u32(1)))) != u32(0), vec2<f32>(_S116, _S115), vec2<f32>(_S115, _S116));
+    var _S119 : f32 = _S118.x;
+    var _S120 : f32 = _S118.y;
+    return vec2<f32>(select(_S119, - _S119, ((_S117 & (u32(2)))) != u32(0)), select(_S120, - _S120, (((_S117 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 fn table_colour_0( index_4 : u32) -> vec3<f32>
@@ -980,14 +998,14 @@ fn albedos_of_0( family_8 : u32,  thread_9 : u32) -> Albedos_0
 
 fn fibre_cell_0( across_2 : f32,  along_0 : f32,  width_2 : f32) -> vec3<f32>
 {
-    var _S116 : f32 = floor(across_2 / width_2);
-    return vec3<f32>(_S116, along_0 / (width_2 * 40.0f) + 0.61799997091293335f * _S116, 2.0f * (across_2 / width_2 - _S116) - 1.0f);
+    var _S121 : f32 = floor(across_2 / width_2);
+    return vec3<f32>(_S121, along_0 / (width_2 * 40.0f) + 0.61799997091293335f * _S121, 2.0f * (across_2 / width_2 - _S121) - 1.0f);
 }
 
 struct SurfacePoint_0
 {
      hole_2 : bool,
-     is_warp_1 : bool,
+     is_warp_3 : bool,
      warp_thread_0 : u32,
      weft_thread_0 : u32,
      height_4 : f32,
@@ -1003,8 +1021,13 @@ struct SurfacePoint_0
 
 fn ply_offset_0( family_9 : u32,  point_1 : SurfacePoint_0,  back_4 : bool) -> f32
 {
-    var _S117 : f32 = (point_1.fibre_across_0 * families_0[family_9].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_9].ply_sine_0, - families_0[family_9].ply_sine_0, back_4)) * families_0[family_9].plies_per_mm_0;
-    return 2.0f * (_S117 - floor(_S117)) - 1.0f;
+    var _S122 : f32 = (point_1.fibre_across_0 * families_0[family_9].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_9].ply_sine_0, - families_0[family_9].ply_sine_0, back_4)) * families_0[family_9].plies_per_mm_0;
+    return 2.0f * (_S122 - floor(_S122)) - 1.0f;
+}
+
+fn groove_0( depth_0 : f32,  offset_1 : f32) -> vec2<f32>
+{
+    return vec2<f32>(depth_0) * vec2<f32>(0.1111111119389534f - square_1(square_1(square_1(offset_1))), 0.1111111119389534f);
 }
 
 fn signed_noise_0( bits_1 : u32) -> f32
@@ -1017,24 +1040,24 @@ fn smooth_share_0( share_2 : f32) -> f32
     return share_2 * share_2 * (3.0f - 2.0f * share_2);
 }
 
-fn wave_noise_0( key_1 : u32,  position_4 : f32) -> vec2<f32>
+fn wave_noise_0( key_3 : u32,  position_4 : f32) -> vec2<f32>
 {
-    var _S118 : f32 = floor(position_4);
-    var _S119 : f32 = position_4 - _S118;
-    var _S120 : u32 = u32(i32(_S118));
-    var _S121 : f32 = signed_noise_0(hash_bits_0(key_1, _S120));
-    var _S122 : f32 = signed_noise_0(hash_bits_0(key_1, _S120 + u32(1)));
-    return vec2<f32>(mix(_S121, _S122, smooth_share_0(_S119)), 6.0f * _S119 * (1.0f - _S119) * (_S122 - _S121));
+    var _S123 : f32 = floor(position_4);
+    var _S124 : f32 = position_4 - _S123;
+    var _S125 : u32 = u32(i32(_S123));
+    var _S126 : f32 = signed_noise_0(hash_bits_0(key_3, _S125));
+    var _S127 : f32 = signed_noise_0(hash_bits_0(key_3, _S125 + u32(1)));
+    return vec2<f32>(mix(_S126, _S127, smooth_share_0(_S124)), 6.0f * _S124 * (1.0f - _S124) * (_S127 - _S126));
 }
 
-fn cell_noise_0( key_2 : u32,  cell_7 : vec3<f32>) -> vec2<f32>
+fn cell_noise_0( key_4 : u32,  cell_8 : vec3<f32>) -> vec2<f32>
 {
-    var _S123 : f32 = cell_7.y;
-    var _S124 : f32 = floor(_S123);
-    var _S125 : u32 = u32(i32(cell_7.x)) * u32(65536) + u32(i32(_S124));
-    var _S126 : u32 = hash_bits_0(key_2, _S125);
-    var _S127 : u32 = hash_bits_0(key_2, _S125 + u32(1));
-    return mix(vec2<f32>(signed_noise_0(_S126), signed_noise_0((_S126 >> (u32(16))))), vec2<f32>(signed_noise_0(_S127), signed_noise_0((_S127 >> (u32(16))))), vec2<f32>(smooth_share_0(_S123 - _S124)));
+    var _S128 : f32 = cell_8.y;
+    var _S129 : f32 = floor(_S128);
+    var _S130 : u32 = u32(i32(cell_8.x)) * u32(65536) + u32(i32(_S129));
+    var _S131 : u32 = hash_bits_0(key_4, _S130);
+    var _S132 : u32 = hash_bits_0(key_4, _S130 + u32(1));
+    return mix(vec2<f32>(signed_noise_0(_S131), signed_noise_0((_S131 >> (u32(16))))), vec2<f32>(signed_noise_0(_S132), signed_noise_0((_S132 >> (u32(16))))), vec2<f32>(smooth_share_0(_S128 - _S129)));
 }
 
 fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
@@ -1044,19 +1067,19 @@ fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
 
 fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S128 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S128.x, _S128.y), _S128.z), 0.0f));
+    var _S133 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S133.x, _S133.y), _S133.z), 0.0f));
 }
 
 fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
 {
-    var _S129 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
-    return min(max(min(min(_S129.x, _S129.y), _S129.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
+    var _S134 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
+    return min(max(min(min(_S134.x, _S134.y), _S134.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
-fn fibre_gain_0( thread_11 : u32,  cell_8 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
+fn fibre_gain_0( thread_11 : u32,  cell_9 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_8, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_9, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
 }
 
 struct YarnFrame_0
@@ -1064,25 +1087,27 @@ struct YarnFrame_0
      normal_4 : vec3<f32>,
      tangent_3 : vec3<f32>,
      loss_0 : f32,
+     shade_2 : f32,
 };
 
 fn under_hair_0( frame_0 : YarnFrame_0,  hair_0 : Hair_0) -> YarnFrame_0
 {
-    var _S130 : vec3<f32> = select_vector_0((dot(frame_0.tangent_3, hair_0.tangent_0)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_0), hair_0.tangent_0);
+    var _S135 : vec3<f32> = select_vector_0((dot(frame_0.tangent_3, hair_0.tangent_0)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_0), hair_0.tangent_0);
     var blended_0 : YarnFrame_0;
-    var _S131 : vec3<f32> = vec3<f32>(hair_0.cover_0);
-    var _S132 : vec3<f32> = normalize(mix(frame_0.normal_4, hair_0.normal_1, _S131));
-    blended_0.normal_4 = _S132;
-    var _S133 : vec3<f32> = mix(frame_0.tangent_3, _S130, _S131);
-    var _S134 : vec3<f32> = _S133 - vec3<f32>(dot(_S133, _S132)) * _S132;
-    blended_0.tangent_3 = _S134 * vec3<f32>(rsqrt_0(max(dot(_S134, _S134), 9.999999960041972e-13f)));
+    var _S136 : vec3<f32> = vec3<f32>(hair_0.cover_0);
+    var _S137 : vec3<f32> = normalize(mix(frame_0.normal_4, hair_0.normal_1, _S136));
+    blended_0.normal_4 = _S137;
+    var _S138 : vec3<f32> = mix(frame_0.tangent_3, _S135, _S136);
+    var _S139 : vec3<f32> = _S138 - vec3<f32>(dot(_S138, _S137)) * _S137;
+    blended_0.tangent_3 = _S139 * vec3<f32>(rsqrt_0(max(dot(_S139, _S139), 9.999999960041972e-13f)));
     blended_0.loss_0 = frame_0.loss_0 * (1.0f - hair_0.cover_0);
+    blended_0.shade_2 = hair_0.shade_0;
     return blended_0;
 }
 
 fn diffuse_gain_0( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
 {
-    return min(0.85000002384185791f * blend_0 * frame_1.loss_0 + 1.0f, 1.0f / (0.5f * blend_0 * (frame_1.normal_4.z - 1.0f) + 1.0f));
+    return min(0.85000002384185791f * blend_0 * frame_1.loss_0 + 1.0f + frame_1.shade_2, 1.0f / (0.5f * blend_0 * (frame_1.normal_4.z - 1.0f) + 1.0f));
 }
 
 struct FaceRadiance_0
@@ -1106,13 +1131,13 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S135 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S140 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S136 : vec3<f32> = sends_0.sky_warp_0 + _S135 * sends_0.crossing_warp_0;
-    found_0.warp_2 = _S136;
-    var _S137 : vec3<f32> = sends_0.sky_weft_0 + _S135 * sends_0.crossing_weft_0;
-    found_0.weft_2 = _S137;
-    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S136 + vec3<f32>(sends_0.blocks_weft_0) * _S137;
+    var _S141 : vec3<f32> = sends_0.sky_warp_0 + _S140 * sends_0.crossing_warp_0;
+    found_0.warp_2 = _S141;
+    var _S142 : vec3<f32> = sends_0.sky_weft_0 + _S140 * sends_0.crossing_weft_0;
+    found_0.weft_2 = _S142;
+    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S141 + vec3<f32>(sends_0.blocks_weft_0) * _S142;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
@@ -1147,11 +1172,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_0 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S138 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
-    var _S139 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_2.through_0;
+    var _S143 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
+    var _S144 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_5 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_3) + _S139 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S139 * interior_0.far_1 + yarn_2.back_5 * _S138;
+    bounced_0.reflected_0 = yarn_2.back_5 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_3) + _S144 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S144 * interior_0.far_1 + yarn_2.back_5 * _S143;
     return bounced_0;
 }
 
@@ -1187,22 +1212,22 @@ fn choose_0( table_0 : u32,  count_1 : u32,  number_0 : f32) -> Choice_0
         {
             break;
         }
-        var _S140 : u32 = (low_0 + high_0) / u32(2);
-        if((scene_number_0(table_0 + _S140)) <= number_0)
+        var _S145 : u32 = (low_0 + high_0) / u32(2);
+        if((scene_number_0(table_0 + _S145)) <= number_0)
         {
-            low_0 = _S140;
+            low_0 = _S145;
         }
         else
         {
-            high_0 = _S140;
+            high_0 = _S145;
         }
     }
-    var _S141 : u32 = table_0 + low_0;
-    var _S142 : f32 = scene_number_0(_S141);
-    var _S143 : f32 = scene_number_0(_S141 + u32(1));
+    var _S146 : u32 = table_0 + low_0;
+    var _S147 : f32 = scene_number_0(_S146);
+    var _S148 : f32 = scene_number_0(_S146 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_6 = low_0;
-    choice_0.remainder_0 = saturate((number_0 - _S142) / max(_S143 - _S142, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_0 - _S147) / max(_S148 - _S147, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1237,70 +1262,70 @@ fn scene_light_0( first_4 : u32) -> Light_0
 
 fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_5 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S144 : f32 = light_1.z;
-    if(_S144 <= 0.0f)
+    var _S149 : f32 = light_1.z;
+    if(_S149 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S144, 0.0f), max(dot(light_1, normal_5), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S149, 0.0f), max(dot(light_1, normal_5), 0.0f), blend_1);
 }
 
 fn projected_area_1( direction_4 : vec3<f32>,  tangent_4 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S145 : f32 = dot(direction_4, tangent_4);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S145 * _S145 + 1.0f, roughness_1 * roughness_1));
+    var _S150 : f32 = dot(direction_4, tangent_4);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S150 * _S150 + 1.0f, roughness_1 * roughness_1));
 }
 
-fn mean_attenuation_0( depth_0 : f32) -> f32
+fn mean_attenuation_0( depth_1 : f32) -> f32
 {
-    if(depth_0 < 0.10000000149011612f)
+    if(depth_1 < 0.10000000149011612f)
     {
-        return (((depth_0 / 120.0f - 0.0416666679084301f) * depth_0 + 0.1666666716337204f) * depth_0 - 0.5f) * depth_0 + 1.0f;
+        return (((depth_1 / 120.0f - 0.0416666679084301f) * depth_1 + 0.1666666716337204f) * depth_1 - 0.5f) * depth_1 + 1.0f;
     }
-    return (1.0f - exponential_0(- depth_0)) / depth_0;
+    return (1.0f - exponential_0(- depth_1)) / depth_1;
 }
 
 fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
 {
-    var _S146 : f32 = roughness_2 * roughness_2;
-    var _S147 : f32 = squared_along_0 * (1.0f - _S146) + _S146;
-    return 0.31830987334251404f * _S146 * roughness_2 / (_S147 * _S147);
+    var _S151 : f32 = roughness_2 * roughness_2;
+    var _S152 : f32 = squared_along_0 * (1.0f - _S151) + _S151;
+    return 0.31830987334251404f * _S151 * roughness_2 / (_S152 * _S152);
 }
 
 fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S148 : vec3<f32> = light_2 + view_1;
-    var _S149 : f32 = dot(_S148, tangent_5);
-    return flake_density_0(min(_S149 * _S149 / max(square_0(_S148), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S153 : vec3<f32> = light_2 + view_1;
+    var _S154 : f32 = dot(_S153, tangent_5);
+    return flake_density_0(min(_S154 * _S154 / max(square_0(_S153), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 fn reflection_0( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_6 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S150 : f32 = dot(light_3, normal_6);
-    var _S151 : f32 = dot(view_2, normal_6);
-    if(((_S150 <= 0.0f) | ((_S151 <= 0.0f))))
+    var _S155 : f32 = dot(light_3, normal_6);
+    var _S156 : f32 = dot(view_2, normal_6);
+    if(((_S155 <= 0.0f) | ((_S156 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S152 : f32 = max(_S150, 9.99999997475242708e-07f);
-    var _S153 : f32 = max(_S151, 9.99999997475242708e-07f);
-    var _S154 : f32 = projected_area_1(light_3, tangent_6, roughness_4) * _S153 + projected_area_1(view_2, tangent_6, roughness_4) * _S152;
-    var _S155 : f32 = optical_depth_1 * _S154 / (_S152 * _S153);
-    return 0.25f * density_between_0(light_3, view_2, tangent_6, roughness_4) * (_S155 * mean_attenuation_0(_S155)) * _S152 / _S154;
+    var _S157 : f32 = max(_S155, 9.99999997475242708e-07f);
+    var _S158 : f32 = max(_S156, 9.99999997475242708e-07f);
+    var _S159 : f32 = projected_area_1(light_3, tangent_6, roughness_4) * _S158 + projected_area_1(view_2, tangent_6, roughness_4) * _S157;
+    var _S160 : f32 = optical_depth_1 * _S159 / (_S157 * _S158);
+    return 0.25f * density_between_0(light_3, view_2, tangent_6, roughness_4) * (_S160 * mean_attenuation_0(_S160)) * _S157 / _S159;
 }
 
 fn transmission_1( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S156 : f32 = - dot(light_4, normal_7);
-    var _S157 : f32 = dot(view_3, normal_7);
-    if(((_S156 <= 0.0f) | ((_S157 <= 0.0f))))
+    var _S161 : f32 = - dot(light_4, normal_7);
+    var _S162 : f32 = dot(view_3, normal_7);
+    if(((_S161 <= 0.0f) | ((_S162 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S158 : f32 = 1.0f / max(_S157, 9.99999997475242708e-07f);
-    var _S159 : f32 = projected_area_1(light_4, tangent_7, roughness_5) / max(_S156, 9.99999997475242708e-07f);
-    var _S160 : f32 = projected_area_1(view_3, tangent_7, roughness_5) * _S158;
-    return density_between_0(light_4, view_3, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S159, _S160)) * mean_attenuation_0(optical_depth_2 * abs(_S159 - _S160)) * _S158;
+    var _S163 : f32 = 1.0f / max(_S162, 9.99999997475242708e-07f);
+    var _S164 : f32 = projected_area_1(light_4, tangent_7, roughness_5) / max(_S161, 9.99999997475242708e-07f);
+    var _S165 : f32 = projected_area_1(view_3, tangent_7, roughness_5) * _S163;
+    return density_between_0(light_4, view_3, tangent_7, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S164, _S165)) * mean_attenuation_0(optical_depth_2 * abs(_S164 - _S165)) * _S163;
 }
 
 fn sheen_scale_0( x_10 : f32,  y_3 : f32) -> f32
@@ -1320,46 +1345,46 @@ fn sheen_reflectance_0( x_12 : f32,  y_5 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_6 : f32) -> vec3<f32>
 {
-    var _S161 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S162 : f32 = 2.0f * sqrt(_S161) - 1.0f;
-    var _S163 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S162, _S163), 0.00999999977648258f, 1.0f), clamp((1.0f - _S161) * sheen_shear_0(_S162, _S163), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S162, _S163), -60.0f, 60.0f))));
+    var _S166 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S167 : f32 = 2.0f * sqrt(_S166) - 1.0f;
+    var _S168 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S167, _S168), 0.00999999977648258f, 1.0f), clamp((1.0f - _S166) * sheen_shear_0(_S167, _S168), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S167, _S168), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_5 : vec3<f32>,  view_4 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S164 : f32 = light_5.z;
-    if(((_S164 <= 0.0f) | (((view_4.z) <= 0.0f))))
+    var _S169 : f32 = light_5.z;
+    if(((_S169 <= 0.0f) | (((view_4.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S165 : vec2<f32> = view_4.xy;
-    var _S166 : f32 = dot(_S165, _S165);
-    var _S167 : vec2<f32> = select_vector_1(_S166 > 9.99999968265522539e-21f, _S165 * vec2<f32>(rsqrt_0(max(_S166, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S168 : f32 = scale_0 * dot(light_5.xy, _S167) + shear_0 * _S164;
-    var _S169 : f32 = scale_0 * (light_5.y * _S167.x - light_5.x * _S167.y);
-    var _S170 : f32 = _S168 * _S168 + _S169 * _S169 + _S164 * _S164;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S164 / max(_S170 * _S170, 9.99999968265522539e-21f);
+    var _S170 : vec2<f32> = view_4.xy;
+    var _S171 : f32 = dot(_S170, _S170);
+    var _S172 : vec2<f32> = select_vector_1(_S171 > 9.99999968265522539e-21f, _S170 * vec2<f32>(rsqrt_0(max(_S171, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S173 : f32 = scale_0 * dot(light_5.xy, _S172) + shear_0 * _S169;
+    var _S174 : f32 = scale_0 * (light_5.y * _S172.x - light_5.x * _S172.y);
+    var _S175 : f32 = _S173 * _S173 + _S174 * _S174 + _S169 * _S169;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S169 / max(_S175 * _S175, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_6 : vec3<f32>,  view_5 : vec3<f32>,  strength_0 : f32,  roughness_7 : f32) -> vec2<f32>
 {
-    var _S171 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
-    var _S172 : f32 = strength_0 * _S171.z;
-    return vec2<f32>(_S172 * transformed_cosine_0(light_6, view_5, _S171.x, _S171.y), 1.0f - _S172);
+    var _S176 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
+    var _S177 : f32 = strength_0 * _S176.z;
+    return vec2<f32>(_S177 * transformed_cosine_0(light_6, view_5, _S176.x, _S176.y), 1.0f - _S177);
 }
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_6 : vec3<f32>) -> vec3<f32>
 {
-    var _S173 : f32 = light_7.z;
-    return select_vector_0((_S173 * view_6.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S173) * 0.31830987334251404f));
+    var _S178 : f32 = light_7.z;
+    return select_vector_0((_S178 * view_6.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S178) * 0.31830987334251404f));
 }
 
 fn accumulate_0( index_7 : u32,  light_8 : vec4<f32>)
 {
-    var _S174 : f32 = layers_0[index_7].share_0;
+    var _S179 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_8;
-    layers_0[index_7].share_0 = _S174 * (1.0f - light_8.w);
+    layers_0[index_7].share_0 = _S179 * (1.0f - light_8.w);
     return;
 }
 
@@ -1383,107 +1408,132 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn face_point_0( _S175 : u32,  _S176 : u32,  _S177 : f32,  _S178 : f32) -> VisiblePoint_0
+fn uneven_shift_0( _S180 : u32,  _S181 : u32,  _S182 : u32,  _S183 : vec2<f32>) -> f32
 {
-    var _S179 : u32 = u32(3) * _S176;
-    var _S180 : Vertex_0 = vertex_at_0(_S179);
-    var _S181 : Vertex_0 = vertex_at_0(_S179 + u32(1));
-    var _S182 : Vertex_0 = vertex_at_0(_S179 + u32(2));
-    var _S183 : vec3<f32> = position_of_0(_S180);
-    var _S184 : vec3<f32> = position_of_0(_S181) - _S183;
-    var _S185 : vec3<f32> = position_of_0(_S182) - _S183;
-    var _S186 : f32 = _S181.u_0 - _S180.u_0;
-    var _S187 : f32 = _S181.v_0 - _S180.v_0;
-    var _S188 : vec2<f32> = vec2<f32>(_S186, _S187);
-    var _S189 : f32 = _S182.u_0 - _S180.u_0;
-    var _S190 : f32 = _S182.v_0 - _S180.v_0;
-    var _S191 : vec2<f32> = vec2<f32>(_S189, _S190);
-    var _S192 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S186 * _S190 - _S187 * _S189) < 0.0f));
-    var _S193 : vec3<f32> = _S192 * (vec3<f32>(_S190) * _S184 - vec3<f32>(_S187) * _S185);
-    var _S194 : vec3<f32> = _S192 * (vec3<f32>(_S186) * _S185 - vec3<f32>(_S189) * _S184);
+    var _S184 : f32 = families_0[_S182].period_0 / families_0[_S182].count_0;
+    var _S185 : u32 = hash_key_0(_S181, ((fabrics_0[_S180].seed_0) ^ (u32(625341585))));
+    var _S186 : vec2<f32> = vec2<f32>(_S183.x, _S183.y / 4.0f) / vec2<f32>(_S184);
+    return 0.20000000298023224f * sqrt(families_0[_S182].slub_0) * _S184 * (uneven_octave_0(_S185, _S186) * 0.66666668653488159f + uneven_octave_0(_S185 + u32(1), vec2<f32>(2.0f) * _S186 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+}
+
+fn uneven_place_0( _S187 : u32,  _S188 : vec2<f32>) -> vec2<f32>
+{
+    if((fabrics_0[_S187].has_detail_0) == u32(0))
+    {
+        return _S188;
+    }
+    return _S188 + vec2<f32>(uneven_shift_0(_S187, u32(0), fabrics_0[_S187].warp_0, _S188), uneven_shift_0(_S187, u32(1), fabrics_0[_S187].weft_0, _S188.yx));
+}
+
+fn face_point_0( _S189 : u32,  _S190 : u32,  _S191 : f32,  _S192 : f32) -> VisiblePoint_0
+{
+    var _S193 : u32 = u32(3) * _S190;
+    var _S194 : Vertex_0 = vertex_at_0(_S193);
+    var _S195 : Vertex_0 = vertex_at_0(_S193 + u32(1));
+    var _S196 : Vertex_0 = vertex_at_0(_S193 + u32(2));
+    var _S197 : vec3<f32> = position_of_0(_S194);
+    var _S198 : vec3<f32> = position_of_0(_S195) - _S197;
+    var _S199 : vec3<f32> = position_of_0(_S196) - _S197;
+    var _S200 : f32 = _S195.u_0 - _S194.u_0;
+    var _S201 : f32 = _S195.v_0 - _S194.v_0;
+    var _S202 : vec2<f32> = vec2<f32>(_S200, _S201);
+    var _S203 : f32 = _S196.u_0 - _S194.u_0;
+    var _S204 : f32 = _S196.v_0 - _S194.v_0;
+    var _S205 : vec2<f32> = vec2<f32>(_S203, _S204);
+    var _S206 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S200 * _S204 - _S201 * _S203) < 0.0f));
+    var _S207 : vec3<f32> = _S206 * (vec3<f32>(_S204) * _S198 - vec3<f32>(_S201) * _S199);
+    var _S208 : vec3<f32> = _S206 * (vec3<f32>(_S200) * _S199 - vec3<f32>(_S203) * _S198);
     var point_2 : VisiblePoint_0;
-    var _S195 : vec3<f32> = vec3<f32>(_S177);
-    var _S196 : vec3<f32> = vec3<f32>(_S178);
-    var _S197 : vec3<f32> = normalize(vec3<f32>((1.0f - _S177 - _S178)) * normal_of_0(_S180) + _S195 * normal_of_0(_S181) + _S196 * normal_of_0(_S182));
-    point_2.normal_0 = _S197;
-    var _S198 : vec3<f32> = normalize(_S193 - _S197 * vec3<f32>(dot(_S197, _S193)));
-    point_2.axis_x_0 = _S198;
-    point_2.axis_y_0 = cross(_S197, _S198);
-    var _S199 : vec3<f32> = normalize(cross(_S184, _S185));
-    point_2.face_normal_0 = select_vector_0((dot(_S199, _S197)) < 0.0f, (vec3<f32>(0) - _S199), _S199);
-    point_2.position_0 = _S183 + _S195 * _S184 + _S196 * _S185;
-    point_2.view_0 = _S197;
-    var _S200 : vec2<f32> = vec2<f32>(_S180.u_0, _S180.v_0) + vec2<f32>(_S177) * _S188 + vec2<f32>(_S178) * _S191;
-    point_2.uv_1 = _S200;
-    var _S201 : bool = (dot(cross(_S193, _S194), _S197)) < 0.0f;
-    var _S202 : vec2<f32> = vec2<f32>(fabrics_0[_S175].uv_width_0, select(fabrics_0[_S175].uv_height_0, - fabrics_0[_S175].uv_height_0, _S201));
-    point_2.draft_per_uv_0 = _S202;
-    point_2.draft_0 = _S200 * _S202 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S175].uv_height_0, _S201));
-    var _S203 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S203;
-    point_2.draft_dy_0 = _S203;
+    var _S209 : vec3<f32> = vec3<f32>(_S191);
+    var _S210 : vec3<f32> = vec3<f32>(_S192);
+    var _S211 : vec3<f32> = normalize(vec3<f32>((1.0f - _S191 - _S192)) * normal_of_0(_S194) + _S209 * normal_of_0(_S195) + _S210 * normal_of_0(_S196));
+    point_2.normal_0 = _S211;
+    var _S212 : vec3<f32> = normalize(_S207 - _S211 * vec3<f32>(dot(_S211, _S207)));
+    point_2.axis_x_0 = _S212;
+    point_2.axis_y_0 = cross(_S211, _S212);
+    var _S213 : vec3<f32> = normalize(cross(_S198, _S199));
+    point_2.face_normal_0 = select_vector_0((dot(_S213, _S211)) < 0.0f, (vec3<f32>(0) - _S213), _S213);
+    point_2.position_0 = _S197 + _S209 * _S198 + _S210 * _S199;
+    point_2.view_0 = _S211;
+    var _S214 : vec2<f32> = vec2<f32>(_S194.u_0, _S194.v_0) + vec2<f32>(_S191) * _S202 + vec2<f32>(_S192) * _S205;
+    point_2.uv_1 = _S214;
+    var _S215 : bool = (dot(cross(_S207, _S208), _S211)) < 0.0f;
+    var _S216 : vec2<f32> = vec2<f32>(fabrics_0[_S189].uv_width_0, select(fabrics_0[_S189].uv_height_0, - fabrics_0[_S189].uv_height_0, _S215));
+    point_2.draft_per_uv_0 = _S216;
+    point_2.draft_0 = uneven_place_0(_S189, _S214 * _S216 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S189].uv_height_0, _S215)));
+    var _S217 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S217;
+    point_2.draft_dy_0 = _S217;
     return point_2;
 }
 
-fn visible_point_0( _S204 : u32,  _S205 : u32,  _S206 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S218 : u32,  _S219 : u32,  _S220 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S207 : u32 = u32(3) * _S205;
-    var _S208 : Vertex_0 = vertex_at_0(_S207);
-    var _S209 : Vertex_0 = vertex_at_0(_S207 + u32(1));
-    var _S210 : Vertex_0 = vertex_at_0(_S207 + u32(2));
-    var _S211 : vec3<f32> = position_of_0(_S208);
-    var _S212 : vec3<f32> = position_of_0(_S209) - _S211;
-    var _S213 : vec3<f32> = position_of_0(_S210) - _S211;
-    var _S214 : vec3<f32> = cross(_S212, _S213);
-    var _S215 : f32 = f32(frame_record_0.width_0);
-    var _S216 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S215));
-    var _S217 : f32 = f32(frame_record_0.height_0);
-    var _S218 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S217));
-    var _S219 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S206.x) + 0.5f - 0.5f * _S215)) * _S216 + vec3<f32>((f32(_S206.y) + 0.5f - 0.5f * _S217)) * _S218;
-    var _S220 : f32 = dot(_S219, _S214);
-    var _S221 : f32 = 1.0f / select(1.00000000317107685e-30f, _S220, (abs(_S220)) > 1.00000000317107685e-30f);
-    var _S222 : vec3<f32> = _S211 - camera_origin_0();
-    var _S223 : vec3<f32> = vec3<f32>((dot(_S222, _S214) * _S221));
-    var _S224 : vec3<f32> = _S219 * _S223 - _S222;
-    var _S225 : vec3<f32> = _S223 * (_S216 - _S219 * vec3<f32>((dot(_S216, _S214) * _S221)));
-    var _S226 : vec3<f32> = _S223 * (_S218 - _S219 * vec3<f32>((dot(_S218, _S214) * _S221)));
-    var _S227 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S214), 1.00000000317107685e-30f)));
-    var _S228 : vec3<f32> = cross(_S213, _S214) * _S227;
-    var _S229 : vec3<f32> = cross(_S214, _S212) * _S227;
-    var _S230 : vec2<f32> = vec2<f32>(_S209.u_0 - _S208.u_0, _S209.v_0 - _S208.v_0);
-    var _S231 : vec2<f32> = vec2<f32>(_S210.u_0 - _S208.u_0, _S210.v_0 - _S208.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S204, _S205, dot(_S224, _S228), dot(_S224, _S229));
-    point_3.position_0 = _S211 + _S224;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S219));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S225, _S228)) * _S230 + vec2<f32>(dot(_S225, _S229)) * _S231) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S226, _S228)) * _S230 + vec2<f32>(dot(_S226, _S229)) * _S231) * point_3.draft_per_uv_0;
+    var _S221 : u32 = u32(3) * _S219;
+    var _S222 : Vertex_0 = vertex_at_0(_S221);
+    var _S223 : Vertex_0 = vertex_at_0(_S221 + u32(1));
+    var _S224 : Vertex_0 = vertex_at_0(_S221 + u32(2));
+    var _S225 : vec3<f32> = position_of_0(_S222);
+    var _S226 : vec3<f32> = position_of_0(_S223) - _S225;
+    var _S227 : vec3<f32> = position_of_0(_S224) - _S225;
+    var _S228 : vec3<f32> = cross(_S226, _S227);
+    var _S229 : f32 = f32(frame_record_0.width_0);
+    var _S230 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S229));
+    var _S231 : f32 = f32(frame_record_0.height_0);
+    var _S232 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S231));
+    var _S233 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S220.x) + 0.5f - 0.5f * _S229)) * _S230 + vec3<f32>((f32(_S220.y) + 0.5f - 0.5f * _S231)) * _S232;
+    var _S234 : f32 = dot(_S233, _S228);
+    var _S235 : f32 = 1.0f / select(1.00000000317107685e-30f, _S234, (abs(_S234)) > 1.00000000317107685e-30f);
+    var _S236 : vec3<f32> = _S225 - camera_origin_0();
+    var _S237 : vec3<f32> = vec3<f32>((dot(_S236, _S228) * _S235));
+    var _S238 : vec3<f32> = _S233 * _S237 - _S236;
+    var _S239 : vec3<f32> = _S237 * (_S230 - _S233 * vec3<f32>((dot(_S230, _S228) * _S235)));
+    var _S240 : vec3<f32> = _S237 * (_S232 - _S233 * vec3<f32>((dot(_S232, _S228) * _S235)));
+    var _S241 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S228), 1.00000000317107685e-30f)));
+    var _S242 : vec3<f32> = cross(_S227, _S228) * _S241;
+    var _S243 : vec3<f32> = cross(_S228, _S226) * _S241;
+    var _S244 : vec2<f32> = vec2<f32>(_S223.u_0 - _S222.u_0, _S223.v_0 - _S222.v_0);
+    var _S245 : vec2<f32> = vec2<f32>(_S224.u_0 - _S222.u_0, _S224.v_0 - _S222.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S218, _S219, dot(_S238, _S242), dot(_S238, _S243));
+    point_3.position_0 = _S225 + _S238;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S233));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S239, _S242)) * _S244 + vec2<f32>(dot(_S239, _S243)) * _S245) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S240, _S242)) * _S244 + vec2<f32>(dot(_S240, _S243)) * _S245) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S232 : u32,  _S233 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S246 : u32,  _S247 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S234 : u32 = fabrics_0[_S232].albedo_map_levels_0;
-    if((fabrics_0[_S232].albedo_map_levels_0) == u32(0))
+    var _S248 : u32 = fabrics_0[_S246].albedo_map_levels_0;
+    if((fabrics_0[_S246].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S235 : vec2<f32> = vec2<f32>(fabrics_0[_S232].uv_width_0, fabrics_0[_S232].uv_height_0);
-    var _S236 : vec2<f32> = _S233.draft_dx_0 / _S235;
-    var _S237 : vec2<f32> = _S233.draft_dy_0 / _S235;
-    var _S238 : u32 = _S234 - u32(1);
-    var _S239 : u32 = (u32(1) << (_S238));
-    var _S240 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S236.x * _S237.y - _S236.y * _S237.x), 9.99999968265522539e-21f) * (square_1(f32(_S239)) / 3.0f)), 0.0f, f32(_S234) - 1.0f);
-    var _S241 : u32 = min(u32(_S240), max(_S234, u32(2)) - u32(2));
-    var _S242 : u32 = min(_S241 + u32(1), _S238);
-    var _S243 : u32 = (u32(1) << ((u32(2) * _S234)));
-    return mix(map_level_0(fabrics_0[_S232].albedo_map_0 + (_S243 - ((_S243 >> ((u32(2) * _S241))))) / u32(3), (_S239 >> (_S241)), _S233.uv_1), map_level_0(fabrics_0[_S232].albedo_map_0 + (_S243 - ((_S243 >> ((u32(2) * _S242))))) / u32(3), (_S239 >> (_S242)), _S233.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S240 - f32(_S241))) - 1.0f) / 3.0f)));
+    var _S249 : vec2<f32> = vec2<f32>(fabrics_0[_S246].uv_width_0, fabrics_0[_S246].uv_height_0);
+    var _S250 : vec2<f32> = _S247.draft_dx_0 / _S249;
+    var _S251 : vec2<f32> = _S247.draft_dy_0 / _S249;
+    var _S252 : u32 = _S248 - u32(1);
+    var _S253 : u32 = (u32(1) << (_S252));
+    var _S254 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S250.x * _S251.y - _S250.y * _S251.x), 9.99999968265522539e-21f) * (square_1(f32(_S253)) / 3.0f)), 0.0f, f32(_S248) - 1.0f);
+    var _S255 : u32 = min(u32(_S254), max(_S248, u32(2)) - u32(2));
+    var _S256 : u32 = min(_S255 + u32(1), _S252);
+    var _S257 : u32 = (u32(1) << ((u32(2) * _S248)));
+    return mix(map_level_0(fabrics_0[_S246].albedo_map_0 + (_S257 - ((_S257 >> ((u32(2) * _S255))))) / u32(3), (_S253 >> (_S255)), _S247.uv_1), map_level_0(fabrics_0[_S246].albedo_map_0 + (_S257 - ((_S257 >> ((u32(2) * _S256))))) / u32(3), (_S253 >> (_S256)), _S247.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S254 - f32(_S255))) - 1.0f) / 3.0f)));
 }
+
+struct Hairs_0
+{
+     place_1 : vec2<f32>,
+     below_1 : f32,
+     back_6 : bool,
+     size_2 : f32,
+};
 
 struct YarnPoint_0
 {
-     back_6 : bool,
+     back_7 : bool,
      hole_3 : bool,
-     is_warp_2 : bool,
+     is_warp_4 : bool,
      x_13 : f32,
      y_6 : f32,
      height_5 : f32,
@@ -1493,6 +1543,8 @@ struct YarnPoint_0
      diffuse_gain_1 : f32,
      roughness_8 : f32,
      albedos_2 : Albedos_0,
+     hairs_0 : Hairs_0,
+     hair_cover_0 : f32,
 };
 
 struct Hit_0
@@ -1517,131 +1569,131 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S244 : u32,  _S245 : f32,  _S246 : f32,  _S247 : bool) -> Crossing_0
+fn crossing_at_0( _S258 : u32,  _S259 : f32,  _S260 : f32,  _S261 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S244].warp_0, _S245);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S244].weft_0, _S246);
-    var _S248 : u32 = fabrics_0[_S244].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S244].ends_1 + crossing_2.warp_1.thread_2);
-    var _S249 : u32 = words_0[_S248];
-    crossing_2.warp_word_0 = _S249;
-    crossing_2.weft_word_0 = words_0[_S248 + u32(1)];
-    crossing_2.warp_above_0 = (((_S249 & (u32(1)))) == u32(1)) != _S247;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S258].warp_0, _S259);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S258].weft_0, _S260);
+    var _S262 : u32 = fabrics_0[_S258].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S258].ends_1 + crossing_2.warp_1.thread_2);
+    var _S263 : u32 = words_0[_S262];
+    crossing_2.warp_word_0 = _S263;
+    crossing_2.weft_word_0 = words_0[_S262 + u32(1)];
+    crossing_2.warp_above_0 = (((_S263 & (u32(1)))) == u32(1)) != _S261;
     return crossing_2;
 }
 
-fn sample_at_0( _S250 : u32,  _S251 : f32,  _S252 : f32,  _S253 : bool) -> Sample_0
+fn sample_at_0( _S264 : u32,  _S265 : f32,  _S266 : f32,  _S267 : bool) -> Sample_0
 {
     var sample_0 : Sample_0;
-    var _S254 : Crossing_0 = crossing_at_0(_S250, _S251, _S252, _S253);
-    sample_0.crossing_1 = _S254;
-    var _S255 : Shown_0 = shown_at_0(_S254, _S253);
-    sample_0.shown_3 = _S255;
-    var _S256 : u32 = select(fabrics_0[_S250].weft_0, fabrics_0[_S250].warp_0, _S255.is_warp_0);
-    var _S257 : u32 = select(fabrics_0[_S250].warp_0, fabrics_0[_S250].weft_0, _S255.is_warp_0);
-    var _S258 : Cell_0 = select_cell_0(_S255.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
-    var _S259 : Cell_0 = select_cell_0(_S255.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
-    var _S260 : Run_0 = unpack_0(_S256, _S257, _S258.thread_2, _S259, _S255.word_0);
-    var _S261 : Section_0 = section_at_0(_S258);
-    var _S262 : bool = ((_S255.on_top_0) & (((_S260.distance_0) < (_S261.drop_0 * _S260.bend_1.sine_0))));
-    var _S263 : f32 = select(-1.0f, 1.0f, ((_S255.on_top_0) & ((!_S262))));
-    var _S264 : f32 = select(_S260.reach_0, _S260.other_reach_0, _S262);
-    var _S265 : f32 = select(max(_S264 - _S260.distance_0, 0.0f), _S264 + _S260.distance_0, _S262);
-    var _S266 : f32 = _S264 / _S260.bend_1.sine_0 - _S263 * _S261.drop_0;
-    var _S267 : f32 = _S265 * _S265;
-    var _S268 : f32 = max(_S266 * _S266 - _S267, 9.99999968265522539e-21f);
-    var _S269 : f32 = rsqrt_0(_S268);
-    var _S270 : f32 = _S267 / (_S268 * _S269 + _S266);
-    var _S271 : bool = _S265 > 0.0f;
-    var _S272 : f32 = select(-1.0f, 1.0f, _S255.on_top_0) * select(-1.0f, 1.0f, _S260.near_start_0);
-    var _S273 : f32 = _S261.slope_0 * select(1.0f, _S266 * _S269, _S271);
-    sample_0.slope_across_0 = _S273;
-    var _S274 : f32 = select(0.0f, _S272 * _S265 * _S269, _S271);
-    sample_0.slope_along_0 = _S274;
-    var _S275 : vec3<f32> = dive_0(_S257, _S255, _S260, _S259);
-    sample_0.dive_1 = _S275;
-    sample_0.height_7 = select(families_0[_S256].height_scale_0 * _S263, 0.0f, _S260.straight_0) * (_S264 * _S260.bend_1.half_tangent_0 - _S270) - families_0[_S256].height_scale_0 * _S261.drop_0 - _S275.x;
-    var _S276 : f32 = families_0[_S256].height_scale_0 * _S273;
-    var _S277 : f32 = families_0[_S256].height_scale_0 * _S274 - _S275.y;
-    sample_0.slope_x_1 = select(_S277, _S276, _S255.is_warp_0);
-    sample_0.slope_y_1 = select(_S276, _S277, _S255.is_warp_0);
-    sample_0.run_3 = _S260;
-    sample_0.section_1 = _S261;
+    var _S268 : Crossing_0 = crossing_at_0(_S264, _S265, _S266, _S267);
+    sample_0.crossing_1 = _S268;
+    var _S269 : Shown_0 = shown_at_0(_S268, _S267);
+    sample_0.shown_3 = _S269;
+    var _S270 : u32 = select(fabrics_0[_S264].weft_0, fabrics_0[_S264].warp_0, _S269.is_warp_0);
+    var _S271 : u32 = select(fabrics_0[_S264].warp_0, fabrics_0[_S264].weft_0, _S269.is_warp_0);
+    var _S272 : Cell_0 = select_cell_0(_S269.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    var _S273 : Cell_0 = select_cell_0(_S269.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    var _S274 : Run_0 = unpack_0(_S270, _S271, _S272.thread_2, _S273, _S269.word_0);
+    var _S275 : Section_0 = section_at_0(_S272);
+    var _S276 : bool = ((_S269.on_top_0) & (((_S274.distance_0) < (_S275.drop_0 * _S274.bend_1.sine_0))));
+    var _S277 : f32 = select(-1.0f, 1.0f, ((_S269.on_top_0) & ((!_S276))));
+    var _S278 : f32 = select(_S274.reach_0, _S274.other_reach_0, _S276);
+    var _S279 : f32 = select(max(_S278 - _S274.distance_0, 0.0f), _S278 + _S274.distance_0, _S276);
+    var _S280 : f32 = _S278 / _S274.bend_1.sine_0 - _S277 * _S275.drop_0;
+    var _S281 : f32 = _S279 * _S279;
+    var _S282 : f32 = max(_S280 * _S280 - _S281, 9.99999968265522539e-21f);
+    var _S283 : f32 = rsqrt_0(_S282);
+    var _S284 : f32 = _S281 / (_S282 * _S283 + _S280);
+    var _S285 : bool = _S279 > 0.0f;
+    var _S286 : f32 = select(-1.0f, 1.0f, _S269.on_top_0) * select(-1.0f, 1.0f, _S274.near_start_0);
+    var _S287 : f32 = _S275.slope_0 * select(1.0f, _S280 * _S283, _S285);
+    sample_0.slope_across_0 = _S287;
+    var _S288 : f32 = select(0.0f, _S286 * _S279 * _S283, _S285);
+    sample_0.slope_along_0 = _S288;
+    var _S289 : vec3<f32> = dive_0(_S271, _S269, _S274, _S273);
+    sample_0.dive_1 = _S289;
+    sample_0.height_7 = select(families_0[_S270].height_scale_0 * _S277, 0.0f, _S274.straight_0) * (_S278 * _S274.bend_1.half_tangent_0 - _S284) - families_0[_S270].height_scale_0 * _S275.drop_0 - _S289.x;
+    var _S290 : f32 = families_0[_S270].height_scale_0 * _S287;
+    var _S291 : f32 = families_0[_S270].height_scale_0 * _S288 - _S289.y;
+    sample_0.slope_x_1 = select(_S291, _S290, _S269.is_warp_0);
+    sample_0.slope_y_1 = select(_S290, _S291, _S269.is_warp_0);
+    sample_0.run_3 = _S274;
+    sample_0.section_1 = _S275;
     return sample_0;
 }
 
-fn steps_per_length_0( _S278 : u32,  _S279 : SearchQuality_0,  _S280 : vec3<f32>) -> f32
+fn steps_per_length_0( _S292 : u32,  _S293 : SearchQuality_0,  _S294 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S280.x) * fabrics_0[_S278].threads_per_x_0, abs(_S280.y) * fabrics_0[_S278].threads_per_y_0) * _S279.steps_per_thread_0, abs(_S280.z) * fabrics_0[_S278].per_relief_0 * _S279.steps_per_relief_0);
+    return max(max(abs(_S294.x) * fabrics_0[_S292].threads_per_x_0, abs(_S294.y) * fabrics_0[_S292].threads_per_y_0) * _S293.steps_per_thread_0, abs(_S294.z) * fabrics_0[_S292].per_relief_0 * _S293.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S281 : u32,  _S282 : Crossing_0) -> f32
+fn cell_maximum_0( _S295 : u32,  _S296 : Crossing_0) -> f32
 {
-    var _S283 : u32 = select(fabrics_0[_S281].weft_0, fabrics_0[_S281].warp_0, _S282.warp_above_0);
-    return f32((select(_S282.weft_word_0, _S282.warp_word_0, _S282.warp_above_0) >> (u32(28)))) * families_0[_S283].height_scale_0 * families_0[_S283].level_0;
+    var _S297 : u32 = select(fabrics_0[_S295].weft_0, fabrics_0[_S295].warp_0, _S296.warp_above_0);
+    return f32((select(_S296.weft_word_0, _S296.warp_word_0, _S296.warp_above_0) >> (u32(28)))) * families_0[_S297].height_scale_0 * families_0[_S297].level_0;
 }
 
-fn probe_0( _S284 : u32,  _S285 : f32,  _S286 : f32,  _S287 : bool,  _S288 : bool,  _S289 : bool) -> Probe_0
+fn probe_0( _S298 : u32,  _S299 : f32,  _S300 : f32,  _S301 : bool,  _S302 : bool,  _S303 : bool) -> Probe_0
 {
-    var _S290 : Sample_0 = sample_at_0(_S284, _S285, _S286, _S287);
+    var _S304 : Sample_0 = sample_at_0(_S298, _S299, _S300, _S301);
     var probe_1 : Probe_0;
-    probe_1.height_2 = _S290.height_7;
-    probe_1.hole_1 = _S290.shown_3.hole_0;
-    probe_1.slope_x_0 = _S290.slope_x_1;
-    probe_1.slope_y_0 = _S290.slope_y_1;
-    probe_1.yarn_1 = select(_S290.crossing_1.weft_1.thread_2 * u32(2), _S290.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S290.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S284, _S290.crossing_1);
-    probe_1.side_x_0 = select(_S290.crossing_1.warp_1.below_0, _S290.crossing_1.warp_1.above_0, _S288);
-    probe_1.side_y_0 = select(_S290.crossing_1.weft_1.below_0, _S290.crossing_1.weft_1.above_0, _S289);
-    probe_1.edge_x_0 = outline_distance_0(_S290.crossing_1.warp_1, _S290.shown_3, _S290.run_3, !_S290.shown_3.is_warp_0, _S288);
-    probe_1.edge_y_0 = outline_distance_0(_S290.crossing_1.weft_1, _S290.shown_3, _S290.run_3, _S290.shown_3.is_warp_0, _S289);
+    probe_1.height_2 = _S304.height_7;
+    probe_1.hole_1 = _S304.shown_3.hole_0;
+    probe_1.slope_x_0 = _S304.slope_x_1;
+    probe_1.slope_y_0 = _S304.slope_y_1;
+    probe_1.yarn_1 = select(_S304.crossing_1.weft_1.thread_2 * u32(2), _S304.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S304.shown_3.is_warp_0);
+    probe_1.cell_max_0 = cell_maximum_0(_S298, _S304.crossing_1);
+    probe_1.side_x_0 = select(_S304.crossing_1.warp_1.below_0, _S304.crossing_1.warp_1.above_0, _S302);
+    probe_1.side_y_0 = select(_S304.crossing_1.weft_1.below_0, _S304.crossing_1.weft_1.above_0, _S303);
+    probe_1.edge_x_0 = outline_distance_0(_S304.crossing_1.warp_1, _S304.shown_3, _S304.run_3, !_S304.shown_3.is_warp_0, _S302);
+    probe_1.edge_y_0 = outline_distance_0(_S304.crossing_1.weft_1, _S304.shown_3, _S304.run_3, _S304.shown_3.is_warp_0, _S303);
     return probe_1;
 }
 
-fn is_free_0( _S291 : u32,  _S292 : SearchQuality_0,  _S293 : vec3<f32>,  _S294 : vec3<f32>,  _S295 : bool,  _S296 : f32) -> bool
+fn is_free_0( _S305 : u32,  _S306 : SearchQuality_0,  _S307 : vec3<f32>,  _S308 : vec3<f32>,  _S309 : bool,  _S310 : f32) -> bool
 {
-    var _S297 : f32 = _S294.z;
-    if(_S297 <= 0.0f)
+    var _S311 : f32 = _S308.z;
+    if(_S311 <= 0.0f)
     {
         return false;
     }
-    var _S298 : f32 = 1.0f / max(_S292.shadow_share_0 * steps_per_length_0(_S291, _S292, _S294), 9.99999971718068537e-10f);
-    var _S299 : StepControl_0 = step_control_0(_S294.xy, _S298);
+    var _S312 : f32 = 1.0f / max(_S306.shadow_share_0 * steps_per_length_0(_S305, _S306, _S308), 9.99999971718068537e-10f);
+    var _S313 : StepControl_0 = step_control_0(_S308.xy, _S312);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_2 : u32 = u32(0);
     var distance_1 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_2 < u32(1024)) & (((_S293.z + _S297 * distance_1) < _S296))))
+        if(((count_2 < u32(1024)) & (((_S307.z + _S311 * distance_1) < _S310))))
         {
         }
         else
         {
             break;
         }
-        var _S300 : vec3<f32> = _S293 + _S294 * vec3<f32>(distance_1);
-        var _S301 : Probe_0 = probe_0(_S291, _S300.x, _S300.y, _S295, _S299.right_0, _S299.up_0);
-        var _S302 : f32 = _S300.z;
-        var _S303 : f32 = _S302 - _S301.height_2;
-        var _S304 : f32 = _S297 - _S301.slope_x_0 * _S294.x - _S301.slope_y_0 * _S294.y;
-        if(((!_S301.hole_1) & ((_S303 < 0.0f))))
+        var _S314 : vec3<f32> = _S307 + _S308 * vec3<f32>(distance_1);
+        var _S315 : Probe_0 = probe_0(_S305, _S314.x, _S314.y, _S309, _S313.right_0, _S313.up_0);
+        var _S316 : f32 = _S314.z;
+        var _S317 : f32 = _S316 - _S315.height_2;
+        var _S318 : f32 = _S311 - _S315.slope_x_0 * _S308.x - _S315.slope_y_0 * _S308.y;
+        if(((!_S315.hole_1) & ((_S317 < 0.0f))))
         {
             return false;
         }
-        var _S305 : f32 = way_back_to_dip_0(previous_3, _S303, _S304, last_step_0, _S301);
-        if(_S305 >= 0.0f)
+        var _S319 : f32 = way_back_to_dip_0(previous_3, _S317, _S318, last_step_0, _S315);
+        if(_S319 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S305;
-            distance_1 = distance_1 - _S305;
+            var last_step_1 : f32 = last_step_0 - _S319;
+            distance_1 = distance_1 - _S319;
             last_step_0 = last_step_1;
             count_2 = count_2 + u32(1);
             continue;
         }
-        var _S306 : bool = _S302 > (_S301.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S299, _S301, _S303, _S304), max(StepControl_to_cell_exit_0(_S299, _S301.side_x_0, _S301.side_y_0), _S298), _S306);
+        var _S320 : bool = _S316 > (_S315.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S313, _S315, _S317, _S318), max(StepControl_to_cell_exit_0(_S313, _S315.side_x_0, _S315.side_y_0), _S312), _S320);
         var distance_2 : f32 = distance_1 + last_step_2;
-        previous_3 = after_sample_0(_S303, _S304, _S301, _S306);
+        previous_3 = after_sample_0(_S317, _S318, _S315, _S320);
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_2 = count_2 + u32(1);
@@ -1649,13 +1701,13 @@ fn is_free_0( _S291 : u32,  _S292 : SearchQuality_0,  _S293 : vec3<f32>,  _S294 
     return true;
 }
 
-fn passes_through_0( _S307 : u32,  _S308 : SearchQuality_0,  _S309 : f32,  _S310 : f32,  _S311 : vec3<f32>,  _S312 : bool) -> bool
+fn passes_through_0( _S321 : u32,  _S322 : SearchQuality_0,  _S323 : f32,  _S324 : f32,  _S325 : vec3<f32>,  _S326 : bool) -> bool
 {
-    if(!sample_at_0(_S307, _S309, _S310, _S312).shown_3.hole_0)
+    if(!sample_at_0(_S321, _S323, _S324, _S326).shown_3.hole_0)
     {
         return false;
     }
-    var _S313 : vec3<f32> = vec3<f32>(_S309, _S310, 0.0f);
+    var _S327 : vec3<f32> = vec3<f32>(_S323, _S324, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
@@ -1667,10 +1719,10 @@ fn passes_through_0( _S307 : u32,  _S308 : SearchQuality_0,  _S309 : f32,  _S310
         {
             break;
         }
-        var _S314 : bool = is_free_0(_S307, _S308, _S313, select_vector_0(side_1 == u32(0), _S311, vec3<f32>(- _S311.x, - _S311.y, _S311.z)), _S312 != (side_1 == u32(1)), fabrics_0[_S307].height_high_0);
-        var _S315 : u32 = side_1 + u32(1);
-        passes_0 = _S314;
-        side_1 = _S315;
+        var _S328 : bool = is_free_0(_S321, _S322, _S327, select_vector_0(side_1 == u32(0), _S325, vec3<f32>(- _S325.x, - _S325.y, _S325.z)), _S326 != (side_1 == u32(1)), fabrics_0[_S321].height_high_0);
+        var _S329 : u32 = side_1 + u32(1);
+        passes_0 = _S328;
+        side_1 = _S329;
     }
     return passes_0;
 }
@@ -1679,20 +1731,20 @@ struct ViewRayEnd_0
 {
      height_8 : f32,
      last_step_3 : f32,
-     depth_1 : f32,
+     depth_2 : f32,
      rate_4 : f32,
      smooth_0 : bool,
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S316 : u32,  _S317 : f32,  _S318 : f32,  _S319 : f32,  _S320 : vec3<f32>,  _S321 : bool) -> f32
+fn max_height_along_0( _S330 : u32,  _S331 : f32,  _S332 : f32,  _S333 : f32,  _S334 : vec3<f32>,  _S335 : bool) -> f32
 {
-    var _S322 : f32 = _S320.x;
-    var _S323 : f32 = _S320.y;
-    var _S324 : u32 = (words_0[fabrics_0[_S316].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S316].weft_0, _S318).thread_2 / u32(2) * fabrics_0[_S316].max_height_columns_0 + locate_0(fabrics_0[_S316].warp_0, _S317).thread_2 / u32(2)) + (select(u32(0), u32(1), _S322 > 0.0f) + select(u32(0), u32(2), _S323 > 0.0f))] >> (u32(select(i32(0), i32(4), _S321))));
-    var _S325 : f32 = max(abs(_S322) * fabrics_0[_S316].threads_per_x_0, abs(_S323) * fabrics_0[_S316].threads_per_y_0) / _S320.z;
-    var _S326 : f32 = fabrics_0[_S316].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S316].height_high_0;
+    var _S336 : f32 = _S334.x;
+    var _S337 : f32 = _S334.y;
+    var _S338 : u32 = (words_0[fabrics_0[_S330].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S330].weft_0, _S332).thread_2 / u32(2) * fabrics_0[_S330].max_height_columns_0 + locate_0(fabrics_0[_S330].warp_0, _S331).thread_2 / u32(2)) + (select(u32(0), u32(1), _S336 > 0.0f) + select(u32(0), u32(2), _S337 > 0.0f))] >> (u32(select(i32(0), i32(4), _S335))));
+    var _S339 : f32 = max(abs(_S336) * fabrics_0[_S330].threads_per_x_0, abs(_S337) * fabrics_0[_S330].threads_per_y_0) / _S334.z;
+    var _S340 : f32 = fabrics_0[_S330].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S330].height_high_0;
     var number_1 : i32 = i32(3);
     for(;;)
     {
@@ -1703,26 +1755,26 @@ fn max_height_along_0( _S316 : u32,  _S317 : f32,  _S318 : f32,  _S319 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S319) * _S325) <= (PYRAMID_RADII_0[number_1]))
+        if(((max_height_0 - _S333) * _S339) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = min(max_height_0, f32((((_S324 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S326);
+            max_height_0 = min(max_height_0, f32((((_S338 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S340);
         }
         number_1 = number_1 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S327 : u32,  _S328 : f32,  _S329 : f32,  _S330 : bool,  _S331 : bool,  _S332 : bool) -> vec3<f32>
+fn cell_bounds_0( _S341 : u32,  _S342 : f32,  _S343 : f32,  _S344 : bool,  _S345 : bool,  _S346 : bool) -> vec3<f32>
 {
-    var _S333 : Crossing_0 = crossing_at_0(_S327, _S328, _S329, _S330);
-    return vec3<f32>(cell_maximum_0(_S327, _S333), select(_S333.warp_1.below_0, _S333.warp_1.above_0, _S331), select(_S333.weft_1.below_0, _S333.weft_1.above_0, _S332));
+    var _S347 : Crossing_0 = crossing_at_0(_S341, _S342, _S343, _S344);
+    return vec3<f32>(cell_maximum_0(_S341, _S347), select(_S347.warp_1.below_0, _S347.warp_1.above_0, _S345), select(_S347.weft_1.below_0, _S347.weft_1.above_0, _S346));
 }
 
-fn first_sample_height_0( _S334 : u32,  _S335 : ViewRay_0,  _S336 : StepControl_0,  _S337 : bool) -> f32
+fn first_sample_height_0( _S348 : u32,  _S349 : ViewRay_0,  _S350 : StepControl_0,  _S351 : bool) -> f32
 {
-    var _S338 : f32 = max_height_along_0(_S334, _S335.origin_0.x, _S335.origin_0.y, 0.0f, vec3<f32>(_S335.slope_1, 1.0f), _S337);
+    var _S352 : f32 = max_height_along_0(_S348, _S349.origin_0.x, _S349.origin_0.y, 0.0f, vec3<f32>(_S349.slope_1, 1.0f), _S351);
     var count_3 : u32 = u32(0);
-    var height_9 : f32 = _S338;
+    var height_9 : f32 = _S352;
     for(;;)
     {
         if(count_3 < u32(1024))
@@ -1732,12 +1784,12 @@ fn first_sample_height_0( _S334 : u32,  _S335 : ViewRay_0,  _S336 : StepControl_
         {
             break;
         }
-        var _S339 : vec2<f32> = ViewRay_at_0(_S335, height_9);
-        var _S340 : vec3<f32> = cell_bounds_0(_S334, _S339.x, _S339.y, _S337, _S336.right_0, _S336.up_0);
-        var _S341 : f32 = height_9 - _S340.x;
-        var _S342 : f32 = StepControl_to_cell_exit_0(_S336, _S340.y, _S340.z);
-        var height_10 : f32 = height_9 - clamp(_S341, 0.0f, _S342);
-        if(_S341 <= _S342)
+        var _S353 : vec2<f32> = ViewRay_at_0(_S349, height_9);
+        var _S354 : vec3<f32> = cell_bounds_0(_S348, _S353.x, _S353.y, _S351, _S350.right_0, _S350.up_0);
+        var _S355 : f32 = height_9 - _S354.x;
+        var _S356 : f32 = StepControl_to_cell_exit_0(_S350, _S354.y, _S354.z);
+        var height_10 : f32 = height_9 - clamp(_S355, 0.0f, _S356);
+        if(_S355 <= _S356)
         {
             height_9 = height_10;
             break;
@@ -1748,14 +1800,14 @@ fn first_sample_height_0( _S334 : u32,  _S335 : ViewRay_0,  _S336 : StepControl_
     return height_9;
 }
 
-fn search_down_0( _S343 : u32,  _S344 : ViewRay_0,  _S345 : StepControl_0,  _S346 : bool) -> ViewRayEnd_0
+fn search_down_0( _S357 : u32,  _S358 : ViewRay_0,  _S359 : StepControl_0,  _S360 : bool) -> ViewRayEnd_0
 {
-    var _S347 : f32 = fabrics_0[_S343].height_low_0 - (fabrics_0[_S343].height_high_0 - fabrics_0[_S343].height_low_0);
+    var _S361 : f32 = fabrics_0[_S357].height_low_0 - (fabrics_0[_S357].height_high_0 - fabrics_0[_S357].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_8 = first_sample_height_0(_S343, _S344, _S345, _S346);
-    end_1.last_step_3 = _S345.epsilon_0;
+    end_1.height_8 = first_sample_height_0(_S357, _S358, _S359, _S360);
+    end_1.last_step_3 = _S359.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
-    end_1.depth_1 = 0.0f;
+    end_1.depth_2 = 0.0f;
     end_1.rate_4 = 0.0f;
     end_1.smooth_0 = false;
     var count_4 : u32 = u32(0);
@@ -1768,481 +1820,511 @@ fn search_down_0( _S343 : u32,  _S344 : ViewRay_0,  _S345 : StepControl_0,  _S34
         {
             break;
         }
-        var _S348 : vec2<f32> = ViewRay_at_0(_S344, end_1.height_8);
-        var _S349 : Probe_0 = probe_0(_S343, _S348.x, _S348.y, _S346, _S345.right_0, _S345.up_0);
-        var _S350 : f32 = end_1.height_8 - _S349.height_2;
-        var _S351 : f32 = ViewRay_rate_0(_S344, _S349);
-        end_1.depth_1 = - _S350;
-        end_1.rate_4 = _S351;
-        var _S352 : bool = !_S349.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S352))) & (((end_1.previous_4.yarn_0) == (_S349.yarn_1))));
-        if((((_S352 & ((_S350 <= 0.0f)))) | (((end_1.height_8) <= _S347))))
+        var _S362 : vec2<f32> = ViewRay_at_0(_S358, end_1.height_8);
+        var _S363 : Probe_0 = probe_0(_S357, _S362.x, _S362.y, _S360, _S359.right_0, _S359.up_0);
+        var _S364 : f32 = end_1.height_8 - _S363.height_2;
+        var _S365 : f32 = ViewRay_rate_0(_S358, _S363);
+        end_1.depth_2 = - _S364;
+        end_1.rate_4 = _S365;
+        var _S366 : bool = !_S363.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S366))) & (((end_1.previous_4.yarn_0) == (_S363.yarn_1))));
+        if((((_S366 & ((_S364 <= 0.0f)))) | (((end_1.height_8) <= _S361))))
         {
             break;
         }
-        var _S353 : f32 = way_back_to_dip_0(end_1.previous_4, _S350, _S351, end_1.last_step_3, _S349);
-        if(_S353 >= 0.0f)
+        var _S367 : f32 = way_back_to_dip_0(end_1.previous_4, _S364, _S365, end_1.last_step_3, _S363);
+        if(_S367 >= 0.0f)
         {
-            end_1.height_8 = end_1.height_8 + _S353;
-            end_1.last_step_3 = end_1.last_step_3 - _S353;
+            end_1.height_8 = end_1.height_8 + _S367;
+            end_1.last_step_3 = end_1.last_step_3 - _S367;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S354 : f32 = min(StepControl_to_cell_exit_0(_S345, _S349.side_x_0, _S349.side_y_0), end_1.height_8 - _S349.cell_max_0);
-        var _S355 : f32 = StepControl_to_next_sample_0(_S345, _S349, _S350, _S351);
-        end_1.previous_4 = after_sample_0(_S350, _S351, _S349, _S354 > _S355);
-        var _S356 : f32 = max(_S354, _S355);
-        end_1.last_step_3 = _S356;
-        end_1.height_8 = end_1.height_8 - _S356;
+        var _S368 : f32 = min(StepControl_to_cell_exit_0(_S359, _S363.side_x_0, _S363.side_y_0), end_1.height_8 - _S363.cell_max_0);
+        var _S369 : f32 = StepControl_to_next_sample_0(_S359, _S363, _S364, _S365);
+        end_1.previous_4 = after_sample_0(_S364, _S365, _S363, _S368 > _S369);
+        var _S370 : f32 = max(_S368, _S369);
+        end_1.last_step_3 = _S370;
+        end_1.height_8 = end_1.height_8 - _S370;
         count_4 = count_4 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S357 : u32,  _S358 : ViewRay_0,  _S359 : StepControl_0,  _S360 : bool,  _S361 : ViewRayEnd_0,  _S362 : u32) -> f32
+fn refined_height_0( _S371 : u32,  _S372 : ViewRay_0,  _S373 : StepControl_0,  _S374 : bool,  _S375 : ViewRayEnd_0,  _S376 : u32) -> f32
 {
-    var _S363 : f32 = fabrics_0[_S357].height_high_0 - fabrics_0[_S357].height_low_0;
-    var above_2 : f32 = _S361.height_8 + _S361.last_step_3;
-    var above_gap_1 : f32 = clamp(_S361.previous_4.clearance_0, 0.0f, _S363);
-    var under_gap_1 : f32 = clamp(_S361.depth_1, 0.0f, _S363);
-    var middle_0 : f32 = select(between_0(above_2, _S361.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S361.previous_4.rate_0 * _S361.last_step_3, _S361.rate_4 * _S361.last_step_3) * _S361.last_step_3, _S361.smooth_0);
+    var _S377 : f32 = fabrics_0[_S371].height_high_0 - fabrics_0[_S371].height_low_0;
+    var above_2 : f32 = _S375.height_8 + _S375.last_step_3;
+    var above_gap_1 : f32 = clamp(_S375.previous_4.clearance_0, 0.0f, _S377);
+    var under_gap_1 : f32 = clamp(_S375.depth_2, 0.0f, _S377);
+    var middle_0 : f32 = select(between_0(above_2, _S375.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S375.previous_4.rate_0 * _S375.last_step_3, _S375.rate_4 * _S375.last_step_3) * _S375.last_step_3, _S375.smooth_0);
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S361.height_8;
+    var under_1 : f32 = _S375.height_8;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S362)
+        if(i_1 < _S376)
         {
         }
         else
         {
             break;
         }
-        var _S364 : vec2<f32> = ViewRay_at_0(_S358, middle_0);
-        var _S365 : Probe_0 = probe_0(_S357, _S364.x, _S364.y, _S360, _S359.right_0, _S359.up_0);
-        var _S366 : f32 = clamp(middle_0 - select(_S365.height_2, -1.0e+09f, _S365.hole_1), - _S363, _S363);
-        if(_S366 <= 0.0f)
+        var _S378 : vec2<f32> = ViewRay_at_0(_S372, middle_0);
+        var _S379 : Probe_0 = probe_0(_S371, _S378.x, _S378.y, _S374, _S373.right_0, _S373.up_0);
+        var _S380 : f32 = clamp(middle_0 - select(_S379.height_2, -1.0e+09f, _S379.hole_1), - _S377, _S377);
+        if(_S380 <= 0.0f)
         {
-            var _S367 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
-            var _S368 : f32 = - _S366;
+            var _S381 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
+            var _S382 : f32 = - _S380;
             under_1 = middle_0;
-            above_gap_2 = _S367;
-            under_gap_2 = _S368;
+            above_gap_2 = _S381;
+            under_gap_2 = _S382;
             side_2 = 1.0f;
         }
         else
         {
-            var _S369 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
+            var _S383 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S366;
-            under_gap_2 = _S369;
+            above_gap_2 = _S380;
+            under_gap_2 = _S383;
             side_2 = -1.0f;
         }
-        var _S370 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S366 / min(ViewRay_rate_0(_S358, _S365), -9.99999997475242708e-07f), under_1, above_3), _S361.smooth_0);
-        var _S371 : u32 = i_1 + u32(1);
-        middle_0 = _S370;
-        i_1 = _S371;
+        var _S384 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S380 / min(ViewRay_rate_0(_S372, _S379), -9.99999997475242708e-07f), under_1, above_3), _S375.smooth_0);
+        var _S385 : u32 = i_1 + u32(1);
+        middle_0 = _S384;
+        i_1 = _S385;
     }
-    return select(under_1, middle_0, _S361.smooth_0);
+    return select(under_1, middle_0, _S375.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S372 : u32,  _S373 : SearchQuality_0,  _S374 : f32,  _S375 : f32,  _S376 : vec3<f32>,  _S377 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S386 : u32,  _S387 : SearchQuality_0,  _S388 : f32,  _S389 : f32,  _S390 : vec3<f32>,  _S391 : bool) -> Hit_0
 {
-    var _S378 : f32 = max(_S376.z, 0.00009999999747379f);
+    var _S392 : f32 = max(_S390.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S374, _S375);
-    var _S379 : vec2<f32> = _S376.xy / vec2<f32>(_S378);
-    ray_0.slope_1 = _S379;
-    var _S380 : StepControl_0 = step_control_0((vec2<f32>(0) - _S379), 1.0f / max(steps_per_length_0(_S372, _S373, _S376) / _S378, 9.99999971718068537e-10f));
-    var _S381 : ViewRayEnd_0 = search_down_0(_S372, ray_0, _S380, _S377);
+    ray_0.origin_0 = vec2<f32>(_S388, _S389);
+    var _S393 : vec2<f32> = _S390.xy / vec2<f32>(_S392);
+    ray_0.slope_1 = _S393;
+    var _S394 : StepControl_0 = step_control_0((vec2<f32>(0) - _S393), 1.0f / max(steps_per_length_0(_S386, _S387, _S390) / _S392, 9.99999971718068537e-10f));
+    var _S395 : ViewRayEnd_0 = search_down_0(_S386, ray_0, _S394, _S391);
     var hit_0 : Hit_0;
     hit_0.hole_4 = false;
-    var _S382 : f32 = refined_height_0(_S372, ray_0, _S380, _S377, _S381, _S373.refinements_0);
-    hit_0.height_6 = _S382;
-    var _S383 : vec2<f32> = ViewRay_at_0(ray_0, _S382);
-    hit_0.x_14 = _S383.x;
-    hit_0.y_7 = _S383.y;
+    var _S396 : f32 = refined_height_0(_S386, ray_0, _S394, _S391, _S395, _S387.refinements_0);
+    hit_0.height_6 = _S396;
+    var _S397 : vec2<f32> = ViewRay_at_0(ray_0, _S396);
+    hit_0.x_14 = _S397.x;
+    hit_0.y_7 = _S397.y;
     return hit_0;
 }
 
-fn first_hit_0( _S384 : u32,  _S385 : SearchQuality_0,  _S386 : f32,  _S387 : f32,  _S388 : vec3<f32>,  _S389 : bool) -> Hit_0
+fn first_hit_0( _S398 : u32,  _S399 : SearchQuality_0,  _S400 : f32,  _S401 : f32,  _S402 : vec3<f32>,  _S403 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S384, _S385, _S386, _S387, _S388, _S389))
+    if(!passes_through_0(_S398, _S399, _S400, _S401, _S402, _S403))
     {
-        return first_hit_of_yarn_0(_S384, _S385, _S386, _S387, _S388, _S389);
+        return first_hit_of_yarn_0(_S398, _S399, _S400, _S401, _S402, _S403);
     }
     var hit_1 : Hit_0;
-    hit_1.x_14 = _S386;
-    hit_1.y_7 = _S387;
+    hit_1.x_14 = _S400;
+    hit_1.y_7 = _S401;
     hit_1.height_6 = 0.0f;
     hit_1.hole_4 = true;
     return hit_1;
 }
 
-fn surface_of_0( _S390 : u32,  _S391 : Sample_0,  _S392 : f32,  _S393 : f32,  _S394 : bool) -> SurfacePoint_0
+fn surface_of_0( _S404 : u32,  _S405 : Sample_0,  _S406 : f32,  _S407 : f32,  _S408 : bool) -> SurfacePoint_0
 {
-    var _S395 : u32 = select(fabrics_0[_S390].weft_0, fabrics_0[_S390].warp_0, _S391.shown_3.is_warp_0);
-    var _S396 : f32 = families_0[_S395].twist_sine_0 * select(1.0f, -1.0f, _S394);
-    var _S397 : f32 = select(-1.0f, 1.0f, _S391.shown_3.is_warp_0);
-    var _S398 : vec2<f32> = fibre_direction_0(_S391.slope_across_0, _S397 * _S391.slope_along_0, _S396, families_0[_S395].twist_cosine_0);
-    var _S399 : f32 = _S398.x;
-    var _S400 : f32 = _S398.y;
-    var _S401 : f32 = select(_S391.slope_y_1, _S391.slope_x_1, _S391.shown_3.is_warp_0) * _S399 + _S397 * select(_S391.slope_x_1, _S391.slope_y_1, _S391.shown_3.is_warp_0) * _S400;
-    var _S402 : f32 = select(_S391.crossing_1.weft_1.half_width_1, _S391.crossing_1.warp_1.half_width_1, _S391.shown_3.is_warp_0) * 1.0154266357421875f;
-    var _S403 : f32 = _S402 * arc_sine_0(clamp(_S391.section_1.across_1 / _S402, -1.0f, 1.0f));
-    var _S404 : f32 = select(- _S392, _S393, _S391.shown_3.is_warp_0);
+    var _S409 : u32 = select(fabrics_0[_S404].weft_0, fabrics_0[_S404].warp_0, _S405.shown_3.is_warp_0);
+    var _S410 : f32 = families_0[_S409].twist_sine_0 * select(1.0f, -1.0f, _S408);
+    var _S411 : f32 = select(-1.0f, 1.0f, _S405.shown_3.is_warp_0);
+    var _S412 : vec2<f32> = fibre_direction_0(_S405.slope_across_0, _S411 * _S405.slope_along_0, _S410, families_0[_S409].twist_cosine_0);
+    var _S413 : f32 = _S412.x;
+    var _S414 : f32 = _S412.y;
+    var _S415 : f32 = select(_S405.slope_y_1, _S405.slope_x_1, _S405.shown_3.is_warp_0) * _S413 + _S411 * select(_S405.slope_x_1, _S405.slope_y_1, _S405.shown_3.is_warp_0) * _S414;
+    var _S416 : f32 = select(_S405.crossing_1.weft_1.half_width_1, _S405.crossing_1.warp_1.half_width_1, _S405.shown_3.is_warp_0) * 1.0154266357421875f;
+    var _S417 : f32 = _S416 * arc_sine_0(clamp(_S405.section_1.across_1 / _S416, -1.0f, 1.0f));
+    var _S418 : f32 = select(- _S406, _S407, _S405.shown_3.is_warp_0);
     var point_4 : SurfacePoint_0;
-    point_4.hole_2 = _S391.shown_3.hole_0;
-    point_4.is_warp_1 = _S391.shown_3.is_warp_0;
-    point_4.warp_thread_0 = _S391.crossing_1.warp_1.thread_2;
-    point_4.weft_thread_0 = _S391.crossing_1.weft_1.thread_2;
-    point_4.height_4 = _S391.height_7;
-    point_4.normal_3 = normalize(vec3<f32>(- _S391.slope_x_1, - _S391.slope_y_1, 1.0f));
-    point_4.tangent_2 = normalize(select_vector_0(_S391.shown_3.is_warp_0, vec3<f32>(_S399, _S400, _S401), vec3<f32>(- _S400, _S399, _S401)));
-    point_4.across_3 = _S391.section_1.across_1;
-    point_4.fibre_across_0 = _S403 * families_0[_S395].twist_cosine_0 + _S404 * _S396;
-    point_4.fibre_along_0 = _S404 * families_0[_S395].twist_cosine_0 - _S403 * _S396;
-    var _S405 : f32 = run_share_0(_S391.shown_3.word_0);
-    point_4.shown_share_0 = select(1.0f - _S405, _S405, _S391.shown_3.on_top_0);
-    point_4.x_8 = _S392;
-    point_4.y_1 = _S393;
+    point_4.hole_2 = _S405.shown_3.hole_0;
+    point_4.is_warp_3 = _S405.shown_3.is_warp_0;
+    point_4.warp_thread_0 = _S405.crossing_1.warp_1.thread_2;
+    point_4.weft_thread_0 = _S405.crossing_1.weft_1.thread_2;
+    point_4.height_4 = _S405.height_7;
+    point_4.normal_3 = normalize(vec3<f32>(- _S405.slope_x_1, - _S405.slope_y_1, 1.0f));
+    point_4.tangent_2 = normalize(select_vector_0(_S405.shown_3.is_warp_0, vec3<f32>(_S413, _S414, _S415), vec3<f32>(- _S414, _S413, _S415)));
+    point_4.across_3 = _S405.section_1.across_1;
+    point_4.fibre_across_0 = _S417 * families_0[_S409].twist_cosine_0 + _S418 * _S410;
+    point_4.fibre_along_0 = _S418 * families_0[_S409].twist_cosine_0 - _S417 * _S410;
+    var _S419 : f32 = run_share_0(_S405.shown_3.word_0);
+    point_4.shown_share_0 = select(1.0f - _S419, _S419, _S405.shown_3.on_top_0);
+    point_4.x_8 = _S406;
+    point_4.y_1 = _S407;
     return point_4;
 }
 
-fn surface_met_0( _S406 : u32,  _S407 : f32,  _S408 : f32,  _S409 : f32,  _S410 : vec3<f32>,  _S411 : bool) -> SurfacePoint_0
+fn surface_met_0( _S420 : u32,  _S421 : f32,  _S422 : f32,  _S423 : f32,  _S424 : vec3<f32>,  _S425 : bool) -> SurfacePoint_0
 {
-    var _S412 : Sample_0 = sample_at_0(_S406, _S407, _S408, _S411);
-    var point_5 : SurfacePoint_0 = surface_of_0(_S406, _S412, _S407, _S408, _S411);
-    var _S413 : u32 = select(fabrics_0[_S406].weft_0, fabrics_0[_S406].warp_0, point_5.is_warp_1);
-    var _S414 : f32 = select(_S412.crossing_1.weft_1.half_width_1, _S412.crossing_1.warp_1.half_width_1, point_5.is_warp_1) * 1.0154266357421875f;
-    var _S415 : f32 = _S412.dive_1.z;
-    var _S416 : f32 = _S412.slope_along_0 - (1.0f - _S415) * _S412.dive_1.y / families_0[_S413].height_scale_0;
-    var _S417 : f32 = rsqrt_0(_S416 * _S416 + 1.0f);
-    var _S418 : f32 = _S410.x;
-    var _S419 : f32 = _S410.y;
-    var _S420 : f32 = select(_S419, _S418, point_5.is_warp_1);
-    var _S421 : f32 = _S410.z;
-    var _S422 : f32 = (_S421 / families_0[_S413].height_scale_0 - _S416 * select(_S418, _S419, point_5.is_warp_1)) * _S417;
-    var _S423 : f32 = square_1(_S414);
-    var _S424 : f32 = sqrt(max(_S423 - square_1(point_5.across_3), 0.0f)) - (_S412.height_7 + _S415 * _S412.dive_1.x - _S409) / families_0[_S413].height_scale_0 * _S417;
-    var _S425 : f32 = square_1(_S420) + square_1(_S422) + 9.999999960041972e-13f;
-    var _S426 : f32 = point_5.across_3 * _S420 + _S424 * _S422;
-    var _S427 : f32 = square_1(point_5.across_3) + square_1(_S424) - _S423;
-    var _S428 : f32 = sqrt(max(square_1(_S426) - _S425 * _S427, 0.0f));
-    var _S429 : f32 = clamp(select((_S428 - _S426) / _S425, - _S427 / max(_S426 + _S428, 9.999999960041972e-13f), _S426 > 0.0f), - _S414, _S414);
-    var _S430 : f32 = point_5.across_3 + _S429 * _S420;
-    point_5.across_3 = _S430;
-    var _S431 : vec2<f32> = normalize(vec2<f32>(_S430, _S424 + _S429 * _S422));
-    var _S432 : f32 = select(-1.0f, 1.0f, point_5.is_warp_1);
-    var _S433 : f32 = families_0[_S413].twist_sine_0 * select(1.0f, -1.0f, _S411);
-    var _S434 : f32 = _S431.x;
-    var _S435 : f32 = _S433 * _S434 * _S417;
-    var _S436 : f32 = _S431.y;
-    var _S437 : f32 = - _S433 * _S436;
-    var _S438 : f32 = families_0[_S413].twist_cosine_0 * _S417 - _S432 * _S416 * _S435;
-    var _S439 : f32 = families_0[_S413].height_scale_0 * (families_0[_S413].twist_cosine_0 * _S432 * _S416 * _S417 + _S435);
-    var _S440 : f32 = families_0[_S413].height_scale_0 * _S434;
-    var _S441 : f32 = - families_0[_S413].height_scale_0 * _S416 * _S417 * _S436;
-    point_5.normal_3 = normalize(vec3<f32>(select(_S441, _S440, point_5.is_warp_1), select(_S440, _S441, point_5.is_warp_1), _S417 * _S436));
-    point_5.tangent_2 = normalize(vec3<f32>(select(- _S438, _S437, point_5.is_warp_1), select(_S437, _S438, point_5.is_warp_1), _S439));
-    var _S442 : f32 = _S414 * angle_of_0(_S431);
-    var _S443 : f32 = select(- _S407 - _S429 * _S418, _S408 + _S429 * _S419, point_5.is_warp_1);
-    point_5.fibre_across_0 = _S442 * families_0[_S413].twist_cosine_0 + _S443 * _S433;
-    point_5.fibre_along_0 = _S443 * families_0[_S413].twist_cosine_0 - _S442 * _S433;
-    var _S444 : f32 = 0.00999999977648258f * _S414;
-    var _S445 : f32 = - _S444;
-    var _S446 : bool = _S429 < _S445;
-    var _S447 : f32 = select(_S444, _S445, _S420 < 0.0f);
-    var _S448 : f32 = max(_S429, 0.0f);
-    point_5.x_8 = point_5.x_8 + select(_S448 * _S418, select(0.0f, _S447, point_5.is_warp_1), _S446);
-    point_5.y_1 = point_5.y_1 + select(_S448 * _S419, select(_S447, 0.0f, point_5.is_warp_1), _S446);
-    point_5.height_4 = select(_S409 + _S429 * _S421, _S409, _S446);
+    var _S426 : Sample_0 = sample_at_0(_S420, _S421, _S422, _S425);
+    var point_5 : SurfacePoint_0 = surface_of_0(_S420, _S426, _S421, _S422, _S425);
+    var _S427 : u32 = select(fabrics_0[_S420].weft_0, fabrics_0[_S420].warp_0, point_5.is_warp_3);
+    var _S428 : f32 = select(_S426.crossing_1.weft_1.half_width_1, _S426.crossing_1.warp_1.half_width_1, point_5.is_warp_3) * 1.0154266357421875f;
+    var _S429 : f32 = _S426.dive_1.z;
+    var _S430 : f32 = _S426.slope_along_0 - (1.0f - _S429) * _S426.dive_1.y / families_0[_S427].height_scale_0;
+    var _S431 : f32 = rsqrt_0(_S430 * _S430 + 1.0f);
+    var _S432 : f32 = _S424.x;
+    var _S433 : f32 = _S424.y;
+    var _S434 : f32 = select(_S433, _S432, point_5.is_warp_3);
+    var _S435 : f32 = _S424.z;
+    var _S436 : f32 = (_S435 / families_0[_S427].height_scale_0 - _S430 * select(_S432, _S433, point_5.is_warp_3)) * _S431;
+    var _S437 : f32 = square_1(_S428);
+    var _S438 : f32 = sqrt(max(_S437 - square_1(point_5.across_3), 0.0f)) - (_S426.height_7 + _S429 * _S426.dive_1.x - _S423) / families_0[_S427].height_scale_0 * _S431;
+    var _S439 : f32 = square_1(_S434) + square_1(_S436) + 9.999999960041972e-13f;
+    var _S440 : f32 = point_5.across_3 * _S434 + _S438 * _S436;
+    var _S441 : f32 = square_1(point_5.across_3) + square_1(_S438) - _S437;
+    var _S442 : f32 = sqrt(max(square_1(_S440) - _S439 * _S441, 0.0f));
+    var _S443 : f32 = clamp(select((_S442 - _S440) / _S439, - _S441 / max(_S440 + _S442, 9.999999960041972e-13f), _S440 > 0.0f), - _S428, _S428);
+    var _S444 : f32 = point_5.across_3 + _S443 * _S434;
+    point_5.across_3 = _S444;
+    var _S445 : vec2<f32> = normalize(vec2<f32>(_S444, _S438 + _S443 * _S436));
+    var _S446 : f32 = select(-1.0f, 1.0f, point_5.is_warp_3);
+    var _S447 : f32 = families_0[_S427].twist_sine_0 * select(1.0f, -1.0f, _S425);
+    var _S448 : f32 = _S445.x;
+    var _S449 : f32 = _S447 * _S448 * _S431;
+    var _S450 : f32 = _S445.y;
+    var _S451 : f32 = - _S447 * _S450;
+    var _S452 : f32 = families_0[_S427].twist_cosine_0 * _S431 - _S446 * _S430 * _S449;
+    var _S453 : f32 = families_0[_S427].height_scale_0 * (families_0[_S427].twist_cosine_0 * _S446 * _S430 * _S431 + _S449);
+    var _S454 : f32 = families_0[_S427].height_scale_0 * _S448;
+    var _S455 : f32 = - families_0[_S427].height_scale_0 * _S430 * _S431 * _S450;
+    point_5.normal_3 = normalize(vec3<f32>(select(_S455, _S454, point_5.is_warp_3), select(_S454, _S455, point_5.is_warp_3), _S431 * _S450));
+    point_5.tangent_2 = normalize(vec3<f32>(select(- _S452, _S451, point_5.is_warp_3), select(_S451, _S452, point_5.is_warp_3), _S453));
+    var _S456 : f32 = _S428 * angle_of_0(_S445);
+    var _S457 : f32 = select(- _S421 - _S443 * _S432, _S422 + _S443 * _S433, point_5.is_warp_3);
+    point_5.fibre_across_0 = _S456 * families_0[_S427].twist_cosine_0 + _S457 * _S447;
+    point_5.fibre_along_0 = _S457 * families_0[_S427].twist_cosine_0 - _S456 * _S447;
+    var _S458 : f32 = 0.00999999977648258f * _S428;
+    var _S459 : f32 = - _S458;
+    var _S460 : bool = _S443 < _S459;
+    var _S461 : f32 = select(_S458, _S459, _S434 < 0.0f);
+    var _S462 : f32 = max(_S443, 0.0f);
+    point_5.x_8 = point_5.x_8 + select(_S462 * _S432, select(0.0f, _S461, point_5.is_warp_3), _S460);
+    point_5.y_1 = point_5.y_1 + select(_S462 * _S433, select(_S461, 0.0f, point_5.is_warp_3), _S460);
+    point_5.height_4 = select(_S423 + _S443 * _S435, _S423, _S460);
     return point_5;
 }
 
-fn has_hairs_0( _S449 : u32) -> bool
+fn hairs_over_0( _S463 : u32,  _S464 : SurfacePoint_0,  _S465 : bool,  _S466 : f32) -> Hairs_0
 {
-    return (((families_0[fabrics_0[_S449].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S449].weft_0].hairiness_0) > 0.0f)));
+    var hairs_1 : Hairs_0;
+    hairs_1.place_1 = vec2<f32>(_S464.x_8, _S464.y_1);
+    hairs_1.below_1 = fabrics_0[_S463].height_high_0 - _S464.height_4;
+    hairs_1.back_6 = _S465;
+    hairs_1.size_2 = _S466;
+    return hairs_1;
 }
 
-fn hair_at_0( _S450 : u32,  _S451 : vec2<f32>,  _S452 : bool,  _S453 : f32) -> Hair_0
+fn has_hairs_0( _S467 : u32) -> bool
 {
-    var _S454 : f32 = fabrics_0[_S450].fibre_size_0;
-    var _S455 : f32 = 17.0f * fabrics_0[_S450].fibre_size_0;
-    var _S456 : f32 = fade_0(_S453, _S455);
-    var _S457 : vec2<f32> = _S451 / vec2<f32>(_S455);
-    var _S458 : u32 = hash_key_0(select(u32(0), u32(1), _S452), ((fabrics_0[_S450].seed_0) ^ (u32(1013904242))));
-    var _S459 : f32 = 1.0f / max(_S453, 0.07999999821186066f * fabrics_0[_S450].fibre_size_0);
-    var _S460 : f32 = min(0.63999998569488525f * fabrics_0[_S450].fibre_size_0 * _S459, 1.0f);
-    const _S461 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    return (((families_0[fabrics_0[_S467].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S467].weft_0].hairiness_0) > 0.0f)));
+}
+
+fn hair_towards_0( _S468 : u32,  _S469 : Hairs_0,  _S470 : vec3<f32>,  _S471 : f32) -> Hair_0
+{
+    var _S472 : f32 = fabrics_0[_S468].fibre_size_0;
+    var _S473 : f32 = 17.0f * fabrics_0[_S468].fibre_size_0;
+    var _S474 : f32 = fade_0(_S471, _S473);
+    var _S475 : vec2<f32> = _S470.xy / vec2<f32>(max(_S470.z, 0.3333333432674408f));
+    var _S476 : u32 = hash_key_0(select(u32(0), u32(1), _S469.back_6), ((fabrics_0[_S468].seed_0) ^ (u32(1013904242))));
+    var _S477 : f32 = fabrics_0[_S468].fibre_size_0 / max(_S471, 0.07000000029802322f * fabrics_0[_S468].fibre_size_0);
+    const _S478 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_2 : f32 = 0.0f;
     var hair_away_0 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S461;
+    var hair_across_0 : vec2<f32> = _S478;
+    var is_warp_5 : bool = false;
     var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(((_S456 > 0.0f) & ((number_2 < u32(18)))))
+        if(((_S474 > 0.0f) & ((number_2 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S462 : u32 = number_2 / u32(9);
-        var _S463 : u32 = number_2 / u32(3) - u32(3) * _S462;
-        var _S464 : vec2<f32> = floor(_S457) + vec2<f32>(f32(number_2 - u32(3) * _S463 - u32(9) * _S462), f32(_S463)) - vec2<f32>(1.0f);
-        var _S465 : u32 = hash_bits_0(_S458 + _S462, u32(i32(_S464.x)) * u32(65536) + u32(i32(_S464.y)));
-        var _S466 : u32 = hash_bits_0(_S458, _S465);
-        var _S467 : vec2<f32> = _S457 - _S464 - vec2<f32>(share_of_0(_S465), share_of_0((_S465 >> (u32(10)))));
-        var _S468 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S465 >> (u32(20)))));
-        var _S469 : f32 = mix(5.0f, 16.0f, share_of_0((_S466 >> (u32(10))))) / 17.0f;
-        var _S470 : f32 = _S467.x;
-        var _S471 : f32 = _S468.y;
-        var _S472 : f32 = _S467.y;
-        var _S473 : f32 = _S468.x;
-        var _S474 : f32 = (_S470 * _S471 + _S472 * _S473) / _S469;
-        var _S475 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S466 >> (u32(20)))) - 1.0f);
-        var _S476 : f32 = 2.0f * _S475 * _S474;
-        var _S477 : f32 = rsqrt_0(_S476 * _S476 + 1.0f);
-        var _S478 : f32 = (_S472 * _S471 - _S470 * _S473 - _S475 * _S469 * _S474 * _S474) * _S477 * 17.0f;
-        var _S479 : f32 = clamp((0.31999999284744263f - abs(_S478)) * _S454 * _S459 + 0.5f, 0.0f, _S460);
-        if((((((share_of_0(_S466)) < (families_0[select(fabrics_0[_S450].weft_0, fabrics_0[_S450].warp_0, ((((_S466 >> (u32(30)))) & (u32(1)))) == u32(1))].hairiness_0)) & (((abs(_S474)) < 1.0f)))) & ((_S479 > cover_2))))
+        var _S479 : u32 = number_2 / u32(9);
+        var _S480 : u32 = number_2 / u32(3) - u32(3) * _S479;
+        var _S481 : vec2<f32> = (vec2<f32>(((f32(_S479) * 6.0f + 2.0f) * _S472 + _S469.below_1)) * _S475 + _S469.place_1) / vec2<f32>(_S473);
+        var _S482 : vec2<f32> = floor(_S481) + vec2<f32>(f32(number_2 - u32(3) * _S480 - u32(9) * _S479), f32(_S480)) - vec2<f32>(1.0f);
+        var _S483 : u32 = hash_bits_0(_S476 + _S479, u32(i32(_S482.x)) * u32(65536) + u32(i32(_S482.y)));
+        var _S484 : u32 = hash_bits_0(_S476, _S483);
+        var _S485 : vec2<f32> = _S481 - _S482 - vec2<f32>(share_of_0(_S483), share_of_0((_S483 >> (u32(10)))));
+        var _S486 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S483 >> (u32(20)))));
+        var _S487 : f32 = mix(5.0f, 16.0f, share_of_0((_S484 >> (u32(10))))) / 17.0f;
+        var _S488 : f32 = _S485.x;
+        var _S489 : f32 = _S486.y;
+        var _S490 : f32 = _S485.y;
+        var _S491 : f32 = _S486.x;
+        var _S492 : f32 = (_S488 * _S489 + _S490 * _S491) / _S487;
+        var _S493 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S484 >> (u32(20)))) - 1.0f);
+        var _S494 : f32 = 0.5f * (2.0f * share_of_0((_S483 ^ (_S484))) - 1.0f);
+        var _S495 : f32 = _S492 * (3.0f * _S494 * _S492 + 2.0f * _S493);
+        var _S496 : f32 = rsqrt_0(_S495 * _S495 + 1.0f);
+        var _S497 : f32 = (_S490 * _S489 - _S488 * _S491 - _S487 * _S492 * _S492 * (_S494 * _S492 + _S493)) * _S496 * 17.0f;
+        var _S498 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S492)), 0.0f) * _S477;
+        var _S499 : f32 = clamp(_S498 + 0.5f - abs(_S497) * _S477, 0.0f, min(2.0f * _S498, 1.0f));
+        var _S500 : bool = ((((_S484 >> (u32(30)))) & (u32(1)))) == u32(1);
+        if((((((share_of_0(_S484)) < (families_0[select(fabrics_0[_S468].weft_0, fabrics_0[_S468].warp_0, _S500)].hairiness_0)) & (((abs(_S492)) < 1.0f)))) & ((_S499 > cover_2))))
         {
-            var _S480 : vec2<f32> = vec2<f32>(- _S473 - _S476 * _S471, _S471 - _S476 * _S473) * vec2<f32>(_S477);
-            cover_2 = _S479;
-            hair_away_0 = _S478;
-            hair_across_0 = _S480;
+            var _S501 : vec2<f32> = vec2<f32>(- _S491 - _S495 * _S489, _S489 - _S495 * _S491) * vec2<f32>(_S496);
+            cover_2 = _S499;
+            hair_away_0 = _S497;
+            hair_across_0 = _S501;
+            is_warp_5 = _S500;
         }
         number_2 = number_2 + u32(1);
     }
-    var _S481 : f32 = clamp(hair_away_0 * 2.5f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S502 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_0 = _S456 * cover_2;
-    hair_1.normal_1 = vec3<f32>(vec2<f32>(_S481) * hair_across_0, sqrt(1.0f - _S481 * _S481));
+    hair_1.cover_0 = _S474 * cover_2;
+    hair_1.normal_1 = vec3<f32>(vec2<f32>(_S502) * hair_across_0, sqrt(1.0f - _S502 * _S502));
     hair_1.tangent_0 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
+    hair_1.is_warp_1 = is_warp_5;
+    hair_1.shade_0 = _S474 * 0.04231972247362137f * (families_0[fabrics_0[_S468].warp_0].hairiness_0 + families_0[fabrics_0[_S468].weft_0].hairiness_0);
     return hair_1;
 }
 
-fn varies_at_0( _S482 : u32,  _S483 : f32) -> bool
+fn varies_at_0( _S503 : u32,  _S504 : f32) -> bool
 {
-    return (((((fabrics_0[_S482].fibre_noise_0) > 0.0f) | (((fabrics_0[_S482].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S482].has_detail_0) != u32(0)) & ((_S483 >= 0.0f))))));
+    return (((((fabrics_0[_S503].fibre_noise_0) > 0.0f) | (((fabrics_0[_S503].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S503].has_detail_0) != u32(0)) & ((_S504 >= 0.0f))))));
 }
 
-fn thread_number_0( _S484 : u32,  _S485 : SurfacePoint_0,  _S486 : f32,  _S487 : f32) -> u32
+fn thread_number_0( _S505 : u32,  _S506 : SurfacePoint_0) -> u32
 {
-    var _S488 : u32 = select(fabrics_0[_S484].weft_0, fabrics_0[_S484].warp_0, _S485.is_warp_1);
-    return u32(i32(floor((select(_S487, _S486, _S485.is_warp_1) - _S485.across_3) / families_0[_S488].period_0)) * i32(families_0[_S488].count_0) + i32(select(_S485.weft_thread_0, _S485.warp_thread_0, _S485.is_warp_1))) * u32(2) + select(u32(0), u32(1), _S485.is_warp_1);
+    var _S507 : u32 = select(fabrics_0[_S505].weft_0, fabrics_0[_S505].warp_0, _S506.is_warp_3);
+    return u32(i32(floor((select(_S506.y_1, _S506.x_8, _S506.is_warp_3) - _S506.across_3) / families_0[_S507].period_0)) * i32(families_0[_S507].count_0) + i32(select(_S506.weft_thread_0, _S506.warp_thread_0, _S506.is_warp_3))) * u32(2) + select(u32(0), u32(1), _S506.is_warp_3);
 }
 
 struct FibreNoise_0
 {
      bundle_0 : vec2<f32>,
      bundle_weight_0 : f32,
+     bundle_offset_0 : f32,
      fibre_0 : vec2<f32>,
      fibre_weight_0 : f32,
-     offset_1 : f32,
+     offset_2 : f32,
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S489 : u32,  _S490 : u32,  _S491 : SurfacePoint_0,  _S492 : u32,  _S493 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S508 : u32,  _S509 : u32,  _S510 : SurfacePoint_0,  _S511 : u32,  _S512 : f32) -> FibreNoise_0
 {
-    var _S494 : f32 = 5.0f * fabrics_0[_S489].fibre_size_0;
-    var _S495 : vec2<f32> = wave_noise_0(hash_key_0(_S492, ((fabrics_0[_S489].seed_0) ^ (u32(458671337)))), _S491.fibre_along_0 / (25.0f * fabrics_0[_S489].fibre_size_0));
-    var _S496 : f32 = _S491.fibre_across_0 + families_0[_S490].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S489].fibre_size_0 * _S495.x;
-    var _S497 : vec3<f32> = fibre_cell_0(_S496, _S491.fibre_along_0, fabrics_0[_S489].fibre_size_0);
+    var _S513 : f32 = 5.0f * fabrics_0[_S508].fibre_size_0;
+    var _S514 : vec2<f32> = wave_noise_0(hash_key_0(_S511, ((fabrics_0[_S508].seed_0) ^ (u32(458671337)))), _S510.fibre_along_0 / (25.0f * fabrics_0[_S508].fibre_size_0));
+    var _S515 : f32 = _S510.fibre_across_0 + families_0[_S509].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S508].fibre_size_0 * _S514.x;
+    var _S516 : vec3<f32> = fibre_cell_0(_S515, _S510.fibre_along_0, fabrics_0[_S508].fibre_size_0);
+    var _S517 : vec3<f32> = fibre_cell_0(_S515, _S510.fibre_along_0, _S513);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S492, ((fabrics_0[_S489].seed_0) ^ (u32(1757159915)))), fibre_cell_0(_S496, _S491.fibre_along_0, _S494));
-    noise_0.bundle_weight_0 = fade_0(_S493, _S494);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S492, ((fabrics_0[_S489].seed_0) ^ (u32(48610963)))), _S497);
-    noise_0.fibre_weight_0 = fade_0(_S493, fabrics_0[_S489].fibre_size_0);
-    noise_0.offset_1 = _S497.z;
-    noise_0.slope_2 = 0.5f * _S495.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S511, ((fabrics_0[_S508].seed_0) ^ (u32(1757159915)))), _S517);
+    noise_0.bundle_offset_0 = _S517.z;
+    noise_0.bundle_weight_0 = fade_0(_S512, _S513);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S511, ((fabrics_0[_S508].seed_0) ^ (u32(48610963)))), _S516);
+    noise_0.fibre_weight_0 = fade_0(_S512, fabrics_0[_S508].fibre_size_0);
+    noise_0.offset_2 = _S516.z;
+    noise_0.slope_2 = 0.5f * _S514.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S498 : u32,  _S499 : u32,  _S500 : SurfacePoint_0,  _S501 : vec2<f32>,  _S502 : bool,  _S503 : u32,  _S504 : f32) -> vec2<f32>
+fn detail_gain_0( _S518 : u32,  _S519 : u32,  _S520 : SurfacePoint_0,  _S521 : bool,  _S522 : u32,  _S523 : f32) -> vec2<f32>
 {
-    var _S505 : vec2<f32> = vec2<f32>(0.0f);
+    var _S524 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S499].has_plies_0) > 0.0f)
+    if((families_0[_S519].has_plies_0) > 0.0f)
     {
-        gain_2 = vec2<f32>((0.60000002384185791f * fade_0(_S504, 1.0f / families_0[_S499].plies_per_mm_0))) * vec2<f32>(0.20000000298023224f - square_1(square_1(ply_offset_0(_S499, _S500, _S502))), 0.20000000298023224f);
+        gain_2 = groove_0(0.94999998807907104f * fade_0(_S523, 1.0f / families_0[_S519].plies_per_mm_0), ply_offset_0(_S519, _S520, _S521));
     }
     else
     {
-        gain_2 = _S505;
+        gain_2 = _S524;
     }
-    if((families_0[_S499].fibre_tone_0) > 0.0f)
+    if((families_0[_S519].fibre_tone_0) > 0.0f)
     {
-        var _S506 : FibreNoise_0 = fibre_noise_at_0(_S498, _S499, _S500, _S503, _S504);
-        gain_2 = gain_2 + vec2<f32>(families_0[_S499].fibre_tone_0) * vec2<f32>(_S506.bundle_weight_0 * _S506.bundle_0.y + _S506.fibre_weight_0 * _S506.fibre_0.y, _S506.bundle_weight_0 + _S506.fibre_weight_0);
+        var _S525 : FibreNoise_0 = fibre_noise_at_0(_S518, _S519, _S520, _S522, _S523);
+        var _S526 : f32 = 4.5f * families_0[_S519].fibre_tone_0;
+        gain_2 = gain_2 + vec2<f32>(families_0[_S519].fibre_tone_0) * vec2<f32>(_S525.bundle_weight_0 * _S525.bundle_0.y + _S525.fibre_weight_0 * _S525.fibre_0.y, _S525.bundle_weight_0 + _S525.fibre_weight_0) + (groove_0(_S526 * (_S525.bundle_weight_0 * (0.5f * (_S525.bundle_0.x - 1.0f) + 1.0f)), _S525.bundle_offset_0) + groove_0(_S526 * _S525.fibre_weight_0, _S525.offset_2));
     }
-    if((families_0[_S499].slub_0) > 0.0f)
+    if((families_0[_S519].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.25f * families_0[_S499].slub_0 * fade_0(_S504, 1.0f / families_0[_S499].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S503, ((fabrics_0[_S498].seed_0) ^ (u32(1373058189)))), select(- _S501.x, _S501.y, _S500.is_warp_1) * families_0[_S499].slubs_per_mm_0).x * mix(0.40000000596046448f, 1.0f, min(square_1(_S500.across_3 * families_0[_S499].per_half_width_0), 1.0f)), 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S519].slub_0 * fade_0(_S523, 1.0f / families_0[_S519].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S522, ((fabrics_0[_S518].seed_0) ^ (u32(1373058189)))), select(- _S520.x_8, _S520.y_1, _S520.is_warp_3) * families_0[_S519].slubs_per_mm_0).x, 1.0f);
     }
-    return gain_2;
+    return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
 }
 
-fn vary_albedos_0( _S507 : u32,  _S508 : Albedos_0,  _S509 : u32,  _S510 : u32,  _S511 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S527 : u32,  _S528 : Albedos_0,  _S529 : u32,  _S530 : u32,  _S531 : vec2<f32>) -> Albedos_0
 {
-    var _S512 : vec3<f32> = max(_S508.specular_reflect_0, _S508.specular_transmit_0);
-    var _S513 : vec3<f32> = _S508.diffuse_reflect_0 + _S508.diffuse_transmit_0;
-    var _S514 : vec3<f32> = vec3<f32>(fabrics_0[_S507].layer_bound_0);
-    var _S515 : vec3<f32> = vec3<f32>(1.0f);
-    var _S516 : vec3<f32> = _S515 - _S514 * _S512;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S509, fabrics_0[_S507].colour_noise_0, fabrics_0[_S507].seed_0), _S513, _S516);
-    var _S517 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S511.y, vec3<f32>(colour_1) * _S513, _S516) * _S511.x)));
-    var _S518 : f32 = bounded_gain_0(fibre_gain_0(_S509, _S510, fabrics_0[_S507].fibre_noise_0, fabrics_0[_S507].seed_0), _S512, min((_S515 - _S517 * _S513) / _S514, vec3<f32>(1.0f)));
+    var _S532 : vec3<f32> = max(_S528.specular_reflect_0, _S528.specular_transmit_0);
+    var _S533 : vec3<f32> = _S528.diffuse_reflect_0 + _S528.diffuse_transmit_0;
+    var _S534 : vec3<f32> = vec3<f32>(fabrics_0[_S527].layer_bound_0);
+    var _S535 : vec3<f32> = vec3<f32>(1.0f);
+    var _S536 : vec3<f32> = _S535 - _S534 * _S532;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S529, fabrics_0[_S527].colour_noise_0, fabrics_0[_S527].seed_0), _S533, _S536);
+    var _S537 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S531.y, vec3<f32>(colour_1) * _S533, _S536) * _S531.x)));
+    var _S538 : f32 = bounded_gain_0(fibre_gain_0(_S529, _S530, fabrics_0[_S527].fibre_noise_0, fabrics_0[_S527].seed_0), _S532, min((_S535 - _S537 * _S533) / _S534, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S517 * _S508.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S517 * _S508.diffuse_transmit_0;
-    var _S519 : vec3<f32> = vec3<f32>(_S518);
-    varied_0.specular_reflect_0 = _S519 * _S508.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S519 * _S508.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S537 * _S528.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S537 * _S528.diffuse_transmit_0;
+    var _S539 : vec3<f32> = vec3<f32>(_S538);
+    varied_0.specular_reflect_0 = _S539 * _S528.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S539 * _S528.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S520 : u32,  _S521 : SurfacePoint_0,  _S522 : Albedos_0,  _S523 : f32,  _S524 : f32,  _S525 : bool,  _S526 : f32,  _S527 : f32) -> Albedos_0
+fn varied_at_0( _S540 : u32,  _S541 : SurfacePoint_0,  _S542 : Albedos_0,  _S543 : bool,  _S544 : f32,  _S545 : f32) -> Albedos_0
 {
-    var _S528 : u32 = thread_number_0(_S520, _S521, _S523, _S524);
-    var _S529 : vec3<f32> = fibre_cell_0(_S521.fibre_across_0, _S521.fibre_along_0, fabrics_0[_S520].fibre_size_0);
-    var _S530 : vec2<f32> = vec2<f32>(0.0f);
+    var _S546 : u32 = thread_number_0(_S540, _S541);
+    var _S547 : vec3<f32> = fibre_cell_0(_S541.fibre_across_0, _S541.fibre_along_0, fabrics_0[_S540].fibre_size_0);
+    var _S548 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S520].has_detail_0) != u32(0)) & ((_S526 >= 0.0f))))
+    if((((fabrics_0[_S540].has_detail_0) != u32(0)) & ((_S544 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S520, select(fabrics_0[_S520].weft_0, fabrics_0[_S520].warp_0, _S521.is_warp_1), _S521, vec2<f32>(_S523, _S524), _S525, _S528, _S526) * vec2<f32>(1.0f - _S527, 1.0f);
+        gain_3 = detail_gain_0(_S540, select(fabrics_0[_S540].weft_0, fabrics_0[_S540].warp_0, _S541.is_warp_3), _S541, _S543, _S546, _S544) * vec2<f32>(1.0f - _S545, 1.0f);
     }
     else
     {
-        gain_3 = _S530;
+        gain_3 = _S548;
     }
-    return vary_albedos_0(_S520, _S522, _S528, u32(i32(_S529.x)) * u32(65536) + u32(i32(floor(_S529.y))), gain_3);
+    return vary_albedos_0(_S540, _S542, _S546, u32(i32(_S547.x)) * u32(65536) + u32(i32(floor(_S547.y))), gain_3);
 }
 
-fn turned_frame_0( _S531 : u32,  _S532 : u32,  _S533 : SurfacePoint_0,  _S534 : bool,  _S535 : u32,  _S536 : f32) -> YarnFrame_0
+fn turned_frame_0( _S549 : u32,  _S550 : u32,  _S551 : SurfacePoint_0,  _S552 : bool,  _S553 : u32,  _S554 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_4 = _S533.normal_3;
-    frame_2.tangent_3 = _S533.tangent_2;
+    frame_2.normal_4 = _S551.normal_3;
+    frame_2.tangent_3 = _S551.tangent_2;
     frame_2.loss_0 = 0.0f;
-    if((families_0[_S532].has_plies_0) > 0.0f)
+    frame_2.shade_2 = 0.0f;
+    if((families_0[_S550].has_plies_0) > 0.0f)
     {
-        var _S537 : f32 = fade_0(_S536, 1.0f / families_0[_S532].plies_per_mm_0);
-        var _S538 : f32 = _S537 * 0.41999998688697815f * ply_offset_0(_S532, _S533, _S534);
-        var _S539 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
-        var _S540 : vec3<f32> = vec3<f32>(families_0[_S532].ply_cosine_0);
-        var _S541 : vec3<f32> = vec3<f32>(select(families_0[_S532].ply_sine_0, - families_0[_S532].ply_sine_0, _S534));
-        var _S542 : vec3<f32> = _S540 * _S539 + _S541 * frame_2.tangent_3;
-        var _S543 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S538 * _S538));
-        var _S544 : vec3<f32> = vec3<f32>(_S538);
-        frame_2.tangent_3 = _S540 * (_S540 * frame_2.tangent_3 - _S541 * _S539) + _S541 * (_S543 * _S542 - _S544 * frame_2.normal_4);
-        frame_2.normal_4 = _S543 * frame_2.normal_4 + _S544 * _S542;
-        frame_2.loss_0 = _S537 * _S537 * 0.41999998688697815f * 0.41999998688697815f / 6.0f;
+        var _S555 : f32 = fade_0(_S554, 1.0f / families_0[_S550].plies_per_mm_0);
+        var _S556 : f32 = _S555 * 0.62000000476837158f * ply_offset_0(_S550, _S551, _S552);
+        var _S557 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
+        var _S558 : vec3<f32> = vec3<f32>(families_0[_S550].ply_cosine_0);
+        var _S559 : vec3<f32> = vec3<f32>(select(families_0[_S550].ply_sine_0, - families_0[_S550].ply_sine_0, _S552));
+        var _S560 : vec3<f32> = _S558 * _S557 + _S559 * frame_2.tangent_3;
+        var _S561 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S556 * _S556));
+        var _S562 : vec3<f32> = vec3<f32>(_S556);
+        frame_2.tangent_3 = _S558 * (_S558 * frame_2.tangent_3 - _S559 * _S557) + _S559 * (_S561 * _S560 - _S562 * frame_2.normal_4);
+        frame_2.normal_4 = _S561 * frame_2.normal_4 + _S562 * _S560;
+        frame_2.loss_0 = _S555 * _S555 * 0.62000000476837158f * 0.62000000476837158f / 6.0f;
     }
-    var _S545 : f32 = families_0[_S532].fibre_tilt_0;
-    if((families_0[_S532].fibre_tilt_0) > 0.0f)
+    var _S563 : f32 = families_0[_S550].fibre_tilt_0;
+    if((families_0[_S550].fibre_tilt_0) > 0.0f)
     {
-        var _S546 : FibreNoise_0 = fibre_noise_at_0(_S531, _S532, _S533, _S535, _S536);
-        var _S547 : f32 = 1.09858846664428711f * _S545 * (_S546.bundle_weight_0 * _S546.bundle_0.x + _S546.fibre_weight_0 * (_S546.fibre_0.x + _S546.offset_1));
-        var _S548 : f32 = _S545 * (1.42099642753601074f * (_S546.bundle_weight_0 * _S546.bundle_0.y + _S546.fibre_weight_0 * _S546.fibre_0.y) - _S546.bundle_weight_0 * _S546.slope_2);
-        var _S549 : f32 = square_1(_S546.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S545 * _S545 * ((0.24761904776096344f * (square_1(_S546.bundle_weight_0) + _S549) + _S549 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S550 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
-        var _S551 : vec2<f32> = sine_cosine_0(_S547);
-        var _S552 : vec2<f32> = sine_cosine_0(_S548);
-        var _S553 : vec3<f32> = vec3<f32>(_S551.y);
-        var _S554 : vec3<f32> = vec3<f32>(_S551.x);
-        var _S555 : vec3<f32> = _S553 * _S550 - _S554 * frame_2.normal_4;
-        frame_2.normal_4 = _S553 * frame_2.normal_4 + _S554 * _S550;
-        frame_2.tangent_3 = vec3<f32>(_S552.y) * frame_2.tangent_3 + vec3<f32>(_S552.x) * _S555;
+        var _S564 : FibreNoise_0 = fibre_noise_at_0(_S549, _S550, _S551, _S553, _S554);
+        var _S565 : f32 = 1.09858846664428711f * _S563 * (_S564.bundle_weight_0 * _S564.bundle_0.x + _S564.fibre_weight_0 * (_S564.fibre_0.x + _S564.offset_2));
+        var _S566 : f32 = _S563 * (1.42099642753601074f * (_S564.bundle_weight_0 * _S564.bundle_0.y + _S564.fibre_weight_0 * _S564.fibre_0.y) - _S564.bundle_weight_0 * _S564.slope_2);
+        var _S567 : f32 = square_1(_S564.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S563 * _S563 * ((0.24761904776096344f * (square_1(_S564.bundle_weight_0) + _S567) + _S567 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S568 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
+        var _S569 : vec2<f32> = sine_cosine_0(_S565);
+        var _S570 : vec2<f32> = sine_cosine_0(_S566);
+        var _S571 : vec3<f32> = vec3<f32>(_S569.y);
+        var _S572 : vec3<f32> = vec3<f32>(_S569.x);
+        var _S573 : vec3<f32> = _S571 * _S568 - _S572 * frame_2.normal_4;
+        frame_2.normal_4 = _S571 * frame_2.normal_4 + _S572 * _S568;
+        frame_2.tangent_3 = vec3<f32>(_S570.y) * frame_2.tangent_3 + vec3<f32>(_S570.x) * _S573;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S556 : u32,  _S557 : SurfacePoint_0,  _S558 : bool,  _S559 : bool,  _S560 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S574 : u32,  _S575 : SurfacePoint_0,  _S576 : vec3<f32>,  _S577 : bool,  _S578 : bool,  _S579 : f32) -> YarnPoint_0
 {
-    var _S561 : u32 = select(fabrics_0[_S556].weft_0, fabrics_0[_S556].warp_0, _S557.is_warp_1);
-    var _S562 : bool = (((fabrics_0[_S556].has_detail_0) != u32(0)) & ((_S560 >= 0.0f)));
-    var _S563 : vec3<f32> = vec3<f32>(0.0f);
-    var _S564 : Hair_0 = Hair_x24init_0(0.0f, _S563, _S563);
-    var _S565 : bool;
-    if(_S562)
+    var _S580 : u32 = fabrics_0[_S574].warp_0;
+    var _S581 : u32 = fabrics_0[_S574].weft_0;
+    var _S582 : u32 = select(fabrics_0[_S574].weft_0, fabrics_0[_S574].warp_0, _S575.is_warp_3);
+    var _S583 : bool = (((fabrics_0[_S574].has_detail_0) != u32(0)) & ((_S579 >= 0.0f)));
+    var point_6 : YarnPoint_0;
+    point_6.hairs_0 = hairs_over_0(_S574, _S575, _S577, _S579);
+    point_6.hair_cover_0 = 1.0f;
+    var _S584 : vec3<f32> = vec3<f32>(0.0f);
+    var _S585 : Hair_0 = Hair_x24init_0(0.0f, _S584, _S584, false, 0.0f);
+    point_6.is_warp_4 = _S575.is_warp_3;
+    var _S586 : bool;
+    if(_S583)
     {
-        _S565 = has_hairs_0(_S556);
+        _S586 = has_hairs_0(_S574);
     }
     else
     {
-        _S565 = false;
+        _S586 = false;
     }
     var hair_2 : Hair_0;
-    if(_S565)
+    if(_S586)
     {
-        hair_2 = hair_at_0(_S556, vec2<f32>(_S557.x_8, _S557.y_1), _S558, _S560);
+        var _S587 : Hair_0 = hair_towards_0(_S574, point_6.hairs_0, _S576, _S579);
+        point_6.hair_cover_0 = _S587.cover_0;
+        point_6.is_warp_4 = select(_S575.is_warp_3, _S587.is_warp_1, (_S587.cover_0) > 0.5f);
+        hair_2 = _S587;
     }
     else
     {
-        hair_2 = _S564;
+        hair_2 = _S585;
     }
-    var albedos_3 : Albedos_0 = albedos_of_0(_S561, select(_S557.weft_thread_0, _S557.warp_thread_0, _S557.is_warp_1));
+    var _S588 : u32 = select(_S581, _S580, point_6.is_warp_4);
+    var albedos_3 : Albedos_0 = albedos_of_0(_S588, select(_S575.weft_thread_0, _S575.warp_thread_0, point_6.is_warp_4));
     var albedos_4 : Albedos_0;
-    if(varies_at_0(_S556, _S560))
+    if(varies_at_0(_S574, _S579))
     {
-        albedos_4 = varied_at_0(_S556, _S557, albedos_3, _S557.x_8, _S557.y_1, _S558, _S560, hair_2.cover_0);
+        albedos_4 = varied_at_0(_S574, _S575, albedos_3, _S577, _S579, hair_2.cover_0);
     }
     else
     {
         albedos_4 = albedos_3;
     }
-    var point_6 : YarnPoint_0;
-    point_6.back_6 = _S558;
-    point_6.hole_3 = _S559;
-    point_6.is_warp_2 = _S557.is_warp_1;
-    point_6.x_13 = _S557.x_8;
-    point_6.y_6 = _S557.y_1;
-    point_6.height_5 = _S557.height_4;
-    point_6.normal_8 = _S557.normal_3;
-    point_6.tangent_8 = _S557.tangent_2;
-    point_6.surface_normal_0 = _S557.normal_3;
+    point_6.back_7 = _S577;
+    point_6.hole_3 = _S578;
+    point_6.x_13 = _S575.x_8;
+    point_6.y_6 = _S575.y_1;
+    point_6.height_5 = _S575.height_4 + hair_2.cover_0 * point_6.hairs_0.below_1;
+    point_6.normal_8 = _S575.normal_3;
+    point_6.tangent_8 = _S575.tangent_2;
+    point_6.surface_normal_0 = normalize(mix(_S575.normal_3, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_0)));
     point_6.diffuse_gain_1 = 1.0f;
-    if(_S562)
+    if(_S583)
     {
-        var _S566 : YarnFrame_0 = turned_frame_0(_S556, _S561, _S557, _S558, thread_number_0(_S556, _S557, _S557.x_8, _S557.y_1), _S560);
+        var _S589 : YarnFrame_0 = turned_frame_0(_S574, _S582, _S575, _S577, thread_number_0(_S574, _S575), _S579);
         var frame_3 : YarnFrame_0;
-        if(has_hairs_0(_S556))
+        if(has_hairs_0(_S574))
         {
-            frame_3 = under_hair_0(_S566, hair_2);
+            frame_3 = under_hair_0(_S589, hair_2);
         }
         else
         {
-            frame_3 = _S566;
+            frame_3 = _S589;
         }
         point_6.normal_8 = frame_3.normal_4;
         point_6.tangent_8 = frame_3.tangent_3;
-        point_6.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S556].diffuse_blend_0);
+        point_6.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S574].diffuse_blend_0);
     }
-    point_6.roughness_8 = families_0[_S561].roughness_0;
+    point_6.roughness_8 = families_0[_S588].roughness_0;
     point_6.albedos_2 = albedos_4;
     return point_6;
 }
 
-fn locate_yarn_0( _S567 : u32,  _S568 : SearchQuality_0,  _S569 : f32,  _S570 : f32,  _S571 : vec3<f32>,  _S572 : f32) -> YarnPoint_0
+fn locate_yarn_0( _S590 : u32,  _S591 : SearchQuality_0,  _S592 : f32,  _S593 : f32,  _S594 : vec3<f32>,  _S595 : f32) -> YarnPoint_0
 {
-    var _S573 : bool = (_S571.z) < 0.0f;
-    var _S574 : vec3<f32> = to_face_frame_0(_S571, _S573);
-    var _S575 : Hit_0 = first_hit_0(_S567, _S568, _S569, _S570, _S574, _S573);
-    return yarn_point_of_0(_S567, surface_met_0(_S567, _S575.x_14, _S575.y_7, _S575.height_6, _S574, _S573), _S573, _S575.hole_4, _S572);
+    var _S596 : bool = (_S594.z) < 0.0f;
+    var _S597 : vec3<f32> = to_face_frame_0(_S594, _S596);
+    var _S598 : Hit_0 = first_hit_0(_S590, _S591, _S592, _S593, _S597, _S596);
+    return yarn_point_of_0(_S590, surface_met_0(_S590, _S598.x_14, _S598.y_7, _S598.height_6, _S597, _S596), _S597, _S596, _S598.hole_4, _S595);
 }
 
-fn openness_number_0( _S576 : u32,  _S577 : u32) -> f32
+fn openness_number_0( _S599 : u32,  _S600 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S576].openness_0 + _S577);
+    return table_number_0(fabrics_0[_S599].openness_0 + _S600);
 }
 
-fn blocked_of_terms_0( _S578 : u32,  _S579 : u32,  _S580 : array<f32, i32(6)>,  _S581 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S601 : u32,  _S602 : u32,  _S603 : array<f32, i32(6)>,  _S604 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_3 : u32 = u32(0);
@@ -2259,14 +2341,14 @@ fn blocked_of_terms_0( _S578 : u32,  _S579 : u32,  _S580 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S581)
+            if(term_0 < _S604)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S578, _S579 + share_3 * _S581 + term_0) * _S580[term_0];
+            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S601, _S602 + share_3 * _S604 + term_0) * _S603[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_3] = saturate(shares_0[share_3]);
@@ -2279,106 +2361,106 @@ fn blocked_of_terms_0( _S578 : u32,  _S579 : u32,  _S580 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_at_0( _S582 : u32,  _S583 : bool,  _S584 : bool,  _S585 : f32,  _S586 : f32) -> Blocked_0
+fn blocked_at_0( _S605 : u32,  _S606 : bool,  _S607 : bool,  _S608 : f32,  _S609 : f32) -> Blocked_0
 {
-    var _S587 : f32 = _S586 * openness_number_0(_S582, u32(158));
-    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S585, _S587, _S585 * _S585, _S585 * _S587, _S587 * _S587 );
-    return blocked_of_terms_0(_S582, u32(60) + (select(u32(0), u32(2), _S584) + select(u32(1), u32(0), _S583)) * u32(18), terms_0, u32(6));
+    var _S610 : f32 = _S609 * openness_number_0(_S605, u32(158));
+    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S608, _S610, _S608 * _S608, _S608 * _S610, _S610 * _S610 );
+    return blocked_of_terms_0(_S605, u32(60) + (select(u32(0), u32(2), _S607) + select(u32(1), u32(0), _S606)) * u32(18), terms_0, u32(6));
 }
 
-fn scattered_by_0( _S588 : u32,  _S589 : Albedos_0,  _S590 : u32,  _S591 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S611 : u32,  _S612 : Albedos_0,  _S613 : u32,  _S614 : vec3<f32>) -> Scattered_0
 {
-    var _S592 : u32 = u32(159) + u32(2) * _S590;
+    var _S615 : u32 = u32(159) + u32(2) * _S613;
     var yarn_3 : Scattered_0;
-    yarn_3.back_5 = _S591 * _S589.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S588, _S592)) * _S589.specular_reflect_0;
-    yarn_3.through_0 = _S591 * _S589.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S588, _S592 + u32(1))) * _S589.specular_transmit_0;
+    yarn_3.back_5 = _S614 * _S612.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S611, _S615)) * _S612.specular_reflect_0;
+    yarn_3.through_0 = _S614 * _S612.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S611, _S615 + u32(1))) * _S612.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S593 : u32,  _S594 : u32,  _S595 : vec3<f32>,  _S596 : vec3<f32>,  _S597 : vec3<f32>,  _S598 : vec3<f32>,  _S599 : ptr<function, vec3<f32>>,  _S600 : ptr<function, vec3<f32>>)
+fn sent_0( _S616 : u32,  _S617 : u32,  _S618 : vec3<f32>,  _S619 : vec3<f32>,  _S620 : vec3<f32>,  _S621 : vec3<f32>,  _S622 : ptr<function, vec3<f32>>,  _S623 : ptr<function, vec3<f32>>)
 {
-    var _S601 : u32 = u32(146) + u32(4) * _S594;
-    var _S602 : f32 = openness_number_0(_S593, _S601 + u32(1));
-    var _S603 : f32 = openness_number_0(_S593, _S601 + u32(2));
-    var _S604 : vec3<f32> = vec3<f32>(1.0f);
-    var _S605 : vec3<f32> = _S604 - _S597 * vec3<f32>(openness_number_0(_S593, _S601));
-    var _S606 : vec3<f32> = _S604 - _S598 * vec3<f32>(openness_number_0(_S593, _S601 + u32(3)));
-    var _S607 : vec3<f32> = _S604 / (_S605 * _S606 - _S597 * _S598 * vec3<f32>((_S602 * _S603)));
-    (*_S599) = (_S595 * _S606 + _S597 * vec3<f32>(_S602) * _S596) * _S607;
-    (*_S600) = (_S596 * _S605 + _S598 * vec3<f32>(_S603) * _S595) * _S607;
+    var _S624 : u32 = u32(146) + u32(4) * _S617;
+    var _S625 : f32 = openness_number_0(_S616, _S624 + u32(1));
+    var _S626 : f32 = openness_number_0(_S616, _S624 + u32(2));
+    var _S627 : vec3<f32> = vec3<f32>(1.0f);
+    var _S628 : vec3<f32> = _S627 - _S620 * vec3<f32>(openness_number_0(_S616, _S624));
+    var _S629 : vec3<f32> = _S627 - _S621 * vec3<f32>(openness_number_0(_S616, _S624 + u32(3)));
+    var _S630 : vec3<f32> = _S627 / (_S628 * _S629 - _S620 * _S621 * vec3<f32>((_S625 * _S626)));
+    (*_S622) = (_S618 * _S629 + _S620 * vec3<f32>(_S625) * _S619) * _S630;
+    (*_S623) = (_S619 * _S628 + _S621 * vec3<f32>(_S626) * _S618) * _S630;
     return;
 }
 
-fn face_sends_0( _S608 : u32,  _S609 : u32,  _S610 : Scattered_0,  _S611 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S631 : u32,  _S632 : u32,  _S633 : Scattered_0,  _S634 : Scattered_0) -> FaceSends_0
 {
-    var _S612 : u32 = u32(2) * _S609;
-    var _S613 : u32 = u32(142) + _S612;
-    var _S614 : f32 = openness_number_0(_S608, _S613);
-    var _S615 : f32 = openness_number_0(_S608, _S613 + u32(1));
-    var _S616 : vec3<f32> = vec3<f32>((1.0f - _S614)) * _S610.back_5;
-    var _S617 : vec3<f32> = vec3<f32>((1.0f - _S615)) * _S611.back_5;
+    var _S635 : u32 = u32(2) * _S632;
+    var _S636 : u32 = u32(142) + _S635;
+    var _S637 : f32 = openness_number_0(_S631, _S636);
+    var _S638 : f32 = openness_number_0(_S631, _S636 + u32(1));
+    var _S639 : vec3<f32> = vec3<f32>((1.0f - _S637)) * _S633.back_5;
+    var _S640 : vec3<f32> = vec3<f32>((1.0f - _S638)) * _S634.back_5;
     var sends_1 : FaceSends_0;
-    var _S618 : u32 = u32(154) + _S612;
-    var _S619 : f32 = openness_number_0(_S608, _S618);
-    sends_1.blocks_warp_0 = _S619;
-    var _S620 : f32 = openness_number_0(_S608, _S618 + u32(1));
-    sends_1.blocks_weft_0 = _S620;
-    sends_1.open_0 = _S619 * _S614 + _S620 * _S615;
-    var _S621 : vec3<f32> = vec3<f32>(_S614) * _S610.back_5;
-    var _S622 : vec3<f32> = vec3<f32>(_S615) * _S611.back_5;
-    var _S623 : vec3<f32> = sends_1.sky_warp_0;
-    var _S624 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S608, _S609, _S621, _S622, _S616, _S617, &(_S623), &(_S624));
-    sends_1.sky_warp_0 = _S623;
-    sends_1.sky_weft_0 = _S624;
-    var _S625 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S626 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S608, _S609, _S610.through_0, _S611.through_0, _S616, _S617, &(_S625), &(_S626));
-    sends_1.crossing_warp_0 = _S625;
-    sends_1.crossing_weft_0 = _S626;
+    var _S641 : u32 = u32(154) + _S635;
+    var _S642 : f32 = openness_number_0(_S631, _S641);
+    sends_1.blocks_warp_0 = _S642;
+    var _S643 : f32 = openness_number_0(_S631, _S641 + u32(1));
+    sends_1.blocks_weft_0 = _S643;
+    sends_1.open_0 = _S642 * _S637 + _S643 * _S638;
+    var _S644 : vec3<f32> = vec3<f32>(_S637) * _S633.back_5;
+    var _S645 : vec3<f32> = vec3<f32>(_S638) * _S634.back_5;
+    var _S646 : vec3<f32> = sends_1.sky_warp_0;
+    var _S647 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S631, _S632, _S644, _S645, _S639, _S640, &(_S646), &(_S647));
+    sends_1.sky_warp_0 = _S646;
+    sends_1.sky_weft_0 = _S647;
+    var _S648 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S649 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S631, _S632, _S633.through_0, _S634.through_0, _S639, _S640, &(_S648), &(_S649));
+    sends_1.crossing_warp_0 = _S648;
+    sends_1.crossing_weft_0 = _S649;
     return sends_1;
 }
 
-fn interior_of_0( _S627 : u32,  _S628 : vec3<f32>,  _S629 : bool) -> Interior_0
+fn interior_of_0( _S650 : u32,  _S651 : vec3<f32>,  _S652 : bool) -> Interior_0
 {
-    var _S630 : Scattered_0 = scattered_by_0(_S627, table_albedos_0(families_0[fabrics_0[_S627].warp_0].colour_mean_0), u32(0), _S628);
-    var _S631 : Scattered_0 = scattered_by_0(_S627, table_albedos_0(families_0[fabrics_0[_S627].weft_0].colour_mean_0), u32(1), _S628);
-    var _S632 : FaceSends_0 = face_sends_0(_S627, select(u32(0), u32(1), _S629), _S630, _S631);
-    var _S633 : FaceSends_0 = face_sends_0(_S627, select(u32(1), u32(0), _S629), _S630, _S631);
-    var _S634 : vec3<f32> = vec3<f32>(_S632.blocks_warp_0);
-    var _S635 : vec3<f32> = vec3<f32>(_S632.blocks_weft_0);
-    var _S636 : vec3<f32> = _S634 * _S632.crossing_warp_0 + _S635 * _S632.crossing_weft_0;
-    var _S637 : vec3<f32> = vec3<f32>(_S633.blocks_warp_0);
-    var _S638 : vec3<f32> = vec3<f32>(_S633.blocks_weft_0);
-    var _S639 : vec3<f32> = _S637 * _S633.crossing_warp_0 + _S638 * _S633.crossing_weft_0;
-    var _S640 : f32 = 1.0f - _S632.open_0;
-    var _S641 : f32 = 1.0f - _S633.open_0;
-    var _S642 : vec3<f32> = vec3<f32>(1.0f);
-    var _S643 : vec3<f32> = _S642 / (_S642 - _S636 * _S639 * vec3<f32>((_S640 * _S641)));
-    var _S644 : vec3<f32> = _S639 * (vec3<f32>(_S632.open_0) + vec3<f32>(_S640) * (_S634 * _S632.sky_warp_0 + _S635 * _S632.sky_weft_0)) * _S643;
-    var _S645 : vec3<f32> = _S636 * (vec3<f32>(_S633.open_0) + vec3<f32>(_S641) * (_S637 * _S633.sky_warp_0 + _S638 * _S633.sky_weft_0)) * _S643;
-    var _S646 : FaceRadiance_0 = face_radiance_0(_S632, _S633.open_0, _S644, _S645);
-    var _S647 : FaceRadiance_0 = face_radiance_0(_S633, _S632.open_0, _S645, _S644);
+    var _S653 : Scattered_0 = scattered_by_0(_S650, table_albedos_0(families_0[fabrics_0[_S650].warp_0].colour_mean_0), u32(0), _S651);
+    var _S654 : Scattered_0 = scattered_by_0(_S650, table_albedos_0(families_0[fabrics_0[_S650].weft_0].colour_mean_0), u32(1), _S651);
+    var _S655 : FaceSends_0 = face_sends_0(_S650, select(u32(0), u32(1), _S652), _S653, _S654);
+    var _S656 : FaceSends_0 = face_sends_0(_S650, select(u32(1), u32(0), _S652), _S653, _S654);
+    var _S657 : vec3<f32> = vec3<f32>(_S655.blocks_warp_0);
+    var _S658 : vec3<f32> = vec3<f32>(_S655.blocks_weft_0);
+    var _S659 : vec3<f32> = _S657 * _S655.crossing_warp_0 + _S658 * _S655.crossing_weft_0;
+    var _S660 : vec3<f32> = vec3<f32>(_S656.blocks_warp_0);
+    var _S661 : vec3<f32> = vec3<f32>(_S656.blocks_weft_0);
+    var _S662 : vec3<f32> = _S660 * _S656.crossing_warp_0 + _S661 * _S656.crossing_weft_0;
+    var _S663 : f32 = 1.0f - _S655.open_0;
+    var _S664 : f32 = 1.0f - _S656.open_0;
+    var _S665 : vec3<f32> = vec3<f32>(1.0f);
+    var _S666 : vec3<f32> = _S665 / (_S665 - _S659 * _S662 * vec3<f32>((_S663 * _S664)));
+    var _S667 : vec3<f32> = _S662 * (vec3<f32>(_S655.open_0) + vec3<f32>(_S663) * (_S657 * _S655.sky_warp_0 + _S658 * _S655.sky_weft_0)) * _S666;
+    var _S668 : vec3<f32> = _S659 * (vec3<f32>(_S656.open_0) + vec3<f32>(_S664) * (_S660 * _S656.sky_warp_0 + _S661 * _S656.sky_weft_0)) * _S666;
+    var _S669 : FaceRadiance_0 = face_radiance_0(_S655, _S656.open_0, _S667, _S668);
+    var _S670 : FaceRadiance_0 = face_radiance_0(_S656, _S655.open_0, _S668, _S667);
     var interior_1 : Interior_0;
-    interior_1.warp_3 = _S646.warp_2;
-    interior_1.weft_3 = _S646.weft_2;
-    interior_1.leaked_1 = _S646.leaked_0;
-    interior_1.far_1 = _S647.mean_0;
-    interior_1.far_leaked_0 = _S647.leaked_0;
+    interior_1.warp_3 = _S669.warp_2;
+    interior_1.weft_3 = _S669.weft_2;
+    interior_1.leaked_1 = _S669.leaked_0;
+    interior_1.far_1 = _S670.mean_0;
+    interior_1.far_leaked_0 = _S670.leaked_0;
     return interior_1;
 }
 
-fn bounced_at_0( _S648 : u32,  _S649 : YarnPoint_0,  _S650 : vec3<f32>) -> Bounced_0
+fn bounced_at_0( _S671 : u32,  _S672 : YarnPoint_0,  _S673 : vec3<f32>) -> Bounced_0
 {
     var nothing_0 : Bounced_0;
-    var _S651 : vec3<f32> = vec3<f32>(0.0f);
-    nothing_0.reflected_0 = _S651;
-    nothing_0.transmitted_0 = _S651;
-    if((((fabrics_0[_S648].openness_0) == u32(4294967295)) | ((_S649.hole_3))))
+    var _S674 : vec3<f32> = vec3<f32>(0.0f);
+    nothing_0.reflected_0 = _S674;
+    nothing_0.transmitted_0 = _S674;
+    if((((fabrics_0[_S671].openness_0) == u32(4294967295)) | ((_S672.hole_3))))
     {
         return nothing_0;
     }
-    return bounced_by_0(blocked_at_0(_S648, _S649.is_warp_2, _S649.back_6, _S649.surface_normal_0.z, _S649.height_5), scattered_by_0(_S648, _S649.albedos_2, select(u32(1), u32(0), _S649.is_warp_2), _S650), interior_of_0(_S648, _S650, _S649.back_6));
+    return bounced_by_0(blocked_at_0(_S671, _S672.is_warp_4, _S672.back_7, _S672.surface_normal_0.z, _S672.height_5), scattered_by_0(_S671, _S672.albedos_2, select(u32(1), u32(0), _S672.is_warp_4), _S673), interior_of_0(_S671, _S673, _S672.back_7));
 }
 
 fn light_sample_count_0() -> u32
@@ -2386,13 +2468,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S652 : u32,  _S653 : vec2<u32>) -> f32
+fn visibility_at_0( _S675 : u32,  _S676 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S652 * frame_record_0.height_0 + _S653.y) * frame_record_0.width_0 + _S653.x];
+    return visibilities_0[(_S675 * frame_record_0.height_0 + _S676.y) * frame_record_0.width_0 + _S676.x];
 }
 
 struct LightSample_0
@@ -2402,158 +2484,172 @@ struct LightSample_0
      distance_3 : f32,
 };
 
-fn environment_texel_0( _S654 : u32,  _S655 : u32) -> vec3<f32>
+fn environment_texel_0( _S677 : u32,  _S678 : u32) -> vec3<f32>
 {
-    var _S656 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S654 * frame_record_0.environment_columns_0 + _S655);
-    return vec3<f32>(scene_number_0(_S656), scene_number_0(_S656 + u32(1)), scene_number_0(_S656 + u32(2)));
+    var _S679 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S677 * frame_record_0.environment_columns_0 + _S678);
+    return vec3<f32>(scene_number_0(_S679), scene_number_0(_S679 + u32(1)), scene_number_0(_S679 + u32(2)));
 }
 
-fn sample_environment_0( _S657 : vec2<f32>,  _S658 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S680 : vec2<f32>,  _S681 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S659 : u32 = frame_record_0.environment_rows_0;
-    var _S660 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S657.y);
-    var _S661 : u32 = frame_record_0.environment_columns_0;
-    var _S662 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S660.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S657.x);
-    var _S663 : vec3<f32> = environment_texel_0(_S660.index_6, _S662.index_6);
-    (*_S658) = _S663 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S663), 9.99999968265522539e-21f)));
-    var _S664 : f32 = 3.14159274101257324f / f32(_S659);
-    var _S665 : f32 = mix(sine_cosine_0(f32(_S660.index_6) * _S664).y, sine_cosine_0(f32(_S660.index_6 + u32(1)) * _S664).y, _S660.remainder_0);
-    var _S666 : f32 = sqrt(max(1.0f - _S665 * _S665, 0.0f));
-    var _S667 : vec2<f32> = sine_cosine_0((f32(_S662.index_6) + _S662.remainder_0) * (6.28318548202514648f / f32(_S661)));
-    var _S668 : f32 = _S666 * _S667.x;
-    var _S669 : f32 = - _S666 * _S667.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S668 + frame_record_0.environment_sine_0 * _S669, _S665, frame_record_0.environment_cosine_0 * _S669 - frame_record_0.environment_sine_0 * _S668);
+    var _S682 : u32 = frame_record_0.environment_rows_0;
+    var _S683 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S680.y);
+    var _S684 : u32 = frame_record_0.environment_columns_0;
+    var _S685 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S683.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S680.x);
+    var _S686 : vec3<f32> = environment_texel_0(_S683.index_6, _S685.index_6);
+    (*_S681) = _S686 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S686), 9.99999968265522539e-21f)));
+    var _S687 : f32 = 3.14159274101257324f / f32(_S682);
+    var _S688 : f32 = mix(sine_cosine_0(f32(_S683.index_6) * _S687).y, sine_cosine_0(f32(_S683.index_6 + u32(1)) * _S687).y, _S683.remainder_0);
+    var _S689 : f32 = sqrt(max(1.0f - _S688 * _S688, 0.0f));
+    var _S690 : vec2<f32> = sine_cosine_0((f32(_S685.index_6) + _S685.remainder_0) * (6.28318548202514648f / f32(_S684)));
+    var _S691 : f32 = _S689 * _S690.x;
+    var _S692 : f32 = - _S689 * _S690.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S691 + frame_record_0.environment_sine_0 * _S692, _S688, frame_record_0.environment_cosine_0 * _S692 - frame_record_0.environment_sine_0 * _S691);
 }
 
-fn light_sample_0( _S670 : u32,  _S671 : vec2<u32>,  _S672 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S693 : u32,  _S694 : vec2<u32>,  _S695 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_3 = 1.00000001504746622e+30f;
-    var _S673 : u32 = frame_record_0.lights_0;
-    if(_S670 >= (frame_record_0.lights_0))
+    var _S696 : u32 = frame_record_0.lights_0;
+    if(_S693 >= (frame_record_0.lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S674 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S671, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S670 - _S673), u32(3)), &(weight_0));
-        sample_1.towards_0 = _S674;
+        var _S697 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S694, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S693 - _S696), u32(3)), &(weight_0));
+        sample_1.towards_0 = _S697;
         sample_1.irradiance_1 = weight_0 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S675 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S670);
-    sample_1.irradiance_1 = vec3<f32>(_S675.red_0, _S675.green_0, _S675.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S675.x_9, _S675.y_2, _S675.z_1);
-    if((_S675.is_point_0) != u32(0))
+    var _S698 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S693);
+    sample_1.irradiance_1 = vec3<f32>(_S698.red_0, _S698.green_0, _S698.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S698.x_9, _S698.y_2, _S698.z_1);
+    if((_S698.is_point_0) != u32(0))
     {
-        var _S676 : vec3<f32> = sample_1.towards_0 - _S672;
-        var _S677 : f32 = max(square_0(_S676), 9.999999960041972e-13f);
-        sample_1.distance_3 = sqrt(_S677);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S677);
-        sample_1.towards_0 = normalize(_S676);
+        var _S699 : vec3<f32> = sample_1.towards_0 - _S695;
+        var _S700 : f32 = max(square_0(_S699), 9.999999960041972e-13f);
+        sample_1.distance_3 = sqrt(_S700);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S700);
+        sample_1.towards_0 = normalize(_S699);
     }
     return sample_1;
 }
 
-fn scattered_0( _S678 : u32,  _S679 : YarnPoint_0,  _S680 : vec3<f32>,  _S681 : vec3<f32>) -> vec3<f32>
+fn hairs_lit_0( _S701 : u32,  _S702 : Hairs_0,  _S703 : vec3<f32>) -> f32
 {
-    var _S682 : vec3<f32> = vec3<f32>(0.0f);
-    var _S683 : bool = !_S679.hole_3;
-    var _S684 : f32 = _S680.z;
-    var value_1 : vec3<f32>;
-    if((_S683 & ((_S684 > 0.0f))))
+    return 1.0f - 0.80000001192092896f * hair_towards_0(_S701, _S702, _S703, _S702.size_2 + fabrics_0[_S701].fibre_size_0).cover_0;
+}
+
+fn under_hairs_0( _S704 : u32,  _S705 : YarnPoint_0,  _S706 : vec3<f32>) -> f32
+{
+    if((((_S705.hair_cover_0) >= 1.0f) | (((_S706.z) <= 0.0f))))
     {
-        value_1 = _S679.albedos_2.diffuse_reflect_0 * vec3<f32>(_S679.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0(_S680, _S679.normal_8, fabrics_0[_S678].diffuse_blend_0)) + _S679.albedos_2.specular_reflect_0 * vec3<f32>(reflection_0(_S680, _S681, _S679.normal_8, _S679.tangent_8, _S679.roughness_8, fabrics_0[_S678].optical_depth_0));
+        return 1.0f;
+    }
+    return mix(hairs_lit_0(_S704, _S705.hairs_0, _S706), 1.0f, _S705.hair_cover_0);
+}
+
+fn scattered_0( _S707 : u32,  _S708 : YarnPoint_0,  _S709 : vec3<f32>,  _S710 : vec3<f32>) -> vec3<f32>
+{
+    var _S711 : vec3<f32> = vec3<f32>(0.0f);
+    var _S712 : bool = !_S708.hole_3;
+    var _S713 : f32 = _S709.z;
+    var value_1 : vec3<f32>;
+    if((_S712 & ((_S713 > 0.0f))))
+    {
+        value_1 = (_S708.albedos_2.diffuse_reflect_0 * vec3<f32>(_S708.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0(_S709, _S708.normal_8, fabrics_0[_S707].diffuse_blend_0)) + _S708.albedos_2.specular_reflect_0 * vec3<f32>(reflection_0(_S709, _S710, _S708.normal_8, _S708.tangent_8, _S708.roughness_8, fabrics_0[_S707].optical_depth_0))) * vec3<f32>(under_hairs_0(_S707, _S708, _S709));
     }
     else
     {
-        if((_S683 & ((_S684 < 0.0f))))
+        if((_S712 & ((_S713 < 0.0f))))
         {
-            value_1 = _S679.albedos_2.diffuse_transmit_0 * vec3<f32>(_S679.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S680), _S679.normal_8, fabrics_0[_S678].diffuse_blend_0)) + _S679.albedos_2.specular_transmit_0 * vec3<f32>(transmission_1(_S680, _S681, _S679.normal_8, _S679.tangent_8, _S679.roughness_8, fabrics_0[_S678].optical_depth_0));
+            value_1 = _S708.albedos_2.diffuse_transmit_0 * vec3<f32>(_S708.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S709), _S708.normal_8, fabrics_0[_S707].diffuse_blend_0)) + _S708.albedos_2.specular_transmit_0 * vec3<f32>(transmission_1(_S709, _S710, _S708.normal_8, _S708.tangent_8, _S708.roughness_8, fabrics_0[_S707].optical_depth_0));
         }
         else
         {
-            value_1 = _S682;
+            value_1 = _S711;
         }
     }
-    var _S685 : f32 = fabrics_0[_S678].sheen_strength_0;
-    if((fabrics_0[_S678].sheen_strength_0) <= 0.0f)
+    var _S714 : f32 = fabrics_0[_S707].sheen_strength_0;
+    if((fabrics_0[_S707].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    var _S686 : vec2<f32> = sheen_with_transmittance_0(_S680, _S681, _S685, fabrics_0[_S678].sheen_roughness_0);
-    return vec3<f32>(_S686.y) * value_1 + vec3<f32>(_S686.x);
+    var _S715 : vec2<f32> = sheen_with_transmittance_0(_S709, _S710, _S714, fabrics_0[_S707].sheen_roughness_0);
+    return vec3<f32>(_S715.y) * value_1 + vec3<f32>(_S715.x);
 }
 
-fn surface_at_0( _S687 : u32,  _S688 : f32,  _S689 : f32,  _S690 : bool) -> SurfacePoint_0
+fn surface_at_0( _S716 : u32,  _S717 : f32,  _S718 : f32,  _S719 : bool) -> SurfacePoint_0
 {
-    return surface_of_0(_S687, sample_at_0(_S687, _S688, _S689, _S690), _S688, _S689, _S690);
+    return surface_of_0(_S716, sample_at_0(_S716, _S717, _S718, _S719), _S717, _S718, _S719);
 }
 
-fn unoccluded_0( _S691 : u32,  _S692 : SearchQuality_0,  _S693 : f32,  _S694 : f32,  _S695 : f32,  _S696 : vec3<f32>,  _S697 : bool) -> bool
+fn unoccluded_0( _S720 : u32,  _S721 : SearchQuality_0,  _S722 : f32,  _S723 : f32,  _S724 : f32,  _S725 : vec3<f32>,  _S726 : bool) -> bool
 {
-    if((_S696.z) <= 0.0f)
+    if((_S725.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S691, _S692, vec3<f32>(_S693, _S694, _S695 + fabrics_0[_S691].lift_0), _S696, _S697, max_height_along_0(_S691, _S693, _S694, _S695, _S696, _S697));
+    return is_free_0(_S720, _S721, vec3<f32>(_S722, _S723, _S724 + fabrics_0[_S720].lift_0), _S725, _S726, max_height_along_0(_S720, _S722, _S723, _S724, _S725, _S726));
 }
 
-fn is_lit_0( _S698 : u32,  _S699 : SearchQuality_0,  _S700 : YarnPoint_0,  _S701 : vec3<f32>) -> bool
+fn is_lit_0( _S727 : u32,  _S728 : SearchQuality_0,  _S729 : YarnPoint_0,  _S730 : vec3<f32>) -> bool
 {
-    if(_S700.hole_3)
+    if(_S729.hole_3)
     {
         return true;
     }
-    var _S702 : vec3<f32> = to_face_frame_0(_S701, _S700.back_6);
-    var _S703 : f32 = _S702.z;
-    var _S704 : bool = _S703 < 0.0f;
+    var _S731 : vec3<f32> = to_face_frame_0(_S730, _S729.back_7);
+    var _S732 : f32 = _S731.z;
+    var _S733 : bool = _S732 < 0.0f;
     var normal_9 : vec3<f32>;
     var height_11 : f32;
-    if(_S704)
+    if(_S733)
     {
-        var _S705 : SurfacePoint_0 = surface_at_0(_S698, _S700.x_13, _S700.y_6, !_S700.back_6);
-        normal_9 = _S705.normal_3;
-        height_11 = _S705.height_4;
+        var _S734 : SurfacePoint_0 = surface_at_0(_S727, _S729.x_13, _S729.y_6, !_S729.back_7);
+        normal_9 = _S734.normal_3;
+        height_11 = _S734.height_4;
     }
     else
     {
-        normal_9 = _S700.surface_normal_0;
-        height_11 = _S700.height_5;
+        normal_9 = _S729.surface_normal_0;
+        height_11 = _S729.height_5;
     }
-    var _S706 : vec3<f32> = vec3<f32>(_S702.xy, abs(_S703));
-    if((dot(normal_9, _S706)) <= 0.0f)
+    var _S735 : vec3<f32> = vec3<f32>(_S731.xy, abs(_S732));
+    if((dot(normal_9, _S735)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S698, _S699, _S700.x_13, _S700.y_6, height_11, _S706, (_S700.back_6) != _S704);
+    return unoccluded_0(_S727, _S728, _S729.x_13, _S729.y_6, height_11, _S735, (_S729.back_7) != _S733);
 }
 
-fn evaluate_with_0( _S707 : u32,  _S708 : SearchQuality_0,  _S709 : YarnPoint_0,  _S710 : Bounced_0,  _S711 : vec3<f32>,  _S712 : vec3<f32>) -> vec3<f32>
+fn evaluate_with_0( _S736 : u32,  _S737 : SearchQuality_0,  _S738 : YarnPoint_0,  _S739 : Bounced_0,  _S740 : vec3<f32>,  _S741 : vec3<f32>) -> vec3<f32>
 {
-    var _S713 : vec3<f32> = to_face_frame_0(_S712, _S709.back_6);
-    var _S714 : vec3<f32> = scattered_0(_S707, _S709, to_face_frame_0(_S711, _S709.back_6), _S713);
-    var _S715 : bool;
-    if((max(_S714.x, max(_S714.y, _S714.z))) <= 0.0f)
+    var _S742 : vec3<f32> = to_face_frame_0(_S741, _S738.back_7);
+    var _S743 : vec3<f32> = scattered_0(_S736, _S738, to_face_frame_0(_S740, _S738.back_7), _S742);
+    var _S744 : bool;
+    if((max(_S743.x, max(_S743.y, _S743.z))) <= 0.0f)
     {
-        _S715 = true;
+        _S744 = true;
     }
     else
     {
-        _S715 = !is_lit_0(_S707, _S708, _S709, _S711);
+        _S744 = !is_lit_0(_S736, _S737, _S738, _S740);
     }
     var value_2 : vec3<f32>;
-    if(_S715)
+    if(_S744)
     {
         value_2 = vec3<f32>(0.0f);
     }
     else
     {
-        value_2 = _S714;
+        value_2 = _S743;
     }
-    var between_1 : vec3<f32> = bounced_value_0(_S710, _S711, _S712);
-    var _S716 : f32 = fabrics_0[_S707].sheen_strength_0;
+    var between_1 : vec3<f32> = bounced_value_0(_S739, _S740, _S741);
+    var _S745 : f32 = fabrics_0[_S736].sheen_strength_0;
     var between_2 : vec3<f32>;
-    if((fabrics_0[_S707].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S736].sheen_strength_0) > 0.0f)
     {
-        between_2 = between_1 * vec3<f32>((1.0f - _S716 * sheen_lobe_0(abs(_S713.z), fabrics_0[_S707].sheen_roughness_0).z));
+        between_2 = between_1 * vec3<f32>((1.0f - _S745 * sheen_lobe_0(abs(_S742.z), fabrics_0[_S736].sheen_roughness_0).z));
     }
     else
     {
@@ -2562,35 +2658,35 @@ fn evaluate_with_0( _S707 : u32,  _S708 : SearchQuality_0,  _S709 : YarnPoint_0,
     return value_2 + between_2;
 }
 
-fn straight_through_0( _S717 : u32,  _S718 : YarnPoint_0,  _S719 : vec3<f32>) -> f32
+fn straight_through_0( _S746 : u32,  _S747 : YarnPoint_0,  _S748 : vec3<f32>) -> f32
 {
-    if(!_S718.hole_3)
+    if(!_S747.hole_3)
     {
         return 0.0f;
     }
-    var _S720 : f32 = fabrics_0[_S717].sheen_strength_0;
-    if((fabrics_0[_S717].sheen_strength_0) <= 0.0f)
+    var _S749 : f32 = fabrics_0[_S746].sheen_strength_0;
+    if((fabrics_0[_S746].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S720 * sheen_lobe_0(abs(_S719.z), fabrics_0[_S717].sheen_roughness_0).z;
+    return 1.0f - _S749 * sheen_lobe_0(abs(_S748.z), fabrics_0[_S746].sheen_roughness_0).z;
 }
 
-fn light_of_point_0( _S721 : u32,  _S722 : VisiblePoint_0,  _S723 : vec2<u32>,  _S724 : vec3<f32>,  _S725 : vec2<f32>) -> vec4<f32>
+fn light_of_point_0( _S750 : u32,  _S751 : VisiblePoint_0,  _S752 : vec2<u32>,  _S753 : vec3<f32>,  _S754 : vec2<f32>) -> vec4<f32>
 {
-    var _S726 : SearchQuality_0 = default_quality_0();
-    var _S727 : vec3<f32> = to_local_0(_S722, _S722.view_0);
+    var _S755 : SearchQuality_0 = default_quality_0();
+    var _S756 : vec3<f32> = to_local_0(_S751, _S751.view_0);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S725;
-    footprint_0.dx_0 = _S722.draft_dx_0;
-    footprint_0.dy_0 = _S722.draft_dy_0;
-    var _S728 : YarnPoint_0 = locate_yarn_0(_S721, _S726, _S725.x, _S725.y, _S727, Footprint_spread_side_0(footprint_0));
-    var point_7 : YarnPoint_0 = _S728;
-    var _S729 : Bounced_0 = bounced_at_0(_S721, _S728, _S724);
-    point_7.albedos_2 = tinted_0(point_7.albedos_2, _S724);
-    var _S730 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S754;
+    footprint_0.dx_0 = _S751.draft_dx_0;
+    footprint_0.dy_0 = _S751.draft_dy_0;
+    var _S757 : YarnPoint_0 = locate_yarn_0(_S750, _S755, _S754.x, _S754.y, _S756, Footprint_spread_side_0(footprint_0));
+    var point_7 : YarnPoint_0 = _S757;
+    var _S758 : Bounced_0 = bounced_at_0(_S750, _S757, _S753);
+    point_7.albedos_2 = tinted_0(point_7.albedos_2, _S753);
+    var _S759 : vec3<f32> = vec3<f32>(0.0f);
     var number_3 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S730;
+    var radiance_1 : vec3<f32> = _S759;
     for(;;)
     {
         if(number_3 < (light_sample_count_0()))
@@ -2600,51 +2696,51 @@ fn light_of_point_0( _S721 : u32,  _S722 : VisiblePoint_0,  _S723 : vec2<u32>,  
         {
             break;
         }
-        var _S731 : f32 = visibility_at_0(number_3, _S723);
-        if(_S731 <= 0.0f)
+        var _S760 : f32 = visibility_at_0(number_3, _S752);
+        if(_S760 <= 0.0f)
         {
             number_3 = number_3 + u32(1);
             continue;
         }
-        var _S732 : LightSample_0 = light_sample_0(number_3, _S723, _S722.position_0);
-        radiance_1 = radiance_1 + vec3<f32>(_S731) * _S732.irradiance_1 * evaluate_with_0(_S721, _S726, point_7, _S729, to_local_0(_S722, _S732.towards_0), _S727);
+        var _S761 : LightSample_0 = light_sample_0(number_3, _S752, _S751.position_0);
+        radiance_1 = radiance_1 + vec3<f32>(_S760) * _S761.irradiance_1 * evaluate_with_0(_S750, _S755, point_7, _S758, to_local_0(_S751, _S761.towards_0), _S756);
         number_3 = number_3 + u32(1);
     }
-    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S721, point_7, _S727));
+    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S750, point_7, _S756));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S733 : u32 = id_0.x;
-    var _S734 : bool;
-    if(_S733 >= (frame_record_0.width_0))
+    var _S762 : u32 = id_0.x;
+    var _S763 : bool;
+    if(_S762 >= (frame_record_0.width_0))
     {
-        _S734 = true;
+        _S763 = true;
     }
     else
     {
-        _S734 = (id_0.y) >= (frame_record_0.height_0);
+        _S763 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S734)
+    if(_S763)
     {
         return;
     }
-    var _S735 : vec2<u32> = id_0.xy;
-    var _S736 : u32 = id_0.y * frame_record_0.width_0 + _S733;
-    var _S737 : u32 = layers_0[_S736].face_0;
-    if((layers_0[_S736].face_0) == u32(0))
+    var _S764 : vec2<u32> = id_0.xy;
+    var _S765 : u32 = id_0.y * frame_record_0.width_0 + _S762;
+    var _S766 : u32 = layers_0[_S765].face_0;
+    if((layers_0[_S765].face_0) == u32(0))
     {
         return;
     }
-    var _S738 : u32 = _S737 - u32(1);
-    var _S739 : u32 = fabric_of_0(_S738);
-    var _S740 : VisiblePoint_0 = visible_point_0(_S739, _S738, _S735);
-    var _S741 : vec3<f32> = filtered_albedo_0(_S739, _S740);
-    var _S742 : vec4<f32> = vec4<f32>(0.0f);
+    var _S767 : u32 = _S766 - u32(1);
+    var _S768 : u32 = fabric_of_0(_S767);
+    var _S769 : VisiblePoint_0 = visible_point_0(_S768, _S767, _S764);
+    var _S770 : vec3<f32> = filtered_albedo_0(_S768, _S769);
+    var _S771 : vec4<f32> = vec4<f32>(0.0f);
     var k_0 : u32 = u32(0);
-    var sum_0 : vec4<f32> = _S742;
+    var sum_0 : vec4<f32> = _S771;
     for(;;)
     {
         if(k_0 < (frame_record_0.samples_0))
@@ -2654,12 +2750,12 @@ fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        var _S743 : vec2<f32> = pixel_sequence_0(_S735, frame_record_0.pass_number_0 * frame_record_0.samples_0 + k_0, u32(1)) - vec2<f32>(0.5f);
-        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(_S739, _S740, _S735, _S741, _S740.draft_0 + vec2<f32>(_S743.x) * _S740.draft_dx_0 + vec2<f32>(_S743.y) * _S740.draft_dy_0);
+        var _S772 : vec2<f32> = pixel_sequence_0(_S764, frame_record_0.pass_number_0 * frame_record_0.samples_0 + k_0, u32(1)) - vec2<f32>(0.5f);
+        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(_S768, _S769, _S764, _S770, _S769.draft_0 + vec2<f32>(_S772.x) * _S769.draft_dx_0 + vec2<f32>(_S772.y) * _S769.draft_dy_0);
         k_0 = k_0 + u32(1);
         sum_0 = sum_1;
     }
-    accumulate_0(_S736, sum_0 / vec4<f32>(f32(frame_record_0.samples_0)));
+    accumulate_0(_S765, sum_0 / vec4<f32>(f32(frame_record_0.samples_0)));
     return;
 }
 
