@@ -119,7 +119,8 @@ def test_queries_of_lobes(name: str) -> None:
     found = lobes_values(queries.arguments, queries.looks)
     value = np.array(model.at(vectors(queries.view), queries.footprint).value(vectors(queries.light)))
     assert value.max() > 0.1
-    assert share_beyond(found.T, value) <= MAX_FLIPS
+    # Beside the flips of searches, points change their family where a hair covers half of them.
+    assert share_beyond(found.T, value) <= 2 * MAX_FLIPS
 
 
 def test_a_frame_shades_the_footprints_of_its_pixels() -> None:
@@ -150,7 +151,8 @@ def test_a_frame_shades_the_footprints_of_its_pixels() -> None:
         pairs(np.float32((centre[:, :2] + side / 2) * scale)), pairs(np.float32(dx)), pairs(np.float32(dy))
     )
     light = np.broadcast_to(np.float32(towards), view.shape)
-    expected = np.array(model.at(vectors(np.float32(view)), footprint).value(vectors(light))).T
+    at = model.at(vectors(np.float32(view)), model.on_cloth(footprint))
+    expected = np.array(at.value(vectors(light))).T
     error = np.abs(frame.reshape(-1, 3) - expected)
     # Positions agree to 1e-5 of the picture: taps and points beside an edge take its other side.
     assert np.mean(error > 1e-4 + 1e-2 * expected) < 0.02

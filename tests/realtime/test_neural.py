@@ -108,7 +108,7 @@ def test_a_frame_shades_the_footprints_of_its_pixels() -> None:
     footprint = Footprint(
         pairs(np.float32((centre + side / 2) * scale)), pairs(np.float32(dx)), pairs(np.float32(dy))
     )
-    bsdf = model.at(vectors(np.float32(view)), footprint)
+    bsdf = model.at(vectors(np.float32(view)), model.on_cloth(footprint))
     expected = np.array(bsdf.value(vectors(np.broadcast_to(towards, view.shape)))).T
     # Positions agree to 1e-5 of the picture.
     np.testing.assert_allclose(frame[..., :3].reshape(-1, 3), expected, rtol=1e-2, atol=1e-4)

@@ -1139,11 +1139,7 @@ fn uneven_shift_0( _S137 : u32,  _S138 : u32,  _S139 : u32,  _S140 : vec2<f32>) 
 
 fn uneven_place_0( _S144 : u32,  _S145 : vec2<f32>) -> vec2<f32>
 {
-    if((fabrics_0[_S144].has_detail_0) == u32(0))
-    {
-        return _S145;
-    }
-    return _S145 + vec2<f32>(uneven_shift_0(_S144, u32(0), fabrics_0[_S144].warp_0, _S145), uneven_shift_0(_S144, u32(1), fabrics_0[_S144].weft_0, _S145.yx));
+    return select_vector_1((fabrics_0[_S144].has_detail_0) == u32(0), _S145, _S145 + vec2<f32>(uneven_shift_0(_S144, u32(0), fabrics_0[_S144].warp_0, _S145), uneven_shift_0(_S144, u32(1), fabrics_0[_S144].weft_0, _S145.yx)));
 }
 
 fn face_point_0( _S146 : u32,  _S147 : u32,  _S148 : f32,  _S149 : f32) -> VisiblePoint_0

@@ -1425,11 +1425,7 @@ fn uneven_shift_0( _S252 : u32,  _S253 : u32,  _S254 : u32,  _S255 : vec2<f32>) 
 
 fn uneven_place_0( _S259 : u32,  _S260 : vec2<f32>) -> vec2<f32>
 {
-    if((fabrics_0[_S259].has_detail_0) == u32(0))
-    {
-        return _S260;
-    }
-    return _S260 + vec2<f32>(uneven_shift_0(_S259, u32(0), fabrics_0[_S259].warp_0, _S260), uneven_shift_0(_S259, u32(1), fabrics_0[_S259].weft_0, _S260.yx));
+    return select_vector_0((fabrics_0[_S259].has_detail_0) == u32(0), _S260, _S260 + vec2<f32>(uneven_shift_0(_S259, u32(0), fabrics_0[_S259].warp_0, _S260), uneven_shift_0(_S259, u32(1), fabrics_0[_S259].weft_0, _S260.yx)));
 }
 
 fn face_point_0( _S261 : u32,  _S262 : u32,  _S263 : f32,  _S264 : f32) -> VisiblePoint_0

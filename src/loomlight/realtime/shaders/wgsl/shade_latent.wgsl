@@ -1891,11 +1891,7 @@ fn uneven_shift_0( _S208 : u32,  _S209 : u32,  _S210 : u32,  _S211 : vec2<f32>) 
 
 fn uneven_place_0( _S215 : u32,  _S216 : vec2<f32>) -> vec2<f32>
 {
-    if((fabrics_0[_S215].has_detail_0) == u32(0))
-    {
-        return _S216;
-    }
-    return _S216 + vec2<f32>(uneven_shift_0(_S215, u32(0), fabrics_0[_S215].warp_0, _S216), uneven_shift_0(_S215, u32(1), fabrics_0[_S215].weft_0, _S216.yx));
+    return select_vector_1((fabrics_0[_S215].has_detail_0) == u32(0), _S216, _S216 + vec2<f32>(uneven_shift_0(_S215, u32(0), fabrics_0[_S215].warp_0, _S216), uneven_shift_0(_S215, u32(1), fabrics_0[_S215].weft_0, _S216.yx)));
 }
 
 fn face_point_0( _S217 : u32,  _S218 : u32,  _S219 : f32,  _S220 : f32) -> VisiblePoint_0

@@ -1913,11 +1913,7 @@ fn uneven_shift_0( _S285 : u32,  _S286 : u32,  _S287 : u32,  _S288 : vec2<f32>) 
 
 fn uneven_place_0( _S292 : u32,  _S293 : vec2<f32>) -> vec2<f32>
 {
-    if((fabrics_0[_S292].has_detail_0) == u32(0))
-    {
-        return _S293;
-    }
-    return _S293 + vec2<f32>(uneven_shift_0(_S292, u32(0), fabrics_0[_S292].warp_0, _S293), uneven_shift_0(_S292, u32(1), fabrics_0[_S292].weft_0, _S293.yx));
+    return select_vector_0((fabrics_0[_S292].has_detail_0) == u32(0), _S293, _S293 + vec2<f32>(uneven_shift_0(_S292, u32(0), fabrics_0[_S292].warp_0, _S293), uneven_shift_0(_S292, u32(1), fabrics_0[_S292].weft_0, _S293.yx)));
 }
 
 fn face_point_0( _S294 : u32,  _S295 : u32,  _S296 : f32,  _S297 : f32) -> VisiblePoint_0
@@ -2644,8 +2640,8 @@ fn hair_towards_0( _S608 : u32,  _S609 : Hairs_0,  _S610 : vec3<f32>,  _S611 : f
     var _S617 : f32 = fabrics_0[_S608].fibre_size_0 / max(_S611, 0.07000000029802322f * fabrics_0[_S608].fibre_size_0);
     const _S618 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_2 : f32 = 0.0f;
-    var hair_away_0 : f32 = 0.0f;
     var hair_across_0 : vec2<f32> = _S618;
+    var hair_away_0 : f32 = 0.0f;
     var is_warp_6 : bool = false;
     var number_2 : u32 = u32(0);
     for(;;)
@@ -2679,30 +2675,33 @@ fn hair_towards_0( _S608 : u32,  _S609 : Hairs_0,  _S610 : vec3<f32>,  _S611 : f
         var _S638 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S632)), 0.0f) * _S617;
         var _S639 : f32 = clamp(_S638 + 0.5f - abs(_S637) * _S617, 0.0f, min(2.0f * _S638, 1.0f));
         var _S640 : bool = ((((_S624 >> (u32(30)))) & (u32(1)))) == u32(1);
-        if((((((share_of_0(_S624)) < (families_0[select(fabrics_0[_S608].weft_0, fabrics_0[_S608].warp_0, _S640)].hairiness_0)) & (((abs(_S632)) < 1.0f)))) & ((_S639 > cover_2))))
-        {
-            var _S641 : vec2<f32> = vec2<f32>(- _S631 - _S635 * _S629, _S629 - _S635 * _S631) * vec2<f32>(_S636);
-            cover_2 = _S639;
-            hair_away_0 = _S637;
-            hair_across_0 = _S641;
-            is_warp_6 = _S640;
-        }
-        number_2 = number_2 + u32(1);
+        var _S641 : bool = (((((share_of_0(_S624)) < (families_0[select(fabrics_0[_S608].weft_0, fabrics_0[_S608].warp_0, _S640)].hairiness_0)) & (((abs(_S632)) < 1.0f)))) & ((_S639 > cover_2)));
+        var _S642 : vec2<f32> = vec2<f32>(- _S631 - _S635 * _S629, _S629 - _S635 * _S631) * vec2<f32>(_S636);
+        var _S643 : f32 = select(cover_2, _S639, _S641);
+        var _S644 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S642.x, _S641), select(hair_across_0.y, _S642.y, _S641));
+        var _S645 : f32 = select(hair_away_0, _S637, _S641);
+        var _S646 : bool = select(is_warp_6, _S640, _S641);
+        var _S647 : u32 = number_2 + u32(1);
+        cover_2 = _S643;
+        hair_across_0 = _S644;
+        hair_away_0 = _S645;
+        is_warp_6 = _S646;
+        number_2 = _S647;
     }
-    var _S642 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S648 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
     hair_1.cover_0 = _S614 * cover_2;
-    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S642) * hair_across_0, sqrt(1.0f - _S642 * _S642));
+    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S648) * hair_across_0, sqrt(1.0f - _S648 * _S648));
     hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     hair_1.is_warp_3 = is_warp_6;
     hair_1.shade_0 = _S614 * 0.04231972247362137f * (families_0[fabrics_0[_S608].warp_0].hairiness_0 + families_0[fabrics_0[_S608].weft_0].hairiness_0);
     return hair_1;
 }
 
-fn thread_number_0( _S643 : u32,  _S644 : SurfacePoint_0) -> u32
+fn thread_number_0( _S649 : u32,  _S650 : SurfacePoint_0) -> u32
 {
-    var _S645 : u32 = select(fabrics_0[_S643].weft_0, fabrics_0[_S643].warp_0, _S644.is_warp_0);
-    return u32(i32(floor((select(_S644.y_2, _S644.x_8, _S644.is_warp_0) - _S644.across_0) / families_0[_S645].period_0)) * i32(families_0[_S645].count_0) + i32(select(_S644.weft_thread_0, _S644.warp_thread_0, _S644.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S644.is_warp_0);
+    var _S651 : u32 = select(fabrics_0[_S649].weft_0, fabrics_0[_S649].warp_0, _S650.is_warp_0);
+    return u32(i32(floor((select(_S650.y_2, _S650.x_8, _S650.is_warp_0) - _S650.across_0) / families_0[_S651].period_0)) * i32(families_0[_S651].count_0) + i32(select(_S650.weft_thread_0, _S650.warp_thread_0, _S650.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S650.is_warp_0);
 }
 
 struct FibreNoise_0
@@ -2716,304 +2715,296 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S646 : u32,  _S647 : u32,  _S648 : SurfacePoint_0,  _S649 : u32,  _S650 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S652 : u32,  _S653 : u32,  _S654 : SurfacePoint_0,  _S655 : u32,  _S656 : f32) -> FibreNoise_0
 {
-    var _S651 : f32 = 5.0f * fabrics_0[_S646].fibre_size_0;
-    var _S652 : vec2<f32> = wave_noise_0(hash_key_0(_S649, ((fabrics_0[_S646].seed_0) ^ (u32(458671337)))), _S648.fibre_along_0 / (25.0f * fabrics_0[_S646].fibre_size_0));
-    var _S653 : f32 = _S648.fibre_across_0 + families_0[_S647].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S646].fibre_size_0 * _S652.x;
-    var _S654 : vec3<f32> = fibre_cell_0(_S653, _S648.fibre_along_0, fabrics_0[_S646].fibre_size_0);
-    var _S655 : vec3<f32> = fibre_cell_0(_S653, _S648.fibre_along_0, _S651);
+    var _S657 : f32 = 5.0f * fabrics_0[_S652].fibre_size_0;
+    var _S658 : vec2<f32> = wave_noise_0(hash_key_0(_S655, ((fabrics_0[_S652].seed_0) ^ (u32(458671337)))), _S654.fibre_along_0 / (25.0f * fabrics_0[_S652].fibre_size_0));
+    var _S659 : f32 = _S654.fibre_across_0 + families_0[_S653].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S652].fibre_size_0 * _S658.x;
+    var _S660 : vec3<f32> = fibre_cell_0(_S659, _S654.fibre_along_0, fabrics_0[_S652].fibre_size_0);
+    var _S661 : vec3<f32> = fibre_cell_0(_S659, _S654.fibre_along_0, _S657);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S649, ((fabrics_0[_S646].seed_0) ^ (u32(1757159915)))), _S655);
-    noise_0.bundle_offset_0 = _S655.z;
-    noise_0.bundle_weight_0 = fade_0(_S650, _S651);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S649, ((fabrics_0[_S646].seed_0) ^ (u32(48610963)))), _S654);
-    noise_0.fibre_weight_0 = fade_0(_S650, fabrics_0[_S646].fibre_size_0);
-    noise_0.offset_2 = _S654.z;
-    noise_0.slope_2 = 0.5f * _S652.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S655, ((fabrics_0[_S652].seed_0) ^ (u32(1757159915)))), _S661);
+    noise_0.bundle_offset_0 = _S661.z;
+    noise_0.bundle_weight_0 = fade_0(_S656, _S657);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S655, ((fabrics_0[_S652].seed_0) ^ (u32(48610963)))), _S660);
+    noise_0.fibre_weight_0 = fade_0(_S656, fabrics_0[_S652].fibre_size_0);
+    noise_0.offset_2 = _S660.z;
+    noise_0.slope_2 = 0.5f * _S658.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S656 : u32,  _S657 : u32,  _S658 : SurfacePoint_0,  _S659 : bool,  _S660 : u32,  _S661 : f32) -> vec2<f32>
+fn detail_gain_0( _S662 : u32,  _S663 : u32,  _S664 : SurfacePoint_0,  _S665 : bool,  _S666 : u32,  _S667 : f32) -> vec2<f32>
 {
-    var _S662 : vec2<f32> = vec2<f32>(0.0f);
+    var _S668 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S657].has_plies_0) > 0.0f)
+    if((families_0[_S663].has_plies_0) > 0.0f)
     {
-        gain_2 = groove_0(0.94999998807907104f * fade_0(_S661, 1.0f / families_0[_S657].plies_per_mm_0), ply_offset_0(_S657, _S658, _S659));
+        gain_2 = groove_0(0.94999998807907104f * fade_0(_S667, 1.0f / families_0[_S663].plies_per_mm_0), ply_offset_0(_S663, _S664, _S665));
     }
     else
     {
-        gain_2 = _S662;
+        gain_2 = _S668;
     }
-    if((families_0[_S657].fibre_tone_0) > 0.0f)
+    if((families_0[_S663].fibre_tone_0) > 0.0f)
     {
-        var _S663 : FibreNoise_0 = fibre_noise_at_0(_S656, _S657, _S658, _S660, _S661);
-        var _S664 : f32 = 4.5f * families_0[_S657].fibre_tone_0;
-        gain_2 = gain_2 + vec2<f32>(families_0[_S657].fibre_tone_0) * vec2<f32>(_S663.bundle_weight_0 * _S663.bundle_0.y + _S663.fibre_weight_0 * _S663.fibre_0.y, _S663.bundle_weight_0 + _S663.fibre_weight_0) + (groove_0(_S664 * (_S663.bundle_weight_0 * (0.5f * (_S663.bundle_0.x - 1.0f) + 1.0f)), _S663.bundle_offset_0) + groove_0(_S664 * _S663.fibre_weight_0, _S663.offset_2));
+        var _S669 : FibreNoise_0 = fibre_noise_at_0(_S662, _S663, _S664, _S666, _S667);
+        var _S670 : f32 = 4.5f * families_0[_S663].fibre_tone_0;
+        gain_2 = gain_2 + vec2<f32>(families_0[_S663].fibre_tone_0) * vec2<f32>(_S669.bundle_weight_0 * _S669.bundle_0.y + _S669.fibre_weight_0 * _S669.fibre_0.y, _S669.bundle_weight_0 + _S669.fibre_weight_0) + (groove_0(_S670 * (_S669.bundle_weight_0 * (0.5f * (_S669.bundle_0.x - 1.0f) + 1.0f)), _S669.bundle_offset_0) + groove_0(_S670 * _S669.fibre_weight_0, _S669.offset_2));
     }
-    if((families_0[_S657].slub_0) > 0.0f)
+    if((families_0[_S663].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S657].slub_0 * fade_0(_S661, 1.0f / families_0[_S657].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S660, ((fabrics_0[_S656].seed_0) ^ (u32(1373058189)))), select(- _S658.x_8, _S658.y_2, _S658.is_warp_0) * families_0[_S657].slubs_per_mm_0).x, 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S663].slub_0 * fade_0(_S667, 1.0f / families_0[_S663].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S666, ((fabrics_0[_S662].seed_0) ^ (u32(1373058189)))), select(- _S664.x_8, _S664.y_2, _S664.is_warp_0) * families_0[_S663].slubs_per_mm_0).x, 1.0f);
     }
     return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
 }
 
-fn vary_albedos_0( _S665 : u32,  _S666 : Albedos_0,  _S667 : u32,  _S668 : u32,  _S669 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S671 : u32,  _S672 : Albedos_0,  _S673 : u32,  _S674 : u32,  _S675 : vec2<f32>) -> Albedos_0
 {
-    var _S670 : vec3<f32> = max(_S666.specular_reflect_0, _S666.specular_transmit_0);
-    var _S671 : vec3<f32> = _S666.diffuse_reflect_0 + _S666.diffuse_transmit_0;
-    var _S672 : vec3<f32> = vec3<f32>(fabrics_0[_S665].layer_bound_0);
-    var _S673 : vec3<f32> = vec3<f32>(1.0f);
-    var _S674 : vec3<f32> = _S673 - _S672 * _S670;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S667, fabrics_0[_S665].colour_noise_0, fabrics_0[_S665].seed_0), _S671, _S674);
-    var _S675 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S669.y, vec3<f32>(colour_1) * _S671, _S674) * _S669.x)));
-    var _S676 : f32 = bounded_gain_0(fibre_gain_0(_S667, _S668, fabrics_0[_S665].fibre_noise_0, fabrics_0[_S665].seed_0), _S670, min((_S673 - _S675 * _S671) / _S672, vec3<f32>(1.0f)));
+    var _S676 : vec3<f32> = max(_S672.specular_reflect_0, _S672.specular_transmit_0);
+    var _S677 : vec3<f32> = _S672.diffuse_reflect_0 + _S672.diffuse_transmit_0;
+    var _S678 : vec3<f32> = vec3<f32>(fabrics_0[_S671].layer_bound_0);
+    var _S679 : vec3<f32> = vec3<f32>(1.0f);
+    var _S680 : vec3<f32> = _S679 - _S678 * _S676;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S673, fabrics_0[_S671].colour_noise_0, fabrics_0[_S671].seed_0), _S677, _S680);
+    var _S681 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S675.y, vec3<f32>(colour_1) * _S677, _S680) * _S675.x)));
+    var _S682 : f32 = bounded_gain_0(fibre_gain_0(_S673, _S674, fabrics_0[_S671].fibre_noise_0, fabrics_0[_S671].seed_0), _S676, min((_S679 - _S681 * _S677) / _S678, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S675 * _S666.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S675 * _S666.diffuse_transmit_0;
-    var _S677 : vec3<f32> = vec3<f32>(_S676);
-    varied_0.specular_reflect_0 = _S677 * _S666.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S677 * _S666.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S681 * _S672.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S681 * _S672.diffuse_transmit_0;
+    var _S683 : vec3<f32> = vec3<f32>(_S682);
+    varied_0.specular_reflect_0 = _S683 * _S672.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S683 * _S672.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S678 : u32,  _S679 : SurfacePoint_0,  _S680 : Albedos_0,  _S681 : bool,  _S682 : f32,  _S683 : f32) -> Albedos_0
+fn varied_at_0( _S684 : u32,  _S685 : SurfacePoint_0,  _S686 : Albedos_0,  _S687 : bool,  _S688 : f32,  _S689 : f32) -> Albedos_0
 {
-    var _S684 : u32 = thread_number_0(_S678, _S679);
-    var _S685 : vec3<f32> = fibre_cell_0(_S679.fibre_across_0, _S679.fibre_along_0, fabrics_0[_S678].fibre_size_0);
-    var _S686 : vec2<f32> = vec2<f32>(0.0f);
+    var _S690 : u32 = thread_number_0(_S684, _S685);
+    var _S691 : vec3<f32> = fibre_cell_0(_S685.fibre_across_0, _S685.fibre_along_0, fabrics_0[_S684].fibre_size_0);
+    var _S692 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S678].has_detail_0) != u32(0)) & ((_S682 >= 0.0f))))
+    if((((fabrics_0[_S684].has_detail_0) != u32(0)) & ((_S688 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S678, select(fabrics_0[_S678].weft_0, fabrics_0[_S678].warp_0, _S679.is_warp_0), _S679, _S681, _S684, _S682) * vec2<f32>(1.0f - _S683, 1.0f);
+        gain_3 = detail_gain_0(_S684, select(fabrics_0[_S684].weft_0, fabrics_0[_S684].warp_0, _S685.is_warp_0), _S685, _S687, _S690, _S688) * vec2<f32>(1.0f - _S689, 1.0f);
     }
     else
     {
-        gain_3 = _S686;
+        gain_3 = _S692;
     }
-    return vary_albedos_0(_S678, _S680, _S684, u32(i32(_S685.x)) * u32(65536) + u32(i32(floor(_S685.y))), gain_3);
+    return vary_albedos_0(_S684, _S686, _S690, u32(i32(_S691.x)) * u32(65536) + u32(i32(floor(_S691.y))), gain_3);
 }
 
-fn turned_frame_0( _S687 : u32,  _S688 : u32,  _S689 : SurfacePoint_0,  _S690 : bool,  _S691 : u32,  _S692 : f32) -> YarnFrame_0
+fn turned_frame_0( _S693 : u32,  _S694 : u32,  _S695 : SurfacePoint_0,  _S696 : bool,  _S697 : u32,  _S698 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_5 = _S689.normal_1;
-    frame_2.tangent_4 = _S689.tangent_0;
+    frame_2.normal_5 = _S695.normal_1;
+    frame_2.tangent_4 = _S695.tangent_0;
     frame_2.loss_0 = 0.0f;
     frame_2.shade_2 = 0.0f;
-    if((families_0[_S688].has_plies_0) > 0.0f)
+    if((families_0[_S694].has_plies_0) > 0.0f)
     {
-        var _S693 : f32 = fade_0(_S692, 1.0f / families_0[_S688].plies_per_mm_0);
-        var _S694 : f32 = _S693 * 0.62000000476837158f * ply_offset_0(_S688, _S689, _S690);
-        var _S695 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S696 : vec3<f32> = vec3<f32>(families_0[_S688].ply_cosine_0);
-        var _S697 : vec3<f32> = vec3<f32>(select(families_0[_S688].ply_sine_0, - families_0[_S688].ply_sine_0, _S690));
-        var _S698 : vec3<f32> = _S696 * _S695 + _S697 * frame_2.tangent_4;
-        var _S699 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S694 * _S694));
-        var _S700 : vec3<f32> = vec3<f32>(_S694);
-        frame_2.tangent_4 = _S696 * (_S696 * frame_2.tangent_4 - _S697 * _S695) + _S697 * (_S699 * _S698 - _S700 * frame_2.normal_5);
-        frame_2.normal_5 = _S699 * frame_2.normal_5 + _S700 * _S698;
-        frame_2.loss_0 = _S693 * _S693 * 0.62000000476837158f * 0.62000000476837158f / 6.0f;
+        var _S699 : f32 = fade_0(_S698, 1.0f / families_0[_S694].plies_per_mm_0);
+        var _S700 : f32 = _S699 * 0.62000000476837158f * ply_offset_0(_S694, _S695, _S696);
+        var _S701 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S702 : vec3<f32> = vec3<f32>(families_0[_S694].ply_cosine_0);
+        var _S703 : vec3<f32> = vec3<f32>(select(families_0[_S694].ply_sine_0, - families_0[_S694].ply_sine_0, _S696));
+        var _S704 : vec3<f32> = _S702 * _S701 + _S703 * frame_2.tangent_4;
+        var _S705 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S700 * _S700));
+        var _S706 : vec3<f32> = vec3<f32>(_S700);
+        frame_2.tangent_4 = _S702 * (_S702 * frame_2.tangent_4 - _S703 * _S701) + _S703 * (_S705 * _S704 - _S706 * frame_2.normal_5);
+        frame_2.normal_5 = _S705 * frame_2.normal_5 + _S706 * _S704;
+        frame_2.loss_0 = _S699 * _S699 * 0.62000000476837158f * 0.62000000476837158f / 6.0f;
     }
-    var _S701 : f32 = families_0[_S688].fibre_tilt_0;
-    if((families_0[_S688].fibre_tilt_0) > 0.0f)
+    var _S707 : f32 = families_0[_S694].fibre_tilt_0;
+    if((families_0[_S694].fibre_tilt_0) > 0.0f)
     {
-        var _S702 : FibreNoise_0 = fibre_noise_at_0(_S687, _S688, _S689, _S691, _S692);
-        var _S703 : f32 = 1.09858846664428711f * _S701 * (_S702.bundle_weight_0 * _S702.bundle_0.x + _S702.fibre_weight_0 * (_S702.fibre_0.x + _S702.offset_2));
-        var _S704 : f32 = _S701 * (1.42099642753601074f * (_S702.bundle_weight_0 * _S702.bundle_0.y + _S702.fibre_weight_0 * _S702.fibre_0.y) - _S702.bundle_weight_0 * _S702.slope_2);
-        var _S705 : f32 = square_1(_S702.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S701 * _S701 * ((0.24761904776096344f * (square_1(_S702.bundle_weight_0) + _S705) + _S705 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S706 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S707 : vec2<f32> = sine_cosine_0(_S703);
-        var _S708 : vec2<f32> = sine_cosine_0(_S704);
-        var _S709 : vec3<f32> = vec3<f32>(_S707.y);
-        var _S710 : vec3<f32> = vec3<f32>(_S707.x);
-        var _S711 : vec3<f32> = _S709 * _S706 - _S710 * frame_2.normal_5;
-        frame_2.normal_5 = _S709 * frame_2.normal_5 + _S710 * _S706;
-        frame_2.tangent_4 = vec3<f32>(_S708.y) * frame_2.tangent_4 + vec3<f32>(_S708.x) * _S711;
+        var _S708 : FibreNoise_0 = fibre_noise_at_0(_S693, _S694, _S695, _S697, _S698);
+        var _S709 : f32 = 1.09858846664428711f * _S707 * (_S708.bundle_weight_0 * _S708.bundle_0.x + _S708.fibre_weight_0 * (_S708.fibre_0.x + _S708.offset_2));
+        var _S710 : f32 = _S707 * (1.42099642753601074f * (_S708.bundle_weight_0 * _S708.bundle_0.y + _S708.fibre_weight_0 * _S708.fibre_0.y) - _S708.bundle_weight_0 * _S708.slope_2);
+        var _S711 : f32 = square_1(_S708.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S707 * _S707 * ((0.24761904776096344f * (square_1(_S708.bundle_weight_0) + _S711) + _S711 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S712 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S713 : vec2<f32> = sine_cosine_0(_S709);
+        var _S714 : vec2<f32> = sine_cosine_0(_S710);
+        var _S715 : vec3<f32> = vec3<f32>(_S713.y);
+        var _S716 : vec3<f32> = vec3<f32>(_S713.x);
+        var _S717 : vec3<f32> = _S715 * _S712 - _S716 * frame_2.normal_5;
+        frame_2.normal_5 = _S715 * frame_2.normal_5 + _S716 * _S712;
+        frame_2.tangent_4 = vec3<f32>(_S714.y) * frame_2.tangent_4 + vec3<f32>(_S714.x) * _S717;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S712 : u32,  _S713 : SurfacePoint_0,  _S714 : vec3<f32>,  _S715 : bool,  _S716 : bool,  _S717 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S718 : u32,  _S719 : SurfacePoint_0,  _S720 : vec3<f32>,  _S721 : bool,  _S722 : bool,  _S723 : f32) -> YarnPoint_0
 {
-    var _S718 : u32 = fabrics_0[_S712].warp_0;
-    var _S719 : u32 = fabrics_0[_S712].weft_0;
-    var _S720 : u32 = select(fabrics_0[_S712].weft_0, fabrics_0[_S712].warp_0, _S713.is_warp_0);
-    var _S721 : bool = (((fabrics_0[_S712].has_detail_0) != u32(0)) & ((_S717 >= 0.0f)));
+    var _S724 : u32 = fabrics_0[_S718].warp_0;
+    var _S725 : u32 = fabrics_0[_S718].weft_0;
+    var _S726 : u32 = select(fabrics_0[_S718].weft_0, fabrics_0[_S718].warp_0, _S719.is_warp_0);
+    var _S727 : bool = (((fabrics_0[_S718].has_detail_0) != u32(0)) & ((_S723 >= 0.0f)));
     var point_6 : YarnPoint_0;
-    point_6.hairs_0 = hairs_over_0(_S712, _S713, _S715, _S717);
+    point_6.hairs_0 = hairs_over_0(_S718, _S719, _S721, _S723);
     point_6.hair_cover_0 = 1.0f;
-    var _S722 : vec3<f32> = vec3<f32>(0.0f);
-    var _S723 : Hair_0 = Hair_x24init_0(0.0f, _S722, _S722, false, 0.0f);
-    point_6.is_warp_5 = _S713.is_warp_0;
-    var _S724 : bool;
-    if(_S721)
-    {
-        _S724 = has_hairs_0(_S712);
-    }
-    else
-    {
-        _S724 = false;
-    }
+    var _S728 : vec3<f32> = vec3<f32>(0.0f);
+    var _S729 : Hair_0 = Hair_x24init_0(0.0f, _S728, _S728, false, 0.0f);
+    point_6.is_warp_5 = _S719.is_warp_0;
+    var _S730 : bool = (_S727 & ((has_hairs_0(_S718))));
     var hair_2 : Hair_0;
-    if(_S724)
+    if(_S730)
     {
-        var _S725 : Hair_0 = hair_towards_0(_S712, point_6.hairs_0, _S714, _S717);
-        point_6.hair_cover_0 = _S725.cover_0;
-        point_6.is_warp_5 = select(_S713.is_warp_0, _S725.is_warp_3, (_S725.cover_0) > 0.5f);
-        hair_2 = _S725;
+        var _S731 : Hair_0 = hair_towards_0(_S718, point_6.hairs_0, _S720, _S723);
+        point_6.hair_cover_0 = _S731.cover_0;
+        point_6.is_warp_5 = select(_S719.is_warp_0, _S731.is_warp_3, (_S731.cover_0) > 0.5f);
+        hair_2 = _S731;
     }
     else
     {
-        hair_2 = _S723;
+        hair_2 = _S729;
     }
-    var _S726 : u32 = select(_S719, _S718, point_6.is_warp_5);
-    var albedos_7 : Albedos_0 = albedos_of_0(_S726, select(_S713.weft_thread_0, _S713.warp_thread_0, point_6.is_warp_5));
+    var _S732 : u32 = select(_S725, _S724, point_6.is_warp_5);
+    var albedos_7 : Albedos_0 = albedos_of_0(_S732, select(_S719.weft_thread_0, _S719.warp_thread_0, point_6.is_warp_5));
     var albedos_8 : Albedos_0;
-    if(varies_at_0(_S712, _S717))
+    if(varies_at_0(_S718, _S723))
     {
-        albedos_8 = varied_at_0(_S712, _S713, albedos_7, _S715, _S717, hair_2.cover_0);
+        albedos_8 = varied_at_0(_S718, _S719, albedos_7, _S721, _S723, hair_2.cover_0);
     }
     else
     {
         albedos_8 = albedos_7;
     }
-    point_6.back_8 = _S715;
-    point_6.hole_6 = _S716;
-    point_6.x_17 = _S713.x_8;
-    point_6.y_10 = _S713.y_2;
-    point_6.height_11 = _S713.height_2 + hair_2.cover_0 * point_6.hairs_0.below_1;
-    point_6.normal_10 = _S713.normal_1;
-    point_6.tangent_10 = _S713.tangent_0;
-    point_6.surface_normal_0 = normalize(mix(_S713.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_0)));
+    point_6.back_8 = _S721;
+    point_6.hole_6 = _S722;
+    point_6.x_17 = _S719.x_8;
+    point_6.y_10 = _S719.y_2;
+    point_6.height_11 = _S719.height_2 + hair_2.cover_0 * point_6.hairs_0.below_1;
+    point_6.normal_10 = _S719.normal_1;
+    point_6.tangent_10 = _S719.tangent_0;
+    point_6.surface_normal_0 = normalize(mix(_S719.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_0)));
     point_6.diffuse_gain_1 = 1.0f;
-    if(_S721)
+    if(_S727)
     {
-        var _S727 : YarnFrame_0 = turned_frame_0(_S712, _S720, _S713, _S715, thread_number_0(_S712, _S713), _S717);
+        var _S733 : YarnFrame_0 = turned_frame_0(_S718, _S726, _S719, _S721, thread_number_0(_S718, _S719), _S723);
         var frame_3 : YarnFrame_0;
-        if(has_hairs_0(_S712))
+        if(_S730)
         {
-            frame_3 = under_hair_0(_S727, hair_2);
+            frame_3 = under_hair_0(_S733, hair_2);
         }
         else
         {
-            frame_3 = _S727;
+            frame_3 = _S733;
         }
         point_6.normal_10 = frame_3.normal_5;
         point_6.tangent_10 = frame_3.tangent_4;
-        point_6.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S712].diffuse_blend_0);
+        point_6.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S718].diffuse_blend_0);
     }
-    point_6.roughness_10 = families_0[_S726].roughness_0;
+    point_6.roughness_10 = families_0[_S732].roughness_0;
     point_6.albedos_6 = albedos_8;
     return point_6;
 }
 
-fn surface_at_0( _S728 : u32,  _S729 : f32,  _S730 : f32,  _S731 : bool) -> SurfacePoint_0
+fn surface_at_0( _S734 : u32,  _S735 : f32,  _S736 : f32,  _S737 : bool) -> SurfacePoint_0
 {
-    return surface_of_0(_S728, sample_at_0(_S728, _S729, _S730, _S731), _S729, _S730, _S731);
+    return surface_of_0(_S734, sample_at_0(_S734, _S735, _S736, _S737), _S735, _S736, _S737);
 }
 
-fn unoccluded_0( _S732 : u32,  _S733 : SearchQuality_0,  _S734 : f32,  _S735 : f32,  _S736 : f32,  _S737 : vec3<f32>,  _S738 : bool) -> bool
+fn unoccluded_0( _S738 : u32,  _S739 : SearchQuality_0,  _S740 : f32,  _S741 : f32,  _S742 : f32,  _S743 : vec3<f32>,  _S744 : bool) -> bool
 {
-    if((_S737.z) <= 0.0f)
+    if((_S743.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S732, _S733, vec3<f32>(_S734, _S735, _S736 + fabrics_0[_S732].lift_0), _S737, _S738, max_height_along_0(_S732, _S734, _S735, _S736, _S737, _S738));
+    return is_free_0(_S738, _S739, vec3<f32>(_S740, _S741, _S742 + fabrics_0[_S738].lift_0), _S743, _S744, max_height_along_0(_S738, _S740, _S741, _S742, _S743, _S744));
 }
 
-fn is_lit_0( _S739 : u32,  _S740 : SearchQuality_0,  _S741 : YarnPoint_0,  _S742 : vec3<f32>) -> bool
+fn is_lit_0( _S745 : u32,  _S746 : SearchQuality_0,  _S747 : YarnPoint_0,  _S748 : vec3<f32>) -> bool
 {
-    if(_S741.hole_6)
+    if(_S747.hole_6)
     {
         return true;
     }
-    var _S743 : vec3<f32> = to_face_frame_0(_S742, _S741.back_8);
-    var _S744 : f32 = _S743.z;
-    var _S745 : bool = _S744 < 0.0f;
+    var _S749 : vec3<f32> = to_face_frame_0(_S748, _S747.back_8);
+    var _S750 : f32 = _S749.z;
+    var _S751 : bool = _S750 < 0.0f;
     var normal_11 : vec3<f32>;
     var height_12 : f32;
-    if(_S745)
+    if(_S751)
     {
-        var _S746 : SurfacePoint_0 = surface_at_0(_S739, _S741.x_17, _S741.y_10, !_S741.back_8);
-        normal_11 = _S746.normal_1;
-        height_12 = _S746.height_2;
+        var _S752 : SurfacePoint_0 = surface_at_0(_S745, _S747.x_17, _S747.y_10, !_S747.back_8);
+        normal_11 = _S752.normal_1;
+        height_12 = _S752.height_2;
     }
     else
     {
-        normal_11 = _S741.surface_normal_0;
-        height_12 = _S741.height_11;
+        normal_11 = _S747.surface_normal_0;
+        height_12 = _S747.height_11;
     }
-    var _S747 : vec3<f32> = vec3<f32>(_S743.xy, abs(_S744));
-    if((dot(normal_11, _S747)) <= 0.0f)
+    var _S753 : vec3<f32> = vec3<f32>(_S749.xy, abs(_S750));
+    if((dot(normal_11, _S753)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S739, _S740, _S741.x_17, _S741.y_10, height_12, _S747, (_S741.back_8) != _S745);
+    return unoccluded_0(_S745, _S746, _S747.x_17, _S747.y_10, height_12, _S753, (_S747.back_8) != _S751);
 }
 
-fn hairs_lit_0( _S748 : u32,  _S749 : Hairs_0,  _S750 : vec3<f32>) -> f32
+fn hairs_lit_0( _S754 : u32,  _S755 : Hairs_0,  _S756 : vec3<f32>) -> f32
 {
-    return 1.0f - 0.80000001192092896f * hair_towards_0(_S748, _S749, _S750, _S749.size_3 + fabrics_0[_S748].fibre_size_0).cover_0;
+    return 1.0f - 0.80000001192092896f * hair_towards_0(_S754, _S755, _S756, _S755.size_3 + fabrics_0[_S754].fibre_size_0).cover_0;
 }
 
-fn under_hairs_0( _S751 : u32,  _S752 : YarnPoint_0,  _S753 : vec3<f32>) -> f32
+fn under_hairs_0( _S757 : u32,  _S758 : YarnPoint_0,  _S759 : vec3<f32>) -> f32
 {
-    if((((_S752.hair_cover_0) >= 1.0f) | (((_S753.z) <= 0.0f))))
+    if((((_S758.hair_cover_0) >= 1.0f) | (((_S759.z) <= 0.0f))))
     {
         return 1.0f;
     }
-    return mix(hairs_lit_0(_S751, _S752.hairs_0, _S753), 1.0f, _S752.hair_cover_0);
+    return mix(hairs_lit_0(_S757, _S758.hairs_0, _S759), 1.0f, _S758.hair_cover_0);
 }
 
-fn components_of_point_0( _S754 : u32,  _S755 : SearchQuality_0,  _S756 : YarnPoint_0,  _S757 : vec3<f32>,  _S758 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S760 : u32,  _S761 : SearchQuality_0,  _S762 : YarnPoint_0,  _S763 : vec3<f32>,  _S764 : vec3<f32>) -> Components_0
 {
     var result_3 : Components_0 = no_components_0();
-    result_3.hole_2 = select(0.0f, 1.0f, _S756.hole_6);
-    var _S759 : bool;
-    if(_S756.hole_6)
+    result_3.hole_2 = select(0.0f, 1.0f, _S762.hole_6);
+    var _S765 : bool;
+    if(_S762.hole_6)
     {
-        _S759 = true;
+        _S765 = true;
     }
     else
     {
-        _S759 = !is_lit_0(_S754, _S755, _S756, _S757);
+        _S765 = !is_lit_0(_S760, _S761, _S762, _S763);
     }
-    if(_S759)
+    if(_S765)
     {
         return result_3;
     }
-    var _S760 : vec3<f32> = to_face_frame_0(_S757, _S756.back_8);
-    var _S761 : vec3<f32> = to_face_frame_0(_S758, _S756.back_8);
-    var _S762 : bool = (_S760.z) < 0.0f;
-    var _S763 : f32 = under_hairs_0(_S754, _S756, _S760);
-    var _S764 : f32 = _S763 * _S756.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S762, (vec3<f32>(0) - _S760), _S760), _S756.normal_10, fabrics_0[_S754].diffuse_blend_0);
-    var _S765 : f32;
-    if(_S762)
+    var _S766 : vec3<f32> = to_face_frame_0(_S763, _S762.back_8);
+    var _S767 : vec3<f32> = to_face_frame_0(_S764, _S762.back_8);
+    var _S768 : bool = (_S766.z) < 0.0f;
+    var _S769 : f32 = under_hairs_0(_S760, _S762, _S766);
+    var _S770 : f32 = _S769 * _S762.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S768, (vec3<f32>(0) - _S766), _S766), _S762.normal_10, fabrics_0[_S760].diffuse_blend_0);
+    var _S771 : f32;
+    if(_S768)
     {
-        _S765 = transmission_1(_S760, _S761, _S756.normal_10, _S756.tangent_10, _S756.roughness_10, fabrics_0[_S754].optical_depth_0);
+        _S771 = transmission_1(_S766, _S767, _S762.normal_10, _S762.tangent_10, _S762.roughness_10, fabrics_0[_S760].optical_depth_0);
     }
     else
     {
-        _S765 = reflection_0(_S760, _S761, _S756.normal_10, _S756.tangent_10, _S756.roughness_10, fabrics_0[_S754].optical_depth_0);
+        _S771 = reflection_0(_S766, _S767, _S762.normal_10, _S762.tangent_10, _S762.roughness_10, fabrics_0[_S760].optical_depth_0);
     }
-    var _S766 : f32 = _S763 * _S765;
-    result_3.diffuse_warp_0 = select(0.0f, _S764, _S756.is_warp_5);
-    result_3.diffuse_weft_0 = select(_S764, 0.0f, _S756.is_warp_5);
-    result_3.specular_warp_0 = select(0.0f, _S766, _S756.is_warp_5);
-    result_3.specular_weft_0 = select(_S766, 0.0f, _S756.is_warp_5);
+    var _S772 : f32 = _S769 * _S771;
+    result_3.diffuse_warp_0 = select(0.0f, _S770, _S762.is_warp_5);
+    result_3.diffuse_weft_0 = select(_S770, 0.0f, _S762.is_warp_5);
+    result_3.specular_warp_0 = select(0.0f, _S772, _S762.is_warp_5);
+    result_3.specular_weft_0 = select(_S772, 0.0f, _S762.is_warp_5);
     result_3.light_visibility_1 = 1.0f;
     return result_3;
 }
 
-fn openness_number_0( _S767 : u32,  _S768 : u32) -> f32
+fn openness_number_0( _S773 : u32,  _S774 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S767].openness_0 + _S768);
+    return table_number_0(fabrics_0[_S773].openness_0 + _S774);
 }
 
-fn blocked_of_terms_0( _S769 : u32,  _S770 : u32,  _S771 : array<f32, i32(6)>,  _S772 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S775 : u32,  _S776 : u32,  _S777 : array<f32, i32(6)>,  _S778 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
@@ -3030,14 +3021,14 @@ fn blocked_of_terms_0( _S769 : u32,  _S770 : u32,  _S771 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S772)
+            if(term_0 < _S778)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S769, _S770 + share_4 * _S772 + term_0) * _S771[term_0];
+            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S775, _S776 + share_4 * _S778 + term_0) * _S777[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_4] = saturate(shares_0[share_4]);
@@ -3050,24 +3041,24 @@ fn blocked_of_terms_0( _S769 : u32,  _S770 : u32,  _S771 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_at_0( _S773 : u32,  _S774 : bool,  _S775 : bool,  _S776 : f32,  _S777 : f32) -> Blocked_0
+fn blocked_at_0( _S779 : u32,  _S780 : bool,  _S781 : bool,  _S782 : f32,  _S783 : f32) -> Blocked_0
 {
-    var _S778 : f32 = _S777 * openness_number_0(_S773, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S776, _S778, _S776 * _S776, _S776 * _S778, _S778 * _S778 );
-    return blocked_of_terms_0(_S773, u32(60) + (select(u32(0), u32(2), _S775) + select(u32(1), u32(0), _S774)) * u32(18), terms_2, u32(6));
+    var _S784 : f32 = _S783 * openness_number_0(_S779, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S782, _S784, _S782 * _S782, _S782 * _S784, _S784 * _S784 );
+    return blocked_of_terms_0(_S779, u32(60) + (select(u32(0), u32(2), _S781) + select(u32(1), u32(0), _S780)) * u32(18), terms_2, u32(6));
 }
 
-fn with_blocked_0( _S779 : u32,  _S780 : Blocked_0,  _S781 : YarnPoint_0,  _S782 : bool,  _S783 : f32) -> Blocked_0
+fn with_blocked_0( _S785 : u32,  _S786 : Blocked_0,  _S787 : YarnPoint_0,  _S788 : bool,  _S789 : f32) -> Blocked_0
 {
-    if(((_S781.hole_6) | (((_S781.is_warp_5) != _S782))))
+    if(((_S787.hole_6) | (((_S787.is_warp_5) != _S788))))
     {
-        return _S780;
+        return _S786;
     }
-    var _S784 : Blocked_0 = blocked_at_0(_S779, _S782, _S781.back_8, _S781.surface_normal_0.z, _S781.height_11);
+    var _S790 : Blocked_0 = blocked_at_0(_S785, _S788, _S787.back_8, _S787.surface_normal_0.z, _S787.height_11);
     var result_4 : Blocked_0;
-    result_4.by_warp_0 = _S780.by_warp_0 + _S783 * _S784.by_warp_0;
-    result_4.by_weft_0 = _S780.by_weft_0 + _S783 * _S784.by_weft_0;
-    result_4.far_0 = _S780.far_0 + _S783 * _S784.far_0;
+    result_4.by_warp_0 = _S786.by_warp_0 + _S789 * _S790.by_warp_0;
+    result_4.by_weft_0 = _S786.by_weft_0 + _S789 * _S790.by_weft_0;
+    result_4.far_0 = _S786.far_0 + _S789 * _S790.far_0;
     return result_4;
 }
 
@@ -3076,23 +3067,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S785 : u32,  _S786 : f32) -> vec3<f32>
+fn pyramid_level_0( _S791 : u32,  _S792 : f32) -> vec3<f32>
 {
-    var _S787 : u32 = fabrics_0[_S785].lobes_0.levels_0 + u32(4) * u32(min(_S786, fabrics_0[_S785].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S787), table_number_0(_S787 + u32(1)), table_number_0(_S787 + u32(2)));
+    var _S793 : u32 = fabrics_0[_S791].lobes_0.levels_0 + u32(4) * u32(min(_S792, fabrics_0[_S791].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S793), table_number_0(_S793 + u32(1)), table_number_0(_S793 + u32(2)));
 }
 
-fn coverage_taps_0( _S788 : u32,  _S789 : Footprint_0,  _S790 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S794 : u32,  _S795 : Footprint_0,  _S796 : bool) -> CoverageTaps_0
 {
-    var _S791 : Lobes_std430_0 = fabrics_0[_S788].lobes_0;
-    var _S792 : f32 = Footprint_spread_side_0(_S789) * fabrics_0[_S788].lobes_0.inverse_base_size_0;
-    var _S793 : vec3<f32> = pyramid_level_0(_S788, floor(binary_logarithm_0(max(0.68000000715255737f * _S792, 1.0f))));
-    var _S794 : f32 = 1.0f / max(_S792, 9.99999997475242708e-07f);
-    var _S795 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S788].warp_0].inverse_period_0, families_0[fabrics_0[_S788].weft_0].inverse_period_0);
-    var _S796 : vec2<f32> = _S789.centre_0 * _S795;
-    var _S797 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S794 * _S794), 0.0f, 1.0f)), 0.3333333432674408f * _S794), 1.0f));
-    var _S798 : vec2<f32> = _S789.dx_0 * _S795 * _S797;
-    var _S799 : vec2<f32> = _S789.dy_0 * _S795 * _S797;
+    var _S797 : Lobes_std430_0 = fabrics_0[_S794].lobes_0;
+    var _S798 : f32 = Footprint_spread_side_0(_S795) * fabrics_0[_S794].lobes_0.inverse_base_size_0;
+    var _S799 : vec3<f32> = pyramid_level_0(_S794, floor(binary_logarithm_0(max(0.68000000715255737f * _S798, 1.0f))));
+    var _S800 : f32 = 1.0f / max(_S798, 9.99999997475242708e-07f);
+    var _S801 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S794].warp_0].inverse_period_0, families_0[fabrics_0[_S794].weft_0].inverse_period_0);
+    var _S802 : vec2<f32> = _S795.centre_0 * _S801;
+    var _S803 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S800 * _S800), 0.0f, 1.0f)), 0.3333333432674408f * _S800), 1.0f));
+    var _S804 : vec2<f32> = _S795.dx_0 * _S801 * _S803;
+    var _S805 : vec2<f32> = _S795.dy_0 * _S801 * _S803;
     var taps_4 : CoverageTaps_0;
     var number_3 : u32 = u32(0);
     for(;;)
@@ -3104,24 +3095,24 @@ fn coverage_taps_0( _S788 : u32,  _S789 : Footprint_0,  _S790 : bool) -> Coverag
         {
             break;
         }
-        var _S800 : vec2<f32> = _S796 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S798 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S799;
-        var _S801 : f32 = _S793.y;
-        taps_4.nodes_1[number_3] = select(u32(0), _S791.face_nodes_0, _S790) + u32(wrapped_cell_0(_S800.y, _S793.z) * _S801 + wrapped_cell_0(_S800.x, _S801) + _S793.x);
+        var _S806 : vec2<f32> = _S802 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S804 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S805;
+        var _S807 : f32 = _S799.y;
+        taps_4.nodes_1[number_3] = select(u32(0), _S797.face_nodes_0, _S796) + u32(wrapped_cell_0(_S806.y, _S799.z) * _S807 + wrapped_cell_0(_S806.x, _S807) + _S799.x);
         number_3 = number_3 + u32(1);
     }
     return taps_4;
 }
 
-fn joint_ratios_0( _S802 : u32,  _S803 : vec3<f32>,  _S804 : vec3<f32>,  _S805 : bool) -> vec2<f32>
+fn joint_ratios_0( _S808 : u32,  _S809 : vec3<f32>,  _S810 : vec3<f32>,  _S811 : bool) -> vec2<f32>
 {
-    var _S806 : NodeTaps_0 = node_taps_of_0(_S804, u32(16));
-    var _S807 : NodeTaps_0 = node_taps_of_0(_S803, u32(16));
-    var _S808 : u32 = fabrics_0[_S802].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S805) + select(u32(0), u32(1), (_S803.z) < 0.0f)) * u32(512);
-    var _S809 : u32 = _S808 + u32(512);
-    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S806, _S808, u32(0)), joint_terms_0(_S807, _S809, u32(0))), dot(joint_terms_0(_S806, _S808, u32(1)), joint_terms_0(_S807, _S809, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
+    var _S812 : NodeTaps_0 = node_taps_of_0(_S810, u32(16));
+    var _S813 : NodeTaps_0 = node_taps_of_0(_S809, u32(16));
+    var _S814 : u32 = fabrics_0[_S808].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S811) + select(u32(0), u32(1), (_S809.z) < 0.0f)) * u32(512);
+    var _S815 : u32 = _S814 + u32(512);
+    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S812, _S814, u32(0)), joint_terms_0(_S813, _S815, u32(0))), dot(joint_terms_0(_S812, _S814, u32(1)), joint_terms_0(_S813, _S815, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
 }
 
-fn coverage_of_pack_0( _S810 : u32,  _S811 : CoverageTaps_0,  _S812 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S816 : u32,  _S817 : CoverageTaps_0,  _S818 : u32) -> vec4<f32>
 {
     var number_4 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -3135,9 +3126,9 @@ fn coverage_of_pack_0( _S810 : u32,  _S811 : CoverageTaps_0,  _S812 : u32) -> ve
         {
             break;
         }
-        var _S813 : u32 = words_0[fabrics_0[_S810].lobes_0.coverage_0 + _S811.nodes_1[number_4] * fabrics_0[_S810].lobes_0.packs_0 + _S812];
-        var even_2 : u32 = even_1 + ((_S813 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S813 >> (u32(8)))) & (u32(16711935))));
+        var _S819 : u32 = words_0[fabrics_0[_S816].lobes_0.coverage_0 + _S817.nodes_1[number_4] * fabrics_0[_S816].lobes_0.packs_0 + _S818];
+        var even_2 : u32 = even_1 + ((_S819 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S819 >> (u32(8)))) & (u32(16711935))));
         number_4 = number_4 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3145,7 +3136,7 @@ fn coverage_of_pack_0( _S810 : u32,  _S811 : CoverageTaps_0,  _S812 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S814 : u32,  _S815 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S820 : u32,  _S821 : CoverageTaps_0) -> f32
 {
     var number_5 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -3158,33 +3149,33 @@ fn coverage_of_holes_0( _S814 : u32,  _S815 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S814].lobes_0.coverage_holes_0 + _S815.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S815.nodes_1[number_5] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S820].lobes_0.coverage_holes_0 + _S821.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S821.nodes_1[number_5] % u32(4)))))) & (u32(255))));
         number_5 = number_5 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S816 : u32,  _S817 : CoverageTaps_0,  _S818 : NodeTaps_0,  _S819 : bool) -> f32
+fn prefiltered_hole_0( _S822 : u32,  _S823 : CoverageTaps_0,  _S824 : NodeTaps_0,  _S825 : bool) -> f32
 {
-    var _S820 : f32 = interpolate_table_0(_S818, fabrics_0[_S816].lobes_0.projected_area_0 + fabrics_0[_S816].lobes_0.packs_0, fabrics_0[_S816].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S816, _S817) * _S820 * _S820 * select(fabrics_0[_S816].lobes_0.front_hole_weight_0, fabrics_0[_S816].lobes_0.back_hole_weight_0, _S819), 1.0f);
+    var _S826 : f32 = interpolate_table_0(_S824, fabrics_0[_S822].lobes_0.projected_area_0 + fabrics_0[_S822].lobes_0.packs_0, fabrics_0[_S822].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S822, _S823) * _S826 * _S826 * select(fabrics_0[_S822].lobes_0.front_hole_weight_0, fabrics_0[_S822].lobes_0.back_hole_weight_0, _S825), 1.0f);
 }
 
-fn prefiltered_components_0( _S821 : u32,  _S822 : Footprint_0,  _S823 : vec3<f32>,  _S824 : vec3<f32>,  _S825 : bool) -> Components_0
+fn prefiltered_components_0( _S827 : u32,  _S828 : Footprint_0,  _S829 : vec3<f32>,  _S830 : vec3<f32>,  _S831 : bool) -> Components_0
 {
-    var _S826 : CoverageTaps_0 = coverage_taps_0(_S821, _S822, _S825);
-    var _S827 : NodeTaps_0 = node_taps_0(_S824);
-    var view_nodes_0 : NodeTaps_0 = _S827;
-    var _S828 : NodeTaps_0 = node_taps_0(_S823);
-    var light_nodes_0 : NodeTaps_0 = _S828;
-    var _S829 : u32 = select(u32(0), u32(1), _S825);
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S829 * u32(256)));
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S829 + select(u32(0), u32(1), (_S823.z) < 0.0f)) * u32(256)));
-    var _S830 : vec3<f32> = half_vector_0(_S823, _S824);
-    var _S831 : vec2<f32> = joint_ratios_0(_S821, _S823, _S824, _S825);
-    var _S832 : Lobes_std430_0 = fabrics_0[_S821].lobes_0;
-    var _S833 : u32 = select(fabrics_0[_S821].lobes_0.front_warp_packs_0, fabrics_0[_S821].lobes_0.back_warp_packs_0, _S825);
+    var _S832 : CoverageTaps_0 = coverage_taps_0(_S827, _S828, _S831);
+    var _S833 : NodeTaps_0 = node_taps_0(_S830);
+    var view_nodes_0 : NodeTaps_0 = _S833;
+    var _S834 : NodeTaps_0 = node_taps_0(_S829);
+    var light_nodes_0 : NodeTaps_0 = _S834;
+    var _S835 : u32 = select(u32(0), u32(1), _S831);
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S835 * u32(256)));
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S835 + select(u32(0), u32(1), (_S829.z) < 0.0f)) * u32(256)));
+    var _S836 : vec3<f32> = half_vector_0(_S829, _S830);
+    var _S837 : vec2<f32> = joint_ratios_0(_S827, _S829, _S830, _S831);
+    var _S838 : Lobes_std430_0 = fabrics_0[_S827].lobes_0;
+    var _S839 : u32 = select(fabrics_0[_S827].lobes_0.front_warp_packs_0, fabrics_0[_S827].lobes_0.back_warp_packs_0, _S831);
     var sums_4 : Components_0;
     sums_4.diffuse_warp_0 = 0.0f;
     sums_4.diffuse_weft_0 = 0.0f;
@@ -3195,19 +3186,19 @@ fn prefiltered_components_0( _S821 : u32,  _S822 : Footprint_0,  _S823 : vec3<f3
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        if(pack_0 < (_S832.packs_0))
+        if(pack_0 < (_S838.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S834 : vec4<f32> = coverage_of_pack_0(_S821, _S826, pack_0);
-        var _S835 : vec4<f32> = interpolate_table_0(view_nodes_0, _S832.projected_area_0 + pack_0, _S832.packs_0 + u32(1));
-        var _S836 : vec4<f32> = interpolate_table_0(light_nodes_0, _S832.light_visibility_0 + pack_0, _S832.packs_0) / vec4<f32>(255.0f);
-        var _S837 : vec4<f32> = interpolate_table_0(light_nodes_0, _S832.irradiance_0 + pack_0, _S832.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S838 : bool = pack_0 < _S833;
-        var _S839 : f32 = families_0[select(fabrics_0[_S821].weft_0, fabrics_0[_S821].warp_0, _S838)].roughness_0;
+        var _S840 : vec4<f32> = coverage_of_pack_0(_S827, _S832, pack_0);
+        var _S841 : vec4<f32> = interpolate_table_0(view_nodes_0, _S838.projected_area_0 + pack_0, _S838.packs_0 + u32(1));
+        var _S842 : vec4<f32> = interpolate_table_0(light_nodes_0, _S838.light_visibility_0 + pack_0, _S838.packs_0) / vec4<f32>(255.0f);
+        var _S843 : vec4<f32> = interpolate_table_0(light_nodes_0, _S838.irradiance_0 + pack_0, _S838.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S844 : bool = pack_0 < _S839;
+        var _S845 : f32 = families_0[select(fabrics_0[_S827].weft_0, fabrics_0[_S827].warp_0, _S844)].roughness_0;
         var number_6 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
@@ -3221,260 +3212,260 @@ fn prefiltered_components_0( _S821 : u32,  _S822 : Footprint_0,  _S823 : vec3<f3
             {
                 break;
             }
-            var _S840 : Group_0 = group_at_0(_S832.moments_0 + u32(12) * (u32(4) * (_S829 * _S832.packs_0 + pack_0) + number_6), _S839);
-            var _S841 : f32 = _S834[number_6] * _S835[number_6] * _S835[number_6] * _S840.weight_2;
-            var diffuse_1 : f32 = diffuse_0 + _S841 * _S837[number_6];
-            var specular_1 : f32 = specular_0 + _S841 * layer_value_0(_S840, _S830, _S823, _S824, fabrics_0[_S821].optical_depth_0) * _S836[number_6];
-            var lit_1 : f32 = lit_0 + _S841 * _S836[number_6];
-            var total_3 : f32 = total_2 + _S841;
+            var _S846 : Group_0 = group_at_0(_S838.moments_0 + u32(12) * (u32(4) * (_S835 * _S838.packs_0 + pack_0) + number_6), _S845);
+            var _S847 : f32 = _S840[number_6] * _S841[number_6] * _S841[number_6] * _S846.weight_2;
+            var diffuse_1 : f32 = diffuse_0 + _S847 * _S843[number_6];
+            var specular_1 : f32 = specular_0 + _S847 * layer_value_0(_S846, _S836, _S829, _S830, fabrics_0[_S827].optical_depth_0) * _S842[number_6];
+            var lit_1 : f32 = lit_0 + _S847 * _S842[number_6];
+            var total_3 : f32 = total_2 + _S847;
             number_6 = number_6 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             lit_0 = lit_1;
             total_2 = total_3;
         }
-        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_0, _S838);
-        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_0, 0.0f, _S838);
-        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_0, _S838);
-        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_0, 0.0f, _S838);
-        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S831.y, _S831.x, _S838);
+        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_0, _S844);
+        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_0, 0.0f, _S844);
+        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_0, _S844);
+        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_0, 0.0f, _S844);
+        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S837.y, _S837.x, _S844);
         pack_0 = pack_0 + u32(1);
     }
-    var _S842 : f32 = prefiltered_hole_0(_S821, _S826, view_nodes_0, _S825);
-    sums_4.hole_2 = _S842;
-    var _S843 : f32 = 1.0f - _S842;
-    var _S844 : f32 = _S843 / max(total_2, 9.999999960041972e-13f);
-    var _S845 : f32 = _S844 * _S831.x;
-    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * _S845;
-    var _S846 : f32 = _S844 * _S831.y;
-    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * _S846;
-    sums_4.specular_warp_0 = sums_4.specular_warp_0 * _S845;
-    sums_4.specular_weft_0 = sums_4.specular_weft_0 * _S846;
-    sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S844, _S843);
+    var _S848 : f32 = prefiltered_hole_0(_S827, _S832, view_nodes_0, _S831);
+    sums_4.hole_2 = _S848;
+    var _S849 : f32 = 1.0f - _S848;
+    var _S850 : f32 = _S849 / max(total_2, 9.999999960041972e-13f);
+    var _S851 : f32 = _S850 * _S837.x;
+    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * _S851;
+    var _S852 : f32 = _S850 * _S837.y;
+    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * _S852;
+    sums_4.specular_warp_0 = sums_4.specular_warp_0 * _S851;
+    sums_4.specular_weft_0 = sums_4.specular_weft_0 * _S852;
+    sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S850, _S849);
     return sums_4;
 }
 
-fn albedos_over_0( _S847 : u32,  _S848 : Footprint_0,  _S849 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S853 : u32,  _S854 : Footprint_0,  _S855 : bool) -> FamilyAlbedos_0
 {
-    var _S850 : vec2<f32> = _S848.dx_0;
-    var _S851 : vec2<f32> = _S848.dy_0;
-    var _S852 : vec2<f32> = sqrt(_S850 * _S850 + _S851 * _S851);
-    var _S853 : Stretch_0 = stretch_of_0(fabrics_0[_S847].warp_0, _S848.centre_0.x, _S852.x);
-    var _S854 : Stretch_0 = stretch_of_0(fabrics_0[_S847].weft_0, _S848.centre_0.y, _S852.y);
+    var _S856 : vec2<f32> = _S854.dx_0;
+    var _S857 : vec2<f32> = _S854.dy_0;
+    var _S858 : vec2<f32> = sqrt(_S856 * _S856 + _S857 * _S857);
+    var _S859 : Stretch_0 = stretch_of_0(fabrics_0[_S853].warp_0, _S854.centre_0.x, _S858.x);
+    var _S860 : Stretch_0 = stretch_of_0(fabrics_0[_S853].weft_0, _S854.centre_0.y, _S858.y);
     var albedos_9 : FamilyAlbedos_0;
-    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S847].warp_0, fabrics_0[_S847].weft_0, _S853, _S854, _S849);
-    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S847].weft_0, fabrics_0[_S847].warp_0, _S854, _S853, _S849);
+    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S853].warp_0, fabrics_0[_S853].weft_0, _S859, _S860, _S855);
+    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S853].weft_0, fabrics_0[_S853].warp_0, _S860, _S859, _S855);
     return albedos_9;
 }
 
-fn lobes_estimate_of_pass_0( _S855 : u32,  _S856 : Footprint_0,  _S857 : f32,  _S858 : vec2<f32>,  _S859 : vec3<f32>,  _S860 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S861 : u32,  _S862 : Footprint_0,  _S863 : f32,  _S864 : vec2<f32>,  _S865 : vec3<f32>,  _S866 : vec3<f32>) -> Estimate_0
 {
-    var _S861 : f32;
-    var _S862 : Regime_0 = regime_of_0(_S855, _S856, _S857);
-    var _S863 : bool = (_S860.z) < 0.0f;
-    var _S864 : vec3<f32> = to_face_frame_0(_S860, _S863);
-    var _S865 : f32 = Footprint_spread_side_0(_S856);
-    var _S866 : bool = varies_at_0(_S855, _S865);
-    var _S867 : f32 = 1.0f - _S862.prefiltered_0;
-    var _S868 : bool = ((_S867 > 0.0f) & (((_S866 | (((((families_0[fabrics_0[_S855].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S855].weft_0].quantities_0) > u32(1))))))))));
-    var box_0 : Footprint_0 = _S856;
-    var _S869 : vec3<f32> = vec3<f32>(0.0f);
-    var _S870 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S869, _S869, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
-    var _S871 : Components_0 = no_components_0();
+    var _S867 : f32;
+    var _S868 : Regime_0 = regime_of_0(_S861, _S862, _S863);
+    var _S869 : bool = (_S866.z) < 0.0f;
+    var _S870 : vec3<f32> = to_face_frame_0(_S866, _S869);
+    var _S871 : f32 = Footprint_spread_side_0(_S862);
+    var _S872 : bool = varies_at_0(_S861, _S871);
+    var _S873 : f32 = 1.0f - _S868.prefiltered_0;
+    var _S874 : bool = ((_S873 > 0.0f) & (((_S872 | (((((families_0[fabrics_0[_S861].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S861].weft_0].quantities_0) > u32(1))))))))));
+    var box_0 : Footprint_0 = _S862;
+    var _S875 : vec3<f32> = vec3<f32>(0.0f);
+    var _S876 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S875, _S875, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
+    var _S877 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S872 : u32 = select(u32(1), u32(0), _S868);
-    var points_1 : Components_0 = _S871;
+    var _S878 : u32 = select(u32(1), u32(0), _S874);
+    var points_1 : Components_0 = _S877;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S870;
-    var number_7 : u32 = _S872;
+    var central_0 : SurfacePoint_0 = _S876;
+    var number_7 : u32 = _S878;
     for(;;)
     {
-        var _S873 : f32 = f32(number_7);
-        _S861 = _S862.points_0;
-        if(_S873 < (_S862.points_0 + 1.0f))
+        var _S879 : f32 = f32(number_7);
+        _S867 = _S868.points_0;
+        if(_S879 < (_S868.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S874 : bool = number_7 == u32(0);
-        var _S875 : u32 = number_7 - u32(1);
-        var _S876 : vec2<f32> = POINT_OFFSETS_0[select(_S875, u32(0), _S874)] + _S858;
-        var _S877 : vec2<f32> = select_vector_0(_S874, vec2<f32>(0.0f), _S876 - round(_S876));
-        var _S878 : vec2<f32> = _S856.centre_0 + vec2<f32>(_S877.x) * _S856.dx_0 + vec2<f32>(_S877.y) * _S856.dy_0;
-        var _S879 : SearchQuality_0 = quality_of_0(select(_S862.threads_1, 0.0f, _S874));
-        var _S880 : Hit_0 = first_hit_0(_S855, _S879, _S878.x, _S878.y, _S864, _S863);
-        var _S881 : SurfacePoint_0 = surface_met_0(_S855, _S880.x_16, _S880.y_9, _S880.height_6, _S864, _S863);
-        if(_S874)
+        var _S880 : bool = number_7 == u32(0);
+        var _S881 : u32 = number_7 - u32(1);
+        var _S882 : vec2<f32> = POINT_OFFSETS_0[select(_S881, u32(0), _S880)] + _S864;
+        var _S883 : vec2<f32> = select_vector_0(_S880, vec2<f32>(0.0f), _S882 - round(_S882));
+        var _S884 : vec2<f32> = _S862.centre_0 + vec2<f32>(_S883.x) * _S862.dx_0 + vec2<f32>(_S883.y) * _S862.dy_0;
+        var _S885 : SearchQuality_0 = quality_of_0(select(_S868.threads_1, 0.0f, _S880));
+        var _S886 : Hit_0 = first_hit_0(_S861, _S885, _S884.x, _S884.y, _S870, _S869);
+        var _S887 : SurfacePoint_0 = surface_met_0(_S861, _S886.x_16, _S886.y_9, _S886.height_6, _S870, _S869);
+        if(_S880)
         {
-            var central_weight_1 : f32 = select(_S867, 0.0f, _S880.hole_5);
-            box_0.centre_0 = mix(_S856.centre_0, vec2<f32>(_S880.x_16, _S880.y_9), vec2<f32>(central_weight_1));
+            var central_weight_1 : f32 = select(_S873, 0.0f, _S886.hole_5);
+            box_0.centre_0 = mix(_S862.centre_0, vec2<f32>(_S886.x_16, _S886.y_9), vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S881;
+            central_0 = _S887;
             number_7 = number_7 + u32(1);
             continue;
         }
-        var _S882 : YarnPoint_0 = yarn_point_of_0(_S855, _S881, _S864, _S863, _S880.hole_5, _S865);
-        var _S883 : f32 = min(_S862.points_0 - f32(_S875), 1.0f);
-        var _S884 : Components_0 = with_added_0(points_1, components_of_point_0(_S855, _S879, _S882, _S859, _S860), _S883);
-        if((fabrics_0[_S855].openness_0) != u32(4294967295))
+        var _S888 : YarnPoint_0 = yarn_point_of_0(_S861, _S887, _S870, _S869, _S886.hole_5, _S871);
+        var _S889 : f32 = min(_S868.points_0 - f32(_S881), 1.0f);
+        var _S890 : Components_0 = with_added_0(points_1, components_of_point_0(_S861, _S885, _S888, _S865, _S866), _S889);
+        if((fabrics_0[_S861].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S855, close_1.warp_1, _S882, true, _S883);
-            close_1.weft_1 = with_blocked_0(_S855, close_1.weft_1, _S882, false, _S883);
+            close_1.warp_1 = with_blocked_0(_S861, close_1.warp_1, _S888, true, _S889);
+            close_1.weft_1 = with_blocked_0(_S861, close_1.weft_1, _S888, false, _S889);
         }
-        points_1 = _S884;
+        points_1 = _S890;
         number_7 = number_7 + u32(1);
     }
-    close_1.weight_0 = _S867;
-    var _S885 : f32 = max(_S861, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S885);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S885);
+    close_1.weight_0 = _S873;
+    var _S891 : f32 = max(_S867, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S891);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S891);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S871, points_1, _S867 / _S885);
-    if((_S862.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S877, points_1, _S873 / _S891);
+    if((_S868.prefiltered_0) > 0.0f)
     {
-        var _S886 : Components_0 = prefiltered_components_0(_S855, _S856, to_face_frame_0(_S859, _S863), _S864, _S863);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S886, _S862.prefiltered_0);
+        var _S892 : Components_0 = prefiltered_components_0(_S861, _S862, to_face_frame_0(_S865, _S869), _S870, _S869);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S892, _S868.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S855, box_0, _S863);
-    if((_S866 & ((central_weight_0 > 0.0f))))
+    estimate_0.albedos_5 = albedos_over_0(_S861, box_0, _S869);
+    if((_S872 & ((central_weight_0 > 0.0f))))
     {
-        var _S887 : SurfacePoint_0 = central_0;
-        var _S888 : Albedos_0;
+        var _S893 : SurfacePoint_0 = central_0;
+        var _S894 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S888 = estimate_0.albedos_5.warp_5;
+            _S894 = estimate_0.albedos_5.warp_5;
         }
         else
         {
-            _S888 = estimate_0.albedos_5.weft_5;
+            _S894 = estimate_0.albedos_5.weft_5;
         }
-        var _S889 : bool;
-        if((fabrics_0[_S855].has_detail_0) != u32(0))
+        var _S895 : bool;
+        if((fabrics_0[_S861].has_detail_0) != u32(0))
         {
-            _S889 = has_hairs_0(_S855);
+            _S895 = has_hairs_0(_S861);
         }
         else
         {
-            _S889 = false;
+            _S895 = false;
         }
         var cover_3 : f32;
-        if(_S889)
+        if(_S895)
         {
-            cover_3 = hair_towards_0(_S855, hairs_over_0(_S855, central_0, _S863, _S865), _S864, _S865).cover_0;
+            cover_3 = hair_towards_0(_S861, hairs_over_0(_S861, central_0, _S869, _S871), _S870, _S871).cover_0;
         }
         else
         {
             cover_3 = 0.0f;
         }
-        var _S890 : Albedos_0 = lerp_albedos_0(_S888, varied_at_0(_S855, central_0, _S888, _S863, _S865, cover_3), central_weight_0);
-        if(_S887.is_warp_0)
+        var _S896 : Albedos_0 = lerp_albedos_0(_S894, varied_at_0(_S861, central_0, _S894, _S869, _S871, cover_3), central_weight_0);
+        if(_S893.is_warp_0)
         {
-            estimate_0.albedos_5.warp_5 = _S890;
+            estimate_0.albedos_5.warp_5 = _S896;
         }
         else
         {
-            estimate_0.albedos_5.weft_5 = _S890;
+            estimate_0.albedos_5.weft_5 = _S896;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S891 : u32,  _S892 : Albedos_0,  _S893 : u32,  _S894 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S897 : u32,  _S898 : Albedos_0,  _S899 : u32,  _S900 : vec3<f32>) -> Scattered_0
 {
-    var _S895 : u32 = u32(159) + u32(2) * _S893;
+    var _S901 : u32 = u32(159) + u32(2) * _S899;
     var yarn_3 : Scattered_0;
-    yarn_3.back_6 = _S894 * _S892.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S891, _S895)) * _S892.specular_reflect_0;
-    yarn_3.through_0 = _S894 * _S892.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S891, _S895 + u32(1))) * _S892.specular_transmit_0;
+    yarn_3.back_6 = _S900 * _S898.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S897, _S901)) * _S898.specular_reflect_0;
+    yarn_3.through_0 = _S900 * _S898.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S897, _S901 + u32(1))) * _S898.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S896 : u32,  _S897 : u32,  _S898 : vec3<f32>,  _S899 : vec3<f32>,  _S900 : vec3<f32>,  _S901 : vec3<f32>,  _S902 : ptr<function, vec3<f32>>,  _S903 : ptr<function, vec3<f32>>)
+fn sent_0( _S902 : u32,  _S903 : u32,  _S904 : vec3<f32>,  _S905 : vec3<f32>,  _S906 : vec3<f32>,  _S907 : vec3<f32>,  _S908 : ptr<function, vec3<f32>>,  _S909 : ptr<function, vec3<f32>>)
 {
-    var _S904 : u32 = u32(146) + u32(4) * _S897;
-    var _S905 : f32 = openness_number_0(_S896, _S904 + u32(1));
-    var _S906 : f32 = openness_number_0(_S896, _S904 + u32(2));
-    var _S907 : vec3<f32> = vec3<f32>(1.0f);
-    var _S908 : vec3<f32> = _S907 - _S900 * vec3<f32>(openness_number_0(_S896, _S904));
-    var _S909 : vec3<f32> = _S907 - _S901 * vec3<f32>(openness_number_0(_S896, _S904 + u32(3)));
-    var _S910 : vec3<f32> = _S907 / (_S908 * _S909 - _S900 * _S901 * vec3<f32>((_S905 * _S906)));
-    (*_S902) = (_S898 * _S909 + _S900 * vec3<f32>(_S905) * _S899) * _S910;
-    (*_S903) = (_S899 * _S908 + _S901 * vec3<f32>(_S906) * _S898) * _S910;
+    var _S910 : u32 = u32(146) + u32(4) * _S903;
+    var _S911 : f32 = openness_number_0(_S902, _S910 + u32(1));
+    var _S912 : f32 = openness_number_0(_S902, _S910 + u32(2));
+    var _S913 : vec3<f32> = vec3<f32>(1.0f);
+    var _S914 : vec3<f32> = _S913 - _S906 * vec3<f32>(openness_number_0(_S902, _S910));
+    var _S915 : vec3<f32> = _S913 - _S907 * vec3<f32>(openness_number_0(_S902, _S910 + u32(3)));
+    var _S916 : vec3<f32> = _S913 / (_S914 * _S915 - _S906 * _S907 * vec3<f32>((_S911 * _S912)));
+    (*_S908) = (_S904 * _S915 + _S906 * vec3<f32>(_S911) * _S905) * _S916;
+    (*_S909) = (_S905 * _S914 + _S907 * vec3<f32>(_S912) * _S904) * _S916;
     return;
 }
 
-fn face_sends_0( _S911 : u32,  _S912 : u32,  _S913 : Scattered_0,  _S914 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S917 : u32,  _S918 : u32,  _S919 : Scattered_0,  _S920 : Scattered_0) -> FaceSends_0
 {
-    var _S915 : u32 = u32(2) * _S912;
-    var _S916 : u32 = u32(142) + _S915;
-    var _S917 : f32 = openness_number_0(_S911, _S916);
-    var _S918 : f32 = openness_number_0(_S911, _S916 + u32(1));
-    var _S919 : vec3<f32> = vec3<f32>((1.0f - _S917)) * _S913.back_6;
-    var _S920 : vec3<f32> = vec3<f32>((1.0f - _S918)) * _S914.back_6;
+    var _S921 : u32 = u32(2) * _S918;
+    var _S922 : u32 = u32(142) + _S921;
+    var _S923 : f32 = openness_number_0(_S917, _S922);
+    var _S924 : f32 = openness_number_0(_S917, _S922 + u32(1));
+    var _S925 : vec3<f32> = vec3<f32>((1.0f - _S923)) * _S919.back_6;
+    var _S926 : vec3<f32> = vec3<f32>((1.0f - _S924)) * _S920.back_6;
     var sends_1 : FaceSends_0;
-    var _S921 : u32 = u32(154) + _S915;
-    var _S922 : f32 = openness_number_0(_S911, _S921);
-    sends_1.blocks_warp_0 = _S922;
-    var _S923 : f32 = openness_number_0(_S911, _S921 + u32(1));
-    sends_1.blocks_weft_0 = _S923;
-    sends_1.open_0 = _S922 * _S917 + _S923 * _S918;
-    var _S924 : vec3<f32> = vec3<f32>(_S917) * _S913.back_6;
-    var _S925 : vec3<f32> = vec3<f32>(_S918) * _S914.back_6;
-    var _S926 : vec3<f32> = sends_1.sky_warp_0;
-    var _S927 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S911, _S912, _S924, _S925, _S919, _S920, &(_S926), &(_S927));
-    sends_1.sky_warp_0 = _S926;
-    sends_1.sky_weft_0 = _S927;
-    var _S928 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S929 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S911, _S912, _S913.through_0, _S914.through_0, _S919, _S920, &(_S928), &(_S929));
-    sends_1.crossing_warp_0 = _S928;
-    sends_1.crossing_weft_0 = _S929;
+    var _S927 : u32 = u32(154) + _S921;
+    var _S928 : f32 = openness_number_0(_S917, _S927);
+    sends_1.blocks_warp_0 = _S928;
+    var _S929 : f32 = openness_number_0(_S917, _S927 + u32(1));
+    sends_1.blocks_weft_0 = _S929;
+    sends_1.open_0 = _S928 * _S923 + _S929 * _S924;
+    var _S930 : vec3<f32> = vec3<f32>(_S923) * _S919.back_6;
+    var _S931 : vec3<f32> = vec3<f32>(_S924) * _S920.back_6;
+    var _S932 : vec3<f32> = sends_1.sky_warp_0;
+    var _S933 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S917, _S918, _S930, _S931, _S925, _S926, &(_S932), &(_S933));
+    sends_1.sky_warp_0 = _S932;
+    sends_1.sky_weft_0 = _S933;
+    var _S934 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S935 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S917, _S918, _S919.through_0, _S920.through_0, _S925, _S926, &(_S934), &(_S935));
+    sends_1.crossing_warp_0 = _S934;
+    sends_1.crossing_weft_0 = _S935;
     return sends_1;
 }
 
-fn interior_of_0( _S930 : u32,  _S931 : vec3<f32>,  _S932 : bool) -> Interior_0
+fn interior_of_0( _S936 : u32,  _S937 : vec3<f32>,  _S938 : bool) -> Interior_0
 {
-    var _S933 : Scattered_0 = scattered_by_0(_S930, table_albedos_0(families_0[fabrics_0[_S930].warp_0].colour_mean_0), u32(0), _S931);
-    var _S934 : Scattered_0 = scattered_by_0(_S930, table_albedos_0(families_0[fabrics_0[_S930].weft_0].colour_mean_0), u32(1), _S931);
-    var _S935 : FaceSends_0 = face_sends_0(_S930, select(u32(0), u32(1), _S932), _S933, _S934);
-    var _S936 : FaceSends_0 = face_sends_0(_S930, select(u32(1), u32(0), _S932), _S933, _S934);
-    var _S937 : vec3<f32> = vec3<f32>(_S935.blocks_warp_0);
-    var _S938 : vec3<f32> = vec3<f32>(_S935.blocks_weft_0);
-    var _S939 : vec3<f32> = _S937 * _S935.crossing_warp_0 + _S938 * _S935.crossing_weft_0;
-    var _S940 : vec3<f32> = vec3<f32>(_S936.blocks_warp_0);
-    var _S941 : vec3<f32> = vec3<f32>(_S936.blocks_weft_0);
-    var _S942 : vec3<f32> = _S940 * _S936.crossing_warp_0 + _S941 * _S936.crossing_weft_0;
-    var _S943 : f32 = 1.0f - _S935.open_0;
-    var _S944 : f32 = 1.0f - _S936.open_0;
-    var _S945 : vec3<f32> = vec3<f32>(1.0f);
-    var _S946 : vec3<f32> = _S945 / (_S945 - _S939 * _S942 * vec3<f32>((_S943 * _S944)));
-    var _S947 : vec3<f32> = _S942 * (vec3<f32>(_S935.open_0) + vec3<f32>(_S943) * (_S937 * _S935.sky_warp_0 + _S938 * _S935.sky_weft_0)) * _S946;
-    var _S948 : vec3<f32> = _S939 * (vec3<f32>(_S936.open_0) + vec3<f32>(_S944) * (_S940 * _S936.sky_warp_0 + _S941 * _S936.sky_weft_0)) * _S946;
-    var _S949 : FaceRadiance_0 = face_radiance_0(_S935, _S936.open_0, _S947, _S948);
-    var _S950 : FaceRadiance_0 = face_radiance_0(_S936, _S935.open_0, _S948, _S947);
+    var _S939 : Scattered_0 = scattered_by_0(_S936, table_albedos_0(families_0[fabrics_0[_S936].warp_0].colour_mean_0), u32(0), _S937);
+    var _S940 : Scattered_0 = scattered_by_0(_S936, table_albedos_0(families_0[fabrics_0[_S936].weft_0].colour_mean_0), u32(1), _S937);
+    var _S941 : FaceSends_0 = face_sends_0(_S936, select(u32(0), u32(1), _S938), _S939, _S940);
+    var _S942 : FaceSends_0 = face_sends_0(_S936, select(u32(1), u32(0), _S938), _S939, _S940);
+    var _S943 : vec3<f32> = vec3<f32>(_S941.blocks_warp_0);
+    var _S944 : vec3<f32> = vec3<f32>(_S941.blocks_weft_0);
+    var _S945 : vec3<f32> = _S943 * _S941.crossing_warp_0 + _S944 * _S941.crossing_weft_0;
+    var _S946 : vec3<f32> = vec3<f32>(_S942.blocks_warp_0);
+    var _S947 : vec3<f32> = vec3<f32>(_S942.blocks_weft_0);
+    var _S948 : vec3<f32> = _S946 * _S942.crossing_warp_0 + _S947 * _S942.crossing_weft_0;
+    var _S949 : f32 = 1.0f - _S941.open_0;
+    var _S950 : f32 = 1.0f - _S942.open_0;
+    var _S951 : vec3<f32> = vec3<f32>(1.0f);
+    var _S952 : vec3<f32> = _S951 / (_S951 - _S945 * _S948 * vec3<f32>((_S949 * _S950)));
+    var _S953 : vec3<f32> = _S948 * (vec3<f32>(_S941.open_0) + vec3<f32>(_S949) * (_S943 * _S941.sky_warp_0 + _S944 * _S941.sky_weft_0)) * _S952;
+    var _S954 : vec3<f32> = _S945 * (vec3<f32>(_S942.open_0) + vec3<f32>(_S950) * (_S946 * _S942.sky_warp_0 + _S947 * _S942.sky_weft_0)) * _S952;
+    var _S955 : FaceRadiance_0 = face_radiance_0(_S941, _S942.open_0, _S953, _S954);
+    var _S956 : FaceRadiance_0 = face_radiance_0(_S942, _S941.open_0, _S954, _S953);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S949.warp_3;
-    interior_1.weft_4 = _S949.weft_3;
-    interior_1.leaked_1 = _S949.leaked_0;
-    interior_1.far_1 = _S950.mean_1;
-    interior_1.far_leaked_0 = _S950.leaked_0;
+    interior_1.warp_4 = _S955.warp_3;
+    interior_1.weft_4 = _S955.weft_3;
+    interior_1.leaked_1 = _S955.leaked_0;
+    interior_1.far_1 = _S956.mean_1;
+    interior_1.far_leaked_0 = _S956.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S951 : u32,  _S952 : vec3<f32>,  _S953 : bool,  _S954 : bool) -> Blocked_0
+fn blocked_from_0( _S957 : u32,  _S958 : vec3<f32>,  _S959 : bool,  _S960 : bool) -> Blocked_0
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S952, &(terms_3));
-    return blocked_of_terms_0(_S951, (select(u32(0), u32(2), _S954) + select(u32(1), u32(0), _S953)) * u32(15), terms_3, u32(5));
+    view_terms_0(_S958, &(terms_3));
+    return blocked_of_terms_0(_S957, (select(u32(0), u32(2), _S960) + select(u32(1), u32(0), _S959)) * u32(15), terms_3, u32(5));
 }
 
-fn warp_seen_from_0( _S955 : u32,  _S956 : vec3<f32>,  _S957 : bool) -> f32
+fn warp_seen_from_0( _S961 : u32,  _S962 : vec3<f32>,  _S963 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S956, &(terms_4));
+    view_terms_1(_S962, &(terms_4));
     var term_1 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -3486,132 +3477,132 @@ fn warp_seen_from_0( _S955 : u32,  _S956 : vec3<f32>,  _S957 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S955, u32(132) + select(u32(0), u32(5), _S957) + term_1) * terms_4[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S961, u32(132) + select(u32(0), u32(5), _S963) + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S958 : u32,  _S959 : FamilyAlbedos_0,  _S960 : vec3<f32>,  _S961 : Interior_0,  _S962 : Blocked_0,  _S963 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S964 : u32,  _S965 : FamilyAlbedos_0,  _S966 : vec3<f32>,  _S967 : Interior_0,  _S968 : Blocked_0,  _S969 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S962, scattered_by_0(_S958, _S959.warp_5, u32(0), _S960), _S961), bounced_by_0(_S963, scattered_by_0(_S958, _S959.weft_5, u32(1), _S960), _S961));
+    return sum_of_0(bounced_by_0(_S968, scattered_by_0(_S964, _S965.warp_5, u32(0), _S966), _S967), bounced_by_0(_S969, scattered_by_0(_S964, _S965.weft_5, u32(1), _S966), _S967));
 }
 
-fn bounced_far_0( _S964 : u32,  _S965 : FamilyAlbedos_0,  _S966 : vec3<f32>,  _S967 : Interior_0,  _S968 : vec3<f32>,  _S969 : bool,  _S970 : f32,  _S971 : f32,  _S972 : f32) -> Bounced_0
+fn bounced_far_0( _S970 : u32,  _S971 : FamilyAlbedos_0,  _S972 : vec3<f32>,  _S973 : Interior_0,  _S974 : vec3<f32>,  _S975 : bool,  _S976 : f32,  _S977 : f32,  _S978 : f32) -> Bounced_0
 {
-    var _S973 : Blocked_0 = blocked_from_0(_S964, _S968, true, _S969);
-    var _S974 : Blocked_0 = blocked_from_0(_S964, _S968, false, _S969);
-    var _S975 : f32 = _S970 / max(1.0f - _S973.by_warp_0 - _S973.by_weft_0, 0.10000000149011612f);
-    var _S976 : f32 = (0.0020000000949949f * warp_seen_from_0(_S964, _S968, _S969) + _S975) / (_S975 + _S971 / max(1.0f - _S974.by_warp_0 - _S974.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S977 : f32 = 1.0f - _S972;
-    return bounced_of_families_0(_S964, _S965, _S966, _S967, scaled_0(_S973, _S976 * _S977), scaled_0(_S974, (1.0f - _S976) * _S977));
+    var _S979 : Blocked_0 = blocked_from_0(_S970, _S974, true, _S975);
+    var _S980 : Blocked_0 = blocked_from_0(_S970, _S974, false, _S975);
+    var _S981 : f32 = _S976 / max(1.0f - _S979.by_warp_0 - _S979.by_weft_0, 0.10000000149011612f);
+    var _S982 : f32 = (0.0020000000949949f * warp_seen_from_0(_S970, _S974, _S975) + _S981) / (_S981 + _S977 / max(1.0f - _S980.by_warp_0 - _S980.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S983 : f32 = 1.0f - _S978;
+    return bounced_of_families_0(_S970, _S971, _S972, _S973, scaled_0(_S979, _S982 * _S983), scaled_0(_S980, (1.0f - _S982) * _S983));
 }
 
-fn bounced_over_0( _S978 : u32,  _S979 : Components_0,  _S980 : CloseUp_0,  _S981 : FamilyAlbedos_0,  _S982 : vec3<f32>,  _S983 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S984 : u32,  _S985 : Components_0,  _S986 : CloseUp_0,  _S987 : FamilyAlbedos_0,  _S988 : vec3<f32>,  _S989 : vec3<f32>) -> Bounced_0
 {
-    var _S984 : bool = (_S983.z) < 0.0f;
-    var _S985 : Interior_0 = interior_of_0(_S978, _S982, _S984);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S978, _S981, _S982, _S985, to_face_frame_0(_S983, _S984), _S984, _S979.diffuse_warp_0, _S979.diffuse_weft_0, _S979.hole_2);
-    if((_S980.weight_0) > 0.0f)
+    var _S990 : bool = (_S989.z) < 0.0f;
+    var _S991 : Interior_0 = interior_of_0(_S984, _S988, _S990);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S984, _S987, _S988, _S991, to_face_frame_0(_S989, _S990), _S990, _S985.diffuse_warp_0, _S985.diffuse_weft_0, _S985.hole_2);
+    if((_S986.weight_0) > 0.0f)
     {
-        var _S986 : Bounced_0 = bounced_of_families_0(_S978, _S981, _S982, _S985, _S980.warp_1, _S980.weft_1);
-        var _S987 : vec3<f32> = vec3<f32>(_S980.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S986.reflected_0, _S987);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S986.transmitted_0, _S987);
+        var _S992 : Bounced_0 = bounced_of_families_0(_S984, _S987, _S988, _S991, _S986.warp_1, _S986.weft_1);
+        var _S993 : vec3<f32> = vec3<f32>(_S986.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S992.reflected_0, _S993);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S992.transmitted_0, _S993);
     }
     return bounced_2;
 }
 
-fn composed_0( _S988 : u32,  _S989 : Components_0,  _S990 : CloseUp_0,  _S991 : FamilyAlbedos_0,  _S992 : vec3<f32>,  _S993 : vec3<f32>,  _S994 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S994 : u32,  _S995 : Components_0,  _S996 : CloseUp_0,  _S997 : FamilyAlbedos_0,  _S998 : vec3<f32>,  _S999 : vec3<f32>,  _S1000 : vec3<f32>) -> vec3<f32>
 {
-    var _S995 : Albedos_0 = tinted_0(_S991.warp_5, _S992);
-    var _S996 : Albedos_0 = tinted_0(_S991.weft_5, _S992);
-    var _S997 : vec3<f32> = vec3<f32>(_S989.diffuse_warp_0);
-    var _S998 : vec3<f32> = vec3<f32>(_S989.diffuse_weft_0);
-    var _S999 : vec3<f32> = vec3<f32>(_S989.specular_warp_0);
-    var _S1000 : vec3<f32> = vec3<f32>(_S989.specular_weft_0);
-    var _S1001 : vec3<f32> = _S995.diffuse_reflect_0 * _S997 + _S996.diffuse_reflect_0 * _S998 + _S995.specular_reflect_0 * _S999 + _S996.specular_reflect_0 * _S1000;
-    var _S1002 : f32 = _S994.z;
+    var _S1001 : Albedos_0 = tinted_0(_S997.warp_5, _S998);
+    var _S1002 : Albedos_0 = tinted_0(_S997.weft_5, _S998);
+    var _S1003 : vec3<f32> = vec3<f32>(_S995.diffuse_warp_0);
+    var _S1004 : vec3<f32> = vec3<f32>(_S995.diffuse_weft_0);
+    var _S1005 : vec3<f32> = vec3<f32>(_S995.specular_warp_0);
+    var _S1006 : vec3<f32> = vec3<f32>(_S995.specular_weft_0);
+    var _S1007 : vec3<f32> = _S1001.diffuse_reflect_0 * _S1003 + _S1002.diffuse_reflect_0 * _S1004 + _S1001.specular_reflect_0 * _S1005 + _S1002.specular_reflect_0 * _S1006;
+    var _S1008 : f32 = _S1000.z;
     var body_0 : vec3<f32>;
-    if((_S993.z * _S1002) < 0.0f)
+    if((_S999.z * _S1008) < 0.0f)
     {
-        body_0 = _S995.diffuse_transmit_0 * _S997 + _S996.diffuse_transmit_0 * _S998 + _S995.specular_transmit_0 * _S999 + _S996.specular_transmit_0 * _S1000;
+        body_0 = _S1001.diffuse_transmit_0 * _S1003 + _S1002.diffuse_transmit_0 * _S1004 + _S1001.specular_transmit_0 * _S1005 + _S1002.specular_transmit_0 * _S1006;
     }
     else
     {
-        body_0 = _S1001;
+        body_0 = _S1007;
     }
-    if((fabrics_0[_S988].openness_0) != u32(4294967295))
+    if((fabrics_0[_S994].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S988, _S989, _S990, _S991, _S992, _S994), _S993, _S994);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S994, _S995, _S996, _S997, _S998, _S1000), _S999, _S1000);
     }
-    var _S1003 : f32 = fabrics_0[_S988].sheen_strength_0;
-    if((fabrics_0[_S988].sheen_strength_0) <= 0.0f)
+    var _S1009 : f32 = fabrics_0[_S994].sheen_strength_0;
+    if((fabrics_0[_S994].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S1004 : bool = _S1002 < 0.0f;
-    var _S1005 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S993, _S1004), to_face_frame_0(_S994, _S1004), _S1003, fabrics_0[_S988].sheen_roughness_0);
-    return vec3<f32>(_S1005.y) * body_0 + vec3<f32>(((_S989.light_visibility_1 + _S989.hole_2) * _S1005.x));
+    var _S1010 : bool = _S1008 < 0.0f;
+    var _S1011 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S999, _S1010), to_face_frame_0(_S1000, _S1010), _S1009, fabrics_0[_S994].sheen_roughness_0);
+    return vec3<f32>(_S1011.y) * body_0 + vec3<f32>(((_S995.light_visibility_1 + _S995.hole_2) * _S1011.x));
 }
 
-fn light_of_footprint_0( _S1006 : u32,  _S1007 : VisiblePoint_0,  _S1008 : vec2<u32>,  _S1009 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S1012 : u32,  _S1013 : VisiblePoint_0,  _S1014 : vec2<u32>,  _S1015 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S1007.draft_0;
-    footprint_0.dx_0 = _S1007.draft_dx_0;
-    footprint_0.dy_0 = _S1007.draft_dy_0;
-    var _S1010 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S1011 : vec3<f32> = to_local_0(_S1007, _S1007.view_0);
-    var _S1012 : u32 = light_sample_count_0();
-    var _S1013 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S1013.draft_0;
+    footprint_0.dx_0 = _S1013.draft_dx_0;
+    footprint_0.dy_0 = _S1013.draft_dy_0;
+    var _S1016 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S1017 : vec3<f32> = to_local_0(_S1013, _S1013.view_0);
+    var _S1018 : u32 = light_sample_count_0();
+    var _S1019 : vec3<f32> = vec3<f32>(0.0f);
     var number_8 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S1013;
+    var radiance_1 : vec3<f32> = _S1019;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        if(number_8 < (max(_S1012, u32(1))))
+        if(number_8 < (max(_S1018, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S1014 : f32;
-        if(number_8 < _S1012)
+        var _S1020 : f32;
+        if(number_8 < _S1018)
         {
-            _S1014 = visibility_at_0(number_8, _S1008);
+            _S1020 = visibility_at_0(number_8, _S1014);
         }
         else
         {
-            _S1014 = 0.0f;
+            _S1020 = 0.0f;
         }
-        var _S1015 : bool;
-        if(_S1014 <= 0.0f)
+        var _S1021 : bool;
+        if(_S1020 <= 0.0f)
         {
-            _S1015 = number_8 > u32(0);
+            _S1021 = number_8 > u32(0);
         }
         else
         {
-            _S1015 = false;
+            _S1021 = false;
         }
-        if(_S1015)
+        if(_S1021)
         {
             number_8 = number_8 + u32(1);
             continue;
         }
-        var _S1016 : LightSample_0 = light_sample_0(number_8, _S1008, _S1007.position_0);
-        var _S1017 : vec3<f32> = to_local_0(_S1007, _S1016.towards_0);
-        var _S1018 : Estimate_0 = lobes_estimate_of_pass_0(_S1006, footprint_0, 1.0f, _S1010, _S1017, _S1011);
-        radiance_1 = radiance_1 + vec3<f32>(_S1014) * _S1016.irradiance_1 * composed_0(_S1006, _S1018.components_0, _S1018.close_0, _S1018.albedos_5, _S1009, _S1017, _S1011);
-        hole_7 = _S1018.components_0.hole_2;
+        var _S1022 : LightSample_0 = light_sample_0(number_8, _S1014, _S1013.position_0);
+        var _S1023 : vec3<f32> = to_local_0(_S1013, _S1022.towards_0);
+        var _S1024 : Estimate_0 = lobes_estimate_of_pass_0(_S1012, footprint_0, 1.0f, _S1016, _S1023, _S1017);
+        radiance_1 = radiance_1 + vec3<f32>(_S1020) * _S1022.irradiance_1 * composed_0(_S1012, _S1024.components_0, _S1024.close_0, _S1024.albedos_5, _S1015, _S1023, _S1017);
+        hole_7 = _S1024.components_0.hole_2;
         number_8 = number_8 + u32(1);
     }
-    var _S1019 : f32 = fabrics_0[_S1006].sheen_strength_0;
-    if((fabrics_0[_S1006].sheen_strength_0) > 0.0f)
+    var _S1025 : f32 = fabrics_0[_S1012].sheen_strength_0;
+    if((fabrics_0[_S1012].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S1019 * sheen_lobe_0(abs(_S1011.z), fabrics_0[_S1006].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S1025 * sheen_lobe_0(abs(_S1017.z), fabrics_0[_S1012].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -3620,32 +3611,32 @@ fn light_of_footprint_0( _S1006 : u32,  _S1007 : VisiblePoint_0,  _S1008 : vec2<
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S1020 : u32 = id_0.x;
-    var _S1021 : bool;
-    if(_S1020 >= (frame_record_0.width_0))
+    var _S1026 : u32 = id_0.x;
+    var _S1027 : bool;
+    if(_S1026 >= (frame_record_0.width_0))
     {
-        _S1021 = true;
+        _S1027 = true;
     }
     else
     {
-        _S1021 = (id_0.y) >= (frame_record_0.height_0);
+        _S1027 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S1021)
+    if(_S1027)
     {
         return;
     }
-    var _S1022 : u32 = id_0.y * frame_record_0.width_0 + _S1020;
-    var _S1023 : u32 = layers_0[_S1022].face_0;
-    if((layers_0[_S1022].face_0) == u32(0))
+    var _S1028 : u32 = id_0.y * frame_record_0.width_0 + _S1026;
+    var _S1029 : u32 = layers_0[_S1028].face_0;
+    if((layers_0[_S1028].face_0) == u32(0))
     {
         return;
     }
-    var _S1024 : u32 = _S1023 - u32(1);
-    var _S1025 : u32 = fabric_of_0(_S1024);
-    var _S1026 : vec2<u32> = id_0.xy;
-    var _S1027 : VisiblePoint_0 = visible_point_0(_S1025, _S1024, _S1026);
-    var _S1028 : vec4<f32> = light_of_footprint_0(_S1025, _S1027, _S1026, filtered_albedo_0(_S1025, _S1027));
-    accumulate_0(_S1022, _S1028);
+    var _S1030 : u32 = _S1029 - u32(1);
+    var _S1031 : u32 = fabric_of_0(_S1030);
+    var _S1032 : vec2<u32> = id_0.xy;
+    var _S1033 : VisiblePoint_0 = visible_point_0(_S1031, _S1030, _S1032);
+    var _S1034 : vec4<f32> = light_of_footprint_0(_S1031, _S1033, _S1032, filtered_albedo_0(_S1031, _S1033));
+    accumulate_0(_S1028, _S1034);
     return;
 }
 

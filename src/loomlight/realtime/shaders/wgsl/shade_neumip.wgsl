@@ -1705,11 +1705,7 @@ fn uneven_shift_0( _S187 : u32,  _S188 : u32,  _S189 : u32,  _S190 : vec2<f32>) 
 
 fn uneven_place_0( _S194 : u32,  _S195 : vec2<f32>) -> vec2<f32>
 {
-    if((fabrics_0[_S194].has_detail_0) == u32(0))
-    {
-        return _S195;
-    }
-    return _S195 + vec2<f32>(uneven_shift_0(_S194, u32(0), fabrics_0[_S194].warp_0, _S195), uneven_shift_0(_S194, u32(1), fabrics_0[_S194].weft_0, _S195.yx));
+    return select_vector_1((fabrics_0[_S194].has_detail_0) == u32(0), _S195, _S195 + vec2<f32>(uneven_shift_0(_S194, u32(0), fabrics_0[_S194].warp_0, _S195), uneven_shift_0(_S194, u32(1), fabrics_0[_S194].weft_0, _S195.yx)));
 }
 
 fn face_point_0( _S196 : u32,  _S197 : u32,  _S198 : f32,  _S199 : f32) -> VisiblePoint_0

@@ -2182,11 +2182,7 @@ fn uneven_shift_0( _S292 : u32,  _S293 : u32,  _S294 : u32,  _S295 : vec2<f32>) 
 
 fn uneven_place_0( _S299 : u32,  _S300 : vec2<f32>) -> vec2<f32>
 {
-    if((fabrics_0[_S299].has_detail_0) == u32(0))
-    {
-        return _S300;
-    }
-    return _S300 + vec2<f32>(uneven_shift_0(_S299, u32(0), fabrics_0[_S299].warp_0, _S300), uneven_shift_0(_S299, u32(1), fabrics_0[_S299].weft_0, _S300.yx));
+    return select_vector_1((fabrics_0[_S299].has_detail_0) == u32(0), _S300, _S300 + vec2<f32>(uneven_shift_0(_S299, u32(0), fabrics_0[_S299].warp_0, _S300), uneven_shift_0(_S299, u32(1), fabrics_0[_S299].weft_0, _S300.yx)));
 }
 
 fn face_point_0( _S301 : u32,  _S302 : u32,  _S303 : f32,  _S304 : f32) -> VisiblePoint_0

@@ -1418,11 +1418,7 @@ fn uneven_shift_0( _S180 : u32,  _S181 : u32,  _S182 : u32,  _S183 : vec2<f32>) 
 
 fn uneven_place_0( _S187 : u32,  _S188 : vec2<f32>) -> vec2<f32>
 {
-    if((fabrics_0[_S187].has_detail_0) == u32(0))
-    {
-        return _S188;
-    }
-    return _S188 + vec2<f32>(uneven_shift_0(_S187, u32(0), fabrics_0[_S187].warp_0, _S188), uneven_shift_0(_S187, u32(1), fabrics_0[_S187].weft_0, _S188.yx));
+    return select_vector_1((fabrics_0[_S187].has_detail_0) == u32(0), _S188, _S188 + vec2<f32>(uneven_shift_0(_S187, u32(0), fabrics_0[_S187].warp_0, _S188), uneven_shift_0(_S187, u32(1), fabrics_0[_S187].weft_0, _S188.yx)));
 }
 
 fn face_point_0( _S189 : u32,  _S190 : u32,  _S191 : f32,  _S192 : f32) -> VisiblePoint_0
@@ -2040,8 +2036,8 @@ fn hair_towards_0( _S468 : u32,  _S469 : Hairs_0,  _S470 : vec3<f32>,  _S471 : f
     var _S477 : f32 = fabrics_0[_S468].fibre_size_0 / max(_S471, 0.07000000029802322f * fabrics_0[_S468].fibre_size_0);
     const _S478 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_2 : f32 = 0.0f;
-    var hair_away_0 : f32 = 0.0f;
     var hair_across_0 : vec2<f32> = _S478;
+    var hair_away_0 : f32 = 0.0f;
     var is_warp_5 : bool = false;
     var number_2 : u32 = u32(0);
     for(;;)
@@ -2075,35 +2071,38 @@ fn hair_towards_0( _S468 : u32,  _S469 : Hairs_0,  _S470 : vec3<f32>,  _S471 : f
         var _S498 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S492)), 0.0f) * _S477;
         var _S499 : f32 = clamp(_S498 + 0.5f - abs(_S497) * _S477, 0.0f, min(2.0f * _S498, 1.0f));
         var _S500 : bool = ((((_S484 >> (u32(30)))) & (u32(1)))) == u32(1);
-        if((((((share_of_0(_S484)) < (families_0[select(fabrics_0[_S468].weft_0, fabrics_0[_S468].warp_0, _S500)].hairiness_0)) & (((abs(_S492)) < 1.0f)))) & ((_S499 > cover_2))))
-        {
-            var _S501 : vec2<f32> = vec2<f32>(- _S491 - _S495 * _S489, _S489 - _S495 * _S491) * vec2<f32>(_S496);
-            cover_2 = _S499;
-            hair_away_0 = _S497;
-            hair_across_0 = _S501;
-            is_warp_5 = _S500;
-        }
-        number_2 = number_2 + u32(1);
+        var _S501 : bool = (((((share_of_0(_S484)) < (families_0[select(fabrics_0[_S468].weft_0, fabrics_0[_S468].warp_0, _S500)].hairiness_0)) & (((abs(_S492)) < 1.0f)))) & ((_S499 > cover_2)));
+        var _S502 : vec2<f32> = vec2<f32>(- _S491 - _S495 * _S489, _S489 - _S495 * _S491) * vec2<f32>(_S496);
+        var _S503 : f32 = select(cover_2, _S499, _S501);
+        var _S504 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S502.x, _S501), select(hair_across_0.y, _S502.y, _S501));
+        var _S505 : f32 = select(hair_away_0, _S497, _S501);
+        var _S506 : bool = select(is_warp_5, _S500, _S501);
+        var _S507 : u32 = number_2 + u32(1);
+        cover_2 = _S503;
+        hair_across_0 = _S504;
+        hair_away_0 = _S505;
+        is_warp_5 = _S506;
+        number_2 = _S507;
     }
-    var _S502 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S508 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
     hair_1.cover_0 = _S474 * cover_2;
-    hair_1.normal_1 = vec3<f32>(vec2<f32>(_S502) * hair_across_0, sqrt(1.0f - _S502 * _S502));
+    hair_1.normal_1 = vec3<f32>(vec2<f32>(_S508) * hair_across_0, sqrt(1.0f - _S508 * _S508));
     hair_1.tangent_0 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     hair_1.is_warp_1 = is_warp_5;
     hair_1.shade_0 = _S474 * 0.04231972247362137f * (families_0[fabrics_0[_S468].warp_0].hairiness_0 + families_0[fabrics_0[_S468].weft_0].hairiness_0);
     return hair_1;
 }
 
-fn varies_at_0( _S503 : u32,  _S504 : f32) -> bool
+fn varies_at_0( _S509 : u32,  _S510 : f32) -> bool
 {
-    return (((((fabrics_0[_S503].fibre_noise_0) > 0.0f) | (((fabrics_0[_S503].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S503].has_detail_0) != u32(0)) & ((_S504 >= 0.0f))))));
+    return (((((fabrics_0[_S509].fibre_noise_0) > 0.0f) | (((fabrics_0[_S509].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S509].has_detail_0) != u32(0)) & ((_S510 >= 0.0f))))));
 }
 
-fn thread_number_0( _S505 : u32,  _S506 : SurfacePoint_0) -> u32
+fn thread_number_0( _S511 : u32,  _S512 : SurfacePoint_0) -> u32
 {
-    var _S507 : u32 = select(fabrics_0[_S505].weft_0, fabrics_0[_S505].warp_0, _S506.is_warp_3);
-    return u32(i32(floor((select(_S506.y_1, _S506.x_8, _S506.is_warp_3) - _S506.across_3) / families_0[_S507].period_0)) * i32(families_0[_S507].count_0) + i32(select(_S506.weft_thread_0, _S506.warp_thread_0, _S506.is_warp_3))) * u32(2) + select(u32(0), u32(1), _S506.is_warp_3);
+    var _S513 : u32 = select(fabrics_0[_S511].weft_0, fabrics_0[_S511].warp_0, _S512.is_warp_3);
+    return u32(i32(floor((select(_S512.y_1, _S512.x_8, _S512.is_warp_3) - _S512.across_3) / families_0[_S513].period_0)) * i32(families_0[_S513].count_0) + i32(select(_S512.weft_thread_0, _S512.warp_thread_0, _S512.is_warp_3))) * u32(2) + select(u32(0), u32(1), _S512.is_warp_3);
 }
 
 struct FibreNoise_0
@@ -2117,214 +2116,206 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S508 : u32,  _S509 : u32,  _S510 : SurfacePoint_0,  _S511 : u32,  _S512 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S514 : u32,  _S515 : u32,  _S516 : SurfacePoint_0,  _S517 : u32,  _S518 : f32) -> FibreNoise_0
 {
-    var _S513 : f32 = 5.0f * fabrics_0[_S508].fibre_size_0;
-    var _S514 : vec2<f32> = wave_noise_0(hash_key_0(_S511, ((fabrics_0[_S508].seed_0) ^ (u32(458671337)))), _S510.fibre_along_0 / (25.0f * fabrics_0[_S508].fibre_size_0));
-    var _S515 : f32 = _S510.fibre_across_0 + families_0[_S509].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S508].fibre_size_0 * _S514.x;
-    var _S516 : vec3<f32> = fibre_cell_0(_S515, _S510.fibre_along_0, fabrics_0[_S508].fibre_size_0);
-    var _S517 : vec3<f32> = fibre_cell_0(_S515, _S510.fibre_along_0, _S513);
+    var _S519 : f32 = 5.0f * fabrics_0[_S514].fibre_size_0;
+    var _S520 : vec2<f32> = wave_noise_0(hash_key_0(_S517, ((fabrics_0[_S514].seed_0) ^ (u32(458671337)))), _S516.fibre_along_0 / (25.0f * fabrics_0[_S514].fibre_size_0));
+    var _S521 : f32 = _S516.fibre_across_0 + families_0[_S515].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S514].fibre_size_0 * _S520.x;
+    var _S522 : vec3<f32> = fibre_cell_0(_S521, _S516.fibre_along_0, fabrics_0[_S514].fibre_size_0);
+    var _S523 : vec3<f32> = fibre_cell_0(_S521, _S516.fibre_along_0, _S519);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S511, ((fabrics_0[_S508].seed_0) ^ (u32(1757159915)))), _S517);
-    noise_0.bundle_offset_0 = _S517.z;
-    noise_0.bundle_weight_0 = fade_0(_S512, _S513);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S511, ((fabrics_0[_S508].seed_0) ^ (u32(48610963)))), _S516);
-    noise_0.fibre_weight_0 = fade_0(_S512, fabrics_0[_S508].fibre_size_0);
-    noise_0.offset_2 = _S516.z;
-    noise_0.slope_2 = 0.5f * _S514.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S517, ((fabrics_0[_S514].seed_0) ^ (u32(1757159915)))), _S523);
+    noise_0.bundle_offset_0 = _S523.z;
+    noise_0.bundle_weight_0 = fade_0(_S518, _S519);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S517, ((fabrics_0[_S514].seed_0) ^ (u32(48610963)))), _S522);
+    noise_0.fibre_weight_0 = fade_0(_S518, fabrics_0[_S514].fibre_size_0);
+    noise_0.offset_2 = _S522.z;
+    noise_0.slope_2 = 0.5f * _S520.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S518 : u32,  _S519 : u32,  _S520 : SurfacePoint_0,  _S521 : bool,  _S522 : u32,  _S523 : f32) -> vec2<f32>
+fn detail_gain_0( _S524 : u32,  _S525 : u32,  _S526 : SurfacePoint_0,  _S527 : bool,  _S528 : u32,  _S529 : f32) -> vec2<f32>
 {
-    var _S524 : vec2<f32> = vec2<f32>(0.0f);
+    var _S530 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S519].has_plies_0) > 0.0f)
+    if((families_0[_S525].has_plies_0) > 0.0f)
     {
-        gain_2 = groove_0(0.94999998807907104f * fade_0(_S523, 1.0f / families_0[_S519].plies_per_mm_0), ply_offset_0(_S519, _S520, _S521));
+        gain_2 = groove_0(0.94999998807907104f * fade_0(_S529, 1.0f / families_0[_S525].plies_per_mm_0), ply_offset_0(_S525, _S526, _S527));
     }
     else
     {
-        gain_2 = _S524;
+        gain_2 = _S530;
     }
-    if((families_0[_S519].fibre_tone_0) > 0.0f)
+    if((families_0[_S525].fibre_tone_0) > 0.0f)
     {
-        var _S525 : FibreNoise_0 = fibre_noise_at_0(_S518, _S519, _S520, _S522, _S523);
-        var _S526 : f32 = 4.5f * families_0[_S519].fibre_tone_0;
-        gain_2 = gain_2 + vec2<f32>(families_0[_S519].fibre_tone_0) * vec2<f32>(_S525.bundle_weight_0 * _S525.bundle_0.y + _S525.fibre_weight_0 * _S525.fibre_0.y, _S525.bundle_weight_0 + _S525.fibre_weight_0) + (groove_0(_S526 * (_S525.bundle_weight_0 * (0.5f * (_S525.bundle_0.x - 1.0f) + 1.0f)), _S525.bundle_offset_0) + groove_0(_S526 * _S525.fibre_weight_0, _S525.offset_2));
+        var _S531 : FibreNoise_0 = fibre_noise_at_0(_S524, _S525, _S526, _S528, _S529);
+        var _S532 : f32 = 4.5f * families_0[_S525].fibre_tone_0;
+        gain_2 = gain_2 + vec2<f32>(families_0[_S525].fibre_tone_0) * vec2<f32>(_S531.bundle_weight_0 * _S531.bundle_0.y + _S531.fibre_weight_0 * _S531.fibre_0.y, _S531.bundle_weight_0 + _S531.fibre_weight_0) + (groove_0(_S532 * (_S531.bundle_weight_0 * (0.5f * (_S531.bundle_0.x - 1.0f) + 1.0f)), _S531.bundle_offset_0) + groove_0(_S532 * _S531.fibre_weight_0, _S531.offset_2));
     }
-    if((families_0[_S519].slub_0) > 0.0f)
+    if((families_0[_S525].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S519].slub_0 * fade_0(_S523, 1.0f / families_0[_S519].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S522, ((fabrics_0[_S518].seed_0) ^ (u32(1373058189)))), select(- _S520.x_8, _S520.y_1, _S520.is_warp_3) * families_0[_S519].slubs_per_mm_0).x, 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S525].slub_0 * fade_0(_S529, 1.0f / families_0[_S525].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S528, ((fabrics_0[_S524].seed_0) ^ (u32(1373058189)))), select(- _S526.x_8, _S526.y_1, _S526.is_warp_3) * families_0[_S525].slubs_per_mm_0).x, 1.0f);
     }
     return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
 }
 
-fn vary_albedos_0( _S527 : u32,  _S528 : Albedos_0,  _S529 : u32,  _S530 : u32,  _S531 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S533 : u32,  _S534 : Albedos_0,  _S535 : u32,  _S536 : u32,  _S537 : vec2<f32>) -> Albedos_0
 {
-    var _S532 : vec3<f32> = max(_S528.specular_reflect_0, _S528.specular_transmit_0);
-    var _S533 : vec3<f32> = _S528.diffuse_reflect_0 + _S528.diffuse_transmit_0;
-    var _S534 : vec3<f32> = vec3<f32>(fabrics_0[_S527].layer_bound_0);
-    var _S535 : vec3<f32> = vec3<f32>(1.0f);
-    var _S536 : vec3<f32> = _S535 - _S534 * _S532;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S529, fabrics_0[_S527].colour_noise_0, fabrics_0[_S527].seed_0), _S533, _S536);
-    var _S537 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S531.y, vec3<f32>(colour_1) * _S533, _S536) * _S531.x)));
-    var _S538 : f32 = bounded_gain_0(fibre_gain_0(_S529, _S530, fabrics_0[_S527].fibre_noise_0, fabrics_0[_S527].seed_0), _S532, min((_S535 - _S537 * _S533) / _S534, vec3<f32>(1.0f)));
+    var _S538 : vec3<f32> = max(_S534.specular_reflect_0, _S534.specular_transmit_0);
+    var _S539 : vec3<f32> = _S534.diffuse_reflect_0 + _S534.diffuse_transmit_0;
+    var _S540 : vec3<f32> = vec3<f32>(fabrics_0[_S533].layer_bound_0);
+    var _S541 : vec3<f32> = vec3<f32>(1.0f);
+    var _S542 : vec3<f32> = _S541 - _S540 * _S538;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S535, fabrics_0[_S533].colour_noise_0, fabrics_0[_S533].seed_0), _S539, _S542);
+    var _S543 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S537.y, vec3<f32>(colour_1) * _S539, _S542) * _S537.x)));
+    var _S544 : f32 = bounded_gain_0(fibre_gain_0(_S535, _S536, fabrics_0[_S533].fibre_noise_0, fabrics_0[_S533].seed_0), _S538, min((_S541 - _S543 * _S539) / _S540, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S537 * _S528.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S537 * _S528.diffuse_transmit_0;
-    var _S539 : vec3<f32> = vec3<f32>(_S538);
-    varied_0.specular_reflect_0 = _S539 * _S528.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S539 * _S528.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S543 * _S534.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S543 * _S534.diffuse_transmit_0;
+    var _S545 : vec3<f32> = vec3<f32>(_S544);
+    varied_0.specular_reflect_0 = _S545 * _S534.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S545 * _S534.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S540 : u32,  _S541 : SurfacePoint_0,  _S542 : Albedos_0,  _S543 : bool,  _S544 : f32,  _S545 : f32) -> Albedos_0
+fn varied_at_0( _S546 : u32,  _S547 : SurfacePoint_0,  _S548 : Albedos_0,  _S549 : bool,  _S550 : f32,  _S551 : f32) -> Albedos_0
 {
-    var _S546 : u32 = thread_number_0(_S540, _S541);
-    var _S547 : vec3<f32> = fibre_cell_0(_S541.fibre_across_0, _S541.fibre_along_0, fabrics_0[_S540].fibre_size_0);
-    var _S548 : vec2<f32> = vec2<f32>(0.0f);
+    var _S552 : u32 = thread_number_0(_S546, _S547);
+    var _S553 : vec3<f32> = fibre_cell_0(_S547.fibre_across_0, _S547.fibre_along_0, fabrics_0[_S546].fibre_size_0);
+    var _S554 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S540].has_detail_0) != u32(0)) & ((_S544 >= 0.0f))))
+    if((((fabrics_0[_S546].has_detail_0) != u32(0)) & ((_S550 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S540, select(fabrics_0[_S540].weft_0, fabrics_0[_S540].warp_0, _S541.is_warp_3), _S541, _S543, _S546, _S544) * vec2<f32>(1.0f - _S545, 1.0f);
+        gain_3 = detail_gain_0(_S546, select(fabrics_0[_S546].weft_0, fabrics_0[_S546].warp_0, _S547.is_warp_3), _S547, _S549, _S552, _S550) * vec2<f32>(1.0f - _S551, 1.0f);
     }
     else
     {
-        gain_3 = _S548;
+        gain_3 = _S554;
     }
-    return vary_albedos_0(_S540, _S542, _S546, u32(i32(_S547.x)) * u32(65536) + u32(i32(floor(_S547.y))), gain_3);
+    return vary_albedos_0(_S546, _S548, _S552, u32(i32(_S553.x)) * u32(65536) + u32(i32(floor(_S553.y))), gain_3);
 }
 
-fn turned_frame_0( _S549 : u32,  _S550 : u32,  _S551 : SurfacePoint_0,  _S552 : bool,  _S553 : u32,  _S554 : f32) -> YarnFrame_0
+fn turned_frame_0( _S555 : u32,  _S556 : u32,  _S557 : SurfacePoint_0,  _S558 : bool,  _S559 : u32,  _S560 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_4 = _S551.normal_3;
-    frame_2.tangent_3 = _S551.tangent_2;
+    frame_2.normal_4 = _S557.normal_3;
+    frame_2.tangent_3 = _S557.tangent_2;
     frame_2.loss_0 = 0.0f;
     frame_2.shade_2 = 0.0f;
-    if((families_0[_S550].has_plies_0) > 0.0f)
+    if((families_0[_S556].has_plies_0) > 0.0f)
     {
-        var _S555 : f32 = fade_0(_S554, 1.0f / families_0[_S550].plies_per_mm_0);
-        var _S556 : f32 = _S555 * 0.62000000476837158f * ply_offset_0(_S550, _S551, _S552);
-        var _S557 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
-        var _S558 : vec3<f32> = vec3<f32>(families_0[_S550].ply_cosine_0);
-        var _S559 : vec3<f32> = vec3<f32>(select(families_0[_S550].ply_sine_0, - families_0[_S550].ply_sine_0, _S552));
-        var _S560 : vec3<f32> = _S558 * _S557 + _S559 * frame_2.tangent_3;
-        var _S561 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S556 * _S556));
-        var _S562 : vec3<f32> = vec3<f32>(_S556);
-        frame_2.tangent_3 = _S558 * (_S558 * frame_2.tangent_3 - _S559 * _S557) + _S559 * (_S561 * _S560 - _S562 * frame_2.normal_4);
-        frame_2.normal_4 = _S561 * frame_2.normal_4 + _S562 * _S560;
-        frame_2.loss_0 = _S555 * _S555 * 0.62000000476837158f * 0.62000000476837158f / 6.0f;
+        var _S561 : f32 = fade_0(_S560, 1.0f / families_0[_S556].plies_per_mm_0);
+        var _S562 : f32 = _S561 * 0.62000000476837158f * ply_offset_0(_S556, _S557, _S558);
+        var _S563 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
+        var _S564 : vec3<f32> = vec3<f32>(families_0[_S556].ply_cosine_0);
+        var _S565 : vec3<f32> = vec3<f32>(select(families_0[_S556].ply_sine_0, - families_0[_S556].ply_sine_0, _S558));
+        var _S566 : vec3<f32> = _S564 * _S563 + _S565 * frame_2.tangent_3;
+        var _S567 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S562 * _S562));
+        var _S568 : vec3<f32> = vec3<f32>(_S562);
+        frame_2.tangent_3 = _S564 * (_S564 * frame_2.tangent_3 - _S565 * _S563) + _S565 * (_S567 * _S566 - _S568 * frame_2.normal_4);
+        frame_2.normal_4 = _S567 * frame_2.normal_4 + _S568 * _S566;
+        frame_2.loss_0 = _S561 * _S561 * 0.62000000476837158f * 0.62000000476837158f / 6.0f;
     }
-    var _S563 : f32 = families_0[_S550].fibre_tilt_0;
-    if((families_0[_S550].fibre_tilt_0) > 0.0f)
+    var _S569 : f32 = families_0[_S556].fibre_tilt_0;
+    if((families_0[_S556].fibre_tilt_0) > 0.0f)
     {
-        var _S564 : FibreNoise_0 = fibre_noise_at_0(_S549, _S550, _S551, _S553, _S554);
-        var _S565 : f32 = 1.09858846664428711f * _S563 * (_S564.bundle_weight_0 * _S564.bundle_0.x + _S564.fibre_weight_0 * (_S564.fibre_0.x + _S564.offset_2));
-        var _S566 : f32 = _S563 * (1.42099642753601074f * (_S564.bundle_weight_0 * _S564.bundle_0.y + _S564.fibre_weight_0 * _S564.fibre_0.y) - _S564.bundle_weight_0 * _S564.slope_2);
-        var _S567 : f32 = square_1(_S564.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S563 * _S563 * ((0.24761904776096344f * (square_1(_S564.bundle_weight_0) + _S567) + _S567 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S568 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
-        var _S569 : vec2<f32> = sine_cosine_0(_S565);
-        var _S570 : vec2<f32> = sine_cosine_0(_S566);
-        var _S571 : vec3<f32> = vec3<f32>(_S569.y);
-        var _S572 : vec3<f32> = vec3<f32>(_S569.x);
-        var _S573 : vec3<f32> = _S571 * _S568 - _S572 * frame_2.normal_4;
-        frame_2.normal_4 = _S571 * frame_2.normal_4 + _S572 * _S568;
-        frame_2.tangent_3 = vec3<f32>(_S570.y) * frame_2.tangent_3 + vec3<f32>(_S570.x) * _S573;
+        var _S570 : FibreNoise_0 = fibre_noise_at_0(_S555, _S556, _S557, _S559, _S560);
+        var _S571 : f32 = 1.09858846664428711f * _S569 * (_S570.bundle_weight_0 * _S570.bundle_0.x + _S570.fibre_weight_0 * (_S570.fibre_0.x + _S570.offset_2));
+        var _S572 : f32 = _S569 * (1.42099642753601074f * (_S570.bundle_weight_0 * _S570.bundle_0.y + _S570.fibre_weight_0 * _S570.fibre_0.y) - _S570.bundle_weight_0 * _S570.slope_2);
+        var _S573 : f32 = square_1(_S570.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S569 * _S569 * ((0.24761904776096344f * (square_1(_S570.bundle_weight_0) + _S573) + _S573 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S574 : vec3<f32> = cross(frame_2.tangent_3, frame_2.normal_4);
+        var _S575 : vec2<f32> = sine_cosine_0(_S571);
+        var _S576 : vec2<f32> = sine_cosine_0(_S572);
+        var _S577 : vec3<f32> = vec3<f32>(_S575.y);
+        var _S578 : vec3<f32> = vec3<f32>(_S575.x);
+        var _S579 : vec3<f32> = _S577 * _S574 - _S578 * frame_2.normal_4;
+        frame_2.normal_4 = _S577 * frame_2.normal_4 + _S578 * _S574;
+        frame_2.tangent_3 = vec3<f32>(_S576.y) * frame_2.tangent_3 + vec3<f32>(_S576.x) * _S579;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S574 : u32,  _S575 : SurfacePoint_0,  _S576 : vec3<f32>,  _S577 : bool,  _S578 : bool,  _S579 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S580 : u32,  _S581 : SurfacePoint_0,  _S582 : vec3<f32>,  _S583 : bool,  _S584 : bool,  _S585 : f32) -> YarnPoint_0
 {
-    var _S580 : u32 = fabrics_0[_S574].warp_0;
-    var _S581 : u32 = fabrics_0[_S574].weft_0;
-    var _S582 : u32 = select(fabrics_0[_S574].weft_0, fabrics_0[_S574].warp_0, _S575.is_warp_3);
-    var _S583 : bool = (((fabrics_0[_S574].has_detail_0) != u32(0)) & ((_S579 >= 0.0f)));
+    var _S586 : u32 = fabrics_0[_S580].warp_0;
+    var _S587 : u32 = fabrics_0[_S580].weft_0;
+    var _S588 : u32 = select(fabrics_0[_S580].weft_0, fabrics_0[_S580].warp_0, _S581.is_warp_3);
+    var _S589 : bool = (((fabrics_0[_S580].has_detail_0) != u32(0)) & ((_S585 >= 0.0f)));
     var point_6 : YarnPoint_0;
-    point_6.hairs_0 = hairs_over_0(_S574, _S575, _S577, _S579);
+    point_6.hairs_0 = hairs_over_0(_S580, _S581, _S583, _S585);
     point_6.hair_cover_0 = 1.0f;
-    var _S584 : vec3<f32> = vec3<f32>(0.0f);
-    var _S585 : Hair_0 = Hair_x24init_0(0.0f, _S584, _S584, false, 0.0f);
-    point_6.is_warp_4 = _S575.is_warp_3;
-    var _S586 : bool;
-    if(_S583)
-    {
-        _S586 = has_hairs_0(_S574);
-    }
-    else
-    {
-        _S586 = false;
-    }
+    var _S590 : vec3<f32> = vec3<f32>(0.0f);
+    var _S591 : Hair_0 = Hair_x24init_0(0.0f, _S590, _S590, false, 0.0f);
+    point_6.is_warp_4 = _S581.is_warp_3;
+    var _S592 : bool = (_S589 & ((has_hairs_0(_S580))));
     var hair_2 : Hair_0;
-    if(_S586)
+    if(_S592)
     {
-        var _S587 : Hair_0 = hair_towards_0(_S574, point_6.hairs_0, _S576, _S579);
-        point_6.hair_cover_0 = _S587.cover_0;
-        point_6.is_warp_4 = select(_S575.is_warp_3, _S587.is_warp_1, (_S587.cover_0) > 0.5f);
-        hair_2 = _S587;
+        var _S593 : Hair_0 = hair_towards_0(_S580, point_6.hairs_0, _S582, _S585);
+        point_6.hair_cover_0 = _S593.cover_0;
+        point_6.is_warp_4 = select(_S581.is_warp_3, _S593.is_warp_1, (_S593.cover_0) > 0.5f);
+        hair_2 = _S593;
     }
     else
     {
-        hair_2 = _S585;
+        hair_2 = _S591;
     }
-    var _S588 : u32 = select(_S581, _S580, point_6.is_warp_4);
-    var albedos_3 : Albedos_0 = albedos_of_0(_S588, select(_S575.weft_thread_0, _S575.warp_thread_0, point_6.is_warp_4));
+    var _S594 : u32 = select(_S587, _S586, point_6.is_warp_4);
+    var albedos_3 : Albedos_0 = albedos_of_0(_S594, select(_S581.weft_thread_0, _S581.warp_thread_0, point_6.is_warp_4));
     var albedos_4 : Albedos_0;
-    if(varies_at_0(_S574, _S579))
+    if(varies_at_0(_S580, _S585))
     {
-        albedos_4 = varied_at_0(_S574, _S575, albedos_3, _S577, _S579, hair_2.cover_0);
+        albedos_4 = varied_at_0(_S580, _S581, albedos_3, _S583, _S585, hair_2.cover_0);
     }
     else
     {
         albedos_4 = albedos_3;
     }
-    point_6.back_7 = _S577;
-    point_6.hole_3 = _S578;
-    point_6.x_13 = _S575.x_8;
-    point_6.y_6 = _S575.y_1;
-    point_6.height_5 = _S575.height_4 + hair_2.cover_0 * point_6.hairs_0.below_1;
-    point_6.normal_8 = _S575.normal_3;
-    point_6.tangent_8 = _S575.tangent_2;
-    point_6.surface_normal_0 = normalize(mix(_S575.normal_3, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_0)));
+    point_6.back_7 = _S583;
+    point_6.hole_3 = _S584;
+    point_6.x_13 = _S581.x_8;
+    point_6.y_6 = _S581.y_1;
+    point_6.height_5 = _S581.height_4 + hair_2.cover_0 * point_6.hairs_0.below_1;
+    point_6.normal_8 = _S581.normal_3;
+    point_6.tangent_8 = _S581.tangent_2;
+    point_6.surface_normal_0 = normalize(mix(_S581.normal_3, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_0)));
     point_6.diffuse_gain_1 = 1.0f;
-    if(_S583)
+    if(_S589)
     {
-        var _S589 : YarnFrame_0 = turned_frame_0(_S574, _S582, _S575, _S577, thread_number_0(_S574, _S575), _S579);
+        var _S595 : YarnFrame_0 = turned_frame_0(_S580, _S588, _S581, _S583, thread_number_0(_S580, _S581), _S585);
         var frame_3 : YarnFrame_0;
-        if(has_hairs_0(_S574))
+        if(_S592)
         {
-            frame_3 = under_hair_0(_S589, hair_2);
+            frame_3 = under_hair_0(_S595, hair_2);
         }
         else
         {
-            frame_3 = _S589;
+            frame_3 = _S595;
         }
         point_6.normal_8 = frame_3.normal_4;
         point_6.tangent_8 = frame_3.tangent_3;
-        point_6.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S574].diffuse_blend_0);
+        point_6.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S580].diffuse_blend_0);
     }
-    point_6.roughness_8 = families_0[_S588].roughness_0;
+    point_6.roughness_8 = families_0[_S594].roughness_0;
     point_6.albedos_2 = albedos_4;
     return point_6;
 }
 
-fn locate_yarn_0( _S590 : u32,  _S591 : SearchQuality_0,  _S592 : f32,  _S593 : f32,  _S594 : vec3<f32>,  _S595 : f32) -> YarnPoint_0
+fn locate_yarn_0( _S596 : u32,  _S597 : SearchQuality_0,  _S598 : f32,  _S599 : f32,  _S600 : vec3<f32>,  _S601 : f32) -> YarnPoint_0
 {
-    var _S596 : bool = (_S594.z) < 0.0f;
-    var _S597 : vec3<f32> = to_face_frame_0(_S594, _S596);
-    var _S598 : Hit_0 = first_hit_0(_S590, _S591, _S592, _S593, _S597, _S596);
-    return yarn_point_of_0(_S590, surface_met_0(_S590, _S598.x_14, _S598.y_7, _S598.height_6, _S597, _S596), _S597, _S596, _S598.hole_4, _S595);
+    var _S602 : bool = (_S600.z) < 0.0f;
+    var _S603 : vec3<f32> = to_face_frame_0(_S600, _S602);
+    var _S604 : Hit_0 = first_hit_0(_S596, _S597, _S598, _S599, _S603, _S602);
+    return yarn_point_of_0(_S596, surface_met_0(_S596, _S604.x_14, _S604.y_7, _S604.height_6, _S603, _S602), _S603, _S602, _S604.hole_4, _S601);
 }
 
-fn openness_number_0( _S599 : u32,  _S600 : u32) -> f32
+fn openness_number_0( _S605 : u32,  _S606 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S599].openness_0 + _S600);
+    return table_number_0(fabrics_0[_S605].openness_0 + _S606);
 }
 
-fn blocked_of_terms_0( _S601 : u32,  _S602 : u32,  _S603 : array<f32, i32(6)>,  _S604 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S607 : u32,  _S608 : u32,  _S609 : array<f32, i32(6)>,  _S610 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_3 : u32 = u32(0);
@@ -2341,14 +2332,14 @@ fn blocked_of_terms_0( _S601 : u32,  _S602 : u32,  _S603 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S604)
+            if(term_0 < _S610)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S601, _S602 + share_3 * _S604 + term_0) * _S603[term_0];
+            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S607, _S608 + share_3 * _S610 + term_0) * _S609[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_3] = saturate(shares_0[share_3]);
@@ -2361,106 +2352,106 @@ fn blocked_of_terms_0( _S601 : u32,  _S602 : u32,  _S603 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_at_0( _S605 : u32,  _S606 : bool,  _S607 : bool,  _S608 : f32,  _S609 : f32) -> Blocked_0
+fn blocked_at_0( _S611 : u32,  _S612 : bool,  _S613 : bool,  _S614 : f32,  _S615 : f32) -> Blocked_0
 {
-    var _S610 : f32 = _S609 * openness_number_0(_S605, u32(158));
-    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S608, _S610, _S608 * _S608, _S608 * _S610, _S610 * _S610 );
-    return blocked_of_terms_0(_S605, u32(60) + (select(u32(0), u32(2), _S607) + select(u32(1), u32(0), _S606)) * u32(18), terms_0, u32(6));
+    var _S616 : f32 = _S615 * openness_number_0(_S611, u32(158));
+    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S614, _S616, _S614 * _S614, _S614 * _S616, _S616 * _S616 );
+    return blocked_of_terms_0(_S611, u32(60) + (select(u32(0), u32(2), _S613) + select(u32(1), u32(0), _S612)) * u32(18), terms_0, u32(6));
 }
 
-fn scattered_by_0( _S611 : u32,  _S612 : Albedos_0,  _S613 : u32,  _S614 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S617 : u32,  _S618 : Albedos_0,  _S619 : u32,  _S620 : vec3<f32>) -> Scattered_0
 {
-    var _S615 : u32 = u32(159) + u32(2) * _S613;
+    var _S621 : u32 = u32(159) + u32(2) * _S619;
     var yarn_3 : Scattered_0;
-    yarn_3.back_5 = _S614 * _S612.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S611, _S615)) * _S612.specular_reflect_0;
-    yarn_3.through_0 = _S614 * _S612.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S611, _S615 + u32(1))) * _S612.specular_transmit_0;
+    yarn_3.back_5 = _S620 * _S618.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S617, _S621)) * _S618.specular_reflect_0;
+    yarn_3.through_0 = _S620 * _S618.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S617, _S621 + u32(1))) * _S618.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S616 : u32,  _S617 : u32,  _S618 : vec3<f32>,  _S619 : vec3<f32>,  _S620 : vec3<f32>,  _S621 : vec3<f32>,  _S622 : ptr<function, vec3<f32>>,  _S623 : ptr<function, vec3<f32>>)
+fn sent_0( _S622 : u32,  _S623 : u32,  _S624 : vec3<f32>,  _S625 : vec3<f32>,  _S626 : vec3<f32>,  _S627 : vec3<f32>,  _S628 : ptr<function, vec3<f32>>,  _S629 : ptr<function, vec3<f32>>)
 {
-    var _S624 : u32 = u32(146) + u32(4) * _S617;
-    var _S625 : f32 = openness_number_0(_S616, _S624 + u32(1));
-    var _S626 : f32 = openness_number_0(_S616, _S624 + u32(2));
-    var _S627 : vec3<f32> = vec3<f32>(1.0f);
-    var _S628 : vec3<f32> = _S627 - _S620 * vec3<f32>(openness_number_0(_S616, _S624));
-    var _S629 : vec3<f32> = _S627 - _S621 * vec3<f32>(openness_number_0(_S616, _S624 + u32(3)));
-    var _S630 : vec3<f32> = _S627 / (_S628 * _S629 - _S620 * _S621 * vec3<f32>((_S625 * _S626)));
-    (*_S622) = (_S618 * _S629 + _S620 * vec3<f32>(_S625) * _S619) * _S630;
-    (*_S623) = (_S619 * _S628 + _S621 * vec3<f32>(_S626) * _S618) * _S630;
+    var _S630 : u32 = u32(146) + u32(4) * _S623;
+    var _S631 : f32 = openness_number_0(_S622, _S630 + u32(1));
+    var _S632 : f32 = openness_number_0(_S622, _S630 + u32(2));
+    var _S633 : vec3<f32> = vec3<f32>(1.0f);
+    var _S634 : vec3<f32> = _S633 - _S626 * vec3<f32>(openness_number_0(_S622, _S630));
+    var _S635 : vec3<f32> = _S633 - _S627 * vec3<f32>(openness_number_0(_S622, _S630 + u32(3)));
+    var _S636 : vec3<f32> = _S633 / (_S634 * _S635 - _S626 * _S627 * vec3<f32>((_S631 * _S632)));
+    (*_S628) = (_S624 * _S635 + _S626 * vec3<f32>(_S631) * _S625) * _S636;
+    (*_S629) = (_S625 * _S634 + _S627 * vec3<f32>(_S632) * _S624) * _S636;
     return;
 }
 
-fn face_sends_0( _S631 : u32,  _S632 : u32,  _S633 : Scattered_0,  _S634 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S637 : u32,  _S638 : u32,  _S639 : Scattered_0,  _S640 : Scattered_0) -> FaceSends_0
 {
-    var _S635 : u32 = u32(2) * _S632;
-    var _S636 : u32 = u32(142) + _S635;
-    var _S637 : f32 = openness_number_0(_S631, _S636);
-    var _S638 : f32 = openness_number_0(_S631, _S636 + u32(1));
-    var _S639 : vec3<f32> = vec3<f32>((1.0f - _S637)) * _S633.back_5;
-    var _S640 : vec3<f32> = vec3<f32>((1.0f - _S638)) * _S634.back_5;
+    var _S641 : u32 = u32(2) * _S638;
+    var _S642 : u32 = u32(142) + _S641;
+    var _S643 : f32 = openness_number_0(_S637, _S642);
+    var _S644 : f32 = openness_number_0(_S637, _S642 + u32(1));
+    var _S645 : vec3<f32> = vec3<f32>((1.0f - _S643)) * _S639.back_5;
+    var _S646 : vec3<f32> = vec3<f32>((1.0f - _S644)) * _S640.back_5;
     var sends_1 : FaceSends_0;
-    var _S641 : u32 = u32(154) + _S635;
-    var _S642 : f32 = openness_number_0(_S631, _S641);
-    sends_1.blocks_warp_0 = _S642;
-    var _S643 : f32 = openness_number_0(_S631, _S641 + u32(1));
-    sends_1.blocks_weft_0 = _S643;
-    sends_1.open_0 = _S642 * _S637 + _S643 * _S638;
-    var _S644 : vec3<f32> = vec3<f32>(_S637) * _S633.back_5;
-    var _S645 : vec3<f32> = vec3<f32>(_S638) * _S634.back_5;
-    var _S646 : vec3<f32> = sends_1.sky_warp_0;
-    var _S647 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S631, _S632, _S644, _S645, _S639, _S640, &(_S646), &(_S647));
-    sends_1.sky_warp_0 = _S646;
-    sends_1.sky_weft_0 = _S647;
-    var _S648 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S649 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S631, _S632, _S633.through_0, _S634.through_0, _S639, _S640, &(_S648), &(_S649));
-    sends_1.crossing_warp_0 = _S648;
-    sends_1.crossing_weft_0 = _S649;
+    var _S647 : u32 = u32(154) + _S641;
+    var _S648 : f32 = openness_number_0(_S637, _S647);
+    sends_1.blocks_warp_0 = _S648;
+    var _S649 : f32 = openness_number_0(_S637, _S647 + u32(1));
+    sends_1.blocks_weft_0 = _S649;
+    sends_1.open_0 = _S648 * _S643 + _S649 * _S644;
+    var _S650 : vec3<f32> = vec3<f32>(_S643) * _S639.back_5;
+    var _S651 : vec3<f32> = vec3<f32>(_S644) * _S640.back_5;
+    var _S652 : vec3<f32> = sends_1.sky_warp_0;
+    var _S653 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S637, _S638, _S650, _S651, _S645, _S646, &(_S652), &(_S653));
+    sends_1.sky_warp_0 = _S652;
+    sends_1.sky_weft_0 = _S653;
+    var _S654 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S655 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S637, _S638, _S639.through_0, _S640.through_0, _S645, _S646, &(_S654), &(_S655));
+    sends_1.crossing_warp_0 = _S654;
+    sends_1.crossing_weft_0 = _S655;
     return sends_1;
 }
 
-fn interior_of_0( _S650 : u32,  _S651 : vec3<f32>,  _S652 : bool) -> Interior_0
+fn interior_of_0( _S656 : u32,  _S657 : vec3<f32>,  _S658 : bool) -> Interior_0
 {
-    var _S653 : Scattered_0 = scattered_by_0(_S650, table_albedos_0(families_0[fabrics_0[_S650].warp_0].colour_mean_0), u32(0), _S651);
-    var _S654 : Scattered_0 = scattered_by_0(_S650, table_albedos_0(families_0[fabrics_0[_S650].weft_0].colour_mean_0), u32(1), _S651);
-    var _S655 : FaceSends_0 = face_sends_0(_S650, select(u32(0), u32(1), _S652), _S653, _S654);
-    var _S656 : FaceSends_0 = face_sends_0(_S650, select(u32(1), u32(0), _S652), _S653, _S654);
-    var _S657 : vec3<f32> = vec3<f32>(_S655.blocks_warp_0);
-    var _S658 : vec3<f32> = vec3<f32>(_S655.blocks_weft_0);
-    var _S659 : vec3<f32> = _S657 * _S655.crossing_warp_0 + _S658 * _S655.crossing_weft_0;
-    var _S660 : vec3<f32> = vec3<f32>(_S656.blocks_warp_0);
-    var _S661 : vec3<f32> = vec3<f32>(_S656.blocks_weft_0);
-    var _S662 : vec3<f32> = _S660 * _S656.crossing_warp_0 + _S661 * _S656.crossing_weft_0;
-    var _S663 : f32 = 1.0f - _S655.open_0;
-    var _S664 : f32 = 1.0f - _S656.open_0;
-    var _S665 : vec3<f32> = vec3<f32>(1.0f);
-    var _S666 : vec3<f32> = _S665 / (_S665 - _S659 * _S662 * vec3<f32>((_S663 * _S664)));
-    var _S667 : vec3<f32> = _S662 * (vec3<f32>(_S655.open_0) + vec3<f32>(_S663) * (_S657 * _S655.sky_warp_0 + _S658 * _S655.sky_weft_0)) * _S666;
-    var _S668 : vec3<f32> = _S659 * (vec3<f32>(_S656.open_0) + vec3<f32>(_S664) * (_S660 * _S656.sky_warp_0 + _S661 * _S656.sky_weft_0)) * _S666;
-    var _S669 : FaceRadiance_0 = face_radiance_0(_S655, _S656.open_0, _S667, _S668);
-    var _S670 : FaceRadiance_0 = face_radiance_0(_S656, _S655.open_0, _S668, _S667);
+    var _S659 : Scattered_0 = scattered_by_0(_S656, table_albedos_0(families_0[fabrics_0[_S656].warp_0].colour_mean_0), u32(0), _S657);
+    var _S660 : Scattered_0 = scattered_by_0(_S656, table_albedos_0(families_0[fabrics_0[_S656].weft_0].colour_mean_0), u32(1), _S657);
+    var _S661 : FaceSends_0 = face_sends_0(_S656, select(u32(0), u32(1), _S658), _S659, _S660);
+    var _S662 : FaceSends_0 = face_sends_0(_S656, select(u32(1), u32(0), _S658), _S659, _S660);
+    var _S663 : vec3<f32> = vec3<f32>(_S661.blocks_warp_0);
+    var _S664 : vec3<f32> = vec3<f32>(_S661.blocks_weft_0);
+    var _S665 : vec3<f32> = _S663 * _S661.crossing_warp_0 + _S664 * _S661.crossing_weft_0;
+    var _S666 : vec3<f32> = vec3<f32>(_S662.blocks_warp_0);
+    var _S667 : vec3<f32> = vec3<f32>(_S662.blocks_weft_0);
+    var _S668 : vec3<f32> = _S666 * _S662.crossing_warp_0 + _S667 * _S662.crossing_weft_0;
+    var _S669 : f32 = 1.0f - _S661.open_0;
+    var _S670 : f32 = 1.0f - _S662.open_0;
+    var _S671 : vec3<f32> = vec3<f32>(1.0f);
+    var _S672 : vec3<f32> = _S671 / (_S671 - _S665 * _S668 * vec3<f32>((_S669 * _S670)));
+    var _S673 : vec3<f32> = _S668 * (vec3<f32>(_S661.open_0) + vec3<f32>(_S669) * (_S663 * _S661.sky_warp_0 + _S664 * _S661.sky_weft_0)) * _S672;
+    var _S674 : vec3<f32> = _S665 * (vec3<f32>(_S662.open_0) + vec3<f32>(_S670) * (_S666 * _S662.sky_warp_0 + _S667 * _S662.sky_weft_0)) * _S672;
+    var _S675 : FaceRadiance_0 = face_radiance_0(_S661, _S662.open_0, _S673, _S674);
+    var _S676 : FaceRadiance_0 = face_radiance_0(_S662, _S661.open_0, _S674, _S673);
     var interior_1 : Interior_0;
-    interior_1.warp_3 = _S669.warp_2;
-    interior_1.weft_3 = _S669.weft_2;
-    interior_1.leaked_1 = _S669.leaked_0;
-    interior_1.far_1 = _S670.mean_0;
-    interior_1.far_leaked_0 = _S670.leaked_0;
+    interior_1.warp_3 = _S675.warp_2;
+    interior_1.weft_3 = _S675.weft_2;
+    interior_1.leaked_1 = _S675.leaked_0;
+    interior_1.far_1 = _S676.mean_0;
+    interior_1.far_leaked_0 = _S676.leaked_0;
     return interior_1;
 }
 
-fn bounced_at_0( _S671 : u32,  _S672 : YarnPoint_0,  _S673 : vec3<f32>) -> Bounced_0
+fn bounced_at_0( _S677 : u32,  _S678 : YarnPoint_0,  _S679 : vec3<f32>) -> Bounced_0
 {
     var nothing_0 : Bounced_0;
-    var _S674 : vec3<f32> = vec3<f32>(0.0f);
-    nothing_0.reflected_0 = _S674;
-    nothing_0.transmitted_0 = _S674;
-    if((((fabrics_0[_S671].openness_0) == u32(4294967295)) | ((_S672.hole_3))))
+    var _S680 : vec3<f32> = vec3<f32>(0.0f);
+    nothing_0.reflected_0 = _S680;
+    nothing_0.transmitted_0 = _S680;
+    if((((fabrics_0[_S677].openness_0) == u32(4294967295)) | ((_S678.hole_3))))
     {
         return nothing_0;
     }
-    return bounced_by_0(blocked_at_0(_S671, _S672.is_warp_4, _S672.back_7, _S672.surface_normal_0.z, _S672.height_5), scattered_by_0(_S671, _S672.albedos_2, select(u32(1), u32(0), _S672.is_warp_4), _S673), interior_of_0(_S671, _S673, _S672.back_7));
+    return bounced_by_0(blocked_at_0(_S677, _S678.is_warp_4, _S678.back_7, _S678.surface_normal_0.z, _S678.height_5), scattered_by_0(_S677, _S678.albedos_2, select(u32(1), u32(0), _S678.is_warp_4), _S679), interior_of_0(_S677, _S679, _S678.back_7));
 }
 
 fn light_sample_count_0() -> u32
@@ -2468,13 +2459,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S675 : u32,  _S676 : vec2<u32>) -> f32
+fn visibility_at_0( _S681 : u32,  _S682 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S675 * frame_record_0.height_0 + _S676.y) * frame_record_0.width_0 + _S676.x];
+    return visibilities_0[(_S681 * frame_record_0.height_0 + _S682.y) * frame_record_0.width_0 + _S682.x];
 }
 
 struct LightSample_0
@@ -2484,172 +2475,172 @@ struct LightSample_0
      distance_3 : f32,
 };
 
-fn environment_texel_0( _S677 : u32,  _S678 : u32) -> vec3<f32>
+fn environment_texel_0( _S683 : u32,  _S684 : u32) -> vec3<f32>
 {
-    var _S679 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S677 * frame_record_0.environment_columns_0 + _S678);
-    return vec3<f32>(scene_number_0(_S679), scene_number_0(_S679 + u32(1)), scene_number_0(_S679 + u32(2)));
+    var _S685 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S683 * frame_record_0.environment_columns_0 + _S684);
+    return vec3<f32>(scene_number_0(_S685), scene_number_0(_S685 + u32(1)), scene_number_0(_S685 + u32(2)));
 }
 
-fn sample_environment_0( _S680 : vec2<f32>,  _S681 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S686 : vec2<f32>,  _S687 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S682 : u32 = frame_record_0.environment_rows_0;
-    var _S683 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S680.y);
-    var _S684 : u32 = frame_record_0.environment_columns_0;
-    var _S685 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S683.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S680.x);
-    var _S686 : vec3<f32> = environment_texel_0(_S683.index_6, _S685.index_6);
-    (*_S681) = _S686 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S686), 9.99999968265522539e-21f)));
-    var _S687 : f32 = 3.14159274101257324f / f32(_S682);
-    var _S688 : f32 = mix(sine_cosine_0(f32(_S683.index_6) * _S687).y, sine_cosine_0(f32(_S683.index_6 + u32(1)) * _S687).y, _S683.remainder_0);
-    var _S689 : f32 = sqrt(max(1.0f - _S688 * _S688, 0.0f));
-    var _S690 : vec2<f32> = sine_cosine_0((f32(_S685.index_6) + _S685.remainder_0) * (6.28318548202514648f / f32(_S684)));
-    var _S691 : f32 = _S689 * _S690.x;
-    var _S692 : f32 = - _S689 * _S690.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S691 + frame_record_0.environment_sine_0 * _S692, _S688, frame_record_0.environment_cosine_0 * _S692 - frame_record_0.environment_sine_0 * _S691);
+    var _S688 : u32 = frame_record_0.environment_rows_0;
+    var _S689 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S686.y);
+    var _S690 : u32 = frame_record_0.environment_columns_0;
+    var _S691 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S689.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S686.x);
+    var _S692 : vec3<f32> = environment_texel_0(_S689.index_6, _S691.index_6);
+    (*_S687) = _S692 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S692), 9.99999968265522539e-21f)));
+    var _S693 : f32 = 3.14159274101257324f / f32(_S688);
+    var _S694 : f32 = mix(sine_cosine_0(f32(_S689.index_6) * _S693).y, sine_cosine_0(f32(_S689.index_6 + u32(1)) * _S693).y, _S689.remainder_0);
+    var _S695 : f32 = sqrt(max(1.0f - _S694 * _S694, 0.0f));
+    var _S696 : vec2<f32> = sine_cosine_0((f32(_S691.index_6) + _S691.remainder_0) * (6.28318548202514648f / f32(_S690)));
+    var _S697 : f32 = _S695 * _S696.x;
+    var _S698 : f32 = - _S695 * _S696.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S697 + frame_record_0.environment_sine_0 * _S698, _S694, frame_record_0.environment_cosine_0 * _S698 - frame_record_0.environment_sine_0 * _S697);
 }
 
-fn light_sample_0( _S693 : u32,  _S694 : vec2<u32>,  _S695 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S699 : u32,  _S700 : vec2<u32>,  _S701 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_3 = 1.00000001504746622e+30f;
-    var _S696 : u32 = frame_record_0.lights_0;
-    if(_S693 >= (frame_record_0.lights_0))
+    var _S702 : u32 = frame_record_0.lights_0;
+    if(_S699 >= (frame_record_0.lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S697 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S694, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S693 - _S696), u32(3)), &(weight_0));
-        sample_1.towards_0 = _S697;
+        var _S703 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S700, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S699 - _S702), u32(3)), &(weight_0));
+        sample_1.towards_0 = _S703;
         sample_1.irradiance_1 = weight_0 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S698 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S693);
-    sample_1.irradiance_1 = vec3<f32>(_S698.red_0, _S698.green_0, _S698.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S698.x_9, _S698.y_2, _S698.z_1);
-    if((_S698.is_point_0) != u32(0))
+    var _S704 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S699);
+    sample_1.irradiance_1 = vec3<f32>(_S704.red_0, _S704.green_0, _S704.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S704.x_9, _S704.y_2, _S704.z_1);
+    if((_S704.is_point_0) != u32(0))
     {
-        var _S699 : vec3<f32> = sample_1.towards_0 - _S695;
-        var _S700 : f32 = max(square_0(_S699), 9.999999960041972e-13f);
-        sample_1.distance_3 = sqrt(_S700);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S700);
-        sample_1.towards_0 = normalize(_S699);
+        var _S705 : vec3<f32> = sample_1.towards_0 - _S701;
+        var _S706 : f32 = max(square_0(_S705), 9.999999960041972e-13f);
+        sample_1.distance_3 = sqrt(_S706);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S706);
+        sample_1.towards_0 = normalize(_S705);
     }
     return sample_1;
 }
 
-fn hairs_lit_0( _S701 : u32,  _S702 : Hairs_0,  _S703 : vec3<f32>) -> f32
+fn hairs_lit_0( _S707 : u32,  _S708 : Hairs_0,  _S709 : vec3<f32>) -> f32
 {
-    return 1.0f - 0.80000001192092896f * hair_towards_0(_S701, _S702, _S703, _S702.size_2 + fabrics_0[_S701].fibre_size_0).cover_0;
+    return 1.0f - 0.80000001192092896f * hair_towards_0(_S707, _S708, _S709, _S708.size_2 + fabrics_0[_S707].fibre_size_0).cover_0;
 }
 
-fn under_hairs_0( _S704 : u32,  _S705 : YarnPoint_0,  _S706 : vec3<f32>) -> f32
+fn under_hairs_0( _S710 : u32,  _S711 : YarnPoint_0,  _S712 : vec3<f32>) -> f32
 {
-    if((((_S705.hair_cover_0) >= 1.0f) | (((_S706.z) <= 0.0f))))
+    if((((_S711.hair_cover_0) >= 1.0f) | (((_S712.z) <= 0.0f))))
     {
         return 1.0f;
     }
-    return mix(hairs_lit_0(_S704, _S705.hairs_0, _S706), 1.0f, _S705.hair_cover_0);
+    return mix(hairs_lit_0(_S710, _S711.hairs_0, _S712), 1.0f, _S711.hair_cover_0);
 }
 
-fn scattered_0( _S707 : u32,  _S708 : YarnPoint_0,  _S709 : vec3<f32>,  _S710 : vec3<f32>) -> vec3<f32>
+fn scattered_0( _S713 : u32,  _S714 : YarnPoint_0,  _S715 : vec3<f32>,  _S716 : vec3<f32>) -> vec3<f32>
 {
-    var _S711 : vec3<f32> = vec3<f32>(0.0f);
-    var _S712 : bool = !_S708.hole_3;
-    var _S713 : f32 = _S709.z;
+    var _S717 : vec3<f32> = vec3<f32>(0.0f);
+    var _S718 : bool = !_S714.hole_3;
+    var _S719 : f32 = _S715.z;
     var value_1 : vec3<f32>;
-    if((_S712 & ((_S713 > 0.0f))))
+    if((_S718 & ((_S719 > 0.0f))))
     {
-        value_1 = (_S708.albedos_2.diffuse_reflect_0 * vec3<f32>(_S708.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0(_S709, _S708.normal_8, fabrics_0[_S707].diffuse_blend_0)) + _S708.albedos_2.specular_reflect_0 * vec3<f32>(reflection_0(_S709, _S710, _S708.normal_8, _S708.tangent_8, _S708.roughness_8, fabrics_0[_S707].optical_depth_0))) * vec3<f32>(under_hairs_0(_S707, _S708, _S709));
+        value_1 = (_S714.albedos_2.diffuse_reflect_0 * vec3<f32>(_S714.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0(_S715, _S714.normal_8, fabrics_0[_S713].diffuse_blend_0)) + _S714.albedos_2.specular_reflect_0 * vec3<f32>(reflection_0(_S715, _S716, _S714.normal_8, _S714.tangent_8, _S714.roughness_8, fabrics_0[_S713].optical_depth_0))) * vec3<f32>(under_hairs_0(_S713, _S714, _S715));
     }
     else
     {
-        if((_S712 & ((_S713 < 0.0f))))
+        if((_S718 & ((_S719 < 0.0f))))
         {
-            value_1 = _S708.albedos_2.diffuse_transmit_0 * vec3<f32>(_S708.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S709), _S708.normal_8, fabrics_0[_S707].diffuse_blend_0)) + _S708.albedos_2.specular_transmit_0 * vec3<f32>(transmission_1(_S709, _S710, _S708.normal_8, _S708.tangent_8, _S708.roughness_8, fabrics_0[_S707].optical_depth_0));
+            value_1 = _S714.albedos_2.diffuse_transmit_0 * vec3<f32>(_S714.diffuse_gain_1) * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S715), _S714.normal_8, fabrics_0[_S713].diffuse_blend_0)) + _S714.albedos_2.specular_transmit_0 * vec3<f32>(transmission_1(_S715, _S716, _S714.normal_8, _S714.tangent_8, _S714.roughness_8, fabrics_0[_S713].optical_depth_0));
         }
         else
         {
-            value_1 = _S711;
+            value_1 = _S717;
         }
     }
-    var _S714 : f32 = fabrics_0[_S707].sheen_strength_0;
-    if((fabrics_0[_S707].sheen_strength_0) <= 0.0f)
+    var _S720 : f32 = fabrics_0[_S713].sheen_strength_0;
+    if((fabrics_0[_S713].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    var _S715 : vec2<f32> = sheen_with_transmittance_0(_S709, _S710, _S714, fabrics_0[_S707].sheen_roughness_0);
-    return vec3<f32>(_S715.y) * value_1 + vec3<f32>(_S715.x);
+    var _S721 : vec2<f32> = sheen_with_transmittance_0(_S715, _S716, _S720, fabrics_0[_S713].sheen_roughness_0);
+    return vec3<f32>(_S721.y) * value_1 + vec3<f32>(_S721.x);
 }
 
-fn surface_at_0( _S716 : u32,  _S717 : f32,  _S718 : f32,  _S719 : bool) -> SurfacePoint_0
+fn surface_at_0( _S722 : u32,  _S723 : f32,  _S724 : f32,  _S725 : bool) -> SurfacePoint_0
 {
-    return surface_of_0(_S716, sample_at_0(_S716, _S717, _S718, _S719), _S717, _S718, _S719);
+    return surface_of_0(_S722, sample_at_0(_S722, _S723, _S724, _S725), _S723, _S724, _S725);
 }
 
-fn unoccluded_0( _S720 : u32,  _S721 : SearchQuality_0,  _S722 : f32,  _S723 : f32,  _S724 : f32,  _S725 : vec3<f32>,  _S726 : bool) -> bool
+fn unoccluded_0( _S726 : u32,  _S727 : SearchQuality_0,  _S728 : f32,  _S729 : f32,  _S730 : f32,  _S731 : vec3<f32>,  _S732 : bool) -> bool
 {
-    if((_S725.z) <= 0.0f)
+    if((_S731.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S720, _S721, vec3<f32>(_S722, _S723, _S724 + fabrics_0[_S720].lift_0), _S725, _S726, max_height_along_0(_S720, _S722, _S723, _S724, _S725, _S726));
+    return is_free_0(_S726, _S727, vec3<f32>(_S728, _S729, _S730 + fabrics_0[_S726].lift_0), _S731, _S732, max_height_along_0(_S726, _S728, _S729, _S730, _S731, _S732));
 }
 
-fn is_lit_0( _S727 : u32,  _S728 : SearchQuality_0,  _S729 : YarnPoint_0,  _S730 : vec3<f32>) -> bool
+fn is_lit_0( _S733 : u32,  _S734 : SearchQuality_0,  _S735 : YarnPoint_0,  _S736 : vec3<f32>) -> bool
 {
-    if(_S729.hole_3)
+    if(_S735.hole_3)
     {
         return true;
     }
-    var _S731 : vec3<f32> = to_face_frame_0(_S730, _S729.back_7);
-    var _S732 : f32 = _S731.z;
-    var _S733 : bool = _S732 < 0.0f;
+    var _S737 : vec3<f32> = to_face_frame_0(_S736, _S735.back_7);
+    var _S738 : f32 = _S737.z;
+    var _S739 : bool = _S738 < 0.0f;
     var normal_9 : vec3<f32>;
     var height_11 : f32;
-    if(_S733)
+    if(_S739)
     {
-        var _S734 : SurfacePoint_0 = surface_at_0(_S727, _S729.x_13, _S729.y_6, !_S729.back_7);
-        normal_9 = _S734.normal_3;
-        height_11 = _S734.height_4;
+        var _S740 : SurfacePoint_0 = surface_at_0(_S733, _S735.x_13, _S735.y_6, !_S735.back_7);
+        normal_9 = _S740.normal_3;
+        height_11 = _S740.height_4;
     }
     else
     {
-        normal_9 = _S729.surface_normal_0;
-        height_11 = _S729.height_5;
+        normal_9 = _S735.surface_normal_0;
+        height_11 = _S735.height_5;
     }
-    var _S735 : vec3<f32> = vec3<f32>(_S731.xy, abs(_S732));
-    if((dot(normal_9, _S735)) <= 0.0f)
+    var _S741 : vec3<f32> = vec3<f32>(_S737.xy, abs(_S738));
+    if((dot(normal_9, _S741)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S727, _S728, _S729.x_13, _S729.y_6, height_11, _S735, (_S729.back_7) != _S733);
+    return unoccluded_0(_S733, _S734, _S735.x_13, _S735.y_6, height_11, _S741, (_S735.back_7) != _S739);
 }
 
-fn evaluate_with_0( _S736 : u32,  _S737 : SearchQuality_0,  _S738 : YarnPoint_0,  _S739 : Bounced_0,  _S740 : vec3<f32>,  _S741 : vec3<f32>) -> vec3<f32>
+fn evaluate_with_0( _S742 : u32,  _S743 : SearchQuality_0,  _S744 : YarnPoint_0,  _S745 : Bounced_0,  _S746 : vec3<f32>,  _S747 : vec3<f32>) -> vec3<f32>
 {
-    var _S742 : vec3<f32> = to_face_frame_0(_S741, _S738.back_7);
-    var _S743 : vec3<f32> = scattered_0(_S736, _S738, to_face_frame_0(_S740, _S738.back_7), _S742);
-    var _S744 : bool;
-    if((max(_S743.x, max(_S743.y, _S743.z))) <= 0.0f)
+    var _S748 : vec3<f32> = to_face_frame_0(_S747, _S744.back_7);
+    var _S749 : vec3<f32> = scattered_0(_S742, _S744, to_face_frame_0(_S746, _S744.back_7), _S748);
+    var _S750 : bool;
+    if((max(_S749.x, max(_S749.y, _S749.z))) <= 0.0f)
     {
-        _S744 = true;
+        _S750 = true;
     }
     else
     {
-        _S744 = !is_lit_0(_S736, _S737, _S738, _S740);
+        _S750 = !is_lit_0(_S742, _S743, _S744, _S746);
     }
     var value_2 : vec3<f32>;
-    if(_S744)
+    if(_S750)
     {
         value_2 = vec3<f32>(0.0f);
     }
     else
     {
-        value_2 = _S743;
+        value_2 = _S749;
     }
-    var between_1 : vec3<f32> = bounced_value_0(_S739, _S740, _S741);
-    var _S745 : f32 = fabrics_0[_S736].sheen_strength_0;
+    var between_1 : vec3<f32> = bounced_value_0(_S745, _S746, _S747);
+    var _S751 : f32 = fabrics_0[_S742].sheen_strength_0;
     var between_2 : vec3<f32>;
-    if((fabrics_0[_S736].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S742].sheen_strength_0) > 0.0f)
     {
-        between_2 = between_1 * vec3<f32>((1.0f - _S745 * sheen_lobe_0(abs(_S742.z), fabrics_0[_S736].sheen_roughness_0).z));
+        between_2 = between_1 * vec3<f32>((1.0f - _S751 * sheen_lobe_0(abs(_S748.z), fabrics_0[_S742].sheen_roughness_0).z));
     }
     else
     {
@@ -2658,35 +2649,35 @@ fn evaluate_with_0( _S736 : u32,  _S737 : SearchQuality_0,  _S738 : YarnPoint_0,
     return value_2 + between_2;
 }
 
-fn straight_through_0( _S746 : u32,  _S747 : YarnPoint_0,  _S748 : vec3<f32>) -> f32
+fn straight_through_0( _S752 : u32,  _S753 : YarnPoint_0,  _S754 : vec3<f32>) -> f32
 {
-    if(!_S747.hole_3)
+    if(!_S753.hole_3)
     {
         return 0.0f;
     }
-    var _S749 : f32 = fabrics_0[_S746].sheen_strength_0;
-    if((fabrics_0[_S746].sheen_strength_0) <= 0.0f)
+    var _S755 : f32 = fabrics_0[_S752].sheen_strength_0;
+    if((fabrics_0[_S752].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S749 * sheen_lobe_0(abs(_S748.z), fabrics_0[_S746].sheen_roughness_0).z;
+    return 1.0f - _S755 * sheen_lobe_0(abs(_S754.z), fabrics_0[_S752].sheen_roughness_0).z;
 }
 
-fn light_of_point_0( _S750 : u32,  _S751 : VisiblePoint_0,  _S752 : vec2<u32>,  _S753 : vec3<f32>,  _S754 : vec2<f32>) -> vec4<f32>
+fn light_of_point_0( _S756 : u32,  _S757 : VisiblePoint_0,  _S758 : vec2<u32>,  _S759 : vec3<f32>,  _S760 : vec2<f32>) -> vec4<f32>
 {
-    var _S755 : SearchQuality_0 = default_quality_0();
-    var _S756 : vec3<f32> = to_local_0(_S751, _S751.view_0);
+    var _S761 : SearchQuality_0 = default_quality_0();
+    var _S762 : vec3<f32> = to_local_0(_S757, _S757.view_0);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S754;
-    footprint_0.dx_0 = _S751.draft_dx_0;
-    footprint_0.dy_0 = _S751.draft_dy_0;
-    var _S757 : YarnPoint_0 = locate_yarn_0(_S750, _S755, _S754.x, _S754.y, _S756, Footprint_spread_side_0(footprint_0));
-    var point_7 : YarnPoint_0 = _S757;
-    var _S758 : Bounced_0 = bounced_at_0(_S750, _S757, _S753);
-    point_7.albedos_2 = tinted_0(point_7.albedos_2, _S753);
-    var _S759 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S760;
+    footprint_0.dx_0 = _S757.draft_dx_0;
+    footprint_0.dy_0 = _S757.draft_dy_0;
+    var _S763 : YarnPoint_0 = locate_yarn_0(_S756, _S761, _S760.x, _S760.y, _S762, Footprint_spread_side_0(footprint_0));
+    var point_7 : YarnPoint_0 = _S763;
+    var _S764 : Bounced_0 = bounced_at_0(_S756, _S763, _S759);
+    point_7.albedos_2 = tinted_0(point_7.albedos_2, _S759);
+    var _S765 : vec3<f32> = vec3<f32>(0.0f);
     var number_3 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S759;
+    var radiance_1 : vec3<f32> = _S765;
     for(;;)
     {
         if(number_3 < (light_sample_count_0()))
@@ -2696,51 +2687,51 @@ fn light_of_point_0( _S750 : u32,  _S751 : VisiblePoint_0,  _S752 : vec2<u32>,  
         {
             break;
         }
-        var _S760 : f32 = visibility_at_0(number_3, _S752);
-        if(_S760 <= 0.0f)
+        var _S766 : f32 = visibility_at_0(number_3, _S758);
+        if(_S766 <= 0.0f)
         {
             number_3 = number_3 + u32(1);
             continue;
         }
-        var _S761 : LightSample_0 = light_sample_0(number_3, _S752, _S751.position_0);
-        radiance_1 = radiance_1 + vec3<f32>(_S760) * _S761.irradiance_1 * evaluate_with_0(_S750, _S755, point_7, _S758, to_local_0(_S751, _S761.towards_0), _S756);
+        var _S767 : LightSample_0 = light_sample_0(number_3, _S758, _S757.position_0);
+        radiance_1 = radiance_1 + vec3<f32>(_S766) * _S767.irradiance_1 * evaluate_with_0(_S756, _S761, point_7, _S764, to_local_0(_S757, _S767.towards_0), _S762);
         number_3 = number_3 + u32(1);
     }
-    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S750, point_7, _S756));
+    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S756, point_7, _S762));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S762 : u32 = id_0.x;
-    var _S763 : bool;
-    if(_S762 >= (frame_record_0.width_0))
+    var _S768 : u32 = id_0.x;
+    var _S769 : bool;
+    if(_S768 >= (frame_record_0.width_0))
     {
-        _S763 = true;
+        _S769 = true;
     }
     else
     {
-        _S763 = (id_0.y) >= (frame_record_0.height_0);
+        _S769 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S763)
+    if(_S769)
     {
         return;
     }
-    var _S764 : vec2<u32> = id_0.xy;
-    var _S765 : u32 = id_0.y * frame_record_0.width_0 + _S762;
-    var _S766 : u32 = layers_0[_S765].face_0;
-    if((layers_0[_S765].face_0) == u32(0))
+    var _S770 : vec2<u32> = id_0.xy;
+    var _S771 : u32 = id_0.y * frame_record_0.width_0 + _S768;
+    var _S772 : u32 = layers_0[_S771].face_0;
+    if((layers_0[_S771].face_0) == u32(0))
     {
         return;
     }
-    var _S767 : u32 = _S766 - u32(1);
-    var _S768 : u32 = fabric_of_0(_S767);
-    var _S769 : VisiblePoint_0 = visible_point_0(_S768, _S767, _S764);
-    var _S770 : vec3<f32> = filtered_albedo_0(_S768, _S769);
-    var _S771 : vec4<f32> = vec4<f32>(0.0f);
+    var _S773 : u32 = _S772 - u32(1);
+    var _S774 : u32 = fabric_of_0(_S773);
+    var _S775 : VisiblePoint_0 = visible_point_0(_S774, _S773, _S770);
+    var _S776 : vec3<f32> = filtered_albedo_0(_S774, _S775);
+    var _S777 : vec4<f32> = vec4<f32>(0.0f);
     var k_0 : u32 = u32(0);
-    var sum_0 : vec4<f32> = _S771;
+    var sum_0 : vec4<f32> = _S777;
     for(;;)
     {
         if(k_0 < (frame_record_0.samples_0))
@@ -2750,12 +2741,12 @@ fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        var _S772 : vec2<f32> = pixel_sequence_0(_S764, frame_record_0.pass_number_0 * frame_record_0.samples_0 + k_0, u32(1)) - vec2<f32>(0.5f);
-        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(_S768, _S769, _S764, _S770, _S769.draft_0 + vec2<f32>(_S772.x) * _S769.draft_dx_0 + vec2<f32>(_S772.y) * _S769.draft_dy_0);
+        var _S778 : vec2<f32> = pixel_sequence_0(_S770, frame_record_0.pass_number_0 * frame_record_0.samples_0 + k_0, u32(1)) - vec2<f32>(0.5f);
+        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(_S774, _S775, _S770, _S776, _S775.draft_0 + vec2<f32>(_S778.x) * _S775.draft_dx_0 + vec2<f32>(_S778.y) * _S775.draft_dy_0);
         k_0 = k_0 + u32(1);
         sum_0 = sum_1;
     }
-    accumulate_0(_S765, sum_0 / vec4<f32>(f32(frame_record_0.samples_0)));
+    accumulate_0(_S771, sum_0 / vec4<f32>(f32(frame_record_0.samples_0)));
     return;
 }
 
