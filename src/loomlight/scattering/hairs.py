@@ -33,10 +33,10 @@ HAIR_CURL, HAIR_BEND = 0.7, 0.5
 HAIR_EDGE_SINE = 0.8
 # Share of light that a hair takes from what lies below, the widths of a fibre over which its shadow is
 # blurred, and the largest shift of hairs over their height.
-HAIR_SHADOW, HAIR_BLUR, HAIR_LEAN = 0.8, 1.0, 3.0
+HAIR_SHADOW, HAIR_BLUR, HAIR_LEAN = 0.5, 1.0, 3.0
 # What hairs take at a hairiness of 1 of one family: half of the area of all, a fifth less as they taper, and
-# half as much more for specular terms and light between yarns, which do not gain.
-MEAN_SHADE = 1.3 * HAIR_SHADOW * HAIR_LAYERS * HAIR_HALF_WIDTH * (HAIR_MIN + HAIR_MAX) / HAIR_CELL**2
+# twice as much, as specular terms and light between yarns gain nothing (`experiments/yarn_detail.py`).
+MEAN_SHADE = 1.6 * HAIR_SHADOW * HAIR_LAYERS * HAIR_HALF_WIDTH * (HAIR_MIN + HAIR_MAX) / HAIR_CELL**2
 HAIR_STREAM = 0x3C6EF372
 
 

@@ -421,10 +421,10 @@ export const HAIR_LIFT = 6.0;
 export const HAIR_CURL = 0.7;
 export const HAIR_BEND = 0.5;
 export const HAIR_EDGE_SINE = 0.8;
-export const HAIR_SHADOW = 0.8;
+export const HAIR_SHADOW = 0.5;
 export const HAIR_BLUR = 1.0;
 export const HAIR_LEAN = 3.0;
-export const MEAN_SHADE = 0.04231972318339101;
+export const MEAN_SHADE = 0.03255363321799309;
 export const HAIR_STREAM = 1013904242;
 
 // models.lobes.hemisphere

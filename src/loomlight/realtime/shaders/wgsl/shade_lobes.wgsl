@@ -2694,7 +2694,7 @@ fn hair_towards_0( _S608 : u32,  _S609 : Hairs_0,  _S610 : vec3<f32>,  _S611 : f
     hair_1.normal_3 = vec3<f32>(vec2<f32>(_S648) * hair_across_0, sqrt(1.0f - _S648 * _S648));
     hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     hair_1.is_warp_3 = is_warp_6;
-    hair_1.shade_0 = _S614 * 0.04231972247362137f * (families_0[fabrics_0[_S608].warp_0].hairiness_0 + families_0[fabrics_0[_S608].weft_0].hairiness_0);
+    hair_1.shade_0 = _S614 * 0.03255363181233406f * (families_0[fabrics_0[_S608].warp_0].hairiness_0 + families_0[fabrics_0[_S608].weft_0].hairiness_0);
     return hair_1;
 }
 
@@ -2813,7 +2813,7 @@ fn turned_frame_0( _S693 : u32,  _S694 : u32,  _S695 : SurfacePoint_0,  _S696 : 
         var _S706 : vec3<f32> = vec3<f32>(_S700);
         frame_2.tangent_4 = _S702 * (_S702 * frame_2.tangent_4 - _S703 * _S701) + _S703 * (_S705 * _S704 - _S706 * frame_2.normal_5);
         frame_2.normal_5 = _S705 * frame_2.normal_5 + _S706 * _S704;
-        frame_2.loss_0 = _S699 * _S699 * 0.62000000476837158f * 0.62000000476837158f / 6.0f;
+        frame_2.loss_0 = _S699 * _S699 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
     }
     var _S707 : f32 = families_0[_S694].fibre_tilt_0;
     if((families_0[_S694].fibre_tilt_0) > 0.0f)
@@ -2947,7 +2947,7 @@ fn is_lit_0( _S745 : u32,  _S746 : SearchQuality_0,  _S747 : YarnPoint_0,  _S748
 
 fn hairs_lit_0( _S754 : u32,  _S755 : Hairs_0,  _S756 : vec3<f32>) -> f32
 {
-    return 1.0f - 0.80000001192092896f * hair_towards_0(_S754, _S755, _S756, _S755.size_3 + fabrics_0[_S754].fibre_size_0).cover_0;
+    return 1.0f - 0.5f * hair_towards_0(_S754, _S755, _S756, _S755.size_3 + fabrics_0[_S754].fibre_size_0).cover_0;
 }
 
 fn under_hairs_0( _S757 : u32,  _S758 : YarnPoint_0,  _S759 : vec3<f32>) -> f32

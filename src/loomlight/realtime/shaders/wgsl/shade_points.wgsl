@@ -2090,7 +2090,7 @@ fn hair_towards_0( _S468 : u32,  _S469 : Hairs_0,  _S470 : vec3<f32>,  _S471 : f
     hair_1.normal_1 = vec3<f32>(vec2<f32>(_S508) * hair_across_0, sqrt(1.0f - _S508 * _S508));
     hair_1.tangent_0 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     hair_1.is_warp_1 = is_warp_5;
-    hair_1.shade_0 = _S474 * 0.04231972247362137f * (families_0[fabrics_0[_S468].warp_0].hairiness_0 + families_0[fabrics_0[_S468].weft_0].hairiness_0);
+    hair_1.shade_0 = _S474 * 0.03255363181233406f * (families_0[fabrics_0[_S468].warp_0].hairiness_0 + families_0[fabrics_0[_S468].weft_0].hairiness_0);
     return hair_1;
 }
 
@@ -2214,7 +2214,7 @@ fn turned_frame_0( _S555 : u32,  _S556 : u32,  _S557 : SurfacePoint_0,  _S558 : 
         var _S568 : vec3<f32> = vec3<f32>(_S562);
         frame_2.tangent_3 = _S564 * (_S564 * frame_2.tangent_3 - _S565 * _S563) + _S565 * (_S567 * _S566 - _S568 * frame_2.normal_4);
         frame_2.normal_4 = _S567 * frame_2.normal_4 + _S568 * _S566;
-        frame_2.loss_0 = _S561 * _S561 * 0.62000000476837158f * 0.62000000476837158f / 6.0f;
+        frame_2.loss_0 = _S561 * _S561 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
     }
     var _S569 : f32 = families_0[_S556].fibre_tilt_0;
     if((families_0[_S556].fibre_tilt_0) > 0.0f)
@@ -2527,7 +2527,7 @@ fn light_sample_0( _S699 : u32,  _S700 : vec2<u32>,  _S701 : vec3<f32>) -> Light
 
 fn hairs_lit_0( _S707 : u32,  _S708 : Hairs_0,  _S709 : vec3<f32>) -> f32
 {
-    return 1.0f - 0.80000001192092896f * hair_towards_0(_S707, _S708, _S709, _S708.size_2 + fabrics_0[_S707].fibre_size_0).cover_0;
+    return 1.0f - 0.5f * hair_towards_0(_S707, _S708, _S709, _S708.size_2 + fabrics_0[_S707].fibre_size_0).cover_0;
 }
 
 fn under_hairs_0( _S710 : u32,  _S711 : YarnPoint_0,  _S712 : vec3<f32>) -> f32
