@@ -1,4 +1,4 @@
-"""How the sources are laid out: tests that name sources which exist, signatures with types, imports without circles."""
+"""How the sources are laid out: tests name sources that exist, signatures have types, imports no circles."""
 
 from __future__ import annotations
 
