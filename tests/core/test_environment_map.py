@@ -97,3 +97,23 @@ def test_damaged_files_are_named(tmp_path: Path, content: bytes) -> None:
     (tmp_path / "sky.exr").write_bytes(content)
     with pytest.raises(InputError, match="is no EXR file that can be read"):
         read_environment_map(tmp_path / "sky.exr")
+
+
+def test_transparent_pixels_shine_nothing(tmp_path: Path) -> None:
+    Image.new("RGBA", (8, 4), (255, 255, 255, 0)).save(tmp_path / "sky.png")
+    np.testing.assert_array_equal(read_environment_map(tmp_path / "sky.png"), np.zeros((4, 8, 3)))
+
+
+def test_sixteen_bits_shine_as_eight(tmp_path: Path) -> None:
+    Image.fromarray(np.full((4, 8), 188 * 257, np.uint16)).save(tmp_path / "sky.png")
+    np.testing.assert_allclose(read_environment_map(tmp_path / "sky.png"), 0.503, atol=1e-3)
+
+
+def test_suns_warn_and_what_cannot_be_summed_up_is_refused(tmp_path: Path) -> None:
+    pixels = GREY.copy()
+    pixels[0, 0] = 1e9
+    with pytest.warns(LoomlightWarning, match=r"holds a pixel of 1e\+09, beyond the 65504 of half precision"):
+        assert read_environment_map(write_exr(tmp_path, {"Y": pixels})).max() == np.float32(1e9)
+    pixels[0, 0] = 3e38
+    with pytest.raises(InputError, match=r"holds a pixel of 3e\+38; values above 1e\+28 cannot be summed up"):
+        read_environment_map(write_exr(tmp_path, {"Y": pixels}))

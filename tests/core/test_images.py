@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import OpenEXR
 import pytest
-from PIL import Image
+from PIL import ExifTags, Image
 
 from loomlight.core.colour import srgb_to_linear
 from loomlight.core.errors import InputError
-from loomlight.core.images import read_picture, write_channels, write_image, write_png
+from loomlight.core.images import is_turned, read_map, read_picture, write_channels, write_image, write_png
 
 
 def random_pixels(channels: int) -> np.ndarray:
@@ -114,3 +114,61 @@ def test_what_is_no_picture_is_refused(tmp_path: Path) -> None:
         read_picture(tmp_path / "none.png")
     with pytest.raises(InputError, match="is a folder"):
         read_picture(tmp_path)
+
+
+def test_drawings_of_uint8_keep_every_colour(tmp_path: Path) -> None:
+    levels = np.repeat(np.arange(256, dtype=np.uint8)[None, :, None], 3, axis=2)
+    write_image(tmp_path / "a.png", levels)
+    np.testing.assert_array_equal(np.asarray(Image.open(tmp_path / "a.png")), levels)
+    write_image(tmp_path / "a.exr", levels)
+    linear = OpenEXR.File(str(tmp_path / "a.exr")).channels()["RGB"].pixels
+    np.testing.assert_allclose(linear, srgb_to_linear(levels / 255), rtol=1e-6)
+
+
+@pytest.mark.parametrize("suffix", [".png", ".tif"])
+def test_sixteen_bits_are_scaled(tmp_path: Path, suffix: str) -> None:
+    values = np.array([[0, 1, 8121], [59451, 65534, 65535]], np.uint16)
+    Image.fromarray(values).save(tmp_path / f"a{suffix}")
+    np.testing.assert_allclose(read_picture(tmp_path / f"a{suffix}")[..., 1], values / 65535)
+    np.testing.assert_allclose(read_map(tmp_path / f"a{suffix}", 1)[..., 0], values / 65535, rtol=1e-6)
+
+
+def test_floats_are_pictures_between_0_and_1_and_maps_of_any_number(tmp_path: Path) -> None:
+    Image.fromarray(np.array([[0, 0.25, 1]], np.float32)).save(tmp_path / "a.tif")
+    np.testing.assert_array_equal(read_picture(tmp_path / "a.tif")[0, :, 2], [0, 0.25, 1])
+    for wrong in (-0.5, 7, np.nan):
+        Image.fromarray(np.array([[0, wrong]], np.float32)).save(tmp_path / "b.tif")
+        with pytest.raises(InputError, match="holds floats that are not between 0 and 1"):
+            read_picture(tmp_path / "b.tif")
+    Image.fromarray(np.array([[-3, 900]], np.float32)).save(tmp_path / "c.tif")
+    np.testing.assert_array_equal(read_map(tmp_path / "c.tif", 1)[0, :, 0], [-3, 900])
+    Image.fromarray(np.array([[0, 1 << 20]], np.int32)).save(tmp_path / "d.tif")
+    with pytest.raises(InputError, match="whole numbers of 32 bits"):
+        read_picture(tmp_path / "d.tif")
+
+
+# Of EXIF: what shows the stored rows as they were taken.
+UPRIGHT = {
+    1: lambda stored: stored,
+    2: lambda stored: stored[:, ::-1],
+    3: lambda stored: stored[::-1, ::-1],
+    4: lambda stored: stored[::-1],
+    5: lambda stored: stored.T,
+    6: lambda stored: stored[::-1].T,
+    7: lambda stored: stored[::-1, ::-1].T,
+    8: lambda stored: stored.T[::-1],
+}
+
+
+@pytest.mark.parametrize("orientation", UPRIGHT)
+@pytest.mark.parametrize("suffix", [".png", ".tif"])
+def test_pictures_are_turned_as_their_file_says(tmp_path: Path, suffix: str, orientation: int) -> None:
+    stored = np.array([[0, 20, 40], [60, 80, 255]], np.uint8)
+    exif = Image.Exif()
+    exif[ExifTags.Base.Orientation] = orientation
+    file = tmp_path / f"a{suffix}"
+    Image.fromarray(stored).save(file, exif=exif)
+    upright = UPRIGHT[orientation](stored) / 255
+    np.testing.assert_allclose(read_picture(file)[..., 0], upright)
+    np.testing.assert_allclose(read_map(file, 1)[..., 0], upright, rtol=1e-6)
+    assert is_turned(file) == (orientation != 1)

@@ -47,6 +47,8 @@ def parts_of(name: str) -> tuple[list[MeshPart], list[str]]:
         ("m14_texture_transform_rot.gltf", 1.0772, 1),
         ("square.obj", 0.04, 0.2),
         ("square_one_sliver.obj", 0.04, 0.2),
+        ("turn4/m21b_skin_node_quarter.gltf", 0.263085, 0.5),
+        ("turn4/m22_skin_joint_scale_cm.gltf", 0.263085, 0.5),
     ],
 )
 def test_cases_are_read(name: str, area: float, width: float) -> None:

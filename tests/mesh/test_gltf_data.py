@@ -18,7 +18,7 @@ from loomlight.mesh.reading import read_parts
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype="<f4")
 UV = CORNERS[:, :2]
 CODES = {"<i1": 5120, "|i1": 5120, "|u1": 5121, "<i2": 5122, "<u2": 5123, "<u4": 5125, "<f4": 5126}
-KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
+KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
 
 
 def gltf(
@@ -201,3 +201,96 @@ def test_what_is_read_again_and_again_is_bounded(tmp_path: Path) -> None:
         repeated(tmp_path, 2000, 200_000)
     with pytest.raises(InputError, match="shows more than 20000 parts"):
         repeated(tmp_path, 20_001, 4)
+
+
+QUARTER = np.diag([0.25, 0.25, 0.25, 1]).astype("<f4")
+JOINTS = np.array([[0, 1, 0, 0]] * 4, "|u1")
+
+
+def skinned(folder: Path, weights: list[list[float]], nodes: list[Any], **skin: Any) -> ClothMesh:
+    """A quad that hangs on two joints, the nodes 1 and 2."""
+    arrays = quad(NORMAL=np.tile(np.array([[0, 0, 1]], "<f4"), (4, 1)))
+    arrays |= {"JOINTS_0": JOINTS, "WEIGHTS_0": np.array(weights, "<f4")}
+    scenes = [{"nodes": list(range(len(nodes)))}]
+    return mesh_of(gltf(folder, arrays, nodes=nodes, scenes=scenes, skins=[{"joints": [1, 2], **skin}]))
+
+
+def test_skins_follow_their_joints_and_not_their_node(tmp_path: Path) -> None:
+    """glTF 2.0, 3.7.3.3: the transform of a skinned mesh's own node is ignored."""
+    nodes = [{"mesh": 0, "skin": 0, "scale": [0.25] * 3}, {"scale": [2] * 3}, {"translation": [0, 0, 4]}]
+    weights = [
+        [1, 0, 0, 0],
+        [0, 1, 0, 0],
+        [0.5, 0.5, 0, 0],
+        [2, 2, 0, 0],
+    ]  # of which the last do not sum to 1
+    mesh = skinned(tmp_path, weights, nodes)
+    expected = [
+        CORNERS[0] * 2,
+        CORNERS[1] + [0, 0, 4],
+        CORNERS[2] * 1.5 + [0, 0, 2],
+        CORNERS[3] * 1.5 + [0, 0, 2],
+    ]
+    np.testing.assert_allclose(mesh.positions, expected)
+    np.testing.assert_allclose(mesh.normals / np.linalg.norm(mesh.normals, axis=1)[:, None], [[0, 0, 1]] * 4)
+
+
+def test_joints_are_undone_where_they_were_bound(tmp_path: Path) -> None:
+    nodes: list[Any] = [{"mesh": 0, "skin": 0}, {"scale": [4] * 3}, {}]
+    bound = np.stack([QUARTER.T, np.eye(4, dtype="<f4")])
+    arrays = quad() | {"JOINTS_0": JOINTS, "WEIGHTS_0": np.array([[1, 0, 0, 0]] * 4, "<f4")}
+    file = gltf(tmp_path, arrays | {"bound": bound}, nodes=nodes, scenes=[{"nodes": [0, 1, 2]}])
+    tree = json.loads(file.read_text())
+    number = tree["meshes"][0]["primitives"][0]["attributes"].pop("bound")
+    file.write_text(json.dumps(tree | {"skins": [{"joints": [1, 2], "inverseBindMatrices": number}]}))
+    np.testing.assert_allclose(mesh_of(file).positions, CORNERS)
+
+
+def test_mirrored_skins_keep_their_front(tmp_path: Path) -> None:
+    nodes = [{"mesh": 0, "skin": 0}, {"scale": [-1, 1, 1]}, {}]
+    mesh = skinned(tmp_path, [[1, 0, 0, 0]] * 4, nodes)
+    assert (cross_products(mesh)[:, 2] > 0).all()
+    assert (mesh.normals[:, 2] > 0).all()
+
+
+@pytest.mark.parametrize(
+    ("weights", "skin", "says"),
+    [
+        (
+            [[1, 0, 0, 0]] * 4,
+            {"joints": [1, 9]},
+            "skin 0 has no joints, or some that the scene does not show",
+        ),
+        ([[1, 0, 0, 0]] * 4, {"joints": [1]}, "a vertex hangs on joint 1 of 1"),
+        ([[1, 0, 0, 0]] * 4, {"joints": []}, "skin 0 has no joints"),
+    ],
+)
+def test_skins_that_are_refused(
+    tmp_path: Path, weights: list[list[float]], skin: dict[str, Any], says: str
+) -> None:
+    with pytest.raises(InputError, match=says):
+        skinned(tmp_path, weights, [{"mesh": 0, "skin": 0}, {}, {}], **skin)
+
+
+@pytest.mark.parametrize("place", ["meshes", "nodes"])
+def test_morph_targets_have_their_default_weights(tmp_path: Path, place: str) -> None:
+    moved = np.array([[0, 0, 2]] * 4, "<f4")
+    file = gltf(tmp_path, quad(moved=moved))
+    tree = json.loads(file.read_text())
+    primitive = tree["meshes"][0]["primitives"][0]
+    number = primitive["attributes"].pop("moved")
+    primitive["targets"] = [{"POSITION": number}, {"POSITION": number}]
+    tree["meshes"][0]["weights"] = [9, 9]  # which those of a node replace
+    tree[place][0]["weights"] = [0.25, 0.5]
+    file.write_text(json.dumps(tree))
+    np.testing.assert_allclose(mesh_of(file).positions, CORNERS + np.array([0, 0, 1.5]))
+
+
+@pytest.mark.parametrize("name", ["KHR_mesh_quantization", "KHR_materials_sheen", "EXT_texture_webp"])
+def test_required_extensions_that_are_read_or_change_no_shape(tmp_path: Path, name: str) -> None:
+    assert len(mesh_of(gltf(tmp_path, quad(), extensionsRequired=[name])).triangles) == 2
+
+
+def test_other_required_extensions_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match='requires the extension "VENDOR_x", which is not read'):
+        read_parts(gltf(tmp_path, quad(), extensionsRequired=["VENDOR_x"]))

@@ -3,6 +3,7 @@
 Covers: weave/load.py
 """
 
+import io
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,7 +12,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as numpy_strategies
-from PIL import Image, ImageColor
+from PIL import Image, ImageColor, ImageOps
 
 from loomlight.core import images
 from loomlight.core.errors import InputError
@@ -71,6 +72,20 @@ def test_the_case_of_two_colours(case: Path) -> None:
     """Blue is darker than red to the eye."""
     pixels = np.asarray(Image.open(case).convert("RGB"))[::-1]
     assert np.array_equal(drawdown_from_picture(case).drawdown, pixels[..., 2] > pixels[..., 0])
+
+
+@pytest.mark.parametrize("case", cases("turn4/i02_drawdown_16bit_grey.png"))
+def test_sixteen_bits_are_the_draft_of_eight(case: Path) -> None:
+    same = drawdown_from_picture(case.with_name("i02_same_8bit.png")).drawdown
+    np.testing.assert_array_equal(drawdown_from_picture(case).drawdown, same)
+
+
+@pytest.mark.parametrize("case", cases("turn4/i09*"))
+def test_turned_pictures_are_read_as_they_are_shown(case: Path) -> None:
+    content = case.read_bytes()
+    with Image.open(io.BytesIO(content)) as picture:  # of bytes, as a file's name makes Pillow garble TIFF
+        shown = np.asarray(ImageOps.exif_transpose(picture))
+    np.testing.assert_array_equal(drawdown_from_picture(case).drawdown, shown[::-1] < 128)
 
 
 def test_three_dark_colours_are_refused(tmp_path: Path) -> None:

@@ -303,6 +303,50 @@ def test_treadling_wins_over_a_liftplan_that_differs(wif: WifMaker) -> None:
     assert np.array_equal(both.drawdown, read_quietly(wif()).drawdown)
 
 
+def test_the_liftplan_lifts_where_the_treadling_presses_nothing(wif: WifMaker) -> None:
+    file = wif(WEFT="Threads=4", LIFTPLAN="1=1\n2=2\n3=1\n4=2")
+    with pytest.warns(LoomlightWarning, match=r"\[LIFTPLAN\] 3=1 is woven, as \[TREADLING\] presses nothing"):
+        draft = read_wif(file)
+    two = read_quietly(wif()).drawdown
+    np.testing.assert_array_equal(draft.drawdown, np.concatenate([two, two]))
+    assert draft.loom is not None
+    assert draft.loom.treadling is None
+    assert draft.loom.liftplan == (frozenset({1}), frozenset({2})) * 2
+
+
+TWO_COLOURS = {"COLOR_TABLE": "1=255,255,255\n2=0,0,0", "COLOR_PALETTE": "Range=0,255"}
+
+
+def test_default_colours_that_count_from_zero(wif: WifMaker) -> None:
+    none = {"WARP_COLORS": None, "WEFT_COLORS": None}
+    file = wif(WARP="Threads=4\nColor=0", WEFT="Threads=2\nColor=1", **TWO_COLOURS, **none)
+    with pytest.warns(
+        LoomlightWarning, match=r"\[WARP\] Color=0 counts the colours of \[COLOR TABLE\] from 0"
+    ):
+        draft = read_wif(file)
+    assert draft.warp.color_index is not None
+    assert draft.weft.color_index is not None
+    assert (draft.warp.color_index == 0).all()
+    assert (draft.weft.color_index == 1).all()
+    # 2 is no colour of a table of two that is counted from 0.
+    with pytest.raises(InputError, match=r"\[WARP\] Color=0 is not in \[COLOR TABLE\]"):
+        read_quietly(wif(WARP="Threads=4\nColor=0", WEFT="Threads=2\nColor=2", **TWO_COLOURS, **none))
+
+
+@pytest.mark.parametrize("case", [*cases("turn4/w02*.wif"), *cases("turn4/w12*.wif")])
+def test_cases_that_are_read_with_a_warning(case: Path) -> None:
+    with pytest.warns(LoomlightWarning):
+        draft = read_wif(case)
+    np.testing.assert_array_equal(draft.drawdown, np.eye(2)[np.arange(len(draft.drawdown)) % 2])
+
+
+@pytest.mark.parametrize("case", [*cases("turn4/w08*.wif"), *cases("turn4/w14*.wif")])
+@pytest.mark.filterwarnings("ignore::loomlight.core.errors.LoomlightWarning")
+def test_cases_that_are_refused_by_section(case: Path) -> None:
+    with pytest.raises(InputError, match=r"\[THREADING\]"):
+        read_wif(case)
+
+
 # ------------------------------------------------------------------------------------------ what is refused
 
 

@@ -138,7 +138,7 @@ def _ask(questions: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 def _wif_files() -> list[Path]:
     data = os.environ.get("LOOMLIGHT_DATA")
-    outside = [*sorted(Path(data, "wif").rglob("*.wif")), *Path(data, "cases").glob("*.wif")] if data else []
+    outside = [*sorted(Path(data, "wif").rglob("*.wif")), *Path(data, "cases").rglob("*.wif")] if data else []
     return [*FIXTURES, *outside]
 
 

@@ -19,6 +19,9 @@ from loomlight.core.images import read_linear
 _RATIO_TOLERANCE = 0.02
 # What renderers interpolate between.
 _MIN_COLUMNS, _MIN_ROWS = 3, 2
+# The highest value of half precision, which pictures are often kept in; and one of which float32 sums up as
+# many as an environment and a picture have.
+_MAX_HALF, _MAX_RADIANCE = 65504.0, 1e28
 
 
 def read_environment_map(path: str | os.PathLike[str]) -> NDArray[np.float32]:
@@ -39,10 +42,10 @@ def checked_environment_map(
 ) -> NDArray[np.float32]:
     """The radiance [rows, columns, 3] of the picture `path` without negative values.
 
-    Warns where there are such values, and where the sides are not 2 to 1.
+    Warns where there are such values, some beyond half precision, and where the sides are not 2 to 1.
 
     Raises:
-        InputError: too few pixels, or some that are not finite.
+        InputError: too few pixels, or some that are not finite or cannot be summed up.
     """
     rows, columns = radiance.shape[:2]
     if rows < _MIN_ROWS or columns < _MIN_COLUMNS:
@@ -56,6 +59,19 @@ def checked_environment_map(
         warnings.warn(
             f"{path} has {columns} x {rows} pixels, and a latitude-longitude picture is twice as wide "
             "as high: it is stretched over the whole sphere; convert cube maps and mirror balls first.",
+            LoomlightWarning,
+            stacklevel=3,
+        )
+    highest = float(radiance.max())
+    if highest > _MAX_RADIANCE:
+        raise InputError(
+            f"{path} holds a pixel of {highest:.3g}; values above {_MAX_RADIANCE:.0g} cannot be summed up: "
+            "limit them in a picture editor."
+        )
+    if highest > _MAX_HALF:
+        warnings.warn(
+            f"{path} holds a pixel of {highest:.3g}, beyond the {_MAX_HALF:.0f} of half precision: unless "
+            "that is the sun, limit it in a picture editor.",
             LoomlightWarning,
             stacklevel=3,
         )

@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 import numpy as np
 import OpenEXR
 from numpy.typing import ArrayLike, NDArray
-from PIL import Image, UnidentifiedImageError
+from PIL import ExifTags, Image, ImageOps, UnidentifiedImageError
 from PIL.PngImagePlugin import PngInfo
 
 from loomlight.core.colour import linear_to_srgb, srgb_to_linear
@@ -27,16 +27,23 @@ PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".gif")
 MAX_PICTURE_SIDE = 16384
 # Pixels converted at once: 100 MB of float64.
 _PIXELS_AT_ONCE = 1 << 20
+# Pillow's modes of grey of more than 8 bits: whole numbers of 16 or 32, and floats.
+_WIDE_MODES = ("I;16", "I;16B", "I;16L", "I;16N", "I", "F")
+_MAX_16_BITS = 65535
 _EXR_CHANNELS = {1: "Y", 3: "RGB", 4: "RGBA"}
 
 
 def write_image(path: str | os.PathLike[str], linear: ArrayLike) -> None:
     """Writes linear values [height, width, 1 | 3 | 4] as .exr (float32, as they are) or .png (sRGB, 8 bits).
 
+    Values of uint8 are no linear ones but sRGB already, as drawings and other programs' pictures have them.
+
     Raises:
         InputError: another suffix, or a path that cannot be written.
     """
-    pixels = np.asarray(linear, dtype=np.float32)
+    values = np.asarray(linear)
+    is_encoded = values.dtype == np.uint8
+    pixels = np.asarray(srgb_to_linear(values / 255) if is_encoded else values, dtype=np.float32)
     suffix = Path(path).suffix.lower()
     if suffix == ".exr":
         _write_exr(path, {_EXR_CHANNELS[pixels.shape[2]]: pixels})
@@ -125,7 +132,7 @@ def encoded(linear: ArrayLike) -> NDArray[np.uint8]:
 
 
 def read_linear(path: str | os.PathLike[str]) -> NDArray[np.float32]:
-    """Linear RGB [height, width, 3] of an .exr or .hdr as it is, or of a PNG, JPEG … decoded from sRGB.
+    """Linear RGB [height, width, 3] of an .exr or .hdr as it is, or of a PNG, JPEG …, decoded, on black.
 
     Raises:
         InputError: no such file, no picture, or values that are not finite.
@@ -137,7 +144,7 @@ def read_linear(path: str | os.PathLike[str]) -> NDArray[np.float32]:
     elif suffix == ".hdr":
         linear = read_rgbe(path)
     else:
-        linear = srgb_to_linear(read_picture(path)).astype(np.float32)
+        linear = srgb_to_linear(read_picture(path, background=0)).astype(np.float32)
     if not np.isfinite(linear).all():
         raise InputError(f"{path} holds pixels that are no finite numbers; replace them in a picture editor.")
     return linear
@@ -160,7 +167,7 @@ def _read_exr(path: str | os.PathLike[str], any_channel: bool = False) -> NDArra
 
 
 def picture_size(path: str | os.PathLike[str]) -> tuple[int, int]:
-    """Width and height in pixels of a PNG, JPEG, TIFF, BMP or GIF, from the head of the file alone.
+    """Width and height in pixels of a PNG, JPEG, TIFF, BMP or GIF as stored, from the head of the file alone.
 
     Raises:
         InputError: no such file, or no picture.
@@ -181,19 +188,24 @@ def _require_size(path: str | os.PathLike[str], width: int, height: int) -> None
         )
 
 
-def read_picture(path: str | os.PathLike[str]) -> NDArray[np.float64]:
-    """sRGB-encoded values [height, width, 3] in [0, 1] of a PNG, JPEG, TIFF, BMP or GIF, on white.
+def read_picture(path: str | os.PathLike[str], background: float = 1) -> NDArray[np.float64]:
+    """sRGB-encoded values [height, width, 3] in [0, 1] of a PNG, JPEG, TIFF, BMP or GIF, upright.
+
+    Args:
+        background: what is seen through transparent pixels: 1 is white, 0 black.
 
     Raises:
-        InputError: no such file, no picture, or more than 16384 pixels a side.
+        InputError: no such file, no picture, more than 16384 pixels a side, or numbers beyond 16 bits or
+            floats beyond 0 to 1.
     """
-    return np.concatenate(list(read_picture_rows(path)))
+    return np.concatenate(list(read_picture_rows(path, background)))
 
 
 def read_map(path: str | os.PathLike[str], channels: int) -> NDArray[np.float32]:
     """Numbers of a picture as they are stored [height, width, channels], such as a height map.
 
-    Of 8 and 16 bits, 0 to 1; of .exr, any. Colours are averaged for `channels` = 1, grey is repeated for 3.
+    Of 8 and 16 bits, 0 to 1; of .exr and of TIFF's floats, any. Colours are averaged for `channels` = 1, and
+    grey is repeated for 3.
 
     Raises:
         InputError: no such file, no picture, or more than 16384 pixels a side.
@@ -203,12 +215,12 @@ def read_map(path: str | os.PathLike[str], channels: int) -> NDArray[np.float32]
     else:
         with _opened(path) as picture:
             _require_size(path, *picture.size)
-            # Modes of 16 bits; conversions of Pillow would clip them to 8.
-            if picture.mode.startswith("I"):
-                pixels = np.asarray(picture, np.float64)[..., None] / 65535
+            upright = _upright(picture)
+            if upright.mode in _WIDE_MODES:
+                pixels = _wide_grey(upright, path)[..., None]
             else:
-                kept = "L" if picture.mode in ("1", "L", "LA") else "RGB"
-                pixels = np.asarray(picture.convert(kept), np.float32) / 255
+                kept = "L" if upright.mode in ("1", "L", "LA") else "RGB"
+                pixels = np.asarray(upright.convert(kept), np.float32) / 255
     if pixels.ndim == 2:
         pixels = pixels[..., None]
     if pixels.shape[2] >= 3:
@@ -218,7 +230,7 @@ def read_map(path: str | os.PathLike[str], channels: int) -> NDArray[np.float32]
     return np.ascontiguousarray(pixels, np.float32)
 
 
-def read_picture_rows(path: str | os.PathLike[str]) -> Iterator[NDArray[np.float64]]:
+def read_picture_rows(path: str | os.PathLike[str], background: float = 1) -> Iterator[NDArray[np.float64]]:
     """The same in parts of some rows [rows, width, 3], from the top, for pictures of many pixels.
 
     Raises:
@@ -227,21 +239,63 @@ def read_picture_rows(path: str | os.PathLike[str]) -> Iterator[NDArray[np.float
     with _opened(path) as picture:
         width, height = picture.size
         _require_size(path, width, height)
+        upright = _upright(picture)
+        width, height = upright.size
         step = max(1, _PIXELS_AT_ONCE // width)
         for top in range(0, height, step):
-            part = picture.crop((0, top, width, min(top + step, height)))
+            part = upright.crop((0, top, width, min(top + step, height)))
+            if part.mode in _WIDE_MODES:
+                yield _between_0_and_1(_wide_grey(part, path), path)[..., None].repeat(3, axis=2)
+                continue
             pixels = np.asarray(part.convert("RGBA"))
             colours, opacity = pixels[..., :3] / 255, pixels[..., 3:]
             # A drawdown of 4096 by 4096 threads would wait seconds for what changes nothing.
             opaque = (opacity == 255).all()
-            yield colours if opaque else colours * (opacity / 255) + (1 - opacity / 255)
+            yield colours if opaque else colours * (opacity / 255) + background * (1 - opacity / 255)
+
+
+def is_turned(path: str | os.PathLike[str]) -> bool:
+    """Whether a picture's file says that its rows are not shown from the top (EXIF orientation)."""
+    with _opened(path) as picture:
+        return picture.getexif().get(ExifTags.Base.Orientation, 1) != 1
+
+
+def _upright(picture: Image.Image) -> Image.Image:
+    """The picture as viewers show it. Pillow turns TIFF when it loads it, and nothing else by itself."""
+    picture.load()
+    return ImageOps.exif_transpose(picture)
+
+
+def _wide_grey(picture: Image.Image, path: str | os.PathLike[str]) -> NDArray[np.float64]:
+    """Grey values [height, width] of more than 8 bits, which Pillow's conversions would clip to 8.
+
+    Whole numbers of 16 bits become 0 to 1; floats stay as they are.
+
+    Raises:
+        InputError: whole numbers that 16 bits do not hold.
+    """
+    values = np.asarray(picture, np.float64)
+    if picture.mode == "F":
+        return values
+    if values.min() < 0 or values.max() > _MAX_16_BITS:
+        raise InputError(f"{path} holds whole numbers of 32 bits; save it with 8 or 16 bits a channel.")
+    return values / _MAX_16_BITS
+
+
+def _between_0_and_1(values: NDArray[np.float64], path: str | os.PathLike[str]) -> NDArray[np.float64]:
+    if not ((values >= 0) & (values <= 1)).all():  # nor is NaN
+        raise InputError(
+            f"{path} holds floats that are not between 0 and 1; save it with 8 or 16 bits a channel."
+        )
+    return values
 
 
 @contextmanager
 def _opened(path: str | os.PathLike[str]) -> Iterator[Image.Image]:
     """A picture that Pillow has opened; its faults become InputErrors."""
     try:
-        with _without_pillow_limit(), Image.open(path) as picture:
+        # By an open file: of a name, Pillow maps TIFF into memory, and garbles what is to be turned.
+        with _without_pillow_limit(), Path(path).open("rb") as file, Image.open(file) as picture:
             yield picture
     except FileNotFoundError as error:
         raise InputError(f"{path} does not exist.") from error

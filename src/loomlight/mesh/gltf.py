@@ -1,8 +1,11 @@
-"""glTF meshes: primitives of triangles, placed by their nodes, with the uv that their base colour takes."""
+"""glTF meshes: primitives of triangles, placed by their nodes, with the uv that their base colour takes.
+
+Morph targets have the file's default weights, and skinned meshes are where their joints stand in the file.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -32,23 +35,65 @@ def read_gltf(file: Path) -> list[MeshPart]:
     """
     gltf = load_gltf(file)
     parts: list[MeshPart] = []
-    known: dict[int, list[MeshPart]] = {}
+    known: dict[_Shape, list[MeshPart]] = {}
     total = 0
-    for node, matrix in _placements(gltf):
-        number = gltf.integer(node, "mesh")
-        mesh = gltf.entry("meshes", number)
-        if number not in known:
-            known[number] = _primitives(gltf, mesh)
-        total += sum(len(part.mesh.triangles) for part in known[number])
+    placed, world = _placements(gltf)
+    for node, matrix in placed:
+        shape = _shape_of(gltf, node)
+        mesh = gltf.entry("meshes", shape.mesh)
+        if shape not in known:
+            known[shape] = _primitives(
+                gltf, mesh, _Pose(shape.morph_weights, _joints(gltf, shape.skin, world))
+            )
+        total += sum(len(part.mesh.triangles) for part in known[shape])
         _check_total(total, file)
         name = _text(node) or _text(mesh)
-        if len(parts) + len(known[number]) > MAX_PARTS:
+        if len(parts) + len(known[shape]) > MAX_PARTS:
             raise InputError(f"{file} shows more than {MAX_PARTS} parts, copies included: join some.")
-        parts += [MeshPart(name, part.material, _moved(part.mesh, matrix)) for part in known[number]]
+        parts += [MeshPart(name, part.material, _moved(part.mesh, matrix)) for part in known[shape]]
     if not parts:
         reason = "its meshes are points or lines" if known else "its scene shows no mesh"
         raise InputError(f"{file} holds no triangles: {reason}.")
     return parts
+
+
+@dataclass(frozen=True)
+class _Shape:
+    """A mesh as a node shows it: nodes of one shape share their arrays.
+
+    Attributes:
+        skin: its number; None of a mesh that stands where its node does.
+        morph_weights: of the targets of its primitives; those beyond the list have none.
+    """
+
+    mesh: int
+    skin: int | None
+    morph_weights: tuple[float, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class _Pose:
+    """What moves the vertices of a shape before it is placed.
+
+    Attributes:
+        joints: [n, 4, 4], from the mesh's space to the scene's by each joint; None without a skin.
+    """
+
+    morph_weights: tuple[float, ...]
+    joints: NDArray[np.float64] | None
+
+
+def _shape_of(gltf: GltfFile, node: Entry) -> _Shape:
+    number = gltf.integer(node, "mesh")
+    weights = node.get("weights", gltf.entry("meshes", number).get("weights", []))
+    if not isinstance(weights, list):
+        raise gltf.damaged('the "weights" of a mesh or node are no list')
+    holder = {"weights": weights}
+    return _Shape(
+        number,
+        gltf.integer(node, "skin") if "skin" in node else None,
+        tuple(_vector(gltf, holder, "weights", [0.0] * len(weights)).tolist()),
+    )
 
 
 def _check_total(total: int, file: Path) -> None:
@@ -61,21 +106,49 @@ def _text(entry: Entry) -> str:
     return " ".join(name.split()) if isinstance(name, str) else ""
 
 
-def _placements(gltf: GltfFile) -> Iterator[tuple[Entry, NDArray[np.float64]]]:
-    """Each node of the scene that has a mesh, and its matrix; a node again for each of its instances."""
-    seen: set[int] = set()
+def _placements(
+    gltf: GltfFile,
+) -> tuple[list[tuple[Entry, NDArray[np.float64]]], dict[int, NDArray[np.float64]]]:
+    """Each node of the scene that has a mesh, and its matrix; a node again for each of its instances.
+
+    Beside them the matrix of every node. Of a skinned mesh joints alone say where it is (glTF 2.0, 3.7.3.3).
+    """
+    world: dict[int, NDArray[np.float64]] = {}
+    placed: list[tuple[Entry, NDArray[np.float64]]] = []
     waiting = [(number, np.eye(4)) for number in reversed(_roots(gltf))]
     while waiting:
         number, above = waiting.pop()
         node = gltf.entry("nodes", number)
-        if number in seen:
+        if number in world:
             raise gltf.damaged(f"node {number} is its own ancestor, or has two parents")
-        seen.add(number)
-        matrix = above @ _own_matrix(gltf, node)
-        if "mesh" in node:
-            for instance in _instances(gltf, node):
-                yield node, matrix @ instance
+        matrix = world[number] = above @ _own_matrix(gltf, node)
+        if "mesh" in node and "skin" in node:
+            placed.append((node, np.eye(4)))
+        elif "mesh" in node:
+            placed += [(node, matrix @ instance) for instance in _instances(gltf, node)]
         waiting += [(child, matrix) for child in reversed(_children(gltf, node))]
+    return placed, world
+
+
+def _joints(
+    gltf: GltfFile, number: int | None, world: dict[int, NDArray[np.float64]]
+) -> NDArray[np.float64] | None:
+    """Matrices [n, 4, 4] of a skin's joints: back to the joint as it was bound, then to where it stands."""
+    if number is None:
+        return None
+    skin = gltf.entry("skins", number)
+    joints = _children(gltf, skin, "joints")
+    if not joints or not set(joints) <= set(world):
+        raise gltf.damaged(f"skin {number} has no joints, or some that the scene does not show")
+    matrices = np.stack([world[joint] for joint in joints])
+    if "inverseBindMatrices" in skin:
+        bound = attribute(gltf, skin["inverseBindMatrices"], 16)
+        if len(bound) < len(joints):
+            raise gltf.damaged(f"skin {number} has {len(joints)} joints and {len(bound)} matrices")
+        matrices = matrices @ bound[: len(joints)].reshape(-1, 4, 4).transpose(0, 2, 1)
+    if not np.isfinite(matrices).all():
+        raise gltf.damaged(f"a matrix of skin {number} holds numbers that are not finite")
+    return matrices
 
 
 def _children(gltf: GltfFile, node: Entry, key: str = "children") -> list[int]:
@@ -144,8 +217,8 @@ def _instances(gltf: GltfFile, node: Entry) -> list[NDArray[np.float64]]:
     return [_matrix(*(values[number] for values in rows)) for number in range(count)]
 
 
-def _primitives(gltf: GltfFile, mesh: Entry) -> list[MeshPart]:
-    """The primitives of triangles of a mesh, not placed yet."""
+def _primitives(gltf: GltfFile, mesh: Entry, pose: _Pose) -> list[MeshPart]:
+    """The primitives of triangles of a mesh in their pose, not placed yet."""
     primitives = mesh.get("primitives", [])
     if not isinstance(primitives, list) or not all(isinstance(entry, dict) for entry in primitives):
         raise gltf.damaged('the "primitives" of a mesh are no list of objects')
@@ -155,19 +228,19 @@ def _primitives(gltf: GltfFile, mesh: Entry) -> list[MeshPart]:
         if gltf.integer(primitive, "mode", _TRIANGLES) < _TRIANGLES:
             continue
         material = gltf.entry("materials", primitive["material"]) if "material" in primitive else {}
-        made = _geometry(gltf, primitive, material)
+        made = _geometry(gltf, primitive, material, pose)
         total += len(made.triangles)
         _check_total(total, gltf.file)
         parts.append(MeshPart("", _text(material), made))
     return parts
 
 
-def _geometry(gltf: GltfFile, primitive: Entry, material: Entry) -> ClothMesh:
+def _geometry(gltf: GltfFile, primitive: Entry, material: Entry, pose: _Pose) -> ClothMesh:
     names = gltf.dictionary(primitive, "attributes")
     if "POSITION" not in names:
         raise gltf.damaged("a primitive has no positions")
     uv_name, transform = _uv_of_material(gltf, material, names)
-    widths = {"POSITION": 3, "NORMAL": 3, uv_name: 2}
+    widths = {"POSITION": 3, "NORMAL": 3, uv_name: 2} | _skin_widths(names, pose)
     wanted = {name: width for name, width in widths.items() if name in names}
     compressed = gltf.dictionary(primitive, "extensions", _DRACO)
     if compressed:
@@ -182,6 +255,9 @@ def _geometry(gltf: GltfFile, primitive: Entry, material: Entry) -> ClothMesh:
     if any(len(rows) != count for rows in arrays.values()):
         raise gltf.damaged("the attributes of a primitive differ in their number of vertices")
     check_indices(triangles, count, str(gltf.file))
+    _morph(gltf, primitive, arrays, pose.morph_weights)
+    if pose.joints is not None:
+        triangles = _skinned(gltf, arrays, triangles, pose.joints)
     none = np.zeros((0, 3))
     uv = arrays[uv_name] @ transform[:, :2].T + transform[:, 2] if uv_name in arrays else np.zeros((0, 2))
     # Primitives may share one large array, of which each uses some rows.
@@ -194,6 +270,64 @@ def _geometry(gltf: GltfFile, primitive: Entry, material: Entry) -> ClothMesh:
         triangles=inverse.reshape(-1, 3),
         name=str(gltf.file),
     )
+
+
+def _skin_widths(names: Entry, pose: _Pose) -> dict[str, int]:
+    """The attributes of joints and their weights, four numbers a vertex each."""
+    if pose.joints is None:
+        return {}
+    return {name: 4 for name in names if name.startswith(("JOINTS_", "WEIGHTS_"))}
+
+
+def _morph(
+    gltf: GltfFile, primitive: Entry, arrays: dict[str, NDArray[np.float64]], weights: tuple[float, ...]
+) -> None:
+    """Adds the displacements of a primitive's morph targets to its arrays, by their weights."""
+    targets = primitive.get("targets", [])
+    if not isinstance(targets, list) or not all(isinstance(target, dict) for target in targets):
+        raise gltf.damaged('the "targets" of a primitive are no list of objects')
+    for target, weight in zip(targets, weights, strict=False):  # targets without a weight have none
+        if weight == 0:
+            continue
+        for name in arrays.keys() & target.keys():
+            moved = attribute(gltf, target[name], arrays[name].shape[1])
+            if len(moved) != len(arrays[name]):
+                raise gltf.damaged("a morph target differs from its primitive in its number of vertices")
+            arrays[name] = arrays[name] + weight * moved
+
+
+def _skinned(
+    gltf: GltfFile,
+    arrays: dict[str, NDArray[np.float64]],
+    triangles: NDArray[np.int64],
+    joints: NDArray[np.float64],
+) -> NDArray[np.int64]:
+    """Moves positions and normals to where joints hold them; the triangles, turned if they are mirrored."""
+    sets = sorted(name.removeprefix("JOINTS_") for name in arrays if name.startswith("JOINTS_"))
+    if not sets or any(f"WEIGHTS_{number}" not in arrays for number in sets):
+        raise gltf.damaged("a skinned primitive has no joints and weights")
+    index = np.concatenate([arrays[f"JOINTS_{number}"] for number in sets], axis=1).astype(np.int64)
+    weights = np.concatenate([arrays[f"WEIGHTS_{number}"] for number in sets], axis=1)
+    if index.size and not 0 <= index.min() <= index.max() < len(joints):
+        raise gltf.damaged(f"a vertex hangs on joint {index.max()} of {len(joints)}")
+    total = weights.sum(axis=1, keepdims=True)
+    weights = np.divide(weights, total, out=np.zeros_like(weights), where=total > 0)
+    weights[total[:, 0] <= 0, :1] = 1  # what hangs on nothing follows its first joint
+    matrices = np.zeros((len(index), 3, 4))
+    for column in range(index.shape[1]):  # one at a time: all at once would take 3 GB of a million vertices
+        matrices += weights[:, column, None, None] * joints[index[:, column], :3]
+    linear = matrices[..., :3]
+    arrays["POSITION"] = np.einsum("nij,nj->ni", linear, arrays["POSITION"]) + matrices[..., 3]
+    mirrored = np.linalg.det(linear) < 0
+    if "NORMAL" in arrays:
+        columns = linear.transpose(2, 0, 1)
+        # Normals follow the cofactors, of the determinant's sign.
+        turned = sum(
+            arrays["NORMAL"][:, k, None] * np.cross(columns[(k + 1) % 3], columns[(k + 2) % 3])
+            for k in range(3)
+        )
+        arrays["NORMAL"] = np.where(mirrored[:, None], -turned, turned)
+    return triangles[:, ::-1] if mirrored.mean() > 0.5 else triangles
 
 
 def _triangles(gltf: GltfFile, index: NDArray[np.int64], mode: int) -> NDArray[np.int64]:

@@ -19,6 +19,25 @@ from loomlight.core.errors import InputError
 # glTF 2.0, section 4.4: magic, version and length of the file; then length, type and content of each chunk.
 _HEADER, _CHUNK = struct.Struct("<4sII"), struct.Struct("<I4s")
 _DATA_URI = "data:"
+# Extensions that a file may require: those that are read, and how the names of those begin that say nothing
+# of geometry or uv.
+_READ = (
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "KHR_meshopt_compression",
+    "KHR_mesh_quantization",
+    "EXT_mesh_gpu_instancing",
+    "KHR_texture_transform",
+)
+_OF_LOOKS = (
+    "KHR_materials_",
+    "KHR_texture_",
+    "EXT_texture_",
+    "MSFT_texture_",
+    "KHR_lights_",
+    "EXT_lights_",
+    "KHR_xmp",
+)
 Entry = dict[str, Any]
 
 
@@ -89,12 +108,26 @@ def load_gltf(file: Path) -> GltfFile:
     """The file, its JSON parsed.
 
     Raises:
-        InputError: a damaged container, or another version than 2.
+        InputError: a damaged container, another version than 2, or an extension that it requires and that is
+            not read.
     """
     content = file.read_bytes()
     is_binary = file.suffix.lower() == ".glb" or content.startswith(b"glTF")
     text, own_buffer = _chunks(content, file) if is_binary else (content, None)
-    return GltfFile(file, _parsed(text, file), own_buffer, len(content))
+    gltf = GltfFile(file, _parsed(text, file), own_buffer, len(content))
+    _check_extensions(gltf)
+    return gltf
+
+
+def _check_extensions(gltf: GltfFile) -> None:
+    for name in gltf.entries("extensionsRequired"):
+        if not isinstance(name, str):
+            raise gltf.damaged('"extensionsRequired" holds what is no text')
+        if name not in _READ and not name.startswith(_OF_LOOKS):
+            raise InputError(
+                f"{gltf.file} requires the extension {json.dumps(name[:80])}, which is not read: "
+                "export it without."
+            )
 
 
 def _chunks(content: bytes, file: Path) -> tuple[bytes, bytes | None]:

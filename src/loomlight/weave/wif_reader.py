@@ -5,7 +5,7 @@ What the specification leaves open is decided here:
 - A draft has as many ends as [THREADING] lists, whatever [WARP] Threads declares beyond that: such threads
   are placeholders of an unfinished draft. Picks likewise.
 - Where [LIFTPLAN] stands beside [TIEUP] and [TREADLING], the treadling is woven; if they differ, a warning
-  says so, and both are kept.
+  says so, and both are kept. Picks that the treadling leaves empty and the liftplan lifts are the liftplan's.
 - What no thread needs may be wrong and is passed over with a warning: a default or a unit that nothing uses,
   colours that no thread has, the plan that is not woven.
 """
@@ -23,10 +23,10 @@ import numpy as np
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan
 from loomlight.weave.layers import warn_of_layers
-from loomlight.weave.loom import plan_drawdown
+from loomlight.weave.loom import moved_shafts, plan_drawdown
 from loomlight.weave.wif_source import Entries, WifSource
 from loomlight.weave.wif_text import WifText, read_wif_text, shortened
-from loomlight.weave.wif_threads import read_family, read_palette
+from loomlight.weave.wif_threads import defaults_count_from_zero, read_family, read_palette
 from loomlight.weave.wif_values import integer, number_set, thread_number, without_comment, yes_or_no
 
 # Keys that this module interprets, by section; None for every key of the section.
@@ -72,8 +72,9 @@ def draft_of(text: WifText) -> Draft:
     loom = _read_loom(text, declared)
     palette, color_range = read_palette(text)
     ends, picks = len(loom.threading), len(loom.treadling or loom.liftplan or ())
-    warp, warp_defaults = read_family(text, "WARP", ends, palette)
-    weft, weft_defaults = read_family(text, "WEFT", picks, palette)
+    first_default = 0 if defaults_count_from_zero(text, ends, picks, palette) else 1
+    warp, warp_defaults = read_family(text, "WARP", ends, palette, first_default)
+    weft, weft_defaults = read_family(text, "WEFT", picks, palette, first_default)
     drawdown = plan_drawdown(loom)
     warn_of_layers(drawdown, text.file)
     return Draft(
@@ -160,9 +161,10 @@ def _read_loom(text: WifText, declared: Mapping[str, int | None]) -> LoomPlan:
         liftplan=_sequence(liftplan, picks) if any(liftplan.values()) else None,
         rising_shed=yes_or_no(text, "WEAVING", "Rising Shed", default=True),
     )
-    if plan.treadling is not None and plan.liftplan is not None:
-        _compare_plans(text, plan)
-    return plan
+    if plan.treadling is None or plan.liftplan is None:
+        return plan
+    _compare_plans(text, plan)
+    return _completed(text, plan)
 
 
 def _sequence(sets: Mapping[int, frozenset[int]], count: int) -> tuple[frozenset[int], ...]:
@@ -249,7 +251,8 @@ def _thread_count(
 def _compare_plans(text: WifText, plan: LoomPlan) -> None:
     by_treadles = plan_drawdown(plan)
     by_liftplan = plan_drawdown(replace(plan, tieup=None, treadling=None))
-    different = np.flatnonzero((by_treadles != by_liftplan).any(axis=1))
+    pressed = np.array([bool(treadles) for treadles in plan.treadling or ()])
+    different = np.flatnonzero((by_treadles != by_liftplan).any(axis=1) & pressed)
     if different.size:
         pick = str(different[0] + 1)
         text.warn(
@@ -259,6 +262,27 @@ def _compare_plans(text: WifText, plan: LoomPlan) -> None:
             f"differs from [TREADLING] {pick}={text.value('TREADLING', pick)} with [TIEUP]; "
             "the treadling is woven",
         )
+
+
+def _completed(text: WifText, plan: LoomPlan) -> LoomPlan:
+    """A plan whose treadling leaves picks to its liftplan, as one liftplan; any other as it is."""
+    treadling, liftplan = plan.treadling or (), plan.liftplan or ()
+    left = [pick for pick, lifted in enumerate(liftplan) if lifted and not treadling[pick]]
+    if not left:
+        return plan
+    pick = str(left[0] + 1)
+    text.warn(
+        "LIFTPLAN",
+        pick,
+        text.value("LIFTPLAN", pick),
+        f"is woven, as [TREADLING] presses nothing there; {len(left)} such picks are the liftplan's",
+    )
+    moved = moved_shafts(plan)
+    lifts = tuple(
+        lifted if pressed == frozenset() else frozenset((np.flatnonzero(row) + 1).tolist())
+        for row, pressed, lifted in zip(moved, treadling, liftplan, strict=True)
+    )
+    return replace(plan, treadles=0, tieup=None, treadling=None, liftplan=lifts)
 
 
 # --------------------------------------------------------------------------------------- everything else

@@ -64,10 +64,41 @@ def read_palette(text: WifText) -> tuple[NDArray[np.float64] | None, tuple[int, 
 
 def _used_colors(text: WifText) -> set[int]:
     """Numbers of the colours that a thread, or a default, names."""
-    values = [text.value(family, "Color") for family in ("WARP", "WEFT")]
-    values += [value for family in ("WARP", "WEFT") for _, value in text.items(f"{family} COLORS")]
+    defaults = _default_colors(text)
+    values = [value for family in ("WARP", "WEFT") for _, value in text.items(f"{family} COLORS")]
     first = (without_comment(value).partition(",")[0].strip() for value in values)
-    return {int(number) for number in first if is_integer(number)}
+    used = {int(number) for number in first if is_integer(number)} | set(defaults)
+    return used | {number + 1 for number in defaults} if 0 in defaults else used
+
+
+def _default_colors(text: WifText) -> list[int]:
+    """The numbers of colours that [WARP] and [WEFT] give all threads; less of what is no number."""
+    values = (text.value(family, "Color") for family in ("WARP", "WEFT"))
+    first = (without_comment(value).partition(",")[0].strip() for value in values)
+    return [int(number) for number in first if is_integer(number)]
+
+
+def defaults_count_from_zero(
+    text: WifText, ends: int, picks: int, palette: NDArray[np.float64] | None
+) -> bool:
+    """Whether the default colours count from 0, as a generator writes them beside a table from 1.
+
+    That is so where a thread needs the colour 0, and all defaults counted so are in the table.
+
+    Warns:
+        LoomlightWarning: they do.
+    """
+    stated = _default_colors(text)
+    if palette is None or not stated or min(stated) != 0 or max(stated) >= len(palette):
+        return False
+    for family, count in (("WARP", ends), ("WEFT", picks)):
+        own = sum(1 for _, value in text.items(f"{family} COLORS") if without_comment(value))
+        value = text.value(family, "Color")
+        if without_comment(value).partition(",")[0].strip() == "0" and own < count:
+            fault = "counts the colours of [COLOR TABLE] from 0, and the table from 1: defaults are read so"
+            text.warn(family, "Color", value, fault)
+            return True
+    return False
 
 
 def _unused_range(text: WifText) -> tuple[int, int]:
@@ -106,10 +137,14 @@ def _color_range(text: WifText, highest: int) -> tuple[int, int]:
 
 
 def read_family(
-    text: WifText, family: str, count: int, palette: NDArray[np.float64] | None
+    text: WifText, family: str, count: int, palette: NDArray[np.float64] | None, first_default: int = 1
 ) -> tuple[Threads, FamilyDefaults]:
-    """The threads of one family, and what the file says for all of them."""
-    color_index, default_color, default_rgb = _read_colors(text, family, count, palette)
+    """The threads of one family, and what the file says for all of them.
+
+    Args:
+        first_default: the number, 0 or 1, by which a default names the first colour of the table.
+    """
+    color_index, default_color, default_rgb = _read_colors(text, family, count, palette, first_default)
     spacing, default_spacing = _read_lengths(text, family, "Spacing", count)
     thickness, default_thickness = _read_lengths(text, family, "Thickness", count)
     colors = default_rgb
@@ -130,7 +165,7 @@ def read_family(
 
 
 def _read_colors(
-    text: WifText, family: str, count: int, palette: NDArray[np.float64] | None
+    text: WifText, family: str, count: int, palette: NDArray[np.float64] | None, first_default: int
 ) -> tuple[NDArray[np.intp] | None, int | None, NDArray[np.float64] | None]:
     """Palette index per thread and by default (0-based), or without a palette one colour [count, 3]."""
     section = f"{family} COLORS"
@@ -159,6 +194,8 @@ def _read_colors(
                 section, key, value, f"is not in [COLOR TABLE], which holds the colours 1 to {size}"
             )
         index[thread - 1] = color - 1
+    if stated:
+        stated = [stated[0] + 1 - first_default, *stated[1:]]
     return _with_default_color(text, family, index, stated, size)
 
 

@@ -15,8 +15,8 @@
 import { makeDraft, MAXIMUM_THREADS, type Draft, type Entries, type LoomPlan, type Sets } from "./draft.ts";
 import { InputError, type Warn } from "./errors.ts";
 import { warnOfLayers } from "./layers.ts";
-import { planDrawdown } from "./loom.ts";
-import { readFamily, readPalette } from "./wif_threads.ts";
+import { movedShafts, planDrawdown } from "./loom.ts";
+import { defaultsCountFromZero, readFamily, readPalette } from "./wif_threads.ts";
 import { decodeWif, MAXIMUM_BYTES, parseWifText, shortened, type WifText } from "./wif_text.ts";
 import { integer, numberSet, threadNumber, withoutComment, yesOrNo } from "./wif_values.ts";
 
@@ -59,8 +59,9 @@ function draftOfText(text: WifText): Draft {
   const loom = readLoom(text, warpThreads, weftThreads);
   const { palette, range } = readPalette(text);
   const picks = (loom.treadling ?? loom.liftplan ?? []).length;
-  const warp = readFamily(text, "WARP", loom.threading.length, palette);
-  const weft = readFamily(text, "WEFT", picks, palette);
+  const firstDefault = defaultsCountFromZero(text, loom.threading.length, picks, palette) ? 0 : 1;
+  const warp = readFamily(text, "WARP", loom.threading.length, palette, firstDefault);
+  const weft = readFamily(text, "WEFT", picks, palette, firstDefault);
   const structure = planDrawdown(loom);
   warnOfLayers(structure, text.file, text.report);
   return makeDraft(structure, {
@@ -151,8 +152,9 @@ function readLoom(text: WifText, warpThreads: number | null, weftThreads: number
     liftplan: anySet(liftplan) ? sequence(liftplan, picks) : null,
     risingShed: yesOrNo(text, "WEAVING", "Rising Shed", true),
   };
-  if (plan.treadling !== null && plan.liftplan !== null) comparePlans(text, plan);
-  return plan;
+  if (plan.treadling === null || plan.liftplan === null) return plan;
+  comparePlans(text, plan, plan.treadling);
+  return completed(text, plan, plan.treadling, plan.liftplan);
 }
 
 function sequence(sets: Table, count: number): Sets {
@@ -225,18 +227,34 @@ function threadCount(text: WifText, family: string, section: string, sets: Table
   return Math.max(used, highest([...sets.keys()].filter((number) => number <= declared)));
 }
 
-function comparePlans(text: WifText, plan: LoomPlan): void {
+function comparePlans(text: WifText, plan: LoomPlan, treadling: Sets): void {
   const byTreadles = planDrawdown(plan).drawdown;
   const byLiftplan = planDrawdown({ ...plan, tieup: null, treadling: null }).drawdown;
-  const different = byTreadles.findIndex((up, at) => up !== byLiftplan[at]);
+  const pickOf = (at: number) => Math.floor(at / plan.threading.length);
+  const different = byTreadles.findIndex((up, at) => up !== byLiftplan[at] && treadling[pickOf(at)]!.length > 0);
   if (different < 0) return;
-  const pick = String(Math.floor(different / plan.threading.length) + 1);
+  const pick = String(pickOf(different) + 1);
   text.warn(
     "LIFTPLAN",
     pick,
     text.value("LIFTPLAN", pick),
     `differs from [TREADLING] ${pick}=${text.value("TREADLING", pick)} with [TIEUP]; the treadling is woven`,
   );
+}
+
+/** A plan whose treadling leaves picks to its liftplan, as one liftplan; any other as it is. */
+function completed(text: WifText, plan: LoomPlan, treadling: Sets, liftplan: Sets): LoomPlan {
+  const left = liftplan.flatMap((lifted, pick) => (lifted.length > 0 && treadling[pick]!.length === 0 ? [pick] : []));
+  if (left.length === 0) return plan;
+  const pick = String(left[0]! + 1);
+  text.warn(
+    "LIFTPLAN",
+    pick,
+    text.value("LIFTPLAN", pick),
+    `is woven, as [TREADLING] presses nothing there; ${left.length} such picks are the liftplan's`,
+  );
+  const lifts = movedShafts(plan).map((moved, at) => (treadling[at]!.length === 0 ? liftplan[at]! : moved));
+  return { ...plan, treadles: 0, tieup: null, treadling: null, liftplan: lifts };
 }
 
 function notesOf(text: WifText): string[] {

@@ -58,12 +58,46 @@ export function readPalette(text: WifText): { palette: Float64Array | null; rang
 
 /** Numbers of the colours that a thread, or a default, names. */
 function usedColors(text: WifText): ReadonlySet<number> {
-  const values = ["WARP", "WEFT"].flatMap((family) => [
-    text.value(family, "Color"),
-    ...text.items(`${family} COLORS`).map(([, value]) => value),
-  ]);
+  const defaults = defaultColors(text);
+  const values = ["WARP", "WEFT"].flatMap((family) => text.items(`${family} COLORS`).map(([, value]) => value));
   const first = values.map((value) => withoutComment(value).split(",")[0]!.trim());
-  return new Set(first.filter(isInteger).map(Number));
+  const counted = defaults.includes(0) ? defaults.map((number) => number + 1) : [];
+  return new Set([...first.filter(isInteger).map(Number), ...defaults, ...counted]);
+}
+
+/** The numbers of colours that [WARP] and [WEFT] give all threads; less of what is no number. */
+function defaultColors(text: WifText): number[] {
+  const values = ["WARP", "WEFT"].map((family) => text.value(family, "Color"));
+  const first = values.map((value) => withoutComment(value).split(",")[0]!.trim());
+  return first.filter(isInteger).map(Number);
+}
+
+/**
+ * Whether the default colours count from 0, as a generator writes them beside a table from 1. That is so where a
+ * thread needs the colour 0, and all defaults counted so are in the table.
+ */
+export function defaultsCountFromZero(
+  text: WifText,
+  ends: number,
+  picks: number,
+  palette: Float64Array | null,
+): boolean {
+  const stated = defaultColors(text);
+  if (palette === null || stated.length === 0) return false;
+  if (Math.min(...stated) !== 0 || Math.max(...stated) >= palette.length / 3) return false;
+  for (const [family, count] of [
+    ["WARP", ends],
+    ["WEFT", picks],
+  ] as const) {
+    const own = text.items(`${family} COLORS`).filter(([, value]) => withoutComment(value) !== "").length;
+    const value = text.value(family, "Color");
+    if (withoutComment(value).split(",")[0]!.trim() === "0" && own < count) {
+      const fault = "counts the colours of [COLOR TABLE] from 0, and the table from 1: defaults are read so";
+      text.warn(family, "Color", value, fault);
+      return true;
+    }
+  }
+  return false;
 }
 
 /** The range of components where there is no table. */
@@ -101,14 +135,19 @@ function colorRange(text: WifText, highest: number): [number, number] {
   return [0, 255];
 }
 
-/** The threads of one family, and what the file says for all of them. */
+/**
+ * The threads of one family, and what the file says for all of them.
+ *
+ * @param firstDefault the number, 0 or 1, by which a default names the first colour of the table.
+ */
 export function readFamily(
   text: WifText,
   family: Family,
   count: number,
   palette: Float64Array | null,
+  firstDefault: 0 | 1,
 ): { threads: Threads; defaults: FamilyDefaults } {
-  const colours = readColors(text, family, count, palette);
+  const colours = readColors(text, family, count, palette, firstDefault);
   const spacing = readLengths(text, family, "Spacing", count);
   const thickness = readLengths(text, family, "Thickness", count);
   const colors = colours.index !== null && palette !== null ? pickRows(palette, colours.index) : colours.rgb;
@@ -139,7 +178,13 @@ interface Colours {
   readonly rgb: Float64Array | null;
 }
 
-function readColors(text: WifText, family: Family, count: number, palette: Float64Array | null): Colours {
+function readColors(
+  text: WifText,
+  family: Family,
+  count: number,
+  palette: Float64Array | null,
+  firstDefault: 0 | 1,
+): Colours {
   const section = `${family} COLORS`;
   const own = text.items(section).filter(([, value]) => withoutComment(value) !== "");
   const value = text.value(family, "Color");
@@ -170,7 +215,8 @@ function readColors(text: WifText, family: Family, count: number, palette: Float
       );
     index[thread - 1] = row - 1;
   }
-  return withDefaultColor(text, family, index, stated, size);
+  const counted = stated.map((number, at) => (at === 0 ? number + 1 - firstDefault : number));
+  return withDefaultColor(text, family, index, counted, size);
 }
 
 function withDefaultColor(
