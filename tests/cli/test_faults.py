@@ -37,6 +37,12 @@ FAULTS: dict[str, tuple[list[str], str]] = {
         ["render", "plain", "-o", "a.png", "--scene", "a.xml", "--inset"],
         "inset = True does not go with the scene a.xml",
     ),
+    "a shift beyond the sun": (
+        ["render", "plain", "-o", "a.png", "--shift", "1e300,0"],
+        "shift = (1e+300, 0.0) is out of range: at most 1e+06 mm",
+    ),
+    "an unknown word in braces": (["render", "plain", "-o", "{nome}.png"], "{nome} stands for nothing"),
+    "a sheet of nothing": (["swatches", "none.toml", "-o", "a.png"], "none.toml does not exist"),
     "no samples": (["render", "plain", "-o", "a.png", "--spp", "0"], "--spp 0 is out of range"),
     "no picture": (["render", "plain", "-o", "a.tga"], "a.tga"),
     "no suffix": (["render", "plain", "-o", "a"], "must end in .png or .exr"),

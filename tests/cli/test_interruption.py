@@ -152,3 +152,29 @@ def test_an_interrupted_render_keeps_a_whole_picture(tmp_path: Path) -> None:
     with Image.open(picture) as opened:
         assert opened.size == (640, 480)
         assert np.asarray(opened).std() > 5
+
+
+IMPORTING = """
+import builtins, sys, types
+def raises():
+    import os, signal
+    try:
+        os.kill(os.getpid(), signal.SIGINT)
+        signal.sigtimedwait([], 10)
+    except KeyboardInterrupt:
+        pass
+    raise ImportError("half of a library")  # as extension modules make of an interruption
+def work():
+    from loomlight.cli.main import run
+    from loomlight.cli import main
+    main._invoke = lambda *_: raises()
+    return run([])
+sys.exit(interruption.supervised(work))
+"""
+
+
+def test_an_interruption_of_an_import_is_no_traceback() -> None:
+    process = started(IMPORTING)
+    _, said = process.communicate()
+    assert process.returncode == 130
+    assert said == "loomlight: interrupted. Nothing was written.\n"

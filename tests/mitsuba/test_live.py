@@ -18,7 +18,7 @@ from experiments.scene_edits import SceneEdits
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, material_bsdf
-from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS
+from loomlight.mitsuba.bsdf_samples import model_bsdfs
 from loomlight.mitsuba.integrator import samples_are_pixels
 from loomlight.mitsuba.live import LivePicture
 from tests.marks import slow
@@ -70,7 +70,7 @@ def test_edits_show_as_if_the_picture_were_traced_anew(model: str, recorded: boo
 def test_another_weave_shows(recorded: bool) -> None:
     shown = build_scene("flat", material_bsdf("twill 2/1"), **SHOWN)
     live = LivePicture(shown.scene, integrator=shown.integrator, records=recorded)
-    (cloth,) = (s.bsdf() for s in shown.scene.shapes() if s.bsdf() in MODEL_BSDFS)
+    (cloth,) = (s.bsdf() for s in shown.scene.shapes() if s.bsdf() in model_bsdfs())
     before = live.take(1)
     for weave in ("satin 5/2", "plain"):
         cloth.set_source(fabric_from_text(weave))
@@ -96,7 +96,7 @@ def test_nothing_refers_to_itself() -> None:
     gc.disable()
     try:
         shown = build_scene("flat", material_bsdf("plain"), **SHOWN)
-        cloths = {weakref.ref(s.bsdf()) for s in shown.scene.shapes() if s.bsdf() in MODEL_BSDFS}
+        cloths = {weakref.ref(s.bsdf()) for s in shown.scene.shapes() if s.bsdf() in model_bsdfs()}
         live = LivePicture(shown.scene, integrator=shown.integrator)
         SceneEdits(shown.scene).apply({"weft.roughness": 0.3})
         live.take(1)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
+import mitsuba as mi
 import numpy as np
 import OpenEXR
 import pytest
@@ -12,6 +14,8 @@ import loomlight
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import material_bsdf
+from loomlight.mitsuba.material_picture import RenderSettings
+from loomlight.mitsuba.placement import Placement
 
 from ..core.pictures import png_head
 
@@ -74,3 +78,28 @@ def test_the_picture_comes_coarse_then_refined_with_a_close_up() -> None:
         np.testing.assert_allclose(shown.mean(), picture.mean(), rtol=0.05)
     bare = loomlight.load_fabric("twill 3/1")
     np.testing.assert_allclose(loomlight.render(bare, **options), without, rtol=1e-4, atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("settings", "says"),
+    [
+        ({"seed": -1}, "seed = -1 is wrong: give a whole number from 0 to 4294967295"),
+        ({"seed": 1.5}, "seed = 1.5 is wrong"),
+        ({"cloths": None}, "cloths = None is wrong: give a dictionary"),
+        ({"colors": ["#fff"]}, "colors = .* is wrong: give a dictionary"),
+    ],
+)
+def test_settings_of_another_kind_are_refused(settings: dict[str, Any], says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        RenderSettings(**settings)
+
+
+def test_a_shift_beyond_single_precision_is_refused() -> None:
+    with pytest.raises(InputError, match="shift = .* is out of range"):
+        Placement(shift=(1e300, 0))
+
+
+def test_a_name_is_no_source() -> None:
+    bsdf = mi.load_dict({"type": "woven_point", "weave": "plain"})
+    with pytest.raises(InputError, match="hand over the fabric"):
+        bsdf.set_source("twill 2/2")

@@ -11,6 +11,7 @@ import signal
 import sys
 import time
 from collections.abc import Callable
+from types import FrameType
 
 # Seconds after an interruption: when it is passed on to a process that has not heard of it (the terminal
 # tells both), and when that is ended.
@@ -23,6 +24,9 @@ _RESTORE_TERMINAL = "\r\x1b[2K\x1b[?25h"
 _left: str | None = None
 # Where the working process tells the waiting one the same: lines of text, the last one holds.
 _channel: int | None = None
+# Whether this process was interrupted, whatever became of the exception: where a library is being imported,
+# it ends in other ones, or in none.
+_interrupted = False
 
 
 def note_left(sentence: str | None) -> None:
@@ -34,7 +38,9 @@ def note_left(sentence: str | None) -> None:
 
 
 def was_interrupted(error: BaseException | None) -> bool:
-    """Whether an interruption is among what led to an error: Dr.Jit raises a RuntimeError in its place."""
+    """Whether an interruption led to an error: Dr.Jit raises a RuntimeError in its place, imports any."""
+    if _interrupted:
+        return True
     while error is not None and not isinstance(error, KeyboardInterrupt):
         error = error.__cause__ or error.__context__
     return error is not None
@@ -50,13 +56,29 @@ def report_interruption() -> int:
     return INTERRUPTED
 
 
+def _hear(signum: int, frame: FrameType | None) -> None:
+    """Notes an interruption, and raises it as Python's own handler does."""
+    global _interrupted
+    _interrupted = True
+    # What libraries can only print, as they were called by another one: it is the interruption again.
+    sys.unraisablehook = lambda _: None
+    signal.default_int_handler(signum, frame)
+
+
+def _heard(work: Callable[[], int]) -> int:
+    """Runs `work`, with interruptions noted where this process does not ignore them."""
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, _hear)
+    return work()
+
+
 def supervised(work: Callable[[], int]) -> int:
     """Runs `work` in a forked process and returns its exit code; where nothing can be forked, in this one.
 
     An interruption ends the process within a second, whatever it does.
     """
     if not hasattr(os, "fork"):
-        return work()
+        return _heard(work)
     global _channel
     sys.stdout.flush()
     sys.stderr.flush()
@@ -65,7 +87,7 @@ def supervised(work: Callable[[], int]) -> int:
     if process == 0:
         os.close(source)
         _channel = sink
-        return work()
+        return _heard(work)
     try:
         os.close(sink)
         signal.signal(signal.SIGTERM, lambda *_: _end(process, signal.SIGTERM))

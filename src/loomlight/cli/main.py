@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import sys
 import warnings
@@ -74,6 +75,8 @@ _NUMBERS = {"int_parsing": "whole number", "float_parsing": "number"}
 _UsageError: type[Exception] = typer.BadParameter.__mro__[1]
 
 BAD_INPUT = 2
+# What a device says that takes no more.
+_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG)
 
 
 def run(arguments: list[str], commands: typer.Typer = app, name: str = "loomlight") -> int:
@@ -99,14 +102,17 @@ def run(arguments: list[str], commands: typer.Typer = app, name: str = "loomligh
         return _refuse(_sentence(error))
     except (KeyboardInterrupt, typer.Abort):
         return report_interruption()
-    except RuntimeError as error:
-        if not was_interrupted(error):
-            raise
-        return report_interruption()
     except BrokenPipeError:
-        return _reader_has_enough()
+        return _without_stdout(0)
     except SystemExit:  # what Typer does when the pipe breaks while it prints
-        return _reader_has_enough()
+        return _without_stdout(0)
+    except Exception as error:
+        if was_interrupted(error):
+            return report_interruption()
+        if not isinstance(error, OSError) or error.errno not in _FULL:
+            raise
+        place = "what is printed" if error.filename is None else str(error.filename)
+        return _without_stdout(_refuse(f"{place} cannot be written: {error.strerror}."))
 
 
 def _invoke(arguments: list[str], commands: typer.Typer, name: str) -> Any:
@@ -119,10 +125,10 @@ def _invoke(arguments: list[str], commands: typer.Typer, name: str) -> Any:
         return 0
 
 
-def _reader_has_enough() -> int:
-    """The reader of stdout (such as `head`) is gone; what Python flushes at exit must not complain either."""
+def _without_stdout(code: int) -> int:
+    """The exit code, where stdout takes no more, such as by `head`: what Python flushes at exit is lost."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.__stdout__.fileno() if sys.__stdout__ else 1)
-    return 0
+    return code
 
 
 def _refuse(sentence: str) -> int:

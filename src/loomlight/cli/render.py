@@ -136,6 +136,10 @@ def _outputs(fabrics: list[str], output: str, turntable: int | None) -> list[Pat
             f"{output} is one file for {len(fabrics)} pictures: write {{name}} where the fabric's name goes, "
             'such as "{name}.png".'
         )
+    if other := next((word for word in re.findall(r"{\w*}", output) if word != "{name}"), None):
+        raise InputError(
+            f"--output {output}: {other} stands for nothing; {{name}} is the fabric's name."
+        )
     suffixes = PICTURE_SUFFIXES if turntable is None else (*PICTURE_SUFFIXES, *ANIMATION_SUFFIXES)
     paths = [Path(output.replace("{name}", _file_name(fabric))) for fabric in fabrics]
     for path, fabric in zip(paths, fabrics, strict=True):

@@ -50,7 +50,7 @@ def swatches(
     require_within("--white-balance", 6500 if white_balance is None else white_balance, 1667, 25000)
     chosen = executor_of(executor, workers, slurm)
     from loomlight.core.contact_sheet import Card, sheet_page, sheet_picture
-    from loomlight.core.files import replacing
+    from loomlight.core.files import discarding_empty, replacing
     from loomlight.core.images import write_png
     from loomlight.mitsuba import choose_variant
     from loomlight.mitsuba.denoising import require_denoising
@@ -70,7 +70,7 @@ def swatches(
         else:
             write_png(output, sheet_picture(cards))
 
-    with progress("swatches") as report:
+    with discarding_empty(parts), progress("swatches") as report:
         write(fabric_cards(fabrics, settings, parts, chosen, report, write))
     shutil.rmtree(parts, ignore_errors=True)
     done(output)

@@ -9,6 +9,7 @@ import drjit as dr
 import mitsuba as mi
 
 from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.mitsuba.variants import TURN
 from loomlight.scattering.yarn_point import DirectionSample
 
 # Places of lobes in `m_components`.
@@ -16,7 +17,13 @@ _REFLECTION, _TRANSMISSION, _NULL = 0, 2, 4
 # A flag of BSDFs beside those of `mi.BSDFFlags`: they average over footprints. BSDFs around them pass it on.
 FILTERS = 1 << 30
 # Every BSDF of a model that there is: Dr.Jit traces them all, whichever scene they belong to.
-MODEL_BSDFS: WeakSet[Any] = WeakSet()
+_MODEL_BSDFS: WeakSet[Any] = WeakSet()
+
+
+def model_bsdfs() -> list[Any]:
+    """Every BSDF of a model that there is now; other threads may make more of them meanwhile."""
+    with TURN:
+        return list(_MODEL_BSDFS)
 
 
 def declare_lobes(bsdf: mi.BSDF, has_holes: bool, filters: bool) -> None:
@@ -25,9 +32,10 @@ def declare_lobes(bsdf: mi.BSDF, has_holes: bool, filters: bool) -> None:
     Args:
         filters: it averages over footprints.
 
-    The BSDF is one of `MODEL_BSDFS` from then on.
+    The BSDF is one of `model_bsdfs` from then on.
     """
-    MODEL_BSDFS.add(bsdf)
+    with TURN:
+        _MODEL_BSDFS.add(bsdf)
     flags: Any = mi.BSDFFlags
     both = flags.FrontSide | flags.BackSide | flags.SpatiallyVarying | flags.Anisotropic
     components = [
@@ -47,7 +55,7 @@ def declare_lobes(bsdf: mi.BSDF, has_holes: bool, filters: bool) -> None:
 
 def set_samples_per_pixel(samples: int) -> None:
     """Sets how many samples share a pixel, for all BSDFs of models."""
-    for bsdf in MODEL_BSDFS:
+    for bsdf in model_bsdfs():
         # The number is kept beside the array: while a frozen function records, arrays cannot be read.
         if bsdf.samples_per_pixel != samples:
             bsdf.samples_per_pixel = samples

@@ -17,9 +17,10 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.core.frozen import frozen, gc_paused
 from loomlight.core.pytree import leaves
-from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS
+from loomlight.mitsuba.bsdf_samples import model_bsdfs
 from loomlight.mitsuba.integrator import footprint_integrator, with_settings
 from loomlight.mitsuba.scene_traits import is_symbolic
+from loomlight.mitsuba.variants import in_turn
 
 
 class LivePicture:
@@ -29,6 +30,7 @@ class LivePicture:
     which are of one size, that picture is traced anew. Scenes with networks are traced every time.
     """
 
+    @in_turn
     def __init__(
         self, scene: mi.Scene, *, spp: int = 1, sensor: int = 0, integrator: Any = None, records: bool = True
     ) -> None:
@@ -57,6 +59,7 @@ class LivePicture:
         for seed in range(2):
             self.take(seed)
 
+    @in_turn
     def take(self, seed: int = 0) -> NDArray[np.float32]:
         """The picture as the scene is now: linear [height, width, channels of the film].
 
@@ -85,4 +88,4 @@ def _renderer(camera: int, samples: int) -> Callable[[Any, Any, Any, list[Any]],
 
 def _held() -> list[tuple[list[Any], tuple[float, ...]]]:
     """Arrays of every cloth that there is, which Dr.Jit does not find by itself, and its literals."""
-    return [(leaves(cloth), getattr(cloth, "literals", ())) for cloth in MODEL_BSDFS]
+    return [(leaves(cloth), getattr(cloth, "literals", ())) for cloth in model_bsdfs()]

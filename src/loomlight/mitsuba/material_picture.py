@@ -112,6 +112,11 @@ class RenderSettings:
                 f"exposure = {self.exposure:g} is out of range: it lies between -{_MAX_EXPOSURE} and "
                 f"{_MAX_EXPOSURE} stops."
             )
+        if isinstance(self.seed, bool) or not isinstance(self.seed, int) or not 0 <= self.seed < 2**32:
+            raise InputError(f"seed = {self.seed!r} is wrong: give a whole number from 0 to {2**32 - 1}.")
+        for name in ("colors", "cloths"):
+            if not isinstance(value := getattr(self, name), Mapping):
+                raise InputError(f"{name} = {value!r} is wrong: give a dictionary; {{}} changes nothing.")
         if self.white_balance is not None:
             white_balance_gains(self.white_balance)
         require_denoising(self.denoise)

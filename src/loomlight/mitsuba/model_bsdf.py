@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -13,7 +14,7 @@ from loomlight.core.arrays import Color3, Mask
 from loomlight.core.backend import clip
 from loomlight.core.errors import InputError
 from loomlight.core.pytree import leaves
-from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS, bsdf_sample, declare_lobes, plain, variant_types
+from loomlight.mitsuba.bsdf_samples import bsdf_sample, declare_lobes, model_bsdfs, plain, variant_types
 from loomlight.mitsuba.call_modes import nested, warn_of_light_paths, warn_of_missing_uv, warn_of_slow_calls
 from loomlight.mitsuba.cloth_uv import draft_footprint, uv_footprint
 from loomlight.mitsuba.filtered_texture import FilteredTexture
@@ -75,7 +76,8 @@ def model_bsdf_class() -> type:
                 name: of the model.
                 given: what properties would describe, where it is at hand.
             """
-            super().__init__(props)
+            # Mitsuba's part comes last: from then on renders on other threads trace this BSDF too, and they
+            # must find all of it.
             if given is None:
                 model = model_of_props(props, name)
                 given = GivenModel(model, uv_size_of(props, model.source))
@@ -91,6 +93,7 @@ def model_bsdf_class() -> type:
             self._was_traced = False
             self._set_model(given.model)
             self._filter_albedo()
+            super().__init__(props)
             declare_lobes(self, self.model.has_holes, self.model.filters)
 
         def set_source(self, source: Source) -> None:
@@ -99,8 +102,10 @@ def model_bsdf_class() -> type:
             A BSDF put in its place would be another instance, for which kernels are compiled anew.
 
             Raises:
-                InputError: a source that the model cannot handle.
+                InputError: a name in place of a source, or a source that the model cannot handle.
             """
+            if isinstance(source, str | os.PathLike):
+                raise InputError(f"{source!r} is a name: hand over the fabric, loomlight.load({source!r}).")
             self._set_model(self.model.with_source(source))
 
         def _set_model(self, model: Model) -> None:
@@ -121,7 +126,7 @@ def model_bsdf_class() -> type:
 
         def parameters_changed(self, keys: Any) -> None:
             # Mitsuba updates one BSDF after another: a wrong edit of any must find all as they were.
-            cloths = [cloth for cloth in MODEL_BSDFS if isinstance(cloth, ModelBsdf)]
+            cloths = [cloth for cloth in model_bsdfs() if isinstance(cloth, ModelBsdf)]
             require_valid_edits((cloth.label, cloth.edits) for cloth in cloths)
             self._require_no_albedo_derivatives()
             try:

@@ -12,6 +12,8 @@ from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mesh.scale import uv_size
 
 _MAX_SCALE = 1e4
+# Single precision tells a tenth of a millimetre there.
+_MAX_SHIFT_MM = 1e6
 
 
 @dataclass(frozen=True)
@@ -29,9 +31,11 @@ class Placement:
     scale: float = 1.0
 
     def __post_init__(self) -> None:
-        """Raises InputError unless all numbers are finite and `scale` lies between 1/10000 and 10000."""
+        """Raises InputError unless `turn` is finite, `shift` within a kilometre, `scale` 1/10000 to 10000."""
         if not np.isfinite([self.turn, *self.shift]).all():
             raise InputError(f"turn = {self.turn:g} and shift = {self.shift} have to be finite numbers.")
+        if max(map(abs, self.shift)) > _MAX_SHIFT_MM:
+            raise InputError(f"shift = {self.shift} is out of range: at most {_MAX_SHIFT_MM:g} mm each way.")
         if not 1 / _MAX_SCALE <= self.scale <= _MAX_SCALE:
             raise InputError(f"scale = {self.scale:g} is out of range: 1 is life-size, 2 twice as large.")
 

@@ -8,22 +8,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache, partial
 from pathlib import Path
-from threading import RLock
 from typing import Any
 
 import mitsuba as mi
+import numpy as np
 
 from loomlight.core.errors import InputError
-from loomlight.core.images import PICTURE_SUFFIXES, require_picture_size
+from loomlight.core.images import PICTURE_SUFFIXES, is_turned, read_picture, require_picture_size
 from loomlight.mitsuba.integrator import footprint_path_class
 from loomlight.mitsuba.model_bsdf import GivenModel, model_bsdf_class
-from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, require_backend
+from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, in_turn, require_backend
 from loomlight.models.interface import Model
 from loomlight.models.registry import MODELS
 
-# Mitsuba makes the parts of a scene on several threads, and Dr.Jit's recordings are not made for that: a test
-# hung within Dr.Jit. A thread that waits for a kernel may begin the next part: it may enter the lock again.
-_MAKING = RLock()
 _INTEGRATOR = "footprint_path"
 
 
@@ -50,9 +47,18 @@ def make_bsdf(model: Model, uv_size_mm: tuple[float, float], albedo: dict[str, A
         file = Path(str(albedo.get("filename", "")))
         if albedo.get("type") == "bitmap" and file.suffix.lower() in PICTURE_SUFFIXES:
             require_picture_size(file)
+            albedo = _upright(albedo, file)
         props["albedo"] = mi.load_dict(albedo)
     given = GivenModel(model, uv_size_mm)
     return _constructor(partial(_bsdf_class(mi.variant()), name=model.name, given=given))(props)
+
+
+def _upright(albedo: dict[str, Any], file: Path) -> dict[str, Any]:
+    """The texture of a picture as viewers show it: Mitsuba reads no EXIF."""
+    if not is_turned(file):
+        return albedo
+    pixels = np.rint(255 * read_picture(file)).astype(np.uint8)
+    return {**{key: albedo[key] for key in albedo if key != "filename"}, "bitmap": mi.Bitmap(pixels)}
 
 
 def _on_variant(_previous: str | None, variant: str | None) -> None:
@@ -89,8 +95,8 @@ def _bsdf_class(variant: str) -> type:
 
 
 def _constructor(plugin: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    @in_turn
     def make(props: mi.Properties) -> Any:
-        with _MAKING:
-            return plugin(props)
+        return plugin(props)
 
     return make

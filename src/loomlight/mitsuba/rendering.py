@@ -15,7 +15,7 @@ from loomlight.core.white_balance import white_balance as white_balance_gains
 from loomlight.mitsuba.denoising import denoised, wants_denoising
 from loomlight.mitsuba.integrator import footprint_integrator, has_pixel_sampler, is_plain, with_settings
 from loomlight.mitsuba.scene_traits import is_symbolic
-from loomlight.mitsuba.variants import choose_variant
+from loomlight.mitsuba.variants import choose_variant, in_turn
 
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.
 WAVEFRONT = {"llvm_ad_rgb": 2**23, "cuda_ad_rgb": 2**26}
@@ -33,6 +33,7 @@ Progress = Callable[[int, int], None]
 PartialPicture = Callable[[NDArray[np.float32]], None]
 
 
+@in_turn
 def render(
     scene: mi.Scene,
     *,

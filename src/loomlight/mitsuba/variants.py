@@ -1,6 +1,11 @@
-"""Which Mitsuba variant is set: chosen by the user, checked before anything is compiled."""
+"""Which Mitsuba variant is set, checked before anything is compiled; and which thread may use it."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from threading import RLock
+from typing import ParamSpec, TypeVar
 
 import drjit as dr
 import mitsuba as mi
@@ -10,6 +15,23 @@ from loomlight.core.llvm import require_llvm
 
 DEFAULT_VARIANT = "llvm_ad_rgb"
 SUPPORTED_VARIANTS = ("llvm_ad_rgb", "cuda_ad_rgb")
+# Mitsuba makes the parts of a scene on several threads, and users render on several. Dr.Jit's recordings are
+# not made for that: it hung or crashed (version 1.5), with Mitsuba's own BSDFs too. A thread that waits for a
+# kernel may begin the next part of its scene: it may enter the lock again.
+TURN = RLock()
+_Parameters = ParamSpec("_Parameters")
+_Result = TypeVar("_Result")
+
+
+def in_turn(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Result]:
+    """The function, called by one thread at a time, and by none while another makes a BSDF."""
+
+    @wraps(function)
+    def waits(*arguments: _Parameters.args, **options: _Parameters.kwargs) -> _Result:
+        with TURN:
+            return function(*arguments, **options)
+
+    return waits
 
 
 def choose_variant(name: str | None = None) -> str:

@@ -15,7 +15,7 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import FABRIC_SUFFIX, edited_fabric
 from loomlight.models.interface import Model
-from loomlight.models.option_values import require_options
+from loomlight.models.option_values import require_values
 from loomlight.models.registry import (
     DEFAULT_MODEL,
     make_model,
@@ -115,5 +115,5 @@ def resolve(material: Material, model_name: str | None = None, **options: Any) -
 
 def _spec(source: Source, model_name: str | None, options: Mapping[str, Any]) -> MaterialSpec:
     name = model_name or DEFAULT_MODEL
-    require_options(name, options)
+    require_values(name, options)
     return MaterialSpec(source, name, options)

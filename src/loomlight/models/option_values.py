@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from numbers import Integral, Real
 from typing import Any
 
 from loomlight.assets.load import load_source
@@ -41,6 +42,22 @@ def require_options(model: str, names: Iterable[str]) -> None:
         if name not in known:
             advice = f": {closest(name, known)}" if known else ", which has none."
             raise InputError(f"{shown(name)} is no option of {model}{advice}")
+
+
+def require_values(model: str, options: Mapping[str, Any]) -> None:
+    """Raises InputError unless a model has these options, and numbers and truth values where they belong.
+
+    None stands for a default.
+    """
+    require_options(model, options)
+    for option in model_class(model).options:
+        value = options.get(option.name)
+        if value is None or option.type not in (bool, int, float):
+            continue
+        kinds = {bool: bool, int: Integral, float: Real}[option.type]
+        fits = isinstance(value, kinds) and isinstance(value, bool) == (option.type is bool)
+        if not fits or not option.low <= value <= option.high:  # nor is NaN
+            raise InputError(f"{option.name} = {value!r} is wrong: give {option.expected}.")
 
 
 def _value(option: Option, text: str, source_kind: str) -> Any:
