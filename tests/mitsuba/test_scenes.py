@@ -85,6 +85,37 @@ def test_framing_is_tight_and_whole(size: tuple[int, int]) -> None:
     assert 0.9 < reach < 1
 
 
+def _frame_hits(scene: mi.Scene, count: int = 9) -> np.ndarray:
+    """Which rays of the outline of a picture meet something, bool [n]."""
+    steps = np.linspace(0, 1, count)
+    edges = [np.stack([steps, np.full(count, side)]) for side in (0.0, 1.0)]  # lower and upper
+    x, y = np.concatenate([*edges, *(edge[::-1] for edge in edges)], axis=1).astype(np.float32)
+    rays, _ = scene.sensors()[0].sample_ray(mi.Float(0), mi.Float(0), mi.Point2f(x, y), mi.Point2f(0))
+    return scene.ray_intersect(rays).is_valid().numpy()
+
+
+@pytest.mark.parametrize("zoom", [1.0, 0.1])
+@pytest.mark.parametrize("size", [(12, 36), (12, 16), (36, 12)])
+@pytest.mark.parametrize("name", [*SCENES, "mesh"])
+def test_paper_fills_every_frame(name: str, size: tuple[int, int], zoom: float, tmp_path: Path) -> None:
+    """Tall frames looked over the edge of the floor, into the black below an environment's horizon."""
+    mesh = None
+    if name == "mesh":
+        mesh = tmp_path / "wide.obj"
+        mesh.write_text("v 0 0 0\nv 2 0 0\nv 2 .3 0\nvt 0 0\nvt 2 0\nvt 2 .3\nf 1/1 2/2 3/3\n")
+    scene = "drape" if name == "mesh" else name
+    shown = build_scene(scene, WHITE, mesh=mesh, size=size, zoom=zoom, edge=None)
+    assert _frame_hits(shown.scene).all()
+
+
+@pytest.mark.parametrize("light", ["studio", "sunsky", "point", "directional"])
+def test_the_edges_of_tall_frames_are_lit(light: str) -> None:
+    """No pixel of the upper rows is black, in any light; a point light's floor fades with distance."""
+    shown = build_scene("drape", WHITE, size=(12, 36), light=light)
+    rows = render(shown.scene, spp=16)[:3]
+    assert rows.max(axis=2).min() > (1e-5 if light == "point" else 0.2)
+
+
 def test_zoom_comes_so_many_times_closer() -> None:
     def origin(zoom: float) -> np.ndarray:
         shown = build_scene("drape", WHITE, zoom=zoom, size=(8, 8))

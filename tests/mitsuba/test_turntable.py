@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import mitsuba as mi
 import numpy as np
 import pytest
 from PIL import Image
@@ -38,6 +39,20 @@ def test_the_whole_turn_is_in_the_picture() -> None:
     frame = next(table.pictures(1, spp=4))
     assert np.linalg.norm(forward) > 0
     assert np.isfinite(frame).all()
+
+
+def test_paper_fills_tall_frames_of_a_whole_turn(tmp_path: Path) -> None:
+    """A board seen edge-on at first: the turn's camera stands many times as far away."""
+    board = tmp_path / "board.obj"
+    board.write_text("v 0 0 0\nv 0.01 0 1\nv 0 .1 0\nvt 0 0\nvt 1 0\nvt 0 .1\nf 1/1 2/2 3/3\n")
+    shown = build_scene("drape", WHITE, mesh=board, size=(12, 36))
+    near = np.linalg.norm(shown.view.origin - shown.view.target)
+    Turntable(shown, about_middle=True)
+    sensor = shown.scene.sensors()[0]
+    assert np.linalg.norm(sensor.world_transform().translation().numpy().ravel()) > 1.2 * near
+    corners = mi.Point2f(np.float32([0, 1, 0, 1]), np.float32([0, 0, 1, 1]))
+    rays, _ = sensor.sample_ray(mi.Float(0), mi.Float(0), corners, mi.Point2f(0))
+    assert shown.scene.ray_intersect(rays).is_valid().numpy().all()
 
 
 def test_scene_files_do_not_turn() -> None:

@@ -16,6 +16,9 @@ from loomlight.core.errors import InputError
 Vector = NDArray[np.float64]
 
 FIELD_OF_VIEW = 26.0  # degrees, of the picture's shorter side
+# Over a floor: degrees from a picture's middle to its upper edge at most, and from there to the horizon at
+# least. Taller pictures take a longer lens from farther away, as photographers do, so that floor fills them.
+_MAX_UPWARD, _BELOW_HORIZON = 17.5, 4.0
 _MARGIN = 1.04
 MAX_ZOOM = 1000.0
 # The same for all views, and beyond every scene: kernels hold them.
@@ -24,24 +27,41 @@ _NEAR, _FAR = 1e-7, 1e7
 
 @dataclass(frozen=True)
 class View:
-    """Where a camera stands, what it looks at, and the distance between them over `zoom`."""
+    """Where a camera stands, what it looks at, and degrees that the picture's shorter side shows."""
 
     origin: Vector
     target: Vector
+    field_of_view: float = FIELD_OF_VIEW
 
     def closer(self, zoom: float, point: Vector) -> View:
         """The view `zoom` times closer to `point` on the cloth; at zoom 1 this view itself."""
-        return View(point + (self.origin - point) / zoom, point + (self.target - point) / zoom)
+        origin, target = (point + (place - point) / zoom for place in (self.origin, self.target))
+        return View(origin, target, self.field_of_view)
 
 
-def framing(points: Vector, towards_camera: Vector, size: tuple[int, int]) -> View:
+def field_of_view_over_floor(towards_camera: Vector, size: tuple[int, int]) -> float:
+    """Degrees of the shorter side of a picture that shows nothing but floor behind its object.
+
+    Args:
+        towards_camera: where the camera stands, at least 17 degrees above the floor.
+        size: width and height of the picture.
+    """
+    elevation = np.degrees(np.arcsin(towards_camera[1] / np.linalg.norm(towards_camera)))
+    upward = np.radians(min(_MAX_UPWARD, elevation - _BELOW_HORIZON))
+    slope = min(np.tan(np.radians(FIELD_OF_VIEW / 2)), np.tan(upward) * min(size) / size[1])
+    return float(2 * np.degrees(np.arctan(slope)))
+
+
+def framing(
+    points: Vector, towards_camera: Vector, size: tuple[int, int], field_of_view: float = FIELD_OF_VIEW
+) -> View:
     """The nearest view from the direction `towards_camera` that shows all `points` [n, 3]."""
     backward = towards_camera / np.linalg.norm(towards_camera)
     right = np.cross([0.0, 1.0, 0.0], backward)
     right /= np.linalg.norm(right)
     up = np.cross(backward, right)
     x, y, z = points @ right, points @ up, points @ backward
-    slope_x, slope_y = _slopes(size)
+    slope_x, slope_y = _slopes(size, field_of_view)
     # Each pair of opposite points bounds the distance; half their sum centres them in perspective.
     high_x, low_x = np.max(x + slope_x * z), np.max(-x + slope_x * z)
     high_y, low_y = np.max(y + slope_y * z), np.max(-y + slope_y * z)
@@ -49,14 +69,14 @@ def framing(points: Vector, towards_camera: Vector, size: tuple[int, int]) -> Vi
     depth = (z.min() + z.max()) / 2
     across = (high_x - low_x) / 2 * right + (high_y - low_y) / 2 * up
     target = across + depth * backward
-    return View(target + (distance - depth) * _MARGIN * backward, target)
+    return View(target + (distance - depth) * _MARGIN * backward, target, field_of_view)
 
 
 def perspective(view: View, size: tuple[int, int]) -> dict[str, Any]:
     """The dictionary of Mitsuba's sensor for `view`, `size` = (width, height) in pixels."""
     return {
         "type": "perspective",
-        "fov": FIELD_OF_VIEW,
+        "fov": view.field_of_view,
         "fov_axis": "smaller",
         "near_clip": _NEAR,
         "far_clip": _FAR,
@@ -155,9 +175,9 @@ def require_size(size: tuple[int, int]) -> None:
         raise InputError(f"size = {size} is out of range: width and height lie between 1 and 16384 pixels.")
 
 
-def _slopes(size: tuple[int, int]) -> tuple[float, float]:
+def _slopes(size: tuple[int, int], field_of_view: float) -> tuple[float, float]:
     """Half the picture's width and height at distance 1."""
-    slope = np.tan(np.radians(FIELD_OF_VIEW) / 2)
+    slope = np.tan(np.radians(field_of_view) / 2)
     width, height = size
     shorter = min(width, height)
     return float(slope * width / shorter), float(slope * height / shorter)

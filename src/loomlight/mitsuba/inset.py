@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba.camera import FIELD_OF_VIEW, Corner, View
+from loomlight.mitsuba.camera import Corner, View
 from loomlight.mitsuba.scenes import ClothScene
 
 Picture = NDArray[np.float32]
@@ -57,7 +57,7 @@ class Inset:
         pitch = min(length / count for length, count in zip(fabric.repeat_mm, (ends, picks), strict=True))
         point = np.array(shown.point)
         distance = float(np.linalg.norm(shown.view.origin - point))
-        whole_mm = 2e3 * distance * np.tan(np.radians(FIELD_OF_VIEW) / 2)
+        whole_mm = 2e3 * distance * np.tan(np.radians(shown.view.field_of_view) / 2)
         zoom = whole_mm / (threads * pitch)
         side = int(_SIDE * shorter)
         margin = round(_MARGIN * shorter) + FRAME

@@ -15,16 +15,25 @@ from loomlight.mitsuba.meshes import to_shape
 _PAPER = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.8}}
 
 
-def ground(centre: NDArray[np.float64], radius: float, height: float) -> dict[str, Any]:
-    """A wide sheet of paper just below `height`, around an object of `radius`."""
+def ground(
+    centre: NDArray[np.float64], radius: float, height: float, distance: float = 0.0
+) -> dict[str, Any]:
+    """A sheet of paper just below `height`, around an object of `radius`.
+
+    It is 60 times as wide as the object or, if that is more, as the `distance` of the camera: rays that go
+    down by 4 degrees meet it, with room for a turntable's camera, which stands farther away.
+    """
     transform = mi.ScalarTransform4f().translate([centre[0], height - 1e-3 * radius, centre[2]])
-    return {"type": "disk", "to_world": transform.rotate([1, 0, 0], -90).scale(60 * radius), "bsdf": _PAPER}
+    extent = 60 * max(radius, distance)
+    return {"type": "disk", "to_world": transform.rotate([1, 0, 0], -90).scale(extent), "bsdf": _PAPER}
 
 
-def backdrop(centre: NDArray[np.float64], radius: float, depth: float) -> dict[str, Any]:
-    """A wide sheet of paper at z = `depth` behind an object of `radius` that faces +z."""
+def backdrop(
+    centre: NDArray[np.float64], radius: float, depth: float, distance: float = 0.0
+) -> dict[str, Any]:
+    """A sheet of paper at z = `depth` behind an object of `radius` that faces +z, as wide as `ground`'s."""
     transform = mi.ScalarTransform4f().translate([centre[0], centre[1], depth])
-    return {"type": "disk", "to_world": transform.scale(60 * radius), "bsdf": _PAPER}
+    return {"type": "disk", "to_world": transform.scale(60 * max(radius, distance)), "bsdf": _PAPER}
 
 
 def ball(behind: float = 0.0) -> mi.Mesh:

@@ -21,7 +21,16 @@ from loomlight.mesh.edges import EDGES, edged
 from loomlight.mesh.reading import read_mesh
 from loomlight.mesh.scale import warn_of_extent, warn_of_scale
 from loomlight.mitsuba import cloth_shapes
-from loomlight.mitsuba.camera import View, framing, look_at, perspective, require_size, require_zoom
+from loomlight.mitsuba.camera import (
+    FIELD_OF_VIEW,
+    View,
+    field_of_view_over_floor,
+    framing,
+    look_at,
+    perspective,
+    require_size,
+    require_zoom,
+)
 from loomlight.mitsuba.cloth_shapes import CYLINDER_RADIUS, SPHERE_RADIUS
 from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.garment import Garment, read_garment
@@ -195,7 +204,9 @@ def build_scene(
     shapes, cloth, uv_size_mm = _dressed(worn, placement, edge)
     centre, radius = _bounds(cloth)
     _require_extent(cloth.name, radius)
-    view = framing(cloth.positions, np.array(setup.towards_camera), size)
+    towards_camera = np.array(setup.towards_camera, float)
+    lens = field_of_view_over_floor(towards_camera, size) if setup.ground else FIELD_OF_VIEW
+    view = framing(cloth.positions, towards_camera, size, lens)
     paths = {"max_depth": max_depth or DEFAULT_DEPTH, "rr_depth": ROULETTE_DEPTH}
     integrator = mi.load_dict({"type": "footprint_path", **paths})
     parts: dict[str, Any] = {**empty_scene(), "integrator": integrator, **shapes}
@@ -204,15 +215,17 @@ def build_scene(
     else:
         towards = np.array(setup.towards_light) if light_from is None else direction_of(*light_from)
         parts |= light_dicts("studio" if light is None else light, centre, radius, towards)
+    point = _facing_point(cloth, view)
+    farther = view.closer(min(zoom, 1.0), point)
+    distance = float(np.linalg.norm(farther.origin - centre))
     if setup.ground:
-        parts["ground"] = ground(centre, radius, float(cloth.positions[:, 1].min()))
+        parts["ground"] = ground(centre, radius, float(cloth.positions[:, 1].min()), distance)
     if mesh is None:
         parts["ball"] = ball(_UNSEEN if setup.backdrop is not None else 0.0)
     if setup.backdrop is not None:
         lies = setup.edge == edge == "pinked"
         depth = -1e-3 * float(np.clip(placement.scale, 1, 4)) if lies else setup.backdrop
-        parts["backdrop"] = backdrop(centre, radius, depth)
-    point = _facing_point(cloth, view)
+        parts["backdrop"] = backdrop(centre, radius, depth, distance)
     view = view.closer(zoom, point)
     parts["sensor"] = perspective(view, size)
     return ClothScene(_loaded(parts), integrator, uv_size_mm, point, view)

@@ -65,7 +65,7 @@ class Turntable:
         width, height = shown.scene.sensors()[0].film().size()
         whole = np.concatenate([self._turned(positions, angle) for angle in _ANGLES])
         towards_camera = shown.view.origin - shown.view.target
-        view = framing(whole, towards_camera, (int(width), int(height)))
+        view = framing(whole, towards_camera, (int(width), int(height)), shown.view.field_of_view)
         middle = self._axis + _UP * (low + high) / 2
         shown.look_from(view.closer(zoom, middle if zoom > 1 else view.target))
 
