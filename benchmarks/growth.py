@@ -26,7 +26,7 @@ import numpy as np
 from benchmarks.harness import REPOSITORY, Figures, run
 from benchmarks.processes import Cost, cost_of, loomlight
 from experiments.timing import timed
-from loomlight.core.images import write_png
+from loomlight.core.images import write_pixels
 
 if TYPE_CHECKING:
     from loomlight.fabric import Fabric
@@ -188,7 +188,7 @@ def figured_draft(path: Path, side: int) -> None:
         )
         grounds = np.stack([(3 * line - pick) % 8 == 0, (line + pick) % 4 < 2, (3 * line + pick) % 8 != 0])
         warp_up[pick] = np.take_along_axis(grounds, (ring.astype(int) % 3)[None], axis=0)[0]
-    write_png(path, np.where(warp_up, 0, 255).astype(np.uint8))
+    write_pixels(path, np.where(warp_up, 0, 255).astype(np.uint8))
 
 
 def wif_of(ends: int, picks: int, shafts: int, colours: int) -> str:

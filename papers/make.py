@@ -10,7 +10,7 @@ from typing import Any
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import discarding_empty
-from loomlight.core.images import write_png
+from loomlight.core.images import write_pixels
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.compare import prepared_folder
 from loomlight.evaluation.table import write_json
@@ -52,8 +52,8 @@ def make(
         earlier = _earlier(target / "table.json")
         evidence = item.make(chosen)
         for title, pixels in evidence.pictures.items():
-            write_png(target / "pictures" / f"{item.stem}-{_file_name(title)}.png", pixels)
-        write_png(target / f"{item.stem}.png", evidence.sheet)
+            write_pixels(target / "pictures" / f"{item.stem}-{_file_name(title)}.png", pixels)
+        write_pixels(target / f"{item.stem}.png", evidence.sheet)
         entry = _entry(item, evidence, chosen, command)
         content = {"schema": _SCHEMA, "kind": _KIND, "figures": {**earlier, item.name: entry}}
         write_json(target / "table.json", content)

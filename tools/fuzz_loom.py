@@ -26,7 +26,7 @@ from loomlight.assets.material import Material, material_record
 from loomlight.assets.sources import SOURCE_KINDS
 from loomlight.assets.tile import TileScene, tile_record
 from loomlight.core.errors import InputError
-from loomlight.core.images import write_png
+from loomlight.core.images import write_pixels
 from tools.fuzzing import TEXT, Target, change_json, main
 
 _BITMAP = '<texture type="bitmap" name="reflectance"><string name="filename" value="a.png"/></texture>'
@@ -93,7 +93,7 @@ def targets() -> Sequence[Target]:
     """A material and a tile."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        write_png(folder / "a.png", np.zeros((4, 4, 3), np.uint8))
+        write_pixels(folder / "a.png", np.zeros((4, 4, 3), np.uint8))
         (folder / "m.xml").write_text(_BSDF)
         (folder / "t.xml").write_text(_SCENE)
         (folder / "t.toml").write_text('tile = "t.xml"\nsize_mm = [1.0, 1.0]\n')

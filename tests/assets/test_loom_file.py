@@ -29,7 +29,7 @@ from loomlight.assets.loom_file import (
     write_loom,
 )
 from loomlight.core.errors import InputError
-from loomlight.core.images import write_png
+from loomlight.core.images import write_pixels
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.fabric.load import edited_fabric
 from loomlight.models.bake import bake
@@ -76,7 +76,7 @@ def wif_fabric(folder: Path) -> Fabric:
 
 def picture_fabric(folder: Path) -> Fabric:
     """A picture of a drawdown."""
-    write_png(folder / "satin.png", draw_drawdown(named_weave("satin 5/2"), cell_px=1))
+    write_pixels(folder / "satin.png", draw_drawdown(named_weave("satin 5/2"), cell_px=1))
     return load_fabric(folder / "satin.png")
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from loomlight.cli.weave import draft_from
 from loomlight.core.errors import InputError
-from loomlight.core.images import write_png
+from loomlight.core.images import write_pixels
 from loomlight.weave.named import named_weave
 from loomlight.weave.wif_writer import write_wif
 
@@ -19,7 +19,7 @@ TWILL = named_weave("twill 3/1")
 def test_names_and_files_give_the_same_draft(tmp_path: Path) -> None:
     write_wif(TWILL, tmp_path / "a.wif")
     # Warp is dark, and the first pick lies at the bottom of a picture.
-    write_png(tmp_path / "a.png", np.where(TWILL.drawdown[::-1], 0, 255).astype(np.uint8))
+    write_pixels(tmp_path / "a.png", np.where(TWILL.drawdown[::-1], 0, 255).astype(np.uint8))
     (tmp_path / "a.toml").write_text('weave = "twill 3/1"')
     for argument in ("twill 3/1", *(str(tmp_path / f"a.{kind}") for kind in ("wif", "png", "toml"))):
         np.testing.assert_array_equal(draft_from(argument).drawdown, TWILL.drawdown, argument)

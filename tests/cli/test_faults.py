@@ -11,7 +11,7 @@ import pytest
 from drjit.llvm import Float
 
 from loomlight.cli.main import _show_each_once, run
-from loomlight.core.images import write_png
+from loomlight.core.images import write_pixels
 from loomlight.core.llvm import require_llvm
 from loomlight.weave.drawing import draw_drawdown
 from loomlight.weave.named import named_weave
@@ -45,7 +45,7 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "a sheet of nothing": (["swatches", "none.toml", "-o", "a.png"], "none.toml does not exist"),
     "no samples": (["render", "plain", "-o", "a.png", "--spp", "0"], "--spp 0 is out of range"),
     "no picture": (["render", "plain", "-o", "a.tga"], "a.tga"),
-    "no suffix": (["render", "plain", "-o", "a"], "must end in .png or .exr"),
+    "no suffix": (["render", "plain", "-o", "a"], "must end in .png or .jpg or .jpeg or .exr"),
     "no folder": (["render", "plain", "-o", "none/a.png"], "folder none does not exist"),
     "a folder": (["render", "plain", "-o", "folder.png"], "is a folder"),
     "no name": (["render", "plain", "-o", "a\0b/c.png"], "--output"),
@@ -85,7 +85,7 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "an all-warp draft": (["render", "flat.wif", "-o", "a.png"], "flat.wif: none of its 2 ends and 1 picks"),
     "a draft as large as none": (["weave", "info", "huge.png"], "huge.png has 60000 x 60000 pixels"),
     "an empty mesh": (["render", "plain", "-o", "a.png", "--mesh", "empty.obj"], "empty.obj is empty"),
-    "a jpeg demo": (["demo", "-o", "demo.jpg"], "must end in .png"),
+    "a webp demo": (["demo", "-o", "demo.webp"], "must end in .png"),
 }
 
 
@@ -176,7 +176,7 @@ def test_a_folder_that_cannot_be_written_to(folder: Path, capsys: pytest.Capture
 
 
 def test_pictures_are_drafts(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    write_png(folder / "satin.png", draw_drawdown(named_weave("satin 5/2"), cell_px=1))
+    write_pixels(folder / "satin.png", draw_drawdown(named_weave("satin 5/2"), cell_px=1))
     assert run(["weave", "info", "satin.png"]) == 0
     assert "5 ends, 5 picks" in capsys.readouterr().out
 

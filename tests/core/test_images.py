@@ -13,7 +13,7 @@ from PIL import ExifTags, Image
 
 from loomlight.core.colour import srgb_to_linear
 from loomlight.core.errors import InputError
-from loomlight.core.images import is_turned, read_map, read_picture, write_channels, write_image, write_png
+from loomlight.core.images import is_turned, read_map, read_picture, write_channels, write_image, write_pixels
 
 
 def random_pixels(channels: int) -> np.ndarray:
@@ -95,15 +95,26 @@ def test_a_full_disk_leaves_no_exr(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("name", ["a.jpg", "a", "a.exr.txt"])
+def test_jpegs_show_what_pngs_do(tmp_path: Path) -> None:
+    """Threads of two colours a pixel wide: chroma is kept at full size."""
+    stripes = np.tile([[0.5, 0.02, 0.02], [0.02, 0.02, 0.5]], (24, 12, 1))
+    for name in ("a.png", "a.jpg", "b.jpeg"):
+        write_image(tmp_path / name, stripes)
+    with Image.open(tmp_path / "a.jpg") as picture:
+        assert picture.format == "JPEG"
+    exact, lossy = (read_picture(tmp_path / name) for name in ("a.png", "b.jpeg"))
+    assert np.abs(exact - lossy).max() < 0.05
+
+
+@pytest.mark.parametrize("name", ["a.webp", "a", "a.exr.txt"])
 def test_other_suffixes_are_refused(tmp_path: Path, name: str) -> None:
-    with pytest.raises(InputError, match=r"png or \.exr"):
+    with pytest.raises(InputError, match=r"written as \.png or \.jpg or \.jpeg or \.exr"):
         write_image(tmp_path / name, np.zeros((2, 2, 3)))
     assert list(tmp_path.iterdir()) == []
 
 
 def test_what_is_no_picture_is_refused(tmp_path: Path) -> None:
-    write_png(tmp_path / "whole.png", np.zeros((30, 30, 3), dtype=np.uint8))
+    write_pixels(tmp_path / "whole.png", np.zeros((30, 30, 3), dtype=np.uint8))
     whole = (tmp_path / "whole.png").read_bytes()
     for number, content in enumerate([b"", b"no picture", whole[:40], whole[:20] + b"\xff" * 30]):
         path = tmp_path / f"{number}.png"

@@ -29,7 +29,7 @@ from loomlight.export.fit import FittedMaterial
 from loomlight.export.gltf import glb_of, material_textures, write_textures
 from loomlight.export.gltf_brdf import GltfMaterial, evaluate
 from loomlight.export.materialx import document_textures, write_document
-from loomlight.export.texels import texels_of, texture_grid
+from loomlight.export.texels import texels_of, texture_grid, tile_repeats
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import read_mesh
 
@@ -228,6 +228,23 @@ def test_texels_are_means_of_the_surface() -> None:
     # Two of three crossings of a 2/1 twill show the warp.
     assert 0.5 < texels.share[..., 0].mean() < 0.8
     assert np.linalg.eigvalsh(texels.covariance).min() > -1e-12
+
+
+def test_textures_hold_what_uneven_yarns_show() -> None:
+    """Several repeats of wool, whose threads differ in colour and wander; of even yarns one."""
+    wool = fabric_from_text(
+        'weave = "plain"\nends_per_cm = 10\npicks_per_cm = 10\nwarp.yarn = "wool"\nweft.yarn = "wool"\n'
+        "[variation]\ncolour_noise = 0.3\n"
+    )
+    assert (tile_repeats(FABRIC), tile_repeats(wool)) == ((1, 1), (12, 12))
+    texels = texels_of(wool, 48, 48)
+    assert texels.size == pytest.approx((24, 24))
+    warp = texels.diffuse[..., 0, 0][texels.share[..., 0] > 0.9]
+    # Uniform in 1 ± 0.3, and slubs and gaps beside.
+    assert 0.15 < warp.std() / warp.mean() < 0.3
+    step = texels.place - np.stack(np.meshgrid(*2 * [np.arange(48) / 2 + 0.25]), axis=-1)
+    assert 0.02 < step.std() < 0.1
+    assert np.abs(step[0] - step[-1]).max() < 0.1
 
 
 def test_too_many_texels_are_refused() -> None:

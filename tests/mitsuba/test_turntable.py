@@ -63,9 +63,12 @@ def test_scene_files_do_not_turn() -> None:
 def test_numbered_pictures_and_animations(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     small = ["--size", "24x16", "--spp", "1", "--model", "point", "--turntable", "2"]
     assert run(["render", "plain", "-o", str(tmp_path / "a.png"), *small]) == 0
+    assert run(["render", "plain", "-o", str(tmp_path / "a.jpg"), *small]) == 0
     assert run(["render", "plain", "-o", str(tmp_path / "a.webp"), *small]) == 0
     names = [Path(line).name for line in capsys.readouterr().out.split()]
-    assert names == ["a-000.png", "a-001.png", "a.webp"]
+    assert names == ["a-000.png", "a-001.png", "a-000.jpg", "a-001.jpg", "a.webp"]
+    with Image.open(tmp_path / "a-001.jpg") as picture:
+        assert picture.format == "JPEG"
     with Image.open(tmp_path / "a.webp") as animation:
         assert animation.n_frames == 2  # type: ignore[attr-defined]
         assert animation.size == (24, 16)
@@ -75,8 +78,8 @@ def test_numbered_pictures_and_animations(tmp_path: Path, capsys: pytest.Capture
     ("options", "expected"),
     [
         (["-o", "a.png", "--turntable", "1"], "--turntable 1 is out of range"),
-        (["-o", "a.mp4", "--turntable", "4"], "must end in .png or .exr or .webp or .gif"),
-        (["-o", "a.webp"], "must end in .png or .exr."),
+        (["-o", "a.mp4", "--turntable", "4"], "must end in .png or .jpg or .jpeg or .exr or .webp or .gif"),
+        (["-o", "a.webp"], "must end in .png or .jpg or .jpeg or .exr."),
     ],
 )
 def test_what_does_not_turn(options: list[str], expected: str, refused: Callable[..., str]) -> None:

@@ -1,8 +1,7 @@
-"""`loomlight bake-maps`: the yarns of one repeat as textures."""
+"""`loomlight bake-maps`: the cloth of one repeat as textures."""
 
 from __future__ import annotations
 
-import glob
 from pathlib import Path
 from typing import Annotated
 
@@ -43,11 +42,18 @@ def bake_maps(
     ] = None,
     back: Annotated[bool, typer.Option("--back", help="The back face, as seen from behind.")] = False,
 ) -> None:
-    """Writes height, normal, fibres, family, holes, colour, opacity and roughness of a fabric as textures."""
-    check_output(output, (".exr", ".png"))
-    # One picture a map, or one file of all.
-    pictures = output.parent.glob(f"{glob.escape(output.stem)}_*.png")
-    require_not_read([output] if output.suffix.lower() == ".exr" else pictures, [fabric])
+    """Writes a fabric as textures: height, normal, fibres, colour, opacity, roughness, occlusion."""
+    check_output(output, (".exr", ".png"), makes_folder=True)
+    from loomlight.fabric.maps import (
+        bake_maps,
+        map_file,
+        map_files,
+        resolution_of,
+        warn_of_oblong_texels,
+        write_maps,
+    )
+
+    require_not_read(map_files(output), [fabric])
     if pixels_per_mm is not None and resolution is not None:
         raise InputError("--pixels-per-mm and --resolution both say how many texels: give one of them.")
     if tile is not None and window is not None:
@@ -71,10 +77,6 @@ def bake_maps(
     require_llvm()
     from drjit.llvm import Float
 
-    from loomlight.fabric.material_maps import material_maps
-    from loomlight.yarn.geometry import YarnGeometry
-    from loomlight.yarn.maps import bake_maps, resolution_of, warn_of_oblong_texels, write_maps
-
     if tile is not None:
         across, up = (max(round(tile / side), 1) * side for side in cloth.repeat_mm)
         corner = (0.0, 0.0, across, up)
@@ -86,6 +88,8 @@ def bake_maps(
         warn_of_oblong_texels(extent, sides)
     else:
         columns_and_rows = resolution_of(extent, sides[0] / max(extent))
-    maps = bake_maps(YarnGeometry(cloth.layout()), columns_and_rows, Float, corner, back)
-    for path in write_maps(maps, output, material_maps(cloth, maps)):
-        done(path)
+    maps = bake_maps(cloth, columns_and_rows, Float, corner, back)
+    low, high = maps.height_range
+    for path in write_maps(maps, output):
+        is_height = path == map_file(output, "height")
+        done(path, f"0 to 65535 are {low:.4g} to {high:.4g} mm" if is_height else "")

@@ -9,6 +9,7 @@ import typer
 
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
+from loomlight.core.files import WRITTEN_SUFFIXES
 
 EXAMPLE = "Example: loomlight demo -o demo.png"
 
@@ -17,13 +18,13 @@ EXPOSURE = 0.4  # stops
 
 
 def demo(
-    output: Annotated[Path, typer.Option("--output", "-o", help="The picture to write, a .png file.")] = Path(
+    output: Annotated[Path, typer.Option("--output", "-o", help="The picture: .png, .jpg or .exr.")] = Path(
         "demo.png"
     ),
     samples: Annotated[int, typer.Option("--spp", min=1, max=4096, help="Samples a pixel.")] = 10,
 ) -> None:
     """Renders draped cloth in daylight, with a close-up in which its yarns can be counted."""
-    check_output(output, (".png",))
+    check_output(output, WRITTEN_SUFFIXES)
 
     from loomlight.core.images import write_image
     from loomlight.fabric.load import load_fabric

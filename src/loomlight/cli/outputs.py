@@ -17,11 +17,18 @@ _QUOTED = re.compile(r"\"([^\"\n]{1,4096})\"|'([^'\n]{1,4096})'")
 _MAX = 1 << 22
 
 
-def check_output(path: Path, suffixes: Sequence[str], reads: Iterable[str | Path | None] = ()) -> None:
+def check_output(
+    path: Path,
+    suffixes: Sequence[str],
+    reads: Iterable[str | Path | None] = (),
+    *,
+    makes_folder: bool = False,
+) -> None:
     """Raises InputError unless a file with one of the `suffixes` can be written at `path`.
 
     Args:
         reads: see `require_not_read`.
+        makes_folder: the folder may be missing, where the one that is to hold it is there.
     """
     allowed = " or ".join(suffixes)
     if path.suffix.lower() not in suffixes:
@@ -29,12 +36,15 @@ def check_output(path: Path, suffixes: Sequence[str], reads: Iterable[str | Path
     try:
         if path.is_dir():
             raise InputError(f"{path} is a folder; give the name of a file that ends in {allowed}.")
-        if not path.parent.is_dir():
-            raise InputError(f"{path}: the folder {path.parent} does not exist; make it first.")
+        folder = path.parent
+        if makes_folder and not os.path.lexists(folder):
+            folder = folder.parent
+        if not folder.is_dir():
+            raise InputError(f"{path}: the folder {folder} does not exist; make it first.")
     except (OSError, ValueError) as error:
         raise InputError(f"{str(path)[:80]!r} is no path of a file that can be written: {error}.") from error
-    if not os.access(path.parent, os.W_OK):
-        raise InputError(f"{path}: the folder {path.parent} cannot be written to.")
+    if not os.access(folder, os.W_OK):
+        raise InputError(f"{path}: the folder {folder} cannot be written to.")
     require_not_read([path], reads)
 
 
@@ -90,6 +100,6 @@ def _is_file(path: Path) -> bool:
     return _exists(path) and path.is_file()
 
 
-def done(path: Path) -> None:
-    """Prints the path of a written file to stdout."""
-    print(path)
+def done(path: Path, note: str = "") -> None:
+    """Prints the path of a written file to stdout, and in parentheses what is to be known of it."""
+    print(f"{path} ({note})" if note else path)

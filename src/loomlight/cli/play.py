@@ -15,6 +15,7 @@ from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
 from loomlight.cli.values import parse_size, require_within
 from loomlight.core.errors import LoomlightWarning, MissingDependencyError
+from loomlight.core.files import WRITTEN_SUFFIXES
 
 if TYPE_CHECKING:
     from loomlight.realtime.renderer import Picture
@@ -46,7 +47,7 @@ def play(
     white_balance: option.WhiteBalanceOption = None,
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", help="Write a frame as .png or .exr, off screen, and open no window."),
+        typer.Option("--output", "-o", help="Write a frame, .png, .jpg or .exr, off screen; open no window."),
     ] = None,
     passes: Annotated[
         int | None, typer.Option(help="Passes of that frame; 16, or 4 where a software adapter computes.")
@@ -65,7 +66,7 @@ def play(
     require_within("--passes", 1 if passes is None else passes, 1, 100_000)
     pixels = _SIZE if size is None else parse_size(size)
     if output is not None:
-        check_output(output, (".png", ".exr"), [fabric, mesh, environment])
+        check_output(output, WRITTEN_SUFFIXES, [fabric, mesh, environment])
     canvas = None if output is not None else _window(pixels)
     lighting = environment, environment_turn, white_balance, exposure
     viewer = _viewer(fabric, model, (scene, mesh, metres_per_unit), lighting, pixels, zoom)
@@ -154,12 +155,12 @@ def _write(viewer: Viewer, output: Path, passes: int | None, exposure: float) ->
 
 
 def _write_frame(picture: Picture, output: Path, exposure: float) -> None:
-    from loomlight.core.images import write_image, write_png
+    from loomlight.core.images import write_image, write_pixels
 
     if output.suffix.lower() == ".exr":
         write_image(output, picture.linear[..., :3] * 2.0**exposure)
     else:
-        write_png(output, picture.srgb[..., :3])
+        write_pixels(output, picture.srgb[..., :3])
 
 
 def _window(size: tuple[int, int]) -> Any:

@@ -16,9 +16,8 @@ from loomlight.cli.progress import progress
 from loomlight.cli.turntable import ANIMATION_SUFFIXES, turn_paths, write_turn
 from loomlight.cli.values import parse_named, parse_numbers, parse_size, require_within
 from loomlight.core.errors import InputError
-from loomlight.core.files import replacing
+from loomlight.core.files import WRITTEN_SUFFIXES, replacing
 
-PICTURE_SUFFIXES = (".png", ".exr")
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -137,10 +136,8 @@ def _outputs(fabrics: list[str], output: str, turntable: int | None) -> list[Pat
             'such as "{name}.png".'
         )
     if other := next((word for word in re.findall(r"{\w*}", output) if word != "{name}"), None):
-        raise InputError(
-            f"--output {output}: {other} stands for nothing; {{name}} is the fabric's name."
-        )
-    suffixes = PICTURE_SUFFIXES if turntable is None else (*PICTURE_SUFFIXES, *ANIMATION_SUFFIXES)
+        raise InputError(f"--output {output}: {other} stands for nothing; {{name}} is the fabric's name.")
+    suffixes = WRITTEN_SUFFIXES if turntable is None else (*WRITTEN_SUFFIXES, *ANIMATION_SUFFIXES)
     paths = [Path(output.replace("{name}", _file_name(fabric))) for fabric in fabrics]
     for path, fabric in zip(paths, fabrics, strict=True):
         check_output(path, suffixes)

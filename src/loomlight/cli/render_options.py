@@ -26,7 +26,7 @@ OutputOption = Annotated[
         "--output",
         "-o",
         metavar="PATH",
-        help="The picture to write: .png (sRGB) or .exr (linear); of several fabrics with {name} in it.",
+        help="A picture: .png or .jpg (sRGB), or .exr (linear); of several fabrics with {name} in it.",
     ),
 ]
 ModelOption = Annotated[
@@ -100,7 +100,9 @@ EdgeOption = Annotated[
 ]
 TurntableOption = Annotated[
     int | None,
-    typer.Option(metavar="N", help="N pictures of one turn: .png or .exr, numbered, or one .webp or .gif."),
+    typer.Option(
+        metavar="N", help="N pictures of one turn: .png, .jpg, .exr, numbered, or one .webp or .gif."
+    ),
 ]
 SeedOption = Annotated[int, typer.Option(help="The same seed gives the same picture, but for rounding.")]
 VariantOption = Annotated[str | None, typer.Option(help="llvm_ad_rgb (default) or cuda_ad_rgb.")]

@@ -20,6 +20,7 @@ from loomlight.cli.render_options import (
     WhiteBalanceOption,
 )
 from loomlight.cli.values import require_within
+from loomlight.core.files import PIXEL_SUFFIXES
 
 EXAMPLE = "Example: loomlight swatches examples/*.toml -o sheet.png"
 
@@ -27,7 +28,8 @@ EXAMPLE = "Example: loomlight swatches examples/*.toml -o sheet.png"
 def swatches(
     fabrics: FabricsArgument,
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="The sheet to write: a .png picture or an .html page.")
+        Path,
+        typer.Option("--output", "-o", help="The sheet: a .png or .jpg picture, or an .html page."),
     ],
     model: Annotated[str, typer.Option(help="One of the models below.")] = "lobes",
     side: Annotated[int, typer.Option("--size", metavar="PIXELS", help="Side of each picture.")] = 240,
@@ -44,14 +46,14 @@ def swatches(
 
     The sheet grows as fabrics are rendered. A file that cannot be used is left out with a warning.
     """
-    check_output(output, (".png", ".html"), fabrics)
+    check_output(output, (*PIXEL_SUFFIXES, ".html"), fabrics)
     require_within("--size", side, 32, 2048)
     require_within("--spp", samples, 1, 100_000)
     require_within("--white-balance", 6500 if white_balance is None else white_balance, 1667, 25000)
     chosen = executor_of(executor, workers, slurm)
     from loomlight.core.contact_sheet import Card, sheet_page, sheet_picture
     from loomlight.core.files import discarding_empty, replacing
-    from loomlight.core.images import write_png
+    from loomlight.core.images import write_pixels
     from loomlight.mitsuba import choose_variant
     from loomlight.mitsuba.denoising import require_denoising
     from loomlight.mitsuba.swatches import CardSettings, fabric_cards, work_folder_of
@@ -68,7 +70,7 @@ def swatches(
             with replacing(output) as temporary:
                 temporary.write_text(sheet_page(cards, title), encoding="utf-8")
         else:
-            write_png(output, sheet_picture(cards))
+            write_pixels(output, sheet_picture(cards))
 
     with discarding_empty(parts), progress("swatches") as report:
         write(fabric_cards(fabrics, settings, parts, chosen, report, write))

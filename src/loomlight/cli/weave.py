@@ -10,6 +10,7 @@ import typer
 from loomlight.cli.help import WholeSentences
 from loomlight.cli.outputs import check_output, done
 from loomlight.core.errors import InputError
+from loomlight.core.files import PIXEL_SUFFIXES
 from loomlight.weave.draft import Draft
 
 app = typer.Typer(
@@ -31,7 +32,7 @@ DraftArgument = Annotated[
 @app.command(epilog='Example: loomlight weave show "twill 3/1" -o draft.png')
 def show(
     draft: DraftArgument,
-    output: Annotated[Path, typer.Option("--output", "-o", help="The picture to write, a .png file.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="The picture to write: .png or .jpg.")],
     face: Annotated[Literal["front", "back"], typer.Option(help="Which side is seen.")] = "front",
     origin: Annotated[
         Literal["top-right", "top-left", "bottom-right", "bottom-left"],
@@ -48,17 +49,17 @@ def show(
     ] = False,
 ) -> None:
     """Draws a draft as weaving software does: drawdown, threading, tie-up, treadling, colours."""
-    from loomlight.core.images import write_png
+    from loomlight.core.images import write_pixels
     from loomlight.weave.drawing import draw_draft, draw_drawdown
 
-    check_output(output, (".png",), [draft])
+    check_output(output, PIXEL_SUFFIXES, [draft])
     shown = draft_from(draft)
     if drawdown:
         times = 1 if repeats is None else repeats
         pixels = draw_drawdown(shown, face=face, origin=origin, cell_px=cell, repeats=times)
     else:
         pixels = draw_draft(shown, face=face, origin=origin, cell_px=cell, repeats=repeats)
-    write_png(output, pixels)
+    write_pixels(output, pixels)
     done(output)
 
 

@@ -15,6 +15,11 @@ from pathlib import Path
 from loomlight.core.errors import InputError
 from loomlight.core.process_identity import has_ended, process_identity
 
+# Of pictures that are written: of 8-bit pixels, and of linear values. Commands check them before they load
+# what writes.
+PIXEL_SUFFIXES = (".png", ".jpg", ".jpeg")
+WRITTEN_SUFFIXES = (*PIXEL_SUFFIXES, ".exr")
+
 _TEMPORARY = ".loomlight-"
 # Folders that this process has looked through.
 _cleaned: set[Path] = set()

@@ -1,4 +1,4 @@
-"""Images: PNG through Pillow, EXR through OpenEXR, HDR; neither a renderer nor LLVM is needed."""
+"""Images: PNG and JPEG through Pillow, EXR through OpenEXR, HDR; neither a renderer nor LLVM is needed."""
 
 from __future__ import annotations
 
@@ -17,12 +17,13 @@ from PIL.PngImagePlugin import PngInfo
 
 from loomlight.core.colour import linear_to_srgb, srgb_to_linear
 from loomlight.core.errors import InputError
-from loomlight.core.files import replacing, replacing_all, require_file
+from loomlight.core.files import PIXEL_SUFFIXES, WRITTEN_SUFFIXES, replacing, require_file
 from loomlight.core.rgbe import read_rgbe
 
 _Kind = TypeVar("_Kind", bound=np.generic)
 
 PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".gif")
+_JPEG_QUALITY = 93
 # Pixels a side of a picture that is read.
 MAX_PICTURE_SIDE = 16384
 # Pixels converted at once: 100 MB of float64.
@@ -34,23 +35,21 @@ _EXR_CHANNELS = {1: "Y", 3: "RGB", 4: "RGBA"}
 
 
 def write_image(path: str | os.PathLike[str], linear: ArrayLike) -> None:
-    """Writes linear values [height, width, 1 | 3 | 4] as .exr (float32, as they are) or .png (sRGB, 8 bits).
+    """Writes linear values [height, width, 1 | 3 | 4]: .exr as float32, as they are; others as 8-bit sRGB.
 
     Values of uint8 are no linear ones but sRGB already, as drawings and other programs' pictures have them.
 
     Raises:
-        InputError: another suffix, or a path that cannot be written.
+        InputError: a suffix that is none of `WRITTEN_SUFFIXES`, or a path that cannot be written.
     """
     values = np.asarray(linear)
     is_encoded = values.dtype == np.uint8
     pixels = np.asarray(srgb_to_linear(values / 255) if is_encoded else values, dtype=np.float32)
-    suffix = Path(path).suffix.lower()
-    if suffix == ".exr":
+    if Path(path).suffix.lower() == ".exr":
         _write_exr(path, {_EXR_CHANNELS[pixels.shape[2]]: pixels})
-    elif suffix == ".png":
-        write_png(path, _without_single_channel(encoded(pixels)))
     else:
-        raise InputError(f"{path}: images are written as .png or .exr, not {suffix or 'without a suffix'}.")
+        require_pixel_suffix(path, WRITTEN_SUFFIXES)
+        write_pixels(path, _without_single_channel(encoded(pixels)))
 
 
 def write_channels(path: str | os.PathLike[str], channels: dict[str, NDArray[np.float32]]) -> None:
@@ -77,32 +76,51 @@ def _without_single_channel(pixels: NDArray[_Kind]) -> NDArray[_Kind]:
     return pixels[..., 0] if pixels.ndim == 3 and pixels.shape[2] == 1 else pixels
 
 
-def write_png(path: str | os.PathLike[str], pixels: NDArray[np.uint8]) -> None:
-    """Writes 8-bit pixels [height, width] or [height, width, 3] as they are."""
-    write_pngs({Path(path): pixels})
-
-
-def write_pngs(
-    pictures: Mapping[Path, NDArray[np.uint8]], size_mm: tuple[float, float] | None = None
-) -> None:
-    """Writes 8-bit pictures, each [height, width] or [height, width, 3]: all of them, or none.
-
-    Args:
-        size_mm: width and height of what they show, millimetres, for their headers: pixels an inch, and a
-            text "size_mm".
+def write_pixels(path: str | os.PathLike[str], pixels: NDArray[np.uint8]) -> None:
+    """Writes 8-bit pixels [height, width] or [height, width, 3] as they are, a .png, or a .jpg.
 
     Raises:
-        InputError: a path that cannot be written, or a full disk.
+        InputError: another suffix, or a path that cannot be written.
     """
-    with replacing_all(list(pictures)) as temporaries:
-        for temporary, pixels in zip(temporaries, pictures.values(), strict=True):
-            header: dict[str, Any] = {}
-            if size_mm is not None:
-                text = PngInfo()
-                text.add_text("size_mm", f"{size_mm[0]:.9g} x {size_mm[1]:.9g}")
-                per_inch = (25.4 * n / side for n, side in zip(pixels.shape[1::-1], size_mm, strict=True))
-                header = {"pnginfo": text, "dpi": tuple(per_inch)}
-            Image.fromarray(pixels).save(temporary, format="PNG", **header)
+    require_pixel_suffix(path, PIXEL_SUFFIXES)
+    with replacing(path) as temporary:
+        if Path(path).suffix.lower() == ".png":
+            save_png(temporary, pixels)
+        else:
+            # Chroma of every pixel: threads of two colours are a pixel wide.
+            Image.fromarray(pixels).save(temporary, format="JPEG", quality=_JPEG_QUALITY, subsampling=0)
+
+
+def require_pixel_suffix(path: str | os.PathLike[str], suffixes: Sequence[str]) -> None:
+    """Raises InputError unless a picture's path has one of some suffixes."""
+    suffix = Path(path).suffix.lower()
+    if suffix not in suffixes:
+        allowed = " or ".join(suffixes)
+        raise InputError(f"{path}: pictures are written as {allowed}, not {suffix or 'without a suffix'}.")
+
+
+def save_png(
+    path: Path,
+    pixels: NDArray[Any],
+    size_mm: tuple[float, float] | None = None,
+    notes: Mapping[str, str] | None = None,
+) -> None:
+    """Writes unsigned pixels in place: of 8 bits [height, width] or [height, width, 3], of 16 [height, width].
+
+    Args:
+        size_mm: width and height of what they show, millimetres, for the header: pixels an inch, and a text
+            "size_mm".
+        notes: further texts for the header, by their keys.
+    """
+    header: dict[str, Any] = {}
+    if size_mm is not None:
+        text = PngInfo()
+        text.add_text("size_mm", f"{size_mm[0]:.9g} x {size_mm[1]:.9g}")
+        for key, note in (notes or {}).items():
+            text.add_text(key, note)
+        per_inch = (25.4 * n / side for n, side in zip(pixels.shape[1::-1], size_mm, strict=True))
+        header = {"pnginfo": text, "dpi": tuple(per_inch)}
+    Image.fromarray(pixels).save(path, format="PNG", **header)
 
 
 def write_animation(

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import discarding_empty, replacing
-from loomlight.core.images import write_image, write_png
+from loomlight.core.images import write_image, write_pixels
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.image_benchmark import SceneResult, image_tables, run_image_benchmark
 from loomlight.evaluation.model_table import BakedModels, model_table
@@ -239,7 +239,7 @@ def _section(folder: Path, scene: SceneResult, samples: int) -> Section:
     for name, picture in scene.pictures.items():
         file = f"{stem}-{_file_name(name)}"
         write_image(folder / "pictures" / f"{file}.png", picture.linear)
-        write_png(folder / "pictures" / f"{file}-flip.png", picture.error.flip_picture)
+        write_pixels(folder / "pictures" / f"{file}-flip.png", picture.error.flip_picture)
         figures.append(
             Figure(
                 name,

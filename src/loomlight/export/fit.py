@@ -1,4 +1,4 @@
-"""A standard material fitted to a model: textures of one repeat and the numbers that all texels share.
+"""A standard material fitted to a model: textures of whole repeats and the numbers that all texels share.
 
 Geometry comes from the texels themselves (`texels.py`). What is fitted by least squares, over texels,
 lights and views, is how strongly each family reflects and transmits, how rough its fibres are along and
@@ -34,7 +34,7 @@ class FittedMaterial(GltfMaterial):
     """Textures [rows, columns, ...], linear, row 0 at the lower edge; and numbers for all texels.
 
     Attributes:
-        size: of one repeat, millimetres.
+        size: of what the textures hold, millimetres.
         cover: opacity.
         direction: unit vectors [..., 2] of `axis_x`, along which highlights are wide, in the texel's tangent
             plane.
@@ -58,7 +58,7 @@ class _Queries:
 
 
 def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> FittedMaterial:
-    """The material of glTF nearest to a model, in textures of `columns` × `rows` texels of one repeat."""
+    """The material of glTF nearest to a model, in `columns` × `rows` texels of `tile_repeats`."""
     texels = texels_of(fabric, columns, rows)
     queries = _queries(columns, rows)
     truth = _answers(model, texels, queries)
@@ -132,7 +132,7 @@ def _answers(model: Model, texels: Texels, queries: _Queries) -> Numbers:
     rows, columns = texels.cover.shape
     width, height = texels.size
     step_x, step_y = width / columns, height / rows
-    centre = Vector2(Float((queries.column + 0.5) * step_x), Float((queries.row + 0.5) * step_y))
+    centre = Vector2(*(Float(part) for part in texels.place[queries.row, queries.column].T))
     zero = dr.zeros(Float, len(queries.row))
     footprint = Footprint(centre, Vector2(zero + step_x, zero), Vector2(zero, zero + step_y))
     view, light = (

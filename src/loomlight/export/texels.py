@@ -1,6 +1,6 @@
-"""Means of a fabric over the texels of one repeat: what textures of a standard material are made of.
+"""Means of a fabric over the texels of whole repeats: what textures of a standard material are made of.
 
-Points of the surface, seen from straight above, are gathered on a grid finer than the texels. Each texel
+Points of the cloth, seen from straight above, are gathered on a grid finer than the texels. Each texel
 has the mean normal of its points and the covariance of their slopes about it, by which roughness is widened
 (LEAN mapping, Olano and Baker 2010), and the fibre direction of each family.
 """
@@ -10,20 +10,21 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-import drjit as dr
 import numpy as np
-from drjit.llvm import Bool, Float, UInt
+from drjit.llvm import Float
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
+from loomlight.fabric.cloth_surface import ClothSurface
 from loomlight.fabric.fabric import Fabric
-from loomlight.yarn.geometry import YarnGeometry
 
 Numbers = NDArray[np.float64]
 # Points across a texel, at least, and across the finest thread.
 _POINTS_PER_TEXEL, _POINTS_PER_THREAD = 4, 8
 _MAX_POINTS = 1 << 24
 _MAX_TEXTURE = 4096
+# Threads across textures of uneven yarns, at least.
+_UNEVEN_THREADS = 24
 # Texels that yarns cover less are holes, which say nothing of the yarns.
 MIN_COVER = 0.02
 # Slopes about the mean normal are at most this, or a few points at the outline of a yarn would outweigh all
@@ -32,7 +33,17 @@ _STEEPEST = 3.0
 
 
 # Arrays of `Texels` with an element a texel.
-_OF_TEXELS = ("cover", "share", "normal", "covariance", "direction", "diffuse", "transmit", "specular")
+_OF_TEXELS = (
+    "place",
+    "cover",
+    "share",
+    "normal",
+    "covariance",
+    "direction",
+    "diffuse",
+    "transmit",
+    "specular",
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +53,7 @@ class Texels:
 
     Attributes:
         size: width and height, millimetres.
+        place: where in the draft their middles are [..., 2], millimetres, as threads wander.
         cover: share that yarns cover, 0 to 1.
         share: of the warp and of the weft in what is covered [..., 2].
         normal: unit mean normal [..., 3].
@@ -52,6 +64,7 @@ class Texels:
     """
 
     size: tuple[float, float]
+    place: Numbers
     cover: Numbers
     share: Numbers
     normal: Numbers
@@ -92,14 +105,12 @@ def frames(normal: Numbers) -> tuple[Numbers, Numbers]:
 
 
 def texture_grid(fabric: Fabric, texel_mm: float | None) -> tuple[int, int]:
-    """Columns and rows of texels of one repeat; by default eight a thread.
+    """Columns and rows of texels of `tile_repeats`; by default eight a thread.
 
     Raises:
         InputError: more than 4096 a side.
     """
-    layout = fabric.layout()
-    picks, ends = layout.warp_on_top.shape
-    width, height = layout.size
+    picks, ends, width, height = _tile(fabric)
     if texel_mm is None:
         columns, rows = 8 * ends, 8 * picks
         factor = max(1.0, max(columns, rows) / _MAX_TEXTURE)
@@ -114,11 +125,32 @@ def texture_grid(fabric: Fabric, texel_mm: float | None) -> tuple[int, int]:
     return columns, rows
 
 
-def texels_of(fabric: Fabric, columns: int, rows: int) -> Texels:
-    """The texels of one repeat."""
-    layout, appearance = fabric.layout(), fabric.appearance()
+def tile_repeats(fabric: Fabric) -> tuple[int, int]:
+    """Repeats across and up that textures hold: one, or more where yarns are uneven.
+
+    Few threads that differ would show as a pattern.
+    """
+    picks, ends = fabric.layout().warp_on_top.shape
+    appearance = fabric.appearance()
+    is_uneven = any(family.detail.is_on for family in (appearance.warp, appearance.weft))
+    if not (is_uneven or appearance.variation.colour_noise > 0):
+        return 1, 1
+    return -(-_UNEVEN_THREADS // ends), -(-_UNEVEN_THREADS // picks)
+
+
+def _tile(fabric: Fabric) -> tuple[int, int, float, float]:
+    """Picks, ends, width and height, millimetres, of `tile_repeats`."""
+    layout, (across, up) = fabric.layout(), tile_repeats(fabric)
     picks, ends = layout.warp_on_top.shape
     width, height = map(float, layout.size)
+    return up * picks, across * ends, across * width, up * height
+
+
+def texels_of(fabric: Fabric, columns: int, rows: int) -> Texels:
+    """The texels of `tile_repeats`."""
+    appearance = fabric.appearance()
+    picks, ends, width, height = _tile(fabric)
+    surface = ClothSurface(fabric, Float, tile_repeats(fabric))
     nx, ny = (
         max(_POINTS_PER_TEXEL, math.ceil(_POINTS_PER_THREAD * threads / texels))
         for threads, texels in ((ends, columns), (picks, rows))
@@ -127,7 +159,7 @@ def texels_of(fabric: Fabric, columns: int, rows: int) -> Texels:
     parts = []
     for first in range(0, rows, band):
         count = min(band, rows - first)
-        parts.append(_points(fabric, (columns, nx), (first, count, ny), rows))
+        parts.append(_points(fabric, surface, (columns, nx), (first, count, ny), rows))
     arrays = {name: np.concatenate(of_bands) for name, *of_bands in zip(_OF_TEXELS, *parts, strict=True)}
     families = (appearance.warp, appearance.weft)
     alpha = np.array([family.roughness for family in families])
@@ -135,18 +167,26 @@ def texels_of(fabric: Fabric, columns: int, rows: int) -> Texels:
 
 
 def _points(
-    fabric: Fabric, across: tuple[int, int], along: tuple[int, int, int], rows: int
+    fabric: Fabric,
+    surface: ClothSurface,
+    across: tuple[int, int],
+    along: tuple[int, int, int],
+    rows: int,
 ) -> tuple[Numbers, ...]:
     """The arrays `_OF_TEXELS` of some rows."""
-    layout, appearance = fabric.layout(), fabric.appearance()
-    width, height = layout.size
+    appearance = fabric.appearance()
+    _, _, width, height = _tile(fabric)
     (columns, nx), (first, count, ny) = across, along
-    index = dr.arange(UInt, columns * nx * count * ny)
-    row = index // (columns * nx)
-    x = (Float(index - row * (columns * nx)) + 0.5) * (width / (columns * nx))
-    y = (Float(row) + 0.5 + first * ny) * (height / (rows * ny))
-    point = YarnGeometry(layout).surface(x, y, dr.zeros(Bool, dr.width(index)))
-    dr.eval(point)
+    index = np.arange(columns * nx * count * ny)
+    x = (index % (columns * nx) + 0.5) * (width / (columns * nx))
+    y = (index // (columns * nx) + 0.5 + first * ny) * (height / (rows * ny))
+    middles = np.arange(columns * count)
+    place = surface.place(
+        (middles % columns + 0.5) * (width / columns), (middles // columns + first + 0.5) * (height / rows)
+    )
+    # Plies and fibres as a footprint of a texel shows them: the model that is fitted has no others.
+    side = math.sqrt(0.5 * ((width / columns) ** 2 + (height / rows) ** 2))
+    point = surface.at(x, y, side)
 
     def texels(values: NDArray[np.generic]) -> Numbers:
         """Points of each texel: [rows, columns, points, ...]."""
@@ -154,12 +194,11 @@ def _points(
         grid = values.reshape(count, ny, columns, nx, *shape)
         return np.moveaxis(grid, 1, 2).reshape(count, columns, ny * nx, *shape).astype(np.float64)
 
-    is_warp, hole = point.is_warp.numpy().astype(bool), point.hole.numpy().astype(bool)
-    seen = texels(~hole)
-    weights = np.stack([texels(is_warp & ~hole), texels(~is_warp & ~hole)], axis=-1)
+    seen = texels(~point.hole)
+    weights = seen[..., None] * np.stack([texels(point.warp_share), texels(1 - point.warp_share)], axis=-1)
     visible = np.maximum(seen.sum(2), 1e-9)
     share = weights.sum(2) / visible[..., None]
-    normals, tangents = texels(point.normal.numpy().T), texels(point.tangent.numpy().T)
+    normals, tangents = texels(point.normal), texels(point.tangent)
     mean = (normals * seen[..., None]).sum(2) / visible[..., None]
     length = np.linalg.norm(mean, axis=-1, keepdims=True)
     normal = np.where(length > 1e-6, mean / np.maximum(length, 1e-6), [0.0, 0, 1])
@@ -170,17 +209,19 @@ def _points(
     covariance = np.einsum("rcp,rcpi,rcpj->rcij", seen, slopes, slopes) / visible[..., None, None]
     flat = np.stack([(tangents * axis).sum(-1) for axis in (axis_x, axis_y)], axis=-1)
     direction = np.stack([_mean_axis(flat, weights[..., f]) for f in range(2)], axis=-2)
-    threads = (point.warp_thread.numpy(), point.weft_thread.numpy())
-    albedos = []
+    gain, albedos = texels(point.gain), []
     for name in ("diffuse_reflect", "diffuse_transmit", "specular_reflect"):
         means = []
         for f, family in enumerate((appearance.warp, appearance.weft)):
             table = np.asarray(getattr(family, name), np.float64)
-            colours = texels(table[np.minimum(threads[f], len(table) - 1)])
+            colours = texels(table[point.threads[f]])
+            if name != "specular_reflect":
+                colours = colours * gain[..., None]
             sums = (colours * weights[..., f, None]).sum(2)
             means.append(sums / np.maximum(weights[..., f].sum(2), 1e-9)[..., None])
         albedos.append(np.stack(means, axis=-2))
-    return (seen.mean(2), share, normal, covariance, direction, *albedos)
+    places = place.T.reshape(count, columns, 2)
+    return (places, seen.mean(2), share, normal, covariance, direction, *albedos)
 
 
 def _mean_axis(vectors: Numbers, weights: Numbers) -> Numbers:

@@ -13,7 +13,7 @@ from loomlight.assets.load import load_source
 from loomlight.assets.loom_file import LOOM_SUFFIX, is_loom, write_loom
 from loomlight.assets.sources import Source, kind_of_file
 from loomlight.core.errors import InputError
-from loomlight.core.files import replacing
+from loomlight.core.files import WRITTEN_SUFFIXES, replacing
 from loomlight.core.images import write_image
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric.fabric import Fabric
@@ -24,7 +24,6 @@ from loomlight.models.registry import DEFAULT_MODEL, model_class, model_from_loo
 from loomlight.weave.draft import Draft
 from loomlight.weave.wif_writer import write_wif
 
-_PICTURES = (".png", ".exr")
 _WIF = ".wif"
 
 
@@ -67,7 +66,7 @@ def load(path: str | os.PathLike[str]) -> Model | Source:
 
 
 def save(what: Model | Fabric | Draft | np.ndarray[Any, Any], path: str | os.PathLike[str]) -> None:
-    """Writes a model as .loom, a fabric as .toml, a draft as .wif, or a picture as .png or .exr.
+    """Writes a model as .loom, a fabric as .toml, a draft as .wif, or a picture as .png, .jpg or .exr.
 
     The file is written whole or not at all.
 
@@ -110,5 +109,5 @@ _FILES: tuple[tuple[type, str, tuple[str, ...]], ...] = (
     (Model, "model", (LOOM_SUFFIX,)),
     (Fabric, "fabric", (FABRIC_SUFFIX,)),
     (Draft, "draft", (_WIF,)),
-    (np.ndarray, "picture", _PICTURES),
+    (np.ndarray, "picture", WRITTEN_SUFFIXES),
 )

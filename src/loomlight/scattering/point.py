@@ -239,9 +239,19 @@ class YarnScattering:
         period = dr.select(point.is_warp, *numbers.period)
         threads = dr.select(point.is_warp, *numbers.threads)
         index = dr.select(point.is_warp, types.Int32(point.warp_thread), types.Int32(point.weft_thread))
-        number = types.Int32(dr.floor(position / period)) * threads + index
+        repeat = self.repeat_number(dr.floor(position / period), point.is_warp)
+        number = types.Int32(repeat) * threads + index
         # Two families must not share numbers.
         return types.UInt32(number) * 2 + dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
+
+    def repeat_number(self, repeat: Float, is_warp: Mask) -> Float:
+        """Number of a repeat, by which its threads differ from those of others; cloth that tiles has few.
+
+        Args:
+            repeat: its number across the threads of the family.
+        """
+        del is_warp
+        return repeat
 
     def varied(
         self,

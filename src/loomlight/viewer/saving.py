@@ -62,15 +62,12 @@ def saved(fabric: Fabric, form: str, model: str = "lobes", size: int = 1024) -> 
 def _maps(fabric: Fabric, folder: Path, size: int) -> list[Path]:
     """The pictures of one repeat, of square texels."""
     from loomlight.core.llvm import llvm_float
-    from loomlight.fabric.material_maps import material_maps
-    from loomlight.yarn.geometry import YarnGeometry
-    from loomlight.yarn.maps import bake_maps, resolution_of, write_maps
+    from loomlight.fabric.maps import bake_maps, resolution_of, write_maps
 
     if not MAP_SIZES[0] <= size <= MAP_SIZES[1]:
         raise InputError(f"size = {size} is out of range: write {MAP_SIZES[0]} to {MAP_SIZES[1]} texels.")
     resolution = resolution_of(fabric.repeat_mm, size / max(fabric.repeat_mm))
-    maps = bake_maps(YarnGeometry(fabric.layout()), resolution, llvm_float())
-    return write_maps(maps, folder / "maps.png", material_maps(fabric, maps))
+    return write_maps(bake_maps(fabric, resolution, llvm_float()), folder / "maps.png")
 
 
 def _zipped(files: list[Path]) -> bytes:

@@ -20,11 +20,9 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from loomlight.fabric.load import load_fabric
-from loomlight.fabric.material_maps import material_maps
+from loomlight.fabric.maps import bake_maps, write_maps
 from loomlight.models.registry import model_from_loom
 from loomlight.viewer.saving import saved
-from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.maps import bake_maps, write_maps
 from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import Visit, wait_until
 
@@ -72,13 +70,14 @@ def test_maps_are_those_of_bake_maps(editor: Any, tmp_path: Path) -> None:
     from drjit.llvm import Float
 
     fabric = load_fabric(FABRIC)
-    maps = bake_maps(YarnGeometry(fabric.layout()), (96, 96), Float)
-    ours = write_maps(maps, tmp_path / "maps.png", material_maps(fabric, maps))
+    ours = write_maps(bake_maps(fabric, (96, 96), Float), tmp_path / "maps.png")
     assert sorted(archive.namelist()) == sorted(file.name for file in ours)
     assert {f"maps_{name}.png" for name in ("color", "normal", "height", "roughness", "opacity")} <= {
         file.name for file in ours
     }
-    for file in ours:
+    *pictures, facts = ours
+    assert json.loads(archive.read(facts.name)) == json.loads(facts.read_text())
+    for file in pictures:
         theirs = picture_of(archive.read(file.name))
         assert theirs.shape[:2] == (96, 96)
         # One step of 8 bits: the kernels' rounding may differ with and without derivatives.
