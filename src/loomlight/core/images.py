@@ -105,7 +105,7 @@ def save_png(
     size_mm: tuple[float, float] | None = None,
     notes: Mapping[str, str] | None = None,
 ) -> None:
-    """Writes unsigned pixels in place: of 8 bits [height, width] or [height, width, 3], of 16 [height, width].
+    """Writes unsigned pixels in place: of 8 bits [height, width] or [height, width, 3]; of 16 without colour.
 
     Args:
         size_mm: width and height of what they show, millimetres, for the header: pixels an inch, and a text
