@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
@@ -78,6 +79,12 @@ def short_training() -> Iterator[None]:
         patch.setitem(QUALITIES, "preview", short)
         patch.setitem(LATENT_QUALITIES, "preview", latent)
         yield
+
+
+@pytest.fixture(autouse=True)
+def no_lines_of_progress(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Commands write no lines of progress: how many there are is a matter of the machine's load."""
+    monkeypatch.setattr("loomlight.cli.progress.LINE_SECONDS", math.inf)
 
 
 @pytest.fixture

@@ -19,6 +19,7 @@ from loomlight.cli.main import run
 from loomlight.weave.load import load_draft
 from loomlight.weave.named import named_weave, weave_names
 from loomlight.weave.wif_reader import read_wif
+from tests.limits import HANG
 
 COMMANDS = [
     ["weave", "show"],
@@ -96,7 +97,7 @@ def test_version(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def in_a_process(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, *arguments], capture_output=True, text=True, timeout=300)
+    return subprocess.run([sys.executable, *arguments], capture_output=True, text=True, timeout=HANG)
 
 
 def loaded_by(statement: str) -> set[str]:
@@ -130,7 +131,7 @@ def test_a_reader_that_has_enough_is_no_fault() -> None:
     program = f"{sys.executable} -m loomlight weave names | true"
     program += f"; {sys.executable} -m loomlight weave | true"
     done = subprocess.run(
-        ["bash", "-o", "pipefail", "-c", program], capture_output=True, text=True, timeout=300
+        ["bash", "-o", "pipefail", "-c", program], capture_output=True, text=True, timeout=HANG
     )
     assert done.stderr == ""
     assert done.returncode == 0

@@ -20,6 +20,7 @@ import pytest
 
 from loomlight.cli.main import run
 from tests.core.clusters import one_node_slurm, require_slurm
+from tests.limits import HANG
 
 pytestmark = pytest.mark.slow
 NAMES = [f"fabric{number}" for number in range(6)]
@@ -64,7 +65,7 @@ def finished(folder: Path) -> dict[str, int]:
 
 
 def until_some_are_finished(folder: Path, process: subprocess.Popen[bytes]) -> None:
-    end = time.monotonic() + 120
+    end = time.monotonic() + HANG
     while not finished(folder):
         assert process.poll() is None
         assert time.monotonic() < end
@@ -85,7 +86,7 @@ def test_a_killed_parent_leaves_nothing_behind_that_hinders(sources: list[str]) 
 
 def test_two_runs_beside_each_other_share_the_work(sources: list[str]) -> None:
     first, second = (started(baking(sources, "--workers", "1")) for _ in range(2))
-    assert (first.wait(240), second.wait(240)) == (0, 0)
+    assert (first.wait(HANG), second.wait(HANG)) == (0, 0)
     require_whole(Path("baked"))
 
 
@@ -135,7 +136,7 @@ def test_slurm_bakes_a_catalogue_and_a_killed_job_is_made_good(
             if owner:
                 os.kill(owner["process"], signal.SIGKILL)
                 break
-        process.wait(60)
+        process.wait(HANG)
         before = finished(folder)
         assert run(baking(sources, *options)) == 0
     shutil.rmtree(folder / ".loomlight-bake" / "jobs")

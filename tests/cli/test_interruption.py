@@ -46,14 +46,18 @@ def work():
     while True: signal.pause()
 sys.exit(interruption.supervised(work))
 """
-# The command, with Python's own handler as in `started`.
+# The command, with Python's own handler as in `started`, without lines of progress, and with all the time
+# that a busy machine needs to hear.
 HEARING = """
-import signal
+import math, signal
 signal.signal(signal.SIGINT, signal.default_int_handler)
 from loomlight.__main__ import main
+from loomlight.cli import interruption, progress
+interruption._END = progress.LINE_SECONDS = math.inf
 main()
 """
 LISTENING = """
+interruption._END = float("inf")
 def work():
     import signal
     try:

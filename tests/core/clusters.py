@@ -14,8 +14,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.limits import HANG
+
 _SBIN = "/usr/sbin"
-_START_SECONDS = 30
 
 
 def require_slurm() -> None:
@@ -49,7 +50,7 @@ def one_node_slurm(folder: Path) -> Iterator[dict[str, str]]:
     ]
     variables = {"SLURM_CONF": str(conf)}
     try:
-        end = time.monotonic() + _START_SECONDS
+        end = time.monotonic() + HANG
         while "idle" not in _said(["sinfo", "-h", "-o", "%T"], variables):
             assert time.monotonic() < end, (folder / "daemons.log").read_text()[-2000:]
             time.sleep(0.5)

@@ -14,6 +14,7 @@ from PIL import ExifTags, Image
 from loomlight.core.colour import srgb_to_linear
 from loomlight.core.errors import InputError
 from loomlight.core.images import is_turned, read_map, read_picture, write_channels, write_image, write_pixels
+from tests.limits import HANG
 
 
 def random_pixels(channels: int) -> np.ndarray:
@@ -82,7 +83,7 @@ def write_on_a_full_disk(path: Path) -> str:
         "except InputError as error: print(error)\n"
     )
     command = [sys.executable, "-c", program, str(path)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=120).stdout
+    return subprocess.run(command, capture_output=True, text=True, timeout=HANG).stdout
 
 
 def test_a_full_disk_leaves_no_png(tmp_path: Path) -> None:

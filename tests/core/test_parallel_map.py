@@ -12,6 +12,7 @@ from contextlib import contextmanager
 import pytest
 
 from loomlight.core.parallel_map import core_count, parallel_map
+from tests.limits import HANG
 
 
 def test_results_are_in_the_order_of_the_items() -> None:
@@ -24,7 +25,7 @@ def test_all_cores_take_part() -> None:
     barrier = threading.Barrier(core_count())
 
     def wait(_: int) -> int:
-        barrier.wait(timeout=60)
+        barrier.wait(timeout=HANG)
         return threading.get_ident()
 
     assert len(set(parallel_map(wait, range(core_count())))) == core_count()

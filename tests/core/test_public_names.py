@@ -8,6 +8,7 @@ import sys
 import pytest
 
 import loomlight
+from tests.limits import HANG
 
 PUBLIC = {
     "Appearance",
@@ -62,5 +63,5 @@ def test_fabrics_load_neither_dr_jit_nor_mitsuba() -> None:
         "loomlight.fabric_from_text('twill 3/1').layout()\n"
         "assert not {'drjit', 'mitsuba'} & set(sys.modules)\n"
     )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=HANG)
     assert done.returncode == 0, done.stderr

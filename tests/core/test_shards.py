@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from loomlight.core.shards import Outcome, Shard, ShardFolder
+from tests.limits import HANG
 
 SHARD = Shard("denim", "settings 1")
 # Claims a shard, says so and waits for ever.
@@ -77,7 +78,7 @@ def test_waiting_ends_when_the_owner_is_killed(tmp_path: Path) -> None:
     waiting.start()
     assert not taken.is_set()
     kill(process)
-    waiting.join(60)
+    waiting.join(HANG)
     assert taken.is_set()
 
 

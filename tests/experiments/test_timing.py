@@ -11,9 +11,10 @@ from experiments.timing import launched_kernels, timed
 
 
 def test_what_was_made_comes_with_its_time() -> None:
+    begun = time.perf_counter()
     made, seconds = timed(lambda: time.sleep(0.01) or "made")
     assert made == "made"
-    assert 0.01 <= seconds < 5
+    assert 0.01 <= seconds < time.perf_counter() - begun
 
 
 def test_kernels_of_the_run_alone_are_listed() -> None:

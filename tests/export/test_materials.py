@@ -32,6 +32,7 @@ from loomlight.export.materialx import document_textures, write_document
 from loomlight.export.texels import texels_of, texture_grid, tile_repeats
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import read_mesh
+from tests.limits import HANG
 
 from .generated_glsl import answers
 
@@ -106,7 +107,7 @@ def test_khronos_validator_finds_no_fault(exported: Path) -> None:
     if shutil.which("node") is None:
         pytest.skip("node is not installed; docs/research/notes/export.md has the validator's report.")
     search = os.environ | {"NODE_PATH": str(Path(sys.prefix) / "node_modules")}
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=search)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=HANG, env=search)
     if "Cannot find module" in done.stderr:
         pytest.skip("npm install gltf-validator is missing; docs/research/notes/export.md has its report.")
     issues = json.loads(done.stdout)

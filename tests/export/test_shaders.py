@@ -31,6 +31,7 @@ from loomlight.realtime.device import default_adapter
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.models import REALTIME_MODELS, Material
 from loomlight.realtime.slangc import compile_shader
+from tests.limits import HANG
 from tests.marks import slow_among
 from tests.models.clustered.samples import with_samples
 from tests.realtime import test_clustered, test_latent, test_neumip
@@ -60,7 +61,7 @@ def material_of(model: str) -> Material:
 
 def run(*command: str | Path, cwd: Path) -> None:
     done = subprocess.run(
-        [str(part) for part in command], capture_output=True, text=True, cwd=cwd, timeout=120
+        [str(part) for part in command], capture_output=True, text=True, cwd=cwd, timeout=HANG
     )
     assert done.returncode == 0, done.stdout + done.stderr
 

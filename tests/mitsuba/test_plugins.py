@@ -12,6 +12,7 @@ import mitsuba as mi
 import pytest
 
 from loomlight.mitsuba import SUPPORTED_VARIANTS
+from tests.limits import HANG
 
 LOAD = """
 import sys
@@ -27,7 +28,7 @@ print(mi.load_dict({"type": plugin}).class_name())
 def loaded(first: str, second: str, plugin: str) -> subprocess.CompletedProcess[str]:
     """A plugin loaded in the second variant, where `loomlight.mitsuba` was imported in the first."""
     command = [sys.executable, "-c", LOAD, first, second, plugin]
-    return subprocess.run(command, capture_output=True, text=True, timeout=300)
+    return subprocess.run(command, capture_output=True, text=True, timeout=HANG)
 
 
 @pytest.mark.parametrize("plugin", ["woven_lobes", "footprint_path"])

@@ -14,6 +14,7 @@ import pytest
 from loomlight.assets.merl import library_of
 from loomlight.core.errors import InputError
 from loomlight.models.neumip.btf import BTFS
+from tests.limits import HANG
 
 KINDS = """
 import sys
@@ -28,7 +29,7 @@ assert sorted(REFLECTANCES.kinds) == ["fabric", "material", "merl"], REFLECTANCE
 
 
 def test_the_renderer_answers_once_it_is_imported() -> None:
-    done = subprocess.run([sys.executable, "-c", KINDS], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([sys.executable, "-c", KINDS], capture_output=True, text=True, timeout=HANG)
     assert done.returncode == 0, done.stderr
 
 

@@ -14,6 +14,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.point import PointModel
 from loomlight.models.registry import make_model, model_from_loom, model_names
 from loomlight.models.samples import SampledModel
+from tests.limits import HANG
 
 
 def test_names() -> None:
@@ -29,7 +30,7 @@ def test_names_load_no_model() -> None:
         "assert not [name for name in sys.modules if name.startswith(('loomlight.models.p', 'mitsuba'))]\n"
         "assert 'torch' not in sys.modules\n"
     )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=HANG)
     assert done.returncode == 0, done.stderr
 
 
@@ -43,7 +44,7 @@ def test_without_llvmlite_all_models_but_networks_are_there() -> None:
         "    except MissingDependencyError as error:\n        print(error)\n"
         "from loomlight.cli.doctor import findings\n"
     )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=HANG)
     assert done.returncode == 0, done.stderr
     command = "pip install 'loomlight[networks]'"
     assert done.stdout.splitlines() == [

@@ -124,7 +124,7 @@ def test_killed_at_any_moment_and_run_again_the_bytes_are_the_same(made, tmp_pat
     for pattern in ("material_*", ".partial-0*"):
         process = subprocess.Popen([sys.executable, "-c", code, str(path)])
         while not list(path.glob(pattern)) and process.poll() is None:
-            time.sleep(0.001)
+            time.sleep(0.01)
         process.send_signal(signal.SIGKILL)
         process.wait()
         there = QueryStore(path).numbers

@@ -18,6 +18,7 @@ from loomlight.models.lobes import density, visibility_rays
 from loomlight.realtime.device import STORAGE_BUFFERS, default_adapter
 from loomlight.realtime.models import REALTIME_MODELS
 from loomlight.realtime.slangc import SHADERS, TARGETS, compile_shader, library_code, library_models
+from tests.limits import HANG
 from tools.shaders import build
 from tools.shaders.build import DIGESTS, WGSL, digests, generated_files, generated_slang
 from tools.shaders.constants import number_text, prefixed_numbers, shader_constants
@@ -70,7 +71,7 @@ def run(*command: str | Path) -> None:
     name = str(command[0])
     if shutil.which(name) is None:
         pytest.fail(f"{name} is missing: apt install glslang-tools spirv-tools", pytrace=False)
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=HANG)
     assert done.returncode == 0, done.stdout + done.stderr
 
 

@@ -14,6 +14,8 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
+from tests.limits import HANG
+
 pytest.importorskip("torch")
 
 CONFIG = """
@@ -46,7 +48,7 @@ def test_two_processes_train_what_one_trains(tmp_path: Path) -> None:
     environment = os.environ | {"OMP_NUM_THREADS": "1"}
     for command in ([*train, str(tmp_path / "one")], [*starter, *train, str(tmp_path / "two")]):
         done = subprocess.run(
-            [sys.executable, *command], env=environment, capture_output=True, text=True, timeout=300
+            [sys.executable, *command], env=environment, capture_output=True, text=True, timeout=HANG
         )
         assert done.returncode == 0, done.stderr
         # One process speaks for all.

@@ -14,6 +14,8 @@ import uvicorn
 
 from loomlight.viewer.access import Access
 from loomlight.viewer.app import editor_app
+from loomlight.viewer.draft_reader import MEMORY_BYTES, DraftReader
+from tests.limits import HANG
 
 
 @dataclass(frozen=True)
@@ -26,7 +28,7 @@ class Served:
         self, method: str, place: str, body: bytes | None = None, headers: Mapping[str, str] | None = None
     ) -> tuple[int, dict[str, str], bytes]:
         """Status, headers by lower-case name, and body of an answer; the place is sent as it is."""
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=HANG)
         try:
             connection.request(method, place, body, dict(headers or {}))
             response = connection.getresponse()
@@ -79,3 +81,12 @@ def local(page: Path) -> Iterator[Served]:
 def shared(page: Path) -> Iterator[Served]:
     """A server that asks for the token "token"."""
     yield from serving(page, Access(loopback=False, token="token"))
+
+
+@pytest.fixture(scope="session", autouse=True)
+def all_the_time() -> Iterator[None]:
+    """What the server gives up after seconds may take as long as a busy machine needs."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(DraftReader.__init__, "__defaults__", (float(HANG), MEMORY_BYTES))
+        patch.setattr("loomlight.viewer.uploads._DRAIN_SECONDS", float(HANG))
+        yield

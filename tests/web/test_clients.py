@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.limits import HANG
+
 WEB = Path(__file__).parents[2] / "web"
 
 
@@ -17,6 +19,6 @@ def test_types_and_tests_of_the_clients(arguments: tuple[str, ...]) -> None:
     if shutil.which("node") is None or not program.exists():
         pytest.skip("the packages of web/ are not installed: npm install in web/")
     done = subprocess.run(
-        [program, *arguments[1:]], cwd=WEB, capture_output=True, text=True, timeout=300, check=False
+        [program, *arguments[1:]], cwd=WEB, capture_output=True, text=True, timeout=HANG, check=False
     )
     assert done.returncode == 0, (done.stdout + done.stderr)[-4000:]

@@ -24,6 +24,7 @@ from loomlight.fabric.yarns import with_yarns
 from loomlight.weave import Draft, load_draft, named_weave
 from loomlight.weave.named import weave_names
 from loomlight.weave.wif_writer import wif_text_of
+from tests.limits import HANG
 
 from ..weave import odd_drafts
 
@@ -128,7 +129,7 @@ def _ask(questions: list[dict[str, Any]]) -> list[dict[str, Any]]:
         input=json.dumps(questions),
         capture_output=True,
         text=True,
-        timeout=240,
+        timeout=HANG,
         check=False,
     )
     assert done.returncode == 0, done.stderr

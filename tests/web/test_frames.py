@@ -35,6 +35,7 @@ from loomlight.realtime import (
 from loomlight.realtime.device import default_adapter
 from loomlight.viewer.openness_json import openness_json
 from loomlight.viewer.saving import tables_of
+from tests.limits import HANG
 
 ROOT = Path(__file__).parents[2]
 WEB = ROOT / "web"
@@ -251,7 +252,7 @@ def drawn(tmp_path_factory: pytest.TempPathFactory) -> Drawn:
         pytest.skip(str(error))
     folder = tmp_path_factory.mktemp("frames")
     vite = [node, "node_modules/vite/bin/vite.js", "build", "--config", "loomlight-web/vite.config.ts"]
-    subprocess.run([*vite, "--outDir", str(folder), "--logLevel", "error"], cwd=WEB, check=True, timeout=120)
+    subprocess.run([*vite, "--outDir", str(folder), "--logLevel", "error"], cwd=WEB, check=True, timeout=HANG)
     points = {"model": ["point", 4], "passes": 2}
     scenes = [{"size": scene.size, "steps": [scene.page_step(), points]} for scene in SCENES.values()]
     (folder / "neural").write_bytes(tables_of(fabric_from_text(SCENES["flat"].fabric), "neural"))
@@ -265,7 +266,7 @@ def drawn(tmp_path_factory: pytest.TempPathFactory) -> Drawn:
     script = WEB / "loomlight-web" / "tools" / "render_report.ts"
     command = [deno, "run", "--no-config", "--allow-all", "--unstable-webgpu", str(script)]
     arguments = [str(folder / "loomlight-web.js"), str(folder / "scenes.json"), str(folder)]
-    subprocess.run([*command, *arguments], check=True, timeout=900)
+    subprocess.run([*command, *arguments], check=True, timeout=HANG)
     return Drawn(folder, json.loads((folder / "report.json").read_text()))
 
 

@@ -23,6 +23,7 @@ from loomlight.scattering.openness import ray_shares
 from loomlight.viewer.openness_json import openness_json
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry
+from tests.limits import HANG
 
 ROOT = Path(__file__).parents[2]
 WEB = ROOT / "web"
@@ -117,7 +118,7 @@ def pairs(tmp_path_factory: pytest.TempPathFactory) -> list[Pair]:
     questions[-1] |= {"openness": None, "rays": _ray_words(fabrics[-1]).ravel().tolist()}
     (folder / "questions.json").write_text(json.dumps(questions))
     command = [node, "loomlight-web/tools/pack_report.mjs", str(folder / "questions.json"), str(folder)]
-    subprocess.run(command, cwd=WEB, check=True, timeout=120)
+    subprocess.run(command, cwd=WEB, check=True, timeout=HANG)
     result = []
     for number, fabric in enumerate(fabrics):
         plan = plan_bake(fabric.layout(), DEFAULT_GROUPS)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import time
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -16,6 +17,7 @@ import pytest
 from loomlight.core.errors import LoomlightError
 from loomlight.viewer.access import Access
 from loomlight.viewer.client import client_folder
+from tests.limits import HANG
 from tests.viewer.conftest import Served, serving
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -38,6 +40,7 @@ SWIFTSHADER = (
     "--use-angle=swiftshader",
 )
 # Console messages of Chromium about this machine, not about the page.
+_LOADING = ("Execution context was destroyed", "Cannot find context", "Frame is not ready")
 _OF_THE_MACHINE = ("No available adapters", "GPU stall due to ReadPixels", "experimental on this platform")
 
 
@@ -117,7 +120,7 @@ def visiting(browser: Any, **options: Any) -> Iterator[Visit]:
     """A tab with a profile of its own; its requests and complaints are written down."""
     context = browser.new_context(viewport={"width": 1280, "height": 800}, **options)
     one = Visit(context.new_page())
-    one.page.set_default_timeout(15_000)
+    one.page.set_default_timeout(1000 * HANG)
     one.page.on("request", lambda request: one.requests.append(request.url))
     one.page.on("pageerror", lambda error: one.complaints.append(str(error)))
 
@@ -132,10 +135,18 @@ def visiting(browser: Any, **options: Any) -> Iterator[Visit]:
         context.close()
 
 
-def wait_until(page: Any, condition: str, seconds: float = 15) -> None:
+def wait_until(page: Any, condition: str) -> None:
     """Waits for a condition in the page; its content policy forbids Playwright's own way."""
-    for _ in range(int(seconds * 20)):
-        if page.evaluate(condition):
-            return
-        page.wait_for_timeout(50)
+    from playwright.sync_api import Error
+
+    end = time.monotonic() + HANG
+    while time.monotonic() < end:
+        try:
+            if page.evaluate(condition):
+                return
+        except Error as error:
+            # What is being loaded, once or once more, answers when it is there.
+            if not any(part in error.message for part in _LOADING):
+                raise
+        page.wait_for_timeout(20)
     raise AssertionError(f"{condition} did not become true")

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 
+from tests.limits import HANG
 from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import Visit, visiting, wait_until
 from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor
@@ -120,7 +121,7 @@ def test_a_link_that_was_cut_is_told(served: Served, visit: Visit) -> None:
 
 def test_port_in_use_is_one_sentence_and_nothing_is_left_running(served: Served) -> None:
     asked = [sys.executable, "-m", "loomlight", "view", "--no-browser", "--port", str(served.port)]
-    done = subprocess.run(asked, capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run(asked, capture_output=True, text=True, timeout=HANG, check=False)
     assert done.returncode == 2
     assert f"--port {served.port} is in use" in done.stderr
     assert "Traceback" not in done.stderr

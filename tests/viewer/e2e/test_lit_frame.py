@@ -22,6 +22,7 @@ from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectan
 from loomlight.realtime.device import default_adapter
 from loomlight.viewer.openness_json import openness_json
 from loomlight.viewer.saving import tables_of
+from tests.limits import HANG
 from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import ROOT, SWIFTSHADER, launched, visiting, wait_until
 from tests.viewer.e2e.test_export import exported, picture_of
@@ -164,7 +165,7 @@ def page(tmp_path_factory: pytest.TempPathFactory, playwright: Any) -> Iterator[
         pytest.skip("needs Node, and `npm install` in web/: scripts/setup.sh does both")
     folder = tmp_path_factory.mktemp("page")
     build = [npx, "vite", "build", "--config", "loomlight-web/vite.config.ts", "--logLevel", "error"]
-    subprocess.run([*build, "--outDir", str(folder / "module")], cwd=ROOT / "web", check=True, timeout=120)
+    subprocess.run([*build, "--outDir", str(folder / "module")], cwd=ROOT / "web", check=True, timeout=HANG)
     (folder / "index.html").write_text(PAGE)
     for model in ("neural", "clustered"):
         (folder / f"{model}.tables").write_bytes(tables_of(fabric_from_text(FABRIC), model))
@@ -271,7 +272,7 @@ def test_the_editor_lights_its_cloth(served: Served, playwright: Any) -> None:
             "as asked for": "window.loomlight.statistics().preparing === null",
         }
         for step, condition in steps.items():
-            wait_until(visit.page, condition, 200)
+            wait_until(visit.page, condition)
             print(f"{step}: after {time.perf_counter() - begin:.1f} s")
             if step != "as asked for":
                 assert visit.page.get_by_test_id("preparing").inner_text().startswith("Preparing the light")

@@ -12,12 +12,12 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from tests.limits import HANG
 from tests.viewer.e2e.conftest import ROOT, SWIFTSHADER, launched, visiting, wait_until
 
 CELLS = (
@@ -27,9 +27,17 @@ CELLS = (
     "print('weave', cloth.fabric.fields.weave)",
 )
 TOKEN = "of-a-test"
-# Seconds that a step may take where other tests keep the processors busy; alone the whole test takes 36.
-LONG = 180
 FRAME = "iframe[title^=loomlight]"
+# Runs a cell by its number, and is done when that is. A click on a notebook that is still being laid out may
+# be lost, and a second run replaces the frame of the first.
+RUN = """async (number) => {
+  await jupyterapp.restored;
+  const { content, context } = jupyterapp.shell.currentWidget;
+  await context.ready;
+  await context.sessionContext.ready;
+  content.activeCellIndex = number;
+  await jupyterapp.commands.execute("notebook:run-cell");
+}"""
 
 
 @pytest.fixture
@@ -50,6 +58,7 @@ def notebook(tmp_path: Path) -> Iterator[str]:
         "ServerApp.root_dir": tmp_path,
         "ServerApp.allow_root": True,
         "LabApp.news_url": "",
+        "LabApp.expose_app_in_browser": True,
         "LabApp.check_for_updates_class": "jupyterlab.NeverCheckForUpdate",
     }
     given = [f"--{name}={value}" for name, value in options.items()]
@@ -64,17 +73,16 @@ def notebook(tmp_path: Path) -> Iterator[str]:
             yield _address(server, tmp_path / "log")
         finally:
             server.terminate()
-            server.wait(20)
+            server.wait(HANG)
 
 
 def _address(server: subprocess.Popen[bytes], log: Path) -> str:
-    for _ in range(600):
+    while True:
         found = re.search(r"http://127\.0\.0\.1:(\d+)/lab", log.read_text())
         if found:
             return f"http://127.0.0.1:{found[1]}/lab/tree/cloth.ipynb?token={TOKEN}"
         assert server.poll() is None, log.read_text()
         time.sleep(0.1)
-    raise AssertionError(log.read_text())
 
 
 def _answer_dialogs(page: Any) -> None:
@@ -87,19 +95,15 @@ def _answer_dialogs(page: Any) -> None:
     page.add_locator_handler(page.locator(".jp-Dialog"), accept)
 
 
-def _run(page: Any, number: int) -> None:
-    page.locator(".jp-CodeCell").nth(number).locator(".cm-content").click()
-    page.keyboard.press("Control+Enter")
-
-
 def _require_printed(page: Any, number: int, expected: str) -> None:
     """A cell prints so, run anew until what was sent before has reached the kernel."""
     output = page.locator(".jp-CodeCell").nth(number).locator(".jp-OutputArea-output")
-    for _ in range(20):
-        _run(page, number)
-        page.wait_for_timeout(1000)
+    end = time.monotonic() + HANG
+    while time.monotonic() < end:
+        page.evaluate(RUN, number)
         if output.count() and output.inner_text().strip() == expected:
             return
+        page.wait_for_timeout(200)
     raise AssertionError(f"{output.inner_text()} is not {expected}")
 
 
@@ -109,26 +113,20 @@ def test_page_and_python_follow_each_other(notebook: str, playwright: Any) -> No
         page = visit.page
         _answer_dialogs(page)
         page.goto(notebook)
-        page.locator(".jp-CodeCell").nth(3).wait_for(timeout=1000 * LONG)
-        page.locator("[data-status=idle]").first.wait_for(state="attached", timeout=1000 * LONG)
-        # A notebook that is still being laid out may lose a click.
-        for _ in range(6):
-            _run(page, 0)
-            with suppress(AssertionError):
-                wait_until(page, f"document.querySelector('{FRAME}') !== null", LONG / 6)
-                break
+        page.locator(".jp-CodeCell").nth(3).wait_for()
+        page.evaluate(RUN, 0)
         element = page.wait_for_selector(FRAME)
         frame = element.content_frame()
-        wait_until(frame, "window.loomlight?.statistics()?.frames > 0", LONG)
+        wait_until(frame, "window.loomlight?.statistics()?.frames > 0")
         assert frame.evaluate("window.loomlight.fabric().fields.weave") == "twill 3/1"
         # It lies in the notebook's frame and keeps nothing in the notebook's storage.
         assert frame.evaluate("Object.keys(localStorage).filter((key) => key.startsWith('loomlight'))") == []
         frame.get_by_test_id("tab-yarns").click()
         frame.get_by_test_id("field-both.roughness").press("End")
         _require_printed(page, 1, "roughness 1.0")
-        _run(page, 2)
-        wait_until(frame, "window.loomlight.fabric().fields.weave === 'houndstooth'", LONG)
+        page.evaluate(RUN, 2)
+        wait_until(frame, "window.loomlight.fabric().fields.weave === 'houndstooth'")
         frame.get_by_test_id("undo").click()
         _require_printed(page, 3, "weave twill 3/1")
         if frame.evaluate("async () => (await navigator.gpu?.requestAdapter()) != null"):
-            wait_until(frame, "window.loomlight.statistics().passes > 0", LONG)  # lit
+            wait_until(frame, "window.loomlight.statistics().passes > 0")  # lit

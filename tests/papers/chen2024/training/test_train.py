@@ -5,11 +5,9 @@ Covers: papers/chen2024/training/config.py
 Covers: papers/chen2024/training/dataset.py, papers/chen2024/training/losses.py
 """
 
-import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -149,29 +147,34 @@ def _stop_at(step: int):
 
 @pytest.mark.slow
 def test_killed_training_goes_on(dataset: Path, tmp_path: Path) -> None:
-    """kill −9 twice, each time once a further checkpoint is there, by the command line."""
+    """kill −9 twice, each time once some further checkpoints are there, in a process of its own."""
     config = tmp_path / "tiny.toml"
     config.write_text(TINY.format(steps=60, decoder_steps=60, decoder_hidden=24, optimiser="soap"))
     whole = load_file(train_neural(read_config(config), _with_dataset(dataset, tmp_path / "whole")))
     folder = _with_dataset(dataset, tmp_path / "killed")
     command = [sys.executable, "-c", _COMMAND, str(config), str(folder)]
-    checkpoint = folder / "checkpoint.safetensors"
-    for _ in range(2):
-        before = checkpoint.read_bytes() if checkpoint.exists() else b""
-        process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
-        while process.poll() is None and (not checkpoint.exists() or checkpoint.read_bytes() == before):
-            time.sleep(0.01)
-        assert process.poll() is None, "it ended before it could be killed"
-        os.kill(process.pid, signal.SIGKILL)
-        process.wait()
-    subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
+    # The first within the training of the whole, the second within that of the decoder.
+    for checkpoints in ("7", "80"):
+        done = subprocess.run([*command, checkpoints], stderr=subprocess.DEVNULL)
+        assert done.returncode == -signal.SIGKILL
+    subprocess.run([*command, "0"], check=True, stderr=subprocess.DEVNULL)
     resumed = load_file(folder / "neural.safetensors")
     assert all(np.array_equal(whole[name], resumed[name]) for name in whole)
 
 
+# Kills itself after so many checkpoints.
 _COMMAND = """
-import sys
+import os, signal, sys
 from pathlib import Path
+from loomlight.training import loop
+left, keep = int(sys.argv[3]), loop._keep
+def keep_and_die(*given):
+    global left
+    keep(*given)
+    left -= 1
+    if left == 0:
+        os.kill(os.getpid(), signal.SIGKILL)
+loop._keep = keep_and_die
 from papers.chen2024.training.config import read_config
 from papers.chen2024.training.train import train_neural
 train_neural(read_config(sys.argv[1]), Path(sys.argv[2]), keep_every=0)
