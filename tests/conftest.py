@@ -28,6 +28,23 @@ settings.load_profile("busy machines")
 LEFT_OUT = pytest.StashKey[int]()
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: Sequence[pytest.Item]) -> None:
+    """Cases that a mark `quick` does not name are slow; it names cases that there are."""
+    unseen: dict[str, set[str]] = {}
+    for item in items:
+        mark = item.get_closest_marker("quick")
+        if mark is None:
+            continue
+        name, _, case = item.nodeid.removesuffix("]").partition("[")
+        unseen.setdefault(name, set(mark.args)).discard(case)
+        if case not in mark.args:
+            item.add_marker(pytest.mark.slow)
+    wrong = {name: cases for name, cases in unseen.items() if cases}
+    if wrong and not any("::" in each for each in config.args):
+        raise pytest.UsageError(f"the mark quick names cases that there are not: {wrong}")
+
+
 def pytest_deselected(items: Sequence[pytest.Item]) -> None:
     config = items[0].config
     if "not slow" in config.option.markexpr:

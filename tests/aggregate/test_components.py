@@ -40,6 +40,7 @@ def _places(model: YarnScattering, rng: np.random.Generator, count: int) -> tupl
     return Float(rng.uniform(0, width, count)), Float(rng.uniform(0, height, count))
 
 
+@pytest.mark.quick("twill 3/1")
 @pytest.mark.parametrize("name", NAMES)
 def test_colours_are_the_point_models_values(name: str) -> None:
     rng = np.random.default_rng(0)
@@ -63,6 +64,7 @@ def test_colours_have_light_between_yarns() -> None:
     np.testing.assert_allclose(ours, model.evaluate(point, light, view).numpy(), rtol=1e-5, atol=1e-7)
 
 
+@pytest.mark.quick("twill 3/1")
 @pytest.mark.parametrize("name", NAMES)
 def test_components_with_the_albedos_are_the_colours(name: str) -> None:
     rng = np.random.default_rng(1)
@@ -115,6 +117,7 @@ def test_walls_are_rare_from_above_and_stand_below_the_surface() -> None:
         assert not (met.wall & met.point.hole).numpy().any()
 
 
+@pytest.mark.quick("False-twill 3/1", "True-plain")
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("back", [False, True])
 def test_no_view_gets_more_light_than_there_is(name: str, back: bool) -> None:
@@ -187,6 +190,7 @@ def test_the_reference_is_the_mean_of_the_point_model_over_the_parallelogram() -
     assert (np.abs(lobe.numpy()) > 1e-3).mean() > 0.25
 
 
+@pytest.mark.slow
 def test_variances_are_those_of_repeated_estimates() -> None:
     rng = np.random.default_rng(6)
     model = woven("plain")
@@ -199,6 +203,7 @@ def test_variances_are_those_of_repeated_estimates() -> None:
     np.testing.assert_allclose(means.var(axis=0, ddof=1), variances, rtol=0.6)
 
 
+@pytest.mark.slow
 def test_estimates_do_not_depend_on_batches(monkeypatch: pytest.MonkeyPatch) -> None:
     rng = np.random.default_rng(7)
     model = woven("plain")

@@ -67,6 +67,7 @@ def test_tables_of_large_drafts_say_the_same(name: str, monkeypatch: pytest.Monk
     np.testing.assert_allclose(means(model, *queries, back=False), actual, rtol=1e-5, atol=1e-6)
 
 
+@pytest.mark.quick("twill 3/1-True", "plain-False")
 @pytest.mark.parametrize("back", [False, True])
 @pytest.mark.parametrize("name", NAMES)
 def test_means_are_those_of_a_fine_grid(name: str, back: bool) -> None:
@@ -90,6 +91,7 @@ def test_means_are_those_of_a_fine_grid(name: str, back: bool) -> None:
                 np.testing.assert_allclose(mean[number, albedo], exact, atol=0.02 * exact.max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("back", [False, True])
 def test_straight_views_see_the_same(back: bool) -> None:
     rng = np.random.default_rng(2)
@@ -168,6 +170,7 @@ def test_the_repeat_does_not_show() -> None:
     np.testing.assert_allclose(here, there, atol=1e-4)
 
 
+@pytest.mark.quick("641-3")
 @pytest.mark.parametrize(("threads", "colours"), [(641, 3), (1024, 5000)])
 def test_large_drafts(threads: int, colours: int) -> None:
     rng = np.random.default_rng(6)

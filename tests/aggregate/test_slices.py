@@ -93,6 +93,7 @@ def _totals(name: str, texels: int, back: bool, sizes: tuple[float, float]) -> n
     return means[..., :4] @ [0.4, 0.4, 0.6, 0.6]
 
 
+@pytest.mark.quick("plain-True")
 @pytest.mark.parametrize("back", [False, True])
 @pytest.mark.parametrize("name", ["plain", "satin 5/2", "uneven"])
 def test_half_the_step_changes_less_than_a_percent_from_a_quarter_yarn_up(name: str, back: bool) -> None:

@@ -38,6 +38,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 def test_a_baked_fabric_needs_its_draft_no_more(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert model_from_loom("cloth.loom").name == "samples"
     picture = ["--scene", "flat", "--size", "24x16", "--spp", "1", "--zoom", "30"]
@@ -65,6 +66,7 @@ def test_a_baked_fabric_needs_its_draft_no_more(folder: Path, capsys: pytest.Cap
 SHORT = {"clustered": ["--set", "clusters=4", "--set", "texels=32"]}
 
 
+@pytest.mark.quick("lobes")
 @pytest.mark.parametrize("model", slow_among(MODELS, ("neumip", "latent", "neural", "clustered")))
 def test_a_loom_of_any_model_is_rendered(
     model: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
@@ -77,6 +79,7 @@ def test_a_loom_of_any_model_is_rendered(
     assert np.array(mi.Bitmap("held.exr")).std() > 0.01
 
 
+@pytest.mark.slow
 def test_another_model_than_a_loom_holds_is_said(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     capsys.readouterr()
     assert run(["render", "cloth.loom", "--model", "point", "-o", "other.exr", *PICTURE]) == 0
@@ -138,6 +141,7 @@ def test_a_fault_is_one_sentence(
     assert says in error
 
 
+@pytest.mark.slow
 def test_a_catalogue_is_baked_by_processes_and_again_only_what_changed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

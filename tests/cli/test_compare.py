@@ -36,6 +36,7 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "report"
 
 
+@pytest.mark.slow
 def test_the_table(report: Path) -> None:
     table = json.loads((report / "table.json").read_text())
     assert table["fabric"] == "Red & <white>"
@@ -71,6 +72,7 @@ def test_the_page_shows_every_picture(report: Path) -> None:
         assert np.asarray(reference).std() > 0
 
 
+@pytest.mark.slow
 def test_each_scene_is_written_when_it_is_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     rows: list[tuple[str, int]] = []

@@ -61,6 +61,7 @@ def test_defaults_are_those_of_python() -> None:
     assert {name: command[name] for name in shared} == {name: settings[name] for name in shared}
 
 
+@pytest.mark.slow
 def test_the_seed_and_the_exposure(tmp_path: Path) -> None:
     def rendered(name: str, *options: str) -> np.ndarray:
         path = tmp_path / f"{name}.exr"
@@ -97,6 +98,7 @@ def test_what_cannot_be_rendered(options: list[str], expected: str, refused: Cal
     assert expected in refused(["render", "plain", "-o", "a.png", *SMALL, *options])
 
 
+@pytest.mark.slow
 def test_a_rectangle_of_a_scene_file_is_a_mesh(tmp_path: Path) -> None:
     (tmp_path / "scene.xml").write_text(SCENE.format(parameters=""))
     for name, weft in (("dark", "#000000"), ("light", "#ffffff")):
@@ -212,6 +214,7 @@ def test_a_loom_in_other_colours_keeps_its_model(tmp_path: Path) -> None:
     assert model.source.appearance().warp.diffuse_reflect[0, 2] < 1e-6
 
 
+@pytest.mark.slow
 def test_two_cloths_of_one_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     second = '<shape type="rectangle"><transform name="to_world"><translate x="2"/></transform>'
     second += '<bsdf type="diffuse" id="lining"/></shape><shape type="rectangle">'

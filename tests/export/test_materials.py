@@ -114,6 +114,7 @@ def test_khronos_validator_finds_no_fault(exported: Path) -> None:
     assert (issues["numErrors"], issues["numWarnings"]) == (0, 0), issues["messages"]
 
 
+@pytest.mark.slow
 def test_materialx_reads_the_document(tmp_path: Path) -> None:
     folder = export(FABRIC, "materialx", tmp_path / "mtlx", distance=1.0)
     document = MaterialX.createDocument()
@@ -174,6 +175,7 @@ def _cosines(count: int) -> np.ndarray:
     return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=-1)
 
 
+@pytest.mark.slow
 def test_generated_glsl_shines_along_the_axes_of_the_fit(tmp_path: Path) -> None:
     """Reflectance and shadowing of the two standards differ: a fifth of each value.
 
@@ -186,6 +188,7 @@ def test_generated_glsl_shines_along_the_axes_of_the_fit(tmp_path: Path) -> None
     assert fitted[5].max() > 2 * fitted[2].max()
 
 
+@pytest.mark.slow
 def test_generated_glsl_passes_as_much_light_as_the_fit(tmp_path: Path) -> None:
     """In each channel, in the mean over views: to what is taken for the share of the gloss above, a tenth."""
     view = _cosines(1000)
@@ -193,6 +196,7 @@ def test_generated_glsl_passes_as_much_light_as_the_fit(tmp_path: Path) -> None:
     assert generated.mean(0) == pytest.approx(fitted.mean(0), rel=0.1)
 
 
+@pytest.mark.slow
 def test_generated_glsl_reflects_as_the_fit_in_the_mean(tmp_path: Path) -> None:
     """OpenPBR's reflectance rises more at grazing angles: a tenth and a half."""
     directions = _cosines(4000)

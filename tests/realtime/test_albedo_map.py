@@ -33,6 +33,7 @@ def test_other_sizes_are_resampled() -> None:
     np.testing.assert_allclose(unpacked(words), 0.25, atol=1e-3)
 
 
+@pytest.mark.slow
 def test_frames_are_tinted_as_those_of_mitsuba() -> None:
     """A map that is unlike in all four corners, so that a turned one would show."""
     mi.set_variant("llvm_ad_rgb")

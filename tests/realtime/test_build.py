@@ -43,6 +43,7 @@ def test_shaders_come_out_again() -> None:
     assert [name for name in generated if (WGSL / name).read_bytes() != generated[name]] == []
 
 
+@pytest.mark.slow
 def test_generated_text_names_no_file_of_a_machine() -> None:
     for path in WGSL.iterdir():
         assert b".slang" not in path.read_bytes(), path
@@ -55,6 +56,7 @@ def test_shaders_need_neither_wide_numbers_nor_halves() -> None:
         assert not re.search(r"\b(f64|i64|u64|f16)\b|enable ", path.read_text(encoding="utf-8")), path
 
 
+@pytest.mark.slow
 def test_shaders_bind_no_more_storage_buffers_than_every_adapter() -> None:
     """WebGPU promises eight a stage, and some of Apple's adapters have no more."""
     texts = {path.name: path.read_text(encoding="utf-8") for path in WGSL.iterdir()}
@@ -75,12 +77,14 @@ def run(*command: str | Path) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+@pytest.mark.quick("point")
 @pytest.mark.parametrize("model", REALTIME_MODELS)
 def test_spirv_is_valid(model: str, tmp_path: Path) -> None:
     (tmp_path / "library.spv").write_bytes(library_code("spirv", model))
     run("spirv-val", "--target-env", "vulkan1.1", tmp_path / "library.spv")
 
 
+@pytest.mark.slow
 def test_networks_compile_to_cooperative_vectors() -> None:
     """Debian's validator is older than the extension; `docs/research/notes/realtime.md` has what did."""
     options = ("-DCOOPERATIVE", "-profile", "spirv_1_6", "-O0", "-skip-spirv-validation")

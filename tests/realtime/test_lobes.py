@@ -60,6 +60,7 @@ def pairs(rows: NDArray[np.float32]) -> Array2f:
     return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
 
 
+@pytest.mark.slow
 @fabrics
 def test_estimate_over_groups(name: str) -> None:
     model = lobes_of(name)
@@ -91,6 +92,7 @@ def test_a_frame_of_tables_baked_on_the_adapter_is_that_of_python() -> None:
     assert share_beyond(frames[1], frames[0]) <= MAX_FLIPS
 
 
+@pytest.mark.slow
 def test_mean_albedos_of_coloured_threads() -> None:
     model = lobes_of("wool-houndstooth")
     queries = Queries(model)
@@ -112,6 +114,7 @@ def test_mean_albedos_of_coloured_threads() -> None:
         assert share_beyond(found[:, column], np.array(values)) <= MAX_FLIPS
 
 
+@pytest.mark.quick("silk-satin")
 @fabrics
 def test_queries_of_lobes(name: str) -> None:
     model = lobes_of(name)
@@ -123,6 +126,7 @@ def test_queries_of_lobes(name: str) -> None:
     assert share_beyond(found.T, value) <= 2 * MAX_FLIPS
 
 
+@pytest.mark.slow
 def test_a_frame_shades_the_footprints_of_its_pixels() -> None:
     """Against the Python model at footprints that this test derives from the camera."""
     size, side, distance = 32, 0.5, 0.6

@@ -41,6 +41,7 @@ def frame(fabric: Fabric, distance: float, **options: Any) -> Picture:
     return renderer.render(from_distance(distance), [DirectionalLight(TOWARDS)], **options)
 
 
+@pytest.mark.quick("silk-satin-0.2")
 @pytest.mark.parametrize(
     ("name", "distance"), [("denim", 0.01), ("wool-houndstooth", 0.05), ("silk-satin", 0.2)]
 )
@@ -59,6 +60,7 @@ def test_frames_are_those_of_mitsuba(name: str, distance: float) -> None:
     assert flip_mean(found, expected, np.ones((SIZE, SIZE), bool)) <= 0.03
 
 
+@pytest.mark.slow
 def test_passes_of_lobes_tend_to_the_mean_over_pixels() -> None:
     """Close up, where one pass takes eight points of each pixel: the mean over pixels is that of `point`."""
     fabric = load_fabric(EXAMPLES / "organza.toml")
@@ -113,6 +115,7 @@ def test_an_edit_shows_at_once_and_compiles_nothing() -> None:
     assert renderer.adapter._pipelines == pipelines
 
 
+@pytest.mark.slow
 def test_fabrics_of_one_frame_keep_apart() -> None:
     """The nearer of two sheets hides the other, whatever their order."""
     shift = np.array([0.0, 0, 0.01])

@@ -129,6 +129,7 @@ def test_sampling_of_lobes() -> None:
     assert share_beyond((found[:, 9:12] / found[:, 3:4])[drawn].T, weight[:, drawn]) <= MAX_FLIPS
 
 
+@pytest.mark.slow
 def test_lobes_are_drawn_with_their_density() -> None:
     """Chi-square of directions and density, both of Slang, for one footprint and a slanted view."""
     model = make_model("lobes", load_fabric(EXAMPLES / "silk-satin.toml"))

@@ -145,6 +145,7 @@ def test_view_and_shadow_rays(layout: ClothLayout) -> None:
     assert np.mean(found[on_yarn, 4] != np.array(free)[on_yarn]) <= MAX_FLIPS
 
 
+@pytest.mark.quick("varied-twill")
 @layouts
 @pytest.mark.parametrize("varied", [False, True], ids=["alike", "varied"])
 def test_queries_of_the_point_model(layout: ClothLayout, varied: bool) -> None:
@@ -170,6 +171,7 @@ def test_view_from_behind_negates_z() -> None:
     np.testing.assert_array_equal(found.T, np.array(to_face_frame(vectors(view), True)))
 
 
+@pytest.mark.slow
 def test_queries_of_yarns_close_up() -> None:
     """Plies, fibres, slubs and hairs of both families, in footprints of a two-thousandth to two threads."""
     rng = generator()

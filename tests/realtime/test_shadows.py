@@ -41,6 +41,7 @@ def open_sheets() -> Renderer:
     return Renderer(two_sheets("organza"), SIZE, "point")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("light", [SUN, LAMP], ids=["directional", "point"])
 def test_open_cloth_shadows_and_shows_as_in_mitsuba(open_sheets: Renderer, light: Light) -> None:
     mi.set_variant("llvm_ad_rgb")
@@ -52,6 +53,7 @@ def test_open_cloth_shadows_and_shows_as_in_mitsuba(open_sheets: Renderer, light
     assert flip_mean(found, expected, np.ones(SIZE, bool)) <= 0.035
 
 
+@pytest.mark.slow
 def test_shadows_are_between_none_and_those_of_opaque_cloth(open_sheets: Renderer) -> None:
     """At a pixel in the shadow of the upper sheet, below it in the picture."""
     shadow = (21, 12)

@@ -46,6 +46,7 @@ def test_no_compiler_is_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyP
         compile_shader(source(tmp_path), "wgsl", ["nothing"])
 
 
+@pytest.mark.slow
 def test_libraries_are_compiled_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(slangc, "LIBRARIES", tmp_path / "none")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))

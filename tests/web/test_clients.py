@@ -9,11 +9,22 @@ from pathlib import Path
 import pytest
 
 from tests.limits import HANG
+from tests.marks import slow
 
 WEB = Path(__file__).parents[2] / "web"
+# Half of the time.
+LONG = ("editor/test/never_dead.test.ts", "fabric/test/edit.test.ts")
 
 
-@pytest.mark.parametrize("arguments", [("tsc", "--noEmit", "--project", "tsconfig.json"), ("vitest", "run")])
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("tsc", "--noEmit", "--project", "tsconfig.json"),
+        ("vitest", "run", *(f"--exclude={file}" for file in LONG)),
+        slow(("vitest", "run", *LONG)),
+    ],
+    ids=["types", "tests", "long tests"],
+)
 def test_types_and_tests_of_the_clients(arguments: tuple[str, ...]) -> None:
     program = WEB / "node_modules" / ".bin" / arguments[0]
     if shutil.which("node") is None or not program.exists():

@@ -24,6 +24,7 @@ from loomlight.viewer.openness_json import openness_json
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry
 from tests.limits import HANG
+from tests.marks import slow
 
 ROOT = Path(__file__).parents[2]
 WEB = ROOT / "web"
@@ -108,18 +109,22 @@ def _ray_words(fabric: Fabric) -> NDArray[np.uint32]:
 
 
 @pytest.fixture(scope="module")
-def pairs(tmp_path_factory: pytest.TempPathFactory) -> list[Pair]:
+def pairs(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> dict[int, Pair]:
+    """Of the fabrics that the chosen tests are of, by their numbers."""
     node = shutil.which("node")
     if node is None or not (WEB / "node_modules").is_dir():
         pytest.skip("needs Node, and `npm install` in web/: scripts/setup.sh does both")
-    fabrics = [*map(load_fabric, EXAMPLES), *map(fabric_from_text, [*TEXTS, FOUND])]
+    sources = [*EXAMPLES, *TEXTS]
+    chosen = {item.callspec.params["number"] for item in request.session.items if _is_of_a_fabric(item)}
+    numbers = [*sorted(chosen), len(sources)]
+    fabrics = [_fabric_of(sources[number]) for number in numbers[:-1]] + [fabric_from_text(FOUND)]
     folder = tmp_path_factory.mktemp("packed")
     questions = [_question(fabric) for fabric in fabrics]
     questions[-1] |= {"openness": None, "rays": _ray_words(fabrics[-1]).ravel().tolist()}
     (folder / "questions.json").write_text(json.dumps(questions))
     command = [node, "loomlight-web/tools/pack_report.mjs", str(folder / "questions.json"), str(folder)]
     subprocess.run(command, cwd=WEB, check=True, timeout=HANG)
-    result = []
+    result = {}
     for number, fabric in enumerate(fabrics):
         plan = plan_bake(fabric.layout(), DEFAULT_GROUPS)
         served = questions[number]["openness"]
@@ -128,11 +133,23 @@ def pairs(tmp_path_factory: pytest.TempPathFactory) -> list[Pair]:
         packed = pack_fabrics([(fabric.layout(), fabric.appearance())], [UV_SIZE_MM], [plan])
         names = ("fabrics", "families", "words", "bake", "steps")
         page = {name: (folder / f"{number}.{name}").read_bytes() for name in names}
-        result.append(Pair(packed, plan, page))
+        result[numbers[number]] = Pair(packed, plan, page)
     return result
 
 
-NUMBERS = range(len(EXAMPLES) + len(TEXTS))
+def _is_of_a_fabric(item: Any) -> bool:
+    return item.path == Path(__file__) and hasattr(item, "callspec") and "number" in item.callspec.params
+
+
+def _fabric_of(source: Path | str) -> Fabric:
+    return load_fabric(source) if isinstance(source, Path) else fabric_from_text(source)
+
+
+# The quick ones have holes, plies, light between yarns and many colours.
+NUMBERS = [
+    number if number in (0, *range(len(EXAMPLES) + 2, len(EXAMPLES) + 6)) else slow(number)
+    for number in range(len(EXAMPLES) + len(TEXTS))
+]
 
 
 def _assert_alike(ours: NDArray[np.void], theirs: NDArray[np.void], names: list[str]) -> None:
@@ -147,7 +164,7 @@ def _assert_alike(ours: NDArray[np.void], theirs: NDArray[np.void], names: list[
 
 
 @pytest.mark.parametrize("number", NUMBERS)
-def test_records_are_those_of_python(pairs: list[Pair], number: int) -> None:
+def test_records_are_those_of_python(pairs: dict[int, Pair], number: int) -> None:
     pair = pairs[number]
     for name, ours in (("fabrics", pair.packed.fabrics), ("families", pair.packed.families)):
         theirs = np.frombuffer(pair.page[name], ours.dtype)
@@ -155,7 +172,7 @@ def test_records_are_those_of_python(pairs: list[Pair], number: int) -> None:
 
 
 @pytest.mark.parametrize("number", NUMBERS)
-def test_words_are_those_of_python(pairs: list[Pair], number: int) -> None:
+def test_words_are_those_of_python(pairs: dict[int, Pair], number: int) -> None:
     """Whole numbers bit for bit, others within rounding; axes of colours are compared by what they make."""
     packed, page = pairs[number].packed, pairs[number].page
     ours, theirs = packed.words, np.frombuffer(page["words"], np.uint32)
@@ -179,7 +196,7 @@ def _colour_words(packed: Packed, family: np.void) -> slice:
 
 
 @pytest.mark.parametrize("number", NUMBERS)
-def test_colours_over_footprints_are_those_of_python(pairs: list[Pair], number: int) -> None:
+def test_colours_over_footprints_are_those_of_python(pairs: dict[int, Pair], number: int) -> None:
     """Albedos of every thread, and their integrals over all prefixes of the repeat."""
     packed, page = pairs[number].packed, pairs[number].page
     theirs = np.frombuffer(page["words"], np.uint32)
@@ -213,7 +230,7 @@ def test_colours_over_footprints_are_those_of_python(pairs: list[Pair], number: 
 
 
 @pytest.mark.parametrize("number", NUMBERS)
-def test_bakes_are_told_what_python_tells_them(pairs: list[Pair], number: int) -> None:
+def test_bakes_are_told_what_python_tells_them(pairs: dict[int, Pair], number: int) -> None:
     pair = pairs[number]
     record = _bake_record(pair.plan, pair.packed.fabrics, 0)
     theirs = np.frombuffer(pair.page["bake"], numpy_type("Bake"))
@@ -223,9 +240,10 @@ def test_bakes_are_told_what_python_tells_them(pairs: list[Pair], number: int) -
     assert (same | np.isclose(steps.view(np.float32), their_steps.view(np.float32), rtol=ROUNDING)).all()
 
 
-def test_openness_is_fitted_as_python_fits_it(pairs: list[Pair]) -> None:
+def test_openness_is_fitted_as_python_fits_it(pairs: dict[int, Pair]) -> None:
     """The fit, and the colours that follow, of the same rays in single precision."""
-    packed, page = pairs[-1].packed, pairs[-1].page
+    pair = pairs[len(EXAMPLES) + len(TEXTS)]
+    packed, page = pair.packed, pair.page
     theirs = np.frombuffer(page["fabrics"], packed.fabrics.dtype)[0]
     ours = packed.fabrics[0]
     assert theirs["openness"] == ours["openness"]

@@ -67,6 +67,7 @@ def test_recordings_give_the_bytes_of_traces(monkeypatch: pytest.MonkeyPatch) ->
         _assert_same(tables_of(fabric, per_family), _traced(fabric, per_family, monkeypatch))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("ends", "uneven"), [(12, True), (12, False), slow(641, True)])
 def test_uneven_and_large_drafts(ends: int, uneven: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """Threads that differ are read from tables, and texels of large drafts are counted in batches."""
@@ -74,6 +75,7 @@ def test_uneven_and_large_drafts(ends: int, uneven: bool, monkeypatch: pytest.Mo
     _assert_same(tables_of(cloth, 2), _traced(cloth, 2, monkeypatch))
 
 
+@pytest.mark.slow
 def test_edits_of_heights_are_launched_from_recordings() -> None:
     """Otherwise they would be no faster than tracing."""
     tables_of(_fabric_of("twill 3/1", 0.5), 8)
@@ -83,6 +85,7 @@ def test_edits_of_heights_are_launched_from_recordings() -> None:
     assert [function.recordings for function in RECORDED] == before
 
 
+@pytest.mark.slow
 def test_recordings_are_bounded() -> None:
     for per_family in range(1, 12):
         tables_of(_fabric_of("plain", 0.5), per_family)
@@ -90,6 +93,7 @@ def test_recordings_are_bounded() -> None:
         assert 1 <= function.kept <= 8, function
 
 
+@pytest.mark.slow
 def test_collecting_garbage_at_every_turn_does_no_harm() -> None:
     """Arrays and cloths that are freed at any time: what was baked before and after is the same."""
     threshold = gc.get_threshold()

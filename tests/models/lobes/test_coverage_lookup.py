@@ -87,6 +87,7 @@ def _squares(name: str, relative: float, seed: int) -> tuple[NDArray[np.float64]
     return centres, np.full(ANISOTROPIC_TAPS, relative * coverage.base_size)
 
 
+@pytest.mark.quick("long rib-1.0")
 @pytest.mark.parametrize("relative", ERRORS)
 @pytest.mark.parametrize("name", TEXTS)
 def test_means_are_those_of_squares(name: str, relative: float) -> None:

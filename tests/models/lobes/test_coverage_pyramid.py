@@ -30,6 +30,7 @@ def test_levels_are_a_pyramid() -> None:
         assert columns[0] * coverage.base_size >= 3 * geometry.size[0] * (1 - 1e-6)
 
 
+@pytest.mark.slow
 def test_repeats_of_sixteen_threads_are_small() -> None:
     for groups in (8, 64):
         assert LobesModel.for_source(random_cloth(16, 16), groups).tables.nbytes < 2_000_000

@@ -61,6 +61,7 @@ def test_groups_hidden_from_above_lie_where_others_of_their_family_do() -> None:
     assert (after.sum(axis=(1, 2)) > 0).all()
 
 
+@pytest.mark.quick("8-filled cloth")
 @pytest.mark.parametrize("text", FABRICS.values(), ids=FABRICS)
 @pytest.mark.parametrize("degrees", [8, 52])
 def test_far_cloth_is_as_bright_as_its_points(text: str, degrees: float) -> None:

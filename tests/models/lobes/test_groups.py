@@ -153,6 +153,7 @@ def test_more_groups_are_narrower(name: str) -> None:
     assert spreads[2] < 0.5 * spreads[1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("per_family", [1, 8])
 def test_a_family_that_a_face_never_shows_does_no_harm(
     per_family: int, monkeypatch: pytest.MonkeyPatch

@@ -54,6 +54,7 @@ def reference_parts(reference: LobesReference, queries: FootprintQueries) -> dic
     return parts | {"hole": np.array([hole for _, hole in actual])}
 
 
+@pytest.mark.quick("smooth satin")
 @pytest.mark.parametrize("name", TEXTS)
 def test_both_agree_on_components_and_holes(name: str) -> None:
     model = model_of(name)
@@ -70,6 +71,7 @@ def test_both_agree_on_components_and_holes(name: str) -> None:
     assert all(values.max() > 0.02 for values in expected.values())
 
 
+@pytest.mark.quick("5")
 @pytest.mark.parametrize("groups", [1, 5, 16])
 def test_both_agree_on_any_number_of_groups(groups: int) -> None:
     """Five leave bytes of padding in each family's last pack."""

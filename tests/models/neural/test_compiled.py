@@ -116,6 +116,7 @@ def test_footprints_that_are_nowhere_read_no_foreign_memory(tmp_path: Path) -> N
     np.testing.assert_allclose(actual, np.ones_like(actual), rtol=1e-5)
 
 
+@pytest.mark.quick("field")
 @pytest.mark.parametrize("name", TABLES)
 def test_any_number_of_queries_is_answered_alike(name: str, tmp_path: Path) -> None:
     weights = weights_of(network(name), tmp_path)

@@ -152,6 +152,7 @@ def test_long_footprints_are_alike_either_way(monkeypatch: pytest.MonkeyPatch, t
     assert error.max() < 1e-3
 
 
+@pytest.mark.slow
 def test_long_footprints_of_twill_err_less_in_rows_of_squares(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where squares of the same sum of variances show moiré: rows of a diagonal that are nearly as far apart
     as a footprint is long."""
@@ -220,6 +221,7 @@ def test_new_fabrics_need_no_new_code(tmp_path: Path) -> None:
     assert misses[0] == misses[-1]
 
 
+@pytest.mark.quick("1000")
 @pytest.mark.parametrize("count", [1, 1000])
 def test_kernels_take_inputs_of_width_one(
     count: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
@@ -262,6 +264,7 @@ def test_queries_that_are_still_computed_are_waited_for(tmp_path: Path) -> None:
     np.testing.assert_array_equal(later.numpy(), expected)
 
 
+@pytest.mark.quick("compiled")
 def test_holes_alone_are_those_of_all(either_way: bool, tmp_path: Path) -> None:
     weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text("plain")
     model = NeuralModel(fabric, encode(fabric, weights, Float), weights)

@@ -88,6 +88,7 @@ def test_a_material_holds_it() -> None:
     np.testing.assert_array_equal(again.encoded.correction, model.encoded.correction)
 
 
+@pytest.mark.slow
 def test_layers_of_two_fabrics_are_mixed(runs: list[str]) -> None:
     satin, twill, weights = (
         fabric_from_text(SATIN, folder="."),
@@ -106,6 +107,7 @@ def test_networks_that_mix_no_bundles_have_none(tmp_path: Path) -> None:
     assert encode(fabric_from_text("plain"), weights, Float, refined=True).correction is None
 
 
+@pytest.mark.slow
 def test_long_repeats_are_fitted_too() -> None:
     fabric = fabric_from_text("satin 33/10")
     encoded = encode(fabric, shipped_weights(), Float, refined=True)

@@ -93,6 +93,7 @@ def test_the_shipped_network_is_that_of_the_shipped_decoder() -> None:
     assert layers[-1][0].shape[0] == OUTPUTS
 
 
+@pytest.mark.slow
 def test_training_lowers_the_divergence_and_goes_on(tmp_path: Path) -> None:
     weights = shipped_weights()
     settings = SamplerSettings(fabrics=2, steps=24, together=2, views=64, lights=16)
