@@ -29,7 +29,6 @@ STEPS = {
     "first light": "window.loomlight.statistics().passes > 0",
     "full picture": "window.loomlight.statistics().preparing === null",
 }
-_SECONDS = 300
 
 
 def browser_cpu_seconds() -> float:
@@ -56,7 +55,7 @@ def first_picture(playwright: Any, port: int) -> dict[str, dict[str, float]]:
         visit.page.goto(f"http://127.0.0.1:{port}/")
         found = {}
         for step, condition in STEPS.items():
-            wait_until(visit.page, condition, _SECONDS)
+            wait_until(visit.page, condition)
             seconds, cpu_seconds = time.perf_counter() - begun, browser_cpu_seconds() - cpu
             found[step] = {"seconds": round(seconds, 1), "cpu_seconds": round(cpu_seconds, 1)}
         return found

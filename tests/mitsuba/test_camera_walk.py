@@ -75,6 +75,7 @@ def pictures(scene: Any, depth: int, count: int, spp: int) -> np.ndarray:
     return np.array(each, dtype=np.float64)[..., :3].mean(axis=-1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("light", "depth"), [("directional", 2), *SLOW])
 def test_blending_changes_no_expectation(monkeypatch: pytest.MonkeyPatch, light: str, depth: int) -> None:
     scene = layers(light)

@@ -57,6 +57,7 @@ def test_off_changes_nothing_and_leaves_nothing_behind(draped: Any) -> None:
     np.testing.assert_allclose(shot(draped, spp=2, denoise="off"), before, rtol=1e-5, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_films_with_alpha_keep_it() -> None:
     film = {"type": "hdrfilm", "width": 32, "height": 24, "pixel_format": "rgba"}
     film |= {"crop_offset_x": 4, "crop_width": 20}

@@ -38,6 +38,7 @@ ALBEDOS = [
 pytestmark = pytest.mark.usefixtures("narrow_network")
 
 
+@pytest.mark.quick("plain-woven_neural")
 @pytest.mark.parametrize("plugin", ["woven_point", "woven_lobes", "woven_neural"])
 @pytest.mark.parametrize("extra", [pytest.param({}, id="plain"), slow(VARIED, id="varied")])
 def test_albedos_have_the_derivatives_of_finite_differences(plugin: str, extra: dict[str, Any]) -> None:
@@ -90,6 +91,7 @@ def picture_scene(plugin: str, integrator: str, depth: int) -> Any:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "integrator",
     ["footprint_path", slow("prb"), slow("path")],

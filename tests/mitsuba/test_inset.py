@@ -30,6 +30,7 @@ def test_it_shows_enough_threads_to_name_the_weave(weave: str, threads: int) -> 
     assert inset.magnification == pytest.approx(inset.side / 240 * whole / distance)
 
 
+@pytest.mark.slow
 def test_the_corner_is_the_picture_from_nearer() -> None:
     """Against a picture of its own from there: same means of texture, footprints and shading."""
     size, cloth = (240, 180), material_bsdf(load_fabric("twill 3/1"))

@@ -93,6 +93,7 @@ def assert_same_expectation(ours: np.ndarray, theirs: np.ndarray) -> None:
     assert np.sqrt(np.mean(z**2)) < 1.25
 
 
+@pytest.mark.quick("rough-area")
 @pytest.mark.parametrize("emitter", EMITTERS)
 @pytest.mark.parametrize("bsdf", [DIFFUSE, ROUGH], ids=["diffuse", "rough"])
 def test_agrees_with_path_without_holes(bsdf: dict[str, Any], emitter: str) -> None:
@@ -102,6 +103,7 @@ def test_agrees_with_path_without_holes(bsdf: dict[str, Any], emitter: str) -> N
     assert_same_expectation(ours, theirs)
 
 
+@pytest.mark.quick("sheet-area")
 @pytest.mark.parametrize("emitter", EMITTERS)
 @pytest.mark.parametrize("bsdf", [MASK, GLASS_SHEET], ids=["mask", "sheet"])
 def test_agrees_with_volpath_through_holes(bsdf: dict[str, Any], emitter: str) -> None:
@@ -324,6 +326,7 @@ def test_gradient_of_a_colour_is_what_finite_differences_say() -> None:
     np.testing.assert_allclose(np.array(dr.grad(params[key])).sum(), difference, rtol=0.05)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("gap", [0.02, 0.03, 0.05])
 def test_the_shadow_of_dense_cloth_misses_less_than_a_thousandth(gap: float) -> None:
     """The floor under a sheet of cloth that covers all of it, in light from straight above."""
@@ -346,6 +349,7 @@ def test_the_shadow_of_dense_cloth_misses_less_than_a_thousandth(gap: float) -> 
     assert missing.max() < 1e-3
 
 
+@pytest.mark.slow
 def test_roulette_of_light_through_holes_changes_no_expectation(monkeypatch: pytest.MonkeyPatch) -> None:
     """The floor under a sheet of which 2 % are holes, below a lamp: at one sample 5 % are the least share."""
     flat = mi.ScalarTransform4f().translate([0, 3, 0]).rotate([1, 0, 0], 90).scale(0.1)
@@ -370,6 +374,7 @@ def test_roulette_of_light_through_holes_changes_no_expectation(monkeypatch: pyt
     assert error < 0.05 * whole.mean(axis=0)[shadow].mean()
 
 
+@pytest.mark.slow
 def test_cloth_that_is_woven_anew_casts_its_own_shadow() -> None:
     texts = ('weave = "plain"\ngap = 0.02', 'weave = "plain"\ngap = 0.5')
     dense, open_ = (fabric_from_text(text) for text in texts)

@@ -49,6 +49,7 @@ def shown(fabric: str, scene: str, zoom: float, model: str, seed: int = 0) -> No
 
 
 # Of the yarns, the cloth is what differs: sett, counts of threads, twist, seed, how much by chance.
+@pytest.mark.quick("point")
 @pytest.mark.parametrize("model", ["lobes", "point"])
 def test_fabrics_scenes_and_views_share_kernels(model: str) -> None:
     first, second = (str(EXAMPLES / f"{name}.toml") for name in ("chino", "gabardine"))
@@ -58,6 +59,7 @@ def test_fabrics_scenes_and_views_share_kernels(model: str) -> None:
     assert new_kernels(lambda: shown(second, "sphere", 9.0, model)) == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("denoise", ["auto", "off"])
 def test_samples_size_and_depth_are_data(denoise: str) -> None:
     def picture(size: tuple[int, int], spp: int, max_depth: int = 8) -> None:

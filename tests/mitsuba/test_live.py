@@ -42,6 +42,7 @@ records = pytest.mark.parametrize("recorded", [False, True])
 slow_unless_recorded = pytest.mark.parametrize("recorded", [slow(False), True])
 
 
+@pytest.mark.quick("point-True")
 @slow_unless_recorded
 @pytest.mark.parametrize("model", ["lobes", "point"])
 def test_edits_show_as_if_the_picture_were_traced_anew(model: str, recorded: bool) -> None:
@@ -66,6 +67,7 @@ def test_edits_show_as_if_the_picture_were_traced_anew(model: str, recorded: boo
     assert (live._launch.n_cached_recordings > 0) == recorded
 
 
+@pytest.mark.slow
 @slow_unless_recorded
 def test_another_weave_shows(recorded: bool) -> None:
     shown = build_scene("flat", material_bsdf("twill 2/1"), **SHOWN)
@@ -107,6 +109,7 @@ def test_nothing_refers_to_itself() -> None:
         gc.enable()
 
 
+@pytest.mark.slow
 @records
 def test_nothing_is_collected_while_calls_are_traced(recorded: bool) -> None:
     shown = build_scene("flat", material_bsdf("plain"), **SHOWN)
@@ -153,6 +156,7 @@ def filmed(film: dict[str, Any]) -> Any:
     return mi.load_dict({"type": "scene", "ball": ball, "sun": light, "sensor": camera})
 
 
+@pytest.mark.quick("1-smooth")
 @pytest.mark.parametrize("film", FILMS)
 @pytest.mark.parametrize("spp", [1, 2])
 def test_pictures_are_what_the_film_would_show(film: str, spp: int) -> None:

@@ -52,6 +52,7 @@ def wrong_values(key: str, value: Any) -> list[Any]:
     return wrong
 
 
+@pytest.mark.quick("woven_point")
 @pytest.mark.parametrize("plugin", PLUGINS)
 def test_every_live_parameter_refuses_wrong_values(plugin: str) -> None:
     scene = scene_of(plugin)
@@ -99,6 +100,7 @@ def test_messages_name_value_and_range(plugin: str) -> None:
         params.update()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plugin", ["woven_point", slow("woven_lobes")])
 def test_both_ends_of_a_range_are_allowed(plugin: str) -> None:
     scene = scene_of(plugin)
@@ -161,6 +163,7 @@ def of_colours(plugin: str, warp: str, interreflection: bool) -> Any:
     return mi.load_dict({"type": plugin, "weave": "twill 2/1", "uv_size": "4,4", "id": "mine", **colours})
 
 
+@pytest.mark.quick("woven_point-1-True")
 @pytest.mark.parametrize("interreflection", [False, True])
 @pytest.mark.parametrize("threads", [1, 3])
 @pytest.mark.parametrize("plugin", ["woven_point", "woven_lobes"])

@@ -55,6 +55,7 @@ def test_a_texture_of_billions_of_pixels_is_refused_before_it_is_read(tmp_path: 
         )
 
 
+@pytest.mark.slow
 def test_the_picture_comes_coarse_then_refined_with_a_close_up() -> None:
     """Of a bare weave on the whole drape, by default; all pictures are whole and of the same light."""
     seen: list[np.ndarray] = []

@@ -53,6 +53,7 @@ def bakings(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return found
 
 
+@pytest.mark.quick("woven_neural-0.3")
 @pytest.mark.parametrize("side", [0.02, 0.3])
 @every_plugin
 def test_weight_is_value_over_density(plugin: str, side: float) -> None:
@@ -75,6 +76,7 @@ def test_weight_is_value_over_density(plugin: str, side: float) -> None:
     np.testing.assert_allclose(np.array(bs.wo + si.wi)[:, passes], 0, atol=1e-6)
 
 
+@pytest.mark.quick("woven_neural")
 @every_plugin
 def test_all_at_once_is_each_alone(plugin: str) -> None:
     """`eval_pdf_sample` against `eval`, `pdf` and `sample`; `eval_and_null_transmission` against both."""
@@ -130,6 +132,7 @@ def test_sampling_follows_its_density(plugin: str, view: tuple[float, float, flo
     assert test.run(significance_level=0.001), getattr(test, "messages", "")
 
 
+@pytest.mark.quick("woven_neural")
 @every_plugin
 def test_colours_and_sheen_bake_nothing(plugin: str, bakings: list[str]) -> None:
     # Light between yarns is no multiple of albedos, and is left out.
@@ -149,6 +152,7 @@ def test_colours_and_sheen_bake_nothing(plugin: str, bakings: list[str]) -> None
     np.testing.assert_allclose(halved, 0.5 * mean_value(woven(plugin, interreflection=False)), rtol=5e-3)
 
 
+@pytest.mark.quick("woven_neural")
 @every_plugin
 def test_editing_yarns_is_the_fabric_of_those_yarns(plugin: str, bakings: list[str]) -> None:
     # With light between yarns the albedos of a colour depend on the yarns, and edits of yarns keep albedos.

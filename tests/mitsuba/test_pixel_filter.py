@@ -161,6 +161,7 @@ def _probe() -> None:
     mi.register_bsdf("step_probe", step_probe())
 
 
+@pytest.mark.quick("gaussian-1")
 @pytest.mark.parametrize("spp", [1, 4, 64])
 @pytest.mark.parametrize("name", FILTERS)
 def test_edges_of_filtered_texture_are_those_of_the_filter(name: str, spp: int) -> None:

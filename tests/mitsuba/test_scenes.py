@@ -257,6 +257,7 @@ def test_outside_mesh_under_outside_sky() -> None:
     assert render(shown.scene, spp=4).mean() > 0.05
 
 
+@pytest.mark.quick("studio")
 @pytest.mark.parametrize("light", ["studio", "sunsky", "point", "directional"])
 def test_lights_come_from_where_they_are_told(light: str) -> None:
     def halves(azimuth: float, elevation: float) -> tuple[float, float]:
@@ -315,6 +316,7 @@ def heights_of(shown: ClothScene) -> np.ndarray:
     return 1000 * np.array(cloth.vertex_positions_buffer()).reshape(-1, 3)[:, 2]
 
 
+@pytest.mark.slow
 def test_edges_are_as_suits_the_scene() -> None:
     """A pinked flat piece close to its paper, a hem of the drape, and no edges unless asked for."""
     counts = {

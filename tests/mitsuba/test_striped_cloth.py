@@ -52,6 +52,7 @@ def picture(model: str, spp: int, rfilter: str, seeds: range) -> np.ndarray:
     return np.asarray(np.mean(shown, axis=0)[..., :3].mean(axis=(0, 2)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rfilter", ["box", slow("gaussian")])
 def test_edges_of_stripes_are_those_of_many_point_samples(rfilter: str) -> None:
     truth = picture("point", 256, rfilter, range(4))

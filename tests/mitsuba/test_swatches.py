@@ -64,6 +64,7 @@ def test_facts_of_a_card() -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_sheet_grows(tmp_path: Path) -> None:
     settings = CardSettings(32, "point", 1, "llvm_ad_rgb", denoise="off")
     seen: list[list[Card]] = []

@@ -76,6 +76,7 @@ def test_a_plane_has_the_value_of_its_bsdf(tmp_path: Path) -> None:
     np.testing.assert_allclose(found.min(axis=0), wanted, rtol=0.06)
 
 
+@pytest.mark.slow
 def test_fibres_across_a_side_are_whole_and_holes_are_found(tmp_path: Path) -> None:
     """Rods of radius 0.1 every 0.5: from above 60 % are holes, and rods are lit from below."""
     btf = TileBtf(loaded(tmp_path, RODS, TOML + "two_sided = true\n"))

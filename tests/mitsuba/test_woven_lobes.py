@@ -222,6 +222,7 @@ def test_from_afar_a_few_samples_are_the_point_models_many() -> None:
     np.testing.assert_allclose(pictures["lobes", 4][lit].mean(), reference[lit].mean(), rtol=0.05)
 
 
+@pytest.mark.slow
 def test_cloths_of_a_scene_are_made_by_one_thread_at_a_time(monkeypatch: pytest.MonkeyPatch) -> None:
     """Mitsuba loads on several threads; Dr.Jit's recordings are made by one."""
     making: list[int] = []

@@ -77,6 +77,7 @@ def test_values_are_those_of_torch(monkeypatch: pytest.MonkeyPatch) -> None:
     np.testing.assert_allclose(found, wanted, atol=1e-4 * wanted.max())
 
 
+@pytest.mark.slow
 def test_two_fabrics_are_mixed_and_extrapolated(runs: list[str]) -> None:
     colours = {"warp_color": "#808080", "weft_color": "#808080", "warp_translucency": 0.0}
     bsdf = woven(other="plain", blend=0.0, **colours)

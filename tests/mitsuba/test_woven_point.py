@@ -198,6 +198,7 @@ def test_albedo_texture_multiplies_the_dye() -> None:
     np.testing.assert_allclose(value, plain * np.array([[0.5], [1.0], [0.25]]), rtol=1e-5)
 
 
+@pytest.mark.slow
 def test_parameters_are_shown_set_and_differentiable() -> None:
     bsdf = woven(sheen_strength=0.5, sheen_roughness=0.3)
     params = mi.traverse(bsdf)

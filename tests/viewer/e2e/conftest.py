@@ -6,8 +6,8 @@ import os
 import shutil
 import time
 import warnings
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -40,6 +40,10 @@ SWIFTSHADER = (
     "--use-angle=swiftshader",
 )
 # Console messages of Chromium about this machine, not about the page.
+# Answers once what a page does after it is painted is done, its own clock or one of a test.
+_SETTLED = """{ const [frame, later] = [requestAnimationFrame, setTimeout];
+  window.settled = () => new Promise((resolve) => frame(() => later(() => later(resolve)))); }"""
+_ACTIONS = ("check", "click", "fill", "press", "select_option", "set_checked", "set_input_files", "tap")
 _LOADING = ("Execution context was destroyed", "Cannot find context", "Frame is not ready")
 _OF_THE_MACHINE = ("No available adapters", "GPU stall due to ReadPixels", "experimental on this platform")
 
@@ -80,6 +84,30 @@ def playwright() -> Iterator[Any]:
         yield started
 
 
+@pytest.fixture(scope="session", autouse=True)
+def settled_actions() -> Iterator[None]:
+    """An action on a part of a page has had its effects when it returns: a busy machine paints later."""
+    try:
+        from playwright.sync_api import Error, Locator
+    except ImportError:
+        yield
+        return
+
+    def settling(act: Callable[..., Any]) -> Callable[..., Any]:
+        def act_and_settle(locator: Any, *arguments: Any, **options: Any) -> Any:
+            done = act(locator, *arguments, **options)
+            with suppress(Error):  # of a page that goes elsewhere
+                locator.page.evaluate("window.settled?.()")
+            return done
+
+        return act_and_settle
+
+    with pytest.MonkeyPatch.context() as patch:
+        for name in _ACTIONS:
+            patch.setattr(Locator, name, settling(getattr(Locator, name)))
+        yield
+
+
 @pytest.fixture(scope="session")
 def browser(client: Path, playwright: Any) -> Iterator[Any]:
     """Chromium without a graphics device: what a page does by itself."""
@@ -102,7 +130,7 @@ def launched(playwright: Any, options: tuple[str, ...]) -> Iterator[Any]:
         started.close()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def served(client: Path) -> Iterator[Served]:
     """The editor behind a server on loopback, opened for a twill."""
     yield from serving(client, Access.for_host("127.0.0.1"))
@@ -120,6 +148,7 @@ def visiting(browser: Any, **options: Any) -> Iterator[Visit]:
     """A tab with a profile of its own; its requests and complaints are written down."""
     context = browser.new_context(viewport={"width": 1280, "height": 800}, **options)
     one = Visit(context.new_page())
+    one.page.add_init_script(_SETTLED)
     one.page.set_default_timeout(1000 * HANG)
     one.page.on("request", lambda request: one.requests.append(request.url))
     one.page.on("pageerror", lambda error: one.complaints.append(str(error)))

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
+
 from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import Visit, wait_until
 from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor
@@ -15,6 +17,7 @@ def _file(name: str, text: str) -> dict[str, Any]:
     return {"name": name, "mimeType": "text/plain", "buffer": text.encode()}
 
 
+@pytest.mark.slow
 def test_a_house_keeps_its_standards(served: Served, visit: Visit) -> None:
     page = visit.page
     open_editor(served, visit)

@@ -25,6 +25,7 @@ def bits_of(page: Any) -> str:
     return drawdown
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES.values(), ids=SIZES)
 def test_denim_fits_into_its_panel(page: Any, size: tuple[int, int]) -> None:
     page.set_viewport_size({"width": size[0], "height": size[1]})
@@ -62,6 +63,7 @@ def test_a_wide_draft_is_scrolled_zoomed_and_edited_over_the_whole_window(page: 
     assert by_id(page, "draft-wide").is_visible()
 
 
+@pytest.mark.slow
 def test_arrows_go_on_beyond_the_window(page: Any) -> None:
     by_id(page, "tab-draft").click()
     by_id(page, "ends-count").fill("640")
@@ -73,6 +75,7 @@ def test_arrows_go_on_beyond_the_window(page: Any) -> None:
     wait_until(page, "document.querySelector('.draft-window output').textContent.startsWith('Ends 4–')")
 
 
+@pytest.mark.slow
 def test_ends_are_threaded_by_an_order_and_long_floats_are_told(page: Any) -> None:
     by_id(page, "tab-weave").click()
     by_id(page, "weave-satin-8-3").click()

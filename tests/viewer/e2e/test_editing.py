@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from tests.limits import HANG
 from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import AXE, Visit, visiting, wait_until
 
@@ -15,12 +17,24 @@ FIXTURES = Path(__file__).parents[2] / "weave" / "fixtures"
 SIZES = {"desk": (1440, 900), "small": (1024, 768), "phone": (390, 844)}
 
 
+@pytest.fixture(scope="module")
+def opened(served: Served, browser: Any) -> Iterator[Visit]:
+    """One page for all tests of a module: to load it takes longer than a test."""
+    with visiting(browser) as visit:
+        open_editor(served, visit)
+        yield visit
+
+
 @pytest.fixture
-def editor(served: Served, visit: Visit) -> Iterator[Any]:
-    """The page, once the cloth is shown."""
-    open_editor(served, visit)
-    yield visit.page
-    assert visit.complaints == []
+def editor(opened: Visit) -> Iterator[Any]:
+    """The page as it opens: a twill, the panel of weaves, no notices. Whatever a test makes is undone."""
+    yield opened.page
+    while by_id(opened.page, "undo").is_enabled():
+        by_id(opened.page, "undo").click()
+    for button in opened.page.get_by_label("Dismiss").all():
+        button.click()
+    by_id(opened.page, "tab-weave").click()
+    assert opened.complaints == []
 
 
 def open_editor(served: Served, visit: Visit, after: str = "") -> None:
@@ -46,11 +60,12 @@ def pixels_of(page: Any) -> list[int]:
 
 def pixels_other_than(page: Any, before: list[int]) -> list[int]:
     """The pixels, once they are others than before."""
-    for _ in range(100):
+    end = time.monotonic() + HANG
+    while time.monotonic() < end:
         now = pixels_of(page)
         if now != before:
             return now
-        page.wait_for_timeout(50)
+        page.wait_for_timeout(20)
     raise AssertionError("the picture stays as it was")
 
 
@@ -180,10 +195,10 @@ def test_saved_files_open_as_the_same_fabric(editor: Any, tmp_path: Path) -> Non
     editor.on("download", lambda download: saved.append(download))
     by_id(editor, "save").click()
     by_id(editor, "save-toml").click()
-    for _ in range(100):
-        if len(saved) == 2:
-            break
-        editor.wait_for_timeout(50)
+    end = time.monotonic() + HANG
+    while len(saved) < 2:
+        assert time.monotonic() < end
+        editor.wait_for_timeout(20)
     files = [tmp_path / download.suggested_filename for download in saved]
     for download, file in zip(saved, files, strict=True):
         download.save_as(file)
@@ -234,10 +249,15 @@ def test_before_and_after_are_wiped(editor: Any) -> None:
     assert pixels_other_than(editor, wiped)
 
 
+@pytest.mark.quick("desk-light")
 @pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm install in web/")
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("size", SIZES.values(), ids=SIZES)
-def test_every_panel_is_accessible_and_fits(editor: Any, size: tuple[int, int], scheme: str) -> None:
+def test_every_panel_is_accessible_and_fits(
+    served: Served, visit: Visit, size: tuple[int, int], scheme: str
+) -> None:
+    open_editor(served, visit)
+    editor = visit.page
     editor.set_viewport_size({"width": size[0], "height": size[1]})
     editor.emulate_media(color_scheme=scheme)
     editor.evaluate(AXE.read_text(encoding="utf-8"))

@@ -73,6 +73,7 @@ def picture_of(content: Path | bytes) -> NDArray[np.uint8]:
     return np.asarray(Image.open(io.BytesIO(content) if isinstance(content, bytes) else content))
 
 
+@pytest.mark.slow
 def test_maps_are_those_of_bake_maps(editor: Any, tmp_path: Path) -> None:
     archive = zipfile.ZipFile(exported(editor, "maps", texels="96"))
     from drjit.llvm import Float
@@ -93,6 +94,7 @@ def test_maps_are_those_of_bake_maps(editor: Any, tmp_path: Path) -> None:
     assert picture_of(archive.read("maps_normal.png")).std() > 10
 
 
+@pytest.mark.slow
 def test_gltf_is_that_of_export(editor: Any) -> None:
     theirs, ours = _images(exported(editor, "gltf").read_bytes()), _images(saved(load_fabric(FABRIC), "glb"))
     assert theirs.keys() == ours.keys() > {"base_color", "normal"}
@@ -113,6 +115,7 @@ def _images(content: bytes) -> dict[str, NDArray[np.uint8]]:
     return found
 
 
+@pytest.mark.slow
 def test_material_is_read_again(editor: Any, tmp_path: Path) -> None:
     file = tmp_path / "twill.loom"
     file.write_bytes(exported(editor, "loom", model="point").read_bytes())

@@ -105,6 +105,7 @@ def test_a_mesh_with_uv_is_worn(page: Any, tmp_path: Path, name: str, text: str)
     assert by_id(page, "notice-fault").count() == 0
 
 
+@pytest.mark.slow
 def test_a_browser_without_webgpu_is_told_so(served: Served, browser: Any) -> None:
     with visiting(browser) as visit:
         visit.page.add_init_script("delete Navigator.prototype.gpu")
@@ -114,6 +115,7 @@ def test_a_browser_without_webgpu_is_told_so(served: Served, browser: Any) -> No
         assert visit.complaints == []
 
 
+@pytest.mark.slow
 def test_a_link_that_was_cut_is_told(served: Served, visit: Visit) -> None:
     open_editor(served, visit, "#f=abc")
     assert "it may have been cut" in by_id(visit.page, "notice-fault").inner_text()

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import Visit, wait_until
 from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor
 
 
+@pytest.mark.slow
 def test_the_gallery_is_searched_and_keeps_fabrics_of_ones_own(served: Served, visit: Visit) -> None:
     page = visit.page
     open_editor(served, visit, "?fabric=denim")

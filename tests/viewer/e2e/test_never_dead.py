@@ -5,13 +5,14 @@ from __future__ import annotations
 import base64
 import json
 import zlib
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit, wait_until
+from tests.viewer.e2e.conftest import Visit, visiting, wait_until
 from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor
 
 THIN = {"weave": "plain", "ends_per_cm": 15, "warp": {"count": "thin"}}
@@ -22,6 +23,15 @@ def page(served: Served, visit: Visit) -> Any:
     """The page, once the cloth is shown."""
     open_editor(served, visit)
     return visit.page
+
+
+@pytest.fixture(scope="module")
+def unchanged(served: Served, browser: Any) -> Iterator[Any]:
+    """One page for tests that leave it as it is."""
+    with visiting(browser) as visit:
+        open_editor(served, visit)
+        yield visit.page
+        assert visit.complaints == []
 
 
 def reload(page: Any) -> None:
@@ -73,8 +83,9 @@ def test_a_count_is_read_as_mills_write_it_and_nonsense_is_told_beside_it(page: 
     ],
 )
 def test_what_cannot_be_is_told_beside_its_field(
-    page: Any, tab: str, field: str, text: str, said: str
+    unchanged: Any, tab: str, field: str, text: str, said: str
 ) -> None:
+    page = unchanged
     kept = page.evaluate("JSON.stringify([window.loomlight.fabric(), window.loomlight.state().scene])")
     by_id(page, f"tab-{tab}").click()
     enter(page, field, text)
@@ -83,8 +94,10 @@ def test_what_cannot_be_is_told_beside_its_field(
     assert (
         page.evaluate("JSON.stringify([window.loomlight.fabric(), window.loomlight.state().scene])") == kept
     )
+    by_id(page, field).press("Escape")  # takes the fault away
 
 
+@pytest.mark.slow
 def test_what_was_kept_and_cannot_be_shown_is_set_aside(page: Any, tmp_path: Path) -> None:
     by_id(page, "tab-weave").click()
     by_id(page, "weave-satin-5-2").click()
@@ -117,6 +130,7 @@ def test_what_was_kept_and_cannot_be_shown_is_set_aside(page: Any, tmp_path: Pat
     assert "count" not in fabric_of(page)["fields"].get("warp", {})
 
 
+@pytest.mark.slow
 def test_a_link_that_cannot_be_shown_is_set_aside(served: Served, visit: Visit) -> None:
     open_editor(served, visit, link_of(THIN))
     assert 'The yarn count "thin" is not known' in by_id(visit.page, "notice-fault").inner_text()
@@ -142,6 +156,7 @@ def test_undo_survives_a_reload_and_so_does_the_light(page: Any) -> None:
         assert fabric_of(page)["fields"]["weave"] == weave
 
 
+@pytest.mark.slow
 def test_a_part_that_fails_says_so_and_the_page_goes_on(page: Any) -> None:
     by_id(page, "weave-plain").click()
     page.evaluate(
@@ -167,6 +182,7 @@ def test_a_part_that_fails_says_so_and_the_page_goes_on(page: Any) -> None:
     assert by_id(page, "draft-grid").is_visible()
 
 
+@pytest.mark.slow
 def test_what_fails_as_soon_as_it_is_given_back_is_set_aside(page: Any) -> None:
     by_id(page, "weave-plain").click()
     wait_until(page, "localStorage.getItem('loomlight.good.1')?.includes('plain')")
@@ -187,6 +203,7 @@ def test_what_fails_as_soon_as_it_is_given_back_is_set_aside(page: Any) -> None:
     assert by_id(page, "guard").count() == 0
 
 
+@pytest.mark.slow
 def test_a_fabric_that_kills_its_tab_is_shown_no_third_time(page: Any) -> None:
     by_id(page, "weave-satin-5-2").click()
     wait_until(page, "location.hash.startsWith('#f=')")
@@ -198,6 +215,7 @@ def test_a_fabric_that_kills_its_tab_is_shown_no_third_time(page: Any) -> None:
     assert "ended without a word" in by_id(page, "notice-fault").inner_text()
 
 
+@pytest.mark.slow
 def test_notices_leave_by_themselves_and_faults_stay(page: Any) -> None:
     by_id(page, "files").set_input_files({"name": "a.txt", "mimeType": "text/plain", "buffer": b""})
     assert by_id(page, "notice-fault").is_visible()

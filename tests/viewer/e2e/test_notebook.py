@@ -107,6 +107,7 @@ def _require_printed(page: Any, number: int, expected: str) -> None:
     raise AssertionError(f"{output.inner_text()} is not {expected}")
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("client")
 def test_page_and_python_follow_each_other(notebook: str, playwright: Any) -> None:
     with launched(playwright, SWIFTSHADER) as browser, visiting(browser) as visit:

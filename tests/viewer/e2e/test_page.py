@@ -57,6 +57,7 @@ def plain_server(tmp_path: Path, client: Path) -> Iterator[str]:
     thread.join()
 
 
+@pytest.mark.slow
 def test_static_folder_needs_no_python(plain_server: str, visit: Visit) -> None:
     visit.page.goto(plain_server)
     visit.page.wait_for_load_state("networkidle")
@@ -76,6 +77,7 @@ def test_static_folder_needs_no_python(plain_server: str, visit: Visit) -> None:
     assert visit.complaints == []
 
 
+@pytest.mark.slow
 def test_address_names_a_fabric_of_the_gallery_and_a_frame_shows_the_cloth_alone(
     served: Served, visit: Visit
 ) -> None:
@@ -86,6 +88,7 @@ def test_address_names_a_fabric_of_the_gallery_and_a_frame_shows_the_cloth_alone
     assert visit.complaints == []
 
 
+@pytest.mark.slow
 def test_edits_go_on_without_the_server_and_nothing_is_lost(client: Path, visit: Visit) -> None:
     running = serving(client, Access.for_host("127.0.0.1"))
     visit.page.goto(f"http://127.0.0.1:{next(running).port}/")
@@ -101,6 +104,7 @@ def test_edits_go_on_without_the_server_and_nothing_is_lost(client: Path, visit:
     assert visit.page.evaluate("window.loomlight.fabric().fields.warp.roughness") == 1
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm install in web/")
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_is_accessible(served: Served, visit: Visit, scheme: str) -> None:

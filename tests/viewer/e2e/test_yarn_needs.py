@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
+
 from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import Visit
 from tests.viewer.e2e.test_editing import by_id, open_editor
@@ -14,6 +16,7 @@ def _write(page: Any, field: str, text: str) -> None:
     by_id(page, f"plan-{field}").press("Enter")
 
 
+@pytest.mark.slow
 def test_a_piece_is_reckoned_kept_and_saved(served: Served, visit: Visit) -> None:
     page = visit.page
     open_editor(served, visit, "?fabric=denim")
