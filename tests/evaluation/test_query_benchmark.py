@@ -159,6 +159,7 @@ def test_known_predictions_get_the_errors_they_have(cloth: HeldOut) -> None:
     assert partly.to_dict()["rows"]["exact"]["metrics"] == {}
 
 
+@pytest.mark.slow
 def test_a_model_by_the_interface(cloth: HeldOut) -> None:
     queries, truth = query_truth(cloth.fabric, 3, 10, 20, with_colours=True)
     actual = model_predictor(lambda fabric: make_model("point", fabric))(cloth.fabric, queries)

@@ -194,6 +194,7 @@ def test_primitives_that_share_arrays_keep_their_own_rows(tmp_path: Path) -> Non
     assert {len(part.mesh.positions) for part in repeated(tmp_path, 20, 10_000)} == {4}
 
 
+@pytest.mark.slow
 def test_what_is_read_again_and_again_is_bounded(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="the same ones again and again"):
         repeated(tmp_path, 2000, 200_000)

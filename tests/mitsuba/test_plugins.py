@@ -31,6 +31,7 @@ def loaded(first: str, second: str, plugin: str) -> subprocess.CompletedProcess[
     return subprocess.run(command, capture_output=True, text=True, timeout=HANG)
 
 
+@pytest.mark.quick("llvm_ad_rgb-scalar_spectral-woven_lobes")
 @pytest.mark.parametrize("plugin", ["woven_lobes", "footprint_path"])
 @pytest.mark.parametrize(
     ("first", "second"),

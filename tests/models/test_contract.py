@@ -173,6 +173,7 @@ def test_answers_are_of_the_right_kind_and_range(name: str, cloth: str) -> None:
     assert (actual.through.numpy() <= actual.parts["hole"]).all()
 
 
+@pytest.mark.quick("neural", "point")
 @separable_models_once
 def test_value_is_made_of_components_and_albedos(name: str) -> None:
     """Chen2024 eq. 8, written out again, for a fabric without sheen whose yarns do not light each other."""
@@ -195,6 +196,7 @@ def test_value_is_made_of_components_and_albedos(name: str) -> None:
     close(actual.value.numpy(), expected)
 
 
+@pytest.mark.quick("neural", "point")
 @every_model_once
 def test_opaque_yarns_send_nothing_to_the_far_side(name: str) -> None:
     opaque = fabric_from_text('weave = "plain"\n[warp]\ntranslucency = 0.0\n[weft]\ntranslucency = 0.0')
@@ -222,6 +224,7 @@ def test_the_cloth_repeats(name: str, cloth: str) -> None:
     close(there.pdf.numpy(), here.pdf.numpy(), 1e-2, lanes)
 
 
+@pytest.mark.quick("latent", "neumip", "neural", "point")
 @every_model
 def test_a_lane_does_not_know_its_neighbours(name: str) -> None:
     model, queried = built(name, "plain"), queries(fabric("plain"), 64, seed=5)
@@ -287,6 +290,7 @@ def in_the_order_of_parts(means: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.concatenate([means[:4], means[5:], means[4:5]])
 
 
+@pytest.mark.quick("neural", "point")
 @separable_models_once
 def test_sheen_is_scaled_by_what_light_reaches_and_by_holes(name: str) -> None:
     """A sheen over black cloth: f·cos is the lobe times (light visibility + hole)."""
@@ -315,6 +319,7 @@ def test_sheen_is_scaled_by_what_light_reaches_and_by_holes(name: str) -> None:
     assert abs((lobe * (scale - true_scale))[near].sum()) < bound * (lobe * true_scale)[near].sum()
 
 
+@pytest.mark.quick("latent-plain", "neumip-plain", "neural-plain", "point-plain", "lobes-plain")
 @every_fabric
 @every_model
 def test_weight_is_value_over_density(name: str, cloth: str) -> None:
@@ -344,6 +349,7 @@ def spread_over(model: Model, view: NDArray[np.float64], size: float, count: int
     return one[np.zeros(count, int)]
 
 
+@pytest.mark.quick("latent-plain-25.0-0.3", "neumip-plain-25.0-0.3", "neural-plain-25.0-0.3", "point-plain-25.0-0.3")
 @pytest.mark.parametrize(("degrees", "size"), [(25.0, 0.3), (70.0, 1.5), (140.0, 0.8)])
 @every_fabric
 @every_model
@@ -374,6 +380,7 @@ def test_directions_are_distributed_by_their_density(
     assert p_value(counts, shares * count) > 1e-3
 
 
+@pytest.mark.quick("lobes-False", "point-False", "point-True", "neural-False")
 @pytest.mark.parametrize("between_yarns", [False, True])
 @every_model_once
 def test_no_light_is_made(name: str, between_yarns: bool) -> None:

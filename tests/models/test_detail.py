@@ -56,6 +56,7 @@ def test_chi_square_of_turned_frames(towards: tuple[float, float, float]) -> Non
     assert p_value(cell_counts(drawn), cell_shares(density) * count) > 1e-4
 
 
+@pytest.mark.slow
 def test_lobes_and_point_agree_close_up() -> None:
     """In footprints of a hundredth of a thread one point is evaluated, its detail and its colour included."""
     rng, count = np.random.default_rng(12), 2000
@@ -77,6 +78,7 @@ def test_lobes_from_afar_know_no_detail() -> None:
     np.testing.assert_allclose(*values, rtol=1e-4, atol=1e-6)
 
 
+@pytest.mark.quick("point")
 @pytest.mark.parametrize("name", ["point", "lobes"])
 def test_weights_are_values_over_densities(name: str) -> None:
     rng, count = np.random.default_rng(14), 4000

@@ -99,6 +99,7 @@ asked_of = [(name, SHARED) for name in CHEAP]
 asked_of += [pytest.param(name, (), marks=pytest.mark.slow) for name in model_names()]
 
 
+@pytest.mark.quick("neural-chosen2")
 @pytest.mark.parametrize(("name", "chosen"), asked_of)
 def test_no_answer_depends_on_what_was_asked_before(name: str, chosen: tuple[str, ...]) -> None:
     """Any question comes before and after any other, of objects that were asked nothing else."""
@@ -136,6 +137,7 @@ def test_parameters_are_read_and_nothing_else_happens(name: str) -> None:
         np.testing.assert_array_equal(value(model), before)
 
 
+@pytest.mark.slow
 def test_light_between_yarns_of_close_ups_is_that_of_their_points() -> None:
     """Footprints of a fifth of a thread, against the mean over points of the same footprints."""
     cloth = fabric_from_text(CLOTH)

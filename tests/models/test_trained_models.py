@@ -34,6 +34,7 @@ STEPS = {"neumip": 400, "latent": 800}
 TOLERANCES = {"neumip": {"rtol": 0.25, "atol": 0.004}, "latent": {"rtol": 0.3, "atol": 0.006}}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [slow("neumip"), "latent"])
 def test_means_of_the_whole_cloth_are_learned_on_both_faces(name: str) -> None:
     """The front shows more warp, the back more weft: red and blue."""

@@ -5,6 +5,7 @@ Covers: papers/zeltner2024/analytic_brdfs.py
 
 from __future__ import annotations
 
+import pytest
 from pathlib import Path
 
 import numpy as np
@@ -40,6 +41,7 @@ def test_no_brdf_reflects_more_than_arrives() -> None:
             assert albedo.max() < 1.1
 
 
+@pytest.mark.slow
 def test_files_are_those_of_the_library(tmp_path: Path) -> None:
     write_analytic_library(tmp_path, 2)
     read, made = load_merl(tmp_path), analytic_library(2)

@@ -69,6 +69,7 @@ def test_what_is_read_is_what_was_computed(made):
     assert truth.max() > 0.1
 
 
+@pytest.mark.slow
 def test_several_processes_write_the_same_bytes(made, tmp_path):
     path = tmp_path / "shared.zarr"
     make_store(path, NUMBERS[1:], SETTINGS, Float, "test", executor=Executor(workers=2))
@@ -113,6 +114,7 @@ def test_materials_that_are_finished_are_left_alone(copied, monkeypatch):
     assert told == [(2, 3), (3, 3)]
 
 
+@pytest.mark.slow
 def test_killed_at_any_moment_and_run_again_the_bytes_are_the_same(made, tmp_path):
     path = tmp_path / "killed.zarr"
     code = (

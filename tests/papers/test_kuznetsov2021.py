@@ -86,6 +86,7 @@ def test_seconds_become_steps(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     ] == {"steps": 4, "cpu_seconds": pytest.approx(8)}
 
 
+@pytest.mark.slow
 def test_table_3_has_levels_and_keeps_its_trainings(setting: Setting) -> None:
     first = tables.by_level(setting).tables[0].rows
     places = list((setting.runs / "kuznetsov2021").iterdir())

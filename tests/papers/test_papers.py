@@ -173,6 +173,7 @@ def test_missing_trainings_are_named_with_their_commands(tmp_path: Path) -> None
     assert all((CHEN2024 / f"{name}.toml").is_file() for name in NETWORKS.values())
 
 
+@pytest.mark.slow
 def test_the_command_writes_and_adds(
     setting: Setting, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -5,6 +5,7 @@ Covers: papers/zeltner2024/six_layers.py
 
 from __future__ import annotations
 
+import pytest
 from collections import Counter
 from pathlib import Path
 from xml.etree import ElementTree
@@ -77,6 +78,7 @@ def test_speedups_are_over_the_reference() -> None:
     assert actual == {"reference": 4.0, "2x32": 2.0, "speedup 2x32": 2.0}
 
 
+@pytest.mark.slow
 def test_first_pictures_find_no_kernels(tmp_path: Path) -> None:
     """A process of its own compiles them again, which takes several times as long as a small picture."""
     setting = Setting(size=(16, 9), samples=1, model="latent", runs=tmp_path)

@@ -69,6 +69,7 @@ def test_ablation_has_six_metrics_of_each_rung(setting: Setting, monkeypatch: py
     assert len(list((setting.runs / "zeltner2024").glob("*.loom"))) == 2
 
 
+@pytest.mark.slow
 def test_the_whole_sphere_of_the_default_network(setting: Setting) -> None:
     summary, one = tables.whole(setting).tables
     assert summary.columns == one.columns == ["2×32"]

@@ -45,7 +45,7 @@ def evaluated(weights: Layers, biases: Layers, rows: NDArray[np.float32]) -> NDA
 CASES = [*((name, "half") for name in SHAPES), ("odd", "float"), ("4 × 25", "shared")]
 
 
-@pytest.mark.quick("4 × 25-shared", "odd-float")
+@pytest.mark.quick("odd-float", "odd-half")
 @pytest.mark.parametrize(("name", "storage"), CASES)
 def test_networks_are_numpys(name: str, storage: str) -> None:
     """Weights as halves or singles in a buffer, and as halves in the memory of a workgroup."""

@@ -88,6 +88,7 @@ def test_bound_needs_perpendicular_tangents() -> None:
     assert returned(0.0) < 0.51
 
 
+@pytest.mark.slow
 def test_cloth_never_returns_more_than_it_gets() -> None:
     """White furnace over all parameter ranges: specular and diffuse, both sides, sheen on top."""
     rng = np.random.default_rng(12)

@@ -42,6 +42,7 @@ def test_points_are_uniform_on_the_sphere() -> None:
     assert np.abs(np.linalg.norm(points, axis=1) - 1).max() < 1e-6
 
 
+@pytest.mark.quick("normal1-0.3", "normal2-1.0")
 @pytest.mark.parametrize("blend", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize("normal", NORMALS)
 def test_samples_follow_their_density(normal: np.ndarray, blend: float) -> None:

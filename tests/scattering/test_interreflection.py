@@ -82,6 +82,7 @@ def test_openness_is_shares() -> None:
     assert openness.interior[0, 0] > openness.interior[0, 1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("angle", [slow(8), 55])
 def test_cloth_shines_as_paths_through_it_say(angle: float) -> None:
     fabric, view = cloth(), direction(angle, 25)

@@ -104,6 +104,7 @@ def _points(model: YarnScattering, view: mi.Vector3f, count: int, seed: int) -> 
 VIEWS = (5.0, 35.0, 60.0, 80.0, 88.0, 100.0, 135.0, 172.0)
 
 
+@pytest.mark.quick("0-35.0", "1-80.0", "2-135.0", "3-60.0", "4-5.0", "5-172.0")
 @pytest.mark.parametrize("degrees", VIEWS)
 @pytest.mark.parametrize("seed", range(6))
 def test_directions_are_distributed_by_their_density(seed: int, degrees: float) -> None:
@@ -171,6 +172,7 @@ def test_weight_is_value_over_density(seed: int) -> None:
         assert np.isfinite(weight).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("batch", [0, slow(1), slow(2)])
 def test_cloth_never_sends_back_more_than_it_gets(batch: int) -> None:
     """White furnace over all ranges, point by point; `experiments/white_furnace.py` goes further."""
@@ -237,6 +239,7 @@ def test_holes_pass_light_straight_through() -> None:
     assert np.allclose(model.straight_through(point, view).numpy(), passes)
 
 
+@pytest.mark.slow
 def test_tabulated_shadows_keep_the_albedo() -> None:
     exact = random_model(2)
     layout = YarnGeometry(exact.surface.layout)

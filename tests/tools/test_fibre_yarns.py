@@ -68,6 +68,7 @@ def test_fibres_lie_in_the_tubes_of_their_yarns(plies: int) -> None:
         assert np.abs(off).max() > 0.85 * line.half_width
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("twist", [-0.4, 0.3])
 def test_fibres_twist_as_asked_in_both_families(twist: float) -> None:
     """On top of its yarn a fibre runs along cos ψ e_along − sin ψ e_across; a weft's frame is turned."""

@@ -66,6 +66,7 @@ def test_both_families_twist_alike() -> None:
         assert turn.sum() * (1 if one.is_warp else -1) > 0
 
 
+@pytest.mark.slow
 def test_a_tile_is_written_and_traced(tmp_path: Path) -> None:
     """Red warps reflect red, from both sides; holes are between the yarns."""
     source = load_source(write_fibre_tile(TWILL, tmp_path / "tile", SMALL))

@@ -131,6 +131,7 @@ CASES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("draft", "inclination", "back"), CASES)
 def test_shadows_are_those_of_ray_casts(draft: np.ndarray, inclination: float, back: bool) -> None:
     layout = even_layout(draft, SPACING, GAP, inclination)
@@ -171,6 +172,7 @@ def _raised(direction: mi.Vector3f, angle: float) -> mi.Vector3f:
     return mi.Vector3f(direction.x * scale, direction.y * scale, dr.sin(elevation))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("draft", "inclination", "back"), CASES)
 def test_parallax_is_that_of_ray_casts(draft: np.ndarray, inclination: float, back: bool) -> None:
     layout = even_layout(draft, SPACING, GAP, inclination)

@@ -71,6 +71,7 @@ def test_bins_of_the_square_are_of_equal_area_and_interpolate_directions() -> No
     assert np.abs(actual - wanted).mean() < 0.01
 
 
+@pytest.mark.slow
 def test_densities_are_those_of_the_fibre_layer() -> None:
     tables = model().tables
     maps = feature_maps(YarnGeometry(model().fabric.layout()), tables.counts, Float)
@@ -161,6 +162,7 @@ def test_the_base_over_a_box_is_the_mean_of_the_base_of_its_texels() -> None:
         )
 
 
+@pytest.mark.quick("False")
 @pytest.mark.parametrize("controlled", [True, False])
 def test_estimates_are_unbiased(controlled: bool) -> None:
     """Against all texels of the same boxes; colours of threads differ, and light comes from either side."""

@@ -5,6 +5,7 @@ Covers: models/clustered/gaussians.py, models/clustered/parallax.py
 
 from __future__ import annotations
 
+import pytest
 import math
 
 import drjit as dr
@@ -25,6 +26,7 @@ from ..fabrics import directions, vectors
 require_llvm()
 
 
+@pytest.mark.slow
 def test_lobes_follow_the_horizons() -> None:
     table = HorizonMap(YarnGeometry(even_layout(TWILL)), (32, 32), Float)
     fitted = fitted_gaussians(table.sine, Float)
@@ -61,6 +63,7 @@ def _one_by_one(lobes: np.ndarray, direction: np.ndarray) -> list[float]:
     return found
 
 
+@pytest.mark.slow
 def test_mean_offsets_are_those_of_rays() -> None:
     geometry = YarnGeometry(even_layout(TWILL))
     counts = (32, 32)

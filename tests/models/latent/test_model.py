@@ -5,6 +5,7 @@ Covers: models/latent/settings.py
 
 from __future__ import annotations
 
+import pytest
 from dataclasses import replace
 from pathlib import Path
 
@@ -26,6 +27,7 @@ require_llvm()
 TWILL = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]\ncolor = "#2040c0"')
 
 
+@pytest.mark.slow
 def test_levels_are_chosen_in_proportion_to_their_distance() -> None:
     """The mean of stochastic values is the mixture of both levels' values; trilinear ones mix latents."""
     trained = make_model("latent", TWILL, steps=30)

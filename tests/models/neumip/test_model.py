@@ -84,6 +84,7 @@ def test_the_baseline_without_offset_comes_back_from_a_file(tmp_path: Path) -> N
     assert NeumipModel.from_loom(loom).weights.shape.footprint_texels == 1
 
 
+@pytest.mark.slow
 def test_texels_are_bytes_in_files_and_floats_where_bytes_would_round(tmp_path: Path) -> None:
     """Files of before hold floats: those open too."""
     model = make_model("neumip", TWILL)

@@ -84,6 +84,7 @@ def shown(model: NeumipModel, queries: Queries) -> NDArray[np.float32]:
     return found
 
 
+@pytest.mark.slow
 def test_files_keep_the_sampler_network_which_learns_what_the_decoders_scatter(tmp_path: Path) -> None:
     weights = train_neumip(TWILL, short(), tmp_path / "run")
     file = tmp_path / "twill.loom"

@@ -119,6 +119,7 @@ def test_half_precision_is_for_processors_that_compute_with_it(
         assert torch.is_autocast_enabled("cpu") == computed
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("optimiser", [slow("adam"), "soap"])
 def test_interrupted_training_ends_with_the_same_weights(
     dataset: Path, tmp_path: Path, optimiser: str
