@@ -96,7 +96,7 @@ def test_settings_of_another_kind_are_refused(settings: dict[str, Any], says: st
 
 
 def test_a_shift_beyond_single_precision_is_refused() -> None:
-    with pytest.raises(InputError, match="shift = .* is out of range"):
+    with pytest.raises(InputError, match=r"shift = .* is out of range"):
         Placement(shift=(1e300, 0))
 
 

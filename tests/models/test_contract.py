@@ -349,7 +349,9 @@ def spread_over(model: Model, view: NDArray[np.float64], size: float, count: int
     return one[np.zeros(count, int)]
 
 
-@pytest.mark.quick("latent-plain-25.0-0.3", "neumip-plain-25.0-0.3", "neural-plain-25.0-0.3", "point-plain-25.0-0.3")
+@pytest.mark.quick(
+    "latent-plain-25.0-0.3", "neumip-plain-25.0-0.3", "neural-plain-25.0-0.3", "point-plain-25.0-0.3"
+)
 @pytest.mark.parametrize(("degrees", "size"), [(25.0, 0.3), (70.0, 1.5), (140.0, 0.8)])
 @every_fabric
 @every_model

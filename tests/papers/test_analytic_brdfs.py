@@ -5,10 +5,10 @@ Covers: papers/zeltner2024/analytic_brdfs.py
 
 from __future__ import annotations
 
-import pytest
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from loomlight.assets.merl import load_merl
 from papers.zeltner2024.analytic_brdfs import (

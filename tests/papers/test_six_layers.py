@@ -5,12 +5,12 @@ Covers: papers/zeltner2024/six_layers.py
 
 from __future__ import annotations
 
-import pytest
 from collections import Counter
 from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
+import pytest
 
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.material_queries import MaterialReflectance

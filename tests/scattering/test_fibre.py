@@ -107,7 +107,9 @@ def views_for_sampling() -> list[tuple[str, np.ndarray, np.ndarray]]:
     ]
 
 
-@pytest.mark.quick("oblique-view1-tangent1-0.3", "grazing-view2-tangent2-0.1", "nearly along the fibre-view3-tangent3-0.6")
+@pytest.mark.quick(
+    "oblique-view1-tangent1-0.3", "grazing-view2-tangent2-0.1", "nearly along the fibre-view3-tangent3-0.6"
+)
 @pytest.mark.parametrize("roughness", ROUGHNESSES)
 @pytest.mark.parametrize(("name", "view", "tangent"), views_for_sampling())
 def test_samples_follow_their_density(

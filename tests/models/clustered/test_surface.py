@@ -5,11 +5,11 @@ Covers: models/clustered/gaussians.py, models/clustered/parallax.py
 
 from __future__ import annotations
 
-import pytest
 import math
 
 import drjit as dr
 import numpy as np
+import pytest
 from drjit.llvm.ad import Array2f, Array3f, Array4f, Bool, Float, UInt32
 
 from experiments.tabulated_visibility import unoccluded

@@ -5,12 +5,12 @@ Covers: models/latent/settings.py
 
 from __future__ import annotations
 
-import pytest
 from dataclasses import replace
 from pathlib import Path
 
 import drjit as dr
 import numpy as np
+import pytest
 from drjit.llvm.ad import Array2f, Array3f, Float
 
 from loomlight.assets.loom_file import write_loom
