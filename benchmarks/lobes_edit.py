@@ -28,7 +28,7 @@ from experiments.scene_edits import SceneEdits
 from experiments.timing import timed
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf
-from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS
+from loomlight.mitsuba.bsdf_samples import model_bsdfs
 from loomlight.mitsuba.live import LivePicture
 from loomlight.models.lobes import model as lobes_model
 
@@ -65,7 +65,7 @@ class Bench:
             self.edits.apply({parameter: 0.1 + 0.8 * value})
 
     def _weave(self, weave: str) -> None:
-        (cloth,) = (s.bsdf() for s in self.shown.scene.shapes() if s.bsdf() in MODEL_BSDFS)
+        (cloth,) = (s.bsdf() for s in self.shown.scene.shapes() if s.bsdf() in model_bsdfs())
         cloth.set_source(fabric_from_text(weave))
 
     def edited(self, name: str, number: int) -> None:
