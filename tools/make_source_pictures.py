@@ -122,8 +122,11 @@ def main() -> None:
     parser.add_argument("--samples", type=int, default=64)
     parser.add_argument("--side", type=int, default=320, help="pixels of a picture")
     parser.add_argument("--exposure", type=float, default=1.0, help="a factor")
+    parser.add_argument("--below", action="store_true", help="models are below their sources")
     options = parser.parse_args()
     found = [_picture(file, options) for file in options.files]
+    if options.below:
+        found = [np.concatenate(pair) for pair in zip(found[::2], found[1::2], strict=True)]
     pixels = np.rint(255 * np.concatenate(found, axis=1).clip(0, 1)).astype(np.uint8)
     Image.fromarray(pixels).save(options.output, quality=_QUALITY)
 

@@ -1,7 +1,7 @@
 """Makes pictures of kinds of yarn in docs/images, rendered in the studio.
 
     python -m tools.make_yarn_sheet [--pixels N] [--threads N] [--spp N] [--only NAME,…] [-o FILE.jpg]
-    python -m tools.make_yarn_sheet --gaps
+    python -m tools.make_yarn_sheet --gaps [--spp N] [-o FILE.jpg]
     python -m tools.make_yarn_sheet --fibres [--spp N] [--only NAME,…] [-o FILE.jpg]
 
 The first makes yarns.jpg, a close-up of every kind. The second makes yarn-gaps.jpg: six kinds at 10, 30, 100
@@ -170,7 +170,7 @@ def main() -> None:
     options = parser.parse_args()
     choose_variant(None)
     if options.gaps:
-        gaps_sheet(options.spp or SAMPLES).save(GAPS_FILE, quality=84)
+        gaps_sheet(options.spp or SAMPLES).save(options.output or GAPS_FILE, quality=84)
         return
     if options.fibres:
         names = options.only.split(",") if options.only else OF_GAPS

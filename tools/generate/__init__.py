@@ -1,0 +1,1 @@
+"""What is generated and kept: pictures of the documentation."""
