@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from loomlight.core.images import write_png
+from loomlight.core.images import write_pixels
 from loomlight.fabric import load_fabric
 from loomlight.mitsuba import cloth_shapes
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Environment, Mesh, Renderer
@@ -34,7 +34,7 @@ def main(output: str) -> None:
     sky = Environment.read(EXAMPLES / "room.exr")
     sun = DirectionalLight(towards=(-0.6, 0.8, 0.5), irradiance=(1.5, 1.45, 1.35))
     picture = Renderer(pieces, size=SIZE).render(camera, [sun], environment=sky, passes=PASSES)
-    write_png(output, picture.srgb[..., :3])
+    write_pixels(output, picture.srgb[..., :3])
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 from loomlight.core.errors import InputError
-from loomlight.core.images import encoded, write_png
+from loomlight.core.images import encoded, write_pixels
 from loomlight.fabric import Fabric, load_fabric
 from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.measured_scenes import measured_scene
@@ -72,4 +72,4 @@ def _wrapped(text: str, draw: ImageDraw.ImageDraw, font: Any, width: int) -> lis
 
 if __name__ == "__main__":
     choose_variant()
-    write_png(sys.argv[1], np.asarray(sheet()))
+    write_pixels(sys.argv[1], np.asarray(sheet()))
