@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
@@ -24,6 +25,8 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.viewer.access import Access, Guard
 from loomlight.viewer.answers import ANSWERS, answer
 from loomlight.viewer.draft_reader import MAX_UPLOAD, DraftReader
+from loomlight.viewer.picture import MAX_BYTES
+from loomlight.viewer.picture_worker import PictureMaker
 from loomlight.viewer.session import gallery_pictures, session
 from loomlight.viewer.uploads import TooLargeResponse, UploadTooLargeError, read_body
 
@@ -53,12 +56,14 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
     readers = [[DraftReader() for _ in range(count)] for count in _READERS]
     lanes = [anyio.CapacityLimiter(count) for count in _READERS]
     bakery = anyio.CapacityLimiter(1)
+    maker = PictureMaker()
 
     @asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncIterator[None]:
         yield
         for reader in (each for idle in readers for each in idle):
             reader.close()
+        maker.close()
 
     async def get_session(request: Request) -> Response:
         return JSONResponse(first, headers={"cache-control": "no-store"})
@@ -76,10 +81,26 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
         headers = {} if made.name is None else {"content-disposition": disposition}
         return Response(made.content, media_type=made.media_type, headers=headers)
 
+    async def draw(request: Request) -> Response:
+        content = await read_body(request, MAX_BYTES)
+
+        async def watch() -> None:
+            while (await request.receive())["type"] != "http.disconnect":
+                pass
+            maker.stop(request)  # nobody waits for the picture
+
+        watching = asyncio.create_task(watch())
+        try:
+            png = await anyio.to_thread.run_sync(maker.picture, content, request)
+        finally:
+            watching.cancel()
+        return Response(png, media_type="image/png", headers={"content-encoding": "identity"})
+
     return Starlette(
         routes=[
             Route("/api/session", _answered(get_session)),
             Route("/api/wif", _answered(read_draft), methods=["POST"]),
+            Route("/api/picture", _answered(draw), methods=["POST"]),
             *(Route(f"/{place}", _answered(make), methods=["POST"]) for place in ANSWERS),
             Route("/api/{rest:path}", _answered(_unknown), methods=["GET", "POST"]),
             Mount("/gallery", StaticFiles(directory=gallery_pictures())),

@@ -4,13 +4,15 @@ import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import type { Server } from "./api.ts";
 import { ServerError } from "./api.ts";
+import { Edited } from "./controls/written.tsx";
 import { ExportDialog } from "./ExportDialog.tsx";
-import { ACCEPTED, download, fabricFiles, MESHES, openFabric, pngOf, stemOf, wifFile } from "./files.ts";
+import { ACCEPTED, download, fabricFiles, MESHES, NoDraft, openFabric, pngOf, stemOf, wifFile } from "./files.ts";
 import { Guard } from "./Guard.tsx";
 import type { Health } from "./health.ts";
 import { addCard, CARDS } from "./keeping/cards.ts";
 import { linkOf } from "./link.ts";
 import { Notices } from "./Notices.tsx";
+import { PhotographQuestion, type Meant } from "./PhotographQuestion.tsx";
 import { OpennessSource } from "./openness.ts";
 import { ColourPanel } from "./panels/ColourPanel.tsx";
 import { DraftPanel } from "./panels/DraftPanel.tsx";
@@ -53,6 +55,7 @@ export function App({ store, server, health, onView }: Props) {
   const [isDropping, setDropping] = useState(false);
   const [isFlat, setFlat] = useState(false);
   const [isExporting, setExporting] = useState(false);
+  const [question, setQuestion] = useState<{ readonly name: string; readonly answer: (meant: Meant) => void } | null>(null);
   const view = useRef<ClothView | null>(null);
   const chooser = useRef<HTMLInputElement>(null);
   const { dispatch } = store;
@@ -63,7 +66,8 @@ export function App({ store, server, health, onView }: Props) {
     return store.subscribe(setState);
   }, [store]);
 
-  const tell = (kind: Notice["kind"], text: string): void => dispatch({ type: "notice/add", kind, text });
+  const tell = (kind: Notice["kind"], text: string, topic?: Notice["topic"]): void =>
+    dispatch({ type: "notice/add", kind, text, ...(topic === undefined ? {} : { topic }) });
 
   const [answers, setAnswers] = useState(0);
   const openness = useMemo(() => {
@@ -82,21 +86,33 @@ export function App({ store, server, health, onView }: Props) {
   };
 
   /** Runs what may fail with a sentence for the user. */
-  const attempt = async (act: () => Promise<void>): Promise<void> => {
+  const attempt = async (act: () => Promise<void>, topic?: Notice["topic"]): Promise<void> => {
     try {
       await act();
     } catch (error) {
-      tell("fault", messageOf(error));
+      if (!(error instanceof NoDraft)) tell("fault", messageOf(error), topic);
     }
   };
 
-  const open = (files: readonly File[]): Promise<void> =>
-    attempt(async () => {
+  /** What a picture is that looks like a photograph; a print is laid on the cloth. */
+  const askOf = async (file: File): Promise<boolean> => {
+    const meant = await new Promise<Meant>((answer) => setQuestion({ name: file.name, answer }));
+    setQuestion(null);
+    if (meant === "print") await openPrint(file);
+    return meant === "drawdown";
+  };
+
+  const open = (files: readonly File[]): Promise<void> => {
+    // What was said of earlier files is no more of use.
+    dispatch({ type: "notice/clear", topic: "file" });
+    return attempt(async () => {
       const mesh = files.find((file) => MESHES.test(file.name));
       const picture = files.find((file) => SURROUNDINGS.test(file.name));
       if (mesh !== undefined) {
         const { readOwnMesh } = await import("./view/own_mesh.ts");
-        setOwnMesh(await readOwnMesh(mesh));
+        const { shape, warnings } = await readOwnMesh(mesh);
+        setOwnMesh(shape);
+        for (const warning of warnings) tell("warning", warning, "file");
         dispatch({ type: "scene/set", scene: { shape: "mesh" } });
       }
       if (picture !== undefined) {
@@ -107,15 +123,16 @@ export function App({ store, server, health, onView }: Props) {
       // A table beside a fabric file is one of its measurements.
       const cards = files.some((file) => /\.toml$/i.test(file.name)) ? [] : files.filter((file) => CARDS.test(file.name));
       for (const card of cards) {
-        for (const warning of await addCard(card)) tell("warning", warning);
+        for (const warning of await addCard(card)) tell("warning", warning, "file");
         dispatch({ type: "tab/show", tab: "colour" });
       }
       const rest = files.filter((file) => file !== mesh && file !== picture && !cards.includes(file));
       if (rest.length === 0) return;
-      const { fabric, warnings } = await openFabric(rest, server);
+      const { fabric, warnings } = await openFabric(rest, server, askOf);
       dispatch({ type: "fabric/open", fabric });
-      for (const warning of warnings.slice(0, 2)) tell("warning", warning);
-    });
+      for (const warning of warnings.slice(0, 2)) tell("warning", warning, "file");
+    }, "file");
+  };
 
   const choose = (accepted: string): void => {
     const input = chooser.current!;
@@ -215,6 +232,7 @@ export function App({ store, server, health, onView }: Props) {
       <Guard part="cloth" store={store} health={health} shown={seen}>
         <Stage
           tables={tables}
+          pictures={server !== null && server.hasPython && server.host === null ? (stage, signal) => server.picture(stage, signal) : null}
           hasPython={server?.hasPython ?? false}
           state={state}
           dispatch={dispatch}
@@ -237,7 +255,7 @@ export function App({ store, server, health, onView }: Props) {
         <Tabs tab={state.tab} onTab={(tab) => dispatch({ type: "tab/show", tab })} />
         <div class="panel-body" role="tabpanel" id="panel" aria-labelledby={`tab-${state.tab}`} tabIndex={-1}>
           <Guard key={state.tab} part={`${TAB_NAMES[state.tab].toLowerCase()} panel`} store={store} health={health} shown={seen}>
-            {panels[state.tab]()}
+            <Edited.Provider value={state.fabric}>{panels[state.tab]()}</Edited.Provider>
           </Guard>
         </div>
       </aside>
@@ -255,6 +273,7 @@ export function App({ store, server, health, onView }: Props) {
           <ExportDialog fabric={state.fabric} server={server} view={view.current} onClose={() => setExporting(false)} />
         </Guard>
       )}
+      {question !== null && <PhotographQuestion name={question.name} onAnswer={question.answer} />}
       {isDropping && (
         <div class="dropping" aria-hidden="true">
           Drop a draft, a fabric or a mesh

@@ -68,6 +68,12 @@ export function ExportDialog({ fabric, server, view, onClose }: Props) {
     return () => clearInterval(timer);
   }, [work?.began]);
 
+  // What is said of a file holds for what was chosen then.
+  useEffect(() => {
+    setDone(null);
+    setFault(null);
+  }, [kind, width, height, isTransparent, texels, model, fabric]);
+
   const isServed = kind !== "picture";
   const isOff = isServed && (server === null || !server.hasPython);
 

@@ -10,10 +10,13 @@ import type { Dispatch } from "./state/store.ts";
 import { makeView, type ClothView, type Print, type SurroundingsPicture } from "./view/cloth_view.ts";
 import { builtInShape, type ClothShape } from "./view/meshes.ts";
 import { isServed, type TableSource } from "./view/served_models.ts";
+import type { PictureSource } from "./view/stage_pictures.ts";
 
 interface Props {
   /** Makes tables of models that the page does not bake itself. */
   readonly tables: TableSource;
+  /** Has the stage rendered by Python; null where that cannot be. */
+  readonly pictures: PictureSource | null;
   /** Whether there is Python to make them. */
   readonly hasPython: boolean;
   readonly state: State;
@@ -41,6 +44,9 @@ const SHAPE_NAMES: readonly (readonly [Shape, string])[] = [
   ["mesh", "Yours"],
 ];
 
+/** What is said of a picture by Python. */
+const RENDERED = { asked: "the server renders this …", shown: "rendered by the server" } as const;
+
 /** By mouse or by two fingers. */
 const CLOSER = matchMedia("(pointer: coarse)").matches ? "pinch to come closer" : "scroll to come closer";
 
@@ -57,7 +63,7 @@ export const MODEL_NAMES: Readonly<Record<Model, readonly [string, string]>> = {
 const NEEDS_PYTHON = "Python makes the tables of this model, and this page runs without it: start loomlight view.";
 
 export function Stage(props: Props) {
-  const { tables, hasPython, state, dispatch, ownMesh, surroundings, print, openness, answers, onMesh, onView, children } = props;
+  const { tables, pictures, hasPython, state, dispatch, ownMesh, surroundings, print, openness, answers, onMesh, onView, children } = props;
   const host = useRef<HTMLDivElement>(null);
   const [view, setView] = useState<ClothView | null>(null);
   const [reason, setReason] = useState<string | null>(null);
@@ -67,6 +73,7 @@ export function Stage(props: Props) {
   const [zoom, setZoom] = useState(0);
   const [isTouched, setTouched] = useState(false);
   const [preparing, setPreparing] = useState<string | null>("Preparing the light …");
+  const [refining, setRefining] = useState<string | null>(null);
   const [broken, setBroken] = useState<unknown>(null);
   // What fails between renders is for whoever guards the stage.
   if (broken !== null) throw broken;
@@ -77,7 +84,7 @@ export function Stage(props: Props) {
   useEffect(() => {
     let made: ClothView | null = null;
     let isGone = false;
-    void makeView(host.current!, tables, onFault).then(({ view: next, reason: why }) => {
+    void makeView(host.current!, tables, pictures, onFault).then(({ view: next, reason: why }) => {
       if (isGone) return next.dispose();
       made = next;
       setView(next);
@@ -127,9 +134,10 @@ export function Stage(props: Props) {
       }
       if (now - told > 250) {
         told = now;
-        const { frameMs: last, preparing: words } = view.statistics();
+        const { frameMs: last, preparing: words, refining: share, rendered } = view.statistics();
         setFrameMs(last);
         setPreparing(words);
+        setRefining(rendered !== null ? RENDERED[rendered] : share === null ? null : `refining ${Math.floor(100 * share)} %`);
         setZoom(view.zoom);
       }
       handle = requestAnimationFrame(draw);
@@ -196,6 +204,11 @@ export function Stage(props: Props) {
         <button type="button" class="icon-button" aria-label="Show the whole cloth" title="Show the whole cloth" data-testid="frame-whole" onClick={() => view?.frameWhole()}>
           <Icon name="frame" />
         </button>
+        {refining !== null && (
+          <output class="refining" title="This adapter takes long for a picture as fine as the screen" data-testid="refining">
+            {refining}
+          </output>
+        )}
         <output class="frame-time" title="Time of the last frame" data-testid="frame-time">
           {frameMs > 0 ? `${frameMs < 10 ? frameMs.toFixed(1) : Math.round(frameMs)} ms` : "–"}
         </output>

@@ -133,16 +133,24 @@ export class Server {
     return (await response.json()) as Openness;
   }
 
+  /** The picture of a stage by Python, which takes seconds; see `requestOf`. */
+  async picture(stage: Uint8Array<ArrayBuffer>, signal: AbortSignal): Promise<Blob> {
+    return (await this.post("api/picture", stage, signal)).blob();
+  }
+
   /** Tells the notebook of an edit; does nothing for a page of its own. */
   async tell(fabric: FabricJson): Promise<void> {
     if (this.host !== null) await this.post("api/fabric", JSON.stringify(fabric));
   }
 
-  private async post(place: string, body: string | ArrayBuffer): Promise<Response> {
+  private async post(place: string, body: string | ArrayBuffer | Uint8Array<ArrayBuffer>, signal?: AbortSignal): Promise<Response> {
     if (!this.hasPython) throw new ServerError(ALONE);
-    if (this.host !== null) return checked(await this.host.ask(place, body));
+    if (this.host !== null) {
+      if (ArrayBuffer.isView(body)) throw new ServerError(ALONE);
+      return checked(await this.host.ask(place, body));
+    }
     const token = this.session.token;
-    return reach(place, { method: "POST", body, headers: token === null ? {} : { "X-Loomlight-Token": token } });
+    return reach(place, { method: "POST", body, signal: signal ?? null, headers: token === null ? {} : { "X-Loomlight-Token": token } });
   }
 }
 

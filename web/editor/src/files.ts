@@ -4,6 +4,7 @@ import {
   draftOfPixels,
   InputError,
   loadDraft,
+  looksPhotographed,
   readToml,
   readWif,
   requireInterlacing,
@@ -35,12 +36,19 @@ export interface Opened {
   readonly warnings: readonly string[];
 }
 
+/** Asks whether a picture that looks like a photograph is a drawdown all the same. */
+export type Ask = (file: File) => Promise<boolean>;
+
+/** A picture that was not to be read after all. */
+export class NoDraft extends Error {}
+
 /**
  * The fabric of files that belong together: a fabric file and its draft, or a draft alone.
  *
+ * @throws NoDraft a picture that looks like a photograph, and is one.
  * @throws InputError no such files, or ones that cannot be used; the message names the file.
  */
-export async function openFabric(files: readonly File[], server: Server | null): Promise<Opened> {
+export async function openFabric(files: readonly File[], server: Server | null, ask: Ask): Promise<Opened> {
   const warnings: string[] = [];
   const warn = (text: string): number => warnings.push(text);
   const aside = files.find((file) => /\.json$/i.test(file.name));
@@ -57,10 +65,10 @@ export async function openFabric(files: readonly File[], server: Server | null):
     const named = fields.draft ?? fields.image ?? "";
     if (draft === undefined)
       throw new InputError(`${toml.name} needs its draft, ${named}: open both files together.`);
-    return { fabric: { fields, draft: await readDraft(draft, server, warn) }, warnings };
+    return { fabric: { fields, draft: await readDraft(draft, server, ask, warn) }, warnings };
   }
   if (draft === undefined) throw new InputError("No file was chosen.");
-  const read = await readDraft(draft, server, warn);
+  const read = await readDraft(draft, server, ask, warn);
   const fields: FabricFields = PICTURES.test(draft.name) ? { image: draft.name } : { draft: draft.name };
   return { fabric: { fields, draft: read }, warnings };
 }
@@ -76,17 +84,17 @@ async function openAside(file: File): Promise<Opened> {
   }
 }
 
-async function readDraft(file: File, server: Server | null, warn: (text: string) => void): Promise<Draft> {
-  const draft = await draftOfFile(file, server, warn);
+async function readDraft(file: File, server: Server | null, ask: Ask, warn: (text: string) => void): Promise<Draft> {
+  const draft = await draftOfFile(file, server, ask, warn);
   return speakingOf(file.name, () => {
     requireInterlacing(draft);
     return draft;
   });
 }
 
-async function draftOfFile(file: File, server: Server | null, warn: (text: string) => void): Promise<Draft> {
+async function draftOfFile(file: File, server: Server | null, ask: Ask, warn: (text: string) => void): Promise<Draft> {
   if (/\.wif$/i.test(file.name)) return readWif(new Uint8Array(await file.arrayBuffer()), file.name, warn);
-  if (PICTURES.test(file.name)) return draftOfPicture(file);
+  if (PICTURES.test(file.name)) return draftOfPicture(file, ask);
   if (OTHER_DRAFTS.test(file.name)) {
     if (server === null || !server.hasPython)
       throw new InputError(`${file.name} is read by \`loomlight view\`, which this page runs without: export it as .wif.`);
@@ -97,7 +105,7 @@ async function draftOfFile(file: File, server: Server | null, warn: (text: strin
   throw new InputError(`${file.name} is neither a fabric (.toml) nor a draft (.wif or a picture of a drawdown).`);
 }
 
-async function draftOfPicture(file: File): Promise<Draft> {
+async function draftOfPicture(file: File, ask: Ask): Promise<Draft> {
   let bitmap: ImageBitmap;
   try {
     bitmap = await createImageBitmap(file);
@@ -108,6 +116,7 @@ async function draftOfPicture(file: File): Promise<Draft> {
   const context = canvas.getContext("2d")!;
   context.drawImage(bitmap, 0, 0);
   const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+  if (looksPhotographed(data) && !(await ask(file))) throw new NoDraft();
   return draftOfPixels(data, bitmap.width, bitmap.height, file.name);
 }
 

@@ -18,7 +18,7 @@ export { asLiftplan, asTreadling, deriveLoomPlan, movedShafts, planDrawdown, wea
 export { namedWeave, weaveNames } from "./named.ts";
 export { clamp, rint } from "./numbers.ts";
 export { fromPalette, pickRows, repeatDraft, WARP_COLOUR, WEFT_COLOUR, withPalette } from "./palette.ts";
-export { draftOfPixels } from "./picture.ts";
+export { draftOfPixels, looksPhotographed } from "./picture.ts";
 export * from "./orders.ts";
 export * from "./spacing.ts";
 export * from "./textile.ts";

@@ -6,6 +6,8 @@ type Rgb = readonly [number, number, number];
 
 /** Rec. 709: how bright an eye finds each component. */
 const LUMA: Rgb = [0.2126, 0.7152, 0.0722];
+/** Colours of a drawing: a photograph, or one that was squeezed as a photograph, has more. */
+const DRAWN_COLOURS = 12;
 /** Distances in RGB: of colours that count as two, and, as a share of theirs, of pixels that count as one. */
 const DISTINCT = 0.1;
 const ALIKE = 0.25;
@@ -52,6 +54,14 @@ export function draftOfPixels(rgba: Uint8ClampedArray, width: number, height: nu
     });
   }
   return makeDraft(structure, { name: file.replace(/\.[^.]*$/, "") });
+}
+
+/** Whether a picture has more colours than one that was drawn, as photographs have. */
+export function looksPhotographed(rgba: Uint8ClampedArray): boolean {
+  const colours = new Set<number>();
+  for (let at = 0; at < rgba.length && colours.size <= DRAWN_COLOURS; at += 4)
+    colours.add((rgba[at + 3]! << 24) | (rgba[at]! << 16) | (rgba[at + 1]! << 8) | rgba[at + 2]!);
+  return colours.size > DRAWN_COLOURS;
 }
 
 function squared(one: Rgb, other: Rgb): number {

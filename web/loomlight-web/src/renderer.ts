@@ -1,6 +1,7 @@
 /** Renders meshes of cloth on WebGPU; see `realtime/renderer.py`, whose frames it makes. */
 import { clamp, InputError, type Draft, type FabricFields } from "loomlight-fabric";
 
+import { areasOf, pixelsOf, taken, type Area } from "./areas.ts";
 import type { Openness } from "./fabric/between_yarns.ts";
 import { DEFAULT_ENVIRONMENT_SAMPLES, DEFAULT_SAMPLES } from "./generated.ts";
 import { ClothBuffers } from "./gpu/cloth_buffers.ts";
@@ -20,6 +21,8 @@ const OWN_MODELS: readonly ModelName[] = ["lobes", "point"];
 const MAX_PASSES = 256;
 // Of a preview: on software adapters more would keep the processor from compiling.
 const PREVIEW_PASSES = 4;
+// Milliseconds between two showings of a picture that is made of areas: each is one of the whole canvas.
+const SHOWS_EVERY = 1000;
 
 /** How a renderer is made. */
 export interface RendererOptions extends DeviceOptions {
@@ -31,7 +34,7 @@ export interface RendererOptions extends DeviceOptions {
   readonly transparent?: boolean;
   /** A renderer whose device this one uses, so that `wipe` can show both. */
   readonly shareWith?: ClothRenderer;
-  /** Milliseconds that a pass may take; null for pictures that are always as fine as the canvas. */
+  /** Milliseconds that passes may take; null for pictures that are always as fine as the canvas, each pass in one go. */
   readonly budget?: Budget | null;
 }
 
@@ -66,6 +69,11 @@ export class ClothRenderer {
   /** What the device could not compile, a sentence each. */
   private missing: readonly string[] = [];
   private isPending = false;
+  /** Areas that the pass which has begun still lacks. */
+  private areas: Area[] = [];
+  private shownAt = 0;
+  /** Whether the picture at rest is refined to the size of the canvas; see `holdRefining`. */
+  private refines = true;
   private other: { readonly renderer: ClothRenderer; readonly split: number } | null = null;
   private done = { passes: 0, frameMs: 0, editMs: 0, bakeKernels: 0, bakes: 0, openings: 0, writes: 0, writtenBytes: 0 };
 
@@ -267,6 +275,19 @@ export class ClothRenderer {
     this.passes.resize(width, height);
   }
 
+  /**
+   * Whether a picture at rest that takes many submissions stays as coarse as it is for now: where something else makes
+   * it meanwhile, on the same processor.
+   */
+  holdRefining(isHeld: boolean): void {
+    this.refines = !isHeld;
+  }
+
+  /** Milliseconds that a pass of the size of the canvas takes, as far as measured; 0 before the first. */
+  get passMs(): number {
+    return this.pace?.expected(this.width * this.height) ?? 0;
+  }
+
   /** Shows `other`, which shares this one's device, right of `split` (0 at the left edge, 1 at the right); null ends it. */
   wipe(other: ClothRenderer | null, split = 0.5): void {
     if (other !== null && other.device !== this.device)
@@ -277,8 +298,9 @@ export class ClothRenderer {
   /**
    * One pass, shown on the canvas: call it at every animation frame.
    *
-   * Coarse while something moves on a slow adapter, finer at rest, where passes add up. It never waits: while shaders
-   * compile or the adapter is busy, it returns what there is.
+   * Coarse while something moves on a slow adapter, finer at rest, where passes add up: at last as fine as the canvas, from
+   * the middle on, an area at a time. It never waits: while shaders compile or the adapter is busy, it returns what there
+   * is.
    */
   frame(): FrameReport {
     const mine = this.advance(this.view);
@@ -291,6 +313,7 @@ export class ClothRenderer {
     return {
       ...mine,
       passes: Math.min(mine.passes, others.passes),
+      refined: Math.min(mine.refined, others.refined),
       isComplete: mine.isComplete && others.isComplete,
     };
   }
@@ -303,8 +326,9 @@ export class ClothRenderer {
   async render(passes: number): Promise<void> {
     const plan = await this.whole();
     this.passes.forget();
+    this.areas = [];
+    this.begin(plan, this.width, this.height, false);
     for (let pass = 0; pass < passes; pass++) {
-      this.begin(plan, this.width, this.height);
       this.addPass(plan);
       await this.device.gpu.queue.onSubmittedWorkDone();
     }
@@ -325,12 +349,24 @@ export class ClothRenderer {
     const passes = new Passes(this.device, width, height);
     try {
       await passes.compiled;
-      passes.begin(keyOfView(view, []), view, this.require(), width, height);
+      const all = { x: 0, y: 0, width, height };
+      const pixels = this.pace?.pixels ?? Infinity;
+      passes.begin(keyOfView(view, []), view, this.require(), width, height, pixelsOf(all) > pixels);
       const most = Math.min(options.passes, this.mostPasses);
-      for (let pass = 1; pass <= most; pass++) {
-        passes.add(view, this.require(), plan, this.samples);
-        await this.device.gpu.queue.onSubmittedWorkDone();
-        onPass?.(pass / most);
+      for (let pass = 0; pass < most; pass++) {
+        const areas = passes.isAveraged ? areasOf(width, height, this.pace?.pixels ?? Infinity) : [all];
+        for (let left = pixelsOf(all); left > 0; ) {
+          const next = taken(areas, passes.isAveraged ? (this.pace?.pixels ?? Infinity) : Infinity);
+          const begin = performance.now();
+          if (passes.isAveraged) for (const area of next) passes.addArea(area, view, this.require(), plan, this.samples);
+          else passes.add(view, this.require(), plan, this.samples);
+          await this.device.gpu.queue.onSubmittedWorkDone();
+          const done = next.reduce((sum, area) => sum + pixelsOf(area), 0);
+          this.pace?.measured(performance.now() - begin, done);
+          left -= done;
+          onPass?.((pass + 1 - left / pixelsOf(all)) / most);
+        }
+        if (passes.isAveraged) passes.endPass();
       }
       return { width, height, pixels: await this.pixelsOf(passes), linear: await this.linearOf(passes) };
     } finally {
@@ -417,29 +453,74 @@ export class ClothRenderer {
 
   private advance(view: View): FrameReport {
     this.view = view;
-    const full = this.width * this.height;
     const plan = this.isPending ? null : this.prepare(!this.wasWhole);
     if (plan === null) return this.report(false);
     this.plan = plan;
     this.wasWhole ||= !plan.isPreview;
-    const most = plan.isPreview ? PREVIEW_PASSES : this.mostPasses;
     if (!this.passes.shows(this.keyOf(plan))) {
-      this.pace?.moved(full);
-    } else if (this.pace?.rested(full)) {
-      this.passes.forget();
-    } else if (this.passes.count >= most) {
+      this.pace?.moved(this.width * this.height);
+      this.beginPicture(plan);
+    } else {
       this.passes.expose(this.view, this.require());
-      return this.report(!plan.isPreview);
+      if (this.areas.length === 0 && !this.beginPass(plan)) return this.report(!plan.isPreview && this.isFull);
     }
-    const divisor = this.pace?.divisor ?? 1;
-    const [width, height] = [this.width, this.height].map((side) => Math.max(1, Math.round(side / divisor))) as [
-      number,
-      number,
-    ];
-    this.begin(plan, width, height);
-    this.addPass(plan);
-    this.time(width * height);
+    this.draw(plan);
     return this.report(false);
+  }
+
+  /** Whether the picture has the size of the canvas. */
+  private get isFull(): boolean {
+    const { width, height } = this.passes.source();
+    return width === this.width && height === this.height;
+  }
+
+  /** Begins a picture as fine as the pace has it. */
+  private beginPicture(plan: ReadyPlan): void {
+    const divisor = this.pace?.divisor ?? 1;
+    const side = (length: number): number => Math.max(1, Math.round(length / divisor));
+    const [width, height] = [side(this.width), side(this.height)];
+    const isAveraged = this.pace !== null && width * height > this.pace.pixels;
+    this.passes.forget();
+    this.begin(plan, width, height, isAveraged);
+    this.areas = isAveraged ? areasOf(width, height, this.pace!.pixels) : [];
+  }
+
+  /** Begins another pass over a picture that stands, or a finer picture; false where there is nothing more to do. */
+  private beginPass(plan: ReadyPlan): boolean {
+    const { pace, passes } = this;
+    const full = this.width * this.height;
+    if (!this.isFull && pace?.rested(full)) {
+      this.beginPicture(plan);
+      return true;
+    }
+    if (pace !== null && !plan.isPreview && !this.isFull) {
+      if (!this.refines) return false;
+      passes.refine(this.width, this.height);
+    }
+    const most = plan.isPreview ? PREVIEW_PASSES : (pace?.passes(full, this.mostPasses) ?? this.mostPasses);
+    if (passes.count >= most) return false;
+    const { width, height } = passes.source();
+    // What has become too slow for one submission goes on in areas.
+    if (pace !== null && !passes.isAveraged && width * height > pace.pixels) passes.refine(width, height);
+    this.areas = passes.isAveraged ? areasOf(width, height, pace?.pixels ?? Infinity) : [];
+    return true;
+  }
+
+  /** Draws a pass, or as many areas of one as a submission may take. */
+  private draw(plan: ReadyPlan): void {
+    const { width, height } = this.passes.source();
+    if (!this.passes.isAveraged) {
+      this.addPass(plan);
+      this.time(width * height);
+      return;
+    }
+    const areas = taken(this.areas, this.pace?.pixels ?? Infinity);
+    for (const area of areas) this.passes.addArea(area, this.view, this.require(), plan, plan.isPreview ? 1 : this.samples);
+    if (this.areas.length === 0) {
+      this.passes.endPass();
+      this.done.passes++;
+    }
+    this.time(areas.reduce((sum, area) => sum + pixelsOf(area), 0));
   }
 
   private time(pixels: number): void {
@@ -453,13 +534,16 @@ export class ClothRenderer {
   }
 
   private report(isComplete: boolean): FrameReport {
-    const { width, height, passes } = this.passes.source();
-    const { missing, device } = this;
-    return { passes, width, height, isComplete, isPreview: this.plan?.isPreview ?? true, compiled: device.share, missing };
+    const { width, height } = this.passes.source();
+    const { missing, device, passes } = this;
+    const isPreview = this.plan?.isPreview ?? true;
+    const left = this.areas.reduce((sum, area) => sum + pixelsOf(area), 0);
+    const refined = isPreview || !this.isFull ? 0 : passes.count > 0 ? 1 : 1 - left / (width * height);
+    return { passes: passes.hasPicture ? Math.max(passes.count, 1) : 0, width, height, refined, isComplete, isPreview, compiled: device.share, missing };
   }
 
-  private begin(plan: ReadyPlan, width: number, height: number): void {
-    this.passes.begin(this.keyOf(plan), this.view, this.require(), width, height);
+  private begin(plan: ReadyPlan, width: number, height: number, isAveraged: boolean): void {
+    this.passes.begin(this.keyOf(plan), this.view, this.require(), width, height, isAveraged);
   }
 
   private addPass(plan: ReadyPlan): void {
@@ -472,10 +556,14 @@ export class ClothRenderer {
   }
 
   private show(): void {
-    if (this.presenter === null || this.passes.count === 0) return;
+    if (this.presenter === null || !this.passes.hasPicture) return;
+    const now = performance.now();
+    if (this.areas.length > 0 && now - this.shownAt < SHOWS_EVERY) return;
+    this.shownAt = now;
     const left = this.passes.source();
-    const right = this.other?.renderer.passes.source() ?? left;
-    if (right.passes > 0) this.presenter.show(left, right, this.other?.split ?? 1);
+    const other = this.other?.renderer.passes;
+    if (other === undefined) this.presenter.show(left, left, 1);
+    else if (other.hasPicture) this.presenter.show(left, other.source(), this.other!.split);
   }
 
   /** @throws InputError no cloth was given yet. */

@@ -122,6 +122,8 @@ export interface FrameReport {
   /** Pixels of the picture; fewer than the canvas has while something moves on a slow adapter. */
   readonly width: number;
   readonly height: number;
+  /** Share of the canvas that is drawn as fine as it is, 0 to 1; less than 1 where a coarser picture shows through. */
+  readonly refined: number;
   /** Whether a further frame would change the picture. */
   readonly isComplete: boolean;
   /** Whether it is a preview: points, without shadows, while what was asked for is compiled or baked. */

@@ -1,4 +1,5 @@
 /** What a renderer shows its cloth by: camera, lights, environment, exposure. */
+import type { Area } from "./areas.ts";
 import { GOLDEN } from "./generated.ts";
 import { RecordArray, type Values } from "./records.ts";
 import { cameraValues } from "./scene/camera.ts";
@@ -31,6 +32,10 @@ export interface Pass {
   readonly passes: number;
   readonly samples: number;
   readonly castsShadows: boolean;
+  /** Passes that the buffers hold the sum of when this one is done; 1 for means. */
+  readonly summed: number;
+  /** The part of the picture that is drawn; all of it by default. */
+  readonly area?: Area;
 }
 
 /** The record of the frame of one pass; `scene` are the fields that the scene's buffers say. */
@@ -41,17 +46,17 @@ export function frameRecord(view: View, scene: Values, pass: Pass): RecordArray 
   const background = view.background ?? [0, 0, 0];
   const { normal, offset, lampShare } = view.ground ?? NO_GROUND;
   frame.set(0, {
-    width: pass.width,
-    height: pass.height,
+    width: (pass.area ?? pass).width,
+    height: (pass.area ?? pass).height,
     lights: view.lights.length,
     samples: pass.samples,
     pass_number: pass.passes,
     jitter_x: jitter[0],
     jitter_y: jitter[1],
-    gain: 2 ** view.exposure / (pass.passes + 1),
+    gain: 2 ** view.exposure / pass.summed,
     casts_shadows: pass.castsShadows ? 1 : 0,
     ...scene,
-    ...cameraValues(view.camera, pass.width, pass.height),
+    ...cameraValues(view.camera, pass.width, pass.height, pass.area),
     background_red: background[0],
     background_green: background[1],
     background_blue: background[2],

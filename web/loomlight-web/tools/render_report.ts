@@ -116,7 +116,7 @@ async function frames(renderer: ClothRenderer, most: number, isEnough: (frame: F
 
 /** A renderer that may take no time at all while the camera moves, and any time at rest. */
 async function pace(shareWith: ClothRenderer, { size, steps }: Scene): Promise<Report["pace"]> {
-  const renderer = await web.ClothRenderer.create({ size, shareWith, budget: { moving: 0, resting: Infinity } });
+  const renderer = await web.ClothRenderer.create({ size, shareWith, budget: { moving: 0, submission: Infinity, resting: Infinity } });
   await take(renderer, steps[0]!);
   renderer.setModel(steps[0]!.model![0], { samples: steps[0]!.model![1], passes: 2 });
   const { origin, target } = steps[0]!.camera!;

@@ -207,3 +207,13 @@ export const CLOTH_QUANTITIES: Readonly<Record<string, Quantity>> = {
     standard: OPTICAL_DEPTH,
   },
 };
+
+/** A sentence in which fields are called as the page calls them: "Picks per cm" for `picks_per_cm`. */
+export function inWords(sentence: string): string {
+  return sentence.replace(/\b(?:(warp|weft)\.)?([a-z]+(?:[_.][a-z]+)*)(?= = |:)/g, (field: string, family: string | undefined, name: string) => {
+    const quantities = family === undefined ? CLOTH_QUANTITIES : YARN_QUANTITIES;
+    const label = Object.hasOwn(quantities, name) ? quantities[name]!.label : undefined;
+    if (label === undefined) return field;
+    return family === undefined ? label : `${label} of the ${family}`;
+  });
+}

@@ -1,5 +1,11 @@
 /** Values in writing: typing is free, and what cannot be is told beside the field while the last value stays in use. */
-import { useEffect, useState } from "preact/hooks";
+import { createContext } from "preact";
+import { useContext, useEffect, useState } from "preact/hooks";
+
+import { inWords } from "./symbols.ts";
+
+/** The fabric that is edited: with another one, as after undo, what was said of the last entry holds no more. */
+export const Edited = createContext<unknown>(null);
 
 export interface Written {
   readonly text: string;
@@ -32,10 +38,10 @@ export function useWritten(value: string, apply: (text: string) => string | null
     setText(value);
     setFault("");
   };
-  useEffect(reset, [value]);
+  useEffect(reset, [value, useContext(Edited)]);
   const enter = (entered: string): void => {
     const refused = entered === value ? null : apply(entered);
-    setFault(refused ?? "");
+    setFault(refused === null ? "" : inWords(refused));
     // The same value in other words is shown as it is always written.
     setText(refused === null ? value : entered);
   };

@@ -15,8 +15,8 @@ import { DraftWindow } from "./DraftWindow.tsx";
 import { FloatReport, regionOf } from "./FloatReport.tsx";
 import { useSelection } from "./selection.ts";
 
-/** Screen pixels a cell: smaller ones are scrolled sideways. */
-const SMALLEST = 7;
+/** Screen pixels a cell: where smaller ones would be needed to show all, the drawing has a bar to scroll it. */
+const SMALLEST = 4;
 const LARGEST = 26;
 
 interface Props {

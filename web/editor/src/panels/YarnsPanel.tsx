@@ -223,11 +223,16 @@ function WeightField({ fabric, dispatch }: Props) {
         </>
       ) : (
         <output id="weight" class="hint" data-testid="weight">
-          at most {weight.toFixed(0)} g/m², without counts
+          unknown: it takes the yarn count of {uncounted(fabric)}
         </output>
       )}
     </div>
   );
+}
+
+/** The families whose yarns have no count, in words. */
+function uncounted({ fields }: Fabric): string {
+  return FAMILIES.filter((family) => fields[family]?.count === undefined).join(" and ");
 }
 
 /** The colour of the highlight: that of dyed fibres' surface is white, of metal thread its own. */

@@ -6,17 +6,26 @@ const LETTERS = "abcdefghijklmnopqrstuvwxy";
 /** Longer orders are shown by their beginning. */
 const MAX = 400;
 
-/** The order of threads' colours; colours are lettered as they first occur. */
+/** One repeat of the order of threads' colours; colours are lettered as they first occur. */
 export function orderText(hexes: readonly string[]): string {
   const letters = lettersOf(hexes);
   const runs: [string, number][] = [];
-  for (const hex of hexes) {
+  for (const hex of hexes.slice(0, periodOf(hexes))) {
     const last = runs.at(-1);
     if (last !== undefined && last[0] === hex) last[1]++;
     else runs.push([hex, 1]);
   }
   const text = runs.map(([hex, count]) => `${count}${letters.get(hex) ?? "z"}`).join(" ");
   return text.length > MAX ? `${text.slice(0, MAX)} …` : text;
+}
+
+/** The shortest order that makes all threads when it is repeated; all of them where they have one colour. */
+function periodOf(hexes: readonly string[]): number {
+  if (hexes.every((hex) => hex === hexes[0])) return hexes.length;
+  const repeats = (period: number): boolean => hexes.every((hex, thread) => hex === hexes[thread % period]);
+  let period = 1;
+  while (hexes.length % period !== 0 || !repeats(period)) period++;
+  return period;
 }
 
 function lettersOf(hexes: readonly string[]): Map<string, string> {

@@ -7,7 +7,7 @@ import { withColourEdit } from "./colours.ts";
 import { withDraftEdit } from "./draft.ts";
 import { withFields, withWeave } from "./fields.ts";
 import { redone, undone, withEdit } from "./history.ts";
-import { withNotice, withoutNotice } from "./notices.ts";
+import { withNotice, withoutNotice, withoutTopic } from "./notices.ts";
 import { kept, withComparison, withScene } from "./scene.ts";
 
 /**
@@ -37,6 +37,8 @@ export function reduce(state: State, action: Action): State {
       return { ...state, tab: requireOneOf("tab", action.tab, TABS) };
     case "notice/add":
       return { ...state, notices: withNotice(state.notices, action) };
+    case "notice/clear":
+      return { ...state, notices: withoutTopic(state.notices, action.topic) };
     case "notice/dismiss":
       return { ...state, notices: withoutNotice(state.notices, action.id) };
     default:

@@ -37,5 +37,6 @@ export type Action =
   | { readonly type: "comparison/keep" }
   | { readonly type: "comparison/exchange" }
   | { readonly type: "tab/show"; readonly tab: Tab }
-  | { readonly type: "notice/add"; readonly kind: Notice["kind"]; readonly text: string; readonly offer?: Notice["offer"] }
+  | { readonly type: "notice/add"; readonly kind: Notice["kind"]; readonly text: string; readonly offer?: Notice["offer"]; readonly topic?: Notice["topic"] }
+  | { readonly type: "notice/clear"; readonly topic: NonNullable<Notice["topic"]> }
   | { readonly type: "notice/dismiss"; readonly id: number };

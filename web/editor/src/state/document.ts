@@ -70,6 +70,8 @@ export interface Notice {
   readonly text: string;
   /** What a button of the notice hands over: what was set aside because it could not be shown. */
   readonly offer?: "aside";
+  /** What it speaks of: files that were opened last. It goes when others are. */
+  readonly topic?: "file";
 }
 
 /** Fabrics that undo and redo walk over. */

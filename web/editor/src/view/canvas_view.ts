@@ -100,7 +100,7 @@ export class CanvasView implements ClothView {
   }
 
   statistics(): ViewStatistics {
-    return { kind: "canvas", frameMs: this.frameMs, frames: this.frames, isComplete: !this.isStale, preparing: null };
+    return { kind: "canvas", frameMs: this.frameMs, frames: this.frames, isComplete: !this.isStale, preparing: null, refining: null, rendered: null };
   }
 
   dispose(): void {

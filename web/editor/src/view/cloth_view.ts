@@ -4,6 +4,7 @@ import type { LinearPicture, Openness } from "loomlight-web";
 import type { Comparison, Fabric, Scene } from "../state/document.ts";
 import type { ClothShape } from "./meshes.ts";
 import type { TableSource } from "./served_models.ts";
+import type { PictureSource } from "./stage_pictures.ts";
 
 /** What a view shows. */
 export interface Shown {
@@ -61,6 +62,10 @@ export interface ViewStatistics {
   readonly isComplete: boolean;
   /** What the cloth waits for, in words; null once it is shown as it was asked for. */
   readonly preparing: string | null;
+  /** Share of the canvas that is as fine as it gets, 0 to 1, where that takes a while; else null. */
+  readonly refining: number | null;
+  /** Whether a picture by the server is on its way, or shown in place of the page's own. */
+  readonly rendered: "asked" | "shown" | null;
   readonly [name: string]: unknown;
 }
 
@@ -95,10 +100,11 @@ export interface Made {
   readonly reason: string | null;
 }
 
-/** Makes the best view that the browser has; `onFault` is told why tables do not come. */
+/** Makes the best view that the browser has; `onFault` is told why tables or pictures do not come. */
 export async function makeView(
   host: HTMLElement,
   tables: TableSource,
+  pictures: PictureSource | null,
   onFault: (sentence: string) => void,
 ): Promise<Made> {
   const { CanvasView } = await import("./canvas_view.ts");
@@ -110,7 +116,7 @@ export async function makeView(
   const flat = new CanvasView(host);
   try {
     const { WebGpuView } = await import("./webgpu_view.ts");
-    return { view: await WebGpuView.create(host, flat, tables, onFault), reason: null };
+    return { view: await WebGpuView.create(host, flat, tables, pictures, onFault), reason: null };
   } catch (error) {
     return {
       view: flat,

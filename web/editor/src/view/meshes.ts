@@ -1,6 +1,6 @@
 /** The pieces of cloth that can be shown: metres, y up, uv to scale over the whole piece. */
 import { clamp, InputError } from "loomlight-fabric";
-import type { Ground, Mesh } from "loomlight-web";
+import type { Caster, Ground, Mesh } from "loomlight-web";
 
 import drapeAddress from "../assets/drape.bin?url";
 import type { Shape } from "../state/document.ts";
@@ -8,6 +8,8 @@ import type { Shape } from "../state/document.ts";
 /** A piece, how large its unit of uv is, and where a camera sees it well. */
 export interface ClothShape {
   readonly mesh: Mesh;
+  /** Parts that are no cloth. */
+  readonly casters?: readonly Caster[];
   readonly uvSizeMm: readonly [number, number];
   /** Centre and radius of a ball around the piece, metres. */
   readonly centre: readonly [number, number, number];

@@ -1,6 +1,7 @@
 /** Pointer, wheel and keys that move a camera about a piece of cloth, from the whole piece to a single yarn. */
 import { closerBy, moved, orbitBetween, orbitCamera, turned, type Camera, type Orbit, type Vector3 } from "loomlight-web";
 
+import { framing } from "./framing.ts";
 import type { ClothShape } from "./meshes.ts";
 import { hitDistance } from "./ray_mesh.ts";
 
@@ -8,8 +9,6 @@ import { hitDistance } from "./ray_mesh.ts";
 const NEAREST = 0.004;
 /** The farthest view, in distances of the whole piece. */
 const FARTHEST = 4;
-/** Distances to the piece's ball per its radius that leave a margin around it. */
-const MARGIN = 0.92;
 /** Zoom of a wheel's unit, and of a key. */
 const WHEEL = 1.0015;
 const KEY_ZOOM = 1.15;
@@ -19,9 +18,13 @@ const KEY_TURN = 0.03;
 export class OrbitControl {
   private orbit: Orbit = orbitBetween([0, 0, 0.3], [0, 0, 0]);
   private shape: ClothShape | null = null;
+  /** Where the camera framed the shape: while it stands there, another size of the picture frames it again. */
+  private framed: Orbit | null = null;
+  private readonly element: HTMLElement;
   private readonly pointers = new Map<number, { x: number; y: number }>();
 
   constructor(element: HTMLElement) {
+    this.element = element;
     element.addEventListener("contextmenu", (event) => event.preventDefault());
     element.addEventListener("pointerdown", (event) => {
       element.setPointerCapture(event.pointerId);
@@ -63,12 +66,17 @@ export class OrbitControl {
   /** Frames a piece of cloth. */
   frame(shape: ClothShape): void {
     this.shape = shape;
-    const angle = (orbitCamera(this.orbit).fieldOfView! * Math.PI) / 360;
-    const away = (MARGIN * shape.radius) / Math.sin(angle);
-    const length = Math.hypot(...shape.from);
-    const origin = shape.centre.map((value, axis) => value + (away * shape.from[axis]!) / length) as [number, number, number];
-    this.orbit = { ...orbitBetween(origin, shape.centre, NEAREST), farthest: FARTHEST * away };
+    const { clientWidth, clientHeight } = this.element;
+    const { origin, target } = framing(shape.mesh.positions, shape.from, Math.max(clientWidth, 1), Math.max(clientHeight, 1));
+    const away = Math.hypot(...origin.map((value, axis) => value - target[axis]!));
+    this.orbit = { ...orbitBetween(origin, target, NEAREST), farthest: FARTHEST * away };
     this.focus();
+    this.framed = this.orbit;
+  }
+
+  /** The picture has another size. */
+  resized(): void {
+    if (this.shape !== null && this.orbit === this.framed) this.frame(this.shape);
   }
 
   /** Turns about what lies in the middle of the picture. */

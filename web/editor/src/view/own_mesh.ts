@@ -10,22 +10,56 @@ const LIKELY_MM = 600;
 /** Larger meshes take minutes to read here, and their triangles are smaller than pixels. */
 const MAX = 64 * 2 ** 20;
 
+/** A mesh as a piece of cloth, and in a sentence what of it is no cloth. */
+export interface OwnMesh {
+  readonly shape: ClothShape;
+  readonly warnings: readonly string[];
+}
+
 /**
- * The mesh in a file, all its parts as one piece of cloth.
+ * The mesh in a file, all its parts with uv as one piece of cloth. Parts without, as buttons, stay bare, as `render --mesh`
+ * has them: here they are not drawn, but cast shadows.
  *
  * @throws InputError a file that is too large, no mesh, one without triangles, or one without uv, which place the weave.
  */
-export async function readOwnMesh(file: File): Promise<ClothShape> {
+export async function readOwnMesh(file: File): Promise<OwnMesh> {
   if (file.size > MAX)
     throw new InputError(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; meshes of up to ${MAX >> 20} MiB are read: simplify it.`);
-  const mesh = merged(await geometriesOf(file), file.name);
-  return scaled(mesh);
+  const parts = await geometriesOf(file);
+  const [covered, bare] = [parts.filter(hasUv), parts.filter((part) => !hasUv(part))];
+  if (covered.length === 0 && bare.length > 0)
+    throw new InputError(`${file.name} has no uv, or they collapse to lines or points: unwrap the mesh and export it again, as uv place the weave on it.`);
+  const mesh = merged(covered, file.name);
+  const triangles = bare.reduce((sum, part) => sum + trianglesOf(part), 0);
+  const parted = bare.length === 1 ? "A part" : `${bare.length} parts`;
+  const warnings =
+    triangles === 0 ? [] : [`${parted} of ${file.name} without uv, ${triangles} triangles, ${bare.length === 1 ? "wears" : "wear"} no cloth, and cast${bare.length === 1 ? "s" : ""} only a shadow here.`];
+  return { shape: scaled(mesh, bare.length === 0 ? null : merged(bare, file.name)), warnings };
 }
 
-interface Geometry {
+export interface Geometry {
   readonly attributes: Readonly<Record<string, { readonly array: ArrayLike<number>; readonly count: number } | undefined>>;
   readonly index: { readonly array: ArrayLike<number> } | null;
   computeVertexNormals(): void;
+}
+
+function trianglesOf({ attributes, index }: Geometry): number {
+  return Math.floor((index?.array.length ?? attributes["position"]?.count ?? 0) / 3);
+}
+
+/** Whether a part has uv that span an area. */
+export function hasUv({ attributes, index }: Geometry): boolean {
+  const uv = attributes["uv"]?.array;
+  const count = attributes["position"]?.count ?? 0;
+  if (uv === undefined) return false;
+  const corners = index?.array ?? Array.from({ length: count }, (_, vertex) => vertex);
+  for (let at = 0; at + 2 < corners.length; at += 3) {
+    const [a, b, c] = [corners[at]!, corners[at + 1]!, corners[at + 2]!];
+    const [du, dv] = [uv[b * 2]! - uv[a * 2]!, uv[b * 2 + 1]! - uv[a * 2 + 1]!];
+    const [eu, ev] = [uv[c * 2]! - uv[a * 2]!, uv[c * 2 + 1]! - uv[a * 2 + 1]!];
+    if (Math.abs(du * ev - dv * eu) > 0) return true;
+  }
+  return false;
 }
 
 async function geometriesOf(file: File): Promise<Geometry[]> {
@@ -78,14 +112,12 @@ function merged(geometries: readonly Geometry[], name: string): Mesh {
     if (geometry.attributes["normal"] === undefined) geometry.computeVertexNormals();
     const { position, normal, uv: coordinates } = geometry.attributes;
     if (position === undefined || normal === undefined) continue;
-    if (coordinates === undefined)
-      throw new InputError(`${name} has no uv: unwrap the mesh and export it again, as uv place the weave on it.`);
     const first = positions.length / 3;
     for (let at = 0; at < position.count * 3; at++) {
       positions.push(position.array[at]!);
       normals.push(normal.array[at]!);
     }
-    for (let at = 0; at < position.count * 2; at++) uv.push(coordinates.array[at]!);
+    for (let at = 0; at < position.count * 2; at++) uv.push(coordinates?.array[at] ?? 0);
     const corners = geometry.index?.array ?? Array.from({ length: position.count }, (_, vertex) => vertex);
     for (let at = 0; at < corners.length; at++) triangles.push(first + corners[at]!);
   }
@@ -95,14 +127,15 @@ function merged(geometries: readonly Geometry[], name: string): Mesh {
 }
 
 /** Millimetres per unit of uv: the root of the mesh's area over that of its uv, in a mesh brought to a likely size. */
-function scaled(mesh: Mesh): ClothShape {
+function scaled(mesh: Mesh, bare: Mesh | null): ClothShape {
   const whole = ownShape(mesh, [100, 100]);
   const isMetres = whole.radius > 0.02 && whole.radius < 3;
   const factor = isMetres ? 1 : LIKELY_MM / 2000 / whole.radius;
-  const positions = isMetres ? mesh.positions : Array.from(mesh.positions, (value) => value * factor);
-  const sized = { ...mesh, positions };
+  const sizedOf = (part: Mesh): Mesh => (isMetres ? part : { ...part, positions: Array.from(part.positions, (value) => value * factor) });
+  const sized = sizedOf(mesh);
   const side = 1000 * Math.sqrt(areaRatio(sized));
-  return ownShape(sized, [side, side]);
+  const shape = ownShape(sized, [side, side]);
+  return bare === null ? shape : { ...shape, casters: [sizedOf(bare)] };
 }
 
 function areaRatio(mesh: Mesh): number {

@@ -8,6 +8,7 @@ import type { ClothShape } from "./meshes.ts";
 import { withOpacity } from "./opacity.ts";
 import { OrbitControl } from "./orbit_control.ts";
 import { paperRadiance, watchPaper } from "./paper.ts";
+import { StagePictures, type PictureSource, type Stage } from "./stage_pictures.ts";
 import { isServed, ServedModels, type ServedModel, type TableSource } from "./served_models.ts";
 import { groundOf, lampOf, surroundingsOf } from "./surroundings.ts";
 
@@ -16,6 +17,10 @@ const MAX_DEVICE_PIXELS = 2;
 /** Passes of a picture for a file; fewer where a processor computes. */
 const PICTURE_PASSES = 64;
 const SOFTWARE_PASSES = 4;
+/** A picture whose pass takes so many milliseconds is one that is waited for. */
+const SLOW_MS = 2000;
+/** One whose pass takes so many is left to the server, where there is one. */
+const LEFT_MS = 10_000;
 
 /** The renderer's model, points a pass, and passes that add up, for each of the page's models. */
 const MODELS: Readonly<Record<Exclude<Model, ServedModel>, readonly ["lobes" | "point", number, number]>> = {
@@ -45,6 +50,8 @@ export class WebGpuView implements ClothView {
   private readonly resizing: ResizeObserver;
   private readonly unwatchPaper: () => void;
   private readonly served: ServedModels;
+  /** Pictures of the server for slow adapters; null where there is no server. */
+  private readonly pictures: StagePictures | null;
   private readonly given = new Map<ClothRenderer, Given>();
   private other: ClothRenderer | null = null;
   private isMakingOther = false;
@@ -52,6 +59,8 @@ export class WebGpuView implements ClothView {
   private isDrawing = false;
   private shown: Shown | null = null;
   private lit: readonly [Scene, Shown["surroundings"], Shown["piece"]] | null = null;
+  /** Rises with each change of what is shown. */
+  private changes = 0;
   private frames = 0;
   private isComplete = false;
   private report: FrameReport | null = null;
@@ -66,16 +75,19 @@ export class WebGpuView implements ClothView {
     renderer: ClothRenderer,
     flat: ClothView,
     tables: TableSource,
+    pictures: PictureSource | null,
     onFault: (sentence: string) => void,
   ) {
     [this.canvas, this.renderer, this.flat, this.onFault] = [canvas, renderer, flat, onFault];
     this.lost = renderer.lost;
     this.served = new ServedModels(tables, () => this.shown && this.show(this.shown), onFault);
+    this.pictures = pictures === null ? null : new StagePictures(host, pictures, onFault);
     this.control = new OrbitControl(canvas);
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(host);
     this.unwatchPaper = watchPaper(() => {
       this.lit = null;
+      this.changes++;
       if (this.shown !== null) this.show(this.shown);
     });
     this.resize();
@@ -90,6 +102,7 @@ export class WebGpuView implements ClothView {
     host: HTMLElement,
     flat: ClothView,
     tables: TableSource,
+    pictures: PictureSource | null,
     onFault: (sentence: string) => void,
   ): Promise<WebGpuView> {
     const canvas = document.createElement("canvas");
@@ -100,11 +113,12 @@ export class WebGpuView implements ClothView {
     canvas.dataset["testid"] = "cloth";
     const renderer = await ClothRenderer.create({ canvas, transparent: true });
     host.append(canvas);
-    return new WebGpuView(host, canvas, renderer, flat, tables, onFault);
+    return new WebGpuView(host, canvas, renderer, flat, tables, pictures, onFault);
   }
 
   show(shown: Shown): void {
     const isNewShape = shown.piece !== null && shown.piece !== this.shown?.piece;
+    if (this.shown === null || isOther(shown, this.shown)) this.changes++;
     this.shown = shown;
     this.isComplete = false;
     this.flat?.show(shown);
@@ -135,14 +149,16 @@ export class WebGpuView implements ClothView {
     if (width === this.canvas.width && height === this.canvas.height) return;
     this.renderer.resize(width, height);
     this.other?.resize(width, height);
+    this.control.resized();
   }
 
   frame(): void {
     this.flat?.frame();
     if (this.shown === null || this.shown.piece === null || this.isDrawing) return;
     this.renderer.setCamera(this.control.camera);
+    this.followPictures();
     const report = this.renderer.frame();
-    this.isComplete = report.isComplete;
+    this.isComplete = report.isComplete || this.pictures?.state === "shown";
     this.report = report;
     this.frames++;
     for (const sentence of report.missing.filter((text) => !this.told.has(text))) {
@@ -152,6 +168,33 @@ export class WebGpuView implements ClothView {
     if (report.passes === 0) return;
     this.flat?.dispose();
     this.flat = null;
+  }
+
+  /** Leaves the picture at rest to the server where this adapter takes long for it. */
+  private followPictures(): void {
+    const { pictures, renderer, shown, canvas } = this;
+    if (pictures === null) return;
+    const isSlow = renderer.adapter.isSoftware || renderer.passMs > LEFT_MS;
+    const isAlone = shown!.comparison.mode === "off" && shown!.print === null;
+    const camera = this.control.camera;
+    const key = JSON.stringify([this.changes, camera, canvas.width, canvas.height, isSlow && isAlone]);
+    pictures.follow(key, () => (isSlow && isAlone ? this.stage() : null));
+    renderer.holdRefining(isSlow && isAlone && pictures.isLeft);
+  }
+
+  private stage(): Stage {
+    const { fabric, scene, surroundings, piece } = this.shown!;
+    return {
+      fabric,
+      piece: piece!,
+      camera: this.control.camera,
+      size: [this.canvas.width, this.canvas.height],
+      lamp: lampOf(scene),
+      environment: surroundingsOf(scene, surroundings),
+      background: paperRadiance(),
+      ground: groundOf(scene, piece!),
+      exposure: scene.exposure,
+    };
   }
 
   get zoom(): number {
@@ -167,6 +210,8 @@ export class WebGpuView implements ClothView {
   }
 
   async readPixels(): Promise<Pixels> {
+    const rendered = this.pictures?.pixels ?? null;
+    if (rendered !== null) return rendered;
     const left = await this.renderer.readPixels();
     if (this.other === null || this.shown === null || this.shown.comparison.mode === "off") return left;
     const right = await this.other.readPixels();
@@ -199,10 +244,14 @@ export class WebGpuView implements ClothView {
     const { renderer, frames, isComplete } = this;
     const { isPreview, compiled } = this.report ?? { isPreview: true, compiled: 0 };
     const preparing = isPreview ? `Preparing the light: ${Math.floor(100 * compiled)} %` : null;
-    return { ...renderer.statistics, adapter: renderer.adapter.name, kind: "webgpu", frames, isComplete, preparing };
+    const { width, height, refined } = this.report ?? { width: 0, height: 0, refined: 0 };
+    const rendered = this.pictures?.state ?? null;
+    const refining = rendered !== null || isPreview || refined === 1 || renderer.passMs < SLOW_MS ? null : refined;
+    return { ...renderer.statistics, adapter: renderer.adapter.name, kind: "webgpu", frames, isComplete, preparing, refining, rendered, width, height };
   }
 
   dispose(): void {
+    this.pictures?.dispose();
     this.unwatchPaper();
     this.resizing.disconnect();
     this.flat?.dispose();
@@ -229,9 +278,10 @@ export class WebGpuView implements ClothView {
     const openness = this.shown?.opennessOf(fabric);
     const print = this.shown?.print ?? null;
     if (given.shape !== shape || given.print !== print)
-      renderer.setPieces([
-        { mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft, ...(openness === undefined ? {} : { openness }), albedo: print?.picture ?? null },
-      ]);
+      renderer.setPieces(
+        [{ mesh: shape.mesh, uvSizeMm: shape.uvSizeMm, fields, draft, ...(openness === undefined ? {} : { openness }), albedo: print?.picture ?? null }],
+        shape.casters,
+      );
     else if (given.fabric !== fabric || given.openness !== openness) renderer.setFabric(0, fields, draft, openness);
     const tables = isServed(model) ? this.served.tables(model, fabric) : null;
     const isShown = given.shape === shape && given.print === print && given.model === model && given.tables === tables;
@@ -260,6 +310,12 @@ export class WebGpuView implements ClothView {
       renderer.setExposure(scene.exposure);
     }
   }
+}
+
+/** Whether two are of different pictures; what is found of yarns' openness meanwhile is Python's own. */
+function isOther(one: Shown, other: Shown): boolean {
+  const keys = ["fabric", "scene", "comparison", "piece", "surroundings", "print"] as const;
+  return keys.some((key) => one[key] !== other[key]);
 }
 
 /** The left one's pixels up to a share of its width, then the right one's. */

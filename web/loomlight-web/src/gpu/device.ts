@@ -142,15 +142,20 @@ export class Device {
 
   /** Runs a compiled kernel over so many groups of threads, in a submission of its own. */
   dispatch(name: ShaderName, groups: readonly [number, number], resources: Resources): void {
+    const encoder = this.gpu.createCommandEncoder();
+    this.encode(encoder, name, groups, resources);
+    this.gpu.queue.submit([encoder.finish()]);
+  }
+
+  /** Adds a run of a compiled kernel to a submission. */
+  encode(encoder: GPUCommandEncoder, name: ShaderName, groups: readonly [number, number], resources: Resources): void {
     const kernel = this.kernel(name, name);
     if (kernel === undefined) throw new Error(`${name} is not compiled yet`);
-    const encoder = this.gpu.createCommandEncoder();
     const pass = encoder.beginComputePass();
     pass.setPipeline(kernel.pipeline);
     pass.setBindGroup(0, this.bind(kernel, resources));
     pass.dispatchWorkgroups(groups[0], groups[1]);
     pass.end();
-    this.gpu.queue.submit([encoder.finish()]);
   }
 
   /** Gives everything back; `lost` then stays pending. */

@@ -11,6 +11,8 @@ export class Targets {
   readonly buffers: Record<string, GPUBuffer>;
   readonly faces: GPUTextureView;
   readonly depth: GPUTextureView;
+  /** Of `faces`. */
+  readonly faceTexture: GPUTexture;
   private readonly device: Device;
   private readonly textures: readonly GPUTexture[];
 
@@ -27,8 +29,10 @@ export class Targets {
     };
     const texture = (format: GPUTextureFormat, usage: GPUTextureUsageFlags): GPUTexture =>
       device.gpu.createTexture({ size: [width, height], format, usage: usage | GPUTextureUsage.RENDER_ATTACHMENT });
-    this.textures = [texture("r32uint", GPUTextureUsage.TEXTURE_BINDING), texture("depth32float", 0)];
-    this.faces = this.textures[0]!.createView();
+    const { TEXTURE_BINDING, COPY_SRC, COPY_DST } = GPUTextureUsage;
+    this.faceTexture = texture("r32uint", TEXTURE_BINDING | COPY_SRC | COPY_DST);
+    this.textures = [this.faceTexture, texture("depth32float", 0)];
+    this.faces = this.faceTexture.createView();
     this.depth = this.textures[1]!.createView();
   }
 
