@@ -26,9 +26,9 @@ MAX_SIDE = 4096
 SAMPLES = 8
 # Rays that a pixel of the ground sends, and the lamp's radius: as `shaders/layers.slang:ground_light`, which adds
 # up 4 in each of its passes.
-_GROUND_RAYS, _LAMP_RADIUS = 32, 0.176
+_GROUND_RAYS, _LAMP_RADIUS = 16, 0.176
 # Deviation, pixels: soft shadows lose their noise.
-_SHADOW_BLUR = 1.5
+_SHADOW_BLUR = 2.5
 
 Tensors = Mapping[str, NDArray[Any]]
 

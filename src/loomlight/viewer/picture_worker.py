@@ -13,6 +13,7 @@ import struct
 import subprocess
 import sys
 import threading
+import time
 from contextlib import suppress
 from pathlib import Path
 
@@ -52,7 +53,7 @@ class PictureMaker:
         kept = self._folder / f"{hashlib.sha256(_VERSION + content).hexdigest()}.png"
         with suppress(OSError):
             found = kept.read_bytes()
-            os.utime(kept)
+            os.utime(kept, ns=(now := time.time_ns(), now))
             return found
         if not self._turn.acquire(blocking=False):
             self.stop(self._asked)

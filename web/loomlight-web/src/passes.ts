@@ -12,6 +12,9 @@ import type { RecordArray } from "./records.ts";
 import { lightRecords } from "./scene/camera.ts";
 import { frameRecord, hasBackgroundOf, type Pass, type View } from "./view.ts";
 
+// Directions to the environment that a pass of areas takes at most: slow adapters have a picture sooner, and passes add up.
+const AREA_ENVIRONMENT_SAMPLES = 2;
+
 export class Passes {
   /** Resolves when what every pass needs is compiled. */
   readonly compiled: Promise<void>;
@@ -110,7 +113,8 @@ export class Passes {
   }
 
   /** Draws an area of the next pass of a picture of means; `endPass` counts the pass. */
-  addArea(area: Area, view: View, cloth: ClothBuffers, plan: Plan, samples: number): void {
+  addArea(area: Area, whole: View, cloth: ClothBuffers, plan: Plan, samples: number): void {
+    const view = { ...whole, environmentSamples: Math.min(whole.environmentSamples, AREA_ENVIRONMENT_SAMPLES) };
     const [width, height] = this.size;
     const pass = { width, height, passes: this.count, samples, castsShadows: plan.castsShadows, summed: 1 };
     if (!this.isRastered) {

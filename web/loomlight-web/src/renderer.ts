@@ -19,8 +19,9 @@ import { keyOfView, type View } from "./view.ts";
 const OWN_MODELS: readonly ModelName[] = ["lobes", "point"];
 // A picture that is the mean of so many passes changes no more to the eye.
 const MAX_PASSES = 256;
-// Of a preview: on software adapters more would keep the processor from compiling.
+// Of a preview, and of one on a software adapter, where more would keep the processor from compiling.
 const PREVIEW_PASSES = 4;
+const SOFTWARE_PREVIEW_PASSES = 1;
 // Milliseconds between two showings of a picture that is made of areas: each is one of the whole canvas.
 const SHOWS_EVERY = 1000;
 
@@ -497,7 +498,8 @@ export class ClothRenderer {
       if (!this.refines) return false;
       passes.refine(this.width, this.height);
     }
-    const most = plan.isPreview ? PREVIEW_PASSES : (pace?.passes(full, this.mostPasses) ?? this.mostPasses);
+    const previews = this.device.isSoftware ? SOFTWARE_PREVIEW_PASSES : PREVIEW_PASSES;
+    const most = plan.isPreview ? previews : (pace?.passes(full, this.mostPasses) ?? this.mostPasses);
     if (passes.count >= most) return false;
     const { width, height } = passes.source();
     // What has become too slow for one submission goes on in areas.
