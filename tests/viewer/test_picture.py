@@ -1,4 +1,7 @@
-"""Pictures of a page's stage by Python. Covers: viewer/picture.py, viewer/picture_worker.py."""
+"""Pictures of a page's stage by Python.
+
+Covers: viewer/picture.py, viewer/picture_worker.py, mitsuba/stage_picture.py.
+"""
 
 from __future__ import annotations
 
@@ -42,9 +45,9 @@ def request(**changes: Any) -> bytes:
     corners = [[-0.02, -0.01], [0, -0.01], [0, 0.01], [-0.02, 0.01]]
     tensors = {
         "positions": np.array([[x, y, 0] for x, y in corners], np.float32),
-        "normals": np.tile(np.float32([0, 0, 1]), (4, 1)),
-        "uv": np.float32([[0, 0], [1, 0], [1, 1], [0, 1]]),
-        "triangles": np.uint32([[0, 1, 2], [0, 2, 3]]),
+        "normals": np.tile(np.array([0, 0, 1], np.float32), (4, 1)),
+        "uv": np.array([[0, 0], [1, 0], [1, 1], [0, 1]], np.float32),
+        "triangles": np.array([[0, 1, 2], [0, 2, 3]], np.uint32),
         "environment": np.full((4, 8, 3), 0.2, np.float32),
     }
     return save(tensors, {"stage": json.dumps({**said, **changes})})
@@ -88,9 +91,12 @@ def test_a_request_that_is_no_stage_is_answered_in_a_sentence(
 
 def test_a_picture_is_kept_for_the_next_visit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     made: list[bytes] = []
-    monkeypatch.setattr(
-        PictureMaker, "_made", lambda _, content: made.append(content) or b"png of " + content
-    )
+
+    def png(_: PictureMaker, content: bytes) -> bytes:
+        made.append(content)
+        return b"png of " + content
+
+    monkeypatch.setattr(PictureMaker, "_made", png)
     monkeypatch.setattr(picture_worker, "MAX_KEPT", 2)
     folder = tmp_path / "stages"
     for content in (b"a", b"b", b"a", b"c", b"a"):

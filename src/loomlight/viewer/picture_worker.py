@@ -1,7 +1,7 @@
 """Pictures of stages by a process of its own: `python -m loomlight.viewer.picture_worker`.
 
-Dr.Jit holds Python's lock while it compiles, and a picture that nobody waits for any more can be ended with its
-process alone. It stays for further pictures, and is ended by the next that comes before it is done.
+Dr.Jit holds Python's lock while it compiles, and a picture that nobody waits for any more can be ended with
+its process alone. It stays for further pictures, and is ended by the next that comes before it is done.
 """
 
 from __future__ import annotations

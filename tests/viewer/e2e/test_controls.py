@@ -57,7 +57,7 @@ def test_colours_are_written_as_hex_and_as_lab(page: Any) -> None:
 
 def test_weight_sets_the_sett_of_counted_yarns(page: Any) -> None:
     by_id(page, "tab-yarns").click()
-    assert "at most" in by_id(page, "weight").inner_text()
+    assert by_id(page, "weight").inner_text() == "unknown: it takes the yarn count of warp and weft"
     by_id(page, "field-both.count").fill("30 tex")
     by_id(page, "field-both.count").press("Enter")
     light = int(by_id(page, "weight").input_value())
