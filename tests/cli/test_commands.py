@@ -100,6 +100,24 @@ def in_a_process(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run([sys.executable, *arguments], capture_output=True, text=True, timeout=HANG)
 
 
+@pytest.mark.parametrize("suffix", ["png", "jpg"])
+def test_a_loom_serves_as_a_draft(suffix: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """`weave` takes a .loom wherever it takes the fabric file that it was baked of."""
+    fabric = tmp_path / "cloth.toml"
+    fabric.write_text('weave = "twill 2/1"\nends_per_cm = 14\n[warp]\ncount = "30 tex"\n')
+    loomlight.save(loomlight.bake(fabric, "point"), tmp_path / "cloth.loom")
+    told = []
+    for name in ("cloth.toml", "cloth.loom"):
+        picture = tmp_path / f"{name}.{suffix}"
+        assert run(["weave", "show", str(tmp_path / name), "-o", str(picture)]) == 0
+        assert run(["weave", "convert", str(tmp_path / name), "-o", str(tmp_path / f"{name}.wif")]) == 0
+        capsys.readouterr()
+        assert run(["weave", "info", str(tmp_path / name)]) == 0
+        told.append((capsys.readouterr().out, picture.read_bytes(), (tmp_path / f"{name}.wif").read_text()))
+    assert told[0] == told[1]
+    assert "weight" in told[0][0]
+
+
 def loaded_by(statement: str) -> set[str]:
     """Which of the heavy packages are loaded after `statement`."""
     heavy = ("drjit", "mitsuba", "scipy", "trimesh")

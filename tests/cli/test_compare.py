@@ -8,6 +8,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import shlex
 from collections.abc import Callable
 from pathlib import Path
 
@@ -16,8 +17,9 @@ import pytest
 from PIL import Image
 
 from loomlight.cli.main import run
+from loomlight.core.errors import InputError
 from loomlight.evaluation import model_table
-from loomlight.evaluation.compare import compare
+from loomlight.evaluation.compare import Comparison, compare
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
@@ -55,6 +57,30 @@ def test_the_table(report: Path) -> None:
     assert models["point"]["point samples of equal error"] == pytest.approx(1, rel=0.5)
     (queries,) = (rows for title, rows in by_title.items() if title.startswith("nMAE of grey reflection"))
     assert 0 < queries["point"]["overall"] < 1
+
+
+def test_the_recorded_command_runs(report: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It asks for the same fabric, models, scenes, size and samples, whatever was left out."""
+    asked: list[dict[str, object]] = []
+
+    def record(cloth: Fabric, models: list[str], _folder: Path, **options: object) -> Comparison:
+        asked.append({"fabric": cloth.name, "models": models, **options})
+        raise InputError("enough")
+
+    monkeypatch.setattr("loomlight.evaluation.compare.compare", record)
+    program, *arguments = shlex.split(json.loads((report / "table.json").read_text())["command"])
+    assert program == "loomlight"
+    assert run(arguments) == 2
+    assert asked[0]["fabric"] == "Red & <white>"
+    assert asked[0]["models"] == ["point"]
+    assert asked[0]["scenes"] == ["flat near", "sphere"]
+    assert (asked[0]["size"], asked[0]["reference_samples"]) == ((32, 18), 8)
+    assert shlex.split(str(asked[0]["command"])) == ["loomlight", *arguments]
+    # Without options all of them are recorded.
+    assert run(["compare", "twill 2/1", "-o", "elsewhere"]) == 2
+    again = shlex.split(str(asked[1]["command"]))
+    assert again[:3] == ["loomlight", "compare", "twill 2/1"]
+    assert {"--models", "--scenes", "--size", "--spp", "--output"} <= set(again)
 
 
 def test_the_page_shows_every_picture(report: Path) -> None:

@@ -87,6 +87,16 @@ def test_threads_of_one_fabric_are_alike_on_parts_of_other_density(tmp_path: Pat
     assert np.ptp(mesh.uv[4:], axis=0) == pytest.approx((1, 1))
 
 
+def test_a_part_inside_out_is_named(tmp_path: Path) -> None:
+    """Two squares that share an edge and run along it in the same sense."""
+    mesh = tmp_path / "coat.obj"
+    places = ((0, 0), (1, 0), (1, 1), (0, 1), (3, 0), (3, 1))
+    corners = "".join(f"v {x} {y} 0\nvt {x} {y}\n" for x, y in places)
+    mesh.write_text(f"{corners}o sleeve\nf 1/1 4/4 3/3 2/2\no body\nf 2/2 5/5 6/6 3/3\n")
+    with pytest.warns(LoomlightWarning, match=r'coat\.obj: the part "sleeve" is inside out'):
+        read_garment(mesh, 1.0, "twill", {})
+
+
 @pytest.mark.filterwarnings("ignore:.*stay uncovered")
 def test_all_pieces_turn_together(tmp_path: Path) -> None:
     further = {"lining": lambda _: mi.load_dict({"type": "diffuse"})}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +15,9 @@ import pytest
 import loomlight
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
+from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import material_bsdf
-from loomlight.mitsuba.material_picture import RenderSettings
+from loomlight.mitsuba.material_picture import RenderJob, RenderSettings, shown_material
 from loomlight.mitsuba.placement import Placement
 
 from ..core.pictures import png_head
@@ -36,6 +39,36 @@ def test_a_name_a_file_and_a_fabric_give_the_picture_of_the_command_line(tmp_pat
     assert run(["render", str(file), "-o", str(written), "--scene", "sphere", *options]) == 0
     pixels = OpenEXR.File(str(written)).channels()["RGB"].pixels
     np.testing.assert_allclose(pixels, picture, rtol=1e-5, atol=1e-7)
+
+
+def hidden(caught: list[warnings.WarningMessage]) -> list[str]:
+    return [str(each.message) for each in caught if "yarns a pixel" in str(each.message)]
+
+
+def test_a_weave_that_pixels_cannot_show_is_told_once() -> None:
+    """100 mm over 12 pixels of the flat scene, 14 ends a centimetre; the zoom that it names is silent."""
+    settings = RenderSettings(**{**SMALL, "size": (12, 12)})
+    cloth = fabric_from_text('name = "Check"\nweave = "twill 2/2"\nends_per_cm = 14\npicks_per_cm = 11')
+
+    def told(scene: str, **changes: Any) -> list[str]:
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            chosen = settings.changed(**changes)
+            RenderJob(shown_material(cloth, chosen), scene, chosen).scene_and_inset()
+        return hidden(caught)
+
+    (sentence,) = told("flat")
+    found = re.fullmatch(
+        r"Check: 14 ends/cm are (\d+) yarns a pixel here, too many .*: --zoom (\d+) shows them\.",
+        sentence,
+    )
+    assert found is not None
+    # With teeth of 3 mm on either side, in a frame that is a little wider.
+    assert int(found[1]) == pytest.approx(1.04 * 106 / 12 * 1.4, abs=0.6)
+    assert told("flat", zoom=float(found[2])) == []
+    assert told("flat", placement=Placement(scale=12)) == []
+    assert told("drape", size=(160, 160), inset=False) != []
+    assert told("drape", size=(160, 160), inset=True) == []
 
 
 @pytest.mark.parametrize("exposure", [float("nan"), 31, -1e9])

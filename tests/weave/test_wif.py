@@ -286,6 +286,13 @@ def test_a_tieup_that_is_unused_may_be_wrong(wif: WifMaker) -> None:
             {"WARP": "Threads=4\nColor=1\nUnits=cm", "WARP_SPACING": "2=0.1"},
             r"\[WARP SPACING\] 2=0.1 and the rest",
         ),
+        (
+            {
+                "WARP": "Threads=4\nColor=1\nUnits=cm\nSpacing=.0185\nThickness=.0213",
+                "WEFT": "Threads=2\nColor=1\nUnits=cm\nSpacing=.02\nThickness=.021",
+            },
+            r"read are 54\.1 ends/cm, 0\.185 mm apart and 0\.213 mm thick and 50 picks/cm, 0\.2 mm apart",
+        ),
         ({"COLOR_PALETTE": None}, r"\[COLOR PALETTE\] Range= is missing"),
         ({"COLOR_PALETTE": "Range=0,255\nForm=HSV"}, r"\[COLOR PALETTE\] Form=HSV is not known"),
         ({"THREADING": "1=1\n2=2\n3=1\n4=2\n1=2"}, r"\[THREADING\] 1 is there twice, as '1' and as '2'"),

@@ -62,10 +62,18 @@ def read_silently(file: Path) -> Draft:
         return read_wif(file)
 
 
+# Whose threads are thicker than their spacing.
+_THICK = ("2229", "41753")
+
+
 @pytest.mark.parametrize("file", corpus("good"))
 @pytest.mark.filterwarnings("ignore::UserWarning")  # the other reader's own
 def test_good_files_load_silently_and_as_another_reader_has_them(file: Path) -> None:
-    draft = read_silently(file)
+    if file.stem in _THICK:
+        with pytest.warns(LoomlightWarning, match=r"54\.1 ends/cm, 0\.185 mm apart and 0\.213 mm thick"):
+            draft = read_wif(file)
+    else:
+        draft = read_silently(file)
     assert np.array_equal(draft.drawdown, independent_drawdown(file.read_text(), draft.drawdown.shape))
 
 

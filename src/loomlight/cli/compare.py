@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import warnings
 from pathlib import Path
 from typing import Annotated
@@ -50,15 +51,16 @@ def compare(
     from loomlight.evaluation.compare import compare as run
     from loomlight.mitsuba.measured_scenes import MEASURED_SCENES
 
+    shown = list(MEASURED_SCENES) if scenes is None else _listed(scenes)
     with progress(cloth.name) as report:
         found = run(
             cloth,
             names,
             output,
-            scenes=MEASURED_SCENES if scenes is None else _listed(scenes),
+            scenes=shown,
             size=pixels,
             reference_samples=samples,
-            command=f"loomlight compare --models {','.join(names)}",
+            command=_command(fabric, names, output, shown, pixels, samples),
             progress=lambda _what, steps, total: report(steps, total),
             row=lambda line: print(line, flush=True),
         )
@@ -66,6 +68,17 @@ def compare(
     for name, why in found.refused.items():
         print(f"{name} does not take this fabric: {why}")
     done(output / "index.html")
+
+
+def _command(
+    fabric: str, models: list[str], output: Path, scenes: list[str], size: tuple[int, int], samples: int
+) -> str:
+    """The command that makes the same comparison again, as a shell takes it."""
+    width, height = size
+    options = ["--models", ",".join(models), "--scenes", ",".join(scenes), "--size", f"{width}x{height}"]
+    return shlex.join(
+        ["loomlight", "compare", fabric, *options, "--spp", str(samples), "--output", str(output)]
+    )
 
 
 def _listed(text: str) -> list[str]:

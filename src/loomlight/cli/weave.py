@@ -20,11 +20,13 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
-FABRIC_SUFFIX = ".toml"
+# Files of fabrics, whose yarns have weights.
+FABRIC_SUFFIXES = (".toml", ".loom")
 DraftArgument = Annotated[
     str,
     typer.Argument(
-        metavar="DRAFT", help="A .wif file, a picture of a drawdown, a fabric file, or a weave's name."
+        metavar="DRAFT",
+        help="A .wif file, a picture of a drawdown, a fabric file, a .loom, or a weave's name.",
     ),
 ]
 
@@ -78,16 +80,16 @@ def convert(
 
 @app.command(epilog="Example: loomlight weave info examples/denim.toml")
 def info(draft: DraftArgument) -> None:
-    """Says what a draft is: its size, setts, floats, shafts and colours; of a fabric file also its weight."""
+    """Says what a draft is: its size, setts, floats, shafts and colours; of a fabric also its weight."""
     from loomlight.weave.textile import summary
 
-    if Path(draft).suffix.lower() != FABRIC_SUFFIX:
+    if Path(draft).suffix.lower() not in FABRIC_SUFFIXES:
         print(summary(draft_from(draft)))
         return
+    from loomlight.assets.load import fabric_of_path
     from loomlight.fabric.facts import facts_text
-    from loomlight.fabric.load import load_fabric
 
-    fabric = load_fabric(draft)
+    fabric = fabric_of_path(draft)
     print(f"{summary(fabric.draft, with_sett=False)}\n{facts_text(fabric)}")
 
 
@@ -100,7 +102,7 @@ def names() -> None:
 
 
 def draft_from(argument: str) -> Draft:
-    """The draft of a .wif file, a picture of a drawdown, a fabric file, or a weave's name.
+    """The draft of a .wif file, a picture of a drawdown, a fabric file, a `.loom`, or a weave's name.
 
     Raises:
         InputError: nothing of these.
@@ -110,12 +112,14 @@ def draft_from(argument: str) -> Draft:
 
     path = Path(argument)
     suffix = path.suffix.lower()
-    if suffix == ".toml":
-        from loomlight.fabric.load import load_fabric
+    if suffix in FABRIC_SUFFIXES:
+        from loomlight.assets.load import fabric_of_path
 
-        return load_fabric(path).draft
+        return fabric_of_path(path).draft
     if suffix in DRAFT_SUFFIXES:
         return load_draft(path)
     if suffix or path.is_absolute():
-        raise InputError(f"{path} is no draft: give a .wif file, a picture, a fabric file or a weave's name.")
+        raise InputError(
+            f"{path} is no draft: give a .wif file, a picture, a fabric file, a .loom or a weave's name."
+        )
     return named_weave(argument)

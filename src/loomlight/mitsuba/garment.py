@@ -10,6 +10,7 @@ from typing import Generic, TypeVar
 from loomlight.core.errors import InputError
 from loomlight.fabric.sentences import closest, shown
 from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, joined
+from loomlight.mesh.orientation import warn_of_inside_out
 from loomlight.mesh.reading import read_parts
 from loomlight.mesh.scale import at_one_scale, warn_of_extent, warn_of_scale
 
@@ -55,6 +56,7 @@ def read_garment(
         raise InputError(
             f"{path} has no uv coordinates, or they collapse to lines or points; unwrap it first."
         )
+    warn_of_inside_out(covered, path)
     for name in others:
         _require_part(name, parts, covered, path)
     keys = [next((key for key in (part.name, part.material) if key in others), None) for part in covered]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import math
 import os
 import warnings
 from collections.abc import Mapping
@@ -18,6 +19,7 @@ from loomlight.core.white_balance import white_balance as white_balance_gains
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.sentences import closest
 from loomlight.fabric.sentences import shown as quoted
+from loomlight.mitsuba.camera import MAX_ZOOM
 from loomlight.mitsuba.denoising import require_denoising
 from loomlight.mitsuba.inset import MIN_PICTURE, Inset, resized
 from loomlight.mitsuba.material import material_bsdf
@@ -42,6 +44,8 @@ DEFAULT_SAMPLES = 8
 _MAX_EXPOSURE = 30
 # The first picture: at so many times fewer pixels each way, so many samples of each.
 _COARSE_SCALE, _COARSE_SAMPLES = 2, 4
+# Yarns a pixel from which on no weave can be seen, and pixels a yarn that show it.
+_HIDDEN, _PIXELS_PER_YARN = 2.0, 2.0
 # Shorter sides below that are no more coarse than needed.
 _MIN_COARSE = 128
 
@@ -276,13 +280,44 @@ class RenderJob:
         """The scene, with the model baked, and what its close-up shows."""
         if self._own_scene:
             bsdf, others = material_bsdf(self.material), further_cloths(self.settings)
-            return build_scene(self.scene, bsdf, others=others, **self.settings.scene_options), None
+            shown = build_scene(self.scene, bsdf, others=others, **self.settings.scene_options)
+            self._warn_of_hidden_weave(shown.pixel_mm(self.settings.metres_per_unit))
+            return shown, None
         if self.settings.cloths and self.settings.mesh is None:
             raise InputError(
                 f"The cloth {next(iter(self.settings.cloths))} needs a mesh with parts, or a scene file "
                 f"whose BSDFs have names, and {self.scene} is neither."
             )
-        return self._built(self.material, self._size)
+        shown, close_up = self._built(self.material, self._size)
+        if close_up is None:
+            self._warn_of_hidden_weave(shown.pixel_mm())
+        return shown, close_up
+
+    def _warn_of_hidden_weave(self, pixel_mm: float) -> None:
+        """Warns of a fabric whose yarns are too thin for pixels, and names a zoom that shows them.
+
+        Args:
+            pixel_mm: side of what a pixel shows, millimetres.
+        """
+        source = self.material.source
+        if not isinstance(source, Fabric):
+            return
+        layout = source.layout()
+        pitch, name = min(
+            (float(layout.warp.spacing.mean()), "ends"), (float(layout.weft.spacing.mean()), "picks")
+        )
+        yarns = pixel_mm / (pitch * self.settings.placement.scale)
+        zoom = self.settings.zoom * yarns * _PIXELS_PER_YARN
+        if yarns < _HIDDEN or zoom > MAX_ZOOM:
+            return
+        # Of two digits, rounded up.
+        step = 10.0 ** max(math.floor(math.log10(zoom)) - 1, 0)
+        warnings.warn(
+            f"{source.name}: {10 / pitch:.3g} {name}/cm are {yarns:.2g} yarns a pixel here, too many to be "
+            f"seen: --zoom {math.ceil(zoom / step) * step:g} shows them.",
+            LoomlightWarning,
+            stacklevel=2,
+        )
 
     def refined_picture(
         self,

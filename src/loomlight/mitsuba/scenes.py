@@ -101,6 +101,25 @@ class ClothScene:
     point: NDArray[np.float64]
     view: View
 
+    def pixel_mm(self, metres_per_unit: float = 1.0) -> float:
+        """Side of what a pixel in the middle shows of cloth that faces the camera at `point`, millimetres.
+
+        Args:
+            metres_per_unit: of the scene's coordinates.
+        """
+        sensor = self.scene.sensors()[0]
+        step = 1 / int(sensor.film().crop_size()[0])
+        middle, beside = (
+            sensor.sample_ray(0, 0, mi.Point2f(0.5 + part, 0.5), mi.Point2f(0.5))[0] for part in (0, step)
+        )
+        axis = np.array(middle.d, np.float64).ravel()
+        # Where both rays meet the plane through the point that faces the camera.
+        places = []
+        for ray in (middle, beside):
+            origin, towards = (np.array(part, np.float64).ravel() for part in (ray.o, ray.d))
+            places.append(origin + towards * (((self.point - origin) @ axis) / (towards @ axis)))
+        return float(1e3 * metres_per_unit * np.linalg.norm(places[1] - places[0]))
+
     def look_from(self, view: View) -> None:
         """Moves the camera, which keeps its field of view and its picture.
 

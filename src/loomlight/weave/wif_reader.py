@@ -26,7 +26,12 @@ from loomlight.weave.layers import warn_of_layers
 from loomlight.weave.loom import moved_shafts, plan_drawdown
 from loomlight.weave.wif_source import Entries, WifSource
 from loomlight.weave.wif_text import WifText, read_wif_text, shortened
-from loomlight.weave.wif_threads import defaults_count_from_zero, read_family, read_palette
+from loomlight.weave.wif_threads import (
+    defaults_count_from_zero,
+    read_family,
+    read_palette,
+    warn_of_thick_threads,
+)
 from loomlight.weave.wif_values import integer, number_set, thread_number, without_comment, yes_or_no
 
 # Keys that this module interprets, by section; None for every key of the section.
@@ -75,6 +80,7 @@ def draft_of(text: WifText) -> Draft:
     first_default = 0 if defaults_count_from_zero(text, ends, picks, palette) else 1
     warp, warp_defaults = read_family(text, "WARP", ends, palette, first_default)
     weft, weft_defaults = read_family(text, "WEFT", picks, palette, first_default)
+    warn_of_thick_threads(text, warp, weft)
     drawdown = plan_drawdown(loom)
     warn_of_layers(drawdown, text.file)
     return Draft(

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.colour import srgb_to_linear
-from loomlight.core.errors import InputError
+from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.weave.draft import Threads
 from loomlight.weave.wif_source import FamilyDefaults
 from loomlight.weave.wif_text import WifText
@@ -162,6 +164,27 @@ def read_family(
         thickness_mm=default_thickness,
     )
     return threads, defaults
+
+
+def warn_of_thick_threads(text: WifText, warp: Threads, weft: Threads) -> None:
+    """Warns of ends and picks thicker than their spacings, which programs write that know neither.
+
+    One family may be: wefts of a weft-faced cloth are beaten over one another.
+    """
+    told = []
+    for name, threads in (("ends", warp), ("picks", weft)):
+        if threads.thickness_mm is None or threads.spacing_mm is None:
+            return
+        thickness, spacing = float(np.median(threads.thickness_mm)), float(np.median(threads.spacing_mm))
+        if thickness <= spacing:
+            return
+        told.append(f"{10 / spacing:.3g} {name}/cm, {spacing:.3g} mm apart and {thickness:.3g} mm thick")
+    warnings.warn(
+        f"{text.file}: its Thickness is above its Spacing, as programs write that know neither; read are "
+        f"{' and '.join(told)}: if the cloth has others, give ends_per_cm and picks_per_cm in a fabric file.",
+        LoomlightWarning,
+        stacklevel=2,
+    )
 
 
 def _read_colors(
