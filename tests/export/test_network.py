@@ -6,6 +6,10 @@ Covers: export/latent_network.py
 from __future__ import annotations
 
 import json
+import re
+import runpy
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +26,7 @@ from loomlight.models.neural import model as model_module
 from loomlight.models.neural.footprint_coding import Level, taps
 from loomlight.models.neural.weights import shipped_decoder, shipped_weights
 from loomlight.models.registry import make_model
+from tests.marks import slow
 from tests.realtime import test_latent
 from tests.realtime.queries import directions, share_beyond
 from tools.export_decoder import decoder_model
@@ -66,6 +71,60 @@ def test_the_decoder_computes_what_neural_computes(folder: Path, monkeypatch: py
     np.testing.assert_allclose(components, expected, rtol=2e-3, atol=2e-4)
     np.testing.assert_allclose(holes, hole, atol=1e-4)
     assert components.max() > 0.1
+
+
+# Threads of several colours, sheen, and light between yarns or none.
+STRIPES = """weave = "twill 2/1"
+ends_per_cm = 14
+picks_per_cm = 11
+gap = 0.3
+[warp]
+color = ["#b03020", "#203060", "#e0e0c0"]
+specular = 0.8
+[weft]
+color = ["#104020", "#f0f0f0"]
+translucency = 0.3
+"""
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        STRIPES + "[sheen]\nstrength = 0.6\nroughness = 0.3\n",
+        slow(STRIPES),
+        slow("interreflection = false\n" + STRIPES),
+    ],
+)
+def test_the_program_in_the_folder_computes_colours(text: str, tmp_path: Path) -> None:
+    """colour.py, which has nothing of loomlight, against the model: both faces, both sides of the light."""
+    fabric = fabric_from_text(text)
+    program = runpy.run_path(str(export(fabric, "onnx", tmp_path / "onnx") / "colour.py"))
+    rng = np.random.default_rng(5)
+    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    centre = rng.uniform(-4, 6, (COUNT, 2))
+    side = 10 ** rng.uniform(-1.5, 1.5, COUNT)
+    actual = program["Cloth"](tmp_path / "onnx").value(centre, side, light, view)
+    zero, sides = np.zeros(COUNT, np.float32), np.float32(side)
+    footprint = Footprint(Array2f(*np.float32(centre).T), Array2f(sides, zero), Array2f(zero, sides))
+    to_vector = [Array3f(*np.ascontiguousarray(rows.T)) for rows in (view, light)]
+    expected = np.array(make_model("neural", fabric).at(to_vector[0], footprint).value(to_vector[1])).T
+    # As the decoder's: sums in another order, behind an exponential.
+    np.testing.assert_allclose(actual, expected, rtol=3e-3, atol=3e-4)
+    assert expected.max() > 0.1
+    assert np.abs(expected[:, 0] - expected[:, 2]).max() > 0.01
+
+
+def test_the_program_is_run_in_its_folder(folder: Path) -> None:
+    """Without loomlight: it imports NumPy and ONNX Runtime alone."""
+    program = (folder / "colour.py").read_text()
+    assert set(re.findall(r"^(?:import|from) (\w+)", program, re.MULTILINE)) <= {
+        *("__future__", "json", "pathlib", "typing"),
+        *("numpy", "onnxruntime"),
+    }
+    done = subprocess.run([sys.executable, "-I", "colour.py"], cwd=folder, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert len(done.stdout.splitlines()) == 8
+    assert "0°: [" in done.stdout
 
 
 def _decoded(

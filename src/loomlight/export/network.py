@@ -1,7 +1,8 @@
-"""Export of `neural`: its decoder as ONNX, with the latents and fibres of a fabric as tensors."""
+"""Export of `neural`: its decoder as ONNX, a fabric's latents, fibres and albedos as tensors, a program."""
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -16,13 +17,22 @@ from loomlight.models.neural.footprint_coding import mean_pitch
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.weights import shipped_decoder
 from loomlight.models.registry import make_model
+from loomlight.scattering import sheen
+from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.family_parameters import ALBEDO_NAMES
+from loomlight.scattering.fibre import mean_layer_shares
+from loomlight.scattering.interreflection import Scattered, scattered, solved_interior
+from loomlight.scattering.openness import Openness
+from loomlight.scattering.sheen_coefficients import REFLECTANCE, SCALE, SHEAR
+from loomlight.yarn.geometry import YarnGeometry
 
-_PAGE = Path(__file__).parent / "languages" / "network.md"
+_LANGUAGES = Path(__file__).parent / "languages"
+_PAGE, _PROGRAM = _LANGUAGES / "network.md", _LANGUAGES / "colour.py"
 _OF_FACES = ("front", "back")
 
 
 def write_onnx(folder: Path, fabric: Fabric, model: str, _distance: float | None = None) -> dict[str, object]:
-    """Writes decoder.onnx, latents.safetensors and README.md, and returns what the manifest says.
+    """Writes decoder.onnx, tensors, colour.py and README.md, and returns what the manifest says.
 
     Raises:
         InputError: a repeat of more than 64 threads a side.
@@ -47,7 +57,9 @@ def write_onnx(folder: Path, fabric: Fabric, model: str, _distance: float | None
         tensors[f"{face}.bundles"] = encoded.fibres.bundles(bool(number))
     content = save({name: np.ascontiguousarray(values) for name, values in tensors.items()})
     (folder / "latents.safetensors").write_bytes(content)
-    layout = fabric.layout()
+    (folder / "cloth.safetensors").write_bytes(save(_cloth_tensors(made)))
+    shutil.copyfile(_PROGRAM, folder / _PROGRAM.name)
+    layout, appearance = fabric.layout(), fabric.appearance()
     levels = [
         {"first": level.first, "columns": level.columns, "rows": level.rows, "per_thread": level.per_thread}
         for level in encoded.levels
@@ -57,10 +69,63 @@ def write_onnx(folder: Path, fabric: Fabric, model: str, _distance: float | None
         encoding="utf-8",
     )
     return {
-        "files": ["decoder.onnx", "latents.safetensors"],
+        "files": ["decoder.onnx", "latents.safetensors", "cloth.safetensors", _PROGRAM.name],
+        "repeat_mm": list(map(float, layout.size)),
         "picks": encoded.picks,
         "ends": encoded.ends,
         "mean_pitch_mm": float(mean_pitch(layout)),
         "levels": levels,
+        "diffuse_blend": appearance.diffuse_blend,
+        "sheen_strength": appearance.sheen.strength,
         "multiply_adds": made.multiply_adds,
     }
+
+
+def _cloth_tensors(model: NeuralModel) -> dict[str, NDArray[Any]]:
+    """What makes colours of the network's components: albedos of threads, light between yarns, sheen."""
+    layout, appearance = model.fabric.layout(), model.fabric.appearance()
+    tensors: dict[str, NDArray[Any]] = {"warp_on_top": layout.warp_on_top.astype(np.uint8)}
+    families = (("warp", appearance.warp), ("weft", appearance.weft))
+    for (name, family), threads in zip(families, YarnGeometry(layout).families, strict=True):
+        tensors[f"{name}.albedos"] = np.stack([getattr(family, albedo) for albedo in ALBEDO_NAMES], axis=1)
+        edges = threads.centre[:, None] + threads.half_width[:, None] * [-1, 1]
+        tensors[f"{name}.edges"] = edges
+        tensors[f"{name}.cells"] = np.stack([threads.lower, threads.upper], axis=1)
+    if appearance.openness is not None:
+        tensors |= _between_yarns(appearance, appearance.openness)
+    if appearance.sheen.strength > 0:
+        powers = (3 * max(appearance.sheen.roughness, sheen.MIN) ** 0.25 - 2) ** np.arange(6)
+        for name, rows in {"scale": SCALE, "shear": SHEAR, "reflectance": REFLECTANCE}.items():
+            tensors[f"sheen.{name}"] = np.array(rows) @ powers
+    return {
+        name: np.ascontiguousarray(values, values.dtype if values.dtype == np.uint8 else np.float32)
+        for name, values in tensors.items()
+    }
+
+
+def _between_yarns(appearance: Appearance, openness: Openness) -> dict[str, NDArray[Any]]:
+    """Blocked shares of the sky by view, and the radiances between the yarns of both faces."""
+    families = (appearance.warp, appearance.weft)
+    layers = [
+        [float(share) for share in mean_layer_shares(family.roughness, appearance.optical_depth)]
+        for family in families
+    ]
+    warp, weft = (_scattered(family, layer) for family, layer in zip(families, layers, strict=True))
+    faces = solved_interior(warp, weft, openness.interior, openness.meets, openness.blocks)
+    radiance = [
+        [own.warp, own.weft, own.leaked, other.mean, other.leaked] for own, other in (faces, faces[::-1])
+    ]
+    return {
+        "between.by_view": openness.by_view,
+        "between.warp_seen": openness.warp_seen,
+        "between.layers": np.array(layers),
+        "between.radiance": np.array(radiance),
+    }
+
+
+def _scattered(family: FamilyAppearance, layer: list[float]) -> Scattered:
+    """R and T of the mean of a family's threads."""
+    reflect, transmit, specular_reflect, specular_transmit = (
+        getattr(family, name).mean(axis=0) for name in ALBEDO_NAMES
+    )
+    return scattered(reflect, transmit, specular_reflect, specular_transmit, layer)
