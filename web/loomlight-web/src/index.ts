@@ -2,6 +2,7 @@
 export type { Openness } from "./fabric/between_yarns.ts";
 export { lookOf, type Appearance, type ClothLayout, type FamilyLayout, type Look } from "./fabric/look.ts";
 export { NO_ADAPTER, NO_WEBGPU } from "./gpu/device.ts";
+export type { TableCache } from "./gpu/table_cache.ts";
 export { BUDGET, type Budget } from "./pace.ts";
 export { ClothRenderer, type RendererOptions } from "./renderer.ts";
 export { FIELD_OF_VIEW } from "./scene/camera.ts";

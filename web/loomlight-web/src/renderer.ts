@@ -7,6 +7,7 @@ import { DEFAULT_ENVIRONMENT_SAMPLES, DEFAULT_SAMPLES } from "./generated.ts";
 import { ClothBuffers } from "./gpu/cloth_buffers.ts";
 import { Device, type DeviceOptions } from "./gpu/device.ts";
 import { Presenter } from "./gpu/present.ts";
+import type { TableCache } from "./gpu/table_cache.ts";
 import { requireSize } from "./gpu/targets.ts";
 import { BUDGET, Pace, type Budget } from "./pace.ts";
 import { Passes } from "./passes.ts";
@@ -37,6 +38,8 @@ export interface RendererOptions extends DeviceOptions {
   readonly shareWith?: ClothRenderer;
   /** Milliseconds that passes may take; null for pictures that are always as fine as the canvas, each pass in one go. */
   readonly budget?: Budget | null;
+  /** Keeps baked tables between visits. */
+  readonly tables?: TableCache;
 }
 
 /** Renders pieces of cloth by direct light; see `web/loomlight-web/README.md`. */
@@ -132,7 +135,7 @@ export class ClothRenderer {
    * @throws InputError a mesh without uv, a fabric that cannot be, or tables beyond the adapter's limits.
    */
   setPieces(pieces: readonly Piece[], casters: readonly Caster[] = []): void {
-    const cloth = new ClothBuffers(this.device, pieces, casters);
+    const cloth = new ClothBuffers(this.device, pieces, casters, this.options.tables ?? null);
     this.keepCounts();
     this.leaveTables();
     cloth.fabrics.useTables(this.model === "lobes");

@@ -47,6 +47,7 @@ interface Report {
   readonly isSoftware: boolean;
   /** Of each step of each scene, since the step before. */
   readonly statistics: Statistics[][];
+  readonly areas: { readonly resting: FrameReport[]; readonly bakes: number };
   readonly pace: { readonly moving: FrameReport[]; readonly resting: FrameReport[] };
   readonly loss: { readonly sentence: string; readonly framesWhileLost: FrameReport[] };
   /** What WebGPU complained of outside of any promise. */
@@ -129,6 +130,36 @@ async function pace(shareWith: ClothRenderer, { size, steps }: Scene): Promise<R
   return { moving, resting };
 }
 
+/** A picture that is made of areas at rest, by a renderer that finds its tables kept and bakes none. */
+async function areas(shareWith: ClothRenderer, { size, steps }: Scene): Promise<Report["areas"]> {
+  const kept = new Map<string, Uint32Array<ArrayBuffer>>();
+  let tell = (): void => undefined;
+  const told = new Promise<void>((resolve) => (tell = resolve));
+  const tables = {
+    get: async (key: string) => kept.get(key) ?? null,
+    put: (key: string, words: Uint32Array<ArrayBuffer>) => {
+      kept.set(key, words);
+      tell();
+    },
+  };
+  const first = await web.ClothRenderer.create({ size, shareWith, budget: null, tables });
+  await take(first, steps[0]!);
+  await told;
+  first.setEnvironment(null);
+  await first.render(1);
+  await store(first, "whole");
+  first.destroy();
+  const renderer = await web.ClothRenderer.create({ size, shareWith, budget: { moving: 0, submission: 0, resting: 0 }, tables });
+  const { passes: _, ...step } = steps[0]!;
+  await take(renderer, { ...step, environment: null });
+  renderer.setModel(step.model![0], { samples: step.model![1], passes: 7 });
+  const resting = await frames(renderer, 2000, ({ isComplete }) => isComplete);
+  await store(renderer, "areas");
+  const { bakes } = renderer.statistics;
+  renderer.destroy();
+  return { resting, bakes };
+}
+
 /** Loses the device, as a driver does that begins anew, and goes on. */
 async function loss(renderer: ClothRenderer): Promise<Report["loss"]> {
   const { lost } = renderer;
@@ -160,6 +191,7 @@ const report: Report = {
   isSoftware: first.adapter.isSoftware,
   statistics,
   pace: await pace(first, scenes[0]!),
+  areas: await areas(first, scenes[0]!),
   loss: await loss(first),
   complaints,
 };

@@ -2,6 +2,7 @@
 import { InputError } from "loomlight-fabric";
 import { ClothRenderer, type FrameReport, type Openness, type Vector3 } from "loomlight-web";
 
+import { tableStore } from "../keeping/table_store.ts";
 import { woven, type Fabric, type Model, type Scene } from "../state/document.ts";
 import type { ClothView, PictureRequest, Pixels, Print, Shown, ViewStatistics } from "./cloth_view.ts";
 import type { ClothShape } from "./meshes.ts";
@@ -111,7 +112,7 @@ export class WebGpuView implements ClothView {
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", "The cloth");
     canvas.dataset["testid"] = "cloth";
-    const renderer = await ClothRenderer.create({ canvas, transparent: true });
+    const renderer = await ClothRenderer.create({ canvas, transparent: true, tables: tableStore });
     host.append(canvas);
     return new WebGpuView(host, canvas, renderer, flat, tables, pictures, onFault);
   }
@@ -264,7 +265,7 @@ export class WebGpuView implements ClothView {
     if (this.isMakingOther) return;
     this.isMakingOther = true;
     const { width, height } = this.canvas;
-    this.other = await ClothRenderer.create({ shareWith: this.renderer, size: [width, height] });
+    this.other = await ClothRenderer.create({ shareWith: this.renderer, size: [width, height], tables: tableStore });
     this.isMakingOther = false;
     this.lit = null;
     if (this.shown !== null) this.show(this.shown);

@@ -43,7 +43,7 @@ export class Baker {
     resources["bakes"] = this.stored("bakes", bakeRecord(plan, fabrics, number).words);
     for (const [alias, name] of Object.entries(BAKE.aliases)) resources[alias] = resources[name]!;
     const steps = this.stored("steps", bakeSteps(plan));
-    const encoder = this.device.gpu.createCommandEncoder();
+    let encoder = this.device.gpu.createCommandEncoder();
     for (const sequence of SEQUENCES)
       for (let face = 0; face < (sequence[0]!.each === "" ? 1 : 2); face++)
         for (const dispatch of sequence) {
@@ -55,6 +55,10 @@ export class Baker {
             const threads = valueOf(plan, dispatch.threads, { level_columns: columns, level_rows: rows });
             if (dispatch.clears !== "") encoder.clearBuffer(resources[dispatch.clears] as GPUBuffer);
             this.encode(encoder, dispatch, threads, resources);
+            // A software adapter takes seconds for all of them: what else the page draws comes in between.
+            if (!this.device.isSoftware) continue;
+            this.device.gpu.queue.submit([encoder.finish()]);
+            encoder = this.device.gpu.createCommandEncoder();
           }
         }
     this.device.gpu.queue.submit([encoder.finish()]);

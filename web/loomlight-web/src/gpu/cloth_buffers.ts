@@ -11,6 +11,7 @@ import type { Device } from "./device.ts";
 import { FabricBuffers, type Dressing } from "./fabric_buffers.ts";
 import { bakeOpenness, isAsOpen } from "./openness_baker.ts";
 import { SceneBuffers } from "./scene_buffers.ts";
+import type { TableCache } from "./table_cache.ts";
 import { ServedBuffers, readTables } from "./served_buffers.ts";
 
 const UV_SIZE_MM = [100, 100] as const;
@@ -39,7 +40,7 @@ export class ClothBuffers {
   private isUnknowable = false;
 
   /** @throws InputError no piece, a mesh without uv, a fabric that cannot be, or tables beyond the adapter's limits. */
-  constructor(device: Device, pieces: readonly Piece[], casters: readonly Caster[]) {
+  constructor(device: Device, pieces: readonly Piece[], casters: readonly Caster[], cache: TableCache | null = null) {
     if (pieces.length === 0) throw new InputError("A renderer needs at least one piece of cloth.");
     pieces.forEach(({ mesh }) => requireMesh(mesh));
     casters.forEach(requireFaces);
@@ -55,7 +56,7 @@ export class ClothBuffers {
         extra: this.scene.maps[number]!,
       }),
     );
-    this.fabrics = new FabricBuffers(device, dressings);
+    this.fabrics = new FabricBuffers(device, dressings, cache);
   }
 
   /** Buffers by the names that shaders have for them. */
@@ -102,9 +103,9 @@ export class ClothBuffers {
     return this.pieces.every((piece, number) => !looksForOpenness(piece) || this.known.has(number));
   }
 
-  /** Resolves when what is being looked for is found. */
+  /** Resolves when what is being looked for is found, and what is baked is done. */
   async found(): Promise<void> {
-    await Promise.all(this.finding.values());
+    await Promise.all([...this.finding.values(), this.fabrics.settled()]);
   }
 
   /** The tables that Python packed, where they are shown. */

@@ -6,12 +6,16 @@ import { DEFAULT_GROUPS, RECORDS } from "../generated.ts";
 import { wordOf, type RecordArray, type Values } from "../records.ts";
 import { Baker } from "./baker.ts";
 import type { Device } from "./device.ts";
+import { keyOfTables, type TableCache } from "./table_cache.ts";
 
 // Changes of words that lie closer than this go in one write. Tables that kernels wrote are longer than that, and so
 // never in between.
 const NEAR = 64;
 // What kernels write into the record of a fabric; the back's follows the front's.
 const BAKED_FIELDS = ["lobes.front_warp_packs", "lobes.front_hole_weight"] as const;
+const WORDS_OF_FIELD = 2;
+// Tables are kept once a fabric has stood so many milliseconds: a slider that is drawn makes many.
+const CALM_MS = 2000;
 
 /** A fabric of a scene: its look, its size on the mesh, and what the scene adds to its record. */
 export interface Dressing {
@@ -42,9 +46,17 @@ export class FabricBuffers {
   private packed: Packed;
   private usesTables = true;
   private readonly unbaked = new Set<number>();
+  private readonly cache: TableCache | null;
+  /** Kept tables of fabrics that are not baked: null where there are none, undefined while they are looked for. */
+  private readonly kept = new Map<number, Uint32Array<ArrayBuffer> | null | undefined>();
+  private readonly looking = new Set<Promise<void>>();
+  /** On a software adapter a bake takes seconds: nothing is drawn that would wait for it. */
+  private baking: Promise<void> | null = null;
+  private isDestroyed = false;
 
-  constructor(device: Device, dressings: readonly Dressing[]) {
+  constructor(device: Device, dressings: readonly Dressing[], cache: TableCache | null = null) {
     this.device = device;
+    this.cache = cache;
     this.baker = new Baker(device);
     this.dressings = [...dressings];
     this.ingredients = dressings.map((dressing) => ingredientsOf(dressing, null));
@@ -75,14 +87,21 @@ export class FabricBuffers {
 
   /** Bakes what is not baked yet; false while kernels compile. */
   bake(): boolean {
-    if (this.unbaked.size === 0) return true;
-    if (!this.baker.isReady()) return false;
+    if (this.baking !== null) return false;
     for (const number of this.unbaked) {
-      this.baker.bake(this.buffers, this.packed.fabrics, number, this.ingredients[number]!.plan!);
-      this.bakes++;
+      const kept = this.keptOf(number);
+      if (kept === undefined) continue;
+      if (kept !== null) this.restore(number, kept);
+      else if (this.baker.isReady()) this.bakeOne(number);
+      else continue;
+      this.unbaked.delete(number);
     }
-    this.unbaked.clear();
-    return true;
+    return this.unbaked.size === 0 && this.baking === null;
+  }
+
+  /** Resolves when what is looked for is found or not, and what is baked is done. */
+  async settled(): Promise<void> {
+    await Promise.all([...this.looking, this.baking]);
   }
 
   /** Another fabric, or an edit of it, in place of fabric `number`; tables are baked by the next `bake`. */
@@ -96,7 +115,10 @@ export class FabricBuffers {
     const isSame =
       sameLayout(before.look.layout, look.layout) &&
       before.look.appearance.diffuseBlend === look.appearance.diffuseBlend;
-    if (!isSame) this.unbaked.add(number);
+    if (!isSame) {
+      this.unbaked.add(number);
+      this.kept.delete(number);
+    }
     if (!haveSameTables(old, this.packed)) {
       const buffers = this.buffers;
       this.upload();
@@ -133,8 +155,79 @@ export class FabricBuffers {
   }
 
   destroy(): void {
+    this.isDestroyed = true;
     Object.values(this.buffers).forEach((buffer) => buffer.destroy());
     this.baker.destroy();
+  }
+
+  /** Kept tables of a fabric, which are looked for once. */
+  private keptOf(number: number): Uint32Array<ArrayBuffer> | null | undefined {
+    if (this.cache === null) return null;
+    if (!this.kept.has(number)) {
+      this.kept.set(number, undefined);
+      const { look } = this.dressings[number]!;
+      const looking: Promise<void> = this.cache.get(keyOfTables(look)).then((words) => {
+        this.looking.delete(looking);
+        // Another fabric may have come meanwhile.
+        if (this.kept.has(number) && this.dressings[number]!.look === look)
+          this.kept.set(number, words?.length === this.tableWords(number) + WORDS_OF_FIELD * BAKED_FIELDS.length ? words : null);
+        else this.kept.delete(number);
+      });
+      this.looking.add(looking);
+    }
+    return this.kept.get(number);
+  }
+
+  private bakeOne(number: number): void {
+    this.baker.bake(this.buffers, this.packed.fabrics, number, this.ingredients[number]!.plan!);
+    this.bakes++;
+    const done = this.device.gpu.queue.onSubmittedWorkDone();
+    const end = (): void => void (this.baking = null);
+    if (this.device.isSoftware) this.baking = done.then(end, end);
+    const { look } = this.dressings[number]!;
+    if (this.cache !== null) setTimeout(() => void this.keep(number, look), CALM_MS);
+  }
+
+  private tableWords(number: number): number {
+    return Object.values(this.ingredients[number]!.plan!.tableWords).reduce((sum, size) => sum + size, 0);
+  }
+
+  /** Bytes from the beginning of the records to what kernels wrote of a fabric. */
+  private fieldAt(number: number, field: (typeof BAKED_FIELDS)[number]): number {
+    return 4 * (number * RECORDS.Fabric.words + wordOf("Fabric", field));
+  }
+
+  private restore(number: number, words: Uint32Array<ArrayBuffer>): void {
+    const size = this.tableWords(number);
+    this.device.write(this.buffers["words"]!, words.slice(0, size), this.packed.fabrics.get(number, "lobes.coverage"));
+    BAKED_FIELDS.forEach((field, index) => {
+      const at = size + WORDS_OF_FIELD * index;
+      this.device.write(this.buffers["fabrics"]!, words.slice(at, at + WORDS_OF_FIELD), this.fieldAt(number, field) / 4);
+    });
+  }
+
+  /** Reads the tables of a fabric back and keeps them, if it is still the one that was baked. */
+  private async keep(number: number, look: Look): Promise<void> {
+    if (this.isDestroyed || this.unbaked.has(number) || keyOfTables(this.dressings[number]!.look) !== keyOfTables(look)) return;
+    const { gpu } = this.device;
+    const size = this.tableWords(number);
+    const copy = gpu.createBuffer({
+      size: 4 * (size + WORDS_OF_FIELD * BAKED_FIELDS.length),
+      usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ,
+    });
+    const encoder = gpu.createCommandEncoder();
+    encoder.copyBufferToBuffer(this.buffers["words"]!, 4 * this.packed.fabrics.get(number, "lobes.coverage"), copy, 0, 4 * size);
+    BAKED_FIELDS.forEach((field, index) =>
+      encoder.copyBufferToBuffer(this.buffers["fabrics"]!, this.fieldAt(number, field), copy, 4 * (size + WORDS_OF_FIELD * index), 4 * WORDS_OF_FIELD),
+    );
+    gpu.queue.submit([encoder.finish()]);
+    try {
+      await copy.mapAsync(GPUMapMode.READ);
+    } catch {
+      return; // the device is lost
+    }
+    this.cache?.put(keyOfTables(look), new Uint32Array(copy.getMappedRange().slice(0)));
+    copy.destroy();
   }
 
   private pack(): Packed {
@@ -179,11 +272,10 @@ export class FabricBuffers {
         number,
         number,
       ];
-      const words = Object.values(this.ingredients[number]!.plan!.tableWords).reduce((sum, size) => sum + size, 0);
-      encoder.copyBufferToBuffer(before["words"]!, from, this.buffers["words"]!, to, 4 * words);
+      encoder.copyBufferToBuffer(before["words"]!, from, this.buffers["words"]!, to, 4 * this.tableWords(number));
       for (const field of BAKED_FIELDS) {
-        const at = 4 * (number * RECORDS.Fabric.words + wordOf("Fabric", field));
-        encoder.copyBufferToBuffer(before["fabrics"]!, at, this.buffers["fabrics"]!, at, 8);
+        const at = this.fieldAt(number, field);
+        encoder.copyBufferToBuffer(before["fabrics"]!, at, this.buffers["fabrics"]!, at, 4 * WORDS_OF_FIELD);
       }
     });
     this.device.gpu.queue.submit([encoder.finish()]);
