@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import time
 import warnings
 from collections.abc import Callable, Iterator
@@ -19,26 +18,11 @@ from loomlight.viewer.access import Access
 from loomlight.viewer.client import client_folder
 from tests.limits import HANG
 from tests.viewer.conftest import Served, serving
+from tools.chromium import QUIET, SWIFTSHADER, chromium
 
+__all__ = ["SWIFTSHADER"]
 ROOT = Path(__file__).resolve().parents[3]
 AXE = ROOT / "web" / "node_modules" / "axe-core" / "axe.min.js"
-# A fresh profile that asks nothing of the network.
-_QUIET = (
-    "--no-sandbox",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-)
-# WebGPU in software; a canvas needs all of them.
-SWIFTSHADER = (
-    "--enable-unsafe-webgpu",
-    "--use-webgpu-adapter=swiftshader",
-    "--enable-features=Vulkan",
-    "--use-vulkan=swiftshader",
-    "--use-angle=swiftshader",
-)
 # Console messages of Chromium about this machine, not about the page.
 # Answers once what a page does after it is painted is done, its own clock or one of a test.
 _SETTLED = """{ const [frame, later] = [requestAnimationFrame, setTimeout];
@@ -59,10 +43,6 @@ class Visit:
     def outside(self, address: str) -> list[str]:
         """Requests that went elsewhere than to the page's own server."""
         return [url for url in self.requests if not url.startswith((address, "data:", "blob:", "about:"))]
-
-
-def _chromium() -> str | None:
-    return next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
 
 @pytest.fixture(scope="session")
@@ -118,11 +98,11 @@ def browser(client: Path, playwright: Any) -> Iterator[Any]:
 @contextmanager
 def launched(playwright: Any, options: tuple[str, ...]) -> Iterator[Any]:
     """Chromium with further options; skips the test where it is missing."""
-    program = _chromium()
+    program = chromium()
     if program is None:
         pytest.skip("chromium is not installed: apt-get install chromium")
     started = playwright.chromium.launch(
-        executable_path=program, args=[*_QUIET, *options], env=dict(os.environ)
+        executable_path=program, args=[*QUIET, *options], env=dict(os.environ)
     )
     try:
         yield started

@@ -204,14 +204,15 @@ export function Stage(props: Props) {
         <button type="button" class="icon-button" aria-label="Show the whole cloth" title="Show the whole cloth" data-testid="frame-whole" onClick={() => view?.frameWhole()}>
           <Icon name="frame" />
         </button>
-        {refining !== null && (
+        {refining !== null ? (
           <output class="refining" title="This adapter takes long for a picture as fine as the screen" data-testid="refining">
             {refining}
           </output>
+        ) : (
+          <output class="frame-time" title="Time of the last frame" data-testid="frame-time">
+            {frameMs > 0 ? `${frameMs < 10 ? frameMs.toFixed(1) : Math.round(frameMs)} ms` : "–"}
+          </output>
         )}
-        <output class="frame-time" title="Time of the last frame" data-testid="frame-time">
-          {frameMs > 0 ? `${frameMs < 10 ? frameMs.toFixed(1) : Math.round(frameMs)} ms` : "–"}
-        </output>
       </div>
       {preparing !== null && lost === null && (
         <p class="stage-hint" role="status" data-testid="preparing">

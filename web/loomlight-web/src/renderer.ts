@@ -42,7 +42,7 @@ export interface RendererOptions extends DeviceOptions {
   readonly tables?: TableCache;
 }
 
-/** Renders pieces of cloth by direct light; see `web/loomlight-web/README.md`. */
+/** Renders pieces of cloth by direct light; see `docs/web.md`. */
 export class ClothRenderer {
   private readonly options: RendererOptions;
   private device: Device;
