@@ -6,7 +6,7 @@ const DIVISORS = [1, 1.5, 2, 3, 4, 6, 8, 12, 16] as const;
 const SINKS = 0.4;
 // Pixels of a submission: before the first measurement, and at least.
 const FIRST_PIXELS = 1024;
-const MIN_PIXELS = 512;
+const MIN_PIXELS = 1024;
 // What a submission costs by itself rises by so much with each measurement above it: the least of late.
 const RISES = 1.03;
 // A submission has so many times the pixels of the one before at most: what it costs by itself may be misjudged.

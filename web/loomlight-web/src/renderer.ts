@@ -23,8 +23,10 @@ const MAX_PASSES = 256;
 // Of a preview, and of one on a software adapter, where more would keep the processor from compiling.
 const PREVIEW_PASSES = 4;
 const SOFTWARE_PREVIEW_PASSES = 1;
-// Milliseconds between two showings of a picture that is made of areas: each is one of the whole canvas.
+// Between two showings of a picture that is made of areas, as each is one of the whole canvas: milliseconds, and times of
+// what the last one took.
 const SHOWS_EVERY = 1000;
+const SHOWS_REST = 5;
 
 /** How a renderer is made. */
 export interface RendererOptions extends DeviceOptions {
@@ -72,10 +74,12 @@ export class ClothRenderer {
   private wasWhole = false;
   /** What the device could not compile, a sentence each. */
   private missing: readonly string[] = [];
-  private isPending = false;
+  /** Submissions that are waited for. */
+  private pending = 0;
   /** Areas that the pass which has begun still lacks. */
   private areas: Area[] = [];
   private shownAt = 0;
+  private showMs = 0;
   /** Whether the picture at rest is refined to the size of the canvas; see `holdRefining`. */
   private refines = true;
   private other: { readonly renderer: ClothRenderer; readonly split: number } | null = null;
@@ -407,7 +411,7 @@ export class ClothRenderer {
     if (canvas) this.presenter = new Presenter(this.device, canvas, transparent ?? false);
     this.keepCounts();
     const { model, cloth } = this;
-    [this.cloth, this.isPending] = [null, false];
+    [this.cloth, this.pending] = [null, 0];
     if (cloth !== null) {
       this.setPieces(cloth.pieces, cloth.casters);
       if (cloth.servedContent !== null) this.setTables(model, cloth.servedContent);
@@ -457,7 +461,7 @@ export class ClothRenderer {
 
   private advance(view: View): FrameReport {
     this.view = view;
-    const plan = this.isPending ? null : this.prepare(!this.wasWhole);
+    const plan = this.pending > 0 ? null : this.prepare(!this.wasWhole);
     if (plan === null) return this.report(false);
     this.plan = plan;
     this.wasWhole ||= !plan.isPreview;
@@ -529,12 +533,20 @@ export class ClothRenderer {
   }
 
   private time(pixels: number): void {
-    const begin = performance.now();
-    this.isPending = true;
-    void this.device.gpu.queue.onSubmittedWorkDone().then(() => {
-      this.isPending = false;
-      this.done.frameMs = performance.now() - begin;
-      this.pace?.measured(this.done.frameMs, pixels);
+    this.wait((ms) => {
+      this.done.frameMs = ms;
+      this.pace?.measured(ms, pixels);
+    });
+  }
+
+  /** Draws nothing more until the adapter has done what it was given; `onDone` is told the milliseconds. */
+  private wait(onDone: (ms: number) => void): void {
+    const [begin, { device }] = [performance.now(), this];
+    this.pending++;
+    void device.gpu.queue.onSubmittedWorkDone().then(() => {
+      if (device !== this.device) return; // it was lost
+      this.pending--;
+      onDone(performance.now() - begin);
     });
   }
 
@@ -563,12 +575,16 @@ export class ClothRenderer {
   private show(): void {
     if (this.presenter === null || !this.passes.hasPicture) return;
     const now = performance.now();
-    if (this.areas.length > 0 && now - this.shownAt < SHOWS_EVERY) return;
+    const isPart = this.areas.length > 0;
+    if (isPart && now - this.shownAt < Math.max(SHOWS_EVERY, SHOWS_REST * this.showMs)) return;
     this.shownAt = now;
     const left = this.passes.source();
     const other = this.other?.renderer.passes;
-    if (other === undefined) this.presenter.show(left, left, 1);
-    else if (other.hasPicture) this.presenter.show(left, other.source(), this.other!.split);
+    const right = other === undefined ? left : other.hasPicture ? other.source() : null;
+    if (right === null) return;
+    const hasShown = this.presenter.show(left, right, other === undefined ? 1 : this.other!.split);
+    // What the next area takes is not to be taken for it.
+    if (hasShown && isPart) this.wait((ms) => (this.showMs = ms));
   }
 
   /** @throws InputError no cloth was given yet. */

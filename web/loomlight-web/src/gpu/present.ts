@@ -45,11 +45,11 @@ export class Presenter {
     this.uniform = device.buffer(4 * UNIFORM_WORDS, GPUBufferUsage.UNIFORM);
   }
 
-  /** Shows `left`, and from `split` (0 to 1) on `right` in its place; nothing is drawn where the canvas shows that already. */
-  show(left: Source, right: Source, split: number): void {
+  /** Shows `left`, and from `split` (0 to 1) on `right` in its place; false, where the canvas shows that already. */
+  show(left: Source, right: Source, split: number): boolean {
     const { canvas } = this.context;
     const picture = [left.pixels, left.revision, right.pixels, right.revision, split, canvas.width, canvas.height];
-    if (picture.every((part, number) => part === this.shown[number])) return;
+    if (picture.every((part, number) => part === this.shown[number])) return false;
     this.shown = picture;
     const words = new Uint32Array(UNIFORM_WORDS);
     const floats = new Float32Array(words.buffer);
@@ -76,5 +76,6 @@ export class Presenter {
     pass.draw(3);
     pass.end();
     gpu.queue.submit([encoder.finish()]);
+    return true;
   }
 }
