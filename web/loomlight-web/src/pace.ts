@@ -7,12 +7,8 @@ const SINKS = 0.4;
 // Pixels of a submission: before the first measurement, and at least.
 const FIRST_PIXELS = 1024;
 const MIN_PIXELS = 1024;
-// What a submission costs by itself rises by so much with each measurement above it: the least of late.
-const RISES = 1.03;
-// A submission has so many times the pixels of the one before at most: what it costs by itself may be misjudged.
+// A submission has so many times the pixels of the one before at most: it may meet a dearer part.
 const GROWS = 4;
-// On a busy machine a submission waits longer than it works: it then takes so many times what it costs by itself.
-const WORTH = 2.5;
 // What a row of groups of `tone_map` takes.
 const MAX_PIXELS = 64 * 65535;
 
@@ -20,7 +16,7 @@ const MAX_PIXELS = 64 * 65535;
 export interface Budget {
   /** Of a pass while something moves. */
   readonly moving: number;
-  /** Of one submission to the adapter: a software adapter, and the page with it, stands still meanwhile. Twice that at most. */
+  /** Of one submission to the adapter: a software adapter, and the page with it, stands still meanwhile. */
   readonly submission: number;
   /** Of all passes of a picture at rest; one is made however long it takes. */
   readonly resting: number;
@@ -39,8 +35,6 @@ export class Pace {
   private readonly budget: Budget;
   /** Milliseconds a pixel; null before the first measurement. */
   private cost: number | null = null;
-  /** Of a submission without pixels, milliseconds. */
-  private overhead = 0;
   /** Pixels of late submissions. */
   private late = FIRST_PIXELS / GROWS;
 
@@ -51,9 +45,7 @@ export class Pace {
   /** A submission of so many pixels took so many milliseconds. */
   measured(ms: number, pixels: number): void {
     this.late = Math.max(pixels, this.late / 2);
-    const least = Math.min(ms, this.cost === null ? ms / 2 : this.overhead * RISES + 0.1);
-    this.overhead = pixels > 4 * MIN_PIXELS ? Math.min(this.overhead, ms) : least;
-    const cost = Math.max(ms - this.overhead, ms / 20) / Math.max(pixels, 1);
+    const cost = ms / Math.max(pixels, 1);
     this.cost = this.cost === null || cost > this.cost ? cost : this.cost + SINKS * (cost - this.cost);
   }
 
@@ -73,9 +65,7 @@ export class Pace {
   /** Pixels that one submission may shade. */
   get pixels(): number {
     if (this.cost === null) return FIRST_PIXELS;
-    const { submission } = this.budget;
-    const ms = Math.min(2 * submission, Math.max(submission, WORTH * this.overhead));
-    return Math.min(MAX_PIXELS, GROWS * this.late, Math.max(MIN_PIXELS, (ms - this.overhead) / this.cost));
+    return Math.min(MAX_PIXELS, GROWS * this.late, Math.max(MIN_PIXELS, this.budget.submission / this.cost));
   }
 
   /** Milliseconds that a pass of so many pixels takes; 0 before the first measurement. */
