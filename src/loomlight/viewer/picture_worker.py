@@ -35,7 +35,7 @@ class PictureMaker:
         Args:
             folder: where pictures are kept; in the user's cache by default.
         """
-        self._folder = folder or cache_folder("stages")
+        self._given_folder = folder
         self._process: subprocess.Popen[bytes] | None = None
         self._turn = threading.Lock()
         self._asked: object = None
@@ -50,7 +50,7 @@ class PictureMaker:
         Raises:
             InputError: content that is no stage, or a picture that another one ended.
         """
-        kept = self._folder / f"{hashlib.sha256(_VERSION + content).hexdigest()}.png"
+        kept = self._folder() / f"{hashlib.sha256(_VERSION + content).hexdigest()}.png"
         with suppress(OSError):
             found = kept.read_bytes()
             os.utime(kept, ns=(now := time.time_ns(), now))
@@ -106,12 +106,15 @@ class PictureMaker:
             )
         return self._process
 
+    def _folder(self) -> Path:
+        return self._given_folder or cache_folder("stages")
+
     def _keep(self, file: Path, png: bytes) -> None:
         with suppress(OSError):  # a cache that cannot be written is none
-            self._folder.mkdir(parents=True, exist_ok=True)
+            self._folder().mkdir(parents=True, exist_ok=True)
             with replacing(file) as temporary:
                 temporary.write_bytes(png)
-            kept = sorted(self._folder.glob("*.png"), key=lambda each: each.stat().st_mtime, reverse=True)
+            kept = sorted(self._folder().glob("*.png"), key=lambda each: each.stat().st_mtime, reverse=True)
             for old in kept[MAX_KEPT:]:
                 old.unlink(missing_ok=True)
 

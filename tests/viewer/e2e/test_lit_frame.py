@@ -10,6 +10,7 @@ import time
 from collections.abc import Iterator
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -152,6 +153,14 @@ REFUSE = """async ({ fabric, openness, size, refused }) => {
 }"""
 
 
+# Whether the picture that Python rendered has the size of the canvas.
+SAME_SIZE = """(async () => {
+  const { width, height } = await window.loomlight.readPixels();
+  const canvas = document.querySelector("canvas.cloth-canvas");
+  return width === canvas.width && height === canvas.height;
+})()"""
+
+
 class _Quiet(SimpleHTTPRequestHandler):
     def log_message(self, format: str, *arguments: object) -> None:
         """Says nothing of requests."""
@@ -262,7 +271,10 @@ def test_a_device_that_cannot_compile_a_model_says_so_and_shows_points(page: Any
 
 
 @pytest.mark.slow
-def test_the_editor_lights_its_cloth(served: Served, playwright: Any) -> None:
+def test_the_editor_lights_its_cloth(
+    served: Served, playwright: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     with launched(playwright, SWIFTSHADER) as browser, visiting(browser) as visit:
         begin = time.perf_counter()
         visit.page.goto(f"http://127.0.0.1:{served.port}/")
@@ -279,6 +291,13 @@ def test_the_editor_lights_its_cloth(served: Served, playwright: Any) -> None:
         pixels = visit.page.evaluate("window.loomlight.readPixels().then(({ data }) => data)")
         assert np.array(pixels).reshape(-1, 4)[:, :3].std() > 20  # of 255: cloth on paper
         assert visit.page.locator("canvas.cloth-canvas").count() == 1
+        # At rest Python renders the picture, of the canvas's size, until the next turn.
+        wait_until(visit.page, "window.loomlight.statistics().rendered === 'shown'")
+        assert visit.page.evaluate(SAME_SIZE)
+        assert visit.page.evaluate("window.loomlight.statistics().isComplete")
+        visit.page.locator("canvas.cloth-canvas").press("ArrowRight")
+        wait_until(visit.page, "window.loomlight.statistics().rendered !== 'shown'")
+        assert not visit.page.locator(".stage-picture").is_visible()
         clear = picture_of(exported(visit.page, "picture", width="90", height="60", transparent=True))
         paper = picture_of(exported(visit.page, "picture", transparent=False))
         visit.page.emulate_media(color_scheme="dark")

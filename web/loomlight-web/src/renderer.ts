@@ -27,6 +27,8 @@ const SOFTWARE_PREVIEW_PASSES = 1;
 // what the last one took.
 const SHOWS_EVERY = 1000;
 const SHOWS_REST = 5;
+// Pixels of the areas of pictures for files.
+const PICTURE_AREA = 64 * 64;
 
 /** How a renderer is made. */
 export interface RendererOptions extends DeviceOptions {
@@ -358,15 +360,17 @@ export class ClothRenderer {
     try {
       await passes.compiled;
       const all = { x: 0, y: 0, width, height };
-      const pixels = this.pace?.pixels ?? Infinity;
-      passes.begin(keyOfView(view, []), view, this.require(), width, height, pixelsOf(all) > pixels);
+      // Areas of one size: a pixel's random numbers follow from its place in one, and are the same each time.
+      const pixels = Math.max(this.pace?.pixels ?? Infinity, PICTURE_AREA);
+      const inAreas = this.pace !== null && (this.device.isSoftware || pixelsOf(all) > pixels);
+      passes.begin(keyOfView(view, []), view, this.require(), width, height, inAreas);
       const most = Math.min(options.passes, this.mostPasses);
       for (let pass = 0; pass < most; pass++) {
-        const areas = passes.isAveraged ? areasOf(width, height, this.pace?.pixels ?? Infinity) : [all];
+        const areas = inAreas ? areasOf(width, height, PICTURE_AREA) : [all];
         for (let left = pixelsOf(all); left > 0; ) {
-          const next = taken(areas, passes.isAveraged ? (this.pace?.pixels ?? Infinity) : Infinity);
+          const next = taken(areas, inAreas ? Math.max(this.pace?.pixels ?? Infinity, PICTURE_AREA) : Infinity);
           const begin = performance.now();
-          if (passes.isAveraged) for (const area of next) passes.addArea(area, view, this.require(), plan, this.samples);
+          if (inAreas) for (const area of next) passes.addArea(area, view, this.require(), plan, this.samples);
           else passes.add(view, this.require(), plan, this.samples);
           await this.device.gpu.queue.onSubmittedWorkDone();
           const done = next.reduce((sum, area) => sum + pixelsOf(area), 0);
@@ -374,7 +378,7 @@ export class ClothRenderer {
           left -= done;
           onPass?.((pass + 1 - left / pixelsOf(all)) / most);
         }
-        if (passes.isAveraged) passes.endPass();
+        if (inAreas) passes.endPass();
       }
       return { width, height, pixels: await this.pixelsOf(passes), linear: await this.linearOf(passes) };
     } finally {
