@@ -58,8 +58,8 @@ def page(opened: Any) -> Iterator[Any]:
 @pytest.mark.parametrize(
     ("name", "text", "said"),
     [
-        ("bare.obj", TRIANGLE + "f 1 2 3\n", "bare.obj has no uv: unwrap the mesh"),
-        ("bare.ply", PLY.format(uv="", a="", b="", c=""), "bare.ply has no uv: unwrap the mesh"),
+        ("bare.obj", TRIANGLE + "f 1 2 3\n", "bare.obj has no uv, or they collapse"),
+        ("bare.ply", PLY.format(uv="", a="", b="", c=""), "bare.ply has no uv, or they collapse"),
         ("empty.obj", "# nothing\n", "empty.obj holds no triangles"),
         ("cut.glb", "glTF", "cut.glb is damaged or no mesh: OBJ, PLY and GLB are read"),
         ("notes.txt", "hello", "notes.txt is neither a fabric (.toml) nor a draft"),
