@@ -14,7 +14,7 @@ import pytest
 from PIL import Image
 
 from loomlight.cli.main import run
-from loomlight.core.errors import InputError
+from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mitsuba import build_scene
 from loomlight.mitsuba.material_picture import RenderSettings
 from loomlight.mitsuba.turntable import Turntable, turntable
@@ -53,6 +53,13 @@ def test_paper_fills_tall_frames_of_a_whole_turn(tmp_path: Path) -> None:
     corners = mi.Point2f(np.float32([0, 1, 0, 1]), np.float32([0, 0, 1, 1]))
     rays, _ = sensor.sample_ray(mi.Float(0), mi.Float(0), corners, mi.Point2f(0))
     assert shown.scene.ray_intersect(rays).is_valid().numpy().all()
+
+
+def test_yarns_below_pixels_are_told_once() -> None:
+    settings = RenderSettings(model="point", size=(12, 8), spp=1)
+    with pytest.warns(LoomlightWarning, match="20 ends/cm are .* yarns a pixel here") as told:
+        list(turntable("plain", "drape", 2, settings))
+    assert len(told) == 1
 
 
 def test_scene_files_do_not_turn() -> None:

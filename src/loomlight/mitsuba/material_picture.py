@@ -13,6 +13,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.picture import Picture
 from loomlight.core.white_balance import white_balance as white_balance_gains
@@ -217,6 +218,33 @@ def further_cloths(settings: RenderSettings) -> dict[str, BsdfFactory]:
     return {name: material_bsdf(cloth) for name, cloth in settings.cloths.items()}
 
 
+def warn_of_hidden_weave(source: Source, pixel_mm: float, settings: RenderSettings) -> None:
+    """Warns of a fabric whose yarns are too thin for pixels, and names a zoom that shows them.
+
+    Args:
+        pixel_mm: side of what a pixel shows, millimetres.
+    """
+    if not isinstance(source, Fabric):
+        return
+    layout = source.layout()
+    pitch, name = min(
+        (float(layout.warp.spacing.mean()), "ends"), (float(layout.weft.spacing.mean()), "picks")
+    )
+    yarns = pixel_mm / (pitch * settings.placement.scale)
+    zoom = settings.zoom * yarns * _PIXELS_PER_YARN
+    if yarns < _HIDDEN or zoom > MAX_ZOOM:
+        return
+    shown_yarns = f"{yarns:.2g}" if yarns < 10 else f"{yarns:.0f}"
+    # Of two digits, rounded up.
+    step = 10.0 ** max(math.floor(math.log10(zoom)) - 1, 0)
+    warnings.warn(
+        f"{source.name}: {10 / pitch:.3g} {name}/cm are {shown_yarns} yarns a pixel here, too many to be "
+        f"seen: --zoom {math.ceil(zoom / step) * step:g} shows them.",
+        LoomlightWarning,
+        stacklevel=2,
+    )
+
+
 @dataclass
 class RenderJob:
     """A picture to render: the material, the scene and its settings.
@@ -281,7 +309,8 @@ class RenderJob:
         if self._own_scene:
             bsdf, others = material_bsdf(self.material), further_cloths(self.settings)
             shown = build_scene(self.scene, bsdf, others=others, **self.settings.scene_options)
-            self._warn_of_hidden_weave(shown.pixel_mm(self.settings.metres_per_unit))
+            pixel_mm = shown.pixel_mm(self.settings.metres_per_unit)
+            warn_of_hidden_weave(self.material.source, pixel_mm, self.settings)
             return shown, None
         if self.settings.cloths and self.settings.mesh is None:
             raise InputError(
@@ -290,34 +319,8 @@ class RenderJob:
             )
         shown, close_up = self._built(self.material, self._size)
         if close_up is None:
-            self._warn_of_hidden_weave(shown.pixel_mm())
+            warn_of_hidden_weave(self.material.source, shown.pixel_mm(), self.settings)
         return shown, close_up
-
-    def _warn_of_hidden_weave(self, pixel_mm: float) -> None:
-        """Warns of a fabric whose yarns are too thin for pixels, and names a zoom that shows them.
-
-        Args:
-            pixel_mm: side of what a pixel shows, millimetres.
-        """
-        source = self.material.source
-        if not isinstance(source, Fabric):
-            return
-        layout = source.layout()
-        pitch, name = min(
-            (float(layout.warp.spacing.mean()), "ends"), (float(layout.weft.spacing.mean()), "picks")
-        )
-        yarns = pixel_mm / (pitch * self.settings.placement.scale)
-        zoom = self.settings.zoom * yarns * _PIXELS_PER_YARN
-        if yarns < _HIDDEN or zoom > MAX_ZOOM:
-            return
-        # Of two digits, rounded up.
-        step = 10.0 ** max(math.floor(math.log10(zoom)) - 1, 0)
-        warnings.warn(
-            f"{source.name}: {10 / pitch:.3g} {name}/cm are {yarns:.2g} yarns a pixel here, too many to be "
-            f"seen: --zoom {math.ceil(zoom / step) * step:g} shows them.",
-            LoomlightWarning,
-            stacklevel=2,
-        )
 
     def refined_picture(
         self,

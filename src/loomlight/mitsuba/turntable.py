@@ -15,7 +15,12 @@ from loomlight.core.backend import upload
 from loomlight.core.errors import InputError
 from loomlight.mitsuba.camera import framing
 from loomlight.mitsuba.material import material_bsdf
-from loomlight.mitsuba.material_picture import RenderSettings, further_cloths, shown_material
+from loomlight.mitsuba.material_picture import (
+    RenderSettings,
+    further_cloths,
+    shown_material,
+    warn_of_hidden_weave,
+)
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import CLOTH_NAME, SCENES, UNCOVERED_NAME, ClothScene, SceneOptions, build_scene
 from loomlight.mitsuba.variants import choose_variant
@@ -40,10 +45,12 @@ def turntable(
         raise InputError(f"turntable = {count} does not go with the scene {scene}: nothing in it turns.")
     choose_variant(settings.variant)
     whole: SceneOptions = {**settings.scene_options, "zoom": 1.0}
-    bsdf, others = material_bsdf(shown_material(material, settings)), further_cloths(settings)
+    spec = shown_material(material, settings)
+    bsdf, others = material_bsdf(spec), further_cloths(settings)
     shown = build_scene(scene, bsdf, others=others, **whole)
     shown.integrator.soft_terminator = settings.soft_terminator
     turning = Turntable(shown, settings.zoom, about_middle=settings.mesh is not None)
+    warn_of_hidden_weave(spec.source, shown.pixel_mm(), settings)
     yield from turning.pictures(count, **settings.picture_options)
 
 
