@@ -90,6 +90,7 @@ def test_blending_changes_no_expectation(monkeypatch: pytest.MonkeyPatch, light:
     assert abs((blended - gambled).mean()) < 4 * np.sqrt(variance.sum()) / variance.size
 
 
+@pytest.mark.slow
 def test_one_sample_has_no_specks(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = layers("directional")
     blended = pictures(scene, 2, 8, 1)[:, 3:-3, 3:-3]

@@ -87,6 +87,7 @@ def test_the_measure_tells_z_from_s() -> None:
     assert rising(None, "s") < -0.3
 
 
+@pytest.mark.quick("upright-obj", "u mirrored-ply", "v mirrored-gltf", "half a turn-glb")
 @pytest.mark.parametrize("name", FORMATS)
 @pytest.mark.parametrize("island", ISLANDS)
 def test_a_twill_keeps_its_hand(name: str, island: str, tmp_path: Path) -> None:

@@ -90,6 +90,7 @@ def test_no_samples_is_a_fault() -> None:
         LivePicture(shown.scene, spp=0)
 
 
+@pytest.mark.slow
 def test_nothing_refers_to_itself() -> None:
     """What refers to itself lives until Python's collector runs: were that while calls are traced, freeing
     a BSDF would end the process.

@@ -138,6 +138,7 @@ def test_ranges_are_those_of_the_fabric_file(name: str) -> None:
             edited_fabric(cloth, {field: value + 1e-3 * outwards})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plugin", ["woven_lobes", "woven_neural"])
 def test_derivatives_that_there_are_none_of_are_refused(plugin: str) -> None:
     params = mi.traverse(scene_of(plugin))

@@ -152,7 +152,7 @@ def test_colours_and_sheen_bake_nothing(plugin: str, bakings: list[str]) -> None
     np.testing.assert_allclose(halved, 0.5 * mean_value(woven(plugin, interreflection=False)), rtol=5e-3)
 
 
-@pytest.mark.quick("woven_neural")
+@pytest.mark.slow
 @every_plugin
 def test_editing_yarns_is_the_fabric_of_those_yarns(plugin: str, bakings: list[str]) -> None:
     # With light between yarns the albedos of a colour depend on the yarns, and edits of yarns keep albedos.
@@ -187,6 +187,7 @@ def test_colours_thread_by_thread(plugin: str, bakings: list[str]) -> None:
     assert len(bakings) == made
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plugin", [slow("woven_lobes"), "woven_neural"])
 def test_two_fabrics_in_one_picture_are_each_its_own(plugin: str) -> None:
     """Side by side both show what each shows alone, in symbolic calls where the model allows them."""

@@ -108,6 +108,7 @@ def bsdfs_of(plugin: str) -> list[Any]:
     return [mi.load_dict(cloth), mi.load_dict(cloth | {"warp_color": "#ff0000,#00ff00"})]
 
 
+@pytest.mark.quick("woven_neural", "woven_samples", "woven_point")
 @pytest.mark.parametrize(
     "plugin",
     slow_among((entry.plugin for entry in MODELS.values()), ("woven_clustered", "neumip", "latent")),

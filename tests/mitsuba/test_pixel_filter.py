@@ -183,6 +183,7 @@ def test_edges_of_other_texture_are_those_of_the_filter_too(name: str) -> None:
     np.testing.assert_allclose(found, edge_of(FILTERS[name], 0.3), atol=0.02)
 
 
+@pytest.mark.quick("gaussian-1")
 @pytest.mark.parametrize("spp", [1, 16])
 @pytest.mark.parametrize("name", FILTERS)
 def test_silhouettes_are_those_of_the_filter(name: str, spp: int) -> None:

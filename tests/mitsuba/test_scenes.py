@@ -94,6 +94,7 @@ def _frame_hits(scene: mi.Scene, count: int = 9) -> np.ndarray:
     return scene.ray_intersect(rays).is_valid().numpy()
 
 
+@pytest.mark.quick("cylinder-size0-1.0", "drape-size1-0.1", "sphere-size2-1.0")
 @pytest.mark.parametrize("zoom", [1.0, 0.1])
 @pytest.mark.parametrize("size", [(12, 36), (12, 16), (36, 12)])
 @pytest.mark.parametrize("name", [*SCENES, "mesh"])

@@ -90,6 +90,7 @@ def test_values_and_densities_are_those_of_the_model() -> None:
     assert np.array(hole).max() > 0.01
 
 
+@pytest.mark.slow
 def test_nothing_is_uploaded_at_first_use() -> None:
     """Calls are symbolic, where nothing can be: neither at first nor after an edit or another weave."""
     bsdf = woven(sheen_strength=0.4, gap=0.3)
@@ -118,6 +119,7 @@ def edited(bsdf: Any, name: str, value: float) -> None:
     parameters.update()
 
 
+@pytest.mark.slow
 def test_roughness_bakes_nothing(baked: list[int]) -> None:
     # With light between yarns albedos follow from the roughness, and an edit leaves albedos alone.
     rough = woven(interreflection=False)
@@ -138,6 +140,7 @@ def test_groups_are_checked_and_can_be_few(baked: list[int]) -> None:
         woven(groups=0)
 
 
+@pytest.mark.slow
 def test_a_baked_material_is_not_baked_again(tmp_path: Path, baked: list[int]) -> None:
     file = tmp_path / "twill.loom"
     save(bake("twill 2/1", "lobes"), file)
@@ -158,6 +161,7 @@ def test_a_baked_material_is_not_baked_again(tmp_path: Path, baked: list[int]) -
     assert baked[2:] == [DEFAULT_GROUPS, 2]
 
 
+@pytest.mark.slow
 def test_a_material_keeps_its_groups_when_it_is_edited(tmp_path: Path, baked: list[int]) -> None:
     file = tmp_path / "twill.loom"
     write_loom(file, make_model("lobes", fabric_from_text("twill 2/1"), groups=GROUPS).to_loom())

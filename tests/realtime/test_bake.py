@@ -109,6 +109,7 @@ def test_records_are_those_of_python(baked: Baked) -> None:
         assert found[name] == pytest.approx(expected[name], rel=1e-5), name
 
 
+@pytest.mark.slow
 def test_queries_on_both_sets_of_tables_agree(baked: Baked) -> None:
     rng = np.random.default_rng(29)
     at = places(rng, baked.layout, COUNT)
