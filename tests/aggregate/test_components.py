@@ -144,6 +144,7 @@ def test_no_view_gets_more_light_than_there_is(name: str, back: bool) -> None:
         assert (mean < 1 + 4 * deviation).all()
 
 
+@pytest.mark.slow
 def test_the_reference_is_the_mean_of_the_point_model_over_the_parallelogram() -> None:
     rng = np.random.default_rng(5)
     model = woven("twill 3/1", sheen=0.4)

@@ -146,6 +146,7 @@ def test_queries_are_of_measured_directions_and_pixels_lie_upright(tmp_path: Pat
     np.testing.assert_allclose(found, np.tile(2 * colours()[1, 1, 0, 3] / np.pi, (2, 1)), rtol=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [slow("a.zip"), "a.btf"])
 def test_it_is_fitted_and_rendered_without_the_measurement(name: str, tmp_path: Path) -> None:
     """The mean of what is learned is that of the pictures; only baking again needs the file."""

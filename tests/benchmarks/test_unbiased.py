@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from benchmarks.clustered import cost_by_footprint, stored_bytes
 from experiments.held_out import held_out_fabrics
@@ -38,6 +39,7 @@ def test_rounding_is_an_error_of_its_own() -> None:
     assert np.abs(scores(one, other)).max() < 1.01
 
 
+@pytest.mark.slow
 def test_sampled_points_pass_and_those_at_centres_do_not() -> None:
     held = held_out_fabrics(2)[1].fabric
     cases = random_cases(held, CASES, 1)

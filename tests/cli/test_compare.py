@@ -59,6 +59,7 @@ def test_the_table(report: Path) -> None:
     assert 0 < queries["point"]["overall"] < 1
 
 
+@pytest.mark.slow
 def test_the_recorded_command_runs(report: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """It asks for the same fabric, models, scenes, size and samples, whatever was left out."""
     asked: list[dict[str, object]] = []
@@ -83,6 +84,7 @@ def test_the_recorded_command_runs(report: Path, monkeypatch: pytest.MonkeyPatch
     assert {"--models", "--scenes", "--size", "--spp", "--output"} <= set(again)
 
 
+@pytest.mark.slow
 def test_the_page_shows_every_picture(report: Path) -> None:
     page = (report / "index.html").read_text()
     assert "Red &amp; &lt;white&gt;" in page

@@ -22,6 +22,7 @@ from loomlight.mitsuba import RenderSettings
 from loomlight.models.bake import bake, save
 from loomlight.models.interface import Model
 from loomlight.models.material_spec import resolve
+from tests.marks import slow
 
 SMALL = ["--size", "24x16", "--spp", "2"]
 # A rectangle to clothe, and behind the camera one with a cloth of the scene's own.
@@ -96,7 +97,7 @@ def test_the_seed_and_the_exposure(tmp_path: Path) -> None:
     ids=" ".join,
 )
 def test_what_cannot_be_rendered(options: list[str], expected: str, refused: Callable[..., str]) -> None:
-    assert expected in refused(["render", "plain", "-o", "a.png", *SMALL, *options])
+    assert expected in refused(["render", "plain", "-o", "a.png", "--model", "point", *SMALL, *options])
 
 
 @pytest.mark.slow
@@ -117,13 +118,15 @@ def test_a_rectangle_of_a_scene_file_is_a_mesh(tmp_path: Path) -> None:
     ("parameters", "expected"),
     [
         ('<string name="groups" value="a"/>', 'groups = "a" is wrong: give a whole number from 1 to 64.'),
-        ('<float name="groups" value="2.5"/>', "groups = 2.5 is wrong: give a whole number"),
-        ('<boolean name="groups" value="true"/>', "groups = true is wrong: give a whole number"),
+        slow('<float name="groups" value="2.5"/>', "groups = 2.5 is wrong: give a whole number"),
+        slow('<boolean name="groups" value="true"/>', "groups = true is wrong: give a whole number"),
         ('<integer name="groups" value="0"/>', "cannot be loaded: groups = 0 is wrong: give a whole number"),
         ('<integer name="gruops" value="8"/>', 'unreferenced property in bsdf plugin of type "woven_lobes"'),
-        ('<integer name="gruops" value="8"/>', 'integer "gruops": 8'),
-        ('<string name="pixel_angle" value="x"/>', 'pixel_angle = "x" is wrong: give an angle in radians'),
-        ('<float name="pixel_angle" value="-1"/>', "pixel_angle = -1.0 is wrong"),
+        slow('<integer name="gruops" value="8"/>', 'integer "gruops": 8'),
+        slow(
+            '<string name="pixel_angle" value="x"/>', 'pixel_angle = "x" is wrong: give an angle in radians'
+        ),
+        slow('<float name="pixel_angle" value="-1"/>', "pixel_angle = -1.0 is wrong"),
         ('<string name="fabric" value="none.toml"/>', "cannot be loaded: none.toml does not exist."),
         ('<texture type="bitmap" name="albedo"><string name="filename" value="no.png"/></texture>', "no.png"),
     ],

@@ -48,6 +48,7 @@ def test_flip_and_mse_of_known_pictures() -> None:
     assert flip_mean(brighter, reference, np.ones((20, 30), bool)) > 0.02
 
 
+@pytest.mark.slow
 def test_pixels_wholly_on_one_piece_count(fabrics: list[Fabric]) -> None:
     sphere = measured_scene("sphere", fabrics, "point", SIZE)
     height, width = sphere.counted.shape

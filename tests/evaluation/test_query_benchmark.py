@@ -51,6 +51,7 @@ def own_cache(tmp_path_factory: pytest.TempPathFactory) -> object:
         yield
 
 
+@pytest.mark.slow
 def test_the_truth_is_that_of_brute_force(cloth: HeldOut) -> None:
     queries, means = query_truth(cloth.fabric, 5, 40, 3, with_colours=True)
     light, view = queries.lights[queries.pairs[:, 0]], queries.views[queries.pairs[:, 1]]
@@ -116,6 +117,7 @@ def test_multi_jittered_points_fill_rows_and_columns(samples: int) -> None:
         assert (np.sort(cells, axis=1) == np.arange(16)).all()
 
 
+@pytest.mark.slow
 def test_few_samples_are_unbiased_and_more_are_better(cloth: HeldOut) -> None:
     result = run_query_benchmark({}, [cloth], pairs=40, footprints=40, monte_carlo=(1, 4))
     one, four = (result.rows[name] for name in ("1 sample", "4 samples"))

@@ -8,10 +8,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from loomlight.cli.main import run
 from loomlight.export import TARGETS
+from loomlight.mitsuba import read_mesh
 
 
 def export(*arguments: str) -> int:
@@ -27,6 +29,14 @@ def test_an_earlier_export_is_replaced(tmp_path: Path, capsys: pytest.CaptureFix
     assert not (folder / "cloth.hlsl").exists()
     assert (folder / "cloth.glsl").is_file()
     assert [path.name for path in tmp_path.iterdir()] == ["cloth"]
+
+
+def test_a_gltf_file_is_read_again(tmp_path: Path) -> None:
+    """The smallest of all cloths; test_materials.py asks more of a larger one."""
+    assert run(["export", "plain", "--to", "gltf", "--distance", "10", "-o", str(tmp_path / "cloth")]) == 0
+    mesh = read_mesh(tmp_path / "cloth" / "cloth.glb")
+    assert np.ptp(mesh.positions, axis=0)[:2] == pytest.approx([0.1, 0.1], rel=1e-5)
+    assert (tmp_path / "cloth" / "textures" / "normal.png").is_file()
 
 
 @pytest.mark.parametrize(

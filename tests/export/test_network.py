@@ -186,6 +186,7 @@ def test_the_shipped_decoder_is_exported_from_the_shipped_weights() -> None:
         np.testing.assert_allclose(first, second, rtol=1e-4, atol=1e-6)
 
 
+@pytest.mark.quick("True-True")
 @pytest.mark.parametrize(("frames", "features"), [(True, True), (False, True), (True, False)])
 def test_the_decoder_computes_what_latent_computes(frames: bool, features: bool, tmp_path: Path) -> None:
     """On the query set of the shaders' parity, whose bar this is too."""

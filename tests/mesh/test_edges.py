@@ -150,6 +150,7 @@ def test_teeth_stand_on_the_edge() -> None:
     np.testing.assert_allclose(strip.uv[np.unique(strip.triangles)], used[:, :2] / 0.1, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_seams_have_no_edge() -> None:
     """Of two pieces side by side, and of one that closes upon itself."""
     left = square(10)

@@ -49,7 +49,7 @@ def shown(fabric: str, scene: str, zoom: float, model: str, seed: int = 0) -> No
 
 
 # Of the yarns, the cloth is what differs: sett, counts of threads, twist, seed, how much by chance.
-@pytest.mark.quick("point")
+@pytest.mark.slow
 @pytest.mark.parametrize("model", ["lobes", "point"])
 def test_fabrics_scenes_and_views_share_kernels(model: str) -> None:
     first, second = (str(EXAMPLES / f"{name}.toml") for name in ("chino", "gabardine"))

@@ -78,6 +78,7 @@ def test_every_live_parameter_refuses_wrong_values(plugin: str) -> None:
         np.testing.assert_allclose(mean_value(shape.bsdf()), answer, rtol=1e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plugin", ["woven_point", "woven_lobes"])
 def test_messages_name_value_and_range(plugin: str) -> None:
     params = mi.traverse(scene_of(plugin))

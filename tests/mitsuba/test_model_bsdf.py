@@ -76,7 +76,7 @@ def test_weight_is_value_over_density(plugin: str, side: float) -> None:
     np.testing.assert_allclose(np.array(bs.wo + si.wi)[:, passes], 0, atol=1e-6)
 
 
-@pytest.mark.quick("woven_neural")
+@pytest.mark.slow
 @every_plugin
 def test_all_at_once_is_each_alone(plugin: str) -> None:
     """`eval_pdf_sample` against `eval`, `pdf` and `sample`; `eval_and_null_transmission` against both."""

@@ -239,6 +239,7 @@ def test_parameters_are_shown_set_and_differentiable() -> None:
         np.testing.assert_allclose(gradient, difference, rtol=0.02, atol=2e-4, err_msg=key)
 
 
+@pytest.mark.slow
 def test_cloth_renders_with_stock_integrators_too() -> None:
     scene = build_scene("flat", material_bsdf("plain", "point"), size=(16, 16), light="directional").scene
     ours = render(scene, spp=64)

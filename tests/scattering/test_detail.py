@@ -108,6 +108,7 @@ def test_plies_are_as_many_as_they_should_be() -> None:
     assert len(jumps) == pytest.approx(expected, rel=0.02)
 
 
+@pytest.mark.quick("wool")
 @pytest.mark.parametrize("yarn", ["mercerised cotton", "wool"])
 def test_means_stay(yarn: str) -> None:
     """The same points with and without detail: a dome's mean moves by less than 1 %, and three deviations."""

@@ -82,6 +82,7 @@ def test_layer_agrees_with_random_walks() -> None:
     assert abs(np.mean(z)) < 4 / np.sqrt(len(z))
 
 
+@pytest.mark.quick("0.3", "1.0")
 @pytest.mark.parametrize("roughness", ROUGHNESSES)
 def test_normals_project_to_the_area(roughness: float) -> None:
     rng = np.random.default_rng(1)

@@ -35,6 +35,7 @@ def upper_grid(size: tuple[int, int] = (2000, 600)) -> tuple[np.ndarray, np.ndar
     return directions, 2 * row / size[0] / size[0] * 2 * np.pi / size[1]
 
 
+@pytest.mark.quick("0.1-1.0", "0.3-0.4")
 @pytest.mark.parametrize(("cos_view", "roughness"), LOBES)
 def test_samples_follow_their_density(cos_view: float, roughness: float) -> None:
     count, bins = 1 << 18, (32, 24)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from drjit.llvm import Array2f, Float
 from numpy.typing import NDArray
 
@@ -71,6 +72,7 @@ def test_neighbouring_repeats_differ() -> None:
     assert abs(np.corrcoef(moved(fabric, places)[:, 0], moved(fabric, far)[:, 0])[0, 1]) < 0.05
 
 
+@pytest.mark.slow
 def test_shaders_move_places_alike() -> None:
     fabric, places = fabric_of(0.9, 0.1), random_places(50)[:10_000]
     found = mapped(

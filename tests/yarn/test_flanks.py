@@ -42,6 +42,7 @@ class Met:
         self.yarn = ~hit.hole.numpy()
 
 
+@pytest.mark.quick("True-closed")
 @layouts
 @pytest.mark.parametrize("back", [False, True])
 def test_on_continuous_yarn_the_point_is_that_of_the_height_field(layout: ClothLayout, back: bool) -> None:
@@ -62,6 +63,7 @@ def test_on_continuous_yarn_the_point_is_that_of_the_height_field(layout: ClothL
     assert moved.max() < 0.02 * thread
 
 
+@pytest.mark.slow
 @layouts
 def test_frames_are_those_of_the_tube_that_marching_meets(layout: ClothLayout) -> None:
     """The circle is marched in float64, from the eye's side, in the plane across the yarn."""

@@ -80,7 +80,7 @@ def _deepest(
     return dr.while_loop(state, lambda index, _: index < STEPS, march)[1].numpy()
 
 
-@pytest.mark.quick("twill-grazing", "satin-steep")
+@pytest.mark.quick("twill-grazing")
 @pytest.mark.parametrize("lowest", [8.0, 60.0], ids=["grazing", "steep"])
 @pytest.mark.parametrize(("draft", "inclination"), CLOTHS)
 def test_views_do_not_pass_through_yarns(draft: np.ndarray, inclination: float, lowest: float) -> None:

@@ -210,6 +210,7 @@ def test_finer_searches_change_next_to_nothing() -> None:
     assert (default != reference).mean() < (coarse != reference).mean()
 
 
+@pytest.mark.quick("satin")
 @pytest.mark.parametrize("draft", [PLAIN, SATIN], ids=["plain", "satin"])
 def test_two_looks_find_hits_as_twenty_do(draft: np.ndarray) -> None:
     """On one yarn cubics and Newton's steps; walls are met right behind outlines, a 200th of a step."""
@@ -271,6 +272,7 @@ def test_horizon_parts_hidden_from_free_directions() -> None:
     assert (above == free)[~hole.numpy()].mean() > 0.995
 
 
+@pytest.mark.slow
 def test_horizon_map_agrees_with_the_search() -> None:
     geometry = YarnGeometry(even_layout(TWILL))
     table = HorizonMap(geometry, (256, 256), mi.Float)
