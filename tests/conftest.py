@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import gc
 import math
 import os
 import sys
@@ -83,7 +82,6 @@ def own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 def returned_memory() -> Iterator[None]:
     """What a module needs no more goes back to the system, which two workers and a browser share."""
     yield
-    gc.collect()
     if "drjit" in sys.modules:
         sys.modules["drjit"].flush_malloc_cache()
     with suppress(OSError, AttributeError):  # glibc alone has it

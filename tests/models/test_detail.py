@@ -67,6 +67,7 @@ def test_lobes_and_point_agree_close_up() -> None:
     assert np.isclose(near, point, rtol=0.02, atol=1e-4).all(axis=0).mean() > 0.97
 
 
+@pytest.mark.slow
 def test_lobes_from_afar_know_no_detail() -> None:
     rng, count = np.random.default_rng(13), 500
     footprint = footprints(rng, count, 2 * SIDE)

@@ -42,6 +42,7 @@ def seeds(rng: np.random.Generator, count: int) -> UInt32:
     return UInt32(rng.integers(0, 2**32, count, dtype=np.uint32))
 
 
+@pytest.mark.quick("plain")
 @pytest.mark.parametrize("weave", ["plain", "satin 8/3", "herringbone"])
 def test_places_lie_in_footprints_and_fill_them(weave: str) -> None:
     cell = PrimitiveCell(fabric_from_text(f'weave = "{weave}"').layout())

@@ -142,6 +142,7 @@ def arrays_of(weights: Any) -> list[NDArray[np.float32]]:
     return layers + [getattr(weights, name) for name in textures if hasattr(weights, name)]
 
 
+@pytest.mark.quick("latent")
 @pytest.mark.parametrize("name", STEPS)
 def test_a_stopped_training_goes_on_to_the_same_weights(name: str, tmp_path: Path) -> None:
     """In each of its phases."""

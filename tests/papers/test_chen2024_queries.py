@@ -96,6 +96,7 @@ def test_too_few_queries_are_refused():
         fabric_queries(FABRIC, [0], 1000)
 
 
+@pytest.mark.slow
 def test_means_are_the_truth():
     """Every mean is within Monte Carlo noise plus the error of mapped shadows: 1.7 % of the channel's
     mean (docs/research/aggregation.md), threefold for single queries; sums, which average it, within 1 %."""

@@ -25,6 +25,7 @@ PIECES = {
 }
 
 
+@pytest.mark.quick("gown")
 @pytest.mark.parametrize("name", PIECES)
 def test_normals_are_those_of_the_triangles(name: str) -> None:
     make: Callable[[], ClothMesh] = PIECES[name]
@@ -40,6 +41,7 @@ def test_normals_are_those_of_the_triangles(name: str) -> None:
     assert area @ (facing > 0.7) > 0.98 * area.sum()
 
 
+@pytest.mark.quick("gown")
 @pytest.mark.parametrize("name", PIECES)
 def test_thread_counts_are_those_of_cloth(name: str) -> None:
     """A unit of u and v is between a tenth and three metres of cloth."""

@@ -136,6 +136,7 @@ def test_edits_name_parameters_and_are_taken_back(setting: Setting) -> None:
     assert min(spent.network, spent.others) > 0
 
 
+@pytest.mark.slow
 def test_another_networks_weights_are_used(setting: Setting) -> None:
     bsdf = cloth_bsdf(paper_fabric("plain"), "neural", setting.weights)((10.0, 10.0))
     assert bsdf.model.weights.tensor("decoder.angular.0.weight").shape[0] == 16

@@ -106,6 +106,7 @@ def test_fibres_stray_by_the_deviation_asked_for() -> None:
     assert np.concatenate(slopes).std() == pytest.approx(math.tan(0.15), rel=0.15)
 
 
+@pytest.mark.slow
 def test_hairs_are_as_many_as_the_models_and_leave_the_yarn() -> None:
     """Of a side two in a square of 17 widths of a fibre; a tenth at least stands above all yarns."""
     make = replace(STRAIGHT, hairiness=0.5)

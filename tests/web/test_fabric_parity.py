@@ -273,6 +273,7 @@ def _lines(text: str) -> list[str]:
     return [line for line in text.split("\r\n") if not line.startswith("Source ")]
 
 
+@pytest.mark.quick("black #eee")
 @pytest.mark.parametrize("colours", ["blue red", "#30497a #6b2020", "black #eee", "#88f #ffa", "#222 #222"])
 def test_pictures_are_read_by_the_same_rule(colours: str, tmp_path: Path) -> None:
     one, other = (np.array([*ImageColor.getrgb(colour), 255], np.uint8) for colour in colours.split())

@@ -39,6 +39,7 @@ def test_an_interrupted_bake_leaves_nothing(folder: Path, monkeypatch: pytest.Mo
     assert not list(folder.iterdir())
 
 
+@pytest.mark.slow
 def test_faulty_files_are_refused_in_one_sentence(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(BAKE) == 0
     path = folder / "cloth.loom"

@@ -85,6 +85,7 @@ def test_densities_are_those_of_the_fibre_layer() -> None:
     assert np.square(compressed - exact).mean() < 0.2 * exact.var(axis=0).mean()
 
 
+@pytest.mark.slow
 def test_normals_are_those_of_the_yarns() -> None:
     tables = model().tables
     maps = feature_maps(YarnGeometry(model().fabric.layout()), tables.counts, Float)
@@ -215,6 +216,7 @@ def _mean_of_texels(made: ClusteredModel, asked: Queries) -> np.ndarray:
     return np.concatenate([[part.mean() for part in found.values()], colour])
 
 
+@pytest.mark.slow
 def test_the_base_takes_most_of_the_noise() -> None:
     """With two clusters a family; models are baked with four."""
     made = with_samples(model(), 1)

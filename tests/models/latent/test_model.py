@@ -72,6 +72,7 @@ def test_options() -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_rung_without_frames_comes_back_from_a_file(tmp_path: Path) -> None:
     chosen = [
         "rung=encoder",

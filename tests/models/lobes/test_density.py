@@ -70,6 +70,7 @@ def boxed(along: NDArray[np.float64], width: NDArray[np.float64], roughness: flo
     return values @ weights / 2
 
 
+@pytest.mark.quick("0.3-0.6", "1.0-0.95")
 @pytest.mark.parametrize("roughness", [0.05, 0.2, 0.6, 0.95])
 @pytest.mark.parametrize("spread", [0.05, 0.3, 1.0])
 def test_density_is_the_mean_over_an_interval(roughness: float, spread: float) -> None:

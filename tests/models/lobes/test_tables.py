@@ -48,6 +48,7 @@ def test_tables_of_another_version_are_refused() -> None:
     _refused(replace(loom, settings=older), "another version", "bake it again")
 
 
+@pytest.mark.quick("translucent twill")
 @pytest.mark.parametrize("name", TEXTS)
 def test_baking_twice_gives_the_same_bytes(name: str) -> None:
     first, second = model_of(name).tables, LobesModel.for_source(cloth(name)).tables

@@ -129,6 +129,7 @@ def _coverage(geometry: YarnGeometry, nearest: NearestGroup) -> NDArray[np.int64
     return np.maximum(np.bincount(found, minlength=17)[:16], 1)
 
 
+@pytest.mark.quick("translucent twill")
 @pytest.mark.parametrize("name", TEXTS)
 def test_moments_are_those_of_what_finer_rays_hit(name: str) -> None:
     """Of random rays from all nodes, as many as moments are of."""

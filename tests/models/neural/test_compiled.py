@@ -59,6 +59,7 @@ def _fetched(
     return actual[: weights.table.hidden].T
 
 
+@pytest.mark.quick("10-5")
 @pytest.mark.parametrize(("picks", "ends"), [(2, 2), (1, 3), (10, 5)])
 def test_latents_are_those_of_the_pyramid(picks: int, ends: int, tmp_path: Path) -> None:
     weights = _seeing_latents(tmp_path)

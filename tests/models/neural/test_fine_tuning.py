@@ -57,6 +57,7 @@ def _errors(fabric: Fabric, encoded: EncodedFabric) -> np.ndarray:
     return np.abs(actual[far, :4] - expected).mean(0) / expected.mean(0)
 
 
+@pytest.mark.slow
 def test_a_layer_of_its_own_errs_less() -> None:
     fabric, weights = fabric_from_text(SATIN, folder="."), shipped_weights()
     shared = _errors(fabric, encode(fabric, weights, Float))

@@ -38,6 +38,7 @@ def test_a_fabric_is_encoded_once(runs: list[str], tmp_path: Path) -> None:
     assert np.abs(first.faces[0] - first.faces[1]).max() > 1e-2
 
 
+@pytest.mark.slow
 def test_what_the_encoder_sees_is_encoded_anew(runs: list[str], tmp_path: Path) -> None:
     weights = weights_of(network("field"), tmp_path)
     base = "[warp]\nroughness = {}\nheight_scale = {}\ntwist_deg = {}\ninclination_deg = {}\ncolor = '{}'"

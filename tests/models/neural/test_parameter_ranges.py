@@ -34,6 +34,7 @@ def test_fabrics_outside_the_box_warn(runs: list[str], tmp_path: Path) -> None:
         encode(odd, weights, Float)
 
 
+@pytest.mark.quick("varied-False")
 @pytest.mark.parametrize(("layouts", "warned"), [("paper", True), ("varied", False)])
 def test_layouts_warn_where_training_had_none(
     runs: list[str], tmp_path: Path, layouts: str, warned: bool

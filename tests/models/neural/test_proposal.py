@@ -47,7 +47,7 @@ def drawn(example: str, sampler: str) -> tuple[np.ndarray, np.ndarray]:
     return weight, np.array(sample.light)[2]
 
 
-@pytest.mark.quick("silk-satin-lobes")
+@pytest.mark.slow
 @pytest.mark.parametrize("sampler", SAMPLERS)
 @pytest.mark.parametrize("example", ["organza", "silk-satin"])
 def test_no_weight_is_a_firefly(example: str, sampler: str) -> None:

@@ -21,6 +21,7 @@ from tests.models.neural.networks import TABLES, network, weights_of, written
 PARAMETERS = np.array([0.2, 0.3, 0.5, 0.8], np.float32)
 
 
+@pytest.mark.quick("field")
 @pytest.mark.parametrize("name", TABLES)
 def test_the_encoder_is_torchs(name: str, tmp_path: Path) -> None:
     made = network(name)

@@ -91,6 +91,7 @@ def test_training_learns(dataset: Path, tmp_path: Path, optimiser: str) -> None:
     assert losses[-1] < 0.9 * losses[0]
 
 
+@pytest.mark.slow
 def test_the_decoder_alone_is_trained_last(dataset: Path, tmp_path: Path) -> None:
     short, longer = (
         load_file(train_neural(_config(tmp_path, 5, more), _with_dataset(dataset, tmp_path / f"run {more}")))

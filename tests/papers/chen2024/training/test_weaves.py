@@ -4,6 +4,7 @@ Covers: papers/chen2024/training/random_fabrics.py
 """
 
 import numpy as np
+import pytest
 
 from loomlight.models.neural.parameter_ranges import LAYOUT_RANGES, PARAMETER_RANGES
 from loomlight.weave.named import named_weave
@@ -38,6 +39,7 @@ def test_copies_of_a_weave_are_one_class() -> None:
     assert _class_of(named_weave("twill 2/2").drawdown) != _class_of(twill)
 
 
+@pytest.mark.slow
 def test_held_out_weaves_are_never_drawn() -> None:
     held = {_class_of(named_weave(name).drawdown) for name in HELD_OUT_WEAVES if name != "diamond figure 48"}
     rng = np.random.default_rng(5)
