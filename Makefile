@@ -3,8 +3,15 @@
 PYTHON ?= python3
 VENV := .venv
 RUN := $(VENV)/bin
-# Neighbours share fixtures, so a process keeps a run of them.
+# Neighbours share fixtures, so a process keeps a run of them. It grows with every kernel that it compiles, so
+# each part of the tests has processes of its own: 2 GB do.
 PYTEST := $(RUN)/python -m pytest -n 2 --dist worksteal
+MODELS := tests/models tests/papers tests/training tests/evaluation
+PICTURES := tests/mitsuba tests/cli tests/docs tests/export
+OTHERS := $(filter-out $(MODELS) $(PICTURES) tests/__pycache__,$(patsubst %/,%,$(wildcard tests/*/))) tests/test_layout.py
+define run_tests
+	@failed=; for part in "$(MODELS)" "$(PICTURES)" "$(OTHERS)"; do $(PYTEST) $(1) $$part || failed=1; done; test -z "$$failed"
+endef
 
 .PHONY: demo test test-all lint benchmark clean
 
@@ -12,10 +19,10 @@ demo: $(VENV)/.demo
 	$(RUN)/loomlight demo -o demo.png
 
 test: lint
-	$(PYTEST)
+	$(call run_tests,)
 
 test-all: lint
-	$(PYTEST) -m ""
+	$(call run_tests,-m "")
 
 lint: $(VENV)/.test
 	$(RUN)/ruff check src papers tests tools benchmarks experiments

@@ -130,9 +130,9 @@ def test_edits_name_parameters_and_are_taken_back(setting: Setting) -> None:
     after = mi.traverse(scene.scene)
     for key, value in before.items():
         assert np.array_equal(np.array(after[key]), value), key
-    # Kernels lie within the picture's time; two threads may overlap by what a clock cannot tell.
+    # Kernels lie within the picture's time; those of two threads may overlap on a busy machine.
     spent = network_time(lambda: one_picture(scene, 1))
-    assert 0 < spent.network + spent.others < 1.1 * spent.seconds
+    assert 0 < spent.network + spent.others < 2 * spent.seconds
     assert min(spent.network, spent.others) > 0
 
 
