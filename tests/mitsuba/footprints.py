@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import drjit as dr
 import mitsuba as mi
 import numpy as np
+
+from loomlight.mitsuba.model_props import _field
+from loomlight.models.bake import bake, save
+from loomlight.models.registry import MODELS, model_class
 
 
 def unit(rng: np.random.Generator, count: int) -> np.ndarray:
@@ -71,3 +76,15 @@ def mean_value(bsdf: Any) -> np.ndarray:
     """What 500 points give back of one light, in the mean [3]."""
     si, *_ = random_interactions(500, seed=4)
     return np.array(bsdf.eval(mi.BSDFContext(), si, mi.Vector3f(0.1, 0.2, 0.97))).mean(axis=1)
+
+
+def pretrained(cloth: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """A BSDF of a fabric that is given inline; of a model that is trained the same by a `.loom` in `folder`."""
+    name = next(name for name, entry in MODELS.items() if entry.plugin == cloth["type"])
+    if not model_class(name).trains:
+        return cloth
+    inline = {key: value for key, value in cloth.items() if _field(key) is not None}
+    fabric = mi.load_dict({"type": "woven_point", **inline}).model.fabric
+    file = folder / f"{len(list(folder.iterdir()))}.loom"
+    save(bake(fabric, name), file)
+    return {key: value for key, value in cloth.items() if key not in inline} | {"fabric": str(file)}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import drjit as dr
@@ -17,7 +18,7 @@ from loomlight.models.fabric_model import parameter_of
 from loomlight.models.registry import MODELS
 from tests.marks import slow, slow_among
 
-from .footprints import mean_value, side_by_side
+from .footprints import mean_value, pretrained, side_by_side
 
 # Refused by the same code for all: those that bake for seconds are slow.
 SLOW = ("woven_clustered", "woven_neural", "woven_samples", "neumip", "latent")
@@ -29,10 +30,11 @@ OTHER = {"weave": "plain", "uv_size": "4,4", "warp_color": "#c08040,#4060c0", "i
 pytestmark = pytest.mark.usefixtures("narrow_network")
 
 
-def scene_of(plugin: str) -> Any:
+def scene_of(plugin: str, folder: Path) -> Any:
     # The cheapest bakes: edits are refused alike by any.
     options = CHEAPEST.get(plugin, {})
-    return side_by_side(*({"type": plugin, **options, **cloth} for cloth in (CLOTH, OTHER)))
+    cloths = ({"type": plugin, **options, **cloth} for cloth in (CLOTH, OTHER))
+    return side_by_side(*(pretrained(cloth, folder) for cloth in cloths))
 
 
 def values_of(params: Any) -> dict[str, np.ndarray]:
@@ -54,8 +56,8 @@ def wrong_values(key: str, value: Any) -> list[Any]:
 
 @pytest.mark.quick("woven_point")
 @pytest.mark.parametrize("plugin", PLUGINS)
-def test_every_live_parameter_refuses_wrong_values(plugin: str) -> None:
-    scene = scene_of(plugin)
+def test_every_live_parameter_refuses_wrong_values(plugin: str, tmp_path: Path) -> None:
+    scene = scene_of(plugin, tmp_path)
     params = mi.traverse(scene)
     before = values_of(params)
     assert len(before) == (2 if plugin == "woven_samples" else len(before)) > 0
@@ -80,8 +82,8 @@ def test_every_live_parameter_refuses_wrong_values(plugin: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("plugin", ["woven_point", "woven_lobes"])
-def test_messages_name_value_and_range(plugin: str) -> None:
-    params = mi.traverse(scene_of(plugin))
+def test_messages_name_value_and_range(plugin: str, tmp_path: Path) -> None:
+    params = mi.traverse(scene_of(plugin, tmp_path))
     mine = next(key for key in params.keys() if key.endswith("sheen.strength")).partition("sheen")[0]  # noqa: SIM118
     for name, value, says in (
         ("warp.roughness", -1, r"mine\.warp\.roughness = -1 is wrong: give 0\.01 to 1\."),
@@ -103,8 +105,8 @@ def test_messages_name_value_and_range(plugin: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("plugin", ["woven_point", slow("woven_lobes")])
-def test_both_ends_of_a_range_are_allowed(plugin: str) -> None:
-    scene = scene_of(plugin)
+def test_both_ends_of_a_range_are_allowed(plugin: str, tmp_path: Path) -> None:
+    scene = scene_of(plugin, tmp_path)
     params = mi.traverse(scene)
     bsdf = next(shape.bsdf() for shape in scene.shapes() if shape.bsdf().id() == "mine")
     start = next(key for key in params.keys() if key.endswith("sheen.strength")).partition("sheen")[0]  # noqa: SIM118
@@ -141,8 +143,8 @@ def test_ranges_are_those_of_the_fabric_file(name: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("plugin", ["woven_lobes", "woven_neural"])
-def test_derivatives_that_there_are_none_of_are_refused(plugin: str) -> None:
-    params = mi.traverse(scene_of(plugin))
+def test_derivatives_that_there_are_none_of_are_refused(plugin: str, tmp_path: Path) -> None:
+    params = mi.traverse(scene_of(plugin, tmp_path))
     for name in ("warp.roughness", "warp.albedos", "sheen.strength", "uv_size"):
         key = next(key for key in params.keys() if key.endswith(name))  # noqa: SIM118
         dr.enable_grad(params[key])

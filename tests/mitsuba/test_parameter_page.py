@@ -23,6 +23,8 @@ from loomlight.models.bake import bake, save
 from loomlight.models.registry import MODELS, model_class
 from tests.marks import slow_among
 
+from .footprints import pretrained
+
 DOCS = Path(__file__).parents[2] / "docs"
 PAGES = (DOCS / "mitsuba-parameters.md", DOCS / "mitsuba-edits.md")
 TABLES = ("warp", "weft", "sheen", "variation")
@@ -94,7 +96,7 @@ def test_ranges_of_properties_are_those_of_fields() -> None:
     assert checked > 15
 
 
-def bsdfs_of(plugin: str) -> list[Any]:
+def bsdfs_of(plugin: str, folder: Path) -> list[Any]:
     """BSDFs that show every parameter among them."""
     texture = {"type": "bitmap", "bitmap": mi.Bitmap(np.full((4, 4, 3), 0.5, np.float32)), "raw": True}
     cloth: dict[str, Any] = {"type": plugin, "weave": "plain", "sheen_strength": 0.3, "albedo": texture}
@@ -105,7 +107,8 @@ def bsdfs_of(plugin: str) -> list[Any]:
         cloth |= {"clusters": 4, "texels": 32}
     if plugin == "woven_neural":
         cloth |= {"other": "twill 2/1", "refined": False}
-    return [mi.load_dict(cloth), mi.load_dict(cloth | {"warp_color": "#ff0000,#00ff00"})]
+    cloths = (cloth, cloth | {"warp_color": "#ff0000,#00ff00"})
+    return [mi.load_dict(pretrained(each, folder)) for each in cloths]
 
 
 @pytest.mark.quick("woven_neural", "woven_samples", "woven_point")
@@ -113,7 +116,7 @@ def bsdfs_of(plugin: str) -> list[Any]:
     "plugin",
     slow_among((entry.plugin for entry in MODELS.values()), ("woven_clustered", "neumip", "latent")),
 )
-def test_every_scene_parameter_stands_on_the_page(plugin: str) -> None:
+def test_every_scene_parameter_stands_on_the_page(plugin: str, tmp_path: Path) -> None:
     wanted = {
         name: row
         for row in rows("parameter")
@@ -121,7 +124,7 @@ def test_every_scene_parameter_stands_on_the_page(plugin: str) -> None:
         if row[f"`{plugin}`"] != "–"
     }
     seen = set()
-    for bsdf in bsdfs_of(plugin):
+    for bsdf in bsdfs_of(plugin, tmp_path):
         params = mi.traverse(bsdf)
         for key in params.keys():  # noqa: SIM118 (no mapping)
             name = key.replace("weft.", "warp.")

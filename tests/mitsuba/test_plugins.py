@@ -7,11 +7,17 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 
 import mitsuba as mi
 import pytest
 
+from loomlight.assets.loom_file import LoomFile, write_loom
+from loomlight.core.errors import InputError
+from loomlight.fabric.load import load_fabric
 from loomlight.mitsuba import SUPPORTED_VARIANTS
+from loomlight.models.bake import bake, save
+from loomlight.models.registry import MODELS, model_class
 from tests.limits import HANG
 
 LOAD = """
@@ -53,3 +59,34 @@ def test_a_supported_variant_after_another_has_them() -> None:
     done = loaded("scalar_rgb", "llvm_ad_rgb", "woven_point")
     assert done.returncode == 0, done.stderr
     assert "ModelBsdf" in done.stdout or "BSDF" in done.stdout
+
+
+@pytest.mark.parametrize("name", ["neumip", "latent"])
+@pytest.mark.parametrize("made_of", ["nothing", "a weave", "a fabric file", "a .loom of another", "an edit"])
+def test_a_model_that_is_trained_takes_its_loom_alone(
+    name: str, made_of: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No scene trains for a minute, in silence, what a `.loom` was meant to hold."""
+
+    def trained(*_: object, **__: object) -> None:
+        raise AssertionError("it is trained")
+
+    monkeypatch.setattr(model_class(name), "for_source", trained)
+    file, loom, own = tmp_path / "linen.toml", tmp_path / "linen.loom", tmp_path / "own.loom"
+    file.write_text('weave = "plain"\n')
+    save(bake(str(file), "point"), loom)
+    write_loom(own, LoomFile(name, load_fabric(file)))
+    forms: dict[str, tuple[dict[str, str], Path | str]] = {
+        "nothing": ({}, "SOURCE"),
+        "a weave": ({"weave": "twill 2/1"}, "SOURCE"),
+        "a fabric file": ({"fabric": str(file)}, file),
+        "a .loom of another": ({"source": str(loom)}, loom),
+        "an edit": ({"fabric": str(own), "warp_color": "#ff0000"}, own),
+    }
+    given, source = forms[made_of]
+    with pytest.raises((InputError, RuntimeError)) as caught:
+        mi.load_dict({"type": MODELS[name].plugin, **given})
+    command = f"`loomlight bake {source} --model {name} -o x.loom`"
+    assert f"{name} is trained for one source, which takes minutes: bake it once with {command}" in str(
+        caught.value
+    )

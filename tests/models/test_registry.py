@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from loomlight.assets.loom_file import LoomFile, write_loom
-from loomlight.core.errors import InputError
+from loomlight.core.errors import InputError, MissingDependencyError
 from loomlight.fabric import fabric_from_text
 from loomlight.models.point import PointModel
-from loomlight.models.registry import make_model, model_from_loom, model_names
+from loomlight.models.registry import is_installed, make_model, model_class, model_from_loom, model_names
 from loomlight.models.samples import SampledModel
 from tests.limits import HANG
 
@@ -34,22 +34,24 @@ def test_names_load_no_model() -> None:
     assert done.returncode == 0, done.stderr
 
 
-def test_without_llvmlite_all_models_but_networks_are_there() -> None:
-    program = (
-        "import sys\nsys.modules['llvmlite'] = None\n"
-        "from loomlight.core.errors import MissingDependencyError\n"
-        "from loomlight.models.registry import MODELS, model_class\n"
-        "for name, entry in MODELS.items():\n"
-        "    try:\n        model_class(name)\n        assert not entry.has_network\n"
-        "    except MissingDependencyError as error:\n        print(error)\n"
-        "from loomlight.cli.doctor import findings\n"
-    )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=HANG)
-    assert done.returncode == 0, done.stderr
-    command = "pip install 'loomlight[networks]'"
-    assert done.stdout.splitlines() == [
-        f"The model {name} needs llvmlite: {command}." for name in ("neural", "neumip", "latent")
-    ]
+def test_without_llvmlite_all_models_but_networks_are_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "llvmlite", None)
+    said = {}
+    for name in model_names():
+        for to_bake in (False, True):
+            try:
+                model_class(name, to_bake)
+                assert is_installed(name)
+            except MissingDependencyError as error:
+                said[name, to_bake] = str(error)
+                assert not is_installed(name)
+    networks = {"neural": ("neural", "neural"), "neumip": ("networks", "train"), "latent": ("networks", "train")}
+    assert said == {
+        (name, to_bake): f"{'Baking the' if to_bake else 'The'} model {name} needs llvmlite: "
+        f"pip install 'loomlight[{extras[to_bake]}]'."
+        for name, extras in networks.items()
+        for to_bake in (False, True)
+    }
 
 
 def test_settings_come_back(tmp_path: Path) -> None:

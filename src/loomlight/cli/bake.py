@@ -55,8 +55,9 @@ def bake(
     from loomlight.models.option_values import parse_options
     from loomlight.models.registry import model_class
 
+    kind = model_class(model, to_bake=True)
     chosen = parse_options(model, options or [])
-    if not model_class(model).trains:
+    if not kind.trains:
         save(run(fabric, model, **chosen), output)
     else:
         # Imported for its effect: it answers for sources that have to be rendered to be learned.
@@ -75,7 +76,9 @@ def _bake_into_folder(
         raise InputError(f"{folder}: several sources are baked into a folder; give the name of one.")
     from loomlight.cli.bake_catalogue import bake_catalogue
     from loomlight.models.option_values import parse_options
+    from loomlight.models.registry import model_class
 
+    model_class(model, to_bake=True)
     chosen = parse_options(model, options)
     note_left(f"{folder} keeps what is baked: the same command goes on from there.")
     with progress(f"{len(sources)} sources, {model}") as report:

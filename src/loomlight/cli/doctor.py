@@ -12,34 +12,10 @@ from importlib.util import find_spec
 import typer
 
 from loomlight.core.errors import LoomlightError
-from loomlight.core.llvm import ADVICE, MINIMUM_LLVM
+from loomlight.core.extras import EXTRAS, installing, required_packages
+from loomlight.core.llvm import MINIMUM_LLVM, advice
 
 EXAMPLE = "Example: loomlight doctor"
-
-PACKAGES = (
-    "drjit",
-    "mitsuba",
-    "numpy",
-    "threadpoolctl",
-    "pillow",
-    "OpenEXR",
-    "dtx_to_wif",
-    "pydantic",
-    "typer",
-    "rich",
-    "mapbox-earcut",
-    "DracoPy",
-    "safetensors",
-    "flip-evaluator",
-)
-# By package: the extra that installs it, and what it is for.
-EXTRAS = {
-    "llvmlite": ("networks", "for the models neural, neumip and latent"),
-    "onnxruntime": ("neural", "to encode fabrics for the network"),
-    "zarr": ("data", "to write data sets"),
-    "torch": ("train", "to train neumip and latent"),
-    "wgpu": ("realtime", "to render in real time"),
-}
 
 # In a process of its own: an LLVM that Dr.Jit finds but cannot use ends the process.
 _TRY_KERNEL = """
@@ -89,13 +65,18 @@ def doctor() -> None:
 def findings() -> Iterator[Finding]:
     """Everything that was looked at, in the order in which to mend it."""
     yield _python()
+    try:
+        packages = required_packages()
+    except PackageNotFoundError:
+        yield Finding("loomlight", "not installed: only its folder is there", "python -m pip install .")
+        return
     missing = False
-    for name in PACKAGES:
-        finding = _package(name, f"python -m pip install {name}", True)
+    for name in packages[""]:
+        finding = _package(name)
         missing = missing or finding.remedy is not None
         yield finding
-    for name, (extra, purpose) in EXTRAS.items():
-        yield _package(name, f"needed {purpose}: python -m pip install 'loomlight[{extra}]'", False)
+    for extra, purpose in EXTRAS.items():
+        yield _extra(extra, packages[extra], purpose)
     if missing:
         return
     llvm = _llvm()
@@ -105,6 +86,8 @@ def findings() -> Iterator[Finding]:
     yield _adapter()
     if llvm.remedy is None:
         yield _variant()
+    yield _page()
+    yield from _shaders()
 
 
 def _python() -> Finding:
@@ -113,11 +96,29 @@ def _python() -> Finding:
     return Finding("Python", found, remedy)
 
 
-def _package(name: str, remedy: str, needed: bool) -> Finding:
+def _package(name: str) -> Finding:
+    found = _version(name)
+    if found is None:
+        return Finding(name, "not installed", f"python -m pip install {name}")
+    return Finding(name, found)
+
+
+def _extra(extra: str, packages: list[str], purpose: str) -> Finding:
+    """The packages of an extra; nothing else needs them."""
+    found = {name: _version(name) for name in packages}
+    present = ", ".join(f"{name} {has}" for name, has in found.items() if has is not None)
+    missing = ", ".join(name for name, has in found.items() if has is None)
+    if not missing:
+        return Finding(f"[{extra}]", present)
+    shown = f"{present}; {missing} not installed" if present else f"{missing} not installed"
+    return Finding(f"[{extra}]", shown, f"for {purpose}: python -m {installing(extra)}", needed=False)
+
+
+def _version(name: str) -> str | None:
     try:
-        return Finding(name, version(name))
+        return version(name)
     except PackageNotFoundError:
-        return Finding(name, "not installed", remedy, needed)
+        return None
 
 
 def _llvm() -> Finding:
@@ -125,12 +126,12 @@ def _llvm() -> Finding:
 
     found = llvm_version()
     if found is None:
-        return Finding("LLVM", "no library found", f"{ADVICE}.")
+        return Finding("LLVM", "no library found", f"{advice()}.")
     shown = ".".join(map(str, found))
     if found[0] < MINIMUM_LLVM:
-        return Finding("LLVM", f"{shown}, older than {MINIMUM_LLVM}", f"{ADVICE}.")
+        return Finding("LLVM", f"{shown}, older than {MINIMUM_LLVM}", f"{advice()}.")
     if not _kernel_runs("llvm"):
-        return Finding("LLVM", f"{shown}, but a first kernel does not compile", f"{ADVICE}.")
+        return Finding("LLVM", f"{shown}, but a first kernel does not compile", f"{advice()}.")
     return Finding("LLVM", shown)
 
 
@@ -174,6 +175,28 @@ def _variant() -> Finding:
         return Finding("variant", choose_variant(DEFAULT_VARIANT))
     except LoomlightError as error:
         return Finding("variant", str(error), "python -m pip install --force-reinstall mitsuba")
+
+
+def _page() -> Finding:
+    from loomlight.viewer.client import page_state
+
+    state, remedy = page_state()
+    return Finding("editor's page", state, remedy, needed=False)
+
+
+def _shaders() -> Iterator[Finding]:
+    from loomlight.realtime.slangc import NO_COMPILER, find_slangc, has_libraries
+
+    slangc = find_slangc()
+    if has_libraries():
+        yield Finding("shader code", "compiled for every language")
+    elif slangc is not None:
+        yield Finding("shader code", "compiled when it is exported")
+    else:
+        remedy = f"for export to wgsl, hlsl, glsl, spirv, metal and cuda. {NO_COMPILER}"
+        yield Finding("shader code", "not compiled, and slangc is missing", remedy, needed=False)
+    if slangc is not None:
+        yield Finding("slangc", str(slangc))
 
 
 def _kernel_runs(backend: str) -> bool:

@@ -1,11 +1,48 @@
-"""Packages that only some features need, imported when they are used."""
+"""Packages that only some features need, imported when they are used; what loomlight requires, by its metadata."""
 
 from __future__ import annotations
 
+import re
 from importlib import import_module
+from importlib.metadata import requires
 from typing import Any
 
 from loomlight.core.errors import MissingDependencyError
+
+# What each extra is for, a phrase that follows "for"; README's table says the same.
+EXTRAS = {
+    "networks": ".looms of neumip and latent",
+    "neural": "the model neural, the network",
+    "materialx": "export to MaterialX",
+    "meshopt": "glTF meshes that meshopt compresses",
+    "realtime": "frames on a graphics adapter, loomlight play",
+    "viewer": "loomlight view, the live editor",
+    "notebook": "the editor in a notebook",
+    "fleet": "many fabrics on many machines",
+    "data": "the data of papers/chen2024",
+    "train": "bake --model neumip and latent, and to train neural",
+}
+_NAME = re.compile(r"[\w.-]+")
+_OF_EXTRA = re.compile(r"""extra == ['"]([\w.-]+)['"]""")
+
+
+def required_packages() -> dict[str, list[str]]:
+    """Packages that loomlight requires, by extra; those of the base are under "".
+
+    Raises:
+        PackageNotFoundError: loomlight is not installed, such as where its folder is on the path alone.
+    """
+    found: dict[str, list[str]] = {"": []}
+    for line in requires("loomlight") or ():
+        name, extra = _NAME.match(line), _OF_EXTRA.search(line)
+        assert name is not None  # what metadata is made of
+        found.setdefault(extra[1] if extra is not None else "", []).append(name[0])
+    return found
+
+
+def installing(extra: str) -> str:
+    """The command that installs an extra."""
+    return f"pip install 'loomlight[{extra}]'"
 
 
 def import_extra(module: str, extra: str, feature: str) -> Any:
@@ -25,5 +62,4 @@ def import_extra(module: str, extra: str, feature: str) -> Any:
         # A module that is there but lacks one of its own is a defect of the installation, not a choice.
         if error.name is None or error.name.partition(".")[0] != module.partition(".")[0]:
             raise
-        command = f"pip install 'loomlight[{extra}]'"
-        raise MissingDependencyError(f"{feature} needs {module}: {command}.") from error
+        raise MissingDependencyError(f"{feature} needs {module}: {installing(extra)}.") from error

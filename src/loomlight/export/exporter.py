@@ -9,11 +9,10 @@ from pathlib import Path
 
 from loomlight.core.errors import InputError
 from loomlight.export.folder import replacing_folder, write_manifest
-from loomlight.export.latent_network import write_latent_onnx
 from loomlight.export.materials import write_gltf, write_materialx
-from loomlight.export.network import write_onnx
 from loomlight.export.shaders import write_shaders
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.registry import model_class
 from loomlight.realtime.models import (
     REALTIME_MODELS,
     Material,
@@ -56,11 +55,15 @@ def _of_fabric(write: Callable[[Path, Fabric, str, float | None], dict[str, obje
     )
 
 
-_ONNX: dict[str, Writer] = {"neural": _of_fabric(write_onnx), "latent": write_latent_onnx}
-
-
 def _write_onnx(folder: Path, material: Material, model: str, distance: float | None) -> dict[str, object]:
-    return _ONNX[model](folder, material, model, distance)
+    model_class(model)  # says what is missing
+    if model == "latent":
+        from loomlight.export.latent_network import write_latent_onnx
+
+        return write_latent_onnx(folder, material, model, distance)
+    from loomlight.export.network import write_onnx
+
+    return _of_fabric(write_onnx)(folder, material, model, distance)
 
 
 _LANGUAGES = {
@@ -75,7 +78,7 @@ _LANGUAGES = {
 TARGETS: dict[str, ExportTarget] = {
     name: ExportTarget(summary, tuple(REALTIME_MODELS), _shader(name)) for name, summary in _LANGUAGES.items()
 } | {
-    "onnx": ExportTarget("the network's decoder, and latents", tuple(_ONNX), _write_onnx),
+    "onnx": ExportTarget("the network's decoder, and latents", ("neural", "latent"), _write_onnx),
     "gltf": ExportTarget(
         "a glTF file with textures, for any viewer", ("lobes",), _of_fabric(write_gltf), True
     ),

@@ -7,6 +7,8 @@
 - of models of fabrics every field of the fabric file by its name, those of its tables with the table's name
   in front: ``weave``, ``ends_per_cm``, ``warp_color``, ``weft_roughness``, ``sheen_strength`` … Inline values
   replace those of the file. Colours are "#rrggbb", several with commas between them, or an rgb value.
+
+A model that is trained takes a ``.loom`` of it alone: a scene is no place to train in for minutes.
 """
 
 from __future__ import annotations
@@ -27,7 +29,7 @@ from loomlight.fabric.file import FabricFile
 from loomlight.fabric.load import edited_fabric, fabric_from_fields
 from loomlight.fabric.sentences import shown
 from loomlight.models.interface import Model, Option
-from loomlight.models.registry import model_class, model_of_loom
+from loomlight.models.registry import model_class, model_of_loom, untrained
 
 _TABLES = ("warp", "weft", "sheen", "variation")
 _TOP = tuple(name for name in FabricFile.model_fields if name not in _TABLES)
@@ -56,10 +58,14 @@ def model_of_props(props: Any, name: str) -> Model:
     inline = _inline(props) if kind.source_kind == "fabric" else {}
     if path is not None and is_loom(path):
         loom = read_loom(path)
+        if kind.trains and (loom.model != name or options or inline):
+            raise untrained(name, path)
         if loom.model != name or options:
             return kind.for_source(_edited(loom.source, inline), **options)
         model = model_of_loom(loom)
         return model.with_source(_edited(loom.source, inline)) if inline else model
+    if kind.trains:
+        raise untrained(name, path or "SOURCE")
     if path is not None:
         source = _edited(load_source(path, kind.source_kind), inline)
     elif kind.source_kind == "fabric":

@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from importlib import import_module
+from importlib.util import find_spec
 from typing import Any
 
 from loomlight.assets.loom_file import FIRST_USABLE_SCHEMA, LoomFile, read_loom
@@ -28,14 +29,16 @@ class ModelEntry:
         module, class_name: its class.
         plugin: name of its BSDF in Mitsuba.
         summary: what it is, for a list of models.
-        has_network: it evaluates a network, by kernels that LLVM compiles.
+        extra: of a model that evaluates a network, by kernels of llvmlite: what brings that.
+        baking_extra: what brings all that baking it needs, where that is more.
     """
 
     module: str
     class_name: str
     plugin: str
     summary: str = ""
-    has_network: bool = False
+    extra: str = ""
+    baking_extra: str = ""
 
 
 MODELS: dict[str, ModelEntry] = {
@@ -62,7 +65,7 @@ MODELS: dict[str, ModelEntry] = {
         "NeuralModel",
         "woven_neural",
         "the network of Chen et al. 2024, for repeats of up to 64 threads",
-        has_network=True,
+        extra="neural",
     ),
     "clustered": ModelEntry(
         "loomlight.models.clustered.model",
@@ -75,16 +78,20 @@ MODELS: dict[str, ModelEntry] = {
         "NeumipModel",
         "neumip",
         "a network trained for one source (NeuMIP, Kuznetsov et al. 2021)",
-        has_network=True,
+        extra="networks",
+        baking_extra="train",
     ),
     "latent": ModelEntry(
         "loomlight.models.latent.model",
         "LatentModel",
         "latent",
         "network and sampler trained for one source (Zeltner et al. 2024)",
-        has_network=True,
+        extra="networks",
+        baking_extra="train",
     ),
 }
+# Compiles the kernels of networks.
+_KERNELS = "llvmlite"
 DEFAULT_MODEL = "lobes"
 # What pictures of other models are judged by.
 REFERENCE_MODEL = "point"
@@ -101,8 +108,16 @@ def require_model_name(name: str) -> None:
         raise InputError(f"model {shown(name)} does not exist: {closest(name, MODELS)}")
 
 
-def model_class(name: str) -> type[Model]:
+def is_installed(name: str) -> bool:
+    """Whether what `model_class` needs of the model `name` is there."""
+    return not MODELS[name].extra or find_spec(_KERNELS) is not None
+
+
+def model_class(name: str, to_bake: bool = False) -> type[Model]:
     """The class of the model `name`.
+
+    Args:
+        to_bake: whether the model is baked: the sentence then names the extra that baking needs.
 
     Raises:
         InputError: there is none of that name.
@@ -110,8 +125,9 @@ def model_class(name: str) -> type[Model]:
     """
     require_model_name(name)
     entry = MODELS[name]
-    if entry.has_network:
-        import_extra("llvmlite", "networks", f"The model {name}")
+    if entry.extra:
+        extra = entry.baking_extra if to_bake and entry.baking_extra else entry.extra
+        import_extra(_KERNELS, extra, f"{'Baking the' if to_bake else 'The'} model {name}")
     found: type[Model] = getattr(import_module(entry.module), entry.class_name)
     return found
 
@@ -125,7 +141,19 @@ def make_model(name: str, source: Source, **options: Any) -> Model:
     Raises:
         InputError: there is none of that name, or it cannot handle this source or option.
     """
-    return model_class(name).for_source(source, **options)
+    return model_class(name, to_bake=True).for_source(source, **options)
+
+
+def untrained(name: str, source: str = "SOURCE") -> InputError:
+    """What is raised where the model `name` would have to be trained, and nobody has asked for minutes of it.
+
+    Args:
+        source: the path of what it would be trained for.
+    """
+    return InputError(
+        f"{name} is trained for one source, which takes minutes: bake it once with "
+        f"`loomlight bake {source} --model {name} -o x.loom`, and give that file."
+    )
 
 
 def model_of_loom(loom: LoomFile) -> Model:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -21,33 +22,25 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.model import ClusteredModel
 from loomlight.models.interface import Model
-from loomlight.models.latent.model import LatentModel
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel, tables_of
 from loomlight.models.lobes.tables import LobeTables
-from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neural.model import NeuralModel
-from loomlight.models.registry import make_model, model_class, model_of_loom
+from loomlight.models.registry import is_installed, make_model, model_class, model_of_loom, untrained
 from loomlight.realtime.bake import BakePlan
 from loomlight.realtime.clustered_tables import pack_clustered
-from loomlight.realtime.latent_tables import pack_latent
 from loomlight.realtime.lobes_tables import pack_lobes, reserve_lobes
-from loomlight.realtime.neumip_tables import pack_neumip
-from loomlight.realtime.neural_tables import pack_neural
 from loomlight.realtime.word_table import Tables
 from loomlight.yarn.layout import ClothLayout
 
 Material: TypeAlias = Fabric | Model
-Prepared: TypeAlias = LobeTables | BakePlan | NeuralModel | NeumipModel | LatentModel | ClusteredModel | None
+Prepared: TypeAlias = LobeTables | BakePlan | Model | None
 """Data of a model that its shaders read beside a fabric's yarns."""
 Packer: TypeAlias = Callable[[np.void, Any, ClothLayout | None, Tables], None]
 
+# Of models without a network; the others need llvmlite, and are imported with their models.
 _PACKERS: dict[type, Packer] = {
     LobeTables: pack_lobes,
     BakePlan: reserve_lobes,
-    NeuralModel: pack_neural,
     ClusteredModel: pack_clustered,
-    NeumipModel: pack_neumip,
-    LatentModel: pack_latent,
 }
 _TABLES = ("fabrics", "families", "words")
 _NETWORKS = ("fabrics", "words", "packed_numbers")
@@ -93,10 +86,7 @@ def _made(name: str) -> Callable[[Material], Any]:
             return material
         source = source_of(material)
         if model_class(name).trains:
-            raise InputError(
-                f'{name} is trained for "{source.name}", which takes minutes: bake it with '
-                f"`loomlight bake … --model {name} -o cloth.loom`, and give that file."
-            )
+            raise untrained(name)
         return make_model(name, source)
 
     return made
@@ -186,14 +176,12 @@ def default_model_of(material: Material) -> str:
 
 
 def models_of(material: Material) -> tuple[str, ...]:
-    """Names of the models that a material can be shaded with, its own first."""
+    """Names of the models here that a material can be shaded with, its own first."""
     own = default_model_of(material)
-    others = [
-        name
-        for name, model in REALTIME_MODELS.items()
-        if name != own and yarns_of(material) is not None and not model_class(name).trains
-    ]
-    return own, *others
+    if yarns_of(material) is None:
+        return (own,)
+    others = [name for name in REALTIME_MODELS if name != own and is_installed(name)]
+    return own, *(name for name in others if not model_class(name).trains)
 
 
 def yarns_of(material: Material) -> Fabric | None:
@@ -233,8 +221,14 @@ def pack_model(record: np.void, prepared: Prepared, layout: ClothLayout | None, 
     Args:
         layout: of the yarns; None for a source that is no fabric.
     """
-    if prepared is not None:
-        _PACKERS[type(prepared)](record, prepared, layout, tables)
+    if prepared is None:
+        return
+    pack = _PACKERS.get(type(prepared))
+    if pack is None:
+        assert isinstance(prepared, Model)
+        module = import_module(f"loomlight.realtime.{prepared.name}_tables")
+        pack = getattr(module, f"pack_{prepared.name}")
+    pack(record, prepared, layout, tables)
 
 
 def source_of(material: Material) -> Source:

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.models.relu_network import Layers
+if TYPE_CHECKING:  # networks need llvmlite; tables without one are packed by this module too
+    from loomlight.models.relu_network import Layers
 
 # Outputs that a shader sums at a time, and numbers that it reads at a time.
 TILE, EIGHT = 4, 8

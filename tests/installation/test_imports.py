@@ -1,0 +1,104 @@
+"""What the base installation imports: optional packages are imported where they are used."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+
+# Modules that need a package of an extra when they are loaded, by that package; a folder's name means all in
+# it. Whoever imports one of them asks for the package first, by `import_extra` or by `model_class`.
+NEED = {
+    "anyio": ["viewer.app"],
+    "anywidget": ["viewer.widget"],
+    "llvmlite": [
+        "core.simd",
+        "export.latent_network",
+        "export.network",
+        "models.latent.model",
+        "models.latent.networks",
+        "models.latent.settings",
+        "models.neumip.model",
+        "models.neumip.networks",
+        "models.neumip.settings",
+        "models.neural.compiled",
+        "models.neural.decoder",
+        "models.neural.decoder_kernel",
+        "models.neural.encoding",
+        "models.neural.fine_tuning",
+        "models.neural.latent_table",
+        "models.neural.model",
+        "models.neural.sampler_network",
+        "models.relu_network",
+        "models.textured_model",
+        "realtime.latent_tables",
+        "realtime.neumip_tables",
+        "realtime.neural_tables",
+    ],
+    "starlette": ["viewer.access", "viewer.uploads"],
+    "torch": [
+        "models.latent.training.network",
+        "models.latent.training.train",
+        "models.neumip.training.network",
+        "models.neumip.training.sampler_fit",
+        "models.neumip.training.train",
+        "training.checkpoint",
+        "training.direction_sampler",
+        "training.loop",
+        "training.processes",
+        "training.relu_layers",
+        "training.side_by_side",
+        "training.soap",
+        "training.torch_functions",
+    ],
+}
+
+# Loads every module of the package where nothing can be imported but the standard library and what the base
+# installation requires; prints which modules could not be, by what they lack.
+_PROGRAM = """
+import json, pkgutil, re, sys
+from importlib import import_module
+from importlib.metadata import PackageNotFoundError, packages_distributions, requires
+
+def plain(name):
+    return re.sub("[-_.]+", "-", name).lower()
+
+base, waiting = set(), ["loomlight"]
+while waiting:
+    name = plain(waiting.pop())
+    if name in base:
+        continue
+    base.add(name)
+    try:
+        lines = requires(name) or ()
+    except PackageNotFoundError:  # of another system
+        continue
+    waiting += [re.match(r"[\\w.-]+", line)[0] for line in lines if "extra ==" not in line]
+provided = packages_distributions()
+usable = {top for top, names in provided.items() if base & set(map(plain, names))}
+
+class OnlyTheBase:
+    def find_spec(self, name, path=None, target=None):
+        top = name.partition(".")[0]
+        if top in provided and top not in usable:
+            raise ModuleNotFoundError(f"No module named {name!r}", name=name)
+
+sys.meta_path.insert(0, OnlyTheBase())
+import loomlight
+
+lacking = {}
+for module in pkgutil.walk_packages(loomlight.__path__, "loomlight.", onerror=lambda name: None):
+    if not module.name.endswith("__main__"):
+        try:
+            import_module(module.name)
+        except ModuleNotFoundError as error:
+            top = error.name.partition(".")[0]
+            lacking.setdefault(top, []).append(module.name.removeprefix("loomlight."))
+print(json.dumps(lacking))
+"""
+
+
+def test_only_these_modules_need_an_extra() -> None:
+    done = subprocess.run([sys.executable, "-c", _PROGRAM], capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout) == NEED
