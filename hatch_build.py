@@ -1,6 +1,7 @@
 """Builds the editor's page and the shader libraries into the wheel and the source archive.
 
-Where Node or slangc is missing, it says so and goes on. `LOOMLIGHT_REQUIRE_PAGE=1` and
+Where Node or slangc is missing, it says so on the terminal, as pip hides what a build prints, and goes on: all but
+`loomlight view`, or shader code, works; `loomlight doctor` says so later. `LOOMLIGHT_REQUIRE_PAGE=1` and
 `LOOMLIGHT_REQUIRE_SHADERS=1` make that an error, as a release should.
 """
 
@@ -52,7 +53,7 @@ class GeneratedFilesHook(BuildHookInterface):  # type: ignore[type-arg]
         try:
             compiler.write_libraries()
         except compiler.LoomlightError as error:
-            lost = "`loomlight export` will need slangc for shader code"
+            lost = "`loomlight export` to wgsl, hlsl, glsl, spirv, metal and cuda will need slangc"
             self._warn("SHADERS", f"The shader libraries are not compiled: {lost}. {error}", error)
 
     def _warn(self, requirement: str, message: str, error: Exception) -> None:
@@ -60,6 +61,17 @@ class GeneratedFilesHook(BuildHookInterface):  # type: ignore[type-arg]
         if os.environ.get(f"LOOMLIGHT_REQUIRE_{requirement}") == "1":
             raise error
         self.app.display_warning(message)
+        if not sys.stderr.isatty():
+            _tell_terminal(f"loomlight: warning: {message}")
+
+
+def _tell_terminal(message: str) -> None:
+    """Writes a line to the terminal that the build was started from; where there is none, nothing."""
+    try:
+        with open("CONOUT$" if os.name == "nt" else "/dev/tty", "w", encoding="utf-8") as terminal:
+            terminal.write(f"\n{message}\n")
+    except OSError:
+        return
 
 
 def _load(file: Path) -> Any:

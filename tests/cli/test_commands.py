@@ -15,6 +15,7 @@ from PIL import Image
 
 import loomlight
 from loomlight.cli.main import run
+from loomlight.core.extras import required_packages
 from loomlight.weave.load import load_draft
 from loomlight.weave.named import named_weave, weave_names
 from loomlight.weave.wif_reader import read_wif

@@ -14,9 +14,30 @@ def test_an_old_library_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
         llvm.require_llvm()
 
 
-def test_no_library_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ("system", "release", "remedy"),
+    [
+        ("Linux", {"ID": "debian"}, "apt-get install libllvm19"),
+        ("Linux", {"ID": "linuxmint", "ID_LIKE": "ubuntu debian"}, "apt-get install libllvm19"),
+        ("Linux", {"ID": "rocky", "ID_LIKE": "rhel centos fedora"}, "dnf install llvm-libs"),
+        ("Linux", {"ID": "void"}, "your distribution's package"),
+        ("Linux", None, "your distribution's package"),
+        ("Darwin", None, "brew install llvm.*libLLVM.dylib"),
+        ("Windows", None, "winget install LLVM.LLVM.*LLVM-C.dll"),
+    ],
+)
+def test_no_library_is_refused_with_the_remedy_of_the_system(
+    monkeypatch: pytest.MonkeyPatch, system: str, release: dict[str, str] | None, remedy: str
+) -> None:
+    def os_release() -> dict[str, str]:
+        if release is None:
+            raise OSError
+        return release
+
+    monkeypatch.setattr("platform.system", lambda: system)
+    monkeypatch.setattr("platform.freedesktop_os_release", os_release)
     monkeypatch.setattr(llvm, "llvm_version", lambda: None)
-    with pytest.raises(MissingDependencyError, match=r"none was found.*libllvm19"):
+    with pytest.raises(MissingDependencyError, match=f"none was found.*{remedy}"):
         llvm.require_llvm()
 
 

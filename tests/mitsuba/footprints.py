@@ -79,7 +79,7 @@ def mean_value(bsdf: Any) -> np.ndarray:
 
 
 def pretrained(cloth: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """A BSDF of a fabric that is given inline; of a model that is trained the same by a `.loom` in `folder`."""
+    """A BSDF of an inline fabric; of a model that is trained the same by a `.loom`, which `folder` keeps."""
     name = next(name for name, entry in MODELS.items() if entry.plugin == cloth["type"])
     if not model_class(name).trains:
         return cloth

@@ -149,17 +149,22 @@ def test_draco_is_decoded(tmp_path: Path, damage: bool) -> None:
     )
 
 
+def write_compressed_quad(folder: Path, name: str = "EXT_meshopt_compression") -> None:
+    """A square in quad.gltf and quad.bin, whose positions are compressed by the extension `name`."""
+    body = meshopt.encode_gltf_buffer(PARTS[0], "ATTRIBUTES")
+    tree = tree_of("quad.bin")
+    (folder / "quad.bin").write_bytes(BODY + body)
+    tree["buffers"][0]["byteLength"] = len(BODY + body)
+    entry = {"buffer": 0, "byteOffset": len(BODY), "byteLength": len(body), "byteStride": 12}
+    tree["bufferViews"][0]["extensions"] = {name: {**entry, "count": 4, "mode": "ATTRIBUTES"}}
+    (folder / "quad.gltf").write_text(json.dumps(tree))
+
+
 @pytest.mark.parametrize("name", ["EXT_meshopt_compression", "KHR_meshopt_compression"])
 def test_meshopt_is_decoded_or_its_package_named(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
-    body = meshopt.encode_gltf_buffer(PARTS[0], "ATTRIBUTES")
-    tree = tree_of("quad.bin")
-    (tmp_path / "quad.bin").write_bytes(BODY + body)
-    tree["buffers"][0]["byteLength"] = len(BODY + body)
-    entry = {"buffer": 0, "byteOffset": len(BODY), "byteLength": len(body), "byteStride": 12}
-    tree["bufferViews"][0]["extensions"] = {name: {**entry, "count": 4, "mode": "ATTRIBUTES"}}
-    (tmp_path / "quad.gltf").write_text(json.dumps(tree))
+    write_compressed_quad(tmp_path, name)
     np.testing.assert_allclose(read_mesh(tmp_path / "quad.gltf").positions, CORNERS)
     monkeypatch.setitem(sys.modules, "meshopt", None)
     with pytest.raises(MissingDependencyError, match=f"is compressed by {name}: install its decoder"):

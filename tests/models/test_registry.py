@@ -45,7 +45,8 @@ def test_without_llvmlite_all_models_but_networks_are_there(monkeypatch: pytest.
             except MissingDependencyError as error:
                 said[name, to_bake] = str(error)
                 assert not is_installed(name)
-    networks = {"neural": ("neural", "neural"), "neumip": ("networks", "train"), "latent": ("networks", "train")}
+    trained = ("networks", "train")
+    networks = {"neural": ("neural", "neural"), "neumip": trained, "latent": trained}
     assert said == {
         (name, to_bake): f"{'Baking the' if to_bake else 'The'} model {name} needs llvmlite: "
         f"pip install 'loomlight[{extras[to_bake]}]'."

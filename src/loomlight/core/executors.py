@@ -298,13 +298,13 @@ def _run_joblib(chosen: Executor, work: Shared, report: Report) -> None:
 def _connected(backend: str) -> Iterator[None]:
     """Connected to the cluster of a backend, which DASK_SCHEDULER_ADDRESS or RAY_ADDRESS names."""
     if backend == "dask":
-        distributed = import_extra("distributed", "fleet", "--executor joblib:dask")
+        distributed = import_extra("distributed", "", "--executor joblib:dask")
         address = os.environ.get("DASK_SCHEDULER_ADDRESS")
         with distributed.Client(address) if address else distributed.Client():
             yield
         return
     if backend == "ray":
-        import_extra("ray.util.joblib", "fleet", "--executor joblib:ray").register_ray()
+        import_extra("ray.util.joblib", "", "--executor joblib:ray").register_ray()
     yield
 
 

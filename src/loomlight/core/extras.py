@@ -1,4 +1,4 @@
-"""Packages that only some features need, imported when they are used; what loomlight requires, by its metadata."""
+"""Packages that only some features need, imported when they are used, and the extras that bring them."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def import_extra(module: str, extra: str, feature: str) -> Any:
 
     Args:
         module: its name.
-        extra: the extra's name in pyproject.toml.
+        extra: the extra's name in pyproject.toml; "" for a package that none brings.
         feature: what needs it, the subject of the message.
 
     Raises:
@@ -62,4 +62,5 @@ def import_extra(module: str, extra: str, feature: str) -> Any:
         # A module that is there but lacks one of its own is a defect of the installation, not a choice.
         if error.name is None or error.name.partition(".")[0] != module.partition(".")[0]:
             raise
-        raise MissingDependencyError(f"{feature} needs {module}: {installing(extra)}.") from error
+        command = installing(extra) if extra else f"pip install {module.partition('.')[0]}"
+        raise MissingDependencyError(f"{feature} needs {module}: {command}.") from error

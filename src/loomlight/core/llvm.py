@@ -14,8 +14,8 @@ from importlib import import_module
 from loomlight.core.errors import LoomlightError, MissingDependencyError
 
 MINIMUM_LLVM = 17
-# How to install it, by system: by the identifier of a distribution, or its likes, on Linux. Tried on Debian and
-# Ubuntu alone; the others are what their packages are called.
+# How to install it, by system, and on Linux by the identifier of a distribution or of one that it is like.
+# Tried on Debian alone; the others are what their packages are called.
 _REMEDIES = {
     "debian": "`apt-get install libllvm19`",
     "fedora": "`dnf install llvm-libs`",
@@ -26,15 +26,18 @@ _REMEDIES = {
     "Windows": "`winget install LLVM.LLVM`",
 }
 # The library's file, where Dr.Jit does not find it by itself.
-_FILES = {"Darwin": '"$(brew --prefix llvm)/lib/libLLVM.dylib"', "Windows": r"C:\Program Files\LLVM\bin\LLVM-C.dll"}
+_FILES = {
+    "Darwin": '"$(brew --prefix llvm)/lib/libLLVM.dylib"',
+    "Windows": r"C:\Program Files\LLVM\bin\LLVM-C.dll",
+}
 
 
 def advice() -> str:
     """How to install an LLVM library on this system, the end of a sentence."""
     system = platform.system()
     remedy = _REMEDIES.get(_distribution() or system, _REMEDIES["Linux"])
-    named = f", as {_FILES[system]}" if system in _FILES else ""
-    return f"install it with {remedy}, or name its file in the variable DRJIT_LIBLLVM_PATH{named}"
+    named = f", such as {_FILES[system]}" if system in _FILES else ""
+    return f"install it with {remedy}, or name one in the variable DRJIT_LIBLLVM_PATH{named}"
 
 
 def _distribution() -> str | None:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import MissingDependencyError
+from loomlight.core.extras import installing
 from loomlight.mesh.gltf_file import Entry, GltfFile
 
 _COMPONENTS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
@@ -72,8 +73,8 @@ def _decompressed(gltf: GltfFile, entry: Entry, name: str) -> tuple[bytes, int]:
         import meshopt
     except ImportError as error:
         raise MissingDependencyError(
-            f"{gltf.file} is compressed by {name}: install its decoder, pip install "
-            '"loomlight[meshopt]", or export the file without compression.'
+            f"{gltf.file} is compressed by {name}: install its decoder, {installing('meshopt')}, or export "
+            "the file without compression."
         ) from error
     content, stride = _slice(gltf, entry), gltf.integer(entry, "byteStride")
     count = gltf.integer(entry, "count")

@@ -27,9 +27,10 @@ SHADERS = Path(__file__).parent / "shaders"
 # Code of all libraries, which wheels have and git ignores, and the digest of the sources that it is made of.
 LIBRARIES = SHADERS / "libraries"
 _DIGEST = "sources.sha256"
+# The wheel of slangtorch has the compilers of Linux and Windows.
 NO_COMPILER = (
-    "Compiling shaders needs slangc: pip install --no-deps slangtorch, or put it on the PATH, or name it in "
-    "LOOMLIGHT_SLANGC."
+    "Compiling shaders needs slangc: pip install --no-deps slangtorch (on a Mac https://shader-slang.org), or put "
+    "it on the PATH, or name it in LOOMLIGHT_SLANGC."
 )
 _SECONDS = 300.0
 # Line numbers would name files of the machine that built it.
@@ -76,7 +77,7 @@ def find_slangc() -> Path | None:
         return Path(named)
     spec = find_spec("slangtorch")  # found without importing it, which would import torch
     if spec is not None and spec.origin is not None:
-        bundled = Path(spec.origin).parent / "bin" / "slangc"
+        bundled = Path(spec.origin).parent / "bin" / ("slangc.exe" if os.name == "nt" else "slangc")
         if bundled.is_file():
             if not os.access(bundled, os.X_OK):
                 bundled.chmod(0o755)
