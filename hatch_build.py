@@ -1,8 +1,8 @@
 """Builds the editor's page and the shader libraries into the wheel and the source archive.
 
-Where Node or slangc is missing, it says so on the terminal, as pip hides what a build prints, and goes on: all but
-`loomlight view`, or shader code, works; `loomlight doctor` says so later. `LOOMLIGHT_REQUIRE_PAGE=1` and
-`LOOMLIGHT_REQUIRE_SHADERS=1` make that an error, as a release should.
+Where Node or slangc is missing, it says so on the terminal, as pip hides what a build prints, and goes on:
+all but `loomlight view`, or shader code, works, and `loomlight doctor` says so.
+`LOOMLIGHT_REQUIRE_PAGE=1` and `LOOMLIGHT_REQUIRE_SHADERS=1` make that an error, as a release should.
 """
 
 from __future__ import annotations

@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any
 
 from loomlight.core.extras import EXTRAS, installing, required_packages
+from tests.limits import HANG
 
 ROOT = Path(__file__).resolve().parents[2]
 _CONSTRAINTS = ROOT / "constraints.txt"
@@ -29,8 +30,6 @@ _DRIVER = Path(__file__).with_name("driver.py")
 # What a checkout needs for its wheel, beside what hatch and node make.
 _SOURCES = ("src", "web", "examples", "pyproject.toml", "hatch_build.py", "README.md", "LICENSE")
 BASE, NO_SLANGC = "base", "no slangc"
-# Longest time that any one step may take; an installation on a slow network takes most of it.
-_SECONDS = 900
 
 _SERVE = """
 import re, signal, subprocess, sys, urllib.request
@@ -96,8 +95,8 @@ class Case:
 
 _NO_ADAPTER = "adapter"
 _SHADER_LANGUAGES = ("hlsl", "glsl", "spirv", "metal", "cuda")
-# Every command of `loomlight --help`, and what README's table promises for each extra. What no extra changes and
-# takes seconds is tried once.
+# Every command of `loomlight --help`, and what README's table promises for each extra. What no extra changes
+# and takes seconds is tried once.
 CASES = (
     Case("doctor"),
     Case("weave names"),
@@ -176,7 +175,7 @@ class Environment:
     outcomes: dict[str, str] = field(default_factory=dict)
 
 
-class Unreachable(Exception):
+class UnreachableError(Exception):
     """The registry of packages cannot be reached; the message is the last line of pip."""
 
 
@@ -188,7 +187,7 @@ def installations(folder: Path, python: str = sys.executable) -> Iterator[Enviro
         python: what the environments are made with.
 
     Raises:
-        Unreachable: packages cannot be installed here.
+        UnreachableError: packages cannot be installed here.
     """
     from tests.mitsuba.test_gltf import write_compressed_quad
 
@@ -230,16 +229,12 @@ def installations(folder: Path, python: str = sys.executable) -> Iterator[Enviro
 
 def tried(environment: Environment, work: Path) -> Environment:
     """The environment with the outcomes of all its cases, run in the folder `work`."""
-    cases = [
-        case
-        for case in CASES
-        if (not case.only or environment.name in case.only)
-        and (not case.reads or (work / case.reads).exists())
-    ]
+    here = [case for case in CASES if not case.only or environment.name in case.only]
+    cases = [case for case in here if not case.reads or (work / case.reads).exists()]
     listed = work.parent / f"{environment.name}.json"
     listed.write_text(json.dumps([case.for_driver() for case in cases]), encoding="utf-8")
     command = [str(environment.python), "-I", str(_DRIVER), str(listed), str(work)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=_SECONDS, env=_plain_environment())
+    done = subprocess.run(command, capture_output=True, text=True, timeout=HANG, env=_plain_environment())
     if done.returncode != 0:
         environment.faults.append(done.stderr[-2000:])
         return environment
@@ -360,10 +355,10 @@ def _copied(environment: Path, place: Path) -> Path:
 def _require_registry(python: Path, folder: Path) -> None:
     command = ["download", "--no-deps", "--no-cache-dir", "-d", str(folder / "probe"), "threadpoolctl"]
     done = subprocess.run(
-        [str(python), "-m", "pip", *command], capture_output=True, text=True, timeout=_SECONDS, check=False
+        [str(python), "-m", "pip", *command], capture_output=True, text=True, timeout=HANG, check=False
     )
     if done.returncode != 0:
-        raise Unreachable((done.stderr.strip().splitlines() or ["pip says nothing"])[-1])
+        raise UnreachableError((done.stderr.strip().splitlines() or ["pip says nothing"])[-1])
 
 
 def _pip(python: Path, *words: str) -> float:
@@ -376,7 +371,7 @@ def _pip(python: Path, *words: str) -> float:
 
 def _run(command: Sequence[str], folder: Path, variables: dict[str, str] | None = None) -> None:
     done = subprocess.run(
-        command, cwd=folder, env=variables, capture_output=True, text=True, timeout=_SECONDS, check=False
+        command, cwd=folder, env=variables, capture_output=True, text=True, timeout=HANG, check=False
     )
     if done.returncode != 0:
         raise AssertionError(f"{' '.join(command)} fails: {done.stderr[-3000:] or done.stdout[-3000:]}")
@@ -419,17 +414,11 @@ def _megabytes(place: Path, beside: Path | None = None) -> float:
 
 def matrix(environments: Sequence[Environment]) -> str:
     """A table of environments in Markdown, and their sentences."""
-    lines = [
-        "| environment | MB | seconds | cases | work | a sentence | faults |",
-        "|---|---|---|---|---|---|---|",
-    ]
+    lines = ["| environment | MB | seconds | work | a sentence | faults |", "|---|---|---|---|---|---|"]
     for each in environments:
         works = sum(outcome == "works" for outcome in each.outcomes.values())
-        count = len(each.outcomes)
-        lines.append(
-            f"| {each.name} | {each.megabytes:.1f} | {each.seconds:.0f} | {count} | {works} | {count - works} "
-            f"| {len(each.faults)} |"
-        )
+        cells = (f"{each.megabytes:.1f}", f"{each.seconds:.0f}", works, len(each.outcomes) - works)
+        lines.append(f"| {each.name} | {' | '.join(map(str, cells))} | {len(each.faults)} |")
     for each in environments:
         lines += ["", f"{each.name}:"]
         lines += [f"- `{label}`: {outcome}" for label, outcome in each.outcomes.items()]

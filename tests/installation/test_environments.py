@@ -1,5 +1,6 @@
-"""Wheel and source archive are built and installed, alone and with each extra: every command works, or says in
-one sentence which extra it needs.
+"""Wheel and source archive are built and installed, alone and with each extra.
+
+Every command works, or says in one sentence which extra it needs.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from .environments import NO_SLANGC, Unreachable, installations, matrix
+from .environments import NO_SLANGC, UnreachableError, installations, matrix
 
 
 @pytest.mark.slow
@@ -17,7 +18,7 @@ def test_commands_work_or_name_the_extra_in_every_installation(tmp_path: Path) -
     try:
         for environment in installations(tmp_path):
             found.append(environment)
-    except Unreachable as reason:
+    except UnreachableError as reason:
         pytest.skip(f"packages cannot be installed here: {reason}")
     print(matrix(found))
     assert {each.name: each.faults for each in found if each.faults} == {}

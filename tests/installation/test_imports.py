@@ -6,6 +6,8 @@ import json
 import subprocess
 import sys
 
+from tests.limits import HANG
+
 # Modules that need a package of an extra when they are loaded, by that package; a folder's name means all in
 # it. Whoever imports one of them asks for the package first, by `import_extra` or by `model_class`.
 NEED = {
@@ -99,6 +101,6 @@ print(json.dumps(lacking))
 
 
 def test_only_these_modules_need_an_extra() -> None:
-    done = subprocess.run([sys.executable, "-c", _PROGRAM], capture_output=True, text=True, timeout=300)
+    done = subprocess.run([sys.executable, "-c", _PROGRAM], capture_output=True, text=True, timeout=HANG)
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout) == NEED

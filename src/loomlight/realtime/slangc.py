@@ -29,8 +29,8 @@ LIBRARIES = SHADERS / "libraries"
 _DIGEST = "sources.sha256"
 # The wheel of slangtorch has the compilers of Linux and Windows.
 NO_COMPILER = (
-    "Compiling shaders needs slangc: pip install --no-deps slangtorch (on a Mac https://shader-slang.org), or put "
-    "it on the PATH, or name it in LOOMLIGHT_SLANGC."
+    "Compiling shaders needs slangc: pip install --no-deps slangtorch (for a Mac see shader-slang.org), or "
+    "put it on the PATH, or name it in LOOMLIGHT_SLANGC."
 )
 _SECONDS = 300.0
 # Line numbers would name files of the machine that built it.
