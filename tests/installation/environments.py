@@ -234,7 +234,7 @@ def tried(environment: Environment, work: Path) -> Environment:
     listed = work.parent / f"{environment.name}.json"
     listed.write_text(json.dumps([case.for_driver() for case in cases]), encoding="utf-8")
     command = [str(environment.python), "-I", str(_DRIVER), str(listed), str(work)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=HANG, env=_plain_environment())
+    done = subprocess.run(command, capture_output=True, text=True, timeout=HANG, env=_variables(environment))
     if done.returncode != 0:
         environment.faults.append(done.stderr[-2000:])
         return environment
@@ -288,10 +288,12 @@ def _requirements(extra: str) -> list[str]:
     return [line.partition(";")[0].strip() for line in lines if not line.startswith("torch")]
 
 
-def _plain_environment() -> dict[str, str]:
-    """The variables of this process, without those that lead to other packages, or to a display."""
+def _variables(environment: Environment) -> dict[str, str]:
+    """The variables of this process, without those that lead to other packages, a display or a cache."""
     left_out = {"PYTHONPATH", "DISPLAY", "WAYLAND_DISPLAY", "LOOMLIGHT_SLANGC", "VIRTUAL_ENV"}
     kept = {name: value for name, value in os.environ.items() if name not in left_out}
+    # What one environment has computed is not there for the next.
+    kept["XDG_CACHE_HOME"] = str(environment.python.parents[1] / "cache")
     # Where slangc lies for this process is no place of the environment's.
     own = Path(sys.executable).parent
     kept["PATH"] = os.pathsep.join(

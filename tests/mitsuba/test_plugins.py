@@ -87,6 +87,6 @@ def test_a_model_that_is_trained_takes_its_loom_alone(
     with pytest.raises((InputError, RuntimeError)) as caught:
         mi.load_dict({"type": MODELS[name].plugin, **given})
     command = f"`loomlight bake {source} --model {name} -o x.loom`"
-    assert f"{name} is trained for one source, which takes minutes: bake it once with {command}" in str(
+    assert f"{name} is trained for one source, which takes minutes: bake it with {command}" in str(
         caught.value
     )

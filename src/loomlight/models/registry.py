@@ -151,7 +151,7 @@ def untrained(name: str, source: str = "SOURCE") -> InputError:
         source: the path of what it would be trained for.
     """
     return InputError(
-        f"{name} is trained for one source, which takes minutes: bake it once with "
+        f"{name} is trained for one source, which takes minutes: bake it with "
         f"`loomlight bake {source} --model {name} -o x.loom`, and give that file."
     )
 
