@@ -22,7 +22,7 @@ export interface Budget {
   readonly resting: number;
 }
 
-export const BUDGET: Budget = { moving: 30, submission: 200, resting: 60_000 };
+export const BUDGET: Budget = { moving: 30, submission: 200, resting: 180_000 };
 
 /**
  * Chooses the divisor of the canvas's sides for each picture, and how many pixels one submission shades.
