@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from tests.limits import HANG
 from tests.viewer.conftest import Served
@@ -210,6 +212,36 @@ def test_saved_files_open_as_the_same_fabric(editor: Any, tmp_path: Path) -> Non
     opened = fabric_of(editor)
     assert opened["draft"]["drawdown"] == made["draft"]["drawdown"]
     assert opened["fields"]["warp"] == made["fields"]["warp"]
+
+
+def test_a_photograph_is_asked_about_and_notices_of_files_go(editor: Any, tmp_path: Path) -> None:
+    # Plain weave, with noise.
+    colours = np.random.default_rng(0).integers(0, 60, (8, 8, 3), dtype=np.uint8)
+    colours[np.indices((8, 8)).sum(0) % 2 == 1] += 190
+    Image.fromarray(colours).save(photograph := tmp_path / "holiday.png")
+    (broken := tmp_path / "broken.wif").write_text("[WIF]\nVersion=1.1\n")
+    before = fabric_of(editor)
+    by_id(editor, "files").set_input_files(broken)
+    assert "broken.wif" in by_id(editor, "notice-fault").inner_text()
+    by_id(editor, "files").set_input_files(photograph)
+    assert "holiday.png has more than a dozen colours" in by_id(editor, "photograph").inner_text()
+    assert by_id(editor, "notice-fault").count() == 0
+    by_id(editor, "picture-is-nothing").click()
+    assert fabric_of(editor) == before
+    by_id(editor, "files").set_input_files(photograph.rename(tmp_path / "plain.png"))
+    by_id(editor, "picture-is-drawdown").click()
+    wait_until(editor, "window.loomlight.fabric().fields.image === 'plain.png'")
+
+
+def test_what_is_said_beside_a_field_goes_with_undo(editor: Any) -> None:
+    by_id(editor, "tab-yarns").click()
+    for sett in ("21", "9999"):
+        by_id(editor, "number-picks_per_cm").fill(sett)
+        by_id(editor, "number-picks_per_cm").press("Enter")
+    fault = editor.locator("[data-field=picks_per_cm] .fault")
+    assert fault.inner_text().startswith("Picks per cm = 9999")
+    by_id(editor, "undo").click()
+    fault.wait_for(state="detached")
 
 
 def test_a_picture_and_a_material_are_saved(editor: Any) -> None:
