@@ -352,11 +352,7 @@ def test_a_picture_is_refined_in_areas_to_the_size_of_the_canvas(drawn: Drawn) -
     assert len({share for share in shares if 0 < share < 1}) >= 3
     assert not any(frame["isComplete"] for frame in areas["resting"][:-1])
     assert areas["bakes"] == 0
-<<<<<<< HEAD
     # The camera of an area is the picture's but for rounding: a ray may fall to the other side of yarn.
-=======
-    # The camera of an area is the picture's up to rounding, by which a ray may fall beside a yarn.
->>>>>>> 6be01b83 (Where the page's pictures by Python are made)
     differences = np.abs(drawn.linear("areas", FLAT) - drawn.linear("whole", FLAT))
     assert (differences > CLOSE).mean() <= MAX_BEYOND
 
