@@ -75,6 +75,10 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "no maps": (["bake-maps", "plain", "-o", "a.txt"], ".exr or .png"),
     "no window": (["bake-maps", "plain", "-o", "a.exr", "--window", "1,2,3"], "4 numbers"),
     "no resolution": (["bake-maps", "plain", "-o", "a.exr", "--resolution", "-4"], "--resolution"),
+    "a window of nothing": (
+        ["bake-maps", "plain", "-o", "a.exr", "--window", "0,0,0,5"],
+        "width and height above 0",
+    ),
     "a window far away": (["bake-maps", "plain", "-o", "a.exr", "--window", "1e30,0,1,1"], "100000"),
     "a pipe": (["weave", "info", "pipe.wif"], "pipe.wif is no ordinary file"),
     "a pipe of pixels": (["render", "pipe.png", "-o", "a.png"], "pipe.png is no ordinary file"),

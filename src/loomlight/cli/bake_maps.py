@@ -48,6 +48,7 @@ def bake_maps(
         bake_maps,
         map_file,
         map_files,
+        require_window,
         resolution_of,
         warn_of_oblong_texels,
         write_maps,
@@ -80,6 +81,8 @@ def bake_maps(
     if tile is not None:
         across, up = (max(round(tile / side), 1) * side for side in cloth.repeat_mm)
         corner = (0.0, 0.0, across, up)
+    if corner is not None:
+        require_window(corner)
     extent = cloth.repeat_mm if corner is None else corner[2:]
     if pixels_per_mm is not None:
         columns_and_rows = resolution_of(extent, pixels_per_mm)

@@ -36,39 +36,46 @@ SceneOption = Annotated[
     str | None, typer.Option(help="flat, sphere, cylinder, drape (default), or a Mitsuba scene FILE.xml.")
 ]
 MeshOption = Annotated[
-    Path | None, typer.Option(help="An .obj, .ply, .gltf or .glb file to clothe instead; it needs uv.")
+    Path | None,
+    typer.Option(help="An .obj, .ply, .gltf or .glb file to clothe instead of --scene; it needs uv."),
 ]
 MetresPerUnitOption = Annotated[
     float, typer.Option(help="Length of one unit of the mesh or the scene file, metres.")
 ]
 EnvironmentOption = Annotated[
-    Path | None, typer.Option("--env", help="A latitude-longitude picture that lights the scene.")
+    Path | None,
+    typer.Option("--env", help="A latitude-longitude picture that lights the scene; none by default."),
 ]
 EnvironmentTurnOption = Annotated[
     float, typer.Option("--env-turn", help="Turns it about the vertical, degrees.")
 ]
 LightOption = Annotated[
-    str | None, typer.Option(help="studio, sunsky, point or directional; by default what suits the scene.")
+    str | None, typer.Option(help="studio (default), sunsky, point or directional; of a scene file its own.")
 ]
 LightFromOption = Annotated[
     str | None,
     typer.Option(
         metavar="AZIMUTH,ELEVATION",
-        help="Where it comes from, degrees: 0,0 is the front, 90,0 the right, 0,90 above.",
+        help="Where it comes from, degrees: 0,0 is the front, 90,0 the right, 0,90 above; "
+        "by default from the upper left.",
     ),
 ]
 SamplesOption = Annotated[int, typer.Option("--spp", help="Samples a pixel.")]
 SizeOption = Annotated[
-    str | None, typer.Option(metavar="WxH", help="Pixels; 640x480, or a scene file's own.")
+    str | None, typer.Option(metavar="WxH", help="Pixels; by default 640x480, or a scene file's own.")
 ]
 ZoomOption = Annotated[float, typer.Option(help="1 frames the whole object, 10 is ten times closer.")]
 DepthOption = Annotated[
-    int | None, typer.Option("--max-depth", help="Longest light path, in segments; 8, or a scene file's own.")
+    int | None,
+    typer.Option("--max-depth", help="Longest light path, in segments; by default 8, or a scene file's own."),
 ]
 ExposureOption = Annotated[float, typer.Option(help="Stops; +1 is twice as bright.")]
 WhiteBalanceOption = Annotated[
     float | None,
-    typer.Option(metavar="KELVIN", help="Colour temperature of the light that is shown as white; 6500."),
+    typer.Option(
+        metavar="KELVIN",
+        help="Colour temperature of the light that is shown as white; by default 6500, as it is.",
+    ),
 ]
 DenoiseOption = Annotated[
     str, typer.Option(metavar="auto|off", help="auto takes noise out of pictures, and leaves yarns sharp.")
@@ -77,18 +84,19 @@ InsetOption = Annotated[
     bool | None,
     typer.Option(
         "--inset/--no-inset",
-        help="A close-up in the corner; by default of a weave or draft on the whole drape.",
+        help="A close-up in the corner; by default where a weave or draft is on the whole drape.",
     ),
 ]
 ColorOption = Annotated[
     list[str] | None,
-    typer.Option(metavar="warp=#…,weft=#…", help="Colours of the yarns, in place of the fabric's."),
+    typer.Option(metavar="warp=#…,weft=#…", help="Colours of the yarns; by default the fabric's."),
 ]
 ClothOption = Annotated[
     list[str] | None,
     typer.Option(
         metavar="NAME=FABRIC",
-        help="A further fabric for parts or materials NAME of the mesh, or BSDFs NAME of a scene.",
+        help="A further fabric for parts or materials NAME of the mesh, or BSDFs NAME of a scene; "
+        "none by default.",
     ),
 ]
 TurnOption = Annotated[float, typer.Option(help="Turns the weave on the mesh, degrees.")]
@@ -96,13 +104,19 @@ ShiftOption = Annotated[str, typer.Option(metavar="X,Y", help="Shifts the weave 
 ScaleOption = Annotated[float, typer.Option(help="2 shows threads twice as large as life.")]
 EdgeOption = Annotated[
     str | None,
-    typer.Option(metavar="hem|pinked|raw", help="Edges of the cloth; by default as suits the scene."),
+    typer.Option(
+        metavar="hem|pinked|raw",
+        help="Edges of the cloth: hem by default of the drape and meshes, pinked of flat, else raw.",
+    ),
 ]
 TurntableOption = Annotated[
     int | None,
     typer.Option(
-        metavar="N", help="N pictures of one turn: .png, .jpg, .exr, numbered, or one .webp or .gif."
+        metavar="N",
+        help="N pictures of one turn: .png, .jpg, .exr, numbered, or one .webp or .gif; off by default.",
     ),
 ]
 SeedOption = Annotated[int, typer.Option(help="The same seed gives the same picture, but for rounding.")]
-VariantOption = Annotated[str | None, typer.Option(help="llvm_ad_rgb (default) or cuda_ad_rgb.")]
+VariantOption = Annotated[
+    str | None, typer.Option(help="llvm_ad_rgb (default: the processor) or cuda_ad_rgb (an NVIDIA card).")
+]

@@ -104,6 +104,13 @@ def warn_of_oblong_texels(extent: tuple[float, float], resolution: tuple[int, in
         )
 
 
+def require_window(window: tuple[float, float, float, float]) -> None:
+    """Raises InputError unless left and bottom are finite, and width and height above 0 mm."""
+    left, bottom, width, height = window
+    if not (0 < width < np.inf and 0 < height < np.inf and np.isfinite([left, bottom]).all()):
+        raise InputError(f"window = {window} needs a finite corner and a width and height above 0 mm.")
+
+
 def bake_maps(
     fabric: Fabric,
     resolution: tuple[int, int],
@@ -128,8 +135,7 @@ def bake_maps(
     if not (1 <= columns <= MAXIMUM_MAP_SIZE and 1 <= rows <= MAXIMUM_MAP_SIZE):
         raise InputError(f"resolution = {columns}x{rows} is outside 1 to {MAXIMUM_MAP_SIZE} texels a side.")
     left, bottom, width, height = window or (0.0, 0.0, *fabric.repeat_mm)
-    if not (0 < width < np.inf and 0 < height < np.inf and np.isfinite([left, bottom]).all()):
-        raise InputError(f"window = {window} needs a finite corner and a width and height above 0 mm.")
+    require_window((left, bottom, width, height))
     surface = ClothSurface(fabric, float_type, _whole_repeats(fabric, (width, height)))
     # As `Footprint.spread_side`.
     side = float(np.sqrt(0.5 * ((width / columns) ** 2 + (height / rows) ** 2)))
