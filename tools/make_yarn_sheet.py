@@ -88,10 +88,12 @@ def flat_scene(fabric: Fabric, side: int, threads: float) -> ClothScene:
     )
 
 
-def close_up(name: str, pixels: int, threads: float, spp: int, more: str = "") -> NDArray[np.uint8]:
+def close_up(
+    name: str, pixels: int, threads: float, spp: int, more: str = "", denoise: str = "off"
+) -> NDArray[np.uint8]:
     """A square of cloth of `threads` threads, `pixels` pixels a thread, 8-bit sRGB; `more` are fields."""
     shown = flat_scene(cloth(name, more), round(pixels * threads), threads)
-    return encoded(EXPOSURE * render(shown.scene, spp=spp, integrator=shown.integrator))
+    return encoded(EXPOSURE * render(shown.scene, spp=spp, integrator=shown.integrator, denoise=denoise))
 
 
 def fibre_close_up(name: str, pixels: int, threads: float, spp: int) -> NDArray[np.uint8]:
@@ -120,7 +122,8 @@ def gaps_sheet(spp: int) -> Image.Image:
     rows = []
     for name in OF_GAPS:
         tiles = [
-            close_up(name, pixels, SIDE / pixels, spp, more)
+            # What is seen through holes is lit through holes: noise, with so few samples.
+            close_up(name, pixels, SIDE / pixels, spp, more, "auto")
             for more in ("gap = 0.2", "")
             for pixels in PIXELS_A_THREAD
         ]
