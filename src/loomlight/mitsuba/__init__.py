@@ -14,6 +14,7 @@ from loomlight.mitsuba.lights import LIGHTS
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.material_picture import RenderSettings
 from loomlight.mitsuba.meshes import to_shape
+from loomlight.mitsuba.placement import Placement
 from loomlight.mitsuba.plugins import register_plugins
 from loomlight.mitsuba.query_sources import register_query_sources
 from loomlight.mitsuba.rendering import render
@@ -26,6 +27,7 @@ __all__ = [
     "SUPPORTED_VARIANTS",
     "ClothMesh",
     "ClothScene",
+    "Placement",
     "RenderSettings",
     "build_scene",
     "choose_variant",

@@ -1,0 +1,10 @@
+"""Other programs: a glTF file with textures, and shader code with the tables that it reads."""
+
+from pathlib import Path
+
+from loomlight.export import export
+
+fabric = Path(__file__).parent / "linen.toml"
+for target in ("gltf", "wgsl"):
+    folder = export(fabric, target, f"linen-{target}")
+    print(target, sorted(file.name for file in folder.rglob("*") if file.is_file()))
