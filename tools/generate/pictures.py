@@ -24,6 +24,7 @@ import tempfile
 from argparse import ArgumentParser, RawDescriptionHelpFormatter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -171,6 +172,12 @@ PROBES: dict[str, Callable[[], dict[str, list[float]]]] = {
 }
 
 
+@cache
+def probed(name: str) -> dict[str, list[float]]:
+    """A probe of today."""
+    return PROBES[name]()
+
+
 def difference(before: Mapping[str, list[float]], now: Mapping[str, list[float]]) -> tuple[str, float]:
     """Which part of a probe differs most, and by how much of its mean."""
     worst = ("", 0.0)
@@ -181,7 +188,7 @@ def difference(before: Mapping[str, list[float]], now: Mapping[str, list[float]]
     return worst
 
 
-def ages(made: Mapping[str, Any], probed: Mapping[str, Mapping[str, list[float]]]) -> dict[str, str]:
+def ages(made: Mapping[str, Any], now: Mapping[str, Mapping[str, list[float]]]) -> dict[str, str]:
     """What is to be said of each picture: "as shown today", "older: …" or "not known"."""
     said = {}
     for name, recipe in RECIPES.items():
@@ -190,7 +197,7 @@ def ages(made: Mapping[str, Any], probed: Mapping[str, Mapping[str, list[float]]
             continue
         kept = made[name]["stands on"]
         part, off = max(
-            (difference(kept.get(probe, {}), probed[probe]) for probe in recipe.shows), key=lambda d: d[1]
+            (difference(kept.get(probe, {}), now[probe]) for probe in recipe.shows), key=lambda d: d[1]
         )
         is_digest = recipe.shows != ("renders",)
         if off <= (0 if is_digest else TOLERANCE):
@@ -233,7 +240,7 @@ def make(name: str) -> dict[str, Any]:
     return {
         **provenance(" && ".join(recipe.commands), ROOT),
         "processor_seconds": round(spent),
-        "stands on": {probe: PROBES[probe]() for probe in recipe.shows},
+        "stands on": {probe: probed(probe) for probe in recipe.shows},
     }
 
 
@@ -247,7 +254,7 @@ def main() -> None:
     made = json.loads(MADE.read_text()) if MADE.exists() else {}
     names = list(RECIPES) if options.all else options.names
     if not names:
-        said = ages(made, {name: probe() for name, probe in PROBES.items()})
+        said = ages(made, {name: probed(name) for name in PROBES})
         if not options.older:
             for name, sentence in said.items():
                 print(f"{name:26}{sentence}")

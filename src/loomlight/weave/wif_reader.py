@@ -77,7 +77,7 @@ def draft_of(text: WifText) -> Draft:
     loom = _read_loom(text, declared)
     palette, color_range = read_palette(text)
     ends, picks = len(loom.threading), len(loom.treadling or loom.liftplan or ())
-    first_default = 0 if defaults_count_from_zero(text, ends, picks, palette) else 1
+    first_default = 0 if defaults_count_from_zero(text, palette) else 1
     warp, warp_defaults = read_family(text, "WARP", ends, palette, first_default)
     weft, weft_defaults = read_family(text, "WEFT", picks, palette, first_default)
     warn_of_thick_threads(text, warp, weft)

@@ -80,12 +80,11 @@ def _default_colors(text: WifText) -> list[int]:
     return [int(number) for number in first if is_integer(number)]
 
 
-def defaults_count_from_zero(
-    text: WifText, ends: int, picks: int, palette: NDArray[np.float64] | None
-) -> bool:
+def defaults_count_from_zero(text: WifText, palette: NDArray[np.float64] | None) -> bool:
     """Whether the default colours count from 0, as a generator writes them beside a table from 1.
 
-    That is so where a thread needs the colour 0, and all defaults counted so are in the table.
+    That is so where one of them is 0, all counted so are in the table, and no thread has a colour of its own,
+    whose number would count from 1.
 
     Warns:
         LoomlightWarning: they do.
@@ -93,14 +92,15 @@ def defaults_count_from_zero(
     stated = _default_colors(text)
     if palette is None or not stated or min(stated) != 0 or max(stated) >= len(palette):
         return False
-    for family, count in (("WARP", ends), ("WEFT", picks)):
-        own = sum(1 for _, value in text.items(f"{family} COLORS") if without_comment(value))
-        value = text.value(family, "Color")
-        if without_comment(value).partition(",")[0].strip() == "0" and own < count:
-            fault = "counts the colours of [COLOR TABLE] from 0, and the table from 1: defaults are read so"
-            text.warn(family, "Color", value, fault)
-            return True
-    return False
+    own = (value for family in ("WARP", "WEFT") for _, value in text.items(f"{family} COLORS"))
+    if any(map(without_comment, own)):
+        return False
+    family = (
+        "WARP" if without_comment(text.value("WARP", "Color")).partition(",")[0].strip() == "0" else "WEFT"
+    )
+    fault = "counts the colours of [COLOR TABLE] from 0, and the table from 1: defaults are read so"
+    text.warn(family, "Color", text.value(family, "Color"), fault)
+    return True
 
 
 def _unused_range(text: WifText) -> tuple[int, int]:

@@ -16,7 +16,7 @@ import { makeDraft, MAXIMUM_THREADS, type Draft, type Entries, type LoomPlan, ty
 import { InputError, type Warn } from "./errors.ts";
 import { warnOfLayers } from "./layers.ts";
 import { movedShafts, planDrawdown } from "./loom.ts";
-import { defaultsCountFromZero, readFamily, readPalette } from "./wif_threads.ts";
+import { defaultsCountFromZero, readFamily, readPalette, warnOfThickThreads } from "./wif_threads.ts";
 import { decodeWif, MAXIMUM_BYTES, parseWifText, shortened, type WifText } from "./wif_text.ts";
 import { integer, numberSet, threadNumber, withoutComment, yesOrNo } from "./wif_values.ts";
 
@@ -59,9 +59,10 @@ function draftOfText(text: WifText): Draft {
   const loom = readLoom(text, warpThreads, weftThreads);
   const { palette, range } = readPalette(text);
   const picks = (loom.treadling ?? loom.liftplan ?? []).length;
-  const firstDefault = defaultsCountFromZero(text, loom.threading.length, picks, palette) ? 0 : 1;
+  const firstDefault = defaultsCountFromZero(text, palette) ? 0 : 1;
   const warp = readFamily(text, "WARP", loom.threading.length, palette, firstDefault);
   const weft = readFamily(text, "WEFT", picks, palette, firstDefault);
+  warnOfThickThreads(text, warp.threads, weft.threads);
   const structure = planDrawdown(loom);
   warnOfLayers(structure, text.file, text.report);
   return makeDraft(structure, {

@@ -2,6 +2,7 @@
 import { srgbToLinear } from "./colour.ts";
 import type { FamilyDefaults, Threads } from "./draft.ts";
 import { InputError } from "./errors.ts";
+import { general } from "./numbers.ts";
 import { pickRows } from "./palette.ts";
 import type { WifText } from "./wif_text.ts";
 import {
@@ -73,31 +74,19 @@ function defaultColors(text: WifText): number[] {
 }
 
 /**
- * Whether the default colours count from 0, as a generator writes them beside a table from 1. That is so where a
- * thread needs the colour 0, and all defaults counted so are in the table.
+ * Whether the default colours count from 0, as a generator writes them beside a table from 1. That is so where one of
+ * them is 0, all counted so are in the table, and no thread has a colour of its own, whose number would count from 1.
  */
-export function defaultsCountFromZero(
-  text: WifText,
-  ends: number,
-  picks: number,
-  palette: Float64Array | null,
-): boolean {
+export function defaultsCountFromZero(text: WifText, palette: Float64Array | null): boolean {
   const stated = defaultColors(text);
   if (palette === null || stated.length === 0) return false;
   if (Math.min(...stated) !== 0 || Math.max(...stated) >= palette.length / 3) return false;
-  for (const [family, count] of [
-    ["WARP", ends],
-    ["WEFT", picks],
-  ] as const) {
-    const own = text.items(`${family} COLORS`).filter(([, value]) => withoutComment(value) !== "").length;
-    const value = text.value(family, "Color");
-    if (withoutComment(value).split(",")[0]!.trim() === "0" && own < count) {
-      const fault = "counts the colours of [COLOR TABLE] from 0, and the table from 1: defaults are read so";
-      text.warn(family, "Color", value, fault);
-      return true;
-    }
-  }
-  return false;
+  const own = ["WARP", "WEFT"].flatMap((family) => text.items(`${family} COLORS`));
+  if (own.some(([, value]) => withoutComment(value) !== "")) return false;
+  const family = withoutComment(text.value("WARP", "Color")).split(",")[0]!.trim() === "0" ? "WARP" : "WEFT";
+  const fault = "counts the colours of [COLOR TABLE] from 0, and the table from 1: defaults are read so";
+  text.warn(family, "Color", text.value(family, "Color"), fault);
+  return true;
 }
 
 /** The range of components where there is no table. */
@@ -167,6 +156,35 @@ export function readFamily(
       thicknessMm: thickness.standard,
     },
   };
+}
+
+/**
+ * Warns of ends and picks thicker than their spacings, which programs write that know neither. One family may be:
+ * wefts of a weft-faced cloth are beaten over one another.
+ */
+export function warnOfThickThreads(text: WifText, warp: Threads, weft: Threads): void {
+  const told: string[] = [];
+  for (const [name, threads] of [
+    ["ends", warp],
+    ["picks", weft],
+  ] as const) {
+    if (threads.thicknessMm === null || threads.spacingMm === null) return;
+    const thickness = median(threads.thicknessMm);
+    const spacing = median(threads.spacingMm);
+    if (thickness <= spacing) return;
+    const apart = `${general(spacing, 3)} mm apart and ${general(thickness, 3)} mm thick`;
+    told.push(`${general(10 / spacing, 3)} ${name}/cm, ${apart}`);
+  }
+  text.report(
+    `${text.file}: its Thickness is above its Spacing, as programs write that know neither; read are ` +
+      `${told.join(" and ")}: if the cloth has others, give ends_per_cm and picks_per_cm in a fabric file.`,
+  );
+}
+
+function median(values: Float64Array): number {
+  const sorted = values.slice().sort();
+  const middle = sorted.length >> 1;
+  return sorted.length % 2 === 1 ? sorted[middle]! : (sorted[middle - 1]! + sorted[middle]!) / 2;
 }
 
 interface Colours {
