@@ -8,9 +8,10 @@ RUN := $(VENV)/bin
 PYTEST := $(RUN)/python -m pytest -n 2 --dist worksteal
 MODELS := tests/models tests/papers tests/training tests/evaluation
 PICTURES := tests/mitsuba tests/cli tests/docs tests/export
-OTHERS := $(filter-out $(MODELS) $(PICTURES) tests/__pycache__,$(patsubst %/,%,$(wildcard tests/*/))) tests/test_layout.py
+PAGE := tests/viewer tests/web
+OTHERS := $(filter-out $(MODELS) $(PICTURES) $(PAGE) tests/__pycache__,$(patsubst %/,%,$(wildcard tests/*/))) tests/test_layout.py
 define run_tests
-	@failed=; for part in "$(MODELS)" "$(PICTURES)" "$(OTHERS)"; do $(PYTEST) $(1) $$part || failed=1; done; test -z "$$failed"
+	@failed=; for part in "$(MODELS)" "$(PICTURES)" "$(PAGE)" "$(OTHERS)"; do $(PYTEST) $(1) $$part || failed=1; done; test -z "$$failed"
 endef
 
 .PHONY: demo test test-all lint benchmark clean

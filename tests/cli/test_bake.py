@@ -25,7 +25,7 @@ from tests.marks import slow_among
 require_llvm()
 mi.set_variant("llvm_ad_rgb")
 
-PICTURE = ["--scene", "flat", "--size", "16x12", "--spp", "1", "--zoom", "8", "--light", "directional"]
+PICTURE = ["--scene", "flat", "--size", "16x12", "--spp", "1", "--zoom", "40", "--light", "directional"]
 
 
 @pytest.fixture

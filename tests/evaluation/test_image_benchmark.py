@@ -85,6 +85,7 @@ def test_the_median_pixel_covers_the_yarns_it_should(fabrics: list[Fabric]) -> N
     assert np.sqrt(area) / thread == pytest.approx(scene.yarns_per_pixel, rel=0.1)
 
 
+@pytest.mark.slow
 def test_pixel_centres_are_hit(fabrics: list[Fabric]) -> None:
     centred = measured_scene("flat near", fabrics, "point", SIZE, pixel_centres=True)
     jittered = measured_scene("flat near", fabrics, "point", SIZE)

@@ -128,6 +128,7 @@ def test_few_samples_are_unbiased_and_more_are_better(cloth: HeldOut) -> None:
     assert one.metric("reflection", "b0") < 0.5 * one.metric("reflection", "b3")
 
 
+@pytest.mark.slow
 def test_known_predictions_get_the_errors_they_have(cloth: HeldOut) -> None:
     def exact(fabric: Fabric, queries: QuerySet, factor: float = 1.0) -> Prediction:
         _, means = query_truth(fabric, 2024, 8, 10, with_colours=True)

@@ -41,6 +41,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return export(FABRIC, "onnx", tmp_path_factory.mktemp("exports") / "onnx")
 
 
+@pytest.mark.slow
 def test_the_decoder_computes_what_neural_computes(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     nothing = Array2f(0, 0)
     # One tap a footprint, as the page of instructions has it.

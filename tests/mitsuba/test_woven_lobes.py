@@ -65,6 +65,7 @@ def woven(**parameters: Any) -> Any:
     return mi.load_dict(TWILL | parameters)
 
 
+@pytest.mark.slow
 def test_values_and_densities_are_those_of_the_model() -> None:
     bsdf, count = woven(), 2000
     si, uv, views, sides = random_interactions(count)

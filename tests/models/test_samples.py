@@ -5,6 +5,7 @@ Covers: models/point.py, models/samples.py
 
 from __future__ import annotations
 
+import pytest
 from dataclasses import fields
 
 import drjit as dr
@@ -48,6 +49,7 @@ def test_one_point_is_the_point_model_with_its_variation() -> None:
     assert (exact.numpy().max(axis=0) > 0).mean() > 0.4
 
 
+@pytest.mark.slow
 def test_many_points_are_the_reference() -> None:
     cloth = fabric("coloured twill")
     queried = queries(cloth, 40, seed=2)

@@ -108,6 +108,7 @@ def test_colours_are_those_that_cloth_shows() -> None:
     np.testing.assert_allclose(brighter, 1, atol=2e-6)
 
 
+@pytest.mark.quick("0.4-0.95")
 @pytest.mark.parametrize(("specular", "least"), [(0.0, 0.985), (0.4, 0.95), (1.0, 0.88)])
 def test_white_cloth_is_white_and_makes_no_light(specular: float, least: float) -> None:
     """The brightest that a fabric file admits, seen from above and at 75°."""

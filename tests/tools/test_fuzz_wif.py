@@ -14,6 +14,7 @@ def test_mutilated_drafts_are_read_or_refused(name: str) -> None:
     assert (figures["files"], figures["faults"]) == (200, 0)
 
 
+@pytest.mark.quick("tools.fuzz_btf", "tools.fuzz_loom")
 @pytest.mark.parametrize("module", [fuzz_btf, fuzz_loom, fuzz_merl])
 def test_mutilated_measured_data_are_read_or_refused(module: object) -> None:
     for target in module.targets():  # type: ignore[attr-defined]

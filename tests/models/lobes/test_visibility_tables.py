@@ -176,7 +176,7 @@ def test_groups_that_few_views_hit_keep_their_moments() -> None:
     np.testing.assert_array_equal(moved.covariance[0], clusters.covariance[0])
 
 
-@pytest.mark.quick("translucent twill-30.0-4.0")
+@pytest.mark.slow
 @pytest.mark.parametrize(("degrees", "azimuth"), [(30.0, 4.0), (70.0, 1.0)])
 @pytest.mark.parametrize("name", ["smooth satin", "translucent twill"])
 def test_lit_is_what_finer_shadow_rays_say(name: str, degrees: float, azimuth: float) -> None:

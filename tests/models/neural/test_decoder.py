@@ -51,7 +51,7 @@ def either_way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) 
     return bool(request.param)
 
 
-@pytest.mark.quick("cooperative-field, corrected", "compiled-field")
+@pytest.mark.quick("compiled-field")
 @pytest.mark.parametrize("name", [*TABLES, "field, corrected"])
 def test_the_decoder_is_torchs(
     name: str, either_way: bool, monkeypatch: pytest.MonkeyPatch, tmp_path: Path

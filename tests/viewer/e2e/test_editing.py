@@ -281,7 +281,7 @@ def test_before_and_after_are_wiped(editor: Any) -> None:
     assert pixels_other_than(editor, wiped)
 
 
-@pytest.mark.quick("desk-light")
+@pytest.mark.slow
 @pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm install in web/")
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("size", SIZES.values(), ids=SIZES)
