@@ -5,11 +5,11 @@ Covers: models/point.py, models/samples.py
 
 from __future__ import annotations
 
-import pytest
 from dataclasses import fields
 
 import drjit as dr
 import numpy as np
+import pytest
 
 from experiments.reference import reference
 from loomlight.core.llvm import require_llvm
