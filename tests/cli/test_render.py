@@ -22,7 +22,9 @@ from loomlight.mitsuba import RenderSettings
 from loomlight.models.bake import bake, save
 from loomlight.models.interface import Model
 from loomlight.models.material_spec import resolve
+from loomlight.models.neumip.model import NeumipModel
 from tests.marks import slow
+from tests.realtime.test_neumip import random_model
 
 SMALL = ["--size", "24x16", "--spp", "2"]
 # A rectangle to clothe, and behind the camera one with a cloth of the scene's own.
@@ -264,3 +266,20 @@ def test_what_cannot_be_rendered_of_several(
     fabrics: list[str], options: list[str], expected: str, refused: Callable[..., str]
 ) -> None:
     assert expected in refused(["render", *fabrics, *SMALL, *options])
+
+
+@pytest.mark.parametrize("how", ["a weave", "a .loom of another", "other colours"])
+def test_no_picture_trains_a_model(
+    how: str, refused: Callable[..., str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A picture of a model that is trained is of a `.loom`: nobody waits for minutes unasked."""
+    monkeypatch.setattr(NeumipModel, "for_source", lambda *_, **__: pytest.fail("it is trained"))
+    save(bake("plain", "point"), "point.loom")
+    save(random_model(), "own.loom")
+    words = {
+        "a weave": ["plain", "--model", "neumip"],
+        "a .loom of another": ["point.loom", "--model", "neumip"],
+        "other colours": ["own.loom", "--color", "warp=#ff0000"],
+    }
+    said = refused(["render", *words[how], "-o", "a.png"])
+    assert "`loomlight bake SOURCE --model neumip -o x.loom`" in said

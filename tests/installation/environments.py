@@ -50,7 +50,7 @@ with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, t
 _WIDGET = """
 import loomlight
 widget = loomlight.view("plain")
-assert widget.fabric.draft.warp_on_top.shape == (2, 2)
+assert widget.fabric.name == "plain"
 """
 
 

@@ -203,6 +203,7 @@ def shown_material(material: Material, settings: RenderSettings) -> MaterialSpec
         InputError: an unknown model, a material that cannot be read, or colours that it does not take.
     """
     spec = resolve(material, settings.model)
+    spec.require_trained()
     if spec.replaces:
         warnings.warn(
             f"{material} holds the model {spec.replaces}; "

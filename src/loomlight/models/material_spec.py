@@ -22,6 +22,7 @@ from loomlight.models.registry import (
     model_class,
     model_of_loom,
     require_model_name,
+    untrained,
 )
 
 
@@ -49,11 +50,18 @@ class MaterialSpec:
         """The model: the one that is made already, or a new one, read or baked.
 
         Raises:
-            InputError: a source or option that the model does not take, or a `.loom` that it cannot use.
+            InputError: a source or option that the model does not take, a `.loom` that it cannot use, or a
+                model that would have to be trained first.
         """
         if isinstance(self.held, LoomFile):
             return model_of_loom(self.held)
+        self.require_trained()
         return self.held or make_model(self.model_name, self.source, **self.options)
+
+    def require_trained(self) -> None:
+        """Raises InputError if the model would have to be trained, for minutes that nobody has asked for."""
+        if self.held is None and model_class(self.model_name).trains:
+            raise untrained(self.model_name)
 
     def by(self, model_name: str) -> MaterialSpec:
         """The same source by another model, with the default options."""

@@ -12,7 +12,7 @@ from importlib import import_module
 from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any, ClassVar, Generic, Protocol, TypeVar, final
+from typing import Any, ClassVar, Generic, NoReturn, Protocol, TypeVar, final
 
 import drjit as dr
 import numpy as np
@@ -28,6 +28,7 @@ from loomlight.core.files import cache_folder
 from loomlight.core.footprint import Footprint
 from loomlight.models.interface import FootprintBsdf, Model, Option
 from loomlight.models.mip_pyramid import PyramidShape
+from loomlight.models.registry import untrained
 from loomlight.models.relu_network import Layers
 from loomlight.scattering.yarn_point import to_face_frame
 
@@ -130,6 +131,14 @@ class TexturedModel(Model, Generic[WeightsT, DeviceT]):
         if float_type not in self._devices:
             self._devices[float_type] = type(self).device(self.weights, float_type)
         return self._devices[float_type]
+
+    def with_source(self, source: Source) -> NoReturn:
+        """Refused: another source would have to be trained for.
+
+        Raises:
+            InputError: always.
+        """
+        raise untrained(self.name)
 
     def upload(self, types: ArrayTypes) -> None:
         """Puts textures and networks on a backend."""

@@ -61,6 +61,7 @@ def serve(
     except SystemExit as stop:  # how uvicorn ends when it cannot listen
         raise InputError(_unavailable(host, port, stop.__context__)) from stop
     with listening:
+        listening.listen()  # whoever is told the address may ask at once
         address = _address(host, listening.getsockname()[1], access.token)
         tell(address)
         if open_browser:
