@@ -22,4 +22,4 @@ scene = mi.load_dict(
         },
     }
 )
-mi.util.write_bitmap("satin.png", mi.render(scene, spp=4))
+mi.util.write_bitmap("satin.png", mi.render(scene, spp=4), write_async=False)
