@@ -51,7 +51,8 @@ def sheet() -> Image.Image:
         for column, (model, samples) in enumerate(COLUMNS.items()):
             found = shown(fabric, model, samples)
             if isinstance(found, str):
-                text = "\n".join(_wrapped(found, draw, font, width - 24))
+                # The font has no sign of multiplication.
+                text = "\n".join(_wrapped(found.replace("×", "x"), draw, font, width - 24))
                 draw.text((column * width + 12, top + 12), text, "#555555", font)
             else:
                 whole.paste(Image.fromarray(found), (column * width, top))
