@@ -16,7 +16,7 @@ from loomlight.mitsuba import cloth_shapes
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Environment, Mesh, Renderer
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-SIZE, PASSES = (768, 384), 6
+SIZE, PASSES = (768, 384), 4
 # Metres: where the second piece lies, to the right of the first.
 _BESIDE = np.array([0.52, 0.0, 0.0])
 
@@ -30,7 +30,7 @@ def main(output: str) -> None:
         pieces.append(Cloth(mesh, load_fabric(EXAMPLES / f"{name}.toml"), uv_size_mm=(500.0, 500.0)))
     points = np.concatenate([piece.mesh.positions for piece in pieces])
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
-    camera = Camera(origin=(middle[0], middle[1] + 0.7, middle[2] + 1.45), target=tuple(middle))
+    camera = Camera(origin=(middle[0], middle[1] + 0.3, middle[2] + 1.15), target=tuple(middle))
     sky = Environment.read(EXAMPLES / "room.exr")
     sun = DirectionalLight(towards=(-0.6, 0.8, 0.5), irradiance=(1.5, 1.45, 1.35))
     picture = Renderer(pieces, size=SIZE).render(camera, [sun], environment=sky, passes=PASSES)
