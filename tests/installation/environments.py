@@ -32,7 +32,7 @@ _SOURCES = ("src", "web", "examples", "pyproject.toml", "hatch_build.py", "READM
 BASE, NO_SLANGC = "base", "no slangc"
 
 _SERVE = """
-import re, signal, subprocess, sys, urllib.request
+import re, subprocess, sys, urllib.request
 from loomlight.core.errors import LoomlightError
 
 command = [sys.executable, "-I", "-m", "loomlight", "view", "plain", "--no-browser", "--port", "0"]
@@ -44,7 +44,7 @@ with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, t
         for place in ("", "api/session"):
             assert urllib.request.urlopen(address[0] + place).read()
     finally:
-        server.send_signal(signal.SIGINT)
+        server.terminate()  # an interruption is ignored by what a shell starts in the background
     server.communicate()
 """
 _WIDGET = """
