@@ -9,7 +9,7 @@ choose_variant()
 # Single yarn points have derivatives of all their parameters, and pictures of few pixels show a colour.
 shown = build_scene("flat", material_bsdf("twill 2/2", "point"), size=(8, 6), light="directional")
 parameters = mi.traverse(shown.scene)
-(key,) = (name for name in parameters.keys() if name.endswith("warp.diffuse_reflect"))  # noqa: SIM118
+(key,) = (name for name in parameters.keys() if name.endswith("warp.diffuse_reflect"))  # noqa: SIM118  no dict
 
 
 def picture(albedo, seed, spp=32):
