@@ -27,6 +27,9 @@ export interface ReadyPlan extends Plan {
 // Points need no tables, and of all models they compile fastest.
 const PREVIEW: ReadyPlan = { model: "point", castsShadows: false, layers: 1, isPreview: true };
 
+/** Whether there may be previews, and whether none was drawn yet. */
+export type Previews = "none" | "first" | "more";
+
 /** What of a plan the device can do, and a sentence for each part that it could not compile. */
 export interface Possible {
   readonly plan: Plan;
@@ -64,12 +67,14 @@ export function possible(device: Device, cloth: ClothBuffers, asked: Plan): Poss
 /**
  * The plan that can be drawn now: the one given, or where that is still compiled or baked the preview, or null.
  *
- * Begins what is missing, what the preview needs first.
+ * Begins what is missing, what the preview needs first; before a first preview on a software adapter nothing else, as what
+ * is drawn there waits until what compiles is compiled.
  */
-export function ready(device: Device, cloth: ClothBuffers, plan: Plan, previews: boolean, onFound: () => void): ReadyPlan | null {
+export function ready(device: Device, cloth: ClothBuffers, plan: Plan, previews: Previews, onFound: () => void): ReadyPlan | null {
   const has = (names: readonly ShaderName[]): boolean =>
     names.map((name) => device.kernel(name, name)).every((kernel) => kernel !== undefined);
-  const canPreview = previews ? has([...ALWAYS, ENTRIES.point]) : false;
+  const canPreview = previews !== "none" && has([...ALWAYS, ENTRIES.point]);
+  if (previews === "first" && device.isSoftware) return canPreview ? PREVIEW : null;
   cloth.fabrics.useTables(plan.model === "lobes");
   const names: ShaderName[] = [...ALWAYS];
   if (plan.layers > 1) names.push("next_layer");

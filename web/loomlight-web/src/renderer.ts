@@ -11,7 +11,7 @@ import type { TableCache } from "./gpu/table_cache.ts";
 import { requireSize } from "./gpu/targets.ts";
 import { BUDGET, Pace, type Budget } from "./pace.ts";
 import { Passes } from "./passes.ts";
-import { ENTRIES, possible, ready, type Plan, type ReadyPlan } from "./plan.ts";
+import { ENTRIES, possible, ready, type Plan, type Previews, type ReadyPlan } from "./plan.ts";
 import { cameraValues, lightRecords } from "./scene/camera.ts";
 import { environmentTables } from "./scene/environment.ts";
 import type { Camera, Caster, Environment, FrameReport, Ground, Light, Mesh, ModelName, Picture, PictureOptions, Piece, Statistics, Vector3 } from "./types.ts";
@@ -72,7 +72,7 @@ export class ClothRenderer {
   private readonly pace: Pace | null;
   /** What the last frame was drawn with. */
   private plan: ReadyPlan | null = null;
-  /** Whether the picture was ever no preview: from then on it stays as it is while something compiles. */
+  /** Whether all of a picture was ever ready: from then on it stays as it is while something compiles. */
   private wasWhole = false;
   /** What the device could not compile, a sentence each. */
   private missing: readonly string[] = [];
@@ -436,14 +436,17 @@ export class ClothRenderer {
   /** The plan of the whole picture, once it is ready. */
   private async whole(): Promise<ReadyPlan> {
     for (;;) {
-      const plan = this.prepare(false);
-      if (plan !== null && this.require().isSettled) return plan;
+      const plan = this.prepare("none");
+      if (plan !== null && this.require().isSettled) {
+        this.wasWhole = true;
+        return plan;
+      }
       await Promise.all([this.passes.compiled, this.device.compiled(), this.require().found()]);
     }
   }
 
   /** What can be drawn of what was asked for, or in its place meanwhile; begins what is missing. */
-  private prepare(previews: boolean): ReadyPlan | null {
+  private prepare(previews: Previews): ReadyPlan | null {
     const cloth = this.require();
     const castsShadows = this.view.shadows && !cloth.scene.isFlat;
     const asked: Plan = { model: this.model, castsShadows, layers: cloth.layers };
@@ -465,7 +468,8 @@ export class ClothRenderer {
 
   private advance(view: View): FrameReport {
     this.view = view;
-    const plan = this.pending > 0 ? null : this.prepare(!this.wasWhole);
+    const previews = this.wasWhole ? "none" : this.done.passes === 0 ? "first" : "more";
+    const plan = this.pending > 0 ? null : this.prepare(previews);
     if (plan === null) return this.report(false);
     this.plan = plan;
     this.wasWhole ||= !plan.isPreview;

@@ -33,6 +33,7 @@ const CALM_MS = 500;
 export class StagePictures {
   private readonly source: PictureSource;
   private readonly canvas: HTMLCanvasElement;
+  private readonly context: CanvasRenderingContext2D;
   private readonly onFault: (sentence: string) => void;
   private key = "";
   private since = 0;
@@ -47,6 +48,8 @@ export class StagePictures {
     this.canvas = document.createElement("canvas");
     this.canvas.className = "stage-picture";
     this.canvas.hidden = true;
+    // Pixels are read for files: unless that is said, Chromium warns of the second reading.
+    this.context = this.canvas.getContext("2d", { willReadFrequently: true })!;
     host.append(this.canvas);
   }
 
@@ -64,7 +67,7 @@ export class StagePictures {
   get pixels(): Pixels | null {
     if (!this.isShown) return null;
     const { width, height } = this.canvas;
-    return { width, height, data: this.canvas.getContext("2d")!.getImageData(0, 0, width, height).data as Uint8ClampedArray<ArrayBuffer> };
+    return { width, height, data: this.context.getImageData(0, 0, width, height).data as Uint8ClampedArray<ArrayBuffer> };
   }
 
   /** Called with each frame: `key` is another one where the stage has changed; `stage` is null where none is to be asked for. */
@@ -95,7 +98,7 @@ export class StagePictures {
       const picture = await createImageBitmap(await this.source(requestOf(stage), asking.signal));
       if (asking !== this.asking) return;
       [this.canvas.width, this.canvas.height] = [picture.width, picture.height];
-      this.canvas.getContext("2d")!.drawImage(picture, 0, 0);
+      this.context.drawImage(picture, 0, 0);
       [this.isShown, this.canvas.hidden] = [true, false];
     } catch (error) {
       if (asking !== this.asking) return;
