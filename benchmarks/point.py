@@ -27,7 +27,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.horizon import HorizonMap
+from loomlight.yarn.visibility import HorizonMap
 
 COUNT = 1 << 22
 

@@ -37,7 +37,7 @@ from loomlight.scattering.point import YarnScattering
 from loomlight.weave.draft import Draft
 from loomlight.weave.named import named_weave
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.search import SearchQuality
+from loomlight.yarn.rays import SearchQuality
 from papers.chen2024.training.random_fabrics import random_fabric
 
 WEAVES = (

@@ -26,8 +26,7 @@ from numpy.typing import NDArray
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.diffuse import sample_diffuse
 from loomlight.scattering.fibre import pdf_specular, reflection, sample_specular, transmission
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import YarnPoint, to_face_frame
+from loomlight.scattering.point import YarnPoint, YarnScattering, to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.visibility import Hit, first_hit

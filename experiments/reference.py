@@ -24,7 +24,7 @@ from loomlight.aggregate.components import (
     trace_views,
     without_sheen_and_variation,
 )
-from loomlight.aggregate.grid import Grid
+from loomlight.aggregate.tables import Grid
 from loomlight.core.arrays import Float, FloatType, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint

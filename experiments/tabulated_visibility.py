@@ -8,10 +8,9 @@ import numpy as np
 from loomlight.core.arrays import Float, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, minimum
 from loomlight.scattering.appearance import Appearance
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import YarnPoint, shadow_query
-from loomlight.yarn.horizon import AZIMUTHS, HorizonMap
-from loomlight.yarn.search import Surface
+from loomlight.scattering.point import YarnPoint, YarnScattering, shadow_query
+from loomlight.yarn.rays import Surface
+from loomlight.yarn.visibility import AZIMUTHS, HorizonMap
 
 
 class TabulatedScattering(YarnScattering):

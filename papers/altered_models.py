@@ -21,8 +21,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.models.interface import FootprintBsdf, Model, Values
 from loomlight.models.point import PointModel
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
+from loomlight.scattering.point import DirectionSample, YarnScattering, to_face_frame
 
 # From a model and what `Model.at` takes to what it returns.
 At = Callable[[Model, Vec3, Footprint, Any, Mask], FootprintBsdf]

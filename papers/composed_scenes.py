@@ -15,8 +15,7 @@ import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.mesh.cloth_mesh import ClothMesh
-from loomlight.mesh.scale import uv_size
+from loomlight.mesh.cloth_mesh import ClothMesh, uv_size
 from loomlight.mitsuba.camera import framing, perspective, require_size
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.meshes import to_shape

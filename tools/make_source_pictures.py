@@ -35,7 +35,7 @@ from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.models.mip_pyramid import SIZE_OF_SIGMA
 from loomlight.models.neumip.btf import BTFS
 from loomlight.models.registry import model_from_loom
-from loomlight.scattering.yarn_point import DirectionSample
+from loomlight.scattering.point import DirectionSample
 from papers.altered_models import AlteredModel, UniformDirections
 from papers.kuznetsov2021.stage import Shot, plane_shot
 from papers.setting import Setting

@@ -16,9 +16,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.aggregate.grid import TEXELS_PER_THREAD
 from loomlight.aggregate.queries import MIN_COSINE, FabricScale, fabric_scale
 from loomlight.aggregate.slices import FabricSlices
+from loomlight.aggregate.tables import TEXELS_PER_THREAD
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.scattering.point import YarnScattering

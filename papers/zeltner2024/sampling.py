@@ -24,7 +24,7 @@ from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.models.interface import FootprintBsdf, Model
-from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
+from loomlight.scattering.point import DirectionSample, to_face_frame
 from papers.altered_models import AlteredModel, UniformDirections
 from papers.equal_error import HalvedTruth
 from papers.figure import Evidence, Pixels, on_display

@@ -32,8 +32,7 @@ from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.models.point import PointModel
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import DirectionSample
+from loomlight.scattering.point import DirectionSample, YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from papers.altered_models import AlteredModel
 from papers.figure import Evidence, Pixels, error_caption, on_display

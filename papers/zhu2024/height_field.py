@@ -17,8 +17,7 @@ import numpy as np
 
 from loomlight.aggregate.components import colours
 from loomlight.fabric.fabric import Fabric
-from loomlight.mesh.cloth_mesh import ClothMesh
-from loomlight.mesh.scale import uv_size
+from loomlight.mesh.cloth_mesh import ClothMesh, uv_size
 from loomlight.mitsuba.bsdf_samples import plain, variant_types
 from loomlight.mitsuba.meshes import to_shape
 from loomlight.scattering.point import YarnScattering

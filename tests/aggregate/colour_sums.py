@@ -16,8 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from loomlight.aggregate.components import trace_views, without_sheen_and_variation
-from loomlight.aggregate.grid import TEXELS_PER_THREAD, fabric_grid
-from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
+from loomlight.aggregate.tables import TEXELS_PER_THREAD, box_means, fabric_grid, summed_areas, texel_boxes
 from loomlight.core.arrays import FloatType
 from loomlight.core.backend import array_types
 from loomlight.scattering.point import YarnScattering

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.aggregate.grid import Grid
+from loomlight.aggregate.tables import Grid
 
 # Beyond so many standard deviations is 1e-12 of a Gaussian's weight.
 _RADIUS = 7.2

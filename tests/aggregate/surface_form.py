@@ -26,11 +26,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from loomlight.aggregate.components import COMPONENTS, components, trace_views, without_sheen_and_variation
-from loomlight.aggregate.grid import Grid
+from loomlight.aggregate.tables import Grid
 from loomlight.core.arrays import Float, FloatType, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import YarnPoint, to_face_frame
+from loomlight.scattering.point import YarnPoint, YarnScattering, to_face_frame
 from loomlight.yarn.visibility import passes_through, unoccluded
 
 

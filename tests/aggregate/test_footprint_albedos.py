@@ -1,6 +1,6 @@
 """Mean albedos over footprints from tables, against rays, against sums over a fine grid, and their bounds.
 
-Covers: aggregate/area_entries.py
+Covers: aggregate/tables.py
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Slices against brute force on the same grid points, and what their grids leave out.
 
-Covers: aggregate/grid.py, aggregate/shadow_maps.py
+Covers: aggregate/tables.py, aggregate/slices.py
 """
 
 from __future__ import annotations

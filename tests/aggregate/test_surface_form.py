@@ -7,10 +7,10 @@ import pytest
 from drjit.llvm.ad import Float
 from scipy import stats
 
-from loomlight.aggregate.grid import fabric_grid
+from loomlight.aggregate.tables import fabric_grid
 from loomlight.core.llvm import require_llvm
 from loomlight.scattering.point import YarnScattering
-from loomlight.yarn.search import REFERENCE_QUALITY
+from loomlight.yarn.rays import REFERENCE_QUALITY
 
 from .fabrics import NAMES, directions, woven
 from .surface_form import surface_form, surface_samples

@@ -8,8 +8,7 @@ from drjit.llvm.ad import Float, Float64, UInt32
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from loomlight.aggregate.grid import Grid
-from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
+from loomlight.aggregate.tables import Grid, box_means, summed_areas, texel_boxes
 from loomlight.core.llvm import require_llvm
 
 require_llvm()

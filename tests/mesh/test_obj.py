@@ -1,6 +1,6 @@
 """OBJ files: what their lines may look like, and what is refused.
 
-Covers: mesh/polygons.py
+Covers: mesh/cloth_mesh.py
 """
 
 from __future__ import annotations
@@ -11,8 +11,7 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.mesh.cloth_mesh import MeshPart, cross_products
-from loomlight.mesh.polygons import triangulate
+from loomlight.mesh.cloth_mesh import MeshPart, cross_products, triangulate
 from loomlight.mesh.reading import read_parts
 from tests.work import calls_of
 

@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import LoomlightWarning
-from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, vertex_normals
-from loomlight.mesh.orientation import warn_of_inside_out
+from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, vertex_normals, warn_of_inside_out
 
 
 def part(name: str, positions: np.ndarray, triangles: np.ndarray, turned: bool = False) -> MeshPart:

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import LoomlightWarning
-from loomlight.mesh.cloth_mesh import ClothMesh, joined
-from loomlight.mesh.scale import at_one_scale, uv_size, warn_of_extent, warn_of_scale
+from loomlight.mesh.cloth_mesh import ClothMesh, at_one_scale, joined, uv_size, warn_of_extent, warn_of_scale
 
 
 def panel(side: float, uv_side: tuple[float, float], at: float = 0.0, turned: bool = False) -> ClothMesh:

@@ -1,6 +1,6 @@
 """glTF files: what they name, what is cut off, and uv without a material.
 
-Covers: mesh/gltf.py, mesh/gltf_file.py, mesh/gltf_accessors.py, mesh/draco.py
+Covers: mesh/gltf.py
 """
 
 from __future__ import annotations

@@ -29,9 +29,8 @@ from loomlight.fabric.load import edited_fabric
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class, model_from_loom, model_names
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
-from loomlight.scattering.point import YarnScattering
+from loomlight.scattering.point import Albedos, DirectionSample, YarnScattering
 from loomlight.scattering.sheen import sheen
-from loomlight.scattering.yarn_point import Albedos, DirectionSample
 from loomlight.yarn.geometry import YarnGeometry
 from tests.marks import slow_among
 

@@ -13,7 +13,7 @@ from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.models.interface import FootprintBsdf, Model
-from loomlight.scattering.yarn_point import DirectionSample
+from loomlight.scattering.point import DirectionSample
 
 
 @dataclass(frozen=True)

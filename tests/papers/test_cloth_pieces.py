@@ -10,7 +10,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from loomlight.mesh.scale import uv_size
+from loomlight.mesh.cloth_mesh import uv_size
 from loomlight.mitsuba import ClothMesh, cloth_shapes
 from papers.zhu2024 import cloth_pieces
 

@@ -17,8 +17,7 @@ from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.registry import make_model
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import DirectionSample
+from loomlight.scattering.point import DirectionSample, YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from tests.models.chi_square import COLUMNS, ROWS, cell_counts, cell_shares, p_value
 from tests.realtime.mapped import mapped

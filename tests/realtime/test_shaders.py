@@ -14,8 +14,7 @@ from drjit.llvm import Float
 
 from loomlight.scattering import diffuse, fibre, sheen
 from loomlight.scattering.appearance import YarnDetail
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import to_face_frame
+from loomlight.scattering.point import YarnScattering, to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.visibility import first_hit, unoccluded

@@ -1,6 +1,6 @@
 """Albedos: the bound that keeps cloth from creating light, the map into it, the refusals.
 
-Covers: scattering/cloth_layer_bound.py
+Covers: scattering/albedo.py
 """
 
 from __future__ import annotations
@@ -14,8 +14,14 @@ import pytest
 from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
 from loomlight.scattering import fibre
-from loomlight.scattering.albedo import Albedos, albedos_from_colour, check_albedos, layer_albedo_bound
-from loomlight.scattering.cloth_layer_bound import bound_in_use, cloth_layer_bound
+from loomlight.scattering.albedo import (
+    Albedos,
+    albedos_from_colour,
+    bound_in_use,
+    check_albedos,
+    cloth_layer_bound,
+    layer_albedo_bound,
+)
 from loomlight.scattering.diffuse import diffuse_reflection, diffuse_transmission, sample_diffuse
 from loomlight.scattering.sheen import sheen_lobe
 

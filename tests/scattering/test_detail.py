@@ -20,9 +20,8 @@ from loomlight.fabric import fabric_from_text
 from loomlight.scattering import detail
 from loomlight.scattering.albedo import albedos_from_colour, layer_albedo_bound
 from loomlight.scattering.appearance import Variation
-from loomlight.scattering.point import YarnScattering
+from loomlight.scattering.point import YarnPoint, YarnScattering
 from loomlight.scattering.variation import Gain, vary_albedos
-from loomlight.scattering.yarn_point import YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
 
 TYPES = array_types(Float)

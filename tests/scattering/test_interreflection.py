@@ -1,8 +1,8 @@
 """Light between yarns: equations against sums of bounces, cloth against paths, colours against themselves.
 
-Covers: scattering/interreflection.py, scattering/openness.py, scattering/family_parameters.py
-Covers: models/between_yarns.py, fabric/authored_colour.py, scattering/yarn_point.py
-Covers: scattering/cloth_layer_bound.py
+Covers: scattering/interreflection.py, scattering/openness.py, scattering/appearance.py
+Covers: models/between_yarns.py, fabric/authored_colour.py, scattering/point.py
+Covers: scattering/albedo.py
 """
 
 from __future__ import annotations

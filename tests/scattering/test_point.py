@@ -16,11 +16,10 @@ from experiments.tabulated_visibility import TabulatedScattering
 from loomlight.core.llvm import require_llvm
 from loomlight.scattering.albedo import albedos_from_colour, layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import YarnPoint
+from loomlight.scattering.point import YarnPoint, YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.horizon import HorizonMap
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
+from loomlight.yarn.visibility import HorizonMap
 from tests.marks import slow
 
 require_llvm()

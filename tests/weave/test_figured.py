@@ -1,6 +1,6 @@
 """Figured cloth: the motif shows, and nothing floats too far.
 
-Covers: weave/motifs.py
+Covers: weave/figured.py
 """
 
 import numpy as np
@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from loomlight.core.errors import InputError
 from loomlight.weave import Draft, bind_floats, figured_structure, longest_floats, named_weave
-from loomlight.weave.motifs import argyle, lozenges, ogee_damask
+from loomlight.weave.figured import argyle, lozenges, ogee_damask
 from loomlight.weave.structures import sateen, satin
 
 

@@ -1,6 +1,6 @@
 """Named weaves: their structures, and messages for unknown names.
 
-Covers: weave/effects.py, weave/structures.py, weave/tartan.py
+Covers: weave/named.py, weave/structures.py
 """
 
 from math import gcd

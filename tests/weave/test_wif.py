@@ -1,7 +1,7 @@
 """Weaving information files: reading, writing, refusals and their messages.
 
-Covers: weave/draft.py, weave/wif_reader.py, weave/wif_source.py, weave/wif_text.py, weave/wif_values.py
-Covers: weave/wif_threads.py, weave/wif_writer.py
+Covers: weave/draft.py, weave/wif_reader.py, weave/wif_text.py
+Covers: weave/wif_reader.py, weave/wif_writer.py
 """
 
 import warnings
@@ -28,8 +28,7 @@ from loomlight.weave import (
     write_wif,
 )
 from loomlight.weave.wif_reader import draft_of
-from loomlight.weave.wif_text import decode_wif, parse_wif_text
-from loomlight.weave.wif_values import UNIT_MM
+from loomlight.weave.wif_text import UNIT_MM, decode_wif, parse_wif_text
 from loomlight.weave.wif_writer import decimal_text, wif_text_of
 
 from . import odd_drafts

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from loomlight.yarn.distinct_words import DistinctWords
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
+from loomlight.yarn.threads import DistinctWords
 
 from .layouts import even_layout
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from loomlight.yarn.flanks import FILLED_GAP, OPEN_GAP, filled_share
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.search import REFERENCE_QUALITY
+from loomlight.yarn.rays import REFERENCE_QUALITY
 from loomlight.yarn.threads import SECTION_ANGLE
 from loomlight.yarn.visibility import first_hit, unoccluded
 from tests.realtime.queries import vectors

@@ -2,7 +2,7 @@
 
 Double precision where the truth is a difference: in single precision it would be rounding.
 
-Covers: yarn/families.py, yarn/layout.py, yarn/threads.py
+Covers: yarn/geometry.py, yarn/layout.py, yarn/threads.py
 """
 
 from __future__ import annotations

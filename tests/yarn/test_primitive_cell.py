@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from loomlight.fabric import fabric_from_text
-from loomlight.yarn.layout import ClothLayout, FamilyLayout
-from loomlight.yarn.primitive_cell import primitive_cell, primitive_shifts
+from loomlight.yarn.layout import ClothLayout, FamilyLayout, primitive_cell, primitive_shifts
 
 
 def shifts_of(layout: ClothLayout) -> int:

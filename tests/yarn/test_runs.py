@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from loomlight.yarn.runs import MAX_NEIGHBOUR, MAX_OFFSET, pack_runs
+from loomlight.yarn.threads import MAX_NEIGHBOUR, MAX_OFFSET, pack_runs
 
 
 def _walk(sides: NDArray[np.bool_], start: int, step: int) -> int:

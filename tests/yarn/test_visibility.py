@@ -1,6 +1,6 @@
 """Shadows, parallax, holes and horizons against Mitsuba's ray casts on tessellated cloth.
 
-Covers: yarn/horizon.py, yarn/rays.py, yarn/search.py
+Covers: yarn/visibility.py, yarn/rays.py
 """
 
 from __future__ import annotations
@@ -15,10 +15,9 @@ import pytest
 from experiments import tabulated_visibility
 from loomlight.core.llvm import require_llvm
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.horizon import HorizonMap
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.search import DEFAULT_QUALITY, REFERENCE_QUALITY, SearchQuality
-from loomlight.yarn.visibility import Hit, first_hit, horizon, passes_through, unoccluded
+from loomlight.yarn.rays import DEFAULT_QUALITY, REFERENCE_QUALITY, SearchQuality
+from loomlight.yarn.visibility import Hit, HorizonMap, first_hit, horizon, passes_through, unoccluded
 from tests.marks import slow
 
 from .layouts import PLAIN, SATIN, TWILL, even_layout

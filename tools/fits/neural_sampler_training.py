@@ -28,7 +28,7 @@ from loomlight.models.neural.parameter_ranges import TRAINING_RANGES
 from loomlight.models.neural.sampler_network import FURTHER_INPUTS, further_inputs
 from loomlight.models.neural.weights import Weights
 from loomlight.models.relu_network import Layers
-from loomlight.scattering.two_sided_lobes import OUTPUTS, TwoSidedLobes
+from loomlight.scattering.lobe_mixture import OUTPUTS, TwoSidedLobes
 from loomlight.training.direction_sampler import two_sided_loss
 from loomlight.training.loop import Report, Schedule, train
 from loomlight.training.relu_layers import relu_layers

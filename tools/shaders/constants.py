@@ -59,10 +59,9 @@ from loomlight.scattering import (
     openness,
     sheen,
     sheen_coefficients,
-    unevenness,
     variation,
 )
-from loomlight.yarn import flanks, max_heights, rays, runs, search, threads
+from loomlight.yarn import flanks, geometry, rays, threads
 from tools.shaders.neural_constants import neural_constants
 
 Value: TypeAlias = float | str | Sequence["Value"]
@@ -89,7 +88,7 @@ MODULES: dict[str, tuple[ModuleType, ...]] = {
         joint_lookup,
         lobe_bsdf,
         lobe_tables,
-        max_heights,
+        geometry,
         openness_tables,
         packed_uint8,
         point_sampled,
@@ -97,10 +96,7 @@ MODULES: dict[str, tuple[ModuleType, ...]] = {
         random_numbers,
         rays,
         regimes,
-        runs,
-        search,
         threads,
-        unevenness,
         variation,
         visibility_rays,
         visibility_tables,
@@ -126,7 +122,7 @@ MODULES: dict[str, tuple[ModuleType, ...]] = {
 # What shaders compute with in the place of these numbers, and numbers of both sides' arrays.
 _DERIVED: dict[str, Value] = {
     "INVERSE_SECTION_SINE": 1 / math.sin(threads.SECTION_ANGLE),
-    "INVERSE_CELL_MAX_LEVELS": 1 / runs.CELL_MAX_LEVELS,
+    "INVERSE_CELL_MAX_LEVELS": 1 / threads.CELL_MAX_LEVELS,
     "BLEND_FROM": math.log2(regimes.BLEND_RANGE[0]),
     "BLEND_TO": math.log2(regimes.BLEND_RANGE[1]),
     "LOG_FINEST_FOOTPRINT": math.log2(point_sampled.FINEST_FOOTPRINT),
@@ -157,7 +153,7 @@ _DERIVED: dict[str, Value] = {
     "NEUMIP_SCALE": 1 / neumip_networks.EXPOSURE,
 }
 _FLOAT_ARRAYS: dict[str, Sequence[float]] = {
-    "PYRAMID_RADII": max_heights.PYRAMID_RADII,
+    "PYRAMID_RADII": geometry.PYRAMID_RADII,
     "RING_COSINES": [float(z) for z in hemisphere.node_directions()[: hemisphere.RINGS, 2]],
 }
 _POLYNOMIALS: dict[str, Sequence[Sequence[float]]] = {
@@ -184,7 +180,7 @@ def prefixed_numbers(module: ModuleType) -> Iterator[tuple[str, Value]]:
 
 
 def _numbers_in(name: str, value: object) -> Iterator[tuple[str, Value]]:
-    if isinstance(value, search.SearchQuality):
+    if isinstance(value, rays.SearchQuality):
         kind = name.removesuffix("QUALITY")
         for field in ("steps_per_thread", "steps_per_relief", "shadow_share"):
             yield kind + field.upper(), float(getattr(value, field))

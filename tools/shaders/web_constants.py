@@ -28,7 +28,7 @@ from loomlight.realtime import (
 )
 from loomlight.realtime.layout import RECORDS, numpy_type
 from loomlight.realtime.slangc import SHADERS
-from loomlight.scattering import albedo, cloth_layer_bound
+from loomlight.scattering import albedo
 from loomlight.scattering.appearance import YarnDetail
 from loomlight.yarn import layout
 from tools.shaders.constants import MODULES, Value, prefixed_numbers
@@ -45,7 +45,6 @@ _PAGE_MODULES = (
     albedo,
     albedo_map,
     authored_colour,
-    cloth_layer_bound,
     environment,
     fabric,
     layout,

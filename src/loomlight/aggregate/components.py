@@ -29,8 +29,7 @@ from loomlight.core.backend import array_types
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.diffuse import diffuse_reflection
 from loomlight.scattering.fibre import reflection, transmission
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import YarnPoint, to_face_frame
+from loomlight.scattering.point import YarnPoint, YarnScattering, to_face_frame
 from loomlight.yarn.visibility import first_hit
 
 CHANNELS = ("diffuse_warp", "diffuse_weft", "specular_warp", "specular_weft", "hole")

@@ -29,15 +29,14 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.aggregate.area_entries import Entries, PairedEntries, SingleEntries
+from loomlight.aggregate.tables import Entries, PairedEntries, SingleEntries
 from loomlight.core.arrays import Float, Mask, UInt, Vec2
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, move, opaque, upload
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.interreflection import Interreflection
-from loomlight.scattering.yarn_point import Albedos
-from loomlight.yarn.families import Cell, upload_family
-from loomlight.yarn.geometry import YarnGeometry
+from loomlight.scattering.point import Albedos
+from loomlight.yarn.geometry import Cell, YarnGeometry, upload_family
 from loomlight.yarn.threads import FamilyTables
 
 _ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")

@@ -90,7 +90,7 @@ def _viewer(
     import numpy as np
 
     from loomlight.core.white_balance import white_balance as white_balance_gains
-    from loomlight.mesh.scale import uv_size, warn_of_extent, warn_of_scale
+    from loomlight.mesh.cloth_mesh import uv_size, warn_of_extent, warn_of_scale
     from loomlight.mitsuba.camera import framing
     from loomlight.mitsuba.lights import studio_radiance
     from loomlight.mitsuba.scenes import built_in_cloth

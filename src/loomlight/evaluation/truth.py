@@ -25,7 +25,7 @@ from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.search import REFERENCE_QUALITY
+from loomlight.yarn.rays import REFERENCE_QUALITY
 
 PAIRS, FOOTPRINTS = 160, 160
 # Part of every key: to be raised when geometry, scattering, slices or query sets change their values.

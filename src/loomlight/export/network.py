@@ -18,8 +18,7 @@ from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.weights import shipped_decoder
 from loomlight.models.registry import make_model
 from loomlight.scattering import sheen
-from loomlight.scattering.appearance import Appearance, FamilyAppearance
-from loomlight.scattering.family_parameters import ALBEDO_NAMES
+from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance, FamilyAppearance
 from loomlight.scattering.fibre import mean_layer_shares
 from loomlight.scattering.interreflection import Scattered, scattered, solved_interior
 from loomlight.scattering.openness import Openness

@@ -19,15 +19,13 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Float, FloatType, Mask
 from loomlight.core.backend import array_types, upload
 from loomlight.fabric.fabric import Fabric
-from loomlight.scattering.appearance import Appearance
+from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance
 from loomlight.scattering.detail import turned_frame
-from loomlight.scattering.family_parameters import ALBEDO_NAMES
 from loomlight.scattering.hairs import under_hair
 from loomlight.scattering.interreflection import Interreflection
 from loomlight.scattering.openness import openness_of
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.unevenness import UNEVEN_CELL, Unevenness
-from loomlight.scattering.yarn_point import Albedos
+from loomlight.scattering.point import Albedos, YarnScattering
+from loomlight.scattering.variation import UNEVEN_CELL, Unevenness
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 

@@ -15,8 +15,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.file import YarnTable
 from loomlight.fabric.spacing import yarn_diameter
 from loomlight.fabric.yarns import kind_of, with_yarns
-from loomlight.weave.textile import per_inch, tex_of_diameter
-from loomlight.weave.yarn_count import yarn_tex
+from loomlight.weave.textile import per_inch, tex_of_diameter, yarn_tex
 from loomlight.yarn.layout import FamilyLayout
 
 # Yarn cannot be longer than that over the cloth: jammed plain weaves have crimps up to .3.

@@ -16,8 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mesh.cloth_mesh import MAX_PARTS, ClothMesh, MeshPart, vertex_normals
-from loomlight.mesh.polygons import triangulate
+from loomlight.mesh.cloth_mesh import MAX_PARTS, ClothMesh, MeshPart, triangulate, vertex_normals
 
 _CONTINUED = re.compile(r"\\[ \t]*\n")
 # A slash with nothing behind it: "7//2" and "7/" name no uv.

@@ -15,8 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, check_indices, vertex_normals
-from loomlight.mesh.polygons import strip_triangles, triangulate
+from loomlight.mesh.cloth_mesh import (
+    ClothMesh,
+    MeshPart,
+    check_indices,
+    strip_triangles,
+    triangulate,
+    vertex_normals,
+)
 
 _TYPES = {
     **dict.fromkeys(("char", "int8"), "i1"), **dict.fromkeys(("uchar", "uint8"), "u1"),

@@ -7,9 +7,8 @@ materials.
 
 from __future__ import annotations
 
-from loomlight.mesh.cloth_mesh import ClothMesh
+from loomlight.mesh.cloth_mesh import ClothMesh, uv_size
 from loomlight.mesh.reading import read_mesh
-from loomlight.mesh.scale import uv_size
 from loomlight.mitsuba.lights import LIGHTS
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.material_picture import RenderSettings

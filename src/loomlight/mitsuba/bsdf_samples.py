@@ -10,7 +10,7 @@ import mitsuba as mi
 
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.mitsuba.variants import TURN
-from loomlight.scattering.yarn_point import DirectionSample
+from loomlight.scattering.point import DirectionSample
 
 # Places of lobes in `m_components`.
 _REFLECTION, _TRANSMISSION, _NULL = 0, 2, 4

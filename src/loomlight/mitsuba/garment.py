@@ -9,10 +9,16 @@ from typing import Generic, TypeVar
 
 from loomlight.core.errors import InputError
 from loomlight.fabric.sentences import closest, shown
-from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, joined
-from loomlight.mesh.orientation import warn_of_inside_out
+from loomlight.mesh.cloth_mesh import (
+    ClothMesh,
+    MeshPart,
+    at_one_scale,
+    joined,
+    warn_of_extent,
+    warn_of_inside_out,
+    warn_of_scale,
+)
 from loomlight.mesh.reading import read_parts
-from loomlight.mesh.scale import at_one_scale, warn_of_extent, warn_of_scale
 
 ClothT = TypeVar("ClothT")
 

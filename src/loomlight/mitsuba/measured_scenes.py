@@ -20,8 +20,7 @@ from numpy.typing import NDArray
 from loomlight.aggregate.queries import fabric_scale
 from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric
-from loomlight.mesh.cloth_mesh import ClothMesh
-from loomlight.mesh.scale import uv_size
+from loomlight.mesh.cloth_mesh import ClothMesh, uv_size
 from loomlight.mitsuba import cloth_shapes
 from loomlight.mitsuba.camera import framing, perspective, require_size
 from loomlight.mitsuba.lights import light_dicts

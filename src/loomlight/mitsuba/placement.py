@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mesh.cloth_mesh import ClothMesh
-from loomlight.mesh.scale import uv_size
+from loomlight.mesh.cloth_mesh import ClothMesh, uv_size
 
 _MAX_SCALE = 1e4
 # Single precision tells a tenth of a millimetre there.

@@ -16,10 +16,9 @@ from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts
-from loomlight.mesh.cloth_mesh import ClothMesh, joined
+from loomlight.mesh.cloth_mesh import ClothMesh, joined, warn_of_extent, warn_of_scale
 from loomlight.mesh.edges import EDGES, edged
 from loomlight.mesh.reading import read_mesh
-from loomlight.mesh.scale import warn_of_extent, warn_of_scale
 from loomlight.mitsuba import cloth_shapes
 from loomlight.mitsuba.camera import (
     FIELD_OF_VIEW,

@@ -17,7 +17,7 @@ from loomlight.scattering.interreflection import (
     bounced,
     scattered,
 )
-from loomlight.scattering.yarn_point import Albedos, tinted
+from loomlight.scattering.point import Albedos, tinted
 
 # Albedos of reflected and of transmitted light.
 Bounced = tuple[Color3, Color3]

@@ -25,8 +25,8 @@ from loomlight.fabric.load import edited_fabric
 from loomlight.models.interface import Model, Parameter, Values
 from loomlight.models.live_albedos import LiveAlbedos
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
-from loomlight.scattering.unevenness import Unevenness
-from loomlight.scattering.yarn_point import Albedos
+from loomlight.scattering.point import Albedos
+from loomlight.scattering.variation import Unevenness
 from loomlight.weave.draft import Threads
 from loomlight.yarn.geometry import YarnGeometry
 

@@ -1,6 +1,6 @@
 """Places of points in footprints, stratified over the pattern's primitive cell.
 
-What a cloth does to light repeats with its primitive cell (`yarn/primitive_cell.py`). A point c of the cell,
+What a cloth does to light repeats with its primitive cell (`yarn/layout.py`). A point c of the cell,
 of area C, has n(c) translates in a footprint P, so ∫_P f dx / |P| = C/|P| ∫ n(c) f(c) dc / C. Points c spread
 evenly over the cell, each moved to one of its n(c) translates and weighed by n(c)·C/|P|, estimate the mean
 over the footprint without bias, whatever does not repeat (colours, chance) included, and see every part of
@@ -21,8 +21,7 @@ from loomlight.core.arrays import Float, UInt, Vec2
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
 from loomlight.core.footprint import Footprint
 from loomlight.models.random_numbers import uniform
-from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.primitive_cell import primitive_cell
+from loomlight.yarn.layout import ClothLayout, primitive_cell
 
 # Cells of the smallest footprint whose points are spread over the cell: with fewer, weights differ too much.
 MIN_CELLS = 1.5

@@ -31,7 +31,7 @@ from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
-from loomlight.scattering.yarn_point import DirectionSample
+from loomlight.scattering.point import DirectionSample
 
 # What names a parameter of a scene and holds its value: a Dr.Jit array, changed in place by edits.
 Values = Mapping[str, "Parameter"]

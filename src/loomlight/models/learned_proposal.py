@@ -1,6 +1,6 @@
 """Directions that a small network describes, for both sides of a surface, and their exact density.
 
-A network describes two mixtures of lobes (`scattering/two_sided_lobes.py`), q towards the view's side and q'
+A network describes two mixtures of lobes (`scattering/lobe_mixture.py`), q towards the view's side and q'
 towards the other side, mirrored, and the probability s of the first. The density of a light l is
 
     (1 − d − e) [s q(l) + (1 − s) q'(l mirrored)] + d s/2π + e p(l)    on the view's side, and
@@ -20,8 +20,8 @@ import drjit as dr
 from loomlight.core.arrays import Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 from loomlight.scattering.directions import uniform_on_sphere
+from loomlight.scattering.lobe_mixture import TwoSidedLobes
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf
-from loomlight.scattering.two_sided_lobes import TwoSidedLobes
 
 # Probability of uniform directions.
 _UNIFORM = 0.1

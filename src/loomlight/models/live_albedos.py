@@ -9,7 +9,7 @@ from loomlight.core.arrays import Mask
 from loomlight.core.backend import ArrayTypes
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance
-from loomlight.scattering.yarn_point import Albedos
+from loomlight.scattering.point import Albedos
 from loomlight.yarn.geometry import YarnGeometry
 
 

@@ -28,11 +28,9 @@ from loomlight.models.fabric_model import (
 )
 from loomlight.models.interface import Values
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import Albedos, DirectionSample, YarnPoint, to_face_frame
-from loomlight.yarn.detached_surface import DetachedSurface
-from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.search import upload_extent
+from loomlight.scattering.point import Albedos, DirectionSample, YarnPoint, YarnScattering, to_face_frame
+from loomlight.yarn.geometry import DetachedSurface, YarnGeometry
+from loomlight.yarn.rays import upload_extent
 from loomlight.yarn.visibility import first_hit
 
 _BENDS = ("height_scale", "twist")

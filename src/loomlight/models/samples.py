@@ -23,10 +23,9 @@ from loomlight.models.fabric_model import FabricModel, fabric_in_loom, fabric_so
 from loomlight.models.footprint_places import FootprintPlaces, PrimitiveCell
 from loomlight.models.interface import FootprintBsdf, Option
 from loomlight.models.random_numbers import hashed
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import DirectionSample, YarnPoint
+from loomlight.scattering.point import DirectionSample, YarnPoint, YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.search import upload_extent
+from loomlight.yarn.rays import upload_extent
 
 DEFAULT_POINTS = 32
 MAX_POINTS = 1 << 16

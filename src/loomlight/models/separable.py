@@ -18,9 +18,9 @@ from loomlight.models.between_yarns import BetweenYarns, Bounced
 from loomlight.models.interface import FootprintBsdf
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.interreflection import Blocked
+from loomlight.scattering.point import Albedos
+from loomlight.scattering.point import tinted as tinted_family
 from loomlight.scattering.sheen import sheen_transmittance, sheen_with_transmittance
-from loomlight.scattering.yarn_point import Albedos
-from loomlight.scattering.yarn_point import tinted as tinted_family
 
 
 @dataclass

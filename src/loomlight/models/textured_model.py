@@ -30,7 +30,7 @@ from loomlight.models.interface import FootprintBsdf, Model, Option
 from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.registry import untrained
 from loomlight.models.relu_network import Layers
-from loomlight.scattering.yarn_point import to_face_frame
+from loomlight.scattering.point import to_face_frame
 
 # Texels a side of textures; a power of two between these.
 MIN_RESOLUTION, MAX_RESOLUTION = 8, 1024

@@ -21,11 +21,10 @@ from loomlight.realtime.word_table import Tables, Words, WordTable, fill
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.detail import family_numbers
 from loomlight.scattering.variation import FIBRES_ACROSS
-from loomlight.yarn import search
+from loomlight.yarn import rays
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
-from loomlight.yarn.runs import CELL_MAX_LEVELS
-from loomlight.yarn.threads import FamilyTables
+from loomlight.yarn.threads import CELL_MAX_LEVELS, FamilyTables
 
 # Cloth with less open area casts the shadow of cloth without: a thousandth of the light is three steps of
 # 8-bit sRGB on white cloth.
@@ -111,7 +110,7 @@ def _pack_fabric(
         "max_height_columns": max_heights.shape[1],
         "height_low": low,
         "height_high": high,
-        "lift": search.LIFT * min(fine_x, fine_y),
+        "lift": rays.LIFT * min(fine_x, fine_y),
         "threads_per_x": 1 / fine_x,
         "threads_per_y": 1 / fine_y,
         "per_relief": 1 / max(high - low, 1e-6),

@@ -23,7 +23,7 @@ from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
 from loomlight.scattering.fibre import reflection, transmission
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.search import SearchQuality, Surface
+from loomlight.yarn.rays import SearchQuality, Surface
 from loomlight.yarn.visibility import first_hit, unoccluded
 
 # View rays of each face: over the hemisphere, and of the instrument that measures colours. With half of them

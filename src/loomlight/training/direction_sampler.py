@@ -13,8 +13,7 @@ from math import pi
 import torch
 from torch import Tensor
 
-from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density, sample_mixture
-from loomlight.scattering.two_sided_lobes import TwoSidedLobes
+from loomlight.scattering.lobe_mixture import TwoSidedLobes, lobe_mixture, mixture_density, sample_mixture
 from loomlight.training.torch_functions import TORCH
 
 # f·cos [n, m, 3] of lights [n, m, 3] on the view's side.

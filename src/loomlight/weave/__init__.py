@@ -1,6 +1,6 @@
 """Drafts: named weaves, weaving information files, pictures of drawdowns; drawing and textile units."""
 
-from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan, Threads
+from loomlight.weave.draft import MAXIMUM_THREADS, Draft, FamilyDefaults, LoomPlan, Threads, WifSource
 from loomlight.weave.drawing import MAXIMUM_PICTURE_SIDE_PX, draw_draft, draw_drawdown
 from loomlight.weave.figured import bind_floats, figured_structure
 from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
@@ -20,11 +20,10 @@ from loomlight.weave.textile import (
     unbound_threads,
     warp_cover,
     yarn_diameter_mm,
+    yarn_tex,
 )
 from loomlight.weave.wif_reader import read_wif
-from loomlight.weave.wif_source import FamilyDefaults, WifSource
 from loomlight.weave.wif_writer import write_wif
-from loomlight.weave.yarn_count import yarn_tex
 
 __all__ = [
     "DEFAULT_SETT_PER_CM",

@@ -1,4 +1,8 @@
-"""Weaves by name: "plain", "twill 3/1 s", "satin 8/3", "houndstooth", "damask 480"."""
+"""Weaves by name: "plain", "twill 3/1 s", "satin 8/3", "houndstooth", "damask 480"; effects, tartans.
+
+A colour-and-weave effect is a simple structure and an order of colours that together make a figure. Index 0
+of an order is the dark colour, 1 the light one.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +12,111 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import lcm
 
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
-from loomlight.weave import effects, figured, structures
+from loomlight.weave import figured, structures
 from loomlight.weave.draft import Draft
-from loomlight.weave.structures import MAXIMUM_NAMED_THREADS
-from loomlight.weave.tartan import tartan
+from loomlight.weave.palette import from_palette, runs
+from loomlight.weave.structures import MAXIMUM_NAMED_THREADS, Structure, plain, twill
+
+CHARCOAL_AND_CREAM = ("#23262e", "#ece4d3")
+INDIGO_AND_ECRU = ("#22335c", "#e6dfce")
+NAVY_AND_CHALK = ("#1d2536", "#c9ccd2")
+BLUE_AND_WHITE = ("#3a6ea8", "#f2f0ea")
+
+
+@dataclass(frozen=True, eq=False)
+class Effect:
+    """A structure with colour orders; both repeat until they fit together.
+
+    Attributes:
+        structure: bool [picks, ends].
+        warp_order: palette index per end; its length is the colour repeat.
+        weft_order: palette index per pick.
+        palette: sRGB hex of the default colours.
+    """
+
+    structure: Structure
+    warp_order: NDArray[np.intp]
+    weft_order: NDArray[np.intp]
+    palette: tuple[str, ...] = CHARCOAL_AND_CREAM
+
+    @property
+    def repeat(self) -> tuple[int, int]:
+        """Picks and ends after which structure and colours repeat together."""
+        picks, ends = self.structure.shape
+        return lcm(picks, self.weft_order.size), lcm(ends, self.warp_order.size)
+
+    def draft(self, title: str) -> Draft:
+        """The effect as a draft of one full repeat, in its default colours."""
+        picks, ends = self.repeat
+        palette = np.array([parse_colour(color, "palette") for color in self.palette])
+        rows, columns = self.structure.shape
+        return Draft(
+            drawdown=np.tile(self.structure, (picks // rows, ends // columns)),
+            warp=from_palette(ends, self.warp_order, palette),
+            weft=from_palette(picks, self.weft_order, palette),
+            title=title,
+            palette=palette,
+        )
+
+
+def houndstooth(width: int) -> Effect:
+    """2/2 twill with `width` dark and `width` light threads both ways; 4 makes the classic tooth."""
+    order = runs((0, width), (1, width))
+    return Effect(twill((2, 2)), order, order)
+
+
+def hairline() -> Effect:
+    """Plain weave, one dark and one light: every end covers its own colour, which gives fine lines."""
+    return Effect(plain(), runs((0, 1), (1, 1)), runs((1, 1), (0, 1)), NAVY_AND_CHALK)
+
+
+def log_cabin(width: int) -> Effect:
+    """Plain weave of alternating dark and light, whose order flips every `width` threads."""
+    alternate = np.arange(width, dtype=np.intp) % 2
+    order = np.concatenate([alternate, 1 - alternate])
+    return Effect(plain(), order, order)
+
+
+def glen_check(groups: int) -> Effect:
+    """Glen Urquhart check: 2/2 twill, `groups` of four dark and four light beside as wide a field of two
+    and two."""
+    order = np.concatenate([runs((0, 4), (1, 4))] * groups + [runs((0, 2), (1, 2))] * (2 * groups))
+    return Effect(twill((2, 2)), order, order)
+
+
+def shepherds_check(width: int) -> Effect:
+    """Even checks in 2/2 twill: solid squares joined by diagonal half-tones; 8 and wider show as checks."""
+    return Effect(twill((2, 2)), runs((0, width), (1, width)), runs((0, width), (1, width)))
+
+
+def gingham(width: int) -> Effect:
+    """Even checks in plain weave."""
+    order = runs((0, width), (1, width))
+    return Effect(plain(), order, order, BLUE_AND_WHITE)
+
+
+def pinstripe(width: int) -> Effect:
+    """2/1 twill in the dark colour with one light end in every `width`."""
+    return Effect(twill((2, 1)), runs((0, width - 1), (1, 1)), runs((0, 1)), NAVY_AND_CHALK)
+
+
+def denim() -> Effect:
+    """3/1 twill, indigo warp, undyed weft."""
+    return Effect(twill((3, 1)), runs((0, 1)), runs((1, 1)), INDIGO_AND_ECRU)
+
+
+def chambray() -> Effect:
+    """Plain weave, coloured warp, white weft."""
+    return Effect(plain(), runs((0, 1)), runs((1, 1)), BLUE_AND_WHITE)
+
+
+# ----------------------------------------------------------------------------------------------------- weaves
+
 
 _NUMBERS = re.compile(r"\d+(?:/\d+)*")
 # "5-end satin", "8 shaft satin"
@@ -89,7 +193,7 @@ class _Request:
             raise self.fail(f'"{" ".join(self.words)}" is not understood')
 
 
-Maker = Callable[[_Request], structures.Structure | effects.Effect | Draft]
+Maker = Callable[[_Request], structures.Structure | Effect | Draft]
 
 
 @dataclass(frozen=True)
@@ -172,42 +276,42 @@ def _crepe(request: _Request) -> structures.Structure:
     return structures.crepe()
 
 
-def _houndstooth(request: _Request) -> effects.Effect:
+def _houndstooth(request: _Request) -> Effect:
     width = request.count(default=4, lowest=1, highest=MAXIMUM_NAMED_THREADS // 4)
     request.limit(lcm(4, 2 * width), lcm(4, 2 * width))
-    return effects.houndstooth(width)
+    return houndstooth(width)
 
 
-def _hairline(request: _Request) -> effects.Effect:
-    return effects.hairline()
+def _hairline(request: _Request) -> Effect:
+    return hairline()
 
 
-def _log_cabin(request: _Request) -> effects.Effect:
-    return effects.log_cabin(request.count(default=8, lowest=2, highest=MAXIMUM_NAMED_THREADS // 2))
+def _log_cabin(request: _Request) -> Effect:
+    return log_cabin(request.count(default=8, lowest=2, highest=MAXIMUM_NAMED_THREADS // 2))
 
 
-def _glen_check(request: _Request) -> effects.Effect:
-    return effects.glen_check(request.count(default=4, lowest=1, highest=128))
+def _glen_check(request: _Request) -> Effect:
+    return glen_check(request.count(default=4, lowest=1, highest=128))
 
 
-def _shepherds_check(request: _Request) -> effects.Effect:
-    return effects.shepherds_check(request.count(default=12, lowest=2, highest=MAXIMUM_NAMED_THREADS // 4))
+def _shepherds_check(request: _Request) -> Effect:
+    return shepherds_check(request.count(default=12, lowest=2, highest=MAXIMUM_NAMED_THREADS // 4))
 
 
-def _gingham(request: _Request) -> effects.Effect:
-    return effects.gingham(request.count(default=16, lowest=1, highest=MAXIMUM_NAMED_THREADS // 2))
+def _gingham(request: _Request) -> Effect:
+    return gingham(request.count(default=16, lowest=1, highest=MAXIMUM_NAMED_THREADS // 2))
 
 
-def _pinstripe(request: _Request) -> effects.Effect:
-    return effects.pinstripe(request.count(default=24, lowest=2, highest=MAXIMUM_NAMED_THREADS // 3))
+def _pinstripe(request: _Request) -> Effect:
+    return pinstripe(request.count(default=24, lowest=2, highest=MAXIMUM_NAMED_THREADS // 3))
 
 
-def _denim(request: _Request) -> effects.Effect:
-    return effects.denim()
+def _denim(request: _Request) -> Effect:
+    return denim()
 
 
-def _chambray(request: _Request) -> effects.Effect:
-    return effects.chambray()
+def _chambray(request: _Request) -> Effect:
+    return chambray()
 
 
 def _damask(request: _Request) -> Draft:
@@ -314,7 +418,7 @@ def named_weave(text: str) -> Draft:
     title = " ".join(words)
     if isinstance(made, Draft):
         return made
-    if isinstance(made, effects.Effect):
+    if isinstance(made, Effect):
         return made.draft(title)
     return Draft(drawdown=made, title=title)
 
@@ -352,3 +456,57 @@ def _unknown(text: str, words: list[str]) -> InputError:
         f'weave = "{text.strip()[:80]}" is no weave that is known; {advice}the weaves are '
         f"{', '.join(_WEAVES)}, or give the file of a draft."
     )
+
+
+# ----------------------------------------------------------------------------------------------------- tartan
+# Tartan by its sett, in the notation of the Scottish Register of Tartans: "B/24 W4 B24 R2 K24 G24 W/2".
+#
+# Each stripe is a colour's letters and its threads. The first and last stripe are pivots, at which the order
+# turns back, and are written with "/" or without; "..." before or after the sett makes it repeat instead.
+# Warp and weft have the same order, in 2/2 twill.
+
+
+# The register's letters in shades that are typical of it; each tartan of it states its own.
+SHADES = {
+    "A": "#5c8ca8", "B": "#2c2c80", "DB": "#000064", "LB": "#98c8e8", "C": "#d05054", "G": "#006818",
+    "DG": "#004028", "LG": "#86c67c", "K": "#101010", "N": "#888888", "DN": "#585858", "LN": "#c8c8c8",
+    "O": "#d87c00", "DO": "#b84c00", "P": "#780078", "DP": "#440044", "LP": "#b468ac", "R": "#c80000",
+    "DR": "#880000", "LR": "#e87878", "T": "#603800", "DT": "#441800", "LT": "#a08858", "W": "#f8f8f8",
+    "Y": "#e8c000", "DY": "#bc8c00", "LY": "#f8e38c",
+}  # fmt: skip
+_STRIPE = re.compile(r"([a-z]+) ?(/?) ?([0-9]+)")
+
+
+def tartan(sett: str) -> tuple[Effect, str]:
+    """The cloth of a sett in small letters, and its title.
+
+    Raises:
+        ValueError: it is no sett; the argument is the fault, without a full stop.
+    """
+    text = sett.replace("…", "...").replace(",", " ").strip()
+    repeats = text.startswith("...") or text.endswith("...")
+    text = text.removeprefix("...").removesuffix("...").strip()
+    stripes = [(match[1].upper(), match[2], match[3]) for match in _STRIPE.finditer(text)]
+    rest = _STRIPE.sub("", text).split()
+    if rest or len(stripes) < 2:
+        raise ValueError(f'"{rest[0][:20]}" is no stripe' if rest else "a sett has two or more stripes")
+    for letters, _, count in stripes:
+        if letters not in SHADES:
+            raise ValueError(f"{letters[:20]} is none of the colours {', '.join(SHADES)}")
+        if len(count) > 4 or not 1 <= int(count) <= MAXIMUM_NAMED_THREADS:
+            raise ValueError(
+                f"{letters}{count[:20]} is not a number of threads from 1 to {MAXIMUM_NAMED_THREADS}"
+            )
+    marked = [number for number, (_, slash, _) in enumerate(stripes) if slash]
+    if any(0 < number < len(stripes) - 1 for number in marked) or (marked and repeats):
+        raise ValueError('"/" marks the first and last stripe of a sett that turns back there')
+    colours = list(dict.fromkeys(letters for letters, _, _ in stripes))
+    order = [(colours.index(letters), int(count)) for letters, _, count in stripes]
+    whole = order if repeats else [*order, *order[-2:0:-1]]
+    threads = lcm(4, sum(count for _, count in whole))
+    if threads > MAXIMUM_NAMED_THREADS:
+        raise ValueError(f"one repeat has {threads} ends, and at most {MAXIMUM_NAMED_THREADS} can be used")
+    index: np.ndarray = runs(*whole)
+    mark = "..." if repeats else ""
+    title = f"tartan {mark}{' '.join(f'{letters}{slash}{count}' for letters, slash, count in stripes)}{mark}"
+    return Effect(twill((2, 2)), index, index, tuple(SHADES[letters] for letters in colours)), title

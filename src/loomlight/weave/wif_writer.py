@@ -12,10 +12,9 @@ from numpy.typing import NDArray
 
 from loomlight.core.colour import linear_to_srgb, srgb_to_linear
 from loomlight.core.files import replacing
-from loomlight.weave.draft import Draft, LoomPlan, Threads
+from loomlight.weave.draft import Draft, FamilyDefaults, LoomPlan, Threads, WifSource
 from loomlight.weave.loom import derive_loom_plan, plan_drawdown
-from loomlight.weave.wif_source import FamilyDefaults, WifSource
-from loomlight.weave.wif_values import UNIT_MM, unit_name
+from loomlight.weave.wif_text import UNIT_MM, unit_name
 
 Sections = dict[str, list[tuple[str, str | None]]]
 

@@ -19,22 +19,367 @@ gap, so it never stands above it. From below everything is mirrored; see `core/f
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from itertools import product
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
-from loomlight.yarn.families import Cell, select_cell, span_along
+from loomlight.core.arrays import Float, FloatType, Int, Mask, UInt, Vec3
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, move, upload
 from loomlight.yarn.flanks import SurfacePoint, Tube, filled_share, meet_tube
-from loomlight.yarn.geometry_tables import DeviceTables, prepare_layout
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.max_heights import PYRAMID_RADII, TILE_CELLS
-from loomlight.yarn.runs import CELL_MAX_LEVELS
-from loomlight.yarn.threads import SECTION_ANGLE, FamilyTables
+from loomlight.yarn.threads import CELL_MAX_LEVELS, SECTION_ANGLE, FamilyTables, pack_runs, prepare_family
+
+# Windows, in threads beyond a tile, on the sides that a ray may reach.
+PYRAMID_RADII = (1, 2, 4, 8)
+TILE_CELLS = 2
+# Cells around those of some tiles that their windows reach, and tiles that are processed at once.
+_MARGIN = PYRAMID_RADII[-1]
+_BLOCK = 1 << 16
+# Words of a tile. A word's number is 1 where x grows along the ray, plus 2 where y grows.
+QUADRANTS = 4
+
+
+def pack_max_heights(words: NDArray[np.uint32]) -> NDArray[np.uint32]:
+    """The pyramid [⌈picks / 2⌉, ⌈ends / 2⌉, 4], from the words of warp and weft [picks, ends, 2]."""
+    picks, ends = words.shape[:2]
+    along, across = -(-picks // TILE_CELLS), -(-ends // TILE_CELLS)
+    max_heights = np.empty((along, across, QUADRANTS), np.uint32)
+    bytes_of_words = words.astype("<u4", copy=False).view(np.uint8).reshape(picks, ends, 2, 4)
+    step = max(1, _BLOCK // across)
+    for first in range(0, along, step):
+        last = min(first + step, along)
+        near = np.arange(TILE_CELLS * first - _MARGIN, TILE_CELLS * last + _MARGIN) % picks
+        max_heights[first:last] = _pack_rows(bytes_of_words, near, last - first, across)
+    return max_heights
+
+
+def _pack_rows(
+    bytes_of_words: NDArray[np.uint8], near: NDArray[np.intp], along: int, across: int
+) -> NDArray[np.uint32]:
+    """Some rows of the pyramid, from the words of picks near them, with `_MARGIN` more at either end."""
+    warp, weft = (bytes_of_words[near, :, family, 3] >> 4 for family in (0, 1))
+    # Where the warp is on top, its level is the front's: selection by bits takes a tenth of the time.
+    swapped = (warp ^ weft) & -(bytes_of_words[near, :, 0, 0] & 1)
+    faces = np.stack([weft ^ swapped, warp ^ swapped])
+    margins = np.arange(-_MARGIN, TILE_CELLS * across + _MARGIN) % warp.shape[1]
+    even, odd = (faces[..., margins[first::TILE_CELLS]].transpose(2, 0, 1) for first in (0, 1))
+    max_heights = np.empty((along, across, QUADRANTS, len(PYRAMID_RADII)), np.uint8)
+    for number, radius in enumerate(PYRAMID_RADII):
+        for right in (False, True):
+            columns = _highest(even, odd, radius, right).transpose(2, 1, 0)
+            for up in (False, True):
+                front, behind = _highest(columns[0::2], columns[1::2], radius, up).swapaxes(0, 1)
+                max_heights[..., right + 2 * up, number] = front | behind << 4
+    return max_heights.view("<u4")[..., 0]
+
+
+def _highest(even: NDArray[np.uint8], odd: NDArray[np.uint8], radius: int, ahead: bool) -> NDArray[np.uint8]:
+    """Maxima of tiles and of `radius` cells ahead of them, else behind them, along the first axis.
+
+    Args:
+        even, odd: the two cells of each tile along that axis, with those of `_MARGIN` cells at either end.
+    """
+    margin = _MARGIN // TILE_CELLS
+
+    def beside(cells: NDArray[np.uint8], tiles: int) -> NDArray[np.uint8]:
+        first = margin + (tiles if ahead else -tiles)
+        return cells[first : first + len(cells) - 2 * margin]
+
+    pairs = np.maximum(even, odd)
+    highest = beside(pairs, 0)
+    for tiles in range(1, radius // TILE_CELLS + 1):
+        highest = np.maximum(highest, beside(pairs, tiles))
+    return np.maximum(highest, beside(even if ahead else odd, 1)) if radius % TILE_CELLS else highest
+
+
+# ----------------------------------------------------------------------------------- the thread at a position
+# Finding the thread at a position, and what the geometry asks about it, on one Dr.Jit backend.
+#
+# What differs between fabrics is opaque to the kernels, counts of threads included, so all fabrics share
+# them.
+
+
+@dataclass
+class Cell:
+    """Where a coordinate falls among the threads of one family.
+
+    Attributes:
+        thread: index of the thread whose cell it is: UInt32.
+        number: the same as a Float, known sooner.
+        across: distance from the middle of that thread, signed, millimetres.
+        half_width: of that thread.
+        below, above: distances to the ends of the cell.
+    """
+
+    thread: UInt
+    number: Float
+    across: Float
+    half_width: Float
+    below: Float
+    above: Float
+
+
+class Count:
+    """A number of threads or texels to count around with: opaque, so that kernels do not depend on it."""
+
+    def __init__(self, number: int, types: ArrayTypes) -> None:
+        self._number = dr.opaque(types.Float, number)
+        self._inverse = dr.opaque(types.Float, 1 / number)
+        self._half_inverse = dr.opaque(types.Float, 0.5 / number)
+
+    def divide(self, index: UInt) -> tuple[Float, Float]:
+        """Whole turns, rounded down, and the remainder ≥ 0 of whole numbers of any sign: Float each.
+
+        Exact up to 4 million, where coordinates in single precision tell threads apart no longer.
+        """
+        turns = dr.floor(dr.fma(index, self._inverse, self._half_inverse))
+        return turns, dr.fma(-turns, self._number, index)
+
+
+def select_cell(first_one: Mask, first: Cell, second: Cell) -> Cell:
+    """`first` where `first_one`, else `second`."""
+    return Cell(
+        dr.select(first_one, first.thread, second.thread),
+        dr.select(first_one, first.number, second.number),
+        dr.select(first_one, first.across, second.across),
+        dr.select(first_one, first.half_width, second.half_width),
+        dr.select(first_one, first.below, second.below),
+        dr.select(first_one, first.above, second.above),
+    )
+
+
+class UniformFamily:
+    """Threads that are all alike: arithmetic instead of tables."""
+
+    def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
+        self.count = Count(tables.lower.size, types)
+        self._last = dr.opaque(types.Float, tables.lower.size - 1)
+        size = float(tables.upper[0] - tables.lower[0])
+        self.size = dr.opaque(types.Float, size)
+        self.inverse_size = dr.opaque(types.Float, 1 / size)
+        self.half_width = dr.opaque(types.Float, float(tables.half_width[0]))
+        self.arc = dr.opaque(types.Float, float(tables.arc[0]))
+        self.drop = dr.opaque(types.Float, float(tables.edge_drop[0]))
+        inclination = float(tables.inclination[0])
+        self.sine = dr.opaque(types.Float, math.sin(inclination))
+        self.half_tangent = dr.opaque(types.Float, math.tan(inclination / 2))
+        self._types = types
+
+    def locate(self, position: Float) -> Cell:
+        """The cell of a position in millimetres, any number of repeats away."""
+        cells = position * self.inverse_size
+        whole = dr.floor(cells)
+        below = dr.fma(-whole, self.size, position)
+        # Whatever comes in, there is such a thread: positions that are no number would read any memory.
+        number = clip(self.count.divide(whole)[1], 0, self._last)
+        return Cell(
+            self._types.UInt32(number),
+            number,
+            below - 0.5 * self.size,
+            self.half_width,
+            below,
+            self.size - below,
+        )
+
+    def span(self, thread: UInt, first: Int, last: Int) -> Float:
+        """Length from the lower boundary of cell thread + first to that of thread + last."""
+        del thread
+        return self._types.Float(last - first) * self.size
+
+    def bend(self, thread: UInt) -> tuple[Float, Float, Float]:
+        """Sine of the inclination, tangent of half of it, and the arc's half-length."""
+        del thread
+        return self.sine, self.half_tangent, self.arc
+
+    def edge_drop(self, thread: UInt, step: Int) -> Float:
+        """Edge drop of thread + step, step in −1..1."""
+        del thread, step
+        return self.drop
+
+
+class VariedFamily:
+    """Threads that differ: a table by position finds the thread, tables by thread tell what it is."""
+
+    def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
+        self.count = Count(tables.lower.size, types)
+        self._last = dr.opaque(types.UInt32, tables.lower.size - 1)
+        self._types = types
+        self.start = dr.opaque(types.Float, float(tables.lower[0]))
+        self.period = dr.opaque(types.Float, tables.period)
+        self.inverse_period = dr.opaque(types.Float, 1 / tables.period)
+        lower = tables.lower - tables.lower[0]
+        upper = tables.upper - tables.lower[0]
+        bins = math.ceil(tables.period / tables.finest) + 1
+        edges = np.arange(bins) * (tables.period / bins)
+        first = np.searchsorted(lower, edges, side="right") - 1
+        self.bins = dr.opaque(types.Float, bins)
+        self._last_bin = dr.opaque(types.UInt32, bins - 1)
+        self._first = upload(types.UInt32, first.astype(np.uint32))
+        centre = tables.centre - tables.lower[0]
+        place = np.stack([lower, upper, centre, tables.half_width], axis=1)
+        self._place = upload(types.Float, place)
+        bend = [np.sin(tables.inclination), np.tan(tables.inclination / 2), tables.arc, tables.edge_drop]
+        self._bend = upload(types.Float, np.stack(bend, axis=1))
+
+    def _row(self, table: Float, thread: UInt) -> Any:
+        return dr.gather(self._types.Vector4, table, thread)
+
+    def locate(self, position: Float) -> Cell:
+        UInt32 = self._types.UInt32
+        turns = (position - self.start) * self.inverse_period
+        turns -= dr.floor(turns)
+        local = turns * self.period
+        slot = minimum(UInt32(turns * self.bins), self._last_bin)
+        thread = dr.gather(UInt32, self._first, slot)
+        upper = dr.gather(self._types.Float, self._place, thread * 4 + 1)
+        # A bin is no wider than the smallest cell, so it meets two cells at most; rounding may add one.
+        thread = minimum(thread + dr.select(local >= upper, UInt32(1), UInt32(0)), self._last)
+        lower, upper, centre, half_width = self._row(self._place, thread)
+        return Cell(
+            thread, self._types.Float(thread), local - centre, half_width, local - lower, upper - local
+        )
+
+    def span(self, thread: UInt, first: Int, last: Int) -> Float:
+        return self._boundary(thread, last) - self._boundary(thread, first)
+
+    def _boundary(self, thread: UInt, step: Int) -> Float:
+        turns, inside = self.count.divide(self._types.Float(self._types.Int32(thread) + step))
+        lower = dr.gather(self._types.Float, self._place, self._types.UInt32(inside) * 4)
+        return dr.fma(turns, self.period, lower)
+
+    def bend(self, thread: UInt) -> tuple[Float, Float, Float]:
+        row = self._row(self._bend, thread)
+        return row[0], row[1], row[2]
+
+    def edge_drop(self, thread: UInt, step: Int) -> Float:
+        inside = self.count.divide(self._types.Float(self._types.Int32(thread) + step))[1]
+        return dr.gather(self._types.Float, self._bend, self._types.UInt32(inside) * 4 + 3)
+
+
+Family = UniformFamily | VariedFamily
+
+
+def span_along(is_warp: Mask, thread: UInt, warp: Family, weft: Family) -> Callable[[Float, Int, Int], Float]:
+    """A length (millimetres) plus `span` of the family that a thread of warp (else weft) crosses.
+
+    Args:
+        thread: the crossing that is counted from.
+    """
+    if isinstance(warp, UniformFamily) and isinstance(weft, UniformFamily):
+        size = dr.select(is_warp, weft.size, warp.size)
+        return lambda length, first, last: dr.fma(array_types(size).Float(last - first), size, length)
+    return lambda length, first, last: (
+        length + dr.select(is_warp, weft.span(thread, first, last), warp.span(thread, first, last))
+    )
+
+
+def upload_family(tables: FamilyTables, types: ArrayTypes) -> Family:
+    """The family on one backend: without tables where its threads are alike."""
+    return UniformFamily(tables, types) if tables.uniform else VariedFamily(tables, types)
+
+
+# ----------------------------------------------------------------------------------------- tables of a layout
+# Tables of a layout that `geometry` reads: prepared in numpy once per layout, uploaded once per backend.
+
+
+# Whole numbers that float32 tells apart.
+_MAX_EXACT = 1 << 24
+# Sides of the tiles in which words are transposed.
+_TILE = 64
+
+
+@dataclass
+class LayoutTables:
+    """Tables of warp and weft, words of both at each crossing [picks, ends, 2], max-height pyramid."""
+
+    warp: FamilyTables
+    weft: FamilyTables
+    words: NDArray[np.uint32]
+    max_heights: NDArray[np.uint32]
+    _uploaded: dict[type, tuple[UInt, UInt]] = field(default_factory=dict)
+
+    def upload(self, types: ArrayTypes) -> tuple[UInt, UInt]:
+        """Words and pyramid on a backend."""
+        if types.UInt32 not in self._uploaded:
+            words, self.words = move(types.UInt32, self.words)
+            max_heights, self.max_heights = move(types.UInt32, self.max_heights)
+            self._uploaded[types.UInt32] = words, max_heights
+        return self._uploaded[types.UInt32]
+
+
+# Tables of all layouts in memory: the models of a fabric share its layout, and a draft of 4096 by 4096
+# threads takes seconds. An edit of heights or twist makes another layout with the same threads.
+_cache: WeakKeyDictionary[ClothLayout, LayoutTables] = WeakKeyDictionary()
+
+
+def prepare_layout(layout: ClothLayout) -> LayoutTables:
+    """Its tables, computed once for layouts that differ at most in height scales and twist."""
+    found = _cache.get(layout)
+    if found is None:
+        same = (tables for other, tables in list(_cache.items()) if _has_same_threads(layout, other))
+        found = _cache[layout] = next(same, None) or _prepare(layout)
+    return found
+
+
+def _has_same_threads(first: ClothLayout, second: ClothLayout) -> bool:
+    """Whether two layouts differ at most in height scales and twist."""
+    families = (first.warp, second.warp), (first.weft, second.weft)
+    return np.array_equal(first.warp_on_top, second.warp_on_top) and all(
+        a.inclination == b.inclination
+        and np.array_equal(a.spacing, b.spacing)
+        and np.array_equal(a.width, b.width)
+        for a, b in families
+    )
+
+
+def _prepare(layout: ClothLayout) -> LayoutTables:
+    on_top = layout.warp_on_top
+    words = np.empty((*on_top.shape, 2), np.uint32)
+    of_family = pack_runs(on_top)
+    warp = prepare_family(layout.warp, layout.weft, of_family)
+    words[..., 0] = of_family
+    of_family = pack_runs(~on_top.T)
+    weft = prepare_family(layout.weft, layout.warp, of_family)
+    # Square tiles: whole rows of one array are columns of the other, which caches do not hold.
+    tiles = [[slice(first, first + _TILE) for first in range(0, count, _TILE)] for count in on_top.shape]
+    for picks, ends in product(*tiles):
+        words[picks, ends, 1] = of_family[ends, picks].T
+    del of_family
+    return LayoutTables(warp, weft, words, pack_max_heights(words))
+
+
+class DeviceTables:
+    """The tables of a layout on one backend. Numbers are opaque to Dr.Jit: all fabrics share kernels."""
+
+    def __init__(self, layout: ClothLayout, types: ArrayTypes) -> None:
+        tables = prepare_layout(layout)
+        self.warp: Any = upload_family(tables.warp, types)
+        self.weft: Any = upload_family(tables.weft, types)
+        self.words, self.max_heights = tables.upload(types)
+        # Single precision, which is faster, tells the words of 4096 by 4096 crossings apart.
+        exact = types.Float if layout.warp_on_top.size <= _MAX_EXACT else types.UInt32
+        self.ends: Any = dr.opaque(exact, tables.words.shape[1])
+        self.max_height_columns = dr.opaque(types.UInt32, tables.max_heights.shape[1])
+        self._float = types.Float
+        self._scalars: dict[str, tuple[float, Float]] = {}
+
+    def scalar(self, name: str, value: Float) -> Float:
+        """A number of the fabric, by name, as an opaque Float; a Dr.Jit scalar as it is."""
+        if not isinstance(value, int | float):
+            return self._float(value)
+        # By name: two equal numbers under one name would be one variable, and kernels would differ.
+        if name not in self._scalars or self._scalars[name][0] != value:
+            self._scalars[name] = value, dr.opaque(self._float, value)
+        return self._scalars[name][1]
+
+
+# ------------------------------------------------------------------------------------------------ the surface
 
 
 @dataclass
@@ -480,3 +825,48 @@ def _fibre_direction(across_slope: Float, along_slope: Float, twist: Float) -> t
     inverse_along = dr.rsqrt(lengthwise)
     crosswise = sine * inverse_along * inverse_normal
     return -crosswise * lengthwise, dr.fma(crosswise, across_slope * along_slope, cosine * inverse_along)
+
+
+# ----------------------------------------------------------------------------- without derivatives of shadows
+# Cloth geometry whose shadows and outlines carry no derivatives.
+#
+# Searches along rays are loops with discontinuous results: their derivatives would be wrong as well as
+# dear. Normals and tangents keep theirs.
+
+
+class DetachedSurface:
+    """Analytic geometry as a `Surface` whose heights carry no derivatives."""
+
+    def __init__(self, geometry: YarnGeometry) -> None:
+        self.geometry = geometry
+        self.size = geometry.size
+        self.extents: dict[type, Any] = {}
+
+    @property
+    def finest(self) -> tuple[float, float]:
+        return self.geometry.finest
+
+    @property
+    def height_bounds(self) -> tuple[float, float]:
+        return self.geometry.height_bounds
+
+    def height(self, x: Any, y: Any, back: Any) -> tuple[Any, Any]:
+        with dr.suspend_grad():
+            return self.geometry.height(x, y, back)
+
+    def max_heights(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> list[tuple[float, Any]]:
+        with dr.suspend_grad():
+            return self.geometry.max_heights(x, y, back, right, up)
+
+    def probe(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Probe:
+        with dr.suspend_grad():
+            return self.geometry.probe(x, y, back, right, up)
+
+    def cell_bounds(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> CellBounds:
+        with dr.suspend_grad():
+            return self.geometry.cell_bounds(x, y, back, right, up)
+
+    def surface(self, x: Any, y: Any, back: Any, ray: Any = None) -> SurfacePoint:
+        point = self.geometry.surface(x, y, back, ray)
+        point.height = dr.detach(point.height)
+        return point

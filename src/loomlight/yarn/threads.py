@@ -7,17 +7,82 @@ begins and ends in the middle of a gap. Positions are millimetres from the start
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.yarn.distinct_words import DistinctWords
 from loomlight.yarn.layout import MIN_GAP, FamilyLayout
-from loomlight.yarn.runs import CELL_MAX_LEVELS, MAX_ARC, MAX_NEIGHBOUR, MAX_OFFSET, row_blocks
+
+MAX_OFFSET = 127
+MAX_NEIGHBOUR = 63
+# Crossings that one bent end of a float may take up at most; see the saturation above.
+MAX_ARC = 28
+CELL_MAX_LEVELS = 15
+
+
+# Words that are processed at once: temporary arrays stay within caches.
+_BLOCK = 1 << 16
+
+
+def pack_runs(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:
+    """Words [crossings, threads] of a family, from whether each thread is on top at each crossing.
+
+    Both axes are periodic; column t holds the crossings of thread t in order.
+    """
+    on_top = np.ascontiguousarray(on_top)
+    words = on_top.astype(np.uint32)
+    straight = (on_top == on_top[:1]).all(axis=0)
+    _add_counts(words, on_top, straight, 1, 15)
+    _add_counts(words[::-1], on_top[::-1], straight, 8, 21)
+    saturated = MAX_OFFSET << 1 | MAX_OFFSET << 8 | MAX_NEIGHBOUR << 15 | MAX_NEIGHBOUR << 21 | 1 << 27
+    words[:, straight] = on_top[0, straight] | np.uint32(saturated)
+    return words
+
+
+def _add_counts(
+    words: NDArray[np.uint32], on_top: NDArray[np.bool_], straight: NDArray[np.bool_], *bits: int
+) -> None:
+    """Adds to words the crossings since their run began, and the length of the run before, each at its bit.
+
+    All threads take each step at once, which begins before the repeat, where each has begun two runs since.
+    """
+    starts = on_top != np.roll(on_top, 1, axis=0)
+    crossings = len(starts)
+    lead = 1
+    while lead < crossings and not (straight | (starts[-lead:].sum(axis=0) > 1)).all():
+        lead = min(2 * lead, crossings)
+    # Crossings of the run so far, below 2¹⁶, and above them those of the run before.
+    lengths = np.zeros(on_top.shape[1], np.uint32)
+
+    def count(rows: slice) -> NDArray[np.uint32]:
+        found = starts[rows] * np.uint32(16)
+        for shifts in found:
+            np.left_shift(lengths, shifts, out=lengths)
+            shifts[:] = lengths
+            np.add(lengths, 1, out=lengths)
+        return found
+
+    for rows in row_blocks(crossings, lengths.size, crossings - lead):
+        count(rows)
+    for rows in row_blocks(*on_top.shape):
+        found = count(rows)
+        words[rows] |= np.minimum(found & 0xFFFF, MAX_OFFSET) << bits[0]
+        words[rows] |= np.minimum(found >> 16, MAX_NEIGHBOUR) << bits[1]
+
+
+def row_blocks(rows: int, columns: int, start: int = 0) -> list[slice]:
+    """Ranges of rows from `start`, each of `columns` words, that are processed at once."""
+    step = max(1, _BLOCK // columns)
+    return [slice(first, min(first + step, rows)) for first in range(start, rows, step)]
+
+
+# ---------------------------------------------------------------------------------------------------- threads
+
 
 # The cross-section is an arc of ±80°: at 90° the variance of 1/n_z over it would be infinite.
 SECTION_ANGLE = math.radians(80.0)
@@ -286,3 +351,58 @@ def _edge_height(
     radius = arc / sine - sign * section
     root = np.sqrt(np.maximum(radius**2 - along**2, 0))
     return sign * (arc * half_tangent - along**2 / (radius + root)) - section
+
+
+# --------------------------------------------------------------------------------------------- distinct words
+# The distinct ones of many run words, and where each is among them: a draft's words are few.
+
+
+# Words are looked up by halves, then by the pair of these. Tables of more numbers would not pay.
+_LOW_BITS, _LOW_MASK, _HIGH_MASK = 15, (1 << 15) - 1, (1 << 13) - 1
+MAX_TABLE = 1 << 24
+
+
+def distinct_numbers(
+    blocks: Iterable[NDArray[np.integer]], limit: int
+) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.intp]]:
+    """The distinct ones of numbers below a limit, in order; the index of each [limit]; where each was met."""
+    place, count = np.full(limit, -1, np.int32), 0
+    for numbers in blocks:
+        place[numbers] = np.arange(count, count + numbers.size, dtype=np.int32).reshape(numbers.shape)
+        count += numbers.size
+    values = np.flatnonzero(place >= 0)
+    return values, np.cumsum(place >= 0) - 1, place[values].astype(np.intp)
+
+
+@dataclass(frozen=True, eq=False)
+class DistinctWords:
+    """The distinct run words of a family, without cell maxima: tables of halves of words and of their pairs.
+
+    Attributes:
+        values: the words, in order.
+    """
+
+    values: NDArray[np.uint32]
+    _low: NDArray[np.intp]
+    _high: NDArray[np.intp]
+    _index: NDArray[np.intp]
+
+    @classmethod
+    def of(cls, words: NDArray[np.uint32]) -> Self | None:
+        """The distinct words of an array [n, m], which is read thrice; None of more than n."""
+        blocks = [words[rows] for rows in row_blocks(*words.shape)]
+        lows, low, _ = distinct_numbers((part & _LOW_MASK for part in blocks), _LOW_MASK + 1)
+        highs, high, _ = distinct_numbers((part >> _LOW_BITS for part in blocks), 1 << 32 - _LOW_BITS)
+        if lows.size * highs.size > MAX_TABLE:
+            return None
+        found = cls(np.empty(0, np.uint32), low, high * lows.size, np.empty(0, np.intp))
+        met, index, _ = distinct_numbers(map(found._pairs, blocks), lows.size * highs.size)
+        values = (highs[met // lows.size] << _LOW_BITS | lows[met % lows.size]).astype(np.uint32)
+        return replace(found, values=values, _index=index) if met.size <= len(words) else None
+
+    def indices(self, words: NDArray[np.uint32]) -> NDArray[np.intp]:
+        """Where words, which are among the distinct ones, lie in `values`."""
+        return self._index.take(self._pairs(words))
+
+    def _pairs(self, words: NDArray[np.uint32]) -> NDArray[np.intp]:
+        return self._high.take(words >> _LOW_BITS & _HIGH_MASK) + self._low.take(words & _LOW_MASK)

@@ -29,7 +29,7 @@ from loomlight.models.clustered.square_map import BINS, bin_centres, bin_taps
 from loomlight.models.clustered.tables import NORMAL_UNIT, THREAD_BASE, bake_tables
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.separable import Components
-from loomlight.scattering.yarn_point import to_face_frame
+from loomlight.scattering.point import to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
 
 from ..fabrics import Queries, directions, queries, vectors

@@ -17,8 +17,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.models.clustered.gaussians import fitted_gaussians, lobe_value, lobe_values
 from loomlight.models.clustered.parallax import PARALLAX_BINS, parallax_offset, parallax_tables
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.horizon import HorizonMap
-from loomlight.yarn.visibility import first_hit
+from loomlight.yarn.visibility import HorizonMap, first_hit
 from tests.yarn.layouts import TWILL, even_layout
 
 from ..fabrics import directions, vectors

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes.model import LobesModel
-from loomlight.scattering.yarn_point import DirectionSample
+from loomlight.scattering.point import DirectionSample
 
 from ..chi_square import cell_counts, cell_shares, p_value
 from ..fabrics import WHITE

@@ -20,7 +20,7 @@ from loomlight.models.lobes.hemisphere import NODES, node_directions
 from loomlight.models.lobes.visibility_rays import launch_rays, launch_views, ray_count, view_samples
 from loomlight.models.lobes.visibility_tables import VisibilityTables, tabulate_visibility
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.search import REFERENCE_QUALITY
+from loomlight.yarn.rays import REFERENCE_QUALITY
 from loomlight.yarn.visibility import first_hit, unoccluded
 from tests.yarn.layouts import even_layout
 

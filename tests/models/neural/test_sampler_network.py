@@ -4,7 +4,7 @@ That weights are value over density, and that drawn directions follow the densit
 suite tests with the shipped network.
 
 Covers: models/learned_proposal.py, models/neural/sampler_network.py
-Covers: scattering/two_sided_lobes.py
+Covers: scattering/lobe_mixture.py
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from loomlight.models.learned_proposal import LearnedProposal
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.sampler_network import FURTHER_INPUTS, further_inputs, sampler_layers
 from loomlight.models.neural.weights import shipped_weights
-from loomlight.scattering.two_sided_lobes import OUTPUTS, TwoSidedLobes
+from loomlight.scattering.lobe_mixture import OUTPUTS, TwoSidedLobes
 from loomlight.training.torch_functions import TORCH
 from tools.fits.neural_sampler_training import (
     SamplerNetwork,

@@ -1,4 +1,4 @@
-/** Yarn counts as mills write them, in tex; see `src/loomlight/weave/yarn_count.py`. */
+/** Yarn counts as mills write them, in tex; see `src/loomlight/weave/textile.py`. */
 import { InputError } from "./errors.ts";
 
 const NUMBER = "([0-9]{1,12}(?:[.,][0-9]{1,12})?)";

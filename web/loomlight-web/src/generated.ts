@@ -448,7 +448,7 @@ export const MIN_GROUP_WEIGHT = 1e-12;
 // models.lobes.tables
 export const MOMENTS = 12;
 
-// yarn.max_heights
+// yarn.geometry
 export const PYRAMID_RADII = [1, 2, 4, 8] as const;
 export const TILE_CELLS = 2;
 export const QUADRANTS = 4;
@@ -479,21 +479,6 @@ export const PER_BYTE = 0.00392156862745098;
 export const HASH_STEPS = 4096.0;
 
 // yarn.rays
-export const NEWTON_STEPS = 3;
-export const FLATTEST_SHARE = 0.1;
-
-// models.lobes.regimes
-export const BLEND_RANGE = [0.6, 1.6] as const;
-export const SQUARE_SCALE = 0.8;
-export const MIN_FOOTPRINT_SIDE = 1e-09;
-
-// yarn.runs
-export const MAX_OFFSET = 127;
-export const MAX_NEIGHBOUR = 63;
-export const MAX_ARC = 28;
-export const CELL_MAX_LEVELS = 15;
-
-// yarn.search
 export const LIFT = 0.002;
 export const NARROWEST_DIP = 0.02;
 export const OUTLINE_EPSILON = 0.005;
@@ -507,17 +492,24 @@ export const REFERENCE_STEPS_PER_RELIEF = 48.0;
 export const REFERENCE_SHADOW_SHARE = 1.0;
 export const REFERENCE_REFINEMENTS = 20;
 export const REFERENCE_STEPS = 16384;
+export const NEWTON_STEPS = 3;
+export const FLATTEST_SHARE = 0.1;
+
+// models.lobes.regimes
+export const BLEND_RANGE = [0.6, 1.6] as const;
+export const SQUARE_SCALE = 0.8;
+export const MIN_FOOTPRINT_SIDE = 1e-09;
 
 // yarn.threads
+export const MAX_OFFSET = 127;
+export const MAX_NEIGHBOUR = 63;
+export const MAX_ARC = 28;
+export const CELL_MAX_LEVELS = 15;
 export const SECTION_ANGLE = 1.3962634015954636;
 export const MIN_INCLINATION = 0.001;
 export const STEEPEST_SHARE = 0.95;
 export const FINEST_CELL = 0.015625;
-
-// scattering.unevenness
-export const UNEVENNESS = 0.2;
-export const UNEVEN_CELL = 4.0;
-export const UNEVEN_STREAM = 625341585;
+export const MAX_TABLE = 16777216;
 
 // scattering.variation
 export const FIBRES_ACROSS = 30;
@@ -525,6 +517,9 @@ export const FIBRE_CELL_LENGTH = 40.0;
 export const MAX_FIBRE_GAIN = 10.0;
 export const FIBRE_STREAM = 2654435769;
 export const THREAD_STREAM = 2135587861;
+export const UNEVENNESS = 0.2;
+export const UNEVEN_CELL = 4.0;
+export const UNEVEN_STREAM = 625341585;
 
 // models.lobes.visibility_rays
 export const MIN_RAYS = 512;
@@ -603,6 +598,8 @@ export const MIXTURE_MAX_OUTPUT = 50.0;
 export const MIXTURE_MAX_LOG_RATIO = 8.0;
 export const MIXTURE_MIN_ALPHA = 0.0001;
 export const MIXTURE_MIN_COSINE = 0.0001;
+export const MIXTURE_OUTPUTS = 19;
+export const MIXTURE_OPAQUE_OUTPUTS = 9;
 
 // models.neumip.networks
 export const NEUMIP_CHANNELS = 7;
@@ -691,6 +688,9 @@ export const SHEEN_MAX_SHEAR = -0.25;
 // scattering.albedo
 export const WHITE_SHARE = 0.3;
 export const ALBEDO_TOLERANCE = 1e-05;
+export const DEEP_MARGIN = [1.15, 0.05] as const;
+export const THIN_MARGIN = [0.6, 1.0] as const;
+export const MARGIN_FADE = 2.0;
 
 // realtime.albedo_map
 export const MAX_SIDE = 2048;
@@ -698,11 +698,6 @@ export const ROOT_STEPS = 1023;
 
 // fabric.authored_colour
 export const HALVINGS = 20;
-
-// scattering.cloth_layer_bound
-export const DEEP_MARGIN = [1.15, 0.05] as const;
-export const THIN_MARGIN = [0.6, 1.0] as const;
-export const MARGIN_FADE = 2.0;
 
 // realtime.environment
 export const MAX_COLUMNS = 1024;

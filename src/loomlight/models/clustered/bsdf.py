@@ -25,8 +25,7 @@ from loomlight.models.clustered.base import DeviceTables, TexelTerms
 from loomlight.models.clustered.sampling import LobeSampler
 from loomlight.models.random_numbers import uniform
 from loomlight.models.separable import Components, Evaluation, FilteredBsdf, shade
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
+from loomlight.scattering.point import DirectionSample, YarnScattering, to_face_frame
 
 # Between seeds of points: odd, so that no two are the same.
 POINT_SEED_STEP = 0x632BE5AB

@@ -15,7 +15,7 @@ from loomlight.core.arrays import FloatType
 from loomlight.core.backend import array_types
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.horizon import HorizonMap
+from loomlight.yarn.visibility import HorizonMap
 
 _Number = TypeVar("_Number", bound=np.generic)
 # Texels along the longer side of small repeats (zhu2024 6), and texels across the finest thread.

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, FloatType, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
-from loomlight.yarn.horizon import AZIMUTHS
+from loomlight.yarn.visibility import AZIMUTHS
 
 LOBE_NUMBERS = 9
 _DIRECTIONS = 32  # a step, drawn anew each time: two an azimuth of the horizons

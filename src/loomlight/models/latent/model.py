@@ -53,7 +53,7 @@ from loomlight.models.textured_model import (
     tensors_of_layers,
 )
 from loomlight.scattering.lobe_mixture import LobeMixture, mixture_density, sample_mixture
-from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
+from loomlight.scattering.point import DirectionSample, to_face_frame
 
 # Of files: to be raised when the same tensors mean something else.
 _FILE_VERSION = 2

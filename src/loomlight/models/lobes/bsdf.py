@@ -20,8 +20,7 @@ from loomlight.models.lobes.prefiltered import PrefilteredLobes, TableLookup, ha
 from loomlight.models.lobes.proposal import Mixture, density, draw, mixture_of, packs_density, total_weight
 from loomlight.models.lobes.regimes import Regime
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, FilteredBsdf, tinted
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import Albedos, DirectionSample, to_face_frame
+from loomlight.scattering.point import Albedos, DirectionSample, YarnScattering, to_face_frame
 from loomlight.yarn.visibility import first_hit
 
 # Smallest sum of the groups' weights; a view that sees no group sees holes alone.

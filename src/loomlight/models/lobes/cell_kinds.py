@@ -17,9 +17,8 @@ from loomlight.core.backend import upload
 from loomlight.core.parallel_map import parallel_map
 from loomlight.models.lobes.cloth_samples import GOLDEN_FRACTION, LATTICE_SHIFT, UploadedCloth
 from loomlight.models.lobes.groups import NearestGroup
-from loomlight.yarn.distinct_words import MAX_TABLE, DistinctWords, distinct_numbers
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.runs import row_blocks
+from loomlight.yarn.threads import MAX_TABLE, DistinctWords, distinct_numbers, row_blocks
 
 # Points of each kind and face.
 KIND_POINTS = 610

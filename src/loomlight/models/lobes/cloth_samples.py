@@ -13,7 +13,7 @@ from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.frozen import FrozenArg, FrozenFunction
 from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
-from loomlight.yarn.search import upload_extent
+from loomlight.yarn.rays import upload_extent
 
 # Top-down samples of each face.
 TOP_DOWN_SAMPLES = 1 << 13

@@ -38,7 +38,7 @@ from loomlight.models.lobes.joint_lookup import (
     packed_factors,
 )
 from loomlight.models.lobes.visibility_rays import BAKE_QUALITY, SurfaceHits, direction_of
-from loomlight.yarn.search import SearchQuality
+from loomlight.yarn.rays import SearchQuality
 from loomlight.yarn.visibility import first_hit, unoccluded
 
 # Views of each node and face that hits are taken from: 4096 points a face. Twice and four times as many lower

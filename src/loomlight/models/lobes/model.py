@@ -21,7 +21,7 @@ from loomlight.models.lobes.regimes import RegimeScale
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.search import upload_extent
+from loomlight.yarn.rays import upload_extent
 
 DEFAULT_GROUPS = 8
 MAX_GROUPS = 64

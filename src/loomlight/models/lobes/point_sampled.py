@@ -23,9 +23,8 @@ from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minim
 from loomlight.core.footprint import Footprint
 from loomlight.models.separable import Components
 from loomlight.scattering.interreflection import Blocked, Interreflection
-from loomlight.scattering.point import YarnScattering
-from loomlight.scattering.yarn_point import to_face_frame
-from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality
+from loomlight.scattering.point import YarnScattering, to_face_frame
+from loomlight.yarn.rays import DEFAULT_QUALITY, SearchQuality
 from loomlight.yarn.visibility import passes_through
 
 MAX_POINTS = 8

@@ -22,7 +22,7 @@ from loomlight.core.frozen import FrozenArg, FrozenFunction
 from loomlight.core.invariant_divider import InvariantDivider
 from loomlight.models.lobes.cloth_samples import FaceSamples, SurfaceHits, TopDownSamples, UploadedCloth
 from loomlight.models.lobes.hemisphere import NODES, node_directions
-from loomlight.yarn.search import SearchQuality
+from loomlight.yarn.rays import SearchQuality
 from loomlight.yarn.visibility import first_hit, passes_through, unoccluded
 
 # Rays of a node and face, at least, and for each group of a family. With 256, the tables' noise shows as

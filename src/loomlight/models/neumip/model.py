@@ -42,7 +42,7 @@ from loomlight.models.textured_model import (
     shape_of_loom,
     tensors_of_layers,
 )
-from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
+from loomlight.scattering.point import DirectionSample, to_face_frame
 
 
 @final

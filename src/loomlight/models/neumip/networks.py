@@ -39,7 +39,7 @@ from loomlight.models.mip_pyramid import (
     wrapped,
 )
 from loomlight.models.relu_network import Layers, ReluNetwork
-from loomlight.scattering.two_sided_lobes import OPAQUE_OUTPUTS, OUTPUTS, TwoSidedLobes
+from loomlight.scattering.lobe_mixture import OPAQUE_OUTPUTS, OUTPUTS, TwoSidedLobes
 
 # Channels of a texel of each of the two textures (Table 4).
 CHANNELS = 7

@@ -35,7 +35,7 @@ from loomlight.models.neural.sampler_network import neural_proposal, sampler_lay
 from loomlight.models.neural.weights import Weights, read_weights, shipped_weights
 from loomlight.models.relu_network import ReluNetwork
 from loomlight.models.separable import Components, Evaluation, FilteredBsdf
-from loomlight.scattering.yarn_point import DirectionSample, to_face_frame
+from loomlight.scattering.point import DirectionSample, to_face_frame
 
 _NETWORK = "neural"
 # By one network for all fabrics, or by lobes about the fibres.

@@ -24,8 +24,8 @@ from loomlight.models.neural.weights import Weights
 from loomlight.models.relu_network import Layers, ReluNetwork
 from loomlight.models.separable import FamilyAlbedos
 from loomlight.scattering.appearance import Sheen
+from loomlight.scattering.lobe_mixture import TwoSidedLobes
 from loomlight.scattering.sheen import sheen_transmittance
-from loomlight.scattering.two_sided_lobes import TwoSidedLobes
 
 # Beside the decoder's activations: view, fibres of two families (x, y, α), shares of eight albedos.
 FURTHER_INPUTS = 3 + 6 + 8

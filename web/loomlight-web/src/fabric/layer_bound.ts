@@ -13,7 +13,7 @@ export function yarnBound(opticalDepth: number): LayerBound {
 }
 
 /**
- * The bound in cloth with light between its yarns; see `scattering/cloth_layer_bound.py`.
+ * The bound in cloth with light between its yarns; see `scattering/albedo.py`.
  *
  * @param shares what the layer sends back and lets through of diffuse light at albedo 1.
  */

@@ -1,4 +1,4 @@
-/** A directional max-height pyramid, by which rays high above the cloth skip cells; see `yarn/max_heights.py`. */
+/** A directional max-height pyramid, by which rays high above the cloth skip cells; see `yarn/geometry.py`. */
 import { PYRAMID_RADII, QUADRANTS, TILE_CELLS } from "../generated.ts";
 
 /**

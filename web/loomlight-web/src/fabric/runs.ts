@@ -1,7 +1,7 @@
 /**
  * Runs: where each thread stays on top or underneath, packed into one 32-bit word a crossing and family.
  *
- * The word of a crossing, as `yarn/runs.py` describes it: bit 0 on top, 1–7 crossings since the run began, 8–14 until
+ * The word of a crossing, as `yarn/threads.py` describes it: bit 0 on top, 1–7 crossings since the run began, 8–14 until
  * it ends, 15–20 length of the run before, 21–26 of the run after, 27 never interlaces, 28–31 the cell's maximum.
  */
 import { MAX_NEIGHBOUR, MAX_OFFSET } from "../generated.ts";

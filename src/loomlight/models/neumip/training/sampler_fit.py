@@ -20,7 +20,7 @@ from loomlight.models.neumip.networks import Layers, sampler_widths
 from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork
 from loomlight.models.query_parts import draw_directions
-from loomlight.scattering.two_sided_lobes import TwoSidedLobes
+from loomlight.scattering.lobe_mixture import TwoSidedLobes
 from loomlight.training.direction_sampler import two_sided_loss
 from loomlight.training.loop import Schedule, train
 from loomlight.training.relu_layers import numbers_of_layers, relu_layers
