@@ -30,10 +30,9 @@ from loomlight.models.neumip.networks import EXPOSURE
 from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.neumip.training.train import Batches, rate_factor
 from loomlight.models.query_parts import draw_directions
+from loomlight.training.layers import fetched, relu_layers
 from loomlight.training.loop import Schedule, one_thread, train
-from loomlight.training.relu_layers import relu_layers
 from loomlight.training.soap import Soap
-from loomlight.training.torch_functions import fetched
 from papers.kuznetsov2021.designs import Design
 from papers.kuznetsov2021.neural_textures import NeuralTextures
 

@@ -29,9 +29,8 @@ from loomlight.models.neumip.training.train import (
     rate_factor,
     taken_queries,
 )
+from loomlight.training.layers import TorchTextures, fetched, numbers_of, numbers_of_layers, relu_layers
 from loomlight.training.loop import Schedule, one_thread, train
-from loomlight.training.relu_layers import numbers_of, numbers_of_layers, relu_layers
-from loomlight.training.torch_functions import TorchTextures, fetched
 from papers.kuznetsov2021.designs import Design
 
 _FUNCTIONS = TorchTextures()

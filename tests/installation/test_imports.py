@@ -44,14 +44,11 @@ NEED = {
         "models.neumip.training.network",
         "models.neumip.training.sampler_fit",
         "models.neumip.training.train",
-        "training.checkpoint",
         "training.direction_sampler",
+        "training.layers",
         "training.loop",
-        "training.processes",
-        "training.relu_layers",
-        "training.side_by_side",
+        "training.parallel",
         "training.soap",
-        "training.torch_functions",
     ],
 }
 

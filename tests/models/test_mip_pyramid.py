@@ -1,6 +1,6 @@
 """Texels that queries of a pyramid read: against interpolation written out with NumPy.
 
-Covers: models/mip_pyramid.py, training/torch_functions.py
+Covers: models/mip_pyramid.py, training/layers.py
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from drjit.llvm.ad import Float, Int32
 from loomlight.core.backend import array_types
 from loomlight.core.llvm import require_llvm
 from loomlight.models.mip_pyramid import DrjitFunctions, PyramidShape, Taps, level_taps, trilinear_taps
-from loomlight.training.torch_functions import TorchTextures
+from loomlight.training.layers import TorchTextures
 
 require_llvm()
 

@@ -19,7 +19,7 @@ from loomlight.scattering.lobe_mixture import (
     mixture_density,
     sample_mixture,
 )
-from loomlight.training.torch_functions import TORCH
+from loomlight.training.layers import TORCH
 
 from ..models.chi_square import COLUMNS, ROWS, cell_counts, cell_shares, p_value
 

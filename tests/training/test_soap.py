@@ -1,6 +1,6 @@
 """SOAP: its axes are those of the gradients, and its state is all that it depends on.
 
-Covers: training/checkpoint.py
+Covers: training/loop.py
 """
 
 import pytest
@@ -10,7 +10,7 @@ torch = pytest.importorskip("torch")
 # Without torch, which is optional, the file is skipped above; what imports it can only come here (E402).
 from torch import nn  # noqa: E402
 
-from loomlight.training.checkpoint import optimiser_tensors, restore_optimiser  # noqa: E402
+from loomlight.training.loop import optimiser_tensors, restore_optimiser  # noqa: E402
 from loomlight.training.soap import Soap  # noqa: E402
 
 

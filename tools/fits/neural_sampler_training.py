@@ -30,10 +30,9 @@ from loomlight.models.neural.weights import Weights
 from loomlight.models.relu_network import Layers
 from loomlight.scattering.lobe_mixture import OUTPUTS, TwoSidedLobes
 from loomlight.training.direction_sampler import two_sided_loss
+from loomlight.training.layers import TORCH, relu_layers
 from loomlight.training.loop import Report, Schedule, train
-from loomlight.training.relu_layers import relu_layers
 from loomlight.training.soap import Soap
-from loomlight.training.torch_functions import TORCH
 from papers.chen2024.training.random_fabrics import random_fabric
 from papers.chen2024.training.weaves import training_draft
 

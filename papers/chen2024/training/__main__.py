@@ -46,7 +46,7 @@ def neural(
     # MKL's sums otherwise depend on where arrays lie in memory, and a resumed training on that.
     os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
     try:
-        from loomlight.training.processes import process_number
+        from loomlight.training.parallel import process_number
         from papers.chen2024.training.train import process_group, train_neural
     except ModuleNotFoundError as error:
         raise MissingDependencyError("Training needs PyTorch: pip install 'loomlight[train]'.") from error

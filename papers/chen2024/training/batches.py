@@ -15,8 +15,7 @@ from torch.nn import functional
 
 from loomlight.models.neural.architecture import NetworkTable
 from loomlight.models.neural.footprint_coding import footprint_coordinates, levels_of, taps
-from loomlight.training.processes import process_count
-from loomlight.training.side_by_side import SideBySide
+from loomlight.training.parallel import SideBySide, process_count
 from papers.chen2024.training.config import TrainingConfig
 from papers.chen2024.training.dataset import Face
 from papers.chen2024.training.losses import LOSSES

@@ -18,7 +18,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.provenance import provenance
 from loomlight.models.neural.architecture import FIELD_MAP, VECTOR_MAP
 from loomlight.training.loop import Report, Schedule, train
-from loomlight.training.processes import process_count, process_number, wait_for_all
+from loomlight.training.parallel import process_count, process_number, wait_for_all
 from loomlight.training.soap import Soap
 from papers.chen2024.training.batches import Batches
 from papers.chen2024.training.config import TrainingConfig, TrainingTable

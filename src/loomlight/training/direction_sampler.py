@@ -14,7 +14,7 @@ import torch
 from torch import Tensor
 
 from loomlight.scattering.lobe_mixture import TwoSidedLobes, lobe_mixture, mixture_density, sample_mixture
-from loomlight.training.torch_functions import TORCH
+from loomlight.training.layers import TORCH
 
 # f·cos [n, m, 3] of lights [n, m, 3] on the view's side.
 Reflected = Callable[[Tensor], Tensor]

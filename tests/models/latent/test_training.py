@@ -26,8 +26,7 @@ from loomlight.models.latent.training import train
 from loomlight.models.latent.training.train import rate_factor, taken_queries, train_latent
 from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density
 from loomlight.training.direction_sampler import sampler_loss
-from loomlight.training.relu_layers import relu_layers
-from loomlight.training.torch_functions import TORCH
+from loomlight.training.layers import TORCH, relu_layers
 
 require_llvm()
 

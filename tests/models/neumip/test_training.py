@@ -1,7 +1,7 @@
 """A training is the same however often it is stopped, and learns what it is shown.
 
 Covers: models/neumip/training/train.py, models/neumip/btf.py
-Covers: training/relu_layers.py, models/query_parts.py, models/fabric_points.py
+Covers: training/layers.py, models/query_parts.py, models/fabric_points.py
 Covers: models/neumip/fabric_btf.py, models/neumip/training/sampler_fit.py
 """
 
@@ -34,7 +34,7 @@ from loomlight.models.neumip.training.sampler_fit import sampler_divergence, tra
 from loomlight.models.neumip.training.train import gains_of, rate_factor, taken_queries, train_neumip
 from loomlight.models.registry import model_from_loom
 from loomlight.scattering.point import YarnScattering
-from loomlight.training.relu_layers import relu_layers
+from loomlight.training.layers import relu_layers
 from loomlight.yarn.geometry import YarnGeometry
 from tests.aggregate.gaussian_means import gaussian_means
 

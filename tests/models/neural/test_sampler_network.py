@@ -25,7 +25,7 @@ from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.sampler_network import FURTHER_INPUTS, further_inputs, sampler_layers
 from loomlight.models.neural.weights import shipped_weights
 from loomlight.scattering.lobe_mixture import OUTPUTS, TwoSidedLobes
-from loomlight.training.torch_functions import TORCH
+from loomlight.training.layers import TORCH
 from tools.fits.neural_sampler_training import (
     SamplerNetwork,
     SamplerSettings,

@@ -22,8 +22,14 @@ from loomlight.models.latent.networks import (
 )
 from loomlight.models.latent.queries import Reflectance
 from loomlight.models.mip_pyramid import PyramidShape, level_taps
-from loomlight.training.relu_layers import numbers_of, numbers_of_layers, relu_layers
-from loomlight.training.torch_functions import TORCH, TorchTextures, fetched
+from loomlight.training.layers import (
+    TORCH,
+    TorchTextures,
+    fetched,
+    numbers_of,
+    numbers_of_layers,
+    relu_layers,
+)
 
 # Added to values before cube roots, whose slope at 0 is infinite, and to what relative errors are divided by.
 _ROOT, _RELATIVE = 1e-4, 1e-2

@@ -29,7 +29,7 @@ from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.query_parts import FileStore, Progress, draw_directions, stored_queries
 from loomlight.training.direction_sampler import sampler_loss
 from loomlight.training.loop import Schedule, one_thread, train
-from loomlight.training.side_by_side import SideBySide
+from loomlight.training.parallel import SideBySide
 from loomlight.training.soap import Soap
 
 # The smallest rate over the largest (eq. 1).

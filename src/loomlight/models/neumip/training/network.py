@@ -18,8 +18,7 @@ from loomlight.models.neumip.networks import (
     quantised,
 )
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
-from loomlight.training.relu_layers import numbers_of, numbers_of_layers, relu_layers
-from loomlight.training.torch_functions import TorchTextures, fetched
+from loomlight.training.layers import TorchTextures, fetched, numbers_of, numbers_of_layers, relu_layers
 
 # Biases of the last layer: of the final ReLU, which must not begin at 0, and of the ray depth.
 _FIRST_VALUE = 0.3

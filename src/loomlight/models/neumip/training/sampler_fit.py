@@ -22,10 +22,9 @@ from loomlight.models.neumip.training.network import NeumipNetwork
 from loomlight.models.query_parts import draw_directions
 from loomlight.scattering.lobe_mixture import TwoSidedLobes
 from loomlight.training.direction_sampler import two_sided_loss
+from loomlight.training.layers import TORCH, numbers_of_layers, relu_layers
 from loomlight.training.loop import Schedule, train
-from loomlight.training.relu_layers import numbers_of_layers, relu_layers
 from loomlight.training.soap import Soap
-from loomlight.training.torch_functions import TORCH
 
 # Views of a step, lights of a view, the largest rate and the smallest over it.
 _VIEWS, _LIGHTS, _RATE, _LAST_RATE = 1024, 16, 3e-3, 0.05

@@ -26,7 +26,7 @@ from loomlight.models.neumip.training.network import NeumipNetwork
 from loomlight.models.neumip.training.sampler_fit import trained_sampler
 from loomlight.models.query_parts import FileStore, Progress, stored_queries
 from loomlight.training.loop import Schedule, one_thread, train
-from loomlight.training.side_by_side import SideBySide
+from loomlight.training.parallel import SideBySide
 from loomlight.training.soap import Soap
 
 _WARM_UP = 0.02

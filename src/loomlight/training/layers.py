@@ -1,20 +1,50 @@
-"""torch for formulas that take the array library as an argument: `TORCH` as `backend.DRJIT`, and textures."""
+"""Parts of networks in torch: dense layers, their numbers, neural textures, and torch for shared formulas."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import torch
-from torch import Tensor
+from numpy.typing import NDArray
+from torch import Tensor, nn
 from torch.nn import functional
+
+
+def relu_layers(widths: Sequence[int]) -> nn.Sequential:
+    """Dense layers with ReLU between them.
+
+    Args:
+        widths: of the layers, inputs first.
+    """
+    layers: list[nn.Module] = []
+    for inputs, outputs in pairwise(widths):
+        layers += [nn.Linear(inputs, outputs), nn.ReLU()]
+    return nn.Sequential(*layers[:-1])
+
+
+def numbers_of_layers(perceptron: nn.Sequential) -> list[tuple[NDArray[np.float32], NDArray[np.float32]]]:
+    """Weights [outputs, inputs] and biases of each layer."""
+    linear = [layer for layer in perceptron if isinstance(layer, nn.Linear)]
+    return [(numbers_of(layer.weight), numbers_of(layer.bias)) for layer in linear]
+
+
+def numbers_of(tensor: Tensor) -> NDArray[np.float32]:
+    """The numbers of a tensor."""
+    return np.ascontiguousarray(tensor.detach().cpu().numpy(), np.float32)
+
+
+# ------------------------------------------------------------------------------------- formulas and textures
 
 
 def _sincos(angle: Tensor) -> tuple[Tensor, Tensor]:
     return torch.sin(angle), torch.cos(angle)
 
 
+# torch for formulas that take the library of array functions as an argument, as `backend.DRJIT` is Dr.Jit.
 TORCH: Any = SimpleNamespace(
     abs=torch.abs,
     clip=torch.clamp,

@@ -1,19 +1,75 @@
-"""Losses of the parts of a batch, each on a thread of its own.
+"""Work on a batch by several processes, and by several threads of each: gradients add up in a fixed order.
 
-No single operation of a small network occupies several cores: parts on a core each are faster than operations
-split over cores.
+Processes are those that torchrun starts, each with a share of every batch:
+
+    torchrun --nproc-per-node 2 -m papers.chen2024.training experiments/neural.toml
+
+Without torchrun there is one process, and none of the functions for processes does anything. Threads take
+parts of a batch each: no single operation of a small network occupies several cores, so parts on a core each
+are faster than operations split over cores.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any
+from typing import Any, TypeVar
 
 import torch
-from torch import Tensor, nn
+from torch import Tensor, distributed, nn
 
-from loomlight.training.processes import own_share, sum_over_processes
+_Part = TypeVar("_Part")
+
+
+def process_count() -> int:
+    """Processes of the group that this one is in."""
+    return distributed.get_world_size() if distributed.is_initialized() else 1
+
+
+def process_number() -> int:
+    """Which of them this one is; number 0 writes files."""
+    return distributed.get_rank() if distributed.is_initialized() else 0
+
+
+def own_share(parts: Sequence[_Part]) -> Sequence[_Part]:
+    """The parts that are this process's: every n-th."""
+    return parts[process_number() :: process_count()]
+
+
+def wait_for_all() -> None:
+    """Returns when all processes are here."""
+    if process_count() > 1:
+        distributed.barrier()
+
+
+def sum_over_processes(value: Tensor, gradients: Sequence[Tensor | None]) -> None:
+    """Adds up a loss and gradients over all processes, in place.
+
+    Args:
+        gradients: None of parameters that no part uses, the same in all processes.
+    """
+    if process_count() == 1:
+        return
+    # One message: [loss, gradients].
+    parts = [value.reshape(1), *(g.reshape(-1) for g in gradients if g is not None)]
+    flat = torch.cat(parts)
+    distributed.all_reduce(flat)
+    first = 0
+    for part in (value, *(g for g in gradients if g is not None)):
+        part.copy_(flat[first : first + part.numel()].reshape(part.shape))
+        first += part.numel()
+
+
+def same_for_all(value: float) -> float:
+    """The value of process 0, such as a time that others would measure otherwise."""
+    if process_count() == 1:
+        return value
+    shared = torch.tensor([value], dtype=torch.float64)
+    distributed.broadcast(shared, 0)
+    return float(shared)
+
+
+# ---------------------------------------------------------------------------------------------------- threads
 
 # Threads that share a batch, and the smallest shared one: of less, they wait longer than they compute.
 _PARTS, _MIN_SHARED_BATCH = 2, 1 << 13
@@ -48,7 +104,7 @@ class SideBySide:
     ) -> Tensor:
         """The weighted sum of losses, with gradients computed already.
 
-        Under torchrun each process computes its share of the parts (`processes.py`), at least one.
+        Under torchrun each process computes its share of the parts, at least one.
 
         Args:
             losses: of the parts; each may use the network's parameters and nothing else that has a gradient.
