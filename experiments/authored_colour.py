@@ -16,8 +16,7 @@ import numpy as np
 from benchmarks.harness import Figures, run
 from experiments.cloth_paths import radiance
 from experiments.interreflection import direction
-from loomlight.core.colour import parse_colour
-from loomlight.core.colour_difference import delta_e_2000, lab_of_linear
+from loomlight.core.colour import delta_e_2000, lab_of_linear, parse_colour
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.authored_colour import shown_colour

@@ -30,10 +30,10 @@ from loomlight.scattering.albedo import (
     LayerBound,
     albedos_from_colour,
     check_albedos,
-    cloth_layer_bound,
     layer_albedo_bound,
 )
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
+from loomlight.scattering.fibre import cloth_layer_bound
 from loomlight.scattering.point import YarnPoint, YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout

@@ -34,12 +34,10 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate.components import CHANNELS, COMPONENTS
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.core.executors import Executor
 from loomlight.core.extras import import_extra
 from loomlight.core.files import discarding_empty
+from loomlight.core.fleet import Executor, Shard, ShardFolder, require_results, work_map
 from loomlight.core.provenance import provenance
-from loomlight.core.shards import Shard, ShardFolder
-from loomlight.core.work_map import require_results, work_map
 from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES
 from papers.chen2024.materials import MATERIALS, paper_material
 from papers.chen2024.queries import (

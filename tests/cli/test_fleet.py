@@ -1,6 +1,6 @@
 """Catalogues on clusters of one machine: Slurm through submitit, Dask through joblib; kills and a full disk.
 
-Covers: core/executors.py, core/shards.py, cli/bake_catalogue.py
+Covers: core/fleet.py, cli/bake_catalogue.py
 """
 
 from __future__ import annotations

@@ -9,8 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from loomlight.core.colour import linear_to_srgb, parse_colour, srgb_to_linear, to_hex
-from loomlight.core.colour_difference import lab_of_linear
+from loomlight.core.colour import lab_of_linear, linear_to_srgb, parse_colour, srgb_to_linear, to_hex
 from loomlight.core.errors import InputError
 
 bytes_of_colour = st.tuples(*[st.integers(0, 255)] * 3)

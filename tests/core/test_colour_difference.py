@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from loomlight.core.colour_difference import delta_e_2000, lab_of_linear, linear_of_lab
+from loomlight.core.colour import delta_e_2000, lab_of_linear, linear_of_lab
 
 # Pairs of the table in Sharma, Wu and Dalal 2005: hues on both sides of 0°, greys, the blue region.
 PAIRS = [

@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Float
 
-from loomlight.core.frozen import FrozenArg, FrozenFunction, gc_paused
+from loomlight.core.frozen import FrozenArg, FrozenFunction, gc_paused, named_leaves
 from loomlight.core.llvm import require_llvm
-from loomlight.core.pytree import named_leaves
 
 require_llvm()
 

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Float, UInt32
 
-from loomlight.core.backend import array_types
-from loomlight.core.invariant_divider import InvariantDivider
+from loomlight.core.backend import InvariantDivider, array_types
 
 
 @pytest.mark.parametrize("number", [1, 2, 3, 4, 7, 10, 256, 641, 5203, 65537, 2**31 - 1, 2**31, 2**32 - 1])

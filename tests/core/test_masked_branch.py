@@ -9,7 +9,7 @@ from drjit.llvm import Array2f, Bool, Float
 from drjit.llvm.ad import Bool as BoolAD
 from drjit.llvm.ad import Float as FloatAD
 
-from loomlight.core.masked_branch import masked_branch
+from loomlight.core.backend import masked_branch
 
 
 def test_active_lanes_change_and_others_stay() -> None:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import subprocess
 import sys
 
-from loomlight.core.process_identity import has_ended, process_identity
+from loomlight.core.files import has_ended, process_identity
 
 
 def test_a_process_has_ended_when_it_has() -> None:
     code = (
-        "import sys; from loomlight.core.process_identity import *;"
+        "import sys; from loomlight.core.files import *;"
         "print(process_identity(), flush=True); sys.stdin.read()"
     )
     process = subprocess.Popen(

@@ -6,7 +6,7 @@ import drjit as dr
 from drjit.llvm import Array3f, Float
 
 from loomlight.core.footprint import Box, Footprint
-from loomlight.core.pytree import is_ours, leaves, named_leaves
+from loomlight.core.frozen import is_ours, leaves, named_leaves
 
 
 def footprint() -> Footprint:

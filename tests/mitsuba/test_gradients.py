@@ -1,7 +1,7 @@
 """Derivatives of albedos through every model that has them, against finite differences; see also
 test_woven_point.py.
 
-Covers: models/live_albedos.py, core/masked_branch.py
+Covers: models/live_albedos.py, core/backend.py
 """
 
 from __future__ import annotations

@@ -18,7 +18,7 @@ from drjit.llvm.ad import Array2f, Array3f, Float
 from loomlight.assets.loom_file import write_loom
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
-from loomlight.core.pytree import named_leaves
+from loomlight.core.frozen import named_leaves
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, material_bsdf, render
 from loomlight.models.bake import bake, save

@@ -1,6 +1,6 @@
 """The verbs of Python, `bake`, `save` and `load`, and what a material resolves to.
 
-Covers: core/picture.py, models/material_spec.py
+Covers: core/images.py, models/material_spec.py
 """
 
 from __future__ import annotations
@@ -15,8 +15,7 @@ from PIL import Image
 
 import loomlight
 from loomlight.core.errors import InputError
-from loomlight.core.images import read_linear
-from loomlight.core.picture import Picture
+from loomlight.core.images import Picture, read_linear
 from loomlight.models.interface import Model
 from loomlight.models.material_spec import resolve
 from loomlight.models.samples import SampledModel

@@ -18,7 +18,7 @@ import pytest
 from drjit.llvm.ad import Float
 
 from loomlight.core.errors import InputError, LoomlightWarning, MissingDependencyError
-from loomlight.core.executors import Executor
+from loomlight.core.fleet import Executor
 from papers.chen2024 import dataset_store as store_module
 from papers.chen2024.dataset_store import (
     BYTES_A_QUERY,

@@ -14,15 +14,9 @@ import pytest
 from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
 from loomlight.scattering import fibre
-from loomlight.scattering.albedo import (
-    Albedos,
-    albedos_from_colour,
-    bound_in_use,
-    check_albedos,
-    cloth_layer_bound,
-    layer_albedo_bound,
-)
+from loomlight.scattering.albedo import Albedos, albedos_from_colour, check_albedos, layer_albedo_bound
 from loomlight.scattering.diffuse import diffuse_reflection, diffuse_transmission, sample_diffuse
+from loomlight.scattering.fibre import bound_in_use, cloth_layer_bound
 from loomlight.scattering.sheen import sheen_lobe
 
 WHITE = np.ones((1, 3))

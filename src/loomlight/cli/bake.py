@@ -12,7 +12,7 @@ from loomlight.cli.interruption import note_left
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
 from loomlight.core.errors import InputError
-from loomlight.core.executors import Executor
+from loomlight.core.fleet import Executor
 
 EXAMPLE = "Example: loomlight bake examples/denim.toml --model neural -o denim.loom"
 

@@ -13,10 +13,8 @@ import loomlight.mitsuba  # noqa: F401
 from loomlight.assets.load import load_source
 from loomlight.assets.source_identity import source_identity
 from loomlight.core.errors import InputError
-from loomlight.core.executors import Executor, Report
 from loomlight.core.files import remove_leftovers
-from loomlight.core.shards import Outcome, Shard, ShardFolder
-from loomlight.core.work_map import require_results, work_map
+from loomlight.core.fleet import Executor, Outcome, Report, Shard, ShardFolder, require_results, work_map
 from loomlight.models.bake import bake, save
 from loomlight.models.registry import model_class
 

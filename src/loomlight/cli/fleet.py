@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from loomlight.cli.values import parse_named
-from loomlight.core.executors import Executor, parse_executor
+from loomlight.core.fleet import Executor, parse_executor
 
 Workers = Annotated[int, typer.Option("--workers", metavar="N", help="Processes, or jobs of Slurm.")]
 ExecutorName = Annotated[

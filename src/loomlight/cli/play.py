@@ -89,7 +89,7 @@ def _viewer(
 ) -> Viewer:
     import numpy as np
 
-    from loomlight.core.white_balance import white_balance as white_balance_gains
+    from loomlight.core.colour import white_balance as white_balance_gains
     from loomlight.mesh.cloth_mesh import uv_size, warn_of_extent, warn_of_scale
     from loomlight.mitsuba.camera import framing
     from loomlight.mitsuba.lights import studio_radiance

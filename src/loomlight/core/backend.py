@@ -5,17 +5,18 @@ The physics is written once for all backends: it uses the types that belong to i
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, TypeVar
 
 import drjit as dr
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from loomlight.core.arrays import Array, Color3, Float, FloatType
+from loomlight.core.arrays import Array, Color3, Float, FloatType, Mask, UInt
 
 
 @dataclass(frozen=True)
@@ -134,3 +135,61 @@ def move(kind: FloatType, values: NDArray[Any]) -> tuple[Array, NDArray[Any]]:
     if dr.backend_v(kind) != dr.JitBackend.LLVM or values.size == 0:
         return array, values
     return array, array.numpy().reshape(values.shape)
+
+
+# ------------------------------------------------------------------------------- branches that few lanes take
+# A branch that few lanes take.
+
+
+State = TypeVar("State")
+
+
+def masked_branch(active: Mask, value: State, change: Callable[[State], State], label: str) -> State:
+    """`change(value)` in active lanes, `value` in others; packets without active lanes skip the branch.
+
+    It is a loop of one iteration: of a Dr.Jit conditional the CPU runs both sides. With derivatives it is a
+    selection.
+
+    Args:
+        active: Bool.
+        value: any pytree of Dr.Jit arrays, of the width of `active` or of width 1.
+        change: takes such a pytree and returns one of the same structure.
+        label: names the loop in kernels.
+    """
+    types = array_types(dr.float32_array_t(active))
+    if dr.grad_enabled(value):
+        # Derivatives do not pass backward through loops: all lanes compute both sides.
+        return dr.select(active, change(value), value)
+
+    def iteration(_: Mask, values: State) -> tuple[Mask, State]:
+        return types.Bool(False), change(values)
+
+    return dr.while_loop((types.Bool(active), value), lambda pending, _: pending, iteration, label=label)[1]
+
+
+# --------------------------------------------------------- division by a number that kernels do not depend on
+# Integer division by a number that kernels do not depend on.
+#
+# CPUs have no SIMD instruction for integer division. A multiplication and shifts give the same quotient.
+
+
+class InvariantDivider:
+    """An opaque divisor; exact for all 32-bit numbers (Granlund and Montgomery 1994, fig. 4.1).
+
+    Attributes:
+        divisor: ≥ 1, UInt32.
+    """
+
+    def __init__(self, divisor: int, types: ArrayTypes) -> None:
+        bits = (divisor - 1).bit_length()
+        factor = (2**32 * (2**bits - divisor)) // divisor + 1
+        self.divisor = dr.opaque(types.UInt32, divisor)
+        self._factor = dr.opaque(types.UInt32, factor)
+        self._first_shift = dr.opaque(types.UInt32, min(bits, 1))
+        self._second_shift = dr.opaque(types.UInt32, max(bits - 1, 0))
+
+    def divide(self, dividend: UInt) -> tuple[UInt, UInt]:
+        """Quotient, rounded down, and remainder."""
+        high = dr.mul_hi(dividend, self._factor)
+        quotient = (((dividend - high) >> self._first_shift) + high) >> self._second_shift
+        return quotient, dividend - quotient * self.divisor

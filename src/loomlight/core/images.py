@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import io
 import os
+import re
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeVar
@@ -18,7 +20,6 @@ from PIL.PngImagePlugin import PngInfo
 from loomlight.core.colour import linear_to_srgb, srgb_to_linear
 from loomlight.core.errors import InputError
 from loomlight.core.files import PIXEL_SUFFIXES, WRITTEN_SUFFIXES, replacing, require_file
-from loomlight.core.rgbe import read_rgbe
 
 _Kind = TypeVar("_Kind", bound=np.generic)
 
@@ -339,3 +340,123 @@ def _without_pillow_limit() -> Iterator[None]:
             yield
     finally:
         Image.MAX_IMAGE_PIXELS = bound
+
+
+# ------------------------------------------------------------------------------------------ radiance pictures
+# Radiance pictures (.hdr): three mantissas with one exponent a pixel (Ward 1991), often run-length coded.
+#
+# Their components are RGB, or CIE XYZ where the line FORMAT says "xyze".
+
+
+_SIZE = re.compile(rb"-Y (\d+) \+X (\d+)\n")
+_FORMAT = re.compile(rb"^FORMAT=(\S+)", re.MULTILINE)
+_RGB, _XYZ = b"32-bit_rle_rgbe", b"32-bit_rle_xyze"
+# Chromaticities x, y of Radiance's primaries; its white is that of equal energy, so that X = Y = Z is grey
+# (Ward, Radiance file formats, "color.h").
+_PRIMARIES = np.array([[0.640, 0.330], [0.290, 0.600], [0.150, 0.060]])
+# Widths between these are run-length coded, row by row.
+_MIN_CODED, _MAX_CODED = 8, 32767
+
+
+def read_rgbe(path: str | os.PathLike[str]) -> NDArray[np.float32]:
+    """Linear RGB [height, width, 3] of a Radiance picture.
+
+    Raises:
+        InputError: no Radiance picture, one that ends early, or one of a FORMAT that is neither RGB nor XYZ.
+    """
+    data = Path(path).read_bytes()
+    size = _SIZE.search(data, 0, 4096)
+    if not data.startswith(b"#?") or size is None:
+        raise InputError(f"{path} is no Radiance picture (.hdr) with rows from the top.")
+    height, width = int(size[1]), int(size[2])
+    # A row takes at least four bytes, so a damaged size cannot ask for much more than the file has.
+    if width == 0 or height == 0 or height > len(data):
+        raise InputError(f"{path} has {width} x {height} pixels, which its data do not hold.")
+    pixels = np.zeros((height, width, 4), np.uint8)
+    try:
+        _read_rows(data, size.end(), pixels)
+    except (IndexError, ValueError) as error:
+        raise InputError(f"{path} is damaged: its data end early.") from error
+    # A pixel is mantissa · 2^(exponent − 136); an exponent of 0 is black.
+    scale = np.where(pixels[..., 3:] > 0, np.exp2(np.float32(pixels[..., 3:]) - 136), 0)
+    values = (pixels[..., :3] * scale).astype(np.float32)
+    form = _FORMAT.search(data, 0, size.start())
+    if form is None or form[1] == _RGB:
+        return values
+    if form[1] == _XYZ:
+        return values @ np.linalg.inv(_rgb_to_xyz()).T.astype(np.float32)
+    shown = form[1][:40].decode("ascii", "replace")
+    raise InputError(f"{path} has FORMAT={shown}; {_RGB.decode()} and {_XYZ.decode()} are read.")
+
+
+def _rgb_to_xyz() -> NDArray[np.float64]:
+    """The matrix [3, 3] of Radiance's primaries, scaled so that RGB of 1, 1, 1 is XYZ of 1, 1, 1."""
+    columns = np.column_stack([_PRIMARIES, 1 - _PRIMARIES.sum(axis=1)]).T
+    return columns * np.linalg.solve(columns, np.ones(3))
+
+
+def _read_rows(data: bytes, at: int, pixels: NDArray[np.uint8]) -> None:
+    width = pixels.shape[1]
+    for row in pixels:
+        coded = _MIN_CODED <= width <= _MAX_CODED and data[at : at + 2] == b"\x02\x02"
+        if not coded:
+            row[:] = np.frombuffer(data, np.uint8, 4 * width, at).reshape(width, 4)
+            at += 4 * width
+            continue
+        at += 4
+        for channel in range(4):
+            at = _read_runs(data, at, row[:, channel])
+
+
+def _read_runs(data: bytes, at: int, values: NDArray[np.uint8]) -> int:
+    """Fills one channel of a row; where its code ends."""
+    place = 0
+    while place < len(values):
+        count = data[at]
+        if count > 128:  # so many times one value
+            count -= 128
+            values[place : place + count] = data[at + 1]
+            at += 2
+        else:
+            values[place : place + count] = np.frombuffer(data, np.uint8, count, at + 1)
+            at += 1 + count
+        if count == 0:
+            raise ValueError("a run of no pixels")
+        place += count
+    return at
+
+
+# -------------------------------------------------------------------------------------- pictures in notebooks
+# Pictures that show themselves in notebooks.
+
+
+_Drawn = TypeVar("_Drawn")
+# How a value of a type is drawn, [height, width, 3]: drawings stand above what they draw.
+_DRAWINGS: dict[type, Callable[[Any], NDArray[np.uint8]]] = {}
+
+
+class Picture(np.ndarray[Any, np.dtype[np.float32]]):
+    """Linear RGB [height, width, 3], float32: a NumPy array that notebooks display."""
+
+    def _repr_png_(self) -> bytes | None:
+        """The picture in sRGB as PNG; None of what is sliced out of one and is no picture any more."""
+        is_picture = self.ndim == 3 and self.shape[2] == 3 and self.size > 0
+        return png_bytes(encoded(self)) if is_picture else None
+
+
+def draw_by(kind: type[_Drawn], drawing: Callable[[_Drawn], NDArray[np.uint8]]) -> None:
+    """Lets values of a type show themselves in notebooks by a drawing, sRGB pixels [height, width, 3]."""
+    _DRAWINGS[kind] = drawing
+
+
+def drawn_png(value: object) -> bytes | None:
+    """The drawing of a value as PNG; None of a type that nothing draws."""
+    drawing = _DRAWINGS.get(type(value))
+    return None if drawing is None else png_bytes(drawing(value))
+
+
+def png_bytes(pixels: NDArray[np.uint8]) -> bytes:
+    """8-bit pixels [height, width] or [height, width, 3] as the content of a PNG file."""
+    content = io.BytesIO()
+    Image.fromarray(pixels).save(content, format="PNG")
+    return content.getvalue()

@@ -15,7 +15,7 @@ from xml.etree import ElementTree
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from loomlight.core.colour_difference import linear_of_xyz_ratio
+from loomlight.core.colour import linear_of_xyz_ratio
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 

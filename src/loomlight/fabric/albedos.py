@@ -41,7 +41,7 @@ def family_appearance(
     bound = None
     if shown_by is not None:
         from loomlight.fabric.authored_colour import colour_for
-        from loomlight.scattering.albedo import cloth_layer_bound
+        from loomlight.scattering.fibre import cloth_layer_bound
 
         bound = cloth_layer_bound(roughness, optical_depth)
         if table.albedo is None:

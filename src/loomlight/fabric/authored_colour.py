@@ -11,8 +11,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.scattering.albedo import albedos_from_colour, cloth_layer_bound
-from loomlight.scattering.fibre import mean_layer_shares
+from loomlight.scattering.albedo import albedos_from_colour
+from loomlight.scattering.fibre import cloth_layer_bound, mean_layer_shares
 from loomlight.scattering.interreflection import scattered, solved_interior
 from loomlight.scattering.openness import Openness
 

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.colour import lab_of_text, parse_colour, to_hex
-from loomlight.core.colour_difference import delta_e_2000, lab_of_linear
+from loomlight.core.colour import delta_e_2000, lab_of_linear, lab_of_text, parse_colour, to_hex
 from loomlight.core.errors import LoomlightWarning
 from loomlight.fabric.authored_colour import colour_for, shown_colour
 from loomlight.fabric.defaults import ROUGHNESS, SPECULAR, TRANSLUCENCY

@@ -31,9 +31,8 @@ import mitsuba as mi
 import numpy as np
 
 from loomlight.core.arrays import Vec2
-from loomlight.core.backend import minimum, opaque
+from loomlight.core.backend import InvariantDivider, minimum, opaque
 from loomlight.core.frozen import gc_paused
-from loomlight.core.invariant_divider import InvariantDivider
 from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel, variant_types
 from loomlight.mitsuba.camera import Corner, Pinhole
 from loomlight.mitsuba.camera_guides import camera_guides

@@ -15,8 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.core.frozen import frozen, gc_paused
-from loomlight.core.pytree import leaves
+from loomlight.core.frozen import frozen, gc_paused, leaves
 from loomlight.mitsuba.bsdf_samples import model_bsdfs
 from loomlight.mitsuba.integrator import footprint_integrator, with_settings
 from loomlight.mitsuba.scene_traits import is_symbolic

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.assets.sources import Source
+from loomlight.core.colour import white_balance as white_balance_gains
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.core.picture import Picture
-from loomlight.core.white_balance import white_balance as white_balance_gains
+from loomlight.core.images import Picture
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.sentences import closest
 from loomlight.fabric.sentences import shown as quoted

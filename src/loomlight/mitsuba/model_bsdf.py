@@ -13,7 +13,7 @@ from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Mask
 from loomlight.core.backend import clip
 from loomlight.core.errors import InputError
-from loomlight.core.pytree import leaves
+from loomlight.core.frozen import leaves
 from loomlight.mitsuba.bsdf_samples import bsdf_sample, declare_lobes, model_bsdfs, plain, variant_types
 from loomlight.mitsuba.call_modes import nested, warn_of_light_paths, warn_of_missing_uv, warn_of_slow_calls
 from loomlight.mitsuba.cloth_uv import draft_footprint, uv_footprint

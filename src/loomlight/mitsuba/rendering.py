@@ -10,8 +10,8 @@ import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.colour import white_balance as white_balance_gains
 from loomlight.core.errors import InputError
-from loomlight.core.white_balance import white_balance as white_balance_gains
 from loomlight.mitsuba.denoising import denoised, wants_denoising
 from loomlight.mitsuba.integrator import footprint_integrator, has_pixel_sampler, is_plain, with_settings
 from loomlight.mitsuba.scene_traits import is_symbolic

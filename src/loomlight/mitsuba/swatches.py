@@ -19,10 +19,8 @@ from loomlight.assets.load import fabric_of_path
 from loomlight.assets.source_identity import source_identity
 from loomlight.core.contact_sheet import Card, card_from_bytes, card_to_bytes
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.core.executors import Executor, Report
+from loomlight.core.fleet import Executor, Outcome, Report, Shard, ShardFolder, work_map
 from loomlight.core.images import encoded
-from loomlight.core.shards import Outcome, Shard, ShardFolder
-from loomlight.core.work_map import work_map
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts, repeat_text, three_digits
 from loomlight.mitsuba.material import material_bsdf

@@ -5,7 +5,7 @@ fibre-SGGX reflection and transmission, blended diffuse reflection and transmiss
 transmission through holes. It is the reference that every multi-scale model is judged by.
 
 Everything is computed in the frame of the face that is seen: from behind, z of both directions is
-negated and the geometry mirrored (`core/frame.py`).
+negated and the geometry mirrored (`core/footprint.py`).
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import drjit as dr
+import numpy as np
 
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximum
-from loomlight.core.masked_branch import masked_branch
-from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance, FamilyParameters
+from loomlight.core.backend import ArrayTypes, array_types, channel_mean, masked_branch, maximum, opaque
+from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance, FamilyAppearance
 from loomlight.scattering.detail import DetailNumbers, detail_gain, diffuse_gain, fibre_cell, turned_frame
 from loomlight.scattering.diffuse import diffuse_pdf, diffuse_reflection, diffuse_transmission, sample_diffuse
 from loomlight.scattering.fibre import (
@@ -166,6 +166,43 @@ def to_face_frame(direction: Vec3, back: Mask) -> Vec3:
     """A direction in the frame of a face: z is negated for the back. It is its own inverse."""
     z = dr.select(back, -direction.z, direction.z)
     return type(direction)(direction.x, direction.y, z)
+
+
+# ---------------------------------------------------------------------------------- one family on one backend
+# One family's scattering parameters on one backend.
+
+
+class FamilyParameters:
+    """One family's scattering parameters on one backend: scalars where threads are alike, else a table."""
+
+    def __init__(self, family: FamilyAppearance, types: ArrayTypes) -> None:
+        rows = np.stack([np.asarray(getattr(family, name), np.float64) for name in ALBEDO_NAMES], axis=1)
+        self.roughness = dr.opaque(types.Float, float(family.roughness))
+        self.threads = rows.shape[0]
+        self._mean = [types.Color3(*row) for row in opaque(types.Float, rows.mean(axis=0))]
+        self.alike = bool(np.allclose(rows, rows[:1], rtol=0, atol=1e-12))
+        self.shared = [types.Color3(*row) for row in opaque(types.Float, rows[0])]
+        padded = np.zeros((self.threads, 4, 4))
+        padded[:, :, :3] = rows
+        self.table = None if self.alike else types.Float(padded.ravel())
+        self._types = types
+
+    def albedo(self, number: int, thread: UInt) -> Color3:
+        """Albedo `number` (in the order of `ALBEDO_NAMES`) of a thread, Color3."""
+        if self.table is None:
+            return self.shared[number]
+        row = dr.gather(self._types.Vector4, self.table, thread * 4 + number)
+        return self._types.Color3(row.x, row.y, row.z)
+
+    def follow_table(self) -> None:
+        """Takes the means of the table anew, after an edit of it."""
+        if self.table is not None:
+            rows = self.table.numpy().reshape(self.threads, 4, 4)[:, :, :3].astype(np.float64).mean(axis=0)
+            self._mean = [self._types.Color3(*row) for row in opaque(self._types.Float, rows)]
+
+    def mean(self) -> list[Color3]:
+        """Mean albedos over the threads, in the order of `ALBEDO_NAMES`."""
+        return self.shared if self.table is None else self._mean
 
 
 # -------------------------------------------------------------------------------------------- the point model

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.core.picture import drawn_png
+from loomlight.core.images import drawn_png
 
 # Ends, and picks, of one repeat. Each crossing takes a byte here, and 12 bytes where it is rendered.
 MAXIMUM_THREADS = 16384

@@ -13,7 +13,7 @@ cross-section (a = w/(2 sin v_max)), h the half-length of the bent end and U the
 
 Within s < m·sin U of its end a float's flank already belongs to the arc of the run beneath. Heights are
 scaled by β. Below a thread on top the other one *dives* by that thread's lowest edge, smoothly across the
-gap, so it never stands above it. From below everything is mirrored; see `core/frame.py`.
+gap, so it never stands above it. From below everything is mirrored; see `core/footprint.py`.
 """
 
 from __future__ import annotations

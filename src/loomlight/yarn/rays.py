@@ -15,8 +15,7 @@ from typing import Any, Protocol
 import drjit as dr
 
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec2, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
-from loomlight.core.masked_branch import masked_branch
+from loomlight.core.backend import ArrayTypes, array_types, clip, masked_branch, maximum, minimum
 from loomlight.yarn.flanks import SurfacePoint
 from loomlight.yarn.geometry import CellBounds, Probe
 

@@ -1,4 +1,4 @@
-/** Gains by which light of a colour temperature becomes white; see `core/white_balance.py`. */
+/** Gains by which light of a colour temperature becomes white; see `core/colour.py`. */
 import { xyzToLinear, type Rgb } from "./colour.ts";
 
 /** Light of this temperature is white as it is, kelvin. */

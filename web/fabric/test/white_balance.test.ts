@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 
 import { whiteBalance } from "../src/index.ts";
 
-/** As `loomlight.core.white_balance.white_balance` has them. */
+/** As `loomlight.core.colour.white_balance` has them. */
 const OF_PYTHON = [
   [2000, [0.08257, 0.32232, 10.41446]],
   [3200, [0.50802, 0.98315, 2.61564]],

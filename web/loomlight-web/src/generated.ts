@@ -395,6 +395,9 @@ export const SHARE_THROUGH = [0.27, 0.045] as const;
 export const MEAN_TURNED = [0.297, -0.086, -3.12] as const;
 export const MEAN_THROUGH = [0.579, 0.31, -2.014, 0.786] as const;
 export const TYPICAL_DEPTH = 1.4;
+export const DEEP_MARGIN = [1.15, 0.05] as const;
+export const THIN_MARGIN = [0.6, 1.0] as const;
+export const MARGIN_FADE = 2.0;
 
 // yarn.flanks
 export const FLANK_BESIDE = 0.01;
@@ -688,9 +691,6 @@ export const SHEEN_MAX_SHEAR = -0.25;
 // scattering.albedo
 export const WHITE_SHARE = 0.3;
 export const ALBEDO_TOLERANCE = 1e-05;
-export const DEEP_MARGIN = [1.15, 0.05] as const;
-export const THIN_MARGIN = [0.6, 1.0] as const;
-export const MARGIN_FADE = 2.0;
 
 // realtime.albedo_map
 export const MAX_SIDE = 2048;

@@ -11,9 +11,8 @@ import drjit as dr
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.arrays import Array, Color3, Float, Mask, UInt, Vec2, Vec3
-from loomlight.core.backend import array_types, maximum, minimum
+from loomlight.core.backend import array_types, masked_branch, maximum, minimum
 from loomlight.core.footprint import Footprint
-from loomlight.core.masked_branch import masked_branch
 from loomlight.models.between_yarns import Bounced
 from loomlight.models.lobes.point_sampled import point_sampled, point_sampled_hole, with_search_quality
 from loomlight.models.lobes.prefiltered import PrefilteredLobes, TableLookup, half_vector

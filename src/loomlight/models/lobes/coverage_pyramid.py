@@ -17,9 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import UInt
-from loomlight.core.backend import ArrayTypes
+from loomlight.core.backend import ArrayTypes, InvariantDivider
 from loomlight.core.frozen import FrozenArg, FrozenFunction
-from loomlight.core.invariant_divider import InvariantDivider
 from loomlight.models.lobes.cell_kinds import CELL_COUNT, CrossingKinds, count_by_kinds
 from loomlight.models.lobes.cloth_samples import UploadedCloth
 from loomlight.models.lobes.coverage_lookup import TENT_VARIANCE

@@ -17,9 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, Mask, UInt, Vec3
-from loomlight.core.backend import upload
+from loomlight.core.backend import InvariantDivider, upload
 from loomlight.core.frozen import FrozenArg, FrozenFunction
-from loomlight.core.invariant_divider import InvariantDivider
 from loomlight.models.lobes.cloth_samples import FaceSamples, SurfaceHits, TopDownSamples, UploadedCloth
 from loomlight.models.lobes.hemisphere import NODES, node_directions
 from loomlight.yarn.rays import SearchQuality

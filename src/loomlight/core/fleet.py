@@ -1,24 +1,324 @@
-"""Who works on shards: processes of this machine, jobs of Slurm through submitit, or a backend of joblib."""
+"""A function over items, on processes of this machine, on Slurm, or by joblib's backends.
+
+Every process works through the same shards of one folder (below), whichever is free. A process that is
+killed loses the shard it was at, which another process takes; a later call with the same folder goes on.
+"""
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import threading
 import time
+import traceback
+import uuid
+import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from multiprocessing import connection, get_context, parent_process
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Generic, Protocol, TypeVar
 
-from loomlight.core.errors import InputError, LoomlightError, MissingDependencyError
+from filelock import FileLock, Timeout
+
+from loomlight.core.errors import InputError, LoomlightError, LoomlightWarning, MissingDependencyError
 from loomlight.core.extras import import_extra
+from loomlight.core.files import remove_leftovers, replacing
 from loomlight.core.parallel_map import core_count
+
+_Item = TypeVar("_Item")
+
+
+@dataclass(frozen=True)
+class Work(Generic[_Item]):
+    """The settings that every process gets; they are pickled.
+
+    Attributes:
+        function: from an item to the result; a function of a module, or a `functools.partial` of one.
+        items: with their shards.
+        folder: that they share.
+        run: name of this call.
+    """
+
+    function: Callable[[_Item], bytes]
+    items: Sequence[tuple[Shard, _Item]]
+    folder: Path
+    run: str = field(default_factory=lambda: uuid.uuid4().hex)
+
+    def shared(self) -> ShardFolder:
+        """The folder of shards."""
+        return ShardFolder(self.folder, self.run)
+
+    def remaining(self) -> int:
+        """Number of shards without an outcome."""
+        folder = self.shared()
+        return sum(folder.outcome(shard) is None for shard, _ in self.items)
+
+    def work_through(self, first: int, most: int | None, told: Callable[[], None]) -> None:
+        """Works on shards that nobody has, from number `first` on, until all are complete.
+
+        Args:
+            most: shards to work on at most.
+            told: called after each.
+        """
+        folder, count = self.shared(), len(self.items)
+        done = 0
+        # Then again, waiting for those that others had: their processes may have been killed.
+        for wait in (False, True):
+            for number in range(count):
+                if most is not None and done >= most:
+                    return
+                shard, item = self.items[(first + number) % count]
+                if folder.outcome(shard) is not None:
+                    continue
+                with folder.claimed(shard, wait=wait) as is_mine:
+                    if is_mine and folder.outcome(shard) is None:
+                        folder.store(shard, attempt(self.function, item))
+                        done += 1
+                        told()
+
+
+def work_map(
+    function: Callable[[_Item], bytes],
+    items: Sequence[tuple[Shard, _Item]],
+    folder: Path,
+    executor: Executor | None = None,
+    report: Report = lambda done, total: None,
+) -> list[Outcome]:
+    """The outcomes of all items, in their order; those that the folder holds already are read.
+
+    Args:
+        function: see `Work`; an InputError of it is the outcome's `fault`.
+        folder: for claims and results, which no other function may share; made if need be, and kept.
+        executor: who works; by default this process alone.
+        report: called with (shards complete, shards in all).
+
+    Raises:
+        LoomlightError: processes ended before all was done; what is done stays.
+        RuntimeError: the function raised an error that is no LoomlightError.
+    """
+    work = Work(function, items, folder)
+    shared, total = work.shared(), len(items)
+    missing = work.remaining()
+    if missing:
+        report(total - missing, total)
+        try:
+            (executor or Executor()).run(work, report)
+        finally:
+            remove_leftovers(folder)
+        missing = work.remaining()
+    if missing:
+        raise LoomlightError(
+            f"{missing} of {total} shards are missing, as their processes ended; {folder} keeps the others: "
+            "the same command goes on from there."
+        )
+    for shard, _ in items:
+        shared.remove_lock(shard)
+    outcomes = [shared.outcome(shard) or Outcome() for shard, _ in items]
+    for outcome in outcomes:
+        if outcome.defect is not None:
+            raise RuntimeError(f"in another process:\n{outcome.defect}")
+        for sentence in outcome.warnings:
+            warnings.warn(sentence, LoomlightWarning, stacklevel=2)
+    report(total, total)
+    return outcomes
+
+
+def attempt(function: Callable[[_Item], bytes], item: _Item) -> Outcome:
+    """The outcome of an item: its result, or its fault."""
+    content, fault, defect = b"", None, None
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", LoomlightWarning)
+        try:
+            content = function(item)
+        except InputError as error:
+            fault = str(error)
+        except LoomlightError:
+            raise
+        except Exception:
+            defect = traceback.format_exc()
+    sentences = [str(each.message) for each in caught if issubclass(each.category, LoomlightWarning)]
+    return Outcome(content, fault, defect, tuple(dict.fromkeys(sentences)))
+
+
+def require_results(outcomes: Mapping[str, Outcome]) -> None:
+    """Raises InputError if an item could not be used; the sentence has its fault.
+
+    Args:
+        outcomes: by the items' names.
+    """
+    faults = [outcome.fault for outcome in outcomes.values() if outcome.fault is not None]
+    if len(faults) == 1 or len(outcomes) == 1:
+        for fault in faults:
+            raise InputError(fault)
+    if faults:
+        raise InputError(f"{len(faults)} of {len(outcomes)} cannot be used; the first: {faults[0]}")
+
+
+# ----------------------------------------------------------------------------------------------------- shards
+# Shards of work that any number of processes share through a folder:
+#
+#     KEY.lock     locked by the process that works on the shard
+#     KEY.claim    says which process that is, and how many died of the shard before
+#     KEY.done     the outcome, written under a temporary name and renamed: there, the shard is complete
+#
+# The kernel releases a lock when its process ends, however it ends, on other machines too if the file
+# system has locks (NFS has). So a claim without a lock is a dead process's, whatever the time, and is taken
+# over.
+
+
+# Processes that a shard may end in one run, such as for want of memory, before it is given up.
+_MAX_DEATHS = 2
+_KEY = re.compile(r"[\w.+-]{1,200}")
+
+
+@dataclass(frozen=True)
+class Shard:
+    """A piece of work.
+
+    Attributes:
+        key: its name, part of file names.
+        identity: of everything that the outcome depends on: an outcome of another identity is none.
+    """
+
+    key: str
+    identity: str
+
+    def __post_init__(self) -> None:
+        if not _KEY.fullmatch(self.key):
+            raise ValueError(f"{self.key!r} is no name of a file")
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The end of a shard.
+
+    Attributes:
+        content: the result.
+        fault: what is wrong with the input, one sentence, where there is no result.
+        defect: the traceback of an error that is this program's.
+        warnings: sentences.
+    """
+
+    content: bytes = b""
+    fault: str | None = None
+    defect: str | None = None
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def succeeded(self) -> bool:
+        """Whether there is a result."""
+        return self.fault is None and self.defect is None
+
+
+class ShardFolder:
+    """The folder that processes share.
+
+    Attributes:
+        path: made if need be.
+        run: name of one call, from whichever machines: failures of other runs are tried again.
+    """
+
+    def __init__(self, path: Path, run: str) -> None:
+        """
+        Raises:
+            InputError: the folder cannot be made.
+        """
+        self.path, self.run = path, run
+        try:
+            path.mkdir(exist_ok=True)
+        except OSError as error:
+            raise InputError(f"{path} cannot be made: {error.strerror}.") from error
+
+    def outcome(self, shard: Shard) -> Outcome | None:
+        """The outcome of a shard that is complete, or has failed in this run; else None."""
+        try:
+            head, _, content = self._marker(shard).read_bytes().partition(b"\n")
+            facts: dict[str, Any] = json.loads(head)
+            if facts.pop("identity") != shard.identity:
+                return None
+            run = facts.pop("run")
+            outcome = Outcome(content, **facts | {"warnings": tuple(facts["warnings"])})
+        except (FileNotFoundError, ValueError, KeyError, TypeError):
+            return None
+        return outcome if outcome.succeeded or run == self.run else None
+
+    def store(self, shard: Shard, outcome: Outcome) -> None:
+        """Marks a shard as complete, or as failed in this run.
+
+        Raises:
+            InputError: the disk is full.
+        """
+        facts = asdict(outcome) | {"identity": shard.identity, "run": self.run}
+        del facts["content"]
+        with replacing(self._marker(shard)) as temporary:
+            temporary.write_bytes(json.dumps(facts).encode() + b"\n" + outcome.content)
+
+    def forget(self, shard: Shard) -> None:
+        """Removes the outcome: the shard will be worked on again."""
+        self._marker(shard).unlink(missing_ok=True)
+
+    @contextmanager
+    def claimed(self, shard: Shard, *, wait: bool) -> Iterator[bool]:
+        """Claims a shard for the block; False if another process has it.
+
+        Args:
+            wait: until that process is done with it, or has ended.
+
+        Raises:
+            InputError: the file system has no locks.
+        """
+        lock = FileLock(self._lock(shard))
+        try:
+            lock.acquire(blocking=wait)
+        except Timeout:
+            yield False
+            return
+        except (OSError, NotImplementedError) as error:
+            raise InputError(f"{self.path} is on a file system without locks: {error}.") from error
+        claim = self.path / f"{shard.key}.claim"
+        try:
+            deaths = self._deaths(claim)
+            owner = {"run": self.run, "deaths": deaths, "host": socket.gethostname(), "process": os.getpid()}
+            claim.write_text(json.dumps(owner), encoding="utf-8")
+            if deaths >= _MAX_DEATHS and self.outcome(shard) is None:
+                sentence = f"its process ended {deaths} times without an error: is there too little memory?"
+                self.store(shard, Outcome(fault=f"{shard.key}: {sentence}"))
+            yield True
+        finally:
+            claim.unlink(missing_ok=True)
+            lock.release()
+
+    def remove_lock(self, shard: Shard) -> None:
+        """Removes the lock of a shard that is complete: whoever has it open finds the outcome."""
+        with suppress(OSError):  # Windows keeps files that another process has open
+            self._lock(shard).unlink(missing_ok=True)
+
+    def _deaths(self, claim: Path) -> int:
+        """How many processes of this run died of a shard: each left its claim."""
+        try:
+            before = json.loads(claim.read_text(encoding="utf-8"))
+            return int(before["deaths"]) + 1 if before["run"] == self.run else 0
+        except (OSError, ValueError, KeyError, TypeError):
+            return 0
+
+    def _lock(self, shard: Shard) -> Path:
+        return self.path / f"{shard.key}.lock"
+
+    def _marker(self, shard: Shard) -> Path:
+        return self.path / f"{shard.key}.done"
+
+
+# -------------------------------------------------------------------------------------------------- who works
+# Who works on shards: processes of this machine, jobs of Slurm through submitit, or a backend of joblib.
+
 
 KINDS = ("local", "slurm", "joblib")
 # Shards that one process works on before a fresh one takes its place: compiled kernels stay in memory, and
@@ -242,11 +542,8 @@ def _run_jobs(chosen: Executor, work: Shared, report: Report) -> None:
         raise InputError(f"submitit does not take these settings of --slurm: {reason}") from error
     count = len(work.items)
     workers = min(chosen.workers, work.remaining())
-    with executor.batch():
-        jobs = [
-            executor.submit(run_locally, work, 1, first=number * count // workers)
-            for number in range(workers)
-        ]
+    starts = [number * count // workers for number in range(workers)]
+    jobs = executor.map_array(lambda first: run_locally(work, 1, first=first), starts)
     try:
         with _looking(work, report):
             while work.remaining() and _running(jobs, cluster):

@@ -1,6 +1,6 @@
 """A map over shards: nothing is lost and nothing done twice, whoever works and whoever is killed.
 
-Covers: core/executors.py
+Covers: core/fleet.py
 """
 
 from __future__ import annotations
@@ -12,9 +12,7 @@ from pathlib import Path
 import pytest
 
 from loomlight.core.errors import InputError, LoomlightWarning, MissingDependencyError
-from loomlight.core.executors import Executor, parse_executor
-from loomlight.core.shards import Outcome, Shard
-from loomlight.core.work_map import require_results, work_map
+from loomlight.core.fleet import Executor, Outcome, Shard, parse_executor, require_results, work_map
 from tests.core.work_functions import always_dies, dies_at_first, note, refuses
 
 NAMES = ["one", "two", "victim", "four", "five", "six"]
