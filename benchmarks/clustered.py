@@ -36,11 +36,12 @@ from loomlight.assets.loom_file import write_loom
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import declared
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import edited_fabric
 from loomlight.models.interface import Model
-from loomlight.models.registry import make_model, model_class
+from loomlight.models.registry import make_model, model_class, options_of
 from papers.equal_error import least_times
 
 EXAMPLES = REPOSITORY / "examples"
@@ -117,7 +118,7 @@ def storage(
     fabric: Fabric, name: str, options: Mapping[str, int], cases: Cases, truth: Means, repeats: int
 ) -> dict[str, float]:
     """Bytes of a baked model, and the error and the noise of its answers in some cases."""
-    model = make_model(name, fabric, **options)
+    model = make_model(name, fabric, options_of(name, options))
     found = model_means(model, cases, repeats, _SEED)
     noise = repeats * found.variance
     return {
@@ -130,7 +131,7 @@ def storage(
 
 def storage_curve(options: Namespace) -> dict[str, dict[str, dict[str, float]]]:
     """Every fabric by clusters and rank; what a model has no option for, or refuses, is left out."""
-    names = {option.name for option in model_class(options.model).options}
+    names = set(declared(model_class(options.model).options_class))
     grid: list[dict[str, int]] = [{}]
     if {"clusters", "rank"} <= names:
         grid += [

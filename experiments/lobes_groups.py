@@ -26,7 +26,7 @@ from loomlight.evaluation.predictions import model_predictor
 from loomlight.evaluation.query_benchmark import QueryBenchmark, run_query_benchmark
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.lobes.model import LobesModel
+from loomlight.models.lobes.model import LobesModel, LobesOptions
 
 GROUPS = (1, 2, 4, 8, 16, 32)
 
@@ -36,7 +36,7 @@ def tested(groups: list[int], fabrics: int | None) -> tuple[QueryBenchmark, dict
     sizes: dict[int, list[int]] = {count: [] for count in groups}
 
     def made(count: int, fabric: Fabric) -> LobesModel:
-        model = LobesModel.for_source(fabric, count)
+        model = LobesModel.for_source(fabric, LobesOptions(groups=count))
         sizes[count].append(model.tables.nbytes)
         return model
 

@@ -23,6 +23,7 @@ from typing import Any
 
 from benchmarks.harness import Figures, run
 from experiments.held_out import held_out_fabrics
+from loomlight.core.settings import declared
 from loomlight.evaluation.predictions import Predictor, model_predictor
 from loomlight.evaluation.query_benchmark import SEED, run_query_benchmark
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
@@ -47,7 +48,7 @@ def predictors(names: list[str], files: list[Path], quality: str | None = None) 
 
 
 def _is_trained(name: str) -> bool:
-    return any(option.name == "quality" for option in model_class(name).options)
+    return "quality" in declared(model_class(name).options_class)
 
 
 def add_options(parser: ArgumentParser) -> None:

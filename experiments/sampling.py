@@ -41,8 +41,7 @@ from loomlight.assets.sources import kind_of_file
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.models.interface import FootprintBsdf, Model
-from loomlight.models.option_values import parse_options
-from loomlight.models.registry import make_model, model_from_loom
+from loomlight.models.registry import make_model, model_from_loom, parse_options
 
 _LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 _THREADS = 0.05, 5.0
@@ -93,7 +92,7 @@ def measure(options: Namespace) -> Figures:
             model = model_from_loom(source)
         else:
             made_of = load_source(source, kind_of_file(source, "fabric"))
-            model = make_model(options.model, made_of, **parse_options(options.model, options.set))
+            model = make_model(options.model, made_of, parse_options(options.model, options.set))
         row = _row(model, options, skies)
         rows[source.stem] = {name: float(f"{value:.4g}") for name, value in row.items()}
     return {

@@ -40,8 +40,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.truth import reference_model
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
-from loomlight.models.option_values import parse_options
-from loomlight.models.registry import make_model
+from loomlight.models.registry import make_model, parse_options
 
 CASES, SAMPLES, REPEATS, SIGNIFICANCE = 72, 1 << 16, 256, 0.01
 _FABRICS = 24
@@ -171,7 +170,7 @@ def tested(name: str, made: list[tuple[Fabric, Cases, Means]], options: Namespac
     found, truths, refused, names = [], [], [], []
     for number, (fabric, cases, truth) in enumerate(made):
         try:
-            model = make_model(name, fabric, **parse_options(name, filter(None, options.options.split(","))))
+            model = make_model(name, fabric, parse_options(name, filter(None, options.options.split(","))))
         except InputError as fault:
             refused.append(str(fault))
             continue

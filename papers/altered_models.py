@@ -18,7 +18,7 @@ from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
-from loomlight.models.interface import FootprintBsdf, Model, Values
+from loomlight.models.interface import FootprintBsdf, Model, Report, Values
 from loomlight.models.point import PointModel
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
 from loomlight.scattering.point import DirectionSample, YarnScattering, to_face_frame
@@ -37,12 +37,13 @@ class AlteredModel(Model):
 
     def __init__(self, model: Model, at: At) -> None:
         self._model, self._at = model, at
-        for attribute in ("name", "source_kind", "filters", "symbolic", "has_holes", "options"):
+        own = ("name", "source_kind", "filters", "symbolic", "has_holes", "options_class", "options")
+        for attribute in own:
             setattr(self, attribute, getattr(model, attribute))
         self.source = model.source
 
     @classmethod
-    def for_source(cls, source: Source, *values: Any, **options: Any) -> Self:
+    def for_source(cls, source: Source, options: Any = None, report: Report | None = None) -> Self:
         """Not made of sources.
 
         Raises:

@@ -26,7 +26,7 @@ from loomlight.evaluation.pictures import PictureError
 from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric.sentences import closest
 from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.settings import NeumipSettings, settings_of
+from loomlight.models.neumip.settings import NeumipOptions, NeumipSettings
 from loomlight.models.query_parts import draw_directions
 from papers.figure import Evidence, Pixels, error_caption, on_display
 from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
@@ -128,7 +128,7 @@ class EqualCost:
         self._queries_folder = self._folder / "queries"
         self._queries_folder.mkdir(parents=True, exist_ok=True)
         # One ray a query: rays are then queries.
-        recipe = settings_of("preview", budget.resolution, is_fabric=False)
+        recipe = NeumipOptions(resolution=budget.resolution).settings(is_fabric=False)
         self.settings = replace(recipe, queries=budget.rays)
 
     def trained(self, name: str, source: Heightfield) -> Trained:

@@ -29,8 +29,8 @@ from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.neumip.btf import BTFS
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.neumip.settings import NeumipSettings
+from loomlight.models.options import TrainingOptions
 from loomlight.models.registry import model_from_loom
-from loomlight.models.textured_model import require_training
 from papers.kuznetsov2021.designs import DESIGNS, OURS, WITHOUT, Design
 from papers.kuznetsov2021.materials import paper_heightfield
 from papers.setting import Setting
@@ -118,7 +118,7 @@ def stage_settings(setting: Setting, resolution: int | None = None) -> NeumipSet
         InputError: an unknown quality.
     """
     known = {"preview": PREVIEW, "full": FULL, "published": PUBLISHED}
-    require_training(None, setting.steps)
+    TrainingOptions(steps=setting.steps)  # whether there may be so many
     if setting.quality not in known:
         raise InputError(f"--quality {setting.quality} does not exist: {closest(setting.quality, known)}")
     chosen = known[setting.quality]

@@ -29,6 +29,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.models.latent.model import LatentModel
 from loomlight.models.latent.query_stream import draw_lights
+from loomlight.models.latent.settings import LatentOptions
 from loomlight.models.query_parts import draw_directions
 from papers.zeltner2024.analytic_brdfs import write_analytic_library
 
@@ -59,7 +60,7 @@ def _figures(folder: Path, options: Namespace) -> Figures:
 def _of_decoder(library: MerlLibrary, decoder: str, options: Namespace) -> Figures:
     """Figures of a network that is trained for a library."""
     start = time.process_time()
-    model = LatentModel.for_source(library, decoder=decoder, steps=options.steps)
+    model = LatentModel.for_source(library, LatentOptions(decoder=decoder, steps=options.steps))
     spent = time.process_time() - start
     each = [_errors(model, library, number, options.pairs) for number in range(len(library.names))]
     overall = np.array([errors["nmae"] for errors in each])

@@ -26,7 +26,7 @@ from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.mitsuba.scene_props import ground
 from loomlight.models.interface import Model
-from loomlight.models.latent.settings import settings_of
+from loomlight.models.latent.settings import LatentOptions
 from loomlight.models.registry import make_model, model_from_loom
 from papers.composed_scenes import Composition, composed_scene
 from papers.renders import one_picture
@@ -104,7 +104,7 @@ def trained(
     """The model of a material; a training is kept in the setting's folder of runs, and read if it is there.
 
     Args:
-        others: further options of `settings_of`.
+        others: further ones of `LatentOptions`.
 
     Raises:
         InputError: an unknown quality, or a folder that cannot be written to.
@@ -119,7 +119,7 @@ def trained(
     }
     if setting.steps is not None:
         options["steps"] = setting.steps
-    identity = settings_of(**options).identity(source)[:12]
+    identity = LatentOptions(**options).settings().identity(source)[:12]
     file = Path(setting.runs) / "zeltner2024" / f"{source.name}-{decoder}-{rung}-{identity}.loom"
     if file.exists():
         return model_from_loom(file)

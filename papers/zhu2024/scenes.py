@@ -25,7 +25,7 @@ from loomlight.mitsuba.lights import environment_dict, light_dicts
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.scene_props import ball, ground
 from loomlight.mitsuba.scenes import BsdfFactory
-from loomlight.models.clustered.model import ClusteredModel
+from loomlight.models.clustered.model import ClusteredModel, ClusteredOptions
 from papers.composed_scenes import Composition, composed_scene
 from papers.setting import CLUSTERED, POINT, Setting
 from papers.zhu2024 import cloth_pieces
@@ -252,4 +252,4 @@ def table_scene(
 def _independent_points(fabric: Fabric, model: str) -> BsdfFactory:
     if model != CLUSTERED:
         return material_bsdf(fabric, POINT)
-    return material_bsdf(ClusteredModel.for_source(fabric, samples=1).without_control())
+    return material_bsdf(ClusteredModel.for_source(fabric, ClusteredOptions(samples=1)).without_control())

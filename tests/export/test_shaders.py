@@ -26,7 +26,7 @@ from loomlight.export import buffers, export
 from loomlight.export.libraries import LANGUAGES, library
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model
-from loomlight.models.neural.model import NeuralModel
+from loomlight.models.neural.model import NeuralModel, NeuralOptions
 from loomlight.models.registry import make_model
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.layout import numpy_type
@@ -53,7 +53,7 @@ QUICK = slow_among(MODELS, {*MODELS} - {"point"})
 def material_of(model: str) -> Material:
     """What is exported of a model: trained ones have random numbers."""
     if model == "neural":
-        return NeuralModel.for_source(FABRIC, refined=False)
+        return NeuralModel.for_source(FABRIC, NeuralOptions(refined=False))
     if model == "clustered":
         return with_samples(test_clustered.model_of(1), 0)
     if model == "neumip":

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
+from loomlight.core.settings import declared
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.file import FabricFile
 from loomlight.fabric.load import edited_fabric
@@ -63,7 +64,9 @@ def test_every_field_and_option_stands_on_the_page() -> None:
     assert all(_field(name) is not None for name in fields)
     options = {(row["BSDF"].strip("`"), *names_in(row["option"])) for row in rows("BSDF")}
     assert options == {
-        (entry.plugin, option.name) for name, entry in MODELS.items() for option in model_class(name).options
+        (entry.plugin, option)
+        for name, entry in MODELS.items()
+        for option in declared(model_class(name).options_class)
     }
 
 

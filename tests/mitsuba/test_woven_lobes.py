@@ -23,7 +23,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, material_bsdf, render
 from loomlight.models.bake import bake, save
 from loomlight.models.lobes import model as lobes_model
-from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel
+from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel, LobesOptions
 from loomlight.models.registry import make_model
 from tests.marks import slow
 
@@ -74,7 +74,7 @@ def test_values_and_densities_are_those_of_the_model() -> None:
     through = bsdf.eval_null_transmission(si)
     dr.eval(value, pdf, through)
 
-    model = LobesModel.for_source(bsdf.model.fabric, GROUPS)
+    model = LobesModel.for_source(bsdf.model.fabric, LobesOptions(groups=GROUPS))
     light, view = (Array3f(np.ascontiguousarray(part.T)) for part in (lights, views))
     side = Float((4 * sides).astype(np.float32))
     centre = Array2f(np.ascontiguousarray(4 * uv.T, np.float32))

@@ -26,7 +26,7 @@ def test_what_is_saved_is_loaded(tmp_path: Path) -> None:
     loomlight.save(model, tmp_path / "x.loom")
     again = loomlight.load(tmp_path / "x.loom")
     assert isinstance(again, SampledModel)
-    assert again.points == 5
+    assert again.options.points == 5
 
     loomlight.save(again.source, tmp_path / "x.toml")
     fabric = loomlight.load(tmp_path / "x.toml")
@@ -98,7 +98,7 @@ def test_a_material_resolves_once_to_source_and_model(tmp_path: Path) -> None:
 
     model = held.model()
     assert resolve(model).model() is model
-    assert resolve(model, "samples", points=7).model().points == 7  # type: ignore[attr-defined]
+    assert resolve(model, "samples", {"points": 7}).model().options.points == 7  # type: ignore[attr-defined]
     assert resolve("plain").is_bare
     assert not resolve(loomlight.load("plain")).is_bare
     assert isinstance(resolve(loomlight.load("plain")).model(), Model)

@@ -74,7 +74,7 @@ def test_lobes_from_afar_know_no_detail() -> None:
     view, light = (vectors(directions(rng, count)) for _ in range(2))
     detailed = model("lobes")
     assert isinstance(detailed, LobesModel)
-    smooth = LobesModel(fabric_from_text(SMOOTH), detailed.tables, detailed.groups)
+    smooth = LobesModel(fabric_from_text(SMOOTH), detailed.tables, detailed.options)
     values = [chosen.at(view, footprint).value(light).numpy() for chosen in (smooth, detailed)]
     np.testing.assert_allclose(*values, rtol=1e-4, atol=1e-6)
 

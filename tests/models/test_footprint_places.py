@@ -14,7 +14,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.footprint_places import MIN_CELLS, FootprintPlaces, PrimitiveCell
 from loomlight.models.point import PointModel
-from loomlight.models.samples import SampledModel
+from loomlight.models.samples import SampledModel, SamplesOptions
 from tests.marks import slow
 
 require_llvm()
@@ -94,7 +94,10 @@ def z_of(fabric: Fabric, count: int, seed: int) -> NDArray[np.float64]:
         values = value.T.reshape(count, repeats, 3)
         return Means(values.mean(axis=1), values.var(axis=1, ddof=1) / repeats)
 
-    return scores(means(SampledModel(fabric, 16), 256, 0.0), means(PointModel(fabric), 1 << 14, 1.0))
+    return scores(
+        means(SampledModel(fabric, SamplesOptions(points=16)), 256, 0.0),
+        means(PointModel(fabric), 1 << 14, 1.0),
+    )
 
 
 @pytest.mark.parametrize("cloth", ["noisy twill", *(slow(name) for name in CLOTHS if name != "noisy twill")])
@@ -110,7 +113,7 @@ def test_points_over_the_cell_scatter_far_less() -> None:
     edges = 3.5 * np.array([[0.9, 0.4], [-0.3, 1.0]])
     view, light = (np.array(v) / np.linalg.norm(v) for v in ((0.3, 0.2, 1.0), (-0.4, 0.5, 0.9)))
     variances = []
-    for model in (PointModel(satin), SampledModel(satin, 64)):
+    for model in (PointModel(satin), SampledModel(satin, SamplesOptions(points=64))):
         centres = rng.uniform(-9, 9, (count, 2))
         footprint = footprints(centres, np.tile(edges, (count, 1, 1)))
         lanes = [dr.repeat(Array3f(*v.tolist()), count) for v in (view, light)]

@@ -13,7 +13,7 @@ from loomlight.core.errors import InputError, MissingDependencyError
 from loomlight.fabric import fabric_from_text
 from loomlight.models.point import PointModel
 from loomlight.models.registry import is_installed, make_model, model_class, model_from_loom, model_names
-from loomlight.models.samples import SampledModel
+from loomlight.models.samples import SampledModel, SamplesOptions
 from tests.limits import HANG
 
 
@@ -56,12 +56,14 @@ def test_without_llvmlite_all_models_but_networks_are_there(monkeypatch: pytest.
 
 
 def test_settings_come_back(tmp_path: Path) -> None:
-    write_loom(tmp_path / "a.loom", SampledModel(fabric_from_text("plain"), 7).to_loom())
+    write_loom(
+        tmp_path / "a.loom", SampledModel(fabric_from_text("plain"), SamplesOptions(points=7)).to_loom()
+    )
     actual = model_from_loom(tmp_path / "a.loom")
     assert isinstance(actual, SampledModel)
-    assert actual.points == 7
-    with pytest.raises(InputError, match="points = 0 is out of range"):
-        SampledModel(fabric_from_text("plain"), 0)
+    assert actual.options.points == 7
+    with pytest.raises(InputError, match="points = 0 is wrong"):
+        SamplesOptions(points=0)
 
 
 @pytest.mark.parametrize(
@@ -70,7 +72,7 @@ def test_settings_come_back(tmp_path: Path) -> None:
         ("wovne", {}, 'a.loom: its model "wovne" does not exist here'),
         ("samples", {}, "a.loom: the setting points is missing: it should be of type int"),
         ("samples", {"points": "many"}, 'a.loom: the setting points is "many": it should be of type int'),
-        ("samples", {"points": 0}, "a.loom: points = 0 is out of range: use 1 to 65536"),
+        ("samples", {"points": 0}, "a.loom: points = 0 is wrong: give a whole number from 1 to 65536"),
     ],
 )
 def test_files_that_fit_no_model(

@@ -16,7 +16,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model
 from loomlight.models.point import PointModel
-from loomlight.models.samples import SampledModel
+from loomlight.models.samples import SampledModel, SamplesOptions
 from loomlight.models.separable import Components, SeparableBsdf
 
 from .fabrics import Queries, fabric, queries
@@ -53,7 +53,7 @@ def test_one_point_is_the_point_model_with_its_variation() -> None:
 def test_many_points_are_the_reference() -> None:
     cloth = fabric("coloured twill")
     queried = queries(cloth, 40, seed=2)
-    model = SampledModel(cloth, 1024)
+    model = SampledModel(cloth, SamplesOptions(points=1024))
     at = model.at(queried.view, queried.footprint)
     actual = np.concatenate([at.value(queried.light).numpy(), at.hole.numpy()[None]]).T
     exact = reference(model.point_model, queried.footprint, queried.lights, queried.views, 4096, seed=3)
@@ -76,7 +76,10 @@ def test_points_of_nearly_equal_footprints_differ() -> None:
     apart = Queries(light, view, 12 * thread * (at.random((many, 2)) - 0.5), edges * 1e-4)
     values = [
         model.at(asked.view, asked.footprint).value(asked.light).numpy().mean(axis=0)
-        for model, asked in ((SampledModel(cloth, 8), together), (PointModel.for_source(cloth), apart))
+        for model, asked in (
+            (SampledModel(cloth, SamplesOptions(points=8)), together),
+            (PointModel.for_source(cloth), apart),
+        )
     ]
     spread = np.sqrt(sum(np.var(value) / many for value in values))
     assert abs(np.mean(values[0]) - np.mean(values[1])) < 4 * spread

@@ -12,7 +12,7 @@ from loomlight.assets.loom_file import LoomFile
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
-from loomlight.models.interface import FootprintBsdf, Model
+from loomlight.models.interface import FootprintBsdf, Model, Report
 from loomlight.scattering.point import DirectionSample
 
 
@@ -64,7 +64,7 @@ class ToyModel(Model):
         self.source, self.albedo = source, albedo
 
     @classmethod
-    def for_source(cls, source: Any) -> Self:
+    def for_source(cls, source: Any, options: Any = None, report: Report | None = None) -> Self:
         return cls(source, source.albedo)
 
     def to_loom(self) -> LoomFile:
@@ -86,5 +86,5 @@ class ToyOfFabrics(ToyModel):
     name, source_kind = "toy of fabrics", "fabric"
 
     @classmethod
-    def for_source(cls, source: Any) -> Self:
+    def for_source(cls, source: Any, options: Any = None, report: Report | None = None) -> Self:
         return cls(source, 0.5)

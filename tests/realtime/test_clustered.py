@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.clustered.model import ClusteredModel
+from loomlight.models.clustered.model import ClusteredModel, ClusteredOptions
 from loomlight.models.clustered.tables import bake_tables
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.tables import Packed, pack_fabrics
@@ -44,7 +44,7 @@ def model_of(rank: int) -> ClusteredModel:
     appearance = fabric.appearance()
     roughness = appearance.warp.roughness, appearance.weft.roughness
     tables = bake_tables(YarnGeometry(fabric.layout()), roughness, 8, rank, llvm_float(), 32)
-    return ClusteredModel(fabric, tables, 2, 32)
+    return ClusteredModel(fabric, tables, ClusteredOptions(samples=2, texels=32))
 
 
 def packed(model: ClusteredModel) -> Packed:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text, load_fabric
-from loomlight.models.neural.model import NeuralModel
+from loomlight.models.neural.model import NeuralModel, NeuralOptions
 from loomlight.models.neural.weights import shipped_weights
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.tables import pack_fabrics
@@ -37,7 +37,7 @@ OPEN = (
 def neural_of(name: str) -> NeuralModel:
     """Denim with its fitted last layer; open cloth without."""
     if name == "open":
-        return NeuralModel.for_source(fabric_from_text(OPEN), refined=False)
+        return NeuralModel.for_source(fabric_from_text(OPEN), NeuralOptions(refined=False))
     return NeuralModel.for_source(load_fabric(EXAMPLES / f"{name}.toml"))
 
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.neural.model import NeuralModel
+from loomlight.models.neural.model import NeuralModel, NeuralOptions
 from loomlight.models.registry import make_model
 from loomlight.scattering.point import DirectionSample, YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
@@ -157,7 +157,7 @@ def test_lobes_are_drawn_with_their_density() -> None:
 @pytest.mark.slow
 def test_sampling_of_neural() -> None:
     """Hole and albedos are given: parity of the network has tests of its own."""
-    model = NeuralModel.for_source(fabric_from_text(OPEN), refined=False, sampler="lobes")
+    model = NeuralModel.for_source(fabric_from_text(OPEN), NeuralOptions(refined=False, sampler="lobes"))
     rng = np.random.default_rng(4)
     at = places(rng, model.fabric.layout(), COUNT)
     light, view = directions(rng, COUNT), directions(rng, COUNT)

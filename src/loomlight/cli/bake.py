@@ -52,20 +52,19 @@ def bake(
 
     from loomlight.models.bake import bake as run
     from loomlight.models.bake import save
-    from loomlight.models.option_values import parse_options
-    from loomlight.models.registry import model_class
+    from loomlight.models.registry import model_class, parse_options
 
     kind = model_class(model, to_bake=True)
     chosen = parse_options(model, options or [])
     if not kind.trains:
-        save(run(fabric, model, **chosen), output)
+        save(run(fabric, model, options=chosen), output)
     else:
         # Imported for its effect: it answers for sources that have to be rendered to be learned.
         import loomlight.mitsuba  # noqa: F401
 
         note_left("The training is kept: the same command goes on from there.")
         with progress(f"{fabric}, {model}") as report:
-            save(run(fabric, model, report=report, **chosen), output)
+            save(run(fabric, model, options=chosen, report=report), output)
     done(output)
 
 
@@ -75,13 +74,12 @@ def _bake_into_folder(
     if folder.suffix or not folder.parent.is_dir() or (folder.exists() and not folder.is_dir()):
         raise InputError(f"{folder}: several sources are baked into a folder; give the name of one.")
     from loomlight.cli.bake_catalogue import bake_catalogue
-    from loomlight.models.option_values import parse_options
-    from loomlight.models.registry import model_class
+    from loomlight.models.registry import model_class, parse_options
 
     model_class(model, to_bake=True)
     chosen = parse_options(model, options)
     note_left(f"{folder} keeps what is baked: the same command goes on from there.")
     with progress(f"{len(sources)} sources, {model}") as report:
-        paths = bake_catalogue(sources, model, folder, executor=executor, report=report, **chosen)
+        paths = bake_catalogue(sources, model, folder, chosen, executor=executor, report=report)
     for path in paths:
         done(path)

@@ -6,7 +6,6 @@ import re
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 # Imported for its effect, in every process: it answers for sources that have to be rendered to be learned.
 import loomlight.mitsuba  # noqa: F401
@@ -16,6 +15,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.files import remove_leftovers
 from loomlight.core.fleet import Executor, Outcome, Report, Shard, ShardFolder, require_results, work_map
 from loomlight.models.bake import bake, save
+from loomlight.models.options import Options
 from loomlight.models.registry import model_class
 
 # Claims and markers, in the folder of the results.
@@ -47,10 +47,10 @@ def bake_catalogue(
     sources: Sequence[str],
     model: str,
     folder: Path,
+    options: Options | None = None,
     *,
     executor: Executor | None = None,
     report: Report = lambda done, total: None,
-    **options: Any,
 ) -> list[Path]:
     """Writes a `.loom` of each source; returns their paths.
 
@@ -75,11 +75,12 @@ def bake_catalogue(
     work_folder = folder / WORK_FOLDER
     shared = ShardFolder(work_folder, "")
     kind = model_class(model).source_kind
+    chosen = {} if options is None else options.chosen()
     outcomes: dict[str, Outcome] = {}
     items: list[tuple[Shard, tuple[str, str]]] = []
     for source, path in zip(sources, paths, strict=True):
         try:
-            identity = source_identity(load_source(source, kind), {"model": model, **options})
+            identity = source_identity(load_source(source, kind), {"model": model, **chosen})
         except InputError as error:
             outcomes[source] = Outcome(fault=str(error))
             continue
@@ -96,9 +97,9 @@ def bake_catalogue(
     return paths
 
 
-def _bake_one(model: str, options: dict[str, Any], item: tuple[str, str]) -> bytes:
+def _bake_one(model: str, options: Options | None, item: tuple[str, str]) -> bytes:
     source, path = item
-    save(bake(source, model, **options), path)
+    save(bake(source, model, options=options), path)
     return b""
 
 

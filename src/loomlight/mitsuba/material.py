@@ -7,10 +7,16 @@ from typing import Any
 
 from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.models.material_spec import Material, resolve
+from loomlight.models.options import Options
 
 
 def material_bsdf(
-    material: Material, model: str | None = None, *, albedo: dict[str, Any] | None = None, **options: Any
+    material: Material,
+    model: str | None = None,
+    *,
+    albedo: dict[str, Any] | None = None,
+    options: Options | None = None,
+    **values: Any,
 ) -> Callable[[tuple[float, float]], Any]:
     """A function from (mm per unit of u, mm per unit of v) to a Mitsuba BSDF; a variant must be set.
 
@@ -22,12 +28,13 @@ def material_bsdf(
         model: a name of `loomlight.models.registry.model_names`; by default the one that a `.loom` holds,
             else "lobes".
         albedo: the dictionary of a texture that diffuse albedos are multiplied with.
-        options: of the model; see `Model.options`.
+        options: of the model, `Model.options_class`.
+        values: options by name, in their place, such as `groups=8`.
 
     Raises:
         InputError: an unknown model, or a material that cannot be read or that the model does not take.
     """
-    spec = resolve(material, model, **options)
+    spec = resolve(material, model, options or values)
     first = [spec.model()]
 
     def to_scale(uv_size_mm: tuple[float, float]) -> Any:

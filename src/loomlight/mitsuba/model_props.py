@@ -3,7 +3,7 @@
 - ``fabric`` or ``source``: path of what the model is made of, found through Mitsuba's file resolver: for
   models of fabrics a fabric file, a draft or a weave's name; or a ``.loom``, whose model is used as it is if
   it is this one and nothing else is given.
-- the model's options by name (`Model.options`), such as ``groups`` of ``woven_lobes``.
+- the model's options by name (`Model.options_class`), such as ``groups`` of ``woven_lobes``.
 - of models of fabrics every field of the fabric file by its name, those of its tables with the table's name
   in front: ``weave``, ``ends_per_cm``, ``warp_color``, ``weft_roughness``, ``sheen_strength`` … Inline values
   replace those of the file. Colours are "#rrggbb", several with commas between them, or an rgb value.
@@ -14,6 +14,7 @@ A model that is trained takes a ``.loom`` of it alone: a scene is no place to tr
 from __future__ import annotations
 
 import math
+import os
 from pathlib import Path
 from typing import Any
 
@@ -24,11 +25,13 @@ from loomlight.assets.load import load_source
 from loomlight.assets.loom_file import is_loom, read_loom
 from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
+from loomlight.core.settings import Setting, declared
 from loomlight.fabric import Fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.fabric.load import edited_fabric, fabric_from_fields
 from loomlight.fabric.sentences import shown
-from loomlight.models.interface import Model, Option
+from loomlight.models.interface import Model
+from loomlight.models.options import is_source
 from loomlight.models.registry import model_class, model_of_loom, untrained
 
 _TABLES = ("warp", "weft", "sheen", "variation")
@@ -47,9 +50,9 @@ def model_of_props(props: Any, name: str) -> Model:
     """
     kind = model_class(name)
     options = {
-        option.name: _option(props, option, kind.source_kind)
-        for option in kind.options
-        if option.name in props and not option.is_training
+        option: _option(props, declaration, kind.source_kind)
+        for option, declaration in declared(kind.options_class).items()
+        if option in props
     }
     given = [key for key in _SOURCES if key in props]
     if len(given) == 2:
@@ -61,7 +64,7 @@ def model_of_props(props: Any, name: str) -> Model:
         if kind.trains and (loom.model != name or options or inline):
             raise untrained(name, path)
         if loom.model != name or options:
-            return kind.for_source(_edited(loom.source, inline), **options)
+            return kind.for_source(_edited(loom.source, inline), kind.options_class.of(options))
         model = model_of_loom(loom)
         return model.with_source(_edited(loom.source, inline)) if inline else model
     if kind.trains:
@@ -73,7 +76,7 @@ def model_of_props(props: Any, name: str) -> Model:
         source = fabric_from_fields(plain | inline)
     else:
         raise InputError(f"source is missing: give what the model {name} is made of.")
-    return kind.for_source(source, **options)
+    return kind.for_source(source, kind.options_class.of(options))
 
 
 def _edited(source: Source, inline: dict[str, Any]) -> Source:
@@ -112,26 +115,14 @@ def number_of_props(props: Any, name: str, default: float, expected: str, least:
     return float(value)
 
 
-def _option(props: Any, option: Option, source_kind: str) -> Any:
-    """The value of an option that is given.
-
-    Raises:
-        InputError: a value of another type, or out of range.
-    """
+def _option(props: Any, option: Setting, source_kind: str) -> Any:
+    """The value of an option that is given, not checked; Mitsuba's numbers may all be floats."""
     value = props[option.name]
-    wrong = f"{option.name} = {shown(value)} is wrong: give {option.expected}."
-    if option.type is bool:
-        if not isinstance(value, bool):
-            raise InputError(wrong)
-        return value
-    if option.type in (int, float):
-        if not _is_number(value) or not option.low <= value <= option.high or not math.isfinite(value):
-            raise InputError(wrong)
-        if option.type is int and not float(value).is_integer():
-            raise InputError(wrong)
-        return option.type(value)
-    path = _resolved(str(value))
-    return load_source(path, source_kind) if option.type is Source else path
+    if option.kind is int and isinstance(value, float) and value.is_integer():
+        return int(value)
+    if is_source(option):
+        return load_source(_resolved(str(value)), source_kind)
+    return _resolved(str(value)) if option.kind is os.PathLike else value
 
 
 def _is_number(value: Any) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -18,9 +17,10 @@ from loomlight.core.images import write_image
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import FABRIC_SUFFIX
-from loomlight.models.interface import Model
+from loomlight.models.interface import Model, Report
 from loomlight.models.material_spec import Material, resolve
-from loomlight.models.registry import DEFAULT_MODEL, model_class, model_from_loom
+from loomlight.models.options import Options
+from loomlight.models.registry import DEFAULT_MODEL, model_class, model_from_loom, options_of
 from loomlight.weave.draft import Draft
 from loomlight.weave.wif_writer import write_wif
 
@@ -31,8 +31,9 @@ def bake(
     material: Material,
     model: str = DEFAULT_MODEL,
     *,
-    report: Callable[[int, int], None] | None = None,
-    **options: Any,
+    options: Options | None = None,
+    report: Report | None = None,
+    **values: Any,
 ) -> Model:
     """The model of a fabric or another source; `save` writes it into a `.loom` file.
 
@@ -40,17 +41,17 @@ def bake(
         material: a fabric or another source; or the path of one, a `.loom` whose source it is, or a weave's
             name.
         model: "lobes", "point", "neural", …: see `loomlight.models.registry.model_names`.
+        options: of the model, `Model.options_class`; by default its own defaults.
         report: called with (steps done, steps in all) by models that are trained.
-        options: of the model; see `Model.options`.
+        values: options by name, in their place, such as `groups=8`.
 
     Raises:
         InputError: no such model or option, or a source that cannot be read or that the model does not take.
         MissingDependencyError: LLVM is missing.
     """
-    spec = resolve(material, model, **options)
+    spec = resolve(material, model, options_of(model, options or values))
     require_llvm()
-    training = {"report": report} if model_class(model).trains else {}
-    return model_class(model).for_source(spec.source, **options, **training)
+    return model_class(model).for_source(spec.source, spec.options, report)
 
 
 def load(path: str | os.PathLike[str]) -> Model | Source:

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
@@ -31,8 +31,11 @@ from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
+from loomlight.models.options import Options
 from loomlight.scattering.point import DirectionSample
 
+# Takes (steps done, steps in all).
+Report = Callable[[int, int], None]
 # What names a parameter of a scene and holds its value: a Dr.Jit array, changed in place by edits.
 Values = Mapping[str, "Parameter"]
 
@@ -53,26 +56,6 @@ class Parameter:
     low: float = -math.inf
     high: float = math.inf
     unit: str = ""
-
-
-@dataclass(frozen=True)
-class Option:
-    """A choice that is made when a model is baked, beside its source.
-
-    Attributes:
-        name: as plugins and files call it.
-        type: bool, int, float, str (a path), or Source (the path of a second source).
-        expected: what is right, the end of a sentence: "a whole number from 1 to 64".
-        low, high: bounds of a number, both allowed.
-        is_training: it says how the model is trained: no parameter of plugins.
-    """
-
-    name: str
-    type: type
-    expected: str
-    low: float = -math.inf
-    high: float = math.inf
-    is_training: bool = False
 
 
 class FootprintBsdf(ABC):
@@ -154,10 +137,10 @@ class Model(ABC):
         estimates: whether answers are unbiased Monte Carlo estimates, which may be negative, shares above 1.
         symbolic: whether Dr.Jit may trace it in symbolic calls; networks are many times slower there.
         has_holes: whether light passes straight through some of its sources.
-        trains: whether baking it takes minutes; `for_source` then takes `report`, called with (done, in
-            all).
-        options: what may be chosen beside the source.
+        trains: whether baking it takes minutes, of which `for_source` then reports.
+        options_class: the class of `options`.
         source: what it is a model of.
+        options: what was chosen beside the source.
     """
 
     name: ClassVar[str]
@@ -168,13 +151,18 @@ class Model(ABC):
     symbolic: ClassVar[bool] = True
     has_holes: ClassVar[bool] = False
     trains: ClassVar[bool] = False
-    options: ClassVar[tuple[Option, ...]] = ()
+    options_class: ClassVar[type[Options]] = Options
     source: Source
+    options: Any = Options()
 
     @classmethod
     @abstractmethod
-    def for_source(cls, source: Source, *values: Any, **options: Any) -> Self:
-        """The model baked for a source, with its usual settings where `options` leave them open.
+    def for_source(cls, source: Source, options: Any = None, report: Report | None = None) -> Self:
+        """The model baked for a source.
+
+        Args:
+            options: of `options_class`; None for the defaults.
+            report: told of the progress of models that are trained; others ignore it.
 
         Raises:
             InputError: a source or an option that this model cannot handle; the message says why.
@@ -214,7 +202,7 @@ class Model(ABC):
         Raises:
             InputError: a source that this model cannot handle.
         """
-        return type(self).for_source(source)
+        return type(self).for_source(source, self.options)
 
     def on_cloth(self, footprint: Footprint) -> Footprint:
         """The footprint of the source that one of the cloth shows: the same, but for uneven threads."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -15,12 +15,13 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import FABRIC_SUFFIX, edited_fabric
 from loomlight.models.interface import Model
-from loomlight.models.option_values import require_values
+from loomlight.models.options import Options
 from loomlight.models.registry import (
     DEFAULT_MODEL,
     make_model,
     model_class,
     model_of_loom,
+    options_of,
     require_model_name,
     untrained,
 )
@@ -33,7 +34,7 @@ class MaterialSpec:
     Attributes:
         source: a fabric or another source.
         model_name: the name of the model.
-        options: of the model; see `Model.options`.
+        options: of the model; None for the defaults.
         held: the model itself where nothing is to be baked: one that is made already, or a `.loom`.
         is_bare: a weave's name or a draft alone, which says nothing of yarns.
         replaces: the model that a `.loom` holds, where another one is meant; else empty.
@@ -41,7 +42,7 @@ class MaterialSpec:
 
     source: Source
     model_name: str
-    options: Mapping[str, Any] = field(default_factory=dict)
+    options: Options | None = None
     held: Model | LoomFile | None = None
     is_bare: bool = False
     replaces: str = ""
@@ -56,7 +57,7 @@ class MaterialSpec:
         if isinstance(self.held, LoomFile):
             return model_of_loom(self.held)
         self.require_trained()
-        return self.held or make_model(self.model_name, self.source, **self.options)
+        return self.held or make_model(self.model_name, self.source, self.options)
 
     def require_trained(self) -> None:
         """Raises InputError if the model would have to be trained, for minutes that nobody has asked for."""
@@ -87,7 +88,9 @@ class MaterialSpec:
 Material = MaterialSpec | Model | Source | str | os.PathLike[str]
 
 
-def resolve(material: Material, model_name: str | None = None, **options: Any) -> MaterialSpec:
+def resolve(
+    material: Material, model_name: str | None = None, options: Options | Mapping[str, Any] | None = None
+) -> MaterialSpec:
     """The source and the model that a user means.
 
     Args:
@@ -95,7 +98,7 @@ def resolve(material: Material, model_name: str | None = None, **options: Any) -
             else the model's sources are read from, or a weave's name.
         model_name: by default the one that a model or a `.loom` is, else `DEFAULT_MODEL`. Another than that
             is baked from their source.
-        options: of the model; with any, it is baked even where a `.loom` holds it.
+        options: of the model, by name or made already; with any, it is baked even where a `.loom` holds it.
 
     Raises:
         InputError: no such model or option, or a material that cannot be read.
@@ -121,7 +124,8 @@ def resolve(material: Material, model_name: str | None = None, **options: Any) -
     return replace(_spec(source, model_name, options), is_bare=is_bare)
 
 
-def _spec(source: Source, model_name: str | None, options: Mapping[str, Any]) -> MaterialSpec:
+def _spec(
+    source: Source, model_name: str | None, options: Options | Mapping[str, Any] | None
+) -> MaterialSpec:
     name = model_name or DEFAULT_MODEL
-    require_values(name, options)
-    return MaterialSpec(source, name, options)
+    return MaterialSpec(source, name, options_of(name, options))

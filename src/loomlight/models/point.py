@@ -26,7 +26,8 @@ from loomlight.models.fabric_model import (
     parameter_of,
     recolour,
 )
-from loomlight.models.interface import Values
+from loomlight.models.interface import Report, Values
+from loomlight.models.options import Options
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf
 from loomlight.scattering.point import Albedos, DirectionSample, YarnPoint, YarnScattering, to_face_frame
 from loomlight.yarn.geometry import DetachedSurface, YarnGeometry
@@ -138,12 +139,13 @@ class PointModel(FabricModel):
         self.point_model = YarnScattering(DetachedSurface(self._geometry), fabric.appearance())
 
     @classmethod
-    def for_source(cls, source: Source) -> Self:
+    def for_source(cls, source: Source, options: Options | None = None, report: Report | None = None) -> Self:
         """The model of a fabric; nothing is baked.
 
         Raises:
             InputError: no fabric.
         """
+        del options, report
         return cls(fabric_source(source, cls.name))
 
     def to_loom(self) -> LoomFile:

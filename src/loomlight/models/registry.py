@@ -7,18 +7,22 @@ Mitsuba and a row of the query benchmark; it must pass tests/models/test_contrac
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
 
+from loomlight.assets.load import load_source
 from loomlight.assets.loom_file import FIRST_USABLE_SCHEMA, LoomFile, read_loom
 from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
+from loomlight.core.sentences import closest, shown
+from loomlight.core.settings import declared, require_names
 from loomlight.fabric.reading import speaking_of
-from loomlight.fabric.sentences import closest, shown
 from loomlight.models.interface import Model
+from loomlight.models.options import Options, is_source
 
 
 @dataclass(frozen=True)
@@ -132,16 +136,50 @@ def model_class(name: str, to_bake: bool = False) -> type[Model]:
     return found
 
 
-def make_model(name: str, source: Source, **options: Any) -> Model:
+def options_of(name: str, given: Options | Mapping[str, Any] | None = None) -> Options:
+    """The options of the model `name`, of values by name or made already; without any, the defaults.
+
+    Raises:
+        InputError: no such model, or an option or value that it does not have; the message names it.
+    """
+    kind = model_class(name).options_class
+    if not isinstance(given, Options):
+        return kind.of(given or {})
+    if not isinstance(given, kind):
+        raise InputError(f"{type(given).__name__} is no choice of the model {name}: give {kind.__name__}.")
+    return given
+
+
+def parse_options(name: str, texts: Iterable[str]) -> Options:
+    """The options of the model `name`, of texts "option=value".
+
+    Raises:
+        InputError: no such model or option, or a value that the option does not take.
+    """
+    model = model_class(name)
+    kind = model.options_class
+    values: dict[str, Any] = {}
+    for text in texts:
+        option, equals, value = text.partition("=")
+        if not equals:
+            raise InputError(f'{shown(text)} is no option: write its name, "=" and its value.')
+        require_names(kind, [option])
+        found = declared(kind)[option]
+        values[option] = load_source(value, model.source_kind) if is_source(found) else found.value_of(value)
+    return kind.of(values)
+
+
+def make_model(name: str, source: Source, options: Options | None = None, **values: Any) -> Model:
     """The model `name`, baked for a source.
 
     Args:
-        options: see the model's `options`.
+        options: by default those of the model.
+        values: options by name, in their place.
 
     Raises:
         InputError: there is none of that name, or it cannot handle this source or option.
     """
-    return model_class(name, to_bake=True).for_source(source, **options)
+    return model_class(name, to_bake=True).for_source(source, options_of(name, options or values))
 
 
 def untrained(name: str, source: str = "SOURCE") -> InputError:

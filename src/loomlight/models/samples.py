@@ -7,8 +7,9 @@ shadows are searched. A direction is drawn at one of the points; its density is 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Self, final
+from typing import Any, ClassVar, Self, final
 
 import drjit as dr
 
@@ -16,12 +17,13 @@ from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
-from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
+from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FabricModel, fabric_in_loom, fabric_source
 from loomlight.models.footprint_places import FootprintPlaces, PrimitiveCell
-from loomlight.models.interface import FootprintBsdf, Option
+from loomlight.models.interface import FootprintBsdf, Report
+from loomlight.models.options import Options
 from loomlight.models.random_numbers import hashed
 from loomlight.scattering.point import DirectionSample, YarnPoint, YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
@@ -37,7 +39,7 @@ class SamplesBsdf(FootprintBsdf):
 
     def __init__(self, model: SampledModel, view: Vec3, footprint: Footprint, tint: Color3 | None) -> None:
         super().__init__(view, footprint)
-        self._model, self._points, self._tint = model.point_model, model.points, tint
+        self._model, self._points, self._tint = model.point_model, model.options.points, tint
         # One pattern for all footprints may fall in step with the weave: a mean over pixels would be wrong.
         seed = hashed(view, footprint, self._model.surface.size)
         self._places = FootprintPlaces(model.cell, footprint, seed)
@@ -115,6 +117,15 @@ class SamplesBsdf(FootprintBsdf):
         return list(dr.while_loop(start, lambda number, _: number < self._points, add)[1])
 
 
+@dataclass(frozen=True, kw_only=True)
+class SamplesOptions(Options):
+    """Options of `samples`."""
+
+    title: ClassVar[str] = "option of samples"
+
+    points: int = setting(DEFAULT_POINTS, "Points of each footprint.", low=1, high=MAX_POINTS, stored=True)
+
+
 @final
 class SampledModel(FabricModel):
     """So many points of each footprint, spread evenly over the primitive cell of its pattern."""
@@ -124,25 +135,27 @@ class SampledModel(FabricModel):
     conserves_energy = True
     # Weights may add up to a little more than 1.
     estimates = True
-    options = (Option("points", int, f"a whole number from 1 to {MAX_POINTS}", 1, MAX_POINTS),)
+    options_class = SamplesOptions
+    options: SamplesOptions
 
-    def __init__(self, fabric: Fabric, points: int = DEFAULT_POINTS) -> None:
-        """A model of `points` points; raises InputError unless 1 to 65536."""
+    def __init__(self, fabric: Fabric, options: SamplesOptions | None = None) -> None:
+        """A model of so many points."""
         super().__init__(fabric)
-        if not 1 <= points <= MAX_POINTS:
-            raise InputError(f"points = {points} is out of range: use 1 to {MAX_POINTS}.")
-        self.points = points
+        self.options = options or SamplesOptions()
         self.point_model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
         self.cell = PrimitiveCell(fabric.layout())
 
     @classmethod
-    def for_source(cls, source: Source, points: int = DEFAULT_POINTS) -> Self:
-        """The model of a fabric with so many points; raises InputError for what is none, or other points."""
-        return cls(fabric_source(source, cls.name), points)
+    def for_source(
+        cls, source: Source, options: SamplesOptions | None = None, report: Report | None = None
+    ) -> Self:
+        """The model of a fabric; raises InputError for what is none."""
+        del report
+        return cls(fabric_source(source, cls.name), options)
 
     def to_loom(self) -> LoomFile:
         """The fabric and the number of points."""
-        return LoomFile(model=self.name, source=self.fabric, settings={"points": self.points})
+        return LoomFile(model=self.name, source=self.fabric, settings=self.options.stored())
 
     @classmethod
     def from_loom(cls, loom: LoomFile) -> Self:
@@ -151,11 +164,7 @@ class SampledModel(FabricModel):
         Raises:
             InputError: another model's file, or a number of points that cannot be.
         """
-        return cls(fabric_in_loom(loom, cls.name), loom.setting("points", int))
-
-    def with_source(self, source: Source) -> Self:
-        """The model of another fabric with as many points."""
-        return type(self).for_source(source, self.points)
+        return cls(fabric_in_loom(loom, cls.name), SamplesOptions.of_loom(loom))
 
     def at(
         self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True

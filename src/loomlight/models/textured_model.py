@@ -26,23 +26,13 @@ from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.files import cache_folder
 from loomlight.core.footprint import Footprint
-from loomlight.models.interface import FootprintBsdf, Model, Option
+from loomlight.models.interface import FootprintBsdf, Model, Report
 from loomlight.models.mip_pyramid import PyramidShape
+from loomlight.models.options import TrainingOptions
 from loomlight.models.registry import untrained
 from loomlight.models.relu_network import Layers
 from loomlight.scattering.point import to_face_frame
 
-# Texels a side of textures; a power of two between these.
-MIN_RESOLUTION, MAX_RESOLUTION = 8, 1024
-DEVICES = ("cpu", "cuda")
-# What all of their trainings can be told.
-TRAINING_OPTIONS = (
-    Option("seed", int, "a whole number from 0", low=0, high=2**32 - 1, is_training=True),
-    Option("steps", int, "a whole number from 1", low=1, high=10**7, is_training=True),
-    # Where queries and checkpoints stay; by default they are removed at the end.
-    Option("folder", str, "the path of a folder", is_training=True),
-    Option("device", str, "cpu or cuda", is_training=True),
-)
 # Texels a side that a file may have.
 _MAX_TEXELS = 4096
 # Smallest side of a footprint in texels: log2(0) has no value.
@@ -164,33 +154,28 @@ def run_training(
     model: str,
     source: Source,
     settings: Any,
-    folder: str | os.PathLike[str] | None,
-    report: Callable[[int, int], None] | None,
-    device: str,
-    **options: str,
+    options: TrainingOptions,
+    report: Report | None,
 ) -> Any:
     """The weights that `train` of a model's folder `training` gives; one that was stopped goes on.
 
     Args:
         settings: with the method `identity`; see `NeumipSettings`.
-        folder: of queries and checkpoints; None keeps them in the cache until the end.
-        options: further arguments of the training.
+        options: without a folder, queries and checkpoints stay in the cache until the end.
 
     Raises:
-        InputError: a source of which no queries can be taken, or an unknown device.
+        InputError: a source of which no queries can be taken.
         MissingDependencyError: PyTorch is missing.
     """
-    if device not in DEVICES:
-        raise InputError(f'device = "{device}" is wrong: give {" or ".join(DEVICES)}.')
     # On shared cores threads that spin while they wait make small batches many times slower.
     os.environ.setdefault("OMP_WAIT_POLICY", "passive")
     import_extra("torch", "train", f"Training {model}")
     # By name: only trainings need torch.
     train = getattr(import_module(f"loomlight.models.{model}.training.train"), f"train_{model}")
-    if folder is not None:
-        return train(source, settings, Path(folder), report, device, **options)
+    if options.folder is not None:
+        return train(source, settings, Path(options.folder), report, options.device)
     place = cache_folder(model) / settings.identity(source)[:16]
-    weights = train(source, settings, place, report, device, **options)
+    weights = train(source, settings, place, report, options.device)
     # A temporary folder copes at its end with files of other processes.
     with TemporaryDirectory(dir=place.parent) as temporary:
         place.rename(Path(temporary) / place.name)
@@ -204,19 +189,6 @@ def training_identity(source: Source, version: int, settings: Mapping[str, objec
     for name in sorted(tensors):
         digest.update(name.encode() + np.ascontiguousarray(tensors[name]).tobytes())
     return digest.hexdigest()
-
-
-def require_training(resolution: int | None, steps: int | None) -> None:
-    """Raises InputError unless a training may have so many texels a side and steps; None leaves them open."""
-    if resolution is not None and not (
-        MIN_RESOLUTION <= resolution <= MAX_RESOLUTION and resolution & (resolution - 1) == 0
-    ):
-        raise InputError(
-            f"resolution = {resolution} is wrong: give a power of two from {MIN_RESOLUTION} to "
-            f"{MAX_RESOLUTION}."
-        )
-    if steps is not None and steps < 1:
-        raise InputError(f"steps = {steps} is wrong: give a whole number from 1.")
 
 
 def tensors_of_layers(networks: Mapping[str, Layers]) -> dict[str, NDArray[np.float32]]:

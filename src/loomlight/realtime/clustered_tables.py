@@ -39,7 +39,7 @@ def pack_clustered(
         "rows": rows,
         "texel_width": width / columns,
         "texel_height": height / rows,
-        "samples": model.samples,
+        "samples": model.options.samples,
         "sums": words.add(np.stack(sums).view(np.uint32)),
         "labels": words.add(packed_bytes(baked.labels)),
         "coefficients": words.add(packed_bytes(baked.coefficients)),

@@ -19,7 +19,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.latent.model import LatentModel
-from loomlight.models.latent.settings import QUALITIES, settings_of
+from loomlight.models.latent.settings import QUALITIES, LatentOptions
 from loomlight.models.registry import make_model, model_from_loom
 
 require_llvm()
@@ -59,7 +59,17 @@ def test_levels_are_chosen_in_proportion_to_their_distance() -> None:
 
 
 def test_options() -> None:
-    assert settings_of("full", 32, "3x64", "encoder", "cube-root", 3, 90, features="none") == replace(
+    chosen = LatentOptions(
+        quality="full",
+        resolution=32,
+        decoder="3x64",
+        rung="encoder",
+        loss="cube-root",
+        seed=3,
+        steps=90,
+        features="none",
+    )
+    assert chosen.settings() == replace(
         QUALITIES["full"],
         resolution=32,
         decoder="3x64",

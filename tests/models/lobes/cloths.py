@@ -21,7 +21,7 @@ from loomlight.fabric.file import FabricFile
 from loomlight.models.lobes.cloth_samples import top_down_samples, upload_cloth
 from loomlight.models.lobes.coverage_pyramid import CoveragePyramid, build_pyramid, count_cells
 from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups
-from loomlight.models.lobes.model import LobesModel
+from loomlight.models.lobes.model import LobesModel, LobesOptions
 from loomlight.models.lobes.visibility_rays import launch_views, view_samples
 from loomlight.models.separable import Components
 from loomlight.weave.draft import Draft, Threads
@@ -117,7 +117,7 @@ def random_cloth(ends: int, picks: int, uneven: bool = False) -> Fabric:
 @cache
 def model_of(name: str, groups: int = 8) -> LobesModel:
     """Its model."""
-    return LobesModel.for_source(cloth(name), groups)
+    return LobesModel.for_source(cloth(name), LobesOptions(groups=groups))
 
 
 def geometry_of(name: str) -> YarnGeometry:

@@ -7,7 +7,7 @@ import pytest
 
 from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes.coverage_pyramid import spacing_of
-from loomlight.models.lobes.model import LobesModel
+from loomlight.models.lobes.model import LobesModel, LobesOptions
 from loomlight.models.lobes.packed_uint8 import pack_count
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -33,7 +33,9 @@ def test_levels_are_a_pyramid() -> None:
 @pytest.mark.slow
 def test_repeats_of_sixteen_threads_are_small() -> None:
     for groups in (8, 64):
-        assert LobesModel.for_source(random_cloth(16, 16), groups).tables.nbytes < 2_000_000
+        assert (
+            LobesModel.for_source(random_cloth(16, 16), LobesOptions(groups=groups)).tables.nbytes < 2_000_000
+        )
 
 
 @pytest.mark.slow

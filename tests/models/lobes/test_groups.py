@@ -25,7 +25,7 @@ from loomlight.models.lobes.cloth_samples import (
     upload_cloth,
 )
 from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups
-from loomlight.models.lobes.model import LobesModel
+from loomlight.models.lobes.model import LobesModel, LobesOptions
 from loomlight.models.lobes.visibility_rays import launch_views, view_samples
 from loomlight.yarn.flanks import SurfacePoint
 from loomlight.yarn.geometry import YarnGeometry
@@ -162,7 +162,7 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
     fabric = fabric_from_text(
         'weave = "satin 8/3"\n[warp]\ngap = 0.02\n[weft]\ngap = 0.5\ntranslucency = 0.5'
     )
-    whole = LobesModel.for_source(fabric, per_family)
+    whole = LobesModel.for_source(fabric, LobesOptions(groups=per_family))
     queries = random_queries(fabric, whole.tables.base_size, 500, seed=3)
     expected = prefiltered_parts(whole, queries)
 
@@ -185,7 +185,7 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
     assert (groups.centroids[1, per_family:] != [0, 0, 0.5, 0, 1, 0, 0]).any(axis=1).all()
     for part in fields(Groups):
         assert np.isfinite(getattr(groups, part.name)).all(), part.name
-    actual = prefiltered_parts(LobesModel.for_source(fabric, per_family), queries)
+    actual = prefiltered_parts(LobesModel.for_source(fabric, LobesOptions(groups=per_family)), queries)
     for name, values in actual.items():
         assert np.isfinite(values).all(), name
         assert (values >= 0).all(), name

@@ -15,7 +15,7 @@ from loomlight.assets import loom_file
 from loomlight.assets.loom_file import LoomFile, write_loom
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
-from loomlight.models.lobes.model import MAX_GROUPS, LobesModel
+from loomlight.models.lobes.model import MAX_GROUPS, LobesModel, LobesOptions
 from loomlight.models.registry import model_from_loom
 
 from .cloths import TEXTS, cloth, model_of, prefiltered_parts, random_queries
@@ -73,8 +73,8 @@ def test_colours_and_roughness_are_not_baked() -> None:
 
 def test_only_so_many_groups() -> None:
     for groups in (0, MAX_GROUPS + 1):
-        with pytest.raises(InputError, match=f"groups = {groups} is out of range"):
-            LobesModel.for_source(cloth("open plain"), groups)
+        with pytest.raises(InputError, match=f"groups = {groups} is wrong"):
+            LobesModel.for_source(cloth("open plain"), LobesOptions(groups=groups))
 
 
 @pytest.mark.parametrize(

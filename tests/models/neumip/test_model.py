@@ -1,6 +1,6 @@
 """The model of a fabric and its options; everything else is in the contract.
 
-Covers: models/neumip/settings.py, models/option_values.py, models/textured_model.py
+Covers: models/neumip/settings.py, models/options.py, models/textured_model.py
 """
 
 from __future__ import annotations
@@ -20,9 +20,8 @@ from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.settings import QUALITIES, settings_of
-from loomlight.models.option_values import parse_options
-from loomlight.models.registry import make_model, model_from_loom
+from loomlight.models.neumip.settings import QUALITIES, NeumipOptions
+from loomlight.models.registry import make_model, model_from_loom, parse_options
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -57,13 +56,12 @@ def test_holes_and_light_from_behind_are_learned() -> None:
 
 def test_options() -> None:
     actual = parse_options("neumip", ["quality=full", "offset=false", "resolution=32", "seed=3"])
-    assert actual == {"quality": "full", "offset": False, "resolution": 32, "seed": 3}
-    assert settings_of("full", 32, False, 3) == replace(
-        QUALITIES["full"], resolution=32, offset=False, seed=3
-    )
-    assert parse_options("lobes", []) == {}
+    assert actual.chosen() == {"quality": "full", "offset": False, "resolution": 32, "seed": 3}
+    assert isinstance(actual, NeumipOptions)
+    assert actual.settings(is_fabric=True) == replace(QUALITIES["full"], resolution=32, offset=False, seed=3)
+    assert parse_options("lobes", []).chosen() == {}
     # Paths cost more than steps: one ray a query.
-    traced = settings_of("preview", is_fabric=False)
+    traced = NeumipOptions().settings(is_fabric=False)
     assert (traced.max_resolution, traced.samples, traced.batch) == (128, 1, QUALITIES["preview"].batch // 2)
     assert traced.queries == QUALITIES["preview"].queries
 

@@ -21,7 +21,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.learned_proposal import LearnedProposal
-from loomlight.models.neural.model import NeuralModel
+from loomlight.models.neural.model import NeuralModel, NeuralOptions
 from loomlight.models.neural.sampler_network import FURTHER_INPUTS, further_inputs, sampler_layers
 from loomlight.models.neural.weights import shipped_weights
 from loomlight.scattering.lobe_mixture import OUTPUTS, TwoSidedLobes
@@ -152,6 +152,6 @@ def test_values_of_training_are_those_of_the_model() -> None:
 
 def test_a_sampler_is_one_of_two() -> None:
     cloth = fabric_from_text('weave = "plain"')
-    assert NeuralModel.for_source(cloth, refined=False).sampler == "learned"
-    with pytest.raises(InputError, match="learned or lobes"):
-        NeuralModel.for_source(cloth, refined=False, sampler="cosine")
+    assert NeuralModel.for_source(cloth, NeuralOptions(refined=False)).sampler == "learned"
+    with pytest.raises(InputError, match="known are learned, lobes"):
+        NeuralModel.for_source(cloth, NeuralOptions(refined=False, sampler="cosine"))

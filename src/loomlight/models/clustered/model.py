@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from copy import copy
-from typing import Self, final
+from dataclasses import dataclass
+from typing import ClassVar, Self, final
 
 from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
@@ -12,13 +13,15 @@ from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
+from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.base import DeviceTables
 from loomlight.models.clustered.bsdf import ClusteredBsdf
 from loomlight.models.clustered.features import DEFAULT_TEXELS
 from loomlight.models.clustered.tables import ClusterTables, bake_tables, tables_of_loom
 from loomlight.models.fabric_model import FilteredFabricModel, appearance_of, fabric_in_loom, fabric_source
-from loomlight.models.interface import Option, Values
+from loomlight.models.interface import Report, Values
+from loomlight.models.options import Options
 from loomlight.models.random_numbers import hashed
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.point import YarnScattering
@@ -34,6 +37,41 @@ _TABLES_VERSION = 3
 _BAKED = ("height_scale", "inclination", "twist", "roughness")
 
 
+@dataclass(frozen=True, kw_only=True)
+class ClusteredOptions(Options):
+    """Options of `clustered`."""
+
+    title: ClassVar[str] = "option of clustered"
+
+    clusters: int = setting(
+        DEFAULT_CLUSTERS,
+        "Clusters of texels of each face, a multiple of 4.",
+        low=4,
+        high=MAX_CLUSTERS,
+        fits=lambda count: count % 4 == 0,
+        expected=f"a multiple of 4 from 4 to {MAX_CLUSTERS}",
+    )
+    rank: int = setting(
+        DEFAULT_RANK, "Principal components of a cluster's fibre densities.", low=0, high=MAX_RANK
+    )
+    texels: int = setting(
+        DEFAULT_TEXELS,
+        "Texels along the longer side of the repeat; at least 6 across the finest thread are used all the "
+        "same.",
+        low=MIN_TEXELS,
+        high=MAX_TEXELS,
+        stored=True,
+    )
+    samples: int = setting(
+        DEFAULT_SAMPLES,
+        "Texels of a footprint that the residual is estimated from; 0 leaves the base alone, which is biased "
+        "and without noise.",
+        low=0,
+        high=MAX_SAMPLES,
+        stored=True,
+    )
+
+
 @final
 class ClusteredModel(FilteredFabricModel):
     """A base term from summed-area tables, and a residual from `samples` texels of the footprint (zhu2024).
@@ -44,32 +82,21 @@ class ClusteredModel(FilteredFabricModel):
 
     Attributes:
         tables: the baked tables.
-        samples: texels of a footprint that the residual is estimated from; 0 leaves the base alone, which is
-            biased and without noise.
-        texels: along the longer side of the repeat, as asked for.
         controlled: False estimates everything from the texels, as a comparison.
     """
 
     name = "clustered"
     conserves_energy = False
     estimates = True
-    options = (
-        Option("clusters", int, f"a multiple of 4 from 4 to {MAX_CLUSTERS}", 4, MAX_CLUSTERS),
-        Option("rank", int, f"a whole number from 0 to {MAX_RANK}", 0, MAX_RANK),
-        Option("texels", int, f"a whole number from {MIN_TEXELS} to {MAX_TEXELS}", MIN_TEXELS, MAX_TEXELS),
-        Option("samples", int, f"a whole number from 0 to {MAX_SAMPLES}", 0, MAX_SAMPLES),
-    )
+    options_class = ClusteredOptions
+    options: ClusteredOptions
 
     def __init__(
-        self,
-        fabric: Fabric,
-        tables: ClusterTables,
-        samples: int = DEFAULT_SAMPLES,
-        texels: int = DEFAULT_TEXELS,
+        self, fabric: Fabric, tables: ClusterTables, options: ClusteredOptions | None = None
     ) -> None:
         """A model of baked tables; see `for_source` to bake them."""
         super().__init__(fabric)
-        self.tables, self.samples, self.texels = tables, samples, texels
+        self.tables, self.options = tables, options or ClusteredOptions()
         self.controlled = True
         self._geometry = YarnGeometry(fabric.layout())
         self._uploaded: dict[type, DeviceTables] = {}
@@ -80,31 +107,20 @@ class ClusteredModel(FilteredFabricModel):
 
     @classmethod
     def for_source(
-        cls,
-        source: Source,
-        clusters: int = DEFAULT_CLUSTERS,
-        rank: int = DEFAULT_RANK,
-        samples: int = DEFAULT_SAMPLES,
-        texels: int = DEFAULT_TEXELS,
+        cls, source: Source, options: ClusteredOptions | None = None, report: Report | None = None
     ) -> Self:
         """The model of a fabric.
 
-        Args:
-            clusters: of each face, a multiple of 4 up to 64.
-            rank: principal components of the fibre densities of a cluster, 0 to 16.
-            samples: texels of a footprint, 0 to 8.
-            texels: along the longer side of the repeat, 16 to 1024; at least 6 across the finest thread
-                are used all the same.
-
         Raises:
-            InputError: no fabric, one whose repeat is too large, or an option out of range.
+            InputError: no fabric, or one whose repeat is too large.
         """
-        fabric = fabric_source(source, cls.name)
-        _require_options(clusters, rank, samples, texels)
+        del report
+        fabric, chosen = fabric_source(source, cls.name), options or ClusteredOptions()
         appearance = fabric.appearance()
         roughness = appearance.warp.roughness, appearance.weft.roughness
-        tables = bake_tables(YarnGeometry(fabric.layout()), roughness, clusters, rank, llvm_float(), texels)
-        return cls(fabric, tables, samples, texels)
+        geometry = YarnGeometry(fabric.layout())
+        tables = bake_tables(geometry, roughness, chosen.clusters, chosen.rank, llvm_float(), chosen.texels)
+        return cls(fabric, tables, chosen)
 
     def without_control(self) -> Self:
         """The same surface estimated from the texels alone: what control variates are compared with."""
@@ -112,17 +128,11 @@ class ClusteredModel(FilteredFabricModel):
         model.controlled = False
         return model
 
-    def with_source(self, source: Source) -> Self:
-        """The model of another fabric with the same options."""
-        return type(self).for_source(
-            source, self.tables.clusters, self.tables.rank, self.samples, self.texels
-        )
-
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
         """The model of an edited fabric; tables are kept if the edit changes the sheen alone."""
         if any(name.endswith(_BAKED) and not name.startswith("sheen.") for name in edits):
             return self.with_source(fabric)
-        return type(self)(fabric, self.tables, self.samples, self.texels)
+        return type(self)(fabric, self.tables, self.options)
 
     def updated(self, values: Values, changed: frozenset[str]) -> Self:
         """The model after an edit; texels have the edited albedos of their threads too."""
@@ -137,7 +147,7 @@ class ClusteredModel(FilteredFabricModel):
             model=self.name,
             source=self.fabric,
             tensors=self.tables.arrays(),
-            settings={"samples": self.samples, "texels": self.texels, "tables_version": _TABLES_VERSION},
+            settings={**self.options.stored(), "tables_version": _TABLES_VERSION},
         )
 
     @classmethod
@@ -150,13 +160,8 @@ class ClusteredModel(FilteredFabricModel):
         fabric = fabric_in_loom(loom, cls.name)
         if loom.settings.get("tables_version") != _TABLES_VERSION:
             raise InputError(f"{loom.file}: its tables are of another version of loomlight: bake it again.")
-        tables, samples, texels = (
-            tables_of_loom(loom),
-            loom.setting("samples", int),
-            loom.setting("texels", int),
-        )
-        _require_options(tables.clusters, tables.rank, samples, texels)
-        return cls(fabric, tables, samples, texels)
+        tables = tables_of_loom(loom)
+        return cls(fabric, tables, ClusteredOptions.of_loom(loom, clusters=tables.clusters, rank=tables.rank))
 
     def upload(self, types: ArrayTypes) -> None:
         """Uploads all tables to a backend, which otherwise happens at first use."""
@@ -186,7 +191,7 @@ class ClusteredModel(FilteredFabricModel):
             tables,
             self.point_model,
             self.means,
-            self.samples,
+            self.options.samples,
             self.controlled,
             seed,
             view,
@@ -209,19 +214,5 @@ class ClusteredModel(FilteredFabricModel):
         return {
             "tables": f"{self.tables.nbytes / 1e6:.3g} MB",
             "on a device": f"{self.tables.device_bytes / 1e6:.3g} MB",
-            "samples": str(self.samples),
+            "samples": str(self.options.samples),
         }
-
-
-def _require_options(clusters: int, rank: int, samples: int, texels: int) -> None:
-    """Raises InputError unless options are in range."""
-    if not 4 <= clusters <= MAX_CLUSTERS or clusters % 4:
-        raise InputError(
-            f"clusters = {clusters} is out of range: use a multiple of 4 from 4 to {MAX_CLUSTERS}."
-        )
-    if not 0 <= rank <= MAX_RANK:
-        raise InputError(f"rank = {rank} is out of range: use 0 to {MAX_RANK}.")
-    if not 0 <= samples <= MAX_SAMPLES:
-        raise InputError(f"samples = {samples} is out of range: use 0 to {MAX_SAMPLES}.")
-    if not MIN_TEXELS <= texels <= MAX_TEXELS:
-        raise InputError(f"texels = {texels} is out of range: use {MIN_TEXELS} to {MAX_TEXELS}.")

@@ -6,8 +6,6 @@ side than the view gives nothing, and holes are black: the published model trans
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable
 from dataclasses import replace
 from functools import cached_property
 from typing import Self, final
@@ -20,7 +18,7 @@ from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, clip, maximum
 from loomlight.core.errors import InputError
-from loomlight.models.interface import Option
+from loomlight.models.interface import Report
 from loomlight.models.latent.networks import (
     ALBEDO_WIDTHS,
     CHANNELS,
@@ -31,20 +29,9 @@ from loomlight.models.latent.networks import (
     Weights,
     decoder_widths,
 )
-from loomlight.models.latent.settings import (
-    AUTO,
-    DECODERS,
-    DEFAULT_DECODER,
-    DEFAULT_QUALITY,
-    FEATURES,
-    LOSSES,
-    QUALITIES,
-    RUNGS,
-    settings_of,
-)
+from loomlight.models.latent.settings import DECODERS, FEATURES, MIPS, PRECISIONS, LatentOptions
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.textured_model import (
-    TRAINING_OPTIONS,
     TexturedBsdf,
     TexturedModel,
     layers_of_loom,
@@ -57,8 +44,6 @@ from loomlight.scattering.point import DirectionSample, to_face_frame
 
 # Of files: to be raised when the same tensors mean something else.
 _FILE_VERSION = 2
-MIPS = ("stochastic", "trilinear")
-PRECISIONS = ("float32", "float16")
 
 
 @final
@@ -126,21 +111,7 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
     """
 
     name, bsdf, device = "latent", LatentBsdf, DeviceWeights
-    options = (
-        Option("quality", str, f"one of {', '.join(QUALITIES)}"),
-        Option("decoder", str, f"one of {', '.join(DECODERS)}"),
-        Option("resolution", int, "a power of two from 8 to 1024", low=8, high=1024),
-        # How levels are read; it changes no weight.
-        Option("mips", str, f"one of {', '.join(MIPS)}", is_training=True),
-        # Of the numbers in a file: half precision halves it.
-        Option("precision", str, f"one of {', '.join(PRECISIONS)}", is_training=True),
-        # The rungs of the paper's ablation.
-        Option("rung", str, f"one of {', '.join(RUNGS)}", is_training=True),
-        # Half-vector features beside the frames; the paper has none.
-        Option("features", str, f"one of {', '.join(FEATURES)}", is_training=True),
-        Option("loss", str, f"one of {', '.join(LOSSES)}", is_training=True),
-        *TRAINING_OPTIONS,
-    )
+    options_class = LatentOptions
 
     def __init__(
         self, source: Source, weights: Weights, mips: str = MIPS[0], precision: str = PRECISIONS[0]
@@ -157,38 +128,17 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
 
     @classmethod
     def for_source(
-        cls,
-        source: Source,
-        quality: str = DEFAULT_QUALITY,
-        decoder: str = DEFAULT_DECODER,
-        resolution: int | None = None,
-        mips: str = MIPS[0],
-        precision: str = PRECISIONS[0],
-        rung: str = "frames",
-        features: str | None = None,
-        loss: str = AUTO,
-        seed: int = 0,
-        steps: int | None = None,
-        folder: str | os.PathLike[str] | None = None,
-        device: str = "cpu",
-        report: Callable[[int, int], None] | None = None,
+        cls, source: Source, options: LatentOptions | None = None, report: Report | None = None
     ) -> Self:
-        """The model trained for a source; see `options`. A training that was stopped goes on.
-
-        Args:
-            report: called with (done, in all).
+        """The model trained for a source. A training that was stopped goes on.
 
         Raises:
-            InputError: a source of which no queries can be taken, or an option that cannot be.
+            InputError: a source of which no queries can be taken.
             MissingDependencyError: PyTorch is missing.
         """
-        settings = settings_of(quality, resolution, decoder, rung, loss, seed, steps, features)
-        if mips not in MIPS:
-            raise InputError(f'mips = "{mips}" is wrong: give {" or ".join(MIPS)}.')
-        if precision not in PRECISIONS:
-            raise InputError(f'precision = "{precision}" is wrong: give {" or ".join(PRECISIONS)}.')
-        weights = run_training(cls.name, source, settings, folder, report, device)
-        return cls(source, weights, mips, precision)
+        chosen = options or LatentOptions()
+        weights = run_training(cls.name, source, chosen.settings(), chosen, report)
+        return cls(source, weights, chosen.mips, chosen.precision)
 
     def to_loom(self) -> LoomFile:
         """A file of textures and networks."""

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass, replace
+from typing import ClassVar
 
 from loomlight.assets.sources import Source
-from loomlight.core.errors import InputError
-from loomlight.fabric.sentences import closest, shown
-from loomlight.models.textured_model import require_training, training_identity
+from loomlight.core.settings import setting
+from loomlight.models.options import TrainingOptions
+from loomlight.models.textured_model import training_identity
 
 DEFAULT_QUALITY = "preview"
 # Hidden layers of the decoder, by name.
@@ -20,6 +21,10 @@ FEATURES = ("half-vector", "none")
 # "auto" is `loss_of_kind`.
 AUTO = "auto"
 LOSSES = (AUTO, "log", "cube-root", "relative")
+# How levels of textures are chosen.
+MIPS = ("stochastic", "trilinear")
+# Of the numbers in a file; they are computed with in float32.
+PRECISIONS = ("float32", "float16")
 # Part of every identity: to be raised when the same settings give other weights.
 _VERSION = 7
 
@@ -100,41 +105,44 @@ QUALITIES: dict[str, LatentSettings] = {
 }
 
 
-def settings_of(
-    quality: str = DEFAULT_QUALITY,
-    resolution: int | None = None,
-    decoder: str = DEFAULT_DECODER,
-    rung: str = "frames",
-    loss: str = AUTO,
-    seed: int = 0,
-    steps: int | None = None,
-    features: str | None = None,
-) -> LatentSettings:
-    """The settings of a quality with some of them chosen.
+@dataclass(frozen=True, kw_only=True)
+class LatentOptions(TrainingOptions):
+    """Options of `latent`."""
 
-    Args:
-        steps: of the model; the sampler is trained a third as many.
-        features: by default those of the quality.
+    title: ClassVar[str] = "option of latent"
 
-    Raises:
-        InputError: an unknown quality or name of another choice, or a resolution that is no power of two.
-    """
-    named = (
-        ("quality", quality, QUALITIES),
-        ("decoder", decoder, DECODERS),
-        ("rung", rung, RUNGS),
-        ("loss", loss, LOSSES),
-        ("features", features or FEATURES[0], FEATURES),
+    quality: str = setting(DEFAULT_QUALITY, "How long it is trained.", choices=tuple(QUALITIES))
+    decoder: str = setting(DEFAULT_DECODER, "Hidden layers of the decoder.", choices=tuple(DECODERS))
+    mips: str = setting(
+        MIPS[0],
+        "Levels of textures are chosen at random, stochastic, or interpolated; it changes no weight.",
+        choices=MIPS,
     )
-    for name, value, known in named:
-        if value not in known:
-            raise InputError(f"{name} = {shown(value)} does not exist: {closest(value, known)}")
-    chosen = replace(QUALITIES[quality], decoder=decoder, rung=rung, loss=loss, seed=seed)
-    if features is not None:
-        chosen = replace(chosen, features=features)
-    require_training(resolution, steps)
-    if resolution is not None:
-        chosen = replace(chosen, resolution=resolution)
-    if steps is not None:
-        chosen = replace(chosen, steps=steps, sampler_steps=max(1, steps // 3))
-    return chosen
+    precision: str = setting(
+        PRECISIONS[0], "Of the numbers in a file: float16 is half as large.", choices=PRECISIONS
+    )
+    rung: str = setting("frames", "Rung of the paper's ablation.", choices=RUNGS)
+    features: str | None = setting(
+        None,
+        "What the decoder is given beside directions and frames; the paper has none.",
+        choices=FEATURES,
+        otherwise="by quality",
+    )
+    loss: str = setting(
+        AUTO,
+        "What is minimised: auto is relative for fabrics, else cube-root; the paper's is log.",
+        choices=LOSSES,
+    )
+
+    def settings(self) -> LatentSettings:
+        """The settings of the quality with those that are chosen; of steps the sampler has a third."""
+        chosen = replace(
+            QUALITIES[self.quality], decoder=self.decoder, rung=self.rung, loss=self.loss, seed=self.seed
+        )
+        if self.features is not None:
+            chosen = replace(chosen, features=self.features)
+        if self.resolution is not None:
+            chosen = replace(chosen, resolution=self.resolution)
+        if self.steps is not None:
+            chosen = replace(chosen, steps=self.steps, sampler_steps=max(1, self.steps // 3))
+        return chosen

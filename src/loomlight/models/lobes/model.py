@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Self, final
+from dataclasses import dataclass
+from typing import ClassVar, Self, final
 
 from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
@@ -11,14 +12,16 @@ from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
+from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source
-from loomlight.models.interface import Option
+from loomlight.models.interface import Report
 from loomlight.models.lobes.bsdf import LobesBsdf
 from loomlight.models.lobes.joint_lookup import JOINT_FACTORS
 from loomlight.models.lobes.prefiltered import PrefilteredLobes
 from loomlight.models.lobes.regimes import RegimeScale
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
+from loomlight.models.options import Options
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.rays import upload_extent
@@ -35,6 +38,21 @@ _TABLES_VERSION = 3
 _BAKED = ("height_scale", "inclination", "twist")
 
 
+@dataclass(frozen=True, kw_only=True)
+class LobesOptions(Options):
+    """Options of `lobes`."""
+
+    title: ClassVar[str] = "option of lobes"
+
+    groups: int = setting(
+        DEFAULT_GROUPS,
+        "Groups of similar yarn points of each family, on average.",
+        low=1,
+        high=MAX_GROUPS,
+        stored=True,
+    )
+
+
 @final
 class LobesModel(FilteredFabricModel):
     """Groups of similar yarn points, with lobes in closed form.
@@ -43,7 +61,6 @@ class LobesModel(FilteredFabricModel):
 
     Attributes:
         tables: the baked tables.
-        groups: requested groups of each family, on average.
         multiply_adds: of one prefiltered query, counted from its formulas.
         bytes_fetched: by one prefiltered query, from tables that depend on position or direction. The
             moments, 48 bytes a group, are the same for all queries of a face and not counted; neither are
@@ -52,13 +69,14 @@ class LobesModel(FilteredFabricModel):
 
     name = "lobes"
     conserves_energy = True
-    options = (Option("groups", int, f"a whole number from 1 to {MAX_GROUPS}", 1, MAX_GROUPS),)
+    options_class = LobesOptions
+    options: LobesOptions
 
-    def __init__(self, fabric: Fabric, tables: LobeTables, groups: int = DEFAULT_GROUPS) -> None:
+    def __init__(self, fabric: Fabric, tables: LobeTables, options: LobesOptions | None = None) -> None:
         """A model of baked tables; see `for_source` to bake them."""
         super().__init__(fabric)
         self.tables = tables
-        self.groups = groups
+        self.options = options or LobesOptions()
         self._geometry = YarnGeometry(fabric.layout())
         self.point_model = YarnScattering(self._geometry, fabric.appearance())
         self._uploaded: dict[type, tuple[PrefilteredLobes, RegimeScale]] = {}
@@ -68,24 +86,23 @@ class LobesModel(FilteredFabricModel):
         self.bytes_fetched = 4 * (9 * (packs + 1) + 4 * (packs + 1) + 4 * 2 * packs + 2 * 4 * JOINT_FACTORS)
 
     @classmethod
-    def for_source(cls, source: Source, groups: int = DEFAULT_GROUPS) -> Self:
-        """The model of a fabric with so many groups of each family, 1 to 64, on average; see `find_groups`.
+    def for_source(
+        cls, source: Source, options: LobesOptions | None = None, report: Report | None = None
+    ) -> Self:
+        """The model of a fabric; see `find_groups`.
 
         Raises:
-            InputError: no fabric, or fewer or more groups.
+            InputError: no fabric.
         """
-        fabric = fabric_source(source, cls.name)
-        return cls(fabric, tables_of(fabric, groups), groups)
-
-    def with_source(self, source: Source) -> Self:
-        """The model of another fabric with as many groups."""
-        return type(self).for_source(source, self.groups)
+        del report
+        fabric, options = fabric_source(source, cls.name), options or LobesOptions()
+        return cls(fabric, tables_of(fabric, options.groups), options)
 
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
         """The model of an edited fabric; tables are kept unless the edit changes the yarns' geometry."""
         if any(name.endswith(_BAKED) for name in edits):
-            return type(self).for_source(fabric, self.groups)
-        return type(self)(fabric, self.tables, self.groups)
+            return self.with_source(fabric)
+        return type(self)(fabric, self.tables, self.options)
 
     def to_loom(self) -> LoomFile:
         """The tables."""
@@ -95,7 +112,7 @@ class LobesModel(FilteredFabricModel):
             tensors=self.tables.arrays(),
             settings={
                 "base_size": self.tables.base_size,
-                "groups": self.groups,
+                **self.options.stored(),
                 "tables_version": _TABLES_VERSION,
             },
         )
@@ -113,9 +130,7 @@ class LobesModel(FilteredFabricModel):
                 f"{loom.file}: its tables are of another version of loomlight, which changes the brightness: "
                 "bake it again."
             )
-        tables, groups = tables_of_loom(loom), loom.setting("groups", int)
-        _require_groups(groups)
-        return cls(fabric, tables, groups)
+        return cls(fabric, tables_of_loom(loom), LobesOptions.of_loom(loom))
 
     def upload(self, types: ArrayTypes) -> None:
         """Uploads all tables to a backend, which otherwise happens at first use."""
@@ -152,17 +167,6 @@ class LobesModel(FilteredFabricModel):
 
 
 def tables_of(fabric: Fabric, groups: int) -> LobeTables:
-    """Bakes the tables of a fabric with so many groups of each family, 1 to 64, on average.
-
-    Raises:
-        InputError: fewer or more groups.
-    """
-    _require_groups(groups)
+    """Bakes the tables of a fabric with so many groups of each family, 1 to 64, on average."""
     geometry = YarnGeometry(fabric.layout())
     return bake_tables(geometry, fabric.appearance().diffuse_blend, groups, llvm_float())
-
-
-def _require_groups(groups: int) -> None:
-    """Raises InputError unless a family may have so many groups."""
-    if not 1 <= groups <= MAX_GROUPS:
-        raise InputError(f"groups = {groups} is out of range: use 1 to {MAX_GROUPS}.")

@@ -7,8 +7,6 @@ of holes; the published model transmits no light.
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable
 from functools import cached_property
 from typing import Any, Self, final
 
@@ -21,7 +19,7 @@ from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.interface import Option
+from loomlight.models.interface import Report
 from loomlight.models.learned_proposal import LearnedProposal
 from loomlight.models.neumip.networks import (
     CHANNELS,
@@ -32,9 +30,8 @@ from loomlight.models.neumip.networks import (
     sampler_widths,
 )
 from loomlight.models.neumip.parallax import MIN_COSINE, shifted
-from loomlight.models.neumip.settings import DEFAULT_QUALITY, QUALITIES, settings_of
+from loomlight.models.neumip.settings import NeumipOptions
 from loomlight.models.textured_model import (
-    TRAINING_OPTIONS,
     TexturedBsdf,
     TexturedModel,
     layers_of_loom,
@@ -104,13 +101,7 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
 
     name, bsdf, device = "neumip", NeumipBsdf, DeviceWeights
     has_holes = True
-    options = (
-        Option("quality", str, f"one of {', '.join(QUALITIES)}"),
-        Option("resolution", int, "a power of two from 8 to 1024", low=8, high=1024),
-        # Without it, the paper's baseline.
-        Option("offset", bool, "true or false"),
-        *TRAINING_OPTIONS,
-    )
+    options_class = NeumipOptions
 
     def __init__(self, source: Source, weights: Weights) -> None:
         super().__init__(source, weights)
@@ -121,28 +112,17 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
 
     @classmethod
     def for_source(
-        cls,
-        source: Source,
-        quality: str = DEFAULT_QUALITY,
-        resolution: int | None = None,
-        offset: bool = True,
-        seed: int = 0,
-        steps: int | None = None,
-        folder: str | os.PathLike[str] | None = None,
-        device: str = "cpu",
-        report: Callable[[int, int], None] | None = None,
+        cls, source: Source, options: NeumipOptions | None = None, report: Report | None = None
     ) -> Self:
-        """The model trained for a source; see `options`. A training that was stopped goes on.
-
-        Args:
-            report: called with (done, in all).
+        """The model trained for a source. A training that was stopped goes on.
 
         Raises:
-            InputError: a source of which no queries can be taken, or an option that cannot be.
+            InputError: a source of which no queries can be taken.
             MissingDependencyError: PyTorch is missing.
         """
-        settings = settings_of(quality, resolution, offset, seed, steps, isinstance(source, Fabric))
-        return cls(source, run_training(cls.name, source, settings, folder, report, device))
+        chosen = options or NeumipOptions()
+        settings = chosen.settings(is_fabric=isinstance(source, Fabric))
+        return cls(source, run_training(cls.name, source, settings, chosen, report))
 
     @property
     def open_area(self) -> float:

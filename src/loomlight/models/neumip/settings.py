@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import asdict, dataclass, replace
+from typing import ClassVar
 
 from loomlight.assets.sources import Source
-from loomlight.core.errors import InputError
+from loomlight.core.settings import same_setting, setting
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.sentences import closest, shown
 from loomlight.models.mip_pyramid import PyramidShape
 from loomlight.models.neumip.btf import BTFS
-from loomlight.models.textured_model import require_training, training_identity
+from loomlight.models.options import TrainingOptions
+from loomlight.models.textured_model import training_identity
 
 DEFAULT_QUALITY = "preview"
 _MAX_SAMPLER_STEPS = 2000
@@ -94,30 +95,31 @@ QUALITIES: dict[str, NeumipSettings] = {
 _TRACED = {"preview": 128, "full": 256}
 
 
-def settings_of(
-    quality: str,
-    resolution: int | None = None,
-    offset: bool = True,
-    seed: int = 0,
-    steps: int | None = None,
-    is_fabric: bool = True,
-) -> NeumipSettings:
-    """The settings of a quality with some of them chosen.
+@dataclass(frozen=True, kw_only=True)
+class NeumipOptions(TrainingOptions):
+    """Options of `neumip`."""
 
-    Args:
-        is_fabric: other sources have one ray a query, smaller batches, and fewer texels in `preview`.
+    title: ClassVar[str] = "option of neumip"
 
-    Raises:
-        InputError: an unknown quality, or a resolution that is no power of two.
-    """
-    if quality not in QUALITIES:
-        raise InputError(f"quality = {shown(quality)} does not exist: {closest(quality, QUALITIES)}")
-    chosen = replace(QUALITIES[quality], offset=offset, seed=seed)
-    if not is_fabric:
-        chosen = replace(chosen, max_resolution=_TRACED[quality], samples=1, batch=chosen.batch // 2)
-    require_training(resolution, steps)
-    if resolution is not None:
-        chosen = replace(chosen, resolution=resolution)
-    if steps is not None:
-        chosen = replace(chosen, steps=steps)
-    return chosen
+    quality: str = setting(DEFAULT_QUALITY, "How long it is trained.", choices=tuple(QUALITIES))
+    resolution: int | None = same_setting(
+        TrainingOptions,
+        "resolution",
+        otherwise="about ten a yarn; of other sources 128, full 256",
+    )
+    offset: bool = setting(True, "With the neural offset module; without it, the paper's baseline.")
+
+    def settings(self, is_fabric: bool) -> NeumipSettings:
+        """The settings of the quality with those that are chosen.
+
+        Args:
+            is_fabric: other sources have one ray a query, smaller batches, and fewer texels in `preview`.
+        """
+        chosen = replace(QUALITIES[self.quality], offset=self.offset, seed=self.seed)
+        if not is_fabric:
+            chosen = replace(chosen, max_resolution=_TRACED[self.quality], samples=1, batch=chosen.batch // 2)
+        if self.resolution is not None:
+            chosen = replace(chosen, resolution=self.resolution)
+        if self.steps is not None:
+            chosen = replace(chosen, steps=self.steps)
+        return chosen

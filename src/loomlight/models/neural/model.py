@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from typing import Any, Self, final
+from typing import Any, ClassVar, Self, final
 
 import drjit as dr
 import numpy as np
@@ -18,9 +19,10 @@ from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
+from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
-from loomlight.models.interface import Option, Parameter, Values
+from loomlight.models.interface import Parameter, Report, Values
 from loomlight.models.learned_proposal import LearnedProposal
 from loomlight.models.neural.decoder import Decoder, ViewActivations, decoder_cost, decoder_of
 from loomlight.models.neural.encoded_fabric import EncodedFabric
@@ -33,6 +35,7 @@ from loomlight.models.neural.light_visibility import light_visibility_of
 from loomlight.models.neural.proposal import Proposal, proposal_of
 from loomlight.models.neural.sampler_network import neural_proposal, sampler_layers, sampler_of
 from loomlight.models.neural.weights import Weights, read_weights, shipped_weights
+from loomlight.models.options import Options
 from loomlight.models.relu_network import ReluNetwork
 from loomlight.models.separable import Components, Evaluation, FilteredBsdf
 from loomlight.scattering.point import DirectionSample, to_face_frame
@@ -129,6 +132,41 @@ class NeuralBsdf(FilteredBsdf):
         )
 
 
+@dataclass(frozen=True, kw_only=True)
+class NeuralOptions(Options):
+    """Options of `neural`."""
+
+    title: ClassVar[str] = "option of neural"
+
+    refined: bool = setting(
+        True, "The last layer is fitted to the fabric: most of a second, and half the error of highlights."
+    )
+    weights: str | os.PathLike[str] | Weights | None = setting(
+        None,
+        "A weights file that `python -m papers.chen2024.training` wrote.",
+        otherwise="that of the package",
+        metavar="PATH",
+    )
+    sampler: str | None = setting(
+        None,
+        "Directions are drawn by a network for all fabrics, learned, or by lobes about the fibres.",
+        choices=SAMPLERS,
+        otherwise="learned, of other weights than the package's lobes",
+    )
+    other: Source | None = setting(
+        None,
+        "A second fabric to interpolate latents with; colours are those of the first.",
+        expected="the path of a second fabric, or a weave's name",
+        otherwise="none",
+        metavar="FABRIC",
+    )
+    blend: float = setting(
+        0.0,
+        "Weight of the other fabric: 0 is this one, 1 the other; other values extrapolate.",
+        expected="a number, such as 0.5",
+    )
+
+
 @final
 class NeuralModel(FilteredFabricModel):
     """chen2024: an encoder once a fabric, a small decoder a query.
@@ -147,51 +185,34 @@ class NeuralModel(FilteredFabricModel):
     name = "neural"
     conserves_energy = False
     symbolic = False
-    options = (
-        # The last layer is fitted to the fabric: most of a second, and half the error of highlights.
-        Option("refined", bool, "true or false"),
-        # A weights file that `python -m papers.chen2024.training` wrote; by default that of the package.
-        Option("weights", str, "the path of a weights file"),
-        # Directions are drawn by a network for all fabrics, or by lobes about the fibres.
-        Option("sampler", str, f"one of {', '.join(SAMPLERS)}"),
-        # A second fabric to interpolate latents with; colours are those of the first.
-        Option("other", Source, "the path of a second fabric, or a weave's name"),
-        # Weight of the other fabric: 0 is this one, 1 the other; other values extrapolate.
-        Option("blend", float, "a number, such as 0.5"),
-    )
+    options_class = NeuralOptions
+    options: NeuralOptions
 
     def __init__(
         self,
         fabric: Fabric,
         encoded: EncodedFabric,
         weights: Weights,
-        *,
-        refined: bool = True,
-        other: Fabric | None = None,
-        blend: float = 0.0,
+        options: NeuralOptions | None = None,
         endpoints: tuple[EncodedFabric, EncodedFabric] | None = None,
-        sampler: str | None = None,
     ) -> None:
         """A model of encoded latents; see `for_source` to encode them.
 
         Args:
-            sampler: by default the learned one, or lobes where the network is not the package's.
-            other, blend: the fabric that the latents were interpolated with, and its weight.
             endpoints: latents of this fabric and of the other one, before interpolation.
         """
         super().__init__(fabric)
         self.encoded = encoded
         self.weights = weights
+        self.options = options or NeuralOptions()
         learned = sampler_layers(weights) is not None
-        self.sampler = sampler or SAMPLERS[0 if learned else 1]
-        if self.sampler not in SAMPLERS:
-            raise InputError(f'sampler = "{self.sampler}" is wrong: give {" or ".join(SAMPLERS)}.')
+        self.sampler = self.options.sampler or SAMPLERS[0 if learned else 1]
         if self.sampler == SAMPLERS[0] and not learned:
             raise InputError(
                 'sampler = "learned" is of the package\'s network alone, '
                 f'and {weights.source} is another one: give "lobes".'
             )
-        self._refined, self._other, self._blend, self._endpoints = refined, other, blend, endpoints
+        self._endpoints = endpoints
         layout = fabric.layout()
         picks, count = layout.warp_on_top.shape
         width, height = layout.size
@@ -204,81 +225,52 @@ class NeuralModel(FilteredFabricModel):
 
     @classmethod
     def for_source(
-        cls,
-        source: Source,
-        refined: bool = True,
-        weights: str | os.PathLike[str] | Weights | None = None,
-        other: Source | None = None,
-        blend: float = 0.0,
-        sampler: str | None = None,
+        cls, source: Source, options: NeuralOptions | None = None, report: Report | None = None
     ) -> Self:
-        """The model of a fabric, from the cache or by the encoder; see `options`.
+        """The model of a fabric, from the cache or by the encoder.
 
         Raises:
             InputError: no fabric, a repeat of more than 64 threads a side, or weights that cannot be read.
         """
-        fabric = fabric_source(source, cls.name)
-        network = weights if isinstance(weights, Weights) else _network(weights)
-        if other is None:
-            encoded = encode(fabric, network, llvm_float(), refined=refined)
-            return cls(fabric, encoded, network, refined=refined, sampler=sampler)
-        second = fabric_source(other, cls.name)
-        endpoints = encode_pair(fabric, second, network, llvm_float(), refined)
-        mixed = endpoints[0].mixed(endpoints[1], blend)
-        return cls(
-            fabric,
-            mixed,
-            network,
-            refined=refined,
-            other=second,
-            blend=blend,
-            endpoints=endpoints,
-            sampler=sampler,
-        )
+        del report
+        fabric, chosen = fabric_source(source, cls.name), options or NeuralOptions()
+        network = chosen.weights if isinstance(chosen.weights, Weights) else _network(chosen.weights)
+        if chosen.other is None:
+            encoded = encode(fabric, network, llvm_float(), refined=chosen.refined)
+            return cls(fabric, encoded, network, chosen)
+        second = fabric_source(chosen.other, cls.name)
+        endpoints = encode_pair(fabric, second, network, llvm_float(), chosen.refined)
+        return cls(fabric, endpoints[0].mixed(endpoints[1], chosen.blend), network, chosen, endpoints)
 
     def with_source(self, source: Source) -> Self:
         """The model of another fabric by the same network, mixed with the same second fabric."""
-        return type(self).for_source(
-            source, self._refined, self.weights, self._other, self._blend, self.sampler
-        )
+        return type(self).for_source(source, replace(self.options, weights=self.weights))
 
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
         """The model of an edited fabric; the encoder runs if its inputs change."""
         if any(name.endswith(_ENCODED) for name in edits):
             return self.with_source(fabric)
-        return type(self)(
-            fabric,
-            self.encoded,
-            self.weights,
-            refined=self._refined,
-            other=self._other,
-            blend=self._blend,
-            endpoints=self._endpoints,
-            sampler=self.sampler,
-        )
+        return type(self)(fabric, self.encoded, self.weights, self.options, self._endpoints)
 
     def parameters(self, types: ArrayTypes) -> Values:
         """Numbers and albedos of the fabric, and ``blend`` where it is mixed with another."""
         values = dict(super().parameters(types))
-        if self._other is not None:
-            values["blend"] = Parameter(types.Float(self._blend))
+        if self.options.other is not None:
+            values["blend"] = Parameter(types.Float(self.options.blend))
         return values
 
     def updated(self, values: Values, changed: frozenset[str]) -> Self:
         """The model after an edit."""
         model = super().updated(values, changed)
-        if model._endpoints is None or number_of(values["blend"]) == model._blend:
+        if model._endpoints is None or number_of(values["blend"]) == model.options.blend:
             return model
         blend = number_of(values["blend"])
         mixed = type(self)(
             model.fabric,
             model._endpoints[0].mixed(model._endpoints[1], blend),
             model.weights,
-            refined=model._refined,
-            other=model._other,
-            blend=blend,
-            endpoints=model._endpoints,
-            sampler=model.sampler,
+            replace(model.options, blend=blend),
+            model._endpoints,
         )
         return mixed.with_means(model.means)
 
@@ -330,7 +322,7 @@ class NeuralModel(FilteredFabricModel):
         # Files of the first versions do not say what draws directions.
         sampler = loom.setting("sampler", str) if "sampler" in loom.settings else None
         encoded = EncodedFabric(picks, ends, (front, back), fibres, correction)
-        return cls(fabric, encoded, weights, sampler=sampler)
+        return cls(fabric, encoded, weights, NeuralOptions(sampler=sampler))
 
     def at(
         self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
@@ -362,7 +354,8 @@ class NeuralModel(FilteredFabricModel):
 
     def own_facts(self) -> dict[str, str]:
         """The fabric that latents are interpolated with."""
-        return {"other": "none" if self._other is None else f'"{self._other.name}", blend = {self._blend:g}'}
+        other, blend = self.options.other, self.options.blend
+        return {"other": "none" if other is None else f'"{other.name}", blend = {blend:g}'}
 
 
 def _network(path: str | os.PathLike[str] | None) -> Weights:
