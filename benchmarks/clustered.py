@@ -39,7 +39,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.core.settings import declared
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.load import edited_fabric
+from loomlight.fabric.read import edited_fabric
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class, options_of
 from papers.equal_error import least_times

@@ -19,8 +19,8 @@ from experiments.interreflection import direction
 from loomlight.core.colour import delta_e_2000, lab_of_linear, parse_colour
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.fabric.authored_colour import shown_colour
-from loomlight.fabric.defaults import ROUGHNESS, SPECULAR, TRANSLUCENCY
+from loomlight.fabric.colour import shown_colour
+from loomlight.fabric.resolve import ROUGHNESS, SPECULAR, TRANSLUCENCY
 
 WEAVES = ("plain", "twill 2/2", "satin 5")
 CHART = (

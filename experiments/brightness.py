@@ -30,7 +30,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.predictions import model_predictor
 from loomlight.evaluation.query_benchmark import HeldOut, run_query_benchmark
 from loomlight.fabric.fabric import Fabric, make_fabric
-from loomlight.fabric.file import FabricFile, YarnTable
+from loomlight.fabric.fields import FabricFile, YarnTable
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.neural.parameter_ranges import ParameterRanges
 from loomlight.scattering.point import YarnScattering

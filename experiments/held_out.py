@@ -17,7 +17,7 @@ import numpy as np
 from loomlight.core.errors import InputError
 from loomlight.evaluation.query_benchmark import HeldOut
 from loomlight.fabric.fabric import make_fabric
-from loomlight.fabric.file import YarnTable
+from loomlight.fabric.fields import YarnTable
 from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES, ParameterRanges
 from loomlight.weave.named import named_weave
 from papers.chen2024.training.random_fabrics import random_fabric

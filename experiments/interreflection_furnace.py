@@ -22,7 +22,7 @@ from experiments.interreflection import VIEWS, WEAVES, direction
 from experiments.white_furnace import fabric
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.fabric.defaults import SPECULAR
+from loomlight.fabric.resolve import SPECULAR
 from loomlight.scattering.openness import openness_of
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry

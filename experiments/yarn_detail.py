@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from benchmarks.harness import Figures, run
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.fabric.file import YARNS
+from loomlight.fabric.fields import YARNS
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 

@@ -21,7 +21,6 @@ from numpy.typing import NDArray
 from loomlight.core.backend import array_types
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.yarns import kind_of, with_yarns
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.threads import FamilyTables, section_drop
@@ -122,10 +121,10 @@ class YarnCurves:
 
 def yarn_makes(fabric: Fabric, fibres_across: float = FIBRES_ACROSS) -> tuple[YarnMake, YarnMake]:
     """The make-up of warp and weft that a fabric file gives."""
-    layout, appearance, fields = fabric.layout(), fabric.appearance(), with_yarns(fabric.fields)
+    layout, appearance, yarns = fabric.layout(), fabric.appearance(), fabric.resolved
     thinnest = min(layout.warp.visible_width.min(), layout.weft.visible_width.min())
     makes = []
-    for family, table in ((appearance.warp, fields.warp), (appearance.weft, fields.weft)):
+    for family, kind in ((appearance.warp, yarns.warp.kind), (appearance.weft, yarns.weft.kind)):
         detail = family.detail
         makes.append(
             YarnMake(
@@ -135,7 +134,7 @@ def yarn_makes(fabric: Fabric, fibres_across: float = FIBRES_ACROSS) -> tuple[Ya
                 tilt=detail.fibre_tilt,
                 slub=detail.slub,
                 hairiness=detail.hairiness,
-                packing=kind_of(table).packing,
+                packing=kind.packing,
                 fibre=float(thinnest) / fibres_across,
             )
         )

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from loomlight.core.images import encoded
-from loomlight.fabric.load import load_fabric
+from loomlight.fabric.read import load_fabric
 from loomlight.mitsuba import build_scene, choose_variant, cloth_shapes, material_bsdf, render
 from loomlight.mitsuba.camera import View
 from loomlight.mitsuba.placement import Placement

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing_all
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.load import load_fabric
+from loomlight.fabric.read import load_fabric
 from tools.fibre_curves import FibreCurves, FibreSettings, fibre_curves
 
 SCENE, TILE = "scene.xml", "tile.toml"

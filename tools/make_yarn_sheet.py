@@ -26,7 +26,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from loomlight.core.images import encoded
 from loomlight.fabric import Fabric, fabric_from_text
-from loomlight.fabric.file import YARNS
+from loomlight.fabric.fields import YARNS
 from loomlight.mitsuba import ClothScene, build_scene, choose_variant, material_bsdf, render
 from loomlight.models.registry import make_model
 from tools.fibre_scene import Shown, fibre_picture

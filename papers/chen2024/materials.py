@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.defaults import Structure, structure_of
 from loomlight.fabric.fabric import Fabric, make_fabric
-from loomlight.fabric.file import FabricFile, YarnTable
+from loomlight.fabric.fields import FabricFile, YarnTable
+from loomlight.fabric.resolve import Structure, structure_of
 from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES
 from papers.chen2024.training.weaves import PAPER_WEAVES, paper_draft
 

@@ -22,9 +22,9 @@ from loomlight.assets.heightfield import Heightfield
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.files import replacing
+from loomlight.core.sentences import closest
 from loomlight.evaluation.pictures import PictureError
 from loomlight.evaluation.table import Cell, Table
-from loomlight.fabric.sentences import closest
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.neumip.settings import NeumipOptions, NeumipSettings
 from loomlight.models.query_parts import draw_directions

@@ -23,8 +23,8 @@ from loomlight.assets.loom_file import write_loom
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.footprint import Box, box_footprint
+from loomlight.core.sentences import closest
 from loomlight.evaluation.pictures import PictureError, picture_error
-from loomlight.fabric.sentences import closest
 from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.neumip.btf import BTFS
 from loomlight.models.neumip.model import NeumipModel

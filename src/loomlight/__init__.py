@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     )
     from loomlight.evaluation.compare import compare
     from loomlight.fabric.fabric import Fabric
-    from loomlight.fabric.load import fabric_from_text, load_fabric
+    from loomlight.fabric.read import fabric_from_text, load_fabric
     from loomlight.mitsuba.material_picture import RenderSettings, render
     from loomlight.models.bake import bake, load, save
     from loomlight.models.registry import make_model, model_from_loom
@@ -47,10 +47,10 @@ _HOMES = {
     "bake": "loomlight.models.bake",
     "compare": "loomlight.evaluation.compare",
     "edit": "loomlight.viewer.server",
-    "fabric_from_text": "loomlight.fabric.load",
+    "fabric_from_text": "loomlight.fabric.read",
     "load": "loomlight.models.bake",
     "load_draft": "loomlight.weave.load",
-    "load_fabric": "loomlight.fabric.load",
+    "load_fabric": "loomlight.fabric.read",
     "make_model": "loomlight.models.registry",
     "model_from_loom": "loomlight.models.registry",
     "named_weave": "loomlight.weave.named",

@@ -31,7 +31,7 @@ from loomlight.assets.loom_file import (
 from loomlight.core.errors import InputError
 from loomlight.core.images import write_pixels
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
-from loomlight.fabric.load import edited_fabric
+from loomlight.fabric.read import edited_fabric
 from loomlight.models.bake import bake
 from loomlight.models.registry import make_model, model_from_loom
 from loomlight.weave import Draft, Threads, draw_drawdown, named_weave, write_wif

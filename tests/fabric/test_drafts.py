@@ -1,6 +1,6 @@
 """Drafts and pictures as fabrics: their own colours and spacing, paths beside the fabric file.
 
-Covers: fabric/writing.py
+Covers: fabric/write.py
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ from pydantic import BaseModel
 
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.facts import cloth_facts
-from loomlight.fabric.file import FabricFile
+from loomlight.fabric.fields import FabricFile
 from loomlight.weave.loom import plan_drawdown
 from loomlight.weave.textile import longest_floats
 from loomlight.weave.wif_writer import write_wif

@@ -8,7 +8,7 @@ import pytest
 
 from loomlight.cli.main import run
 from loomlight.fabric.facts import cloth_facts, facts_text, three_digits
-from loomlight.fabric.load import fabric_from_text
+from loomlight.fabric.read import fabric_from_text
 from loomlight.weave.textile import yarn_diameter_mm
 
 # Measured in Fibres and Textiles 1/2018: one pair of yarns, 36.9 tex in the warp and 28.27 in the weft.

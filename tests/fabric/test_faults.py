@@ -1,6 +1,6 @@
 """Whatever is wrong with a fabric ends in one clear sentence.
 
-Covers: fabric/reading.py, fabric/sentences.py
+Covers: fabric/read.py
 """
 
 from __future__ import annotations

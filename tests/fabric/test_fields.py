@@ -1,7 +1,7 @@
 """Fields of a fabric file arrive in the layout and the appearance, in their units.
 
-Covers: fabric/albedos.py, fabric/colours.py, fabric/defaults.py, fabric/fabric.py, fabric/file.py
-Covers: fabric/load.py, fabric/spacing.py, fabric/thread_order.py
+Covers: fabric/colour.py, fabric/resolve.py, fabric/fabric.py, fabric/fields.py
+Covers: fabric/read.py, fabric/resolve.py, fabric/fields.py
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from loomlight.core.colour import srgb_to_linear
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text, load_fabric
-from loomlight.fabric.defaults import ROUGHNESS
+from loomlight.fabric.resolve import ROUGHNESS
 from loomlight.scattering.albedo import LayerBound, layer_albedo_bound
 from loomlight.scattering.fibre import cloth_layer_bound
 from loomlight.weave.wif_writer import write_wif

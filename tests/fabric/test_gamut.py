@@ -5,7 +5,7 @@ import warnings
 import pytest
 
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.fabric.load import fabric_from_text
+from loomlight.fabric.read import fabric_from_text
 
 SEEN = 'weave = "plain"\ninterreflection = true\n'
 

@@ -1,6 +1,6 @@
 """Baked maps, and the files that they are written to.
 
-Covers: fabric/cloth_surface.py
+Covers: fabric/maps.py
 """
 
 from __future__ import annotations

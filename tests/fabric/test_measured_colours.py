@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.load import edited_fabric, fabric_from_text, load_fabric
+from loomlight.fabric.read import edited_fabric, fabric_from_text, load_fabric
 
 
 def test_measured_colours_are_read_once(tmp_path: Path) -> None:

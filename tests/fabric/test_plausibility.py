@@ -81,7 +81,7 @@ def test_yarns_wider_than_their_spacing_warn(line: str, says: str) -> None:
 
 
 def test_a_draft_of_too_many_crossings_is_refused_with_its_size(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("loomlight.fabric.fabric.MAXIMUM_CROSSINGS", 2_000_000)
+    monkeypatch.setattr("loomlight.fabric.resolve.MAXIMUM_CROSSINGS", 2_000_000)
     with pytest.raises(
         InputError, match=r"1500 ends and 1500 picks has 2 million crossings, and at most 2 m"
     ):

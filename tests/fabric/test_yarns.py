@@ -12,7 +12,7 @@ import pytest
 
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.facts import cloth_facts
-from loomlight.fabric.file import YARNS
+from loomlight.fabric.fields import YARNS
 from loomlight.fabric.yarns import PRESETS
 from loomlight.weave.textile import yarn_diameter_mm
 

@@ -13,7 +13,7 @@ import pytest
 from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
-from loomlight.fabric.load import edited_fabric
+from loomlight.fabric.read import edited_fabric
 from loomlight.models.fabric_model import parameter_of
 from loomlight.models.registry import MODELS
 from tests.marks import slow, slow_among

@@ -17,8 +17,8 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.core.settings import declared
 from loomlight.fabric import fabric_from_text
-from loomlight.fabric.file import FabricFile
-from loomlight.fabric.load import edited_fabric
+from loomlight.fabric.fields import FabricFile
+from loomlight.fabric.read import edited_fabric
 from loomlight.mitsuba.model_props import _field
 from loomlight.models.bake import bake, save
 from loomlight.models.registry import MODELS, model_class

@@ -14,7 +14,7 @@ import pytest
 
 from loomlight.assets.loom_file import LoomFile, write_loom
 from loomlight.core.errors import InputError
-from loomlight.fabric.load import load_fabric
+from loomlight.fabric.read import load_fabric
 from loomlight.mitsuba import SUPPORTED_VARIANTS
 from loomlight.models.bake import bake, save
 from loomlight.models.registry import MODELS, model_class

@@ -15,7 +15,7 @@ from PIL import Image
 from loomlight.cli.main import run
 from loomlight.core.contact_sheet import Card, sheet_page, sheet_picture
 from loomlight.core.errors import InputError
-from loomlight.fabric.load import fabric_from_text
+from loomlight.fabric.read import fabric_from_text
 from loomlight.mitsuba.swatches import CardSettings, fabric_cards, fact_lines
 
 SMALL = ["--size", "32", "--spp", "1", "--model", "point"]

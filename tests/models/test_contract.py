@@ -25,7 +25,7 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.assets.loom_file import write_loom
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.fabric.load import edited_fabric
+from loomlight.fabric.read import edited_fabric
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class, model_from_loom, model_names
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf

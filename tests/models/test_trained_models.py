@@ -68,7 +68,7 @@ def test_means_of_the_whole_cloth_are_learned_on_both_faces(name: str) -> None:
         ("neumip", "quality", '"quality" is no option: write its name, "=" and its value'),
         ("neumip", "quality=best", 'quality = "best" does not exist: known are preview, full.'),
         ("neumip", "resolution=100", "resolution = 100 is wrong: give a power of two from 8 to 1024"),
-        ("neumip", "resolution=4", 'resolution = 4 is wrong: give a power of two from 8 to 1024'),
+        ("neumip", "resolution=4", "resolution = 4 is wrong: give a power of two from 8 to 1024"),
         ("neumip", "steps=many", 'steps = "many" is wrong: give a whole number from 1'),
         ("neumip", "offset=no", 'offset = "no" is wrong: give true or false'),
         ("neumip", "device=tpu", 'device = "tpu" does not exist: did you mean cpu?'),

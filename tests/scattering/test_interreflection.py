@@ -1,7 +1,7 @@
 """Light between yarns: equations against sums of bounces, cloth against paths, colours against themselves.
 
 Covers: scattering/interreflection.py, scattering/openness.py, scattering/appearance.py
-Covers: models/between_yarns.py, fabric/authored_colour.py, scattering/point.py
+Covers: models/between_yarns.py, fabric/colour.py, scattering/point.py
 Covers: scattering/albedo.py
 """
 
@@ -15,7 +15,7 @@ from experiments.interreflection import direction, fabric_text, sky_value
 from experiments.interreflection_furnace import returned
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import Fabric, fabric_from_text
-from loomlight.fabric.authored_colour import colour_for, shown_colour
+from loomlight.fabric.colour import colour_for, shown_colour
 from loomlight.models.registry import make_model
 from loomlight.scattering.interreflection import Scattered, solved_interior
 from loomlight.scattering.openness import Openness

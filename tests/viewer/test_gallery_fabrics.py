@@ -6,7 +6,7 @@ import pytest
 from PIL import Image
 
 from loomlight.fabric.facts import cloth_facts
-from loomlight.fabric.load import load_fabric
+from loomlight.fabric.read import load_fabric
 from loomlight.viewer.session import gallery_files, gallery_pictures
 
 

@@ -14,7 +14,7 @@ import pytest
 
 import loomlight
 from loomlight.core.errors import InputError, LoomlightError, MissingDependencyError
-from loomlight.fabric.load import load_fabric
+from loomlight.fabric.read import load_fabric
 from loomlight.viewer.client import client_folder
 from loomlight.viewer.fabric_json import fabric_json
 

@@ -14,8 +14,8 @@ import math
 from collections.abc import Sequence
 from pathlib import Path
 
-from loomlight.fabric import authored_colour, fabric
-from loomlight.fabric.file import YarnTable
+from loomlight.fabric import colour, resolve
+from loomlight.fabric.fields import YarnTable
 from loomlight.models.lobes import model as lobes_model
 from loomlight.realtime import (
     albedo_map,
@@ -44,9 +44,9 @@ _HEADER = (
 _PAGE_MODULES = (
     albedo,
     albedo_map,
-    authored_colour,
+    colour,
     environment,
-    fabric,
+    resolve,
     layout,
     lobes_model,
     orbit,

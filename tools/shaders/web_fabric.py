@@ -2,7 +2,7 @@
 
     python -m tools.shaders.build --web
 
-The page reads and checks fabric files by the same fields and ranges as `fabric/file.py`.
+The page reads and checks fabric files by the same fields and ranges as `fabric/fields.py`.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-from loomlight.fabric import defaults
-from loomlight.fabric.file import FabricFile, SheenTable, Table, VariationTable, YarnTable, field_schemas
-from loomlight.fabric.yarns import PRESETS
+from loomlight.fabric import resolve
+from loomlight.fabric.fields import FabricFile, SheenTable, Table, VariationTable, YarnTable, field_schemas
+from loomlight.fabric.yarns import GAP, PRESETS
 from loomlight.scattering.appearance import Sheen
 
 _HEADER = """\
@@ -56,7 +56,6 @@ export interface YarnPreset {
 
 export const YARN_PRESETS: readonly YarnPreset[] ="""
 _DEFAULTS = (
-    "GAP",
     "SPECULAR",
     "TRANSLUCENCY",
     "ROUGHNESS",
@@ -77,7 +76,7 @@ def fabric_typescript() -> str:
         lines += ["}", "", f"export const {name}: FieldTable = {{"]
         lines += [f"  {key}: {_kind(schema)}," for key, schema in schemas.items()]
         lines += ["};", ""]
-    constants = {name: getattr(defaults, name) for name in _DEFAULTS}
+    constants: dict[str, float] = {"GAP": GAP} | {name: getattr(resolve, name) for name in _DEFAULTS}
     constants |= {"SHEEN_STRENGTH": Sheen().strength, "SHEEN_ROUGHNESS": Sheen().roughness}
     lines += [f"export const {name} = {value!r};" for name, value in constants.items()]
     presets = [

@@ -16,13 +16,12 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.defaults import GAP
 from loomlight.fabric.fabric import Fabric, make_fabric
-from loomlight.fabric.file import FabricFile
-from loomlight.fabric.reading import parse_fabric_file
-from loomlight.fabric.spacing import yarn_diameter
-from loomlight.fabric.writing import fabric_toml
-from loomlight.fabric.yarns import with_yarns
+from loomlight.fabric.fields import FabricFile
+from loomlight.fabric.read import parse_fabric_file
+from loomlight.fabric.resolve import yarn_diameter
+from loomlight.fabric.write import fabric_toml
+from loomlight.fabric.yarns import GAP, with_yarns
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, Threads
 
 Tensor: TypeAlias = NDArray[Any]

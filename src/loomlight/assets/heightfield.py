@@ -30,8 +30,7 @@ from loomlight.assets.toml_source import Lengths, SizedSource, SourceFields, has
 from loomlight.core.colour import linear_to_srgb, parse_colour, srgb_to_linear
 from loomlight.core.errors import InputError
 from loomlight.core.images import read_map
-from loomlight.fabric.reading import speaking_of
-from loomlight.fabric.sentences import shown
+from loomlight.core.sentences import shown, speaking_of
 
 _Map = NDArray[np.float32]
 _FIELD = "height_map"

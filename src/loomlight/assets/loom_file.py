@@ -32,8 +32,7 @@ from loomlight.assets.fabric_record import Tensor, of_former_defaults
 from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing, require_file
-from loomlight.fabric.reading import speaking_of
-from loomlight.fabric.sentences import shown
+from loomlight.core.sentences import shown, speaking_of
 
 SCHEMA = 4
 # The first schema whose models are those of today.

@@ -29,9 +29,9 @@ from pydantic import BaseModel, ConfigDict, Field
 from loomlight.assets import rgl, scene_text
 from loomlight.assets.toml_source import SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
+from loomlight.core.files import read_text
 from loomlight.core.images import PICTURE_SUFFIXES, read_map
-from loomlight.fabric.reading import read_text, speaking_of
-from loomlight.fabric.sentences import closest, shown
+from loomlight.core.sentences import closest, shown, speaking_of
 
 Bytes = NDArray[np.uint8]
 

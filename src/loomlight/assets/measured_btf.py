@@ -27,8 +27,7 @@ from loomlight.assets.btf_files import BtfPictures, read_btf
 from loomlight.assets.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
-from loomlight.fabric.reading import speaking_of
-from loomlight.fabric.sentences import shown
+from loomlight.core.sentences import shown, speaking_of
 
 _FIELD = "btf"
 

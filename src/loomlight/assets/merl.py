@@ -25,7 +25,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
-from loomlight.fabric.reading import speaking_of
+from loomlight.core.sentences import speaking_of
 
 _Floats = NDArray[np.float32]
 _Halves = NDArray[np.float16]

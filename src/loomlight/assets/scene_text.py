@@ -13,8 +13,8 @@ from pathlib import Path, PurePosixPath
 from xml.etree import ElementTree
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.reading import read_text
-from loomlight.fabric.sentences import closest, shown
+from loomlight.core.files import read_text
+from loomlight.core.sentences import closest, shown
 
 # Characters that no name of a file has on all systems: controls, lone surrogates, drives and backslashes.
 NO_FILE_CHARACTER = re.compile(r"[\x00-\x1f\x7f\ud800-\udfff\\:]")

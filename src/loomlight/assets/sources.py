@@ -38,7 +38,7 @@ from loomlight.assets.measured_btf import (
 from loomlight.assets.merl import MerlLibrary, is_merl_file, load_merl, merl_from_record, merl_record
 from loomlight.assets.tile import TileScene, is_tile_file, load_tile, tile_from_record, tile_record
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.load import load_fabric
+from loomlight.fabric.read import load_fabric
 
 Tensors = Mapping[str, NDArray[Any]]
 

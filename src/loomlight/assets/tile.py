@@ -27,9 +27,8 @@ from pydantic import BaseModel, ConfigDict, Field
 from loomlight.assets import scene_text
 from loomlight.assets.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
-from loomlight.core.files import require_file
-from loomlight.fabric.reading import read_text, speaking_of
-from loomlight.fabric.sentences import shown
+from loomlight.core.files import read_text, require_file
+from loomlight.core.sentences import shown, speaking_of
 
 _FIELD = "tile"
 _MAX_BOUNCES = 64

@@ -11,8 +11,8 @@ from typing import Annotated, ClassVar, TypeVar
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.reading import read_text
-from loomlight.fabric.sentences import closest, shown
+from loomlight.core.files import read_text
+from loomlight.core.sentences import closest, shown
 
 Length = Annotated[float, Field(ge=1e-3, le=1e6)]
 # Width and height.

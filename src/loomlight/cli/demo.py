@@ -27,7 +27,7 @@ def demo(
     check_output(output, WRITTEN_SUFFIXES)
 
     from loomlight.core.images import write_image
-    from loomlight.fabric.load import load_fabric
+    from loomlight.fabric.read import load_fabric
     from loomlight.mitsuba.material_picture import render
 
     cloth = load_fabric(Path(__file__).with_name("demo.toml"))

@@ -132,7 +132,7 @@ def _without_stdout(code: int) -> int:
 
 
 def _refuse(sentence: str) -> int:
-    from loomlight.fabric.reading import one_line
+    from loomlight.core.sentences import one_line
 
     print(f"loomlight: {one_line(sentence)}", file=sys.stderr)
     return BAD_INPUT

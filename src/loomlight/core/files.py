@@ -22,6 +22,8 @@ from loomlight.core.errors import InputError
 PIXEL_SUFFIXES = (".png", ".jpg", ".jpeg")
 WRITTEN_SUFFIXES = (*PIXEL_SUFFIXES, ".exr")
 
+# Thread colours of the longest draft take some 100 kB; what is larger is not a fabric file.
+MAX_TEXT = 4 * 2**20
 _TEMPORARY = ".loomlight-"
 # Folders that this process has looked through.
 _cleaned: set[Path] = set()
@@ -48,6 +50,31 @@ def require_file(path: str | os.PathLike[str]) -> None:
     except (OSError, ValueError) as error:  # too long a name, a NUL, no permission
         raise InputError(f"{str(file)[:80]!r} is no path of a file that can be read.") from error
     raise InputError(f"{file} does not exist.")
+
+
+def read_text(path: str | os.PathLike[str]) -> str:
+    """Text of a UTF-8 file.
+
+    Raises:
+        InputError: no such file, no file but a folder or device, unreadable, too large, not UTF-8.
+    """
+    file = Path(path)
+    try:
+        if file.is_dir():
+            raise InputError(f"{file} is a folder; give the name of a fabric file.")
+        if not file.exists():
+            raise InputError(f"{file} does not exist.")
+        if not file.is_file():
+            raise InputError(f"{file} is no ordinary file; give the name of a fabric file.")
+        if file.stat().st_size > MAX_TEXT:
+            raise InputError(f"{file} is larger than {MAX_TEXT >> 20} MiB; it is no fabric file.")
+        return file.read_bytes().decode("utf-8-sig")
+    except OSError as error:
+        raise InputError(f"{file} cannot be read: {error.strerror or error}.") from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"{file} is no fabric file: it is not UTF-8 text.") from error
+    except ValueError as error:  # a NUL inside the path
+        raise InputError(f"{str(file)!r} is no path of a file.") from error
 
 
 @contextmanager

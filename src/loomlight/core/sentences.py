@@ -1,9 +1,28 @@
-"""Parts of sentences about faults: values as a file writes them, and advice about unknown words."""
+"""Sentences about faults: the file that they name, values as it writes them, advice about unknown words."""
 
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+
+from loomlight.core.errors import InputError
+
+
+@contextmanager
+def speaking_of(source: str) -> Iterator[None]:
+    """Names `source` (a file) at the start of every InputError raised inside that does not name it."""
+    try:
+        yield
+    except InputError as error:
+        text = one_line(str(error))
+        raise InputError(text if not source or source in text else f"{source}: {text}") from error
+
+
+def one_line(text: str) -> str:
+    """`text` as one printable line: what a user's file holds must not steer a terminal."""
+    spaced = " ".join(text.split())
+    return "".join(char if char.isprintable() else "\N{REPLACEMENT CHARACTER}" for char in spaced)
 
 
 def closest(word: str, known: Iterable[str]) -> str:

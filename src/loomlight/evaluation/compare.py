@@ -21,7 +21,7 @@ from loomlight.evaluation.query_benchmark import WEAVES, HeldOut, run_query_benc
 from loomlight.evaluation.report import Figure, Report, Section, report_html
 from loomlight.evaluation.table import Cell, Table, write_json
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.load import fabric_from_text, load_fabric
+from loomlight.fabric.read import fabric_from_text, load_fabric
 from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, require_scenes
 from loomlight.models.registry import model_names, require_model_name
 

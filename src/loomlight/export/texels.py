@@ -15,8 +15,8 @@ from drjit.llvm import Float
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.cloth_surface import ClothSurface
 from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.maps import ClothSurface
 
 Numbers = NDArray[np.float64]
 # Points across a texel, at least, and across the finest thread.

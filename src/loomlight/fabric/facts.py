@@ -12,11 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.file import YarnTable
-from loomlight.fabric.spacing import yarn_diameter
-from loomlight.fabric.yarns import kind_of, with_yarns
-from loomlight.weave.textile import per_inch, tex_of_diameter, yarn_tex
-from loomlight.yarn.layout import FamilyLayout
+from loomlight.fabric.resolve import ResolvedFamily
+from loomlight.weave.textile import per_inch, tex_of_diameter, yarn_diameter_mm, yarn_tex
 
 # Yarn cannot be longer than that over the cloth: jammed plain weaves have crimps up to .3.
 _MAX_CRIMP = 0.5
@@ -73,9 +70,9 @@ def cloth_facts(fabric: Fabric) -> ClothFacts:
     Source: Peirce, "The geometry of cloth structure", Journal of the Textile Institute 28 (1937), T45:
     h = 4/3·p·√c and h₁ + h₂ = d₁ + d₂.
     """
-    layout, fields = fabric.layout(), with_yarns(fabric.fields)
-    warp_mm, warp_tex = _yarn(fields.warp, layout.warp)
-    weft_mm, weft_tex = _yarn(fields.weft, layout.weft)
+    layout, yarns = fabric.layout(), fabric.resolved
+    warp_mm, warp_tex = _yarn(yarns.warp)
+    weft_mm, weft_tex = _yarn(yarns.weft)
     height = (warp_mm + weft_mm) / 2
     changes = layout.warp_on_top != np.roll(layout.warp_on_top, 1, axis=0)
     warp_crimp = _crimp(changes, layout.weft.spacing, height)
@@ -92,7 +89,7 @@ def cloth_facts(fabric: Fabric) -> ClothFacts:
         # Threads per metre times grams per metre of each.
         weight=sum(family.per_cm * 100 * family.tex / 1000 * (1 + family.crimp) for family in (warp, weft)),
         thickness_mm=height + max(warp_mm, weft_mm),
-        counted=fields.warp.count is not None and fields.weft.count is not None,
+        counted=bool(yarns.warp.count and yarns.weft.count),
     )
 
 
@@ -135,14 +132,14 @@ def facts_text(fabric: Fabric) -> str:
     return f"{text} (yarns taken as round: give count in [warp] and [weft] for closer numbers)"
 
 
-def _yarn(table: YarnTable, family: FamilyLayout) -> tuple[float, float]:
+def _yarn(family: ResolvedFamily) -> tuple[float, float]:
     """Mean height, millimetres, and linear density, tex."""
-    if table.count is not None:
-        diameter = yarn_diameter(table, "count")
-        return min(diameter, diameter**2 / float(family.visible_width.mean())), yarn_tex(table.count)
-    kind = kind_of(table)
-    tex = tex_of_diameter(family.width, density=kind.density, packing=kind.packing)
-    return float(family.width.mean()), float(tex.mean())
+    kind, layout = family.kind, family.layout
+    if family.count:
+        diameter = yarn_diameter_mm(family.count, density=kind.density, packing=kind.packing)
+        return min(diameter, diameter**2 / float(layout.visible_width.mean())), yarn_tex(family.count)
+    tex = tex_of_diameter(layout.width, density=kind.density, packing=kind.packing)
+    return float(layout.width.mean()), float(tex.mean())
 
 
 def _crimp(changes: NDArray[np.bool_], crossed: NDArray[np.float64], height: float) -> float:

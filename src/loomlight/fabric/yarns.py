@@ -11,8 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 
-from loomlight.fabric.defaults import GAP
-from loomlight.fabric.file import YARNS, FabricFile, YarnTable
+from loomlight.fabric.fields import YARNS, FabricFile, YarnTable
 from loomlight.weave.textile import COTTON_DENSITY, DEFAULT_PACKING
 
 
@@ -41,8 +40,10 @@ def _yarn(density: float, packing: float, gap: float, spread: float, **fields: f
 
 with Path(__file__).with_name("yarns.toml").open("rb") as _file:
     PRESETS = MappingProxyType({name: _yarn(**of_kind) for name, of_kind in tomllib.load(_file).items()})
-# The names are in `file.py`, which checks them.
+# The names are in `fields.py`, which checks them.
 assert set(PRESETS) == set(YARNS)
+# Share of a thread's spacing that a yarn without a name leaves open.
+GAP = 0.2
 # Of a table that names none: round, of cotton's weight.
 _ANY = Yarn(YarnTable(), COTTON_DENSITY, DEFAULT_PACKING, GAP, 1.0)
 

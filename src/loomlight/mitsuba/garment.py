@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.sentences import closest, shown
+from loomlight.core.sentences import closest, shown
 from loomlight.mesh.cloth_mesh import (
     ClothMesh,
     MeshPart,

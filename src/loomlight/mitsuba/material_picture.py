@@ -17,9 +17,9 @@ from loomlight.assets.sources import Source
 from loomlight.core.colour import white_balance as white_balance_gains
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.images import Picture
+from loomlight.core.sentences import closest
+from loomlight.core.sentences import shown as quoted
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.sentences import closest
-from loomlight.fabric.sentences import shown as quoted
 from loomlight.mitsuba.camera import MAX_ZOOM
 from loomlight.mitsuba.denoising import require_denoising
 from loomlight.mitsuba.inset import MIN_PICTURE, Inset, resized

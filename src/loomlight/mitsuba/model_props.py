@@ -25,11 +25,11 @@ from loomlight.assets.load import load_source
 from loomlight.assets.loom_file import is_loom, read_loom
 from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
+from loomlight.core.sentences import shown
 from loomlight.core.settings import Setting, declared
 from loomlight.fabric import Fabric
-from loomlight.fabric.file import FabricFile
-from loomlight.fabric.load import edited_fabric, fabric_from_fields
-from loomlight.fabric.sentences import shown
+from loomlight.fabric.fields import FabricFile
+from loomlight.fabric.read import edited_fabric, fabric_from_fields
 from loomlight.models.interface import Model
 from loomlight.models.options import is_source
 from loomlight.models.registry import model_class, model_of_loom, untrained

@@ -16,7 +16,7 @@ from loomlight.core.files import WRITTEN_SUFFIXES, replacing
 from loomlight.core.images import write_image
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.load import FABRIC_SUFFIX
+from loomlight.fabric.read import FABRIC_SUFFIX
 from loomlight.models.interface import Model, Report
 from loomlight.models.material_spec import Material, resolve
 from loomlight.models.options import Options

@@ -20,8 +20,8 @@ from loomlight.core.backend import ArrayTypes
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.file import yarn_range
-from loomlight.fabric.load import edited_fabric
+from loomlight.fabric.fields import yarn_range
+from loomlight.fabric.read import edited_fabric
 from loomlight.models.interface import Model, Parameter, Values
 from loomlight.models.live_albedos import LiveAlbedos
 from loomlight.scattering.appearance import Appearance, FamilyAppearance

@@ -13,7 +13,7 @@ from loomlight.assets.loom_file import LOOM_SUFFIX, LoomFile, is_loom, read_loom
 from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.load import FABRIC_SUFFIX, edited_fabric
+from loomlight.fabric.read import FABRIC_SUFFIX, edited_fabric
 from loomlight.models.interface import Model
 from loomlight.models.options import Options
 from loomlight.models.registry import (

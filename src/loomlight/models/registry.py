@@ -18,9 +18,8 @@ from loomlight.assets.loom_file import FIRST_USABLE_SCHEMA, LoomFile, read_loom
 from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
-from loomlight.core.sentences import closest, shown
+from loomlight.core.sentences import closest, shown, speaking_of
 from loomlight.core.settings import declared, require_names
-from loomlight.fabric.reading import speaking_of
 from loomlight.models.interface import Model
 from loomlight.models.options import Options, is_source
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.fabric import MAXIMUM_CROSSINGS
+from loomlight.fabric.resolve import MAXIMUM_CROSSINGS
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan, Threads
 
 # As many shafts as there may be threads: a derived plan can need one for each.

@@ -7,8 +7,9 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
+from loomlight.core.sentences import speaking_of
 from loomlight.fabric.fabric import Fabric, make_fabric
-from loomlight.fabric.reading import speaking_of, validate_fields
+from loomlight.fabric.read import validate_fields
 from loomlight.viewer.draft_json import DraftJson, Json, JsonObject, draft_json, draft_of, validated
 
 

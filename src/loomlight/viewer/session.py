@@ -9,7 +9,7 @@ from typing import Any
 
 from loomlight.assets.load import fabric_of_path
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.load import load_fabric
+from loomlight.fabric.read import load_fabric
 from loomlight.viewer.draft_reader import MAX_UPLOAD
 from loomlight.viewer.fabric_json import fabric_json
 

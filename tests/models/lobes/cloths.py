@@ -17,7 +17,7 @@ from loomlight.core.frozen import FrozenArg
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.fabric import make_fabric
-from loomlight.fabric.file import FabricFile
+from loomlight.fabric.fields import FabricFile
 from loomlight.models.lobes.cloth_samples import top_down_samples, upload_cloth
 from loomlight.models.lobes.coverage_pyramid import CoveragePyramid, build_pyramid, count_cells
 from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups

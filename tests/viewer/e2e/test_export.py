@@ -19,8 +19,8 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 
-from loomlight.fabric.load import load_fabric
 from loomlight.fabric.maps import bake_maps, write_maps
+from loomlight.fabric.read import load_fabric
 from loomlight.models.registry import model_from_loom
 from loomlight.viewer.saving import saved
 from tests.viewer.conftest import Served

@@ -696,13 +696,20 @@ export const ALBEDO_TOLERANCE = 1e-05;
 export const MAX_SIDE = 2048;
 export const ROOT_STEPS = 1023;
 
-// fabric.authored_colour
+// fabric.colour
 export const HALVINGS = 20;
 
 // realtime.environment
 export const MAX_COLUMNS = 1024;
 
-// fabric.fabric
+// fabric.resolve
+export const SPECULAR = 0.4;
+export const TRANSLUCENCY = 0.1;
+export const ROUGHNESS = 0.3;
+export const HEIGHT_SCALE = 1.0;
+export const PLY_TWIST_DEG = 24.0;
+export const DIFFUSE_BLEND = 0.5;
+export const OPTICAL_DEPTH = 2.0;
 export const MAXIMUM_CROSSINGS = 67108864;
 
 // yarn.layout

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.file import yarn_range
+from loomlight.fabric.fields import yarn_range
 from loomlight.models.neural.architecture import BUNDLE_POSITIONS, BUNDLE_SLOPES
 
 # Valid ranges of parameters, to which mixtures are clipped; angles in radians.

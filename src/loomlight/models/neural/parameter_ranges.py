@@ -18,8 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import LoomlightWarning
-from loomlight.fabric.defaults import GAP, Structure, structure_of
 from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.resolve import Structure, structure_of
+from loomlight.fabric.yarns import GAP
 from loomlight.models.neural.weights import Weights
 
 # Relative to a range: of values that a file gives in other units, or that are computed.

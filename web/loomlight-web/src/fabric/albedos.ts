@@ -32,7 +32,7 @@ export interface FamilyAppearance {
 }
 
 /**
- * The appearance of a family whose threads have the colours of a coloured draft; see `fabric/albedos.py`.
+ * The appearance of a family whose threads have the colours of a coloured draft; see `fabric/colour.py`.
  *
  * @param openness of cloth with light between its yarns: colours are then those that cloth shows.
  * @throws InputError explicit albedos that together send back more light than arrives.

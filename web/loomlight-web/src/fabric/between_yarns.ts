@@ -1,6 +1,6 @@
 /**
  * Light between yarns, of numbers that Python finds by rays: colours of cloth as albedos, and the numbers as shaders
- * read them; see `fabric/authored_colour.py` and `scattering/interreflection.py`.
+ * read them; see `fabric/colour.py` and `scattering/interreflection.py`.
  */
 import { InputError } from "loomlight-fabric";
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from loomlight.fabric.file import FabricFile
+from loomlight.fabric.fields import FabricFile
 
 _PATHS = ("draft", "image")
 
