@@ -17,6 +17,7 @@ from loomlight.mitsuba import camera_walk
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.scene_traits import SceneTraits
+from loomlight.models.point import PointModel
 from tests.marks import slow
 
 DIFFUSE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.7}}
@@ -220,7 +221,9 @@ def test_bsdfs_are_asked_for_light_and_next_direction_at_once() -> None:
     assert set(asked) == {"eval_pdf_sample"}
 
 
-def probe_scene(distance: float, tilt: float = 0.0, mirror: bool = False) -> Any:
+def probe_scene(
+    distance: float, tilt: float = 0.0, mirror: bool = False, bsdf: Any = None, rfilter: str = "box"
+) -> Any:
     """A camera looks along −z at a 2 × 2 plate `distance` away, or at it by way of a mirror."""
     probe = footprint_probe()
     mi.register_bsdf("footprint_probe", lambda props: probe(props))
@@ -236,9 +239,9 @@ def probe_scene(distance: float, tilt: float = 0.0, mirror: bool = False) -> Any
             "fov": 2,
             "near_clip": 1e-3,
             "to_world": place().look_at([0, 0, 0], [0, 0, -1], [0, 1, 0]),
-            "film": {"type": "hdrfilm", "width": 8, "height": 8, "rfilter": {"type": "box"}},
+            "film": {"type": "hdrfilm", "width": 8, "height": 8, "rfilter": {"type": rfilter}},
         },
-        "plate": {"type": "rectangle", "to_world": plate, "bsdf": {"type": "footprint_probe"}},
+        "plate": {"type": "rectangle", "to_world": plate, "bsdf": bsdf or {"type": "footprint_probe"}},
         "light": {"type": "directional", "direction": [0.6, 0, -0.8], "irradiance": 1.0},
     }
     if mirror:
@@ -390,3 +393,23 @@ def test_cloth_that_is_woven_anew_casts_its_own_shadow() -> None:
     wanted = LivePicture(anew, integrator=mi.load_dict({"type": "footprint_path", "max_depth": 2})).take()
     assert not np.allclose(before, wanted, atol=1e-3)
     np.testing.assert_allclose(after, wanted, atol=1e-5)
+
+
+def test_nested_cloth_knows_how_many_samples_share_a_pixel_of_its_own_render_alone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A filter with negative lobes has no part for footprints: so many samples are its mean."""
+    asked: list[Any] = []
+    at = PointModel.at
+
+    def recorded(model: PointModel, view: Any, footprint: Any, *rest: Any) -> Any:
+        asked.append(footprint.samples)
+        return at(model, view, footprint, *rest)
+
+    monkeypatch.setattr(PointModel, "at", recorded)
+    cloth = {"type": "mask", "opacity": 0.5, "inner": {"type": "woven_point"}}
+    scene = probe_scene(5.0, bsdf=cloth, rfilter="mitchell")
+    for integrator, spp, told in (("footprint_path", 4, 4), ("path", 4, 1), ("footprint_path", 9, 9)):
+        asked.clear()
+        np.array(mi.render(scene, integrator=mi.load_dict({"type": integrator}), spp=spp))
+        assert {float(np.array(samples).item()) for samples in asked} == {told}

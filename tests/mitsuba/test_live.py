@@ -18,9 +18,9 @@ from experiments.scene_edits import SceneEdits
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, material_bsdf
-from loomlight.mitsuba.bsdf_samples import model_bsdfs
 from loomlight.mitsuba.integrator import samples_are_pixels
 from loomlight.mitsuba.live import LivePicture
+from loomlight.mitsuba.model_bsdf import model_bsdfs
 from tests.marks import slow
 
 SHEEN = 'weave = "twill 2/1"\n[sheen]\nstrength = 0.5\n'

@@ -14,7 +14,7 @@ import pytest
 
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import render
-from loomlight.mitsuba.scene_traits import is_symbolic
+from loomlight.mitsuba.scene_traits import SceneTraits
 from loomlight.models.lobes import model as lobes_model
 from loomlight.models.neural import encoding
 from tests.marks import slow
@@ -196,7 +196,7 @@ def test_two_fabrics_in_one_picture_are_each_its_own(plugin: str) -> None:
 
     def picture(*shown: dict[str, Any]) -> np.ndarray:
         scene = side_by_side(*shown)
-        assert is_symbolic(scene) == (plugin == "woven_lobes")
+        assert SceneTraits.of(scene).symbolic == (plugin == "woven_lobes")
         return render(scene, spp=1, seed=7)
 
     both, alone = picture(first, second), [picture(cloth, cloth) for cloth in (first, second)]

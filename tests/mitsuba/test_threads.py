@@ -15,7 +15,7 @@ import pytest
 from PIL import ExifTags, Image
 
 import loomlight
-from loomlight.mitsuba.model_bsdf import GivenModel, model_bsdf_class
+from loomlight.mitsuba.model_bsdf import GivenModel, made_class
 from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.models.bake import bake
 
@@ -30,7 +30,7 @@ def test_a_bsdf_is_whole_when_mitsuba_first_knows_it(monkeypatch: pytest.MonkeyP
             super().__init__(props)
 
     monkeypatch.setattr(mi, "BSDF", Watched)
-    bsdf = model_bsdf_class()(mi.Properties(), "point", GivenModel(bake("plain", "point"), (10.0, 10.0)))
+    bsdf = made_class()(mi.Properties(), "point", GivenModel(bake("plain", "point"), (10.0, 10.0)))
     assert known
     assert set(vars(bsdf)) == known
 

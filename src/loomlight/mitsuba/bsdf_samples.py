@@ -1,29 +1,26 @@
-"""Flags, samples and vectors of models' BSDFs in Mitsuba's terms."""
+"""Flags, samples and vectors of models' BSDFs in Mitsuba's terms, and how many samples share a pixel."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import Any
-from weakref import WeakSet
 
 import drjit as dr
 import mitsuba as mi
 
+from loomlight.core.arrays import Float
 from loomlight.core.backend import ArrayTypes, array_types
-from loomlight.mitsuba.variants import TURN
 from loomlight.scattering.point import DirectionSample
 
 # Places of lobes in `m_components`.
 _REFLECTION, _TRANSMISSION, _NULL = 0, 2, 4
-# A flag of BSDFs beside those of `mi.BSDFFlags`: they average over footprints. BSDFs around them pass it on.
+# A flag beside those of `mi.BSDFFlags`: the BSDF averages over footprints. BSDFs around it pass the flag on.
 FILTERS = 1 << 30
-# Every BSDF of a model that there is: Dr.Jit traces them all, whichever scene they belong to.
-_MODEL_BSDFS: WeakSet[Any] = WeakSet()
-
-
-def model_bsdfs() -> list[Any]:
-    """Every BSDF of a model that there is now; other threads may make more of them meanwhile."""
-    with TURN:
-        return list(_MODEL_BSDFS)
+# Of the render that is going on. BSDFs within Mitsuba's own, such as a mask or a normal map, are called by
+# these, whose calls have no place for it.
+_PIXEL_SAMPLES: ContextVar[Float] = ContextVar("pixel_samples", default=1)
 
 
 def declare_lobes(bsdf: mi.BSDF, has_holes: bool, filters: bool) -> None:
@@ -31,11 +28,7 @@ def declare_lobes(bsdf: mi.BSDF, has_holes: bool, filters: bool) -> None:
 
     Args:
         filters: it averages over footprints.
-
-    The BSDF is one of `model_bsdfs` from then on.
     """
-    with TURN:
-        _MODEL_BSDFS.add(bsdf)
     flags: Any = mi.BSDFFlags
     both = flags.FrontSide | flags.BackSide | flags.SpatiallyVarying | flags.Anisotropic
     components = [
@@ -53,13 +46,19 @@ def declare_lobes(bsdf: mi.BSDF, has_holes: bool, filters: bool) -> None:
         bsdf.m_flags = bsdf.m_flags | component
 
 
-def set_samples_per_pixel(samples: int) -> None:
-    """Sets how many samples share a pixel, for all BSDFs of models."""
-    for bsdf in model_bsdfs():
-        # The number is kept beside the array: while a frozen function records, arrays cannot be read.
-        if bsdf.samples_per_pixel != samples:
-            bsdf.samples_per_pixel = samples
-            bsdf.pixel_samples = dr.opaque(type(bsdf.pixel_samples), samples)
+@contextmanager
+def sharing_pixels(samples: Float) -> Iterator[None]:
+    """While BSDFs are asked by a render of which so many samples share a pixel; 1 in any other."""
+    before = _PIXEL_SAMPLES.set(samples)
+    try:
+        yield
+    finally:
+        _PIXEL_SAMPLES.reset(before)
+
+
+def pixel_samples() -> Float:
+    """How many samples share a pixel in the render that asks."""
+    return _PIXEL_SAMPLES.get()
 
 
 def bsdf_sample(drawn: DirectionSample, si: mi.SurfaceInteraction3f, active: Any) -> tuple[Any, Any]:

@@ -50,7 +50,7 @@ def camera_guides(
         valid = active & si.is_valid()
         if dr.hint(emitters, mode="scalar"):
             light += share * dr.select(active, si.emitter(scene).eval(si, active), 0)
-        lit, through = _seen(scene, si, number, valid)
+        lit, through = _seen(scene, traits, si, number, valid)
         light += share * lit
         normal += dr.select(valid, mi.Vector3f(si.sh_frame.n) * channel_mean(share * (1 - through)), 0)
         share *= dr.select(valid, through, 0)
@@ -60,19 +60,14 @@ def camera_guides(
     return [*normal, *light]
 
 
-def _seen(scene: Any, si: Any, number: Any, active: Mask) -> tuple[Color3, Color3]:
+def _seen(scene: Any, traits: SceneTraits, si: Any, number: Any, active: Mask) -> tuple[Color3, Color3]:
     """Reflected light and what passes straight through of a surface [3 each]."""
     # Of a plane's lattice of so many points: every pixel takes the same lights.
     numbers = mi.Point2f((mi.Float(number) + 0.5) * (1 / _COUNT), _radical_inverse(number))
     ds, weight = scene.sample_emitter_direction(si, numbers, False, active)
 
     def call(bsdf: Any, si: Any, light: Any, active: Any) -> Any:
-        if bsdf is None:
-            return mi.Spectrum(0), mi.Spectrum(0)
-        context = mi.BSDFContext()
-        if hasattr(bsdf, "eval_and_null_transmission"):
-            return bsdf.eval_and_null_transmission(context, si, light, active, active)
-        return bsdf.eval(context, si, light, active), bsdf.eval_null_transmission(si, active)
+        return traits.surface(bsdf).eval_and_null_transmission(mi.BSDFContext(), si, light, active, active)
 
     lit, through = dr.dispatch(si.bsdf(), call, si, si.to_local(ds.d), active)
     return lit * weight, through

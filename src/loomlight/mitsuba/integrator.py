@@ -24,6 +24,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from typing import Any
 
 import drjit as dr
@@ -33,7 +34,7 @@ import numpy as np
 from loomlight.core.arrays import Vec2
 from loomlight.core.backend import InvariantDivider, minimum, opaque
 from loomlight.core.frozen import gc_paused
-from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel, variant_types
+from loomlight.mitsuba.bsdf_samples import sharing_pixels, variant_types
 from loomlight.mitsuba.camera import Corner, Pinhole
 from loomlight.mitsuba.camera_guides import camera_guides
 from loomlight.mitsuba.camera_walk import CameraWalk, HoleCrossing, least_share_of
@@ -42,11 +43,16 @@ from loomlight.mitsuba.path_vertices import MAX_PASSES, FirstFootprint, PathVert
 from loomlight.mitsuba.pixel_filter import PixelFilter, SplattingSensor
 from loomlight.mitsuba.pixel_sampler import PixelSampler
 from loomlight.mitsuba.ray_cone import pixel_cone
-from loomlight.mitsuba.scene_traits import SceneTraits, is_symbolic
+from loomlight.mitsuba.scene_traits import SceneTraits
 
 
 def footprint_path_class() -> type:
-    """The integrator's class in the current variant, for `mi.register_integrator`."""
+    """The integrator's class in the current variant: Mitsuba's base classes differ from one to another."""
+    return _class_of(mi.variant())
+
+
+@cache
+def _class_of(_variant: str) -> type:
     base: Any = mi.ad.integrators.common.RBIntegrator
 
     class FootprintPath(base):
@@ -101,8 +107,6 @@ def footprint_path_class() -> type:
             return PixelSampler.of(pixel, number, seed, spp), spp
 
         def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
-            # With more samples footprints are as large as ever: each takes as many points as one would.
-            set_samples_per_pixel(self._samples(sampler) if self._pixel_filter is None else 1)
             film = sensor.film()
             pixel, _ = _samples_of(film, sampler.sample_count())
             row, column = InvariantDivider(_width(film), variant_types()).divide(pixel)
@@ -140,10 +144,11 @@ def footprint_path_class() -> type:
             # Derivatives of its place and of its field of view are Mitsuba's own.
             camera = camera if replays else Pinhole.of(camera, self.corner)
             self._replays = replays
-            if SceneTraits.of(scene).filters or self.apart:
+            traits = SceneTraits.of(scene)
+            if traits.filters or self.apart:
                 self._pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres, self.apart)
             try:
-                with gc_paused(), symbolic_mode(scene):
+                with gc_paused(), symbolic_mode(traits):
                     yield (
                         camera if self._pixel_filter is None else SplattingSensor(camera, self._pixel_filter)
                     )
@@ -214,13 +219,21 @@ def footprint_path_class() -> type:
                 first = FirstFootprint.of(self._pixel_filter, self._offset, ray, samples)
                 number = _samples_of(camera.film(), spp)[1] + dr.opaque(mi.UInt32, start)
                 shows = not self.hide_emitters
-                found = camera_guides(scene, SceneTraits.of(scene), first, ray, number, shows)
+                with sharing_pixels(self._shared_by(samples)):
+                    found = camera_guides(scene, SceneTraits.of(scene), first, ray, number, shows)
                 return _means_of_pixels(found, spp, camera.film())
 
         def _samples(self, sampler: mi.Sampler) -> int:
             return self.picture_samples or sampler.sample_count()
 
-        @dr.syntax
+        def _shared_by(self, samples: Any) -> Any:
+            """Samples that share a footprint of BSDFs that filter.
+
+            Where those are a part of the film's filter they are as large with more samples as ever, and each
+            takes as many points as one would.
+            """
+            return samples if self._pixel_filter is None else 1
+
         def sample(
             self,
             mode: Any,
@@ -232,9 +245,24 @@ def footprint_path_class() -> type:
             active: Any,
             **_unused: Any,
         ) -> tuple[Any, Any, list[Any], Any]:
-            primal = mode == dr.ADMode.Primal
-            # Data, like all that another picture may have: kernels serve any number of samples and any depth.
+            # Data, like all that another picture may have: kernels serve any number of samples.
             samples = dr.opaque(mi.Float, self._samples(sampler))
+            with sharing_pixels(self._shared_by(samples)):
+                return self._traced(mode, scene, sampler, ray, δL, state_in, active, samples)
+
+        @dr.syntax
+        def _traced(
+            self,
+            mode: Any,
+            scene: Any,
+            sampler: mi.Sampler,
+            ray: mi.Ray3f,
+            δL: Any,
+            state_in: Any,
+            active: Any,
+            samples: Any,
+        ) -> tuple[Any, Any, list[Any], Any]:
+            primal = mode == dr.ADMode.Primal
             max_depth = dr.opaque(mi.UInt32, self.max_depth)
             traits = SceneTraits.of(scene)
             hittable = traits.hittable_emitters
@@ -389,16 +417,24 @@ def is_plain(film: Any) -> bool:
 def footprint_integrator(scene: Any) -> Any:
     """The scene's own integrator if it is a `footprint_path`, otherwise a new one."""
     own = scene.integrator()
-    return own if type(own).__name__ == "FootprintPath" else mi.load_dict({"type": "footprint_path"})
+    return own if is_footprint_path(own) else mi.load_dict({"type": "footprint_path"})
+
+
+def is_footprint_path(integrator: Any) -> bool:
+    """Whether an integrator is one of this module, which knows of settings and passes."""
+    return isinstance(integrator, footprint_path_class())
 
 
 @contextmanager
 def with_settings(integrator: Any, **settings: Any) -> Iterator[None]:
     """While attributes of a `footprint_path` have other values; another integrator stays as it is."""
-    before = {name: getattr(integrator, name) for name in settings if hasattr(integrator, name)}
+    if not is_footprint_path(integrator):
+        yield
+        return
+    before = {name: getattr(integrator, name) for name in settings}
     try:
-        for name in before:
-            setattr(integrator, name, settings[name])
+        for name, value in settings.items():
+            setattr(integrator, name, value)
         yield
     finally:
         for name, value in before.items():
@@ -406,9 +442,9 @@ def with_settings(integrator: Any, **settings: Any) -> Iterator[None]:
 
 
 @contextmanager
-def symbolic_mode(scene: Any) -> Iterator[None]:
+def symbolic_mode(traits: SceneTraits) -> Iterator[None]:
     """Symbolic calls and loops, unless a surface must not be traced in them; see `Model.symbolic`."""
-    symbolic = is_symbolic(scene)
+    symbolic = traits.symbolic
     with (
         dr.scoped_set_flag(dr.JitFlag.SymbolicCalls, symbolic and dr.flag(dr.JitFlag.SymbolicCalls)),
         dr.scoped_set_flag(dr.JitFlag.SymbolicLoops, symbolic and dr.flag(dr.JitFlag.SymbolicLoops)),

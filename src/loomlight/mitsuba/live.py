@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.core.frozen import frozen, gc_paused, leaves
-from loomlight.mitsuba.bsdf_samples import model_bsdfs
 from loomlight.mitsuba.integrator import footprint_integrator, with_settings
-from loomlight.mitsuba.scene_traits import is_symbolic
+from loomlight.mitsuba.model_bsdf import model_bsdfs
+from loomlight.mitsuba.scene_traits import SceneTraits
 from loomlight.mitsuba.variants import in_turn
 
 
@@ -51,7 +51,7 @@ class LivePicture:
         self._integrator = integrator or footprint_integrator(scene)
         # Not a bound method: what refers to itself is freed by the garbage collector, whenever that runs.
         self._rendered = _renderer(sensor, spp)
-        enabled = records and is_symbolic(scene)
+        enabled = records and SceneTraits.of(scene).symbolic
         self._launch = frozen(self._rendered, enabled=enabled)
         # Once without freezing: whatever is uploaded when it is first used must be there beforehand.
         dr.eval(self._rendered(scene, self._integrator, mi.UInt32(0), []))
@@ -87,4 +87,4 @@ def _renderer(camera: int, samples: int) -> Callable[[Any, Any, Any, list[Any]],
 
 def _held() -> list[tuple[list[Any], tuple[float, ...]]]:
     """Arrays of every cloth that there is, which Dr.Jit does not find by itself, and its literals."""
-    return [(leaves(cloth), getattr(cloth, "literals", ())) for cloth in model_bsdfs()]
+    return [(leaves(cloth), cloth.literals) for cloth in model_bsdfs()]

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import cache
+from typing import Any, ClassVar
+from weakref import WeakSet
 
 import drjit as dr
 import mitsuba as mi
@@ -14,12 +16,13 @@ from loomlight.core.arrays import Color3, Mask
 from loomlight.core.backend import clip
 from loomlight.core.errors import InputError
 from loomlight.core.frozen import leaves
-from loomlight.mitsuba.bsdf_samples import bsdf_sample, declare_lobes, model_bsdfs, plain, variant_types
+from loomlight.mitsuba.bsdf_samples import bsdf_sample, declare_lobes, pixel_samples, plain, variant_types
 from loomlight.mitsuba.call_modes import nested, warn_of_light_paths, warn_of_missing_uv, warn_of_slow_calls
 from loomlight.mitsuba.cloth_uv import draft_footprint, uv_footprint
 from loomlight.mitsuba.filtered_texture import FilteredTexture
 from loomlight.mitsuba.live_edits import LiveEdits, require_valid_edits
 from loomlight.mitsuba.model_props import model_of_props, number_of_props, uv_size_of
+from loomlight.mitsuba.variants import TURN
 from loomlight.models.interface import FootprintBsdf, Model, Parameter
 from loomlight.models.registry import MODELS
 
@@ -43,8 +46,24 @@ class GivenModel:
     uv_size_mm: tuple[float, float]
 
 
-def model_bsdf_class() -> type:
-    """The plugin's class in the current variant."""
+def model_bsdf_class() -> Any:
+    """The plugin's class in the current variant: Mitsuba's base classes differ from one to another."""
+    return _class_of(mi.variant())
+
+
+def model_bsdfs() -> list[Any]:
+    """Every BSDF of a model that there is now; other threads may make more of them meanwhile."""
+    with TURN:
+        return list(model_bsdf_class().alive)
+
+
+@cache
+def _class_of(_variant: str) -> Any:
+    return made_class()
+
+
+def made_class() -> Any:
+    """The class anew, derived from what `mi.BSDF` is now."""
     base: Any = mi.BSDF
 
     class ModelBsdf(base):
@@ -64,11 +83,13 @@ def model_bsdf_class() -> type:
             model: what answers.
             uv_size: millimetres per unit of u and of v.
             symbolic_calls: whether Dr.Jit may trace it symbolically; all tables are on the device already.
-            samples_per_pixel, pixel_samples: how many samples share a pixel, as a number and as an array.
             lets_light_through: whether as much goes straight through holes that it would be seen in a shadow.
             arrays: all arrays that it holds, for frozen functions.
             literals: numbers of the model that kernels hold: where they change, they are compiled anew.
+            alive: all there are, of whichever scene: Dr.Jit traces them all.
         """
+
+        alive: ClassVar[WeakSet[Any]] = WeakSet()
 
         def __init__(self, props: Any, name: str, given: GivenModel | None = None) -> None:
             """
@@ -86,15 +107,30 @@ def model_bsdf_class() -> type:
             radians = "an angle in radians, such as 0.001"
             self.pixel_angle = number_of_props(props, "pixel_angle", 0.0, radians, least=0.0)
             dr.make_opaque(self.uv_size)
-            self.samples_per_pixel = 1
-            self.pixel_samples = dr.opaque(mi.Float, 1)
             self.arrays: list[Any] = []
             self._texture: FilteredTexture | None = None
             self._was_traced = False
             self._set_model(given.model)
             self._filter_albedo()
             super().__init__(props)
-            declare_lobes(self, self.model.has_holes, self.model.filters)
+            declare_lobes(self, self.has_holes, self.filters)
+            with TURN:
+                self.alive.add(self)
+
+        @property
+        def source(self) -> Source:
+            """What the model is made of."""
+            return self.model.source
+
+        @property
+        def filters(self) -> bool:
+            """Whether it averages over footprints."""
+            return self.model.filters
+
+        @property
+        def has_holes(self) -> bool:
+            """Whether light may pass straight through."""
+            return self.model.has_holes
 
         def set_source(self, source: Source) -> None:
             """Becomes the BSDF of another source; `mi.traverse` has to be called again.
@@ -126,7 +162,8 @@ def model_bsdf_class() -> type:
 
         def parameters_changed(self, keys: Any) -> None:
             # Mitsuba updates one BSDF after another: a wrong edit of any must find all as they were.
-            cloths = [cloth for cloth in model_bsdfs() if isinstance(cloth, ModelBsdf)]
+            with TURN:
+                cloths = list(self.alive)
             require_valid_edits((cloth.label, cloth.edits) for cloth in cloths)
             self._require_no_albedo_derivatives()
             try:
@@ -184,7 +221,7 @@ def model_bsdf_class() -> type:
             if not self.symbolic_calls:
                 warn_of_slow_calls(MODELS[self.model.name].plugin)
             edges = uv_footprint(si, self.pixel_angle)
-            footprint = replace(draft_footprint(si, self.uv_size, edges), samples=self.pixel_samples)
+            footprint = replace(draft_footprint(si, self.uv_size, edges), samples=pixel_samples())
             view = dr.select(_is_seen(si), si.wi, mi.Vector3f(0, 0, 1))
             footprint, tint = self.model.on_cloth(footprint), self._tint(si, edges, active)
             return self.model.at(plain(view), footprint, tint, active)

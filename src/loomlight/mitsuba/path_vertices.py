@@ -237,9 +237,6 @@ class PathVertices:
                 return δL
             return δL + dr.forward_to(Lo)
 
-    # Mitsuba's own calls ask BSDFs written in Python for one thing after another, and each works out anew
-    # what the view sees. Within one call both come of the same.
-
     def _value_pdf_and_sample(
         self,
         bsdf: Any,
@@ -249,20 +246,12 @@ class PathVertices:
         square: Any,
         active: Mask,
     ) -> tuple[Any, Any, Any, Any, Any]:
-        """`eval_pdf_sample` of BSDFs, their own where they have one, and what passes straight through."""
+        """All that a vertex needs of its BSDF."""
 
-        def call(
-            one: Any, si: mi.SurfaceInteraction3f, to_light: Any, lobe: Any, square: Any, active: Any
-        ) -> Any:
-            nothing = mi.Spectrum(0)
-            if one is None:  # A scene without any BSDF.
-                return nothing, mi.Float(0), dr.zeros(mi.BSDFSample3f), nothing, nothing
-            arguments = self._context, si, to_light, lobe, square, active
-            if not (self._blends and one.flags() & FILTERS):
-                return *one.eval_pdf_sample(*arguments), nothing
-            if hasattr(one, "eval_pdf_sample_and_null_transmission"):
-                return one.eval_pdf_sample_and_null_transmission(*arguments)
-            return *one.eval_pdf_sample(*arguments), one.eval_null_transmission(si, active)
+        def call(one: Any, *asked: Any) -> Any:
+            answer = self._traits.surface(one).eval_pdf_sample_and_null_transmission(self._context, *asked)
+            # Left out where nobody looks at it, so that it is not computed.
+            return answer if self._blends else (*answer[:-1], mi.Spectrum(0))
 
         results: tuple[Any, Any, Any, Any, Any] = dr.dispatch(
             bsdf, call, si, light.to_light, lobe, square, active
@@ -276,13 +265,8 @@ class PathVertices:
         if not self._traits.holes:
             return bsdf.eval(self._context, si, light.to_light, light.lit), mi.Spectrum(0)
 
-        def call(one: Any, si: mi.SurfaceInteraction3f, to_light: Any, lit: Any, enters: Any) -> Any:
-            if one is None:
-                return mi.Spectrum(0), mi.Spectrum(0)
-            if hasattr(one, "eval_and_null_transmission"):
-                return one.eval_and_null_transmission(self._context, si, to_light, lit, enters)
-            value = one.eval(self._context, si, to_light, lit)
-            return value, one.eval_null_transmission(si, enters)
+        def call(one: Any, *asked: Any) -> Any:
+            return self._traits.surface(one).eval_and_null_transmission(self._context, *asked)
 
         results: tuple[Any, Any] = dr.dispatch(bsdf, call, si, light.to_light, light.lit, enters)
         return results

@@ -6,7 +6,7 @@ In other variants their names are known too, so that loading one says which vari
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -50,7 +50,7 @@ def make_bsdf(model: Model, uv_size_mm: tuple[float, float], albedo: dict[str, A
             albedo = _upright(albedo, file)
         props["albedo"] = mi.load_dict(albedo)
     given = GivenModel(model, uv_size_mm)
-    return _constructor(partial(_bsdf_class(mi.variant()), name=model.name, given=given))(props)
+    return _constructor(partial(model_bsdf_class(), name=model.name, given=given))(props)
 
 
 def _upright(albedo: dict[str, Any], file: Path) -> dict[str, Any]:
@@ -71,9 +71,8 @@ def _on_variant(_previous: str | None, variant: str | None) -> None:
         return
     require_backend(variant)
     mi.register_integrator(_INTEGRATOR, _constructor(footprint_path_class()))
-    # Mitsuba's base classes differ from variant to variant, and so do the plugins' classes.
     for name, entry in MODELS.items():
-        mi.register_bsdf(entry.plugin, _constructor(partial(_bsdf_class(variant), name=name)))
+        mi.register_bsdf(entry.plugin, _constructor(partial(model_bsdf_class(), name=name)))
 
 
 def _refuse(_props: mi.Properties, plugin: str, variant: str) -> Any:
@@ -86,12 +85,6 @@ def _refuse(_props: mi.Properties, plugin: str, variant: str) -> Any:
         f"{plugin} does not exist in the variant {variant}: set {' or '.join(SUPPORTED_VARIANTS)} before the "
         "scene is loaded."
     )
-
-
-@cache
-def _bsdf_class(variant: str) -> type:
-    del variant
-    return model_bsdf_class()
 
 
 def _constructor(plugin: Callable[[Any], Any]) -> Callable[[Any], Any]:

@@ -13,8 +13,14 @@ from numpy.typing import NDArray
 from loomlight.core.colour import white_balance as white_balance_gains
 from loomlight.core.errors import InputError
 from loomlight.mitsuba.denoising import denoised, wants_denoising
-from loomlight.mitsuba.integrator import footprint_integrator, has_pixel_sampler, is_plain, with_settings
-from loomlight.mitsuba.scene_traits import is_symbolic
+from loomlight.mitsuba.integrator import (
+    footprint_integrator,
+    has_pixel_sampler,
+    is_footprint_path,
+    is_plain,
+    with_settings,
+)
+from loomlight.mitsuba.scene_traits import SceneTraits
 from loomlight.mitsuba.variants import choose_variant, in_turn
 
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.
@@ -73,10 +79,10 @@ def render(
     sensor = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
     width, height = (int(value) for value in sensor.film().crop_size())
     integrator = integrator or footprint_integrator(scene)
-    denoises = denoises and hasattr(integrator, "apart") and is_plain(sensor.film())
+    denoises = denoises and is_footprint_path(integrator) and is_plain(sensor.film())
     # Noise is told from what differs between two halves that share no numbers.
     halves = 2 if denoises and spp > 1 else 1
-    passes = _passes(-(-spp // halves), width * height, is_symbolic(scene))
+    passes = _passes(-(-spp // halves), width * height, SceneTraits.of(scene).symbolic)
     in_all = min(spp, halves * sum(passes))
     totals: list[Any] = [0.0] * halves
     done = 0
@@ -101,7 +107,7 @@ def render(
 def _guides(integrator: Any, scene: mi.Scene, sensor: Any, seed: int) -> NDArray[np.float32]:
     """Pictures that guide the denoiser [height, width, 6]; see `camera_guides`."""
     width, height = (int(value) for value in sensor.film().crop_size())
-    passes = _passes(_GUIDE_SAMPLES, width * height, is_symbolic(scene))
+    passes = _passes(_GUIDE_SAMPLES, width * height, SceneTraits.of(scene).symbolic)
     found = []
     for number, samples in enumerate(passes):
         with _one_of(integrator, sensor, _GUIDE_SAMPLES, number, True) as alone:
@@ -127,7 +133,7 @@ def _one_of(integrator: Any, sensor: Any, spp: int, number: int, apart: bool) ->
     Args:
         apart: samples count in their own pixels alone.
     """
-    alone = not (hasattr(integrator, "pass_number") and has_pixel_sampler(sensor))
+    alone = not (is_footprint_path(integrator) and has_pixel_sampler(sensor))
     of_pass = {"picture_samples": spp, "pass_number": 0 if alone else number}
     with with_settings(integrator, skip_film=True, apart=apart, **of_pass):
         yield alone

@@ -39,6 +39,7 @@ from loomlight.mitsuba.meshes import from_shape, set_uv, to_shape
 from loomlight.mitsuba.placement import Placement, placed
 from loomlight.mitsuba.scene_meshes import check_scene_meshes
 from loomlight.mitsuba.scene_props import backdrop, ball, ground
+from loomlight.mitsuba.scene_traits import surface_bsdf
 
 # The BSDF of a user's scene file that is replaced by the fabric.
 FABRIC_ID = "fabric"
@@ -268,7 +269,7 @@ def _dressed(
 
 def _thickness(bsdf: Any) -> float:
     """Metres of a cloth."""
-    source = getattr(getattr(bsdf, "model", None), "source", None)
+    source = surface_bsdf(bsdf).source
     return cloth_facts(source).thickness_mm / 1000 if isinstance(source, Fabric) else _THICKNESS
 
 
