@@ -21,14 +21,14 @@ from numpy.typing import NDArray
 
 from benchmarks.harness import Figures, run
 from loomlight.fabric import Fabric, fabric_from_text
-from loomlight.mitsuba import LIGHTS, choose_variant, cloth_shapes, render
-from loomlight.mitsuba.material import material_bsdf
+from loomlight.mitsuba import LIGHTS, choose_variant, render, shapes
 from loomlight.mitsuba.measured_scenes import MeasuredShot, shot_scene
+from loomlight.mitsuba.plugins import material_bsdf
 
 _YARNS = 10.0
 SHOTS = {
-    "drape": MeasuredShot((cloth_shapes.drape,), (0.35, 0.55, 1.0), (-0.6, 0.75, 0.6), _YARNS),
-    "cylinder": MeasuredShot((cloth_shapes.cylinder,), (0.0, 0.0, 1.0), (1.0, 0.35, 0.4), _YARNS, zoom=1.2),
+    "drape": MeasuredShot((shapes.drape,), (0.35, 0.55, 1.0), (-0.6, 0.75, 0.6), _YARNS),
+    "cylinder": MeasuredShot((shapes.cylinder,), (0.0, 0.0, 1.0), (1.0, 0.35, 0.4), _YARNS, zoom=1.2),
 }
 # Efficiency to reach.
 BARS = {"drape": 5.0, "cylinder": 3.0}

@@ -28,8 +28,8 @@ from experiments.scene_edits import SceneEdits
 from experiments.timing import timed
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf
+from loomlight.mitsuba.bsdf import model_bsdfs
 from loomlight.mitsuba.live import LivePicture
-from loomlight.mitsuba.model_bsdf import model_bsdfs
 from loomlight.models.lobes import model as lobes_model
 
 SIDES = (16, 256)

@@ -17,8 +17,8 @@ from loomlight.mitsuba import ClothScene
 from loomlight.mitsuba.camera import View, perspective
 from loomlight.mitsuba.denoising import denoised
 from loomlight.mitsuba.rendering import render
-from loomlight.mitsuba.scene_props import backdrop
 from loomlight.mitsuba.scenes import empty_scene
+from loomlight.mitsuba.shapes import backdrop
 from loomlight.scattering.appearance import FamilyAppearance
 from tools.fibre_yarns import Window, YarnCurves, yarn_curves, yarn_makes
 

@@ -17,9 +17,9 @@ from PIL import Image
 
 from loomlight.core.images import encoded
 from loomlight.fabric.read import load_fabric
-from loomlight.mitsuba import build_scene, choose_variant, cloth_shapes, material_bsdf, render
+from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render, shapes
 from loomlight.mitsuba.camera import View
-from loomlight.mitsuba.placement import Placement
+from loomlight.mitsuba.meshes import Placement
 from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.models.registry import make_model
 
@@ -34,7 +34,7 @@ SHOTS = (((0, 100), 20.0), ((0, 199), 12.0))
 def rim(edge: str, corner: tuple[int, int], zoom: float, side: int, spp: int) -> NDArray[np.uint8]:
     """A square picture of a place of the drape's rim, 8-bit sRGB."""
     shown = build_scene("drape", _cloth(), size=(side, side), edge=edge)
-    place = cloth_shapes.drape().positions.reshape(GRID, GRID, 3)[corner]
+    place = shapes.drape().positions.reshape(GRID, GRID, 3)[corner]
     near = shown.view.closer(zoom, place)
     shift = place - near.target
     shown.look_from(View(near.origin + shift, near.target + shift))

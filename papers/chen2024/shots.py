@@ -7,13 +7,13 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.mitsuba import ClothMesh, cloth_shapes
+from loomlight.mitsuba import ClothMesh, shapes
 from loomlight.mitsuba.measured_scenes import MeasuredShot
 
 _ABOVE = (0.35, 0.55, 1.0)
 
 # Near enough to see the weave, far enough for it to alias.
-DRAPE = MeasuredShot((cloth_shapes.drape,), _ABOVE, (-0.6, 0.75, 0.6), yarns=2.5, zoom=2.2)
+DRAPE = MeasuredShot((shapes.drape,), _ABOVE, (-0.6, 0.75, 0.6), yarns=2.5, zoom=2.2)
 # Width and height of the curtain in metres, its folds, and their steepest slope.
 _SIZE, _FOLDS, _SLOPE = (0.2, 0.12), 4, 0.8
 
@@ -38,21 +38,21 @@ def curtain() -> ClothMesh:
             depth * np.sin(2 * np.pi * _FOLDS * place),
         )
 
-    return cloth_shapes.grid_surface(513, hung, "curtain")
+    return shapes.grid_surface(513, hung, "curtain")
 
 
 # Some folds turn towards the light, which stands to the side and behind, and others away from it.
 BACKLIT = MeasuredShot((curtain,), (0.25, 0.1, 1.0), (-1.0, 0.3, -0.55), yarns=2.5, zoom=1.15)
-CLOSE = MeasuredShot((cloth_shapes.drape,), _ABOVE, (-0.6, 0.75, 0.6), yarns=0.15, zoom=3.0)
-CYLINDER = MeasuredShot((cloth_shapes.cylinder,), (0.0, 0.0, 1.0), (-0.3, 0.6, 0.8), yarns=2.0, zoom=1.2)
-BALL = MeasuredShot((cloth_shapes.sphere,), (0.0, 0.0, 1.0), (-0.45, 0.6, 0.75), yarns=2.0)
+CLOSE = MeasuredShot((shapes.drape,), _ABOVE, (-0.6, 0.75, 0.6), yarns=0.15, zoom=3.0)
+CYLINDER = MeasuredShot((shapes.cylinder,), (0.0, 0.0, 1.0), (-0.3, 0.6, 0.8), yarns=2.0, zoom=1.2)
+BALL = MeasuredShot((shapes.sphere,), (0.0, 0.0, 1.0), (-0.45, 0.6, 0.75), yarns=2.0)
 
 
 def _ball_at(column: int, row: int) -> Callable[[], ClothMesh]:
     """The ball, moved by whole places to the right and up."""
 
     def moved() -> ClothMesh:
-        ball = cloth_shapes.sphere()
+        ball = shapes.sphere()
         offset = np.array([column * _APART[0], row * _APART[1], 0.0])
         return ClothMesh(ball.positions + offset, ball.normals, ball.uv, ball.triangles, ball.name)
 

@@ -19,12 +19,12 @@ from loomlight.assets.loom_file import write_loom
 from loomlight.assets.material import Material
 from loomlight.evaluation.pictures import PictureError, picture_error
 from loomlight.evaluation.table import Table
-from loomlight.mitsuba import choose_variant, cloth_shapes
+from loomlight.mitsuba import choose_variant, shapes
 from loomlight.mitsuba.lights import environment_dict, light_dicts
 from loomlight.mitsuba.material_queries import material_bsdf_of
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.plugins import make_bsdf
-from loomlight.mitsuba.scene_props import ground
+from loomlight.mitsuba.shapes import ground
 from loomlight.models.interface import Model
 from loomlight.models.latent.settings import LatentOptions
 from loomlight.models.registry import make_model, model_from_loom
@@ -148,9 +148,9 @@ def stage_scene(
         depth: longest path in segments.
     """
     choose_variant()
-    sphere = cloth_shapes.sphere()
+    sphere = shapes.sphere()
     centre = np.zeros(3)
-    radius = cloth_shapes.SPHERE_RADIUS
+    radius = shapes.SPHERE_RADIUS
     light: dict[str, Any] = (
         light_dicts("studio", centre, radius, _TOWARDS_LIGHT)
         if setting.environment is None

@@ -1,6 +1,6 @@
 """Furnished and worn pieces of cloth, made of formulas: a couch with pillows and a blanket, a blouse, a gown.
 
-Metres, y up, z towards the camera; uv to scale over the whole piece, as of `cloth_shapes`. They stand for the
+Metres, y up, z towards the camera; uv to scale over the whole piece, as of `shapes.py`. They stand for the
 scenes of papers whose own meshes are not public: what matters are curvature, folds, and layers.
 """
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.mesh.cloth_mesh import ClothMesh, joined
-from loomlight.mitsuba.cloth_shapes import grid_surface, grid_triangles
+from loomlight.mitsuba.shapes import grid_surface, grid_triangles
 
 Values = NDArray[np.float64]
 Point = tuple[float, float, float]

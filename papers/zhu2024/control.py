@@ -26,7 +26,7 @@ from loomlight.core.llvm import llvm_float
 from loomlight.evaluation.pictures import picture_error
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba import choose_variant, cloth_shapes, material_bsdf
+from loomlight.mitsuba import choose_variant, material_bsdf, shapes
 from loomlight.mitsuba.measured_scenes import MeasuredShot, shot_scene
 from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory
@@ -48,7 +48,7 @@ _TEXELS, _RINGS, _SECTORS = 96, 12, 24
 _SEED = 1
 _COLUMNS = ("base, many samples", "residual, 2 samples", "base + residual", "f·v, 2 samples", "reference")
 _FABRICS = ("drape satin", "cylinder twill")
-_SHOT = MeasuredShot((cloth_shapes.sphere,), (0.0, 0.0, 1.0), (-0.45, 0.6, 0.75), yarns=3.0)
+_SHOT = MeasuredShot((shapes.sphere,), (0.0, 0.0, 1.0), (-0.45, 0.6, 0.75), yarns=3.0)
 
 
 @dataclass(frozen=True, eq=False)

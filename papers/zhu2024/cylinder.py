@@ -20,7 +20,7 @@ from loomlight.evaluation.pictures import PictureError, picture_error
 from loomlight.evaluation.table import Table
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba import ClothMesh, choose_variant, cloth_shapes, material_bsdf
+from loomlight.mitsuba import ClothMesh, choose_variant, material_bsdf, shapes
 from loomlight.mitsuba.lights import light_dicts
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.plugins import make_bsdf
@@ -71,7 +71,7 @@ def arc(columns: int = 129, rows: int = 513) -> ClothMesh:
         angle = half * (2 * v - 1)
         return LENGTH * (u - 0.5), RADIUS * np.sin(angle), RADIUS * np.cos(angle)
 
-    return cloth_shapes.grid_surface((columns, rows), around, "arc")
+    return shapes.grid_surface((columns, rows), around, "arc")
 
 
 @lru_cache(maxsize=2)

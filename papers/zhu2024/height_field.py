@@ -18,7 +18,7 @@ import numpy as np
 from loomlight.aggregate.components import colours
 from loomlight.fabric.fabric import Fabric
 from loomlight.mesh.cloth_mesh import ClothMesh, uv_size
-from loomlight.mitsuba.bsdf_samples import plain, variant_types
+from loomlight.mitsuba.bsdf import plain, variant_types
 from loomlight.mitsuba.meshes import to_shape
 from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.sheen import sheen_with_transmittance
@@ -30,7 +30,7 @@ def height_field_shape(piece: ClothMesh, fabric: Fabric) -> Any:
     """A Mitsuba shape of a finely tessellated piece whose vertices are moved to the heights of the yarns.
 
     Triangles with a vertex in a hole are left out. The piece's dp/du and dp/dv must not point in a mirrored
-    order (`cloth_uv.py`), as those of `cloth_shapes` do not.
+    order (`bsdf.py:draft_position`), as those of `shapes.py` do not.
 
     Args:
         piece: metres; its vertices must resolve the yarns, with 16 a thread or more.

@@ -20,11 +20,11 @@ from numpy.typing import NDArray
 
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba import ClothMesh, cloth_shapes, material_bsdf
+from loomlight.mitsuba import ClothMesh, material_bsdf, shapes
 from loomlight.mitsuba.lights import environment_dict, light_dicts
 from loomlight.mitsuba.measured_scenes import MeasuredScene
-from loomlight.mitsuba.scene_props import ball, ground
 from loomlight.mitsuba.scenes import BsdfFactory
+from loomlight.mitsuba.shapes import ball, ground
 from loomlight.models.clustered.model import ClusteredModel, ClusteredOptions
 from papers.composed_scenes import Composition, composed_scene
 from papers.setting import CLUSTERED, POINT, Setting
@@ -60,7 +60,7 @@ class TableScene:
         max_depth: longest path in segments.
         paper: the paper's row.
         grounded: stands on a grey ground.
-        on_ball: is draped over the ball of `cloth_shapes.drape`.
+        on_ball: is draped over the ball of `shapes.drape`.
         zoom, focus: see `Composition`.
         exposure: stops by which the lamp is brighter than that of the built-in scenes.
     """
@@ -128,7 +128,7 @@ SCENES: dict[str, TableScene] = {
     ),
     "cylinder": TableScene(
         "Cloth cylinder",
-        ((cloth_shapes.cylinder, "cylinder twill"),),
+        ((shapes.cylinder, "cylinder twill"),),
         (0.0, 0.0, 1.0),
         (-0.1, 0.45, 1.0),
         "point",
@@ -138,7 +138,7 @@ SCENES: dict[str, TableScene] = {
     ),
     "drape": TableScene(
         "Draping fabric",
-        ((cloth_shapes.drape, "drape satin"),),
+        ((shapes.drape, "drape satin"),),
         (0.35, 0.55, 1.0),
         (-0.6, 0.75, 0.6),
         "point",

@@ -16,7 +16,7 @@ from loomlight.evaluation.pictures import picture_error
 from loomlight.evaluation.table import Table
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba import choose_variant, cloth_shapes, material_bsdf
+from loomlight.mitsuba import choose_variant, material_bsdf, shapes
 from loomlight.mitsuba.measured_scenes import MeasuredShot, shot_scene
 from papers.figure import Evidence, Pixels, error_caption, on_display
 from papers.renders import one_picture
@@ -26,7 +26,7 @@ from papers.sheet import Row, Tile, contact_sheet
 _STRENGTHS = (0.0, 0.3, 1.0)
 _MODEL_SAMPLES = 2
 # The light stands above: what faces the camera is lit at grazing angles.
-_SHOT = MeasuredShot((cloth_shapes.drape,), (0.35, 0.35, 1.0), (-0.6, 0.9, 0.12), yarns=2.5, zoom=1.25)
+_SHOT = MeasuredShot((shapes.drape,), (0.35, 0.35, 1.0), (-0.6, 0.9, 0.12), yarns=2.5, zoom=1.25)
 # Stops by which the pictures are brighter: black cloth returns a hundredth of the light.
 _EXPOSURE = 3.0
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from loomlight.mesh.cloth_mesh import ClothMesh, cross_products, metric
 from loomlight.mesh.edges import edged
-from loomlight.mitsuba import cloth_shapes
+from loomlight.mitsuba import shapes
 
 WIDTH, THICKNESS = 6e-3, 5e-4
 
@@ -24,7 +24,7 @@ def square(cells: int, bend: float = 0.0, side: float = 0.1) -> ClothMesh:
         angle = side * (v - 0.5) * bend
         return side * u, np.sin(angle) / bend, np.cos(angle) / bend
 
-    return cloth_shapes.grid_surface(cells + 1, place, "square")
+    return shapes.grid_surface(cells + 1, place, "square")
 
 
 def strip_of(mesh: ClothMesh, kind: str = "hem", thickness: float = THICKNESS) -> ClothMesh:
@@ -162,7 +162,7 @@ def test_seams_have_no_edge() -> None:
         middle = (used[:, 1] > 0.02) & (used[:, 1] < 0.08)
         assert np.abs(used[middle, 0] - x).min() > 0.1 - WIDTH - 1e-6
     assert pieces[1].positions[:, 2].min() == pytest.approx(-4 * THICKNESS)
-    tube = strip_of(cloth_shapes.cylinder())
+    tube = strip_of(shapes.cylinder())
     used = tube.positions[np.unique(tube.triangles)]
     assert np.abs(used[:, 0]).min() == pytest.approx(0.06 - WIDTH, rel=1e-6)
 
@@ -192,7 +192,7 @@ def test_triangles_without_uv_have_no_edge() -> None:
 
 
 def test_the_draped_cloth_has_a_hem() -> None:
-    mesh = cloth_shapes.drape()
+    mesh = shapes.drape()
     strip = strip_of(mesh, thickness=8e-4)
     for rows in (strip.positions, strip.normals, strip.uv):
         assert np.isfinite(rows).all()

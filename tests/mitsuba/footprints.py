@@ -9,7 +9,7 @@ import drjit as dr
 import mitsuba as mi
 import numpy as np
 
-from loomlight.mitsuba.model_props import _field
+from loomlight.mitsuba.props import _field
 from loomlight.models.bake import bake, save
 from loomlight.models.registry import MODELS, model_class
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import LoomlightWarning
-from loomlight.mitsuba import call_modes, render
+from loomlight.mitsuba import bsdf, render
 
 
 def write_triangle(file: Path, with_uv: bool) -> None:
@@ -71,7 +71,7 @@ def test_a_mesh_without_uv_is_named_once(integrator: str, tmp_path: Path) -> Non
 @pytest.mark.slow
 @pytest.mark.usefixtures("narrow_network")
 def test_networks_in_symbolic_calls_are_said_to_be_slow(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(call_modes, "_WARNED", set())
+    monkeypatch.setattr(bsdf, "_WARNED", set())
     squares = {"a": {"type": "rectangle"}, "b": {"type": "sphere"}}
     assert told(scene_of("footprint_path", "woven_neural", **squares)) == []
     assert told(scene_of("path", "woven_lobes", **squares)) == []
@@ -83,6 +83,6 @@ def test_networks_in_symbolic_calls_are_said_to_be_slow(monkeypatch: pytest.Monk
 
 
 def test_paths_from_lights_are_told_of_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(call_modes, "_WARNED", set())
+    monkeypatch.setattr(bsdf, "_WARNED", set())
     (found,) = told(scene_of("ptracer", cloth={"type": "rectangle"}))
     assert "made for paths that begin at the camera" in found

@@ -14,8 +14,8 @@ import pytest
 
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import render
-from loomlight.mitsuba.material import material_bsdf
-from loomlight.mitsuba.scene_traits import SceneTraits
+from loomlight.mitsuba.bsdf import SceneTraits
+from loomlight.mitsuba.plugins import material_bsdf
 from tests.marks import slow
 
 LIGHTS = {

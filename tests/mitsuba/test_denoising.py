@@ -1,6 +1,6 @@
 """Denoised pictures: closer to the truth, the same every time, and left alone where asked.
 
-Covers: mitsuba/camera_guides.py
+Covers: mitsuba/path.py
 """
 
 from __future__ import annotations

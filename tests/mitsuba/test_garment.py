@@ -1,6 +1,6 @@
 """Garments: cloths by parts and materials, each at its own scale; what has no uv stays uncovered.
 
-Covers: mitsuba/garment.py
+Covers: mitsuba/meshes.py
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import pytest
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import metric
 from loomlight.mitsuba import build_scene
-from loomlight.mitsuba.garment import read_garment
+from loomlight.mitsuba.meshes import read_garment
 from loomlight.mitsuba.turntable import Turntable
 
 DATA = os.environ.get("LOOMLIGHT_DATA")

@@ -1,6 +1,6 @@
 """What differs between fabrics, scenes and views is data of kernels, not code: they are compiled once.
 
-Covers: mitsuba/scene_props.py, mitsuba/pixel_sampler.py
+Covers: mitsuba/shapes.py, mitsuba/pixels.py
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from loomlight.mitsuba import build_scene, material_bsdf, render
-from loomlight.mitsuba.pixel_sampler import PixelSampler
+from loomlight.mitsuba.pixels import PixelSampler
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SIZE = (12, 12)

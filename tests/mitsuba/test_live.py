@@ -1,6 +1,6 @@
 """Live pictures: edits show at once, as they would in a picture that is traced anew.
 
-Covers: mitsuba/bsdf_samples.py
+Covers: mitsuba/bsdf.py
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from experiments.scene_edits import SceneEdits
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, material_bsdf
-from loomlight.mitsuba.integrator import samples_are_pixels
+from loomlight.mitsuba.bsdf import model_bsdfs
 from loomlight.mitsuba.live import LivePicture
-from loomlight.mitsuba.model_bsdf import model_bsdfs
+from loomlight.mitsuba.path import samples_are_pixels
 from tests.marks import slow
 
 SHEEN = 'weave = "twill 2/1"\n[sheen]\nstrength = 0.5\n'

@@ -18,7 +18,7 @@ from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import material_bsdf
 from loomlight.mitsuba.material_picture import RenderJob, RenderSettings, shown_material
-from loomlight.mitsuba.placement import Placement
+from loomlight.mitsuba.meshes import Placement
 
 from ..core.pictures import png_head
 

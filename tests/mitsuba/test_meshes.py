@@ -1,6 +1,6 @@
 """Meshes: every format gives the same cloth, and damaged files end in a sentence.
 
-Covers: mesh/cloth_mesh.py, mitsuba/cloth_shapes.py, mitsuba/faults.py
+Covers: mesh/cloth_mesh.py, mitsuba/shapes.py, mitsuba/faults.py
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import trimesh
 
 from loomlight.core.errors import InputError
 from loomlight.mesh.cloth_mesh import ClothMesh
-from loomlight.mitsuba import cloth_shapes, read_mesh, to_shape, uv_size
+from loomlight.mitsuba import read_mesh, shapes, to_shape, uv_size
 from loomlight.mitsuba.meshes import from_shape
 
 DATA = os.environ.get("LOOMLIGHT_DATA")
@@ -158,16 +158,16 @@ def test_truncated_files_are_refused(tmp_path: Path, make: object) -> None:
 
 
 def test_built_in_cloths_are_to_scale() -> None:
-    np.testing.assert_allclose(uv_size(cloth_shapes.flat()), (100, 100), rtol=1e-6)
-    np.testing.assert_allclose(uv_size(cloth_shapes.cylinder()), (120, 2 * np.pi * 40), rtol=1e-3)
+    np.testing.assert_allclose(uv_size(shapes.flat()), (100, 100), rtol=1e-6)
+    np.testing.assert_allclose(uv_size(shapes.cylinder()), (120, 2 * np.pi * 40), rtol=1e-3)
     # Gathering shortens circles only, so the metric is a little below the square's side.
-    side = 2 * 100 * cloth_shapes.SPHERE_CAP
-    assert all(0.8 * side < size < side for size in uv_size(cloth_shapes.sphere()))
-    np.testing.assert_allclose(uv_size(cloth_shapes.drape()), (600, 600), rtol=0.02)
+    side = 2 * 100 * shapes.SPHERE_CAP
+    assert all(0.8 * side < size < side for size in uv_size(shapes.sphere()))
+    np.testing.assert_allclose(uv_size(shapes.drape()), (600, 600), rtol=0.02)
 
 
 def test_built_in_cloths_face_outwards_with_unit_normals() -> None:
-    for make in (cloth_shapes.flat, cloth_shapes.sphere, cloth_shapes.cylinder, cloth_shapes.drape):
+    for make in (shapes.flat, shapes.sphere, shapes.cylinder, shapes.drape):
         mesh = make()
         np.testing.assert_allclose(np.linalg.norm(mesh.normals, axis=1), 1, atol=1e-5)
         a, b, c = (mesh.positions[mesh.triangles[:, i]] for i in range(3))
@@ -176,13 +176,13 @@ def test_built_in_cloths_face_outwards_with_unit_normals() -> None:
 
 
 def test_draped_cloth_keeps_its_lengths_and_lies_on_ball_and_ground() -> None:
-    mesh = cloth_shapes.drape()
+    mesh = shapes.drape()
     grid = mesh.positions.reshape(200, 200, 3)
     for axis in (0, 1):
         length = np.linalg.norm(np.diff(grid, axis=axis), axis=-1).sum(axis=axis)
         np.testing.assert_allclose(length, 0.6, rtol=0.05)
     assert mesh.positions[:, 1].min() > 0
-    radius = cloth_shapes.DRAPE_BALL_RADIUS
+    radius = shapes.DRAPE_BALL_RADIUS
     assert np.linalg.norm(mesh.positions - [0, radius, 0], axis=1).min() > radius
 
 

@@ -1,6 +1,6 @@
 """The plugin of all models: samples, answers given at once, bakings of edits, and pictures of two cloths.
 
-Covers: mitsuba/model_bsdf.py, mitsuba/model_props.py
+Covers: mitsuba/bsdf.py, mitsuba/props.py
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import pytest
 
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import render
-from loomlight.mitsuba.scene_traits import SceneTraits
+from loomlight.mitsuba.bsdf import SceneTraits
 from loomlight.models.lobes import model as lobes_model
 from loomlight.models.neural import encoding
 from tests.marks import slow

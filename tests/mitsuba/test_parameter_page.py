@@ -1,6 +1,6 @@
 """docs/mitsuba-parameters.md and mitsuba-edits.md against the code: ranges, defaults, live, differentiable.
 
-Covers: mitsuba/model_props.py
+Covers: mitsuba/props.py
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from loomlight.core.settings import declared
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fields import FabricFile
 from loomlight.fabric.read import edited_fabric
-from loomlight.mitsuba.model_props import _field
+from loomlight.mitsuba.props import _field
 from loomlight.models.bake import bake, save
 from loomlight.models.registry import MODELS, model_class
 from tests.marks import slow_among

@@ -1,6 +1,6 @@
 """The film's filter: what samples and footprints make of it together.
 
-Covers: mitsuba/path_state.py
+Covers: mitsuba/path.py
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ import pytest
 
 from loomlight.core.backend import clip
 from loomlight.mitsuba import render
-from loomlight.mitsuba.bsdf_samples import FILTERS as FILTERS_FLAG
-from loomlight.mitsuba.pixel_filter import PixelFilter
+from loomlight.mitsuba.bsdf import FILTERS as FILTERS_FLAG
+from loomlight.mitsuba.pixels import PixelFilter
 
 FILTERS = {
     "box": {"type": "box"},

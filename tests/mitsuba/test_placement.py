@@ -10,7 +10,7 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mitsuba import build_scene
-from loomlight.mitsuba.placement import Placement, placed
+from loomlight.mitsuba.meshes import Placement, placed
 
 WHITE = {"type": "diffuse"}
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.mitsuba.scene_meshes import check_scene_meshes
+from loomlight.mitsuba.meshes import check_scene_meshes
 from loomlight.mitsuba.scenes import build_scene
 
 PLY = """ply

@@ -16,18 +16,9 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.facts import cloth_facts
-from loomlight.mitsuba import (
-    SCENES,
-    ClothScene,
-    RenderSettings,
-    build_scene,
-    cloth_shapes,
-    material_bsdf,
-    render,
-)
+from loomlight.mitsuba import SCENES, ClothScene, RenderSettings, build_scene, material_bsdf, render, shapes
 from loomlight.mitsuba.camera import framing
-from loomlight.mitsuba.meshes import from_shape
-from loomlight.mitsuba.placement import Placement
+from loomlight.mitsuba.meshes import Placement, from_shape
 from loomlight.models.registry import make_model
 
 DATA = os.environ.get("LOOMLIGHT_DATA")
@@ -370,7 +361,7 @@ def write_ball(file: Path) -> Path:
             0.2 * -np.sin(polar) * np.sin(around),
         )
 
-    mesh = cloth_shapes.grid_surface((17, 11), place, "ball")
+    mesh = shapes.grid_surface((17, 11), place, "ball")
     rows = {"v": mesh.positions, "vt": mesh.uv, "vn": mesh.normals}
     lines = [f"{kind} {' '.join(map(str, row))}" for kind, values in rows.items() for row in values]
     lines += ["f " + " ".join(f"{n}/{n}/{n}" for n in triangle) for triangle in mesh.triangles + 1]

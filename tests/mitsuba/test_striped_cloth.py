@@ -10,7 +10,7 @@ import pytest
 
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import render
-from loomlight.mitsuba.material import material_bsdf
+from loomlight.mitsuba.plugins import material_bsdf
 from tests.marks import slow
 
 # Pixels of the picture, threads a pixel, and threads of a stripe.

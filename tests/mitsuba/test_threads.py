@@ -15,7 +15,7 @@ import pytest
 from PIL import ExifTags, Image
 
 import loomlight
-from loomlight.mitsuba.model_bsdf import GivenModel, made_class
+from loomlight.mitsuba.bsdf import GivenModel, made_class
 from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.models.bake import bake
 

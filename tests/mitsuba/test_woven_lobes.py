@@ -1,6 +1,6 @@
 """Lobes as a BSDF: the model's own numbers, what it samples, what editing costs, and pictures.
 
-Covers: mitsuba/model_props.py, models/lobes/model.py, models/lobes/bsdf.py, models/fabric_model.py
+Covers: mitsuba/props.py, models/lobes/model.py, models/lobes/bsdf.py, models/fabric_model.py
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The network as a BSDF: the same numbers as torch, what it samples, and what editing costs.
 
-Covers: mitsuba/cloth_uv.py, mitsuba/filtered_texture.py
+Covers: mitsuba/bsdf.py, mitsuba/filtered_texture.py
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from loomlight.mitsuba.filtered_texture import FilteredTexture
-from loomlight.mitsuba.integrator import symbolic_mode
+from loomlight.mitsuba.path import symbolic_mode
 from loomlight.models.neural import encoding
 from loomlight.models.neural import model as neural_model
 

@@ -1,6 +1,6 @@
 """The BSDF plugin: what it samples, what it is told, and that cloth looks the same on every mesh.
 
-Covers: mitsuba/material.py, mitsuba/model_bsdf.py, yarn/geometry.py, models/point.py
+Covers: mitsuba/plugins.py, mitsuba/bsdf.py, yarn/geometry.py, models/point.py
 """
 
 from __future__ import annotations

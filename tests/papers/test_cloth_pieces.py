@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from loomlight.mesh.cloth_mesh import uv_size
-from loomlight.mitsuba import ClothMesh, cloth_shapes
+from loomlight.mitsuba import ClothMesh, shapes
 from papers.zhu2024 import cloth_pieces
 
 PIECES = {
@@ -65,7 +65,7 @@ def test_boxes_are_closed_and_within_their_bounds() -> None:
 
 
 def test_grids_may_be_longer_than_wide() -> None:
-    mesh = cloth_shapes.grid_surface((3, 5), lambda u, v: (u, v, 0 * u), "sheet", stays_within=True)
+    mesh = shapes.grid_surface((3, 5), lambda u, v: (u, v, 0 * u), "sheet", stays_within=True)
     assert mesh.positions.shape == (15, 3)
     assert len(mesh.triangles) == 2 * 2 * 4
     assert np.allclose(mesh.normals, [0, 0, 1])

@@ -1,7 +1,7 @@
 """Scenes of several pieces, and cloth as a ray-traced height field.
 
 Covers: papers/composed_scenes.py, papers/cosine_bsdf.py, papers/zhu2024/height_field.py
-Covers: mitsuba/scene_props.py
+Covers: mitsuba/shapes.py
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba import ClothMesh, cloth_shapes, material_bsdf, render
+from loomlight.mitsuba import ClothMesh, material_bsdf, render, shapes
 from loomlight.mitsuba.lights import light_dicts
-from loomlight.mitsuba.scene_props import ground
+from loomlight.mitsuba.shapes import ground
 from papers.composed_scenes import Composition, composed_scene, scene_of_shapes
 from papers.zhu2024.height_field import height_field_shape
 
@@ -24,7 +24,7 @@ THREADS = 6
 
 def square(side: float, offset: float = 0.0, grid: int = 2) -> ClothMesh:
     """A square that faces +z, with u to the right."""
-    return cloth_shapes.grid_surface(
+    return shapes.grid_surface(
         grid, lambda u, v: (side * (u - 0.5) + offset, side * (v - 0.5), 0 * u), "square"
     )
 

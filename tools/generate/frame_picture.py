@@ -12,7 +12,7 @@ import numpy as np
 
 from loomlight.core.images import write_pixels
 from loomlight.fabric import load_fabric
-from loomlight.mitsuba import cloth_shapes
+from loomlight.mitsuba import shapes
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Environment, Mesh, Renderer
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
@@ -23,7 +23,7 @@ _BESIDE = np.array([0.52, 0.0, 0.0])
 
 def main(output: str) -> None:
     """Renders and writes the frame."""
-    drape = cloth_shapes.drape()
+    drape = shapes.drape()
     pieces = []
     for name, shift in (("wool-houndstooth", 0 * _BESIDE), ("silk-satin", _BESIDE)):
         mesh = Mesh(drape.positions + shift, drape.normals, drape.uv, drape.triangles.astype(np.uint32))

@@ -82,7 +82,7 @@ def render(
     further = [name for names in cloths.values() for name in names]
     require_not_read(_written(outputs, turntable), [*fabrics, scene, mesh, environment, *further])
     from loomlight.mitsuba import RenderSettings
-    from loomlight.mitsuba.placement import Placement
+    from loomlight.mitsuba.meshes import Placement
 
     settings = RenderSettings(
         model=model,

@@ -13,7 +13,7 @@ The frame and its conventions:
   negated, z of every direction negated. Scattering does not change under reflection.
 
 A footprint is the parallelogram that a pixel covers on the plane of the cloth, or as much wider or narrower
-as the film's filter asks for (`mitsuba/pixel_filter.py`). Its points are centre + s·duv_dx + t·duv_dy with s
+as the film's filter asks for (`mitsuba/pixels.py`). Its points are centre + s·duv_dx + t·duv_dy with s
 and t uniform in [−1/2, 1/2], so their covariance is Σ = (duv_dx duv_dxᵀ + duv_dy duv_dyᵀ)/12. Its
 approximations:
 

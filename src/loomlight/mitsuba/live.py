@@ -16,9 +16,8 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.core.frozen import frozen, gc_paused, leaves
-from loomlight.mitsuba.integrator import footprint_integrator, with_settings
-from loomlight.mitsuba.model_bsdf import model_bsdfs
-from loomlight.mitsuba.scene_traits import SceneTraits
+from loomlight.mitsuba.bsdf import SceneTraits, model_bsdfs
+from loomlight.mitsuba.path import footprint_integrator, with_settings
 from loomlight.mitsuba.variants import in_turn
 
 

@@ -23,8 +23,8 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.camera import MAX_ZOOM
 from loomlight.mitsuba.denoising import require_denoising
 from loomlight.mitsuba.inset import MIN_PICTURE, Inset, resized
-from loomlight.mitsuba.material import material_bsdf
-from loomlight.mitsuba.placement import Placement
+from loomlight.mitsuba.meshes import Placement
+from loomlight.mitsuba.plugins import material_bsdf
 from loomlight.mitsuba.rendering import PartialPicture, Progress
 from loomlight.mitsuba.rendering import render as render_scene
 from loomlight.mitsuba.scenes import DEFAULT_SIZE, SCENES, BsdfFactory, ClothScene, SceneOptions, build_scene

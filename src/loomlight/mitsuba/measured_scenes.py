@@ -21,11 +21,11 @@ from loomlight.aggregate.queries import fabric_scale
 from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric
 from loomlight.mesh.cloth_mesh import ClothMesh, uv_size
-from loomlight.mitsuba import cloth_shapes
+from loomlight.mitsuba import shapes
 from loomlight.mitsuba.camera import framing, perspective, require_size
 from loomlight.mitsuba.lights import light_dicts
-from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.meshes import to_shape
+from loomlight.mitsuba.plugins import material_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory, empty_scene, loaded_bsdf
 from loomlight.models.interface import Model
 
@@ -57,25 +57,23 @@ class MeasuredShot:
 
 def _background() -> ClothMesh:
     """A flat piece of 0.8 m just behind the sphere's middle."""
-    flat = cloth_shapes.flat().scaled(8.0)
+    flat = shapes.flat().scaled(8.0)
     return ClothMesh(
         flat.positions + np.array([0.0, 0.0, -0.02]), flat.normals, flat.uv, flat.triangles, "background"
     )
 
 
 _FRONT, _ABOVE = (0.0, 0.0, 1.0), (0.35, 0.55, 1.0)
-_FLAT, _DRAPE = (cloth_shapes.flat,), (cloth_shapes.drape,)
+_FLAT, _DRAPE = (shapes.flat,), (shapes.drape,)
 _SHOTS = {
     "flat near": MeasuredShot(_FLAT, (0.5, -0.3, 1.0), (-0.5, 0.6, 0.8), 0.25, zoom=2.4),
     "flat middle": MeasuredShot(_FLAT, (0.5, -0.3, 1.0), (-0.5, 0.6, 0.8), 2.5, zoom=2.4),
     "flat far": MeasuredShot(_FLAT, (0.5, -0.3, 1.0), (-0.5, 0.6, 0.8), 10.0, zoom=2.4),
     "drape near": MeasuredShot(_DRAPE, _ABOVE, (-0.6, 0.75, 0.6), 0.6, zoom=3.0),
     "drape far": MeasuredShot(_DRAPE, _ABOVE, (-0.6, 0.75, 0.6), 4.0),
-    "cylinder grazing": MeasuredShot((cloth_shapes.cylinder,), _FRONT, (1.0, 0.35, 0.4), 3.0, zoom=1.2),
-    "sphere": MeasuredShot((cloth_shapes.sphere,), _FRONT, (-0.45, 0.6, 0.75), 3.0),
-    "two fabrics": MeasuredShot(
-        (cloth_shapes.sphere, _background), _FRONT, (-0.45, 0.6, 0.75), 3.0, zoom=0.8
-    ),
+    "cylinder grazing": MeasuredShot((shapes.cylinder,), _FRONT, (1.0, 0.35, 0.4), 3.0, zoom=1.2),
+    "sphere": MeasuredShot((shapes.sphere,), _FRONT, (-0.45, 0.6, 0.75), 3.0),
+    "two fabrics": MeasuredShot((shapes.sphere, _background), _FRONT, (-0.45, 0.6, 0.75), 3.0, zoom=0.8),
 }
 MEASURED_SCENES = tuple(_SHOTS)
 

@@ -1,19 +1,39 @@
-"""Cloth meshes handed to Mitsuba, and taken from it.
+"""Meshes of scenes: cloth handed to Mitsuba and taken from it, where it lies, which part wears which.
 
-Mitsuba 3.10 changes this interface (mitsuba3 pull request 1933): pyproject.toml admits versions below alone.
+Mitsuba 3.10 changes the interface of its meshes (mitsuba3 pull request 1933): pyproject.toml admits versions
+below alone.
 """
 
 from __future__ import annotations
 
+import os
+import re
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Generic, TypeVar
+from xml.etree import ElementTree
 
 import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.backend import upload
-from loomlight.mesh.cloth_mesh import ClothMesh, checked
+from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.sentences import closest, shown
+from loomlight.mesh.cloth_mesh import (
+    ClothMesh,
+    MeshPart,
+    at_one_scale,
+    checked,
+    joined,
+    uv_size,
+    warn_of_extent,
+    warn_of_inside_out,
+    warn_of_scale,
+)
+from loomlight.mesh.reading import read_parts
 
 
 def to_shape(mesh: ClothMesh, bsdf: mi.BSDF | dict[str, Any]) -> mi.Mesh:
@@ -64,3 +84,205 @@ def set_uv(shape: mi.Mesh, uv: NDArray[np.float64]) -> bool:
     params["vertex_texcoords"] = upload(mi.Float, uv.astype(np.float32))
     params.update()
     return True
+
+
+# -------------------------------------------------------------------------------------------------- placement
+# Placement of cloth on a mesh: turn, shift and scale.
+
+
+_MAX_SCALE = 1e4
+# Single precision tells a tenth of a millimetre there.
+_MAX_SHIFT_MM = 1e6
+
+
+@dataclass(frozen=True)
+class Placement:
+    """Where the weave lies on a mesh, beside what its uv say.
+
+    Attributes:
+        turn: degrees, counter-clockwise as the front is seen, about the middle of the uv.
+        shift: millimetres to the right and up, as the uv run.
+        scale: 2 shows threads twice as large; above 0.
+    """
+
+    turn: float = 0.0
+    shift: tuple[float, float] = (0.0, 0.0)
+    scale: float = 1.0
+
+    def __post_init__(self) -> None:
+        """Raises InputError unless `turn` is finite, `shift` within a kilometre, `scale` 1/10000 to 10000."""
+        if not np.isfinite([self.turn, *self.shift]).all():
+            raise InputError(f"turn = {self.turn:g} and shift = {self.shift} have to be finite numbers.")
+        if max(map(abs, self.shift)) > _MAX_SHIFT_MM:
+            raise InputError(f"shift = {self.shift} is out of range: at most {_MAX_SHIFT_MM:g} mm each way.")
+        if not 1 / _MAX_SCALE <= self.scale <= _MAX_SCALE:
+            raise InputError(f"scale = {self.scale:g} is out of range: 1 is life-size, 2 twice as large.")
+
+
+def placed(mesh: ClothMesh, placement: Placement) -> tuple[ClothMesh, tuple[float, float]]:
+    """A mesh with uv for cloth so placed, and its millimetres per unit of u and of v.
+
+    Where they are as life has them nothing changes; otherwise uv become millimetres.
+    """
+    size = uv_size(mesh)
+    if placement == Placement():
+        return mesh, size
+    upright = ~_mirrored(mesh)
+    # Draft coordinates, as cloth_uv.draft_position has them: v is counted from its other end where mirrored.
+    x, y = mesh.uv[:, 0] * size[0], np.where(upright, mesh.uv[:, 1], 1 - mesh.uv[:, 1]) * size[1]
+    middle = np.array([(values.min() + values.max()) / 2 for values in (x, y)])
+    angle = np.radians(placement.turn)
+    # The weave turns with the angle, so the place where a point of the surface finds it turns against it.
+    against = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    moved = (np.stack([x, y], axis=1) - middle - placement.shift) @ against.T / placement.scale + middle
+    v = np.where(upright, moved[:, 1], 1 - moved[:, 1])
+    return replace(mesh, uv=np.stack([moved[:, 0], v], axis=1)), (1.0, 1.0)
+
+
+def _mirrored(mesh: ClothMesh) -> NDArray[np.bool_]:
+    """Vertices of triangles whose uv run clockwise, as seen from the front."""
+    a, b, c = (mesh.uv[mesh.triangles[:, corner]] for corner in range(3))
+    (u1, v1), (u2, v2) = (b - a).T, (c - a).T
+    turning = np.zeros(len(mesh.uv))
+    for corner in range(3):
+        np.add.at(turning, mesh.triangles[:, corner], u1 * v2 - u2 * v1)
+    return turning < 0
+
+
+# ---------------------------------------------------------------------------------------------------- garment
+# Mesh files of several parts: which cloth each part is given, at its own scale.
+
+
+ClothT = TypeVar("ClothT")
+
+
+@dataclass(frozen=True)
+class Garment(Generic[ClothT]):
+    """A mesh file, in a piece for each cloth, of one scale of uv.
+
+    Attributes:
+        pieces: meshes, in metres, and the cloth of each.
+        uncovered: the triangles that have no uv; None where all have.
+    """
+
+    pieces: list[tuple[ClothMesh, ClothT]]
+    uncovered: ClothMesh | None
+
+    @property
+    def meshes(self) -> list[ClothMesh]:
+        """All triangles, covered ones first."""
+        covered = [mesh for mesh, _ in self.pieces]
+        return covered if self.uncovered is None else [*covered, self.uncovered]
+
+
+def read_garment(
+    path: str | os.PathLike[str], metres_per_unit: float, cloth: ClothT, others: Mapping[str, ClothT]
+) -> Garment[ClothT]:
+    """A mesh file whose parts are given `cloth`, or one of `others` by the name of the part or its material.
+
+    A part's own name goes before that of its material. Warnings say so where uv have several scales within a
+    piece, and where the whole is larger or smaller than cloth is.
+
+    Args:
+        metres_per_unit: the length of one unit of the file's positions.
+
+    Raises:
+        InputError: what `read_parts` raises, no usable uv, or a name that no part with uv has.
+    """
+    parts = read_parts(path)
+    covered = [part for part in parts if len(part.mesh.uv)]
+    if not covered:
+        raise InputError(
+            f"{path} has no uv coordinates, or they collapse to lines or points; unwrap it first."
+        )
+    warn_of_inside_out(covered, path)
+    for name in others:
+        _require_part(name, parts, covered, path)
+    keys = [next((key for key in (part.name, part.material) if key in others), None) for part in covered]
+    pieces = []
+    for key in dict.fromkeys(keys):
+        chosen = [
+            part.mesh.scaled(metres_per_unit) for part, own in zip(covered, keys, strict=True) if own == key
+        ]
+        pieces.append((at_one_scale(chosen), cloth if key is None else others[key]))
+    bare = [part.mesh.scaled(metres_per_unit) for part in parts if not len(part.mesh.uv)]
+    garment = Garment(pieces, joined(bare) if bare else None)
+    warn_of_extent(joined([mesh for mesh, _ in pieces]), metres_per_unit)
+    for mesh, _ in pieces:
+        warn_of_scale(mesh)
+    return garment
+
+
+def _require_part(
+    name: str, parts: list[MeshPart], covered: list[MeshPart], path: str | os.PathLike[str]
+) -> None:
+    if any(name in (part.name, part.material) for part in covered):
+        return
+    if any(name in (part.name, part.material) for part in parts):
+        raise InputError(f"{path}: the part {shown(name)} has no usable uv coordinates; unwrap it first.")
+    known = dict.fromkeys(each for part in covered for each in (part.name, part.material) if each)
+    advice = closest(name, known) if known else "its parts have no names."
+    raise InputError(f"{path} has no part and no material {shown(name)}: {advice}")
+
+
+# ----------------------------------------------------------------------------------------------- scene meshes
+# Mesh files that a Mitsuba scene names, checked before Mitsuba reads them: it trusts their indices.
+
+
+_CHECKED = ("obj", "ply")
+_VARIABLE = re.compile(r"\$(\w+)")
+
+
+def check_scene_meshes(file: Path) -> None:
+    """Reads each OBJ and PLY mesh that a scene file, or one that it includes, names.
+
+    Warns of those that are not found beside the scene and therefore not checked.
+
+    Raises:
+        InputError: a damaged mesh, or one of which some triangles alone have uv.
+    """
+    waiting, seen = [file], set[Path]()
+    defaults: dict[str, str] = {}
+    while waiting:
+        scene = waiting.pop()
+        if scene in seen:
+            continue
+        seen.add(scene)
+        try:
+            root = ElementTree.parse(scene).getroot()
+        except (ElementTree.ParseError, ValueError, OSError):
+            continue  # which Mitsuba says better
+        for node in root.iter("default"):
+            defaults.setdefault(node.get("name", ""), node.get("value", ""))
+        for node in root.iter("include"):
+            waiting.append(file.parent / _filled(node.get("filename", ""), defaults))
+        for shape in root.iter("shape"):
+            for node in shape.iterfind("string[@name='filename']"):
+                if shape.get("type") in _CHECKED:
+                    _check(file, _filled(node.get("value", ""), defaults), str(shape.get("type")))
+
+
+def _filled(text: str, defaults: dict[str, str]) -> str:
+    return _VARIABLE.sub(lambda found: defaults.get(found[1], found[0]), text)
+
+
+def _check(scene: Path, name: str, kind: str) -> None:
+    mesh = scene.parent / name
+    if not mesh.is_file() or mesh.suffix.lower() != f".{kind}":
+        warnings.warn(
+            f'{scene}: the mesh "{name[:80]}" is not checked before Mitsuba reads it: it is no .{kind} file '
+            "beside the scene.",
+            LoomlightWarning,
+            stacklevel=4,
+        )
+        return
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", LoomlightWarning)  # the sentence below takes its place
+        parts = read_parts(mesh)
+    bare = sum(len(part.mesh.triangles) for part in parts if len(part.mesh.uv) == 0)
+    total = sum(len(part.mesh.triangles) for part in parts)
+    if 0 < bare < total:
+        raise InputError(
+            f"{mesh}: {bare} of {total} triangles have no usable uv coordinates, and Mitsuba takes any "
+            "numbers for them: unwrap the mesh, or make two meshes of it."
+        )

@@ -1,6 +1,7 @@
-"""Plugins exist in whichever supported variant is set, without choosing one for the user.
+"""Plugins: registered by name for scenes, and made of materials that are at hand.
 
-In other variants their names are known too, so that loading one says which variants have it.
+They exist in whichever supported variant is set, without choosing one for the user. In other variants their
+names are known too, so that loading one says which variants have it.
 """
 
 from __future__ import annotations
@@ -15,10 +16,12 @@ import numpy as np
 
 from loomlight.core.errors import InputError
 from loomlight.core.images import PICTURE_SUFFIXES, is_turned, read_picture, require_picture_size
-from loomlight.mitsuba.integrator import footprint_path_class
-from loomlight.mitsuba.model_bsdf import GivenModel, model_bsdf_class
+from loomlight.mitsuba.bsdf import GivenModel, model_bsdf_class
+from loomlight.mitsuba.path import footprint_path_class
 from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, in_turn, require_backend
 from loomlight.models.interface import Model
+from loomlight.models.material_spec import Material, resolve
+from loomlight.models.options import Options
 from loomlight.models.registry import MODELS
 
 _INTEGRATOR = "footprint_path"
@@ -93,3 +96,40 @@ def _constructor(plugin: Callable[[Any], Any]) -> Callable[[Any], Any]:
         return plugin(props)
 
     return make
+
+
+# --------------------------------------------------------------------------------------------------- material
+# A material as a BSDF for `build_scene`.
+
+
+def material_bsdf(
+    material: Material,
+    model: str | None = None,
+    *,
+    albedo: dict[str, Any] | None = None,
+    options: Options | None = None,
+    **values: Any,
+) -> Callable[[tuple[float, float]], Any]:
+    """A function from (mm per unit of u, mm per unit of v) to a Mitsuba BSDF; a variant must be set.
+
+    Each BSDF has a model of its own, which scene edits may change.
+
+    Args:
+        material: a fabric or another source; the path of one, or of a `.loom`; a weave's name; or a model,
+            for a single BSDF.
+        model: a name of `loomlight.models.registry.model_names`; by default the one that a `.loom` holds,
+            else "lobes".
+        albedo: the dictionary of a texture that diffuse albedos are multiplied with.
+        options: of the model, `Model.options_class`.
+        values: options by name, in their place, such as `groups=8`.
+
+    Raises:
+        InputError: an unknown model, or a material that cannot be read or that the model does not take.
+    """
+    spec = resolve(material, model, options or values)
+    first = [spec.model()]
+
+    def to_scale(uv_size_mm: tuple[float, float]) -> Any:
+        return make_bsdf(first.pop() if first else spec.model(), uv_size_mm, albedo)
+
+    return to_scale

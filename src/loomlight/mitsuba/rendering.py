@@ -12,15 +12,15 @@ from numpy.typing import NDArray
 
 from loomlight.core.colour import white_balance as white_balance_gains
 from loomlight.core.errors import InputError
+from loomlight.mitsuba.bsdf import SceneTraits
 from loomlight.mitsuba.denoising import denoised, wants_denoising
-from loomlight.mitsuba.integrator import (
+from loomlight.mitsuba.path import (
     footprint_integrator,
     has_pixel_sampler,
     is_footprint_path,
     is_plain,
     with_settings,
 )
-from loomlight.mitsuba.scene_traits import SceneTraits
 from loomlight.mitsuba.variants import choose_variant, in_turn
 
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.

@@ -19,7 +19,7 @@ from loomlight.fabric.facts import cloth_facts
 from loomlight.mesh.cloth_mesh import ClothMesh, joined, warn_of_extent, warn_of_scale
 from loomlight.mesh.edges import EDGES, edged
 from loomlight.mesh.reading import read_mesh
-from loomlight.mitsuba import cloth_shapes
+from loomlight.mitsuba.bsdf import surface_bsdf
 from loomlight.mitsuba.camera import (
     FIELD_OF_VIEW,
     View,
@@ -30,16 +30,30 @@ from loomlight.mitsuba.camera import (
     require_size,
     require_zoom,
 )
-from loomlight.mitsuba.cloth_shapes import CYLINDER_RADIUS, SPHERE_RADIUS
 from loomlight.mitsuba.faults import reason_of
-from loomlight.mitsuba.garment import Garment, read_garment
-from loomlight.mitsuba.integrator import footprint_integrator
 from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
-from loomlight.mitsuba.meshes import from_shape, set_uv, to_shape
-from loomlight.mitsuba.placement import Placement, placed
-from loomlight.mitsuba.scene_meshes import check_scene_meshes
-from loomlight.mitsuba.scene_props import backdrop, ball, ground
-from loomlight.mitsuba.scene_traits import surface_bsdf
+from loomlight.mitsuba.meshes import (
+    Garment,
+    Placement,
+    check_scene_meshes,
+    from_shape,
+    placed,
+    read_garment,
+    set_uv,
+    to_shape,
+)
+from loomlight.mitsuba.path import footprint_integrator
+from loomlight.mitsuba.shapes import (
+    CYLINDER_RADIUS,
+    SPHERE_RADIUS,
+    backdrop,
+    ball,
+    cylinder,
+    drape,
+    flat,
+    ground,
+    sphere,
+)
 
 # The BSDF of a user's scene file that is replaced by the fabric.
 FABRIC_ID = "fabric"
@@ -146,10 +160,10 @@ class _Setup:
 # roll lie on it, seen from above; the paper is some millimetres behind, so that it cuts none.
 _FRONT = (0, 0, 1)
 _SETUPS = {
-    "flat": _Setup(cloth_shapes.flat, _FRONT, (-0.5, 0.6, 0.8), backdrop=-0.004, edge="pinked"),
-    "sphere": _Setup(cloth_shapes.sphere, _FRONT, (-0.45, 0.6, 0.75), backdrop=-0.001 - SPHERE_RADIUS),
-    "cylinder": _Setup(cloth_shapes.cylinder, _FRONT, (-0.3, 0.6, 0.8), backdrop=-0.001 - CYLINDER_RADIUS),
-    "drape": _Setup(cloth_shapes.drape, (0.35, 0.55, 1), (-0.6, 0.75, 0.6), ground=True, edge="hem"),
+    "flat": _Setup(flat, _FRONT, (-0.5, 0.6, 0.8), backdrop=-0.004, edge="pinked"),
+    "sphere": _Setup(sphere, _FRONT, (-0.45, 0.6, 0.75), backdrop=-0.001 - SPHERE_RADIUS),
+    "cylinder": _Setup(cylinder, _FRONT, (-0.3, 0.6, 0.8), backdrop=-0.001 - CYLINDER_RADIUS),
+    "drape": _Setup(drape, (0.35, 0.55, 1), (-0.6, 0.75, 0.6), ground=True, edge="hem"),
 }
 _MESH = replace(_SETUPS["drape"], towards_camera=(0.3, 0.35, 1))
 

@@ -14,8 +14,8 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.mesh.cloth_mesh import ClothMesh, checked
 from loomlight.mitsuba.camera import View, perspective
 from loomlight.mitsuba.denoising import gaussian_blur
-from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.meshes import to_shape
+from loomlight.mitsuba.plugins import material_bsdf
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import empty_scene
 from loomlight.mitsuba.variants import choose_variant

@@ -23,8 +23,8 @@ from loomlight.core.fleet import Executor, Outcome, Report, Shard, ShardFolder, 
 from loomlight.core.images import encoded
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts, repeat_text, three_digits
-from loomlight.mitsuba.material import material_bsdf
-from loomlight.mitsuba.placement import Placement
+from loomlight.mitsuba.meshes import Placement
+from loomlight.mitsuba.plugins import material_bsdf
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import build_scene
 from loomlight.mitsuba.variants import choose_variant

@@ -19,8 +19,8 @@ import numpy as np
 from loomlight.assets.tile import TileScene
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mitsuba.faults import reason_of
+from loomlight.mitsuba.meshes import check_scene_meshes
 from loomlight.mitsuba.periodic_paths import COPIES, PeriodicPaths, Tile
-from loomlight.mitsuba.scene_meshes import check_scene_meshes
 from loomlight.mitsuba.variants import choose_variant
 
 # Rays start so many times the shorter side of the tile away from surfaces: a hundredth of a fibre of 0.001 of

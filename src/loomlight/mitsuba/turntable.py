@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 from loomlight.core.backend import upload
 from loomlight.core.errors import InputError
 from loomlight.mitsuba.camera import framing
-from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.material_picture import (
     RenderSettings,
     further_cloths,
     shown_material,
     warn_of_hidden_weave,
 )
+from loomlight.mitsuba.plugins import material_bsdf
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import CLOTH_NAME, SCENES, UNCOVERED_NAME, ClothScene, SceneOptions, build_scene
 from loomlight.mitsuba.variants import choose_variant

@@ -1,17 +1,23 @@
-"""The pieces of cloth of the built-in scenes: metres, y up, uv to scale over the whole piece."""
+"""Shapes of the built-in scenes: pieces of cloth, and the paper and the ball that stand beside them.
+
+Metres, y up; uv of cloth are to scale over the whole piece.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from importlib.resources import files
+from typing import Any
 
+import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mesh.reading import read_mesh
+from loomlight.mitsuba.meshes import to_shape
 
-Placement = Callable[[NDArray[np.float64], NDArray[np.float64]], tuple[NDArray[np.float64], ...]]
+SurfaceMap = Callable[[NDArray[np.float64], NDArray[np.float64]], tuple[NDArray[np.float64], ...]]
 
 FLAT_SIDE = 0.1
 SPHERE_RADIUS = 0.1
@@ -66,7 +72,7 @@ def drape() -> ClothMesh:
 
 
 def grid_surface(
-    grid: int | tuple[int, int], place: Placement, name: str, stays_within: bool = False
+    grid: int | tuple[int, int], place: SurfaceMap, name: str, stays_within: bool = False
 ) -> ClothMesh:
     """A grid of vertices over the unit uv square; `place(u, v)` gives x, y, z.
 
@@ -101,3 +107,49 @@ def grid_triangles(columns: int, rows: int) -> NDArray[np.int64]:
     lower = np.stack([corner, corner + 1, corner + columns + 1], axis=1)
     upper = np.stack([corner, corner + columns + 1, corner + columns], axis=1)
     return np.concatenate([lower, upper])
+
+
+# ------------------------------------------------------------------------------------------------ scene props
+# Props of built-in scenes: paper below or behind it, and the ball under draped cloth.
+
+
+# White paper, as catalogues show cloth on: it lights folds from below and takes a soft shadow.
+_PAPER = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.8}}
+
+
+def ground(
+    centre: NDArray[np.float64], radius: float, height: float, distance: float = 0.0
+) -> dict[str, Any]:
+    """A sheet of paper just below `height`, around an object of `radius`.
+
+    It is 60 times as wide as the object or, if that is more, as the `distance` of the camera: rays that go
+    down by 4 degrees meet it, with room for a turntable's camera, which stands farther away.
+    """
+    transform = mi.ScalarTransform4f().translate([centre[0], height - 1e-3 * radius, centre[2]])
+    extent = 60 * max(radius, distance)
+    return {"type": "disk", "to_world": transform.rotate([1, 0, 0], -90).scale(extent), "bsdf": _PAPER}
+
+
+def backdrop(
+    centre: NDArray[np.float64], radius: float, depth: float, distance: float = 0.0
+) -> dict[str, Any]:
+    """A sheet of paper at z = `depth` behind an object of `radius` that faces +z, as wide as `ground`'s."""
+    transform = mi.ScalarTransform4f().translate([centre[0], centre[1], depth])
+    return {"type": "disk", "to_world": transform.scale(60 * max(radius, distance)), "bsdf": _PAPER}
+
+
+def ball(behind: float = 0.0) -> mi.Mesh:
+    """The grey ball under the draped cloth, or unseen so many metres behind other cloth.
+
+    Kernels depend on how many shapes and BSDFs there are, and of which classes: built-in scenes share theirs.
+    """
+    radius = DRAPE_BALL_RADIUS
+
+    def place(u: NDArray[np.float64], v: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
+        # At the very poles there would be no normals.
+        around, polar = 2 * np.pi * u, np.pi * (1e-4 + (1 - 2e-4) * v)
+        across = radius * np.sin(polar)
+        return across * np.cos(around), radius * (1 + np.cos(polar)), across * np.sin(around) - behind
+
+    grey: dict[str, object] = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.32}}
+    return to_shape(grid_surface((129, 65), place, "ball"), grey)

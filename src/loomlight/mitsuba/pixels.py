@@ -26,7 +26,9 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.core.arrays import Vec2
+from loomlight.core.arrays import Float, UInt, Vec2
+from loomlight.core.backend import maximum, minimum
+from loomlight.scattering.variation import hash_bits
 
 # Mitsuba's Gaussians reach so many standard deviations far.
 _REACH = 4.0
@@ -173,3 +175,128 @@ class _SplattingFilm:
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._film, name)
+
+
+# ---------------------------------------------------------------------------------------------- pixel sampler
+# Samples of pixels whose counts are data: Mitsuba's samplers are compiled anew for each number of samples.
+#
+# Every number, and every pair of numbers, is a (0, 2)-sequence with Owen scrambling by hashes, shuffled
+# anew for each pair and pixel (Burley 2020, *Practical Hash-based Owen Scrambling*). So samples are
+# stratified in all dimensions, whether a picture takes them in one pass or in many.
+
+
+# Of the matrix of Sobol's second dimension, Pascal's triangle modulo 2: shifts, and the bits that stay.
+_PASCAL = ((16, 0x0000FFFF), (8, 0x00FF00FF), (4, 0x0F0F0F0F), (2, 0x33333333), (1, 0x55555555))
+
+
+@dataclass
+class PixelSampler:
+    """Random numbers of samples, as far as integrators ask for them.
+
+    Attributes:
+        count: samples of each pixel in this pass.
+        number: of the sample among all of its pixel: UInt32.
+        key: of the pixel and the seed: UInt32.
+        dimension: how many numbers or pairs were drawn: UInt32.
+    """
+
+    count: int
+    number: Any
+    key: Any
+    dimension: Any
+
+    @classmethod
+    def of(cls, pixel: UInt, number: UInt, seed: Any, count: int) -> PixelSampler:
+        """The sampler of samples by their pixels and their numbers in them; any 32-bit seed."""
+        seed = dr.opaque(mi.UInt32, seed) if isinstance(seed, int) else mi.UInt32(seed)
+        return cls(count, number, hash_bits(hash_bits(seed, mi.UInt32(0)), pixel), mi.UInt32(0))
+
+    def sample_count(self) -> int:
+        """Samples of each pixel in this pass."""
+        return self.count
+
+    def next_1d(self) -> Float:
+        """A number in (0, 1)."""
+        key, place = self._next()
+        return _unit(_permuted(place, key))
+
+    def next_2d(self) -> Any:
+        """Two numbers in (0, 1)."""
+        key, place = self._next()
+        second = place
+        for shift, kept in _PASCAL:
+            second = second ^ ((second >> shift) & kept)
+        return mi.Point2f(_unit(_permuted(place, key)), _unit(_permuted(second, hash_bits(key, key))))
+
+    def _next(self) -> tuple[UInt, UInt]:
+        """A key of the next dimension, and the place of the sample in its shuffled order."""
+        self.dimension = self.dimension + 1
+        key = hash_bits(self.key, self.dimension)
+        return hash_bits(key, self.dimension), dr.brev(_permuted(dr.brev(self.number), key))
+
+
+def _permuted(bits: UInt, key: UInt) -> UInt:
+    """Owen scrambling of reversed bits: each depends on those below it alone (Laine and Karras 2011)."""
+    bits = ((bits ^ (bits * 0x3D20ADEA)) + key) * ((key >> 16) | 1)
+    bits = bits ^ (bits * 0x05526C56)
+    return bits ^ (bits * 0x53A22864)
+
+
+def _unit(reversed_bits: UInt) -> Float:
+    """A number in (0, 1) of reversed bits: 23 of them and a half are exact."""
+    return (mi.Float(dr.brev(reversed_bits) >> 9) + 0.5) * 2**-23
+
+
+# --------------------------------------------------------------------------------------------------- ray cone
+# The pixel footprint along a path: a cone around the ray, and what it covers in a surface's uv.
+#
+# A cone has a width (the side of a square perpendicular to the ray, scene units) and a spread (its growth
+# per unit of distance, radians). On the camera's own ray the true differentials are used instead.
+
+
+# A footprint seen at a grazing angle is stretched at most this much; beyond, the plane leaves the object.
+_MAX_STRETCH = 20.0
+# One scattering event opens the cone by at most this angle (radians).
+_MAX_OPENING = 1.0
+
+
+def pixel_cone(ray: Any) -> tuple[Any, Any]:
+    """Width at the origin and spread of the cone whose cross-section has the area of the ray's pixel."""
+    if not ray.has_differentials:
+        return mi.Float(0), mi.Float(0)
+    width = dr.sqrt(dr.norm(dr.cross(ray.o_x - ray.o, ray.o_y - ray.o)))
+    spread = dr.sqrt(dr.norm(dr.cross(ray.d_x - ray.d, ray.d_y - ray.d)))
+    return width, spread
+
+
+def opening(pdf: Any, samples: Any) -> Any:
+    """Angle by which a scattered sample of density `pdf` (1/sr) opens the cone, radians.
+
+    One of `samples` samples stands for the solid angle 1/(samples·pdf); delta events do not open it.
+    """
+    angle = dr.rsqrt(maximum(pdf * samples, 1e-6))
+    return minimum(angle, _MAX_OPENING)
+
+
+def cone_partials(si: Any, direction: Any, width: Any) -> tuple[Any, Any]:
+    """duv_dx and duv_dy of a cone of `width` that travels along `direction` and meets `si`.
+
+    The first is the footprint's long side, along the ray's projection; the second its short side.
+    """
+    cosine = dr.dot(direction, si.n)
+    along = direction - cosine * si.n
+    length = dr.norm(along)
+    fallback, _ = mi.coordinate_system(si.n)
+    along = dr.select(length > 1e-4, along / maximum(length, 1e-4), fallback)
+    across = dr.cross(si.n, along)
+    stretch = minimum(dr.rcp(maximum(dr.abs(cosine), 1e-3)), _MAX_STRETCH)
+    return _to_uv(si, along * (width * stretch)), _to_uv(si, across * width)
+
+
+def _to_uv(si: mi.SurfaceInteraction3f, step: Any) -> Any:
+    # Least squares in the tangent plane; a surface without a usable uv gets no footprint.
+    uu, uv, vv = dr.squared_norm(si.dp_du), dr.dot(si.dp_du, si.dp_dv), dr.squared_norm(si.dp_dv)
+    u, v = dr.dot(step, si.dp_du), dr.dot(step, si.dp_dv)
+    inverse = dr.rcp(uu * vv - uv * uv)
+    inverse = dr.select(dr.isfinite(inverse), inverse, 0)
+    return mi.Vector2f(vv * u - uv * v, uu * v - uv * u) * inverse
