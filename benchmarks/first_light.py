@@ -19,7 +19,7 @@ from typing import Any
 from playwright.sync_api import sync_playwright
 
 from benchmarks.harness import Figures, run
-from loomlight.viewer.access import Access
+from loomlight.viewer.app import Access
 from loomlight.viewer.client import client_folder
 from tests.viewer.conftest import serving
 from tests.viewer.e2e.conftest import SWIFTSHADER, launched, visiting, wait_until

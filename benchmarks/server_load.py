@@ -77,7 +77,7 @@ def measure(options: argparse.Namespace) -> Figures:
     with tempfile.TemporaryDirectory() as page:
         Path(page, "index.html").write_text("page")
         code = (
-            "import uvicorn; from pathlib import Path; from loomlight.viewer.access import Access; "
+            "import uvicorn; from pathlib import Path; from loomlight.viewer.app import Access; "
             "from loomlight.viewer.app import editor_app; "
             f"app = editor_app(Path({page!r}), 'twill 3/1', Access(True, None)); "
             f"uvicorn.run(app, port={options.port}, log_level='error')"

@@ -23,8 +23,8 @@ from markdown_it.token import Token
 
 from loomlight.core.errors import LoomlightError
 from loomlight.export.folder import replacing_folder, write_manifest
+from loomlight.viewer.client import copy_client
 from loomlight.viewer.session import session
-from loomlight.viewer.site import copy_client
 from tools.docs_site.api import TITLE, api_text
 from tools.docs_site.template import page_html
 

@@ -13,8 +13,7 @@ from collections.abc import Sequence
 
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text, load_fabric
-from loomlight.viewer.draft_json import draft_of_json
-from loomlight.viewer.fabric_json import fabric_json, fabric_of_json
+from loomlight.viewer.messages import draft_of_json, fabric_json, fabric_of_json
 from loomlight.viewer.session import gallery_files
 from tools.fuzzing import BYTES, TEXT, Target, change_json, main
 

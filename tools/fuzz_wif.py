@@ -26,7 +26,7 @@ from loomlight.weave.wif_text import decode_wif, parse_wif_text
 from loomlight.weave.wif_writer import wif_text_of
 from tools.fuzzing import BYTES, NASTY_TEXTS, TEXT, Target, drop, main, on_pieces, repeat, swap
 
-FIXTURES = Path(__file__).resolve().parents[1] / "tests" / "weave" / "fixtures"
+FIXTURES = Path(__file__).resolve().parents[1] / "tests" / "cases" / "drafts"
 # Larger files would only repeat in more time what smaller ones show.
 MAX_BYTES = 30_000
 

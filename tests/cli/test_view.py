@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from loomlight.cli.main import run
-from loomlight.viewer import server, site
+from loomlight.viewer import client, server
 
 
 def test_options_reach_the_server(
@@ -29,7 +29,7 @@ def test_options_reach_the_server(
 def test_export_prints_its_folder(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(site, "export_site", lambda folder, fabric: folder)
+    monkeypatch.setattr(client, "export_site", lambda folder, fabric: folder)
     assert run(["view", "--export", str(tmp_path / "site")]) == 0
     assert capsys.readouterr().out == f"{tmp_path / 'site'}\n"
     assert run(["view", "--export", "site", "--port", "80"]) == 2

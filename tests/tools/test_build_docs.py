@@ -1,6 +1,6 @@
 """The documentation site: every page is there, every link leads somewhere, nothing is loaded from elsewhere.
 
-Covers: viewer/site.py
+Covers: viewer/client.py
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from urllib.parse import unquote, urlsplit
 import pytest
 
 import loomlight
-from loomlight.viewer import site as viewer_site
+from loomlight.viewer import client as viewer_site
 from tools.build_docs import ROOT, Translator, build, main, read_pages
 
 _PLACES = re.compile(r'(?:href|src)="([^"]*)"')

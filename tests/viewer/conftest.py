@@ -12,8 +12,7 @@ from pathlib import Path
 import pytest
 import uvicorn
 
-from loomlight.viewer.access import Access
-from loomlight.viewer.app import editor_app
+from loomlight.viewer.app import Access, editor_app
 from loomlight.viewer.draft_reader import MEMORY_BYTES, DraftReader
 from tests.limits import HANG
 
@@ -88,5 +87,5 @@ def all_the_time() -> Iterator[None]:
     """What the server gives up after seconds may take as long as a busy machine needs."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(DraftReader.__init__, "__defaults__", (float(HANG), MEMORY_BYTES))
-        patch.setattr("loomlight.viewer.uploads._DRAIN_SECONDS", float(HANG))
+        patch.setattr("loomlight.viewer.app._DRAIN_SECONDS", float(HANG))
         yield

@@ -1,7 +1,7 @@
 """The server as a browser, and as somebody who is up to no good, meets it.
 
-Covers: viewer/app.py, viewer/access.py, viewer/uploads.py, viewer/session.py, viewer/saving.py
-Covers: viewer/openness_json.py
+Covers: viewer/app.py, viewer/session.py, viewer/answers.py
+Covers: viewer/messages.py
 """
 
 from __future__ import annotations
@@ -22,9 +22,8 @@ from starlette.requests import Request
 from loomlight.fabric import fabric_from_text
 from loomlight.realtime.models import prepared_for
 from loomlight.realtime.tables import pack_fabrics
-from loomlight.viewer.access import Access, is_loopback
+from loomlight.viewer.app import Access, is_loopback, read_body
 from loomlight.viewer.draft_reader import MAX_UPLOAD
-from loomlight.viewer.uploads import read_body
 from tests.limits import HANG
 from tests.viewer.conftest import Served
 

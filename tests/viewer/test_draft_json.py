@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.viewer.draft_json import draft_json, draft_of_json
+from loomlight.viewer.messages import draft_json, draft_of_json
 from loomlight.weave.load import load_draft
 from loomlight.weave.named import named_weave
 

@@ -10,7 +10,7 @@ import pytest
 
 from loomlight.core.errors import InputError
 from loomlight.fabric import load_fabric
-from loomlight.viewer.fabric_json import fabric_json, fabric_of_json
+from loomlight.viewer.messages import fabric_json, fabric_of_json
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 

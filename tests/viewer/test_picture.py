@@ -18,7 +18,7 @@ from safetensors.numpy import save
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.viewer import picture_worker
-from loomlight.viewer.fabric_json import fabric_json
+from loomlight.viewer.messages import fabric_json
 from loomlight.viewer.picture import stage_of
 from loomlight.viewer.picture_worker import PictureMaker
 from tests.viewer.conftest import Served

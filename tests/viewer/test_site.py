@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.viewer import site
-from loomlight.viewer.site import export_site
+from loomlight.viewer import client
+from loomlight.viewer.client import export_site
 
 
 @pytest.fixture(autouse=True)
 def two_files(page: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(site, "client_folder", lambda: page)
+    monkeypatch.setattr(client, "client_folder", lambda: page)
 
 
 def test_folder_holds_the_page_and_its_session(tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ import loomlight
 from loomlight.core.errors import InputError, LoomlightError, MissingDependencyError
 from loomlight.fabric.read import load_fabric
 from loomlight.viewer.client import client_folder
-from loomlight.viewer.fabric_json import fabric_json
+from loomlight.viewer.messages import fabric_json
 
 pytest.importorskip("anywidget", reason="anywidget is not installed")
 

@@ -12,7 +12,7 @@ from loomlight.core.errors import InputError
 from loomlight.weave import yarn_tex
 
 # Read by a test of the page too, so that both take the same counts for the same yarns.
-COUNTS = json.loads(Path(__file__).with_name("yarn_counts.json").read_text(encoding="utf-8"))
+COUNTS = json.loads((Path(__file__).parents[1] / "cases" / "yarn_counts.json").read_text(encoding="utf-8"))
 
 
 @pytest.mark.parametrize(("count", "tex"), COUNTS["tex"].items())

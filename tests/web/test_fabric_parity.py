@@ -32,91 +32,20 @@ from ..weave import odd_drafts
 Answers = dict[tuple[str, str], dict[str, Any]]
 
 WEB = Path(__file__).parents[2] / "web"
-FIXTURES = sorted((Path(__file__).parents[1] / "weave" / "fixtures").glob("*.wif"))
+# Judge both languages: drafts, weaves, fabric files, counts.
+CASES = Path(__file__).parents[1] / "cases"
+FIXTURES = sorted((CASES / "drafts").glob("*.wif"))
 # Both compute in double precision; their powers and sums differ in the last bits.
 ROUNDING = 1e-12
 # The layout cuts widths above the spacing; sums over thousands of threads run in another order.
 WEIGHT_ROUNDING = 1e-9
 
-# Names of the pages for users, of both directions, without numbers, and at the edges of what can be woven.
-WEAVES = [
-    *weave_names(),
-    *(
-        "tabby",
-        "twill 2/1",
-        "twill 2/2 s",
-        "twill 3/1/1/2 z",
-        "satin 8/3",
-        "satin 5",
-        "sateen 8/3",
-        "satin 16",
-    ),
-    *("basket 3", "basket 2/3", "warp rib 2/3", "weft rib 3/2", "rib 3", "herringbone", "diamond 3/1 5"),
-    *("Waffle16", "crêpe", "dogtooth 4", "houndstooth3", "shepherd's check", "glen-check 2", "LOG CABIN"),
-    *("hairline", "prince of wales", "argyle", "diamond figure", "damask 160", "herringbone 2/1 5", "ogee"),
-    *("2/2 twill", "s 2/2 Twill", "5-end satin", "8 shaft sateen", "satin weave 5", "5 weft-faced satin"),
-    *(
-        "gabardine",
-        "gabardine s",
-        "Serge 2/1",
-        "poplin",
-        "oxford",
-        "oxford 3/1",
-        "basket weave",
-        "twill weave 2/1",
-    ),
-    *("tartan B/24 W4 B24 R2 K24 G24 W/2", "tartan ...R4 G4 DB3", "tartan K4R24,K24 Y4", "tartan k 5 lb 2…"),
-]
-REFUSED_WEAVES = [
-    *("satin 8/2", "satin 6", "satin", "twill", "twill 2", "twill 2/0", "twill 99999/1", "houndstooth 0"),
-    *("hounstooth", "hounds-tooth 4", "velvet", "", "waffle 5", "waffle 66", "damask 100", "argyle 33"),
-    *("plain 2", "twill 2/1 q", "basket 1/2/3", "satin 8/3/1", "glen check 129", "diamond figure 40"),
-    *("herringbone 2/2 1", "twill 1/1/1", "pinstripe 2000", "basket 3000"),
-    *("2/2 velvet", "my twill 2/2", "2 plain", "tartan", "tartan B4", "tartan Q4 B4", "tartan B4 W/4 B4"),
-    *("tartan B9999 W2", "tartan B4 W? K2", "tartan ...B/4 W4", "tartan B0 W4", "tartan B1001 W999 K3"),
-]
-TOML = [
-    'weave = "twill 3/1"',
-    'weave = "plain"\nends_per_cm = 30\n[warp]\ncolor = ["#f00", [0.1, 0.2, 0.3], "#00ff00"]\ngap = 0.1',
-    'weave = "houndstooth"\nepi = 60\nppi = 40.5\nwarp.color = ["#000", "#fff"]\nweft.color = "#888"',
-    'weave = "satin 8/3"\npicks_per_cm = 12\nwarp.count = "Ne 40/2"\nweft.width_mm = 0.3\nwarp.twist_deg = 9',
-    'weave = "sateen 5"\nname = "a \\"b\\"\\n\\u00e9"\n[sheen]\nstrength = 1\n[variation]\nseed = 7',
-    'weave = "twill 2/2"\nends_per_cm = 18\nwarp.count = "30 tex"\nweft.count = "Nm 28"\nweft.gap = 0.1',
-    'weave = "twill 2/2"\nends_per_cm = 14\nyarn = "wool"\nwarp.count = "Nm 8"\nweft.yarn = "silk"',
-    'weave = "plain"\npicks_per_cm = 9\nyarn = "linen"\nweft.yarn = "wool"\nweft.count = "Nm 8"',
-    'weave = "gingham 4"\nwarp.color = ["#111", "#222", "#333"]\ngap = 0\nweft.height_scale = 2',
-    'weave = "plain"\nwarp.color = "20 #223355, 4x#eee, #a0b0c0"\nweft.color = "#111,#222"',
-    'weave = "twill 2/2"\nwarp.color = ["3 #223355", [0, 0.5, 1], "2 x #fff"]\nweft.albedo = "4 #666"',
-]
-REFUSED_TOML = [
-    "",
-    "gap = 0.1",
-    "weave = 3",
-    'weave = "plain"\ngap = 0.96',
-    'weave = "plain"\ngap = true',
-    'weave = "plain"\ngap = nan',
-    'weave = "plain"\nroughness = 0.3',
-    'weave = "plain"\nwarp = 3',
-    'weave = "plain"\nwarp.roughness = "0.3"',
-    'weave = "plain"\nwarp.color = []',
-    'weave = "plain"\nwarp.color = "blue"',
-    'weave = "plain"\nwarp.color = "0 #fff, 3 #000"',
-    'weave = "plain"\nwarp.color = "9000 #fff, 9000 #000"',
-    'weave = "plain"\nwarp.color = "3 #fff, blue"',
-    'weave = "plain"\nwarp.color = "3 #fffff, 2 #000"',
-    'weave = "plain"\nwarp.color = [0.1, 2, 0.3]',
-    'weave = "plain"\nwarp.color = ["#fff", 3]',
-    'weave = "houndstooth"\nwarp.count = "40 sheep"',
-    'weave = "plain"\nvariation.seed = 1.0',
-    'weave = "plain"\nvariation.seed = -1',
-    'weave = "plain"\nends_per_cm = 10\nepi = 20',
-    'weave = "plain"\nweft.gap = 0.1\nweft.width_mm = 0.3',
-    'weave = "plain"\ndraft = "a.wif"',
-    'weave = "plain"\nweave = "twill 2/1"',
-    'weave = "plain',
-    'weave = ""',
-    'weave = "satin 5/2"\nwarp.color = ["#000", "#111"]\nsheen.colour = 1',
-]
+# Of `cases`, which say what is read and what is refused; all names of the pages for users beside those.
+_WEAVES, _FABRICS = (
+    json.loads((CASES / f"{kind}.json").read_text("utf-8")) for kind in ("weaves", "fabrics")
+)
+WEAVES, REFUSED_WEAVES = [*weave_names(), *_WEAVES["woven"]], _WEAVES["refused"]
+TOML, REFUSED_TOML = _FABRICS["read"], _FABRICS["refused"]
 
 
 def _ask(questions: list[dict[str, Any]]) -> list[dict[str, Any]]:

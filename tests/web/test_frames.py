@@ -33,8 +33,8 @@ from loomlight.realtime import (
     rectangle,
 )
 from loomlight.realtime.device import default_adapter
-from loomlight.viewer.openness_json import openness_json
-from loomlight.viewer.saving import tables_of
+from loomlight.viewer.answers import tables_of
+from loomlight.viewer.messages import openness_json
 from tests.limits import HANG
 
 ROOT = Path(__file__).parents[2]

@@ -1,6 +1,6 @@
 """Generated files of the web client are in step with Python.
 
-Covers: tools/shaders/web_constants.py, tools/shaders/web_fabric.py
+Covers: tools/shaders/web_constants.py, tools/shaders/web_fabric.py, tools/shaders/web_messages.py
 """
 
 from tools.shaders.web_constants import web_files

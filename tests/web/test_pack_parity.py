@@ -20,7 +20,7 @@ from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.openness_tables import PARTS
 from loomlight.realtime.tables import Packed, pack_fabrics
 from loomlight.scattering.openness import ray_shares
-from loomlight.viewer.openness_json import openness_json
+from loomlight.viewer.messages import openness_json
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry
 from tests.limits import HANG
@@ -31,7 +31,7 @@ WEB = ROOT / "web"
 EXAMPLES = [
     *sorted((ROOT / "examples").glob("*.toml")),
     *sorted((ROOT / "examples").glob("*.wif")),
-    *sorted((ROOT / "tests" / "weave" / "fixtures").glob("*.wif"))[:12],
+    *sorted((ROOT / "tests" / "cases" / "drafts").glob("*.wif"))[:12],
 ]
 # Beyond the examples: long floats, thin layers, wide gaps, colours in an order of their own.
 TEXTS = [

@@ -32,8 +32,8 @@ def view(
     ] = None,
 ) -> None:
     """Opens the live editor in a browser: change weave, yarns and light, and see the cloth follow."""
+    from loomlight.viewer.client import export_site
     from loomlight.viewer.server import serve
-    from loomlight.viewer.site import export_site
 
     if export is not None:
         if host != "127.0.0.1" or port != 8377:

@@ -3,32 +3,36 @@
 from __future__ import annotations
 
 import asyncio
+import hmac
+import ipaddress
 import json
+import secrets
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
-from urllib.parse import quote
+from urllib.parse import quote, urlsplit
 
 import anyio
 from starlette.applications import Starlette
+from starlette.datastructures import URL
 from starlette.exceptions import HTTPException
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
-from starlette.requests import ClientDisconnect, Request
-from starlette.responses import JSONResponse, Response
+from starlette.requests import ClientDisconnect, HTTPConnection, Request
+from starlette.responses import JSONResponse, PlainTextResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from loomlight.core.errors import LoomlightError
 from loomlight.fabric.fabric import Fabric
-from loomlight.viewer.access import Access, Guard
 from loomlight.viewer.answers import ANSWERS, answer
 from loomlight.viewer.draft_reader import MAX_UPLOAD, DraftReader
 from loomlight.viewer.picture import MAX_BYTES
 from loomlight.viewer.picture_worker import PictureMaker
 from loomlight.viewer.session import gallery_pictures, session
-from loomlight.viewer.uploads import TooLargeResponse, UploadTooLargeError, read_body
 
 # The largest draft with a loom plan and colours of every thread, as JSON.
 _MAX_FABRIC = 64 << 20
@@ -161,3 +165,215 @@ async def _json_object(request: Request) -> dict[str, Any]:
     if not isinstance(values, dict):
         raise HTTPException(400, "The request is JSON, but no object.")
     return values
+
+
+# ------------------------------------------------------------------------------------------------ who may ask
+# Who may ask: a token where the server is not on loopback, and no page of another site.
+#
+# On loopback any process of the machine may ask, but not a web page that another site serves: its requests
+# carry that site's `Origin`, or, where its name was bound to this address, that name as `Host`.
+
+
+COOKIE = "loomlight-token"
+HEADER = "x-loomlight-token"
+
+# The page loads nothing from elsewhere; workers and pictures may come from memory.
+SECURITY_HEADERS = {
+    "content-security-policy": (
+        "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
+        "img-src 'self' data: blob:; connect-src 'self' data: blob:; worker-src 'self' blob:; "
+        "frame-ancestors 'self'; base-uri 'self'; form-action 'none'"
+    ),
+    "x-content-type-options": "nosniff",
+    "referrer-policy": "no-referrer",
+    "cross-origin-resource-policy": "same-origin",
+}
+
+
+def is_loopback(host: str) -> bool:
+    """Whether a host's name or address is of this machine alone."""
+    if host.lower() == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(host.strip("[]")).is_loopback
+    except ValueError:
+        return False
+
+
+@dataclass(frozen=True)
+class Access:
+    """Rules of access to a server.
+
+    Attributes:
+        loopback: it answers this machine alone, and requests must name it as such.
+        token: that requests must carry, as a cookie, a header or `?token=`; None where none is needed.
+    """
+
+    loopback: bool
+    token: str | None
+
+    @classmethod
+    def for_host(cls, host: str) -> Access:
+        """Access of a server at `host`: a token of 256 bits unless it is a loopback address."""
+        loopback = is_loopback(host)
+        return cls(loopback, None if loopback else secrets.token_urlsafe(32))
+
+    def refusal(self, connection: HTTPConnection) -> Response | None:
+        """Error response to a request, or None if it is allowed."""
+        host = connection.headers.get("host", "")
+        origin = connection.headers.get("origin")
+        try:
+            named = urlsplit(f"//{host}").hostname or ""
+        except ValueError:  # brackets around what is no address
+            return _refused(400, f"The Host {host[:100]!r} of the request is no name or address.")
+        try:
+            foreign = origin is not None and urlsplit(origin).netloc != host
+        except ValueError:
+            said = (origin or "")[:100]
+            return _refused(400, f"The Origin {said!r} of the request is no address of a page.")
+        if self.loopback and not is_loopback(named):
+            return _refused(403, f"This server answers this machine alone, not requests for {host[:100]!r}.")
+        if foreign:
+            return _refused(403, "This server answers its own page alone, not a page of another site.")
+        if self.token is None:
+            return None
+        given = (
+            connection.query_params.get("token"),
+            connection.headers.get(HEADER),
+            connection.cookies.get(COOKIE),
+        )
+        if any(hmac.compare_digest(each.encode(), self.token.encode()) for each in given if each):
+            return None
+        return _refused(401, "The token is missing or wrong: open the address that loomlight view printed.")
+
+
+class Guard:
+    """ASGI middleware: refuses what `Access` refuses, and adds headers that keep the page to itself."""
+
+    def __init__(self, app: ASGIApp, access: Access) -> None:
+        self._app = app
+        self._access = access
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answers one request."""
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        connection = HTTPConnection(scope)
+
+        async def send_with_headers(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                message["headers"] = [
+                    *message.get("headers", ()),
+                    *((name.encode(), value.encode()) for name, value in SECURITY_HEADERS.items()),
+                ]
+            await send(message)
+
+        response = self._access.refusal(connection) or self._without_token(connection)
+        await (response or self._app)(scope, receive, send_with_headers)
+
+    def _without_token(self, connection: HTTPConnection) -> Response | None:
+        """For a page's address with the token: the same without it, which becomes a cookie."""
+        if (
+            self._access.token is None
+            or "token" not in connection.query_params
+            or connection.scope["method"] != "GET"
+        ):
+            return None
+        place = URL(scope=connection.scope).remove_query_params("token")
+        response = RedirectResponse(place.path + (f"?{place.query}" if place.query else ""), 303)
+        response.set_cookie(COOKIE, self._access.token, httponly=True, samesite="strict")
+        return response
+
+
+def _refused(status: int, sentence: str) -> Response:
+    if status == 401:
+        return PlainTextResponse(sentence + "\n", status)
+    return JSONResponse({"error": sentence}, status)
+
+
+# ----------------------------------------------------------------------------------------- bodies of requests
+# Bodies of requests, read up to a limit: what is longer is refused before it is read.
+
+
+# How long the rest of a refused upload is thrown away: a connection that is closed while the other side still
+# sends loses the answer on its way.
+_DRAIN_SECONDS = 10.0
+# How long a body may take: 64 MiB at some 4 Mbit/s.
+BODY_SECONDS = 120.0
+
+
+class UploadTooLargeError(Exception):
+    """A body is longer than its limit; the message is one sentence.
+
+    Attributes:
+        has_more: whether the rest of the body is still on its way.
+    """
+
+    def __init__(self, sentence: str, has_more: bool) -> None:
+        super().__init__(sentence)
+        self.has_more = has_more
+
+
+async def read_body(request: Request, limit: int, seconds: float = BODY_SECONDS) -> bytes:
+    """The body of a request; never more than `limit` bytes, and a part of it, are kept.
+
+    Raises:
+        UploadTooLargeError: its length is announced as more, or it turns out to be more.
+        ClientDisconnect: the connection was cut.
+        HTTPException: it did not come whole within `seconds`.
+    """
+    try:
+        async with asyncio.timeout(seconds):
+            return await _read_body(request, limit)
+    except TimeoutError as error:
+        sentence = f"The upload did not arrive within {seconds:g} s."
+        raise HTTPException(408, sentence, {"connection": "close"}) from error
+
+
+async def _read_body(request: Request, limit: int) -> bytes:
+    announced = request.headers.get("content-length", "")
+    if announced.isdecimal() and int(announced) > limit:
+        raise UploadTooLargeError(_sentence(f" of {int(announced) / 2**20:.0f} MiB", limit), True)
+    body = bytearray()
+    has_more = True
+    while has_more:
+        message = await request.receive()
+        if message["type"] != "http.request":
+            raise ClientDisconnect
+        has_more = message.get("more_body", False)
+        body += message.get("body", b"")
+        if len(body) > limit:
+            raise UploadTooLargeError(_sentence("", limit), has_more)
+    return bytes(body)
+
+
+def _sentence(size: str, limit: int) -> str:
+    return f"The upload{size} is larger than the {limit >> 20} MiB that the server takes."
+
+
+class TooLargeResponse(JSONResponse):
+    """The answer to an upload that is too large: sent at once, before the rest of it is thrown away."""
+
+    def __init__(self, error: UploadTooLargeError) -> None:
+        # Compression would hold the answer back until the end.
+        headers = {"connection": "close", "content-encoding": "identity"}
+        super().__init__({"error": str(error)}, 413, headers)
+        self._has_more = error.has_more
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answers, then reads on for a while."""
+        await send({"type": "http.response.start", "status": self.status_code, "headers": self.raw_headers})
+        await send({"type": "http.response.body", "body": self.body, "more_body": True})
+        if self._has_more:
+            await _drain(receive)
+        await send({"type": "http.response.body", "body": b"", "more_body": False})
+
+
+async def _drain(receive: Receive) -> None:
+    try:
+        async with asyncio.timeout(_DRAIN_SECONDS):
+            while (message := await receive())["type"] == "http.request" and message.get("more_body", False):
+                pass
+    except TimeoutError:
+        pass

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
-from loomlight.viewer.fabric_json import fabric_of_json
+from loomlight.viewer.messages import fabric_of_json
 
 # Of a request, with a mesh of a million triangles; and sides of a picture, pixels.
 MAX_BYTES = 96 << 20

@@ -42,8 +42,7 @@ def serve(
     """
     uvicorn = import_extra("uvicorn", "viewer", "The editor's server")
     import_extra("starlette", "viewer", "The editor's server")
-    from loomlight.viewer.access import Access
-    from loomlight.viewer.app import editor_app
+    from loomlight.viewer.app import Access, editor_app
 
     access = Access.for_host(host)
     name = os.fspath(fabric) if isinstance(fabric, str | os.PathLike) else fabric

@@ -11,7 +11,7 @@ from loomlight.assets.load import fabric_of_path
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.read import load_fabric
 from loomlight.viewer.draft_reader import MAX_UPLOAD
-from loomlight.viewer.fabric_json import fabric_json
+from loomlight.viewer.messages import Session, fabric_json
 
 VERSION = 1
 # The fabric of the gallery that the editor shows when it is opened without one.
@@ -22,7 +22,7 @@ _FOLDERS = (_PACKAGE / "gallery", _PACKAGE.parents[2] / "examples")
 
 
 def session(fabric: Fabric | str | None, *, has_python: bool, token: str | None = None) -> dict[str, Any]:
-    """The session of a page, as JSON.
+    """The session of a page, as JSON: see `messages.Session`.
 
     Args:
         fabric: a fabric, an argument of `fabric_of_path`, or None for the gallery's first.
@@ -36,14 +36,16 @@ def session(fabric: Fabric | str | None, *, has_python: bool, token: str | None 
         shown = first_fabric()
     else:
         shown = fabric if isinstance(fabric, Fabric) else fabric_of_path(fabric)
-    return {
-        "version": VERSION,
-        "has_python": has_python,
-        "token": token,
-        "fabric": fabric_json(shown),
-        "gallery": gallery(),
-        "largest_upload": MAX_UPLOAD,
-    }
+    return Session.model_validate(
+        {
+            "version": VERSION,
+            "has_python": has_python,
+            "token": token,
+            "fabric": fabric_json(shown),
+            "gallery": gallery(),
+            "largest_upload": MAX_UPLOAD,
+        }
+    ).model_dump()
 
 
 def first_fabric() -> Fabric:

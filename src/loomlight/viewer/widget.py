@@ -21,7 +21,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.viewer.answers import ANSWERS, answer
 from loomlight.viewer.client import client_folder
 from loomlight.viewer.draft_reader import DraftReader
-from loomlight.viewer.fabric_json import fabric_json, fabric_of_json
+from loomlight.viewer.messages import fabric_json, fabric_of_json
 from loomlight.viewer.session import first_fabric, session
 
 

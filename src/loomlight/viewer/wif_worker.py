@@ -44,7 +44,7 @@ def _allow_time(seconds: float) -> None:
 
 
 def _read(file: Path) -> dict[str, Any]:
-    from loomlight.viewer.draft_json import draft_json
+    from loomlight.viewer.messages import draft_json
     from loomlight.weave.load import load_draft
 
     try:

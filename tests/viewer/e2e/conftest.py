@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from loomlight.core.errors import LoomlightError
-from loomlight.viewer.access import Access
+from loomlight.viewer.app import Access
 from loomlight.viewer.client import client_folder
 from tests.limits import HANG
 from tests.viewer.conftest import Served, serving

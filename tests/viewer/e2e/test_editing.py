@@ -15,7 +15,7 @@ from tests.limits import HANG
 from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import AXE, Visit, visiting, wait_until
 
-FIXTURES = Path(__file__).parents[2] / "weave" / "fixtures"
+FIXTURES = Path(__file__).parents[2] / "cases" / "drafts"
 SIZES = {"desk": (1440, 900), "small": (1024, 768), "phone": (390, 844)}
 
 

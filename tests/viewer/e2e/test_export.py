@@ -2,7 +2,7 @@
 
 Lit pictures are read back in test_lit_frame.py, where the page is lit already.
 
-Covers: viewer/saving.py
+Covers: viewer/answers.py
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from PIL import Image
 from loomlight.fabric.maps import bake_maps, write_maps
 from loomlight.fabric.read import load_fabric
 from loomlight.models.registry import model_from_loom
-from loomlight.viewer.saving import saved
+from loomlight.viewer.answers import saved
 from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import Visit, wait_until
 

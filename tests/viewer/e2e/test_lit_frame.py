@@ -21,8 +21,8 @@ from loomlight.core.errors import MissingDependencyError
 from loomlight.fabric import fabric_from_text
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.device import default_adapter
-from loomlight.viewer.openness_json import openness_json
-from loomlight.viewer.saving import tables_of
+from loomlight.viewer.answers import tables_of
+from loomlight.viewer.messages import openness_json
 from tests.limits import HANG
 from tests.viewer.conftest import Served
 from tests.viewer.e2e.conftest import ROOT, SWIFTSHADER, launched, visiting, wait_until

@@ -11,12 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from loomlight.viewer.access import Access
-from loomlight.viewer.site import export_site
+from loomlight.viewer.app import Access
+from loomlight.viewer.client import export_site
 from tests.viewer.conftest import Served, serving
 from tests.viewer.e2e.conftest import AXE, Visit, wait_until
 
-FIXTURES = Path(__file__).parents[2] / "weave" / "fixtures"
+FIXTURES = Path(__file__).parents[2] / "cases" / "drafts"
 # Of everything that the page may load, compressed as web servers do; and of what is not three.js's, which
 # reads meshes and pictures of the user's own.
 MAX_BUNDLE = 3 << 20

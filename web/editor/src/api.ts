@@ -3,67 +3,13 @@
  *
  * `loomlight view` serves `api/session`. A static export names `session.json` instead (the `meta` element
  * `loomlight-session` of the page), and has no Python behind it: `hasPython` is false, and what needs the server
- * says so. A widget's page names `frame`, and asks the notebook around it. Draft JSON is what `src/loomlight/viewer/draft_json.py` reads and writes.
+ * says so. A widget's page names `frame`, and asks the notebook around it. Draft JSON is what `src/loomlight/viewer/messages.py` reads and writes.
  */
 
+import type { DraftJson, FabricJson, Session } from "loomlight-fabric";
 import type { Openness } from "loomlight-web";
 
 import { FrameHost } from "./embedding.ts";
-
-/** Draft as JSON; `drawdown` is base64 of its bits, row by row without padding, the first bit highest. */
-export interface DraftJson {
-  name: string;
-  ends: number;
-  picks: number;
-  drawdown: string;
-  warp: ThreadsJson;
-  weft: ThreadsJson;
-  loom: LoomJson | null;
-}
-
-/** Linear RGB in [0, 1] and millimetres of each thread; null where the draft does not say. */
-export interface ThreadsJson {
-  colors: [number, number, number][] | null;
-  spacing_mm: number[] | null;
-  thickness_mm: number[] | null;
-  /** Row of the draft's palette that each thread has; a list of as many colours replaces them in this order. */
-  color_index?: number[] | null;
-}
-
-/** Shafts of each end, shafts of each treadle, treadles of each pick, shafts of each pick; numbers from 1. */
-export interface LoomJson {
-  shafts: number;
-  treadles: number;
-  rising_shed: boolean;
-  threading: number[][];
-  tieup: number[][] | null;
-  treadling: number[][] | null;
-  liftplan: number[][] | null;
-}
-
-/** A fabric: the keys of a fabric file, and the draft that they name, before they colour and repeat it. */
-export interface FabricJson {
-  name: string;
-  fields: Record<string, unknown>;
-  draft: DraftJson;
-}
-
-export interface GalleryEntry extends FabricJson {
-  id: string;
-  description: string;
-  /** A picture of 320 pixels a side, relative to the page. */
-  picture: string | null;
-}
-
-export interface Session {
-  version: 1;
-  has_python: boolean;
-  token: string | null;
-  fabric: FabricJson;
-  gallery: GalleryEntry[];
-  /** Largest file that the server reads, bytes. */
-  largest_upload: number;
-}
 
 export interface SaveOptions {
   /** Of a baked material. */

@@ -2,7 +2,7 @@
  * What surrounds the page: its address asks for `?fabric=denim`, one of the gallery, and for `&embed=1`, the cloth alone;
  * a widget of a notebook shows it in a frame and answers in place of a server.
  */
-import type { Session } from "./api.ts";
+import type { Session } from "loomlight-fabric";
 import type { Fabric } from "./state/document.ts";
 import { fabricFromJson } from "./state/fabric_json.ts";
 

@@ -13,6 +13,7 @@ export * from "./fields.ts";
 export * from "./floats.ts";
 export * from "./generated.ts";
 export * from "./json.ts";
+export type * from "./messages.ts";
 export * from "./load.ts";
 export { asLiftplan, asTreadling, deriveLoomPlan, movedShafts, planDrawdown, weaves } from "./loom.ts";
 export { namedWeave, weaveNames } from "./named.ts";

@@ -1,38 +1,8 @@
-/** Drafts as JSON, as the server writes and reads them (`src/loomlight/viewer/draft_json.py`). */
+/** Drafts as JSON, as the server writes and reads them (`src/loomlight/viewer/messages.py`). */
 import { makeDraft, type Draft, type LoomPlan, type Threads } from "./draft.ts";
 import { InputError } from "./errors.ts";
-import { MAX_NAME, requireDraftJson } from "./json_check.ts";
-
-/** Draft as JSON; `drawdown` is base64 of its bits, row by row without padding, the first bit highest. */
-export interface DraftJson {
-  name: string;
-  ends: number;
-  picks: number;
-  drawdown: string;
-  warp: ThreadsJson;
-  weft: ThreadsJson;
-  loom: LoomJson | null;
-}
-
-/** Linear RGB in [0, 1] and millimetres of each thread; null where the draft does not say. */
-export interface ThreadsJson {
-  colors: [number, number, number][] | null;
-  spacing_mm: number[] | null;
-  thickness_mm: number[] | null;
-  /** Row of the draft's palette that each thread has, by which a list of colours replaces the draft's. */
-  color_index?: number[] | null;
-}
-
-/** Shafts of each end, shafts of each treadle, treadles of each pick, shafts of each pick; numbers from 1. */
-export interface LoomJson {
-  shafts: number;
-  treadles: number;
-  rising_shed: boolean;
-  threading: number[][];
-  tieup: number[][] | null;
-  treadling: number[][] | null;
-  liftplan: number[][] | null;
-}
+import { requireDraftJson } from "./json_check.ts";
+import { MAX_NAME, type DraftJson, type LoomJson, type ThreadsJson } from "./messages.ts";
 
 /** The draft as JSON. */
 export function draftToJson(draft: Draft): DraftJson {

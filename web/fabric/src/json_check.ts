@@ -1,11 +1,7 @@
-/** What JSON of a draft must be before a draft is made of it; the rules are those of `viewer/draft_json.py`. */
+/** What JSON of a draft must be before a draft is made of it; the rules are those of `viewer/messages.py`. */
 import { MAXIMUM_THREADS } from "./draft.ts";
 import { InputError } from "./errors.ts";
-import type { DraftJson, LoomJson, ThreadsJson } from "./json.ts";
-
-/** Characters of a name at most. */
-export const MAX_NAME = 500;
-const LENGTHS: readonly [number, number] = [1e-6, 1e6];
+import { LENGTH_MM, MAX_NAME, type DraftJson, type LoomJson, type ThreadsJson } from "./messages.ts";
 
 /**
  * JSON as that of a draft.
@@ -29,7 +25,7 @@ function requireThreads(json: unknown, count: number, place: string): void {
   const { colors, spacing_mm, thickness_mm, color_index = null } = threads;
   const isColour = (colour: unknown): boolean =>
     Array.isArray(colour) && colour.length === 3 && colour.every((part) => isNumber(part, 0, 1));
-  const isLength = (length: unknown): boolean => isNumber(length, ...LENGTHS);
+  const isLength = (length: unknown): boolean => isNumber(length, ...LENGTH_MM);
   requireList(colors, count, isColour, `${place}.colors must list linear RGB in [0, 1]`);
   requireList(spacing_mm, count, isLength, `${place}.spacing_mm must list millimetres`);
   requireList(thickness_mm, count, isLength, `${place}.thickness_mm must list millimetres`);

@@ -5,7 +5,7 @@ import { describe, expect, it } from "vitest";
 import { InputError, yarnTex } from "../src/index.ts";
 
 /** The table that the Python package is tested with too. */
-const TABLE = JSON.parse(readFileSync(new URL("../../../tests/weave/yarn_counts.json", import.meta.url), "utf8")) as {
+const TABLE = JSON.parse(readFileSync(new URL("../../../tests/cases/yarn_counts.json", import.meta.url), "utf8")) as {
   readonly tex: Record<string, number>;
   readonly refused: Record<string, string>;
 };

@@ -3,7 +3,7 @@ import { clamp } from "loomlight-fabric";
 import type { Draft } from "loomlight-fabric";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
-import type { GalleryEntry } from "../api.ts";
+import type { GalleryEntry } from "loomlight-fabric";
 import { Icon } from "../controls/Icon.tsx";
 import { Fault } from "../controls/written.tsx";
 import { keepFabric, removeFabric, useOwnFabrics } from "../keeping/own_fabrics.ts";

@@ -2,7 +2,7 @@
 import { loadDraft, toHex, type Draft } from "loomlight-fabric";
 import { useEffect, useRef, useState } from "preact/hooks";
 
-import type { GalleryEntry } from "../api.ts";
+import type { GalleryEntry } from "loomlight-fabric";
 import { Fault, useWritten } from "../controls/written.tsx";
 import type { Fabric } from "../state/document.ts";
 import { refusalOf, type Dispatch } from "../state/store.ts";

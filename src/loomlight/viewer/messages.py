@@ -1,8 +1,8 @@
-"""Drafts as JSON, as the editor's page exchanges them with its server.
+"""Messages between the editor's page and Python: drafts, fabrics and the session as JSON, declared once.
 
-A drawdown is base64 of its bits, row by row (a row is a pick) without padding between rows, the first bit
-highest, 1 where the warp is on top. Colours are linear RGB, lengths millimetres; what a draft does not say is
-null.
+`web/fabric/src/messages.ts` is generated from it (`python -m tools.shaders.build --web`). A drawdown
+is base64 of its bits, row by row (a row is a pick) without padding between rows, the first bit highest, 1
+where the warp is on top. Colours are linear RGB, lengths millimetres; what a draft does not say is null.
 """
 
 from __future__ import annotations
@@ -16,14 +16,21 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from loomlight.core.errors import InputError
+from loomlight.core.sentences import speaking_of
+from loomlight.fabric.fabric import Fabric, make_fabric
+from loomlight.fabric.read import validate_fields
 from loomlight.fabric.resolve import MAXIMUM_CROSSINGS
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan, Threads
 
+# Characters of a name; millimetres of a thread.
+MAX_NAME = 500
+LENGTH_MM = (1e-6, 1e6)
 # As many shafts as there may be threads: a derived plan can need one for each.
 Number = Annotated[int, Field(ge=0, le=MAXIMUM_THREADS)]
 Count = Annotated[int, Field(ge=1, le=MAXIMUM_THREADS)]
 Unit = Annotated[float, Field(ge=0, le=1)]
-Length = Annotated[float, Field(ge=1e-6, le=1e6)]
+Length = Annotated[float, Field(ge=LENGTH_MM[0], le=LENGTH_MM[1])]
+Name = Annotated[str, Field(max_length=MAX_NAME)]
 Sets = list[list[Count]]
 JsonObject = dict[str, Any]
 
@@ -38,16 +45,21 @@ Kind = TypeVar("Kind", bound=Json)
 
 
 class ThreadsJson(Json):
-    """One family of threads; see `Threads`."""
+    """Linear RGB in [0, 1] and millimetres of each thread; null where the draft does not say."""
 
     colors: list[tuple[Unit, Unit, Unit]] | None = None
     spacing_mm: list[Length] | None = None
     thickness_mm: list[Length] | None = None
-    color_index: list[Number] | None = None
+    color_index: Annotated[
+        list[Number] | None,
+        Field(
+            description="Row of the draft's palette; a list of as many colours replaces them in this order."
+        ),
+    ] = None
 
 
 class LoomJson(Json):
-    """The loom plan; see `LoomPlan`."""
+    """Shafts of each end, shafts of each treadle, treadles and shafts of each pick; numbers from 1."""
 
     shafts: Number
     treadles: Number = 0
@@ -59,15 +71,42 @@ class LoomJson(Json):
 
 
 class DraftJson(Json):
-    """A draft."""
+    """A draft; `drawdown` is base64 of its bits, row by row without padding, the first bit highest."""
 
-    name: Annotated[str, Field(max_length=500)] = ""
+    name: Name = ""
     ends: Count
     picks: Count
     drawdown: str
     warp: ThreadsJson = ThreadsJson()
     weft: ThreadsJson = ThreadsJson()
     loom: LoomJson | None = None
+
+
+class FabricJson(Json):
+    """A fabric: the keys of a fabric file, and the draft that they name, before they colour and repeat it."""
+
+    name: Name = ""
+    fields: JsonObject
+    draft: DraftJson
+
+
+class GalleryEntry(FabricJson):
+    """A fabric that comes with the editor."""
+
+    id: str
+    description: str
+    picture: Annotated[str | None, Field(description="A picture of 320 pixels a side, relative to the page.")]
+
+
+class Session(Json):
+    """What a page begins with."""
+
+    version: int
+    has_python: Annotated[bool, Field(description="Whether a server answers the page.")]
+    token: Annotated[str | None, Field(description="That the page must send to that server.")]
+    fabric: FabricJson
+    gallery: list[GalleryEntry]
+    largest_upload: Annotated[int, Field(description="Largest file that the server reads, bytes.")]
 
 
 def draft_json(draft: Draft) -> JsonObject:
@@ -185,3 +224,66 @@ def _loom(given: LoomJson, ends: int, picks: int) -> LoomPlan:
         **{name: sets[name] for name in ("tieup", "treadling", "liftplan")},
         rising_shed=given.rising_shed,
     )
+
+
+# ---------------------------------------------------------------------------------------------------- fabrics
+# Fabrics as JSON: keys of a fabric file, and the draft that they name before they colour and repeat it.
+
+
+def fabric_json(fabric: Fabric) -> JsonObject:
+    """A fabric as JSON; fields are without defaults."""
+    fields = fabric.fields.model_dump(exclude_none=True)
+    return {
+        "name": fabric.name,
+        "fields": {key: value for key, value in fields.items() if value != {}},
+        "draft": draft_json(fabric.named_draft),
+    }
+
+
+def fabric_of_json(values: Mapping[str, Any]) -> Fabric:
+    """The fabric of JSON; no file is read, whatever paths are among the fields.
+
+    Raises:
+        InputError: fields or a draft that make no fabric; the message names the one at fault.
+    """
+    given = validated(FabricJson, values)
+    with speaking_of("the fabric"):
+        fields = validate_fields(given.fields)
+        draft = draft_of(given.draft)
+        return make_fabric(fields, draft, fields.name or given.name or draft.title or "fabric", ".")
+
+
+# ------------------------------------------------------------------------------------------ openness of yarns
+# What a page asks Python about a fabric's yarns: their openness, and joint visibility of light and view.
+
+
+def openness_json(fabric: Fabric) -> dict[str, list[float]]:
+    """Flat lists by name: the parts that shaders read, and what the inversion of colours needs beside them.
+
+    "joint" has the words of `LobeTables.joint`. All depend on where yarns lie, on roughness, optical depth
+    and the diffuse blend alone, whatever the colours are and whether or not the fields ask for light between
+    yarns. Parts are those of `realtime.openness_tables.PARTS`, others those of `Openness`.
+
+    Raises:
+        MissingDependencyError: no usable LLVM library.
+    """
+    from loomlight.core.llvm import llvm_float, require_llvm
+
+    require_llvm()
+    from loomlight.models.lobes.model import DEFAULT_GROUPS
+    from loomlight.models.lobes.tables import bake_joint
+    from loomlight.realtime.openness_tables import openness_parts
+    from loomlight.realtime.word_table import packed_bytes
+    from loomlight.scattering.openness import openness_of
+    from loomlight.yarn.geometry import YarnGeometry
+
+    appearance = fabric.appearance()
+    openness = appearance.openness
+    if openness is None:
+        roughness = appearance.warp.roughness, appearance.weft.roughness
+        openness = openness_of(fabric.layout(), appearance.diffuse_blend, roughness, appearance.optical_depth)
+    parts = {name.lower(): part for name, part in openness_parts(openness, appearance).items()}
+    facing = {"facing": openness.facing, "facing_layer": openness.facing_layer}
+    joint = bake_joint(YarnGeometry(fabric.layout()), appearance.diffuse_blend, DEFAULT_GROUPS, llvm_float())
+    lists = {name: part.ravel().tolist() for name, part in (parts | facing).items()}
+    return lists | {"joint": packed_bytes(joint).tolist()}
