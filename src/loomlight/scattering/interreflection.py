@@ -20,13 +20,14 @@ point returns more light than arrives.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, NamedTuple
 
 import drjit as dr
 
-from loomlight.core.arrays import Color3, Float, Mask, Vec3
+from loomlight.core.arrays import Array, Color3, Float, Mask, Vec3
 from loomlight.core.backend import ArrayTypes, clip, maximum, opaque
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.fibre import mean_layer_shares
@@ -72,7 +73,11 @@ class Blocked:
 
 
 def scattered(
-    diffuse_reflect: Any, diffuse_transmit: Any, specular_reflect: Any, specular_transmit: Any, shares: Any
+    diffuse_reflect: Color3,
+    diffuse_transmit: Color3,
+    specular_reflect: Color3,
+    specular_transmit: Color3,
+    shares: Sequence[Float],
 ) -> Scattered:
     """R and T of albedos.
 
@@ -126,7 +131,7 @@ def solved_interior(
     return found[0], found[1]
 
 
-def _sent(first: list[Any], kept: list[Any], meets: Any) -> list[Any]:
+def _sent(first: list[Color3], kept: list[Color3], meets: Array) -> list[Color3]:
     """Radiances of warp and weft that send out `first` at the start: the inverse of a 2 × 2 matrix.
 
     Args:
@@ -141,7 +146,7 @@ def _sent(first: list[Any], kept: list[Any], meets: Any) -> list[Any]:
     ]
 
 
-def _mean(parts: Any, weights: Any) -> Any:
+def _mean(parts: Any, weights: Array) -> Color3:
     return weights[0] * parts[0] + weights[1] * parts[1]
 
 
@@ -229,14 +234,14 @@ class Interreflection:
         is_warp = self._sum(self._warp_seen, terms, back)
         return warp, weft, clip(is_warp, 0, 1)
 
-    def _sum(self, table: Any, terms: tuple[Any, ...], back: Mask) -> Float:
+    def _sum(self, table: Array, terms: tuple[Float, ...], back: Mask) -> Float:
         """Σ terms times coefficients [face][term]."""
         total: Float = 0
         for number, term in enumerate(terms):
             total = total + dr.select(back, table[1][number], table[0][number]) * term
         return total
 
-    def _blocked(self, table: Any, terms: tuple[Any, ...], is_warp: Mask, back: Mask) -> Blocked:
+    def _blocked(self, table: Array, terms: tuple[Float, ...], is_warp: Mask, back: Mask) -> Blocked:
         """Blocked shares from coefficients [face][family][share][term]."""
         shares: list[Float] = []
         for share in range(3):

@@ -17,6 +17,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.arrays import Float, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, upload
 from loomlight.core.llvm import llvm_float
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
@@ -114,7 +115,7 @@ def _layout_key(layout: ClothLayout) -> tuple[Any, ...]:
     return (layout.warp_on_top.shape, layout.warp_on_top.tobytes(), *families)
 
 
-def view_terms(x: Any, y: Any, z: Any, sine: Any) -> tuple[Any, ...]:
+def view_terms(x: Float, y: Float, z: Float, sine: Float) -> tuple[Float, ...]:
     """1, sin θ, (1 − cos θ)², (1 − cos θ)⁴, x² − y² of a unit view [3] in the frame of the face that it sees.
 
     Args:
@@ -125,7 +126,7 @@ def view_terms(x: Any, y: Any, z: Any, sine: Any) -> tuple[Any, ...]:
     return 1.0, sine, squared, squared * squared, x * x - y * y
 
 
-def point_terms(cosine: Any, height: Any) -> tuple[Any, ...]:
+def point_terms(cosine: Float, height: Float) -> tuple[Float, ...]:
     """1, c, h, c², c h, h² of the cosine c of a yarn's and the cloth's normal and the height h in reliefs."""
     return 1.0, cosine, height, cosine * cosine, cosine * height, height * height
 
@@ -352,7 +353,12 @@ class _Rays:
 
 
 def _met(
-    surface: Surface, types: ArrayTypes, place: tuple[Any, Any, Any], direction: Any, back: Any, active: Any
+    surface: Surface,
+    types: ArrayTypes,
+    place: tuple[Float, Float, Float],
+    direction: Vec3,
+    back: Mask,
+    active: Mask,
 ) -> tuple[Any, Any]:
     """Whether rays from yarn points, rising or falling, meet yarn of their face, and whether that is warp.
 
@@ -368,7 +374,7 @@ def _met(
     step = direction * minimum(cell / maximum(across, 1e-6), fall / maximum(abs(direction.z), 1e-6))
     x, y, height = place
 
-    def advance(at: Any, searching: Any, met: Any, count: Any) -> tuple[Any, ...]:
+    def advance(at: Float, searching: Mask, met: Mask, count: UInt) -> tuple[Any, ...]:
         at = at + step
         level, hole = surface.height(at.x, at.y, back)
         hit = searching & ~hole & (at.z < level)
