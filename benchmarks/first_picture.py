@@ -77,7 +77,7 @@ def take_stages(fabric: str, size: str) -> None:
     ended("imports")
     choose_variant()
     ended("variant")
-    job = RenderJob(shown_material(fabric, settings), "drape", settings)
+    job = RenderJob(shown_material(fabric, settings), settings)
     if job.coarse_size is not None:
         job.coarse_picture(job.coarse_size)
         ended("coarse picture")

@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import NoReturn
 
 from loomlight.cli.interruption import note_left, report_interruption
-from loomlight.cli.outputs import done, require_not_read
-from loomlight.cli.progress import progress
+from loomlight.cli.progress import done, progress
 from loomlight.cli.values import parse_size, require_within
 from loomlight.core.errors import InputError, LoomlightError
+from loomlight.core.outputs import require_not_read
 from papers.catalogue import CATALOGUE, find_item
 from papers.figure import Item
 from papers.make import make

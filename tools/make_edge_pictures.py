@@ -17,9 +17,8 @@ from PIL import Image
 
 from loomlight.core.images import encoded
 from loomlight.fabric.read import load_fabric
-from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render, shapes
+from loomlight.mitsuba import Placement, build_scene, choose_variant, material_bsdf, render, shapes
 from loomlight.mitsuba.camera import View
-from loomlight.mitsuba.meshes import Placement
 from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.models.registry import make_model
 

@@ -12,8 +12,7 @@ import typer
 from loomlight.cli.fleet import ExecutorName, SlurmSettings, Workers, executor_of
 from loomlight.cli.interruption import note_left, supervised
 from loomlight.cli.main import run
-from loomlight.cli.outputs import done
-from loomlight.cli.progress import progress
+from loomlight.cli.progress import done, progress
 from loomlight.cli.values import require_within
 from loomlight.core.errors import InputError
 

@@ -19,9 +19,10 @@ if TYPE_CHECKING:
     from loomlight.evaluation.compare import compare
     from loomlight.fabric.fabric import Fabric
     from loomlight.fabric.read import fabric_from_text, load_fabric
-    from loomlight.mitsuba.material_picture import RenderSettings, render
+    from loomlight.mitsuba.material_picture import render
     from loomlight.models.bake import bake, load, save
     from loomlight.models.registry import make_model, model_from_loom
+    from loomlight.picture_settings import RenderSettings
     from loomlight.scattering.appearance import Appearance
     from loomlight.viewer.notebook import view
     from loomlight.viewer.server import edit
@@ -43,7 +44,7 @@ _HOMES = {
     "LoomlightError": "loomlight.core.errors",
     "LoomlightWarning": "loomlight.core.errors",
     "MissingDependencyError": "loomlight.core.errors",
-    "RenderSettings": "loomlight.mitsuba.material_picture",
+    "RenderSettings": "loomlight.picture_settings",
     "bake": "loomlight.models.bake",
     "compare": "loomlight.evaluation.compare",
     "edit": "loomlight.viewer.server",

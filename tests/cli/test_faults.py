@@ -39,7 +39,7 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     ),
     "a shift beyond the sun": (
         ["render", "plain", "-o", "a.png", "--shift", "1e300,0"],
-        "shift = (1e+300, 0.0) is out of range: at most 1e+06 mm",
+        "shift = (1e+300, 0.0) is wrong: give 2 numbers from -1000000 to 1000000",
     ),
     "an unknown word in braces": (["render", "plain", "-o", "{nome}.png"], "{nome} stands for nothing"),
     "a sheet of nothing": (["swatches", "none.toml", "-o", "a.png"], "none.toml does not exist"),

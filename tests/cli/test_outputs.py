@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from loomlight.cli.outputs import check_output, done
+from loomlight.cli.progress import done
 from loomlight.core.errors import InputError
+from loomlight.core.outputs import check_output
 
 
 def test_a_file_that_can_be_written_passes(tmp_path: Path) -> None:

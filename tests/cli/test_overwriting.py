@@ -1,6 +1,6 @@
 """No command overwrites a file that it reads.
 
-Covers: cli/outputs.py
+Covers: core/outputs.py
 """
 
 from __future__ import annotations

@@ -41,7 +41,7 @@ class Sampler(Settings):
     [
         ({"shafts": 1}, "shafts = 1 is wrong: give a whole number from 2 to 32."),
         ({"shafts": 2.5}, "shafts = 2.5 is wrong"),
-        ({"shafts": True}, "shafts = True is wrong"),
+        ({"shafts": True}, "shafts = true is wrong"),
         ({"speed": math.nan}, "speed = nan is wrong: give a number from 0.1."),
         ({"speed": math.inf}, "speed = inf is wrong"),
         ({"kind": "doby"}, 'kind = "doby" does not exist: did you mean dobby?'),
@@ -89,7 +89,7 @@ def test_declarations_are_documentation() -> None:
         "8",
         "by hand",
         "dobby",
-        "no",
+        "false",
         "0,1",
         "",
     ]

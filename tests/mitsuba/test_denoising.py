@@ -13,7 +13,7 @@ import pytest
 
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mitsuba import build_scene, denoising, material_bsdf, render
-from loomlight.mitsuba.material_picture import RenderSettings
+from loomlight.picture_settings import RenderSettings
 
 SIZE = (64, 48)
 

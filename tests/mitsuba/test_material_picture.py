@@ -17,8 +17,8 @@ from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import material_bsdf
-from loomlight.mitsuba.material_picture import RenderJob, RenderSettings, shown_material
-from loomlight.mitsuba.meshes import Placement
+from loomlight.mitsuba.material_picture import RenderJob, shown_material
+from loomlight.picture_settings import Placement, RenderSettings
 
 from ..core.pictures import png_head
 
@@ -53,8 +53,8 @@ def test_a_weave_that_pixels_cannot_show_is_told_once() -> None:
     def told(scene: str, **changes: Any) -> list[str]:
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            chosen = settings.changed(**changes)
-            RenderJob(shown_material(cloth, chosen), scene, chosen).scene_and_inset()
+            chosen = settings.changed(scene=scene, **changes)
+            RenderJob(shown_material(cloth, chosen), chosen).scene_and_inset()
         return hidden(caught)
 
     (sentence,) = told("flat")
@@ -129,7 +129,7 @@ def test_settings_of_another_kind_are_refused(settings: dict[str, Any], says: st
 
 
 def test_a_shift_beyond_single_precision_is_refused() -> None:
-    with pytest.raises(InputError, match=r"shift = .* is out of range"):
+    with pytest.raises(InputError, match=r"shift = .* is wrong: give 2 numbers from -1000000 to 1000000"):
         Placement(shift=(1e300, 0))
 
 

@@ -10,7 +10,8 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mitsuba import build_scene
-from loomlight.mitsuba.meshes import Placement, placed
+from loomlight.mitsuba.meshes import placed
+from loomlight.picture_settings import Placement
 
 WHITE = {"type": "diffuse"}
 

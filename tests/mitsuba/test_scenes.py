@@ -16,9 +16,18 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.facts import cloth_facts
-from loomlight.mitsuba import SCENES, ClothScene, RenderSettings, build_scene, material_bsdf, render, shapes
+from loomlight.mitsuba import (
+    SCENES,
+    ClothScene,
+    Placement,
+    RenderSettings,
+    build_scene,
+    material_bsdf,
+    render,
+    shapes,
+)
 from loomlight.mitsuba.camera import framing
-from loomlight.mitsuba.meshes import Placement, from_shape
+from loomlight.mitsuba.meshes import from_shape
 from loomlight.models.registry import make_model
 
 DATA = os.environ.get("LOOMLIGHT_DATA")

@@ -16,7 +16,8 @@ from loomlight.cli.main import run
 from loomlight.core.contact_sheet import Card, sheet_page, sheet_picture
 from loomlight.core.errors import InputError
 from loomlight.fabric.read import fabric_from_text
-from loomlight.mitsuba.swatches import CardSettings, fabric_cards, fact_lines
+from loomlight.mitsuba.swatches import fabric_cards, fact_lines
+from loomlight.picture_settings import SwatchSettings
 
 SMALL = ["--size", "32", "--spp", "1", "--model", "point"]
 
@@ -66,7 +67,7 @@ def test_facts_of_a_card() -> None:
 
 @pytest.mark.slow
 def test_a_sheet_grows(tmp_path: Path) -> None:
-    settings = CardSettings(32, "point", 1, "llvm_ad_rgb", denoise="off")
+    settings = SwatchSettings(size=32, model="point", spp=1, variant="llvm_ad_rgb", denoise="off")
     seen: list[list[Card]] = []
     cards = fabric_cards(["plain", "twill 2/1"], settings, tmp_path, partial=seen.append)
     assert [[each.title for each in found] for found in seen] == [[cards[0].title]]

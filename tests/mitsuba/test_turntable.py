@@ -16,8 +16,8 @@ from PIL import Image
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mitsuba import build_scene
-from loomlight.mitsuba.material_picture import RenderSettings
 from loomlight.mitsuba.turntable import Turntable, turntable
+from loomlight.picture_settings import RenderSettings
 
 WHITE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.8}}
 
@@ -58,13 +58,13 @@ def test_paper_fills_tall_frames_of_a_whole_turn(tmp_path: Path) -> None:
 def test_yarns_below_pixels_are_told_once() -> None:
     settings = RenderSettings(model="point", size=(12, 8), spp=1)
     with pytest.warns(LoomlightWarning, match="20 ends/cm are .* yarns a pixel here") as told:
-        list(turntable("plain", "drape", 2, settings))
+        list(turntable("plain", 2, settings=settings))
     assert len(told) == 1
 
 
 def test_scene_files_do_not_turn() -> None:
     with pytest.raises(InputError, match="nothing in it turns"):
-        next(turntable("plain", "own.xml", 4, RenderSettings()))
+        next(turntable("plain", 4, "own.xml"))
 
 
 def test_numbered_pictures_and_animations(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

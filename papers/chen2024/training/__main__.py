@@ -15,7 +15,7 @@ import typer
 
 from loomlight.cli.interruption import note_left, supervised
 from loomlight.cli.main import run
-from loomlight.cli.outputs import done
+from loomlight.cli.progress import done
 from loomlight.core.errors import MissingDependencyError
 
 NAME = "python -m papers.chen2024.training"

@@ -9,10 +9,10 @@ import typer
 
 from loomlight.cli.fleet import ExecutorName, SlurmSettings, Workers, executor_of
 from loomlight.cli.interruption import note_left
-from loomlight.cli.outputs import check_output, done
-from loomlight.cli.progress import progress
+from loomlight.cli.progress import done, progress
 from loomlight.core.errors import InputError
 from loomlight.core.fleet import Executor
+from loomlight.core.outputs import check_output
 
 EXAMPLE = "Example: loomlight bake examples/denim.toml --model neural -o denim.loom"
 

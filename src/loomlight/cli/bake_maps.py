@@ -7,10 +7,11 @@ from typing import Annotated
 
 import typer
 
-from loomlight.cli.outputs import check_output, done, require_not_read
-from loomlight.cli.render_options import FabricArgument
+from loomlight.cli.options import FabricArgument
+from loomlight.cli.progress import done
 from loomlight.cli.values import parse_numbers, parse_size, require_within
 from loomlight.core.errors import InputError
+from loomlight.core.outputs import check_output, require_not_read
 
 EXAMPLE = 'Example: loomlight bake-maps "twill 3/1" -o maps.exr --resolution 1024'
 

@@ -9,11 +9,11 @@ from typing import Annotated
 
 import typer
 
-from loomlight.cli.outputs import done, require_not_read
-from loomlight.cli.progress import progress
-from loomlight.cli.render_options import FabricArgument
+from loomlight.cli.options import FabricArgument
+from loomlight.cli.progress import done, progress
 from loomlight.cli.values import parse_size, require_within
 from loomlight.core.errors import LoomlightWarning
+from loomlight.core.outputs import require_not_read
 
 EXAMPLE = "Example: loomlight compare examples/denim.toml --models lobes,point -o report"
 

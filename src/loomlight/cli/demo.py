@@ -7,9 +7,9 @@ from typing import Annotated
 
 import typer
 
-from loomlight.cli.outputs import check_output, done
-from loomlight.cli.progress import progress
+from loomlight.cli.progress import done, progress
 from loomlight.core.files import WRITTEN_SUFFIXES
+from loomlight.core.outputs import check_output
 
 EXAMPLE = "Example: loomlight demo -o demo.png"
 

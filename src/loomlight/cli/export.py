@@ -7,8 +7,9 @@ from typing import Annotated
 
 import typer
 
-from loomlight.cli.outputs import done, require_not_read
-from loomlight.cli.render_options import FabricArgument, RealtimeModelOption
+from loomlight.cli.options import FabricArgument
+from loomlight.cli.progress import done
+from loomlight.core.outputs import require_not_read
 
 EXAMPLE = "Example: loomlight export examples/denim.toml --to wgsl -o denim-wgsl"
 
@@ -22,7 +23,12 @@ def export(
     output: Annotated[
         Path, typer.Option("--output", "-o", help="The folder to write: new, or of an export.")
     ],
-    model: RealtimeModelOption = None,
+    model: Annotated[
+        str | None,
+        typer.Option(
+            help="lobes, point, neural, clustered, neumip or latent; by default as in the .loom, else lobes."
+        ),
+    ] = None,
     distance: Annotated[
         float | None,
         typer.Option(help="Metres from which textures of gltf and materialx are seen; by default close."),

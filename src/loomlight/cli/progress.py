@@ -6,6 +6,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 # Between lines of a log.
 LINE_SECONDS = 10.0
@@ -95,3 +96,8 @@ def _duration(seconds: float) -> str:
     if seconds < 100:
         return f"{seconds:.0f} s"
     return f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.1f} h"
+
+
+def done(path: Path, note: str = "") -> None:
+    """Prints the path of a written file to stdout, and in parentheses what is to be known of it."""
+    print(f"{path} ({note})" if note else path)

@@ -5,11 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from loomlight.cli.outputs import done
-from loomlight.cli.progress import progress
+from loomlight.cli.progress import done, progress
 
 if TYPE_CHECKING:
-    from loomlight.mitsuba import RenderSettings
+    from loomlight.picture_settings import RenderSettings
 
 ANIMATION_SUFFIXES = (".webp", ".gif")
 # Of one turn of an animation.
@@ -27,7 +26,7 @@ def _is_animated(path: Path) -> bool:
     return path.suffix.lower() in ANIMATION_SUFFIXES
 
 
-def write_turn(what: str, fabric: str, scene: str, path: Path, count: int, settings: RenderSettings) -> None:
+def write_turn(what: str, fabric: str, path: Path, count: int, settings: RenderSettings) -> None:
     """Writes `count` pictures of one turn to `turn_paths`."""
     animated = _is_animated(path)
     paths = turn_paths(path, count)
@@ -36,7 +35,7 @@ def write_turn(what: str, fabric: str, scene: str, path: Path, count: int, setti
 
     frames = []
     with progress(what) as report:
-        for number, picture in enumerate(turntable(fabric, scene, count, settings)):
+        for number, picture in enumerate(turntable(fabric, count, settings=settings)):
             if animated:
                 frames.append(encoded(picture))
             else:

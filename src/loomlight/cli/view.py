@@ -8,8 +8,9 @@ from typing import Annotated
 import typer
 
 from loomlight.cli.interruption import note_left
-from loomlight.cli.outputs import done, require_not_read
+from loomlight.cli.progress import done
 from loomlight.core.errors import InputError
+from loomlight.core.outputs import require_not_read
 
 EXAMPLE = "Example: loomlight view examples/denim.toml"
 

@@ -8,9 +8,10 @@ from typing import Annotated, Literal
 import typer
 
 from loomlight.cli.help import WholeSentences
-from loomlight.cli.outputs import check_output, done
+from loomlight.cli.progress import done
 from loomlight.core.errors import InputError
 from loomlight.core.files import PIXEL_SUFFIXES
+from loomlight.core.outputs import check_output
 from loomlight.weave.draft import Draft
 
 app = typer.Typer(

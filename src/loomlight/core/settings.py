@@ -20,13 +20,16 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from numbers import Integral, Real
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, Self, TypeVar
 
 from loomlight.core.errors import InputError
 from loomlight.core.sentences import closest, shown
 
 _TRUTH = {"true": True, "false": False}
 _DECLARATION = "setting"
+_Class = TypeVar("_Class")
+# Values that a `.loom` tells.
+Stored = bool | int | float | str
 
 
 @dataclass(frozen=True)
@@ -42,6 +45,7 @@ class Setting:
         otherwise: what None stands for, in words.
         flag: of the command line, where it is not made of the name; two with "/" between them for a bool.
         metavar: what stands for the value in help.
+        example: of a text of several values, as the command line takes it.
         stored: whether a `.loom` tells it.
         name, default: of the field.
         kind: bool, int, float, str, os.PathLike, tuple, Mapping, `Settings` or another class: of a value that
@@ -58,6 +62,7 @@ class Setting:
     otherwise: str = ""
     flag: str = ""
     metavar: str = ""
+    example: str = ""
     stored: bool = False
     name: str = ""
     default: Any = None
@@ -86,7 +91,7 @@ class Setting:
         high = "" if self.high == math.inf else f" to {number_text(self.high)}"
         return low + high
 
-    def require(self, value: Any) -> None:
+    def require(self, value: object) -> None:
         """Raises InputError unless the setting may have this value."""
         if value is None and self.default is None:
             return
@@ -95,9 +100,9 @@ class Setting:
                 f"{self.name} = {shown(value)} does not exist: {closest(str(value), self.choices)}"
             )
         if not self._may_be(value):
-            raise InputError(f"{self.name} = {value!r} is wrong: give {self.right}.")
+            raise InputError(f"{self.name} = {shown(value)} is wrong: give {self.right}.")
 
-    def value_of(self, text: str) -> Any:
+    def value_of(self, text: str) -> object:
         """The value that a text denotes, checked; of other types than bool and numbers the text itself.
 
         Raises:
@@ -113,7 +118,7 @@ class Setting:
         self.require(value)
         return value
 
-    def _may_be(self, value: Any) -> bool:
+    def _may_be(self, value: object) -> bool:
         if self.kind is tuple:
             return self._may_be_numbers(value)
         if self.kind is Mapping or issubclass(self.kind, Settings):
@@ -126,16 +131,18 @@ class Setting:
             right = True
         return right and (self.fits is None or self.fits(value))
 
-    def _may_be_numbers(self, value: Any) -> bool:
+    def _may_be_numbers(self, value: object) -> bool:
         try:
-            numbers = [*value]
+            numbers = [*typing.cast(Iterable[object], value)]
         except TypeError:
             return False
         return len(numbers) == len(self.parts) and all(map(self._is_number, numbers, self.parts))
 
-    def _is_number(self, value: Any, kind: type) -> bool:
-        is_kind = isinstance(value, Integral if kind is int else Real) and not isinstance(value, bool)
-        return is_kind and self.low <= value <= self.high and math.isfinite(value)
+    def _is_number(self, value: object, kind: type) -> bool:
+        if not isinstance(value, Integral if kind is int else Real) or isinstance(value, bool):
+            return False
+        number = typing.cast(float, value)
+        return self.low <= number <= self.high and math.isfinite(number)
 
 
 def setting(default: Any, help: str, **declaration: Any) -> Any:
@@ -151,9 +158,9 @@ def setting(default: Any, help: str, **declaration: Any) -> Any:
     return field(default=default, metadata=metadata)
 
 
-def same_setting(of: type[Settings], name: str, **changes: Any) -> Any:
+def same_setting(of: type[Settings], name: str, **changes: object) -> Any:
     """A field that is declared like that of other settings, but for `changes`."""
-    found = dataclasses.replace(declared(of)[name], **changes)
+    found = dataclasses.replace(declared(of)[name], **typing.cast(dict[str, Any], changes))
     default = found.default
     metadata = {_DECLARATION: found}
     if isinstance(default, Settings | Mapping):
@@ -185,17 +192,17 @@ class Settings:
         require_names(cls, values)
         return cls(**values)
 
-    def changed(self, **changes: Any) -> Self:
+    def changed(self, **changes: object) -> Self:
         """The settings with others of these names; raises InputError as `of` does."""
         require_names(type(self), changes)
         return dataclasses.replace(typing.cast(Any, self), **changes)
 
-    def chosen(self) -> dict[str, Any]:
+    def chosen(self) -> dict[str, object]:
         """The settings that are not the defaults, by name."""
         values = {name: (getattr(self, name), each.default) for name, each in declared(type(self)).items()}
         return {name: value for name, (value, default) in values.items() if value != default}
 
-    def stored(self) -> dict[str, Any]:
+    def stored(self) -> dict[str, Stored]:
         """What a `.loom` tells of them, by name."""
         return {name: getattr(self, name) for name, each in declared(type(self)).items() if each.stored}
 
@@ -215,7 +222,7 @@ def declared(cls: type[Settings]) -> dict[str, Setting]:
 
 
 @cache
-def _declared(cls: Any) -> dict[str, Setting]:
+def _declared(cls: type) -> dict[str, Setting]:
     hints = typing.get_type_hints(cls)
     found = {}
     for each in dataclasses.fields(cls):
@@ -228,11 +235,11 @@ def _declared(cls: Any) -> dict[str, Setting]:
     return found
 
 
-def documented(cls: Any) -> Any:
+def documented(cls: type[_Class]) -> type[_Class]:
     """A class decorator: the docstring ends with the settings and their sentences."""
     lines = [
         f"    {name}: {each.help}{default_text(each, ' By default {}.')}"
-        for name, each in declared(cls).items()
+        for name, each in _declared(typing.cast(type, cls)).items()
     ]
     cls.__doc__ = "\n".join([f"{(cls.__doc__ or '').rstrip()}\n", "Attributes:", *lines, ""])
     return cls
@@ -246,12 +253,23 @@ def default_text(each: Setting, form: str = "{}") -> str:
     elif default is None or isinstance(default, Mapping | Settings):
         return ""
     elif isinstance(default, bool):
-        text = "yes" if default else "no"
+        text = "true" if default else "false"
     elif isinstance(default, tuple):
-        text = ",".join(map(number_text, default))
+        text = ("x" if each.parts[0] is int else ",").join(map(number_text, default))
     else:
         text = default if isinstance(default, str) else number_text(default)
     return form.format(text)
+
+
+def range_text(each: Setting) -> str:
+    """The values that a setting may have, in a few words: bounds, choices; empty for any."""
+    if each.choices:
+        return ", ".join(each.choices)
+    if each.kind is bool:
+        return "true, false"
+    if each.low == -math.inf:
+        return ""
+    return f"{number_text(each.low)} – {number_text(each.high)}"
 
 
 def number_text(number: float) -> str:

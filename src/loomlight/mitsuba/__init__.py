@@ -10,13 +10,13 @@ from __future__ import annotations
 from loomlight.mesh.cloth_mesh import ClothMesh, uv_size
 from loomlight.mesh.reading import read_mesh
 from loomlight.mitsuba.lights import LIGHTS
-from loomlight.mitsuba.material_picture import RenderSettings
-from loomlight.mitsuba.meshes import Placement, to_shape
+from loomlight.mitsuba.meshes import to_shape
 from loomlight.mitsuba.plugins import material_bsdf, register_plugins
 from loomlight.mitsuba.query_sources import register_query_sources
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import SCENES, ClothScene, build_scene
 from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, choose_variant
+from loomlight.picture_settings import Placement, RenderSettings
 
 __all__ = [
     "LIGHTS",

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.picture_settings import DENOISING
 
-DENOISING = ("auto", "off")
 _MODULE, _PACKAGE = "mitsuba_oidn", "mitsuba-oidn"
 
 # Deviations, pixels: of the blur that competes with the denoiser, about a film's own filter, and of the

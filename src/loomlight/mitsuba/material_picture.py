@@ -6,24 +6,18 @@ import gc
 import math
 import os
 import warnings
-from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, replace
-from typing import Any, cast
+from dataclasses import dataclass
+from typing import Any, Unpack, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.assets.sources import Source
-from loomlight.core.colour import white_balance as white_balance_gains
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.images import Picture
-from loomlight.core.sentences import closest
-from loomlight.core.sentences import shown as quoted
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.camera import MAX_ZOOM
-from loomlight.mitsuba.denoising import require_denoising
 from loomlight.mitsuba.inset import MIN_PICTURE, Inset, resized
-from loomlight.mitsuba.meshes import Placement
 from loomlight.mitsuba.plugins import material_bsdf
 from loomlight.mitsuba.rendering import PartialPicture, Progress
 from loomlight.mitsuba.rendering import render as render_scene
@@ -39,10 +33,9 @@ from loomlight.mitsuba.time_estimate import (
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.material_spec import Material, MaterialSpec, resolve
 from loomlight.models.registry import REFERENCE_MODEL
+from loomlight.picture_settings import RenderKeywords, RenderSettings
 
-# Two halves of 2 × 2: a denoised picture takes as many as fill the grids of both, of 9 twelve.
-DEFAULT_SAMPLES = 8
-_MAX_EXPOSURE = 30
+_PICTURE_OPTIONS = ("spp", "seed", "exposure", "white_balance", "denoise")
 # The first picture: at so many times fewer pixels each way, so many samples of each.
 _COARSE_SCALE, _COARSE_SAMPLES = 2, 4
 # Yarns a pixel from which on no weave can be seen, and pixels a yarn that show it.
@@ -51,125 +44,31 @@ _HIDDEN, _PIXELS_PER_YARN = 2.0, 2.0
 _MIN_COARSE = 128
 
 
-@dataclass(frozen=True, kw_only=True)
-class RenderSettings:
-    """Settings of a picture; `render` takes the same names as keywords.
+def scene_options(settings: RenderSettings) -> SceneOptions:
+    """The keyword arguments of `build_scene`."""
+    return cast(SceneOptions, {name: getattr(settings, name) for name in SceneOptions.__annotations__})
 
-    Attributes:
-        model: "lobes", which averages over footprints and needs few samples; "point", exact at every point;
-            "neural", the network that averages over footprints; "samples", the mean of many points; by
-            default the one that a `.loom` or a model is, else "lobes". A warning says so if it is another.
-        size: width and height, pixels; by default 640 × 480, or what a scene file says.
-        spp: samples a pixel, ≥ 1.
-        zoom: how many times closer the camera is than where it sees the whole cloth, ≥ 1.
-        mesh: a mesh file (.obj, .ply, .gltf, .glb) that is clothed in place of the scene's cloth.
-        metres_per_unit: of the mesh's coordinates.
-        environment: a picture of the surroundings (.exr, .hdr) that lights the scene.
-        environment_turn: degrees about the vertical.
-        light: a name of `LIGHTS`; by default as the scene has it.
-        light_from: azimuth and elevation of the main light, degrees.
-        max_depth: of light paths, surfaces.
-        placement: turn, shift and scale of the pattern on the cloth.
-        edge: "hem", "pinked" (zigzag) or "raw"; by default as the scene has it: hems of the drape and of
-            meshes, a pinked flat piece, else raw. Scene files have their own.
-        exposure: stops, −30 to 30; colours are multiplied by 2**exposure.
-        white_balance: colour temperature of the light that is shown as white, 1667 to 25000 K; None leaves
-            colours as they are, relative to daylight of 6500 K.
-        denoise: "auto" takes noise out and leaves yarns sharp, where Open Image Denoise is installed; or
-            "off".
-        inset: a close-up in the upper left corner, in which the weave can be read; by default where the
-            material is a weave's name or a draft and the whole drape is shown, at 160 pixels and more.
-        colors: other colours of a fabric's yarns, by "warp" and "weft", each as a fabric file's `color`.
-        cloths: further materials: of a mesh by the name of a part or of its material, of a scene file by the
-            id of the BSDF that each replaces.
-        seed: any 32-bit number; the same seed gives the same picture, but for rounding.
-        variant: llvm_ad_rgb or cuda_ad_rgb; by default the one that is set, else llvm_ad_rgb.
 
-    Raises:
-        InputError: an exposure or a colour temperature out of range, or an unknown way to denoise.
-    """
-
-    model: str | None = None
-    size: tuple[int, int] | None = None
-    spp: int = DEFAULT_SAMPLES
-    zoom: float = 1.0
-    mesh: str | os.PathLike[str] | None = None
-    metres_per_unit: float = 1.0
-    environment: str | os.PathLike[str] | None = None
-    environment_turn: float = 0.0
-    light: str | None = None
-    light_from: tuple[float, float] | None = None
-    max_depth: int | None = None
-    placement: Placement = field(default_factory=Placement)
-    edge: str | None = None
-    exposure: float = 0.0
-    white_balance: float | None = None
-    denoise: str = "auto"
-    inset: bool | None = None
-    colors: Mapping[str, Any] = field(default_factory=dict)
-    cloths: Mapping[str, Material] = field(default_factory=dict)
-    seed: int = 0
-    variant: str | None = None
-
-    def __post_init__(self) -> None:
-        if not -_MAX_EXPOSURE <= self.exposure <= _MAX_EXPOSURE:
-            raise InputError(
-                f"exposure = {self.exposure:g} is out of range: it lies between -{_MAX_EXPOSURE} and "
-                f"{_MAX_EXPOSURE} stops."
-            )
-        if isinstance(self.seed, bool) or not isinstance(self.seed, int) or not 0 <= self.seed < 2**32:
-            raise InputError(f"seed = {self.seed!r} is wrong: give a whole number from 0 to {2**32 - 1}.")
-        for name in ("colors", "cloths"):
-            if not isinstance(value := getattr(self, name), Mapping):
-                raise InputError(f"{name} = {value!r} is wrong: give a dictionary; {{}} changes nothing.")
-        if self.white_balance is not None:
-            white_balance_gains(self.white_balance)
-        require_denoising(self.denoise)
-
-    @property
-    def scene_options(self) -> SceneOptions:
-        """The keyword arguments of `build_scene`."""
-        return cast(SceneOptions, {name: getattr(self, name) for name in SceneOptions.__annotations__})
-
-    @property
-    def picture_options(self) -> dict[str, Any]:
-        """The keyword arguments of `rendering.render`."""
-        names = ("spp", "seed", "exposure", "white_balance", "denoise")
-        return {name: getattr(self, name) for name in names}
-
-    @property
-    def soft_terminator(self) -> bool:
-        """Whether flat triangles could show at the edge of shadow: of narrow lights, not of the studio's."""
-        return self.light in ("point", "directional", "sunsky")
-
-    def changed(self, **changes: Any) -> RenderSettings:
-        """The settings with others of these names.
-
-        Raises:
-            InputError: a name that does not exist; the message names one like it.
-        """
-        known = [each.name for each in fields(self)]
-        for name in changes:
-            if name not in known:
-                raise InputError(f"{quoted(name)} is no setting of a picture: {closest(name, known)}")
-        return replace(self, **changes)
+def picture_options(settings: RenderSettings) -> dict[str, Any]:
+    """The keyword arguments of `rendering.render`."""
+    return {name: getattr(settings, name) for name in _PICTURE_OPTIONS}
 
 
 def render(
     material: Material,
-    scene: str | os.PathLike[str] = "drape",
+    scene: str | os.PathLike[str] | None = None,
     settings: RenderSettings | None = None,
     *,
     progress: Progress | None = None,
     partial: PartialPicture | None = None,
-    **changes: Any,
+    **changes: Unpack[RenderKeywords],
 ) -> Picture:
     """Linear RGB [height, width, 3] of a material on a piece of cloth, a mesh, or marked shapes of a scene.
 
     Args:
         material: a fabric or another source; a model; or the path of a fabric file, a draft or a `.loom`; or
             a weave's name, such as "twill 3/1".
-        scene: flat, sphere, cylinder, drape, or the path of a Mitsuba scene, FILE.xml.
+        scene: flat, sphere, cylinder, drape (the default), or the path of a Mitsuba scene, FILE.xml.
         settings: by default those of `RenderSettings`.
         progress: called with (milliseconds passed, milliseconds in all, as estimated), at first at once.
         partial: called with whole pictures, coarse at first, that later ones refine.
@@ -179,15 +78,17 @@ def render(
         InputError: an unknown setting, or a material, file or value that cannot be used.
         MissingDependencyError: no usable LLVM library, or no usable CUDA device.
     """
-    settings = (settings or RenderSettings()).changed(**changes)
-    if str(scene) not in SCENES and settings.inset:
+    chosen = (settings or RenderSettings()).changed(**changes)
+    if scene is not None:
+        chosen = chosen.changed(scene=scene)
+    if str(chosen.scene) not in SCENES and chosen.inset:
         raise InputError(
-            f"inset = {settings.inset} does not go with the scene {scene}, whose camera is its own."
+            f"inset = {chosen.inset} does not go with the scene {chosen.scene}, whose camera is its own."
         )
-    job = RenderJob(shown_material(material, settings), scene, settings)
+    job = RenderJob(shown_material(material, chosen), chosen)
     estimate = TimeEstimate(job.seconds(partial is not None), progress)
     with estimate.step("start"):
-        choose_variant(settings.variant)
+        choose_variant(chosen.variant)
     if partial is not None and job.coarse_size is not None:
         with estimate.step("coarse"):
             partial(job.coarse_picture(job.coarse_size))
@@ -248,23 +149,21 @@ def warn_of_hidden_weave(source: Source, pixel_mm: float, settings: RenderSettin
 
 @dataclass
 class RenderJob:
-    """A picture to render: the material, the scene and its settings.
+    """A picture to render.
 
     Attributes:
         material: what is shown.
-        scene: the name or file of a scene.
         settings: how it is shown.
     """
 
     material: MaterialSpec
-    scene: str | os.PathLike[str]
     settings: RenderSettings
 
     def __post_init__(self) -> None:
         setting = self.settings
-        self._own_scene = str(self.scene) not in SCENES
+        self._own_scene = str(setting.scene) not in SCENES
         self._size = setting.size or DEFAULT_SIZE
-        whole_drape = self.scene == "drape" and setting.mesh is None and setting.zoom == 1
+        whole_drape = str(setting.scene) == "drape" and setting.mesh is None and setting.zoom == 1
         readable = min(self._size) >= MIN_PICTURE
         is_wanted = whole_drape and readable and self.material.is_bare
         self._inset = is_wanted if setting.inset is None else setting.inset
@@ -309,14 +208,14 @@ class RenderJob:
         """The scene, with the model baked, and what its close-up shows."""
         if self._own_scene:
             bsdf, others = material_bsdf(self.material), further_cloths(self.settings)
-            shown = build_scene(self.scene, bsdf, others=others, **self.settings.scene_options)
+            shown = build_scene(self.settings.scene, bsdf, others=others, **scene_options(self.settings))
             pixel_mm = shown.pixel_mm(self.settings.metres_per_unit)
             warn_of_hidden_weave(self.material.source, pixel_mm, self.settings)
             return shown, None
         if self.settings.cloths and self.settings.mesh is None:
             raise InputError(
                 f"The cloth {next(iter(self.settings.cloths))} needs a mesh with parts, or a scene file "
-                f"whose BSDFs have names, and {self.scene} is neither."
+                f"whose BSDFs have names, and {self.settings.scene} is neither."
             )
         shown, close_up = self._built(self.material, self._size)
         if close_up is None:
@@ -345,9 +244,9 @@ class RenderJob:
     def _built(self, material: MaterialSpec, size: tuple[int, int]) -> tuple[ClothScene, Inset | None]:
         # A kernel holds all living BSDFs: with those of an earlier picture it would be another one.
         gc.collect()
-        setting: SceneOptions = {**self.settings.scene_options, "size": size}
+        setting: SceneOptions = {**scene_options(self.settings), "size": size}
         others = further_cloths(self.settings)
-        shown = build_scene(self.scene, material_bsdf(material), others=others, **setting)
+        shown = build_scene(self.settings.scene, material_bsdf(material), others=others, **setting)
         shown.integrator.soft_terminator = self.settings.soft_terminator
         if not self._inset:
             return shown, None
@@ -358,5 +257,5 @@ class RenderJob:
         return shown, close_up
 
     def _render(self, shown: ClothScene, **options: Any) -> NDArray[np.float32]:
-        options = {**self.settings.picture_options, **options}
+        options = {**picture_options(self.settings), **options}
         return render_scene(shown.scene, integrator=shown.integrator, **options)

@@ -34,6 +34,7 @@ from loomlight.mesh.cloth_mesh import (
     warn_of_scale,
 )
 from loomlight.mesh.reading import read_parts
+from loomlight.picture_settings import Placement
 
 
 def to_shape(mesh: ClothMesh, bsdf: mi.BSDF | dict[str, Any]) -> mi.Mesh:
@@ -88,35 +89,6 @@ def set_uv(shape: mi.Mesh, uv: NDArray[np.float64]) -> bool:
 
 # -------------------------------------------------------------------------------------------------- placement
 # Placement of cloth on a mesh: turn, shift and scale.
-
-
-_MAX_SCALE = 1e4
-# Single precision tells a tenth of a millimetre there.
-_MAX_SHIFT_MM = 1e6
-
-
-@dataclass(frozen=True)
-class Placement:
-    """Where the weave lies on a mesh, beside what its uv say.
-
-    Attributes:
-        turn: degrees, counter-clockwise as the front is seen, about the middle of the uv.
-        shift: millimetres to the right and up, as the uv run.
-        scale: 2 shows threads twice as large; above 0.
-    """
-
-    turn: float = 0.0
-    shift: tuple[float, float] = (0.0, 0.0)
-    scale: float = 1.0
-
-    def __post_init__(self) -> None:
-        """Raises InputError unless `turn` is finite, `shift` within a kilometre, `scale` 1/10000 to 10000."""
-        if not np.isfinite([self.turn, *self.shift]).all():
-            raise InputError(f"turn = {self.turn:g} and shift = {self.shift} have to be finite numbers.")
-        if max(map(abs, self.shift)) > _MAX_SHIFT_MM:
-            raise InputError(f"shift = {self.shift} is out of range: at most {_MAX_SHIFT_MM:g} mm each way.")
-        if not 1 / _MAX_SCALE <= self.scale <= _MAX_SCALE:
-            raise InputError(f"scale = {self.scale:g} is out of range: 1 is life-size, 2 twice as large.")
 
 
 def placed(mesh: ClothMesh, placement: Placement) -> tuple[ClothMesh, tuple[float, float]]:

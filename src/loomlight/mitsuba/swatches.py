@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import functools
 import gc
+import os
 import re
+import shutil
 import time
 import warnings
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
+from typing import Unpack
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,18 +20,20 @@ from PIL import Image
 
 from loomlight.assets.load import fabric_of_path
 from loomlight.assets.source_identity import source_identity
-from loomlight.core.contact_sheet import Card, card_from_bytes, card_to_bytes
+from loomlight.core.contact_sheet import Card, card_from_bytes, card_to_bytes, sheet_page, sheet_picture
 from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.files import PIXEL_SUFFIXES, discarding_empty, replacing
 from loomlight.core.fleet import Executor, Outcome, Report, Shard, ShardFolder, work_map
-from loomlight.core.images import encoded
+from loomlight.core.images import encoded, write_pixels
+from loomlight.core.outputs import check_output
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts, repeat_text, three_digits
-from loomlight.mitsuba.meshes import Placement
 from loomlight.mitsuba.plugins import material_bsdf
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import build_scene
 from loomlight.mitsuba.variants import choose_variant
-from loomlight.models.registry import make_model
+from loomlight.models.registry import make_model, require_model_name
+from loomlight.picture_settings import Placement, SwatchKeywords, SwatchSettings
 from loomlight.weave.draft import Draft
 from loomlight.weave.drawing import draw_drawdown
 
@@ -41,25 +46,53 @@ _LOOKS_APART = 9
 Pixels = NDArray[np.uint8]
 
 
-@dataclass(frozen=True)
-class CardSettings:
-    """Settings of the pictures on a card.
+def swatches(
+    fabrics: Sequence[str | os.PathLike[str]],
+    output: str | os.PathLike[str],
+    settings: SwatchSettings | None = None,
+    *,
+    executor: Executor | None = None,
+    report: Report = lambda done, total: None,
+    **changes: Unpack[SwatchKeywords],
+) -> Path:
+    """Writes a labelled contact sheet: of each fabric its drawdown, a swatch, a drape and facts.
 
-    Attributes:
-        side: of each picture, pixels.
-        model: by which they are rendered.
-        spp: samples a pixel.
-        variant: of Mitsuba.
-        white_balance: colour temperature of the light that is shown as white, kelvin; None leaves colours.
-        denoise: "auto" or "off".
+    The sheet grows as fabrics are rendered; a file that cannot be used is left out with a warning. What is
+    rendered is kept until the sheet is whole, so that the same call goes on where another ended.
+
+    Args:
+        fabrics: fabric files, drafts, `.loom` files or weaves' names.
+        output: a .png or .jpg picture, or an .html page that needs no other file.
+        settings: by default those of `SwatchSettings`.
+        executor: who renders; this process by default.
+        report: called with (fabrics done, fabrics in all).
+        changes: settings by name, such as `size=160, spp=4`.
+
+    Returns:
+        The path of the sheet.
+
+    Raises:
+        InputError: none of the fabrics can be used, an unknown setting, or a path that cannot be written.
+        LoomlightError: processes ended before all was done; what is done stays.
     """
+    chosen, sheet = (settings or SwatchSettings()).changed(**changes), Path(output)
+    names = [str(fabric) for fabric in fabrics]
+    check_output(sheet, (*PIXEL_SUFFIXES, ".html"), names)
+    require_model_name(chosen.model)
+    chosen = chosen.changed(variant=choose_variant(chosen.variant))
 
-    side: int
-    model: str
-    spp: int
-    variant: str
-    white_balance: float | None = None
-    denoise: str = "auto"
+    def write(cards: list[Card]) -> None:
+        if sheet.suffix.lower() == ".html":
+            with replacing(sheet) as temporary:
+                temporary.write_text(sheet_page(cards, chosen.heading), encoding="utf-8")
+        else:
+            write_pixels(sheet, sheet_picture(cards))
+
+    parts = work_folder_of(sheet)
+    with discarding_empty(parts):
+        write(fabric_cards(names, chosen, parts, executor, report, write))
+    shutil.rmtree(parts, ignore_errors=True)
+    return sheet
 
 
 def work_folder_of(sheet: Path) -> Path:
@@ -69,7 +102,7 @@ def work_folder_of(sheet: Path) -> Path:
 
 def fabric_cards(
     fabrics: Sequence[str],
-    settings: CardSettings,
+    settings: SwatchSettings,
     folder: Path,
     executor: Executor | None = None,
     report: Report = lambda done, total: None,
@@ -89,11 +122,12 @@ def fabric_cards(
         LoomlightError: processes ended before all was done; what is done stays.
     """
     outcomes: dict[int, Outcome] = {}
+    of_card = {name: value for name, value in asdict(settings).items() if name != "heading"}
     items: list[tuple[Shard, str]] = []
     numbers: list[int] = []
     for number, fabric in enumerate(fabrics):
         try:
-            identity = source_identity(fabric_of_path(fabric), asdict(settings))
+            identity = source_identity(fabric_of_path(fabric), of_card)
         except InputError as error:
             outcomes[number] = Outcome(fault=str(error))
             continue
@@ -130,7 +164,7 @@ def fabric_cards(
     return cards
 
 
-def _card(settings: CardSettings, path: str) -> bytes:
+def _card(settings: SwatchSettings, path: str) -> bytes:
     """The card of a fabric file, a draft, a `.loom` or a weave's name.
 
     Raises:
@@ -138,7 +172,7 @@ def _card(settings: CardSettings, path: str) -> bytes:
     """
     choose_variant(settings.variant)
     fabric = fabric_of_path(path)
-    made, side = make_model(settings.model, fabric), settings.side
+    made, side = make_model(settings.model, fabric), settings.size
 
     def picture(scene: str, placement: Placement) -> Pixels:
         # A kernel holds all living BSDFs: with those of the last picture it would be another one.

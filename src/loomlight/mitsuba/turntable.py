@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, Unpack
 
 import mitsuba as mi
 import numpy as np
@@ -15,8 +15,9 @@ from loomlight.core.backend import upload
 from loomlight.core.errors import InputError
 from loomlight.mitsuba.camera import framing
 from loomlight.mitsuba.material_picture import (
-    RenderSettings,
     further_cloths,
+    picture_options,
+    scene_options,
     shown_material,
     warn_of_hidden_weave,
 )
@@ -25,6 +26,7 @@ from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import CLOTH_NAME, SCENES, UNCOVERED_NAME, ClothScene, SceneOptions, build_scene
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.material_spec import Material
+from loomlight.picture_settings import RenderKeywords, RenderSettings
 
 # Positions of pieces of a mesh, by the names of their shapes.
 _PIECE = re.compile(rf"({CLOTH_NAME}\d*|{UNCOVERED_NAME})\.vertex_positions")
@@ -34,24 +36,33 @@ _UP = np.array([0.0, 1.0, 0.0])
 
 
 def turntable(
-    material: Material, scene: str | os.PathLike[str], count: int, settings: RenderSettings
+    material: Material,
+    count: int,
+    scene: str | os.PathLike[str] | None = None,
+    settings: RenderSettings | None = None,
+    **changes: Unpack[RenderKeywords],
 ) -> Iterator[NDArray[np.float32]]:
     """`count` pictures of one turn of a material on a built-in scene or a mesh; see `render`.
 
     Raises:
         InputError: a scene file, or a material or value that cannot be used.
     """
-    if str(scene) not in SCENES:
-        raise InputError(f"turntable = {count} does not go with the scene {scene}: nothing in it turns.")
-    choose_variant(settings.variant)
-    whole: SceneOptions = {**settings.scene_options, "zoom": 1.0}
-    spec = shown_material(material, settings)
-    bsdf, others = material_bsdf(spec), further_cloths(settings)
-    shown = build_scene(scene, bsdf, others=others, **whole)
-    shown.integrator.soft_terminator = settings.soft_terminator
-    turning = Turntable(shown, settings.zoom, about_middle=settings.mesh is not None)
-    warn_of_hidden_weave(spec.source, shown.pixel_mm(), settings)
-    yield from turning.pictures(count, **settings.picture_options)
+    chosen = (settings or RenderSettings()).changed(**changes)
+    if scene is not None:
+        chosen = chosen.changed(scene=scene)
+    if str(chosen.scene) not in SCENES:
+        raise InputError(
+            f"turntable = {count} does not go with the scene {chosen.scene}: nothing in it turns."
+        )
+    choose_variant(chosen.variant)
+    whole: SceneOptions = {**scene_options(chosen), "zoom": 1.0}
+    spec = shown_material(material, chosen)
+    bsdf, others = material_bsdf(spec), further_cloths(chosen)
+    shown = build_scene(chosen.scene, bsdf, others=others, **whole)
+    shown.integrator.soft_terminator = chosen.soft_terminator
+    turning = Turntable(shown, chosen.zoom, about_middle=chosen.mesh is not None)
+    warn_of_hidden_weave(spec.source, shown.pixel_mm(), chosen)
+    yield from turning.pictures(count, **picture_options(chosen))
 
 
 class Turntable:

@@ -20,7 +20,7 @@ _MAX = 1 << 22
 def check_output(
     path: Path,
     suffixes: Sequence[str],
-    reads: Iterable[str | Path | None] = (),
+    reads: Iterable[str | os.PathLike[str] | None] = (),
     *,
     makes_folder: bool = False,
 ) -> None:
@@ -48,7 +48,7 @@ def check_output(
     require_not_read([path], reads)
 
 
-def require_not_read(outputs: Iterable[Path], reads: Iterable[str | Path | None]) -> None:
+def require_not_read(outputs: Iterable[Path], reads: Iterable[str | os.PathLike[str] | None]) -> None:
     """Raises InputError if an output is a file that the command reads, or a folder that holds one.
 
     Args:
@@ -66,7 +66,7 @@ def require_not_read(outputs: Iterable[Path], reads: Iterable[str | Path | None]
                 raise InputError(f"{path} is read by this command: give another name to write to.")
 
 
-def _files_of(argument: str | Path | None) -> list[Path]:
+def _files_of(argument: str | os.PathLike[str] | None) -> list[Path]:
     """The file that an argument names, if it names one, and those that this file names, and so on."""
     found: list[Path] = []
     left = [] if argument is None else [Path(argument)]
@@ -98,8 +98,3 @@ def _exists(path: Path) -> bool:
 
 def _is_file(path: Path) -> bool:
     return _exists(path) and path.is_file()
-
-
-def done(path: Path, note: str = "") -> None:
-    """Prints the path of a written file to stdout, and in parentheses what is to be known of it."""
-    print(f"{path} ({note})" if note else path)
