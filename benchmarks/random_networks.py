@@ -9,15 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.latent import networks as latent
-from loomlight.models.latent.model import LatentModel
-from loomlight.models.latent.settings import DECODERS
-from loomlight.models.mip_pyramid import PyramidShape
-from loomlight.models.mip_pyramid import PyramidShape as NeumipShape
-from loomlight.models.neumip import networks as neumip
-from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.networks import CHANNELS
-from loomlight.models.relu_network import Layers
+from loomlight.models.networks import Layers
+from loomlight.models.texture import latent as latent
+from loomlight.models.texture import neumip as neumip
+from loomlight.models.texture.latent import LatentModel
+from loomlight.models.texture.neumip import CHANNELS, NeumipModel
+from loomlight.models.texture.pyramid import PyramidShape
+from loomlight.models.texture.pyramid import PyramidShape as NeumipShape
+from loomlight.models.texture.settings import DECODERS
 
 # Texels along the longer side that a `preview` has.
 _NEUMIP_TEXELS, _LATENT_TEXELS = 64, 128

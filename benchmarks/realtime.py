@@ -36,7 +36,7 @@ from loomlight.cli.values import parse_size
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.model import ClusteredModel
-from loomlight.models.latent.settings import DECODERS
+from loomlight.models.texture.settings import DECODERS
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.models import Material
 

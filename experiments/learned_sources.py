@@ -34,13 +34,16 @@ from loomlight.core.files import replacing
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.models.bake import save
-from loomlight.models.latent.queries import REFLECTANCES
-from loomlight.models.latent.query_stream import draw_lights
-from loomlight.models.mip_pyramid import SIZE_OF_SIGMA
-from loomlight.models.neumip.btf import BTFS, TRANSMISSION_SHARE
-from loomlight.models.query_parts import draw_directions
-from loomlight.models.registry import make_model, model_from_loom
-from loomlight.models.textured_model import TexturedModel
+from loomlight.models.registry import btf_of, make_model, model_from_loom
+from loomlight.models.texture.model import TexturedModel
+from loomlight.models.texture.pyramid import SIZE_OF_SIGMA
+from loomlight.models.texture.queries import (
+    TRANSMISSION_SHARE,
+    EncodedBtf,
+    draw_directions,
+    draw_lights,
+    footprint_values,
+)
 from tools.make_merl_library import main as write_library
 
 # Files of sources, the model that each is baked for, and its options; the library is written when needed.
@@ -126,7 +129,7 @@ def _drawn(model: TexturedModel, source: Source) -> _Queries:
         sides *= not model.weights.shape.is_apart
         lights = draw_lights(rng, views)
     else:
-        btf, lights = BTFS.of(source), draw_directions(rng, _QUERIES)
+        btf, lights = btf_of(source, "neumip"), draw_directions(rng, _QUERIES)
         lights[:, 2] *= np.where(btf.transmits & (rng.random(_QUERIES) < TRANSMISSION_SHARE), -1, 1)
     return _Queries(rng.random((_QUERIES, 2), np.float32), sides.astype(np.float32), lights, views)
 
@@ -141,15 +144,15 @@ def _predicted(model: TexturedModel, queries: _Queries) -> _Floats:
 def _truth(source: Source, model: TexturedModel, queries: _Queries, half: int) -> _Floats:
     """f·cos [n, 3] as a mean over each footprint."""
     total = np.zeros((_QUERIES, 3), np.float32)
-    shape = model.weights.shape
+    btf, shape = btf_of(source, model.name), model.weights.shape
     if model.name == "latent":
         levels = np.log2(np.maximum(queries.sides / shape.texel_mm, 1)).astype(np.float32)
-        reflectance = REFLECTANCES.of(source, max(shape.columns, shape.rows))
+        assert isinstance(btf, EncodedBtf)  # as all of this model
+        texels = btf.texels(max(shape.columns, shape.rows))
         for ray in range(_RAYS):
-            seed = (_SEED, half, ray)
-            total += reflectance.values(queries.positions, levels, queries.lights, queries.views, seed)
+            directions = queries.lights, queries.views
+            total += footprint_values(btf, texels, queries.positions, levels, *directions, (_SEED, half, ray))
         return np.asarray(total / _RAYS, np.float32)
-    btf = BTFS.of(source)
     for ray in range(_RAYS):
         spread = np.random.default_rng([_SEED, half, ray]).standard_normal((_QUERIES, 2))
         points = queries.positions * np.array(source.repeat_mm)

@@ -18,8 +18,9 @@ from tempfile import TemporaryDirectory
 from benchmarks.harness import Figures, run
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.neumip.settings import QUALITIES
-from loomlight.models.neumip.training.train import taken_queries, train_neumip
+from loomlight.models.registry import btf_of
+from loomlight.models.texture.neumip_training import taken_queries, train_neumip
+from loomlight.models.texture.settings import NEUMIP_QUALITIES
 
 # Queries that are taken to extrapolate from.
 _QUERIES = 1 << 18
@@ -29,16 +30,17 @@ def measure(options: Namespace) -> Figures:
     """Processor seconds of queries, steps and whole trainings."""
     require_llvm()
     source = fabric_from_text(options.fabric)
+    btf = btf_of(source, "neumip")
     rows: Figures = {}
-    for quality, whole in QUALITIES.items():
+    for quality, whole in NEUMIP_QUALITIES.items():
         few = replace(whole, queries=_QUERIES, steps=options.steps)
-        shape = whole.shape(source)
+        shape = whole.shape(source, btf.faces)
         marks: list[float] = []
         with TemporaryDirectory() as place:
             folder = Path(place)
-            taken_queries(source, replace(few, seed=1), folder, lambda done, total: None)
+            taken_queries(source, btf, replace(few, seed=1), folder)
             begun = time.process_time()
-            taken_queries(source, few, folder, lambda done, total: None)
+            taken_queries(source, btf, few, folder)
             queries = (time.process_time() - begun) / _QUERIES * whole.queries
             train_neumip(source, few, folder, _marker(marks))
             fit = time.process_time() - marks[-1]

@@ -189,7 +189,7 @@ def _by_source(source: Material, view: Array3f, footprint: Footprint, numbers: S
     """Directions that a material's BSDF draws itself."""
     import mitsuba as mi
 
-    from loomlight.mitsuba.material_queries import material_bsdf_of
+    from loomlight.mitsuba.material_btf import material_bsdf_of
 
     mi.set_variant("llvm_ad_rgb")
     bsdf: Any = material_bsdf_of(source)

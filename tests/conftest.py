@@ -91,10 +91,9 @@ def returned_memory() -> Iterator[None]:
 @pytest.fixture(scope="session", autouse=True)
 def short_training() -> Iterator[None]:
     """Trainings of `neumip` and `latent` take a second instead of minutes: enough to know what it is of."""
-    from loomlight.models.latent.settings import QUALITIES as LATENT_QUALITIES
-    from loomlight.models.neumip.settings import QUALITIES
+    from loomlight.models.texture.settings import LATENT_QUALITIES, NEUMIP_QUALITIES
 
-    short = replace(QUALITIES["preview"], resolution=16, queries=100 << 9, steps=200, batch=1 << 10)
+    short = replace(NEUMIP_QUALITIES["preview"], resolution=16, queries=100 << 9, steps=200, batch=1 << 10)
     latent = replace(
         LATENT_QUALITIES["preview"],
         resolution=8,
@@ -106,7 +105,7 @@ def short_training() -> Iterator[None]:
         sampler_batch=128,
     )
     with pytest.MonkeyPatch.context() as patch:
-        patch.setitem(QUALITIES, "preview", short)
+        patch.setitem(NEUMIP_QUALITIES, "preview", short)
         patch.setitem(LATENT_QUALITIES, "preview", latent)
         yield
 

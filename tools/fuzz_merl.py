@@ -18,7 +18,7 @@ import numpy as np
 
 from loomlight.assets.material import load_material
 from loomlight.assets.merl import BINS, read_merl
-from loomlight.mitsuba.material_queries import MaterialReflectance
+from loomlight.mitsuba.material_btf import MaterialBtf
 from tools.fuzzing import BYTES, Target, main
 
 _DIRECTIONS = np.array([[0, 0, 1], [0.6, 0, 0.8], [0, -0.995, 0.1]], np.float32)
@@ -80,9 +80,7 @@ def targets() -> list[Target]:
     def rgl(content: bytes) -> None:
         (folder / "a.bsdf").write_bytes(content)
         material = load_material(folder / "a.bsdf")
-        values = MaterialReflectance(material, 8).point_values(
-            np.zeros((3, 2), np.float32), _DIRECTIONS, _DIRECTIONS
-        )
+        values = MaterialBtf(material).values(np.zeros((3, 2), np.float32), _DIRECTIONS, _DIRECTIONS, (0,))
         assert np.isfinite(values).all()
 
     return [

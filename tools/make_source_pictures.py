@@ -32,9 +32,8 @@ from loomlight.core.backend import array_types, maximum
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.footprint import Box, Footprint, box_footprint
 from loomlight.models.interface import FootprintBsdf, Model
-from loomlight.models.mip_pyramid import SIZE_OF_SIGMA
-from loomlight.models.neumip.btf import BTFS
-from loomlight.models.registry import model_from_loom
+from loomlight.models.registry import btf_of, model_from_loom
+from loomlight.models.texture.pyramid import SIZE_OF_SIGMA
 from loomlight.scattering.point import DirectionSample
 from papers.altered_models import AlteredModel, UniformDirections
 from papers.kuznetsov2021.stage import Shot, plane_shot
@@ -61,7 +60,7 @@ def daylight(rng: np.random.Generator, count: int) -> _Floats:
 
 def source_picture(source: Source, shot: Shot, samples: int) -> _Floats:
     """π f·cos [pixels, 3] under daylight, of so many paths a pixel."""
-    btf, total = BTFS.of(source), np.zeros((len(shot.sides), 3), np.float32)
+    btf, total = btf_of(source, "neumip"), np.zeros((len(shot.sides), 3), np.float32)
     for number in range(samples):
         rng = np.random.default_rng([_SEED, number])
         spread = rng.standard_normal((len(shot.sides), 2)) * (shot.sides / SIZE_OF_SIGMA)[:, None]

@@ -24,12 +24,12 @@ from torch.nn import functional
 
 from loomlight.assets.sources import Source
 from loomlight.core.files import replacing
-from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape, Taps
-from loomlight.models.neumip.btf import BTFS, Queries
-from loomlight.models.neumip.networks import EXPOSURE
-from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.train import Batches, rate_factor
-from loomlight.models.query_parts import draw_directions
+from loomlight.models.registry import btf_of
+from loomlight.models.texture.neumip import EXPOSURE
+from loomlight.models.texture.neumip_training import NeumipBatches, rate_factor
+from loomlight.models.texture.pyramid import SIZE_OF_SIGMA, PyramidShape, Taps
+from loomlight.models.texture.queries import Queries, draw_directions
+from loomlight.models.texture.settings import NeumipSettings
 from loomlight.training.layers import fetched, relu_layers
 from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.soap import Soap
@@ -96,14 +96,13 @@ class EncodedTextures(NeuralTextures):
         return fetched(rows, Taps([*places.unbind(1)], taps.weights))
 
 
-class TiledBatches(Batches):
+class TiledBatches(NeumipBatches):
     """Batches of one tile of the repeat each, in random order: their queries share encoded texels."""
 
     def __init__(self, network: EncodedTextures, queries: Queries, settings: NeumipSettings) -> None:
         super().__init__(network, network.gains, queries, settings, "cpu")
         column, row = np.minimum(_TILES * queries.positions, _TILES - 1).astype(np.intp).T
-        self._tiles, self._seed = _TILES * row + column, settings.seed
-        self._batch, self._tiled = settings.batch, (-1, np.zeros((0, 0), np.intp))
+        self._tiles, self._tiled = _TILES * row + column, (-1, np.zeros((0, 0), np.intp))
 
     def _chosen(self, step: int) -> NDArray[np.intp]:
         number, place = divmod(step, self._per_pass)
@@ -165,7 +164,8 @@ def apparent_brdfs(source: Source, settings: NeumipSettings, folder: Path, sampl
         settings: of texels and seed.
         samples: rays of a pair.
     """
-    shape = settings.shape(source)
+    btf = btf_of(source, "neumip")
+    shape = settings.shape(source, btf.faces)
     file = folder / f"apparent-{samples}-{settings.query_identity(source)[:12]}.safetensors"
     try:
         found = load_file(file)["values"]
@@ -175,7 +175,7 @@ def apparent_brdfs(source: Source, settings: NeumipSettings, folder: Path, sampl
         pass
     rng = np.random.default_rng([settings.seed, _APPARENT])
     lights, views = draw_directions(rng, PAIRS), draw_directions(rng, PAIRS)
-    btf, texels = BTFS.of(source), shape.rows * shape.columns
+    texels = shape.rows * shape.columns
     place = np.stack([np.arange(texels) % shape.columns, np.arange(texels) // shape.columns], axis=1) + 0.5
     place *= np.array([shape.width_mm / shape.columns, shape.height_mm / shape.rows])
     parts = []

@@ -25,9 +25,10 @@ from loomlight.core.files import replacing
 from loomlight.core.sentences import closest
 from loomlight.evaluation.pictures import PictureError
 from loomlight.evaluation.table import Cell, Table
-from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.settings import NeumipOptions, NeumipSettings
-from loomlight.models.query_parts import draw_directions
+from loomlight.models.registry import btf_of
+from loomlight.models.texture.neumip import NeumipModel
+from loomlight.models.texture.queries import draw_directions
+from loomlight.models.texture.settings import NeumipOptions, NeumipSettings
 from papers.figure import Evidence, Pixels, error_caption, on_display
 from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
 from papers.kuznetsov2021.materials import RECIPES
@@ -146,7 +147,7 @@ class EqualCost:
         return self._encoded(name, source)
 
     def _ours(self, name: str, source: Heightfield) -> Trained:
-        from loomlight.models.neumip.training.train import train_neumip
+        from loomlight.models.texture.neumip_training import train_neumip
 
         settings = replace(self.settings, offset=name == OURS)
         self._taken(source, settings)
@@ -190,7 +191,7 @@ class EqualCost:
             trained_encodings,
         )
 
-        shape, design = self.settings.shape(source), DESIGNS[name]
+        shape, design = self.settings.shape(source, faces=1), DESIGNS[name]
         of_pairs = shape.columns * shape.rows * PAIRS
         samples = 1 if name == RAINER19 else self._budget.rays // of_pairs
         learned = [source]
@@ -203,7 +204,7 @@ class EqualCost:
         def textures() -> list[EncodedTextures]:
             import torch
 
-            from loomlight.models.neumip.training.train import gains_of
+            from loomlight.models.texture.neumip_training import gains_of
 
             torch.manual_seed(self.settings.seed)
             made: list[EncodedTextures] = []
@@ -229,9 +230,9 @@ class EqualCost:
         return Trained(network_predictor(network, source), cost | {"rays": rays})
 
     def _taken(self, source: Heightfield, settings: NeumipSettings) -> Any:
-        from loomlight.models.neumip.training.train import taken_queries
+        from loomlight.models.texture.neumip_training import taken_queries
 
-        return taken_queries(source, settings, self._queries_folder, lambda done, total: None)
+        return taken_queries(source, btf_of(source, "neumip"), settings, self._queries_folder)
 
     def _run(
         self, name: str, identity: str, run: Callable[..., Any], times: int = 1
@@ -287,7 +288,7 @@ def comparison(setting: Setting, materials: Sequence[str] | None = None) -> Evid
     squared, flip = Table("MSE × 1000, of π f·cos", columns), Table("FLIP", columns)
     by_level = Table("MSE × 1000 of random queries by level", columns)
     cost = Table("Steps; processor seconds of training", columns)
-    texel_mm = trainings.settings.shape(sources[0]).texel_mm
+    texel_mm = trainings.settings.shape(sources[0], faces=1).texel_mm
     rows: list[Row] = []
     pictures: dict[str, Pixels] = {}
     for number, source in enumerate(sources):

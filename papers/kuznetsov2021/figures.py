@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.table import Table
-from loomlight.models.mip_pyramid import PyramidShape
-from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.parallax import MIN_COSINE
+from loomlight.models.texture.neumip import MIN_COSINE, NeumipModel
+from loomlight.models.texture.pyramid import PyramidShape
 from papers.figure import Evidence, Pixels
 from papers.kuznetsov2021.designs import DESIGNS, OURS, Design
 from papers.kuznetsov2021.stage import (

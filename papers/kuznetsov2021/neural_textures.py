@@ -18,17 +18,17 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from loomlight.assets.sources import Source
-from loomlight.models.mip_pyramid import PyramidShape, Taps, bilinear_taps, trilinear_taps
-from loomlight.models.neumip.networks import EXPOSURE, Weights
-from loomlight.models.neumip.parallax import MIN_COSINE, shifted
-from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.network import SLOPE
-from loomlight.models.neumip.training.train import (
-    Batches,
+from loomlight.models.registry import btf_of
+from loomlight.models.texture.neumip import EXPOSURE, MIN_COSINE, Weights, shifted
+from loomlight.models.texture.neumip_training import (
+    SLOPE,
+    NeumipBatches,
     gains_of,
     rate_factor,
     taken_queries,
 )
+from loomlight.models.texture.pyramid import PyramidShape, Taps, bilinear_taps, trilinear_taps
+from loomlight.models.texture.settings import NeumipSettings
 from loomlight.training.layers import TorchTextures, fetched, numbers_of, numbers_of_layers, relu_layers
 from loomlight.training.loop import Schedule, one_thread, train
 from papers.kuznetsov2021.designs import Design
@@ -193,11 +193,12 @@ def trained_textures(
         InputError: a damaged checkpoint, or one of another training.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    queries = taken_queries(source, settings, queries_folder, lambda done, total: None)
+    btf = btf_of(source, "neumip")
+    queries = taken_queries(source, btf, settings, queries_folder)
     torch.manual_seed(settings.seed)
     scale = settings.texture_rate / settings.rate
-    network = NeuralTextures(design, settings.shape(source), scale, gains_of(queries))
-    batches = Batches(network, network.gains, queries, settings, "cpu", published_error)
+    network = NeuralTextures(design, settings.shape(source, btf.faces), scale, gains_of(queries))
+    batches = NeumipBatches(network, network.gains, queries, settings, "cpu", published_error)
 
     def losses(step: int) -> Iterator[Tensor]:
         network.blur = blur_of(network.shape, step / settings.steps)

@@ -25,12 +25,11 @@ from loomlight.core.extras import import_extra
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.sentences import closest
 from loomlight.evaluation.pictures import PictureError, picture_error
-from loomlight.models.mip_pyramid import SIZE_OF_SIGMA, PyramidShape
-from loomlight.models.neumip.btf import BTFS
-from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.options import TrainingOptions
-from loomlight.models.registry import model_from_loom
+from loomlight.models.registry import btf_of, model_from_loom
+from loomlight.models.texture.neumip import NeumipModel
+from loomlight.models.texture.pyramid import SIZE_OF_SIGMA, PyramidShape
+from loomlight.models.texture.settings import NeumipSettings
 from papers.kuznetsov2021.designs import DESIGNS, OURS, WITHOUT, Design
 from papers.kuznetsov2021.materials import paper_heightfield
 from papers.setting import Setting
@@ -168,7 +167,7 @@ def traced(source: Heightfield, shot: Shot, samples: int) -> Truth:
     Args:
         samples: paths a pixel, half of them for each estimate.
     """
-    btf, count, each = BTFS.of(source), len(shot.sides), max(1, samples // 2)
+    btf, count, each = btf_of(source, "neumip"), len(shot.sides), max(1, samples // 2)
     halves = []
     for half in range(2):
         rng = np.random.default_rng([_SEED, half])

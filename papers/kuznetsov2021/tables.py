@@ -102,7 +102,7 @@ def sizes(setting: Setting) -> Evidence:
 def _texel_mm(setting: Setting) -> float:
     """Side of a texel of level 0 of the trainings, millimetres."""
     source = stage_material(next(iter(RECIPES)))
-    return stage_settings(setting).shape(source).texel_mm
+    return stage_settings(setting).shape(source, faces=1).texel_mm
 
 
 def _note(setting: Setting) -> str:

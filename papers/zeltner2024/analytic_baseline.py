@@ -18,9 +18,8 @@ from numpy.typing import NDArray
 from loomlight.assets.material import Material
 from loomlight.core.arrays import Color3, Float, Vec3
 from loomlight.mitsuba import choose_variant
-from loomlight.mitsuba.material_queries import MaterialReflectance
-from loomlight.models.latent.query_stream import draw_lights
-from loomlight.models.query_parts import draw_directions
+from loomlight.mitsuba.material_btf import MaterialBtf
+from loomlight.models.texture.queries import draw_directions, draw_lights, footprint_values
 from papers.cosine_bsdf import cosine_bsdf
 
 CHANNELS = 8
@@ -68,8 +67,9 @@ def fitted_channels(source: Material, resolution: int, steps: int | None = None)
         steps: of the fit; 1500 by default.
     """
     choose_variant()
-    reflectance = MaterialReflectance(source, resolution)
-    columns, rows = reflectance.resolution
+    btf = MaterialBtf(source)
+    texels = btf.texels(resolution)
+    columns, rows = texels.resolution
     textures: Any = dr.zeros(mi.Float, columns * rows * CHANNELS)
     optimiser: Any = mi.ad.Adam(lr=_RATE)
     optimiser["textures"] = textures
@@ -82,7 +82,9 @@ def fitted_channels(source: Material, resolution: int, steps: int | None = None)
         lights = draw_lights(rng, views)
         level = np.zeros(_BATCH, np.float32)
         truth = mi.Color3f(
-            reflectance.values(place.astype(np.float32), level, lights, views, (_SEED, step)).T.copy()
+            footprint_values(
+                btf, texels, place.astype(np.float32), level, lights, views, (_SEED, step)
+            ).T.copy()
         )
         first = mi.UInt32(texel.astype(np.uint32)) * CHANNELS
         channels = [dr.gather(mi.Float, optimiser["textures"], first + k) for k in range(CHANNELS)]

@@ -27,10 +27,9 @@ from benchmarks.harness import Figures, run
 from loomlight.assets.merl import SUFFIX, MerlLibrary, load_merl
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.models.latent.model import LatentModel
-from loomlight.models.latent.query_stream import draw_lights
-from loomlight.models.latent.settings import LatentOptions
-from loomlight.models.query_parts import draw_directions
+from loomlight.models.texture.latent import LatentModel
+from loomlight.models.texture.queries import draw_directions, draw_lights
+from loomlight.models.texture.settings import LatentOptions
 from papers.zeltner2024.analytic_brdfs import write_analytic_library
 
 _SEED = 999  # of no training

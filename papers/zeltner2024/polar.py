@@ -18,8 +18,9 @@ from PIL import Image, ImageDraw
 from loomlight.core.footprint import Footprint
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant
-from loomlight.mitsuba.material_queries import MaterialReflectance
+from loomlight.mitsuba.material_btf import MaterialBtf
 from loomlight.models.interface import Model
+from loomlight.models.texture.queries import footprint_values
 from papers.figure import Evidence, Pixels
 from papers.setting import Setting
 from papers.sheet import Row, Tile, contact_sheet
@@ -53,9 +54,7 @@ class Profile:
     density: NDArray[np.float64]
 
 
-def profile(
-    model: Model, reflectance: MaterialReflectance, place: tuple[float, float], view_degrees: float
-) -> Profile:
+def profile(model: Model, btf: MaterialBtf, place: tuple[float, float], view_degrees: float) -> Profile:
     """The profile at a texel; the reference is filtered over it."""
     angles = np.linspace(-0.5, 0.5, _DIRECTIONS) * np.radians(178)
     light = np.stack([np.sin(angles), 0 * angles, np.cos(angles)], axis=1).astype(np.float32)
@@ -63,8 +62,11 @@ def profile(
     view = np.array([math.sin(view_angle), 0, math.cos(view_angle)], np.float32)
     count = len(light)
     uv = np.tile(np.array(place, np.float32), (count, 1))
+    texels = btf.texels(RESOLUTION)
     samples = [
-        reflectance.values(uv, np.zeros(count, np.float32), light, np.tile(view, (count, 1)), (seed,))
+        footprint_values(
+            btf, texels, uv, np.zeros(count, np.float32), light, np.tile(view, (count, 1)), (seed,)
+        )
         for seed in range(_REFERENCE_SAMPLES)
     ]
     size = model.source.repeat_mm
@@ -114,11 +116,11 @@ def polar_plots(setting: Setting) -> Evidence:
     pictures: dict[str, Pixels] = {}
     for number, name in enumerate(LAYERED):
         source = stage_material(name)
-        model, reflectance = trained(source, setting), MaterialReflectance(source, RESOLUTION)
+        model, btf = trained(source, setting), MaterialBtf(source)
         tiles, errors = [], []
         for place in PLACES:
             for view in VIEWS:
-                shown = profile(model, reflectance, place, view)
+                shown = profile(model, btf, place, view)
                 errors.append(_log_error(shown))
                 tiles.append(Tile(polar_plot(shown), f"{errors[-1]:.3f}"))
         for column, tile in zip(columns, tiles, strict=True):

@@ -21,13 +21,13 @@ from loomlight.evaluation.pictures import PictureError, picture_error
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant, shapes
 from loomlight.mitsuba.lights import environment_dict, light_dicts
-from loomlight.mitsuba.material_queries import material_bsdf_of
+from loomlight.mitsuba.material_btf import material_bsdf_of
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.mitsuba.shapes import ground
 from loomlight.models.interface import Model
-from loomlight.models.latent.settings import LatentOptions
 from loomlight.models.registry import make_model, model_from_loom
+from loomlight.models.texture.settings import LatentOptions
 from papers.composed_scenes import Composition, composed_scene
 from papers.renders import one_picture
 from papers.setting import LATENT, Setting

@@ -16,7 +16,7 @@ from loomlight.assets.material import Material
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.measured_scenes import MeasuredScene
-from loomlight.models.latent.settings import DECODERS, FEATURES, RUNGS
+from loomlight.models.texture.settings import DECODERS, FEATURES, RUNGS
 from papers.figure import Evidence, Pixels, on_display
 from papers.setting import Setting
 from papers.sheet import Row, Tile, contact_sheet

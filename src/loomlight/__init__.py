@@ -63,8 +63,6 @@ _HOMES = {
     "write_wif": "loomlight.weave.wif_writer",
 }
 
-_TRAINING = ("bake", "make_model")
-
 __all__ = [
     "Appearance",
     "ClothLayout",
@@ -98,9 +96,6 @@ def __getattr__(name: str) -> Any:
     home = _HOMES.get(name)
     if home is None:
         raise AttributeError(f"module 'loomlight' has no attribute '{name}'")
-    if name in _TRAINING:
-        # It answers for sources that have to be rendered to be learned.
-        import_module("loomlight.mitsuba")
     value = getattr(import_module(home), name)
     globals()[name] = value
     return value

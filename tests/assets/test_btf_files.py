@@ -1,6 +1,6 @@
 """Measured BTFs: synthetic files of both formats, written here, come back; damaged ones are refused.
 
-Covers: assets/measured_btf.py, models/neumip/measured_btf.py
+Covers: assets/measured_btf.py, models/texture/sources.py
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from loomlight.cli.main import run
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, box_footprint
-from loomlight.models.neumip.measured_btf import PictureBtf
 from loomlight.models.registry import model_from_loom
+from loomlight.models.texture.sources import PictureBtf
 from tests.marks import slow
 
 WIDTH, HEIGHT = 8, 6

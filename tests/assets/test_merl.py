@@ -1,6 +1,6 @@
 """MERL files: the public layout, angles, libraries; a truncated file is one sentence.
 
-Covers: models/latent/merl_queries.py
+Covers: models/texture/sources.py
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from loomlight.assets.merl import (
 )
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
-from loomlight.models.latent.merl_queries import MerlReflectance
+from loomlight.models.texture.sources import MerlBtf
 from papers.zeltner2024.analytic_brdfs import analytic_brdf, analytic_parameters, bin_directions, write_merl
 
 
@@ -73,13 +73,14 @@ def test_a_library_has_one_input_for_each(file: Path) -> None:
     values = np.zeros((3, *BINS, 3), np.float16)
     values[:] = np.array([1, 2, 3], np.float16)[:, None, None, None, None]
     library = library_of("shelf", names, values)
-    reflectance = MerlReflectance(library, 64)
-    assert (reflectance.inputs, reflectance.resolution) == (("a", "b", "c"), (2, 2))
+    btf = MerlBtf(library)
+    texels = btf.texels(64)
+    assert (texels.inputs, texels.resolution) == (("a", "b", "c"), (2, 2))
     # The fourth cell shows the first again.
-    np.testing.assert_array_equal(reflectance.encoder_inputs(0), np.eye(3)[[0, 1, 2, 0]].reshape(2, 2, 3))
+    np.testing.assert_array_equal(texels.encoder_inputs(0), np.eye(3)[[0, 1, 2, 0]].reshape(2, 2, 3))
     up = np.tile(np.array([[0, 0, 1]], np.float32), (4, 1))
     centres = np.array([[0.25, 0.25], [0.75, 0.25], [0.25, 0.75], [0.75, 0.75]], np.float32)
-    actual = reflectance.values(centres, np.zeros(4, np.float32), up, up, (1,))
+    actual = btf.values(centres, up, up, (1,))
     np.testing.assert_allclose(actual[:, 0], [1, 2, 3, 1])
 
 

@@ -16,7 +16,7 @@ from loomlight.assets.loom_file import LoomFile, read_loom, write_loom
 from loomlight.assets.material import Material
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
-from loomlight.mitsuba.material_queries import MaterialReflectance
+from loomlight.mitsuba.material_btf import MaterialBtf
 from loomlight.models.registry import model_from_loom
 from tools.fuzz_merl import merl_file, rgl_file
 
@@ -33,7 +33,7 @@ def test_a_file_is_a_material_that_its_loom_holds(tmp_path: Path) -> None:
     (tmp_path / "satin & silk.bsdf").unlink()
     again = read_loom(tmp_path / "a.loom").source
     assert isinstance(again, Material)
-    found = MaterialReflectance(again, 8).point_values(np.zeros((4, 2), np.float32), up(4), up(4))
+    found = MaterialBtf(again).values(np.zeros((4, 2), np.float32), up(4), up(4), (0,))
     assert np.isfinite(found).all()
     assert (found > 0).all()
 

@@ -19,7 +19,7 @@ from loomlight.fabric import Fabric
 from loomlight.models.bake import bake, save
 from loomlight.models.interface import Model
 from loomlight.models.material_spec import resolve
-from loomlight.models.neumip.model import NeumipModel
+from loomlight.models.texture.neumip import NeumipModel
 from tests.marks import slow
 from tests.realtime.test_neumip import random_model
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from loomlight.assets.heightfield import Heightfield
 from loomlight.core.llvm import require_llvm
-from loomlight.mitsuba.heightfield_btf import HeightfieldBtf
+from loomlight.mitsuba.traced_btf import HeightfieldBtf
 from loomlight.mitsuba.variants import choose_variant
 
 require_llvm()

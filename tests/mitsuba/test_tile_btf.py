@@ -1,6 +1,6 @@
 """Tiles of Mitsuba scenes: light that is known, geometry across the sides, and files at fault.
 
-Covers: assets/tile.py, mitsuba/periodic_paths.py
+Covers: assets/tile.py, mitsuba/traced_btf.py
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from loomlight.assets.tile import TileScene
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
-from loomlight.mitsuba.tile_btf import TileBtf, _with_last_curve
+from loomlight.mitsuba.traced_btf import TileBtf, _with_last_curve
 from loomlight.mitsuba.variants import choose_variant
 
 require_llvm()

@@ -15,12 +15,12 @@ import pytest
 torch = pytest.importorskip("torch", exc_type=ImportError)
 
 # These need torch: they follow the line that skips the file without it.
-from loomlight.models.mip_pyramid import PyramidShape, Taps  # noqa: E402
-from loomlight.models.neumip.btf import Queries  # noqa: E402
-from loomlight.models.neumip.networks import quantised  # noqa: E402
-from loomlight.models.neumip.settings import NeumipSettings  # noqa: E402
-from loomlight.models.neumip.training.network import NeumipNetwork  # noqa: E402
-from loomlight.models.neumip.training.train import gains_of, taken_queries  # noqa: E402
+from loomlight.models.registry import btf_of  # noqa: E402
+from loomlight.models.texture.neumip import quantised  # noqa: E402
+from loomlight.models.texture.neumip_training import NeumipNetwork, gains_of, taken_queries  # noqa: E402
+from loomlight.models.texture.pyramid import PyramidShape, Taps  # noqa: E402
+from loomlight.models.texture.queries import Queries  # noqa: E402
+from loomlight.models.texture.settings import NeumipSettings  # noqa: E402
 from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20  # noqa: E402
 from papers.kuznetsov2021.encoded_textures import (  # noqa: E402
     PAIRS,
@@ -70,7 +70,7 @@ def test_encoders_learn_two_materials_at_once(tmp_path: Path) -> None:
     sources = [paper_heightfield(name, 16) for name in ("straight wool", "cliff rock")]
     settings = replace(NeumipSettings(), resolution=8, queries=60 * 8**2, samples=2, batch=1024)
     design = DESIGNS[RAINER20]
-    queries = [taken_queries(source, settings, tmp_path, lambda done, total: None) for source in sources]
+    queries = [taken_queries(source, btf_of(source, "neumip"), settings, tmp_path) for source in sources]
     apparent = [apparent_brdfs(source, settings, tmp_path, 2) for source in sources]
     losses = []
     for steps in (1, 60):

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from loomlight.mitsuba import choose_variant
-from loomlight.mitsuba.material_queries import MaterialReflectance
+from loomlight.mitsuba.material_btf import MaterialBtf
 from papers.setting import Setting
 from papers.zeltner2024 import six_layers, speed, stage
 from papers.zeltner2024.six_layers import LAYERS, SIX_LAYERS
@@ -57,16 +57,17 @@ def test_every_layer_is_seen() -> None:
 def test_it_is_a_material_to_learn() -> None:
     """All textures are inputs that vary, and the tree reflects some of its light and no more than it gets."""
     choose_variant()
-    reflectance = MaterialReflectance(stage.six_layer_material(64), 64)
-    assert reflectance.slopes.shape == (1, 4, 64, 64, 2)
-    assert (reflectance.encoder_inputs(0).std(axis=(0, 1)) > 0).all()
+    btf = MaterialBtf(stage.six_layer_material(64))
+    texels = btf.texels(64)
+    assert texels.slopes.shape == (1, 4, 64, 64, 2)
+    assert (texels.encoder_inputs(0).std(axis=(0, 1)) > 0).all()
     rng = np.random.default_rng(1)
     count = 1 << 14
     up = np.tile(np.array([[0, 0, 1]], np.float32), (count, 1))
     height, turn = np.sqrt(rng.random(count)), 2 * np.pi * rng.random(count)
     across = np.sqrt(1 - height**2)
     lights = np.stack([across * np.cos(turn), across * np.sin(turn), height], 1).astype(np.float32)
-    values = reflectance.point_values(rng.random((count, 2)).astype(np.float32), lights, up)
+    values = btf.values(rng.random((count, 2)).astype(np.float32), lights, up, (0,))
     # f·cos over the density of cosines is the albedo.
     albedo = (values / (height[:, None] / np.pi)).mean(axis=0)
     assert (albedo > 0.05).all()

@@ -15,9 +15,9 @@ from drjit.llvm.ad import Array2f, Array3f, Float
 
 from loomlight.core.footprint import Footprint
 from loomlight.mitsuba import choose_variant
-from loomlight.mitsuba.material_queries import MaterialReflectance
+from loomlight.mitsuba.material_btf import MaterialBtf
 from loomlight.models.interface import Model
-from loomlight.models.latent.settings import QUALITIES, LatentSettings
+from loomlight.models.texture.settings import LATENT_QUALITIES, LatentSettings
 from papers.setting import LATENT, Setting
 from papers.zeltner2024 import analytic_baseline, polar, sampling, stage, tables, two_normals
 
@@ -27,13 +27,15 @@ def setting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Setting:
     """One material with few texels, and trainings that learn next to nothing."""
     choose_variant()
     monkeypatch.setitem(
-        QUALITIES, "tiny", LatentSettings(queries=1 << 12, samples=1, steps=4, batch=256, sampler_steps=4)
+        LATENT_QUALITIES,
+        "preview",
+        LatentSettings(queries=1 << 12, samples=1, steps=4, batch=256, sampler_steps=4),
     )
     for module in (stage, tables, polar):
         monkeypatch.setattr(module, "RESOLUTION", 16)
     for module in (tables, sampling, polar):
         monkeypatch.setattr(module, "LAYERED", ("rough-plastic",))
-    return Setting(size=(24, 16), samples=4, runs=tmp_path, model=LATENT, quality="tiny", steps=6)
+    return Setting(size=(24, 16), samples=4, runs=tmp_path, model=LATENT, quality="preview", steps=6)
 
 
 @pytest.mark.parametrize("name", two_normals.TWO_NORMALS)
@@ -44,11 +46,11 @@ def test_two_normal_maps_lean_by_more_than_lobes_are_wide(name: str) -> None:
     between = np.degrees(np.arccos((normals[0] * normals[1]).sum(axis=-1).clip(-1, 1)))
     # α of the wider lobe is 0.1: 6°.
     assert np.median(between) > 12
-    reflectance = MaterialReflectance(two_normals.two_normal_material(name, 32), 32)
-    assert reflectance.slopes.shape == (1, 3, 32, 32, 2)
+    btf = MaterialBtf(two_normals.two_normal_material(name, 32))
+    assert btf.texels(32).slopes.shape == (1, 3, 32, 32, 2)
     up = np.tile(np.float32([[0, 0, 1]]), (64, 1))
     places = np.random.default_rng(1).random((64, 2)).astype(np.float32)
-    assert reflectance.point_values(places, up, up).max() > 0.5
+    assert btf.values(places, up, up, (0,)).max() > 0.5
 
 
 def tiny_model(setting: Setting) -> Model:

@@ -16,17 +16,17 @@ from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
-from loomlight.models.latent.model import LatentModel
-from loomlight.models.latent.networks import (
+from loomlight.models.networks import Layers
+from loomlight.models.texture.latent import (
     ALBEDO_WIDTHS,
     CHANNELS,
     SAMPLER_WIDTHS,
+    LatentModel,
     Weights,
     decoder_widths,
 )
-from loomlight.models.latent.settings import DECODERS
-from loomlight.models.mip_pyramid import PyramidShape
-from loomlight.models.relu_network import Layers
+from loomlight.models.texture.pyramid import PyramidShape
+from loomlight.models.texture.settings import DECODERS
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.tables import pack_fabrics
 from tests.realtime.mapped import mapped

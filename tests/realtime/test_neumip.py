@@ -18,10 +18,9 @@ from loomlight.assets.heightfield import Heightfield
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
-from loomlight.models.mip_pyramid import PyramidShape
-from loomlight.models.neumip.model import NeumipModel
-from loomlight.models.neumip.networks import CHANNELS, NETWORKS, Weights
-from loomlight.models.relu_network import Layers
+from loomlight.models.networks import Layers
+from loomlight.models.texture.neumip import CHANNELS, NETWORKS, NeumipModel, Weights
+from loomlight.models.texture.pyramid import PyramidShape
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.tables import Packed, pack_fabrics
 from tests.realtime.mapped import mapped

@@ -13,7 +13,7 @@ from loomlight.assets.tile import TileScene
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba.tile_btf import TileBtf
+from loomlight.mitsuba.traced_btf import TileBtf
 from tools.fibre_curves import FibreSettings, fibre_curves
 from tools.make_fibre_tile import write_fibre_tile
 

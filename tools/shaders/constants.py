@@ -17,14 +17,13 @@ import numpy as np
 
 from loomlight.aggregate import footprint_albedos
 from loomlight.core import footprint as core_footprint
-from loomlight.models import between_yarns, random_numbers, textured_model
+from loomlight.models import between_yarns, random_numbers
 from loomlight.models.clustered import base as cluster_base
 from loomlight.models.clustered import bsdf as cluster_bsdf
 from loomlight.models.clustered import gaussians as cluster_gaussians
 from loomlight.models.clustered import parallax as cluster_parallax
 from loomlight.models.clustered import square_map
 from loomlight.models.clustered import tables as cluster_tables
-from loomlight.models.latent import networks as latent_networks
 from loomlight.models.lobes import (
     accumulation,
     cloth_samples,
@@ -45,10 +44,10 @@ from loomlight.models.lobes import (
 from loomlight.models.lobes import bsdf as lobe_bsdf
 from loomlight.models.lobes import proposal as lobe_proposal
 from loomlight.models.lobes import tables as lobe_tables
-from loomlight.models.neumip import networks as neumip_networks
-from loomlight.models.neumip import parallax
 from loomlight.models.neural import architecture, footprint_coding, light_visibility
 from loomlight.models.neural import proposal as neural_proposal
+from loomlight.models.texture import latent, neumip
+from loomlight.models.texture import model as textured_model
 from loomlight.realtime import bake, bvh, openness_tables
 from loomlight.scattering import (
     detail,
@@ -111,9 +110,9 @@ MODULES: dict[str, tuple[ModuleType, ...]] = {
         square_map,
     ),
     "GROUP_": (density,),
-    "LATENT_": (latent_networks,),
+    "LATENT_": (latent,),
     "MIXTURE_": (lobe_mixture,),
-    "NEUMIP_": (neumip_networks, parallax),
+    "NEUMIP_": (neumip,),
     "NEURAL_": (architecture, footprint_coding, light_visibility, neural_proposal),
     "OPENNESS_": (openness,),
     "PROPOSAL_": (lobe_proposal,),
@@ -145,12 +144,12 @@ _DERIVED: dict[str, Value] = {
     "FACT_DISTINCT": 10,
     "FACT_WARP_COUNT": 14,
     "LATENT_MIN_SIZE": textured_model.MIN_SIZE,
-    "LATENT_SAMPLER_HIDDEN": latent_networks.SAMPLER_WIDTHS[1],
-    "LATENT_SAMPLER_OUTPUTS": latent_networks.SAMPLER_WIDTHS[-1],
-    "LATENT_ALBEDO_HIDDEN": latent_networks.ALBEDO_WIDTHS[1],
-    "NEUMIP_HOLE_HIDDEN": neumip_networks.OPACITY_WIDTHS[1],
+    "LATENT_SAMPLER_HIDDEN": latent.SAMPLER_WIDTHS[1],
+    "LATENT_SAMPLER_OUTPUTS": latent.SAMPLER_WIDTHS[-1],
+    "LATENT_ALBEDO_HIDDEN": latent.ALBEDO_WIDTHS[1],
+    "NEUMIP_HOLE_HIDDEN": neumip.OPACITY_WIDTHS[1],
     "NEUMIP_MIN_SIZE": textured_model.MIN_SIZE,
-    "NEUMIP_SCALE": 1 / neumip_networks.EXPOSURE,
+    "NEUMIP_SCALE": 1 / neumip.EXPOSURE,
 }
 _FLOAT_ARRAYS: dict[str, Sequence[float]] = {
     "PYRAMID_RADII": geometry.PYRAMID_RADII,

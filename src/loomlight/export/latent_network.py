@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from safetensors.numpy import save
 
 from loomlight.core.extras import import_extra
-from loomlight.models.latent.model import LatentModel
-from loomlight.models.latent.networks import (
+from loomlight.models.texture.latent import (
     CHANNELS,
     FRAMES,
     MAX_EXPONENT,
@@ -20,6 +19,7 @@ from loomlight.models.latent.networks import (
     MIN_LIGHT,
     SLOPE_FLOOR,
     VALUE_OFFSET,
+    LatentModel,
     Weights,
 )
 from loomlight.realtime.models import Material, prepared_for, source_of

@@ -1,8 +1,7 @@
 """Cloth in Mitsuba 3: plugins, the footprint integrator, meshes and scenes.
 
 Importing this package registers its plugins in every supported variant (`llvm_ad_rgb`, `cuda_ad_rgb`), now or
-as soon as one is set; it never sets one. It also answers the queries of trainings of tiles, height fields and
-materials.
+as soon as one is set; it never sets one.
 """
 
 from __future__ import annotations
@@ -12,7 +11,6 @@ from loomlight.mesh.reading import read_mesh
 from loomlight.mitsuba.lights import LIGHTS
 from loomlight.mitsuba.meshes import to_shape
 from loomlight.mitsuba.plugins import material_bsdf, register_plugins
-from loomlight.mitsuba.query_sources import register_query_sources
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import SCENES, ClothScene, build_scene
 from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, choose_variant
@@ -36,4 +34,3 @@ __all__ = [
 ]
 
 register_plugins()
-register_query_sources()

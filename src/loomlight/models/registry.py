@@ -1,4 +1,6 @@
-"""Models by name, each imported when it is first asked for. This is the one list of them.
+"""Models by name, and what answers queries for their trainings, each imported when it is first asked for.
+
+This is the one list of both; what needs a renderer is named here too, and imports it when it is used.
 
 An entry here is all that a model needs to become a name of the command line, a material file, a BSDF of
 Mitsuba and a row of the query benchmark; it must pass tests/models/test_contract.py.
@@ -11,17 +13,20 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from loomlight.assets.load import load_source
 from loomlight.assets.loom_file import FIRST_USABLE_SCHEMA, LoomFile, read_loom
-from loomlight.assets.sources import Source
+from loomlight.assets.sources import Source, kind_of_source
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.sentences import closest, shown, speaking_of
 from loomlight.core.settings import declared, require_names
 from loomlight.models.interface import Model
 from loomlight.models.options import Options, is_source
+
+if TYPE_CHECKING:
+    from loomlight.models.texture.queries import Btf
 
 
 @dataclass(frozen=True)
@@ -77,7 +82,7 @@ MODELS: dict[str, ModelEntry] = {
         "maps of texels by clustered control variates (Zhu et al. 2024)",
     ),
     "neumip": ModelEntry(
-        "loomlight.models.neumip.model",
+        "loomlight.models.texture.neumip",
         "NeumipModel",
         "neumip",
         "a network trained for one source (NeuMIP, Kuznetsov et al. 2021)",
@@ -85,13 +90,38 @@ MODELS: dict[str, ModelEntry] = {
         baking_extra="train",
     ),
     "latent": ModelEntry(
-        "loomlight.models.latent.model",
+        "loomlight.models.texture.latent",
         "LatentModel",
         "latent",
         "network and sampler trained for one source (Zeltner et al. 2024)",
         extra="networks",
         baking_extra="train",
     ),
+}
+
+
+@dataclass(frozen=True)
+class BtfEntry:
+    """Where what answers queries of a kind of source is found.
+
+    Attributes:
+        module, class_name: its class, a `Btf` (`models/texture/queries.py`) that is made of a source.
+        models: that are trained for such sources; `latent` takes an `EncodedBtf`.
+    """
+
+    module: str
+    class_name: str
+    models: tuple[str, ...]
+
+
+# By kind of source, a name of `SOURCE_KINDS`.
+BTFS: dict[str, BtfEntry] = {
+    "fabric": BtfEntry("loomlight.models.texture.sources", "FabricBtf", ("neumip", "latent")),
+    "heightfield": BtfEntry("loomlight.mitsuba.traced_btf", "HeightfieldBtf", ("neumip",)),
+    "tile": BtfEntry("loomlight.mitsuba.traced_btf", "TileBtf", ("neumip",)),
+    "btf": BtfEntry("loomlight.models.texture.sources", "PictureBtf", ("neumip",)),
+    "material": BtfEntry("loomlight.mitsuba.material_btf", "MaterialBtf", ("latent",)),
+    "merl": BtfEntry("loomlight.models.texture.sources", "MerlBtf", ("latent",)),
 }
 # Compiles the kernels of networks.
 _KERNELS = "llvmlite"
@@ -179,6 +209,22 @@ def make_model(name: str, source: Source, options: Options | None = None, **valu
         InputError: there is none of that name, or it cannot handle this source or option.
     """
     return model_class(name, to_bake=True).for_source(source, options_of(name, options or values))
+
+
+def btf_of(source: Source, model: str) -> Btf:
+    """What answers the queries that a model is trained with.
+
+    Raises:
+        InputError: a kind of source that the model is not trained for, or a source that cannot be used.
+    """
+    kind = kind_of_source(source)
+    if kind not in BTFS or model not in BTFS[kind].models:
+        taken = ", ".join(name for name, entry in BTFS.items() if model in entry.models)
+        raise InputError(
+            f"{source.name} is a {kind}, of which {model} can take no queries: it takes those of {taken}."
+        )
+    found: Btf = getattr(import_module(BTFS[kind].module), BTFS[kind].class_name)(source)
+    return found
 
 
 def untrained(name: str, source: str = "SOURCE") -> InputError:

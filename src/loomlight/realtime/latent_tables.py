@@ -7,9 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from loomlight.models.latent.model import LatentModel
-from loomlight.models.latent.networks import CHANNELS, FRAMES, Weights, decoder_widths
-from loomlight.models.relu_network import Layers
+from loomlight.models.networks import Layers
+from loomlight.models.texture.latent import CHANNELS, FRAMES, LatentModel, Weights, decoder_widths
 from loomlight.realtime.networks import packed_layer, packed_numbers
 from loomlight.realtime.word_table import Tables, fill, pyramid_fields
 from loomlight.yarn.layout import ClothLayout

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:  # networks need llvmlite; tables without one are packed by this module too
-    from loomlight.models.relu_network import Layers
+    from loomlight.models.networks import Layers
 
 # Outputs that a shader sums at a time, and numbers that it reads at a time.
 TILE, EIGHT = 4, 8

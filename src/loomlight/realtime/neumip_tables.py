@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.models.neumip.model import NeumipModel
+from loomlight.models.texture.neumip import NeumipModel
 from loomlight.realtime.networks import EIGHT, packed_numbers
 from loomlight.realtime.word_table import Tables, fill, pyramid_fields
 from loomlight.yarn.layout import ClothLayout

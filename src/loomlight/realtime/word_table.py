@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.models.mip_pyramid import PyramidShape
+from loomlight.models.texture.pyramid import PyramidShape
 from loomlight.realtime.networks import NumberTable
 
 Words = NDArray[np.uint32]

@@ -37,7 +37,7 @@ def numbers_of(tensor: Tensor) -> NDArray[np.float32]:
     return np.ascontiguousarray(tensor.detach().cpu().numpy(), np.float32)
 
 
-# ------------------------------------------------------------------------------------- formulas and textures
+# -------------------------------------------------------------------------------------- formulas and textures
 
 
 def _sincos(angle: Tensor) -> tuple[Tensor, Tensor]:
@@ -58,7 +58,7 @@ TORCH: Any = SimpleNamespace(
 
 
 class TorchTextures:
-    """`ArrayFunctions` of `models/mip_pyramid.py` for torch."""
+    """`ArrayFunctions` of `models/texture/pyramid.py` for torch."""
 
     def floor(self, value: Tensor) -> Tensor:
         return torch.floor(value)
@@ -77,7 +77,7 @@ class TorchTextures:
 
 
 def fetched(table: Tensor, taps: Any) -> Tensor:
-    """Interpolated rows [n, channels] of a table, at `Taps` of `models/mip_pyramid.py`."""
+    """Interpolated rows [n, channels] of a table, at `Taps` of `models/texture/pyramid.py`."""
     found: Tensor = _Gather.apply(torch.stack(taps.texels, dim=1), torch.stack(taps.weights, dim=1), table)
     return found
 

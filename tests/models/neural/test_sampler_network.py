@@ -3,7 +3,7 @@
 That weights are value over density, and that drawn directions follow the density on examples, the contract
 suite tests with the shipped network.
 
-Covers: models/learned_proposal.py, models/neural/sampler_network.py
+Covers: models/networks.py, models/neural/sampler_network.py
 Covers: scattering/lobe_mixture.py
 """
 
@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.learned_proposal import LearnedProposal
+from loomlight.models.networks import LearnedProposal
 from loomlight.models.neural.model import NeuralModel, NeuralOptions
 from loomlight.models.neural.sampler_network import FURTHER_INPUTS, further_inputs, sampler_layers
 from loomlight.models.neural.weights import shipped_weights

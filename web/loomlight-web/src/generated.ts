@@ -582,7 +582,7 @@ export const GROUP_SPREAD_LOSS = 0.35;
 export const GROUP_MIN_PATH = 0.001;
 export const GROUP_ARC_TANGENT = [0.999999715, -0.33327976, 0.198950258, -0.135376751, 0.0847596977, -0.0377517076, 0.00809729493] as const;
 
-// models.latent.networks
+// models.texture.latent
 export const LATENT_CHANNELS = 8;
 export const LATENT_FRAMES = 2;
 export const LATENT_SAMPLER_WIDTHS = [11, 32, 32, 32, 9] as const;
@@ -604,7 +604,7 @@ export const MIXTURE_MIN_COSINE = 0.0001;
 export const MIXTURE_OUTPUTS = 19;
 export const MIXTURE_OPAQUE_OUTPUTS = 9;
 
-// models.neumip.networks
+// models.texture.neumip
 export const NEUMIP_CHANNELS = 7;
 export const NEUMIP_HIDDEN = 25;
 export const NEUMIP_OFFSET_WIDTHS = [9, 25, 25, 25, 1] as const;
@@ -612,8 +612,6 @@ export const NEUMIP_DECODER_WIDTHS = [11, 25, 25, 25, 3] as const;
 export const NEUMIP_OPACITY_WIDTHS = [9, 16, 16, 1] as const;
 export const NEUMIP_SAMPLER_HIDDEN = [32, 32] as const;
 export const NEUMIP_EXPOSURE = 3.141592653589793;
-
-// models.neumip.parallax
 export const NEUMIP_MIN_COSINE = 0.6;
 
 // models.neural.architecture

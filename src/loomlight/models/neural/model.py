@@ -23,7 +23,7 @@ from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
 from loomlight.models.interface import Parameter, Report, Values
-from loomlight.models.learned_proposal import LearnedProposal
+from loomlight.models.networks import LearnedProposal, ReluNetwork
 from loomlight.models.neural.decoder import Decoder, ViewActivations, decoder_cost, decoder_of
 from loomlight.models.neural.encoded_fabric import EncodedFabric
 from loomlight.models.neural.encoder import repeat_threads
@@ -36,7 +36,6 @@ from loomlight.models.neural.proposal import Proposal, proposal_of
 from loomlight.models.neural.sampler_network import neural_proposal, sampler_layers, sampler_of
 from loomlight.models.neural.weights import Weights, read_weights, shipped_weights
 from loomlight.models.options import Options
-from loomlight.models.relu_network import ReluNetwork
 from loomlight.models.separable import Components, Evaluation, FilteredBsdf
 from loomlight.scattering.point import DirectionSample, to_face_frame
 

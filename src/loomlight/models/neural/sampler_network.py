@@ -1,7 +1,7 @@
 """The sampler network of all fabrics: what it sees of a footprint and a view, and its weights.
 
 It sees what a view fixes: the decoder's first angular layer without the light's part, the view, the fibres of
-both families and the albedos' shares; `models/learned_proposal.py` says what it describes.
+both families and the albedos' shares; `models/networks.py` says what it describes.
 """
 
 from __future__ import annotations
@@ -18,10 +18,9 @@ from safetensors.numpy import load
 from loomlight.core.arrays import Float, FloatType, Vec3
 from loomlight.core.backend import channel_mean
 from loomlight.core.errors import InputError
-from loomlight.models.learned_proposal import LearnedProposal
+from loomlight.models.networks import Layers, LearnedProposal, ReluNetwork
 from loomlight.models.neural.codings import Fibre
 from loomlight.models.neural.weights import Weights
-from loomlight.models.relu_network import Layers, ReluNetwork
 from loomlight.models.separable import FamilyAlbedos
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.lobe_mixture import TwoSidedLobes

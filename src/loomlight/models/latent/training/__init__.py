@@ -1,1 +1,0 @@
-"""Training of latent textures, networks and sampler; needs torch."""

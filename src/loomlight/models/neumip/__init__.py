@@ -1,1 +1,0 @@
-"""NeuMIP: neural textures and two small networks, trained for one source (Kuznetsov et al. 2021)."""

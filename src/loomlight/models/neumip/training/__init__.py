@@ -1,1 +1,0 @@
-"""Training of `neumip` from queries of its source; the only part of the model that needs torch."""

@@ -1,0 +1,204 @@
+"""A training is the same however often it is stopped, and learns what it is shown.
+
+Covers: models/texture/latent_training.py, models/texture/queries.py
+Covers: models/texture/sources.py, training/direction_sampler.py
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import torch
+
+from loomlight.assets.merl import BINS, library_of
+from loomlight.core.llvm import require_llvm
+from loomlight.fabric import fabric_from_text
+from loomlight.models.registry import btf_of
+from loomlight.models.texture import training
+from loomlight.models.texture.latent_training import rate_factor, train_latent
+from loomlight.models.texture.queries import LatentStream, draw_lights, footprint_values
+from loomlight.models.texture.settings import LATENT_QUALITIES, LatentSettings
+from loomlight.models.texture.sources import FabricBtf
+from loomlight.models.texture.training import folder_queries
+from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density
+from loomlight.training.direction_sampler import sampler_loss
+from loomlight.training.layers import TORCH, relu_layers
+
+require_llvm()
+
+TWILL = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]\ncolor = "#2040c0"')
+
+
+def short(**changes: int | str) -> LatentSettings:
+    base = replace(
+        LATENT_QUALITIES["preview"],
+        resolution=8,
+        queries=4000,
+        samples=2,
+        steps=20,
+        batch=256,
+        sampler_steps=8,
+    )
+    return replace(base, sampler_batch=64, **changes)  # type: ignore[arg-type]
+
+
+def test_the_rungs_of_the_ablation(tmp_path: Path) -> None:
+    plain = train_latent(TWILL, short(rung="mlp"), tmp_path / "mlp")
+    assert plain.frames is None
+    assert not (tmp_path / "mlp" / "encoder.safetensors").exists()
+    with_encoder = train_latent(TWILL, short(rung="encoder", loss="cube-root"), tmp_path / "encoder")
+    assert with_encoder.frames is None
+    assert (tmp_path / "encoder" / "encoder.safetensors").exists()
+
+
+@pytest.mark.slow
+def test_queries_are_means_over_footprints() -> None:
+    """Against many points of the point model around the query's position, on the face that is seen."""
+    btf = FabricBtf(TWILL)
+    texels = btf.texels(16)
+    stream = LatentStream(btf, texels, 5, 256, seed=2)
+    queries = stream.part(0, 40)
+    assert np.array_equal(stream.part(0, 40).values, queries.values)
+    assert not np.array_equal(stream.part(1, 40).positions, queries.positions)
+    sides = np.where(queries.faces == 1, -1, 1)[:, None] * np.array([0, 0, 1]) + np.array([1, 1, 0])
+    wanted = np.mean(
+        [
+            footprint_values(
+                btf,
+                texels,
+                queries.positions,
+                queries.levels,
+                (queries.lights * sides).astype(np.float32),
+                (queries.views * sides).astype(np.float32),
+                (9, k),
+            )
+            for k in range(256)
+        ],
+        axis=0,
+    )
+    assert np.abs(queries.values - wanted).sum() < 0.1 * wanted.sum()
+    assert abs(queries.values.sum() - wanted.sum()) < 0.03 * wanted.sum()
+
+
+def test_inputs_of_the_encoder_are_filtered() -> None:
+    reflectance = FabricBtf(TWILL).texels(8)
+    finest = reflectance.encoder_inputs(0)
+    assert finest.shape == (8, 8, len(reflectance.inputs))
+    coarsest = reflectance.encoder_inputs(3)
+    np.testing.assert_allclose(coarsest[0, 0], finest.mean(axis=(0, 1)), atol=1e-5)
+    # Two thirds of the front are warp of a twill 2/1, of the back weft; -1 is weft and 1 warp.
+    warp = reflectance.inputs.index("is_warp")
+    assert coarsest[0, 0, warp] > 0.15 > -0.15 > reflectance.encoder_inputs(3, 1)[0, 0, warp]
+    # Normals that vary have second moments beyond the squares of their means.
+    x, xx = (reflectance.inputs.index(name) for name in ("normal_x", "normal_xx"))
+    assert coarsest[0, 0, xx] > coarsest[0, 0, x] ** 2 + 0.02
+    assert np.abs(finest).max() < 2
+
+
+def test_half_vectors_find_highlights() -> None:
+    views = np.tile(np.array([[0.6, 0.0, 0.8]], np.float32), (20_000, 1))
+    lights = draw_lights(np.random.default_rng(0), views)
+    np.testing.assert_allclose(np.linalg.norm(lights, axis=1), 1, atol=1e-5)
+    assert (lights[:, 2] > 0).all()
+    # Within 5° of the mirror direction: 0.4 % of the hemisphere.
+    assert (lights @ np.array([-0.6, 0.0, 0.8]) > math.cos(math.radians(5))).mean() > 0.1
+
+
+def test_lights_lie_about_the_normals_of_texels() -> None:
+    """Mirror directions about a normal that leans by 20°, and by none, of two maps."""
+    views = np.tile(np.array([[0.0, 0.0, 1.0]], np.float32), (20_000, 1))
+    lean = math.tan(math.radians(20))
+    lights = draw_lights(np.random.default_rng(0), views, np.tile(np.float32([-lean, 0]), (20_000, 1)))
+    mirrored = np.array([math.sin(math.radians(40)), 0, math.cos(math.radians(40))])
+    near = math.cos(math.radians(5))
+    assert (lights @ mirrored > near).mean() > 0.1
+    assert (lights @ np.array([0.0, 0.0, 1.0]) > near).mean() < 0.02
+    # Yarns lean to all sides alike.
+    reflectance = FabricBtf(TWILL).texels(8)
+    assert reflectance.slopes.shape == (2, 1, 8, 8, 2)
+    assert np.abs(reflectance.slopes).max() > 0.2
+    np.testing.assert_allclose(reflectance.slopes.mean(axis=(1, 2, 3)), 0, atol=0.02)
+
+
+def test_one_cosine_leads_through_encoder_and_textures(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rates = []
+
+    def kept(*arguments: Any, **_others: Any) -> None:
+        rate = arguments[3].rate
+        rates.append((rate(0.0), rate(1.0)))
+
+    monkeypatch.setattr(training, "train", kept)
+    settings = short()
+    train_latent(TWILL, settings, tmp_path)
+    encoder, textures, sampler = rates
+    share = settings.encoder_share
+    assert encoder == pytest.approx((settings.rate, settings.rate * rate_factor(share)))
+    assert textures == pytest.approx((encoder[1], 0.1 * settings.rate))
+    assert sampler == pytest.approx((settings.rate, 0.1 * settings.rate))
+
+
+def test_libraries_take_many_small_steps_and_no_frames(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    steps = []
+    monkeypatch.setattr(training, "train", lambda *arguments, **_others: steps.append(arguments[3].steps))
+    values = np.zeros((3, *BINS, 3), np.float16)
+    weights = train_latent(library_of("shelf", ["a", "b", "c"], values), short(), tmp_path)
+    assert sum(steps[:2]) == 4 * short().steps
+    assert (weights.frames, weights.shape.is_apart, len(weights.latents)) == (None, True, 4)
+
+
+def test_the_rate_follows_the_supplemental_and_damaged_queries_are_taken_anew(tmp_path: Path) -> None:
+    assert rate_factor(0) == 1
+    assert rate_factor(1) == pytest.approx(0.1)
+    btf = FabricBtf(TWILL)
+    stream = LatentStream(btf, btf.texels(8), 4, 2, seed=0)
+    first = folder_queries(stream, tmp_path, "some", 4000)
+    (file,) = tmp_path.iterdir()
+    file.write_bytes(file.read_bytes()[:-100])
+    again = folder_queries(stream, tmp_path, "some", 4000)
+    assert np.array_equal(first.values, again.values)
+
+
+def test_a_sampler_finds_an_off_centre_lobe() -> None:
+    """The reflectance is itself a mixture of the family, so the divergence can vanish."""
+    torch.manual_seed(0)
+    target = lobe_mixture(torch.tensor([-1.0, -0.3, 0.4, 0.3, -0.2, 0.0, 0.0, 1.5, 0.0]), TORCH)
+    sampler, albedo = relu_layers((3, 16, 9)), relu_layers((3, 16, 3))
+    optimiser = torch.optim.Adam([*sampler.parameters(), *albedo.parameters()], 1e-2)
+    generator = torch.Generator().manual_seed(1)
+    views = torch.nn.functional.normalize(torch.tensor([[0.3, 0.1, 1.0], [-0.4, 0.5, 1.0]]), dim=1)
+    repeated = views.repeat(16, 1)
+
+    def reflected(lights: torch.Tensor) -> torch.Tensor:
+        eye = [column[:, None] for column in repeated.T]
+        density = mixture_density(target, lights.unbind(-1), eye, TORCH)
+        return (0.5 * density)[..., None].expand(-1, -1, 3)
+
+    for _ in range(200):
+        outputs, log_albedo = sampler(repeated), albedo(repeated)
+        loss = sampler_loss(outputs, log_albedo, repeated, reflected, 64, generator)
+        optimiser.zero_grad()
+        loss.backward()
+        optimiser.step()
+    found = lobe_mixture(sampler(views).detach().unbind(1), TORCH)
+    for view in range(2):
+        for axis in range(2):
+            assert found.alpha[axis][view] == pytest.approx(float(target.alpha[axis]), rel=0.25)
+            assert found.specular_slope[axis][view] == pytest.approx(
+                float(target.specular_slope[axis]), abs=0.1
+            )
+    # Half of the light, less what the lobe sends below the surface.
+    assert ((torch.exp(albedo(views)) > 0.3) & (torch.exp(albedo(views)) < 0.52)).all()
+
+
+def test_a_source_without_queries_is_refused() -> None:
+    with pytest.raises(TypeError, match="is no kind of source"):
+        btf_of(Path("a"), "latent")  # type: ignore[arg-type]  # no source: that is what is refused
