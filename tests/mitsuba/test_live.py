@@ -20,7 +20,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, material_bsdf
 from loomlight.mitsuba.bsdf import model_bsdfs
 from loomlight.mitsuba.live import LivePicture
-from loomlight.mitsuba.path import samples_are_pixels
+from loomlight.mitsuba.pixels import samples_are_pixels
 from tests.marks import slow
 
 SHEEN = 'weave = "twill 2/1"\n[sheen]\nstrength = 0.5\n'

@@ -12,8 +12,8 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
+from loomlight.mitsuba.bsdf import SceneTraits, symbolic_mode
 from loomlight.mitsuba.filtered_texture import FilteredTexture
-from loomlight.mitsuba.path import symbolic_mode
 from loomlight.models.neural import encoding
 from loomlight.models.neural import model as neural_model
 
@@ -158,9 +158,9 @@ def test_flags_are_left_as_they_were() -> None:
     networks = mi.load_dict({"type": "scene", "cloth": {"type": "rectangle", "bsdf": TWILL}})
     others = mi.load_dict({"type": "scene", "cloth": {"type": "rectangle"}})
     assert dr.flag(dr.JitFlag.SymbolicCalls)
-    with symbolic_mode(others):
+    with symbolic_mode(SceneTraits.of(others)):
         assert dr.flag(dr.JitFlag.SymbolicCalls)
-    with symbolic_mode(networks):
+    with symbolic_mode(SceneTraits.of(networks)):
         assert not dr.flag(dr.JitFlag.SymbolicCalls)
         assert not dr.flag(dr.JitFlag.SymbolicLoops)
     assert dr.flag(dr.JitFlag.SymbolicCalls)

@@ -195,8 +195,40 @@ class SceneTraits:
             _adapted=adapted,
         )
 
-    def surface(self, bsdf: Any) -> SurfaceBsdf:
-        """A BSDF of a call as it was adapted: Dr.Jit traces those within instances and other scenes too."""
+    def eval_and_null_transmission(
+        self, ctx: mi.BSDFContext, si: mi.SurfaceInteraction3f, wo: Any, active: Mask, entering: Mask
+    ) -> tuple[Color3, Color3]:
+        """Each lane's answer, of the BSDF that it has met; see `SurfaceBsdf`."""
+
+        def call(bsdf: Any, *asked: Any) -> Any:
+            return self._surface(bsdf).eval_and_null_transmission(ctx, *asked)
+
+        found: tuple[Color3, Color3] = dr.dispatch(si.bsdf(), call, si, wo, active, entering)
+        return found
+
+    def eval_pdf_sample_and_null_transmission(
+        self,
+        ctx: mi.BSDFContext,
+        si: mi.SurfaceInteraction3f,
+        wo: Any,
+        sample1: Float,
+        sample2: Any,
+        active: Mask,
+        needs_null_transmission: bool,
+    ) -> tuple[Color3, Float, Any, Color3, Color3]:
+        """Each lane's answer, of the BSDF that it has met; the last is 0 unless needed."""
+
+        def call(bsdf: Any, *asked: Any) -> Any:
+            answer = self._surface(bsdf).eval_pdf_sample_and_null_transmission(ctx, *asked)
+            return answer if needs_null_transmission else (*answer[:-1], mi.Spectrum(0))
+
+        found: tuple[Color3, Float, Any, Color3, Color3] = dr.dispatch(
+            si.bsdf(), call, si, wo, sample1, sample2, active
+        )
+        return found
+
+    def _surface(self, bsdf: Any) -> SurfaceBsdf:
+        """A BSDF as it was adapted: Dr.Jit traces those within instances and of other scenes too."""
         if bsdf not in self._adapted:
             self._adapted[bsdf] = surface_bsdf(bsdf)
         return self._adapted[bsdf]
@@ -642,6 +674,17 @@ _LOOPS = dr.JitFlag.SymbolicLoops
 _BRANCHES = dr.JitFlag.SymbolicConditionals
 # BSDFs already warned about, and other warnings already given.
 _WARNED: set[str] = set()
+
+
+@contextmanager
+def symbolic_mode(traits: SceneTraits) -> Iterator[None]:
+    """Symbolic calls and loops, unless a surface must not be traced in them; see `Model.symbolic`."""
+    symbolic = traits.symbolic
+    with (
+        dr.scoped_set_flag(dr.JitFlag.SymbolicCalls, symbolic and dr.flag(dr.JitFlag.SymbolicCalls)),
+        dr.scoped_set_flag(dr.JitFlag.SymbolicLoops, symbolic and dr.flag(dr.JitFlag.SymbolicLoops)),
+    ):
+        yield
 
 
 def nested(method: _Method) -> _Method:

@@ -5,10 +5,10 @@ heuristic, Russian roulette. It adds two things:
 
 - ``si.duv_dx`` and ``si.duv_dy`` hold the footprint in uv: from the camera's ray differentials on the first
   surface, from a ray cone beyond. For BSDFs that filter it is a part of the film's filter, whatever the
-  number of samples (`pixel_filter.py`).
+  number of samples (`pixels.py`, where samples, their places and their footprints are).
 - Holes: a surface whose BSDF has the flag ``Null`` lets shadow rays through by ``eval_null_transmission``,
   and a path that passes through one keeps the MIS weight of the vertex before it. Passing costs no depth.
-  What the camera sees through holes of BSDFs that filter is blended in by their share (`camera_walk.py`).
+  What the camera sees through holes of BSDFs that filter is blended in by their share (`CameraWalk`).
   Where no BSDF lets through what would be seen (`lets_light_through` of cloth averaged over footprints),
   shadows are plain ones.
 
@@ -17,11 +17,13 @@ then draw no directions at all.
 
 Derivatives of BSDF and emitter parameters come from path replay (Vicini et al. 2021); the shadows of holes
 and the positions of surfaces are held fixed.
+
+The file reads downwards: the integrator, from a render to the loop over a path's vertices, whose comments are
+its table of contents; then the state of a path, the steps of a vertex, the camera's ray through holes.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -35,16 +37,51 @@ import numpy as np
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import InvariantDivider, channel_mean, maximum, minimum, opaque
 from loomlight.core.frozen import gc_paused
-from loomlight.mitsuba.bsdf import FILTERS, SceneTraits, sharing_pixels, variant_types
+from loomlight.mitsuba.bsdf import FILTERS, SceneTraits, sharing_pixels, symbolic_mode, variant_types
 from loomlight.mitsuba.camera import Corner, Pinhole
+from loomlight.mitsuba.denoising import camera_guides
 from loomlight.mitsuba.pixels import (
+    FirstFootprint,
     PixelFilter,
     PixelSampler,
     SplattingSensor,
     cone_partials,
+    film_border,
+    film_width,
+    has_pixel_sampler,
+    means_of_pixels,
     opening,
     pixel_cone,
+    samples_are_pixels,
+    samples_of,
 )
+
+
+class _Render:
+    """What a render knows of its scene and sensor before it traces.
+
+    No dataclass: Dr.Jit would look for variables of loops in it, and in all BSDFs.
+
+    Attributes:
+        traits: of the scene, its BSDFs adapted.
+        replays: paths are followed again, for derivatives.
+        pixel_filter: the division of the film's filter; None where no surface filters, or it has none.
+        offset: of rays from their samples' places, pixels [2]; None where that is the same.
+    """
+
+    def __init__(self, scene: Any, replays: bool = False) -> None:
+        self.traits = SceneTraits.of(scene)
+        self.replays = replays
+        self.pixel_filter: PixelFilter | None = None
+        self.offset: Vec2 | None = None
+
+    def shared_by(self, samples: Float) -> Float:
+        """Samples that share a footprint of BSDFs that filter.
+
+        Where those are a part of the film's filter they are as large with more samples as ever, and each
+        takes as many points as one would.
+        """
+        return samples if self.pixel_filter is None else 1
 
 
 def footprint_path_class() -> type:
@@ -85,9 +122,7 @@ def _class_of(_variant: str) -> type:
             self.skip_film = False
             self.apart, self.soft_terminator = False, False
             self.corner: Corner | None = None
-            self._pixel_filter: PixelFilter | None = None
-            self._offset: Vec2 | None = None
-            self._replays = False
+            self._render: _Render | None = None
 
         def to_string(self) -> str:
             depth = "unbounded" if self.max_depth == 0xFFFFFFFF else self.max_depth
@@ -95,67 +130,6 @@ def _class_of(_variant: str) -> type:
                 f"FootprintPath[max_depth = {depth}, rr_depth = {self.rr_depth}, "
                 f"hide_emitters = {self.hide_emitters}, pixel_centres = {self.pixel_centres}]"
             )
-
-        def prepare(self, sensor: Any, seed: Any = 0, spp: int = 0, aovs: Any = ()) -> tuple[Any, int]:
-            # Path replay clones samplers and draws the very numbers again.
-            if self._replays or not has_pixel_sampler(sensor):
-                prepared: tuple[Any, int] = super().prepare(sensor, seed, spp, list(aovs))
-                return prepared
-            spp = spp or sensor.sampler().sample_count()
-            pixel, number = _samples_of(sensor.film(), spp)
-            sensor.film().prepare(list(aovs))
-            number += dr.opaque(mi.UInt32, self.pass_number * spp)
-            return PixelSampler.of(pixel, number, seed, spp), spp
-
-        def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
-            film = sensor.film()
-            pixel, _ = _samples_of(film, sampler.sample_count())
-            row, column = InvariantDivider(_width(film), variant_types()).divide(pixel)
-            corner, scale = (
-                mi.Vector2f(opaque(mi.Float, edge))
-                for edge in (film.crop_offset() - _border(film), 1 / np.array(film.crop_size()))
-            )
-            place = sampler.next_2d()
-            if self._pixel_filter is not None:
-                places = self._pixel_filter.places(place, sampler.next_2d())
-                self._offset = places.offset
-                place = 0.5 + places.sample + places.offset
-            elif self.pixel_centres:
-                place = mi.Point2f(0.5)
-            pixel_corner = mi.Vector2f(mi.Float(column), mi.Float(row)) + corner
-            position = pixel_corner + place
-            time = sensor.shutter_open()
-            if sensor.shutter_open_time() > 0:
-                time += sampler.next_1d() * sensor.shutter_open_time()
-            with dr.resume_grad():
-                ray, weight = sensor.sample_ray_differential(
-                    time=time,
-                    sample1=0,
-                    sample2=(position - mi.Vector2f(opaque(mi.Float, film.crop_offset()))) * scale,
-                    sample3=sampler.next_2d() if sensor.needs_aperture_sample() else mi.Point2f(0),
-                )
-            if film.rfilter().is_box_filter():
-                return ray, weight, pixel_corner
-            return ray, weight, position if self._offset is None else position - self._offset
-
-        @contextmanager
-        def _filtering(self, scene: Any, sensor: Any, replays: bool = False) -> Iterator[Any]:
-            """The sensor to render with: samples stay in their pixels where `PixelFilter` places them."""
-            camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
-            # Derivatives of its place and of its field of view are Mitsuba's own.
-            camera = camera if replays else Pinhole.of(camera, self.corner)
-            self._replays = replays
-            traits = SceneTraits.of(scene)
-            if traits.filters or self.apart:
-                self._pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres, self.apart)
-            try:
-                with gc_paused(), symbolic_mode(traits):
-                    yield (
-                        camera if self._pixel_filter is None else SplattingSensor(camera, self._pixel_filter)
-                    )
-            finally:
-                # Left behind, the array would be one more input of a frozen function.
-                self._pixel_filter, self._offset, self._replays = None, None, False
 
         def render(
             self,
@@ -166,10 +140,12 @@ def _class_of(_variant: str) -> type:
             develop: bool = True,
             evaluate: bool = True,
         ) -> Any:
-            with self._filtering(scene, sensor) as camera, dr.suspend_grad():
+            with self._prepared(scene, sensor) as camera, dr.suspend_grad():
+                # Camera rays, a sample each: where they start, and where on the film they count.
                 film = camera.film()
                 sampler, spp = self.prepare(camera, seed, spp, self.aov_names())
                 ray, weight, position = self.sample_rays(scene, camera, sampler)
+                # Light that comes along them.
                 found, valid, aovs, _ = self.sample(
                     mode=dr.ADMode.Primal,
                     scene=scene,
@@ -182,9 +158,11 @@ def _class_of(_variant: str) -> type:
                 value, alpha = found * weight, dr.select(valid, mi.Float(1), 0)
                 # The film is no part of the kernel, which so serves all sizes and filters.
                 dr.eval(value, alpha, position)
+                # A picture that is the means of its pixels' samples needs no film.
                 if self.skip_film and samples_are_pixels(camera, spp):
                     has_alpha = mi.has_flag(film.flags(), mi.FilmFlags.Alpha)
-                    return _means_of_pixels([*value, alpha] if has_alpha else [*value], spp, film)
+                    return means_of_pixels([*value, alpha] if has_alpha else [*value], spp, film)
+                # Any other is splatted.
                 block = film.create_block()
                 block.set_coalesce(block.coalesce() and spp >= 4)
                 base._splat_to_block(block, film, position, value, mi.Float(1), alpha, aovs, ray.wavelengths)
@@ -194,14 +172,32 @@ def _class_of(_variant: str) -> type:
         def render_forward(
             self, scene: Any, params: Any, sensor: Any = 0, seed: Any = 0, spp: int = 0
         ) -> Any:
-            with self._filtering(scene, sensor, replays=True) as camera:
+            with self._prepared(scene, sensor, replays=True) as camera:
                 return super().render_forward(scene, params, camera, seed, spp)
 
         def render_backward(
             self, scene: Any, params: Any, grad_in: Any, sensor: Any = 0, seed: Any = 0, spp: int = 0
         ) -> None:
-            with self._filtering(scene, sensor, replays=True) as camera:
+            with self._prepared(scene, sensor, replays=True) as camera:
                 super().render_backward(scene, params, grad_in, camera, seed, spp)
+
+        @contextmanager
+        def _prepared(self, scene: Any, sensor: Any, replays: bool = False) -> Iterator[Any]:
+            """The sensor to render with: samples stay in their pixels where `PixelFilter` places them."""
+            camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
+            # Derivatives of its place and of its field of view are Mitsuba's own.
+            camera = camera if replays else Pinhole.of(camera, self.corner)
+            render = _Render(scene, replays)
+            if render.traits.filters or self.apart:
+                render.pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres, self.apart)
+            self._render = render
+            try:
+                with gc_paused(), symbolic_mode(render.traits):
+                    splits = render.pixel_filter
+                    yield camera if splits is None else SplattingSensor(camera, splits)
+            finally:
+                # Left behind, its array would be one more input of a frozen function.
+                self._render = None
 
         def guides(self, scene: Any, sensor: Any, seed: Any, spp: int, start: int = 0) -> Any:
             """What the camera sees, but for noise of light; see `camera_guides`.
@@ -213,27 +209,68 @@ def _class_of(_variant: str) -> type:
             Returns:
                 a tensor [height, width, 6].
             """
-            with self._filtering(scene, sensor) as camera, dr.suspend_grad():
+            with self._prepared(scene, sensor) as camera, dr.suspend_grad():
+                render = self._of(scene)
                 sampler, spp = self.prepare(camera, seed, spp, [])
                 ray, _, _ = self.sample_rays(scene, camera, sampler)
                 samples = dr.opaque(mi.Float, spp)
-                first = FirstFootprint.of(self._pixel_filter, self._offset, ray, samples)
-                number = _samples_of(camera.film(), spp)[1] + dr.opaque(mi.UInt32, start)
+                first = FirstFootprint.of(render.pixel_filter, render.offset, ray, samples)
+                number = samples_of(camera.film(), spp)[1] + dr.opaque(mi.UInt32, start)
                 shows = not self.hide_emitters
-                with sharing_pixels(self._shared_by(samples)):
-                    found = camera_guides(scene, SceneTraits.of(scene), first, ray, number, shows)
-                return _means_of_pixels(found, spp, camera.film())
+                with sharing_pixels(render.shared_by(samples)):
+                    found = camera_guides(scene, render.traits, first, ray, number, shows, MAX_PASSES)
+                return means_of_pixels(found, spp, camera.film())
 
-        def _samples(self, sampler: mi.Sampler) -> int:
-            return self.picture_samples or sampler.sample_count()
+        def prepare(self, sensor: Any, seed: Any = 0, spp: int = 0, aovs: Any = ()) -> tuple[Any, int]:
+            # Path replay clones samplers and draws the very numbers again.
+            replays = self._render is not None and self._render.replays
+            if replays or not has_pixel_sampler(sensor):
+                prepared: tuple[Any, int] = super().prepare(sensor, seed, spp, list(aovs))
+                return prepared
+            spp = spp or sensor.sampler().sample_count()
+            pixel, number = samples_of(sensor.film(), spp)
+            sensor.film().prepare(list(aovs))
+            number += dr.opaque(mi.UInt32, self.pass_number * spp)
+            return PixelSampler.of(pixel, number, seed, spp), spp
 
-        def _shared_by(self, samples: Any) -> Any:
-            """Samples that share a footprint of BSDFs that filter.
+        def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
+            render, film = self._of(scene), sensor.film()
+            # The pixel of each sample.
+            pixel, _ = samples_of(film, sampler.sample_count())
+            row, column = InvariantDivider(film_width(film), variant_types()).divide(pixel)
+            corner, scale = (
+                mi.Vector2f(opaque(mi.Float, edge))
+                for edge in (film.crop_offset() - film_border(film), 1 / np.array(film.crop_size()))
+            )
+            # Where in it the ray goes, and how far past the sample's own place.
+            place = sampler.next_2d()
+            if render.pixel_filter is not None:
+                places = render.pixel_filter.places(place, sampler.next_2d())
+                render.offset = places.offset
+                place = 0.5 + places.sample + places.offset
+            elif self.pixel_centres:
+                place = mi.Point2f(0.5)
+            pixel_corner = mi.Vector2f(mi.Float(column), mi.Float(row)) + corner
+            position = pixel_corner + place
+            # The ray, at a time while the shutter is open, through a point of the lens.
+            time = sensor.shutter_open()
+            if sensor.shutter_open_time() > 0:
+                time += sampler.next_1d() * sensor.shutter_open_time()
+            with dr.resume_grad():
+                ray, weight = sensor.sample_ray_differential(
+                    time=time,
+                    sample1=0,
+                    sample2=(position - mi.Vector2f(opaque(mi.Float, film.crop_offset()))) * scale,
+                    sample3=sampler.next_2d() if sensor.needs_aperture_sample() else mi.Point2f(0),
+                )
+            # The sample counts at its own place.
+            if film.rfilter().is_box_filter():
+                return ray, weight, pixel_corner
+            return ray, weight, position if render.offset is None else position - render.offset
 
-            Where those are a part of the film's filter they are as large with more samples as ever, and each
-            takes as many points as one would.
-            """
-            return samples if self._pixel_filter is None else 1
+        def _of(self, scene: Any) -> _Render:
+            """The render that is going on."""
+            return self._render or _Render(scene)
 
         def sample(
             self,
@@ -247,8 +284,8 @@ def _class_of(_variant: str) -> type:
             **_unused: Any,
         ) -> tuple[Any, Any, list[Any], Any]:
             # Data, like all that another picture may have: kernels serve any number of samples.
-            samples = dr.opaque(mi.Float, self._samples(sampler))
-            with sharing_pixels(self._shared_by(samples)):
+            samples = dr.opaque(mi.Float, self.picture_samples or sampler.sample_count())
+            with sharing_pixels(self._of(scene).shared_by(samples)):
                 return self._traced(mode, scene, sampler, ray, δL, state_in, active, samples)
 
         @dr.syntax
@@ -263,18 +300,22 @@ def _class_of(_variant: str) -> type:
             active: Any,
             samples: Any,
         ) -> tuple[Any, Any, list[Any], Any]:
+            # What is traced at all: facts of the scene, which are no data of kernels; depths are.
             primal = mode == dr.ADMode.Primal
             max_depth = dr.opaque(mi.UInt32, self.max_depth)
-            traits = SceneTraits.of(scene)
-            hittable = traits.hittable_emitters
+            render = self._of(scene)
+            hittable = render.traits.hittable_emitters
             direct_only = not hittable and self.max_depth <= 2
             # Path replay follows the very paths again: there holes are left to chance.
-            blends = traits.filtered_holes and not self._replays
+            blends = render.traits.filtered_holes and not render.replays
             least_share = least_share_of(samples, hittable)
-            vertices = PathVertices(scene, traits, direct_only, blends, least_share, self.soft_terminator)
+            vertices = PathVertices(
+                scene, render.traits, direct_only, blends, least_share, self.soft_terminator
+            )
 
-            first = FirstFootprint.of(self._pixel_filter, self._offset, ray, samples)
-            # Beyond the first scattering each of so many samples stands for its part of the pixel.
+            # The path begins with the camera's ray and the pixel's footprint. Beyond the first scattering
+            # each of so many samples stands for its part of the pixel.
+            first = FirstFootprint.of(render.pixel_filter, render.offset, ray, samples)
             width, spread = (part * dr.rsqrt(samples) for part in pixel_cone(ray))
             path = PathState.begin(ray, active, width, spread)
             walk = CameraWalk.begin(path, least_share) if blends else None
@@ -283,6 +324,7 @@ def _class_of(_variant: str) -> type:
             passes = mi.UInt32(0)
             visible = mi.Bool(scene.environment() is not None and not self.hide_emitters)
 
+            # The first surface that it meets; emitters that do not show are passed.
             pi = scene.ray_intersect_preliminary(path.ray, coherent=True, reorder=False, active=path.active)
             if dr.hint(self.hide_emitters, mode="scalar"):
                 pi = self._beyond_emitters(scene, path.ray, pi, path.active)
@@ -291,39 +333,49 @@ def _class_of(_variant: str) -> type:
             while dr.hint(
                 path.active, exclude=[first, samples, max_depth], label=f"footprint_path ({mode.name})"
             ):
+                # 1. The vertex: the surface, and what the pixel covers of it.
                 si = pi.compute_surface_interaction(path.ray, mi.RayFlags.All, path.active)
                 valid = path.active & si.is_valid()
                 path.width = dr.fma(path.spread, dr.select(valid, si.t, 0), path.width)
                 vertices.set_footprint(si, path, first)
 
+                # 2. Light that it emits, weighted against the light sample of the vertex before.
                 β = path.β if walk is None else walk.throughput(path)
                 shown = path.active & (path.scattered | (not self.hide_emitters))
                 with dr.resume_grad(when=not primal):
                     Le = β * vertices.emission(si, path, shown, primal)
 
-                # Past the last bounce a path still passes through holes, because the previous vertex's light
-                # samples did.
+                # 3. A light sample. Past the last bounce a path still passes through holes, because the
+                # previous vertex's light samples did.
                 bounces = valid & (path.depth + 1 < max_depth)
                 light = vertices.sample_light(si, sampler, path, bounces)
+
+                # 4. The BSDF, asked once: its value for that light, the next direction, and its hole.
                 enters = vertices.enters(si, valid, bounces)
                 scattering = vertices.scatter(si, sampler, light, enters, primal)
                 bs = scattering.sample
+
+                # 5. Light that it reflects of the sample.
                 with dr.resume_grad(when=not primal):
                     Lr = reflected(light, scattering, β)
-
-                passed = enters & mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null)
-                visible |= valid & ~passed
                 L = (L + Le + Lr) if primal else (L - Le - Lr)
 
+                # 6. The path beyond: scattered, or straight on through a hole; where nothing can be found any
+                # more, or by Russian roulette, it ends.
+                passed = enters & mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null)
+                visible |= valid & ~passed
                 may_pass = enters & (passes < MAX_PASSES)
                 after = path.scattered_by(si, scattering, bounces & ~passed, passed & may_pass, samples)
                 if dr.hint(not hittable, mode="scalar"):
-                    # Nothing is left to find after the last bounce.
                     after.active &= passed | (after.depth + 1 < max_depth)
                 self._play_roulette(after, bounces & ~passed, sampler)
+
+                # 7. Derivatives of this vertex, when paths are replayed.
                 if dr.hint(not primal, mode="scalar"):
                     smooth = after.active & ~mi.has_flag(bs.sampled_type, mi.BSDFFlags.Delta)
                     δL = vertices.replay(mode, si, bs, smooth, (Le, Lr), L, δL)
+
+                # 8. What goes on: the path, or the camera's own ray, which first sees all behind the holes.
                 if walk is None:
                     path = after
                     passes[passed] += 1
@@ -338,7 +390,7 @@ def _class_of(_variant: str) -> type:
                     walk, path = walk.step(path, after, crossing, sampler.next_1d())
                     passes[passed | walk.on] += 1
 
-                # Straight on through holes rays are as coherent as before.
+                # 9. The surface that it meets next. Straight on through holes rays are as coherent as before.
                 pi = scene.ray_intersect_preliminary(
                     path.ray, coherent=direct_only, reorder=False, active=path.active
                 )
@@ -362,57 +414,6 @@ def _class_of(_variant: str) -> type:
             return dr.select(emitter, self.skip_area_emitters(scene, si.spawn_ray(ray.d), True, emitter), pi)
 
     return FootprintPath
-
-
-def has_pixel_sampler(sensor: Any) -> bool:
-    """Whether `PixelSampler` takes the place of a sensor's sampler, which it is at least as good as."""
-    return bool(sensor.sampler().class_name() == "MultijitterSampler")
-
-
-def _border(film: Any) -> int:
-    """Pixels around a film where samples are taken too."""
-    return int(film.rfilter().border_size()) if film.sample_border() else 0
-
-
-def _width(film: Any) -> int:
-    return int(film.crop_size()[0]) + 2 * _border(film)
-
-
-def _samples_of(film: Any, spp: int) -> tuple[Any, Any]:
-    """Pixels of all samples, row by row, and their numbers within each pixel."""
-    pixels = _width(film) * (int(film.crop_size()[1]) + 2 * _border(film))
-    return InvariantDivider(spp, variant_types()).divide(dr.arange(mi.UInt32, pixels * spp))
-
-
-def _means_of_pixels(samples: list[Any], spp: int, film: Any) -> Any:
-    """A tensor [height, width, channels] of samples, `spp` of each pixel after another."""
-    width, height = (int(side) for side in film.crop_size())
-    # At once: sums evaluate their argument, each by a kernel of its own otherwise.
-    dr.eval(samples)
-    means = samples if spp == 1 else [dr.block_sum(channel, spp) / spp for channel in samples]
-    tensor: Any = mi.TensorXf
-    array: Any = mi.Float
-    interleaved = dr.zeros(array, width * height * len(means))
-    pixel = dr.arange(mi.UInt32, width * height) * len(means)
-    for number, channel in enumerate(means):
-        dr.scatter(interleaved, channel, pixel + number)
-    return tensor(interleaved, (height, width, len(means)))
-
-
-def samples_are_pixels(camera: Any, spp: int) -> bool:
-    """Whether a picture of so many samples a pixel (0: the sampler's) is nothing but its samples.
-
-    The film would add them up one by one in whatever order, which takes a tenth of a picture of lobes.
-    """
-    film = camera.film()
-    apart = isinstance(camera, SplattingSensor) and camera.apart
-    count = spp or camera.sampler().sample_count()
-    return bool((count == 1 or apart) and is_plain(film) and film.rfilter().is_box_filter())
-
-
-def is_plain(film: Any) -> bool:
-    """Whether a film develops RGB or RGBA; films tell their format to readers alone."""
-    return bool(mi.is_rgb) and re.search(r"pixel_format = rgba?\b", str(film)) is not None
 
 
 def footprint_integrator(scene: Any) -> Any:
@@ -440,17 +441,6 @@ def with_settings(integrator: Any, **settings: Any) -> Iterator[None]:
     finally:
         for name, value in before.items():
             setattr(integrator, name, value)
-
-
-@contextmanager
-def symbolic_mode(traits: SceneTraits) -> Iterator[None]:
-    """Symbolic calls and loops, unless a surface must not be traced in them; see `Model.symbolic`."""
-    symbolic = traits.symbolic
-    with (
-        dr.scoped_set_flag(dr.JitFlag.SymbolicCalls, symbolic and dr.flag(dr.JitFlag.SymbolicCalls)),
-        dr.scoped_set_flag(dr.JitFlag.SymbolicLoops, symbolic and dr.flag(dr.JitFlag.SymbolicLoops)),
-    ):
-        yield
 
 
 # ------------------------------------------------------------------------------------------------- path state
@@ -576,45 +566,6 @@ class Scattering:
     through: Color3
 
 
-@dataclass
-class FirstFootprint:
-    """Footprints of the camera's own rays, before they scatter.
-
-    Not a pytree: as a variable of a loop the camera's ray would be copied, and copies lose the differentials.
-
-    Attributes:
-        camera: rays with the differentials of a whole pixel.
-        offset: of rays from where filtered texture is read, pixels [2]; None where that is the same.
-        filtered_side: side of the footprints of BSDFs that average over them, pixels.
-        side: of those of others.
-    """
-
-    camera: Any
-    offset: Vec2 | None
-    filtered_side: float
-    side: Float
-
-    @classmethod
-    def of(
-        cls, pixel_filter: PixelFilter | None, offset: Vec2 | None, camera: Any, samples: Float
-    ) -> FirstFootprint:
-        """Footprints of rays at `offset` from their samples' places, of `samples` samples a pixel."""
-        side = dr.rsqrt(samples)
-        if pixel_filter is None:
-            return cls(camera, None, side, side)
-        return cls(camera, offset, pixel_filter.footprint_side, side)
-
-    def set_on(self, si: Any, filters: Mask) -> None:
-        """Sets the footprint in uv at `si`, and moves its uv where BSDFs filter."""
-        si.compute_uv_partials(self.camera)
-        if self.offset is not None:
-            step = self.offset.x * si.duv_dx + self.offset.y * si.duv_dy
-            si.uv -= dr.select(filters, step, 0)
-        side = dr.select(filters, mi.Float(self.filtered_side), self.side)
-        si.duv_dx *= side
-        si.duv_dy *= side
-
-
 class PathVertices:
     """Steps that every vertex of a path takes in one scene."""
 
@@ -696,16 +647,23 @@ class PathVertices:
         self, si: mi.SurfaceInteraction3f, sampler: mi.Sampler, light: LightSample, enters: Mask, primal: bool
     ) -> Scattering:
         """The value for a light and a sampled direction, with derivatives unless `primal`."""
-        bsdf, lobe, square = si.bsdf(), sampler.next_1d(), sampler.next_2d()
+        lobe, square = sampler.next_1d(), sampler.next_2d()
         if not primal:
-            return self._scatter_with_gradients(bsdf, si, lobe, square, light, enters)
-        if self._direct_only:
-            value, through = self._value_and_null_transmission(bsdf, si, light, enters)
-            return Scattering(value, mi.Float(0), *_null_sample(si, through, lobe, enters), through)
-        value, pdf, sample, weight, through = self._value_pdf_and_sample(
-            bsdf, si, light, lobe, square, enters
-        )
-        return Scattering(dr.select(light.lit, value, 0), pdf, sample, weight, through)
+            return self._scatter_with_gradients(si.bsdf(), si, lobe, square, light, enters)
+        if not self._direct_only:
+            value, pdf, sample, weight, through = self._traits.eval_pdf_sample_and_null_transmission(
+                self._context, si, light.to_light, lobe, square, enters, self._blends
+            )
+            return Scattering(dr.select(light.lit, value, 0), pdf, sample, weight, through)
+        # No direction but straight on leads to anything.
+        if self._traits.holes:
+            value, through = self._traits.eval_and_null_transmission(
+                self._context, si, light.to_light, light.lit, enters
+            )
+        else:
+            value = si.bsdf().eval(self._context, si, light.to_light, light.lit)
+            through = mi.Spectrum(0)
+        return Scattering(value, mi.Float(0), *_null_sample(si, through, lobe, enters), through)
 
     def _scatter_with_gradients(
         self,
@@ -753,40 +711,6 @@ class PathVertices:
                 dr.backward_from(δL * Lo)
                 return δL
             return δL + dr.forward_to(Lo)
-
-    def _value_pdf_and_sample(
-        self,
-        bsdf: Any,
-        si: mi.SurfaceInteraction3f,
-        light: LightSample,
-        lobe: Float,
-        square: Any,
-        active: Mask,
-    ) -> tuple[Any, Any, Any, Any, Any]:
-        """All that a vertex needs of its BSDF."""
-
-        def call(one: Any, *asked: Any) -> Any:
-            answer = self._traits.surface(one).eval_pdf_sample_and_null_transmission(self._context, *asked)
-            # Left out where nobody looks at it, so that it is not computed.
-            return answer if self._blends else (*answer[:-1], mi.Spectrum(0))
-
-        results: tuple[Any, Any, Any, Any, Any] = dr.dispatch(
-            bsdf, call, si, light.to_light, lobe, square, active
-        )
-        return results
-
-    def _value_and_null_transmission(
-        self, bsdf: Any, si: mi.SurfaceInteraction3f, light: LightSample, enters: Mask
-    ) -> tuple[Any, Any]:
-        """`eval` where a light counts, and `eval_null_transmission` where a ray goes on, of BSDFs."""
-        if not self._traits.holes:
-            return bsdf.eval(self._context, si, light.to_light, light.lit), mi.Spectrum(0)
-
-        def call(one: Any, *asked: Any) -> Any:
-            return self._traits.surface(one).eval_and_null_transmission(self._context, *asked)
-
-        results: tuple[Any, Any] = dr.dispatch(bsdf, call, si, light.to_light, light.lit, enters)
-        return results
 
 
 def above_triangle(si: Any, towards: Vec3, active: Mask) -> Any:
@@ -986,74 +910,3 @@ class CameraWalk:
         beyond = replace(before, ray=at.straight, active=on, β=after.β)
         walk = replace(self, on=on, share=self.share * weight, rides=self.rides & at.passed, path=path)
         return walk, dr.select(on, beyond, following)
-
-
-# ---------------------------------------------------------------------------------------------- camera guides
-# What guides a denoiser: pictures of what the camera sees that have no noise of light.
-#
-# Every pixel takes the same few lights, drawn from the scene's emitters by the same numbers, and no shadow.
-# Cloth that is averaged over footprints has its weave, its colours and its highlights in these pictures, as
-# sharp as in the picture itself, and free of noise.
-
-
-# Rays of smaller shares end.
-_LEAST_GUIDE_SHARE = 1e-3
-# Lights by which surfaces are seen, as the two numbers that draw each: as many as samples a pixel.
-_GUIDE_LIGHTS = 8
-
-
-@dr.syntax
-def camera_guides(
-    scene: Any, traits: SceneTraits, first: FirstFootprint, ray: Any, number: Any, emitters: bool
-) -> list[Any]:
-    """Normal and unshadowed light of what camera rays see, through holes too.
-
-    Args:
-        first: footprints of these rays.
-        number: of the sample within its pixel.
-        emitters: they show.
-
-    Returns:
-        six arrays: normal of the world [3], light [3].
-    """
-    ray = mi.Ray3f(dr.detach(ray))
-    active = mi.Bool(True)
-    share, passes = mi.Spectrum(1), mi.UInt32(0)
-    normal, light = mi.Vector3f(0), mi.Spectrum(0)
-    while dr.hint(active, exclude=[first, traits], label="camera_guides"):
-        si = scene.ray_intersect(ray, mi.RayFlags.All, coherent=True, active=active)
-        bsdf = si.bsdf()
-        filters = mi.Bool(traits.filters) & ((bsdf.flags() & FILTERS) != 0)
-        first.set_on(si, filters)
-        valid = active & si.is_valid()
-        if dr.hint(emitters, mode="scalar"):
-            light += share * dr.select(active, si.emitter(scene).eval(si, active), 0)
-        lit, through = _lit_without_shadow(scene, traits, si, number, valid)
-        light += share * lit
-        normal += dr.select(valid, mi.Vector3f(si.sh_frame.n) * channel_mean(share * (1 - through)), 0)
-        share *= dr.select(valid, through, 0)
-        passes += 1
-        ray = si.spawn_ray(ray.d)
-        active = valid & (dr.max(share) > _LEAST_GUIDE_SHARE) & (passes < MAX_PASSES)
-    return [*normal, *light]
-
-
-def _lit_without_shadow(
-    scene: Any, traits: SceneTraits, si: Any, number: Any, active: Mask
-) -> tuple[Color3, Color3]:
-    """Reflected light and what passes straight through of a surface [3 each]."""
-    # Of a plane's lattice of so many points: every pixel takes the same lights.
-    numbers = mi.Point2f((mi.Float(number) + 0.5) * (1 / _GUIDE_LIGHTS), _radical_inverse(number))
-    ds, weight = scene.sample_emitter_direction(si, numbers, False, active)
-
-    def call(bsdf: Any, si: Any, light: Any, active: Any) -> Any:
-        return traits.surface(bsdf).eval_and_null_transmission(mi.BSDFContext(), si, light, active, active)
-
-    lit, through = dr.dispatch(si.bsdf(), call, si, si.to_local(ds.d), active)
-    return lit * weight, through
-
-
-def _radical_inverse(number: Any) -> Any:
-    """Of the last three bits."""
-    reversed_bits = ((number & 1) << 2) | (number & 2) | ((number >> 2) & 1)
-    return (mi.Float(reversed_bits) + 0.5) * (1 / _GUIDE_LIGHTS)

@@ -1,6 +1,6 @@
-"""The film's reconstruction filter, divided between samples, rays and footprints.
+"""Samples of pixels: where they lie, what numbers they draw, how they make a picture, their footprints.
 
-Samples that are spread evenly over the film and splatted with its filter h reconstruct texture by h. A
+The film's reconstruction filter is divided between samples, rays and footprints. Samples that are spread evenly over the film and splatted with its filter h reconstruct texture by h. A
 footprint g would add its own variance: the picture would be filtered by h * g. Where models filter, h is
 therefore divided, h = s * g:
 
@@ -20,14 +20,15 @@ pixel as its footprint.
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass, replace
 from typing import Any
 
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.core.arrays import Float, UInt, Vec2
-from loomlight.core.backend import maximum, minimum
+from loomlight.core.arrays import Float, Mask, UInt, Vec2
+from loomlight.core.backend import InvariantDivider, array_types, maximum, minimum
 from loomlight.scattering.variation import hash_bits
 
 # Mitsuba's Gaussians reach so many standard deviations far.
@@ -177,7 +178,62 @@ class _SplattingFilm:
         return getattr(self._film, name)
 
 
-# ---------------------------------------------------------------------------------------------- pixel sampler
+# ------------------------------------------------------------------------------------------ samples and films
+# Pixels of samples that lie one after another, and pictures of them that need no film.
+
+
+def has_pixel_sampler(sensor: Any) -> bool:
+    """Whether `PixelSampler` takes the place of a sensor's sampler, which it is at least as good as."""
+    return bool(sensor.sampler().class_name() == "MultijitterSampler")
+
+
+def is_plain(film: Any) -> bool:
+    """Whether a film develops RGB or RGBA; films tell their format to readers alone."""
+    return bool(mi.is_rgb) and re.search(r"pixel_format = rgba?\b", str(film)) is not None
+
+
+def samples_are_pixels(camera: Any, spp: int) -> bool:
+    """Whether a picture of so many samples a pixel (0: the sampler's) is nothing but its samples.
+
+    The film would add them up one by one in whatever order, which takes a tenth of a picture of lobes.
+    """
+    film = camera.film()
+    apart = isinstance(camera, SplattingSensor) and camera.apart
+    count = spp or camera.sampler().sample_count()
+    return bool((count == 1 or apart) and is_plain(film) and film.rfilter().is_box_filter())
+
+
+def samples_of(film: Any, spp: int) -> tuple[Any, Any]:
+    """Pixels of all samples, row by row, and their numbers within each pixel."""
+    pixels = film_width(film) * (int(film.crop_size()[1]) + 2 * film_border(film))
+    return InvariantDivider(spp, array_types(mi.Float)).divide(dr.arange(mi.UInt32, pixels * spp))
+
+
+def means_of_pixels(samples: list[Any], spp: int, film: Any) -> Any:
+    """A tensor [height, width, channels] of samples, `spp` of each pixel after another."""
+    width, height = (int(side) for side in film.crop_size())
+    # At once: sums evaluate their argument, each by a kernel of its own otherwise.
+    dr.eval(samples)
+    means = samples if spp == 1 else [dr.block_sum(channel, spp) / spp for channel in samples]
+    tensor: Any = mi.TensorXf
+    array: Any = mi.Float
+    interleaved = dr.zeros(array, width * height * len(means))
+    pixel = dr.arange(mi.UInt32, width * height) * len(means)
+    for number, channel in enumerate(means):
+        dr.scatter(interleaved, channel, pixel + number)
+    return tensor(interleaved, (height, width, len(means)))
+
+
+def film_width(film: Any) -> int:
+    return int(film.crop_size()[0]) + 2 * film_border(film)
+
+
+def film_border(film: Any) -> int:
+    """Pixels around a film where samples are taken too."""
+    return int(film.rfilter().border_size()) if film.sample_border() else 0
+
+
+# --------------------------------------------------------------------------------------------- random numbers
 # Samples of pixels whose counts are data: Mitsuba's samplers are compiled anew for each number of samples.
 #
 # Every number, and every pair of numbers, is a (0, 2)-sequence with Owen scrambling by hashes, shuffled
@@ -247,7 +303,7 @@ def _unit(reversed_bits: UInt) -> Float:
     return (mi.Float(dr.brev(reversed_bits) >> 9) + 0.5) * 2**-23
 
 
-# --------------------------------------------------------------------------------------------------- ray cone
+# ------------------------------------------------------------------------------------------------- footprints
 # The pixel footprint along a path: a cone around the ray, and what it covers in a surface's uv.
 #
 # A cone has a width (the side of a square perpendicular to the ray, scene units) and a spread (its growth
@@ -300,3 +356,42 @@ def _to_uv(si: mi.SurfaceInteraction3f, step: Any) -> Any:
     inverse = dr.rcp(uu * vv - uv * uv)
     inverse = dr.select(dr.isfinite(inverse), inverse, 0)
     return mi.Vector2f(vv * u - uv * v, uu * v - uv * u) * inverse
+
+
+@dataclass
+class FirstFootprint:
+    """Footprints of the camera's own rays, before they scatter.
+
+    Not a pytree: as a variable of a loop the camera's ray would be copied, and copies lose the differentials.
+
+    Attributes:
+        camera: rays with the differentials of a whole pixel.
+        offset: of rays from where filtered texture is read, pixels [2]; None where that is the same.
+        filtered_side: side of the footprints of BSDFs that average over them, pixels.
+        side: of those of others.
+    """
+
+    camera: Any
+    offset: Vec2 | None
+    filtered_side: float
+    side: Float
+
+    @classmethod
+    def of(
+        cls, pixel_filter: PixelFilter | None, offset: Vec2 | None, camera: Any, samples: Float
+    ) -> FirstFootprint:
+        """Footprints of rays at `offset` from their samples' places, of `samples` samples a pixel."""
+        side = dr.rsqrt(samples)
+        if pixel_filter is None:
+            return cls(camera, None, side, side)
+        return cls(camera, offset, pixel_filter.footprint_side, side)
+
+    def set_on(self, si: Any, filters: Mask) -> None:
+        """Sets the footprint in uv at `si`, and moves its uv where BSDFs filter."""
+        si.compute_uv_partials(self.camera)
+        if self.offset is not None:
+            step = self.offset.x * si.duv_dx + self.offset.y * si.duv_dy
+            si.uv -= dr.select(filters, step, 0)
+        side = dr.select(filters, mi.Float(self.filtered_side), self.side)
+        si.duv_dx *= side
+        si.duv_dy *= side

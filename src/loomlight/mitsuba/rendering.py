@@ -14,13 +14,8 @@ from loomlight.core.colour import white_balance as white_balance_gains
 from loomlight.core.errors import InputError
 from loomlight.mitsuba.bsdf import SceneTraits
 from loomlight.mitsuba.denoising import denoised, wants_denoising
-from loomlight.mitsuba.path import (
-    footprint_integrator,
-    has_pixel_sampler,
-    is_footprint_path,
-    is_plain,
-    with_settings,
-)
+from loomlight.mitsuba.path import footprint_integrator, is_footprint_path, with_settings
+from loomlight.mitsuba.pixels import has_pixel_sampler, is_plain
 from loomlight.mitsuba.variants import choose_variant, in_turn
 
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.
