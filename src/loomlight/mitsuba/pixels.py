@@ -1,8 +1,8 @@
 """Samples of pixels: where they lie, what numbers they draw, how they make a picture, their footprints.
 
-The film's reconstruction filter is divided between samples, rays and footprints. Samples that are spread evenly over the film and splatted with its filter h reconstruct texture by h. A
-footprint g would add its own variance: the picture would be filtered by h * g. Where models filter, h is
-therefore divided, h = s * g:
+The film's reconstruction filter is divided between samples, rays and footprints. Samples that are spread
+evenly over the film and splatted with its filter h reconstruct texture by h. A footprint g would add its own
+variance: the picture would be filtered by h * g. Where models filter, h is therefore divided, h = s * g:
 
 - samples are spread and splatted by s, or spread within their own pixel by s (filter importance sampling,
   Ernst et al. 2006);
