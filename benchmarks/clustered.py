@@ -32,7 +32,6 @@ from drjit.llvm.ad import Array2f, Array3f, Float
 
 from benchmarks.harness import REPOSITORY, Figures, run
 from experiments.unbiased import Cases, Means, model_means, random_cases, reference_means
-from loomlight.assets.loom_file import write_loom
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
@@ -42,6 +41,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.read import edited_fabric
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class, options_of
+from loomlight.sources.loom_file import write_loom
 from papers.equal_error import least_times
 
 EXAMPLES = REPOSITORY / "examples"

@@ -28,7 +28,6 @@ from benchmarks.harness import Figures, run
 from benchmarks.machine import fma_peak, memory_bandwidth, operations_of
 from experiments.timing import launched_kernels, timed
 from loomlight.aggregate.queries import QuerySet, fabric_scale, query_set
-from loomlight.assets.load import fabric_of_path
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
@@ -36,6 +35,7 @@ from loomlight.evaluation.predictions import query_arrays
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.prefiltered import half_vector
+from loomlight.sources.load import fabric_of_path
 
 FABRICS = ("plain", "twill 3/1", "satin 8/3")
 ROWS, ACROSS, REPEATS = 512, 1024, 60

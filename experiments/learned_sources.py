@@ -28,8 +28,6 @@ from numpy.typing import NDArray
 # Imported for its effect: it answers for sources that have to be rendered.
 import loomlight.mitsuba  # noqa: F401
 from benchmarks.harness import Figures, run
-from loomlight.assets.load import load_source
-from loomlight.assets.sources import Source, kind_of_file
 from loomlight.core.files import replacing
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import require_llvm
@@ -44,6 +42,8 @@ from loomlight.models.texture.queries import (
     draw_lights,
     footprint_values,
 )
+from loomlight.sources.kinds import Source, kind_of_file
+from loomlight.sources.load import load_source
 from tools.make_merl_library import main as write_library
 
 # Files of sources, the model that each is baked for, and its options; the library is written when needed.

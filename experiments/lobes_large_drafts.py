@@ -21,13 +21,13 @@ from numpy.typing import NDArray
 from benchmarks.harness import Figures, run
 from experiments.timing import timed
 from loomlight.aggregate.queries import BANDS, admits_transmission, fabric_scale, query_set
-from loomlight.assets.load import fabric_of_path
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.metrics import Classes, sums_by_class
 from loomlight.evaluation.predictions import Prediction, model_predictor, monte_carlo_predictor
 from loomlight.evaluation.query_benchmark import grey_value
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
+from loomlight.sources.load import fabric_of_path
 
 PAIRS, FOOTPRINTS, SAMPLES = 120, 40, 4096
 

@@ -35,13 +35,13 @@ from drjit.llvm.ad import Array2f, Array3f, Float
 from numpy.typing import NDArray
 
 from benchmarks.harness import Figures, run
-from loomlight.assets.load import load_source
-from loomlight.assets.material import Material
-from loomlight.assets.sources import kind_of_file
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.models.registry import make_model, model_from_loom, parse_options
+from loomlight.sources.kinds import kind_of_file
+from loomlight.sources.load import load_source
+from loomlight.sources.material import Material
 
 _LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 _THREADS = 0.05, 5.0

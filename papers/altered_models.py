@@ -12,8 +12,6 @@ from typing import Any, Self
 import drjit as dr
 
 from loomlight.aggregate.components import colours
-from loomlight.assets.loom_file import LoomFile
-from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum
 from loomlight.core.errors import InputError
@@ -22,6 +20,8 @@ from loomlight.models.interface import FootprintBsdf, Model, Report, Values
 from loomlight.models.point import PointModel
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
 from loomlight.scattering.point import DirectionSample, YarnScattering, to_face_frame
+from loomlight.sources.kinds import Source
+from loomlight.sources.loom_file import LoomFile
 
 # From a model and what `Model.at` takes to what it returns.
 At = Callable[[Model, Vec3, Footprint, Any, Mask], FootprintBsdf]

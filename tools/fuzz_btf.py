@@ -15,8 +15,8 @@ from pathlib import Path
 
 import numpy as np
 
-from loomlight.assets.btf_files import read_btf
-from tests.assets.test_btf_files import write_2003, write_2014
+from loomlight.sources.btf import read_btf
+from tests.sources.test_btf_files import write_2003, write_2014
 from tools.fuzzing import BYTES, Target, main
 
 

@@ -20,13 +20,13 @@ from xml.etree import ElementTree
 import numpy as np
 from pydantic import ValidationError
 
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import LoomFile, read_loom, write_loom
-from loomlight.assets.material import Material, material_record
-from loomlight.assets.sources import SOURCE_KINDS
-from loomlight.assets.tile import TileScene, tile_record
 from loomlight.core.errors import InputError
 from loomlight.core.images import write_pixels
+from loomlight.sources.kinds import SOURCE_KINDS
+from loomlight.sources.load import load_source
+from loomlight.sources.loom_file import LoomFile, read_loom, write_loom
+from loomlight.sources.material import Material, material_record
+from loomlight.sources.tile import TileScene, tile_record
 from tools.fuzzing import TEXT, Target, change_json, main
 
 _BITMAP = '<texture type="bitmap" name="reflectance"><string name="filename" value="a.png"/></texture>'

@@ -16,9 +16,9 @@ from pathlib import Path
 
 import numpy as np
 
-from loomlight.assets.material import load_material
-from loomlight.assets.merl import BINS, read_merl
 from loomlight.mitsuba.material_btf import MaterialBtf
+from loomlight.sources.material import load_material
+from loomlight.sources.merl import BINS, read_merl
 from tools.fuzzing import BYTES, Target, main
 
 _DIRECTIONS = np.array([[0, 0, 1], [0.6, 0, 0.8], [0, -0.995, 0.1]], np.float32)

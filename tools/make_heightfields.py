@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from loomlight.assets.heightfield import Heightfield
 from loomlight.core.colour import linear_to_srgb
+from loomlight.sources.heightfield import Heightfield
 from papers.kuznetsov2021.materials import RECIPES, SIDE, paper_heightfield
 
 

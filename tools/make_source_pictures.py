@@ -23,10 +23,6 @@ from PIL import Image
 
 # Imported for its effect: it answers for sources that have to be rendered.
 import loomlight.mitsuba  # noqa: F401
-from loomlight.assets.load import load_source
-from loomlight.assets.material import Material
-from loomlight.assets.merl import MerlLibrary
-from loomlight.assets.sources import Source, kind_of_file
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 from loomlight.core.colour import linear_to_srgb
@@ -35,6 +31,10 @@ from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.models.registry import btf_of, model_from_loom
 from loomlight.models.texture.pyramid import SIZE_OF_SIGMA
 from loomlight.scattering.point import DirectionSample
+from loomlight.sources.kinds import Source, kind_of_file
+from loomlight.sources.load import load_source
+from loomlight.sources.material import Material
+from loomlight.sources.merl import MerlLibrary
 from papers.altered_models import AlteredModel, UniformDirections
 from papers.kuznetsov2021.stage import Shot, plane_shot
 from papers.setting import Setting

@@ -22,7 +22,6 @@ from safetensors.numpy import load_file, save_file
 from torch import Tensor, nn
 from torch.nn import functional
 
-from loomlight.assets.sources import Source
 from loomlight.core.files import replacing
 from loomlight.models.registry import btf_of
 from loomlight.models.texture.neumip import EXPOSURE
@@ -30,6 +29,7 @@ from loomlight.models.texture.neumip_training import NeumipBatches, rate_factor
 from loomlight.models.texture.pyramid import SIZE_OF_SIGMA, PyramidShape, Taps
 from loomlight.models.texture.queries import Queries, draw_directions
 from loomlight.models.texture.settings import NeumipSettings
+from loomlight.sources.kinds import Source
 from loomlight.training.layers import fetched, relu_layers
 from loomlight.training.loop import Schedule, one_thread, train
 from loomlight.training.soap import Soap

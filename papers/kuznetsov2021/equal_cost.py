@@ -18,7 +18,6 @@ from typing import Any
 
 import numpy as np
 
-from loomlight.assets.heightfield import Heightfield
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.files import replacing
@@ -29,6 +28,7 @@ from loomlight.models.registry import btf_of
 from loomlight.models.texture.neumip import NeumipModel
 from loomlight.models.texture.queries import draw_directions
 from loomlight.models.texture.settings import NeumipOptions, NeumipSettings
+from loomlight.sources.heightfield import Heightfield
 from papers.figure import Evidence, Pixels, error_caption, on_display
 from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
 from papers.kuznetsov2021.materials import RECIPES

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.heightfield import Heightfield
 from loomlight.core.colour import parse_colour
+from loomlight.sources.heightfield import Heightfield
 
 SIDE = 256  # texels of a map
 REPEAT_MM = 10.0

@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
-from loomlight.assets.sources import Source
 from loomlight.models.registry import btf_of
 from loomlight.models.texture.neumip import EXPOSURE, MIN_COSINE, Weights, shifted
 from loomlight.models.texture.neumip_training import (
@@ -29,6 +28,7 @@ from loomlight.models.texture.neumip_training import (
 )
 from loomlight.models.texture.pyramid import PyramidShape, Taps, bilinear_taps, trilinear_taps
 from loomlight.models.texture.settings import NeumipSettings
+from loomlight.sources.kinds import Source
 from loomlight.training.layers import TorchTextures, fetched, numbers_of, numbers_of_layers, relu_layers
 from loomlight.training.loop import Schedule, one_thread, train
 from papers.kuznetsov2021.designs import Design

@@ -18,8 +18,6 @@ import numpy as np
 from drjit.llvm.ad import Array2f, Array3f
 from numpy.typing import NDArray
 
-from loomlight.assets.heightfield import Heightfield
-from loomlight.assets.loom_file import write_loom
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.footprint import Box, box_footprint
@@ -30,6 +28,8 @@ from loomlight.models.registry import btf_of, model_from_loom
 from loomlight.models.texture.neumip import NeumipModel
 from loomlight.models.texture.pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.texture.settings import NeumipSettings
+from loomlight.sources.heightfield import Heightfield
+from loomlight.sources.loom_file import write_loom
 from papers.kuznetsov2021.designs import DESIGNS, OURS, WITHOUT, Design
 from papers.kuznetsov2021.materials import paper_heightfield
 from papers.setting import Setting

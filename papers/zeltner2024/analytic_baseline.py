@@ -15,11 +15,11 @@ import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.material import Material
 from loomlight.core.arrays import Color3, Float, Vec3
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.material_btf import MaterialBtf
 from loomlight.models.texture.queries import draw_directions, draw_lights, footprint_values
+from loomlight.sources.material import Material
 from papers.cosine_bsdf import cosine_bsdf
 
 CHANNELS = 8

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.merl import BINS, SCALES, MerlLibrary, library_of
 from loomlight.core.files import replacing
+from loomlight.sources.merl import BINS, SCALES, MerlLibrary, library_of
 
 _Floats = NDArray[np.float32]
 _MIN_ALPHA, _MAX_ALPHA = 0.03, 1.0

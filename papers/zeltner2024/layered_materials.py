@@ -21,8 +21,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from loomlight.assets.material import Bytes, Material, material_from_xml
 from loomlight.core.colour import linear_to_srgb
+from loomlight.sources.material import Bytes, Material, material_from_xml
 from papers.zeltner2024.layered_textures import (
     cracks,
     fingerprint,

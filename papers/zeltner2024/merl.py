@@ -24,12 +24,12 @@ from drjit.llvm.ad import Array2f, Array3f
 from numpy.typing import NDArray
 
 from benchmarks.harness import Figures, run
-from loomlight.assets.merl import SUFFIX, MerlLibrary, load_merl
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.models.texture.latent import LatentModel
 from loomlight.models.texture.queries import draw_directions, draw_lights
 from loomlight.models.texture.settings import LatentOptions
+from loomlight.sources.merl import SUFFIX, MerlLibrary, load_merl
 from papers.zeltner2024.analytic_brdfs import write_analytic_library
 
 _SEED = 999  # of no training

@@ -20,7 +20,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.material import Material, material_from_xml
+from loomlight.sources.material import Material, material_from_xml
 from papers.zeltner2024.layered_materials import SIDE, SIZE_MM, png_of
 from papers.zeltner2024.layered_textures import fingerprint, grid, mixed, noise, normal_map, scratches, step
 

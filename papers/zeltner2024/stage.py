@@ -15,8 +15,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.loom_file import write_loom
-from loomlight.assets.material import Material
 from loomlight.evaluation.pictures import PictureError, picture_error
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant, shapes
@@ -28,6 +26,8 @@ from loomlight.mitsuba.shapes import ground
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_from_loom
 from loomlight.models.texture.settings import LatentOptions
+from loomlight.sources.loom_file import write_loom
+from loomlight.sources.material import Material
 from papers.composed_scenes import Composition, composed_scene
 from papers.renders import one_picture
 from papers.setting import LATENT, Setting

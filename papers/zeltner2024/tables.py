@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.material import Material
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.models.texture.settings import DECODERS, FEATURES, RUNGS
+from loomlight.sources.material import Material
 from papers.figure import Evidence, Pixels, on_display
 from papers.setting import Setting
 from papers.sheet import Row, Tile, contact_sheet

@@ -1,6 +1,6 @@
 """`loomlight bake`, and pictures of what it writes.
 
-Covers: models/bake.py, cli/bake_catalogue.py, assets/source_identity.py, cli/fleet.py
+Covers: models/bake.py, cli/bake_catalogue.py, sources/load.py, cli/fleet.py
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 
 import loomlight.mitsuba  # noqa: F401 (registers the plugins)
-from loomlight.assets.loom_file import read_loom
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import load_fabric
 from loomlight.models.registry import MODELS, model_from_loom
+from loomlight.sources.loom_file import read_loom
 from loomlight.weave import named_weave, write_wif
 from tests.marks import slow_among
 

@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from loomlight.assets.loom_file import write_loom
 from loomlight.cli.main import run
 from loomlight.core.images import read_picture, write_image
 from loomlight.fabric import load_fabric
 from loomlight.models.registry import make_model
 from loomlight.realtime.device import default_adapter
+from loomlight.sources.loom_file import write_loom
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

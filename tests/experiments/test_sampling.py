@@ -8,9 +8,9 @@ import numpy as np
 from drjit.llvm.ad import Array2f, Array3f, Float
 
 from experiments.sampling import _by_source
-from loomlight.assets.material import material_from_xml
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.sources.material import material_from_xml
 
 require_llvm()
 

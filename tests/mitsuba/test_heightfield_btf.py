@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from loomlight.assets.heightfield import Heightfield
 from loomlight.core.llvm import require_llvm
 from loomlight.mitsuba.traced_btf import HeightfieldBtf
 from loomlight.mitsuba.variants import choose_variant
+from loomlight.sources.heightfield import Heightfield
 
 require_llvm()
 choose_variant("llvm_ad_rgb")

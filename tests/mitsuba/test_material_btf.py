@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from loomlight.assets.material import Material, material_from_xml
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mitsuba.material_btf import MaterialBtf, material_bsdf_of
 from loomlight.models.texture.queries import footprint_values
+from loomlight.sources.material import Material, material_from_xml
 from papers.zeltner2024.layered_materials import LAYERED, layered_material
 
 

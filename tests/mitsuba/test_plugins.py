@@ -12,12 +12,12 @@ from pathlib import Path
 import mitsuba as mi
 import pytest
 
-from loomlight.assets.loom_file import LoomFile, write_loom
 from loomlight.core.errors import InputError
 from loomlight.fabric.read import load_fabric
 from loomlight.mitsuba import SUPPORTED_VARIANTS
 from loomlight.models.bake import bake, save
 from loomlight.models.registry import MODELS, model_class
+from loomlight.sources.loom_file import LoomFile, write_loom
 from tests.limits import HANG
 
 LOAD = """

@@ -1,6 +1,6 @@
 """Tiles of Mitsuba scenes: light that is known, geometry across the sides, and files at fault.
 
-Covers: assets/tile.py, mitsuba/traced_btf.py
+Covers: sources/tile.py, mitsuba/traced_btf.py
 """
 
 from __future__ import annotations
@@ -11,14 +11,14 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import LoomFile, read_loom, write_loom
-from loomlight.assets.tile import TileScene
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.mitsuba.traced_btf import TileBtf, _with_last_curve
 from loomlight.mitsuba.variants import choose_variant
+from loomlight.sources.load import load_source
+from loomlight.sources.loom_file import LoomFile, read_loom, write_loom
+from loomlight.sources.tile import TileScene
 
 require_llvm()
 choose_variant("llvm_ad_rgb")

@@ -15,7 +15,6 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f, Array3f, Float
 
-from loomlight.assets.loom_file import write_loom
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.frozen import named_leaves
@@ -25,6 +24,7 @@ from loomlight.models.bake import bake, save
 from loomlight.models.lobes import model as lobes_model
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel, LobesOptions
 from loomlight.models.registry import make_model
+from loomlight.sources.loom_file import write_loom
 from tests.marks import slow
 
 from .footprints import (

@@ -22,7 +22,6 @@ from numpy.typing import NDArray
 
 from experiments.reference import reference
 from loomlight.aggregate.slices import FabricSlices
-from loomlight.assets.loom_file import write_loom
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.read import edited_fabric
@@ -31,6 +30,7 @@ from loomlight.models.registry import make_model, model_class, model_from_loom, 
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
 from loomlight.scattering.point import Albedos, DirectionSample, YarnScattering
 from loomlight.scattering.sheen import sheen
+from loomlight.sources.loom_file import write_loom
 from loomlight.yarn.geometry import YarnGeometry
 from tests.marks import slow_among
 

@@ -16,7 +16,6 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from loomlight.assets.sources import SOURCE_KINDS, SourceKind
 from loomlight.core.errors import InputError
 from loomlight.evaluation.predictions import model_predictor
 from loomlight.evaluation.query_benchmark import HeldOut, run_query_benchmark
@@ -25,6 +24,7 @@ from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 from loomlight.mitsuba.plugins import register_plugins
 from loomlight.models.bake import bake, save
 from loomlight.models.registry import MODELS, ModelEntry, make_model, model_from_loom
+from loomlight.sources.kinds import SOURCE_KINDS, SourceKind
 
 from .toy import Paint, ToyModel
 

@@ -8,12 +8,12 @@ from typing import Any, Self
 
 import drjit as dr
 
-from loomlight.assets.loom_file import LoomFile
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.models.interface import FootprintBsdf, Model, Report
 from loomlight.scattering.point import DirectionSample
+from loomlight.sources.loom_file import LoomFile
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from loomlight.assets.merl import load_merl
+from loomlight.sources.merl import load_merl
 from papers.zeltner2024.analytic_brdfs import (
     analytic_brdf,
     analytic_library,

@@ -121,7 +121,7 @@ def test_polar_plots_show_every_place(setting: Setting, monkeypatch: pytest.Monk
 
 
 def test_eight_channels_learn_a_diffuse_material(monkeypatch: pytest.MonkeyPatch) -> None:
-    from loomlight.assets.material import material_from_xml
+    from loomlight.sources.material import material_from_xml
 
     choose_variant()
     body = '<bsdf type="diffuse"><rgb name="reflectance" value="0.6 0.3 0.1"/></bsdf>'

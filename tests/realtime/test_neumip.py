@@ -14,7 +14,6 @@ import pytest
 from drjit.llvm import Array2f
 from numpy.typing import NDArray
 
-from loomlight.assets.heightfield import Heightfield
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
@@ -23,6 +22,7 @@ from loomlight.models.texture.neumip import CHANNELS, NETWORKS, NeumipModel, Wei
 from loomlight.models.texture.pyramid import PyramidShape
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.tables import Packed, pack_fabrics
+from loomlight.sources.heightfield import Heightfield
 from tests.realtime.mapped import mapped
 from tests.realtime.queries import directions, share_beyond, vectors
 

@@ -12,9 +12,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from loomlight.assets.heightfield import load_heightfield
-from loomlight.assets.merl import load_merl
-from loomlight.assets.tile import load_tile
+from loomlight.sources.heightfield import load_heightfield
+from loomlight.sources.merl import load_merl
+from loomlight.sources.tile import load_tile
 from tools import make_corduroy_tile, make_knit_tile, make_leather, make_merl_library
 from tools.make_fibre_tile import Curve
 

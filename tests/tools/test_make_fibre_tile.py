@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from loomlight.assets.load import load_source
-from loomlight.assets.tile import TileScene
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba.traced_btf import TileBtf
+from loomlight.sources.load import load_source
+from loomlight.sources.tile import TileScene
 from tools.fibre_curves import FibreSettings, fibre_curves
 from tools.make_fibre_tile import write_fibre_tile
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from loomlight.assets.heightfield import load_heightfield
+from loomlight.sources.heightfield import load_heightfield
 from papers.kuznetsov2021.materials import RECIPES, paper_heightfield
 from tools.make_heightfields import main
 

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 from safetensors.numpy import save
 
-from loomlight.assets.loom_file import checksum
 from loomlight.core.files import replacing
 from loomlight.models.neural.architecture import NetworkTable
 from loomlight.models.neural.weights import ENTRY, SCHEMA, Header, encoder_metadata, encoder_path
+from loomlight.sources.loom_file import checksum
 
 
 def write_weights(

@@ -9,14 +9,13 @@ from pathlib import Path
 
 # Imported for its effect, in every process: it answers for sources that have to be rendered to be learned.
 import loomlight.mitsuba  # noqa: F401
-from loomlight.assets.load import load_source
-from loomlight.assets.source_identity import source_identity
 from loomlight.core.errors import InputError
 from loomlight.core.files import remove_leftovers
 from loomlight.core.fleet import Executor, Outcome, Report, Shard, ShardFolder, require_results, work_map
 from loomlight.models.bake import bake, save
 from loomlight.models.options import Options
 from loomlight.models.registry import model_class
+from loomlight.sources.load import load_source, source_identity
 
 # Claims and markers, in the folder of the results.
 WORK_FOLDER = ".loomlight-bake"

@@ -72,8 +72,8 @@ def bake_maps(
     # A wrong size is named before the fabric is read.
     sides = parse_size(resolution or "1024", "--resolution")
 
-    from loomlight.assets.load import fabric_of_path
     from loomlight.core.llvm import require_llvm
+    from loomlight.sources.load import fabric_of_path
 
     cloth = fabric_of_path(fabric)
     require_llvm()

@@ -36,8 +36,8 @@ def compare(
     names = _listed(models)
     require_not_read([output / name for name in ("index.html", "table.json", "pictures")], [fabric])
 
-    from loomlight.assets.load import fabric_of_path
-    from loomlight.assets.loom_file import is_loom, read_loom
+    from loomlight.sources.load import fabric_of_path
+    from loomlight.sources.loom_file import is_loom, read_loom
 
     cloth = fabric_of_path(fabric)
     if is_loom(fabric):

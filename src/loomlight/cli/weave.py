@@ -87,8 +87,8 @@ def info(draft: DraftArgument) -> None:
     if Path(draft).suffix.lower() not in FABRIC_SUFFIXES:
         print(summary(draft_from(draft)))
         return
-    from loomlight.assets.load import fabric_of_path
     from loomlight.fabric.facts import facts_text
+    from loomlight.sources.load import fabric_of_path
 
     fabric = fabric_of_path(draft)
     print(f"{summary(fabric.draft, with_sett=False)}\n{facts_text(fabric)}")
@@ -114,7 +114,7 @@ def draft_from(argument: str) -> Draft:
     path = Path(argument)
     suffix = path.suffix.lower()
     if suffix in FABRIC_SUFFIXES:
-        from loomlight.assets.load import fabric_of_path
+        from loomlight.sources.load import fabric_of_path
 
         return fabric_of_path(path).draft
     if suffix in DRAFT_SUFFIXES:

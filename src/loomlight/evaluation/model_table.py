@@ -8,13 +8,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from loomlight.aggregate.queries import BANDS
-from loomlight.assets.loom_file import write_loom
 from loomlight.evaluation.equal_error import samples_for
 from loomlight.evaluation.query_benchmark import MONTE_CARLO, QueryBenchmark, samples_name
 from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class
+from loomlight.sources.loom_file import write_loom
 
 COLUMNS = (
     "nMAE",

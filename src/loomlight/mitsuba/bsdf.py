@@ -22,7 +22,6 @@ from weakref import WeakSet
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask
 from loomlight.core.backend import ArrayTypes, array_types, clip
 from loomlight.core.errors import InputError, LoomlightWarning
@@ -41,6 +40,7 @@ from loomlight.mitsuba.variants import TURN
 from loomlight.models.interface import FootprintBsdf, Model, Parameter
 from loomlight.models.registry import MODELS
 from loomlight.scattering.point import DirectionSample
+from loomlight.sources.kinds import Source
 
 
 class SurfaceBsdf(Protocol):

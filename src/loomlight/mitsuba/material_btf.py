@@ -22,12 +22,12 @@ import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.material import Material
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.texture.pyramid import SIZE_OF_SIGMA
 from loomlight.models.texture.queries import FOUR_POINTS, EncodedBtf, Texels
+from loomlight.sources.material import Material
 
 _Floats = NDArray[np.float32]
 # Evaluations in one launch.

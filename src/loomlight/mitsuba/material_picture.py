@@ -12,7 +12,6 @@ from typing import Any, Unpack, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.images import Picture
 from loomlight.fabric.fabric import Fabric
@@ -34,6 +33,7 @@ from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.material_spec import Material, MaterialSpec, resolve
 from loomlight.models.registry import REFERENCE_MODEL
 from loomlight.picture_settings import RenderKeywords, RenderSettings
+from loomlight.sources.kinds import Source
 
 _PICTURE_OPTIONS = ("spp", "seed", "exposure", "white_balance", "denoise")
 # The first picture: at so many times fewer pixels each way, so many samples of each.

@@ -25,9 +25,6 @@ import drjit as dr
 import mitsuba as mi
 import numpy as np
 
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import is_loom, read_loom
-from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
 from loomlight.core.sentences import shown
 from loomlight.core.settings import Setting, declared
@@ -37,6 +34,9 @@ from loomlight.fabric.read import edited_fabric, fabric_from_fields
 from loomlight.models.interface import Model, Parameter, Values
 from loomlight.models.options import is_source
 from loomlight.models.registry import model_class, model_of_loom, untrained
+from loomlight.sources.kinds import Source
+from loomlight.sources.load import load_source
+from loomlight.sources.loom_file import is_loom, read_loom
 
 _TABLES = ("warp", "weft", "sheen", "variation")
 _TOP = tuple(name for name in FabricFile.model_fields if name not in _TABLES)

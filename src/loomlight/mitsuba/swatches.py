@@ -18,8 +18,6 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from loomlight.assets.load import fabric_of_path
-from loomlight.assets.source_identity import source_identity
 from loomlight.core.contact_sheet import Card, card_from_bytes, card_to_bytes, sheet_page, sheet_picture
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.files import PIXEL_SUFFIXES, discarding_empty, replacing
@@ -34,6 +32,7 @@ from loomlight.mitsuba.scenes import build_scene
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.registry import make_model, require_model_name
 from loomlight.picture_settings import Placement, SwatchKeywords, SwatchSettings
+from loomlight.sources.load import fabric_of_path, source_identity
 from loomlight.weave.draft import Draft
 from loomlight.weave.drawing import draw_drawdown
 

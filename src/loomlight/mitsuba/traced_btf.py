@@ -22,8 +22,6 @@ import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.heightfield import Heightfield
-from loomlight.assets.tile import TileScene
 from loomlight.core.arrays import Float, Mask, Vec3
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import ClothMesh, joined
@@ -31,6 +29,8 @@ from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.meshes import check_scene_meshes, to_shape
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.texture.queries import Btf
+from loomlight.sources.heightfield import Heightfield
+from loomlight.sources.tile import TileScene
 
 _Floats = NDArray[np.float32]
 # Half the angle of the light's cone, radians: 2.9°.

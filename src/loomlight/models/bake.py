@@ -8,9 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import LOOM_SUFFIX, is_loom, write_loom
-from loomlight.assets.sources import Source, kind_of_file
 from loomlight.core.errors import InputError
 from loomlight.core.files import WRITTEN_SUFFIXES, replacing
 from loomlight.core.images import write_image
@@ -21,6 +18,9 @@ from loomlight.models.interface import Model, Report
 from loomlight.models.material_spec import Material, resolve
 from loomlight.models.options import Options
 from loomlight.models.registry import DEFAULT_MODEL, model_class, model_from_loom, options_of
+from loomlight.sources.kinds import Source, kind_of_file
+from loomlight.sources.load import load_source
+from loomlight.sources.loom_file import LOOM_SUFFIX, is_loom, write_loom
 from loomlight.weave.draft import Draft
 from loomlight.weave.wif_writer import write_wif
 

@@ -14,8 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
-from loomlight.assets.loom_file import LoomFile
-from loomlight.assets.sources import Source
 from loomlight.core.backend import ArrayTypes
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
@@ -27,6 +25,8 @@ from loomlight.models.live_albedos import LiveAlbedos
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.point import Albedos
 from loomlight.scattering.variation import Unevenness
+from loomlight.sources.kinds import Source
+from loomlight.sources.loom_file import LoomFile
 from loomlight.weave.draft import Threads
 from loomlight.yarn.geometry import YarnGeometry
 

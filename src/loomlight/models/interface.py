@@ -12,7 +12,7 @@ Arguments are Dr.Jit arrays of any backend: `light` and `view` unit vectors (z <
 `Footprint` in millimetres of the source. A light on the other side than the view asks for transmission.
 Values leave out delta transmission, which `null_transmission` describes.
 
-What a model stands for is its source: a fabric, or any other surface that repeats (`assets/sources.py`).
+What a model stands for is its source: a fabric, or any other surface that repeats (`sources/kinds.py`).
 Models whose answers separate albedos from the rest give a `SeparableBsdf` (`separable.py`).
 """
 
@@ -26,13 +26,13 @@ from typing import Any, ClassVar, Self
 
 import drjit as dr
 
-from loomlight.assets.loom_file import LoomFile
-from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
 from loomlight.models.options import Options
 from loomlight.scattering.point import DirectionSample
+from loomlight.sources.kinds import Source
+from loomlight.sources.loom_file import LoomFile
 
 # Takes (steps done, steps in all).
 Report = Callable[[int, int], None]

@@ -8,9 +8,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import LOOM_SUFFIX, LoomFile, is_loom, read_loom
-from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.read import FABRIC_SUFFIX, edited_fabric
@@ -25,6 +22,9 @@ from loomlight.models.registry import (
     require_model_name,
     untrained,
 )
+from loomlight.sources.kinds import Source
+from loomlight.sources.load import load_source
+from loomlight.sources.loom_file import LOOM_SUFFIX, LoomFile, is_loom, read_loom
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,9 +11,9 @@ import os
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
-from loomlight.assets.loom_file import LoomFile
-from loomlight.assets.sources import Source
 from loomlight.core.settings import Setting, Settings, declared, setting
+from loomlight.sources.kinds import Source
+from loomlight.sources.loom_file import LoomFile
 
 DEVICES = ("cpu", "cuda")
 # Texels a side of textures that are trained.

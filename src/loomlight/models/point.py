@@ -9,8 +9,6 @@ from typing import Any, Self, final
 import drjit as dr
 
 from loomlight.aggregate.components import components, light_visibility
-from loomlight.assets.loom_file import LoomFile
-from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
@@ -30,6 +28,8 @@ from loomlight.models.interface import Report, Values
 from loomlight.models.options import Options
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf
 from loomlight.scattering.point import Albedos, DirectionSample, YarnPoint, YarnScattering, to_face_frame
+from loomlight.sources.kinds import Source
+from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import DetachedSurface, YarnGeometry
 from loomlight.yarn.rays import upload_extent
 from loomlight.yarn.visibility import first_hit

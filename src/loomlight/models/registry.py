@@ -15,15 +15,15 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import FIRST_USABLE_SCHEMA, LoomFile, read_loom
-from loomlight.assets.sources import Source, kind_of_source
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.sentences import closest, shown, speaking_of
 from loomlight.core.settings import declared, require_names
 from loomlight.models.interface import Model
 from loomlight.models.options import Options, is_source
+from loomlight.sources.kinds import Source, kind_of_source
+from loomlight.sources.load import load_source
+from loomlight.sources.loom_file import FIRST_USABLE_SCHEMA, LoomFile, read_loom
 
 if TYPE_CHECKING:
     from loomlight.models.texture.queries import Btf

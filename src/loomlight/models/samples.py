@@ -13,8 +13,6 @@ from typing import Any, ClassVar, Self, final
 
 import drjit as dr
 
-from loomlight.assets.loom_file import LoomFile
-from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
 from loomlight.core.footprint import Footprint
@@ -26,6 +24,8 @@ from loomlight.models.interface import FootprintBsdf, Report
 from loomlight.models.options import Options
 from loomlight.models.random_numbers import hashed
 from loomlight.scattering.point import DirectionSample, YarnPoint, YarnScattering
+from loomlight.sources.kinds import Source
+from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.rays import upload_extent
 

@@ -15,9 +15,6 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from loomlight.assets.load import fabric_of_path
-from loomlight.assets.loom_file import is_loom, read_loom
-from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.model import ClusteredModel
@@ -29,6 +26,9 @@ from loomlight.realtime.bake import BakePlan
 from loomlight.realtime.clustered_tables import pack_clustered
 from loomlight.realtime.lobes_tables import pack_lobes, reserve_lobes
 from loomlight.realtime.word_table import Tables
+from loomlight.sources.kinds import Source
+from loomlight.sources.load import fabric_of_path
+from loomlight.sources.loom_file import is_loom, read_loom
 from loomlight.yarn.layout import ClothLayout
 
 Material: TypeAlias = Fabric | Model

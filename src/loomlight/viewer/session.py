@@ -7,9 +7,9 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from loomlight.assets.load import fabric_of_path
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.read import load_fabric
+from loomlight.sources.load import fabric_of_path
 from loomlight.viewer.draft_reader import MAX_UPLOAD
 from loomlight.viewer.messages import Session, fabric_json
 

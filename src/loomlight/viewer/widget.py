@@ -15,9 +15,9 @@ from typing import Any
 import anywidget
 import traitlets
 
-from loomlight.assets.load import fabric_of_path
 from loomlight.core.errors import LoomlightError
 from loomlight.fabric.fabric import Fabric
+from loomlight.sources.load import fabric_of_path
 from loomlight.viewer.answers import ANSWERS, answer
 from loomlight.viewer.client import client_folder
 from loomlight.viewer.draft_reader import DraftReader

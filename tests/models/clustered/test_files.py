@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from loomlight.assets.loom_file import read_loom, write_loom
 from loomlight.cli.main import run
 from loomlight.core.llvm import require_llvm
 from loomlight.models.clustered import model as clustered_model
+from loomlight.sources.loom_file import read_loom, write_loom
 
 require_llvm()
 

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from loomlight.assets import loom_file
-from loomlight.assets.loom_file import LoomFile, write_loom
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes.model import MAX_GROUPS, LobesModel, LobesOptions
 from loomlight.models.registry import model_from_loom
+from loomlight.sources import loom_file
+from loomlight.sources.loom_file import LoomFile, write_loom
 
 from .cloths import TEXTS, cloth, model_of, prefiltered_parts, random_queries
 

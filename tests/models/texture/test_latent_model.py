@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f, Array3f, Float
 
-from loomlight.assets.loom_file import write_loom
 from loomlight.cli.main import run
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
@@ -21,6 +20,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import make_model, model_from_loom
 from loomlight.models.texture.latent import LatentModel
 from loomlight.models.texture.settings import LATENT_QUALITIES, LatentOptions
+from loomlight.sources.loom_file import write_loom
 
 require_llvm()
 

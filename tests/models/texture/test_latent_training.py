@@ -15,7 +15,6 @@ import numpy as np
 import pytest
 import torch
 
-from loomlight.assets.merl import BINS, library_of
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import btf_of
@@ -26,6 +25,7 @@ from loomlight.models.texture.settings import LATENT_QUALITIES, LatentSettings
 from loomlight.models.texture.sources import FabricBtf
 from loomlight.models.texture.training import folder_queries
 from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density
+from loomlight.sources.merl import BINS, library_of
 from loomlight.training.direction_sampler import sampler_loss
 from loomlight.training.layers import TORCH, relu_layers
 

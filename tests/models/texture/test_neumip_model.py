@@ -13,7 +13,6 @@ import pytest
 from drjit.llvm.ad import Array2f, Array3f
 
 from loomlight.aggregate.slices import FabricSlices
-from loomlight.assets.loom_file import write_loom
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, box_footprint
@@ -23,6 +22,7 @@ from loomlight.models.registry import make_model, model_from_loom, parse_options
 from loomlight.models.texture.neumip import NeumipModel
 from loomlight.models.texture.settings import NEUMIP_QUALITIES, NeumipOptions
 from loomlight.scattering.point import YarnScattering
+from loomlight.sources.loom_file import write_loom
 from loomlight.yarn.geometry import YarnGeometry
 
 require_llvm()

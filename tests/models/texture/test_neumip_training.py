@@ -18,7 +18,6 @@ from drjit.llvm.ad import Array2f, Array3f, Float
 from numpy.typing import NDArray
 
 from loomlight.aggregate.slices import FabricSlices
-from loomlight.assets.loom_file import write_loom
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
@@ -39,6 +38,7 @@ from loomlight.models.texture.settings import NEUMIP_QUALITIES, NeumipSettings
 from loomlight.models.texture.sources import FabricBtf
 from loomlight.models.texture.training import TrainingFolder
 from loomlight.scattering.point import YarnScattering
+from loomlight.sources.loom_file import write_loom
 from loomlight.training.layers import relu_layers
 from loomlight.yarn.geometry import YarnGeometry
 from tests.aggregate.gaussian_means import gaussian_means

@@ -12,17 +12,17 @@ from importlib import import_module
 import numpy as np
 import pytest
 
-from loomlight.assets.merl import library_of
-from loomlight.assets.sources import SOURCE_KINDS
 from loomlight.core.errors import InputError
 from loomlight.models.registry import BTFS, MODELS, btf_of
 from loomlight.models.texture.queries import Btf, EncodedBtf
+from loomlight.sources.kinds import SOURCE_KINDS
+from loomlight.sources.merl import library_of
 from tests.limits import HANG
 
 ANSWERS = """
 import sys
 import numpy as np
-from loomlight.assets.heightfield import Heightfield
+from loomlight.sources.heightfield import Heightfield
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import btf_of
 btf_of(fabric_from_text('weave = "plain"'), "neumip")

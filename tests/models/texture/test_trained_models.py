@@ -13,7 +13,6 @@ from drjit.llvm.ad import Array2f, Array3f, Float
 from numpy.typing import NDArray
 
 from loomlight.aggregate.slices import FabricSlices
-from loomlight.assets.loom_file import LoomFile
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import llvm_float, require_llvm
@@ -23,6 +22,7 @@ from loomlight.models.texture.latent_training import train_latent
 from loomlight.models.texture.neumip_training import train_neumip
 from loomlight.models.texture.settings import LATENT_QUALITIES, NEUMIP_QUALITIES
 from loomlight.scattering.point import YarnScattering
+from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import YarnGeometry
 from tests.marks import slow
 

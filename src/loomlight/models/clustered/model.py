@@ -6,8 +6,6 @@ from copy import copy
 from dataclasses import dataclass
 from typing import ClassVar, Self, final
 
-from loomlight.assets.loom_file import LoomFile
-from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.errors import InputError
@@ -25,6 +23,8 @@ from loomlight.models.options import Options
 from loomlight.models.random_numbers import hashed
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.point import YarnScattering
+from loomlight.sources.kinds import Source
+from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import YarnGeometry
 
 DEFAULT_CLUSTERS, MAX_CLUSTERS = 8, 64

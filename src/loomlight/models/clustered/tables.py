@@ -7,7 +7,6 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.loom_file import LoomFile
 from loomlight.core.arrays import FloatType
 from loomlight.core.errors import InputError
 from loomlight.models.clustered.clusters import NO_CLUSTER, label_texels
@@ -17,6 +16,7 @@ from loomlight.models.clustered.gaussians import fitted_gaussians
 from loomlight.models.clustered.light_tables import light_tables
 from loomlight.models.clustered.parallax import PARALLAX_BINS, PARALLAX_RANK, parallax_tables
 from loomlight.models.clustered.square_map import BINS
+from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import YarnGeometry
 
 # Numbers of a cluster: mean normal and mean fibre direction, each of unit length, roughness of its lobe for

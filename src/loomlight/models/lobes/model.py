@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Self, final
 
-from loomlight.assets.loom_file import LoomFile
-from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Mask, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.errors import InputError
@@ -23,6 +21,8 @@ from loomlight.models.lobes.regimes import RegimeScale
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
 from loomlight.models.options import Options
 from loomlight.scattering.point import YarnScattering
+from loomlight.sources.kinds import Source
+from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.rays import upload_extent
 

@@ -11,7 +11,6 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.loom_file import LoomFile
 from loomlight.core.arrays import FloatType
 from loomlight.core.errors import InputError
 from loomlight.core.frozen import FrozenArg
@@ -24,6 +23,7 @@ from loomlight.models.lobes.joint_visibility import joint_factors, launch_joint
 from loomlight.models.lobes.packed_uint8 import byte_of_group, pack_count
 from loomlight.models.lobes.visibility_rays import launch_rays, launch_views, view_samples
 from loomlight.models.lobes.visibility_tables import VisibilityTables, tabulate_visibility
+from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import YarnGeometry
 
 _MAX = 255.0

@@ -11,8 +11,6 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.loom_file import LoomFile
-from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
 from loomlight.core.errors import InputError
@@ -38,6 +36,8 @@ from loomlight.models.neural.weights import Weights, read_weights, shipped_weigh
 from loomlight.models.options import Options
 from loomlight.models.separable import Components, Evaluation, FilteredBsdf
 from loomlight.scattering.point import DirectionSample, to_face_frame
+from loomlight.sources.kinds import Source
+from loomlight.sources.loom_file import LoomFile
 
 _NETWORK = "neural"
 # By one network for all fabrics, or by lobes about the fibres.

@@ -31,10 +31,10 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from safetensors import SafetensorError, safe_open
 
-from loomlight.assets.loom_file import checksum
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 from loomlight.models.neural.architecture import BINS, LIGHT_FEATURES, VIEW_FEATURES, NetworkTable
+from loomlight.sources.loom_file import checksum
 
 # 2: roughness enters the encoder as its logarithm. 3: directions along the fibres are inputs. 4: the lobe
 # basis.

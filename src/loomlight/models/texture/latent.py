@@ -26,8 +26,6 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.loom_file import LoomFile
-from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, FloatType, Int, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import DRJIT, array_types, clip, maximum, minimum, upload
 from loomlight.core.errors import InputError
@@ -59,6 +57,8 @@ from loomlight.scattering.lobe_mixture import (
     sample_mixture,
 )
 from loomlight.scattering.point import DirectionSample, to_face_frame
+from loomlight.sources.kinds import Source
+from loomlight.sources.loom_file import LoomFile
 
 # Channels of a texel.
 CHANNELS = 8

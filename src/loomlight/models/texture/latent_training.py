@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
-from loomlight.assets.sources import Source, kind_of_source
 from loomlight.models.registry import btf_of
 from loomlight.models.texture.latent import (
     ALBEDO_OFFSET,
@@ -50,6 +49,7 @@ from loomlight.models.texture.training import (
     folder_queries,
     half_cosine,
 )
+from loomlight.sources.kinds import Source, kind_of_source
 from loomlight.training.direction_sampler import sampler_loss
 from loomlight.training.layers import (
     TORCH,

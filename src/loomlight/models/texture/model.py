@@ -17,8 +17,6 @@ import drjit as dr
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from loomlight.assets.loom_file import LoomFile
-from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum
 from loomlight.core.errors import InputError
@@ -32,6 +30,8 @@ from loomlight.models.registry import untrained
 from loomlight.models.texture.pyramid import PyramidShape
 from loomlight.models.texture.settings import TrainingSettings
 from loomlight.scattering.point import to_face_frame
+from loomlight.sources.kinds import Source
+from loomlight.sources.loom_file import LoomFile
 
 # Texels a side that a file may have.
 _MAX_TEXELS = 4096

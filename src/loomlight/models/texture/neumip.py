@@ -32,8 +32,6 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.loom_file import LoomFile, Setting
-from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, FloatType, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, clip, maximum, upload
 from loomlight.fabric.fabric import Fabric
@@ -59,6 +57,8 @@ from loomlight.models.texture.pyramid import (
 from loomlight.models.texture.settings import NeumipOptions
 from loomlight.scattering.lobe_mixture import OPAQUE_OUTPUTS, OUTPUTS, TwoSidedLobes
 from loomlight.scattering.point import DirectionSample, to_face_frame
+from loomlight.sources.kinds import Source
+from loomlight.sources.loom_file import LoomFile, Setting
 
 # Channels of a texel of each of the two textures (Table 4).
 CHANNELS = 7

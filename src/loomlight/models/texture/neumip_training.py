@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
-from loomlight.assets.sources import Source
 from loomlight.models.networks import Layers
 from loomlight.models.registry import btf_of
 from loomlight.models.texture.neumip import (
@@ -51,6 +50,7 @@ from loomlight.models.texture.training import (
     half_cosine,
 )
 from loomlight.scattering.lobe_mixture import TwoSidedLobes
+from loomlight.sources.kinds import Source
 from loomlight.training.direction_sampler import two_sided_loss
 from loomlight.training.layers import (
     TORCH,

@@ -9,11 +9,11 @@ from typing import ClassVar, TypeVar
 
 import numpy as np
 
-from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
 from loomlight.core.settings import same_setting, setting
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.options import TrainingOptions
 from loomlight.models.texture.pyramid import PyramidShape
+from loomlight.sources.kinds import SOURCE_KINDS, Source, kind_of_source
 
 DEFAULT_QUALITY = "preview"
 

@@ -15,8 +15,6 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.measured_btf import MeasuredBtf
-from loomlight.assets.merl import MerlLibrary
 from loomlight.core.arrays import Float, Vec3
 from loomlight.core.backend import array_types
 from loomlight.core.errors import InputError
@@ -25,6 +23,8 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.texture.pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.texture.queries import Btf, EncodedBtf, Texels
 from loomlight.scattering.point import YarnScattering
+from loomlight.sources.btf import MeasuredBtf
+from loomlight.sources.merl import MerlLibrary
 from loomlight.yarn.geometry import YarnGeometry
 
 _Floats = NDArray[np.float32]

@@ -15,7 +15,9 @@ parameters (`<default>`) by their values. A BSDF that a scene file's BSDF refers
 from __future__ import annotations
 
 import copy
+import math
 import os
+import struct
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePath
@@ -26,12 +28,12 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
-from loomlight.assets import rgl, scene_text
-from loomlight.assets.toml_source import SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
-from loomlight.core.files import read_text
+from loomlight.core.files import read_text, require_file
 from loomlight.core.images import PICTURE_SUFFIXES, read_map
 from loomlight.core.sentences import closest, shown, speaking_of
+from loomlight.sources import scene_text
+from loomlight.sources.toml_source import SizedSource, SourceFields, has_field, read_fields
 
 Bytes = NDArray[np.uint8]
 
@@ -109,7 +111,7 @@ class Material(SizedSource):
 def is_material_file(path: str | os.PathLike[str]) -> bool:
     """Whether a path is a Mitsuba XML file, a measured `.bsdf`, or a TOML file that names one."""
     file = Path(path)
-    return file.suffix.lower() in (_SUFFIX, rgl.SUFFIX) or has_field(path, _FIELD)
+    return file.suffix.lower() in (_SUFFIX, RGL_SUFFIX) or has_field(path, _FIELD)
 
 
 def load_material(path: str | os.PathLike[str]) -> Material:
@@ -122,8 +124,8 @@ def load_material(path: str | os.PathLike[str]) -> Material:
     file = Path(path)
     with speaking_of(str(file)):
         size = (DEFAULT_SIZE_MM, DEFAULT_SIZE_MM)
-        if file.suffix.lower() == rgl.SUFFIX:
-            return material_from_xml(rgl.measured_xml(file), file.parent, file.stem, size)
+        if file.suffix.lower() == RGL_SUFFIX:
+            return material_from_xml(measured_xml(file), file.parent, file.stem, size)
         if file.suffix.lower() == _SUFFIX:
             return material_from_xml(read_text(file), file.parent, file.stem, size)
         fields = read_fields(file, _File)
@@ -261,8 +263,8 @@ def _content(file: Path) -> Bytes:
         if file.stat().st_size > _MAX_FILE:
             raise InputError(f"{file} is larger than {_MAX_FILE >> 20} MiB.")
         suffix = file.suffix.lower()
-        if suffix == rgl.SUFFIX:
-            rgl.require_rgl(file)
+        if suffix == RGL_SUFFIX:
+            require_rgl(file)
         if suffix in (".exr", *PICTURE_SUFFIXES):
             pixels = read_map(file, 3)
             height, width = pixels.shape[:2]
@@ -274,3 +276,76 @@ def _content(file: Path) -> Bytes:
             if not np.isfinite(pixels).all():
                 raise InputError(f"the texture {file} holds NaN or infinity: write numbers alone.")
         return np.frombuffer(file.read_bytes(), np.uint8)
+
+
+# -------------------------------------------------------------------------------------- measured BSDFs of RGL
+# Measured BSDFs of EPFL's RGL (Dupuy & Jakob 2018): `.bsdf`, which Mitsuba's `measured` BSDF reads.
+#
+# The file is a "tensor_file": its magic, version and number of fields, then of each field its name,
+# dimensions, type, offset and shape. Mitsuba maps the data as the header says, so that a header is checked
+# here.
+
+
+RGL_SUFFIX = ".bsdf"
+_MAGIC = b"tensor_file\0\1\0"
+_MAX_FIELDS, _MAX_AXES = 64, 8
+# By the format's numbers of types; 0 is none.
+_DTYPES = (None, "u1", "i1", "<u2", "<i2", "<u4", "<i4", "<u8", "<i8", "<f2", "<f4", "<f8")
+# Fields that the BSDF reads in RGB, with their number of dimensions.
+_NEEDED = {"theta_i": 1, "phi_i": 1, "ndf": 2, "sigma": 2, "vndf": 4, "luminance": 4, "rgb": 5}
+
+
+def measured_xml(file: Path) -> str:
+    """The `<bsdf>` element that reads a file of its own folder."""
+    bsdf = ElementTree.Element("bsdf", type="measured")
+    ElementTree.SubElement(bsdf, "string", name="filename", value=file.name)
+    return ElementTree.tostring(bsdf, encoding="unicode")
+
+
+def require_rgl(path: str | os.PathLike[str]) -> None:
+    """Raises InputError if a file is no measured BSDF that RGB can be read of, is truncated or not finite."""
+    require_file(path)
+    content = Path(path).read_bytes()
+    if not content.startswith(_MAGIC):
+        raise InputError(f"{path} is no measured BSDF of RGL: one begins with tensor_file and version 1.0.")
+    try:
+        fields = _fields(content, path)
+    except (struct.error, UnicodeDecodeError, IndexError, ValueError) as error:
+        raise InputError(f"{path} is truncated or damaged: its header cannot be read.") from error
+    for name, axes in _NEEDED.items():
+        if name not in fields:
+            advice = ": take the file whose name ends in _rgb" if name == "rgb" else ""
+            raise InputError(f"{path} lacks the field {name}{advice}.")
+        values = fields[name]
+        if values.ndim != axes or values.dtype != np.float32 or not values.size:
+            raise InputError(f"{path} is damaged: the field {name} must be float32 of {axes} dimensions.")
+        if not np.isfinite(values).all():
+            raise InputError(f"{path} is damaged: the field {name} holds NaN or infinity.")
+    phi, theta = len(fields["phi_i"]), len(fields["theta_i"])
+    for name in ("vndf", "luminance", "rgb"):
+        shape = fields[name].shape
+        if shape[:2] != (phi, theta) or shape[-1] != shape[-2] or (name == "rgb" and shape[2] != 3):
+            raise InputError(f"{path} is damaged: the field {name} does not fit to its angles.")
+
+
+def _fields(content: bytes, path: str | os.PathLike[str]) -> dict[str, np.ndarray]:
+    """Arrays by name; Mitsuba reads all of them, so that none may lie outside the file."""
+    (count,) = struct.unpack_from("<I", content, len(_MAGIC))
+    place = len(_MAGIC) + 4
+    found: dict[str, np.ndarray] = {}
+    if count > _MAX_FIELDS:
+        raise ValueError(count)
+    for _ in range(count):
+        (length,) = struct.unpack_from("<H", content, place)
+        name = content[place + 2 : place + 2 + length].decode()
+        place += 2 + length
+        axes, kind, offset = struct.unpack_from("<HBQ", content, place)
+        if axes > _MAX_AXES or not _DTYPES[kind]:
+            raise ValueError(axes)
+        shape = struct.unpack_from(f"<{axes}Q", content, place + 11)
+        place += 11 + 8 * axes
+        dtype, size = np.dtype(_DTYPES[kind]), math.prod(shape)
+        if offset + size * dtype.itemsize > len(content):
+            raise InputError(f"{path} is truncated or damaged: the field {name[:40]} is not within the file.")
+        found[name] = np.frombuffer(content, dtype, size, offset).reshape(shape)
+    return found

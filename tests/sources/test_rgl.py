@@ -1,6 +1,6 @@
 """RGL's measured BSDFs: sources of the model latent; damaged ones are one sentence.
 
-Covers: assets/rgl.py
+Covers: sources/material.py
 """
 
 from __future__ import annotations
@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import LoomFile, read_loom, write_loom
-from loomlight.assets.material import Material
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.mitsuba.material_btf import MaterialBtf
 from loomlight.models.registry import model_from_loom
+from loomlight.sources.load import load_source
+from loomlight.sources.loom_file import LoomFile, read_loom, write_loom
+from loomlight.sources.material import Material
 from tools.fuzz_merl import merl_file, rgl_file
 
 

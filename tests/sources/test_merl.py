@@ -11,9 +11,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import LoomFile, read_loom, write_loom
-from loomlight.assets.merl import (
+from loomlight.cli.main import run
+from loomlight.core.errors import InputError
+from loomlight.models.texture.sources import MerlBtf
+from loomlight.sources.load import load_source
+from loomlight.sources.loom_file import LoomFile, read_loom, write_loom
+from loomlight.sources.merl import (
     BINS,
     MerlLibrary,
     is_merl_file,
@@ -21,9 +24,6 @@ from loomlight.assets.merl import (
     merl_record,
     read_merl,
 )
-from loomlight.cli.main import run
-from loomlight.core.errors import InputError
-from loomlight.models.texture.sources import MerlBtf
 from papers.zeltner2024.analytic_brdfs import analytic_brdf, analytic_parameters, bin_directions, write_merl
 
 

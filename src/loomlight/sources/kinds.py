@@ -13,32 +13,32 @@ from typing import Any, Protocol
 
 from numpy.typing import NDArray
 
-from loomlight.assets.fabric_record import fabric_from_record, fabric_record
-from loomlight.assets.heightfield import (
-    Heightfield,
-    heightfield_from_record,
-    heightfield_record,
-    is_heightfield_file,
-    load_heightfield,
-)
-from loomlight.assets.material import (
-    Material,
-    is_material_file,
-    load_material,
-    material_from_record,
-    material_record,
-)
-from loomlight.assets.measured_btf import (
+from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.read import load_fabric
+from loomlight.sources.btf import (
     MeasuredBtf,
     is_btf_description,
     load_measured_btf,
     measured_btf_from_record,
     measured_btf_record,
 )
-from loomlight.assets.merl import MerlLibrary, is_merl_file, load_merl, merl_from_record, merl_record
-from loomlight.assets.tile import TileScene, is_tile_file, load_tile, tile_from_record, tile_record
-from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.read import load_fabric
+from loomlight.sources.fabric import fabric_from_record, fabric_record
+from loomlight.sources.heightfield import (
+    Heightfield,
+    heightfield_from_record,
+    heightfield_record,
+    is_heightfield_file,
+    load_heightfield,
+)
+from loomlight.sources.material import (
+    Material,
+    is_material_file,
+    load_material,
+    material_from_record,
+    material_record,
+)
+from loomlight.sources.merl import MerlLibrary, is_merl_file, load_merl, merl_from_record, merl_record
+from loomlight.sources.tile import TileScene, is_tile_file, load_tile, tile_from_record, tile_record
 
 Tensors = Mapping[str, NDArray[Any]]
 

@@ -26,11 +26,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
-from loomlight.assets.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.colour import linear_to_srgb, parse_colour, srgb_to_linear
 from loomlight.core.errors import InputError
 from loomlight.core.images import read_map
 from loomlight.core.sentences import shown, speaking_of
+from loomlight.sources.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
 
 _Map = NDArray[np.float32]
 _FIELD = "height_map"

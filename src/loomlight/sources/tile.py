@@ -24,11 +24,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
-from loomlight.assets import scene_text
-from loomlight.assets.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
 from loomlight.core.errors import InputError
 from loomlight.core.files import read_text, require_file
 from loomlight.core.sentences import shown, speaking_of
+from loomlight.sources import scene_text
+from loomlight.sources.toml_source import Lengths, SizedSource, SourceFields, has_field, read_fields
 
 _FIELD = "tile"
 _MAX_BOUNCES = 64

@@ -1,6 +1,6 @@
 """Height field files and their records; what is wrong is one sentence.
 
-Covers: assets/toml_source.py
+Covers: sources/toml_source.py
 """
 
 from __future__ import annotations
@@ -12,17 +12,17 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from loomlight.assets.heightfield import (
+from loomlight.cli.main import run
+from loomlight.core.errors import InputError
+from loomlight.sources.heightfield import (
     Heightfield,
     heightfield_from_record,
     heightfield_record,
     is_heightfield_file,
     load_heightfield,
 )
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import LoomFile, read_loom, write_loom
-from loomlight.cli.main import run
-from loomlight.core.errors import InputError
+from loomlight.sources.load import load_source
+from loomlight.sources.loom_file import LoomFile, read_loom, write_loom
 
 TEXT = 'height_map = "h.png"\nsize_mm = [4, 2.0]\nheight_mm = 0.5\n'
 

@@ -1,6 +1,6 @@
 """Measured BTFs: synthetic files of both formats, written here, come back; damaged ones are refused.
 
-Covers: assets/measured_btf.py, models/texture/sources.py
+Covers: sources/btf.py, models/texture/sources.py
 """
 
 from __future__ import annotations
@@ -16,16 +16,15 @@ from drjit.llvm.ad import Array2f, Array3f
 from numpy.typing import NDArray
 from PIL import Image
 
-from loomlight.assets.btf_files import read_btf
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import LoomFile, read_loom, write_loom
-from loomlight.assets.measured_btf import MeasuredBtf
 from loomlight.cli.main import run
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.models.registry import model_from_loom
 from loomlight.models.texture.sources import PictureBtf
+from loomlight.sources.btf import MeasuredBtf, read_btf
+from loomlight.sources.load import load_source
+from loomlight.sources.loom_file import LoomFile, read_loom, write_loom
 from tests.marks import slow
 
 WIDTH, HEIGHT = 8, 6

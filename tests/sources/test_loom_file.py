@@ -1,6 +1,6 @@
 """`.loom` files: fabrics come back exactly, and whatever is wrong with a file is one sentence.
 
-Covers: assets/load.py, assets/sources.py
+Covers: sources/load.py, sources/kinds.py
 """
 
 from __future__ import annotations
@@ -19,8 +19,14 @@ from numpy.typing import NDArray
 from safetensors import safe_open
 from safetensors.numpy import save, save_file
 
-from loomlight.assets.load import fabric_of_path
-from loomlight.assets.loom_file import (
+from loomlight.core.errors import InputError
+from loomlight.core.images import write_pixels
+from loomlight.fabric import Fabric, fabric_from_text, load_fabric
+from loomlight.fabric.read import edited_fabric
+from loomlight.models.bake import bake
+from loomlight.models.registry import make_model, model_from_loom
+from loomlight.sources.load import fabric_of_path
+from loomlight.sources.loom_file import (
     UNITS,
     LoomFile,
     checksum,
@@ -28,12 +34,6 @@ from loomlight.assets.loom_file import (
     read_loom,
     write_loom,
 )
-from loomlight.core.errors import InputError
-from loomlight.core.images import write_pixels
-from loomlight.fabric import Fabric, fabric_from_text, load_fabric
-from loomlight.fabric.read import edited_fabric
-from loomlight.models.bake import bake
-from loomlight.models.registry import make_model, model_from_loom
 from loomlight.weave import Draft, Threads, draw_drawdown, named_weave, write_wif
 
 HOUNDSTOOTH = """

@@ -1,6 +1,6 @@
 """Scene text inside a `.loom` reads nothing but the files that the `.loom` holds.
 
-Covers: assets/scene_text.py
+Covers: sources/scene_text.py
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import LoomFile, read_loom, write_loom
-from loomlight.assets.material import Material, load_material, material_from_record, material_record
-from loomlight.assets.tile import TileScene, tile_from_record, tile_record
 from loomlight.core.errors import InputError
+from loomlight.sources.load import load_source
+from loomlight.sources.loom_file import LoomFile, read_loom, write_loom
+from loomlight.sources.material import Material, load_material, material_from_record, material_record
+from loomlight.sources.tile import TileScene, tile_from_record, tile_record
 
 # Ways to read a file outside: what each puts into a scene, and a part of the sentence that refuses it. OUT is
 # an absolute path of a file that exists.

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from loomlight.assets.fabric_record import fabric_from_record, fabric_record, of_former_defaults
 from loomlight.fabric import Fabric, fabric_from_text
+from loomlight.sources.fabric import fabric_from_record, fabric_record, of_former_defaults
 
 
 def former(text: str, schema: int) -> Fabric:

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from loomlight.assets.load import load_source
-from loomlight.assets.loom_file import LoomFile, read_loom, write_loom
-from loomlight.assets.material import Material, is_material_file, load_material
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.images import write_channels
+from loomlight.sources.load import load_source
+from loomlight.sources.loom_file import LoomFile, read_loom, write_loom
+from loomlight.sources.material import Material, is_material_file, load_material
 
 XML = """<scene version="3.0.0">
 <default name="gloss" value="0.2"/>
@@ -120,7 +120,7 @@ def test_faults_of_toml_name_the_field(folder: Path) -> None:
 
 
 def test_records_name_no_file_elsewhere(folder: Path) -> None:
-    from loomlight.assets.material import material_from_record, material_record
+    from loomlight.sources.material import material_from_record, material_record
 
     record, tensors = material_record(load_material(folder / "m.xml"))
     with pytest.raises(InputError, match="must hold the bytes"):

@@ -28,11 +28,11 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save
 
-from loomlight.assets.fabric_record import Tensor, of_former_defaults
-from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing, require_file
 from loomlight.core.sentences import shown, speaking_of
+from loomlight.sources.fabric import Tensor, of_former_defaults
+from loomlight.sources.kinds import SOURCE_KINDS, Source, kind_of_source
 
 SCHEMA = 4
 # The first schema whose models are those of today.
