@@ -33,7 +33,6 @@ NEED = {
         "realtime.neumip_tables",
         "realtime.neural_tables",
     ],
-    "starlette": ["viewer.access", "viewer.uploads"],
     "torch": [
         "models.texture.latent_training",
         "models.texture.neumip_training",
