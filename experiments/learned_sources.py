@@ -25,8 +25,6 @@ import numpy as np
 from drjit.llvm.ad import Array2f, Array3f
 from numpy.typing import NDArray
 
-# Imported for its effect: it answers for sources that have to be rendered.
-import loomlight.mitsuba  # noqa: F401
 from benchmarks.harness import Figures, run
 from loomlight.core.files import replacing
 from loomlight.core.footprint import Box, box_footprint

@@ -21,8 +21,6 @@ from drjit.llvm.ad import Array2f, Array3f
 from numpy.typing import NDArray
 from PIL import Image
 
-# Imported for its effect: it answers for sources that have to be rendered.
-import loomlight.mitsuba  # noqa: F401
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 from loomlight.core.colour import linear_to_srgb

@@ -82,7 +82,8 @@ def test_encoders_learn_two_materials_at_once(tmp_path: Path) -> None:
         trained_encodings(design, (first, second), queries, used, folder, "two")
         errors = []
         for known, textures in zip(queries, (first, second), strict=True):
-            shown = textures.value(known.positions, known.levels, known.lights, known.views)
+            lights, views = known.lights[:, :2], known.views[:, :2]
+            shown = textures.value(known.positions, known.levels, lights, views)
             errors.append(np.square(shown - known.values).mean())
         losses.append(errors)
     assert (np.array(losses[1]) < 0.7 * np.array(losses[0])).all()
@@ -108,8 +109,8 @@ def test_a_batch_is_of_one_tile_and_a_pass_has_every_query_once() -> None:
     columns = {
         "positions": rng.random((count, 2), np.float32),
         "levels": np.zeros(count, np.float32),
-        "lights": np.zeros((count, 2), np.float32),
-        "views": np.zeros((count, 2), np.float32),
+        "lights": np.zeros((count, 3), np.float32),
+        "views": np.zeros((count, 3), np.float32),
         "faces": np.zeros(count, np.uint8),
         "is_transmission": np.zeros(count, np.uint8),
         "values": np.zeros((count, 3), np.float32),

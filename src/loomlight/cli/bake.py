@@ -59,9 +59,6 @@ def bake(
     if not kind.trains:
         save(run(fabric, model, options=chosen), output)
     else:
-        # Imported for its effect: it answers for sources that have to be rendered to be learned.
-        import loomlight.mitsuba  # noqa: F401
-
         note_left("The training is kept: the same command goes on from there.")
         with progress(f"{fabric}, {model}") as report:
             save(run(fabric, model, options=chosen, report=report), output)

@@ -7,8 +7,6 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-# Imported for its effect, in every process: it answers for sources that have to be rendered to be learned.
-import loomlight.mitsuba  # noqa: F401
 from loomlight.core.errors import InputError
 from loomlight.core.files import remove_leftovers
 from loomlight.core.fleet import Executor, Outcome, Report, Shard, ShardFolder, require_results, work_map

@@ -277,7 +277,7 @@ def _queries_of_points(counts: NDArray[np.intp]) -> NDArray[np.intp]:
 def _means(found: _Floats, counts: NDArray[np.intp]) -> _Floats:
     """Means [n, …] of the points of each query."""
     first = int(counts[0])
-    if (counts == first).all():
+    if (counts == first).all():  # a plain mean
         whole = found[: first * len(counts)].reshape(len(counts), first, *found.shape[1:])
         return np.asarray(whole.mean(axis=1, dtype=np.float32), np.float32)
     ends = np.cumsum(counts)
@@ -353,6 +353,7 @@ class LatentStream(QueryStream):
         lights = draw_lights(rng, views, self._slopes(rng, positions, levels, faces))
         counts = np.full(count, self._samples)
         query = _queries_of_points(counts)
+        # By a generator of their own, as in `footprint_values`.
         spread = np.random.default_rng(key).standard_normal((len(query), 2), np.float32)
         offsets = (self._texels.sigma * np.exp2(levels)[:, None])[query] * spread
         is_transmission = np.zeros(count, np.uint8)
