@@ -1,6 +1,6 @@
 """Measured BTFs: synthetic files of both formats, written here, come back; damaged ones are refused.
 
-Covers: sources/btf.py, models/texture/sources.py
+Covers: sources/btf.py, models/texture/btfs.py
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.models.registry import model_from_loom
-from loomlight.models.texture.sources import PictureBtf
+from loomlight.models.texture.btfs import PictureBtf
 from loomlight.sources.btf import MeasuredBtf, read_btf
 from loomlight.sources.load import load_source
 from loomlight.sources.loom_file import LoomFile, read_loom, write_loom

@@ -1,6 +1,6 @@
 """MERL files: the public layout, angles, libraries; a truncated file is one sentence.
 
-Covers: models/texture/sources.py
+Covers: models/texture/btfs.py
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
-from loomlight.models.texture.sources import MerlBtf
+from loomlight.models.texture.btfs import MerlBtf
 from loomlight.sources.load import load_source
 from loomlight.sources.loom_file import LoomFile, read_loom, write_loom
 from loomlight.sources.merl import (

@@ -116,12 +116,12 @@ class BtfEntry:
 
 # By kind of source, a name of `SOURCE_KINDS`.
 BTFS: dict[str, BtfEntry] = {
-    "fabric": BtfEntry("loomlight.models.texture.sources", "FabricBtf", ("neumip", "latent")),
+    "fabric": BtfEntry("loomlight.models.texture.btfs", "FabricBtf", ("neumip", "latent")),
     "heightfield": BtfEntry("loomlight.mitsuba.traced_btf", "HeightfieldBtf", ("neumip",)),
     "tile": BtfEntry("loomlight.mitsuba.traced_btf", "TileBtf", ("neumip",)),
-    "btf": BtfEntry("loomlight.models.texture.sources", "PictureBtf", ("neumip",)),
+    "btf": BtfEntry("loomlight.models.texture.btfs", "PictureBtf", ("neumip",)),
     "material": BtfEntry("loomlight.mitsuba.material_btf", "MaterialBtf", ("latent",)),
-    "merl": BtfEntry("loomlight.models.texture.sources", "MerlBtf", ("latent",)),
+    "merl": BtfEntry("loomlight.models.texture.btfs", "MerlBtf", ("latent",)),
 }
 # Compiles the kernels of networks.
 _KERNELS = "llvmlite"

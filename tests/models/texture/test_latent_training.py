@@ -1,7 +1,7 @@
 """A training is the same however often it is stopped, and learns what it is shown.
 
 Covers: models/texture/latent_training.py, models/texture/queries.py
-Covers: models/texture/sources.py, training/direction_sampler.py
+Covers: models/texture/btfs.py, training/direction_sampler.py
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import btf_of
 from loomlight.models.texture import training
+from loomlight.models.texture.btfs import FabricBtf
 from loomlight.models.texture.latent_training import rate_factor, train_latent
 from loomlight.models.texture.queries import LatentStream, draw_lights, footprint_values
 from loomlight.models.texture.settings import LATENT_QUALITIES, LatentSettings
-from loomlight.models.texture.sources import FabricBtf
 from loomlight.models.texture.training import folder_queries
 from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density
 from loomlight.sources.merl import BINS, library_of

@@ -1,7 +1,7 @@
 """A training is the same however often it is stopped, and learns what it is shown.
 
 Covers: models/texture/neumip_training.py, models/texture/queries.py
-Covers: models/texture/sources.py, models/texture/training.py, training/layers.py
+Covers: models/texture/btfs.py, models/texture/training.py, training/layers.py
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import btf_of, model_from_loom
+from loomlight.models.texture.btfs import FabricBtf
 from loomlight.models.texture.neumip import NeumipModel, sampler_widths
 from loomlight.models.texture.neumip_training import (
     NeumipNetwork,
@@ -35,7 +36,6 @@ from loomlight.models.texture.neumip_training import (
 from loomlight.models.texture.pyramid import PyramidShape
 from loomlight.models.texture.queries import NeumipStream, Queries
 from loomlight.models.texture.settings import NEUMIP_QUALITIES, NeumipSettings
-from loomlight.models.texture.sources import FabricBtf
 from loomlight.models.texture.training import TrainingFolder
 from loomlight.scattering.point import YarnScattering
 from loomlight.sources.loom_file import write_loom

@@ -1,6 +1,6 @@
 """What answers queries is listed in the registry, and imported when it is asked for.
 
-Covers: models/registry.py, models/texture/sources.py
+Covers: models/registry.py, models/texture/btfs.py
 """
 
 from __future__ import annotations
