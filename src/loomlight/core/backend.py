@@ -1,6 +1,7 @@
 """Dr.Jit array types that belong together, derived from the arrays a caller passes in.
 
-The physics is written once for all backends: it uses the types that belong to its arguments.
+The physics is written once for all backends: it uses the types that belong to its arguments. Below: branches
+that few lanes take, and division by a number that kernels do not depend on.
 """
 
 from __future__ import annotations
@@ -138,8 +139,6 @@ def move(kind: FloatType, values: NDArray[Any]) -> tuple[Array, NDArray[Any]]:
 
 
 # ------------------------------------------------------------------------------- branches that few lanes take
-# A branch that few lanes take.
-
 
 State = TypeVar("State")
 
@@ -168,8 +167,6 @@ def masked_branch(active: Mask, value: State, change: Callable[[State], State], 
 
 
 # --------------------------------------------------------- division by a number that kernels do not depend on
-# Integer division by a number that kernels do not depend on.
-#
 # CPUs have no SIMD instruction for integer division. A multiplication and shifts give the same quotient.
 
 

@@ -1,4 +1,7 @@
-"""Colour: sRGB where people write it, linear RGB (ITU-R BT.709 primaries) where light is computed."""
+"""Colour: sRGB where people write it, linear RGB (ITU-R BT.709 primaries) where light is computed.
+
+Below: differences that an eye sees, and white balance.
+"""
 
 from __future__ import annotations
 
@@ -156,7 +159,7 @@ def delta_e_2000(first: ArrayLike, second: ArrayLike) -> NDArray[np.float64]:
 
 
 # ---------------------------------------------------------------------------------------------- white balance
-# White balance: the gains by which light of a colour temperature becomes white.
+# The gains by which light of a colour temperature becomes white.
 #
 # Light of the sky has the chromaticities of CIE daylight from 4000 K on (CIE 15:2018), light of lamps those
 # of a black body below (Kim et al. 2002). At 6500 K gains are 1 to within 1 %: colours are relative to D65.

@@ -56,8 +56,8 @@ def _yarn(
     return family.specular, family.translucency, openness, number, family.roughness, optical_depth
 
 
-# -------------------------------------------------------------------------------------------- authored colour
-# Colours as cloth shows them: what a flat cloth woven of one yarn alone reflects, and the inverse of that.
+# -------------------------------------------------------------------------------- colours as cloth shows them
+# What a flat cloth woven of one yarn alone reflects, and the inverse of that.
 #
 # The instrument is the one of textile laboratories, d/8° (CIE 15:2018): a white sky over the cloth, a view
 # 8° from the normal, nothing behind. The reflectance is what the point model with light between yarns
@@ -128,8 +128,8 @@ def colour_for(
     return found
 
 
-# ------------------------------------------------------------------------------------------------------ gamut
-# Colours that cloth of a yarn cannot show: one sentence each, with the difference that an eye sees.
+# ----------------------------------------------------------------------------- colours that cloth cannot show
+# One sentence each, with the difference that an eye sees.
 
 
 # CIEDE2000 below which a difference is hardly seen on cloth.

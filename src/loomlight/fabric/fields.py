@@ -159,8 +159,8 @@ def yarn_range(field: str) -> tuple[float, float]:
     return float(schema["minimum"]), float(schema["maximum"])
 
 
-# ----------------------------------------------------------------------------------------------- thread order
-# Colours in the order of threads: a colour, a list of colours, or runs such as "20 #223355, 20 #eeeeee".
+# ------------------------------------------------------------------------------------ colours in thread order
+# A colour, a list of colours, or runs such as "20 #223355, 20 #eeeeee".
 
 
 # Commas outside of brackets: lab(52, -10, 30) is one colour.

@@ -246,7 +246,7 @@ def _unit(vectors: NDArray[Any]) -> NDArray[Any]:
     return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-12)
 
 
-# ------------------------------------------------------------------------------------------------------- maps
+# ------------------------------------------------------------------------------------------------- baked maps
 
 
 MAXIMUM_MAP_SIZE = 16384

@@ -1,4 +1,8 @@
-"""Fabrics from files and from text: the two ways in."""
+"""Fabrics from files and from text: the two ways in.
+
+Below, in the order of reading: the text into valid fields, sentences about faults, colours that files of
+spectrophotometers name, and what is rather a slip than a wish.
+"""
 
 from __future__ import annotations
 
@@ -166,8 +170,7 @@ def _draft_of(fields: FabricFile, folder: str) -> Draft:
     return load_draft(path)
 
 
-# ---------------------------------------------------------------------------------------------------- reading
-# Text of a fabric file into its validated fields.
+# ------------------------------------------------------------------------------------------- text into fields
 
 
 def parse_fabric_file(text: str) -> FabricFile:
@@ -233,8 +236,8 @@ def _value(table: object, name: str) -> str:
     return f'"{value}"' if isinstance(value, str) else f"{value:g}"
 
 
-# -------------------------------------------------------------------------------------------------- sentences
-# Messages about faults in a fabric file, one sentence each: field, value, and what would be right.
+# ------------------------------------------------------------------------------------- sentences about faults
+# One each: field, value, and what would be right.
 
 
 def sentence_of(error: ValidationError) -> str:
@@ -372,8 +375,8 @@ def _measured(value: Any, folder: str, field: str) -> Any:
     return value
 
 
-# ----------------------------------------------------------------------------------------------- plausibility
-# Checks of fabric files and drafts: what no cloth can be, and what is rather a slip than a wish.
+# ------------------------------------------------------------------------------------------------------ slips
+# What no cloth can be, and what is rather a slip than a wish.
 
 
 # Yarns of a count are flattened in dense cloth; their nominal diameter may exceed the spacing by this factor.

@@ -161,7 +161,7 @@ class WifSource:
 
 
 # ----------------------------------------------------------------------- layers that no thread binds together
-# Layers of a draft: interlacements that lie upon one another and that no thread binds together.
+# Interlacements that lie upon one another and that no thread binds together.
 #
 # Lifting a thread lifts every thread above it. A drawdown falls apart where some ends and picks can be lifted
 # off all others; since every end of a repeat crosses every pick, one repeat does so as endless cloth does.
