@@ -69,7 +69,10 @@ def _read_tables(buffers: FabricBuffers) -> LobeTables:
     record = adapter.read(buffers.buffers["fabrics"], np.uint8, packed.fabrics.nbytes)
     lobes = record.view(packed.fabrics.dtype)[0]["lobes"]
     words = adapter.read(buffers.buffers["words"], np.uint32, packed.words.size)
-    parts = {name: words[int(lobes[name]) :][:size].view(np.uint8) for name, size in plan.table_sizes.items()}
+    parts = {
+        name: words[int(lobes[name]) :][:size].view(np.uint8)
+        for name, size in LobeTables.word_counts(plan.sizes).items()
+    }
     packs, nodes = plan.sizes["packs"], plan.sizes["face_nodes"]
     coverage = np.zeros((2, nodes, 4 * (packs + 1)), np.uint8)
     coverage[..., : 4 * packs] = parts["coverage"].reshape(2, nodes, 4 * packs)

@@ -21,7 +21,8 @@ from benchmarks.random_networks import random_latent, random_neumip
 from loomlight.export import export
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.interface import Model
-from loomlight.realtime.models import REALTIME_MODELS, Material
+from loomlight.models.registry import REALTIME_MODELS
+from loomlight.realtime.models import Material
 
 # Trained models have random numbers: the text is the same.
 _TRAINED: dict[str, Callable[[Fabric], Model]] = {

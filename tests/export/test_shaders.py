@@ -27,10 +27,10 @@ from loomlight.export.libraries import LANGUAGES, library
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model
 from loomlight.models.neural.model import NeuralModel, NeuralOptions
-from loomlight.models.registry import make_model
+from loomlight.models.registry import REALTIME_MODELS, make_model
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.layout import numpy_type
-from loomlight.realtime.models import REALTIME_MODELS, Material
+from loomlight.realtime.models import Material
 from loomlight.realtime.slangc import compile_shader
 from tests.limits import HANG
 from tests.marks import slow_among
@@ -79,7 +79,7 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Exported]:
         export(material_of(model), language, folder, model)
         return folder
 
-    with patch.object(buffers, "prepared_for", cache(buffers.prepared_for)):
+    with patch.object(buffers, "tables_for", cache(buffers.tables_for)):
         yield folder_of
 
 

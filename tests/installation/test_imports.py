@@ -29,9 +29,6 @@ NEED = {
         "models.texture.latent",
         "models.texture.model",
         "models.texture.neumip",
-        "realtime.latent_tables",
-        "realtime.neumip_tables",
-        "realtime.neural_tables",
     ],
     "torch": [
         "models.texture.latent_training",

@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.models.interface import ShaderTables
+from loomlight.models.lobes.tables import given_numbers
 from loomlight.models.neural.model import NeuralModel
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.layout import BUFFERS
@@ -97,7 +99,10 @@ def mapped(
 
 
 def _pack(layout: Any, appearance: Any, *lobes: Any, neural: NeuralModel | None) -> Packed:
-    return pack_fabrics([(layout, appearance)], None, [lobes[0] if lobes else neural])
+    shown = None if neural is None else neural.shader_tables()
+    if lobes:
+        shown = ShaderTables(lobes[0], given_numbers(layout, lobes[0].base_size))
+    return pack_fabrics([(layout, appearance)], None, [shown])
 
 
 def _argument(values: NDArray[Any], column: int) -> tuple[str, list[NDArray[np.uint32]]]:

@@ -14,7 +14,8 @@ import pytest
 from numpy.typing import NDArray
 
 from loomlight.core.llvm import llvm_float
-from loomlight.models.lobes.tables import bake_tables
+from loomlight.models.interface import ShaderTables
+from loomlight.models.lobes.tables import LobeTables, bake_tables, given_numbers
 from loomlight.realtime.bake import (
     BUFFER_BYTES,
     DISPATCHES,
@@ -62,7 +63,8 @@ def baked() -> Baked:
     look = appearance(np.random.default_rng(5), layout, False, False)
     buffers = FabricBuffers(default_adapter(), [(layout, look)], groups=GROUPS)
     tables = bake_tables(YarnGeometry(layout), look.diffuse_blend, GROUPS, llvm_float())
-    by_python = pack_fabrics([(layout, look)], None, [tables])
+    shown = ShaderTables(tables, given_numbers(layout, tables.base_size))
+    by_python = pack_fabrics([(layout, look)], None, [shown])
     return Baked(layout, look, read(buffers, by_python), by_python, plan_bake(layout, GROUPS))
 
 
@@ -75,7 +77,7 @@ def read(buffers: FabricBuffers, like: Packed) -> Packed:
 
 def table(packed: Packed, plan: BakePlan, name: str) -> NDArray[np.uint32]:
     first = int(packed.fabrics["lobes"][name][0])
-    return packed.words[first : first + plan.table_sizes[name]]
+    return packed.words[first : first + LobeTables.word_counts(plan.sizes)[name]]
 
 
 @pytest.mark.parametrize(
@@ -144,7 +146,7 @@ def test_drafts_of_hundreds_of_threads_keep_default_limits() -> None:
         plan = plan_bake(even_layout(rng.random(shape) < 0.5), GROUPS)
         sizes = {name: plan.value_of(size) for name, size in BUFFER_BYTES.items()}
         sizes["scratch"] = 4 * sum(plan.value_of(size) for size in SCRATCH.values())
-        sizes["tables"] = 4 * sum(plan.table_sizes.values())
+        sizes["tables"] = 4 * sum(LobeTables.word_counts(plan.sizes).values())
         assert max(sizes.values()) <= MAX_BYTES, sizes
         columns, rows = (int(count) for count in plan.levels[0, 1:])
         for dispatch in DISPATCHES:

@@ -3,7 +3,7 @@
 The bar is that of `queries.py`; a footprint or ray that meets the edge of a yarn may take the other side,
 which rounding decides, so a few of the queries may differ.
 
-Covers: realtime/openness_tables.py
+Covers: realtime/word_table.py
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from drjit.llvm import Float
 from loomlight.core.backend import array_types
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import make_model
-from loomlight.realtime.openness_tables import PARTS
+from loomlight.realtime.word_table import WordTable, add_block
 from tests.realtime.queries import share_beyond, vectors
 from tests.realtime.test_lobes import MAX_FLIPS, Queries
 from tests.realtime.whole_queries import lobes_values, point_values
@@ -68,5 +68,11 @@ def test_values_with_light_between_yarns(name: str) -> None:
 
 def test_parts_follow_each_other() -> None:
     offsets = first_words()
-    ends = [offsets[f"OPENNESS_{name}"] + int(np.prod(shape)) for name, shape in PARTS.items()]
-    assert [offsets[f"OPENNESS_{name}"] for name in PARTS][1:] == ends[:-1]
+    openness = fabric_from_text(FABRIC).appearance().openness
+    assert openness is not None
+    table = WordTable()
+    assert add_block(openness, table) == 0
+    numbers = table.words().view(np.float32)
+    for name, first in offsets.items():
+        array = getattr(openness, name.removeprefix("OPENNESS_").lower()).ravel()
+        np.testing.assert_array_equal(numbers[first:][: array.size], array.astype(np.float32))

@@ -15,8 +15,8 @@ import numpy as np
 import pytest
 
 from loomlight.models.lobes import density, visibility_rays
+from loomlight.models.registry import REALTIME_MODELS
 from loomlight.realtime.device import STORAGE_BUFFERS, default_adapter
-from loomlight.realtime.models import REALTIME_MODELS
 from loomlight.realtime.slangc import SHADERS, TARGETS, compile_shader, library_code, library_models
 from tests.limits import HANG
 from tools.shaders import build

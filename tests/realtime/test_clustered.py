@@ -2,7 +2,7 @@
 
 The bar is that of `queries.py`. Footprints end at whole texels: rounding decides a few queries otherwise.
 
-Covers: realtime/clustered_tables.py
+Covers: realtime/word_table.py
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def model_of(rank: int) -> ClusteredModel:
 
 
 def packed(model: ClusteredModel) -> Packed:
-    return pack_fabrics([(FABRIC.layout(), FABRIC.appearance())], None, [model])
+    return pack_fabrics([(FABRIC.layout(), FABRIC.appearance())], None, [model.shader_tables()])
 
 
 def pairs(rows: NDArray[np.float32]) -> Array2f:

@@ -2,7 +2,7 @@
 
 The bar is that of `queries.py` for single precision.
 
-Covers: realtime/latent_tables.py
+Covers: models/texture/tables.py
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ SEEN = (
 )
 def test_queries_of_latent(decoder: str, mips: str, frames: bool, features: bool, is_apart: bool) -> None:
     model = random_model(decoder, mips, frames, features, is_apart)
-    packed = pack_fabrics([None], None, [model], half=False)
+    packed = pack_fabrics([None], None, [model.shader_tables(half=False)])
     rows = queries()
     footprint = Footprint(*(pairs(rows[name]) for name in ("centre", "dx", "dy")))
     bsdf = model.at(vectors(rows["view"]), footprint)
@@ -131,7 +131,7 @@ def test_queries_of_latent(decoder: str, mips: str, frames: bool, features: bool
 @pytest.mark.slow
 def test_densities_and_samples_of_latent() -> None:
     model = random_model()
-    packed = pack_fabrics([None], None, [model], half=False)
+    packed = pack_fabrics([None], None, [model.shader_tables(half=False)])
     rows = queries()
     footprint = Footprint(*(pairs(rows[name]) for name in ("centre", "dx", "dy")))
     bsdf = model.at(vectors(rows["view"]), footprint)

@@ -2,7 +2,7 @@
 
 The bar is that of `queries.py` for single precision. No query searches along rays, so no value may miss it.
 
-Covers: realtime/neumip_tables.py
+Covers: models/texture/tables.py
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ def random_model(faces: int = 2, offset: bool = True, half: bool = False) -> Neu
 
 
 def packed(model: NeumipModel, half: bool = False) -> Packed:
-    return pack_fabrics([None], None, [model], half)
+    return pack_fabrics([None], None, [model.shader_tables(half)])
 
 
 def pairs(rows: NDArray[np.float32]) -> Array2f:

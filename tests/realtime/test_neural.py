@@ -2,7 +2,6 @@
 
 The bar is that of `queries.py`. No query searches along rays, so none may miss it.
 
-Covers: realtime/neural_tables.py
 """
 
 from __future__ import annotations
@@ -118,8 +117,8 @@ def test_a_frame_shades_the_footprints_of_its_pixels() -> None:
 def test_fabrics_share_a_network() -> None:
     model = neural_of("open")
     looks = (model.fabric.layout(), model.fabric.appearance())
-    alone = pack_fabrics([looks], None, [model])
-    both = pack_fabrics([looks, looks], None, [model, model])
+    alone = pack_fabrics([looks], None, [model.shader_tables()])
+    both = pack_fabrics([looks, looks], None, [model.shader_tables(), model.shader_tables()])
     first, second = both.fabrics["neural"]
     assert first["network"] == second["network"] == 0
     assert second["latents"] > first["latents"]
@@ -133,4 +132,4 @@ def test_a_network_of_another_shape_is_one_sentence() -> None:
     table = shipped_weights().table.model_copy(update={"hidden": 32})
     model.weights = replace(model.weights, table=table, source="mine.safetensors")
     with pytest.raises(InputError, match=r"^mine.safetensors: real-time shaders are compiled for networks"):
-        pack_fabrics([(model.fabric.layout(), model.fabric.appearance())], None, [model])
+        model.shader_tables()

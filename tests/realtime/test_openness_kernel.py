@@ -14,9 +14,8 @@ import numpy as np
 import pytest
 
 from loomlight.fabric import fabric_from_text
-from loomlight.realtime.bake import OPENNESS_KERNEL, declarations_of, module_text
+from loomlight.realtime.bake import OPENNESS_KERNEL, RAY_RESULTS, declarations_of, module_text
 from loomlight.realtime.device import default_adapter
-from loomlight.realtime.openness_tables import RAY_RESULTS
 from loomlight.realtime.tables import pack_fabrics
 from loomlight.scattering.openness import RayShares, openness_of, openness_of_rays, view_rays
 from loomlight.yarn.geometry import YarnGeometry
@@ -73,9 +72,9 @@ def test_openness_of_the_kernel_is_that_of_rays(text: str) -> None:
     fabric = fabric_from_text(text)
     layout, look = fabric.layout(), fabric.appearance()
     met = rays_of_kernel(text)
-    found = openness_of_rays(met, YarnGeometry(layout).height_bounds[1])
     roughness = look.warp.roughness, look.weft.roughness
     wanted = openness_of(layout, look.diffuse_blend, roughness, look.optical_depth)
+    found = openness_of_rays(met, YarnGeometry(layout).height_bounds[1], wanted.layers)
     assert found.relief == wanted.relief
     for name in ("interior", "meets", "blocks", "facing", "facing_layer"):
         np.testing.assert_allclose(getattr(found, name), getattr(wanted, name), atol=TOLERANCE, err_msg=name)

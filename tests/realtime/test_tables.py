@@ -1,6 +1,6 @@
 """Fabrics as records and words, and the records' layout.
 
-Covers: realtime/layout.py, realtime/word_table.py, realtime/lobes_tables.py
+Covers: realtime/layout.py, realtime/word_table.py
 """
 
 from __future__ import annotations

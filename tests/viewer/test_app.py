@@ -20,7 +20,7 @@ from starlette.exceptions import HTTPException
 from starlette.requests import Request
 
 from loomlight.fabric import fabric_from_text
-from loomlight.realtime.models import prepared_for
+from loomlight.realtime.models import tables_for
 from loomlight.realtime.tables import pack_fabrics
 from loomlight.viewer.app import Access, is_loopback, read_body
 from loomlight.viewer.draft_reader import MAX_UPLOAD
@@ -170,7 +170,7 @@ def test_tables_of_a_model(local: Served) -> None:
     # What the Python renderer uploads for the same fabric.
     fabric = fabric_from_text('weave = "twill 3/1"')
     look = fabric.layout(), fabric.appearance()
-    packed = pack_fabrics([look], prepared=[prepared_for(fabric, "neural")]).buffers()
+    packed = pack_fabrics([look], models=[tables_for(fabric, "neural")]).buffers()
     assert {name: part.tobytes() for name, part in tables.items()} == {
         name: values.tobytes() for name, values in packed.items()
     }

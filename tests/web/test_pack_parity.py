@@ -17,9 +17,8 @@ from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.models.lobes.model import DEFAULT_GROUPS
 from loomlight.realtime.bake import BakePlan, _bake_record, _steps, plan_bake
 from loomlight.realtime.layout import numpy_type
-from loomlight.realtime.openness_tables import PARTS
 from loomlight.realtime.tables import Packed, pack_fabrics
-from loomlight.scattering.openness import ray_shares
+from loomlight.scattering.openness import Openness, ray_shares
 from loomlight.viewer.messages import openness_json
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry
@@ -130,7 +129,7 @@ def pairs(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
         served = questions[number]["openness"]
         if served is not None:
             plan = replace(plan, joint=np.array(served["joint"], np.uint32).view(np.int16))
-        packed = pack_fabrics([(fabric.layout(), fabric.appearance())], [UV_SIZE_MM], [plan])
+        packed = pack_fabrics([(fabric.layout(), fabric.appearance())], [UV_SIZE_MM], [plan.shader_tables()])
         names = ("fabrics", "families", "words", "bake", "steps")
         page = {name: (folder / f"{number}.{name}").read_bytes() for name in names}
         result[numbers[number]] = Pair(packed, plan, page)
@@ -247,7 +246,7 @@ def test_openness_is_fitted_as_python_fits_it(pairs: dict[int, Pair]) -> None:
     theirs = np.frombuffer(page["fabrics"], packed.fabrics.dtype)[0]
     ours = packed.fabrics[0]
     assert theirs["openness"] == ours["openness"]
-    size = sum(int(np.prod(shape)) for shape in PARTS.values())
+    size = sum(Openness.word_counts({}).values())
     words = (packed.words, np.frombuffer(page["words"], np.uint32))
     numbers, found = (array.view(np.float32)[int(ours["openness"]) :][:size] for array in words)
     # Rays that are rounded to single precision move coefficients of terms that go together by 1e-5 at most.

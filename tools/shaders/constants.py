@@ -48,7 +48,7 @@ from loomlight.models.neural import architecture, footprint_coding, light_visibi
 from loomlight.models.neural import proposal as neural_proposal
 from loomlight.models.texture import latent, neumip
 from loomlight.models.texture import model as textured_model
-from loomlight.realtime import bake, bvh, openness_tables
+from loomlight.realtime import bake, bvh, tables
 from loomlight.scattering import (
     detail,
     directions,
@@ -88,13 +88,13 @@ MODULES: dict[str, tuple[ModuleType, ...]] = {
         lobe_bsdf,
         lobe_tables,
         geometry,
-        openness_tables,
         packed_uint8,
         point_sampled,
         prefiltered,
         random_numbers,
         rays,
         regimes,
+        tables,
         threads,
         variation,
         visibility_rays,
@@ -212,9 +212,10 @@ def shader_constants() -> dict[str, Value]:
 
 
 def first_words() -> dict[str, int]:
-    """Where each part of a cloth's openness begins."""
-    sizes = [math.prod(shape) for shape in openness_tables.PARTS.values()]
-    return {f"OPENNESS_{name}": sum(sizes[:number]) for number, name in enumerate(openness_tables.PARTS)}
+    """Where each table of a cloth's openness begins in its block."""
+    counts = openness.Openness.word_counts({})
+    sizes = [*counts.values()]
+    return {f"OPENNESS_{name.upper()}": sum(sizes[:number]) for number, name in enumerate(counts)}
 
 
 def _is_pair(value: Value) -> bool:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from loomlight.models.neural import architecture, footprint_coding, light_visibility
+from loomlight.models.neural.decoder import ANGULAR, LAST, LAYERS, neural_layers
 from loomlight.models.neural.weights import shipped_weights
 from loomlight.realtime.networks import layer_size
-from loomlight.realtime.neural_tables import ANGULAR, LAST, LAYERS, neural_layers
 
 
 def neural_constants() -> dict[str, float]:

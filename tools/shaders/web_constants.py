@@ -14,22 +14,23 @@ import math
 from collections.abc import Sequence
 from pathlib import Path
 
+from loomlight.core.tables import Table, Tables, shape_text
 from loomlight.fabric import colour, resolve
 from loomlight.fabric.fields import YarnTable
 from loomlight.models.lobes import model as lobes_model
+from loomlight.models.lobes.tables import LobeTables
 from loomlight.realtime import (
     albedo_map,
     environment,
-    openness_tables,
     orbit,
     renderer,
     scene_words,
-    tables,
 )
 from loomlight.realtime.layout import RECORDS, numpy_type
 from loomlight.realtime.slangc import SHADERS
 from loomlight.scattering import albedo
 from loomlight.scattering.appearance import YarnDetail
+from loomlight.scattering.openness import Openness
 from loomlight.yarn import layout
 from tools.shaders.constants import MODULES, Value, prefixed_numbers
 from tools.shaders.web_fabric import fabric_typescript
@@ -54,7 +55,6 @@ _PAGE_MODULES = (
     orbit,
     renderer,
     scene_words,
-    tables,
 )
 _FURTHER: dict[str, Value] = {
     # Numbers of `YarnDetail` that fabric files have: name, field, unit of the field.
@@ -64,8 +64,16 @@ _FURTHER: dict[str, Value] = {
         for key, unit in ((field.name, 1.0), (f"{field.name}_deg", math.radians(1)))
         if key in YarnTable.model_fields and field.name != "twist"  # which is the layout's
     ],
-    # Numbers of each part of the openness of yarns, in the order in which a fabric has them.
-    "OPENNESS_PARTS": [[name.lower(), math.prod(shape)] for name, shape in openness_tables.PARTS.items()],
+    # Numbers of each table of the openness of yarns: those that a fabric has, in their order, and others.
+    "OPENNESS_PARTS": [[*part] for part in Openness.word_counts({}).items()],
+    "OPENNESS_OTHERS": [
+        [name, math.prod(of.extents())]
+        for name, of in Openness.declarations.items()
+        if isinstance(of, Table) and not of.words
+    ],
+    # Tables of lobes, for which the page makes room: numbers of each, a sum of products of sizes (`Size` of
+    # bake_plan.ts), and numbers a word.
+    "LOBES_TABLES": [[name, *products] for name, products in LobeTables.products().items()],
     "DEFAULT_SAMPLES": renderer.DEFAULT_OPTIONS["samples"],
     "DEFAULT_ENVIRONMENT_SAMPLES": renderer.DEFAULT_OPTIONS["environment_samples"],
 }
@@ -102,7 +110,21 @@ def typescript() -> str:
         lines += [f"export const {name} = {_literal(value)};" for name, value in prefixed_numbers(module)]
     lines.append("")
     lines += [f"export const {name} = {_literal(value)};" for name, value in _FURTHER.items()]
-    return "\n".join(lines) + "\n"
+    return "\n".join([*lines, *_interface("OpennessTables", Openness)]) + "\n"
+
+
+def _interface(name: str, tables: type[Tables]) -> list[str]:
+    """An interface of flat lists of the numbers of all tables of a class."""
+    lines = [
+        "",
+        f"/** {(tables.__doc__ or '').splitlines()[0]} */",
+        f"export interface {name} {{",
+    ]
+    for field, of in tables.declarations.items():
+        if isinstance(of, Table):
+            lines.append(f"  /** {of.meaning} [{shape_text(of.shape)}] */")
+            lines.append(f"  readonly {field}: readonly number[];")
+    return [*lines, "}"]
 
 
 def flat_fields(record: str, prefix: str = "") -> list[tuple[str, str]]:

@@ -6,8 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from loomlight.export.kernels import library_records, size_of
+from loomlight.models.registry import REALTIME_MODELS
 from loomlight.realtime.layout import BUFFERS, RECORDS, Fields
-from loomlight.realtime.models import REALTIME_MODELS, Material, look_of, prepared_for
+from loomlight.realtime.models import Material, look_of, tables_for
 from loomlight.realtime.tables import pack_fabrics
 
 
@@ -19,7 +20,7 @@ def write_buffers(
     Raises:
         InputError: the model does not take the material.
     """
-    packed = pack_fabrics([look_of(material, model)], [repeat_mm], [prepared_for(material, model)])
+    packed = pack_fabrics([look_of(material, model)], [repeat_mm], [tables_for(material, model)])
     described = []
     for binding, (name, (kind, _)) in enumerate(BUFFERS.items()):
         if name in REALTIME_MODELS[model].buffers:

@@ -12,9 +12,8 @@ from loomlight.export.folder import replacing_folder, write_manifest
 from loomlight.export.materials import write_gltf, write_materialx
 from loomlight.export.shaders import write_shaders
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.registry import model_class
+from loomlight.models.registry import REALTIME_MODELS, model_class
 from loomlight.realtime.models import (
-    REALTIME_MODELS,
     Material,
     default_model_of,
     fabric_for,

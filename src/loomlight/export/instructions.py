@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from loomlight.realtime.models import REALTIME_MODELS
+from loomlight.models.registry import REALTIME_MODELS
 
 _FOLDER = Path(__file__).parent / "languages"
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from string import Template
 
+from loomlight.models.registry import Shaders
 from loomlight.realtime.layout import BUFFERS, QUERY, RECORDS, Fields
-from loomlight.realtime.models import RealtimeModel
 
 _TEMPLATES = Path(__file__).parent / "languages"
 _WGSL_TYPES = {"float": "f32", "uint": "u32"}
@@ -29,7 +29,7 @@ _ARGUMENTS = (
 )
 
 
-def _answer(model: RealtimeModel, answer: str, two: str, three: str, last: str = "") -> str:
+def _answer(model: Shaders, answer: str, two: str, three: str, last: str = "") -> str:
     """The statements that store an answer: of `cloth_value`, or with a seed of `cloth_estimate`.
 
     Args:
@@ -60,7 +60,7 @@ def _wgsl_struct(name: str, fields: Fields) -> str:
     return "\n".join([f"struct {name}", "{", *lines, "}", ""])
 
 
-def kernel(model: RealtimeModel, language: str) -> str:
+def kernel(model: Shaders, language: str) -> str:
     """The kernel's text: `languages/kernel.LANGUAGE.in` for a model."""
     text = Template((_TEMPLATES / f"kernel.{language}.in").read_text(encoding="utf-8"))
     typed = {name: f"{_element(name, language)}* {name}" for name in model.buffers}

@@ -22,7 +22,7 @@ from loomlight.models.texture.latent import (
     LatentModel,
     Weights,
 )
-from loomlight.realtime.models import Material, prepared_for, source_of
+from loomlight.realtime.models import Material, model_for, source_of
 
 _PAGE = Path(__file__).parent / "languages" / "latent_network.md"
 _OPSET, _IR = 17, 8
@@ -39,7 +39,7 @@ def write_latent_onnx(
         InputError: a material that is not trained.
         MissingDependencyError: the package onnx is missing.
     """
-    made = prepared_for(material, model)
+    made = model_for(material, model)
     assert isinstance(made, LatentModel)  # what `latent` needs
     shape = made.weights.shape
     (folder / "decoder.onnx").write_bytes(latent_decoder(made.weights))

@@ -19,7 +19,6 @@ from loomlight.models.neural.weights import shipped_decoder
 from loomlight.models.registry import make_model
 from loomlight.scattering import sheen
 from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance, FamilyAppearance
-from loomlight.scattering.fibre import mean_layer_shares
 from loomlight.scattering.interreflection import Scattered, scattered, solved_interior
 from loomlight.scattering.openness import Openness
 from loomlight.scattering.sheen_coefficients import REFLECTANCE, SCALE, SHEAR
@@ -61,7 +60,7 @@ def write_onnx(folder: Path, fabric: Fabric, model: str, _distance: float | None
     layout, appearance = fabric.layout(), fabric.appearance()
     levels = [
         {"first": level.first, "columns": level.columns, "rows": level.rows, "per_thread": level.per_thread}
-        for level in encoded.levels
+        for level in encoded.pyramid
     ]
     (folder / "README.md").write_text(
         _PAGE.read_text(encoding="utf-8").format(name=fabric.name, hidden=hidden, pitch=mean_pitch(layout)),
@@ -104,12 +103,8 @@ def _cloth_tensors(model: NeuralModel) -> dict[str, NDArray[Any]]:
 
 def _between_yarns(appearance: Appearance, openness: Openness) -> dict[str, NDArray[Any]]:
     """Blocked shares of the sky by view, and the radiances between the yarns of both faces."""
-    families = (appearance.warp, appearance.weft)
-    layers = [
-        [float(share) for share in mean_layer_shares(family.roughness, appearance.optical_depth)]
-        for family in families
-    ]
-    warp, weft = (_scattered(family, layer) for family, layer in zip(families, layers, strict=True))
+    layers = openness.layers.tolist()
+    warp, weft = map(_scattered, (appearance.warp, appearance.weft), layers)
     faces = solved_interior(warp, weft, openness.interior, openness.meets, openness.blocks)
     radiance = [
         [own.warp, own.weft, own.leaked, other.mean, other.leaked] for own, other in (faces, faces[::-1])
@@ -117,7 +112,7 @@ def _between_yarns(appearance: Appearance, openness: Openness) -> dict[str, NDAr
     return {
         "between.by_view": openness.by_view,
         "between.warp_seen": openness.warp_seen,
-        "between.layers": np.array(layers),
+        "between.layers": openness.layers,
         "between.radiance": np.array(radiance),
     }
 

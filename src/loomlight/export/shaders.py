@@ -10,7 +10,8 @@ from loomlight.export.buffers import described_records, write_buffers
 from loomlight.export.instructions import shader_instructions
 from loomlight.export.kernels import c_header, kernel
 from loomlight.export.libraries import library
-from loomlight.realtime.models import REALTIME_MODELS, Material, source_of
+from loomlight.models.registry import REALTIME_MODELS
+from loomlight.realtime.models import Material, source_of
 from loomlight.realtime.slangc import SHADERS, TARGETS, library_code
 
 _OWN = Path(__file__).parent / "languages"

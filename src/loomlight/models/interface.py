@@ -21,7 +21,7 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar, Self
 
 import drjit as dr
@@ -29,6 +29,7 @@ import drjit as dr
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
+from loomlight.core.tables import Tables
 from loomlight.models.options import Options
 from loomlight.scattering.point import DirectionSample
 from loomlight.sources.kinds import Source
@@ -56,6 +57,21 @@ class Parameter:
     low: float = -math.inf
     high: float = math.inf
     unit: str = ""
+
+
+@dataclass(frozen=True)
+class ShaderTables:
+    """What shaders read of a model beside its source.
+
+    Attributes:
+        tables: which declare the record and its tables.
+        given: numbers and tables that they declare as given, by name.
+        of_source: fields of the record of the source, where that is no fabric.
+    """
+
+    tables: Tables
+    given: Mapping[str, Any] = field(default_factory=dict)
+    of_source: Mapping[str, float] = field(default_factory=dict)
 
 
 class FootprintBsdf(ABC):
@@ -211,6 +227,15 @@ class Model(ABC):
     def upload(self, types: ArrayTypes) -> None:
         """Puts all tables on a backend: symbolic calls may not upload any."""
         del types
+
+    def shader_tables(self, half: bool = True) -> ShaderTables | None:
+        """What shaders read beside the source; None for nothing, or where there are no shaders.
+
+        Args:
+            half: texels in half precision, else in single precision, where there are any.
+        """
+        del half
+        return None
 
     @property
     def open_area(self) -> float:

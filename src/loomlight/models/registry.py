@@ -19,6 +19,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.sentences import closest, shown, speaking_of
 from loomlight.core.settings import declared, require_names
+from loomlight.core.tables import Tables
 from loomlight.models.interface import Model
 from loomlight.models.options import Options, is_source
 from loomlight.sources.kinds import Source, kind_of_source
@@ -30,8 +31,41 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
+class Shaders:
+    """What `realtime` and `export` know of a model's shaders.
+
+    Attributes:
+        kernel: entry point that shades the pixels of a frame; `cloth_NAME` is the library for engines.
+        computes: what the library's `cloth_value` computes, a phrase.
+        cost: of it, counted by benchmarks/realtime.py: denim, one light.
+        tables: module and class, "module:Class", of the `Tables` that declare its record; "" for none.
+        buffers: that the library reads, of `realtime.records.BUFFERS`.
+        reads_yarns: whether shaders read yarns and colours of a fabric.
+        bakes_on_adapter: whether kernels can bake its tables.
+        has_estimate: whether the library has `cloth_estimate` beside `cloth_value`, which takes a seed too.
+    """
+
+    kernel: str
+    computes: str
+    cost: str
+    tables: str = ""
+    buffers: tuple[str, ...] = ("fabrics", "families", "words")
+    reads_yarns: bool = True
+    bakes_on_adapter: bool = False
+    has_estimate: bool = False
+
+    def declared_tables(self) -> type[Tables] | None:
+        """The class that declares what shaders read; None for a model without tables."""
+        if not self.tables:
+            return None
+        module, _, name = self.tables.partition(":")
+        found: type[Tables] = getattr(import_module(module), name)
+        return found
+
+
+@dataclass(frozen=True)
 class ModelEntry:
-    """Where a model is found.
+    """Where a model is found, and what shades it in real time.
 
     Attributes:
         module, class_name: its class.
@@ -39,6 +73,7 @@ class ModelEntry:
         summary: what it is, for a list of models.
         extra: of a model that evaluates a network, by kernels of llvmlite: what brings that.
         baking_extra: what brings all that baking it needs, where that is more.
+        shaders: None for a model without.
     """
 
     module: str
@@ -47,20 +82,37 @@ class ModelEntry:
     summary: str = ""
     extra: str = ""
     baking_extra: str = ""
+    shaders: Shaders | None = None
 
 
+_FOOTPRINT = "the mean over the footprint of a pixel: one call a pixel and light"
+_NETWORKS = ("fabrics", "words", "packed_numbers")
 MODELS: dict[str, ModelEntry] = {
     "lobes": ModelEntry(
         "loomlight.models.lobes.model",
         "LobesModel",
         "woven_lobes",
         "prefiltered: each sample averages over its pixel; the default",
+        shaders=Shaders(
+            "shade_lobes",
+            _FOOTPRINT,
+            "About 7,000 floating-point operations a pixel and light far away and close by, 19,000 where a "
+            "pixel is about half a thread. Far away 60 frames a second of 1920 × 1080 take 0.7 TFLOP/s; the "
+            "tables stay in the caches.",
+            "loomlight.models.lobes.tables:LobeTables",
+            bakes_on_adapter=True,
+        ),
     ),
     "point": ModelEntry(
         "loomlight.models.point",
         "PointModel",
         "woven_point",
         "single yarn points: exact, but noisy where threads are small",
+        shaders=Shaders(
+            "shade_points",
+            "one point of the cloth, `centre`; average several centres a pixel",
+            "About 3,000 floating-point operations for each point of a pixel and light.",
+        ),
     ),
     "samples": ModelEntry(
         "loomlight.models.samples",
@@ -74,12 +126,30 @@ MODELS: dict[str, ModelEntry] = {
         "woven_neural",
         "the network of Chen et al. 2024, for repeats of up to 64 threads",
         extra="neural",
+        shaders=Shaders(
+            "shade_neural",
+            _FOOTPRINT,
+            "About 170,000 floating-point operations a pixel, 34,000 for each further light of a pixel where "
+            "the part that depends on the view alone is kept.",
+            "loomlight.models.neural.encoded_fabric:EncodedFabric",
+            ("fabrics", "families", "words", "packed_numbers"),
+        ),
     ),
     "clustered": ModelEntry(
         "loomlight.models.clustered.model",
         "ClusteredModel",
         "woven_clustered",
         "maps of texels by clustered control variates (Zhu et al. 2024)",
+        shaders=Shaders(
+            "shade_clustered",
+            "the base over the footprint of a pixel, without noise; `cloth_estimate`, with another `seed` "
+            "for every pixel and frame as its last argument, adds texels to it: the mean is that of the "
+            "surface",
+            "For the base of a pixel and light 1,600 to 3,600 floating-point operations, more where a pixel "
+            "shows more clusters; with two texels 2,400 to 4,400.",
+            "loomlight.models.clustered.tables:ClusterTables",
+            has_estimate=True,
+        ),
     ),
     "neumip": ModelEntry(
         "loomlight.models.texture.neumip",
@@ -88,6 +158,14 @@ MODELS: dict[str, ModelEntry] = {
         "a network trained for one source (NeuMIP, Kuznetsov et al. 2021)",
         extra="networks",
         baking_extra="train",
+        shaders=Shaders(
+            "shade_neumip",
+            _FOOTPRINT,
+            "About 13,000 floating-point operations a pixel and light for a source with holes that light "
+            "passes through, 9,000 for an opaque one; a further light of a pixel repeats 4,000.",
+            "loomlight.models.texture.tables:NeumipTables",
+            _NETWORKS,
+        ),
     ),
     "latent": ModelEntry(
         "loomlight.models.texture.latent",
@@ -96,6 +174,15 @@ MODELS: dict[str, ModelEntry] = {
         "network and sampler trained for one source (Zeltner et al. 2024)",
         extra="networks",
         baking_extra="train",
+        shaders=Shaders(
+            "shade_latent",
+            _FOOTPRINT,
+            "About 5,000 floating-point operations a pixel and light with the decoder 2x32, 2,300 with 2x16, "
+            "24,000 with 3x64.",
+            "loomlight.models.texture.tables:LatentTables",
+            _NETWORKS,
+            reads_yarns=False,
+        ),
     ),
 }
 
@@ -128,6 +215,8 @@ _KERNELS = "llvmlite"
 DEFAULT_MODEL = "lobes"
 # What pictures of other models are judged by.
 REFERENCE_MODEL = "point"
+# Of the models that shaders shade with, in real time and in exported libraries.
+REALTIME_MODELS = {name: entry.shaders for name, entry in MODELS.items() if entry.shaders is not None}
 
 
 def model_names() -> tuple[str, ...]:

@@ -18,12 +18,12 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.models.interface import ShaderTables
 from loomlight.models.lobes import cloth_samples, coverage_pyramid, groups, visibility_rays
 from loomlight.models.lobes.clustering import FEATURES
 from loomlight.models.lobes.hemisphere import NODES
-from loomlight.models.lobes.joint_lookup import JOINT_FACTORS, JOINT_NODES
 from loomlight.models.lobes.packed_uint8 import pack_count
-from loomlight.models.lobes.tables import MOMENTS
+from loomlight.models.lobes.tables import MOMENTS, LobeTables, given_numbers
 from loomlight.realtime.device import Adapter
 from loomlight.realtime.layout import numpy_type, offset_of
 from loomlight.realtime.slangc import SHADERS
@@ -140,6 +140,8 @@ BUFFER_BYTES: dict[str, Size] = {
 }
 # The kernel of the openness of yarns, which runs on its own, and the file that it is in.
 OPENNESS_KERNEL = "bake_openness"
+# Words that it writes for each ray; `bake_openness.slang` has their order.
+RAY_RESULTS = 10
 # Names that kernels have for buffers which they write and others read.
 ALIASES = {"texel_counters": "texel_counts", "tables": "words", "record_words": "fabrics"}
 
@@ -154,6 +156,7 @@ class BakePlan:
         levels: first node, columns and rows of each level of the coverage pyramid [levels, 3].
         base_size: side of the squares of its first level, millimetres.
         blur: weights of the taps across and along that make tents of cells, the middle one first.
+        given: numbers that `LobeTables` declares as given.
         joint: `LobeTables.joint`, which no kernel bakes; None leaves ratios at 1.
     """
 
@@ -162,21 +165,18 @@ class BakePlan:
     levels: NDArray[np.int64]
     base_size: float
     blur: tuple[list[float], list[float]]
+    given: Mapping[str, float]
     joint: NDArray[np.int16] | None = None
 
-    @property
-    def table_sizes(self) -> dict[str, int]:
-        """Words of each of these tables, in order, by the field of `Lobes` that says where it begins."""
-        packs, nodes = self.sizes["packs"], self.sizes["face_nodes"]
-        return {
-            "coverage": 2 * nodes * packs,
-            "coverage_holes": -(-2 * nodes // 4),
-            "projected_area": 2 * NODES * (packs + 1),
-            "light_visibility": 4 * NODES * packs,
-            "irradiance": 4 * NODES * packs,
-            "moments": 2 * 4 * packs * MOMENTS,
-            "joint": 4 * JOINT_NODES * JOINT_FACTORS,
-        }
+    def shader_tables(self) -> ShaderTables:
+        """Room for the tables, and what of them is known; what kernels find out stays 0.
+
+        Joint visibility that is not known stays 0 too, which makes ratios of 1.
+        """
+        known: dict[str, Any] = {"levels": self.levels, "base_size": self.base_size}
+        if self.joint is not None:
+            known["joint"] = self.joint
+        return ShaderTables(LobeTables.zeros(self.sizes, **known), self.given)
 
     def value_of(self, size: Size, more: Mapping[str, int] | None = None) -> int:
         """A size as a number; `more` are names that depend on the level."""
@@ -227,7 +227,8 @@ def plan_bake(layout: ClothLayout, per_family: int) -> BakePlan:
         _tap_weights([float(w) for w in coverage_pyramid.blur_steps(spacing.base_size * count / side)])
         for count, side in zip((columns, rows), geometry.size, strict=True)
     )
-    return BakePlan(values, sizes, levels, spacing.base_size, (blur[0], blur[1]))
+    given = given_numbers(layout, spacing.base_size)
+    return BakePlan(values, sizes, levels, spacing.base_size, (blur[0], blur[1]), given)
 
 
 def _levels(columns: int, rows: int) -> NDArray[np.int64]:

@@ -58,7 +58,7 @@ class FabricBuffers:
             )
             for layout, look in looks
         ]
-        self.packed = pack_fabrics(list(looks), uv_size_mm, self.plans)
+        self.packed = pack_fabrics(list(looks), uv_size_mm, [plan.shader_tables() for plan in self.plans])
         if describe is not None:
             describe(self.packed.fabrics)
         self.buffers: dict[str, Any] = {

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from loomlight.models.registry import REALTIME_MODELS
 from loomlight.scattering import detail
 
 # (name, type, meaning); a type is float, uint, or the name of a record above.
@@ -57,118 +58,6 @@ FAMILY: Fields = (
     ("area_unit", "float", "square millimetres that the integer 1 of these integrals stands for"),
     ("crossing_area", "float", "mean visible area of a crossing"),
     *((name, "float", meaning) for name, meaning in detail.FAMILY_NUMBERS.items()),
-)
-
-LOBES: Fields = (
-    ("is_baked", "uint", "0 where the fabric has no tables of lobes"),
-    ("inverse_base_size", "float", "1 / side of the squares of the pyramid's first level"),
-    ("last_level", "float", "of the coverage pyramid"),
-    ("levels", "uint", "first node, columns, rows of each level, four numbers each"),
-    ("face_nodes", "uint", "nodes of the pyramid of one face"),
-    ("packs", "uint", "packs of four groups; even"),
-    ("front_warp_packs", "uint", "how many, the first ones, are the warp's"),
-    ("back_warp_packs", "uint", "the same of the back"),
-    ("coverage", "uint", "bytes of the pyramid [2 faces, nodes, packs]"),
-    ("coverage_holes", "uint", "bytes of holes [2 faces, nodes], four a word"),
-    ("projected_area", "uint", "bytes [2 faces, hemisphere nodes, packs + 1]: square roots; holes last"),
-    ("light_visibility", "uint", "bytes [2 faces, 2 sides, hemisphere nodes, packs]: 255 is 1"),
-    ("irradiance", "uint", "bytes [2 faces, 2 sides, hemisphere nodes, packs]: 255 is 1/π"),
-    ("moments", "uint", "numbers of each group [2 faces, 4 packs, 12]"),
-    ("joint", "uint", "factors [2 faces, 2 sides, view or light, joint nodes, 8], two 16-bit numbers a word"),
-    ("front_hole_weight", "float", "weight of holes"),
-    ("back_hole_weight", "float", "the same of the back"),
-    ("threads_per_mm", "float", "1 / mean size of a thread"),
-    ("unit_level", "float", "log₂ of the length that separates the regimes"),
-)
-
-NEURAL: Fields = (
-    ("is_encoded", "uint", "0 where the fabric has no latents"),
-    ("network", "uint", "first element of the layers in packed_numbers"),
-    ("latents", "uint", "first element of the latents [2 faces, texels, NEURAL_LATENT], halves"),
-    ("texels", "uint", "of one face"),
-    ("levels", "uint", "first texel, columns, rows, texels a thread of each level, four numbers each"),
-    ("top_level", "uint", "the mean of the repeat"),
-    ("ends", "float", "threads of the warp in the repeat of the latents"),
-    ("picks", "float", "the same of the weft"),
-    ("ends_per_mm", "float", ""),
-    ("picks_per_mm", "float", ""),
-    ("pitch", "float", "geometric mean of the spacings of both families"),
-    ("warp_x", "float", "fibre direction on the crown of a yarn of the warp, of the front"),
-    ("warp_y", "float", ""),
-    ("warp_roughness", "float", "α that the network sees"),
-    ("weft_x", "float", "the same of the weft"),
-    ("weft_y", "float", ""),
-    ("weft_roughness", "float", ""),
-    ("warp_lobe_roughness", "float", "α of the lobe that directions are sampled with"),
-    ("weft_lobe_roughness", "float", ""),
-    ("bundles", "uint", "b and a of each lobe of the basis [2 families, NEURAL_BUNDLES, 4]"),
-    ("is_corrected", "uint", "1 where the last layer is fitted to the fabric"),
-    ("correction", "uint", "first element of that layer in packed_numbers, singles"),
-)
-
-NEUMIP: Fields = (
-    ("is_trained", "uint", "0 where the source has no trained textures"),
-    ("decoder", "uint", "first element of the decoder in packed_numbers, singles"),
-    ("has_offset", "uint", "1 with the offset module"),
-    ("offset", "uint", "first element of its network, singles"),
-    ("offset_texels", "uint", "first element of the offset texture [faces, rows, columns, 8]"),
-    ("features", "uint", "first element of the pyramid [faces, texels, 8]"),
-    ("texel_elements", "uint", "of a texel: 1 for halves, 2 for singles"),
-    ("levels", "uint", "first texel, columns, rows of each level, three words each"),
-    ("last_level", "float", "number of the level of one texel"),
-    ("face_texels", "uint", "texels of the pyramid of a face"),
-    ("back", "uint", "number of the textures of the back: 0 where both sides look alike"),
-    ("repeats_per_x", "float", "1 / width of the repeat"),
-    ("repeats_per_y", "float", "1 / height of the repeat"),
-    ("texels_per_mm", "float", "of level 0"),
-    ("unit_x", "float", "unit of the ray depth, in repeats of x"),
-    ("unit_y", "float", "and of y"),
-    ("transmits", "uint", "1 with a decoder for lights on the other side"),
-    ("transmission", "uint", "first element of that decoder, singles"),
-    ("has_holes", "uint", "1 with a network of holes"),
-    ("opacity", "uint", "first element of that network, singles"),
-)
-
-LATENT: Fields = (
-    ("is_trained", "uint", "0 where the source has no trained latents"),
-    ("decoder", "uint", "first element of the decoder in packed_numbers, singles"),
-    ("hidden", "uint", "width of its hidden layers: 16 or 32 of two, 64 of three"),
-    ("frames", "uint", "first element of the layer of frames, singles"),
-    ("sampler", "uint", "first element of the network that describes the density of directions"),
-    ("albedo", "uint", "first element of the network of albedos"),
-    ("texels", "uint", "first element of the latents [faces, texels, 8]"),
-    ("texel_elements", "uint", "of a texel: 1 for halves, 2 for singles"),
-    ("levels", "uint", "first texel, columns, rows of each level, three words each"),
-    ("last_level", "float", "number of the level of one texel"),
-    ("face_texels", "uint", "texels of the pyramid of a face"),
-    ("back", "uint", "number of the latents of the back: 0 where both sides look alike"),
-    ("repeats_per_x", "float", "1 / width"),
-    ("repeats_per_y", "float", "1 / height"),
-    ("texels_per_mm", "float", "of level 0"),
-    ("width", "float", "of the repeat"),
-    ("height", "float", ""),
-    ("is_trilinear", "uint", "1 where levels are interpolated, 0 where one of two is chosen at random"),
-    ("is_apart", "uint", "1 where texels are materials of their own, between which nothing is interpolated"),
-)
-
-CLUSTERED: Fields = (
-    ("is_baked", "uint", "0 where the fabric has no tables of clusters"),
-    ("clusters", "uint", "of a face; the first half is the warp's"),
-    ("rank", "uint", "principal components of the densities of a cluster"),
-    ("channels", "uint", "clusters · (4 + rank) + 4"),
-    ("columns", "uint", "texels of the repeat"),
-    ("rows", "uint", ""),
-    ("texel_width", "float", "millimetres"),
-    ("texel_height", "float", ""),
-    ("samples", "uint", "texels of the residual of a footprint"),
-    ("sums", "uint", "summed areas, signed [2 faces, rows + 1, columns + 1, channels]"),
-    ("labels", "uint", "bytes: cluster of each texel [2 faces, rows, columns]; 255 in holes"),
-    ("coefficients", "uint", "signed bytes, of densities and normals [2 faces, rows, columns, rank + 3]"),
-    ("basis", "uint", "means and components of densities [2 faces, bins, 1 + rank, clusters]"),
-    ("moments", "uint", "numbers of each cluster [2 faces, clusters, 8]"),
-    ("texels", "uint", "lobe of visibility and thread of each texel [2 faces, rows, columns, 12]"),
-    ("light", "uint", "mean visibility of each cluster [2 faces, 2 sides, bins, clusters]"),
-    ("heights", "uint", "means and components of parallax, millimetres [2 faces, view bins, 5]"),
 )
 
 FABRIC: Fields = (
@@ -340,13 +229,20 @@ QUERY: Fields = (
     ("seed", "uint", "random number of an unbiased estimate, where the model has one; 0 asks for its value"),
 )
 
+
+def _of_models() -> dict[str, Fields]:
+    """Records of models by name, as their tables declare them."""
+    found: dict[str, Fields] = {}
+    for shaders in REALTIME_MODELS.values():
+        declared = shaders.declared_tables()
+        if declared is not None:
+            found[declared.record.capitalize()] = declared.record_fields()
+    return found
+
+
 RECORDS: dict[str, Fields] = {
     "Family": FAMILY,
-    "Lobes": LOBES,
-    "Neural": NEURAL,
-    "Neumip": NEUMIP,
-    "Latent": LATENT,
-    "Clustered": CLUSTERED,
+    **_of_models(),
     "Fabric": FABRIC,
     "Light": LIGHT,
     "Frame": FRAME,

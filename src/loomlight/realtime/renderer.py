@@ -11,17 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
+from loomlight.models.registry import REALTIME_MODELS
 from loomlight.realtime.device import Adapter, default_adapter, wgpu_module
 from loomlight.realtime.environment import Environment, EnvironmentTables
 from loomlight.realtime.fabric_buffers import FabricBuffers
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.models import (
-    REALTIME_MODELS,
     Material,
     default_model_of,
     look_of,
-    prepared_for,
     require_realtime_model,
+    tables_for,
 )
 from loomlight.realtime.scene import Camera, Cloth, Light, light_records, vertex_records
 from loomlight.realtime.scene_words import SceneWords
@@ -308,8 +308,8 @@ class Renderer:
             self._resources.update(fabrics.buffers)
             self._is_open = fabrics.is_open
             return
-        prepared = [prepared_for(material, self.model) for material in materials]
-        packed = pack_fabrics(looks, uv_size_mm, prepared)
+        models = [tables_for(material, self.model) for material in materials]
+        packed = pack_fabrics(looks, uv_size_mm, models)
         self._scene.describe_maps(packed.fabrics)
         self._is_open = bool(packed.fabrics["is_open"].any())
         for name, values in packed.buffers().items():

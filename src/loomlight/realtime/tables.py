@@ -13,11 +13,10 @@ from numpy.typing import NDArray
 from loomlight.aggregate import footprint_albedos
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.models.fabric_model import ALBEDOS
+from loomlight.models.interface import ShaderTables
 from loomlight.realtime.layout import numpy_type
-from loomlight.realtime.models import Prepared, pack_model
 from loomlight.realtime.networks import Elements
-from loomlight.realtime.openness_tables import NO_OPENNESS, pack_openness
-from loomlight.realtime.word_table import Tables, Words, WordTable, fill
+from loomlight.realtime.word_table import Tables, Words, WordTable, add_block, fill, write_tables
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.detail import family_numbers
 from loomlight.scattering.variation import FIBRES_ACROSS
@@ -29,6 +28,8 @@ from loomlight.yarn.threads import CELL_MAX_LEVELS, FamilyTables
 # Cloth with less open area casts the shadow of cloth without: a thousandth of the light is three steps of
 # 8-bit sRGB on white cloth.
 MIN_OPEN_SHARE = 1e-3
+# In the place of the first word of a fabric's openness: there is no light between its yarns.
+NO_OPENNESS = 0xFFFFFFFF
 Record = NDArray[np.void]
 
 
@@ -61,21 +62,16 @@ class Packed:
 def pack_fabrics(
     fabrics: Sequence[tuple[ClothLayout, Appearance] | None],
     uv_size_mm: Sequence[tuple[float, float]] | None = None,
-    prepared: Sequence[Prepared] | None = None,
-    half: bool = True,
+    models: Sequence[ShaderTables | None] | None = None,
 ) -> Packed:
     """Records of fabrics and the words of their tables.
 
     Args:
         fabrics: yarns and appearance of each; None for a source that is no fabric.
         uv_size_mm: millimetres per unit of u and of v of each fabric; 100 by default.
-        prepared: what a model of `models.py` needs beside the fabric, such as baked tables; None for nothing.
-        half: texels of networks in half precision, else in single precision.
-
-    Raises:
-        InputError: a network of the model neural of another shape than that of the shaders.
+        models: what a model reads beside the yarns of each, such as baked tables; None for nothing.
     """
-    tables = Tables(half=half)
+    tables = Tables()
     records = np.zeros(len(fabrics), numpy_type("Fabric"))
     families = np.zeros((len(fabrics), 2), numpy_type("Family"))
     for number, fabric in enumerate(fabrics):
@@ -84,8 +80,11 @@ def pack_fabrics(
         fill(records[number], {"uv_width": size[0], "uv_height": size[1], "openness": NO_OPENNESS})
         if fabric is not None:
             _pack_fabric(records[number], families[number], tables.words, *fabric)
-        if prepared is not None:
-            pack_model(records[number], prepared[number], None if fabric is None else fabric[0], tables)
+        shown = None if models is None else models[number]
+        if shown is not None:
+            write_tables(records[number][shown.tables.record], shown, tables)
+            if fabric is None:
+                fill(records[number], shown.of_source)
     return Packed(records, families.ravel(), tables.words.words(), tables.numbers.elements())
 
 
@@ -124,7 +123,7 @@ def _pack_fabric(
         "layer_bound": appearance.layer_bound,
         "fibre_size": min(fine_x, fine_y) / FIBRES_ACROSS,
         "has_yarns": 1,
-        "openness": pack_openness(table, appearance),
+        "openness": NO_OPENNESS if appearance.openness is None else add_block(appearance.openness, table),
         "has_detail": int(appearance.warp.detail.is_on or appearance.weft.detail.is_on),
         "mean_hole": layout.open_area,
         "is_open": int(layout.open_area > MIN_OPEN_SHARE),

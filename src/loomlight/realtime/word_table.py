@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.models.texture.pyramid import PyramidShape
-from loomlight.realtime.networks import NumberTable
+from loomlight.core import tables as declarations
+from loomlight.core.tables import Layer, Number, Packing, Shared, Size, Table
+from loomlight.models.interface import ShaderTables
+from loomlight.realtime.networks import Elements, NumberTable, packed_layer, packed_numbers
 
 Words = NDArray[np.uint32]
 
@@ -46,28 +50,56 @@ class Tables:
         words: tables of words.
         numbers: networks and texels.
         networks: first elements of networks that several fabrics share, by checksum.
-        half: texels of networks in half precision, else in single precision.
     """
 
     words: WordTable = field(default_factory=WordTable)
     numbers: NumberTable = field(default_factory=NumberTable)
     networks: dict[str, int] = field(default_factory=dict)
-    half: bool = True
 
 
-def pyramid_fields(shape: PyramidShape, tables: Tables) -> dict[str, float]:
-    """Fields of a trained source that describe its mip pyramid; appends the table of levels."""
-    levels = [(start, *size) for start, size in zip(shape.starts, shape.sizes, strict=False)]
-    return {
-        "is_trained": 1,
-        "levels": tables.words.add(np.array(levels, np.uint32)),
-        "last_level": shape.levels - 1,
-        "face_texels": shape.texels,
-        "back": shape.faces - 1,
-        "repeats_per_x": 1 / shape.width_mm,
-        "repeats_per_y": 1 / shape.height_mm,
-        "texels_per_mm": 1 / shape.footprint_mm,
-    }
+def write_tables(record: np.void, shown: ShaderTables, buffers: Tables) -> None:
+    """Appends the tables that a model declares, and writes its record: numbers, and where tables begin.
+
+    Given tables come first, in the order in which they are given.
+
+    Args:
+        record: the model's own, within that of a fabric.
+    """
+    declared = type(shown.tables).declarations
+    own = [name for name in declared if name not in shown.given]
+    for name in (*shown.given, *own):
+        of = declared[name]
+        value = shown.given[name] if name in shown.given else getattr(shown.tables, name)
+        if isinstance(of, Table | Number) and of.words:
+            if value is not None:
+                shown_value = of.shown_of(value) if isinstance(of, Table) else value
+                record[name] = _added(shown_value, of.words, buffers)
+        elif isinstance(of, Size | Number) and of.kind:
+            record[name] = value
+
+
+def _added(value: Any, packing: Packing, buffers: Tables) -> int:
+    """Appends a table; where it begins."""
+    if packing == "words":
+        return buffers.words.add(value)
+    if packing == "bytes":
+        return buffers.words.add(packed_bytes(value))
+    if packing == "elements":
+        return buffers.numbers.add(packed_numbers(value, value.dtype == np.float16))
+    if not isinstance(value, Shared):
+        return buffers.numbers.add(_packed_layers(value))
+    if value.sha256 not in buffers.networks:
+        buffers.networks[value.sha256] = buffers.numbers.add(_packed_layers(value.layers()))
+    return buffers.networks[value.sha256]
+
+
+def _packed_layers(layers: Sequence[Layer]) -> Elements:
+    return np.concatenate([packed_layer(weight, bias, weight.dtype == np.float16) for weight, bias in layers])
+
+
+def add_block(block: declarations.Tables, table: WordTable) -> int:
+    """Appends all tables with words of a class as one block in their order; the index of the first word."""
+    return table.add(np.concatenate([array.ravel() for array in block.tables_with_words().values()]))
 
 
 def packed_bytes(values: NDArray[np.generic]) -> Words:
@@ -76,7 +108,7 @@ def packed_bytes(values: NDArray[np.generic]) -> Words:
     return np.pad(flat, (0, -flat.size % 4 or 4 * (flat.size == 0))).view("<u4").astype(np.uint32)
 
 
-def fill(record: np.void, values: dict[str, float]) -> None:
+def fill(record: np.void, values: Mapping[str, float]) -> None:
     """Writes values into the fields of a record by name."""
     for name, value in values.items():
         record[name] = value

@@ -30,7 +30,6 @@ import drjit as dr
 from loomlight.core.arrays import Array, Color3, Float, Mask, Vec3
 from loomlight.core.backend import ArrayTypes, clip, maximum, opaque
 from loomlight.scattering.appearance import Appearance
-from loomlight.scattering.fibre import mean_layer_shares
 from loomlight.scattering.openness import point_terms, view_terms
 
 
@@ -187,12 +186,7 @@ class Interreflection:
         self._meets = numbers(openness.meets)
         self._per_relief = numbers(1 / openness.relief)
         # Here and not where they are used: kernels that are recorded read edits of what is uploaded.
-        self.layers: list[list[Float]] = numbers(
-            [
-                [float(share) for share in mean_layer_shares(family.roughness, appearance.optical_depth)]
-                for family in (appearance.warp, appearance.weft)
-            ]
-        )
+        self.layers: list[list[Float]] = numbers(openness.layers)
 
     def interior(self, warp: Scattered, weft: Scattered, back: Mask) -> Interior:
         """Radiances between the yarns, as the face that is seen has them.

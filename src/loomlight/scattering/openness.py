@@ -20,8 +20,9 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Float, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, upload
 from loomlight.core.llvm import llvm_float
+from loomlight.core.tables import Tables, derived, setting, table
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
-from loomlight.scattering.fibre import reflection, transmission
+from loomlight.scattering.fibre import mean_layer_shares, reflection, transmission
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.rays import SearchQuality, Surface
@@ -48,35 +49,58 @@ _MAX_KEPT = 64
 VIEW_TERMS, POINT_TERMS = 5, 6
 
 
-@dataclass(frozen=True, eq=False)
-class Openness:
+class Openness(Tables):
     """Share of the sky that a cloth's yarns see, on each face (front, back), of each family (warp, weft).
 
-    Sides are those of the light: that of the view, and the other one.
-
-    Attributes:
-        by_view: coefficients over `view_terms` [face, family, 3, VIEW_TERMS] of 1 − D on the view's side, of
-            1 − D on the other side, and of the share of the blocked directions of the first that meet warp.
-        by_point: the same over `point_terms` [face, family, 3, POINT_TERMS].
-        warp_seen: coefficients over `view_terms` [face, VIEW_TERMS] of the share of seen yarn that is warp.
-        relief: height that 1 stands for in `point_terms`, millimetres.
-        interior: mean D of the yarn that blocks light [face, family].
-        meets: share of a family's blocked directions that meet a family [face, from, to], summing to 1.
-        blocks: share of the blocked light that a family blocks [face, family]; sums to 1 over families.
-        facing: mean D over all yarn of the front from 8°, by side [2].
-        facing_layer: mean value of the fibre layer at albedo 1 there under the same sky, with the roughness
-            of either family for both [family, side].
+    D is of one point or of means over points. Sides are those of the light: that of the view, and the other
+    one. Shaders have the tables with words as one block, in this order.
     """
 
-    by_view: NDArray[np.float64]
-    by_point: NDArray[np.float64]
-    warp_seen: NDArray[np.float64]
-    relief: float
-    interior: NDArray[np.float64]
-    meets: NDArray[np.float64]
-    blocks: NDArray[np.float64]
-    facing: NDArray[np.float64]
-    facing_layer: NDArray[np.float64]
+    by_view: NDArray[np.float64] = table(
+        "coefficients over `view_terms` of 1 − D on the view's side, of 1 − D on the other side, and of the "
+        "share of the blocked directions of the first that meet warp",
+        ("2 faces", "2 families", 3, f"{VIEW_TERMS} terms"),
+        words="words",
+    )
+    by_point: NDArray[np.float64] = table(
+        "the same over `point_terms`", ("2 faces", "2 families", 3, f"{POINT_TERMS} terms"), words="words"
+    )
+    warp_seen: NDArray[np.float64] = table(
+        "coefficients over `view_terms` of the share of seen yarn that is warp",
+        ("2 faces", f"{VIEW_TERMS} terms"),
+        words="words",
+    )
+    relief: float = setting("height that 1 stands for in `point_terms`, millimetres", "mm", 0.0)
+    interior: NDArray[np.float64] = table(
+        "mean D of the yarn that blocks light", ("2 faces", "2 families"), words="words"
+    )
+    meets: NDArray[np.float64] = table(
+        "share of a family's blocked directions that meet a family, summing to 1",
+        ("2 faces", "2 from", "2 to"),
+        words="words",
+    )
+    blocks: NDArray[np.float64] = table(
+        "share of the blocked light that a family blocks; sums to 1 over families",
+        ("2 faces", "2 families"),
+        words="words",
+    )
+
+    @derived("one over the height that 1 stands for in `point_terms`, 1/mm", (1,), words="words")
+    def per_relief(self) -> NDArray[np.float64]:
+        """1 / relief."""
+        return np.array([1 / self.relief])
+
+    layers: NDArray[np.float64] = table(
+        "what a fibre layer of albedo 1 sends back and lets through; see `fibre.mean_layer_shares`",
+        ("2 families", "2 of back and through"),
+        words="words",
+    )
+    facing: NDArray[np.float64] = table("mean D over all yarn of the front from 8°", ("2 sides",))
+    facing_layer: NDArray[np.float64] = table(
+        "mean value of the fibre layer at albedo 1 there under the same sky, with the roughness of either "
+        "family for both",
+        ("2 families", "2 sides"),
+    )
 
 
 _kept: OrderedDict[tuple[Any, ...], Openness] = OrderedDict()
@@ -89,7 +113,7 @@ def openness_of(
 
     Args:
         diffuse_blend: w of the diffuse term.
-        roughness: α of warp and weft; it and `optical_depth` matter to `facing_layer` alone.
+        roughness: α of warp and weft; it and `optical_depth` matter to the fibre layers alone.
 
     Raises:
         MissingDependencyError: no usable LLVM library.
@@ -100,7 +124,8 @@ def openness_of(
         return _kept[key]
     geometry = YarnGeometry(layout)
     met = ray_shares(geometry, diffuse_blend, roughness, optical_depth)
-    found = openness_of_rays(met, geometry.height_bounds[1])
+    layers = [mean_layer_shares(alpha, optical_depth) for alpha in roughness]
+    found = openness_of_rays(met, geometry.height_bounds[1], np.array(layers, np.float64))
     _kept[key] = found
     if len(_kept) > _MAX_KEPT:
         _kept.popitem(last=False)
@@ -193,8 +218,13 @@ def ray_shares(
     )
 
 
-def openness_of_rays(met: RayShares, highest: float) -> Openness:
-    """The openness of cloth whose highest yarn is `highest` millimetres above the middle."""
+def openness_of_rays(met: RayShares, highest: float, layers: NDArray[np.float64]) -> Openness:
+    """The openness of cloth.
+
+    Args:
+        highest: of its yarn, millimetres above the middle.
+        layers: see `Openness`.
+    """
     x, y, z = np.tile(view_rays()[1], 2)
     faces = np.repeat([0, 1], z.size // 2)
     relief = max(highest, 1e-6)
@@ -211,9 +241,9 @@ def openness_of_rays(met: RayShares, highest: float) -> Openness:
         for family, of_family in enumerate((is_warp, ~is_warp)):
             seen = yarn & of_family & (faces == face)
             meeting = seen & met.is_blocked
-            for table, terms in ((by_view, of_view), (by_point, of_point)):
-                table[face, family, :2] = _fitted(terms[seen], 1 - means[:, seen])
-                table[face, family, 2:] = _fitted(terms[meeting], meets_warp[None, meeting])
+            for fitted, terms in ((by_view, of_view), (by_point, of_point)):
+                fitted[face, family, :2] = _fitted(terms[seen], 1 - means[:, seen])
+                fitted[face, family, 2:] = _fitted(terms[meeting], meets_warp[None, meeting])
             seen, meeting = seen & is_oblique, meeting & is_oblique
             share = float((z[meeting] * meets_warp[meeting]).sum()) / max(float(z[meeting].sum()), 1e-9)
             meets[face, family] = share, 1 - share
@@ -229,15 +259,16 @@ def openness_of_rays(met: RayShares, highest: float) -> Openness:
         _fitted(of_view[seen], is_warp[None, seen])[0] for seen in (yarn & (faces == f) for f in (0, 1))
     ]
     return Openness(
-        by_view,
-        by_point,
-        np.stack(warp_seen),
-        relief,
-        np.clip(interior, MIN_SHARE, 1),
-        meets,
-        blocks,
-        means[:, facing].mean(axis=1),
-        met.layers[:, :, facing].mean(axis=2),
+        by_view=by_view,
+        by_point=by_point,
+        warp_seen=np.stack(warp_seen),
+        relief=relief,
+        interior=np.clip(interior, MIN_SHARE, 1),
+        meets=meets,
+        blocks=blocks,
+        layers=layers,
+        facing=means[:, facing].mean(axis=1),
+        facing_layer=met.layers[:, :, facing].mean(axis=2),
     )
 
 

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -31,6 +32,7 @@ from safetensors.numpy import save
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing, require_file
 from loomlight.core.sentences import shown, speaking_of
+from loomlight.core.tables import VERSION_SETTING, Tables, expected_shape, fault_of
 from loomlight.sources.fabric import Tensor, of_former_defaults
 from loomlight.sources.kinds import SOURCE_KINDS, Source, kind_of_source
 
@@ -61,6 +63,7 @@ _DAMAGED = "its header is damaged: bake the file again"
 
 Setting = bool | int | float | str
 _Kind = TypeVar("_Kind", bool, int, float, str)
+_Tables = TypeVar("_Tables", bound=Tables)
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,6 +120,39 @@ class LoomFile:
             given = "missing" if value is None else shown(value)
             self._refuse(f"the setting {name} is {given}: it should be of type {kind.__name__}")
         return value
+
+    def tables(self, kind: type[_Tables], sizes: Mapping[str, int] | None = None, **known: object) -> _Tables:
+        """The tables of a class, by its declarations.
+
+        Args:
+            sizes: that are known from elsewhere, by name.
+            known: fields that are not read.
+
+        Raises:
+            InputError: tables of another version, tensors or settings that are missing, of another kind, or
+                do not belong together.
+        """
+        if kind.version and self.settings.get(VERSION_SETTING) != kind.version:
+            self._refuse("its tables are of another version of loomlight: bake it again")
+        made = kind.of_parts(known)
+        for name, of in kind.tables_in_files().items():
+            if name in known:
+                continue
+            tensor = of.tensor or name
+            if kind.may_lack(name) and tensor not in self.tensors:
+                made.put(name, None)
+                continue
+            made.put(name, self.tensor(tensor, expected_shape(of, made, sizes or {}), kind.dtype_of(name)))
+            if fault := fault_of(name, made):
+                self._refuse(f"the tensor {_MODEL}{tensor} {fault}")
+        for name, number in kind.settings_in_files().items():
+            value = self.setting(name, float)
+            if not number.above < value < math.inf:
+                self._refuse(
+                    f"the setting {name} is {value:g}: it should be above {number.above:g} {number.unit}"
+                )
+            made.put(name, value)
+        return made
 
     def require_network(self, name: str, installed: str) -> None:
         """Raises InputError unless the file was made with the network whose SHA-256 is `installed`."""

@@ -151,11 +151,11 @@ def tables_of(fabric: Fabric, model: str) -> bytes:
     from safetensors.numpy import save
 
     from loomlight.core.llvm import require_llvm
-    from loomlight.realtime.models import prepared_for
+    from loomlight.realtime.models import tables_for
     from loomlight.realtime.tables import pack_fabrics
 
     require_llvm()
-    packed = pack_fabrics([(fabric.layout(), fabric.appearance())], prepared=[prepared_for(fabric, model)])
+    packed = pack_fabrics([(fabric.layout(), fabric.appearance())], models=[tables_for(fabric, model)])
     return bytes(
         save({name: np.frombuffer(values.tobytes(), np.uint8) for name, values in packed.buffers().items()})
     )

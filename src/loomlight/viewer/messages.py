@@ -258,11 +258,11 @@ def fabric_of_json(values: Mapping[str, Any]) -> Fabric:
 
 
 def openness_json(fabric: Fabric) -> dict[str, list[float]]:
-    """Flat lists by name: the parts that shaders read, and what the inversion of colours needs beside them.
+    """Flat lists by name: the tables of `Openness`, and joint visibility.
 
     "joint" has the words of `LobeTables.joint`. All depend on where yarns lie, on roughness, optical depth
     and the diffuse blend alone, whatever the colours are and whether or not the fields ask for light between
-    yarns. Parts are those of `realtime.openness_tables.PARTS`, others those of `Openness`.
+    yarns.
 
     Raises:
         MissingDependencyError: no usable LLVM library.
@@ -272,7 +272,6 @@ def openness_json(fabric: Fabric) -> dict[str, list[float]]:
     require_llvm()
     from loomlight.models.lobes.model import DEFAULT_GROUPS
     from loomlight.models.lobes.tables import bake_joint
-    from loomlight.realtime.openness_tables import openness_parts
     from loomlight.realtime.word_table import packed_bytes
     from loomlight.scattering.openness import openness_of
     from loomlight.yarn.geometry import YarnGeometry
@@ -282,8 +281,6 @@ def openness_json(fabric: Fabric) -> dict[str, list[float]]:
     if openness is None:
         roughness = appearance.warp.roughness, appearance.weft.roughness
         openness = openness_of(fabric.layout(), appearance.diffuse_blend, roughness, appearance.optical_depth)
-    parts = {name.lower(): part for name, part in openness_parts(openness, appearance).items()}
-    facing = {"facing": openness.facing, "facing_layer": openness.facing_layer}
     joint = bake_joint(YarnGeometry(fabric.layout()), appearance.diffuse_blend, DEFAULT_GROUPS, llvm_float())
-    lists = {name: part.ravel().tolist() for name, part in (parts | facing).items()}
+    lists = {name: part.ravel().tolist() for name, part in openness.all_tables().items()}
     return lists | {"joint": packed_bytes(joint).tolist()}

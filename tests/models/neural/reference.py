@@ -30,7 +30,7 @@ def responses(
     front, back = (face.astype(np.float32) for face in encoded.faces)
     behind = views[:, 2:] < 0
     if made.table.latent == "field":
-        texels, weights = taps(encoded.levels, *footprints.T)
+        texels, weights = taps(encoded.pyramid, *footprints.T)
         latents = [np.einsum("nk,nkc->nc", weights, face[texels]) for face in (front, back)]
     else:
         latents = [front, back]

@@ -66,13 +66,13 @@ def test_latents_are_those_of_the_pyramid(picks: int, ends: int, tmp_path: Path)
     rng = np.random.default_rng(picks)
     last = levels_of(picks, ends)[-1].first + 1
     front, back = rng.normal(size=(2, last, weights.table.latent_size)).astype(np.float16)
-    encoded = EncodedFabric(picks, ends, (front, back), _FIBRES)
+    encoded = EncodedFabric.of((picks, ends), (front, back), _FIBRES)
     # Edges of the repeat and of texels too, where rounding decides which side of them a footprint lies on.
     x = np.concatenate([rng.uniform(-20, 40, 2000), np.arange(-200, 200) / 16]).astype(np.float32)
     y = np.concatenate([rng.uniform(-20, 40, 2000), np.arange(200, -200, -1) / 16]).astype(np.float32)
     size = np.exp(rng.uniform(np.log(0.005), np.log(200), len(x))).astype(np.float32)
     behind = rng.random(len(x)) < 0.5
-    texels, shares = taps(encoded.levels, x, y, size)
+    texels, shares = taps(encoded.pyramid, x, y, size)
     table = encoded.stacked[:, : weights.table.hidden].astype(np.float64)
     expected = np.einsum("nk,nkc->nc", shares, table[texels + last * behind[:, None]])
     actual = _fetched(weights, encoded, x, y, size, behind)
@@ -86,7 +86,7 @@ def test_footprints_of_four_taps_are_means_of_squares(tmp_path: Path) -> None:
     rng, count = np.random.default_rng(3), 1000
     last = levels_of(3, 4)[-1].first + 1
     front, back = rng.normal(size=(2, last, weights.table.latent_size)).astype(np.float16)
-    encoded = EncodedFabric(3, 4, (front, back), _FIBRES)
+    encoded = EncodedFabric.of((3, 4), (front, back), _FIBRES)
     x, y = rng.uniform(-5, 9, (2, count)).astype(np.float32)
     size = np.exp(rng.uniform(np.log(0.1), np.log(20), count)).astype(np.float32)
     # Among them some that are one square, in blocks of their own and among others.
@@ -98,7 +98,7 @@ def test_footprints_of_four_taps_are_means_of_squares(tmp_path: Path) -> None:
     expected = np.zeros((count, weights.table.hidden))
     for first, second in ((-1, -1), (-1, 1), (1, -1), (1, 1)):
         place = x + first * step[0] + second * step[2], y + first * step[1] + second * step[3]
-        texels, shares = taps(encoded.levels, *place, size)
+        texels, shares = taps(encoded.pyramid, *place, size)
         expected += np.einsum("nk,nkc->nc", shares, table[texels + last * behind[:, None]]) / 4
     actual = _fetched(weights, encoded, x, y, size, behind, step)
     # As above.
@@ -109,7 +109,7 @@ def test_footprints_that_are_nowhere_read_no_foreign_memory(tmp_path: Path) -> N
     weights = _seeing_latents(tmp_path)
     last = levels_of(3, 5)[-1].first + 1
     faces = np.full((last, 64), 1, np.float16), np.full((last, 64), 2, np.float16)
-    encoded = EncodedFabric(3, 5, faces, _FIBRES)
+    encoded = EncodedFabric.of((3, 5), faces, _FIBRES)
     odd = np.array([np.nan, np.inf, -np.inf, 3e38, -3e38, 1e30, 0, -1e-30], np.float32)
     x, y, size = (part.ravel() for part in np.meshgrid(odd, odd, odd))
     actual = _fetched(weights, encoded, x, y, size, np.zeros(len(x)))

@@ -149,7 +149,7 @@ def test_a_material_with_impossible_fibres_is_one_sentence() -> None:
         numbers = loom.tensors["fibres"].copy()
         numbers[row, 1] = wrong
         with pytest.raises(
-            InputError, match=rf"model\.fibres the {name} is .* and {wrong:g}: both should be"
+            InputError, match=rf"model\.fibres is out of range, as {name} is .* and {wrong:g}: both should be"
         ):
             NeuralModel.from_loom(replace(loom, tensors={**loom.tensors, "fibres": numbers}))
 

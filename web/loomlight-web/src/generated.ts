@@ -318,6 +318,7 @@ export const LIGHT_SUMS = 5;
 
 // realtime.bake
 export const FIRST_WEIGHT = 16;
+export const RAY_RESULTS = 10;
 
 // models.between_yarns
 export const MIN_OPENNESS = 0.1;
@@ -456,10 +457,6 @@ export const PYRAMID_RADII = [1, 2, 4, 8] as const;
 export const TILE_CELLS = 2;
 export const QUADRANTS = 4;
 
-// realtime.openness_tables
-export const NO_OPENNESS = 4294967295;
-export const RAY_RESULTS = 10;
-
 // models.lobes.packed_uint8
 export const WEIGHT_SUM = 252;
 
@@ -502,6 +499,10 @@ export const FLATTEST_SHARE = 0.1;
 export const BLEND_RANGE = [0.6, 1.6] as const;
 export const SQUARE_SCALE = 0.8;
 export const MIN_FOOTPRINT_SIDE = 1e-09;
+
+// realtime.tables
+export const MIN_OPEN_SHARE = 0.001;
+export const NO_OPENNESS = 4294967295;
 
 // yarn.threads
 export const MAX_OFFSET = 127;
@@ -730,10 +731,33 @@ export const GOLDEN = [0.7548776662466927, 0.5698402909980532] as const;
 export const RAY_OFFSET = 2e-06;
 export const FLAT = 1e-07;
 
-// realtime.tables
-export const MIN_OPEN_SHARE = 0.001;
-
 export const DETAIL_FIELDS = [["plies", "plies", 1.0] as const, ["ply_twist", "ply_twist_deg", 0.017453292519943295] as const, ["fibre_tilt", "fibre_tilt_deg", 0.017453292519943295] as const, ["slub", "slub", 1.0] as const, ["hairiness", "hairiness", 1.0] as const] as const;
 export const OPENNESS_PARTS = [["by_view", 60] as const, ["by_point", 72] as const, ["warp_seen", 10] as const, ["interior", 4] as const, ["meets", 8] as const, ["blocks", 4] as const, ["per_relief", 1] as const, ["layers", 4] as const] as const;
+export const OPENNESS_OTHERS = [["facing", 2] as const, ["facing_layer", 4] as const] as const;
+export const LOBES_TABLES = [["coverage", [[2, "face_nodes", 4, "packs"] as const] as const, 4] as const, ["coverage_holes", [[2, "face_nodes"] as const] as const, 4] as const, ["projected_area", [[2, 256, 4, "packs"] as const, [2, 256, 4, 1] as const] as const, 4] as const, ["light_visibility", [[2, 2, 256, 4, "packs"] as const] as const, 4] as const, ["irradiance", [[2, 2, 256, 4, "packs"] as const] as const, 4] as const, ["moments", [[2, 4, "packs", 12] as const] as const, 1] as const, ["joint", [[2, 2, 2, 128, 8] as const] as const, 2] as const] as const;
 export const DEFAULT_SAMPLES = 4;
 export const DEFAULT_ENVIRONMENT_SAMPLES = 8;
+
+/** Share of the sky that a cloth's yarns see, on each face (front, back), of each family (warp, weft). */
+export interface OpennessTables {
+  /** coefficients over `view_terms` of 1 − D on the view's side, of 1 − D on the other side, and of the share of the blocked directions of the first that meet warp [2 faces, 2 families, 3, 5 terms] */
+  readonly by_view: readonly number[];
+  /** the same over `point_terms` [2 faces, 2 families, 3, 6 terms] */
+  readonly by_point: readonly number[];
+  /** coefficients over `view_terms` of the share of seen yarn that is warp [2 faces, 5 terms] */
+  readonly warp_seen: readonly number[];
+  /** mean D of the yarn that blocks light [2 faces, 2 families] */
+  readonly interior: readonly number[];
+  /** share of a family's blocked directions that meet a family, summing to 1 [2 faces, 2 from, 2 to] */
+  readonly meets: readonly number[];
+  /** share of the blocked light that a family blocks; sums to 1 over families [2 faces, 2 families] */
+  readonly blocks: readonly number[];
+  /** one over the height that 1 stands for in `point_terms`, 1/mm [1] */
+  readonly per_relief: readonly number[];
+  /** what a fibre layer of albedo 1 sends back and lets through; see `fibre.mean_layer_shares` [2 families, 2 of back and through] */
+  readonly layers: readonly number[];
+  /** mean D over all yarn of the front from 8° [2 sides] */
+  readonly facing: readonly number[];
+  /** mean value of the fibre layer at albedo 1 there under the same sky, with the roughness of either family for both [2 families, 2 sides] */
+  readonly facing_layer: readonly number[];
+}

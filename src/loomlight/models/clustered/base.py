@@ -22,7 +22,7 @@ from typing import Any
 import drjit as dr
 
 from loomlight.core.arrays import Array, Float, Mask, UInt, Vec3
-from loomlight.core.backend import ArrayTypes, maximum, minimum, upload
+from loomlight.core.backend import ArrayTypes, maximum, minimum
 from loomlight.core.footprint import Footprint
 from loomlight.models.clustered.footprint_sums import FootprintBox, FootprintSums
 from loomlight.models.clustered.gaussians import LOBE_NUMBERS, lobe_value
@@ -116,8 +116,8 @@ class ViewedBase:
         """A cluster's lobe; clusters are numbered within the face."""
         types, tables = self._tables.types, self._tables
         entry = (self._face * tables.clusters + cluster) * (NUMBERS // 4)
-        first = dr.gather(types.Vector4, tables.moments, entry)
-        second = dr.gather(types.Vector4, tables.moments, entry + 1)
+        first = dr.gather(types.Vector4, tables.arrays.moments, entry)
+        second = dr.gather(types.Vector4, tables.arrays.moments, entry + 1)
         return ClusterLobe(
             normal=types.Vector3(first.x, first.y, first.z),
             tangent=types.Vector3(first.w, second.x, second.y),
@@ -136,12 +136,14 @@ class ViewedBase:
         half_first = self._face * BINS**2
         total = [types.Float(0) for _ in range(5)]
         for packet in range(packets):
-            lit = taps.around.read(types.Vector4, tables.light, taps.first, packets, types.UInt32(packet))
+            lit = taps.around.read(
+                types.Vector4, tables.arrays.light, taps.first, packets, types.UInt32(packet)
+            )
             density: Any = types.Vector4(0)
             for number in range(1 + tables.rank):
                 entry = types.UInt32(number * packets + packet)
                 density += means[number * packets + packet] * taps.half.read(
-                    types.Vector4, tables.basis, half_first, packets * (1 + tables.rank), entry
+                    types.Vector4, tables.arrays.basis, half_first, packets * (1 + tables.rank), entry
                 )
             normal = [means[(1 + tables.rank + axis) * packets + packet] for axis in range(3)]
             for lane in range(4):
@@ -172,20 +174,21 @@ class ViewedBase:
         """Surface and base of one texel of the repeat, row by row."""
         types, tables = self._tables.types, self._tables
         place = self._face * tables.face_texels + texel
-        label = dr.gather(types.UInt32, tables.labels, place)
+        label = dr.gather(types.UInt32, tables.arrays.labels, place)
         met = label < tables.clusters
         label = minimum(label, types.UInt32(tables.clusters - 1))
         clusters = tables.clusters
-        lit = taps.around.read(types.Float, tables.light, taps.first, clusters, label)
+        lit = taps.around.read(types.Float, tables.arrays.light, taps.first, clusters, label)
         numbers = range(tables.rank + 3)
         coefficients = [
-            dr.gather(types.Float, tables.coefficients, place * len(numbers) + number) for number in numbers
+            dr.gather(types.Float, tables.arrays.coefficients, place * len(numbers) + number)
+            for number in numbers
         ]
         density: Any = types.Float(0)
         for number in range(1 + tables.rank):
             part = taps.half.read(
                 types.Float,
-                tables.basis,
+                tables.arrays.basis,
                 self._face * BINS**2,
                 clusters * (1 + tables.rank),
                 number * clusters + label,
@@ -224,14 +227,16 @@ class ViewedBase:
     def _thread(self, place: UInt) -> UInt:
         """The thread that a texel shows, both faces counted."""
         types, first = self._tables.types, place * TEXEL_NUMBERS + LOBE_NUMBERS
-        below, above = (dr.gather(types.Float, self._tables.texels, first + part) for part in (0, 1))
+        below, above = (dr.gather(types.Float, self._tables.arrays.texels, first + part) for part in (0, 1))
         return types.UInt32(below) + THREAD_BASE * types.UInt32(above)
 
     def _visibility(self, place: UInt) -> tuple[Vec3, Vec3, Vec3]:
         """The lobe of a texel, both faces counted."""
         types = self._tables.types
         entry = place * (TEXEL_NUMBERS // 4)
-        a, b, c = (dr.gather(types.Vector4, self._tables.texels, entry + number) for number in range(3))
+        a, b, c = (
+            dr.gather(types.Vector4, self._tables.arrays.texels, entry + number) for number in range(3)
+        )
         return types.Vector3(a.x, a.y, a.z), types.Vector3(a.w, b.x, b.y), types.Vector3(b.z, b.w, c.x)
 
     def _cosine(self, taps: LightTaps, normal: Vec3) -> Float:
@@ -264,6 +269,7 @@ class DeviceTables:
     """The tables of a fabric on one backend.
 
     Attributes:
+        arrays: the tables that `ClusterTables` declares for devices, by name.
         sums: summed-area tables.
         size: of the repeat, millimetres, Float each.
         clusters, rank, face_texels: counts.
@@ -280,18 +286,9 @@ class DeviceTables:
     ) -> None:
         self.types = types
         self.clusters, self.rank = tables.clusters, tables.rank
-        columns, rows = tables.counts
-        self.face_texels = dr.opaque(types.UInt32, columns * rows)
-        self.sums = FootprintSums(
-            tables.labels, tables.coefficients, tables.parallax, tables.clusters, size, types
-        )
-        self.labels = upload(types.UInt32, tables.labels)
-        self.coefficients = upload(types.Float, tables.coefficients)
-        self.basis = upload(types.Float, tables.basis)
-        self.moments = upload(types.Float, tables.moments)
-        self.texels = upload(types.Float, tables.texels)
-        self.light = upload(types.Float, tables.light)
-        self.heights = upload(types.Float, tables.heights)
+        self.face_texels = dr.opaque(types.UInt32, tables.columns * tables.rows)
+        self.arrays = tables.upload(types)
+        self.sums = FootprintSums(self.arrays.sums, tables.columns, tables.rows, tables.channels, size, types)
         self.size = tuple(dr.opaque(types.Float, extent) for extent in size)
         self.diffuse_blend = diffuse_blend
         self.optical_depth = optical_depth
@@ -306,7 +303,7 @@ class DeviceTables:
         types = self.types
         below = self.sums.box(footprint, types.Vector2(0), place)
         first = dr.select(back, types.UInt32(PARALLAX_BINS**2), types.UInt32(0))
-        offset = parallax_offset(view, self.heights, first, self.sums.parallax(below, back))
+        offset = parallax_offset(view, self.arrays.heights, first, self.sums.parallax(below, back))
         return self.sums.box(footprint, offset, place)
 
     def seen_from(self, view: Vec3, back: Mask) -> ViewedBase:

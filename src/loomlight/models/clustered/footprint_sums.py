@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Array, Float, Mask, UInt, Vec2
-from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, opaque, upload
+from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, opaque
 from loomlight.core.footprint import Footprint
 
 
@@ -76,23 +76,21 @@ class FootprintSums:
 
     def __init__(
         self,
-        labels: NDArray[np.uint8],
-        coefficients: NDArray[np.int8],
-        parallax: NDArray[np.int8],
-        clusters: int,
+        table: UInt,
+        columns: int,
+        rows: int,
+        channels: int,
         size: tuple[float, float],
         types: ArrayTypes,
     ) -> None:
         """
         Args:
+            table: `ClusterTables.sums`.
             size: of the repeat, millimetres.
         """
-        _, rows, columns, count = coefficients.shape
-        faces = zip(labels, coefficients, parallax, strict=True)
-        tables = [summed_areas(*face, clusters) for face in faces]
         # Packets of clusters; that of parallax is the last one.
-        self._packets = clusters * (1 + count) // 4
-        self._table = upload(types.UInt32, np.stack(tables).view(np.uint32))
+        self._packets = channels // 4 - 1
+        self._table = table
         self._counts = [dr.opaque(types.Float, float(count)) for count in (columns, rows)]
         self._wholes = [dr.opaque(types.UInt32, count) for count in (columns, rows)]
         self._steps = opaque(types.Float, np.array(size) / (columns, rows))

@@ -8,7 +8,6 @@ from typing import ClassVar, Self, final
 
 from loomlight.core.arrays import Color3, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
-from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.core.settings import setting
@@ -16,9 +15,9 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.base import DeviceTables
 from loomlight.models.clustered.bsdf import ClusteredBsdf
 from loomlight.models.clustered.features import DEFAULT_TEXELS
-from loomlight.models.clustered.tables import ClusterTables, bake_tables, tables_of_loom
+from loomlight.models.clustered.tables import ClusterTables, bake_tables
 from loomlight.models.fabric_model import FilteredFabricModel, appearance_of, fabric_in_loom, fabric_source
-from loomlight.models.interface import Report, Values
+from loomlight.models.interface import Report, ShaderTables, Values
 from loomlight.models.options import Options
 from loomlight.models.random_numbers import hashed
 from loomlight.scattering.appearance import Appearance
@@ -31,8 +30,6 @@ DEFAULT_CLUSTERS, MAX_CLUSTERS = 8, 64
 DEFAULT_RANK, MAX_RANK = 4, 16
 DEFAULT_SAMPLES, MAX_SAMPLES = 2, 8
 MIN_TEXELS, MAX_TEXELS = 16, 1024
-# What tables mean; to be raised when older ones no longer fit the formulas.
-_TABLES_VERSION = 3
 # Scene parameters of a family that tables depend on.
 _BAKED = ("height_scale", "inclination", "twist", "roughness")
 
@@ -147,7 +144,7 @@ class ClusteredModel(FilteredFabricModel):
             model=self.name,
             source=self.fabric,
             tensors=self.tables.arrays(),
-            settings={**self.options.stored(), "tables_version": _TABLES_VERSION},
+            settings={**self.options.stored(), **self.tables.settings()},
         )
 
     @classmethod
@@ -158,9 +155,7 @@ class ClusteredModel(FilteredFabricModel):
             InputError: another model's file, tables of another version, or that do not belong together.
         """
         fabric = fabric_in_loom(loom, cls.name)
-        if loom.settings.get("tables_version") != _TABLES_VERSION:
-            raise InputError(f"{loom.file}: its tables are of another version of loomlight: bake it again.")
-        tables = tables_of_loom(loom)
+        tables = loom.tables(ClusterTables)
         return cls(fabric, tables, ClusteredOptions.of_loom(loom, clusters=tables.clusters, rank=tables.rank))
 
     def upload(self, types: ArrayTypes) -> None:
@@ -208,6 +203,17 @@ class ClusteredModel(FilteredFabricModel):
                 self.tables, self._geometry.size, appearance.diffuse_blend, appearance.optical_depth, types
             )
         return self._uploaded[types.Float]
+
+    def shader_tables(self, half: bool = True) -> ShaderTables:
+        """The tables, and where texels lie."""
+        width, height = self.fabric.repeat_mm
+        tables = self.tables
+        numbers = {
+            "texel_width": width / tables.columns,
+            "texel_height": height / tables.rows,
+            "samples": self.options.samples,
+        }
+        return ShaderTables(tables, numbers)
 
     def own_facts(self) -> dict[str, str]:
         """The size of what was baked."""

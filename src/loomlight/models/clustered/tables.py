@@ -2,90 +2,136 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
-
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import FloatType
-from loomlight.core.errors import InputError
+from loomlight.core.tables import Tables, computed, derived, flag, given, size, table
 from loomlight.models.clustered.clusters import NO_CLUSTER, label_texels
 from loomlight.models.clustered.density_tables import density_tables
 from loomlight.models.clustered.features import DEFAULT_TEXELS, FeatureMaps, feature_maps, texel_counts
+from loomlight.models.clustered.footprint_sums import summed_areas
 from loomlight.models.clustered.gaussians import fitted_gaussians
 from loomlight.models.clustered.light_tables import light_tables
 from loomlight.models.clustered.parallax import PARALLAX_BINS, PARALLAX_RANK, parallax_tables
 from loomlight.models.clustered.square_map import BINS
-from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import YarnGeometry
 
-# Numbers of a cluster: mean normal and mean fibre direction, each of unit length, roughness of its lobe for
-# sampling, and that of its family.
-NUMBERS = 8
-# Numbers of a texel: its lobe of visibility, its thread modulo `THREAD_BASE` and over it, and one unused.
-TEXEL_NUMBERS = 12
+# Numbers of a cluster (`ClusterTables.moments`) and of a texel (`ClusterTables.texels`).
+NUMBERS, TEXEL_NUMBERS = 8, 12
 # Half precision has the whole numbers up to 2048.
 THREAD_BASE = 1024
 # What a coefficient of 1 of a normal is.
 NORMAL_UNIT = 1 / 127
 
 
-@dataclass(frozen=True, eq=False)
-class ClusterTables:
-    """The tables of one fabric, both faces.
+class ClusterTables(Tables):
+    """The tables of one fabric, both faces: in files, on devices and in shaders."""
 
-    Attributes:
-        labels: cluster of each texel [2, rows, columns], 255 in holes.
-        coefficients: of the principal components of D, and x, y and z of the normal in units of 1/127
-            [2, rows, columns, rank + 3].
-        basis: means and principal components of D, 1/sr [2, half-vector bins, 1 + rank, clusters].
-        moments: numbers of each cluster [2, clusters, 8]; see `NUMBERS`.
-        texels: lobe of visibility (`Gaussians`) and thread; see `TEXEL_NUMBERS` [2, rows, columns, 12].
-        light: see `light_tables`.
-        parallax: coefficients of heights [2, rows, columns, 4].
-        heights: means and components of heights, millimetres [2, view bins, 5]; see `parallax.py`.
-    """
+    # What tables mean; to be raised when older ones no longer fit the formulas.
+    version = 3
+    record = "clustered"
 
-    labels: NDArray[np.uint8]
-    coefficients: NDArray[np.int8]
-    basis: NDArray[np.float32]
-    moments: NDArray[np.float32]
-    texels: NDArray[np.float16]
-    light: NDArray[np.float32]
-    parallax: NDArray[np.int8]
-    heights: NDArray[np.float32]
+    is_baked = flag("0 where the fabric has no tables of clusters")
+    clusters = size(
+        "of a face; the first half is the warp's",
+        of="moments",
+        counted="clusters a face",
+        expected="a multiple of four",
+        multiple=4,
+    )
+    rank = size(
+        "principal components of the densities of a cluster",
+        of="coefficients",
+        counted="numbers a texel",
+        expected="three of the normal, and those of the components before them",
+        low=0,
+    )
 
-    @property
-    def clusters(self) -> int:
-        """Clusters of a face."""
-        return self.moments.shape[1]
+    @computed("clusters · (4 + rank) + 4")
+    def channels(self) -> int:
+        """Of the summed areas of a texel."""
+        return self.clusters * (4 + self.rank) + PARALLAX_RANK
 
-    @property
-    def rank(self) -> int:
-        """Principal components of a cluster."""
-        return self.coefficients.shape[3] - 3
+    columns = size("texels of the repeat", of="labels")
+    rows = size("", of="labels")
+    texel_width = given("float", "millimetres")
+    texel_height = given("float", "")
+    samples = given("uint", "texels of the residual of a footprint")
+
+    @derived(
+        "summed areas, signed; see `summed_areas`",
+        ("2 faces", "rows + 1", "columns + 1", "channels"),
+        words="words",
+        device="UInt32",
+    )
+    def sums(self) -> NDArray[np.uint32]:
+        """Summed-area tables of coefficients, whose sums they are too, and of those of parallax."""
+        faces = zip(self.labels, self.coefficients, self.parallax, strict=True)
+        return np.stack([summed_areas(*face, self.clusters) for face in faces]).view(np.uint32)
+
+    labels: NDArray[np.uint8] = table(
+        "cluster of each texel; 255 in holes",
+        ("2 faces", "rows", "columns"),
+        words="bytes",
+        device="UInt32",
+        low=0,
+        high="clusters - 1",
+        beside=NO_CLUSTER,
+    )
+    coefficients: NDArray[np.int8] = table(
+        "of the principal components of densities, and x, y and z of the normal in units of 1/127",
+        ("2 faces", "rows", "columns", "rank + 3"),
+        words="bytes",
+        device="Float",
+    )
+    basis: NDArray[np.float32] = table(
+        "means and principal components of densities, 1/sr, by half vector",
+        ("2 faces", f"{BINS**2} bins", "1 + rank", "clusters"),
+        words="words",
+        device="Float",
+    )
+    moments: NDArray[np.float32] = table(
+        "of each cluster: mean normal and mean fibre direction, unit vectors, roughness of its lobe for "
+        "sampling, and that of its family",
+        ("2 faces", "clusters", NUMBERS),
+        words="words",
+        device="Float",
+    )
+    texels: NDArray[np.float16] = table(
+        "lobe of visibility of each texel (`Gaussians`), its thread modulo `THREAD_BASE` and over it, and "
+        "one that is unused",
+        ("2 faces", "rows", "columns", TEXEL_NUMBERS),
+        words="words",
+        device="Float",
+    )
+    light: NDArray[np.float32] = table(
+        "mean visibility of each cluster by light; see `light_tables`",
+        ("2 faces", "2 sides", f"{BINS**2} bins", "clusters"),
+        words="words",
+        device="Float",
+    )
+    parallax: NDArray[np.int8] = table(
+        "coefficients of heights", ("2 faces", "rows", "columns", PARALLAX_RANK)
+    )
+    heights: NDArray[np.float32] = table(
+        "means and components of heights by view, millimetres; see `parallax.py`",
+        ("2 faces", f"{PARALLAX_BINS**2} bins", 1 + PARALLAX_RANK),
+        words="words",
+        device="Float",
+    )
 
     @property
     def counts(self) -> tuple[int, int]:
         """Columns and rows of texels."""
-        return self.labels.shape[2], self.labels.shape[1]
-
-    @property
-    def nbytes(self) -> int:
-        """Size in a file."""
-        return sum(part.nbytes for part in self.arrays().values())
+        return self.columns, self.rows
 
     @property
     def device_bytes(self) -> int:
         """Size on a device, where summed-area tables take the place of coefficients."""
-        columns, rows = self.counts
-        sums = 2 * (columns + 1) * (rows + 1) * (self.clusters * (4 + self.rank) + PARALLAX_RANK) * 4
+        sums = 2 * (self.columns + 1) * (self.rows + 1) * self.channels * 4
         spread = 3 * (self.labels.nbytes + self.coefficients.nbytes) + self.texels.nbytes
         return self.nbytes - self.parallax.nbytes + sums + spread
-
-    def arrays(self) -> dict[str, NDArray[np.generic]]:
-        """The tables by name."""
-        return {part.name: getattr(self, part.name) for part in fields(self)}
 
 
 def bake_tables(
@@ -153,35 +199,3 @@ def _moments(
             parts = (normal / np.linalg.norm(normal), tangent / np.linalg.norm(tangent), [wide, alpha])
             moments[face, cluster] = np.concatenate(parts)
     return moments
-
-
-def tables_of_loom(loom: LoomFile) -> ClusterTables:
-    """The tables in a `.loom` file.
-
-    Raises:
-        InputError: tensors that are missing, of another kind, or do not belong together.
-    """
-    labels = loom.tensor("labels", (2, None, None), np.uint8)
-    _, rows, columns = labels.shape
-    coefficients = loom.tensor("coefficients", (2, rows, columns, None), np.int8)
-    moments = loom.tensor("moments", (2, None, NUMBERS), np.float32)
-    clusters, rank = moments.shape[1], coefficients.shape[3] - 3
-    if rank < 0:
-        raise InputError(f"{loom.file}: the tensor model.coefficients has no normals.")
-    if clusters == 0 or clusters % 4 or labels.size == 0:
-        raise InputError(
-            f"{loom.file}: the tensor model.moments has {clusters} clusters a face: it should have a "
-            "multiple of four."
-        )
-    if ((labels >= clusters) & (labels != NO_CLUSTER)).any():
-        raise InputError(f"{loom.file}: the tensor model.labels names clusters that there are not.")
-    return ClusterTables(
-        labels=labels,
-        coefficients=coefficients,
-        basis=loom.tensor("basis", (2, BINS**2, 1 + rank, clusters), np.float32),
-        moments=moments,
-        texels=loom.tensor("texels", (2, rows, columns, TEXEL_NUMBERS), np.float16),
-        light=loom.tensor("light", (2, 2, BINS**2, clusters), np.float32),
-        parallax=loom.tensor("parallax", (2, rows, columns, PARALLAX_RANK), np.int8),
-        heights=loom.tensor("heights", (2, PARALLAX_BINS**2, 1 + PARALLAX_RANK), np.float32),
-    )

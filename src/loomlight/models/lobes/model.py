@@ -7,18 +7,17 @@ from typing import ClassVar, Self, final
 
 from loomlight.core.arrays import Color3, Mask, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
-from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source
-from loomlight.models.interface import Report
+from loomlight.models.interface import Report, ShaderTables
 from loomlight.models.lobes.bsdf import LobesBsdf
 from loomlight.models.lobes.joint_lookup import JOINT_FACTORS
 from loomlight.models.lobes.prefiltered import PrefilteredLobes
 from loomlight.models.lobes.regimes import RegimeScale
-from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
+from loomlight.models.lobes.tables import LobeTables, bake_tables, given_numbers
 from loomlight.models.options import Options
 from loomlight.scattering.point import YarnScattering
 from loomlight.sources.kinds import Source
@@ -31,9 +30,6 @@ MAX_GROUPS = 64
 # Of one group: 24 for interpolation, 27 for variances, 21 for cosines, 8 for areas, 25 for the density, 15
 # for attenuation.
 _MULTIPLY_ADDS = 120
-# What tables mean; to be raised when older ones no longer fit the formulas. 2: shadow rays start from hits.
-# 3: joint visibility is a table.
-_TABLES_VERSION = 3
 # Scene parameters of a family that tables depend on.
 _BAKED = ("height_scale", "inclination", "twist")
 
@@ -110,11 +106,7 @@ class LobesModel(FilteredFabricModel):
             model=self.name,
             source=self.fabric,
             tensors=self.tables.arrays(),
-            settings={
-                "base_size": self.tables.base_size,
-                **self.options.stored(),
-                "tables_version": _TABLES_VERSION,
-            },
+            settings={**self.options.stored(), **self.tables.settings()},
         )
 
     @classmethod
@@ -125,12 +117,7 @@ class LobesModel(FilteredFabricModel):
             InputError: another model's file, tables of another version, or that do not belong together.
         """
         fabric = fabric_in_loom(loom, cls.name)
-        if loom.settings.get("tables_version") != _TABLES_VERSION:
-            raise InputError(
-                f"{loom.file}: its tables are of another version of loomlight, which changes the brightness: "
-                "bake it again."
-            )
-        return cls(fabric, tables_of_loom(loom), LobesOptions.of_loom(loom))
+        return cls(fabric, loom.tables(LobeTables), LobesOptions.of_loom(loom))
 
     def upload(self, types: ArrayTypes) -> None:
         """Uploads all tables to a backend, which otherwise happens at first use."""
@@ -160,6 +147,10 @@ class LobesModel(FilteredFabricModel):
                 RegimeScale(layout, self.tables.base_size, types),
             )
         return self._uploaded[types.Float]
+
+    def shader_tables(self, half: bool = True) -> ShaderTables:
+        """The tables, and the lengths that separate the regimes."""
+        return ShaderTables(self.tables, given_numbers(self.fabric.layout(), self.tables.base_size))
 
     def own_facts(self) -> dict[str, str]:
         """The size of what was baked."""

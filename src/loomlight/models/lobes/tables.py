@@ -6,14 +6,14 @@ Colours and roughness are not baked, so their edits need no baking.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import FloatType
-from loomlight.core.errors import InputError
 from loomlight.core.frozen import FrozenArg
+from loomlight.core.tables import Shown, Tables, computed, derived, flag, given, setting, size, table
+from loomlight.models.lobes import regimes
 from loomlight.models.lobes.cloth_samples import top_down_samples, upload_cloth
 from loomlight.models.lobes.coverage_pyramid import CoveragePyramid, build_pyramid, count_cells, cover_hidden
 from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups
@@ -23,57 +23,139 @@ from loomlight.models.lobes.joint_visibility import joint_factors, launch_joint
 from loomlight.models.lobes.packed_uint8 import byte_of_group, pack_count
 from loomlight.models.lobes.visibility_rays import launch_rays, launch_views, view_samples
 from loomlight.models.lobes.visibility_tables import VisibilityTables, tabulate_visibility
-from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.layout import ClothLayout
 
 _MAX = 255.0
 # Numbers of a group; see `LobeTables.moments`.
 MOMENTS = 12
 
 
-@dataclass(frozen=True, eq=False)
-class LobeTables:
-    """The tables of one fabric, both faces; see `coverage_pyramid`, `visibility_tables` and `groups`.
+def _pyramid_fault(levels: NDArray[np.int64]) -> str:
+    sizes = levels[:, 1] * levels[:, 2]
+    consistent = len(levels) > 0 and (levels[:, 1:] > 0).all() and levels[0, 0] == 0
+    if consistent and (levels[1:, 0] == np.cumsum(sizes)[:-1]).all():
+        return ""
+    return "no pyramid: bake it again"
 
-    Attributes:
-        base_size: side of the squares of the pyramid's first level, millimetres.
-        levels: first node, columns, rows of each level [levels, 3].
-        coverage: bytes of the pyramid [2 faces, nodes, 4·(packs + 1)]; holes in the last pack's first byte.
-        projected_area: bytes [2 faces, hemisphere nodes, 4·(packs + 1)]: square roots; holes as above.
-        light_visibility: bytes [2 faces, 2 sides, hemisphere nodes, 4·packs]: 255 is 1.
-        irradiance: bytes [2 faces, 2 sides, hemisphere nodes, 4·packs]: 255 is 1/π.
-        moments: [2 faces, 4·packs, 12] of each group: mean normal, weight of (coverage byte)·(projected area
-            byte)², mean fibre direction, and xx, yy, xy, xz, yz of its covariance (trace 1 − |mean|²).
-        hole_weight: the weight of holes [2 faces].
-        warp_packs: how many packs of each face, the first ones, are the warp's [2 faces].
-        joint: factors of joint over independent visibility, 16-bit numbers [2 faces, 2 sides, view or light,
-            nodes, ratios · terms]; see `joint_lookup`.
+
+class LobeTables(Tables):
+    """The tables of one fabric, both faces: in files, on devices and in shaders.
+
+    See `coverage_pyramid`, `visibility_tables` and `groups` for what they are made of.
     """
 
-    base_size: float
-    levels: NDArray[np.int64]
-    coverage: NDArray[np.uint8]
-    projected_area: NDArray[np.uint8]
-    light_visibility: NDArray[np.uint8]
-    irradiance: NDArray[np.uint8]
-    moments: NDArray[np.float32]
-    hole_weight: NDArray[np.float32]
-    warp_packs: NDArray[np.int64]
-    joint: NDArray[np.int16]
+    # 2: shadow rays start from hits. 3: joint visibility is a table.
+    version = 3
+    record = "lobes"
 
-    @property
-    def packs(self) -> int:
-        """Packs of four groups each, without holes."""
-        return self.moments.shape[1] // 4
+    is_baked = flag("0 where the fabric has no tables of lobes")
+    base_size: float = setting("side of the squares of the pyramid's first level, millimetres", "mm", 0.0)
 
-    @property
-    def nbytes(self) -> int:
-        """Size of all tables."""
-        return sum(part.nbytes for part in self.arrays().values())
+    @computed("1 / side of the squares of the pyramid's first level")
+    def inverse_base_size(self) -> float:
+        """1/mm."""
+        return 1 / self.base_size
 
-    def arrays(self) -> dict[str, NDArray[np.generic]]:
-        """The tables by name."""
-        return {part.name: getattr(self, part.name) for part in fields(self) if part.name != "base_size"}
+    @computed("of the coverage pyramid")
+    def last_level(self) -> float:
+        """Number of the level of one node."""
+        return len(self.levels) - 1
+
+    levels: NDArray[np.int64] = table(
+        "first node, columns, rows of each level",
+        (None, 3),
+        # Four numbers each; node indices stay below 2²⁴, which float32 holds exactly.
+        words="words",
+        shown=Shown((None, 4), lambda levels: np.pad(levels.astype(np.float32), ((0, 0), (0, 1)))),
+        fault=_pyramid_fault,
+    )
+
+    @computed("nodes of the pyramid of one face")
+    def face_nodes(self) -> int:
+        """Of all levels."""
+        return int((self.levels[:, 1] * self.levels[:, 2]).sum())
+
+    packs = size(
+        "packs of four groups; even",
+        of="moments",
+        counted="groups a face",
+        expected="whole packs of four, and an even number of them",
+        multiple=2,
+    )
+
+    @computed("how many, the first ones, are the warp's")
+    def front_warp_packs(self) -> int:
+        """Of the front."""
+        return int(self.warp_packs[0])
+
+    @computed("the same of the back")
+    def back_warp_packs(self) -> int:
+        """Of the back."""
+        return int(self.warp_packs[1])
+
+    coverage: NDArray[np.uint8] = table(
+        "packed groups of each node of the pyramid; in files, holes in the first byte of a last pack",
+        ("2 faces", "face_nodes", "4 * (packs + 1)"),
+        words="bytes",
+        shown=Shown(("2 faces", "face_nodes", "4 * packs"), lambda coverage: coverage[..., :-4]),
+    )
+
+    @derived("holes of each node of the pyramid", ("2 faces", "face_nodes"), words="bytes")
+    def coverage_holes(self) -> NDArray[np.uint8]:
+        """They stand apart, as a footprint reads them once and groups pack by pack."""
+        return self.coverage[..., -4]
+
+    projected_area: NDArray[np.uint8] = table(
+        "square roots of projected areas; holes in the first byte of the last pack",
+        ("2 faces", f"{NODES} nodes", "4 * (packs + 1)"),
+        words="bytes",
+    )
+    light_visibility: NDArray[np.uint8] = table(
+        "visibility from lights: 255 is 1",
+        ("2 faces", "2 sides", f"{NODES} nodes", "4 * packs"),
+        words="bytes",
+    )
+    irradiance: NDArray[np.uint8] = table(
+        "irradiance: 255 is 1/π", ("2 faces", "2 sides", f"{NODES} nodes", "4 * packs"), words="bytes"
+    )
+    moments: NDArray[np.float32] = table(
+        "of each group: mean normal, weight of (coverage byte)·(projected area byte)², mean fibre direction, "
+        "and xx, yy, xy, xz, yz of its covariance (trace 1 − |mean|²)",
+        ("2 faces", "4 * packs", MOMENTS),
+        words="words",
+    )
+    joint: NDArray[np.int16] = table(
+        "factors of joint over independent visibility, 16-bit numbers; see `joint_lookup`",
+        ("2 faces", "2 sides", "2 of view and light", f"{JOINT_NODES} nodes", JOINT_FACTORS),
+        words="bytes",
+    )
+
+    @computed("weight of holes")
+    def front_hole_weight(self) -> float:
+        """Of the front."""
+        return float(self.hole_weight[0])
+
+    @computed("the same of the back")
+    def back_hole_weight(self) -> float:
+        """Of the back."""
+        return float(self.hole_weight[1])
+
+    hole_weight: NDArray[np.float32] = table("weight of holes", ("2 faces",))
+    warp_packs: NDArray[np.int64] = table(
+        "how many packs of each face, the first ones, are the warp's", ("2 faces",), low=0, high="packs"
+    )
+    threads_per_mm = given("float", "1 / mean size of a thread")
+    unit_level = given("float", "log₂ of the length that separates the regimes")
+
+
+def given_numbers(layout: ClothLayout, base_size: float) -> dict[str, float]:
+    """The numbers that `LobeTables` declares as given, of a cloth and the size of its first squares."""
+    width, height = layout.size
+    picks, ends = layout.warp_on_top.shape
+    thread = math.sqrt(width / ends * height / picks)
+    unit = max(thread, regimes.SQUARE_SCALE * base_size)
+    return {"threads_per_mm": 1 / thread, "unit_level": math.log2(unit)}
 
 
 def bake_tables(
@@ -120,47 +202,6 @@ def bake_joint(
     points = launch_joint(cloth)
     groups = find_groups(top_down_samples(cloth), view_samples(launch_views(cloth, per_family)), per_family)
     return joint_factors(points, groups, diffuse_blend)
-
-
-def tables_of_loom(loom: LoomFile) -> LobeTables:
-    """The tables in a `.loom` file.
-
-    Raises:
-        InputError: tensors that are missing, of another kind, or do not belong together.
-    """
-    moments = loom.tensor("moments", (2, None, MOMENTS), np.float32)
-    if moments.shape[1] % 8 or not moments.size:
-        raise InputError(
-            f"{loom.file}: the tensor model.moments has {moments.shape[1]} groups a face: it should have "
-            "whole packs of four, and an even number of them."
-        )
-    packs = moments.shape[1] // 4
-    warp_packs = loom.tensor("warp_packs", (2,), np.int64)
-    if not ((warp_packs >= 0) & (warp_packs <= packs)).all():
-        raise InputError(
-            f"{loom.file}: the tensor model.warp_packs is {warp_packs.tolist()}: it should be 0 to "
-            f"{packs} each, the packs of four groups that there are."
-        )
-    levels = loom.tensor("levels", (None, 3), np.int64)
-    sizes = levels[:, 1] * levels[:, 2]
-    consistent = len(levels) > 0 and (levels[:, 1:] > 0).all() and levels[0, 0] == 0
-    if not (consistent and (levels[1:, 0] == np.cumsum(sizes)[:-1]).all()):
-        raise InputError(f"{loom.file}: the tensor model.levels is no pyramid: bake it again.")
-    base_size = loom.setting("base_size", float)
-    if not 0 < base_size < math.inf:
-        raise InputError(f"{loom.file}: the setting base_size is {base_size:g}: it should be above 0 mm.")
-    return LobeTables(
-        base_size=base_size,
-        levels=levels,
-        coverage=loom.tensor("coverage", (2, int(sizes.sum()), 4 * (packs + 1)), np.uint8),
-        projected_area=loom.tensor("projected_area", (2, NODES, 4 * (packs + 1)), np.uint8),
-        light_visibility=loom.tensor("light_visibility", (2, 2, NODES, 4 * packs), np.uint8),
-        irradiance=loom.tensor("irradiance", (2, 2, NODES, 4 * packs), np.uint8),
-        moments=moments,
-        hole_weight=loom.tensor("hole_weight", (2,), np.float32),
-        warp_packs=warp_packs,
-        joint=loom.tensor("joint", (2, 2, 2, JOINT_NODES, JOINT_FACTORS), np.int16),
-    )
 
 
 def _warp_packs(groups: Groups) -> NDArray[np.int64]:

@@ -22,7 +22,9 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import Array, Float, Mask, Vec3
 from loomlight.core.backend import array_types, clip
+from loomlight.core.errors import InputError
 from loomlight.core.simd import call_kernel, can_use_kernel
+from loomlight.core.tables import Layer, Shared
 from loomlight.models.neural.architecture import BUNDLES, VIEW_FEATURES
 from loomlight.models.neural.codings import DIFFUSE, fibre_features, mixed_bundles, one_blob, unmapped
 from loomlight.models.neural.compiled import compiled_decoder
@@ -34,7 +36,7 @@ from loomlight.models.neural.footprint_coding import (
 )
 from loomlight.models.neural.latent_table import LatentTable
 from loomlight.models.neural.layers import CooperativeLayers, Vector
-from loomlight.models.neural.weights import Weights
+from loomlight.models.neural.weights import Weights, shipped_weights
 
 
 @dataclass
@@ -254,3 +256,54 @@ def decoder_cost(weights: Weights, corrected: bool) -> DecoderCost:
 def decoder_of(weights: Weights, float_type: type) -> Decoder:
     """The decoder of some weights on one backend; all fabrics share it."""
     return Decoder(weights, float_type)
+
+
+# Layers in the order of memory, as shaders have them; see `neural_layers`.
+LAYERS = ("FUSION_0", "FUSION_1", "HOLE_0", "HOLE_1", "VIEW", "LIGHT")
+ANGULAR = ("ANGULAR", "ANGULAR_2", "ANGULAR_3")
+LAST = "LAST"
+
+
+def neural_layers(weights: Weights) -> dict[str, Layer]:
+    """Weights and biases of the decoder's layers, split by their inputs as `neural.slang` evaluates them.
+
+    The hole reads the inputs of the view's layer, whose last ones it does not use.
+    """
+    parts = split_matrices(weights)
+    hole = np.concatenate([parts["hole spatial"], parts["hole view"]], axis=1)
+    view = np.concatenate([parts["spatial"], parts["view"]], axis=1)
+    hole = np.pad(hole, ((0, 0), (0, view.shape[1] - hole.shape[1])))
+    layers: list[Layer] = [
+        (weights.tensor("decoder.fusion.0.weight"), weights.tensor("decoder.fusion.0.bias")),
+        (parts["fusion"], parts["fusion bias"]),
+        (hole, parts["hole bias"]),
+        (parts["hole last"], parts["hole last bias"]),
+        (view, parts["0 bias"]),
+        (parts["light"], None),
+        *((parts[f"{number}"], parts[f"{number} bias"]) for number in range(1, len(ANGULAR) + 2)),
+    ]
+    return dict(zip((*LAYERS, *ANGULAR, LAST), layers, strict=True))
+
+
+def shader_network(weights: Weights) -> Shared:
+    """The decoder as shaders read it: halves, once for all fabrics.
+
+    Raises:
+        InputError: a network of another shape than that of the shaders.
+    """
+    shipped = shipped_weights()
+    if weights.table.model_copy(update={"width": shipped.table.width}) != shipped.table or (
+        weights.linear_diffuse != shipped.linear_diffuse
+    ):
+        raise InputError(
+            f"{weights.source}: real-time shaders are compiled for networks of the shape of the shipped one, "
+            f"of width {shipped.table.hidden}: train such a network, or leave weights away."
+        )
+
+    def halves() -> list[Layer]:
+        return [
+            (weight.astype(np.float16), None if bias is None else bias.astype(np.float16))
+            for weight, bias in neural_layers(weights).values()
+        ]
+
+    return Shared(weights.sha256, halves)

@@ -50,7 +50,7 @@ def run_encoder(
         (latents,) = encoder_session(weights).run(None, {"maps": maps[None], "parameters": parameters})
         faces.append(latents.astype(np.float16))
     shape = picks * repeats[0], ends * repeats[1]
-    return EncodedFabric(*shape, (faces[0], faces[1]), Fibres.of(fabric))
+    return EncodedFabric.of(shape, (faces[0], faces[1]), Fibres.of(fabric))
 
 
 @cache

@@ -10,7 +10,6 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.architecture import MAX_THREADS
 from loomlight.models.neural.encoded_fabric import EncodedFabric
 from loomlight.models.neural.encoder import repeat_threads, run_encoder, shortest_repeat
-from loomlight.models.neural.fibres import Fibres
 from loomlight.models.neural.fine_tuning import fitted_correction
 from loomlight.models.neural.latent_cache import cache_key, read_latents, store_latents
 from loomlight.models.neural.parameter_ranges import trained_ranges, warn_outside_ranges
@@ -40,7 +39,7 @@ def encode(
     warn_outside_ranges(fabric, trained_ranges(weights))
     refined = refined and weights.table.bundles and weights.table.latent == "field"
     key = cache_key(fabric, weights, repeats, refined)
-    encoded = read_latents(key, picks, ends, weights, Fibres.of(fabric), refined)
+    encoded = read_latents(key, fabric, (picks, ends), weights, refined)
     if encoded is None and refined:
         encoded = _fine_tuned(fabric, weights, float_type, repeats)
     if encoded is None:

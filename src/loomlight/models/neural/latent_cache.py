@@ -8,21 +8,19 @@ from __future__ import annotations
 
 import hashlib
 from collections import OrderedDict
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from safetensors import SafetensorError
 from safetensors.numpy import load_file, save_file
 
-from loomlight.core.errors import LoomlightError
+from loomlight.core.errors import InputError, LoomlightError
 from loomlight.core.files import cache_folder, replacing
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.neural.encoded_fabric import EncodedFabric
+from loomlight.models.neural.encoded_fabric import EncodedFabric, sizes_of
 from loomlight.models.neural.encoder import fabric_parameters, shortest_repeat
 from loomlight.models.neural.fibres import Fibres
-from loomlight.models.neural.footprint_coding import levels_of
 from loomlight.models.neural.weights import Weights
+from loomlight.sources.loom_file import LoomFile
 
 # Part of every key: to be raised when maps of the same layout change.
 _VERSION = 2
@@ -33,10 +31,14 @@ _in_memory: OrderedDict[str, EncodedFabric] = OrderedDict()
 
 
 def read_latents(
-    key: str, picks: int, ends: int, weights: Weights, fibres: Fibres, fine_tuned: bool
+    key: str, fabric: Fabric, repeat: tuple[int, int], weights: Weights, fine_tuned: bool
 ) -> EncodedFabric | None:
-    """The latents of a key, from memory or disk; None if they are not cached."""
-    return _in_memory.get(key) or _read(key, picks, ends, weights, fibres, fine_tuned)
+    """The latents of a key, from memory or disk; None if they are not cached.
+
+    Args:
+        repeat: picks and ends.
+    """
+    return _in_memory.get(key) or _read(key, fabric, repeat, weights, fine_tuned)
 
 
 def store_latents(key: str, encoded: EncodedFabric) -> None:
@@ -70,30 +72,22 @@ def cache_key(fabric: Fabric, weights: Weights, repeats: tuple[int, int], fine_t
 
 
 def _read(
-    key: str, picks: int, ends: int, weights: Weights, fibres: Fibres, fine_tuned: bool
+    key: str, fabric: Fabric, repeat: tuple[int, int], weights: Weights, fine_tuned: bool
 ) -> EncodedFabric | None:
     """The latents on disk; None if there is no file or an unusable one."""
+    picks, ends = repeat
     try:
         arrays = load_file(cache_folder("neural") / f"{key}.safetensors")
-    except (SafetensorError, OSError, ValueError):
+        read = LoomFile("neural", fabric, arrays).tables(
+            EncodedFabric,
+            sizes_of(picks, ends, weights.table),
+            picks=picks,
+            ends=ends,
+            fibre_numbers=Fibres.of(fabric).array(),
+        )
+    except (InputError, SafetensorError, OSError, ValueError):
         return None
-    faces = [arrays.get(side) for side in ("front", "back")]
-    last = levels_of(picks, ends)[-1]
-    texels = last.first + 1 if weights.table.latent == "field" else 1
-    front, back = faces
-    if front is None or back is None:
-        return None
-    for face in (front, back):
-        if face.dtype != np.float16 or face.shape != (texels, weights.table.latent_size):
-            return None
-    correction = arrays.get("correction")
-    if (correction is not None) != fine_tuned:
-        return None
-    if correction is not None and (
-        correction.dtype != np.float32 or correction.shape != weights.table.corrected_shape
-    ):
-        return None
-    return EncodedFabric(picks, ends, (front, back), fibres, correction)
+    return read if (read.correction is not None) == fine_tuned else None
 
 
 def _write(key: str, encoded: EncodedFabric) -> None:
@@ -107,9 +101,8 @@ def _write(key: str, encoded: EncodedFabric) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with replacing(file) as temporary:
-            arrays: dict[str, NDArray[Any]] = {"front": encoded.faces[0], "back": encoded.faces[1]}
-            if encoded.correction is not None:
-                arrays["correction"] = encoded.correction
+            arrays = encoded.arrays()
+            del arrays["fibres"]  # those of the fabric
             save_file(arrays, temporary)
     except (OSError, LoomlightError, SafetensorError):
         return

@@ -51,11 +51,7 @@ class LatentTable:
         field = weights.table.latent == "field"
         self.repeat = (0, 0) if field else (encoded.picks, encoded.ends)
         values = _fetched_values(weights, encoded)
-        # First texel, columns, rows and texels a thread of each; whole numbers below 2^24 are exact.
-        levels = np.array(
-            [(level.first, level.columns, level.rows, level.per_thread) for level in encoded.levels],
-            np.float32,
-        )
+        levels = encoded.levels
         if float_type is not None:
             values = self._upload(weights, encoded, float_type, values, levels)
         self.uniforms: list[NDArray[np.float32]] = []

@@ -5,11 +5,9 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from typing import Any, ClassVar, Self, final
+from typing import ClassVar, Self, final
 
 import drjit as dr
-import numpy as np
-from numpy.typing import NDArray
 
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
@@ -20,14 +18,13 @@ from loomlight.core.llvm import llvm_float
 from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
-from loomlight.models.interface import Parameter, Report, Values
+from loomlight.models.interface import Parameter, Report, ShaderTables, Values
 from loomlight.models.networks import LearnedProposal, ReluNetwork
-from loomlight.models.neural.decoder import Decoder, ViewActivations, decoder_cost, decoder_of
-from loomlight.models.neural.encoded_fabric import EncodedFabric
+from loomlight.models.neural.decoder import Decoder, ViewActivations, decoder_cost, decoder_of, shader_network
+from loomlight.models.neural.encoded_fabric import EncodedFabric, sizes_of
 from loomlight.models.neural.encoder import repeat_threads
 from loomlight.models.neural.encoding import encode, encode_pair
-from loomlight.models.neural.fibres import Fibres
-from loomlight.models.neural.footprint_coding import AnisotropicTaps, levels_of, mean_pitch, taps_of_footprint
+from loomlight.models.neural.footprint_coding import AnisotropicTaps, mean_pitch, taps_of_footprint
 from loomlight.models.neural.latent_table import LatentTable
 from loomlight.models.neural.light_visibility import light_visibility_of
 from loomlight.models.neural.proposal import Proposal, proposal_of
@@ -280,18 +277,10 @@ class NeuralModel(FilteredFabricModel):
 
     def to_loom(self) -> LoomFile:
         """A file of latents, fibres and correction, with the checksum of the network that decodes them."""
-        front, back = self.encoded.faces
-        tensors: dict[str, NDArray[Any]] = {
-            "front": front,
-            "back": back,
-            "fibres": self.encoded.fibres.array(),
-        }
-        if self.encoded.correction is not None:
-            tensors["correction"] = self.encoded.correction
         return LoomFile(
             model=self.name,
             source=self.fabric,
-            tensors=tensors,
+            tensors=self.encoded.arrays(),
             settings={"sampler": self.sampler},
             networks={_NETWORK: self.weights.sha256},
         )
@@ -307,20 +296,9 @@ class NeuralModel(FilteredFabricModel):
         weights = shipped_weights()
         loom.require_network(_NETWORK, weights.sha256)
         picks, ends = repeat_threads(fabric)
-        texels = levels_of(picks, ends)[-1].first + 1 if weights.table.latent == "field" else 1
-        front, back = (
-            loom.tensor(side, (texels, weights.table.latent_size), np.float16) for side in ("front", "back")
-        )
-        fibres = Fibres.from_array(loom.tensor("fibres", (4, 2), np.float32))
-        error = fibres.validation_error()
-        if error is not None:
-            raise InputError(f"{loom.file}: of the tensor model.fibres the {error}. Bake it again.")
-        correction = None
-        if "correction" in loom.tensors:
-            correction = loom.tensor("correction", weights.table.corrected_shape, np.float32)
+        encoded = loom.tables(EncodedFabric, sizes_of(picks, ends, weights.table), picks=picks, ends=ends)
         # Files of the first versions do not say what draws directions.
         sampler = loom.setting("sampler", str) if "sampler" in loom.settings else None
-        encoded = EncodedFabric(picks, ends, (front, back), fibres, correction)
         return cls(fabric, encoded, weights, NeuralOptions(sampler=sampler))
 
     def at(
@@ -350,6 +328,21 @@ class NeuralModel(FilteredFabricModel):
         if float_type not in self._tables:
             self._tables[float_type] = LatentTable(self.weights, self.encoded, float_type)
         return self._tables[float_type]
+
+    def shader_tables(self, half: bool = True) -> ShaderTables:
+        """Latents and fibres, the network that all fabrics share, and the threads of the repeat.
+
+        Raises:
+            InputError: a network of another shape than that of the shaders.
+        """
+        ends_per_mm, picks_per_mm = self._threads_per_mm
+        given = {
+            "network": shader_network(self.weights),
+            "ends_per_mm": ends_per_mm,
+            "picks_per_mm": picks_per_mm,
+            "pitch": self._pitch,
+        }
+        return ShaderTables(self.encoded, given)
 
     def own_facts(self) -> dict[str, str]:
         """The fabric that latents are interpolated with."""

@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Color3, Float, FloatType, Int, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import DRJIT, array_types, clip, maximum, minimum, upload
 from loomlight.core.errors import InputError
-from loomlight.models.interface import Report
+from loomlight.models.interface import Report, ShaderTables
 from loomlight.models.networks import Layers, ReluNetwork
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.texture.model import (
@@ -49,6 +49,7 @@ from loomlight.models.texture.pyramid import (
     wrapped,
 )
 from loomlight.models.texture.settings import DECODERS, FEATURES, MIPS, PRECISIONS, LatentOptions
+from loomlight.models.texture.tables import LatentTables, network_layers, pyramid_numbers, texel_numbers
 from loomlight.scattering.lobe_mixture import (
     LOBE_OUTPUTS,
     LobeMixture,
@@ -365,6 +366,31 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
         stored = {name: values.astype(self.precision) for name, values in tensors.items()}
         return LoomFile(self.name, self.source, stored, settings)
 
+    def shader_tables(self, half: bool = True) -> ShaderTables:
+        """Networks and latents.
+
+        Args:
+            half: latents in half precision, else as the model keeps them.
+        """
+        weights, shape = self.weights, self.weights.shape
+        # Without learned frames both are the axes: their weights are 0.
+        frames = np.zeros((6 * FRAMES, CHANNELS), np.float32) if weights.frames is None else weights.frames
+        is_half = half or self.precision == "float16"
+        given = pyramid_numbers(shape) | {
+            "decoder": network_layers(_of_all_inputs(weights)),
+            "hidden": weights.hidden[0],
+            "frames": [(frames, None)],
+            "sampler": network_layers(weights.layers["sampler"]),
+            "albedo": network_layers(weights.layers["albedo"]),
+            "texels": texel_numbers(weights.latents, is_half),
+            "texel_elements": 1 if is_half else 2,
+            "width": shape.width_mm,
+            "height": shape.height_mm,
+            "is_trilinear": int(self.mips == "trilinear"),
+            "is_apart": int(shape.is_apart),
+        }
+        return ShaderTables(LatentTables(), given)
+
     @classmethod
     def from_loom(cls, loom: LoomFile) -> Self:
         """The model of textures and networks in a file.
@@ -403,6 +429,21 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
     def facts(self) -> dict[str, str]:
         """The source, and the size of textures and decoder."""
         return {**super().facts(), "decoder": " → ".join(str(width) for width in self.weights.hidden)}
+
+
+def _of_all_inputs(weights: Weights) -> Layers:
+    """The decoder with zeros for the inputs that it lacks: the second frame, and features."""
+    (matrix, bias), *others = weights.layers["decoder"]
+    wide = np.zeros((len(matrix), decoder_widths((), with_frames=True, with_features=True)[0]), np.float32)
+    frames = 1 if weights.frames is None else FRAMES
+    first = 6 * FRAMES
+    wide[:, : 6 * frames] = matrix[:, : 6 * frames]
+    wide[:, -CHANNELS:] = matrix[:, -CHANNELS:]
+    if weights.with_features:
+        features = matrix[:, 6 * frames : -CHANNELS]
+        wide[:, first : first + frames] = features[:, :frames]
+        wide[:, first + FRAMES : first + FRAMES + 2] = features[:, frames:]
+    return [(wide, bias), *others]
 
 
 def _choice(loom: LoomFile, name: str, known: tuple[str, ...]) -> str:

@@ -34,8 +34,9 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import Color3, Float, FloatType, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, clip, maximum, upload
+from loomlight.core.tables import Layer
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.interface import Report
+from loomlight.models.interface import Report, ShaderTables
 from loomlight.models.networks import Layers, LearnedProposal, ReluNetwork
 from loomlight.models.texture.model import (
     TexturedBsdf,
@@ -55,6 +56,7 @@ from loomlight.models.texture.pyramid import (
     wrapped,
 )
 from loomlight.models.texture.settings import NeumipOptions
+from loomlight.models.texture.tables import NeumipTables, network_layers, pyramid_numbers, texel_numbers
 from loomlight.scattering.lobe_mixture import OPAQUE_OUTPUTS, OUTPUTS, TwoSidedLobes
 from loomlight.scattering.point import DirectionSample, to_face_frame
 from loomlight.sources.kinds import Source
@@ -319,6 +321,36 @@ class NeumipModel(TexturedModel[Weights, DeviceWeights]):
         settings: dict[str, Setting] = {"columns": shape.columns, "rows": shape.rows, "faces": shape.faces}
         settings |= {"footprint_texels": shape.footprint_texels, "open_area": weights.open_area}
         return LoomFile(self.name, self.source, tensors, settings)
+
+    def shader_tables(self, half: bool = True) -> ShaderTables:
+        """Networks and textures, and what shadows know of holes.
+
+        Args:
+            half: texels in half precision, else in single precision.
+        """
+        weights, shape = self.weights, self.weights.shape
+
+        def network(name: str, is_there: bool = True) -> Sequence[Layer] | None:
+            return network_layers(weights.layers[name]) if is_there else None
+
+        offset = weights.offset_texels
+        unit_x, unit_y = shape.unit
+        given = pyramid_numbers(shape) | {
+            "decoder": network("decoder"),
+            "features": texel_numbers(weights.features, half),
+            "has_offset": int(offset is not None),
+            "offset": network("offset", offset is not None),
+            "offset_texels": None if offset is None else texel_numbers(offset, half),
+            "texel_elements": 1 if half else 2,
+            "unit_x": unit_x,
+            "unit_y": unit_y,
+            "transmits": int(weights.transmits),
+            "transmission": network("transmission", weights.transmits),
+            "has_holes": int(weights.has_holes),
+            "opacity": network("opacity", weights.has_holes),
+        }
+        of_source = {"is_open": int(weights.has_holes), "mean_hole": self.open_area}
+        return ShaderTables(NeumipTables(), given, of_source)
 
     @classmethod
     def from_loom(cls, loom: LoomFile) -> Self:

@@ -6,13 +6,12 @@ import {
   EVEN_STEP,
   FEWER_NODES,
   GROUPS_PER_PACK,
+  LOBES_TABLES,
   MAX_BLUR,
   MAX_BLUR_STEPS,
   MAX_PYRAMID_BYTES,
   MIN_RAYS,
-  MOMENTS,
   MAX_TEXELS_PER_NODE,
-  NODES,
   NODES_PER_SIDE,
   RAYS_PER_GROUP,
   TENT_VARIANCE,
@@ -46,9 +45,18 @@ export function packCount(perFamily: number): number {
 
 /** A size as a number; `more` are names that depend on the level. */
 export function valueOf(plan: BakePlan, size: Size, more: Readonly<Record<string, number>> = {}): number {
-  const named = (part: number | string): number =>
-    typeof part === "number" ? part : (more[part] ?? plan.sizes[part] ?? 0);
+  return sumOfProducts(size, { ...plan.sizes, ...more });
+}
+
+function sumOfProducts(size: Size, sizes: Readonly<Record<string, number>>): number {
+  const named = (part: number | string): number => (typeof part === "number" ? part : (sizes[part] ?? 0));
   return size.reduce((sum, parts) => sum + parts.reduce<number>((product, part) => product * named(part), 1), 0);
+}
+
+/** Words of a table of `lobes`. */
+export function wordsOfTable(name: (typeof LOBES_TABLES)[number][0], sizes: Readonly<Record<string, number>>): number {
+  const [, numbers, perWord] = LOBES_TABLES.find(([table]) => table === name)!;
+  return Math.ceil(sumOfProducts(numbers, sizes) / perWord);
 }
 
 /** The plan of a fabric's bake with so many groups of each family, 1 to 64, on average. */
@@ -74,6 +82,9 @@ export function planBake(layout: ClothLayout, perFamily: number): BakePlan {
     texels_across: across,
     texels_along: along,
   };
+  const sizes = { ...recorded, groups: 2 * perFamily, width: packs + 1 };
+  // Joint visibility is not baked by kernels.
+  const names = LOBES_TABLES.map(([name]) => name).filter((name) => name !== "joint");
   return {
     values: {
       ...recorded,
@@ -86,18 +97,11 @@ export function planBake(layout: ClothLayout, perFamily: number): BakePlan {
       // Squares twice as wide have four times the variance; see `coverage_pyramid.Spacing`.
       far_weight: ((nodes ** 2 - 2) / 4 - 1 / 4) / 2,
     },
-    sizes: { ...recorded, groups: 2 * perFamily, width: packs + 1 },
+    sizes,
     levels,
     baseSize,
     blur: [tapWeights((baseSize * columns) / width), tapWeights((baseSize * rows) / height)],
-    tableWords: {
-      coverage: 2 * faceNodes * packs,
-      coverage_holes: Math.ceil((2 * faceNodes) / 4),
-      projected_area: 2 * NODES * (packs + 1),
-      light_visibility: 4 * NODES * packs,
-      irradiance: 4 * NODES * packs,
-      moments: 2 * 4 * packs * MOMENTS,
-    },
+    tableWords: Object.fromEntries(names.map((name) => [name, wordsOfTable(name, sizes)])),
   };
 }
 

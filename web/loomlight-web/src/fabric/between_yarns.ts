@@ -4,32 +4,16 @@
  */
 import { InputError } from "loomlight-fabric";
 
-import { HALVINGS, JOINT_FACTORS, JOINT_NODES, OPENNESS_PARTS } from "../generated.ts";
+import { HALVINGS, OPENNESS_OTHERS, OPENNESS_PARTS, type OpennessTables } from "../generated.ts";
 import type { WordTable } from "../records.ts";
+import { wordsOfTable } from "./bake_plan.ts";
 
 /**
  * What a cloth's yarns see of the sky: flat lists, as `loomlight view` answers them at `/api/openness`. They follow
- * from where yarns lie, from roughness, optical depth and the diffuse blend alone. Shapes are those of
+ * from where yarns lie, from roughness, optical depth and the diffuse blend alone. See
  * `scattering/openness.py`.
  */
-export interface Openness {
-  readonly by_view: readonly number[];
-  readonly by_point: readonly number[];
-  readonly warp_seen: readonly number[];
-  /** Mean D of the yarn that blocks light [face, family]. */
-  readonly interior: readonly number[];
-  /** Share of a family's blocked directions that meet a family [face, from, to]. */
-  readonly meets: readonly number[];
-  /** Share of the blocked light that a family blocks [face, family]. */
-  readonly blocks: readonly number[];
-  /** One over the height that 1 stands for in `by_point`, 1/mm. */
-  readonly per_relief: readonly number[];
-  /** What a fibre layer of albedo 1 sends back and lets through [family, 2]. */
-  readonly layers: readonly number[];
-  /** Mean D of the front from 8°, of light on the side of the view and on the other. */
-  readonly facing: readonly number[];
-  /** Mean value of the fibre layer at albedo 1 there [family, side]. */
-  readonly facing_layer: readonly number[];
+export interface Openness extends OpennessTables {
   /** Words of the factors of joint visibility, which `lobes` reads; without them its ratios are 1. */
   readonly joint?: readonly number[];
 }
@@ -42,9 +26,9 @@ export type ChannelAlbedos = readonly [
   specularTransmit: number,
 ];
 
-const SIZES: readonly (readonly [keyof Openness, number])[] = [...OPENNESS_PARTS, ["facing", 2], ["facing_layer", 4]];
-/** Words of the factors: two a word, of two faces, two sides, view and light. */
-export const JOINT_WORDS = (2 * 2 * 2 * JOINT_NODES * JOINT_FACTORS) / 2;
+const SIZES: readonly (readonly [keyof Openness, number])[] = [...OPENNESS_PARTS, ...OPENNESS_OTHERS];
+/** Words of the factors of joint visibility. */
+export const JOINT_WORDS = wordsOfTable("joint", {});
 
 /** @throws InputError lists that are missing, or of another length, or not of finite numbers. */
 export function requireOpenness(openness: Openness): void {
