@@ -137,6 +137,7 @@ class ClothSurface:
         return np.stack([np.broadcast_to(part.numpy(), x.shape) for part in moved - place]).astype(np.float64)
 
     def _sampled(self, x: NDArray[Any], y: NDArray[Any], size: float, back: bool) -> ClothPoints:
+        # Find the yarn under each place, and the frame of what it shows close up.
         types, scattering = self._types, self._scattering
         x, y = (upload(types.Float, part.astype(np.float32)) for part in (x, y))
         behind, side = dr.full(types.Bool, back, dr.width(x)), dr.opaque(types.Float, size)
@@ -153,6 +154,7 @@ class ClothSurface:
                 frame = under_hair(frame, hair)
                 warp_share = dr.lerp(warp_share, dr.select(hair.is_warp, types.Float(1), 0), hair.cover)
             normal, tangent = frame.normal, frame.tangent
+        # Find by how much its colour differs from its family's.
         gain = dr.full(types.Float, 1, dr.width(x))
         if scattering.has_detail or scattering.varies:
             # Reflected and transmitted light vary alike.
@@ -165,11 +167,13 @@ class ClothSurface:
             varied = scattering.varied(point, base, behind, side, hair)
             before, after = (dr.sum(of.diffuse_reflect + of.diffuse_transmit) for of in (base, varied))
             gain = dr.select(before > 0, after / before, 1)
+        # Find how open it lies.
         blocked = self._between.blocked_at(point.is_warp, behind, point.normal.z, point.height)
         openness = dr.select(point.hole, 1, 1 - blocked.by_warp - blocked.by_weft)
         level = dr.select(point.hole, 0, point.height)
         ends, picks = types.UInt32(point.warp_thread), types.UInt32(point.weft_thread)
         parts = (level, normal, tangent, point.is_warp, point.hole, ends, picks, warp_share, gain, openness)
+        # Fetch all of it, and turn normals that point into the cloth.
         dr.eval(parts)
         arrays = [part.numpy() for part in parts]
         level, normal, tangent, is_warp, hole, ends, picks, warp_share, gain, openness = arrays

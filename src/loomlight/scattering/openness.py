@@ -225,6 +225,7 @@ def openness_of_rays(met: RayShares, highest: float, layers: NDArray[np.float64]
         highest: of its yarn, millimetres above the middle.
         layers: see `Openness`.
     """
+    # The terms of view and point that shares are fitted by.
     x, y, z = np.tile(view_rays()[1], 2)
     faces = np.repeat([0, 1], z.size // 2)
     relief = max(highest, 1e-6)
@@ -237,6 +238,7 @@ def openness_of_rays(met: RayShares, highest: float, layers: NDArray[np.float64]
     meets = np.zeros((2, 2, 2))
     means = np.stack([met.halves.mean(axis=0), met.far])
     meets_warp = met.meets_warp
+    # Each family on each face: shares by view and by point, families that its light meets, its interior.
     for face in (0, 1):
         for family, of_family in enumerate((is_warp, ~is_warp)):
             seen = yarn & of_family & (faces == face)
@@ -254,6 +256,7 @@ def openness_of_rays(met: RayShares, highest: float, layers: NDArray[np.float64]
             blocks[face, family] = max(float(blocked.sum()), 0)
             interior[face, family] = (blocked * second).sum() / max(float(blocked.sum()), 1e-9)
     blocks /= np.maximum(blocks.sum(axis=1, keepdims=True), 1e-9)
+    # What instruments see that look straight down, and which family a view meets.
     facing = yarn & ~is_oblique & (faces == 0)
     warp_seen = [
         _fitted(of_view[seen], is_warp[None, seen])[0] for seen in (yarn & (faces == f) for f in (0, 1))

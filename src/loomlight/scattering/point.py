@@ -310,12 +310,14 @@ class YarnScattering:
                 smooth yarns.
             tint: what diffuse albedos of the cloth are multiplied with, Color3; None for 1.
         """
+        # Find the yarn, or the hair that lies over it.
         types = array_types(x)
         point = self.surface.surface(x, y, back, ray)
         warp, weft = self.parameters(types)
         hairs = self.hairs(point, back, size)
         hair = None if hairs is None else hairs.seen(types.Vector3(0, 0, 1) if ray is None else ray[0])
         is_warp = point.is_warp if hair is None else hair.family(point.is_warp)
+        # Gather its albedos, varied from fibre to fibre and thread to thread.
         of_warp, of_weft = (
             [family.albedo(number, thread) for number in range(len(ALBEDO_NAMES))]
             for family, thread in ((warp, point.warp_thread), (weft, point.weft_thread))
@@ -325,6 +327,7 @@ class YarnScattering:
             albedos = self.varied(point, albedos, back, size, hair)
         albedos = tinted(albedos, tint)
         roughness = dr.select(is_warp, warp.roughness, weft.roughness)
+        # Turn its frame by what it shows close up.
         frame = None
         if size is not None and self.has_detail:
             frame = turned_frame(self.detail(types), point, back, self.thread_number(point), size)

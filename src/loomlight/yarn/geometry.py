@@ -590,6 +590,7 @@ class YarnGeometry:
     def _surface(
         self, x: Float, y: Float, back: Mask
     ) -> tuple[SurfacePoint, _Shown, _Run, tuple[Float, Float], Tube]:
+        # Find the thread on top, the run that it is in, and the numbers of its family.
         types = array_types(x)
         tables = self._tables(types)
         shown = _show(tables, types, x, y, back)
@@ -605,13 +606,14 @@ class YarnGeometry:
         crossed = select_cell(is_warp, shown.crossing.weft, shown.crossing.warp)
         run = _unpack(types, tables, shown, own, crossed)
 
-        # Searches wait for each sample: sections of both threads are worked out while the words are fetched
+        # Find the drop of its cross-section. Searches wait for each sample: sections of both threads are worked out while the words are fetched
         # that tell which of them shows.
         warp_section, weft_section = (_section(cell) for cell in (shown.crossing.warp, shown.crossing.weft))
         section = dr.select(is_warp, warp_section.drop, weft_section.drop)
         section_slope = dr.select(is_warp, warp_section.slope, weft_section.slope)
 
-        # A float's flank close to its end lies on the arc of the run that follows underneath.
+        # Find how far its centre line has fallen along the arc, and both slopes. A float's flank close to its
+        # end lies on the arc of the run that follows underneath.
         flank = shown.on_top & (run.distance < section * run.sine)
         over = shown.on_top & ~flank
         arc = dr.select(flank, run.other_reach, run.reach)
@@ -628,6 +630,7 @@ class YarnGeometry:
             run.near_start, types.Float(1), types.Float(-1)
         )
 
+        # Let a thread underneath dive below the ones that cover it, and add up heights and slopes.
         dive, dive_slope, filled = _dive(types, tables, shown, run, crossed, other_beta)
         bend = dr.select(run.straight, 0, beta * sign)
         level = dr.fma(bend, arc * run.half_tangent, dr.fma(-beta, section, -dive))
@@ -635,7 +638,7 @@ class YarnGeometry:
         p = beta * slope_across
         q = dr.fma(beta, slope_along, -dive_slope)
 
-        # Weft local frame: its y runs along −x, a proper rotation, so the twist keeps its sign.
+        # Turn the fibres by the twist. Weft local frame: its y runs along −x, a proper rotation, so the twist keeps its sign.
         turn = dr.select(is_warp, types.Float(1), types.Float(-1))
         horizontal_across, horizontal_along = _fibre_direction(slope_across, turn * slope_along, twist)
         lifted = dr.fma(p, horizontal_across, turn * q * horizontal_along)
@@ -645,6 +648,7 @@ class YarnGeometry:
             lifted,
         )
         slope_x, slope_y = dr.select(is_warp, p, q), dr.select(is_warp, q, p)
+        # Unroll the section, for coordinates that fibres and plies run along.
         radius = own.half_width / math.sin(SECTION_ANGLE)
         across = dr.select(is_warp, warp_section.across, weft_section.across)
         unrolled = radius * dr.asin(clip(across / radius, -1, 1))

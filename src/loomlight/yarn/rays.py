@@ -486,7 +486,7 @@ class ViewRay:
 
         On one yarn it is the root of the cubic through both samples, polished by `refinements` Newton steps.
         Elsewhere the ray has crossed an outline, right behind which the last sample lies: regula falsi
-            narrows the interval.
+        narrows the interval.
         """
         types = array_types(self.x)
         extent, steps = extent_of(self.surface, types), self._steps
@@ -522,6 +522,7 @@ class ViewRay:
                 dr.select(smooth, rooted, between),
             )
 
+        # Begin with the root of the cubic, or where both clearances say, and narrow.
         under, length = end.height, end.last_step
         above = under + length
         above_gap, under_gap = clip(previous.clearance, 0, relief), clip(end.depth, 0, relief)

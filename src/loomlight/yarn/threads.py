@@ -174,6 +174,7 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
     section = section_drop(half_width, half_width)
     shown = _ShownWords(words, _are_alike(cross_upper - cross_lower, cross_half))
 
+    # Flatten threads whose shortest run has no room for an arc of the inclination that was asked for.
     shortest = np.full(lower.size, np.inf)
     for threads, part in shown.blocks():
         length = _run_ends(part, cross_lower, cross_upper, cross_period).length
@@ -182,10 +183,12 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
     steepest = np.arcsin(np.minimum(STEEPEST_SHARE * shortest / (2 * section), 1.0))
     inclination = np.clip(np.minimum(family.inclination, steepest), MIN_INCLINATION, None)
 
+    # Cut arcs to what floats and words can hold.
     finest_crossing = float((cross_upper - cross_lower).min())
     # A float rises by one width at most, and its ends stay within what the run words can tell.
     arc = np.minimum(2 * half_width / np.tan(inclination / 2), MAX_ARC * finest_crossing)
 
+    # Find how high floats rise, and how deep the edges of runs dive.
     lowest_edge = 1.0  # in units of the section's drop
     highest = 0.0
     gap_below = cross_centre - cross_half - cross_lower
@@ -209,6 +212,7 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
             )
             depth = np.where(is_end, depth / section[threads, None], 0.0)
             lowest_edge = max(lowest_edge, float(depth.max()))
+    # Round the maximum of every cell up to a share of that height, and put it into the words.
     cell_maxima = np.empty(shown.words.shape, np.uint8)
     for threads, part in shown.blocks():
         ends = _run_ends(part, cross_lower, cross_upper, cross_period)
