@@ -606,8 +606,8 @@ class YarnGeometry:
         crossed = select_cell(is_warp, shown.crossing.weft, shown.crossing.warp)
         run = _unpack(types, tables, shown, own, crossed)
 
-        # Find the drop of its cross-section. Searches wait for each sample: sections of both threads are worked out while the words are fetched
-        # that tell which of them shows.
+        # Find the drop of its cross-section. Searches wait for each sample: sections of both threads are worked
+        # out while the words are fetched that tell which of them shows.
         warp_section, weft_section = (_section(cell) for cell in (shown.crossing.warp, shown.crossing.weft))
         section = dr.select(is_warp, warp_section.drop, weft_section.drop)
         section_slope = dr.select(is_warp, warp_section.slope, weft_section.slope)
