@@ -606,8 +606,8 @@ class YarnGeometry:
         crossed = select_cell(is_warp, shown.crossing.weft, shown.crossing.warp)
         run = _unpack(types, tables, shown, own, crossed)
 
-        # Find the drop of its cross-section. Searches wait for each sample: sections of both threads are worked
-        # out while the words are fetched that tell which of them shows.
+        # Find the drop of its cross-section. Searches wait for each sample: sections of both threads are
+        # worked out while the words are fetched that tell which of them shows.
         warp_section, weft_section = (_section(cell) for cell in (shown.crossing.warp, shown.crossing.weft))
         section = dr.select(is_warp, warp_section.drop, weft_section.drop)
         section_slope = dr.select(is_warp, warp_section.slope, weft_section.slope)
@@ -638,7 +638,8 @@ class YarnGeometry:
         p = beta * slope_across
         q = dr.fma(beta, slope_along, -dive_slope)
 
-        # Turn the fibres by the twist. Weft local frame: its y runs along −x, a proper rotation, so the twist keeps its sign.
+        # Turn the fibres by the twist. Weft local frame: its y runs along −x, a proper rotation, so the twist
+        # keeps its sign.
         turn = dr.select(is_warp, types.Float(1), types.Float(-1))
         horizontal_across, horizontal_along = _fibre_direction(slope_across, turn * slope_along, twist)
         lifted = dr.fma(p, horizontal_across, turn * q * horizontal_along)
