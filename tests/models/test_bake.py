@@ -18,7 +18,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.images import Picture, read_linear
 from loomlight.models.interface import Model
 from loomlight.models.material_spec import resolve
-from loomlight.models.samples import SampledModel
+from loomlight.models.point import SampledModel
 
 
 def test_what_is_saved_is_loaded(tmp_path: Path) -> None:

@@ -12,9 +12,14 @@ from experiments.unbiased import SIGNIFICANCE, Means, holm, random_cases, scores
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import Fabric, fabric_from_text
-from loomlight.models.footprint_places import MIN_CELLS, FootprintPlaces, PrimitiveCell
-from loomlight.models.point import PointModel
-from loomlight.models.samples import SampledModel, SamplesOptions
+from loomlight.models.point import (
+    MIN_CELLS,
+    FootprintPlaces,
+    PointModel,
+    PrimitiveCell,
+    SampledModel,
+    SamplesOptions,
+)
 from tests.marks import slow
 
 require_llvm()

@@ -10,9 +10,8 @@ import pytest
 
 from loomlight.core.errors import InputError, MissingDependencyError
 from loomlight.fabric import fabric_from_text
-from loomlight.models.point import PointModel
+from loomlight.models.point import PointModel, SampledModel, SamplesOptions
 from loomlight.models.registry import is_installed, make_model, model_class, model_from_loom, model_names
-from loomlight.models.samples import SampledModel, SamplesOptions
 from loomlight.sources.loom_file import LoomFile, write_loom
 from tests.limits import HANG
 

@@ -1,6 +1,6 @@
 """Models that sample points: the point model itself, its mean, and both faces.
 
-Covers: models/point.py, models/samples.py
+Covers: models/point.py
 """
 
 from __future__ import annotations
@@ -15,8 +15,7 @@ from experiments.reference import reference
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model
-from loomlight.models.point import PointModel
-from loomlight.models.samples import SampledModel, SamplesOptions
+from loomlight.models.point import PointModel, SampledModel, SamplesOptions
 from loomlight.models.separable import Components, SeparableBsdf
 
 from .fabrics import Queries, fabric, queries

@@ -276,7 +276,7 @@ def _write_albedos(array: Any, appearance: FamilyAppearance, name: str) -> None:
             array[channel] = type(array[channel])(value)
         return
     rows = np.stack([getattr(appearance, part) for part in ALBEDOS], axis=1)
-    # `woven_point` pads each albedo to four numbers.
+    # The point model pads each albedo to four numbers.
     padding = dr.width(array) // rows[..., 0].size - 3
     array[:] = type(array)(np.pad(rows, ((0, 0), (0, 0), (0, padding))).astype(np.float32).ravel())
 

@@ -115,7 +115,7 @@ MODELS: dict[str, ModelEntry] = {
         ),
     ),
     "samples": ModelEntry(
-        "loomlight.models.samples",
+        "loomlight.models.point",
         "SampledModel",
         "woven_samples",
         "means of 32 points of the pixel each: slow, to compare with",
