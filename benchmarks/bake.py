@@ -17,8 +17,7 @@ import numpy as np
 
 from benchmarks.harness import Figures, run
 from experiments.held_out import held_out_fabrics
-from loomlight.evaluation.predictions import Predictor, model_predictor
-from loomlight.evaluation.query_benchmark import HeldOut, run_query_benchmark
+from loomlight.evaluation.query_benchmark import HeldOut, Predictor, model_predictor, run_query_benchmark
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.hemisphere import NODES

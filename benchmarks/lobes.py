@@ -31,7 +31,7 @@ from loomlight.aggregate.queries import QuerySet, fabric_scale, query_set
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.predictions import query_arrays
+from loomlight.evaluation.query_benchmark import query_arrays
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.prefiltered import half_vector

@@ -25,8 +25,7 @@ import numpy as np
 
 from benchmarks.harness import REPOSITORY, Figures, run
 from experiments.timing import timed
-from loomlight.evaluation.equal_error import samples_for
-from loomlight.evaluation.pictures import PictureError, picture_error
+from loomlight.evaluation.metrics import PictureError, picture_error, samples_for
 from loomlight.fabric import Fabric, load_fabric
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf
 from loomlight.mitsuba.live import LivePicture

@@ -27,8 +27,7 @@ from benchmarks.harness import Figures, run
 from loomlight.aggregate.queries import BANDS
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.predictions import model_predictor
-from loomlight.evaluation.query_benchmark import HeldOut, run_query_benchmark
+from loomlight.evaluation.query_benchmark import HeldOut, model_predictor, run_query_benchmark
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.fields import FabricFile, YarnTable
 from loomlight.models.lobes.model import LobesModel

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from benchmarks.harness import REPOSITORY, Figures, run
 from loomlight.core.footprint import Footprint
 from loomlight.core.images import write_image
-from loomlight.evaluation.pictures import flip_mean
+from loomlight.evaluation.metrics import flip_mean
 from loomlight.export.fit import FittedMaterial, fit_material
 from loomlight.export.gltf_brdf import GltfMaterial, evaluate
 from loomlight.export.texels import frames, texture_grid

@@ -22,8 +22,7 @@ from benchmarks.harness import Figures, run
 from experiments.held_out import held_out_fabrics
 from loomlight.aggregate.queries import BANDS
 from loomlight.evaluation.metrics import OVERALL
-from loomlight.evaluation.predictions import model_predictor
-from loomlight.evaluation.query_benchmark import QueryBenchmark, run_query_benchmark
+from loomlight.evaluation.query_benchmark import QueryBenchmark, model_predictor, run_query_benchmark
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel, LobesOptions

@@ -23,8 +23,12 @@ from experiments.timing import timed
 from loomlight.aggregate.queries import BANDS, admits_transmission, fabric_scale, query_set
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.metrics import Classes, sums_by_class
-from loomlight.evaluation.predictions import Prediction, model_predictor, monte_carlo_predictor
-from loomlight.evaluation.query_benchmark import grey_value
+from loomlight.evaluation.query_benchmark import (
+    Prediction,
+    grey_value,
+    model_predictor,
+    monte_carlo_predictor,
+)
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.sources.load import fabric_of_path

@@ -24,9 +24,14 @@ from typing import Any
 from benchmarks.harness import Figures, run
 from experiments.held_out import held_out_fabrics
 from loomlight.core.settings import declared
-from loomlight.evaluation.predictions import Predictor, model_predictor
-from loomlight.evaluation.query_benchmark import SEED, run_query_benchmark
-from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
+from loomlight.evaluation.query_benchmark import (
+    FOOTPRINTS,
+    PAIRS,
+    SEED,
+    Predictor,
+    model_predictor,
+    run_query_benchmark,
+)
 from loomlight.models.neural.parameter_ranges import LAYOUT_RANGES, PARAMETER_RANGES
 from loomlight.models.neural.weights import read_weights
 from loomlight.models.registry import make_model, model_class

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.harness import REPOSITORY, Figures, run
-from loomlight.evaluation.pictures import flip_mean
+from loomlight.evaluation.metrics import flip_mean
 from loomlight.fabric import load_fabric
 from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mitsuba import material_bsdf, render

@@ -37,7 +37,7 @@ from loomlight.aggregate.queries import admits_transmission, fabric_scale
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.truth import reference_model
+from loomlight.evaluation.query_benchmark import reference_model
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, parse_options

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.colour import linear_to_srgb
-from loomlight.evaluation.pictures import PictureError
+from loomlight.evaluation.metrics import PictureError
 from loomlight.evaluation.table import Table
 from papers.setting import SAMPLES, Setting
 

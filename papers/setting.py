@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from loomlight.core.llvm import llvm_float
-from loomlight.evaluation.predictions import Predictor, model_predictor
+from loomlight.evaluation.query_benchmark import Predictor, model_predictor
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import material_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from experiments.held_out import held_out_fabrics
 from loomlight.core.errors import InputError
-from loomlight.evaluation.pictures import picture_error
+from loomlight.evaluation.metrics import picture_error
 from loomlight.evaluation.query_benchmark import run_query_benchmark
 from loomlight.evaluation.table import Table
 from loomlight.models.neural.weights import Weights, read_weights

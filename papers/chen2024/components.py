@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate.queries import QuerySet
 from loomlight.evaluation.metrics import error_sums
-from loomlight.evaluation.predictions import Prediction, monte_carlo_predictor
+from loomlight.evaluation.query_benchmark import Prediction, monte_carlo_predictor
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from papers.chen2024.fabrics import Look, paper_fabric

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from experiments.scene_edits import SceneEdits
-from loomlight.evaluation.pictures import picture_error
+from loomlight.evaluation.metrics import picture_error
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from papers.chen2024.fabrics import Look, paper_fabric

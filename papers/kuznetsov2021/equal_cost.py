@@ -22,7 +22,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.files import replacing
 from loomlight.core.sentences import closest
-from loomlight.evaluation.pictures import PictureError
+from loomlight.evaluation.metrics import PictureError
 from loomlight.evaluation.table import Cell, Table
 from loomlight.models.registry import btf_of
 from loomlight.models.texture.neumip import NeumipModel

@@ -22,7 +22,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.sentences import closest
-from loomlight.evaluation.pictures import PictureError, picture_error
+from loomlight.evaluation.metrics import PictureError, picture_error
 from loomlight.models.options import TrainingOptions
 from loomlight.models.registry import btf_of, model_from_loom
 from loomlight.models.texture.neumip import NeumipModel

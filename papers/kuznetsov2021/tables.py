@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from loomlight.evaluation.pictures import PictureError
+from loomlight.evaluation.metrics import PictureError
 from loomlight.evaluation.table import Table
 from papers.figure import Evidence, Pixels, error_caption, on_display
 from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT

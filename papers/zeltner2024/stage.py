@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.evaluation.pictures import PictureError, picture_error
+from loomlight.evaluation.metrics import PictureError, picture_error
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant, shapes
 from loomlight.mitsuba.lights import environment_dict, light_dicts

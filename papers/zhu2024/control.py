@@ -23,7 +23,7 @@ from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, clip, minimum
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
-from loomlight.evaluation.pictures import picture_error
+from loomlight.evaluation.metrics import picture_error
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, material_bsdf, shapes

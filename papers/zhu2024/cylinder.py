@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.evaluation.pictures import PictureError, picture_error
+from loomlight.evaluation.metrics import PictureError, picture_error
 from loomlight.evaluation.table import Table
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric

@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import mitsuba as mi
 
-from loomlight.evaluation.pictures import picture_error
+from loomlight.evaluation.metrics import picture_error
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.camera import FIELD_OF_VIEW

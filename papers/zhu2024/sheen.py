@@ -12,7 +12,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.evaluation.pictures import picture_error
+from loomlight.evaluation.metrics import picture_error
 from loomlight.evaluation.table import Table
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric

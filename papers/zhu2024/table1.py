@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.evaluation.equal_error import samples_for
+from loomlight.evaluation.metrics import samples_for
 from loomlight.evaluation.table import Cell, Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.live import LivePicture

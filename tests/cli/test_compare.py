@@ -1,6 +1,6 @@
 """`loomlight compare`: a page, a table and pictures; bad input ends in one sentence.
 
-Covers: evaluation/compare.py, evaluation/model_table.py, evaluation/report.py
+Covers: evaluation/compare.py, evaluation/report.py
 """
 
 from __future__ import annotations
@@ -18,8 +18,7 @@ from PIL import Image
 
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
-from loomlight.evaluation import model_table
-from loomlight.evaluation.compare import Comparison, compare
+from loomlight.evaluation.compare import BakedModels, Comparison, compare
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
@@ -128,9 +127,9 @@ def test_trained_models_are_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
         made.append(name)
         return make_model("point", source)
 
-    monkeypatch.setattr(model_table, "make_model", make)
+    monkeypatch.setattr("loomlight.evaluation.compare.make_model", make)
     cloth = fabric_from_text('weave = "plain"')
-    baked = model_table.BakedModels()
+    baked = BakedModels()
     for _ in range(2):
         for name in ("point", "neumip"):
             baked.make(name, cloth)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from loomlight.evaluation.equal_error import samples_for
+from loomlight.evaluation.metrics import samples_for
 
 
 def test_samples_are_read_off_on_logarithmic_scales() -> None:

@@ -1,6 +1,6 @@
 """The image benchmark: its mask of pixels, yarns a pixel, and errors of known pictures.
 
-Covers: evaluation/pictures.py, mitsuba/measured_scenes.py
+Covers: evaluation/metrics.py, mitsuba/measured_scenes.py
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from loomlight.evaluation.image_benchmark import (
     run_image_benchmark,
     shots_of,
 )
-from loomlight.evaluation.pictures import flip_mean, picture_error
+from loomlight.evaluation.metrics import flip_mean, picture_error
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, measured_scene

@@ -1,6 +1,6 @@
 """The query benchmark: its truth against brute force, its rows, and errors of known predictions.
 
-Covers: evaluation/predictions.py, evaluation/truth.py
+Covers: evaluation/query_benchmark.py
 """
 
 from __future__ import annotations
@@ -16,14 +16,17 @@ from experiments.reference import reference
 from loomlight.aggregate.queries import QuerySet
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
-from loomlight.evaluation.predictions import (
+from loomlight.evaluation.query_benchmark import (
+    HeldOut,
     Prediction,
     model_predictor,
     monte_carlo_predictor,
     multi_jittered,
+    query_classes,
+    query_truth,
+    reference_model,
+    run_query_benchmark,
 )
-from loomlight.evaluation.query_benchmark import HeldOut, query_classes, run_query_benchmark
-from loomlight.evaluation.truth import query_truth, reference_model
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.registry import make_model
 

@@ -17,8 +17,7 @@ import pytest
 from typer.testing import CliRunner
 
 from loomlight.core.errors import InputError
-from loomlight.evaluation.predictions import model_predictor
-from loomlight.evaluation.query_benchmark import HeldOut, run_query_benchmark
+from loomlight.evaluation.query_benchmark import HeldOut, model_predictor, run_query_benchmark
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 from loomlight.mitsuba.plugins import register_plugins

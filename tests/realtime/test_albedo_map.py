@@ -8,7 +8,7 @@ import pytest
 
 from experiments.realtime_frames import mitsuba_frame
 from loomlight.core.errors import InputError
-from loomlight.evaluation.pictures import flip_mean
+from loomlight.evaluation.metrics import flip_mean
 from loomlight.fabric import fabric_from_text
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.albedo_map import map_words

@@ -11,7 +11,7 @@ import pytest
 from experiments.realtime_frames import mitsuba_frame
 from loomlight.core.errors import InputError
 from loomlight.core.images import write_image
-from loomlight.evaluation.pictures import flip_mean
+from loomlight.evaluation.metrics import flip_mean
 from loomlight.fabric import load_fabric
 from loomlight.realtime import Camera, Cloth, Environment, Mesh, Renderer, rectangle
 

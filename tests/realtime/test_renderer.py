@@ -16,7 +16,7 @@ import pytest
 from experiments.realtime_frames import mitsuba_frame
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import InputError
-from loomlight.evaluation.pictures import flip_mean
+from loomlight.evaluation.metrics import flip_mean
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Mesh, Picture, PointLight, Renderer, rectangle

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from experiments.realtime_frames import mitsuba_frame
-from loomlight.evaluation.pictures import flip_mean
+from loomlight.evaluation.metrics import flip_mean
 from loomlight.fabric import load_fabric
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Mesh, PointLight, Renderer, rectangle
 from loomlight.realtime.scene import Light

@@ -21,7 +21,7 @@ from experiments.held_out import held_out_fabrics
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import llvm_float, require_llvm
-from loomlight.evaluation.truth import reference_model
+from loomlight.evaluation.query_benchmark import reference_model
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.light_visibility import FACING
 

@@ -5,25 +5,37 @@ from __future__ import annotations
 import math
 import os
 import re
+import tempfile
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
+from loomlight.aggregate.queries import BANDS
 from loomlight.core.errors import InputError
 from loomlight.core.files import discarding_empty, replacing
 from loomlight.core.images import write_image, write_pixels
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.image_benchmark import SceneResult, image_tables, run_image_benchmark
-from loomlight.evaluation.model_table import BakedModels, model_table
-from loomlight.evaluation.predictions import model_predictor
-from loomlight.evaluation.query_benchmark import WEAVES, HeldOut, run_query_benchmark
+from loomlight.evaluation.metrics import samples_for
+from loomlight.evaluation.query_benchmark import (
+    MONTE_CARLO,
+    WEAVES,
+    HeldOut,
+    QueryBenchmark,
+    model_predictor,
+    run_query_benchmark,
+    samples_name,
+)
 from loomlight.evaluation.report import Figure, Report, Section, report_html
 from loomlight.evaluation.table import Cell, Table, write_json
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.read import fabric_from_text, load_fabric
 from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, require_scenes
-from loomlight.models.registry import model_names, require_model_name
+from loomlight.models.interface import Model
+from loomlight.models.registry import make_model, model_class, model_names, require_model_name
+from loomlight.sources.loom_file import write_loom
 
 # What larger pictures and fewer queries change: docs/research/evaluation.md.
 SIZE, REFERENCE_SAMPLES = (320, 180), 49
@@ -253,3 +265,94 @@ def _section(folder: Path, scene: SceneResult, samples: int) -> Section:
 
 def _file_name(text: str) -> str:
     return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
+
+
+# ------------------------------------------------------------------------------------ all models in one table
+# All models of one fabric in one table: error by band, samples to equal error, cost, size, time to bake.
+
+
+COLUMNS = (
+    "nMAE",
+    *BANDS,
+    "point samples of equal error",
+    "multiply-adds",
+    "bytes fetched",
+    "bytes of the .loom",
+    "seconds to bake",
+)
+
+
+@dataclass(frozen=True)
+class Baking:
+    """What it took to make a model.
+
+    Attributes:
+        seconds: of processor time, all threads; of trained models the training.
+        size: bytes of the model's `.loom`.
+    """
+
+    seconds: float
+    size: int
+
+
+@dataclass
+class BakedModels:
+    """Models by name and fabric; those that are trained are made once, however many scenes show them.
+
+    Attributes:
+        bakings: what each model took, by its name and the fabric's.
+    """
+
+    bakings: dict[tuple[str, str], Baking] = field(default_factory=dict)
+    _trained: dict[tuple[str, int], tuple[Fabric, Model]] = field(default_factory=dict)
+
+    def make(self, name: str, fabric: Fabric) -> Model:
+        """The model of a fabric.
+
+        Raises:
+            InputError: no such model, or one that does not take the fabric.
+            MissingDependencyError: a package that it needs is missing.
+        """
+        key = name, id(fabric)
+        if key in self._trained:
+            return self._trained[key][1]
+        start = time.process_time()
+        model = make_model(name, fabric)
+        seconds = time.process_time() - start
+        if (name, fabric.name) not in self.bakings:
+            self.bakings[name, fabric.name] = Baking(seconds, _loom_size(model))
+        if model_class(name).trains:
+            # The fabric is kept too, so that no other one gets its id.
+            self._trained[key] = fabric, model
+        return model
+
+
+def model_table(fabric: Fabric, benchmark: QueryBenchmark, baked: BakedModels) -> Table:
+    """A row for each model that was baked, from a query benchmark of that fabric alone.
+
+    Samples of equal error are those of the point model over the footprint whose nMAE is the model's, between
+    and beyond 1, 3 and 16 on logarithmic scales.
+    """
+    note = (
+        f"{fabric.name}, {benchmark.queries} queries of grey reflection; processor seconds, the first "
+        "time in a process; kernels that a model compiles when it is first rendered are in no column."
+    )
+    table = Table("All models", list(COLUMNS), note=note)
+    counts = [count for count in MONTE_CARLO if samples_name(count) in benchmark.rows]
+    errors = [benchmark.rows[samples_name(count)].metric("reflection") for count in counts]
+    for name, row in benchmark.rows.items():
+        baking = baked.bakings.get((name, fabric.name))
+        if baking is None:
+            continue
+        error = row.metric("reflection")
+        equal: Cell = samples_for(error, counts, errors) if len(counts) > 1 and error > 0 else None
+        cells: list[Cell] = [error, *(row.metric("reflection", band) for band in BANDS)]
+        table.rows[name] = [*cells, equal, *(row.cost or (None, None)), baking.size, baking.seconds]
+    return table
+
+
+def _loom_size(model: Model) -> int:
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "model.loom"
+        write_loom(file, model.to_loom())
+        return file.stat().st_size

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, MissingDependencyError
-from loomlight.evaluation.pictures import PictureError, picture_error
+from loomlight.evaluation.metrics import PictureError, picture_error
 from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, render

@@ -11,25 +11,49 @@ The quantities (`QUANTITIES`), each overall and by band of footprint size, rough
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+import hashlib
+import math
+import os
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from pathlib import Path
+from typing import Any, Protocol, runtime_checkable
 
+import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
+from safetensors import SafetensorError
+from safetensors.numpy import load_file, save_file
 
-from loomlight.aggregate.components import CHANNELS, COLOURS
-from loomlight.aggregate.queries import BANDS, QuerySet, fabric_scale
-from loomlight.core.backend import array_types
+from loomlight.aggregate.components import (
+    CHANNELS,
+    COLOURS,
+    COMPONENTS,
+    LIGHT_VISIBILITY,
+    colours,
+    components,
+    light_visibility,
+    trace_views,
+    without_sheen_and_variation,
+)
+from loomlight.aggregate.queries import BANDS, QuerySet, admits_transmission, fabric_scale, query_set
+from loomlight.aggregate.slices import FabricSlices
+from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.errors import InputError
+from loomlight.core.files import cache_folder, replacing
+from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.evaluation.metrics import OVERALL, Classes, ErrorSums, sums_by_class
-from loomlight.evaluation.predictions import Prediction, Predictor, monte_carlo_predictor
 from loomlight.evaluation.table import Cell, Table
-from loomlight.evaluation.truth import FOOTPRINTS, PAIRS, query_truth
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.interface import FootprintBsdf, Model
+from loomlight.models.separable import SeparableBsdf, shade
 from loomlight.scattering.appearance import Sheen
+from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.sheen import sheen
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.rays import REFERENCE_QUALITY
 
 DIFFUSE_ALBEDO, SPECULAR_ALBEDO = 0.4, 0.6
 QUANTITIES = ("reflection", "transmission", "colour", *CHANNELS, "sheen")
@@ -38,6 +62,8 @@ ROUGHNESS = ("α < 0.15", "α 0.15–0.4", "α > 0.4")
 GRAZING_DEGREES = 60.0
 ELEVATION = ("within 60°", "beyond 60°")
 WEAVES = ("paper's weaves", "unseen weaves")
+# Pairs of light and view, and footprints, of a fabric.
+PAIRS, FOOTPRINTS = 160, 160
 MONTE_CARLO = (1, 3, 16)
 SEED = 2024
 
@@ -270,3 +296,323 @@ def _sheen_lobe(lights: NDArray[np.float64], views: NDArray[np.float64]) -> NDAr
 def samples_name(count: int) -> str:
     """The name of the row of so many Monte Carlo samples."""
     return f"{count} sample" + ("s" if count > 1 else "")
+
+
+# -------------------------------------------------------------------------------------------------- the truth
+# The truth of the query benchmark: slices on the reference plane, searched finely and cached on disk.
+#
+# The grid has 64 rays a thread (32 for repeats beyond 16 threads), so that its own error is 1 % of the mean
+# below a quarter yarn and 0.15 % above (docs/research/aggregation.md).
+
+
+# Part of every key: to be raised when geometry, scattering, slices or query sets change their values.
+_VERSION = 3
+_FINE, _COARSE = 64, 32
+_MAX_FINE_REPEAT = 16 * 16
+_TRUTHS = (*CHANNELS, *COLOURS, LIGHT_VISIBILITY)
+_QUERIES = ("lights", "views", "pairs", "centres", "sizes")
+
+
+def query_truth(
+    fabric: Fabric,
+    seed: int,
+    pairs: int = PAIRS,
+    footprints: int = FOOTPRINTS,
+    with_colours: bool = False,
+    folder: str | os.PathLike[str] | None = None,
+    float_type: type | None = None,
+) -> tuple[QuerySet, NDArray[np.float32]]:
+    """Queries of a fabric and the exact means of its channels over them [pairs, footprints, 5].
+
+    Lights and views lie on both sides; if the fabric's threads transmit light, half of the pairs are of
+    different sides (transmission), else none.
+
+    Args:
+        seed: of the queries.
+        with_colours: adds red, green and blue with the threads' own albedos, and the light visibility, which
+            scales sheen: [pairs, footprints, 9].
+        folder: of cached results; None is the user's cache.
+        float_type: the Dr.Jit Float type to compute with; None is LLVM's.
+
+    Returns:
+        the queries, and means in the order of `CHANNELS`: components in 1/sr, `hole` as a fraction.
+
+    Raises:
+        InputError: no pairs or footprints, or a repeat too large for one slice (128 by 128 threads).
+    """
+    root = Path(cache_folder("truth") if folder is None else folder)
+    file = root / f"{_key(fabric, seed, pairs, footprints)}.safetensors"
+    cached = _read(file, (pairs, footprints, len(_TRUTHS)))
+    if cached is None:
+        cached = _compute(fabric, seed, pairs, footprints, float_type or llvm_float())
+        _write(file, *cached)
+    queries, means = cached
+    return queries, means if with_colours else means[..., : len(CHANNELS)]
+
+
+def reference_model(fabric: Fabric) -> YarnScattering:
+    """The point model of a fabric with the search quality of the truth."""
+    return YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance(), REFERENCE_QUALITY)
+
+
+def texels_per_thread(fabric: Fabric) -> int:
+    """Rays a thread of the truth's grid."""
+    return _FINE if fabric.draft.drawdown.size <= _MAX_FINE_REPEAT else _COARSE
+
+
+def _compute(
+    fabric: Fabric, seed: int, pairs: int, footprints: int, float_type: type
+) -> tuple[QuerySet, NDArray[np.float32]]:
+    transmits = admits_transmission(fabric.appearance())
+    queries = query_set(fabric_scale(fabric.layout()), pairs, footprints, seed, transmits=transmits)
+    slices = FabricSlices(
+        reference_model(fabric),
+        float_type,
+        texels_per_thread(fabric),
+        with_colours=True,
+        with_light_visibility=True,
+    )
+    means = slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, queries.boxes)
+    return queries, means
+
+
+def _key(fabric: Fabric, seed: int, pairs: int, footprints: int) -> str:
+    """A hash of everything that the truth depends on: numbers, not names."""
+    digest = hashlib.sha256(repr((_VERSION, seed, pairs, footprints)).encode())
+    digest.update(repr(texels_per_thread(fabric)).encode())
+    for part in _numbers_of_yarns(fabric):
+        digest.update(repr(part.shape).encode() + part.tobytes())
+    return digest.hexdigest()[:32]
+
+
+def _numbers_of_yarns(fabric: Fabric) -> Iterator[NDArray[np.float64]]:
+    layout, appearance = fabric.layout(), fabric.appearance()
+    yield np.asarray(layout.warp_on_top, np.float64)
+    yield np.array([appearance.diffuse_blend, appearance.optical_depth])
+    for family in (layout.warp, layout.weft):
+        for name in ("spacing", "width", "inclination", "twist", "height_scale"):
+            yield np.asarray(getattr(family, name), np.float64)
+    for scattering in (appearance.warp, appearance.weft):
+        for name in ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit"):
+            yield np.asarray(getattr(scattering, name), np.float64)
+        yield np.array([scattering.roughness])
+    yield np.array([appearance.openness is not None], np.float64)
+
+
+def _read(file: Path, shape: tuple[int, int, int]) -> tuple[QuerySet, NDArray[np.float32]] | None:
+    """The queries and means in a file; None if it does not exist or is damaged."""
+    try:
+        tensors = load_file(file)
+        queries = QuerySet(*(tensors[name] for name in _QUERIES))
+        means = tensors["means"]
+    except (OSError, SafetensorError, KeyError):
+        return None
+    return (queries, means) if means.shape == shape else None
+
+
+def _write(file: Path, queries: QuerySet, means: NDArray[np.float32]) -> None:
+    """Writes the file; ignores errors, which cost time on the next run."""
+    tensors = {name: np.ascontiguousarray(getattr(queries, name)) for name in _QUERIES}
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        with replacing(file) as temporary:
+            save_file({**tensors, "means": means}, temporary)
+    except (OSError, InputError, SafetensorError):
+        return
+
+
+# ------------------------------------------------------------------------------------------------ predictions
+# Predictions of models, and of a few Monte Carlo samples, for a query set.
+
+
+# Queries of one launch when speed is measured: enough to keep every core busy for a while.
+_TIMED = 1 << 18
+# Samples of one launch.
+_BATCH = 1 << 20
+
+
+@runtime_checkable
+class Cost(Protocol):
+    """The cost of a query, independent of the machine; models that state it have these attributes.
+
+    Attributes:
+        multiply_adds: of one query.
+        bytes_fetched: from tables, by one query.
+    """
+
+    multiply_adds: int
+    bytes_fetched: int
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """Predictions for n pairs of directions and m footprints.
+
+    Attributes:
+        means: in the order of `CHANNELS` [n, m, 5], components in 1/sr and the hole fraction; None of models
+            that do not separate albedos.
+        colours: f·cos with the threads' albedos [n, m, 3], linear RGB, 1/sr, without sheen.
+        light_visibility: fraction of view rays that meet lit yarn [n, m]; None like `means`.
+        rate: queries a second on this machine, table reads included; None if not measured.
+        cost: of one query; None if the model does not state it.
+    """
+
+    means: NDArray[np.float64] | None
+    colours: NDArray[np.float64]
+    light_visibility: NDArray[np.float64] | None = None
+    rate: float | None = None
+    cost: Cost | None = None
+
+
+Predictor = Callable[[Fabric, QuerySet], Prediction]
+
+
+def model_predictor(make: Callable[[Fabric], Model], float_type: type | None = None) -> Predictor:
+    """Predicts with the model that `make` returns for each fabric, in batches of Dr.Jit arrays.
+
+    Exceptions of `make` propagate; an InputError means that the model does not take the fabric.
+    """
+
+    def predict(fabric: Fabric, queries: QuerySet) -> Prediction:
+        types = array_types(float_type or llvm_float())
+        model = make(fabric)
+        light, view, footprint = query_arrays(types, queries)
+        count, shape = dr.width(light), queries.sizes.shape
+        parts = _channels(model.at(view, footprint), light)
+        numbers = np.stack([_numbers(part, count) for part in parts], axis=-1).reshape(*shape, -1)
+        colours, means, lit = np.split(numbers, [len(COLOURS), len(COLOURS) + len(CHANNELS)], axis=-1)
+        return Prediction(
+            means if means.shape[-1] else None,
+            colours,
+            lit[..., 0] if lit.shape[-1] else None,
+            _rate(types, model, queries),
+            model if isinstance(model, Cost) else None,
+        )
+
+    return predict
+
+
+def monte_carlo_predictor(samples: int, seed: int = 0, float_type: type | None = None) -> Predictor:
+    """Predicts with `samples` rays a footprint through the point model, as a renderer does.
+
+    Positions in the footprint are correlated multi-jittered, the pattern of Mitsuba's `multijitter`; the
+    yarns are searched at the renderer's quality.
+    """
+
+    def predict(fabric: Fabric, queries: QuerySet) -> Prediction:
+        types = array_types(float_type or llvm_float())
+        model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
+        rng = np.random.default_rng([seed, samples])
+        count = queries.sizes.size
+        at_once = min(count, max(1, _BATCH // samples))
+        values = np.empty((count, len(COLOURS) + len(CHANNELS) + 1))
+        for first in range(0, count, at_once):
+            chosen = np.arange(first, min(first + at_once, count))
+            positions = multi_jittered(rng, len(chosen), samples)
+            values[chosen] = _sampled(types, model, queries, chosen, positions)
+        values = values.reshape(*queries.sizes.shape, -1)
+        colours, means, lit = np.split(values, [len(COLOURS), len(COLOURS) + len(CHANNELS)], axis=-1)
+        return Prediction(means, colours, lit[..., 0])
+
+    return predict
+
+
+def query_arrays(types: ArrayTypes, queries: QuerySet) -> tuple[Any, Any, Footprint]:
+    """Lights, views [3] and footprints of a query set, pair by pair."""
+    return _arrays(types, queries, np.arange(queries.sizes.size))
+
+
+def multi_jittered(rng: np.random.Generator, sets: int, samples: int) -> NDArray[np.float64]:
+    """Correlated multi-jittered points [sets, samples, 2] in the unit square (Kensler 2013).
+
+    One point a cell of a grid, and one a row and a column of the grid of samples × samples cells. A count
+    that fills no grid gives a row of cells.
+    """
+    rows = math.isqrt(samples)
+    while samples % rows:
+        rows -= 1
+    columns = samples // rows
+    column, row = np.divmod(np.arange(samples), rows)
+    fine_x = rng.permuted(np.tile(np.arange(rows), (sets, columns, 1)), axis=2).reshape(sets, samples)
+    ordered = np.tile(np.arange(columns), (sets, rows, 1))
+    fine_y = rng.permuted(ordered, axis=2).transpose(0, 2, 1).reshape(sets, samples)
+    u, v = rng.random((2, sets, samples))
+    x = (column + (fine_x + u) / rows) / columns
+    y = (row + (fine_y + v) / columns) / rows
+    return np.stack([x, y], axis=-1)
+
+
+def _sampled(
+    types: ArrayTypes,
+    model: YarnScattering,
+    queries: QuerySet,
+    chosen: NDArray[np.intp],
+    positions: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Means of colours, channels and light visibility over the samples of each chosen query."""
+    count, samples, _ = positions.shape
+    light, view, footprint = _arrays(types, queries, np.repeat(chosen, samples))
+    s, t = (types.Float(part.astype(np.float32)) for part in (positions - 0.5).reshape(-1, 2).T.copy())
+    position = footprint.at(s, t)
+    plain = without_sheen_and_variation(model)
+    point = trace_views(plain, position.x, position.y, view).point
+    visible = plain.visibility(point, light)
+    channels = [
+        *colours(plain.appearance, point, light, view, visible),
+        *components(plain.appearance, point, light, view, visible),
+        dr.select(point.hole, types.Float(1), 0),
+        light_visibility(point, visible),
+    ]
+    dr.eval(channels)
+    return np.stack([part.numpy().reshape(count, samples).mean(axis=1) for part in channels], axis=-1)
+
+
+def _arrays(types: ArrayTypes, queries: QuerySet, index: NDArray[np.intp]) -> tuple[Any, Any, Footprint]:
+    pair = index // queries.sizes.shape[1]
+    light, view = (
+        types.Vector3(np.ascontiguousarray(vectors[number].T, dtype=np.float32))
+        for vectors, number in (
+            (queries.lights, queries.pairs[pair, 0]),
+            (queries.views, queries.pairs[pair, 1]),
+        )
+    )
+    centre = queries.centres.reshape(-1, 2)[index].T
+    side = types.Float(queries.sizes.ravel()[index].astype(np.float32))
+    nothing = dr.zeros(types.Float)
+    return (
+        light,
+        view,
+        Footprint(
+            types.Vector2(np.ascontiguousarray(centre, dtype=np.float32)),
+            types.Vector2(side, nothing),
+            types.Vector2(nothing, side),
+        ),
+    )
+
+
+def _channels(at: FootprintBsdf, light: Any) -> list[Any]:
+    """f·cos without sheen; if the model separates albedos, then the channels and the light visibility."""
+    if not isinstance(at, SeparableBsdf):
+        return list(at.value(light))
+    parts = at.components(light)
+    colour = shade(parts, at.albedos, light.z * at.view.z < 0)
+    return [*colour, *(getattr(parts, name) for name in COMPONENTS), at.hole, parts.light_visibility]
+
+
+def _numbers(value: Any, count: int) -> NDArray[np.float64]:
+    """A Dr.Jit Float of width 1 or `count` as a NumPy array of `count`."""
+    return np.broadcast_to(np.asarray(value.numpy(), np.float64), (count,))
+
+
+def _rate(types: ArrayTypes, model: Model, queries: QuerySet) -> float:
+    """Queries of `value` a second, compiled beforehand."""
+    repeats = -(-_TIMED // queries.sizes.size)
+    light, view, footprint = _arrays(types, queries, np.tile(np.arange(queries.sizes.size), repeats)[:_TIMED])
+    dr.eval(light, view, footprint)
+    seconds = []
+    for _ in range(3):
+        start = time.perf_counter()
+        dr.eval(model.at(view, footprint).value(light))
+        dr.sync_thread()
+        seconds.append(time.perf_counter() - start)
+    return _TIMED / min(seconds)
