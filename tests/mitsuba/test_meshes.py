@@ -1,6 +1,6 @@
 """Meshes: every format gives the same cloth, and damaged files end in a sentence.
 
-Covers: mesh/cloth_mesh.py, mitsuba/shapes.py, mitsuba/faults.py
+Covers: mesh/cloth_mesh.py, mitsuba/shapes.py, mitsuba/variants.py
 """
 
 from __future__ import annotations

@@ -23,8 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.mitsuba.faults import reason_of
-from loomlight.mitsuba.variants import choose_variant
+from loomlight.mitsuba.variants import choose_variant, reason_of
 from loomlight.models.texture.pyramid import SIZE_OF_SIGMA
 from loomlight.models.texture.queries import FOUR_POINTS, EncodedBtf, Texels
 from loomlight.sources.material import Material

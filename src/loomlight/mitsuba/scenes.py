@@ -30,7 +30,6 @@ from loomlight.mitsuba.camera import (
     require_size,
     require_zoom,
 )
-from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
 from loomlight.mitsuba.meshes import (
     Garment,
@@ -54,6 +53,7 @@ from loomlight.mitsuba.shapes import (
     ground,
     sphere,
 )
+from loomlight.mitsuba.variants import reason_of
 
 # The BSDF of a user's scene file that is replaced by the fabric.
 FABRIC_ID = "fabric"

@@ -25,9 +25,8 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Float, Mask, Vec3
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import ClothMesh, joined
-from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.meshes import check_scene_meshes, to_shape
-from loomlight.mitsuba.variants import choose_variant
+from loomlight.mitsuba.variants import choose_variant, reason_of
 from loomlight.models.texture.queries import Btf
 from loomlight.sources.heightfield import Heightfield
 from loomlight.sources.tile import TileScene
