@@ -772,6 +772,7 @@ def _transmittance(
     while dr.hint(  # type: ignore[call-arg]
         active, label="footprint_path (shadow)", compress=True
     ):
+        # The next surface on the way, with its footprint.
         pi = scene.ray_intersect_preliminary(ray, coherent=coherent, reorder=False, active=active)
         blocked = active & pi.is_valid()
         other = pi.compute_surface_interaction(ray, mi.RayFlags.All, blocked)
@@ -779,11 +780,13 @@ def _transmittance(
         porous = blocked & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null) & (passes < MAX_PASSES)
         width = dr.fma(spread, dr.select(blocked, other.t, 0), width)
         other.duv_dx, other.duv_dy = cone_partials(other, ray.d, width)
+        # What its holes let through; small shares end by Russian roulette, with one number for all surfaces.
         through[blocked] = through * bsdf.eval_null_transmission(other, porous)
         chance = minimum(dr.max(through) * dr.rcp(least_share), 1)
         active = porous & (number < chance)
         through[blocked] = dr.select(active, through * dr.rcp(chance), 0)
         number *= dr.rcp(maximum(chance, 1e-8))
+        # On to the light from there.
         ray = other.spawn_ray_to(target)
         passes += 1
     return through
@@ -896,6 +899,7 @@ class CameraWalk:
         Returns:
             the walk, and what goes on.
         """
+        # Whether the ray goes on: by chance where its share is small.
         chance = minimum(dr.max(self.share * at.through) / self.least_share, 1)
         # Where a path rides and passes, the ray passes too: its own chance is that of the rest.
         # An unbiased estimate of a share may be above 1, the chance of passing is not.
@@ -905,6 +909,7 @@ class CameraWalk:
         survives = (self.rides & at.passed) | (number < rest)
         on = self.on & at.may_pass & dr.select(at.blends, survives, at.passed)
         weight = dr.select(at.blends, at.through * dr.rcp(maximum(chance, 1e-8)), 1)
+        # The path rides along or, once it has scattered, waits for the ray's end.
         path = dr.select(self.on & self.rides, after, self.path)
         following = dr.select(self.on, path, after)
         beyond = replace(before, ray=at.straight, active=on, β=after.β)

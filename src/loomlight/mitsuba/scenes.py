@@ -209,6 +209,7 @@ def build_scene(
     """
     _require_values(zoom, size, metres_per_unit, max_depth, edge)
     factory = bsdf if callable(bsdf) else _always(bsdf)
+    # 1. A scene file has all but the cloth, and takes none of what describes a built-in scene.
     if Path(name).suffix.lower() == ".xml":
         given = {"mesh": mesh, "environment": environment, "light": light, "light_from": light_from}
         given["edge"] = None if edge == "raw" else edge
@@ -228,6 +229,7 @@ def build_scene(
             raise InputError(f"{field} = {value} does not go with an environment, which is all the light.")
     if others and mesh is None:
         raise InputError(f"The cloth {next(iter(others))} needs a mesh with parts, and {name} has none.")
+    # 2. The cloth: the scene's own piece, or a mesh in parts; laid, with its edges, and measured.
     setup = _SETUPS[str(name)]
     if mesh is None:
         worn = Garment([(setup.cloth(), factory)], None)
@@ -237,17 +239,20 @@ def build_scene(
     shapes, cloth, uv_size_mm = _dressed(worn, placement, edge)
     centre, radius = _bounds(cloth)
     _require_extent(cloth.name, radius)
+    # 3. The camera frames all of it, and comes closer below.
     towards_camera = np.array(setup.towards_camera, float)
     lens = field_of_view_over_floor(towards_camera, size) if setup.ground else FIELD_OF_VIEW
     view = framing(cloth.positions, towards_camera, size, lens)
     paths = {"max_depth": max_depth or DEFAULT_DEPTH, "rr_depth": ROULETTE_DEPTH}
     integrator = mi.load_dict({"type": "footprint_path", **paths})
     parts: dict[str, Any] = {**empty_scene(), "integrator": integrator, **shapes}
+    # 4. The light.
     if environment is not None:
         parts["environment"] = environment_dict(environment, environment_turn)
     else:
         towards = np.array(setup.towards_light) if light_from is None else direction_of(*light_from)
         parts |= light_dicts("studio" if light is None else light, centre, radius, towards)
+    # 5. What stands around: paper below or behind, as far as a camera farther away sees, and the ball.
     point = _facing_point(cloth, view)
     farther = view.closer(min(zoom, 1.0), point)
     distance = float(np.linalg.norm(farther.origin - centre))
@@ -259,6 +264,7 @@ def build_scene(
         lies = setup.edge == edge == "pinked"
         depth = -1e-3 * float(np.clip(placement.scale, 1, 4)) if lies else setup.backdrop
         parts["backdrop"] = backdrop(centre, radius, depth, distance)
+    # 6. The scene, seen from as near as asked for.
     view = view.closer(zoom, point)
     parts["sensor"] = perspective(view, size)
     return ClothScene(_loaded(parts), integrator, uv_size_mm, point, view)
