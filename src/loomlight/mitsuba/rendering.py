@@ -67,6 +67,7 @@ def render(
     Raises:
         InputError: spp < 1, a colour temperature out of range, or an unknown way to denoise.
     """
+    # 1. What renders, and how its colours are shown.
     denoises = wants_denoising(denoise)
     gains = 2.0**exposure * (1.0 if white_balance is None else white_balance_gains(white_balance))
     if spp < 1:
@@ -75,10 +76,11 @@ def render(
     width, height = (int(value) for value in sensor.film().crop_size())
     integrator = integrator or footprint_integrator(scene)
     denoises = denoises and is_footprint_path(integrator) and is_plain(sensor.film())
-    # Noise is told from what differs between two halves that share no numbers.
+    # 2. Passes that fit. Noise is told from what differs between two halves that share no numbers.
     halves = 2 if denoises and spp > 1 else 1
     passes = _passes(-(-spp // halves), width * height, SceneTraits.of(scene).symbolic)
     in_all = min(spp, halves * sum(passes))
+    # 3. One after another; each is shown.
     totals: list[Any] = [0.0] * halves
     done = 0
     for step in range(halves * len(passes)):
@@ -93,6 +95,7 @@ def render(
             progress(min(in_all, done), in_all)
         if partial is not None and step + 1 < halves * len(passes):
             partial(_exposed(sum(totals) / (step + 1), gains))
+    # 4. Their mean, without noise where that is asked for.
     means = [total / len(passes) for total in totals]
     if not denoises:
         return _exposed(np.mean(means, axis=0), gains)
