@@ -7,7 +7,7 @@ RUN := $(VENV)/bin
 # each part of the tests has processes of its own: 2 GB do.
 PYTEST := $(RUN)/python -m pytest -n 2 --dist worksteal
 MODELS := tests/models tests/papers tests/training tests/evaluation
-PICTURES := tests/mitsuba tests/cli tests/docs tests/export
+PICTURES := tests/mitsuba tests/cli tests/docs tests/exporters
 PAGE := tests/viewer tests/web
 OTHERS := $(filter-out $(MODELS) $(PICTURES) $(PAGE) tests/__pycache__,$(patsubst %/,%,$(wildcard tests/*/))) tests/test_layout.py
 define run_tests

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.export import export
+from loomlight.exporters import export
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.models import Material
 

@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from loomlight.export import export
+import loomlight
 
 fabric = Path(__file__).parent / "linen.toml"
 for target in ("gltf", "wgsl"):
-    folder = export(fabric, target, f"linen-{target}")
+    folder = loomlight.export(fabric, target, f"linen-{target}")
     print(target, sorted(file.name for file in folder.rglob("*") if file.is_file()))

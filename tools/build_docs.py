@@ -22,7 +22,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from loomlight.core.errors import LoomlightError
-from loomlight.export.folder import replacing_folder, write_manifest
+from loomlight.exporters.folder import replacing_folder, write_manifest
 from loomlight.viewer.client import copy_client
 from loomlight.viewer.session import session
 from tools.docs_site.api import TITLE, api_text

@@ -18,7 +18,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from benchmarks.random_networks import random_latent, random_neumip
-from loomlight.export import export
+from loomlight.exporters import export
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.interface import Model
 from loomlight.models.registry import REALTIME_MODELS

@@ -17,10 +17,12 @@ if TYPE_CHECKING:
         MissingDependencyError,
     )
     from loomlight.evaluation.compare import compare
+    from loomlight.exporters.exporter import export
     from loomlight.fabric.fabric import Fabric
     from loomlight.fabric.read import fabric_from_text, load_fabric
     from loomlight.mitsuba.material_picture import render
-    from loomlight.models.bake import bake, load, save
+    from loomlight.mitsuba.swatches import swatches
+    from loomlight.models.bake import bake, bake_maps, load, save
     from loomlight.models.registry import make_model, model_from_loom
     from loomlight.picture_settings import RenderSettings
     from loomlight.scattering.appearance import Appearance
@@ -31,6 +33,7 @@ if TYPE_CHECKING:
     from loomlight.weave.named import named_weave, weave_names
     from loomlight.weave.wif_reader import read_wif
     from loomlight.weave.wif_writer import write_wif
+    from loomlight.window import play
     from loomlight.yarn.layout import ClothLayout
 
 __version__ = "0.1.0"
@@ -46,8 +49,10 @@ _HOMES = {
     "MissingDependencyError": "loomlight.core.errors",
     "RenderSettings": "loomlight.picture_settings",
     "bake": "loomlight.models.bake",
+    "bake_maps": "loomlight.models.bake",
     "compare": "loomlight.evaluation.compare",
     "edit": "loomlight.viewer.server",
+    "export": "loomlight.exporters.exporter",
     "fabric_from_text": "loomlight.fabric.read",
     "load": "loomlight.models.bake",
     "load_draft": "loomlight.weave.load",
@@ -55,9 +60,11 @@ _HOMES = {
     "make_model": "loomlight.models.registry",
     "model_from_loom": "loomlight.models.registry",
     "named_weave": "loomlight.weave.named",
+    "play": "loomlight.window",
     "read_wif": "loomlight.weave.wif_reader",
     "render": "loomlight.mitsuba.material_picture",
     "save": "loomlight.models.bake",
+    "swatches": "loomlight.mitsuba.swatches",
     "view": "loomlight.viewer.notebook",
     "weave_names": "loomlight.weave.named",
     "write_wif": "loomlight.weave.wif_writer",
@@ -74,8 +81,10 @@ __all__ = [
     "MissingDependencyError",
     "RenderSettings",
     "bake",
+    "bake_maps",
     "compare",
     "edit",
+    "export",
     "fabric_from_text",
     "load",
     "load_draft",
@@ -83,9 +92,11 @@ __all__ = [
     "make_model",
     "model_from_loom",
     "named_weave",
+    "play",
     "read_wif",
     "render",
     "save",
+    "swatches",
     "view",
     "weave_names",
     "write_wif",

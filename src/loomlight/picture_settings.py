@@ -1,7 +1,7 @@
-"""The settings of pictures, each declared once.
+"""The settings of pictures and of maps, each declared once.
 
 What the command line offers (`cli/options.py`), what Python's keywords may be, and the tables of
-`docs/rendering.md` and `docs/realtime.md` (`python -m tools.generate.settings`) follow from the classes here.
+pages (`python -m tools.generate.settings`) follow from the classes here.
 A new setting is a field of one of them, its line in the keywords below it, and the code that uses it.
 """
 
@@ -10,14 +10,14 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, TypedDict
+from typing import Any, ClassVar, TypedDict
 
+from loomlight.core.errors import InputError
 from loomlight.core.settings import Settings, documented, same_setting, setting
 
-if TYPE_CHECKING:
-    from loomlight.models.material_spec import Material
-
 MAX_SIDE = 16384
+# Millimetres; farther away single precision does not resolve neighbouring fibres.
+MAX_WINDOW = 1e5
 DENOISING = ("auto", "off")
 
 
@@ -223,6 +223,59 @@ class PlaySettings(Settings):
     )
 
 
+@documented
+@dataclass(frozen=True, kw_only=True)
+class MapSettings(Settings):
+    """Settings of baked maps; `loomlight.bake_maps` takes the same names as keywords."""
+
+    title: ClassVar[str] = "setting of maps"
+
+    resolution: tuple[int, int] | int | None = setting(
+        None,
+        "Columns and rows of texels; one number is the longer side of square ones. Some 16 a thread show its "
+        "round shape and its plies, 64 its fibres.",
+        otherwise="1024",
+        low=1,
+        high=MAX_SIDE,
+        single=True,
+        metavar="WxH",
+    )
+    pixels_per_mm: float | None = setting(
+        None,
+        "Square texels a millimetre, in place of a resolution.",
+        low=1e-3,
+        high=MAX_WINDOW,
+        metavar="NUMBER",
+    )
+    window: tuple[float, float, float, float] | None = setting(
+        None,
+        "Left, bottom, width, height in millimetres, anywhere: the draft repeats.",
+        otherwise="one repeat",
+        low=-MAX_WINDOW,
+        high=MAX_WINDOW,
+        metavar="X,Y,W,H",
+        example="0,0,5,5",
+    )
+    tile: float | None = setting(
+        None,
+        "Whole repeats, as many as come nearest to a side of so many millimetres, in place of a window.",
+        low=1e-3,
+        high=MAX_WINDOW,
+        metavar="MM",
+    )
+    back: bool = setting(False, "The back face, as seen from behind.")
+
+    def __post_init__(self) -> None:
+        """Raises InputError for a value that cannot be, and for two that say the same."""
+        super().__post_init__()
+        for one, other, what in (
+            ("pixels_per_mm", "resolution", "how many texels"),
+            ("tile", "window", "what is shown"),
+        ):
+            if getattr(self, one) is not None and getattr(self, other) is not None:
+                raise InputError(f"{one} and {other} both say {what}: give one of them.")
+
+
 class _Keywords(TypedDict, total=False):
     """Keywords of all pictures that Mitsuba renders, for editors and type checkers."""
 
@@ -248,7 +301,7 @@ class RenderKeywords(_Keywords, total=False):
     exposure: float
     inset: bool | None
     colors: Mapping[str, Any]
-    cloths: Mapping[str, Material]
+    cloths: Mapping[str, Any]
     placement: Placement
     edge: str | None
     seed: int
@@ -276,3 +329,13 @@ class PlayKeywords(TypedDict, total=False):
     exposure: float
     white_balance: float | None
     passes: int | None
+
+
+class MapKeywords(TypedDict, total=False):
+    """Keywords of `loomlight.bake_maps`: fields of `MapSettings`."""
+
+    resolution: tuple[int, int] | int | None
+    pixels_per_mm: float | None
+    window: tuple[float, float, float, float] | None
+    tile: float | None
+    back: bool

@@ -24,7 +24,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.images import read_picture
 from loomlight.fabric import fabric_from_text
-from loomlight.fabric.maps import ClothMaps, bake_maps, map_files, write_maps
+from loomlight.fabric.maps import ClothMaps, map_files, sample_maps, write_maps
 from loomlight.models.point import PointModel
 from loomlight.models.registry import make_model
 from loomlight.yarn.geometry import YarnGeometry
@@ -55,7 +55,7 @@ colour_noise = 0.3
 
 @pytest.fixture(scope="module")
 def maps() -> ClothMaps:
-    return bake_maps(TWILL, (400, 400), Float)
+    return sample_maps(TWILL, (400, 400), Float)
 
 
 def test_texels_hold_the_surface_at_their_middles(maps: ClothMaps) -> None:
@@ -70,7 +70,7 @@ def test_texels_hold_the_surface_at_their_middles(maps: ClothMaps) -> None:
 
 
 def test_a_window_is_a_part_of_the_repeat(maps: ClothMaps) -> None:
-    window = bake_maps(TWILL, (100, 50), Float, window=(0.4, 0.8, 0.4, 0.2))
+    window = sample_maps(TWILL, (100, 50), Float, window=(0.4, 0.8, 0.4, 0.2))
     assert window.size == (0.4, 0.2)
     assert (window.warp == maps.warp[200:250, 100:200]).all()
     shown = ~window.hole
@@ -78,7 +78,7 @@ def test_a_window_is_a_part_of_the_repeat(maps: ClothMaps) -> None:
 
 
 def test_maps_have_the_colours_of_threads() -> None:
-    maps = bake_maps(fabric_from_text(STRIPES), (200, 200), Float)
+    maps = sample_maps(fabric_from_text(STRIPES), (200, 200), Float)
     x = (np.arange(200) + 0.5) / 100  # millimetres
     warp = maps.warp & ~maps.hole
     for row, column in ((50, 50), (150, 150), (50, 149), (120, 50)):
@@ -98,7 +98,7 @@ def test_maps_have_the_colours_of_threads() -> None:
 
 def test_explicit_albedos_are_the_colour() -> None:
     fabric = fabric_from_text('weave = "plain"\n[warp]\ndiffuse_reflect = [0.2, 0.1, 0.05]\nspecular = 0\n')
-    maps = bake_maps(fabric, (64, 64), Float)
+    maps = sample_maps(fabric, (64, 64), Float)
     color = maps.color[maps.warp & ~maps.hole]
     transmit = fabric.appearance().warp.diffuse_transmit[0]
     np.testing.assert_allclose(color - transmit, np.broadcast_to([0.2, 0.1, 0.05], color.shape), atol=1e-6)
@@ -109,7 +109,7 @@ def test_maps_show_the_yarns_of_pictures() -> None:
     fabric = fabric_from_text(WOOL.replace("[var", "warp.hairiness = 0\nweft.hairiness = 0\n[var"))
     columns, rows = 24, 20
     window = (3.1, 40.2, 1.8, 1.5)
-    maps = bake_maps(fabric, (columns, rows), Float, window)
+    maps = sample_maps(fabric, (columns, rows), Float, window)
     texel = np.arange(columns * rows)
     x = window[0] + (texel % columns + 0.5) * window[2] / columns
     y = window[1] + (texel // columns + 0.5) * window[3] / rows
@@ -150,8 +150,8 @@ def test_maps_of_uneven_yarns_tile(back: bool) -> None:
     count = 160
     # Its edges run along the middles of threads.
     corner = (0.625, 0.625)
-    maps = bake_maps(fabric, (count, count), Float, (*corner, tile, tile), back)
-    plain = bake_maps(fabric, (count, count), Float, (*corner, 1.0001 * tile, 1.0001 * tile), back)
+    maps = sample_maps(fabric, (count, count), Float, (*corner, tile, tile), back)
+    plain = sample_maps(fabric, (count, count), Float, (*corner, 1.0001 * tile, 1.0001 * tile), back)
 
     def steps(found: ClothMaps, axis: int) -> tuple[float, float]:
         """Root mean square of the differences of colours over the edge, and over lines within."""
@@ -171,7 +171,7 @@ def test_maps_of_uneven_yarns_tile(back: bool) -> None:
 def test_means_stay_what_fabrics_say() -> None:
     """Of many threads: gains of plies, fibres, slubs and threads have mean 1."""
     text = WOOL.replace('weft.color = "#204060"', 'weft.color = "#c04020"')
-    maps = bake_maps(fabric_from_text(text), (300, 300), Float, (0, 0, 100, 100))
+    maps = sample_maps(fabric_from_text(text), (300, 300), Float, (0, 0, 100, 100))
     mean = maps.color[~maps.hole].mean(axis=0)
     expected = fabric_from_text(text).draft.warp.colors[0]
     # 160 threads of a deviation of 0.3/√3 each: 1.4 %.
@@ -243,7 +243,7 @@ def test_maps_that_cannot_be_end_in_one_sentence(maps: ClothMaps, tmp_path: Path
     with pytest.raises(InputError, match=r"\.exr or \.png"):
         write_maps(maps, tmp_path / "maps.tiff")
     with pytest.raises(InputError, match="resolution"):
-        bake_maps(TWILL, (0, 10), Float)
+        sample_maps(TWILL, (0, 10), Float)
 
 
 def test_the_folder_is_made_and_heights_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -292,16 +292,16 @@ def test_oblong_texels_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[s
 
 
 @pytest.mark.parametrize(
-    "options",
+    ("options", "says"),
     [
-        ["--resolution", "64", "--pixels-per-mm", "9"],
-        ["--tile", "3", "--window", "0,0,1,1"],
-        ["--tile", "-1"],
+        (["--resolution", "64", "--pixels-per-mm", "9"], "pixels_per_mm and resolution both say how many"),
+        (["--tile", "3", "--window", "0,0,1,1"], "tile and window both say what is shown"),
+        (["--tile", "-1"], "--tile -1 is out of range"),
     ],
 )
 def test_options_of_maps_that_contradict_end_in_one_sentence(
-    options: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    options: list[str], says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert run(["bake-maps", "plain", "-o", str(tmp_path / "maps.exr"), *options]) == 2
-    assert capsys.readouterr().err.startswith("loomlight: --")
+    assert capsys.readouterr().err.startswith(f"loomlight: {says}")
     assert not list(tmp_path.iterdir())

@@ -15,8 +15,8 @@ NEED = {
     "anywidget": ["viewer.widget"],
     "llvmlite": [
         "core.simd",
-        "export.latent_network",
-        "export.network",
+        "exporters.latent_network",
+        "exporters.network",
         "models.networks",
         "models.neural.compiled",
         "models.neural.decoder",

@@ -49,7 +49,7 @@ def test_a_suffix_that_does_not_go_with_what_is_saved(tmp_path: Path) -> None:
         (loomlight.bake(fabric, "point"), "x.toml", "a model is written as .loom."),
         (np.zeros((1, 1, 3)), "x.webp", "a picture is written as .png or .jpg or .jpeg or .exr."),
         (np.zeros((4, 4)), "x.exr", r"a picture is \[height, width, 1, 3 or 4\], not \[4, 4\]"),
-        ([1.0], "x.png", "a list is no model, fabric, draft or picture"),
+        ([1.0], "x.png", "a list is no model, fabric, draft, map or picture"),
     ):
         with pytest.raises(loomlight.InputError, match=right):
             loomlight.save(what, tmp_path / name)  # type: ignore[arg-type]  # what is refused

@@ -12,14 +12,9 @@ from pathlib import Path
 from loomlight.cli.options import options_of_settings
 from loomlight.core.settings import Setting, Settings, declared, default_text, range_text
 from loomlight.models.registry import MODELS, model_class
-from loomlight.picture_settings import PlaySettings, RenderSettings, SwatchSettings
+from loomlight.picture_settings import MapSettings, PlaySettings, RenderSettings, SwatchSettings
 
 ROOT = Path(__file__).resolve().parents[2]
-COMMANDS: dict[str, type[Settings]] = {
-    "render": RenderSettings,
-    "swatches": SwatchSettings,
-    "play": PlaySettings,
-}
 Rows = Iterator[list[str]]
 
 
@@ -43,6 +38,7 @@ TABLES: dict[str, dict[str, Callable[[], Rows]]] = {
         "| option of `render` |": lambda: settings_rows(RenderSettings),
         "| option of `swatches` |": lambda: settings_rows(SwatchSettings),
     },
+    "docs/maps.md": {"| option of `bake-maps` |": lambda: settings_rows(MapSettings)},
     "docs/realtime.md": {"| option of `play` |": lambda: settings_rows(PlaySettings)},
     "docs/mitsuba-parameters.md": {"| BSDF | option |": option_rows},
 }

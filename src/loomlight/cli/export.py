@@ -36,6 +36,6 @@ def export(
 ) -> None:
     """Writes a fabric for another program: shader code, a network or a textured material; docs/export.md."""
     require_not_read([output], [fabric])
-    from loomlight.export import export as run
+    from loomlight.exporters import export as run
 
     done(run(fabric, to, output, model, distance))

@@ -82,7 +82,8 @@ class SettingOption:
             return _MAPPINGS[self.key](self.flag, given, declaration.example)
         if isinstance(given, str) and declaration.kind is tuple:
             if declaration.parts[0] is int:
-                return parse_size(given, self.flag)
+                size = parse_size(given, self.flag)
+                return size[0] if declaration.single and given.strip().isdigit() else size
             return parse_numbers(self.flag, given, len(declaration.parts), declaration.example)
         if isinstance(given, int | float) and math.isfinite(declaration.high):
             require_within(self.flag, given, declaration.low, declaration.high)

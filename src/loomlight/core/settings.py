@@ -47,6 +47,7 @@ class Setting:
         metavar: what stands for the value in help.
         example: of a text of several values, as the command line takes it.
         stored: whether a `.loom` tells it.
+        single: whether one number may stand in the place of a tuple.
         name, default: of the field.
         kind: bool, int, float, str, os.PathLike, tuple, Mapping, `Settings` or another class: of a value that
             is not None.
@@ -64,6 +65,7 @@ class Setting:
     metavar: str = ""
     example: str = ""
     stored: bool = False
+    single: bool = False
     name: str = ""
     default: Any = None
     kind: type = str
@@ -120,7 +122,8 @@ class Setting:
 
     def _may_be(self, value: object) -> bool:
         if self.kind is tuple:
-            return self._may_be_numbers(value)
+            is_one = self.single and self._is_number(value, self.parts[0])
+            return is_one or self._may_be_numbers(value)
         if self.kind is Mapping or issubclass(self.kind, Settings):
             return isinstance(value, self.kind)
         if self.kind is bool:

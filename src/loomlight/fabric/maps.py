@@ -338,7 +338,7 @@ def require_window(window: tuple[float, float, float, float]) -> None:
         raise InputError(f"window = {window} needs a finite corner and a width and height above 0 mm.")
 
 
-def bake_maps(
+def sample_maps(
     fabric: Fabric,
     resolution: tuple[int, int],
     float_type: FloatType,

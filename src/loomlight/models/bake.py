@@ -4,20 +4,29 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import WRITTEN_SUFFIXES, replacing
 from loomlight.core.images import write_image
-from loomlight.core.llvm import require_llvm
+from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.maps import (
+    ClothMaps,
+    require_window,
+    resolution_of,
+    sample_maps,
+    warn_of_oblong_texels,
+    write_maps,
+)
 from loomlight.fabric.read import FABRIC_SUFFIX
 from loomlight.models.interface import Model, Report
 from loomlight.models.material_spec import Material, resolve
 from loomlight.models.options import Options
 from loomlight.models.registry import DEFAULT_MODEL, model_class, model_from_loom, options_of
+from loomlight.picture_settings import MapKeywords, MapSettings
 from loomlight.sources.kinds import Source, kind_of_file
 from loomlight.sources.load import load_source
 from loomlight.sources.loom_file import LOOM_SUFFIX, is_loom, write_loom
@@ -25,6 +34,8 @@ from loomlight.weave.draft import Draft
 from loomlight.weave.wif_writer import write_wif
 
 _WIF = ".wif"
+# Along the longer side of maps.
+_MAP_TEXELS = 1024
 
 
 def bake(
@@ -54,6 +65,40 @@ def bake(
     return model_class(model).for_source(spec.source, spec.options, report)
 
 
+def bake_maps(
+    material: Material, settings: MapSettings | None = None, **changes: Unpack[MapKeywords]
+) -> ClothMaps:
+    """The cloth of a fabric as textures, of whole repeats or a window; `save` writes them into .exr or .png.
+
+    Args:
+        material: a fabric; or the path of one or of a `.loom`, or a weave's name.
+        settings: by default those of `MapSettings`: square texels of one repeat, 1024 along its longer side.
+        changes: settings by name, such as `pixels_per_mm=40`.
+
+    Raises:
+        InputError: no fabric, an unknown setting, or a value that cannot be.
+        MissingDependencyError: LLVM is missing.
+    """
+    chosen, source = (settings or MapSettings()).changed(**changes), resolve(material).source
+    if not isinstance(source, Fabric):
+        raise InputError(f"Maps are of fabrics, and {source.name} is none.")
+    window = chosen.window
+    if chosen.tile is not None:
+        across, up = (max(round(chosen.tile / side), 1) * side for side in source.repeat_mm)
+        window = (0.0, 0.0, across, up)
+    if window is not None:
+        require_window(window)
+    extent = source.repeat_mm if window is None else window[2:]
+    if chosen.pixels_per_mm is not None:
+        texels = resolution_of(extent, chosen.pixels_per_mm)
+    elif isinstance(chosen.resolution, tuple):
+        texels = chosen.resolution
+        warn_of_oblong_texels(extent, texels)
+    else:
+        texels = resolution_of(extent, (chosen.resolution or _MAP_TEXELS) / max(extent))
+    return sample_maps(source, texels, llvm_float(), window, chosen.back)
+
+
 def load(path: str | os.PathLike[str]) -> Model | Source:
     """What a path or a name denotes: the model in a `.loom`, else a fabric or another source.
 
@@ -66,10 +111,12 @@ def load(path: str | os.PathLike[str]) -> Model | Source:
     return model_from_loom(path) if is_loom(path) else load_source(path, kind_of_file(path, "fabric"))
 
 
-def save(what: Model | Fabric | Draft | np.ndarray[Any, Any], path: str | os.PathLike[str]) -> None:
+def save(
+    what: Model | Fabric | Draft | ClothMaps | np.ndarray[Any, Any], path: str | os.PathLike[str]
+) -> None:
     """Writes a model as .loom, a fabric as .toml, a draft as .wif, or a picture as .png, .jpg or .exr.
 
-    The file is written whole or not at all.
+    Maps are written as one .exr, or beside a .png as a picture each. Files are written whole or not at all.
 
     Raises:
         InputError: none of these, a suffix that does not go with it, or a place that cannot be written to.
@@ -79,7 +126,7 @@ def save(what: Model | Fabric | Draft | np.ndarray[Any, Any], path: str | os.Pat
         ((name, right) for holds, name, right in _FILES if isinstance(what, holds)), ("", ())
     )
     if not kind:
-        raise InputError(f"{path}: a {type(what).__name__} is no model, fabric, draft or picture.")
+        raise InputError(f"{path}: a {type(what).__name__} is no model, fabric, draft, map or picture.")
     if suffix not in suffixes:
         raise InputError(f"{path}: a {kind} is written as {' or '.join(suffixes)}.")
     if isinstance(what, Model):
@@ -88,6 +135,8 @@ def save(what: Model | Fabric | Draft | np.ndarray[Any, Any], path: str | os.Pat
         _write_fabric(what, Path(path))
     elif isinstance(what, Draft):
         write_wif(what, path)
+    elif isinstance(what, ClothMaps):
+        write_maps(what, path)
     elif what.ndim == 3 and what.shape[2] in (1, 3, 4) and what.size:
         write_image(path, what)
     else:
@@ -110,5 +159,6 @@ _FILES: tuple[tuple[type, str, tuple[str, ...]], ...] = (
     (Model, "model", (LOOM_SUFFIX,)),
     (Fabric, "fabric", (FABRIC_SUFFIX,)),
     (Draft, "draft", (_WIF,)),
+    (ClothMaps, "set of maps", (".exr", ".png")),
     (np.ndarray, "picture", WRITTEN_SUFFIXES),
 )

@@ -111,7 +111,7 @@ def saved(fabric: Fabric, form: str, model: str = "lobes", size: int = 1024) -> 
         if form == "zip":
             return _zipped(_maps(fabric, Path(folder), size))
         if form == "glb":
-            from loomlight.export.exporter import export
+            from loomlight.exporters.exporter import export
 
             return (export(fabric, "gltf", Path(folder) / "export", "lobes") / "cloth.glb").read_bytes()
         if model_class(model).trains:
@@ -123,12 +123,12 @@ def saved(fabric: Fabric, form: str, model: str = "lobes", size: int = 1024) -> 
 def _maps(fabric: Fabric, folder: Path, size: int) -> list[Path]:
     """The pictures of one repeat, of square texels."""
     from loomlight.core.llvm import llvm_float
-    from loomlight.fabric.maps import bake_maps, resolution_of, write_maps
+    from loomlight.fabric.maps import resolution_of, sample_maps, write_maps
 
     if not MAP_SIZES[0] <= size <= MAP_SIZES[1]:
         raise InputError(f"size = {size} is out of range: write {MAP_SIZES[0]} to {MAP_SIZES[1]} texels.")
     resolution = resolution_of(fabric.repeat_mm, size / max(fabric.repeat_mm))
-    return write_maps(bake_maps(fabric, resolution, llvm_float()), folder / "maps.png")
+    return write_maps(sample_maps(fabric, resolution, llvm_float()), folder / "maps.png")
 
 
 def _zipped(files: list[Path]) -> bytes:

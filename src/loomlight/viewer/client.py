@@ -11,7 +11,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from loomlight.core.errors import LoomlightWarning, MissingDependencyError
-from loomlight.export.folder import replacing_folder, write_manifest
+from loomlight.exporters.folder import replacing_folder, write_manifest
 from loomlight.fabric.fabric import Fabric
 from loomlight.viewer.client_build import STATIC, BuildError, build, is_built, is_current, require_node
 from loomlight.viewer.session import gallery_pictures, session

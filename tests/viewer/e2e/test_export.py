@@ -19,7 +19,7 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 
-from loomlight.fabric.maps import bake_maps, write_maps
+from loomlight.fabric.maps import sample_maps, write_maps
 from loomlight.fabric.read import load_fabric
 from loomlight.models.registry import model_from_loom
 from loomlight.viewer.answers import saved
@@ -79,7 +79,7 @@ def test_maps_are_those_of_bake_maps(editor: Any, tmp_path: Path) -> None:
     from drjit.llvm import Float
 
     fabric = load_fabric(FABRIC)
-    ours = write_maps(bake_maps(fabric, (96, 96), Float), tmp_path / "maps.png")
+    ours = write_maps(sample_maps(fabric, (96, 96), Float), tmp_path / "maps.png")
     assert sorted(archive.namelist()) == sorted(file.name for file in ours)
     assert {f"maps_{name}.png" for name in ("color", "normal", "height", "roughness", "opacity")} <= {
         file.name for file in ours

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from loomlight.export.kernels import library_records, size_of
+from loomlight.exporters.kernels import library_records, size_of
 from loomlight.models.registry import REALTIME_MODELS
 from loomlight.realtime.layout import BUFFERS, RECORDS, Fields
 from loomlight.realtime.models import Material, look_of, tables_for

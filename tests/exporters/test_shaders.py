@@ -1,7 +1,7 @@
 """Exported shader code compiles by compilers of its languages, computes what the models compute, and draws.
 
-Covers: export/libraries.py, export/kernels.py, export/buffers.py, export/instructions.py
-Covers: export/shaders.py, export/languages/sample.py
+Covers: exporters/libraries.py, exporters/kernels.py, exporters/buffers.py, exporters/instructions.py
+Covers: exporters/shaders.py, exporters/languages/sample.py
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from benchmarks.counted_library import CountedLibrary, queries_of
 from loomlight.core.footprint import Footprint
 from loomlight.core.images import read_picture
 from loomlight.core.llvm import require_llvm
-from loomlight.export import buffers, export
-from loomlight.export.libraries import LANGUAGES, library
+from loomlight.exporters import buffers, export
+from loomlight.exporters.libraries import LANGUAGES, library
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model
 from loomlight.models.neural.model import NeuralModel, NeuralOptions

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from loomlight.export.fit import FittedMaterial, fit_material
-from loomlight.export.gltf import glb_of, material_textures, write_textures
-from loomlight.export.texels import texture_grid
+from loomlight.exporters.fit import FittedMaterial, fit_material
+from loomlight.exporters.gltf import glb_of, material_textures, write_textures
+from loomlight.exporters.texels import texture_grid
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.registry import make_model
 
@@ -43,7 +43,7 @@ def write_materialx(folder: Path, fabric: Fabric, model: str, distance: float | 
     Raises:
         MissingDependencyError: the package MaterialX is missing.
     """
-    from loomlight.export.materialx import document_textures, require_materialx, write_document
+    from loomlight.exporters.materialx import document_textures, require_materialx, write_document
 
     require_materialx()
     material = fitted(fabric, model, distance)

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from loomlight.core.errors import InputError
-from loomlight.export.folder import replacing_folder, write_manifest
-from loomlight.export.materials import write_gltf, write_materialx
-from loomlight.export.shaders import write_shaders
+from loomlight.exporters.folder import replacing_folder, write_manifest
+from loomlight.exporters.materials import write_gltf, write_materialx
+from loomlight.exporters.shaders import write_shaders
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.registry import REALTIME_MODELS, model_class
 from loomlight.realtime.models import (
@@ -57,10 +57,10 @@ def _of_fabric(write: Callable[[Path, Fabric, str, float | None], dict[str, obje
 def _write_onnx(folder: Path, material: Material, model: str, distance: float | None) -> dict[str, object]:
     model_class(model)  # says what is missing
     if model == "latent":
-        from loomlight.export.latent_network import write_latent_onnx
+        from loomlight.exporters.latent_network import write_latent_onnx
 
         return write_latent_onnx(folder, material, model, distance)
-    from loomlight.export.network import write_onnx
+    from loomlight.exporters.network import write_onnx
 
     return _of_fabric(write_onnx)(folder, material, model, distance)
 

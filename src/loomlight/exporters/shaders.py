@@ -6,10 +6,10 @@ import re
 import shutil
 from pathlib import Path
 
-from loomlight.export.buffers import described_records, write_buffers
-from loomlight.export.instructions import shader_instructions
-from loomlight.export.kernels import c_header, kernel
-from loomlight.export.libraries import library
+from loomlight.exporters.buffers import described_records, write_buffers
+from loomlight.exporters.instructions import shader_instructions
+from loomlight.exporters.kernels import c_header, kernel
+from loomlight.exporters.libraries import library
 from loomlight.models.registry import REALTIME_MODELS
 from loomlight.realtime.models import Material, source_of
 from loomlight.realtime.slangc import SHADERS, TARGETS, library_code

@@ -17,8 +17,8 @@ from drjit.llvm import Array3f, Float
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
-from loomlight.export.gltf_brdf import GltfMaterial, evaluate
-from loomlight.export.texels import MIN_COVER, Texels, frames, texels_of
+from loomlight.exporters.gltf_brdf import GltfMaterial, evaluate
+from loomlight.exporters.texels import MIN_COVER, Texels, frames, texels_of
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
 

@@ -1,6 +1,6 @@
 """`loomlight export`: targets, folders and faults.
 
-Covers: cli/export.py, export/folder.py
+Covers: cli/export.py, exporters/folder.py
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from loomlight.cli.main import run
-from loomlight.export import TARGETS
+from loomlight.exporters import TARGETS
 from loomlight.mitsuba import read_mesh
 
 

@@ -1,6 +1,6 @@
 """The exported decoders compute what `neural` and `latent` compute.
 
-Covers: export/latent_network.py
+Covers: exporters/latent_network.py
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from safetensors.numpy import load_file
 
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.export import export
+from loomlight.exporters import export
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neural import model as model_module
 from loomlight.models.neural.footprint_coding import Level, taps

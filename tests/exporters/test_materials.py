@@ -1,6 +1,7 @@
 """Materials with textures: the fit, the glTF file and the MaterialX document.
 
-Covers: export/fit.py, export/texels.py, export/gltf.py, export/gltf_brdf.py, export/materialx.py
+Covers: exporters/fit.py, exporters/texels.py, exporters/gltf.py, exporters/gltf_brdf.py,
+exporters/materialx.py
 """
 
 from __future__ import annotations
@@ -24,12 +25,12 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.core.images import read_picture
 from loomlight.core.llvm import require_llvm
-from loomlight.export import export, materials
-from loomlight.export.fit import FittedMaterial
-from loomlight.export.gltf import glb_of, material_textures, write_textures
-from loomlight.export.gltf_brdf import GltfMaterial, evaluate
-from loomlight.export.materialx import document_textures, write_document
-from loomlight.export.texels import texels_of, texture_grid, tile_repeats
+from loomlight.exporters import export, materials
+from loomlight.exporters.fit import FittedMaterial
+from loomlight.exporters.gltf import glb_of, material_textures, write_textures
+from loomlight.exporters.gltf_brdf import GltfMaterial, evaluate
+from loomlight.exporters.materialx import document_textures, write_document
+from loomlight.exporters.texels import texels_of, texture_grid, tile_repeats
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import read_mesh
 from tests.limits import HANG

@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from loomlight.export.exporter import TARGETS, export
+from loomlight.exporters.exporter import TARGETS, export
 
 __all__ = ["TARGETS", "export"]

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import LoomlightError
 from loomlight.core.extras import import_extra
-from loomlight.export.fit import FittedMaterial
-from loomlight.export.gltf import eight_bits, material_textures, peak_of
+from loomlight.exporters.fit import FittedMaterial
+from loomlight.exporters.gltf import eight_bits, material_textures, peak_of
 
 # OpenPBR's reflectance rises to 1 at grazing angles, a fit's to `weight`. A larger one at normal incidence,
 # under a darker tint, is flatter; much larger, it would hide the base.
