@@ -4,8 +4,8 @@
 
 A sphere under one directional light, without shadows of the sphere. Textures are made for the distance from
 which a pixel is a texel; a pixel reads the mean of 16 places of its footprint, as mipmaps give it. The
-material is evaluated by `loomlight.exporters.gltf_brdf`, which follows the specification, so that the error is
-of the fit and the textures alone.
+material is evaluated by `loomlight.exporters.gltf_brdf`, which follows the specification, so that the error
+is of the fit and the textures alone.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Materials with textures: the fit, the glTF file and the MaterialX document.
 
-Covers: exporters/fit.py, exporters/texels.py, exporters/gltf.py, exporters/gltf_brdf.py,
-exporters/materialx.py
+Covers: exporters/fit.py, exporters/texels.py, exporters/gltf.py, exporters/gltf_brdf.py
+Covers: exporters/materialx.py
 """
 
 from __future__ import annotations
