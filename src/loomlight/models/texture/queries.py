@@ -161,10 +161,12 @@ def _estimates(
     turns: Sequence[tuple[int, int]],
 ) -> _Floats:
     """f·cos [n, 3] at centres and offsets [n, 2]: a mean over the turns of the offset."""
+    if turns == ONE_POINT:
+        return btf.values(centres + offsets, lights, views, seed)
     total = np.zeros((len(centres), 3), np.float32)
     for x, y in turns:
         turned = np.stack([x * offsets[:, 0] - y * offsets[:, 1], y * offsets[:, 0] + x * offsets[:, 1]], 1)
-        total += btf.values((centres + turned).astype(np.float32), lights, views, seed)
+        total += btf.values(centres + turned, lights, views, seed)
     return (total / len(turns)).astype(np.float32)
 
 
@@ -255,12 +257,14 @@ class QueryStream(ABC):
         lights = np.where(is_below, mirror * inputs.lights, inputs.lights)
         # Means over the points of each query.
         query = _queries_of_points(points.counts)
-        centres = (inputs.positions * np.array(btf.extent, np.float32))[query]
-        found = _estimates(btf, centres, points.offsets, lights[query], views[query], key, self.turns)
+        centres, lights, views = (
+            np.take(columns, query, axis=0)
+            for columns in (inputs.positions * np.array(btf.extent, np.float32), lights, views)
+        )
+        found = _estimates(btf, centres, points.offsets, lights, views, key, self.turns)
         values, holes = _means(found, points.counts), np.zeros(count, np.float32)
         if self.asks_holes and btf.has_holes:
-            seen = btf.holes((centres + points.offsets).astype(np.float32), views[query])
-            holes = _means(seen, points.counts)
+            holes = _means(btf.holes(centres + points.offsets, views), points.counts)
         return Queries(**vars(inputs), values=values, holes=holes)
 
 
@@ -313,7 +317,7 @@ class NeumipStream(QueryStream):
         counts = np.minimum(np.ceil(self._samples[0] * texels).astype(np.intp), self._samples[1])
         query = _queries_of_points(counts)
         sigmas = np.asarray(self._shape.texel_mm / SIZE_OF_SIGMA * texels, np.float32)
-        offsets = sigmas[query, None] * rng.standard_normal((len(query), 2), np.float32)
+        offsets = np.take(sigmas, query)[:, None] * rng.standard_normal((len(query), 2), np.float32)
         is_transmission = np.zeros(count, np.uint8)
         if self._btf.transmits:
             is_transmission = (rng.random(count) < TRANSMISSION_SHARE).astype(np.uint8)
@@ -355,7 +359,7 @@ class LatentStream(QueryStream):
         query = _queries_of_points(counts)
         # By a generator of their own, as in `footprint_values`.
         spread = np.random.default_rng(key).standard_normal((len(query), 2), np.float32)
-        offsets = (self._texels.sigma * np.exp2(levels)[:, None])[query] * spread
+        offsets = np.take(self._texels.sigma * np.exp2(levels)[:, None], query, axis=0) * spread
         is_transmission = np.zeros(count, np.uint8)
         inputs = QueryInputs(positions, levels, lights, views, faces, is_transmission)
         return inputs, Points(counts, offsets)
