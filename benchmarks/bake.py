@@ -21,11 +21,11 @@ from loomlight.evaluation.query_benchmark import HeldOut, Predictor, model_predi
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.hemisphere import NODES
-from loomlight.models.lobes.joint_lookup import JOINT_FACTORS, JOINT_NODES
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel, tables_of
 from loomlight.models.lobes.tables import MOMENTS, LobeTables
+from loomlight.models.lobes.visibility import JOINT_FACTORS, JOINT_NODES
+from loomlight.realtime.bake import FabricBuffers
 from loomlight.realtime.device import default_adapter
-from loomlight.realtime.fabric_buffers import FabricBuffers
 
 _BYTES = ("coverage", "projected_area", "light_visibility", "irradiance")
 

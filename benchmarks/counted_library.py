@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.exporters import export
-from loomlight.realtime.layout import numpy_type
-from loomlight.realtime.models import Material
+from loomlight.realtime.materials import Material
+from loomlight.realtime.records import numpy_type
 
 _BUFFERS = ("fabrics", "families", "words", "packed_numbers")
 _SOURCE = Path(__file__).with_name("realtime_counts.cpp")
@@ -87,7 +87,7 @@ class CountedLibrary:
         self.table_bytes = sum(buffer.nbytes for buffer in self._buffers)
 
     def answers(self, queries: NDArray[np.void]) -> tuple[NDArray[np.float32], Counts]:
-        """Answers [n, 4] to records `Query` of `loomlight.realtime.layout`, and what they take."""
+        """Answers [n, 4] to records `Query` of `loomlight.realtime.records`, and what they take."""
         data = np.ascontiguousarray(queries).view(np.uint32)
         found = np.zeros((len(queries), 4), np.float32)
         totals = np.zeros(5, np.uint64)

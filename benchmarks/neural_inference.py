@@ -28,11 +28,15 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
-from loomlight.models.neural.compiled import decode
-from loomlight.models.neural.decoder import Decoder, decoder_cost
-from loomlight.models.neural.encoder import encoder_session, fabric_parameters, face_maps, shortest_repeat
-from loomlight.models.neural.fine_tuning import fitted_correction
-from loomlight.models.neural.footprint_coding import footprints_in_threads
+from loomlight.models.neural.decoder import Decoder, decode, decoder_cost
+from loomlight.models.neural.encoded_fabric import footprints_in_threads
+from loomlight.models.neural.encoding import (
+    encoder_session,
+    fabric_parameters,
+    face_maps,
+    fitted_correction,
+    shortest_repeat,
+)
 from loomlight.models.neural.model import NeuralModel
 from loomlight.yarn.geometry import YarnGeometry
 from papers.chen2024.cost import network_time

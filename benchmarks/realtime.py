@@ -38,7 +38,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.model import ClusteredModel
 from loomlight.models.texture.settings import DECODERS
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
-from loomlight.realtime.models import Material
+from loomlight.realtime.materials import Material
 
 FABRICS = ("examples/denim.toml", "examples/silk-satin.toml")
 # Pixels a thread.

@@ -31,7 +31,7 @@ from loomlight.evaluation.query_benchmark import HeldOut, model_predictor, run_q
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.fields import FabricFile, YarnTable
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.neural.parameter_ranges import ParameterRanges
+from loomlight.models.neural.weights import ParameterRanges
 from loomlight.scattering.point import YarnScattering
 from loomlight.weave.draft import Draft
 from loomlight.weave.named import named_weave

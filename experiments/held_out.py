@@ -2,7 +2,7 @@
 
 Half are weaves that are in no training set, half the paper's seven weaves with random parameters. Every
 second one transmits light, a quarter have threads of several colours. Parameters are drawn from the ranges of
-`models/neural/parameter_ranges.py` independently for each family, except roughness: that of the smoother
+`models/neural/weights.py` independently for each family, except roughness: that of the smoother
 family is uniform within its class (under 0.15, to 0.4, above), six to nine fabrics each, and the other
 family's is uniform between that and the largest of the range.
 """
@@ -18,7 +18,7 @@ from loomlight.core.errors import InputError
 from loomlight.evaluation.query_benchmark import HeldOut
 from loomlight.fabric.fabric import make_fabric
 from loomlight.fabric.fields import YarnTable
-from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES, ParameterRanges
+from loomlight.models.neural.weights import PARAMETER_RANGES, ParameterRanges
 from loomlight.weave.named import named_weave
 from papers.chen2024.training.random_fabrics import random_fabric
 from papers.chen2024.training.weaves import PAPER_WEAVES, paper_draft

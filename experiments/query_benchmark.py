@@ -32,8 +32,7 @@ from loomlight.evaluation.query_benchmark import (
     model_predictor,
     run_query_benchmark,
 )
-from loomlight.models.neural.parameter_ranges import LAYOUT_RANGES, PARAMETER_RANGES
-from loomlight.models.neural.weights import read_weights
+from loomlight.models.neural.weights import LAYOUT_RANGES, PARAMETER_RANGES, read_weights
 from loomlight.models.registry import make_model, model_class
 from papers.setting import neural_predictor
 

@@ -22,7 +22,7 @@ from loomlight.exporters import export
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.interface import Model
 from loomlight.models.registry import REALTIME_MODELS
-from loomlight.realtime.models import Material
+from loomlight.realtime.materials import Material
 
 # Trained models have random numbers: the text is the same.
 _TRAINED: dict[str, Callable[[Fabric], Model]] = {

@@ -4,7 +4,7 @@
     neural_decoder.onnx beside it
 
 Inputs are those of `network.Decoder.forward` for queries of one face, outputs components in 1/sr and the
-hole fraction. Latents are an input: whoever calls it interpolates them, see `footprint_coding.taps`.
+hole fraction. Latents are an input: whoever calls it interpolates them, see `encoded_fabric.taps`.
 """
 
 from __future__ import annotations

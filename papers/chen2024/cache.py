@@ -7,7 +7,7 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from loomlight.models.neural.latent_cache import clear_encodings
+from loomlight.models.neural.encoding import clear_encodings
 
 
 @contextmanager

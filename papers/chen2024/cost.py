@@ -17,7 +17,7 @@ from loomlight.core.llvm import llvm_float
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredShot
-from loomlight.models.neural.compiled import CompiledDecoder
+from loomlight.models.neural.decoder import CompiledDecoder
 from loomlight.models.neural.encoding import encode
 from papers.chen2024.cache import without_cached_latents
 from papers.chen2024.fabrics import Look, paper_fabric, unseen_fabrics

@@ -38,7 +38,7 @@ from loomlight.core.extras import import_extra
 from loomlight.core.files import discarding_empty
 from loomlight.core.fleet import Executor, Shard, ShardFolder, require_results, work_map
 from loomlight.core.provenance import provenance
-from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES
+from loomlight.models.neural.weights import PARAMETER_RANGES
 from papers.chen2024.materials import MATERIALS, paper_material
 from papers.chen2024.queries import (
     FULL_QUERIES,

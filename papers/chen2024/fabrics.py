@@ -11,7 +11,7 @@ from pathlib import Path
 
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES
+from loomlight.models.neural.weights import PARAMETER_RANGES
 from papers.chen2024.training.weaves import PAPER_WEAVES
 
 # The one pattern of the paper that is no named weave.

@@ -18,7 +18,7 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.fields import FabricFile, YarnTable
 from loomlight.fabric.resolve import Structure, structure_of
-from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES
+from loomlight.models.neural.weights import PARAMETER_RANGES
 from papers.chen2024.training.weaves import PAPER_WEAVES, paper_draft
 
 # Cells along one side of (ψ, U) and of (log α, β).

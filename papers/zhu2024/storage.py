@@ -19,11 +19,16 @@ from drjit.llvm.ad import Float
 from benchmarks.harness import REPOSITORY, Figures, run
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import load_fabric
-from loomlight.models.clustered.clusters import label_texels
-from loomlight.models.clustered.density_tables import densities, density_tables
-from loomlight.models.clustered.features import FeatureMaps, feature_maps, texel_counts
 from loomlight.models.clustered.gaussians import fitted_gaussians
 from loomlight.models.clustered.square_map import BINS, bin_centres
+from loomlight.models.clustered.tables import (
+    FeatureMaps,
+    densities,
+    density_tables,
+    feature_maps,
+    label_texels,
+    texel_counts,
+)
 from loomlight.yarn.geometry import YarnGeometry
 
 FABRICS = ("denim", "silk-satin", "linen", "organza", "wool-houndstooth", "damask")

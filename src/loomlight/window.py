@@ -24,10 +24,9 @@ from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.interface import Report
 from loomlight.picture_settings import PlayKeywords, PlaySettings
 from loomlight.realtime import Cloth, DirectionalLight, Environment, Mesh, Renderer
-from loomlight.realtime.models import Material, material_of, models_of
-from loomlight.realtime.orbit import Orbit
+from loomlight.realtime.materials import Material, material_of, models_of
 from loomlight.realtime.renderer import Picture
-from loomlight.realtime.viewer import Lighting, Viewer
+from loomlight.realtime.viewer import Lighting, Orbit, Viewer
 
 # Passes of a frame that is written.
 PASSES, SOFTWARE_PASSES = 16, 4

@@ -23,7 +23,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.exporters import export
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neural import model as model_module
-from loomlight.models.neural.footprint_coding import Level, taps
+from loomlight.models.neural.encoded_fabric import Level, taps
 from loomlight.models.neural.weights import shipped_decoder, shipped_weights
 from loomlight.models.registry import make_model
 from tests.marks import slow

@@ -17,6 +17,8 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 from drjit.llvm import Array2f, Array3f, Float, UInt32
+from loomlight.exporters import buffers
+from loomlight.exporters.libraries import LANGUAGES, library
 
 from benchmarks.counted_library import CountedLibrary, queries_of
 from loomlight.core.footprint import Footprint
@@ -29,8 +31,8 @@ from loomlight.models.interface import Model
 from loomlight.models.neural.model import NeuralModel, NeuralOptions
 from loomlight.models.registry import REALTIME_MODELS, make_model
 from loomlight.realtime.device import default_adapter
-from loomlight.realtime.layout import numpy_type
-from loomlight.realtime.models import Material
+from loomlight.realtime.materials import Material
+from loomlight.realtime.records import numpy_type
 from loomlight.realtime.slangc import compile_shader
 from tests.limits import HANG
 from tests.marks import slow_among

@@ -8,7 +8,7 @@ import pytest
 
 from loomlight.mitsuba import choose_variant
 from loomlight.models.neural import model as neural_model
-from loomlight.models.neural.latent_cache import clear_encodings
+from loomlight.models.neural.encoding import clear_encodings
 from loomlight.models.neural.weights import Weights
 
 from ..models.neural.networks import network, weights_of

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES
+from loomlight.models.neural.weights import PARAMETER_RANGES
 from papers.chen2024.materials import MATERIALS, paper_material
 
 # Ends and picks of one repeat that the paper names (its "5×10" is read as 5 ends by 10 picks).

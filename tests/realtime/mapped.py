@@ -16,9 +16,9 @@ from loomlight.models.interface import ShaderTables
 from loomlight.models.lobes.tables import given_numbers
 from loomlight.models.neural.model import NeuralModel
 from loomlight.realtime.device import default_adapter
-from loomlight.realtime.layout import BUFFERS
+from loomlight.realtime.records import BUFFERS
 from loomlight.realtime.slangc import compile_shader
-from loomlight.realtime.tables import Packed, pack_fabrics
+from loomlight.realtime.words import Packed, pack_fabrics
 
 _GROUP = 64
 _FIRST_BINDING = len(BUFFERS) + 2

@@ -11,7 +11,7 @@ from loomlight.core.errors import InputError
 from loomlight.evaluation.metrics import flip_mean
 from loomlight.fabric import fabric_from_text
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
-from loomlight.realtime.albedo_map import map_words
+from loomlight.realtime.scene import map_words
 
 
 def unpacked(words: np.ndarray) -> np.ndarray:

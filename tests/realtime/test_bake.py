@@ -1,6 +1,6 @@
 """Tables of `lobes` baked by compute kernels, against those that Python bakes of the same fabric.
 
-Covers: realtime/fabric_buffers.py
+Covers: realtime/bake.py
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from loomlight.realtime.bake import (
     OPENNESS_KERNEL,
     SCRATCH,
     BakePlan,
+    FabricBuffers,
     declarations_of,
     manifest,
     plan_bake,
 )
 from loomlight.realtime.device import default_adapter
-from loomlight.realtime.fabric_buffers import FabricBuffers
 from loomlight.realtime.slangc import SHADERS
-from loomlight.realtime.tables import Packed, pack_fabrics
+from loomlight.realtime.words import Packed, pack_fabrics
 from loomlight.scattering.appearance import Appearance
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout

@@ -3,7 +3,7 @@
 The bar is that of `queries.py`; a footprint or ray that meets the edge of a yarn may take the other side,
 which rounding decides, so a few of the queries may differ.
 
-Covers: realtime/word_table.py
+Covers: realtime/words.py
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from drjit.llvm import Float
 from loomlight.core.backend import array_types
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import make_model
-from loomlight.realtime.word_table import WordTable, add_block
+from loomlight.realtime.words import WordTable, add_block
 from tests.realtime.queries import share_beyond, vectors
 from tests.realtime.test_lobes import MAX_FLIPS, Queries
 from tests.realtime.whole_queries import lobes_values, point_values

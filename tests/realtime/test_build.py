@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from loomlight.models.lobes import density, visibility_rays
+from loomlight.models.lobes import prefiltered, rays
 from loomlight.models.registry import REALTIME_MODELS
 from loomlight.realtime.device import STORAGE_BUFFERS, default_adapter
 from loomlight.realtime.slangc import SHADERS, TARGETS, compile_shader, library_code, library_models
@@ -105,11 +105,11 @@ def test_naga_compiles_wgsl(entry: str) -> None:
 
 def test_constants_are_the_public_numbers_of_modules() -> None:
     """Qualities of a search are a constant a field; names that a module imports are another's."""
-    found = dict(prefixed_numbers(visibility_rays))
-    assert found["BAKE_SHADOW_SHARE"] == visibility_rays.BAKE_QUALITY.shadow_share
-    assert found["MAX_GAP_RAYS"] == visibility_rays.MAX_GAP_RAYS
+    found = dict(prefixed_numbers(rays))
+    assert found["BAKE_SHADOW_SHARE"] == rays.BAKE_QUALITY.shadow_share
+    assert found["MAX_GAP_RAYS"] == rays.MAX_GAP_RAYS
     assert "NODES" not in found
-    assert shader_constants()["GROUP_NARROWEST"] == density.NARROWEST
+    assert shader_constants()["GROUP_NARROWEST"] == prefiltered.GROUP_NARROWEST
 
 
 @pytest.mark.parametrize("value", [0.0, 1.0, -2.5, 1e-20, 123456.7, 3.0e10, 0.1])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from loomlight.realtime.bvh import NO_FACE, build_hierarchy
+from loomlight.realtime.scene import NO_FACE, build_hierarchy
 
 
 @pytest.mark.parametrize("count", [1, 4, 5, 8, 23, 1000])

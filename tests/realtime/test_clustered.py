@@ -2,7 +2,7 @@
 
 The bar is that of `queries.py`. Footprints end at whole texels: rounding decides a few queries otherwise.
 
-Covers: realtime/word_table.py
+Covers: realtime/words.py
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.clustered.model import ClusteredModel, ClusteredOptions
 from loomlight.models.clustered.tables import bake_tables
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
-from loomlight.realtime.tables import Packed, pack_fabrics
+from loomlight.realtime.words import Packed, pack_fabrics
 from loomlight.yarn.geometry import YarnGeometry
 from tests.models.clustered.samples import with_samples
 from tests.realtime.mapped import mapped

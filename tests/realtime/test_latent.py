@@ -28,7 +28,7 @@ from loomlight.models.texture.latent import (
 from loomlight.models.texture.pyramid import PyramidShape
 from loomlight.models.texture.settings import DECODERS
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
-from loomlight.realtime.tables import pack_fabrics
+from loomlight.realtime.words import pack_fabrics
 from tests.realtime.mapped import mapped
 from tests.realtime.queries import directions, share_beyond, vectors
 

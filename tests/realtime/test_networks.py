@@ -1,6 +1,6 @@
 """Layers in memory, and `MLP<…>` in Slang against NumPy.
 
-Covers: realtime/networks.py
+Covers: realtime/words.py
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from loomlight.realtime.networks import NumberTable, layer_size, packed_layer, packed_mlp, packed_numbers
+from loomlight.realtime.words import NumberTable, layer_size, packed_layer, packed_mlp, packed_numbers
 from tests.realtime.mapped import mapped
 from tests.realtime.queries import share_beyond
 

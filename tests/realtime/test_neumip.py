@@ -21,7 +21,7 @@ from loomlight.models.networks import Layers
 from loomlight.models.texture.neumip import CHANNELS, NETWORKS, NeumipModel, Weights
 from loomlight.models.texture.pyramid import PyramidShape
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
-from loomlight.realtime.tables import Packed, pack_fabrics
+from loomlight.realtime.words import Packed, pack_fabrics
 from loomlight.sources.heightfield import Heightfield
 from tests.realtime.mapped import mapped
 from tests.realtime.queries import directions, share_beyond, vectors

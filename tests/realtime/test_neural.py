@@ -20,7 +20,7 @@ from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.models.neural.model import NeuralModel, NeuralOptions
 from loomlight.models.neural.weights import shipped_weights
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
-from loomlight.realtime.tables import pack_fabrics
+from loomlight.realtime.words import pack_fabrics
 from tests.realtime.mapped import mapped
 from tests.realtime.queries import directions, places, share_beyond, vectors
 

@@ -16,7 +16,7 @@ import pytest
 from loomlight.fabric import fabric_from_text
 from loomlight.realtime.bake import OPENNESS_KERNEL, RAY_RESULTS, declarations_of, module_text
 from loomlight.realtime.device import default_adapter
-from loomlight.realtime.tables import pack_fabrics
+from loomlight.realtime.words import pack_fabrics
 from loomlight.scattering.openness import RayShares, openness_of, openness_of_rays, view_rays
 from loomlight.yarn.geometry import YarnGeometry
 

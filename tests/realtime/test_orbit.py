@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.realtime.orbit import Orbit
+from loomlight.realtime.viewer import Orbit
 
 
 @pytest.mark.parametrize("origin", [(0, 0, 1), (1, 2, 3), (-0.3, -0.4, 0.1)])

@@ -1,6 +1,6 @@
 """Frames of one or two pieces of cloth: against Mitsuba's direct light on the same scene, edits, and errors.
 
-Covers: realtime/scene.py, realtime/models.py
+Covers: realtime/scene.py, realtime/materials.py
 """
 
 from __future__ import annotations

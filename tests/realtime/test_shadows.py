@@ -1,6 +1,6 @@
 """Shadows and what lies behind holes, with two sheets of cloth against Mitsuba; the shadow on a ground.
 
-Covers: realtime/scene_words.py
+Covers: realtime/scene.py
 """
 
 from __future__ import annotations

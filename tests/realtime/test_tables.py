@@ -1,14 +1,14 @@
 """Fabrics as records and words, and the records' layout.
 
-Covers: realtime/layout.py, realtime/word_table.py
+Covers: realtime/records.py, realtime/words.py
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from loomlight.realtime.layout import BUFFERS, RECORDS, numpy_type, slang_structs
-from loomlight.realtime.tables import WordTable, pack_fabrics
+from loomlight.realtime.records import BUFFERS, RECORDS, numpy_type, slang_structs
+from loomlight.realtime.words import WordTable, pack_fabrics
 from loomlight.yarn.geometry import YarnGeometry
 from tests.realtime.queries import appearance
 from tests.yarn.layouts import TWILL, even_layout, random_layout

@@ -10,8 +10,7 @@ from rendercanvas.offscreen import OffscreenRenderCanvas
 
 from loomlight.fabric import fabric_from_text
 from loomlight.realtime import Cloth, DirectionalLight, Environment, Renderer, rectangle
-from loomlight.realtime.orbit import Orbit
-from loomlight.realtime.viewer import Lighting, Viewer
+from loomlight.realtime.viewer import Lighting, Orbit, Viewer
 
 SUN = Lighting("sun", [DirectionalLight((0, 0, 1))])
 SKY = Lighting("sky", [], {"environment": Environment(np.ones((4, 8, 3)))})

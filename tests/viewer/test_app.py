@@ -20,8 +20,8 @@ from starlette.exceptions import HTTPException
 from starlette.requests import Request
 
 from loomlight.fabric import fabric_from_text
-from loomlight.realtime.models import tables_for
-from loomlight.realtime.tables import pack_fabrics
+from loomlight.realtime.materials import tables_for
+from loomlight.realtime.words import pack_fabrics
 from loomlight.viewer.app import Access, is_loopback, read_body
 from loomlight.viewer.draft_reader import MAX_UPLOAD
 from tests.limits import HANG

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.models.lobes.model import DEFAULT_GROUPS
 from loomlight.realtime.bake import BakePlan, _bake_record, _steps, plan_bake
-from loomlight.realtime.layout import numpy_type
-from loomlight.realtime.tables import Packed, pack_fabrics
+from loomlight.realtime.records import numpy_type
+from loomlight.realtime.words import Packed, pack_fabrics
 from loomlight.scattering.openness import Openness, ray_shares
 from loomlight.viewer.messages import openness_json
 from loomlight.weave.draft import Draft, Threads

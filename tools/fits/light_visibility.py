@@ -1,4 +1,4 @@
-"""Fits the constants of `models/neural/light_visibility.py` to slices of held-out fabrics.
+"""Fits the constants of `models/neural/codings.py` to slices of held-out fabrics.
 
     python -m tools.fits.light_visibility [--fabrics 12]
 
@@ -23,7 +23,7 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.evaluation.query_benchmark import reference_model
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.neural.light_visibility import FACING
+from loomlight.models.neural.codings import FACING
 
 PAIRS, FOOTPRINTS, TEXELS_PER_THREAD = 48, 24, 24
 _MIN_COSINE = 1e-3

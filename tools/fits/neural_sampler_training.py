@@ -21,13 +21,12 @@ from torch import Tensor, nn
 from loomlight.core.files import replacing
 from loomlight.core.llvm import llvm_float
 from loomlight.models.networks import Layers
-from loomlight.models.neural.compiled import columns, compiled_decoder, one_square
+from loomlight.models.neural.decoder import columns, compiled_decoder, one_square
 from loomlight.models.neural.encoded_fabric import EncodedFabric
-from loomlight.models.neural.encoder import run_encoder
+from loomlight.models.neural.encoding import run_encoder
 from loomlight.models.neural.latent_table import LatentTable
-from loomlight.models.neural.parameter_ranges import TRAINING_RANGES
-from loomlight.models.neural.sampler_network import FURTHER_INPUTS, further_inputs
-from loomlight.models.neural.weights import Weights
+from loomlight.models.neural.proposal import FURTHER_INPUTS, further_inputs
+from loomlight.models.neural.weights import TRAINING_RANGES, Weights
 from loomlight.scattering.lobe_mixture import OUTPUTS, TwoSidedLobes
 from loomlight.training.direction_sampler import two_sided_loss
 from loomlight.training.layers import TORCH, relu_layers

@@ -18,37 +18,20 @@ import numpy as np
 from loomlight.aggregate import footprint_albedos
 from loomlight.core import footprint as core_footprint
 from loomlight.models import between_yarns, random_numbers
-from loomlight.models.clustered import base as cluster_base
 from loomlight.models.clustered import bsdf as cluster_bsdf
 from loomlight.models.clustered import gaussians as cluster_gaussians
 from loomlight.models.clustered import parallax as cluster_parallax
 from loomlight.models.clustered import square_map
 from loomlight.models.clustered import tables as cluster_tables
-from loomlight.models.lobes import (
-    accumulation,
-    cloth_samples,
-    clustering,
-    coverage_lookup,
-    coverage_pyramid,
-    density,
-    groups,
-    hemisphere,
-    joint_lookup,
-    packed_uint8,
-    point_sampled,
-    prefiltered,
-    regimes,
-    visibility_rays,
-    visibility_tables,
-)
 from loomlight.models.lobes import bsdf as lobe_bsdf
-from loomlight.models.lobes import proposal as lobe_proposal
+from loomlight.models.lobes import coverage, groups, hemisphere, point_sampled, prefiltered, visibility
+from loomlight.models.lobes import rays as lobe_rays
 from loomlight.models.lobes import tables as lobe_tables
-from loomlight.models.neural import architecture, footprint_coding, light_visibility
+from loomlight.models.neural import architecture, codings, encoded_fabric
 from loomlight.models.neural import proposal as neural_proposal
 from loomlight.models.texture import latent, neumip
 from loomlight.models.texture import model as textured_model
-from loomlight.realtime import bake, bvh, tables
+from loomlight.realtime import bake, scene, words
 from loomlight.scattering import (
     detail,
     directions,
@@ -68,73 +51,55 @@ Value: TypeAlias = float | str | Sequence["Value"]
 # Modules by the prefix of their constants.
 MODULES: dict[str, tuple[ModuleType, ...]] = {
     "": (
-        accumulation,
         bake,
         between_yarns,
-        bvh,
-        cloth_samples,
-        clustering,
         core_footprint,
-        coverage_lookup,
-        coverage_pyramid,
+        coverage,
         detail,
         directions,
         fibre,
         flanks,
+        geometry,
         groups,
         hairs,
         hemisphere,
-        joint_lookup,
         lobe_bsdf,
+        lobe_rays,
         lobe_tables,
-        geometry,
-        packed_uint8,
         point_sampled,
         prefiltered,
         random_numbers,
         rays,
-        regimes,
-        tables,
+        scene,
         threads,
         variation,
-        visibility_rays,
-        visibility_tables,
+        visibility,
+        words,
     ),
     "ALBEDO_": (footprint_albedos,),
-    "CLUSTERED_": (
-        cluster_base,
-        cluster_bsdf,
-        cluster_gaussians,
-        cluster_parallax,
-        cluster_tables,
-        square_map,
-    ),
-    "GROUP_": (density,),
+    "CLUSTERED_": (cluster_bsdf, cluster_gaussians, cluster_parallax, cluster_tables, square_map),
     "LATENT_": (latent,),
     "MIXTURE_": (lobe_mixture,),
     "NEUMIP_": (neumip,),
-    "NEURAL_": (architecture, footprint_coding, light_visibility, neural_proposal),
+    "NEURAL_": (architecture, codings, encoded_fabric, neural_proposal),
     "OPENNESS_": (openness,),
-    "PROPOSAL_": (lobe_proposal,),
     "SHEEN_": (sheen,),
 }
 # What shaders compute with in the place of these numbers, and numbers of both sides' arrays.
 _DERIVED: dict[str, Value] = {
     "INVERSE_SECTION_SINE": 1 / math.sin(threads.SECTION_ANGLE),
     "INVERSE_CELL_MAX_LEVELS": 1 / threads.CELL_MAX_LEVELS,
-    "BLEND_FROM": math.log2(regimes.BLEND_RANGE[0]),
-    "BLEND_TO": math.log2(regimes.BLEND_RANGE[1]),
+    "BLEND_FROM": math.log2(point_sampled.BLEND_RANGE[0]),
+    "BLEND_TO": math.log2(point_sampled.BLEND_RANGE[1]),
     "LOG_FINEST_FOOTPRINT": math.log2(point_sampled.FINEST_FOOTPRINT),
     "LOG_COARSEST_FOOTPRINT": math.log2(point_sampled.COARSEST_FOOTPRINT),
     "ONE_MINUS_EPSILON": 1 - 2.0**-24,
     "SHEEN_CEILING": sheen_coefficients.CEILING,
-    "TAPS": len(coverage_lookup.TAP_OFFSETS),
-    **{f"RECURRENCE_{i}": factor for i, factor in enumerate(cloth_samples.RECURRENCE, 1)},
-    **{f"LATTICE_SHIFT_{axis}": shift for axis, shift in zip("XY", cloth_samples.LATTICE_SHIFT, strict=True)},
+    "TAPS": len(coverage.TAP_OFFSETS),
+    **{f"RECURRENCE_{i}": factor for i, factor in enumerate(lobe_rays.RECURRENCE, 1)},
+    **{f"LATTICE_SHIFT_{axis}": shift for axis, shift in zip("XY", lobe_rays.LATTICE_SHIFT, strict=True)},
     # A list of samples holds those of all views, or all top-down samples.
-    "MAX_SAMPLES_OF_FACE": max(
-        cloth_samples.TOP_DOWN_SAMPLES, hemisphere.NODES * visibility_rays.SAMPLED_VIEWS
-    ),
+    "MAX_SAMPLES_OF_FACE": max(lobe_rays.TOP_DOWN_SAMPLES, hemisphere.NODES * lobe_rays.SAMPLED_VIEWS),
     # Words of the bake's facts: of each family the views that hit it and the points that are clustered; gaps,
     # and rays through gaps; of each family the clusters that its points make; of each face the warp's groups.
     "FACT_SEEN": 0,
@@ -160,7 +125,7 @@ _POLYNOMIALS: dict[str, Sequence[Sequence[float]]] = {
     "sheen_shear": sheen_coefficients.SHEAR,
     "sheen_reflectance": sheen_coefficients.REFLECTANCE,
     # atan(x)/x in powers of x².
-    "arc_tangent_quotient": [[coefficient] for coefficient in density.ARC_TANGENT],
+    "arc_tangent_quotient": [[coefficient] for coefficient in prefiltered.GROUP_ARC_TANGENT],
 }
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from loomlight.models.neural import architecture, footprint_coding, light_visibility
+from loomlight.models.neural import architecture, codings, encoded_fabric
 from loomlight.models.neural.decoder import ANGULAR, LAST, LAYERS, neural_layers
 from loomlight.models.neural.weights import shipped_weights
-from loomlight.realtime.networks import layer_size
+from loomlight.realtime.words import layer_size
 
 
 def neural_constants() -> dict[str, float]:
@@ -19,10 +19,10 @@ def neural_constants() -> dict[str, float]:
     sizes = [layer_size(weight.shape[1], weight.shape[0]) for weight, _ in layers.values()]
     starts = [sum(sizes[:number]) for number in range(len(sizes) + 1)]
     at = dict(zip(layers, starts, strict=False))
-    smallest, largest = footprint_coding.FIELD_SIZES
+    smallest, largest = encoded_fabric.FIELD_SIZES
     first, full = (
-        float(footprint_coding.log_fraction(np.float64(threads), smallest, largest))
-        for threads in footprint_coding.CORRECTED_SIZES
+        float(encoded_fabric.log_fraction(np.float64(threads), smallest, largest))
+        for threads in encoded_fabric.CORRECTED_SIZES
     )
     return {
         "NEURAL_HIDDEN": table.hidden,
@@ -40,7 +40,7 @@ def neural_constants() -> dict[str, float]:
         "PER_LOG_SIZE": 1 / float(np.log(largest / smallest)),
         "CORRECTED_FROM": first,
         "PER_CORRECTED_SPAN": 1 / (full - first),
-        "FACING_CONSTANT": light_visibility.FACING[0],
-        "FACING_BY_COSINE": light_visibility.FACING[1],
-        "FACING_BY_AZIMUTH": light_visibility.FACING[2],
+        "FACING_CONSTANT": codings.FACING[0],
+        "FACING_BY_COSINE": codings.FACING[1],
+        "FACING_BY_AZIMUTH": codings.FACING[2],
     }

@@ -14,7 +14,7 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from loomlight.models.neural.architecture import NetworkTable
-from loomlight.models.neural.footprint_coding import footprint_coordinates, levels_of, taps
+from loomlight.models.neural.encoded_fabric import footprint_coordinates, levels_of, taps
 from loomlight.training.parallel import SideBySide, process_count
 from papers.chen2024.training.config import TrainingConfig
 from papers.chen2024.training.dataset import Face

@@ -17,10 +17,9 @@ from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.files import replacing
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.neural.encoder import fabric_parameters, face_maps
-from loomlight.models.neural.fibres import Fibres
-from loomlight.models.neural.footprint_coding import footprints_in_threads
-from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES, TRAINING_RANGES
+from loomlight.models.neural.encoded_fabric import Fibres, footprints_in_threads
+from loomlight.models.neural.encoding import fabric_parameters, face_maps
+from loomlight.models.neural.weights import PARAMETER_RANGES, TRAINING_RANGES
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from papers.chen2024.training.config import DataTable

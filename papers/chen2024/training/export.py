@@ -24,8 +24,8 @@ from torch.nn import functional
 from torch.nn.utils import parametrize
 
 from loomlight.models.neural.architecture import FIELD_MAP, LEAKY_SLOPE, MAX_THREADS, VECTOR_MAP
-from loomlight.models.neural.encoder import CHANNELS
-from loomlight.models.neural.footprint_coding import FINEST_LEVEL, WHOLE_REPEATS
+from loomlight.models.neural.encoded_fabric import FINEST_LEVEL, WHOLE_REPEATS
+from loomlight.models.neural.encoding import CHANNELS
 from loomlight.models.neural.weights import Weights, read_weights_alone
 from papers.chen2024.training.network import (
     PARAMETERS,

@@ -41,8 +41,8 @@ from loomlight.models.neural.architecture import (
     VIEW_FEATURES,
     NetworkTable,
 )
-from loomlight.models.neural.encoder import CHANNELS
-from loomlight.models.neural.footprint_coding import FINEST_LEVEL, Level, fine_tuning_weight, levels_of
+from loomlight.models.neural.encoded_fabric import FINEST_LEVEL, Level, fine_tuning_weight, levels_of
+from loomlight.models.neural.encoding import CHANNELS
 from papers.chen2024.training.losses import gain
 
 PARAMETERS = 4

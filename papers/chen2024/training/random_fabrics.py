@@ -9,7 +9,7 @@ import numpy as np
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.fields import FabricFile, YarnTable
 from loomlight.fabric.resolve import Structure, structure_of
-from loomlight.models.neural.parameter_ranges import PARAMETER_RANGES, ParameterRanges
+from loomlight.models.neural.weights import PARAMETER_RANGES, ParameterRanges
 from loomlight.weave.draft import Draft
 from loomlight.weave.textile import DEFAULT_SETT_PER_CM
 

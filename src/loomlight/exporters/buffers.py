@@ -7,9 +7,9 @@ from typing import Any
 
 from loomlight.exporters.kernels import library_records, size_of
 from loomlight.models.registry import REALTIME_MODELS
-from loomlight.realtime.layout import BUFFERS, RECORDS, Fields
-from loomlight.realtime.models import Material, look_of, tables_for
-from loomlight.realtime.tables import pack_fabrics
+from loomlight.realtime.materials import Material, look_of, tables_for
+from loomlight.realtime.records import BUFFERS, RECORDS, Fields
+from loomlight.realtime.words import pack_fabrics
 
 
 def write_buffers(

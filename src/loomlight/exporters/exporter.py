@@ -13,7 +13,7 @@ from loomlight.exporters.materials import write_gltf, write_materialx
 from loomlight.exporters.shaders import write_shaders
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.registry import REALTIME_MODELS, model_class
-from loomlight.realtime.models import (
+from loomlight.realtime.materials import (
     Material,
     default_model_of,
     fabric_for,

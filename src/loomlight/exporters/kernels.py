@@ -6,7 +6,7 @@ from pathlib import Path
 from string import Template
 
 from loomlight.models.registry import Shaders
-from loomlight.realtime.layout import BUFFERS, QUERY, RECORDS, Fields
+from loomlight.realtime.records import BUFFERS, QUERY, RECORDS, Fields
 
 _TEMPLATES = Path(__file__).parent / "languages"
 _WGSL_TYPES = {"float": "f32", "uint": "u32"}

@@ -22,7 +22,7 @@ from loomlight.models.texture.latent import (
     LatentModel,
     Weights,
 )
-from loomlight.realtime.models import Material, model_for, source_of
+from loomlight.realtime.materials import Material, model_for, source_of
 
 _PAGE = Path(__file__).parent / "languages" / "latent_network.md"
 _OPSET, _IR = 17, 8

@@ -13,7 +13,7 @@ from safetensors.numpy import save
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.architecture import BUNDLES
-from loomlight.models.neural.footprint_coding import mean_pitch
+from loomlight.models.neural.encoded_fabric import mean_pitch
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.weights import shipped_decoder
 from loomlight.models.registry import make_model

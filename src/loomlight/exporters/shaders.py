@@ -11,7 +11,7 @@ from loomlight.exporters.instructions import shader_instructions
 from loomlight.exporters.kernels import c_header, kernel
 from loomlight.exporters.libraries import library
 from loomlight.models.registry import REALTIME_MODELS
-from loomlight.realtime.models import Material, source_of
+from loomlight.realtime.materials import Material, source_of
 from loomlight.realtime.slangc import SHADERS, TARGETS, library_code
 
 _OWN = Path(__file__).parent / "languages"

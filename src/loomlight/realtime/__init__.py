@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from loomlight.realtime.environment import Environment
 from loomlight.realtime.renderer import Picture, Renderer
-from loomlight.realtime.scene import Camera, Cloth, DirectionalLight, Mesh, PointLight, rectangle
+from loomlight.realtime.scene import Camera, Cloth, DirectionalLight, Environment, Mesh, PointLight, rectangle
 
 __all__ = [
     "Camera",

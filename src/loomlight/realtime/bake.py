@@ -9,8 +9,8 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
 from functools import cache
 from itertools import groupby
 from typing import Any, TypeAlias
@@ -18,15 +18,18 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.llvm import llvm_float
 from loomlight.models.interface import ShaderTables
-from loomlight.models.lobes import cloth_samples, coverage_pyramid, groups, visibility_rays
-from loomlight.models.lobes.clustering import FEATURES
-from loomlight.models.lobes.hemisphere import NODES
-from loomlight.models.lobes.packed_uint8 import pack_count
-from loomlight.models.lobes.tables import MOMENTS, LobeTables, given_numbers
+from loomlight.models.lobes import coverage, groups, rays
+from loomlight.models.lobes.groups import FEATURES
+from loomlight.models.lobes.hemisphere import NODES, pack_count
+from loomlight.models.lobes.model import DEFAULT_GROUPS
+from loomlight.models.lobes.tables import MOMENTS, LobeTables, bake_joint, given_numbers
 from loomlight.realtime.device import Adapter
-from loomlight.realtime.layout import numpy_type, offset_of
+from loomlight.realtime.records import numpy_type, offset_of
 from loomlight.realtime.slangc import SHADERS
+from loomlight.realtime.words import pack_fabrics
+from loomlight.scattering.appearance import Appearance
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 
@@ -43,8 +46,8 @@ _STEP_BYTES = 256
 # Where weights begin among the words of a step, and their number along an axis; see `bake_coverage.slang`.
 FIRST_WEIGHT = 16
 _VIEW_SUMS, _LIGHT_SUMS = 13, 5
-_TOP_DOWN = cloth_samples.TOP_DOWN_SAMPLES
-_LIST = max(_TOP_DOWN, NODES * visibility_rays.SAMPLED_VIEWS)
+_TOP_DOWN = rays.TOP_DOWN_SAMPLES
+_LIST = max(_TOP_DOWN, NODES * rays.SAMPLED_VIEWS)
 
 
 @dataclass(frozen=True)
@@ -76,7 +79,7 @@ DISPATCHES: tuple[Dispatch, ...] = (
     Dispatch("bake_views", "bake_rays", _RAYS),
     Dispatch("bake_gap_starts", "bake_rays", _RAYS),
     Dispatch("bake_gaps", "bake_points", ((256,),), group=256),
-    Dispatch("bake_nulls", "bake_rays", (*_RAYS, (NODES, visibility_rays.MAX_GAP_RAYS))),
+    Dispatch("bake_nulls", "bake_rays", (*_RAYS, (NODES, rays.MAX_GAP_RAYS))),
     Dispatch("bake_shadows", "bake_rays", _RAYS),
     Dispatch("bake_points", "bake_points", ((4, 256),), group=256),
     Dispatch("bake_bisect", "bake_groups", ((4, 256),), group=256),
@@ -111,8 +114,8 @@ DISPATCHES: tuple[Dispatch, ...] = (
 # Words of the parts of `scratch`, whose beginnings are fields of the record `Bake`.
 SCRATCH: dict[str, Size] = {
     "facts": ((64,),),
-    "gaps": ((2, visibility_rays.MAX_GAP_RAYS),),
-    "gap_nulls": ((NODES, visibility_rays.MAX_GAP_RAYS),),
+    "gaps": ((2, rays.MAX_GAP_RAYS),),
+    "gap_nulls": ((NODES, rays.MAX_GAP_RAYS),),
     "lit": _RAYS,
     "lists": ((5, _LIST),),
     "points": ((4, groups.CLUSTERED_SAMPLES, FEATURES),),
@@ -189,11 +192,11 @@ class BakePlan:
 def plan_bake(layout: ClothLayout, per_family: int) -> BakePlan:
     """The plan of a fabric's bake with so many groups of each family, 1 to 64, on average."""
     geometry = YarnGeometry(layout)
-    spacing = coverage_pyramid.spacing_of(geometry, per_family)
+    spacing = coverage.spacing_of(geometry, per_family)
     picks, ends = layout.warp_on_top.shape
-    columns, rows = (coverage_pyramid.nodes_along(side, spacing) for side in geometry.size)
+    columns, rows = (coverage.nodes_along(side, spacing) for side in geometry.size)
     across, along = (
-        coverage_pyramid.texels_along(threads, count) for threads, count in ((ends, columns), (picks, rows))
+        coverage.texels_along(threads, count) for threads, count in ((ends, columns), (picks, rows))
     )
     levels = _levels(columns, rows)
     face_nodes = int(levels[-1, 0]) + 1
@@ -203,7 +206,7 @@ def plan_bake(layout: ClothLayout, per_family: int) -> BakePlan:
         "packs": pack_count(per_family),
         "width": pack_count(per_family) + 1,
         "max_clusters": max(per_family, 2 * per_family - groups.GROUPS_PER_PACK),
-        "rays": visibility_rays.ray_count(per_family),
+        "rays": rays.ray_count(per_family),
         "columns": columns,
         "rows": rows,
         "face_nodes": face_nodes,
@@ -224,7 +227,7 @@ def plan_bake(layout: ClothLayout, per_family: int) -> BakePlan:
         "far_weight": spacing.far_weight,
     }
     blur = tuple(
-        _tap_weights([float(w) for w in coverage_pyramid.blur_steps(spacing.base_size * count / side)])
+        _tap_weights([float(w) for w in coverage.blur_steps(spacing.base_size * count / side)])
         for count, side in zip((columns, rows), geometry.size, strict=True)
     )
     given = given_numbers(layout, spacing.base_size)
@@ -408,3 +411,61 @@ def _bindings_of(module: str, entry: str) -> dict[str, int]:
     """Bindings by the name of the buffer; WGSL's names end in a number of the compiler's."""
     found = (_DECLARATION.fullmatch(text) for text in declarations_of(module, entry))
     return {match[2].rsplit("_", 1)[0]: int(match[1]) for match in found if match is not None}
+
+
+# --------------------------------------------------------------------------------------------- fabric buffers
+# Fabrics in an adapter's buffers, with tables of `lobes` baked there; nothing is read back.
+#
+# Joint visibility alone is baked on the CPU.
+
+
+class FabricBuffers:
+    """Buffers of fabrics, families and words for shaders, whose tables of `lobes` kernels bake.
+
+    Attributes:
+        buffers: by name, as shaders name them.
+        plans: of each fabric's bake.
+        packed: what the host wrote.
+        dispatches: kernels that were launched.
+    """
+
+    def __init__(
+        self,
+        adapter: Adapter,
+        looks: Sequence[tuple[ClothLayout, Appearance]],
+        uv_size_mm: Sequence[tuple[float, float]] | None = None,
+        groups: int = DEFAULT_GROUPS,
+        describe: Callable[[NDArray[np.void]], None] | None = None,
+    ) -> None:
+        """Uploads fabrics and bakes their tables; returns before the device is done.
+
+        Args:
+            uv_size_mm: millimetres per unit of u and of v of each fabric; 100 by default.
+            groups: of each family, 1 to 64, on average.
+            describe: writes into the records of fabrics what a scene adds to them.
+
+        Raises:
+            MissingDependencyError: a table is beyond the adapter's limits.
+        """
+        self.plans = [
+            replace(
+                plan_bake(layout, groups),
+                joint=bake_joint(YarnGeometry(layout), look.diffuse_blend, groups, llvm_float()),
+            )
+            for layout, look in looks
+        ]
+        self.packed = pack_fabrics(list(looks), uv_size_mm, [plan.shader_tables() for plan in self.plans])
+        if describe is not None:
+            describe(self.packed.fabrics)
+        self.buffers: dict[str, Any] = {
+            name: adapter.storage(values) for name, values in self.packed.buffers().items()
+        }
+        baker = LobesBaker(adapter)
+        for number, plan in enumerate(self.plans):
+            baker.bake(self.buffers, self.packed.fabrics, number, plan)
+        self.dispatches = baker.dispatches
+
+    @property
+    def is_open(self) -> bool:
+        """True if light passes through holes of any of the fabrics."""
+        return bool(self.packed.fabrics["is_open"].any())

@@ -12,21 +12,28 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.models.registry import REALTIME_MODELS
+from loomlight.realtime.bake import FabricBuffers
 from loomlight.realtime.device import Adapter, default_adapter, wgpu_module
-from loomlight.realtime.environment import Environment, EnvironmentTables
-from loomlight.realtime.fabric_buffers import FabricBuffers
-from loomlight.realtime.layout import numpy_type
-from loomlight.realtime.models import (
+from loomlight.realtime.materials import (
     Material,
     default_model_of,
     look_of,
     require_realtime_model,
     tables_for,
 )
-from loomlight.realtime.scene import Camera, Cloth, Light, light_records, vertex_records
-from loomlight.realtime.scene_words import SceneWords
+from loomlight.realtime.records import numpy_type
+from loomlight.realtime.scene import (
+    Camera,
+    Cloth,
+    Environment,
+    EnvironmentTables,
+    Light,
+    SceneWords,
+    light_records,
+    vertex_records,
+)
 from loomlight.realtime.slangc import SHADERS
-from loomlight.realtime.tables import pack_fabrics
+from loomlight.realtime.words import pack_fabrics
 
 # Of open cloth, from the nearest on; what lies behind is taken for the background.
 MAX_LAYERS = 4

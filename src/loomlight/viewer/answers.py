@@ -151,8 +151,8 @@ def tables_of(fabric: Fabric, model: str) -> bytes:
     from safetensors.numpy import save
 
     from loomlight.core.llvm import require_llvm
-    from loomlight.realtime.models import tables_for
-    from loomlight.realtime.tables import pack_fabrics
+    from loomlight.realtime.materials import tables_for
+    from loomlight.realtime.words import pack_fabrics
 
     require_llvm()
     packed = pack_fabrics([(fabric.layout(), fabric.appearance())], models=[tables_for(fabric, model)])

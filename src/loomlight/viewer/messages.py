@@ -272,7 +272,7 @@ def openness_json(fabric: Fabric) -> dict[str, list[float]]:
     require_llvm()
     from loomlight.models.lobes.model import DEFAULT_GROUPS
     from loomlight.models.lobes.tables import bake_joint
-    from loomlight.realtime.word_table import packed_bytes
+    from loomlight.realtime.words import packed_bytes
     from loomlight.scattering.openness import openness_of
     from loomlight.yarn.geometry import YarnGeometry
 

@@ -1,9 +1,9 @@
 """The parts of the clustered model against plain sums, and its estimates against all texels of a box.
 
-Covers: models/clustered/bsdf.py, models/clustered/base.py, models/clustered/footprint_sums.py
-Covers: models/clustered/tables.py, models/clustered/light_tables.py, models/clustered/principal_components.py
-Covers: models/clustered/features.py, models/clustered/clusters.py, models/clustered/density_tables.py
-Covers: models/clustered/square_map.py, models/random_numbers.py, models/clustered/sampling.py
+Covers: models/clustered/bsdf.py, models/clustered/footprint_sums.py
+Covers: models/clustered/tables.py, models/clustered/parallax.py
+Covers: models/clustered/tables.py
+Covers: models/clustered/square_map.py, models/random_numbers.py, models/clustered/bsdf.py
 """
 
 from __future__ import annotations
@@ -21,12 +21,18 @@ from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.clustered.clusters import NO_CLUSTER
-from loomlight.models.clustered.density_tables import densities
-from loomlight.models.clustered.features import MAX_TEXELS, feature_maps, texel_counts
 from loomlight.models.clustered.model import ClusteredModel, ClusteredOptions
 from loomlight.models.clustered.square_map import BINS, bin_centres, bin_taps
-from loomlight.models.clustered.tables import NORMAL_UNIT, THREAD_BASE, bake_tables
+from loomlight.models.clustered.tables import (
+    MAX_TEXELS,
+    NO_CLUSTER,
+    NORMAL_UNIT,
+    THREAD_BASE,
+    bake_tables,
+    densities,
+    feature_maps,
+    texel_counts,
+)
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.separable import Components
 from loomlight.scattering.point import to_face_frame

@@ -18,11 +18,10 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.fabric import make_fabric
 from loomlight.fabric.fields import FabricFile
-from loomlight.models.lobes.cloth_samples import top_down_samples, upload_cloth
-from loomlight.models.lobes.coverage_pyramid import CoveragePyramid, build_pyramid, count_cells
+from loomlight.models.lobes.coverage import CoveragePyramid, build_pyramid, count_cells
 from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups
 from loomlight.models.lobes.model import LobesModel, LobesOptions
-from loomlight.models.lobes.visibility_rays import launch_views, view_samples
+from loomlight.models.lobes.rays import launch_views, top_down_samples, upload_cloth, view_samples
 from loomlight.models.separable import Components
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry

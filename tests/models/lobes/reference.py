@@ -21,19 +21,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.models.lobes.coverage_lookup import MIN_TAP_SPACING, TAP_OFFSETS, TAP_SIZE, TENT_VARIANCE
-from loomlight.models.lobes.density import (
-    MIN_COSINE,
-    MIN_PATH,
-    MIN_STEEPNESS,
-    NARROWEST,
-    SPREAD_LOSS,
+from loomlight.models.lobes.bsdf import PROPOSAL_SPREAD_WIDTH, LobeWeights
+from loomlight.models.lobes.coverage import MIN_TAP_SPACING, TAP_OFFSETS, TAP_SIZE, TENT_VARIANCE
+from loomlight.models.lobes.hemisphere import AZIMUTHS, MIN_NODE_COSINE, RINGS, WEIGHT_SUM
+from loomlight.models.lobes.prefiltered import (
+    GROUP_MIN_COSINE,
+    GROUP_MIN_PATH,
+    GROUP_MIN_STEEPNESS,
+    GROUP_NARROWEST,
+    GROUP_SPREAD_LOSS,
 )
-from loomlight.models.lobes.hemisphere import AZIMUTHS, MIN_NODE_COSINE, RINGS
-from loomlight.models.lobes.joint_lookup import FACTOR_UNIT, JOINT_AZIMUTHS, JOINT_TERMS, MAX_JOINT_RATIO
-from loomlight.models.lobes.packed_uint8 import WEIGHT_SUM
-from loomlight.models.lobes.proposal import SPREAD_WIDTH, LobeWeights
 from loomlight.models.lobes.tables import LobeTables
+from loomlight.models.lobes.visibility import FACTOR_UNIT, JOINT_AZIMUTHS, JOINT_TERMS, MAX_JOINT_RATIO
 from loomlight.models.separable import Components
 
 Numbers = NDArray[np.float64]
@@ -199,7 +198,7 @@ class LobesReference:
         # The group as one fibre: along its mean direction, wider by its spread.
         normal, tangent = _unit(groups.normal), _unit(groups.tangent)
         spread = np.sqrt(0.5 * np.trace(groups.covariance, axis1=1, axis2=2))
-        width = np.minimum(groups.roughness + SPREAD_WIDTH * spread, 1)
+        width = np.minimum(groups.roughness + PROPOSAL_SPREAD_WIDTH * spread, 1)
         along = tangent @ half_vector(light, view)
         area = np.sqrt(1 - (1 - width**2) * (tangent @ view) ** 2)
         lobe = fibre_density(along, width) / (4 * area)
@@ -312,8 +311,8 @@ def mean_density(half: Numbers, groups: GroupMoments) -> Numbers:
     roughness = groups.roughness
     mean = groups.tangent @ half
     deviation = np.sqrt(np.maximum(_variance(groups, half), 0))
-    width = np.maximum(math.sqrt(3) * deviation, NARROWEST * roughness + 1e-4)
-    steepness = np.maximum(np.sqrt(1 - roughness**2) / roughness, MIN_STEEPNESS)
+    width = np.maximum(math.sqrt(3) * deviation, GROUP_NARROWEST * roughness + 1e-4)
+    steepness = np.maximum(np.sqrt(1 - roughness**2) / roughness, GROUP_MIN_STEEPNESS)
     first, last = steepness * (mean - width), steepness * (mean + width)
     product, span = first * last, last - first
     rational = (1 - product) / ((1 + first**2) * (1 + last**2))
@@ -337,16 +336,16 @@ def layer_value(
     Reflection D G_r/(4 cos_v), or, where light comes from the other side, transmission D G_t/(4 cos_v).
     """
     is_transmission = light[2] < 0
-    cos_light = np.maximum(groups.normal @ (-light if is_transmission else light), MIN_COSINE)
-    cos_view = np.maximum(groups.normal @ view, MIN_COSINE)
+    cos_light = np.maximum(groups.normal @ (-light if is_transmission else light), GROUP_MIN_COSINE)
+    cos_view = np.maximum(groups.normal @ view, GROUP_MIN_COSINE)
     slope_light = mean_area(light, groups) / cos_light
     slope_view = mean_area(view, groups) / cos_view
     # The layer's mean of e^{−s} along the path, e^{−Tρ min(Λ_l, Λ_v)}·(1 − e^{−Tρ|Δ|})/|Δ| in transmission.
     path = np.abs(slope_light - slope_view) if is_transmission else slope_light + slope_view
-    path = np.maximum(path, MIN_PATH)
+    path = np.maximum(path, GROUP_MIN_PATH)
     unscattered = np.exp(-optical_depth * np.minimum(slope_light, slope_view)) if is_transmission else 1.0
     attenuation = unscattered * -np.expm1(-optical_depth * path) / path
-    loss = 0 if is_transmission else SPREAD_LOSS * (1 - (groups.normal**2).sum(axis=1))
+    loss = 0 if is_transmission else GROUP_SPREAD_LOSS * (1 - (groups.normal**2).sum(axis=1))
     return np.asarray(mean_density(half, groups) * attenuation * (1 - loss) / (4 * cos_view))
 
 

@@ -6,18 +6,16 @@ import numpy as np
 from drjit.llvm import Array3f, Bool, Float
 from numpy.typing import NDArray
 
-from loomlight.models.lobes.accumulation import (
+from loomlight.models.lobes.groups import FEATURES, NORMAL_WEIGHT, SHARE_WEIGHT, Groups
+from loomlight.models.lobes.hemisphere import NODES, node_directions
+from loomlight.models.lobes.rays import SurfaceHits, start_of_shadow_ray
+from loomlight.models.lobes.visibility import (
     LIGHT_SUMS,
     VIEW_SUMS,
     group_of_hits,
     light_sums,
     view_sums,
 )
-from loomlight.models.lobes.cloth_samples import SurfaceHits
-from loomlight.models.lobes.clustering import FEATURES
-from loomlight.models.lobes.groups import NORMAL_WEIGHT, SHARE_WEIGHT, Groups
-from loomlight.models.lobes.hemisphere import NODES, node_directions
-from loomlight.models.lobes.visibility_rays import start_of_shadow_ray
 
 RAYS, PER_FAMILY, WARP_COUNT = 256, 6, (8, 4)
 GROUPS = 2 * PER_FAMILY

@@ -9,7 +9,7 @@ import pytest
 
 from loomlight.core.frozen import FrozenArg, FrozenFunction
 from loomlight.fabric import Fabric, fabric_from_text
-from loomlight.models.lobes import cloth_samples, coverage_pyramid, visibility_rays
+from loomlight.models.lobes import coverage, rays
 from loomlight.models.lobes.model import tables_of
 from loomlight.models.lobes.tables import LobeTables
 from tests.marks import slow
@@ -28,13 +28,13 @@ STEPS = [
     ("twill 3/1", 0.3, 8),
 ]
 RECORDED: list[FrozenFunction] = [
-    cloth_samples._sample_top_down,
-    visibility_rays._start_in_gaps,
-    visibility_rays._trace_shadows,
-    visibility_rays._trace_views,
-    visibility_rays._trace_null,
-    visibility_rays._trace_gaps,
-    coverage_pyramid._count_all,
+    rays._sample_top_down,
+    rays._start_in_gaps,
+    rays._trace_shadows,
+    rays._trace_views,
+    rays._trace_null,
+    rays._trace_gaps,
+    coverage._count_all,
 ]
 
 

@@ -9,11 +9,10 @@ from drjit.llvm.ad import Float
 from loomlight.core.backend import array_types
 from loomlight.core.frozen import FrozenArg
 from loomlight.fabric import fabric_from_text
-from loomlight.models.lobes import cell_kinds, coverage_pyramid
-from loomlight.models.lobes.cell_kinds import CrossingKinds
-from loomlight.models.lobes.cloth_samples import upload_cloth
-from loomlight.models.lobes.coverage_pyramid import count_cells
+from loomlight.models.lobes import coverage
+from loomlight.models.lobes.coverage import CrossingKinds, count_cells
 from loomlight.models.lobes.groups import NearestGroup
+from loomlight.models.lobes.rays import upload_cloth
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 
@@ -43,7 +42,7 @@ def _blocks_of_twill_and_satin(side: int) -> YarnGeometry:
 def test_cells_have_the_shares_that_texels_find(monkeypatch: pytest.MonkeyPatch) -> None:
     """Cells of six by four threads, which are counted by 15 by 13 texels otherwise."""
     geometry = _blocks_of_twill_and_satin(330)
-    monkeypatch.setattr(coverage_pyramid, "MAX_PYRAMID_BYTES", 200_000)
+    monkeypatch.setattr(coverage, "MAX_PYRAMID_BYTES", 200_000)
     cloth = upload_cloth(geometry, Float)
     nearest = FrozenArg(NearestGroup(groups_of(geometry, PER_FAMILY), array_types(Float)))
     kinds = CrossingKinds.find(geometry)
@@ -52,7 +51,7 @@ def test_cells_have_the_shares_that_texels_find(monkeypatch: pytest.MonkeyPatch)
     assert len(np.unique(pairs[kinds.places], axis=0)) == len(kinds.places)
     assert len(kinds.places) == len(np.unique(pairs & 0xFFFFFFF, axis=0))
     by_kinds = count_cells(cloth, nearest, PER_FAMILY)
-    assert by_kinds.texels == cell_kinds.CELL_COUNT
+    assert by_kinds.texels == coverage.CELL_COUNT
     monkeypatch.setattr(CrossingKinds, "find", lambda _: None)
     by_texels = count_cells(cloth, nearest, PER_FAMILY)
     first, second = (cells.counts() / cells.texels for cells in (by_kinds, by_texels))

@@ -10,7 +10,7 @@ import pytest
 from drjit.llvm.ad import Float, UInt32
 
 from loomlight.core.backend import array_types
-from loomlight.models.lobes.cloth_samples import SamplePositions
+from loomlight.models.lobes.rays import SamplePositions
 
 from .cloths import TEXTS, geometry_of
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from loomlight.models.lobes.clustering import FEATURES, BisectingClusters
+from loomlight.models.lobes.groups import FEATURES, BisectingClusters
 
 PER_FAMILY = 8
 # Means are double precision, of up to 2048 coordinates that are rounded to four decimals.

@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
-from loomlight.models.lobes.cloth_samples import SurfaceHits
-from loomlight.models.lobes.coverage_lookup import CoverageLookup
-from loomlight.models.lobes.coverage_pyramid import CoveragePyramid
+from loomlight.models.lobes.coverage import CoverageLookup, CoveragePyramid
 from loomlight.models.lobes.groups import Groups, NearestGroup
-from loomlight.models.lobes.packed_uint8 import byte_of_group, pack_count
+from loomlight.models.lobes.hemisphere import byte_of_group, pack_count
+from loomlight.models.lobes.rays import SurfaceHits
 from loomlight.yarn.geometry import YarnGeometry
 
 from .cloths import TEXTS, askew, floats, geometry_of, pyramid_of

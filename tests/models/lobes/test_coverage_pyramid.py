@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from loomlight.fabric import fabric_from_text
-from loomlight.models.lobes.coverage_pyramid import spacing_of
+from loomlight.models.lobes.coverage import spacing_of
+from loomlight.models.lobes.hemisphere import pack_count
 from loomlight.models.lobes.model import LobesModel, LobesOptions
-from loomlight.models.lobes.packed_uint8 import pack_count
 from loomlight.yarn.geometry import YarnGeometry
 
 from .cloths import TEXTS, geometry_of, pyramid_of, random_cloth

@@ -10,7 +10,13 @@ import pytest
 from drjit.llvm.ad import Array3f, Bool, Float
 from numpy.typing import NDArray
 
-from loomlight.models.lobes.density import NARROWEST, GroupLobe, layer_value, mean_area, mean_density
+from loomlight.models.lobes.prefiltered import (
+    GROUP_NARROWEST,
+    GroupLobe,
+    layer_value,
+    mean_area,
+    mean_density,
+)
 from loomlight.scattering.fibre import density, projected_area, reflection, transmission
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -81,7 +87,7 @@ def test_density_is_the_mean_over_an_interval(roughness: float, spread: float) -
     along, variance = (
         part.numpy() for part in (dr.dot(vectors(half), lobe.tangent), lobe.variance(vectors(half)))
     )
-    width = np.maximum(np.sqrt(3 * variance), NARROWEST * roughness + 1e-4)
+    width = np.maximum(np.sqrt(3 * variance), GROUP_NARROWEST * roughness + 1e-4)
     actual = mean_density(vectors(half), lobe).numpy()
     expected = boxed(along.astype(np.float64), width.astype(np.float64), roughness)
     np.testing.assert_allclose(actual, expected, rtol=RELATIVE)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from loomlight.aggregate.components import COMPONENTS
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.neural.parameter_ranges import TRAINING_RANGES
+from loomlight.models.neural.weights import TRAINING_RANGES
 from loomlight.scattering.albedo import layer_albedo_bound
 from papers.chen2024.training.random_fabrics import random_fabric
 from papers.chen2024.training.weaves import PAPER_WEAVES, paper_draft

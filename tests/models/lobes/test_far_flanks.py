@@ -13,13 +13,18 @@ from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.frozen import FrozenArg
 from loomlight.fabric import fabric_from_text
-from loomlight.models.lobes.cloth_samples import top_down_samples, upload_cloth
-from loomlight.models.lobes.coverage_pyramid import count_cells, cover_hidden
+from loomlight.models.lobes.coverage import count_cells, cover_hidden
 from loomlight.models.lobes.groups import HIDDEN_SHARE, NearestGroup, find_groups, stand_ins
+from loomlight.models.lobes.hemisphere import byte_of_group
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.packed_uint8 import byte_of_group
-from loomlight.models.lobes.visibility_rays import launch_rays, launch_views, view_samples
-from loomlight.models.lobes.visibility_tables import tabulate_visibility
+from loomlight.models.lobes.rays import (
+    launch_rays,
+    launch_views,
+    top_down_samples,
+    upload_cloth,
+    view_samples,
+)
+from loomlight.models.lobes.visibility import tabulate_visibility
 from loomlight.models.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 from tests.realtime.queries import vectors

@@ -15,18 +15,19 @@ from loomlight.core.frozen import FrozenArg
 from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes import groups as module
 from loomlight.models.lobes import tables
-from loomlight.models.lobes.cloth_samples import (
+from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups
+from loomlight.models.lobes.model import LobesModel, LobesOptions
+from loomlight.models.lobes.rays import (
     TOP_DOWN_SAMPLES,
     FaceSamples,
     SurfaceHits,
     TopDownSamples,
     UploadedCloth,
+    launch_views,
     top_down_samples,
     upload_cloth,
+    view_samples,
 )
-from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups
-from loomlight.models.lobes.model import LobesModel, LobesOptions
-from loomlight.models.lobes.visibility_rays import launch_views, view_samples
 from loomlight.yarn.flanks import SurfacePoint
 from loomlight.yarn.geometry import YarnGeometry
 

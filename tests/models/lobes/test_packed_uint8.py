@@ -8,7 +8,7 @@ from drjit.llvm.ad import Float, UInt32
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
-from loomlight.models.lobes.packed_uint8 import (
+from loomlight.models.lobes.hemisphere import (
     WEIGHT_SUM,
     PackedWeights,
     byte_of_group,

@@ -1,6 +1,6 @@
 """Offsets of point samples have a low error with few points; the regimes blend smoothly.
 
-Covers: models/lobes/regimes.py
+Covers: models/lobes/point_sampled.py
 """
 
 from __future__ import annotations
@@ -16,8 +16,7 @@ from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.point_sampled import MAX_POINTS, _offset
-from loomlight.models.lobes.regimes import RegimeScale
+from loomlight.models.lobes.point_sampled import MAX_POINTS, RegimeScale, _offset
 
 from .cloths import FootprintQueries, directions
 

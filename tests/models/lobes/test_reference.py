@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from loomlight.models.lobes.bsdf import LobeWeights
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.proposal import LobeWeights
 from loomlight.models.separable import Components
 
 from .cloths import TEXTS, FootprintQueries, model_of, prefiltered_parts, random_queries, reference_of

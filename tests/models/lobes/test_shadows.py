@@ -1,6 +1,6 @@
 """Shadows of groups: joint visibility of light and view, against rays over whole repeats.
 
-Covers: models/lobes/joint_visibility.py, models/lobes/joint_lookup.py
+Covers: models/lobes/visibility.py
 """
 
 from __future__ import annotations

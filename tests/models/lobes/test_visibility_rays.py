@@ -8,8 +8,13 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Float
 
-from loomlight.models.lobes.cloth_samples import top_down_samples, upload_cloth
-from loomlight.models.lobes.visibility_rays import launch_rays, launch_views, view_samples
+from loomlight.models.lobes.rays import (
+    launch_rays,
+    launch_views,
+    top_down_samples,
+    upload_cloth,
+    view_samples,
+)
 
 from .cloths import TEXTS, geometry_of
 

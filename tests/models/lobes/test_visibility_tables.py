@@ -13,12 +13,18 @@ from drjit.llvm.ad import Array3f, Bool, Float
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
-from loomlight.models.lobes.accumulation import VIEW_SUMS
-from loomlight.models.lobes.cloth_samples import SurfaceHits, top_down_samples, upload_cloth
 from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups, with_view_moments
 from loomlight.models.lobes.hemisphere import NODES, node_directions
-from loomlight.models.lobes.visibility_rays import launch_rays, launch_views, ray_count, view_samples
-from loomlight.models.lobes.visibility_tables import VisibilityTables, tabulate_visibility
+from loomlight.models.lobes.rays import (
+    SurfaceHits,
+    launch_rays,
+    launch_views,
+    ray_count,
+    top_down_samples,
+    upload_cloth,
+    view_samples,
+)
+from loomlight.models.lobes.visibility import VIEW_SUMS, VisibilityTables, tabulate_visibility
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.rays import REFERENCE_QUALITY
 from loomlight.yarn.visibility import first_hit, unoccluded

@@ -12,7 +12,7 @@ import torch
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural import encoding
 from loomlight.models.neural.architecture import NetworkTable
-from loomlight.models.neural.latent_cache import clear_encodings
+from loomlight.models.neural.encoding import clear_encodings
 from loomlight.models.neural.weights import Weights, read_weights
 from papers.chen2024.training.export import export_encoder
 from papers.chen2024.training.network import ClothNetwork

@@ -7,8 +7,7 @@ import torch
 from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.neural.encoded_fabric import EncodedFabric
-from loomlight.models.neural.footprint_coding import footprints_in_threads, taps
+from loomlight.models.neural.encoded_fabric import EncodedFabric, footprints_in_threads, taps
 from papers.chen2024.training.batches import coordinate_rows
 from papers.chen2024.training.losses import unmapped
 from papers.chen2024.training.network import ClothNetwork

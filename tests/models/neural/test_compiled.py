@@ -16,11 +16,9 @@ from loomlight.core.llvm import require_llvm
 from loomlight.core.simd import host_target
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neural.architecture import NetworkTable
-from loomlight.models.neural.compiled import compiled_decoder, decode, kernel_table
-from loomlight.models.neural.encoded_fabric import EncodedFabric
+from loomlight.models.neural.decoder import compiled_decoder, decode, kernel_table
+from loomlight.models.neural.encoded_fabric import EncodedFabric, Fibres, levels_of, taps
 from loomlight.models.neural.encoding import encode
-from loomlight.models.neural.fibres import Fibres
-from loomlight.models.neural.footprint_coding import levels_of, taps
 from loomlight.models.neural.weights import Weights
 from papers.chen2024.training.network import ClothNetwork
 

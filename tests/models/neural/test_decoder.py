@@ -1,7 +1,7 @@
 """The decoder by SIMD kernels and by cooperative vectors against torch, on one set of queries.
 
 Covers: models/neural/architecture.py, models/neural/codings.py, models/neural/decoder_kernel.py
-Covers: models/neural/layers.py, models/neural/model.py
+Covers: models/neural/decoder.py, models/neural/model.py
 """
 
 from __future__ import annotations
@@ -22,12 +22,11 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.core.simd import SimdTarget
 from loomlight.fabric import fabric_from_text
-from loomlight.models.neural import compiled, latent_table
+from loomlight.models.neural import decoder, latent_table
 from loomlight.models.neural import model as model_module
-from loomlight.models.neural.compiled import _compiled, compiled_decoder, decode, kernel_table
-from loomlight.models.neural.decoder import Decoder
+from loomlight.models.neural.decoder import Decoder, _compiled, compiled_decoder, decode, kernel_table
+from loomlight.models.neural.encoded_fabric import footprints_in_threads
 from loomlight.models.neural.encoding import encode
-from loomlight.models.neural.footprint_coding import footprints_in_threads
 from loomlight.models.neural.model import NeuralModel
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
@@ -95,7 +94,7 @@ def test_other_processors_answer_alike(
     queries = unit_vectors(rng, 500), unit_vectors(rng, 500), rng.uniform(0.01, 20, (500, 3))
     expected = decode(weights, encoded, *queries)
     caches = _compiled, compiled_decoder, kernel_table
-    for module in (compiled, latent_table):
+    for module in (decoder, latent_table):
         monkeypatch.setattr(module, "host_target", lambda: target)
     try:
         for cached in caches:

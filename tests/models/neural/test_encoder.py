@@ -6,7 +6,7 @@ import numpy as np
 
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.neural.encoder import shortest_repeat
+from loomlight.models.neural.encoding import shortest_repeat
 
 require_llvm()
 

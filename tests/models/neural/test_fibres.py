@@ -20,7 +20,7 @@ from loomlight.models.neural.architecture import (
     OPPOSITE,
 )
 from loomlight.models.neural.codings import _mirrored
-from loomlight.models.neural.fibres import Fibres
+from loomlight.models.neural.encoded_fabric import Fibres
 from loomlight.models.neural.model import NeuralModel
 from loomlight.scattering.fibre import density
 from loomlight.yarn.geometry import YarnGeometry

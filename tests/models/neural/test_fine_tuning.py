@@ -13,12 +13,9 @@ from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.neural.compiled import decode
-from loomlight.models.neural.encoded_fabric import EncodedFabric
-from loomlight.models.neural.encoding import encode, encode_pair
-from loomlight.models.neural.fine_tuning import _solution
-from loomlight.models.neural.footprint_coding import footprints_in_threads
-from loomlight.models.neural.latent_cache import clear_encodings
+from loomlight.models.neural.decoder import decode
+from loomlight.models.neural.encoded_fabric import EncodedFabric, footprints_in_threads
+from loomlight.models.neural.encoding import _solution, clear_encodings, encode, encode_pair
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.weights import shipped_weights
 from loomlight.scattering.point import YarnScattering

@@ -7,7 +7,7 @@ from drjit.llvm.ad import Array2f
 
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.models.neural.footprint_coding import (
+from loomlight.models.neural.encoded_fabric import (
     FINEST_LEVEL,
     AnisotropicTaps,
     levels_of,

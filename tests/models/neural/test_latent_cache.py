@@ -11,8 +11,7 @@ from drjit.llvm.ad import Float
 from loomlight.core.files import cache_folder
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.neural.encoding import encode
-from loomlight.models.neural.latent_cache import clear_encodings
+from loomlight.models.neural.encoding import clear_encodings, encode
 
 from .networks import counted_runs, network, weights_of
 

@@ -1,6 +1,6 @@
 """Light visibility from the diffuse component, against slices of cloth.
 
-Covers: models/neural/light_visibility.py
+Covers: models/neural/codings.py
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from drjit.llvm.ad import Array3f, Float
 
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.neural.light_visibility import FACING, light_visibility_of
+from loomlight.models.neural.codings import FACING, light_visibility_of
 from tools.fits.light_visibility import errors, measured, predicted
 
 require_llvm()

@@ -3,7 +3,7 @@
 That weights are value over density, and that drawn directions follow the density on examples, the contract
 suite tests with the shipped network.
 
-Covers: models/networks.py, models/neural/sampler_network.py
+Covers: models/networks.py, models/neural/proposal.py
 Covers: scattering/lobe_mixture.py
 """
 
@@ -22,7 +22,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.networks import LearnedProposal
 from loomlight.models.neural.model import NeuralModel, NeuralOptions
-from loomlight.models.neural.sampler_network import FURTHER_INPUTS, further_inputs, sampler_layers
+from loomlight.models.neural.proposal import FURTHER_INPUTS, further_inputs, sampler_layers
 from loomlight.models.neural.weights import shipped_weights
 from loomlight.scattering.lobe_mixture import OUTPUTS, TwoSidedLobes
 from loomlight.training.layers import TORCH

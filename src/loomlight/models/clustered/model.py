@@ -12,10 +12,8 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.clustered.base import DeviceTables
-from loomlight.models.clustered.bsdf import ClusteredBsdf
-from loomlight.models.clustered.features import DEFAULT_TEXELS
-from loomlight.models.clustered.tables import ClusterTables, bake_tables
+from loomlight.models.clustered.bsdf import ClusteredBsdf, DeviceTables
+from loomlight.models.clustered.tables import DEFAULT_TEXELS, ClusterTables, bake_tables
 from loomlight.models.fabric_model import FilteredFabricModel, appearance_of, fabric_in_loom, fabric_source
 from loomlight.models.interface import Report, ShaderTables, Values
 from loomlight.models.options import Options

@@ -1,21 +1,337 @@
-"""All tables of one fabric, and how they are baked."""
+"""The tables of one fabric, and how they are baked: features, clusters, densities and visibility of texels.
+
+`ClusterTables` at the end declares all tables; `bake_tables` makes them of what stands before.
+"""
 
 from __future__ import annotations
 
+import math
+import warnings
+from dataclasses import dataclass
+from functools import partial
+from typing import TypeVar
+
+import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import FloatType
+from loomlight.core.backend import array_types
+from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.parallel_map import parallel_map
 from loomlight.core.tables import Tables, computed, derived, flag, given, size, table
-from loomlight.models.clustered.clusters import NO_CLUSTER, label_texels
-from loomlight.models.clustered.density_tables import density_tables
-from loomlight.models.clustered.features import DEFAULT_TEXELS, FeatureMaps, feature_maps, texel_counts
 from loomlight.models.clustered.footprint_sums import summed_areas
-from loomlight.models.clustered.gaussians import fitted_gaussians
-from loomlight.models.clustered.light_tables import light_tables
-from loomlight.models.clustered.parallax import PARALLAX_BINS, PARALLAX_RANK, parallax_tables
-from loomlight.models.clustered.square_map import BINS
+from loomlight.models.clustered.gaussians import LOBE_NUMBERS, fitted_gaussians, lobe_values
+from loomlight.models.clustered.parallax import PARALLAX_BINS, PARALLAX_RANK, compressed, parallax_tables
+from loomlight.models.clustered.square_map import BINS, bin_centres
 from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.visibility import HorizonMap
+
+# --------------------------------------------------------------------------------------------------- features
+# Feature maps: what is at the middle of every texel of one repeat, on both faces (zhu2024 3.1).
+
+
+_Number = TypeVar("_Number", bound=np.generic)
+# Texels along the longer side of small repeats (zhu2024 6), and texels across the finest thread.
+DEFAULT_TEXELS = 256
+_PER_THREAD, _MIN_PER_THREAD = 6, 2
+# Of one face: the bake stays under two minutes and 4 GB, summed-area tables on a device included.
+MAX_TEXELS = 1 << 21
+_BYTES_A_TEXEL, _SECONDS_A_TEXEL = 1000, 5e-5
+
+
+@dataclass(frozen=True, eq=False)
+class FeatureMaps:
+    """Texels of both faces, in the frame of the face; row 0 lies at y = 0, column 0 at x = 0.
+
+    Attributes:
+        hole, is_warp: [2 faces, rows, columns]; nothing else means anything in holes.
+        thread: index of the thread that shows [2, rows, columns].
+        normal, tangent: unit normal and unit fibre direction [2, rows, columns, 3].
+        horizon: sines of elevation in steps of 1/255 [2, rows, columns, 16 azimuths].
+    """
+
+    hole: NDArray[np.bool_]
+    is_warp: NDArray[np.bool_]
+    thread: NDArray[np.int32]
+    normal: NDArray[np.float32]
+    tangent: NDArray[np.float32]
+    horizon: NDArray[np.uint8]
+
+
+def texel_counts(geometry: YarnGeometry, longest: int) -> tuple[int, int]:
+    """Columns and rows: `longest` along the longer side, or more where threads would have under 6 texels.
+
+    Threads of large repeats have fewer, at least 2: a warning says so, and what the bake takes.
+
+    Raises:
+        InputError: the repeat is too large; the message says what its bake would take.
+    """
+    width, height = geometry.size
+    side = max(width, height) / longest
+
+    def counts(per_thread: float) -> tuple[int, int]:
+        columns, rows = (
+            max(4, math.ceil(extent / side - 1e-6), math.ceil(per_thread * extent / fine - 1e-6))
+            for extent, fine in zip(geometry.size, geometry.finest, strict=True)
+        )
+        return columns, rows
+
+    found = counts(_PER_THREAD)
+    if found[0] * found[1] <= MAX_TEXELS:
+        return found
+    least = counts(_MIN_PER_THREAD)
+    if least[0] * least[1] > MAX_TEXELS:
+        raise InputError(
+            f"The repeat of {width:.4g} × {height:.4g} mm needs {least[0]} × {least[1]} texels, "
+            f"{_cost(least)} to bake: clustered takes up to {MAX_TEXELS / 1e6:.1f} million texels; "
+            "use lobes for this draft."
+        )
+    # Rounding up adds a column and a row.
+    per_thread = _PER_THREAD * math.sqrt(MAX_TEXELS / ((found[0] + 2) * (found[1] + 2)))
+    fewer = counts(max(per_thread, _MIN_PER_THREAD))
+    warnings.warn(
+        f"The repeat of {width:.4g} × {height:.4g} mm is large: {fewer[0]} × {fewer[1]} texels, "
+        f"{max(per_thread, _MIN_PER_THREAD):.1f} across the finest thread instead of {_PER_THREAD}, take "
+        f"{_cost(fewer)} to bake; fewer texels mean more noise, not bias.",
+        LoomlightWarning,
+        stacklevel=2,
+    )
+    return fewer
+
+
+def _cost(counts: tuple[int, int]) -> str:
+    texels = counts[0] * counts[1]
+    return f"{texels * _BYTES_A_TEXEL / 1e9:.2g} GB and about {texels * _SECONDS_A_TEXEL:.0f} s"
+
+
+def feature_maps(geometry: YarnGeometry, counts: tuple[int, int], float_type: FloatType) -> FeatureMaps:
+    """The maps of one repeat with so many columns and rows."""
+    types = array_types(float_type)
+    columns, rows = counts
+    index = dr.arange(types.UInt32, columns * rows)
+    row = index // columns
+    x = (types.Float(index - row * columns) + 0.5) * (geometry.size[0] / columns)
+    y = (types.Float(row) + 0.5) * (geometry.size[1] / rows)
+    points = [geometry.surface(x, y, dr.full(types.Bool, back, len(x))) for back in (False, True)]
+    dr.eval(points)
+    horizons = HorizonMap(geometry, counts, float_type)
+
+    def both(*parts: NDArray[_Number]) -> NDArray[_Number]:
+        return np.stack([part.reshape(rows, columns, *part.shape[1:]) for part in parts])
+
+    return FeatureMaps(
+        hole=both(*(np.array(point.hole.numpy(), bool) for point in points)),
+        is_warp=both(*(np.array(point.is_warp.numpy(), bool) for point in points)),
+        thread=both(
+            *(
+                dr.select(point.is_warp, point.warp_thread, point.weft_thread).numpy().astype(np.int32)
+                for point in points
+            )
+        ),
+        normal=both(*(point.normal.numpy().T for point in points)),
+        tangent=both(*(point.tangent.numpy().T for point in points)),
+        horizon=horizons.sine,
+    )
+
+
+# --------------------------------------------------------------------------------------------------- clusters
+# Clusters of texels whose visibility is alike: k-means (zhu2024 4.2).
+
+
+NO_CLUSTER = 255
+_TRAINING = 1 << 13
+_ROUNDS = 24
+# Bins of directions a side.
+_DIRECTIONS = 8
+
+
+def label_texels(maps: FeatureMaps, lobes: NDArray[np.float32], per_face: int) -> NDArray[np.uint8]:
+    """The cluster of every texel [2 faces, rows, columns]; `NO_CLUSTER` in holes.
+
+    Visibility decides, by the values of the lobes towards directions all over the hemisphere: the paper takes
+    their parameters, whose distance says less of it. The first half of the clusters of a face is the warp's.
+
+    Args:
+        lobes: see `Gaussians`.
+        per_face: clusters, an even number.
+    """
+    labels = np.full(maps.hole.shape, NO_CLUSTER, np.uint8)
+    half = per_face // 2
+    for face in (0, 1):
+        for first, family in ((0, maps.is_warp[face]), (half, ~maps.is_warp[face])):
+            of_family = family & ~maps.hole[face]
+            if of_family.any():
+                labels[face][of_family] = first + _k_means(_features(maps, lobes, face, of_family), half)
+    return labels
+
+
+def _features(
+    maps: FeatureMaps, lobes: NDArray[np.float32], face: int, chosen: NDArray[np.bool_]
+) -> NDArray[np.float32]:
+    """Vectors whose squared distance is the dissimilarity of texels [n, 16]."""
+    of_family = lobes[face][chosen]
+    seen = [lobe_values(of_family, direction) for direction in bin_centres(_DIRECTIONS)]
+    return np.stack(seen, axis=1)
+
+
+def _k_means(points: NDArray[np.float32], count: int) -> NDArray[np.uint8]:
+    """The nearest of `count` means for each point [n]; the same for the same points."""
+    rng = np.random.default_rng(0)
+    training = points[rng.permutation(len(points))[:_TRAINING]]
+    # k-means++: each further mean is drawn in proportion to the squared distance from those before.
+    means = training[:1]
+    while len(means) < min(count, len(training)):
+        distance = _squared_distances(training, means).min(axis=1)
+        total = float(distance.sum())
+        if total <= 0:
+            break
+        means = np.concatenate([means, training[[rng.choice(len(training), p=distance / total)]]])
+    for _ in range(_ROUNDS):
+        label = _squared_distances(training, means).argmin(axis=1)
+        for number in range(len(means)):
+            if (label == number).any():
+                means[number] = training[label == number].mean(axis=0)
+    found: NDArray[np.uint8] = _squared_distances(points, means).argmin(axis=1).astype(np.uint8)
+    return found
+
+
+def _squared_distances(points: NDArray[np.float32], means: NDArray[np.float32]) -> NDArray[np.float64]:
+    """[n, k], never negative."""
+    products = points @ means.T
+    squares = np.square(points).sum(axis=1)[:, None] + np.square(means).sum(axis=1) - 2 * products
+    return np.maximum(squares.astype(np.float64), 0)
+
+
+# --------------------------------------------------------------------------------------------- density tables
+# Fibre densities D by half vector, compressed by clustered principal components (zhu2024 4.3 and 4.4).
+#
+# In cluster k, the density of the texel p at half vector h is
+#
+#     D(p, h) ≈ μ_k(h) + Σ_r a_r(p) B_kr(h)
+#
+# The summed-area tables of the coefficients a_r over each cluster are the summed-area tables of the
+# compressed densities, as sums are linear: the bake never makes the uncompressed ones, and takes no
+# averages out of them.
+
+
+# Texels whose compression error is measured, of each cluster.
+_MEASURED = 256
+
+
+@dataclass(frozen=True, eq=False)
+class DensityTables:
+    """Compressed densities of both faces.
+
+    Attributes:
+        basis: μ and B, 1/sr [2 faces, bins, 1 + rank, clusters].
+        coefficients: whole numbers [2 faces, rows, columns, rank].
+        error: mean squared difference from D, over the mean of D².
+    """
+
+    basis: NDArray[np.float32]
+    coefficients: NDArray[np.int8]
+    error: float
+
+
+def density_tables(
+    labels: NDArray[np.uint8],
+    tangent: NDArray[np.float32],
+    roughness: tuple[float, float],
+    clusters: int,
+    rank: int,
+) -> DensityTables:
+    """Compresses the densities of texels.
+
+    Args:
+        labels: [2 faces, rows, columns].
+        tangent: unit fibre directions [2 faces, rows, columns, 3].
+        roughness: of warp and weft.
+        rank: principal components of each cluster, beside the mean.
+    """
+    halves = bin_centres().astype(np.float32)
+    basis = np.zeros((2, len(halves), 1 + rank, clusters), np.float32)
+    coefficients = np.zeros((*labels.shape, rank), np.int8)
+    squared_error = squares = 0.0
+    rng = np.random.default_rng(0)
+    for face in (0, 1):
+        for cluster in range(clusters):
+            chosen = np.flatnonzero(labels[face].ravel() == cluster)
+            if not len(chosen):
+                continue
+            alpha = roughness[0] if cluster < clusters // 2 else roughness[1]
+            fibres = tangent[face].reshape(-1, 3)[chosen]
+            rows_of = partial(_rows, fibres, halves, alpha)
+            found = compressed(rows_of, len(chosen), rank, rng)
+            coefficients[face].reshape(labels[face].size, rank)[chosen] = found.coefficients
+            basis[face, :, :, cluster] = found.basis.T
+            few = rng.permutation(len(chosen))[:_MEASURED]
+            exact = rows_of(few)
+            rest = exact - found.basis[0] - found.coefficients[few].astype(np.float32) @ found.basis[1:]
+            squared_error += float(np.square(rest).mean()) * len(chosen)
+            squares += float(np.square(exact).mean()) * len(chosen)
+    return DensityTables(basis, coefficients, squared_error / max(squares, 1e-30))
+
+
+def _rows(
+    fibres: NDArray[np.float32], halves: NDArray[np.float32], roughness: float, numbers: NDArray[np.intp]
+) -> NDArray[np.float32]:
+    return densities(fibres[numbers], halves, roughness)
+
+
+def densities(
+    tangent: NDArray[np.float32], halves: NDArray[np.float32], roughness: float
+) -> NDArray[np.float32]:
+    """D(h) of fibres [n, bins], 1/sr; see `scattering.fibre.density`."""
+    squared = np.float32(roughness * roughness)
+    along = tangent @ halves.T
+    p = along * along * (1 - squared) + squared
+    return (squared * (roughness / np.pi) / (p * p)).astype(np.float32, copy=False)
+
+
+# ----------------------------------------------------------------------------------------------- light tables
+# Visibility of each cluster by the direction of the light: means over its texels (zhu2024 4.2).
+
+
+# Texels of a cluster that stand for all.
+_TEXELS = 1024
+
+
+def light_tables(lobes: NDArray[np.float32], labels: NDArray[np.uint8], clusters: int) -> NDArray[np.float32]:
+    """v̄, the mean visibility of clusters [2 faces, 2 sides, bins, clusters]; side 1 is light from behind.
+
+    Args:
+        lobes: see `Gaussians`.
+    """
+    directions = bin_centres()
+    table = np.zeros((2, 2, len(directions), clusters), np.float32)
+    rng = np.random.default_rng(0)
+    for face in (0, 1):
+        flat = labels[face].ravel()
+        order = rng.permutation(flat.size)
+        parts = [order[flat[order] == cluster][:_TEXELS] for cluster in range(clusters)]
+        sizes = np.array([len(part) for part in parts])
+        texels = np.concatenate(parts)
+        present = np.flatnonzero(sizes)
+        starts = (np.cumsum(sizes) - sizes)[present]
+        for side in (0, 1):
+            # Light from the other side falls on the other face, whose lobes are in its own frame.
+            seen = lobes[face ^ side].reshape(-1, LOBE_NUMBERS)[texels]
+
+            def of_direction(
+                direction: NDArray[np.float64],
+                seen: NDArray[np.float32] = seen,
+                starts: NDArray[np.intp] = starts,
+            ) -> NDArray[np.float32]:
+                return np.add.reduceat(lobe_values(seen, direction), starts)
+
+            sums = np.stack(parallel_map(of_direction, directions))
+            table[face, side][:, present] = sums / sizes[present]
+    return table
+
+
+# ----------------------------------------------------------------------------------------------------- tables
+
 
 # Numbers of a cluster (`ClusterTables.moments`) and of a texel (`ClusterTables.texels`).
 NUMBERS, TEXEL_NUMBERS = 8, 12

@@ -14,10 +14,10 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source
 from loomlight.models.interface import Report, ShaderTables
 from loomlight.models.lobes.bsdf import LobesBsdf
-from loomlight.models.lobes.joint_lookup import JOINT_FACTORS
+from loomlight.models.lobes.point_sampled import RegimeScale
 from loomlight.models.lobes.prefiltered import PrefilteredLobes
-from loomlight.models.lobes.regimes import RegimeScale
 from loomlight.models.lobes.tables import LobeTables, bake_tables, given_numbers
+from loomlight.models.lobes.visibility import JOINT_FACTORS
 from loomlight.models.options import Options
 from loomlight.scattering.point import YarnScattering
 from loomlight.sources.kinds import Source

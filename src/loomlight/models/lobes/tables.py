@@ -13,16 +13,25 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import FloatType
 from loomlight.core.frozen import FrozenArg
 from loomlight.core.tables import Shown, Tables, computed, derived, flag, given, setting, size, table
-from loomlight.models.lobes import regimes
-from loomlight.models.lobes.cloth_samples import top_down_samples, upload_cloth
-from loomlight.models.lobes.coverage_pyramid import CoveragePyramid, build_pyramid, count_cells, cover_hidden
+from loomlight.models.lobes import point_sampled
+from loomlight.models.lobes.coverage import CoveragePyramid, build_pyramid, count_cells, cover_hidden
 from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups
-from loomlight.models.lobes.hemisphere import NODES
-from loomlight.models.lobes.joint_lookup import JOINT_FACTORS, JOINT_NODES
-from loomlight.models.lobes.joint_visibility import joint_factors, launch_joint
-from loomlight.models.lobes.packed_uint8 import byte_of_group, pack_count
-from loomlight.models.lobes.visibility_rays import launch_rays, launch_views, view_samples
-from loomlight.models.lobes.visibility_tables import VisibilityTables, tabulate_visibility
+from loomlight.models.lobes.hemisphere import NODES, byte_of_group, pack_count
+from loomlight.models.lobes.rays import (
+    launch_rays,
+    launch_views,
+    top_down_samples,
+    upload_cloth,
+    view_samples,
+)
+from loomlight.models.lobes.visibility import (
+    JOINT_FACTORS,
+    JOINT_NODES,
+    VisibilityTables,
+    joint_factors,
+    launch_joint,
+    tabulate_visibility,
+)
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 
@@ -42,7 +51,7 @@ def _pyramid_fault(levels: NDArray[np.int64]) -> str:
 class LobeTables(Tables):
     """The tables of one fabric, both faces: in files, on devices and in shaders.
 
-    See `coverage_pyramid`, `visibility_tables` and `groups` for what they are made of.
+    See `coverage`, `visibility` and `groups` for what they are made of.
     """
 
     # 2: shadow rays start from hits. 3: joint visibility is a table.
@@ -126,7 +135,7 @@ class LobeTables(Tables):
         words="words",
     )
     joint: NDArray[np.int16] = table(
-        "factors of joint over independent visibility, 16-bit numbers; see `joint_lookup`",
+        "factors of joint over independent visibility, 16-bit numbers; see `JointLookup`",
         ("2 faces", "2 sides", "2 of view and light", f"{JOINT_NODES} nodes", JOINT_FACTORS),
         words="bytes",
     )
@@ -154,7 +163,7 @@ def given_numbers(layout: ClothLayout, base_size: float) -> dict[str, float]:
     width, height = layout.size
     picks, ends = layout.warp_on_top.shape
     thread = math.sqrt(width / ends * height / picks)
-    unit = max(thread, regimes.SQUARE_SCALE * base_size)
+    unit = max(thread, point_sampled.SQUARE_SCALE * base_size)
     return {"threads_per_mm": 1 / thread, "unit_level": math.log2(unit)}
 
 

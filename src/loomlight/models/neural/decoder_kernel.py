@@ -45,7 +45,7 @@ from loomlight.models.neural.codings import (
     one_blob,
     unmapped,
 )
-from loomlight.models.neural.footprint_coding import (
+from loomlight.models.neural.encoded_fabric import (
     FINEST_LEVEL,
     PACKET,
     AnisotropicTaps,

@@ -19,8 +19,7 @@ from loomlight.core.footprint import ANISOTROPIC_TAPS
 from loomlight.core.simd import aligned, host_target, is_host_type
 from loomlight.models.neural.codings import Fibre
 from loomlight.models.neural.decoder_kernel import correction_layers
-from loomlight.models.neural.encoded_fabric import EncodedFabric
-from loomlight.models.neural.footprint_coding import FINEST_LEVEL, PACKET, AnisotropicTaps
+from loomlight.models.neural.encoded_fabric import FINEST_LEVEL, PACKET, AnisotropicTaps, EncodedFabric
 from loomlight.models.neural.weights import Weights
 
 
@@ -166,7 +165,7 @@ class LatentTable:
         return x - ends * dr.floor(x / ends), y - picks * dr.floor(y / picks)
 
     def _taps(self, level: UInt, x: Float, y: Float) -> list[tuple[UInt, Float]]:
-        """Texels and bilinear weights of one level; see `footprint_coding.taps`."""
+        """Texels and bilinear weights of one level; see `encoded_fabric.taps`."""
         types = self._types
         numbers = dr.gather(types.Vector4, self._levels, level)
         first, columns, rows, per_thread = (numbers[k] for k in range(4))

@@ -20,15 +20,24 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
 from loomlight.models.interface import Parameter, Report, ShaderTables, Values
 from loomlight.models.networks import LearnedProposal, ReluNetwork
+from loomlight.models.neural.codings import light_visibility_of
 from loomlight.models.neural.decoder import Decoder, ViewActivations, decoder_cost, decoder_of, shader_network
-from loomlight.models.neural.encoded_fabric import EncodedFabric, sizes_of
-from loomlight.models.neural.encoder import repeat_threads
-from loomlight.models.neural.encoding import encode, encode_pair
-from loomlight.models.neural.footprint_coding import AnisotropicTaps, mean_pitch, taps_of_footprint
+from loomlight.models.neural.encoded_fabric import (
+    AnisotropicTaps,
+    EncodedFabric,
+    mean_pitch,
+    sizes_of,
+    taps_of_footprint,
+)
+from loomlight.models.neural.encoding import encode, encode_pair, repeat_threads
 from loomlight.models.neural.latent_table import LatentTable
-from loomlight.models.neural.light_visibility import light_visibility_of
-from loomlight.models.neural.proposal import Proposal, proposal_of
-from loomlight.models.neural.sampler_network import neural_proposal, sampler_layers, sampler_of
+from loomlight.models.neural.proposal import (
+    Proposal,
+    neural_proposal,
+    proposal_of,
+    sampler_layers,
+    sampler_of,
+)
 from loomlight.models.neural.weights import Weights, read_weights, shipped_weights
 from loomlight.models.options import Options
 from loomlight.models.separable import Components, Evaluation, FilteredBsdf

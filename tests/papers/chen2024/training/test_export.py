@@ -12,8 +12,8 @@ import onnxruntime
 import pytest
 import torch
 
-from loomlight.models.neural.encoder import encoder_session
-from loomlight.models.neural.footprint_coding import levels_of
+from loomlight.models.neural.encoded_fabric import levels_of
+from loomlight.models.neural.encoding import encoder_session
 from loomlight.models.neural.weights import encoder_path, read_weights, shipped_weights
 from papers.chen2024.training.export import encoder_model, export_encoder
 from tests.models.neural.networks import TABLES, network, weights_of, written

@@ -6,7 +6,7 @@ Covers: papers/chen2024/training/random_fabrics.py
 import numpy as np
 import pytest
 
-from loomlight.models.neural.parameter_ranges import LAYOUT_RANGES, PARAMETER_RANGES
+from loomlight.models.neural.weights import LAYOUT_RANGES, PARAMETER_RANGES
 from loomlight.weave.named import named_weave
 from papers.chen2024.training.random_fabrics import random_fabric
 from papers.chen2024.training.weaves import (

@@ -94,7 +94,7 @@ export function planBake(layout: ClothLayout, perFamily: number): BakePlan {
       spacing_y: height / picks,
       texel_x: width / (columns * across),
       texel_y: height / (rows * along),
-      // Squares twice as wide have four times the variance; see `coverage_pyramid.Spacing`.
+      // Squares twice as wide have four times the variance; see `coverage.Spacing`.
       far_weight: ((nodes ** 2 - 2) / 4 - 1 / 4) / 2,
     },
     sizes,
@@ -142,7 +142,7 @@ function levelsOf(columns: number, rows: number): [number, number, number][] {
   }
 }
 
-/** Weights of the cell itself and of those 1, 2, … cells away after all blur steps; see `coverage_pyramid`. */
+/** Weights of the cell itself and of those 1, 2, … cells away after all blur steps; see `models/lobes/coverage.py`. */
 function tapWeights(cells: number): number[] {
   const missing = (TENT_VARIANCE * cells ** 2 - 3) / 12;
   const steps = clamp(Math.ceil(missing / (2 * MAX_BLUR)), 1, MAX_BLUR_STEPS);

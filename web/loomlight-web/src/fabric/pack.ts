@@ -1,4 +1,4 @@
-/** Fabrics as shaders read them: one record a fabric, and 32-bit words of all tables; see `realtime/tables.py`. */
+/** Fabrics as shaders read them: one record a fabric, and 32-bit words of all tables; see `realtime/words.py`. */
 import {
   CELL_MAX_LEVELS,
   FIBRES_ACROSS,

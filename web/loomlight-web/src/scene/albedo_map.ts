@@ -1,4 +1,4 @@
-/** Albedo maps for shaders: a pyramid of means of a picture, packed into words; see `realtime/albedo_map.py`. */
+/** Albedo maps for shaders: a pyramid of means of a picture, packed into words; see `realtime/scene.py`. */
 import { clamp, InputError, rint } from "loomlight-fabric";
 
 import { MAX_SIDE, ROOT_STEPS } from "../generated.ts";

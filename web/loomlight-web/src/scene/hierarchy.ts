@@ -1,4 +1,4 @@
-/** A bounding volume hierarchy over triangles: a complete binary tree, split at medians; see `realtime/bvh.py`. */
+/** A bounding volume hierarchy over triangles: a complete binary tree, split at medians; see `realtime/scene.py`. */
 import { FACES_A_LEAF, NO_FACE } from "../generated.ts";
 
 export interface Hierarchy {

@@ -1,4 +1,4 @@
-/** A camera that orbits about a target: what a pointer moves; see `realtime/orbit.py`. */
+/** A camera that orbits about a target: what a pointer moves; see `realtime/viewer.py`. */
 import { clamp, InputError } from "loomlight-fabric";
 
 import { NOTCH, STEEPEST_DEGREES, TURN_DEGREES } from "../generated.ts";

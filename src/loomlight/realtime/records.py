@@ -92,7 +92,7 @@ FABRIC: Fields = (
     (
         "openness",
         "uint",
-        "first word of the numbers of light between yarns (openness_tables.py); 2³² − 1: none",
+        "first word of the numbers of light between yarns (`Openness`); 2³² − 1: none",
     ),
     ("albedo_map", "uint", "first texel, in scene_words, of a map that diffuse albedos are multiplied by"),
     (
@@ -259,7 +259,7 @@ BUFFERS: dict[str, tuple[str, bool]] = {
     "families": ("Family", False),
     "words": ("uint", False),
     "packed_numbers": ("uint4", False),  # networks and latents: eight halves or four singles an element
-    "scene_words": ("uint", False),  # hierarchy, meshes, albedo maps, environment, lights: `scene_words.py`
+    "scene_words": ("uint", False),  # hierarchy, meshes, albedo maps, environment, lights: `scene.py`
     "layers": ("Layer", True),  # what each pixel sees of the layer that is shaded
     "visibilities": ("float", True),  # share of each light that reaches each pixel [light, pixel]
     "radiance": ("float4", True),  # sums over passes, and the share of cloth

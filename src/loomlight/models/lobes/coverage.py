@@ -1,8 +1,7 @@
-"""Coverage: the fraction of the cloth that each group covers, as a mip pyramid of uint8 over the repeat.
+"""The fraction of the cloth that each group covers: a mip pyramid over the repeat, its lookups, and its bake.
 
-Level m stores means over squares of side s_m = s_0·2^m around nodes s_m/3 apart; the last level has one node.
-The squares are tent filters: a box filter resonates with the period of the weave more than pixels do. Memory
-is bounded: s_0 is one thread, and more for drafts of hundreds of threads.
+`CoverageLookup` reads the pyramid over a footprint, `count_cells` and `build_pyramid` make it; drafts of many
+crossings of few kinds are counted by kinds.
 """
 
 from __future__ import annotations
@@ -16,15 +15,291 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.arrays import UInt
-from loomlight.core.backend import ArrayTypes, InvariantDivider
+from loomlight.core.arrays import Float, Mask, UInt
+from loomlight.core.backend import ArrayTypes, InvariantDivider, clip, maximum, minimum, upload
+from loomlight.core.footprint import Footprint
 from loomlight.core.frozen import FrozenArg, FrozenFunction
-from loomlight.models.lobes.cell_kinds import CELL_COUNT, CrossingKinds, count_by_kinds
-from loomlight.models.lobes.cloth_samples import UploadedCloth
-from loomlight.models.lobes.coverage_lookup import TENT_VARIANCE
+from loomlight.core.parallel_map import parallel_map
 from loomlight.models.lobes.groups import Groups, NearestGroup, stand_ins
-from loomlight.models.lobes.packed_uint8 import byte_of_group, pack_count
+from loomlight.models.lobes.hemisphere import byte_of_group, mean_of_packs, pack_count
+from loomlight.models.lobes.rays import GOLDEN_FRACTION, LATTICE_SHIFT, UploadedCloth
 from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.threads import MAX_TABLE, DistinctWords, distinct_numbers, row_blocks
+
+# -------------------------------------------------------------------------------------------- coverage lookup
+# Anisotropic lookups in the coverage pyramid: the fraction of a footprint that each group covers.
+#
+# A footprint is the mean of nine taps, three along each of its edges, each at the nearest node of the
+# pyramid, as anisotropic filtering reads mip maps: footprints are elongated and rotated against the threads,
+# and one square tap does not fit them.
+#
+# A pixel's box filter has zeros at the frequencies f of the pixel grid, where f·a and f·b are integers (not
+# both 0) for its edges a and b: threads near such a frequency would alias to long waves, but vanish from the
+# box. Nine equal taps a third of the edges apart have the same zeros, except where both integers are
+# multiples of 3, which the taps' own filter damps. So all taps of a footprint are of one level: taps of two
+# levels fill the zeros, and pictures show rings of moiré.
+
+
+# Variance of the first level's tent filters over that of the square they stand for: at 1 estimates err 1.5 %
+# more, at 1.6 they lose contrast.
+TENT_VARIANCE = 1.3
+# Positions of the taps in units of the footprint's edges.
+TAP_OFFSETS = tuple((i / 3, j / 3) for i in (-1, 0, 1) for j in (-1, 0, 1))
+# Largest side of a tap over that of the footprint; the smallest is half of it. Pictures of three fabrics have
+# the same error from 0.6 to 0.75; smaller taps damp threads at three times the pixels' frequency too little.
+TAP_SIZE = 0.68
+# The least spacing of the taps, in units of `base_size`: that of the first level's nodes.
+MIN_TAP_SPACING = 1 / 3
+# Smallest extent of a footprint that is divided by, in units of `base_size`.
+MIN_FOOTPRINT = 1e-6
+
+
+@dataclass
+class CoverageTaps:
+    """Nodes of the pyramid whose mean stands for a footprint.
+
+    Attributes:
+        nodes: their indices.
+    """
+
+    nodes: list[UInt]
+
+
+class CoverageLookup:
+    """The coverage pyramid on one backend.
+
+    CPUs load contiguous words at once and gather single words one by one. So groups are loaded two packs at a
+    time, and holes, whose bytes are stored apart, eight nodes at a time, of which one is used.
+
+    Attributes:
+        pack_pairs: pairs of packs of groups a node.
+    """
+
+    def __init__(
+        self,
+        base_size: float,
+        levels: NDArray[np.int64],
+        table: NDArray[np.uint8],
+        repeat: tuple[float, float],
+        types: ArrayTypes,
+    ) -> None:
+        """Uploads a pyramid.
+
+        Args:
+            base_size, levels, table: see `CoveragePyramid`.
+            repeat: width and height of the repeat, millimetres.
+        """
+        self._types = types
+        self._inverse_size = dr.opaque(types.Float, 1 / base_size)
+        self._inverse_repeat = [dr.opaque(types.Float, 1 / side) for side in repeat]
+        self._last_level = dr.opaque(types.Float, len(levels) - 1)
+        self._face = dr.opaque(types.UInt32, table.shape[1])
+        # Node indices stay below 2²⁴, which float32 holds exactly.
+        self._levels = upload(types.Float, np.pad(levels, ((0, 0), (0, 1))).astype(np.float32))
+        self.pack_pairs = (table.shape[2] - 4) // 8
+        self._row = dr.opaque(types.UInt32, self.pack_pairs)
+        self._groups = upload(types.UInt32, np.ascontiguousarray(table[..., :-4]).view("<u4"))
+        holes = table[..., -4].ravel()
+        self._holes = upload(types.UInt32, np.pad(holes, (0, -holes.size % 8)).view("<u4"))
+
+    def taps(self, footprint: Footprint, back: Mask) -> CoverageTaps:
+        """Nodes that stand for a footprint, millimetres, of the face that is seen."""
+        types = self._types
+        level, spacing = self._level_and_spacing(footprint)
+        first, columns, rows, _ = dr.gather(types.Vector4, self._levels, types.UInt32(level))
+        start = dr.select(back, self._face, 0)
+        nodes = self._nodes(footprint, spacing, first, columns, rows)
+        return CoverageTaps([start + types.UInt32(node) for node in nodes])
+
+    def groups(self, taps: CoverageTaps, pack_pair: UInt) -> list[list[Float]]:
+        """Means over the taps of the bytes of two packs, 0 to 255: twice four Floats."""
+        packs = [
+            dr.gather(self._types.Index2, self._groups, dr.fma(node, self._row, pack_pair))
+            for node in taps.nodes
+        ]
+        return [mean_of_packs(self._types, [pair[half] for pair in packs]) for half in range(2)]
+
+    def holes(self, taps: CoverageTaps) -> Float:
+        """Mean over the taps of the byte of holes, 0 to 255."""
+        total = self._types.UInt32(0)
+        for node in taps.nodes:
+            packs = dr.gather(self._types.Index2, self._holes, node >> 3)
+            total += (dr.select((node & 4) == 4, packs.y, packs.x) >> ((node & 3) << 3)) & 255
+        return self._types.Float(total) * (1 / len(taps.nodes))
+
+    def _level_and_spacing(self, footprint: Footprint) -> tuple[Float, Float]:
+        """The pyramid level of a footprint's taps, and their spacing.
+
+        Returns:
+            the level, an integer; and the spacing of the taps in units of a third of the footprint. The
+            spacing is below 1 where taps are nearly as large as the footprint, so that their union is not too
+            wide, but no less than the spacing of nodes: nine taps at one node would show as steps.
+        """
+        relative = footprint.spread_side * self._inverse_size
+        level: Float = dr.log2(maximum(TAP_SIZE * relative, 1))
+        level = minimum(dr.floor(level), self._last_level)
+        inverse = dr.rcp(maximum(relative, MIN_FOOTPRINT))
+        spacing = dr.sqrt(clip(TENT_VARIANCE * (1 - dr.square(inverse)), 0, 1))
+        return level, minimum(maximum(spacing, MIN_TAP_SPACING * inverse), 1)
+
+    def _nodes(
+        self, footprint: Footprint, spacing: Float, first: Float, columns: Float, rows: Float
+    ) -> Iterator[Float]:
+        """Indices of the nodes at `TAP_OFFSETS`, integers.
+
+        Args:
+            first, columns, rows: first node, columns and rows of the level.
+        """
+        across, along = self._inverse_repeat
+        x, y = footprint.centre.x * across, footprint.centre.y * along
+        first_x, second_x = (spacing * edge.x * across for edge in (footprint.duv_dx, footprint.duv_dy))
+        first_y, second_y = (spacing * edge.y * along for edge in (footprint.duv_dx, footprint.duv_dy))
+        for s, t in TAP_OFFSETS:
+            column = _wrapped_cell(dr.fma(s, first_x, dr.fma(t, second_x, x)), columns)
+            row = _wrapped_cell(dr.fma(s, first_y, dr.fma(t, second_y, y)), rows)
+            yield dr.fma(row, columns, column) + first
+
+
+def _wrapped_cell(position: Float, count: Float) -> Float:
+    """Index of the cell, of so many along the repeat, that holds a position in units of the repeat."""
+    return minimum(dr.floor((position - dr.floor(position)) * count), count - 1)
+
+
+# ------------------------------------------------------------------------------------------------- cell kinds
+# Coverage of the cells of large drafts, counted by kinds of crossings.
+#
+# Where threads are all alike, the surface within a crossing depends on its two run words alone, and the
+# crossings of a draft are of few kinds. The groups of each kind are counted once; a cell is the sum of its
+# crossings, those at its sides by the part that lies in it.
+
+
+# Points of each kind and face.
+KIND_POINTS = 610
+# Crossings of a kind on average, at least: with fewer, texels of all crossings are counted as soon.
+MIN_CROSSINGS = 64
+# What the counts of a cell add up to.
+CELL_COUNT = 255
+# Kinds whose points are counted at once.
+_CROSSINGS_AT_ONCE = 1 << 14
+
+
+@dataclass(frozen=True, eq=False)
+class CrossingKinds:
+    """The kinds of a draft's crossings: pairs of run words.
+
+    Attributes:
+        places: number of a crossing of each kind, row by row.
+    """
+
+    words: NDArray[np.uint32]
+    distinct: tuple[DistinctWords, DistinctWords]
+    indices: NDArray[np.intp]
+    places: NDArray[np.intp]
+
+    @classmethod
+    def find(cls, geometry: YarnGeometry) -> CrossingKinds | None:
+        """The kinds of crossings; None where threads differ, or crossings too much."""
+        warp, weft = geometry.families
+        if warp.distinct is None or weft.distinct is None or not (warp.uniform and weft.uniform):
+            return None
+        words, distinct = geometry.words[0], (warp.distinct, weft.distinct)
+        count = warp.distinct.values.size * weft.distinct.values.size
+        if count > MAX_TABLE:
+            return None
+        pairs = (_pairs(words[rows], *distinct) for rows in row_blocks(*words.shape[:2]))
+        _, indices, places = distinct_numbers(pairs, count)
+        is_few = places.size * MIN_CROSSINGS <= words[..., 0].size
+        return cls(words, distinct, indices, places) if is_few else None
+
+    def of_pick(self, pick: int) -> NDArray[np.intp]:
+        """The kinds of the crossings of a pick [ends]."""
+        return self.indices.take(_pairs(self.words[pick], *self.distinct))
+
+
+def _pairs(words: NDArray[np.uint32], warp: DistinctWords, weft: DistinctWords) -> NDArray[np.intp]:
+    return warp.indices(words[..., 0]) * weft.values.size + weft.indices(words[..., 1])
+
+
+def count_by_kinds(
+    cloth: UploadedCloth, nearest: NearestGroup, kinds: CrossingKinds, shape: tuple[int, int, int, int]
+) -> NDArray[np.uint8]:
+    """Counts of each group in each cell, which add up to `CELL_COUNT`.
+
+    Args:
+        shape: of the result: 2 faces, rows, columns, bytes of a cell.
+    """
+    _, rows, columns, size = shape
+    per_kind = _points_by_group(cloth, nearest, kinds.places, size) * np.float32(CELL_COUNT / KIND_POINTS)
+    picks, ends = kinds.words.shape[:2]
+    (pick_of, high), (end_of, wide) = _overlaps(picks, rows), _overlaps(ends, columns)
+    # Rounded up as often as their fraction says: shares below half a count are not lost.
+    levels = (np.arange(columns * 2 * size, dtype=np.uint32) * np.uint32(GOLDEN_FRACTION)).astype(np.float32)
+    levels = levels.reshape(columns, 2 * size) / np.float32(2**32)
+    counts = np.empty(shape, np.uint8)
+
+    def count_row(row: int) -> None:
+        line = np.zeros((ends, 2 * size), np.float32)
+        for pick, share in zip(pick_of[row], high[row], strict=True):
+            line += per_kind.take(kinds.of_pick(pick), axis=0) * share
+        cells = levels + np.float32(row * LATTICE_SHIFT[0] % 2**32 / 2**32)
+        cells -= np.floor(cells)
+        for end, share in zip(end_of.T, wide.T, strict=True):
+            cells += line.take(end, axis=0) * share[:, None]
+        np.minimum(cells, CELL_COUNT, out=cells)
+        counts[:, row] = cells.astype(np.uint8).reshape(columns, 2, size).swapaxes(0, 1)
+
+    parallel_map(count_row, range(rows))
+    return counts
+
+
+def _overlaps(threads: int, cells: int) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
+    """Threads that may lie in each cell along an axis, and the share of the cell that each takes up."""
+    cell = np.arange(cells)[:, None]
+    thread = cell * threads // cells + np.arange(-(-threads // cells) + 1)
+    # In parts of a thread, `cells` of them.
+    end = np.minimum((thread + 1) * cells, (cell + 1) * threads)
+    shared = np.maximum(end - np.maximum(thread * cells, cell * threads), 0)
+    return np.minimum(thread, threads - 1), (shared / threads).astype(np.float32)
+
+
+def _points_by_group(
+    cloth: UploadedCloth, nearest: NearestGroup, places: NDArray[np.intp], size: int
+) -> NDArray[np.float32]:
+    """How many of the `KIND_POINTS` of each kind lie in each group, by byte [kinds, 2 faces · `size`]."""
+    types = cloth.types
+    picks, ends = cloth.geometry.layout.warp_on_top.shape
+    width, height = (dr.opaque(types.Float, side) for side in cloth.geometry.size)
+    x_step, y_step = (dr.opaque(types.Float, 1 / count) for count in (ends, picks))
+    row = dr.opaque(types.UInt32, size)
+    found = []
+    for first in range(0, places.size, _CROSSINGS_AT_ONCE):
+        part = places[first : first + _CROSSINGS_AT_ONCE]
+        counts = dr.zeros(types.UInt32, part.size * 2 * size)
+        lane = dr.arange(types.UInt32, part.size * 2 * KIND_POINTS)
+        point, side = lane % KIND_POINTS, lane // KIND_POINTS
+        kind = (side >> 1) + dr.opaque(types.UInt32, first)
+        pick, end = (
+            dr.gather(types.Float, upload(types.Float, at), side >> 1) for at in np.divmod(part, ends)
+        )
+        # A lattice, shifted from kind to kind.
+        u, v = (
+            types.Float((point * step + kind * shift) >> 8) * 2**-24
+            for step, shift in zip((2**32 // KIND_POINTS, GOLDEN_FRACTION), LATTICE_SHIFT, strict=True)
+        )
+        back = (side & 1) == 1
+        surface = cloth.geometry.surface((end + u) * x_step * width, (pick + v) * y_step * height, back)
+        dr.scatter_add(counts, types.UInt32(1), side * row + nearest.find_byte(back, surface))
+        found.append(counts.numpy().reshape(part.size, 2 * size))
+    return np.concatenate(found).astype(np.float32)
+
+
+# ------------------------------------------------------------------------------------------- coverage pyramid
+# Coverage: the fraction of the cloth that each group covers, as a mip pyramid of uint8 over the repeat.
+#
+# Level m stores means over squares of side s_m = s_0·2^m around nodes s_m/3 apart; the last level has one
+# node. The squares are tent filters: a box filter resonates with the period of the weave more than pixels
+# do. Memory is bounded: s_0 is one thread, and more for drafts of hundreds of threads.
+
 
 # Blur steps that make tents of cells: what each neighbour gives to a cell, at most (no weight may be
 # negative), and how many there may be. Repeats that need more have three nodes at most, and are uniform by
