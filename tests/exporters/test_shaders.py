@@ -17,8 +17,6 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 from drjit.llvm import Array2f, Array3f, Float, UInt32
-from loomlight.exporters import buffers
-from loomlight.exporters.libraries import LANGUAGES, library
 
 from benchmarks.counted_library import CountedLibrary, queries_of
 from loomlight.core.footprint import Footprint
