@@ -32,7 +32,7 @@ from numpy.typing import NDArray
 from benchmarks.counted_library import CountedLibrary, Counts, queries_of
 from benchmarks.harness import Figures, run
 from benchmarks.random_networks import random_latent, random_neumip
-from loomlight.cli.values import parse_size
+from loomlight.cli.options import parse_size
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.model import ClusteredModel

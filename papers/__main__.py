@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from loomlight.cli.interruption import supervised
+from loomlight.cli.terminal import supervised
 
 
 def main() -> None:

@@ -15,8 +15,9 @@ from loomlight.aggregate.components import colours
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum
 from loomlight.core.errors import InputError
+from loomlight.core.fleet import Report
 from loomlight.core.footprint import Footprint
-from loomlight.models.interface import FootprintBsdf, Model, Report, Values
+from loomlight.models.interface import FootprintBsdf, Model, Values
 from loomlight.models.point import PointModel
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
 from loomlight.scattering.point import DirectionSample, YarnScattering, to_face_frame

@@ -9,9 +9,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NoReturn
 
-from loomlight.cli.interruption import note_left, report_interruption
-from loomlight.cli.progress import done, progress
-from loomlight.cli.values import parse_size, require_within
+from loomlight.cli.options import parse_size, require_within
+from loomlight.cli.terminal import done, note_left, progress, report_interruption
 from loomlight.core.errors import InputError, LoomlightError
 from loomlight.core.outputs import require_not_read
 from papers.catalogue import CATALOGUE, find_item

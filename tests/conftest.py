@@ -113,7 +113,7 @@ def short_training() -> Iterator[None]:
 @pytest.fixture(autouse=True)
 def no_lines_of_progress(monkeypatch: pytest.MonkeyPatch) -> None:
     """Commands write no lines of progress: how many there are is a matter of the machine's load."""
-    monkeypatch.setattr("loomlight.cli.progress.LINE_SECONDS", math.inf)
+    monkeypatch.setattr("loomlight.cli.terminal.LINE_SECONDS", math.inf)
 
 
 @pytest.fixture

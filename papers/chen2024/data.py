@@ -9,11 +9,9 @@ from typing import Annotated
 
 import typer
 
-from loomlight.cli.fleet import ExecutorName, SlurmSettings, Workers, executor_of
-from loomlight.cli.interruption import note_left, supervised
 from loomlight.cli.main import run
-from loomlight.cli.progress import done, progress
-from loomlight.cli.values import require_within
+from loomlight.cli.options import ExecutorName, SlurmSettings, Workers, executor_of, require_within
+from loomlight.cli.terminal import done, note_left, progress, supervised
 from loomlight.core.errors import InputError
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)

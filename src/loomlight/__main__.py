@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-from loomlight.cli.interruption import report_interruption, supervised, was_interrupted
+from loomlight.cli.terminal import report_interruption, supervised, was_interrupted
 
 
 def main() -> None:

@@ -1,6 +1,6 @@
 """`loomlight bake`, and pictures of what it writes.
 
-Covers: models/bake.py, cli/bake_catalogue.py, sources/load.py, cli/fleet.py
+Covers: models/bake.py, sources/load.py, cli/options.py
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Catalogues on clusters of one machine: Slurm through submitit, Dask through joblib; kills and a full disk.
 
-Covers: core/fleet.py, cli/bake_catalogue.py
+Covers: core/fleet.py, models/bake.py
 """
 
 from __future__ import annotations

@@ -17,16 +17,16 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from loomlight.cli import interruption
-from loomlight.cli.interruption import note_left, report_interruption, was_interrupted
+from loomlight.cli import terminal
 from loomlight.cli.main import run
+from loomlight.cli.terminal import note_left, report_interruption, was_interrupted
 from papers.chen2024 import data
 
 
 def started(code: str) -> subprocess.Popen[str]:
     # Python's own handler: what a background job of a shell starts ignores SIGINT otherwise.
     heard = "import signal, sys, time\nsignal.signal(signal.SIGINT, signal.default_int_handler)"
-    program = f"{heard}\nfrom loomlight.cli import interruption\n{code}"
+    program = f"{heard}\nfrom loomlight.cli import terminal\n{code}"
     return subprocess.Popen(
         [sys.executable, "-c", program],
         stdout=subprocess.PIPE,
@@ -41,10 +41,10 @@ DEAF = """
 def work():
     import signal
     signal.signal(signal.SIGINT, lambda *_: None)
-    interruption.note_left("a.png holds a coarse picture.")
+    terminal.note_left("a.png holds a coarse picture.")
     print("begun", flush=True)
     while True: signal.pause()
-sys.exit(interruption.supervised(work))
+sys.exit(terminal.supervised(work))
 """
 # The command, with Python's own handler as in `started`, without lines of progress, and with all the time
 # that a busy machine needs to hear.
@@ -52,20 +52,20 @@ HEARING = """
 import math, signal
 signal.signal(signal.SIGINT, signal.default_int_handler)
 from loomlight.__main__ import main
-from loomlight.cli import interruption, progress
-interruption._END = progress.LINE_SECONDS = math.inf
+from loomlight.cli import terminal
+terminal._END = terminal.LINE_SECONDS = math.inf
 main()
 """
 LISTENING = """
-interruption._END = float("inf")
+terminal._END = float("inf")
 def work():
     import signal
     try:
         print("begun", flush=True)
         while True: signal.pause()
     except KeyboardInterrupt:
-        return interruption.report_interruption()
-sys.exit(interruption.supervised(work))
+        return terminal.report_interruption()
+sys.exit(terminal.supervised(work))
 """
 
 
@@ -75,7 +75,7 @@ sys.exit(interruption.supervised(work))
 )
 def test_it_ends_and_says_what_is_left(code: str, left: str, send: Callable[[int, int], None]) -> None:
     """Work that would go on for ever: that the process ends at all is by the interruption."""
-    assert interruption._END < 1
+    assert terminal._END < 1
     process = started(code)
     assert process.stdout is not None
     assert process.stdout.readline() == "begun\n"
@@ -86,7 +86,7 @@ def test_it_ends_and_says_what_is_left(code: str, left: str, send: Callable[[int
 
 
 def test_exit_codes_pass_through() -> None:
-    process = started("sys.exit(interruption.supervised(lambda: 7))")
+    process = started("sys.exit(terminal.supervised(lambda: 7))")
     assert process.wait() == 7
 
 
@@ -101,7 +101,7 @@ def test_exit_codes_pass_through() -> None:
 )
 def test_work_that_was_ended_says_by_what(name: str, says: str) -> None:
     ended = f"lambda: os.kill(os.getpid(), signal.{name})"
-    process = started(f"import os, signal\nsys.exit(interruption.supervised({ended}))")
+    process = started(f"import os, signal\nsys.exit(terminal.supervised({ended}))")
     _, error = process.communicate()
     assert process.returncode == 128 + getattr(signal, name)
     assert error.startswith(f"loomlight: the work {says}")
@@ -173,7 +173,7 @@ def work():
     from loomlight.cli import main
     main._invoke = lambda *_: raises()
     return run([])
-sys.exit(interruption.supervised(work))
+sys.exit(terminal.supervised(work))
 """
 
 

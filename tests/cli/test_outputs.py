@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from loomlight.cli.progress import done
+from loomlight.cli.terminal import done
 from loomlight.core.errors import InputError
 from loomlight.core.outputs import check_output
 

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from loomlight.cli.progress import Lines, progress
+from loomlight.cli.terminal import Lines, progress
 
 
 def test_short_work_writes_no_lines(capsys: pytest.CaptureFixture[str]) -> None:
@@ -21,7 +21,7 @@ def test_short_work_writes_no_lines(capsys: pytest.CaptureFixture[str]) -> None:
 def test_a_log_gets_a_line_every_ten_seconds(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("loomlight.cli.progress.LINE_SECONDS", 10.0)
+    monkeypatch.setattr("loomlight.cli.terminal.LINE_SECONDS", 10.0)
     now = [0.0]
     lines = Lines("denim", lambda: now[0])
     for second, share, expected in (

@@ -1,6 +1,6 @@
 """Pictures from the command line: whole, reproducible, of the size asked for.
 
-Covers: cli/bake_maps.py, cli/demo.py
+Covers: cli/bake.py, cli/pictures.py
 """
 
 from __future__ import annotations

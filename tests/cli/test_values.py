@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from loomlight.cli.values import MAX_SIDE, parse_numbers, parse_size, require_within
+from loomlight.cli.options import MAX_SIDE, parse_numbers, parse_size, require_within
 from loomlight.core.errors import InputError
 
 

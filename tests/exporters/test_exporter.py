@@ -1,6 +1,6 @@
 """`loomlight export`: targets, folders and faults.
 
-Covers: cli/export.py, exporters/folder.py
+Covers: cli/bake.py, exporters/folder.py
 """
 
 from __future__ import annotations

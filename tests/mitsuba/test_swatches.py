@@ -1,6 +1,6 @@
 """Contact sheets of fabrics.
 
-Covers: cli/swatches.py, core/contact_sheet.py
+Covers: cli/pictures.py, core/contact_sheet.py
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Cloth on a turntable.
 
-Covers: cli/turntable.py
+Covers: cli/pictures.py
 """
 
 from __future__ import annotations

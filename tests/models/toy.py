@@ -10,8 +10,9 @@ import drjit as dr
 
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types
+from loomlight.core.fleet import Report
 from loomlight.core.footprint import Footprint
-from loomlight.models.interface import FootprintBsdf, Model, Report
+from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.scattering.point import DirectionSample
 from loomlight.sources.loom_file import LoomFile
 

@@ -13,9 +13,8 @@ from typing import Annotated
 
 import typer
 
-from loomlight.cli.interruption import note_left, supervised
 from loomlight.cli.main import run
-from loomlight.cli.progress import done
+from loomlight.cli.terminal import done, note_left, supervised
 from loomlight.core.errors import MissingDependencyError
 
 NAME = "python -m papers.chen2024.training"

@@ -1,20 +1,30 @@
-"""`loomlight bake`: a model of a fabric as one file."""
+"""The commands that make files of a fabric: `bake`, `bake-maps` and `export`."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from loomlight.cli.fleet import ExecutorName, SlurmSettings, Workers, executor_of
-from loomlight.cli.interruption import note_left
-from loomlight.cli.progress import done, progress
+from loomlight.cli.options import (
+    ExecutorName,
+    FabricArgument,
+    Given,
+    SlurmSettings,
+    Workers,
+    executor_of,
+    takes,
+)
+from loomlight.cli.terminal import done, note_left, progress
 from loomlight.core.errors import InputError
-from loomlight.core.fleet import Executor
-from loomlight.core.outputs import check_output
+from loomlight.core.outputs import check_output, require_not_read
+from loomlight.picture_settings import MapSettings
 
-EXAMPLE = "Example: loomlight bake examples/denim.toml --model neural -o denim.loom"
+if TYPE_CHECKING:
+    from loomlight.core.fleet import Executor
+
+BAKE_EXAMPLE = "Example: loomlight bake examples/denim.toml --model neural -o denim.loom"
 
 
 def bake(
@@ -70,7 +80,7 @@ def _bake_into_folder(
 ) -> None:
     if folder.suffix or not folder.parent.is_dir() or (folder.exists() and not folder.is_dir()):
         raise InputError(f"{folder}: several sources are baked into a folder; give the name of one.")
-    from loomlight.cli.bake_catalogue import bake_catalogue
+    from loomlight.models.bake import bake_catalogue
     from loomlight.models.registry import model_class, parse_options
 
     model_class(model, to_bake=True)
@@ -80,3 +90,63 @@ def _bake_into_folder(
         paths = bake_catalogue(sources, model, folder, chosen, executor=executor, report=report)
     for path in paths:
         done(path)
+
+
+# -------------------------------------------------------------------------------------------------- bake-maps
+
+BAKE_MAPS_EXAMPLE = 'Example: loomlight bake-maps "twill 3/1" -o maps.exr --resolution 1024'
+
+
+@takes(MapSettings)
+def bake_maps(
+    fabric: FabricArgument,
+    output: Annotated[
+        Path,
+        typer.Option("--output", "-o", help="An .exr file with all maps, or .png for one picture a map."),
+    ],
+    given: Given,
+) -> None:
+    """Writes a fabric as textures: height, normal, fibres, colour, opacity, roughness, occlusion."""
+    check_output(output, (".exr", ".png"), makes_folder=True)
+    settings = MapSettings(**given)
+    from loomlight.fabric.maps import map_file, map_files, write_maps
+    from loomlight.models.bake import bake_maps
+
+    require_not_read(map_files(output), [fabric])
+    maps = bake_maps(fabric, settings)
+    low, high = maps.height_range
+    for path in write_maps(maps, output):
+        is_height = path == map_file(output, "height")
+        done(path, f"0 to 65535 are {low:.4g} to {high:.4g} mm" if is_height else "")
+
+
+# ----------------------------------------------------------------------------------------------------- export
+
+EXPORT_EXAMPLE = "Example: loomlight export examples/denim.toml --to wgsl -o denim-wgsl"
+
+
+def export(
+    fabric: FabricArgument,
+    to: Annotated[
+        str,
+        typer.Option(help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf or materialx."),
+    ],
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="The folder to write: new, or of an export.")
+    ],
+    model: Annotated[
+        str | None,
+        typer.Option(
+            help="lobes, point, neural, clustered, neumip or latent; by default as in the .loom, else lobes."
+        ),
+    ] = None,
+    distance: Annotated[
+        float | None,
+        typer.Option(help="Metres from which textures of gltf and materialx are seen; by default close."),
+    ] = None,
+) -> None:
+    """Writes a fabric for another program: shader code, a network or a textured material; docs/export.md."""
+    require_not_read([output], [fabric])
+    from loomlight.exporters import export as run
+
+    done(run(fabric, to, output, model, distance))

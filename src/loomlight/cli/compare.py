@@ -9,9 +9,8 @@ from typing import Annotated
 
 import typer
 
-from loomlight.cli.options import FabricArgument
-from loomlight.cli.progress import done, progress
-from loomlight.cli.values import parse_size, require_within
+from loomlight.cli.options import FabricArgument, parse_size, require_within
+from loomlight.cli.terminal import done, progress
 from loomlight.core.errors import LoomlightWarning
 from loomlight.core.outputs import require_not_read
 

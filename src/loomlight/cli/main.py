@@ -13,21 +13,9 @@ from typing import Annotated, Any, TextIO
 import typer
 
 from loomlight import __version__
-from loomlight.cli import (
-    bake,
-    bake_maps,
-    compare,
-    demo,
-    doctor,
-    export,
-    play,
-    render,
-    swatches,
-    view,
-    weave,
-)
-from loomlight.cli.help import ListsModels, WholeSentences
-from loomlight.cli.interruption import INTERRUPTED, note_left, report_interruption, was_interrupted
+from loomlight.cli import bake, compare, doctor, live, pictures, weave
+from loomlight.cli.options import ListsModels, WholeSentences
+from loomlight.cli.terminal import INTERRUPTED, note_left, report_interruption, was_interrupted
 from loomlight.core.errors import LoomlightError, LoomlightWarning
 
 app = typer.Typer(
@@ -58,15 +46,15 @@ def _options(
 
 
 app.add_typer(weave.app, name="weave")
-app.command("render", cls=ListsModels, epilog=render.EXAMPLE)(render.render)
-app.command("swatches", cls=ListsModels, epilog=swatches.EXAMPLE)(swatches.swatches)
-app.command("play", epilog=play.EXAMPLE)(play.play)
-app.command("view", epilog=view.EXAMPLE)(view.view)
+app.command("render", cls=ListsModels, epilog=pictures.RENDER_EXAMPLE)(pictures.render)
+app.command("swatches", cls=ListsModels, epilog=pictures.SWATCHES_EXAMPLE)(pictures.swatches)
+app.command("play", epilog=live.PLAY_EXAMPLE)(live.play)
+app.command("view", epilog=live.VIEW_EXAMPLE)(live.view)
 app.command("compare", cls=ListsModels, epilog=compare.EXAMPLE)(compare.compare)
-app.command("demo", epilog=demo.EXAMPLE)(demo.demo)
-app.command("bake", cls=ListsModels, epilog=bake.EXAMPLE)(bake.bake)
-app.command("bake-maps", epilog=bake_maps.EXAMPLE)(bake_maps.bake_maps)
-app.command("export", epilog=export.EXAMPLE)(export.export)
+app.command("demo", epilog=pictures.DEMO_EXAMPLE)(pictures.demo)
+app.command("bake", cls=ListsModels, epilog=bake.BAKE_EXAMPLE)(bake.bake)
+app.command("bake-maps", epilog=bake.BAKE_MAPS_EXAMPLE)(bake.bake_maps)
+app.command("export", epilog=bake.EXPORT_EXAMPLE)(bake.export)
 app.command("doctor", epilog=doctor.EXAMPLE)(doctor.doctor)
 
 # What pydantic calls a text that is no number.

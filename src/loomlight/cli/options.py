@@ -1,4 +1,4 @@
-"""Options of commands: made of declared settings (`core/settings.py`), and those that commands share."""
+"""Options of commands: those that commands share, those of declared settings, values of texts, and help."""
 
 from __future__ import annotations
 
@@ -10,13 +10,17 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import wraps
 from pathlib import Path
-from typing import Annotated, Any, cast
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
+from typer.core import TyperCommand, TyperGroup
 
-from loomlight.cli.values import parse_named, parse_numbers, parse_size, require_within
 from loomlight.core.errors import InputError
 from loomlight.core.settings import Setting, Settings, declared, default_text
+from loomlight.picture_settings import MAX_SIDE
+
+if TYPE_CHECKING:
+    from loomlight.core.fleet import Executor
 
 FabricsArgument = Annotated[
     list[str],
@@ -25,6 +29,39 @@ FabricsArgument = Annotated[
 FabricArgument = Annotated[
     str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
 ]
+
+# Of commands that run over many items.
+Workers = Annotated[int, typer.Option("--workers", metavar="N", help="Processes, or jobs of Slurm.")]
+ExecutorName = Annotated[
+    str,
+    typer.Option(
+        "--executor",
+        metavar="NAME",
+        help="local: processes of this machine; slurm: jobs through submitit; joblib:BACKEND, such as "
+        "joblib:dask or joblib:ray. See docs/fleet.md.",
+    ),
+]
+SlurmSettings = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--slurm", metavar="NAME=VALUE", help="A parameter of submitit, such as slurm_partition=cpu."
+    ),
+]
+
+
+def executor_of(name: str, workers: int, slurm: list[str] | None) -> Executor:
+    """The executor of the options.
+
+    Raises:
+        InputError: no such executor, or a value out of range.
+    """
+    from loomlight.core.fleet import parse_executor
+
+    settings = parse_named("--slurm", slurm or [], "slurm_partition=cpu,timeout_min=60")
+    return parse_executor(name, workers, {name: values[-1] for name, values in settings.items()})
+
+
+# ------------------------------------------------------------------------------------------ declared settings
 
 # Values of settings by name: those that a command line gives.
 Given = dict[str, Any]
@@ -188,3 +225,110 @@ _MAPPINGS: dict[str, Callable[[str, list[str], str], Mapping[str, object]]] = {
     "colors": _colours,
     "cloths": _last_named,
 }
+
+
+# ----------------------------------------------------------------------------------------------------- values
+# Values that are more than one number: sizes, directions, values by name; and ranges.
+
+# A sample takes 170 bytes while it is computed, and a pass has at least one a pixel: 11 GB.
+MAX_AREA = 2**26
+
+
+def parse_size(text: str, option: str = "--size") -> tuple[int, int]:
+    """Width and height in pixels from the text of `option`: "960x540", or "512" for a square.
+
+    Raises:
+        InputError: anything else, a side outside 1 to 16384, or more than 2²⁶ pixels in all.
+    """
+    match = re.fullmatch(r"\s*(\d{1,9})(?:\s*[xX×]\s*(\d{1,9}))?\s*", text)
+    width, height = (int(match[1]), int(match[2] or match[1])) if match else (0, 0)
+    if not (1 <= width <= MAX_SIDE and 1 <= height <= MAX_SIDE):
+        raise InputError(
+            f'{option} "{text}" is no size: write WIDTHxHEIGHT in pixels from 1 to {MAX_SIDE}, '
+            "such as 960x540."
+        )
+    if width * height > MAX_AREA:
+        millions = MAX_AREA // 10**6
+        raise InputError(
+            f'{option} "{text}" is too large: at most {millions} million pixels in all, such as 8192x8192.'
+        )
+    return width, height
+
+
+def parse_numbers(option: str, text: str, count: int, example: str) -> tuple[float, ...]:
+    """`count` finite numbers separated by commas.
+
+    Raises:
+        InputError: anything else; the message names `option` and gives `example`.
+    """
+    try:
+        numbers = tuple(float(part) for part in text.split(","))
+    except ValueError:
+        numbers = ()
+    if len(numbers) != count or not all(map(math.isfinite, numbers)):
+        raise InputError(
+            f'{option} "{text}" is not understood: write {count} numbers with commas, such as {example}.'
+        )
+    return numbers
+
+
+def parse_named(option: str, texts: list[str], example: str) -> dict[str, list[str]]:
+    """Values by name from texts such as "warp=#223,weft=#eee"; a name may come more than once.
+
+    Raises:
+        InputError: a part without a name or a value; the message names `option` and gives `example`.
+    """
+    found: dict[str, list[str]] = {}
+    for text in texts:
+        for part in text.split(","):
+            name, _, value = (word.strip() for word in part.partition("="))
+            if not name or not value:
+                raise InputError(f'{option} "{text}" is not understood: write NAME=VALUE, such as {example}.')
+            found.setdefault(name, []).append(value)
+    return found
+
+
+def require_within(option: str, value: float, low: float, high: float) -> None:
+    """Raises InputError unless low ≤ value ≤ high; NaN is refused."""
+    if not low <= value <= high:
+        raise InputError(
+            f"{option} {_shown(value)} is out of range: write a number from {_shown(low)} to {_shown(high)}."
+        )
+
+
+def _shown(value: float) -> str:
+    return f"{value}" if isinstance(value, int) and abs(value) < 10**12 else f"{value:g}"
+
+
+# ------------------------------------------------------------------------------------------------------- help
+
+# Contexts and formatters have no type to name: Typer brings its own copy of Click or uses an installed one.
+_FIRST_SENTENCE = re.compile(r"(?s)(.*?[.?!])(?:\s|$)")
+
+
+class WholeSentences(TyperGroup):
+    """A group of commands that lists each with its whole first sentence; Click ends them in three dots."""
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        """Writes the commands and what they do."""
+        rows = []
+        for name in self.list_commands(ctx):
+            command = self.get_command(ctx, name)
+            text = " ".join((command.help or "").split()) if command is not None else ""
+            match = _FIRST_SENTENCE.match(text)
+            rows.append((name, match[1] if match else text))
+        with formatter.section("Commands"):
+            formatter.write_dl(rows)
+
+
+class ListsModels(TyperCommand):
+    """A command with a model among its options: its help ends with all models, a line each."""
+
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        """Writes the models, then the example."""
+        # Imported here: help of other commands is there at once.
+        from loomlight.models.registry import MODELS
+
+        with formatter.section("Models"):
+            formatter.write_dl([(name, entry.summary) for name, entry in MODELS.items()])
+        super().format_epilog(ctx, formatter)

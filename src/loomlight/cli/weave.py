@@ -7,8 +7,8 @@ from typing import Annotated, Literal
 
 import typer
 
-from loomlight.cli.help import WholeSentences
-from loomlight.cli.progress import done
+from loomlight.cli.options import WholeSentences
+from loomlight.cli.terminal import done
 from loomlight.core.errors import InputError
 from loomlight.core.files import PIXEL_SUFFIXES
 from loomlight.core.outputs import check_output

@@ -121,12 +121,12 @@ def material_bsdf(
             else "lobes".
         albedo: the dictionary of a texture that diffuse albedos are multiplied with.
         options: of the model, `Model.options_class`.
-        values: options by name, in their place, such as `groups=8`.
+        values: some of them by name, such as `groups=8`.
 
     Raises:
         InputError: an unknown model, or a material that cannot be read or that the model does not take.
     """
-    spec = resolve(material, model, options or values)
+    spec = resolve(material, model, options.changed(**values) if options is not None else values)
     first = [spec.model()]
 
     def to_scale(uv_size_mm: tuple[float, float]) -> Any:

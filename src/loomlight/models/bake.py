@@ -1,15 +1,19 @@
-"""Baking, and the files of what is baked: the verbs of the Python interface that need no renderer."""
+"""Baking one source or many, maps, and their files: verbs of the Python interface without a renderer."""
 
 from __future__ import annotations
 
 import os
+import re
+from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, Unpack
 
 import numpy as np
 
 from loomlight.core.errors import InputError
-from loomlight.core.files import WRITTEN_SUFFIXES, replacing
+from loomlight.core.files import WRITTEN_SUFFIXES, remove_leftovers, replacing
+from loomlight.core.fleet import Executor, Outcome, Report, Shard, ShardFolder, require_results, work_map
 from loomlight.core.images import write_image
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric.fabric import Fabric
@@ -22,13 +26,13 @@ from loomlight.fabric.maps import (
     write_maps,
 )
 from loomlight.fabric.read import FABRIC_SUFFIX
-from loomlight.models.interface import Model, Report
+from loomlight.models.interface import Model
 from loomlight.models.material_spec import Material, resolve
 from loomlight.models.options import Options
 from loomlight.models.registry import DEFAULT_MODEL, model_class, model_from_loom, options_of
 from loomlight.picture_settings import MapKeywords, MapSettings
 from loomlight.sources.kinds import Source, kind_of_file
-from loomlight.sources.load import load_source
+from loomlight.sources.load import load_source, source_identity
 from loomlight.sources.loom_file import LOOM_SUFFIX, is_loom, write_loom
 from loomlight.weave.draft import Draft
 from loomlight.weave.wif_writer import write_wif
@@ -54,13 +58,13 @@ def bake(
         model: "lobes", "point", "neural", …: see `loomlight.models.registry.model_names`.
         options: of the model, `Model.options_class`; by default its own defaults.
         report: called with (steps done, steps in all) by models that are trained.
-        values: options by name, in their place, such as `groups=8`.
+        values: some of them by name, such as `groups=8`.
 
     Raises:
         InputError: no such model or option, or a source that cannot be read or that the model does not take.
         MissingDependencyError: LLVM is missing.
     """
-    spec = resolve(material, model, options_of(model, options or values))
+    spec = resolve(material, model, options_of(model, options, **values))
     require_llvm()
     return model_class(model).for_source(spec.source, spec.options, report)
 
@@ -91,11 +95,12 @@ def bake_maps(
     extent = source.repeat_mm if window is None else window[2:]
     if chosen.pixels_per_mm is not None:
         texels = resolution_of(extent, chosen.pixels_per_mm)
-    elif isinstance(chosen.resolution, tuple):
-        texels = chosen.resolution
-        warn_of_oblong_texels(extent, texels)
-    else:
+    elif chosen.resolution is None or isinstance(chosen.resolution, int):
         texels = resolution_of(extent, (chosen.resolution or _MAP_TEXELS) / max(extent))
+    else:
+        columns, rows = chosen.resolution
+        texels = columns, rows
+        warn_of_oblong_texels(extent, texels)
     return sample_maps(source, texels, llvm_float(), window, chosen.back)
 
 
@@ -162,3 +167,97 @@ _FILES: tuple[tuple[type, str, tuple[str, ...]], ...] = (
     (ClothMaps, "set of maps", (".exr", ".png")),
     (np.ndarray, "picture", WRITTEN_SUFFIXES),
 )
+
+
+# ------------------------------------------------------------------------------------------------- catalogues
+
+# Claims and markers, in the folder of the results.
+WORK_FOLDER = ".loomlight-bake"
+
+
+def catalogue_paths(sources: Sequence[str], folder: Path) -> list[Path]:
+    """The `.loom` of each source in a folder, by the names of the sources.
+
+    Raises:
+        InputError: two sources have one name, or a source would be overwritten.
+    """
+    paths = [folder / f"{_file_name(source)}.loom" for source in sources]
+    by_path: dict[Path, str] = {}
+    for source, path in zip(sources, paths, strict=True):
+        if path in by_path:
+            raise InputError(
+                f"{by_path[path]} and {source} would both be {path}: bake them into two folders."
+            )
+        by_path[path] = source
+    read = {Path(source).resolve() for source in sources}
+    for path in paths:
+        if path.resolve() in read:
+            raise InputError(f"{path} is one of the sources: give another folder.")
+    return paths
+
+
+def bake_catalogue(
+    sources: Sequence[str],
+    model: str,
+    folder: Path,
+    options: Options | None = None,
+    *,
+    executor: Executor | None = None,
+    report: Report = lambda done, total: None,
+) -> list[Path]:
+    """Writes a `.loom` of each source; returns their paths.
+
+    What is finished is kept with its marker: a second call bakes what is missing, or what has changed.
+
+    Args:
+        sources: paths, or names of weaves.
+        model, options: as in `bake`.
+        folder: made if need be.
+        executor: who works; this process by default.
+        report: called with (sources done, sources in all).
+
+    Raises:
+        InputError: a source cannot be used; all others are baked.
+        LoomlightError: processes ended before all was done; what is done stays.
+    """
+    paths = catalogue_paths(sources, folder)
+    try:
+        folder.mkdir(exist_ok=True)
+    except OSError as error:
+        raise InputError(f"{folder} cannot be made: {error.strerror}.") from error
+    work_folder = folder / WORK_FOLDER
+    shared = ShardFolder(work_folder, "")
+    kind = model_class(model).source_kind
+    chosen = {} if options is None else options.chosen()
+    outcomes: dict[str, Outcome] = {}
+    items: list[tuple[Shard, tuple[str, str]]] = []
+    for source, path in zip(sources, paths, strict=True):
+        try:
+            identity = source_identity(load_source(source, kind), {"model": model, **chosen})
+        except InputError as error:
+            outcomes[source] = Outcome(fault=str(error))
+            continue
+        shard = Shard(path.stem, identity)
+        if not path.exists():
+            shared.forget(shard)
+        items.append((shard, (source, str(path))))
+    try:
+        results = work_map(partial(_bake_one, model, options), items, work_folder, executor, report)
+    finally:
+        remove_leftovers(folder)
+    outcomes |= {source: outcome for (_, (source, _)), outcome in zip(items, results, strict=True)}
+    require_results(outcomes)
+    return paths
+
+
+def _bake_one(model: str, options: Options | None, item: tuple[str, str]) -> bytes:
+    source, path = item
+    save(bake(source, model, options=options), path)
+    return b""
+
+
+def _file_name(source: str) -> str:
+    """The stem of a file's name; of a weave's name, letters and digits with "-" between."""
+    path = Path(source)
+    text = path.stem if path.suffix else source
+    return re.sub(r"[^\w.+]+", "-", text).strip("-.") or "fabric"

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Self
 
@@ -28,6 +28,7 @@ import drjit as dr
 
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.fleet import Report
 from loomlight.core.footprint import Footprint
 from loomlight.core.tables import Tables
 from loomlight.models.options import Options
@@ -35,8 +36,6 @@ from loomlight.scattering.point import DirectionSample
 from loomlight.sources.kinds import Source
 from loomlight.sources.loom_file import LoomFile
 
-# Takes (steps done, steps in all).
-Report = Callable[[int, int], None]
 # What names a parameter of a scene and holds its value: a Dr.Jit array, changed in place by edits.
 Values = Mapping[str, "Parameter"]
 

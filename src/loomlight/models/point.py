@@ -21,6 +21,7 @@ import numpy as np
 from loomlight.aggregate.components import components, light_visibility
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
+from loomlight.core.fleet import Report
 from loomlight.core.footprint import Footprint
 from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
@@ -35,7 +36,7 @@ from loomlight.models.fabric_model import (
     parameter_of,
     recolour,
 )
-from loomlight.models.interface import FootprintBsdf, Report, Values
+from loomlight.models.interface import FootprintBsdf, Values
 from loomlight.models.options import Options
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf

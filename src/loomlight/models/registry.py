@@ -254,18 +254,21 @@ def model_class(name: str, to_bake: bool = False) -> type[Model]:
     return found
 
 
-def options_of(name: str, given: Options | Mapping[str, Any] | None = None) -> Options:
+def options_of(name: str, given: Options | Mapping[str, Any] | None = None, **values: object) -> Options:
     """The options of the model `name`, of values by name or made already; without any, the defaults.
+
+    Args:
+        values: some of them, in the place of those that are given.
 
     Raises:
         InputError: no such model, or an option or value that it does not have; the message names it.
     """
     kind = model_class(name).options_class
     if not isinstance(given, Options):
-        return kind.of(given or {})
+        return kind.of({**(given or {}), **values})
     if not isinstance(given, kind):
         raise InputError(f"{type(given).__name__} is no choice of the model {name}: give {kind.__name__}.")
-    return given
+    return given.changed(**values)
 
 
 def parse_options(name: str, texts: Iterable[str]) -> Options:
@@ -292,12 +295,12 @@ def make_model(name: str, source: Source, options: Options | None = None, **valu
 
     Args:
         options: by default those of the model.
-        values: options by name, in their place.
+        values: some of them by name.
 
     Raises:
         InputError: there is none of that name, or it cannot handle this source or option.
     """
-    return model_class(name, to_bake=True).for_source(source, options_of(name, options or values))
+    return model_class(name, to_bake=True).for_source(source, options_of(name, options, **values))
 
 
 def btf_of(source: Source, model: str) -> Btf:

@@ -8,6 +8,7 @@ from typing import ClassVar, Self, final
 
 from loomlight.core.arrays import Color3, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.fleet import Report
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.core.settings import setting
@@ -15,7 +16,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.bsdf import ClusteredBsdf, DeviceTables
 from loomlight.models.clustered.tables import DEFAULT_TEXELS, ClusterTables, bake_tables
 from loomlight.models.fabric_model import FilteredFabricModel, appearance_of, fabric_in_loom, fabric_source
-from loomlight.models.interface import Report, ShaderTables, Values
+from loomlight.models.interface import ShaderTables, Values
 from loomlight.models.options import Options
 from loomlight.models.random_numbers import hashed
 from loomlight.scattering.appearance import Appearance

@@ -7,12 +7,13 @@ from typing import ClassVar, Self, final
 
 from loomlight.core.arrays import Color3, Mask, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.fleet import Report
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source
-from loomlight.models.interface import Report, ShaderTables
+from loomlight.models.interface import ShaderTables
 from loomlight.models.lobes.bsdf import LobesBsdf
 from loomlight.models.lobes.point_sampled import RegimeScale
 from loomlight.models.lobes.prefiltered import PrefilteredLobes

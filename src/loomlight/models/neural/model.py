@@ -13,12 +13,13 @@ from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
+from loomlight.core.fleet import Report
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
-from loomlight.models.interface import Parameter, Report, ShaderTables, Values
+from loomlight.models.interface import Parameter, ShaderTables, Values
 from loomlight.models.networks import LearnedProposal, ReluNetwork
 from loomlight.models.neural.codings import light_visibility_of
 from loomlight.models.neural.decoder import Decoder, ViewActivations, decoder_cost, decoder_of, shader_network

@@ -29,7 +29,8 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Color3, Float, FloatType, Int, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import DRJIT, array_types, clip, maximum, minimum, upload
 from loomlight.core.errors import InputError
-from loomlight.models.interface import Report, ShaderTables
+from loomlight.core.fleet import Report
+from loomlight.models.interface import ShaderTables
 from loomlight.models.networks import Layers, ReluNetwork
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.texture.model import (

@@ -22,8 +22,9 @@ from loomlight.core.backend import ArrayTypes, array_types, maximum
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.files import cache_folder
+from loomlight.core.fleet import Report
 from loomlight.core.footprint import Footprint
-from loomlight.models.interface import FootprintBsdf, Model, Report
+from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.models.networks import Layers
 from loomlight.models.options import TrainingOptions
 from loomlight.models.registry import untrained

@@ -34,9 +34,10 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import Color3, Float, FloatType, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, clip, maximum, upload
+from loomlight.core.fleet import Report
 from loomlight.core.tables import Layer
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.interface import Report, ShaderTables
+from loomlight.models.interface import ShaderTables
 from loomlight.models.networks import Layers, LearnedProposal, ReluNetwork
 from loomlight.models.texture.model import (
     TexturedBsdf,

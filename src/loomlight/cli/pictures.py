@@ -1,4 +1,4 @@
-"""`loomlight render`: a picture of a fabric."""
+"""The commands that render pictures by Mitsuba: `render`, with `--turntable`, `swatches` and `demo`."""
 
 from __future__ import annotations
 
@@ -11,21 +11,32 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from loomlight.cli.interruption import note_left, was_interrupted
-from loomlight.cli.options import FabricsArgument, Given, takes
-from loomlight.cli.progress import done, progress
-from loomlight.cli.turntable import ANIMATION_SUFFIXES, turn_paths, write_turn
-from loomlight.cli.values import require_within
+from loomlight.cli.options import (
+    ExecutorName,
+    FabricsArgument,
+    Given,
+    SlurmSettings,
+    Workers,
+    executor_of,
+    require_within,
+    takes,
+)
+from loomlight.cli.terminal import done, note_left, progress, was_interrupted
 from loomlight.core.errors import InputError
 from loomlight.core.files import WRITTEN_SUFFIXES, replacing
 from loomlight.core.outputs import check_output, require_not_read
-from loomlight.picture_settings import RenderSettings
+from loomlight.picture_settings import RenderSettings, SwatchSettings
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-EXAMPLE = "Example: loomlight render examples/denim.toml -o denim.png --scene drape --size 960x720 --spp 64"
+RENDER_EXAMPLE = (
+    "Example: loomlight render examples/denim.toml -o denim.png --scene drape --size 960x720 --spp 64"
+)
+ANIMATION_SUFFIXES = (".webp", ".gif")
+# Of one turn of an animation, seconds.
+_TURN_SECONDS = 6.0
 # Seconds between refined pictures: writing one takes a tenth of a second.
 _WRITE_EVERY = 2.0
 
@@ -152,3 +163,104 @@ class _Written:
                 with replacing(self._path) as temporary:
                     temporary.write_bytes(self._before)
             raise
+
+
+# -------------------------------------------------------------------------------------------------- turntable
+
+
+def turn_paths(path: Path, count: int) -> list[Path]:
+    """The files of `count` pictures of one turn: `path` if it is an animation, else numbered from 000."""
+    if _is_animated(path):
+        return [path]
+    return [path.with_stem(f"{path.stem}-{number:03}") for number in range(count)]
+
+
+def _is_animated(path: Path) -> bool:
+    return path.suffix.lower() in ANIMATION_SUFFIXES
+
+
+def write_turn(what: str, fabric: str, path: Path, count: int, settings: RenderSettings) -> None:
+    """Writes `count` pictures of one turn to `turn_paths`."""
+    animated = _is_animated(path)
+    paths = turn_paths(path, count)
+    from loomlight.core.images import encoded, write_animation, write_image
+    from loomlight.mitsuba.turntable import turntable
+
+    frames = []
+    with progress(what) as report:
+        for number, picture in enumerate(turntable(fabric, count, settings=settings)):
+            if animated:
+                frames.append(encoded(picture))
+            else:
+                write_image(paths[number], picture)
+                done(paths[number])
+            report(number + 1, count)
+    if animated:
+        write_animation(path, frames, _TURN_SECONDS)
+        done(path)
+
+
+# --------------------------------------------------------------------------------------------------- swatches
+
+SWATCHES_EXAMPLE = "Example: loomlight swatches examples/*.toml -o sheet.png"
+
+
+@takes(SwatchSettings)
+def swatches(
+    fabrics: FabricsArgument,
+    output: Annotated[
+        Path,
+        typer.Option("--output", "-o", help="The sheet: a .png or .jpg picture, or an .html page."),
+    ],
+    given: Given,
+    workers: Workers = 1,
+    executor: ExecutorName = "local",
+    slurm: SlurmSettings = None,
+) -> None:
+    """Renders a labelled contact sheet: of each fabric its drawdown, a swatch, a drape and facts.
+
+    The sheet grows as fabrics are rendered. A file that cannot be used is left out with a warning.
+    """
+    settings, chosen = SwatchSettings(**given), executor_of(executor, workers, slurm)
+    from loomlight.mitsuba.swatches import swatches, work_folder_of
+
+    note_left(
+        f"{work_folder_of(output)} keeps the fabrics that are rendered: the same command goes on from there."
+    )
+    with progress("swatches") as report:
+        done(swatches(fabrics, output, settings, executor=chosen, report=report))
+
+
+# ------------------------------------------------------------------------------------------------------- demo
+
+DEMO_EXAMPLE = "Example: loomlight demo -o demo.png"
+
+
+def demo(
+    output: Annotated[Path, typer.Option("--output", "-o", help="The picture: .png, .jpg or .exr.")] = Path(
+        "demo.png"
+    ),
+    samples: Annotated[int, typer.Option("--spp", min=1, max=4096, help="Samples a pixel.")] = 10,
+) -> None:
+    """Renders draped cloth in daylight, with a close-up in which its yarns can be counted."""
+    check_output(output, WRITTEN_SUFFIXES)
+
+    from loomlight.core.images import write_image
+    from loomlight.fabric.read import load_fabric
+    from loomlight.mitsuba.material_picture import render
+
+    cloth = load_fabric(Path(__file__).with_name("demo.toml"))
+    with progress(f"{cloth.name}, draped", milliseconds=True) as report:
+        # The point model shows how the dye varies.
+        picture = render(
+            cloth,
+            model="point",
+            light="sunsky",
+            size=(1080, 810),
+            spp=samples,
+            exposure=0.4,
+            inset=True,
+            progress=report,
+        )
+    write_image(output, picture)
+    done(output)

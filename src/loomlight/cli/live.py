@@ -1,4 +1,4 @@
-"""`loomlight view`: the live editor in a browser."""
+"""The commands that show cloth live: `play` in a window, `view` in a browser."""
 
 from __future__ import annotations
 
@@ -7,12 +7,46 @@ from typing import Annotated
 
 import typer
 
-from loomlight.cli.interruption import note_left
-from loomlight.cli.progress import done
+from loomlight.cli.options import FabricArgument, Given, takes
+from loomlight.cli.terminal import done, note_left, progress
 from loomlight.core.errors import InputError
-from loomlight.core.outputs import require_not_read
+from loomlight.core.files import WRITTEN_SUFFIXES
+from loomlight.core.outputs import check_output, require_not_read
+from loomlight.picture_settings import PlaySettings
 
-EXAMPLE = "Example: loomlight view examples/denim.toml"
+PLAY_EXAMPLE = "Example: loomlight play examples/denim.toml --scene drape"
+
+
+@takes(PlaySettings)
+def play(
+    fabric: FabricArgument,
+    given: Given,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", help="Write a frame, .png, .jpg or .exr, off screen; open no window."),
+    ] = None,
+) -> None:
+    """Opens a window of a fabric in real time: drag to orbit, turn the wheel from garment to yarn.
+
+    Further keys: m the model, l the light, + and - the exposure, r back to the start; Shift or the right
+    button moves.
+    """
+    settings = PlaySettings(**given)
+    if output is not None:
+        check_output(output, WRITTEN_SUFFIXES, [fabric, settings.mesh, settings.environment])
+    from loomlight.window import play
+
+    if output is None:
+        play(fabric, settings)
+        return
+    with progress(output.name) as report:
+        play(fabric, settings, output=output, report=report)
+    done(output)
+
+
+# ------------------------------------------------------------------------------------------------------- view
+
+VIEW_EXAMPLE = "Example: loomlight view examples/denim.toml"
 
 
 def view(
