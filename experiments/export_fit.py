@@ -4,7 +4,7 @@
 
 A sphere under one directional light, without shadows of the sphere. Textures are made for the distance from
 which a pixel is a texel; a pixel reads the mean of 16 places of its footprint, as mipmaps give it. The
-material is evaluated by `loomlight.exporters.gltf_brdf`, which follows the specification, so that the error
+material is evaluated by `loomlight.exporters.fit`, which follows the specification, so that the error
 is of the fit and the textures alone.
 """
 
@@ -21,8 +21,7 @@ from benchmarks.harness import REPOSITORY, Figures, run
 from loomlight.core.footprint import Footprint
 from loomlight.core.images import write_image
 from loomlight.evaluation.metrics import flip_mean
-from loomlight.exporters.fit import FittedMaterial, fit_material
-from loomlight.exporters.gltf_brdf import GltfMaterial, evaluate
+from loomlight.exporters.fit import FittedMaterial, GltfMaterial, evaluate, fit_material
 from loomlight.exporters.texels import frames, texture_grid
 from loomlight.fabric import load_fabric
 from loomlight.models.interface import Model

@@ -1,6 +1,6 @@
 """Materials with textures: the fit, the glTF file and the MaterialX document.
 
-Covers: exporters/fit.py, exporters/texels.py, exporters/gltf.py, exporters/gltf_brdf.py
+Covers: exporters/fit.py, exporters/texels.py, exporters/gltf.py
 Covers: exporters/materialx.py
 """
 
@@ -26,9 +26,8 @@ from loomlight.core.errors import InputError
 from loomlight.core.images import read_picture
 from loomlight.core.llvm import require_llvm
 from loomlight.exporters import export, materials
-from loomlight.exporters.fit import FittedMaterial
+from loomlight.exporters.fit import FittedMaterial, GltfMaterial, evaluate
 from loomlight.exporters.gltf import glb_of, material_textures, write_textures
-from loomlight.exporters.gltf_brdf import GltfMaterial, evaluate
 from loomlight.exporters.materialx import document_textures, write_document
 from loomlight.exporters.texels import texels_of, texture_grid, tile_repeats
 from loomlight.fabric import fabric_from_text

@@ -1,6 +1,6 @@
 """The exported decoders compute what `neural` and `latent` compute.
 
-Covers: exporters/latent_network.py
+Covers: exporters/networks.py
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Exported shader code compiles by compilers of its languages, computes what the models compute, and draws.
 
-Covers: exporters/libraries.py, exporters/kernels.py, exporters/buffers.py, exporters/instructions.py
+Covers: exporters/shaders.py
 Covers: exporters/shaders.py, exporters/languages/sample.py
 """
 
@@ -22,8 +22,8 @@ from benchmarks.counted_library import CountedLibrary, queries_of
 from loomlight.core.footprint import Footprint
 from loomlight.core.images import read_picture
 from loomlight.core.llvm import require_llvm
-from loomlight.exporters import buffers, export
-from loomlight.exporters.libraries import LANGUAGES, library
+from loomlight.exporters import export, shaders
+from loomlight.exporters.shaders import LANGUAGES, library
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model
 from loomlight.models.neural.model import NeuralModel, NeuralOptions
@@ -79,7 +79,7 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Exported]:
         export(material_of(model), language, folder, model)
         return folder
 
-    with patch.object(buffers, "tables_for", cache(buffers.tables_for)):
+    with patch.object(shaders, "tables_for", cache(shaders.tables_for)):
         yield folder_of
 
 

@@ -57,10 +57,10 @@ def _of_fabric(write: Callable[[Path, Fabric, str, float | None], dict[str, obje
 def _write_onnx(folder: Path, material: Material, model: str, distance: float | None) -> dict[str, object]:
     model_class(model)  # says what is missing
     if model == "latent":
-        from loomlight.exporters.latent_network import write_latent_onnx
+        from loomlight.exporters.networks import write_latent_onnx
 
         return write_latent_onnx(folder, material, model, distance)
-    from loomlight.exporters.network import write_onnx
+    from loomlight.exporters.networks import write_onnx
 
     return _of_fabric(write_onnx)(folder, material, model, distance)
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import drjit as dr
 import numpy as np
@@ -17,12 +18,126 @@ from drjit.llvm import Array3f, Float
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
-from loomlight.exporters.gltf_brdf import GltfMaterial, evaluate
 from loomlight.exporters.texels import MIN_COVER, Texels, frames, texels_of
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
 
 Numbers = NDArray[np.float64]
+DIELECTRIC = 0.04
+
+
+@dataclass(frozen=True, eq=False)
+class GltfMaterial:
+    """Parameters [n, ...] of n places.
+
+    Attributes:
+        base: base colour [n, 3]. transmission: factor of diffuse transmission [n]; transmit: its colour [n,
+        3]. specular: reflectance at normal incidence [n, 3], before `weight`. weight: specularFactor.
+        alpha_x, alpha_y: GGX roughness along `axis_x` and across it [n]; the axes are unit vectors [n, 3].
+        normal: shading normal [n, 3].
+        sheen: sheen colour [3]; sheen_roughness: its roughness, 0 to 1.
+    """
+
+    base: Numbers
+    transmission: Numbers
+    transmit: Numbers
+    specular: Numbers
+    weight: float
+    alpha_x: Numbers
+    alpha_y: Numbers
+    normal: Numbers
+    axis_x: Numbers
+    axis_y: Numbers
+    sheen: Numbers
+    sheen_roughness: float
+
+
+def _dot(a: Numbers, b: Numbers) -> Numbers:
+    return (a * b).sum(-1)
+
+
+def evaluate(material: GltfMaterial, light: Numbers, view: Numbers) -> Numbers:
+    """f·|cos θ_light| [n, 3], 1/sr, of unit vectors [n, 3] away from the surface; the view is above."""
+    n = material.normal
+    n_l, n_v = _dot(n, light), np.maximum(_dot(n, view), 1e-4)
+    half = light + view
+    half /= np.maximum(np.linalg.norm(half, axis=-1, keepdims=True), 1e-9)
+    front = np.maximum(n_l, 0.0)
+    schlick = np.clip(1 - _dot(view, half), 0, 1) ** 5
+    f0 = material.weight * material.specular
+    fresnel = f0 + (material.weight - f0) * schlick[:, None]
+    glossy = fresnel * _ggx(material, light, view, half, front, n_v)[:, None]
+    diffuse = (1 - fresnel.max(-1, keepdims=True)) * material.base / np.pi
+    reflected = diffuse * (1 - material.transmission)[:, None] + glossy
+    scale = 1.0
+    if material.sheen.max() > 0:
+        alpha = max(material.sheen_roughness**2, 1e-3)
+        sheen = material.sheen * _charlie(_dot(n, half), front, n_v, alpha)[:, None]
+        scale = 1 - material.sheen.max() * sheen_albedo(n_v, alpha)[:, None]
+        reflected = sheen + reflected * scale
+    passed = (
+        material.transmit * material.transmission[:, None] / np.pi * np.maximum(-n_l, 0.0)[:, None] * scale
+    )
+    return np.where((light[:, 2] > 0)[:, None], reflected * front[:, None], passed)
+
+
+def _ggx(
+    material: GltfMaterial, light: Numbers, view: Numbers, half: Numbers, n_l: Numbers, n_v: Numbers
+) -> Numbers:
+    """Distribution times visibility of anisotropic GGX, height-correlated."""
+    ax, ay = material.alpha_x, material.alpha_y
+
+    def local(vector: Numbers) -> tuple[Numbers, Numbers, Numbers]:
+        return _dot(vector, material.axis_x), _dot(vector, material.axis_y), _dot(vector, material.normal)
+
+    hx, hy, hz = local(half)
+    square = (hx / ax) ** 2 + (hy / ay) ** 2 + hz**2
+    distribution = 1 / (np.pi * ax * ay * np.maximum(square, 1e-9) ** 2)
+    vx, vy, _ = local(view)
+    lx, ly, _ = local(light)
+    of_view = n_l * np.sqrt((ax * vx) ** 2 + (ay * vy) ** 2 + n_v**2)
+    of_light = n_v * np.sqrt((ax * lx) ** 2 + (ay * ly) ** 2 + n_l**2)
+    return distribution * 0.5 / np.maximum(of_view + of_light, 1e-9)
+
+
+def _charlie(n_h: Numbers, n_l: Numbers, n_v: Numbers, alpha: float) -> Numbers:
+    """Distribution (Estevez and Kulla 2017) times the visibility of Ashikhmin and Premoze 2007."""
+    sine = np.sqrt(np.clip(1 - n_h**2, 1e-8, 1))
+    distribution = (2 + 1 / alpha) * sine ** (1 / alpha) / (2 * np.pi)
+    return distribution / np.maximum(4 * (n_l + n_v - n_l * n_v), 1e-6)
+
+
+_ALPHAS = np.linspace(0.02, 1, 24)
+_COSINES = (np.arange(24) + 0.5) / 24
+
+
+@cache
+def _sheen_table() -> Numbers:
+    """Directional albedo of white sheen [alpha, cos θ_view], by summing over the hemisphere."""
+    cosine, azimuth = np.meshgrid((np.arange(48) + 0.5) / 48, (np.arange(96) + 0.5) * 2 * np.pi / 96)
+    sine = np.sqrt(1 - cosine**2)
+    light = np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=-1).reshape(-1, 3)
+    table = np.zeros((len(_ALPHAS), len(_COSINES)))
+    for column, mu in enumerate(_COSINES):
+        view = np.array([np.sqrt(1 - mu**2), 0, mu])
+        half = light + view
+        half /= np.linalg.norm(half, axis=-1, keepdims=True)
+        for row, alpha in enumerate(_ALPHAS):
+            value = _charlie(half[:, 2], light[:, 2], np.full(len(light), mu), float(alpha)) * light[:, 2]
+            table[row, column] = value.mean() * 2 * np.pi
+    return table
+
+
+def sheen_albedo(n_v: Numbers, alpha: float) -> Numbers:
+    """Directional albedo of white sheen, 0 to 1."""
+    table = _sheen_table()
+    row = [np.interp(alpha, _ALPHAS, table[:, column]) for column in range(len(_COSINES))]
+    return np.minimum(np.interp(n_v, _COSINES, row), 1)
+
+
+# ---------------------------------------------------------------------------------------------------- the fit
+
+
 _REFLECTED, _TRANSMITTED = 6000, 1500
 # Directions flatter than this are left out: a few degrees about the horizon.
 _MIN = 0.12

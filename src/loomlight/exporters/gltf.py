@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from loomlight.core.colour import linear_to_srgb
-from loomlight.exporters.fit import FittedMaterial
-from loomlight.exporters.gltf_brdf import DIELECTRIC
+from loomlight.exporters.fit import DIELECTRIC, FittedMaterial
 
 Numbers = NDArray[np.float64]
 # The sample sheet: side and height of its waves, metres, and vertices a side.
