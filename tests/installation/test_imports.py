@@ -11,12 +11,9 @@ from tests.limits import HANG
 # Modules that need a package of an extra when they are loaded, by that package; a folder's name means all in
 # it. Whoever imports one of them asks for the package first, by `import_extra` or by `model_class`.
 NEED = {
-    "anyio": ["viewer.app"],
-    "anywidget": ["viewer.widget"],
     "llvmlite": [
         "core.simd",
-        "exporters.latent_network",
-        "exporters.network",
+        "exporters.networks",
         "models.networks",
         "models.neural.decoder",
         "models.neural.decoder_kernel",
@@ -38,6 +35,8 @@ NEED = {
         "training.parallel",
         "training.soap",
     ],
+    "anyio": ["viewer.app"],
+    "anywidget": ["viewer.widget"],
 }
 
 # Loads every module of the package where nothing can be imported but the standard library and what the base

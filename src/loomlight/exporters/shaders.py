@@ -14,8 +14,8 @@ from typing import Any
 
 from loomlight.core.errors import LoomlightError
 from loomlight.models.registry import REALTIME_MODELS, Shaders
-from loomlight.realtime.records import BUFFERS, QUERY, RECORDS, Fields
 from loomlight.realtime.materials import Material, look_of, source_of, tables_for
+from loomlight.realtime.records import BUFFERS, QUERY, RECORDS, Fields
 from loomlight.realtime.slangc import SHADERS, TARGETS, library_code
 from loomlight.realtime.words import pack_fabrics
 
