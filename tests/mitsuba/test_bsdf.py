@@ -219,3 +219,40 @@ def test_a_view_that_is_no_direction_gives_nothing(plugin: str) -> None:
     null = bsdf.eval_null_transmission(si)
     assert not np.any(np.concatenate([np.ravel(each) for each in (value, pdf, weight, null)]))
     assert np.isfinite(np.array(bs.wo)).all()
+
+
+@pytest.mark.slow
+def test_a_scene_asks_every_kind_of_bsdf_alike() -> None:
+    """Ours, Mitsuba's own, ours within that, and one within an instance, which no list of shapes shows."""
+    kinds = [TWILL | {"type": "woven_point"}, {"type": "twosided", "inner": {"type": "diffuse"}}]
+    kinds.append({"type": "mask", "opacity": 0.6, "inner": kinds[0]})
+    place = mi.ScalarTransform4f().translate
+    spheres = {
+        f"sphere{number}": {"type": "sphere", "center": [3 * number, 0, 0], "bsdf": bsdf}
+        for number, bsdf in enumerate(kinds)
+    }
+    group = {"type": "shapegroup", "sphere": {"type": "sphere", "bsdf": kinds[0]}}
+    copy = {"type": "instance", "to_world": place([9, 0, 0]), "group": {"type": "ref", "id": "group"}}
+    scene = mi.load_dict({"type": "scene", **spheres, "group": group, "copy": copy})
+    column, row = np.meshgrid(np.arange(4) * 3.0, np.linspace(-0.8, 0.8, 9))
+    origin = mi.Point3f(column.ravel(), row.ravel(), 5)
+    si = scene.ray_intersect(mi.Ray3f(origin, mi.Vector3f(0, 0, -1)))
+    assert np.array(si.is_valid()).all()
+    context, light, active = mi.BSDFContext(), dr.normalize(mi.Vector3f(0.3, -0.2, 0.9)), mi.Bool(True)
+    traits = SceneTraits.of(scene)
+    value, through = traits.eval_and_null_transmission(context, si, light, active, active)
+    found = traits.eval_pdf_sample_and_null_transmission(
+        context, si, light, mi.Float(0.4), mi.Point2f(0.3, 0.7), active, True
+    )
+    for actual, wanted in (
+        (value, si.bsdf().eval(context, si, light)),
+        (through, si.bsdf().eval_null_transmission(si)),
+        (found[0], si.bsdf().eval(context, si, light)),
+        (found[1], si.bsdf().pdf(context, si, light)),
+    ):
+        # The same arithmetic, in kernels put together differently.
+        np.testing.assert_allclose(np.array(actual), np.array(wanted), rtol=2e-3, atol=1e-6)
+    assert (np.array(value).reshape(3, 9, 4).max(axis=(0, 1)) > 0).all()
+    assert (np.array(through)[0].reshape(9, 4).max(axis=0) > 0)[1:3].tolist() == [False, True]
+    assert traits.holes
+    assert SceneTraits.of(mi.load_dict({"type": "scene"})).holes is False
