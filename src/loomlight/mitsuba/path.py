@@ -247,6 +247,9 @@ def _class_of(_variant: str) -> type:
             if render.pixel_filter is not None:
                 places = render.pixel_filter.places(place, sampler.next_2d())
                 render.offset = places.offset
+                # Without symbolic loops it would be computed anew at each vertex.
+                if not dr.flag(dr.JitFlag.SymbolicLoops):
+                    dr.schedule(render.offset)
                 place = 0.5 + places.sample + places.offset
             elif self.pixel_centres:
                 place = mi.Point2f(0.5)
