@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from loomlight.cli.main import run
-from loomlight.models.registry import MODELS
+from loomlight.core.settings import declared
+from loomlight.models.registry import MODELS, model_class
 
 COMMANDS = ["render", "compare", "demo", "bake", "bake-maps", "doctor"]
 GROUPS: list[list[str]] = [[], ["weave"]]
@@ -41,3 +42,10 @@ def test_models_are_listed_a_line_each(command: str, capsys: pytest.CaptureFixtu
     listed = capsys.readouterr().out.partition("Models:\n")[2].partition("\n\n")[0].splitlines()
     assert [line.split()[0] for line in listed] == list(MODELS)
     assert all(entry.summary in line for entry, line in zip(MODELS.values(), listed, strict=True))
+
+
+def test_help_of_bake_lists_every_option_of_every_model(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["bake", "--help"]) == 0
+    listed = capsys.readouterr().out.partition("for --set:\n")[2].partition("\n\n")[0]
+    options = {f"{name}: {option}" for name in MODELS for option in declared(model_class(name).options_class)}
+    assert {line[2:].split("  ")[0] for line in listed.splitlines() if line[2:3].strip()} == options

@@ -14,7 +14,7 @@ import typer
 
 from loomlight import __version__
 from loomlight.cli import bake, compare, doctor, live, pictures, weave
-from loomlight.cli.options import ListsModels, WholeSentences
+from loomlight.cli.options import ListsModels, ListsOptions, WholeSentences
 from loomlight.cli.terminal import INTERRUPTED, note_left, report_interruption, was_interrupted
 from loomlight.core.errors import LoomlightError, LoomlightWarning
 
@@ -52,7 +52,7 @@ app.command("play", epilog=live.PLAY_EXAMPLE)(live.play)
 app.command("view", epilog=live.VIEW_EXAMPLE)(live.view)
 app.command("compare", cls=ListsModels, epilog=compare.EXAMPLE)(compare.compare)
 app.command("demo", epilog=pictures.DEMO_EXAMPLE)(pictures.demo)
-app.command("bake", cls=ListsModels, epilog=bake.BAKE_EXAMPLE)(bake.bake)
+app.command("bake", cls=ListsOptions, epilog=bake.BAKE_EXAMPLE)(bake.bake)
 app.command("bake-maps", epilog=bake.BAKE_MAPS_EXAMPLE)(bake.bake_maps)
 app.command("export", epilog=bake.EXPORT_EXAMPLE)(bake.export)
 app.command("doctor", epilog=doctor.EXAMPLE)(doctor.doctor)

@@ -16,7 +16,7 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from loomlight.core.errors import InputError
-from loomlight.core.settings import Setting, Settings, declared, default_text
+from loomlight.core.settings import Setting, Settings, declared, default_text, range_text
 from loomlight.picture_settings import MAX_SIDE
 
 if TYPE_CHECKING:
@@ -331,4 +331,26 @@ class ListsModels(TyperCommand):
 
         with formatter.section("Models"):
             formatter.write_dl([(name, entry.summary) for name, entry in MODELS.items()])
+        super().format_epilog(ctx, formatter)
+
+
+def _facts(each: Setting) -> tuple[str, str]:
+    """Range and default, in words; empty where there is nothing to say."""
+    return range_text(each), default_text(each, "default: {}")
+
+
+class ListsOptions(ListsModels):
+    """A command that bakes: its help says what `--set` takes, too."""
+
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        """Writes the options of every model that is installed, then what `ListsModels` writes."""
+        from loomlight.models.registry import MODELS, is_installed, model_class
+
+        rows = [
+            (f"{model}: {name}", f"{each.help} [{'; '.join(filter(None, _facts(each)))}]")
+            for model in filter(is_installed, MODELS)
+            for name, each in declared(model_class(model).options_class).items()
+        ]
+        with formatter.section("Options of models, for --set"):
+            formatter.write_dl(rows)
         super().format_epilog(ctx, formatter)
