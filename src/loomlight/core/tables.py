@@ -527,32 +527,23 @@ def _bound(bound: Bound, tables: Tables) -> float:
 
 
 @cache
-def _parsed(text: str) -> ast.expr:
-    return ast.parse(text, mode="eval").body
-
-
-def _plain(extent: Extent) -> int | str:
-    """A whole number, or an expression; labels of numbers are left out."""
+def _terms(extent: Extent) -> list[list[int | str]]:
+    """An extent as a sum of products of names and whole numbers; labels of numbers are left out."""
     assert extent is not None
-    if isinstance(extent, int):
-        return extent
-    labelled = _LABELLED.fullmatch(extent)
-    return extent if labelled is None else int(labelled[1])
+    labelled = _LABELLED.fullmatch(str(extent))
+    text = str(extent) if labelled is None else labelled[1]
+    return _sum_of_products(ast.parse(text, mode="eval").body)
 
 
 def _names(extent: Extent) -> set[str]:
     """Names in an extent."""
-    if extent is None or isinstance(plain := _plain(extent), int):
-        return set()
-    return {node.id for node in ast.walk(_parsed(plain)) if isinstance(node, ast.Name)}
+    parts = [] if extent is None else [part for product in _terms(extent) for part in product]
+    return {part for part in parts if isinstance(part, str)}
 
 
 def _value(extent: Extent, of_name: Callable[[str], int]) -> int:
     """The number that an extent is."""
-    plain = _plain(extent)
-    if isinstance(plain, int):
-        return plain
-    return sum(_product(parts, of_name) for parts in _sum_of_products(_parsed(plain)))
+    return sum(_product(parts, of_name) for parts in _terms(extent))
 
 
 def _product(parts: Sequence[int | str], of_name: Callable[[str], int]) -> int:
@@ -579,9 +570,5 @@ def _products(shape: Shape) -> list[list[int | str]]:
     """The number of entries of a shape, as a sum of products."""
     total: list[list[int | str]] = [[]]
     for extent in shape:
-        plain = _plain(extent)
-        factor: list[list[int | str]] = (
-            [[plain]] if isinstance(plain, int) else _sum_of_products(_parsed(plain))
-        )
-        total = [[*a, *b] for a in total for b in factor]
+        total = [[*a, *b] for a in total for b in _terms(extent)]
     return total

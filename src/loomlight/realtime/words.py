@@ -225,7 +225,9 @@ def add_block(block: declarations.Tables, table: WordTable) -> int:
 def packed_bytes(values: NDArray[np.generic]) -> Words:
     """Bytes as little-endian words, filled up with zeros at the end; at least one word."""
     flat = np.ascontiguousarray(values).ravel().view(np.uint8)
-    return np.pad(flat, (0, -flat.size % 4 or 4 * (flat.size == 0))).view("<u4").astype(np.uint32)
+    missing = -flat.size % 4 or 4 * (flat.size == 0)
+    whole = np.pad(flat, (0, missing)) if missing else flat
+    return whole.view("<u4").astype(np.uint32, copy=False)
 
 
 def fill(record: np.void, values: Mapping[str, float]) -> None:

@@ -430,11 +430,11 @@ def _fibre_fault(numbers: NDArray[np.float32]) -> str:
 
 def _crown(family: int, entry: int, meaning: str = "") -> Number[float]:
     """An entry of `Fibres.face` of the front."""
-    return Number("float", meaning, lambda encoded: float(encoded.fibres.face(False)[family, entry]))
+    return Number("float", meaning, lambda encoded: float(encoded.crowns[family, entry]))
 
 
 def _lobe_roughness(family: int, meaning: str = "") -> Number[float]:
-    return Number("float", meaning, lambda encoded: encoded.fibres.lobe_roughness()[family])
+    return Number("float", meaning, lambda encoded: encoded.lobe_roughness[family])
 
 
 def _last_layer(correction: NDArray[np.float32]) -> list[Layer]:
@@ -539,7 +539,17 @@ class EncodedFabric(Tables):
         """Of both families."""
         return Fibres.from_array(self.fibre_numbers)
 
-    @property
+    @cached_property
+    def crowns(self) -> NDArray[np.float32]:
+        """See `Fibres.face`, of the front."""
+        return self.fibres.face(False)
+
+    @cached_property
+    def lobe_roughness(self) -> tuple[float, float]:
+        """See `Fibres.lobe_roughness`."""
+        return self.fibres.lobe_roughness()
+
+    @cached_property
     def pyramid(self) -> list[Level]:
         """The levels of the latent field."""
         return levels_of(self.picks, self.ends)
