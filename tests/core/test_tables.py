@@ -23,8 +23,7 @@ from loomlight.core.tables import (
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import ShaderTables
 from loomlight.realtime.records import RECORDS
-from loomlight.realtime.words import Tables as Buffers
-from loomlight.realtime.words import write_tables
+from loomlight.realtime.words import Buffers, write_tables
 from loomlight.sources.loom_file import LoomFile
 
 

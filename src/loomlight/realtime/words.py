@@ -10,15 +10,14 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate import footprint_albedos
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
-from loomlight.core import tables as declarations
-from loomlight.core.tables import Layer, Number, Packing, Shared, Size, Table
+from loomlight.core.tables import Layer, Number, Packing, Shared, Size, Table, Tables
 from loomlight.models.fabric_model import ALBEDOS
 from loomlight.models.interface import ShaderTables
 from loomlight.realtime.records import numpy_type
@@ -29,9 +28,6 @@ from loomlight.yarn import rays
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 from loomlight.yarn.threads import CELL_MAX_LEVELS, FamilyTables
-
-if TYPE_CHECKING:
-    from loomlight.models.networks import Layers
 
 # --------------------------------------------------------------------------------------------------- networks
 # Networks as shaders read them: elements of four 32-bit words that hold eight halves or four singles.
@@ -120,11 +116,6 @@ class NumberTable:
         self.size += len(elements)
         return first
 
-    def add_mlp(self, layers: Layers) -> int:
-        """Appends the layers of `MLP<…>` in single precision; the index of the first element."""
-        matrices, biases = zip(*layers, strict=True)
-        return self.add(packed_mlp(matrices, biases, half=False))
-
     def elements(self) -> Elements:
         """All of them; at least one, as no buffer is empty."""
         return np.concatenate(self._parts) if self._parts else np.zeros((1, 4), np.uint32)
@@ -153,18 +144,14 @@ class WordTable:
         self.size += words.size
         return first
 
-    def reserve(self, count: int) -> int:
-        """Appends so many words of 0; the index of the first."""
-        return self.add(np.zeros(count, np.uint32))
-
     def words(self) -> Words:
         """All of them; at least one, as no buffer is empty."""
         return np.concatenate(self._parts) if self._parts else np.zeros(1, np.uint32)
 
 
 @dataclass
-class Tables:
-    """Tables that all fabrics append to.
+class Buffers:
+    """What all fabrics append to.
 
     Attributes:
         words: tables of words.
@@ -177,7 +164,7 @@ class Tables:
     networks: dict[str, int] = field(default_factory=dict)
 
 
-def write_tables(record: np.void, shown: ShaderTables, buffers: Tables) -> None:
+def write_tables(record: np.void, shown: ShaderTables, buffers: Buffers) -> None:
     """Appends the tables that a model declares, and writes its record: numbers, and where tables begin.
 
     Given tables come first, in the order in which they are given.
@@ -198,7 +185,7 @@ def write_tables(record: np.void, shown: ShaderTables, buffers: Tables) -> None:
             record[name] = value
 
 
-def _added(value: Any, packing: Packing, buffers: Tables) -> int:
+def _added(value: Any, packing: Packing, buffers: Buffers) -> int:
     """Appends a table; where it begins."""
     if packing == "words":
         return buffers.words.add(value)
@@ -217,7 +204,7 @@ def _packed_layers(layers: Sequence[Layer]) -> Elements:
     return np.concatenate([packed_layer(weight, bias, weight.dtype == np.float16) for weight, bias in layers])
 
 
-def add_block(block: declarations.Tables, table: WordTable) -> int:
+def add_block(block: Tables, table: WordTable) -> int:
     """Appends all tables with words of a class as one block in their order; the index of the first word."""
     return table.add(np.concatenate([array.ravel() for array in block.tables_with_words().values()]))
 
@@ -286,7 +273,7 @@ def pack_fabrics(
         uv_size_mm: millimetres per unit of u and of v of each fabric; 100 by default.
         models: what a model reads beside the yarns of each, such as baked tables; None for nothing.
     """
-    tables = Tables()
+    buffers = Buffers()
     records = np.zeros(len(fabrics), numpy_type("Fabric"))
     families = np.zeros((len(fabrics), 2), numpy_type("Family"))
     for number, fabric in enumerate(fabrics):
@@ -294,13 +281,13 @@ def pack_fabrics(
         fill(records[number], {"warp": 2 * number, "weft": 2 * number + 1})
         fill(records[number], {"uv_width": size[0], "uv_height": size[1], "openness": NO_OPENNESS})
         if fabric is not None:
-            _pack_fabric(records[number], families[number], tables.words, *fabric)
+            _pack_fabric(records[number], families[number], buffers.words, *fabric)
         shown = None if models is None else models[number]
         if shown is not None:
-            write_tables(records[number][shown.tables.record], shown, tables)
+            write_tables(records[number][shown.tables.record], shown, buffers)
             if fabric is None:
                 fill(records[number], shown.of_source)
-    return Packed(records, families.ravel(), tables.words.words(), tables.numbers.elements())
+    return Packed(records, families.ravel(), buffers.words.words(), buffers.numbers.elements())
 
 
 def _pack_fabric(
