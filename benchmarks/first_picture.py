@@ -69,8 +69,7 @@ def take_stages(fabric: str, size: str) -> None:
 
     from loomlight.core.images import write_image
     from loomlight.mitsuba import RenderSettings, choose_variant
-    from loomlight.mitsuba.material_picture import RenderJob, shown_material
-    from loomlight.mitsuba.time_estimate import TimeEstimate
+    from loomlight.mitsuba.pictures import RenderJob, TimeEstimate, shown_material
 
     width, height = map(int, size.split("x"))
     settings = RenderSettings(size=(width, height))

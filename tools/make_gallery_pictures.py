@@ -11,7 +11,7 @@ import numpy as np
 from PIL import Image
 
 from loomlight.core.colour import linear_to_srgb
-from loomlight.mitsuba.material_picture import render
+from loomlight.mitsuba.pictures import render
 from loomlight.viewer.session import gallery_files, gallery_pictures
 
 SIDE, ZOOM, SAMPLES, QUALITY = 320, 2.5, 24, 80

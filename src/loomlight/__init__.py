@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from loomlight.exporters.exporter import export
     from loomlight.fabric.fabric import Fabric
     from loomlight.fabric.read import fabric_from_text, load_fabric
-    from loomlight.mitsuba.material_picture import render
+    from loomlight.mitsuba.pictures import render
     from loomlight.mitsuba.swatches import swatches
     from loomlight.models.bake import bake, bake_maps, load, save
     from loomlight.models.registry import make_model, model_from_loom
@@ -62,7 +62,7 @@ _HOMES = {
     "named_weave": "loomlight.weave.named",
     "play": "loomlight.window",
     "read_wif": "loomlight.weave.wif_reader",
-    "render": "loomlight.mitsuba.material_picture",
+    "render": "loomlight.mitsuba.pictures",
     "save": "loomlight.models.bake",
     "swatches": "loomlight.mitsuba.swatches",
     "view": "loomlight.viewer.notebook",

@@ -135,7 +135,7 @@ def test_a_render_interrupted_early_leaves_nothing(
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("loomlight.mitsuba.material_picture.render", interrupted)
+    monkeypatch.setattr("loomlight.mitsuba.pictures.render", interrupted)
     assert run(["render", "plain", "-o", str(tmp_path / "a.png"), *SMALL]) == 130
     assert capsys.readouterr() == ("", "loomlight: interrupted. Nothing was written.\n")
     assert list(tmp_path.iterdir()) == []
@@ -164,7 +164,7 @@ def test_a_render_that_cannot_be_finished_leaves_what_was_there(
             assert picture.size == (4, 4)
         raise error
 
-    monkeypatch.setattr("loomlight.mitsuba.material_picture.render", fails)
+    monkeypatch.setattr("loomlight.mitsuba.pictures.render", fails)
     assert run(["render", "plain", "-o", str(path), *SMALL]) == code
     text = capsys.readouterr().err
     if code == 130:

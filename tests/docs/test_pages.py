@@ -14,7 +14,7 @@ import pytest
 import typer
 
 from loomlight.cli.main import app, run
-from loomlight.mitsuba.material_picture import RenderJob
+from loomlight.mitsuba.pictures import RenderJob
 from loomlight.models.registry import MODELS
 
 ROOT = Path(__file__).parents[2]

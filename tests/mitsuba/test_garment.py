@@ -17,7 +17,7 @@ from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import metric
 from loomlight.mitsuba import build_scene
 from loomlight.mitsuba.meshes import read_garment
-from loomlight.mitsuba.turntable import Turntable
+from loomlight.mitsuba.pictures import Turntable
 
 DATA = os.environ.get("LOOMLIGHT_DATA")
 SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1))

@@ -10,7 +10,7 @@ import pytest
 from loomlight.fabric import load_fabric
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 from loomlight.mitsuba.camera import FIELD_OF_VIEW, View
-from loomlight.mitsuba.inset import FRAME, Inset, resized
+from loomlight.mitsuba.pictures import FRAME, Inset, resized
 
 choose_variant()
 WHITE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.8}}

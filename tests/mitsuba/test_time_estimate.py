@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from loomlight.mitsuba.time_estimate import TimeEstimate, sample_seconds
+from loomlight.mitsuba.pictures import TimeEstimate, sample_seconds
 
 
 class Clock:

@@ -140,7 +140,7 @@ RECIPES: dict[str, Recipe] = {
 
 def small_renders() -> dict[str, list[float]]:
     """Means of 4 by 3 fields of small pictures, by fabric and scene: cloth, surroundings, light, exposure."""
-    from loomlight.mitsuba.material_picture import render
+    from loomlight.mitsuba.pictures import render
 
     found = {}
     for fabric in ("denim", "linen"):

@@ -85,11 +85,11 @@ def render(
 
 def _write_picture(what: str, fabric: str, path: Path, settings: RenderSettings) -> None:
     from loomlight.core.images import write_image
-    from loomlight.mitsuba import material_picture
+    from loomlight.mitsuba import pictures
 
     written = _Written(path)
     with progress(what, milliseconds=True) as report, written.restored_on_faults():
-        picture = material_picture.render(fabric, settings=settings, progress=report, partial=written.refine)
+        picture = pictures.render(fabric, settings=settings, progress=report, partial=written.refine)
         write_image(path, picture)
     done(path)
 
@@ -184,7 +184,7 @@ def write_turn(what: str, fabric: str, path: Path, count: int, settings: RenderS
     animated = _is_animated(path)
     paths = turn_paths(path, count)
     from loomlight.core.images import encoded, write_animation, write_image
-    from loomlight.mitsuba.turntable import turntable
+    from loomlight.mitsuba.pictures import turntable
 
     frames = []
     with progress(what) as report:
@@ -247,7 +247,7 @@ def demo(
 
     from loomlight.core.images import write_image
     from loomlight.fabric.read import load_fabric
-    from loomlight.mitsuba.material_picture import render
+    from loomlight.mitsuba.pictures import render
 
     cloth = load_fabric(Path(__file__).with_name("demo.toml"))
     with progress(f"{cloth.name}, draped", milliseconds=True) as report:
