@@ -81,7 +81,7 @@ class Setting:
         if self.kind is bool:
             return "true or false"
         if self.kind is tuple:
-            kind = f"{len(self.parts)} numbers"
+            kind = f"{len(self.parts)} {'whole ' * (self.parts[0] is int)}numbers"
         else:
             kind = "a whole number" if self.kind is int else "a number"
         return kind + self.range
