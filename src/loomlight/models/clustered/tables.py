@@ -360,7 +360,7 @@ class ClusterTables(Tables):
         "principal components of the densities of a cluster",
         of="coefficients",
         counted="numbers a texel",
-        expected="three of the normal, and those of the components before them",
+        expected="three or more, those of the normal behind those of the components",
         low=0,
     )
 

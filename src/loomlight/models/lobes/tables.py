@@ -150,7 +150,7 @@ class LobeTables(Tables):
         """Of the back."""
         return float(self.hole_weight[1])
 
-    hole_weight: NDArray[np.float32] = table("weight of holes", ("2 faces",))
+    hole_weight: NDArray[np.float32] = table("weight of holes", ("2 faces",), low=0)
     warp_packs: NDArray[np.int64] = table(
         "how many packs of each face, the first ones, are the warp's", ("2 faces",), low=0, high="packs"
     )
