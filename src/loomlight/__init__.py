@@ -16,6 +16,7 @@ if TYPE_CHECKING:
         LoomlightWarning,
         MissingDependencyError,
     )
+    from loomlight.core.picture_settings import RenderSettings
     from loomlight.evaluation.compare import compare
     from loomlight.exporters.exporter import export
     from loomlight.fabric.fabric import Fabric
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from loomlight.mitsuba.swatches import swatches
     from loomlight.models.bake import bake, bake_maps, load, save
     from loomlight.models.registry import make_model, model_from_loom
-    from loomlight.picture_settings import RenderSettings
     from loomlight.scattering.appearance import Appearance
     from loomlight.viewer.notebook import view
     from loomlight.viewer.server import edit
@@ -47,7 +47,7 @@ _HOMES = {
     "LoomlightError": "loomlight.core.errors",
     "LoomlightWarning": "loomlight.core.errors",
     "MissingDependencyError": "loomlight.core.errors",
-    "RenderSettings": "loomlight.picture_settings",
+    "RenderSettings": "loomlight.core.picture_settings",
     "bake": "loomlight.models.bake",
     "bake_maps": "loomlight.models.bake",
     "compare": "loomlight.evaluation.compare",

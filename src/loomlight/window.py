@@ -17,12 +17,12 @@ from loomlight.core.files import WRITTEN_SUFFIXES
 from loomlight.core.fleet import Report
 from loomlight.core.images import write_image, write_pixels
 from loomlight.core.outputs import check_output
+from loomlight.core.picture_settings import PlayKeywords, PlaySettings
 from loomlight.mesh.cloth_mesh import uv_size, warn_of_extent, warn_of_scale
 from loomlight.mitsuba.camera import framing
 from loomlight.mitsuba.lights import studio_radiance
 from loomlight.mitsuba.scenes import built_in_cloth
 from loomlight.mitsuba.variants import choose_variant
-from loomlight.picture_settings import PlayKeywords, PlaySettings
 from loomlight.realtime import Cloth, DirectionalLight, Environment, Mesh, Renderer
 from loomlight.realtime.materials import Material, material_of, models_of
 from loomlight.realtime.renderer import Picture

@@ -1,6 +1,6 @@
 """Options, keywords and tables of pages follow from the declarations of settings.
 
-Covers: picture_settings.py, cli/options.py
+Covers: core/picture_settings.py, cli/options.py
 """
 
 from __future__ import annotations
@@ -15,12 +15,7 @@ from typer.testing import CliRunner
 
 from loomlight.cli.main import app
 from loomlight.cli.options import Given, options_of_settings, takes
-from loomlight.core.settings import Settings, declared, default_text
-from loomlight.mesh.edges import EDGES
-from loomlight.mitsuba.camera import MAX_ZOOM
-from loomlight.mitsuba.lights import LIGHTS
-from loomlight.mitsuba.variants import SUPPORTED_VARIANTS
-from loomlight.picture_settings import (
+from loomlight.core.picture_settings import (
     MapKeywords,
     MapSettings,
     Placement,
@@ -31,6 +26,11 @@ from loomlight.picture_settings import (
     SwatchKeywords,
     SwatchSettings,
 )
+from loomlight.core.settings import Settings, declared, default_text
+from loomlight.mesh.edges import EDGES
+from loomlight.mitsuba.camera import MAX_ZOOM
+from loomlight.mitsuba.lights import LIGHTS
+from loomlight.mitsuba.variants import SUPPORTED_VARIANTS
 from tools.generate.settings import TABLES, with_tables
 
 ROOT = Path(__file__).parents[2]

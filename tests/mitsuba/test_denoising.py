@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.picture_settings import RenderSettings
 from loomlight.mitsuba import build_scene, denoising, material_bsdf, render
-from loomlight.picture_settings import RenderSettings
 
 SIZE = (64, 48)
 

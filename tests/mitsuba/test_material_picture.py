@@ -15,10 +15,10 @@ import pytest
 import loomlight
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
+from loomlight.core.picture_settings import Placement, RenderSettings
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import material_bsdf
 from loomlight.mitsuba.pictures import RenderJob, shown_material
-from loomlight.picture_settings import Placement, RenderSettings
 
 from ..core.pictures import png_head
 

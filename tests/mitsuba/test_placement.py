@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
+from loomlight.core.picture_settings import Placement
 from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mitsuba import build_scene
 from loomlight.mitsuba.meshes import placed
-from loomlight.picture_settings import Placement
 
 WHITE = {"type": "diffuse"}
 

@@ -15,9 +15,9 @@ from PIL import Image
 from loomlight.cli.main import run
 from loomlight.core.contact_sheet import Card, sheet_page, sheet_picture
 from loomlight.core.errors import InputError
+from loomlight.core.picture_settings import SwatchSettings
 from loomlight.fabric.read import fabric_from_text
 from loomlight.mitsuba.swatches import fabric_cards, fact_lines
-from loomlight.picture_settings import SwatchSettings
 
 SMALL = ["--size", "32", "--spp", "1", "--model", "point"]
 

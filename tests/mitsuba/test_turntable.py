@@ -15,9 +15,9 @@ from PIL import Image
 
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.picture_settings import RenderSettings
 from loomlight.mitsuba import build_scene
 from loomlight.mitsuba.pictures import Turntable, turntable
-from loomlight.picture_settings import RenderSettings
 
 WHITE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.8}}
 

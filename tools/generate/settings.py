@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from loomlight.cli.options import options_of_settings
+from loomlight.core.picture_settings import MapSettings, PlaySettings, RenderSettings, SwatchSettings
 from loomlight.core.settings import Setting, Settings, declared, default_text, range_text
 from loomlight.models.registry import MODELS, model_class
-from loomlight.picture_settings import MapSettings, PlaySettings, RenderSettings, SwatchSettings
 
 ROOT = Path(__file__).resolve().parents[2]
 Rows = Iterator[list[str]]

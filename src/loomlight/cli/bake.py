@@ -19,7 +19,7 @@ from loomlight.cli.options import (
 from loomlight.cli.terminal import done, note_left, progress
 from loomlight.core.errors import InputError
 from loomlight.core.outputs import check_output, require_not_read
-from loomlight.picture_settings import MapSettings
+from loomlight.core.picture_settings import MapSettings
 
 if TYPE_CHECKING:
     from loomlight.core.fleet import Executor

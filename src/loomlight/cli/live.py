@@ -12,7 +12,7 @@ from loomlight.cli.terminal import done, note_left, progress
 from loomlight.core.errors import InputError
 from loomlight.core.files import WRITTEN_SUFFIXES
 from loomlight.core.outputs import check_output, require_not_read
-from loomlight.picture_settings import PlaySettings
+from loomlight.core.picture_settings import PlaySettings
 
 PLAY_EXAMPLE = "Example: loomlight play examples/denim.toml --scene drape"
 

@@ -16,8 +16,8 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from loomlight.core.errors import InputError
+from loomlight.core.picture_settings import MAX_SIDE
 from loomlight.core.settings import Setting, Settings, declared, default_text, range_text
-from loomlight.picture_settings import MAX_SIDE
 
 if TYPE_CHECKING:
     from loomlight.core.fleet import Executor

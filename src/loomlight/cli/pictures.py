@@ -25,7 +25,7 @@ from loomlight.cli.terminal import done, note_left, progress, was_interrupted
 from loomlight.core.errors import InputError
 from loomlight.core.files import WRITTEN_SUFFIXES, replacing
 from loomlight.core.outputs import check_output, require_not_read
-from loomlight.picture_settings import RenderSettings, SwatchSettings
+from loomlight.core.picture_settings import RenderSettings, SwatchSettings
 
 if TYPE_CHECKING:
     import numpy as np

@@ -6,6 +6,7 @@ as soon as one is set; it never sets one.
 
 from __future__ import annotations
 
+from loomlight.core.picture_settings import Placement, RenderSettings
 from loomlight.mesh.cloth_mesh import ClothMesh, uv_size
 from loomlight.mesh.reading import read_mesh
 from loomlight.mitsuba.lights import LIGHTS
@@ -14,7 +15,6 @@ from loomlight.mitsuba.plugins import material_bsdf, register_plugins
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import SCENES, ClothScene, build_scene
 from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, choose_variant
-from loomlight.picture_settings import Placement, RenderSettings
 
 __all__ = [
     "LIGHTS",

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Color3, Mask
 from loomlight.core.backend import channel_mean
 from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.picture_settings import DENOISING
 from loomlight.mitsuba.bsdf import FILTERS, SceneTraits
 from loomlight.mitsuba.pixels import FirstFootprint
-from loomlight.picture_settings import DENOISING
 
 _MODULE, _PACKAGE = "mitsuba_oidn", "mitsuba-oidn"
 

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import upload
 from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.picture_settings import Placement
 from loomlight.core.sentences import closest, shown
 from loomlight.mesh.cloth_mesh import (
     ClothMesh,
@@ -34,7 +35,6 @@ from loomlight.mesh.cloth_mesh import (
     warn_of_scale,
 )
 from loomlight.mesh.reading import read_parts
-from loomlight.picture_settings import Placement
 
 
 def to_shape(mesh: ClothMesh, bsdf: mi.BSDF | dict[str, Any]) -> mi.Mesh:

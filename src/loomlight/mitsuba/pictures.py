@@ -22,6 +22,7 @@ from loomlight.core.backend import upload
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.images import Picture
 from loomlight.core.parallel_map import core_count
+from loomlight.core.picture_settings import RenderKeywords, RenderSettings
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.camera import MAX_ZOOM, Corner, View, framing
 from loomlight.mitsuba.plugins import material_bsdf
@@ -40,7 +41,6 @@ from loomlight.mitsuba.scenes import (
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.material_spec import Material, MaterialSpec, resolve
 from loomlight.models.registry import REFERENCE_MODEL
-from loomlight.picture_settings import RenderKeywords, RenderSettings
 from loomlight.sources.kinds import Source
 
 _PICTURE_OPTIONS = ("spp", "seed", "exposure", "white_balance", "denoise")

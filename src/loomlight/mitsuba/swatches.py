@@ -24,6 +24,7 @@ from loomlight.core.files import PIXEL_SUFFIXES, discarding_empty, replacing
 from loomlight.core.fleet import Executor, Outcome, Report, Shard, ShardFolder, work_map
 from loomlight.core.images import encoded, write_pixels
 from loomlight.core.outputs import check_output
+from loomlight.core.picture_settings import Placement, SwatchKeywords, SwatchSettings
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts, repeat_text, three_digits
 from loomlight.mitsuba.plugins import material_bsdf
@@ -31,7 +32,6 @@ from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import build_scene
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.registry import make_model, require_model_name
-from loomlight.picture_settings import Placement, SwatchKeywords, SwatchSettings
 from loomlight.sources.load import fabric_of_path, source_identity
 from loomlight.weave.draft import Draft
 from loomlight.weave.drawing import draw_drawdown

@@ -16,6 +16,7 @@ from loomlight.core.files import WRITTEN_SUFFIXES, remove_leftovers, replacing
 from loomlight.core.fleet import Executor, Outcome, Report, Shard, ShardFolder, require_results, work_map
 from loomlight.core.images import write_image
 from loomlight.core.llvm import llvm_float, require_llvm
+from loomlight.core.picture_settings import MapKeywords, MapSettings
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.maps import (
     ClothMaps,
@@ -30,7 +31,6 @@ from loomlight.models.interface import Model
 from loomlight.models.material_spec import Material, resolve
 from loomlight.models.options import Options
 from loomlight.models.registry import DEFAULT_MODEL, model_class, model_from_loom, options_of
-from loomlight.picture_settings import MapKeywords, MapSettings
 from loomlight.sources.kinds import Source, kind_of_file
 from loomlight.sources.load import load_source, source_identity
 from loomlight.sources.loom_file import LOOM_SUFFIX, is_loom, write_loom
