@@ -60,7 +60,7 @@ def test_every_live_parameter_refuses_wrong_values(plugin: str, tmp_path: Path) 
     scene = scene_of(plugin, tmp_path)
     params = mi.traverse(scene)
     before = values_of(params)
-    assert len(before) > 2
+    assert len(before) >= 2  # of two cloths
     answers = [mean_value(shape.bsdf()) for shape in scene.shapes()]
     for key in before:
         cloth, _, name = key.partition(".bsdf.")
