@@ -142,7 +142,7 @@ def attempt(function: Callable[[_Item], bytes], item: _Item) -> Outcome:
             fault = str(error)
         except LoomlightError:
             raise
-        except Exception:
+        except Exception:  # a defect: `work_map` raises it where the work was asked for
             defect = traceback.format_exc()
     sentences = [str(each.message) for each in caught if issubclass(each.category, LoomlightWarning)]
     return Outcome(content, fault, defect, tuple(dict.fromkeys(sentences)))
@@ -281,7 +281,7 @@ class ShardFolder:
         except Timeout:
             yield False
             return
-        except (OSError, NotImplementedError) as error:
+        except (OSError, NotImplementedError) as error:  # filelock, where the system lacks what it needs
             raise InputError(f"{self.path} is on a file system without locks: {error}.") from error
         claim = self.path / f"{shard.key}.claim"
         try:

@@ -400,6 +400,7 @@ class Tables:
     @classmethod
     def may_lack(cls, name: str) -> bool:
         """Whether files may lack a table."""
+        # A type checker cannot see that subclasses are made dataclasses.
         return any(part.name == name and part.default is None for part in fields(cls))  # type: ignore[arg-type]
 
     def arrays(self) -> dict[str, Array]:
