@@ -45,6 +45,42 @@ class YarnDetail:
         return self.plies > 1 or max(self.fibre_tilt, self.slub, self.hairiness) > 0
 
 
+@dataclass(frozen=True)
+class Irregularity:
+    """How the yarns of one family vary along themselves and from one to the next; all off by default.
+
+    `scattering/irregularity.py` makes a process of it, of which footprints show means.
+
+    Attributes:
+        mass_cv: coefficient of variation of the mass of lengths of 8 mm (Uster's CVm), 0 to 0.6.
+        fibre_length: of the staple, millimetres, > 0.
+        thick_places: per metre of yarn, ≥ 0.
+        thick_length: of one, millimetres, > 0.
+        thick_size: how much more mass one has in its middle than the mean, ≥ 0; 1 is twice the mean.
+        shade: deviation of the depth of shade along the yarn, of the logarithm of the dye in it, 0 to 1.
+        melange: the same, of fibres of several colours mixed, which varies within millimetres, 0 to 1.
+        neps: per metre of yarn, ≥ 0: small knots of fibres of another colour.
+        nep_length: of one, millimetres, > 0.
+        nep_albedo: its diffuse albedo, linear RGB.
+    """
+
+    mass_cv: float = 0.0
+    fibre_length: float = 28.0
+    thick_places: float = 0.0
+    thick_length: float = 30.0
+    thick_size: float = 1.0
+    shade: float = 0.0
+    melange: float = 0.0
+    neps: float = 0.0
+    nep_length: float = 4.0
+    nep_albedo: tuple[float, float, float] = (0.5, 0.5, 0.5)
+
+    @property
+    def is_on(self) -> bool:
+        """Whether the yarn varies at all."""
+        return max(self.mass_cv, self.thick_places, self.shade, self.melange, self.neps) > 0
+
+
 @dataclass(frozen=True, eq=False)
 class FamilyAppearance:
     """One family of threads.
@@ -56,6 +92,7 @@ class FamilyAppearance:
         specular_transmit: the same in transmission [n, 3].
         roughness: α of the fibre SGGX distribution, 0.01 to 1.
         detail: what the yarn shows close up.
+        irregularity: how it varies over millimetres to metres.
 
     Per channel diffuse_reflect + diffuse_transmit + κ·max(specular_reflect, specular_transmit) ≤ 1, checked
     where the values are made (`scattering/albedo.py`, which has κ).
@@ -67,6 +104,7 @@ class FamilyAppearance:
     specular_transmit: NDArray[np.float64]
     roughness: float
     detail: YarnDetail = YarnDetail()
+    irregularity: Irregularity = Irregularity()
 
 
 @dataclass(frozen=True)
@@ -84,11 +122,13 @@ class Variation:
     Attributes:
         fibre_noise: 0 to 1, how much the specular strength varies from fibre to fibre.
         colour_noise: 0 to 1, relative spread of the albedo from thread to thread.
+        irregularity: 0 to 2, how much of the `Irregularity` of yarns shows; 0 is even cloth.
         seed: any 32-bit number.
     """
 
     fibre_noise: float = 0.0
     colour_noise: float = 0.0
+    irregularity: float = 1.0
     seed: int = 0
 
 
