@@ -23,6 +23,7 @@ from loomlight.fabric.read import edited_fabric
 from loomlight.models.interface import Model, Parameter, Values
 from loomlight.models.live_albedos import LiveAlbedos
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.irregularity import IrregularYarns
 from loomlight.scattering.point import Albedos
 from loomlight.scattering.variation import Unevenness
 from loomlight.sources.kinds import Source
@@ -47,6 +48,7 @@ class FabricModel(Model):
 
     Attributes:
         fabric: the source.
+        irregular: how its yarns vary.
     """
 
     has_holes = True
@@ -56,15 +58,22 @@ class FabricModel(Model):
         self.source = fabric
         spacings = [float(np.mean(family.spacing)) for family in (fabric.layout().warp, fabric.layout().weft)]
         self._unevenness = Unevenness(fabric.appearance(), (spacings[0], spacings[1]))
+        self.irregular = IrregularYarns(YarnGeometry(fabric.layout()), fabric.appearance())
 
     def upload(self, types: ArrayTypes) -> None:
         """Puts the numbers of uneven threads on a backend; derived classes put theirs too."""
         self._unevenness.upload(types)
+        self.irregular.upload(types)
 
     @final
     def on_cloth(self, footprint: Footprint) -> Footprint:
-        """The footprint in the draft, whose threads the cloth's wander about."""
-        return replace(footprint, centre=self._unevenness.place(footprint.centre))
+        """The footprint in the draft, whose threads the cloth's wander about, thick here and thin there."""
+        footprint = replace(footprint, centre=self._unevenness.place(footprint.centre))
+        return self.among_irregular(footprint)
+
+    @abstractmethod
+    def among_irregular(self, footprint: Footprint) -> Footprint:
+        """The footprint, whose centre is moved to where thick and thin yarns of the draft are even."""
 
     @property
     @final
@@ -101,6 +110,12 @@ class FilteredFabricModel(FabricModel):
     """
 
     filters = True
+
+    @final
+    def among_irregular(self, footprint: Footprint) -> Footprint:
+        """Footprints of a thread and more stay: they show shares."""
+        size = footprint.spread_side
+        return replace(footprint, centre=self.irregular.place(footprint.centre, size))
 
     @cached_property
     def means(self) -> FootprintAlbedos:

@@ -141,6 +141,7 @@ class SamplesBsdf(FootprintBsdf):
     def __init__(self, model: SampledModel, view: Vec3, footprint: Footprint, tint: Color3 | None) -> None:
         super().__init__(view, footprint)
         self._model, self._points, self._tint = model.point_model, model.options.points, tint
+        self._irregular = model.irregular
         # One pattern for all footprints may fall in step with the weave: a mean over pixels would be wrong.
         seed = hashed(view, footprint, self._model.surface.size)
         self._places = FootprintPlaces(model.cell, footprint, seed)
@@ -201,6 +202,7 @@ class SamplesBsdf(FootprintBsdf):
     def _point(self, number: UInt) -> tuple[YarnPoint, Float]:
         """A point and its weight."""
         place, weight = self._places.at(number)
+        place = self._irregular.place(place)
         return self._model.locate(place.x, place.y, self.view, weight > 0, tint=self._tint), weight
 
     def _mean(self, measure: Callable[[YarnPoint], list[Any]], weighed: bool = True) -> list[Any]:
@@ -234,7 +236,9 @@ class YarnPointModel(FabricModel):
         super().__init__(fabric)
         self.options = options or self.options_class()
         self._geometry = YarnGeometry(fabric.layout())
-        self.point_model = YarnScattering(DetachedSurface(self._geometry), fabric.appearance())
+        self.point_model = YarnScattering(
+            DetachedSurface(self._geometry), fabric.appearance(), irregular=self.irregular
+        )
 
     @classmethod
     def for_source(cls, source: Source, options: Options | None = None, report: Report | None = None) -> Self:
@@ -318,6 +322,10 @@ class PointModel(YarnPointModel):
     name = "point"
     filters = False
 
+    def among_irregular(self, footprint: Footprint) -> Footprint:
+        """The one point that is looked at moves, whatever the size."""
+        return replace(footprint, centre=self.irregular.place(footprint.centre))
+
     def at(
         self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
     ) -> PointBsdf:
@@ -344,6 +352,10 @@ class SampledModel(YarnPointModel):
     estimates = True
     options_class = SamplesOptions
     options: SamplesOptions
+
+    def among_irregular(self, footprint: Footprint) -> Footprint:
+        """Each point moves by itself; see `SamplesBsdf`."""
+        return footprint
 
     @cached_property
     def cell(self) -> PrimitiveCell:

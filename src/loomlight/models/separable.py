@@ -12,12 +12,13 @@ import drjit as dr
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.arrays import Color3, Float, Mask, Vec3
-from loomlight.core.backend import array_types
+from loomlight.core.backend import array_types, maximum, minimum
 from loomlight.core.footprint import Footprint
 from loomlight.models.between_yarns import BetweenYarns, Bounced
 from loomlight.models.interface import FootprintBsdf
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.interreflection import Blocked
+from loomlight.scattering.irregularity import IrregularYarns, Yarns
 from loomlight.scattering.point import Albedos
 from loomlight.scattering.point import tinted as tinted_family
 from loomlight.scattering.sheen import sheen_transmittance, sheen_with_transmittance
@@ -174,21 +175,78 @@ class FilteredBsdf(SeparableBsdf):
     """A BSDF of yarns whose albedos are means over the threads of footprints."""
 
     def __init__(
-        self, means: FootprintAlbedos, sheen: Sheen, view: Vec3, footprint: Footprint, tint: Color3 | None
+        self,
+        means: FootprintAlbedos,
+        irregular: IrregularYarns,
+        sheen: Sheen,
+        view: Vec3,
+        footprint: Footprint,
+        tint: Color3 | None,
     ) -> None:
         """
         Args:
             means: albedos of threads over footprints.
+            irregular: how yarns vary along themselves.
             tint: see `Model.at`.
         """
         super().__init__(view, footprint, sheen)
-        self._means, self._tint = means, tint
+        self._means, self._irregular, self._tint = means, irregular, tint
         self._back = array_types(view.x).Bool(view.z < 0)
 
     @cached_property
     def albedos(self) -> FamilyAlbedos:
         """Mean albedos of the threads over footprints, without parallax."""
-        return tinted(FamilyAlbedos(*self._means.over(self.footprint, self._back)), self._tint)
+        mean = FamilyAlbedos(*self._means.over(self.footprint, self._back))
+        return tinted(self.irregular_albedos(mean), self._tint)
+
+    @property
+    def coloured_footprint(self) -> Footprint:
+        """The footprint whose threads are seen, for their colours."""
+        return self.footprint
+
+    @cached_property
+    def yarns(self) -> Yarns | None:
+        """The yarns over the footprint; None where all are even."""
+        if not self._irregular.is_on:
+            return None
+        with dr.suspend_grad():
+            return self._irregular.over(self.coloured_footprint, self._back)
+
+    @final
+    def irregular_albedos(self, albedos: FamilyAlbedos) -> FamilyAlbedos:
+        """Mean albedos of even yarns as the yarns of the footprint show them."""
+        if self.yarns is None:
+            return albedos
+        process = self._irregular.on(array_types(self.view.x))
+        families = tuple(
+            (part.diffuse_reflect, part.diffuse_transmit, part.specular_reflect, part.specular_transmit)
+            for part in (albedos.warp, albedos.weft)
+        )
+        return FamilyAlbedos(
+            *(Albedos(*part) for part in process.toned((families[0], families[1]), self.yarns))
+        )
+
+    @final
+    def irregular_hole(self, hole: Float) -> Float:
+        """The hole of even yarns as the yarns of the footprint leave it, 0 to 1."""
+        return hole if self.yarns is None else minimum(hole * self.yarns.shares[2], 1)
+
+    @final
+    def irregular_evaluation(self, even: Evaluation) -> Evaluation:
+        """What a footprint of even yarns does to a light, with the shares that its families have."""
+        if self.yarns is None:
+            return even
+        warp, weft, _ = self.yarns.shares
+        hole, old = self.irregular_hole(even.hole), even.components
+        lit = old.light_visibility * (1 - hole) * dr.rcp(maximum(1 - even.hole, 1e-6))
+        components = Components(
+            warp * old.diffuse_warp,
+            weft * old.diffuse_weft,
+            warp * old.specular_warp,
+            weft * old.specular_weft,
+            minimum(lit, 1 - hole),
+        )
+        return Evaluation(components, hole, even.blocked)
 
     @cached_property
     def between(self) -> BetweenYarns | None:

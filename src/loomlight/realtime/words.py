@@ -320,7 +320,7 @@ def _pack_fabric(
         "sheen_strength": appearance.sheen.strength,
         "sheen_roughness": appearance.sheen.roughness,
         "fibre_noise": variation.fibre_noise,
-        "colour_noise": variation.colour_noise,
+        "colour_noise": appearance.thread_noise,
         "seed": variation.seed & 0xFFFFFFFF,
         "layer_bound": appearance.layer_bound,
         "fibre_size": min(fine_x, fine_y) / FIBRES_ACROSS,

@@ -151,6 +151,16 @@ class Appearance:
     openness: Openness | None = None
 
     @property
+    def is_irregular(self) -> bool:
+        """Whether yarns vary along themselves, and from thread to thread by the same process."""
+        return self.warp.irregularity.is_on or self.weft.irregularity.is_on
+
+    @property
+    def thread_noise(self) -> float:
+        """Relative spread of the albedo from thread to thread that no process of irregular yarns has."""
+        return 0.0 if self.is_irregular else self.variation.colour_noise
+
+    @property
     def layer_bound(self) -> float:
         """κ of the energy bound that the albedos keep, of the larger highlight (`albedo.LayerBound`)."""
         if self.openness is None:

@@ -120,7 +120,7 @@ class DetailNumbers:
         self.period = opaque(types.Float, period)
         self.threads = opaque(types.Int32, [len(family.diffuse_reflect) for family in families])
         self.seed = opaque(types.UInt32, variation.seed)
-        strengths = variation.fibre_noise, variation.colour_noise, appearance.layer_bound
+        strengths = variation.fibre_noise, appearance.thread_noise, appearance.layer_bound
         fibre, colour, bound = (opaque(types.Float, number) for number in strengths)
         self.noise = fibre, colour, self.seed, bound
         self._families = [

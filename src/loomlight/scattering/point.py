@@ -16,7 +16,7 @@ from typing import Any
 import drjit as dr
 import numpy as np
 
-from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
+from loomlight.core.arrays import Color3, Float, Int, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, channel_mean, masked_branch, maximum, opaque
 from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance, FamilyAppearance
 from loomlight.scattering.detail import DetailNumbers, detail_gain, diffuse_gain, fibre_cell, turned_frame
@@ -31,6 +31,7 @@ from loomlight.scattering.fibre import (
 )
 from loomlight.scattering.hairs import Hair, Hairs, under_hair
 from loomlight.scattering.interreflection import Interreflection, Scattered, bounced, scattered
+from loomlight.scattering.irregularity import IrregularYarns
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance, sheen_with_transmittance
 from loomlight.scattering.variation import FIBRES_ACROSS, vary_albedos
 from loomlight.yarn.flanks import SurfacePoint
@@ -216,14 +217,20 @@ class YarnScattering:
         appearance: what scatters.
         quality: how finely rays are searched.
         sheen: strength and roughness, numbers or Dr.Jit scalars; None without sheen.
+        irregular: how yarns vary along themselves; None shows even ones, as tables of models do.
     """
 
     def __init__(
-        self, surface: Surface, appearance: Appearance, quality: SearchQuality = DEFAULT_QUALITY
+        self,
+        surface: Surface,
+        appearance: Appearance,
+        quality: SearchQuality = DEFAULT_QUALITY,
+        irregular: IrregularYarns | None = None,
     ) -> None:
         self.surface = surface
         self.appearance = appearance
         self.quality = quality
+        self.irregular = irregular if irregular is not None and irregular.is_on else None
         sheen = appearance.sheen
         # None without sheen, so that it costs nothing then.
         self.sheen: tuple[Float, Float] | None = (
@@ -241,7 +248,7 @@ class YarnScattering:
                 FamilyParameters(self.appearance.weft, types),
             )
             self.between_yarns(types)
-            if self.varies or self.has_detail:
+            if self.varies or self.has_detail or self.irregular is not None:
                 self.detail(types)
         return self._uploaded[types.Float]
 
@@ -323,6 +330,16 @@ class YarnScattering:
             for family, thread in ((warp, point.warp_thread), (weft, point.weft_thread))
         )
         albedos = Albedos(*(dr.select(is_warp, *pair) for pair in zip(of_warp, of_weft, strict=True)))
+        if self.irregular is not None:
+            process = self.irregular.on(types)
+            parts = (
+                albedos.diffuse_reflect,
+                albedos.diffuse_transmit,
+                albedos.specular_reflect,
+                albedos.specular_transmit,
+            )
+            number = types.Float(self._thread_of_family(point))
+            albedos = Albedos(*process.toned_at(parts, is_warp, number, point.x, point.y))
         if self.varies_at(size):
             albedos = self.varied(point, albedos, back, size, hair)
         albedos = tinted(albedos, tint)
@@ -376,7 +393,7 @@ class YarnScattering:
     @property
     def varies(self) -> bool:
         """Whether fibres or threads vary by chance."""
-        return self.appearance.variation.fibre_noise > 0 or self.appearance.variation.colour_noise > 0
+        return self.appearance.variation.fibre_noise > 0 or self.appearance.thread_noise > 0
 
     def varies_at(self, size: Float | None) -> bool:
         """Whether albedos vary by chance or by what yarns show to footprints of a side; see `at`."""
@@ -396,15 +413,20 @@ class YarnScattering:
         Were it counted within the repeat, what varies by chance would repeat with the draft.
         """
         types = array_types(point.x)
+        number = self._thread_of_family(point)
+        # Two families must not share numbers.
+        return types.UInt32(number) * 2 + dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
+
+    def _thread_of_family(self, point: SurfacePoint) -> Int:
+        """Number of the thread of a point among those of its family over the whole cloth, Int32."""
+        types = array_types(point.x)
         numbers = self.detail(types)
         position = dr.select(point.is_warp, point.x, point.y) - point.across
         period = dr.select(point.is_warp, *numbers.period)
         threads = dr.select(point.is_warp, *numbers.threads)
         index = dr.select(point.is_warp, types.Int32(point.warp_thread), types.Int32(point.weft_thread))
         repeat = self.repeat_number(dr.floor(position / period), point.is_warp)
-        number = types.Int32(repeat) * threads + index
-        # Two families must not share numbers.
-        return types.UInt32(number) * 2 + dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
+        return types.Int32(repeat) * threads + index
 
     def repeat_number(self, repeat: Float, is_warp: Mask) -> Float:
         """Number of a repeat, by which its threads differ from those of others; cloth that tiles has few.

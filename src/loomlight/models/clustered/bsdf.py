@@ -28,10 +28,11 @@ from loomlight.models.clustered.square_map import BINS, BinTaps, bin_taps
 from loomlight.models.clustered.tables import NORMAL_UNIT, NUMBERS, TEXEL_NUMBERS, THREAD_BASE, ClusterTables
 from loomlight.models.random_numbers import uniform
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, FilteredBsdf, shade
-from loomlight.scattering.appearance import Sheen
+from loomlight.scattering.appearance import ALBEDO_NAMES, Sheen
 from loomlight.scattering.directions import cosine_about
 from loomlight.scattering.fibre import layer_albedo_estimate, pdf_specular, projected_area, sample_specular
-from loomlight.scattering.point import DirectionSample, YarnScattering, to_face_frame
+from loomlight.scattering.irregularity import IrregularYarns
+from loomlight.scattering.point import Albedos, DirectionSample, YarnScattering, to_face_frame
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance
 
 # ------------------------------------------------------------------------------------------------------- base
@@ -472,6 +473,7 @@ class ClusteredBsdf(FilteredBsdf):
         tables: DeviceTables,
         model: YarnScattering,
         means: FootprintAlbedos,
+        irregular: IrregularYarns,
         samples: int,
         controlled: bool,
         seed: UInt,
@@ -486,7 +488,7 @@ class ClusteredBsdf(FilteredBsdf):
             controlled: False leaves out the base and estimates everything from the texels.
             seed: a random number a lane.
         """
-        super().__init__(means, model.appearance.sheen, view, footprint, tint)
+        super().__init__(means, irregular, model.appearance.sheen, view, footprint, tint)
         self._tables, self._model, self._samples, self._seed = tables, model, samples, seed
         self._controlled = controlled
         self._active = active
@@ -514,6 +516,10 @@ class ClusteredBsdf(FilteredBsdf):
     @cached_property
     def hole(self) -> Float:
         """Share of the texels that are holes, 0 to 1: no estimate."""
+        return self.irregular_hole(self._even_hole)
+
+    @cached_property
+    def _even_hole(self) -> Float:
         warp, weft = self._base.shown_over(self._cluster_means)
         return clip(1 - warp - weft, 0, 1)
 
@@ -522,12 +528,19 @@ class ClusteredBsdf(FilteredBsdf):
         del evaluation
         if self.between is None:
             return None
-        return self.between.of_shares(*self._base.shown_over(self._cluster_means))
+        warp, weft = self._base.shown_over(self._cluster_means)
+        if self.yarns is not None:
+            warp, weft = warp * self.yarns.shares[0], weft * self.yarns.shares[1]
+        return self.between.of_shares(warp, weft)
 
     def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
         """Base and residual of the components: unbiased estimates, of either sign."""
         del active
-        return Evaluation(self._estimate(light).components, self.hole)
+        return self._evaluation(self._estimate(light).components)
+
+    def _evaluation(self, components: Components) -> Evaluation:
+        """The components of even yarns as those of the footprint show them, and the hole."""
+        return self.irregular_evaluation(Evaluation(components, self._even_hole))
 
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos with the texels' own albedos, 1/sr: an unbiased estimate, of either sign."""
@@ -548,7 +561,8 @@ class ClusteredBsdf(FilteredBsdf):
             own.specular_weft if weft else rest.specular_weft,
             own.light_visibility,
         )
-        evaluation = Evaluation(own, self.hole)
+        evaluation = self._evaluation(own)
+        known = self._evaluation(known).components
         body = found.colour + shade(known, self.albedos, through) + self.bounced_value(evaluation, light)
         return self.under_sheen(body, evaluation, light), self.null_transmission
 
@@ -578,20 +592,27 @@ class ClusteredBsdf(FilteredBsdf):
         """f·cos of a texel of a family whose threads differ, with the albedos of its thread."""
         types = array_types(self.view.x)
         total = types.Color3(0)
-        own = terms.own
-        parts = ((own.diffuse_warp, own.specular_warp), (own.diffuse_weft, own.specular_weft))
+        found = terms.own
+        parts = (
+            (found.diffuse_warp, found.specular_warp),
+            (found.diffuse_weft, found.specular_weft),
+        )
         families = self._model.parameters(types)
-        for alike, family, (diffuse, specular) in zip(self._alike, families, parts, strict=True):
+        shares = (1, 1) if self.yarns is None else self.yarns.shares[:2]
+        for alike, family, share, (diffuse, specular) in zip(
+            self._alike, families, shares, parts, strict=True
+        ):
             if alike:
                 continue
             # The number of a thread of the other family may be larger.
             thread = minimum(terms.thread, types.UInt32(family.threads - 1))
-            of_diffuse, of_specular = (
-                dr.select(transmits, family.albedo(number + 1, thread), family.albedo(number, thread))
-                for number in (0, 2)
-            )
+            own = Albedos(*(family.albedo(number, thread) for number in range(len(ALBEDO_NAMES))))
+            shown = self.irregular_albedos(FamilyAlbedos(own, own))
+            own = shown.warp if family is families[0] else shown.weft
+            of_diffuse = dr.select(transmits, own.diffuse_transmit, own.diffuse_reflect)
+            of_specular = dr.select(transmits, own.specular_transmit, own.specular_reflect)
             tint = 1 if self._tint is None else self._tint
-            total += of_diffuse * tint * diffuse + of_specular * specular
+            total += (of_diffuse * tint * diffuse + of_specular * specular) * share
         return total
 
     def pdf(self, light: Vec3) -> Float:

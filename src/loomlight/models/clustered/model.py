@@ -185,6 +185,7 @@ class ClusteredModel(FilteredFabricModel):
             tables,
             self.point_model,
             self.means,
+            self.irregular,
             self.options.samples,
             self.controlled,
             seed,

@@ -25,6 +25,7 @@ from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, Fi
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
 from loomlight.scattering.fibre import pdf_specular, sample_specular
+from loomlight.scattering.irregularity import IrregularYarns
 from loomlight.scattering.point import Albedos, DirectionSample, YarnScattering, to_face_frame
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance
 from loomlight.yarn.visibility import first_hit
@@ -302,13 +303,14 @@ class LobesBsdf(FilteredBsdf):
         lobes: PrefilteredLobes,
         point_model: YarnScattering,
         means: FootprintAlbedos,
+        irregular: IrregularYarns,
         regime: Regime,
         view: Vec3,
         footprint: Footprint,
         tint: Color3 | None,
     ) -> None:
         """See `FilteredBsdf`."""
-        super().__init__(means, point_model.appearance.sheen, view, footprint, tint)
+        super().__init__(means, irregular, point_model.appearance.sheen, view, footprint, tint)
         self._lobes = lobes
         self._point_model = point_model
         self._regime = regime
@@ -332,43 +334,70 @@ class LobesBsdf(FilteredBsdf):
     def hole(self) -> Float:
         """Fraction of the view rays that pass through holes, 0 to 1."""
         points = point_sampled_hole(self._sampled_model, self._regime.points, self.view, self.footprint)
-        return dr.lerp(points, self._lobes.hole(self._at), self._regime.prefiltered)
+        even = dr.lerp(points, self._lobes.hole(self._at), self._regime.prefiltered)
+        return self.irregular_hole(even)
 
     @cached_property
     def albedos(self) -> FamilyAlbedos:
         """Mean albedos of the threads in the footprint.
 
-        In the point-sampled regime the footprint is centred on the first hit of the central ray, so that
-        colours stay on their threads, and the fabric's random variation is evaluated there. In the
-        prefiltered regime variations average out.
+        In the point-sampled regime the fabric's random variation is evaluated where the central ray hits. In
+        the prefiltered regime variations average out.
         """
-        return tinted(self._mean_albedos(), self._tint)
+        mean = FamilyAlbedos(*self._means.over(self.coloured_footprint, self._back))
+        mean = self.irregular_albedos(mean)
+        if self._varies:
+            mean = self._varied(mean)
+        return tinted(mean, self._tint)
 
-    def _mean_albedos(self) -> FamilyAlbedos:
-        means, model, footprint, back = self._means, self._point_model, self.footprint, self._back
-        size = footprint.spread_side if model.has_detail else None
-        varies = model.varies_at(size)
-        if not means.varied and not varies:
-            return FamilyAlbedos(*means.over(footprint, back))
-        types, surface, centre = array_types(self.view.x), model.surface, footprint.centre
+    @property
+    def _size(self) -> Float | None:
+        """Side of the footprint that the yarns' detail is filtered with; None without detail."""
+        return self.footprint.spread_side if self._point_model.has_detail else None
+
+    @property
+    def _varies(self) -> bool:
+        """Whether albedos vary by chance or by what yarns show close up."""
+        return self._point_model.varies_at(self._size)
+
+    @cached_property
+    def _central(self) -> tuple[Float, Float, Float, Float]:
+        """Where the central ray hits: x, y, height, and its weight, 0 in holes and in the prefiltered regime.
+
+        Without a weight, x and y are the footprint's centre.
+        """
+        model, centre = self._point_model, self.footprint.centre
+        types = array_types(self.view.x)
         point_weight = 1 - self._regime.prefiltered
-
-        view = to_face_frame(self.view, back)
+        view = to_face_frame(self.view, self._back)
 
         def intersect(_: tuple[Float, ...]) -> tuple[Float, ...]:
-            hit = first_hit(surface, centre.x, centre.y, view, back, True, model.quality)
+            hit = first_hit(model.surface, centre.x, centre.y, view, self._back, True, model.quality)
             x, y = dr.select(hit.hole, centre.x, hit.x), dr.select(hit.hole, centre.y, hit.y)
             return x, y, hit.height, dr.select(hit.hole, 0, point_weight)
 
         start = centre.x, centre.y, types.Float(0 * point_weight), types.Float(point_weight)
-        x, y, end, weight = masked_branch(point_weight > 0, start, intersect, "lobes: central ray")
-        shifted = types.Vector2(dr.lerp(centre.x, x, weight), dr.lerp(centre.y, y, weight))
-        mean = means.over(replace(footprint, centre=shifted), back)
-        if not varies:
-            return FamilyAlbedos(*mean)
+        x, y, height, weight = masked_branch(point_weight > 0, start, intersect, "lobes: central ray")
+        return x, y, height, weight
+
+    @cached_property
+    def coloured_footprint(self) -> Footprint:
+        """Centred where the central ray hits, in the point-sampled regime: colours stay on their threads."""
+        if not (self._means.varied or self._varies or self._irregular.is_on):
+            return self.footprint
+        x, y, _, weight = self._central
+        centre = self.footprint.centre
+        shifted = array_types(x).Vector2(dr.lerp(centre.x, x, weight), dr.lerp(centre.y, y, weight))
+        return replace(self.footprint, centre=shifted)
+
+    def _varied(self, mean: FamilyAlbedos) -> FamilyAlbedos:
+        """Mean albedos varied by chance, and by what yarns show close up, where the central ray hits."""
+        x, y, height, weight = self._central
+        model, back, size = self._point_model, self._back, self._size
+        view = to_face_frame(self.view, back)
 
         def vary(families: tuple[Albedos, Albedos]) -> tuple[Albedos, Albedos]:
-            point = surface.surface(x, y, back, (view, end))
+            point = model.surface.surface(x, y, back, (view, height))
             hairs = model.hairs(point, back, size)
             hair = None if hairs is None else hairs.seen(view)
             is_warp = point.is_warp if hair is None else hair.family(point.is_warp)
@@ -378,7 +407,7 @@ class LobesBsdf(FilteredBsdf):
             )
             return warp, weft
 
-        return FamilyAlbedos(*masked_branch(weight > 0, mean, vary, "lobes: variation"))
+        return FamilyAlbedos(*masked_branch(weight > 0, (mean.warp, mean.weft), vary, "lobes: variation"))
 
     def bounced(self, evaluation: Evaluation) -> Bounced | None:
         """Albedos of light between yarns: of the points of close-ups, of the families' means farther away."""
@@ -455,7 +484,12 @@ class LobesBsdf(FilteredBsdf):
         )
         hole = dr.lerp(points.hole, hole, weight)
         return [
-            (Evaluation(_lerp(sampled, sums.components, weight), hole, points.blocked), sums)
+            (
+                self.irregular_evaluation(
+                    Evaluation(_lerp(sampled, sums.components, weight), hole, points.blocked)
+                ),
+                sums,
+            )
             for sampled, sums in zip(points.components, prefiltered, strict=True)
         ]
 

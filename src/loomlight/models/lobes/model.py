@@ -136,7 +136,7 @@ class LobesModel(FilteredFabricModel):
         del active
         lobes, scale = self.on_backend(array_types(view.x))
         regime = scale.of(footprint)
-        return LobesBsdf(lobes, self.point_model, self.means, regime, view, footprint, tint)
+        return LobesBsdf(lobes, self.point_model, self.means, self.irregular, regime, view, footprint, tint)
 
     def on_backend(self, types: ArrayTypes) -> tuple[PrefilteredLobes, RegimeScale]:
         """The tables and lengths on one backend, uploaded once."""

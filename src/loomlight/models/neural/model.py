@@ -58,7 +58,7 @@ class NeuralBsdf(FilteredBsdf):
     """The BSDF of footprints for one view: the decoder's activations that do not depend on the light."""
 
     def __init__(self, model: NeuralModel, view: Vec3, footprint: Footprint, tint: Color3 | None) -> None:
-        super().__init__(model.means, model.fabric.appearance().sheen, view, footprint, tint)
+        super().__init__(model.means, model.irregular, model.fabric.appearance().sheen, view, footprint, tint)
         self._model = model
         self._decoder = decoder_of(model.weights, array_types(view.x).Float)
         self._query = model.query(view, footprint)
@@ -74,7 +74,7 @@ class NeuralBsdf(FilteredBsdf):
     @cached_property
     def hole(self) -> Float:
         """Fraction of the view rays that pass through holes, 0 to 1."""
-        return self._decoder.hole(self._table, *self._query)
+        return self.irregular_hole(self._decoder.hole(self._table, *self._query))
 
     def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
         """Components for a light and the hole, in one run of the network."""
@@ -90,7 +90,8 @@ class NeuralBsdf(FilteredBsdf):
     def _evaluation(self, decoded: list[Float], hole: Float, light: Vec3) -> Evaluation:
         blend = self._model.fabric.appearance().diffuse_blend
         lit = light_visibility_of(decoded[0] + decoded[1], light, self.view, blend)
-        return Evaluation(Components.of(decoded, minimum(lit, 1 - hole)), hole)
+        even = Evaluation(Components.of(decoded, minimum(lit, 1 - hole)), hole)
+        return self.irregular_evaluation(even)
 
     def pdf(self, light: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta, 1/sr."""
@@ -114,7 +115,7 @@ class NeuralBsdf(FilteredBsdf):
         self, light: Vec3, choice: Float, u: Vec2
     ) -> tuple[Color3, Float, DirectionSample, Float]:
         """All four, of one run of the part that no light changes."""
-        null_transmission = self.null_transmission_of(self._activations.hole)
+        null_transmission = self.null_transmission_of(self.irregular_hole(self._activations.hole))
         return *self.value_and_pdf(light), self.sample(choice, u), null_transmission
 
     @cached_property
@@ -126,7 +127,7 @@ class NeuralBsdf(FilteredBsdf):
     @cached_property
     def _proposal(self) -> Proposal | LearnedProposal:
         """The mixture that directions are drawn from; densities carry no derivatives."""
-        null = dr.detach(self.null_transmission_of(self._activations.hole))
+        null = dr.detach(self.null_transmission_of(self.irregular_hole(self._activations.hole)))
         albedos = dr.detach(self.albedos)
         view, fibres = to_face_frame(self.view, self._back), self._table.fibres(self._back)
         if self._sampler is not None:
