@@ -188,8 +188,10 @@ def tone_of(yarn: Irregularity, of_lots: float) -> NDArray[np.float64]:
     """Depth of shade [ROWS, SAMPLES], of mean 0; positive is darker."""
     parts = tone_spectra(yarn, of_lots)
     total = sum(waves(spectrum, _STREAMS[name]) for name, spectrum in parts.items())
-    found = LARGEST_TONE * np.tanh(np.asarray(total) / LARGEST_TONE)
-    return np.asarray(found - found.mean(axis=1, keepdims=True))
+    found = np.tanh(np.asarray(total) / LARGEST_TONE)
+    found -= found.mean(axis=1, keepdims=True)
+    # Its mean may have lain on either side.
+    return np.asarray(LARGEST_TONE * found / max(1.0, float(np.abs(found).max())))
 
 
 def nep_of(yarn: Irregularity) -> NDArray[np.float64]:
@@ -273,9 +275,14 @@ class _OfFamily:
         low, high = (self._bound(place + side * shown, begin, steps) for side in (-0.5, 0.5))
         sums = [b - a for a, b in zip(low.integral(), high.integral(), strict=True)]
         # The rest of the first block, and the part of the table before the second one.
-        is_split = high.block != low.block
-        rest = zip(low.up_to(BLOCK, is_split), high.up_to(0, is_split), strict=True)
-        sums = [total + dr.select(is_split, a - b, 0) for total, (a, b) in zip(sums, rest, strict=True)]
+        sums = masked_branch(
+            high.block != low.block,
+            sums,
+            lambda totals: [
+                total + (a - b) for total, a, b in zip(totals, low.up_to(BLOCK), high.up_to(0), strict=True)
+            ],
+            "irregularity: two blocks",
+        )
         scale = dr.sqrt(shown / width) * dr.rcp(shown * steps)
         return Yarn(
             *(total * unit * types.Float(scale) for total, unit in zip(sums, self.units, strict=True))
@@ -543,7 +550,9 @@ class Process:
         """Albedos of a thread of a number over the cloth as it is at a point, millimetres."""
         warp, weft = self._nep_albedos
         nep = None if warp is None else dr.select(is_warp, warp, weft)
-        return toned(albedos, self.at_thread(is_warp, number, x, y), self._layer_bound, nep)
+        with dr.suspend_grad():
+            yarn = self.at_thread(is_warp, number, x, y)
+        return toned(albedos, yarn, self._layer_bound, nep)
 
     def at_thread(self, is_warp: Mask, number: Float, x: Float, y: Float) -> Yarn:
         """What a thread of a number over the cloth is at a point, millimetres."""
