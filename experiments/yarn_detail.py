@@ -107,7 +107,8 @@ def measure(options: Namespace) -> Figures:
     for name in YARNS:
         for colour, code in COLOURS.items():
             colours = f'[warp]\ncolor = "{code}"\n[weft]\ncolor = "{code}"\n'
-            fabric = fabric_from_text(f'weave = "twill 2/2"\nyarn = "{name}"\n{colours}')
+            even = "variation.irregularity = 0\n"
+            fabric = fabric_from_text(f'weave = "twill 2/2"\nyarn = "{name}"\n{even}{colours}')
             model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
             found = differences(model, options.points)
             key = f"{name}, {colour}"

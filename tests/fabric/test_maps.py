@@ -174,8 +174,9 @@ def test_means_stay_what_fabrics_say() -> None:
     maps = sample_maps(fabric_from_text(text), (300, 300), Float, (0, 0, 100, 100))
     mean = maps.color[~maps.hole].mean(axis=0)
     expected = fabric_from_text(text).draft.warp.colors[0]
-    # 160 threads of a deviation of 0.3/√3 each: 1.4 %.
-    np.testing.assert_allclose(mean, expected, rtol=0.04)
+    # 160 threads, whose deviation is 0.3/√3 where they reflect as much as the mean channel, and half as much
+    # again in the darkest one: 2 %.
+    np.testing.assert_allclose(mean, expected, rtol=0.06)
 
 
 def test_exr_files_hold_the_maps_unchanged(maps: ClothMaps, tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ Covers: fabric/yarns.py
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.fabric.facts import cloth_facts
 from loomlight.fabric.fields import YARNS
 from loomlight.fabric.yarns import PRESETS
+from loomlight.scattering.appearance import Irregularity
 from loomlight.weave.textile import yarn_diameter_mm
 
 ROOT = Path(__file__).parents[2]
@@ -42,6 +44,67 @@ def test_a_kind_of_yarn_is_what_its_fields_say(name: str) -> None:
         named, other = (getattr(fabric.layout(), family) for fabric in (by_name, written))
         assert named.twist == other.twist
         assert (named.width == other.width).all()
+
+
+def _irregularity(text: str) -> Irregularity:
+    return fabric_from_text(f'weave = "plain"\n{text}').appearance().warp.irregularity
+
+
+def test_a_yarn_without_a_name_is_even() -> None:
+    assert _irregularity("warp.slub = 0.5\nvariation.irregularity = 2") == Irregularity()
+
+
+def test_each_number_of_uneven_yarns_has_its_field() -> None:
+    """Another default than that of the dataclass for each, and neps in the colour that cloth shows."""
+    given = _irregularity(
+        "[warp]\nmass_cv = 0.2\nfibre_length_mm = 60\nthick_places = 7\nthick_length_mm = 45\n"
+        "thick_size = 1.5\nshade = 0.3\nmelange = 0.4\nneps = 9\nnep_length_mm = 6\n"
+        "nep_color = [0.3, 0.1, 0.05]"
+    )
+    expected = Irregularity(0.2, 60, 7, 45, 1.5, 0.3, 0.4, 9, 6, given.nep_albedo)
+    assert given == expected
+    red, green, blue = given.nep_albedo
+    assert red > green > blue > 0
+
+
+@pytest.mark.parametrize("head", ["", "interreflection = false\n"])
+def test_a_nep_has_the_albedo_of_opaque_yarn_of_its_colour(head: str) -> None:
+    yarn = "[warp]\nspecular = 0.2\ntranslucency = {}\ncolor = '#b0392b'\nnep_color = '#b0392b'\nneps = 3\n"
+    with_neps, opaque = (
+        fabric_from_text(f'{head}weave = "plain"\n{yarn.format(share)}').appearance().warp
+        for share in (0.3, 0)
+    )
+    assert with_neps.irregularity.nep_albedo == pytest.approx(tuple(opaque.diffuse_reflect[0]), abs=1e-9)
+
+
+@pytest.mark.parametrize("name", YARNS)
+def test_no_irregularity_is_even_cloth(name: str) -> None:
+    fabric = fabric_from_text(f'weave = "plain"\nyarn = "{name}"\nvariation.irregularity = 0')
+    assert not fabric.appearance().is_irregular
+    assert fabric.appearance().warp.irregularity == Irregularity()
+
+
+def test_irregularity_scales_amounts_and_leaves_lengths() -> None:
+    usual, twice = (
+        _irregularity(f'yarn = "dupion silk"\nwarp.neps = 3\nvariation.irregularity = {amount}')
+        for amount in (1, 2)
+    )
+    assert twice == replace(
+        usual,
+        mass_cv=2 * usual.mass_cv,
+        thick_places=2 * usual.thick_places,
+        shade=2 * usual.shade,
+        neps=2 * usual.neps,
+    )
+
+
+def test_kinds_are_as_even_as_mills_spin_them() -> None:
+    """Uster statistics: filament before combed, combed before carded, carded before woollen and flax."""
+    cv = {name: PRESETS[name].fields.mass_cv or 0.0 for name in YARNS}
+    order = ("filament polyester", "silk", "combed cotton", "cotton", "woollen", "linen")
+    found = [cv[name] for name in order]
+    assert found == sorted(found)
+    assert len(set(found)) == len(found)
 
 
 def test_fields_of_the_file_come_first() -> None:
@@ -152,3 +215,16 @@ def test_the_page_of_yarns_lists_their_fields() -> None:
         ]
         widths = [f"{yarn.gap:g}", f"{yarn.spread:g}"]
         assert cells == [*expected, f"{yarn.density:.2f} × {yarn.packing:g}", *widths], name
+
+
+def test_the_page_of_uneven_yarns_lists_their_fields() -> None:
+    page = (ROOT / "docs" / "uneven-yarns.md").read_text(encoding="utf-8")
+    rows = {line.split("|")[1].strip(): line for line in page.splitlines() if line.startswith('| "')}
+    for name, yarn in PRESETS.items():
+        fields = yarn.fields
+        thick = f"{fields.thick_places or 0:g}"
+        if fields.thick_places:
+            thick += f" of {fields.thick_length_mm:g} mm × {fields.thick_size:g}"
+        expected = [f"{fields.mass_cv:g}", f"{fields.fibre_length_mm:g}", thick]
+        expected += [f"{value or 0:g}" for value in (fields.shade, fields.melange)]
+        assert [cell.strip() for cell in rows[f'"{name}"'].split("|")[2:-1]] == expected, name

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import load_fabric
+from loomlight.fabric.read import edited_fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.registry import make_model
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
@@ -29,7 +30,9 @@ fabrics = pytest.mark.parametrize("name", ["denim", "damask", "silk-satin"])
 
 
 def lobes_of(name: str) -> LobesModel:
-    return make_model("lobes", load_fabric(EXAMPLES / f"{name}.toml"))
+    # Shaders show even yarns.
+    even = {"variation.irregularity": 0}
+    return make_model("lobes", edited_fabric(load_fabric(EXAMPLES / f"{name}.toml"), even))
 
 
 class Queries:

@@ -14,7 +14,7 @@ from typing import Any
 from loomlight.fabric import resolve
 from loomlight.fabric.fields import FabricFile, SheenTable, Table, VariationTable, YarnTable, field_schemas
 from loomlight.fabric.yarns import GAP, PRESETS
-from loomlight.scattering.appearance import Sheen
+from loomlight.scattering.appearance import Irregularity, Sheen, Variation
 
 _HEADER = """\
 // Fields of a fabric file with their types and ranges, under the same keys as the TOML file; defaults; kinds
@@ -63,6 +63,7 @@ _DEFAULTS = (
     "PLY_TWIST_DEG",
     "DIFFUSE_BLEND",
     "OPTICAL_DEPTH",
+    "NEP_COLOUR",
 )
 
 
@@ -76,9 +77,18 @@ def fabric_typescript() -> str:
         lines += ["}", "", f"export const {name}: FieldTable = {{"]
         lines += [f"  {key}: {_kind(schema)}," for key, schema in schemas.items()]
         lines += ["};", ""]
-    constants: dict[str, float] = {"GAP": GAP} | {name: getattr(resolve, name) for name in _DEFAULTS}
+    constants: dict[str, float | str] = {"GAP": GAP} | {name: getattr(resolve, name) for name in _DEFAULTS}
     constants |= {"SHEEN_STRENGTH": Sheen().strength, "SHEEN_ROUGHNESS": Sheen().roughness}
-    lines += [f"export const {name} = {value!r};" for name, value in constants.items()]
+    constants |= {"IRREGULARITY": Variation().irregularity}
+    lines += [f"export const {name} = {json.dumps(value)};" for name, value in constants.items()]
+    irregularity = {
+        key: {"name": name, "standard": getattr(Irregularity(), name), "isAmount": name in resolve.AMOUNTS}
+        for key, name in resolve.IRREGULARITY_FIELDS.items()
+    }
+    lines += [
+        "/** Numbers of uneven yarns by their fields; [variation] irregularity multiplies amounts. */",
+        f"export const IRREGULARITY_FIELDS = {json.dumps(irregularity, indent=2)} as const;",
+    ]
     presets = [
         {
             "name": name,

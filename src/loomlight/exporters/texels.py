@@ -133,7 +133,7 @@ def tile_repeats(fabric: Fabric) -> tuple[int, int]:
     picks, ends = fabric.layout().warp_on_top.shape
     appearance = fabric.appearance()
     is_uneven = any(family.detail.is_on for family in (appearance.warp, appearance.weft))
-    if not (is_uneven or appearance.variation.colour_noise > 0):
+    if not (is_uneven or appearance.is_irregular or appearance.variation.colour_noise > 0):
         return 1, 1
     return -(-_UNEVEN_THREADS // ends), -(-_UNEVEN_THREADS // picks)
 
@@ -216,7 +216,7 @@ def _points(
             table = np.asarray(getattr(family, name), np.float64)
             colours = texels(table[point.threads[f]])
             if name != "specular_reflect":
-                colours = colours * gain[..., None]
+                colours = colours * gain
             sums = (colours * weights[..., f, None]).sum(2)
             means.append(sums / np.maximum(weights[..., f].sum(2), 1e-9)[..., None])
         albedos.append(np.stack(means, axis=-2))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +12,8 @@ from loomlight.core.colour import delta_e_2000, lab_of_linear, lab_of_text, pars
 from loomlight.core.errors import LoomlightWarning
 from loomlight.fabric.fields import FabricFile, colours_in_order
 from loomlight.fabric.resolve import ResolvedFabric, ResolvedFamily
-from loomlight.scattering.albedo import albedos_from_colour, check_albedos
-from loomlight.scattering.appearance import FamilyAppearance
+from loomlight.scattering.albedo import LayerBound, albedos_from_colour, check_albedos
+from loomlight.scattering.appearance import FamilyAppearance, Irregularity
 from loomlight.scattering.fibre import cloth_layer_bound, mean_layer_shares
 from loomlight.scattering.interreflection import scattered, solved_interior
 from loomlight.scattering.openness import Openness
@@ -45,7 +46,31 @@ def family_appearance(
     rows = {key: np.tile(value, (len(colours), 1)) for key, value in family.given_albedos.items()}
     albedos = albedos._replace(**rows)
     check_albedos(albedos, name, optical_depth, bound)
-    return FamilyAppearance(**albedos._asdict(), roughness=family.roughness, detail=family.detail)
+    return FamilyAppearance(
+        **albedos._asdict(),
+        roughness=family.roughness,
+        detail=family.detail,
+        irregularity=_irregularity(family, name, optical_depth, openness, bound),
+    )
+
+
+def _irregularity(
+    family: ResolvedFamily,
+    name: str,
+    optical_depth: float,
+    openness: Openness | None,
+    bound: LayerBound | None,
+) -> Irregularity:
+    """That of a family with the albedo of its neps: knots so thick that no light goes through."""
+    if not family.irregularity.neps > 0:
+        return family.irregularity
+    colour = family.nep_colour[None]
+    if openness is not None:
+        knot = replace(family, translucency=0.0)
+        colour = colour_for(colour, *_yarn(knot, name, optical_depth, openness))
+    albedos = albedos_from_colour(colour, family.specular, 0.0, optical_depth, bound)
+    red, green, blue = (float(channel) for channel in albedos.diffuse_reflect[0])
+    return replace(family.irregularity, nep_albedo=(red, green, blue))
 
 
 def _yarn(

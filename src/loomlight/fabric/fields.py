@@ -46,7 +46,20 @@ def _colours(value: object) -> object:
 
 
 # Kinds of yarn; `yarns.py` says what they are.
-YARNS = ("cotton", "mercerised cotton", "linen", "wool", "silk", "filament polyester", "viscose")
+YARNS = (
+    "cotton",
+    "combed cotton",
+    "open-end cotton",
+    "mercerised cotton",
+    "linen",
+    "wool",
+    "woollen",
+    "worsted",
+    "silk",
+    "dupion silk",
+    "filament polyester",
+    "viscose",
+)
 
 
 def _yarn(value: str) -> str:
@@ -65,6 +78,7 @@ Colours = Annotated[Any, AfterValidator(_colours), WithJsonSchema({"type": "colo
 YarnName = Annotated[str, AfterValidator(_yarn), WithJsonSchema({"type": "yarn"})]
 Fraction = Annotated[float, Field(ge=0, le=1)]
 Gap = Annotated[float, Field(ge=0, le=0.95)]
+PerMetre = Annotated[float, Field(ge=0, le=200)]
 
 
 class Table(BaseModel):
@@ -91,6 +105,16 @@ class YarnTable(Table):
     fibre_tilt_deg: Annotated[float, Field(ge=0, le=30)] | None = None
     slub: Fraction | None = None
     hairiness: Fraction | None = None
+    mass_cv: Annotated[float, Field(ge=0, le=0.6)] | None = None
+    fibre_length_mm: Annotated[float, Field(ge=5, le=2000)] | None = None
+    thick_places: PerMetre | None = None
+    thick_length_mm: Annotated[float, Field(ge=2, le=1000)] | None = None
+    thick_size: Annotated[float, Field(ge=0, le=5)] | None = None
+    shade: Fraction | None = None
+    melange: Fraction | None = None
+    neps: PerMetre | None = None
+    nep_length_mm: Annotated[float, Field(ge=1, le=30)] | None = None
+    nep_color: Colour | None = None
     gap: Gap | None = None
     count: Annotated[str, Field(min_length=1)] | None = None
     width_mm: Annotated[float, Field(ge=0.001, le=1000)] | None = None
@@ -112,6 +136,7 @@ class VariationTable(Table):
 
     fibre_noise: Fraction | None = None
     colour_noise: Fraction | None = None
+    irregularity: Annotated[float, Field(ge=0, le=2)] | None = None
     seed: Annotated[int, Field(ge=0, le=2**32 - 1)] | None = None
 
 

@@ -28,6 +28,7 @@ from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance
 from loomlight.scattering.detail import turned_frame
 from loomlight.scattering.hairs import under_hair
 from loomlight.scattering.interreflection import Interreflection
+from loomlight.scattering.irregularity import IrregularYarns
 from loomlight.scattering.openness import openness_of
 from loomlight.scattering.point import Albedos, YarnScattering
 from loomlight.scattering.variation import UNEVEN_CELL, Unevenness
@@ -53,7 +54,7 @@ class ClothPoints:
         hole: whether neither family is there, bool.
         threads: index of the end and of the pick that cross here, in the repeat [2, n].
         warp_share: of the warp in what shows, with the hair on top, 0 to 1.
-        gain: what diffuse albedos are multiplied with here, mean 1.
+        gain: what diffuse albedos are multiplied with here [n, 3], linear RGB, mean 1.
         openness: share of the sky that the yarn sees, 0 to 1; 1 in holes.
     """
 
@@ -81,9 +82,11 @@ class ClothSurface:
         layout, appearance = fabric.layout(), fabric.appearance()
         spacings = (float(layout.warp.spacing.mean()), float(layout.weft.spacing.mean()))
         self._unevenness = Unevenness(appearance, spacings)
-        self._scattering = _TiledScattering(YarnGeometry(layout), appearance, tile)
+        geometry = YarnGeometry(layout)
+        self._irregular = IrregularYarns(geometry, appearance)
+        self._scattering = _TiledScattering(geometry, appearance, tile, self._irregular)
         self._between = _interreflection(layout, appearance, float_type)
-        varies = self._scattering.has_detail or self._scattering.varies
+        varies = self._scattering.has_detail or self._scattering.varies or self._irregular.is_on
         self._tile = np.multiply(layout.size, tile) if tile is not None and varies else None
         self._spacings = np.array(spacings)
 
@@ -104,13 +107,13 @@ class ClothSurface:
             # A fibre has no front and no rear.
             turned = (there.tangent * found.tangent[in_bands]).sum(axis=1, keepdims=True) < 0
             tangent = np.where(turned, -there.tangent, there.tangent)
-            return np.concatenate([there.normal.T, tangent.T, [there.gain, there.warp_share]])
+            return np.concatenate([there.normal.T, tangent.T, there.gain.T, [there.warp_share]])
 
         faded = _faded(varied, x[in_bands], y[in_bands], self._tile, detail_band, keep_deviation=False)
         normal = _unit(faded[:3].T)
         tangent = faded[3:6].T - (faded[3:6].T * normal).sum(axis=1, keepdims=True) * normal
         found.normal[in_bands], found.tangent[in_bands] = normal, _unit(tangent)
-        found.gain[in_bands], found.warp_share[in_bands] = faded[6:]
+        found.gain[in_bands], found.warp_share[in_bands] = faded[6:9].T, faded[9]
         return found
 
     def place(self, x: NDArray[Any], y: NDArray[Any]) -> NDArray[np.float64]:
@@ -132,7 +135,7 @@ class ClothSurface:
     def _displacement(self, x: NDArray[Any], y: NDArray[Any]) -> NDArray[np.float64]:
         """By how much the threads at places are displaced [2, n], millimetres."""
         place = self._types.Vector2(*(upload(self._types.Float, part.astype(np.float32)) for part in (x, y)))
-        moved = self._unevenness.place(place)
+        moved = self._irregular.place(self._unevenness.place(place))
         # Of even threads, Dr.Jit knows that the difference is one 0.
         return np.stack([np.broadcast_to(part.numpy(), x.shape) for part in moved - place]).astype(np.float64)
 
@@ -155,8 +158,8 @@ class ClothSurface:
                 warp_share = dr.lerp(warp_share, dr.select(hair.is_warp, types.Float(1), 0), hair.cover)
             normal, tangent = frame.normal, frame.tangent
         # Find by how much its colour differs from its family's.
-        gain = dr.full(types.Float, 1, dr.width(x))
-        if scattering.has_detail or scattering.varies:
+        gain = dr.full(types.Color3, 1, dr.width(x))
+        if scattering.has_detail or scattering.varies or self._irregular.is_on:
             # Reflected and transmitted light vary alike.
             warp, weft = scattering.parameters(types)
             pairs = (
@@ -164,9 +167,14 @@ class ClothSurface:
                 for number in range(len(ALBEDO_NAMES))
             )
             base = Albedos(*(dr.select(point.is_warp, *pair) for pair in pairs))
-            varied = scattering.varied(point, base, behind, side, hair)
-            before, after = (dr.sum(of.diffuse_reflect + of.diffuse_transmit) for of in (base, varied))
+            toned = scattering.toned(point, base, point.is_warp)
+            before, after = (of.diffuse_reflect + of.diffuse_transmit for of in (base, toned))
             gain = dr.select(before > 0, after / before, 1)
+            if scattering.has_detail or scattering.varies:
+                varied = scattering.varied(point, toned, behind, side, hair)
+                # All channels vary alike.
+                before, after = (dr.sum(of.diffuse_reflect + of.diffuse_transmit) for of in (toned, varied))
+                gain *= dr.select(before > 0, after / before, 1)
         # Find how open it lies.
         blocked = self._between.blocked_at(point.is_warp, behind, point.normal.z, point.height)
         openness = dr.select(point.hole, 1, 1 - blocked.by_warp - blocked.by_weft)
@@ -189,7 +197,7 @@ class ClothSurface:
             hole=hole.astype(bool),
             threads=np.stack([ends, picks]).astype(np.int32),
             warp_share=warp_share.astype(np.float32),
-            gain=gain.astype(np.float32),
+            gain=gain.T.astype(np.float32),
             openness=openness.astype(np.float32),
         )
 
@@ -197,8 +205,14 @@ class ClothSurface:
 class _TiledScattering(YarnScattering):
     """Yarns whose threads are the same again after some repeats."""
 
-    def __init__(self, surface: YarnGeometry, appearance: Appearance, tile: tuple[int, int] | None) -> None:
-        super().__init__(surface, appearance)
+    def __init__(
+        self,
+        surface: YarnGeometry,
+        appearance: Appearance,
+        tile: tuple[int, int] | None,
+        irregular: IrregularYarns,
+    ) -> None:
+        super().__init__(surface, appearance, irregular=irregular)
         self._repeats = tile
 
     def repeat_number(self, repeat: Float, is_warp: Mask) -> Float:
@@ -399,7 +413,7 @@ def _map_values(fabric: Fabric, points: ClothPoints) -> dict[str, NDArray[Any]]:
     )
     share = points.warp_share
     alpha = share * appearance.warp.roughness + (1 - share) * appearance.weft.roughness
-    color = (share[:, None] * of_warp + (1 - share[:, None]) * of_weft) * points.gain[:, None]
+    color = (share[:, None] * of_warp + (1 - share[:, None]) * of_weft) * points.gain
     return {
         "height": points.height,
         "normal": points.normal,

@@ -24,6 +24,7 @@ from loomlight.core.sentences import closest, one_line, shown, speaking_of
 from loomlight.core.spectra import is_spectrum, read_spectrum
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.fields import FIELD, FabricFile, YarnTable, is_one_colour
+from loomlight.scattering.albedo import Albedos
 from loomlight.weave.draft import Draft
 from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
 from loomlight.weave.named import named_weave
@@ -342,7 +343,7 @@ def _kinds_and_bounds(annotation: object) -> tuple[set[type], list[object]]:
 # Colours that a fabric file names by files of spectrophotometers, read once: fields hold linear RGB then.
 
 
-_FIELDS = ("color", "albedo", "specular_tint", "diffuse_reflect", "diffuse_transmit", "specular_reflect")
+_FIELDS = ("color", "albedo", "specular_tint", "nep_color", *Albedos._fields)
 
 
 def with_measured_colours(fields: FabricFile, folder: str) -> FabricFile:
@@ -358,7 +359,7 @@ def with_measured_colours(fields: FabricFile, folder: str) -> FabricFile:
             raise InputError(f"{name}.color and {name}.albedo both say what colour yarns are: leave one out.")
         found = {
             field: _measured(getattr(table, field), folder, f"{name}.{field}")
-            for field in (*_FIELDS, "specular_transmit")
+            for field in _FIELDS
             if getattr(table, field) is not None
         }
         tables[name] = table.model_copy(update=found)

@@ -23,7 +23,7 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.fields import FabricFile, YarnTable, colours_in_order
 from loomlight.fabric.yarns import Yarn, kind_of, with_yarns
 from loomlight.scattering.albedo import Albedos
-from loomlight.scattering.appearance import Sheen, Variation, YarnDetail
+from loomlight.scattering.appearance import Irregularity, Sheen, Variation, YarnDetail
 from loomlight.weave.draft import Draft, Threads
 from loomlight.weave.palette import WARP_COLOUR, WEFT_COLOUR, with_palette
 from loomlight.weave.textile import CM_PER_INCH, DEFAULT_SETT_PER_CM, yarn_diameter_mm
@@ -37,6 +37,8 @@ HEIGHT_SCALE = 1.0
 PLY_TWIST_DEG = 24.0
 DIFFUSE_BLEND = 0.5
 OPTICAL_DEPTH = 2.0
+# Of fibres that took no dye.
+NEP_COLOUR = "#e4dccb"
 # Crossings of a fabric: those of 4096 by 16384 threads, for which rendering takes gigabytes (docs/drafts.md).
 MAXIMUM_CROSSINGS = 1 << 26
 _MM_PER_CM = 10.0
@@ -51,6 +53,9 @@ class ResolvedFamily:
         count: of the yarn as the file has it; "" where it has none.
         layout: where the threads lie and how they bend, millimetres and radians.
         detail: plies, fibres, slubs and hairs.
+        irregularity: how yarns vary over millimetres to metres, as much as `[variation]` says; the albedo of
+            neps is left to `colour.py`, as that of threads is.
+        nep_colour: of neps [3], linear RGB, as cloth of nothing else shows it.
         colours: of the threads [n, 3], linear RGB.
         are_albedos: whether `colours` are the yarn's albedos, not what cloth of it shows.
         specular: share of the light that the highlight takes, 0 to 1.
@@ -64,6 +69,8 @@ class ResolvedFamily:
     count: str
     layout: FamilyLayout
     detail: YarnDetail
+    irregularity: Irregularity
+    nep_colour: NDArray[np.float64]
     colours: NDArray[np.float64]
     are_albedos: bool
     specular: float
@@ -149,6 +156,10 @@ def _family(
         count=table.count or "",
         layout=layout,
         detail=_detail(table, layout),
+        irregularity=_irregularity(table, _or(fields.variation.irregularity, Variation().irregularity)),
+        nep_colour=parse_colour(
+            NEP_COLOUR if table.nep_color is None else table.nep_color, f"{name}.nep_color"
+        ),
         colours=threads.colors,
         are_albedos=table.albedo is not None,
         specular=_or(table.specular, SPECULAR),
@@ -174,6 +185,30 @@ def _detail(table: YarnTable, layout: FamilyLayout) -> YarnDetail:
             numbers[name] = radians(given[f"{name}_deg"])
     layouts = {"twist": layout.twist, "width": float(layout.visible_width.mean())}
     return YarnDetail(**(numbers | layouts))
+
+
+# Numbers of `Irregularity` that say how much yarns vary; lengths and the size of a thick place say how.
+AMOUNTS = ("mass_cv", "thick_places", "shade", "melange", "neps")
+# Numbers of `Irregularity` by the fields of `[warp]` and `[weft]` that say them, lengths in millimetres.
+IRREGULARITY_FIELDS = {
+    name if name in YarnTable.model_fields else f"{name}_mm": name
+    for name in (field.name for field in dataclasses.fields(Irregularity))
+    if name != "nep_albedo"
+}
+
+
+def _irregularity(table: YarnTable, amount: float) -> Irregularity:
+    """Numbers of the file, with `amount` times the `AMOUNTS`.
+
+    Of thick places and neps that makes more or fewer, each as large as before: those of a smaller amount are
+    among those of a larger one.
+    """
+    given = table.model_dump(include=set(IRREGULARITY_FIELDS), exclude_none=True)
+    numbers = {IRREGULARITY_FIELDS[key]: value for key, value in given.items()}
+    yarn = Irregularity(
+        **{name: value * (amount if name in AMOUNTS else 1) for name, value in numbers.items()}
+    )
+    return yarn if yarn.is_on else Irregularity()
 
 
 # -------------------------------------------------------------------------------------------- bends of weaves

@@ -330,16 +330,7 @@ class YarnScattering:
             for family, thread in ((warp, point.warp_thread), (weft, point.weft_thread))
         )
         albedos = Albedos(*(dr.select(is_warp, *pair) for pair in zip(of_warp, of_weft, strict=True)))
-        if self.irregular is not None:
-            process = self.irregular.on(types)
-            parts = (
-                albedos.diffuse_reflect,
-                albedos.diffuse_transmit,
-                albedos.specular_reflect,
-                albedos.specular_transmit,
-            )
-            number = types.Float(self._thread_of_family(point))
-            albedos = Albedos(*process.toned_at(parts, is_warp, number, point.x, point.y))
+        albedos = self.toned(point, albedos, is_warp)
         if self.varies_at(size):
             albedos = self.varied(point, albedos, back, size, hair)
         albedos = tinted(albedos, tint)
@@ -427,6 +418,21 @@ class YarnScattering:
         index = dr.select(point.is_warp, types.Int32(point.warp_thread), types.Int32(point.weft_thread))
         repeat = self.repeat_number(dr.floor(position / period), point.is_warp)
         return types.Int32(repeat) * threads + index
+
+    def toned(self, point: SurfacePoint, albedos: Albedos, is_warp: Mask) -> Albedos:
+        """Albedos of even yarn as the irregular yarn of a point has them."""
+        if self.irregular is None:
+            return albedos
+        types = array_types(point.x)
+        parts = (
+            albedos.diffuse_reflect,
+            albedos.diffuse_transmit,
+            albedos.specular_reflect,
+            albedos.specular_transmit,
+        )
+        number = types.Float(self._thread_of_family(point))
+        process = self.irregular.on(types)
+        return Albedos(*process.toned_at(parts, is_warp, number, point.x, point.y))
 
     def repeat_number(self, repeat: Float, is_warp: Mask) -> Float:
         """Number of a repeat, by which its threads differ from those of others; cloth that tiles has few.

@@ -5,7 +5,7 @@
  * It follows from the geometry, so the server is asked only for a geometry that is new; while its answer is on the
  * way, the last one serves. An edit of colours asks nothing.
  */
-import { messageOf } from "loomlight-fabric";
+import { IRREGULARITY_FIELDS, messageOf } from "loomlight-fabric";
 import type { Openness } from "loomlight-web";
 
 import type { Fabric } from "./state/document.ts";
@@ -29,6 +29,8 @@ const OTHERS_OF_YARNS = new Set([
   "fibre_tilt_deg",
   "slub",
   "hairiness",
+  ...Object.keys(IRREGULARITY_FIELDS),
+  "nep_color",
 ]);
 
 export class OpennessSource {

@@ -20,6 +20,16 @@ export interface YarnFields {
   readonly fibre_tilt_deg?: number;
   readonly slub?: number;
   readonly hairiness?: number;
+  readonly mass_cv?: number;
+  readonly fibre_length_mm?: number;
+  readonly thick_places?: number;
+  readonly thick_length_mm?: number;
+  readonly thick_size?: number;
+  readonly shade?: number;
+  readonly melange?: number;
+  readonly neps?: number;
+  readonly nep_length_mm?: number;
+  readonly nep_color?: Colour;
   readonly gap?: number;
   readonly count?: string;
   readonly width_mm?: number;
@@ -45,6 +55,16 @@ export const YARN: FieldTable = {
   fibre_tilt_deg: { kind: "number", low: 0, high: 30 },
   slub: { kind: "number", low: 0, high: 1 },
   hairiness: { kind: "number", low: 0, high: 1 },
+  mass_cv: { kind: "number", low: 0, high: 0.6 },
+  fibre_length_mm: { kind: "number", low: 5, high: 2000 },
+  thick_places: { kind: "number", low: 0, high: 200 },
+  thick_length_mm: { kind: "number", low: 2, high: 1000 },
+  thick_size: { kind: "number", low: 0, high: 5 },
+  shade: { kind: "number", low: 0, high: 1 },
+  melange: { kind: "number", low: 0, high: 1 },
+  neps: { kind: "number", low: 0, high: 200 },
+  nep_length_mm: { kind: "number", low: 1, high: 30 },
+  nep_color: { kind: "colour" },
   gap: { kind: "number", low: 0, high: 0.95 },
   count: { kind: "text", mayBeEmpty: false },
   width_mm: { kind: "number", low: 0.001, high: 1000 },
@@ -69,12 +89,14 @@ export const SHEEN: FieldTable = {
 export interface VariationFields {
   readonly fibre_noise?: number;
   readonly colour_noise?: number;
+  readonly irregularity?: number;
   readonly seed?: number;
 }
 
 export const VARIATION: FieldTable = {
   fibre_noise: { kind: "number", low: 0, high: 1 },
   colour_noise: { kind: "number", low: 0, high: 1 },
+  irregularity: { kind: "number", low: 0, high: 2 },
   seed: { kind: "integer", low: 0, high: 4294967295 },
 };
 
@@ -129,8 +151,58 @@ export const HEIGHT_SCALE = 1.0;
 export const PLY_TWIST_DEG = 24.0;
 export const DIFFUSE_BLEND = 0.5;
 export const OPTICAL_DEPTH = 2.0;
+export const NEP_COLOUR = "#e4dccb";
 export const SHEEN_STRENGTH = 0.0;
 export const SHEEN_ROUGHNESS = 0.4;
+export const IRREGULARITY = 1.0;
+/** Numbers of uneven yarns by their fields; [variation] irregularity multiplies amounts. */
+export const IRREGULARITY_FIELDS = {
+  "mass_cv": {
+    "name": "mass_cv",
+    "standard": 0.0,
+    "isAmount": true
+  },
+  "fibre_length_mm": {
+    "name": "fibre_length",
+    "standard": 28.0,
+    "isAmount": false
+  },
+  "thick_places": {
+    "name": "thick_places",
+    "standard": 0.0,
+    "isAmount": true
+  },
+  "thick_length_mm": {
+    "name": "thick_length",
+    "standard": 30.0,
+    "isAmount": false
+  },
+  "thick_size": {
+    "name": "thick_size",
+    "standard": 1.0,
+    "isAmount": false
+  },
+  "shade": {
+    "name": "shade",
+    "standard": 0.0,
+    "isAmount": true
+  },
+  "melange": {
+    "name": "melange",
+    "standard": 0.0,
+    "isAmount": true
+  },
+  "neps": {
+    "name": "neps",
+    "standard": 0.0,
+    "isAmount": true
+  },
+  "nep_length_mm": {
+    "name": "nep_length",
+    "standard": 4.0,
+    "isAmount": false
+  }
+} as const;
 
 /** A kind of yarn. */
 export interface YarnPreset {
@@ -157,12 +229,53 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "twist_deg": -20.0,
       "fibre_tilt_deg": 11.0,
       "slub": 0.25,
-      "hairiness": 0.4
+      "hairiness": 0.4,
+      "mass_cv": 0.15,
+      "fibre_length_mm": 28.0,
+      "shade": 0.04
     },
     "density": 1.52,
     "packing": 0.6,
     "gap": 0,
     "spread": 1.3
+  },
+  {
+    "name": "combed cotton",
+    "fields": {
+      "specular": 0.24,
+      "translucency": 0.12,
+      "roughness": 0.38,
+      "twist_deg": -20.0,
+      "fibre_tilt_deg": 9.0,
+      "slub": 0.12,
+      "hairiness": 0.22,
+      "mass_cv": 0.12,
+      "fibre_length_mm": 32.0,
+      "shade": 0.03
+    },
+    "density": 1.52,
+    "packing": 0.6,
+    "gap": 0,
+    "spread": 1.25
+  },
+  {
+    "name": "open-end cotton",
+    "fields": {
+      "specular": 0.17,
+      "translucency": 0.12,
+      "roughness": 0.46,
+      "twist_deg": -24.0,
+      "fibre_tilt_deg": 14.0,
+      "slub": 0.3,
+      "hairiness": 0.3,
+      "mass_cv": 0.14,
+      "fibre_length_mm": 26.0,
+      "shade": 0.04
+    },
+    "density": 1.52,
+    "packing": 0.55,
+    "gap": 0,
+    "spread": 1.2
   },
   {
     "name": "mercerised cotton",
@@ -175,7 +288,10 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "ply_twist_deg": 26.0,
       "fibre_tilt_deg": 5.0,
       "slub": 0.05,
-      "hairiness": 0.06
+      "hairiness": 0.06,
+      "mass_cv": 0.09,
+      "fibre_length_mm": 34.0,
+      "shade": 0.03
     },
     "density": 1.52,
     "packing": 0.65,
@@ -191,7 +307,13 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "twist_deg": -14.0,
       "fibre_tilt_deg": 9.0,
       "slub": 0.9,
-      "hairiness": 0.12
+      "hairiness": 0.12,
+      "mass_cv": 0.24,
+      "fibre_length_mm": 120.0,
+      "thick_places": 3.0,
+      "thick_length_mm": 40.0,
+      "thick_size": 0.8,
+      "shade": 0.35
     },
     "density": 1.5,
     "packing": 0.65,
@@ -209,12 +331,59 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "ply_twist_deg": 24.0,
       "fibre_tilt_deg": 12.0,
       "slub": 0.2,
-      "hairiness": 1.0
+      "hairiness": 1.0,
+      "mass_cv": 0.16,
+      "fibre_length_mm": 60.0,
+      "shade": 0.08
     },
     "density": 1.31,
     "packing": 0.45,
     "gap": 0,
     "spread": 1.6
+  },
+  {
+    "name": "woollen",
+    "fields": {
+      "specular": 0.15,
+      "translucency": 0.1,
+      "roughness": 0.6,
+      "twist_deg": -15.0,
+      "fibre_tilt_deg": 14.0,
+      "slub": 0.35,
+      "hairiness": 1.0,
+      "mass_cv": 0.21,
+      "fibre_length_mm": 50.0,
+      "thick_places": 1.5,
+      "thick_length_mm": 30.0,
+      "thick_size": 0.7,
+      "shade": 0.08,
+      "melange": 0.06
+    },
+    "density": 1.31,
+    "packing": 0.4,
+    "gap": 0,
+    "spread": 1.6
+  },
+  {
+    "name": "worsted",
+    "fields": {
+      "specular": 0.25,
+      "translucency": 0.1,
+      "roughness": 0.42,
+      "twist_deg": -6.0,
+      "plies": 2,
+      "ply_twist_deg": 24.0,
+      "fibre_tilt_deg": 7.0,
+      "slub": 0.06,
+      "hairiness": 0.25,
+      "mass_cv": 0.11,
+      "fibre_length_mm": 75.0,
+      "shade": 0.04
+    },
+    "density": 1.31,
+    "packing": 0.5,
+    "gap": 0,
+    "spread": 1.3
   },
   {
     "name": "silk",
@@ -223,12 +392,36 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "translucency": 0.1,
       "roughness": 0.1,
       "twist_deg": -3.0,
-      "fibre_tilt_deg": 2.5
+      "fibre_tilt_deg": 2.5,
+      "mass_cv": 0.03,
+      "fibre_length_mm": 2000.0,
+      "shade": 0.03
     },
     "density": 1.34,
     "packing": 0.7,
     "gap": 0.06,
     "spread": 1.2
+  },
+  {
+    "name": "dupion silk",
+    "fields": {
+      "specular": 0.75,
+      "translucency": 0.1,
+      "roughness": 0.13,
+      "twist_deg": -3.0,
+      "fibre_tilt_deg": 4.0,
+      "slub": 0.3,
+      "mass_cv": 0.18,
+      "fibre_length_mm": 600.0,
+      "thick_places": 25.0,
+      "thick_length_mm": 35.0,
+      "thick_size": 1.6,
+      "shade": 0.06
+    },
+    "density": 1.34,
+    "packing": 0.7,
+    "gap": 0.06,
+    "spread": 1.3
   },
   {
     "name": "filament polyester",
@@ -237,7 +430,9 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "translucency": 0.08,
       "roughness": 0.14,
       "twist_deg": 0.0,
-      "fibre_tilt_deg": 1.5
+      "fibre_tilt_deg": 1.5,
+      "mass_cv": 0.015,
+      "fibre_length_mm": 2000.0
     },
     "density": 1.38,
     "packing": 0.7,
@@ -253,7 +448,10 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "twist_deg": -14.0,
       "fibre_tilt_deg": 6.0,
       "slub": 0.08,
-      "hairiness": 0.12
+      "hairiness": 0.12,
+      "mass_cv": 0.12,
+      "fibre_length_mm": 38.0,
+      "shade": 0.03
     },
     "density": 1.51,
     "packing": 0.6,

@@ -12,6 +12,7 @@ export * from "./facts.ts";
 export * from "./fields.ts";
 export * from "./floats.ts";
 export * from "./generated.ts";
+export * from "./irregularity.ts";
 export * from "./json.ts";
 export type * from "./messages.ts";
 export * from "./load.ts";

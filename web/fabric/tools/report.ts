@@ -7,6 +7,7 @@ import {
   draftOfPixels,
   familySpacing,
   familyWidth,
+  irregularityOf,
   isInputError,
   loadDraft,
   planDrawdown,
@@ -70,7 +71,13 @@ function fabric(fields: FabricFields, named: Draft): object {
     const spacing = familySpacing(fields, family, draft);
     return [...spacing, ...familyWidth(fields, family, draft, spacing)];
   };
-  return { ...described(draft), bends: [warp, weft], weight: clothFacts(fields, draft).weight, lengths: { warp: widths("warp"), weft: widths("weft") } };
+  return {
+    ...described(draft),
+    bends: [warp, weft],
+    weight: clothFacts(fields, draft).weight,
+    lengths: { warp: widths("warp"), weft: widths("weft") },
+    irregularity: { warp: irregularityOf(fields, "warp"), weft: irregularityOf(fields, "weft") },
+  };
 }
 
 function described(draft: Draft): object {

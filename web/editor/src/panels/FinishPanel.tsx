@@ -72,6 +72,7 @@ export function FinishPanel({ fabric, dispatch, print, isFlat, onPrint, onPrintO
       </section>
       <section class="group">
         <h2>Character</h2>
+        {slider("variation.irregularity")}
         {slider("variation.colour_noise")}
         {slider("variation.fibre_noise")}
         <div class="row">

@@ -7,7 +7,9 @@ import {
   type FamilyName,
   familySpacing,
   familyWidth,
+  IRREGULARITY_FIELDS,
   isInputError,
+  NEP_COLOUR,
   parseColour,
   settsOfWeight,
   threadsPerCm,
@@ -68,13 +70,20 @@ export function YarnsPanel({ fabric, dispatch, isFlat }: PanelProps) {
         {["gap", "specular", "roughness", "translucency"].map((key) => (
           <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
         ))}
-        <TintField fabric={fabric} dispatch={dispatch} families={families} />
+        <ColourField fabric={fabric} dispatch={dispatch} families={families} {...TINT} />
       </section>
       <section class="group">
         <h2>How it is spun</h2>
         {["twist_deg", "plies", "ply_twist_deg", "fibre_tilt_deg", "slub", "hairiness"].map((key) => (
           <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
         ))}
+      </section>
+      <section class="group">
+        <h2>How uneven it is</h2>
+        {Object.keys(IRREGULARITY_FIELDS).map((key) => (
+          <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
+        ))}
+        <ColourField fabric={fabric} dispatch={dispatch} families={families} {...NEP_COLOUR_FIELD} />
       </section>
       <section class="group">
         <h2>How it lies</h2>
@@ -152,7 +161,7 @@ function KindField({ fabric, dispatch, families }: FamiliesProps) {
   const label = families.length === 2 ? "both" : families[0]!;
   return (
     <div class="row is-field">
-      <label class="tip" data-tip="Other defaults of openness, gloss, roughness, translucency and twist (yarn)" for={`kind-${label}`}>
+      <label class="tip" data-tip="Other defaults of openness, gloss, roughness, translucency, twist and unevenness (yarn)" for={`kind-${label}`}>
         Kind of yarn
       </label>
       <select
@@ -235,29 +244,54 @@ function uncounted({ fields }: Fabric): string {
   return FAMILIES.filter((family) => fields[family]?.count === undefined).join(" and ");
 }
 
+interface ColourProps {
+  readonly name: "specular_tint" | "nep_color";
+  readonly label: string;
+  readonly tip: string;
+  /** sRGB, where the fabric says none. */
+  readonly standard: string;
+  /** The standard in words. */
+  readonly called: string;
+}
+
 /** The colour of the highlight: that of dyed fibres' surface is white, of metal thread its own. */
-function TintField({ fabric, dispatch, families }: FamiliesProps) {
-  const label = families.length === 2 ? "both" : families[0]!;
-  const own = fabric.fields[families[0]!]?.specular_tint;
-  const hex = own === undefined ? "#ffffff" : toHex(parseColour(own, "specular_tint"));
+const TINT: ColourProps = {
+  name: "specular_tint",
+  label: "Colour of the lustre",
+  tip: "Multiplies the fibres' highlight: white but for metal threads (specular_tint)",
+  standard: "#ffffff",
+  called: "white",
+};
+const NEP_COLOUR_FIELD: ColourProps = {
+  name: "nep_color",
+  label: "Colour of the neps",
+  tip: "As cloth of nothing else shows it (nep_color)",
+  standard: NEP_COLOUR,
+  called: "undyed",
+};
+
+function ColourField({ fabric, dispatch, families, name, label, tip, standard, called }: FamiliesProps & ColourProps) {
+  const which = families.length === 2 ? "both" : families[0]!;
+  const own = fabric.fields[families[0]!]?.[name];
+  const hex = own === undefined ? standard : toHex(parseColour(own, name));
   const stroke = useRef(newStroke());
   const set = (value: string | undefined): string | null =>
-    refusalOf(dispatch, { type: "fields/set", values: ofAll(families, "specular_tint", value), stroke: stroke.current });
+    refusalOf(dispatch, { type: "fields/set", values: ofAll(families, name, value), stroke: stroke.current });
   return (
     <div class="row">
-      <label class="tip" for={`tint-${label}`} data-tip="Multiplies the fibres' highlight: white but for metal threads (specular_tint)">
-        Colour of the lustre
+      <label class="tip" for={`${name}-${which}`} data-tip={tip}>
+        {label}
       </label>
       <input
-        id={`tint-${label}`}
+        id={`${name}-${which}`}
         type="color"
         value={hex}
-        data-testid={`field-${label}.specular_tint`}
+        data-testid={`field-${which}.${name}`}
         onPointerDown={() => (stroke.current = newStroke())}
         onInput={(event) => set(event.currentTarget.value)}
       />
       {own !== undefined && (
-        <button type="button" class="reset" onClick={() => set(undefined)} aria-label="Colour of the lustre: back to white" title="Back to white">
+        <button type="button" class="reset" onClick={() => set(undefined)} aria-label={`${label}: back to ${called}`} title={`Back to ${called}`}>
           ↺
         </button>
       )}

@@ -3,10 +3,13 @@ import {
   bendsOf,
   colouredDraft,
   DIFFUSE_BLEND,
+  FAMILIES,
   familySpacing,
   familyWidth,
   HEIGHT_SCALE,
   InputError,
+  irregularityOf,
+  isIrregular,
   OPTICAL_DEPTH,
   SHEEN_ROUGHNESS,
   SHEEN_STRENGTH,
@@ -93,6 +96,7 @@ export function lookOf(given: FabricFields, draft: Draft, known: Openness | null
   const openness = fields.interreflection === false ? null : known;
   if (known !== null) requireOpenness(known);
   const bends = bendsOf(coloured);
+  const isUneven = FAMILIES.some((family) => isIrregular(irregularityOf(fields, family)));
   return {
     layout: {
       ends: coloured.ends,
@@ -107,7 +111,8 @@ export function lookOf(given: FabricFields, draft: Draft, known: Openness | null
       sheenStrength: fields.sheen?.strength ?? SHEEN_STRENGTH,
       sheenRoughness: fields.sheen?.roughness ?? SHEEN_ROUGHNESS,
       fibreNoise: fields.variation?.fibre_noise ?? 0,
-      colourNoise: fields.variation?.colour_noise ?? 0,
+      // Irregular yarns vary from thread to thread by their own process.
+      colourNoise: isUneven ? 0 : (fields.variation?.colour_noise ?? 0),
       seed: fields.variation?.seed ?? 0,
       diffuseBlend: fields.diffuse_blend ?? DIFFUSE_BLEND,
       opticalDepth,
