@@ -18,9 +18,9 @@ from loomlight.core.fleet import Report
 from loomlight.core.images import write_image, write_pixels
 from loomlight.core.outputs import check_output
 from loomlight.core.picture_settings import PlayKeywords, PlaySettings
+from loomlight.core.studio import studio_radiance
 from loomlight.mesh.cloth_mesh import uv_size, warn_of_extent, warn_of_scale
 from loomlight.mitsuba.camera import framing
-from loomlight.mitsuba.lights import studio_radiance
 from loomlight.mitsuba.scenes import built_in_cloth
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.realtime import Cloth, DirectionalLight, Environment, Mesh, Renderer
@@ -90,8 +90,7 @@ def _viewer(fabric: Material | str | os.PathLike[str], settings: PlaySettings) -
     # Light and colours multiply channel by channel: balanced light is a balanced picture.
     balance, environment = settings.white_balance, settings.environment
     gains = np.ones(3) if balance is None else white_balance(balance)
-    towards = towards_light / (towards_light @ towards_light) ** 0.5
-    places = {"studio": Environment(studio_radiance(towards) * gains)}
+    places = {"studio": Environment(studio_radiance(towards_light) * gains)}
     if environment is not None:
         read = Environment.read(environment, settings.environment_turn)
         places[Path(environment).name] = Environment(read.radiance * gains, read.turn)

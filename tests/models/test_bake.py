@@ -99,8 +99,6 @@ def test_a_material_resolves_once_to_source_and_model(tmp_path: Path) -> None:
     model = held.model()
     assert resolve(model).model() is model
     assert resolve(model, "samples", {"points": 7}).model().options.points == 7  # type: ignore[attr-defined]
-    assert resolve("plain").is_bare
-    assert not resolve(loomlight.load("plain")).is_bare
     assert isinstance(resolve(loomlight.load("plain")).model(), Model)
 
 

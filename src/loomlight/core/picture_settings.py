@@ -83,7 +83,7 @@ class RenderSettings(Settings):
     )
     light: str | None = setting(
         None,
-        "studio, a neutral softbox and dome; sunsky, daylight; point or directional.",
+        "studio, a neutral key light, back light and dome; sunsky, daylight; point or directional.",
         otherwise="studio; of a scene file its own",
         choices=("studio", "sunsky", "point", "directional"),
         metavar="NAME",
@@ -129,7 +129,7 @@ class RenderSettings(Settings):
         None,
         "A close-up in the upper left corner, in which the weave can be read.",
         flag="--inset/--no-inset",
-        otherwise="where a weave or draft is on the whole drape, at 160 pixels and more",
+        otherwise="of a fabric on the whole drape, at 160 pixels and more",
     )
     colors: Mapping[str, Any] = setting(
         dict,

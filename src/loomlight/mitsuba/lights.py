@@ -13,15 +13,10 @@ from numpy.typing import NDArray
 from loomlight.core.environment_map import checked_environment_map, read_environment_map
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
+from loomlight.core.studio import studio_radiance
 
 Light = Literal["studio", "sunsky", "point", "directional"]
 LIGHTS: tuple[Light, ...] = ("studio", "sunsky", "point", "directional")
-
-# The studio's key light: a round softbox, degrees from its middle to where it has faded to a half and, around
-# there, from full to none; and how much of the irradiance of a surface that faces it is its own. 10 degrees
-# blur shadows without hiding the relief of yarns, and a quarter of fill leaves shadows legible.
-_KEY_RADIUS, _KEY_EDGE, _KEY_SHARE = 10.0, 4.0, 0.78
-_STUDIO_ROWS = 128
 
 # Mitsuba's own daylight shows white cloth at about 0.4.
 _DAYLIGHT = 2.0
@@ -106,26 +101,3 @@ def _read_pfm(file: Path) -> NDArray[np.float32]:
     except Exception as error:  # Mitsuba raises bare RuntimeErrors
         raise InputError(f"{file} is damaged or no picture.") from error
     return checked_environment_map(np.array(bitmap), file)
-
-
-def studio_radiance(direction: NDArray[np.float64]) -> NDArray[np.float32]:
-    """Latitude-longitude radiance [128, 256, 3] of a soft key light and a dome that is brightest above.
-
-    All of it is grey, so that a grey card looks grey; a white card that faces the key shows a radiance of 1.
-    Nothing comes from below the horizon, where the built-in scenes have a ground.
-    """
-    rows, columns = _STUDIO_ROWS, 2 * _STUDIO_ROWS
-    polar = (np.arange(rows) + 0.5) / rows * np.pi
-    around = (np.arange(columns) + 0.5) / columns * 2 * np.pi
-    # Mitsuba's envmap: up is +y, and columns turn from -z over +x.
-    x, y = np.sin(polar)[:, None] * np.sin(around), np.cos(polar)[:, None] + 0 * around
-    towards = np.stack([x, y, -np.sin(polar)[:, None] * np.cos(around)], axis=-1)
-    cosine = np.clip(towards @ direction, -1, 1)
-    key = np.clip((_KEY_RADIUS - np.degrees(np.arccos(cosine))) / _KEY_EDGE + 0.5, 0, 1)
-    dome = np.where(y > 0, 0.5 + 0.5 * y, 0)
-    solid_angle = np.sin(polar)[:, None] * (np.pi / rows) * (2 * np.pi / columns)
-    facing = np.clip(cosine, 0, None) * solid_angle
-    radiance = np.pi * (
-        _KEY_SHARE * key / (key * facing).sum() + (1 - _KEY_SHARE) * dome / (dome * facing).sum()
-    )
-    return np.repeat(radiance[..., None], 3, axis=-1).astype(np.float32)

@@ -173,7 +173,7 @@ class RenderJob:
         self._size = setting.size or DEFAULT_SIZE
         whole_drape = str(setting.scene) == "drape" and setting.mesh is None and setting.zoom == 1
         readable = min(self._size) >= MIN_PICTURE
-        is_wanted = whole_drape and readable and self.material.is_bare
+        is_wanted = whole_drape and readable and isinstance(self.material.source, Fabric)
         self._inset = is_wanted if setting.inset is None else setting.inset
 
     @property

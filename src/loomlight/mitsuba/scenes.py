@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
+from loomlight.core.studio import STUDIO_AZIMUTH, STUDIO_ELEVATION
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts
 from loomlight.mesh.cloth_mesh import ClothMesh, joined, warn_of_extent, warn_of_scale
@@ -146,24 +147,25 @@ class ClothScene:
 
 @dataclass(frozen=True)
 class _Setup:
-    """The parts of a built-in scene."""
+    """The parts of a built-in scene; `light_from` as in `build_scene`."""
 
     cloth: Callable[[], ClothMesh]
     towards_camera: tuple[float, float, float]
-    towards_light: tuple[float, float, float]
+    light_from: tuple[float, float]
     ground: bool = False
     backdrop: float | None = None
     edge: str = "raw"
 
 
-# As catalogues show cloth: on white paper, in a studio whose light is neutral. A flat piece, a ball and a
-# roll lie on it, seen from above; the paper is some millimetres behind, so that it cuts none.
+# As catalogues show cloth: on light paper, in a studio whose light is neutral. A flat piece, a ball and a
+# roll lie on it, seen from above; the paper is some millimetres behind, so that it cuts none. Light comes
+# over the drape some 70 degrees off the camera, over what lies flat 50: more would leave white cloth grey.
 _FRONT = (0, 0, 1)
 _SETUPS = {
-    "flat": _Setup(flat, _FRONT, (-0.5, 0.6, 0.8), backdrop=-0.004, edge="pinked"),
-    "sphere": _Setup(sphere, _FRONT, (-0.45, 0.6, 0.75), backdrop=-0.001 - SPHERE_RADIUS),
-    "cylinder": _Setup(cylinder, _FRONT, (-0.3, 0.6, 0.8), backdrop=-0.001 - CYLINDER_RADIUS),
-    "drape": _Setup(drape, (0.35, 0.55, 1), (-0.6, 0.75, 0.6), ground=True, edge="hem"),
+    "flat": _Setup(flat, _FRONT, (-37, 33), backdrop=-0.004, edge="pinked"),
+    "sphere": _Setup(sphere, _FRONT, (-45, 35), backdrop=-0.001 - SPHERE_RADIUS),
+    "cylinder": _Setup(cylinder, _FRONT, (-25, 42), backdrop=-0.001 - CYLINDER_RADIUS),
+    "drape": _Setup(drape, (0.35, 0.55, 1), (STUDIO_AZIMUTH, STUDIO_ELEVATION), ground=True, edge="hem"),
 }
 _MESH = replace(_SETUPS["drape"], towards_camera=(0.3, 0.35, 1))
 
@@ -250,7 +252,7 @@ def build_scene(
     if environment is not None:
         parts["environment"] = environment_dict(environment, environment_turn)
     else:
-        towards = np.array(setup.towards_light) if light_from is None else direction_of(*light_from)
+        towards = direction_of(*(setup.light_from if light_from is None else light_from))
         parts |= light_dicts("studio" if light is None else light, centre, radius, towards)
     # 5. What stands around: paper below or behind, as far as a camera farther away sees, and the ball.
     point = _facing_point(cloth, view)
@@ -327,7 +329,7 @@ def built_in_cloth(
         raise InputError(f'scene = "{name}" is unknown: use {", ".join(SCENES)}.')
     setup = _SETUPS[name] if mesh is None else _MESH
     cloth = setup.cloth() if mesh is None else read_mesh(mesh)
-    return cloth, np.array(setup.towards_camera, float), np.array(setup.towards_light, float)
+    return cloth, np.array(setup.towards_camera, float), direction_of(*setup.light_from)
 
 
 def empty_scene() -> dict[str, Any]:

@@ -113,8 +113,9 @@ def grid_triangles(columns: int, rows: int) -> NDArray[np.int64]:
 # Props of built-in scenes: paper below or behind it, and the ball under draped cloth.
 
 
-# White paper, as catalogues show cloth on: it lights folds from below and takes a soft shadow.
-_PAPER = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.8}}
+# Light paper, as catalogues show cloth on: white cloth stands out from it, and what it throws back into folds
+# leaves them their shadows.
+_PAPER = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.6}}
 
 
 def ground(

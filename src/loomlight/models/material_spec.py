@@ -5,12 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any
 
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.read import FABRIC_SUFFIX, edited_fabric
+from loomlight.fabric.read import edited_fabric
 from loomlight.models.interface import Model
 from loomlight.models.options import Options
 from loomlight.models.registry import (
@@ -24,7 +23,7 @@ from loomlight.models.registry import (
 )
 from loomlight.sources.kinds import Source
 from loomlight.sources.load import load_source
-from loomlight.sources.loom_file import LOOM_SUFFIX, LoomFile, is_loom, read_loom
+from loomlight.sources.loom_file import LoomFile, is_loom, read_loom
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +35,6 @@ class MaterialSpec:
         model_name: the name of the model.
         options: of the model; None for the defaults.
         held: the model itself where nothing is to be baked: one that is made already, or a `.loom`.
-        is_bare: a weave's name or a draft alone, which says nothing of yarns.
         replaces: the model that a `.loom` holds, where another one is meant; else empty.
     """
 
@@ -44,7 +42,6 @@ class MaterialSpec:
     model_name: str
     options: Options | None = None
     held: Model | LoomFile | None = None
-    is_bare: bool = False
     replaces: str = ""
 
     def model(self) -> Model:
@@ -66,7 +63,7 @@ class MaterialSpec:
 
     def by(self, model_name: str) -> MaterialSpec:
         """The same source by another model, with the default options."""
-        return MaterialSpec(self.source, model_name, is_bare=self.is_bare)
+        return MaterialSpec(self.source, model_name)
 
     def recoloured(self, colors: Mapping[str, Any]) -> MaterialSpec:
         """The material in other colours, "warp" and "weft", each as a fabric file's `color`.
@@ -120,8 +117,7 @@ def resolve(
         spec = _spec(loom.source, model_name or loom.model, options)
         return replace(spec, replaces="" if spec.model_name == loom.model else loom.model)
     source = load_source(material, model_class(model_name or DEFAULT_MODEL).source_kind)
-    is_bare = Path(material).suffix.lower() not in (FABRIC_SUFFIX, LOOM_SUFFIX)
-    return replace(_spec(source, model_name, options), is_bare=is_bare)
+    return _spec(source, model_name, options)
 
 
 def _spec(
