@@ -2,7 +2,7 @@
 
 A key from the side at half height rakes over yarns and folds, and is narrow enough to draw both; the dome
 leaves shadows legible. The back light stands opposite the key, at its height, where cloth that hangs or
-lies gleams at grazing angles. Public numbers are those of the page's studio too (`generated.ts`).
+lies gleams at grazing angles. Public numbers are those of the page's studio too (`web/editor/src/view/studio.ts`).
 """
 
 from __future__ import annotations

@@ -1,5 +1,7 @@
 import { describe, expect, it } from "vitest";
 
+import { FIRST_SCENE } from "../src/state/document.ts";
+import { lampOf, surroundingsOf } from "../src/view/surroundings.ts";
 import { readSurroundings } from "../src/view/surroundings_file.ts";
 
 /** An uncompressed OpenEXR picture in luminance, from its rows, the top one first; see the OpenEXR file layout. */
@@ -43,6 +45,37 @@ function exr(rows: readonly (readonly number[])[]): Uint8Array<ArrayBuffer> {
   });
   return Uint8Array.from(bytes);
 }
+
+describe("the studio", () => {
+  const { picture } = surroundingsOf(FIRST_SCENE, null)!;
+  const pixels = Float32Array.from(picture.pixels);
+  const lamp = lampOf(FIRST_SCENE)!;
+  /** Of a card, over π: what a white one shows; rows from above, columns from the back over the right. */
+  function shown(card: readonly number[]): number {
+    let sum = 0;
+    pixels.forEach((value, i) => {
+      const place = Math.floor(i / 3);
+      const polar = (Math.floor(place / picture.width) + 0.5) * (Math.PI / picture.height);
+      const around = ((place % picture.width) + 0.5) * ((2 * Math.PI) / picture.width);
+      const towards = [Math.sin(polar) * Math.sin(around), Math.cos(polar), -Math.sin(polar) * Math.cos(around)];
+      const cosine = towards.reduce((found, part, axis) => found + part * card[axis]!, 0);
+      sum += (Math.max(cosine, 0) * value * Math.sin(polar) * (Math.PI / picture.height) * 2 * Math.PI) / picture.width;
+    });
+    return sum / 3 / Math.PI;
+  }
+
+  it("shows a white card that faces its key light at a radiance of 1, as Python does", () => {
+    expect(shown(lamp.towards) + lamp.irradiance![0] / Math.PI).toBeCloseTo(1, 5);
+    const [x, y, z] = lamp.towards;
+    // The dome is the same all around, the back light a quarter of the whole.
+    expect(shown([-x, y, -z]) - shown(lamp.towards)).toBeCloseTo(0.25, 3);
+  });
+
+  it("is grey, and dark below", () => {
+    expect(pixels.every((value, i) => value === pixels[i - (i % 3)])).toBe(true);
+    expect(pixels.slice(pixels.length / 2).every((value) => value === 0)).toBe(true);
+  });
+});
 
 describe("surroundings of the user's own", () => {
   it("have the top row of an OpenEXR picture first, and grey for luminance", async () => {

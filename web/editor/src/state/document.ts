@@ -1,6 +1,8 @@
 /** The one document of the page: everything that a view shows is a function of it. */
 import { colouredDraft, type Draft, type FabricFields } from "loomlight-fabric";
 
+import { STUDIO_AZIMUTH, STUDIO_ELEVATION } from "../view/studio.ts";
+
 /** A fabric: its fields, and the draft that they name, before they colour and repeat it. */
 export interface Fabric {
   readonly fields: FabricFields;
@@ -93,8 +95,8 @@ export interface State {
 
 export const FIRST_SCENE: Scene = {
   shape: "drape",
-  lampAzimuth: -39,
-  lampElevation: 45,
+  lampAzimuth: STUDIO_AZIMUTH,
+  lampElevation: STUDIO_ELEVATION,
   lampStrength: 1,
   surroundings: "studio",
   surroundingsStrength: 1,

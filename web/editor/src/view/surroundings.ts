@@ -1,15 +1,21 @@
-/** Surroundings as pictures: all grey but the sky, so that a grey card looks grey; see `mitsuba/lights.py`. */
+/** Surroundings as pictures: all grey but the sky, so that a grey card looks grey; the studio is that of `core/studio.py`. */
 import { clamp, whiteBalance } from "loomlight-fabric";
 import type { DirectionalLight, Environment, Ground, Vector3 } from "loomlight-web";
 
 import type { Scene } from "../state/document.ts";
 import type { SurroundingsPicture } from "./cloth_view.ts";
 import type { ClothShape } from "./meshes.ts";
+import { BACK_EDGE, BACK_RADIUS, BACK_SHARE, FILL_SHARE, STUDIO_AZIMUTH, STUDIO_ELEVATION } from "./studio.ts";
 
 const ROWS = 64;
 const COLUMNS = 2 * ROWS;
-/** Irradiance that a card which faces upwards, or the window, gets of the surroundings: the lamp gives the rest of π. */
-const FILL = 0.22 * Math.PI;
+/** Of a card that faces the lamp: the studio's dome gives it the rest of π. */
+const LAMP_IRRADIANCE = (1 - FILL_SHARE) * Math.PI;
+/** Of a card that faces upwards, or the window, where the room is no studio. */
+const ROOM_IRRADIANCE = 0.22 * Math.PI;
+const UP: Vector3 = [0, 1, 0];
+/** Cards of which the brightest tells how bright a room is. */
+const CARDS: readonly Vector3[] = [UP, [-0.94, 0.34, 0], [0, 0, 1]];
 /** The window: directions within these degrees of its middle, which is to the left and a little above. */
 const WINDOW = { azimuth: -70, elevation: 20, width: 26, height: 30, edge: 3 } as const;
 /** Radiance of the room's walls, as a share of the window's. */
@@ -30,40 +36,69 @@ export function surroundingsOf(scene: Scene, own: SurroundingsPicture | null): E
 /** The lamp, whose light on a card that faces it is what the surroundings leave of π; null if it is off. */
 export function lampOf(scene: Scene): DirectionalLight | null {
   if (scene.lampStrength === 0) return null;
-  const [around, above] = [scene.lampAzimuth, scene.lampElevation].map((degrees) => (degrees * Math.PI) / 180) as [number, number];
-  const towards: Vector3 = [Math.sin(around) * Math.cos(above), Math.sin(above), Math.cos(around) * Math.cos(above)];
+  const towards = directionOf(scene.lampAzimuth, scene.lampElevation);
   const irradiance = whiteBalance(scene.whiteBalance).map((gain) => gain * LAMP_IRRADIANCE * scene.lampStrength);
   return { kind: "directional", towards, irradiance: irradiance as unknown as Vector3 };
 }
 
-const LAMP_IRRADIANCE = Math.PI - FILL;
+/** Azimuth 0 in front, 90 to the right; degrees. */
+function directionOf(azimuth: number, elevation: number): Vector3 {
+  const [around, above] = [azimuth, elevation].map((degrees) => (degrees * Math.PI) / 180) as [number, number];
+  return [Math.sin(around) * Math.cos(above), Math.sin(above), Math.cos(around) * Math.cos(above)];
+}
 
 /** What a piece stands on, with the lamp's share in the light there. */
 export function groundOf(scene: Scene, { ground }: ClothShape): Ground {
   const { towards } = lampOf(scene) ?? { towards: [0, 0, 0] };
   const cosine = ground.normal.reduce((sum, value, axis) => sum + value * towards[axis]!, 0);
   const lamp = LAMP_IRRADIANCE * scene.lampStrength * Math.max(cosine, 0);
-  const room = scene.surroundings === "none" ? 0 : FILL * scene.surroundingsStrength;
+  const room = skyIrradiance(scene.surroundings) * scene.surroundingsStrength;
   return { ...ground, lampShare: lamp > 0 ? lamp / (lamp + room) : 0 };
 }
 
-const pictures = new Map<string, SurroundingsPicture>();
+const pictures = new Map<Scene["surroundings"], SurroundingsPicture>();
 
 function pictureOf(kind: Scene["surroundings"]): SurroundingsPicture | null {
-  const radiance: Radiance | null = kind === "studio" ? studio : kind === "window" ? room : kind === "sky" ? sky : null;
-  if (radiance === null) return null;
   let picture = pictures.get(kind);
   if (picture === undefined) {
-    picture = { width: COLUMNS, height: ROWS, pixels: painted(radiance) };
+    const pixels = pixelsOf(kind);
+    if (pixels === null) return null;
+    picture = { width: COLUMNS, height: ROWS, pixels };
     pictures.set(kind, picture);
   }
   return picture;
 }
 
-/** A dome that is brightest above; nothing from below. */
-function studio(_x: number, y: number): readonly [number, number, number] {
-  const grey = y > 0 ? 0.5 + 0.5 * y : 0;
-  return [grey, grey, grey];
+function pixelsOf(kind: Scene["surroundings"]): Float32Array | null {
+  switch (kind) {
+    case "studio":
+      return studio();
+    case "window":
+      return painted(room, CARDS, ROOM_IRRADIANCE);
+    case "sky":
+      return painted(sky, CARDS, ROOM_IRRADIANCE);
+    default:
+      return null;
+  }
+}
+
+/** What lies flat gets of the surroundings; of a picture of the user's own, about. */
+function skyIrradiance(kind: Scene["surroundings"]): number {
+  if (kind === "none") return 0;
+  const picture = pictureOf(kind);
+  return picture === null ? ROOM_IRRADIANCE : irradianceOf(picture.pixels, UP);
+}
+
+/** The studio but for its key light, which is the lamp: a dome that is brightest above, and the back light. */
+function studio(): Float32Array {
+  const key = directionOf(STUDIO_AZIMUTH, STUDIO_ELEVATION);
+  const back: Vector3 = [-key[0], key[1], -key[2]];
+  const dome = painted((_x, y) => grey(y > 0 ? 0.5 + 0.5 * y : 0), [key], FILL_SHARE * Math.PI);
+  const disc = painted((x, y, z) => {
+    const off = (Math.acos(clamp(x * back[0] + y * back[1] + z * back[2], -1, 1)) * 180) / Math.PI;
+    return grey(clamp((BACK_RADIUS - off) / BACK_EDGE + 0.5, 0, 1));
+  }, [back], BACK_SHARE * Math.PI);
+  return dome.map((value, i) => value + disc[i]!);
 }
 
 /** A tall window with soft edges in a dim room. */
@@ -73,8 +108,7 @@ function room(x: number, y: number, z: number): readonly [number, number, number
   const inside = (distance: number, half: number): number =>
     clamp((half - Math.abs(distance)) / WINDOW.edge + 0.5, 0, 1);
   const pane = inside(azimuth - WINDOW.azimuth, WINDOW.width) * inside(elevation - WINDOW.elevation, WINDOW.height);
-  const grey = WALLS + (1 - WALLS) * pane;
-  return [grey, grey, grey];
+  return grey(WALLS + (1 - WALLS) * pane);
 }
 
 /** A clear sky without its sun, which the lamp stands for, over dry ground. */
@@ -88,30 +122,36 @@ function sky(_x: number, y: number): readonly [number, number, number] {
   ];
 }
 
-/** Radiance over the sphere, scaled so that the best-lit of a few cards gets an irradiance of FILL. */
-function painted(radiance: Radiance): Float32Array {
+function grey(value: number): readonly [number, number, number] {
+  return [value, value, value];
+}
+
+/** Radiance over the sphere, scaled so that the best-lit of some cards gets so much irradiance. */
+function painted(radiance: Radiance, cards: readonly Vector3[], irradiance: number): Float32Array {
   const pixels = new Float32Array(ROWS * COLUMNS * 3);
-  const cards = [
-    [0, 1, 0],
-    [-0.94, 0.34, 0],
-    [0, 0, 1],
-  ] as const;
-  const irradiances = cards.map(() => 0);
+  eachDirection((direction, index) => pixels.set(radiance(...direction), 3 * index));
+  const scale = irradiance / Math.max(...cards.map((card) => irradianceOf(pixels, card)));
+  return pixels.map((value) => value * scale);
+}
+
+/** Irradiance of a card by a picture of surroundings, the mean of its channels. */
+function irradianceOf(pixels: Float32Array, card: Vector3): number {
+  let sum = 0;
+  eachDirection(([x, y, z], index, solidAngle) => {
+    const mean = (pixels[3 * index]! + pixels[3 * index + 1]! + pixels[3 * index + 2]!) / 3;
+    sum += Math.max(card[0] * x + card[1] * y + card[2] * z, 0) * mean * solidAngle;
+  });
+  return sum;
+}
+
+function eachDirection(visit: (direction: Vector3, index: number, solidAngle: number) => void): void {
   for (let row = 0; row < ROWS; row++) {
     const polar = ((row + 0.5) / ROWS) * Math.PI;
     const solidAngle = (Math.sin(polar) * (Math.PI / ROWS) * 2 * Math.PI) / COLUMNS;
     for (let column = 0; column < COLUMNS; column++) {
       const around = ((column + 0.5) / COLUMNS) * 2 * Math.PI;
-      const direction = [Math.sin(polar) * Math.sin(around), Math.cos(polar), -Math.sin(polar) * Math.cos(around)] as const;
-      const colour = radiance(...direction);
-      pixels.set(colour, (row * COLUMNS + column) * 3);
-      const mean = (colour[0] + colour[1] + colour[2]) / 3;
-      cards.forEach((card, index) => {
-        const cosine = card[0] * direction[0] + card[1] * direction[1] + card[2] * direction[2];
-        irradiances[index]! += Math.max(cosine, 0) * mean * solidAngle;
-      });
+      const direction: Vector3 = [Math.sin(polar) * Math.sin(around), Math.cos(polar), -Math.sin(polar) * Math.cos(around)];
+      visit(direction, row * COLUMNS + column, solidAngle);
     }
   }
-  const scale = FILL / Math.max(...irradiances);
-  return pixels.map((value) => value * scale);
 }
