@@ -90,7 +90,7 @@ def _viewer(fabric: Material | str | os.PathLike[str], settings: PlaySettings) -
     # Light and colours multiply channel by channel: balanced light is a balanced picture.
     balance, environment = settings.white_balance, settings.environment
     gains = np.ones(3) if balance is None else white_balance(balance)
-    places = {"studio": Environment(studio_radiance(towards_light) * gains)}
+    places = {"studio": Environment(studio_radiance(towards_light, paper=True) * gains)}
     if environment is not None:
         read = Environment.read(environment, settings.environment_turn)
         places[Path(environment).name] = Environment(read.radiance * gains, read.turn)

@@ -27,6 +27,8 @@ def card(radiance: np.ndarray, normal: np.ndarray) -> float:
 
 @pytest.mark.parametrize("place", [(-56, 33), (120, 0), (0, 90), (10, 60)])
 def test_a_white_card_that_faces_the_key_shows_a_radiance_of_one(place: tuple[float, float]) -> None:
+    with_paper = studio_radiance(unit(*place), paper=True)
+    assert card(with_paper, unit(*place)) == pytest.approx(1, rel=1e-5)
     radiance = studio_radiance(unit(*place))
     assert card(radiance, unit(*place)) == pytest.approx(1, rel=1e-5)  # rounding of float32
     assert (radiance == radiance[..., :1]).all()
@@ -42,3 +44,11 @@ def test_light_has_a_direction_and_shadows_are_legible() -> None:
     back = card(radiance, unit(azimuth + 180, elevation))
     # The dome is the same all around.
     assert back == pytest.approx(BACK_SHARE + FILL_SHARE, abs=1e-3)
+
+
+def test_paper_below_throws_light_into_shadows() -> None:
+    """As half of a paper of albedo 0.6 would: 0.3 of what a white card shows that lies flat."""
+    radiance = studio_radiance(unit(-56, 33), paper=True)
+    below = card(radiance, unit(0, -90))
+    assert below == pytest.approx(0.5 * 0.6 * card(radiance, unit(0, 90)), rel=1e-3)
+    assert card(radiance, unit(34, 0)) > 2 * card(studio_radiance(unit(-56, 33)), unit(34, 0))

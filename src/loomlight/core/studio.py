@@ -2,7 +2,7 @@
 
 A key from the side at half height rakes over yarns and folds, and is narrow enough to draw both; the dome
 leaves shadows legible. The back light stands opposite the key, at its height, where cloth that hangs or
-lies gleams at grazing angles. Public numbers are those of the page's studio too (`web/editor/src/view/studio.ts`).
+lies gleams at grazing angles. Public numbers are those of the page too (`web/editor/src/view/studio.ts`).
 """
 
 from __future__ import annotations
@@ -19,14 +19,20 @@ BACK_RADIUS, BACK_EDGE = 12.0, 4.0
 # Of the irradiance of a card that faces the key, the dome's share; the rest is the key's own. And what the
 # back light gives a card that faces it, in the same unit.
 FILL_SHARE, BACK_SHARE = 0.1, 0.25
+# Of the paper that cloth stands on: white cloth stands out from it, and what it throws back into folds leaves
+# them their shadows. And how much of that light reaches cloth, which shades the paper around it.
+PAPER, PAPER_SHARE = 0.6, 0.5
 _ROWS = 128
 
 
-def studio_radiance(direction: NDArray[np.float64]) -> NDArray[np.float32]:
+def studio_radiance(direction: NDArray[np.float64], *, paper: bool = False) -> NDArray[np.float32]:
     """Latitude-longitude radiance [128, 256, 3] of the studio whose key light stands at the unit `direction`.
 
     All of it is grey, so that a grey card looks grey; a white card that faces the key shows a radiance of 1.
-    Nothing comes from below the horizon, where the built-in scenes have a ground.
+
+    Args:
+        paper: light from below stands for that of paper, in renderers that follow no reflections; without,
+            nothing comes from below the horizon, where the built-in scenes have a ground.
     """
     rows, columns = _ROWS, 2 * _ROWS
     polar = (np.arange(rows) + 0.5) / rows * np.pi
@@ -52,5 +58,7 @@ def studio_radiance(direction: NDArray[np.float64]) -> NDArray[np.float32]:
         + FILL_SHARE * dome / irradiance(dome, direction)
         + BACK_SHARE * disc(direction * [-1, 1, -1], BACK_RADIUS, BACK_EDGE)
     )
+    if paper:
+        total += (1 - above) * PAPER_SHARE * PAPER * irradiance(total, np.array([0.0, 1.0, 0.0])) / np.pi
     total *= np.pi / irradiance(total, direction)
     return np.repeat(total[..., None], 3, axis=-1).astype(np.float32)

@@ -13,6 +13,7 @@ import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.studio import PAPER
 from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mesh.reading import read_mesh
 from loomlight.mitsuba.meshes import to_shape
@@ -113,9 +114,8 @@ def grid_triangles(columns: int, rows: int) -> NDArray[np.int64]:
 # Props of built-in scenes: paper below or behind it, and the ball under draped cloth.
 
 
-# Light paper, as catalogues show cloth on: white cloth stands out from it, and what it throws back into folds
-# leaves them their shadows.
-_PAPER = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.6}}
+# Light paper, as catalogues show cloth on.
+_PAPER = {"type": "diffuse", "reflectance": {"type": "rgb", "value": PAPER}}
 
 
 def ground(

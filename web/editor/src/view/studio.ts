@@ -9,3 +9,5 @@ export const BACK_RADIUS = 12.0;
 export const BACK_EDGE = 4.0;
 export const FILL_SHARE = 0.1;
 export const BACK_SHARE = 0.25;
+export const PAPER = 0.6;
+export const PAPER_SHARE = 0.5;

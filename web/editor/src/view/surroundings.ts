@@ -5,14 +5,13 @@ import type { DirectionalLight, Environment, Ground, Vector3 } from "loomlight-w
 import type { Scene } from "../state/document.ts";
 import type { SurroundingsPicture } from "./cloth_view.ts";
 import type { ClothShape } from "./meshes.ts";
-import { BACK_EDGE, BACK_RADIUS, BACK_SHARE, FILL_SHARE, STUDIO_AZIMUTH, STUDIO_ELEVATION } from "./studio.ts";
+import { BACK_EDGE, BACK_RADIUS, BACK_SHARE, FILL_SHARE, PAPER, PAPER_SHARE, STUDIO_AZIMUTH, STUDIO_ELEVATION } from "./studio.ts";
 
 const ROWS = 64;
 const COLUMNS = 2 * ROWS;
-/** Of a card that faces the lamp: the studio's dome gives it the rest of π. */
-const LAMP_IRRADIANCE = (1 - FILL_SHARE) * Math.PI;
 /** Of a card that faces upwards, or the window, where the room is no studio. */
 const ROOM_IRRADIANCE = 0.22 * Math.PI;
+const KEY = directionOf(STUDIO_AZIMUTH, STUDIO_ELEVATION);
 const UP: Vector3 = [0, 1, 0];
 /** Cards of which the brightest tells how bright a room is. */
 const CARDS: readonly Vector3[] = [UP, [-0.94, 0.34, 0], [0, 0, 1]];
@@ -37,8 +36,13 @@ export function surroundingsOf(scene: Scene, own: SurroundingsPicture | null): E
 export function lampOf(scene: Scene): DirectionalLight | null {
   if (scene.lampStrength === 0) return null;
   const towards = directionOf(scene.lampAzimuth, scene.lampElevation);
-  const irradiance = whiteBalance(scene.whiteBalance).map((gain) => gain * LAMP_IRRADIANCE * scene.lampStrength);
+  const irradiance = whiteBalance(scene.whiteBalance).map((gain) => gain * lampIrradiance() * scene.lampStrength);
   return { kind: "directional", towards, irradiance: irradiance as unknown as Vector3 };
+}
+
+/** Of a card that faces the lamp: what the studio leaves of π, where the lamp stands as designed. */
+function lampIrradiance(): number {
+  return Math.PI - irradianceOf(pictureOf("studio")!.pixels, KEY);
 }
 
 /** Azimuth 0 in front, 90 to the right; degrees. */
@@ -51,7 +55,7 @@ function directionOf(azimuth: number, elevation: number): Vector3 {
 export function groundOf(scene: Scene, { ground }: ClothShape): Ground {
   const { towards } = lampOf(scene) ?? { towards: [0, 0, 0] };
   const cosine = ground.normal.reduce((sum, value, axis) => sum + value * towards[axis]!, 0);
-  const lamp = LAMP_IRRADIANCE * scene.lampStrength * Math.max(cosine, 0);
+  const lamp = lampIrradiance() * scene.lampStrength * Math.max(cosine, 0);
   const room = skyIrradiance(scene.surroundings) * scene.surroundingsStrength;
   return { ...ground, lampShare: lamp > 0 ? lamp / (lamp + room) : 0 };
 }
@@ -89,16 +93,20 @@ function skyIrradiance(kind: Scene["surroundings"]): number {
   return picture === null ? ROOM_IRRADIANCE : irradianceOf(picture.pixels, UP);
 }
 
-/** The studio but for its key light, which is the lamp: a dome that is brightest above, and the back light. */
+/** The studio but for its key light, which is the lamp: a dome, the back light, and paper, which throws light back. */
 function studio(): Float32Array {
-  const key = directionOf(STUDIO_AZIMUTH, STUDIO_ELEVATION);
-  const back: Vector3 = [-key[0], key[1], -key[2]];
-  const dome = painted((_x, y) => grey(y > 0 ? 0.5 + 0.5 * y : 0), [key], FILL_SHARE * Math.PI);
+  const back: Vector3 = [-KEY[0], KEY[1], -KEY[2]];
+  const dome = painted((_x, y) => grey(y > 0 ? 0.5 + 0.5 * y : 0), [KEY], FILL_SHARE * Math.PI);
   const disc = painted((x, y, z) => {
     const off = (Math.acos(clamp(x * back[0] + y * back[1] + z * back[2], -1, 1)) * 180) / Math.PI;
     return grey(clamp((BACK_RADIUS - off) / BACK_EDGE + 0.5, 0, 1));
   }, [back], BACK_SHARE * Math.PI);
-  return dome.map((value, i) => value + disc[i]!);
+  const lights = dome.map((value, i) => value + disc[i]!);
+  const paper = (PAPER_SHARE * PAPER * ((1 - FILL_SHARE) * Math.PI * KEY[1] + irradianceOf(lights, UP))) / Math.PI;
+  const pixels = lights.map((value, i) => (i < lights.length / 2 ? value : paper));
+  // A white card that faces the key shows a radiance of 1.
+  const scale = Math.PI / ((1 - FILL_SHARE) * Math.PI + irradianceOf(pixels, KEY));
+  return pixels.map((value) => value * scale);
 }
 
 /** A tall window with soft edges in a dim room. */
