@@ -83,7 +83,7 @@ def straight_on(
 ) -> NDArray[np.float64]:
     """A picture [pixels, pixels] of a square of cloth of a side, millimetres, seen straight on."""
     place = mi.ScalarTransform4f()
-    half = side / 2000
+    half = float(side) / 2000
     scene = mi.load_dict(
         {
             "type": "scene",
@@ -97,7 +97,7 @@ def straight_on(
             "cloth": {
                 "type": "rectangle",
                 "to_world": place.scale([2 * half, 2 * half, 1]),
-                "bsdf": make_bsdf(model, (2 * side, 2 * side)),
+                "bsdf": make_bsdf(model, (float(2 * side), float(2 * side))),
             },
         }
     )

@@ -36,6 +36,19 @@ TEXTS = {
         strength = 0.7
         roughness = 0.4
         """,
+    "irregular": """
+        weave = "plain"
+        gap = 0.25
+        [warp]
+        yarn = "linen"
+        melange = 0.2
+        [weft]
+        yarn = "woollen"
+        neps = 30
+        nep_color = "#a02010"
+        [variation]
+        irregularity = 1.5
+        """,
 }
 # All the light that the energy bound admits is sent on, half of it to the far side.
 WHITE = """
