@@ -6,6 +6,7 @@
   pixel. The picture over that of even cloth is the process, filtered by the film's filter and the footprints:
   deviation and autocorrelation across and along the threads against those computed from its spectrum.
 - *means*: pictures of linen and denim over those of their even twins, under a dome and four lights.
+- *queries*: errors of `lobes` and `neural` against means over 2048 points, of the two and their even twins.
 - *repeats*: the largest autocorrelation of a metre of linen, at lags of more than a tenth of a metre across
   the threads, over what the pictures of other seeds have with it by chance.
 - *dolly*: linen and denim from 2 m to 1 cm: steps of the mean of the middle of the picture from frame to
@@ -21,12 +22,15 @@ import time
 from argparse import ArgumentParser, Namespace
 from typing import Any
 
+import drjit as dr
 import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.harness import REPOSITORY, Figures, run
-from loomlight.core.llvm import require_llvm
+from loomlight.core.backend import array_types
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.evaluation.metrics import flip_mean
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.fabric import Fabric
@@ -188,6 +192,48 @@ def means() -> list[dict[str, Any]]:
     return rows
 
 
+# ------------------------------------------------------------------------------------------------- queries
+
+
+def queries(count: int = 2000, points: int = 2048) -> list[dict[str, Any]]:
+    """Errors of models against means over points, of linen and denim and their even twins, by footprint."""
+    rng = np.random.default_rng(5)
+    types = array_types(llvm_float())
+    lights, views = (
+        types.Vector3(*(types.Float(part.astype(np.float32)) for part in upper(rng, count).T))
+        for _ in range(2)
+    )
+    centre = types.Vector2(
+        *(types.Float(part.astype(np.float32)) for part in rng.uniform(0, 900, (2, count)))
+    )
+    rows = []
+    for name in EXAMPLES:
+        fabric = load_fabric(REPOSITORY / "examples" / f"{name}.toml")
+        for kind, one in (("irregular", fabric), ("even", even(fabric))):
+            truth_model = make_model("samples", one, points=points)
+            models = [make_model(model, one) for model in ("lobes", "neural")]
+            for threads in (1.0, 3.0, 10.0):
+                side = dr.opaque(types.Float, threads * 10 / 15)
+                footprint = Footprint(centre, types.Vector2(side, 0), types.Vector2(0, side))
+                truth, *found = (
+                    np.array(model.at(views, model.on_cloth(footprint)).value(lights), np.float64)
+                    for model in (truth_model, *models)
+                )
+                errors = {
+                    model.name: float(np.abs(got - truth).sum() / truth.sum())
+                    for model, got in zip(models, found, strict=True)
+                }
+                rows.append({"fabric": name, "yarns": kind, "threads": threads, "errors": errors})
+    return rows
+
+
+def upper(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
+    """Unit vectors [count, 3] within 70 degrees of the normal."""
+    cosine, turn = rng.uniform(math.cos(math.radians(70)), 1, count), rng.uniform(0, 2 * math.pi, count)
+    sine = np.sqrt(1 - cosine**2)
+    return np.stack([sine * np.cos(turn), sine * np.sin(turn), cosine], axis=1)
+
+
 # ------------------------------------------------------------------------------------------------- repeats
 
 
@@ -257,7 +303,8 @@ def shimmer(pairs: int = 8) -> list[dict[str, Any]]:
                     for frame in (first, first + 1)
                 ]
                 whole = np.ones(pictures[0].shape[:2], bool)
-                changes.append(flip_mean(*(picture.astype(np.float32) for picture in pictures), whole))
+                first_frame, second = (picture.astype(np.float32) for picture in pictures)
+                changes.append(flip_mean(first_frame, second, whole))
             found[model_name] = float(np.mean(changes))
         rows.append({"fabric": name, **found, "ratio": found["lobes"] / found["point"]})
     return rows
@@ -290,6 +337,7 @@ def times(rounds: int = 5) -> list[dict[str, Any]]:
 PARTS = {
     "statistics": statistics,
     "means": means,
+    "queries": queries,
     "repeats": repeats,
     "dolly": dolly,
     "shimmer": shimmer,
