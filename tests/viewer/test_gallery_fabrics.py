@@ -10,8 +10,8 @@ from loomlight.fabric.read import load_fabric
 from loomlight.viewer.session import gallery_files, gallery_pictures
 
 
-def test_there_are_twenty_four() -> None:
-    assert len(gallery_files()) == 24
+def test_there_are_twenty_eight() -> None:
+    assert len(gallery_files()) == 28
 
 
 @pytest.mark.parametrize("name", sorted(gallery_files()))

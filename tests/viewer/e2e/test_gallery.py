@@ -14,14 +14,14 @@ def test_the_gallery_is_searched_and_keeps_fabrics_of_ones_own(served: Served, v
     page = visit.page
     open_editor(served, visit, "?fabric=denim")
     fabrics = page.locator(".tile[data-testid^=fabric-]")
-    assert fabrics.count() == 24
+    assert fabrics.count() == 28
     wait_until(
         page,
         "[...document.querySelectorAll('.tile[data-testid^=fabric-] img')]"
-        ".filter((image) => image.naturalWidth >= 320).length === 24",
+        ".filter((image) => image.naturalWidth >= 320).length === 28",
     )
     by_id(page, "gallery-search").fill("wool twill")
-    wait_until(page, "document.querySelectorAll('.tile[data-testid^=fabric-]').length < 24")
+    wait_until(page, "document.querySelectorAll('.tile[data-testid^=fabric-]').length < 28")
     found = fabrics.evaluate_all("(tiles) => tiles.map((tile) => tile.dataset.testid)")
     assert {"fabric-kilt-tartan", "fabric-gabardine"} <= set(found)
     assert "fabric-denim" not in found
