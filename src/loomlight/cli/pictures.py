@@ -251,14 +251,15 @@ def demo(
 
     cloth = load_fabric(Path(__file__).with_name("demo.toml"))
     with progress(f"{cloth.name}, draped", milliseconds=True) as report:
-        # The point model shows how the dye varies.
+        # The point model shows how the dye varies, a high sun a shadow that stays in the picture.
         picture = render(
             cloth,
             model="point",
             light="sunsky",
+            light_from=(-45, 41),
             size=(1080, 810),
             spp=samples,
-            exposure=0.4,
+            exposure=0.5,
             inset=True,
             progress=report,
         )
