@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from drjit.llvm import Array3f, Bool, Float
 from numpy.typing import ArrayLike, NDArray
 
-from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
+from loomlight.scattering.appearance import Appearance, FamilyAppearance, Irregularity, Sheen, Variation
 from loomlight.yarn.layout import ClothLayout
 
 ABSOLUTE, RELATIVE = 1e-5, 1e-3
@@ -71,4 +71,19 @@ def appearance(rng: np.random.Generator, layout: ClothLayout, sheen: bool, varie
         family(layout.weft.spacing.size),
         Sheen(0.5, 0.3) if sheen else Sheen(),
         Variation(0.5, 0.5, 7) if varies else Variation(),
+    )
+
+
+# Slubs, neps, and shades along the yarn and from thread to thread.
+IRREGULAR_WARP = Irregularity(0.25, 60, 4, 30, 1.2, 0.3, 0.1, 6, 4, (0.6, 0.1, 0.05))
+IRREGULAR_WEFT = Irregularity(0.15, 28, melange=0.3, neps=3)
+
+
+def irregular(looks: Appearance, alike: bool = False) -> Appearance:
+    """An appearance whose yarns vary along themselves: of each family by other numbers, or alike."""
+    weft = IRREGULAR_WARP if alike else IRREGULAR_WEFT
+    return replace(
+        looks,
+        warp=replace(looks.warp, irregularity=IRREGULAR_WARP),
+        weft=replace(looks.weft, irregularity=weft),
     )

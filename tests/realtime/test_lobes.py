@@ -14,7 +14,7 @@ from drjit.llvm import Array2f
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
-from loomlight.fabric import load_fabric
+from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.fabric.read import edited_fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.registry import make_model
@@ -26,13 +26,24 @@ from tests.realtime.whole_queries import lobes_values
 EXAMPLES = Path(__file__).parents[2] / "examples"
 COUNT = 20_000
 MAX_FLIPS = 1e-3
-fabrics = pytest.mark.parametrize("name", ["denim", "damask", "silk-satin"])
+# Open cloth of slub yarns with neps, whose shades vary.
+IRREGULAR = (
+    'weave = "twill 2/1"\nends_per_cm = 20\npicks_per_cm = 16\nyarn = "linen"\n[warp]\ngap = 0.2\n'
+    '[weft]\ngap = 0.3\nshade = 0.1\nmelange = 0.2\nneps = 9\nnep_color = "#301008"\n'
+    "[variation]\ncolour_noise = 0.3\n"
+)
+fabrics = pytest.mark.parametrize("name", ["denim", "even denim", "damask", "silk-satin", "irregular"])
 
 
 def lobes_of(name: str) -> LobesModel:
-    # Shaders show even yarns.
-    even = {"variation.irregularity": 0}
-    return make_model("lobes", edited_fabric(load_fabric(EXAMPLES / f"{name}.toml"), even))
+    return make_model("lobes", fabric_of(name))
+
+
+def fabric_of(name: str) -> Fabric:
+    if name == "irregular":
+        return fabric_from_text(IRREGULAR)
+    fabric = load_fabric(EXAMPLES / f"{name.removeprefix('even ')}.toml")
+    return edited_fabric(fabric, {"variation.irregularity": 0}) if name.startswith("even") else fabric
 
 
 class Queries:

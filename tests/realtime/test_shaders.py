@@ -14,12 +14,13 @@ from drjit.llvm import Float
 
 from loomlight.scattering import diffuse, fibre, sheen
 from loomlight.scattering.appearance import YarnDetail
+from loomlight.scattering.irregularity import IrregularYarns
 from loomlight.scattering.point import YarnScattering, to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.visibility import first_hit, unoccluded
 from tests.realtime.mapped import mapped
-from tests.realtime.queries import appearance, directions, places, share_beyond, vectors
+from tests.realtime.queries import appearance, directions, irregular, places, share_beyond, vectors
 from tests.realtime.whole_queries import point_values
 from tests.yarn.layouts import PLAIN, SATIN, TWILL, even_layout, random_layout
 
@@ -162,6 +163,29 @@ def test_queries_of_the_point_model(layout: ClothLayout, varied: bool) -> None:
     assert value.max() > 0.1
     assert share_beyond(found[:, :3].T, value) <= MAX_FLIPS
     assert share_beyond(found[:, 3], np.array(model.straight_through(point, vectors(view)))) <= MAX_FLIPS
+
+
+@pytest.mark.slow
+def test_queries_of_irregular_yarns() -> None:
+    """Albedos of the thread that a point meets, which vary along it and have neps."""
+    rng = generator()
+    layout = LAYOUTS["uneven"]
+    looks = irregular(appearance(rng, layout, sheen=True, varies=True))
+    at = places(rng, layout, COUNT)
+    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    arguments = {"x": at.x, "y": at.y, "light": light, "view": view}
+    found = point_values(arguments, (layout, looks))
+    geometry = YarnGeometry(layout)
+    model = YarnScattering(geometry, looks, irregular=IrregularYarns(geometry, looks))
+    x, y, _ = at.arrays()
+    point = model.locate(x, y, vectors(view))
+    value = np.array(model.evaluate(point, vectors(light), vectors(view)))
+    even = YarnScattering(geometry, looks).locate(x, y, vectors(view))
+    on_yarn = ~np.array(point.hole)
+    red, even_red = (np.array(of.albedos.diffuse_reflect.x)[on_yarn] for of in (point, even))
+    assert share_beyond(red, even_red) > 0.5
+    assert share_beyond(found[on_yarn, 7], red) <= MAX_FLIPS
+    assert share_beyond(found[:, :3].T, value) <= MAX_FLIPS
 
 
 def test_view_from_behind_negates_z() -> None:

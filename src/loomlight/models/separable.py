@@ -244,7 +244,7 @@ class FilteredBsdf(SeparableBsdf):
             weft * old.diffuse_weft,
             warp * old.specular_warp,
             weft * old.specular_weft,
-            minimum(lit, 1 - hole),
+            lit,
         )
         return Evaluation(components, hole, even.blocked)
 

@@ -57,6 +57,14 @@ FAMILY: Fields = (
     ("colour_areas", "uint", "summed areas of crossings with the family on top [m + 1, n + 1, quantities]"),
     ("area_unit", "float", "square millimetres that the integer 1 of these integrals stands for"),
     ("crossing_area", "float", "mean visible area of a crossing"),
+    (
+        "irregular_table",
+        "uint",
+        "integrals of how yarns vary along themselves [rows, samples, 4] (`IrregularTable`)",
+    ),
+    *_vector("irregular", "what the integer 1 of these stands for", ("thickness", "cover", "tone", "nep")),
+    ("cover", "float", "mean share of a cell that the yarn covers"),
+    *_vector("nep", "albedo of neps", _COLOUR),
     *((name, "float", meaning) for name, meaning in detail.FAMILY_NUMBERS.items()),
 )
 
@@ -85,6 +93,8 @@ FABRIC: Fields = (
     ("seed", "uint", "of the noise"),
     ("layer_bound", "float", "κ of the energy bound"),
     ("fibre_size", "float", "width of a cell of fibre noise"),
+    ("is_irregular", "uint", "1 where yarns vary along themselves"),
+    ("warp_on_top", "float", "share of the crossings"),
     ("has_detail", "uint", "1 where yarns show plies, fibres, slubs or hairs close up"),
     ("uv_width", "float", "millimetres per unit of u"),
     ("uv_height", "float", "millimetres per unit of v"),

@@ -23,6 +23,7 @@ from loomlight.models.interface import ShaderTables
 from loomlight.realtime.records import numpy_type
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.detail import family_numbers
+from loomlight.scattering.irregularity import IrregularYarns
 from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import rays
 from loomlight.yarn.geometry import YarnGeometry
@@ -329,8 +330,30 @@ def _pack_fabric(
         "has_detail": int(appearance.warp.detail.is_on or appearance.weft.detail.is_on),
         "mean_hole": layout.open_area,
         "is_open": int(layout.open_area > MIN_OPEN_SHARE),
+        "is_irregular": int(appearance.is_irregular),
+        "warp_on_top": layout.warp_on_top.mean(),
     }
     fill(record, values)
+    if appearance.is_irregular:
+        _pack_irregular(families, table, geometry, appearance)
+
+
+def _pack_irregular(
+    families: Record, table: WordTable, geometry: YarnGeometry, appearance: Appearance
+) -> None:
+    """How the yarns of both families vary; families that vary alike share a table."""
+    yarns = IrregularYarns(geometry, appearance)
+    places: dict[int, int] = {}
+    for record, family, cover, of_family in zip(
+        families, (appearance.warp, appearance.weft), yarns.covers, yarns.tables, strict=True
+    ):
+        if id(of_family) not in places:
+            places[id(of_family)] = table.add(of_family.integrals.view(np.uint32))
+        values = {"irregular_table": places[id(of_family)], "cover": cover}
+        units = zip(("thickness", "cover", "tone", "nep"), of_family.units, strict=True)
+        values |= {f"irregular_{quantity}": unit for quantity, unit in units}
+        channels = zip(("red", "green", "blue"), family.irregularity.nep_albedo, strict=True)
+        fill(record, values | {f"nep_{channel}": albedo for channel, albedo in channels})
 
 
 def _pack_family(

@@ -71,8 +71,9 @@ LEAST_THICKNESS, LARGEST_TONE = -0.75, 0.9
 LARGEST_INTEGRAL = float(2**29)
 # Least width of a box in threads: float32 tells narrower ones apart no longer.
 LEAST_WIDTH = 1 / 16
-IRREGULAR_STREAM = 0x6C8E9CF5
-_STREAMS = {"thickness": 1, "shade": 2, "melange": 3, "lot": 4, "thick places": 5, "neps": 6}
+# Of the hash of blocks, and of the random numbers of a table.
+STREAM = 0x6C8E9CF5
+THICKNESS_STREAM, SHADE_STREAM, MELANGE_STREAM, LOT_STREAM, THICK_STREAM, NEP_STREAM = range(1, 7)
 
 
 # ------------------------------------------------------------------------------------------- the process
@@ -115,19 +116,19 @@ def mass_spectrum(yarn: Irregularity) -> NDArray[np.float64]:
     return np.asarray(total * (yarn.mass_cv**2 / of_cuts))
 
 
-def tone_spectra(yarn: Irregularity, of_lots: float) -> dict[str, NDArray[np.float64]]:
-    """Variance of the depth of shade by wave [SAMPLES / 2] of dye, mélange and lots; see `frequencies`.
+def tone_spectra(yarn: Irregularity, of_lots: float) -> dict[int, NDArray[np.float64]]:
+    """Variance of the depth of shade by wave [SAMPLES / 2] of dye, mélange and lots, by their streams.
 
     Args:
         of_lots: deviation from thread to thread.
     """
     f = frequencies()
     parts = {
-        "shade": (yarn.shade, 1 / f),
-        "melange": (yarn.melange, (f > 1 / MELANGE_LENGTH).astype(np.float64)),
-        "lot": (of_lots, (f < 1 / LOT_LENGTH).astype(np.float64)),
+        SHADE_STREAM: (yarn.shade, 1 / f),
+        MELANGE_STREAM: (yarn.melange, (f > 1 / MELANGE_LENGTH).astype(np.float64)),
+        LOT_STREAM: (of_lots, (f < 1 / LOT_LENGTH).astype(np.float64)),
     }
-    return {name: amount**2 * part / part.sum() for name, (amount, part) in parts.items()}
+    return {stream: amount**2 * part / part.sum() for stream, (amount, part) in parts.items()}
 
 
 def waves(spectrum: NDArray[np.float64], stream: int) -> NDArray[np.float64]:
@@ -162,8 +163,8 @@ def places(per_metre: float, length: float, stream: int) -> NDArray[np.float64]:
 
 def thickness_of(yarn: Irregularity) -> NDArray[np.float64]:
     """Relative mass less 1 [ROWS, SAMPLES], of mean 0."""
-    mass = waves(mass_spectrum(yarn), _STREAMS["thickness"])
-    thick = yarn.thick_size * places(yarn.thick_places, yarn.thick_length, _STREAMS["thick places"])
+    mass = waves(mass_spectrum(yarn), THICKNESS_STREAM)
+    thick = yarn.thick_size * places(yarn.thick_places, yarn.thick_length, THICK_STREAM)
     found = np.maximum(mass + thick - thick.mean(), LEAST_THICKNESS)
     return np.asarray(found - found.mean(axis=1, keepdims=True))
 
@@ -187,7 +188,7 @@ def cover_of(thickness: NDArray[np.float64], cover: float) -> NDArray[np.float64
 def tone_of(yarn: Irregularity, of_lots: float) -> NDArray[np.float64]:
     """Depth of shade [ROWS, SAMPLES], of mean 0; positive is darker."""
     parts = tone_spectra(yarn, of_lots)
-    total = sum(waves(spectrum, _STREAMS[name]) for name, spectrum in parts.items())
+    total = sum(waves(spectrum, stream) for stream, spectrum in parts.items())
     found = np.tanh(np.asarray(total) / LARGEST_TONE)
     found -= found.mean(axis=1, keepdims=True)
     # Its mean may have lain on either side.
@@ -196,7 +197,7 @@ def tone_of(yarn: Irregularity, of_lots: float) -> NDArray[np.float64]:
 
 def nep_of(yarn: Irregularity) -> NDArray[np.float64]:
     """Share of the yarn that neps cover less its mean [ROWS, SAMPLES]."""
-    found = np.minimum(places(yarn.neps, yarn.nep_length, _STREAMS["neps"]), 1)
+    found = np.minimum(places(yarn.neps, yarn.nep_length, NEP_STREAM), 1)
     return np.asarray(found - found.mean(axis=1, keepdims=True))
 
 
@@ -497,7 +498,7 @@ class Process:
             _OfFamily(
                 integrals,
                 opaque(types.UInt32, first),
-                hash_key(types.UInt32(number), seed ^ IRREGULAR_STREAM),
+                hash_key(types.UInt32(number), seed ^ STREAM),
                 opaque(types.Float, table.units),
             )
             for number, (first, table) in enumerate(zip((0, second), tables, strict=True))

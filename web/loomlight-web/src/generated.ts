@@ -6,7 +6,7 @@ export type Field = readonly [word: number, kind: "float" | "uint"];
 /** Records as buffers hold them: size in words, and fields by their names. */
 export const RECORDS = {
   Family: {
-    words: 40,
+    words: 49,
     fields: {
       "is_alike": [0, "uint"],
       "count": [1, "float"],
@@ -39,19 +39,28 @@ export const RECORDS = {
       "colour_areas": [28, "uint"],
       "area_unit": [29, "float"],
       "crossing_area": [30, "float"],
-      "has_plies": [31, "float"],
-      "plies_per_mm": [32, "float"],
-      "ply_sine": [33, "float"],
-      "ply_cosine": [34, "float"],
-      "fibre_tilt": [35, "float"],
-      "fibre_tone": [36, "float"],
-      "slub": [37, "float"],
-      "slubs_per_mm": [38, "float"],
-      "hairiness": [39, "float"],
+      "irregular_table": [31, "uint"],
+      "irregular_thickness": [32, "float"],
+      "irregular_cover": [33, "float"],
+      "irregular_tone": [34, "float"],
+      "irregular_nep": [35, "float"],
+      "cover": [36, "float"],
+      "nep_red": [37, "float"],
+      "nep_green": [38, "float"],
+      "nep_blue": [39, "float"],
+      "has_plies": [40, "float"],
+      "plies_per_mm": [41, "float"],
+      "ply_sine": [42, "float"],
+      "ply_cosine": [43, "float"],
+      "fibre_tilt": [44, "float"],
+      "fibre_tone": [45, "float"],
+      "slub": [46, "float"],
+      "slubs_per_mm": [47, "float"],
+      "hairiness": [48, "float"],
     },
   },
   Fabric: {
-    words: 127,
+    words: 129,
     fields: {
       "warp": [0, "uint"],
       "weft": [1, "uint"],
@@ -135,51 +144,53 @@ export const RECORDS = {
       "seed": [79, "uint"],
       "layer_bound": [80, "float"],
       "fibre_size": [81, "float"],
-      "has_detail": [82, "uint"],
-      "uv_width": [83, "float"],
-      "uv_height": [84, "float"],
-      "is_open": [85, "uint"],
-      "openness": [86, "uint"],
-      "albedo_map": [87, "uint"],
-      "albedo_map_levels": [88, "uint"],
-      "has_yarns": [89, "uint"],
-      "mean_hole": [90, "float"],
-      "latent.is_trained": [91, "uint"],
-      "latent.decoder": [92, "uint"],
-      "latent.hidden": [93, "uint"],
-      "latent.frames": [94, "uint"],
-      "latent.sampler": [95, "uint"],
-      "latent.albedo": [96, "uint"],
-      "latent.texels": [97, "uint"],
-      "latent.texel_elements": [98, "uint"],
-      "latent.levels": [99, "uint"],
-      "latent.last_level": [100, "float"],
-      "latent.face_texels": [101, "uint"],
-      "latent.back": [102, "uint"],
-      "latent.repeats_per_x": [103, "float"],
-      "latent.repeats_per_y": [104, "float"],
-      "latent.texels_per_mm": [105, "float"],
-      "latent.width": [106, "float"],
-      "latent.height": [107, "float"],
-      "latent.is_trilinear": [108, "uint"],
-      "latent.is_apart": [109, "uint"],
-      "clustered.is_baked": [110, "uint"],
-      "clustered.clusters": [111, "uint"],
-      "clustered.rank": [112, "uint"],
-      "clustered.channels": [113, "uint"],
-      "clustered.columns": [114, "uint"],
-      "clustered.rows": [115, "uint"],
-      "clustered.texel_width": [116, "float"],
-      "clustered.texel_height": [117, "float"],
-      "clustered.samples": [118, "uint"],
-      "clustered.sums": [119, "uint"],
-      "clustered.labels": [120, "uint"],
-      "clustered.coefficients": [121, "uint"],
-      "clustered.basis": [122, "uint"],
-      "clustered.moments": [123, "uint"],
-      "clustered.texels": [124, "uint"],
-      "clustered.light": [125, "uint"],
-      "clustered.heights": [126, "uint"],
+      "is_irregular": [82, "uint"],
+      "warp_on_top": [83, "float"],
+      "has_detail": [84, "uint"],
+      "uv_width": [85, "float"],
+      "uv_height": [86, "float"],
+      "is_open": [87, "uint"],
+      "openness": [88, "uint"],
+      "albedo_map": [89, "uint"],
+      "albedo_map_levels": [90, "uint"],
+      "has_yarns": [91, "uint"],
+      "mean_hole": [92, "float"],
+      "latent.is_trained": [93, "uint"],
+      "latent.decoder": [94, "uint"],
+      "latent.hidden": [95, "uint"],
+      "latent.frames": [96, "uint"],
+      "latent.sampler": [97, "uint"],
+      "latent.albedo": [98, "uint"],
+      "latent.texels": [99, "uint"],
+      "latent.texel_elements": [100, "uint"],
+      "latent.levels": [101, "uint"],
+      "latent.last_level": [102, "float"],
+      "latent.face_texels": [103, "uint"],
+      "latent.back": [104, "uint"],
+      "latent.repeats_per_x": [105, "float"],
+      "latent.repeats_per_y": [106, "float"],
+      "latent.texels_per_mm": [107, "float"],
+      "latent.width": [108, "float"],
+      "latent.height": [109, "float"],
+      "latent.is_trilinear": [110, "uint"],
+      "latent.is_apart": [111, "uint"],
+      "clustered.is_baked": [112, "uint"],
+      "clustered.clusters": [113, "uint"],
+      "clustered.rank": [114, "uint"],
+      "clustered.channels": [115, "uint"],
+      "clustered.columns": [116, "uint"],
+      "clustered.rows": [117, "uint"],
+      "clustered.texel_width": [118, "float"],
+      "clustered.texel_height": [119, "float"],
+      "clustered.samples": [120, "uint"],
+      "clustered.sums": [121, "uint"],
+      "clustered.labels": [122, "uint"],
+      "clustered.coefficients": [123, "uint"],
+      "clustered.basis": [124, "uint"],
+      "clustered.moments": [125, "uint"],
+      "clustered.texels": [126, "uint"],
+      "clustered.light": [127, "uint"],
+      "clustered.heights": [128, "uint"],
     },
   },
   Light: {
@@ -581,6 +592,35 @@ export const CLUSTERED_NORMAL_UNIT = 0.007874015748031496;
 
 // models.clustered.square_map
 export const CLUSTERED_BINS = 32;
+
+// scattering.irregularity
+export const IRREGULAR_ROWS = 128;
+export const IRREGULAR_SAMPLES = 1024;
+export const IRREGULAR_BLOCK = 64;
+export const IRREGULAR_SAMPLES_BITS = 10;
+export const IRREGULAR_STEP = 2.0;
+export const IRREGULAR_QUANTITIES = 4;
+export const IRREGULAR_CUT_LENGTH = 8.0;
+export const IRREGULAR_RANDOM_SHARE = 0.6;
+export const IRREGULAR_DRAFTING_SHARE = 0.25;
+export const IRREGULAR_DRIFT_SHARE = 0.15;
+export const IRREGULAR_DRAFTING_LENGTH = 2.75;
+export const IRREGULAR_DRAFTING_SPREAD = 0.2;
+export const IRREGULAR_DRIFT_LENGTH = 6.0;
+export const IRREGULAR_MELANGE_LENGTH = 30.0;
+export const IRREGULAR_LOT_LENGTH = 700.0;
+export const IRREGULAR_LEAST_THICKNESS = -0.75;
+export const IRREGULAR_LARGEST_TONE = 0.9;
+export const IRREGULAR_LARGEST_INTEGRAL = 536870912.0;
+export const IRREGULAR_LEAST_WIDTH = 0.0625;
+export const IRREGULAR_STREAM = 1821285621;
+export const IRREGULAR_THICKNESS_STREAM = 1;
+export const IRREGULAR_SHADE_STREAM = 2;
+export const IRREGULAR_MELANGE_STREAM = 3;
+export const IRREGULAR_LOT_STREAM = 4;
+export const IRREGULAR_THICK_STREAM = 5;
+export const IRREGULAR_NEP_STREAM = 6;
+export const IRREGULAR_LEAST_SHOWN = 0.0001;
 
 // models.texture.latent
 export const LATENT_CHANNELS = 8;

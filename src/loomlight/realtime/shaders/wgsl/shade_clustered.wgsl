@@ -201,6 +201,8 @@ struct Fabric_std430_0
     @align(4) seed_0 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
+    @align(4) is_irregular_0 : u32,
+    @align(4) warp_on_top_0 : f32,
     @align(4) has_detail_0 : u32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
@@ -249,6 +251,15 @@ struct Family_std430_0
     @align(4) colour_areas_0 : u32,
     @align(4) area_unit_0 : f32,
     @align(4) crossing_area_0 : f32,
+    @align(4) irregular_table_0 : u32,
+    @align(4) irregular_thickness_0 : f32,
+    @align(4) irregular_cover_0 : f32,
+    @align(4) irregular_tone_0 : f32,
+    @align(4) irregular_nep_0 : f32,
+    @align(4) cover_0 : f32,
+    @align(4) nep_red_0 : f32,
+    @align(4) nep_green_0 : f32,
+    @align(4) nep_blue_0 : f32,
     @align(4) has_plies_0 : f32,
     @align(4) plies_per_mm_0 : f32,
     @align(4) ply_sine_0 : f32,
@@ -268,12 +279,22 @@ struct Family_std430_0
 
 @binding(7) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 
-fn select_vector_0( condition_0 : bool,  yes_0 : vec2<f32>,  no_0 : vec2<f32>) -> vec2<f32>
+fn select_vector_0( condition_0 : bool,  yes_0 : vec4<f32>,  no_0 : vec4<f32>) -> vec4<f32>
 {
-    var chosen_0 : vec2<f32>;
+    var chosen_0 : vec4<f32>;
     chosen_0[i32(0)] = select(no_0[i32(0)], yes_0[i32(0)], condition_0);
     chosen_0[i32(1)] = select(no_0[i32(1)], yes_0[i32(1)], condition_0);
+    chosen_0[i32(2)] = select(no_0[i32(2)], yes_0[i32(2)], condition_0);
+    chosen_0[i32(3)] = select(no_0[i32(3)], yes_0[i32(3)], condition_0);
     return chosen_0;
+}
+
+fn select_vector_1( condition_1 : bool,  yes_1 : vec2<f32>,  no_1 : vec2<f32>) -> vec2<f32>
+{
+    var chosen_1 : vec2<f32>;
+    chosen_1[i32(0)] = select(no_1[i32(0)], yes_1[i32(0)], condition_1);
+    chosen_1[i32(1)] = select(no_1[i32(1)], yes_1[i32(1)], condition_1);
+    return chosen_1;
 }
 
 fn rsqrt_0( x_0 : f32) -> f32
@@ -281,23 +302,23 @@ fn rsqrt_0( x_0 : f32) -> f32
     return 1.0f / sqrt(x_0);
 }
 
-fn select_vector_1( condition_1 : bool,  yes_1 : vec3<f32>,  no_1 : vec3<f32>) -> vec3<f32>
+fn select_vector_2( condition_2 : bool,  yes_2 : vec3<f32>,  no_2 : vec3<f32>) -> vec3<f32>
 {
-    var chosen_1 : vec3<f32>;
-    chosen_1[i32(0)] = select(no_1[i32(0)], yes_1[i32(0)], condition_1);
-    chosen_1[i32(1)] = select(no_1[i32(1)], yes_1[i32(1)], condition_1);
-    chosen_1[i32(2)] = select(no_1[i32(2)], yes_1[i32(2)], condition_1);
-    return chosen_1;
-}
-
-fn select_vector_2( condition_2 : bool,  yes_2 : vec4<u32>,  no_2 : vec4<u32>) -> vec4<u32>
-{
-    var chosen_2 : vec4<u32>;
+    var chosen_2 : vec3<f32>;
     chosen_2[i32(0)] = select(no_2[i32(0)], yes_2[i32(0)], condition_2);
     chosen_2[i32(1)] = select(no_2[i32(1)], yes_2[i32(1)], condition_2);
     chosen_2[i32(2)] = select(no_2[i32(2)], yes_2[i32(2)], condition_2);
-    chosen_2[i32(3)] = select(no_2[i32(3)], yes_2[i32(3)], condition_2);
     return chosen_2;
+}
+
+fn select_vector_3( condition_3 : bool,  yes_3 : vec4<u32>,  no_3 : vec4<u32>) -> vec4<u32>
+{
+    var chosen_3 : vec4<u32>;
+    chosen_3[i32(0)] = select(no_3[i32(0)], yes_3[i32(0)], condition_3);
+    chosen_3[i32(1)] = select(no_3[i32(1)], yes_3[i32(1)], condition_3);
+    chosen_3[i32(2)] = select(no_3[i32(2)], yes_3[i32(2)], condition_3);
+    chosen_3[i32(3)] = select(no_3[i32(3)], yes_3[i32(3)], condition_3);
+    return chosen_3;
 }
 
 fn fabric_of_0( face_1 : u32) -> u32
@@ -439,9 +460,144 @@ fn map_level_0( first_1 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
     return mix(mix(map_texel_0(_S28 + _S24), map_texel_0(_S28 + _S27), _S29), mix(map_texel_0(_S30 + _S24), map_texel_0(_S30 + _S27), _S29), vec3<f32>((_S20 - _S25)));
 }
 
+struct Footprint_0
+{
+     centre_0 : vec2<f32>,
+     dx_0 : vec2<f32>,
+     dy_0 : vec2<f32>,
+};
+
+fn Footprint_spread_side_0( this_0 : Footprint_0) -> f32
+{
+    var _S31 : vec2<f32> = this_0.dx_0;
+    var _S32 : vec2<f32> = this_0.dy_0;
+    return sqrt(0.5f * (dot(_S31, _S31) + dot(_S32, _S32)));
+}
+
+fn fade_0( size_1 : f32,  period_1 : f32) -> f32
+{
+    return clamp((1.0f - size_1 / period_1) * 1.33333337306976318f, 0.0f, 1.0f);
+}
+
+fn moved_share_0( family_0 : u32,  size_2 : f32) -> f32
+{
+    return fade_0(size_2, families_0[family_0].period_0 / families_0[family_0].count_0);
+}
+
+fn turns_and_remainder_0( family_1 : u32,  index_1 : f32) -> vec2<f32>
+{
+    var _S33 : f32 = floor(fma(index_1, families_0[family_1].inverse_count_0, families_0[family_1].half_inverse_count_0));
+    return vec2<f32>(_S33, fma(- _S33, families_0[family_1].count_0, index_1));
+}
+
+struct Cell_0
+{
+     thread_1 : u32,
+     across_0 : f32,
+     half_width_1 : f32,
+     below_0 : f32,
+     above_0 : f32,
+};
+
+fn locate_alike_0( family_2 : u32,  position_0 : f32) -> Cell_0
+{
+    var _S34 : f32 = floor(position_0 * families_0[family_2].inverse_size_0);
+    var cell_2 : Cell_0;
+    var _S35 : f32 = fma(- _S34, families_0[family_2].size_0, position_0);
+    cell_2.below_0 = _S35;
+    cell_2.above_0 = families_0[family_2].size_0 - _S35;
+    cell_2.across_0 = _S35 - 0.5f * families_0[family_2].size_0;
+    cell_2.half_width_1 = families_0[family_2].half_width_0;
+    cell_2.thread_1 = u32(clamp(turns_and_remainder_0(family_2, _S34).y, 0.0f, families_0[family_2].count_0 - 1.0f));
+    return cell_2;
+}
+
+fn table_number_0( index_2 : u32) -> f32
+{
+    return (bitcast<f32>((words_0[index_2])));
+}
+
+fn locate_varied_0( family_3 : u32,  position_1 : f32) -> Cell_0
+{
+    var turns_0 : f32 = (position_1 - families_0[family_3].start_0) * families_0[family_3].inverse_period_0;
+    var turns_1 : f32 = turns_0 - floor(turns_0);
+    var _S36 : f32 = turns_1 * families_0[family_3].period_0;
+    var thread_2 : u32 = words_0[families_0[family_3].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_3].bins_0, 0.0f, families_0[family_3].bins_0 - 1.0f))];
+    var _S37 : u32 = min(thread_2 + select(u32(0), u32(1), _S36 >= (table_number_0(families_0[family_3].place_table_0 + thread_2 * u32(4) + u32(1)))), u32(families_0[family_3].count_0) - u32(1));
+    var _S38 : u32 = families_0[family_3].place_table_0 + _S37 * u32(4);
+    var cell_3 : Cell_0;
+    cell_3.thread_1 = _S37;
+    cell_3.below_0 = _S36 - table_number_0(_S38);
+    cell_3.above_0 = table_number_0(_S38 + u32(1)) - _S36;
+    cell_3.across_0 = _S36 - table_number_0(_S38 + u32(2));
+    cell_3.half_width_1 = table_number_0(_S38 + u32(3));
+    return cell_3;
+}
+
+fn locate_0( family_4 : u32,  position_2 : f32) -> Cell_0
+{
+    if((families_0[family_4].is_alike_0) != u32(0))
+    {
+        return locate_alike_0(family_4, position_2);
+    }
+    return locate_varied_0(family_4, position_2);
+}
+
+fn irregular_thread_0( family_5 : u32,  position_3 : f32,  cell_4 : Cell_0) -> f32
+{
+    return floor((position_3 - cell_4.across_0) / families_0[family_5].period_0) * families_0[family_5].count_0 + f32(cell_4.thread_1);
+}
+
+fn irregular_entry_0( row_0 : u32,  column_0 : f32) -> vec4<u32>
+{
+    var _S39 : u32 = row_0 + u32(4) * ((u32(i32(column_0)) & (u32(1023))));
+    return vec4<u32>(words_0[_S39], words_0[_S39 + u32(1)], words_0[_S39 + u32(2)], words_0[_S39 + u32(3)]);
+}
+
+fn irregular_integral_0( family_6 : u32,  threads_0 : u32,  begin_0 : f32,  steps_0 : f32) -> vec4<f32>
+{
+    var _S40 : u32 = families_0[family_6].irregular_table_0 + threads_0 * u32(4096);
+    var _S41 : f32 = begin_0 + steps_0;
+    var _S42 : f32 = floor(begin_0);
+    var _S43 : vec4<u32> = irregular_entry_0(_S40, _S42);
+    var _S44 : f32 = floor(_S41);
+    var _S45 : vec4<u32> = irregular_entry_0(_S40, _S44);
+    return vec4<f32>(vec4<i32>(_S45 - _S43)) + (vec4<f32>(vec4<i32>(irregular_entry_0(_S40, _S44 + 1.0f) - _S45)) * vec4<f32>((_S41 - _S44)) - vec4<f32>(vec4<i32>(irregular_entry_0(_S40, _S42 + 1.0f) - _S43)) * vec4<f32>((begin_0 - _S42)));
+}
+
+fn irregular_units_0( family_7 : u32) -> vec4<f32>
+{
+    return vec4<f32>(families_0[family_7].irregular_thickness_0, families_0[family_7].irregular_cover_0, families_0[family_7].irregular_tone_0, families_0[family_7].irregular_nep_0);
+}
+
+fn irregular_at_0( family_8 : u32,  key_3 : u32,  number_0 : f32,  along_0 : f32) -> vec4<f32>
+{
+    var _S46 : f32 = floor(number_0 / 64.0f);
+    var _S47 : u32 = hash_bits_0(key_3, u32(i32(_S46)));
+    var _S48 : u32 = ((_S47 & (u32(127)))) + u32(number_0 - 64.0f * _S46);
+    var _S49 : f32 = along_0 / 2.0f - 0.5f + f32((_S47 >> (u32(22))));
+    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
+    var side_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(side_1 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S50 : vec4<f32> = irregular_integral_0(family_8, _S48 + side_1, _S49, 1.0f) - sums_1;
+        var _S51 : u32 = side_1 + u32(1);
+        sums_1 = _S50;
+        side_1 = _S51;
+    }
+    return sums_1 * irregular_units_0(family_8);
+}
+
 struct VisiblePoint_0
 {
-     position_0 : vec3<f32>,
+     position_4 : vec3<f32>,
      view_0 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
@@ -459,9 +615,9 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
 }
 
-fn mixed_0( number_0 : u32) -> u32
+fn mixed_0( number_1 : u32) -> u32
 {
-    var bits_0 : u32 = ((number_0 ^ (((number_0 >> (u32(16))))))) * u32(2246822507);
+    var bits_0 : u32 = ((number_1 ^ (((number_1 >> (u32(16))))))) * u32(2246822507);
     var bits_1 : u32 = ((bits_0 ^ (((bits_0 >> (u32(13))))))) * u32(3266489909);
     return (bits_1 ^ (((bits_1 >> (u32(16))))));
 }
@@ -473,72 +629,65 @@ fn uniform_of_0( seed_1 : u32,  dimension_0 : u32) -> f32
 
 fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S31 : f32 = direction_1.z;
-    return vec3<f32>(direction_1.xy, select(_S31, - _S31, back_2));
+    var _S52 : f32 = direction_1.z;
+    return vec3<f32>(direction_1.xy, select(_S52, - _S52, back_2));
 }
 
 struct TexelBox_0
 {
      corner_1 : vec2<f32>,
-     size_1 : vec2<f32>,
+     size_3 : vec2<f32>,
      first_2 : vec2<u32>,
      extent_0 : vec2<f32>,
      last_0 : vec2<u32>,
-     turns_0 : vec2<f32>,
-};
-
-struct Footprint_0
-{
-     centre_0 : vec2<f32>,
-     dx_0 : vec2<f32>,
-     dy_0 : vec2<f32>,
+     turns_2 : vec2<f32>,
 };
 
 fn texel_box_0( tables_0 : ptr<function, Clustered_std430_0>,  footprint_0 : Footprint_0,  offset_1 : vec2<f32>,  place_1 : f32) -> TexelBox_0
 {
-    var _S32 : f32 = footprint_0.dx_0.x;
-    var _S33 : f32 = footprint_0.dy_0.x;
-    var _S34 : f32 = sqrt(_S32 * _S32 + _S33 * _S33);
-    var _S35 : f32 = footprint_0.dx_0.y;
-    var _S36 : f32 = footprint_0.dy_0.y;
-    var _S37 : f32 = sqrt(_S35 * _S35 + _S36 * _S36);
-    var _S38 : vec2<f32> = vec2<f32>(_S34, _S37);
-    var _S39 : f32 = (_S32 * _S35 + _S33 * _S36) / max(_S34 * _S37, 1.00000000317107685e-30f);
-    var _S40 : f32 = abs(_S39);
-    var _S41 : f32 = place_1 * sqrt(min(_S40, 1.0f));
-    var _S42 : vec2<f32> = _S38 * vec2<f32>(_S41, select(_S41, - _S41, _S39 < 0.0f));
-    var _S43 : vec2<f32> = vec2<f32>((*tables_0).texel_width_0, (*tables_0).texel_height_0);
-    var _S44 : u32 = (*tables_0).columns_0;
-    var _S45 : u32 = (*tables_0).rows_0;
-    var _S46 : vec2<f32> = vec2<f32>(f32((*tables_0).columns_0), f32((*tables_0).rows_0));
+    var _S53 : f32 = footprint_0.dx_0.x;
+    var _S54 : f32 = footprint_0.dy_0.x;
+    var _S55 : f32 = sqrt(_S53 * _S53 + _S54 * _S54);
+    var _S56 : f32 = footprint_0.dx_0.y;
+    var _S57 : f32 = footprint_0.dy_0.y;
+    var _S58 : f32 = sqrt(_S56 * _S56 + _S57 * _S57);
+    var _S59 : vec2<f32> = vec2<f32>(_S55, _S58);
+    var _S60 : f32 = (_S53 * _S56 + _S54 * _S57) / max(_S55 * _S58, 1.00000000317107685e-30f);
+    var _S61 : f32 = abs(_S60);
+    var _S62 : f32 = place_1 * sqrt(min(_S61, 1.0f));
+    var _S63 : vec2<f32> = _S59 * vec2<f32>(_S62, select(_S62, - _S62, _S60 < 0.0f));
+    var _S64 : vec2<f32> = vec2<f32>((*tables_0).texel_width_0, (*tables_0).texel_height_0);
+    var _S65 : u32 = (*tables_0).columns_0;
+    var _S66 : u32 = (*tables_0).rows_0;
+    var _S67 : vec2<f32> = vec2<f32>(f32((*tables_0).columns_0), f32((*tables_0).rows_0));
     var box_0 : TexelBox_0;
-    var _S47 : vec2<f32> = _S38 * vec2<f32>(sqrt(max(1.0f - _S40, 0.0f)));
-    box_0.size_1 = _S47;
-    var _S48 : vec2<f32> = vec2<f32>(0.5f);
-    var _S49 : vec2<f32> = _S48 * _S47;
-    var _S50 : vec2<f32> = footprint_0.centre_0 + _S42 - _S49;
-    box_0.corner_1 = _S50;
-    var _S51 : vec2<f32> = max(round(_S47 / _S43), vec2<f32>(1.0f));
-    box_0.extent_0 = _S51;
-    var _S52 : vec2<f32> = round((_S50 + _S49 + offset_1) / _S43 - _S48 * _S51);
-    var _S53 : vec2<f32> = vec2<f32>(0.0f);
-    var _S54 : vec2<f32> = max(_S52 - floor(_S52 / _S46) * _S46, _S53);
-    var _S55 : vec2<u32> = vec2<u32>(min(u32(_S54.x), (*tables_0).columns_0 - u32(1)), min(u32(_S54.y), (*tables_0).rows_0 - u32(1)));
-    box_0.first_2 = _S55;
-    var _S56 : vec2<f32> = floor(_S51 / _S46);
-    box_0.turns_0 = _S56;
-    var _S57 : vec2<f32> = max(_S51 - _S56 * _S46, _S53);
-    var _S58 : vec2<u32> = _S55 + vec2<u32>(u32(_S57.x), u32(_S57.y));
-    box_0.last_0 = _S58;
-    if((_S58.x) >= ((*tables_0).columns_0))
+    var _S68 : vec2<f32> = _S59 * vec2<f32>(sqrt(max(1.0f - _S61, 0.0f)));
+    box_0.size_3 = _S68;
+    var _S69 : vec2<f32> = vec2<f32>(0.5f);
+    var _S70 : vec2<f32> = _S69 * _S68;
+    var _S71 : vec2<f32> = footprint_0.centre_0 + _S63 - _S70;
+    box_0.corner_1 = _S71;
+    var _S72 : vec2<f32> = max(round(_S68 / _S64), vec2<f32>(1.0f));
+    box_0.extent_0 = _S72;
+    var _S73 : vec2<f32> = round((_S71 + _S70 + offset_1) / _S64 - _S69 * _S72);
+    var _S74 : vec2<f32> = vec2<f32>(0.0f);
+    var _S75 : vec2<f32> = max(_S73 - floor(_S73 / _S67) * _S67, _S74);
+    var _S76 : vec2<u32> = vec2<u32>(min(u32(_S75.x), (*tables_0).columns_0 - u32(1)), min(u32(_S75.y), (*tables_0).rows_0 - u32(1)));
+    box_0.first_2 = _S76;
+    var _S77 : vec2<f32> = floor(_S72 / _S67);
+    box_0.turns_2 = _S77;
+    var _S78 : vec2<f32> = max(_S72 - _S77 * _S67, _S74);
+    var _S79 : vec2<u32> = _S76 + vec2<u32>(u32(_S78.x), u32(_S78.y));
+    box_0.last_0 = _S79;
+    if((_S79.x) >= ((*tables_0).columns_0))
     {
-        box_0.last_0[i32(0)] = box_0.last_0[i32(0)] - _S44;
-        box_0.turns_0[i32(0)] = box_0.turns_0[i32(0)] + 1.0f;
+        box_0.last_0[i32(0)] = box_0.last_0[i32(0)] - _S65;
+        box_0.turns_2[i32(0)] = box_0.turns_2[i32(0)] + 1.0f;
     }
-    if((box_0.last_0.y) >= _S45)
+    if((box_0.last_0.y) >= _S66)
     {
-        box_0.last_0[i32(1)] = box_0.last_0[i32(1)] - _S45;
-        box_0.turns_0[i32(1)] = box_0.turns_0[i32(1)] + 1.0f;
+        box_0.last_0[i32(1)] = box_0.last_0[i32(1)] - _S66;
+        box_0.turns_2[i32(1)] = box_0.turns_2[i32(1)] + 1.0f;
     }
     return box_0;
 }
@@ -562,290 +711,297 @@ struct BinTaps_0
 
 fn bin_taps_0( direction_2 : vec3<f32>,  bins_2 : u32) -> BinTaps_0
 {
-    var _S59 : f32 = sqrt(max(1.0f - direction_2.z, 0.0f));
-    var _S60 : f32 = direction_2.x;
-    var _S61 : f32 = abs(_S60);
-    var _S62 : f32 = direction_2.y;
-    var _S63 : f32 = abs(_S62);
-    var _S64 : bool = _S61 >= _S63;
-    var _S65 : f32 = _S59 * (arc_tangent_of_ratio_0(min(_S61, _S63) / max(max(_S61, _S63), 9.999999960041972e-13f)) * 1.27323949337005615f);
-    var _S66 : f32 = f32(bins_2);
-    var _S67 : vec2<f32> = clamp((vec2<f32>(select(1.0f, -1.0f, _S60 < 0.0f) * select(_S65, _S59, _S64), select(1.0f, -1.0f, _S62 < 0.0f) * select(_S59, _S65, _S64)) + vec2<f32>(1.0f)) * vec2<f32>((0.5f * _S66)) - vec2<f32>(0.5f), vec2<f32>(0.0f), vec2<f32>((_S66 - 1.0f)));
-    var _S68 : f32 = _S67.x;
-    var _S69 : u32 = bins_2 - u32(2);
-    var _S70 : u32 = min(u32(_S68), _S69);
-    var _S71 : f32 = _S67.y;
-    var _S72 : u32 = min(u32(_S71), _S69);
-    var _S73 : f32 = _S68 - f32(_S70);
-    var _S74 : f32 = _S71 - f32(_S72);
+    var _S80 : f32 = sqrt(max(1.0f - direction_2.z, 0.0f));
+    var _S81 : f32 = direction_2.x;
+    var _S82 : f32 = abs(_S81);
+    var _S83 : f32 = direction_2.y;
+    var _S84 : f32 = abs(_S83);
+    var _S85 : bool = _S82 >= _S84;
+    var _S86 : f32 = _S80 * (arc_tangent_of_ratio_0(min(_S82, _S84) / max(max(_S82, _S84), 9.999999960041972e-13f)) * 1.27323949337005615f);
+    var _S87 : f32 = f32(bins_2);
+    var _S88 : vec2<f32> = clamp((vec2<f32>(select(1.0f, -1.0f, _S81 < 0.0f) * select(_S86, _S80, _S85), select(1.0f, -1.0f, _S83 < 0.0f) * select(_S80, _S86, _S85)) + vec2<f32>(1.0f)) * vec2<f32>((0.5f * _S87)) - vec2<f32>(0.5f), vec2<f32>(0.0f), vec2<f32>((_S87 - 1.0f)));
+    var _S89 : f32 = _S88.x;
+    var _S90 : u32 = bins_2 - u32(2);
+    var _S91 : u32 = min(u32(_S89), _S90);
+    var _S92 : f32 = _S88.y;
+    var _S93 : u32 = min(u32(_S92), _S90);
+    var _S94 : f32 = _S89 - f32(_S91);
+    var _S95 : f32 = _S92 - f32(_S93);
     var taps_0 : BinTaps_0;
-    taps_0.corner_2 = _S72 * bins_2 + _S70;
+    taps_0.corner_2 = _S93 * bins_2 + _S91;
     taps_0.bins_1 = bins_2;
-    var _S75 : f32 = 1.0f - _S73;
-    var _S76 : f32 = 1.0f - _S74;
-    taps_0.weights_0 = vec4<f32>(_S75 * _S76, _S73 * _S76, _S75 * _S74, _S73 * _S74);
+    var _S96 : f32 = 1.0f - _S94;
+    var _S97 : f32 = 1.0f - _S95;
+    taps_0.weights_0 = vec4<f32>(_S96 * _S97, _S94 * _S97, _S96 * _S95, _S94 * _S95);
     return taps_0;
 }
 
-fn table_number_0( index_1 : u32) -> f32
+fn BinTaps_read_0( this_1 : BinTaps_0,  table_0 : u32,  first_3 : u32,  stride_0 : u32,  offset_2 : u32) -> f32
 {
-    return (bitcast<f32>((words_0[index_1])));
+    var _S98 : u32 = table_0 + (first_3 + this_1.corner_2) * stride_0 + offset_2;
+    return table_number_0(_S98) * this_1.weights_0.x + table_number_0(_S98 + stride_0) * this_1.weights_0.y + table_number_0(_S98 + this_1.bins_1 * stride_0) * this_1.weights_0.z + table_number_0(_S98 + (this_1.bins_1 + u32(1)) * stride_0) * this_1.weights_0.w;
 }
 
-fn BinTaps_read_0( this_0 : BinTaps_0,  table_0 : u32,  first_3 : u32,  stride_0 : u32,  offset_2 : u32) -> f32
+fn summed_0( tables_1 : ptr<function, Clustered_std430_0>,  first_4 : u32,  column_1 : u32,  row_1 : u32) -> i32
 {
-    var _S77 : u32 = table_0 + (first_3 + this_0.corner_2) * stride_0 + offset_2;
-    return table_number_0(_S77) * this_0.weights_0.x + table_number_0(_S77 + stride_0) * this_0.weights_0.y + table_number_0(_S77 + this_0.bins_1 * stride_0) * this_0.weights_0.z + table_number_0(_S77 + (this_0.bins_1 + u32(1)) * stride_0) * this_0.weights_0.w;
-}
-
-fn summed_0( tables_1 : ptr<function, Clustered_std430_0>,  first_4 : u32,  column_0 : u32,  row_0 : u32) -> i32
-{
-    return i32(words_0[first_4 + (row_0 * ((*tables_1).columns_0 + u32(1)) + column_0) * (*tables_1).channels_0]);
+    return i32(words_0[first_4 + (row_1 * ((*tables_1).columns_0 + u32(1)) + column_1) * (*tables_1).channels_0]);
 }
 
 fn box_mean_0( tables_2 : ptr<function, Clustered_std430_0>,  box_1 : TexelBox_0,  face_2 : u32,  channel_0 : u32) -> f32
 {
-    var _S78 : u32 = (*tables_2).columns_0;
-    var _S79 : u32 = (*tables_2).rows_0;
-    var _S80 : u32 = (*tables_2).sums_0 + face_2 * ((*tables_2).columns_0 + u32(1)) * ((*tables_2).rows_0 + u32(1)) * (*tables_2).channels_0 + channel_0;
-    var _S81 : u32 = box_1.last_0.x;
-    var _S82 : u32 = box_1.first_2.y;
-    var _S83 : i32 = summed_0(&((*tables_2)), _S80, _S81, _S82);
-    var _S84 : u32 = box_1.first_2.x;
-    var _S85 : i32 = summed_0(&((*tables_2)), _S80, _S84, _S82);
-    var _S86 : i32 = _S83 - _S85;
-    var _S87 : u32 = box_1.last_0.y;
-    var _S88 : i32 = summed_0(&((*tables_2)), _S80, _S81, _S87);
-    var _S89 : i32 = summed_0(&((*tables_2)), _S80, _S84, _S87);
-    var total_0 : f32 = f32(_S88 - _S89 - _S86);
-    var _S90 : f32 = box_1.turns_0.x;
-    var _S91 : bool = _S90 > 0.0f;
+    var _S99 : u32 = (*tables_2).columns_0;
+    var _S100 : u32 = (*tables_2).rows_0;
+    var _S101 : u32 = (*tables_2).sums_0 + face_2 * ((*tables_2).columns_0 + u32(1)) * ((*tables_2).rows_0 + u32(1)) * (*tables_2).channels_0 + channel_0;
+    var _S102 : u32 = box_1.last_0.x;
+    var _S103 : u32 = box_1.first_2.y;
+    var _S104 : i32 = summed_0(&((*tables_2)), _S101, _S102, _S103);
+    var _S105 : u32 = box_1.first_2.x;
+    var _S106 : i32 = summed_0(&((*tables_2)), _S101, _S105, _S103);
+    var _S107 : i32 = _S104 - _S106;
+    var _S108 : u32 = box_1.last_0.y;
+    var _S109 : i32 = summed_0(&((*tables_2)), _S101, _S102, _S108);
+    var _S110 : i32 = summed_0(&((*tables_2)), _S101, _S105, _S108);
+    var total_0 : f32 = f32(_S109 - _S110 - _S107);
+    var _S111 : f32 = box_1.turns_2.x;
+    var _S112 : bool = _S111 > 0.0f;
     var total_1 : f32;
-    if(_S91)
+    if(_S112)
     {
-        var _S92 : i32 = summed_0(&((*tables_2)), _S80, _S78, _S87);
-        var _S93 : i32 = summed_0(&((*tables_2)), _S80, _S78, _S82);
-        total_1 = total_0 + _S90 * f32(_S92 - _S93);
+        var _S113 : i32 = summed_0(&((*tables_2)), _S101, _S99, _S108);
+        var _S114 : i32 = summed_0(&((*tables_2)), _S101, _S99, _S103);
+        total_1 = total_0 + _S111 * f32(_S113 - _S114);
     }
     else
     {
         total_1 = total_0;
     }
-    var _S94 : f32 = box_1.turns_0.y;
-    var _S95 : bool = _S94 > 0.0f;
-    if(_S95)
+    var _S115 : f32 = box_1.turns_2.y;
+    var _S116 : bool = _S115 > 0.0f;
+    if(_S116)
     {
-        var _S96 : i32 = summed_0(&((*tables_2)), _S80, _S81, _S79);
-        var _S97 : i32 = summed_0(&((*tables_2)), _S80, _S84, _S79);
-        total_1 = total_1 + _S94 * f32(_S96 - _S97);
+        var _S117 : i32 = summed_0(&((*tables_2)), _S101, _S102, _S100);
+        var _S118 : i32 = summed_0(&((*tables_2)), _S101, _S105, _S100);
+        total_1 = total_1 + _S115 * f32(_S117 - _S118);
     }
-    if((_S91 & (_S95)))
+    if((_S112 & (_S116)))
     {
-        var _S98 : f32 = _S90 * _S94;
-        var _S99 : i32 = summed_0(&((*tables_2)), _S80, _S78, _S79);
-        total_1 = total_1 + _S98 * f32(_S99);
+        var _S119 : f32 = _S111 * _S115;
+        var _S120 : i32 = summed_0(&((*tables_2)), _S101, _S99, _S100);
+        total_1 = total_1 + _S119 * f32(_S120);
     }
     return total_1 / (box_1.extent_0.x * box_1.extent_0.y);
 }
 
 fn box_mean_1( tables_3 : ptr<function, Clustered_std430_0>,  box_2 : TexelBox_0,  face_3 : u32,  channel_1 : u32) -> f32
 {
-    var _S100 : u32 = (*tables_3).columns_0;
-    var _S101 : u32 = (*tables_3).rows_0;
-    var _S102 : u32 = (*tables_3).sums_0 + face_3 * ((*tables_3).columns_0 + u32(1)) * ((*tables_3).rows_0 + u32(1)) * (*tables_3).channels_0 + channel_1;
-    var _S103 : u32 = box_2.last_0.x;
-    var _S104 : u32 = box_2.first_2.y;
-    var _S105 : i32 = summed_0(&((*tables_3)), _S102, _S103, _S104);
-    var _S106 : u32 = box_2.first_2.x;
-    var _S107 : i32 = summed_0(&((*tables_3)), _S102, _S106, _S104);
-    var _S108 : i32 = _S105 - _S107;
-    var _S109 : u32 = box_2.last_0.y;
-    var _S110 : i32 = summed_0(&((*tables_3)), _S102, _S103, _S109);
-    var _S111 : i32 = summed_0(&((*tables_3)), _S102, _S106, _S109);
-    var total_2 : f32 = f32(_S110 - _S111 - _S108);
-    var _S112 : f32 = box_2.turns_0.x;
-    var _S113 : bool = _S112 > 0.0f;
+    var _S121 : u32 = (*tables_3).columns_0;
+    var _S122 : u32 = (*tables_3).rows_0;
+    var _S123 : u32 = (*tables_3).sums_0 + face_3 * ((*tables_3).columns_0 + u32(1)) * ((*tables_3).rows_0 + u32(1)) * (*tables_3).channels_0 + channel_1;
+    var _S124 : u32 = box_2.last_0.x;
+    var _S125 : u32 = box_2.first_2.y;
+    var _S126 : i32 = summed_0(&((*tables_3)), _S123, _S124, _S125);
+    var _S127 : u32 = box_2.first_2.x;
+    var _S128 : i32 = summed_0(&((*tables_3)), _S123, _S127, _S125);
+    var _S129 : i32 = _S126 - _S128;
+    var _S130 : u32 = box_2.last_0.y;
+    var _S131 : i32 = summed_0(&((*tables_3)), _S123, _S124, _S130);
+    var _S132 : i32 = summed_0(&((*tables_3)), _S123, _S127, _S130);
+    var total_2 : f32 = f32(_S131 - _S132 - _S129);
+    var _S133 : f32 = box_2.turns_2.x;
+    var _S134 : bool = _S133 > 0.0f;
     var total_3 : f32;
-    if(_S113)
+    if(_S134)
     {
-        var _S114 : i32 = summed_0(&((*tables_3)), _S102, _S100, _S109);
-        var _S115 : i32 = summed_0(&((*tables_3)), _S102, _S100, _S104);
-        total_3 = total_2 + _S112 * f32(_S114 - _S115);
+        var _S135 : i32 = summed_0(&((*tables_3)), _S123, _S121, _S130);
+        var _S136 : i32 = summed_0(&((*tables_3)), _S123, _S121, _S125);
+        total_3 = total_2 + _S133 * f32(_S135 - _S136);
     }
     else
     {
         total_3 = total_2;
     }
-    var _S116 : f32 = box_2.turns_0.y;
-    var _S117 : bool = _S116 > 0.0f;
-    if(_S117)
+    var _S137 : f32 = box_2.turns_2.y;
+    var _S138 : bool = _S137 > 0.0f;
+    if(_S138)
     {
-        var _S118 : i32 = summed_0(&((*tables_3)), _S102, _S103, _S101);
-        var _S119 : i32 = summed_0(&((*tables_3)), _S102, _S106, _S101);
-        total_3 = total_3 + _S116 * f32(_S118 - _S119);
+        var _S139 : i32 = summed_0(&((*tables_3)), _S123, _S124, _S122);
+        var _S140 : i32 = summed_0(&((*tables_3)), _S123, _S127, _S122);
+        total_3 = total_3 + _S137 * f32(_S139 - _S140);
     }
-    if((_S113 & (_S117)))
+    if((_S134 & (_S138)))
     {
-        var _S120 : f32 = _S112 * _S116;
-        var _S121 : i32 = summed_0(&((*tables_3)), _S102, _S100, _S101);
-        total_3 = total_3 + _S120 * f32(_S121);
+        var _S141 : f32 = _S133 * _S137;
+        var _S142 : i32 = summed_0(&((*tables_3)), _S123, _S121, _S122);
+        total_3 = total_3 + _S141 * f32(_S142);
     }
     return total_3 / (box_2.extent_0.x * box_2.extent_0.y);
 }
 
 fn box_mean_2( tables_4 : ptr<function, Clustered_std430_0>,  box_3 : TexelBox_0,  face_4 : u32,  channel_2 : u32) -> f32
 {
-    var _S122 : u32 = (*tables_4).columns_0;
-    var _S123 : u32 = (*tables_4).rows_0;
-    var _S124 : u32 = (*tables_4).sums_0 + face_4 * ((*tables_4).columns_0 + u32(1)) * ((*tables_4).rows_0 + u32(1)) * (*tables_4).channels_0 + channel_2;
-    var _S125 : u32 = box_3.last_0.x;
-    var _S126 : u32 = box_3.first_2.y;
-    var _S127 : i32 = summed_0(&((*tables_4)), _S124, _S125, _S126);
-    var _S128 : u32 = box_3.first_2.x;
-    var _S129 : i32 = summed_0(&((*tables_4)), _S124, _S128, _S126);
-    var _S130 : i32 = _S127 - _S129;
-    var _S131 : u32 = box_3.last_0.y;
-    var _S132 : i32 = summed_0(&((*tables_4)), _S124, _S125, _S131);
-    var _S133 : i32 = summed_0(&((*tables_4)), _S124, _S128, _S131);
-    var total_4 : f32 = f32(_S132 - _S133 - _S130);
-    var _S134 : f32 = box_3.turns_0.x;
-    var _S135 : bool = _S134 > 0.0f;
+    var _S143 : u32 = (*tables_4).columns_0;
+    var _S144 : u32 = (*tables_4).rows_0;
+    var _S145 : u32 = (*tables_4).sums_0 + face_4 * ((*tables_4).columns_0 + u32(1)) * ((*tables_4).rows_0 + u32(1)) * (*tables_4).channels_0 + channel_2;
+    var _S146 : u32 = box_3.last_0.x;
+    var _S147 : u32 = box_3.first_2.y;
+    var _S148 : i32 = summed_0(&((*tables_4)), _S145, _S146, _S147);
+    var _S149 : u32 = box_3.first_2.x;
+    var _S150 : i32 = summed_0(&((*tables_4)), _S145, _S149, _S147);
+    var _S151 : i32 = _S148 - _S150;
+    var _S152 : u32 = box_3.last_0.y;
+    var _S153 : i32 = summed_0(&((*tables_4)), _S145, _S146, _S152);
+    var _S154 : i32 = summed_0(&((*tables_4)), _S145, _S149, _S152);
+    var total_4 : f32 = f32(_S153 - _S154 - _S151);
+    var _S155 : f32 = box_3.turns_2.x;
+    var _S156 : bool = _S155 > 0.0f;
     var total_5 : f32;
-    if(_S135)
+    if(_S156)
     {
-        var _S136 : i32 = summed_0(&((*tables_4)), _S124, _S122, _S131);
-        var _S137 : i32 = summed_0(&((*tables_4)), _S124, _S122, _S126);
-        total_5 = total_4 + _S134 * f32(_S136 - _S137);
+        var _S157 : i32 = summed_0(&((*tables_4)), _S145, _S143, _S152);
+        var _S158 : i32 = summed_0(&((*tables_4)), _S145, _S143, _S147);
+        total_5 = total_4 + _S155 * f32(_S157 - _S158);
     }
     else
     {
         total_5 = total_4;
     }
-    var _S138 : f32 = box_3.turns_0.y;
-    var _S139 : bool = _S138 > 0.0f;
-    if(_S139)
+    var _S159 : f32 = box_3.turns_2.y;
+    var _S160 : bool = _S159 > 0.0f;
+    if(_S160)
     {
-        var _S140 : i32 = summed_0(&((*tables_4)), _S124, _S125, _S123);
-        var _S141 : i32 = summed_0(&((*tables_4)), _S124, _S128, _S123);
-        total_5 = total_5 + _S138 * f32(_S140 - _S141);
+        var _S161 : i32 = summed_0(&((*tables_4)), _S145, _S146, _S144);
+        var _S162 : i32 = summed_0(&((*tables_4)), _S145, _S149, _S144);
+        total_5 = total_5 + _S159 * f32(_S161 - _S162);
     }
-    if((_S135 & (_S139)))
+    if((_S156 & (_S160)))
     {
-        var _S142 : f32 = _S134 * _S138;
-        var _S143 : i32 = summed_0(&((*tables_4)), _S124, _S122, _S123);
-        total_5 = total_5 + _S142 * f32(_S143);
+        var _S163 : f32 = _S155 * _S159;
+        var _S164 : i32 = summed_0(&((*tables_4)), _S145, _S143, _S144);
+        total_5 = total_5 + _S163 * f32(_S164);
     }
     return total_5 / (box_3.extent_0.x * box_3.extent_0.y);
 }
 
-fn parallax_offset_0( tables_5 : ptr<function, Clustered_std430_0>,  below_0 : TexelBox_0,  face_5 : u32,  view_1 : vec3<f32>) -> vec2<f32>
+fn parallax_offset_0( tables_5 : ptr<function, Clustered_std430_0>,  below_1 : TexelBox_0,  face_5 : u32,  view_1 : vec3<f32>) -> vec2<f32>
 {
-    var _S144 : f32 = view_1.z;
-    var _S145 : f32 = max(1.0f - _S144 * _S144, 9.999999960041972e-13f);
-    var _S146 : f32 = max(_S144, 0.60000002384185791f);
-    var _S147 : f32 = sqrt((1.0f - _S146 * _S146) / _S145) / _S146;
-    var _S148 : f32 = (_S146 - 0.60000002384185791f) * 2.5000002384185791f;
-    var _S149 : vec2<f32> = view_1.xy;
-    var _S150 : BinTaps_0 = bin_taps_0(vec3<f32>(_S149 * vec2<f32>(sqrt(max(1.0f - _S148 * _S148, 0.0f) / _S145)), _S148), u32(16));
-    var _S151 : u32 = face_5 * u32(256);
-    var _S152 : u32 = (*tables_5).channels_0 - u32(4);
-    var _S153 : u32 = (*tables_5).heights_0;
-    var _S154 : f32 = BinTaps_read_0(_S150, (*tables_5).heights_0, _S151, u32(5), u32(0));
-    var number_1 : u32 = u32(0);
-    var height_2 : f32 = _S154;
+    var _S165 : f32 = view_1.z;
+    var _S166 : f32 = max(1.0f - _S165 * _S165, 9.999999960041972e-13f);
+    var _S167 : f32 = max(_S165, 0.60000002384185791f);
+    var _S168 : f32 = sqrt((1.0f - _S167 * _S167) / _S166) / _S167;
+    var _S169 : f32 = (_S167 - 0.60000002384185791f) * 2.5000002384185791f;
+    var _S170 : vec2<f32> = view_1.xy;
+    var _S171 : BinTaps_0 = bin_taps_0(vec3<f32>(_S170 * vec2<f32>(sqrt(max(1.0f - _S169 * _S169, 0.0f) / _S166)), _S169), u32(16));
+    var _S172 : u32 = face_5 * u32(256);
+    var _S173 : u32 = (*tables_5).channels_0 - u32(4);
+    var _S174 : u32 = (*tables_5).heights_0;
+    var _S175 : f32 = BinTaps_read_0(_S171, (*tables_5).heights_0, _S172, u32(5), u32(0));
+    var number_2 : u32 = u32(0);
+    var height_2 : f32 = _S175;
     for(;;)
     {
-        if(number_1 < u32(4))
+        if(number_2 < u32(4))
         {
         }
         else
         {
             break;
         }
-        var _S155 : f32 = box_mean_2(&((*tables_5)), below_0, face_5, _S152 + number_1);
-        var height_3 : f32 = height_2 + _S155 * BinTaps_read_0(_S150, _S153, _S151, u32(5), u32(1) + number_1);
-        number_1 = number_1 + u32(1);
+        var _S176 : f32 = box_mean_2(&((*tables_5)), below_1, face_5, _S173 + number_2);
+        var height_3 : f32 = height_2 + _S176 * BinTaps_read_0(_S171, _S174, _S172, u32(5), u32(1) + number_2);
+        number_2 = number_2 + u32(1);
         height_2 = height_3;
     }
-    return _S149 * vec2<f32>((_S147 * height_2));
+    return _S170 * vec2<f32>((_S168 * height_2));
 }
 
-fn turns_and_remainder_0( family_0 : u32,  index_2 : f32) -> vec2<f32>
+struct Yarns_0
 {
-    var _S156 : f32 = floor(fma(index_2, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
-    return vec2<f32>(_S156, fma(- _S156, families_0[family_0].count_0, index_2));
-}
-
-struct Cell_0
-{
-     thread_1 : u32,
-     across_0 : f32,
-     half_width_1 : f32,
-     below_1 : f32,
-     above_0 : f32,
+     warp_1 : vec4<f32>,
+     weft_1 : vec4<f32>,
+     shares_0 : vec3<f32>,
 };
 
-fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
+fn Yarns_x24init_0( warp_2 : vec4<f32>,  weft_2 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
 {
-    var _S157 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
-    var cell_2 : Cell_0;
-    var _S158 : f32 = fma(- _S157, families_0[family_1].size_0, position_1);
-    cell_2.below_1 = _S158;
-    cell_2.above_0 = families_0[family_1].size_0 - _S158;
-    cell_2.across_0 = _S158 - 0.5f * families_0[family_1].size_0;
-    cell_2.half_width_1 = families_0[family_1].half_width_0;
-    cell_2.thread_1 = u32(clamp(turns_and_remainder_0(family_1, _S157).y, 0.0f, families_0[family_1].count_0 - 1.0f));
-    return cell_2;
+    var _S177 : Yarns_0;
+    _S177.warp_1 = warp_2;
+    _S177.weft_1 = weft_2;
+    _S177.shares_0 = shares_1;
+    return _S177;
 }
 
-fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
+fn irregular_over_0( family_9 : u32,  key_4 : u32,  place_2 : f32,  width_2 : f32,  along_1 : f32,  length_0 : f32) -> vec4<f32>
 {
-    var turns_1 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
-    var turns_2 : f32 = turns_1 - floor(turns_1);
-    var _S159 : f32 = turns_2 * families_0[family_2].period_0;
-    var thread_2 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_2 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
-    var _S160 : u32 = min(thread_2 + select(u32(0), u32(1), _S159 >= (table_number_0(families_0[family_2].place_table_0 + thread_2 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
-    var _S161 : u32 = families_0[family_2].place_table_0 + _S160 * u32(4);
-    var cell_3 : Cell_0;
-    cell_3.thread_1 = _S160;
-    cell_3.below_1 = _S159 - table_number_0(_S161);
-    cell_3.above_0 = table_number_0(_S161 + u32(1)) - _S159;
-    cell_3.across_0 = _S159 - table_number_0(_S161 + u32(2));
-    cell_3.half_width_1 = table_number_0(_S161 + u32(3));
-    return cell_3;
-}
-
-fn locate_0( family_3 : u32,  position_3 : f32) -> Cell_0
-{
-    if((families_0[family_3].is_alike_0) != u32(0))
+    var _S178 : f32 = max(width_2, 0.0625f);
+    var _S179 : f32 = min(_S178, 64.0f);
+    var _S180 : f32 = max(length_0 / 2.0f, 1.0f);
+    var _S181 : f32 = along_1 / 2.0f - 0.5f * _S180;
+    var _S182 : f32 = 0.5f * _S179;
+    var _S183 : vec2<f32> = floor(vec2<f32>(place_2 - _S182, place_2 + _S182) / vec2<f32>(64.0f));
+    var _S184 : vec4<f32> = vec4<f32>(0.0f);
+    var number_3 : u32 = u32(0);
+    var sums_2 : vec4<f32> = _S184;
+    for(;;)
     {
-        return locate_alike_0(family_3, position_3);
+        if(number_3 < u32(6))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S185 : bool = number_3 >= u32(3);
+        var _S186 : u32 = select(number_3, number_3 - u32(3), _S185);
+        var _S187 : f32 = select(-1.0f, 1.0f, _S185);
+        var _S188 : f32 = _S183.y;
+        var _S189 : f32 = _S183.x;
+        var _S190 : f32 = select(_S189, _S188, _S185);
+        var _S191 : f32 = place_2 + _S187 * 0.5f * _S179 - 64.0f * _S190;
+        var _S192 : f32 = clamp(floor(_S191), 0.0f, 63.0f);
+        var _S193 : f32 = _S191 - _S192;
+        var _S194 : f32 = select(select(64.0f, 0.0f, _S185), _S192 + f32(_S186), _S186 < u32(2));
+        var _S195 : f32 = _S187 * select(select(select(0.0f, -1.0f, _S189 != _S188), _S193, _S186 == u32(1)), 1.0f - _S193, _S186 == u32(0));
+        if(_S195 == 0.0f)
+        {
+            number_3 = number_3 + u32(1);
+            continue;
+        }
+        var _S196 : u32 = hash_bits_0(key_4, u32(i32(_S190)));
+        sums_2 = sums_2 + vec4<f32>(_S195) * irregular_integral_0(family_9, ((_S196 & (u32(127)))) + u32(_S194), _S181 + f32((_S196 >> (u32(22)))), _S180);
+        number_3 = number_3 + u32(1);
     }
-    return locate_varied_0(family_3, position_3);
+    return sums_2 * irregular_units_0(family_9) * vec4<f32>((sqrt(_S179 / _S178) / (_S179 * _S180)));
+}
+
+fn shown_of_covers_0( covers_0 : vec2<f32>,  warp_on_top_1 : f32) -> vec3<f32>
+{
+    var _S197 : f32 = covers_0.x;
+    var _S198 : f32 = covers_0.y;
+    return vec3<f32>(_S197 * (1.0f - _S198 * (1.0f - warp_on_top_1)), _S198 * (1.0f - _S197 * warp_on_top_1), (1.0f - _S197) * (1.0f - _S198));
 }
 
 struct Bound_0
 {
      thread_3 : u32,
      turns_3 : f32,
-     cell_4 : f32,
+     cell_5 : f32,
      visible_0 : f32,
-     width_2 : f32,
+     width_3 : f32,
      gap_0 : f32,
 };
 
-fn bound_at_0( family_4 : u32,  position_4 : f32) -> Bound_0
+fn bound_at_0( family_10 : u32,  position_5 : f32) -> Bound_0
 {
-    var _S162 : Cell_0 = locate_0(family_4, position_4);
-    var _S163 : f32 = table_number_0(families_0[family_4].before_0 + u32(2) * _S162.thread_1 + u32(1));
+    var _S199 : Cell_0 = locate_0(family_10, position_5);
+    var _S200 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S199.thread_1 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_3 = _S162.thread_1;
-    bound_0.turns_3 = round((position_4 - families_0[family_4].start_0 - _S163 - _S162.below_1) * families_0[family_4].inverse_period_0);
-    bound_0.cell_4 = _S162.below_1;
-    var _S164 : f32 = 2.0f * _S162.half_width_1;
-    bound_0.width_2 = _S164;
-    bound_0.visible_0 = clamp((_S162.across_0 + _S162.half_width_1) / _S164, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S162.below_1, _S162.below_1 - _S162.across_0 - _S162.half_width_1) + max(_S162.across_0 - _S162.half_width_1, 0.0f);
+    bound_0.thread_3 = _S199.thread_1;
+    bound_0.turns_3 = round((position_5 - families_0[family_10].start_0 - _S200 - _S199.below_0) * families_0[family_10].inverse_period_0);
+    bound_0.cell_5 = _S199.below_0;
+    var _S201 : f32 = 2.0f * _S199.half_width_1;
+    bound_0.width_3 = _S201;
+    bound_0.visible_0 = clamp((_S199.across_0 + _S199.half_width_1) / _S201, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S199.below_0, _S199.below_0 - _S199.across_0 - _S199.half_width_1) + max(_S199.across_0 - _S199.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -855,13 +1011,13 @@ struct Stretch_0
      high_0 : Bound_0,
 };
 
-fn stretch_of_0( family_5 : u32,  centre_1 : f32,  size_2 : f32) -> Stretch_0
+fn stretch_of_0( family_11 : u32,  centre_1 : f32,  size_4 : f32) -> Stretch_0
 {
-    var _S165 : f32 = centre_1 - floor((centre_1 - families_0[family_5].start_0) * families_0[family_5].inverse_period_0) * families_0[family_5].period_0;
-    var _S166 : f32 = 0.5f * max(size_2, families_0[family_5].smallest_box_0);
+    var _S202 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
+    var _S203 : f32 = 0.5f * max(size_4, families_0[family_11].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_0 = bound_at_0(family_5, _S165 - _S166);
-    stretch_0.high_0 = bound_at_0(family_5, _S165 + _S166);
+    stretch_0.low_0 = bound_at_0(family_11, _S202 - _S203);
+    stretch_0.high_0 = bound_at_0(family_11, _S202 + _S203);
     return stretch_0;
 }
 
@@ -878,130 +1034,130 @@ struct Albedos_0
      specular_transmit_0 : vec3<f32>,
 };
 
-fn table_albedos_0( row_1 : u32) -> Albedos_0
+fn table_albedos_0( row_2 : u32) -> Albedos_0
 {
     var albedos_0 : Albedos_0;
-    albedos_0.diffuse_reflect_0 = table_colour_0(row_1);
-    albedos_0.diffuse_transmit_0 = table_colour_0(row_1 + u32(3));
-    albedos_0.specular_reflect_0 = table_colour_0(row_1 + u32(6));
-    albedos_0.specular_transmit_0 = table_colour_0(row_1 + u32(9));
+    albedos_0.diffuse_reflect_0 = table_colour_0(row_2);
+    albedos_0.diffuse_transmit_0 = table_colour_0(row_2 + u32(3));
+    albedos_0.specular_reflect_0 = table_colour_0(row_2 + u32(6));
+    albedos_0.specular_transmit_0 = table_colour_0(row_2 + u32(9));
     return albedos_0;
 }
 
-fn Stretch_turns_0( this_1 : Stretch_0) -> f32
+fn Stretch_turns_0( this_2 : Stretch_0) -> f32
 {
-    return this_1.high_0.turns_3 - this_1.low_0.turns_3;
+    return this_2.high_0.turns_3 - this_2.low_0.turns_3;
 }
 
-fn lengths_0( family_6 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
+fn lengths_0( family_12 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S167 : f32 = Stretch_turns_0(stretch_1);
-    var _S168 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.low_0.thread_3;
-    var _S169 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.high_0.thread_3;
-    var _S170 : f32 = table_number_0(_S169) - table_number_0(_S168);
-    var _S171 : f32 = table_number_0(_S169 + u32(1)) - table_number_0(_S168 + u32(1));
-    return vec3<f32>(_S170 + stretch_1.high_0.visible_0 * stretch_1.high_0.width_2 - stretch_1.low_0.visible_0 * stretch_1.low_0.width_2 + _S167 * families_0[family_6].visible_total_0, _S171 - _S170 + stretch_1.high_0.gap_0 - stretch_1.low_0.gap_0 + _S167 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S171 + stretch_1.high_0.cell_4 - stretch_1.low_0.cell_4 + _S167 * families_0[family_6].period_0);
+    var _S204 : f32 = Stretch_turns_0(stretch_1);
+    var _S205 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_0.thread_3;
+    var _S206 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_0.thread_3;
+    var _S207 : f32 = table_number_0(_S206) - table_number_0(_S205);
+    var _S208 : f32 = table_number_0(_S206 + u32(1)) - table_number_0(_S205 + u32(1));
+    return vec3<f32>(_S207 + stretch_1.high_0.visible_0 * stretch_1.high_0.width_3 - stretch_1.low_0.visible_0 * stretch_1.low_0.width_3 + _S204 * families_0[family_12].visible_total_0, _S208 - _S207 + stretch_1.high_0.gap_0 - stretch_1.low_0.gap_0 + _S204 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S208 + stretch_1.high_0.cell_5 - stretch_1.low_0.cell_5 + _S204 * families_0[family_12].period_0);
 }
 
-fn integrals_along_0( family_7 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
+fn integrals_along_0( family_13 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S172 : u32 = u32(3) * families_0[family_7].quantities_0;
-    var _S173 : u32 = families_0[family_7].colour_threads_0 + _S172 * stretch_2.low_0.thread_3 + quantity_0;
-    var _S174 : u32 = families_0[family_7].colour_threads_0 + _S172 * stretch_2.high_0.thread_3 + quantity_0;
-    var _S175 : u32 = families_0[family_7].colour_threads_0 + _S172 * u32(families_0[family_7].count_0) + quantity_0;
-    var _S176 : f32 = table_number_0(_S173);
-    var _S177 : f32 = table_number_0(_S174);
-    var _S178 : f32 = Stretch_turns_0(stretch_2);
-    var _S179 : u32 = u32(2) * families_0[family_7].quantities_0;
-    return vec2<f32>(table_number_0(_S174 + families_0[family_7].quantities_0) - table_number_0(_S173 + families_0[family_7].quantities_0) + _S177 * stretch_2.high_0.visible_0 * stretch_2.high_0.width_2 - _S176 * stretch_2.low_0.visible_0 * stretch_2.low_0.width_2 + _S178 * table_number_0(_S175 + families_0[family_7].quantities_0), table_number_0(_S174 + _S179) - table_number_0(_S173 + _S179) + _S177 * stretch_2.high_0.cell_4 - _S176 * stretch_2.low_0.cell_4 + _S178 * table_number_0(_S175 + _S179));
+    var _S209 : u32 = u32(3) * families_0[family_13].quantities_0;
+    var _S210 : u32 = families_0[family_13].colour_threads_0 + _S209 * stretch_2.low_0.thread_3 + quantity_0;
+    var _S211 : u32 = families_0[family_13].colour_threads_0 + _S209 * stretch_2.high_0.thread_3 + quantity_0;
+    var _S212 : u32 = families_0[family_13].colour_threads_0 + _S209 * u32(families_0[family_13].count_0) + quantity_0;
+    var _S213 : f32 = table_number_0(_S210);
+    var _S214 : f32 = table_number_0(_S211);
+    var _S215 : f32 = Stretch_turns_0(stretch_2);
+    var _S216 : u32 = u32(2) * families_0[family_13].quantities_0;
+    return vec2<f32>(table_number_0(_S211 + families_0[family_13].quantities_0) - table_number_0(_S210 + families_0[family_13].quantities_0) + _S214 * stretch_2.high_0.visible_0 * stretch_2.high_0.width_3 - _S213 * stretch_2.low_0.visible_0 * stretch_2.low_0.width_3 + _S215 * table_number_0(_S212 + families_0[family_13].quantities_0), table_number_0(_S211 + _S216) - table_number_0(_S210 + _S216) + _S214 * stretch_2.high_0.cell_5 - _S213 * stretch_2.low_0.cell_5 + _S215 * table_number_0(_S212 + _S216));
 }
 
-fn Stretch_wraps_0( this_2 : Stretch_0) -> bool
+fn Stretch_wraps_0( this_3 : Stretch_0) -> bool
 {
-    return (this_2.high_0.thread_3) < (this_2.low_0.thread_3);
+    return (this_3.high_0.thread_3) < (this_3.low_0.thread_3);
 }
 
-fn Stretch_differences_0( this_3 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
+fn Stretch_differences_0( this_4 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S180 : u32 = entries_0.z;
-    var _S181 : u32 = entries_0.x;
-    return vec4<u32>(_S180 - _S181 + select(u32(0), whole_0, Stretch_wraps_0(this_3)), entries_0.w - _S180, entries_0.y - _S181, whole_0);
+    var _S217 : u32 = entries_0.z;
+    var _S218 : u32 = entries_0.x;
+    return vec4<u32>(_S217 - _S218 + select(u32(0), whole_0, Stretch_wraps_0(this_4)), entries_0.w - _S217, entries_0.y - _S218, whole_0);
 }
 
-fn row_differences_0( across_1 : Stretch_0,  row_2 : u32,  count_1 : u32,  quantities_1 : u32) -> vec4<u32>
+fn row_differences_0( across_1 : Stretch_0,  row_3 : u32,  count_1 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S182 : u32 = row_2 + across_1.low_0.thread_3 * quantities_1;
-    var _S183 : u32 = row_2 + across_1.high_0.thread_3 * quantities_1;
-    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S182], words_0[_S182 + quantities_1], words_0[_S183], words_0[_S183 + quantities_1]), words_0[row_2 + count_1 * quantities_1]);
+    var _S219 : u32 = row_3 + across_1.low_0.thread_3 * quantities_1;
+    var _S220 : u32 = row_3 + across_1.high_0.thread_3 * quantities_1;
+    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S219], words_0[_S219 + quantities_1], words_0[_S220], words_0[_S220 + quantities_1]), words_0[row_3 + count_1 * quantities_1]);
 }
 
-fn Stretch_weights_0( this_4 : Stretch_0) -> vec4<f32>
+fn Stretch_weights_0( this_5 : Stretch_0) -> vec4<f32>
 {
-    return vec4<f32>(1.0f, this_4.high_0.visible_0, - this_4.low_0.visible_0, Stretch_turns_0(this_4) - select(0.0f, 1.0f, Stretch_wraps_0(this_4)));
+    return vec4<f32>(1.0f, this_5.high_0.visible_0, - this_5.low_0.visible_0, Stretch_turns_0(this_5) - select(0.0f, 1.0f, Stretch_wraps_0(this_5)));
 }
 
-fn integral_on_top_0( family_8 : u32,  across_2 : Stretch_0,  along_0 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
+fn integral_on_top_0( family_14 : u32,  across_2 : Stretch_0,  along_2 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S184 : u32 = u32(families_0[family_8].count_0);
-    var _S185 : u32 = (_S184 + u32(1)) * families_0[family_8].quantities_0;
-    var _S186 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
-    var _S187 : vec4<u32> = row_differences_0(across_2, _S186 + along_0.low_0.thread_3 * _S185, _S184, families_0[family_8].quantities_0);
-    var _S188 : vec4<u32> = row_differences_0(across_2, _S186 + along_0.high_0.thread_3 * _S185, _S184, families_0[family_8].quantities_0);
-    var _S189 : vec4<u32> = row_differences_0(across_2, _S186 + crossing_count_0 * _S185, _S184, families_0[family_8].quantities_0);
-    var _S190 : vec4<f32> = Stretch_weights_0(across_2);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S188 - _S187 + select_vector_2(Stretch_wraps_0(along_0), _S189, vec4<u32>(vec4<i32>(i32(0)))))), _S190), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S186 + (along_0.high_0.thread_3 + u32(1)) * _S185, _S184, families_0[family_8].quantities_0) - _S188)), _S190), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S186 + (along_0.low_0.thread_3 + u32(1)) * _S185, _S184, families_0[family_8].quantities_0) - _S187)), _S190), dot(vec4<f32>(vec4<i32>(_S189)), _S190)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
+    var _S221 : u32 = u32(families_0[family_14].count_0);
+    var _S222 : u32 = (_S221 + u32(1)) * families_0[family_14].quantities_0;
+    var _S223 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
+    var _S224 : vec4<u32> = row_differences_0(across_2, _S223 + along_2.low_0.thread_3 * _S222, _S221, families_0[family_14].quantities_0);
+    var _S225 : vec4<u32> = row_differences_0(across_2, _S223 + along_2.high_0.thread_3 * _S222, _S221, families_0[family_14].quantities_0);
+    var _S226 : vec4<u32> = row_differences_0(across_2, _S223 + crossing_count_0 * _S222, _S221, families_0[family_14].quantities_0);
+    var _S227 : vec4<f32> = Stretch_weights_0(across_2);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S225 - _S224 + select_vector_3(Stretch_wraps_0(along_2), _S226, vec4<u32>(vec4<i32>(i32(0)))))), _S227), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S223 + (along_2.high_0.thread_3 + u32(1)) * _S222, _S221, families_0[family_14].quantities_0) - _S225)), _S227), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S223 + (along_2.low_0.thread_3 + u32(1)) * _S222, _S221, families_0[family_14].quantities_0) - _S224)), _S227), dot(vec4<f32>(vec4<i32>(_S226)), _S227)), Stretch_weights_0(along_2)) * families_0[family_14].area_unit_0;
 }
 
-fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_3 : u32) -> Albedos_0
+fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_4 : u32) -> Albedos_0
 {
-    var _S191 : Albedos_0 = table_albedos_0(row_3);
+    var _S228 : Albedos_0 = table_albedos_0(row_4);
     var sum_0 : Albedos_0;
-    var _S192 : vec3<f32> = vec3<f32>(weight_0);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S192 * _S191.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S192 * _S191.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S192 * _S191.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S192 * _S191.specular_transmit_0;
+    var _S229 : vec3<f32> = vec3<f32>(weight_0);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S229 * _S228.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S229 * _S228.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S229 * _S228.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S229 * _S228.specular_transmit_0;
     return sum_0;
 }
 
-fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other_0 : Stretch_0,  back_3 : bool) -> Albedos_0
+fn mean_albedos_0( family_15 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other_0 : Stretch_0,  back_3 : bool) -> Albedos_0
 {
-    var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_9].colour_mean_0);
-    if((families_0[family_9].quantities_0) == u32(1))
+    var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_15].colour_mean_0);
+    if((families_0[family_15].quantities_0) == u32(1))
     {
         return albedos_2;
     }
-    var _S193 : vec3<f32> = lengths_0(crossing_0, other_0);
+    var _S230 : vec3<f32> = lengths_0(crossing_0, other_0);
     var is_exposed_0 : bool = false;
     var weight_1 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
     for(;;)
     {
-        if(quantity_2 < (families_0[family_9].quantities_0))
+        if(quantity_2 < (families_0[family_15].quantities_0))
         {
         }
         else
         {
             break;
         }
-        var _S194 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
-        var _S195 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
-        var _S196 : f32 = _S194.x;
-        var _S197 : f32 = _S196 * _S193.x;
-        var _S198 : f32 = select(_S195, _S197 - _S195, back_3);
-        var _S199 : bool = quantity_2 == u32(0);
-        if(_S199)
+        var _S231 : vec2<f32> = integrals_along_0(family_15, own_0, quantity_2);
+        var _S232 : f32 = integral_on_top_0(family_15, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
+        var _S233 : f32 = _S231.x;
+        var _S234 : f32 = _S233 * _S230.x;
+        var _S235 : f32 = select(_S232, _S234 - _S232, back_3);
+        var _S236 : bool = quantity_2 == u32(0);
+        if(_S236)
         {
-            is_exposed_0 = _S198 > (16.0f * families_0[family_9].area_unit_0 * min(_S197 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S197);
+            is_exposed_0 = _S235 > (16.0f * families_0[family_15].area_unit_0 * min(_S234 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S234);
         }
-        var _S200 : f32 = _S196 * _S193.y + select(0.0f, _S198, is_exposed_0) + 0.000244140625f * _S193.z * _S194.y;
-        if(_S199)
+        var _S237 : f32 = _S233 * _S230.y + select(0.0f, _S235, is_exposed_0) + 0.000244140625f * _S230.z * _S231.y;
+        if(_S236)
         {
-            weight_1 = 1.0f / max(_S200, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S237, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S200 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S237 * weight_1, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1022,8 +1178,8 @@ fn tinted_0( albedos_3 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
 
 struct FaceRadiance_0
 {
-     warp_1 : vec3<f32>,
-     weft_1 : vec3<f32>,
+     warp_3 : vec3<f32>,
+     weft_3 : vec3<f32>,
      mean_0 : vec3<f32>,
      leaked_0 : vec3<f32>,
 };
@@ -1041,30 +1197,30 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S201 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S238 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S202 : vec3<f32> = sends_0.sky_warp_0 + _S201 * sends_0.crossing_warp_0;
-    found_0.warp_1 = _S202;
-    var _S203 : vec3<f32> = sends_0.sky_weft_0 + _S201 * sends_0.crossing_weft_0;
-    found_0.weft_1 = _S203;
-    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S202 + vec3<f32>(sends_0.blocks_weft_0) * _S203;
+    var _S239 : vec3<f32> = sends_0.sky_warp_0 + _S238 * sends_0.crossing_warp_0;
+    found_0.warp_3 = _S239;
+    var _S240 : vec3<f32> = sends_0.sky_weft_0 + _S238 * sends_0.crossing_weft_0;
+    found_0.weft_3 = _S240;
+    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S239 + vec3<f32>(sends_0.blocks_weft_0) * _S240;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S204 : f32 = 1.0f - view_2.z;
-    var _S205 : f32 = _S204 * _S204;
+    var _S241 : f32 = 1.0f - view_2.z;
+    var _S242 : f32 = _S241 * _S241;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S206 : f32 = view_2.x;
-    var _S207 : f32 = _S206 * _S206;
-    var _S208 : f32 = view_2.y;
-    var _S209 : f32 = _S208 * _S208;
-    (*terms_0)[i32(1)] = sqrt(max(_S207 + _S209, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S205;
-    (*terms_0)[i32(3)] = _S205 * _S205;
-    (*terms_0)[i32(4)] = _S207 - _S209;
+    var _S243 : f32 = view_2.x;
+    var _S244 : f32 = _S243 * _S243;
+    var _S245 : f32 = view_2.y;
+    var _S246 : f32 = _S245 * _S245;
+    (*terms_0)[i32(1)] = sqrt(max(_S244 + _S246, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S242;
+    (*terms_0)[i32(3)] = _S242 * _S242;
+    (*terms_0)[i32(4)] = _S244 - _S246;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
@@ -1090,8 +1246,8 @@ struct Scattered_0
 
 struct Interior_0
 {
-     warp_2 : vec3<f32>,
-     weft_2 : vec3<f32>,
+     warp_4 : vec3<f32>,
+     weft_4 : vec3<f32>,
      leaked_1 : vec3<f32>,
      far_1 : vec3<f32>,
      far_leaked_0 : vec3<f32>,
@@ -1099,20 +1255,20 @@ struct Interior_0
 
 fn bounced_by_0( blocked_0 : Blocked_0,  yarn_0 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S210 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
-    var _S211 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_0.through_0;
+    var _S247 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
+    var _S248 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_0.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_2 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_2) + _S211 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S211 * interior_0.far_1 + yarn_0.back_4 * _S210;
+    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_4) + _S248 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S248 * interior_0.far_1 + yarn_0.back_4 * _S247;
     return bounced_0;
 }
 
 fn texel_along_0( share_1 : f32,  first_5 : u32,  extent_1 : f32,  count_2 : u32) -> u32
 {
-    var _S212 : f32 = min(floor(share_1 * extent_1), extent_1 - 1.0f);
-    var _S213 : f32 = f32(count_2);
-    var _S214 : u32 = first_5 + min(u32(max(_S212 - floor(_S212 / _S213) * _S213, 0.0f)), count_2 - u32(1));
-    return select(_S214, _S214 - count_2, _S214 >= count_2);
+    var _S249 : f32 = min(floor(share_1 * extent_1), extent_1 - 1.0f);
+    var _S250 : f32 = f32(count_2);
+    var _S251 : u32 = first_5 + min(u32(max(_S249 - floor(_S249 / _S250) * _S250, 0.0f)), count_2 - u32(1));
+    return select(_S251, _S251 - count_2, _S251 >= count_2);
 }
 
 fn texel_of_0( tables_6 : ptr<function, Clustered_std430_0>,  box_4 : TexelBox_0,  share_2 : vec2<f32>) -> u32
@@ -1120,16 +1276,16 @@ fn texel_of_0( tables_6 : ptr<function, Clustered_std430_0>,  box_4 : TexelBox_0
     return texel_along_0(share_2.y, box_4.first_2.y, box_4.extent_0.y, (*tables_6).rows_0) * (*tables_6).columns_0 + texel_along_0(share_2.x, box_4.first_2.x, box_4.extent_0.x, (*tables_6).columns_0);
 }
 
-fn uniform_hash_0( thread_4 : u32,  cell_5 : u32,  stream_1 : u32) -> f32
+fn uniform_hash_0( thread_4 : u32,  cell_6 : u32,  stream_1 : u32) -> f32
 {
-    return (f32(((hash_bits_0(hash_key_0(thread_4, stream_1), cell_5)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    return (f32(((hash_bits_0(hash_key_0(thread_4, stream_1), cell_6)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
 }
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_4 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S215 : u32 = pixel_0.x;
-    var _S216 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S215, _S216, stream_2), uniform_hash_0(_S215, _S216, stream_2 + u32(1))) + vec2<f32>(f32((index_4 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S252 : u32 = pixel_0.x;
+    var _S253 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S252, _S253, stream_2), uniform_hash_0(_S252, _S253, stream_2 + u32(1))) + vec2<f32>(f32((index_4 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_5 : u32) -> f32
@@ -1143,7 +1299,7 @@ struct Choice_0
      remainder_0 : f32,
 };
 
-fn choose_0( table_1 : u32,  count_3 : u32,  number_2 : f32) -> Choice_0
+fn choose_0( table_1 : u32,  count_3 : u32,  number_4 : f32) -> Choice_0
 {
     var high_1 : u32 = count_3;
     var low_1 : u32 = u32(0);
@@ -1156,22 +1312,22 @@ fn choose_0( table_1 : u32,  count_3 : u32,  number_2 : f32) -> Choice_0
         {
             break;
         }
-        var _S217 : u32 = (low_1 + high_1) / u32(2);
-        if((scene_number_0(table_1 + _S217)) <= number_2)
+        var _S254 : u32 = (low_1 + high_1) / u32(2);
+        if((scene_number_0(table_1 + _S254)) <= number_4)
         {
-            low_1 = _S217;
+            low_1 = _S254;
         }
         else
         {
-            high_1 = _S217;
+            high_1 = _S254;
         }
     }
-    var _S218 : u32 = table_1 + low_1;
-    var _S219 : f32 = scene_number_0(_S218);
-    var _S220 : f32 = scene_number_0(_S218 + u32(1));
+    var _S255 : u32 = table_1 + low_1;
+    var _S256 : f32 = scene_number_0(_S255);
+    var _S257 : f32 = scene_number_0(_S255 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_6 = low_1;
-    choice_0.remainder_0 = saturate((number_2 - _S219) / max(_S220 - _S219, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_4 - _S256) / max(_S257 - _S256, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1182,16 +1338,16 @@ fn mean_1( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_7 : f32) -> vec2<f32>
 {
-    var _S221 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
-    var _S222 : f32 = x_7 - _S221 * 1.5703125f - _S221 * 0.00048375129699707f - _S221 * 7.54979012640433211e-08f;
-    var _S223 : f32 = _S222 * _S222;
-    var _S224 : f32 = ((-0.00019515295571182f * _S223 + 0.00833216123282909f) * _S223 - 0.16666655242443085f) * _S223 * _S222 + _S222;
-    var _S225 : f32 = ((0.00002443315679557f * _S223 - 0.00138873164542019f) * _S223 + 0.04166664555668831f) * _S223 * _S223 - 0.5f * _S223 + 1.0f;
-    var _S226 : u32 = (u32(i32(_S221)) & (u32(3)));
-    var _S227 : vec2<f32> = select_vector_0(((_S226 & (u32(1)))) != u32(0), vec2<f32>(_S225, _S224), vec2<f32>(_S224, _S225));
-    var _S228 : f32 = _S227.x;
-    var _S229 : f32 = _S227.y;
-    return vec2<f32>(select(_S228, - _S228, ((_S226 & (u32(2)))) != u32(0)), select(_S229, - _S229, (((_S226 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S258 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
+    var _S259 : f32 = x_7 - _S258 * 1.5703125f - _S258 * 0.00048375129699707f - _S258 * 7.54979012640433211e-08f;
+    var _S260 : f32 = _S259 * _S259;
+    var _S261 : f32 = ((-0.00019515295571182f * _S260 + 0.00833216123282909f) * _S260 - 0.16666655242443085f) * _S260 * _S259 + _S259;
+    var _S262 : f32 = ((0.00002443315679557f * _S260 - 0.00138873164542019f) * _S260 + 0.04166664555668831f) * _S260 * _S260 - 0.5f * _S260 + 1.0f;
+    var _S263 : u32 = (u32(i32(_S258)) & (u32(3)));
+    var _S264 : vec2<f32> = select_vector_1(((_S263 & (u32(1)))) != u32(0), vec2<f32>(_S262, _S261), vec2<f32>(_S261, _S262));
+    var _S265 : f32 = _S264.x;
+    var _S266 : f32 = _S264.y;
+    return vec2<f32>(select(_S265, - _S265, ((_S263 & (u32(2)))) != u32(0)), select(_S266, - _S266, (((_S263 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
@@ -1238,16 +1394,16 @@ struct ViewedBase_0
 fn base_taps_0( seen_0 : ViewedBase_0,  light_1 : vec3<f32>) -> BaseTaps_0
 {
     var taps_1 : BaseTaps_0;
-    var _S230 : vec3<f32> = to_face_frame_0(light_1, seen_0.back_5);
-    taps_1.facing_0 = _S230;
-    var _S231 : f32 = _S230.z;
-    var _S232 : bool = _S231 < 0.0f;
-    taps_1.transmits_1 = _S232;
-    taps_1.around_0 = bin_taps_0(vec3<f32>(_S230.xy, abs(_S231)), u32(32));
-    taps_1.first_7 = (seen_0.face_6 * u32(2) + select(u32(0), u32(1), _S232)) * u32(1024);
-    var _S233 : vec3<f32> = _S230 + seen_0.view_3;
-    var half_vector_1 : vec3<f32> = _S233 * vec3<f32>((1.0f / sqrt(max(square_0(_S233), 9.999999960041972e-13f))));
-    taps_1.half_vector_0 = bin_taps_0(select_vector_1((half_vector_1.z) < 0.0f, (vec3<f32>(0) - half_vector_1), half_vector_1), u32(32));
+    var _S267 : vec3<f32> = to_face_frame_0(light_1, seen_0.back_5);
+    taps_1.facing_0 = _S267;
+    var _S268 : f32 = _S267.z;
+    var _S269 : bool = _S268 < 0.0f;
+    taps_1.transmits_1 = _S269;
+    taps_1.around_0 = bin_taps_0(vec3<f32>(_S267.xy, abs(_S268)), u32(32));
+    taps_1.first_7 = (seen_0.face_6 * u32(2) + select(u32(0), u32(1), _S269)) * u32(1024);
+    var _S270 : vec3<f32> = _S267 + seen_0.view_3;
+    var half_vector_1 : vec3<f32> = _S270 * vec3<f32>((1.0f / sqrt(max(square_0(_S270), 9.999999960041972e-13f))));
+    taps_1.half_vector_0 = bin_taps_0(select_vector_2((half_vector_1.z) < 0.0f, (vec3<f32>(0) - half_vector_1), half_vector_1), u32(32));
     return taps_1;
 }
 
@@ -1275,14 +1431,14 @@ fn no_components_0() -> Components_0
 
 fn clustered_cosine_0( taps_2 : BaseTaps_0,  normal_1 : vec3<f32>) -> f32
 {
-    var _S234 : f32 = 0.0078740157186985f * dot(normal_1, taps_2.facing_0);
-    return select(_S234, - _S234, taps_2.transmits_1);
+    var _S271 : f32 = 0.0078740157186985f * dot(normal_1, taps_2.facing_0);
+    return select(_S271, - _S271, taps_2.transmits_1);
 }
 
 fn projected_area_1( direction_3 : vec3<f32>,  tangent_0 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S235 : f32 = dot(direction_3, tangent_0);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S235 * _S235 + 1.0f, roughness_1 * roughness_1));
+    var _S272 : f32 = dot(direction_3, tangent_0);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S272 * _S272 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn of_family_0( is_warp_0 : bool,  diffuse_0 : f32,  specular_0 : f32,  light_visibility_2 : f32) -> Components_0
@@ -1296,37 +1452,37 @@ fn of_family_0( is_warp_0 : bool,  diffuse_0 : f32,  specular_0 : f32,  light_vi
     return result_1;
 }
 
-fn with_added_0( sums_1 : Components_0,  more_0 : Components_0,  weight_2 : f32) -> Components_0
+fn with_added_0( sums_3 : Components_0,  more_0 : Components_0,  weight_2 : f32) -> Components_0
 {
     var result_2 : Components_0;
-    result_2.diffuse_warp_0 = sums_1.diffuse_warp_0 + weight_2 * more_0.diffuse_warp_0;
-    result_2.diffuse_weft_0 = sums_1.diffuse_weft_0 + weight_2 * more_0.diffuse_weft_0;
-    result_2.specular_warp_0 = sums_1.specular_warp_0 + weight_2 * more_0.specular_warp_0;
-    result_2.specular_weft_0 = sums_1.specular_weft_0 + weight_2 * more_0.specular_weft_0;
-    result_2.light_visibility_1 = sums_1.light_visibility_1 + weight_2 * more_0.light_visibility_1;
-    result_2.hole_0 = sums_1.hole_0 + weight_2 * more_0.hole_0;
+    result_2.diffuse_warp_0 = sums_3.diffuse_warp_0 + weight_2 * more_0.diffuse_warp_0;
+    result_2.diffuse_weft_0 = sums_3.diffuse_weft_0 + weight_2 * more_0.diffuse_weft_0;
+    result_2.specular_warp_0 = sums_3.specular_warp_0 + weight_2 * more_0.specular_warp_0;
+    result_2.specular_weft_0 = sums_3.specular_weft_0 + weight_2 * more_0.specular_weft_0;
+    result_2.light_visibility_1 = sums_3.light_visibility_1 + weight_2 * more_0.light_visibility_1;
+    result_2.hole_0 = sums_3.hole_0 + weight_2 * more_0.hole_0;
     return result_2;
 }
 
 struct FamilyAlbedos_0
 {
-     warp_3 : Albedos_0,
-     weft_3 : Albedos_0,
+     warp_5 : Albedos_0,
+     weft_5 : Albedos_0,
 };
 
 fn shaded_0( components_0 : Components_0,  albedos_4 : FamilyAlbedos_0,  transmits_2 : bool) -> vec3<f32>
 {
     if(transmits_2)
     {
-        return albedos_4.warp_3.diffuse_transmit_0 * vec3<f32>(components_0.diffuse_warp_0) + albedos_4.weft_3.diffuse_transmit_0 * vec3<f32>(components_0.diffuse_weft_0) + albedos_4.warp_3.specular_transmit_0 * vec3<f32>(components_0.specular_warp_0) + albedos_4.weft_3.specular_transmit_0 * vec3<f32>(components_0.specular_weft_0);
+        return albedos_4.warp_5.diffuse_transmit_0 * vec3<f32>(components_0.diffuse_warp_0) + albedos_4.weft_5.diffuse_transmit_0 * vec3<f32>(components_0.diffuse_weft_0) + albedos_4.warp_5.specular_transmit_0 * vec3<f32>(components_0.specular_warp_0) + albedos_4.weft_5.specular_transmit_0 * vec3<f32>(components_0.specular_weft_0);
     }
-    return albedos_4.warp_3.diffuse_reflect_0 * vec3<f32>(components_0.diffuse_warp_0) + albedos_4.weft_3.diffuse_reflect_0 * vec3<f32>(components_0.diffuse_weft_0) + albedos_4.warp_3.specular_reflect_0 * vec3<f32>(components_0.specular_warp_0) + albedos_4.weft_3.specular_reflect_0 * vec3<f32>(components_0.specular_weft_0);
+    return albedos_4.warp_5.diffuse_reflect_0 * vec3<f32>(components_0.diffuse_warp_0) + albedos_4.weft_5.diffuse_reflect_0 * vec3<f32>(components_0.diffuse_weft_0) + albedos_4.warp_5.specular_reflect_0 * vec3<f32>(components_0.specular_warp_0) + albedos_4.weft_5.specular_reflect_0 * vec3<f32>(components_0.specular_weft_0);
 }
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S236 : f32 = light_2.z;
-    return select_vector_1((_S236 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S236) * 0.31830987334251404f));
+    var _S273 : f32 = light_2.z;
+    return select_vector_2((_S273 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S273) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_9 : f32,  y_3 : f32) -> f32
@@ -1346,33 +1502,33 @@ fn sheen_reflectance_0( x_11 : f32,  y_5 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_2 : f32) -> vec3<f32>
 {
-    var _S237 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S238 : f32 = 2.0f * sqrt(_S237) - 1.0f;
-    var _S239 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_2, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S238, _S239), 0.00999999977648258f, 1.0f), clamp((1.0f - _S237) * sheen_shear_0(_S238, _S239), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S238, _S239), -60.0f, 60.0f))));
+    var _S274 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S275 : f32 = 2.0f * sqrt(_S274) - 1.0f;
+    var _S276 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_2, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S275, _S276), 0.00999999977648258f, 1.0f), clamp((1.0f - _S274) * sheen_shear_0(_S275, _S276), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S275, _S276), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S240 : f32 = light_3.z;
-    if(((_S240 <= 0.0f) | (((view_5.z) <= 0.0f))))
+    var _S277 : f32 = light_3.z;
+    if(((_S277 <= 0.0f) | (((view_5.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S241 : vec2<f32> = view_5.xy;
-    var _S242 : f32 = dot(_S241, _S241);
-    var _S243 : vec2<f32> = select_vector_0(_S242 > 9.99999968265522539e-21f, _S241 * vec2<f32>(rsqrt_0(max(_S242, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S244 : f32 = scale_0 * dot(light_3.xy, _S243) + shear_0 * _S240;
-    var _S245 : f32 = scale_0 * (light_3.y * _S243.x - light_3.x * _S243.y);
-    var _S246 : f32 = _S244 * _S244 + _S245 * _S245 + _S240 * _S240;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S240 / max(_S246 * _S246, 9.99999968265522539e-21f);
+    var _S278 : vec2<f32> = view_5.xy;
+    var _S279 : f32 = dot(_S278, _S278);
+    var _S280 : vec2<f32> = select_vector_1(_S279 > 9.99999968265522539e-21f, _S278 * vec2<f32>(rsqrt_0(max(_S279, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S281 : f32 = scale_0 * dot(light_3.xy, _S280) + shear_0 * _S277;
+    var _S282 : f32 = scale_0 * (light_3.y * _S280.x - light_3.x * _S280.y);
+    var _S283 : f32 = _S281 * _S281 + _S282 * _S282 + _S277 * _S277;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S277 / max(_S283 * _S283, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_3 : f32) -> vec2<f32>
 {
-    var _S247 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_3);
-    var _S248 : f32 = strength_0 * _S247.z;
-    return vec2<f32>(_S248 * transformed_cosine_0(light_4, view_6, _S247.x, _S247.y), 1.0f - _S248);
+    var _S284 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_3);
+    var _S285 : f32 = strength_0 * _S284.z;
+    return vec2<f32>(_S285 * transformed_cosine_0(light_4, view_6, _S284.x, _S284.y), 1.0f - _S285);
 }
 
 fn table_byte_0( table_2 : u32,  index_7 : u32) -> u32
@@ -1380,18 +1536,18 @@ fn table_byte_0( table_2 : u32,  index_7 : u32) -> u32
     return (((words_0[table_2 + index_7 / u32(4)] >> ((u32(8) * ((index_7 & (u32(3)))))))) & (u32(255)));
 }
 
-fn gaussian_visibility_0( row_4 : u32,  towards_0 : vec3<f32>) -> f32
+fn gaussian_visibility_0( row_5 : u32,  towards_0 : vec3<f32>) -> f32
 {
-    var _S249 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_4 + u32(3)), table_number_0(row_4 + u32(4)), table_number_0(row_4 + u32(5))));
-    var _S250 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_4 + u32(6)), table_number_0(row_4 + u32(7)), table_number_0(row_4 + u32(8))));
-    return min(max(dot(towards_0, vec3<f32>(table_number_0(row_4), table_number_0(row_4 + u32(1)), table_number_0(row_4 + u32(2)))), 0.0f) * exponential_0(- (_S249 * _S249 + _S250 * _S250)), 1.0f);
+    var _S286 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(3)), table_number_0(row_5 + u32(4)), table_number_0(row_5 + u32(5))));
+    var _S287 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(6)), table_number_0(row_5 + u32(7)), table_number_0(row_5 + u32(8))));
+    return min(max(dot(towards_0, vec3<f32>(table_number_0(row_5), table_number_0(row_5 + u32(1)), table_number_0(row_5 + u32(2)))), 0.0f) * exponential_0(- (_S286 * _S286 + _S287 * _S287)), 1.0f);
 }
 
 fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
 {
-    var _S251 : f32 = layers_0[index_8].share_0;
+    var _S288 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_5;
-    layers_0[index_8].share_0 = _S251 * (1.0f - light_5.w);
+    layers_0[index_8].share_0 = _S288 * (1.0f - light_5.w);
     return;
 }
 
@@ -1415,244 +1571,415 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S252 : u32,  _S253 : u32,  _S254 : u32,  _S255 : vec2<f32>) -> f32
+fn uneven_shift_0( _S289 : u32,  _S290 : u32,  _S291 : u32,  _S292 : vec2<f32>) -> f32
 {
-    var _S256 : f32 = families_0[_S254].period_0 / families_0[_S254].count_0;
-    var _S257 : u32 = hash_key_0(_S253, ((fabrics_0[_S252].seed_0) ^ (u32(625341585))));
-    var _S258 : vec2<f32> = vec2<f32>(_S255.x, _S255.y / 4.0f) / vec2<f32>(_S256);
-    return 0.20000000298023224f * sqrt(families_0[_S254].slub_0) * _S256 * (uneven_octave_0(_S257, _S258) * 0.66666668653488159f + uneven_octave_0(_S257 + u32(1), vec2<f32>(2.0f) * _S258 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S293 : f32 = families_0[_S291].period_0 / families_0[_S291].count_0;
+    var _S294 : u32 = hash_key_0(_S290, ((fabrics_0[_S289].seed_0) ^ (u32(625341585))));
+    var _S295 : vec2<f32> = vec2<f32>(_S292.x, _S292.y / 4.0f) / vec2<f32>(_S293);
+    return 0.20000000298023224f * sqrt(families_0[_S291].slub_0) * _S293 * (uneven_octave_0(_S294, _S295) * 0.66666668653488159f + uneven_octave_0(_S294 + u32(1), vec2<f32>(2.0f) * _S295 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S259 : u32,  _S260 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S296 : u32,  _S297 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_0((fabrics_0[_S259].has_detail_0) == u32(0), _S260, _S260 + vec2<f32>(uneven_shift_0(_S259, u32(0), fabrics_0[_S259].warp_0, _S260), uneven_shift_0(_S259, u32(1), fabrics_0[_S259].weft_0, _S260.yx)));
+    return select_vector_1((fabrics_0[_S296].has_detail_0) == u32(0), _S297, _S297 + vec2<f32>(uneven_shift_0(_S296, u32(0), fabrics_0[_S296].warp_0, _S297), uneven_shift_0(_S296, u32(1), fabrics_0[_S296].weft_0, _S297.yx)));
 }
 
-fn face_point_0( _S261 : u32,  _S262 : u32,  _S263 : f32,  _S264 : f32) -> VisiblePoint_0
+fn face_point_0( _S298 : u32,  _S299 : u32,  _S300 : f32,  _S301 : f32) -> VisiblePoint_0
 {
-    var _S265 : u32 = u32(3) * _S262;
-    var _S266 : Vertex_0 = vertex_at_0(_S265);
-    var _S267 : Vertex_0 = vertex_at_0(_S265 + u32(1));
-    var _S268 : Vertex_0 = vertex_at_0(_S265 + u32(2));
-    var _S269 : vec3<f32> = position_of_0(_S266);
-    var _S270 : vec3<f32> = position_of_0(_S267) - _S269;
-    var _S271 : vec3<f32> = position_of_0(_S268) - _S269;
-    var _S272 : f32 = _S267.u_0 - _S266.u_0;
-    var _S273 : f32 = _S267.v_0 - _S266.v_0;
-    var _S274 : vec2<f32> = vec2<f32>(_S272, _S273);
-    var _S275 : f32 = _S268.u_0 - _S266.u_0;
-    var _S276 : f32 = _S268.v_0 - _S266.v_0;
-    var _S277 : vec2<f32> = vec2<f32>(_S275, _S276);
-    var _S278 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S272 * _S276 - _S273 * _S275) < 0.0f));
-    var _S279 : vec3<f32> = _S278 * (vec3<f32>(_S276) * _S270 - vec3<f32>(_S273) * _S271);
-    var _S280 : vec3<f32> = _S278 * (vec3<f32>(_S272) * _S271 - vec3<f32>(_S275) * _S270);
+    var _S302 : u32 = u32(3) * _S299;
+    var _S303 : Vertex_0 = vertex_at_0(_S302);
+    var _S304 : Vertex_0 = vertex_at_0(_S302 + u32(1));
+    var _S305 : Vertex_0 = vertex_at_0(_S302 + u32(2));
+    var _S306 : vec3<f32> = position_of_0(_S303);
+    var _S307 : vec3<f32> = position_of_0(_S304) - _S306;
+    var _S308 : vec3<f32> = position_of_0(_S305) - _S306;
+    var _S309 : f32 = _S304.u_0 - _S303.u_0;
+    var _S310 : f32 = _S304.v_0 - _S303.v_0;
+    var _S311 : vec2<f32> = vec2<f32>(_S309, _S310);
+    var _S312 : f32 = _S305.u_0 - _S303.u_0;
+    var _S313 : f32 = _S305.v_0 - _S303.v_0;
+    var _S314 : vec2<f32> = vec2<f32>(_S312, _S313);
+    var _S315 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S309 * _S313 - _S310 * _S312) < 0.0f));
+    var _S316 : vec3<f32> = _S315 * (vec3<f32>(_S313) * _S307 - vec3<f32>(_S310) * _S308);
+    var _S317 : vec3<f32> = _S315 * (vec3<f32>(_S309) * _S308 - vec3<f32>(_S312) * _S307);
     var point_1 : VisiblePoint_0;
-    var _S281 : vec3<f32> = vec3<f32>(_S263);
-    var _S282 : vec3<f32> = vec3<f32>(_S264);
-    var _S283 : vec3<f32> = normalize(vec3<f32>((1.0f - _S263 - _S264)) * normal_of_0(_S266) + _S281 * normal_of_0(_S267) + _S282 * normal_of_0(_S268));
-    point_1.normal_0 = _S283;
-    var _S284 : vec3<f32> = normalize(_S279 - _S283 * vec3<f32>(dot(_S283, _S279)));
-    point_1.axis_x_0 = _S284;
-    point_1.axis_y_0 = cross(_S283, _S284);
-    var _S285 : vec3<f32> = normalize(cross(_S270, _S271));
-    point_1.face_normal_0 = select_vector_1((dot(_S285, _S283)) < 0.0f, (vec3<f32>(0) - _S285), _S285);
-    point_1.position_0 = _S269 + _S281 * _S270 + _S282 * _S271;
-    point_1.view_0 = _S283;
-    var _S286 : vec2<f32> = vec2<f32>(_S266.u_0, _S266.v_0) + vec2<f32>(_S263) * _S274 + vec2<f32>(_S264) * _S277;
-    point_1.uv_1 = _S286;
-    var _S287 : bool = (dot(cross(_S279, _S280), _S283)) < 0.0f;
-    var _S288 : vec2<f32> = vec2<f32>(fabrics_0[_S261].uv_width_0, select(fabrics_0[_S261].uv_height_0, - fabrics_0[_S261].uv_height_0, _S287));
-    point_1.draft_per_uv_0 = _S288;
-    point_1.draft_0 = uneven_place_0(_S261, _S286 * _S288 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S261].uv_height_0, _S287)));
-    var _S289 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S289;
-    point_1.draft_dy_0 = _S289;
+    var _S318 : vec3<f32> = vec3<f32>(_S300);
+    var _S319 : vec3<f32> = vec3<f32>(_S301);
+    var _S320 : vec3<f32> = normalize(vec3<f32>((1.0f - _S300 - _S301)) * normal_of_0(_S303) + _S318 * normal_of_0(_S304) + _S319 * normal_of_0(_S305));
+    point_1.normal_0 = _S320;
+    var _S321 : vec3<f32> = normalize(_S316 - _S320 * vec3<f32>(dot(_S320, _S316)));
+    point_1.axis_x_0 = _S321;
+    point_1.axis_y_0 = cross(_S320, _S321);
+    var _S322 : vec3<f32> = normalize(cross(_S307, _S308));
+    point_1.face_normal_0 = select_vector_2((dot(_S322, _S320)) < 0.0f, (vec3<f32>(0) - _S322), _S322);
+    point_1.position_4 = _S306 + _S318 * _S307 + _S319 * _S308;
+    point_1.view_0 = _S320;
+    var _S323 : vec2<f32> = vec2<f32>(_S303.u_0, _S303.v_0) + vec2<f32>(_S300) * _S311 + vec2<f32>(_S301) * _S314;
+    point_1.uv_1 = _S323;
+    var _S324 : bool = (dot(cross(_S316, _S317), _S320)) < 0.0f;
+    var _S325 : vec2<f32> = vec2<f32>(fabrics_0[_S298].uv_width_0, select(fabrics_0[_S298].uv_height_0, - fabrics_0[_S298].uv_height_0, _S324));
+    point_1.draft_per_uv_0 = _S325;
+    point_1.draft_0 = uneven_place_0(_S298, _S323 * _S325 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S298].uv_height_0, _S324)));
+    var _S326 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S326;
+    point_1.draft_dy_0 = _S326;
     return point_1;
 }
 
-fn visible_point_0( _S290 : u32,  _S291 : u32,  _S292 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S327 : u32,  _S328 : u32,  _S329 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S293 : u32 = u32(3) * _S291;
-    var _S294 : Vertex_0 = vertex_at_0(_S293);
-    var _S295 : Vertex_0 = vertex_at_0(_S293 + u32(1));
-    var _S296 : Vertex_0 = vertex_at_0(_S293 + u32(2));
-    var _S297 : vec3<f32> = position_of_0(_S294);
-    var _S298 : vec3<f32> = position_of_0(_S295) - _S297;
-    var _S299 : vec3<f32> = position_of_0(_S296) - _S297;
-    var _S300 : vec3<f32> = cross(_S298, _S299);
-    var _S301 : f32 = f32(frame_record_0.width_0);
-    var _S302 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S301));
-    var _S303 : f32 = f32(frame_record_0.height_0);
-    var _S304 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S303));
-    var _S305 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S292.x) + 0.5f - 0.5f * _S301)) * _S302 + vec3<f32>((f32(_S292.y) + 0.5f - 0.5f * _S303)) * _S304;
-    var _S306 : f32 = dot(_S305, _S300);
-    var _S307 : f32 = 1.0f / select(1.00000000317107685e-30f, _S306, (abs(_S306)) > 1.00000000317107685e-30f);
-    var _S308 : vec3<f32> = _S297 - camera_origin_0();
-    var _S309 : vec3<f32> = vec3<f32>((dot(_S308, _S300) * _S307));
-    var _S310 : vec3<f32> = _S305 * _S309 - _S308;
-    var _S311 : vec3<f32> = _S309 * (_S302 - _S305 * vec3<f32>((dot(_S302, _S300) * _S307)));
-    var _S312 : vec3<f32> = _S309 * (_S304 - _S305 * vec3<f32>((dot(_S304, _S300) * _S307)));
-    var _S313 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S300), 1.00000000317107685e-30f)));
-    var _S314 : vec3<f32> = cross(_S299, _S300) * _S313;
-    var _S315 : vec3<f32> = cross(_S300, _S298) * _S313;
-    var _S316 : vec2<f32> = vec2<f32>(_S295.u_0 - _S294.u_0, _S295.v_0 - _S294.v_0);
-    var _S317 : vec2<f32> = vec2<f32>(_S296.u_0 - _S294.u_0, _S296.v_0 - _S294.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S290, _S291, dot(_S310, _S314), dot(_S310, _S315));
-    point_2.position_0 = _S297 + _S310;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S305));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S311, _S314)) * _S316 + vec2<f32>(dot(_S311, _S315)) * _S317) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S312, _S314)) * _S316 + vec2<f32>(dot(_S312, _S315)) * _S317) * point_2.draft_per_uv_0;
+    var _S330 : u32 = u32(3) * _S328;
+    var _S331 : Vertex_0 = vertex_at_0(_S330);
+    var _S332 : Vertex_0 = vertex_at_0(_S330 + u32(1));
+    var _S333 : Vertex_0 = vertex_at_0(_S330 + u32(2));
+    var _S334 : vec3<f32> = position_of_0(_S331);
+    var _S335 : vec3<f32> = position_of_0(_S332) - _S334;
+    var _S336 : vec3<f32> = position_of_0(_S333) - _S334;
+    var _S337 : vec3<f32> = cross(_S335, _S336);
+    var _S338 : f32 = f32(frame_record_0.width_0);
+    var _S339 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S338));
+    var _S340 : f32 = f32(frame_record_0.height_0);
+    var _S341 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S340));
+    var _S342 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S329.x) + 0.5f - 0.5f * _S338)) * _S339 + vec3<f32>((f32(_S329.y) + 0.5f - 0.5f * _S340)) * _S341;
+    var _S343 : f32 = dot(_S342, _S337);
+    var _S344 : f32 = 1.0f / select(1.00000000317107685e-30f, _S343, (abs(_S343)) > 1.00000000317107685e-30f);
+    var _S345 : vec3<f32> = _S334 - camera_origin_0();
+    var _S346 : vec3<f32> = vec3<f32>((dot(_S345, _S337) * _S344));
+    var _S347 : vec3<f32> = _S342 * _S346 - _S345;
+    var _S348 : vec3<f32> = _S346 * (_S339 - _S342 * vec3<f32>((dot(_S339, _S337) * _S344)));
+    var _S349 : vec3<f32> = _S346 * (_S341 - _S342 * vec3<f32>((dot(_S341, _S337) * _S344)));
+    var _S350 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S337), 1.00000000317107685e-30f)));
+    var _S351 : vec3<f32> = cross(_S336, _S337) * _S350;
+    var _S352 : vec3<f32> = cross(_S337, _S335) * _S350;
+    var _S353 : vec2<f32> = vec2<f32>(_S332.u_0 - _S331.u_0, _S332.v_0 - _S331.v_0);
+    var _S354 : vec2<f32> = vec2<f32>(_S333.u_0 - _S331.u_0, _S333.v_0 - _S331.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S327, _S328, dot(_S347, _S351), dot(_S347, _S352));
+    point_2.position_4 = _S334 + _S347;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S342));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S348, _S351)) * _S353 + vec2<f32>(dot(_S348, _S352)) * _S354) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S349, _S351)) * _S353 + vec2<f32>(dot(_S349, _S352)) * _S354) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S318 : u32,  _S319 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S355 : u32,  _S356 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S320 : u32 = fabrics_0[_S318].albedo_map_levels_0;
-    if((fabrics_0[_S318].albedo_map_levels_0) == u32(0))
+    var _S357 : u32 = fabrics_0[_S355].albedo_map_levels_0;
+    if((fabrics_0[_S355].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S321 : vec2<f32> = vec2<f32>(fabrics_0[_S318].uv_width_0, fabrics_0[_S318].uv_height_0);
-    var _S322 : vec2<f32> = _S319.draft_dx_0 / _S321;
-    var _S323 : vec2<f32> = _S319.draft_dy_0 / _S321;
-    var _S324 : u32 = _S320 - u32(1);
-    var _S325 : u32 = (u32(1) << (_S324));
-    var _S326 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S322.x * _S323.y - _S322.y * _S323.x), 9.99999968265522539e-21f) * (square_1(f32(_S325)) / 3.0f)), 0.0f, f32(_S320) - 1.0f);
-    var _S327 : u32 = min(u32(_S326), max(_S320, u32(2)) - u32(2));
-    var _S328 : u32 = min(_S327 + u32(1), _S324);
-    var _S329 : u32 = (u32(1) << ((u32(2) * _S320)));
-    return mix(map_level_0(fabrics_0[_S318].albedo_map_0 + (_S329 - ((_S329 >> ((u32(2) * _S327))))) / u32(3), (_S325 >> (_S327)), _S319.uv_1), map_level_0(fabrics_0[_S318].albedo_map_0 + (_S329 - ((_S329 >> ((u32(2) * _S328))))) / u32(3), (_S325 >> (_S328)), _S319.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S326 - f32(_S327))) - 1.0f) / 3.0f)));
+    var _S358 : vec2<f32> = vec2<f32>(fabrics_0[_S355].uv_width_0, fabrics_0[_S355].uv_height_0);
+    var _S359 : vec2<f32> = _S356.draft_dx_0 / _S358;
+    var _S360 : vec2<f32> = _S356.draft_dy_0 / _S358;
+    var _S361 : u32 = _S357 - u32(1);
+    var _S362 : u32 = (u32(1) << (_S361));
+    var _S363 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S359.x * _S360.y - _S359.y * _S360.x), 9.99999968265522539e-21f) * (square_1(f32(_S362)) / 3.0f)), 0.0f, f32(_S357) - 1.0f);
+    var _S364 : u32 = min(u32(_S363), max(_S357, u32(2)) - u32(2));
+    var _S365 : u32 = min(_S364 + u32(1), _S361);
+    var _S366 : u32 = (u32(1) << ((u32(2) * _S357)));
+    return mix(map_level_0(fabrics_0[_S355].albedo_map_0 + (_S366 - ((_S366 >> ((u32(2) * _S364))))) / u32(3), (_S362 >> (_S364)), _S356.uv_1), map_level_0(fabrics_0[_S355].albedo_map_0 + (_S366 - ((_S366 >> ((u32(2) * _S365))))) / u32(3), (_S362 >> (_S365)), _S356.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S363 - f32(_S364))) - 1.0f) / 3.0f)));
+}
+
+fn irregular_key_0( _S367 : u32,  _S368 : u32) -> u32
+{
+    return hash_key_0(_S368, ((fabrics_0[_S367].seed_0) ^ (u32(1821285621))));
+}
+
+fn irregular_place_0( _S369 : u32,  _S370 : vec2<f32>,  _S371 : f32) -> vec2<f32>
+{
+    if((fabrics_0[_S369].is_irregular_0) == u32(0))
+    {
+        return _S370;
+    }
+    var number_5 : u32 = u32(0);
+    var moved_0 : vec2<f32> = _S370;
+    for(;;)
+    {
+        if(number_5 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S372 : bool = number_5 == u32(0);
+        var _S373 : u32 = select(fabrics_0[_S369].weft_0, fabrics_0[_S369].warp_0, _S372);
+        var _S374 : vec2<f32> = select_vector_1(_S372, _S370, _S370.yx);
+        var _S375 : f32 = moved_share_0(_S373, _S371);
+        if(_S375 <= 0.0f)
+        {
+            number_5 = number_5 + u32(1);
+            continue;
+        }
+        var _S376 : u32 = irregular_key_0(_S369, number_5);
+        var _S377 : f32 = _S374.x;
+        var _S378 : Cell_0 = locate_0(_S373, _S377);
+        var _S379 : f32 = irregular_thread_0(_S373, _S377, _S378);
+        var _S380 : f32 = select(1.0f, -1.0f, (_S378.across_0) < 0.0f);
+        var _S381 : vec2<f32> = vec2<f32>(0.0f);
+        var other_1 : vec2<f32> = _S381;
+        var own_1 : vec2<f32> = _S381;
+        var neighbour_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(neighbour_0 < u32(2))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var _S382 : vec2<f32> = irregular_at_0(_S373, _S376, _S379 + _S380 * f32(neighbour_0), _S374.y).xy;
+            var _S383 : u32 = neighbour_0 + u32(1);
+            own_1 = other_1;
+            other_1 = _S382;
+            neighbour_0 = _S383;
+        }
+        var _S384 : f32 = _S378.below_0 + _S378.above_0;
+        var _S385 : f32 = min(_S378.half_width_1 / _S384, 0.5f);
+        var _S386 : f32 = min(_S385 * (2.0f + own_1.y + other_1.y), 1.0f);
+        var _S387 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
+        var _S388 : f32 = _S387.x;
+        var _S389 : f32 = _S386 * _S388 / (_S388 + _S387.y);
+        var _S390 : f32 = abs(_S378.across_0) / _S384;
+        var _S391 : f32 = 1.0f - _S386;
+        var _S392 : f32 = _S390 - _S389;
+        var _S393 : f32 = _S375 * _S380 * _S384 * (select(select((_S392 - _S391) / max(_S386 - _S389, 9.99999997475242708e-07f) * _S385 + (1.0f - _S385), _S392 / max(_S391, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S385) + _S385, _S392 < _S391), _S390 * _S385 / _S389, _S392 < 0.0f) - _S390);
+        moved_0 = moved_0 + select_vector_1(_S372, vec2<f32>(_S393, 0.0f), vec2<f32>(0.0f, _S393));
+        number_5 = number_5 + u32(1);
+    }
+    return moved_0;
 }
 
 struct ClusteredView_0
 {
      base_0 : ViewedBase_0,
+     yarns_0 : Yarns_0,
+     even_hole_0 : f32,
+     hole_1 : f32,
      albedos_5 : FamilyAlbedos_0,
      bounced_2 : Bounced_0,
      view_7 : vec3<f32>,
 };
 
-fn viewed_base_0( _S330 : u32,  _S331 : Footprint_0,  _S332 : vec3<f32>,  _S333 : f32) -> ViewedBase_0
+fn viewed_base_0( _S394 : u32,  _S395 : Footprint_0,  _S396 : vec3<f32>,  _S397 : f32) -> ViewedBase_0
 {
     var seen_1 : ViewedBase_0;
-    var _S334 : bool = (_S332.z) < 0.0f;
-    seen_1.back_5 = _S334;
-    var _S335 : vec3<f32> = to_face_frame_0(_S332, _S334);
-    seen_1.view_3 = _S335;
-    var _S336 : u32 = select(u32(0), u32(1), _S334);
-    seen_1.face_6 = _S336;
-    var _S337 : Clustered_std430_0 = fabrics_0[_S330].clustered_0;
-    var _S338 : f32 = _S333 - 0.5f;
-    var _S339 : TexelBox_0 = texel_box_0(&(_S337), _S331, vec2<f32>(0.0f), _S338);
-    var _S340 : vec2<f32> = parallax_offset_0(&(_S337), _S339, _S336, _S335);
-    var _S341 : TexelBox_0 = texel_box_0(&(_S337), _S331, _S340, _S338);
-    seen_1.box_5 = _S341;
+    var _S398 : bool = (_S396.z) < 0.0f;
+    seen_1.back_5 = _S398;
+    var _S399 : vec3<f32> = to_face_frame_0(_S396, _S398);
+    seen_1.view_3 = _S399;
+    var _S400 : u32 = select(u32(0), u32(1), _S398);
+    seen_1.face_6 = _S400;
+    var _S401 : Clustered_std430_0 = fabrics_0[_S394].clustered_0;
+    var _S402 : f32 = _S397 - 0.5f;
+    var _S403 : TexelBox_0 = texel_box_0(&(_S401), _S395, vec2<f32>(0.0f), _S402);
+    var _S404 : vec2<f32> = parallax_offset_0(&(_S401), _S403, _S400, _S399);
+    var _S405 : TexelBox_0 = texel_box_0(&(_S401), _S395, _S404, _S402);
+    seen_1.box_5 = _S405;
     return seen_1;
 }
 
-fn albedos_over_0( _S342 : u32,  _S343 : Footprint_0,  _S344 : bool) -> FamilyAlbedos_0
+fn texel_hole_0( _S406 : u32,  _S407 : ViewedBase_0) -> f32
 {
-    var _S345 : vec2<f32> = _S343.dx_0;
-    var _S346 : vec2<f32> = _S343.dy_0;
-    var _S347 : vec2<f32> = sqrt(_S345 * _S345 + _S346 * _S346);
-    var _S348 : Stretch_0 = stretch_of_0(fabrics_0[_S342].warp_0, _S343.centre_0.x, _S347.x);
-    var _S349 : Stretch_0 = stretch_of_0(fabrics_0[_S342].weft_0, _S343.centre_0.y, _S347.y);
+    var cluster_0 : u32 = u32(0);
+    var covered_0 : f32 = 0.0f;
+    for(;;)
+    {
+        var _S408 : Clustered_std430_0 = fabrics_0[_S406].clustered_0;
+        if(cluster_0 < (_S408.clusters_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S409 : f32 = box_mean_0(&(_S408), _S407.box_5, _S407.face_6, cluster_0);
+        var covered_1 : f32 = covered_0 + _S409;
+        cluster_0 = cluster_0 + u32(1);
+        covered_0 = covered_1;
+    }
+    return clamp(1.0f - covered_0, 0.0f, 1.0f);
+}
+
+fn yarns_over_0( _S410 : u32,  _S411 : Footprint_0,  _S412 : bool) -> Yarns_0
+{
+    var _S413 : vec2<f32> = _S411.dx_0;
+    var _S414 : vec2<f32> = _S411.dy_0;
+    var _S415 : vec2<f32> = sqrt(_S413 * _S413 + _S414 * _S414);
+    var _S416 : f32 = Footprint_spread_side_0(_S411);
+    var _S417 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S417, _S417, vec3<f32>(0.0f));
+    yarns_1.shares_0 = vec3<f32>(1.0f);
+    if((fabrics_0[_S410].is_irregular_0) == u32(0))
+    {
+        return yarns_1;
+    }
+    var number_6 : u32 = u32(0);
+    for(;;)
+    {
+        if(number_6 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S418 : bool = number_6 == u32(0);
+        var _S419 : u32 = select(fabrics_0[_S410].weft_0, fabrics_0[_S410].warp_0, _S418);
+        var _S420 : vec2<f32> = select_vector_1(_S418, _S411.centre_0, _S411.centre_0.yx);
+        var _S421 : vec2<f32> = select_vector_1(_S418, _S415, _S415.yx);
+        var _S422 : f32 = _S420.x;
+        var _S423 : Cell_0 = locate_0(_S419, _S422);
+        var yarn_1 : vec4<f32> = irregular_over_0(_S419, irregular_key_0(_S410, number_6), irregular_thread_0(_S419, _S422, _S423) + _S423.below_0 / (_S423.below_0 + _S423.above_0), _S421.x * (families_0[_S419].count_0 / families_0[_S419].period_0), _S420.y, _S421.y);
+        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S419, _S416));
+        yarns_1.warp_1 = yarns_1.weft_1;
+        yarns_1.weft_1 = yarn_1;
+        number_6 = number_6 + u32(1);
+    }
+    var _S424 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S410].warp_0].cover_0, families_0[fabrics_0[_S410].weft_0].cover_0);
+    var _S425 : f32 = select(fabrics_0[_S410].warp_on_top_0, 1.0f - fabrics_0[_S410].warp_on_top_0, _S412);
+    var _S426 : vec3<f32> = shown_of_covers_0(_S424, _S425);
+    var _S427 : vec3<f32> = shown_of_covers_0(saturate(_S424 + _S424 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S425) / max(_S426, vec3<f32>(0.00009999999747379f));
+    yarns_1.shares_0 = _S427;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S427.z, (_S426.z) > 0.00009999999747379f);
+    return yarns_1;
+}
+
+fn albedos_over_0( _S428 : u32,  _S429 : Footprint_0,  _S430 : bool) -> FamilyAlbedos_0
+{
+    var _S431 : vec2<f32> = _S429.dx_0;
+    var _S432 : vec2<f32> = _S429.dy_0;
+    var _S433 : vec2<f32> = sqrt(_S431 * _S431 + _S432 * _S432);
+    var _S434 : Stretch_0 = stretch_of_0(fabrics_0[_S428].warp_0, _S429.centre_0.x, _S433.x);
+    var _S435 : Stretch_0 = stretch_of_0(fabrics_0[_S428].weft_0, _S429.centre_0.y, _S433.y);
     var albedos_6 : FamilyAlbedos_0;
-    albedos_6.warp_3 = mean_albedos_0(fabrics_0[_S342].warp_0, fabrics_0[_S342].weft_0, _S348, _S349, _S344);
-    albedos_6.weft_3 = mean_albedos_0(fabrics_0[_S342].weft_0, fabrics_0[_S342].warp_0, _S349, _S348, _S344);
+    albedos_6.warp_5 = mean_albedos_0(fabrics_0[_S428].warp_0, fabrics_0[_S428].weft_0, _S434, _S435, _S430);
+    albedos_6.weft_5 = mean_albedos_0(fabrics_0[_S428].weft_0, fabrics_0[_S428].warp_0, _S435, _S434, _S430);
     return albedos_6;
 }
 
-fn openness_number_0( _S350 : u32,  _S351 : u32) -> f32
+fn toned_0( _S436 : u32,  _S437 : u32,  _S438 : Albedos_0,  _S439 : vec4<f32>) -> Albedos_0
 {
-    return table_number_0(fabrics_0[_S350].openness_0 + _S351);
+    var _S440 : vec3<f32> = _S438.diffuse_reflect_0 + _S438.diffuse_transmit_0;
+    var _S441 : vec3<f32> = vec3<f32>(1.0f);
+    var _S442 : vec3<f32> = _S441 - vec3<f32>(fabrics_0[_S436].layer_bound_0) * max(_S438.specular_reflect_0, _S438.specular_transmit_0);
+    var _S443 : vec3<f32> = vec3<f32>(0.0f);
+    var _S444 : vec3<f32> = max(_S441 - _S440, _S443) / (_S441 + _S440);
+    var _S445 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S446 : vec3<f32> = (_S442 / max(_S440, _S445) - _S441) / max(vec3<f32>(0.89999997615814209f) * _S444, _S445);
+    var _S447 : vec3<f32> = _S441 - vec3<f32>((saturate(min(min(_S446.x, _S446.y), _S446.z)) * _S439.z)) * _S444;
+    var _S448 : vec3<f32> = min(vec3<f32>(families_0[_S437].nep_red_0, families_0[_S437].nep_green_0, families_0[_S437].nep_blue_0), _S442);
+    var found_1 : Albedos_0 = _S438;
+    var _S449 : f32 = _S439.w;
+    var _S450 : vec3<f32> = _S447 * _S438.diffuse_transmit_0 * vec3<f32>((1.0f - _S449));
+    found_1.diffuse_transmit_0 = _S450;
+    found_1.diffuse_reflect_0 = clamp(mix(_S447 * _S438.diffuse_reflect_0, _S448, vec3<f32>(_S449)), _S443, max(_S442 - _S450, _S443));
+    return found_1;
 }
 
-fn scattered_by_0( _S352 : u32,  _S353 : Albedos_0,  _S354 : u32,  _S355 : vec3<f32>) -> Scattered_0
+fn with_tones_0( _S451 : u32,  _S452 : FamilyAlbedos_0,  _S453 : Yarns_0) -> FamilyAlbedos_0
 {
-    var _S356 : u32 = u32(159) + u32(2) * _S354;
-    var yarn_1 : Scattered_0;
-    yarn_1.back_4 = _S355 * _S353.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S352, _S356)) * _S353.specular_reflect_0;
-    yarn_1.through_0 = _S355 * _S353.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S352, _S356 + u32(1))) * _S353.specular_transmit_0;
-    return yarn_1;
+    if((fabrics_0[_S451].is_irregular_0) == u32(0))
+    {
+        return _S452;
+    }
+    var result_3 : FamilyAlbedos_0;
+    result_3.warp_5 = toned_0(_S451, fabrics_0[_S451].warp_0, _S452.warp_5, _S453.warp_1);
+    result_3.weft_5 = toned_0(_S451, fabrics_0[_S451].weft_0, _S452.weft_5, _S453.weft_1);
+    return result_3;
 }
 
-fn sent_0( _S357 : u32,  _S358 : u32,  _S359 : vec3<f32>,  _S360 : vec3<f32>,  _S361 : vec3<f32>,  _S362 : vec3<f32>,  _S363 : ptr<function, vec3<f32>>,  _S364 : ptr<function, vec3<f32>>)
+fn openness_number_0( _S454 : u32,  _S455 : u32) -> f32
 {
-    var _S365 : u32 = u32(146) + u32(4) * _S358;
-    var _S366 : f32 = openness_number_0(_S357, _S365 + u32(1));
-    var _S367 : f32 = openness_number_0(_S357, _S365 + u32(2));
-    var _S368 : vec3<f32> = vec3<f32>(1.0f);
-    var _S369 : vec3<f32> = _S368 - _S361 * vec3<f32>(openness_number_0(_S357, _S365));
-    var _S370 : vec3<f32> = _S368 - _S362 * vec3<f32>(openness_number_0(_S357, _S365 + u32(3)));
-    var _S371 : vec3<f32> = _S368 / (_S369 * _S370 - _S361 * _S362 * vec3<f32>((_S366 * _S367)));
-    (*_S363) = (_S359 * _S370 + _S361 * vec3<f32>(_S366) * _S360) * _S371;
-    (*_S364) = (_S360 * _S369 + _S362 * vec3<f32>(_S367) * _S359) * _S371;
+    return table_number_0(fabrics_0[_S454].openness_0 + _S455);
+}
+
+fn scattered_by_0( _S456 : u32,  _S457 : Albedos_0,  _S458 : u32,  _S459 : vec3<f32>) -> Scattered_0
+{
+    var _S460 : u32 = u32(159) + u32(2) * _S458;
+    var yarn_2 : Scattered_0;
+    yarn_2.back_4 = _S459 * _S457.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S456, _S460)) * _S457.specular_reflect_0;
+    yarn_2.through_0 = _S459 * _S457.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S456, _S460 + u32(1))) * _S457.specular_transmit_0;
+    return yarn_2;
+}
+
+fn sent_0( _S461 : u32,  _S462 : u32,  _S463 : vec3<f32>,  _S464 : vec3<f32>,  _S465 : vec3<f32>,  _S466 : vec3<f32>,  _S467 : ptr<function, vec3<f32>>,  _S468 : ptr<function, vec3<f32>>)
+{
+    var _S469 : u32 = u32(146) + u32(4) * _S462;
+    var _S470 : f32 = openness_number_0(_S461, _S469 + u32(1));
+    var _S471 : f32 = openness_number_0(_S461, _S469 + u32(2));
+    var _S472 : vec3<f32> = vec3<f32>(1.0f);
+    var _S473 : vec3<f32> = _S472 - _S465 * vec3<f32>(openness_number_0(_S461, _S469));
+    var _S474 : vec3<f32> = _S472 - _S466 * vec3<f32>(openness_number_0(_S461, _S469 + u32(3)));
+    var _S475 : vec3<f32> = _S472 / (_S473 * _S474 - _S465 * _S466 * vec3<f32>((_S470 * _S471)));
+    (*_S467) = (_S463 * _S474 + _S465 * vec3<f32>(_S470) * _S464) * _S475;
+    (*_S468) = (_S464 * _S473 + _S466 * vec3<f32>(_S471) * _S463) * _S475;
     return;
 }
 
-fn face_sends_0( _S372 : u32,  _S373 : u32,  _S374 : Scattered_0,  _S375 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S476 : u32,  _S477 : u32,  _S478 : Scattered_0,  _S479 : Scattered_0) -> FaceSends_0
 {
-    var _S376 : u32 = u32(2) * _S373;
-    var _S377 : u32 = u32(142) + _S376;
-    var _S378 : f32 = openness_number_0(_S372, _S377);
-    var _S379 : f32 = openness_number_0(_S372, _S377 + u32(1));
-    var _S380 : vec3<f32> = vec3<f32>((1.0f - _S378)) * _S374.back_4;
-    var _S381 : vec3<f32> = vec3<f32>((1.0f - _S379)) * _S375.back_4;
+    var _S480 : u32 = u32(2) * _S477;
+    var _S481 : u32 = u32(142) + _S480;
+    var _S482 : f32 = openness_number_0(_S476, _S481);
+    var _S483 : f32 = openness_number_0(_S476, _S481 + u32(1));
+    var _S484 : vec3<f32> = vec3<f32>((1.0f - _S482)) * _S478.back_4;
+    var _S485 : vec3<f32> = vec3<f32>((1.0f - _S483)) * _S479.back_4;
     var sends_1 : FaceSends_0;
-    var _S382 : u32 = u32(154) + _S376;
-    var _S383 : f32 = openness_number_0(_S372, _S382);
-    sends_1.blocks_warp_0 = _S383;
-    var _S384 : f32 = openness_number_0(_S372, _S382 + u32(1));
-    sends_1.blocks_weft_0 = _S384;
-    sends_1.open_0 = _S383 * _S378 + _S384 * _S379;
-    var _S385 : vec3<f32> = vec3<f32>(_S378) * _S374.back_4;
-    var _S386 : vec3<f32> = vec3<f32>(_S379) * _S375.back_4;
-    var _S387 : vec3<f32> = sends_1.sky_warp_0;
-    var _S388 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S372, _S373, _S385, _S386, _S380, _S381, &(_S387), &(_S388));
-    sends_1.sky_warp_0 = _S387;
-    sends_1.sky_weft_0 = _S388;
-    var _S389 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S390 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S372, _S373, _S374.through_0, _S375.through_0, _S380, _S381, &(_S389), &(_S390));
-    sends_1.crossing_warp_0 = _S389;
-    sends_1.crossing_weft_0 = _S390;
+    var _S486 : u32 = u32(154) + _S480;
+    var _S487 : f32 = openness_number_0(_S476, _S486);
+    sends_1.blocks_warp_0 = _S487;
+    var _S488 : f32 = openness_number_0(_S476, _S486 + u32(1));
+    sends_1.blocks_weft_0 = _S488;
+    sends_1.open_0 = _S487 * _S482 + _S488 * _S483;
+    var _S489 : vec3<f32> = vec3<f32>(_S482) * _S478.back_4;
+    var _S490 : vec3<f32> = vec3<f32>(_S483) * _S479.back_4;
+    var _S491 : vec3<f32> = sends_1.sky_warp_0;
+    var _S492 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S476, _S477, _S489, _S490, _S484, _S485, &(_S491), &(_S492));
+    sends_1.sky_warp_0 = _S491;
+    sends_1.sky_weft_0 = _S492;
+    var _S493 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S494 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S476, _S477, _S478.through_0, _S479.through_0, _S484, _S485, &(_S493), &(_S494));
+    sends_1.crossing_warp_0 = _S493;
+    sends_1.crossing_weft_0 = _S494;
     return sends_1;
 }
 
-fn interior_of_0( _S391 : u32,  _S392 : vec3<f32>,  _S393 : bool) -> Interior_0
+fn interior_of_0( _S495 : u32,  _S496 : vec3<f32>,  _S497 : bool) -> Interior_0
 {
-    var _S394 : Scattered_0 = scattered_by_0(_S391, table_albedos_0(families_0[fabrics_0[_S391].warp_0].colour_mean_0), u32(0), _S392);
-    var _S395 : Scattered_0 = scattered_by_0(_S391, table_albedos_0(families_0[fabrics_0[_S391].weft_0].colour_mean_0), u32(1), _S392);
-    var _S396 : FaceSends_0 = face_sends_0(_S391, select(u32(0), u32(1), _S393), _S394, _S395);
-    var _S397 : FaceSends_0 = face_sends_0(_S391, select(u32(1), u32(0), _S393), _S394, _S395);
-    var _S398 : vec3<f32> = vec3<f32>(_S396.blocks_warp_0);
-    var _S399 : vec3<f32> = vec3<f32>(_S396.blocks_weft_0);
-    var _S400 : vec3<f32> = _S398 * _S396.crossing_warp_0 + _S399 * _S396.crossing_weft_0;
-    var _S401 : vec3<f32> = vec3<f32>(_S397.blocks_warp_0);
-    var _S402 : vec3<f32> = vec3<f32>(_S397.blocks_weft_0);
-    var _S403 : vec3<f32> = _S401 * _S397.crossing_warp_0 + _S402 * _S397.crossing_weft_0;
-    var _S404 : f32 = 1.0f - _S396.open_0;
-    var _S405 : f32 = 1.0f - _S397.open_0;
-    var _S406 : vec3<f32> = vec3<f32>(1.0f);
-    var _S407 : vec3<f32> = _S406 / (_S406 - _S400 * _S403 * vec3<f32>((_S404 * _S405)));
-    var _S408 : vec3<f32> = _S403 * (vec3<f32>(_S396.open_0) + vec3<f32>(_S404) * (_S398 * _S396.sky_warp_0 + _S399 * _S396.sky_weft_0)) * _S407;
-    var _S409 : vec3<f32> = _S400 * (vec3<f32>(_S397.open_0) + vec3<f32>(_S405) * (_S401 * _S397.sky_warp_0 + _S402 * _S397.sky_weft_0)) * _S407;
-    var _S410 : FaceRadiance_0 = face_radiance_0(_S396, _S397.open_0, _S408, _S409);
-    var _S411 : FaceRadiance_0 = face_radiance_0(_S397, _S396.open_0, _S409, _S408);
+    var _S498 : Scattered_0 = scattered_by_0(_S495, table_albedos_0(families_0[fabrics_0[_S495].warp_0].colour_mean_0), u32(0), _S496);
+    var _S499 : Scattered_0 = scattered_by_0(_S495, table_albedos_0(families_0[fabrics_0[_S495].weft_0].colour_mean_0), u32(1), _S496);
+    var _S500 : FaceSends_0 = face_sends_0(_S495, select(u32(0), u32(1), _S497), _S498, _S499);
+    var _S501 : FaceSends_0 = face_sends_0(_S495, select(u32(1), u32(0), _S497), _S498, _S499);
+    var _S502 : vec3<f32> = vec3<f32>(_S500.blocks_warp_0);
+    var _S503 : vec3<f32> = vec3<f32>(_S500.blocks_weft_0);
+    var _S504 : vec3<f32> = _S502 * _S500.crossing_warp_0 + _S503 * _S500.crossing_weft_0;
+    var _S505 : vec3<f32> = vec3<f32>(_S501.blocks_warp_0);
+    var _S506 : vec3<f32> = vec3<f32>(_S501.blocks_weft_0);
+    var _S507 : vec3<f32> = _S505 * _S501.crossing_warp_0 + _S506 * _S501.crossing_weft_0;
+    var _S508 : f32 = 1.0f - _S500.open_0;
+    var _S509 : f32 = 1.0f - _S501.open_0;
+    var _S510 : vec3<f32> = vec3<f32>(1.0f);
+    var _S511 : vec3<f32> = _S510 / (_S510 - _S504 * _S507 * vec3<f32>((_S508 * _S509)));
+    var _S512 : vec3<f32> = _S507 * (vec3<f32>(_S500.open_0) + vec3<f32>(_S508) * (_S502 * _S500.sky_warp_0 + _S503 * _S500.sky_weft_0)) * _S511;
+    var _S513 : vec3<f32> = _S504 * (vec3<f32>(_S501.open_0) + vec3<f32>(_S509) * (_S505 * _S501.sky_warp_0 + _S506 * _S501.sky_weft_0)) * _S511;
+    var _S514 : FaceRadiance_0 = face_radiance_0(_S500, _S501.open_0, _S512, _S513);
+    var _S515 : FaceRadiance_0 = face_radiance_0(_S501, _S500.open_0, _S513, _S512);
     var interior_1 : Interior_0;
-    interior_1.warp_2 = _S410.warp_1;
-    interior_1.weft_2 = _S410.weft_1;
-    interior_1.leaked_1 = _S410.leaked_0;
-    interior_1.far_1 = _S411.mean_0;
-    interior_1.far_leaked_0 = _S411.leaked_0;
+    interior_1.warp_4 = _S514.warp_3;
+    interior_1.weft_4 = _S514.weft_3;
+    interior_1.leaked_1 = _S514.leaked_0;
+    interior_1.far_1 = _S515.mean_0;
+    interior_1.far_leaked_0 = _S515.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S412 : u32,  _S413 : u32,  _S414 : array<f32, i32(6)>,  _S415 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S516 : u32,  _S517 : u32,  _S518 : array<f32, i32(6)>,  _S519 : u32) -> Blocked_0
 {
-    var shares_0 : array<f32, i32(3)>;
+    var shares_2 : array<f32, i32(3)>;
     var share_3 : u32 = u32(0);
     for(;;)
     {
@@ -1663,121 +1990,105 @@ fn blocked_of_terms_0( _S412 : u32,  _S413 : u32,  _S414 : array<f32, i32(6)>,  
         {
             break;
         }
-        shares_0[share_3] = 0.0f;
+        shares_2[share_3] = 0.0f;
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S415)
+            if(term_0 < _S519)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S412, _S413 + share_3 * _S415 + term_0) * _S414[term_0];
+            shares_2[share_3] = shares_2[share_3] + openness_number_0(_S516, _S517 + share_3 * _S519 + term_0) * _S518[term_0];
             term_0 = term_0 + u32(1);
         }
-        shares_0[share_3] = saturate(shares_0[share_3]);
+        shares_2[share_3] = saturate(shares_2[share_3]);
         share_3 = share_3 + u32(1);
     }
     var blocked_1 : Blocked_0;
-    blocked_1.by_warp_0 = shares_0[i32(0)] * shares_0[i32(2)];
-    blocked_1.by_weft_0 = shares_0[i32(0)] * (1.0f - shares_0[i32(2)]);
-    blocked_1.far_0 = shares_0[i32(1)];
+    blocked_1.by_warp_0 = shares_2[i32(0)] * shares_2[i32(2)];
+    blocked_1.by_weft_0 = shares_2[i32(0)] * (1.0f - shares_2[i32(2)]);
+    blocked_1.far_0 = shares_2[i32(1)];
     return blocked_1;
 }
 
-fn blocked_from_0( _S416 : u32,  _S417 : vec3<f32>,  _S418 : bool,  _S419 : bool) -> Blocked_0
+fn blocked_from_0( _S520 : u32,  _S521 : vec3<f32>,  _S522 : bool,  _S523 : bool) -> Blocked_0
 {
     var terms_1 : array<f32, i32(6)>;
-    view_terms_0(_S417, &(terms_1));
-    return blocked_of_terms_0(_S416, (select(u32(0), u32(2), _S419) + select(u32(1), u32(0), _S418)) * u32(15), terms_1, u32(5));
+    view_terms_0(_S521, &(terms_1));
+    return blocked_of_terms_0(_S520, (select(u32(0), u32(2), _S523) + select(u32(1), u32(0), _S522)) * u32(15), terms_1, u32(5));
 }
 
-fn family_share_0( _S420 : u32,  _S421 : u32,  _S422 : f32) -> vec2<f32>
+fn family_share_0( _S524 : u32,  _S525 : u32,  _S526 : f32) -> vec2<f32>
 {
-    var _S423 : bool = _S421 < (fabrics_0[_S420].clustered_0.clusters_0 / u32(2));
-    return vec2<f32>(select(0.0f, _S422, _S423), select(_S422, 0.0f, _S423));
+    var _S527 : bool = _S525 < (fabrics_0[_S524].clustered_0.clusters_0 / u32(2));
+    return vec2<f32>(select(0.0f, _S526, _S527), select(_S526, 0.0f, _S527));
 }
 
-fn clustered_shown_0( _S424 : u32,  _S425 : ViewedBase_0) -> vec2<f32>
+fn clustered_shown_0( _S528 : u32,  _S529 : ViewedBase_0) -> vec2<f32>
 {
-    var _S426 : Clustered_std430_0 = fabrics_0[_S424].clustered_0;
-    var _S427 : u32 = _S426.clusters_0;
-    var _S428 : vec2<f32> = vec2<f32>(0.0f);
-    var cluster_0 : u32 = u32(0);
-    var shown_0 : vec2<f32> = _S428;
+    var _S530 : Clustered_std430_0 = fabrics_0[_S528].clustered_0;
+    var _S531 : u32 = _S530.clusters_0;
+    var _S532 : vec2<f32> = vec2<f32>(0.0f);
+    var cluster_1 : u32 = u32(0);
+    var shown_0 : vec2<f32> = _S532;
     for(;;)
     {
-        if(cluster_0 < _S427)
+        if(cluster_1 < _S531)
         {
         }
         else
         {
             break;
         }
-        var _S429 : f32 = box_mean_0(&(_S426), _S425.box_5, _S425.face_6, cluster_0);
-        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S424, cluster_0, _S429);
-        cluster_0 = cluster_0 + u32(1);
+        var _S533 : f32 = box_mean_0(&(_S530), _S529.box_5, _S529.face_6, cluster_1);
+        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S528, cluster_1, _S533);
+        cluster_1 = cluster_1 + u32(1);
         shown_0 = shown_1;
     }
     return shown_0;
 }
 
-fn clustered_view_0( _S430 : u32,  _S431 : Footprint_0,  _S432 : vec3<f32>,  _S433 : vec3<f32>,  _S434 : u32) -> ClusteredView_0
+fn clustered_view_0( _S534 : u32,  _S535 : Footprint_0,  _S536 : vec3<f32>,  _S537 : vec3<f32>,  _S538 : u32) -> ClusteredView_0
 {
     var seen_2 : ClusteredView_0;
-    seen_2.base_0 = viewed_base_0(_S430, _S431, _S432, uniform_of_0(_S434, u32(0)));
-    seen_2.view_7 = _S432;
-    var _S435 : FamilyAlbedos_0 = albedos_over_0(_S430, _S431, seen_2.base_0.back_5);
-    seen_2.albedos_5.warp_3 = tinted_0(_S435.warp_3, _S433);
-    seen_2.albedos_5.weft_3 = tinted_0(_S435.weft_3, _S433);
-    var _S436 : vec3<f32> = vec3<f32>(0.0f);
-    seen_2.bounced_2.reflected_0 = _S436;
-    seen_2.bounced_2.transmitted_0 = _S436;
-    if((fabrics_0[_S430].openness_0) == u32(4294967295))
+    var _S539 : ViewedBase_0 = viewed_base_0(_S534, _S535, _S536, uniform_of_0(_S538, u32(0)));
+    seen_2.base_0 = _S539;
+    seen_2.view_7 = _S536;
+    var _S540 : f32 = texel_hole_0(_S534, _S539);
+    seen_2.even_hole_0 = _S540;
+    var _S541 : Yarns_0 = yarns_over_0(_S534, _S535, seen_2.base_0.back_5);
+    seen_2.yarns_0 = _S541;
+    seen_2.hole_1 = min(_S540 * seen_2.yarns_0.shares_0.z, 1.0f);
+    var _S542 : FamilyAlbedos_0 = with_tones_0(_S534, albedos_over_0(_S534, _S535, seen_2.base_0.back_5), _S541);
+    seen_2.albedos_5.warp_5 = tinted_0(_S542.warp_5, _S537);
+    seen_2.albedos_5.weft_5 = tinted_0(_S542.weft_5, _S537);
+    var _S543 : vec3<f32> = vec3<f32>(0.0f);
+    seen_2.bounced_2.reflected_0 = _S543;
+    seen_2.bounced_2.transmitted_0 = _S543;
+    if((fabrics_0[_S534].openness_0) == u32(4294967295))
     {
         return seen_2;
     }
-    var _S437 : Interior_0 = interior_of_0(_S430, _S433, seen_2.base_0.back_5);
-    var _S438 : Bounced_0 = bounced_by_0(blocked_from_0(_S430, seen_2.base_0.view_3, true, seen_2.base_0.back_5), scattered_by_0(_S430, _S435.warp_3, u32(0), _S433), _S437);
-    var _S439 : Bounced_0 = bounced_by_0(blocked_from_0(_S430, seen_2.base_0.view_3, false, seen_2.base_0.back_5), scattered_by_0(_S430, _S435.weft_3, u32(1), _S433), _S437);
-    var _S440 : vec2<f32> = clustered_shown_0(_S430, seen_2.base_0);
-    var _S441 : vec3<f32> = vec3<f32>(_S440.x);
-    var _S442 : vec3<f32> = vec3<f32>(_S440.y);
-    seen_2.bounced_2.reflected_0 = _S441 * _S438.reflected_0 + _S442 * _S439.reflected_0;
-    seen_2.bounced_2.transmitted_0 = _S441 * _S438.transmitted_0 + _S442 * _S439.transmitted_0;
+    var _S544 : Interior_0 = interior_of_0(_S534, _S537, seen_2.base_0.back_5);
+    var _S545 : Bounced_0 = bounced_by_0(blocked_from_0(_S534, seen_2.base_0.view_3, true, seen_2.base_0.back_5), scattered_by_0(_S534, _S542.warp_5, u32(0), _S537), _S544);
+    var _S546 : Bounced_0 = bounced_by_0(blocked_from_0(_S534, seen_2.base_0.view_3, false, seen_2.base_0.back_5), scattered_by_0(_S534, _S542.weft_5, u32(1), _S537), _S544);
+    var _S547 : vec2<f32> = clustered_shown_0(_S534, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
+    var _S548 : vec3<f32> = vec3<f32>(_S547.x);
+    var _S549 : vec3<f32> = vec3<f32>(_S547.y);
+    seen_2.bounced_2.reflected_0 = _S548 * _S545.reflected_0 + _S549 * _S546.reflected_0;
+    seen_2.bounced_2.transmitted_0 = _S548 * _S545.transmitted_0 + _S549 * _S546.transmitted_0;
     return seen_2;
 }
 
-fn clustered_hole_0( _S443 : u32,  _S444 : ViewedBase_0) -> f32
+fn residual_texel_0( _S550 : u32,  _S551 : ClusteredView_0,  _S552 : u32,  _S553 : u32) -> u32
 {
-    var cluster_1 : u32 = u32(0);
-    var covered_0 : f32 = 0.0f;
-    for(;;)
-    {
-        var _S445 : Clustered_std430_0 = fabrics_0[_S443].clustered_0;
-        if(cluster_1 < (_S445.clusters_0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S446 : f32 = box_mean_1(&(_S445), _S444.box_5, _S444.face_6, cluster_1);
-        var covered_1 : f32 = covered_0 + _S446;
-        cluster_1 = cluster_1 + u32(1);
-        covered_0 = covered_1;
-    }
-    return clamp(1.0f - covered_0, 0.0f, 1.0f);
-}
-
-fn residual_texel_0( _S447 : u32,  _S448 : ClusteredView_0,  _S449 : u32,  _S450 : u32) -> u32
-{
-    var _S451 : u32 = _S449 + _S450 * u32(1663821227);
-    var _S452 : Clustered_std430_0 = fabrics_0[_S447].clustered_0;
-    var _S453 : u32 = texel_of_0(&(_S452), _S448.base_0.box_5, vec2<f32>(uniform_of_0(_S451, u32(1)), uniform_of_0(_S451, u32(2))));
-    return _S453;
+    var _S554 : u32 = _S552 + _S553 * u32(1663821227);
+    var _S555 : Clustered_std430_0 = fabrics_0[_S550].clustered_0;
+    var _S556 : u32 = texel_of_0(&(_S555), _S551.base_0.box_5, vec2<f32>(uniform_of_0(_S554, u32(1)), uniform_of_0(_S554, u32(2))));
+    return _S556;
 }
 
 fn light_sample_count_0() -> u32
@@ -1785,13 +2096,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S454 : u32,  _S455 : vec2<u32>) -> f32
+fn visibility_at_0( _S557 : u32,  _S558 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S454 * frame_record_0.height_0 + _S455.y) * frame_record_0.width_0 + _S455.x];
+    return visibilities_0[(_S557 * frame_record_0.height_0 + _S558.y) * frame_record_0.width_0 + _S558.x];
 }
 
 struct LightSample_0
@@ -1801,259 +2112,292 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S456 : u32,  _S457 : u32) -> vec3<f32>
+fn environment_texel_0( _S559 : u32,  _S560 : u32) -> vec3<f32>
 {
-    var _S458 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S456 * frame_record_0.environment_columns_0 + _S457);
-    return vec3<f32>(scene_number_0(_S458), scene_number_0(_S458 + u32(1)), scene_number_0(_S458 + u32(2)));
+    var _S561 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S559 * frame_record_0.environment_columns_0 + _S560);
+    return vec3<f32>(scene_number_0(_S561), scene_number_0(_S561 + u32(1)), scene_number_0(_S561 + u32(2)));
 }
 
-fn sample_environment_0( _S459 : vec2<f32>,  _S460 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S562 : vec2<f32>,  _S563 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S461 : u32 = frame_record_0.environment_rows_0;
-    var _S462 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S459.y);
-    var _S463 : u32 = frame_record_0.environment_columns_0;
-    var _S464 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S462.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S459.x);
-    var _S465 : vec3<f32> = environment_texel_0(_S462.index_6, _S464.index_6);
-    (*_S460) = _S465 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S465), 9.99999968265522539e-21f)));
-    var _S466 : f32 = 3.14159274101257324f / f32(_S461);
-    var _S467 : f32 = mix(sine_cosine_0(f32(_S462.index_6) * _S466).y, sine_cosine_0(f32(_S462.index_6 + u32(1)) * _S466).y, _S462.remainder_0);
-    var _S468 : f32 = sqrt(max(1.0f - _S467 * _S467, 0.0f));
-    var _S469 : vec2<f32> = sine_cosine_0((f32(_S464.index_6) + _S464.remainder_0) * (6.28318548202514648f / f32(_S463)));
-    var _S470 : f32 = _S468 * _S469.x;
-    var _S471 : f32 = - _S468 * _S469.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S470 + frame_record_0.environment_sine_0 * _S471, _S467, frame_record_0.environment_cosine_0 * _S471 - frame_record_0.environment_sine_0 * _S470);
+    var _S564 : u32 = frame_record_0.environment_rows_0;
+    var _S565 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S562.y);
+    var _S566 : u32 = frame_record_0.environment_columns_0;
+    var _S567 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S565.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S562.x);
+    var _S568 : vec3<f32> = environment_texel_0(_S565.index_6, _S567.index_6);
+    (*_S563) = _S568 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S568), 9.99999968265522539e-21f)));
+    var _S569 : f32 = 3.14159274101257324f / f32(_S564);
+    var _S570 : f32 = mix(sine_cosine_0(f32(_S565.index_6) * _S569).y, sine_cosine_0(f32(_S565.index_6 + u32(1)) * _S569).y, _S565.remainder_0);
+    var _S571 : f32 = sqrt(max(1.0f - _S570 * _S570, 0.0f));
+    var _S572 : vec2<f32> = sine_cosine_0((f32(_S567.index_6) + _S567.remainder_0) * (6.28318548202514648f / f32(_S566)));
+    var _S573 : f32 = _S571 * _S572.x;
+    var _S574 : f32 = - _S571 * _S572.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S573 + frame_record_0.environment_sine_0 * _S574, _S570, frame_record_0.environment_cosine_0 * _S574 - frame_record_0.environment_sine_0 * _S573);
 }
 
-fn light_sample_0( _S472 : u32,  _S473 : vec2<u32>,  _S474 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S575 : u32,  _S576 : vec2<u32>,  _S577 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S475 : u32 = frame_record_0.lights_0;
-    if(_S472 >= (frame_record_0.lights_0))
+    var _S578 : u32 = frame_record_0.lights_0;
+    if(_S575 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S476 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S473, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S472 - _S475), u32(3)), &(weight_3));
-        sample_0.towards_1 = _S476;
+        var _S579 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S576, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S575 - _S578), u32(3)), &(weight_3));
+        sample_0.towards_1 = _S579;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S477 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S472);
-    sample_0.irradiance_1 = vec3<f32>(_S477.red_0, _S477.green_0, _S477.blue_0);
-    sample_0.towards_1 = vec3<f32>(_S477.x_8, _S477.y_2, _S477.z_1);
-    if((_S477.is_point_0) != u32(0))
+    var _S580 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S575);
+    sample_0.irradiance_1 = vec3<f32>(_S580.red_0, _S580.green_0, _S580.blue_0);
+    sample_0.towards_1 = vec3<f32>(_S580.x_8, _S580.y_2, _S580.z_1);
+    if((_S580.is_point_0) != u32(0))
     {
-        var _S478 : vec3<f32> = sample_0.towards_1 - _S474;
-        var _S479 : f32 = max(square_0(_S478), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S479);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S479);
-        sample_0.towards_1 = normalize(_S478);
+        var _S581 : vec3<f32> = sample_0.towards_1 - _S577;
+        var _S582 : f32 = max(square_0(_S581), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S582);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S582);
+        sample_0.towards_1 = normalize(_S581);
     }
     return sample_0;
 }
 
-fn cluster_density_0( _S480 : u32,  _S481 : ViewedBase_0,  _S482 : BaseTaps_0,  _S483 : u32,  _S484 : u32) -> f32
+fn cluster_density_0( _S583 : u32,  _S584 : ViewedBase_0,  _S585 : BaseTaps_0,  _S586 : u32,  _S587 : u32) -> f32
 {
-    return BinTaps_read_0(_S482.half_vector_0, fabrics_0[_S480].clustered_0.basis_0, _S481.face_6 * u32(1024), fabrics_0[_S480].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S480].clustered_0.rank_0), _S484 * fabrics_0[_S480].clustered_0.clusters_0 + _S483);
+    return BinTaps_read_0(_S585.half_vector_0, fabrics_0[_S583].clustered_0.basis_0, _S584.face_6 * u32(1024), fabrics_0[_S583].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S583].clustered_0.rank_0), _S587 * fabrics_0[_S583].clustered_0.clusters_0 + _S586);
 }
 
-fn cluster_visibility_0( _S485 : u32,  _S486 : BaseTaps_0,  _S487 : u32) -> f32
+fn cluster_visibility_0( _S588 : u32,  _S589 : BaseTaps_0,  _S590 : u32) -> f32
 {
-    return BinTaps_read_0(_S486.around_0, fabrics_0[_S485].clustered_0.light_0, _S486.first_7, fabrics_0[_S485].clustered_0.clusters_0, _S487);
+    return BinTaps_read_0(_S589.around_0, fabrics_0[_S588].clustered_0.light_0, _S589.first_7, fabrics_0[_S588].clustered_0.clusters_0, _S590);
 }
 
-fn clustered_diffuse_0( _S488 : u32,  _S489 : BaseTaps_0,  _S490 : f32,  _S491 : vec3<f32>) -> f32
+fn clustered_diffuse_0( _S591 : u32,  _S592 : BaseTaps_0,  _S593 : f32,  _S594 : vec3<f32>) -> f32
 {
-    return 0.31830987334251404f * ((1.0f - fabrics_0[_S488].diffuse_blend_0) * abs(_S489.facing_0.z) * _S490 + fabrics_0[_S488].diffuse_blend_0 * clustered_cosine_0(_S489, _S491));
+    return 0.31830987334251404f * ((1.0f - fabrics_0[_S591].diffuse_blend_0) * abs(_S592.facing_0.z) * _S593 + fabrics_0[_S591].diffuse_blend_0 * clustered_cosine_0(_S592, _S594));
 }
 
-fn cluster_attenuation_0( _S492 : u32,  _S493 : ViewedBase_0,  _S494 : BaseTaps_0,  _S495 : u32) -> f32
+fn cluster_attenuation_0( _S595 : u32,  _S596 : ViewedBase_0,  _S597 : BaseTaps_0,  _S598 : u32) -> f32
 {
-    var _S496 : u32 = fabrics_0[_S492].clustered_0.moments_1 + (_S493.face_6 * fabrics_0[_S492].clustered_0.clusters_0 + _S495) * u32(8);
-    var _S497 : vec3<f32> = vec3<f32>(table_number_0(_S496), table_number_0(_S496 + u32(1)), table_number_0(_S496 + u32(2)));
-    var _S498 : vec3<f32> = vec3<f32>(table_number_0(_S496 + u32(3)), table_number_0(_S496 + u32(4)), table_number_0(_S496 + u32(5)));
-    var _S499 : f32 = table_number_0(_S496 + u32(7));
-    var _S500 : f32 = fabrics_0[_S492].optical_depth_0;
-    var _S501 : f32 = dot(_S494.facing_0, _S497);
-    var _S502 : f32 = max(dot(_S493.view_3, _S497), 0.10000000149011612f);
-    var _S503 : f32 = projected_area_1(_S494.facing_0, _S498, _S499) / max(select(_S501, - _S501, _S494.transmits_1), 0.10000000149011612f);
-    var _S504 : f32 = projected_area_1(_S493.view_3, _S498, _S499) / _S502;
-    if(!_S494.transmits_1)
+    var _S599 : u32 = fabrics_0[_S595].clustered_0.moments_1 + (_S596.face_6 * fabrics_0[_S595].clustered_0.clusters_0 + _S598) * u32(8);
+    var _S600 : vec3<f32> = vec3<f32>(table_number_0(_S599), table_number_0(_S599 + u32(1)), table_number_0(_S599 + u32(2)));
+    var _S601 : vec3<f32> = vec3<f32>(table_number_0(_S599 + u32(3)), table_number_0(_S599 + u32(4)), table_number_0(_S599 + u32(5)));
+    var _S602 : f32 = table_number_0(_S599 + u32(7));
+    var _S603 : f32 = fabrics_0[_S595].optical_depth_0;
+    var _S604 : f32 = dot(_S597.facing_0, _S600);
+    var _S605 : f32 = max(dot(_S596.view_3, _S600), 0.10000000149011612f);
+    var _S606 : f32 = projected_area_1(_S597.facing_0, _S601, _S602) / max(select(_S604, - _S604, _S597.transmits_1), 0.10000000149011612f);
+    var _S607 : f32 = projected_area_1(_S596.view_3, _S601, _S602) / _S605;
+    if(!_S597.transmits_1)
     {
-        var _S505 : f32 = _S503 + _S504;
-        return 0.25f * (1.0f - exponential_0(- _S500 * _S505)) / (_S505 * _S502);
+        var _S608 : f32 = _S606 + _S607;
+        return 0.25f * (1.0f - exponential_0(- _S603 * _S608)) / (_S608 * _S605);
     }
-    var _S506 : f32 = max(_S500 * abs(_S503 - _S504), 0.00100000004749745f);
-    return 0.25f * _S500 * exponential_0(- _S500 * min(_S503, _S504)) * (1.0f - exponential_0(- _S506)) / (_S506 * _S502);
+    var _S609 : f32 = max(_S603 * abs(_S606 - _S607), 0.00100000004749745f);
+    return 0.25f * _S603 * exponential_0(- _S603 * min(_S606, _S607)) * (1.0f - exponential_0(- _S609)) / (_S609 * _S605);
 }
 
-fn clustered_base_0( _S507 : u32,  _S508 : ViewedBase_0,  _S509 : BaseTaps_0) -> Components_0
+fn clustered_base_0( _S610 : u32,  _S611 : ViewedBase_0,  _S612 : BaseTaps_0) -> Components_0
 {
-    var _S510 : Clustered_std430_0 = fabrics_0[_S507].clustered_0;
-    var _S511 : u32 = _S510.clusters_0;
-    var _S512 : u32 = _S510.rank_0;
+    var _S613 : Clustered_std430_0 = fabrics_0[_S610].clustered_0;
+    var _S614 : u32 = _S613.clusters_0;
+    var _S615 : u32 = _S613.rank_0;
     var base_1 : Components_0 = no_components_0();
     var cluster_2 : u32 = u32(0);
     for(;;)
     {
-        if(cluster_2 < _S511)
+        if(cluster_2 < _S614)
         {
         }
         else
         {
             break;
         }
-        var _S513 : f32 = box_mean_1(&(_S510), _S508.box_5, _S508.face_6, cluster_2);
-        if(_S513 <= 0.0f)
+        var _S616 : f32 = box_mean_1(&(_S613), _S611.box_5, _S611.face_6, cluster_2);
+        if(_S616 <= 0.0f)
         {
             cluster_2 = cluster_2 + u32(1);
             continue;
         }
-        var _S514 : f32 = _S513 * cluster_density_0(_S507, _S508, _S509, cluster_2, u32(0));
-        var number_3 : u32 = u32(1);
-        var density_0 : f32 = _S514;
+        var _S617 : f32 = _S616 * cluster_density_0(_S610, _S611, _S612, cluster_2, u32(0));
+        var number_7 : u32 = u32(1);
+        var density_0 : f32 = _S617;
         for(;;)
         {
-            if(number_3 <= _S512)
+            if(number_7 <= _S615)
             {
             }
             else
             {
                 break;
             }
-            var _S515 : f32 = box_mean_1(&(_S510), _S508.box_5, _S508.face_6, number_3 * _S511 + cluster_2);
-            var density_1 : f32 = density_0 + _S515 * cluster_density_0(_S507, _S508, _S509, cluster_2, number_3);
-            number_3 = number_3 + u32(1);
+            var _S618 : f32 = box_mean_1(&(_S613), _S611.box_5, _S611.face_6, number_7 * _S614 + cluster_2);
+            var density_1 : f32 = density_0 + _S618 * cluster_density_0(_S610, _S611, _S612, cluster_2, number_7);
+            number_7 = number_7 + u32(1);
             density_0 = density_1;
         }
-        var _S516 : f32 = box_mean_1(&(_S510), _S508.box_5, _S508.face_6, (_S512 + u32(1)) * _S511 + cluster_2);
-        var _S517 : f32 = box_mean_1(&(_S510), _S508.box_5, _S508.face_6, (_S512 + u32(2)) * _S511 + cluster_2);
-        var _S518 : f32 = box_mean_1(&(_S510), _S508.box_5, _S508.face_6, (_S512 + u32(3)) * _S511 + cluster_2);
-        var _S519 : f32 = cluster_visibility_0(_S507, _S509, cluster_2);
-        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S511 / u32(2)), _S519 * clustered_diffuse_0(_S507, _S509, _S513, vec3<f32>(_S516, _S517, _S518)), _S519 * cluster_attenuation_0(_S507, _S508, _S509, cluster_2) * density_0, _S513 * _S519), 1.0f);
+        var _S619 : f32 = box_mean_1(&(_S613), _S611.box_5, _S611.face_6, (_S615 + u32(1)) * _S614 + cluster_2);
+        var _S620 : f32 = box_mean_1(&(_S613), _S611.box_5, _S611.face_6, (_S615 + u32(2)) * _S614 + cluster_2);
+        var _S621 : f32 = box_mean_1(&(_S613), _S611.box_5, _S611.face_6, (_S615 + u32(3)) * _S614 + cluster_2);
+        var _S622 : f32 = cluster_visibility_0(_S610, _S612, cluster_2);
+        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S614 / u32(2)), _S622 * clustered_diffuse_0(_S610, _S612, _S616, vec3<f32>(_S619, _S620, _S621)), _S622 * cluster_attenuation_0(_S610, _S611, _S612, cluster_2) * density_0, _S616 * _S622), 1.0f);
         cluster_2 = cluster_2 + u32(1);
     }
     return base_1;
 }
 
-fn under_sheen_0( _S520 : u32,  _S521 : ClusteredView_0,  _S522 : vec3<f32>,  _S523 : f32,  _S524 : vec3<f32>) -> vec3<f32>
+fn with_shares_0( _S623 : u32,  _S624 : Components_0,  _S625 : Yarns_0) -> Components_0
 {
-    var _S525 : f32 = fabrics_0[_S520].sheen_strength_0;
-    if((fabrics_0[_S520].sheen_strength_0) <= 0.0f)
+    if((fabrics_0[_S623].is_irregular_0) == u32(0))
     {
-        return _S522;
+        return _S624;
     }
-    var _S526 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S524, _S521.base_0.back_5), _S521.base_0.view_3, _S525, fabrics_0[_S520].sheen_roughness_0);
-    return vec3<f32>(_S526.y) * _S522 + vec3<f32>((_S523 * _S526.x));
+    var result_4 : Components_0;
+    var _S626 : f32 = min(_S624.hole_0 * _S625.shares_0.z, 1.0f);
+    result_4.hole_0 = _S626;
+    var _S627 : f32 = _S625.shares_0.x;
+    result_4.diffuse_warp_0 = _S624.diffuse_warp_0 * _S627;
+    var _S628 : f32 = _S625.shares_0.y;
+    result_4.diffuse_weft_0 = _S624.diffuse_weft_0 * _S628;
+    result_4.specular_warp_0 = _S624.specular_warp_0 * _S627;
+    result_4.specular_weft_0 = _S624.specular_weft_0 * _S628;
+    result_4.light_visibility_1 = _S624.light_visibility_1 * (1.0f - _S626) / max(1.0f - _S624.hole_0, 9.99999997475242708e-07f);
+    return result_4;
 }
 
-fn clustered_base_value_0( _S527 : u32,  _S528 : ClusteredView_0,  _S529 : f32,  _S530 : vec3<f32>) -> vec3<f32>
+fn as_seen_0( _S629 : u32,  _S630 : ClusteredView_0,  _S631 : Components_0) -> Components_0
 {
-    var _S531 : BaseTaps_0 = base_taps_0(_S528.base_0, _S530);
-    var _S532 : Components_0 = clustered_base_0(_S527, _S528.base_0, _S531);
-    return under_sheen_0(_S527, _S528, shaded_0(_S532, _S528.albedos_5, _S531.transmits_1) + bounced_value_0(_S528.bounced_2, _S530, _S528.view_7), _S532.light_visibility_1 + _S529, _S530);
+    var whole_1 : Components_0 = _S631;
+    whole_1.hole_0 = _S630.even_hole_0;
+    return with_shares_0(_S629, whole_1, _S630.yarns_0);
+}
+
+fn under_sheen_0( _S632 : u32,  _S633 : ClusteredView_0,  _S634 : vec3<f32>,  _S635 : f32,  _S636 : vec3<f32>) -> vec3<f32>
+{
+    var _S637 : f32 = fabrics_0[_S632].sheen_strength_0;
+    if((fabrics_0[_S632].sheen_strength_0) <= 0.0f)
+    {
+        return _S634;
+    }
+    var _S638 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S636, _S633.base_0.back_5), _S633.base_0.view_3, _S637, fabrics_0[_S632].sheen_roughness_0);
+    return vec3<f32>(_S638.y) * _S634 + vec3<f32>((_S635 * _S638.x));
+}
+
+fn clustered_base_value_0( _S639 : u32,  _S640 : ClusteredView_0,  _S641 : vec3<f32>) -> vec3<f32>
+{
+    var _S642 : BaseTaps_0 = base_taps_0(_S640.base_0, _S641);
+    var _S643 : Components_0 = as_seen_0(_S639, _S640, clustered_base_0(_S639, _S640.base_0, _S642));
+    return under_sheen_0(_S639, _S640, shaded_0(_S643, _S640.albedos_5, _S642.transmits_1) + bounced_value_0(_S640.bounced_2, _S641, _S640.view_7), _S643.light_visibility_1 + _S640.hole_1, _S641);
 }
 
 struct TexelTerms_0
 {
-     own_1 : Components_0,
+     own_2 : Components_0,
      known_0 : Components_0,
 };
 
-fn coefficient_0( _S533 : u32,  _S534 : u32,  _S535 : u32) -> f32
+fn coefficient_0( _S644 : u32,  _S645 : u32,  _S646 : u32) -> f32
 {
-    var _S536 : i32 = i32(table_byte_0(fabrics_0[_S533].clustered_0.coefficients_0, _S534 * (fabrics_0[_S533].clustered_0.rank_0 + u32(3)) + _S535));
-    return f32(select(_S536, _S536 - i32(256), _S536 > i32(127)));
+    var _S647 : i32 = i32(table_byte_0(fabrics_0[_S644].clustered_0.coefficients_0, _S645 * (fabrics_0[_S644].clustered_0.rank_0 + u32(3)) + _S646));
+    return f32(select(_S647, _S647 - i32(256), _S647 > i32(127)));
 }
 
-fn at_texel_0( _S537 : u32,  _S538 : ViewedBase_0,  _S539 : u32,  _S540 : BaseTaps_0) -> TexelTerms_0
+fn at_texel_0( _S648 : u32,  _S649 : ViewedBase_0,  _S650 : u32,  _S651 : BaseTaps_0) -> TexelTerms_0
 {
-    var _S541 : Clustered_std430_0 = fabrics_0[_S537].clustered_0;
-    var _S542 : u32 = fabrics_0[_S537].clustered_0.columns_0 * fabrics_0[_S537].clustered_0.rows_0;
-    var _S543 : u32 = _S538.face_6 * _S542 + _S539;
-    var _S544 : u32 = table_byte_0(fabrics_0[_S537].clustered_0.labels_0, _S543);
+    var _S652 : Clustered_std430_0 = fabrics_0[_S648].clustered_0;
+    var _S653 : u32 = fabrics_0[_S648].clustered_0.columns_0 * fabrics_0[_S648].clustered_0.rows_0;
+    var _S654 : u32 = _S649.face_6 * _S653 + _S650;
+    var _S655 : u32 = table_byte_0(fabrics_0[_S648].clustered_0.labels_0, _S654);
     var terms_2 : TexelTerms_0;
-    var _S545 : Components_0 = no_components_0();
-    terms_2.own_1 = _S545;
-    terms_2.known_0 = _S545;
-    if(_S544 >= (fabrics_0[_S537].clustered_0.clusters_0))
+    var _S656 : Components_0 = no_components_0();
+    terms_2.own_2 = _S656;
+    terms_2.known_0 = _S656;
+    if(_S655 >= (fabrics_0[_S648].clustered_0.clusters_0))
     {
         return terms_2;
     }
-    var _S546 : f32 = cluster_density_0(_S537, _S538, _S540, _S544, u32(0));
-    var number_4 : u32 = u32(1);
-    var density_2 : f32 = _S546;
+    var _S657 : f32 = cluster_density_0(_S648, _S649, _S651, _S655, u32(0));
+    var number_8 : u32 = u32(1);
+    var density_2 : f32 = _S657;
     for(;;)
     {
-        if(number_4 <= (_S541.rank_0))
+        if(number_8 <= (_S652.rank_0))
         {
         }
         else
         {
             break;
         }
-        var density_3 : f32 = density_2 + coefficient_0(_S537, _S543, number_4 - u32(1)) * cluster_density_0(_S537, _S538, _S540, _S544, number_4);
-        number_4 = number_4 + u32(1);
+        var density_3 : f32 = density_2 + coefficient_0(_S648, _S654, number_8 - u32(1)) * cluster_density_0(_S648, _S649, _S651, _S655, number_8);
+        number_8 = number_8 + u32(1);
         density_2 = density_3;
     }
-    var _S547 : f32 = cluster_attenuation_0(_S537, _S538, _S540, _S544) * density_2;
-    var _S548 : f32 = clustered_cosine_0(_S540, vec3<f32>(coefficient_0(_S537, _S543, _S541.rank_0), coefficient_0(_S537, _S543, _S541.rank_0 + u32(1)), coefficient_0(_S537, _S543, _S541.rank_0 + u32(2))));
-    var _S549 : f32 = abs(_S540.facing_0.z);
-    var _S550 : f32 = gaussian_visibility_0(_S541.texels_2 + (select(_S538.face_6, u32(1) - _S538.face_6, _S540.transmits_1) * _S542 + _S539) * u32(12), vec3<f32>(_S540.facing_0.xy, _S549));
-    var _S551 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S537].diffuse_blend_0) * _S549;
-    var _S552 : f32 = cluster_visibility_0(_S537, _S540, _S544);
-    var _S553 : bool = _S544 < (_S541.clusters_0 / u32(2));
-    var _S554 : f32 = 0.31830987334251404f * fabrics_0[_S537].diffuse_blend_0;
-    terms_2.own_1 = of_family_0(_S553, _S550 * (_S551 + _S554 * max(_S548, 0.0f)), _S550 * _S547, _S550);
-    terms_2.known_0 = of_family_0(_S553, _S552 * (_S551 + _S554 * _S548), _S552 * _S547, _S552);
+    var _S658 : f32 = cluster_attenuation_0(_S648, _S649, _S651, _S655) * density_2;
+    var _S659 : f32 = clustered_cosine_0(_S651, vec3<f32>(coefficient_0(_S648, _S654, _S652.rank_0), coefficient_0(_S648, _S654, _S652.rank_0 + u32(1)), coefficient_0(_S648, _S654, _S652.rank_0 + u32(2))));
+    var _S660 : f32 = abs(_S651.facing_0.z);
+    var _S661 : f32 = gaussian_visibility_0(_S652.texels_2 + (select(_S649.face_6, u32(1) - _S649.face_6, _S651.transmits_1) * _S653 + _S650) * u32(12), vec3<f32>(_S651.facing_0.xy, _S660));
+    var _S662 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S648].diffuse_blend_0) * _S660;
+    var _S663 : f32 = cluster_visibility_0(_S648, _S651, _S655);
+    var _S664 : bool = _S655 < (_S652.clusters_0 / u32(2));
+    var _S665 : f32 = 0.31830987334251404f * fabrics_0[_S648].diffuse_blend_0;
+    terms_2.own_2 = of_family_0(_S664, _S661 * (_S662 + _S665 * max(_S659, 0.0f)), _S661 * _S658, _S661);
+    terms_2.known_0 = of_family_0(_S664, _S663 * (_S662 + _S665 * _S659), _S663 * _S658, _S663);
     return terms_2;
 }
 
-fn texel_albedos_0( _S555 : u32,  _S556 : ViewedBase_0,  _S557 : u32) -> Albedos_0
+fn texel_albedos_0( _S666 : u32,  _S667 : ClusteredView_0,  _S668 : u32) -> Albedos_0
 {
-    var _S558 : u32 = _S556.face_6 * fabrics_0[_S555].clustered_0.columns_0 * fabrics_0[_S555].clustered_0.rows_0 + _S557;
-    var _S559 : u32 = select(fabrics_0[_S555].weft_0, fabrics_0[_S555].warp_0, (table_byte_0(fabrics_0[_S555].clustered_0.labels_0, _S558)) < (fabrics_0[_S555].clustered_0.clusters_0 / u32(2)));
-    var _S560 : u32 = fabrics_0[_S555].clustered_0.texels_2 + _S558 * u32(12) + u32(9);
-    return table_albedos_0(families_0[_S559].albedo_table_0 + min(u32(table_number_0(_S560)) + u32(1024) * u32(table_number_0(_S560 + u32(1))), u32(families_0[_S559].count_0) - u32(1)) * families_0[_S559].albedo_stride_0);
-}
-
-fn clustered_residual_0( _S561 : u32,  _S562 : ClusteredView_0,  _S563 : u32,  _S564 : vec3<f32>,  _S565 : vec3<f32>) -> vec3<f32>
-{
-    var _S566 : BaseTaps_0 = base_taps_0(_S562.base_0, _S565);
-    var _S567 : TexelTerms_0 = at_texel_0(_S561, _S562.base_0, _S563, _S566);
-    var own_2 : FamilyAlbedos_0;
-    var _S568 : Albedos_0 = tinted_0(texel_albedos_0(_S561, _S562.base_0, _S563), _S564);
-    own_2.warp_3 = _S568;
-    own_2.weft_3 = _S568;
-    return under_sheen_0(_S561, _S562, shaded_0(_S567.own_1, own_2, _S566.transmits_1) - shaded_0(_S567.known_0, _S562.albedos_5, _S566.transmits_1), _S567.own_1.light_visibility_1 - _S567.known_0.light_visibility_1, _S565);
-}
-
-fn passed_by_sheen_0( _S569 : u32,  _S570 : f32,  _S571 : vec3<f32>) -> f32
-{
-    var _S572 : f32 = fabrics_0[_S569].sheen_strength_0;
-    if((fabrics_0[_S569].sheen_strength_0) <= 0.0f)
+    var _S669 : u32 = _S667.base_0.face_6 * fabrics_0[_S666].clustered_0.columns_0 * fabrics_0[_S666].clustered_0.rows_0 + _S668;
+    var _S670 : bool = (table_byte_0(fabrics_0[_S666].clustered_0.labels_0, _S669)) < (fabrics_0[_S666].clustered_0.clusters_0 / u32(2));
+    var _S671 : u32 = select(fabrics_0[_S666].weft_0, fabrics_0[_S666].warp_0, _S670);
+    var _S672 : u32 = fabrics_0[_S666].clustered_0.texels_2 + _S669 * u32(12) + u32(9);
+    var _S673 : Albedos_0 = table_albedos_0(families_0[_S671].albedo_table_0 + min(u32(table_number_0(_S672)) + u32(1024) * u32(table_number_0(_S672 + u32(1))), u32(families_0[_S671].count_0) - u32(1)) * families_0[_S671].albedo_stride_0);
+    if((fabrics_0[_S666].is_irregular_0) == u32(0))
     {
-        return _S570;
+        return _S673;
     }
-    return _S570 * (1.0f - _S572 * sheen_lobe_0(abs(_S571.z), fabrics_0[_S569].sheen_roughness_0).z);
+    return toned_0(_S666, _S671, _S673, select_vector_0(_S670, _S667.yarns_0.warp_1, _S667.yarns_0.weft_1));
 }
 
-fn light_of_clustered_0( _S573 : u32,  _S574 : VisiblePoint_0,  _S575 : vec2<u32>,  _S576 : vec3<f32>) -> vec4<f32>
+fn clustered_residual_0( _S674 : u32,  _S675 : ClusteredView_0,  _S676 : u32,  _S677 : vec3<f32>,  _S678 : vec3<f32>) -> vec3<f32>
+{
+    var _S679 : BaseTaps_0 = base_taps_0(_S675.base_0, _S678);
+    var _S680 : TexelTerms_0 = at_texel_0(_S674, _S675.base_0, _S676, _S679);
+    var own_3 : FamilyAlbedos_0;
+    var _S681 : Albedos_0 = tinted_0(texel_albedos_0(_S674, _S675, _S676), _S677);
+    own_3.warp_5 = _S681;
+    own_3.weft_5 = _S681;
+    var _S682 : Components_0 = as_seen_0(_S674, _S675, _S680.own_2);
+    var _S683 : Components_0 = as_seen_0(_S674, _S675, _S680.known_0);
+    return under_sheen_0(_S674, _S675, shaded_0(_S682, own_3, _S679.transmits_1) - shaded_0(_S683, _S675.albedos_5, _S679.transmits_1), _S682.light_visibility_1 - _S683.light_visibility_1, _S678);
+}
+
+fn passed_by_sheen_0( _S684 : u32,  _S685 : f32,  _S686 : vec3<f32>) -> f32
+{
+    var _S687 : f32 = fabrics_0[_S684].sheen_strength_0;
+    if((fabrics_0[_S684].sheen_strength_0) <= 0.0f)
+    {
+        return _S685;
+    }
+    return _S685 * (1.0f - _S687 * sheen_lobe_0(abs(_S686.z), fabrics_0[_S684].sheen_roughness_0).z);
+}
+
+fn light_of_clustered_0( _S688 : u32,  _S689 : VisiblePoint_0,  _S690 : vec2<u32>,  _S691 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.centre_0 = _S574.draft_0;
-    footprint_1.dx_0 = _S574.draft_dx_0;
-    footprint_1.dy_0 = _S574.draft_dy_0;
-    var _S577 : vec3<f32> = to_local_0(_S574, _S574.view_0);
-    var _S578 : Clustered_std430_0 = fabrics_0[_S573].clustered_0;
-    var _S579 : u32 = mixed_0(mixed_0(_S575.x + u32(65536) * _S575.y) + frame_record_0.pass_number_0 * u32(2654435769));
-    var _S580 : ClusteredView_0 = clustered_view_0(_S573, footprint_1, _S577, _S576, _S579);
-    var _S581 : f32 = clustered_hole_0(_S573, _S580.base_0);
-    var _S582 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_1.dx_0 = _S689.draft_dx_0;
+    footprint_1.dy_0 = _S689.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S688, _S689.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S692 : vec3<f32> = to_local_0(_S689, _S689.view_0);
+    var _S693 : Clustered_std430_0 = fabrics_0[_S688].clustered_0;
+    var _S694 : u32 = mixed_0(mixed_0(_S690.x + u32(65536) * _S690.y) + frame_record_0.pass_number_0 * u32(2654435769));
+    var _S695 : ClusteredView_0 = clustered_view_0(_S688, footprint_1, _S692, _S691, _S694);
+    var _S696 : vec3<f32> = vec3<f32>(0.0f);
     var term_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S582;
+    var radiance_1 : vec3<f32> = _S696;
     for(;;)
     {
-        if(term_1 <= (_S578.samples_1))
+        if(term_1 <= (_S693.samples_1))
         {
         }
         else
@@ -2063,78 +2407,78 @@ fn light_of_clustered_0( _S573 : u32,  _S574 : VisiblePoint_0,  _S575 : vec2<u32
         var texel_0 : u32;
         if(term_1 > u32(0))
         {
-            texel_0 = residual_texel_0(_S573, _S580, _S579, term_1 - u32(1));
+            texel_0 = residual_texel_0(_S688, _S695, _S694, term_1 - u32(1));
         }
         else
         {
             texel_0 = u32(0);
         }
-        var number_5 : u32 = u32(0);
+        var number_9 : u32 = u32(0);
         var radiance_2 : vec3<f32> = radiance_1;
         for(;;)
         {
-            if(number_5 < (light_sample_count_0()))
+            if(number_9 < (light_sample_count_0()))
             {
             }
             else
             {
                 break;
             }
-            var _S583 : f32 = visibility_at_0(number_5, _S575);
-            if(_S583 <= 0.0f)
+            var _S697 : f32 = visibility_at_0(number_9, _S690);
+            if(_S697 <= 0.0f)
             {
-                number_5 = number_5 + u32(1);
+                number_9 = number_9 + u32(1);
                 continue;
             }
-            var _S584 : LightSample_0 = light_sample_0(number_5, _S575, _S574.position_0);
-            var _S585 : vec3<f32> = to_local_0(_S574, _S584.towards_1);
+            var _S698 : LightSample_0 = light_sample_0(number_9, _S690, _S689.position_4);
+            var _S699 : vec3<f32> = to_local_0(_S689, _S698.towards_1);
             var value_1 : vec3<f32>;
             if(term_1 == u32(0))
             {
-                value_1 = clustered_base_value_0(_S573, _S580, _S581, _S585);
+                value_1 = clustered_base_value_0(_S688, _S695, _S699);
             }
             else
             {
-                value_1 = clustered_residual_0(_S573, _S580, texel_0, _S576, _S585) / vec3<f32>(f32(_S578.samples_1));
+                value_1 = clustered_residual_0(_S688, _S695, texel_0, _S691, _S699) / vec3<f32>(f32(_S693.samples_1));
             }
-            radiance_2 = radiance_2 + vec3<f32>(_S583) * _S584.irradiance_1 * value_1;
-            number_5 = number_5 + u32(1);
+            radiance_2 = radiance_2 + vec3<f32>(_S697) * _S698.irradiance_1 * value_1;
+            number_9 = number_9 + u32(1);
         }
         term_1 = term_1 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S573, _S581, _S577));
+    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S688, _S695.hole_1, _S692));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_clustered(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S586 : u32 = id_0.x;
-    var _S587 : bool;
-    if(_S586 >= (frame_record_0.width_0))
+    var _S700 : u32 = id_0.x;
+    var _S701 : bool;
+    if(_S700 >= (frame_record_0.width_0))
     {
-        _S587 = true;
+        _S701 = true;
     }
     else
     {
-        _S587 = (id_0.y) >= (frame_record_0.height_0);
+        _S701 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S587)
+    if(_S701)
     {
         return;
     }
-    var _S588 : u32 = id_0.y * frame_record_0.width_0 + _S586;
-    var _S589 : u32 = layers_0[_S588].face_0;
-    if((layers_0[_S588].face_0) == u32(0))
+    var _S702 : u32 = id_0.y * frame_record_0.width_0 + _S700;
+    var _S703 : u32 = layers_0[_S702].face_0;
+    if((layers_0[_S702].face_0) == u32(0))
     {
         return;
     }
-    var _S590 : u32 = _S589 - u32(1);
-    var _S591 : u32 = fabric_of_0(_S590);
-    var _S592 : vec2<u32> = id_0.xy;
-    var _S593 : VisiblePoint_0 = visible_point_0(_S591, _S590, _S592);
-    accumulate_0(_S588, light_of_clustered_0(_S591, _S593, _S592, filtered_albedo_0(_S591, _S593)));
+    var _S704 : u32 = _S703 - u32(1);
+    var _S705 : u32 = fabric_of_0(_S704);
+    var _S706 : vec2<u32> = id_0.xy;
+    var _S707 : VisiblePoint_0 = visible_point_0(_S705, _S704, _S706);
+    accumulate_0(_S702, light_of_clustered_0(_S705, _S707, _S706, filtered_albedo_0(_S705, _S707)));
     return;
 }
 

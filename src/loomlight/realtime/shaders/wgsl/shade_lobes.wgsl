@@ -201,6 +201,8 @@ struct Fabric_std430_0
     @align(4) seed_0 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
+    @align(4) is_irregular_0 : u32,
+    @align(4) warp_on_top_0 : f32,
     @align(4) has_detail_0 : u32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
@@ -249,6 +251,15 @@ struct Family_std430_0
     @align(4) colour_areas_0 : u32,
     @align(4) area_unit_0 : f32,
     @align(4) crossing_area_0 : f32,
+    @align(4) irregular_table_0 : u32,
+    @align(4) irregular_thickness_0 : f32,
+    @align(4) irregular_cover_0 : f32,
+    @align(4) irregular_tone_0 : f32,
+    @align(4) irregular_nep_0 : f32,
+    @align(4) cover_0 : f32,
+    @align(4) nep_red_0 : f32,
+    @align(4) nep_green_0 : f32,
+    @align(4) nep_blue_0 : f32,
     @align(4) has_plies_0 : f32,
     @align(4) plies_per_mm_0 : f32,
     @align(4) ply_sine_0 : f32,
@@ -262,9 +273,9 @@ struct Family_std430_0
 
 @binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
 
-@binding(6) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
-
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
+
+@binding(6) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
 @binding(7) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 
@@ -442,9 +453,144 @@ fn map_level_0( first_1 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
     return mix(mix(map_texel_0(_S28 + _S24), map_texel_0(_S28 + _S27), _S29), mix(map_texel_0(_S30 + _S24), map_texel_0(_S30 + _S27), _S29), vec3<f32>((_S20 - _S25)));
 }
 
+struct Footprint_0
+{
+     centre_0 : vec2<f32>,
+     dx_0 : vec2<f32>,
+     dy_0 : vec2<f32>,
+};
+
+fn Footprint_spread_side_0( this_0 : Footprint_0) -> f32
+{
+    var _S31 : vec2<f32> = this_0.dx_0;
+    var _S32 : vec2<f32> = this_0.dy_0;
+    return sqrt(0.5f * (dot(_S31, _S31) + dot(_S32, _S32)));
+}
+
+fn fade_0( size_1 : f32,  period_1 : f32) -> f32
+{
+    return clamp((1.0f - size_1 / period_1) * 1.33333337306976318f, 0.0f, 1.0f);
+}
+
+fn moved_share_0( family_0 : u32,  size_2 : f32) -> f32
+{
+    return fade_0(size_2, families_0[family_0].period_0 / families_0[family_0].count_0);
+}
+
+fn turns_and_remainder_0( family_1 : u32,  index_1 : f32) -> vec2<f32>
+{
+    var _S33 : f32 = floor(fma(index_1, families_0[family_1].inverse_count_0, families_0[family_1].half_inverse_count_0));
+    return vec2<f32>(_S33, fma(- _S33, families_0[family_1].count_0, index_1));
+}
+
+struct Cell_0
+{
+     thread_1 : u32,
+     across_0 : f32,
+     half_width_1 : f32,
+     below_0 : f32,
+     above_0 : f32,
+};
+
+fn locate_alike_0( family_2 : u32,  position_0 : f32) -> Cell_0
+{
+    var _S34 : f32 = floor(position_0 * families_0[family_2].inverse_size_0);
+    var cell_2 : Cell_0;
+    var _S35 : f32 = fma(- _S34, families_0[family_2].size_0, position_0);
+    cell_2.below_0 = _S35;
+    cell_2.above_0 = families_0[family_2].size_0 - _S35;
+    cell_2.across_0 = _S35 - 0.5f * families_0[family_2].size_0;
+    cell_2.half_width_1 = families_0[family_2].half_width_0;
+    cell_2.thread_1 = u32(clamp(turns_and_remainder_0(family_2, _S34).y, 0.0f, families_0[family_2].count_0 - 1.0f));
+    return cell_2;
+}
+
+fn table_number_0( index_2 : u32) -> f32
+{
+    return (bitcast<f32>((words_0[index_2])));
+}
+
+fn locate_varied_0( family_3 : u32,  position_1 : f32) -> Cell_0
+{
+    var turns_0 : f32 = (position_1 - families_0[family_3].start_0) * families_0[family_3].inverse_period_0;
+    var turns_1 : f32 = turns_0 - floor(turns_0);
+    var _S36 : f32 = turns_1 * families_0[family_3].period_0;
+    var thread_2 : u32 = words_0[families_0[family_3].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_3].bins_0, 0.0f, families_0[family_3].bins_0 - 1.0f))];
+    var _S37 : u32 = min(thread_2 + select(u32(0), u32(1), _S36 >= (table_number_0(families_0[family_3].place_table_0 + thread_2 * u32(4) + u32(1)))), u32(families_0[family_3].count_0) - u32(1));
+    var _S38 : u32 = families_0[family_3].place_table_0 + _S37 * u32(4);
+    var cell_3 : Cell_0;
+    cell_3.thread_1 = _S37;
+    cell_3.below_0 = _S36 - table_number_0(_S38);
+    cell_3.above_0 = table_number_0(_S38 + u32(1)) - _S36;
+    cell_3.across_0 = _S36 - table_number_0(_S38 + u32(2));
+    cell_3.half_width_1 = table_number_0(_S38 + u32(3));
+    return cell_3;
+}
+
+fn locate_0( family_4 : u32,  position_2 : f32) -> Cell_0
+{
+    if((families_0[family_4].is_alike_0) != u32(0))
+    {
+        return locate_alike_0(family_4, position_2);
+    }
+    return locate_varied_0(family_4, position_2);
+}
+
+fn irregular_thread_0( family_5 : u32,  position_3 : f32,  cell_4 : Cell_0) -> f32
+{
+    return floor((position_3 - cell_4.across_0) / families_0[family_5].period_0) * families_0[family_5].count_0 + f32(cell_4.thread_1);
+}
+
+fn irregular_entry_0( row_0 : u32,  column_0 : f32) -> vec4<u32>
+{
+    var _S39 : u32 = row_0 + u32(4) * ((u32(i32(column_0)) & (u32(1023))));
+    return vec4<u32>(words_0[_S39], words_0[_S39 + u32(1)], words_0[_S39 + u32(2)], words_0[_S39 + u32(3)]);
+}
+
+fn irregular_integral_0( family_6 : u32,  threads_0 : u32,  begin_0 : f32,  steps_0 : f32) -> vec4<f32>
+{
+    var _S40 : u32 = families_0[family_6].irregular_table_0 + threads_0 * u32(4096);
+    var _S41 : f32 = begin_0 + steps_0;
+    var _S42 : f32 = floor(begin_0);
+    var _S43 : vec4<u32> = irregular_entry_0(_S40, _S42);
+    var _S44 : f32 = floor(_S41);
+    var _S45 : vec4<u32> = irregular_entry_0(_S40, _S44);
+    return vec4<f32>(vec4<i32>(_S45 - _S43)) + (vec4<f32>(vec4<i32>(irregular_entry_0(_S40, _S44 + 1.0f) - _S45)) * vec4<f32>((_S41 - _S44)) - vec4<f32>(vec4<i32>(irregular_entry_0(_S40, _S42 + 1.0f) - _S43)) * vec4<f32>((begin_0 - _S42)));
+}
+
+fn irregular_units_0( family_7 : u32) -> vec4<f32>
+{
+    return vec4<f32>(families_0[family_7].irregular_thickness_0, families_0[family_7].irregular_cover_0, families_0[family_7].irregular_tone_0, families_0[family_7].irregular_nep_0);
+}
+
+fn irregular_at_0( family_8 : u32,  key_3 : u32,  number_0 : f32,  along_0 : f32) -> vec4<f32>
+{
+    var _S46 : f32 = floor(number_0 / 64.0f);
+    var _S47 : u32 = hash_bits_0(key_3, u32(i32(_S46)));
+    var _S48 : u32 = ((_S47 & (u32(127)))) + u32(number_0 - 64.0f * _S46);
+    var _S49 : f32 = along_0 / 2.0f - 0.5f + f32((_S47 >> (u32(22))));
+    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
+    var side_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(side_1 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S50 : vec4<f32> = irregular_integral_0(family_8, _S48 + side_1, _S49, 1.0f) - sums_1;
+        var _S51 : u32 = side_1 + u32(1);
+        sums_1 = _S50;
+        side_1 = _S51;
+    }
+    return sums_1 * irregular_units_0(family_8);
+}
+
 struct VisiblePoint_0
 {
-     position_0 : vec3<f32>,
+     position_4 : vec3<f32>,
      view_0 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
@@ -462,30 +608,30 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
 }
 
-fn uniform_hash_0( thread_1 : u32,  cell_2 : u32,  stream_1 : u32) -> f32
+fn uniform_hash_0( thread_3 : u32,  cell_5 : u32,  stream_1 : u32) -> f32
 {
-    return (f32(((hash_bits_0(hash_key_0(thread_1, stream_1), cell_2)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    return (f32(((hash_bits_0(hash_key_0(thread_3, stream_1), cell_5)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
 }
 
-fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_1 : u32,  stream_2 : u32) -> vec2<f32>
+fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_3 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S31 : u32 = pixel_0.x;
-    var _S32 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S31, _S32, stream_2), uniform_hash_0(_S31, _S32, stream_2 + u32(1))) + vec2<f32>(f32((index_1 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S52 : u32 = pixel_0.x;
+    var _S53 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S52, _S53, stream_2), uniform_hash_0(_S52, _S53, stream_2 + u32(1))) + vec2<f32>(f32((index_3 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
-fn scene_number_0( index_2 : u32) -> f32
+fn scene_number_0( index_4 : u32) -> f32
 {
-    return (bitcast<f32>((scene_words_0[index_2])));
+    return (bitcast<f32>((scene_words_0[index_4])));
 }
 
 struct Choice_0
 {
-     index_3 : u32,
+     index_5 : u32,
      remainder_0 : f32,
 };
 
-fn choose_0( table_0 : u32,  count_1 : u32,  number_0 : f32) -> Choice_0
+fn choose_0( table_0 : u32,  count_1 : u32,  number_1 : f32) -> Choice_0
 {
     var high_0 : u32 = count_1;
     var low_0 : u32 = u32(0);
@@ -498,22 +644,22 @@ fn choose_0( table_0 : u32,  count_1 : u32,  number_0 : f32) -> Choice_0
         {
             break;
         }
-        var _S33 : u32 = (low_0 + high_0) / u32(2);
-        if((scene_number_0(table_0 + _S33)) <= number_0)
+        var _S54 : u32 = (low_0 + high_0) / u32(2);
+        if((scene_number_0(table_0 + _S54)) <= number_1)
         {
-            low_0 = _S33;
+            low_0 = _S54;
         }
         else
         {
-            high_0 = _S33;
+            high_0 = _S54;
         }
     }
-    var _S34 : u32 = table_0 + low_0;
-    var _S35 : f32 = scene_number_0(_S34);
-    var _S36 : f32 = scene_number_0(_S34 + u32(1));
+    var _S55 : u32 = table_0 + low_0;
+    var _S56 : f32 = scene_number_0(_S55);
+    var _S57 : f32 = scene_number_0(_S55 + u32(1));
     var choice_0 : Choice_0;
-    choice_0.index_3 = low_0;
-    choice_0.remainder_0 = saturate((number_0 - _S35) / max(_S36 - _S35, 9.999999960041972e-13f));
+    choice_0.index_5 = low_0;
+    choice_0.remainder_0 = saturate((number_1 - _S56) / max(_S57 - _S56, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -524,16 +670,16 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_6 : f32) -> vec2<f32>
 {
-    var _S37 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
-    var _S38 : f32 = x_6 - _S37 * 1.5703125f - _S37 * 0.00048375129699707f - _S37 * 7.54979012640433211e-08f;
-    var _S39 : f32 = _S38 * _S38;
-    var _S40 : f32 = ((-0.00019515295571182f * _S39 + 0.00833216123282909f) * _S39 - 0.16666655242443085f) * _S39 * _S38 + _S38;
-    var _S41 : f32 = ((0.00002443315679557f * _S39 - 0.00138873164542019f) * _S39 + 0.04166664555668831f) * _S39 * _S39 - 0.5f * _S39 + 1.0f;
-    var _S42 : u32 = (u32(i32(_S37)) & (u32(3)));
-    var _S43 : vec2<f32> = select_vector_0(((_S42 & (u32(1)))) != u32(0), vec2<f32>(_S41, _S40), vec2<f32>(_S40, _S41));
-    var _S44 : f32 = _S43.x;
-    var _S45 : f32 = _S43.y;
-    return vec2<f32>(select(_S44, - _S44, ((_S42 & (u32(2)))) != u32(0)), select(_S45, - _S45, (((_S42 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S58 : f32 = floor(x_6 * 0.63661974668502808f + 0.5f);
+    var _S59 : f32 = x_6 - _S58 * 1.5703125f - _S58 * 0.00048375129699707f - _S58 * 7.54979012640433211e-08f;
+    var _S60 : f32 = _S59 * _S59;
+    var _S61 : f32 = ((-0.00019515295571182f * _S60 + 0.00833216123282909f) * _S60 - 0.16666655242443085f) * _S60 * _S59 + _S59;
+    var _S62 : f32 = ((0.00002443315679557f * _S60 - 0.00138873164542019f) * _S60 + 0.04166664555668831f) * _S60 * _S60 - 0.5f * _S60 + 1.0f;
+    var _S63 : u32 = (u32(i32(_S58)) & (u32(3)));
+    var _S64 : vec2<f32> = select_vector_0(((_S63 & (u32(1)))) != u32(0), vec2<f32>(_S62, _S61), vec2<f32>(_S61, _S62));
+    var _S65 : f32 = _S64.x;
+    var _S66 : f32 = _S64.y;
+    return vec2<f32>(select(_S65, - _S65, ((_S63 & (u32(2)))) != u32(0)), select(_S66, - _S66, (((_S63 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
@@ -560,24 +706,10 @@ fn scene_light_0( first_2 : u32) -> Light_0
     return record_1;
 }
 
-struct Footprint_0
-{
-     centre_0 : vec2<f32>,
-     dx_0 : vec2<f32>,
-     dy_0 : vec2<f32>,
-};
-
-fn Footprint_spread_side_0( this_0 : Footprint_0) -> f32
-{
-    var _S46 : vec2<f32> = this_0.dx_0;
-    var _S47 : vec2<f32> = this_0.dy_0;
-    return sqrt(0.5f * (dot(_S46, _S46) + dot(_S47, _S47)));
-}
-
 fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S48 : f32 = direction_1.z;
-    return vec3<f32>(direction_1.xy, select(_S48, - _S48, back_2));
+    var _S67 : f32 = direction_1.z;
+    return vec3<f32>(direction_1.xy, select(_S67, - _S67, back_2));
 }
 
 struct SurfacePoint_0
@@ -589,7 +721,7 @@ struct SurfacePoint_0
      height_2 : f32,
      normal_1 : vec3<f32>,
      tangent_0 : vec3<f32>,
-     across_0 : f32,
+     across_1 : f32,
      fibre_across_0 : f32,
      fibre_along_0 : f32,
      x_8 : f32,
@@ -597,23 +729,23 @@ struct SurfacePoint_0
      shown_share_0 : f32,
 };
 
-fn SurfacePoint_x24init_0( hole_1 : bool,  is_warp_1 : bool,  warp_thread_1 : u32,  weft_thread_1 : u32,  height_3 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  across_1 : f32,  fibre_across_1 : f32,  fibre_along_1 : f32,  x_9 : f32,  y_3 : f32,  shown_share_1 : f32) -> SurfacePoint_0
+fn SurfacePoint_x24init_0( hole_1 : bool,  is_warp_1 : bool,  warp_thread_1 : u32,  weft_thread_1 : u32,  height_3 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  across_2 : f32,  fibre_across_1 : f32,  fibre_along_1 : f32,  x_9 : f32,  y_3 : f32,  shown_share_1 : f32) -> SurfacePoint_0
 {
-    var _S49 : SurfacePoint_0;
-    _S49.hole_0 = hole_1;
-    _S49.is_warp_0 = is_warp_1;
-    _S49.warp_thread_0 = warp_thread_1;
-    _S49.weft_thread_0 = weft_thread_1;
-    _S49.height_2 = height_3;
-    _S49.normal_1 = normal_2;
-    _S49.tangent_0 = tangent_1;
-    _S49.across_0 = across_1;
-    _S49.fibre_across_0 = fibre_across_1;
-    _S49.fibre_along_0 = fibre_along_1;
-    _S49.x_8 = x_9;
-    _S49.y_2 = y_3;
-    _S49.shown_share_0 = shown_share_1;
-    return _S49;
+    var _S68 : SurfacePoint_0;
+    _S68.hole_0 = hole_1;
+    _S68.is_warp_0 = is_warp_1;
+    _S68.warp_thread_0 = warp_thread_1;
+    _S68.weft_thread_0 = weft_thread_1;
+    _S68.height_2 = height_3;
+    _S68.normal_1 = normal_2;
+    _S68.tangent_0 = tangent_1;
+    _S68.across_1 = across_2;
+    _S68.fibre_across_0 = fibre_across_1;
+    _S68.fibre_along_0 = fibre_along_1;
+    _S68.x_8 = x_9;
+    _S68.y_2 = y_3;
+    _S68.shown_share_0 = shown_share_1;
+    return _S68;
 }
 
 struct Components_0
@@ -665,9 +797,9 @@ fn no_close_up_0() -> CloseUp_0
 {
     var nothing_2 : CloseUp_0;
     nothing_2.weight_0 = 0.0f;
-    var _S50 : Blocked_0 = no_blocked_0();
-    nothing_2.warp_1 = _S50;
-    nothing_2.weft_1 = _S50;
+    var _S69 : Blocked_0 = no_blocked_0();
+    nothing_2.warp_1 = _S69;
+    nothing_2.weft_1 = _S69;
     return nothing_2;
 }
 
@@ -679,75 +811,16 @@ struct SearchQuality_0
      refinements_0 : u32,
 };
 
-fn quality_of_0( threads_0 : f32) -> SearchQuality_0
+fn quality_of_0( threads_1 : f32) -> SearchQuality_0
 {
-    var _S51 : f32 = clamp((-3.0f - binary_logarithm_0(max(threads_0, 9.99999971718068537e-10f))) / 2.0f, 0.0f, 1.0f);
+    var _S70 : f32 = clamp((-3.0f - binary_logarithm_0(max(threads_1, 9.99999971718068537e-10f))) / 2.0f, 0.0f, 1.0f);
     var quality_0 : SearchQuality_0;
-    var _S52 : f32 = mix(2.5f, 5.0f, _S51);
-    quality_0.steps_per_thread_0 = _S52;
-    quality_0.steps_per_relief_0 = _S52;
-    quality_0.shadow_share_0 = mix(1.60000002384185791f, 1.0f, _S51);
-    quality_0.refinements_0 = u32(mix(1.0f, 2.0f, _S51) + 0.5f);
+    var _S71 : f32 = mix(2.5f, 5.0f, _S70);
+    quality_0.steps_per_thread_0 = _S71;
+    quality_0.steps_per_relief_0 = _S71;
+    quality_0.shadow_share_0 = mix(1.60000002384185791f, 1.0f, _S70);
+    quality_0.refinements_0 = u32(mix(1.0f, 2.0f, _S70) + 0.5f);
     return quality_0;
-}
-
-fn turns_and_remainder_0( family_0 : u32,  index_4 : f32) -> vec2<f32>
-{
-    var _S53 : f32 = floor(fma(index_4, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
-    return vec2<f32>(_S53, fma(- _S53, families_0[family_0].count_0, index_4));
-}
-
-struct Cell_0
-{
-     thread_2 : u32,
-     across_2 : f32,
-     half_width_1 : f32,
-     below_0 : f32,
-     above_0 : f32,
-};
-
-fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
-{
-    var _S54 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
-    var cell_3 : Cell_0;
-    var _S55 : f32 = fma(- _S54, families_0[family_1].size_0, position_1);
-    cell_3.below_0 = _S55;
-    cell_3.above_0 = families_0[family_1].size_0 - _S55;
-    cell_3.across_2 = _S55 - 0.5f * families_0[family_1].size_0;
-    cell_3.half_width_1 = families_0[family_1].half_width_0;
-    cell_3.thread_2 = u32(clamp(turns_and_remainder_0(family_1, _S54).y, 0.0f, families_0[family_1].count_0 - 1.0f));
-    return cell_3;
-}
-
-fn table_number_0( index_5 : u32) -> f32
-{
-    return (bitcast<f32>((words_0[index_5])));
-}
-
-fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
-{
-    var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
-    var turns_1 : f32 = turns_0 - floor(turns_0);
-    var _S56 : f32 = turns_1 * families_0[family_2].period_0;
-    var thread_3 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
-    var _S57 : u32 = min(thread_3 + select(u32(0), u32(1), _S56 >= (table_number_0(families_0[family_2].place_table_0 + thread_3 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
-    var _S58 : u32 = families_0[family_2].place_table_0 + _S57 * u32(4);
-    var cell_4 : Cell_0;
-    cell_4.thread_2 = _S57;
-    cell_4.below_0 = _S56 - table_number_0(_S58);
-    cell_4.above_0 = table_number_0(_S58 + u32(1)) - _S56;
-    cell_4.across_2 = _S56 - table_number_0(_S58 + u32(2));
-    cell_4.half_width_1 = table_number_0(_S58 + u32(3));
-    return cell_4;
-}
-
-fn locate_0( family_3 : u32,  position_3 : f32) -> Cell_0
-{
-    if((families_0[family_3].is_alike_0) != u32(0))
-    {
-        return locate_alike_0(family_3, position_3);
-    }
-    return locate_varied_0(family_3, position_3);
 }
 
 struct Shown_0
@@ -769,42 +842,42 @@ struct Crossing_0
 
 fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
 {
-    var _S59 : bool = (abs(crossing_0.warp_2.across_2)) < (crossing_0.warp_2.half_width_1);
+    var _S72 : bool = (abs(crossing_0.warp_2.across_0)) < (crossing_0.warp_2.half_width_1);
     var shown_0 : Shown_0;
-    var _S60 : bool = !((abs(crossing_0.weft_2.across_2)) < (crossing_0.weft_2.half_width_1));
-    var _S61 : bool = (_S59 & (((_S60 | ((crossing_0.warp_above_0))))));
-    shown_0.is_warp_2 = _S61;
-    shown_0.hole_3 = ((!_S59) & (_S60));
-    var _S62 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S61);
-    shown_0.word_0 = _S62;
-    shown_0.on_top_0 = (((_S62 & (u32(1)))) == u32(1)) != back_3;
+    var _S73 : bool = !((abs(crossing_0.weft_2.across_0)) < (crossing_0.weft_2.half_width_1));
+    var _S74 : bool = (_S72 & (((_S73 | ((crossing_0.warp_above_0))))));
+    shown_0.is_warp_2 = _S74;
+    shown_0.hole_3 = ((!_S72) & (_S73));
+    var _S75 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S74);
+    shown_0.word_0 = _S75;
+    shown_0.on_top_0 = (((_S75 & (u32(1)))) == u32(1)) != back_3;
     return shown_0;
 }
 
 fn select_cell_0( is_first_0 : bool,  first_3 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
-    var cell_5 : Cell_0;
-    cell_5.thread_2 = select(second_0.thread_2, first_3.thread_2, is_first_0);
-    cell_5.across_2 = select(second_0.across_2, first_3.across_2, is_first_0);
-    cell_5.half_width_1 = select(second_0.half_width_1, first_3.half_width_1, is_first_0);
-    cell_5.below_0 = select(second_0.below_0, first_3.below_0, is_first_0);
-    cell_5.above_0 = select(second_0.above_0, first_3.above_0, is_first_0);
-    return cell_5;
+    var cell_6 : Cell_0;
+    cell_6.thread_1 = select(second_0.thread_1, first_3.thread_1, is_first_0);
+    cell_6.across_0 = select(second_0.across_0, first_3.across_0, is_first_0);
+    cell_6.half_width_1 = select(second_0.half_width_1, first_3.half_width_1, is_first_0);
+    cell_6.below_0 = select(second_0.below_0, first_3.below_0, is_first_0);
+    cell_6.above_0 = select(second_0.above_0, first_3.above_0, is_first_0);
+    return cell_6;
 }
 
-fn boundary_0( family_4 : u32,  thread_4 : u32,  step_0 : i32) -> f32
+fn boundary_0( family_9 : u32,  thread_4 : u32,  step_0 : i32) -> f32
 {
-    var _S63 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_4) + step_0));
-    return fma(_S63.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S63.y) * u32(4)));
+    var _S76 : vec2<f32> = turns_and_remainder_0(family_9, f32(i32(thread_4) + step_0));
+    return fma(_S76.x, families_0[family_9].period_0, table_number_0(families_0[family_9].place_table_0 + u32(_S76.y) * u32(4)));
 }
 
-fn span_0( family_5 : u32,  thread_5 : u32,  first_4 : i32,  last_0 : i32) -> f32
+fn span_0( family_10 : u32,  thread_5 : u32,  first_4 : i32,  last_0 : i32) -> f32
 {
-    if((families_0[family_5].is_alike_0) != u32(0))
+    if((families_0[family_10].is_alike_0) != u32(0))
     {
-        return f32(last_0 - first_4) * families_0[family_5].size_0;
+        return f32(last_0 - first_4) * families_0[family_10].size_0;
     }
-    return boundary_0(family_5, thread_5, last_0) - boundary_0(family_5, thread_5, first_4);
+    return boundary_0(family_10, thread_5, last_0) - boundary_0(family_10, thread_5, first_4);
 }
 
 struct Bend_0
@@ -814,13 +887,13 @@ struct Bend_0
      arc_0 : f32,
 };
 
-fn bend_of_0( family_6 : u32,  thread_6 : u32) -> Bend_0
+fn bend_of_0( family_11 : u32,  thread_6 : u32) -> Bend_0
 {
-    var _S64 : u32 = families_0[family_6].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_6].is_alike_0) != u32(0));
+    var _S77 : u32 = families_0[family_11].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_11].is_alike_0) != u32(0));
     var bend_0 : Bend_0;
-    bend_0.sine_0 = table_number_0(_S64);
-    bend_0.half_tangent_0 = table_number_0(_S64 + u32(1));
-    bend_0.arc_0 = table_number_0(_S64 + u32(2));
+    bend_0.sine_0 = table_number_0(_S77);
+    bend_0.half_tangent_0 = table_number_0(_S77 + u32(1));
+    bend_0.arc_0 = table_number_0(_S77 + u32(2));
     return bend_0;
 }
 
@@ -840,29 +913,29 @@ struct Run_0
 
 fn unpack_0( own_0 : u32,  other_0 : u32,  thread_7 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
-    var _S65 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
-    var _S66 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
-    var _S67 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
-    var _S68 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
+    var _S78 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
+    var _S79 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
+    var _S80 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
+    var _S81 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
     var run_0 : Run_0;
-    var _S69 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
-    run_0.straight_0 = _S69;
-    var _S70 : i32 = - _S65;
-    var _S71 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S70, i32(0));
-    run_0.from_start_0 = _S71;
-    var _S72 : i32 = _S66 + i32(1);
-    var _S73 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S72);
-    run_0.to_end_0 = _S73;
-    var _S74 : bool = _S71 < _S73;
-    run_0.near_start_0 = _S74;
-    var _S75 : i32 = select(_S72, _S70 - _S67, _S74);
-    var _S76 : i32 = select(_S72 + _S68, _S70, _S74);
+    var _S82 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
+    run_0.straight_0 = _S82;
+    var _S83 : i32 = - _S78;
+    var _S84 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S83, i32(0));
+    run_0.from_start_0 = _S84;
+    var _S85 : i32 = _S79 + i32(1);
+    var _S86 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, i32(1), _S85);
+    run_0.to_end_0 = _S86;
+    var _S87 : bool = _S84 < _S86;
+    run_0.near_start_0 = _S87;
+    var _S88 : i32 = select(_S85, _S83 - _S80, _S87);
+    var _S89 : i32 = select(_S85 + _S81, _S83, _S87);
     run_0.bend_1 = bend_of_0(own_0, thread_7);
-    run_0.distance_0 = select(min(_S71, _S73), 1.0e+06f, _S69);
-    run_0.reach_0 = min(0.5f * (_S71 + _S73), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S75, _S76), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S65 == i32(0);
-    run_0.last_crossing_0 = _S66 == i32(0);
+    run_0.distance_0 = select(min(_S84, _S86), 1.0e+06f, _S82);
+    run_0.reach_0 = min(0.5f * (_S84 + _S86), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S88, _S89), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S78 == i32(0);
+    run_0.last_crossing_0 = _S79 == i32(0);
     return run_0;
 }
 
@@ -873,53 +946,53 @@ struct Section_0
      slope_0 : f32,
 };
 
-fn section_at_0( cell_6 : Cell_0) -> Section_0
+fn section_at_0( cell_7 : Cell_0) -> Section_0
 {
-    var _S77 : f32 = cell_6.half_width_1 * 1.0154266357421875f;
+    var _S90 : f32 = cell_7.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S78 : f32 = clamp(cell_6.across_2, - cell_6.half_width_1, cell_6.half_width_1);
-    section_0.across_3 = _S78;
-    var _S79 : f32 = _S77 * _S77 - square_1(_S78);
-    var _S80 : f32 = rsqrt_0(_S79);
-    section_0.drop_0 = _S77 - _S79 * _S80;
-    section_0.slope_0 = - _S78 * _S80;
+    var _S91 : f32 = clamp(cell_7.across_0, - cell_7.half_width_1, cell_7.half_width_1);
+    section_0.across_3 = _S91;
+    var _S92 : f32 = _S90 * _S90 - square_1(_S91);
+    var _S93 : f32 = rsqrt_0(_S92);
+    section_0.drop_0 = _S90 - _S92 * _S93;
+    section_0.slope_0 = - _S91 * _S93;
     return section_0;
 }
 
-fn edge_drop_0( family_7 : u32,  thread_8 : u32,  step_1 : i32) -> f32
+fn edge_drop_0( family_12 : u32,  thread_8 : u32,  step_1 : i32) -> f32
 {
-    return table_number_0(families_0[family_7].bend_table_0 + select(u32(turns_and_remainder_0(family_7, f32(i32(thread_8) + step_1)).y) * u32(4), u32(0), (families_0[family_7].is_alike_0) != u32(0)) + u32(3));
+    return table_number_0(families_0[family_12].bend_table_0 + select(u32(turns_and_remainder_0(family_12, f32(i32(thread_8) + step_1)).y) * u32(4), u32(0), (families_0[family_12].is_alike_0) != u32(0)) + u32(3));
 }
 
 fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec3<f32>
 {
-    var _S81 : bool = (crossed_1.below_0) < (crossed_1.above_0);
-    var _S82 : f32 = min(crossed_1.below_0, crossed_1.above_0);
-    var _S83 : f32 = select(crossed_1.above_0 + crossed_1.across_2, crossed_1.below_0 - crossed_1.across_2, _S81) - crossed_1.half_width_1;
-    var _S84 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S81);
-    var _S85 : f32;
+    var _S94 : bool = (crossed_1.below_0) < (crossed_1.above_0);
+    var _S95 : f32 = min(crossed_1.below_0, crossed_1.above_0);
+    var _S96 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S94) - crossed_1.half_width_1;
+    var _S97 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S94);
+    var _S98 : f32;
     if(shown_1.on_top_0)
     {
-        _S85 = 0.0f;
+        _S98 = 0.0f;
     }
     else
     {
-        _S85 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
+        _S98 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, i32(0));
     }
-    var _S86 : f32;
-    if((shown_1.on_top_0) != _S84)
+    var _S99 : f32;
+    if((shown_1.on_top_0) != _S97)
     {
-        _S86 = 0.0f;
+        _S99 = 0.0f;
     }
     else
     {
-        _S86 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S81));
+        _S99 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, select(i32(1), i32(-1), _S94));
     }
-    var _S87 : f32 = 2.0f * _S83;
-    var _S88 : f32 = 1.0f / max(_S87, 9.999999960041972e-13f);
-    var _S89 : f32 = clamp((_S83 - _S82) * _S88, 0.0f, 1.0f);
-    var _S90 : f32 = clamp((0.44999998807907104f - _S87 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
-    return vec3<f32>(_S85 + (_S86 - _S85) * (_S89 * _S89 * (3.0f - 2.0f * _S89)), (_S85 - _S86) * (6.0f * _S89 * (1.0f - _S89) * _S88) * select(-1.0f, 1.0f, _S81), _S90 * _S90 * (3.0f - 2.0f * _S90));
+    var _S100 : f32 = 2.0f * _S96;
+    var _S101 : f32 = 1.0f / max(_S100, 9.999999960041972e-13f);
+    var _S102 : f32 = clamp((_S96 - _S95) * _S101, 0.0f, 1.0f);
+    var _S103 : f32 = clamp((0.44999998807907104f - _S100 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
+    return vec3<f32>(_S98 + (_S99 - _S98) * (_S102 * _S102 * (3.0f - 2.0f * _S102)), (_S98 - _S99) * (6.0f * _S102 * (1.0f - _S102) * _S101) * select(-1.0f, 1.0f, _S94), _S103 * _S103 * (3.0f - 2.0f * _S103));
 }
 
 struct StepControl_0
@@ -937,12 +1010,12 @@ fn step_control_0( direction_2 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S91 : f32 = direction_2.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S91), 9.99999971718068537e-10f);
-    var _S92 : f32 = direction_2.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S92), 9.99999971718068537e-10f);
-    control_0.right_0 = _S91 > 0.0f;
-    control_0.up_0 = _S92 > 0.0f;
+    var _S104 : f32 = direction_2.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S104), 9.99999971718068537e-10f);
+    var _S105 : f32 = direction_2.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S105), 9.99999971718068537e-10f);
+    control_0.right_0 = _S104 > 0.0f;
+    control_0.up_0 = _S105 > 0.0f;
     return control_0;
 }
 
@@ -964,21 +1037,21 @@ fn no_previous_sample_0() -> PreviousSample_0
     return previous_0;
 }
 
-fn outline_distance_0( cell_7 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
+fn outline_distance_0( cell_8 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
 {
-    var _S93 : f32 = select(- cell_7.across_2, cell_7.across_2, forwards_0);
-    var _S94 : f32 = select(cell_7.below_0, cell_7.above_0, forwards_0);
-    var _S95 : f32 = - cell_7.half_width_1;
-    var _S96 : bool = _S93 < _S95;
-    var _S97 : bool = _S93 >= (cell_7.half_width_1);
-    var _S98 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_3)));
-    var _S99 : f32 = select(cell_7.half_width_1, _S95, _S96) - _S93;
-    var _S100 : f32 = select(_S94, 2.0f * _S94 + _S93 - cell_7.half_width_1, ((shown_2.hole_3) | (((_S98 & ((!shown_2.on_top_0)))))));
-    if((((_S98 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S96)))))))
+    var _S106 : f32 = select(- cell_8.across_0, cell_8.across_0, forwards_0);
+    var _S107 : f32 = select(cell_8.below_0, cell_8.above_0, forwards_0);
+    var _S108 : f32 = - cell_8.half_width_1;
+    var _S109 : bool = _S106 < _S108;
+    var _S110 : bool = _S106 >= (cell_8.half_width_1);
+    var _S111 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_3)));
+    var _S112 : f32 = select(cell_8.half_width_1, _S108, _S109) - _S106;
+    var _S113 : f32 = select(_S107, 2.0f * _S107 + _S106 - cell_8.half_width_1, ((shown_2.hole_3) | (((_S111 & ((!shown_2.on_top_0)))))));
+    if((((_S111 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S109)))))))
     {
         return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
     }
-    return select(_S99, _S100, _S97);
+    return select(_S112, _S113, _S110);
 }
 
 struct Probe_0
@@ -997,21 +1070,21 @@ struct Probe_0
 
 fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
 {
-    var _S101 : f32 = previous_1.rate_0 * step_4;
-    var _S102 : f32 = rate_1 * step_4;
+    var _S114 : f32 = previous_1.rate_0 * step_4;
+    var _S115 : f32 = rate_1 * step_4;
     if(((((((((!previous_1.known_0) | ((here_0.hole_4)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((((3.0f * previous_1.clearance_0 + _S101) >= 0.0f) & (((3.0f * clearance_1 - _S102) >= 0.0f))))
+    if((((3.0f * previous_1.clearance_0 + _S114) >= 0.0f) & (((3.0f * clearance_1 - _S115) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S103 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S104 : f32 = 6.0f * _S103 - 4.0f * _S101 - 2.0f * _S102;
-    var _S105 : f32 = -2.0f * _S101 / max(_S104 + sqrt(max(_S104 * _S104 - 4.0f * (3.0f * (_S101 + _S102 - 2.0f * _S103)) * _S101, 0.0f)), 9.99999968265522539e-21f);
-    var _S106 : f32 = 1.0f - _S105;
-    return select(-1.0f, _S106 * step_4, ((((_S105 > 0.01999999955296516f) & ((_S106 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S105 + 1.0f) + _S101 * _S105) * _S106 * _S106 + (clearance_1 * (2.0f * _S106 + 1.0f) - _S102 * _S106) * _S105 * _S105) < 0.0f))));
+    var _S116 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S117 : f32 = 6.0f * _S116 - 4.0f * _S114 - 2.0f * _S115;
+    var _S118 : f32 = -2.0f * _S114 / max(_S117 + sqrt(max(_S117 * _S117 - 4.0f * (3.0f * (_S114 + _S115 - 2.0f * _S116)) * _S114, 0.0f)), 9.99999968265522539e-21f);
+    var _S119 : f32 = 1.0f - _S118;
+    return select(-1.0f, _S119 * step_4, ((((_S118 > 0.01999999955296516f) & ((_S119 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S118 + 1.0f) + _S114 * _S118) * _S119 * _S119 + (clearance_1 * (2.0f * _S119 + 1.0f) - _S115 * _S119) * _S118 * _S118) < 0.0f))));
 }
 
 fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
@@ -1031,8 +1104,8 @@ fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_1 : f32,  side_y_
 
 fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S107 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
-    return min(this_2.step_2, select(max(_S107, 0.0f) + this_2.epsilon_0, _S107 - this_2.epsilon_0, ((((!here_2.hole_4) & (((rate_3 * _S107 + clearance_3) < 0.0f)))) & ((_S107 > (2.0f * this_2.epsilon_0))))));
+    var _S120 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
+    return min(this_2.step_2, select(max(_S120, 0.0f) + this_2.epsilon_0, _S120 - this_2.epsilon_0, ((((!here_2.hole_4) & (((rate_3 * _S120 + clearance_3) < 0.0f)))) & ((_S120 > (2.0f * this_2.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -1053,10 +1126,10 @@ fn ViewRay_rate_0( this_4 : ViewRay_0,  here_3 : Probe_0) -> f32
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S108 : f32 = end_0 - start_1;
-    var _S109 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S108;
-    var _S110 : f32 = 3.0f * _S108 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S108, 9.99999968265522539e-21f);
+    var _S121 : f32 = end_0 - start_1;
+    var _S122 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S121;
+    var _S123 : f32 = 3.0f * _S121 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S121, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -1067,10 +1140,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S111 : f32 = clamp(share_1 - (((_S109 * share_1 + _S110) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S109 * share_1 + 2.0f * _S110) * share_1 + start_rate_0, 0.10000000149011612f * _S108 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S112 : i32 = i_0 + i32(1);
-        share_1 = _S111;
-        i_0 = _S112;
+        var _S124 : f32 = clamp(share_1 - (((_S122 * share_1 + _S123) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S122 * share_1 + 2.0f * _S123) * share_1 + start_rate_0, 0.10000000149011612f * _S121 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S125 : i32 = i_0 + i32(1);
+        share_1 = _S124;
+        i_0 = _S125;
     }
     return share_1;
 }
@@ -1082,62 +1155,57 @@ fn between_0( above_1 : f32,  under_0 : f32,  above_gap_0 : f32,  under_gap_0 : 
 
 fn fibre_direction_0( across_slope_0 : f32,  along_slope_0 : f32,  sine_1 : f32,  cosine_0 : f32) -> vec2<f32>
 {
-    var _S113 : f32 = along_slope_0 * along_slope_0 + 1.0f;
-    var _S114 : f32 = rsqrt_0(_S113);
-    var _S115 : f32 = sine_1 * _S114 * rsqrt_0(_S113 + across_slope_0 * across_slope_0);
-    return vec2<f32>(- _S115 * _S113, _S115 * across_slope_0 * along_slope_0 + cosine_0 * _S114);
+    var _S126 : f32 = along_slope_0 * along_slope_0 + 1.0f;
+    var _S127 : f32 = rsqrt_0(_S126);
+    var _S128 : f32 = sine_1 * _S127 * rsqrt_0(_S126 + across_slope_0 * across_slope_0);
+    return vec2<f32>(- _S128 * _S126, _S128 * across_slope_0 * along_slope_0 + cosine_0 * _S127);
 }
 
 fn arc_sine_0( x_10 : f32) -> f32
 {
-    var _S116 : f32 = abs(x_10);
-    var _S117 : bool = _S116 > 0.5f;
-    var _S118 : f32 = select(_S116 * _S116, 0.5f * (1.0f - _S116), _S117);
-    var _S119 : f32 = select(_S116, sqrt(max(_S118, 0.0f)), _S117);
-    var _S120 : f32 = ((((0.04216320067644119f * _S118 + 0.02418131195008755f) * _S118 + 0.04547002539038658f) * _S118 + 0.07495300471782684f) * _S118 + 0.16666752099990845f) * _S118 * _S119 + _S119;
-    var _S121 : f32 = select(_S120, 1.57079637050628662f - 2.0f * _S120, _S117);
-    return select(_S121, - _S121, x_10 < 0.0f);
+    var _S129 : f32 = abs(x_10);
+    var _S130 : bool = _S129 > 0.5f;
+    var _S131 : f32 = select(_S129 * _S129, 0.5f * (1.0f - _S129), _S130);
+    var _S132 : f32 = select(_S129, sqrt(max(_S131, 0.0f)), _S130);
+    var _S133 : f32 = ((((0.04216320067644119f * _S131 + 0.02418131195008755f) * _S131 + 0.04547002539038658f) * _S131 + 0.07495300471782684f) * _S131 + 0.16666752099990845f) * _S131 * _S132 + _S132;
+    var _S134 : f32 = select(_S133, 1.57079637050628662f - 2.0f * _S133, _S130);
+    return select(_S134, - _S134, x_10 < 0.0f);
 }
 
 fn run_share_0( word_2 : u32) -> f32
 {
-    var _S122 : f32 = f32(((((word_2 >> (u32(1)))) & (u32(127)))) + ((((word_2 >> (u32(8)))) & (u32(127)))) + u32(1));
-    return _S122 / (_S122 + 0.5f * f32(((((word_2 >> (u32(15)))) & (u32(63)))) + ((((word_2 >> (u32(21)))) & (u32(63))))));
+    var _S135 : f32 = f32(((((word_2 >> (u32(1)))) & (u32(127)))) + ((((word_2 >> (u32(8)))) & (u32(127)))) + u32(1));
+    return _S135 / (_S135 + 0.5f * f32(((((word_2 >> (u32(15)))) & (u32(63)))) + ((((word_2 >> (u32(21)))) & (u32(63))))));
 }
 
 fn angle_of_0( direction_3 : vec2<f32>) -> f32
 {
-    var _S123 : f32 = direction_3.x;
-    var _S124 : f32 = arc_sine_0(_S123);
-    var _S125 : bool = _S123 < 0.0f;
-    var _S126 : f32 = select(3.14159274101257324f, -3.14159274101257324f, _S125);
-    var _S127 : f32 = direction_3.y;
-    return select(0.5f * _S126 - select(1.0f, -1.0f, _S125) * arc_sine_0(_S127), select(_S124, _S126 - _S124, _S127 < 0.0f), (abs(_S123)) < 0.69999998807907104f);
+    var _S136 : f32 = direction_3.x;
+    var _S137 : f32 = arc_sine_0(_S136);
+    var _S138 : bool = _S136 < 0.0f;
+    var _S139 : f32 = select(3.14159274101257324f, -3.14159274101257324f, _S138);
+    var _S140 : f32 = direction_3.y;
+    return select(0.5f * _S139 - select(1.0f, -1.0f, _S138) * arc_sine_0(_S140), select(_S137, _S139 - _S137, _S140 < 0.0f), (abs(_S136)) < 0.69999998807907104f);
 }
 
 struct Hair_0
 {
-     cover_0 : f32,
+     cover_1 : f32,
      normal_3 : vec3<f32>,
      tangent_2 : vec3<f32>,
      is_warp_3 : bool,
      shade_0 : f32,
 };
 
-fn Hair_x24init_0( cover_1 : f32,  normal_4 : vec3<f32>,  tangent_3 : vec3<f32>,  is_warp_4 : bool,  shade_1 : f32) -> Hair_0
+fn Hair_x24init_0( cover_2 : f32,  normal_4 : vec3<f32>,  tangent_3 : vec3<f32>,  is_warp_4 : bool,  shade_1 : f32) -> Hair_0
 {
-    var _S128 : Hair_0;
-    _S128.cover_0 = cover_1;
-    _S128.normal_3 = normal_4;
-    _S128.tangent_2 = tangent_3;
-    _S128.is_warp_3 = is_warp_4;
-    _S128.shade_0 = shade_1;
-    return _S128;
-}
-
-fn fade_0( size_1 : f32,  period_1 : f32) -> f32
-{
-    return clamp((1.0f - size_1 / period_1) * 1.33333337306976318f, 0.0f, 1.0f);
+    var _S141 : Hair_0;
+    _S141.cover_1 = cover_2;
+    _S141.normal_3 = normal_4;
+    _S141.tangent_2 = tangent_3;
+    _S141.is_warp_3 = is_warp_4;
+    _S141.shade_0 = shade_1;
+    return _S141;
 }
 
 fn share_of_0( bits_0 : u32) -> f32
@@ -1158,31 +1226,31 @@ struct Albedos_0
      specular_transmit_0 : vec3<f32>,
 };
 
-fn table_albedos_0( row_0 : u32) -> Albedos_0
+fn table_albedos_0( row_1 : u32) -> Albedos_0
 {
     var albedos_0 : Albedos_0;
-    albedos_0.diffuse_reflect_0 = table_colour_0(row_0);
-    albedos_0.diffuse_transmit_0 = table_colour_0(row_0 + u32(3));
-    albedos_0.specular_reflect_0 = table_colour_0(row_0 + u32(6));
-    albedos_0.specular_transmit_0 = table_colour_0(row_0 + u32(9));
+    albedos_0.diffuse_reflect_0 = table_colour_0(row_1);
+    albedos_0.diffuse_transmit_0 = table_colour_0(row_1 + u32(3));
+    albedos_0.specular_reflect_0 = table_colour_0(row_1 + u32(6));
+    albedos_0.specular_transmit_0 = table_colour_0(row_1 + u32(9));
     return albedos_0;
 }
 
-fn albedos_of_0( family_8 : u32,  thread_9 : u32) -> Albedos_0
+fn albedos_of_0( family_13 : u32,  thread_9 : u32) -> Albedos_0
 {
-    return table_albedos_0(families_0[family_8].albedo_table_0 + families_0[family_8].albedo_stride_0 * thread_9);
+    return table_albedos_0(families_0[family_13].albedo_table_0 + families_0[family_13].albedo_stride_0 * thread_9);
 }
 
-fn fibre_cell_0( across_4 : f32,  along_0 : f32,  width_2 : f32) -> vec3<f32>
+fn fibre_cell_0( across_4 : f32,  along_1 : f32,  width_2 : f32) -> vec3<f32>
 {
-    var _S129 : f32 = floor(across_4 / width_2);
-    return vec3<f32>(_S129, along_0 / (width_2 * 40.0f) + 0.61799997091293335f * _S129, 2.0f * (across_4 / width_2 - _S129) - 1.0f);
+    var _S142 : f32 = floor(across_4 / width_2);
+    return vec3<f32>(_S142, along_1 / (width_2 * 40.0f) + 0.61799997091293335f * _S142, 2.0f * (across_4 / width_2 - _S142) - 1.0f);
 }
 
-fn ply_offset_0( family_9 : u32,  point_1 : SurfacePoint_0,  back_4 : bool) -> f32
+fn ply_offset_0( family_14 : u32,  point_1 : SurfacePoint_0,  back_4 : bool) -> f32
 {
-    var _S130 : f32 = (point_1.fibre_across_0 * families_0[family_9].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_9].ply_sine_0, - families_0[family_9].ply_sine_0, back_4)) * families_0[family_9].plies_per_mm_0;
-    return 2.0f * (_S130 - floor(_S130)) - 1.0f;
+    var _S143 : f32 = (point_1.fibre_across_0 * families_0[family_14].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_14].ply_sine_0, - families_0[family_14].ply_sine_0, back_4)) * families_0[family_14].plies_per_mm_0;
+    return 2.0f * (_S143 - floor(_S143)) - 1.0f;
 }
 
 fn groove_0( depth_0 : f32,  offset_1 : f32) -> vec2<f32>
@@ -1200,24 +1268,24 @@ fn smooth_share_0( share_2 : f32) -> f32
     return share_2 * share_2 * (3.0f - 2.0f * share_2);
 }
 
-fn wave_noise_0( key_3 : u32,  position_4 : f32) -> vec2<f32>
+fn wave_noise_0( key_4 : u32,  position_5 : f32) -> vec2<f32>
 {
-    var _S131 : f32 = floor(position_4);
-    var _S132 : f32 = position_4 - _S131;
-    var _S133 : u32 = u32(i32(_S131));
-    var _S134 : f32 = signed_noise_0(hash_bits_0(key_3, _S133));
-    var _S135 : f32 = signed_noise_0(hash_bits_0(key_3, _S133 + u32(1)));
-    return vec2<f32>(mix(_S134, _S135, smooth_share_0(_S132)), 6.0f * _S132 * (1.0f - _S132) * (_S135 - _S134));
+    var _S144 : f32 = floor(position_5);
+    var _S145 : f32 = position_5 - _S144;
+    var _S146 : u32 = u32(i32(_S144));
+    var _S147 : f32 = signed_noise_0(hash_bits_0(key_4, _S146));
+    var _S148 : f32 = signed_noise_0(hash_bits_0(key_4, _S146 + u32(1)));
+    return vec2<f32>(mix(_S147, _S148, smooth_share_0(_S145)), 6.0f * _S145 * (1.0f - _S145) * (_S148 - _S147));
 }
 
-fn cell_noise_0( key_4 : u32,  cell_8 : vec3<f32>) -> vec2<f32>
+fn cell_noise_0( key_5 : u32,  cell_9 : vec3<f32>) -> vec2<f32>
 {
-    var _S136 : f32 = cell_8.y;
-    var _S137 : f32 = floor(_S136);
-    var _S138 : u32 = u32(i32(cell_8.x)) * u32(65536) + u32(i32(_S137));
-    var _S139 : u32 = hash_bits_0(key_4, _S138);
-    var _S140 : u32 = hash_bits_0(key_4, _S138 + u32(1));
-    return mix(vec2<f32>(signed_noise_0(_S139), signed_noise_0((_S139 >> (u32(16))))), vec2<f32>(signed_noise_0(_S140), signed_noise_0((_S140 >> (u32(16))))), vec2<f32>(smooth_share_0(_S136 - _S137)));
+    var _S149 : f32 = cell_9.y;
+    var _S150 : f32 = floor(_S149);
+    var _S151 : u32 = u32(i32(cell_9.x)) * u32(65536) + u32(i32(_S150));
+    var _S152 : u32 = hash_bits_0(key_5, _S151);
+    var _S153 : u32 = hash_bits_0(key_5, _S151 + u32(1));
+    return mix(vec2<f32>(signed_noise_0(_S152), signed_noise_0((_S152 >> (u32(16))))), vec2<f32>(signed_noise_0(_S153), signed_noise_0((_S153 >> (u32(16))))), vec2<f32>(smooth_share_0(_S149 - _S150)));
 }
 
 fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
@@ -1227,19 +1295,19 @@ fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
 
 fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S141 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S141.x, _S141.y), _S141.z), 0.0f));
+    var _S154 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S154.x, _S154.y), _S154.z), 0.0f));
 }
 
 fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
 {
-    var _S142 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
-    return min(max(min(min(_S142.x, _S142.y), _S142.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
+    var _S155 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
+    return min(max(min(min(_S155.x, _S155.y), _S155.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
-fn fibre_gain_0( thread_11 : u32,  cell_9 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
+fn fibre_gain_0( thread_11 : u32,  cell_10 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_9, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_10, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
 }
 
 struct YarnFrame_0
@@ -1252,15 +1320,15 @@ struct YarnFrame_0
 
 fn under_hair_0( frame_0 : YarnFrame_0,  hair_0 : Hair_0) -> YarnFrame_0
 {
-    var _S143 : vec3<f32> = select_vector_1((dot(frame_0.tangent_4, hair_0.tangent_2)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_2), hair_0.tangent_2);
+    var _S156 : vec3<f32> = select_vector_1((dot(frame_0.tangent_4, hair_0.tangent_2)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_2), hair_0.tangent_2);
     var blended_0 : YarnFrame_0;
-    var _S144 : vec3<f32> = vec3<f32>(hair_0.cover_0);
-    var _S145 : vec3<f32> = normalize(mix(frame_0.normal_5, hair_0.normal_3, _S144));
-    blended_0.normal_5 = _S145;
-    var _S146 : vec3<f32> = mix(frame_0.tangent_4, _S143, _S144);
-    var _S147 : vec3<f32> = _S146 - vec3<f32>(dot(_S146, _S145)) * _S145;
-    blended_0.tangent_4 = _S147 * vec3<f32>(rsqrt_0(max(dot(_S147, _S147), 9.999999960041972e-13f)));
-    blended_0.loss_0 = frame_0.loss_0 * (1.0f - hair_0.cover_0);
+    var _S157 : vec3<f32> = vec3<f32>(hair_0.cover_1);
+    var _S158 : vec3<f32> = normalize(mix(frame_0.normal_5, hair_0.normal_3, _S157));
+    blended_0.normal_5 = _S158;
+    var _S159 : vec3<f32> = mix(frame_0.tangent_4, _S156, _S157);
+    var _S160 : vec3<f32> = _S159 - vec3<f32>(dot(_S159, _S158)) * _S158;
+    blended_0.tangent_4 = _S160 * vec3<f32>(rsqrt_0(max(dot(_S160, _S160), 9.999999960041972e-13f)));
+    blended_0.loss_0 = frame_0.loss_0 * (1.0f - hair_0.cover_1);
     blended_0.shade_2 = hair_0.shade_0;
     return blended_0;
 }
@@ -1272,18 +1340,18 @@ fn diffuse_gain_0( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
 
 fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_6 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S148 : f32 = light_1.z;
-    if(_S148 <= 0.0f)
+    var _S161 : f32 = light_1.z;
+    if(_S161 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S148, 0.0f), max(dot(light_1, normal_6), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S161, 0.0f), max(dot(light_1, normal_6), 0.0f), blend_1);
 }
 
 fn projected_area_1( direction_4 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S149 : f32 = dot(direction_4, tangent_5);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S149 * _S149 + 1.0f, roughness_1 * roughness_1));
+    var _S162 : f32 = dot(direction_4, tangent_5);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S162 * _S162 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn mean_attenuation_0( depth_1 : f32) -> f32
@@ -1297,56 +1365,56 @@ fn mean_attenuation_0( depth_1 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
 {
-    var _S150 : f32 = roughness_2 * roughness_2;
-    var _S151 : f32 = squared_along_0 * (1.0f - _S150) + _S150;
-    return 0.31830987334251404f * _S150 * roughness_2 / (_S151 * _S151);
+    var _S163 : f32 = roughness_2 * roughness_2;
+    var _S164 : f32 = squared_along_0 * (1.0f - _S163) + _S163;
+    return 0.31830987334251404f * _S163 * roughness_2 / (_S164 * _S164);
 }
 
 fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S152 : vec3<f32> = light_2 + view_1;
-    var _S153 : f32 = dot(_S152, tangent_6);
-    return flake_density_0(min(_S153 * _S153 / max(square_0(_S152), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S165 : vec3<f32> = light_2 + view_1;
+    var _S166 : f32 = dot(_S165, tangent_6);
+    return flake_density_0(min(_S166 * _S166 / max(square_0(_S165), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 fn transmission_1( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S154 : f32 = - dot(light_3, normal_7);
-    var _S155 : f32 = dot(view_2, normal_7);
-    if(((_S154 <= 0.0f) | ((_S155 <= 0.0f))))
+    var _S167 : f32 = - dot(light_3, normal_7);
+    var _S168 : f32 = dot(view_2, normal_7);
+    if(((_S167 <= 0.0f) | ((_S168 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S156 : f32 = 1.0f / max(_S155, 9.99999997475242708e-07f);
-    var _S157 : f32 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S154, 9.99999997475242708e-07f);
-    var _S158 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S156;
-    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S157, _S158)) * mean_attenuation_0(optical_depth_1 * abs(_S157 - _S158)) * _S156;
+    var _S169 : f32 = 1.0f / max(_S168, 9.99999997475242708e-07f);
+    var _S170 : f32 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S167, 9.99999997475242708e-07f);
+    var _S171 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S169;
+    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S170, _S171)) * mean_attenuation_0(optical_depth_1 * abs(_S170 - _S171)) * _S169;
 }
 
 fn reflection_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S159 : f32 = dot(light_4, normal_8);
-    var _S160 : f32 = dot(view_3, normal_8);
-    if(((_S159 <= 0.0f) | ((_S160 <= 0.0f))))
+    var _S172 : f32 = dot(light_4, normal_8);
+    var _S173 : f32 = dot(view_3, normal_8);
+    if(((_S172 <= 0.0f) | ((_S173 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S161 : f32 = max(_S159, 9.99999997475242708e-07f);
-    var _S162 : f32 = max(_S160, 9.99999997475242708e-07f);
-    var _S163 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S162 + projected_area_1(view_3, tangent_8, roughness_5) * _S161;
-    var _S164 : f32 = optical_depth_2 * _S163 / (_S161 * _S162);
-    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S164 * mean_attenuation_0(_S164)) * _S161 / _S163;
+    var _S174 : f32 = max(_S172, 9.99999997475242708e-07f);
+    var _S175 : f32 = max(_S173, 9.99999997475242708e-07f);
+    var _S176 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S175 + projected_area_1(view_3, tangent_8, roughness_5) * _S174;
+    var _S177 : f32 = optical_depth_2 * _S176 / (_S174 * _S175);
+    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S177 * mean_attenuation_0(_S177)) * _S174 / _S176;
 }
 
-fn with_added_0( sums_1 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
+fn with_added_0( sums_2 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
 {
     var result_0 : Components_0;
-    result_0.diffuse_warp_0 = sums_1.diffuse_warp_0 + weight_1 * more_0.diffuse_warp_0;
-    result_0.diffuse_weft_0 = sums_1.diffuse_weft_0 + weight_1 * more_0.diffuse_weft_0;
-    result_0.specular_warp_0 = sums_1.specular_warp_0 + weight_1 * more_0.specular_warp_0;
-    result_0.specular_weft_0 = sums_1.specular_weft_0 + weight_1 * more_0.specular_weft_0;
-    result_0.light_visibility_1 = sums_1.light_visibility_1 + weight_1 * more_0.light_visibility_1;
-    result_0.hole_2 = sums_1.hole_2 + weight_1 * more_0.hole_2;
+    result_0.diffuse_warp_0 = sums_2.diffuse_warp_0 + weight_1 * more_0.diffuse_warp_0;
+    result_0.diffuse_weft_0 = sums_2.diffuse_weft_0 + weight_1 * more_0.diffuse_weft_0;
+    result_0.specular_warp_0 = sums_2.specular_warp_0 + weight_1 * more_0.specular_warp_0;
+    result_0.specular_weft_0 = sums_2.specular_weft_0 + weight_1 * more_0.specular_weft_0;
+    result_0.light_visibility_1 = sums_2.light_visibility_1 + weight_1 * more_0.light_visibility_1;
+    result_0.hole_2 = sums_2.hole_2 + weight_1 * more_0.hole_2;
     return result_0;
 }
 
@@ -1359,9 +1427,9 @@ fn scaled_0( blocked_0 : Blocked_0,  share_3 : f32) -> Blocked_0
     return result_1;
 }
 
-fn wrapped_cell_0( position_5 : f32,  count_2 : f32) -> f32
+fn wrapped_cell_0( position_6 : f32,  count_2 : f32) -> f32
 {
-    return min(floor((position_5 - floor(position_5)) * count_2), count_2 - 1.0f);
+    return min(floor((position_6 - floor(position_6)) * count_2), count_2 - 1.0f);
 }
 
 fn arc_tangent_quotient_0( x_11 : f32,  y_4 : f32) -> f32
@@ -1376,10 +1444,10 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
 
 fn arc_tangent_0( y_5 : f32,  x_12 : f32) -> f32
 {
-    var _S165 : f32 = abs(x_12);
-    var _S166 : f32 = abs(y_5);
-    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S165, _S166) / max(max(_S165, _S166), 1.00000000317107685e-30f));
-    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S166 > _S165);
+    var _S178 : f32 = abs(x_12);
+    var _S179 : f32 = abs(y_5);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S178, _S179) / max(max(_S178, _S179), 1.00000000317107685e-30f));
+    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S179 > _S178);
     var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_12 < 0.0f);
     return select(angle_2, - angle_2, y_5 < 0.0f);
 }
@@ -1393,45 +1461,45 @@ struct NodeTaps_0
 
 fn node_taps_of_0( direction_5 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
 {
-    var _S167 : f32 = arc_tangent_0(direction_5.y, direction_5.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
-    var _S168 : f32 = floor(_S167);
-    var _S169 : f32 = _S167 - _S168;
-    var _S170 : f32 = sqrt(clamp((1.0f - abs(direction_5.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    var _S171 : f32 = 7.0f * _S170 * sqrt(_S170);
-    var _S172 : f32 = min(floor(_S171), 6.0f);
-    var _S173 : f32 = _S171 - _S172;
-    var _S174 : u32 = u32(i32(_S168) + i32(azimuths_0)) % azimuths_0;
-    var _S175 : u32 = u32(_S172);
-    var _S176 : u32 = _S174 * u32(8) + _S175;
-    var _S177 : u32 = (_S174 + u32(1)) % azimuths_0;
-    var _S178 : u32 = _S177 * u32(8) + _S175;
+    var _S180 : f32 = arc_tangent_0(direction_5.y, direction_5.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
+    var _S181 : f32 = floor(_S180);
+    var _S182 : f32 = _S180 - _S181;
+    var _S183 : f32 = sqrt(clamp((1.0f - abs(direction_5.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    var _S184 : f32 = 7.0f * _S183 * sqrt(_S183);
+    var _S185 : f32 = min(floor(_S184), 6.0f);
+    var _S186 : f32 = _S184 - _S185;
+    var _S187 : u32 = u32(i32(_S181) + i32(azimuths_0)) % azimuths_0;
+    var _S188 : u32 = u32(_S185);
+    var _S189 : u32 = _S187 * u32(8) + _S188;
+    var _S190 : u32 = (_S187 + u32(1)) % azimuths_0;
+    var _S191 : u32 = _S190 * u32(8) + _S188;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S176, _S176 + u32(1), _S178, _S178 + u32(1));
-    var _S179 : f32 = 1.0f - _S169;
-    var _S180 : f32 = 1.0f - _S173;
-    var _S181 : vec4<u32> = vec4<u32>(vec4<f32>(_S179 * _S180, _S179 * _S173, _S169 * _S180, _S169 * _S173) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S181;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S181.x + _S181.y + _S181.z + _S181.w);
+    taps_0.nodes_0 = vec4<u32>(_S189, _S189 + u32(1), _S191, _S191 + u32(1));
+    var _S192 : f32 = 1.0f - _S182;
+    var _S193 : f32 = 1.0f - _S186;
+    var _S194 : vec4<u32> = vec4<u32>(vec4<f32>(_S192 * _S193, _S192 * _S186, _S182 * _S193, _S182 * _S186) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S194;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S194.x + _S194.y + _S194.z + _S194.w);
     return taps_0;
 }
 
 fn node_taps_0( direction_6 : vec3<f32>) -> NodeTaps_0
 {
-    var _S182 : NodeTaps_0 = node_taps_of_0(direction_6, u32(32));
-    return _S182;
+    var _S195 : NodeTaps_0 = node_taps_of_0(direction_6, u32(32));
+    return _S195;
 }
 
 fn half_vector_0( light_5 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S183 : vec3<f32> = light_5 + view_4;
-    return _S183 * vec3<f32>(rsqrt_0(max(square_0(_S183), 9.999999960041972e-13f)));
+    var _S196 : vec3<f32> = light_5 + view_4;
+    return _S196 * vec3<f32>(rsqrt_0(max(square_0(_S196), 9.999999960041972e-13f)));
 }
 
 fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f32>
 {
-    var _S184 : vec4<f32> = vec4<f32>(0.0f);
+    var _S197 : vec4<f32> = vec4<f32>(0.0f);
     var i_1 : u32 = u32(0);
-    var sums_2 : vec4<f32> = _S184;
+    var sums_3 : vec4<f32> = _S197;
     for(;;)
     {
         if(i_1 < u32(4))
@@ -1441,13 +1509,13 @@ fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f
         {
             break;
         }
-        var _S185 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
-        var _S186 : vec2<u32> = vec2<u32>(words_0[_S185], words_0[_S185 + u32(1)]);
-        var sums_3 : vec4<f32> = sums_2 + vec4<f32>(((vec4<i32>(vec2<i32>((_S186 << (vec2<u32>(u32(16))))), vec2<i32>(_S186)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
+        var _S198 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
+        var _S199 : vec2<u32> = vec2<u32>(words_0[_S198], words_0[_S198 + u32(1)]);
+        var sums_4 : vec4<f32> = sums_3 + vec4<f32>(((vec4<i32>(vec2<i32>((_S199 << (vec2<u32>(u32(16))))), vec2<i32>(_S199)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
         i_1 = i_1 + u32(1);
-        sums_2 = sums_3;
+        sums_3 = sums_4;
     }
-    return sums_2 * vec4<f32>((taps_1.inverse_sum_0 / 4096.0f));
+    return sums_3 * vec4<f32>((taps_1.inverse_sum_0 / 4096.0f));
 }
 
 fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
@@ -1457,16 +1525,16 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_2 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S187 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S188 : vec4<u32> = ((packs_1 & (_S187))) * taps_2.weights_0;
-    var _S189 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S187))) * taps_2.weights_0;
-    return bytes_of_sums_0(_S188.x + _S188.y + _S188.z + _S188.w, _S189.x + _S189.y + _S189.z + _S189.w) * vec4<f32>(taps_2.inverse_sum_0);
+    var _S200 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S201 : vec4<u32> = ((packs_1 & (_S200))) * taps_2.weights_0;
+    var _S202 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S200))) * taps_2.weights_0;
+    return bytes_of_sums_0(_S201.x + _S201.y + _S201.z + _S201.w, _S202.x + _S202.y + _S202.z + _S202.w) * vec4<f32>(taps_2.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_3 : NodeTaps_0,  table_2 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S190 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_3, vec4<u32>(words_0[_S190.x], words_0[_S190.y], words_0[_S190.z], words_0[_S190.w]));
+    var _S203 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_3, vec4<u32>(words_0[_S203.x], words_0[_S203.y], words_0[_S203.z], words_0[_S203.w]));
 }
 
 struct Group_0
@@ -1479,83 +1547,149 @@ struct Group_0
      roughness_6 : f32,
 };
 
-fn group_at_0( row_1 : u32,  roughness_7 : f32) -> Group_0
+fn group_at_0( row_2 : u32,  roughness_7 : f32) -> Group_0
 {
     var group_0 : Group_0;
-    group_0.normal_9 = vec3<f32>(table_number_0(row_1), table_number_0(row_1 + u32(1)), table_number_0(row_1 + u32(2)));
-    group_0.weight_2 = table_number_0(row_1 + u32(3));
-    var _S191 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
-    group_0.tangent_9 = _S191;
-    var _S192 : f32 = table_number_0(row_1 + u32(7));
-    var _S193 : f32 = table_number_0(row_1 + u32(8));
-    group_0.variance_0 = vec3<f32>(_S192, _S193, 1.0f - square_0(_S191) - _S192 - _S193);
-    group_0.covariance_0 = vec3<f32>(table_number_0(row_1 + u32(9)), table_number_0(row_1 + u32(10)), table_number_0(row_1 + u32(11)));
+    group_0.normal_9 = vec3<f32>(table_number_0(row_2), table_number_0(row_2 + u32(1)), table_number_0(row_2 + u32(2)));
+    group_0.weight_2 = table_number_0(row_2 + u32(3));
+    var _S204 : vec3<f32> = vec3<f32>(table_number_0(row_2 + u32(4)), table_number_0(row_2 + u32(5)), table_number_0(row_2 + u32(6)));
+    group_0.tangent_9 = _S204;
+    var _S205 : f32 = table_number_0(row_2 + u32(7));
+    var _S206 : f32 = table_number_0(row_2 + u32(8));
+    group_0.variance_0 = vec3<f32>(_S205, _S206, 1.0f - square_0(_S204) - _S205 - _S206);
+    group_0.covariance_0 = vec3<f32>(table_number_0(row_2 + u32(9)), table_number_0(row_2 + u32(10)), table_number_0(row_2 + u32(11)));
     group_0.roughness_6 = roughness_7;
     return group_0;
 }
 
 fn Group_variance_along_0( this_5 : Group_0,  direction_7 : vec3<f32>) -> f32
 {
-    var _S194 : f32 = direction_7.x;
-    var _S195 : f32 = direction_7.y;
-    var _S196 : f32 = direction_7.z;
-    return max(dot(this_5.variance_0, direction_7 * direction_7) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S194 * _S195, _S194 * _S196, _S195 * _S196)), 0.0f);
+    var _S207 : f32 = direction_7.x;
+    var _S208 : f32 = direction_7.y;
+    var _S209 : f32 = direction_7.z;
+    return max(dot(this_5.variance_0, direction_7 * direction_7) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S207 * _S208, _S207 * _S209, _S208 * _S209)), 0.0f);
 }
 
 fn mean_area_0( group_1 : Group_0,  direction_8 : vec3<f32>) -> f32
 {
-    var _S197 : f32 = dot(direction_8, group_1.tangent_9);
-    var _S198 : f32 = group_1.roughness_6;
-    var _S199 : f32 = _S198 * _S198;
-    return sqrt(max((_S199 - 1.0f) * (_S197 * _S197 + Group_variance_along_0(group_1, direction_8)) + 1.0f, _S199));
+    var _S210 : f32 = dot(direction_8, group_1.tangent_9);
+    var _S211 : f32 = group_1.roughness_6;
+    var _S212 : f32 = _S211 * _S211;
+    return sqrt(max((_S212 - 1.0f) * (_S210 * _S210 + Group_variance_along_0(group_1, direction_8)) + 1.0f, _S212));
 }
 
 fn mean_density_0( group_2 : Group_0,  half_0 : vec3<f32>) -> f32
 {
-    var _S200 : f32 = group_2.roughness_6;
-    var _S201 : f32 = max(sqrt(max(1.0f - _S200 * _S200, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
-    var _S202 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
-    var _S203 : f32 = dot(half_0, group_2.tangent_9);
-    var _S204 : f32 = _S201 * (_S203 - _S202);
-    var _S205 : f32 = _S201 * (_S203 + _S202);
-    var _S206 : f32 = _S204 * _S205;
-    var _S207 : f32 = 2.0f * _S202 * _S201;
-    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S206) / ((_S204 * _S204 + 1.0f) * (_S205 * _S205 + 1.0f)) + arc_tangent_0(_S207, 1.0f + _S206) / _S207);
+    var _S213 : f32 = group_2.roughness_6;
+    var _S214 : f32 = max(sqrt(max(1.0f - _S213 * _S213, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
+    var _S215 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
+    var _S216 : f32 = dot(half_0, group_2.tangent_9);
+    var _S217 : f32 = _S214 * (_S216 - _S215);
+    var _S218 : f32 = _S214 * (_S216 + _S215);
+    var _S219 : f32 = _S217 * _S218;
+    var _S220 : f32 = 2.0f * _S215 * _S214;
+    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S219) / ((_S217 * _S217 + 1.0f) * (_S218 * _S218 + 1.0f)) + arc_tangent_0(_S220, 1.0f + _S219) / _S220);
 }
 
 fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>,  view_5 : vec3<f32>,  optical_depth_3 : f32) -> f32
 {
-    var _S208 : bool = (light_6.z) < 0.0f;
-    var _S209 : f32 = dot(light_6, group_3.normal_9);
-    var _S210 : f32 = max(dot(view_5, group_3.normal_9), 0.01999999955296516f);
-    var _S211 : f32 = mean_area_0(group_3, light_6) / max(select(_S209, - _S209, _S208), 0.01999999955296516f);
-    var _S212 : f32 = mean_area_0(group_3, view_5) / _S210;
-    var _S213 : f32 = optical_depth_3 * max(select(_S211 + _S212, abs(_S211 - _S212), _S208), 0.00100000004749745f);
-    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9)), 1.0f, _S208) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S211, _S212)), _S208) * (1.0f - exponential_0(- _S213)) / _S213 / _S210);
+    var _S221 : bool = (light_6.z) < 0.0f;
+    var _S222 : f32 = dot(light_6, group_3.normal_9);
+    var _S223 : f32 = max(dot(view_5, group_3.normal_9), 0.01999999955296516f);
+    var _S224 : f32 = mean_area_0(group_3, light_6) / max(select(_S222, - _S222, _S221), 0.01999999955296516f);
+    var _S225 : f32 = mean_area_0(group_3, view_5) / _S223;
+    var _S226 : f32 = optical_depth_3 * max(select(_S224 + _S225, abs(_S224 - _S225), _S221), 0.00100000004749745f);
+    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9)), 1.0f, _S221) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S224, _S225)), _S221) * (1.0f - exponential_0(- _S226)) / _S226 / _S223);
+}
+
+struct Yarns_0
+{
+     warp_3 : vec4<f32>,
+     weft_3 : vec4<f32>,
+     shares_0 : vec3<f32>,
+};
+
+fn Yarns_x24init_0( warp_4 : vec4<f32>,  weft_4 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
+{
+    var _S227 : Yarns_0;
+    _S227.warp_3 = warp_4;
+    _S227.weft_3 = weft_4;
+    _S227.shares_0 = shares_1;
+    return _S227;
+}
+
+fn irregular_over_0( family_15 : u32,  key_6 : u32,  place_1 : f32,  width_3 : f32,  along_2 : f32,  length_0 : f32) -> vec4<f32>
+{
+    var _S228 : f32 = max(width_3, 0.0625f);
+    var _S229 : f32 = min(_S228, 64.0f);
+    var _S230 : f32 = max(length_0 / 2.0f, 1.0f);
+    var _S231 : f32 = along_2 / 2.0f - 0.5f * _S230;
+    var _S232 : f32 = 0.5f * _S229;
+    var _S233 : vec2<f32> = floor(vec2<f32>(place_1 - _S232, place_1 + _S232) / vec2<f32>(64.0f));
+    var _S234 : vec4<f32> = vec4<f32>(0.0f);
+    var number_2 : u32 = u32(0);
+    var sums_5 : vec4<f32> = _S234;
+    for(;;)
+    {
+        if(number_2 < u32(6))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S235 : bool = number_2 >= u32(3);
+        var _S236 : u32 = select(number_2, number_2 - u32(3), _S235);
+        var _S237 : f32 = select(-1.0f, 1.0f, _S235);
+        var _S238 : f32 = _S233.y;
+        var _S239 : f32 = _S233.x;
+        var _S240 : f32 = select(_S239, _S238, _S235);
+        var _S241 : f32 = place_1 + _S237 * 0.5f * _S229 - 64.0f * _S240;
+        var _S242 : f32 = clamp(floor(_S241), 0.0f, 63.0f);
+        var _S243 : f32 = _S241 - _S242;
+        var _S244 : f32 = select(select(64.0f, 0.0f, _S235), _S242 + f32(_S236), _S236 < u32(2));
+        var _S245 : f32 = _S237 * select(select(select(0.0f, -1.0f, _S239 != _S238), _S243, _S236 == u32(1)), 1.0f - _S243, _S236 == u32(0));
+        if(_S245 == 0.0f)
+        {
+            number_2 = number_2 + u32(1);
+            continue;
+        }
+        var _S246 : u32 = hash_bits_0(key_6, u32(i32(_S240)));
+        sums_5 = sums_5 + vec4<f32>(_S245) * irregular_integral_0(family_15, ((_S246 & (u32(127)))) + u32(_S244), _S231 + f32((_S246 >> (u32(22)))), _S230);
+        number_2 = number_2 + u32(1);
+    }
+    return sums_5 * irregular_units_0(family_15) * vec4<f32>((sqrt(_S229 / _S228) / (_S229 * _S230)));
+}
+
+fn shown_of_covers_0( covers_0 : vec2<f32>,  warp_on_top_1 : f32) -> vec3<f32>
+{
+    var _S247 : f32 = covers_0.x;
+    var _S248 : f32 = covers_0.y;
+    return vec3<f32>(_S247 * (1.0f - _S248 * (1.0f - warp_on_top_1)), _S248 * (1.0f - _S247 * warp_on_top_1), (1.0f - _S247) * (1.0f - _S248));
 }
 
 struct Bound_0
 {
      thread_12 : u32,
      turns_2 : f32,
-     cell_10 : f32,
+     cell_11 : f32,
      visible_0 : f32,
-     width_3 : f32,
+     width_4 : f32,
      gap_0 : f32,
 };
 
-fn bound_at_0( family_10 : u32,  position_6 : f32) -> Bound_0
+fn bound_at_0( family_16 : u32,  position_7 : f32) -> Bound_0
 {
-    var _S214 : Cell_0 = locate_0(family_10, position_6);
-    var _S215 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S214.thread_2 + u32(1));
+    var _S249 : Cell_0 = locate_0(family_16, position_7);
+    var _S250 : f32 = table_number_0(families_0[family_16].before_0 + u32(2) * _S249.thread_1 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_12 = _S214.thread_2;
-    bound_0.turns_2 = round((position_6 - families_0[family_10].start_0 - _S215 - _S214.below_0) * families_0[family_10].inverse_period_0);
-    bound_0.cell_10 = _S214.below_0;
-    var _S216 : f32 = 2.0f * _S214.half_width_1;
-    bound_0.width_3 = _S216;
-    bound_0.visible_0 = clamp((_S214.across_2 + _S214.half_width_1) / _S216, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S214.below_0, _S214.below_0 - _S214.across_2 - _S214.half_width_1) + max(_S214.across_2 - _S214.half_width_1, 0.0f);
+    bound_0.thread_12 = _S249.thread_1;
+    bound_0.turns_2 = round((position_7 - families_0[family_16].start_0 - _S250 - _S249.below_0) * families_0[family_16].inverse_period_0);
+    bound_0.cell_11 = _S249.below_0;
+    var _S251 : f32 = 2.0f * _S249.half_width_1;
+    bound_0.width_4 = _S251;
+    bound_0.visible_0 = clamp((_S249.across_0 + _S249.half_width_1) / _S251, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S249.below_0, _S249.below_0 - _S249.across_0 - _S249.half_width_1) + max(_S249.across_0 - _S249.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1565,13 +1699,13 @@ struct Stretch_0
      high_1 : Bound_0,
 };
 
-fn stretch_of_0( family_11 : u32,  centre_1 : f32,  size_2 : f32) -> Stretch_0
+fn stretch_of_0( family_17 : u32,  centre_1 : f32,  size_3 : f32) -> Stretch_0
 {
-    var _S217 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
-    var _S218 : f32 = 0.5f * max(size_2, families_0[family_11].smallest_box_0);
+    var _S252 : f32 = centre_1 - floor((centre_1 - families_0[family_17].start_0) * families_0[family_17].inverse_period_0) * families_0[family_17].period_0;
+    var _S253 : f32 = 0.5f * max(size_3, families_0[family_17].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_1 = bound_at_0(family_11, _S217 - _S218);
-    stretch_0.high_1 = bound_at_0(family_11, _S217 + _S218);
+    stretch_0.low_1 = bound_at_0(family_17, _S252 - _S253);
+    stretch_0.high_1 = bound_at_0(family_17, _S252 + _S253);
     return stretch_0;
 }
 
@@ -1580,27 +1714,27 @@ fn Stretch_turns_0( this_6 : Stretch_0) -> f32
     return this_6.high_1.turns_2 - this_6.low_1.turns_2;
 }
 
-fn lengths_0( family_12 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
+fn lengths_0( family_18 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S219 : f32 = Stretch_turns_0(stretch_1);
-    var _S220 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_1.thread_12;
-    var _S221 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_1.thread_12;
-    var _S222 : f32 = table_number_0(_S221) - table_number_0(_S220);
-    var _S223 : f32 = table_number_0(_S221 + u32(1)) - table_number_0(_S220 + u32(1));
-    return vec3<f32>(_S222 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_3 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_3 + _S219 * families_0[family_12].visible_total_0, _S223 - _S222 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S219 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S223 + stretch_1.high_1.cell_10 - stretch_1.low_1.cell_10 + _S219 * families_0[family_12].period_0);
+    var _S254 : f32 = Stretch_turns_0(stretch_1);
+    var _S255 : u32 = families_0[family_18].before_0 + u32(2) * stretch_1.low_1.thread_12;
+    var _S256 : u32 = families_0[family_18].before_0 + u32(2) * stretch_1.high_1.thread_12;
+    var _S257 : f32 = table_number_0(_S256) - table_number_0(_S255);
+    var _S258 : f32 = table_number_0(_S256 + u32(1)) - table_number_0(_S255 + u32(1));
+    return vec3<f32>(_S257 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_4 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_4 + _S254 * families_0[family_18].visible_total_0, _S258 - _S257 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S254 * (families_0[family_18].period_0 - families_0[family_18].visible_total_0), _S258 + stretch_1.high_1.cell_11 - stretch_1.low_1.cell_11 + _S254 * families_0[family_18].period_0);
 }
 
-fn integrals_along_0( family_13 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
+fn integrals_along_0( family_19 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S224 : u32 = u32(3) * families_0[family_13].quantities_0;
-    var _S225 : u32 = families_0[family_13].colour_threads_0 + _S224 * stretch_2.low_1.thread_12 + quantity_0;
-    var _S226 : u32 = families_0[family_13].colour_threads_0 + _S224 * stretch_2.high_1.thread_12 + quantity_0;
-    var _S227 : u32 = families_0[family_13].colour_threads_0 + _S224 * u32(families_0[family_13].count_0) + quantity_0;
-    var _S228 : f32 = table_number_0(_S225);
-    var _S229 : f32 = table_number_0(_S226);
-    var _S230 : f32 = Stretch_turns_0(stretch_2);
-    var _S231 : u32 = u32(2) * families_0[family_13].quantities_0;
-    return vec2<f32>(table_number_0(_S226 + families_0[family_13].quantities_0) - table_number_0(_S225 + families_0[family_13].quantities_0) + _S229 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_3 - _S228 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_3 + _S230 * table_number_0(_S227 + families_0[family_13].quantities_0), table_number_0(_S226 + _S231) - table_number_0(_S225 + _S231) + _S229 * stretch_2.high_1.cell_10 - _S228 * stretch_2.low_1.cell_10 + _S230 * table_number_0(_S227 + _S231));
+    var _S259 : u32 = u32(3) * families_0[family_19].quantities_0;
+    var _S260 : u32 = families_0[family_19].colour_threads_0 + _S259 * stretch_2.low_1.thread_12 + quantity_0;
+    var _S261 : u32 = families_0[family_19].colour_threads_0 + _S259 * stretch_2.high_1.thread_12 + quantity_0;
+    var _S262 : u32 = families_0[family_19].colour_threads_0 + _S259 * u32(families_0[family_19].count_0) + quantity_0;
+    var _S263 : f32 = table_number_0(_S260);
+    var _S264 : f32 = table_number_0(_S261);
+    var _S265 : f32 = Stretch_turns_0(stretch_2);
+    var _S266 : u32 = u32(2) * families_0[family_19].quantities_0;
+    return vec2<f32>(table_number_0(_S261 + families_0[family_19].quantities_0) - table_number_0(_S260 + families_0[family_19].quantities_0) + _S264 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_4 - _S263 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_4 + _S265 * table_number_0(_S262 + families_0[family_19].quantities_0), table_number_0(_S261 + _S266) - table_number_0(_S260 + _S266) + _S264 * stretch_2.high_1.cell_11 - _S263 * stretch_2.low_1.cell_11 + _S265 * table_number_0(_S262 + _S266));
 }
 
 fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
@@ -1610,16 +1744,16 @@ fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_8 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S232 : u32 = entries_0.z;
-    var _S233 : u32 = entries_0.x;
-    return vec4<u32>(_S232 - _S233 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S232, entries_0.y - _S233, whole_0);
+    var _S267 : u32 = entries_0.z;
+    var _S268 : u32 = entries_0.x;
+    return vec4<u32>(_S267 - _S268 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S267, entries_0.y - _S268, whole_0);
 }
 
-fn row_differences_0( across_5 : Stretch_0,  row_2 : u32,  count_3 : u32,  quantities_1 : u32) -> vec4<u32>
+fn row_differences_0( across_5 : Stretch_0,  row_3 : u32,  count_3 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S234 : u32 = row_2 + across_5.low_1.thread_12 * quantities_1;
-    var _S235 : u32 = row_2 + across_5.high_1.thread_12 * quantities_1;
-    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S234], words_0[_S234 + quantities_1], words_0[_S235], words_0[_S235 + quantities_1]), words_0[row_2 + count_3 * quantities_1]);
+    var _S269 : u32 = row_3 + across_5.low_1.thread_12 * quantities_1;
+    var _S270 : u32 = row_3 + across_5.high_1.thread_12 * quantities_1;
+    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S269], words_0[_S269 + quantities_1], words_0[_S270], words_0[_S270 + quantities_1]), words_0[row_3 + count_3 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
@@ -1627,68 +1761,68 @@ fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
     return vec4<f32>(1.0f, this_9.high_1.visible_0, - this_9.low_1.visible_0, Stretch_turns_0(this_9) - select(0.0f, 1.0f, Stretch_wraps_0(this_9)));
 }
 
-fn integral_on_top_0( family_14 : u32,  across_6 : Stretch_0,  along_1 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
+fn integral_on_top_0( family_20 : u32,  across_6 : Stretch_0,  along_3 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S236 : u32 = u32(families_0[family_14].count_0);
-    var _S237 : u32 = (_S236 + u32(1)) * families_0[family_14].quantities_0;
-    var _S238 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
-    var _S239 : vec4<u32> = row_differences_0(across_6, _S238 + along_1.low_1.thread_12 * _S237, _S236, families_0[family_14].quantities_0);
-    var _S240 : vec4<u32> = row_differences_0(across_6, _S238 + along_1.high_1.thread_12 * _S237, _S236, families_0[family_14].quantities_0);
-    var _S241 : vec4<u32> = row_differences_0(across_6, _S238 + crossing_count_0 * _S237, _S236, families_0[family_14].quantities_0);
-    var _S242 : vec4<f32> = Stretch_weights_0(across_6);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S240 - _S239 + select_vector_2(Stretch_wraps_0(along_1), _S241, vec4<u32>(vec4<i32>(i32(0)))))), _S242), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S238 + (along_1.high_1.thread_12 + u32(1)) * _S237, _S236, families_0[family_14].quantities_0) - _S240)), _S242), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S238 + (along_1.low_1.thread_12 + u32(1)) * _S237, _S236, families_0[family_14].quantities_0) - _S239)), _S242), dot(vec4<f32>(vec4<i32>(_S241)), _S242)), Stretch_weights_0(along_1)) * families_0[family_14].area_unit_0;
+    var _S271 : u32 = u32(families_0[family_20].count_0);
+    var _S272 : u32 = (_S271 + u32(1)) * families_0[family_20].quantities_0;
+    var _S273 : u32 = families_0[family_20].colour_areas_0 + quantity_1;
+    var _S274 : vec4<u32> = row_differences_0(across_6, _S273 + along_3.low_1.thread_12 * _S272, _S271, families_0[family_20].quantities_0);
+    var _S275 : vec4<u32> = row_differences_0(across_6, _S273 + along_3.high_1.thread_12 * _S272, _S271, families_0[family_20].quantities_0);
+    var _S276 : vec4<u32> = row_differences_0(across_6, _S273 + crossing_count_0 * _S272, _S271, families_0[family_20].quantities_0);
+    var _S277 : vec4<f32> = Stretch_weights_0(across_6);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S275 - _S274 + select_vector_2(Stretch_wraps_0(along_3), _S276, vec4<u32>(vec4<i32>(i32(0)))))), _S277), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S273 + (along_3.high_1.thread_12 + u32(1)) * _S272, _S271, families_0[family_20].quantities_0) - _S275)), _S277), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S273 + (along_3.low_1.thread_12 + u32(1)) * _S272, _S271, families_0[family_20].quantities_0) - _S274)), _S277), dot(vec4<f32>(vec4<i32>(_S276)), _S277)), Stretch_weights_0(along_3)) * families_0[family_20].area_unit_0;
 }
 
-fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_3 : f32,  row_3 : u32) -> Albedos_0
+fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_3 : f32,  row_4 : u32) -> Albedos_0
 {
-    var _S243 : Albedos_0 = table_albedos_0(row_3);
+    var _S278 : Albedos_0 = table_albedos_0(row_4);
     var sum_0 : Albedos_0;
-    var _S244 : vec3<f32> = vec3<f32>(weight_3);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S244 * _S243.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S244 * _S243.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S244 * _S243.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S244 * _S243.specular_transmit_0;
+    var _S279 : vec3<f32> = vec3<f32>(weight_3);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S279 * _S278.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S279 * _S278.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S279 * _S278.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S279 * _S278.specular_transmit_0;
     return sum_0;
 }
 
-fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_5 : bool) -> Albedos_0
+fn mean_albedos_0( family_21 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_5 : bool) -> Albedos_0
 {
-    var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_15].colour_mean_0);
-    if((families_0[family_15].quantities_0) == u32(1))
+    var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_21].colour_mean_0);
+    if((families_0[family_21].quantities_0) == u32(1))
     {
         return albedos_2;
     }
-    var _S245 : vec3<f32> = lengths_0(crossing_1, other_2);
+    var _S280 : vec3<f32> = lengths_0(crossing_1, other_2);
     var is_exposed_0 : bool = false;
     var weight_4 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
     for(;;)
     {
-        if(quantity_2 < (families_0[family_15].quantities_0))
+        if(quantity_2 < (families_0[family_21].quantities_0))
         {
         }
         else
         {
             break;
         }
-        var _S246 : vec2<f32> = integrals_along_0(family_15, own_1, quantity_2);
-        var _S247 : f32 = integral_on_top_0(family_15, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
-        var _S248 : f32 = _S246.x;
-        var _S249 : f32 = _S248 * _S245.x;
-        var _S250 : f32 = select(_S247, _S249 - _S247, back_5);
-        var _S251 : bool = quantity_2 == u32(0);
-        if(_S251)
+        var _S281 : vec2<f32> = integrals_along_0(family_21, own_1, quantity_2);
+        var _S282 : f32 = integral_on_top_0(family_21, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
+        var _S283 : f32 = _S281.x;
+        var _S284 : f32 = _S283 * _S280.x;
+        var _S285 : f32 = select(_S282, _S284 - _S282, back_5);
+        var _S286 : bool = quantity_2 == u32(0);
+        if(_S286)
         {
-            is_exposed_0 = _S250 > (16.0f * families_0[family_15].area_unit_0 * min(_S249 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S249);
+            is_exposed_0 = _S285 > (16.0f * families_0[family_21].area_unit_0 * min(_S284 / families_0[family_21].crossing_area_0, 1.0f) + 0.00000999999974738f * _S284);
         }
-        var _S252 : f32 = _S248 * _S245.y + select(0.0f, _S250, is_exposed_0) + 0.000244140625f * _S245.z * _S246.y;
-        if(_S251)
+        var _S287 : f32 = _S283 * _S280.y + select(0.0f, _S285, is_exposed_0) + 0.000244140625f * _S280.z * _S281.y;
+        if(_S286)
         {
-            weight_4 = 1.0f / max(_S252, 9.99999968265522539e-21f);
+            weight_4 = 1.0f / max(_S287, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S252 * weight_4, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S287 * weight_4, families_0[family_21].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1702,11 +1836,11 @@ fn mean_albedos_0( family_15 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
 fn lerp_albedos_0( first_5 : Albedos_0,  second_1 : Albedos_0,  weight_5 : f32) -> Albedos_0
 {
     var albedos_3 : Albedos_0;
-    var _S253 : vec3<f32> = vec3<f32>(weight_5);
-    albedos_3.diffuse_reflect_0 = mix(first_5.diffuse_reflect_0, second_1.diffuse_reflect_0, _S253);
-    albedos_3.diffuse_transmit_0 = mix(first_5.diffuse_transmit_0, second_1.diffuse_transmit_0, _S253);
-    albedos_3.specular_reflect_0 = mix(first_5.specular_reflect_0, second_1.specular_reflect_0, _S253);
-    albedos_3.specular_transmit_0 = mix(first_5.specular_transmit_0, second_1.specular_transmit_0, _S253);
+    var _S288 : vec3<f32> = vec3<f32>(weight_5);
+    albedos_3.diffuse_reflect_0 = mix(first_5.diffuse_reflect_0, second_1.diffuse_reflect_0, _S288);
+    albedos_3.diffuse_transmit_0 = mix(first_5.diffuse_transmit_0, second_1.diffuse_transmit_0, _S288);
+    albedos_3.specular_reflect_0 = mix(first_5.specular_reflect_0, second_1.specular_reflect_0, _S288);
+    albedos_3.specular_transmit_0 = mix(first_5.specular_transmit_0, second_1.specular_transmit_0, _S288);
     return albedos_3;
 }
 
@@ -1720,8 +1854,8 @@ fn tinted_0( albedos_4 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
 
 struct FaceRadiance_0
 {
-     warp_3 : vec3<f32>,
-     weft_3 : vec3<f32>,
+     warp_5 : vec3<f32>,
+     weft_5 : vec3<f32>,
      mean_1 : vec3<f32>,
      leaked_0 : vec3<f32>,
 };
@@ -1739,47 +1873,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S254 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S289 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S255 : vec3<f32> = sends_0.sky_warp_0 + _S254 * sends_0.crossing_warp_0;
-    found_0.warp_3 = _S255;
-    var _S256 : vec3<f32> = sends_0.sky_weft_0 + _S254 * sends_0.crossing_weft_0;
-    found_0.weft_3 = _S256;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S255 + vec3<f32>(sends_0.blocks_weft_0) * _S256;
+    var _S290 : vec3<f32> = sends_0.sky_warp_0 + _S289 * sends_0.crossing_warp_0;
+    found_0.warp_5 = _S290;
+    var _S291 : vec3<f32> = sends_0.sky_weft_0 + _S289 * sends_0.crossing_weft_0;
+    found_0.weft_5 = _S291;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S290 + vec3<f32>(sends_0.blocks_weft_0) * _S291;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_6 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S257 : f32 = 1.0f - view_6.z;
-    var _S258 : f32 = _S257 * _S257;
+    var _S292 : f32 = 1.0f - view_6.z;
+    var _S293 : f32 = _S292 * _S292;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S259 : f32 = view_6.x;
-    var _S260 : f32 = _S259 * _S259;
-    var _S261 : f32 = view_6.y;
-    var _S262 : f32 = _S261 * _S261;
-    (*terms_0)[i32(1)] = sqrt(max(_S260 + _S262, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S258;
-    (*terms_0)[i32(3)] = _S258 * _S258;
-    (*terms_0)[i32(4)] = _S260 - _S262;
+    var _S294 : f32 = view_6.x;
+    var _S295 : f32 = _S294 * _S294;
+    var _S296 : f32 = view_6.y;
+    var _S297 : f32 = _S296 * _S296;
+    (*terms_0)[i32(1)] = sqrt(max(_S295 + _S297, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S293;
+    (*terms_0)[i32(3)] = _S293 * _S293;
+    (*terms_0)[i32(4)] = _S295 - _S297;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_7 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S263 : f32 = 1.0f - view_7.z;
-    var _S264 : f32 = _S263 * _S263;
+    var _S298 : f32 = 1.0f - view_7.z;
+    var _S299 : f32 = _S298 * _S298;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S265 : f32 = view_7.x;
-    var _S266 : f32 = _S265 * _S265;
-    var _S267 : f32 = view_7.y;
-    var _S268 : f32 = _S267 * _S267;
-    (*terms_1)[i32(1)] = sqrt(max(_S266 + _S268, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S264;
-    (*terms_1)[i32(3)] = _S264 * _S264;
-    (*terms_1)[i32(4)] = _S266 - _S268;
+    var _S300 : f32 = view_7.x;
+    var _S301 : f32 = _S300 * _S300;
+    var _S302 : f32 = view_7.y;
+    var _S303 : f32 = _S302 * _S302;
+    (*terms_1)[i32(1)] = sqrt(max(_S301 + _S303, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S299;
+    (*terms_1)[i32(3)] = _S299 * _S299;
+    (*terms_1)[i32(4)] = _S301 - _S303;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -1798,8 +1932,8 @@ struct Scattered_0
 
 struct Interior_0
 {
-     warp_4 : vec3<f32>,
-     weft_4 : vec3<f32>,
+     warp_6 : vec3<f32>,
+     weft_6 : vec3<f32>,
      leaked_1 : vec3<f32>,
      far_1 : vec3<f32>,
      far_leaked_0 : vec3<f32>,
@@ -1807,11 +1941,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S269 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S270 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S304 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S305 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_6 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_4) + _S270 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S270 * interior_0.far_1 + yarn_2.back_6 * _S269;
+    bounced_0.reflected_0 = yarn_2.back_6 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_6 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_6) + _S305 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S305 * interior_0.far_1 + yarn_2.back_6 * _S304;
     return bounced_0;
 }
 
@@ -1825,8 +1959,8 @@ fn sum_of_0( first_6 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_8 : vec3<f32>) -> vec3<f32>
 {
-    var _S271 : f32 = light_7.z;
-    return select_vector_1((_S271 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S271) * 0.31830987334251404f));
+    var _S306 : f32 = light_7.z;
+    return select_vector_1((_S306 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S306) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_13 : f32,  y_6 : f32) -> f32
@@ -1846,40 +1980,40 @@ fn sheen_reflectance_0( x_15 : f32,  y_8 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_8 : f32) -> vec3<f32>
 {
-    var _S272 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S273 : f32 = 2.0f * sqrt(_S272) - 1.0f;
-    var _S274 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S273, _S274), 0.00999999977648258f, 1.0f), clamp((1.0f - _S272) * sheen_shear_0(_S273, _S274), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S273, _S274), -60.0f, 60.0f))));
+    var _S307 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S308 : f32 = 2.0f * sqrt(_S307) - 1.0f;
+    var _S309 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S308, _S309), 0.00999999977648258f, 1.0f), clamp((1.0f - _S307) * sheen_shear_0(_S308, _S309), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S308, _S309), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_8 : vec3<f32>,  view_9 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S275 : f32 = light_8.z;
-    if(((_S275 <= 0.0f) | (((view_9.z) <= 0.0f))))
+    var _S310 : f32 = light_8.z;
+    if(((_S310 <= 0.0f) | (((view_9.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S276 : vec2<f32> = view_9.xy;
-    var _S277 : f32 = dot(_S276, _S276);
-    var _S278 : vec2<f32> = select_vector_0(_S277 > 9.99999968265522539e-21f, _S276 * vec2<f32>(rsqrt_0(max(_S277, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S279 : f32 = scale_0 * dot(light_8.xy, _S278) + shear_0 * _S275;
-    var _S280 : f32 = scale_0 * (light_8.y * _S278.x - light_8.x * _S278.y);
-    var _S281 : f32 = _S279 * _S279 + _S280 * _S280 + _S275 * _S275;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S275 / max(_S281 * _S281, 9.99999968265522539e-21f);
+    var _S311 : vec2<f32> = view_9.xy;
+    var _S312 : f32 = dot(_S311, _S311);
+    var _S313 : vec2<f32> = select_vector_0(_S312 > 9.99999968265522539e-21f, _S311 * vec2<f32>(rsqrt_0(max(_S312, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S314 : f32 = scale_0 * dot(light_8.xy, _S313) + shear_0 * _S310;
+    var _S315 : f32 = scale_0 * (light_8.y * _S313.x - light_8.x * _S313.y);
+    var _S316 : f32 = _S314 * _S314 + _S315 * _S315 + _S310 * _S310;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S310 / max(_S316 * _S316, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
 {
-    var _S282 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_9);
-    var _S283 : f32 = strength_0 * _S282.z;
-    return vec2<f32>(_S283 * transformed_cosine_0(light_9, view_10, _S282.x, _S282.y), 1.0f - _S283);
+    var _S317 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_9);
+    var _S318 : f32 = strength_0 * _S317.z;
+    return vec2<f32>(_S318 * transformed_cosine_0(light_9, view_10, _S317.x, _S317.y), 1.0f - _S318);
 }
 
 fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
 {
-    var _S284 : f32 = layers_0[index_7].share_0;
+    var _S319 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_10;
-    layers_0[index_7].share_0 = _S284 * (1.0f - light_10.w);
+    layers_0[index_7].share_0 = _S319 * (1.0f - light_10.w);
     return;
 }
 
@@ -1903,113 +2037,184 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S285 : u32,  _S286 : u32,  _S287 : u32,  _S288 : vec2<f32>) -> f32
+fn uneven_shift_0( _S320 : u32,  _S321 : u32,  _S322 : u32,  _S323 : vec2<f32>) -> f32
 {
-    var _S289 : f32 = families_0[_S287].period_0 / families_0[_S287].count_0;
-    var _S290 : u32 = hash_key_0(_S286, ((fabrics_0[_S285].seed_0) ^ (u32(625341585))));
-    var _S291 : vec2<f32> = vec2<f32>(_S288.x, _S288.y / 4.0f) / vec2<f32>(_S289);
-    return 0.20000000298023224f * sqrt(families_0[_S287].slub_0) * _S289 * (uneven_octave_0(_S290, _S291) * 0.66666668653488159f + uneven_octave_0(_S290 + u32(1), vec2<f32>(2.0f) * _S291 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S324 : f32 = families_0[_S322].period_0 / families_0[_S322].count_0;
+    var _S325 : u32 = hash_key_0(_S321, ((fabrics_0[_S320].seed_0) ^ (u32(625341585))));
+    var _S326 : vec2<f32> = vec2<f32>(_S323.x, _S323.y / 4.0f) / vec2<f32>(_S324);
+    return 0.20000000298023224f * sqrt(families_0[_S322].slub_0) * _S324 * (uneven_octave_0(_S325, _S326) * 0.66666668653488159f + uneven_octave_0(_S325 + u32(1), vec2<f32>(2.0f) * _S326 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S292 : u32,  _S293 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S327 : u32,  _S328 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_0((fabrics_0[_S292].has_detail_0) == u32(0), _S293, _S293 + vec2<f32>(uneven_shift_0(_S292, u32(0), fabrics_0[_S292].warp_0, _S293), uneven_shift_0(_S292, u32(1), fabrics_0[_S292].weft_0, _S293.yx)));
+    return select_vector_0((fabrics_0[_S327].has_detail_0) == u32(0), _S328, _S328 + vec2<f32>(uneven_shift_0(_S327, u32(0), fabrics_0[_S327].warp_0, _S328), uneven_shift_0(_S327, u32(1), fabrics_0[_S327].weft_0, _S328.yx)));
 }
 
-fn face_point_0( _S294 : u32,  _S295 : u32,  _S296 : f32,  _S297 : f32) -> VisiblePoint_0
+fn face_point_0( _S329 : u32,  _S330 : u32,  _S331 : f32,  _S332 : f32) -> VisiblePoint_0
 {
-    var _S298 : u32 = u32(3) * _S295;
-    var _S299 : Vertex_0 = vertex_at_0(_S298);
-    var _S300 : Vertex_0 = vertex_at_0(_S298 + u32(1));
-    var _S301 : Vertex_0 = vertex_at_0(_S298 + u32(2));
-    var _S302 : vec3<f32> = position_of_0(_S299);
-    var _S303 : vec3<f32> = position_of_0(_S300) - _S302;
-    var _S304 : vec3<f32> = position_of_0(_S301) - _S302;
-    var _S305 : f32 = _S300.u_0 - _S299.u_0;
-    var _S306 : f32 = _S300.v_0 - _S299.v_0;
-    var _S307 : vec2<f32> = vec2<f32>(_S305, _S306);
-    var _S308 : f32 = _S301.u_0 - _S299.u_0;
-    var _S309 : f32 = _S301.v_0 - _S299.v_0;
-    var _S310 : vec2<f32> = vec2<f32>(_S308, _S309);
-    var _S311 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S305 * _S309 - _S306 * _S308) < 0.0f));
-    var _S312 : vec3<f32> = _S311 * (vec3<f32>(_S309) * _S303 - vec3<f32>(_S306) * _S304);
-    var _S313 : vec3<f32> = _S311 * (vec3<f32>(_S305) * _S304 - vec3<f32>(_S308) * _S303);
+    var _S333 : u32 = u32(3) * _S330;
+    var _S334 : Vertex_0 = vertex_at_0(_S333);
+    var _S335 : Vertex_0 = vertex_at_0(_S333 + u32(1));
+    var _S336 : Vertex_0 = vertex_at_0(_S333 + u32(2));
+    var _S337 : vec3<f32> = position_of_0(_S334);
+    var _S338 : vec3<f32> = position_of_0(_S335) - _S337;
+    var _S339 : vec3<f32> = position_of_0(_S336) - _S337;
+    var _S340 : f32 = _S335.u_0 - _S334.u_0;
+    var _S341 : f32 = _S335.v_0 - _S334.v_0;
+    var _S342 : vec2<f32> = vec2<f32>(_S340, _S341);
+    var _S343 : f32 = _S336.u_0 - _S334.u_0;
+    var _S344 : f32 = _S336.v_0 - _S334.v_0;
+    var _S345 : vec2<f32> = vec2<f32>(_S343, _S344);
+    var _S346 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S340 * _S344 - _S341 * _S343) < 0.0f));
+    var _S347 : vec3<f32> = _S346 * (vec3<f32>(_S344) * _S338 - vec3<f32>(_S341) * _S339);
+    var _S348 : vec3<f32> = _S346 * (vec3<f32>(_S340) * _S339 - vec3<f32>(_S343) * _S338);
     var point_2 : VisiblePoint_0;
-    var _S314 : vec3<f32> = vec3<f32>(_S296);
-    var _S315 : vec3<f32> = vec3<f32>(_S297);
-    var _S316 : vec3<f32> = normalize(vec3<f32>((1.0f - _S296 - _S297)) * normal_of_0(_S299) + _S314 * normal_of_0(_S300) + _S315 * normal_of_0(_S301));
-    point_2.normal_0 = _S316;
-    var _S317 : vec3<f32> = normalize(_S312 - _S316 * vec3<f32>(dot(_S316, _S312)));
-    point_2.axis_x_0 = _S317;
-    point_2.axis_y_0 = cross(_S316, _S317);
-    var _S318 : vec3<f32> = normalize(cross(_S303, _S304));
-    point_2.face_normal_0 = select_vector_1((dot(_S318, _S316)) < 0.0f, (vec3<f32>(0) - _S318), _S318);
-    point_2.position_0 = _S302 + _S314 * _S303 + _S315 * _S304;
-    point_2.view_0 = _S316;
-    var _S319 : vec2<f32> = vec2<f32>(_S299.u_0, _S299.v_0) + vec2<f32>(_S296) * _S307 + vec2<f32>(_S297) * _S310;
-    point_2.uv_1 = _S319;
-    var _S320 : bool = (dot(cross(_S312, _S313), _S316)) < 0.0f;
-    var _S321 : vec2<f32> = vec2<f32>(fabrics_0[_S294].uv_width_0, select(fabrics_0[_S294].uv_height_0, - fabrics_0[_S294].uv_height_0, _S320));
-    point_2.draft_per_uv_0 = _S321;
-    point_2.draft_0 = uneven_place_0(_S294, _S319 * _S321 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S294].uv_height_0, _S320)));
-    var _S322 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S322;
-    point_2.draft_dy_0 = _S322;
+    var _S349 : vec3<f32> = vec3<f32>(_S331);
+    var _S350 : vec3<f32> = vec3<f32>(_S332);
+    var _S351 : vec3<f32> = normalize(vec3<f32>((1.0f - _S331 - _S332)) * normal_of_0(_S334) + _S349 * normal_of_0(_S335) + _S350 * normal_of_0(_S336));
+    point_2.normal_0 = _S351;
+    var _S352 : vec3<f32> = normalize(_S347 - _S351 * vec3<f32>(dot(_S351, _S347)));
+    point_2.axis_x_0 = _S352;
+    point_2.axis_y_0 = cross(_S351, _S352);
+    var _S353 : vec3<f32> = normalize(cross(_S338, _S339));
+    point_2.face_normal_0 = select_vector_1((dot(_S353, _S351)) < 0.0f, (vec3<f32>(0) - _S353), _S353);
+    point_2.position_4 = _S337 + _S349 * _S338 + _S350 * _S339;
+    point_2.view_0 = _S351;
+    var _S354 : vec2<f32> = vec2<f32>(_S334.u_0, _S334.v_0) + vec2<f32>(_S331) * _S342 + vec2<f32>(_S332) * _S345;
+    point_2.uv_1 = _S354;
+    var _S355 : bool = (dot(cross(_S347, _S348), _S351)) < 0.0f;
+    var _S356 : vec2<f32> = vec2<f32>(fabrics_0[_S329].uv_width_0, select(fabrics_0[_S329].uv_height_0, - fabrics_0[_S329].uv_height_0, _S355));
+    point_2.draft_per_uv_0 = _S356;
+    point_2.draft_0 = uneven_place_0(_S329, _S354 * _S356 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S329].uv_height_0, _S355)));
+    var _S357 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S357;
+    point_2.draft_dy_0 = _S357;
     return point_2;
 }
 
-fn visible_point_0( _S323 : u32,  _S324 : u32,  _S325 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S358 : u32,  _S359 : u32,  _S360 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S326 : u32 = u32(3) * _S324;
-    var _S327 : Vertex_0 = vertex_at_0(_S326);
-    var _S328 : Vertex_0 = vertex_at_0(_S326 + u32(1));
-    var _S329 : Vertex_0 = vertex_at_0(_S326 + u32(2));
-    var _S330 : vec3<f32> = position_of_0(_S327);
-    var _S331 : vec3<f32> = position_of_0(_S328) - _S330;
-    var _S332 : vec3<f32> = position_of_0(_S329) - _S330;
-    var _S333 : vec3<f32> = cross(_S331, _S332);
-    var _S334 : f32 = f32(frame_record_0.width_0);
-    var _S335 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S334));
-    var _S336 : f32 = f32(frame_record_0.height_0);
-    var _S337 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S336));
-    var _S338 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S325.x) + 0.5f - 0.5f * _S334)) * _S335 + vec3<f32>((f32(_S325.y) + 0.5f - 0.5f * _S336)) * _S337;
-    var _S339 : f32 = dot(_S338, _S333);
-    var _S340 : f32 = 1.0f / select(1.00000000317107685e-30f, _S339, (abs(_S339)) > 1.00000000317107685e-30f);
-    var _S341 : vec3<f32> = _S330 - camera_origin_0();
-    var _S342 : vec3<f32> = vec3<f32>((dot(_S341, _S333) * _S340));
-    var _S343 : vec3<f32> = _S338 * _S342 - _S341;
-    var _S344 : vec3<f32> = _S342 * (_S335 - _S338 * vec3<f32>((dot(_S335, _S333) * _S340)));
-    var _S345 : vec3<f32> = _S342 * (_S337 - _S338 * vec3<f32>((dot(_S337, _S333) * _S340)));
-    var _S346 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S333), 1.00000000317107685e-30f)));
-    var _S347 : vec3<f32> = cross(_S332, _S333) * _S346;
-    var _S348 : vec3<f32> = cross(_S333, _S331) * _S346;
-    var _S349 : vec2<f32> = vec2<f32>(_S328.u_0 - _S327.u_0, _S328.v_0 - _S327.v_0);
-    var _S350 : vec2<f32> = vec2<f32>(_S329.u_0 - _S327.u_0, _S329.v_0 - _S327.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S323, _S324, dot(_S343, _S347), dot(_S343, _S348));
-    point_3.position_0 = _S330 + _S343;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S338));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S344, _S347)) * _S349 + vec2<f32>(dot(_S344, _S348)) * _S350) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S345, _S347)) * _S349 + vec2<f32>(dot(_S345, _S348)) * _S350) * point_3.draft_per_uv_0;
+    var _S361 : u32 = u32(3) * _S359;
+    var _S362 : Vertex_0 = vertex_at_0(_S361);
+    var _S363 : Vertex_0 = vertex_at_0(_S361 + u32(1));
+    var _S364 : Vertex_0 = vertex_at_0(_S361 + u32(2));
+    var _S365 : vec3<f32> = position_of_0(_S362);
+    var _S366 : vec3<f32> = position_of_0(_S363) - _S365;
+    var _S367 : vec3<f32> = position_of_0(_S364) - _S365;
+    var _S368 : vec3<f32> = cross(_S366, _S367);
+    var _S369 : f32 = f32(frame_record_0.width_0);
+    var _S370 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S369));
+    var _S371 : f32 = f32(frame_record_0.height_0);
+    var _S372 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S371));
+    var _S373 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S360.x) + 0.5f - 0.5f * _S369)) * _S370 + vec3<f32>((f32(_S360.y) + 0.5f - 0.5f * _S371)) * _S372;
+    var _S374 : f32 = dot(_S373, _S368);
+    var _S375 : f32 = 1.0f / select(1.00000000317107685e-30f, _S374, (abs(_S374)) > 1.00000000317107685e-30f);
+    var _S376 : vec3<f32> = _S365 - camera_origin_0();
+    var _S377 : vec3<f32> = vec3<f32>((dot(_S376, _S368) * _S375));
+    var _S378 : vec3<f32> = _S373 * _S377 - _S376;
+    var _S379 : vec3<f32> = _S377 * (_S370 - _S373 * vec3<f32>((dot(_S370, _S368) * _S375)));
+    var _S380 : vec3<f32> = _S377 * (_S372 - _S373 * vec3<f32>((dot(_S372, _S368) * _S375)));
+    var _S381 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S368), 1.00000000317107685e-30f)));
+    var _S382 : vec3<f32> = cross(_S367, _S368) * _S381;
+    var _S383 : vec3<f32> = cross(_S368, _S366) * _S381;
+    var _S384 : vec2<f32> = vec2<f32>(_S363.u_0 - _S362.u_0, _S363.v_0 - _S362.v_0);
+    var _S385 : vec2<f32> = vec2<f32>(_S364.u_0 - _S362.u_0, _S364.v_0 - _S362.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S358, _S359, dot(_S378, _S382), dot(_S378, _S383));
+    point_3.position_4 = _S365 + _S378;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S373));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S379, _S382)) * _S384 + vec2<f32>(dot(_S379, _S383)) * _S385) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S380, _S382)) * _S384 + vec2<f32>(dot(_S380, _S383)) * _S385) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S351 : u32,  _S352 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S386 : u32,  _S387 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S353 : u32 = fabrics_0[_S351].albedo_map_levels_0;
-    if((fabrics_0[_S351].albedo_map_levels_0) == u32(0))
+    var _S388 : u32 = fabrics_0[_S386].albedo_map_levels_0;
+    if((fabrics_0[_S386].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S354 : vec2<f32> = vec2<f32>(fabrics_0[_S351].uv_width_0, fabrics_0[_S351].uv_height_0);
-    var _S355 : vec2<f32> = _S352.draft_dx_0 / _S354;
-    var _S356 : vec2<f32> = _S352.draft_dy_0 / _S354;
-    var _S357 : u32 = _S353 - u32(1);
-    var _S358 : u32 = (u32(1) << (_S357));
-    var _S359 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S355.x * _S356.y - _S355.y * _S356.x), 9.99999968265522539e-21f) * (square_1(f32(_S358)) / 3.0f)), 0.0f, f32(_S353) - 1.0f);
-    var _S360 : u32 = min(u32(_S359), max(_S353, u32(2)) - u32(2));
-    var _S361 : u32 = min(_S360 + u32(1), _S357);
-    var _S362 : u32 = (u32(1) << ((u32(2) * _S353)));
-    return mix(map_level_0(fabrics_0[_S351].albedo_map_0 + (_S362 - ((_S362 >> ((u32(2) * _S360))))) / u32(3), (_S358 >> (_S360)), _S352.uv_1), map_level_0(fabrics_0[_S351].albedo_map_0 + (_S362 - ((_S362 >> ((u32(2) * _S361))))) / u32(3), (_S358 >> (_S361)), _S352.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S359 - f32(_S360))) - 1.0f) / 3.0f)));
+    var _S389 : vec2<f32> = vec2<f32>(fabrics_0[_S386].uv_width_0, fabrics_0[_S386].uv_height_0);
+    var _S390 : vec2<f32> = _S387.draft_dx_0 / _S389;
+    var _S391 : vec2<f32> = _S387.draft_dy_0 / _S389;
+    var _S392 : u32 = _S388 - u32(1);
+    var _S393 : u32 = (u32(1) << (_S392));
+    var _S394 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S390.x * _S391.y - _S390.y * _S391.x), 9.99999968265522539e-21f) * (square_1(f32(_S393)) / 3.0f)), 0.0f, f32(_S388) - 1.0f);
+    var _S395 : u32 = min(u32(_S394), max(_S388, u32(2)) - u32(2));
+    var _S396 : u32 = min(_S395 + u32(1), _S392);
+    var _S397 : u32 = (u32(1) << ((u32(2) * _S388)));
+    return mix(map_level_0(fabrics_0[_S386].albedo_map_0 + (_S397 - ((_S397 >> ((u32(2) * _S395))))) / u32(3), (_S393 >> (_S395)), _S387.uv_1), map_level_0(fabrics_0[_S386].albedo_map_0 + (_S397 - ((_S397 >> ((u32(2) * _S396))))) / u32(3), (_S393 >> (_S396)), _S387.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S394 - f32(_S395))) - 1.0f) / 3.0f)));
+}
+
+fn irregular_key_0( _S398 : u32,  _S399 : u32) -> u32
+{
+    return hash_key_0(_S399, ((fabrics_0[_S398].seed_0) ^ (u32(1821285621))));
+}
+
+fn irregular_place_0( _S400 : u32,  _S401 : vec2<f32>,  _S402 : f32) -> vec2<f32>
+{
+    if((fabrics_0[_S400].is_irregular_0) == u32(0))
+    {
+        return _S401;
+    }
+    var number_3 : u32 = u32(0);
+    var moved_0 : vec2<f32> = _S401;
+    for(;;)
+    {
+        if(number_3 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S403 : bool = number_3 == u32(0);
+        var _S404 : u32 = select(fabrics_0[_S400].weft_0, fabrics_0[_S400].warp_0, _S403);
+        var _S405 : vec2<f32> = select_vector_0(_S403, _S401, _S401.yx);
+        var _S406 : f32 = moved_share_0(_S404, _S402);
+        if(_S406 <= 0.0f)
+        {
+            number_3 = number_3 + u32(1);
+            continue;
+        }
+        var _S407 : u32 = irregular_key_0(_S400, number_3);
+        var _S408 : f32 = _S405.x;
+        var _S409 : Cell_0 = locate_0(_S404, _S408);
+        var _S410 : f32 = irregular_thread_0(_S404, _S408, _S409);
+        var _S411 : f32 = select(1.0f, -1.0f, (_S409.across_0) < 0.0f);
+        var _S412 : vec2<f32> = vec2<f32>(0.0f);
+        var other_3 : vec2<f32> = _S412;
+        var own_2 : vec2<f32> = _S412;
+        var neighbour_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(neighbour_0 < u32(2))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var _S413 : vec2<f32> = irregular_at_0(_S404, _S407, _S410 + _S411 * f32(neighbour_0), _S405.y).xy;
+            var _S414 : u32 = neighbour_0 + u32(1);
+            own_2 = other_3;
+            other_3 = _S413;
+            neighbour_0 = _S414;
+        }
+        var _S415 : f32 = _S409.below_0 + _S409.above_0;
+        var _S416 : f32 = min(_S409.half_width_1 / _S415, 0.5f);
+        var _S417 : f32 = min(_S416 * (2.0f + own_2.y + other_3.y), 1.0f);
+        var _S418 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
+        var _S419 : f32 = _S418.x;
+        var _S420 : f32 = _S417 * _S419 / (_S419 + _S418.y);
+        var _S421 : f32 = abs(_S409.across_0) / _S415;
+        var _S422 : f32 = 1.0f - _S417;
+        var _S423 : f32 = _S421 - _S420;
+        var _S424 : f32 = _S406 * _S411 * _S415 * (select(select((_S423 - _S422) / max(_S417 - _S420, 9.99999997475242708e-07f) * _S416 + (1.0f - _S416), _S423 / max(_S422, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S416) + _S416, _S423 < _S422), _S421 * _S416 / _S420, _S423 < 0.0f) - _S421);
+        moved_0 = moved_0 + select_vector_0(_S403, vec2<f32>(_S424, 0.0f), vec2<f32>(0.0f, _S424));
+        number_3 = number_3 + u32(1);
+    }
+    return moved_0;
 }
 
 fn light_sample_count_0() -> u32
@@ -2017,13 +2222,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S363 : u32,  _S364 : vec2<u32>) -> f32
+fn visibility_at_0( _S425 : u32,  _S426 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S363 * frame_record_0.height_0 + _S364.y) * frame_record_0.width_0 + _S364.x];
+    return visibilities_0[(_S425 * frame_record_0.height_0 + _S426.y) * frame_record_0.width_0 + _S426.x];
 }
 
 struct LightSample_0
@@ -2033,60 +2238,60 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S365 : u32,  _S366 : u32) -> vec3<f32>
+fn environment_texel_0( _S427 : u32,  _S428 : u32) -> vec3<f32>
 {
-    var _S367 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S365 * frame_record_0.environment_columns_0 + _S366);
-    return vec3<f32>(scene_number_0(_S367), scene_number_0(_S367 + u32(1)), scene_number_0(_S367 + u32(2)));
+    var _S429 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S427 * frame_record_0.environment_columns_0 + _S428);
+    return vec3<f32>(scene_number_0(_S429), scene_number_0(_S429 + u32(1)), scene_number_0(_S429 + u32(2)));
 }
 
-fn sample_environment_0( _S368 : vec2<f32>,  _S369 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S430 : vec2<f32>,  _S431 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S370 : u32 = frame_record_0.environment_rows_0;
-    var _S371 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S368.y);
-    var _S372 : u32 = frame_record_0.environment_columns_0;
-    var _S373 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S371.index_3 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S368.x);
-    var _S374 : vec3<f32> = environment_texel_0(_S371.index_3, _S373.index_3);
-    (*_S369) = _S374 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S374), 9.99999968265522539e-21f)));
-    var _S375 : f32 = 3.14159274101257324f / f32(_S370);
-    var _S376 : f32 = mix(sine_cosine_0(f32(_S371.index_3) * _S375).y, sine_cosine_0(f32(_S371.index_3 + u32(1)) * _S375).y, _S371.remainder_0);
-    var _S377 : f32 = sqrt(max(1.0f - _S376 * _S376, 0.0f));
-    var _S378 : vec2<f32> = sine_cosine_0((f32(_S373.index_3) + _S373.remainder_0) * (6.28318548202514648f / f32(_S372)));
-    var _S379 : f32 = _S377 * _S378.x;
-    var _S380 : f32 = - _S377 * _S378.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S379 + frame_record_0.environment_sine_0 * _S380, _S376, frame_record_0.environment_cosine_0 * _S380 - frame_record_0.environment_sine_0 * _S379);
+    var _S432 : u32 = frame_record_0.environment_rows_0;
+    var _S433 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S430.y);
+    var _S434 : u32 = frame_record_0.environment_columns_0;
+    var _S435 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S433.index_5 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S430.x);
+    var _S436 : vec3<f32> = environment_texel_0(_S433.index_5, _S435.index_5);
+    (*_S431) = _S436 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S436), 9.99999968265522539e-21f)));
+    var _S437 : f32 = 3.14159274101257324f / f32(_S432);
+    var _S438 : f32 = mix(sine_cosine_0(f32(_S433.index_5) * _S437).y, sine_cosine_0(f32(_S433.index_5 + u32(1)) * _S437).y, _S433.remainder_0);
+    var _S439 : f32 = sqrt(max(1.0f - _S438 * _S438, 0.0f));
+    var _S440 : vec2<f32> = sine_cosine_0((f32(_S435.index_5) + _S435.remainder_0) * (6.28318548202514648f / f32(_S434)));
+    var _S441 : f32 = _S439 * _S440.x;
+    var _S442 : f32 = - _S439 * _S440.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S441 + frame_record_0.environment_sine_0 * _S442, _S438, frame_record_0.environment_cosine_0 * _S442 - frame_record_0.environment_sine_0 * _S441);
 }
 
-fn light_sample_0( _S381 : u32,  _S382 : vec2<u32>,  _S383 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S443 : u32,  _S444 : vec2<u32>,  _S445 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S384 : u32 = frame_record_0.lights_0;
-    if(_S381 >= (frame_record_0.lights_0))
+    var _S446 : u32 = frame_record_0.lights_0;
+    if(_S443 >= (frame_record_0.lights_0))
     {
         var weight_6 : vec3<f32>;
-        var _S385 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S382, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S381 - _S384), u32(3)), &(weight_6));
-        sample_0.towards_0 = _S385;
+        var _S447 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S444, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S443 - _S446), u32(3)), &(weight_6));
+        sample_0.towards_0 = _S447;
         sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S386 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S381);
-    sample_0.irradiance_1 = vec3<f32>(_S386.red_0, _S386.green_0, _S386.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S386.x_7, _S386.y_1, _S386.z_1);
-    if((_S386.is_point_0) != u32(0))
+    var _S448 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S443);
+    sample_0.irradiance_1 = vec3<f32>(_S448.red_0, _S448.green_0, _S448.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S448.x_7, _S448.y_1, _S448.z_1);
+    if((_S448.is_point_0) != u32(0))
     {
-        var _S387 : vec3<f32> = sample_0.towards_0 - _S383;
-        var _S388 : f32 = max(square_0(_S387), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S388);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S388);
-        sample_0.towards_0 = normalize(_S387);
+        var _S449 : vec3<f32> = sample_0.towards_0 - _S445;
+        var _S450 : f32 = max(square_0(_S449), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S450);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S450);
+        sample_0.towards_0 = normalize(_S449);
     }
     return sample_0;
 }
 
 struct FamilyAlbedos_0
 {
-     warp_5 : Albedos_0,
-     weft_5 : Albedos_0,
+     warp_7 : Albedos_0,
+     weft_7 : Albedos_0,
 };
 
 struct Estimate_0
@@ -2099,26 +2304,26 @@ struct Estimate_0
 struct Regime_0
 {
      prefiltered_0 : f32,
-     threads_1 : f32,
+     threads_2 : f32,
      points_0 : f32,
 };
 
-fn regime_of_0( _S389 : u32,  _S390 : Footprint_0,  _S391 : f32) -> Regime_0
+fn regime_of_0( _S451 : u32,  _S452 : Footprint_0,  _S453 : f32) -> Regime_0
 {
-    var _S392 : f32 = Footprint_spread_side_0(_S390);
-    var _S393 : f32 = clamp((binary_logarithm_0(max(_S392, 9.99999971718068537e-10f)) - fabrics_0[_S389].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S454 : f32 = Footprint_spread_side_0(_S452);
+    var _S455 : f32 = clamp((binary_logarithm_0(max(_S454, 9.99999971718068537e-10f)) - fabrics_0[_S451].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S394 : f32 = _S393 * _S393 * (3.0f - 2.0f * _S393);
-    regime_0.prefiltered_0 = _S394;
-    var _S395 : f32 = _S392 * fabrics_0[_S389].lobes_0.threads_per_mm_0;
-    regime_0.threads_1 = _S395;
-    regime_0.points_0 = select(0.0f, clamp(_S395 * 12.0f, 1.0f, mix(max(8.0f / _S391, 1.0f), 1.0f, _S394)), _S394 < 1.0f);
+    var _S456 : f32 = _S455 * _S455 * (3.0f - 2.0f * _S455);
+    regime_0.prefiltered_0 = _S456;
+    var _S457 : f32 = _S454 * fabrics_0[_S451].lobes_0.threads_per_mm_0;
+    regime_0.threads_2 = _S457;
+    regime_0.points_0 = select(0.0f, clamp(_S457 * 12.0f, 1.0f, mix(max(8.0f / _S453, 1.0f), 1.0f, _S456)), _S456 < 1.0f);
     return regime_0;
 }
 
-fn varies_at_0( _S396 : u32,  _S397 : f32) -> bool
+fn varies_at_0( _S458 : u32,  _S459 : f32) -> bool
 {
-    return (((((fabrics_0[_S396].fibre_noise_0) > 0.0f) | (((fabrics_0[_S396].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S396].has_detail_0) != u32(0)) & ((_S397 >= 0.0f))))));
+    return (((((fabrics_0[_S458].fibre_noise_0) > 0.0f) | (((fabrics_0[_S458].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S458].has_detail_0) != u32(0)) & ((_S459 >= 0.0f))))));
 }
 
 struct Hit_0
@@ -2143,131 +2348,131 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S398 : u32,  _S399 : f32,  _S400 : f32,  _S401 : bool) -> Crossing_0
+fn crossing_at_0( _S460 : u32,  _S461 : f32,  _S462 : f32,  _S463 : bool) -> Crossing_0
 {
     var crossing_3 : Crossing_0;
-    crossing_3.warp_2 = locate_0(fabrics_0[_S398].warp_0, _S399);
-    crossing_3.weft_2 = locate_0(fabrics_0[_S398].weft_0, _S400);
-    var _S402 : u32 = fabrics_0[_S398].run_words_0 + u32(2) * (crossing_3.weft_2.thread_2 * fabrics_0[_S398].ends_1 + crossing_3.warp_2.thread_2);
-    var _S403 : u32 = words_0[_S402];
-    crossing_3.warp_word_0 = _S403;
-    crossing_3.weft_word_0 = words_0[_S402 + u32(1)];
-    crossing_3.warp_above_0 = (((_S403 & (u32(1)))) == u32(1)) != _S401;
+    crossing_3.warp_2 = locate_0(fabrics_0[_S460].warp_0, _S461);
+    crossing_3.weft_2 = locate_0(fabrics_0[_S460].weft_0, _S462);
+    var _S464 : u32 = fabrics_0[_S460].run_words_0 + u32(2) * (crossing_3.weft_2.thread_1 * fabrics_0[_S460].ends_1 + crossing_3.warp_2.thread_1);
+    var _S465 : u32 = words_0[_S464];
+    crossing_3.warp_word_0 = _S465;
+    crossing_3.weft_word_0 = words_0[_S464 + u32(1)];
+    crossing_3.warp_above_0 = (((_S465 & (u32(1)))) == u32(1)) != _S463;
     return crossing_3;
 }
 
-fn sample_at_0( _S404 : u32,  _S405 : f32,  _S406 : f32,  _S407 : bool) -> Sample_0
+fn sample_at_0( _S466 : u32,  _S467 : f32,  _S468 : f32,  _S469 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S408 : Crossing_0 = crossing_at_0(_S404, _S405, _S406, _S407);
-    sample_1.crossing_2 = _S408;
-    var _S409 : Shown_0 = shown_at_0(_S408, _S407);
-    sample_1.shown_3 = _S409;
-    var _S410 : u32 = select(fabrics_0[_S404].weft_0, fabrics_0[_S404].warp_0, _S409.is_warp_2);
-    var _S411 : u32 = select(fabrics_0[_S404].warp_0, fabrics_0[_S404].weft_0, _S409.is_warp_2);
-    var _S412 : Cell_0 = select_cell_0(_S409.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
-    var _S413 : Cell_0 = select_cell_0(_S409.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
-    var _S414 : Run_0 = unpack_0(_S410, _S411, _S412.thread_2, _S413, _S409.word_0);
-    var _S415 : Section_0 = section_at_0(_S412);
-    var _S416 : bool = ((_S409.on_top_0) & (((_S414.distance_0) < (_S415.drop_0 * _S414.bend_1.sine_0))));
-    var _S417 : f32 = select(-1.0f, 1.0f, ((_S409.on_top_0) & ((!_S416))));
-    var _S418 : f32 = select(_S414.reach_0, _S414.other_reach_0, _S416);
-    var _S419 : f32 = select(max(_S418 - _S414.distance_0, 0.0f), _S418 + _S414.distance_0, _S416);
-    var _S420 : f32 = _S418 / _S414.bend_1.sine_0 - _S417 * _S415.drop_0;
-    var _S421 : f32 = _S419 * _S419;
-    var _S422 : f32 = max(_S420 * _S420 - _S421, 9.99999968265522539e-21f);
-    var _S423 : f32 = rsqrt_0(_S422);
-    var _S424 : f32 = _S421 / (_S422 * _S423 + _S420);
-    var _S425 : bool = _S419 > 0.0f;
-    var _S426 : f32 = select(-1.0f, 1.0f, _S409.on_top_0) * select(-1.0f, 1.0f, _S414.near_start_0);
-    var _S427 : f32 = _S415.slope_0 * select(1.0f, _S420 * _S423, _S425);
-    sample_1.slope_across_0 = _S427;
-    var _S428 : f32 = select(0.0f, _S426 * _S419 * _S423, _S425);
-    sample_1.slope_along_0 = _S428;
-    var _S429 : vec3<f32> = dive_0(_S411, _S409, _S414, _S413);
-    sample_1.dive_1 = _S429;
-    sample_1.height_7 = select(families_0[_S410].height_scale_0 * _S417, 0.0f, _S414.straight_0) * (_S418 * _S414.bend_1.half_tangent_0 - _S424) - families_0[_S410].height_scale_0 * _S415.drop_0 - _S429.x;
-    var _S430 : f32 = families_0[_S410].height_scale_0 * _S427;
-    var _S431 : f32 = families_0[_S410].height_scale_0 * _S428 - _S429.y;
-    sample_1.slope_x_1 = select(_S431, _S430, _S409.is_warp_2);
-    sample_1.slope_y_1 = select(_S430, _S431, _S409.is_warp_2);
-    sample_1.run_3 = _S414;
-    sample_1.section_1 = _S415;
+    var _S470 : Crossing_0 = crossing_at_0(_S466, _S467, _S468, _S469);
+    sample_1.crossing_2 = _S470;
+    var _S471 : Shown_0 = shown_at_0(_S470, _S469);
+    sample_1.shown_3 = _S471;
+    var _S472 : u32 = select(fabrics_0[_S466].weft_0, fabrics_0[_S466].warp_0, _S471.is_warp_2);
+    var _S473 : u32 = select(fabrics_0[_S466].warp_0, fabrics_0[_S466].weft_0, _S471.is_warp_2);
+    var _S474 : Cell_0 = select_cell_0(_S471.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
+    var _S475 : Cell_0 = select_cell_0(_S471.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
+    var _S476 : Run_0 = unpack_0(_S472, _S473, _S474.thread_1, _S475, _S471.word_0);
+    var _S477 : Section_0 = section_at_0(_S474);
+    var _S478 : bool = ((_S471.on_top_0) & (((_S476.distance_0) < (_S477.drop_0 * _S476.bend_1.sine_0))));
+    var _S479 : f32 = select(-1.0f, 1.0f, ((_S471.on_top_0) & ((!_S478))));
+    var _S480 : f32 = select(_S476.reach_0, _S476.other_reach_0, _S478);
+    var _S481 : f32 = select(max(_S480 - _S476.distance_0, 0.0f), _S480 + _S476.distance_0, _S478);
+    var _S482 : f32 = _S480 / _S476.bend_1.sine_0 - _S479 * _S477.drop_0;
+    var _S483 : f32 = _S481 * _S481;
+    var _S484 : f32 = max(_S482 * _S482 - _S483, 9.99999968265522539e-21f);
+    var _S485 : f32 = rsqrt_0(_S484);
+    var _S486 : f32 = _S483 / (_S484 * _S485 + _S482);
+    var _S487 : bool = _S481 > 0.0f;
+    var _S488 : f32 = select(-1.0f, 1.0f, _S471.on_top_0) * select(-1.0f, 1.0f, _S476.near_start_0);
+    var _S489 : f32 = _S477.slope_0 * select(1.0f, _S482 * _S485, _S487);
+    sample_1.slope_across_0 = _S489;
+    var _S490 : f32 = select(0.0f, _S488 * _S481 * _S485, _S487);
+    sample_1.slope_along_0 = _S490;
+    var _S491 : vec3<f32> = dive_0(_S473, _S471, _S476, _S475);
+    sample_1.dive_1 = _S491;
+    sample_1.height_7 = select(families_0[_S472].height_scale_0 * _S479, 0.0f, _S476.straight_0) * (_S480 * _S476.bend_1.half_tangent_0 - _S486) - families_0[_S472].height_scale_0 * _S477.drop_0 - _S491.x;
+    var _S492 : f32 = families_0[_S472].height_scale_0 * _S489;
+    var _S493 : f32 = families_0[_S472].height_scale_0 * _S490 - _S491.y;
+    sample_1.slope_x_1 = select(_S493, _S492, _S471.is_warp_2);
+    sample_1.slope_y_1 = select(_S492, _S493, _S471.is_warp_2);
+    sample_1.run_3 = _S476;
+    sample_1.section_1 = _S477;
     return sample_1;
 }
 
-fn steps_per_length_0( _S432 : u32,  _S433 : SearchQuality_0,  _S434 : vec3<f32>) -> f32
+fn steps_per_length_0( _S494 : u32,  _S495 : SearchQuality_0,  _S496 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S434.x) * fabrics_0[_S432].threads_per_x_0, abs(_S434.y) * fabrics_0[_S432].threads_per_y_0) * _S433.steps_per_thread_0, abs(_S434.z) * fabrics_0[_S432].per_relief_0 * _S433.steps_per_relief_0);
+    return max(max(abs(_S496.x) * fabrics_0[_S494].threads_per_x_0, abs(_S496.y) * fabrics_0[_S494].threads_per_y_0) * _S495.steps_per_thread_0, abs(_S496.z) * fabrics_0[_S494].per_relief_0 * _S495.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S435 : u32,  _S436 : Crossing_0) -> f32
+fn cell_maximum_0( _S497 : u32,  _S498 : Crossing_0) -> f32
 {
-    var _S437 : u32 = select(fabrics_0[_S435].weft_0, fabrics_0[_S435].warp_0, _S436.warp_above_0);
-    return f32((select(_S436.weft_word_0, _S436.warp_word_0, _S436.warp_above_0) >> (u32(28)))) * families_0[_S437].height_scale_0 * families_0[_S437].level_0;
+    var _S499 : u32 = select(fabrics_0[_S497].weft_0, fabrics_0[_S497].warp_0, _S498.warp_above_0);
+    return f32((select(_S498.weft_word_0, _S498.warp_word_0, _S498.warp_above_0) >> (u32(28)))) * families_0[_S499].height_scale_0 * families_0[_S499].level_0;
 }
 
-fn probe_0( _S438 : u32,  _S439 : f32,  _S440 : f32,  _S441 : bool,  _S442 : bool,  _S443 : bool) -> Probe_0
+fn probe_0( _S500 : u32,  _S501 : f32,  _S502 : f32,  _S503 : bool,  _S504 : bool,  _S505 : bool) -> Probe_0
 {
-    var _S444 : Sample_0 = sample_at_0(_S438, _S439, _S440, _S441);
+    var _S506 : Sample_0 = sample_at_0(_S500, _S501, _S502, _S503);
     var probe_1 : Probe_0;
-    probe_1.height_4 = _S444.height_7;
-    probe_1.hole_4 = _S444.shown_3.hole_3;
-    probe_1.slope_x_0 = _S444.slope_x_1;
-    probe_1.slope_y_0 = _S444.slope_y_1;
-    probe_1.yarn_1 = select(_S444.crossing_2.weft_2.thread_2 * u32(2), _S444.crossing_2.warp_2.thread_2 * u32(2) + u32(1), _S444.shown_3.is_warp_2);
-    probe_1.cell_max_0 = cell_maximum_0(_S438, _S444.crossing_2);
-    probe_1.side_x_0 = select(_S444.crossing_2.warp_2.below_0, _S444.crossing_2.warp_2.above_0, _S442);
-    probe_1.side_y_0 = select(_S444.crossing_2.weft_2.below_0, _S444.crossing_2.weft_2.above_0, _S443);
-    probe_1.edge_x_0 = outline_distance_0(_S444.crossing_2.warp_2, _S444.shown_3, _S444.run_3, !_S444.shown_3.is_warp_2, _S442);
-    probe_1.edge_y_0 = outline_distance_0(_S444.crossing_2.weft_2, _S444.shown_3, _S444.run_3, _S444.shown_3.is_warp_2, _S443);
+    probe_1.height_4 = _S506.height_7;
+    probe_1.hole_4 = _S506.shown_3.hole_3;
+    probe_1.slope_x_0 = _S506.slope_x_1;
+    probe_1.slope_y_0 = _S506.slope_y_1;
+    probe_1.yarn_1 = select(_S506.crossing_2.weft_2.thread_1 * u32(2), _S506.crossing_2.warp_2.thread_1 * u32(2) + u32(1), _S506.shown_3.is_warp_2);
+    probe_1.cell_max_0 = cell_maximum_0(_S500, _S506.crossing_2);
+    probe_1.side_x_0 = select(_S506.crossing_2.warp_2.below_0, _S506.crossing_2.warp_2.above_0, _S504);
+    probe_1.side_y_0 = select(_S506.crossing_2.weft_2.below_0, _S506.crossing_2.weft_2.above_0, _S505);
+    probe_1.edge_x_0 = outline_distance_0(_S506.crossing_2.warp_2, _S506.shown_3, _S506.run_3, !_S506.shown_3.is_warp_2, _S504);
+    probe_1.edge_y_0 = outline_distance_0(_S506.crossing_2.weft_2, _S506.shown_3, _S506.run_3, _S506.shown_3.is_warp_2, _S505);
     return probe_1;
 }
 
-fn is_free_0( _S445 : u32,  _S446 : SearchQuality_0,  _S447 : vec3<f32>,  _S448 : vec3<f32>,  _S449 : bool,  _S450 : f32) -> bool
+fn is_free_0( _S507 : u32,  _S508 : SearchQuality_0,  _S509 : vec3<f32>,  _S510 : vec3<f32>,  _S511 : bool,  _S512 : f32) -> bool
 {
-    var _S451 : f32 = _S448.z;
-    if(_S451 <= 0.0f)
+    var _S513 : f32 = _S510.z;
+    if(_S513 <= 0.0f)
     {
         return false;
     }
-    var _S452 : f32 = 1.0f / max(_S446.shadow_share_0 * steps_per_length_0(_S445, _S446, _S448), 9.99999971718068537e-10f);
-    var _S453 : StepControl_0 = step_control_0(_S448.xy, _S452);
+    var _S514 : f32 = 1.0f / max(_S508.shadow_share_0 * steps_per_length_0(_S507, _S508, _S510), 9.99999971718068537e-10f);
+    var _S515 : StepControl_0 = step_control_0(_S510.xy, _S514);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S447.z + _S451 * distance_2) < _S450))))
+        if(((count_4 < u32(1024)) & (((_S509.z + _S513 * distance_2) < _S512))))
         {
         }
         else
         {
             break;
         }
-        var _S454 : vec3<f32> = _S447 + _S448 * vec3<f32>(distance_2);
-        var _S455 : Probe_0 = probe_0(_S445, _S454.x, _S454.y, _S449, _S453.right_0, _S453.up_0);
-        var _S456 : f32 = _S454.z;
-        var _S457 : f32 = _S456 - _S455.height_4;
-        var _S458 : f32 = _S451 - _S455.slope_x_0 * _S448.x - _S455.slope_y_0 * _S448.y;
-        if(((!_S455.hole_4) & ((_S457 < 0.0f))))
+        var _S516 : vec3<f32> = _S509 + _S510 * vec3<f32>(distance_2);
+        var _S517 : Probe_0 = probe_0(_S507, _S516.x, _S516.y, _S511, _S515.right_0, _S515.up_0);
+        var _S518 : f32 = _S516.z;
+        var _S519 : f32 = _S518 - _S517.height_4;
+        var _S520 : f32 = _S513 - _S517.slope_x_0 * _S510.x - _S517.slope_y_0 * _S510.y;
+        if(((!_S517.hole_4) & ((_S519 < 0.0f))))
         {
             return false;
         }
-        var _S459 : f32 = way_back_to_dip_0(previous_3, _S457, _S458, last_step_0, _S455);
-        if(_S459 >= 0.0f)
+        var _S521 : f32 = way_back_to_dip_0(previous_3, _S519, _S520, last_step_0, _S517);
+        if(_S521 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S459;
-            distance_2 = distance_2 - _S459;
+            var last_step_1 : f32 = last_step_0 - _S521;
+            distance_2 = distance_2 - _S521;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S460 : bool = _S456 > (_S455.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S453, _S455, _S457, _S458), max(StepControl_to_cell_exit_0(_S453, _S455.side_x_0, _S455.side_y_0), _S452), _S460);
+        var _S522 : bool = _S518 > (_S517.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S515, _S517, _S519, _S520), max(StepControl_to_cell_exit_0(_S515, _S517.side_x_0, _S517.side_y_0), _S514), _S522);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S457, _S458, _S455, _S460);
+        previous_3 = after_sample_0(_S519, _S520, _S517, _S522);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2275,28 +2480,28 @@ fn is_free_0( _S445 : u32,  _S446 : SearchQuality_0,  _S447 : vec3<f32>,  _S448 
     return true;
 }
 
-fn passes_through_0( _S461 : u32,  _S462 : SearchQuality_0,  _S463 : f32,  _S464 : f32,  _S465 : vec3<f32>,  _S466 : bool) -> bool
+fn passes_through_0( _S523 : u32,  _S524 : SearchQuality_0,  _S525 : f32,  _S526 : f32,  _S527 : vec3<f32>,  _S528 : bool) -> bool
 {
-    if(!sample_at_0(_S461, _S463, _S464, _S466).shown_3.hole_3)
+    if(!sample_at_0(_S523, _S525, _S526, _S528).shown_3.hole_3)
     {
         return false;
     }
-    var _S467 : vec3<f32> = vec3<f32>(_S463, _S464, 0.0f);
+    var _S529 : vec3<f32> = vec3<f32>(_S525, _S526, 0.0f);
     var passes_0 : bool = true;
-    var side_1 : u32 = u32(0);
+    var side_2 : u32 = u32(0);
     for(;;)
     {
-        if(((side_1 < u32(2)) & (passes_0)))
+        if(((side_2 < u32(2)) & (passes_0)))
         {
         }
         else
         {
             break;
         }
-        var _S468 : bool = is_free_0(_S461, _S462, _S467, select_vector_1(side_1 == u32(0), _S465, vec3<f32>(- _S465.x, - _S465.y, _S465.z)), _S466 != (side_1 == u32(1)), fabrics_0[_S461].height_high_0);
-        var _S469 : u32 = side_1 + u32(1);
-        passes_0 = _S468;
-        side_1 = _S469;
+        var _S530 : bool = is_free_0(_S523, _S524, _S529, select_vector_1(side_2 == u32(0), _S527, vec3<f32>(- _S527.x, - _S527.y, _S527.z)), _S528 != (side_2 == u32(1)), fabrics_0[_S523].height_high_0);
+        var _S531 : u32 = side_2 + u32(1);
+        passes_0 = _S530;
+        side_2 = _S531;
     }
     return passes_0;
 }
@@ -2311,44 +2516,44 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S470 : u32,  _S471 : f32,  _S472 : f32,  _S473 : f32,  _S474 : vec3<f32>,  _S475 : bool) -> f32
+fn max_height_along_0( _S532 : u32,  _S533 : f32,  _S534 : f32,  _S535 : f32,  _S536 : vec3<f32>,  _S537 : bool) -> f32
 {
-    var _S476 : f32 = _S474.x;
-    var _S477 : f32 = _S474.y;
-    var _S478 : u32 = (words_0[fabrics_0[_S470].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S470].weft_0, _S472).thread_2 / u32(2) * fabrics_0[_S470].max_height_columns_0 + locate_0(fabrics_0[_S470].warp_0, _S471).thread_2 / u32(2)) + (select(u32(0), u32(1), _S476 > 0.0f) + select(u32(0), u32(2), _S477 > 0.0f))] >> (u32(select(i32(0), i32(4), _S475))));
-    var _S479 : f32 = max(abs(_S476) * fabrics_0[_S470].threads_per_x_0, abs(_S477) * fabrics_0[_S470].threads_per_y_0) / _S474.z;
-    var _S480 : f32 = fabrics_0[_S470].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S470].height_high_0;
-    var number_1 : i32 = i32(3);
+    var _S538 : f32 = _S536.x;
+    var _S539 : f32 = _S536.y;
+    var _S540 : u32 = (words_0[fabrics_0[_S532].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S532].weft_0, _S534).thread_1 / u32(2) * fabrics_0[_S532].max_height_columns_0 + locate_0(fabrics_0[_S532].warp_0, _S533).thread_1 / u32(2)) + (select(u32(0), u32(1), _S538 > 0.0f) + select(u32(0), u32(2), _S539 > 0.0f))] >> (u32(select(i32(0), i32(4), _S537))));
+    var _S541 : f32 = max(abs(_S538) * fabrics_0[_S532].threads_per_x_0, abs(_S539) * fabrics_0[_S532].threads_per_y_0) / _S536.z;
+    var _S542 : f32 = fabrics_0[_S532].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S532].height_high_0;
+    var number_4 : i32 = i32(3);
     for(;;)
     {
-        if(number_1 >= i32(0))
+        if(number_4 >= i32(0))
         {
         }
         else
         {
             break;
         }
-        if(((max_height_0 - _S473) * _S479) <= (PYRAMID_RADII_0[number_1]))
+        if(((max_height_0 - _S535) * _S541) <= (PYRAMID_RADII_0[number_4]))
         {
-            max_height_0 = min(max_height_0, f32((((_S478 >> (u32(i32(8) * number_1)))) & (u32(15)))) * 0.06666667014360428f * _S480);
+            max_height_0 = min(max_height_0, f32((((_S540 >> (u32(i32(8) * number_4)))) & (u32(15)))) * 0.06666667014360428f * _S542);
         }
-        number_1 = number_1 - i32(1);
+        number_4 = number_4 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S481 : u32,  _S482 : f32,  _S483 : f32,  _S484 : bool,  _S485 : bool,  _S486 : bool) -> vec3<f32>
+fn cell_bounds_0( _S543 : u32,  _S544 : f32,  _S545 : f32,  _S546 : bool,  _S547 : bool,  _S548 : bool) -> vec3<f32>
 {
-    var _S487 : Crossing_0 = crossing_at_0(_S481, _S482, _S483, _S484);
-    return vec3<f32>(cell_maximum_0(_S481, _S487), select(_S487.warp_2.below_0, _S487.warp_2.above_0, _S485), select(_S487.weft_2.below_0, _S487.weft_2.above_0, _S486));
+    var _S549 : Crossing_0 = crossing_at_0(_S543, _S544, _S545, _S546);
+    return vec3<f32>(cell_maximum_0(_S543, _S549), select(_S549.warp_2.below_0, _S549.warp_2.above_0, _S547), select(_S549.weft_2.below_0, _S549.weft_2.above_0, _S548));
 }
 
-fn first_sample_height_0( _S488 : u32,  _S489 : ViewRay_0,  _S490 : StepControl_0,  _S491 : bool) -> f32
+fn first_sample_height_0( _S550 : u32,  _S551 : ViewRay_0,  _S552 : StepControl_0,  _S553 : bool) -> f32
 {
-    var _S492 : f32 = max_height_along_0(_S488, _S489.origin_0.x, _S489.origin_0.y, 0.0f, vec3<f32>(_S489.slope_1, 1.0f), _S491);
+    var _S554 : f32 = max_height_along_0(_S550, _S551.origin_0.x, _S551.origin_0.y, 0.0f, vec3<f32>(_S551.slope_1, 1.0f), _S553);
     var count_5 : u32 = u32(0);
-    var height_9 : f32 = _S492;
+    var height_9 : f32 = _S554;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -2358,12 +2563,12 @@ fn first_sample_height_0( _S488 : u32,  _S489 : ViewRay_0,  _S490 : StepControl_
         {
             break;
         }
-        var _S493 : vec2<f32> = ViewRay_at_0(_S489, height_9);
-        var _S494 : vec3<f32> = cell_bounds_0(_S488, _S493.x, _S493.y, _S491, _S490.right_0, _S490.up_0);
-        var _S495 : f32 = height_9 - _S494.x;
-        var _S496 : f32 = StepControl_to_cell_exit_0(_S490, _S494.y, _S494.z);
-        var height_10 : f32 = height_9 - clamp(_S495, 0.0f, _S496);
-        if(_S495 <= _S496)
+        var _S555 : vec2<f32> = ViewRay_at_0(_S551, height_9);
+        var _S556 : vec3<f32> = cell_bounds_0(_S550, _S555.x, _S555.y, _S553, _S552.right_0, _S552.up_0);
+        var _S557 : f32 = height_9 - _S556.x;
+        var _S558 : f32 = StepControl_to_cell_exit_0(_S552, _S556.y, _S556.z);
+        var height_10 : f32 = height_9 - clamp(_S557, 0.0f, _S558);
+        if(_S557 <= _S558)
         {
             height_9 = height_10;
             break;
@@ -2374,12 +2579,12 @@ fn first_sample_height_0( _S488 : u32,  _S489 : ViewRay_0,  _S490 : StepControl_
     return height_9;
 }
 
-fn search_down_0( _S497 : u32,  _S498 : ViewRay_0,  _S499 : StepControl_0,  _S500 : bool) -> ViewRayEnd_0
+fn search_down_0( _S559 : u32,  _S560 : ViewRay_0,  _S561 : StepControl_0,  _S562 : bool) -> ViewRayEnd_0
 {
-    var _S501 : f32 = fabrics_0[_S497].height_low_0 - (fabrics_0[_S497].height_high_0 - fabrics_0[_S497].height_low_0);
+    var _S563 : f32 = fabrics_0[_S559].height_low_0 - (fabrics_0[_S559].height_high_0 - fabrics_0[_S559].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_8 = first_sample_height_0(_S497, _S498, _S499, _S500);
-    end_1.last_step_3 = _S499.epsilon_0;
+    end_1.height_8 = first_sample_height_0(_S559, _S560, _S561, _S562);
+    end_1.last_step_3 = _S561.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_2 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2394,207 +2599,207 @@ fn search_down_0( _S497 : u32,  _S498 : ViewRay_0,  _S499 : StepControl_0,  _S50
         {
             break;
         }
-        var _S502 : vec2<f32> = ViewRay_at_0(_S498, end_1.height_8);
-        var _S503 : Probe_0 = probe_0(_S497, _S502.x, _S502.y, _S500, _S499.right_0, _S499.up_0);
-        var _S504 : f32 = end_1.height_8 - _S503.height_4;
-        var _S505 : f32 = ViewRay_rate_0(_S498, _S503);
-        end_1.depth_2 = - _S504;
-        end_1.rate_4 = _S505;
-        var _S506 : bool = !_S503.hole_4;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S506))) & (((end_1.previous_4.yarn_0) == (_S503.yarn_1))));
-        if((((_S506 & ((_S504 <= 0.0f)))) | (((end_1.height_8) <= _S501))))
+        var _S564 : vec2<f32> = ViewRay_at_0(_S560, end_1.height_8);
+        var _S565 : Probe_0 = probe_0(_S559, _S564.x, _S564.y, _S562, _S561.right_0, _S561.up_0);
+        var _S566 : f32 = end_1.height_8 - _S565.height_4;
+        var _S567 : f32 = ViewRay_rate_0(_S560, _S565);
+        end_1.depth_2 = - _S566;
+        end_1.rate_4 = _S567;
+        var _S568 : bool = !_S565.hole_4;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S568))) & (((end_1.previous_4.yarn_0) == (_S565.yarn_1))));
+        if((((_S568 & ((_S566 <= 0.0f)))) | (((end_1.height_8) <= _S563))))
         {
             break;
         }
-        var _S507 : f32 = way_back_to_dip_0(end_1.previous_4, _S504, _S505, end_1.last_step_3, _S503);
-        if(_S507 >= 0.0f)
+        var _S569 : f32 = way_back_to_dip_0(end_1.previous_4, _S566, _S567, end_1.last_step_3, _S565);
+        if(_S569 >= 0.0f)
         {
-            end_1.height_8 = end_1.height_8 + _S507;
-            end_1.last_step_3 = end_1.last_step_3 - _S507;
+            end_1.height_8 = end_1.height_8 + _S569;
+            end_1.last_step_3 = end_1.last_step_3 - _S569;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S508 : f32 = min(StepControl_to_cell_exit_0(_S499, _S503.side_x_0, _S503.side_y_0), end_1.height_8 - _S503.cell_max_0);
-        var _S509 : f32 = StepControl_to_next_sample_0(_S499, _S503, _S504, _S505);
-        end_1.previous_4 = after_sample_0(_S504, _S505, _S503, _S508 > _S509);
-        var _S510 : f32 = max(_S508, _S509);
-        end_1.last_step_3 = _S510;
-        end_1.height_8 = end_1.height_8 - _S510;
+        var _S570 : f32 = min(StepControl_to_cell_exit_0(_S561, _S565.side_x_0, _S565.side_y_0), end_1.height_8 - _S565.cell_max_0);
+        var _S571 : f32 = StepControl_to_next_sample_0(_S561, _S565, _S566, _S567);
+        end_1.previous_4 = after_sample_0(_S566, _S567, _S565, _S570 > _S571);
+        var _S572 : f32 = max(_S570, _S571);
+        end_1.last_step_3 = _S572;
+        end_1.height_8 = end_1.height_8 - _S572;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S511 : u32,  _S512 : ViewRay_0,  _S513 : StepControl_0,  _S514 : bool,  _S515 : ViewRayEnd_0,  _S516 : u32) -> f32
+fn refined_height_0( _S573 : u32,  _S574 : ViewRay_0,  _S575 : StepControl_0,  _S576 : bool,  _S577 : ViewRayEnd_0,  _S578 : u32) -> f32
 {
-    var _S517 : f32 = fabrics_0[_S511].height_high_0 - fabrics_0[_S511].height_low_0;
-    var above_2 : f32 = _S515.height_8 + _S515.last_step_3;
-    var above_gap_1 : f32 = clamp(_S515.previous_4.clearance_0, 0.0f, _S517);
-    var under_gap_1 : f32 = clamp(_S515.depth_2, 0.0f, _S517);
-    var middle_0 : f32 = select(between_0(above_2, _S515.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S515.previous_4.rate_0 * _S515.last_step_3, _S515.rate_4 * _S515.last_step_3) * _S515.last_step_3, _S515.smooth_0);
-    var side_2 : f32 = 0.0f;
+    var _S579 : f32 = fabrics_0[_S573].height_high_0 - fabrics_0[_S573].height_low_0;
+    var above_2 : f32 = _S577.height_8 + _S577.last_step_3;
+    var above_gap_1 : f32 = clamp(_S577.previous_4.clearance_0, 0.0f, _S579);
+    var under_gap_1 : f32 = clamp(_S577.depth_2, 0.0f, _S579);
+    var middle_0 : f32 = select(between_0(above_2, _S577.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S577.previous_4.rate_0 * _S577.last_step_3, _S577.rate_4 * _S577.last_step_3) * _S577.last_step_3, _S577.smooth_0);
+    var side_3 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S515.height_8;
+    var under_1 : f32 = _S577.height_8;
     var above_3 : f32 = above_2;
     var i_2 : u32 = u32(0);
     for(;;)
     {
-        if(i_2 < _S516)
+        if(i_2 < _S578)
         {
         }
         else
         {
             break;
         }
-        var _S518 : vec2<f32> = ViewRay_at_0(_S512, middle_0);
-        var _S519 : Probe_0 = probe_0(_S511, _S518.x, _S518.y, _S514, _S513.right_0, _S513.up_0);
-        var _S520 : f32 = clamp(middle_0 - select(_S519.height_4, -1.0e+09f, _S519.hole_4), - _S517, _S517);
-        if(_S520 <= 0.0f)
+        var _S580 : vec2<f32> = ViewRay_at_0(_S574, middle_0);
+        var _S581 : Probe_0 = probe_0(_S573, _S580.x, _S580.y, _S576, _S575.right_0, _S575.up_0);
+        var _S582 : f32 = clamp(middle_0 - select(_S581.height_4, -1.0e+09f, _S581.hole_4), - _S579, _S579);
+        if(_S582 <= 0.0f)
         {
-            var _S521 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
-            var _S522 : f32 = - _S520;
+            var _S583 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
+            var _S584 : f32 = - _S582;
             under_1 = middle_0;
-            above_gap_2 = _S521;
-            under_gap_2 = _S522;
-            side_2 = 1.0f;
+            above_gap_2 = _S583;
+            under_gap_2 = _S584;
+            side_3 = 1.0f;
         }
         else
         {
-            var _S523 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
+            var _S585 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S520;
-            under_gap_2 = _S523;
-            side_2 = -1.0f;
+            above_gap_2 = _S582;
+            under_gap_2 = _S585;
+            side_3 = -1.0f;
         }
-        var _S524 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S520 / min(ViewRay_rate_0(_S512, _S519), -9.99999997475242708e-07f), under_1, above_3), _S515.smooth_0);
-        var _S525 : u32 = i_2 + u32(1);
-        middle_0 = _S524;
-        i_2 = _S525;
+        var _S586 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S582 / min(ViewRay_rate_0(_S574, _S581), -9.99999997475242708e-07f), under_1, above_3), _S577.smooth_0);
+        var _S587 : u32 = i_2 + u32(1);
+        middle_0 = _S586;
+        i_2 = _S587;
     }
-    return select(under_1, middle_0, _S515.smooth_0);
+    return select(under_1, middle_0, _S577.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S526 : u32,  _S527 : SearchQuality_0,  _S528 : f32,  _S529 : f32,  _S530 : vec3<f32>,  _S531 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S588 : u32,  _S589 : SearchQuality_0,  _S590 : f32,  _S591 : f32,  _S592 : vec3<f32>,  _S593 : bool) -> Hit_0
 {
-    var _S532 : f32 = max(_S530.z, 0.00009999999747379f);
+    var _S594 : f32 = max(_S592.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S528, _S529);
-    var _S533 : vec2<f32> = _S530.xy / vec2<f32>(_S532);
-    ray_0.slope_1 = _S533;
-    var _S534 : StepControl_0 = step_control_0((vec2<f32>(0) - _S533), 1.0f / max(steps_per_length_0(_S526, _S527, _S530) / _S532, 9.99999971718068537e-10f));
-    var _S535 : ViewRayEnd_0 = search_down_0(_S526, ray_0, _S534, _S531);
+    ray_0.origin_0 = vec2<f32>(_S590, _S591);
+    var _S595 : vec2<f32> = _S592.xy / vec2<f32>(_S594);
+    ray_0.slope_1 = _S595;
+    var _S596 : StepControl_0 = step_control_0((vec2<f32>(0) - _S595), 1.0f / max(steps_per_length_0(_S588, _S589, _S592) / _S594, 9.99999971718068537e-10f));
+    var _S597 : ViewRayEnd_0 = search_down_0(_S588, ray_0, _S596, _S593);
     var hit_0 : Hit_0;
     hit_0.hole_5 = false;
-    var _S536 : f32 = refined_height_0(_S526, ray_0, _S534, _S531, _S535, _S527.refinements_0);
-    hit_0.height_6 = _S536;
-    var _S537 : vec2<f32> = ViewRay_at_0(ray_0, _S536);
-    hit_0.x_16 = _S537.x;
-    hit_0.y_9 = _S537.y;
+    var _S598 : f32 = refined_height_0(_S588, ray_0, _S596, _S593, _S597, _S589.refinements_0);
+    hit_0.height_6 = _S598;
+    var _S599 : vec2<f32> = ViewRay_at_0(ray_0, _S598);
+    hit_0.x_16 = _S599.x;
+    hit_0.y_9 = _S599.y;
     return hit_0;
 }
 
-fn first_hit_0( _S538 : u32,  _S539 : SearchQuality_0,  _S540 : f32,  _S541 : f32,  _S542 : vec3<f32>,  _S543 : bool) -> Hit_0
+fn first_hit_0( _S600 : u32,  _S601 : SearchQuality_0,  _S602 : f32,  _S603 : f32,  _S604 : vec3<f32>,  _S605 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S538, _S539, _S540, _S541, _S542, _S543))
+    if(!passes_through_0(_S600, _S601, _S602, _S603, _S604, _S605))
     {
-        return first_hit_of_yarn_0(_S538, _S539, _S540, _S541, _S542, _S543);
+        return first_hit_of_yarn_0(_S600, _S601, _S602, _S603, _S604, _S605);
     }
     var hit_1 : Hit_0;
-    hit_1.x_16 = _S540;
-    hit_1.y_9 = _S541;
+    hit_1.x_16 = _S602;
+    hit_1.y_9 = _S603;
     hit_1.height_6 = 0.0f;
     hit_1.hole_5 = true;
     return hit_1;
 }
 
-fn surface_of_0( _S544 : u32,  _S545 : Sample_0,  _S546 : f32,  _S547 : f32,  _S548 : bool) -> SurfacePoint_0
+fn surface_of_0( _S606 : u32,  _S607 : Sample_0,  _S608 : f32,  _S609 : f32,  _S610 : bool) -> SurfacePoint_0
 {
-    var _S549 : u32 = select(fabrics_0[_S544].weft_0, fabrics_0[_S544].warp_0, _S545.shown_3.is_warp_2);
-    var _S550 : f32 = families_0[_S549].twist_sine_0 * select(1.0f, -1.0f, _S548);
-    var _S551 : f32 = select(-1.0f, 1.0f, _S545.shown_3.is_warp_2);
-    var _S552 : vec2<f32> = fibre_direction_0(_S545.slope_across_0, _S551 * _S545.slope_along_0, _S550, families_0[_S549].twist_cosine_0);
-    var _S553 : f32 = _S552.x;
-    var _S554 : f32 = _S552.y;
-    var _S555 : f32 = select(_S545.slope_y_1, _S545.slope_x_1, _S545.shown_3.is_warp_2) * _S553 + _S551 * select(_S545.slope_x_1, _S545.slope_y_1, _S545.shown_3.is_warp_2) * _S554;
-    var _S556 : f32 = select(_S545.crossing_2.weft_2.half_width_1, _S545.crossing_2.warp_2.half_width_1, _S545.shown_3.is_warp_2) * 1.0154266357421875f;
-    var _S557 : f32 = _S556 * arc_sine_0(clamp(_S545.section_1.across_3 / _S556, -1.0f, 1.0f));
-    var _S558 : f32 = select(- _S546, _S547, _S545.shown_3.is_warp_2);
+    var _S611 : u32 = select(fabrics_0[_S606].weft_0, fabrics_0[_S606].warp_0, _S607.shown_3.is_warp_2);
+    var _S612 : f32 = families_0[_S611].twist_sine_0 * select(1.0f, -1.0f, _S610);
+    var _S613 : f32 = select(-1.0f, 1.0f, _S607.shown_3.is_warp_2);
+    var _S614 : vec2<f32> = fibre_direction_0(_S607.slope_across_0, _S613 * _S607.slope_along_0, _S612, families_0[_S611].twist_cosine_0);
+    var _S615 : f32 = _S614.x;
+    var _S616 : f32 = _S614.y;
+    var _S617 : f32 = select(_S607.slope_y_1, _S607.slope_x_1, _S607.shown_3.is_warp_2) * _S615 + _S613 * select(_S607.slope_x_1, _S607.slope_y_1, _S607.shown_3.is_warp_2) * _S616;
+    var _S618 : f32 = select(_S607.crossing_2.weft_2.half_width_1, _S607.crossing_2.warp_2.half_width_1, _S607.shown_3.is_warp_2) * 1.0154266357421875f;
+    var _S619 : f32 = _S618 * arc_sine_0(clamp(_S607.section_1.across_3 / _S618, -1.0f, 1.0f));
+    var _S620 : f32 = select(- _S608, _S609, _S607.shown_3.is_warp_2);
     var point_4 : SurfacePoint_0;
-    point_4.hole_0 = _S545.shown_3.hole_3;
-    point_4.is_warp_0 = _S545.shown_3.is_warp_2;
-    point_4.warp_thread_0 = _S545.crossing_2.warp_2.thread_2;
-    point_4.weft_thread_0 = _S545.crossing_2.weft_2.thread_2;
-    point_4.height_2 = _S545.height_7;
-    point_4.normal_1 = normalize(vec3<f32>(- _S545.slope_x_1, - _S545.slope_y_1, 1.0f));
-    point_4.tangent_0 = normalize(select_vector_1(_S545.shown_3.is_warp_2, vec3<f32>(_S553, _S554, _S555), vec3<f32>(- _S554, _S553, _S555)));
-    point_4.across_0 = _S545.section_1.across_3;
-    point_4.fibre_across_0 = _S557 * families_0[_S549].twist_cosine_0 + _S558 * _S550;
-    point_4.fibre_along_0 = _S558 * families_0[_S549].twist_cosine_0 - _S557 * _S550;
-    var _S559 : f32 = run_share_0(_S545.shown_3.word_0);
-    point_4.shown_share_0 = select(1.0f - _S559, _S559, _S545.shown_3.on_top_0);
-    point_4.x_8 = _S546;
-    point_4.y_2 = _S547;
+    point_4.hole_0 = _S607.shown_3.hole_3;
+    point_4.is_warp_0 = _S607.shown_3.is_warp_2;
+    point_4.warp_thread_0 = _S607.crossing_2.warp_2.thread_1;
+    point_4.weft_thread_0 = _S607.crossing_2.weft_2.thread_1;
+    point_4.height_2 = _S607.height_7;
+    point_4.normal_1 = normalize(vec3<f32>(- _S607.slope_x_1, - _S607.slope_y_1, 1.0f));
+    point_4.tangent_0 = normalize(select_vector_1(_S607.shown_3.is_warp_2, vec3<f32>(_S615, _S616, _S617), vec3<f32>(- _S616, _S615, _S617)));
+    point_4.across_1 = _S607.section_1.across_3;
+    point_4.fibre_across_0 = _S619 * families_0[_S611].twist_cosine_0 + _S620 * _S612;
+    point_4.fibre_along_0 = _S620 * families_0[_S611].twist_cosine_0 - _S619 * _S612;
+    var _S621 : f32 = run_share_0(_S607.shown_3.word_0);
+    point_4.shown_share_0 = select(1.0f - _S621, _S621, _S607.shown_3.on_top_0);
+    point_4.x_8 = _S608;
+    point_4.y_2 = _S609;
     return point_4;
 }
 
-fn surface_met_0( _S560 : u32,  _S561 : f32,  _S562 : f32,  _S563 : f32,  _S564 : vec3<f32>,  _S565 : bool) -> SurfacePoint_0
+fn surface_met_0( _S622 : u32,  _S623 : f32,  _S624 : f32,  _S625 : f32,  _S626 : vec3<f32>,  _S627 : bool) -> SurfacePoint_0
 {
-    var _S566 : Sample_0 = sample_at_0(_S560, _S561, _S562, _S565);
-    var point_5 : SurfacePoint_0 = surface_of_0(_S560, _S566, _S561, _S562, _S565);
-    var _S567 : u32 = select(fabrics_0[_S560].weft_0, fabrics_0[_S560].warp_0, point_5.is_warp_0);
-    var _S568 : f32 = select(_S566.crossing_2.weft_2.half_width_1, _S566.crossing_2.warp_2.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
-    var _S569 : f32 = _S566.dive_1.z;
-    var _S570 : f32 = _S566.slope_along_0 - (1.0f - _S569) * _S566.dive_1.y / families_0[_S567].height_scale_0;
-    var _S571 : f32 = rsqrt_0(_S570 * _S570 + 1.0f);
-    var _S572 : f32 = _S564.x;
-    var _S573 : f32 = _S564.y;
-    var _S574 : f32 = select(_S573, _S572, point_5.is_warp_0);
-    var _S575 : f32 = _S564.z;
-    var _S576 : f32 = (_S575 / families_0[_S567].height_scale_0 - _S570 * select(_S572, _S573, point_5.is_warp_0)) * _S571;
-    var _S577 : f32 = square_1(_S568);
-    var _S578 : f32 = sqrt(max(_S577 - square_1(point_5.across_0), 0.0f)) - (_S566.height_7 + _S569 * _S566.dive_1.x - _S563) / families_0[_S567].height_scale_0 * _S571;
-    var _S579 : f32 = square_1(_S574) + square_1(_S576) + 9.999999960041972e-13f;
-    var _S580 : f32 = point_5.across_0 * _S574 + _S578 * _S576;
-    var _S581 : f32 = square_1(point_5.across_0) + square_1(_S578) - _S577;
-    var _S582 : f32 = sqrt(max(square_1(_S580) - _S579 * _S581, 0.0f));
-    var _S583 : f32 = clamp(select((_S582 - _S580) / _S579, - _S581 / max(_S580 + _S582, 9.999999960041972e-13f), _S580 > 0.0f), - _S568, _S568);
-    var _S584 : f32 = point_5.across_0 + _S583 * _S574;
-    point_5.across_0 = _S584;
-    var _S585 : vec2<f32> = normalize(vec2<f32>(_S584, _S578 + _S583 * _S576));
-    var _S586 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
-    var _S587 : f32 = families_0[_S567].twist_sine_0 * select(1.0f, -1.0f, _S565);
-    var _S588 : f32 = _S585.x;
-    var _S589 : f32 = _S587 * _S588 * _S571;
-    var _S590 : f32 = _S585.y;
-    var _S591 : f32 = - _S587 * _S590;
-    var _S592 : f32 = families_0[_S567].twist_cosine_0 * _S571 - _S586 * _S570 * _S589;
-    var _S593 : f32 = families_0[_S567].height_scale_0 * (families_0[_S567].twist_cosine_0 * _S586 * _S570 * _S571 + _S589);
-    var _S594 : f32 = families_0[_S567].height_scale_0 * _S588;
-    var _S595 : f32 = - families_0[_S567].height_scale_0 * _S570 * _S571 * _S590;
-    point_5.normal_1 = normalize(vec3<f32>(select(_S595, _S594, point_5.is_warp_0), select(_S594, _S595, point_5.is_warp_0), _S571 * _S590));
-    point_5.tangent_0 = normalize(vec3<f32>(select(- _S592, _S591, point_5.is_warp_0), select(_S591, _S592, point_5.is_warp_0), _S593));
-    var _S596 : f32 = _S568 * angle_of_0(_S585);
-    var _S597 : f32 = select(- _S561 - _S583 * _S572, _S562 + _S583 * _S573, point_5.is_warp_0);
-    point_5.fibre_across_0 = _S596 * families_0[_S567].twist_cosine_0 + _S597 * _S587;
-    point_5.fibre_along_0 = _S597 * families_0[_S567].twist_cosine_0 - _S596 * _S587;
-    var _S598 : f32 = 0.00999999977648258f * _S568;
-    var _S599 : f32 = - _S598;
-    var _S600 : bool = _S583 < _S599;
-    var _S601 : f32 = select(_S598, _S599, _S574 < 0.0f);
-    var _S602 : f32 = max(_S583, 0.0f);
-    point_5.x_8 = point_5.x_8 + select(_S602 * _S572, select(0.0f, _S601, point_5.is_warp_0), _S600);
-    point_5.y_2 = point_5.y_2 + select(_S602 * _S573, select(_S601, 0.0f, point_5.is_warp_0), _S600);
-    point_5.height_2 = select(_S563 + _S583 * _S575, _S563, _S600);
+    var _S628 : Sample_0 = sample_at_0(_S622, _S623, _S624, _S627);
+    var point_5 : SurfacePoint_0 = surface_of_0(_S622, _S628, _S623, _S624, _S627);
+    var _S629 : u32 = select(fabrics_0[_S622].weft_0, fabrics_0[_S622].warp_0, point_5.is_warp_0);
+    var _S630 : f32 = select(_S628.crossing_2.weft_2.half_width_1, _S628.crossing_2.warp_2.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
+    var _S631 : f32 = _S628.dive_1.z;
+    var _S632 : f32 = _S628.slope_along_0 - (1.0f - _S631) * _S628.dive_1.y / families_0[_S629].height_scale_0;
+    var _S633 : f32 = rsqrt_0(_S632 * _S632 + 1.0f);
+    var _S634 : f32 = _S626.x;
+    var _S635 : f32 = _S626.y;
+    var _S636 : f32 = select(_S635, _S634, point_5.is_warp_0);
+    var _S637 : f32 = _S626.z;
+    var _S638 : f32 = (_S637 / families_0[_S629].height_scale_0 - _S632 * select(_S634, _S635, point_5.is_warp_0)) * _S633;
+    var _S639 : f32 = square_1(_S630);
+    var _S640 : f32 = sqrt(max(_S639 - square_1(point_5.across_1), 0.0f)) - (_S628.height_7 + _S631 * _S628.dive_1.x - _S625) / families_0[_S629].height_scale_0 * _S633;
+    var _S641 : f32 = square_1(_S636) + square_1(_S638) + 9.999999960041972e-13f;
+    var _S642 : f32 = point_5.across_1 * _S636 + _S640 * _S638;
+    var _S643 : f32 = square_1(point_5.across_1) + square_1(_S640) - _S639;
+    var _S644 : f32 = sqrt(max(square_1(_S642) - _S641 * _S643, 0.0f));
+    var _S645 : f32 = clamp(select((_S644 - _S642) / _S641, - _S643 / max(_S642 + _S644, 9.999999960041972e-13f), _S642 > 0.0f), - _S630, _S630);
+    var _S646 : f32 = point_5.across_1 + _S645 * _S636;
+    point_5.across_1 = _S646;
+    var _S647 : vec2<f32> = normalize(vec2<f32>(_S646, _S640 + _S645 * _S638));
+    var _S648 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
+    var _S649 : f32 = families_0[_S629].twist_sine_0 * select(1.0f, -1.0f, _S627);
+    var _S650 : f32 = _S647.x;
+    var _S651 : f32 = _S649 * _S650 * _S633;
+    var _S652 : f32 = _S647.y;
+    var _S653 : f32 = - _S649 * _S652;
+    var _S654 : f32 = families_0[_S629].twist_cosine_0 * _S633 - _S648 * _S632 * _S651;
+    var _S655 : f32 = families_0[_S629].height_scale_0 * (families_0[_S629].twist_cosine_0 * _S648 * _S632 * _S633 + _S651);
+    var _S656 : f32 = families_0[_S629].height_scale_0 * _S650;
+    var _S657 : f32 = - families_0[_S629].height_scale_0 * _S632 * _S633 * _S652;
+    point_5.normal_1 = normalize(vec3<f32>(select(_S657, _S656, point_5.is_warp_0), select(_S656, _S657, point_5.is_warp_0), _S633 * _S652));
+    point_5.tangent_0 = normalize(vec3<f32>(select(- _S654, _S653, point_5.is_warp_0), select(_S653, _S654, point_5.is_warp_0), _S655));
+    var _S658 : f32 = _S630 * angle_of_0(_S647);
+    var _S659 : f32 = select(- _S623 - _S645 * _S634, _S624 + _S645 * _S635, point_5.is_warp_0);
+    point_5.fibre_across_0 = _S658 * families_0[_S629].twist_cosine_0 + _S659 * _S649;
+    point_5.fibre_along_0 = _S659 * families_0[_S629].twist_cosine_0 - _S658 * _S649;
+    var _S660 : f32 = 0.00999999977648258f * _S630;
+    var _S661 : f32 = - _S660;
+    var _S662 : bool = _S645 < _S661;
+    var _S663 : f32 = select(_S660, _S661, _S636 < 0.0f);
+    var _S664 : f32 = max(_S645, 0.0f);
+    point_5.x_8 = point_5.x_8 + select(_S664 * _S634, select(0.0f, _S663, point_5.is_warp_0), _S662);
+    point_5.y_2 = point_5.y_2 + select(_S664 * _S635, select(_S663, 0.0f, point_5.is_warp_0), _S662);
+    point_5.height_2 = select(_S625 + _S645 * _S637, _S625, _S662);
     return point_5;
 }
 
 struct Hairs_0
 {
-     place_1 : vec2<f32>,
+     place_2 : vec2<f32>,
      below_1 : f32,
      back_7 : bool,
-     size_3 : f32,
+     size_4 : f32,
 };
 
 struct YarnPoint_0
@@ -2615,93 +2820,123 @@ struct YarnPoint_0
      hair_cover_0 : f32,
 };
 
-fn hairs_over_0( _S603 : u32,  _S604 : SurfacePoint_0,  _S605 : bool,  _S606 : f32) -> Hairs_0
+fn hairs_over_0( _S665 : u32,  _S666 : SurfacePoint_0,  _S667 : bool,  _S668 : f32) -> Hairs_0
 {
     var hairs_1 : Hairs_0;
-    hairs_1.place_1 = vec2<f32>(_S604.x_8, _S604.y_2);
-    hairs_1.below_1 = fabrics_0[_S603].height_high_0 - _S604.height_2;
-    hairs_1.back_7 = _S605;
-    hairs_1.size_3 = _S606;
+    hairs_1.place_2 = vec2<f32>(_S666.x_8, _S666.y_2);
+    hairs_1.below_1 = fabrics_0[_S665].height_high_0 - _S666.height_2;
+    hairs_1.back_7 = _S667;
+    hairs_1.size_4 = _S668;
     return hairs_1;
 }
 
-fn has_hairs_0( _S607 : u32) -> bool
+fn has_hairs_0( _S669 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S607].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S607].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S669].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S669].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_towards_0( _S608 : u32,  _S609 : Hairs_0,  _S610 : vec3<f32>,  _S611 : f32) -> Hair_0
+fn hair_towards_0( _S670 : u32,  _S671 : Hairs_0,  _S672 : vec3<f32>,  _S673 : f32) -> Hair_0
 {
-    var _S612 : f32 = fabrics_0[_S608].fibre_size_0;
-    var _S613 : f32 = 17.0f * fabrics_0[_S608].fibre_size_0;
-    var _S614 : f32 = fade_0(_S611, _S613);
-    var _S615 : vec2<f32> = _S610.xy / vec2<f32>(max(_S610.z, 0.3333333432674408f));
-    var _S616 : u32 = hash_key_0(select(u32(0), u32(1), _S609.back_7), ((fabrics_0[_S608].seed_0) ^ (u32(1013904242))));
-    var _S617 : f32 = fabrics_0[_S608].fibre_size_0 / max(_S611, 0.07000000029802322f * fabrics_0[_S608].fibre_size_0);
-    const _S618 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
-    var cover_2 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S618;
+    var _S674 : f32 = fabrics_0[_S670].fibre_size_0;
+    var _S675 : f32 = 17.0f * fabrics_0[_S670].fibre_size_0;
+    var _S676 : f32 = fade_0(_S673, _S675);
+    var _S677 : vec2<f32> = _S672.xy / vec2<f32>(max(_S672.z, 0.3333333432674408f));
+    var _S678 : u32 = hash_key_0(select(u32(0), u32(1), _S671.back_7), ((fabrics_0[_S670].seed_0) ^ (u32(1013904242))));
+    var _S679 : f32 = fabrics_0[_S670].fibre_size_0 / max(_S673, 0.07000000029802322f * fabrics_0[_S670].fibre_size_0);
+    const _S680 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var cover_3 : f32 = 0.0f;
+    var hair_across_0 : vec2<f32> = _S680;
     var hair_away_0 : f32 = 0.0f;
     var is_warp_6 : bool = false;
-    var number_2 : u32 = u32(0);
+    var number_5 : u32 = u32(0);
     for(;;)
     {
-        if(((_S614 > 0.0f) & ((number_2 < u32(18)))))
+        if(((_S676 > 0.0f) & ((number_5 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S619 : u32 = number_2 / u32(9);
-        var _S620 : u32 = number_2 / u32(3) - u32(3) * _S619;
-        var _S621 : vec2<f32> = (vec2<f32>(((f32(_S619) * 6.0f + 2.0f) * _S612 + _S609.below_1)) * _S615 + _S609.place_1) / vec2<f32>(_S613);
-        var _S622 : vec2<f32> = floor(_S621) + vec2<f32>(f32(number_2 - u32(3) * _S620 - u32(9) * _S619), f32(_S620)) - vec2<f32>(1.0f);
-        var _S623 : u32 = hash_bits_0(_S616 + _S619, u32(i32(_S622.x)) * u32(65536) + u32(i32(_S622.y)));
-        var _S624 : u32 = hash_bits_0(_S616, _S623);
-        var _S625 : vec2<f32> = _S621 - _S622 - vec2<f32>(share_of_0(_S623), share_of_0((_S623 >> (u32(10)))));
-        var _S626 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S623 >> (u32(20)))));
-        var _S627 : f32 = mix(5.0f, 16.0f, share_of_0((_S624 >> (u32(10))))) / 17.0f;
-        var _S628 : f32 = _S625.x;
-        var _S629 : f32 = _S626.y;
-        var _S630 : f32 = _S625.y;
-        var _S631 : f32 = _S626.x;
-        var _S632 : f32 = (_S628 * _S629 + _S630 * _S631) / _S627;
-        var _S633 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S624 >> (u32(20)))) - 1.0f);
-        var _S634 : f32 = 0.5f * (2.0f * share_of_0((_S623 ^ (_S624))) - 1.0f);
-        var _S635 : f32 = _S632 * (3.0f * _S634 * _S632 + 2.0f * _S633);
-        var _S636 : f32 = rsqrt_0(_S635 * _S635 + 1.0f);
-        var _S637 : f32 = (_S630 * _S629 - _S628 * _S631 - _S627 * _S632 * _S632 * (_S634 * _S632 + _S633)) * _S636 * 17.0f;
-        var _S638 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S632)), 0.0f) * _S617;
-        var _S639 : f32 = clamp(_S638 + 0.5f - abs(_S637) * _S617, 0.0f, min(2.0f * _S638, 1.0f));
-        var _S640 : bool = ((((_S624 >> (u32(30)))) & (u32(1)))) == u32(1);
-        var _S641 : bool = (((((share_of_0(_S624)) < (families_0[select(fabrics_0[_S608].weft_0, fabrics_0[_S608].warp_0, _S640)].hairiness_0)) & (((abs(_S632)) < 1.0f)))) & ((_S639 > cover_2)));
-        var _S642 : vec2<f32> = vec2<f32>(- _S631 - _S635 * _S629, _S629 - _S635 * _S631) * vec2<f32>(_S636);
-        var _S643 : f32 = select(cover_2, _S639, _S641);
-        var _S644 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S642.x, _S641), select(hair_across_0.y, _S642.y, _S641));
-        var _S645 : f32 = select(hair_away_0, _S637, _S641);
-        var _S646 : bool = select(is_warp_6, _S640, _S641);
-        var _S647 : u32 = number_2 + u32(1);
-        cover_2 = _S643;
-        hair_across_0 = _S644;
-        hair_away_0 = _S645;
-        is_warp_6 = _S646;
-        number_2 = _S647;
+        var _S681 : u32 = number_5 / u32(9);
+        var _S682 : u32 = number_5 / u32(3) - u32(3) * _S681;
+        var _S683 : vec2<f32> = (vec2<f32>(((f32(_S681) * 6.0f + 2.0f) * _S674 + _S671.below_1)) * _S677 + _S671.place_2) / vec2<f32>(_S675);
+        var _S684 : vec2<f32> = floor(_S683) + vec2<f32>(f32(number_5 - u32(3) * _S682 - u32(9) * _S681), f32(_S682)) - vec2<f32>(1.0f);
+        var _S685 : u32 = hash_bits_0(_S678 + _S681, u32(i32(_S684.x)) * u32(65536) + u32(i32(_S684.y)));
+        var _S686 : u32 = hash_bits_0(_S678, _S685);
+        var _S687 : vec2<f32> = _S683 - _S684 - vec2<f32>(share_of_0(_S685), share_of_0((_S685 >> (u32(10)))));
+        var _S688 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S685 >> (u32(20)))));
+        var _S689 : f32 = mix(5.0f, 16.0f, share_of_0((_S686 >> (u32(10))))) / 17.0f;
+        var _S690 : f32 = _S687.x;
+        var _S691 : f32 = _S688.y;
+        var _S692 : f32 = _S687.y;
+        var _S693 : f32 = _S688.x;
+        var _S694 : f32 = (_S690 * _S691 + _S692 * _S693) / _S689;
+        var _S695 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S686 >> (u32(20)))) - 1.0f);
+        var _S696 : f32 = 0.5f * (2.0f * share_of_0((_S685 ^ (_S686))) - 1.0f);
+        var _S697 : f32 = _S694 * (3.0f * _S696 * _S694 + 2.0f * _S695);
+        var _S698 : f32 = rsqrt_0(_S697 * _S697 + 1.0f);
+        var _S699 : f32 = (_S692 * _S691 - _S690 * _S693 - _S689 * _S694 * _S694 * (_S696 * _S694 + _S695)) * _S698 * 17.0f;
+        var _S700 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S694)), 0.0f) * _S679;
+        var _S701 : f32 = clamp(_S700 + 0.5f - abs(_S699) * _S679, 0.0f, min(2.0f * _S700, 1.0f));
+        var _S702 : bool = ((((_S686 >> (u32(30)))) & (u32(1)))) == u32(1);
+        var _S703 : bool = (((((share_of_0(_S686)) < (families_0[select(fabrics_0[_S670].weft_0, fabrics_0[_S670].warp_0, _S702)].hairiness_0)) & (((abs(_S694)) < 1.0f)))) & ((_S701 > cover_3)));
+        var _S704 : vec2<f32> = vec2<f32>(- _S693 - _S697 * _S691, _S691 - _S697 * _S693) * vec2<f32>(_S698);
+        var _S705 : f32 = select(cover_3, _S701, _S703);
+        var _S706 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S704.x, _S703), select(hair_across_0.y, _S704.y, _S703));
+        var _S707 : f32 = select(hair_away_0, _S699, _S703);
+        var _S708 : bool = select(is_warp_6, _S702, _S703);
+        var _S709 : u32 = number_5 + u32(1);
+        cover_3 = _S705;
+        hair_across_0 = _S706;
+        hair_away_0 = _S707;
+        is_warp_6 = _S708;
+        number_5 = _S709;
     }
-    var _S648 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S710 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_0 = _S614 * cover_2;
-    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S648) * hair_across_0, sqrt(1.0f - _S648 * _S648));
+    hair_1.cover_1 = _S676 * cover_3;
+    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S710) * hair_across_0, sqrt(1.0f - _S710 * _S710));
     hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     hair_1.is_warp_3 = is_warp_6;
-    hair_1.shade_0 = _S614 * 0.03255363181233406f * (families_0[fabrics_0[_S608].warp_0].hairiness_0 + families_0[fabrics_0[_S608].weft_0].hairiness_0);
+    hair_1.shade_0 = _S676 * 0.03255363181233406f * (families_0[fabrics_0[_S670].warp_0].hairiness_0 + families_0[fabrics_0[_S670].weft_0].hairiness_0);
     return hair_1;
 }
 
-fn thread_number_0( _S649 : u32,  _S650 : SurfacePoint_0) -> u32
+fn thread_of_family_0( _S711 : u32,  _S712 : SurfacePoint_0) -> i32
 {
-    var _S651 : u32 = select(fabrics_0[_S649].weft_0, fabrics_0[_S649].warp_0, _S650.is_warp_0);
-    return u32(i32(floor((select(_S650.y_2, _S650.x_8, _S650.is_warp_0) - _S650.across_0) / families_0[_S651].period_0)) * i32(families_0[_S651].count_0) + i32(select(_S650.weft_thread_0, _S650.warp_thread_0, _S650.is_warp_0))) * u32(2) + select(u32(0), u32(1), _S650.is_warp_0);
+    var _S713 : u32 = select(fabrics_0[_S711].weft_0, fabrics_0[_S711].warp_0, _S712.is_warp_0);
+    return i32(floor((select(_S712.y_2, _S712.x_8, _S712.is_warp_0) - _S712.across_1) / families_0[_S713].period_0)) * i32(families_0[_S713].count_0) + i32(select(_S712.weft_thread_0, _S712.warp_thread_0, _S712.is_warp_0));
+}
+
+fn toned_0( _S714 : u32,  _S715 : u32,  _S716 : Albedos_0,  _S717 : vec4<f32>) -> Albedos_0
+{
+    var _S718 : vec3<f32> = _S716.diffuse_reflect_0 + _S716.diffuse_transmit_0;
+    var _S719 : vec3<f32> = vec3<f32>(1.0f);
+    var _S720 : vec3<f32> = _S719 - vec3<f32>(fabrics_0[_S714].layer_bound_0) * max(_S716.specular_reflect_0, _S716.specular_transmit_0);
+    var _S721 : vec3<f32> = vec3<f32>(0.0f);
+    var _S722 : vec3<f32> = max(_S719 - _S718, _S721) / (_S719 + _S718);
+    var _S723 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S724 : vec3<f32> = (_S720 / max(_S718, _S723) - _S719) / max(vec3<f32>(0.89999997615814209f) * _S722, _S723);
+    var _S725 : vec3<f32> = _S719 - vec3<f32>((saturate(min(min(_S724.x, _S724.y), _S724.z)) * _S717.z)) * _S722;
+    var _S726 : vec3<f32> = min(vec3<f32>(families_0[_S715].nep_red_0, families_0[_S715].nep_green_0, families_0[_S715].nep_blue_0), _S720);
+    var found_1 : Albedos_0 = _S716;
+    var _S727 : f32 = _S717.w;
+    var _S728 : vec3<f32> = _S725 * _S716.diffuse_transmit_0 * vec3<f32>((1.0f - _S727));
+    found_1.diffuse_transmit_0 = _S728;
+    found_1.diffuse_reflect_0 = clamp(mix(_S725 * _S716.diffuse_reflect_0, _S726, vec3<f32>(_S727)), _S721, max(_S720 - _S728, _S721));
+    return found_1;
+}
+
+fn toned_at_0( _S729 : u32,  _S730 : bool,  _S731 : Albedos_0,  _S732 : f32,  _S733 : vec2<f32>) -> Albedos_0
+{
+    var _S734 : u32 = select(fabrics_0[_S729].weft_0, fabrics_0[_S729].warp_0, _S730);
+    return toned_0(_S729, _S734, _S731, irregular_at_0(_S734, irregular_key_0(_S729, select(u32(1), u32(0), _S730)), _S732, select(_S733.x, _S733.y, _S730)));
+}
+
+fn thread_number_0( _S735 : u32,  _S736 : SurfacePoint_0) -> u32
+{
+    return u32(thread_of_family_0(_S735, _S736)) * u32(2) + select(u32(0), u32(1), _S736.is_warp_0);
 }
 
 struct FibreNoise_0
@@ -2715,298 +2950,302 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S652 : u32,  _S653 : u32,  _S654 : SurfacePoint_0,  _S655 : u32,  _S656 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S737 : u32,  _S738 : u32,  _S739 : SurfacePoint_0,  _S740 : u32,  _S741 : f32) -> FibreNoise_0
 {
-    var _S657 : f32 = 5.0f * fabrics_0[_S652].fibre_size_0;
-    var _S658 : vec2<f32> = wave_noise_0(hash_key_0(_S655, ((fabrics_0[_S652].seed_0) ^ (u32(458671337)))), _S654.fibre_along_0 / (25.0f * fabrics_0[_S652].fibre_size_0));
-    var _S659 : f32 = _S654.fibre_across_0 + families_0[_S653].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S652].fibre_size_0 * _S658.x;
-    var _S660 : vec3<f32> = fibre_cell_0(_S659, _S654.fibre_along_0, fabrics_0[_S652].fibre_size_0);
-    var _S661 : vec3<f32> = fibre_cell_0(_S659, _S654.fibre_along_0, _S657);
+    var _S742 : f32 = 5.0f * fabrics_0[_S737].fibre_size_0;
+    var _S743 : vec2<f32> = wave_noise_0(hash_key_0(_S740, ((fabrics_0[_S737].seed_0) ^ (u32(458671337)))), _S739.fibre_along_0 / (25.0f * fabrics_0[_S737].fibre_size_0));
+    var _S744 : f32 = _S739.fibre_across_0 + families_0[_S738].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S737].fibre_size_0 * _S743.x;
+    var _S745 : vec3<f32> = fibre_cell_0(_S744, _S739.fibre_along_0, fabrics_0[_S737].fibre_size_0);
+    var _S746 : vec3<f32> = fibre_cell_0(_S744, _S739.fibre_along_0, _S742);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S655, ((fabrics_0[_S652].seed_0) ^ (u32(1757159915)))), _S661);
-    noise_0.bundle_offset_0 = _S661.z;
-    noise_0.bundle_weight_0 = fade_0(_S656, _S657);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S655, ((fabrics_0[_S652].seed_0) ^ (u32(48610963)))), _S660);
-    noise_0.fibre_weight_0 = fade_0(_S656, fabrics_0[_S652].fibre_size_0);
-    noise_0.offset_2 = _S660.z;
-    noise_0.slope_2 = 0.5f * _S658.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S740, ((fabrics_0[_S737].seed_0) ^ (u32(1757159915)))), _S746);
+    noise_0.bundle_offset_0 = _S746.z;
+    noise_0.bundle_weight_0 = fade_0(_S741, _S742);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S740, ((fabrics_0[_S737].seed_0) ^ (u32(48610963)))), _S745);
+    noise_0.fibre_weight_0 = fade_0(_S741, fabrics_0[_S737].fibre_size_0);
+    noise_0.offset_2 = _S745.z;
+    noise_0.slope_2 = 0.5f * _S743.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S662 : u32,  _S663 : u32,  _S664 : SurfacePoint_0,  _S665 : bool,  _S666 : u32,  _S667 : f32) -> vec2<f32>
+fn detail_gain_0( _S747 : u32,  _S748 : u32,  _S749 : SurfacePoint_0,  _S750 : bool,  _S751 : u32,  _S752 : f32) -> vec2<f32>
 {
-    var _S668 : vec2<f32> = vec2<f32>(0.0f);
+    var _S753 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S663].has_plies_0) > 0.0f)
+    if((families_0[_S748].has_plies_0) > 0.0f)
     {
-        gain_2 = groove_0(0.94999998807907104f * fade_0(_S667, 1.0f / families_0[_S663].plies_per_mm_0), ply_offset_0(_S663, _S664, _S665));
+        gain_2 = groove_0(0.94999998807907104f * fade_0(_S752, 1.0f / families_0[_S748].plies_per_mm_0), ply_offset_0(_S748, _S749, _S750));
     }
     else
     {
-        gain_2 = _S668;
+        gain_2 = _S753;
     }
-    if((families_0[_S663].fibre_tone_0) > 0.0f)
+    if((families_0[_S748].fibre_tone_0) > 0.0f)
     {
-        var _S669 : FibreNoise_0 = fibre_noise_at_0(_S662, _S663, _S664, _S666, _S667);
-        var _S670 : f32 = 4.5f * families_0[_S663].fibre_tone_0;
-        gain_2 = gain_2 + vec2<f32>(families_0[_S663].fibre_tone_0) * vec2<f32>(_S669.bundle_weight_0 * _S669.bundle_0.y + _S669.fibre_weight_0 * _S669.fibre_0.y, _S669.bundle_weight_0 + _S669.fibre_weight_0) + (groove_0(_S670 * (_S669.bundle_weight_0 * (0.5f * (_S669.bundle_0.x - 1.0f) + 1.0f)), _S669.bundle_offset_0) + groove_0(_S670 * _S669.fibre_weight_0, _S669.offset_2));
+        var _S754 : FibreNoise_0 = fibre_noise_at_0(_S747, _S748, _S749, _S751, _S752);
+        var _S755 : f32 = 4.5f * families_0[_S748].fibre_tone_0;
+        gain_2 = gain_2 + vec2<f32>(families_0[_S748].fibre_tone_0) * vec2<f32>(_S754.bundle_weight_0 * _S754.bundle_0.y + _S754.fibre_weight_0 * _S754.fibre_0.y, _S754.bundle_weight_0 + _S754.fibre_weight_0) + (groove_0(_S755 * (_S754.bundle_weight_0 * (0.5f * (_S754.bundle_0.x - 1.0f) + 1.0f)), _S754.bundle_offset_0) + groove_0(_S755 * _S754.fibre_weight_0, _S754.offset_2));
     }
-    if((families_0[_S663].slub_0) > 0.0f)
+    if((families_0[_S748].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S663].slub_0 * fade_0(_S667, 1.0f / families_0[_S663].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S666, ((fabrics_0[_S662].seed_0) ^ (u32(1373058189)))), select(- _S664.x_8, _S664.y_2, _S664.is_warp_0) * families_0[_S663].slubs_per_mm_0).x, 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S748].slub_0 * fade_0(_S752, 1.0f / families_0[_S748].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S751, ((fabrics_0[_S747].seed_0) ^ (u32(1373058189)))), select(- _S749.x_8, _S749.y_2, _S749.is_warp_0) * families_0[_S748].slubs_per_mm_0).x, 1.0f);
     }
     return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
 }
 
-fn vary_albedos_0( _S671 : u32,  _S672 : Albedos_0,  _S673 : u32,  _S674 : u32,  _S675 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S756 : u32,  _S757 : Albedos_0,  _S758 : u32,  _S759 : u32,  _S760 : vec2<f32>) -> Albedos_0
 {
-    var _S676 : vec3<f32> = max(_S672.specular_reflect_0, _S672.specular_transmit_0);
-    var _S677 : vec3<f32> = _S672.diffuse_reflect_0 + _S672.diffuse_transmit_0;
-    var _S678 : vec3<f32> = vec3<f32>(fabrics_0[_S671].layer_bound_0);
-    var _S679 : vec3<f32> = vec3<f32>(1.0f);
-    var _S680 : vec3<f32> = _S679 - _S678 * _S676;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S673, fabrics_0[_S671].colour_noise_0, fabrics_0[_S671].seed_0), _S677, _S680);
-    var _S681 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S675.y, vec3<f32>(colour_1) * _S677, _S680) * _S675.x)));
-    var _S682 : f32 = bounded_gain_0(fibre_gain_0(_S673, _S674, fabrics_0[_S671].fibre_noise_0, fabrics_0[_S671].seed_0), _S676, min((_S679 - _S681 * _S677) / _S678, vec3<f32>(1.0f)));
+    var _S761 : vec3<f32> = max(_S757.specular_reflect_0, _S757.specular_transmit_0);
+    var _S762 : vec3<f32> = _S757.diffuse_reflect_0 + _S757.diffuse_transmit_0;
+    var _S763 : vec3<f32> = vec3<f32>(fabrics_0[_S756].layer_bound_0);
+    var _S764 : vec3<f32> = vec3<f32>(1.0f);
+    var _S765 : vec3<f32> = _S764 - _S763 * _S761;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S758, fabrics_0[_S756].colour_noise_0, fabrics_0[_S756].seed_0), _S762, _S765);
+    var _S766 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S760.y, vec3<f32>(colour_1) * _S762, _S765) * _S760.x)));
+    var _S767 : f32 = bounded_gain_0(fibre_gain_0(_S758, _S759, fabrics_0[_S756].fibre_noise_0, fabrics_0[_S756].seed_0), _S761, min((_S764 - _S766 * _S762) / _S763, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S681 * _S672.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S681 * _S672.diffuse_transmit_0;
-    var _S683 : vec3<f32> = vec3<f32>(_S682);
-    varied_0.specular_reflect_0 = _S683 * _S672.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S683 * _S672.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S766 * _S757.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S766 * _S757.diffuse_transmit_0;
+    var _S768 : vec3<f32> = vec3<f32>(_S767);
+    varied_0.specular_reflect_0 = _S768 * _S757.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S768 * _S757.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S684 : u32,  _S685 : SurfacePoint_0,  _S686 : Albedos_0,  _S687 : bool,  _S688 : f32,  _S689 : f32) -> Albedos_0
+fn varied_at_0( _S769 : u32,  _S770 : SurfacePoint_0,  _S771 : Albedos_0,  _S772 : bool,  _S773 : f32,  _S774 : f32) -> Albedos_0
 {
-    var _S690 : u32 = thread_number_0(_S684, _S685);
-    var _S691 : vec3<f32> = fibre_cell_0(_S685.fibre_across_0, _S685.fibre_along_0, fabrics_0[_S684].fibre_size_0);
-    var _S692 : vec2<f32> = vec2<f32>(0.0f);
+    var _S775 : u32 = thread_number_0(_S769, _S770);
+    var _S776 : vec3<f32> = fibre_cell_0(_S770.fibre_across_0, _S770.fibre_along_0, fabrics_0[_S769].fibre_size_0);
+    var _S777 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S684].has_detail_0) != u32(0)) & ((_S688 >= 0.0f))))
+    if((((fabrics_0[_S769].has_detail_0) != u32(0)) & ((_S773 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S684, select(fabrics_0[_S684].weft_0, fabrics_0[_S684].warp_0, _S685.is_warp_0), _S685, _S687, _S690, _S688) * vec2<f32>(1.0f - _S689, 1.0f);
+        gain_3 = detail_gain_0(_S769, select(fabrics_0[_S769].weft_0, fabrics_0[_S769].warp_0, _S770.is_warp_0), _S770, _S772, _S775, _S773) * vec2<f32>(1.0f - _S774, 1.0f);
     }
     else
     {
-        gain_3 = _S692;
+        gain_3 = _S777;
     }
-    return vary_albedos_0(_S684, _S686, _S690, u32(i32(_S691.x)) * u32(65536) + u32(i32(floor(_S691.y))), gain_3);
+    return vary_albedos_0(_S769, _S771, _S775, u32(i32(_S776.x)) * u32(65536) + u32(i32(floor(_S776.y))), gain_3);
 }
 
-fn turned_frame_0( _S693 : u32,  _S694 : u32,  _S695 : SurfacePoint_0,  _S696 : bool,  _S697 : u32,  _S698 : f32) -> YarnFrame_0
+fn turned_frame_0( _S778 : u32,  _S779 : u32,  _S780 : SurfacePoint_0,  _S781 : bool,  _S782 : u32,  _S783 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_5 = _S695.normal_1;
-    frame_2.tangent_4 = _S695.tangent_0;
+    frame_2.normal_5 = _S780.normal_1;
+    frame_2.tangent_4 = _S780.tangent_0;
     frame_2.loss_0 = 0.0f;
     frame_2.shade_2 = 0.0f;
-    if((families_0[_S694].has_plies_0) > 0.0f)
+    if((families_0[_S779].has_plies_0) > 0.0f)
     {
-        var _S699 : f32 = fade_0(_S698, 1.0f / families_0[_S694].plies_per_mm_0);
-        var _S700 : f32 = _S699 * 0.62000000476837158f * ply_offset_0(_S694, _S695, _S696);
-        var _S701 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S702 : vec3<f32> = vec3<f32>(families_0[_S694].ply_cosine_0);
-        var _S703 : vec3<f32> = vec3<f32>(select(families_0[_S694].ply_sine_0, - families_0[_S694].ply_sine_0, _S696));
-        var _S704 : vec3<f32> = _S702 * _S701 + _S703 * frame_2.tangent_4;
-        var _S705 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S700 * _S700));
-        var _S706 : vec3<f32> = vec3<f32>(_S700);
-        frame_2.tangent_4 = _S702 * (_S702 * frame_2.tangent_4 - _S703 * _S701) + _S703 * (_S705 * _S704 - _S706 * frame_2.normal_5);
-        frame_2.normal_5 = _S705 * frame_2.normal_5 + _S706 * _S704;
-        frame_2.loss_0 = _S699 * _S699 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
+        var _S784 : f32 = fade_0(_S783, 1.0f / families_0[_S779].plies_per_mm_0);
+        var _S785 : f32 = _S784 * 0.62000000476837158f * ply_offset_0(_S779, _S780, _S781);
+        var _S786 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S787 : vec3<f32> = vec3<f32>(families_0[_S779].ply_cosine_0);
+        var _S788 : vec3<f32> = vec3<f32>(select(families_0[_S779].ply_sine_0, - families_0[_S779].ply_sine_0, _S781));
+        var _S789 : vec3<f32> = _S787 * _S786 + _S788 * frame_2.tangent_4;
+        var _S790 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S785 * _S785));
+        var _S791 : vec3<f32> = vec3<f32>(_S785);
+        frame_2.tangent_4 = _S787 * (_S787 * frame_2.tangent_4 - _S788 * _S786) + _S788 * (_S790 * _S789 - _S791 * frame_2.normal_5);
+        frame_2.normal_5 = _S790 * frame_2.normal_5 + _S791 * _S789;
+        frame_2.loss_0 = _S784 * _S784 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
     }
-    var _S707 : f32 = families_0[_S694].fibre_tilt_0;
-    if((families_0[_S694].fibre_tilt_0) > 0.0f)
+    var _S792 : f32 = families_0[_S779].fibre_tilt_0;
+    if((families_0[_S779].fibre_tilt_0) > 0.0f)
     {
-        var _S708 : FibreNoise_0 = fibre_noise_at_0(_S693, _S694, _S695, _S697, _S698);
-        var _S709 : f32 = 1.09858846664428711f * _S707 * (_S708.bundle_weight_0 * _S708.bundle_0.x + _S708.fibre_weight_0 * (_S708.fibre_0.x + _S708.offset_2));
-        var _S710 : f32 = _S707 * (1.42099642753601074f * (_S708.bundle_weight_0 * _S708.bundle_0.y + _S708.fibre_weight_0 * _S708.fibre_0.y) - _S708.bundle_weight_0 * _S708.slope_2);
-        var _S711 : f32 = square_1(_S708.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S707 * _S707 * ((0.24761904776096344f * (square_1(_S708.bundle_weight_0) + _S711) + _S711 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S712 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S713 : vec2<f32> = sine_cosine_0(_S709);
-        var _S714 : vec2<f32> = sine_cosine_0(_S710);
-        var _S715 : vec3<f32> = vec3<f32>(_S713.y);
-        var _S716 : vec3<f32> = vec3<f32>(_S713.x);
-        var _S717 : vec3<f32> = _S715 * _S712 - _S716 * frame_2.normal_5;
-        frame_2.normal_5 = _S715 * frame_2.normal_5 + _S716 * _S712;
-        frame_2.tangent_4 = vec3<f32>(_S714.y) * frame_2.tangent_4 + vec3<f32>(_S714.x) * _S717;
+        var _S793 : FibreNoise_0 = fibre_noise_at_0(_S778, _S779, _S780, _S782, _S783);
+        var _S794 : f32 = 1.09858846664428711f * _S792 * (_S793.bundle_weight_0 * _S793.bundle_0.x + _S793.fibre_weight_0 * (_S793.fibre_0.x + _S793.offset_2));
+        var _S795 : f32 = _S792 * (1.42099642753601074f * (_S793.bundle_weight_0 * _S793.bundle_0.y + _S793.fibre_weight_0 * _S793.fibre_0.y) - _S793.bundle_weight_0 * _S793.slope_2);
+        var _S796 : f32 = square_1(_S793.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S792 * _S792 * ((0.24761904776096344f * (square_1(_S793.bundle_weight_0) + _S796) + _S796 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S797 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
+        var _S798 : vec2<f32> = sine_cosine_0(_S794);
+        var _S799 : vec2<f32> = sine_cosine_0(_S795);
+        var _S800 : vec3<f32> = vec3<f32>(_S798.y);
+        var _S801 : vec3<f32> = vec3<f32>(_S798.x);
+        var _S802 : vec3<f32> = _S800 * _S797 - _S801 * frame_2.normal_5;
+        frame_2.normal_5 = _S800 * frame_2.normal_5 + _S801 * _S797;
+        frame_2.tangent_4 = vec3<f32>(_S799.y) * frame_2.tangent_4 + vec3<f32>(_S799.x) * _S802;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S718 : u32,  _S719 : SurfacePoint_0,  _S720 : vec3<f32>,  _S721 : bool,  _S722 : bool,  _S723 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S803 : u32,  _S804 : SurfacePoint_0,  _S805 : vec3<f32>,  _S806 : bool,  _S807 : bool,  _S808 : f32) -> YarnPoint_0
 {
-    var _S724 : u32 = fabrics_0[_S718].warp_0;
-    var _S725 : u32 = fabrics_0[_S718].weft_0;
-    var _S726 : u32 = select(fabrics_0[_S718].weft_0, fabrics_0[_S718].warp_0, _S719.is_warp_0);
-    var _S727 : bool = (((fabrics_0[_S718].has_detail_0) != u32(0)) & ((_S723 >= 0.0f)));
+    var _S809 : u32 = fabrics_0[_S803].warp_0;
+    var _S810 : u32 = fabrics_0[_S803].weft_0;
+    var _S811 : u32 = select(fabrics_0[_S803].weft_0, fabrics_0[_S803].warp_0, _S804.is_warp_0);
+    var _S812 : bool = (((fabrics_0[_S803].has_detail_0) != u32(0)) & ((_S808 >= 0.0f)));
     var point_6 : YarnPoint_0;
-    point_6.hairs_0 = hairs_over_0(_S718, _S719, _S721, _S723);
+    point_6.hairs_0 = hairs_over_0(_S803, _S804, _S806, _S808);
     point_6.hair_cover_0 = 1.0f;
-    var _S728 : vec3<f32> = vec3<f32>(0.0f);
-    var _S729 : Hair_0 = Hair_x24init_0(0.0f, _S728, _S728, false, 0.0f);
-    point_6.is_warp_5 = _S719.is_warp_0;
-    var _S730 : bool = (_S727 & ((has_hairs_0(_S718))));
+    var _S813 : vec3<f32> = vec3<f32>(0.0f);
+    var _S814 : Hair_0 = Hair_x24init_0(0.0f, _S813, _S813, false, 0.0f);
+    point_6.is_warp_5 = _S804.is_warp_0;
+    var _S815 : bool = (_S812 & ((has_hairs_0(_S803))));
     var hair_2 : Hair_0;
-    if(_S730)
+    if(_S815)
     {
-        var _S731 : Hair_0 = hair_towards_0(_S718, point_6.hairs_0, _S720, _S723);
-        point_6.hair_cover_0 = _S731.cover_0;
-        point_6.is_warp_5 = select(_S719.is_warp_0, _S731.is_warp_3, (_S731.cover_0) > 0.5f);
-        hair_2 = _S731;
+        var _S816 : Hair_0 = hair_towards_0(_S803, point_6.hairs_0, _S805, _S808);
+        point_6.hair_cover_0 = _S816.cover_1;
+        point_6.is_warp_5 = select(_S804.is_warp_0, _S816.is_warp_3, (_S816.cover_1) > 0.5f);
+        hair_2 = _S816;
     }
     else
     {
-        hair_2 = _S729;
+        hair_2 = _S814;
     }
-    var _S732 : u32 = select(_S725, _S724, point_6.is_warp_5);
-    var albedos_7 : Albedos_0 = albedos_of_0(_S732, select(_S719.weft_thread_0, _S719.warp_thread_0, point_6.is_warp_5));
+    var _S817 : u32 = select(_S810, _S809, point_6.is_warp_5);
+    var albedos_7 : Albedos_0 = albedos_of_0(_S817, select(_S804.weft_thread_0, _S804.warp_thread_0, point_6.is_warp_5));
     var albedos_8 : Albedos_0;
-    if(varies_at_0(_S718, _S723))
+    if((fabrics_0[_S803].is_irregular_0) != u32(0))
     {
-        albedos_8 = varied_at_0(_S718, _S719, albedos_7, _S721, _S723, hair_2.cover_0);
+        albedos_8 = toned_at_0(_S803, point_6.is_warp_5, albedos_7, f32(thread_of_family_0(_S803, _S804)), vec2<f32>(_S804.x_8, _S804.y_2));
     }
     else
     {
         albedos_8 = albedos_7;
     }
-    point_6.back_8 = _S721;
-    point_6.hole_6 = _S722;
-    point_6.x_17 = _S719.x_8;
-    point_6.y_10 = _S719.y_2;
-    point_6.height_11 = _S719.height_2 + hair_2.cover_0 * point_6.hairs_0.below_1;
-    point_6.normal_10 = _S719.normal_1;
-    point_6.tangent_10 = _S719.tangent_0;
-    point_6.surface_normal_0 = normalize(mix(_S719.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_0)));
-    point_6.diffuse_gain_1 = 1.0f;
-    if(_S727)
+    if(varies_at_0(_S803, _S808))
     {
-        var _S733 : YarnFrame_0 = turned_frame_0(_S718, _S726, _S719, _S721, thread_number_0(_S718, _S719), _S723);
+        albedos_8 = varied_at_0(_S803, _S804, albedos_8, _S806, _S808, hair_2.cover_1);
+    }
+    point_6.back_8 = _S806;
+    point_6.hole_6 = _S807;
+    point_6.x_17 = _S804.x_8;
+    point_6.y_10 = _S804.y_2;
+    point_6.height_11 = _S804.height_2 + hair_2.cover_1 * point_6.hairs_0.below_1;
+    point_6.normal_10 = _S804.normal_1;
+    point_6.tangent_10 = _S804.tangent_0;
+    point_6.surface_normal_0 = normalize(mix(_S804.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
+    point_6.diffuse_gain_1 = 1.0f;
+    if(_S812)
+    {
+        var _S818 : YarnFrame_0 = turned_frame_0(_S803, _S811, _S804, _S806, thread_number_0(_S803, _S804), _S808);
         var frame_3 : YarnFrame_0;
-        if(_S730)
+        if(_S815)
         {
-            frame_3 = under_hair_0(_S733, hair_2);
+            frame_3 = under_hair_0(_S818, hair_2);
         }
         else
         {
-            frame_3 = _S733;
+            frame_3 = _S818;
         }
         point_6.normal_10 = frame_3.normal_5;
         point_6.tangent_10 = frame_3.tangent_4;
-        point_6.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S718].diffuse_blend_0);
+        point_6.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S803].diffuse_blend_0);
     }
-    point_6.roughness_10 = families_0[_S732].roughness_0;
+    point_6.roughness_10 = families_0[_S817].roughness_0;
     point_6.albedos_6 = albedos_8;
     return point_6;
 }
 
-fn surface_at_0( _S734 : u32,  _S735 : f32,  _S736 : f32,  _S737 : bool) -> SurfacePoint_0
+fn surface_at_0( _S819 : u32,  _S820 : f32,  _S821 : f32,  _S822 : bool) -> SurfacePoint_0
 {
-    return surface_of_0(_S734, sample_at_0(_S734, _S735, _S736, _S737), _S735, _S736, _S737);
+    return surface_of_0(_S819, sample_at_0(_S819, _S820, _S821, _S822), _S820, _S821, _S822);
 }
 
-fn unoccluded_0( _S738 : u32,  _S739 : SearchQuality_0,  _S740 : f32,  _S741 : f32,  _S742 : f32,  _S743 : vec3<f32>,  _S744 : bool) -> bool
+fn unoccluded_0( _S823 : u32,  _S824 : SearchQuality_0,  _S825 : f32,  _S826 : f32,  _S827 : f32,  _S828 : vec3<f32>,  _S829 : bool) -> bool
 {
-    if((_S743.z) <= 0.0f)
+    if((_S828.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S738, _S739, vec3<f32>(_S740, _S741, _S742 + fabrics_0[_S738].lift_0), _S743, _S744, max_height_along_0(_S738, _S740, _S741, _S742, _S743, _S744));
+    return is_free_0(_S823, _S824, vec3<f32>(_S825, _S826, _S827 + fabrics_0[_S823].lift_0), _S828, _S829, max_height_along_0(_S823, _S825, _S826, _S827, _S828, _S829));
 }
 
-fn is_lit_0( _S745 : u32,  _S746 : SearchQuality_0,  _S747 : YarnPoint_0,  _S748 : vec3<f32>) -> bool
+fn is_lit_0( _S830 : u32,  _S831 : SearchQuality_0,  _S832 : YarnPoint_0,  _S833 : vec3<f32>) -> bool
 {
-    if(_S747.hole_6)
+    if(_S832.hole_6)
     {
         return true;
     }
-    var _S749 : vec3<f32> = to_face_frame_0(_S748, _S747.back_8);
-    var _S750 : f32 = _S749.z;
-    var _S751 : bool = _S750 < 0.0f;
+    var _S834 : vec3<f32> = to_face_frame_0(_S833, _S832.back_8);
+    var _S835 : f32 = _S834.z;
+    var _S836 : bool = _S835 < 0.0f;
     var normal_11 : vec3<f32>;
     var height_12 : f32;
-    if(_S751)
+    if(_S836)
     {
-        var _S752 : SurfacePoint_0 = surface_at_0(_S745, _S747.x_17, _S747.y_10, !_S747.back_8);
-        normal_11 = _S752.normal_1;
-        height_12 = _S752.height_2;
+        var _S837 : SurfacePoint_0 = surface_at_0(_S830, _S832.x_17, _S832.y_10, !_S832.back_8);
+        normal_11 = _S837.normal_1;
+        height_12 = _S837.height_2;
     }
     else
     {
-        normal_11 = _S747.surface_normal_0;
-        height_12 = _S747.height_11;
+        normal_11 = _S832.surface_normal_0;
+        height_12 = _S832.height_11;
     }
-    var _S753 : vec3<f32> = vec3<f32>(_S749.xy, abs(_S750));
-    if((dot(normal_11, _S753)) <= 0.0f)
+    var _S838 : vec3<f32> = vec3<f32>(_S834.xy, abs(_S835));
+    if((dot(normal_11, _S838)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S745, _S746, _S747.x_17, _S747.y_10, height_12, _S753, (_S747.back_8) != _S751);
+    return unoccluded_0(_S830, _S831, _S832.x_17, _S832.y_10, height_12, _S838, (_S832.back_8) != _S836);
 }
 
-fn hairs_lit_0( _S754 : u32,  _S755 : Hairs_0,  _S756 : vec3<f32>) -> f32
+fn hairs_lit_0( _S839 : u32,  _S840 : Hairs_0,  _S841 : vec3<f32>) -> f32
 {
-    return 1.0f - 0.5f * hair_towards_0(_S754, _S755, _S756, _S755.size_3 + fabrics_0[_S754].fibre_size_0).cover_0;
+    return 1.0f - 0.5f * hair_towards_0(_S839, _S840, _S841, _S840.size_4 + fabrics_0[_S839].fibre_size_0).cover_1;
 }
 
-fn under_hairs_0( _S757 : u32,  _S758 : YarnPoint_0,  _S759 : vec3<f32>) -> f32
+fn under_hairs_0( _S842 : u32,  _S843 : YarnPoint_0,  _S844 : vec3<f32>) -> f32
 {
-    if((((_S758.hair_cover_0) >= 1.0f) | (((_S759.z) <= 0.0f))))
+    if((((_S843.hair_cover_0) >= 1.0f) | (((_S844.z) <= 0.0f))))
     {
         return 1.0f;
     }
-    return mix(hairs_lit_0(_S757, _S758.hairs_0, _S759), 1.0f, _S758.hair_cover_0);
+    return mix(hairs_lit_0(_S842, _S843.hairs_0, _S844), 1.0f, _S843.hair_cover_0);
 }
 
-fn components_of_point_0( _S760 : u32,  _S761 : SearchQuality_0,  _S762 : YarnPoint_0,  _S763 : vec3<f32>,  _S764 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S845 : u32,  _S846 : SearchQuality_0,  _S847 : YarnPoint_0,  _S848 : vec3<f32>,  _S849 : vec3<f32>) -> Components_0
 {
     var result_3 : Components_0 = no_components_0();
-    result_3.hole_2 = select(0.0f, 1.0f, _S762.hole_6);
-    var _S765 : bool;
-    if(_S762.hole_6)
+    result_3.hole_2 = select(0.0f, 1.0f, _S847.hole_6);
+    var _S850 : bool;
+    if(_S847.hole_6)
     {
-        _S765 = true;
+        _S850 = true;
     }
     else
     {
-        _S765 = !is_lit_0(_S760, _S761, _S762, _S763);
+        _S850 = !is_lit_0(_S845, _S846, _S847, _S848);
     }
-    if(_S765)
+    if(_S850)
     {
         return result_3;
     }
-    var _S766 : vec3<f32> = to_face_frame_0(_S763, _S762.back_8);
-    var _S767 : vec3<f32> = to_face_frame_0(_S764, _S762.back_8);
-    var _S768 : bool = (_S766.z) < 0.0f;
-    var _S769 : f32 = under_hairs_0(_S760, _S762, _S766);
-    var _S770 : f32 = _S769 * _S762.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S768, (vec3<f32>(0) - _S766), _S766), _S762.normal_10, fabrics_0[_S760].diffuse_blend_0);
-    var _S771 : f32;
-    if(_S768)
+    var _S851 : vec3<f32> = to_face_frame_0(_S848, _S847.back_8);
+    var _S852 : vec3<f32> = to_face_frame_0(_S849, _S847.back_8);
+    var _S853 : bool = (_S851.z) < 0.0f;
+    var _S854 : f32 = under_hairs_0(_S845, _S847, _S851);
+    var _S855 : f32 = _S854 * _S847.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S853, (vec3<f32>(0) - _S851), _S851), _S847.normal_10, fabrics_0[_S845].diffuse_blend_0);
+    var _S856 : f32;
+    if(_S853)
     {
-        _S771 = transmission_1(_S766, _S767, _S762.normal_10, _S762.tangent_10, _S762.roughness_10, fabrics_0[_S760].optical_depth_0);
+        _S856 = transmission_1(_S851, _S852, _S847.normal_10, _S847.tangent_10, _S847.roughness_10, fabrics_0[_S845].optical_depth_0);
     }
     else
     {
-        _S771 = reflection_0(_S766, _S767, _S762.normal_10, _S762.tangent_10, _S762.roughness_10, fabrics_0[_S760].optical_depth_0);
+        _S856 = reflection_0(_S851, _S852, _S847.normal_10, _S847.tangent_10, _S847.roughness_10, fabrics_0[_S845].optical_depth_0);
     }
-    var _S772 : f32 = _S769 * _S771;
-    result_3.diffuse_warp_0 = select(0.0f, _S770, _S762.is_warp_5);
-    result_3.diffuse_weft_0 = select(_S770, 0.0f, _S762.is_warp_5);
-    result_3.specular_warp_0 = select(0.0f, _S772, _S762.is_warp_5);
-    result_3.specular_weft_0 = select(_S772, 0.0f, _S762.is_warp_5);
+    var _S857 : f32 = _S854 * _S856;
+    result_3.diffuse_warp_0 = select(0.0f, _S855, _S847.is_warp_5);
+    result_3.diffuse_weft_0 = select(_S855, 0.0f, _S847.is_warp_5);
+    result_3.specular_warp_0 = select(0.0f, _S857, _S847.is_warp_5);
+    result_3.specular_weft_0 = select(_S857, 0.0f, _S847.is_warp_5);
     result_3.light_visibility_1 = 1.0f;
     return result_3;
 }
 
-fn openness_number_0( _S773 : u32,  _S774 : u32) -> f32
+fn openness_number_0( _S858 : u32,  _S859 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S773].openness_0 + _S774);
+    return table_number_0(fabrics_0[_S858].openness_0 + _S859);
 }
 
-fn blocked_of_terms_0( _S775 : u32,  _S776 : u32,  _S777 : array<f32, i32(6)>,  _S778 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S860 : u32,  _S861 : u32,  _S862 : array<f32, i32(6)>,  _S863 : u32) -> Blocked_0
 {
-    var shares_0 : array<f32, i32(3)>;
+    var shares_2 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
     for(;;)
     {
@@ -3017,48 +3256,48 @@ fn blocked_of_terms_0( _S775 : u32,  _S776 : u32,  _S777 : array<f32, i32(6)>,  
         {
             break;
         }
-        shares_0[share_4] = 0.0f;
+        shares_2[share_4] = 0.0f;
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S778)
+            if(term_0 < _S863)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_4] = shares_0[share_4] + openness_number_0(_S775, _S776 + share_4 * _S778 + term_0) * _S777[term_0];
+            shares_2[share_4] = shares_2[share_4] + openness_number_0(_S860, _S861 + share_4 * _S863 + term_0) * _S862[term_0];
             term_0 = term_0 + u32(1);
         }
-        shares_0[share_4] = saturate(shares_0[share_4]);
+        shares_2[share_4] = saturate(shares_2[share_4]);
         share_4 = share_4 + u32(1);
     }
     var blocked_2 : Blocked_0;
-    blocked_2.by_warp_0 = shares_0[i32(0)] * shares_0[i32(2)];
-    blocked_2.by_weft_0 = shares_0[i32(0)] * (1.0f - shares_0[i32(2)]);
-    blocked_2.far_0 = shares_0[i32(1)];
+    blocked_2.by_warp_0 = shares_2[i32(0)] * shares_2[i32(2)];
+    blocked_2.by_weft_0 = shares_2[i32(0)] * (1.0f - shares_2[i32(2)]);
+    blocked_2.far_0 = shares_2[i32(1)];
     return blocked_2;
 }
 
-fn blocked_at_0( _S779 : u32,  _S780 : bool,  _S781 : bool,  _S782 : f32,  _S783 : f32) -> Blocked_0
+fn blocked_at_0( _S864 : u32,  _S865 : bool,  _S866 : bool,  _S867 : f32,  _S868 : f32) -> Blocked_0
 {
-    var _S784 : f32 = _S783 * openness_number_0(_S779, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S782, _S784, _S782 * _S782, _S782 * _S784, _S784 * _S784 );
-    return blocked_of_terms_0(_S779, u32(60) + (select(u32(0), u32(2), _S781) + select(u32(1), u32(0), _S780)) * u32(18), terms_2, u32(6));
+    var _S869 : f32 = _S868 * openness_number_0(_S864, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S867, _S869, _S867 * _S867, _S867 * _S869, _S869 * _S869 );
+    return blocked_of_terms_0(_S864, u32(60) + (select(u32(0), u32(2), _S866) + select(u32(1), u32(0), _S865)) * u32(18), terms_2, u32(6));
 }
 
-fn with_blocked_0( _S785 : u32,  _S786 : Blocked_0,  _S787 : YarnPoint_0,  _S788 : bool,  _S789 : f32) -> Blocked_0
+fn with_blocked_0( _S870 : u32,  _S871 : Blocked_0,  _S872 : YarnPoint_0,  _S873 : bool,  _S874 : f32) -> Blocked_0
 {
-    if(((_S787.hole_6) | (((_S787.is_warp_5) != _S788))))
+    if(((_S872.hole_6) | (((_S872.is_warp_5) != _S873))))
     {
-        return _S786;
+        return _S871;
     }
-    var _S790 : Blocked_0 = blocked_at_0(_S785, _S788, _S787.back_8, _S787.surface_normal_0.z, _S787.height_11);
+    var _S875 : Blocked_0 = blocked_at_0(_S870, _S873, _S872.back_8, _S872.surface_normal_0.z, _S872.height_11);
     var result_4 : Blocked_0;
-    result_4.by_warp_0 = _S786.by_warp_0 + _S789 * _S790.by_warp_0;
-    result_4.by_weft_0 = _S786.by_weft_0 + _S789 * _S790.by_weft_0;
-    result_4.far_0 = _S786.far_0 + _S789 * _S790.far_0;
+    result_4.by_warp_0 = _S871.by_warp_0 + _S874 * _S875.by_warp_0;
+    result_4.by_weft_0 = _S871.by_weft_0 + _S874 * _S875.by_weft_0;
+    result_4.far_0 = _S871.far_0 + _S874 * _S875.far_0;
     return result_4;
 }
 
@@ -3067,405 +3306,482 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S791 : u32,  _S792 : f32) -> vec3<f32>
+fn pyramid_level_0( _S876 : u32,  _S877 : f32) -> vec3<f32>
 {
-    var _S793 : u32 = fabrics_0[_S791].lobes_0.levels_0 + u32(4) * u32(min(_S792, fabrics_0[_S791].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S793), table_number_0(_S793 + u32(1)), table_number_0(_S793 + u32(2)));
+    var _S878 : u32 = fabrics_0[_S876].lobes_0.levels_0 + u32(4) * u32(min(_S877, fabrics_0[_S876].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S878), table_number_0(_S878 + u32(1)), table_number_0(_S878 + u32(2)));
 }
 
-fn coverage_taps_0( _S794 : u32,  _S795 : Footprint_0,  _S796 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S879 : u32,  _S880 : Footprint_0,  _S881 : bool) -> CoverageTaps_0
 {
-    var _S797 : Lobes_std430_0 = fabrics_0[_S794].lobes_0;
-    var _S798 : f32 = Footprint_spread_side_0(_S795) * fabrics_0[_S794].lobes_0.inverse_base_size_0;
-    var _S799 : vec3<f32> = pyramid_level_0(_S794, floor(binary_logarithm_0(max(0.68000000715255737f * _S798, 1.0f))));
-    var _S800 : f32 = 1.0f / max(_S798, 9.99999997475242708e-07f);
-    var _S801 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S794].warp_0].inverse_period_0, families_0[fabrics_0[_S794].weft_0].inverse_period_0);
-    var _S802 : vec2<f32> = _S795.centre_0 * _S801;
-    var _S803 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S800 * _S800), 0.0f, 1.0f)), 0.3333333432674408f * _S800), 1.0f));
-    var _S804 : vec2<f32> = _S795.dx_0 * _S801 * _S803;
-    var _S805 : vec2<f32> = _S795.dy_0 * _S801 * _S803;
+    var _S882 : Lobes_std430_0 = fabrics_0[_S879].lobes_0;
+    var _S883 : f32 = Footprint_spread_side_0(_S880) * fabrics_0[_S879].lobes_0.inverse_base_size_0;
+    var _S884 : vec3<f32> = pyramid_level_0(_S879, floor(binary_logarithm_0(max(0.68000000715255737f * _S883, 1.0f))));
+    var _S885 : f32 = 1.0f / max(_S883, 9.99999997475242708e-07f);
+    var _S886 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S879].warp_0].inverse_period_0, families_0[fabrics_0[_S879].weft_0].inverse_period_0);
+    var _S887 : vec2<f32> = _S880.centre_0 * _S886;
+    var _S888 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S885 * _S885), 0.0f, 1.0f)), 0.3333333432674408f * _S885), 1.0f));
+    var _S889 : vec2<f32> = _S880.dx_0 * _S886 * _S888;
+    var _S890 : vec2<f32> = _S880.dy_0 * _S886 * _S888;
     var taps_4 : CoverageTaps_0;
-    var number_3 : u32 = u32(0);
+    var number_6 : u32 = u32(0);
     for(;;)
     {
-        if(number_3 < u32(9))
+        if(number_6 < u32(9))
         {
         }
         else
         {
             break;
         }
-        var _S806 : vec2<f32> = _S802 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S804 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S805;
-        var _S807 : f32 = _S799.y;
-        taps_4.nodes_1[number_3] = select(u32(0), _S797.face_nodes_0, _S796) + u32(wrapped_cell_0(_S806.y, _S799.z) * _S807 + wrapped_cell_0(_S806.x, _S807) + _S799.x);
-        number_3 = number_3 + u32(1);
+        var _S891 : vec2<f32> = _S887 + vec2<f32>(TAP_OFFSETS_0[number_6].x) * _S889 + vec2<f32>(TAP_OFFSETS_0[number_6].y) * _S890;
+        var _S892 : f32 = _S884.y;
+        taps_4.nodes_1[number_6] = select(u32(0), _S882.face_nodes_0, _S881) + u32(wrapped_cell_0(_S891.y, _S884.z) * _S892 + wrapped_cell_0(_S891.x, _S892) + _S884.x);
+        number_6 = number_6 + u32(1);
     }
     return taps_4;
 }
 
-fn joint_ratios_0( _S808 : u32,  _S809 : vec3<f32>,  _S810 : vec3<f32>,  _S811 : bool) -> vec2<f32>
+fn joint_ratios_0( _S893 : u32,  _S894 : vec3<f32>,  _S895 : vec3<f32>,  _S896 : bool) -> vec2<f32>
 {
-    var _S812 : NodeTaps_0 = node_taps_of_0(_S810, u32(16));
-    var _S813 : NodeTaps_0 = node_taps_of_0(_S809, u32(16));
-    var _S814 : u32 = fabrics_0[_S808].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S811) + select(u32(0), u32(1), (_S809.z) < 0.0f)) * u32(512);
-    var _S815 : u32 = _S814 + u32(512);
-    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S812, _S814, u32(0)), joint_terms_0(_S813, _S815, u32(0))), dot(joint_terms_0(_S812, _S814, u32(1)), joint_terms_0(_S813, _S815, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
+    var _S897 : NodeTaps_0 = node_taps_of_0(_S895, u32(16));
+    var _S898 : NodeTaps_0 = node_taps_of_0(_S894, u32(16));
+    var _S899 : u32 = fabrics_0[_S893].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S896) + select(u32(0), u32(1), (_S894.z) < 0.0f)) * u32(512);
+    var _S900 : u32 = _S899 + u32(512);
+    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S897, _S899, u32(0)), joint_terms_0(_S898, _S900, u32(0))), dot(joint_terms_0(_S897, _S899, u32(1)), joint_terms_0(_S898, _S900, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
 }
 
-fn coverage_of_pack_0( _S816 : u32,  _S817 : CoverageTaps_0,  _S818 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S901 : u32,  _S902 : CoverageTaps_0,  _S903 : u32) -> vec4<f32>
 {
-    var number_4 : u32 = u32(0);
+    var number_7 : u32 = u32(0);
     var even_1 : u32 = u32(0);
     var odd_1 : u32 = u32(0);
     for(;;)
     {
-        if(number_4 < u32(9))
+        if(number_7 < u32(9))
         {
         }
         else
         {
             break;
         }
-        var _S819 : u32 = words_0[fabrics_0[_S816].lobes_0.coverage_0 + _S817.nodes_1[number_4] * fabrics_0[_S816].lobes_0.packs_0 + _S818];
-        var even_2 : u32 = even_1 + ((_S819 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S819 >> (u32(8)))) & (u32(16711935))));
-        number_4 = number_4 + u32(1);
+        var _S904 : u32 = words_0[fabrics_0[_S901].lobes_0.coverage_0 + _S902.nodes_1[number_7] * fabrics_0[_S901].lobes_0.packs_0 + _S903];
+        var even_2 : u32 = even_1 + ((_S904 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S904 >> (u32(8)))) & (u32(16711935))));
+        number_7 = number_7 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
     }
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S820 : u32,  _S821 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S905 : u32,  _S906 : CoverageTaps_0) -> f32
 {
-    var number_5 : u32 = u32(0);
+    var number_8 : u32 = u32(0);
     var total_0 : u32 = u32(0);
     for(;;)
     {
-        if(number_5 < u32(9))
+        if(number_8 < u32(9))
         {
         }
         else
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S820].lobes_0.coverage_holes_0 + _S821.nodes_1[number_5] / u32(4)] >> ((u32(8) * (_S821.nodes_1[number_5] % u32(4)))))) & (u32(255))));
-        number_5 = number_5 + u32(1);
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S905].lobes_0.coverage_holes_0 + _S906.nodes_1[number_8] / u32(4)] >> ((u32(8) * (_S906.nodes_1[number_8] % u32(4)))))) & (u32(255))));
+        number_8 = number_8 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S822 : u32,  _S823 : CoverageTaps_0,  _S824 : NodeTaps_0,  _S825 : bool) -> f32
+fn prefiltered_hole_0( _S907 : u32,  _S908 : CoverageTaps_0,  _S909 : NodeTaps_0,  _S910 : bool) -> f32
 {
-    var _S826 : f32 = interpolate_table_0(_S824, fabrics_0[_S822].lobes_0.projected_area_0 + fabrics_0[_S822].lobes_0.packs_0, fabrics_0[_S822].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S822, _S823) * _S826 * _S826 * select(fabrics_0[_S822].lobes_0.front_hole_weight_0, fabrics_0[_S822].lobes_0.back_hole_weight_0, _S825), 1.0f);
+    var _S911 : f32 = interpolate_table_0(_S909, fabrics_0[_S907].lobes_0.projected_area_0 + fabrics_0[_S907].lobes_0.packs_0, fabrics_0[_S907].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S907, _S908) * _S911 * _S911 * select(fabrics_0[_S907].lobes_0.front_hole_weight_0, fabrics_0[_S907].lobes_0.back_hole_weight_0, _S910), 1.0f);
 }
 
-fn prefiltered_components_0( _S827 : u32,  _S828 : Footprint_0,  _S829 : vec3<f32>,  _S830 : vec3<f32>,  _S831 : bool) -> Components_0
+fn prefiltered_components_0( _S912 : u32,  _S913 : Footprint_0,  _S914 : vec3<f32>,  _S915 : vec3<f32>,  _S916 : bool) -> Components_0
 {
-    var _S832 : CoverageTaps_0 = coverage_taps_0(_S827, _S828, _S831);
-    var _S833 : NodeTaps_0 = node_taps_0(_S830);
-    var view_nodes_0 : NodeTaps_0 = _S833;
-    var _S834 : NodeTaps_0 = node_taps_0(_S829);
-    var light_nodes_0 : NodeTaps_0 = _S834;
-    var _S835 : u32 = select(u32(0), u32(1), _S831);
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S835 * u32(256)));
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S835 + select(u32(0), u32(1), (_S829.z) < 0.0f)) * u32(256)));
-    var _S836 : vec3<f32> = half_vector_0(_S829, _S830);
-    var _S837 : vec2<f32> = joint_ratios_0(_S827, _S829, _S830, _S831);
-    var _S838 : Lobes_std430_0 = fabrics_0[_S827].lobes_0;
-    var _S839 : u32 = select(fabrics_0[_S827].lobes_0.front_warp_packs_0, fabrics_0[_S827].lobes_0.back_warp_packs_0, _S831);
-    var sums_4 : Components_0;
-    sums_4.diffuse_warp_0 = 0.0f;
-    sums_4.diffuse_weft_0 = 0.0f;
-    sums_4.specular_warp_0 = 0.0f;
-    sums_4.specular_weft_0 = 0.0f;
-    sums_4.light_visibility_1 = 0.0f;
+    var _S917 : CoverageTaps_0 = coverage_taps_0(_S912, _S913, _S916);
+    var _S918 : NodeTaps_0 = node_taps_0(_S915);
+    var view_nodes_0 : NodeTaps_0 = _S918;
+    var _S919 : NodeTaps_0 = node_taps_0(_S914);
+    var light_nodes_0 : NodeTaps_0 = _S919;
+    var _S920 : u32 = select(u32(0), u32(1), _S916);
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S920 * u32(256)));
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S920 + select(u32(0), u32(1), (_S914.z) < 0.0f)) * u32(256)));
+    var _S921 : vec3<f32> = half_vector_0(_S914, _S915);
+    var _S922 : vec2<f32> = joint_ratios_0(_S912, _S914, _S915, _S916);
+    var _S923 : Lobes_std430_0 = fabrics_0[_S912].lobes_0;
+    var _S924 : u32 = select(fabrics_0[_S912].lobes_0.front_warp_packs_0, fabrics_0[_S912].lobes_0.back_warp_packs_0, _S916);
+    var sums_6 : Components_0;
+    sums_6.diffuse_warp_0 = 0.0f;
+    sums_6.diffuse_weft_0 = 0.0f;
+    sums_6.specular_warp_0 = 0.0f;
+    sums_6.specular_weft_0 = 0.0f;
+    sums_6.light_visibility_1 = 0.0f;
     var pack_0 : u32 = u32(0);
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        if(pack_0 < (_S838.packs_0))
+        if(pack_0 < (_S923.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S840 : vec4<f32> = coverage_of_pack_0(_S827, _S832, pack_0);
-        var _S841 : vec4<f32> = interpolate_table_0(view_nodes_0, _S838.projected_area_0 + pack_0, _S838.packs_0 + u32(1));
-        var _S842 : vec4<f32> = interpolate_table_0(light_nodes_0, _S838.light_visibility_0 + pack_0, _S838.packs_0) / vec4<f32>(255.0f);
-        var _S843 : vec4<f32> = interpolate_table_0(light_nodes_0, _S838.irradiance_0 + pack_0, _S838.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S844 : bool = pack_0 < _S839;
-        var _S845 : f32 = families_0[select(fabrics_0[_S827].weft_0, fabrics_0[_S827].warp_0, _S844)].roughness_0;
-        var number_6 : u32 = u32(0);
+        var _S925 : vec4<f32> = coverage_of_pack_0(_S912, _S917, pack_0);
+        var _S926 : vec4<f32> = interpolate_table_0(view_nodes_0, _S923.projected_area_0 + pack_0, _S923.packs_0 + u32(1));
+        var _S927 : vec4<f32> = interpolate_table_0(light_nodes_0, _S923.light_visibility_0 + pack_0, _S923.packs_0) / vec4<f32>(255.0f);
+        var _S928 : vec4<f32> = interpolate_table_0(light_nodes_0, _S923.irradiance_0 + pack_0, _S923.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S929 : bool = pack_0 < _S924;
+        var _S930 : f32 = families_0[select(fabrics_0[_S912].weft_0, fabrics_0[_S912].warp_0, _S929)].roughness_0;
+        var number_9 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
         var lit_0 : f32 = 0.0f;
         for(;;)
         {
-            if(number_6 < u32(4))
+            if(number_9 < u32(4))
             {
             }
             else
             {
                 break;
             }
-            var _S846 : Group_0 = group_at_0(_S838.moments_0 + u32(12) * (u32(4) * (_S835 * _S838.packs_0 + pack_0) + number_6), _S845);
-            var _S847 : f32 = _S840[number_6] * _S841[number_6] * _S841[number_6] * _S846.weight_2;
-            var diffuse_1 : f32 = diffuse_0 + _S847 * _S843[number_6];
-            var specular_1 : f32 = specular_0 + _S847 * layer_value_0(_S846, _S836, _S829, _S830, fabrics_0[_S827].optical_depth_0) * _S842[number_6];
-            var lit_1 : f32 = lit_0 + _S847 * _S842[number_6];
-            var total_3 : f32 = total_2 + _S847;
-            number_6 = number_6 + u32(1);
+            var _S931 : Group_0 = group_at_0(_S923.moments_0 + u32(12) * (u32(4) * (_S920 * _S923.packs_0 + pack_0) + number_9), _S930);
+            var _S932 : f32 = _S925[number_9] * _S926[number_9] * _S926[number_9] * _S931.weight_2;
+            var diffuse_1 : f32 = diffuse_0 + _S932 * _S928[number_9];
+            var specular_1 : f32 = specular_0 + _S932 * layer_value_0(_S931, _S921, _S914, _S915, fabrics_0[_S912].optical_depth_0) * _S927[number_9];
+            var lit_1 : f32 = lit_0 + _S932 * _S927[number_9];
+            var total_3 : f32 = total_2 + _S932;
+            number_9 = number_9 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             lit_0 = lit_1;
             total_2 = total_3;
         }
-        sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 + select(0.0f, diffuse_0, _S844);
-        sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 + select(diffuse_0, 0.0f, _S844);
-        sums_4.specular_warp_0 = sums_4.specular_warp_0 + select(0.0f, specular_0, _S844);
-        sums_4.specular_weft_0 = sums_4.specular_weft_0 + select(specular_0, 0.0f, _S844);
-        sums_4.light_visibility_1 = sums_4.light_visibility_1 + lit_0 * select(_S837.y, _S837.x, _S844);
+        sums_6.diffuse_warp_0 = sums_6.diffuse_warp_0 + select(0.0f, diffuse_0, _S929);
+        sums_6.diffuse_weft_0 = sums_6.diffuse_weft_0 + select(diffuse_0, 0.0f, _S929);
+        sums_6.specular_warp_0 = sums_6.specular_warp_0 + select(0.0f, specular_0, _S929);
+        sums_6.specular_weft_0 = sums_6.specular_weft_0 + select(specular_0, 0.0f, _S929);
+        sums_6.light_visibility_1 = sums_6.light_visibility_1 + lit_0 * select(_S922.y, _S922.x, _S929);
         pack_0 = pack_0 + u32(1);
     }
-    var _S848 : f32 = prefiltered_hole_0(_S827, _S832, view_nodes_0, _S831);
-    sums_4.hole_2 = _S848;
-    var _S849 : f32 = 1.0f - _S848;
-    var _S850 : f32 = _S849 / max(total_2, 9.999999960041972e-13f);
-    var _S851 : f32 = _S850 * _S837.x;
-    sums_4.diffuse_warp_0 = sums_4.diffuse_warp_0 * _S851;
-    var _S852 : f32 = _S850 * _S837.y;
-    sums_4.diffuse_weft_0 = sums_4.diffuse_weft_0 * _S852;
-    sums_4.specular_warp_0 = sums_4.specular_warp_0 * _S851;
-    sums_4.specular_weft_0 = sums_4.specular_weft_0 * _S852;
-    sums_4.light_visibility_1 = min(sums_4.light_visibility_1 * _S850, _S849);
-    return sums_4;
+    var _S933 : f32 = prefiltered_hole_0(_S912, _S917, view_nodes_0, _S916);
+    sums_6.hole_2 = _S933;
+    var _S934 : f32 = 1.0f - _S933;
+    var _S935 : f32 = _S934 / max(total_2, 9.999999960041972e-13f);
+    var _S936 : f32 = _S935 * _S922.x;
+    sums_6.diffuse_warp_0 = sums_6.diffuse_warp_0 * _S936;
+    var _S937 : f32 = _S935 * _S922.y;
+    sums_6.diffuse_weft_0 = sums_6.diffuse_weft_0 * _S937;
+    sums_6.specular_warp_0 = sums_6.specular_warp_0 * _S936;
+    sums_6.specular_weft_0 = sums_6.specular_weft_0 * _S937;
+    sums_6.light_visibility_1 = min(sums_6.light_visibility_1 * _S935, _S934);
+    return sums_6;
 }
 
-fn albedos_over_0( _S853 : u32,  _S854 : Footprint_0,  _S855 : bool) -> FamilyAlbedos_0
+fn yarns_over_0( _S938 : u32,  _S939 : Footprint_0,  _S940 : bool) -> Yarns_0
 {
-    var _S856 : vec2<f32> = _S854.dx_0;
-    var _S857 : vec2<f32> = _S854.dy_0;
-    var _S858 : vec2<f32> = sqrt(_S856 * _S856 + _S857 * _S857);
-    var _S859 : Stretch_0 = stretch_of_0(fabrics_0[_S853].warp_0, _S854.centre_0.x, _S858.x);
-    var _S860 : Stretch_0 = stretch_of_0(fabrics_0[_S853].weft_0, _S854.centre_0.y, _S858.y);
-    var albedos_9 : FamilyAlbedos_0;
-    albedos_9.warp_5 = mean_albedos_0(fabrics_0[_S853].warp_0, fabrics_0[_S853].weft_0, _S859, _S860, _S855);
-    albedos_9.weft_5 = mean_albedos_0(fabrics_0[_S853].weft_0, fabrics_0[_S853].warp_0, _S860, _S859, _S855);
-    return albedos_9;
-}
-
-fn lobes_estimate_of_pass_0( _S861 : u32,  _S862 : Footprint_0,  _S863 : f32,  _S864 : vec2<f32>,  _S865 : vec3<f32>,  _S866 : vec3<f32>) -> Estimate_0
-{
-    var _S867 : f32;
-    var _S868 : Regime_0 = regime_of_0(_S861, _S862, _S863);
-    var _S869 : bool = (_S866.z) < 0.0f;
-    var _S870 : vec3<f32> = to_face_frame_0(_S866, _S869);
-    var _S871 : f32 = Footprint_spread_side_0(_S862);
-    var _S872 : bool = varies_at_0(_S861, _S871);
-    var _S873 : f32 = 1.0f - _S868.prefiltered_0;
-    var _S874 : bool = ((_S873 > 0.0f) & (((_S872 | (((((families_0[fabrics_0[_S861].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S861].weft_0].quantities_0) > u32(1))))))))));
-    var box_0 : Footprint_0 = _S862;
-    var _S875 : vec3<f32> = vec3<f32>(0.0f);
-    var _S876 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S875, _S875, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
-    var _S877 : Components_0 = no_components_0();
-    var close_1 : CloseUp_0 = no_close_up_0();
-    var _S878 : u32 = select(u32(1), u32(0), _S874);
-    var points_1 : Components_0 = _S877;
-    var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S876;
-    var number_7 : u32 = _S878;
+    var _S941 : vec2<f32> = _S939.dx_0;
+    var _S942 : vec2<f32> = _S939.dy_0;
+    var _S943 : vec2<f32> = sqrt(_S941 * _S941 + _S942 * _S942);
+    var _S944 : f32 = Footprint_spread_side_0(_S939);
+    var _S945 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S945, _S945, vec3<f32>(0.0f));
+    yarns_0.shares_0 = vec3<f32>(1.0f);
+    if((fabrics_0[_S938].is_irregular_0) == u32(0))
+    {
+        return yarns_0;
+    }
+    var number_10 : u32 = u32(0);
     for(;;)
     {
-        var _S879 : f32 = f32(number_7);
-        _S867 = _S868.points_0;
-        if(_S879 < (_S868.points_0 + 1.0f))
+        if(number_10 < u32(2))
         {
         }
         else
         {
             break;
         }
-        var _S880 : bool = number_7 == u32(0);
-        var _S881 : u32 = number_7 - u32(1);
-        var _S882 : vec2<f32> = POINT_OFFSETS_0[select(_S881, u32(0), _S880)] + _S864;
-        var _S883 : vec2<f32> = select_vector_0(_S880, vec2<f32>(0.0f), _S882 - round(_S882));
-        var _S884 : vec2<f32> = _S862.centre_0 + vec2<f32>(_S883.x) * _S862.dx_0 + vec2<f32>(_S883.y) * _S862.dy_0;
-        var _S885 : SearchQuality_0 = quality_of_0(select(_S868.threads_1, 0.0f, _S880));
-        var _S886 : Hit_0 = first_hit_0(_S861, _S885, _S884.x, _S884.y, _S870, _S869);
-        var _S887 : SurfacePoint_0 = surface_met_0(_S861, _S886.x_16, _S886.y_9, _S886.height_6, _S870, _S869);
-        if(_S880)
+        var _S946 : bool = number_10 == u32(0);
+        var _S947 : u32 = select(fabrics_0[_S938].weft_0, fabrics_0[_S938].warp_0, _S946);
+        var _S948 : vec2<f32> = select_vector_0(_S946, _S939.centre_0, _S939.centre_0.yx);
+        var _S949 : vec2<f32> = select_vector_0(_S946, _S943, _S943.yx);
+        var _S950 : f32 = _S948.x;
+        var _S951 : Cell_0 = locate_0(_S947, _S950);
+        var yarn_3 : vec4<f32> = irregular_over_0(_S947, irregular_key_0(_S938, number_10), irregular_thread_0(_S947, _S950, _S951) + _S951.below_0 / (_S951.below_0 + _S951.above_0), _S949.x * (families_0[_S947].count_0 / families_0[_S947].period_0), _S948.y, _S949.y);
+        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S947, _S944));
+        yarns_0.warp_3 = yarns_0.weft_3;
+        yarns_0.weft_3 = yarn_3;
+        number_10 = number_10 + u32(1);
+    }
+    var _S952 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S938].warp_0].cover_0, families_0[fabrics_0[_S938].weft_0].cover_0);
+    var _S953 : f32 = select(fabrics_0[_S938].warp_on_top_0, 1.0f - fabrics_0[_S938].warp_on_top_0, _S940);
+    var _S954 : vec3<f32> = shown_of_covers_0(_S952, _S953);
+    var _S955 : vec3<f32> = shown_of_covers_0(saturate(_S952 + _S952 * vec2<f32>(yarns_0.warp_3.y, yarns_0.weft_3.y)), _S953) / max(_S954, vec3<f32>(0.00009999999747379f));
+    yarns_0.shares_0 = _S955;
+    yarns_0.shares_0[i32(2)] = select(1.0f, _S955.z, (_S954.z) > 0.00009999999747379f);
+    return yarns_0;
+}
+
+fn with_shares_0( _S956 : u32,  _S957 : Components_0,  _S958 : Yarns_0) -> Components_0
+{
+    if((fabrics_0[_S956].is_irregular_0) == u32(0))
+    {
+        return _S957;
+    }
+    var result_5 : Components_0;
+    var _S959 : f32 = min(_S957.hole_2 * _S958.shares_0.z, 1.0f);
+    result_5.hole_2 = _S959;
+    var _S960 : f32 = _S958.shares_0.x;
+    result_5.diffuse_warp_0 = _S957.diffuse_warp_0 * _S960;
+    var _S961 : f32 = _S958.shares_0.y;
+    result_5.diffuse_weft_0 = _S957.diffuse_weft_0 * _S961;
+    result_5.specular_warp_0 = _S957.specular_warp_0 * _S960;
+    result_5.specular_weft_0 = _S957.specular_weft_0 * _S961;
+    result_5.light_visibility_1 = _S957.light_visibility_1 * (1.0f - _S959) / max(1.0f - _S957.hole_2, 9.99999997475242708e-07f);
+    return result_5;
+}
+
+fn albedos_over_0( _S962 : u32,  _S963 : Footprint_0,  _S964 : bool) -> FamilyAlbedos_0
+{
+    var _S965 : vec2<f32> = _S963.dx_0;
+    var _S966 : vec2<f32> = _S963.dy_0;
+    var _S967 : vec2<f32> = sqrt(_S965 * _S965 + _S966 * _S966);
+    var _S968 : Stretch_0 = stretch_of_0(fabrics_0[_S962].warp_0, _S963.centre_0.x, _S967.x);
+    var _S969 : Stretch_0 = stretch_of_0(fabrics_0[_S962].weft_0, _S963.centre_0.y, _S967.y);
+    var albedos_9 : FamilyAlbedos_0;
+    albedos_9.warp_7 = mean_albedos_0(fabrics_0[_S962].warp_0, fabrics_0[_S962].weft_0, _S968, _S969, _S964);
+    albedos_9.weft_7 = mean_albedos_0(fabrics_0[_S962].weft_0, fabrics_0[_S962].warp_0, _S969, _S968, _S964);
+    return albedos_9;
+}
+
+fn with_tones_0( _S970 : u32,  _S971 : FamilyAlbedos_0,  _S972 : Yarns_0) -> FamilyAlbedos_0
+{
+    if((fabrics_0[_S970].is_irregular_0) == u32(0))
+    {
+        return _S971;
+    }
+    var result_6 : FamilyAlbedos_0;
+    result_6.warp_7 = toned_0(_S970, fabrics_0[_S970].warp_0, _S971.warp_7, _S972.warp_3);
+    result_6.weft_7 = toned_0(_S970, fabrics_0[_S970].weft_0, _S971.weft_7, _S972.weft_3);
+    return result_6;
+}
+
+fn lobes_estimate_of_pass_0( _S973 : u32,  _S974 : Footprint_0,  _S975 : f32,  _S976 : vec2<f32>,  _S977 : vec3<f32>,  _S978 : vec3<f32>) -> Estimate_0
+{
+    var _S979 : f32;
+    var _S980 : Regime_0 = regime_of_0(_S973, _S974, _S975);
+    var _S981 : bool = (_S978.z) < 0.0f;
+    var _S982 : vec3<f32> = to_face_frame_0(_S978, _S981);
+    var _S983 : f32 = Footprint_spread_side_0(_S974);
+    var _S984 : bool = varies_at_0(_S973, _S983);
+    var _S985 : f32 = 1.0f - _S980.prefiltered_0;
+    var _S986 : bool = ((_S985 > 0.0f) & (((((_S984 | (((((families_0[fabrics_0[_S973].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S973].weft_0].quantities_0) > u32(1)))))))) | (((fabrics_0[_S973].is_irregular_0) != u32(0)))))));
+    var box_0 : Footprint_0 = _S974;
+    var _S987 : vec3<f32> = vec3<f32>(0.0f);
+    var _S988 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S987, _S987, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
+    var _S989 : Components_0 = no_components_0();
+    var close_1 : CloseUp_0 = no_close_up_0();
+    var _S990 : u32 = select(u32(1), u32(0), _S986);
+    var points_1 : Components_0 = _S989;
+    var central_weight_0 : f32 = 0.0f;
+    var central_0 : SurfacePoint_0 = _S988;
+    var number_11 : u32 = _S990;
+    for(;;)
+    {
+        var _S991 : f32 = f32(number_11);
+        _S979 = _S980.points_0;
+        if(_S991 < (_S980.points_0 + 1.0f))
         {
-            var central_weight_1 : f32 = select(_S873, 0.0f, _S886.hole_5);
-            box_0.centre_0 = mix(_S862.centre_0, vec2<f32>(_S886.x_16, _S886.y_9), vec2<f32>(central_weight_1));
+        }
+        else
+        {
+            break;
+        }
+        var _S992 : bool = number_11 == u32(0);
+        var _S993 : u32 = number_11 - u32(1);
+        var _S994 : vec2<f32> = POINT_OFFSETS_0[select(_S993, u32(0), _S992)] + _S976;
+        var _S995 : vec2<f32> = select_vector_0(_S992, vec2<f32>(0.0f), _S994 - round(_S994));
+        var _S996 : vec2<f32> = _S974.centre_0 + vec2<f32>(_S995.x) * _S974.dx_0 + vec2<f32>(_S995.y) * _S974.dy_0;
+        var _S997 : SearchQuality_0 = quality_of_0(select(_S980.threads_2, 0.0f, _S992));
+        var _S998 : Hit_0 = first_hit_0(_S973, _S997, _S996.x, _S996.y, _S982, _S981);
+        var _S999 : SurfacePoint_0 = surface_met_0(_S973, _S998.x_16, _S998.y_9, _S998.height_6, _S982, _S981);
+        if(_S992)
+        {
+            var central_weight_1 : f32 = select(_S985, 0.0f, _S998.hole_5);
+            box_0.centre_0 = mix(_S974.centre_0, vec2<f32>(_S998.x_16, _S998.y_9), vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S887;
-            number_7 = number_7 + u32(1);
+            central_0 = _S999;
+            number_11 = number_11 + u32(1);
             continue;
         }
-        var _S888 : YarnPoint_0 = yarn_point_of_0(_S861, _S887, _S870, _S869, _S886.hole_5, _S871);
-        var _S889 : f32 = min(_S868.points_0 - f32(_S881), 1.0f);
-        var _S890 : Components_0 = with_added_0(points_1, components_of_point_0(_S861, _S885, _S888, _S865, _S866), _S889);
-        if((fabrics_0[_S861].openness_0) != u32(4294967295))
+        var _S1000 : YarnPoint_0 = yarn_point_of_0(_S973, _S999, _S982, _S981, _S998.hole_5, _S983);
+        var _S1001 : f32 = min(_S980.points_0 - f32(_S993), 1.0f);
+        var _S1002 : Components_0 = with_added_0(points_1, components_of_point_0(_S973, _S997, _S1000, _S977, _S978), _S1001);
+        if((fabrics_0[_S973].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S861, close_1.warp_1, _S888, true, _S889);
-            close_1.weft_1 = with_blocked_0(_S861, close_1.weft_1, _S888, false, _S889);
+            close_1.warp_1 = with_blocked_0(_S973, close_1.warp_1, _S1000, true, _S1001);
+            close_1.weft_1 = with_blocked_0(_S973, close_1.weft_1, _S1000, false, _S1001);
         }
-        points_1 = _S890;
-        number_7 = number_7 + u32(1);
+        points_1 = _S1002;
+        number_11 = number_11 + u32(1);
     }
-    close_1.weight_0 = _S873;
-    var _S891 : f32 = max(_S867, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S891);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S891);
+    close_1.weight_0 = _S985;
+    var _S1003 : f32 = max(_S979, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1003);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1003);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S877, points_1, _S873 / _S891);
-    if((_S868.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S989, points_1, _S985 / _S1003);
+    if((_S980.prefiltered_0) > 0.0f)
     {
-        var _S892 : Components_0 = prefiltered_components_0(_S861, _S862, to_face_frame_0(_S865, _S869), _S870, _S869);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S892, _S868.prefiltered_0);
+        var _S1004 : Components_0 = prefiltered_components_0(_S973, _S974, to_face_frame_0(_S977, _S981), _S982, _S981);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1004, _S980.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S861, box_0, _S869);
-    if((_S872 & ((central_weight_0 > 0.0f))))
+    var _S1005 : Yarns_0 = yarns_over_0(_S973, box_0, _S981);
+    estimate_0.components_0 = with_shares_0(_S973, estimate_0.components_0, _S1005);
+    estimate_0.albedos_5 = with_tones_0(_S973, albedos_over_0(_S973, box_0, _S981), _S1005);
+    if((_S984 & ((central_weight_0 > 0.0f))))
     {
-        var _S893 : SurfacePoint_0 = central_0;
-        var _S894 : Albedos_0;
+        var _S1006 : SurfacePoint_0 = central_0;
+        var _S1007 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S894 = estimate_0.albedos_5.warp_5;
+            _S1007 = estimate_0.albedos_5.warp_7;
         }
         else
         {
-            _S894 = estimate_0.albedos_5.weft_5;
+            _S1007 = estimate_0.albedos_5.weft_7;
         }
-        var _S895 : bool;
-        if((fabrics_0[_S861].has_detail_0) != u32(0))
+        var _S1008 : bool;
+        if((fabrics_0[_S973].has_detail_0) != u32(0))
         {
-            _S895 = has_hairs_0(_S861);
-        }
-        else
-        {
-            _S895 = false;
-        }
-        var cover_3 : f32;
-        if(_S895)
-        {
-            cover_3 = hair_towards_0(_S861, hairs_over_0(_S861, central_0, _S869, _S871), _S870, _S871).cover_0;
+            _S1008 = has_hairs_0(_S973);
         }
         else
         {
-            cover_3 = 0.0f;
+            _S1008 = false;
         }
-        var _S896 : Albedos_0 = lerp_albedos_0(_S894, varied_at_0(_S861, central_0, _S894, _S869, _S871, cover_3), central_weight_0);
-        if(_S893.is_warp_0)
+        var cover_4 : f32;
+        if(_S1008)
         {
-            estimate_0.albedos_5.warp_5 = _S896;
+            cover_4 = hair_towards_0(_S973, hairs_over_0(_S973, central_0, _S981, _S983), _S982, _S983).cover_1;
         }
         else
         {
-            estimate_0.albedos_5.weft_5 = _S896;
+            cover_4 = 0.0f;
+        }
+        var _S1009 : Albedos_0 = lerp_albedos_0(_S1007, varied_at_0(_S973, central_0, _S1007, _S981, _S983, cover_4), central_weight_0);
+        if(_S1006.is_warp_0)
+        {
+            estimate_0.albedos_5.warp_7 = _S1009;
+        }
+        else
+        {
+            estimate_0.albedos_5.weft_7 = _S1009;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S897 : u32,  _S898 : Albedos_0,  _S899 : u32,  _S900 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S1010 : u32,  _S1011 : Albedos_0,  _S1012 : u32,  _S1013 : vec3<f32>) -> Scattered_0
 {
-    var _S901 : u32 = u32(159) + u32(2) * _S899;
-    var yarn_3 : Scattered_0;
-    yarn_3.back_6 = _S900 * _S898.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S897, _S901)) * _S898.specular_reflect_0;
-    yarn_3.through_0 = _S900 * _S898.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S897, _S901 + u32(1))) * _S898.specular_transmit_0;
-    return yarn_3;
+    var _S1014 : u32 = u32(159) + u32(2) * _S1012;
+    var yarn_4 : Scattered_0;
+    yarn_4.back_6 = _S1013 * _S1011.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1010, _S1014)) * _S1011.specular_reflect_0;
+    yarn_4.through_0 = _S1013 * _S1011.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1010, _S1014 + u32(1))) * _S1011.specular_transmit_0;
+    return yarn_4;
 }
 
-fn sent_0( _S902 : u32,  _S903 : u32,  _S904 : vec3<f32>,  _S905 : vec3<f32>,  _S906 : vec3<f32>,  _S907 : vec3<f32>,  _S908 : ptr<function, vec3<f32>>,  _S909 : ptr<function, vec3<f32>>)
+fn sent_0( _S1015 : u32,  _S1016 : u32,  _S1017 : vec3<f32>,  _S1018 : vec3<f32>,  _S1019 : vec3<f32>,  _S1020 : vec3<f32>,  _S1021 : ptr<function, vec3<f32>>,  _S1022 : ptr<function, vec3<f32>>)
 {
-    var _S910 : u32 = u32(146) + u32(4) * _S903;
-    var _S911 : f32 = openness_number_0(_S902, _S910 + u32(1));
-    var _S912 : f32 = openness_number_0(_S902, _S910 + u32(2));
-    var _S913 : vec3<f32> = vec3<f32>(1.0f);
-    var _S914 : vec3<f32> = _S913 - _S906 * vec3<f32>(openness_number_0(_S902, _S910));
-    var _S915 : vec3<f32> = _S913 - _S907 * vec3<f32>(openness_number_0(_S902, _S910 + u32(3)));
-    var _S916 : vec3<f32> = _S913 / (_S914 * _S915 - _S906 * _S907 * vec3<f32>((_S911 * _S912)));
-    (*_S908) = (_S904 * _S915 + _S906 * vec3<f32>(_S911) * _S905) * _S916;
-    (*_S909) = (_S905 * _S914 + _S907 * vec3<f32>(_S912) * _S904) * _S916;
+    var _S1023 : u32 = u32(146) + u32(4) * _S1016;
+    var _S1024 : f32 = openness_number_0(_S1015, _S1023 + u32(1));
+    var _S1025 : f32 = openness_number_0(_S1015, _S1023 + u32(2));
+    var _S1026 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1027 : vec3<f32> = _S1026 - _S1019 * vec3<f32>(openness_number_0(_S1015, _S1023));
+    var _S1028 : vec3<f32> = _S1026 - _S1020 * vec3<f32>(openness_number_0(_S1015, _S1023 + u32(3)));
+    var _S1029 : vec3<f32> = _S1026 / (_S1027 * _S1028 - _S1019 * _S1020 * vec3<f32>((_S1024 * _S1025)));
+    (*_S1021) = (_S1017 * _S1028 + _S1019 * vec3<f32>(_S1024) * _S1018) * _S1029;
+    (*_S1022) = (_S1018 * _S1027 + _S1020 * vec3<f32>(_S1025) * _S1017) * _S1029;
     return;
 }
 
-fn face_sends_0( _S917 : u32,  _S918 : u32,  _S919 : Scattered_0,  _S920 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S1030 : u32,  _S1031 : u32,  _S1032 : Scattered_0,  _S1033 : Scattered_0) -> FaceSends_0
 {
-    var _S921 : u32 = u32(2) * _S918;
-    var _S922 : u32 = u32(142) + _S921;
-    var _S923 : f32 = openness_number_0(_S917, _S922);
-    var _S924 : f32 = openness_number_0(_S917, _S922 + u32(1));
-    var _S925 : vec3<f32> = vec3<f32>((1.0f - _S923)) * _S919.back_6;
-    var _S926 : vec3<f32> = vec3<f32>((1.0f - _S924)) * _S920.back_6;
+    var _S1034 : u32 = u32(2) * _S1031;
+    var _S1035 : u32 = u32(142) + _S1034;
+    var _S1036 : f32 = openness_number_0(_S1030, _S1035);
+    var _S1037 : f32 = openness_number_0(_S1030, _S1035 + u32(1));
+    var _S1038 : vec3<f32> = vec3<f32>((1.0f - _S1036)) * _S1032.back_6;
+    var _S1039 : vec3<f32> = vec3<f32>((1.0f - _S1037)) * _S1033.back_6;
     var sends_1 : FaceSends_0;
-    var _S927 : u32 = u32(154) + _S921;
-    var _S928 : f32 = openness_number_0(_S917, _S927);
-    sends_1.blocks_warp_0 = _S928;
-    var _S929 : f32 = openness_number_0(_S917, _S927 + u32(1));
-    sends_1.blocks_weft_0 = _S929;
-    sends_1.open_0 = _S928 * _S923 + _S929 * _S924;
-    var _S930 : vec3<f32> = vec3<f32>(_S923) * _S919.back_6;
-    var _S931 : vec3<f32> = vec3<f32>(_S924) * _S920.back_6;
-    var _S932 : vec3<f32> = sends_1.sky_warp_0;
-    var _S933 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S917, _S918, _S930, _S931, _S925, _S926, &(_S932), &(_S933));
-    sends_1.sky_warp_0 = _S932;
-    sends_1.sky_weft_0 = _S933;
-    var _S934 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S935 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S917, _S918, _S919.through_0, _S920.through_0, _S925, _S926, &(_S934), &(_S935));
-    sends_1.crossing_warp_0 = _S934;
-    sends_1.crossing_weft_0 = _S935;
+    var _S1040 : u32 = u32(154) + _S1034;
+    var _S1041 : f32 = openness_number_0(_S1030, _S1040);
+    sends_1.blocks_warp_0 = _S1041;
+    var _S1042 : f32 = openness_number_0(_S1030, _S1040 + u32(1));
+    sends_1.blocks_weft_0 = _S1042;
+    sends_1.open_0 = _S1041 * _S1036 + _S1042 * _S1037;
+    var _S1043 : vec3<f32> = vec3<f32>(_S1036) * _S1032.back_6;
+    var _S1044 : vec3<f32> = vec3<f32>(_S1037) * _S1033.back_6;
+    var _S1045 : vec3<f32> = sends_1.sky_warp_0;
+    var _S1046 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S1030, _S1031, _S1043, _S1044, _S1038, _S1039, &(_S1045), &(_S1046));
+    sends_1.sky_warp_0 = _S1045;
+    sends_1.sky_weft_0 = _S1046;
+    var _S1047 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S1048 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S1030, _S1031, _S1032.through_0, _S1033.through_0, _S1038, _S1039, &(_S1047), &(_S1048));
+    sends_1.crossing_warp_0 = _S1047;
+    sends_1.crossing_weft_0 = _S1048;
     return sends_1;
 }
 
-fn interior_of_0( _S936 : u32,  _S937 : vec3<f32>,  _S938 : bool) -> Interior_0
+fn interior_of_0( _S1049 : u32,  _S1050 : vec3<f32>,  _S1051 : bool) -> Interior_0
 {
-    var _S939 : Scattered_0 = scattered_by_0(_S936, table_albedos_0(families_0[fabrics_0[_S936].warp_0].colour_mean_0), u32(0), _S937);
-    var _S940 : Scattered_0 = scattered_by_0(_S936, table_albedos_0(families_0[fabrics_0[_S936].weft_0].colour_mean_0), u32(1), _S937);
-    var _S941 : FaceSends_0 = face_sends_0(_S936, select(u32(0), u32(1), _S938), _S939, _S940);
-    var _S942 : FaceSends_0 = face_sends_0(_S936, select(u32(1), u32(0), _S938), _S939, _S940);
-    var _S943 : vec3<f32> = vec3<f32>(_S941.blocks_warp_0);
-    var _S944 : vec3<f32> = vec3<f32>(_S941.blocks_weft_0);
-    var _S945 : vec3<f32> = _S943 * _S941.crossing_warp_0 + _S944 * _S941.crossing_weft_0;
-    var _S946 : vec3<f32> = vec3<f32>(_S942.blocks_warp_0);
-    var _S947 : vec3<f32> = vec3<f32>(_S942.blocks_weft_0);
-    var _S948 : vec3<f32> = _S946 * _S942.crossing_warp_0 + _S947 * _S942.crossing_weft_0;
-    var _S949 : f32 = 1.0f - _S941.open_0;
-    var _S950 : f32 = 1.0f - _S942.open_0;
-    var _S951 : vec3<f32> = vec3<f32>(1.0f);
-    var _S952 : vec3<f32> = _S951 / (_S951 - _S945 * _S948 * vec3<f32>((_S949 * _S950)));
-    var _S953 : vec3<f32> = _S948 * (vec3<f32>(_S941.open_0) + vec3<f32>(_S949) * (_S943 * _S941.sky_warp_0 + _S944 * _S941.sky_weft_0)) * _S952;
-    var _S954 : vec3<f32> = _S945 * (vec3<f32>(_S942.open_0) + vec3<f32>(_S950) * (_S946 * _S942.sky_warp_0 + _S947 * _S942.sky_weft_0)) * _S952;
-    var _S955 : FaceRadiance_0 = face_radiance_0(_S941, _S942.open_0, _S953, _S954);
-    var _S956 : FaceRadiance_0 = face_radiance_0(_S942, _S941.open_0, _S954, _S953);
+    var _S1052 : Scattered_0 = scattered_by_0(_S1049, table_albedos_0(families_0[fabrics_0[_S1049].warp_0].colour_mean_0), u32(0), _S1050);
+    var _S1053 : Scattered_0 = scattered_by_0(_S1049, table_albedos_0(families_0[fabrics_0[_S1049].weft_0].colour_mean_0), u32(1), _S1050);
+    var _S1054 : FaceSends_0 = face_sends_0(_S1049, select(u32(0), u32(1), _S1051), _S1052, _S1053);
+    var _S1055 : FaceSends_0 = face_sends_0(_S1049, select(u32(1), u32(0), _S1051), _S1052, _S1053);
+    var _S1056 : vec3<f32> = vec3<f32>(_S1054.blocks_warp_0);
+    var _S1057 : vec3<f32> = vec3<f32>(_S1054.blocks_weft_0);
+    var _S1058 : vec3<f32> = _S1056 * _S1054.crossing_warp_0 + _S1057 * _S1054.crossing_weft_0;
+    var _S1059 : vec3<f32> = vec3<f32>(_S1055.blocks_warp_0);
+    var _S1060 : vec3<f32> = vec3<f32>(_S1055.blocks_weft_0);
+    var _S1061 : vec3<f32> = _S1059 * _S1055.crossing_warp_0 + _S1060 * _S1055.crossing_weft_0;
+    var _S1062 : f32 = 1.0f - _S1054.open_0;
+    var _S1063 : f32 = 1.0f - _S1055.open_0;
+    var _S1064 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1065 : vec3<f32> = _S1064 / (_S1064 - _S1058 * _S1061 * vec3<f32>((_S1062 * _S1063)));
+    var _S1066 : vec3<f32> = _S1061 * (vec3<f32>(_S1054.open_0) + vec3<f32>(_S1062) * (_S1056 * _S1054.sky_warp_0 + _S1057 * _S1054.sky_weft_0)) * _S1065;
+    var _S1067 : vec3<f32> = _S1058 * (vec3<f32>(_S1055.open_0) + vec3<f32>(_S1063) * (_S1059 * _S1055.sky_warp_0 + _S1060 * _S1055.sky_weft_0)) * _S1065;
+    var _S1068 : FaceRadiance_0 = face_radiance_0(_S1054, _S1055.open_0, _S1066, _S1067);
+    var _S1069 : FaceRadiance_0 = face_radiance_0(_S1055, _S1054.open_0, _S1067, _S1066);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S955.warp_3;
-    interior_1.weft_4 = _S955.weft_3;
-    interior_1.leaked_1 = _S955.leaked_0;
-    interior_1.far_1 = _S956.mean_1;
-    interior_1.far_leaked_0 = _S956.leaked_0;
+    interior_1.warp_6 = _S1068.warp_5;
+    interior_1.weft_6 = _S1068.weft_5;
+    interior_1.leaked_1 = _S1068.leaked_0;
+    interior_1.far_1 = _S1069.mean_1;
+    interior_1.far_leaked_0 = _S1069.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S957 : u32,  _S958 : vec3<f32>,  _S959 : bool,  _S960 : bool) -> Blocked_0
+fn blocked_from_0( _S1070 : u32,  _S1071 : vec3<f32>,  _S1072 : bool,  _S1073 : bool) -> Blocked_0
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S958, &(terms_3));
-    return blocked_of_terms_0(_S957, (select(u32(0), u32(2), _S960) + select(u32(1), u32(0), _S959)) * u32(15), terms_3, u32(5));
+    view_terms_0(_S1071, &(terms_3));
+    return blocked_of_terms_0(_S1070, (select(u32(0), u32(2), _S1073) + select(u32(1), u32(0), _S1072)) * u32(15), terms_3, u32(5));
 }
 
-fn warp_seen_from_0( _S961 : u32,  _S962 : vec3<f32>,  _S963 : bool) -> f32
+fn warp_seen_from_0( _S1074 : u32,  _S1075 : vec3<f32>,  _S1076 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S962, &(terms_4));
+    view_terms_1(_S1075, &(terms_4));
     var term_1 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -3477,132 +3793,132 @@ fn warp_seen_from_0( _S961 : u32,  _S962 : vec3<f32>,  _S963 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S961, u32(132) + select(u32(0), u32(5), _S963) + term_1) * terms_4[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S1074, u32(132) + select(u32(0), u32(5), _S1076) + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S964 : u32,  _S965 : FamilyAlbedos_0,  _S966 : vec3<f32>,  _S967 : Interior_0,  _S968 : Blocked_0,  _S969 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S1077 : u32,  _S1078 : FamilyAlbedos_0,  _S1079 : vec3<f32>,  _S1080 : Interior_0,  _S1081 : Blocked_0,  _S1082 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S968, scattered_by_0(_S964, _S965.warp_5, u32(0), _S966), _S967), bounced_by_0(_S969, scattered_by_0(_S964, _S965.weft_5, u32(1), _S966), _S967));
+    return sum_of_0(bounced_by_0(_S1081, scattered_by_0(_S1077, _S1078.warp_7, u32(0), _S1079), _S1080), bounced_by_0(_S1082, scattered_by_0(_S1077, _S1078.weft_7, u32(1), _S1079), _S1080));
 }
 
-fn bounced_far_0( _S970 : u32,  _S971 : FamilyAlbedos_0,  _S972 : vec3<f32>,  _S973 : Interior_0,  _S974 : vec3<f32>,  _S975 : bool,  _S976 : f32,  _S977 : f32,  _S978 : f32) -> Bounced_0
+fn bounced_far_0( _S1083 : u32,  _S1084 : FamilyAlbedos_0,  _S1085 : vec3<f32>,  _S1086 : Interior_0,  _S1087 : vec3<f32>,  _S1088 : bool,  _S1089 : f32,  _S1090 : f32,  _S1091 : f32) -> Bounced_0
 {
-    var _S979 : Blocked_0 = blocked_from_0(_S970, _S974, true, _S975);
-    var _S980 : Blocked_0 = blocked_from_0(_S970, _S974, false, _S975);
-    var _S981 : f32 = _S976 / max(1.0f - _S979.by_warp_0 - _S979.by_weft_0, 0.10000000149011612f);
-    var _S982 : f32 = (0.0020000000949949f * warp_seen_from_0(_S970, _S974, _S975) + _S981) / (_S981 + _S977 / max(1.0f - _S980.by_warp_0 - _S980.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S983 : f32 = 1.0f - _S978;
-    return bounced_of_families_0(_S970, _S971, _S972, _S973, scaled_0(_S979, _S982 * _S983), scaled_0(_S980, (1.0f - _S982) * _S983));
+    var _S1092 : Blocked_0 = blocked_from_0(_S1083, _S1087, true, _S1088);
+    var _S1093 : Blocked_0 = blocked_from_0(_S1083, _S1087, false, _S1088);
+    var _S1094 : f32 = _S1089 / max(1.0f - _S1092.by_warp_0 - _S1092.by_weft_0, 0.10000000149011612f);
+    var _S1095 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1083, _S1087, _S1088) + _S1094) / (_S1094 + _S1090 / max(1.0f - _S1093.by_warp_0 - _S1093.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S1096 : f32 = 1.0f - _S1091;
+    return bounced_of_families_0(_S1083, _S1084, _S1085, _S1086, scaled_0(_S1092, _S1095 * _S1096), scaled_0(_S1093, (1.0f - _S1095) * _S1096));
 }
 
-fn bounced_over_0( _S984 : u32,  _S985 : Components_0,  _S986 : CloseUp_0,  _S987 : FamilyAlbedos_0,  _S988 : vec3<f32>,  _S989 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S1097 : u32,  _S1098 : Components_0,  _S1099 : CloseUp_0,  _S1100 : FamilyAlbedos_0,  _S1101 : vec3<f32>,  _S1102 : vec3<f32>) -> Bounced_0
 {
-    var _S990 : bool = (_S989.z) < 0.0f;
-    var _S991 : Interior_0 = interior_of_0(_S984, _S988, _S990);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S984, _S987, _S988, _S991, to_face_frame_0(_S989, _S990), _S990, _S985.diffuse_warp_0, _S985.diffuse_weft_0, _S985.hole_2);
-    if((_S986.weight_0) > 0.0f)
+    var _S1103 : bool = (_S1102.z) < 0.0f;
+    var _S1104 : Interior_0 = interior_of_0(_S1097, _S1101, _S1103);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S1097, _S1100, _S1101, _S1104, to_face_frame_0(_S1102, _S1103), _S1103, _S1098.diffuse_warp_0, _S1098.diffuse_weft_0, _S1098.hole_2);
+    if((_S1099.weight_0) > 0.0f)
     {
-        var _S992 : Bounced_0 = bounced_of_families_0(_S984, _S987, _S988, _S991, _S986.warp_1, _S986.weft_1);
-        var _S993 : vec3<f32> = vec3<f32>(_S986.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S992.reflected_0, _S993);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S992.transmitted_0, _S993);
+        var _S1105 : Bounced_0 = bounced_of_families_0(_S1097, _S1100, _S1101, _S1104, _S1099.warp_1, _S1099.weft_1);
+        var _S1106 : vec3<f32> = vec3<f32>(_S1099.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1105.reflected_0, _S1106);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1105.transmitted_0, _S1106);
     }
     return bounced_2;
 }
 
-fn composed_0( _S994 : u32,  _S995 : Components_0,  _S996 : CloseUp_0,  _S997 : FamilyAlbedos_0,  _S998 : vec3<f32>,  _S999 : vec3<f32>,  _S1000 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S1107 : u32,  _S1108 : Components_0,  _S1109 : CloseUp_0,  _S1110 : FamilyAlbedos_0,  _S1111 : vec3<f32>,  _S1112 : vec3<f32>,  _S1113 : vec3<f32>) -> vec3<f32>
 {
-    var _S1001 : Albedos_0 = tinted_0(_S997.warp_5, _S998);
-    var _S1002 : Albedos_0 = tinted_0(_S997.weft_5, _S998);
-    var _S1003 : vec3<f32> = vec3<f32>(_S995.diffuse_warp_0);
-    var _S1004 : vec3<f32> = vec3<f32>(_S995.diffuse_weft_0);
-    var _S1005 : vec3<f32> = vec3<f32>(_S995.specular_warp_0);
-    var _S1006 : vec3<f32> = vec3<f32>(_S995.specular_weft_0);
-    var _S1007 : vec3<f32> = _S1001.diffuse_reflect_0 * _S1003 + _S1002.diffuse_reflect_0 * _S1004 + _S1001.specular_reflect_0 * _S1005 + _S1002.specular_reflect_0 * _S1006;
-    var _S1008 : f32 = _S1000.z;
+    var _S1114 : Albedos_0 = tinted_0(_S1110.warp_7, _S1111);
+    var _S1115 : Albedos_0 = tinted_0(_S1110.weft_7, _S1111);
+    var _S1116 : vec3<f32> = vec3<f32>(_S1108.diffuse_warp_0);
+    var _S1117 : vec3<f32> = vec3<f32>(_S1108.diffuse_weft_0);
+    var _S1118 : vec3<f32> = vec3<f32>(_S1108.specular_warp_0);
+    var _S1119 : vec3<f32> = vec3<f32>(_S1108.specular_weft_0);
+    var _S1120 : vec3<f32> = _S1114.diffuse_reflect_0 * _S1116 + _S1115.diffuse_reflect_0 * _S1117 + _S1114.specular_reflect_0 * _S1118 + _S1115.specular_reflect_0 * _S1119;
+    var _S1121 : f32 = _S1113.z;
     var body_0 : vec3<f32>;
-    if((_S999.z * _S1008) < 0.0f)
+    if((_S1112.z * _S1121) < 0.0f)
     {
-        body_0 = _S1001.diffuse_transmit_0 * _S1003 + _S1002.diffuse_transmit_0 * _S1004 + _S1001.specular_transmit_0 * _S1005 + _S1002.specular_transmit_0 * _S1006;
+        body_0 = _S1114.diffuse_transmit_0 * _S1116 + _S1115.diffuse_transmit_0 * _S1117 + _S1114.specular_transmit_0 * _S1118 + _S1115.specular_transmit_0 * _S1119;
     }
     else
     {
-        body_0 = _S1007;
+        body_0 = _S1120;
     }
-    if((fabrics_0[_S994].openness_0) != u32(4294967295))
+    if((fabrics_0[_S1107].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S994, _S995, _S996, _S997, _S998, _S1000), _S999, _S1000);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1107, _S1108, _S1109, _S1110, _S1111, _S1113), _S1112, _S1113);
     }
-    var _S1009 : f32 = fabrics_0[_S994].sheen_strength_0;
-    if((fabrics_0[_S994].sheen_strength_0) <= 0.0f)
+    var _S1122 : f32 = fabrics_0[_S1107].sheen_strength_0;
+    if((fabrics_0[_S1107].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S1010 : bool = _S1008 < 0.0f;
-    var _S1011 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S999, _S1010), to_face_frame_0(_S1000, _S1010), _S1009, fabrics_0[_S994].sheen_roughness_0);
-    return vec3<f32>(_S1011.y) * body_0 + vec3<f32>(((_S995.light_visibility_1 + _S995.hole_2) * _S1011.x));
+    var _S1123 : bool = _S1121 < 0.0f;
+    var _S1124 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1112, _S1123), to_face_frame_0(_S1113, _S1123), _S1122, fabrics_0[_S1107].sheen_roughness_0);
+    return vec3<f32>(_S1124.y) * body_0 + vec3<f32>(((_S1108.light_visibility_1 + _S1108.hole_2) * _S1124.x));
 }
 
-fn light_of_footprint_0( _S1012 : u32,  _S1013 : VisiblePoint_0,  _S1014 : vec2<u32>,  _S1015 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S1125 : u32,  _S1126 : VisiblePoint_0,  _S1127 : vec2<u32>,  _S1128 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S1013.draft_0;
-    footprint_0.dx_0 = _S1013.draft_dx_0;
-    footprint_0.dy_0 = _S1013.draft_dy_0;
-    var _S1016 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S1017 : vec3<f32> = to_local_0(_S1013, _S1013.view_0);
-    var _S1018 : u32 = light_sample_count_0();
-    var _S1019 : vec3<f32> = vec3<f32>(0.0f);
-    var number_8 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S1019;
+    footprint_0.dx_0 = _S1126.draft_dx_0;
+    footprint_0.dy_0 = _S1126.draft_dy_0;
+    footprint_0.centre_0 = irregular_place_0(_S1125, _S1126.draft_0, Footprint_spread_side_0(footprint_0));
+    var _S1129 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S1130 : vec3<f32> = to_local_0(_S1126, _S1126.view_0);
+    var _S1131 : u32 = light_sample_count_0();
+    var _S1132 : vec3<f32> = vec3<f32>(0.0f);
+    var number_12 : u32 = u32(0);
+    var radiance_1 : vec3<f32> = _S1132;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        if(number_8 < (max(_S1018, u32(1))))
+        if(number_12 < (max(_S1131, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S1020 : f32;
-        if(number_8 < _S1018)
+        var _S1133 : f32;
+        if(number_12 < _S1131)
         {
-            _S1020 = visibility_at_0(number_8, _S1014);
+            _S1133 = visibility_at_0(number_12, _S1127);
         }
         else
         {
-            _S1020 = 0.0f;
+            _S1133 = 0.0f;
         }
-        var _S1021 : bool;
-        if(_S1020 <= 0.0f)
+        var _S1134 : bool;
+        if(_S1133 <= 0.0f)
         {
-            _S1021 = number_8 > u32(0);
+            _S1134 = number_12 > u32(0);
         }
         else
         {
-            _S1021 = false;
+            _S1134 = false;
         }
-        if(_S1021)
+        if(_S1134)
         {
-            number_8 = number_8 + u32(1);
+            number_12 = number_12 + u32(1);
             continue;
         }
-        var _S1022 : LightSample_0 = light_sample_0(number_8, _S1014, _S1013.position_0);
-        var _S1023 : vec3<f32> = to_local_0(_S1013, _S1022.towards_0);
-        var _S1024 : Estimate_0 = lobes_estimate_of_pass_0(_S1012, footprint_0, 1.0f, _S1016, _S1023, _S1017);
-        radiance_1 = radiance_1 + vec3<f32>(_S1020) * _S1022.irradiance_1 * composed_0(_S1012, _S1024.components_0, _S1024.close_0, _S1024.albedos_5, _S1015, _S1023, _S1017);
-        hole_7 = _S1024.components_0.hole_2;
-        number_8 = number_8 + u32(1);
+        var _S1135 : LightSample_0 = light_sample_0(number_12, _S1127, _S1126.position_4);
+        var _S1136 : vec3<f32> = to_local_0(_S1126, _S1135.towards_0);
+        var _S1137 : Estimate_0 = lobes_estimate_of_pass_0(_S1125, footprint_0, 1.0f, _S1129, _S1136, _S1130);
+        radiance_1 = radiance_1 + vec3<f32>(_S1133) * _S1135.irradiance_1 * composed_0(_S1125, _S1137.components_0, _S1137.close_0, _S1137.albedos_5, _S1128, _S1136, _S1130);
+        hole_7 = _S1137.components_0.hole_2;
+        number_12 = number_12 + u32(1);
     }
-    var _S1025 : f32 = fabrics_0[_S1012].sheen_strength_0;
-    if((fabrics_0[_S1012].sheen_strength_0) > 0.0f)
+    var _S1138 : f32 = fabrics_0[_S1125].sheen_strength_0;
+    if((fabrics_0[_S1125].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S1025 * sheen_lobe_0(abs(_S1017.z), fabrics_0[_S1012].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S1138 * sheen_lobe_0(abs(_S1130.z), fabrics_0[_S1125].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -3611,32 +3927,32 @@ fn light_of_footprint_0( _S1012 : u32,  _S1013 : VisiblePoint_0,  _S1014 : vec2<
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S1026 : u32 = id_0.x;
-    var _S1027 : bool;
-    if(_S1026 >= (frame_record_0.width_0))
+    var _S1139 : u32 = id_0.x;
+    var _S1140 : bool;
+    if(_S1139 >= (frame_record_0.width_0))
     {
-        _S1027 = true;
+        _S1140 = true;
     }
     else
     {
-        _S1027 = (id_0.y) >= (frame_record_0.height_0);
+        _S1140 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S1027)
+    if(_S1140)
     {
         return;
     }
-    var _S1028 : u32 = id_0.y * frame_record_0.width_0 + _S1026;
-    var _S1029 : u32 = layers_0[_S1028].face_0;
-    if((layers_0[_S1028].face_0) == u32(0))
+    var _S1141 : u32 = id_0.y * frame_record_0.width_0 + _S1139;
+    var _S1142 : u32 = layers_0[_S1141].face_0;
+    if((layers_0[_S1141].face_0) == u32(0))
     {
         return;
     }
-    var _S1030 : u32 = _S1029 - u32(1);
-    var _S1031 : u32 = fabric_of_0(_S1030);
-    var _S1032 : vec2<u32> = id_0.xy;
-    var _S1033 : VisiblePoint_0 = visible_point_0(_S1031, _S1030, _S1032);
-    var _S1034 : vec4<f32> = light_of_footprint_0(_S1031, _S1033, _S1032, filtered_albedo_0(_S1031, _S1033));
-    accumulate_0(_S1028, _S1034);
+    var _S1143 : u32 = _S1142 - u32(1);
+    var _S1144 : u32 = fabric_of_0(_S1143);
+    var _S1145 : vec2<u32> = id_0.xy;
+    var _S1146 : VisiblePoint_0 = visible_point_0(_S1144, _S1143, _S1145);
+    var _S1147 : vec4<f32> = light_of_footprint_0(_S1144, _S1146, _S1145, filtered_albedo_0(_S1144, _S1146));
+    accumulate_0(_S1141, _S1147);
     return;
 }
 

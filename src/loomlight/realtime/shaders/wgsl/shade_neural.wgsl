@@ -201,6 +201,8 @@ struct Fabric_std430_0
     @align(4) seed_0 : u32,
     @align(4) layer_bound_0 : f32,
     @align(4) fibre_size_0 : f32,
+    @align(4) is_irregular_0 : u32,
+    @align(4) warp_on_top_0 : f32,
     @align(4) has_detail_0 : u32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
@@ -249,6 +251,15 @@ struct Family_std430_0
     @align(4) colour_areas_0 : u32,
     @align(4) area_unit_0 : f32,
     @align(4) crossing_area_0 : f32,
+    @align(4) irregular_table_0 : u32,
+    @align(4) irregular_thickness_0 : f32,
+    @align(4) irregular_cover_0 : f32,
+    @align(4) irregular_tone_0 : f32,
+    @align(4) irregular_nep_0 : f32,
+    @align(4) cover_0 : f32,
+    @align(4) nep_red_0 : f32,
+    @align(4) nep_green_0 : f32,
+    @align(4) nep_blue_0 : f32,
     @align(4) has_plies_0 : f32,
     @align(4) plies_per_mm_0 : f32,
     @align(4) ply_sine_0 : f32,
@@ -262,9 +273,9 @@ struct Family_std430_0
 
 @binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
 
-@binding(3) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
-
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
+
+@binding(3) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
 
 @binding(6) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
@@ -1467,9 +1478,144 @@ fn map_level_0( first_20 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
     return mix(mix(map_texel_0(_S167 + _S163), map_texel_0(_S167 + _S166), _S168), mix(map_texel_0(_S169 + _S163), map_texel_0(_S169 + _S166), _S168), vec3<f32>((_S159 - _S164)));
 }
 
+struct Footprint_0
+{
+     centre_0 : vec2<f32>,
+     dx_0 : vec2<f32>,
+     dy_0 : vec2<f32>,
+};
+
+fn Footprint_spread_side_0( this_2 : Footprint_0) -> f32
+{
+    var _S170 : vec2<f32> = this_2.dx_0;
+    var _S171 : vec2<f32> = this_2.dy_0;
+    return sqrt(0.5f * (dot(_S170, _S170) + dot(_S171, _S171)));
+}
+
+fn fade_0( size_1 : f32,  period_1 : f32) -> f32
+{
+    return clamp((1.0f - size_1 / period_1) * 1.33333337306976318f, 0.0f, 1.0f);
+}
+
+fn moved_share_0( family_0 : u32,  size_2 : f32) -> f32
+{
+    return fade_0(size_2, families_0[family_0].period_0 / families_0[family_0].count_0);
+}
+
+fn turns_and_remainder_0( family_1 : u32,  index_1 : f32) -> vec2<f32>
+{
+    var _S172 : f32 = floor(fma(index_1, families_0[family_1].inverse_count_0, families_0[family_1].half_inverse_count_0));
+    return vec2<f32>(_S172, fma(- _S172, families_0[family_1].count_0, index_1));
+}
+
+struct Cell_0
+{
+     thread_1 : u32,
+     across_0 : f32,
+     half_width_1 : f32,
+     below_0 : f32,
+     above_0 : f32,
+};
+
+fn locate_alike_0( family_2 : u32,  position_0 : f32) -> Cell_0
+{
+    var _S173 : f32 = floor(position_0 * families_0[family_2].inverse_size_0);
+    var cell_2 : Cell_0;
+    var _S174 : f32 = fma(- _S173, families_0[family_2].size_0, position_0);
+    cell_2.below_0 = _S174;
+    cell_2.above_0 = families_0[family_2].size_0 - _S174;
+    cell_2.across_0 = _S174 - 0.5f * families_0[family_2].size_0;
+    cell_2.half_width_1 = families_0[family_2].half_width_0;
+    cell_2.thread_1 = u32(clamp(turns_and_remainder_0(family_2, _S173).y, 0.0f, families_0[family_2].count_0 - 1.0f));
+    return cell_2;
+}
+
+fn table_number_0( index_2 : u32) -> f32
+{
+    return (bitcast<f32>((words_0[index_2])));
+}
+
+fn locate_varied_0( family_3 : u32,  position_1 : f32) -> Cell_0
+{
+    var turns_0 : f32 = (position_1 - families_0[family_3].start_0) * families_0[family_3].inverse_period_0;
+    var turns_1 : f32 = turns_0 - floor(turns_0);
+    var _S175 : f32 = turns_1 * families_0[family_3].period_0;
+    var thread_2 : u32 = words_0[families_0[family_3].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_3].bins_0, 0.0f, families_0[family_3].bins_0 - 1.0f))];
+    var _S176 : u32 = min(thread_2 + select(u32(0), u32(1), _S175 >= (table_number_0(families_0[family_3].place_table_0 + thread_2 * u32(4) + u32(1)))), u32(families_0[family_3].count_0) - u32(1));
+    var _S177 : u32 = families_0[family_3].place_table_0 + _S176 * u32(4);
+    var cell_3 : Cell_0;
+    cell_3.thread_1 = _S176;
+    cell_3.below_0 = _S175 - table_number_0(_S177);
+    cell_3.above_0 = table_number_0(_S177 + u32(1)) - _S175;
+    cell_3.across_0 = _S175 - table_number_0(_S177 + u32(2));
+    cell_3.half_width_1 = table_number_0(_S177 + u32(3));
+    return cell_3;
+}
+
+fn locate_0( family_4 : u32,  position_2 : f32) -> Cell_0
+{
+    if((families_0[family_4].is_alike_0) != u32(0))
+    {
+        return locate_alike_0(family_4, position_2);
+    }
+    return locate_varied_0(family_4, position_2);
+}
+
+fn irregular_thread_0( family_5 : u32,  position_3 : f32,  cell_4 : Cell_0) -> f32
+{
+    return floor((position_3 - cell_4.across_0) / families_0[family_5].period_0) * families_0[family_5].count_0 + f32(cell_4.thread_1);
+}
+
+fn irregular_entry_0( row_6 : u32,  column_6 : f32) -> vec4<u32>
+{
+    var _S178 : u32 = row_6 + u32(4) * ((u32(i32(column_6)) & (u32(1023))));
+    return vec4<u32>(words_0[_S178], words_0[_S178 + u32(1)], words_0[_S178 + u32(2)], words_0[_S178 + u32(3)]);
+}
+
+fn irregular_integral_0( family_6 : u32,  threads_0 : u32,  begin_0 : f32,  steps_0 : f32) -> vec4<f32>
+{
+    var _S179 : u32 = families_0[family_6].irregular_table_0 + threads_0 * u32(4096);
+    var _S180 : f32 = begin_0 + steps_0;
+    var _S181 : f32 = floor(begin_0);
+    var _S182 : vec4<u32> = irregular_entry_0(_S179, _S181);
+    var _S183 : f32 = floor(_S180);
+    var _S184 : vec4<u32> = irregular_entry_0(_S179, _S183);
+    return vec4<f32>(vec4<i32>(_S184 - _S182)) + (vec4<f32>(vec4<i32>(irregular_entry_0(_S179, _S183 + 1.0f) - _S184)) * vec4<f32>((_S180 - _S183)) - vec4<f32>(vec4<i32>(irregular_entry_0(_S179, _S181 + 1.0f) - _S182)) * vec4<f32>((begin_0 - _S181)));
+}
+
+fn irregular_units_0( family_7 : u32) -> vec4<f32>
+{
+    return vec4<f32>(families_0[family_7].irregular_thickness_0, families_0[family_7].irregular_cover_0, families_0[family_7].irregular_tone_0, families_0[family_7].irregular_nep_0);
+}
+
+fn irregular_at_0( family_8 : u32,  key_3 : u32,  number_0 : f32,  along_0 : f32) -> vec4<f32>
+{
+    var _S185 : f32 = floor(number_0 / 64.0f);
+    var _S186 : u32 = hash_bits_0(key_3, u32(i32(_S185)));
+    var _S187 : u32 = ((_S186 & (u32(127)))) + u32(number_0 - 64.0f * _S185);
+    var _S188 : f32 = along_0 / 2.0f - 0.5f + f32((_S186 >> (u32(22))));
+    var sums_7 : vec4<f32> = vec4<f32>(0.0f);
+    var side_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(side_1 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S189 : vec4<f32> = irregular_integral_0(family_8, _S187 + side_1, _S188, 1.0f) - sums_7;
+        var _S190 : u32 = side_1 + u32(1);
+        sums_7 = _S189;
+        side_1 = _S190;
+    }
+    return sums_7 * irregular_units_0(family_8);
+}
+
 struct VisiblePoint_0
 {
-     position_0 : vec3<f32>,
+     position_4 : vec3<f32>,
      view_0 : vec3<f32>,
      axis_x_0 : vec3<f32>,
      axis_y_0 : vec3<f32>,
@@ -1487,53 +1633,46 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
 }
 
-struct Footprint_0
-{
-     centre_0 : vec2<f32>,
-     dx_0 : vec2<f32>,
-     dy_0 : vec2<f32>,
-};
-
 fn row_of_taps_0( footprint_0 : Footprint_0) -> vec3<f32>
 {
-    var _S170 : f32 = footprint_0.dx_0.x;
-    var _S171 : f32 = footprint_0.dy_0.x;
-    var _S172 : f32 = _S170 * _S170 + _S171 * _S171;
-    var _S173 : f32 = footprint_0.dx_0.y;
-    var _S174 : f32 = footprint_0.dy_0.y;
-    var _S175 : f32 = _S173 * _S173 + _S174 * _S174;
-    var _S176 : f32 = _S170 * _S173 + _S171 * _S174;
-    var _S177 : f32 = 0.5f * (_S172 - _S175);
-    var _S178 : f32 = 0.5f * (_S172 + _S175);
-    var _S179 : f32 = sqrt(_S177 * _S177 + _S176 * _S176);
-    var _S180 : f32 = _S178 + _S179;
-    var _S181 : f32 = max(_S180 - 1.5f * max(_S178 - _S179, 0.0f), 0.0f);
-    var _S182 : f32 = square_1(4.0f);
-    var _S183 : f32 = max(_S178 - 0.5f * _S181, _S180 / _S182);
-    var _S184 : f32 = sqrt(max(min(_S181, _S180 - _S183), 0.0f) / (_S182 - 1.0f));
-    var _S185 : f32 = _S177 / max(_S179, 1.00000000317107685e-30f);
-    var _S186 : f32 = sqrt(max(0.5f * (1.0f - _S185), 0.0f));
-    return vec3<f32>(sqrt(_S183), _S184 * sqrt(max(0.5f * (1.0f + _S185), 0.0f)), select(_S184 * _S186, - _S184 * _S186, _S176 < 0.0f));
+    var _S191 : f32 = footprint_0.dx_0.x;
+    var _S192 : f32 = footprint_0.dy_0.x;
+    var _S193 : f32 = _S191 * _S191 + _S192 * _S192;
+    var _S194 : f32 = footprint_0.dx_0.y;
+    var _S195 : f32 = footprint_0.dy_0.y;
+    var _S196 : f32 = _S194 * _S194 + _S195 * _S195;
+    var _S197 : f32 = _S191 * _S194 + _S192 * _S195;
+    var _S198 : f32 = 0.5f * (_S193 - _S196);
+    var _S199 : f32 = 0.5f * (_S193 + _S196);
+    var _S200 : f32 = sqrt(_S198 * _S198 + _S197 * _S197);
+    var _S201 : f32 = _S199 + _S200;
+    var _S202 : f32 = max(_S201 - 1.5f * max(_S199 - _S200, 0.0f), 0.0f);
+    var _S203 : f32 = square_1(4.0f);
+    var _S204 : f32 = max(_S199 - 0.5f * _S202, _S201 / _S203);
+    var _S205 : f32 = sqrt(max(min(_S202, _S201 - _S204), 0.0f) / (_S203 - 1.0f));
+    var _S206 : f32 = _S198 / max(_S200, 1.00000000317107685e-30f);
+    var _S207 : f32 = sqrt(max(0.5f * (1.0f - _S206), 0.0f));
+    return vec3<f32>(sqrt(_S204), _S205 * sqrt(max(0.5f * (1.0f + _S206), 0.0f)), select(_S205 * _S207, - _S205 * _S207, _S197 < 0.0f));
 }
 
 struct AnisotropicTaps_0
 {
      centre_1 : vec2<f32>,
-     side_1 : f32,
+     side_2 : f32,
      first_21 : vec2<f32>,
      second_0 : vec2<f32>,
 };
 
-fn AnisotropicTaps_size_0( this_2 : AnisotropicTaps_0) -> f32
+fn AnisotropicTaps_size_0( this_3 : AnisotropicTaps_0) -> f32
 {
-    var _S187 : f32 = this_2.first_21.x;
-    var _S188 : f32 = this_2.second_0.x;
-    var _S189 : f32 = this_2.side_1;
-    var _S190 : f32 = _S189 * _S189;
-    var _S191 : f32 = this_2.first_21.y;
-    var _S192 : f32 = this_2.second_0.y;
-    var _S193 : f32 = 12.0f * (_S187 * _S191 + _S188 * _S192);
-    return sqrt(sqrt(max((12.0f * (_S187 * _S187 + _S188 * _S188) + _S190) * (12.0f * (_S191 * _S191 + _S192 * _S192) + _S190) - _S193 * _S193, square_1(_S190))));
+    var _S208 : f32 = this_3.first_21.x;
+    var _S209 : f32 = this_3.second_0.x;
+    var _S210 : f32 = this_3.side_2;
+    var _S211 : f32 = _S210 * _S210;
+    var _S212 : f32 = this_3.first_21.y;
+    var _S213 : f32 = this_3.second_0.y;
+    var _S214 : f32 = 12.0f * (_S208 * _S212 + _S209 * _S213);
+    return sqrt(sqrt(max((12.0f * (_S208 * _S208 + _S209 * _S209) + _S211) * (12.0f * (_S212 * _S212 + _S213 * _S213) + _S211) - _S214 * _S214, square_1(_S211))));
 }
 
 fn footprint_coordinates_0( taps_0 : AnisotropicTaps_0) -> vec3<f32>
@@ -1543,36 +1682,97 @@ fn footprint_coordinates_0( taps_0 : AnisotropicTaps_0) -> vec3<f32>
 
 fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
 {
-    var _S194 : f32 = direction_1.z;
-    return vec3<f32>(direction_1.xy, select(_S194, - _S194, back_2));
+    var _S215 : f32 = direction_1.z;
+    return vec3<f32>(direction_1.xy, select(_S215, - _S215, back_2));
 }
 
-fn table_number_0( index_1 : u32) -> f32
+fn wrapped_0( index_3 : f32,  count_1 : f32) -> f32
 {
-    return (bitcast<f32>((words_0[index_1])));
+    return select(select(index_3, index_3 - count_1, index_3 >= count_1), index_3 + count_1, index_3 < 0.0f);
 }
 
-fn wrapped_0( index_2 : f32,  count_1 : f32) -> f32
+fn AnisotropicTaps_has_steps_0( this_4 : AnisotropicTaps_0) -> bool
 {
-    return select(select(index_2, index_2 - count_1, index_2 >= count_1), index_2 + count_1, index_2 < 0.0f);
+    var _S216 : vec2<f32> = this_4.first_21;
+    var _S217 : vec2<f32> = this_4.second_0;
+    return (max(dot(_S216, _S216), dot(_S217, _S217))) > 0.0f;
 }
 
-fn AnisotropicTaps_has_steps_0( this_3 : AnisotropicTaps_0) -> bool
+fn AnisotropicTaps_place_0( this_5 : AnisotropicTaps_0,  number_1 : u32) -> vec2<f32>
 {
-    var _S195 : vec2<f32> = this_3.first_21;
-    var _S196 : vec2<f32> = this_3.second_0;
-    return (max(dot(_S195, _S195), dot(_S196, _S196))) > 0.0f;
-}
-
-fn AnisotropicTaps_place_0( this_4 : AnisotropicTaps_0,  number_0 : u32) -> vec2<f32>
-{
-    return this_4.centre_1 + vec2<f32>(select(-1.0f, 1.0f, number_0 >= u32(2))) * this_4.first_21 + vec2<f32>(select(-1.0f, 1.0f, ((number_0 & (u32(1)))) != u32(0))) * this_4.second_0;
+    return this_5.centre_1 + vec2<f32>(select(-1.0f, 1.0f, number_1 >= u32(2))) * this_5.first_21 + vec2<f32>(select(-1.0f, 1.0f, ((number_1 & (u32(1)))) != u32(0))) * this_5.second_0;
 }
 
 fn bump_0( distance_0 : f32) -> f32
 {
-    var _S197 : f32 = max(1.0f - distance_0 * distance_0, 0.0f);
-    return _S197 * _S197;
+    var _S218 : f32 = max(1.0f - distance_0 * distance_0, 0.0f);
+    return _S218 * _S218;
+}
+
+struct Yarns_0
+{
+     warp_1 : vec4<f32>,
+     weft_1 : vec4<f32>,
+     shares_0 : vec3<f32>,
+};
+
+fn Yarns_x24init_0( warp_2 : vec4<f32>,  weft_2 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
+{
+    var _S219 : Yarns_0;
+    _S219.warp_1 = warp_2;
+    _S219.weft_1 = weft_2;
+    _S219.shares_0 = shares_1;
+    return _S219;
+}
+
+fn irregular_over_0( family_9 : u32,  key_4 : u32,  place_1 : f32,  width_2 : f32,  along_1 : f32,  length_0 : f32) -> vec4<f32>
+{
+    var _S220 : f32 = max(width_2, 0.0625f);
+    var _S221 : f32 = min(_S220, 64.0f);
+    var _S222 : f32 = max(length_0 / 2.0f, 1.0f);
+    var _S223 : f32 = along_1 / 2.0f - 0.5f * _S222;
+    var _S224 : f32 = 0.5f * _S221;
+    var _S225 : vec2<f32> = floor(vec2<f32>(place_1 - _S224, place_1 + _S224) / vec2<f32>(64.0f));
+    var _S226 : vec4<f32> = vec4<f32>(0.0f);
+    var number_2 : u32 = u32(0);
+    var sums_8 : vec4<f32> = _S226;
+    for(;;)
+    {
+        if(number_2 < u32(6))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S227 : bool = number_2 >= u32(3);
+        var _S228 : u32 = select(number_2, number_2 - u32(3), _S227);
+        var _S229 : f32 = select(-1.0f, 1.0f, _S227);
+        var _S230 : f32 = _S225.y;
+        var _S231 : f32 = _S225.x;
+        var _S232 : f32 = select(_S231, _S230, _S227);
+        var _S233 : f32 = place_1 + _S229 * 0.5f * _S221 - 64.0f * _S232;
+        var _S234 : f32 = clamp(floor(_S233), 0.0f, 63.0f);
+        var _S235 : f32 = _S233 - _S234;
+        var _S236 : f32 = select(select(64.0f, 0.0f, _S227), _S234 + f32(_S228), _S228 < u32(2));
+        var _S237 : f32 = _S229 * select(select(select(0.0f, -1.0f, _S231 != _S230), _S235, _S228 == u32(1)), 1.0f - _S235, _S228 == u32(0));
+        if(_S237 == 0.0f)
+        {
+            number_2 = number_2 + u32(1);
+            continue;
+        }
+        var _S238 : u32 = hash_bits_0(key_4, u32(i32(_S232)));
+        sums_8 = sums_8 + vec4<f32>(_S237) * irregular_integral_0(family_9, ((_S238 & (u32(127)))) + u32(_S236), _S223 + f32((_S238 >> (u32(22)))), _S222);
+        number_2 = number_2 + u32(1);
+    }
+    return sums_8 * irregular_units_0(family_9) * vec4<f32>((sqrt(_S221 / _S220) / (_S221 * _S222)));
+}
+
+fn shown_of_covers_0( covers_0 : vec2<f32>,  warp_on_top_1 : f32) -> vec3<f32>
+{
+    var _S239 : f32 = covers_0.x;
+    var _S240 : f32 = covers_0.y;
+    return vec3<f32>(_S239 * (1.0f - _S240 * (1.0f - warp_on_top_1)), _S240 * (1.0f - _S239 * warp_on_top_1), (1.0f - _S239) * (1.0f - _S240));
 }
 
 fn correction_weight_of_0( coded_size_0 : f32) -> f32
@@ -1580,82 +1780,28 @@ fn correction_weight_of_0( coded_size_0 : f32) -> f32
     return clamp((coded_size_0 - 0.4869367778301239f) * 6.16096401214599609f, 0.0f, 1.0f);
 }
 
-fn turns_and_remainder_0( family_0 : u32,  index_3 : f32) -> vec2<f32>
-{
-    var _S198 : f32 = floor(fma(index_3, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
-    return vec2<f32>(_S198, fma(- _S198, families_0[family_0].count_0, index_3));
-}
-
-struct Cell_0
-{
-     thread_1 : u32,
-     across_0 : f32,
-     half_width_1 : f32,
-     below_0 : f32,
-     above_0 : f32,
-};
-
-fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
-{
-    var _S199 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
-    var cell_2 : Cell_0;
-    var _S200 : f32 = fma(- _S199, families_0[family_1].size_0, position_1);
-    cell_2.below_0 = _S200;
-    cell_2.above_0 = families_0[family_1].size_0 - _S200;
-    cell_2.across_0 = _S200 - 0.5f * families_0[family_1].size_0;
-    cell_2.half_width_1 = families_0[family_1].half_width_0;
-    cell_2.thread_1 = u32(clamp(turns_and_remainder_0(family_1, _S199).y, 0.0f, families_0[family_1].count_0 - 1.0f));
-    return cell_2;
-}
-
-fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
-{
-    var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
-    var turns_1 : f32 = turns_0 - floor(turns_0);
-    var _S201 : f32 = turns_1 * families_0[family_2].period_0;
-    var thread_2 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
-    var _S202 : u32 = min(thread_2 + select(u32(0), u32(1), _S201 >= (table_number_0(families_0[family_2].place_table_0 + thread_2 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
-    var _S203 : u32 = families_0[family_2].place_table_0 + _S202 * u32(4);
-    var cell_3 : Cell_0;
-    cell_3.thread_1 = _S202;
-    cell_3.below_0 = _S201 - table_number_0(_S203);
-    cell_3.above_0 = table_number_0(_S203 + u32(1)) - _S201;
-    cell_3.across_0 = _S201 - table_number_0(_S203 + u32(2));
-    cell_3.half_width_1 = table_number_0(_S203 + u32(3));
-    return cell_3;
-}
-
-fn locate_0( family_3 : u32,  position_3 : f32) -> Cell_0
-{
-    if((families_0[family_3].is_alike_0) != u32(0))
-    {
-        return locate_alike_0(family_3, position_3);
-    }
-    return locate_varied_0(family_3, position_3);
-}
-
 struct Bound_0
 {
      thread_3 : u32,
      turns_2 : f32,
-     cell_4 : f32,
+     cell_5 : f32,
      visible_0 : f32,
-     width_2 : f32,
+     width_3 : f32,
      gap_0 : f32,
 };
 
-fn bound_at_0( family_4 : u32,  position_4 : f32) -> Bound_0
+fn bound_at_0( family_10 : u32,  position_5 : f32) -> Bound_0
 {
-    var _S204 : Cell_0 = locate_0(family_4, position_4);
-    var _S205 : f32 = table_number_0(families_0[family_4].before_0 + u32(2) * _S204.thread_1 + u32(1));
+    var _S241 : Cell_0 = locate_0(family_10, position_5);
+    var _S242 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S241.thread_1 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_3 = _S204.thread_1;
-    bound_0.turns_2 = round((position_4 - families_0[family_4].start_0 - _S205 - _S204.below_0) * families_0[family_4].inverse_period_0);
-    bound_0.cell_4 = _S204.below_0;
-    var _S206 : f32 = 2.0f * _S204.half_width_1;
-    bound_0.width_2 = _S206;
-    bound_0.visible_0 = clamp((_S204.across_0 + _S204.half_width_1) / _S206, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S204.below_0, _S204.below_0 - _S204.across_0 - _S204.half_width_1) + max(_S204.across_0 - _S204.half_width_1, 0.0f);
+    bound_0.thread_3 = _S241.thread_1;
+    bound_0.turns_2 = round((position_5 - families_0[family_10].start_0 - _S242 - _S241.below_0) * families_0[family_10].inverse_period_0);
+    bound_0.cell_5 = _S241.below_0;
+    var _S243 : f32 = 2.0f * _S241.half_width_1;
+    bound_0.width_3 = _S243;
+    bound_0.visible_0 = clamp((_S241.across_0 + _S241.half_width_1) / _S243, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S241.below_0, _S241.below_0 - _S241.across_0 - _S241.half_width_1) + max(_S241.across_0 - _S241.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1665,13 +1811,13 @@ struct Stretch_0
      high_7 : Bound_0,
 };
 
-fn stretch_of_0( family_5 : u32,  centre_2 : f32,  size_1 : f32) -> Stretch_0
+fn stretch_of_0( family_11 : u32,  centre_2 : f32,  size_3 : f32) -> Stretch_0
 {
-    var _S207 : f32 = centre_2 - floor((centre_2 - families_0[family_5].start_0) * families_0[family_5].inverse_period_0) * families_0[family_5].period_0;
-    var _S208 : f32 = 0.5f * max(size_1, families_0[family_5].smallest_box_0);
+    var _S244 : f32 = centre_2 - floor((centre_2 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
+    var _S245 : f32 = 0.5f * max(size_3, families_0[family_11].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_7 = bound_at_0(family_5, _S207 - _S208);
-    stretch_0.high_7 = bound_at_0(family_5, _S207 + _S208);
+    stretch_0.low_7 = bound_at_0(family_11, _S244 - _S245);
+    stretch_0.high_7 = bound_at_0(family_11, _S244 + _S245);
     return stretch_0;
 }
 
@@ -1688,130 +1834,130 @@ struct Albedos_0
      specular_transmit_0 : vec3<f32>,
 };
 
-fn table_albedos_0( row_6 : u32) -> Albedos_0
+fn table_albedos_0( row_7 : u32) -> Albedos_0
 {
     var albedos_0 : Albedos_0;
-    albedos_0.diffuse_reflect_0 = table_colour_0(row_6);
-    albedos_0.diffuse_transmit_0 = table_colour_0(row_6 + u32(3));
-    albedos_0.specular_reflect_0 = table_colour_0(row_6 + u32(6));
-    albedos_0.specular_transmit_0 = table_colour_0(row_6 + u32(9));
+    albedos_0.diffuse_reflect_0 = table_colour_0(row_7);
+    albedos_0.diffuse_transmit_0 = table_colour_0(row_7 + u32(3));
+    albedos_0.specular_reflect_0 = table_colour_0(row_7 + u32(6));
+    albedos_0.specular_transmit_0 = table_colour_0(row_7 + u32(9));
     return albedos_0;
 }
 
-fn Stretch_turns_0( this_5 : Stretch_0) -> f32
+fn Stretch_turns_0( this_6 : Stretch_0) -> f32
 {
-    return this_5.high_7.turns_2 - this_5.low_7.turns_2;
+    return this_6.high_7.turns_2 - this_6.low_7.turns_2;
 }
 
-fn lengths_0( family_6 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
+fn lengths_0( family_12 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S209 : f32 = Stretch_turns_0(stretch_1);
-    var _S210 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.low_7.thread_3;
-    var _S211 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.high_7.thread_3;
-    var _S212 : f32 = table_number_0(_S211) - table_number_0(_S210);
-    var _S213 : f32 = table_number_0(_S211 + u32(1)) - table_number_0(_S210 + u32(1));
-    return vec3<f32>(_S212 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_2 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_2 + _S209 * families_0[family_6].visible_total_0, _S213 - _S212 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S209 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S213 + stretch_1.high_7.cell_4 - stretch_1.low_7.cell_4 + _S209 * families_0[family_6].period_0);
+    var _S246 : f32 = Stretch_turns_0(stretch_1);
+    var _S247 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_7.thread_3;
+    var _S248 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_7.thread_3;
+    var _S249 : f32 = table_number_0(_S248) - table_number_0(_S247);
+    var _S250 : f32 = table_number_0(_S248 + u32(1)) - table_number_0(_S247 + u32(1));
+    return vec3<f32>(_S249 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_3 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_3 + _S246 * families_0[family_12].visible_total_0, _S250 - _S249 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S246 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S250 + stretch_1.high_7.cell_5 - stretch_1.low_7.cell_5 + _S246 * families_0[family_12].period_0);
 }
 
-fn integrals_along_0( family_7 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
+fn integrals_along_0( family_13 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S214 : u32 = u32(3) * families_0[family_7].quantities_0;
-    var _S215 : u32 = families_0[family_7].colour_threads_0 + _S214 * stretch_2.low_7.thread_3 + quantity_0;
-    var _S216 : u32 = families_0[family_7].colour_threads_0 + _S214 * stretch_2.high_7.thread_3 + quantity_0;
-    var _S217 : u32 = families_0[family_7].colour_threads_0 + _S214 * u32(families_0[family_7].count_0) + quantity_0;
-    var _S218 : f32 = table_number_0(_S215);
-    var _S219 : f32 = table_number_0(_S216);
-    var _S220 : f32 = Stretch_turns_0(stretch_2);
-    var _S221 : u32 = u32(2) * families_0[family_7].quantities_0;
-    return vec2<f32>(table_number_0(_S216 + families_0[family_7].quantities_0) - table_number_0(_S215 + families_0[family_7].quantities_0) + _S219 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_2 - _S218 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_2 + _S220 * table_number_0(_S217 + families_0[family_7].quantities_0), table_number_0(_S216 + _S221) - table_number_0(_S215 + _S221) + _S219 * stretch_2.high_7.cell_4 - _S218 * stretch_2.low_7.cell_4 + _S220 * table_number_0(_S217 + _S221));
+    var _S251 : u32 = u32(3) * families_0[family_13].quantities_0;
+    var _S252 : u32 = families_0[family_13].colour_threads_0 + _S251 * stretch_2.low_7.thread_3 + quantity_0;
+    var _S253 : u32 = families_0[family_13].colour_threads_0 + _S251 * stretch_2.high_7.thread_3 + quantity_0;
+    var _S254 : u32 = families_0[family_13].colour_threads_0 + _S251 * u32(families_0[family_13].count_0) + quantity_0;
+    var _S255 : f32 = table_number_0(_S252);
+    var _S256 : f32 = table_number_0(_S253);
+    var _S257 : f32 = Stretch_turns_0(stretch_2);
+    var _S258 : u32 = u32(2) * families_0[family_13].quantities_0;
+    return vec2<f32>(table_number_0(_S253 + families_0[family_13].quantities_0) - table_number_0(_S252 + families_0[family_13].quantities_0) + _S256 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_3 - _S255 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_3 + _S257 * table_number_0(_S254 + families_0[family_13].quantities_0), table_number_0(_S253 + _S258) - table_number_0(_S252 + _S258) + _S256 * stretch_2.high_7.cell_5 - _S255 * stretch_2.low_7.cell_5 + _S257 * table_number_0(_S254 + _S258));
 }
 
-fn Stretch_wraps_0( this_6 : Stretch_0) -> bool
+fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
 {
-    return (this_6.high_7.thread_3) < (this_6.low_7.thread_3);
+    return (this_7.high_7.thread_3) < (this_7.low_7.thread_3);
 }
 
-fn Stretch_differences_0( this_7 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
+fn Stretch_differences_0( this_8 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S222 : u32 = entries_0.z;
-    var _S223 : u32 = entries_0.x;
-    return vec4<u32>(_S222 - _S223 + select(u32(0), whole_0, Stretch_wraps_0(this_7)), entries_0.w - _S222, entries_0.y - _S223, whole_0);
+    var _S259 : u32 = entries_0.z;
+    var _S260 : u32 = entries_0.x;
+    return vec4<u32>(_S259 - _S260 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S259, entries_0.y - _S260, whole_0);
 }
 
-fn row_differences_0( across_1 : Stretch_0,  row_7 : u32,  count_2 : u32,  quantities_1 : u32) -> vec4<u32>
+fn row_differences_0( across_1 : Stretch_0,  row_8 : u32,  count_2 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S224 : u32 = row_7 + across_1.low_7.thread_3 * quantities_1;
-    var _S225 : u32 = row_7 + across_1.high_7.thread_3 * quantities_1;
-    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S224], words_0[_S224 + quantities_1], words_0[_S225], words_0[_S225 + quantities_1]), words_0[row_7 + count_2 * quantities_1]);
+    var _S261 : u32 = row_8 + across_1.low_7.thread_3 * quantities_1;
+    var _S262 : u32 = row_8 + across_1.high_7.thread_3 * quantities_1;
+    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S261], words_0[_S261 + quantities_1], words_0[_S262], words_0[_S262 + quantities_1]), words_0[row_8 + count_2 * quantities_1]);
 }
 
-fn Stretch_weights_0( this_8 : Stretch_0) -> vec4<f32>
+fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
 {
-    return vec4<f32>(1.0f, this_8.high_7.visible_0, - this_8.low_7.visible_0, Stretch_turns_0(this_8) - select(0.0f, 1.0f, Stretch_wraps_0(this_8)));
+    return vec4<f32>(1.0f, this_9.high_7.visible_0, - this_9.low_7.visible_0, Stretch_turns_0(this_9) - select(0.0f, 1.0f, Stretch_wraps_0(this_9)));
 }
 
-fn integral_on_top_0( family_8 : u32,  across_2 : Stretch_0,  along_0 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
+fn integral_on_top_0( family_14 : u32,  across_2 : Stretch_0,  along_2 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S226 : u32 = u32(families_0[family_8].count_0);
-    var _S227 : u32 = (_S226 + u32(1)) * families_0[family_8].quantities_0;
-    var _S228 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
-    var _S229 : vec4<u32> = row_differences_0(across_2, _S228 + along_0.low_7.thread_3 * _S227, _S226, families_0[family_8].quantities_0);
-    var _S230 : vec4<u32> = row_differences_0(across_2, _S228 + along_0.high_7.thread_3 * _S227, _S226, families_0[family_8].quantities_0);
-    var _S231 : vec4<u32> = row_differences_0(across_2, _S228 + crossing_count_0 * _S227, _S226, families_0[family_8].quantities_0);
-    var _S232 : vec4<f32> = Stretch_weights_0(across_2);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S230 - _S229 + select_vector_3(Stretch_wraps_0(along_0), _S231, vec4<u32>(vec4<i32>(i32(0)))))), _S232), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S228 + (along_0.high_7.thread_3 + u32(1)) * _S227, _S226, families_0[family_8].quantities_0) - _S230)), _S232), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S228 + (along_0.low_7.thread_3 + u32(1)) * _S227, _S226, families_0[family_8].quantities_0) - _S229)), _S232), dot(vec4<f32>(vec4<i32>(_S231)), _S232)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
+    var _S263 : u32 = u32(families_0[family_14].count_0);
+    var _S264 : u32 = (_S263 + u32(1)) * families_0[family_14].quantities_0;
+    var _S265 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
+    var _S266 : vec4<u32> = row_differences_0(across_2, _S265 + along_2.low_7.thread_3 * _S264, _S263, families_0[family_14].quantities_0);
+    var _S267 : vec4<u32> = row_differences_0(across_2, _S265 + along_2.high_7.thread_3 * _S264, _S263, families_0[family_14].quantities_0);
+    var _S268 : vec4<u32> = row_differences_0(across_2, _S265 + crossing_count_0 * _S264, _S263, families_0[family_14].quantities_0);
+    var _S269 : vec4<f32> = Stretch_weights_0(across_2);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S267 - _S266 + select_vector_3(Stretch_wraps_0(along_2), _S268, vec4<u32>(vec4<i32>(i32(0)))))), _S269), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S265 + (along_2.high_7.thread_3 + u32(1)) * _S264, _S263, families_0[family_14].quantities_0) - _S267)), _S269), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S265 + (along_2.low_7.thread_3 + u32(1)) * _S264, _S263, families_0[family_14].quantities_0) - _S266)), _S269), dot(vec4<f32>(vec4<i32>(_S268)), _S269)), Stretch_weights_0(along_2)) * families_0[family_14].area_unit_0;
 }
 
-fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_8 : u32) -> Albedos_0
+fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_9 : u32) -> Albedos_0
 {
-    var _S233 : Albedos_0 = table_albedos_0(row_8);
+    var _S270 : Albedos_0 = table_albedos_0(row_9);
     var sum_0 : Albedos_0;
-    var _S234 : vec3<f32> = vec3<f32>(weight_0);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S234 * _S233.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S234 * _S233.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S234 * _S233.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S234 * _S233.specular_transmit_0;
+    var _S271 : vec3<f32> = vec3<f32>(weight_0);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S271 * _S270.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S271 * _S270.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S271 * _S270.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S271 * _S270.specular_transmit_0;
     return sum_0;
 }
 
-fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other_0 : Stretch_0,  back_3 : bool) -> Albedos_0
+fn mean_albedos_0( family_15 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other_0 : Stretch_0,  back_3 : bool) -> Albedos_0
 {
-    var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_9].colour_mean_0);
-    if((families_0[family_9].quantities_0) == u32(1))
+    var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_15].colour_mean_0);
+    if((families_0[family_15].quantities_0) == u32(1))
     {
         return albedos_2;
     }
-    var _S235 : vec3<f32> = lengths_0(crossing_0, other_0);
+    var _S272 : vec3<f32> = lengths_0(crossing_0, other_0);
     var is_exposed_0 : bool = false;
     var weight_1 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
     for(;;)
     {
-        if(quantity_2 < (families_0[family_9].quantities_0))
+        if(quantity_2 < (families_0[family_15].quantities_0))
         {
         }
         else
         {
             break;
         }
-        var _S236 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
-        var _S237 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
-        var _S238 : f32 = _S236.x;
-        var _S239 : f32 = _S238 * _S235.x;
-        var _S240 : f32 = select(_S237, _S239 - _S237, back_3);
-        var _S241 : bool = quantity_2 == u32(0);
-        if(_S241)
+        var _S273 : vec2<f32> = integrals_along_0(family_15, own_0, quantity_2);
+        var _S274 : f32 = integral_on_top_0(family_15, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
+        var _S275 : f32 = _S273.x;
+        var _S276 : f32 = _S275 * _S272.x;
+        var _S277 : f32 = select(_S274, _S276 - _S274, back_3);
+        var _S278 : bool = quantity_2 == u32(0);
+        if(_S278)
         {
-            is_exposed_0 = _S240 > (16.0f * families_0[family_9].area_unit_0 * min(_S239 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S239);
+            is_exposed_0 = _S277 > (16.0f * families_0[family_15].area_unit_0 * min(_S276 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S276);
         }
-        var _S242 : f32 = _S238 * _S235.y + select(0.0f, _S240, is_exposed_0) + 0.000244140625f * _S235.z * _S236.y;
-        if(_S241)
+        var _S279 : f32 = _S275 * _S272.y + select(0.0f, _S277, is_exposed_0) + 0.000244140625f * _S272.z * _S273.y;
+        if(_S278)
         {
-            weight_1 = 1.0f / max(_S242, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S279, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S242 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S279 * weight_1, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1822,16 +1968,16 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
     return albedos_2;
 }
 
-fn uniform_hash_0( thread_4 : u32,  cell_5 : u32,  stream_1 : u32) -> f32
+fn uniform_hash_0( thread_4 : u32,  cell_6 : u32,  stream_1 : u32) -> f32
 {
-    return (f32(((hash_bits_0(hash_key_0(thread_4, stream_1), cell_5)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    return (f32(((hash_bits_0(hash_key_0(thread_4, stream_1), cell_6)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
 }
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_5 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S243 : u32 = pixel_0.x;
-    var _S244 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S243, _S244, stream_2), uniform_hash_0(_S243, _S244, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S280 : u32 = pixel_0.x;
+    var _S281 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S280, _S281, stream_2), uniform_hash_0(_S280, _S281, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_6 : u32) -> f32
@@ -1845,7 +1991,7 @@ struct Choice_0
      remainder_0 : f32,
 };
 
-fn choose_0( table_0 : u32,  count_3 : u32,  number_1 : f32) -> Choice_0
+fn choose_0( table_0 : u32,  count_3 : u32,  number_3 : f32) -> Choice_0
 {
     var high_8 : u32 = count_3;
     var low_8 : u32 = u32(0);
@@ -1858,22 +2004,22 @@ fn choose_0( table_0 : u32,  count_3 : u32,  number_1 : f32) -> Choice_0
         {
             break;
         }
-        var _S245 : u32 = (low_8 + high_8) / u32(2);
-        if((scene_number_0(table_0 + _S245)) <= number_1)
+        var _S282 : u32 = (low_8 + high_8) / u32(2);
+        if((scene_number_0(table_0 + _S282)) <= number_3)
         {
-            low_8 = _S245;
+            low_8 = _S282;
         }
         else
         {
-            high_8 = _S245;
+            high_8 = _S282;
         }
     }
-    var _S246 : u32 = table_0 + low_8;
-    var _S247 : f32 = scene_number_0(_S246);
-    var _S248 : f32 = scene_number_0(_S246 + u32(1));
+    var _S283 : u32 = table_0 + low_8;
+    var _S284 : f32 = scene_number_0(_S283);
+    var _S285 : f32 = scene_number_0(_S283 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_7 = low_8;
-    choice_0.remainder_0 = saturate((number_1 - _S247) / max(_S248 - _S247, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_3 - _S284) / max(_S285 - _S284, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1884,16 +2030,16 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_8 : f32) -> vec2<f32>
 {
-    var _S249 : f32 = floor(x_8 * 0.63661974668502808f + 0.5f);
-    var _S250 : f32 = x_8 - _S249 * 1.5703125f - _S249 * 0.00048375129699707f - _S249 * 7.54979012640433211e-08f;
-    var _S251 : f32 = _S250 * _S250;
-    var _S252 : f32 = ((-0.00019515295571182f * _S251 + 0.00833216123282909f) * _S251 - 0.16666655242443085f) * _S251 * _S250 + _S250;
-    var _S253 : f32 = ((0.00002443315679557f * _S251 - 0.00138873164542019f) * _S251 + 0.04166664555668831f) * _S251 * _S251 - 0.5f * _S251 + 1.0f;
-    var _S254 : u32 = (u32(i32(_S249)) & (u32(3)));
-    var _S255 : vec2<f32> = select_vector_1(((_S254 & (u32(1)))) != u32(0), vec2<f32>(_S253, _S252), vec2<f32>(_S252, _S253));
-    var _S256 : f32 = _S255.x;
-    var _S257 : f32 = _S255.y;
-    return vec2<f32>(select(_S256, - _S256, ((_S254 & (u32(2)))) != u32(0)), select(_S257, - _S257, (((_S254 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S286 : f32 = floor(x_8 * 0.63661974668502808f + 0.5f);
+    var _S287 : f32 = x_8 - _S286 * 1.5703125f - _S286 * 0.00048375129699707f - _S286 * 7.54979012640433211e-08f;
+    var _S288 : f32 = _S287 * _S287;
+    var _S289 : f32 = ((-0.00019515295571182f * _S288 + 0.00833216123282909f) * _S288 - 0.16666655242443085f) * _S288 * _S287 + _S287;
+    var _S290 : f32 = ((0.00002443315679557f * _S288 - 0.00138873164542019f) * _S288 + 0.04166664555668831f) * _S288 * _S288 - 0.5f * _S288 + 1.0f;
+    var _S291 : u32 = (u32(i32(_S286)) & (u32(3)));
+    var _S292 : vec2<f32> = select_vector_1(((_S291 & (u32(1)))) != u32(0), vec2<f32>(_S290, _S289), vec2<f32>(_S289, _S290));
+    var _S293 : f32 = _S292.x;
+    var _S294 : f32 = _S292.y;
+    return vec2<f32>(select(_S293, - _S293, ((_S291 & (u32(2)))) != u32(0)), select(_S294, - _S294, (((_S291 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
@@ -1932,9 +2078,9 @@ fn mirrored_bundle_0( bundle_0 : u32) -> u32
 
 fn light_visibility_of_0( diffuse_0 : f32,  light_1 : vec3<f32>,  view_1 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S258 : f32 = max(abs(light_1.z), 0.00100000004749745f);
-    var _S259 : vec2<f32> = light_1.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S258, (0.59700000286102295f * _S258 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S259, view_1.xy) * rsqrt_0(max(dot(_S259, _S259), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    var _S295 : f32 = max(abs(light_1.z), 0.00100000004749745f);
+    var _S296 : vec2<f32> = light_1.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S295, (0.59700000286102295f * _S295 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S296, view_1.xy) * rsqrt_0(max(dot(_S296, _S296), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
 struct Blocked_0
@@ -1956,17 +2102,17 @@ fn no_blocked_0() -> Blocked_0
 struct CloseUp_0
 {
      weight_2 : f32,
-     warp_1 : Blocked_0,
-     weft_1 : Blocked_0,
+     warp_3 : Blocked_0,
+     weft_3 : Blocked_0,
 };
 
 fn no_close_up_0() -> CloseUp_0
 {
     var nothing_1 : CloseUp_0;
     nothing_1.weight_2 = 0.0f;
-    var _S260 : Blocked_0 = no_blocked_0();
-    nothing_1.warp_1 = _S260;
-    nothing_1.weft_1 = _S260;
+    var _S297 : Blocked_0 = no_blocked_0();
+    nothing_1.warp_3 = _S297;
+    nothing_1.weft_3 = _S297;
     return nothing_1;
 }
 
@@ -1980,8 +2126,8 @@ fn tinted_0( albedos_3 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
 
 struct FaceRadiance_0
 {
-     warp_2 : vec3<f32>,
-     weft_2 : vec3<f32>,
+     warp_4 : vec3<f32>,
+     weft_4 : vec3<f32>,
      mean_1 : vec3<f32>,
      leaked_0 : vec3<f32>,
 };
@@ -1999,47 +2145,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S261 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S298 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S262 : vec3<f32> = sends_0.sky_warp_0 + _S261 * sends_0.crossing_warp_0;
-    found_0.warp_2 = _S262;
-    var _S263 : vec3<f32> = sends_0.sky_weft_0 + _S261 * sends_0.crossing_weft_0;
-    found_0.weft_2 = _S263;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S262 + vec3<f32>(sends_0.blocks_weft_0) * _S263;
+    var _S299 : vec3<f32> = sends_0.sky_warp_0 + _S298 * sends_0.crossing_warp_0;
+    found_0.warp_4 = _S299;
+    var _S300 : vec3<f32> = sends_0.sky_weft_0 + _S298 * sends_0.crossing_weft_0;
+    found_0.weft_4 = _S300;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S299 + vec3<f32>(sends_0.blocks_weft_0) * _S300;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S264 : f32 = 1.0f - view_2.z;
-    var _S265 : f32 = _S264 * _S264;
+    var _S301 : f32 = 1.0f - view_2.z;
+    var _S302 : f32 = _S301 * _S301;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S266 : f32 = view_2.x;
-    var _S267 : f32 = _S266 * _S266;
-    var _S268 : f32 = view_2.y;
-    var _S269 : f32 = _S268 * _S268;
-    (*terms_0)[i32(1)] = sqrt(max(_S267 + _S269, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S265;
-    (*terms_0)[i32(3)] = _S265 * _S265;
-    (*terms_0)[i32(4)] = _S267 - _S269;
+    var _S303 : f32 = view_2.x;
+    var _S304 : f32 = _S303 * _S303;
+    var _S305 : f32 = view_2.y;
+    var _S306 : f32 = _S305 * _S305;
+    (*terms_0)[i32(1)] = sqrt(max(_S304 + _S306, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S302;
+    (*terms_0)[i32(3)] = _S302 * _S302;
+    (*terms_0)[i32(4)] = _S304 - _S306;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_3 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S270 : f32 = 1.0f - view_3.z;
-    var _S271 : f32 = _S270 * _S270;
+    var _S307 : f32 = 1.0f - view_3.z;
+    var _S308 : f32 = _S307 * _S307;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S272 : f32 = view_3.x;
-    var _S273 : f32 = _S272 * _S272;
-    var _S274 : f32 = view_3.y;
-    var _S275 : f32 = _S274 * _S274;
-    (*terms_1)[i32(1)] = sqrt(max(_S273 + _S275, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S271;
-    (*terms_1)[i32(3)] = _S271 * _S271;
-    (*terms_1)[i32(4)] = _S273 - _S275;
+    var _S309 : f32 = view_3.x;
+    var _S310 : f32 = _S309 * _S309;
+    var _S311 : f32 = view_3.y;
+    var _S312 : f32 = _S311 * _S311;
+    (*terms_1)[i32(1)] = sqrt(max(_S310 + _S312, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S308;
+    (*terms_1)[i32(3)] = _S308 * _S308;
+    (*terms_1)[i32(4)] = _S310 - _S312;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -2067,8 +2213,8 @@ struct Scattered_0
 
 struct Interior_0
 {
-     warp_3 : vec3<f32>,
-     weft_3 : vec3<f32>,
+     warp_5 : vec3<f32>,
+     weft_5 : vec3<f32>,
      leaked_1 : vec3<f32>,
      far_1 : vec3<f32>,
      far_leaked_0 : vec3<f32>,
@@ -2076,11 +2222,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_0 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S276 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S277 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_0.through_0;
+    var _S313 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S314 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_0.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_3 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_3) + _S277 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S277 * interior_0.far_1 + yarn_0.back_4 * _S276;
+    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_5 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_5) + _S314 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S314 * interior_0.far_1 + yarn_0.back_4 * _S313;
     return bounced_0;
 }
 
@@ -2094,8 +2240,8 @@ fn sum_of_0( first_23 : Bounced_0,  second_1 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S278 : f32 = light_2.z;
-    return select_vector_2((_S278 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S278) * 0.31830987334251404f));
+    var _S315 : f32 = light_2.z;
+    return select_vector_2((_S315 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S315) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_10 : f32,  y_2 : f32) -> f32
@@ -2115,40 +2261,40 @@ fn sheen_reflectance_0( x_12 : f32,  y_4 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S279 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S280 : f32 = 2.0f * sqrt(_S279) - 1.0f;
-    var _S281 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S280, _S281), 0.00999999977648258f, 1.0f), clamp((1.0f - _S279) * sheen_shear_0(_S280, _S281), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S280, _S281), -60.0f, 60.0f))));
+    var _S316 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S317 : f32 = 2.0f * sqrt(_S316) - 1.0f;
+    var _S318 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S317, _S318), 0.00999999977648258f, 1.0f), clamp((1.0f - _S316) * sheen_shear_0(_S317, _S318), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S317, _S318), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S282 : f32 = light_3.z;
-    if(((_S282 <= 0.0f) | (((view_5.z) <= 0.0f))))
+    var _S319 : f32 = light_3.z;
+    if(((_S319 <= 0.0f) | (((view_5.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S283 : vec2<f32> = view_5.xy;
-    var _S284 : f32 = dot(_S283, _S283);
-    var _S285 : vec2<f32> = select_vector_1(_S284 > 9.99999968265522539e-21f, _S283 * vec2<f32>(rsqrt_0(max(_S284, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S286 : f32 = scale_1 * dot(light_3.xy, _S285) + shear_0 * _S282;
-    var _S287 : f32 = scale_1 * (light_3.y * _S285.x - light_3.x * _S285.y);
-    var _S288 : f32 = _S286 * _S286 + _S287 * _S287 + _S282 * _S282;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S282 / max(_S288 * _S288, 9.99999968265522539e-21f);
+    var _S320 : vec2<f32> = view_5.xy;
+    var _S321 : f32 = dot(_S320, _S320);
+    var _S322 : vec2<f32> = select_vector_1(_S321 > 9.99999968265522539e-21f, _S320 * vec2<f32>(rsqrt_0(max(_S321, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S323 : f32 = scale_1 * dot(light_3.xy, _S322) + shear_0 * _S319;
+    var _S324 : f32 = scale_1 * (light_3.y * _S322.x - light_3.x * _S322.y);
+    var _S325 : f32 = _S323 * _S323 + _S324 * _S324 + _S319 * _S319;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S319 / max(_S325 * _S325, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S289 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
-    var _S290 : f32 = strength_0 * _S289.z;
-    return vec2<f32>(_S290 * transformed_cosine_0(light_4, view_6, _S289.x, _S289.y), 1.0f - _S290);
+    var _S326 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
+    var _S327 : f32 = strength_0 * _S326.z;
+    return vec2<f32>(_S327 * transformed_cosine_0(light_4, view_6, _S326.x, _S326.y), 1.0f - _S327);
 }
 
 fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
 {
-    var _S291 : f32 = layers_0[index_8].share_0;
+    var _S328 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_5;
-    layers_0[index_8].share_0 = _S291 * (1.0f - light_5.w);
+    layers_0[index_8].share_0 = _S328 * (1.0f - light_5.w);
     return;
 }
 
@@ -2172,147 +2318,220 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S292 : u32,  _S293 : u32,  _S294 : u32,  _S295 : vec2<f32>) -> f32
+fn uneven_shift_0( _S329 : u32,  _S330 : u32,  _S331 : u32,  _S332 : vec2<f32>) -> f32
 {
-    var _S296 : f32 = families_0[_S294].period_0 / families_0[_S294].count_0;
-    var _S297 : u32 = hash_key_0(_S293, ((fabrics_0[_S292].seed_0) ^ (u32(625341585))));
-    var _S298 : vec2<f32> = vec2<f32>(_S295.x, _S295.y / 4.0f) / vec2<f32>(_S296);
-    return 0.20000000298023224f * sqrt(families_0[_S294].slub_0) * _S296 * (uneven_octave_0(_S297, _S298) * 0.66666668653488159f + uneven_octave_0(_S297 + u32(1), vec2<f32>(2.0f) * _S298 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S333 : f32 = families_0[_S331].period_0 / families_0[_S331].count_0;
+    var _S334 : u32 = hash_key_0(_S330, ((fabrics_0[_S329].seed_0) ^ (u32(625341585))));
+    var _S335 : vec2<f32> = vec2<f32>(_S332.x, _S332.y / 4.0f) / vec2<f32>(_S333);
+    return 0.20000000298023224f * sqrt(families_0[_S331].slub_0) * _S333 * (uneven_octave_0(_S334, _S335) * 0.66666668653488159f + uneven_octave_0(_S334 + u32(1), vec2<f32>(2.0f) * _S335 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S299 : u32,  _S300 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S336 : u32,  _S337 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S299].has_detail_0) == u32(0), _S300, _S300 + vec2<f32>(uneven_shift_0(_S299, u32(0), fabrics_0[_S299].warp_0, _S300), uneven_shift_0(_S299, u32(1), fabrics_0[_S299].weft_0, _S300.yx)));
+    return select_vector_1((fabrics_0[_S336].has_detail_0) == u32(0), _S337, _S337 + vec2<f32>(uneven_shift_0(_S336, u32(0), fabrics_0[_S336].warp_0, _S337), uneven_shift_0(_S336, u32(1), fabrics_0[_S336].weft_0, _S337.yx)));
 }
 
-fn face_point_0( _S301 : u32,  _S302 : u32,  _S303 : f32,  _S304 : f32) -> VisiblePoint_0
+fn face_point_0( _S338 : u32,  _S339 : u32,  _S340 : f32,  _S341 : f32) -> VisiblePoint_0
 {
-    var _S305 : u32 = u32(3) * _S302;
-    var _S306 : Vertex_0 = vertex_at_0(_S305);
-    var _S307 : Vertex_0 = vertex_at_0(_S305 + u32(1));
-    var _S308 : Vertex_0 = vertex_at_0(_S305 + u32(2));
-    var _S309 : vec3<f32> = position_of_0(_S306);
-    var _S310 : vec3<f32> = position_of_0(_S307) - _S309;
-    var _S311 : vec3<f32> = position_of_0(_S308) - _S309;
-    var _S312 : f32 = _S307.u_0 - _S306.u_0;
-    var _S313 : f32 = _S307.v_0 - _S306.v_0;
-    var _S314 : vec2<f32> = vec2<f32>(_S312, _S313);
-    var _S315 : f32 = _S308.u_0 - _S306.u_0;
-    var _S316 : f32 = _S308.v_0 - _S306.v_0;
-    var _S317 : vec2<f32> = vec2<f32>(_S315, _S316);
-    var _S318 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S312 * _S316 - _S313 * _S315) < 0.0f));
-    var _S319 : vec3<f32> = _S318 * (vec3<f32>(_S316) * _S310 - vec3<f32>(_S313) * _S311);
-    var _S320 : vec3<f32> = _S318 * (vec3<f32>(_S312) * _S311 - vec3<f32>(_S315) * _S310);
+    var _S342 : u32 = u32(3) * _S339;
+    var _S343 : Vertex_0 = vertex_at_0(_S342);
+    var _S344 : Vertex_0 = vertex_at_0(_S342 + u32(1));
+    var _S345 : Vertex_0 = vertex_at_0(_S342 + u32(2));
+    var _S346 : vec3<f32> = position_of_0(_S343);
+    var _S347 : vec3<f32> = position_of_0(_S344) - _S346;
+    var _S348 : vec3<f32> = position_of_0(_S345) - _S346;
+    var _S349 : f32 = _S344.u_0 - _S343.u_0;
+    var _S350 : f32 = _S344.v_0 - _S343.v_0;
+    var _S351 : vec2<f32> = vec2<f32>(_S349, _S350);
+    var _S352 : f32 = _S345.u_0 - _S343.u_0;
+    var _S353 : f32 = _S345.v_0 - _S343.v_0;
+    var _S354 : vec2<f32> = vec2<f32>(_S352, _S353);
+    var _S355 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S349 * _S353 - _S350 * _S352) < 0.0f));
+    var _S356 : vec3<f32> = _S355 * (vec3<f32>(_S353) * _S347 - vec3<f32>(_S350) * _S348);
+    var _S357 : vec3<f32> = _S355 * (vec3<f32>(_S349) * _S348 - vec3<f32>(_S352) * _S347);
     var point_1 : VisiblePoint_0;
-    var _S321 : vec3<f32> = vec3<f32>(_S303);
-    var _S322 : vec3<f32> = vec3<f32>(_S304);
-    var _S323 : vec3<f32> = normalize(vec3<f32>((1.0f - _S303 - _S304)) * normal_of_0(_S306) + _S321 * normal_of_0(_S307) + _S322 * normal_of_0(_S308));
-    point_1.normal_0 = _S323;
-    var _S324 : vec3<f32> = normalize(_S319 - _S323 * vec3<f32>(dot(_S323, _S319)));
-    point_1.axis_x_0 = _S324;
-    point_1.axis_y_0 = cross(_S323, _S324);
-    var _S325 : vec3<f32> = normalize(cross(_S310, _S311));
-    point_1.face_normal_0 = select_vector_2((dot(_S325, _S323)) < 0.0f, (vec3<f32>(0) - _S325), _S325);
-    point_1.position_0 = _S309 + _S321 * _S310 + _S322 * _S311;
-    point_1.view_0 = _S323;
-    var _S326 : vec2<f32> = vec2<f32>(_S306.u_0, _S306.v_0) + vec2<f32>(_S303) * _S314 + vec2<f32>(_S304) * _S317;
-    point_1.uv_1 = _S326;
-    var _S327 : bool = (dot(cross(_S319, _S320), _S323)) < 0.0f;
-    var _S328 : vec2<f32> = vec2<f32>(fabrics_0[_S301].uv_width_0, select(fabrics_0[_S301].uv_height_0, - fabrics_0[_S301].uv_height_0, _S327));
-    point_1.draft_per_uv_0 = _S328;
-    point_1.draft_0 = uneven_place_0(_S301, _S326 * _S328 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S301].uv_height_0, _S327)));
-    var _S329 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S329;
-    point_1.draft_dy_0 = _S329;
+    var _S358 : vec3<f32> = vec3<f32>(_S340);
+    var _S359 : vec3<f32> = vec3<f32>(_S341);
+    var _S360 : vec3<f32> = normalize(vec3<f32>((1.0f - _S340 - _S341)) * normal_of_0(_S343) + _S358 * normal_of_0(_S344) + _S359 * normal_of_0(_S345));
+    point_1.normal_0 = _S360;
+    var _S361 : vec3<f32> = normalize(_S356 - _S360 * vec3<f32>(dot(_S360, _S356)));
+    point_1.axis_x_0 = _S361;
+    point_1.axis_y_0 = cross(_S360, _S361);
+    var _S362 : vec3<f32> = normalize(cross(_S347, _S348));
+    point_1.face_normal_0 = select_vector_2((dot(_S362, _S360)) < 0.0f, (vec3<f32>(0) - _S362), _S362);
+    point_1.position_4 = _S346 + _S358 * _S347 + _S359 * _S348;
+    point_1.view_0 = _S360;
+    var _S363 : vec2<f32> = vec2<f32>(_S343.u_0, _S343.v_0) + vec2<f32>(_S340) * _S351 + vec2<f32>(_S341) * _S354;
+    point_1.uv_1 = _S363;
+    var _S364 : bool = (dot(cross(_S356, _S357), _S360)) < 0.0f;
+    var _S365 : vec2<f32> = vec2<f32>(fabrics_0[_S338].uv_width_0, select(fabrics_0[_S338].uv_height_0, - fabrics_0[_S338].uv_height_0, _S364));
+    point_1.draft_per_uv_0 = _S365;
+    point_1.draft_0 = uneven_place_0(_S338, _S363 * _S365 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S338].uv_height_0, _S364)));
+    var _S366 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S366;
+    point_1.draft_dy_0 = _S366;
     return point_1;
 }
 
-fn visible_point_0( _S330 : u32,  _S331 : u32,  _S332 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S367 : u32,  _S368 : u32,  _S369 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S333 : u32 = u32(3) * _S331;
-    var _S334 : Vertex_0 = vertex_at_0(_S333);
-    var _S335 : Vertex_0 = vertex_at_0(_S333 + u32(1));
-    var _S336 : Vertex_0 = vertex_at_0(_S333 + u32(2));
-    var _S337 : vec3<f32> = position_of_0(_S334);
-    var _S338 : vec3<f32> = position_of_0(_S335) - _S337;
-    var _S339 : vec3<f32> = position_of_0(_S336) - _S337;
-    var _S340 : vec3<f32> = cross(_S338, _S339);
-    var _S341 : f32 = f32(frame_record_0.width_0);
-    var _S342 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S341));
-    var _S343 : f32 = f32(frame_record_0.height_0);
-    var _S344 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S343));
-    var _S345 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S332.x) + 0.5f - 0.5f * _S341)) * _S342 + vec3<f32>((f32(_S332.y) + 0.5f - 0.5f * _S343)) * _S344;
-    var _S346 : f32 = dot(_S345, _S340);
-    var _S347 : f32 = 1.0f / select(1.00000000317107685e-30f, _S346, (abs(_S346)) > 1.00000000317107685e-30f);
-    var _S348 : vec3<f32> = _S337 - camera_origin_0();
-    var _S349 : vec3<f32> = vec3<f32>((dot(_S348, _S340) * _S347));
-    var _S350 : vec3<f32> = _S345 * _S349 - _S348;
-    var _S351 : vec3<f32> = _S349 * (_S342 - _S345 * vec3<f32>((dot(_S342, _S340) * _S347)));
-    var _S352 : vec3<f32> = _S349 * (_S344 - _S345 * vec3<f32>((dot(_S344, _S340) * _S347)));
-    var _S353 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S340), 1.00000000317107685e-30f)));
-    var _S354 : vec3<f32> = cross(_S339, _S340) * _S353;
-    var _S355 : vec3<f32> = cross(_S340, _S338) * _S353;
-    var _S356 : vec2<f32> = vec2<f32>(_S335.u_0 - _S334.u_0, _S335.v_0 - _S334.v_0);
-    var _S357 : vec2<f32> = vec2<f32>(_S336.u_0 - _S334.u_0, _S336.v_0 - _S334.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S330, _S331, dot(_S350, _S354), dot(_S350, _S355));
-    point_2.position_0 = _S337 + _S350;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S345));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S351, _S354)) * _S356 + vec2<f32>(dot(_S351, _S355)) * _S357) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S352, _S354)) * _S356 + vec2<f32>(dot(_S352, _S355)) * _S357) * point_2.draft_per_uv_0;
+    var _S370 : u32 = u32(3) * _S368;
+    var _S371 : Vertex_0 = vertex_at_0(_S370);
+    var _S372 : Vertex_0 = vertex_at_0(_S370 + u32(1));
+    var _S373 : Vertex_0 = vertex_at_0(_S370 + u32(2));
+    var _S374 : vec3<f32> = position_of_0(_S371);
+    var _S375 : vec3<f32> = position_of_0(_S372) - _S374;
+    var _S376 : vec3<f32> = position_of_0(_S373) - _S374;
+    var _S377 : vec3<f32> = cross(_S375, _S376);
+    var _S378 : f32 = f32(frame_record_0.width_0);
+    var _S379 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S378));
+    var _S380 : f32 = f32(frame_record_0.height_0);
+    var _S381 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S380));
+    var _S382 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S369.x) + 0.5f - 0.5f * _S378)) * _S379 + vec3<f32>((f32(_S369.y) + 0.5f - 0.5f * _S380)) * _S381;
+    var _S383 : f32 = dot(_S382, _S377);
+    var _S384 : f32 = 1.0f / select(1.00000000317107685e-30f, _S383, (abs(_S383)) > 1.00000000317107685e-30f);
+    var _S385 : vec3<f32> = _S374 - camera_origin_0();
+    var _S386 : vec3<f32> = vec3<f32>((dot(_S385, _S377) * _S384));
+    var _S387 : vec3<f32> = _S382 * _S386 - _S385;
+    var _S388 : vec3<f32> = _S386 * (_S379 - _S382 * vec3<f32>((dot(_S379, _S377) * _S384)));
+    var _S389 : vec3<f32> = _S386 * (_S381 - _S382 * vec3<f32>((dot(_S381, _S377) * _S384)));
+    var _S390 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S377), 1.00000000317107685e-30f)));
+    var _S391 : vec3<f32> = cross(_S376, _S377) * _S390;
+    var _S392 : vec3<f32> = cross(_S377, _S375) * _S390;
+    var _S393 : vec2<f32> = vec2<f32>(_S372.u_0 - _S371.u_0, _S372.v_0 - _S371.v_0);
+    var _S394 : vec2<f32> = vec2<f32>(_S373.u_0 - _S371.u_0, _S373.v_0 - _S371.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S367, _S368, dot(_S387, _S391), dot(_S387, _S392));
+    point_2.position_4 = _S374 + _S387;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S382));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S388, _S391)) * _S393 + vec2<f32>(dot(_S388, _S392)) * _S394) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S389, _S391)) * _S393 + vec2<f32>(dot(_S389, _S392)) * _S394) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S358 : u32,  _S359 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S395 : u32,  _S396 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S360 : u32 = fabrics_0[_S358].albedo_map_levels_0;
-    if((fabrics_0[_S358].albedo_map_levels_0) == u32(0))
+    var _S397 : u32 = fabrics_0[_S395].albedo_map_levels_0;
+    if((fabrics_0[_S395].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S361 : vec2<f32> = vec2<f32>(fabrics_0[_S358].uv_width_0, fabrics_0[_S358].uv_height_0);
-    var _S362 : vec2<f32> = _S359.draft_dx_0 / _S361;
-    var _S363 : vec2<f32> = _S359.draft_dy_0 / _S361;
-    var _S364 : u32 = _S360 - u32(1);
-    var _S365 : u32 = (u32(1) << (_S364));
-    var _S366 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S362.x * _S363.y - _S362.y * _S363.x), 9.99999968265522539e-21f) * (square_1(f32(_S365)) / 3.0f)), 0.0f, f32(_S360) - 1.0f);
-    var _S367 : u32 = min(u32(_S366), max(_S360, u32(2)) - u32(2));
-    var _S368 : u32 = min(_S367 + u32(1), _S364);
-    var _S369 : u32 = (u32(1) << ((u32(2) * _S360)));
-    return mix(map_level_0(fabrics_0[_S358].albedo_map_0 + (_S369 - ((_S369 >> ((u32(2) * _S367))))) / u32(3), (_S365 >> (_S367)), _S359.uv_1), map_level_0(fabrics_0[_S358].albedo_map_0 + (_S369 - ((_S369 >> ((u32(2) * _S368))))) / u32(3), (_S365 >> (_S368)), _S359.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S366 - f32(_S367))) - 1.0f) / 3.0f)));
+    var _S398 : vec2<f32> = vec2<f32>(fabrics_0[_S395].uv_width_0, fabrics_0[_S395].uv_height_0);
+    var _S399 : vec2<f32> = _S396.draft_dx_0 / _S398;
+    var _S400 : vec2<f32> = _S396.draft_dy_0 / _S398;
+    var _S401 : u32 = _S397 - u32(1);
+    var _S402 : u32 = (u32(1) << (_S401));
+    var _S403 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S399.x * _S400.y - _S399.y * _S400.x), 9.99999968265522539e-21f) * (square_1(f32(_S402)) / 3.0f)), 0.0f, f32(_S397) - 1.0f);
+    var _S404 : u32 = min(u32(_S403), max(_S397, u32(2)) - u32(2));
+    var _S405 : u32 = min(_S404 + u32(1), _S401);
+    var _S406 : u32 = (u32(1) << ((u32(2) * _S397)));
+    return mix(map_level_0(fabrics_0[_S395].albedo_map_0 + (_S406 - ((_S406 >> ((u32(2) * _S404))))) / u32(3), (_S402 >> (_S404)), _S396.uv_1), map_level_0(fabrics_0[_S395].albedo_map_0 + (_S406 - ((_S406 >> ((u32(2) * _S405))))) / u32(3), (_S402 >> (_S405)), _S396.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S403 - f32(_S404))) - 1.0f) / 3.0f)));
+}
+
+fn irregular_key_0( _S407 : u32,  _S408 : u32) -> u32
+{
+    return hash_key_0(_S408, ((fabrics_0[_S407].seed_0) ^ (u32(1821285621))));
+}
+
+fn irregular_place_0( _S409 : u32,  _S410 : vec2<f32>,  _S411 : f32) -> vec2<f32>
+{
+    if((fabrics_0[_S409].is_irregular_0) == u32(0))
+    {
+        return _S410;
+    }
+    var number_4 : u32 = u32(0);
+    var moved_0 : vec2<f32> = _S410;
+    for(;;)
+    {
+        if(number_4 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S412 : bool = number_4 == u32(0);
+        var _S413 : u32 = select(fabrics_0[_S409].weft_0, fabrics_0[_S409].warp_0, _S412);
+        var _S414 : vec2<f32> = select_vector_1(_S412, _S410, _S410.yx);
+        var _S415 : f32 = moved_share_0(_S413, _S411);
+        if(_S415 <= 0.0f)
+        {
+            number_4 = number_4 + u32(1);
+            continue;
+        }
+        var _S416 : u32 = irregular_key_0(_S409, number_4);
+        var _S417 : f32 = _S414.x;
+        var _S418 : Cell_0 = locate_0(_S413, _S417);
+        var _S419 : f32 = irregular_thread_0(_S413, _S417, _S418);
+        var _S420 : f32 = select(1.0f, -1.0f, (_S418.across_0) < 0.0f);
+        var _S421 : vec2<f32> = vec2<f32>(0.0f);
+        var other_1 : vec2<f32> = _S421;
+        var own_1 : vec2<f32> = _S421;
+        var neighbour_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(neighbour_0 < u32(2))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var _S422 : vec2<f32> = irregular_at_0(_S413, _S416, _S419 + _S420 * f32(neighbour_0), _S414.y).xy;
+            var _S423 : u32 = neighbour_0 + u32(1);
+            own_1 = other_1;
+            other_1 = _S422;
+            neighbour_0 = _S423;
+        }
+        var _S424 : f32 = _S418.below_0 + _S418.above_0;
+        var _S425 : f32 = min(_S418.half_width_1 / _S424, 0.5f);
+        var _S426 : f32 = min(_S425 * (2.0f + own_1.y + other_1.y), 1.0f);
+        var _S427 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
+        var _S428 : f32 = _S427.x;
+        var _S429 : f32 = _S426 * _S428 / (_S428 + _S427.y);
+        var _S430 : f32 = abs(_S418.across_0) / _S424;
+        var _S431 : f32 = 1.0f - _S426;
+        var _S432 : f32 = _S430 - _S429;
+        var _S433 : f32 = _S415 * _S420 * _S424 * (select(select((_S432 - _S431) / max(_S426 - _S429, 9.99999997475242708e-07f) * _S425 + (1.0f - _S425), _S432 / max(_S431, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S425) + _S425, _S432 < _S431), _S430 * _S425 / _S429, _S432 < 0.0f) - _S430);
+        moved_0 = moved_0 + select_vector_1(_S412, vec2<f32>(_S433, 0.0f), vec2<f32>(0.0f, _S433));
+        number_4 = number_4 + u32(1);
+    }
+    return moved_0;
 }
 
 struct NeuralView_0
 {
-     sums_7 : array<f32, i32(96)>,
+     sums_9 : array<f32, i32(96)>,
+     even_hole_0 : f32,
      hole_0 : f32,
+     yarns_0 : Yarns_0,
      correction_weight_0 : f32,
      view_7 : vec3<f32>,
      back_5 : bool,
 };
 
-fn anisotropic_taps_0( _S370 : u32,  _S371 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S434 : u32,  _S435 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S372 : vec3<f32> = row_of_taps_0(_S371);
-    var _S373 : vec2<f32> = _S371.dx_0;
-    var _S374 : vec2<f32> = _S371.dy_0;
-    var _S375 : f32 = dot(_S373, _S373) + dot(_S374, _S374);
-    var _S376 : f32 = _S371.dx_0.x * _S371.dy_0.y - _S371.dx_0.y * _S371.dy_0.x;
-    var _S377 : f32 = 0.5f * (_S375 + sqrt(max(_S375 * _S375 - 4.0f * _S376 * _S376, 0.0f)));
-    var _S378 : bool = ((_S377 < (5.5f * (_S375 - _S377))) & ((_S375 > (8.0f * fabrics_0[_S370].neural_0.pitch_0 * fabrics_0[_S370].neural_0.pitch_0))));
-    var _S379 : vec2<f32> = vec2<f32>(fabrics_0[_S370].neural_0.ends_per_mm_0, fabrics_0[_S370].neural_0.picks_per_mm_0);
+    var _S436 : vec3<f32> = row_of_taps_0(_S435);
+    var _S437 : vec2<f32> = _S435.dx_0;
+    var _S438 : vec2<f32> = _S435.dy_0;
+    var _S439 : f32 = dot(_S437, _S437) + dot(_S438, _S438);
+    var _S440 : f32 = _S435.dx_0.x * _S435.dy_0.y - _S435.dx_0.y * _S435.dy_0.x;
+    var _S441 : f32 = 0.5f * (_S439 + sqrt(max(_S439 * _S439 - 4.0f * _S440 * _S440, 0.0f)));
+    var _S442 : bool = ((_S441 < (5.5f * (_S439 - _S441))) & ((_S439 > (8.0f * fabrics_0[_S434].neural_0.pitch_0 * fabrics_0[_S434].neural_0.pitch_0))));
+    var _S443 : vec2<f32> = vec2<f32>(fabrics_0[_S434].neural_0.ends_per_mm_0, fabrics_0[_S434].neural_0.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S371.centre_0 * _S379;
-    taps_1.side_1 = select(_S372.x, sqrt(0.125f * _S375), _S378) / fabrics_0[_S370].neural_0.pitch_0;
-    var _S380 : vec2<f32> = vec2<f32>(0.25f);
-    var _S381 : vec2<f32> = _S372.yz;
-    taps_1.first_21 = select_vector_1(_S378, _S380 * _S371.dx_0, _S381) * _S379;
-    taps_1.second_0 = select_vector_1(_S378, _S380 * _S371.dy_0, vec2<f32>(0.5f) * _S381) * _S379;
+    taps_1.centre_1 = _S435.centre_0 * _S443;
+    taps_1.side_2 = select(_S436.x, sqrt(0.125f * _S439), _S442) / fabrics_0[_S434].neural_0.pitch_0;
+    var _S444 : vec2<f32> = vec2<f32>(0.25f);
+    var _S445 : vec2<f32> = _S436.yz;
+    taps_1.first_21 = select_vector_1(_S442, _S444 * _S435.dx_0, _S445) * _S443;
+    taps_1.second_0 = select_vector_1(_S442, _S444 * _S435.dy_0, vec2<f32>(0.5f) * _S445) * _S443;
     return taps_1;
 }
 
-fn add_texel_0( _S382 : u32,  _S383 : u32,  _S384 : f32,  _S385 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S446 : u32,  _S447 : u32,  _S448 : f32,  _S449 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S386 : u32 = fabrics_0[_S382].neural_0.latents_0 + _S383 * u32(8);
+    var _S450 : u32 = fabrics_0[_S446].neural_0.latents_0 + _S447 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -2323,34 +2542,34 @@ fn add_texel_0( _S382 : u32,  _S383 : u32,  _S384 : f32,  _S385 : ptr<function, 
         {
             break;
         }
-        var _S387 : Eight_0 = eight_halves_0(packed_numbers_0[_S386 + part_0]);
-        var _S388 : i32 = i32(u32(8) * part_0);
-        (*_S385)[_S388] = (*_S385)[_S388] + _S384 * _S387.low_0[i32(0)];
-        (*_S385)[_S388 + i32(4)] = (*_S385)[_S388 + i32(4)] + _S384 * _S387.high_0[i32(0)];
-        var _S389 : i32 = _S388 + i32(1);
-        (*_S385)[_S389] = (*_S385)[_S389] + _S384 * _S387.low_0[i32(1)];
-        (*_S385)[_S389 + i32(4)] = (*_S385)[_S389 + i32(4)] + _S384 * _S387.high_0[i32(1)];
-        var _S390 : i32 = _S388 + i32(2);
-        (*_S385)[_S390] = (*_S385)[_S390] + _S384 * _S387.low_0[i32(2)];
-        (*_S385)[_S390 + i32(4)] = (*_S385)[_S390 + i32(4)] + _S384 * _S387.high_0[i32(2)];
-        var _S391 : i32 = _S388 + i32(3);
-        (*_S385)[_S391] = (*_S385)[_S391] + _S384 * _S387.low_0[i32(3)];
-        (*_S385)[_S391 + i32(4)] = (*_S385)[_S391 + i32(4)] + _S384 * _S387.high_0[i32(3)];
+        var _S451 : Eight_0 = eight_halves_0(packed_numbers_0[_S450 + part_0]);
+        var _S452 : i32 = i32(u32(8) * part_0);
+        (*_S449)[_S452] = (*_S449)[_S452] + _S448 * _S451.low_0[i32(0)];
+        (*_S449)[_S452 + i32(4)] = (*_S449)[_S452 + i32(4)] + _S448 * _S451.high_0[i32(0)];
+        var _S453 : i32 = _S452 + i32(1);
+        (*_S449)[_S453] = (*_S449)[_S453] + _S448 * _S451.low_0[i32(1)];
+        (*_S449)[_S453 + i32(4)] = (*_S449)[_S453 + i32(4)] + _S448 * _S451.high_0[i32(1)];
+        var _S454 : i32 = _S452 + i32(2);
+        (*_S449)[_S454] = (*_S449)[_S454] + _S448 * _S451.low_0[i32(2)];
+        (*_S449)[_S454 + i32(4)] = (*_S449)[_S454 + i32(4)] + _S448 * _S451.high_0[i32(2)];
+        var _S455 : i32 = _S452 + i32(3);
+        (*_S449)[_S455] = (*_S449)[_S455] + _S448 * _S451.low_0[i32(3)];
+        (*_S449)[_S455 + i32(4)] = (*_S449)[_S455 + i32(4)] + _S448 * _S451.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S392 : u32,  _S393 : u32,  _S394 : bool,  _S395 : vec2<f32>,  _S396 : f32,  _S397 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S456 : u32,  _S457 : u32,  _S458 : bool,  _S459 : vec2<f32>,  _S460 : f32,  _S461 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S398 : Neural_std430_0 = fabrics_0[_S392].neural_0;
-    var _S399 : u32 = fabrics_0[_S392].neural_0.levels_1 + u32(4) * _S393;
-    var _S400 : f32 = table_number_0(_S399);
-    var _S401 : f32 = table_number_0(_S399 + u32(1));
-    var _S402 : f32 = table_number_0(_S399 + u32(2));
-    var _S403 : vec2<f32> = _S395 * vec2<f32>(table_number_0(_S399 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S393 > u32(3)) & ((_S393 < (fabrics_0[_S392].neural_0.top_level_0))))));
-    var _S404 : vec2<f32> = floor(_S403);
-    var _S405 : vec2<f32> = _S403 - _S404;
+    var _S462 : Neural_std430_0 = fabrics_0[_S456].neural_0;
+    var _S463 : u32 = fabrics_0[_S456].neural_0.levels_1 + u32(4) * _S457;
+    var _S464 : f32 = table_number_0(_S463);
+    var _S465 : f32 = table_number_0(_S463 + u32(1));
+    var _S466 : f32 = table_number_0(_S463 + u32(2));
+    var _S467 : vec2<f32> = _S459 * vec2<f32>(table_number_0(_S463 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S457 > u32(3)) & ((_S457 < (fabrics_0[_S456].neural_0.top_level_0))))));
+    var _S468 : vec2<f32> = floor(_S467);
+    var _S469 : vec2<f32> = _S467 - _S468;
     var corner_1 : u32 = u32(0);
     for(;;)
     {
@@ -2361,16 +2580,16 @@ fn add_level_0( _S392 : u32,  _S393 : u32,  _S394 : bool,  _S395 : vec2<f32>,  _
         {
             break;
         }
-        var _S406 : f32 = f32((corner_1 & (u32(1))));
-        var _S407 : f32 = f32((corner_1 >> (u32(1))));
-        var _S408 : vec2<f32> = mix(vec2<f32>(1.0f) - _S405, _S405, vec2<f32>(_S406, _S407));
-        add_texel_0(_S392, u32(_S400 + wrapped_0(_S404.y + _S407, _S402) * _S401 + wrapped_0(_S404.x + _S406, _S401)) + select(u32(0), _S398.texels_0, _S394), _S396 * _S408.x * _S408.y, &((*_S397)));
+        var _S470 : f32 = f32((corner_1 & (u32(1))));
+        var _S471 : f32 = f32((corner_1 >> (u32(1))));
+        var _S472 : vec2<f32> = mix(vec2<f32>(1.0f) - _S469, _S469, vec2<f32>(_S470, _S471));
+        add_texel_0(_S456, u32(_S464 + wrapped_0(_S468.y + _S471, _S466) * _S465 + wrapped_0(_S468.x + _S470, _S465)) + select(u32(0), _S462.texels_0, _S458), _S460 * _S472.x * _S472.y, &((*_S461)));
         corner_1 = corner_1 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S409 : u32,  _S410 : AnisotropicTaps_0,  _S411 : vec3<f32>,  _S412 : bool,  _S413 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S473 : u32,  _S474 : AnisotropicTaps_0,  _S475 : vec3<f32>,  _S476 : bool,  _S477 : ptr<function, array<f32, i32(88)>>)
 {
     var k_0 : i32 = i32(0);
     for(;;)
@@ -2382,34 +2601,34 @@ fn code_footprint_0( _S409 : u32,  _S410 : AnisotropicTaps_0,  _S411 : vec3<f32>
         {
             break;
         }
-        (*_S413)[k_0] = 0.0f;
+        (*_S477)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S414 : vec2<f32> = vec2<f32>(fabrics_0[_S409].neural_0.ends_0, fabrics_0[_S409].neural_0.picks_0);
-    var _S415 : f32 = f32(fabrics_0[_S409].neural_0.top_level_0);
-    var _S416 : f32 = clamp(binary_logarithm_0(max(_S410.side_1, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S415);
-    var _S417 : f32 = min(floor(_S416), _S415 - 1.0f);
-    var _S418 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S410));
-    var number_2 : u32 = u32(0);
+    var _S478 : vec2<f32> = vec2<f32>(fabrics_0[_S473].neural_0.ends_0, fabrics_0[_S473].neural_0.picks_0);
+    var _S479 : f32 = f32(fabrics_0[_S473].neural_0.top_level_0);
+    var _S480 : f32 = clamp(binary_logarithm_0(max(_S474.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S479);
+    var _S481 : f32 = min(floor(_S480), _S479 - 1.0f);
+    var _S482 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S474));
+    var number_5 : u32 = u32(0);
     for(;;)
     {
-        if(number_2 < (u32(2) * _S418))
+        if(number_5 < (u32(2) * _S482))
         {
         }
         else
         {
             break;
         }
-        var _S419 : vec2<f32> = AnisotropicTaps_place_0(_S410, (number_2 >> (u32(1))));
-        var _S420 : bool = ((number_2 & (u32(1)))) != u32(0);
-        var _S421 : f32 = _S416 - _S417;
-        add_level_0(_S409, u32(_S417) + select(u32(0), u32(1), _S420), _S412, clamp(_S419 - _S414 * floor(_S419 / _S414), vec2<f32>(0.0f), _S414), select(1.0f - _S421, _S421, _S420) / f32(_S418), &((*_S413)));
-        number_2 = number_2 + u32(1);
+        var _S483 : vec2<f32> = AnisotropicTaps_place_0(_S474, (number_5 >> (u32(1))));
+        var _S484 : bool = ((number_5 & (u32(1)))) != u32(0);
+        var _S485 : f32 = _S480 - _S481;
+        add_level_0(_S473, u32(_S481) + select(u32(0), u32(1), _S484), _S476, clamp(_S483 - _S478 * floor(_S483 / _S478), vec2<f32>(0.0f), _S478), select(1.0f - _S485, _S485, _S484) / f32(_S482), &((*_S477)));
+        number_5 = number_5 + u32(1);
     }
-    var number_3 : i32 = i32(0);
+    var number_6 : i32 = i32(0);
     for(;;)
     {
-        if(number_3 < i32(3))
+        if(number_6 < i32(3))
         {
         }
         else
@@ -2426,9 +2645,9 @@ fn code_footprint_0( _S409 : u32,  _S410 : AnisotropicTaps_0,  _S411 : vec3<f32>
             {
                 break;
             }
-            var offset_1 : f32 = _S411[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_1 : f32 = _S475[number_6] - (f32(bin_0) + 0.5f) / 8.0f;
             var offset_2 : f32;
-            if(number_3 < i32(2))
+            if(number_6 < i32(2))
             {
                 offset_2 = offset_1 - round(offset_1);
             }
@@ -2436,73 +2655,151 @@ fn code_footprint_0( _S409 : u32,  _S410 : AnisotropicTaps_0,  _S411 : vec3<f32>
             {
                 offset_2 = offset_1;
             }
-            (*_S413)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
+            (*_S477)[i32(64) + number_6 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
-        number_3 = number_3 + i32(1);
+        number_6 = number_6 + i32(1);
     }
     return;
 }
 
-fn crown_fibres_0( _S422 : u32,  _S423 : bool,  _S424 : bool) -> vec3<f32>
+fn crown_fibres_0( _S486 : u32,  _S487 : bool,  _S488 : bool) -> vec3<f32>
 {
-    if(_S423)
+    if(_S487)
     {
-        return vec3<f32>(select(1.0f, -1.0f, _S424) * fabrics_0[_S422].neural_0.warp_x_0, fabrics_0[_S422].neural_0.warp_y_0, fabrics_0[_S422].neural_0.warp_roughness_0);
+        return vec3<f32>(select(1.0f, -1.0f, _S488) * fabrics_0[_S486].neural_0.warp_x_0, fabrics_0[_S486].neural_0.warp_y_0, fabrics_0[_S486].neural_0.warp_roughness_0);
     }
-    return vec3<f32>(fabrics_0[_S422].neural_0.weft_x_0, select(1.0f, -1.0f, _S424) * fabrics_0[_S422].neural_0.weft_y_0, fabrics_0[_S422].neural_0.weft_roughness_0);
+    return vec3<f32>(fabrics_0[_S486].neural_0.weft_x_0, select(1.0f, -1.0f, _S488) * fabrics_0[_S486].neural_0.weft_y_0, fabrics_0[_S486].neural_0.weft_roughness_0);
 }
 
-fn neural_view_0( _S425 : u32,  _S426 : Footprint_0,  _S427 : vec3<f32>,  _S428 : ptr<function, NeuralView_0>)
+fn yarns_over_0( _S489 : u32,  _S490 : Footprint_0,  _S491 : bool) -> Yarns_0
 {
-    var _S429 : bool = (_S427.z) < 0.0f;
-    var _S430 : AnisotropicTaps_0 = anisotropic_taps_0(_S425, _S426);
-    var _S431 : vec3<f32> = footprint_coordinates_0(_S430);
-    var _S432 : vec3<f32> = to_face_frame_0(_S427, _S429);
+    var _S492 : vec2<f32> = _S490.dx_0;
+    var _S493 : vec2<f32> = _S490.dy_0;
+    var _S494 : vec2<f32> = sqrt(_S492 * _S492 + _S493 * _S493);
+    var _S495 : f32 = Footprint_spread_side_0(_S490);
+    var _S496 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S496, _S496, vec3<f32>(0.0f));
+    yarns_1.shares_0 = vec3<f32>(1.0f);
+    if((fabrics_0[_S489].is_irregular_0) == u32(0))
+    {
+        return yarns_1;
+    }
+    var number_7 : u32 = u32(0);
+    for(;;)
+    {
+        if(number_7 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S497 : bool = number_7 == u32(0);
+        var _S498 : u32 = select(fabrics_0[_S489].weft_0, fabrics_0[_S489].warp_0, _S497);
+        var _S499 : vec2<f32> = select_vector_1(_S497, _S490.centre_0, _S490.centre_0.yx);
+        var _S500 : vec2<f32> = select_vector_1(_S497, _S494, _S494.yx);
+        var _S501 : f32 = _S499.x;
+        var _S502 : Cell_0 = locate_0(_S498, _S501);
+        var yarn_1 : vec4<f32> = irregular_over_0(_S498, irregular_key_0(_S489, number_7), irregular_thread_0(_S498, _S501, _S502) + _S502.below_0 / (_S502.below_0 + _S502.above_0), _S500.x * (families_0[_S498].count_0 / families_0[_S498].period_0), _S499.y, _S500.y);
+        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S498, _S495));
+        yarns_1.warp_1 = yarns_1.weft_1;
+        yarns_1.weft_1 = yarn_1;
+        number_7 = number_7 + u32(1);
+    }
+    var _S503 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S489].warp_0].cover_0, families_0[fabrics_0[_S489].weft_0].cover_0);
+    var _S504 : f32 = select(fabrics_0[_S489].warp_on_top_0, 1.0f - fabrics_0[_S489].warp_on_top_0, _S491);
+    var _S505 : vec3<f32> = shown_of_covers_0(_S503, _S504);
+    var _S506 : vec3<f32> = shown_of_covers_0(saturate(_S503 + _S503 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S504) / max(_S505, vec3<f32>(0.00009999999747379f));
+    yarns_1.shares_0 = _S506;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S506.z, (_S505.z) > 0.00009999999747379f);
+    return yarns_1;
+}
+
+fn neural_view_0( _S507 : u32,  _S508 : Footprint_0,  _S509 : vec3<f32>,  _S510 : ptr<function, NeuralView_0>)
+{
+    var _S511 : bool = (_S509.z) < 0.0f;
+    var _S512 : AnisotropicTaps_0 = anisotropic_taps_0(_S507, _S508);
+    var _S513 : vec3<f32> = footprint_coordinates_0(_S512);
+    var _S514 : vec3<f32> = to_face_frame_0(_S509, _S511);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S425].neural_0.network_0;
+    weights_23.first_2 = fabrics_0[_S507].neural_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S425, _S430, _S431, _S429, &(inputs_23));
+    code_footprint_0(_S507, _S512, _S513, _S511, &(inputs_23));
     var hidden_1 : array<f32, i32(96)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(100)>;
     dense_part_8(weights_23, u32(1068), false, &(hidden_1), &(fused_0));
-    fused_0[i32(96)] = _S432.x;
-    fused_0[i32(97)] = _S432.y;
-    var _S433 : vec2<f32> = _S432.xy;
-    fused_0[i32(98)] = dot(crown_fibres_0(_S425, true, _S429).xy, _S433);
-    fused_0[i32(99)] = dot(crown_fibres_0(_S425, false, _S429).xy, _S433);
+    fused_0[i32(96)] = _S514.x;
+    fused_0[i32(97)] = _S514.y;
+    var _S515 : vec2<f32> = _S514.xy;
+    fused_0[i32(98)] = dot(crown_fibres_0(_S507, true, _S511).xy, _S515);
+    fused_0[i32(99)] = dot(crown_fibres_0(_S507, false, _S511).xy, _S515);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
     var hole_1 : array<f32, i32(1)>;
     dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
-    var _S434 : array<f32, i32(96)> = (*_S428).sums_7;
-    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S434));
-    (*_S428).sums_7 = _S434;
-    (*_S428).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
-    (*_S428).correction_weight_0 = correction_weight_of_0(_S431.z);
-    (*_S428).view_7 = _S432;
-    (*_S428).back_5 = _S429;
+    var _S516 : array<f32, i32(96)> = (*_S510).sums_9;
+    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S516));
+    (*_S510).sums_9 = _S516;
+    var _S517 : f32 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
+    (*_S510).even_hole_0 = _S517;
+    (*_S510).yarns_0 = yarns_over_0(_S507, _S508, _S511);
+    (*_S510).hole_0 = min(_S517 * (*_S510).yarns_0.shares_0.z, 1.0f);
+    (*_S510).correction_weight_0 = correction_weight_of_0(_S513.z);
+    (*_S510).view_7 = _S514;
+    (*_S510).back_5 = _S511;
     return;
 }
 
 struct FamilyAlbedos_0
 {
-     warp_4 : Albedos_0,
-     weft_4 : Albedos_0,
+     warp_6 : Albedos_0,
+     weft_6 : Albedos_0,
 };
 
-fn albedos_over_0( _S435 : u32,  _S436 : Footprint_0,  _S437 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S518 : u32,  _S519 : Footprint_0,  _S520 : bool) -> FamilyAlbedos_0
 {
-    var _S438 : vec2<f32> = _S436.dx_0;
-    var _S439 : vec2<f32> = _S436.dy_0;
-    var _S440 : vec2<f32> = sqrt(_S438 * _S438 + _S439 * _S439);
-    var _S441 : Stretch_0 = stretch_of_0(fabrics_0[_S435].warp_0, _S436.centre_0.x, _S440.x);
-    var _S442 : Stretch_0 = stretch_of_0(fabrics_0[_S435].weft_0, _S436.centre_0.y, _S440.y);
+    var _S521 : vec2<f32> = _S519.dx_0;
+    var _S522 : vec2<f32> = _S519.dy_0;
+    var _S523 : vec2<f32> = sqrt(_S521 * _S521 + _S522 * _S522);
+    var _S524 : Stretch_0 = stretch_of_0(fabrics_0[_S518].warp_0, _S519.centre_0.x, _S523.x);
+    var _S525 : Stretch_0 = stretch_of_0(fabrics_0[_S518].weft_0, _S519.centre_0.y, _S523.y);
     var albedos_4 : FamilyAlbedos_0;
-    albedos_4.warp_4 = mean_albedos_0(fabrics_0[_S435].warp_0, fabrics_0[_S435].weft_0, _S441, _S442, _S437);
-    albedos_4.weft_4 = mean_albedos_0(fabrics_0[_S435].weft_0, fabrics_0[_S435].warp_0, _S442, _S441, _S437);
+    albedos_4.warp_6 = mean_albedos_0(fabrics_0[_S518].warp_0, fabrics_0[_S518].weft_0, _S524, _S525, _S520);
+    albedos_4.weft_6 = mean_albedos_0(fabrics_0[_S518].weft_0, fabrics_0[_S518].warp_0, _S525, _S524, _S520);
     return albedos_4;
+}
+
+fn toned_0( _S526 : u32,  _S527 : u32,  _S528 : Albedos_0,  _S529 : vec4<f32>) -> Albedos_0
+{
+    var _S530 : vec3<f32> = _S528.diffuse_reflect_0 + _S528.diffuse_transmit_0;
+    var _S531 : vec3<f32> = vec3<f32>(1.0f);
+    var _S532 : vec3<f32> = _S531 - vec3<f32>(fabrics_0[_S526].layer_bound_0) * max(_S528.specular_reflect_0, _S528.specular_transmit_0);
+    var _S533 : vec3<f32> = vec3<f32>(0.0f);
+    var _S534 : vec3<f32> = max(_S531 - _S530, _S533) / (_S531 + _S530);
+    var _S535 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S536 : vec3<f32> = (_S532 / max(_S530, _S535) - _S531) / max(vec3<f32>(0.89999997615814209f) * _S534, _S535);
+    var _S537 : vec3<f32> = _S531 - vec3<f32>((saturate(min(min(_S536.x, _S536.y), _S536.z)) * _S529.z)) * _S534;
+    var _S538 : vec3<f32> = min(vec3<f32>(families_0[_S527].nep_red_0, families_0[_S527].nep_green_0, families_0[_S527].nep_blue_0), _S532);
+    var found_1 : Albedos_0 = _S528;
+    var _S539 : f32 = _S529.w;
+    var _S540 : vec3<f32> = _S537 * _S528.diffuse_transmit_0 * vec3<f32>((1.0f - _S539));
+    found_1.diffuse_transmit_0 = _S540;
+    found_1.diffuse_reflect_0 = clamp(mix(_S537 * _S528.diffuse_reflect_0, _S538, vec3<f32>(_S539)), _S533, max(_S532 - _S540, _S533));
+    return found_1;
+}
+
+fn with_tones_0( _S541 : u32,  _S542 : FamilyAlbedos_0,  _S543 : Yarns_0) -> FamilyAlbedos_0
+{
+    if((fabrics_0[_S541].is_irregular_0) == u32(0))
+    {
+        return _S542;
+    }
+    var result_2 : FamilyAlbedos_0;
+    result_2.warp_6 = toned_0(_S541, fabrics_0[_S541].warp_0, _S542.warp_6, _S543.warp_1);
+    result_2.weft_6 = toned_0(_S541, fabrics_0[_S541].weft_0, _S542.weft_6, _S543.weft_1);
+    return result_2;
 }
 
 fn light_sample_count_0() -> u32
@@ -2510,13 +2807,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S443 : u32,  _S444 : vec2<u32>) -> f32
+fn visibility_at_0( _S544 : u32,  _S545 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S443 * frame_record_0.height_0 + _S444.y) * frame_record_0.width_0 + _S444.x];
+    return visibilities_0[(_S544 * frame_record_0.height_0 + _S545.y) * frame_record_0.width_0 + _S545.x];
 }
 
 struct LightSample_0
@@ -2526,52 +2823,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S445 : u32,  _S446 : u32) -> vec3<f32>
+fn environment_texel_0( _S546 : u32,  _S547 : u32) -> vec3<f32>
 {
-    var _S447 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S445 * frame_record_0.environment_columns_0 + _S446);
-    return vec3<f32>(scene_number_0(_S447), scene_number_0(_S447 + u32(1)), scene_number_0(_S447 + u32(2)));
+    var _S548 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S546 * frame_record_0.environment_columns_0 + _S547);
+    return vec3<f32>(scene_number_0(_S548), scene_number_0(_S548 + u32(1)), scene_number_0(_S548 + u32(2)));
 }
 
-fn sample_environment_0( _S448 : vec2<f32>,  _S449 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S549 : vec2<f32>,  _S550 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S450 : u32 = frame_record_0.environment_rows_0;
-    var _S451 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S448.y);
-    var _S452 : u32 = frame_record_0.environment_columns_0;
-    var _S453 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S451.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S448.x);
-    var _S454 : vec3<f32> = environment_texel_0(_S451.index_7, _S453.index_7);
-    (*_S449) = _S454 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S454), 9.99999968265522539e-21f)));
-    var _S455 : f32 = 3.14159274101257324f / f32(_S450);
-    var _S456 : f32 = mix(sine_cosine_0(f32(_S451.index_7) * _S455).y, sine_cosine_0(f32(_S451.index_7 + u32(1)) * _S455).y, _S451.remainder_0);
-    var _S457 : f32 = sqrt(max(1.0f - _S456 * _S456, 0.0f));
-    var _S458 : vec2<f32> = sine_cosine_0((f32(_S453.index_7) + _S453.remainder_0) * (6.28318548202514648f / f32(_S452)));
-    var _S459 : f32 = _S457 * _S458.x;
-    var _S460 : f32 = - _S457 * _S458.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S459 + frame_record_0.environment_sine_0 * _S460, _S456, frame_record_0.environment_cosine_0 * _S460 - frame_record_0.environment_sine_0 * _S459);
+    var _S551 : u32 = frame_record_0.environment_rows_0;
+    var _S552 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S549.y);
+    var _S553 : u32 = frame_record_0.environment_columns_0;
+    var _S554 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S552.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S549.x);
+    var _S555 : vec3<f32> = environment_texel_0(_S552.index_7, _S554.index_7);
+    (*_S550) = _S555 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S555), 9.99999968265522539e-21f)));
+    var _S556 : f32 = 3.14159274101257324f / f32(_S551);
+    var _S557 : f32 = mix(sine_cosine_0(f32(_S552.index_7) * _S556).y, sine_cosine_0(f32(_S552.index_7 + u32(1)) * _S556).y, _S552.remainder_0);
+    var _S558 : f32 = sqrt(max(1.0f - _S557 * _S557, 0.0f));
+    var _S559 : vec2<f32> = sine_cosine_0((f32(_S554.index_7) + _S554.remainder_0) * (6.28318548202514648f / f32(_S553)));
+    var _S560 : f32 = _S558 * _S559.x;
+    var _S561 : f32 = - _S558 * _S559.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S560 + frame_record_0.environment_sine_0 * _S561, _S557, frame_record_0.environment_cosine_0 * _S561 - frame_record_0.environment_sine_0 * _S560);
 }
 
-fn light_sample_0( _S461 : u32,  _S462 : vec2<u32>,  _S463 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S562 : u32,  _S563 : vec2<u32>,  _S564 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S464 : u32 = frame_record_0.lights_0;
-    if(_S461 >= (frame_record_0.lights_0))
+    var _S565 : u32 = frame_record_0.lights_0;
+    if(_S562 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S465 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S462, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S461 - _S464), u32(3)), &(weight_3));
-        sample_0.towards_0 = _S465;
+        var _S566 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S563, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S562 - _S565), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S566;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S466 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S461);
-    sample_0.irradiance_1 = vec3<f32>(_S466.red_0, _S466.green_0, _S466.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S466.x_9, _S466.y_1, _S466.z_1);
-    if((_S466.is_point_0) != u32(0))
+    var _S567 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S562);
+    sample_0.irradiance_1 = vec3<f32>(_S567.red_0, _S567.green_0, _S567.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S567.x_9, _S567.y_1, _S567.z_1);
+    if((_S567.is_point_0) != u32(0))
     {
-        var _S467 : vec3<f32> = sample_0.towards_0 - _S463;
-        var _S468 : f32 = max(square_0(_S467), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S468);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S468);
-        sample_0.towards_0 = normalize(_S467);
+        var _S568 : vec3<f32> = sample_0.towards_0 - _S564;
+        var _S569 : f32 = max(square_0(_S568), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S569);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S569);
+        sample_0.towards_0 = normalize(_S568);
     }
     return sample_0;
 }
@@ -2586,32 +2883,32 @@ struct Components_0
      hole_2 : f32,
 };
 
-fn code_light_0( _S469 : u32,  _S470 : vec3<f32>,  _S471 : vec3<f32>,  _S472 : bool,  _S473 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S570 : u32,  _S571 : vec3<f32>,  _S572 : vec3<f32>,  _S573 : bool,  _S574 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S473)[i32(0)] = _S470.x;
-    (*_S473)[i32(1)] = _S470.y;
-    (*_S473)[i32(2)] = _S470.z;
-    var _S474 : vec3<f32> = _S470 + _S471;
-    var _S475 : f32 = _S474.z;
-    var _S476 : f32 = _S475 * _S475 + 0.00009999999747379f;
-    var _S477 : vec2<f32> = _S474.xy;
-    var _S478 : f32 = 1.0f / (dot(_S477, _S477) + _S476);
-    var family_10 : i32 = i32(0);
+    (*_S574)[i32(0)] = _S571.x;
+    (*_S574)[i32(1)] = _S571.y;
+    (*_S574)[i32(2)] = _S571.z;
+    var _S575 : vec3<f32> = _S571 + _S572;
+    var _S576 : f32 = _S575.z;
+    var _S577 : f32 = _S576 * _S576 + 0.00009999999747379f;
+    var _S578 : vec2<f32> = _S575.xy;
+    var _S579 : f32 = 1.0f / (dot(_S578, _S578) + _S577);
+    var family_16 : i32 = i32(0);
     for(;;)
     {
-        if(family_10 < i32(2))
+        if(family_16 < i32(2))
         {
         }
         else
         {
             break;
         }
-        var _S479 : vec3<f32> = crown_fibres_0(_S469, family_10 == i32(0), _S472);
-        var _S480 : vec2<f32> = _S479.xy;
-        (*_S473)[i32(3) + family_10] = dot(_S480, _S470.xy);
-        var _S481 : f32 = dot(_S480, _S477);
-        var _S482 : f32 = _S481 * _S481;
-        var _S483 : f32 = (0.75f * _S481 / (0.5f * sqrt(_S482 + _S476) + abs(_S481)) + 0.5f) * 8.0f;
+        var _S580 : vec3<f32> = crown_fibres_0(_S570, family_16 == i32(0), _S573);
+        var _S581 : vec2<f32> = _S580.xy;
+        (*_S574)[i32(3) + family_16] = dot(_S581, _S571.xy);
+        var _S582 : f32 = dot(_S581, _S578);
+        var _S583 : f32 = _S582 * _S582;
+        var _S584 : f32 = (0.75f * _S582 / (0.5f * sqrt(_S583 + _S577) + abs(_S582)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -2622,26 +2919,26 @@ fn code_light_0( _S469 : u32,  _S470 : vec3<f32>,  _S471 : vec3<f32>,  _S472 : b
             {
                 break;
             }
-            (*_S473)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S483 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S574)[i32(5) + family_16 * i32(16) + bin_1] = bump_0(_S584 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S484 : f32 = _S479.z;
-        var _S485 : f32 = _S484 * _S484;
-        var _S486 : f32 = _S482 * _S478 * (1.0f - _S485) + _S485;
-        (*_S473)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S485 * _S484 / (_S486 * _S486));
-        family_10 = family_10 + i32(1);
+        var _S585 : f32 = _S580.z;
+        var _S586 : f32 = _S585 * _S585;
+        var _S587 : f32 = _S583 * _S579 * (1.0f - _S586) + _S586;
+        (*_S574)[i32(37) + family_16] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S586 * _S585 / (_S587 * _S587));
+        family_16 = family_16 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S487 : u32,  _S488 : u32,  _S489 : u32,  _S490 : vec3<f32>,  _S491 : vec3<f32>,  _S492 : bool,  _S493 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S588 : u32,  _S589 : u32,  _S590 : u32,  _S591 : vec3<f32>,  _S592 : vec3<f32>,  _S593 : bool,  _S594 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S494 : vec3<f32> = _S490 + _S491;
-    var _S495 : f32 = 1.0f / (square_0(_S494) + 0.00009999999747379f);
-    var _S496 : f32 = _S494.x;
-    var _S497 : f32 = select(_S496, - _S496, ((_S488 == u32(0)) & (_S492)));
-    var _S498 : f32 = _S494.y;
-    var _S499 : f32 = select(_S498, - _S498, ((_S488 == u32(1)) & (_S492)));
+    var _S595 : vec3<f32> = _S591 + _S592;
+    var _S596 : f32 = 1.0f / (square_0(_S595) + 0.00009999999747379f);
+    var _S597 : f32 = _S595.x;
+    var _S598 : f32 = select(_S597, - _S597, ((_S589 == u32(0)) & (_S593)));
+    var _S599 : f32 = _S595.y;
+    var _S600 : f32 = select(_S599, - _S599, ((_S589 == u32(1)) & (_S593)));
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
     for(;;)
@@ -2653,27 +2950,46 @@ fn mixed_bundles_0( _S487 : u32,  _S488 : u32,  _S489 : u32,  _S490 : vec3<f32>,
         {
             break;
         }
-        var _S500 : u32 = _S488 * u32(25);
-        var _S501 : u32 = fabrics_0[_S487].neural_0.bundles_0 + u32(4) * (_S500 + bundle_1);
-        var _S502 : f32 = dot(vec3<f32>(table_number_0(_S501), table_number_0(_S501 + u32(1)), table_number_0(_S501 + u32(2))), vec3<f32>(_S497, _S499, _S494.z));
-        var _S503 : f32 = _S502 * _S502 * _S495 + table_number_0(_S501 + u32(3));
-        var sum_3 : f32 = sum_2 + max((*_S493)[_S489 + _S500 + select(bundle_1, mirrored_bundle_0(bundle_1), _S492)], (*_S493)[_S489 + _S500 + select(bundle_1, mirrored_bundle_0(bundle_1), _S492)] * 0.00999999977648258f) / (_S503 * _S503);
+        var _S601 : u32 = _S589 * u32(25);
+        var _S602 : u32 = fabrics_0[_S588].neural_0.bundles_0 + u32(4) * (_S601 + bundle_1);
+        var _S603 : f32 = dot(vec3<f32>(table_number_0(_S602), table_number_0(_S602 + u32(1)), table_number_0(_S602 + u32(2))), vec3<f32>(_S598, _S600, _S595.z));
+        var _S604 : f32 = _S603 * _S603 * _S596 + table_number_0(_S602 + u32(3));
+        var sum_3 : f32 = sum_2 + max((*_S594)[_S590 + _S601 + select(bundle_1, mirrored_bundle_0(bundle_1), _S593)], (*_S594)[_S590 + _S601 + select(bundle_1, mirrored_bundle_0(bundle_1), _S593)] * 0.00999999977648258f) / (_S604 * _S604);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn neural_components_0( _S504 : u32,  _S505 : ptr<function, NeuralView_0>,  _S506 : vec3<f32>) -> Components_0
+fn with_shares_0( _S605 : u32,  _S606 : Components_0,  _S607 : Yarns_0) -> Components_0
 {
-    var _S507 : bool = (*_S505).back_5;
-    var _S508 : vec3<f32> = to_face_frame_0(_S506, (*_S505).back_5);
-    var _S509 : vec3<f32> = (*_S505).view_7;
+    if((fabrics_0[_S605].is_irregular_0) == u32(0))
+    {
+        return _S606;
+    }
+    var result_3 : Components_0;
+    var _S608 : f32 = min(_S606.hole_2 * _S607.shares_0.z, 1.0f);
+    result_3.hole_2 = _S608;
+    var _S609 : f32 = _S607.shares_0.x;
+    result_3.diffuse_warp_0 = _S606.diffuse_warp_0 * _S609;
+    var _S610 : f32 = _S607.shares_0.y;
+    result_3.diffuse_weft_0 = _S606.diffuse_weft_0 * _S610;
+    result_3.specular_warp_0 = _S606.specular_warp_0 * _S609;
+    result_3.specular_weft_0 = _S606.specular_weft_0 * _S610;
+    result_3.light_visibility_1 = _S606.light_visibility_1 * (1.0f - _S608) / max(1.0f - _S606.hole_2, 9.99999997475242708e-07f);
+    return result_3;
+}
+
+fn neural_components_0( _S611 : u32,  _S612 : ptr<function, NeuralView_0>,  _S613 : vec3<f32>) -> Components_0
+{
+    var _S614 : bool = (*_S612).back_5;
+    var _S615 : vec3<f32> = to_face_frame_0(_S613, (*_S612).back_5);
+    var _S616 : vec3<f32> = (*_S612).view_7;
     var weights_24 : HalfWeights_0;
-    var _S510 : Neural_std430_0 = fabrics_0[_S504].neural_0;
-    weights_24.first_2 = fabrics_0[_S504].neural_0.network_0;
+    var _S617 : Neural_std430_0 = fabrics_0[_S611].neural_0;
+    weights_24.first_2 = fabrics_0[_S611].neural_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S504, _S508, (*_S505).view_7, (*_S505).back_5, &(directions_0));
+    code_light_0(_S611, _S615, (*_S612).view_7, (*_S612).back_5, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -2685,7 +3001,7 @@ fn neural_components_0( _S504 : u32,  _S505 : ptr<function, NeuralView_0>,  _S50
         {
             break;
         }
-        skip_0[k_1] = (*_S505).sums_7[k_1];
+        skip_0[k_1] = (*_S612).sums_9[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
@@ -2745,27 +3061,27 @@ fn neural_components_0( _S504 : u32,  _S505 : ptr<function, NeuralView_0>,  _S50
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(7700), false, &(hidden_2), &(outputs_17));
-    var _S511 : bool;
-    if((_S510.is_corrected_0) != u32(0))
+    var _S618 : bool;
+    if((_S617.is_corrected_0) != u32(0))
     {
-        _S511 = (_S508.z) > 0.0f;
+        _S618 = (_S615.z) > 0.0f;
     }
     else
     {
-        _S511 = false;
+        _S618 = false;
     }
-    if(_S511)
+    if(_S618)
     {
-        _S511 = ((*_S505).correction_weight_0) > 0.0f;
+        _S618 = ((*_S612).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S511 = false;
+        _S618 = false;
     }
-    if(_S511)
+    if(_S618)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S510.correction_0;
+        fitted_0.first_0 = _S617.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -2778,116 +3094,116 @@ fn neural_components_0( _S504 : u32,  _S505 : ptr<function, NeuralView_0>,  _S50
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S505).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S612).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    var _S512 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S508.z) > 0.0f);
-    var result_2 : Components_0;
-    var _S513 : f32 = unmapped_0(outputs_17[i32(0)], _S512);
-    result_2.diffuse_warp_0 = _S513;
-    var _S514 : f32 = unmapped_0(outputs_17[i32(1)], _S512);
-    result_2.diffuse_weft_0 = _S514;
-    var _S515 : f32 = 2979.9580078125f * _S512;
-    var _S516 : f32 = mixed_bundles_0(_S504, u32(0), u32(2), _S508, _S509, _S507, &(outputs_17));
-    result_2.specular_warp_0 = clamp(_S516, 0.0f, _S515);
-    var _S517 : f32 = mixed_bundles_0(_S504, u32(1), u32(2), _S508, _S509, _S507, &(outputs_17));
-    result_2.specular_weft_0 = clamp(_S517, 0.0f, _S515);
-    result_2.hole_2 = (*_S505).hole_0;
-    result_2.light_visibility_1 = min(light_visibility_of_0(_S513 + _S514, _S508, _S509, fabrics_0[_S504].diffuse_blend_0), 1.0f - (*_S505).hole_0);
-    return result_2;
+    var _S619 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S615.z) > 0.0f);
+    var result_4 : Components_0;
+    var _S620 : f32 = unmapped_0(outputs_17[i32(0)], _S619);
+    result_4.diffuse_warp_0 = _S620;
+    var _S621 : f32 = unmapped_0(outputs_17[i32(1)], _S619);
+    result_4.diffuse_weft_0 = _S621;
+    var _S622 : f32 = 2979.9580078125f * _S619;
+    var _S623 : f32 = mixed_bundles_0(_S611, u32(0), u32(2), _S615, _S616, _S614, &(outputs_17));
+    result_4.specular_warp_0 = clamp(_S623, 0.0f, _S622);
+    var _S624 : f32 = mixed_bundles_0(_S611, u32(1), u32(2), _S615, _S616, _S614, &(outputs_17));
+    result_4.specular_weft_0 = clamp(_S624, 0.0f, _S622);
+    result_4.hole_2 = (*_S612).even_hole_0;
+    result_4.light_visibility_1 = min(light_visibility_of_0(_S620 + _S621, _S615, _S616, fabrics_0[_S611].diffuse_blend_0), 1.0f - (*_S612).even_hole_0);
+    return with_shares_0(_S611, result_4, (*_S612).yarns_0);
 }
 
-fn openness_number_0( _S518 : u32,  _S519 : u32) -> f32
+fn openness_number_0( _S625 : u32,  _S626 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S518].openness_0 + _S519);
+    return table_number_0(fabrics_0[_S625].openness_0 + _S626);
 }
 
-fn scattered_by_0( _S520 : u32,  _S521 : Albedos_0,  _S522 : u32,  _S523 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S627 : u32,  _S628 : Albedos_0,  _S629 : u32,  _S630 : vec3<f32>) -> Scattered_0
 {
-    var _S524 : u32 = u32(159) + u32(2) * _S522;
-    var yarn_1 : Scattered_0;
-    yarn_1.back_4 = _S523 * _S521.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S520, _S524)) * _S521.specular_reflect_0;
-    yarn_1.through_0 = _S523 * _S521.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S520, _S524 + u32(1))) * _S521.specular_transmit_0;
-    return yarn_1;
+    var _S631 : u32 = u32(159) + u32(2) * _S629;
+    var yarn_2 : Scattered_0;
+    yarn_2.back_4 = _S630 * _S628.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S627, _S631)) * _S628.specular_reflect_0;
+    yarn_2.through_0 = _S630 * _S628.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S627, _S631 + u32(1))) * _S628.specular_transmit_0;
+    return yarn_2;
 }
 
-fn sent_0( _S525 : u32,  _S526 : u32,  _S527 : vec3<f32>,  _S528 : vec3<f32>,  _S529 : vec3<f32>,  _S530 : vec3<f32>,  _S531 : ptr<function, vec3<f32>>,  _S532 : ptr<function, vec3<f32>>)
+fn sent_0( _S632 : u32,  _S633 : u32,  _S634 : vec3<f32>,  _S635 : vec3<f32>,  _S636 : vec3<f32>,  _S637 : vec3<f32>,  _S638 : ptr<function, vec3<f32>>,  _S639 : ptr<function, vec3<f32>>)
 {
-    var _S533 : u32 = u32(146) + u32(4) * _S526;
-    var _S534 : f32 = openness_number_0(_S525, _S533 + u32(1));
-    var _S535 : f32 = openness_number_0(_S525, _S533 + u32(2));
-    var _S536 : vec3<f32> = vec3<f32>(1.0f);
-    var _S537 : vec3<f32> = _S536 - _S529 * vec3<f32>(openness_number_0(_S525, _S533));
-    var _S538 : vec3<f32> = _S536 - _S530 * vec3<f32>(openness_number_0(_S525, _S533 + u32(3)));
-    var _S539 : vec3<f32> = _S536 / (_S537 * _S538 - _S529 * _S530 * vec3<f32>((_S534 * _S535)));
-    (*_S531) = (_S527 * _S538 + _S529 * vec3<f32>(_S534) * _S528) * _S539;
-    (*_S532) = (_S528 * _S537 + _S530 * vec3<f32>(_S535) * _S527) * _S539;
+    var _S640 : u32 = u32(146) + u32(4) * _S633;
+    var _S641 : f32 = openness_number_0(_S632, _S640 + u32(1));
+    var _S642 : f32 = openness_number_0(_S632, _S640 + u32(2));
+    var _S643 : vec3<f32> = vec3<f32>(1.0f);
+    var _S644 : vec3<f32> = _S643 - _S636 * vec3<f32>(openness_number_0(_S632, _S640));
+    var _S645 : vec3<f32> = _S643 - _S637 * vec3<f32>(openness_number_0(_S632, _S640 + u32(3)));
+    var _S646 : vec3<f32> = _S643 / (_S644 * _S645 - _S636 * _S637 * vec3<f32>((_S641 * _S642)));
+    (*_S638) = (_S634 * _S645 + _S636 * vec3<f32>(_S641) * _S635) * _S646;
+    (*_S639) = (_S635 * _S644 + _S637 * vec3<f32>(_S642) * _S634) * _S646;
     return;
 }
 
-fn face_sends_0( _S540 : u32,  _S541 : u32,  _S542 : Scattered_0,  _S543 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S647 : u32,  _S648 : u32,  _S649 : Scattered_0,  _S650 : Scattered_0) -> FaceSends_0
 {
-    var _S544 : u32 = u32(2) * _S541;
-    var _S545 : u32 = u32(142) + _S544;
-    var _S546 : f32 = openness_number_0(_S540, _S545);
-    var _S547 : f32 = openness_number_0(_S540, _S545 + u32(1));
-    var _S548 : vec3<f32> = vec3<f32>((1.0f - _S546)) * _S542.back_4;
-    var _S549 : vec3<f32> = vec3<f32>((1.0f - _S547)) * _S543.back_4;
+    var _S651 : u32 = u32(2) * _S648;
+    var _S652 : u32 = u32(142) + _S651;
+    var _S653 : f32 = openness_number_0(_S647, _S652);
+    var _S654 : f32 = openness_number_0(_S647, _S652 + u32(1));
+    var _S655 : vec3<f32> = vec3<f32>((1.0f - _S653)) * _S649.back_4;
+    var _S656 : vec3<f32> = vec3<f32>((1.0f - _S654)) * _S650.back_4;
     var sends_1 : FaceSends_0;
-    var _S550 : u32 = u32(154) + _S544;
-    var _S551 : f32 = openness_number_0(_S540, _S550);
-    sends_1.blocks_warp_0 = _S551;
-    var _S552 : f32 = openness_number_0(_S540, _S550 + u32(1));
-    sends_1.blocks_weft_0 = _S552;
-    sends_1.open_0 = _S551 * _S546 + _S552 * _S547;
-    var _S553 : vec3<f32> = vec3<f32>(_S546) * _S542.back_4;
-    var _S554 : vec3<f32> = vec3<f32>(_S547) * _S543.back_4;
-    var _S555 : vec3<f32> = sends_1.sky_warp_0;
-    var _S556 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S540, _S541, _S553, _S554, _S548, _S549, &(_S555), &(_S556));
-    sends_1.sky_warp_0 = _S555;
-    sends_1.sky_weft_0 = _S556;
-    var _S557 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S558 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S540, _S541, _S542.through_0, _S543.through_0, _S548, _S549, &(_S557), &(_S558));
-    sends_1.crossing_warp_0 = _S557;
-    sends_1.crossing_weft_0 = _S558;
+    var _S657 : u32 = u32(154) + _S651;
+    var _S658 : f32 = openness_number_0(_S647, _S657);
+    sends_1.blocks_warp_0 = _S658;
+    var _S659 : f32 = openness_number_0(_S647, _S657 + u32(1));
+    sends_1.blocks_weft_0 = _S659;
+    sends_1.open_0 = _S658 * _S653 + _S659 * _S654;
+    var _S660 : vec3<f32> = vec3<f32>(_S653) * _S649.back_4;
+    var _S661 : vec3<f32> = vec3<f32>(_S654) * _S650.back_4;
+    var _S662 : vec3<f32> = sends_1.sky_warp_0;
+    var _S663 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S647, _S648, _S660, _S661, _S655, _S656, &(_S662), &(_S663));
+    sends_1.sky_warp_0 = _S662;
+    sends_1.sky_weft_0 = _S663;
+    var _S664 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S665 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S647, _S648, _S649.through_0, _S650.through_0, _S655, _S656, &(_S664), &(_S665));
+    sends_1.crossing_warp_0 = _S664;
+    sends_1.crossing_weft_0 = _S665;
     return sends_1;
 }
 
-fn interior_of_0( _S559 : u32,  _S560 : vec3<f32>,  _S561 : bool) -> Interior_0
+fn interior_of_0( _S666 : u32,  _S667 : vec3<f32>,  _S668 : bool) -> Interior_0
 {
-    var _S562 : Scattered_0 = scattered_by_0(_S559, table_albedos_0(families_0[fabrics_0[_S559].warp_0].colour_mean_0), u32(0), _S560);
-    var _S563 : Scattered_0 = scattered_by_0(_S559, table_albedos_0(families_0[fabrics_0[_S559].weft_0].colour_mean_0), u32(1), _S560);
-    var _S564 : FaceSends_0 = face_sends_0(_S559, select(u32(0), u32(1), _S561), _S562, _S563);
-    var _S565 : FaceSends_0 = face_sends_0(_S559, select(u32(1), u32(0), _S561), _S562, _S563);
-    var _S566 : vec3<f32> = vec3<f32>(_S564.blocks_warp_0);
-    var _S567 : vec3<f32> = vec3<f32>(_S564.blocks_weft_0);
-    var _S568 : vec3<f32> = _S566 * _S564.crossing_warp_0 + _S567 * _S564.crossing_weft_0;
-    var _S569 : vec3<f32> = vec3<f32>(_S565.blocks_warp_0);
-    var _S570 : vec3<f32> = vec3<f32>(_S565.blocks_weft_0);
-    var _S571 : vec3<f32> = _S569 * _S565.crossing_warp_0 + _S570 * _S565.crossing_weft_0;
-    var _S572 : f32 = 1.0f - _S564.open_0;
-    var _S573 : f32 = 1.0f - _S565.open_0;
-    var _S574 : vec3<f32> = vec3<f32>(1.0f);
-    var _S575 : vec3<f32> = _S574 / (_S574 - _S568 * _S571 * vec3<f32>((_S572 * _S573)));
-    var _S576 : vec3<f32> = _S571 * (vec3<f32>(_S564.open_0) + vec3<f32>(_S572) * (_S566 * _S564.sky_warp_0 + _S567 * _S564.sky_weft_0)) * _S575;
-    var _S577 : vec3<f32> = _S568 * (vec3<f32>(_S565.open_0) + vec3<f32>(_S573) * (_S569 * _S565.sky_warp_0 + _S570 * _S565.sky_weft_0)) * _S575;
-    var _S578 : FaceRadiance_0 = face_radiance_0(_S564, _S565.open_0, _S576, _S577);
-    var _S579 : FaceRadiance_0 = face_radiance_0(_S565, _S564.open_0, _S577, _S576);
+    var _S669 : Scattered_0 = scattered_by_0(_S666, table_albedos_0(families_0[fabrics_0[_S666].warp_0].colour_mean_0), u32(0), _S667);
+    var _S670 : Scattered_0 = scattered_by_0(_S666, table_albedos_0(families_0[fabrics_0[_S666].weft_0].colour_mean_0), u32(1), _S667);
+    var _S671 : FaceSends_0 = face_sends_0(_S666, select(u32(0), u32(1), _S668), _S669, _S670);
+    var _S672 : FaceSends_0 = face_sends_0(_S666, select(u32(1), u32(0), _S668), _S669, _S670);
+    var _S673 : vec3<f32> = vec3<f32>(_S671.blocks_warp_0);
+    var _S674 : vec3<f32> = vec3<f32>(_S671.blocks_weft_0);
+    var _S675 : vec3<f32> = _S673 * _S671.crossing_warp_0 + _S674 * _S671.crossing_weft_0;
+    var _S676 : vec3<f32> = vec3<f32>(_S672.blocks_warp_0);
+    var _S677 : vec3<f32> = vec3<f32>(_S672.blocks_weft_0);
+    var _S678 : vec3<f32> = _S676 * _S672.crossing_warp_0 + _S677 * _S672.crossing_weft_0;
+    var _S679 : f32 = 1.0f - _S671.open_0;
+    var _S680 : f32 = 1.0f - _S672.open_0;
+    var _S681 : vec3<f32> = vec3<f32>(1.0f);
+    var _S682 : vec3<f32> = _S681 / (_S681 - _S675 * _S678 * vec3<f32>((_S679 * _S680)));
+    var _S683 : vec3<f32> = _S678 * (vec3<f32>(_S671.open_0) + vec3<f32>(_S679) * (_S673 * _S671.sky_warp_0 + _S674 * _S671.sky_weft_0)) * _S682;
+    var _S684 : vec3<f32> = _S675 * (vec3<f32>(_S672.open_0) + vec3<f32>(_S680) * (_S676 * _S672.sky_warp_0 + _S677 * _S672.sky_weft_0)) * _S682;
+    var _S685 : FaceRadiance_0 = face_radiance_0(_S671, _S672.open_0, _S683, _S684);
+    var _S686 : FaceRadiance_0 = face_radiance_0(_S672, _S671.open_0, _S684, _S683);
     var interior_1 : Interior_0;
-    interior_1.warp_3 = _S578.warp_2;
-    interior_1.weft_3 = _S578.weft_2;
-    interior_1.leaked_1 = _S578.leaked_0;
-    interior_1.far_1 = _S579.mean_1;
-    interior_1.far_leaked_0 = _S579.leaked_0;
+    interior_1.warp_5 = _S685.warp_4;
+    interior_1.weft_5 = _S685.weft_4;
+    interior_1.leaked_1 = _S685.leaked_0;
+    interior_1.far_1 = _S686.mean_1;
+    interior_1.far_leaked_0 = _S686.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S580 : u32,  _S581 : u32,  _S582 : array<f32, i32(6)>,  _S583 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S687 : u32,  _S688 : u32,  _S689 : array<f32, i32(6)>,  _S690 : u32) -> Blocked_0
 {
-    var shares_0 : array<f32, i32(3)>;
+    var shares_2 : array<f32, i32(3)>;
     var share_2 : u32 = u32(0);
     for(;;)
     {
@@ -2898,41 +3214,41 @@ fn blocked_of_terms_0( _S580 : u32,  _S581 : u32,  _S582 : array<f32, i32(6)>,  
         {
             break;
         }
-        shares_0[share_2] = 0.0f;
+        shares_2[share_2] = 0.0f;
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S583)
+            if(term_0 < _S690)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_2] = shares_0[share_2] + openness_number_0(_S580, _S581 + share_2 * _S583 + term_0) * _S582[term_0];
+            shares_2[share_2] = shares_2[share_2] + openness_number_0(_S687, _S688 + share_2 * _S690 + term_0) * _S689[term_0];
             term_0 = term_0 + u32(1);
         }
-        shares_0[share_2] = saturate(shares_0[share_2]);
+        shares_2[share_2] = saturate(shares_2[share_2]);
         share_2 = share_2 + u32(1);
     }
     var blocked_2 : Blocked_0;
-    blocked_2.by_warp_0 = shares_0[i32(0)] * shares_0[i32(2)];
-    blocked_2.by_weft_0 = shares_0[i32(0)] * (1.0f - shares_0[i32(2)]);
-    blocked_2.far_0 = shares_0[i32(1)];
+    blocked_2.by_warp_0 = shares_2[i32(0)] * shares_2[i32(2)];
+    blocked_2.by_weft_0 = shares_2[i32(0)] * (1.0f - shares_2[i32(2)]);
+    blocked_2.far_0 = shares_2[i32(1)];
     return blocked_2;
 }
 
-fn blocked_from_0( _S584 : u32,  _S585 : vec3<f32>,  _S586 : bool,  _S587 : bool) -> Blocked_0
+fn blocked_from_0( _S691 : u32,  _S692 : vec3<f32>,  _S693 : bool,  _S694 : bool) -> Blocked_0
 {
     var terms_2 : array<f32, i32(6)>;
-    view_terms_0(_S585, &(terms_2));
-    return blocked_of_terms_0(_S584, (select(u32(0), u32(2), _S587) + select(u32(1), u32(0), _S586)) * u32(15), terms_2, u32(5));
+    view_terms_0(_S692, &(terms_2));
+    return blocked_of_terms_0(_S691, (select(u32(0), u32(2), _S694) + select(u32(1), u32(0), _S693)) * u32(15), terms_2, u32(5));
 }
 
-fn warp_seen_from_0( _S588 : u32,  _S589 : vec3<f32>,  _S590 : bool) -> f32
+fn warp_seen_from_0( _S695 : u32,  _S696 : vec3<f32>,  _S697 : bool) -> f32
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_1(_S589, &(terms_3));
+    view_terms_1(_S696, &(terms_3));
     var term_1 : u32 = u32(0);
     var share_3 : f32 = 0.0f;
     for(;;)
@@ -2944,117 +3260,117 @@ fn warp_seen_from_0( _S588 : u32,  _S589 : vec3<f32>,  _S590 : bool) -> f32
         {
             break;
         }
-        var share_4 : f32 = share_3 + openness_number_0(_S588, u32(132) + select(u32(0), u32(5), _S590) + term_1) * terms_3[term_1];
+        var share_4 : f32 = share_3 + openness_number_0(_S695, u32(132) + select(u32(0), u32(5), _S697) + term_1) * terms_3[term_1];
         term_1 = term_1 + u32(1);
         share_3 = share_4;
     }
     return saturate(share_3);
 }
 
-fn bounced_of_families_0( _S591 : u32,  _S592 : FamilyAlbedos_0,  _S593 : vec3<f32>,  _S594 : Interior_0,  _S595 : Blocked_0,  _S596 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S698 : u32,  _S699 : FamilyAlbedos_0,  _S700 : vec3<f32>,  _S701 : Interior_0,  _S702 : Blocked_0,  _S703 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S595, scattered_by_0(_S591, _S592.warp_4, u32(0), _S593), _S594), bounced_by_0(_S596, scattered_by_0(_S591, _S592.weft_4, u32(1), _S593), _S594));
+    return sum_of_0(bounced_by_0(_S702, scattered_by_0(_S698, _S699.warp_6, u32(0), _S700), _S701), bounced_by_0(_S703, scattered_by_0(_S698, _S699.weft_6, u32(1), _S700), _S701));
 }
 
-fn bounced_far_0( _S597 : u32,  _S598 : FamilyAlbedos_0,  _S599 : vec3<f32>,  _S600 : Interior_0,  _S601 : vec3<f32>,  _S602 : bool,  _S603 : f32,  _S604 : f32,  _S605 : f32) -> Bounced_0
+fn bounced_far_0( _S704 : u32,  _S705 : FamilyAlbedos_0,  _S706 : vec3<f32>,  _S707 : Interior_0,  _S708 : vec3<f32>,  _S709 : bool,  _S710 : f32,  _S711 : f32,  _S712 : f32) -> Bounced_0
 {
-    var _S606 : Blocked_0 = blocked_from_0(_S597, _S601, true, _S602);
-    var _S607 : Blocked_0 = blocked_from_0(_S597, _S601, false, _S602);
-    var _S608 : f32 = _S603 / max(1.0f - _S606.by_warp_0 - _S606.by_weft_0, 0.10000000149011612f);
-    var _S609 : f32 = (0.0020000000949949f * warp_seen_from_0(_S597, _S601, _S602) + _S608) / (_S608 + _S604 / max(1.0f - _S607.by_warp_0 - _S607.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S610 : f32 = 1.0f - _S605;
-    return bounced_of_families_0(_S597, _S598, _S599, _S600, scaled_0(_S606, _S609 * _S610), scaled_0(_S607, (1.0f - _S609) * _S610));
+    var _S713 : Blocked_0 = blocked_from_0(_S704, _S708, true, _S709);
+    var _S714 : Blocked_0 = blocked_from_0(_S704, _S708, false, _S709);
+    var _S715 : f32 = _S710 / max(1.0f - _S713.by_warp_0 - _S713.by_weft_0, 0.10000000149011612f);
+    var _S716 : f32 = (0.0020000000949949f * warp_seen_from_0(_S704, _S708, _S709) + _S715) / (_S715 + _S711 / max(1.0f - _S714.by_warp_0 - _S714.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S717 : f32 = 1.0f - _S712;
+    return bounced_of_families_0(_S704, _S705, _S706, _S707, scaled_0(_S713, _S716 * _S717), scaled_0(_S714, (1.0f - _S716) * _S717));
 }
 
-fn bounced_over_0( _S611 : u32,  _S612 : Components_0,  _S613 : CloseUp_0,  _S614 : FamilyAlbedos_0,  _S615 : vec3<f32>,  _S616 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S718 : u32,  _S719 : Components_0,  _S720 : CloseUp_0,  _S721 : FamilyAlbedos_0,  _S722 : vec3<f32>,  _S723 : vec3<f32>) -> Bounced_0
 {
-    var _S617 : bool = (_S616.z) < 0.0f;
-    var _S618 : Interior_0 = interior_of_0(_S611, _S615, _S617);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S611, _S614, _S615, _S618, to_face_frame_0(_S616, _S617), _S617, _S612.diffuse_warp_0, _S612.diffuse_weft_0, _S612.hole_2);
-    if((_S613.weight_2) > 0.0f)
+    var _S724 : bool = (_S723.z) < 0.0f;
+    var _S725 : Interior_0 = interior_of_0(_S718, _S722, _S724);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S718, _S721, _S722, _S725, to_face_frame_0(_S723, _S724), _S724, _S719.diffuse_warp_0, _S719.diffuse_weft_0, _S719.hole_2);
+    if((_S720.weight_2) > 0.0f)
     {
-        var _S619 : Bounced_0 = bounced_of_families_0(_S611, _S614, _S615, _S618, _S613.warp_1, _S613.weft_1);
-        var _S620 : vec3<f32> = vec3<f32>(_S613.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S619.reflected_0, _S620);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S619.transmitted_0, _S620);
+        var _S726 : Bounced_0 = bounced_of_families_0(_S718, _S721, _S722, _S725, _S720.warp_3, _S720.weft_3);
+        var _S727 : vec3<f32> = vec3<f32>(_S720.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S726.reflected_0, _S727);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S726.transmitted_0, _S727);
     }
     return bounced_2;
 }
 
-fn composed_0( _S621 : u32,  _S622 : Components_0,  _S623 : CloseUp_0,  _S624 : FamilyAlbedos_0,  _S625 : vec3<f32>,  _S626 : vec3<f32>,  _S627 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S728 : u32,  _S729 : Components_0,  _S730 : CloseUp_0,  _S731 : FamilyAlbedos_0,  _S732 : vec3<f32>,  _S733 : vec3<f32>,  _S734 : vec3<f32>) -> vec3<f32>
 {
-    var _S628 : Albedos_0 = tinted_0(_S624.warp_4, _S625);
-    var _S629 : Albedos_0 = tinted_0(_S624.weft_4, _S625);
-    var _S630 : vec3<f32> = vec3<f32>(_S622.diffuse_warp_0);
-    var _S631 : vec3<f32> = vec3<f32>(_S622.diffuse_weft_0);
-    var _S632 : vec3<f32> = vec3<f32>(_S622.specular_warp_0);
-    var _S633 : vec3<f32> = vec3<f32>(_S622.specular_weft_0);
-    var _S634 : vec3<f32> = _S628.diffuse_reflect_0 * _S630 + _S629.diffuse_reflect_0 * _S631 + _S628.specular_reflect_0 * _S632 + _S629.specular_reflect_0 * _S633;
-    var _S635 : f32 = _S627.z;
+    var _S735 : Albedos_0 = tinted_0(_S731.warp_6, _S732);
+    var _S736 : Albedos_0 = tinted_0(_S731.weft_6, _S732);
+    var _S737 : vec3<f32> = vec3<f32>(_S729.diffuse_warp_0);
+    var _S738 : vec3<f32> = vec3<f32>(_S729.diffuse_weft_0);
+    var _S739 : vec3<f32> = vec3<f32>(_S729.specular_warp_0);
+    var _S740 : vec3<f32> = vec3<f32>(_S729.specular_weft_0);
+    var _S741 : vec3<f32> = _S735.diffuse_reflect_0 * _S737 + _S736.diffuse_reflect_0 * _S738 + _S735.specular_reflect_0 * _S739 + _S736.specular_reflect_0 * _S740;
+    var _S742 : f32 = _S734.z;
     var body_0 : vec3<f32>;
-    if((_S626.z * _S635) < 0.0f)
+    if((_S733.z * _S742) < 0.0f)
     {
-        body_0 = _S628.diffuse_transmit_0 * _S630 + _S629.diffuse_transmit_0 * _S631 + _S628.specular_transmit_0 * _S632 + _S629.specular_transmit_0 * _S633;
+        body_0 = _S735.diffuse_transmit_0 * _S737 + _S736.diffuse_transmit_0 * _S738 + _S735.specular_transmit_0 * _S739 + _S736.specular_transmit_0 * _S740;
     }
     else
     {
-        body_0 = _S634;
+        body_0 = _S741;
     }
-    if((fabrics_0[_S621].openness_0) != u32(4294967295))
+    if((fabrics_0[_S728].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S621, _S622, _S623, _S624, _S625, _S627), _S626, _S627);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S728, _S729, _S730, _S731, _S732, _S734), _S733, _S734);
     }
-    var _S636 : f32 = fabrics_0[_S621].sheen_strength_0;
-    if((fabrics_0[_S621].sheen_strength_0) <= 0.0f)
+    var _S743 : f32 = fabrics_0[_S728].sheen_strength_0;
+    if((fabrics_0[_S728].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S637 : bool = _S635 < 0.0f;
-    var _S638 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S626, _S637), to_face_frame_0(_S627, _S637), _S636, fabrics_0[_S621].sheen_roughness_0);
-    return vec3<f32>(_S638.y) * body_0 + vec3<f32>(((_S622.light_visibility_1 + _S622.hole_2) * _S638.x));
+    var _S744 : bool = _S742 < 0.0f;
+    var _S745 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S733, _S744), to_face_frame_0(_S734, _S744), _S743, fabrics_0[_S728].sheen_roughness_0);
+    return vec3<f32>(_S745.y) * body_0 + vec3<f32>(((_S729.light_visibility_1 + _S729.hole_2) * _S745.x));
 }
 
-fn light_of_neural_0( _S639 : u32,  _S640 : VisiblePoint_0,  _S641 : vec2<u32>,  _S642 : vec3<f32>) -> vec4<f32>
+fn light_of_neural_0( _S746 : u32,  _S747 : VisiblePoint_0,  _S748 : vec2<u32>,  _S749 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.centre_0 = _S640.draft_0;
-    footprint_1.dx_0 = _S640.draft_dx_0;
-    footprint_1.dy_0 = _S640.draft_dy_0;
-    var _S643 : vec3<f32> = to_local_0(_S640, _S640.view_0);
+    footprint_1.dx_0 = _S747.draft_dx_0;
+    footprint_1.dy_0 = _S747.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S746, _S747.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S750 : vec3<f32> = to_local_0(_S747, _S747.view_0);
     var activations_0 : NeuralView_0;
-    neural_view_0(_S639, footprint_1, _S643, &(activations_0));
-    var _S644 : f32 = _S643.z;
-    var _S645 : FamilyAlbedos_0 = albedos_over_0(_S639, footprint_1, _S644 < 0.0f);
-    var _S646 : vec3<f32> = vec3<f32>(0.0f);
-    var number_4 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S646;
+    neural_view_0(_S746, footprint_1, _S750, &(activations_0));
+    var _S751 : f32 = _S750.z;
+    var _S752 : FamilyAlbedos_0 = with_tones_0(_S746, albedos_over_0(_S746, footprint_1, _S751 < 0.0f), activations_0.yarns_0);
+    var _S753 : vec3<f32> = vec3<f32>(0.0f);
+    var number_8 : u32 = u32(0);
+    var radiance_1 : vec3<f32> = _S753;
     for(;;)
     {
-        if(number_4 < (light_sample_count_0()))
+        if(number_8 < (light_sample_count_0()))
         {
         }
         else
         {
             break;
         }
-        var _S647 : f32 = visibility_at_0(number_4, _S641);
-        if(_S647 <= 0.0f)
+        var _S754 : f32 = visibility_at_0(number_8, _S748);
+        if(_S754 <= 0.0f)
         {
-            number_4 = number_4 + u32(1);
+            number_8 = number_8 + u32(1);
             continue;
         }
-        var _S648 : LightSample_0 = light_sample_0(number_4, _S641, _S640.position_0);
-        var _S649 : vec3<f32> = to_local_0(_S640, _S648.towards_0);
-        var _S650 : Components_0 = neural_components_0(_S639, &(activations_0), _S649);
-        radiance_1 = radiance_1 + vec3<f32>(_S647) * _S648.irradiance_1 * composed_0(_S639, _S650, no_close_up_0(), _S645, _S642, _S649, _S643);
-        number_4 = number_4 + u32(1);
+        var _S755 : LightSample_0 = light_sample_0(number_8, _S748, _S747.position_4);
+        var _S756 : vec3<f32> = to_local_0(_S747, _S755.towards_0);
+        var _S757 : Components_0 = neural_components_0(_S746, &(activations_0), _S756);
+        radiance_1 = radiance_1 + vec3<f32>(_S754) * _S755.irradiance_1 * composed_0(_S746, _S757, no_close_up_0(), _S752, _S749, _S756, _S750);
+        number_8 = number_8 + u32(1);
     }
     var hole_3 : f32 = activations_0.hole_0;
-    var _S651 : f32 = fabrics_0[_S639].sheen_strength_0;
+    var _S758 : f32 = fabrics_0[_S746].sheen_strength_0;
     var hole_4 : f32;
-    if((fabrics_0[_S639].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S746].sheen_strength_0) > 0.0f)
     {
-        hole_4 = hole_3 * (1.0f - _S651 * sheen_lobe_0(abs(_S644), fabrics_0[_S639].sheen_roughness_0).z);
+        hole_4 = hole_3 * (1.0f - _S758 * sheen_lobe_0(abs(_S751), fabrics_0[_S746].sheen_roughness_0).z);
     }
     else
     {
@@ -3067,31 +3383,31 @@ fn light_of_neural_0( _S639 : u32,  _S640 : VisiblePoint_0,  _S641 : vec2<u32>, 
 @workgroup_size(8, 8, 1)
 fn shade_neural(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S652 : u32 = id_0.x;
-    var _S653 : bool;
-    if(_S652 >= (frame_record_0.width_0))
+    var _S759 : u32 = id_0.x;
+    var _S760 : bool;
+    if(_S759 >= (frame_record_0.width_0))
     {
-        _S653 = true;
+        _S760 = true;
     }
     else
     {
-        _S653 = (id_0.y) >= (frame_record_0.height_0);
+        _S760 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S653)
+    if(_S760)
     {
         return;
     }
-    var _S654 : u32 = id_0.y * frame_record_0.width_0 + _S652;
-    var _S655 : u32 = layers_0[_S654].face_0;
-    if((layers_0[_S654].face_0) == u32(0))
+    var _S761 : u32 = id_0.y * frame_record_0.width_0 + _S759;
+    var _S762 : u32 = layers_0[_S761].face_0;
+    if((layers_0[_S761].face_0) == u32(0))
     {
         return;
     }
-    var _S656 : u32 = _S655 - u32(1);
-    var _S657 : u32 = fabric_of_0(_S656);
-    var _S658 : vec2<u32> = id_0.xy;
-    var _S659 : VisiblePoint_0 = visible_point_0(_S657, _S656, _S658);
-    accumulate_0(_S654, light_of_neural_0(_S657, _S659, _S658, filtered_albedo_0(_S657, _S659)));
+    var _S763 : u32 = _S762 - u32(1);
+    var _S764 : u32 = fabric_of_0(_S763);
+    var _S765 : vec2<u32> = id_0.xy;
+    var _S766 : VisiblePoint_0 = visible_point_0(_S764, _S763, _S765);
+    accumulate_0(_S761, light_of_neural_0(_S764, _S766, _S765, filtered_albedo_0(_S764, _S766)));
     return;
 }
 
