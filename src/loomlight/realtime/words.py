@@ -352,8 +352,10 @@ def _pack_irregular(
         values = {"irregular_table": places[id(of_family)], "cover": cover}
         units = zip(("thickness", "cover", "tone", "nep"), of_family.units, strict=True)
         values |= {f"irregular_{quantity}": unit for quantity, unit in units}
-        channels = zip(("red", "green", "blue"), family.irregularity.nep_albedo, strict=True)
-        fill(record, values | {f"nep_{channel}": albedo for channel, albedo in channels})
+        if family.irregularity.neps > 0:
+            channels = zip(("red", "green", "blue"), family.irregularity.nep_albedo, strict=True)
+            values |= {f"nep_{channel}": albedo for channel, albedo in channels}
+        fill(record, values)
 
 
 def _pack_family(

@@ -24,7 +24,7 @@ footprint's mean, and cloth keeps the mean colour, families and holes of even cl
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 import drjit as dr
@@ -407,6 +407,11 @@ def deviation_of_lots(family: FamilyAppearance, colour_noise: float) -> float:
     return float(colour_noise / math.sqrt(3) * (1 + albedo) / (1 - albedo))
 
 
+def _to_digits(value: float) -> float:
+    """To three digits."""
+    return float(np.rint(1000 * value) / 1000)
+
+
 @lru_cache(maxsize=16)
 def _table(yarn: Irregularity, cover: float, of_lots: float) -> IrregularTable:
     return irregular_table(yarn, cover, of_lots)
@@ -438,8 +443,12 @@ class IrregularYarns:
         """Of warp and weft; the same one where their yarns are alike."""
         noise = self._appearance.variation.colour_noise
         warp, weft = (
-            # Cover and lots to three digits: families that differ less share a table.
-            _table(family.irregularity, round(cover, 3), round(deviation_of_lots(family, noise), 3))
+            # Families that differ in no more than thousandths, and the colour of neps, share a table.
+            _table(
+                replace(family.irregularity, nep_albedo=(0.0, 0.0, 0.0)),
+                _to_digits(cover),
+                _to_digits(deviation_of_lots(family, noise)),
+            )
             for family, cover in zip(self._yarns, self.covers, strict=True)
         )
         return warp, weft

@@ -1,6 +1,8 @@
 /** Albedos of one family, twelve numbers a thread: from colour, specular and translucency, or explicit. */
 import {
   InputError,
+  irregularityOf,
+  NEP_COLOUR,
   parseColour,
   ROUGHNESS,
   SPECULAR,
@@ -8,6 +10,7 @@ import {
   type Draft,
   type FabricFields,
   type FamilyName,
+  type Irregularity,
 } from "loomlight-fabric";
 
 import { ALBEDO_TOLERANCE, WHITE_SHARE } from "../generated.ts";
@@ -29,6 +32,9 @@ export interface FamilyAppearance {
   readonly layerBound: number;
   /** What the yarns show close up. */
   readonly detail: YarnDetail;
+  /** How they vary over millimetres to metres, and the diffuse albedo of neps; 0 without any. */
+  readonly irregularity: Irregularity;
+  readonly nepAlbedo: readonly [number, number, number];
 }
 
 /**
@@ -53,6 +59,7 @@ export function familyAppearance(
       ? yarnBound(opticalDepth)
       : clothBound(roughness, opticalDepth, openness.layers.slice(2 * number, 2 * number + 2));
   const albedosOf = (colour: number) => channelAlbedos(colour, strength, table.translucency ?? TRANSLUCENCY, bound);
+  const irregularity = irregularityOf(fields, family);
   let colours = draft[family].colors ?? new Float64Array(0);
   if (openness !== null && table.albedo === undefined)
     colours = coloursFor(colours, openness, number, albedosOf);
@@ -69,7 +76,15 @@ export function familyAppearance(
   });
   checkAlbedos(albedos, family, bound);
   const layerBound = boundInUse(bound, highlightsOf(albedos));
-  return { albedos, roughness, layerBound, detail: detailOf(table) };
+  const nepAlbedo: [number, number, number] = [0, 0, 0];
+  if (irregularity.neps > 0) {
+    // Knots so thick that no light goes through.
+    const knotOf = (colour: number) => channelAlbedos(colour, strength, 0, bound);
+    const shown = Float64Array.from(parseColour(table.nep_color ?? NEP_COLOUR, `${family}.nep_color`));
+    const knots = openness === null ? shown : coloursFor(shown, openness, number, knotOf);
+    knots.forEach((colour, channel) => (nepAlbedo[channel] = knotOf(colour)[0]));
+  }
+  return { albedos, roughness, layerBound, detail: detailOf(table), irregularity, nepAlbedo };
 }
 
 /** Albedo of the highlight of white threads at specular 1; see `scattering/albedo.py`. */

@@ -3,12 +3,10 @@ import {
   bendsOf,
   colouredDraft,
   DIFFUSE_BLEND,
-  FAMILIES,
   familySpacing,
   familyWidth,
   HEIGHT_SCALE,
   InputError,
-  irregularityOf,
   isIrregular,
   OPTICAL_DEPTH,
   SHEEN_ROUGHNESS,
@@ -55,6 +53,7 @@ export interface Appearance {
   readonly sheenStrength: number;
   readonly sheenRoughness: number;
   readonly fibreNoise: number;
+  /** Relative spread of the albedo from thread to thread. */
   readonly colourNoise: number;
   readonly seed: number;
   /** w, the share of the yarn normal in the blended diffuse term. */
@@ -96,7 +95,6 @@ export function lookOf(given: FabricFields, draft: Draft, known: Openness | null
   const openness = fields.interreflection === false ? null : known;
   if (known !== null) requireOpenness(known);
   const bends = bendsOf(coloured);
-  const isUneven = FAMILIES.some((family) => isIrregular(irregularityOf(fields, family)));
   return {
     layout: {
       ends: coloured.ends,
@@ -111,8 +109,7 @@ export function lookOf(given: FabricFields, draft: Draft, known: Openness | null
       sheenStrength: fields.sheen?.strength ?? SHEEN_STRENGTH,
       sheenRoughness: fields.sheen?.roughness ?? SHEEN_ROUGHNESS,
       fibreNoise: fields.variation?.fibre_noise ?? 0,
-      // Irregular yarns vary from thread to thread by their own process.
-      colourNoise: isUneven ? 0 : (fields.variation?.colour_noise ?? 0),
+      colourNoise: fields.variation?.colour_noise ?? 0,
       seed: fields.variation?.seed ?? 0,
       diffuseBlend: fields.diffuse_blend ?? DIFFUSE_BLEND,
       opticalDepth,
@@ -120,6 +117,11 @@ export function lookOf(given: FabricFields, draft: Draft, known: Openness | null
     },
     joint: known?.joint ?? null,
   };
+}
+
+/** Whether yarns vary along themselves, and from thread to thread by the same process. */
+export function hasIrregularYarns({ warp, weft }: Appearance): boolean {
+  return isIrregular(warp.irregularity) || isIrregular(weft.irregularity);
 }
 
 /** Width and height of the repeat, millimetres. */

@@ -15,7 +15,8 @@ import type { BakePlan } from "./bake_plan.ts";
 import { detailNumbers, isDetailed } from "./detail.ts";
 import { colourTables, type ColourTables } from "./footprint_albedos.ts";
 import { geometryOf, heightBounds, type Geometry } from "./geometry.ts";
-import { halfWidth, sizeOf, type ClothLayout, type FamilyLayout, type Look } from "./look.ts";
+import { coverOfThreads, deviationOfLots, irregularTable, type IrregularTable } from "./irregularity.ts";
+import { halfWidth, hasIrregularYarns, sizeOf, type ClothLayout, type FamilyLayout, type Look } from "./look.ts";
 import { pairwiseSum } from "./sums.ts";
 import { areAlike, finestOf, type FamilyTables } from "./threads.ts";
 
@@ -121,6 +122,7 @@ function packFabric(
   families.set(2 * number + 1, familyValues(table, weft, layout.weft, appearance.weft));
   families.set(2 * number, colourValues(table, warp, colours[0]));
   families.set(2 * number + 1, colourValues(table, weft, colours[1]));
+  const areIrregular = hasIrregularYarns(appearance);
   const [fineX, fineY] = geometry.finest;
   const [low, high] = heightBounds(geometry, layout);
   const meanHole = openShare(warp) * openShare(weft);
@@ -140,7 +142,8 @@ function packFabric(
     sheen_strength: appearance.sheenStrength,
     sheen_roughness: appearance.sheenRoughness,
     fibre_noise: appearance.fibreNoise,
-    colour_noise: appearance.colourNoise,
+    // Irregular yarns vary from thread to thread by their own process.
+    colour_noise: areIrregular ? 0 : appearance.colourNoise,
     seed: appearance.seed,
     layer_bound: Math.max(appearance.warp.layerBound, appearance.weft.layerBound),
     fibre_size: Math.min(fineX, fineY) / FIBRES_ACROSS,
@@ -149,6 +152,34 @@ function packFabric(
     openness: appearance.openness === null ? NO_OPENNESS : packOpenness(table, appearance.openness),
     mean_hole: meanHole,
     is_open: meanHole > MIN_OPEN_SHARE ? 1 : 0,
+    is_irregular: areIrregular ? 1 : 0,
+    warp_on_top: pairwiseSum(layout.warpOnTop) / layout.warpOnTop.length,
+  });
+  if (areIrregular)
+    irregularValues(table, [warp, weft], appearance).forEach((values, family) => families.set(2 * number + family, values));
+}
+
+/** How the yarns of both families vary; families that vary alike share a table. */
+function irregularValues(table: WordTable, threads: readonly FamilyTables[], appearance: Look["appearance"]): Values[] {
+  const first = new Map<IrregularTable, number>();
+  return [appearance.warp, appearance.weft].map(({ irregularity, albedos, nepAlbedo }, family) => {
+    const cover = coverOfThreads(threads[family]!);
+    const own = irregularTable(irregularity, cover, deviationOfLots(albedos, appearance.colourNoise));
+    const place = first.get(own) ?? table.addWords(own.integrals);
+    first.set(own, place);
+    const [thickness, ofCover, tone, nep] = own.units;
+    const [red, green, blue] = nepAlbedo;
+    return {
+      irregular_table: place,
+      irregular_thickness: thickness,
+      irregular_cover: ofCover,
+      irregular_tone: tone,
+      irregular_nep: nep,
+      cover,
+      nep_red: red,
+      nep_green: green,
+      nep_blue: blue,
+    };
   });
 }
 
