@@ -269,15 +269,32 @@ const tableOf = remembered(
   ): IrregularTable => {
     const thickness = thicknessOf(massCv, fibreLength, thickPlaces, thickLength, thickSize);
     const process = [thickness, coverOf(thickness, cover), toneOf(shade, melange, lots), nepOf(neps, nepLength)];
-    const integrals = new Uint32Array((ROWS + BLOCK + 1) * SAMPLES * QUANTITIES);
-    const units = process.map((rows, quantity) => integrate(rows, quantity, integrals));
-    return { integrals, units: units as [number, number, number, number] };
+    const integrals = new Int32Array((ROWS + BLOCK + 1) * SAMPLES * QUANTITIES);
+    const units = process.map((rows, quantity) => {
+      const { sums, unit } = integralsOf(rows);
+      // The first row is 0.
+      for (let at = 0; at < sums.length; at++) integrals[(SAMPLES + at) * QUANTITIES + quantity] = sums[at]!;
+      return unit;
+    });
+    return { integrals: new Uint32Array(integrals.buffer), units: units as [number, number, number, number] };
   },
 );
 
-/** Writes the integrals of a quantity [ROWS, SAMPLES]; what the integer 1 of them stands for. */
-function integrate(rows: Float64Array, quantity: number, integrals: Uint32Array): number {
-  const sums = new Float64Array((ROWS + BLOCK) * SAMPLES);
+/** Integrals of a quantity over threads and steps before [ROWS + BLOCK, SAMPLES], in units. */
+interface Integrals {
+  readonly sums: Int32Array;
+  readonly unit: number;
+}
+
+// Of the processes that are remembered.
+const integralsKnown = new WeakMap<Float64Array, Integrals>();
+// Numbers beyond which doubles are whole: adding it rounds as `rint` does, and quickly.
+const WHOLE = 1.5 * 2 ** 52;
+
+function integralsOf(rows: Float64Array): Integrals {
+  const known = integralsKnown.get(rows);
+  if (known !== undefined) return known;
+  const exact = new Float64Array((ROWS + BLOCK) * SAMPLES);
   const before = new Float64Array(SAMPLES);
   let most = 1e-12;
   for (let row = 0; row < ROWS + BLOCK; row++) {
@@ -286,15 +303,18 @@ function integrate(rows: Float64Array, quantity: number, integrals: Uint32Array)
     let sum = 0;
     for (let column = 0; column < SAMPLES; column++) {
       // Each row is 0 in all, so the integral at the ring's end is that at its beginning.
-      sums[row * SAMPLES + column] = sum;
+      exact[row * SAMPLES + column] = sum;
       most = Math.max(most, Math.abs(sum));
       before[column]! += rows[from + column]!;
       sum += before[column]!;
     }
   }
   const unit = most / IRREGULAR_LARGEST_INTEGRAL;
-  for (let at = 0; at < sums.length; at++) integrals[(SAMPLES + at) * QUANTITIES + quantity] = rint(sums[at]! / unit);
-  return unit;
+  const sums = new Int32Array(exact.length);
+  for (let at = 0; at < exact.length; at++) sums[at] = exact[at]! / unit + WHOLE - WHOLE;
+  const found = { sums, unit };
+  integralsKnown.set(rows, found);
+  return found;
 }
 
 /** Mean share of a cell that the yarns of a family cover. */
