@@ -1687,38 +1687,31 @@ fn irregular_key_0( _S367 : u32,  _S368 : u32) -> u32
 
 fn irregular_place_0( _S369 : u32,  _S370 : vec2<f32>,  _S371 : f32) -> vec2<f32>
 {
-    if((fabrics_0[_S369].is_irregular_0) == u32(0))
-    {
-        return _S370;
-    }
+    var _S372 : u32 = fabrics_0[_S369].warp_0;
+    var _S373 : u32 = fabrics_0[_S369].weft_0;
+    var _S374 : bool = (((fabrics_0[_S369].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S369].warp_0, _S371), moved_share_0(fabrics_0[_S369].weft_0, _S371))) > 0.0f)));
     var number_5 : u32 = u32(0);
     var moved_0 : vec2<f32> = _S370;
     for(;;)
     {
-        if(number_5 < u32(2))
+        if(number_5 < select(u32(0), u32(2), _S374))
         {
         }
         else
         {
             break;
         }
-        var _S372 : bool = number_5 == u32(0);
-        var _S373 : u32 = select(fabrics_0[_S369].weft_0, fabrics_0[_S369].warp_0, _S372);
-        var _S374 : vec2<f32> = select_vector_1(_S372, _S370, _S370.yx);
-        var _S375 : f32 = moved_share_0(_S373, _S371);
-        if(_S375 <= 0.0f)
-        {
-            number_5 = number_5 + u32(1);
-            continue;
-        }
-        var _S376 : u32 = irregular_key_0(_S369, number_5);
-        var _S377 : f32 = _S374.x;
-        var _S378 : Cell_0 = locate_0(_S373, _S377);
-        var _S379 : f32 = irregular_thread_0(_S373, _S377, _S378);
-        var _S380 : f32 = select(1.0f, -1.0f, (_S378.across_0) < 0.0f);
-        var _S381 : vec2<f32> = vec2<f32>(0.0f);
-        var other_1 : vec2<f32> = _S381;
-        var own_1 : vec2<f32> = _S381;
+        var _S375 : bool = number_5 == u32(0);
+        var _S376 : u32 = select(_S373, _S372, _S375);
+        var _S377 : vec2<f32> = select_vector_1(_S375, _S370, _S370.yx);
+        var _S378 : u32 = irregular_key_0(_S369, number_5);
+        var _S379 : f32 = _S377.x;
+        var _S380 : Cell_0 = locate_0(_S376, _S379);
+        var _S381 : f32 = irregular_thread_0(_S376, _S379, _S380);
+        var _S382 : f32 = select(1.0f, -1.0f, (_S380.across_0) < 0.0f);
+        var _S383 : vec2<f32> = vec2<f32>(0.0f);
+        var other_1 : vec2<f32> = _S383;
+        var own_1 : vec2<f32> = _S383;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -1729,24 +1722,25 @@ fn irregular_place_0( _S369 : u32,  _S370 : vec2<f32>,  _S371 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S382 : vec2<f32> = irregular_at_0(_S373, _S376, _S379 + _S380 * f32(neighbour_0), _S374.y).xy;
-            var _S383 : u32 = neighbour_0 + u32(1);
+            var _S384 : vec2<f32> = irregular_at_0(_S376, _S378, _S381 + _S382 * f32(neighbour_0), _S377.y).xy;
+            var _S385 : u32 = neighbour_0 + u32(1);
             own_1 = other_1;
-            other_1 = _S382;
-            neighbour_0 = _S383;
+            other_1 = _S384;
+            neighbour_0 = _S385;
         }
-        var _S384 : f32 = _S378.below_0 + _S378.above_0;
-        var _S385 : f32 = min(_S378.half_width_1 / _S384, 0.5f);
-        var _S386 : f32 = min(_S385 * (2.0f + own_1.y + other_1.y), 1.0f);
-        var _S387 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
-        var _S388 : f32 = _S387.x;
-        var _S389 : f32 = _S386 * _S388 / (_S388 + _S387.y);
-        var _S390 : f32 = abs(_S378.across_0) / _S384;
-        var _S391 : f32 = 1.0f - _S386;
-        var _S392 : f32 = _S390 - _S389;
-        var _S393 : f32 = _S375 * _S380 * _S384 * (select(select((_S392 - _S391) / max(_S386 - _S389, 9.99999997475242708e-07f) * _S385 + (1.0f - _S385), _S392 / max(_S391, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S385) + _S385, _S392 < _S391), _S390 * _S385 / _S389, _S392 < 0.0f) - _S390);
-        moved_0 = moved_0 + select_vector_1(_S372, vec2<f32>(_S393, 0.0f), vec2<f32>(0.0f, _S393));
+        var _S386 : f32 = _S380.below_0 + _S380.above_0;
+        var _S387 : f32 = min(_S380.half_width_1 / _S386, 0.5f);
+        var _S388 : f32 = min(_S387 * (2.0f + own_1.y + other_1.y), 1.0f);
+        var _S389 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
+        var _S390 : f32 = _S389.x;
+        var _S391 : f32 = _S388 * _S390 / (_S390 + _S389.y);
+        var _S392 : f32 = abs(_S380.across_0) / _S386;
+        var _S393 : f32 = 1.0f - _S388;
+        var _S394 : f32 = _S392 - _S391;
+        var _S395 : f32 = moved_share_0(_S376, _S371) * _S382 * _S386 * (select(select((_S394 - _S393) / max(_S388 - _S391, 9.99999997475242708e-07f) * _S387 + (1.0f - _S387), _S394 / max(_S393, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S387) + _S387, _S394 < _S393), _S392 * _S387 / _S391, _S394 < 0.0f) - _S392);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S375, vec2<f32>(_S395, 0.0f), vec2<f32>(0.0f, _S395));
         number_5 = number_5 + u32(1);
+        moved_0 = moved_1;
     }
     return moved_0;
 }
@@ -1762,56 +1756,56 @@ struct ClusteredView_0
      view_7 : vec3<f32>,
 };
 
-fn viewed_base_0( _S394 : u32,  _S395 : Footprint_0,  _S396 : vec3<f32>,  _S397 : f32) -> ViewedBase_0
+fn viewed_base_0( _S396 : u32,  _S397 : Footprint_0,  _S398 : vec3<f32>,  _S399 : f32) -> ViewedBase_0
 {
     var seen_1 : ViewedBase_0;
-    var _S398 : bool = (_S396.z) < 0.0f;
-    seen_1.back_5 = _S398;
-    var _S399 : vec3<f32> = to_face_frame_0(_S396, _S398);
-    seen_1.view_3 = _S399;
-    var _S400 : u32 = select(u32(0), u32(1), _S398);
-    seen_1.face_6 = _S400;
-    var _S401 : Clustered_std430_0 = fabrics_0[_S394].clustered_0;
-    var _S402 : f32 = _S397 - 0.5f;
-    var _S403 : TexelBox_0 = texel_box_0(&(_S401), _S395, vec2<f32>(0.0f), _S402);
-    var _S404 : vec2<f32> = parallax_offset_0(&(_S401), _S403, _S400, _S399);
-    var _S405 : TexelBox_0 = texel_box_0(&(_S401), _S395, _S404, _S402);
-    seen_1.box_5 = _S405;
+    var _S400 : bool = (_S398.z) < 0.0f;
+    seen_1.back_5 = _S400;
+    var _S401 : vec3<f32> = to_face_frame_0(_S398, _S400);
+    seen_1.view_3 = _S401;
+    var _S402 : u32 = select(u32(0), u32(1), _S400);
+    seen_1.face_6 = _S402;
+    var _S403 : Clustered_std430_0 = fabrics_0[_S396].clustered_0;
+    var _S404 : f32 = _S399 - 0.5f;
+    var _S405 : TexelBox_0 = texel_box_0(&(_S403), _S397, vec2<f32>(0.0f), _S404);
+    var _S406 : vec2<f32> = parallax_offset_0(&(_S403), _S405, _S402, _S401);
+    var _S407 : TexelBox_0 = texel_box_0(&(_S403), _S397, _S406, _S404);
+    seen_1.box_5 = _S407;
     return seen_1;
 }
 
-fn texel_hole_0( _S406 : u32,  _S407 : ViewedBase_0) -> f32
+fn texel_hole_0( _S408 : u32,  _S409 : ViewedBase_0) -> f32
 {
     var cluster_0 : u32 = u32(0);
     var covered_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S408 : Clustered_std430_0 = fabrics_0[_S406].clustered_0;
-        if(cluster_0 < (_S408.clusters_0))
+        var _S410 : Clustered_std430_0 = fabrics_0[_S408].clustered_0;
+        if(cluster_0 < (_S410.clusters_0))
         {
         }
         else
         {
             break;
         }
-        var _S409 : f32 = box_mean_0(&(_S408), _S407.box_5, _S407.face_6, cluster_0);
-        var covered_1 : f32 = covered_0 + _S409;
+        var _S411 : f32 = box_mean_0(&(_S410), _S409.box_5, _S409.face_6, cluster_0);
+        var covered_1 : f32 = covered_0 + _S411;
         cluster_0 = cluster_0 + u32(1);
         covered_0 = covered_1;
     }
     return clamp(1.0f - covered_0, 0.0f, 1.0f);
 }
 
-fn yarns_over_0( _S410 : u32,  _S411 : Footprint_0,  _S412 : bool) -> Yarns_0
+fn yarns_over_0( _S412 : u32,  _S413 : Footprint_0,  _S414 : bool) -> Yarns_0
 {
-    var _S413 : vec2<f32> = _S411.dx_0;
-    var _S414 : vec2<f32> = _S411.dy_0;
-    var _S415 : vec2<f32> = sqrt(_S413 * _S413 + _S414 * _S414);
-    var _S416 : f32 = Footprint_spread_side_0(_S411);
-    var _S417 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S417, _S417, vec3<f32>(0.0f));
+    var _S415 : vec2<f32> = _S413.dx_0;
+    var _S416 : vec2<f32> = _S413.dy_0;
+    var _S417 : vec2<f32> = sqrt(_S415 * _S415 + _S416 * _S416);
+    var _S418 : f32 = Footprint_spread_side_0(_S413);
+    var _S419 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S419, _S419, vec3<f32>(0.0f));
     yarns_1.shares_0 = vec3<f32>(1.0f);
-    if((fabrics_0[_S410].is_irregular_0) == u32(0))
+    if((fabrics_0[_S412].is_irregular_0) == u32(0))
     {
         return yarns_1;
     }
@@ -1825,159 +1819,159 @@ fn yarns_over_0( _S410 : u32,  _S411 : Footprint_0,  _S412 : bool) -> Yarns_0
         {
             break;
         }
-        var _S418 : bool = number_6 == u32(0);
-        var _S419 : u32 = select(fabrics_0[_S410].weft_0, fabrics_0[_S410].warp_0, _S418);
-        var _S420 : vec2<f32> = select_vector_1(_S418, _S411.centre_0, _S411.centre_0.yx);
-        var _S421 : vec2<f32> = select_vector_1(_S418, _S415, _S415.yx);
-        var _S422 : f32 = _S420.x;
-        var _S423 : Cell_0 = locate_0(_S419, _S422);
-        var yarn_1 : vec4<f32> = irregular_over_0(_S419, irregular_key_0(_S410, number_6), irregular_thread_0(_S419, _S422, _S423) + _S423.below_0 / (_S423.below_0 + _S423.above_0), _S421.x * (families_0[_S419].count_0 / families_0[_S419].period_0), _S420.y, _S421.y);
-        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S419, _S416));
+        var _S420 : bool = number_6 == u32(0);
+        var _S421 : u32 = select(fabrics_0[_S412].weft_0, fabrics_0[_S412].warp_0, _S420);
+        var _S422 : vec2<f32> = select_vector_1(_S420, _S413.centre_0, _S413.centre_0.yx);
+        var _S423 : vec2<f32> = select_vector_1(_S420, _S417, _S417.yx);
+        var _S424 : f32 = _S422.x;
+        var _S425 : Cell_0 = locate_0(_S421, _S424);
+        var yarn_1 : vec4<f32> = irregular_over_0(_S421, irregular_key_0(_S412, number_6), irregular_thread_0(_S421, _S424, _S425) + _S425.below_0 / (_S425.below_0 + _S425.above_0), _S423.x * (families_0[_S421].count_0 / families_0[_S421].period_0), _S422.y, _S423.y);
+        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S421, _S418));
         yarns_1.warp_1 = yarns_1.weft_1;
         yarns_1.weft_1 = yarn_1;
         number_6 = number_6 + u32(1);
     }
-    var _S424 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S410].warp_0].cover_0, families_0[fabrics_0[_S410].weft_0].cover_0);
-    var _S425 : f32 = select(fabrics_0[_S410].warp_on_top_0, 1.0f - fabrics_0[_S410].warp_on_top_0, _S412);
-    var _S426 : vec3<f32> = shown_of_covers_0(_S424, _S425);
-    var _S427 : vec3<f32> = shown_of_covers_0(saturate(_S424 + _S424 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S425) / max(_S426, vec3<f32>(0.00009999999747379f));
-    yarns_1.shares_0 = _S427;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S427.z, (_S426.z) > 0.00009999999747379f);
+    var _S426 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S412].warp_0].cover_0, families_0[fabrics_0[_S412].weft_0].cover_0);
+    var _S427 : f32 = select(fabrics_0[_S412].warp_on_top_0, 1.0f - fabrics_0[_S412].warp_on_top_0, _S414);
+    var _S428 : vec3<f32> = shown_of_covers_0(_S426, _S427);
+    var _S429 : vec3<f32> = shown_of_covers_0(saturate(_S426 + _S426 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S427) / max(_S428, vec3<f32>(0.00009999999747379f));
+    yarns_1.shares_0 = _S429;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S429.z, (_S428.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn albedos_over_0( _S428 : u32,  _S429 : Footprint_0,  _S430 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S430 : u32,  _S431 : Footprint_0,  _S432 : bool) -> FamilyAlbedos_0
 {
-    var _S431 : vec2<f32> = _S429.dx_0;
-    var _S432 : vec2<f32> = _S429.dy_0;
-    var _S433 : vec2<f32> = sqrt(_S431 * _S431 + _S432 * _S432);
-    var _S434 : Stretch_0 = stretch_of_0(fabrics_0[_S428].warp_0, _S429.centre_0.x, _S433.x);
-    var _S435 : Stretch_0 = stretch_of_0(fabrics_0[_S428].weft_0, _S429.centre_0.y, _S433.y);
+    var _S433 : vec2<f32> = _S431.dx_0;
+    var _S434 : vec2<f32> = _S431.dy_0;
+    var _S435 : vec2<f32> = sqrt(_S433 * _S433 + _S434 * _S434);
+    var _S436 : Stretch_0 = stretch_of_0(fabrics_0[_S430].warp_0, _S431.centre_0.x, _S435.x);
+    var _S437 : Stretch_0 = stretch_of_0(fabrics_0[_S430].weft_0, _S431.centre_0.y, _S435.y);
     var albedos_6 : FamilyAlbedos_0;
-    albedos_6.warp_5 = mean_albedos_0(fabrics_0[_S428].warp_0, fabrics_0[_S428].weft_0, _S434, _S435, _S430);
-    albedos_6.weft_5 = mean_albedos_0(fabrics_0[_S428].weft_0, fabrics_0[_S428].warp_0, _S435, _S434, _S430);
+    albedos_6.warp_5 = mean_albedos_0(fabrics_0[_S430].warp_0, fabrics_0[_S430].weft_0, _S436, _S437, _S432);
+    albedos_6.weft_5 = mean_albedos_0(fabrics_0[_S430].weft_0, fabrics_0[_S430].warp_0, _S437, _S436, _S432);
     return albedos_6;
 }
 
-fn toned_0( _S436 : u32,  _S437 : u32,  _S438 : Albedos_0,  _S439 : vec4<f32>) -> Albedos_0
+fn toned_0( _S438 : u32,  _S439 : u32,  _S440 : Albedos_0,  _S441 : vec4<f32>) -> Albedos_0
 {
-    var _S440 : vec3<f32> = _S438.diffuse_reflect_0 + _S438.diffuse_transmit_0;
-    var _S441 : vec3<f32> = vec3<f32>(1.0f);
-    var _S442 : vec3<f32> = _S441 - vec3<f32>(fabrics_0[_S436].layer_bound_0) * max(_S438.specular_reflect_0, _S438.specular_transmit_0);
-    var _S443 : vec3<f32> = vec3<f32>(0.0f);
-    var _S444 : vec3<f32> = max(_S441 - _S440, _S443) / (_S441 + _S440);
-    var _S445 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S446 : vec3<f32> = (_S442 / max(_S440, _S445) - _S441) / max(vec3<f32>(0.89999997615814209f) * _S444, _S445);
-    var _S447 : vec3<f32> = _S441 - vec3<f32>((saturate(min(min(_S446.x, _S446.y), _S446.z)) * _S439.z)) * _S444;
-    var _S448 : vec3<f32> = min(vec3<f32>(families_0[_S437].nep_red_0, families_0[_S437].nep_green_0, families_0[_S437].nep_blue_0), _S442);
-    var found_1 : Albedos_0 = _S438;
-    var _S449 : f32 = _S439.w;
-    var _S450 : vec3<f32> = _S447 * _S438.diffuse_transmit_0 * vec3<f32>((1.0f - _S449));
-    found_1.diffuse_transmit_0 = _S450;
-    found_1.diffuse_reflect_0 = clamp(mix(_S447 * _S438.diffuse_reflect_0, _S448, vec3<f32>(_S449)), _S443, max(_S442 - _S450, _S443));
+    var _S442 : vec3<f32> = _S440.diffuse_reflect_0 + _S440.diffuse_transmit_0;
+    var _S443 : vec3<f32> = vec3<f32>(1.0f);
+    var _S444 : vec3<f32> = _S443 - vec3<f32>(fabrics_0[_S438].layer_bound_0) * max(_S440.specular_reflect_0, _S440.specular_transmit_0);
+    var _S445 : vec3<f32> = vec3<f32>(0.0f);
+    var _S446 : vec3<f32> = max(_S443 - _S442, _S445) / (_S443 + _S442);
+    var _S447 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S448 : vec3<f32> = (_S444 / max(_S442, _S447) - _S443) / max(vec3<f32>(0.89999997615814209f) * _S446, _S447);
+    var _S449 : vec3<f32> = _S443 - vec3<f32>((saturate(min(min(_S448.x, _S448.y), _S448.z)) * _S441.z)) * _S446;
+    var _S450 : vec3<f32> = min(vec3<f32>(families_0[_S439].nep_red_0, families_0[_S439].nep_green_0, families_0[_S439].nep_blue_0), _S444);
+    var found_1 : Albedos_0 = _S440;
+    var _S451 : f32 = _S441.w;
+    var _S452 : vec3<f32> = _S449 * _S440.diffuse_transmit_0 * vec3<f32>((1.0f - _S451));
+    found_1.diffuse_transmit_0 = _S452;
+    found_1.diffuse_reflect_0 = clamp(mix(_S449 * _S440.diffuse_reflect_0, _S450, vec3<f32>(_S451)), _S445, max(_S444 - _S452, _S445));
     return found_1;
 }
 
-fn with_tones_0( _S451 : u32,  _S452 : FamilyAlbedos_0,  _S453 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S453 : u32,  _S454 : FamilyAlbedos_0,  _S455 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S451].is_irregular_0) == u32(0))
+    if((fabrics_0[_S453].is_irregular_0) == u32(0))
     {
-        return _S452;
+        return _S454;
     }
     var result_3 : FamilyAlbedos_0;
-    result_3.warp_5 = toned_0(_S451, fabrics_0[_S451].warp_0, _S452.warp_5, _S453.warp_1);
-    result_3.weft_5 = toned_0(_S451, fabrics_0[_S451].weft_0, _S452.weft_5, _S453.weft_1);
+    result_3.warp_5 = toned_0(_S453, fabrics_0[_S453].warp_0, _S454.warp_5, _S455.warp_1);
+    result_3.weft_5 = toned_0(_S453, fabrics_0[_S453].weft_0, _S454.weft_5, _S455.weft_1);
     return result_3;
 }
 
-fn openness_number_0( _S454 : u32,  _S455 : u32) -> f32
+fn openness_number_0( _S456 : u32,  _S457 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S454].openness_0 + _S455);
+    return table_number_0(fabrics_0[_S456].openness_0 + _S457);
 }
 
-fn scattered_by_0( _S456 : u32,  _S457 : Albedos_0,  _S458 : u32,  _S459 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S458 : u32,  _S459 : Albedos_0,  _S460 : u32,  _S461 : vec3<f32>) -> Scattered_0
 {
-    var _S460 : u32 = u32(159) + u32(2) * _S458;
+    var _S462 : u32 = u32(159) + u32(2) * _S460;
     var yarn_2 : Scattered_0;
-    yarn_2.back_4 = _S459 * _S457.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S456, _S460)) * _S457.specular_reflect_0;
-    yarn_2.through_0 = _S459 * _S457.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S456, _S460 + u32(1))) * _S457.specular_transmit_0;
+    yarn_2.back_4 = _S461 * _S459.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S458, _S462)) * _S459.specular_reflect_0;
+    yarn_2.through_0 = _S461 * _S459.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S458, _S462 + u32(1))) * _S459.specular_transmit_0;
     return yarn_2;
 }
 
-fn sent_0( _S461 : u32,  _S462 : u32,  _S463 : vec3<f32>,  _S464 : vec3<f32>,  _S465 : vec3<f32>,  _S466 : vec3<f32>,  _S467 : ptr<function, vec3<f32>>,  _S468 : ptr<function, vec3<f32>>)
+fn sent_0( _S463 : u32,  _S464 : u32,  _S465 : vec3<f32>,  _S466 : vec3<f32>,  _S467 : vec3<f32>,  _S468 : vec3<f32>,  _S469 : ptr<function, vec3<f32>>,  _S470 : ptr<function, vec3<f32>>)
 {
-    var _S469 : u32 = u32(146) + u32(4) * _S462;
-    var _S470 : f32 = openness_number_0(_S461, _S469 + u32(1));
-    var _S471 : f32 = openness_number_0(_S461, _S469 + u32(2));
-    var _S472 : vec3<f32> = vec3<f32>(1.0f);
-    var _S473 : vec3<f32> = _S472 - _S465 * vec3<f32>(openness_number_0(_S461, _S469));
-    var _S474 : vec3<f32> = _S472 - _S466 * vec3<f32>(openness_number_0(_S461, _S469 + u32(3)));
-    var _S475 : vec3<f32> = _S472 / (_S473 * _S474 - _S465 * _S466 * vec3<f32>((_S470 * _S471)));
-    (*_S467) = (_S463 * _S474 + _S465 * vec3<f32>(_S470) * _S464) * _S475;
-    (*_S468) = (_S464 * _S473 + _S466 * vec3<f32>(_S471) * _S463) * _S475;
+    var _S471 : u32 = u32(146) + u32(4) * _S464;
+    var _S472 : f32 = openness_number_0(_S463, _S471 + u32(1));
+    var _S473 : f32 = openness_number_0(_S463, _S471 + u32(2));
+    var _S474 : vec3<f32> = vec3<f32>(1.0f);
+    var _S475 : vec3<f32> = _S474 - _S467 * vec3<f32>(openness_number_0(_S463, _S471));
+    var _S476 : vec3<f32> = _S474 - _S468 * vec3<f32>(openness_number_0(_S463, _S471 + u32(3)));
+    var _S477 : vec3<f32> = _S474 / (_S475 * _S476 - _S467 * _S468 * vec3<f32>((_S472 * _S473)));
+    (*_S469) = (_S465 * _S476 + _S467 * vec3<f32>(_S472) * _S466) * _S477;
+    (*_S470) = (_S466 * _S475 + _S468 * vec3<f32>(_S473) * _S465) * _S477;
     return;
 }
 
-fn face_sends_0( _S476 : u32,  _S477 : u32,  _S478 : Scattered_0,  _S479 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S478 : u32,  _S479 : u32,  _S480 : Scattered_0,  _S481 : Scattered_0) -> FaceSends_0
 {
-    var _S480 : u32 = u32(2) * _S477;
-    var _S481 : u32 = u32(142) + _S480;
-    var _S482 : f32 = openness_number_0(_S476, _S481);
-    var _S483 : f32 = openness_number_0(_S476, _S481 + u32(1));
-    var _S484 : vec3<f32> = vec3<f32>((1.0f - _S482)) * _S478.back_4;
-    var _S485 : vec3<f32> = vec3<f32>((1.0f - _S483)) * _S479.back_4;
+    var _S482 : u32 = u32(2) * _S479;
+    var _S483 : u32 = u32(142) + _S482;
+    var _S484 : f32 = openness_number_0(_S478, _S483);
+    var _S485 : f32 = openness_number_0(_S478, _S483 + u32(1));
+    var _S486 : vec3<f32> = vec3<f32>((1.0f - _S484)) * _S480.back_4;
+    var _S487 : vec3<f32> = vec3<f32>((1.0f - _S485)) * _S481.back_4;
     var sends_1 : FaceSends_0;
-    var _S486 : u32 = u32(154) + _S480;
-    var _S487 : f32 = openness_number_0(_S476, _S486);
-    sends_1.blocks_warp_0 = _S487;
-    var _S488 : f32 = openness_number_0(_S476, _S486 + u32(1));
-    sends_1.blocks_weft_0 = _S488;
-    sends_1.open_0 = _S487 * _S482 + _S488 * _S483;
-    var _S489 : vec3<f32> = vec3<f32>(_S482) * _S478.back_4;
-    var _S490 : vec3<f32> = vec3<f32>(_S483) * _S479.back_4;
-    var _S491 : vec3<f32> = sends_1.sky_warp_0;
-    var _S492 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S476, _S477, _S489, _S490, _S484, _S485, &(_S491), &(_S492));
-    sends_1.sky_warp_0 = _S491;
-    sends_1.sky_weft_0 = _S492;
-    var _S493 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S494 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S476, _S477, _S478.through_0, _S479.through_0, _S484, _S485, &(_S493), &(_S494));
-    sends_1.crossing_warp_0 = _S493;
-    sends_1.crossing_weft_0 = _S494;
+    var _S488 : u32 = u32(154) + _S482;
+    var _S489 : f32 = openness_number_0(_S478, _S488);
+    sends_1.blocks_warp_0 = _S489;
+    var _S490 : f32 = openness_number_0(_S478, _S488 + u32(1));
+    sends_1.blocks_weft_0 = _S490;
+    sends_1.open_0 = _S489 * _S484 + _S490 * _S485;
+    var _S491 : vec3<f32> = vec3<f32>(_S484) * _S480.back_4;
+    var _S492 : vec3<f32> = vec3<f32>(_S485) * _S481.back_4;
+    var _S493 : vec3<f32> = sends_1.sky_warp_0;
+    var _S494 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S478, _S479, _S491, _S492, _S486, _S487, &(_S493), &(_S494));
+    sends_1.sky_warp_0 = _S493;
+    sends_1.sky_weft_0 = _S494;
+    var _S495 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S496 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S478, _S479, _S480.through_0, _S481.through_0, _S486, _S487, &(_S495), &(_S496));
+    sends_1.crossing_warp_0 = _S495;
+    sends_1.crossing_weft_0 = _S496;
     return sends_1;
 }
 
-fn interior_of_0( _S495 : u32,  _S496 : vec3<f32>,  _S497 : bool) -> Interior_0
+fn interior_of_0( _S497 : u32,  _S498 : vec3<f32>,  _S499 : bool) -> Interior_0
 {
-    var _S498 : Scattered_0 = scattered_by_0(_S495, table_albedos_0(families_0[fabrics_0[_S495].warp_0].colour_mean_0), u32(0), _S496);
-    var _S499 : Scattered_0 = scattered_by_0(_S495, table_albedos_0(families_0[fabrics_0[_S495].weft_0].colour_mean_0), u32(1), _S496);
-    var _S500 : FaceSends_0 = face_sends_0(_S495, select(u32(0), u32(1), _S497), _S498, _S499);
-    var _S501 : FaceSends_0 = face_sends_0(_S495, select(u32(1), u32(0), _S497), _S498, _S499);
-    var _S502 : vec3<f32> = vec3<f32>(_S500.blocks_warp_0);
-    var _S503 : vec3<f32> = vec3<f32>(_S500.blocks_weft_0);
-    var _S504 : vec3<f32> = _S502 * _S500.crossing_warp_0 + _S503 * _S500.crossing_weft_0;
-    var _S505 : vec3<f32> = vec3<f32>(_S501.blocks_warp_0);
-    var _S506 : vec3<f32> = vec3<f32>(_S501.blocks_weft_0);
-    var _S507 : vec3<f32> = _S505 * _S501.crossing_warp_0 + _S506 * _S501.crossing_weft_0;
-    var _S508 : f32 = 1.0f - _S500.open_0;
-    var _S509 : f32 = 1.0f - _S501.open_0;
-    var _S510 : vec3<f32> = vec3<f32>(1.0f);
-    var _S511 : vec3<f32> = _S510 / (_S510 - _S504 * _S507 * vec3<f32>((_S508 * _S509)));
-    var _S512 : vec3<f32> = _S507 * (vec3<f32>(_S500.open_0) + vec3<f32>(_S508) * (_S502 * _S500.sky_warp_0 + _S503 * _S500.sky_weft_0)) * _S511;
-    var _S513 : vec3<f32> = _S504 * (vec3<f32>(_S501.open_0) + vec3<f32>(_S509) * (_S505 * _S501.sky_warp_0 + _S506 * _S501.sky_weft_0)) * _S511;
-    var _S514 : FaceRadiance_0 = face_radiance_0(_S500, _S501.open_0, _S512, _S513);
-    var _S515 : FaceRadiance_0 = face_radiance_0(_S501, _S500.open_0, _S513, _S512);
+    var _S500 : Scattered_0 = scattered_by_0(_S497, table_albedos_0(families_0[fabrics_0[_S497].warp_0].colour_mean_0), u32(0), _S498);
+    var _S501 : Scattered_0 = scattered_by_0(_S497, table_albedos_0(families_0[fabrics_0[_S497].weft_0].colour_mean_0), u32(1), _S498);
+    var _S502 : FaceSends_0 = face_sends_0(_S497, select(u32(0), u32(1), _S499), _S500, _S501);
+    var _S503 : FaceSends_0 = face_sends_0(_S497, select(u32(1), u32(0), _S499), _S500, _S501);
+    var _S504 : vec3<f32> = vec3<f32>(_S502.blocks_warp_0);
+    var _S505 : vec3<f32> = vec3<f32>(_S502.blocks_weft_0);
+    var _S506 : vec3<f32> = _S504 * _S502.crossing_warp_0 + _S505 * _S502.crossing_weft_0;
+    var _S507 : vec3<f32> = vec3<f32>(_S503.blocks_warp_0);
+    var _S508 : vec3<f32> = vec3<f32>(_S503.blocks_weft_0);
+    var _S509 : vec3<f32> = _S507 * _S503.crossing_warp_0 + _S508 * _S503.crossing_weft_0;
+    var _S510 : f32 = 1.0f - _S502.open_0;
+    var _S511 : f32 = 1.0f - _S503.open_0;
+    var _S512 : vec3<f32> = vec3<f32>(1.0f);
+    var _S513 : vec3<f32> = _S512 / (_S512 - _S506 * _S509 * vec3<f32>((_S510 * _S511)));
+    var _S514 : vec3<f32> = _S509 * (vec3<f32>(_S502.open_0) + vec3<f32>(_S510) * (_S504 * _S502.sky_warp_0 + _S505 * _S502.sky_weft_0)) * _S513;
+    var _S515 : vec3<f32> = _S506 * (vec3<f32>(_S503.open_0) + vec3<f32>(_S511) * (_S507 * _S503.sky_warp_0 + _S508 * _S503.sky_weft_0)) * _S513;
+    var _S516 : FaceRadiance_0 = face_radiance_0(_S502, _S503.open_0, _S514, _S515);
+    var _S517 : FaceRadiance_0 = face_radiance_0(_S503, _S502.open_0, _S515, _S514);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S514.warp_3;
-    interior_1.weft_4 = _S514.weft_3;
-    interior_1.leaked_1 = _S514.leaked_0;
-    interior_1.far_1 = _S515.mean_0;
-    interior_1.far_leaked_0 = _S515.leaked_0;
+    interior_1.warp_4 = _S516.warp_3;
+    interior_1.weft_4 = _S516.weft_3;
+    interior_1.leaked_1 = _S516.leaked_0;
+    interior_1.far_1 = _S517.mean_0;
+    interior_1.far_leaked_0 = _S517.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S516 : u32,  _S517 : u32,  _S518 : array<f32, i32(6)>,  _S519 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S518 : u32,  _S519 : u32,  _S520 : array<f32, i32(6)>,  _S521 : u32) -> Blocked_0
 {
     var shares_2 : array<f32, i32(3)>;
     var share_3 : u32 = u32(0);
@@ -1994,14 +1988,14 @@ fn blocked_of_terms_0( _S516 : u32,  _S517 : u32,  _S518 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S519)
+            if(term_0 < _S521)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_3] = shares_2[share_3] + openness_number_0(_S516, _S517 + share_3 * _S519 + term_0) * _S518[term_0];
+            shares_2[share_3] = shares_2[share_3] + openness_number_0(_S518, _S519 + share_3 * _S521 + term_0) * _S520[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_2[share_3] = saturate(shares_2[share_3]);
@@ -2014,81 +2008,81 @@ fn blocked_of_terms_0( _S516 : u32,  _S517 : u32,  _S518 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_from_0( _S520 : u32,  _S521 : vec3<f32>,  _S522 : bool,  _S523 : bool) -> Blocked_0
+fn blocked_from_0( _S522 : u32,  _S523 : vec3<f32>,  _S524 : bool,  _S525 : bool) -> Blocked_0
 {
     var terms_1 : array<f32, i32(6)>;
-    view_terms_0(_S521, &(terms_1));
-    return blocked_of_terms_0(_S520, (select(u32(0), u32(2), _S523) + select(u32(1), u32(0), _S522)) * u32(15), terms_1, u32(5));
+    view_terms_0(_S523, &(terms_1));
+    return blocked_of_terms_0(_S522, (select(u32(0), u32(2), _S525) + select(u32(1), u32(0), _S524)) * u32(15), terms_1, u32(5));
 }
 
-fn family_share_0( _S524 : u32,  _S525 : u32,  _S526 : f32) -> vec2<f32>
+fn family_share_0( _S526 : u32,  _S527 : u32,  _S528 : f32) -> vec2<f32>
 {
-    var _S527 : bool = _S525 < (fabrics_0[_S524].clustered_0.clusters_0 / u32(2));
-    return vec2<f32>(select(0.0f, _S526, _S527), select(_S526, 0.0f, _S527));
+    var _S529 : bool = _S527 < (fabrics_0[_S526].clustered_0.clusters_0 / u32(2));
+    return vec2<f32>(select(0.0f, _S528, _S529), select(_S528, 0.0f, _S529));
 }
 
-fn clustered_shown_0( _S528 : u32,  _S529 : ViewedBase_0) -> vec2<f32>
+fn clustered_shown_0( _S530 : u32,  _S531 : ViewedBase_0) -> vec2<f32>
 {
-    var _S530 : Clustered_std430_0 = fabrics_0[_S528].clustered_0;
-    var _S531 : u32 = _S530.clusters_0;
-    var _S532 : vec2<f32> = vec2<f32>(0.0f);
+    var _S532 : Clustered_std430_0 = fabrics_0[_S530].clustered_0;
+    var _S533 : u32 = _S532.clusters_0;
+    var _S534 : vec2<f32> = vec2<f32>(0.0f);
     var cluster_1 : u32 = u32(0);
-    var shown_0 : vec2<f32> = _S532;
+    var shown_0 : vec2<f32> = _S534;
     for(;;)
     {
-        if(cluster_1 < _S531)
+        if(cluster_1 < _S533)
         {
         }
         else
         {
             break;
         }
-        var _S533 : f32 = box_mean_0(&(_S530), _S529.box_5, _S529.face_6, cluster_1);
-        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S528, cluster_1, _S533);
+        var _S535 : f32 = box_mean_0(&(_S532), _S531.box_5, _S531.face_6, cluster_1);
+        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S530, cluster_1, _S535);
         cluster_1 = cluster_1 + u32(1);
         shown_0 = shown_1;
     }
     return shown_0;
 }
 
-fn clustered_view_0( _S534 : u32,  _S535 : Footprint_0,  _S536 : vec3<f32>,  _S537 : vec3<f32>,  _S538 : u32) -> ClusteredView_0
+fn clustered_view_0( _S536 : u32,  _S537 : Footprint_0,  _S538 : vec3<f32>,  _S539 : vec3<f32>,  _S540 : u32) -> ClusteredView_0
 {
     var seen_2 : ClusteredView_0;
-    var _S539 : ViewedBase_0 = viewed_base_0(_S534, _S535, _S536, uniform_of_0(_S538, u32(0)));
-    seen_2.base_0 = _S539;
-    seen_2.view_7 = _S536;
-    var _S540 : f32 = texel_hole_0(_S534, _S539);
-    seen_2.even_hole_0 = _S540;
-    var _S541 : Yarns_0 = yarns_over_0(_S534, _S535, seen_2.base_0.back_5);
-    seen_2.yarns_0 = _S541;
-    seen_2.hole_1 = min(_S540 * seen_2.yarns_0.shares_0.z, 1.0f);
-    var _S542 : FamilyAlbedos_0 = with_tones_0(_S534, albedos_over_0(_S534, _S535, seen_2.base_0.back_5), _S541);
-    seen_2.albedos_5.warp_5 = tinted_0(_S542.warp_5, _S537);
-    seen_2.albedos_5.weft_5 = tinted_0(_S542.weft_5, _S537);
-    var _S543 : vec3<f32> = vec3<f32>(0.0f);
-    seen_2.bounced_2.reflected_0 = _S543;
-    seen_2.bounced_2.transmitted_0 = _S543;
-    if((fabrics_0[_S534].openness_0) == u32(4294967295))
+    var _S541 : ViewedBase_0 = viewed_base_0(_S536, _S537, _S538, uniform_of_0(_S540, u32(0)));
+    seen_2.base_0 = _S541;
+    seen_2.view_7 = _S538;
+    var _S542 : f32 = texel_hole_0(_S536, _S541);
+    seen_2.even_hole_0 = _S542;
+    var _S543 : Yarns_0 = yarns_over_0(_S536, _S537, seen_2.base_0.back_5);
+    seen_2.yarns_0 = _S543;
+    seen_2.hole_1 = min(_S542 * seen_2.yarns_0.shares_0.z, 1.0f);
+    var _S544 : FamilyAlbedos_0 = with_tones_0(_S536, albedos_over_0(_S536, _S537, seen_2.base_0.back_5), _S543);
+    seen_2.albedos_5.warp_5 = tinted_0(_S544.warp_5, _S539);
+    seen_2.albedos_5.weft_5 = tinted_0(_S544.weft_5, _S539);
+    var _S545 : vec3<f32> = vec3<f32>(0.0f);
+    seen_2.bounced_2.reflected_0 = _S545;
+    seen_2.bounced_2.transmitted_0 = _S545;
+    if((fabrics_0[_S536].openness_0) == u32(4294967295))
     {
         return seen_2;
     }
-    var _S544 : Interior_0 = interior_of_0(_S534, _S537, seen_2.base_0.back_5);
-    var _S545 : Bounced_0 = bounced_by_0(blocked_from_0(_S534, seen_2.base_0.view_3, true, seen_2.base_0.back_5), scattered_by_0(_S534, _S542.warp_5, u32(0), _S537), _S544);
-    var _S546 : Bounced_0 = bounced_by_0(blocked_from_0(_S534, seen_2.base_0.view_3, false, seen_2.base_0.back_5), scattered_by_0(_S534, _S542.weft_5, u32(1), _S537), _S544);
-    var _S547 : vec2<f32> = clustered_shown_0(_S534, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
-    var _S548 : vec3<f32> = vec3<f32>(_S547.x);
-    var _S549 : vec3<f32> = vec3<f32>(_S547.y);
-    seen_2.bounced_2.reflected_0 = _S548 * _S545.reflected_0 + _S549 * _S546.reflected_0;
-    seen_2.bounced_2.transmitted_0 = _S548 * _S545.transmitted_0 + _S549 * _S546.transmitted_0;
+    var _S546 : Interior_0 = interior_of_0(_S536, _S539, seen_2.base_0.back_5);
+    var _S547 : Bounced_0 = bounced_by_0(blocked_from_0(_S536, seen_2.base_0.view_3, true, seen_2.base_0.back_5), scattered_by_0(_S536, _S544.warp_5, u32(0), _S539), _S546);
+    var _S548 : Bounced_0 = bounced_by_0(blocked_from_0(_S536, seen_2.base_0.view_3, false, seen_2.base_0.back_5), scattered_by_0(_S536, _S544.weft_5, u32(1), _S539), _S546);
+    var _S549 : vec2<f32> = clustered_shown_0(_S536, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
+    var _S550 : vec3<f32> = vec3<f32>(_S549.x);
+    var _S551 : vec3<f32> = vec3<f32>(_S549.y);
+    seen_2.bounced_2.reflected_0 = _S550 * _S547.reflected_0 + _S551 * _S548.reflected_0;
+    seen_2.bounced_2.transmitted_0 = _S550 * _S547.transmitted_0 + _S551 * _S548.transmitted_0;
     return seen_2;
 }
 
-fn residual_texel_0( _S550 : u32,  _S551 : ClusteredView_0,  _S552 : u32,  _S553 : u32) -> u32
+fn residual_texel_0( _S552 : u32,  _S553 : ClusteredView_0,  _S554 : u32,  _S555 : u32) -> u32
 {
-    var _S554 : u32 = _S552 + _S553 * u32(1663821227);
-    var _S555 : Clustered_std430_0 = fabrics_0[_S550].clustered_0;
-    var _S556 : u32 = texel_of_0(&(_S555), _S551.base_0.box_5, vec2<f32>(uniform_of_0(_S554, u32(1)), uniform_of_0(_S554, u32(2))));
-    return _S556;
+    var _S556 : u32 = _S554 + _S555 * u32(1663821227);
+    var _S557 : Clustered_std430_0 = fabrics_0[_S552].clustered_0;
+    var _S558 : u32 = texel_of_0(&(_S557), _S553.base_0.box_5, vec2<f32>(uniform_of_0(_S556, u32(1)), uniform_of_0(_S556, u32(2))));
+    return _S558;
 }
 
 fn light_sample_count_0() -> u32
@@ -2096,13 +2090,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S557 : u32,  _S558 : vec2<u32>) -> f32
+fn visibility_at_0( _S559 : u32,  _S560 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S557 * frame_record_0.height_0 + _S558.y) * frame_record_0.width_0 + _S558.x];
+    return visibilities_0[(_S559 * frame_record_0.height_0 + _S560.y) * frame_record_0.width_0 + _S560.x];
 }
 
 struct LightSample_0
@@ -2112,182 +2106,178 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S559 : u32,  _S560 : u32) -> vec3<f32>
+fn environment_texel_0( _S561 : u32,  _S562 : u32) -> vec3<f32>
 {
-    var _S561 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S559 * frame_record_0.environment_columns_0 + _S560);
-    return vec3<f32>(scene_number_0(_S561), scene_number_0(_S561 + u32(1)), scene_number_0(_S561 + u32(2)));
+    var _S563 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S561 * frame_record_0.environment_columns_0 + _S562);
+    return vec3<f32>(scene_number_0(_S563), scene_number_0(_S563 + u32(1)), scene_number_0(_S563 + u32(2)));
 }
 
-fn sample_environment_0( _S562 : vec2<f32>,  _S563 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S564 : vec2<f32>,  _S565 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S564 : u32 = frame_record_0.environment_rows_0;
-    var _S565 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S562.y);
-    var _S566 : u32 = frame_record_0.environment_columns_0;
-    var _S567 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S565.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S562.x);
-    var _S568 : vec3<f32> = environment_texel_0(_S565.index_6, _S567.index_6);
-    (*_S563) = _S568 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S568), 9.99999968265522539e-21f)));
-    var _S569 : f32 = 3.14159274101257324f / f32(_S564);
-    var _S570 : f32 = mix(sine_cosine_0(f32(_S565.index_6) * _S569).y, sine_cosine_0(f32(_S565.index_6 + u32(1)) * _S569).y, _S565.remainder_0);
-    var _S571 : f32 = sqrt(max(1.0f - _S570 * _S570, 0.0f));
-    var _S572 : vec2<f32> = sine_cosine_0((f32(_S567.index_6) + _S567.remainder_0) * (6.28318548202514648f / f32(_S566)));
-    var _S573 : f32 = _S571 * _S572.x;
-    var _S574 : f32 = - _S571 * _S572.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S573 + frame_record_0.environment_sine_0 * _S574, _S570, frame_record_0.environment_cosine_0 * _S574 - frame_record_0.environment_sine_0 * _S573);
+    var _S566 : u32 = frame_record_0.environment_rows_0;
+    var _S567 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S564.y);
+    var _S568 : u32 = frame_record_0.environment_columns_0;
+    var _S569 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S567.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S564.x);
+    var _S570 : vec3<f32> = environment_texel_0(_S567.index_6, _S569.index_6);
+    (*_S565) = _S570 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S570), 9.99999968265522539e-21f)));
+    var _S571 : f32 = 3.14159274101257324f / f32(_S566);
+    var _S572 : f32 = mix(sine_cosine_0(f32(_S567.index_6) * _S571).y, sine_cosine_0(f32(_S567.index_6 + u32(1)) * _S571).y, _S567.remainder_0);
+    var _S573 : f32 = sqrt(max(1.0f - _S572 * _S572, 0.0f));
+    var _S574 : vec2<f32> = sine_cosine_0((f32(_S569.index_6) + _S569.remainder_0) * (6.28318548202514648f / f32(_S568)));
+    var _S575 : f32 = _S573 * _S574.x;
+    var _S576 : f32 = - _S573 * _S574.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S575 + frame_record_0.environment_sine_0 * _S576, _S572, frame_record_0.environment_cosine_0 * _S576 - frame_record_0.environment_sine_0 * _S575);
 }
 
-fn light_sample_0( _S575 : u32,  _S576 : vec2<u32>,  _S577 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S577 : u32,  _S578 : vec2<u32>,  _S579 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S578 : u32 = frame_record_0.lights_0;
-    if(_S575 >= (frame_record_0.lights_0))
+    var _S580 : u32 = frame_record_0.lights_0;
+    if(_S577 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S579 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S576, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S575 - _S578), u32(3)), &(weight_3));
-        sample_0.towards_1 = _S579;
+        var _S581 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S578, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S577 - _S580), u32(3)), &(weight_3));
+        sample_0.towards_1 = _S581;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S580 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S575);
-    sample_0.irradiance_1 = vec3<f32>(_S580.red_0, _S580.green_0, _S580.blue_0);
-    sample_0.towards_1 = vec3<f32>(_S580.x_8, _S580.y_2, _S580.z_1);
-    if((_S580.is_point_0) != u32(0))
+    var _S582 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S577);
+    sample_0.irradiance_1 = vec3<f32>(_S582.red_0, _S582.green_0, _S582.blue_0);
+    sample_0.towards_1 = vec3<f32>(_S582.x_8, _S582.y_2, _S582.z_1);
+    if((_S582.is_point_0) != u32(0))
     {
-        var _S581 : vec3<f32> = sample_0.towards_1 - _S577;
-        var _S582 : f32 = max(square_0(_S581), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S582);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S582);
-        sample_0.towards_1 = normalize(_S581);
+        var _S583 : vec3<f32> = sample_0.towards_1 - _S579;
+        var _S584 : f32 = max(square_0(_S583), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S584);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S584);
+        sample_0.towards_1 = normalize(_S583);
     }
     return sample_0;
 }
 
-fn cluster_density_0( _S583 : u32,  _S584 : ViewedBase_0,  _S585 : BaseTaps_0,  _S586 : u32,  _S587 : u32) -> f32
+fn cluster_density_0( _S585 : u32,  _S586 : ViewedBase_0,  _S587 : BaseTaps_0,  _S588 : u32,  _S589 : u32) -> f32
 {
-    return BinTaps_read_0(_S585.half_vector_0, fabrics_0[_S583].clustered_0.basis_0, _S584.face_6 * u32(1024), fabrics_0[_S583].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S583].clustered_0.rank_0), _S587 * fabrics_0[_S583].clustered_0.clusters_0 + _S586);
+    return BinTaps_read_0(_S587.half_vector_0, fabrics_0[_S585].clustered_0.basis_0, _S586.face_6 * u32(1024), fabrics_0[_S585].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S585].clustered_0.rank_0), _S589 * fabrics_0[_S585].clustered_0.clusters_0 + _S588);
 }
 
-fn cluster_visibility_0( _S588 : u32,  _S589 : BaseTaps_0,  _S590 : u32) -> f32
+fn cluster_visibility_0( _S590 : u32,  _S591 : BaseTaps_0,  _S592 : u32) -> f32
 {
-    return BinTaps_read_0(_S589.around_0, fabrics_0[_S588].clustered_0.light_0, _S589.first_7, fabrics_0[_S588].clustered_0.clusters_0, _S590);
+    return BinTaps_read_0(_S591.around_0, fabrics_0[_S590].clustered_0.light_0, _S591.first_7, fabrics_0[_S590].clustered_0.clusters_0, _S592);
 }
 
-fn clustered_diffuse_0( _S591 : u32,  _S592 : BaseTaps_0,  _S593 : f32,  _S594 : vec3<f32>) -> f32
+fn clustered_diffuse_0( _S593 : u32,  _S594 : BaseTaps_0,  _S595 : f32,  _S596 : vec3<f32>) -> f32
 {
-    return 0.31830987334251404f * ((1.0f - fabrics_0[_S591].diffuse_blend_0) * abs(_S592.facing_0.z) * _S593 + fabrics_0[_S591].diffuse_blend_0 * clustered_cosine_0(_S592, _S594));
+    return 0.31830987334251404f * ((1.0f - fabrics_0[_S593].diffuse_blend_0) * abs(_S594.facing_0.z) * _S595 + fabrics_0[_S593].diffuse_blend_0 * clustered_cosine_0(_S594, _S596));
 }
 
-fn cluster_attenuation_0( _S595 : u32,  _S596 : ViewedBase_0,  _S597 : BaseTaps_0,  _S598 : u32) -> f32
+fn cluster_attenuation_0( _S597 : u32,  _S598 : ViewedBase_0,  _S599 : BaseTaps_0,  _S600 : u32) -> f32
 {
-    var _S599 : u32 = fabrics_0[_S595].clustered_0.moments_1 + (_S596.face_6 * fabrics_0[_S595].clustered_0.clusters_0 + _S598) * u32(8);
-    var _S600 : vec3<f32> = vec3<f32>(table_number_0(_S599), table_number_0(_S599 + u32(1)), table_number_0(_S599 + u32(2)));
-    var _S601 : vec3<f32> = vec3<f32>(table_number_0(_S599 + u32(3)), table_number_0(_S599 + u32(4)), table_number_0(_S599 + u32(5)));
-    var _S602 : f32 = table_number_0(_S599 + u32(7));
-    var _S603 : f32 = fabrics_0[_S595].optical_depth_0;
-    var _S604 : f32 = dot(_S597.facing_0, _S600);
-    var _S605 : f32 = max(dot(_S596.view_3, _S600), 0.10000000149011612f);
-    var _S606 : f32 = projected_area_1(_S597.facing_0, _S601, _S602) / max(select(_S604, - _S604, _S597.transmits_1), 0.10000000149011612f);
-    var _S607 : f32 = projected_area_1(_S596.view_3, _S601, _S602) / _S605;
-    if(!_S597.transmits_1)
+    var _S601 : u32 = fabrics_0[_S597].clustered_0.moments_1 + (_S598.face_6 * fabrics_0[_S597].clustered_0.clusters_0 + _S600) * u32(8);
+    var _S602 : vec3<f32> = vec3<f32>(table_number_0(_S601), table_number_0(_S601 + u32(1)), table_number_0(_S601 + u32(2)));
+    var _S603 : vec3<f32> = vec3<f32>(table_number_0(_S601 + u32(3)), table_number_0(_S601 + u32(4)), table_number_0(_S601 + u32(5)));
+    var _S604 : f32 = table_number_0(_S601 + u32(7));
+    var _S605 : f32 = fabrics_0[_S597].optical_depth_0;
+    var _S606 : f32 = dot(_S599.facing_0, _S602);
+    var _S607 : f32 = max(dot(_S598.view_3, _S602), 0.10000000149011612f);
+    var _S608 : f32 = projected_area_1(_S599.facing_0, _S603, _S604) / max(select(_S606, - _S606, _S599.transmits_1), 0.10000000149011612f);
+    var _S609 : f32 = projected_area_1(_S598.view_3, _S603, _S604) / _S607;
+    if(!_S599.transmits_1)
     {
-        var _S608 : f32 = _S606 + _S607;
-        return 0.25f * (1.0f - exponential_0(- _S603 * _S608)) / (_S608 * _S605);
+        var _S610 : f32 = _S608 + _S609;
+        return 0.25f * (1.0f - exponential_0(- _S605 * _S610)) / (_S610 * _S607);
     }
-    var _S609 : f32 = max(_S603 * abs(_S606 - _S607), 0.00100000004749745f);
-    return 0.25f * _S603 * exponential_0(- _S603 * min(_S606, _S607)) * (1.0f - exponential_0(- _S609)) / (_S609 * _S605);
+    var _S611 : f32 = max(_S605 * abs(_S608 - _S609), 0.00100000004749745f);
+    return 0.25f * _S605 * exponential_0(- _S605 * min(_S608, _S609)) * (1.0f - exponential_0(- _S611)) / (_S611 * _S607);
 }
 
-fn clustered_base_0( _S610 : u32,  _S611 : ViewedBase_0,  _S612 : BaseTaps_0) -> Components_0
+fn clustered_base_0( _S612 : u32,  _S613 : ViewedBase_0,  _S614 : BaseTaps_0) -> Components_0
 {
-    var _S613 : Clustered_std430_0 = fabrics_0[_S610].clustered_0;
-    var _S614 : u32 = _S613.clusters_0;
-    var _S615 : u32 = _S613.rank_0;
+    var _S615 : Clustered_std430_0 = fabrics_0[_S612].clustered_0;
+    var _S616 : u32 = _S615.clusters_0;
+    var _S617 : u32 = _S615.rank_0;
     var base_1 : Components_0 = no_components_0();
     var cluster_2 : u32 = u32(0);
     for(;;)
     {
-        if(cluster_2 < _S614)
+        if(cluster_2 < _S616)
         {
         }
         else
         {
             break;
         }
-        var _S616 : f32 = box_mean_1(&(_S613), _S611.box_5, _S611.face_6, cluster_2);
-        if(_S616 <= 0.0f)
+        var _S618 : f32 = box_mean_1(&(_S615), _S613.box_5, _S613.face_6, cluster_2);
+        if(_S618 <= 0.0f)
         {
             cluster_2 = cluster_2 + u32(1);
             continue;
         }
-        var _S617 : f32 = _S616 * cluster_density_0(_S610, _S611, _S612, cluster_2, u32(0));
+        var _S619 : f32 = _S618 * cluster_density_0(_S612, _S613, _S614, cluster_2, u32(0));
         var number_7 : u32 = u32(1);
-        var density_0 : f32 = _S617;
+        var density_0 : f32 = _S619;
         for(;;)
         {
-            if(number_7 <= _S615)
+            if(number_7 <= _S617)
             {
             }
             else
             {
                 break;
             }
-            var _S618 : f32 = box_mean_1(&(_S613), _S611.box_5, _S611.face_6, number_7 * _S614 + cluster_2);
-            var density_1 : f32 = density_0 + _S618 * cluster_density_0(_S610, _S611, _S612, cluster_2, number_7);
+            var _S620 : f32 = box_mean_1(&(_S615), _S613.box_5, _S613.face_6, number_7 * _S616 + cluster_2);
+            var density_1 : f32 = density_0 + _S620 * cluster_density_0(_S612, _S613, _S614, cluster_2, number_7);
             number_7 = number_7 + u32(1);
             density_0 = density_1;
         }
-        var _S619 : f32 = box_mean_1(&(_S613), _S611.box_5, _S611.face_6, (_S615 + u32(1)) * _S614 + cluster_2);
-        var _S620 : f32 = box_mean_1(&(_S613), _S611.box_5, _S611.face_6, (_S615 + u32(2)) * _S614 + cluster_2);
-        var _S621 : f32 = box_mean_1(&(_S613), _S611.box_5, _S611.face_6, (_S615 + u32(3)) * _S614 + cluster_2);
-        var _S622 : f32 = cluster_visibility_0(_S610, _S612, cluster_2);
-        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S614 / u32(2)), _S622 * clustered_diffuse_0(_S610, _S612, _S616, vec3<f32>(_S619, _S620, _S621)), _S622 * cluster_attenuation_0(_S610, _S611, _S612, cluster_2) * density_0, _S616 * _S622), 1.0f);
+        var _S621 : f32 = box_mean_1(&(_S615), _S613.box_5, _S613.face_6, (_S617 + u32(1)) * _S616 + cluster_2);
+        var _S622 : f32 = box_mean_1(&(_S615), _S613.box_5, _S613.face_6, (_S617 + u32(2)) * _S616 + cluster_2);
+        var _S623 : f32 = box_mean_1(&(_S615), _S613.box_5, _S613.face_6, (_S617 + u32(3)) * _S616 + cluster_2);
+        var _S624 : f32 = cluster_visibility_0(_S612, _S614, cluster_2);
+        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S616 / u32(2)), _S624 * clustered_diffuse_0(_S612, _S614, _S618, vec3<f32>(_S621, _S622, _S623)), _S624 * cluster_attenuation_0(_S612, _S613, _S614, cluster_2) * density_0, _S618 * _S624), 1.0f);
         cluster_2 = cluster_2 + u32(1);
     }
     return base_1;
 }
 
-fn with_shares_0( _S623 : u32,  _S624 : Components_0,  _S625 : Yarns_0) -> Components_0
+fn with_shares_0( _S625 : u32,  _S626 : Components_0,  _S627 : Yarns_0) -> Components_0
 {
-    if((fabrics_0[_S623].is_irregular_0) == u32(0))
-    {
-        return _S624;
-    }
     var result_4 : Components_0;
-    var _S626 : f32 = min(_S624.hole_0 * _S625.shares_0.z, 1.0f);
-    result_4.hole_0 = _S626;
-    var _S627 : f32 = _S625.shares_0.x;
-    result_4.diffuse_warp_0 = _S624.diffuse_warp_0 * _S627;
-    var _S628 : f32 = _S625.shares_0.y;
-    result_4.diffuse_weft_0 = _S624.diffuse_weft_0 * _S628;
-    result_4.specular_warp_0 = _S624.specular_warp_0 * _S627;
-    result_4.specular_weft_0 = _S624.specular_weft_0 * _S628;
-    result_4.light_visibility_1 = _S624.light_visibility_1 * (1.0f - _S626) / max(1.0f - _S624.hole_0, 9.99999997475242708e-07f);
+    var _S628 : f32 = min(_S626.hole_0 * _S627.shares_0.z, 1.0f);
+    result_4.hole_0 = _S628;
+    var _S629 : f32 = _S627.shares_0.x;
+    result_4.diffuse_warp_0 = _S626.diffuse_warp_0 * _S629;
+    var _S630 : f32 = _S627.shares_0.y;
+    result_4.diffuse_weft_0 = _S626.diffuse_weft_0 * _S630;
+    result_4.specular_warp_0 = _S626.specular_warp_0 * _S629;
+    result_4.specular_weft_0 = _S626.specular_weft_0 * _S630;
+    result_4.light_visibility_1 = _S626.light_visibility_1 * select(1.0f, (1.0f - _S628) / max(1.0f - _S626.hole_0, 9.99999997475242708e-07f), (fabrics_0[_S625].is_irregular_0) != u32(0));
     return result_4;
 }
 
-fn as_seen_0( _S629 : u32,  _S630 : ClusteredView_0,  _S631 : Components_0) -> Components_0
+fn as_seen_0( _S631 : u32,  _S632 : ClusteredView_0,  _S633 : Components_0) -> Components_0
 {
-    var whole_1 : Components_0 = _S631;
-    whole_1.hole_0 = _S630.even_hole_0;
-    return with_shares_0(_S629, whole_1, _S630.yarns_0);
+    var whole_1 : Components_0 = _S633;
+    whole_1.hole_0 = _S632.even_hole_0;
+    return with_shares_0(_S631, whole_1, _S632.yarns_0);
 }
 
-fn under_sheen_0( _S632 : u32,  _S633 : ClusteredView_0,  _S634 : vec3<f32>,  _S635 : f32,  _S636 : vec3<f32>) -> vec3<f32>
+fn under_sheen_0( _S634 : u32,  _S635 : ClusteredView_0,  _S636 : vec3<f32>,  _S637 : f32,  _S638 : vec3<f32>) -> vec3<f32>
 {
-    var _S637 : f32 = fabrics_0[_S632].sheen_strength_0;
-    if((fabrics_0[_S632].sheen_strength_0) <= 0.0f)
+    var _S639 : f32 = fabrics_0[_S634].sheen_strength_0;
+    if((fabrics_0[_S634].sheen_strength_0) <= 0.0f)
     {
-        return _S634;
+        return _S636;
     }
-    var _S638 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S636, _S633.base_0.back_5), _S633.base_0.view_3, _S637, fabrics_0[_S632].sheen_roughness_0);
-    return vec3<f32>(_S638.y) * _S634 + vec3<f32>((_S635 * _S638.x));
+    var _S640 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S638, _S635.base_0.back_5), _S635.base_0.view_3, _S639, fabrics_0[_S634].sheen_roughness_0);
+    return vec3<f32>(_S640.y) * _S636 + vec3<f32>((_S637 * _S640.x));
 }
 
-fn clustered_base_value_0( _S639 : u32,  _S640 : ClusteredView_0,  _S641 : vec3<f32>) -> vec3<f32>
+fn clustered_base_value_0( _S641 : u32,  _S642 : ClusteredView_0,  _S643 : vec3<f32>) -> vec3<f32>
 {
-    var _S642 : BaseTaps_0 = base_taps_0(_S640.base_0, _S641);
-    var _S643 : Components_0 = as_seen_0(_S639, _S640, clustered_base_0(_S639, _S640.base_0, _S642));
-    return under_sheen_0(_S639, _S640, shaded_0(_S643, _S640.albedos_5, _S642.transmits_1) + bounced_value_0(_S640.bounced_2, _S641, _S640.view_7), _S643.light_visibility_1 + _S640.hole_1, _S641);
+    var _S644 : BaseTaps_0 = base_taps_0(_S642.base_0, _S643);
+    var _S645 : Components_0 = as_seen_0(_S641, _S642, clustered_base_0(_S641, _S642.base_0, _S644));
+    return under_sheen_0(_S641, _S642, shaded_0(_S645, _S642.albedos_5, _S644.transmits_1) + bounced_value_0(_S642.bounced_2, _S643, _S642.view_7), _S645.light_visibility_1 + _S642.hole_1, _S643);
 }
 
 struct TexelTerms_0
@@ -2296,108 +2286,108 @@ struct TexelTerms_0
      known_0 : Components_0,
 };
 
-fn coefficient_0( _S644 : u32,  _S645 : u32,  _S646 : u32) -> f32
+fn coefficient_0( _S646 : u32,  _S647 : u32,  _S648 : u32) -> f32
 {
-    var _S647 : i32 = i32(table_byte_0(fabrics_0[_S644].clustered_0.coefficients_0, _S645 * (fabrics_0[_S644].clustered_0.rank_0 + u32(3)) + _S646));
-    return f32(select(_S647, _S647 - i32(256), _S647 > i32(127)));
+    var _S649 : i32 = i32(table_byte_0(fabrics_0[_S646].clustered_0.coefficients_0, _S647 * (fabrics_0[_S646].clustered_0.rank_0 + u32(3)) + _S648));
+    return f32(select(_S649, _S649 - i32(256), _S649 > i32(127)));
 }
 
-fn at_texel_0( _S648 : u32,  _S649 : ViewedBase_0,  _S650 : u32,  _S651 : BaseTaps_0) -> TexelTerms_0
+fn at_texel_0( _S650 : u32,  _S651 : ViewedBase_0,  _S652 : u32,  _S653 : BaseTaps_0) -> TexelTerms_0
 {
-    var _S652 : Clustered_std430_0 = fabrics_0[_S648].clustered_0;
-    var _S653 : u32 = fabrics_0[_S648].clustered_0.columns_0 * fabrics_0[_S648].clustered_0.rows_0;
-    var _S654 : u32 = _S649.face_6 * _S653 + _S650;
-    var _S655 : u32 = table_byte_0(fabrics_0[_S648].clustered_0.labels_0, _S654);
+    var _S654 : Clustered_std430_0 = fabrics_0[_S650].clustered_0;
+    var _S655 : u32 = fabrics_0[_S650].clustered_0.columns_0 * fabrics_0[_S650].clustered_0.rows_0;
+    var _S656 : u32 = _S651.face_6 * _S655 + _S652;
+    var _S657 : u32 = table_byte_0(fabrics_0[_S650].clustered_0.labels_0, _S656);
     var terms_2 : TexelTerms_0;
-    var _S656 : Components_0 = no_components_0();
-    terms_2.own_2 = _S656;
-    terms_2.known_0 = _S656;
-    if(_S655 >= (fabrics_0[_S648].clustered_0.clusters_0))
+    var _S658 : Components_0 = no_components_0();
+    terms_2.own_2 = _S658;
+    terms_2.known_0 = _S658;
+    if(_S657 >= (fabrics_0[_S650].clustered_0.clusters_0))
     {
         return terms_2;
     }
-    var _S657 : f32 = cluster_density_0(_S648, _S649, _S651, _S655, u32(0));
+    var _S659 : f32 = cluster_density_0(_S650, _S651, _S653, _S657, u32(0));
     var number_8 : u32 = u32(1);
-    var density_2 : f32 = _S657;
+    var density_2 : f32 = _S659;
     for(;;)
     {
-        if(number_8 <= (_S652.rank_0))
+        if(number_8 <= (_S654.rank_0))
         {
         }
         else
         {
             break;
         }
-        var density_3 : f32 = density_2 + coefficient_0(_S648, _S654, number_8 - u32(1)) * cluster_density_0(_S648, _S649, _S651, _S655, number_8);
+        var density_3 : f32 = density_2 + coefficient_0(_S650, _S656, number_8 - u32(1)) * cluster_density_0(_S650, _S651, _S653, _S657, number_8);
         number_8 = number_8 + u32(1);
         density_2 = density_3;
     }
-    var _S658 : f32 = cluster_attenuation_0(_S648, _S649, _S651, _S655) * density_2;
-    var _S659 : f32 = clustered_cosine_0(_S651, vec3<f32>(coefficient_0(_S648, _S654, _S652.rank_0), coefficient_0(_S648, _S654, _S652.rank_0 + u32(1)), coefficient_0(_S648, _S654, _S652.rank_0 + u32(2))));
-    var _S660 : f32 = abs(_S651.facing_0.z);
-    var _S661 : f32 = gaussian_visibility_0(_S652.texels_2 + (select(_S649.face_6, u32(1) - _S649.face_6, _S651.transmits_1) * _S653 + _S650) * u32(12), vec3<f32>(_S651.facing_0.xy, _S660));
-    var _S662 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S648].diffuse_blend_0) * _S660;
-    var _S663 : f32 = cluster_visibility_0(_S648, _S651, _S655);
-    var _S664 : bool = _S655 < (_S652.clusters_0 / u32(2));
-    var _S665 : f32 = 0.31830987334251404f * fabrics_0[_S648].diffuse_blend_0;
-    terms_2.own_2 = of_family_0(_S664, _S661 * (_S662 + _S665 * max(_S659, 0.0f)), _S661 * _S658, _S661);
-    terms_2.known_0 = of_family_0(_S664, _S663 * (_S662 + _S665 * _S659), _S663 * _S658, _S663);
+    var _S660 : f32 = cluster_attenuation_0(_S650, _S651, _S653, _S657) * density_2;
+    var _S661 : f32 = clustered_cosine_0(_S653, vec3<f32>(coefficient_0(_S650, _S656, _S654.rank_0), coefficient_0(_S650, _S656, _S654.rank_0 + u32(1)), coefficient_0(_S650, _S656, _S654.rank_0 + u32(2))));
+    var _S662 : f32 = abs(_S653.facing_0.z);
+    var _S663 : f32 = gaussian_visibility_0(_S654.texels_2 + (select(_S651.face_6, u32(1) - _S651.face_6, _S653.transmits_1) * _S655 + _S652) * u32(12), vec3<f32>(_S653.facing_0.xy, _S662));
+    var _S664 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S650].diffuse_blend_0) * _S662;
+    var _S665 : f32 = cluster_visibility_0(_S650, _S653, _S657);
+    var _S666 : bool = _S657 < (_S654.clusters_0 / u32(2));
+    var _S667 : f32 = 0.31830987334251404f * fabrics_0[_S650].diffuse_blend_0;
+    terms_2.own_2 = of_family_0(_S666, _S663 * (_S664 + _S667 * max(_S661, 0.0f)), _S663 * _S660, _S663);
+    terms_2.known_0 = of_family_0(_S666, _S665 * (_S664 + _S667 * _S661), _S665 * _S660, _S665);
     return terms_2;
 }
 
-fn texel_albedos_0( _S666 : u32,  _S667 : ClusteredView_0,  _S668 : u32) -> Albedos_0
+fn texel_albedos_0( _S668 : u32,  _S669 : ClusteredView_0,  _S670 : u32) -> Albedos_0
 {
-    var _S669 : u32 = _S667.base_0.face_6 * fabrics_0[_S666].clustered_0.columns_0 * fabrics_0[_S666].clustered_0.rows_0 + _S668;
-    var _S670 : bool = (table_byte_0(fabrics_0[_S666].clustered_0.labels_0, _S669)) < (fabrics_0[_S666].clustered_0.clusters_0 / u32(2));
-    var _S671 : u32 = select(fabrics_0[_S666].weft_0, fabrics_0[_S666].warp_0, _S670);
-    var _S672 : u32 = fabrics_0[_S666].clustered_0.texels_2 + _S669 * u32(12) + u32(9);
-    var _S673 : Albedos_0 = table_albedos_0(families_0[_S671].albedo_table_0 + min(u32(table_number_0(_S672)) + u32(1024) * u32(table_number_0(_S672 + u32(1))), u32(families_0[_S671].count_0) - u32(1)) * families_0[_S671].albedo_stride_0);
-    if((fabrics_0[_S666].is_irregular_0) == u32(0))
+    var _S671 : u32 = _S669.base_0.face_6 * fabrics_0[_S668].clustered_0.columns_0 * fabrics_0[_S668].clustered_0.rows_0 + _S670;
+    var _S672 : bool = (table_byte_0(fabrics_0[_S668].clustered_0.labels_0, _S671)) < (fabrics_0[_S668].clustered_0.clusters_0 / u32(2));
+    var _S673 : u32 = select(fabrics_0[_S668].weft_0, fabrics_0[_S668].warp_0, _S672);
+    var _S674 : u32 = fabrics_0[_S668].clustered_0.texels_2 + _S671 * u32(12) + u32(9);
+    var _S675 : Albedos_0 = table_albedos_0(families_0[_S673].albedo_table_0 + min(u32(table_number_0(_S674)) + u32(1024) * u32(table_number_0(_S674 + u32(1))), u32(families_0[_S673].count_0) - u32(1)) * families_0[_S673].albedo_stride_0);
+    if((fabrics_0[_S668].is_irregular_0) == u32(0))
     {
-        return _S673;
+        return _S675;
     }
-    return toned_0(_S666, _S671, _S673, select_vector_0(_S670, _S667.yarns_0.warp_1, _S667.yarns_0.weft_1));
+    return toned_0(_S668, _S673, _S675, select_vector_0(_S672, _S669.yarns_0.warp_1, _S669.yarns_0.weft_1));
 }
 
-fn clustered_residual_0( _S674 : u32,  _S675 : ClusteredView_0,  _S676 : u32,  _S677 : vec3<f32>,  _S678 : vec3<f32>) -> vec3<f32>
+fn clustered_residual_0( _S676 : u32,  _S677 : ClusteredView_0,  _S678 : u32,  _S679 : vec3<f32>,  _S680 : vec3<f32>) -> vec3<f32>
 {
-    var _S679 : BaseTaps_0 = base_taps_0(_S675.base_0, _S678);
-    var _S680 : TexelTerms_0 = at_texel_0(_S674, _S675.base_0, _S676, _S679);
+    var _S681 : BaseTaps_0 = base_taps_0(_S677.base_0, _S680);
+    var _S682 : TexelTerms_0 = at_texel_0(_S676, _S677.base_0, _S678, _S681);
     var own_3 : FamilyAlbedos_0;
-    var _S681 : Albedos_0 = tinted_0(texel_albedos_0(_S674, _S675, _S676), _S677);
-    own_3.warp_5 = _S681;
-    own_3.weft_5 = _S681;
-    var _S682 : Components_0 = as_seen_0(_S674, _S675, _S680.own_2);
-    var _S683 : Components_0 = as_seen_0(_S674, _S675, _S680.known_0);
-    return under_sheen_0(_S674, _S675, shaded_0(_S682, own_3, _S679.transmits_1) - shaded_0(_S683, _S675.albedos_5, _S679.transmits_1), _S682.light_visibility_1 - _S683.light_visibility_1, _S678);
+    var _S683 : Albedos_0 = tinted_0(texel_albedos_0(_S676, _S677, _S678), _S679);
+    own_3.warp_5 = _S683;
+    own_3.weft_5 = _S683;
+    var _S684 : Components_0 = as_seen_0(_S676, _S677, _S682.own_2);
+    var _S685 : Components_0 = as_seen_0(_S676, _S677, _S682.known_0);
+    return under_sheen_0(_S676, _S677, shaded_0(_S684, own_3, _S681.transmits_1) - shaded_0(_S685, _S677.albedos_5, _S681.transmits_1), _S684.light_visibility_1 - _S685.light_visibility_1, _S680);
 }
 
-fn passed_by_sheen_0( _S684 : u32,  _S685 : f32,  _S686 : vec3<f32>) -> f32
+fn passed_by_sheen_0( _S686 : u32,  _S687 : f32,  _S688 : vec3<f32>) -> f32
 {
-    var _S687 : f32 = fabrics_0[_S684].sheen_strength_0;
-    if((fabrics_0[_S684].sheen_strength_0) <= 0.0f)
+    var _S689 : f32 = fabrics_0[_S686].sheen_strength_0;
+    if((fabrics_0[_S686].sheen_strength_0) <= 0.0f)
     {
-        return _S685;
+        return _S687;
     }
-    return _S685 * (1.0f - _S687 * sheen_lobe_0(abs(_S686.z), fabrics_0[_S684].sheen_roughness_0).z);
+    return _S687 * (1.0f - _S689 * sheen_lobe_0(abs(_S688.z), fabrics_0[_S686].sheen_roughness_0).z);
 }
 
-fn light_of_clustered_0( _S688 : u32,  _S689 : VisiblePoint_0,  _S690 : vec2<u32>,  _S691 : vec3<f32>) -> vec4<f32>
+fn light_of_clustered_0( _S690 : u32,  _S691 : VisiblePoint_0,  _S692 : vec2<u32>,  _S693 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S689.draft_dx_0;
-    footprint_1.dy_0 = _S689.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S688, _S689.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S692 : vec3<f32> = to_local_0(_S689, _S689.view_0);
-    var _S693 : Clustered_std430_0 = fabrics_0[_S688].clustered_0;
-    var _S694 : u32 = mixed_0(mixed_0(_S690.x + u32(65536) * _S690.y) + frame_record_0.pass_number_0 * u32(2654435769));
-    var _S695 : ClusteredView_0 = clustered_view_0(_S688, footprint_1, _S692, _S691, _S694);
-    var _S696 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_1.dx_0 = _S691.draft_dx_0;
+    footprint_1.dy_0 = _S691.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S690, _S691.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S694 : vec3<f32> = to_local_0(_S691, _S691.view_0);
+    var _S695 : Clustered_std430_0 = fabrics_0[_S690].clustered_0;
+    var _S696 : u32 = mixed_0(mixed_0(_S692.x + u32(65536) * _S692.y) + frame_record_0.pass_number_0 * u32(2654435769));
+    var _S697 : ClusteredView_0 = clustered_view_0(_S690, footprint_1, _S694, _S693, _S696);
+    var _S698 : vec3<f32> = vec3<f32>(0.0f);
     var term_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S696;
+    var radiance_1 : vec3<f32> = _S698;
     for(;;)
     {
-        if(term_1 <= (_S693.samples_1))
+        if(term_1 <= (_S695.samples_1))
         {
         }
         else
@@ -2407,7 +2397,7 @@ fn light_of_clustered_0( _S688 : u32,  _S689 : VisiblePoint_0,  _S690 : vec2<u32
         var texel_0 : u32;
         if(term_1 > u32(0))
         {
-            texel_0 = residual_texel_0(_S688, _S695, _S694, term_1 - u32(1));
+            texel_0 = residual_texel_0(_S690, _S697, _S696, term_1 - u32(1));
         }
         else
         {
@@ -2424,61 +2414,61 @@ fn light_of_clustered_0( _S688 : u32,  _S689 : VisiblePoint_0,  _S690 : vec2<u32
             {
                 break;
             }
-            var _S697 : f32 = visibility_at_0(number_9, _S690);
-            if(_S697 <= 0.0f)
+            var _S699 : f32 = visibility_at_0(number_9, _S692);
+            if(_S699 <= 0.0f)
             {
                 number_9 = number_9 + u32(1);
                 continue;
             }
-            var _S698 : LightSample_0 = light_sample_0(number_9, _S690, _S689.position_4);
-            var _S699 : vec3<f32> = to_local_0(_S689, _S698.towards_1);
+            var _S700 : LightSample_0 = light_sample_0(number_9, _S692, _S691.position_4);
+            var _S701 : vec3<f32> = to_local_0(_S691, _S700.towards_1);
             var value_1 : vec3<f32>;
             if(term_1 == u32(0))
             {
-                value_1 = clustered_base_value_0(_S688, _S695, _S699);
+                value_1 = clustered_base_value_0(_S690, _S697, _S701);
             }
             else
             {
-                value_1 = clustered_residual_0(_S688, _S695, texel_0, _S691, _S699) / vec3<f32>(f32(_S693.samples_1));
+                value_1 = clustered_residual_0(_S690, _S697, texel_0, _S693, _S701) / vec3<f32>(f32(_S695.samples_1));
             }
-            radiance_2 = radiance_2 + vec3<f32>(_S697) * _S698.irradiance_1 * value_1;
+            radiance_2 = radiance_2 + vec3<f32>(_S699) * _S700.irradiance_1 * value_1;
             number_9 = number_9 + u32(1);
         }
         term_1 = term_1 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S688, _S695.hole_1, _S692));
+    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S690, _S697.hole_1, _S694));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_clustered(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S700 : u32 = id_0.x;
-    var _S701 : bool;
-    if(_S700 >= (frame_record_0.width_0))
+    var _S702 : u32 = id_0.x;
+    var _S703 : bool;
+    if(_S702 >= (frame_record_0.width_0))
     {
-        _S701 = true;
+        _S703 = true;
     }
     else
     {
-        _S701 = (id_0.y) >= (frame_record_0.height_0);
+        _S703 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S701)
+    if(_S703)
     {
         return;
     }
-    var _S702 : u32 = id_0.y * frame_record_0.width_0 + _S700;
-    var _S703 : u32 = layers_0[_S702].face_0;
-    if((layers_0[_S702].face_0) == u32(0))
+    var _S704 : u32 = id_0.y * frame_record_0.width_0 + _S702;
+    var _S705 : u32 = layers_0[_S704].face_0;
+    if((layers_0[_S704].face_0) == u32(0))
     {
         return;
     }
-    var _S704 : u32 = _S703 - u32(1);
-    var _S705 : u32 = fabric_of_0(_S704);
-    var _S706 : vec2<u32> = id_0.xy;
-    var _S707 : VisiblePoint_0 = visible_point_0(_S705, _S704, _S706);
-    accumulate_0(_S702, light_of_clustered_0(_S705, _S707, _S706, filtered_albedo_0(_S705, _S707)));
+    var _S706 : u32 = _S705 - u32(1);
+    var _S707 : u32 = fabric_of_0(_S706);
+    var _S708 : vec2<u32> = id_0.xy;
+    var _S709 : VisiblePoint_0 = visible_point_0(_S707, _S706, _S708);
+    accumulate_0(_S704, light_of_clustered_0(_S707, _S709, _S708, filtered_albedo_0(_S707, _S709)));
     return;
 }
 

@@ -1188,36 +1188,6 @@ fn angle_of_0( direction_3 : vec2<f32>) -> f32
     return select(0.5f * _S139 - select(1.0f, -1.0f, _S138) * arc_sine_0(_S140), select(_S137, _S139 - _S137, _S140 < 0.0f), (abs(_S136)) < 0.69999998807907104f);
 }
 
-struct Hair_0
-{
-     cover_1 : f32,
-     normal_3 : vec3<f32>,
-     tangent_2 : vec3<f32>,
-     is_warp_3 : bool,
-     shade_0 : f32,
-};
-
-fn Hair_x24init_0( cover_2 : f32,  normal_4 : vec3<f32>,  tangent_3 : vec3<f32>,  is_warp_4 : bool,  shade_1 : f32) -> Hair_0
-{
-    var _S141 : Hair_0;
-    _S141.cover_1 = cover_2;
-    _S141.normal_3 = normal_4;
-    _S141.tangent_2 = tangent_3;
-    _S141.is_warp_3 = is_warp_4;
-    _S141.shade_0 = shade_1;
-    return _S141;
-}
-
-fn share_of_0( bits_0 : u32) -> f32
-{
-    return (f32((bits_0 & (u32(1023)))) + 0.5f) * 0.0009765625f;
-}
-
-fn table_colour_0( index_6 : u32) -> vec3<f32>
-{
-    return vec3<f32>(table_number_0(index_6), table_number_0(index_6 + u32(1)), table_number_0(index_6 + u32(2)));
-}
-
 struct Albedos_0
 {
      diffuse_reflect_0 : vec3<f32>,
@@ -1226,36 +1196,101 @@ struct Albedos_0
      specular_transmit_0 : vec3<f32>,
 };
 
-fn table_albedos_0( row_1 : u32) -> Albedos_0
+fn Albedos_x24init_0( diffuse_reflect_1 : vec3<f32>,  diffuse_transmit_1 : vec3<f32>,  specular_reflect_1 : vec3<f32>,  specular_transmit_1 : vec3<f32>) -> Albedos_0
 {
-    var albedos_0 : Albedos_0;
-    albedos_0.diffuse_reflect_0 = table_colour_0(row_1);
-    albedos_0.diffuse_transmit_0 = table_colour_0(row_1 + u32(3));
-    albedos_0.specular_reflect_0 = table_colour_0(row_1 + u32(6));
-    albedos_0.specular_transmit_0 = table_colour_0(row_1 + u32(9));
-    return albedos_0;
+    var _S141 : Albedos_0;
+    _S141.diffuse_reflect_0 = diffuse_reflect_1;
+    _S141.diffuse_transmit_0 = diffuse_transmit_1;
+    _S141.specular_reflect_0 = specular_reflect_1;
+    _S141.specular_transmit_0 = specular_transmit_1;
+    return _S141;
 }
 
-fn albedos_of_0( family_13 : u32,  thread_9 : u32) -> Albedos_0
+struct Hairs_0
 {
-    return table_albedos_0(families_0[family_13].albedo_table_0 + families_0[family_13].albedo_stride_0 * thread_9);
+     place_1 : vec2<f32>,
+     below_1 : f32,
+     back_4 : bool,
+     size_3 : f32,
+};
+
+fn Hairs_x24init_0( place_2 : vec2<f32>,  below_2 : f32,  back_5 : bool,  size_4 : f32) -> Hairs_0
+{
+    var _S142 : Hairs_0;
+    _S142.place_1 = place_2;
+    _S142.below_1 = below_2;
+    _S142.back_4 = back_5;
+    _S142.size_3 = size_4;
+    return _S142;
 }
 
-fn fibre_cell_0( across_4 : f32,  along_1 : f32,  width_2 : f32) -> vec3<f32>
+struct YarnPoint_0
 {
-    var _S142 : f32 = floor(across_4 / width_2);
-    return vec3<f32>(_S142, along_1 / (width_2 * 40.0f) + 0.61799997091293335f * _S142, 2.0f * (across_4 / width_2 - _S142) - 1.0f);
+     back_6 : bool,
+     hole_5 : bool,
+     is_warp_3 : bool,
+     x_11 : f32,
+     y_4 : f32,
+     height_6 : f32,
+     normal_3 : vec3<f32>,
+     tangent_2 : vec3<f32>,
+     surface_normal_0 : vec3<f32>,
+     diffuse_gain_0 : f32,
+     roughness_1 : f32,
+     albedos_0 : Albedos_0,
+     hairs_0 : Hairs_0,
+     hair_cover_0 : f32,
+};
+
+fn YarnPoint_x24init_0( back_7 : bool,  hole_6 : bool,  is_warp_4 : bool,  x_12 : f32,  y_5 : f32,  height_7 : f32,  normal_4 : vec3<f32>,  tangent_3 : vec3<f32>,  surface_normal_1 : vec3<f32>,  diffuse_gain_1 : f32,  roughness_2 : f32,  albedos_1 : Albedos_0,  hairs_1 : Hairs_0,  hair_cover_1 : f32) -> YarnPoint_0
+{
+    var _S143 : YarnPoint_0;
+    _S143.back_6 = back_7;
+    _S143.hole_5 = hole_6;
+    _S143.is_warp_3 = is_warp_4;
+    _S143.x_11 = x_12;
+    _S143.y_4 = y_5;
+    _S143.height_6 = height_7;
+    _S143.normal_3 = normal_4;
+    _S143.tangent_2 = tangent_3;
+    _S143.surface_normal_0 = surface_normal_1;
+    _S143.diffuse_gain_0 = diffuse_gain_1;
+    _S143.roughness_1 = roughness_2;
+    _S143.albedos_0 = albedos_1;
+    _S143.hairs_0 = hairs_1;
+    _S143.hair_cover_0 = hair_cover_1;
+    return _S143;
 }
 
-fn ply_offset_0( family_14 : u32,  point_1 : SurfacePoint_0,  back_4 : bool) -> f32
+struct Hair_0
 {
-    var _S143 : f32 = (point_1.fibre_across_0 * families_0[family_14].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_14].ply_sine_0, - families_0[family_14].ply_sine_0, back_4)) * families_0[family_14].plies_per_mm_0;
-    return 2.0f * (_S143 - floor(_S143)) - 1.0f;
+     cover_1 : f32,
+     normal_5 : vec3<f32>,
+     tangent_4 : vec3<f32>,
+     is_warp_5 : bool,
+     shade_0 : f32,
+};
+
+fn Hair_x24init_0( cover_2 : f32,  normal_6 : vec3<f32>,  tangent_5 : vec3<f32>,  is_warp_6 : bool,  shade_1 : f32) -> Hair_0
+{
+    var _S144 : Hair_0;
+    _S144.cover_1 = cover_2;
+    _S144.normal_5 = normal_6;
+    _S144.tangent_4 = tangent_5;
+    _S144.is_warp_5 = is_warp_6;
+    _S144.shade_0 = shade_1;
+    return _S144;
 }
 
-fn groove_0( depth_0 : f32,  offset_1 : f32) -> vec2<f32>
+fn share_of_0( bits_0 : u32) -> f32
 {
-    return vec2<f32>(depth_0) * vec2<f32>(0.1111111119389534f - square_1(square_1(square_1(offset_1))), 0.1111111119389534f);
+    return (f32((bits_0 & (u32(1023)))) + 0.5f) * 0.0009765625f;
+}
+
+fn ply_offset_0( family_13 : u32,  point_1 : SurfacePoint_0,  back_8 : bool) -> f32
+{
+    var _S145 : f32 = (point_1.fibre_across_0 * families_0[family_13].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_13].ply_sine_0, - families_0[family_13].ply_sine_0, back_8)) * families_0[family_13].plies_per_mm_0;
+    return 2.0f * (_S145 - floor(_S145)) - 1.0f;
 }
 
 fn signed_noise_0( bits_1 : u32) -> f32
@@ -1270,140 +1305,124 @@ fn smooth_share_0( share_2 : f32) -> f32
 
 fn wave_noise_0( key_4 : u32,  position_5 : f32) -> vec2<f32>
 {
-    var _S144 : f32 = floor(position_5);
-    var _S145 : f32 = position_5 - _S144;
-    var _S146 : u32 = u32(i32(_S144));
-    var _S147 : f32 = signed_noise_0(hash_bits_0(key_4, _S146));
-    var _S148 : f32 = signed_noise_0(hash_bits_0(key_4, _S146 + u32(1)));
-    return vec2<f32>(mix(_S147, _S148, smooth_share_0(_S145)), 6.0f * _S145 * (1.0f - _S145) * (_S148 - _S147));
+    var _S146 : f32 = floor(position_5);
+    var _S147 : f32 = position_5 - _S146;
+    var _S148 : u32 = u32(i32(_S146));
+    var _S149 : f32 = signed_noise_0(hash_bits_0(key_4, _S148));
+    var _S150 : f32 = signed_noise_0(hash_bits_0(key_4, _S148 + u32(1)));
+    return vec2<f32>(mix(_S149, _S150, smooth_share_0(_S147)), 6.0f * _S147 * (1.0f - _S147) * (_S150 - _S149));
+}
+
+fn fibre_cell_0( across_4 : f32,  along_1 : f32,  width_2 : f32) -> vec3<f32>
+{
+    var _S151 : f32 = floor(across_4 / width_2);
+    return vec3<f32>(_S151, along_1 / (width_2 * 40.0f) + 0.61799997091293335f * _S151, 2.0f * (across_4 / width_2 - _S151) - 1.0f);
 }
 
 fn cell_noise_0( key_5 : u32,  cell_9 : vec3<f32>) -> vec2<f32>
 {
-    var _S149 : f32 = cell_9.y;
-    var _S150 : f32 = floor(_S149);
-    var _S151 : u32 = u32(i32(cell_9.x)) * u32(65536) + u32(i32(_S150));
-    var _S152 : u32 = hash_bits_0(key_5, _S151);
-    var _S153 : u32 = hash_bits_0(key_5, _S151 + u32(1));
-    return mix(vec2<f32>(signed_noise_0(_S152), signed_noise_0((_S152 >> (u32(16))))), vec2<f32>(signed_noise_0(_S153), signed_noise_0((_S153 >> (u32(16))))), vec2<f32>(smooth_share_0(_S149 - _S150)));
-}
-
-fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
-{
-    return amount_0 * (2.0f * uniform_hash_0(thread_10, u32(0), (seed_1 ^ (u32(2135587861)))) - 1.0f) + 1.0f;
-}
-
-fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
-{
-    var _S154 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S154.x, _S154.y), _S154.z), 0.0f));
-}
-
-fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
-{
-    var _S155 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
-    return min(max(min(min(_S155.x, _S155.y), _S155.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
-}
-
-fn fibre_gain_0( thread_11 : u32,  cell_10 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
-{
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_10, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
+    var _S152 : f32 = cell_9.y;
+    var _S153 : f32 = floor(_S152);
+    var _S154 : u32 = u32(i32(cell_9.x)) * u32(65536) + u32(i32(_S153));
+    var _S155 : u32 = hash_bits_0(key_5, _S154);
+    var _S156 : u32 = hash_bits_0(key_5, _S154 + u32(1));
+    return mix(vec2<f32>(signed_noise_0(_S155), signed_noise_0((_S155 >> (u32(16))))), vec2<f32>(signed_noise_0(_S156), signed_noise_0((_S156 >> (u32(16))))), vec2<f32>(smooth_share_0(_S152 - _S153)));
 }
 
 struct YarnFrame_0
 {
-     normal_5 : vec3<f32>,
-     tangent_4 : vec3<f32>,
+     normal_7 : vec3<f32>,
+     tangent_6 : vec3<f32>,
      loss_0 : f32,
      shade_2 : f32,
 };
 
 fn under_hair_0( frame_0 : YarnFrame_0,  hair_0 : Hair_0) -> YarnFrame_0
 {
-    var _S156 : vec3<f32> = select_vector_1((dot(frame_0.tangent_4, hair_0.tangent_2)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_2), hair_0.tangent_2);
+    var _S157 : vec3<f32> = select_vector_1((dot(frame_0.tangent_6, hair_0.tangent_4)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_4), hair_0.tangent_4);
     var blended_0 : YarnFrame_0;
-    var _S157 : vec3<f32> = vec3<f32>(hair_0.cover_1);
-    var _S158 : vec3<f32> = normalize(mix(frame_0.normal_5, hair_0.normal_3, _S157));
-    blended_0.normal_5 = _S158;
-    var _S159 : vec3<f32> = mix(frame_0.tangent_4, _S156, _S157);
-    var _S160 : vec3<f32> = _S159 - vec3<f32>(dot(_S159, _S158)) * _S158;
-    blended_0.tangent_4 = _S160 * vec3<f32>(rsqrt_0(max(dot(_S160, _S160), 9.999999960041972e-13f)));
+    var _S158 : vec3<f32> = vec3<f32>(hair_0.cover_1);
+    var _S159 : vec3<f32> = normalize(mix(frame_0.normal_7, hair_0.normal_5, _S158));
+    blended_0.normal_7 = _S159;
+    var _S160 : vec3<f32> = mix(frame_0.tangent_6, _S157, _S158);
+    var _S161 : vec3<f32> = _S160 - vec3<f32>(dot(_S160, _S159)) * _S159;
+    blended_0.tangent_6 = _S161 * vec3<f32>(rsqrt_0(max(dot(_S161, _S161), 9.999999960041972e-13f)));
     blended_0.loss_0 = frame_0.loss_0 * (1.0f - hair_0.cover_1);
     blended_0.shade_2 = hair_0.shade_0;
     return blended_0;
 }
 
-fn diffuse_gain_0( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
+fn diffuse_gain_2( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
 {
-    return min(0.85000002384185791f * blend_0 * frame_1.loss_0 + 1.0f + frame_1.shade_2, 1.0f / (0.5f * blend_0 * (frame_1.normal_5.z - 1.0f) + 1.0f));
+    return min(0.85000002384185791f * blend_0 * frame_1.loss_0 + 1.0f + frame_1.shade_2, 1.0f / (0.5f * blend_0 * (frame_1.normal_7.z - 1.0f) + 1.0f));
 }
 
-fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_6 : vec3<f32>,  blend_1 : f32) -> f32
+fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_8 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S161 : f32 = light_1.z;
-    if(_S161 <= 0.0f)
+    var _S162 : f32 = light_1.z;
+    if(_S162 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S161, 0.0f), max(dot(light_1, normal_6), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S162, 0.0f), max(dot(light_1, normal_8), 0.0f), blend_1);
 }
 
-fn projected_area_1( direction_4 : vec3<f32>,  tangent_5 : vec3<f32>,  roughness_1 : f32) -> f32
+fn projected_area_1( direction_4 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S162 : f32 = dot(direction_4, tangent_5);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S162 * _S162 + 1.0f, roughness_1 * roughness_1));
+    var _S163 : f32 = dot(direction_4, tangent_7);
+    return sqrt(max((roughness_3 + 1.0f) * (roughness_3 - 1.0f) * _S163 * _S163 + 1.0f, roughness_3 * roughness_3));
 }
 
-fn mean_attenuation_0( depth_1 : f32) -> f32
+fn mean_attenuation_0( depth_0 : f32) -> f32
 {
-    if(depth_1 < 0.10000000149011612f)
+    if(depth_0 < 0.10000000149011612f)
     {
-        return (((depth_1 / 120.0f - 0.0416666679084301f) * depth_1 + 0.1666666716337204f) * depth_1 - 0.5f) * depth_1 + 1.0f;
+        return (((depth_0 / 120.0f - 0.0416666679084301f) * depth_0 + 0.1666666716337204f) * depth_0 - 0.5f) * depth_0 + 1.0f;
     }
-    return (1.0f - exponential_0(- depth_1)) / depth_1;
+    return (1.0f - exponential_0(- depth_0)) / depth_0;
 }
 
-fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
+fn flake_density_0( squared_along_0 : f32,  roughness_4 : f32) -> f32
 {
-    var _S163 : f32 = roughness_2 * roughness_2;
-    var _S164 : f32 = squared_along_0 * (1.0f - _S163) + _S163;
-    return 0.31830987334251404f * _S163 * roughness_2 / (_S164 * _S164);
+    var _S164 : f32 = roughness_4 * roughness_4;
+    var _S165 : f32 = squared_along_0 * (1.0f - _S164) + _S164;
+    return 0.31830987334251404f * _S164 * roughness_4 / (_S165 * _S165);
 }
 
-fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
+fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32) -> f32
 {
-    var _S165 : vec3<f32> = light_2 + view_1;
-    var _S166 : f32 = dot(_S165, tangent_6);
-    return flake_density_0(min(_S166 * _S166 / max(square_0(_S165), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S166 : vec3<f32> = light_2 + view_1;
+    var _S167 : f32 = dot(_S166, tangent_8);
+    return flake_density_0(min(_S167 * _S167 / max(square_0(_S166), 9.999999960041972e-13f), 1.0f), roughness_5);
 }
 
-fn transmission_1( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_7 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
+fn transmission_1( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_9 : vec3<f32>,  tangent_9 : vec3<f32>,  roughness_6 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S167 : f32 = - dot(light_3, normal_7);
-    var _S168 : f32 = dot(view_2, normal_7);
-    if(((_S167 <= 0.0f) | ((_S168 <= 0.0f))))
-    {
-        return 0.0f;
-    }
-    var _S169 : f32 = 1.0f / max(_S168, 9.99999997475242708e-07f);
-    var _S170 : f32 = projected_area_1(light_3, tangent_7, roughness_4) / max(_S167, 9.99999997475242708e-07f);
-    var _S171 : f32 = projected_area_1(view_2, tangent_7, roughness_4) * _S169;
-    return density_between_0(light_3, view_2, tangent_7, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S170, _S171)) * mean_attenuation_0(optical_depth_1 * abs(_S170 - _S171)) * _S169;
-}
-
-fn reflection_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
-{
-    var _S172 : f32 = dot(light_4, normal_8);
-    var _S173 : f32 = dot(view_3, normal_8);
-    if(((_S172 <= 0.0f) | ((_S173 <= 0.0f))))
+    var _S168 : f32 = - dot(light_3, normal_9);
+    var _S169 : f32 = dot(view_2, normal_9);
+    if(((_S168 <= 0.0f) | ((_S169 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S174 : f32 = max(_S172, 9.99999997475242708e-07f);
+    var _S170 : f32 = 1.0f / max(_S169, 9.99999997475242708e-07f);
+    var _S171 : f32 = projected_area_1(light_3, tangent_9, roughness_6) / max(_S168, 9.99999997475242708e-07f);
+    var _S172 : f32 = projected_area_1(view_2, tangent_9, roughness_6) * _S170;
+    return density_between_0(light_3, view_2, tangent_9, roughness_6) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S171, _S172)) * mean_attenuation_0(optical_depth_1 * abs(_S171 - _S172)) * _S170;
+}
+
+fn reflection_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_10 : vec3<f32>,  tangent_10 : vec3<f32>,  roughness_7 : f32,  optical_depth_2 : f32) -> f32
+{
+    var _S173 : f32 = dot(light_4, normal_10);
+    var _S174 : f32 = dot(view_3, normal_10);
+    if(((_S173 <= 0.0f) | ((_S174 <= 0.0f))))
+    {
+        return 0.0f;
+    }
     var _S175 : f32 = max(_S173, 9.99999997475242708e-07f);
-    var _S176 : f32 = projected_area_1(light_4, tangent_8, roughness_5) * _S175 + projected_area_1(view_3, tangent_8, roughness_5) * _S174;
-    var _S177 : f32 = optical_depth_2 * _S176 / (_S174 * _S175);
-    return 0.25f * density_between_0(light_4, view_3, tangent_8, roughness_5) * (_S177 * mean_attenuation_0(_S177)) * _S174 / _S176;
+    var _S176 : f32 = max(_S174, 9.99999997475242708e-07f);
+    var _S177 : f32 = projected_area_1(light_4, tangent_10, roughness_7) * _S176 + projected_area_1(view_3, tangent_10, roughness_7) * _S175;
+    var _S178 : f32 = optical_depth_2 * _S177 / (_S175 * _S176);
+    return 0.25f * density_between_0(light_4, view_3, tangent_10, roughness_7) * (_S178 * mean_attenuation_0(_S178)) * _S175 / _S177;
 }
 
 fn with_added_0( sums_2 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
@@ -1432,9 +1451,9 @@ fn wrapped_cell_0( position_6 : f32,  count_2 : f32) -> f32
     return min(floor((position_6 - floor(position_6)) * count_2), count_2 - 1.0f);
 }
 
-fn arc_tangent_quotient_0( x_11 : f32,  y_4 : f32) -> f32
+fn arc_tangent_quotient_0( x_13 : f32,  y_6 : f32) -> f32
 {
-    return ((((((0.0f * x_11 + 0.00809729471802711f) * x_11 + -0.0377517081797123f) * x_11 + 0.08475969731807709f) * x_11 + -0.13537675142288208f) * x_11 + 0.19895026087760925f) * x_11 + -0.33327975869178772f) * x_11 + 0.99999970197677612f;
+    return ((((((0.0f * x_13 + 0.00809729471802711f) * x_13 + -0.0377517081797123f) * x_13 + 0.08475969731807709f) * x_13 + -0.13537675142288208f) * x_13 + 0.19895026087760925f) * x_13 + -0.33327975869178772f) * x_13 + 0.99999970197677612f;
 }
 
 fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
@@ -1442,14 +1461,14 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
 }
 
-fn arc_tangent_0( y_5 : f32,  x_12 : f32) -> f32
+fn arc_tangent_0( y_7 : f32,  x_14 : f32) -> f32
 {
-    var _S178 : f32 = abs(x_12);
-    var _S179 : f32 = abs(y_5);
-    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S178, _S179) / max(max(_S178, _S179), 1.00000000317107685e-30f));
-    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S179 > _S178);
-    var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_12 < 0.0f);
-    return select(angle_2, - angle_2, y_5 < 0.0f);
+    var _S179 : f32 = abs(x_14);
+    var _S180 : f32 = abs(y_7);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S179, _S180) / max(max(_S179, _S180), 1.00000000317107685e-30f));
+    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S180 > _S179);
+    var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_14 < 0.0f);
+    return select(angle_2, - angle_2, y_7 < 0.0f);
 }
 
 struct NodeTaps_0
@@ -1461,45 +1480,45 @@ struct NodeTaps_0
 
 fn node_taps_of_0( direction_5 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
 {
-    var _S180 : f32 = arc_tangent_0(direction_5.y, direction_5.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
-    var _S181 : f32 = floor(_S180);
-    var _S182 : f32 = _S180 - _S181;
-    var _S183 : f32 = sqrt(clamp((1.0f - abs(direction_5.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    var _S184 : f32 = 7.0f * _S183 * sqrt(_S183);
-    var _S185 : f32 = min(floor(_S184), 6.0f);
-    var _S186 : f32 = _S184 - _S185;
-    var _S187 : u32 = u32(i32(_S181) + i32(azimuths_0)) % azimuths_0;
-    var _S188 : u32 = u32(_S185);
-    var _S189 : u32 = _S187 * u32(8) + _S188;
-    var _S190 : u32 = (_S187 + u32(1)) % azimuths_0;
-    var _S191 : u32 = _S190 * u32(8) + _S188;
+    var _S181 : f32 = arc_tangent_0(direction_5.y, direction_5.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
+    var _S182 : f32 = floor(_S181);
+    var _S183 : f32 = _S181 - _S182;
+    var _S184 : f32 = sqrt(clamp((1.0f - abs(direction_5.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    var _S185 : f32 = 7.0f * _S184 * sqrt(_S184);
+    var _S186 : f32 = min(floor(_S185), 6.0f);
+    var _S187 : f32 = _S185 - _S186;
+    var _S188 : u32 = u32(i32(_S182) + i32(azimuths_0)) % azimuths_0;
+    var _S189 : u32 = u32(_S186);
+    var _S190 : u32 = _S188 * u32(8) + _S189;
+    var _S191 : u32 = (_S188 + u32(1)) % azimuths_0;
+    var _S192 : u32 = _S191 * u32(8) + _S189;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S189, _S189 + u32(1), _S191, _S191 + u32(1));
-    var _S192 : f32 = 1.0f - _S182;
-    var _S193 : f32 = 1.0f - _S186;
-    var _S194 : vec4<u32> = vec4<u32>(vec4<f32>(_S192 * _S193, _S192 * _S186, _S182 * _S193, _S182 * _S186) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S194;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S194.x + _S194.y + _S194.z + _S194.w);
+    taps_0.nodes_0 = vec4<u32>(_S190, _S190 + u32(1), _S192, _S192 + u32(1));
+    var _S193 : f32 = 1.0f - _S183;
+    var _S194 : f32 = 1.0f - _S187;
+    var _S195 : vec4<u32> = vec4<u32>(vec4<f32>(_S193 * _S194, _S193 * _S187, _S183 * _S194, _S183 * _S187) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S195;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S195.x + _S195.y + _S195.z + _S195.w);
     return taps_0;
 }
 
 fn node_taps_0( direction_6 : vec3<f32>) -> NodeTaps_0
 {
-    var _S195 : NodeTaps_0 = node_taps_of_0(direction_6, u32(32));
-    return _S195;
+    var _S196 : NodeTaps_0 = node_taps_of_0(direction_6, u32(32));
+    return _S196;
 }
 
 fn half_vector_0( light_5 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S196 : vec3<f32> = light_5 + view_4;
-    return _S196 * vec3<f32>(rsqrt_0(max(square_0(_S196), 9.999999960041972e-13f)));
+    var _S197 : vec3<f32> = light_5 + view_4;
+    return _S197 * vec3<f32>(rsqrt_0(max(square_0(_S197), 9.999999960041972e-13f)));
 }
 
 fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f32>
 {
-    var _S197 : vec4<f32> = vec4<f32>(0.0f);
+    var _S198 : vec4<f32> = vec4<f32>(0.0f);
     var i_1 : u32 = u32(0);
-    var sums_3 : vec4<f32> = _S197;
+    var sums_3 : vec4<f32> = _S198;
     for(;;)
     {
         if(i_1 < u32(4))
@@ -1509,9 +1528,9 @@ fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f
         {
             break;
         }
-        var _S198 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
-        var _S199 : vec2<u32> = vec2<u32>(words_0[_S198], words_0[_S198 + u32(1)]);
-        var sums_4 : vec4<f32> = sums_3 + vec4<f32>(((vec4<i32>(vec2<i32>((_S199 << (vec2<u32>(u32(16))))), vec2<i32>(_S199)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
+        var _S199 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
+        var _S200 : vec2<u32> = vec2<u32>(words_0[_S199], words_0[_S199 + u32(1)]);
+        var sums_4 : vec4<f32> = sums_3 + vec4<f32>(((vec4<i32>(vec2<i32>((_S200 << (vec2<u32>(u32(16))))), vec2<i32>(_S200)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
         i_1 = i_1 + u32(1);
         sums_3 = sums_4;
     }
@@ -1525,81 +1544,81 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_2 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S200 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S201 : vec4<u32> = ((packs_1 & (_S200))) * taps_2.weights_0;
-    var _S202 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S200))) * taps_2.weights_0;
-    return bytes_of_sums_0(_S201.x + _S201.y + _S201.z + _S201.w, _S202.x + _S202.y + _S202.z + _S202.w) * vec4<f32>(taps_2.inverse_sum_0);
+    var _S201 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S202 : vec4<u32> = ((packs_1 & (_S201))) * taps_2.weights_0;
+    var _S203 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S201))) * taps_2.weights_0;
+    return bytes_of_sums_0(_S202.x + _S202.y + _S202.z + _S202.w, _S203.x + _S203.y + _S203.z + _S203.w) * vec4<f32>(taps_2.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_3 : NodeTaps_0,  table_2 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S203 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_3, vec4<u32>(words_0[_S203.x], words_0[_S203.y], words_0[_S203.z], words_0[_S203.w]));
+    var _S204 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_3, vec4<u32>(words_0[_S204.x], words_0[_S204.y], words_0[_S204.z], words_0[_S204.w]));
 }
 
 struct Group_0
 {
-     normal_9 : vec3<f32>,
+     normal_11 : vec3<f32>,
      weight_2 : f32,
-     tangent_9 : vec3<f32>,
+     tangent_11 : vec3<f32>,
      variance_0 : vec3<f32>,
      covariance_0 : vec3<f32>,
-     roughness_6 : f32,
+     roughness_8 : f32,
 };
 
-fn group_at_0( row_2 : u32,  roughness_7 : f32) -> Group_0
+fn group_at_0( row_1 : u32,  roughness_9 : f32) -> Group_0
 {
     var group_0 : Group_0;
-    group_0.normal_9 = vec3<f32>(table_number_0(row_2), table_number_0(row_2 + u32(1)), table_number_0(row_2 + u32(2)));
-    group_0.weight_2 = table_number_0(row_2 + u32(3));
-    var _S204 : vec3<f32> = vec3<f32>(table_number_0(row_2 + u32(4)), table_number_0(row_2 + u32(5)), table_number_0(row_2 + u32(6)));
-    group_0.tangent_9 = _S204;
-    var _S205 : f32 = table_number_0(row_2 + u32(7));
-    var _S206 : f32 = table_number_0(row_2 + u32(8));
-    group_0.variance_0 = vec3<f32>(_S205, _S206, 1.0f - square_0(_S204) - _S205 - _S206);
-    group_0.covariance_0 = vec3<f32>(table_number_0(row_2 + u32(9)), table_number_0(row_2 + u32(10)), table_number_0(row_2 + u32(11)));
-    group_0.roughness_6 = roughness_7;
+    group_0.normal_11 = vec3<f32>(table_number_0(row_1), table_number_0(row_1 + u32(1)), table_number_0(row_1 + u32(2)));
+    group_0.weight_2 = table_number_0(row_1 + u32(3));
+    var _S205 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
+    group_0.tangent_11 = _S205;
+    var _S206 : f32 = table_number_0(row_1 + u32(7));
+    var _S207 : f32 = table_number_0(row_1 + u32(8));
+    group_0.variance_0 = vec3<f32>(_S206, _S207, 1.0f - square_0(_S205) - _S206 - _S207);
+    group_0.covariance_0 = vec3<f32>(table_number_0(row_1 + u32(9)), table_number_0(row_1 + u32(10)), table_number_0(row_1 + u32(11)));
+    group_0.roughness_8 = roughness_9;
     return group_0;
 }
 
 fn Group_variance_along_0( this_5 : Group_0,  direction_7 : vec3<f32>) -> f32
 {
-    var _S207 : f32 = direction_7.x;
-    var _S208 : f32 = direction_7.y;
-    var _S209 : f32 = direction_7.z;
-    return max(dot(this_5.variance_0, direction_7 * direction_7) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S207 * _S208, _S207 * _S209, _S208 * _S209)), 0.0f);
+    var _S208 : f32 = direction_7.x;
+    var _S209 : f32 = direction_7.y;
+    var _S210 : f32 = direction_7.z;
+    return max(dot(this_5.variance_0, direction_7 * direction_7) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S208 * _S209, _S208 * _S210, _S209 * _S210)), 0.0f);
 }
 
 fn mean_area_0( group_1 : Group_0,  direction_8 : vec3<f32>) -> f32
 {
-    var _S210 : f32 = dot(direction_8, group_1.tangent_9);
-    var _S211 : f32 = group_1.roughness_6;
-    var _S212 : f32 = _S211 * _S211;
-    return sqrt(max((_S212 - 1.0f) * (_S210 * _S210 + Group_variance_along_0(group_1, direction_8)) + 1.0f, _S212));
+    var _S211 : f32 = dot(direction_8, group_1.tangent_11);
+    var _S212 : f32 = group_1.roughness_8;
+    var _S213 : f32 = _S212 * _S212;
+    return sqrt(max((_S213 - 1.0f) * (_S211 * _S211 + Group_variance_along_0(group_1, direction_8)) + 1.0f, _S213));
 }
 
 fn mean_density_0( group_2 : Group_0,  half_0 : vec3<f32>) -> f32
 {
-    var _S213 : f32 = group_2.roughness_6;
-    var _S214 : f32 = max(sqrt(max(1.0f - _S213 * _S213, 0.0f)) / group_2.roughness_6, 0.00100000004749745f);
-    var _S215 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516f + 0.00009999999747379f);
-    var _S216 : f32 = dot(half_0, group_2.tangent_9);
-    var _S217 : f32 = _S214 * (_S216 - _S215);
-    var _S218 : f32 = _S214 * (_S216 + _S215);
-    var _S219 : f32 = _S217 * _S218;
-    var _S220 : f32 = 2.0f * _S215 * _S214;
-    return 0.15915493667125702f / group_2.roughness_6 * ((1.0f - _S219) / ((_S217 * _S217 + 1.0f) * (_S218 * _S218 + 1.0f)) + arc_tangent_0(_S220, 1.0f + _S219) / _S220);
+    var _S214 : f32 = group_2.roughness_8;
+    var _S215 : f32 = max(sqrt(max(1.0f - _S214 * _S214, 0.0f)) / group_2.roughness_8, 0.00100000004749745f);
+    var _S216 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_8 * 0.01999999955296516f + 0.00009999999747379f);
+    var _S217 : f32 = dot(half_0, group_2.tangent_11);
+    var _S218 : f32 = _S215 * (_S217 - _S216);
+    var _S219 : f32 = _S215 * (_S217 + _S216);
+    var _S220 : f32 = _S218 * _S219;
+    var _S221 : f32 = 2.0f * _S216 * _S215;
+    return 0.15915493667125702f / group_2.roughness_8 * ((1.0f - _S220) / ((_S218 * _S218 + 1.0f) * (_S219 * _S219 + 1.0f)) + arc_tangent_0(_S221, 1.0f + _S220) / _S221);
 }
 
 fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>,  view_5 : vec3<f32>,  optical_depth_3 : f32) -> f32
 {
-    var _S221 : bool = (light_6.z) < 0.0f;
-    var _S222 : f32 = dot(light_6, group_3.normal_9);
-    var _S223 : f32 = max(dot(view_5, group_3.normal_9), 0.01999999955296516f);
-    var _S224 : f32 = mean_area_0(group_3, light_6) / max(select(_S222, - _S222, _S221), 0.01999999955296516f);
-    var _S225 : f32 = mean_area_0(group_3, view_5) / _S223;
-    var _S226 : f32 = optical_depth_3 * max(select(_S224 + _S225, abs(_S224 - _S225), _S221), 0.00100000004749745f);
-    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_9)), 1.0f, _S221) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S224, _S225)), _S221) * (1.0f - exponential_0(- _S226)) / _S226 / _S223);
+    var _S222 : bool = (light_6.z) < 0.0f;
+    var _S223 : f32 = dot(light_6, group_3.normal_11);
+    var _S224 : f32 = max(dot(view_5, group_3.normal_11), 0.01999999955296516f);
+    var _S225 : f32 = mean_area_0(group_3, light_6) / max(select(_S223, - _S223, _S222), 0.01999999955296516f);
+    var _S226 : f32 = mean_area_0(group_3, view_5) / _S224;
+    var _S227 : f32 = optical_depth_3 * max(select(_S225 + _S226, abs(_S225 - _S226), _S222), 0.00100000004749745f);
+    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_11)), 1.0f, _S222) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S225, _S226)), _S222) * (1.0f - exponential_0(- _S227)) / _S227 / _S224);
 }
 
 struct Yarns_0
@@ -1611,24 +1630,24 @@ struct Yarns_0
 
 fn Yarns_x24init_0( warp_4 : vec4<f32>,  weft_4 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
 {
-    var _S227 : Yarns_0;
-    _S227.warp_3 = warp_4;
-    _S227.weft_3 = weft_4;
-    _S227.shares_0 = shares_1;
-    return _S227;
+    var _S228 : Yarns_0;
+    _S228.warp_3 = warp_4;
+    _S228.weft_3 = weft_4;
+    _S228.shares_0 = shares_1;
+    return _S228;
 }
 
-fn irregular_over_0( family_15 : u32,  key_6 : u32,  place_1 : f32,  width_3 : f32,  along_2 : f32,  length_0 : f32) -> vec4<f32>
+fn irregular_over_0( family_14 : u32,  key_6 : u32,  place_3 : f32,  width_3 : f32,  along_2 : f32,  length_0 : f32) -> vec4<f32>
 {
-    var _S228 : f32 = max(width_3, 0.0625f);
-    var _S229 : f32 = min(_S228, 64.0f);
-    var _S230 : f32 = max(length_0 / 2.0f, 1.0f);
-    var _S231 : f32 = along_2 / 2.0f - 0.5f * _S230;
-    var _S232 : f32 = 0.5f * _S229;
-    var _S233 : vec2<f32> = floor(vec2<f32>(place_1 - _S232, place_1 + _S232) / vec2<f32>(64.0f));
-    var _S234 : vec4<f32> = vec4<f32>(0.0f);
+    var _S229 : f32 = max(width_3, 0.0625f);
+    var _S230 : f32 = min(_S229, 64.0f);
+    var _S231 : f32 = max(length_0 / 2.0f, 1.0f);
+    var _S232 : f32 = along_2 / 2.0f - 0.5f * _S231;
+    var _S233 : f32 = 0.5f * _S230;
+    var _S234 : vec2<f32> = floor(vec2<f32>(place_3 - _S233, place_3 + _S233) / vec2<f32>(64.0f));
+    var _S235 : vec4<f32> = vec4<f32>(0.0f);
     var number_2 : u32 = u32(0);
-    var sums_5 : vec4<f32> = _S234;
+    var sums_5 : vec4<f32> = _S235;
     for(;;)
     {
         if(number_2 < u32(6))
@@ -1638,58 +1657,58 @@ fn irregular_over_0( family_15 : u32,  key_6 : u32,  place_1 : f32,  width_3 : f
         {
             break;
         }
-        var _S235 : bool = number_2 >= u32(3);
-        var _S236 : u32 = select(number_2, number_2 - u32(3), _S235);
-        var _S237 : f32 = select(-1.0f, 1.0f, _S235);
-        var _S238 : f32 = _S233.y;
-        var _S239 : f32 = _S233.x;
-        var _S240 : f32 = select(_S239, _S238, _S235);
-        var _S241 : f32 = place_1 + _S237 * 0.5f * _S229 - 64.0f * _S240;
-        var _S242 : f32 = clamp(floor(_S241), 0.0f, 63.0f);
-        var _S243 : f32 = _S241 - _S242;
-        var _S244 : f32 = select(select(64.0f, 0.0f, _S235), _S242 + f32(_S236), _S236 < u32(2));
-        var _S245 : f32 = _S237 * select(select(select(0.0f, -1.0f, _S239 != _S238), _S243, _S236 == u32(1)), 1.0f - _S243, _S236 == u32(0));
-        if(_S245 == 0.0f)
+        var _S236 : bool = number_2 >= u32(3);
+        var _S237 : u32 = select(number_2, number_2 - u32(3), _S236);
+        var _S238 : f32 = select(-1.0f, 1.0f, _S236);
+        var _S239 : f32 = _S234.y;
+        var _S240 : f32 = _S234.x;
+        var _S241 : f32 = select(_S240, _S239, _S236);
+        var _S242 : f32 = place_3 + _S238 * 0.5f * _S230 - 64.0f * _S241;
+        var _S243 : f32 = clamp(floor(_S242), 0.0f, 63.0f);
+        var _S244 : f32 = _S242 - _S243;
+        var _S245 : f32 = select(select(64.0f, 0.0f, _S236), _S243 + f32(_S237), _S237 < u32(2));
+        var _S246 : f32 = _S238 * select(select(select(0.0f, -1.0f, _S240 != _S239), _S244, _S237 == u32(1)), 1.0f - _S244, _S237 == u32(0));
+        if(_S246 == 0.0f)
         {
             number_2 = number_2 + u32(1);
             continue;
         }
-        var _S246 : u32 = hash_bits_0(key_6, u32(i32(_S240)));
-        sums_5 = sums_5 + vec4<f32>(_S245) * irregular_integral_0(family_15, ((_S246 & (u32(127)))) + u32(_S244), _S231 + f32((_S246 >> (u32(22)))), _S230);
+        var _S247 : u32 = hash_bits_0(key_6, u32(i32(_S241)));
+        sums_5 = sums_5 + vec4<f32>(_S246) * irregular_integral_0(family_14, ((_S247 & (u32(127)))) + u32(_S245), _S232 + f32((_S247 >> (u32(22)))), _S231);
         number_2 = number_2 + u32(1);
     }
-    return sums_5 * irregular_units_0(family_15) * vec4<f32>((sqrt(_S229 / _S228) / (_S229 * _S230)));
+    return sums_5 * irregular_units_0(family_14) * vec4<f32>((sqrt(_S230 / _S229) / (_S230 * _S231)));
 }
 
 fn shown_of_covers_0( covers_0 : vec2<f32>,  warp_on_top_1 : f32) -> vec3<f32>
 {
-    var _S247 : f32 = covers_0.x;
-    var _S248 : f32 = covers_0.y;
-    return vec3<f32>(_S247 * (1.0f - _S248 * (1.0f - warp_on_top_1)), _S248 * (1.0f - _S247 * warp_on_top_1), (1.0f - _S247) * (1.0f - _S248));
+    var _S248 : f32 = covers_0.x;
+    var _S249 : f32 = covers_0.y;
+    return vec3<f32>(_S248 * (1.0f - _S249 * (1.0f - warp_on_top_1)), _S249 * (1.0f - _S248 * warp_on_top_1), (1.0f - _S248) * (1.0f - _S249));
 }
 
 struct Bound_0
 {
-     thread_12 : u32,
+     thread_9 : u32,
      turns_2 : f32,
-     cell_11 : f32,
+     cell_10 : f32,
      visible_0 : f32,
      width_4 : f32,
      gap_0 : f32,
 };
 
-fn bound_at_0( family_16 : u32,  position_7 : f32) -> Bound_0
+fn bound_at_0( family_15 : u32,  position_7 : f32) -> Bound_0
 {
-    var _S249 : Cell_0 = locate_0(family_16, position_7);
-    var _S250 : f32 = table_number_0(families_0[family_16].before_0 + u32(2) * _S249.thread_1 + u32(1));
+    var _S250 : Cell_0 = locate_0(family_15, position_7);
+    var _S251 : f32 = table_number_0(families_0[family_15].before_0 + u32(2) * _S250.thread_1 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_12 = _S249.thread_1;
-    bound_0.turns_2 = round((position_7 - families_0[family_16].start_0 - _S250 - _S249.below_0) * families_0[family_16].inverse_period_0);
-    bound_0.cell_11 = _S249.below_0;
-    var _S251 : f32 = 2.0f * _S249.half_width_1;
-    bound_0.width_4 = _S251;
-    bound_0.visible_0 = clamp((_S249.across_0 + _S249.half_width_1) / _S251, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S249.below_0, _S249.below_0 - _S249.across_0 - _S249.half_width_1) + max(_S249.across_0 - _S249.half_width_1, 0.0f);
+    bound_0.thread_9 = _S250.thread_1;
+    bound_0.turns_2 = round((position_7 - families_0[family_15].start_0 - _S251 - _S250.below_0) * families_0[family_15].inverse_period_0);
+    bound_0.cell_10 = _S250.below_0;
+    var _S252 : f32 = 2.0f * _S250.half_width_1;
+    bound_0.width_4 = _S252;
+    bound_0.visible_0 = clamp((_S250.across_0 + _S250.half_width_1) / _S252, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S250.below_0, _S250.below_0 - _S250.across_0 - _S250.half_width_1) + max(_S250.across_0 - _S250.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1699,14 +1718,29 @@ struct Stretch_0
      high_1 : Bound_0,
 };
 
-fn stretch_of_0( family_17 : u32,  centre_1 : f32,  size_3 : f32) -> Stretch_0
+fn stretch_of_0( family_16 : u32,  centre_1 : f32,  size_5 : f32) -> Stretch_0
 {
-    var _S252 : f32 = centre_1 - floor((centre_1 - families_0[family_17].start_0) * families_0[family_17].inverse_period_0) * families_0[family_17].period_0;
-    var _S253 : f32 = 0.5f * max(size_3, families_0[family_17].smallest_box_0);
+    var _S253 : f32 = centre_1 - floor((centre_1 - families_0[family_16].start_0) * families_0[family_16].inverse_period_0) * families_0[family_16].period_0;
+    var _S254 : f32 = 0.5f * max(size_5, families_0[family_16].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_1 = bound_at_0(family_17, _S252 - _S253);
-    stretch_0.high_1 = bound_at_0(family_17, _S252 + _S253);
+    stretch_0.low_1 = bound_at_0(family_16, _S253 - _S254);
+    stretch_0.high_1 = bound_at_0(family_16, _S253 + _S254);
     return stretch_0;
+}
+
+fn table_colour_0( index_6 : u32) -> vec3<f32>
+{
+    return vec3<f32>(table_number_0(index_6), table_number_0(index_6 + u32(1)), table_number_0(index_6 + u32(2)));
+}
+
+fn table_albedos_0( row_2 : u32) -> Albedos_0
+{
+    var albedos_2 : Albedos_0;
+    albedos_2.diffuse_reflect_0 = table_colour_0(row_2);
+    albedos_2.diffuse_transmit_0 = table_colour_0(row_2 + u32(3));
+    albedos_2.specular_reflect_0 = table_colour_0(row_2 + u32(6));
+    albedos_2.specular_transmit_0 = table_colour_0(row_2 + u32(9));
+    return albedos_2;
 }
 
 fn Stretch_turns_0( this_6 : Stretch_0) -> f32
@@ -1714,46 +1748,46 @@ fn Stretch_turns_0( this_6 : Stretch_0) -> f32
     return this_6.high_1.turns_2 - this_6.low_1.turns_2;
 }
 
-fn lengths_0( family_18 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
+fn lengths_0( family_17 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S254 : f32 = Stretch_turns_0(stretch_1);
-    var _S255 : u32 = families_0[family_18].before_0 + u32(2) * stretch_1.low_1.thread_12;
-    var _S256 : u32 = families_0[family_18].before_0 + u32(2) * stretch_1.high_1.thread_12;
-    var _S257 : f32 = table_number_0(_S256) - table_number_0(_S255);
-    var _S258 : f32 = table_number_0(_S256 + u32(1)) - table_number_0(_S255 + u32(1));
-    return vec3<f32>(_S257 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_4 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_4 + _S254 * families_0[family_18].visible_total_0, _S258 - _S257 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S254 * (families_0[family_18].period_0 - families_0[family_18].visible_total_0), _S258 + stretch_1.high_1.cell_11 - stretch_1.low_1.cell_11 + _S254 * families_0[family_18].period_0);
+    var _S255 : f32 = Stretch_turns_0(stretch_1);
+    var _S256 : u32 = families_0[family_17].before_0 + u32(2) * stretch_1.low_1.thread_9;
+    var _S257 : u32 = families_0[family_17].before_0 + u32(2) * stretch_1.high_1.thread_9;
+    var _S258 : f32 = table_number_0(_S257) - table_number_0(_S256);
+    var _S259 : f32 = table_number_0(_S257 + u32(1)) - table_number_0(_S256 + u32(1));
+    return vec3<f32>(_S258 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_4 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_4 + _S255 * families_0[family_17].visible_total_0, _S259 - _S258 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S255 * (families_0[family_17].period_0 - families_0[family_17].visible_total_0), _S259 + stretch_1.high_1.cell_10 - stretch_1.low_1.cell_10 + _S255 * families_0[family_17].period_0);
 }
 
-fn integrals_along_0( family_19 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
+fn integrals_along_0( family_18 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S259 : u32 = u32(3) * families_0[family_19].quantities_0;
-    var _S260 : u32 = families_0[family_19].colour_threads_0 + _S259 * stretch_2.low_1.thread_12 + quantity_0;
-    var _S261 : u32 = families_0[family_19].colour_threads_0 + _S259 * stretch_2.high_1.thread_12 + quantity_0;
-    var _S262 : u32 = families_0[family_19].colour_threads_0 + _S259 * u32(families_0[family_19].count_0) + quantity_0;
-    var _S263 : f32 = table_number_0(_S260);
+    var _S260 : u32 = u32(3) * families_0[family_18].quantities_0;
+    var _S261 : u32 = families_0[family_18].colour_threads_0 + _S260 * stretch_2.low_1.thread_9 + quantity_0;
+    var _S262 : u32 = families_0[family_18].colour_threads_0 + _S260 * stretch_2.high_1.thread_9 + quantity_0;
+    var _S263 : u32 = families_0[family_18].colour_threads_0 + _S260 * u32(families_0[family_18].count_0) + quantity_0;
     var _S264 : f32 = table_number_0(_S261);
-    var _S265 : f32 = Stretch_turns_0(stretch_2);
-    var _S266 : u32 = u32(2) * families_0[family_19].quantities_0;
-    return vec2<f32>(table_number_0(_S261 + families_0[family_19].quantities_0) - table_number_0(_S260 + families_0[family_19].quantities_0) + _S264 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_4 - _S263 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_4 + _S265 * table_number_0(_S262 + families_0[family_19].quantities_0), table_number_0(_S261 + _S266) - table_number_0(_S260 + _S266) + _S264 * stretch_2.high_1.cell_11 - _S263 * stretch_2.low_1.cell_11 + _S265 * table_number_0(_S262 + _S266));
+    var _S265 : f32 = table_number_0(_S262);
+    var _S266 : f32 = Stretch_turns_0(stretch_2);
+    var _S267 : u32 = u32(2) * families_0[family_18].quantities_0;
+    return vec2<f32>(table_number_0(_S262 + families_0[family_18].quantities_0) - table_number_0(_S261 + families_0[family_18].quantities_0) + _S265 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_4 - _S264 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_4 + _S266 * table_number_0(_S263 + families_0[family_18].quantities_0), table_number_0(_S262 + _S267) - table_number_0(_S261 + _S267) + _S265 * stretch_2.high_1.cell_10 - _S264 * stretch_2.low_1.cell_10 + _S266 * table_number_0(_S263 + _S267));
 }
 
 fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
 {
-    return (this_7.high_1.thread_12) < (this_7.low_1.thread_12);
+    return (this_7.high_1.thread_9) < (this_7.low_1.thread_9);
 }
 
 fn Stretch_differences_0( this_8 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S267 : u32 = entries_0.z;
-    var _S268 : u32 = entries_0.x;
-    return vec4<u32>(_S267 - _S268 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S267, entries_0.y - _S268, whole_0);
+    var _S268 : u32 = entries_0.z;
+    var _S269 : u32 = entries_0.x;
+    return vec4<u32>(_S268 - _S269 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S268, entries_0.y - _S269, whole_0);
 }
 
 fn row_differences_0( across_5 : Stretch_0,  row_3 : u32,  count_3 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S269 : u32 = row_3 + across_5.low_1.thread_12 * quantities_1;
-    var _S270 : u32 = row_3 + across_5.high_1.thread_12 * quantities_1;
-    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S269], words_0[_S269 + quantities_1], words_0[_S270], words_0[_S270 + quantities_1]), words_0[row_3 + count_3 * quantities_1]);
+    var _S270 : u32 = row_3 + across_5.low_1.thread_9 * quantities_1;
+    var _S271 : u32 = row_3 + across_5.high_1.thread_9 * quantities_1;
+    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S270], words_0[_S270 + quantities_1], words_0[_S271], words_0[_S271 + quantities_1]), words_0[row_3 + count_3 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
@@ -1761,92 +1795,119 @@ fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
     return vec4<f32>(1.0f, this_9.high_1.visible_0, - this_9.low_1.visible_0, Stretch_turns_0(this_9) - select(0.0f, 1.0f, Stretch_wraps_0(this_9)));
 }
 
-fn integral_on_top_0( family_20 : u32,  across_6 : Stretch_0,  along_3 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
+fn integral_on_top_0( family_19 : u32,  across_6 : Stretch_0,  along_3 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S271 : u32 = u32(families_0[family_20].count_0);
-    var _S272 : u32 = (_S271 + u32(1)) * families_0[family_20].quantities_0;
-    var _S273 : u32 = families_0[family_20].colour_areas_0 + quantity_1;
-    var _S274 : vec4<u32> = row_differences_0(across_6, _S273 + along_3.low_1.thread_12 * _S272, _S271, families_0[family_20].quantities_0);
-    var _S275 : vec4<u32> = row_differences_0(across_6, _S273 + along_3.high_1.thread_12 * _S272, _S271, families_0[family_20].quantities_0);
-    var _S276 : vec4<u32> = row_differences_0(across_6, _S273 + crossing_count_0 * _S272, _S271, families_0[family_20].quantities_0);
-    var _S277 : vec4<f32> = Stretch_weights_0(across_6);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S275 - _S274 + select_vector_2(Stretch_wraps_0(along_3), _S276, vec4<u32>(vec4<i32>(i32(0)))))), _S277), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S273 + (along_3.high_1.thread_12 + u32(1)) * _S272, _S271, families_0[family_20].quantities_0) - _S275)), _S277), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S273 + (along_3.low_1.thread_12 + u32(1)) * _S272, _S271, families_0[family_20].quantities_0) - _S274)), _S277), dot(vec4<f32>(vec4<i32>(_S276)), _S277)), Stretch_weights_0(along_3)) * families_0[family_20].area_unit_0;
+    var _S272 : u32 = u32(families_0[family_19].count_0);
+    var _S273 : u32 = (_S272 + u32(1)) * families_0[family_19].quantities_0;
+    var _S274 : u32 = families_0[family_19].colour_areas_0 + quantity_1;
+    var _S275 : vec4<u32> = row_differences_0(across_6, _S274 + along_3.low_1.thread_9 * _S273, _S272, families_0[family_19].quantities_0);
+    var _S276 : vec4<u32> = row_differences_0(across_6, _S274 + along_3.high_1.thread_9 * _S273, _S272, families_0[family_19].quantities_0);
+    var _S277 : vec4<u32> = row_differences_0(across_6, _S274 + crossing_count_0 * _S273, _S272, families_0[family_19].quantities_0);
+    var _S278 : vec4<f32> = Stretch_weights_0(across_6);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S276 - _S275 + select_vector_2(Stretch_wraps_0(along_3), _S277, vec4<u32>(vec4<i32>(i32(0)))))), _S278), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S274 + (along_3.high_1.thread_9 + u32(1)) * _S273, _S272, families_0[family_19].quantities_0) - _S276)), _S278), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S274 + (along_3.low_1.thread_9 + u32(1)) * _S273, _S272, families_0[family_19].quantities_0) - _S275)), _S278), dot(vec4<f32>(vec4<i32>(_S277)), _S278)), Stretch_weights_0(along_3)) * families_0[family_19].area_unit_0;
 }
 
-fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_3 : f32,  row_4 : u32) -> Albedos_0
+fn with_added_albedos_0( albedos_3 : Albedos_0,  weight_3 : f32,  row_4 : u32) -> Albedos_0
 {
-    var _S278 : Albedos_0 = table_albedos_0(row_4);
+    var _S279 : Albedos_0 = table_albedos_0(row_4);
     var sum_0 : Albedos_0;
-    var _S279 : vec3<f32> = vec3<f32>(weight_3);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S279 * _S278.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S279 * _S278.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S279 * _S278.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S279 * _S278.specular_transmit_0;
+    var _S280 : vec3<f32> = vec3<f32>(weight_3);
+    sum_0.diffuse_reflect_0 = albedos_3.diffuse_reflect_0 + _S280 * _S279.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_3.diffuse_transmit_0 + _S280 * _S279.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_3.specular_reflect_0 + _S280 * _S279.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_3.specular_transmit_0 + _S280 * _S279.specular_transmit_0;
     return sum_0;
 }
 
-fn mean_albedos_0( family_21 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_5 : bool) -> Albedos_0
+fn mean_albedos_0( family_20 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_9 : bool) -> Albedos_0
 {
-    var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_21].colour_mean_0);
-    if((families_0[family_21].quantities_0) == u32(1))
+    var albedos_4 : Albedos_0 = table_albedos_0(families_0[family_20].colour_mean_0);
+    if((families_0[family_20].quantities_0) == u32(1))
     {
-        return albedos_2;
+        return albedos_4;
     }
-    var _S280 : vec3<f32> = lengths_0(crossing_1, other_2);
+    var _S281 : vec3<f32> = lengths_0(crossing_1, other_2);
     var is_exposed_0 : bool = false;
     var weight_4 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
     for(;;)
     {
-        if(quantity_2 < (families_0[family_21].quantities_0))
+        if(quantity_2 < (families_0[family_20].quantities_0))
         {
         }
         else
         {
             break;
         }
-        var _S281 : vec2<f32> = integrals_along_0(family_21, own_1, quantity_2);
-        var _S282 : f32 = integral_on_top_0(family_21, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
-        var _S283 : f32 = _S281.x;
-        var _S284 : f32 = _S283 * _S280.x;
-        var _S285 : f32 = select(_S282, _S284 - _S282, back_5);
-        var _S286 : bool = quantity_2 == u32(0);
-        if(_S286)
+        var _S282 : vec2<f32> = integrals_along_0(family_20, own_1, quantity_2);
+        var _S283 : f32 = integral_on_top_0(family_20, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
+        var _S284 : f32 = _S282.x;
+        var _S285 : f32 = _S284 * _S281.x;
+        var _S286 : f32 = select(_S283, _S285 - _S283, back_9);
+        var _S287 : bool = quantity_2 == u32(0);
+        if(_S287)
         {
-            is_exposed_0 = _S285 > (16.0f * families_0[family_21].area_unit_0 * min(_S284 / families_0[family_21].crossing_area_0, 1.0f) + 0.00000999999974738f * _S284);
+            is_exposed_0 = _S286 > (16.0f * families_0[family_20].area_unit_0 * min(_S285 / families_0[family_20].crossing_area_0, 1.0f) + 0.00000999999974738f * _S285);
         }
-        var _S287 : f32 = _S283 * _S280.y + select(0.0f, _S285, is_exposed_0) + 0.000244140625f * _S280.z * _S281.y;
-        if(_S286)
+        var _S288 : f32 = _S284 * _S281.y + select(0.0f, _S286, is_exposed_0) + 0.000244140625f * _S281.z * _S282.y;
+        if(_S287)
         {
-            weight_4 = 1.0f / max(_S287, 9.99999968265522539e-21f);
+            weight_4 = 1.0f / max(_S288, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S287 * weight_4, families_0[family_21].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_4 = with_added_albedos_0(albedos_4, _S288 * weight_4, families_0[family_20].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
-    albedos_2.diffuse_reflect_0 = saturate(albedos_2.diffuse_reflect_0);
-    albedos_2.diffuse_transmit_0 = saturate(albedos_2.diffuse_transmit_0);
-    albedos_2.specular_reflect_0 = saturate(albedos_2.specular_reflect_0);
-    albedos_2.specular_transmit_0 = saturate(albedos_2.specular_transmit_0);
-    return albedos_2;
+    albedos_4.diffuse_reflect_0 = saturate(albedos_4.diffuse_reflect_0);
+    albedos_4.diffuse_transmit_0 = saturate(albedos_4.diffuse_transmit_0);
+    albedos_4.specular_reflect_0 = saturate(albedos_4.specular_reflect_0);
+    albedos_4.specular_transmit_0 = saturate(albedos_4.specular_transmit_0);
+    return albedos_4;
+}
+
+fn groove_0( depth_1 : f32,  offset_1 : f32) -> vec2<f32>
+{
+    return vec2<f32>(depth_1) * vec2<f32>(0.1111111119389534f - square_1(square_1(square_1(offset_1))), 0.1111111119389534f);
+}
+
+fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
+{
+    return amount_0 * (2.0f * uniform_hash_0(thread_10, u32(0), (seed_1 ^ (u32(2135587861)))) - 1.0f) + 1.0f;
+}
+
+fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
+{
+    var _S289 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S289.x, _S289.y), _S289.z), 0.0f));
+}
+
+fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
+{
+    var _S290 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
+    return min(max(min(min(_S290.x, _S290.y), _S290.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
+}
+
+fn fibre_gain_0( thread_11 : u32,  cell_11 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
+{
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_11, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
 }
 
 fn lerp_albedos_0( first_5 : Albedos_0,  second_1 : Albedos_0,  weight_5 : f32) -> Albedos_0
 {
-    var albedos_3 : Albedos_0;
-    var _S288 : vec3<f32> = vec3<f32>(weight_5);
-    albedos_3.diffuse_reflect_0 = mix(first_5.diffuse_reflect_0, second_1.diffuse_reflect_0, _S288);
-    albedos_3.diffuse_transmit_0 = mix(first_5.diffuse_transmit_0, second_1.diffuse_transmit_0, _S288);
-    albedos_3.specular_reflect_0 = mix(first_5.specular_reflect_0, second_1.specular_reflect_0, _S288);
-    albedos_3.specular_transmit_0 = mix(first_5.specular_transmit_0, second_1.specular_transmit_0, _S288);
-    return albedos_3;
+    var albedos_5 : Albedos_0;
+    var _S291 : vec3<f32> = vec3<f32>(weight_5);
+    albedos_5.diffuse_reflect_0 = mix(first_5.diffuse_reflect_0, second_1.diffuse_reflect_0, _S291);
+    albedos_5.diffuse_transmit_0 = mix(first_5.diffuse_transmit_0, second_1.diffuse_transmit_0, _S291);
+    albedos_5.specular_reflect_0 = mix(first_5.specular_reflect_0, second_1.specular_reflect_0, _S291);
+    albedos_5.specular_transmit_0 = mix(first_5.specular_transmit_0, second_1.specular_transmit_0, _S291);
+    return albedos_5;
 }
 
-fn tinted_0( albedos_4 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
+fn tinted_0( albedos_6 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
 {
-    var result_2 : Albedos_0 = albedos_4;
+    var result_2 : Albedos_0 = albedos_6;
     result_2.diffuse_reflect_0 = result_2.diffuse_reflect_0 * tint_0;
     result_2.diffuse_transmit_0 = result_2.diffuse_transmit_0 * tint_0;
     return result_2;
@@ -1873,47 +1934,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S289 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S292 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S290 : vec3<f32> = sends_0.sky_warp_0 + _S289 * sends_0.crossing_warp_0;
-    found_0.warp_5 = _S290;
-    var _S291 : vec3<f32> = sends_0.sky_weft_0 + _S289 * sends_0.crossing_weft_0;
-    found_0.weft_5 = _S291;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S290 + vec3<f32>(sends_0.blocks_weft_0) * _S291;
+    var _S293 : vec3<f32> = sends_0.sky_warp_0 + _S292 * sends_0.crossing_warp_0;
+    found_0.warp_5 = _S293;
+    var _S294 : vec3<f32> = sends_0.sky_weft_0 + _S292 * sends_0.crossing_weft_0;
+    found_0.weft_5 = _S294;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S293 + vec3<f32>(sends_0.blocks_weft_0) * _S294;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_6 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S292 : f32 = 1.0f - view_6.z;
-    var _S293 : f32 = _S292 * _S292;
+    var _S295 : f32 = 1.0f - view_6.z;
+    var _S296 : f32 = _S295 * _S295;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S294 : f32 = view_6.x;
-    var _S295 : f32 = _S294 * _S294;
-    var _S296 : f32 = view_6.y;
-    var _S297 : f32 = _S296 * _S296;
-    (*terms_0)[i32(1)] = sqrt(max(_S295 + _S297, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S293;
-    (*terms_0)[i32(3)] = _S293 * _S293;
-    (*terms_0)[i32(4)] = _S295 - _S297;
+    var _S297 : f32 = view_6.x;
+    var _S298 : f32 = _S297 * _S297;
+    var _S299 : f32 = view_6.y;
+    var _S300 : f32 = _S299 * _S299;
+    (*terms_0)[i32(1)] = sqrt(max(_S298 + _S300, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S296;
+    (*terms_0)[i32(3)] = _S296 * _S296;
+    (*terms_0)[i32(4)] = _S298 - _S300;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_7 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S298 : f32 = 1.0f - view_7.z;
-    var _S299 : f32 = _S298 * _S298;
+    var _S301 : f32 = 1.0f - view_7.z;
+    var _S302 : f32 = _S301 * _S301;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S300 : f32 = view_7.x;
-    var _S301 : f32 = _S300 * _S300;
-    var _S302 : f32 = view_7.y;
-    var _S303 : f32 = _S302 * _S302;
-    (*terms_1)[i32(1)] = sqrt(max(_S301 + _S303, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S299;
-    (*terms_1)[i32(3)] = _S299 * _S299;
-    (*terms_1)[i32(4)] = _S301 - _S303;
+    var _S303 : f32 = view_7.x;
+    var _S304 : f32 = _S303 * _S303;
+    var _S305 : f32 = view_7.y;
+    var _S306 : f32 = _S305 * _S305;
+    (*terms_1)[i32(1)] = sqrt(max(_S304 + _S306, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S302;
+    (*terms_1)[i32(3)] = _S302 * _S302;
+    (*terms_1)[i32(4)] = _S304 - _S306;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -1926,7 +1987,7 @@ struct Bounced_0
 
 struct Scattered_0
 {
-     back_6 : vec3<f32>,
+     back_10 : vec3<f32>,
      through_0 : vec3<f32>,
 };
 
@@ -1941,11 +2002,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S304 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S305 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S307 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S308 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_6 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_6 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_6) + _S305 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S305 * interior_0.far_1 + yarn_2.back_6 * _S304;
+    bounced_0.reflected_0 = yarn_2.back_10 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_6 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_6) + _S308 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S308 * interior_0.far_1 + yarn_2.back_10 * _S307;
     return bounced_0;
 }
 
@@ -1959,61 +2020,61 @@ fn sum_of_0( first_6 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_8 : vec3<f32>) -> vec3<f32>
 {
-    var _S306 : f32 = light_7.z;
-    return select_vector_1((_S306 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S306) * 0.31830987334251404f));
+    var _S309 : f32 = light_7.z;
+    return select_vector_1((_S309 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S309) * 0.31830987334251404f));
 }
 
-fn sheen_scale_0( x_13 : f32,  y_6 : f32) -> f32
+fn sheen_scale_0( x_15 : f32,  y_8 : f32) -> f32
 {
-    return (((((0.0f * x_13 + (((((-1.1402510404586792f * y_6 + 0.40672621130943298f) * y_6 + 1.65398800373077393f) * y_6 + -1.29730904102325439f) * y_6 + 0.30570998787879944f) * y_6 + -0.0220868494361639f)) * x_13 + (((((-0.21142719686031342f * y_6 + 1.05947399139404297f) * y_6 + -0.41116121411323547f) * y_6 + -0.93859231472015381f) * y_6 + 0.51606941223144531f) * y_6 + 0.05409301072359085f)) * x_13 + (((((1.22944498062133789f * y_6 + -0.45962560176849365f) * y_6 + -1.63861405849456787f) * y_6 + 1.33565104007720947f) * y_6 + -0.45725581049919128f) * y_6 + 0.08243165910243988f)) * x_13 + (((((0.39779931306838989f * y_6 + -1.18879103660583496f) * y_6 + 0.28251591324806213f) * y_6 + 1.168984055519104f) * y_6 + -0.76864629983901978f) * y_6 + 0.0091691892594099f)) * x_13 + (((((-0.26563560962677002f * y_6 + -0.19379159808158875f) * y_6 + 0.2677634060382843f) * y_6 + 0.00270519289188087f) * y_6 + 0.14349560439586639f) * y_6 + 0.10290180146694183f)) * x_13 + (((((-0.20701569318771362f * y_6 + 0.24526430666446686f) * y_6 + 0.19551840424537659f) * y_6 + 0.07586126774549484f) * y_6 + 0.38894739747047424f) * y_6 + 0.15043120086193085f);
+    return (((((0.0f * x_15 + (((((-1.1402510404586792f * y_8 + 0.40672621130943298f) * y_8 + 1.65398800373077393f) * y_8 + -1.29730904102325439f) * y_8 + 0.30570998787879944f) * y_8 + -0.0220868494361639f)) * x_15 + (((((-0.21142719686031342f * y_8 + 1.05947399139404297f) * y_8 + -0.41116121411323547f) * y_8 + -0.93859231472015381f) * y_8 + 0.51606941223144531f) * y_8 + 0.05409301072359085f)) * x_15 + (((((1.22944498062133789f * y_8 + -0.45962560176849365f) * y_8 + -1.63861405849456787f) * y_8 + 1.33565104007720947f) * y_8 + -0.45725581049919128f) * y_8 + 0.08243165910243988f)) * x_15 + (((((0.39779931306838989f * y_8 + -1.18879103660583496f) * y_8 + 0.28251591324806213f) * y_8 + 1.168984055519104f) * y_8 + -0.76864629983901978f) * y_8 + 0.0091691892594099f)) * x_15 + (((((-0.26563560962677002f * y_8 + -0.19379159808158875f) * y_8 + 0.2677634060382843f) * y_8 + 0.00270519289188087f) * y_8 + 0.14349560439586639f) * y_8 + 0.10290180146694183f)) * x_15 + (((((-0.20701569318771362f * y_8 + 0.24526430666446686f) * y_8 + 0.19551840424537659f) * y_8 + 0.07586126774549484f) * y_8 + 0.38894739747047424f) * y_8 + 0.15043120086193085f);
 }
 
-fn sheen_shear_0( x_14 : f32,  y_7 : f32) -> f32
+fn sheen_shear_0( x_16 : f32,  y_9 : f32) -> f32
 {
-    return ((((0.0f * x_14 + (((((-0.10608240216970444f * y_7 + 1.99214303493499756f) * y_7 + -1.42255294322967529f) * y_7 + -1.09495604038238525f) * y_7 + 0.59180057048797607f) * y_7 + 0.06902855634689331f)) * x_14 + (((((-0.46220690011978149f * y_7 + -0.29113379120826721f) * y_7 + 1.39025199413299561f) * y_7 + 0.35589990019798279f) * y_7 + -1.17120099067687988f) * y_7 + 0.15940259397029877f)) * x_14 + (((((2.26068711280822754f * y_7 + -3.64728999137878418f) * y_7 + -0.72173482179641724f) * y_7 + 3.07659196853637695f) * y_7 + -0.6827620267868042f) * y_7 + -0.3039557933807373f)) * x_14 + (((((0.81201767921447754f * y_7 + 0.36014080047607422f) * y_7 + -1.72646903991699219f) * y_7 + -0.22630110383033752f) * y_7 + 0.89514690637588501f) * y_7 + -0.10397960245609283f)) * x_14 + (((((-0.37648698687553406f * y_7 + 1.10974001884460449f) * y_7 + 0.17824520170688629f) * y_7 + -1.04968702793121338f) * y_7 + 0.1461234986782074f) * y_7 + -0.00475129019469023f);
+    return ((((0.0f * x_16 + (((((-0.10608240216970444f * y_9 + 1.99214303493499756f) * y_9 + -1.42255294322967529f) * y_9 + -1.09495604038238525f) * y_9 + 0.59180057048797607f) * y_9 + 0.06902855634689331f)) * x_16 + (((((-0.46220690011978149f * y_9 + -0.29113379120826721f) * y_9 + 1.39025199413299561f) * y_9 + 0.35589990019798279f) * y_9 + -1.17120099067687988f) * y_9 + 0.15940259397029877f)) * x_16 + (((((2.26068711280822754f * y_9 + -3.64728999137878418f) * y_9 + -0.72173482179641724f) * y_9 + 3.07659196853637695f) * y_9 + -0.6827620267868042f) * y_9 + -0.3039557933807373f)) * x_16 + (((((0.81201767921447754f * y_9 + 0.36014080047607422f) * y_9 + -1.72646903991699219f) * y_9 + -0.22630110383033752f) * y_9 + 0.89514690637588501f) * y_9 + -0.10397960245609283f)) * x_16 + (((((-0.37648698687553406f * y_9 + 1.10974001884460449f) * y_9 + 0.17824520170688629f) * y_9 + -1.04968702793121338f) * y_9 + 0.1461234986782074f) * y_9 + -0.00475129019469023f);
 }
 
-fn sheen_reflectance_0( x_15 : f32,  y_8 : f32) -> f32
+fn sheen_reflectance_0( x_17 : f32,  y_10 : f32) -> f32
 {
-    return ((((0.0f * x_15 + (((((12.95646953582763672f * y_8 + -21.38032913208007812f) * y_8 + -7.37853097915649414f) * y_8 + 34.55607986450195312f) * y_8 + -23.61347007751464844f) * y_8 + 5.00126314163208008f)) * x_15 + (((((10.91487026214599609f * y_8 + -6.08202791213989258f) * y_8 + -38.2036285400390625f) * y_8 + 53.3440399169921875f) * y_8 + -21.91996002197265625f) * y_8 + 2.01606011390686035f)) * x_15 + (((((-14.52206039428710938f * y_8 + 36.803619384765625f) * y_8 + -22.94047927856445312f) * y_8 + -10.07973003387451172f) * y_8 + 15.77003955841064453f) * y_8 + -4.92722177505493164f)) * x_15 + (((((-7.62505722045898438f * y_8 + 1.27310299873352051f) * y_8 + 31.19523048400878906f) * y_8 + -44.39989852905273438f) * y_8 + 26.44947052001953125f) * y_8 + -8.73507976531982422f)) * x_15 + (((((5.65633487701416016f * y_8 + -17.66820907592773438f) * y_8 + 24.65356063842773438f) * y_8 + -19.38941001892089844f) * y_8 + 11.06159019470214844f) * y_8 + -3.06573700904846191f);
+    return ((((0.0f * x_17 + (((((12.95646953582763672f * y_10 + -21.38032913208007812f) * y_10 + -7.37853097915649414f) * y_10 + 34.55607986450195312f) * y_10 + -23.61347007751464844f) * y_10 + 5.00126314163208008f)) * x_17 + (((((10.91487026214599609f * y_10 + -6.08202791213989258f) * y_10 + -38.2036285400390625f) * y_10 + 53.3440399169921875f) * y_10 + -21.91996002197265625f) * y_10 + 2.01606011390686035f)) * x_17 + (((((-14.52206039428710938f * y_10 + 36.803619384765625f) * y_10 + -22.94047927856445312f) * y_10 + -10.07973003387451172f) * y_10 + 15.77003955841064453f) * y_10 + -4.92722177505493164f)) * x_17 + (((((-7.62505722045898438f * y_10 + 1.27310299873352051f) * y_10 + 31.19523048400878906f) * y_10 + -44.39989852905273438f) * y_10 + 26.44947052001953125f) * y_10 + -8.73507976531982422f)) * x_17 + (((((5.65633487701416016f * y_10 + -17.66820907592773438f) * y_10 + 24.65356063842773438f) * y_10 + -19.38941001892089844f) * y_10 + 11.06159019470214844f) * y_10 + -3.06573700904846191f);
 }
 
-fn sheen_lobe_0( cos_view_0 : f32,  roughness_8 : f32) -> vec3<f32>
+fn sheen_lobe_0( cos_view_0 : f32,  roughness_10 : f32) -> vec3<f32>
 {
-    var _S307 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S308 : f32 = 2.0f * sqrt(_S307) - 1.0f;
-    var _S309 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S308, _S309), 0.00999999977648258f, 1.0f), clamp((1.0f - _S307) * sheen_shear_0(_S308, _S309), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S308, _S309), -60.0f, 60.0f))));
+    var _S310 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S311 : f32 = 2.0f * sqrt(_S310) - 1.0f;
+    var _S312 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_10, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S311, _S312), 0.00999999977648258f, 1.0f), clamp((1.0f - _S310) * sheen_shear_0(_S311, _S312), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S311, _S312), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_8 : vec3<f32>,  view_9 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S310 : f32 = light_8.z;
-    if(((_S310 <= 0.0f) | (((view_9.z) <= 0.0f))))
+    var _S313 : f32 = light_8.z;
+    if(((_S313 <= 0.0f) | (((view_9.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S311 : vec2<f32> = view_9.xy;
-    var _S312 : f32 = dot(_S311, _S311);
-    var _S313 : vec2<f32> = select_vector_0(_S312 > 9.99999968265522539e-21f, _S311 * vec2<f32>(rsqrt_0(max(_S312, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S314 : f32 = scale_0 * dot(light_8.xy, _S313) + shear_0 * _S310;
-    var _S315 : f32 = scale_0 * (light_8.y * _S313.x - light_8.x * _S313.y);
-    var _S316 : f32 = _S314 * _S314 + _S315 * _S315 + _S310 * _S310;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S310 / max(_S316 * _S316, 9.99999968265522539e-21f);
+    var _S314 : vec2<f32> = view_9.xy;
+    var _S315 : f32 = dot(_S314, _S314);
+    var _S316 : vec2<f32> = select_vector_0(_S315 > 9.99999968265522539e-21f, _S314 * vec2<f32>(rsqrt_0(max(_S315, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S317 : f32 = scale_0 * dot(light_8.xy, _S316) + shear_0 * _S313;
+    var _S318 : f32 = scale_0 * (light_8.y * _S316.x - light_8.x * _S316.y);
+    var _S319 : f32 = _S317 * _S317 + _S318 * _S318 + _S313 * _S313;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S313 / max(_S319 * _S319, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  strength_0 : f32,  roughness_11 : f32) -> vec2<f32>
 {
-    var _S317 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_9);
-    var _S318 : f32 = strength_0 * _S317.z;
-    return vec2<f32>(_S318 * transformed_cosine_0(light_9, view_10, _S317.x, _S317.y), 1.0f - _S318);
+    var _S320 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_11);
+    var _S321 : f32 = strength_0 * _S320.z;
+    return vec2<f32>(_S321 * transformed_cosine_0(light_9, view_10, _S320.x, _S320.y), 1.0f - _S321);
 }
 
 fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
 {
-    var _S319 : f32 = layers_0[index_7].share_0;
+    var _S322 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_10;
-    layers_0[index_7].share_0 = _S319 * (1.0f - light_10.w);
+    layers_0[index_7].share_0 = _S322 * (1.0f - light_10.w);
     return;
 }
 
@@ -2037,154 +2098,147 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S320 : u32,  _S321 : u32,  _S322 : u32,  _S323 : vec2<f32>) -> f32
+fn uneven_shift_0( _S323 : u32,  _S324 : u32,  _S325 : u32,  _S326 : vec2<f32>) -> f32
 {
-    var _S324 : f32 = families_0[_S322].period_0 / families_0[_S322].count_0;
-    var _S325 : u32 = hash_key_0(_S321, ((fabrics_0[_S320].seed_0) ^ (u32(625341585))));
-    var _S326 : vec2<f32> = vec2<f32>(_S323.x, _S323.y / 4.0f) / vec2<f32>(_S324);
-    return 0.20000000298023224f * sqrt(families_0[_S322].slub_0) * _S324 * (uneven_octave_0(_S325, _S326) * 0.66666668653488159f + uneven_octave_0(_S325 + u32(1), vec2<f32>(2.0f) * _S326 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S327 : f32 = families_0[_S325].period_0 / families_0[_S325].count_0;
+    var _S328 : u32 = hash_key_0(_S324, ((fabrics_0[_S323].seed_0) ^ (u32(625341585))));
+    var _S329 : vec2<f32> = vec2<f32>(_S326.x, _S326.y / 4.0f) / vec2<f32>(_S327);
+    return 0.20000000298023224f * sqrt(families_0[_S325].slub_0) * _S327 * (uneven_octave_0(_S328, _S329) * 0.66666668653488159f + uneven_octave_0(_S328 + u32(1), vec2<f32>(2.0f) * _S329 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S327 : u32,  _S328 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S330 : u32,  _S331 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_0((fabrics_0[_S327].has_detail_0) == u32(0), _S328, _S328 + vec2<f32>(uneven_shift_0(_S327, u32(0), fabrics_0[_S327].warp_0, _S328), uneven_shift_0(_S327, u32(1), fabrics_0[_S327].weft_0, _S328.yx)));
+    return select_vector_0((fabrics_0[_S330].has_detail_0) == u32(0), _S331, _S331 + vec2<f32>(uneven_shift_0(_S330, u32(0), fabrics_0[_S330].warp_0, _S331), uneven_shift_0(_S330, u32(1), fabrics_0[_S330].weft_0, _S331.yx)));
 }
 
-fn face_point_0( _S329 : u32,  _S330 : u32,  _S331 : f32,  _S332 : f32) -> VisiblePoint_0
+fn face_point_0( _S332 : u32,  _S333 : u32,  _S334 : f32,  _S335 : f32) -> VisiblePoint_0
 {
-    var _S333 : u32 = u32(3) * _S330;
-    var _S334 : Vertex_0 = vertex_at_0(_S333);
-    var _S335 : Vertex_0 = vertex_at_0(_S333 + u32(1));
-    var _S336 : Vertex_0 = vertex_at_0(_S333 + u32(2));
-    var _S337 : vec3<f32> = position_of_0(_S334);
-    var _S338 : vec3<f32> = position_of_0(_S335) - _S337;
-    var _S339 : vec3<f32> = position_of_0(_S336) - _S337;
-    var _S340 : f32 = _S335.u_0 - _S334.u_0;
-    var _S341 : f32 = _S335.v_0 - _S334.v_0;
-    var _S342 : vec2<f32> = vec2<f32>(_S340, _S341);
-    var _S343 : f32 = _S336.u_0 - _S334.u_0;
-    var _S344 : f32 = _S336.v_0 - _S334.v_0;
+    var _S336 : u32 = u32(3) * _S333;
+    var _S337 : Vertex_0 = vertex_at_0(_S336);
+    var _S338 : Vertex_0 = vertex_at_0(_S336 + u32(1));
+    var _S339 : Vertex_0 = vertex_at_0(_S336 + u32(2));
+    var _S340 : vec3<f32> = position_of_0(_S337);
+    var _S341 : vec3<f32> = position_of_0(_S338) - _S340;
+    var _S342 : vec3<f32> = position_of_0(_S339) - _S340;
+    var _S343 : f32 = _S338.u_0 - _S337.u_0;
+    var _S344 : f32 = _S338.v_0 - _S337.v_0;
     var _S345 : vec2<f32> = vec2<f32>(_S343, _S344);
-    var _S346 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S340 * _S344 - _S341 * _S343) < 0.0f));
-    var _S347 : vec3<f32> = _S346 * (vec3<f32>(_S344) * _S338 - vec3<f32>(_S341) * _S339);
-    var _S348 : vec3<f32> = _S346 * (vec3<f32>(_S340) * _S339 - vec3<f32>(_S343) * _S338);
+    var _S346 : f32 = _S339.u_0 - _S337.u_0;
+    var _S347 : f32 = _S339.v_0 - _S337.v_0;
+    var _S348 : vec2<f32> = vec2<f32>(_S346, _S347);
+    var _S349 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S343 * _S347 - _S344 * _S346) < 0.0f));
+    var _S350 : vec3<f32> = _S349 * (vec3<f32>(_S347) * _S341 - vec3<f32>(_S344) * _S342);
+    var _S351 : vec3<f32> = _S349 * (vec3<f32>(_S343) * _S342 - vec3<f32>(_S346) * _S341);
     var point_2 : VisiblePoint_0;
-    var _S349 : vec3<f32> = vec3<f32>(_S331);
-    var _S350 : vec3<f32> = vec3<f32>(_S332);
-    var _S351 : vec3<f32> = normalize(vec3<f32>((1.0f - _S331 - _S332)) * normal_of_0(_S334) + _S349 * normal_of_0(_S335) + _S350 * normal_of_0(_S336));
-    point_2.normal_0 = _S351;
-    var _S352 : vec3<f32> = normalize(_S347 - _S351 * vec3<f32>(dot(_S351, _S347)));
-    point_2.axis_x_0 = _S352;
-    point_2.axis_y_0 = cross(_S351, _S352);
-    var _S353 : vec3<f32> = normalize(cross(_S338, _S339));
-    point_2.face_normal_0 = select_vector_1((dot(_S353, _S351)) < 0.0f, (vec3<f32>(0) - _S353), _S353);
-    point_2.position_4 = _S337 + _S349 * _S338 + _S350 * _S339;
-    point_2.view_0 = _S351;
-    var _S354 : vec2<f32> = vec2<f32>(_S334.u_0, _S334.v_0) + vec2<f32>(_S331) * _S342 + vec2<f32>(_S332) * _S345;
-    point_2.uv_1 = _S354;
-    var _S355 : bool = (dot(cross(_S347, _S348), _S351)) < 0.0f;
-    var _S356 : vec2<f32> = vec2<f32>(fabrics_0[_S329].uv_width_0, select(fabrics_0[_S329].uv_height_0, - fabrics_0[_S329].uv_height_0, _S355));
-    point_2.draft_per_uv_0 = _S356;
-    point_2.draft_0 = uneven_place_0(_S329, _S354 * _S356 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S329].uv_height_0, _S355)));
-    var _S357 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S357;
-    point_2.draft_dy_0 = _S357;
+    var _S352 : vec3<f32> = vec3<f32>(_S334);
+    var _S353 : vec3<f32> = vec3<f32>(_S335);
+    var _S354 : vec3<f32> = normalize(vec3<f32>((1.0f - _S334 - _S335)) * normal_of_0(_S337) + _S352 * normal_of_0(_S338) + _S353 * normal_of_0(_S339));
+    point_2.normal_0 = _S354;
+    var _S355 : vec3<f32> = normalize(_S350 - _S354 * vec3<f32>(dot(_S354, _S350)));
+    point_2.axis_x_0 = _S355;
+    point_2.axis_y_0 = cross(_S354, _S355);
+    var _S356 : vec3<f32> = normalize(cross(_S341, _S342));
+    point_2.face_normal_0 = select_vector_1((dot(_S356, _S354)) < 0.0f, (vec3<f32>(0) - _S356), _S356);
+    point_2.position_4 = _S340 + _S352 * _S341 + _S353 * _S342;
+    point_2.view_0 = _S354;
+    var _S357 : vec2<f32> = vec2<f32>(_S337.u_0, _S337.v_0) + vec2<f32>(_S334) * _S345 + vec2<f32>(_S335) * _S348;
+    point_2.uv_1 = _S357;
+    var _S358 : bool = (dot(cross(_S350, _S351), _S354)) < 0.0f;
+    var _S359 : vec2<f32> = vec2<f32>(fabrics_0[_S332].uv_width_0, select(fabrics_0[_S332].uv_height_0, - fabrics_0[_S332].uv_height_0, _S358));
+    point_2.draft_per_uv_0 = _S359;
+    point_2.draft_0 = uneven_place_0(_S332, _S357 * _S359 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S332].uv_height_0, _S358)));
+    var _S360 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S360;
+    point_2.draft_dy_0 = _S360;
     return point_2;
 }
 
-fn visible_point_0( _S358 : u32,  _S359 : u32,  _S360 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S361 : u32,  _S362 : u32,  _S363 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S361 : u32 = u32(3) * _S359;
-    var _S362 : Vertex_0 = vertex_at_0(_S361);
-    var _S363 : Vertex_0 = vertex_at_0(_S361 + u32(1));
-    var _S364 : Vertex_0 = vertex_at_0(_S361 + u32(2));
-    var _S365 : vec3<f32> = position_of_0(_S362);
-    var _S366 : vec3<f32> = position_of_0(_S363) - _S365;
-    var _S367 : vec3<f32> = position_of_0(_S364) - _S365;
-    var _S368 : vec3<f32> = cross(_S366, _S367);
-    var _S369 : f32 = f32(frame_record_0.width_0);
-    var _S370 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S369));
-    var _S371 : f32 = f32(frame_record_0.height_0);
-    var _S372 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S371));
-    var _S373 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S360.x) + 0.5f - 0.5f * _S369)) * _S370 + vec3<f32>((f32(_S360.y) + 0.5f - 0.5f * _S371)) * _S372;
-    var _S374 : f32 = dot(_S373, _S368);
-    var _S375 : f32 = 1.0f / select(1.00000000317107685e-30f, _S374, (abs(_S374)) > 1.00000000317107685e-30f);
-    var _S376 : vec3<f32> = _S365 - camera_origin_0();
-    var _S377 : vec3<f32> = vec3<f32>((dot(_S376, _S368) * _S375));
-    var _S378 : vec3<f32> = _S373 * _S377 - _S376;
-    var _S379 : vec3<f32> = _S377 * (_S370 - _S373 * vec3<f32>((dot(_S370, _S368) * _S375)));
-    var _S380 : vec3<f32> = _S377 * (_S372 - _S373 * vec3<f32>((dot(_S372, _S368) * _S375)));
-    var _S381 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S368), 1.00000000317107685e-30f)));
-    var _S382 : vec3<f32> = cross(_S367, _S368) * _S381;
-    var _S383 : vec3<f32> = cross(_S368, _S366) * _S381;
-    var _S384 : vec2<f32> = vec2<f32>(_S363.u_0 - _S362.u_0, _S363.v_0 - _S362.v_0);
-    var _S385 : vec2<f32> = vec2<f32>(_S364.u_0 - _S362.u_0, _S364.v_0 - _S362.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S358, _S359, dot(_S378, _S382), dot(_S378, _S383));
-    point_3.position_4 = _S365 + _S378;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S373));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S379, _S382)) * _S384 + vec2<f32>(dot(_S379, _S383)) * _S385) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S380, _S382)) * _S384 + vec2<f32>(dot(_S380, _S383)) * _S385) * point_3.draft_per_uv_0;
+    var _S364 : u32 = u32(3) * _S362;
+    var _S365 : Vertex_0 = vertex_at_0(_S364);
+    var _S366 : Vertex_0 = vertex_at_0(_S364 + u32(1));
+    var _S367 : Vertex_0 = vertex_at_0(_S364 + u32(2));
+    var _S368 : vec3<f32> = position_of_0(_S365);
+    var _S369 : vec3<f32> = position_of_0(_S366) - _S368;
+    var _S370 : vec3<f32> = position_of_0(_S367) - _S368;
+    var _S371 : vec3<f32> = cross(_S369, _S370);
+    var _S372 : f32 = f32(frame_record_0.width_0);
+    var _S373 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S372));
+    var _S374 : f32 = f32(frame_record_0.height_0);
+    var _S375 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S374));
+    var _S376 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S363.x) + 0.5f - 0.5f * _S372)) * _S373 + vec3<f32>((f32(_S363.y) + 0.5f - 0.5f * _S374)) * _S375;
+    var _S377 : f32 = dot(_S376, _S371);
+    var _S378 : f32 = 1.0f / select(1.00000000317107685e-30f, _S377, (abs(_S377)) > 1.00000000317107685e-30f);
+    var _S379 : vec3<f32> = _S368 - camera_origin_0();
+    var _S380 : vec3<f32> = vec3<f32>((dot(_S379, _S371) * _S378));
+    var _S381 : vec3<f32> = _S376 * _S380 - _S379;
+    var _S382 : vec3<f32> = _S380 * (_S373 - _S376 * vec3<f32>((dot(_S373, _S371) * _S378)));
+    var _S383 : vec3<f32> = _S380 * (_S375 - _S376 * vec3<f32>((dot(_S375, _S371) * _S378)));
+    var _S384 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S371), 1.00000000317107685e-30f)));
+    var _S385 : vec3<f32> = cross(_S370, _S371) * _S384;
+    var _S386 : vec3<f32> = cross(_S371, _S369) * _S384;
+    var _S387 : vec2<f32> = vec2<f32>(_S366.u_0 - _S365.u_0, _S366.v_0 - _S365.v_0);
+    var _S388 : vec2<f32> = vec2<f32>(_S367.u_0 - _S365.u_0, _S367.v_0 - _S365.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S361, _S362, dot(_S381, _S385), dot(_S381, _S386));
+    point_3.position_4 = _S368 + _S381;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S376));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S382, _S385)) * _S387 + vec2<f32>(dot(_S382, _S386)) * _S388) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S383, _S385)) * _S387 + vec2<f32>(dot(_S383, _S386)) * _S388) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S386 : u32,  _S387 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S389 : u32,  _S390 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S388 : u32 = fabrics_0[_S386].albedo_map_levels_0;
-    if((fabrics_0[_S386].albedo_map_levels_0) == u32(0))
+    var _S391 : u32 = fabrics_0[_S389].albedo_map_levels_0;
+    if((fabrics_0[_S389].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S389 : vec2<f32> = vec2<f32>(fabrics_0[_S386].uv_width_0, fabrics_0[_S386].uv_height_0);
-    var _S390 : vec2<f32> = _S387.draft_dx_0 / _S389;
-    var _S391 : vec2<f32> = _S387.draft_dy_0 / _S389;
-    var _S392 : u32 = _S388 - u32(1);
-    var _S393 : u32 = (u32(1) << (_S392));
-    var _S394 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S390.x * _S391.y - _S390.y * _S391.x), 9.99999968265522539e-21f) * (square_1(f32(_S393)) / 3.0f)), 0.0f, f32(_S388) - 1.0f);
-    var _S395 : u32 = min(u32(_S394), max(_S388, u32(2)) - u32(2));
-    var _S396 : u32 = min(_S395 + u32(1), _S392);
-    var _S397 : u32 = (u32(1) << ((u32(2) * _S388)));
-    return mix(map_level_0(fabrics_0[_S386].albedo_map_0 + (_S397 - ((_S397 >> ((u32(2) * _S395))))) / u32(3), (_S393 >> (_S395)), _S387.uv_1), map_level_0(fabrics_0[_S386].albedo_map_0 + (_S397 - ((_S397 >> ((u32(2) * _S396))))) / u32(3), (_S393 >> (_S396)), _S387.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S394 - f32(_S395))) - 1.0f) / 3.0f)));
+    var _S392 : vec2<f32> = vec2<f32>(fabrics_0[_S389].uv_width_0, fabrics_0[_S389].uv_height_0);
+    var _S393 : vec2<f32> = _S390.draft_dx_0 / _S392;
+    var _S394 : vec2<f32> = _S390.draft_dy_0 / _S392;
+    var _S395 : u32 = _S391 - u32(1);
+    var _S396 : u32 = (u32(1) << (_S395));
+    var _S397 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S393.x * _S394.y - _S393.y * _S394.x), 9.99999968265522539e-21f) * (square_1(f32(_S396)) / 3.0f)), 0.0f, f32(_S391) - 1.0f);
+    var _S398 : u32 = min(u32(_S397), max(_S391, u32(2)) - u32(2));
+    var _S399 : u32 = min(_S398 + u32(1), _S395);
+    var _S400 : u32 = (u32(1) << ((u32(2) * _S391)));
+    return mix(map_level_0(fabrics_0[_S389].albedo_map_0 + (_S400 - ((_S400 >> ((u32(2) * _S398))))) / u32(3), (_S396 >> (_S398)), _S390.uv_1), map_level_0(fabrics_0[_S389].albedo_map_0 + (_S400 - ((_S400 >> ((u32(2) * _S399))))) / u32(3), (_S396 >> (_S399)), _S390.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S397 - f32(_S398))) - 1.0f) / 3.0f)));
 }
 
-fn irregular_key_0( _S398 : u32,  _S399 : u32) -> u32
+fn irregular_key_0( _S401 : u32,  _S402 : u32) -> u32
 {
-    return hash_key_0(_S399, ((fabrics_0[_S398].seed_0) ^ (u32(1821285621))));
+    return hash_key_0(_S402, ((fabrics_0[_S401].seed_0) ^ (u32(1821285621))));
 }
 
-fn irregular_place_0( _S400 : u32,  _S401 : vec2<f32>,  _S402 : f32) -> vec2<f32>
+fn irregular_place_0( _S403 : u32,  _S404 : vec2<f32>,  _S405 : f32) -> vec2<f32>
 {
-    if((fabrics_0[_S400].is_irregular_0) == u32(0))
-    {
-        return _S401;
-    }
+    var _S406 : u32 = fabrics_0[_S403].warp_0;
+    var _S407 : u32 = fabrics_0[_S403].weft_0;
+    var _S408 : bool = (((fabrics_0[_S403].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S403].warp_0, _S405), moved_share_0(fabrics_0[_S403].weft_0, _S405))) > 0.0f)));
     var number_3 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S401;
+    var moved_0 : vec2<f32> = _S404;
     for(;;)
     {
-        if(number_3 < u32(2))
+        if(number_3 < select(u32(0), u32(2), _S408))
         {
         }
         else
         {
             break;
         }
-        var _S403 : bool = number_3 == u32(0);
-        var _S404 : u32 = select(fabrics_0[_S400].weft_0, fabrics_0[_S400].warp_0, _S403);
-        var _S405 : vec2<f32> = select_vector_0(_S403, _S401, _S401.yx);
-        var _S406 : f32 = moved_share_0(_S404, _S402);
-        if(_S406 <= 0.0f)
-        {
-            number_3 = number_3 + u32(1);
-            continue;
-        }
-        var _S407 : u32 = irregular_key_0(_S400, number_3);
-        var _S408 : f32 = _S405.x;
-        var _S409 : Cell_0 = locate_0(_S404, _S408);
-        var _S410 : f32 = irregular_thread_0(_S404, _S408, _S409);
-        var _S411 : f32 = select(1.0f, -1.0f, (_S409.across_0) < 0.0f);
-        var _S412 : vec2<f32> = vec2<f32>(0.0f);
-        var other_3 : vec2<f32> = _S412;
-        var own_2 : vec2<f32> = _S412;
+        var _S409 : bool = number_3 == u32(0);
+        var _S410 : u32 = select(_S407, _S406, _S409);
+        var _S411 : vec2<f32> = select_vector_0(_S409, _S404, _S404.yx);
+        var _S412 : u32 = irregular_key_0(_S403, number_3);
+        var _S413 : f32 = _S411.x;
+        var _S414 : Cell_0 = locate_0(_S410, _S413);
+        var _S415 : f32 = irregular_thread_0(_S410, _S413, _S414);
+        var _S416 : f32 = select(1.0f, -1.0f, (_S414.across_0) < 0.0f);
+        var _S417 : vec2<f32> = vec2<f32>(0.0f);
+        var other_3 : vec2<f32> = _S417;
+        var own_2 : vec2<f32> = _S417;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -2195,24 +2249,25 @@ fn irregular_place_0( _S400 : u32,  _S401 : vec2<f32>,  _S402 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S413 : vec2<f32> = irregular_at_0(_S404, _S407, _S410 + _S411 * f32(neighbour_0), _S405.y).xy;
-            var _S414 : u32 = neighbour_0 + u32(1);
+            var _S418 : vec2<f32> = irregular_at_0(_S410, _S412, _S415 + _S416 * f32(neighbour_0), _S411.y).xy;
+            var _S419 : u32 = neighbour_0 + u32(1);
             own_2 = other_3;
-            other_3 = _S413;
-            neighbour_0 = _S414;
+            other_3 = _S418;
+            neighbour_0 = _S419;
         }
-        var _S415 : f32 = _S409.below_0 + _S409.above_0;
-        var _S416 : f32 = min(_S409.half_width_1 / _S415, 0.5f);
-        var _S417 : f32 = min(_S416 * (2.0f + own_2.y + other_3.y), 1.0f);
-        var _S418 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
-        var _S419 : f32 = _S418.x;
-        var _S420 : f32 = _S417 * _S419 / (_S419 + _S418.y);
-        var _S421 : f32 = abs(_S409.across_0) / _S415;
-        var _S422 : f32 = 1.0f - _S417;
-        var _S423 : f32 = _S421 - _S420;
-        var _S424 : f32 = _S406 * _S411 * _S415 * (select(select((_S423 - _S422) / max(_S417 - _S420, 9.99999997475242708e-07f) * _S416 + (1.0f - _S416), _S423 / max(_S422, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S416) + _S416, _S423 < _S422), _S421 * _S416 / _S420, _S423 < 0.0f) - _S421);
-        moved_0 = moved_0 + select_vector_0(_S403, vec2<f32>(_S424, 0.0f), vec2<f32>(0.0f, _S424));
+        var _S420 : f32 = _S414.below_0 + _S414.above_0;
+        var _S421 : f32 = min(_S414.half_width_1 / _S420, 0.5f);
+        var _S422 : f32 = min(_S421 * (2.0f + own_2.y + other_3.y), 1.0f);
+        var _S423 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
+        var _S424 : f32 = _S423.x;
+        var _S425 : f32 = _S422 * _S424 / (_S424 + _S423.y);
+        var _S426 : f32 = abs(_S414.across_0) / _S420;
+        var _S427 : f32 = 1.0f - _S422;
+        var _S428 : f32 = _S426 - _S425;
+        var _S429 : f32 = moved_share_0(_S410, _S405) * _S416 * _S420 * (select(select((_S428 - _S427) / max(_S422 - _S425, 9.99999997475242708e-07f) * _S421 + (1.0f - _S421), _S428 / max(_S427, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S421) + _S421, _S428 < _S427), _S426 * _S421 / _S425, _S428 < 0.0f) - _S426);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_0(_S409, vec2<f32>(_S429, 0.0f), vec2<f32>(0.0f, _S429));
         number_3 = number_3 + u32(1);
+        moved_0 = moved_1;
     }
     return moved_0;
 }
@@ -2222,13 +2277,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S425 : u32,  _S426 : vec2<u32>) -> f32
+fn visibility_at_0( _S430 : u32,  _S431 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S425 * frame_record_0.height_0 + _S426.y) * frame_record_0.width_0 + _S426.x];
+    return visibilities_0[(_S430 * frame_record_0.height_0 + _S431.y) * frame_record_0.width_0 + _S431.x];
 }
 
 struct LightSample_0
@@ -2238,52 +2293,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S427 : u32,  _S428 : u32) -> vec3<f32>
+fn environment_texel_0( _S432 : u32,  _S433 : u32) -> vec3<f32>
 {
-    var _S429 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S427 * frame_record_0.environment_columns_0 + _S428);
-    return vec3<f32>(scene_number_0(_S429), scene_number_0(_S429 + u32(1)), scene_number_0(_S429 + u32(2)));
+    var _S434 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S432 * frame_record_0.environment_columns_0 + _S433);
+    return vec3<f32>(scene_number_0(_S434), scene_number_0(_S434 + u32(1)), scene_number_0(_S434 + u32(2)));
 }
 
-fn sample_environment_0( _S430 : vec2<f32>,  _S431 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S435 : vec2<f32>,  _S436 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S432 : u32 = frame_record_0.environment_rows_0;
-    var _S433 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S430.y);
-    var _S434 : u32 = frame_record_0.environment_columns_0;
-    var _S435 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S433.index_5 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S430.x);
-    var _S436 : vec3<f32> = environment_texel_0(_S433.index_5, _S435.index_5);
-    (*_S431) = _S436 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S436), 9.99999968265522539e-21f)));
-    var _S437 : f32 = 3.14159274101257324f / f32(_S432);
-    var _S438 : f32 = mix(sine_cosine_0(f32(_S433.index_5) * _S437).y, sine_cosine_0(f32(_S433.index_5 + u32(1)) * _S437).y, _S433.remainder_0);
-    var _S439 : f32 = sqrt(max(1.0f - _S438 * _S438, 0.0f));
-    var _S440 : vec2<f32> = sine_cosine_0((f32(_S435.index_5) + _S435.remainder_0) * (6.28318548202514648f / f32(_S434)));
-    var _S441 : f32 = _S439 * _S440.x;
-    var _S442 : f32 = - _S439 * _S440.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S441 + frame_record_0.environment_sine_0 * _S442, _S438, frame_record_0.environment_cosine_0 * _S442 - frame_record_0.environment_sine_0 * _S441);
+    var _S437 : u32 = frame_record_0.environment_rows_0;
+    var _S438 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S435.y);
+    var _S439 : u32 = frame_record_0.environment_columns_0;
+    var _S440 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S438.index_5 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S435.x);
+    var _S441 : vec3<f32> = environment_texel_0(_S438.index_5, _S440.index_5);
+    (*_S436) = _S441 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S441), 9.99999968265522539e-21f)));
+    var _S442 : f32 = 3.14159274101257324f / f32(_S437);
+    var _S443 : f32 = mix(sine_cosine_0(f32(_S438.index_5) * _S442).y, sine_cosine_0(f32(_S438.index_5 + u32(1)) * _S442).y, _S438.remainder_0);
+    var _S444 : f32 = sqrt(max(1.0f - _S443 * _S443, 0.0f));
+    var _S445 : vec2<f32> = sine_cosine_0((f32(_S440.index_5) + _S440.remainder_0) * (6.28318548202514648f / f32(_S439)));
+    var _S446 : f32 = _S444 * _S445.x;
+    var _S447 : f32 = - _S444 * _S445.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S446 + frame_record_0.environment_sine_0 * _S447, _S443, frame_record_0.environment_cosine_0 * _S447 - frame_record_0.environment_sine_0 * _S446);
 }
 
-fn light_sample_0( _S443 : u32,  _S444 : vec2<u32>,  _S445 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S448 : u32,  _S449 : vec2<u32>,  _S450 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S446 : u32 = frame_record_0.lights_0;
-    if(_S443 >= (frame_record_0.lights_0))
+    var _S451 : u32 = frame_record_0.lights_0;
+    if(_S448 >= (frame_record_0.lights_0))
     {
         var weight_6 : vec3<f32>;
-        var _S447 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S444, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S443 - _S446), u32(3)), &(weight_6));
-        sample_0.towards_0 = _S447;
+        var _S452 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S449, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S448 - _S451), u32(3)), &(weight_6));
+        sample_0.towards_0 = _S452;
         sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S448 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S443);
-    sample_0.irradiance_1 = vec3<f32>(_S448.red_0, _S448.green_0, _S448.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S448.x_7, _S448.y_1, _S448.z_1);
-    if((_S448.is_point_0) != u32(0))
+    var _S453 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S448);
+    sample_0.irradiance_1 = vec3<f32>(_S453.red_0, _S453.green_0, _S453.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S453.x_7, _S453.y_1, _S453.z_1);
+    if((_S453.is_point_0) != u32(0))
     {
-        var _S449 : vec3<f32> = sample_0.towards_0 - _S445;
-        var _S450 : f32 = max(square_0(_S449), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S450);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S450);
-        sample_0.towards_0 = normalize(_S449);
+        var _S454 : vec3<f32> = sample_0.towards_0 - _S450;
+        var _S455 : f32 = max(square_0(_S454), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S455);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S455);
+        sample_0.towards_0 = normalize(_S454);
     }
     return sample_0;
 }
@@ -2298,7 +2353,7 @@ struct Estimate_0
 {
      components_0 : Components_0,
      close_0 : CloseUp_0,
-     albedos_5 : FamilyAlbedos_0,
+     albedos_7 : FamilyAlbedos_0,
 };
 
 struct Regime_0
@@ -2308,30 +2363,30 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S451 : u32,  _S452 : Footprint_0,  _S453 : f32) -> Regime_0
+fn regime_of_0( _S456 : u32,  _S457 : Footprint_0,  _S458 : f32) -> Regime_0
 {
-    var _S454 : f32 = Footprint_spread_side_0(_S452);
-    var _S455 : f32 = clamp((binary_logarithm_0(max(_S454, 9.99999971718068537e-10f)) - fabrics_0[_S451].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S459 : f32 = Footprint_spread_side_0(_S457);
+    var _S460 : f32 = clamp((binary_logarithm_0(max(_S459, 9.99999971718068537e-10f)) - fabrics_0[_S456].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S456 : f32 = _S455 * _S455 * (3.0f - 2.0f * _S455);
-    regime_0.prefiltered_0 = _S456;
-    var _S457 : f32 = _S454 * fabrics_0[_S451].lobes_0.threads_per_mm_0;
-    regime_0.threads_2 = _S457;
-    regime_0.points_0 = select(0.0f, clamp(_S457 * 12.0f, 1.0f, mix(max(8.0f / _S453, 1.0f), 1.0f, _S456)), _S456 < 1.0f);
+    var _S461 : f32 = _S460 * _S460 * (3.0f - 2.0f * _S460);
+    regime_0.prefiltered_0 = _S461;
+    var _S462 : f32 = _S459 * fabrics_0[_S456].lobes_0.threads_per_mm_0;
+    regime_0.threads_2 = _S462;
+    regime_0.points_0 = select(0.0f, clamp(_S462 * 12.0f, 1.0f, mix(max(8.0f / _S458, 1.0f), 1.0f, _S461)), _S461 < 1.0f);
     return regime_0;
 }
 
-fn varies_at_0( _S458 : u32,  _S459 : f32) -> bool
+fn varies_at_0( _S463 : u32,  _S464 : f32) -> bool
 {
-    return (((((fabrics_0[_S458].fibre_noise_0) > 0.0f) | (((fabrics_0[_S458].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S458].has_detail_0) != u32(0)) & ((_S459 >= 0.0f))))));
+    return (((((fabrics_0[_S463].fibre_noise_0) > 0.0f) | (((fabrics_0[_S463].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S463].has_detail_0) != u32(0)) & ((_S464 >= 0.0f))))));
 }
 
 struct Hit_0
 {
-     x_16 : f32,
-     y_9 : f32,
-     hole_5 : bool,
-     height_6 : f32,
+     x_18 : f32,
+     y_11 : f32,
+     hole_7 : bool,
+     height_8 : f32,
 };
 
 struct Sample_0
@@ -2340,7 +2395,7 @@ struct Sample_0
      shown_3 : Shown_0,
      run_3 : Run_0,
      section_1 : Section_0,
-     height_7 : f32,
+     height_9 : f32,
      slope_across_0 : f32,
      slope_along_0 : f32,
      dive_1 : vec3<f32>,
@@ -2348,131 +2403,131 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S460 : u32,  _S461 : f32,  _S462 : f32,  _S463 : bool) -> Crossing_0
+fn crossing_at_0( _S465 : u32,  _S466 : f32,  _S467 : f32,  _S468 : bool) -> Crossing_0
 {
     var crossing_3 : Crossing_0;
-    crossing_3.warp_2 = locate_0(fabrics_0[_S460].warp_0, _S461);
-    crossing_3.weft_2 = locate_0(fabrics_0[_S460].weft_0, _S462);
-    var _S464 : u32 = fabrics_0[_S460].run_words_0 + u32(2) * (crossing_3.weft_2.thread_1 * fabrics_0[_S460].ends_1 + crossing_3.warp_2.thread_1);
-    var _S465 : u32 = words_0[_S464];
-    crossing_3.warp_word_0 = _S465;
-    crossing_3.weft_word_0 = words_0[_S464 + u32(1)];
-    crossing_3.warp_above_0 = (((_S465 & (u32(1)))) == u32(1)) != _S463;
+    crossing_3.warp_2 = locate_0(fabrics_0[_S465].warp_0, _S466);
+    crossing_3.weft_2 = locate_0(fabrics_0[_S465].weft_0, _S467);
+    var _S469 : u32 = fabrics_0[_S465].run_words_0 + u32(2) * (crossing_3.weft_2.thread_1 * fabrics_0[_S465].ends_1 + crossing_3.warp_2.thread_1);
+    var _S470 : u32 = words_0[_S469];
+    crossing_3.warp_word_0 = _S470;
+    crossing_3.weft_word_0 = words_0[_S469 + u32(1)];
+    crossing_3.warp_above_0 = (((_S470 & (u32(1)))) == u32(1)) != _S468;
     return crossing_3;
 }
 
-fn sample_at_0( _S466 : u32,  _S467 : f32,  _S468 : f32,  _S469 : bool) -> Sample_0
+fn sample_at_0( _S471 : u32,  _S472 : f32,  _S473 : f32,  _S474 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S470 : Crossing_0 = crossing_at_0(_S466, _S467, _S468, _S469);
-    sample_1.crossing_2 = _S470;
-    var _S471 : Shown_0 = shown_at_0(_S470, _S469);
-    sample_1.shown_3 = _S471;
-    var _S472 : u32 = select(fabrics_0[_S466].weft_0, fabrics_0[_S466].warp_0, _S471.is_warp_2);
-    var _S473 : u32 = select(fabrics_0[_S466].warp_0, fabrics_0[_S466].weft_0, _S471.is_warp_2);
-    var _S474 : Cell_0 = select_cell_0(_S471.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
-    var _S475 : Cell_0 = select_cell_0(_S471.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
-    var _S476 : Run_0 = unpack_0(_S472, _S473, _S474.thread_1, _S475, _S471.word_0);
-    var _S477 : Section_0 = section_at_0(_S474);
-    var _S478 : bool = ((_S471.on_top_0) & (((_S476.distance_0) < (_S477.drop_0 * _S476.bend_1.sine_0))));
-    var _S479 : f32 = select(-1.0f, 1.0f, ((_S471.on_top_0) & ((!_S478))));
-    var _S480 : f32 = select(_S476.reach_0, _S476.other_reach_0, _S478);
-    var _S481 : f32 = select(max(_S480 - _S476.distance_0, 0.0f), _S480 + _S476.distance_0, _S478);
-    var _S482 : f32 = _S480 / _S476.bend_1.sine_0 - _S479 * _S477.drop_0;
-    var _S483 : f32 = _S481 * _S481;
-    var _S484 : f32 = max(_S482 * _S482 - _S483, 9.99999968265522539e-21f);
-    var _S485 : f32 = rsqrt_0(_S484);
-    var _S486 : f32 = _S483 / (_S484 * _S485 + _S482);
-    var _S487 : bool = _S481 > 0.0f;
-    var _S488 : f32 = select(-1.0f, 1.0f, _S471.on_top_0) * select(-1.0f, 1.0f, _S476.near_start_0);
-    var _S489 : f32 = _S477.slope_0 * select(1.0f, _S482 * _S485, _S487);
-    sample_1.slope_across_0 = _S489;
-    var _S490 : f32 = select(0.0f, _S488 * _S481 * _S485, _S487);
-    sample_1.slope_along_0 = _S490;
-    var _S491 : vec3<f32> = dive_0(_S473, _S471, _S476, _S475);
-    sample_1.dive_1 = _S491;
-    sample_1.height_7 = select(families_0[_S472].height_scale_0 * _S479, 0.0f, _S476.straight_0) * (_S480 * _S476.bend_1.half_tangent_0 - _S486) - families_0[_S472].height_scale_0 * _S477.drop_0 - _S491.x;
-    var _S492 : f32 = families_0[_S472].height_scale_0 * _S489;
-    var _S493 : f32 = families_0[_S472].height_scale_0 * _S490 - _S491.y;
-    sample_1.slope_x_1 = select(_S493, _S492, _S471.is_warp_2);
-    sample_1.slope_y_1 = select(_S492, _S493, _S471.is_warp_2);
-    sample_1.run_3 = _S476;
-    sample_1.section_1 = _S477;
+    var _S475 : Crossing_0 = crossing_at_0(_S471, _S472, _S473, _S474);
+    sample_1.crossing_2 = _S475;
+    var _S476 : Shown_0 = shown_at_0(_S475, _S474);
+    sample_1.shown_3 = _S476;
+    var _S477 : u32 = select(fabrics_0[_S471].weft_0, fabrics_0[_S471].warp_0, _S476.is_warp_2);
+    var _S478 : u32 = select(fabrics_0[_S471].warp_0, fabrics_0[_S471].weft_0, _S476.is_warp_2);
+    var _S479 : Cell_0 = select_cell_0(_S476.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
+    var _S480 : Cell_0 = select_cell_0(_S476.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
+    var _S481 : Run_0 = unpack_0(_S477, _S478, _S479.thread_1, _S480, _S476.word_0);
+    var _S482 : Section_0 = section_at_0(_S479);
+    var _S483 : bool = ((_S476.on_top_0) & (((_S481.distance_0) < (_S482.drop_0 * _S481.bend_1.sine_0))));
+    var _S484 : f32 = select(-1.0f, 1.0f, ((_S476.on_top_0) & ((!_S483))));
+    var _S485 : f32 = select(_S481.reach_0, _S481.other_reach_0, _S483);
+    var _S486 : f32 = select(max(_S485 - _S481.distance_0, 0.0f), _S485 + _S481.distance_0, _S483);
+    var _S487 : f32 = _S485 / _S481.bend_1.sine_0 - _S484 * _S482.drop_0;
+    var _S488 : f32 = _S486 * _S486;
+    var _S489 : f32 = max(_S487 * _S487 - _S488, 9.99999968265522539e-21f);
+    var _S490 : f32 = rsqrt_0(_S489);
+    var _S491 : f32 = _S488 / (_S489 * _S490 + _S487);
+    var _S492 : bool = _S486 > 0.0f;
+    var _S493 : f32 = select(-1.0f, 1.0f, _S476.on_top_0) * select(-1.0f, 1.0f, _S481.near_start_0);
+    var _S494 : f32 = _S482.slope_0 * select(1.0f, _S487 * _S490, _S492);
+    sample_1.slope_across_0 = _S494;
+    var _S495 : f32 = select(0.0f, _S493 * _S486 * _S490, _S492);
+    sample_1.slope_along_0 = _S495;
+    var _S496 : vec3<f32> = dive_0(_S478, _S476, _S481, _S480);
+    sample_1.dive_1 = _S496;
+    sample_1.height_9 = select(families_0[_S477].height_scale_0 * _S484, 0.0f, _S481.straight_0) * (_S485 * _S481.bend_1.half_tangent_0 - _S491) - families_0[_S477].height_scale_0 * _S482.drop_0 - _S496.x;
+    var _S497 : f32 = families_0[_S477].height_scale_0 * _S494;
+    var _S498 : f32 = families_0[_S477].height_scale_0 * _S495 - _S496.y;
+    sample_1.slope_x_1 = select(_S498, _S497, _S476.is_warp_2);
+    sample_1.slope_y_1 = select(_S497, _S498, _S476.is_warp_2);
+    sample_1.run_3 = _S481;
+    sample_1.section_1 = _S482;
     return sample_1;
 }
 
-fn steps_per_length_0( _S494 : u32,  _S495 : SearchQuality_0,  _S496 : vec3<f32>) -> f32
+fn steps_per_length_0( _S499 : u32,  _S500 : SearchQuality_0,  _S501 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S496.x) * fabrics_0[_S494].threads_per_x_0, abs(_S496.y) * fabrics_0[_S494].threads_per_y_0) * _S495.steps_per_thread_0, abs(_S496.z) * fabrics_0[_S494].per_relief_0 * _S495.steps_per_relief_0);
+    return max(max(abs(_S501.x) * fabrics_0[_S499].threads_per_x_0, abs(_S501.y) * fabrics_0[_S499].threads_per_y_0) * _S500.steps_per_thread_0, abs(_S501.z) * fabrics_0[_S499].per_relief_0 * _S500.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S497 : u32,  _S498 : Crossing_0) -> f32
+fn cell_maximum_0( _S502 : u32,  _S503 : Crossing_0) -> f32
 {
-    var _S499 : u32 = select(fabrics_0[_S497].weft_0, fabrics_0[_S497].warp_0, _S498.warp_above_0);
-    return f32((select(_S498.weft_word_0, _S498.warp_word_0, _S498.warp_above_0) >> (u32(28)))) * families_0[_S499].height_scale_0 * families_0[_S499].level_0;
+    var _S504 : u32 = select(fabrics_0[_S502].weft_0, fabrics_0[_S502].warp_0, _S503.warp_above_0);
+    return f32((select(_S503.weft_word_0, _S503.warp_word_0, _S503.warp_above_0) >> (u32(28)))) * families_0[_S504].height_scale_0 * families_0[_S504].level_0;
 }
 
-fn probe_0( _S500 : u32,  _S501 : f32,  _S502 : f32,  _S503 : bool,  _S504 : bool,  _S505 : bool) -> Probe_0
+fn probe_0( _S505 : u32,  _S506 : f32,  _S507 : f32,  _S508 : bool,  _S509 : bool,  _S510 : bool) -> Probe_0
 {
-    var _S506 : Sample_0 = sample_at_0(_S500, _S501, _S502, _S503);
+    var _S511 : Sample_0 = sample_at_0(_S505, _S506, _S507, _S508);
     var probe_1 : Probe_0;
-    probe_1.height_4 = _S506.height_7;
-    probe_1.hole_4 = _S506.shown_3.hole_3;
-    probe_1.slope_x_0 = _S506.slope_x_1;
-    probe_1.slope_y_0 = _S506.slope_y_1;
-    probe_1.yarn_1 = select(_S506.crossing_2.weft_2.thread_1 * u32(2), _S506.crossing_2.warp_2.thread_1 * u32(2) + u32(1), _S506.shown_3.is_warp_2);
-    probe_1.cell_max_0 = cell_maximum_0(_S500, _S506.crossing_2);
-    probe_1.side_x_0 = select(_S506.crossing_2.warp_2.below_0, _S506.crossing_2.warp_2.above_0, _S504);
-    probe_1.side_y_0 = select(_S506.crossing_2.weft_2.below_0, _S506.crossing_2.weft_2.above_0, _S505);
-    probe_1.edge_x_0 = outline_distance_0(_S506.crossing_2.warp_2, _S506.shown_3, _S506.run_3, !_S506.shown_3.is_warp_2, _S504);
-    probe_1.edge_y_0 = outline_distance_0(_S506.crossing_2.weft_2, _S506.shown_3, _S506.run_3, _S506.shown_3.is_warp_2, _S505);
+    probe_1.height_4 = _S511.height_9;
+    probe_1.hole_4 = _S511.shown_3.hole_3;
+    probe_1.slope_x_0 = _S511.slope_x_1;
+    probe_1.slope_y_0 = _S511.slope_y_1;
+    probe_1.yarn_1 = select(_S511.crossing_2.weft_2.thread_1 * u32(2), _S511.crossing_2.warp_2.thread_1 * u32(2) + u32(1), _S511.shown_3.is_warp_2);
+    probe_1.cell_max_0 = cell_maximum_0(_S505, _S511.crossing_2);
+    probe_1.side_x_0 = select(_S511.crossing_2.warp_2.below_0, _S511.crossing_2.warp_2.above_0, _S509);
+    probe_1.side_y_0 = select(_S511.crossing_2.weft_2.below_0, _S511.crossing_2.weft_2.above_0, _S510);
+    probe_1.edge_x_0 = outline_distance_0(_S511.crossing_2.warp_2, _S511.shown_3, _S511.run_3, !_S511.shown_3.is_warp_2, _S509);
+    probe_1.edge_y_0 = outline_distance_0(_S511.crossing_2.weft_2, _S511.shown_3, _S511.run_3, _S511.shown_3.is_warp_2, _S510);
     return probe_1;
 }
 
-fn is_free_0( _S507 : u32,  _S508 : SearchQuality_0,  _S509 : vec3<f32>,  _S510 : vec3<f32>,  _S511 : bool,  _S512 : f32) -> bool
+fn is_free_0( _S512 : u32,  _S513 : SearchQuality_0,  _S514 : vec3<f32>,  _S515 : vec3<f32>,  _S516 : bool,  _S517 : f32) -> bool
 {
-    var _S513 : f32 = _S510.z;
-    if(_S513 <= 0.0f)
+    var _S518 : f32 = _S515.z;
+    if(_S518 <= 0.0f)
     {
         return false;
     }
-    var _S514 : f32 = 1.0f / max(_S508.shadow_share_0 * steps_per_length_0(_S507, _S508, _S510), 9.99999971718068537e-10f);
-    var _S515 : StepControl_0 = step_control_0(_S510.xy, _S514);
+    var _S519 : f32 = 1.0f / max(_S513.shadow_share_0 * steps_per_length_0(_S512, _S513, _S515), 9.99999971718068537e-10f);
+    var _S520 : StepControl_0 = step_control_0(_S515.xy, _S519);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S509.z + _S513 * distance_2) < _S512))))
+        if(((count_4 < u32(1024)) & (((_S514.z + _S518 * distance_2) < _S517))))
         {
         }
         else
         {
             break;
         }
-        var _S516 : vec3<f32> = _S509 + _S510 * vec3<f32>(distance_2);
-        var _S517 : Probe_0 = probe_0(_S507, _S516.x, _S516.y, _S511, _S515.right_0, _S515.up_0);
-        var _S518 : f32 = _S516.z;
-        var _S519 : f32 = _S518 - _S517.height_4;
-        var _S520 : f32 = _S513 - _S517.slope_x_0 * _S510.x - _S517.slope_y_0 * _S510.y;
-        if(((!_S517.hole_4) & ((_S519 < 0.0f))))
+        var _S521 : vec3<f32> = _S514 + _S515 * vec3<f32>(distance_2);
+        var _S522 : Probe_0 = probe_0(_S512, _S521.x, _S521.y, _S516, _S520.right_0, _S520.up_0);
+        var _S523 : f32 = _S521.z;
+        var _S524 : f32 = _S523 - _S522.height_4;
+        var _S525 : f32 = _S518 - _S522.slope_x_0 * _S515.x - _S522.slope_y_0 * _S515.y;
+        if(((!_S522.hole_4) & ((_S524 < 0.0f))))
         {
             return false;
         }
-        var _S521 : f32 = way_back_to_dip_0(previous_3, _S519, _S520, last_step_0, _S517);
-        if(_S521 >= 0.0f)
+        var _S526 : f32 = way_back_to_dip_0(previous_3, _S524, _S525, last_step_0, _S522);
+        if(_S526 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S521;
-            distance_2 = distance_2 - _S521;
+            var last_step_1 : f32 = last_step_0 - _S526;
+            distance_2 = distance_2 - _S526;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S522 : bool = _S518 > (_S517.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S515, _S517, _S519, _S520), max(StepControl_to_cell_exit_0(_S515, _S517.side_x_0, _S517.side_y_0), _S514), _S522);
+        var _S527 : bool = _S523 > (_S522.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S520, _S522, _S524, _S525), max(StepControl_to_cell_exit_0(_S520, _S522.side_x_0, _S522.side_y_0), _S519), _S527);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S519, _S520, _S517, _S522);
+        previous_3 = after_sample_0(_S524, _S525, _S522, _S527);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2480,13 +2535,13 @@ fn is_free_0( _S507 : u32,  _S508 : SearchQuality_0,  _S509 : vec3<f32>,  _S510 
     return true;
 }
 
-fn passes_through_0( _S523 : u32,  _S524 : SearchQuality_0,  _S525 : f32,  _S526 : f32,  _S527 : vec3<f32>,  _S528 : bool) -> bool
+fn passes_through_0( _S528 : u32,  _S529 : SearchQuality_0,  _S530 : f32,  _S531 : f32,  _S532 : vec3<f32>,  _S533 : bool) -> bool
 {
-    if(!sample_at_0(_S523, _S525, _S526, _S528).shown_3.hole_3)
+    if(!sample_at_0(_S528, _S530, _S531, _S533).shown_3.hole_3)
     {
         return false;
     }
-    var _S529 : vec3<f32> = vec3<f32>(_S525, _S526, 0.0f);
+    var _S534 : vec3<f32> = vec3<f32>(_S530, _S531, 0.0f);
     var passes_0 : bool = true;
     var side_2 : u32 = u32(0);
     for(;;)
@@ -2498,17 +2553,17 @@ fn passes_through_0( _S523 : u32,  _S524 : SearchQuality_0,  _S525 : f32,  _S526
         {
             break;
         }
-        var _S530 : bool = is_free_0(_S523, _S524, _S529, select_vector_1(side_2 == u32(0), _S527, vec3<f32>(- _S527.x, - _S527.y, _S527.z)), _S528 != (side_2 == u32(1)), fabrics_0[_S523].height_high_0);
-        var _S531 : u32 = side_2 + u32(1);
-        passes_0 = _S530;
-        side_2 = _S531;
+        var _S535 : bool = is_free_0(_S528, _S529, _S534, select_vector_1(side_2 == u32(0), _S532, vec3<f32>(- _S532.x, - _S532.y, _S532.z)), _S533 != (side_2 == u32(1)), fabrics_0[_S528].height_high_0);
+        var _S536 : u32 = side_2 + u32(1);
+        passes_0 = _S535;
+        side_2 = _S536;
     }
     return passes_0;
 }
 
 struct ViewRayEnd_0
 {
-     height_8 : f32,
+     height_10 : f32,
      last_step_3 : f32,
      depth_2 : f32,
      rate_4 : f32,
@@ -2516,14 +2571,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S532 : u32,  _S533 : f32,  _S534 : f32,  _S535 : f32,  _S536 : vec3<f32>,  _S537 : bool) -> f32
+fn max_height_along_0( _S537 : u32,  _S538 : f32,  _S539 : f32,  _S540 : f32,  _S541 : vec3<f32>,  _S542 : bool) -> f32
 {
-    var _S538 : f32 = _S536.x;
-    var _S539 : f32 = _S536.y;
-    var _S540 : u32 = (words_0[fabrics_0[_S532].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S532].weft_0, _S534).thread_1 / u32(2) * fabrics_0[_S532].max_height_columns_0 + locate_0(fabrics_0[_S532].warp_0, _S533).thread_1 / u32(2)) + (select(u32(0), u32(1), _S538 > 0.0f) + select(u32(0), u32(2), _S539 > 0.0f))] >> (u32(select(i32(0), i32(4), _S537))));
-    var _S541 : f32 = max(abs(_S538) * fabrics_0[_S532].threads_per_x_0, abs(_S539) * fabrics_0[_S532].threads_per_y_0) / _S536.z;
-    var _S542 : f32 = fabrics_0[_S532].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S532].height_high_0;
+    var _S543 : f32 = _S541.x;
+    var _S544 : f32 = _S541.y;
+    var _S545 : u32 = (words_0[fabrics_0[_S537].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S537].weft_0, _S539).thread_1 / u32(2) * fabrics_0[_S537].max_height_columns_0 + locate_0(fabrics_0[_S537].warp_0, _S538).thread_1 / u32(2)) + (select(u32(0), u32(1), _S543 > 0.0f) + select(u32(0), u32(2), _S544 > 0.0f))] >> (u32(select(i32(0), i32(4), _S542))));
+    var _S546 : f32 = max(abs(_S543) * fabrics_0[_S537].threads_per_x_0, abs(_S544) * fabrics_0[_S537].threads_per_y_0) / _S541.z;
+    var _S547 : f32 = fabrics_0[_S537].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S537].height_high_0;
     var number_4 : i32 = i32(3);
     for(;;)
     {
@@ -2534,26 +2589,26 @@ fn max_height_along_0( _S532 : u32,  _S533 : f32,  _S534 : f32,  _S535 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S535) * _S541) <= (PYRAMID_RADII_0[number_4]))
+        if(((max_height_0 - _S540) * _S546) <= (PYRAMID_RADII_0[number_4]))
         {
-            max_height_0 = min(max_height_0, f32((((_S540 >> (u32(i32(8) * number_4)))) & (u32(15)))) * 0.06666667014360428f * _S542);
+            max_height_0 = min(max_height_0, f32((((_S545 >> (u32(i32(8) * number_4)))) & (u32(15)))) * 0.06666667014360428f * _S547);
         }
         number_4 = number_4 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S543 : u32,  _S544 : f32,  _S545 : f32,  _S546 : bool,  _S547 : bool,  _S548 : bool) -> vec3<f32>
+fn cell_bounds_0( _S548 : u32,  _S549 : f32,  _S550 : f32,  _S551 : bool,  _S552 : bool,  _S553 : bool) -> vec3<f32>
 {
-    var _S549 : Crossing_0 = crossing_at_0(_S543, _S544, _S545, _S546);
-    return vec3<f32>(cell_maximum_0(_S543, _S549), select(_S549.warp_2.below_0, _S549.warp_2.above_0, _S547), select(_S549.weft_2.below_0, _S549.weft_2.above_0, _S548));
+    var _S554 : Crossing_0 = crossing_at_0(_S548, _S549, _S550, _S551);
+    return vec3<f32>(cell_maximum_0(_S548, _S554), select(_S554.warp_2.below_0, _S554.warp_2.above_0, _S552), select(_S554.weft_2.below_0, _S554.weft_2.above_0, _S553));
 }
 
-fn first_sample_height_0( _S550 : u32,  _S551 : ViewRay_0,  _S552 : StepControl_0,  _S553 : bool) -> f32
+fn first_sample_height_0( _S555 : u32,  _S556 : ViewRay_0,  _S557 : StepControl_0,  _S558 : bool) -> f32
 {
-    var _S554 : f32 = max_height_along_0(_S550, _S551.origin_0.x, _S551.origin_0.y, 0.0f, vec3<f32>(_S551.slope_1, 1.0f), _S553);
+    var _S559 : f32 = max_height_along_0(_S555, _S556.origin_0.x, _S556.origin_0.y, 0.0f, vec3<f32>(_S556.slope_1, 1.0f), _S558);
     var count_5 : u32 = u32(0);
-    var height_9 : f32 = _S554;
+    var height_11 : f32 = _S559;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -2563,28 +2618,28 @@ fn first_sample_height_0( _S550 : u32,  _S551 : ViewRay_0,  _S552 : StepControl_
         {
             break;
         }
-        var _S555 : vec2<f32> = ViewRay_at_0(_S551, height_9);
-        var _S556 : vec3<f32> = cell_bounds_0(_S550, _S555.x, _S555.y, _S553, _S552.right_0, _S552.up_0);
-        var _S557 : f32 = height_9 - _S556.x;
-        var _S558 : f32 = StepControl_to_cell_exit_0(_S552, _S556.y, _S556.z);
-        var height_10 : f32 = height_9 - clamp(_S557, 0.0f, _S558);
-        if(_S557 <= _S558)
+        var _S560 : vec2<f32> = ViewRay_at_0(_S556, height_11);
+        var _S561 : vec3<f32> = cell_bounds_0(_S555, _S560.x, _S560.y, _S558, _S557.right_0, _S557.up_0);
+        var _S562 : f32 = height_11 - _S561.x;
+        var _S563 : f32 = StepControl_to_cell_exit_0(_S557, _S561.y, _S561.z);
+        var height_12 : f32 = height_11 - clamp(_S562, 0.0f, _S563);
+        if(_S562 <= _S563)
         {
-            height_9 = height_10;
+            height_11 = height_12;
             break;
         }
         count_5 = count_5 + u32(1);
-        height_9 = height_10;
+        height_11 = height_12;
     }
-    return height_9;
+    return height_11;
 }
 
-fn search_down_0( _S559 : u32,  _S560 : ViewRay_0,  _S561 : StepControl_0,  _S562 : bool) -> ViewRayEnd_0
+fn search_down_0( _S564 : u32,  _S565 : ViewRay_0,  _S566 : StepControl_0,  _S567 : bool) -> ViewRayEnd_0
 {
-    var _S563 : f32 = fabrics_0[_S559].height_low_0 - (fabrics_0[_S559].height_high_0 - fabrics_0[_S559].height_low_0);
+    var _S568 : f32 = fabrics_0[_S564].height_low_0 - (fabrics_0[_S564].height_high_0 - fabrics_0[_S564].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_8 = first_sample_height_0(_S559, _S560, _S561, _S562);
-    end_1.last_step_3 = _S561.epsilon_0;
+    end_1.height_10 = first_sample_height_0(_S564, _S565, _S566, _S567);
+    end_1.last_step_3 = _S566.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_2 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2599,344 +2654,293 @@ fn search_down_0( _S559 : u32,  _S560 : ViewRay_0,  _S561 : StepControl_0,  _S56
         {
             break;
         }
-        var _S564 : vec2<f32> = ViewRay_at_0(_S560, end_1.height_8);
-        var _S565 : Probe_0 = probe_0(_S559, _S564.x, _S564.y, _S562, _S561.right_0, _S561.up_0);
-        var _S566 : f32 = end_1.height_8 - _S565.height_4;
-        var _S567 : f32 = ViewRay_rate_0(_S560, _S565);
-        end_1.depth_2 = - _S566;
-        end_1.rate_4 = _S567;
-        var _S568 : bool = !_S565.hole_4;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S568))) & (((end_1.previous_4.yarn_0) == (_S565.yarn_1))));
-        if((((_S568 & ((_S566 <= 0.0f)))) | (((end_1.height_8) <= _S563))))
+        var _S569 : vec2<f32> = ViewRay_at_0(_S565, end_1.height_10);
+        var _S570 : Probe_0 = probe_0(_S564, _S569.x, _S569.y, _S567, _S566.right_0, _S566.up_0);
+        var _S571 : f32 = end_1.height_10 - _S570.height_4;
+        var _S572 : f32 = ViewRay_rate_0(_S565, _S570);
+        end_1.depth_2 = - _S571;
+        end_1.rate_4 = _S572;
+        var _S573 : bool = !_S570.hole_4;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S573))) & (((end_1.previous_4.yarn_0) == (_S570.yarn_1))));
+        if((((_S573 & ((_S571 <= 0.0f)))) | (((end_1.height_10) <= _S568))))
         {
             break;
         }
-        var _S569 : f32 = way_back_to_dip_0(end_1.previous_4, _S566, _S567, end_1.last_step_3, _S565);
-        if(_S569 >= 0.0f)
+        var _S574 : f32 = way_back_to_dip_0(end_1.previous_4, _S571, _S572, end_1.last_step_3, _S570);
+        if(_S574 >= 0.0f)
         {
-            end_1.height_8 = end_1.height_8 + _S569;
-            end_1.last_step_3 = end_1.last_step_3 - _S569;
+            end_1.height_10 = end_1.height_10 + _S574;
+            end_1.last_step_3 = end_1.last_step_3 - _S574;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S570 : f32 = min(StepControl_to_cell_exit_0(_S561, _S565.side_x_0, _S565.side_y_0), end_1.height_8 - _S565.cell_max_0);
-        var _S571 : f32 = StepControl_to_next_sample_0(_S561, _S565, _S566, _S567);
-        end_1.previous_4 = after_sample_0(_S566, _S567, _S565, _S570 > _S571);
-        var _S572 : f32 = max(_S570, _S571);
-        end_1.last_step_3 = _S572;
-        end_1.height_8 = end_1.height_8 - _S572;
+        var _S575 : f32 = min(StepControl_to_cell_exit_0(_S566, _S570.side_x_0, _S570.side_y_0), end_1.height_10 - _S570.cell_max_0);
+        var _S576 : f32 = StepControl_to_next_sample_0(_S566, _S570, _S571, _S572);
+        end_1.previous_4 = after_sample_0(_S571, _S572, _S570, _S575 > _S576);
+        var _S577 : f32 = max(_S575, _S576);
+        end_1.last_step_3 = _S577;
+        end_1.height_10 = end_1.height_10 - _S577;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S573 : u32,  _S574 : ViewRay_0,  _S575 : StepControl_0,  _S576 : bool,  _S577 : ViewRayEnd_0,  _S578 : u32) -> f32
+fn refined_height_0( _S578 : u32,  _S579 : ViewRay_0,  _S580 : StepControl_0,  _S581 : bool,  _S582 : ViewRayEnd_0,  _S583 : u32) -> f32
 {
-    var _S579 : f32 = fabrics_0[_S573].height_high_0 - fabrics_0[_S573].height_low_0;
-    var above_2 : f32 = _S577.height_8 + _S577.last_step_3;
-    var above_gap_1 : f32 = clamp(_S577.previous_4.clearance_0, 0.0f, _S579);
-    var under_gap_1 : f32 = clamp(_S577.depth_2, 0.0f, _S579);
-    var middle_0 : f32 = select(between_0(above_2, _S577.height_8, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S577.previous_4.rate_0 * _S577.last_step_3, _S577.rate_4 * _S577.last_step_3) * _S577.last_step_3, _S577.smooth_0);
+    var _S584 : f32 = fabrics_0[_S578].height_high_0 - fabrics_0[_S578].height_low_0;
+    var above_2 : f32 = _S582.height_10 + _S582.last_step_3;
+    var above_gap_1 : f32 = clamp(_S582.previous_4.clearance_0, 0.0f, _S584);
+    var under_gap_1 : f32 = clamp(_S582.depth_2, 0.0f, _S584);
+    var middle_0 : f32 = select(between_0(above_2, _S582.height_10, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S582.previous_4.rate_0 * _S582.last_step_3, _S582.rate_4 * _S582.last_step_3) * _S582.last_step_3, _S582.smooth_0);
     var side_3 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S577.height_8;
+    var under_1 : f32 = _S582.height_10;
     var above_3 : f32 = above_2;
     var i_2 : u32 = u32(0);
     for(;;)
     {
-        if(i_2 < _S578)
+        if(i_2 < _S583)
         {
         }
         else
         {
             break;
         }
-        var _S580 : vec2<f32> = ViewRay_at_0(_S574, middle_0);
-        var _S581 : Probe_0 = probe_0(_S573, _S580.x, _S580.y, _S576, _S575.right_0, _S575.up_0);
-        var _S582 : f32 = clamp(middle_0 - select(_S581.height_4, -1.0e+09f, _S581.hole_4), - _S579, _S579);
-        if(_S582 <= 0.0f)
+        var _S585 : vec2<f32> = ViewRay_at_0(_S579, middle_0);
+        var _S586 : Probe_0 = probe_0(_S578, _S585.x, _S585.y, _S581, _S580.right_0, _S580.up_0);
+        var _S587 : f32 = clamp(middle_0 - select(_S586.height_4, -1.0e+09f, _S586.hole_4), - _S584, _S584);
+        if(_S587 <= 0.0f)
         {
-            var _S583 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
-            var _S584 : f32 = - _S582;
+            var _S588 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
+            var _S589 : f32 = - _S587;
             under_1 = middle_0;
-            above_gap_2 = _S583;
-            under_gap_2 = _S584;
+            above_gap_2 = _S588;
+            under_gap_2 = _S589;
             side_3 = 1.0f;
         }
         else
         {
-            var _S585 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
+            var _S590 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S582;
-            under_gap_2 = _S585;
+            above_gap_2 = _S587;
+            under_gap_2 = _S590;
             side_3 = -1.0f;
         }
-        var _S586 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S582 / min(ViewRay_rate_0(_S574, _S581), -9.99999997475242708e-07f), under_1, above_3), _S577.smooth_0);
-        var _S587 : u32 = i_2 + u32(1);
-        middle_0 = _S586;
-        i_2 = _S587;
+        var _S591 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S587 / min(ViewRay_rate_0(_S579, _S586), -9.99999997475242708e-07f), under_1, above_3), _S582.smooth_0);
+        var _S592 : u32 = i_2 + u32(1);
+        middle_0 = _S591;
+        i_2 = _S592;
     }
-    return select(under_1, middle_0, _S577.smooth_0);
+    return select(under_1, middle_0, _S582.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S588 : u32,  _S589 : SearchQuality_0,  _S590 : f32,  _S591 : f32,  _S592 : vec3<f32>,  _S593 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S593 : u32,  _S594 : SearchQuality_0,  _S595 : f32,  _S596 : f32,  _S597 : vec3<f32>,  _S598 : bool) -> Hit_0
 {
-    var _S594 : f32 = max(_S592.z, 0.00009999999747379f);
+    var _S599 : f32 = max(_S597.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S590, _S591);
-    var _S595 : vec2<f32> = _S592.xy / vec2<f32>(_S594);
-    ray_0.slope_1 = _S595;
-    var _S596 : StepControl_0 = step_control_0((vec2<f32>(0) - _S595), 1.0f / max(steps_per_length_0(_S588, _S589, _S592) / _S594, 9.99999971718068537e-10f));
-    var _S597 : ViewRayEnd_0 = search_down_0(_S588, ray_0, _S596, _S593);
+    ray_0.origin_0 = vec2<f32>(_S595, _S596);
+    var _S600 : vec2<f32> = _S597.xy / vec2<f32>(_S599);
+    ray_0.slope_1 = _S600;
+    var _S601 : StepControl_0 = step_control_0((vec2<f32>(0) - _S600), 1.0f / max(steps_per_length_0(_S593, _S594, _S597) / _S599, 9.99999971718068537e-10f));
+    var _S602 : ViewRayEnd_0 = search_down_0(_S593, ray_0, _S601, _S598);
     var hit_0 : Hit_0;
-    hit_0.hole_5 = false;
-    var _S598 : f32 = refined_height_0(_S588, ray_0, _S596, _S593, _S597, _S589.refinements_0);
-    hit_0.height_6 = _S598;
-    var _S599 : vec2<f32> = ViewRay_at_0(ray_0, _S598);
-    hit_0.x_16 = _S599.x;
-    hit_0.y_9 = _S599.y;
+    hit_0.hole_7 = false;
+    var _S603 : f32 = refined_height_0(_S593, ray_0, _S601, _S598, _S602, _S594.refinements_0);
+    hit_0.height_8 = _S603;
+    var _S604 : vec2<f32> = ViewRay_at_0(ray_0, _S603);
+    hit_0.x_18 = _S604.x;
+    hit_0.y_11 = _S604.y;
     return hit_0;
 }
 
-fn first_hit_0( _S600 : u32,  _S601 : SearchQuality_0,  _S602 : f32,  _S603 : f32,  _S604 : vec3<f32>,  _S605 : bool) -> Hit_0
+fn first_hit_0( _S605 : u32,  _S606 : SearchQuality_0,  _S607 : f32,  _S608 : f32,  _S609 : vec3<f32>,  _S610 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S600, _S601, _S602, _S603, _S604, _S605))
+    if(!passes_through_0(_S605, _S606, _S607, _S608, _S609, _S610))
     {
-        return first_hit_of_yarn_0(_S600, _S601, _S602, _S603, _S604, _S605);
+        return first_hit_of_yarn_0(_S605, _S606, _S607, _S608, _S609, _S610);
     }
     var hit_1 : Hit_0;
-    hit_1.x_16 = _S602;
-    hit_1.y_9 = _S603;
-    hit_1.height_6 = 0.0f;
-    hit_1.hole_5 = true;
+    hit_1.x_18 = _S607;
+    hit_1.y_11 = _S608;
+    hit_1.height_8 = 0.0f;
+    hit_1.hole_7 = true;
     return hit_1;
 }
 
-fn surface_of_0( _S606 : u32,  _S607 : Sample_0,  _S608 : f32,  _S609 : f32,  _S610 : bool) -> SurfacePoint_0
+fn surface_of_0( _S611 : u32,  _S612 : Sample_0,  _S613 : f32,  _S614 : f32,  _S615 : bool) -> SurfacePoint_0
 {
-    var _S611 : u32 = select(fabrics_0[_S606].weft_0, fabrics_0[_S606].warp_0, _S607.shown_3.is_warp_2);
-    var _S612 : f32 = families_0[_S611].twist_sine_0 * select(1.0f, -1.0f, _S610);
-    var _S613 : f32 = select(-1.0f, 1.0f, _S607.shown_3.is_warp_2);
-    var _S614 : vec2<f32> = fibre_direction_0(_S607.slope_across_0, _S613 * _S607.slope_along_0, _S612, families_0[_S611].twist_cosine_0);
-    var _S615 : f32 = _S614.x;
-    var _S616 : f32 = _S614.y;
-    var _S617 : f32 = select(_S607.slope_y_1, _S607.slope_x_1, _S607.shown_3.is_warp_2) * _S615 + _S613 * select(_S607.slope_x_1, _S607.slope_y_1, _S607.shown_3.is_warp_2) * _S616;
-    var _S618 : f32 = select(_S607.crossing_2.weft_2.half_width_1, _S607.crossing_2.warp_2.half_width_1, _S607.shown_3.is_warp_2) * 1.0154266357421875f;
-    var _S619 : f32 = _S618 * arc_sine_0(clamp(_S607.section_1.across_3 / _S618, -1.0f, 1.0f));
-    var _S620 : f32 = select(- _S608, _S609, _S607.shown_3.is_warp_2);
+    var _S616 : u32 = select(fabrics_0[_S611].weft_0, fabrics_0[_S611].warp_0, _S612.shown_3.is_warp_2);
+    var _S617 : f32 = families_0[_S616].twist_sine_0 * select(1.0f, -1.0f, _S615);
+    var _S618 : f32 = select(-1.0f, 1.0f, _S612.shown_3.is_warp_2);
+    var _S619 : vec2<f32> = fibre_direction_0(_S612.slope_across_0, _S618 * _S612.slope_along_0, _S617, families_0[_S616].twist_cosine_0);
+    var _S620 : f32 = _S619.x;
+    var _S621 : f32 = _S619.y;
+    var _S622 : f32 = select(_S612.slope_y_1, _S612.slope_x_1, _S612.shown_3.is_warp_2) * _S620 + _S618 * select(_S612.slope_x_1, _S612.slope_y_1, _S612.shown_3.is_warp_2) * _S621;
+    var _S623 : f32 = select(_S612.crossing_2.weft_2.half_width_1, _S612.crossing_2.warp_2.half_width_1, _S612.shown_3.is_warp_2) * 1.0154266357421875f;
+    var _S624 : f32 = _S623 * arc_sine_0(clamp(_S612.section_1.across_3 / _S623, -1.0f, 1.0f));
+    var _S625 : f32 = select(- _S613, _S614, _S612.shown_3.is_warp_2);
     var point_4 : SurfacePoint_0;
-    point_4.hole_0 = _S607.shown_3.hole_3;
-    point_4.is_warp_0 = _S607.shown_3.is_warp_2;
-    point_4.warp_thread_0 = _S607.crossing_2.warp_2.thread_1;
-    point_4.weft_thread_0 = _S607.crossing_2.weft_2.thread_1;
-    point_4.height_2 = _S607.height_7;
-    point_4.normal_1 = normalize(vec3<f32>(- _S607.slope_x_1, - _S607.slope_y_1, 1.0f));
-    point_4.tangent_0 = normalize(select_vector_1(_S607.shown_3.is_warp_2, vec3<f32>(_S615, _S616, _S617), vec3<f32>(- _S616, _S615, _S617)));
-    point_4.across_1 = _S607.section_1.across_3;
-    point_4.fibre_across_0 = _S619 * families_0[_S611].twist_cosine_0 + _S620 * _S612;
-    point_4.fibre_along_0 = _S620 * families_0[_S611].twist_cosine_0 - _S619 * _S612;
-    var _S621 : f32 = run_share_0(_S607.shown_3.word_0);
-    point_4.shown_share_0 = select(1.0f - _S621, _S621, _S607.shown_3.on_top_0);
-    point_4.x_8 = _S608;
-    point_4.y_2 = _S609;
+    point_4.hole_0 = _S612.shown_3.hole_3;
+    point_4.is_warp_0 = _S612.shown_3.is_warp_2;
+    point_4.warp_thread_0 = _S612.crossing_2.warp_2.thread_1;
+    point_4.weft_thread_0 = _S612.crossing_2.weft_2.thread_1;
+    point_4.height_2 = _S612.height_9;
+    point_4.normal_1 = normalize(vec3<f32>(- _S612.slope_x_1, - _S612.slope_y_1, 1.0f));
+    point_4.tangent_0 = normalize(select_vector_1(_S612.shown_3.is_warp_2, vec3<f32>(_S620, _S621, _S622), vec3<f32>(- _S621, _S620, _S622)));
+    point_4.across_1 = _S612.section_1.across_3;
+    point_4.fibre_across_0 = _S624 * families_0[_S616].twist_cosine_0 + _S625 * _S617;
+    point_4.fibre_along_0 = _S625 * families_0[_S616].twist_cosine_0 - _S624 * _S617;
+    var _S626 : f32 = run_share_0(_S612.shown_3.word_0);
+    point_4.shown_share_0 = select(1.0f - _S626, _S626, _S612.shown_3.on_top_0);
+    point_4.x_8 = _S613;
+    point_4.y_2 = _S614;
     return point_4;
 }
 
-fn surface_met_0( _S622 : u32,  _S623 : f32,  _S624 : f32,  _S625 : f32,  _S626 : vec3<f32>,  _S627 : bool) -> SurfacePoint_0
+fn surface_met_0( _S627 : u32,  _S628 : f32,  _S629 : f32,  _S630 : f32,  _S631 : vec3<f32>,  _S632 : bool) -> SurfacePoint_0
 {
-    var _S628 : Sample_0 = sample_at_0(_S622, _S623, _S624, _S627);
-    var point_5 : SurfacePoint_0 = surface_of_0(_S622, _S628, _S623, _S624, _S627);
-    var _S629 : u32 = select(fabrics_0[_S622].weft_0, fabrics_0[_S622].warp_0, point_5.is_warp_0);
-    var _S630 : f32 = select(_S628.crossing_2.weft_2.half_width_1, _S628.crossing_2.warp_2.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
-    var _S631 : f32 = _S628.dive_1.z;
-    var _S632 : f32 = _S628.slope_along_0 - (1.0f - _S631) * _S628.dive_1.y / families_0[_S629].height_scale_0;
-    var _S633 : f32 = rsqrt_0(_S632 * _S632 + 1.0f);
-    var _S634 : f32 = _S626.x;
-    var _S635 : f32 = _S626.y;
-    var _S636 : f32 = select(_S635, _S634, point_5.is_warp_0);
-    var _S637 : f32 = _S626.z;
-    var _S638 : f32 = (_S637 / families_0[_S629].height_scale_0 - _S632 * select(_S634, _S635, point_5.is_warp_0)) * _S633;
-    var _S639 : f32 = square_1(_S630);
-    var _S640 : f32 = sqrt(max(_S639 - square_1(point_5.across_1), 0.0f)) - (_S628.height_7 + _S631 * _S628.dive_1.x - _S625) / families_0[_S629].height_scale_0 * _S633;
-    var _S641 : f32 = square_1(_S636) + square_1(_S638) + 9.999999960041972e-13f;
-    var _S642 : f32 = point_5.across_1 * _S636 + _S640 * _S638;
-    var _S643 : f32 = square_1(point_5.across_1) + square_1(_S640) - _S639;
-    var _S644 : f32 = sqrt(max(square_1(_S642) - _S641 * _S643, 0.0f));
-    var _S645 : f32 = clamp(select((_S644 - _S642) / _S641, - _S643 / max(_S642 + _S644, 9.999999960041972e-13f), _S642 > 0.0f), - _S630, _S630);
-    var _S646 : f32 = point_5.across_1 + _S645 * _S636;
-    point_5.across_1 = _S646;
-    var _S647 : vec2<f32> = normalize(vec2<f32>(_S646, _S640 + _S645 * _S638));
-    var _S648 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
-    var _S649 : f32 = families_0[_S629].twist_sine_0 * select(1.0f, -1.0f, _S627);
-    var _S650 : f32 = _S647.x;
-    var _S651 : f32 = _S649 * _S650 * _S633;
-    var _S652 : f32 = _S647.y;
-    var _S653 : f32 = - _S649 * _S652;
-    var _S654 : f32 = families_0[_S629].twist_cosine_0 * _S633 - _S648 * _S632 * _S651;
-    var _S655 : f32 = families_0[_S629].height_scale_0 * (families_0[_S629].twist_cosine_0 * _S648 * _S632 * _S633 + _S651);
-    var _S656 : f32 = families_0[_S629].height_scale_0 * _S650;
-    var _S657 : f32 = - families_0[_S629].height_scale_0 * _S632 * _S633 * _S652;
-    point_5.normal_1 = normalize(vec3<f32>(select(_S657, _S656, point_5.is_warp_0), select(_S656, _S657, point_5.is_warp_0), _S633 * _S652));
-    point_5.tangent_0 = normalize(vec3<f32>(select(- _S654, _S653, point_5.is_warp_0), select(_S653, _S654, point_5.is_warp_0), _S655));
-    var _S658 : f32 = _S630 * angle_of_0(_S647);
-    var _S659 : f32 = select(- _S623 - _S645 * _S634, _S624 + _S645 * _S635, point_5.is_warp_0);
-    point_5.fibre_across_0 = _S658 * families_0[_S629].twist_cosine_0 + _S659 * _S649;
-    point_5.fibre_along_0 = _S659 * families_0[_S629].twist_cosine_0 - _S658 * _S649;
-    var _S660 : f32 = 0.00999999977648258f * _S630;
-    var _S661 : f32 = - _S660;
-    var _S662 : bool = _S645 < _S661;
-    var _S663 : f32 = select(_S660, _S661, _S636 < 0.0f);
-    var _S664 : f32 = max(_S645, 0.0f);
-    point_5.x_8 = point_5.x_8 + select(_S664 * _S634, select(0.0f, _S663, point_5.is_warp_0), _S662);
-    point_5.y_2 = point_5.y_2 + select(_S664 * _S635, select(_S663, 0.0f, point_5.is_warp_0), _S662);
-    point_5.height_2 = select(_S625 + _S645 * _S637, _S625, _S662);
+    var _S633 : Sample_0 = sample_at_0(_S627, _S628, _S629, _S632);
+    var point_5 : SurfacePoint_0 = surface_of_0(_S627, _S633, _S628, _S629, _S632);
+    var _S634 : u32 = select(fabrics_0[_S627].weft_0, fabrics_0[_S627].warp_0, point_5.is_warp_0);
+    var _S635 : f32 = select(_S633.crossing_2.weft_2.half_width_1, _S633.crossing_2.warp_2.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
+    var _S636 : f32 = _S633.dive_1.z;
+    var _S637 : f32 = _S633.slope_along_0 - (1.0f - _S636) * _S633.dive_1.y / families_0[_S634].height_scale_0;
+    var _S638 : f32 = rsqrt_0(_S637 * _S637 + 1.0f);
+    var _S639 : f32 = _S631.x;
+    var _S640 : f32 = _S631.y;
+    var _S641 : f32 = select(_S640, _S639, point_5.is_warp_0);
+    var _S642 : f32 = _S631.z;
+    var _S643 : f32 = (_S642 / families_0[_S634].height_scale_0 - _S637 * select(_S639, _S640, point_5.is_warp_0)) * _S638;
+    var _S644 : f32 = square_1(_S635);
+    var _S645 : f32 = sqrt(max(_S644 - square_1(point_5.across_1), 0.0f)) - (_S633.height_9 + _S636 * _S633.dive_1.x - _S630) / families_0[_S634].height_scale_0 * _S638;
+    var _S646 : f32 = square_1(_S641) + square_1(_S643) + 9.999999960041972e-13f;
+    var _S647 : f32 = point_5.across_1 * _S641 + _S645 * _S643;
+    var _S648 : f32 = square_1(point_5.across_1) + square_1(_S645) - _S644;
+    var _S649 : f32 = sqrt(max(square_1(_S647) - _S646 * _S648, 0.0f));
+    var _S650 : f32 = clamp(select((_S649 - _S647) / _S646, - _S648 / max(_S647 + _S649, 9.999999960041972e-13f), _S647 > 0.0f), - _S635, _S635);
+    var _S651 : f32 = point_5.across_1 + _S650 * _S641;
+    point_5.across_1 = _S651;
+    var _S652 : vec2<f32> = normalize(vec2<f32>(_S651, _S645 + _S650 * _S643));
+    var _S653 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
+    var _S654 : f32 = families_0[_S634].twist_sine_0 * select(1.0f, -1.0f, _S632);
+    var _S655 : f32 = _S652.x;
+    var _S656 : f32 = _S654 * _S655 * _S638;
+    var _S657 : f32 = _S652.y;
+    var _S658 : f32 = - _S654 * _S657;
+    var _S659 : f32 = families_0[_S634].twist_cosine_0 * _S638 - _S653 * _S637 * _S656;
+    var _S660 : f32 = families_0[_S634].height_scale_0 * (families_0[_S634].twist_cosine_0 * _S653 * _S637 * _S638 + _S656);
+    var _S661 : f32 = families_0[_S634].height_scale_0 * _S655;
+    var _S662 : f32 = - families_0[_S634].height_scale_0 * _S637 * _S638 * _S657;
+    point_5.normal_1 = normalize(vec3<f32>(select(_S662, _S661, point_5.is_warp_0), select(_S661, _S662, point_5.is_warp_0), _S638 * _S657));
+    point_5.tangent_0 = normalize(vec3<f32>(select(- _S659, _S658, point_5.is_warp_0), select(_S658, _S659, point_5.is_warp_0), _S660));
+    var _S663 : f32 = _S635 * angle_of_0(_S652);
+    var _S664 : f32 = select(- _S628 - _S650 * _S639, _S629 + _S650 * _S640, point_5.is_warp_0);
+    point_5.fibre_across_0 = _S663 * families_0[_S634].twist_cosine_0 + _S664 * _S654;
+    point_5.fibre_along_0 = _S664 * families_0[_S634].twist_cosine_0 - _S663 * _S654;
+    var _S665 : f32 = 0.00999999977648258f * _S635;
+    var _S666 : f32 = - _S665;
+    var _S667 : bool = _S650 < _S666;
+    var _S668 : f32 = select(_S665, _S666, _S641 < 0.0f);
+    var _S669 : f32 = max(_S650, 0.0f);
+    point_5.x_8 = point_5.x_8 + select(_S669 * _S639, select(0.0f, _S668, point_5.is_warp_0), _S667);
+    point_5.y_2 = point_5.y_2 + select(_S669 * _S640, select(_S668, 0.0f, point_5.is_warp_0), _S667);
+    point_5.height_2 = select(_S630 + _S650 * _S642, _S630, _S667);
     return point_5;
 }
 
-struct Hairs_0
+fn hairs_over_0( _S670 : u32,  _S671 : SurfacePoint_0,  _S672 : bool,  _S673 : f32) -> Hairs_0
 {
-     place_2 : vec2<f32>,
-     below_1 : f32,
-     back_7 : bool,
-     size_4 : f32,
-};
-
-struct YarnPoint_0
-{
-     back_8 : bool,
-     hole_6 : bool,
-     is_warp_5 : bool,
-     x_17 : f32,
-     y_10 : f32,
-     height_11 : f32,
-     normal_10 : vec3<f32>,
-     tangent_10 : vec3<f32>,
-     surface_normal_0 : vec3<f32>,
-     diffuse_gain_1 : f32,
-     roughness_10 : f32,
-     albedos_6 : Albedos_0,
-     hairs_0 : Hairs_0,
-     hair_cover_0 : f32,
-};
-
-fn hairs_over_0( _S665 : u32,  _S666 : SurfacePoint_0,  _S667 : bool,  _S668 : f32) -> Hairs_0
-{
-    var hairs_1 : Hairs_0;
-    hairs_1.place_2 = vec2<f32>(_S666.x_8, _S666.y_2);
-    hairs_1.below_1 = fabrics_0[_S665].height_high_0 - _S666.height_2;
-    hairs_1.back_7 = _S667;
-    hairs_1.size_4 = _S668;
-    return hairs_1;
+    var hairs_2 : Hairs_0;
+    hairs_2.place_1 = vec2<f32>(_S671.x_8, _S671.y_2);
+    hairs_2.below_1 = fabrics_0[_S670].height_high_0 - _S671.height_2;
+    hairs_2.back_4 = _S672;
+    hairs_2.size_3 = _S673;
+    return hairs_2;
 }
 
-fn has_hairs_0( _S669 : u32) -> bool
+fn has_hairs_0( _S674 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S669].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S669].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S674].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S674].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_towards_0( _S670 : u32,  _S671 : Hairs_0,  _S672 : vec3<f32>,  _S673 : f32) -> Hair_0
+fn hair_towards_0( _S675 : u32,  _S676 : Hairs_0,  _S677 : vec3<f32>,  _S678 : f32) -> Hair_0
 {
-    var _S674 : f32 = fabrics_0[_S670].fibre_size_0;
-    var _S675 : f32 = 17.0f * fabrics_0[_S670].fibre_size_0;
-    var _S676 : f32 = fade_0(_S673, _S675);
-    var _S677 : vec2<f32> = _S672.xy / vec2<f32>(max(_S672.z, 0.3333333432674408f));
-    var _S678 : u32 = hash_key_0(select(u32(0), u32(1), _S671.back_7), ((fabrics_0[_S670].seed_0) ^ (u32(1013904242))));
-    var _S679 : f32 = fabrics_0[_S670].fibre_size_0 / max(_S673, 0.07000000029802322f * fabrics_0[_S670].fibre_size_0);
-    const _S680 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S679 : f32 = fabrics_0[_S675].fibre_size_0;
+    var _S680 : f32 = 17.0f * fabrics_0[_S675].fibre_size_0;
+    var _S681 : f32 = fade_0(_S678, _S680);
+    var _S682 : vec2<f32> = _S677.xy / vec2<f32>(max(_S677.z, 0.3333333432674408f));
+    var _S683 : u32 = hash_key_0(select(u32(0), u32(1), _S676.back_4), ((fabrics_0[_S675].seed_0) ^ (u32(1013904242))));
+    var _S684 : f32 = fabrics_0[_S675].fibre_size_0 / max(_S678, 0.07000000029802322f * fabrics_0[_S675].fibre_size_0);
+    const _S685 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_3 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S680;
+    var hair_across_0 : vec2<f32> = _S685;
     var hair_away_0 : f32 = 0.0f;
-    var is_warp_6 : bool = false;
+    var is_warp_7 : bool = false;
     var number_5 : u32 = u32(0);
     for(;;)
     {
-        if(((_S676 > 0.0f) & ((number_5 < u32(18)))))
+        if(((_S681 > 0.0f) & ((number_5 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S681 : u32 = number_5 / u32(9);
-        var _S682 : u32 = number_5 / u32(3) - u32(3) * _S681;
-        var _S683 : vec2<f32> = (vec2<f32>(((f32(_S681) * 6.0f + 2.0f) * _S674 + _S671.below_1)) * _S677 + _S671.place_2) / vec2<f32>(_S675);
-        var _S684 : vec2<f32> = floor(_S683) + vec2<f32>(f32(number_5 - u32(3) * _S682 - u32(9) * _S681), f32(_S682)) - vec2<f32>(1.0f);
-        var _S685 : u32 = hash_bits_0(_S678 + _S681, u32(i32(_S684.x)) * u32(65536) + u32(i32(_S684.y)));
-        var _S686 : u32 = hash_bits_0(_S678, _S685);
-        var _S687 : vec2<f32> = _S683 - _S684 - vec2<f32>(share_of_0(_S685), share_of_0((_S685 >> (u32(10)))));
-        var _S688 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S685 >> (u32(20)))));
-        var _S689 : f32 = mix(5.0f, 16.0f, share_of_0((_S686 >> (u32(10))))) / 17.0f;
-        var _S690 : f32 = _S687.x;
-        var _S691 : f32 = _S688.y;
-        var _S692 : f32 = _S687.y;
-        var _S693 : f32 = _S688.x;
-        var _S694 : f32 = (_S690 * _S691 + _S692 * _S693) / _S689;
-        var _S695 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S686 >> (u32(20)))) - 1.0f);
-        var _S696 : f32 = 0.5f * (2.0f * share_of_0((_S685 ^ (_S686))) - 1.0f);
-        var _S697 : f32 = _S694 * (3.0f * _S696 * _S694 + 2.0f * _S695);
-        var _S698 : f32 = rsqrt_0(_S697 * _S697 + 1.0f);
-        var _S699 : f32 = (_S692 * _S691 - _S690 * _S693 - _S689 * _S694 * _S694 * (_S696 * _S694 + _S695)) * _S698 * 17.0f;
-        var _S700 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S694)), 0.0f) * _S679;
-        var _S701 : f32 = clamp(_S700 + 0.5f - abs(_S699) * _S679, 0.0f, min(2.0f * _S700, 1.0f));
-        var _S702 : bool = ((((_S686 >> (u32(30)))) & (u32(1)))) == u32(1);
-        var _S703 : bool = (((((share_of_0(_S686)) < (families_0[select(fabrics_0[_S670].weft_0, fabrics_0[_S670].warp_0, _S702)].hairiness_0)) & (((abs(_S694)) < 1.0f)))) & ((_S701 > cover_3)));
-        var _S704 : vec2<f32> = vec2<f32>(- _S693 - _S697 * _S691, _S691 - _S697 * _S693) * vec2<f32>(_S698);
-        var _S705 : f32 = select(cover_3, _S701, _S703);
-        var _S706 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S704.x, _S703), select(hair_across_0.y, _S704.y, _S703));
-        var _S707 : f32 = select(hair_away_0, _S699, _S703);
-        var _S708 : bool = select(is_warp_6, _S702, _S703);
-        var _S709 : u32 = number_5 + u32(1);
-        cover_3 = _S705;
-        hair_across_0 = _S706;
-        hair_away_0 = _S707;
-        is_warp_6 = _S708;
-        number_5 = _S709;
+        var _S686 : u32 = number_5 / u32(9);
+        var _S687 : u32 = number_5 / u32(3) - u32(3) * _S686;
+        var _S688 : vec2<f32> = (vec2<f32>(((f32(_S686) * 6.0f + 2.0f) * _S679 + _S676.below_1)) * _S682 + _S676.place_1) / vec2<f32>(_S680);
+        var _S689 : vec2<f32> = floor(_S688) + vec2<f32>(f32(number_5 - u32(3) * _S687 - u32(9) * _S686), f32(_S687)) - vec2<f32>(1.0f);
+        var _S690 : u32 = hash_bits_0(_S683 + _S686, u32(i32(_S689.x)) * u32(65536) + u32(i32(_S689.y)));
+        var _S691 : u32 = hash_bits_0(_S683, _S690);
+        var _S692 : vec2<f32> = _S688 - _S689 - vec2<f32>(share_of_0(_S690), share_of_0((_S690 >> (u32(10)))));
+        var _S693 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S690 >> (u32(20)))));
+        var _S694 : f32 = mix(5.0f, 16.0f, share_of_0((_S691 >> (u32(10))))) / 17.0f;
+        var _S695 : f32 = _S692.x;
+        var _S696 : f32 = _S693.y;
+        var _S697 : f32 = _S692.y;
+        var _S698 : f32 = _S693.x;
+        var _S699 : f32 = (_S695 * _S696 + _S697 * _S698) / _S694;
+        var _S700 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S691 >> (u32(20)))) - 1.0f);
+        var _S701 : f32 = 0.5f * (2.0f * share_of_0((_S690 ^ (_S691))) - 1.0f);
+        var _S702 : f32 = _S699 * (3.0f * _S701 * _S699 + 2.0f * _S700);
+        var _S703 : f32 = rsqrt_0(_S702 * _S702 + 1.0f);
+        var _S704 : f32 = (_S697 * _S696 - _S695 * _S698 - _S694 * _S699 * _S699 * (_S701 * _S699 + _S700)) * _S703 * 17.0f;
+        var _S705 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S699)), 0.0f) * _S684;
+        var _S706 : f32 = clamp(_S705 + 0.5f - abs(_S704) * _S684, 0.0f, min(2.0f * _S705, 1.0f));
+        var _S707 : bool = ((((_S691 >> (u32(30)))) & (u32(1)))) == u32(1);
+        var _S708 : bool = (((((share_of_0(_S691)) < (families_0[select(fabrics_0[_S675].weft_0, fabrics_0[_S675].warp_0, _S707)].hairiness_0)) & (((abs(_S699)) < 1.0f)))) & ((_S706 > cover_3)));
+        var _S709 : vec2<f32> = vec2<f32>(- _S698 - _S702 * _S696, _S696 - _S702 * _S698) * vec2<f32>(_S703);
+        var _S710 : f32 = select(cover_3, _S706, _S708);
+        var _S711 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S709.x, _S708), select(hair_across_0.y, _S709.y, _S708));
+        var _S712 : f32 = select(hair_away_0, _S704, _S708);
+        var _S713 : bool = select(is_warp_7, _S707, _S708);
+        var _S714 : u32 = number_5 + u32(1);
+        cover_3 = _S710;
+        hair_across_0 = _S711;
+        hair_away_0 = _S712;
+        is_warp_7 = _S713;
+        number_5 = _S714;
     }
-    var _S710 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S715 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_1 = _S676 * cover_3;
-    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S710) * hair_across_0, sqrt(1.0f - _S710 * _S710));
-    hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
-    hair_1.is_warp_3 = is_warp_6;
-    hair_1.shade_0 = _S676 * 0.03255363181233406f * (families_0[fabrics_0[_S670].warp_0].hairiness_0 + families_0[fabrics_0[_S670].weft_0].hairiness_0);
+    hair_1.cover_1 = _S681 * cover_3;
+    hair_1.normal_5 = vec3<f32>(vec2<f32>(_S715) * hair_across_0, sqrt(1.0f - _S715 * _S715));
+    hair_1.tangent_4 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
+    hair_1.is_warp_5 = is_warp_7;
+    hair_1.shade_0 = _S681 * 0.03255363181233406f * (families_0[fabrics_0[_S675].warp_0].hairiness_0 + families_0[fabrics_0[_S675].weft_0].hairiness_0);
     return hair_1;
 }
 
-fn thread_of_family_0( _S711 : u32,  _S712 : SurfacePoint_0) -> i32
+fn thread_of_family_0( _S716 : u32,  _S717 : SurfacePoint_0) -> i32
 {
-    var _S713 : u32 = select(fabrics_0[_S711].weft_0, fabrics_0[_S711].warp_0, _S712.is_warp_0);
-    return i32(floor((select(_S712.y_2, _S712.x_8, _S712.is_warp_0) - _S712.across_1) / families_0[_S713].period_0)) * i32(families_0[_S713].count_0) + i32(select(_S712.weft_thread_0, _S712.warp_thread_0, _S712.is_warp_0));
+    var _S718 : u32 = select(fabrics_0[_S716].weft_0, fabrics_0[_S716].warp_0, _S717.is_warp_0);
+    return i32(floor((select(_S717.y_2, _S717.x_8, _S717.is_warp_0) - _S717.across_1) / families_0[_S718].period_0)) * i32(families_0[_S718].count_0) + i32(select(_S717.weft_thread_0, _S717.warp_thread_0, _S717.is_warp_0));
 }
 
-fn toned_0( _S714 : u32,  _S715 : u32,  _S716 : Albedos_0,  _S717 : vec4<f32>) -> Albedos_0
+fn thread_number_0( _S719 : u32,  _S720 : SurfacePoint_0) -> u32
 {
-    var _S718 : vec3<f32> = _S716.diffuse_reflect_0 + _S716.diffuse_transmit_0;
-    var _S719 : vec3<f32> = vec3<f32>(1.0f);
-    var _S720 : vec3<f32> = _S719 - vec3<f32>(fabrics_0[_S714].layer_bound_0) * max(_S716.specular_reflect_0, _S716.specular_transmit_0);
-    var _S721 : vec3<f32> = vec3<f32>(0.0f);
-    var _S722 : vec3<f32> = max(_S719 - _S718, _S721) / (_S719 + _S718);
-    var _S723 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S724 : vec3<f32> = (_S720 / max(_S718, _S723) - _S719) / max(vec3<f32>(0.89999997615814209f) * _S722, _S723);
-    var _S725 : vec3<f32> = _S719 - vec3<f32>((saturate(min(min(_S724.x, _S724.y), _S724.z)) * _S717.z)) * _S722;
-    var _S726 : vec3<f32> = min(vec3<f32>(families_0[_S715].nep_red_0, families_0[_S715].nep_green_0, families_0[_S715].nep_blue_0), _S720);
-    var found_1 : Albedos_0 = _S716;
-    var _S727 : f32 = _S717.w;
-    var _S728 : vec3<f32> = _S725 * _S716.diffuse_transmit_0 * vec3<f32>((1.0f - _S727));
-    found_1.diffuse_transmit_0 = _S728;
-    found_1.diffuse_reflect_0 = clamp(mix(_S725 * _S716.diffuse_reflect_0, _S726, vec3<f32>(_S727)), _S721, max(_S720 - _S728, _S721));
-    return found_1;
-}
-
-fn toned_at_0( _S729 : u32,  _S730 : bool,  _S731 : Albedos_0,  _S732 : f32,  _S733 : vec2<f32>) -> Albedos_0
-{
-    var _S734 : u32 = select(fabrics_0[_S729].weft_0, fabrics_0[_S729].warp_0, _S730);
-    return toned_0(_S729, _S734, _S731, irregular_at_0(_S734, irregular_key_0(_S729, select(u32(1), u32(0), _S730)), _S732, select(_S733.x, _S733.y, _S730)));
-}
-
-fn thread_number_0( _S735 : u32,  _S736 : SurfacePoint_0) -> u32
-{
-    return u32(thread_of_family_0(_S735, _S736)) * u32(2) + select(u32(0), u32(1), _S736.is_warp_0);
+    return u32(thread_of_family_0(_S719, _S720)) * u32(2) + select(u32(0), u32(1), _S720.is_warp_0);
 }
 
 struct FibreNoise_0
@@ -2950,300 +2954,224 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S737 : u32,  _S738 : u32,  _S739 : SurfacePoint_0,  _S740 : u32,  _S741 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S721 : u32,  _S722 : u32,  _S723 : SurfacePoint_0,  _S724 : u32,  _S725 : f32) -> FibreNoise_0
 {
-    var _S742 : f32 = 5.0f * fabrics_0[_S737].fibre_size_0;
-    var _S743 : vec2<f32> = wave_noise_0(hash_key_0(_S740, ((fabrics_0[_S737].seed_0) ^ (u32(458671337)))), _S739.fibre_along_0 / (25.0f * fabrics_0[_S737].fibre_size_0));
-    var _S744 : f32 = _S739.fibre_across_0 + families_0[_S738].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S737].fibre_size_0 * _S743.x;
-    var _S745 : vec3<f32> = fibre_cell_0(_S744, _S739.fibre_along_0, fabrics_0[_S737].fibre_size_0);
-    var _S746 : vec3<f32> = fibre_cell_0(_S744, _S739.fibre_along_0, _S742);
+    var _S726 : f32 = 5.0f * fabrics_0[_S721].fibre_size_0;
+    var _S727 : vec2<f32> = wave_noise_0(hash_key_0(_S724, ((fabrics_0[_S721].seed_0) ^ (u32(458671337)))), _S723.fibre_along_0 / (25.0f * fabrics_0[_S721].fibre_size_0));
+    var _S728 : f32 = _S723.fibre_across_0 + families_0[_S722].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S721].fibre_size_0 * _S727.x;
+    var _S729 : vec3<f32> = fibre_cell_0(_S728, _S723.fibre_along_0, fabrics_0[_S721].fibre_size_0);
+    var _S730 : vec3<f32> = fibre_cell_0(_S728, _S723.fibre_along_0, _S726);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S740, ((fabrics_0[_S737].seed_0) ^ (u32(1757159915)))), _S746);
-    noise_0.bundle_offset_0 = _S746.z;
-    noise_0.bundle_weight_0 = fade_0(_S741, _S742);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S740, ((fabrics_0[_S737].seed_0) ^ (u32(48610963)))), _S745);
-    noise_0.fibre_weight_0 = fade_0(_S741, fabrics_0[_S737].fibre_size_0);
-    noise_0.offset_2 = _S745.z;
-    noise_0.slope_2 = 0.5f * _S743.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S724, ((fabrics_0[_S721].seed_0) ^ (u32(1757159915)))), _S730);
+    noise_0.bundle_offset_0 = _S730.z;
+    noise_0.bundle_weight_0 = fade_0(_S725, _S726);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S724, ((fabrics_0[_S721].seed_0) ^ (u32(48610963)))), _S729);
+    noise_0.fibre_weight_0 = fade_0(_S725, fabrics_0[_S721].fibre_size_0);
+    noise_0.offset_2 = _S729.z;
+    noise_0.slope_2 = 0.5f * _S727.y;
     return noise_0;
 }
 
-fn detail_gain_0( _S747 : u32,  _S748 : u32,  _S749 : SurfacePoint_0,  _S750 : bool,  _S751 : u32,  _S752 : f32) -> vec2<f32>
-{
-    var _S753 : vec2<f32> = vec2<f32>(0.0f);
-    var gain_2 : vec2<f32>;
-    if((families_0[_S748].has_plies_0) > 0.0f)
-    {
-        gain_2 = groove_0(0.94999998807907104f * fade_0(_S752, 1.0f / families_0[_S748].plies_per_mm_0), ply_offset_0(_S748, _S749, _S750));
-    }
-    else
-    {
-        gain_2 = _S753;
-    }
-    if((families_0[_S748].fibre_tone_0) > 0.0f)
-    {
-        var _S754 : FibreNoise_0 = fibre_noise_at_0(_S747, _S748, _S749, _S751, _S752);
-        var _S755 : f32 = 4.5f * families_0[_S748].fibre_tone_0;
-        gain_2 = gain_2 + vec2<f32>(families_0[_S748].fibre_tone_0) * vec2<f32>(_S754.bundle_weight_0 * _S754.bundle_0.y + _S754.fibre_weight_0 * _S754.fibre_0.y, _S754.bundle_weight_0 + _S754.fibre_weight_0) + (groove_0(_S755 * (_S754.bundle_weight_0 * (0.5f * (_S754.bundle_0.x - 1.0f) + 1.0f)), _S754.bundle_offset_0) + groove_0(_S755 * _S754.fibre_weight_0, _S754.offset_2));
-    }
-    if((families_0[_S748].slub_0) > 0.0f)
-    {
-        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S748].slub_0 * fade_0(_S752, 1.0f / families_0[_S748].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S751, ((fabrics_0[_S747].seed_0) ^ (u32(1373058189)))), select(- _S749.x_8, _S749.y_2, _S749.is_warp_0) * families_0[_S748].slubs_per_mm_0).x, 1.0f);
-    }
-    return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
-}
-
-fn vary_albedos_0( _S756 : u32,  _S757 : Albedos_0,  _S758 : u32,  _S759 : u32,  _S760 : vec2<f32>) -> Albedos_0
-{
-    var _S761 : vec3<f32> = max(_S757.specular_reflect_0, _S757.specular_transmit_0);
-    var _S762 : vec3<f32> = _S757.diffuse_reflect_0 + _S757.diffuse_transmit_0;
-    var _S763 : vec3<f32> = vec3<f32>(fabrics_0[_S756].layer_bound_0);
-    var _S764 : vec3<f32> = vec3<f32>(1.0f);
-    var _S765 : vec3<f32> = _S764 - _S763 * _S761;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S758, fabrics_0[_S756].colour_noise_0, fabrics_0[_S756].seed_0), _S762, _S765);
-    var _S766 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S760.y, vec3<f32>(colour_1) * _S762, _S765) * _S760.x)));
-    var _S767 : f32 = bounded_gain_0(fibre_gain_0(_S758, _S759, fabrics_0[_S756].fibre_noise_0, fabrics_0[_S756].seed_0), _S761, min((_S764 - _S766 * _S762) / _S763, vec3<f32>(1.0f)));
-    var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S766 * _S757.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S766 * _S757.diffuse_transmit_0;
-    var _S768 : vec3<f32> = vec3<f32>(_S767);
-    varied_0.specular_reflect_0 = _S768 * _S757.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S768 * _S757.specular_transmit_0;
-    return varied_0;
-}
-
-fn varied_at_0( _S769 : u32,  _S770 : SurfacePoint_0,  _S771 : Albedos_0,  _S772 : bool,  _S773 : f32,  _S774 : f32) -> Albedos_0
-{
-    var _S775 : u32 = thread_number_0(_S769, _S770);
-    var _S776 : vec3<f32> = fibre_cell_0(_S770.fibre_across_0, _S770.fibre_along_0, fabrics_0[_S769].fibre_size_0);
-    var _S777 : vec2<f32> = vec2<f32>(0.0f);
-    var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S769].has_detail_0) != u32(0)) & ((_S773 >= 0.0f))))
-    {
-        gain_3 = detail_gain_0(_S769, select(fabrics_0[_S769].weft_0, fabrics_0[_S769].warp_0, _S770.is_warp_0), _S770, _S772, _S775, _S773) * vec2<f32>(1.0f - _S774, 1.0f);
-    }
-    else
-    {
-        gain_3 = _S777;
-    }
-    return vary_albedos_0(_S769, _S771, _S775, u32(i32(_S776.x)) * u32(65536) + u32(i32(floor(_S776.y))), gain_3);
-}
-
-fn turned_frame_0( _S778 : u32,  _S779 : u32,  _S780 : SurfacePoint_0,  _S781 : bool,  _S782 : u32,  _S783 : f32) -> YarnFrame_0
+fn turned_frame_0( _S731 : u32,  _S732 : u32,  _S733 : SurfacePoint_0,  _S734 : bool,  _S735 : u32,  _S736 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_5 = _S780.normal_1;
-    frame_2.tangent_4 = _S780.tangent_0;
+    frame_2.normal_7 = _S733.normal_1;
+    frame_2.tangent_6 = _S733.tangent_0;
     frame_2.loss_0 = 0.0f;
     frame_2.shade_2 = 0.0f;
-    if((families_0[_S779].has_plies_0) > 0.0f)
+    if((families_0[_S732].has_plies_0) > 0.0f)
     {
-        var _S784 : f32 = fade_0(_S783, 1.0f / families_0[_S779].plies_per_mm_0);
-        var _S785 : f32 = _S784 * 0.62000000476837158f * ply_offset_0(_S779, _S780, _S781);
-        var _S786 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S787 : vec3<f32> = vec3<f32>(families_0[_S779].ply_cosine_0);
-        var _S788 : vec3<f32> = vec3<f32>(select(families_0[_S779].ply_sine_0, - families_0[_S779].ply_sine_0, _S781));
-        var _S789 : vec3<f32> = _S787 * _S786 + _S788 * frame_2.tangent_4;
-        var _S790 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S785 * _S785));
-        var _S791 : vec3<f32> = vec3<f32>(_S785);
-        frame_2.tangent_4 = _S787 * (_S787 * frame_2.tangent_4 - _S788 * _S786) + _S788 * (_S790 * _S789 - _S791 * frame_2.normal_5);
-        frame_2.normal_5 = _S790 * frame_2.normal_5 + _S791 * _S789;
-        frame_2.loss_0 = _S784 * _S784 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
+        var _S737 : f32 = fade_0(_S736, 1.0f / families_0[_S732].plies_per_mm_0);
+        var _S738 : f32 = _S737 * 0.62000000476837158f * ply_offset_0(_S732, _S733, _S734);
+        var _S739 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
+        var _S740 : vec3<f32> = vec3<f32>(families_0[_S732].ply_cosine_0);
+        var _S741 : vec3<f32> = vec3<f32>(select(families_0[_S732].ply_sine_0, - families_0[_S732].ply_sine_0, _S734));
+        var _S742 : vec3<f32> = _S740 * _S739 + _S741 * frame_2.tangent_6;
+        var _S743 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S738 * _S738));
+        var _S744 : vec3<f32> = vec3<f32>(_S738);
+        frame_2.tangent_6 = _S740 * (_S740 * frame_2.tangent_6 - _S741 * _S739) + _S741 * (_S743 * _S742 - _S744 * frame_2.normal_7);
+        frame_2.normal_7 = _S743 * frame_2.normal_7 + _S744 * _S742;
+        frame_2.loss_0 = _S737 * _S737 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
     }
-    var _S792 : f32 = families_0[_S779].fibre_tilt_0;
-    if((families_0[_S779].fibre_tilt_0) > 0.0f)
+    var _S745 : f32 = families_0[_S732].fibre_tilt_0;
+    if((families_0[_S732].fibre_tilt_0) > 0.0f)
     {
-        var _S793 : FibreNoise_0 = fibre_noise_at_0(_S778, _S779, _S780, _S782, _S783);
-        var _S794 : f32 = 1.09858846664428711f * _S792 * (_S793.bundle_weight_0 * _S793.bundle_0.x + _S793.fibre_weight_0 * (_S793.fibre_0.x + _S793.offset_2));
-        var _S795 : f32 = _S792 * (1.42099642753601074f * (_S793.bundle_weight_0 * _S793.bundle_0.y + _S793.fibre_weight_0 * _S793.fibre_0.y) - _S793.bundle_weight_0 * _S793.slope_2);
-        var _S796 : f32 = square_1(_S793.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S792 * _S792 * ((0.24761904776096344f * (square_1(_S793.bundle_weight_0) + _S796) + _S796 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S797 : vec3<f32> = cross(frame_2.tangent_4, frame_2.normal_5);
-        var _S798 : vec2<f32> = sine_cosine_0(_S794);
-        var _S799 : vec2<f32> = sine_cosine_0(_S795);
-        var _S800 : vec3<f32> = vec3<f32>(_S798.y);
-        var _S801 : vec3<f32> = vec3<f32>(_S798.x);
-        var _S802 : vec3<f32> = _S800 * _S797 - _S801 * frame_2.normal_5;
-        frame_2.normal_5 = _S800 * frame_2.normal_5 + _S801 * _S797;
-        frame_2.tangent_4 = vec3<f32>(_S799.y) * frame_2.tangent_4 + vec3<f32>(_S799.x) * _S802;
+        var _S746 : FibreNoise_0 = fibre_noise_at_0(_S731, _S732, _S733, _S735, _S736);
+        var _S747 : f32 = 1.09858846664428711f * _S745 * (_S746.bundle_weight_0 * _S746.bundle_0.x + _S746.fibre_weight_0 * (_S746.fibre_0.x + _S746.offset_2));
+        var _S748 : f32 = _S745 * (1.42099642753601074f * (_S746.bundle_weight_0 * _S746.bundle_0.y + _S746.fibre_weight_0 * _S746.fibre_0.y) - _S746.bundle_weight_0 * _S746.slope_2);
+        var _S749 : f32 = square_1(_S746.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S745 * _S745 * ((0.24761904776096344f * (square_1(_S746.bundle_weight_0) + _S749) + _S749 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S750 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
+        var _S751 : vec2<f32> = sine_cosine_0(_S747);
+        var _S752 : vec2<f32> = sine_cosine_0(_S748);
+        var _S753 : vec3<f32> = vec3<f32>(_S751.y);
+        var _S754 : vec3<f32> = vec3<f32>(_S751.x);
+        var _S755 : vec3<f32> = _S753 * _S750 - _S754 * frame_2.normal_7;
+        frame_2.normal_7 = _S753 * frame_2.normal_7 + _S754 * _S750;
+        frame_2.tangent_6 = vec3<f32>(_S752.y) * frame_2.tangent_6 + vec3<f32>(_S752.x) * _S755;
     }
     return frame_2;
 }
 
-fn yarn_point_of_0( _S803 : u32,  _S804 : SurfacePoint_0,  _S805 : vec3<f32>,  _S806 : bool,  _S807 : bool,  _S808 : f32) -> YarnPoint_0
+fn uncoloured_point_0( _S756 : u32,  _S757 : SurfacePoint_0,  _S758 : vec3<f32>,  _S759 : bool,  _S760 : bool,  _S761 : f32) -> YarnPoint_0
 {
-    var _S809 : u32 = fabrics_0[_S803].warp_0;
-    var _S810 : u32 = fabrics_0[_S803].weft_0;
-    var _S811 : u32 = select(fabrics_0[_S803].weft_0, fabrics_0[_S803].warp_0, _S804.is_warp_0);
-    var _S812 : bool = (((fabrics_0[_S803].has_detail_0) != u32(0)) & ((_S808 >= 0.0f)));
-    var point_6 : YarnPoint_0;
-    point_6.hairs_0 = hairs_over_0(_S803, _S804, _S806, _S808);
+    var _S762 : u32 = fabrics_0[_S756].warp_0;
+    var _S763 : u32 = fabrics_0[_S756].weft_0;
+    var _S764 : u32 = select(fabrics_0[_S756].weft_0, fabrics_0[_S756].warp_0, _S757.is_warp_0);
+    var _S765 : bool = (((fabrics_0[_S756].has_detail_0) != u32(0)) & ((_S761 >= 0.0f)));
+    var _S766 : vec3<f32> = vec3<f32>(0.0f);
+    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S766, _S766, _S766, 0.0f, 0.0f, Albedos_x24init_0(_S766, _S766, _S766, _S766), Hairs_x24init_0(vec2<f32>(0.0f), 0.0f, false, 0.0f), 0.0f);
+    point_6.hairs_0 = hairs_over_0(_S756, _S757, _S759, _S761);
     point_6.hair_cover_0 = 1.0f;
-    var _S813 : vec3<f32> = vec3<f32>(0.0f);
-    var _S814 : Hair_0 = Hair_x24init_0(0.0f, _S813, _S813, false, 0.0f);
-    point_6.is_warp_5 = _S804.is_warp_0;
-    var _S815 : bool = (_S812 & ((has_hairs_0(_S803))));
+    var _S767 : Hair_0 = Hair_x24init_0(0.0f, _S766, _S766, false, 0.0f);
+    point_6.is_warp_3 = _S757.is_warp_0;
+    var _S768 : bool = (_S765 & ((has_hairs_0(_S756))));
     var hair_2 : Hair_0;
-    if(_S815)
+    if(_S768)
     {
-        var _S816 : Hair_0 = hair_towards_0(_S803, point_6.hairs_0, _S805, _S808);
-        point_6.hair_cover_0 = _S816.cover_1;
-        point_6.is_warp_5 = select(_S804.is_warp_0, _S816.is_warp_3, (_S816.cover_1) > 0.5f);
-        hair_2 = _S816;
+        var _S769 : Hair_0 = hair_towards_0(_S756, point_6.hairs_0, _S758, _S761);
+        point_6.hair_cover_0 = _S769.cover_1;
+        point_6.is_warp_3 = select(_S757.is_warp_0, _S769.is_warp_5, (_S769.cover_1) > 0.5f);
+        hair_2 = _S769;
     }
     else
     {
-        hair_2 = _S814;
+        hair_2 = _S767;
     }
-    var _S817 : u32 = select(_S810, _S809, point_6.is_warp_5);
-    var albedos_7 : Albedos_0 = albedos_of_0(_S817, select(_S804.weft_thread_0, _S804.warp_thread_0, point_6.is_warp_5));
-    var albedos_8 : Albedos_0;
-    if((fabrics_0[_S803].is_irregular_0) != u32(0))
+    var _S770 : u32 = select(_S763, _S762, point_6.is_warp_3);
+    point_6.back_6 = _S759;
+    point_6.hole_5 = _S760;
+    point_6.x_11 = _S757.x_8;
+    point_6.y_4 = _S757.y_2;
+    point_6.height_6 = _S757.height_2 + hair_2.cover_1 * point_6.hairs_0.below_1;
+    point_6.normal_3 = _S757.normal_1;
+    point_6.tangent_2 = _S757.tangent_0;
+    point_6.surface_normal_0 = normalize(mix(_S757.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
+    point_6.diffuse_gain_0 = 1.0f;
+    if(_S765)
     {
-        albedos_8 = toned_at_0(_S803, point_6.is_warp_5, albedos_7, f32(thread_of_family_0(_S803, _S804)), vec2<f32>(_S804.x_8, _S804.y_2));
-    }
-    else
-    {
-        albedos_8 = albedos_7;
-    }
-    if(varies_at_0(_S803, _S808))
-    {
-        albedos_8 = varied_at_0(_S803, _S804, albedos_8, _S806, _S808, hair_2.cover_1);
-    }
-    point_6.back_8 = _S806;
-    point_6.hole_6 = _S807;
-    point_6.x_17 = _S804.x_8;
-    point_6.y_10 = _S804.y_2;
-    point_6.height_11 = _S804.height_2 + hair_2.cover_1 * point_6.hairs_0.below_1;
-    point_6.normal_10 = _S804.normal_1;
-    point_6.tangent_10 = _S804.tangent_0;
-    point_6.surface_normal_0 = normalize(mix(_S804.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
-    point_6.diffuse_gain_1 = 1.0f;
-    if(_S812)
-    {
-        var _S818 : YarnFrame_0 = turned_frame_0(_S803, _S811, _S804, _S806, thread_number_0(_S803, _S804), _S808);
+        var _S771 : YarnFrame_0 = turned_frame_0(_S756, _S764, _S757, _S759, thread_number_0(_S756, _S757), _S761);
         var frame_3 : YarnFrame_0;
-        if(_S815)
+        if(_S768)
         {
-            frame_3 = under_hair_0(_S818, hair_2);
+            frame_3 = under_hair_0(_S771, hair_2);
         }
         else
         {
-            frame_3 = _S818;
+            frame_3 = _S771;
         }
-        point_6.normal_10 = frame_3.normal_5;
-        point_6.tangent_10 = frame_3.tangent_4;
-        point_6.diffuse_gain_1 = diffuse_gain_0(frame_3, fabrics_0[_S803].diffuse_blend_0);
+        point_6.normal_3 = frame_3.normal_7;
+        point_6.tangent_2 = frame_3.tangent_6;
+        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S756].diffuse_blend_0);
     }
-    point_6.roughness_10 = families_0[_S817].roughness_0;
-    point_6.albedos_6 = albedos_8;
+    point_6.roughness_1 = families_0[_S770].roughness_0;
     return point_6;
 }
 
-fn surface_at_0( _S819 : u32,  _S820 : f32,  _S821 : f32,  _S822 : bool) -> SurfacePoint_0
+fn surface_at_0( _S772 : u32,  _S773 : f32,  _S774 : f32,  _S775 : bool) -> SurfacePoint_0
 {
-    return surface_of_0(_S819, sample_at_0(_S819, _S820, _S821, _S822), _S820, _S821, _S822);
+    return surface_of_0(_S772, sample_at_0(_S772, _S773, _S774, _S775), _S773, _S774, _S775);
 }
 
-fn unoccluded_0( _S823 : u32,  _S824 : SearchQuality_0,  _S825 : f32,  _S826 : f32,  _S827 : f32,  _S828 : vec3<f32>,  _S829 : bool) -> bool
+fn unoccluded_0( _S776 : u32,  _S777 : SearchQuality_0,  _S778 : f32,  _S779 : f32,  _S780 : f32,  _S781 : vec3<f32>,  _S782 : bool) -> bool
 {
-    if((_S828.z) <= 0.0f)
+    if((_S781.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S823, _S824, vec3<f32>(_S825, _S826, _S827 + fabrics_0[_S823].lift_0), _S828, _S829, max_height_along_0(_S823, _S825, _S826, _S827, _S828, _S829));
+    return is_free_0(_S776, _S777, vec3<f32>(_S778, _S779, _S780 + fabrics_0[_S776].lift_0), _S781, _S782, max_height_along_0(_S776, _S778, _S779, _S780, _S781, _S782));
 }
 
-fn is_lit_0( _S830 : u32,  _S831 : SearchQuality_0,  _S832 : YarnPoint_0,  _S833 : vec3<f32>) -> bool
+fn is_lit_0( _S783 : u32,  _S784 : SearchQuality_0,  _S785 : YarnPoint_0,  _S786 : vec3<f32>) -> bool
 {
-    if(_S832.hole_6)
+    if(_S785.hole_5)
     {
         return true;
     }
-    var _S834 : vec3<f32> = to_face_frame_0(_S833, _S832.back_8);
-    var _S835 : f32 = _S834.z;
-    var _S836 : bool = _S835 < 0.0f;
-    var normal_11 : vec3<f32>;
-    var height_12 : f32;
-    if(_S836)
+    var _S787 : vec3<f32> = to_face_frame_0(_S786, _S785.back_6);
+    var _S788 : f32 = _S787.z;
+    var _S789 : bool = _S788 < 0.0f;
+    var normal_12 : vec3<f32>;
+    var height_13 : f32;
+    if(_S789)
     {
-        var _S837 : SurfacePoint_0 = surface_at_0(_S830, _S832.x_17, _S832.y_10, !_S832.back_8);
-        normal_11 = _S837.normal_1;
-        height_12 = _S837.height_2;
+        var _S790 : SurfacePoint_0 = surface_at_0(_S783, _S785.x_11, _S785.y_4, !_S785.back_6);
+        normal_12 = _S790.normal_1;
+        height_13 = _S790.height_2;
     }
     else
     {
-        normal_11 = _S832.surface_normal_0;
-        height_12 = _S832.height_11;
+        normal_12 = _S785.surface_normal_0;
+        height_13 = _S785.height_6;
     }
-    var _S838 : vec3<f32> = vec3<f32>(_S834.xy, abs(_S835));
-    if((dot(normal_11, _S838)) <= 0.0f)
+    var _S791 : vec3<f32> = vec3<f32>(_S787.xy, abs(_S788));
+    if((dot(normal_12, _S791)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S830, _S831, _S832.x_17, _S832.y_10, height_12, _S838, (_S832.back_8) != _S836);
+    return unoccluded_0(_S783, _S784, _S785.x_11, _S785.y_4, height_13, _S791, (_S785.back_6) != _S789);
 }
 
-fn hairs_lit_0( _S839 : u32,  _S840 : Hairs_0,  _S841 : vec3<f32>) -> f32
+fn hairs_lit_0( _S792 : u32,  _S793 : Hairs_0,  _S794 : vec3<f32>) -> f32
 {
-    return 1.0f - 0.5f * hair_towards_0(_S839, _S840, _S841, _S840.size_4 + fabrics_0[_S839].fibre_size_0).cover_1;
+    return 1.0f - 0.5f * hair_towards_0(_S792, _S793, _S794, _S793.size_3 + fabrics_0[_S792].fibre_size_0).cover_1;
 }
 
-fn under_hairs_0( _S842 : u32,  _S843 : YarnPoint_0,  _S844 : vec3<f32>) -> f32
+fn under_hairs_0( _S795 : u32,  _S796 : YarnPoint_0,  _S797 : vec3<f32>) -> f32
 {
-    if((((_S843.hair_cover_0) >= 1.0f) | (((_S844.z) <= 0.0f))))
+    if((((_S796.hair_cover_0) >= 1.0f) | (((_S797.z) <= 0.0f))))
     {
         return 1.0f;
     }
-    return mix(hairs_lit_0(_S842, _S843.hairs_0, _S844), 1.0f, _S843.hair_cover_0);
+    return mix(hairs_lit_0(_S795, _S796.hairs_0, _S797), 1.0f, _S796.hair_cover_0);
 }
 
-fn components_of_point_0( _S845 : u32,  _S846 : SearchQuality_0,  _S847 : YarnPoint_0,  _S848 : vec3<f32>,  _S849 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S798 : u32,  _S799 : SearchQuality_0,  _S800 : YarnPoint_0,  _S801 : vec3<f32>,  _S802 : vec3<f32>) -> Components_0
 {
     var result_3 : Components_0 = no_components_0();
-    result_3.hole_2 = select(0.0f, 1.0f, _S847.hole_6);
-    var _S850 : bool;
-    if(_S847.hole_6)
+    result_3.hole_2 = select(0.0f, 1.0f, _S800.hole_5);
+    var _S803 : bool;
+    if(_S800.hole_5)
     {
-        _S850 = true;
+        _S803 = true;
     }
     else
     {
-        _S850 = !is_lit_0(_S845, _S846, _S847, _S848);
+        _S803 = !is_lit_0(_S798, _S799, _S800, _S801);
     }
-    if(_S850)
+    if(_S803)
     {
         return result_3;
     }
-    var _S851 : vec3<f32> = to_face_frame_0(_S848, _S847.back_8);
-    var _S852 : vec3<f32> = to_face_frame_0(_S849, _S847.back_8);
-    var _S853 : bool = (_S851.z) < 0.0f;
-    var _S854 : f32 = under_hairs_0(_S845, _S847, _S851);
-    var _S855 : f32 = _S854 * _S847.diffuse_gain_1 * diffuse_reflection_0(select_vector_1(_S853, (vec3<f32>(0) - _S851), _S851), _S847.normal_10, fabrics_0[_S845].diffuse_blend_0);
-    var _S856 : f32;
-    if(_S853)
+    var _S804 : vec3<f32> = to_face_frame_0(_S801, _S800.back_6);
+    var _S805 : vec3<f32> = to_face_frame_0(_S802, _S800.back_6);
+    var _S806 : bool = (_S804.z) < 0.0f;
+    var _S807 : f32 = under_hairs_0(_S798, _S800, _S804);
+    var _S808 : f32 = _S807 * _S800.diffuse_gain_0 * diffuse_reflection_0(select_vector_1(_S806, (vec3<f32>(0) - _S804), _S804), _S800.normal_3, fabrics_0[_S798].diffuse_blend_0);
+    var _S809 : f32;
+    if(_S806)
     {
-        _S856 = transmission_1(_S851, _S852, _S847.normal_10, _S847.tangent_10, _S847.roughness_10, fabrics_0[_S845].optical_depth_0);
+        _S809 = transmission_1(_S804, _S805, _S800.normal_3, _S800.tangent_2, _S800.roughness_1, fabrics_0[_S798].optical_depth_0);
     }
     else
     {
-        _S856 = reflection_0(_S851, _S852, _S847.normal_10, _S847.tangent_10, _S847.roughness_10, fabrics_0[_S845].optical_depth_0);
+        _S809 = reflection_0(_S804, _S805, _S800.normal_3, _S800.tangent_2, _S800.roughness_1, fabrics_0[_S798].optical_depth_0);
     }
-    var _S857 : f32 = _S854 * _S856;
-    result_3.diffuse_warp_0 = select(0.0f, _S855, _S847.is_warp_5);
-    result_3.diffuse_weft_0 = select(_S855, 0.0f, _S847.is_warp_5);
-    result_3.specular_warp_0 = select(0.0f, _S857, _S847.is_warp_5);
-    result_3.specular_weft_0 = select(_S857, 0.0f, _S847.is_warp_5);
+    var _S810 : f32 = _S807 * _S809;
+    result_3.diffuse_warp_0 = select(0.0f, _S808, _S800.is_warp_3);
+    result_3.diffuse_weft_0 = select(_S808, 0.0f, _S800.is_warp_3);
+    result_3.specular_warp_0 = select(0.0f, _S810, _S800.is_warp_3);
+    result_3.specular_weft_0 = select(_S810, 0.0f, _S800.is_warp_3);
     result_3.light_visibility_1 = 1.0f;
     return result_3;
 }
 
-fn openness_number_0( _S858 : u32,  _S859 : u32) -> f32
+fn openness_number_0( _S811 : u32,  _S812 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S858].openness_0 + _S859);
+    return table_number_0(fabrics_0[_S811].openness_0 + _S812);
 }
 
-fn blocked_of_terms_0( _S860 : u32,  _S861 : u32,  _S862 : array<f32, i32(6)>,  _S863 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S813 : u32,  _S814 : u32,  _S815 : array<f32, i32(6)>,  _S816 : u32) -> Blocked_0
 {
     var shares_2 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
@@ -3260,14 +3188,14 @@ fn blocked_of_terms_0( _S860 : u32,  _S861 : u32,  _S862 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S863)
+            if(term_0 < _S816)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_4] = shares_2[share_4] + openness_number_0(_S860, _S861 + share_4 * _S863 + term_0) * _S862[term_0];
+            shares_2[share_4] = shares_2[share_4] + openness_number_0(_S813, _S814 + share_4 * _S816 + term_0) * _S815[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_2[share_4] = saturate(shares_2[share_4]);
@@ -3280,24 +3208,24 @@ fn blocked_of_terms_0( _S860 : u32,  _S861 : u32,  _S862 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_at_0( _S864 : u32,  _S865 : bool,  _S866 : bool,  _S867 : f32,  _S868 : f32) -> Blocked_0
+fn blocked_at_0( _S817 : u32,  _S818 : bool,  _S819 : bool,  _S820 : f32,  _S821 : f32) -> Blocked_0
 {
-    var _S869 : f32 = _S868 * openness_number_0(_S864, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S867, _S869, _S867 * _S867, _S867 * _S869, _S869 * _S869 );
-    return blocked_of_terms_0(_S864, u32(60) + (select(u32(0), u32(2), _S866) + select(u32(1), u32(0), _S865)) * u32(18), terms_2, u32(6));
+    var _S822 : f32 = _S821 * openness_number_0(_S817, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S820, _S822, _S820 * _S820, _S820 * _S822, _S822 * _S822 );
+    return blocked_of_terms_0(_S817, u32(60) + (select(u32(0), u32(2), _S819) + select(u32(1), u32(0), _S818)) * u32(18), terms_2, u32(6));
 }
 
-fn with_blocked_0( _S870 : u32,  _S871 : Blocked_0,  _S872 : YarnPoint_0,  _S873 : bool,  _S874 : f32) -> Blocked_0
+fn with_blocked_0( _S823 : u32,  _S824 : Blocked_0,  _S825 : YarnPoint_0,  _S826 : bool,  _S827 : f32) -> Blocked_0
 {
-    if(((_S872.hole_6) | (((_S872.is_warp_5) != _S873))))
+    if(((_S825.hole_5) | (((_S825.is_warp_3) != _S826))))
     {
-        return _S871;
+        return _S824;
     }
-    var _S875 : Blocked_0 = blocked_at_0(_S870, _S873, _S872.back_8, _S872.surface_normal_0.z, _S872.height_11);
+    var _S828 : Blocked_0 = blocked_at_0(_S823, _S826, _S825.back_6, _S825.surface_normal_0.z, _S825.height_6);
     var result_4 : Blocked_0;
-    result_4.by_warp_0 = _S871.by_warp_0 + _S874 * _S875.by_warp_0;
-    result_4.by_weft_0 = _S871.by_weft_0 + _S874 * _S875.by_weft_0;
-    result_4.far_0 = _S871.far_0 + _S874 * _S875.far_0;
+    result_4.by_warp_0 = _S824.by_warp_0 + _S827 * _S828.by_warp_0;
+    result_4.by_weft_0 = _S824.by_weft_0 + _S827 * _S828.by_weft_0;
+    result_4.far_0 = _S824.far_0 + _S827 * _S828.far_0;
     return result_4;
 }
 
@@ -3306,23 +3234,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S876 : u32,  _S877 : f32) -> vec3<f32>
+fn pyramid_level_0( _S829 : u32,  _S830 : f32) -> vec3<f32>
 {
-    var _S878 : u32 = fabrics_0[_S876].lobes_0.levels_0 + u32(4) * u32(min(_S877, fabrics_0[_S876].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S878), table_number_0(_S878 + u32(1)), table_number_0(_S878 + u32(2)));
+    var _S831 : u32 = fabrics_0[_S829].lobes_0.levels_0 + u32(4) * u32(min(_S830, fabrics_0[_S829].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S831), table_number_0(_S831 + u32(1)), table_number_0(_S831 + u32(2)));
 }
 
-fn coverage_taps_0( _S879 : u32,  _S880 : Footprint_0,  _S881 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S832 : u32,  _S833 : Footprint_0,  _S834 : bool) -> CoverageTaps_0
 {
-    var _S882 : Lobes_std430_0 = fabrics_0[_S879].lobes_0;
-    var _S883 : f32 = Footprint_spread_side_0(_S880) * fabrics_0[_S879].lobes_0.inverse_base_size_0;
-    var _S884 : vec3<f32> = pyramid_level_0(_S879, floor(binary_logarithm_0(max(0.68000000715255737f * _S883, 1.0f))));
-    var _S885 : f32 = 1.0f / max(_S883, 9.99999997475242708e-07f);
-    var _S886 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S879].warp_0].inverse_period_0, families_0[fabrics_0[_S879].weft_0].inverse_period_0);
-    var _S887 : vec2<f32> = _S880.centre_0 * _S886;
-    var _S888 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S885 * _S885), 0.0f, 1.0f)), 0.3333333432674408f * _S885), 1.0f));
-    var _S889 : vec2<f32> = _S880.dx_0 * _S886 * _S888;
-    var _S890 : vec2<f32> = _S880.dy_0 * _S886 * _S888;
+    var _S835 : Lobes_std430_0 = fabrics_0[_S832].lobes_0;
+    var _S836 : f32 = Footprint_spread_side_0(_S833) * fabrics_0[_S832].lobes_0.inverse_base_size_0;
+    var _S837 : vec3<f32> = pyramid_level_0(_S832, floor(binary_logarithm_0(max(0.68000000715255737f * _S836, 1.0f))));
+    var _S838 : f32 = 1.0f / max(_S836, 9.99999997475242708e-07f);
+    var _S839 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S832].warp_0].inverse_period_0, families_0[fabrics_0[_S832].weft_0].inverse_period_0);
+    var _S840 : vec2<f32> = _S833.centre_0 * _S839;
+    var _S841 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S838 * _S838), 0.0f, 1.0f)), 0.3333333432674408f * _S838), 1.0f));
+    var _S842 : vec2<f32> = _S833.dx_0 * _S839 * _S841;
+    var _S843 : vec2<f32> = _S833.dy_0 * _S839 * _S841;
     var taps_4 : CoverageTaps_0;
     var number_6 : u32 = u32(0);
     for(;;)
@@ -3334,24 +3262,24 @@ fn coverage_taps_0( _S879 : u32,  _S880 : Footprint_0,  _S881 : bool) -> Coverag
         {
             break;
         }
-        var _S891 : vec2<f32> = _S887 + vec2<f32>(TAP_OFFSETS_0[number_6].x) * _S889 + vec2<f32>(TAP_OFFSETS_0[number_6].y) * _S890;
-        var _S892 : f32 = _S884.y;
-        taps_4.nodes_1[number_6] = select(u32(0), _S882.face_nodes_0, _S881) + u32(wrapped_cell_0(_S891.y, _S884.z) * _S892 + wrapped_cell_0(_S891.x, _S892) + _S884.x);
+        var _S844 : vec2<f32> = _S840 + vec2<f32>(TAP_OFFSETS_0[number_6].x) * _S842 + vec2<f32>(TAP_OFFSETS_0[number_6].y) * _S843;
+        var _S845 : f32 = _S837.y;
+        taps_4.nodes_1[number_6] = select(u32(0), _S835.face_nodes_0, _S834) + u32(wrapped_cell_0(_S844.y, _S837.z) * _S845 + wrapped_cell_0(_S844.x, _S845) + _S837.x);
         number_6 = number_6 + u32(1);
     }
     return taps_4;
 }
 
-fn joint_ratios_0( _S893 : u32,  _S894 : vec3<f32>,  _S895 : vec3<f32>,  _S896 : bool) -> vec2<f32>
+fn joint_ratios_0( _S846 : u32,  _S847 : vec3<f32>,  _S848 : vec3<f32>,  _S849 : bool) -> vec2<f32>
 {
-    var _S897 : NodeTaps_0 = node_taps_of_0(_S895, u32(16));
-    var _S898 : NodeTaps_0 = node_taps_of_0(_S894, u32(16));
-    var _S899 : u32 = fabrics_0[_S893].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S896) + select(u32(0), u32(1), (_S894.z) < 0.0f)) * u32(512);
-    var _S900 : u32 = _S899 + u32(512);
-    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S897, _S899, u32(0)), joint_terms_0(_S898, _S900, u32(0))), dot(joint_terms_0(_S897, _S899, u32(1)), joint_terms_0(_S898, _S900, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
+    var _S850 : NodeTaps_0 = node_taps_of_0(_S848, u32(16));
+    var _S851 : NodeTaps_0 = node_taps_of_0(_S847, u32(16));
+    var _S852 : u32 = fabrics_0[_S846].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S849) + select(u32(0), u32(1), (_S847.z) < 0.0f)) * u32(512);
+    var _S853 : u32 = _S852 + u32(512);
+    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S850, _S852, u32(0)), joint_terms_0(_S851, _S853, u32(0))), dot(joint_terms_0(_S850, _S852, u32(1)), joint_terms_0(_S851, _S853, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
 }
 
-fn coverage_of_pack_0( _S901 : u32,  _S902 : CoverageTaps_0,  _S903 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S854 : u32,  _S855 : CoverageTaps_0,  _S856 : u32) -> vec4<f32>
 {
     var number_7 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -3365,9 +3293,9 @@ fn coverage_of_pack_0( _S901 : u32,  _S902 : CoverageTaps_0,  _S903 : u32) -> ve
         {
             break;
         }
-        var _S904 : u32 = words_0[fabrics_0[_S901].lobes_0.coverage_0 + _S902.nodes_1[number_7] * fabrics_0[_S901].lobes_0.packs_0 + _S903];
-        var even_2 : u32 = even_1 + ((_S904 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S904 >> (u32(8)))) & (u32(16711935))));
+        var _S857 : u32 = words_0[fabrics_0[_S854].lobes_0.coverage_0 + _S855.nodes_1[number_7] * fabrics_0[_S854].lobes_0.packs_0 + _S856];
+        var even_2 : u32 = even_1 + ((_S857 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S857 >> (u32(8)))) & (u32(16711935))));
         number_7 = number_7 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3375,7 +3303,7 @@ fn coverage_of_pack_0( _S901 : u32,  _S902 : CoverageTaps_0,  _S903 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S905 : u32,  _S906 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S858 : u32,  _S859 : CoverageTaps_0) -> f32
 {
     var number_8 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -3388,33 +3316,33 @@ fn coverage_of_holes_0( _S905 : u32,  _S906 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S905].lobes_0.coverage_holes_0 + _S906.nodes_1[number_8] / u32(4)] >> ((u32(8) * (_S906.nodes_1[number_8] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S858].lobes_0.coverage_holes_0 + _S859.nodes_1[number_8] / u32(4)] >> ((u32(8) * (_S859.nodes_1[number_8] % u32(4)))))) & (u32(255))));
         number_8 = number_8 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S907 : u32,  _S908 : CoverageTaps_0,  _S909 : NodeTaps_0,  _S910 : bool) -> f32
+fn prefiltered_hole_0( _S860 : u32,  _S861 : CoverageTaps_0,  _S862 : NodeTaps_0,  _S863 : bool) -> f32
 {
-    var _S911 : f32 = interpolate_table_0(_S909, fabrics_0[_S907].lobes_0.projected_area_0 + fabrics_0[_S907].lobes_0.packs_0, fabrics_0[_S907].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S907, _S908) * _S911 * _S911 * select(fabrics_0[_S907].lobes_0.front_hole_weight_0, fabrics_0[_S907].lobes_0.back_hole_weight_0, _S910), 1.0f);
+    var _S864 : f32 = interpolate_table_0(_S862, fabrics_0[_S860].lobes_0.projected_area_0 + fabrics_0[_S860].lobes_0.packs_0, fabrics_0[_S860].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S860, _S861) * _S864 * _S864 * select(fabrics_0[_S860].lobes_0.front_hole_weight_0, fabrics_0[_S860].lobes_0.back_hole_weight_0, _S863), 1.0f);
 }
 
-fn prefiltered_components_0( _S912 : u32,  _S913 : Footprint_0,  _S914 : vec3<f32>,  _S915 : vec3<f32>,  _S916 : bool) -> Components_0
+fn prefiltered_components_0( _S865 : u32,  _S866 : Footprint_0,  _S867 : vec3<f32>,  _S868 : vec3<f32>,  _S869 : bool) -> Components_0
 {
-    var _S917 : CoverageTaps_0 = coverage_taps_0(_S912, _S913, _S916);
-    var _S918 : NodeTaps_0 = node_taps_0(_S915);
-    var view_nodes_0 : NodeTaps_0 = _S918;
-    var _S919 : NodeTaps_0 = node_taps_0(_S914);
-    var light_nodes_0 : NodeTaps_0 = _S919;
-    var _S920 : u32 = select(u32(0), u32(1), _S916);
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S920 * u32(256)));
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S920 + select(u32(0), u32(1), (_S914.z) < 0.0f)) * u32(256)));
-    var _S921 : vec3<f32> = half_vector_0(_S914, _S915);
-    var _S922 : vec2<f32> = joint_ratios_0(_S912, _S914, _S915, _S916);
-    var _S923 : Lobes_std430_0 = fabrics_0[_S912].lobes_0;
-    var _S924 : u32 = select(fabrics_0[_S912].lobes_0.front_warp_packs_0, fabrics_0[_S912].lobes_0.back_warp_packs_0, _S916);
+    var _S870 : CoverageTaps_0 = coverage_taps_0(_S865, _S866, _S869);
+    var _S871 : NodeTaps_0 = node_taps_0(_S868);
+    var view_nodes_0 : NodeTaps_0 = _S871;
+    var _S872 : NodeTaps_0 = node_taps_0(_S867);
+    var light_nodes_0 : NodeTaps_0 = _S872;
+    var _S873 : u32 = select(u32(0), u32(1), _S869);
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S873 * u32(256)));
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S873 + select(u32(0), u32(1), (_S867.z) < 0.0f)) * u32(256)));
+    var _S874 : vec3<f32> = half_vector_0(_S867, _S868);
+    var _S875 : vec2<f32> = joint_ratios_0(_S865, _S867, _S868, _S869);
+    var _S876 : Lobes_std430_0 = fabrics_0[_S865].lobes_0;
+    var _S877 : u32 = select(fabrics_0[_S865].lobes_0.front_warp_packs_0, fabrics_0[_S865].lobes_0.back_warp_packs_0, _S869);
     var sums_6 : Components_0;
     sums_6.diffuse_warp_0 = 0.0f;
     sums_6.diffuse_weft_0 = 0.0f;
@@ -3425,19 +3353,19 @@ fn prefiltered_components_0( _S912 : u32,  _S913 : Footprint_0,  _S914 : vec3<f3
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        if(pack_0 < (_S923.packs_0))
+        if(pack_0 < (_S876.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S925 : vec4<f32> = coverage_of_pack_0(_S912, _S917, pack_0);
-        var _S926 : vec4<f32> = interpolate_table_0(view_nodes_0, _S923.projected_area_0 + pack_0, _S923.packs_0 + u32(1));
-        var _S927 : vec4<f32> = interpolate_table_0(light_nodes_0, _S923.light_visibility_0 + pack_0, _S923.packs_0) / vec4<f32>(255.0f);
-        var _S928 : vec4<f32> = interpolate_table_0(light_nodes_0, _S923.irradiance_0 + pack_0, _S923.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S929 : bool = pack_0 < _S924;
-        var _S930 : f32 = families_0[select(fabrics_0[_S912].weft_0, fabrics_0[_S912].warp_0, _S929)].roughness_0;
+        var _S878 : vec4<f32> = coverage_of_pack_0(_S865, _S870, pack_0);
+        var _S879 : vec4<f32> = interpolate_table_0(view_nodes_0, _S876.projected_area_0 + pack_0, _S876.packs_0 + u32(1));
+        var _S880 : vec4<f32> = interpolate_table_0(light_nodes_0, _S876.light_visibility_0 + pack_0, _S876.packs_0) / vec4<f32>(255.0f);
+        var _S881 : vec4<f32> = interpolate_table_0(light_nodes_0, _S876.irradiance_0 + pack_0, _S876.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S882 : bool = pack_0 < _S877;
+        var _S883 : f32 = families_0[select(fabrics_0[_S865].weft_0, fabrics_0[_S865].warp_0, _S882)].roughness_0;
         var number_9 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
@@ -3451,49 +3379,49 @@ fn prefiltered_components_0( _S912 : u32,  _S913 : Footprint_0,  _S914 : vec3<f3
             {
                 break;
             }
-            var _S931 : Group_0 = group_at_0(_S923.moments_0 + u32(12) * (u32(4) * (_S920 * _S923.packs_0 + pack_0) + number_9), _S930);
-            var _S932 : f32 = _S925[number_9] * _S926[number_9] * _S926[number_9] * _S931.weight_2;
-            var diffuse_1 : f32 = diffuse_0 + _S932 * _S928[number_9];
-            var specular_1 : f32 = specular_0 + _S932 * layer_value_0(_S931, _S921, _S914, _S915, fabrics_0[_S912].optical_depth_0) * _S927[number_9];
-            var lit_1 : f32 = lit_0 + _S932 * _S927[number_9];
-            var total_3 : f32 = total_2 + _S932;
+            var _S884 : Group_0 = group_at_0(_S876.moments_0 + u32(12) * (u32(4) * (_S873 * _S876.packs_0 + pack_0) + number_9), _S883);
+            var _S885 : f32 = _S878[number_9] * _S879[number_9] * _S879[number_9] * _S884.weight_2;
+            var diffuse_1 : f32 = diffuse_0 + _S885 * _S881[number_9];
+            var specular_1 : f32 = specular_0 + _S885 * layer_value_0(_S884, _S874, _S867, _S868, fabrics_0[_S865].optical_depth_0) * _S880[number_9];
+            var lit_1 : f32 = lit_0 + _S885 * _S880[number_9];
+            var total_3 : f32 = total_2 + _S885;
             number_9 = number_9 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             lit_0 = lit_1;
             total_2 = total_3;
         }
-        sums_6.diffuse_warp_0 = sums_6.diffuse_warp_0 + select(0.0f, diffuse_0, _S929);
-        sums_6.diffuse_weft_0 = sums_6.diffuse_weft_0 + select(diffuse_0, 0.0f, _S929);
-        sums_6.specular_warp_0 = sums_6.specular_warp_0 + select(0.0f, specular_0, _S929);
-        sums_6.specular_weft_0 = sums_6.specular_weft_0 + select(specular_0, 0.0f, _S929);
-        sums_6.light_visibility_1 = sums_6.light_visibility_1 + lit_0 * select(_S922.y, _S922.x, _S929);
+        sums_6.diffuse_warp_0 = sums_6.diffuse_warp_0 + select(0.0f, diffuse_0, _S882);
+        sums_6.diffuse_weft_0 = sums_6.diffuse_weft_0 + select(diffuse_0, 0.0f, _S882);
+        sums_6.specular_warp_0 = sums_6.specular_warp_0 + select(0.0f, specular_0, _S882);
+        sums_6.specular_weft_0 = sums_6.specular_weft_0 + select(specular_0, 0.0f, _S882);
+        sums_6.light_visibility_1 = sums_6.light_visibility_1 + lit_0 * select(_S875.y, _S875.x, _S882);
         pack_0 = pack_0 + u32(1);
     }
-    var _S933 : f32 = prefiltered_hole_0(_S912, _S917, view_nodes_0, _S916);
-    sums_6.hole_2 = _S933;
-    var _S934 : f32 = 1.0f - _S933;
-    var _S935 : f32 = _S934 / max(total_2, 9.999999960041972e-13f);
-    var _S936 : f32 = _S935 * _S922.x;
-    sums_6.diffuse_warp_0 = sums_6.diffuse_warp_0 * _S936;
-    var _S937 : f32 = _S935 * _S922.y;
-    sums_6.diffuse_weft_0 = sums_6.diffuse_weft_0 * _S937;
-    sums_6.specular_warp_0 = sums_6.specular_warp_0 * _S936;
-    sums_6.specular_weft_0 = sums_6.specular_weft_0 * _S937;
-    sums_6.light_visibility_1 = min(sums_6.light_visibility_1 * _S935, _S934);
+    var _S886 : f32 = prefiltered_hole_0(_S865, _S870, view_nodes_0, _S869);
+    sums_6.hole_2 = _S886;
+    var _S887 : f32 = 1.0f - _S886;
+    var _S888 : f32 = _S887 / max(total_2, 9.999999960041972e-13f);
+    var _S889 : f32 = _S888 * _S875.x;
+    sums_6.diffuse_warp_0 = sums_6.diffuse_warp_0 * _S889;
+    var _S890 : f32 = _S888 * _S875.y;
+    sums_6.diffuse_weft_0 = sums_6.diffuse_weft_0 * _S890;
+    sums_6.specular_warp_0 = sums_6.specular_warp_0 * _S889;
+    sums_6.specular_weft_0 = sums_6.specular_weft_0 * _S890;
+    sums_6.light_visibility_1 = min(sums_6.light_visibility_1 * _S888, _S887);
     return sums_6;
 }
 
-fn yarns_over_0( _S938 : u32,  _S939 : Footprint_0,  _S940 : bool) -> Yarns_0
+fn yarns_over_0( _S891 : u32,  _S892 : Footprint_0,  _S893 : bool) -> Yarns_0
 {
-    var _S941 : vec2<f32> = _S939.dx_0;
-    var _S942 : vec2<f32> = _S939.dy_0;
-    var _S943 : vec2<f32> = sqrt(_S941 * _S941 + _S942 * _S942);
-    var _S944 : f32 = Footprint_spread_side_0(_S939);
-    var _S945 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S945, _S945, vec3<f32>(0.0f));
+    var _S894 : vec2<f32> = _S892.dx_0;
+    var _S895 : vec2<f32> = _S892.dy_0;
+    var _S896 : vec2<f32> = sqrt(_S894 * _S894 + _S895 * _S895);
+    var _S897 : f32 = Footprint_spread_side_0(_S892);
+    var _S898 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S898, _S898, vec3<f32>(0.0f));
     yarns_0.shares_0 = vec3<f32>(1.0f);
-    if((fabrics_0[_S938].is_irregular_0) == u32(0))
+    if((fabrics_0[_S891].is_irregular_0) == u32(0))
     {
         return yarns_0;
     }
@@ -3507,281 +3435,357 @@ fn yarns_over_0( _S938 : u32,  _S939 : Footprint_0,  _S940 : bool) -> Yarns_0
         {
             break;
         }
-        var _S946 : bool = number_10 == u32(0);
-        var _S947 : u32 = select(fabrics_0[_S938].weft_0, fabrics_0[_S938].warp_0, _S946);
-        var _S948 : vec2<f32> = select_vector_0(_S946, _S939.centre_0, _S939.centre_0.yx);
-        var _S949 : vec2<f32> = select_vector_0(_S946, _S943, _S943.yx);
-        var _S950 : f32 = _S948.x;
-        var _S951 : Cell_0 = locate_0(_S947, _S950);
-        var yarn_3 : vec4<f32> = irregular_over_0(_S947, irregular_key_0(_S938, number_10), irregular_thread_0(_S947, _S950, _S951) + _S951.below_0 / (_S951.below_0 + _S951.above_0), _S949.x * (families_0[_S947].count_0 / families_0[_S947].period_0), _S948.y, _S949.y);
-        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S947, _S944));
+        var _S899 : bool = number_10 == u32(0);
+        var _S900 : u32 = select(fabrics_0[_S891].weft_0, fabrics_0[_S891].warp_0, _S899);
+        var _S901 : vec2<f32> = select_vector_0(_S899, _S892.centre_0, _S892.centre_0.yx);
+        var _S902 : vec2<f32> = select_vector_0(_S899, _S896, _S896.yx);
+        var _S903 : f32 = _S901.x;
+        var _S904 : Cell_0 = locate_0(_S900, _S903);
+        var yarn_3 : vec4<f32> = irregular_over_0(_S900, irregular_key_0(_S891, number_10), irregular_thread_0(_S900, _S903, _S904) + _S904.below_0 / (_S904.below_0 + _S904.above_0), _S902.x * (families_0[_S900].count_0 / families_0[_S900].period_0), _S901.y, _S902.y);
+        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S900, _S897));
         yarns_0.warp_3 = yarns_0.weft_3;
         yarns_0.weft_3 = yarn_3;
         number_10 = number_10 + u32(1);
     }
-    var _S952 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S938].warp_0].cover_0, families_0[fabrics_0[_S938].weft_0].cover_0);
-    var _S953 : f32 = select(fabrics_0[_S938].warp_on_top_0, 1.0f - fabrics_0[_S938].warp_on_top_0, _S940);
-    var _S954 : vec3<f32> = shown_of_covers_0(_S952, _S953);
-    var _S955 : vec3<f32> = shown_of_covers_0(saturate(_S952 + _S952 * vec2<f32>(yarns_0.warp_3.y, yarns_0.weft_3.y)), _S953) / max(_S954, vec3<f32>(0.00009999999747379f));
-    yarns_0.shares_0 = _S955;
-    yarns_0.shares_0[i32(2)] = select(1.0f, _S955.z, (_S954.z) > 0.00009999999747379f);
+    var _S905 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S891].warp_0].cover_0, families_0[fabrics_0[_S891].weft_0].cover_0);
+    var _S906 : f32 = select(fabrics_0[_S891].warp_on_top_0, 1.0f - fabrics_0[_S891].warp_on_top_0, _S893);
+    var _S907 : vec3<f32> = shown_of_covers_0(_S905, _S906);
+    var _S908 : vec3<f32> = shown_of_covers_0(saturate(_S905 + _S905 * vec2<f32>(yarns_0.warp_3.y, yarns_0.weft_3.y)), _S906) / max(_S907, vec3<f32>(0.00009999999747379f));
+    yarns_0.shares_0 = _S908;
+    yarns_0.shares_0[i32(2)] = select(1.0f, _S908.z, (_S907.z) > 0.00009999999747379f);
     return yarns_0;
 }
 
-fn with_shares_0( _S956 : u32,  _S957 : Components_0,  _S958 : Yarns_0) -> Components_0
+fn with_shares_0( _S909 : u32,  _S910 : Components_0,  _S911 : Yarns_0) -> Components_0
 {
-    if((fabrics_0[_S956].is_irregular_0) == u32(0))
-    {
-        return _S957;
-    }
     var result_5 : Components_0;
-    var _S959 : f32 = min(_S957.hole_2 * _S958.shares_0.z, 1.0f);
-    result_5.hole_2 = _S959;
-    var _S960 : f32 = _S958.shares_0.x;
-    result_5.diffuse_warp_0 = _S957.diffuse_warp_0 * _S960;
-    var _S961 : f32 = _S958.shares_0.y;
-    result_5.diffuse_weft_0 = _S957.diffuse_weft_0 * _S961;
-    result_5.specular_warp_0 = _S957.specular_warp_0 * _S960;
-    result_5.specular_weft_0 = _S957.specular_weft_0 * _S961;
-    result_5.light_visibility_1 = _S957.light_visibility_1 * (1.0f - _S959) / max(1.0f - _S957.hole_2, 9.99999997475242708e-07f);
+    var _S912 : f32 = min(_S910.hole_2 * _S911.shares_0.z, 1.0f);
+    result_5.hole_2 = _S912;
+    var _S913 : f32 = _S911.shares_0.x;
+    result_5.diffuse_warp_0 = _S910.diffuse_warp_0 * _S913;
+    var _S914 : f32 = _S911.shares_0.y;
+    result_5.diffuse_weft_0 = _S910.diffuse_weft_0 * _S914;
+    result_5.specular_warp_0 = _S910.specular_warp_0 * _S913;
+    result_5.specular_weft_0 = _S910.specular_weft_0 * _S914;
+    result_5.light_visibility_1 = _S910.light_visibility_1 * select(1.0f, (1.0f - _S912) / max(1.0f - _S910.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S909].is_irregular_0) != u32(0));
     return result_5;
 }
 
-fn albedos_over_0( _S962 : u32,  _S963 : Footprint_0,  _S964 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S915 : u32,  _S916 : Footprint_0,  _S917 : bool) -> FamilyAlbedos_0
 {
-    var _S965 : vec2<f32> = _S963.dx_0;
-    var _S966 : vec2<f32> = _S963.dy_0;
-    var _S967 : vec2<f32> = sqrt(_S965 * _S965 + _S966 * _S966);
-    var _S968 : Stretch_0 = stretch_of_0(fabrics_0[_S962].warp_0, _S963.centre_0.x, _S967.x);
-    var _S969 : Stretch_0 = stretch_of_0(fabrics_0[_S962].weft_0, _S963.centre_0.y, _S967.y);
-    var albedos_9 : FamilyAlbedos_0;
-    albedos_9.warp_7 = mean_albedos_0(fabrics_0[_S962].warp_0, fabrics_0[_S962].weft_0, _S968, _S969, _S964);
-    albedos_9.weft_7 = mean_albedos_0(fabrics_0[_S962].weft_0, fabrics_0[_S962].warp_0, _S969, _S968, _S964);
-    return albedos_9;
+    var _S918 : vec2<f32> = _S916.dx_0;
+    var _S919 : vec2<f32> = _S916.dy_0;
+    var _S920 : vec2<f32> = sqrt(_S918 * _S918 + _S919 * _S919);
+    var _S921 : Stretch_0 = stretch_of_0(fabrics_0[_S915].warp_0, _S916.centre_0.x, _S920.x);
+    var _S922 : Stretch_0 = stretch_of_0(fabrics_0[_S915].weft_0, _S916.centre_0.y, _S920.y);
+    var albedos_8 : FamilyAlbedos_0;
+    albedos_8.warp_7 = mean_albedos_0(fabrics_0[_S915].warp_0, fabrics_0[_S915].weft_0, _S921, _S922, _S917);
+    albedos_8.weft_7 = mean_albedos_0(fabrics_0[_S915].weft_0, fabrics_0[_S915].warp_0, _S922, _S921, _S917);
+    return albedos_8;
 }
 
-fn with_tones_0( _S970 : u32,  _S971 : FamilyAlbedos_0,  _S972 : Yarns_0) -> FamilyAlbedos_0
+fn toned_0( _S923 : u32,  _S924 : u32,  _S925 : Albedos_0,  _S926 : vec4<f32>) -> Albedos_0
 {
-    if((fabrics_0[_S970].is_irregular_0) == u32(0))
+    var _S927 : vec3<f32> = _S925.diffuse_reflect_0 + _S925.diffuse_transmit_0;
+    var _S928 : vec3<f32> = vec3<f32>(1.0f);
+    var _S929 : vec3<f32> = _S928 - vec3<f32>(fabrics_0[_S923].layer_bound_0) * max(_S925.specular_reflect_0, _S925.specular_transmit_0);
+    var _S930 : vec3<f32> = vec3<f32>(0.0f);
+    var _S931 : vec3<f32> = max(_S928 - _S927, _S930) / (_S928 + _S927);
+    var _S932 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S933 : vec3<f32> = (_S929 / max(_S927, _S932) - _S928) / max(vec3<f32>(0.89999997615814209f) * _S931, _S932);
+    var _S934 : vec3<f32> = _S928 - vec3<f32>((saturate(min(min(_S933.x, _S933.y), _S933.z)) * _S926.z)) * _S931;
+    var _S935 : vec3<f32> = min(vec3<f32>(families_0[_S924].nep_red_0, families_0[_S924].nep_green_0, families_0[_S924].nep_blue_0), _S929);
+    var found_1 : Albedos_0 = _S925;
+    var _S936 : f32 = _S926.w;
+    var _S937 : vec3<f32> = _S934 * _S925.diffuse_transmit_0 * vec3<f32>((1.0f - _S936));
+    found_1.diffuse_transmit_0 = _S937;
+    found_1.diffuse_reflect_0 = clamp(mix(_S934 * _S925.diffuse_reflect_0, _S935, vec3<f32>(_S936)), _S930, max(_S929 - _S937, _S930));
+    return found_1;
+}
+
+fn with_tones_0( _S938 : u32,  _S939 : FamilyAlbedos_0,  _S940 : Yarns_0) -> FamilyAlbedos_0
+{
+    if((fabrics_0[_S938].is_irregular_0) == u32(0))
     {
-        return _S971;
+        return _S939;
     }
     var result_6 : FamilyAlbedos_0;
-    result_6.warp_7 = toned_0(_S970, fabrics_0[_S970].warp_0, _S971.warp_7, _S972.warp_3);
-    result_6.weft_7 = toned_0(_S970, fabrics_0[_S970].weft_0, _S971.weft_7, _S972.weft_3);
+    result_6.warp_7 = toned_0(_S938, fabrics_0[_S938].warp_0, _S939.warp_7, _S940.warp_3);
+    result_6.weft_7 = toned_0(_S938, fabrics_0[_S938].weft_0, _S939.weft_7, _S940.weft_3);
     return result_6;
 }
 
-fn lobes_estimate_of_pass_0( _S973 : u32,  _S974 : Footprint_0,  _S975 : f32,  _S976 : vec2<f32>,  _S977 : vec3<f32>,  _S978 : vec3<f32>) -> Estimate_0
+fn detail_gain_0( _S941 : u32,  _S942 : u32,  _S943 : SurfacePoint_0,  _S944 : bool,  _S945 : u32,  _S946 : f32) -> vec2<f32>
 {
-    var _S979 : f32;
-    var _S980 : Regime_0 = regime_of_0(_S973, _S974, _S975);
-    var _S981 : bool = (_S978.z) < 0.0f;
-    var _S982 : vec3<f32> = to_face_frame_0(_S978, _S981);
-    var _S983 : f32 = Footprint_spread_side_0(_S974);
-    var _S984 : bool = varies_at_0(_S973, _S983);
-    var _S985 : f32 = 1.0f - _S980.prefiltered_0;
-    var _S986 : bool = ((_S985 > 0.0f) & (((((_S984 | (((((families_0[fabrics_0[_S973].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S973].weft_0].quantities_0) > u32(1)))))))) | (((fabrics_0[_S973].is_irregular_0) != u32(0)))))));
-    var box_0 : Footprint_0 = _S974;
-    var _S987 : vec3<f32> = vec3<f32>(0.0f);
-    var _S988 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S987, _S987, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
-    var _S989 : Components_0 = no_components_0();
+    var _S947 : vec2<f32> = vec2<f32>(0.0f);
+    var gain_2 : vec2<f32>;
+    if((families_0[_S942].has_plies_0) > 0.0f)
+    {
+        gain_2 = groove_0(0.94999998807907104f * fade_0(_S946, 1.0f / families_0[_S942].plies_per_mm_0), ply_offset_0(_S942, _S943, _S944));
+    }
+    else
+    {
+        gain_2 = _S947;
+    }
+    if((families_0[_S942].fibre_tone_0) > 0.0f)
+    {
+        var _S948 : FibreNoise_0 = fibre_noise_at_0(_S941, _S942, _S943, _S945, _S946);
+        var _S949 : f32 = 4.5f * families_0[_S942].fibre_tone_0;
+        gain_2 = gain_2 + vec2<f32>(families_0[_S942].fibre_tone_0) * vec2<f32>(_S948.bundle_weight_0 * _S948.bundle_0.y + _S948.fibre_weight_0 * _S948.fibre_0.y, _S948.bundle_weight_0 + _S948.fibre_weight_0) + (groove_0(_S949 * (_S948.bundle_weight_0 * (0.5f * (_S948.bundle_0.x - 1.0f) + 1.0f)), _S948.bundle_offset_0) + groove_0(_S949 * _S948.fibre_weight_0, _S948.offset_2));
+    }
+    if((families_0[_S942].slub_0) > 0.0f)
+    {
+        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S942].slub_0 * fade_0(_S946, 1.0f / families_0[_S942].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S945, ((fabrics_0[_S941].seed_0) ^ (u32(1373058189)))), select(- _S943.x_8, _S943.y_2, _S943.is_warp_0) * families_0[_S942].slubs_per_mm_0).x, 1.0f);
+    }
+    return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
+}
+
+fn vary_albedos_0( _S950 : u32,  _S951 : Albedos_0,  _S952 : u32,  _S953 : u32,  _S954 : vec2<f32>) -> Albedos_0
+{
+    var _S955 : vec3<f32> = max(_S951.specular_reflect_0, _S951.specular_transmit_0);
+    var _S956 : vec3<f32> = _S951.diffuse_reflect_0 + _S951.diffuse_transmit_0;
+    var _S957 : vec3<f32> = vec3<f32>(fabrics_0[_S950].layer_bound_0);
+    var _S958 : vec3<f32> = vec3<f32>(1.0f);
+    var _S959 : vec3<f32> = _S958 - _S957 * _S955;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S952, fabrics_0[_S950].colour_noise_0, fabrics_0[_S950].seed_0), _S956, _S959);
+    var _S960 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S954.y, vec3<f32>(colour_1) * _S956, _S959) * _S954.x)));
+    var _S961 : f32 = bounded_gain_0(fibre_gain_0(_S952, _S953, fabrics_0[_S950].fibre_noise_0, fabrics_0[_S950].seed_0), _S955, min((_S958 - _S960 * _S956) / _S957, vec3<f32>(1.0f)));
+    var varied_0 : Albedos_0;
+    varied_0.diffuse_reflect_0 = _S960 * _S951.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S960 * _S951.diffuse_transmit_0;
+    var _S962 : vec3<f32> = vec3<f32>(_S961);
+    varied_0.specular_reflect_0 = _S962 * _S951.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S962 * _S951.specular_transmit_0;
+    return varied_0;
+}
+
+fn varied_at_0( _S963 : u32,  _S964 : SurfacePoint_0,  _S965 : Albedos_0,  _S966 : bool,  _S967 : f32,  _S968 : f32) -> Albedos_0
+{
+    var _S969 : u32 = thread_number_0(_S963, _S964);
+    var _S970 : vec3<f32> = fibre_cell_0(_S964.fibre_across_0, _S964.fibre_along_0, fabrics_0[_S963].fibre_size_0);
+    var _S971 : vec2<f32> = vec2<f32>(0.0f);
+    var gain_3 : vec2<f32>;
+    if((((fabrics_0[_S963].has_detail_0) != u32(0)) & ((_S967 >= 0.0f))))
+    {
+        gain_3 = detail_gain_0(_S963, select(fabrics_0[_S963].weft_0, fabrics_0[_S963].warp_0, _S964.is_warp_0), _S964, _S966, _S969, _S967) * vec2<f32>(1.0f - _S968, 1.0f);
+    }
+    else
+    {
+        gain_3 = _S971;
+    }
+    return vary_albedos_0(_S963, _S965, _S969, u32(i32(_S970.x)) * u32(65536) + u32(i32(floor(_S970.y))), gain_3);
+}
+
+fn lobes_estimate_of_pass_0( _S972 : u32,  _S973 : Footprint_0,  _S974 : f32,  _S975 : vec2<f32>,  _S976 : vec3<f32>,  _S977 : vec3<f32>) -> Estimate_0
+{
+    var _S978 : f32;
+    var _S979 : Regime_0 = regime_of_0(_S972, _S973, _S974);
+    var _S980 : bool = (_S977.z) < 0.0f;
+    var _S981 : vec3<f32> = to_face_frame_0(_S977, _S980);
+    var _S982 : f32 = Footprint_spread_side_0(_S973);
+    var _S983 : bool = varies_at_0(_S972, _S982);
+    var _S984 : f32 = 1.0f - _S979.prefiltered_0;
+    var _S985 : bool = ((_S984 > 0.0f) & (((((_S983 | (((((families_0[fabrics_0[_S972].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S972].weft_0].quantities_0) > u32(1)))))))) | (((fabrics_0[_S972].is_irregular_0) != u32(0)))))));
+    var box_0 : Footprint_0 = _S973;
+    var _S986 : vec3<f32> = vec3<f32>(0.0f);
+    var _S987 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S986, _S986, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
+    var _S988 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S990 : u32 = select(u32(1), u32(0), _S986);
-    var points_1 : Components_0 = _S989;
+    var _S989 : u32 = select(u32(1), u32(0), _S985);
+    var points_1 : Components_0 = _S988;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S988;
-    var number_11 : u32 = _S990;
+    var central_0 : SurfacePoint_0 = _S987;
+    var number_11 : u32 = _S989;
     for(;;)
     {
-        var _S991 : f32 = f32(number_11);
-        _S979 = _S980.points_0;
-        if(_S991 < (_S980.points_0 + 1.0f))
+        var _S990 : f32 = f32(number_11);
+        _S978 = _S979.points_0;
+        if(_S990 < (_S979.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S992 : bool = number_11 == u32(0);
-        var _S993 : u32 = number_11 - u32(1);
-        var _S994 : vec2<f32> = POINT_OFFSETS_0[select(_S993, u32(0), _S992)] + _S976;
-        var _S995 : vec2<f32> = select_vector_0(_S992, vec2<f32>(0.0f), _S994 - round(_S994));
-        var _S996 : vec2<f32> = _S974.centre_0 + vec2<f32>(_S995.x) * _S974.dx_0 + vec2<f32>(_S995.y) * _S974.dy_0;
-        var _S997 : SearchQuality_0 = quality_of_0(select(_S980.threads_2, 0.0f, _S992));
-        var _S998 : Hit_0 = first_hit_0(_S973, _S997, _S996.x, _S996.y, _S982, _S981);
-        var _S999 : SurfacePoint_0 = surface_met_0(_S973, _S998.x_16, _S998.y_9, _S998.height_6, _S982, _S981);
-        if(_S992)
+        var _S991 : bool = number_11 == u32(0);
+        var _S992 : u32 = number_11 - u32(1);
+        var _S993 : vec2<f32> = POINT_OFFSETS_0[select(_S992, u32(0), _S991)] + _S975;
+        var _S994 : vec2<f32> = select_vector_0(_S991, vec2<f32>(0.0f), _S993 - round(_S993));
+        var _S995 : vec2<f32> = _S973.centre_0 + vec2<f32>(_S994.x) * _S973.dx_0 + vec2<f32>(_S994.y) * _S973.dy_0;
+        var _S996 : SearchQuality_0 = quality_of_0(select(_S979.threads_2, 0.0f, _S991));
+        var _S997 : Hit_0 = first_hit_0(_S972, _S996, _S995.x, _S995.y, _S981, _S980);
+        var _S998 : SurfacePoint_0 = surface_met_0(_S972, _S997.x_18, _S997.y_11, _S997.height_8, _S981, _S980);
+        if(_S991)
         {
-            var central_weight_1 : f32 = select(_S985, 0.0f, _S998.hole_5);
-            box_0.centre_0 = mix(_S974.centre_0, vec2<f32>(_S998.x_16, _S998.y_9), vec2<f32>(central_weight_1));
+            var central_weight_1 : f32 = select(_S984, 0.0f, _S997.hole_7);
+            box_0.centre_0 = mix(_S973.centre_0, vec2<f32>(_S997.x_18, _S997.y_11), vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S999;
+            central_0 = _S998;
             number_11 = number_11 + u32(1);
             continue;
         }
-        var _S1000 : YarnPoint_0 = yarn_point_of_0(_S973, _S999, _S982, _S981, _S998.hole_5, _S983);
-        var _S1001 : f32 = min(_S980.points_0 - f32(_S993), 1.0f);
-        var _S1002 : Components_0 = with_added_0(points_1, components_of_point_0(_S973, _S997, _S1000, _S977, _S978), _S1001);
-        if((fabrics_0[_S973].openness_0) != u32(4294967295))
+        var _S999 : YarnPoint_0 = uncoloured_point_0(_S972, _S998, _S981, _S980, _S997.hole_7, _S982);
+        var _S1000 : f32 = min(_S979.points_0 - f32(_S992), 1.0f);
+        var _S1001 : Components_0 = with_added_0(points_1, components_of_point_0(_S972, _S996, _S999, _S976, _S977), _S1000);
+        if((fabrics_0[_S972].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S973, close_1.warp_1, _S1000, true, _S1001);
-            close_1.weft_1 = with_blocked_0(_S973, close_1.weft_1, _S1000, false, _S1001);
+            close_1.warp_1 = with_blocked_0(_S972, close_1.warp_1, _S999, true, _S1000);
+            close_1.weft_1 = with_blocked_0(_S972, close_1.weft_1, _S999, false, _S1000);
         }
-        points_1 = _S1002;
+        points_1 = _S1001;
         number_11 = number_11 + u32(1);
     }
-    close_1.weight_0 = _S985;
-    var _S1003 : f32 = max(_S979, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1003);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1003);
+    close_1.weight_0 = _S984;
+    var _S1002 : f32 = max(_S978, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1002);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1002);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S989, points_1, _S985 / _S1003);
-    if((_S980.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S988, points_1, _S984 / _S1002);
+    if((_S979.prefiltered_0) > 0.0f)
     {
-        var _S1004 : Components_0 = prefiltered_components_0(_S973, _S974, to_face_frame_0(_S977, _S981), _S982, _S981);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1004, _S980.prefiltered_0);
+        var _S1003 : Components_0 = prefiltered_components_0(_S972, _S973, to_face_frame_0(_S976, _S980), _S981, _S980);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1003, _S979.prefiltered_0);
     }
-    var _S1005 : Yarns_0 = yarns_over_0(_S973, box_0, _S981);
-    estimate_0.components_0 = with_shares_0(_S973, estimate_0.components_0, _S1005);
-    estimate_0.albedos_5 = with_tones_0(_S973, albedos_over_0(_S973, box_0, _S981), _S1005);
-    if((_S984 & ((central_weight_0 > 0.0f))))
+    var _S1004 : Yarns_0 = yarns_over_0(_S972, box_0, _S980);
+    estimate_0.components_0 = with_shares_0(_S972, estimate_0.components_0, _S1004);
+    estimate_0.albedos_7 = with_tones_0(_S972, albedos_over_0(_S972, box_0, _S980), _S1004);
+    if((_S983 & ((central_weight_0 > 0.0f))))
     {
-        var _S1006 : SurfacePoint_0 = central_0;
-        var _S1007 : Albedos_0;
+        var _S1005 : SurfacePoint_0 = central_0;
+        var _S1006 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S1007 = estimate_0.albedos_5.warp_7;
+            _S1006 = estimate_0.albedos_7.warp_7;
         }
         else
         {
-            _S1007 = estimate_0.albedos_5.weft_7;
+            _S1006 = estimate_0.albedos_7.weft_7;
         }
-        var _S1008 : bool;
-        if((fabrics_0[_S973].has_detail_0) != u32(0))
+        var _S1007 : bool;
+        if((fabrics_0[_S972].has_detail_0) != u32(0))
         {
-            _S1008 = has_hairs_0(_S973);
+            _S1007 = has_hairs_0(_S972);
         }
         else
         {
-            _S1008 = false;
+            _S1007 = false;
         }
         var cover_4 : f32;
-        if(_S1008)
+        if(_S1007)
         {
-            cover_4 = hair_towards_0(_S973, hairs_over_0(_S973, central_0, _S981, _S983), _S982, _S983).cover_1;
+            cover_4 = hair_towards_0(_S972, hairs_over_0(_S972, central_0, _S980, _S982), _S981, _S982).cover_1;
         }
         else
         {
             cover_4 = 0.0f;
         }
-        var _S1009 : Albedos_0 = lerp_albedos_0(_S1007, varied_at_0(_S973, central_0, _S1007, _S981, _S983, cover_4), central_weight_0);
-        if(_S1006.is_warp_0)
+        var _S1008 : Albedos_0 = lerp_albedos_0(_S1006, varied_at_0(_S972, central_0, _S1006, _S980, _S982, cover_4), central_weight_0);
+        if(_S1005.is_warp_0)
         {
-            estimate_0.albedos_5.warp_7 = _S1009;
+            estimate_0.albedos_7.warp_7 = _S1008;
         }
         else
         {
-            estimate_0.albedos_5.weft_7 = _S1009;
+            estimate_0.albedos_7.weft_7 = _S1008;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S1010 : u32,  _S1011 : Albedos_0,  _S1012 : u32,  _S1013 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S1009 : u32,  _S1010 : Albedos_0,  _S1011 : u32,  _S1012 : vec3<f32>) -> Scattered_0
 {
-    var _S1014 : u32 = u32(159) + u32(2) * _S1012;
+    var _S1013 : u32 = u32(159) + u32(2) * _S1011;
     var yarn_4 : Scattered_0;
-    yarn_4.back_6 = _S1013 * _S1011.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1010, _S1014)) * _S1011.specular_reflect_0;
-    yarn_4.through_0 = _S1013 * _S1011.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1010, _S1014 + u32(1))) * _S1011.specular_transmit_0;
+    yarn_4.back_10 = _S1012 * _S1010.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1009, _S1013)) * _S1010.specular_reflect_0;
+    yarn_4.through_0 = _S1012 * _S1010.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1009, _S1013 + u32(1))) * _S1010.specular_transmit_0;
     return yarn_4;
 }
 
-fn sent_0( _S1015 : u32,  _S1016 : u32,  _S1017 : vec3<f32>,  _S1018 : vec3<f32>,  _S1019 : vec3<f32>,  _S1020 : vec3<f32>,  _S1021 : ptr<function, vec3<f32>>,  _S1022 : ptr<function, vec3<f32>>)
+fn sent_0( _S1014 : u32,  _S1015 : u32,  _S1016 : vec3<f32>,  _S1017 : vec3<f32>,  _S1018 : vec3<f32>,  _S1019 : vec3<f32>,  _S1020 : ptr<function, vec3<f32>>,  _S1021 : ptr<function, vec3<f32>>)
 {
-    var _S1023 : u32 = u32(146) + u32(4) * _S1016;
-    var _S1024 : f32 = openness_number_0(_S1015, _S1023 + u32(1));
-    var _S1025 : f32 = openness_number_0(_S1015, _S1023 + u32(2));
-    var _S1026 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1027 : vec3<f32> = _S1026 - _S1019 * vec3<f32>(openness_number_0(_S1015, _S1023));
-    var _S1028 : vec3<f32> = _S1026 - _S1020 * vec3<f32>(openness_number_0(_S1015, _S1023 + u32(3)));
-    var _S1029 : vec3<f32> = _S1026 / (_S1027 * _S1028 - _S1019 * _S1020 * vec3<f32>((_S1024 * _S1025)));
-    (*_S1021) = (_S1017 * _S1028 + _S1019 * vec3<f32>(_S1024) * _S1018) * _S1029;
-    (*_S1022) = (_S1018 * _S1027 + _S1020 * vec3<f32>(_S1025) * _S1017) * _S1029;
+    var _S1022 : u32 = u32(146) + u32(4) * _S1015;
+    var _S1023 : f32 = openness_number_0(_S1014, _S1022 + u32(1));
+    var _S1024 : f32 = openness_number_0(_S1014, _S1022 + u32(2));
+    var _S1025 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1026 : vec3<f32> = _S1025 - _S1018 * vec3<f32>(openness_number_0(_S1014, _S1022));
+    var _S1027 : vec3<f32> = _S1025 - _S1019 * vec3<f32>(openness_number_0(_S1014, _S1022 + u32(3)));
+    var _S1028 : vec3<f32> = _S1025 / (_S1026 * _S1027 - _S1018 * _S1019 * vec3<f32>((_S1023 * _S1024)));
+    (*_S1020) = (_S1016 * _S1027 + _S1018 * vec3<f32>(_S1023) * _S1017) * _S1028;
+    (*_S1021) = (_S1017 * _S1026 + _S1019 * vec3<f32>(_S1024) * _S1016) * _S1028;
     return;
 }
 
-fn face_sends_0( _S1030 : u32,  _S1031 : u32,  _S1032 : Scattered_0,  _S1033 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S1029 : u32,  _S1030 : u32,  _S1031 : Scattered_0,  _S1032 : Scattered_0) -> FaceSends_0
 {
-    var _S1034 : u32 = u32(2) * _S1031;
-    var _S1035 : u32 = u32(142) + _S1034;
-    var _S1036 : f32 = openness_number_0(_S1030, _S1035);
-    var _S1037 : f32 = openness_number_0(_S1030, _S1035 + u32(1));
-    var _S1038 : vec3<f32> = vec3<f32>((1.0f - _S1036)) * _S1032.back_6;
-    var _S1039 : vec3<f32> = vec3<f32>((1.0f - _S1037)) * _S1033.back_6;
+    var _S1033 : u32 = u32(2) * _S1030;
+    var _S1034 : u32 = u32(142) + _S1033;
+    var _S1035 : f32 = openness_number_0(_S1029, _S1034);
+    var _S1036 : f32 = openness_number_0(_S1029, _S1034 + u32(1));
+    var _S1037 : vec3<f32> = vec3<f32>((1.0f - _S1035)) * _S1031.back_10;
+    var _S1038 : vec3<f32> = vec3<f32>((1.0f - _S1036)) * _S1032.back_10;
     var sends_1 : FaceSends_0;
-    var _S1040 : u32 = u32(154) + _S1034;
-    var _S1041 : f32 = openness_number_0(_S1030, _S1040);
-    sends_1.blocks_warp_0 = _S1041;
-    var _S1042 : f32 = openness_number_0(_S1030, _S1040 + u32(1));
-    sends_1.blocks_weft_0 = _S1042;
-    sends_1.open_0 = _S1041 * _S1036 + _S1042 * _S1037;
-    var _S1043 : vec3<f32> = vec3<f32>(_S1036) * _S1032.back_6;
-    var _S1044 : vec3<f32> = vec3<f32>(_S1037) * _S1033.back_6;
-    var _S1045 : vec3<f32> = sends_1.sky_warp_0;
-    var _S1046 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S1030, _S1031, _S1043, _S1044, _S1038, _S1039, &(_S1045), &(_S1046));
-    sends_1.sky_warp_0 = _S1045;
-    sends_1.sky_weft_0 = _S1046;
-    var _S1047 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S1048 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S1030, _S1031, _S1032.through_0, _S1033.through_0, _S1038, _S1039, &(_S1047), &(_S1048));
-    sends_1.crossing_warp_0 = _S1047;
-    sends_1.crossing_weft_0 = _S1048;
+    var _S1039 : u32 = u32(154) + _S1033;
+    var _S1040 : f32 = openness_number_0(_S1029, _S1039);
+    sends_1.blocks_warp_0 = _S1040;
+    var _S1041 : f32 = openness_number_0(_S1029, _S1039 + u32(1));
+    sends_1.blocks_weft_0 = _S1041;
+    sends_1.open_0 = _S1040 * _S1035 + _S1041 * _S1036;
+    var _S1042 : vec3<f32> = vec3<f32>(_S1035) * _S1031.back_10;
+    var _S1043 : vec3<f32> = vec3<f32>(_S1036) * _S1032.back_10;
+    var _S1044 : vec3<f32> = sends_1.sky_warp_0;
+    var _S1045 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S1029, _S1030, _S1042, _S1043, _S1037, _S1038, &(_S1044), &(_S1045));
+    sends_1.sky_warp_0 = _S1044;
+    sends_1.sky_weft_0 = _S1045;
+    var _S1046 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S1047 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S1029, _S1030, _S1031.through_0, _S1032.through_0, _S1037, _S1038, &(_S1046), &(_S1047));
+    sends_1.crossing_warp_0 = _S1046;
+    sends_1.crossing_weft_0 = _S1047;
     return sends_1;
 }
 
-fn interior_of_0( _S1049 : u32,  _S1050 : vec3<f32>,  _S1051 : bool) -> Interior_0
+fn interior_of_0( _S1048 : u32,  _S1049 : vec3<f32>,  _S1050 : bool) -> Interior_0
 {
-    var _S1052 : Scattered_0 = scattered_by_0(_S1049, table_albedos_0(families_0[fabrics_0[_S1049].warp_0].colour_mean_0), u32(0), _S1050);
-    var _S1053 : Scattered_0 = scattered_by_0(_S1049, table_albedos_0(families_0[fabrics_0[_S1049].weft_0].colour_mean_0), u32(1), _S1050);
-    var _S1054 : FaceSends_0 = face_sends_0(_S1049, select(u32(0), u32(1), _S1051), _S1052, _S1053);
-    var _S1055 : FaceSends_0 = face_sends_0(_S1049, select(u32(1), u32(0), _S1051), _S1052, _S1053);
-    var _S1056 : vec3<f32> = vec3<f32>(_S1054.blocks_warp_0);
-    var _S1057 : vec3<f32> = vec3<f32>(_S1054.blocks_weft_0);
-    var _S1058 : vec3<f32> = _S1056 * _S1054.crossing_warp_0 + _S1057 * _S1054.crossing_weft_0;
-    var _S1059 : vec3<f32> = vec3<f32>(_S1055.blocks_warp_0);
-    var _S1060 : vec3<f32> = vec3<f32>(_S1055.blocks_weft_0);
-    var _S1061 : vec3<f32> = _S1059 * _S1055.crossing_warp_0 + _S1060 * _S1055.crossing_weft_0;
+    var _S1051 : Scattered_0 = scattered_by_0(_S1048, table_albedos_0(families_0[fabrics_0[_S1048].warp_0].colour_mean_0), u32(0), _S1049);
+    var _S1052 : Scattered_0 = scattered_by_0(_S1048, table_albedos_0(families_0[fabrics_0[_S1048].weft_0].colour_mean_0), u32(1), _S1049);
+    var _S1053 : FaceSends_0 = face_sends_0(_S1048, select(u32(0), u32(1), _S1050), _S1051, _S1052);
+    var _S1054 : FaceSends_0 = face_sends_0(_S1048, select(u32(1), u32(0), _S1050), _S1051, _S1052);
+    var _S1055 : vec3<f32> = vec3<f32>(_S1053.blocks_warp_0);
+    var _S1056 : vec3<f32> = vec3<f32>(_S1053.blocks_weft_0);
+    var _S1057 : vec3<f32> = _S1055 * _S1053.crossing_warp_0 + _S1056 * _S1053.crossing_weft_0;
+    var _S1058 : vec3<f32> = vec3<f32>(_S1054.blocks_warp_0);
+    var _S1059 : vec3<f32> = vec3<f32>(_S1054.blocks_weft_0);
+    var _S1060 : vec3<f32> = _S1058 * _S1054.crossing_warp_0 + _S1059 * _S1054.crossing_weft_0;
+    var _S1061 : f32 = 1.0f - _S1053.open_0;
     var _S1062 : f32 = 1.0f - _S1054.open_0;
-    var _S1063 : f32 = 1.0f - _S1055.open_0;
-    var _S1064 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1065 : vec3<f32> = _S1064 / (_S1064 - _S1058 * _S1061 * vec3<f32>((_S1062 * _S1063)));
-    var _S1066 : vec3<f32> = _S1061 * (vec3<f32>(_S1054.open_0) + vec3<f32>(_S1062) * (_S1056 * _S1054.sky_warp_0 + _S1057 * _S1054.sky_weft_0)) * _S1065;
-    var _S1067 : vec3<f32> = _S1058 * (vec3<f32>(_S1055.open_0) + vec3<f32>(_S1063) * (_S1059 * _S1055.sky_warp_0 + _S1060 * _S1055.sky_weft_0)) * _S1065;
-    var _S1068 : FaceRadiance_0 = face_radiance_0(_S1054, _S1055.open_0, _S1066, _S1067);
-    var _S1069 : FaceRadiance_0 = face_radiance_0(_S1055, _S1054.open_0, _S1067, _S1066);
+    var _S1063 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1064 : vec3<f32> = _S1063 / (_S1063 - _S1057 * _S1060 * vec3<f32>((_S1061 * _S1062)));
+    var _S1065 : vec3<f32> = _S1060 * (vec3<f32>(_S1053.open_0) + vec3<f32>(_S1061) * (_S1055 * _S1053.sky_warp_0 + _S1056 * _S1053.sky_weft_0)) * _S1064;
+    var _S1066 : vec3<f32> = _S1057 * (vec3<f32>(_S1054.open_0) + vec3<f32>(_S1062) * (_S1058 * _S1054.sky_warp_0 + _S1059 * _S1054.sky_weft_0)) * _S1064;
+    var _S1067 : FaceRadiance_0 = face_radiance_0(_S1053, _S1054.open_0, _S1065, _S1066);
+    var _S1068 : FaceRadiance_0 = face_radiance_0(_S1054, _S1053.open_0, _S1066, _S1065);
     var interior_1 : Interior_0;
-    interior_1.warp_6 = _S1068.warp_5;
-    interior_1.weft_6 = _S1068.weft_5;
-    interior_1.leaked_1 = _S1068.leaked_0;
-    interior_1.far_1 = _S1069.mean_1;
-    interior_1.far_leaked_0 = _S1069.leaked_0;
+    interior_1.warp_6 = _S1067.warp_5;
+    interior_1.weft_6 = _S1067.weft_5;
+    interior_1.leaked_1 = _S1067.leaked_0;
+    interior_1.far_1 = _S1068.mean_1;
+    interior_1.far_leaked_0 = _S1068.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S1070 : u32,  _S1071 : vec3<f32>,  _S1072 : bool,  _S1073 : bool) -> Blocked_0
+fn blocked_from_0( _S1069 : u32,  _S1070 : vec3<f32>,  _S1071 : bool,  _S1072 : bool) -> Blocked_0
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S1071, &(terms_3));
-    return blocked_of_terms_0(_S1070, (select(u32(0), u32(2), _S1073) + select(u32(1), u32(0), _S1072)) * u32(15), terms_3, u32(5));
+    view_terms_0(_S1070, &(terms_3));
+    return blocked_of_terms_0(_S1069, (select(u32(0), u32(2), _S1072) + select(u32(1), u32(0), _S1071)) * u32(15), terms_3, u32(5));
 }
 
-fn warp_seen_from_0( _S1074 : u32,  _S1075 : vec3<f32>,  _S1076 : bool) -> f32
+fn warp_seen_from_0( _S1073 : u32,  _S1074 : vec3<f32>,  _S1075 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S1075, &(terms_4));
+    view_terms_1(_S1074, &(terms_4));
     var term_1 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -3793,166 +3797,166 @@ fn warp_seen_from_0( _S1074 : u32,  _S1075 : vec3<f32>,  _S1076 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S1074, u32(132) + select(u32(0), u32(5), _S1076) + term_1) * terms_4[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S1073, u32(132) + select(u32(0), u32(5), _S1075) + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S1077 : u32,  _S1078 : FamilyAlbedos_0,  _S1079 : vec3<f32>,  _S1080 : Interior_0,  _S1081 : Blocked_0,  _S1082 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S1076 : u32,  _S1077 : FamilyAlbedos_0,  _S1078 : vec3<f32>,  _S1079 : Interior_0,  _S1080 : Blocked_0,  _S1081 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S1081, scattered_by_0(_S1077, _S1078.warp_7, u32(0), _S1079), _S1080), bounced_by_0(_S1082, scattered_by_0(_S1077, _S1078.weft_7, u32(1), _S1079), _S1080));
+    return sum_of_0(bounced_by_0(_S1080, scattered_by_0(_S1076, _S1077.warp_7, u32(0), _S1078), _S1079), bounced_by_0(_S1081, scattered_by_0(_S1076, _S1077.weft_7, u32(1), _S1078), _S1079));
 }
 
-fn bounced_far_0( _S1083 : u32,  _S1084 : FamilyAlbedos_0,  _S1085 : vec3<f32>,  _S1086 : Interior_0,  _S1087 : vec3<f32>,  _S1088 : bool,  _S1089 : f32,  _S1090 : f32,  _S1091 : f32) -> Bounced_0
+fn bounced_far_0( _S1082 : u32,  _S1083 : FamilyAlbedos_0,  _S1084 : vec3<f32>,  _S1085 : Interior_0,  _S1086 : vec3<f32>,  _S1087 : bool,  _S1088 : f32,  _S1089 : f32,  _S1090 : f32) -> Bounced_0
 {
-    var _S1092 : Blocked_0 = blocked_from_0(_S1083, _S1087, true, _S1088);
-    var _S1093 : Blocked_0 = blocked_from_0(_S1083, _S1087, false, _S1088);
-    var _S1094 : f32 = _S1089 / max(1.0f - _S1092.by_warp_0 - _S1092.by_weft_0, 0.10000000149011612f);
-    var _S1095 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1083, _S1087, _S1088) + _S1094) / (_S1094 + _S1090 / max(1.0f - _S1093.by_warp_0 - _S1093.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S1096 : f32 = 1.0f - _S1091;
-    return bounced_of_families_0(_S1083, _S1084, _S1085, _S1086, scaled_0(_S1092, _S1095 * _S1096), scaled_0(_S1093, (1.0f - _S1095) * _S1096));
+    var _S1091 : Blocked_0 = blocked_from_0(_S1082, _S1086, true, _S1087);
+    var _S1092 : Blocked_0 = blocked_from_0(_S1082, _S1086, false, _S1087);
+    var _S1093 : f32 = _S1088 / max(1.0f - _S1091.by_warp_0 - _S1091.by_weft_0, 0.10000000149011612f);
+    var _S1094 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1082, _S1086, _S1087) + _S1093) / (_S1093 + _S1089 / max(1.0f - _S1092.by_warp_0 - _S1092.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S1095 : f32 = 1.0f - _S1090;
+    return bounced_of_families_0(_S1082, _S1083, _S1084, _S1085, scaled_0(_S1091, _S1094 * _S1095), scaled_0(_S1092, (1.0f - _S1094) * _S1095));
 }
 
-fn bounced_over_0( _S1097 : u32,  _S1098 : Components_0,  _S1099 : CloseUp_0,  _S1100 : FamilyAlbedos_0,  _S1101 : vec3<f32>,  _S1102 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S1096 : u32,  _S1097 : Components_0,  _S1098 : CloseUp_0,  _S1099 : FamilyAlbedos_0,  _S1100 : vec3<f32>,  _S1101 : vec3<f32>) -> Bounced_0
 {
-    var _S1103 : bool = (_S1102.z) < 0.0f;
-    var _S1104 : Interior_0 = interior_of_0(_S1097, _S1101, _S1103);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S1097, _S1100, _S1101, _S1104, to_face_frame_0(_S1102, _S1103), _S1103, _S1098.diffuse_warp_0, _S1098.diffuse_weft_0, _S1098.hole_2);
-    if((_S1099.weight_0) > 0.0f)
+    var _S1102 : bool = (_S1101.z) < 0.0f;
+    var _S1103 : Interior_0 = interior_of_0(_S1096, _S1100, _S1102);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S1096, _S1099, _S1100, _S1103, to_face_frame_0(_S1101, _S1102), _S1102, _S1097.diffuse_warp_0, _S1097.diffuse_weft_0, _S1097.hole_2);
+    if((_S1098.weight_0) > 0.0f)
     {
-        var _S1105 : Bounced_0 = bounced_of_families_0(_S1097, _S1100, _S1101, _S1104, _S1099.warp_1, _S1099.weft_1);
-        var _S1106 : vec3<f32> = vec3<f32>(_S1099.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1105.reflected_0, _S1106);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1105.transmitted_0, _S1106);
+        var _S1104 : Bounced_0 = bounced_of_families_0(_S1096, _S1099, _S1100, _S1103, _S1098.warp_1, _S1098.weft_1);
+        var _S1105 : vec3<f32> = vec3<f32>(_S1098.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1104.reflected_0, _S1105);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1104.transmitted_0, _S1105);
     }
     return bounced_2;
 }
 
-fn composed_0( _S1107 : u32,  _S1108 : Components_0,  _S1109 : CloseUp_0,  _S1110 : FamilyAlbedos_0,  _S1111 : vec3<f32>,  _S1112 : vec3<f32>,  _S1113 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S1106 : u32,  _S1107 : Components_0,  _S1108 : CloseUp_0,  _S1109 : FamilyAlbedos_0,  _S1110 : vec3<f32>,  _S1111 : vec3<f32>,  _S1112 : vec3<f32>) -> vec3<f32>
 {
-    var _S1114 : Albedos_0 = tinted_0(_S1110.warp_7, _S1111);
-    var _S1115 : Albedos_0 = tinted_0(_S1110.weft_7, _S1111);
-    var _S1116 : vec3<f32> = vec3<f32>(_S1108.diffuse_warp_0);
-    var _S1117 : vec3<f32> = vec3<f32>(_S1108.diffuse_weft_0);
-    var _S1118 : vec3<f32> = vec3<f32>(_S1108.specular_warp_0);
-    var _S1119 : vec3<f32> = vec3<f32>(_S1108.specular_weft_0);
-    var _S1120 : vec3<f32> = _S1114.diffuse_reflect_0 * _S1116 + _S1115.diffuse_reflect_0 * _S1117 + _S1114.specular_reflect_0 * _S1118 + _S1115.specular_reflect_0 * _S1119;
-    var _S1121 : f32 = _S1113.z;
+    var _S1113 : Albedos_0 = tinted_0(_S1109.warp_7, _S1110);
+    var _S1114 : Albedos_0 = tinted_0(_S1109.weft_7, _S1110);
+    var _S1115 : vec3<f32> = vec3<f32>(_S1107.diffuse_warp_0);
+    var _S1116 : vec3<f32> = vec3<f32>(_S1107.diffuse_weft_0);
+    var _S1117 : vec3<f32> = vec3<f32>(_S1107.specular_warp_0);
+    var _S1118 : vec3<f32> = vec3<f32>(_S1107.specular_weft_0);
+    var _S1119 : vec3<f32> = _S1113.diffuse_reflect_0 * _S1115 + _S1114.diffuse_reflect_0 * _S1116 + _S1113.specular_reflect_0 * _S1117 + _S1114.specular_reflect_0 * _S1118;
+    var _S1120 : f32 = _S1112.z;
     var body_0 : vec3<f32>;
-    if((_S1112.z * _S1121) < 0.0f)
+    if((_S1111.z * _S1120) < 0.0f)
     {
-        body_0 = _S1114.diffuse_transmit_0 * _S1116 + _S1115.diffuse_transmit_0 * _S1117 + _S1114.specular_transmit_0 * _S1118 + _S1115.specular_transmit_0 * _S1119;
+        body_0 = _S1113.diffuse_transmit_0 * _S1115 + _S1114.diffuse_transmit_0 * _S1116 + _S1113.specular_transmit_0 * _S1117 + _S1114.specular_transmit_0 * _S1118;
     }
     else
     {
-        body_0 = _S1120;
+        body_0 = _S1119;
     }
-    if((fabrics_0[_S1107].openness_0) != u32(4294967295))
+    if((fabrics_0[_S1106].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1107, _S1108, _S1109, _S1110, _S1111, _S1113), _S1112, _S1113);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1106, _S1107, _S1108, _S1109, _S1110, _S1112), _S1111, _S1112);
     }
-    var _S1122 : f32 = fabrics_0[_S1107].sheen_strength_0;
-    if((fabrics_0[_S1107].sheen_strength_0) <= 0.0f)
+    var _S1121 : f32 = fabrics_0[_S1106].sheen_strength_0;
+    if((fabrics_0[_S1106].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S1123 : bool = _S1121 < 0.0f;
-    var _S1124 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1112, _S1123), to_face_frame_0(_S1113, _S1123), _S1122, fabrics_0[_S1107].sheen_roughness_0);
-    return vec3<f32>(_S1124.y) * body_0 + vec3<f32>(((_S1108.light_visibility_1 + _S1108.hole_2) * _S1124.x));
+    var _S1122 : bool = _S1120 < 0.0f;
+    var _S1123 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1111, _S1122), to_face_frame_0(_S1112, _S1122), _S1121, fabrics_0[_S1106].sheen_roughness_0);
+    return vec3<f32>(_S1123.y) * body_0 + vec3<f32>(((_S1107.light_visibility_1 + _S1107.hole_2) * _S1123.x));
 }
 
-fn light_of_footprint_0( _S1125 : u32,  _S1126 : VisiblePoint_0,  _S1127 : vec2<u32>,  _S1128 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S1124 : u32,  _S1125 : VisiblePoint_0,  _S1126 : vec2<u32>,  _S1127 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.dx_0 = _S1126.draft_dx_0;
-    footprint_0.dy_0 = _S1126.draft_dy_0;
-    footprint_0.centre_0 = irregular_place_0(_S1125, _S1126.draft_0, Footprint_spread_side_0(footprint_0));
-    var _S1129 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S1130 : vec3<f32> = to_local_0(_S1126, _S1126.view_0);
-    var _S1131 : u32 = light_sample_count_0();
-    var _S1132 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.dx_0 = _S1125.draft_dx_0;
+    footprint_0.dy_0 = _S1125.draft_dy_0;
+    footprint_0.centre_0 = irregular_place_0(_S1124, _S1125.draft_0, Footprint_spread_side_0(footprint_0));
+    var _S1128 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S1129 : vec3<f32> = to_local_0(_S1125, _S1125.view_0);
+    var _S1130 : u32 = light_sample_count_0();
+    var _S1131 : vec3<f32> = vec3<f32>(0.0f);
     var number_12 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S1132;
-    var hole_7 : f32 = 0.0f;
+    var radiance_1 : vec3<f32> = _S1131;
+    var hole_8 : f32 = 0.0f;
     for(;;)
     {
-        if(number_12 < (max(_S1131, u32(1))))
+        if(number_12 < (max(_S1130, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S1133 : f32;
-        if(number_12 < _S1131)
+        var _S1132 : f32;
+        if(number_12 < _S1130)
         {
-            _S1133 = visibility_at_0(number_12, _S1127);
+            _S1132 = visibility_at_0(number_12, _S1126);
         }
         else
         {
-            _S1133 = 0.0f;
+            _S1132 = 0.0f;
         }
-        var _S1134 : bool;
-        if(_S1133 <= 0.0f)
+        var _S1133 : bool;
+        if(_S1132 <= 0.0f)
         {
-            _S1134 = number_12 > u32(0);
+            _S1133 = number_12 > u32(0);
         }
         else
         {
-            _S1134 = false;
+            _S1133 = false;
         }
-        if(_S1134)
+        if(_S1133)
         {
             number_12 = number_12 + u32(1);
             continue;
         }
-        var _S1135 : LightSample_0 = light_sample_0(number_12, _S1127, _S1126.position_4);
-        var _S1136 : vec3<f32> = to_local_0(_S1126, _S1135.towards_0);
-        var _S1137 : Estimate_0 = lobes_estimate_of_pass_0(_S1125, footprint_0, 1.0f, _S1129, _S1136, _S1130);
-        radiance_1 = radiance_1 + vec3<f32>(_S1133) * _S1135.irradiance_1 * composed_0(_S1125, _S1137.components_0, _S1137.close_0, _S1137.albedos_5, _S1128, _S1136, _S1130);
-        hole_7 = _S1137.components_0.hole_2;
+        var _S1134 : LightSample_0 = light_sample_0(number_12, _S1126, _S1125.position_4);
+        var _S1135 : vec3<f32> = to_local_0(_S1125, _S1134.towards_0);
+        var _S1136 : Estimate_0 = lobes_estimate_of_pass_0(_S1124, footprint_0, 1.0f, _S1128, _S1135, _S1129);
+        radiance_1 = radiance_1 + vec3<f32>(_S1132) * _S1134.irradiance_1 * composed_0(_S1124, _S1136.components_0, _S1136.close_0, _S1136.albedos_7, _S1127, _S1135, _S1129);
+        hole_8 = _S1136.components_0.hole_2;
         number_12 = number_12 + u32(1);
     }
-    var _S1138 : f32 = fabrics_0[_S1125].sheen_strength_0;
-    if((fabrics_0[_S1125].sheen_strength_0) > 0.0f)
+    var _S1137 : f32 = fabrics_0[_S1124].sheen_strength_0;
+    if((fabrics_0[_S1124].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S1138 * sheen_lobe_0(abs(_S1130.z), fabrics_0[_S1125].sheen_roughness_0).z);
+        hole_8 = hole_8 * (1.0f - _S1137 * sheen_lobe_0(abs(_S1129.z), fabrics_0[_S1124].sheen_roughness_0).z);
     }
-    return vec4<f32>(radiance_1, 1.0f - hole_7);
+    return vec4<f32>(radiance_1, 1.0f - hole_8);
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S1139 : u32 = id_0.x;
-    var _S1140 : bool;
-    if(_S1139 >= (frame_record_0.width_0))
+    var _S1138 : u32 = id_0.x;
+    var _S1139 : bool;
+    if(_S1138 >= (frame_record_0.width_0))
     {
-        _S1140 = true;
+        _S1139 = true;
     }
     else
     {
-        _S1140 = (id_0.y) >= (frame_record_0.height_0);
+        _S1139 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S1140)
+    if(_S1139)
     {
         return;
     }
-    var _S1141 : u32 = id_0.y * frame_record_0.width_0 + _S1139;
-    var _S1142 : u32 = layers_0[_S1141].face_0;
-    if((layers_0[_S1141].face_0) == u32(0))
+    var _S1140 : u32 = id_0.y * frame_record_0.width_0 + _S1138;
+    var _S1141 : u32 = layers_0[_S1140].face_0;
+    if((layers_0[_S1140].face_0) == u32(0))
     {
         return;
     }
-    var _S1143 : u32 = _S1142 - u32(1);
-    var _S1144 : u32 = fabric_of_0(_S1143);
-    var _S1145 : vec2<u32> = id_0.xy;
-    var _S1146 : VisiblePoint_0 = visible_point_0(_S1144, _S1143, _S1145);
-    var _S1147 : vec4<f32> = light_of_footprint_0(_S1144, _S1146, _S1145, filtered_albedo_0(_S1144, _S1146));
-    accumulate_0(_S1141, _S1147);
+    var _S1142 : u32 = _S1141 - u32(1);
+    var _S1143 : u32 = fabric_of_0(_S1142);
+    var _S1144 : vec2<u32> = id_0.xy;
+    var _S1145 : VisiblePoint_0 = visible_point_0(_S1143, _S1142, _S1144);
+    var _S1146 : vec4<f32> = light_of_footprint_0(_S1143, _S1145, _S1144, filtered_albedo_0(_S1143, _S1145));
+    accumulate_0(_S1140, _S1146);
     return;
 }
 

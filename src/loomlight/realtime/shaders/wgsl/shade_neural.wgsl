@@ -2434,38 +2434,31 @@ fn irregular_key_0( _S407 : u32,  _S408 : u32) -> u32
 
 fn irregular_place_0( _S409 : u32,  _S410 : vec2<f32>,  _S411 : f32) -> vec2<f32>
 {
-    if((fabrics_0[_S409].is_irregular_0) == u32(0))
-    {
-        return _S410;
-    }
+    var _S412 : u32 = fabrics_0[_S409].warp_0;
+    var _S413 : u32 = fabrics_0[_S409].weft_0;
+    var _S414 : bool = (((fabrics_0[_S409].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S409].warp_0, _S411), moved_share_0(fabrics_0[_S409].weft_0, _S411))) > 0.0f)));
     var number_4 : u32 = u32(0);
     var moved_0 : vec2<f32> = _S410;
     for(;;)
     {
-        if(number_4 < u32(2))
+        if(number_4 < select(u32(0), u32(2), _S414))
         {
         }
         else
         {
             break;
         }
-        var _S412 : bool = number_4 == u32(0);
-        var _S413 : u32 = select(fabrics_0[_S409].weft_0, fabrics_0[_S409].warp_0, _S412);
-        var _S414 : vec2<f32> = select_vector_1(_S412, _S410, _S410.yx);
-        var _S415 : f32 = moved_share_0(_S413, _S411);
-        if(_S415 <= 0.0f)
-        {
-            number_4 = number_4 + u32(1);
-            continue;
-        }
-        var _S416 : u32 = irregular_key_0(_S409, number_4);
-        var _S417 : f32 = _S414.x;
-        var _S418 : Cell_0 = locate_0(_S413, _S417);
-        var _S419 : f32 = irregular_thread_0(_S413, _S417, _S418);
-        var _S420 : f32 = select(1.0f, -1.0f, (_S418.across_0) < 0.0f);
-        var _S421 : vec2<f32> = vec2<f32>(0.0f);
-        var other_1 : vec2<f32> = _S421;
-        var own_1 : vec2<f32> = _S421;
+        var _S415 : bool = number_4 == u32(0);
+        var _S416 : u32 = select(_S413, _S412, _S415);
+        var _S417 : vec2<f32> = select_vector_1(_S415, _S410, _S410.yx);
+        var _S418 : u32 = irregular_key_0(_S409, number_4);
+        var _S419 : f32 = _S417.x;
+        var _S420 : Cell_0 = locate_0(_S416, _S419);
+        var _S421 : f32 = irregular_thread_0(_S416, _S419, _S420);
+        var _S422 : f32 = select(1.0f, -1.0f, (_S420.across_0) < 0.0f);
+        var _S423 : vec2<f32> = vec2<f32>(0.0f);
+        var other_1 : vec2<f32> = _S423;
+        var own_1 : vec2<f32> = _S423;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -2476,24 +2469,25 @@ fn irregular_place_0( _S409 : u32,  _S410 : vec2<f32>,  _S411 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S422 : vec2<f32> = irregular_at_0(_S413, _S416, _S419 + _S420 * f32(neighbour_0), _S414.y).xy;
-            var _S423 : u32 = neighbour_0 + u32(1);
+            var _S424 : vec2<f32> = irregular_at_0(_S416, _S418, _S421 + _S422 * f32(neighbour_0), _S417.y).xy;
+            var _S425 : u32 = neighbour_0 + u32(1);
             own_1 = other_1;
-            other_1 = _S422;
-            neighbour_0 = _S423;
+            other_1 = _S424;
+            neighbour_0 = _S425;
         }
-        var _S424 : f32 = _S418.below_0 + _S418.above_0;
-        var _S425 : f32 = min(_S418.half_width_1 / _S424, 0.5f);
-        var _S426 : f32 = min(_S425 * (2.0f + own_1.y + other_1.y), 1.0f);
-        var _S427 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
-        var _S428 : f32 = _S427.x;
-        var _S429 : f32 = _S426 * _S428 / (_S428 + _S427.y);
-        var _S430 : f32 = abs(_S418.across_0) / _S424;
-        var _S431 : f32 = 1.0f - _S426;
-        var _S432 : f32 = _S430 - _S429;
-        var _S433 : f32 = _S415 * _S420 * _S424 * (select(select((_S432 - _S431) / max(_S426 - _S429, 9.99999997475242708e-07f) * _S425 + (1.0f - _S425), _S432 / max(_S431, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S425) + _S425, _S432 < _S431), _S430 * _S425 / _S429, _S432 < 0.0f) - _S430);
-        moved_0 = moved_0 + select_vector_1(_S412, vec2<f32>(_S433, 0.0f), vec2<f32>(0.0f, _S433));
+        var _S426 : f32 = _S420.below_0 + _S420.above_0;
+        var _S427 : f32 = min(_S420.half_width_1 / _S426, 0.5f);
+        var _S428 : f32 = min(_S427 * (2.0f + own_1.y + other_1.y), 1.0f);
+        var _S429 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
+        var _S430 : f32 = _S429.x;
+        var _S431 : f32 = _S428 * _S430 / (_S430 + _S429.y);
+        var _S432 : f32 = abs(_S420.across_0) / _S426;
+        var _S433 : f32 = 1.0f - _S428;
+        var _S434 : f32 = _S432 - _S431;
+        var _S435 : f32 = moved_share_0(_S416, _S411) * _S422 * _S426 * (select(select((_S434 - _S433) / max(_S428 - _S431, 9.99999997475242708e-07f) * _S427 + (1.0f - _S427), _S434 / max(_S433, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S427) + _S427, _S434 < _S433), _S432 * _S427 / _S431, _S434 < 0.0f) - _S432);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S415, vec2<f32>(_S435, 0.0f), vec2<f32>(0.0f, _S435));
         number_4 = number_4 + u32(1);
+        moved_0 = moved_1;
     }
     return moved_0;
 }
@@ -2509,29 +2503,29 @@ struct NeuralView_0
      back_5 : bool,
 };
 
-fn anisotropic_taps_0( _S434 : u32,  _S435 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S436 : u32,  _S437 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S436 : vec3<f32> = row_of_taps_0(_S435);
-    var _S437 : vec2<f32> = _S435.dx_0;
-    var _S438 : vec2<f32> = _S435.dy_0;
-    var _S439 : f32 = dot(_S437, _S437) + dot(_S438, _S438);
-    var _S440 : f32 = _S435.dx_0.x * _S435.dy_0.y - _S435.dx_0.y * _S435.dy_0.x;
-    var _S441 : f32 = 0.5f * (_S439 + sqrt(max(_S439 * _S439 - 4.0f * _S440 * _S440, 0.0f)));
-    var _S442 : bool = ((_S441 < (5.5f * (_S439 - _S441))) & ((_S439 > (8.0f * fabrics_0[_S434].neural_0.pitch_0 * fabrics_0[_S434].neural_0.pitch_0))));
-    var _S443 : vec2<f32> = vec2<f32>(fabrics_0[_S434].neural_0.ends_per_mm_0, fabrics_0[_S434].neural_0.picks_per_mm_0);
+    var _S438 : vec3<f32> = row_of_taps_0(_S437);
+    var _S439 : vec2<f32> = _S437.dx_0;
+    var _S440 : vec2<f32> = _S437.dy_0;
+    var _S441 : f32 = dot(_S439, _S439) + dot(_S440, _S440);
+    var _S442 : f32 = _S437.dx_0.x * _S437.dy_0.y - _S437.dx_0.y * _S437.dy_0.x;
+    var _S443 : f32 = 0.5f * (_S441 + sqrt(max(_S441 * _S441 - 4.0f * _S442 * _S442, 0.0f)));
+    var _S444 : bool = ((_S443 < (5.5f * (_S441 - _S443))) & ((_S441 > (8.0f * fabrics_0[_S436].neural_0.pitch_0 * fabrics_0[_S436].neural_0.pitch_0))));
+    var _S445 : vec2<f32> = vec2<f32>(fabrics_0[_S436].neural_0.ends_per_mm_0, fabrics_0[_S436].neural_0.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S435.centre_0 * _S443;
-    taps_1.side_2 = select(_S436.x, sqrt(0.125f * _S439), _S442) / fabrics_0[_S434].neural_0.pitch_0;
-    var _S444 : vec2<f32> = vec2<f32>(0.25f);
-    var _S445 : vec2<f32> = _S436.yz;
-    taps_1.first_21 = select_vector_1(_S442, _S444 * _S435.dx_0, _S445) * _S443;
-    taps_1.second_0 = select_vector_1(_S442, _S444 * _S435.dy_0, vec2<f32>(0.5f) * _S445) * _S443;
+    taps_1.centre_1 = _S437.centre_0 * _S445;
+    taps_1.side_2 = select(_S438.x, sqrt(0.125f * _S441), _S444) / fabrics_0[_S436].neural_0.pitch_0;
+    var _S446 : vec2<f32> = vec2<f32>(0.25f);
+    var _S447 : vec2<f32> = _S438.yz;
+    taps_1.first_21 = select_vector_1(_S444, _S446 * _S437.dx_0, _S447) * _S445;
+    taps_1.second_0 = select_vector_1(_S444, _S446 * _S437.dy_0, vec2<f32>(0.5f) * _S447) * _S445;
     return taps_1;
 }
 
-fn add_texel_0( _S446 : u32,  _S447 : u32,  _S448 : f32,  _S449 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S448 : u32,  _S449 : u32,  _S450 : f32,  _S451 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S450 : u32 = fabrics_0[_S446].neural_0.latents_0 + _S447 * u32(8);
+    var _S452 : u32 = fabrics_0[_S448].neural_0.latents_0 + _S449 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -2542,34 +2536,34 @@ fn add_texel_0( _S446 : u32,  _S447 : u32,  _S448 : f32,  _S449 : ptr<function, 
         {
             break;
         }
-        var _S451 : Eight_0 = eight_halves_0(packed_numbers_0[_S450 + part_0]);
-        var _S452 : i32 = i32(u32(8) * part_0);
-        (*_S449)[_S452] = (*_S449)[_S452] + _S448 * _S451.low_0[i32(0)];
-        (*_S449)[_S452 + i32(4)] = (*_S449)[_S452 + i32(4)] + _S448 * _S451.high_0[i32(0)];
-        var _S453 : i32 = _S452 + i32(1);
-        (*_S449)[_S453] = (*_S449)[_S453] + _S448 * _S451.low_0[i32(1)];
-        (*_S449)[_S453 + i32(4)] = (*_S449)[_S453 + i32(4)] + _S448 * _S451.high_0[i32(1)];
-        var _S454 : i32 = _S452 + i32(2);
-        (*_S449)[_S454] = (*_S449)[_S454] + _S448 * _S451.low_0[i32(2)];
-        (*_S449)[_S454 + i32(4)] = (*_S449)[_S454 + i32(4)] + _S448 * _S451.high_0[i32(2)];
-        var _S455 : i32 = _S452 + i32(3);
-        (*_S449)[_S455] = (*_S449)[_S455] + _S448 * _S451.low_0[i32(3)];
-        (*_S449)[_S455 + i32(4)] = (*_S449)[_S455 + i32(4)] + _S448 * _S451.high_0[i32(3)];
+        var _S453 : Eight_0 = eight_halves_0(packed_numbers_0[_S452 + part_0]);
+        var _S454 : i32 = i32(u32(8) * part_0);
+        (*_S451)[_S454] = (*_S451)[_S454] + _S450 * _S453.low_0[i32(0)];
+        (*_S451)[_S454 + i32(4)] = (*_S451)[_S454 + i32(4)] + _S450 * _S453.high_0[i32(0)];
+        var _S455 : i32 = _S454 + i32(1);
+        (*_S451)[_S455] = (*_S451)[_S455] + _S450 * _S453.low_0[i32(1)];
+        (*_S451)[_S455 + i32(4)] = (*_S451)[_S455 + i32(4)] + _S450 * _S453.high_0[i32(1)];
+        var _S456 : i32 = _S454 + i32(2);
+        (*_S451)[_S456] = (*_S451)[_S456] + _S450 * _S453.low_0[i32(2)];
+        (*_S451)[_S456 + i32(4)] = (*_S451)[_S456 + i32(4)] + _S450 * _S453.high_0[i32(2)];
+        var _S457 : i32 = _S454 + i32(3);
+        (*_S451)[_S457] = (*_S451)[_S457] + _S450 * _S453.low_0[i32(3)];
+        (*_S451)[_S457 + i32(4)] = (*_S451)[_S457 + i32(4)] + _S450 * _S453.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S456 : u32,  _S457 : u32,  _S458 : bool,  _S459 : vec2<f32>,  _S460 : f32,  _S461 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S458 : u32,  _S459 : u32,  _S460 : bool,  _S461 : vec2<f32>,  _S462 : f32,  _S463 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S462 : Neural_std430_0 = fabrics_0[_S456].neural_0;
-    var _S463 : u32 = fabrics_0[_S456].neural_0.levels_1 + u32(4) * _S457;
-    var _S464 : f32 = table_number_0(_S463);
-    var _S465 : f32 = table_number_0(_S463 + u32(1));
-    var _S466 : f32 = table_number_0(_S463 + u32(2));
-    var _S467 : vec2<f32> = _S459 * vec2<f32>(table_number_0(_S463 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S457 > u32(3)) & ((_S457 < (fabrics_0[_S456].neural_0.top_level_0))))));
-    var _S468 : vec2<f32> = floor(_S467);
-    var _S469 : vec2<f32> = _S467 - _S468;
+    var _S464 : Neural_std430_0 = fabrics_0[_S458].neural_0;
+    var _S465 : u32 = fabrics_0[_S458].neural_0.levels_1 + u32(4) * _S459;
+    var _S466 : f32 = table_number_0(_S465);
+    var _S467 : f32 = table_number_0(_S465 + u32(1));
+    var _S468 : f32 = table_number_0(_S465 + u32(2));
+    var _S469 : vec2<f32> = _S461 * vec2<f32>(table_number_0(_S465 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S459 > u32(3)) & ((_S459 < (fabrics_0[_S458].neural_0.top_level_0))))));
+    var _S470 : vec2<f32> = floor(_S469);
+    var _S471 : vec2<f32> = _S469 - _S470;
     var corner_1 : u32 = u32(0);
     for(;;)
     {
@@ -2580,16 +2574,16 @@ fn add_level_0( _S456 : u32,  _S457 : u32,  _S458 : bool,  _S459 : vec2<f32>,  _
         {
             break;
         }
-        var _S470 : f32 = f32((corner_1 & (u32(1))));
-        var _S471 : f32 = f32((corner_1 >> (u32(1))));
-        var _S472 : vec2<f32> = mix(vec2<f32>(1.0f) - _S469, _S469, vec2<f32>(_S470, _S471));
-        add_texel_0(_S456, u32(_S464 + wrapped_0(_S468.y + _S471, _S466) * _S465 + wrapped_0(_S468.x + _S470, _S465)) + select(u32(0), _S462.texels_0, _S458), _S460 * _S472.x * _S472.y, &((*_S461)));
+        var _S472 : f32 = f32((corner_1 & (u32(1))));
+        var _S473 : f32 = f32((corner_1 >> (u32(1))));
+        var _S474 : vec2<f32> = mix(vec2<f32>(1.0f) - _S471, _S471, vec2<f32>(_S472, _S473));
+        add_texel_0(_S458, u32(_S466 + wrapped_0(_S470.y + _S473, _S468) * _S467 + wrapped_0(_S470.x + _S472, _S467)) + select(u32(0), _S464.texels_0, _S460), _S462 * _S474.x * _S474.y, &((*_S463)));
         corner_1 = corner_1 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S473 : u32,  _S474 : AnisotropicTaps_0,  _S475 : vec3<f32>,  _S476 : bool,  _S477 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S475 : u32,  _S476 : AnisotropicTaps_0,  _S477 : vec3<f32>,  _S478 : bool,  _S479 : ptr<function, array<f32, i32(88)>>)
 {
     var k_0 : i32 = i32(0);
     for(;;)
@@ -2601,28 +2595,28 @@ fn code_footprint_0( _S473 : u32,  _S474 : AnisotropicTaps_0,  _S475 : vec3<f32>
         {
             break;
         }
-        (*_S477)[k_0] = 0.0f;
+        (*_S479)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S478 : vec2<f32> = vec2<f32>(fabrics_0[_S473].neural_0.ends_0, fabrics_0[_S473].neural_0.picks_0);
-    var _S479 : f32 = f32(fabrics_0[_S473].neural_0.top_level_0);
-    var _S480 : f32 = clamp(binary_logarithm_0(max(_S474.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S479);
-    var _S481 : f32 = min(floor(_S480), _S479 - 1.0f);
-    var _S482 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S474));
+    var _S480 : vec2<f32> = vec2<f32>(fabrics_0[_S475].neural_0.ends_0, fabrics_0[_S475].neural_0.picks_0);
+    var _S481 : f32 = f32(fabrics_0[_S475].neural_0.top_level_0);
+    var _S482 : f32 = clamp(binary_logarithm_0(max(_S476.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S481);
+    var _S483 : f32 = min(floor(_S482), _S481 - 1.0f);
+    var _S484 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S476));
     var number_5 : u32 = u32(0);
     for(;;)
     {
-        if(number_5 < (u32(2) * _S482))
+        if(number_5 < (u32(2) * _S484))
         {
         }
         else
         {
             break;
         }
-        var _S483 : vec2<f32> = AnisotropicTaps_place_0(_S474, (number_5 >> (u32(1))));
-        var _S484 : bool = ((number_5 & (u32(1)))) != u32(0);
-        var _S485 : f32 = _S480 - _S481;
-        add_level_0(_S473, u32(_S481) + select(u32(0), u32(1), _S484), _S476, clamp(_S483 - _S478 * floor(_S483 / _S478), vec2<f32>(0.0f), _S478), select(1.0f - _S485, _S485, _S484) / f32(_S482), &((*_S477)));
+        var _S485 : vec2<f32> = AnisotropicTaps_place_0(_S476, (number_5 >> (u32(1))));
+        var _S486 : bool = ((number_5 & (u32(1)))) != u32(0);
+        var _S487 : f32 = _S482 - _S483;
+        add_level_0(_S475, u32(_S483) + select(u32(0), u32(1), _S486), _S478, clamp(_S485 - _S480 * floor(_S485 / _S480), vec2<f32>(0.0f), _S480), select(1.0f - _S487, _S487, _S486) / f32(_S484), &((*_S479)));
         number_5 = number_5 + u32(1);
     }
     var number_6 : i32 = i32(0);
@@ -2645,7 +2639,7 @@ fn code_footprint_0( _S473 : u32,  _S474 : AnisotropicTaps_0,  _S475 : vec3<f32>
             {
                 break;
             }
-            var offset_1 : f32 = _S475[number_6] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_1 : f32 = _S477[number_6] - (f32(bin_0) + 0.5f) / 8.0f;
             var offset_2 : f32;
             if(number_6 < i32(2))
             {
@@ -2655,7 +2649,7 @@ fn code_footprint_0( _S473 : u32,  _S474 : AnisotropicTaps_0,  _S475 : vec3<f32>
             {
                 offset_2 = offset_1;
             }
-            (*_S477)[i32(64) + number_6 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
+            (*_S479)[i32(64) + number_6 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_6 = number_6 + i32(1);
@@ -2663,25 +2657,25 @@ fn code_footprint_0( _S473 : u32,  _S474 : AnisotropicTaps_0,  _S475 : vec3<f32>
     return;
 }
 
-fn crown_fibres_0( _S486 : u32,  _S487 : bool,  _S488 : bool) -> vec3<f32>
+fn crown_fibres_0( _S488 : u32,  _S489 : bool,  _S490 : bool) -> vec3<f32>
 {
-    if(_S487)
+    if(_S489)
     {
-        return vec3<f32>(select(1.0f, -1.0f, _S488) * fabrics_0[_S486].neural_0.warp_x_0, fabrics_0[_S486].neural_0.warp_y_0, fabrics_0[_S486].neural_0.warp_roughness_0);
+        return vec3<f32>(select(1.0f, -1.0f, _S490) * fabrics_0[_S488].neural_0.warp_x_0, fabrics_0[_S488].neural_0.warp_y_0, fabrics_0[_S488].neural_0.warp_roughness_0);
     }
-    return vec3<f32>(fabrics_0[_S486].neural_0.weft_x_0, select(1.0f, -1.0f, _S488) * fabrics_0[_S486].neural_0.weft_y_0, fabrics_0[_S486].neural_0.weft_roughness_0);
+    return vec3<f32>(fabrics_0[_S488].neural_0.weft_x_0, select(1.0f, -1.0f, _S490) * fabrics_0[_S488].neural_0.weft_y_0, fabrics_0[_S488].neural_0.weft_roughness_0);
 }
 
-fn yarns_over_0( _S489 : u32,  _S490 : Footprint_0,  _S491 : bool) -> Yarns_0
+fn yarns_over_0( _S491 : u32,  _S492 : Footprint_0,  _S493 : bool) -> Yarns_0
 {
-    var _S492 : vec2<f32> = _S490.dx_0;
-    var _S493 : vec2<f32> = _S490.dy_0;
-    var _S494 : vec2<f32> = sqrt(_S492 * _S492 + _S493 * _S493);
-    var _S495 : f32 = Footprint_spread_side_0(_S490);
-    var _S496 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S496, _S496, vec3<f32>(0.0f));
+    var _S494 : vec2<f32> = _S492.dx_0;
+    var _S495 : vec2<f32> = _S492.dy_0;
+    var _S496 : vec2<f32> = sqrt(_S494 * _S494 + _S495 * _S495);
+    var _S497 : f32 = Footprint_spread_side_0(_S492);
+    var _S498 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S498, _S498, vec3<f32>(0.0f));
     yarns_1.shares_0 = vec3<f32>(1.0f);
-    if((fabrics_0[_S489].is_irregular_0) == u32(0))
+    if((fabrics_0[_S491].is_irregular_0) == u32(0))
     {
         return yarns_1;
     }
@@ -2695,60 +2689,60 @@ fn yarns_over_0( _S489 : u32,  _S490 : Footprint_0,  _S491 : bool) -> Yarns_0
         {
             break;
         }
-        var _S497 : bool = number_7 == u32(0);
-        var _S498 : u32 = select(fabrics_0[_S489].weft_0, fabrics_0[_S489].warp_0, _S497);
-        var _S499 : vec2<f32> = select_vector_1(_S497, _S490.centre_0, _S490.centre_0.yx);
-        var _S500 : vec2<f32> = select_vector_1(_S497, _S494, _S494.yx);
-        var _S501 : f32 = _S499.x;
-        var _S502 : Cell_0 = locate_0(_S498, _S501);
-        var yarn_1 : vec4<f32> = irregular_over_0(_S498, irregular_key_0(_S489, number_7), irregular_thread_0(_S498, _S501, _S502) + _S502.below_0 / (_S502.below_0 + _S502.above_0), _S500.x * (families_0[_S498].count_0 / families_0[_S498].period_0), _S499.y, _S500.y);
-        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S498, _S495));
+        var _S499 : bool = number_7 == u32(0);
+        var _S500 : u32 = select(fabrics_0[_S491].weft_0, fabrics_0[_S491].warp_0, _S499);
+        var _S501 : vec2<f32> = select_vector_1(_S499, _S492.centre_0, _S492.centre_0.yx);
+        var _S502 : vec2<f32> = select_vector_1(_S499, _S496, _S496.yx);
+        var _S503 : f32 = _S501.x;
+        var _S504 : Cell_0 = locate_0(_S500, _S503);
+        var yarn_1 : vec4<f32> = irregular_over_0(_S500, irregular_key_0(_S491, number_7), irregular_thread_0(_S500, _S503, _S504) + _S504.below_0 / (_S504.below_0 + _S504.above_0), _S502.x * (families_0[_S500].count_0 / families_0[_S500].period_0), _S501.y, _S502.y);
+        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S500, _S497));
         yarns_1.warp_1 = yarns_1.weft_1;
         yarns_1.weft_1 = yarn_1;
         number_7 = number_7 + u32(1);
     }
-    var _S503 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S489].warp_0].cover_0, families_0[fabrics_0[_S489].weft_0].cover_0);
-    var _S504 : f32 = select(fabrics_0[_S489].warp_on_top_0, 1.0f - fabrics_0[_S489].warp_on_top_0, _S491);
-    var _S505 : vec3<f32> = shown_of_covers_0(_S503, _S504);
-    var _S506 : vec3<f32> = shown_of_covers_0(saturate(_S503 + _S503 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S504) / max(_S505, vec3<f32>(0.00009999999747379f));
-    yarns_1.shares_0 = _S506;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S506.z, (_S505.z) > 0.00009999999747379f);
+    var _S505 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S491].warp_0].cover_0, families_0[fabrics_0[_S491].weft_0].cover_0);
+    var _S506 : f32 = select(fabrics_0[_S491].warp_on_top_0, 1.0f - fabrics_0[_S491].warp_on_top_0, _S493);
+    var _S507 : vec3<f32> = shown_of_covers_0(_S505, _S506);
+    var _S508 : vec3<f32> = shown_of_covers_0(saturate(_S505 + _S505 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S506) / max(_S507, vec3<f32>(0.00009999999747379f));
+    yarns_1.shares_0 = _S508;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S508.z, (_S507.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn neural_view_0( _S507 : u32,  _S508 : Footprint_0,  _S509 : vec3<f32>,  _S510 : ptr<function, NeuralView_0>)
+fn neural_view_0( _S509 : u32,  _S510 : Footprint_0,  _S511 : vec3<f32>,  _S512 : ptr<function, NeuralView_0>)
 {
-    var _S511 : bool = (_S509.z) < 0.0f;
-    var _S512 : AnisotropicTaps_0 = anisotropic_taps_0(_S507, _S508);
-    var _S513 : vec3<f32> = footprint_coordinates_0(_S512);
-    var _S514 : vec3<f32> = to_face_frame_0(_S509, _S511);
+    var _S513 : bool = (_S511.z) < 0.0f;
+    var _S514 : AnisotropicTaps_0 = anisotropic_taps_0(_S509, _S510);
+    var _S515 : vec3<f32> = footprint_coordinates_0(_S514);
+    var _S516 : vec3<f32> = to_face_frame_0(_S511, _S513);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S507].neural_0.network_0;
+    weights_23.first_2 = fabrics_0[_S509].neural_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S507, _S512, _S513, _S511, &(inputs_23));
+    code_footprint_0(_S509, _S514, _S515, _S513, &(inputs_23));
     var hidden_1 : array<f32, i32(96)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(100)>;
     dense_part_8(weights_23, u32(1068), false, &(hidden_1), &(fused_0));
-    fused_0[i32(96)] = _S514.x;
-    fused_0[i32(97)] = _S514.y;
-    var _S515 : vec2<f32> = _S514.xy;
-    fused_0[i32(98)] = dot(crown_fibres_0(_S507, true, _S511).xy, _S515);
-    fused_0[i32(99)] = dot(crown_fibres_0(_S507, false, _S511).xy, _S515);
+    fused_0[i32(96)] = _S516.x;
+    fused_0[i32(97)] = _S516.y;
+    var _S517 : vec2<f32> = _S516.xy;
+    fused_0[i32(98)] = dot(crown_fibres_0(_S509, true, _S513).xy, _S517);
+    fused_0[i32(99)] = dot(crown_fibres_0(_S509, false, _S513).xy, _S517);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
     var hole_1 : array<f32, i32(1)>;
     dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
-    var _S516 : array<f32, i32(96)> = (*_S510).sums_9;
-    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S516));
-    (*_S510).sums_9 = _S516;
-    var _S517 : f32 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
-    (*_S510).even_hole_0 = _S517;
-    (*_S510).yarns_0 = yarns_over_0(_S507, _S508, _S511);
-    (*_S510).hole_0 = min(_S517 * (*_S510).yarns_0.shares_0.z, 1.0f);
-    (*_S510).correction_weight_0 = correction_weight_of_0(_S513.z);
-    (*_S510).view_7 = _S514;
-    (*_S510).back_5 = _S511;
+    var _S518 : array<f32, i32(96)> = (*_S512).sums_9;
+    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S518));
+    (*_S512).sums_9 = _S518;
+    var _S519 : f32 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
+    (*_S512).even_hole_0 = _S519;
+    (*_S512).yarns_0 = yarns_over_0(_S509, _S510, _S513);
+    (*_S512).hole_0 = min(_S519 * (*_S512).yarns_0.shares_0.z, 1.0f);
+    (*_S512).correction_weight_0 = correction_weight_of_0(_S515.z);
+    (*_S512).view_7 = _S516;
+    (*_S512).back_5 = _S513;
     return;
 }
 
@@ -2758,47 +2752,47 @@ struct FamilyAlbedos_0
      weft_6 : Albedos_0,
 };
 
-fn albedos_over_0( _S518 : u32,  _S519 : Footprint_0,  _S520 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S520 : u32,  _S521 : Footprint_0,  _S522 : bool) -> FamilyAlbedos_0
 {
-    var _S521 : vec2<f32> = _S519.dx_0;
-    var _S522 : vec2<f32> = _S519.dy_0;
-    var _S523 : vec2<f32> = sqrt(_S521 * _S521 + _S522 * _S522);
-    var _S524 : Stretch_0 = stretch_of_0(fabrics_0[_S518].warp_0, _S519.centre_0.x, _S523.x);
-    var _S525 : Stretch_0 = stretch_of_0(fabrics_0[_S518].weft_0, _S519.centre_0.y, _S523.y);
+    var _S523 : vec2<f32> = _S521.dx_0;
+    var _S524 : vec2<f32> = _S521.dy_0;
+    var _S525 : vec2<f32> = sqrt(_S523 * _S523 + _S524 * _S524);
+    var _S526 : Stretch_0 = stretch_of_0(fabrics_0[_S520].warp_0, _S521.centre_0.x, _S525.x);
+    var _S527 : Stretch_0 = stretch_of_0(fabrics_0[_S520].weft_0, _S521.centre_0.y, _S525.y);
     var albedos_4 : FamilyAlbedos_0;
-    albedos_4.warp_6 = mean_albedos_0(fabrics_0[_S518].warp_0, fabrics_0[_S518].weft_0, _S524, _S525, _S520);
-    albedos_4.weft_6 = mean_albedos_0(fabrics_0[_S518].weft_0, fabrics_0[_S518].warp_0, _S525, _S524, _S520);
+    albedos_4.warp_6 = mean_albedos_0(fabrics_0[_S520].warp_0, fabrics_0[_S520].weft_0, _S526, _S527, _S522);
+    albedos_4.weft_6 = mean_albedos_0(fabrics_0[_S520].weft_0, fabrics_0[_S520].warp_0, _S527, _S526, _S522);
     return albedos_4;
 }
 
-fn toned_0( _S526 : u32,  _S527 : u32,  _S528 : Albedos_0,  _S529 : vec4<f32>) -> Albedos_0
+fn toned_0( _S528 : u32,  _S529 : u32,  _S530 : Albedos_0,  _S531 : vec4<f32>) -> Albedos_0
 {
-    var _S530 : vec3<f32> = _S528.diffuse_reflect_0 + _S528.diffuse_transmit_0;
-    var _S531 : vec3<f32> = vec3<f32>(1.0f);
-    var _S532 : vec3<f32> = _S531 - vec3<f32>(fabrics_0[_S526].layer_bound_0) * max(_S528.specular_reflect_0, _S528.specular_transmit_0);
-    var _S533 : vec3<f32> = vec3<f32>(0.0f);
-    var _S534 : vec3<f32> = max(_S531 - _S530, _S533) / (_S531 + _S530);
-    var _S535 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S536 : vec3<f32> = (_S532 / max(_S530, _S535) - _S531) / max(vec3<f32>(0.89999997615814209f) * _S534, _S535);
-    var _S537 : vec3<f32> = _S531 - vec3<f32>((saturate(min(min(_S536.x, _S536.y), _S536.z)) * _S529.z)) * _S534;
-    var _S538 : vec3<f32> = min(vec3<f32>(families_0[_S527].nep_red_0, families_0[_S527].nep_green_0, families_0[_S527].nep_blue_0), _S532);
-    var found_1 : Albedos_0 = _S528;
-    var _S539 : f32 = _S529.w;
-    var _S540 : vec3<f32> = _S537 * _S528.diffuse_transmit_0 * vec3<f32>((1.0f - _S539));
-    found_1.diffuse_transmit_0 = _S540;
-    found_1.diffuse_reflect_0 = clamp(mix(_S537 * _S528.diffuse_reflect_0, _S538, vec3<f32>(_S539)), _S533, max(_S532 - _S540, _S533));
+    var _S532 : vec3<f32> = _S530.diffuse_reflect_0 + _S530.diffuse_transmit_0;
+    var _S533 : vec3<f32> = vec3<f32>(1.0f);
+    var _S534 : vec3<f32> = _S533 - vec3<f32>(fabrics_0[_S528].layer_bound_0) * max(_S530.specular_reflect_0, _S530.specular_transmit_0);
+    var _S535 : vec3<f32> = vec3<f32>(0.0f);
+    var _S536 : vec3<f32> = max(_S533 - _S532, _S535) / (_S533 + _S532);
+    var _S537 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S538 : vec3<f32> = (_S534 / max(_S532, _S537) - _S533) / max(vec3<f32>(0.89999997615814209f) * _S536, _S537);
+    var _S539 : vec3<f32> = _S533 - vec3<f32>((saturate(min(min(_S538.x, _S538.y), _S538.z)) * _S531.z)) * _S536;
+    var _S540 : vec3<f32> = min(vec3<f32>(families_0[_S529].nep_red_0, families_0[_S529].nep_green_0, families_0[_S529].nep_blue_0), _S534);
+    var found_1 : Albedos_0 = _S530;
+    var _S541 : f32 = _S531.w;
+    var _S542 : vec3<f32> = _S539 * _S530.diffuse_transmit_0 * vec3<f32>((1.0f - _S541));
+    found_1.diffuse_transmit_0 = _S542;
+    found_1.diffuse_reflect_0 = clamp(mix(_S539 * _S530.diffuse_reflect_0, _S540, vec3<f32>(_S541)), _S535, max(_S534 - _S542, _S535));
     return found_1;
 }
 
-fn with_tones_0( _S541 : u32,  _S542 : FamilyAlbedos_0,  _S543 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S543 : u32,  _S544 : FamilyAlbedos_0,  _S545 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S541].is_irregular_0) == u32(0))
+    if((fabrics_0[_S543].is_irregular_0) == u32(0))
     {
-        return _S542;
+        return _S544;
     }
     var result_2 : FamilyAlbedos_0;
-    result_2.warp_6 = toned_0(_S541, fabrics_0[_S541].warp_0, _S542.warp_6, _S543.warp_1);
-    result_2.weft_6 = toned_0(_S541, fabrics_0[_S541].weft_0, _S542.weft_6, _S543.weft_1);
+    result_2.warp_6 = toned_0(_S543, fabrics_0[_S543].warp_0, _S544.warp_6, _S545.warp_1);
+    result_2.weft_6 = toned_0(_S543, fabrics_0[_S543].weft_0, _S544.weft_6, _S545.weft_1);
     return result_2;
 }
 
@@ -2807,13 +2801,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S544 : u32,  _S545 : vec2<u32>) -> f32
+fn visibility_at_0( _S546 : u32,  _S547 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S544 * frame_record_0.height_0 + _S545.y) * frame_record_0.width_0 + _S545.x];
+    return visibilities_0[(_S546 * frame_record_0.height_0 + _S547.y) * frame_record_0.width_0 + _S547.x];
 }
 
 struct LightSample_0
@@ -2823,52 +2817,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S546 : u32,  _S547 : u32) -> vec3<f32>
+fn environment_texel_0( _S548 : u32,  _S549 : u32) -> vec3<f32>
 {
-    var _S548 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S546 * frame_record_0.environment_columns_0 + _S547);
-    return vec3<f32>(scene_number_0(_S548), scene_number_0(_S548 + u32(1)), scene_number_0(_S548 + u32(2)));
+    var _S550 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S548 * frame_record_0.environment_columns_0 + _S549);
+    return vec3<f32>(scene_number_0(_S550), scene_number_0(_S550 + u32(1)), scene_number_0(_S550 + u32(2)));
 }
 
-fn sample_environment_0( _S549 : vec2<f32>,  _S550 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S551 : vec2<f32>,  _S552 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S551 : u32 = frame_record_0.environment_rows_0;
-    var _S552 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S549.y);
-    var _S553 : u32 = frame_record_0.environment_columns_0;
-    var _S554 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S552.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S549.x);
-    var _S555 : vec3<f32> = environment_texel_0(_S552.index_7, _S554.index_7);
-    (*_S550) = _S555 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S555), 9.99999968265522539e-21f)));
-    var _S556 : f32 = 3.14159274101257324f / f32(_S551);
-    var _S557 : f32 = mix(sine_cosine_0(f32(_S552.index_7) * _S556).y, sine_cosine_0(f32(_S552.index_7 + u32(1)) * _S556).y, _S552.remainder_0);
-    var _S558 : f32 = sqrt(max(1.0f - _S557 * _S557, 0.0f));
-    var _S559 : vec2<f32> = sine_cosine_0((f32(_S554.index_7) + _S554.remainder_0) * (6.28318548202514648f / f32(_S553)));
-    var _S560 : f32 = _S558 * _S559.x;
-    var _S561 : f32 = - _S558 * _S559.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S560 + frame_record_0.environment_sine_0 * _S561, _S557, frame_record_0.environment_cosine_0 * _S561 - frame_record_0.environment_sine_0 * _S560);
+    var _S553 : u32 = frame_record_0.environment_rows_0;
+    var _S554 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S551.y);
+    var _S555 : u32 = frame_record_0.environment_columns_0;
+    var _S556 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S554.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S551.x);
+    var _S557 : vec3<f32> = environment_texel_0(_S554.index_7, _S556.index_7);
+    (*_S552) = _S557 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S557), 9.99999968265522539e-21f)));
+    var _S558 : f32 = 3.14159274101257324f / f32(_S553);
+    var _S559 : f32 = mix(sine_cosine_0(f32(_S554.index_7) * _S558).y, sine_cosine_0(f32(_S554.index_7 + u32(1)) * _S558).y, _S554.remainder_0);
+    var _S560 : f32 = sqrt(max(1.0f - _S559 * _S559, 0.0f));
+    var _S561 : vec2<f32> = sine_cosine_0((f32(_S556.index_7) + _S556.remainder_0) * (6.28318548202514648f / f32(_S555)));
+    var _S562 : f32 = _S560 * _S561.x;
+    var _S563 : f32 = - _S560 * _S561.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S562 + frame_record_0.environment_sine_0 * _S563, _S559, frame_record_0.environment_cosine_0 * _S563 - frame_record_0.environment_sine_0 * _S562);
 }
 
-fn light_sample_0( _S562 : u32,  _S563 : vec2<u32>,  _S564 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S564 : u32,  _S565 : vec2<u32>,  _S566 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S565 : u32 = frame_record_0.lights_0;
-    if(_S562 >= (frame_record_0.lights_0))
+    var _S567 : u32 = frame_record_0.lights_0;
+    if(_S564 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S566 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S563, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S562 - _S565), u32(3)), &(weight_3));
-        sample_0.towards_0 = _S566;
+        var _S568 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S565, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S564 - _S567), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S568;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S567 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S562);
-    sample_0.irradiance_1 = vec3<f32>(_S567.red_0, _S567.green_0, _S567.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S567.x_9, _S567.y_1, _S567.z_1);
-    if((_S567.is_point_0) != u32(0))
+    var _S569 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S564);
+    sample_0.irradiance_1 = vec3<f32>(_S569.red_0, _S569.green_0, _S569.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S569.x_9, _S569.y_1, _S569.z_1);
+    if((_S569.is_point_0) != u32(0))
     {
-        var _S568 : vec3<f32> = sample_0.towards_0 - _S564;
-        var _S569 : f32 = max(square_0(_S568), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S569);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S569);
-        sample_0.towards_0 = normalize(_S568);
+        var _S570 : vec3<f32> = sample_0.towards_0 - _S566;
+        var _S571 : f32 = max(square_0(_S570), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S571);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S571);
+        sample_0.towards_0 = normalize(_S570);
     }
     return sample_0;
 }
@@ -2883,16 +2877,16 @@ struct Components_0
      hole_2 : f32,
 };
 
-fn code_light_0( _S570 : u32,  _S571 : vec3<f32>,  _S572 : vec3<f32>,  _S573 : bool,  _S574 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S572 : u32,  _S573 : vec3<f32>,  _S574 : vec3<f32>,  _S575 : bool,  _S576 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S574)[i32(0)] = _S571.x;
-    (*_S574)[i32(1)] = _S571.y;
-    (*_S574)[i32(2)] = _S571.z;
-    var _S575 : vec3<f32> = _S571 + _S572;
-    var _S576 : f32 = _S575.z;
-    var _S577 : f32 = _S576 * _S576 + 0.00009999999747379f;
-    var _S578 : vec2<f32> = _S575.xy;
-    var _S579 : f32 = 1.0f / (dot(_S578, _S578) + _S577);
+    (*_S576)[i32(0)] = _S573.x;
+    (*_S576)[i32(1)] = _S573.y;
+    (*_S576)[i32(2)] = _S573.z;
+    var _S577 : vec3<f32> = _S573 + _S574;
+    var _S578 : f32 = _S577.z;
+    var _S579 : f32 = _S578 * _S578 + 0.00009999999747379f;
+    var _S580 : vec2<f32> = _S577.xy;
+    var _S581 : f32 = 1.0f / (dot(_S580, _S580) + _S579);
     var family_16 : i32 = i32(0);
     for(;;)
     {
@@ -2903,12 +2897,12 @@ fn code_light_0( _S570 : u32,  _S571 : vec3<f32>,  _S572 : vec3<f32>,  _S573 : b
         {
             break;
         }
-        var _S580 : vec3<f32> = crown_fibres_0(_S570, family_16 == i32(0), _S573);
-        var _S581 : vec2<f32> = _S580.xy;
-        (*_S574)[i32(3) + family_16] = dot(_S581, _S571.xy);
-        var _S582 : f32 = dot(_S581, _S578);
-        var _S583 : f32 = _S582 * _S582;
-        var _S584 : f32 = (0.75f * _S582 / (0.5f * sqrt(_S583 + _S577) + abs(_S582)) + 0.5f) * 8.0f;
+        var _S582 : vec3<f32> = crown_fibres_0(_S572, family_16 == i32(0), _S575);
+        var _S583 : vec2<f32> = _S582.xy;
+        (*_S576)[i32(3) + family_16] = dot(_S583, _S573.xy);
+        var _S584 : f32 = dot(_S583, _S580);
+        var _S585 : f32 = _S584 * _S584;
+        var _S586 : f32 = (0.75f * _S584 / (0.5f * sqrt(_S585 + _S579) + abs(_S584)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -2919,26 +2913,26 @@ fn code_light_0( _S570 : u32,  _S571 : vec3<f32>,  _S572 : vec3<f32>,  _S573 : b
             {
                 break;
             }
-            (*_S574)[i32(5) + family_16 * i32(16) + bin_1] = bump_0(_S584 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S576)[i32(5) + family_16 * i32(16) + bin_1] = bump_0(_S586 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S585 : f32 = _S580.z;
-        var _S586 : f32 = _S585 * _S585;
-        var _S587 : f32 = _S583 * _S579 * (1.0f - _S586) + _S586;
-        (*_S574)[i32(37) + family_16] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S586 * _S585 / (_S587 * _S587));
+        var _S587 : f32 = _S582.z;
+        var _S588 : f32 = _S587 * _S587;
+        var _S589 : f32 = _S585 * _S581 * (1.0f - _S588) + _S588;
+        (*_S576)[i32(37) + family_16] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S588 * _S587 / (_S589 * _S589));
         family_16 = family_16 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S588 : u32,  _S589 : u32,  _S590 : u32,  _S591 : vec3<f32>,  _S592 : vec3<f32>,  _S593 : bool,  _S594 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S590 : u32,  _S591 : u32,  _S592 : u32,  _S593 : vec3<f32>,  _S594 : vec3<f32>,  _S595 : bool,  _S596 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S595 : vec3<f32> = _S591 + _S592;
-    var _S596 : f32 = 1.0f / (square_0(_S595) + 0.00009999999747379f);
-    var _S597 : f32 = _S595.x;
-    var _S598 : f32 = select(_S597, - _S597, ((_S589 == u32(0)) & (_S593)));
-    var _S599 : f32 = _S595.y;
-    var _S600 : f32 = select(_S599, - _S599, ((_S589 == u32(1)) & (_S593)));
+    var _S597 : vec3<f32> = _S593 + _S594;
+    var _S598 : f32 = 1.0f / (square_0(_S597) + 0.00009999999747379f);
+    var _S599 : f32 = _S597.x;
+    var _S600 : f32 = select(_S599, - _S599, ((_S591 == u32(0)) & (_S595)));
+    var _S601 : f32 = _S597.y;
+    var _S602 : f32 = select(_S601, - _S601, ((_S591 == u32(1)) & (_S595)));
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
     for(;;)
@@ -2950,46 +2944,42 @@ fn mixed_bundles_0( _S588 : u32,  _S589 : u32,  _S590 : u32,  _S591 : vec3<f32>,
         {
             break;
         }
-        var _S601 : u32 = _S589 * u32(25);
-        var _S602 : u32 = fabrics_0[_S588].neural_0.bundles_0 + u32(4) * (_S601 + bundle_1);
-        var _S603 : f32 = dot(vec3<f32>(table_number_0(_S602), table_number_0(_S602 + u32(1)), table_number_0(_S602 + u32(2))), vec3<f32>(_S598, _S600, _S595.z));
-        var _S604 : f32 = _S603 * _S603 * _S596 + table_number_0(_S602 + u32(3));
-        var sum_3 : f32 = sum_2 + max((*_S594)[_S590 + _S601 + select(bundle_1, mirrored_bundle_0(bundle_1), _S593)], (*_S594)[_S590 + _S601 + select(bundle_1, mirrored_bundle_0(bundle_1), _S593)] * 0.00999999977648258f) / (_S604 * _S604);
+        var _S603 : u32 = _S591 * u32(25);
+        var _S604 : u32 = fabrics_0[_S590].neural_0.bundles_0 + u32(4) * (_S603 + bundle_1);
+        var _S605 : f32 = dot(vec3<f32>(table_number_0(_S604), table_number_0(_S604 + u32(1)), table_number_0(_S604 + u32(2))), vec3<f32>(_S600, _S602, _S597.z));
+        var _S606 : f32 = _S605 * _S605 * _S598 + table_number_0(_S604 + u32(3));
+        var sum_3 : f32 = sum_2 + max((*_S596)[_S592 + _S603 + select(bundle_1, mirrored_bundle_0(bundle_1), _S595)], (*_S596)[_S592 + _S603 + select(bundle_1, mirrored_bundle_0(bundle_1), _S595)] * 0.00999999977648258f) / (_S606 * _S606);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn with_shares_0( _S605 : u32,  _S606 : Components_0,  _S607 : Yarns_0) -> Components_0
+fn with_shares_0( _S607 : u32,  _S608 : Components_0,  _S609 : Yarns_0) -> Components_0
 {
-    if((fabrics_0[_S605].is_irregular_0) == u32(0))
-    {
-        return _S606;
-    }
     var result_3 : Components_0;
-    var _S608 : f32 = min(_S606.hole_2 * _S607.shares_0.z, 1.0f);
-    result_3.hole_2 = _S608;
-    var _S609 : f32 = _S607.shares_0.x;
-    result_3.diffuse_warp_0 = _S606.diffuse_warp_0 * _S609;
-    var _S610 : f32 = _S607.shares_0.y;
-    result_3.diffuse_weft_0 = _S606.diffuse_weft_0 * _S610;
-    result_3.specular_warp_0 = _S606.specular_warp_0 * _S609;
-    result_3.specular_weft_0 = _S606.specular_weft_0 * _S610;
-    result_3.light_visibility_1 = _S606.light_visibility_1 * (1.0f - _S608) / max(1.0f - _S606.hole_2, 9.99999997475242708e-07f);
+    var _S610 : f32 = min(_S608.hole_2 * _S609.shares_0.z, 1.0f);
+    result_3.hole_2 = _S610;
+    var _S611 : f32 = _S609.shares_0.x;
+    result_3.diffuse_warp_0 = _S608.diffuse_warp_0 * _S611;
+    var _S612 : f32 = _S609.shares_0.y;
+    result_3.diffuse_weft_0 = _S608.diffuse_weft_0 * _S612;
+    result_3.specular_warp_0 = _S608.specular_warp_0 * _S611;
+    result_3.specular_weft_0 = _S608.specular_weft_0 * _S612;
+    result_3.light_visibility_1 = _S608.light_visibility_1 * select(1.0f, (1.0f - _S610) / max(1.0f - _S608.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S607].is_irregular_0) != u32(0));
     return result_3;
 }
 
-fn neural_components_0( _S611 : u32,  _S612 : ptr<function, NeuralView_0>,  _S613 : vec3<f32>) -> Components_0
+fn neural_components_0( _S613 : u32,  _S614 : ptr<function, NeuralView_0>,  _S615 : vec3<f32>) -> Components_0
 {
-    var _S614 : bool = (*_S612).back_5;
-    var _S615 : vec3<f32> = to_face_frame_0(_S613, (*_S612).back_5);
-    var _S616 : vec3<f32> = (*_S612).view_7;
+    var _S616 : bool = (*_S614).back_5;
+    var _S617 : vec3<f32> = to_face_frame_0(_S615, (*_S614).back_5);
+    var _S618 : vec3<f32> = (*_S614).view_7;
     var weights_24 : HalfWeights_0;
-    var _S617 : Neural_std430_0 = fabrics_0[_S611].neural_0;
-    weights_24.first_2 = fabrics_0[_S611].neural_0.network_0;
+    var _S619 : Neural_std430_0 = fabrics_0[_S613].neural_0;
+    weights_24.first_2 = fabrics_0[_S613].neural_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S611, _S615, (*_S612).view_7, (*_S612).back_5, &(directions_0));
+    code_light_0(_S613, _S617, (*_S614).view_7, (*_S614).back_5, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -3001,7 +2991,7 @@ fn neural_components_0( _S611 : u32,  _S612 : ptr<function, NeuralView_0>,  _S61
         {
             break;
         }
-        skip_0[k_1] = (*_S612).sums_9[k_1];
+        skip_0[k_1] = (*_S614).sums_9[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
@@ -3061,27 +3051,27 @@ fn neural_components_0( _S611 : u32,  _S612 : ptr<function, NeuralView_0>,  _S61
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(7700), false, &(hidden_2), &(outputs_17));
-    var _S618 : bool;
-    if((_S617.is_corrected_0) != u32(0))
+    var _S620 : bool;
+    if((_S619.is_corrected_0) != u32(0))
     {
-        _S618 = (_S615.z) > 0.0f;
+        _S620 = (_S617.z) > 0.0f;
     }
     else
     {
-        _S618 = false;
+        _S620 = false;
     }
-    if(_S618)
+    if(_S620)
     {
-        _S618 = ((*_S612).correction_weight_0) > 0.0f;
+        _S620 = ((*_S614).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S618 = false;
+        _S620 = false;
     }
-    if(_S618)
+    if(_S620)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S617.correction_0;
+        fitted_0.first_0 = _S619.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -3094,114 +3084,114 @@ fn neural_components_0( _S611 : u32,  _S612 : ptr<function, NeuralView_0>,  _S61
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S612).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S614).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    var _S619 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S615.z) > 0.0f);
+    var _S621 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S617.z) > 0.0f);
     var result_4 : Components_0;
-    var _S620 : f32 = unmapped_0(outputs_17[i32(0)], _S619);
-    result_4.diffuse_warp_0 = _S620;
-    var _S621 : f32 = unmapped_0(outputs_17[i32(1)], _S619);
-    result_4.diffuse_weft_0 = _S621;
-    var _S622 : f32 = 2979.9580078125f * _S619;
-    var _S623 : f32 = mixed_bundles_0(_S611, u32(0), u32(2), _S615, _S616, _S614, &(outputs_17));
-    result_4.specular_warp_0 = clamp(_S623, 0.0f, _S622);
-    var _S624 : f32 = mixed_bundles_0(_S611, u32(1), u32(2), _S615, _S616, _S614, &(outputs_17));
-    result_4.specular_weft_0 = clamp(_S624, 0.0f, _S622);
-    result_4.hole_2 = (*_S612).even_hole_0;
-    result_4.light_visibility_1 = min(light_visibility_of_0(_S620 + _S621, _S615, _S616, fabrics_0[_S611].diffuse_blend_0), 1.0f - (*_S612).even_hole_0);
-    return with_shares_0(_S611, result_4, (*_S612).yarns_0);
+    var _S622 : f32 = unmapped_0(outputs_17[i32(0)], _S621);
+    result_4.diffuse_warp_0 = _S622;
+    var _S623 : f32 = unmapped_0(outputs_17[i32(1)], _S621);
+    result_4.diffuse_weft_0 = _S623;
+    var _S624 : f32 = 2979.9580078125f * _S621;
+    var _S625 : f32 = mixed_bundles_0(_S613, u32(0), u32(2), _S617, _S618, _S616, &(outputs_17));
+    result_4.specular_warp_0 = clamp(_S625, 0.0f, _S624);
+    var _S626 : f32 = mixed_bundles_0(_S613, u32(1), u32(2), _S617, _S618, _S616, &(outputs_17));
+    result_4.specular_weft_0 = clamp(_S626, 0.0f, _S624);
+    result_4.hole_2 = (*_S614).even_hole_0;
+    result_4.light_visibility_1 = min(light_visibility_of_0(_S622 + _S623, _S617, _S618, fabrics_0[_S613].diffuse_blend_0), 1.0f - (*_S614).even_hole_0);
+    return with_shares_0(_S613, result_4, (*_S614).yarns_0);
 }
 
-fn openness_number_0( _S625 : u32,  _S626 : u32) -> f32
+fn openness_number_0( _S627 : u32,  _S628 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S625].openness_0 + _S626);
+    return table_number_0(fabrics_0[_S627].openness_0 + _S628);
 }
 
-fn scattered_by_0( _S627 : u32,  _S628 : Albedos_0,  _S629 : u32,  _S630 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S629 : u32,  _S630 : Albedos_0,  _S631 : u32,  _S632 : vec3<f32>) -> Scattered_0
 {
-    var _S631 : u32 = u32(159) + u32(2) * _S629;
+    var _S633 : u32 = u32(159) + u32(2) * _S631;
     var yarn_2 : Scattered_0;
-    yarn_2.back_4 = _S630 * _S628.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S627, _S631)) * _S628.specular_reflect_0;
-    yarn_2.through_0 = _S630 * _S628.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S627, _S631 + u32(1))) * _S628.specular_transmit_0;
+    yarn_2.back_4 = _S632 * _S630.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S629, _S633)) * _S630.specular_reflect_0;
+    yarn_2.through_0 = _S632 * _S630.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S629, _S633 + u32(1))) * _S630.specular_transmit_0;
     return yarn_2;
 }
 
-fn sent_0( _S632 : u32,  _S633 : u32,  _S634 : vec3<f32>,  _S635 : vec3<f32>,  _S636 : vec3<f32>,  _S637 : vec3<f32>,  _S638 : ptr<function, vec3<f32>>,  _S639 : ptr<function, vec3<f32>>)
+fn sent_0( _S634 : u32,  _S635 : u32,  _S636 : vec3<f32>,  _S637 : vec3<f32>,  _S638 : vec3<f32>,  _S639 : vec3<f32>,  _S640 : ptr<function, vec3<f32>>,  _S641 : ptr<function, vec3<f32>>)
 {
-    var _S640 : u32 = u32(146) + u32(4) * _S633;
-    var _S641 : f32 = openness_number_0(_S632, _S640 + u32(1));
-    var _S642 : f32 = openness_number_0(_S632, _S640 + u32(2));
-    var _S643 : vec3<f32> = vec3<f32>(1.0f);
-    var _S644 : vec3<f32> = _S643 - _S636 * vec3<f32>(openness_number_0(_S632, _S640));
-    var _S645 : vec3<f32> = _S643 - _S637 * vec3<f32>(openness_number_0(_S632, _S640 + u32(3)));
-    var _S646 : vec3<f32> = _S643 / (_S644 * _S645 - _S636 * _S637 * vec3<f32>((_S641 * _S642)));
-    (*_S638) = (_S634 * _S645 + _S636 * vec3<f32>(_S641) * _S635) * _S646;
-    (*_S639) = (_S635 * _S644 + _S637 * vec3<f32>(_S642) * _S634) * _S646;
+    var _S642 : u32 = u32(146) + u32(4) * _S635;
+    var _S643 : f32 = openness_number_0(_S634, _S642 + u32(1));
+    var _S644 : f32 = openness_number_0(_S634, _S642 + u32(2));
+    var _S645 : vec3<f32> = vec3<f32>(1.0f);
+    var _S646 : vec3<f32> = _S645 - _S638 * vec3<f32>(openness_number_0(_S634, _S642));
+    var _S647 : vec3<f32> = _S645 - _S639 * vec3<f32>(openness_number_0(_S634, _S642 + u32(3)));
+    var _S648 : vec3<f32> = _S645 / (_S646 * _S647 - _S638 * _S639 * vec3<f32>((_S643 * _S644)));
+    (*_S640) = (_S636 * _S647 + _S638 * vec3<f32>(_S643) * _S637) * _S648;
+    (*_S641) = (_S637 * _S646 + _S639 * vec3<f32>(_S644) * _S636) * _S648;
     return;
 }
 
-fn face_sends_0( _S647 : u32,  _S648 : u32,  _S649 : Scattered_0,  _S650 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S649 : u32,  _S650 : u32,  _S651 : Scattered_0,  _S652 : Scattered_0) -> FaceSends_0
 {
-    var _S651 : u32 = u32(2) * _S648;
-    var _S652 : u32 = u32(142) + _S651;
-    var _S653 : f32 = openness_number_0(_S647, _S652);
-    var _S654 : f32 = openness_number_0(_S647, _S652 + u32(1));
-    var _S655 : vec3<f32> = vec3<f32>((1.0f - _S653)) * _S649.back_4;
-    var _S656 : vec3<f32> = vec3<f32>((1.0f - _S654)) * _S650.back_4;
+    var _S653 : u32 = u32(2) * _S650;
+    var _S654 : u32 = u32(142) + _S653;
+    var _S655 : f32 = openness_number_0(_S649, _S654);
+    var _S656 : f32 = openness_number_0(_S649, _S654 + u32(1));
+    var _S657 : vec3<f32> = vec3<f32>((1.0f - _S655)) * _S651.back_4;
+    var _S658 : vec3<f32> = vec3<f32>((1.0f - _S656)) * _S652.back_4;
     var sends_1 : FaceSends_0;
-    var _S657 : u32 = u32(154) + _S651;
-    var _S658 : f32 = openness_number_0(_S647, _S657);
-    sends_1.blocks_warp_0 = _S658;
-    var _S659 : f32 = openness_number_0(_S647, _S657 + u32(1));
-    sends_1.blocks_weft_0 = _S659;
-    sends_1.open_0 = _S658 * _S653 + _S659 * _S654;
-    var _S660 : vec3<f32> = vec3<f32>(_S653) * _S649.back_4;
-    var _S661 : vec3<f32> = vec3<f32>(_S654) * _S650.back_4;
-    var _S662 : vec3<f32> = sends_1.sky_warp_0;
-    var _S663 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S647, _S648, _S660, _S661, _S655, _S656, &(_S662), &(_S663));
-    sends_1.sky_warp_0 = _S662;
-    sends_1.sky_weft_0 = _S663;
-    var _S664 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S665 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S647, _S648, _S649.through_0, _S650.through_0, _S655, _S656, &(_S664), &(_S665));
-    sends_1.crossing_warp_0 = _S664;
-    sends_1.crossing_weft_0 = _S665;
+    var _S659 : u32 = u32(154) + _S653;
+    var _S660 : f32 = openness_number_0(_S649, _S659);
+    sends_1.blocks_warp_0 = _S660;
+    var _S661 : f32 = openness_number_0(_S649, _S659 + u32(1));
+    sends_1.blocks_weft_0 = _S661;
+    sends_1.open_0 = _S660 * _S655 + _S661 * _S656;
+    var _S662 : vec3<f32> = vec3<f32>(_S655) * _S651.back_4;
+    var _S663 : vec3<f32> = vec3<f32>(_S656) * _S652.back_4;
+    var _S664 : vec3<f32> = sends_1.sky_warp_0;
+    var _S665 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S649, _S650, _S662, _S663, _S657, _S658, &(_S664), &(_S665));
+    sends_1.sky_warp_0 = _S664;
+    sends_1.sky_weft_0 = _S665;
+    var _S666 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S667 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S649, _S650, _S651.through_0, _S652.through_0, _S657, _S658, &(_S666), &(_S667));
+    sends_1.crossing_warp_0 = _S666;
+    sends_1.crossing_weft_0 = _S667;
     return sends_1;
 }
 
-fn interior_of_0( _S666 : u32,  _S667 : vec3<f32>,  _S668 : bool) -> Interior_0
+fn interior_of_0( _S668 : u32,  _S669 : vec3<f32>,  _S670 : bool) -> Interior_0
 {
-    var _S669 : Scattered_0 = scattered_by_0(_S666, table_albedos_0(families_0[fabrics_0[_S666].warp_0].colour_mean_0), u32(0), _S667);
-    var _S670 : Scattered_0 = scattered_by_0(_S666, table_albedos_0(families_0[fabrics_0[_S666].weft_0].colour_mean_0), u32(1), _S667);
-    var _S671 : FaceSends_0 = face_sends_0(_S666, select(u32(0), u32(1), _S668), _S669, _S670);
-    var _S672 : FaceSends_0 = face_sends_0(_S666, select(u32(1), u32(0), _S668), _S669, _S670);
-    var _S673 : vec3<f32> = vec3<f32>(_S671.blocks_warp_0);
-    var _S674 : vec3<f32> = vec3<f32>(_S671.blocks_weft_0);
-    var _S675 : vec3<f32> = _S673 * _S671.crossing_warp_0 + _S674 * _S671.crossing_weft_0;
-    var _S676 : vec3<f32> = vec3<f32>(_S672.blocks_warp_0);
-    var _S677 : vec3<f32> = vec3<f32>(_S672.blocks_weft_0);
-    var _S678 : vec3<f32> = _S676 * _S672.crossing_warp_0 + _S677 * _S672.crossing_weft_0;
-    var _S679 : f32 = 1.0f - _S671.open_0;
-    var _S680 : f32 = 1.0f - _S672.open_0;
-    var _S681 : vec3<f32> = vec3<f32>(1.0f);
-    var _S682 : vec3<f32> = _S681 / (_S681 - _S675 * _S678 * vec3<f32>((_S679 * _S680)));
-    var _S683 : vec3<f32> = _S678 * (vec3<f32>(_S671.open_0) + vec3<f32>(_S679) * (_S673 * _S671.sky_warp_0 + _S674 * _S671.sky_weft_0)) * _S682;
-    var _S684 : vec3<f32> = _S675 * (vec3<f32>(_S672.open_0) + vec3<f32>(_S680) * (_S676 * _S672.sky_warp_0 + _S677 * _S672.sky_weft_0)) * _S682;
-    var _S685 : FaceRadiance_0 = face_radiance_0(_S671, _S672.open_0, _S683, _S684);
-    var _S686 : FaceRadiance_0 = face_radiance_0(_S672, _S671.open_0, _S684, _S683);
+    var _S671 : Scattered_0 = scattered_by_0(_S668, table_albedos_0(families_0[fabrics_0[_S668].warp_0].colour_mean_0), u32(0), _S669);
+    var _S672 : Scattered_0 = scattered_by_0(_S668, table_albedos_0(families_0[fabrics_0[_S668].weft_0].colour_mean_0), u32(1), _S669);
+    var _S673 : FaceSends_0 = face_sends_0(_S668, select(u32(0), u32(1), _S670), _S671, _S672);
+    var _S674 : FaceSends_0 = face_sends_0(_S668, select(u32(1), u32(0), _S670), _S671, _S672);
+    var _S675 : vec3<f32> = vec3<f32>(_S673.blocks_warp_0);
+    var _S676 : vec3<f32> = vec3<f32>(_S673.blocks_weft_0);
+    var _S677 : vec3<f32> = _S675 * _S673.crossing_warp_0 + _S676 * _S673.crossing_weft_0;
+    var _S678 : vec3<f32> = vec3<f32>(_S674.blocks_warp_0);
+    var _S679 : vec3<f32> = vec3<f32>(_S674.blocks_weft_0);
+    var _S680 : vec3<f32> = _S678 * _S674.crossing_warp_0 + _S679 * _S674.crossing_weft_0;
+    var _S681 : f32 = 1.0f - _S673.open_0;
+    var _S682 : f32 = 1.0f - _S674.open_0;
+    var _S683 : vec3<f32> = vec3<f32>(1.0f);
+    var _S684 : vec3<f32> = _S683 / (_S683 - _S677 * _S680 * vec3<f32>((_S681 * _S682)));
+    var _S685 : vec3<f32> = _S680 * (vec3<f32>(_S673.open_0) + vec3<f32>(_S681) * (_S675 * _S673.sky_warp_0 + _S676 * _S673.sky_weft_0)) * _S684;
+    var _S686 : vec3<f32> = _S677 * (vec3<f32>(_S674.open_0) + vec3<f32>(_S682) * (_S678 * _S674.sky_warp_0 + _S679 * _S674.sky_weft_0)) * _S684;
+    var _S687 : FaceRadiance_0 = face_radiance_0(_S673, _S674.open_0, _S685, _S686);
+    var _S688 : FaceRadiance_0 = face_radiance_0(_S674, _S673.open_0, _S686, _S685);
     var interior_1 : Interior_0;
-    interior_1.warp_5 = _S685.warp_4;
-    interior_1.weft_5 = _S685.weft_4;
-    interior_1.leaked_1 = _S685.leaked_0;
-    interior_1.far_1 = _S686.mean_1;
-    interior_1.far_leaked_0 = _S686.leaked_0;
+    interior_1.warp_5 = _S687.warp_4;
+    interior_1.weft_5 = _S687.weft_4;
+    interior_1.leaked_1 = _S687.leaked_0;
+    interior_1.far_1 = _S688.mean_1;
+    interior_1.far_leaked_0 = _S688.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S687 : u32,  _S688 : u32,  _S689 : array<f32, i32(6)>,  _S690 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S689 : u32,  _S690 : u32,  _S691 : array<f32, i32(6)>,  _S692 : u32) -> Blocked_0
 {
     var shares_2 : array<f32, i32(3)>;
     var share_2 : u32 = u32(0);
@@ -3218,14 +3208,14 @@ fn blocked_of_terms_0( _S687 : u32,  _S688 : u32,  _S689 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S690)
+            if(term_0 < _S692)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_2] = shares_2[share_2] + openness_number_0(_S687, _S688 + share_2 * _S690 + term_0) * _S689[term_0];
+            shares_2[share_2] = shares_2[share_2] + openness_number_0(_S689, _S690 + share_2 * _S692 + term_0) * _S691[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_2[share_2] = saturate(shares_2[share_2]);
@@ -3238,17 +3228,17 @@ fn blocked_of_terms_0( _S687 : u32,  _S688 : u32,  _S689 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_from_0( _S691 : u32,  _S692 : vec3<f32>,  _S693 : bool,  _S694 : bool) -> Blocked_0
+fn blocked_from_0( _S693 : u32,  _S694 : vec3<f32>,  _S695 : bool,  _S696 : bool) -> Blocked_0
 {
     var terms_2 : array<f32, i32(6)>;
-    view_terms_0(_S692, &(terms_2));
-    return blocked_of_terms_0(_S691, (select(u32(0), u32(2), _S694) + select(u32(1), u32(0), _S693)) * u32(15), terms_2, u32(5));
+    view_terms_0(_S694, &(terms_2));
+    return blocked_of_terms_0(_S693, (select(u32(0), u32(2), _S696) + select(u32(1), u32(0), _S695)) * u32(15), terms_2, u32(5));
 }
 
-fn warp_seen_from_0( _S695 : u32,  _S696 : vec3<f32>,  _S697 : bool) -> f32
+fn warp_seen_from_0( _S697 : u32,  _S698 : vec3<f32>,  _S699 : bool) -> f32
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_1(_S696, &(terms_3));
+    view_terms_1(_S698, &(terms_3));
     var term_1 : u32 = u32(0);
     var share_3 : f32 = 0.0f;
     for(;;)
@@ -3260,90 +3250,90 @@ fn warp_seen_from_0( _S695 : u32,  _S696 : vec3<f32>,  _S697 : bool) -> f32
         {
             break;
         }
-        var share_4 : f32 = share_3 + openness_number_0(_S695, u32(132) + select(u32(0), u32(5), _S697) + term_1) * terms_3[term_1];
+        var share_4 : f32 = share_3 + openness_number_0(_S697, u32(132) + select(u32(0), u32(5), _S699) + term_1) * terms_3[term_1];
         term_1 = term_1 + u32(1);
         share_3 = share_4;
     }
     return saturate(share_3);
 }
 
-fn bounced_of_families_0( _S698 : u32,  _S699 : FamilyAlbedos_0,  _S700 : vec3<f32>,  _S701 : Interior_0,  _S702 : Blocked_0,  _S703 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S700 : u32,  _S701 : FamilyAlbedos_0,  _S702 : vec3<f32>,  _S703 : Interior_0,  _S704 : Blocked_0,  _S705 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S702, scattered_by_0(_S698, _S699.warp_6, u32(0), _S700), _S701), bounced_by_0(_S703, scattered_by_0(_S698, _S699.weft_6, u32(1), _S700), _S701));
+    return sum_of_0(bounced_by_0(_S704, scattered_by_0(_S700, _S701.warp_6, u32(0), _S702), _S703), bounced_by_0(_S705, scattered_by_0(_S700, _S701.weft_6, u32(1), _S702), _S703));
 }
 
-fn bounced_far_0( _S704 : u32,  _S705 : FamilyAlbedos_0,  _S706 : vec3<f32>,  _S707 : Interior_0,  _S708 : vec3<f32>,  _S709 : bool,  _S710 : f32,  _S711 : f32,  _S712 : f32) -> Bounced_0
+fn bounced_far_0( _S706 : u32,  _S707 : FamilyAlbedos_0,  _S708 : vec3<f32>,  _S709 : Interior_0,  _S710 : vec3<f32>,  _S711 : bool,  _S712 : f32,  _S713 : f32,  _S714 : f32) -> Bounced_0
 {
-    var _S713 : Blocked_0 = blocked_from_0(_S704, _S708, true, _S709);
-    var _S714 : Blocked_0 = blocked_from_0(_S704, _S708, false, _S709);
-    var _S715 : f32 = _S710 / max(1.0f - _S713.by_warp_0 - _S713.by_weft_0, 0.10000000149011612f);
-    var _S716 : f32 = (0.0020000000949949f * warp_seen_from_0(_S704, _S708, _S709) + _S715) / (_S715 + _S711 / max(1.0f - _S714.by_warp_0 - _S714.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S717 : f32 = 1.0f - _S712;
-    return bounced_of_families_0(_S704, _S705, _S706, _S707, scaled_0(_S713, _S716 * _S717), scaled_0(_S714, (1.0f - _S716) * _S717));
+    var _S715 : Blocked_0 = blocked_from_0(_S706, _S710, true, _S711);
+    var _S716 : Blocked_0 = blocked_from_0(_S706, _S710, false, _S711);
+    var _S717 : f32 = _S712 / max(1.0f - _S715.by_warp_0 - _S715.by_weft_0, 0.10000000149011612f);
+    var _S718 : f32 = (0.0020000000949949f * warp_seen_from_0(_S706, _S710, _S711) + _S717) / (_S717 + _S713 / max(1.0f - _S716.by_warp_0 - _S716.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S719 : f32 = 1.0f - _S714;
+    return bounced_of_families_0(_S706, _S707, _S708, _S709, scaled_0(_S715, _S718 * _S719), scaled_0(_S716, (1.0f - _S718) * _S719));
 }
 
-fn bounced_over_0( _S718 : u32,  _S719 : Components_0,  _S720 : CloseUp_0,  _S721 : FamilyAlbedos_0,  _S722 : vec3<f32>,  _S723 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S720 : u32,  _S721 : Components_0,  _S722 : CloseUp_0,  _S723 : FamilyAlbedos_0,  _S724 : vec3<f32>,  _S725 : vec3<f32>) -> Bounced_0
 {
-    var _S724 : bool = (_S723.z) < 0.0f;
-    var _S725 : Interior_0 = interior_of_0(_S718, _S722, _S724);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S718, _S721, _S722, _S725, to_face_frame_0(_S723, _S724), _S724, _S719.diffuse_warp_0, _S719.diffuse_weft_0, _S719.hole_2);
-    if((_S720.weight_2) > 0.0f)
+    var _S726 : bool = (_S725.z) < 0.0f;
+    var _S727 : Interior_0 = interior_of_0(_S720, _S724, _S726);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S720, _S723, _S724, _S727, to_face_frame_0(_S725, _S726), _S726, _S721.diffuse_warp_0, _S721.diffuse_weft_0, _S721.hole_2);
+    if((_S722.weight_2) > 0.0f)
     {
-        var _S726 : Bounced_0 = bounced_of_families_0(_S718, _S721, _S722, _S725, _S720.warp_3, _S720.weft_3);
-        var _S727 : vec3<f32> = vec3<f32>(_S720.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S726.reflected_0, _S727);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S726.transmitted_0, _S727);
+        var _S728 : Bounced_0 = bounced_of_families_0(_S720, _S723, _S724, _S727, _S722.warp_3, _S722.weft_3);
+        var _S729 : vec3<f32> = vec3<f32>(_S722.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S728.reflected_0, _S729);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S728.transmitted_0, _S729);
     }
     return bounced_2;
 }
 
-fn composed_0( _S728 : u32,  _S729 : Components_0,  _S730 : CloseUp_0,  _S731 : FamilyAlbedos_0,  _S732 : vec3<f32>,  _S733 : vec3<f32>,  _S734 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S730 : u32,  _S731 : Components_0,  _S732 : CloseUp_0,  _S733 : FamilyAlbedos_0,  _S734 : vec3<f32>,  _S735 : vec3<f32>,  _S736 : vec3<f32>) -> vec3<f32>
 {
-    var _S735 : Albedos_0 = tinted_0(_S731.warp_6, _S732);
-    var _S736 : Albedos_0 = tinted_0(_S731.weft_6, _S732);
-    var _S737 : vec3<f32> = vec3<f32>(_S729.diffuse_warp_0);
-    var _S738 : vec3<f32> = vec3<f32>(_S729.diffuse_weft_0);
-    var _S739 : vec3<f32> = vec3<f32>(_S729.specular_warp_0);
-    var _S740 : vec3<f32> = vec3<f32>(_S729.specular_weft_0);
-    var _S741 : vec3<f32> = _S735.diffuse_reflect_0 * _S737 + _S736.diffuse_reflect_0 * _S738 + _S735.specular_reflect_0 * _S739 + _S736.specular_reflect_0 * _S740;
-    var _S742 : f32 = _S734.z;
+    var _S737 : Albedos_0 = tinted_0(_S733.warp_6, _S734);
+    var _S738 : Albedos_0 = tinted_0(_S733.weft_6, _S734);
+    var _S739 : vec3<f32> = vec3<f32>(_S731.diffuse_warp_0);
+    var _S740 : vec3<f32> = vec3<f32>(_S731.diffuse_weft_0);
+    var _S741 : vec3<f32> = vec3<f32>(_S731.specular_warp_0);
+    var _S742 : vec3<f32> = vec3<f32>(_S731.specular_weft_0);
+    var _S743 : vec3<f32> = _S737.diffuse_reflect_0 * _S739 + _S738.diffuse_reflect_0 * _S740 + _S737.specular_reflect_0 * _S741 + _S738.specular_reflect_0 * _S742;
+    var _S744 : f32 = _S736.z;
     var body_0 : vec3<f32>;
-    if((_S733.z * _S742) < 0.0f)
+    if((_S735.z * _S744) < 0.0f)
     {
-        body_0 = _S735.diffuse_transmit_0 * _S737 + _S736.diffuse_transmit_0 * _S738 + _S735.specular_transmit_0 * _S739 + _S736.specular_transmit_0 * _S740;
+        body_0 = _S737.diffuse_transmit_0 * _S739 + _S738.diffuse_transmit_0 * _S740 + _S737.specular_transmit_0 * _S741 + _S738.specular_transmit_0 * _S742;
     }
     else
     {
-        body_0 = _S741;
+        body_0 = _S743;
     }
-    if((fabrics_0[_S728].openness_0) != u32(4294967295))
+    if((fabrics_0[_S730].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S728, _S729, _S730, _S731, _S732, _S734), _S733, _S734);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S730, _S731, _S732, _S733, _S734, _S736), _S735, _S736);
     }
-    var _S743 : f32 = fabrics_0[_S728].sheen_strength_0;
-    if((fabrics_0[_S728].sheen_strength_0) <= 0.0f)
+    var _S745 : f32 = fabrics_0[_S730].sheen_strength_0;
+    if((fabrics_0[_S730].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S744 : bool = _S742 < 0.0f;
-    var _S745 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S733, _S744), to_face_frame_0(_S734, _S744), _S743, fabrics_0[_S728].sheen_roughness_0);
-    return vec3<f32>(_S745.y) * body_0 + vec3<f32>(((_S729.light_visibility_1 + _S729.hole_2) * _S745.x));
+    var _S746 : bool = _S744 < 0.0f;
+    var _S747 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S735, _S746), to_face_frame_0(_S736, _S746), _S745, fabrics_0[_S730].sheen_roughness_0);
+    return vec3<f32>(_S747.y) * body_0 + vec3<f32>(((_S731.light_visibility_1 + _S731.hole_2) * _S747.x));
 }
 
-fn light_of_neural_0( _S746 : u32,  _S747 : VisiblePoint_0,  _S748 : vec2<u32>,  _S749 : vec3<f32>) -> vec4<f32>
+fn light_of_neural_0( _S748 : u32,  _S749 : VisiblePoint_0,  _S750 : vec2<u32>,  _S751 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S747.draft_dx_0;
-    footprint_1.dy_0 = _S747.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S746, _S747.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S750 : vec3<f32> = to_local_0(_S747, _S747.view_0);
+    footprint_1.dx_0 = _S749.draft_dx_0;
+    footprint_1.dy_0 = _S749.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S748, _S749.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S752 : vec3<f32> = to_local_0(_S749, _S749.view_0);
     var activations_0 : NeuralView_0;
-    neural_view_0(_S746, footprint_1, _S750, &(activations_0));
-    var _S751 : f32 = _S750.z;
-    var _S752 : FamilyAlbedos_0 = with_tones_0(_S746, albedos_over_0(_S746, footprint_1, _S751 < 0.0f), activations_0.yarns_0);
-    var _S753 : vec3<f32> = vec3<f32>(0.0f);
+    neural_view_0(_S748, footprint_1, _S752, &(activations_0));
+    var _S753 : f32 = _S752.z;
+    var _S754 : FamilyAlbedos_0 = with_tones_0(_S748, albedos_over_0(_S748, footprint_1, _S753 < 0.0f), activations_0.yarns_0);
+    var _S755 : vec3<f32> = vec3<f32>(0.0f);
     var number_8 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S753;
+    var radiance_1 : vec3<f32> = _S755;
     for(;;)
     {
         if(number_8 < (light_sample_count_0()))
@@ -3353,24 +3343,24 @@ fn light_of_neural_0( _S746 : u32,  _S747 : VisiblePoint_0,  _S748 : vec2<u32>, 
         {
             break;
         }
-        var _S754 : f32 = visibility_at_0(number_8, _S748);
-        if(_S754 <= 0.0f)
+        var _S756 : f32 = visibility_at_0(number_8, _S750);
+        if(_S756 <= 0.0f)
         {
             number_8 = number_8 + u32(1);
             continue;
         }
-        var _S755 : LightSample_0 = light_sample_0(number_8, _S748, _S747.position_4);
-        var _S756 : vec3<f32> = to_local_0(_S747, _S755.towards_0);
-        var _S757 : Components_0 = neural_components_0(_S746, &(activations_0), _S756);
-        radiance_1 = radiance_1 + vec3<f32>(_S754) * _S755.irradiance_1 * composed_0(_S746, _S757, no_close_up_0(), _S752, _S749, _S756, _S750);
+        var _S757 : LightSample_0 = light_sample_0(number_8, _S750, _S749.position_4);
+        var _S758 : vec3<f32> = to_local_0(_S749, _S757.towards_0);
+        var _S759 : Components_0 = neural_components_0(_S748, &(activations_0), _S758);
+        radiance_1 = radiance_1 + vec3<f32>(_S756) * _S757.irradiance_1 * composed_0(_S748, _S759, no_close_up_0(), _S754, _S751, _S758, _S752);
         number_8 = number_8 + u32(1);
     }
     var hole_3 : f32 = activations_0.hole_0;
-    var _S758 : f32 = fabrics_0[_S746].sheen_strength_0;
+    var _S760 : f32 = fabrics_0[_S748].sheen_strength_0;
     var hole_4 : f32;
-    if((fabrics_0[_S746].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S748].sheen_strength_0) > 0.0f)
     {
-        hole_4 = hole_3 * (1.0f - _S758 * sheen_lobe_0(abs(_S751), fabrics_0[_S746].sheen_roughness_0).z);
+        hole_4 = hole_3 * (1.0f - _S760 * sheen_lobe_0(abs(_S753), fabrics_0[_S748].sheen_roughness_0).z);
     }
     else
     {
@@ -3383,31 +3373,31 @@ fn light_of_neural_0( _S746 : u32,  _S747 : VisiblePoint_0,  _S748 : vec2<u32>, 
 @workgroup_size(8, 8, 1)
 fn shade_neural(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S759 : u32 = id_0.x;
-    var _S760 : bool;
-    if(_S759 >= (frame_record_0.width_0))
+    var _S761 : u32 = id_0.x;
+    var _S762 : bool;
+    if(_S761 >= (frame_record_0.width_0))
     {
-        _S760 = true;
+        _S762 = true;
     }
     else
     {
-        _S760 = (id_0.y) >= (frame_record_0.height_0);
+        _S762 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S760)
+    if(_S762)
     {
         return;
     }
-    var _S761 : u32 = id_0.y * frame_record_0.width_0 + _S759;
-    var _S762 : u32 = layers_0[_S761].face_0;
-    if((layers_0[_S761].face_0) == u32(0))
+    var _S763 : u32 = id_0.y * frame_record_0.width_0 + _S761;
+    var _S764 : u32 = layers_0[_S763].face_0;
+    if((layers_0[_S763].face_0) == u32(0))
     {
         return;
     }
-    var _S763 : u32 = _S762 - u32(1);
-    var _S764 : u32 = fabric_of_0(_S763);
-    var _S765 : vec2<u32> = id_0.xy;
-    var _S766 : VisiblePoint_0 = visible_point_0(_S764, _S763, _S765);
-    accumulate_0(_S761, light_of_neural_0(_S764, _S766, _S765, filtered_albedo_0(_S764, _S766)));
+    var _S765 : u32 = _S764 - u32(1);
+    var _S766 : u32 = fabric_of_0(_S765);
+    var _S767 : vec2<u32> = id_0.xy;
+    var _S768 : VisiblePoint_0 = visible_point_0(_S766, _S765, _S767);
+    accumulate_0(_S763, light_of_neural_0(_S766, _S768, _S767, filtered_albedo_0(_S766, _S768)));
     return;
 }
 
