@@ -413,8 +413,8 @@ export const YARN_PRESETS: readonly YarnPreset[] = [
       "slub": 0.3,
       "mass_cv": 0.18,
       "fibre_length_mm": 600.0,
-      "thick_places": 25.0,
-      "thick_length_mm": 35.0,
+      "thick_places": 15.0,
+      "thick_length_mm": 28.0,
       "thick_size": 1.6,
       "shade": 0.06
     },
