@@ -4,9 +4,9 @@
 
 A row a fabric, a column a distance: the drape of the built-in scene in its default light, in the model of
 `render`, seen by a 50 mm lens that comes closer along its own axis; at 2 m, where that shows floor, by twice
-the focal length. `--tiles` keeps every tile in a folder,
-from which the sheet takes those that are not rendered: `--only denim --tiles FOLDER` renders one row anew.
-A fabric that this version has not is stood for by the next of its names.
+the focal length. `--tiles` keeps every tile in a folder, from which the sheet takes those that are not
+rendered: `--only linen --tiles FOLDER` renders one row anew. A fabric that a version has not is stood for
+by the next of its names.
 """
 
 from __future__ import annotations
