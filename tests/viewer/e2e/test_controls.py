@@ -70,12 +70,13 @@ def test_weight_sets_the_sett_of_counted_yarns(page: Any) -> None:
     assert "ends_per_cm" not in fabric_of(page)["fields"]
 
 
-def test_the_lustre_has_a_colour(page: Any) -> None:
+@pytest.mark.parametrize("field", ["specular_tint", "nep_color"])
+def test_lustre_and_neps_have_a_colour(page: Any, field: str) -> None:
     by_id(page, "tab-yarns").click()
-    by_id(page, "field-both.specular_tint").evaluate(
+    by_id(page, f"field-both.{field}").evaluate(
         "(input) => { input.value = '#ffcc44'; input.dispatchEvent(new Event('input', {bubbles: true})); }"
     )
-    assert fabric_of(page)["fields"]["weft"]["specular_tint"] == "#ffcc44"
+    assert fabric_of(page)["fields"]["weft"][field] == "#ffcc44"
 
 
 def test_what_needs_webgpu_says_so(page: Any) -> None:

@@ -128,6 +128,8 @@ def test_lift_plan_and_treadling_weave_the_same(editor: Any) -> None:
         ("yarns", "field-both.gap", "End", ("weft", "gap")),
         ("yarns", "field-ends_per_cm", "ArrowRight", ("ends_per_cm",)),
         ("finish", "field-sheen.strength", "End", ("sheen", "strength")),
+        ("yarns", "field-both.thick_places", "End", ("weft", "thick_places")),
+        ("finish", "field-variation.irregularity", "End", ("variation", "irregularity")),
         ("finish", "field-variation.colour_noise", "End", ("variation", "colour_noise")),
     ],
 )
