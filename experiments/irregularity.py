@@ -116,7 +116,7 @@ def statistics() -> list[dict[str, Any]]:
     fabric = fabric_from_text(ONE_FAMILY)
     spacing = 10 / 15
     models = [make_model("lobes", one) for one in (fabric, even(fabric))]
-    table = irregularity.irregular_table(fabric.appearance().warp.irregularity, 0.8, 0.0)
+    table = irregularity.irregular_table(fabric.appearance().warp.irregularity, 0.8)
     reflects = float(fabric.appearance().warp.diffuse_reflect[0, 0])
     slope = (1 - reflects) / (1 + reflects)
     rows = []

@@ -101,7 +101,8 @@ def test_every_ring_has_mean_0(name: str) -> None:
     if name == "cover_of":
         rows = irregularity.cover_of(irregularity.thickness_of(FLAX), 0.8)
     else:
-        rows = getattr(irregularity, name)(*((FLAX, 0.1) if name == "tone_of" else (FLAX,)))
+        more = (irregularity.thickness_of(FLAX), 1.5, 0.1) if name == "tone_of" else ()
+        rows = getattr(irregularity, name)(FLAX, *more)
     assert np.abs(rows.mean(axis=1)).max() < 1e-12
     assert rows.std() > 0.01
 
@@ -155,9 +156,8 @@ def test_variances_of_footprints_are_those_of_the_process(threads: int) -> None:
     found, spacing = yarns(), 10 / 15
     centres, size = grid(400, threads * spacing, threads * spacing)
     over = found.over(box_footprint(Box(centres, size)), Bool(False))
-    tone = irregularity.tone_of(
-        FLAX, round(irregularity.deviation_of_lots(appearance_of(FLAX, COTTON)[1].warp, 0.1), 3)
-    )
+    per_gain = round(irregularity.depth_per_gain(appearance_of(FLAX, COTTON)[1].warp), 1)
+    tone = irregularity.tone_of(FLAX, irregularity.thickness_of(FLAX), per_gain, 0.1)
     power = np.abs(np.fft.rfft(tone, axis=1)) ** 2
     filtered = np.sinc(np.fft.rfftfreq(SAMPLES, STEP) * max(threads * spacing, STEP)) ** 2
     twice = np.full(len(filtered), 2.0)

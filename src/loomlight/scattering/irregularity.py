@@ -67,6 +67,9 @@ DRIFT_LENGTH = 6.0
 MELANGE_LENGTH, LOT_LENGTH = 30.0, 700.0
 # Least mass of a yarn, relative, and largest change of tone: a linear gain stays above 0.
 LEAST_THICKNESS, LARGEST_TONE = -0.75, 0.9
+# Thick yarn stands above its neighbours, which lie in its shade: how much lighter it is, over how much wider;
+# by eye.
+RELIEF = 0.5
 # The largest integral of a table, as an integer.
 LARGEST_INTEGRAL = float(2**29)
 # Least width of a box in threads: float32 tells narrower ones apart no longer.
@@ -185,11 +188,21 @@ def cover_of(thickness: NDArray[np.float64], cover: float) -> NDArray[np.float64
     return np.asarray(found - found.mean(axis=1, keepdims=True))
 
 
-def tone_of(yarn: Irregularity, of_lots: float) -> NDArray[np.float64]:
-    """Depth of shade [ROWS, SAMPLES], of mean 0; positive is darker."""
-    parts = tone_spectra(yarn, of_lots)
+def tone_of(
+    yarn: Irregularity, thickness: NDArray[np.float64], per_gain: float, colour_noise: float
+) -> NDArray[np.float64]:
+    """Depth of shade [ROWS, SAMPLES], of mean 0; positive is darker.
+
+    Args:
+        thickness: see `thickness_of`.
+        per_gain: see `depth_per_gain`.
+        colour_noise: relative spread of the albedo from thread to thread.
+    """
+    # A spread of ±1 has the deviation 1/√3.
+    parts = tone_spectra(yarn, colour_noise / math.sqrt(3) * per_gain)
     total = sum(waves(spectrum, stream) for stream, spectrum in parts.items())
-    found = np.tanh(np.asarray(total) / LARGEST_TONE)
+    wider = np.sqrt(1 + np.maximum(thickness, LEAST_THICKNESS)) - 1
+    found = np.tanh((np.asarray(total) - RELIEF * per_gain * wider) / LARGEST_TONE)
     found -= found.mean(axis=1, keepdims=True)
     # Its mean may have lain on either side.
     return np.asarray(LARGEST_TONE * found / max(1.0, float(np.abs(found).max())))
@@ -214,15 +227,18 @@ class IrregularTable:
     units: NDArray[np.float64]
 
 
-def irregular_table(yarn: Irregularity, cover: float, of_lots: float) -> IrregularTable:
+def irregular_table(
+    yarn: Irregularity, cover: float, per_gain: float = 1.0, colour_noise: float = 0.0
+) -> IrregularTable:
     """The table of a family.
 
     Args:
         cover: see `cover_of`.
-        of_lots: see `tone_spectra`.
+        per_gain, colour_noise: see `tone_of`.
     """
     thickness = thickness_of(yarn)
-    process = np.stack([thickness, cover_of(thickness, cover), tone_of(yarn, of_lots), nep_of(yarn)], axis=-1)
+    tone = tone_of(yarn, thickness, per_gain, colour_noise)
+    process = np.stack([thickness, cover_of(thickness, cover), tone, nep_of(yarn)], axis=-1)
     # Blocks that begin in the last rows go on with the first.
     rows = np.concatenate([process, process[:BLOCK]])
     integrals = np.zeros((ROWS + BLOCK + 1, SAMPLES, QUANTITIES))
@@ -400,21 +416,15 @@ class Yarns:
 LEAST_SHOWN = 1e-4
 
 
-def deviation_of_lots(family: FamilyAppearance, colour_noise: float) -> float:
-    """Deviation of the depth of shade from thread to thread, of the relative spread of the albedo."""
+def depth_per_gain(family: FamilyAppearance) -> float:
+    """Change of the depth of shade over the relative change of the albedo that it makes, 1 to 19."""
     albedo = np.clip(np.mean(family.diffuse_reflect + family.diffuse_transmit), 0, 0.9)
-    # A spread of ±1 has the deviation 1/√3.
-    return float(colour_noise / math.sqrt(3) * (1 + albedo) / (1 - albedo))
-
-
-def _to_digits(value: float) -> float:
-    """To three digits."""
-    return float(np.rint(1000 * value) / 1000)
+    return float((1 + albedo) / (1 - albedo))
 
 
 @lru_cache(maxsize=16)
-def _table(yarn: Irregularity, cover: float, of_lots: float) -> IrregularTable:
-    return irregular_table(yarn, cover, of_lots)
+def _table(yarn: Irregularity, cover: float, per_gain: float, colour_noise: float) -> IrregularTable:
+    return irregular_table(yarn, cover, per_gain, colour_noise)
 
 
 class IrregularYarns:
@@ -443,11 +453,12 @@ class IrregularYarns:
         """Of warp and weft; the same one where their yarns are alike."""
         noise = self._appearance.variation.colour_noise
         warp, weft = (
-            # Families that differ in no more than thousandths, and the colour of neps, share a table.
+            # Families that differ little, and in the colour of neps, share a table.
             _table(
                 replace(family.irregularity, nep_albedo=(0.0, 0.0, 0.0)),
-                _to_digits(cover),
-                _to_digits(deviation_of_lots(family, noise)),
+                float(np.rint(1000 * cover) / 1000),
+                float(np.rint(10 * depth_per_gain(family)) / 10),
+                noise,
             )
             for family, cover in zip(self._yarns, self.covers, strict=True)
         )

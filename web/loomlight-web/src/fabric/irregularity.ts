@@ -22,6 +22,7 @@ import {
   IRREGULAR_NEP_STREAM,
   IRREGULAR_QUANTITIES as QUANTITIES,
   IRREGULAR_RANDOM_SHARE,
+  IRREGULAR_RELIEF,
   IRREGULAR_ROWS as ROWS,
   IRREGULAR_SAMPLES as SAMPLES,
   IRREGULAR_SHADE_STREAM,
@@ -212,8 +213,12 @@ function coverOf(thickness: Float64Array, cover: number): Float64Array {
   return centred(root.map((value) => Math.min(high * cover * value, 1) / cover - 1));
 }
 
-/** Depth of shade, of mean 0; positive is darker. */
-const toneOf = remembered((shade: number, melange: number, lots: number) => {
+/** Depth of shade, of mean 0; positive is darker. The first five numbers are those of `thicknessOf`. */
+const toneOf = remembered((...numbers: [number, number, number, number, number, number, number, number, number]) => {
+  const [massCv, fibreLength, thickPlaces, thickLength, thickSize, shade, melange, perGain, colourNoise] = numbers;
+  const thickness = thicknessOf(massCv, fibreLength, thickPlaces, thickLength, thickSize);
+  // A spread of ±1 has the deviation 1/√3.
+  const lots = (colourNoise / Math.sqrt(3)) * perGain;
   const of = (amount: number, part: (f: number) => number): Float64Array => {
     const spectrum = FREQUENCIES.map(part);
     const total = pairwiseSum(spectrum);
@@ -225,7 +230,11 @@ const toneOf = remembered((shade: number, melange: number, lots: number) => {
     waves(of(lots, (f) => (f < 1 / IRREGULAR_LOT_LENGTH ? 1 : 0)), IRREGULAR_LOT_STREAM),
   ] as const;
   const found = centred(
-    parts[0].map((value, at) => Math.tanh((value + parts[1][at]! + parts[2][at]!) / IRREGULAR_LARGEST_TONE)),
+    parts[0].map((value, at) => {
+      const wider = Math.sqrt(1 + Math.max(thickness[at]!, IRREGULAR_LEAST_THICKNESS)) - 1;
+      const total = value + parts[1][at]! + parts[2][at]!;
+      return Math.tanh((total - IRREGULAR_RELIEF * perGain * wider) / IRREGULAR_LARGEST_TONE);
+    }),
   );
   let most = 1;
   for (const value of found) most = Math.max(most, Math.abs(value));
@@ -243,14 +252,16 @@ const nepOf = remembered((neps: number, length: number) =>
  * The table of a family; the same object for the same numbers.
  *
  * @param cover mean share of a cell that the yarn covers.
- * @param lots deviation of the depth of shade from thread to thread.
+ * @param perGain see `depthPerGain`.
+ * @param colourNoise relative spread of the albedo from thread to thread.
  */
-export function irregularTable(yarn: Irregularity, cover: number, lots: number): IrregularTable {
+export function irregularTable(yarn: Irregularity, cover: number, perGain: number, colourNoise: number): IrregularTable {
   const { mass_cv, fibre_length, thick_places, thick_length, thick_size, shade, melange, neps, nep_length } = yarn;
-  // To three digits: families that differ less share a table.
-  const [roundCover, roundLots] = [cover, lots].map((number) => rint(1000 * number) / 1000) as [number, number];
+  // Families that differ less share a table.
+  const roundCover = rint(1000 * cover) / 1000;
+  const roundGain = rint(10 * perGain) / 10;
   const numbers = [mass_cv, fibre_length, thick_places, thick_length, thick_size, shade, melange] as const;
-  return tableOf(...numbers, neps, nep_length, roundCover, roundLots);
+  return tableOf(...numbers, neps, nep_length, roundCover, roundGain, colourNoise);
 }
 
 const tableOf = remembered(
@@ -265,10 +276,13 @@ const tableOf = remembered(
     neps: number,
     nepLength: number,
     cover: number,
-    lots: number,
+    perGain: number,
+    colourNoise: number,
   ): IrregularTable => {
     const thickness = thicknessOf(massCv, fibreLength, thickPlaces, thickLength, thickSize);
-    const process = [thickness, coverOf(thickness, cover), toneOf(shade, melange, lots), nepOf(neps, nepLength)];
+    const mass = [massCv, fibreLength, thickPlaces, thickLength, thickSize] as const;
+    const tone = toneOf(...mass, shade, melange, perGain, colourNoise);
+    const process = [thickness, coverOf(thickness, cover), tone, nepOf(neps, nepLength)];
     const integrals = new Int32Array((ROWS + BLOCK + 1) * SAMPLES * QUANTITIES);
     const units = process.map((rows, quantity) => {
       const { sums, unit } = integralsOf(rows);
@@ -322,12 +336,11 @@ export function coverOfThreads(threads: FamilyTables): number {
   return pairwiseSum(threads.halfWidth.map((half) => 2 * half)) / threads.period;
 }
 
-/** Deviation of the depth of shade from thread to thread, of the relative spread of their albedo. */
-export function deviationOfLots(albedos: Float64Array, colourNoise: number): number {
+/** Change of the depth of shade over the relative change of the albedo that it makes, of the threads of a family. */
+export function depthPerGain(albedos: Float64Array): number {
   const diffuse: number[] = [];
   for (let thread = 0; thread < albedos.length; thread += ALBEDO_NUMBERS)
     for (let channel = 0; channel < 3; channel++) diffuse.push(albedos[thread + channel]! + albedos[thread + 3 + channel]!);
   const albedo = clamp(pairwiseSum(diffuse) / diffuse.length, 0, 0.9);
-  // A spread of ±1 has the deviation 1/√3.
-  return ((colourNoise / Math.sqrt(3)) * (1 + albedo)) / (1 - albedo);
+  return (1 + albedo) / (1 - albedo);
 }

@@ -15,7 +15,7 @@ import type { BakePlan } from "./bake_plan.ts";
 import { detailNumbers, isDetailed } from "./detail.ts";
 import { colourTables, type ColourTables } from "./footprint_albedos.ts";
 import { geometryOf, heightBounds, type Geometry } from "./geometry.ts";
-import { coverOfThreads, deviationOfLots, irregularTable, type IrregularTable } from "./irregularity.ts";
+import { coverOfThreads, depthPerGain, irregularTable, type IrregularTable } from "./irregularity.ts";
 import { halfWidth, hasIrregularYarns, sizeOf, type ClothLayout, type FamilyLayout, type Look } from "./look.ts";
 import { pairwiseSum } from "./sums.ts";
 import { areAlike, finestOf, type FamilyTables } from "./threads.ts";
@@ -164,7 +164,7 @@ function irregularValues(table: WordTable, threads: readonly FamilyTables[], app
   const first = new Map<IrregularTable, number>();
   return [appearance.warp, appearance.weft].map(({ irregularity, albedos, nepAlbedo }, family) => {
     const cover = coverOfThreads(threads[family]!);
-    const own = irregularTable(irregularity, cover, deviationOfLots(albedos, appearance.colourNoise));
+    const own = irregularTable(irregularity, cover, depthPerGain(albedos), appearance.colourNoise);
     const place = first.get(own) ?? table.addWords(own.integrals);
     first.set(own, place);
     const [thickness, ofCover, tone, nep] = own.units;
