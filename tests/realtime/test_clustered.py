@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float, require_llvm
-from loomlight.fabric import fabric_from_text
+from loomlight.fabric import Fabric, fabric_from_text
+from loomlight.fabric.read import edited_fabric
 from loomlight.models.clustered.model import ClusteredModel, ClusteredOptions
 from loomlight.models.clustered.tables import bake_tables
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
@@ -35,12 +36,13 @@ FABRIC = fabric_from_text(
     'weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n[warp]\ncolor = "#2a4680"\nwidth_mm = 0.5\n'
     "[sheen]\nstrength = 0.3\n[variation]\ncolour_noise = 0.4\n"
 )
+# The same of yarns that vary along themselves and have neps.
+IRREGULAR = edited_fabric(FABRIC, {"yarn": "linen", "warp.neps": 9, "weft.melange": 0.3})
 
 
 @cache
-def model_of(rank: int) -> ClusteredModel:
+def model_of(rank: int, fabric: Fabric = FABRIC) -> ClusteredModel:
     """Small tables."""
-    fabric = FABRIC
     appearance = fabric.appearance()
     roughness = appearance.warp.roughness, appearance.weft.roughness
     tables = bake_tables(YarnGeometry(fabric.layout()), roughness, 8, rank, llvm_float(), 32)
@@ -48,7 +50,8 @@ def model_of(rank: int) -> ClusteredModel:
 
 
 def packed(model: ClusteredModel) -> Packed:
-    return pack_fabrics([(FABRIC.layout(), FABRIC.appearance())], None, [model.shader_tables()])
+    fabric = model.fabric
+    return pack_fabrics([(fabric.layout(), fabric.appearance())], None, [model.shader_tables()])
 
 
 def pairs(rows: NDArray[np.float32]) -> Array2f:
@@ -72,10 +75,13 @@ def queries() -> dict[str, NDArray[np.generic]]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("rank", "samples"), [(0, 0), (1, 0), (3, 0), (1, 2)])
-def test_queries_of_clustered(rank: int, samples: int) -> None:
+@pytest.mark.parametrize(
+    ("rank", "samples", "fabric"),
+    [(0, 0, FABRIC), (1, 0, FABRIC), (3, 0, FABRIC), (1, 2, FABRIC), (1, 0, IRREGULAR), (1, 2, IRREGULAR)],
+)
+def test_queries_of_clustered(rank: int, samples: int, fabric: Fabric) -> None:
     """The base alone, its densities compressed to several ranks, and with two texels of the residual."""
-    model = with_samples(model_of(rank), samples)
+    model = with_samples(model_of(rank, fabric), samples)
     rows = queries()
     footprint = Footprint(*(pairs(rows[name]) for name in ("centre", "dx", "dy")))
     at = model.at(vectors(rows["view"]), footprint, seed=UInt(rows["seed"]))

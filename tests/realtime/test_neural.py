@@ -34,7 +34,7 @@ OPEN = (
 
 
 def neural_of(name: str) -> NeuralModel:
-    """Denim with its fitted last layer; open cloth without."""
+    """Denim, whose yarns vary, with its fitted last layer; open cloth of even yarns without."""
     if name == "open":
         return NeuralModel.for_source(fabric_from_text(OPEN), NeuralOptions(refined=False))
     return NeuralModel.for_source(load_fabric(EXAMPLES / f"{name}.toml"))
@@ -60,7 +60,7 @@ def test_queries_of_neural(name: str) -> None:
     body = (
         "Footprint p; p.centre = float2(x, y); p.dx = dx; p.dy = dy;"
         "NeuralView w; neural_view(fabric, p, view, w); let c = neural_components(fabric, w, light);"
-        "let a = albedos_over(fabric, p, view.z < 0.0);"
+        "let a = with_tones(fabric, albedos_over(fabric, p, view.z < 0.0), w.yarns);"
         "let f = composed(fabric, c, no_close_up(), a, float3(1.0), light, view);"
     )
     found = mapped(
