@@ -39,9 +39,10 @@ from tests.realtime import test_clustered, test_latent, test_neumip
 from tests.realtime.queries import directions, share_beyond
 
 require_llvm()
+# Of yarns that wander, and vary along themselves.
 FABRIC = fabric_from_text(
     'weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n[warp]\ncolor = "#2a4680"\nwidth_mm = 0.5\n'
-    "[sheen]\nstrength = 0.3\n"
+    "slub = 0.5\nmass_cv = 0.2\nshade = 0.3\n[weft]\nneps = 9\n[sheen]\nstrength = 0.3\n"
 )
 Exported = Callable[[str, str], Path]
 MODELS = tuple(REALTIME_MODELS)
@@ -142,7 +143,7 @@ def test_cuda_text_computes_what_the_model_computes(model: str) -> None:
     directions_of = [Array3f(*np.ascontiguousarray(rows.T)) for rows in (light, view)]
     material = material_of(model)
     made = material if isinstance(material, Model) else make_model(model, material)
-    at = made.at(directions_of[1], footprint)
+    at = made.at(directions_of[1], made.on_cloth(footprint))
     value = np.stack([part.numpy() for part in at.value(directions_of[0])], axis=-1)
     through = Float(at.null_transmission).numpy()
     # Rays of a few queries meet another edge, as rounding decides there; g++ rounds unlike LLVM.
