@@ -277,8 +277,6 @@ struct Family_std430_0
 
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
-var<private> TAP_OFFSETS_0 : array<vec2<f32>, i32(9)> = array<vec2<f32>, i32(9)>( vec2<f32>(-0.3333333432674408f, -0.3333333432674408f), vec2<f32>(-0.3333333432674408f, 0.0f), vec2<f32>(-0.3333333432674408f, 0.3333333432674408f), vec2<f32>(0.0f, -0.3333333432674408f), vec2<f32>(0.0f, 0.0f), vec2<f32>(0.0f, 0.3333333432674408f), vec2<f32>(0.3333333432674408f, -0.3333333432674408f), vec2<f32>(0.3333333432674408f, 0.0f), vec2<f32>(0.3333333432674408f, 0.3333333432674408f) );
-var<private> PYRAMID_RADII_0 : array<f32, i32(4)> = array<f32, i32(4)>( 1.0f, 2.0f, 4.0f, 8.0f );
 fn select_vector_0( condition_0 : bool,  yes_0 : vec3<f32>,  no_0 : vec3<f32>) -> vec3<f32>
 {
     var chosen_0 : vec3<f32>;
@@ -288,15 +286,11 @@ fn select_vector_0( condition_0 : bool,  yes_0 : vec3<f32>,  no_0 : vec3<f32>) -
     return chosen_0;
 }
 
+var<private> TAP_OFFSETS_0 : array<vec2<f32>, i32(9)> = array<vec2<f32>, i32(9)>( vec2<f32>(-0.3333333432674408f, -0.3333333432674408f), vec2<f32>(-0.3333333432674408f, 0.0f), vec2<f32>(-0.3333333432674408f, 0.3333333432674408f), vec2<f32>(0.0f, -0.3333333432674408f), vec2<f32>(0.0f, 0.0f), vec2<f32>(0.0f, 0.3333333432674408f), vec2<f32>(0.3333333432674408f, -0.3333333432674408f), vec2<f32>(0.3333333432674408f, 0.0f), vec2<f32>(0.3333333432674408f, 0.3333333432674408f) );
+var<private> PYRAMID_RADII_0 : array<f32, i32(4)> = array<f32, i32(4)>( 1.0f, 2.0f, 4.0f, 8.0f );
 fn rsqrt_0( x_0 : f32) -> f32
 {
     return 1.0f / sqrt(x_0);
-}
-
-fn firstbitlow_0( value_0 : u32) -> u32
-{
-    var _S1 : u32 = firstTrailingBit(value_0);
-    return _S1;
 }
 
 fn select_vector_1( condition_1 : bool,  yes_1 : vec2<f32>,  no_1 : vec2<f32>) -> vec2<f32>
@@ -305,6 +299,12 @@ fn select_vector_1( condition_1 : bool,  yes_1 : vec2<f32>,  no_1 : vec2<f32>) -
     chosen_1[i32(0)] = select(no_1[i32(0)], yes_1[i32(0)], condition_1);
     chosen_1[i32(1)] = select(no_1[i32(1)], yes_1[i32(1)], condition_1);
     return chosen_1;
+}
+
+fn firstbitlow_0( value_0 : u32) -> u32
+{
+    var _S1 : u32 = firstTrailingBit(value_0);
+    return _S1;
 }
 
 fn fabric_of_0( face_1 : u32) -> u32
@@ -566,6 +566,127 @@ fn to_face_frame_0( direction_2 : vec3<f32>,  back_2 : bool) -> vec3<f32>
     return vec3<f32>(direction_2.xy, select(_S43, - _S43, back_2));
 }
 
+fn fade_0( size_1 : f32,  period_1 : f32) -> f32
+{
+    return clamp((1.0f - size_1 / period_1) * 1.33333337306976318f, 0.0f, 1.0f);
+}
+
+fn moved_share_0( family_0 : u32,  size_2 : f32) -> f32
+{
+    return fade_0(size_2, families_0[family_0].period_0 / families_0[family_0].count_0);
+}
+
+fn turns_and_remainder_0( family_1 : u32,  index_3 : f32) -> vec2<f32>
+{
+    var _S44 : f32 = floor(fma(index_3, families_0[family_1].inverse_count_0, families_0[family_1].half_inverse_count_0));
+    return vec2<f32>(_S44, fma(- _S44, families_0[family_1].count_0, index_3));
+}
+
+struct Cell_0
+{
+     thread_2 : u32,
+     across_0 : f32,
+     half_width_1 : f32,
+     below_0 : f32,
+     above_0 : f32,
+};
+
+fn locate_alike_0( family_2 : u32,  position_1 : f32) -> Cell_0
+{
+    var _S45 : f32 = floor(position_1 * families_0[family_2].inverse_size_0);
+    var cell_3 : Cell_0;
+    var _S46 : f32 = fma(- _S45, families_0[family_2].size_0, position_1);
+    cell_3.below_0 = _S46;
+    cell_3.above_0 = families_0[family_2].size_0 - _S46;
+    cell_3.across_0 = _S46 - 0.5f * families_0[family_2].size_0;
+    cell_3.half_width_1 = families_0[family_2].half_width_0;
+    cell_3.thread_2 = u32(clamp(turns_and_remainder_0(family_2, _S45).y, 0.0f, families_0[family_2].count_0 - 1.0f));
+    return cell_3;
+}
+
+fn table_number_0( index_4 : u32) -> f32
+{
+    return (bitcast<f32>((words_0[index_4])));
+}
+
+fn locate_varied_0( family_3 : u32,  position_2 : f32) -> Cell_0
+{
+    var turns_0 : f32 = (position_2 - families_0[family_3].start_0) * families_0[family_3].inverse_period_0;
+    var turns_1 : f32 = turns_0 - floor(turns_0);
+    var _S47 : f32 = turns_1 * families_0[family_3].period_0;
+    var thread_3 : u32 = words_0[families_0[family_3].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_3].bins_0, 0.0f, families_0[family_3].bins_0 - 1.0f))];
+    var _S48 : u32 = min(thread_3 + select(u32(0), u32(1), _S47 >= (table_number_0(families_0[family_3].place_table_0 + thread_3 * u32(4) + u32(1)))), u32(families_0[family_3].count_0) - u32(1));
+    var _S49 : u32 = families_0[family_3].place_table_0 + _S48 * u32(4);
+    var cell_4 : Cell_0;
+    cell_4.thread_2 = _S48;
+    cell_4.below_0 = _S47 - table_number_0(_S49);
+    cell_4.above_0 = table_number_0(_S49 + u32(1)) - _S47;
+    cell_4.across_0 = _S47 - table_number_0(_S49 + u32(2));
+    cell_4.half_width_1 = table_number_0(_S49 + u32(3));
+    return cell_4;
+}
+
+fn locate_0( family_4 : u32,  position_3 : f32) -> Cell_0
+{
+    if((families_0[family_4].is_alike_0) != u32(0))
+    {
+        return locate_alike_0(family_4, position_3);
+    }
+    return locate_varied_0(family_4, position_3);
+}
+
+fn irregular_thread_0( family_5 : u32,  position_4 : f32,  cell_5 : Cell_0) -> f32
+{
+    return floor((position_4 - cell_5.across_0) / families_0[family_5].period_0) * families_0[family_5].count_0 + f32(cell_5.thread_2);
+}
+
+fn irregular_entry_0( row_0 : u32,  column_0 : f32) -> vec4<u32>
+{
+    var _S50 : u32 = row_0 + u32(4) * ((u32(i32(column_0)) & (u32(1023))));
+    return vec4<u32>(words_0[_S50], words_0[_S50 + u32(1)], words_0[_S50 + u32(2)], words_0[_S50 + u32(3)]);
+}
+
+fn irregular_integral_0( family_6 : u32,  threads_0 : u32,  begin_0 : f32,  steps_0 : f32) -> vec4<f32>
+{
+    var _S51 : u32 = families_0[family_6].irregular_table_0 + threads_0 * u32(4096);
+    var _S52 : f32 = begin_0 + steps_0;
+    var _S53 : f32 = floor(begin_0);
+    var _S54 : vec4<u32> = irregular_entry_0(_S51, _S53);
+    var _S55 : f32 = floor(_S52);
+    var _S56 : vec4<u32> = irregular_entry_0(_S51, _S55);
+    return vec4<f32>(vec4<i32>(_S56 - _S54)) + (vec4<f32>(vec4<i32>(irregular_entry_0(_S51, _S55 + 1.0f) - _S56)) * vec4<f32>((_S52 - _S55)) - vec4<f32>(vec4<i32>(irregular_entry_0(_S51, _S53 + 1.0f) - _S54)) * vec4<f32>((begin_0 - _S53)));
+}
+
+fn irregular_units_0( family_7 : u32) -> vec4<f32>
+{
+    return vec4<f32>(families_0[family_7].irregular_thickness_0, families_0[family_7].irregular_cover_0, families_0[family_7].irregular_tone_0, families_0[family_7].irregular_nep_0);
+}
+
+fn irregular_at_0( family_8 : u32,  key_3 : u32,  number_1 : f32,  along_0 : f32) -> vec4<f32>
+{
+    var _S57 : f32 = floor(number_1 / 64.0f);
+    var _S58 : u32 = hash_bits_0(key_3, u32(i32(_S57)));
+    var _S59 : u32 = ((_S58 & (u32(127)))) + u32(number_1 - 64.0f * _S57);
+    var _S60 : f32 = along_0 / 2.0f - 0.5f + f32((_S58 >> (u32(22))));
+    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
+    var side_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(side_0 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S61 : vec4<f32> = irregular_integral_0(family_8, _S59 + side_0, _S60, 1.0f) - sums_1;
+        var _S62 : u32 = side_0 + u32(1);
+        sums_1 = _S61;
+        side_0 = _S62;
+    }
+    return sums_1 * irregular_units_0(family_8);
+}
+
 struct Footprint_0
 {
      centre_0 : vec2<f32>,
@@ -575,20 +696,20 @@ struct Footprint_0
 
 fn Footprint_spread_side_0( this_0 : Footprint_0) -> f32
 {
-    var _S44 : vec2<f32> = this_0.dx_0;
-    var _S45 : vec2<f32> = this_0.dy_0;
-    return sqrt(0.5f * (dot(_S44, _S44) + dot(_S45, _S45)));
+    var _S63 : vec2<f32> = this_0.dx_0;
+    var _S64 : vec2<f32> = this_0.dy_0;
+    return sqrt(0.5f * (dot(_S63, _S63) + dot(_S64, _S64)));
 }
 
 fn natural_logarithm_0( x_4 : f32) -> f32
 {
-    var _S46 : u32 = (bitcast<u32>((x_4)));
-    var m_0 : f32 = (bitcast<f32>(((((_S46 & (u32(8388607)))) | (u32(1056964608))))));
-    var _S47 : bool = m_0 < 0.70710676908493042f;
-    var exponent_0 : f32 = f32(i32((_S46 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S47);
-    var m_1 : f32 = select(m_0, m_0 + m_0, _S47) - 1.0f;
-    var _S48 : f32 = m_1 * m_1;
-    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S48 - exponent_0 * 0.00021219444170129f - 0.5f * _S48) + exponent_0 * 0.693359375f;
+    var _S65 : u32 = (bitcast<u32>((x_4)));
+    var m_0 : f32 = (bitcast<f32>(((((_S65 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S66 : bool = m_0 < 0.70710676908493042f;
+    var exponent_0 : f32 = f32(i32((_S65 >> (u32(23)))) - i32(126)) - select(0.0f, 1.0f, _S66);
+    var m_1 : f32 = select(m_0, m_0 + m_0, _S66) - 1.0f;
+    var _S67 : f32 = m_1 * m_1;
+    return m_1 + (((((((((0.07037683576345444f * m_1 - 0.11514610052108765f) * m_1 + 0.11676998436450958f) * m_1 - 0.12420140951871872f) * m_1 + 0.14249323308467865f) * m_1 - 0.16668057441711426f) * m_1 + 0.20000714063644409f) * m_1 - 0.24999994039535522f) * m_1 + 0.33333331346511841f) * m_1 * _S67 - exponent_0 * 0.00021219444170129f - 0.5f * _S67) + exponent_0 * 0.693359375f;
 }
 
 fn binary_logarithm_0( x_5 : f32) -> f32
@@ -614,65 +735,6 @@ fn default_quality_0() -> SearchQuality_0
     return quality_0;
 }
 
-fn turns_and_remainder_0( family_0 : u32,  index_3 : f32) -> vec2<f32>
-{
-    var _S49 : f32 = floor(fma(index_3, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
-    return vec2<f32>(_S49, fma(- _S49, families_0[family_0].count_0, index_3));
-}
-
-struct Cell_0
-{
-     thread_2 : u32,
-     across_0 : f32,
-     half_width_1 : f32,
-     below_0 : f32,
-     above_0 : f32,
-};
-
-fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
-{
-    var _S50 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
-    var cell_3 : Cell_0;
-    var _S51 : f32 = fma(- _S50, families_0[family_1].size_0, position_1);
-    cell_3.below_0 = _S51;
-    cell_3.above_0 = families_0[family_1].size_0 - _S51;
-    cell_3.across_0 = _S51 - 0.5f * families_0[family_1].size_0;
-    cell_3.half_width_1 = families_0[family_1].half_width_0;
-    cell_3.thread_2 = u32(clamp(turns_and_remainder_0(family_1, _S50).y, 0.0f, families_0[family_1].count_0 - 1.0f));
-    return cell_3;
-}
-
-fn table_number_0( index_4 : u32) -> f32
-{
-    return (bitcast<f32>((words_0[index_4])));
-}
-
-fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
-{
-    var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
-    var turns_1 : f32 = turns_0 - floor(turns_0);
-    var _S52 : f32 = turns_1 * families_0[family_2].period_0;
-    var thread_3 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
-    var _S53 : u32 = min(thread_3 + select(u32(0), u32(1), _S52 >= (table_number_0(families_0[family_2].place_table_0 + thread_3 * u32(4) + u32(1)))), u32(families_0[family_2].count_0) - u32(1));
-    var _S54 : u32 = families_0[family_2].place_table_0 + _S53 * u32(4);
-    var cell_4 : Cell_0;
-    cell_4.thread_2 = _S53;
-    cell_4.below_0 = _S52 - table_number_0(_S54);
-    cell_4.above_0 = table_number_0(_S54 + u32(1)) - _S52;
-    cell_4.across_0 = _S52 - table_number_0(_S54 + u32(2));
-    cell_4.half_width_1 = table_number_0(_S54 + u32(3));
-    return cell_4;
-}
-
-fn locate_0( family_3 : u32,  position_3 : f32) -> Cell_0
-{
-    if((families_0[family_3].is_alike_0) != u32(0))
-    {
-        return locate_alike_0(family_3, position_3);
-    }
-    return locate_varied_0(family_3, position_3);
-}
-
 struct Shown_0
 {
      is_warp_0 : bool,
@@ -692,42 +754,42 @@ struct Crossing_0
 
 fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
 {
-    var _S55 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
+    var _S68 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     var shown_0 : Shown_0;
-    var _S56 : bool = !((abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1));
-    var _S57 : bool = (_S55 & (((_S56 | ((crossing_0.warp_above_0))))));
-    shown_0.is_warp_0 = _S57;
-    shown_0.hole_0 = ((!_S55) & (_S56));
-    var _S58 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S57);
-    shown_0.word_0 = _S58;
-    shown_0.on_top_0 = (((_S58 & (u32(1)))) == u32(1)) != back_3;
+    var _S69 : bool = !((abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1));
+    var _S70 : bool = (_S68 & (((_S69 | ((crossing_0.warp_above_0))))));
+    shown_0.is_warp_0 = _S70;
+    shown_0.hole_0 = ((!_S68) & (_S69));
+    var _S71 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S70);
+    shown_0.word_0 = _S71;
+    shown_0.on_top_0 = (((_S71 & (u32(1)))) == u32(1)) != back_3;
     return shown_0;
 }
 
 fn select_cell_0( is_first_0 : bool,  first_2 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
-    var cell_5 : Cell_0;
-    cell_5.thread_2 = select(second_0.thread_2, first_2.thread_2, is_first_0);
-    cell_5.across_0 = select(second_0.across_0, first_2.across_0, is_first_0);
-    cell_5.half_width_1 = select(second_0.half_width_1, first_2.half_width_1, is_first_0);
-    cell_5.below_0 = select(second_0.below_0, first_2.below_0, is_first_0);
-    cell_5.above_0 = select(second_0.above_0, first_2.above_0, is_first_0);
-    return cell_5;
+    var cell_6 : Cell_0;
+    cell_6.thread_2 = select(second_0.thread_2, first_2.thread_2, is_first_0);
+    cell_6.across_0 = select(second_0.across_0, first_2.across_0, is_first_0);
+    cell_6.half_width_1 = select(second_0.half_width_1, first_2.half_width_1, is_first_0);
+    cell_6.below_0 = select(second_0.below_0, first_2.below_0, is_first_0);
+    cell_6.above_0 = select(second_0.above_0, first_2.above_0, is_first_0);
+    return cell_6;
 }
 
-fn boundary_0( family_4 : u32,  thread_4 : u32,  step_0 : i32) -> f32
+fn boundary_0( family_9 : u32,  thread_4 : u32,  step_0 : i32) -> f32
 {
-    var _S59 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_4) + step_0));
-    return fma(_S59.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S59.y) * u32(4)));
+    var _S72 : vec2<f32> = turns_and_remainder_0(family_9, f32(i32(thread_4) + step_0));
+    return fma(_S72.x, families_0[family_9].period_0, table_number_0(families_0[family_9].place_table_0 + u32(_S72.y) * u32(4)));
 }
 
-fn span_0( family_5 : u32,  thread_5 : u32,  first_3 : i32,  last_0 : i32) -> f32
+fn span_0( family_10 : u32,  thread_5 : u32,  first_3 : i32,  last_0 : i32) -> f32
 {
-    if((families_0[family_5].is_alike_0) != u32(0))
+    if((families_0[family_10].is_alike_0) != u32(0))
     {
-        return f32(last_0 - first_3) * families_0[family_5].size_0;
+        return f32(last_0 - first_3) * families_0[family_10].size_0;
     }
-    return boundary_0(family_5, thread_5, last_0) - boundary_0(family_5, thread_5, first_3);
+    return boundary_0(family_10, thread_5, last_0) - boundary_0(family_10, thread_5, first_3);
 }
 
 struct Bend_0
@@ -737,13 +799,13 @@ struct Bend_0
      arc_0 : f32,
 };
 
-fn bend_of_0( family_6 : u32,  thread_6 : u32) -> Bend_0
+fn bend_of_0( family_11 : u32,  thread_6 : u32) -> Bend_0
 {
-    var _S60 : u32 = families_0[family_6].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_6].is_alike_0) != u32(0));
+    var _S73 : u32 = families_0[family_11].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_11].is_alike_0) != u32(0));
     var bend_0 : Bend_0;
-    bend_0.sine_0 = table_number_0(_S60);
-    bend_0.half_tangent_0 = table_number_0(_S60 + u32(1));
-    bend_0.arc_0 = table_number_0(_S60 + u32(2));
+    bend_0.sine_0 = table_number_0(_S73);
+    bend_0.half_tangent_0 = table_number_0(_S73 + u32(1));
+    bend_0.arc_0 = table_number_0(_S73 + u32(2));
     return bend_0;
 }
 
@@ -763,29 +825,29 @@ struct Run_0
 
 fn unpack_0( own_0 : u32,  other_0 : u32,  thread_7 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
-    var _S61 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
-    var _S62 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
-    var _S63 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
-    var _S64 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
+    var _S74 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
+    var _S75 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
+    var _S76 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
+    var _S77 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
     var run_0 : Run_0;
-    var _S65 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
-    run_0.straight_0 = _S65;
-    var _S66 : i32 = - _S61;
-    var _S67 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S66, i32(0));
-    run_0.from_start_0 = _S67;
-    var _S68 : i32 = _S62 + i32(1);
-    var _S69 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S68);
-    run_0.to_end_0 = _S69;
-    var _S70 : bool = _S67 < _S69;
-    run_0.near_start_0 = _S70;
-    var _S71 : i32 = select(_S68, _S66 - _S63, _S70);
-    var _S72 : i32 = select(_S68 + _S64, _S66, _S70);
+    var _S78 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
+    run_0.straight_0 = _S78;
+    var _S79 : i32 = - _S74;
+    var _S80 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S79, i32(0));
+    run_0.from_start_0 = _S80;
+    var _S81 : i32 = _S75 + i32(1);
+    var _S82 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S81);
+    run_0.to_end_0 = _S82;
+    var _S83 : bool = _S80 < _S82;
+    run_0.near_start_0 = _S83;
+    var _S84 : i32 = select(_S81, _S79 - _S76, _S83);
+    var _S85 : i32 = select(_S81 + _S77, _S79, _S83);
     run_0.bend_1 = bend_of_0(own_0, thread_7);
-    run_0.distance_1 = select(min(_S67, _S69), 1.0e+06f, _S65);
-    run_0.reach_0 = min(0.5f * (_S67 + _S69), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S71, _S72), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S61 == i32(0);
-    run_0.last_crossing_0 = _S62 == i32(0);
+    run_0.distance_1 = select(min(_S80, _S82), 1.0e+06f, _S78);
+    run_0.reach_0 = min(0.5f * (_S80 + _S82), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S84, _S85), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S74 == i32(0);
+    run_0.last_crossing_0 = _S75 == i32(0);
     return run_0;
 }
 
@@ -801,53 +863,53 @@ struct Section_0
      slope_0 : f32,
 };
 
-fn section_at_0( cell_6 : Cell_0) -> Section_0
+fn section_at_0( cell_7 : Cell_0) -> Section_0
 {
-    var _S73 : f32 = cell_6.half_width_1 * 1.0154266357421875f;
+    var _S86 : f32 = cell_7.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S74 : f32 = clamp(cell_6.across_0, - cell_6.half_width_1, cell_6.half_width_1);
-    section_0.across_1 = _S74;
-    var _S75 : f32 = _S73 * _S73 - square_1(_S74);
-    var _S76 : f32 = rsqrt_0(_S75);
-    section_0.drop_0 = _S73 - _S75 * _S76;
-    section_0.slope_0 = - _S74 * _S76;
+    var _S87 : f32 = clamp(cell_7.across_0, - cell_7.half_width_1, cell_7.half_width_1);
+    section_0.across_1 = _S87;
+    var _S88 : f32 = _S86 * _S86 - square_1(_S87);
+    var _S89 : f32 = rsqrt_0(_S88);
+    section_0.drop_0 = _S86 - _S88 * _S89;
+    section_0.slope_0 = - _S87 * _S89;
     return section_0;
 }
 
-fn edge_drop_0( family_7 : u32,  thread_8 : u32,  step_1 : i32) -> f32
+fn edge_drop_0( family_12 : u32,  thread_8 : u32,  step_1 : i32) -> f32
 {
-    return table_number_0(families_0[family_7].bend_table_0 + select(u32(turns_and_remainder_0(family_7, f32(i32(thread_8) + step_1)).y) * u32(4), u32(0), (families_0[family_7].is_alike_0) != u32(0)) + u32(3));
+    return table_number_0(families_0[family_12].bend_table_0 + select(u32(turns_and_remainder_0(family_12, f32(i32(thread_8) + step_1)).y) * u32(4), u32(0), (families_0[family_12].is_alike_0) != u32(0)) + u32(3));
 }
 
 fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec3<f32>
 {
-    var _S77 : bool = (crossed_1.below_0) < (crossed_1.above_0);
-    var _S78 : f32 = min(crossed_1.below_0, crossed_1.above_0);
-    var _S79 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S77) - crossed_1.half_width_1;
-    var _S80 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S77);
-    var _S81 : f32;
+    var _S90 : bool = (crossed_1.below_0) < (crossed_1.above_0);
+    var _S91 : f32 = min(crossed_1.below_0, crossed_1.above_0);
+    var _S92 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S90) - crossed_1.half_width_1;
+    var _S93 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S90);
+    var _S94 : f32;
     if(shown_1.on_top_0)
     {
-        _S81 = 0.0f;
+        _S94 = 0.0f;
     }
     else
     {
-        _S81 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
+        _S94 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
     }
-    var _S82 : f32;
-    if((shown_1.on_top_0) != _S80)
+    var _S95 : f32;
+    if((shown_1.on_top_0) != _S93)
     {
-        _S82 = 0.0f;
+        _S95 = 0.0f;
     }
     else
     {
-        _S82 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S77));
+        _S95 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S90));
     }
-    var _S83 : f32 = 2.0f * _S79;
-    var _S84 : f32 = 1.0f / max(_S83, 9.999999960041972e-13f);
-    var _S85 : f32 = clamp((_S79 - _S78) * _S84, 0.0f, 1.0f);
-    var _S86 : f32 = clamp((0.44999998807907104f - _S83 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
-    return vec3<f32>(_S81 + (_S82 - _S81) * (_S85 * _S85 * (3.0f - 2.0f * _S85)), (_S81 - _S82) * (6.0f * _S85 * (1.0f - _S85) * _S84) * select(-1.0f, 1.0f, _S77), _S86 * _S86 * (3.0f - 2.0f * _S86));
+    var _S96 : f32 = 2.0f * _S92;
+    var _S97 : f32 = 1.0f / max(_S96, 9.999999960041972e-13f);
+    var _S98 : f32 = clamp((_S92 - _S91) * _S97, 0.0f, 1.0f);
+    var _S99 : f32 = clamp((0.44999998807907104f - _S96 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
+    return vec3<f32>(_S94 + (_S95 - _S94) * (_S98 * _S98 * (3.0f - 2.0f * _S98)), (_S94 - _S95) * (6.0f * _S98 * (1.0f - _S98) * _S97) * select(-1.0f, 1.0f, _S90), _S99 * _S99 * (3.0f - 2.0f * _S99));
 }
 
 struct StepControl_0
@@ -865,12 +927,12 @@ fn step_control_0( direction_3 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S87 : f32 = direction_3.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S87), 9.99999971718068537e-10f);
-    var _S88 : f32 = direction_3.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S88), 9.99999971718068537e-10f);
-    control_0.right_0 = _S87 > 0.0f;
-    control_0.up_0 = _S88 > 0.0f;
+    var _S100 : f32 = direction_3.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S100), 9.99999971718068537e-10f);
+    var _S101 : f32 = direction_3.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S101), 9.99999971718068537e-10f);
+    control_0.right_0 = _S100 > 0.0f;
+    control_0.up_0 = _S101 > 0.0f;
     return control_0;
 }
 
@@ -892,21 +954,21 @@ fn no_previous_sample_0() -> PreviousSample_0
     return previous_0;
 }
 
-fn outline_distance_0( cell_7 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
+fn outline_distance_0( cell_8 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
 {
-    var _S89 : f32 = select(- cell_7.across_0, cell_7.across_0, forwards_0);
-    var _S90 : f32 = select(cell_7.below_0, cell_7.above_0, forwards_0);
-    var _S91 : f32 = - cell_7.half_width_1;
-    var _S92 : bool = _S89 < _S91;
-    var _S93 : bool = _S89 >= (cell_7.half_width_1);
-    var _S94 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
-    var _S95 : f32 = select(cell_7.half_width_1, _S91, _S92) - _S89;
-    var _S96 : f32 = select(_S90, 2.0f * _S90 + _S89 - cell_7.half_width_1, ((shown_2.hole_0) | (((_S94 & ((!shown_2.on_top_0)))))));
-    if((((_S94 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S92)))))))
+    var _S102 : f32 = select(- cell_8.across_0, cell_8.across_0, forwards_0);
+    var _S103 : f32 = select(cell_8.below_0, cell_8.above_0, forwards_0);
+    var _S104 : f32 = - cell_8.half_width_1;
+    var _S105 : bool = _S102 < _S104;
+    var _S106 : bool = _S102 >= (cell_8.half_width_1);
+    var _S107 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
+    var _S108 : f32 = select(cell_8.half_width_1, _S104, _S105) - _S102;
+    var _S109 : f32 = select(_S103, 2.0f * _S103 + _S102 - cell_8.half_width_1, ((shown_2.hole_0) | (((_S107 & ((!shown_2.on_top_0)))))));
+    if((((_S107 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S105)))))))
     {
         return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
     }
-    return select(_S95, _S96, _S93);
+    return select(_S108, _S109, _S106);
 }
 
 struct Probe_0
@@ -925,21 +987,21 @@ struct Probe_0
 
 fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
 {
-    var _S97 : f32 = previous_1.rate_0 * step_4;
-    var _S98 : f32 = rate_1 * step_4;
+    var _S110 : f32 = previous_1.rate_0 * step_4;
+    var _S111 : f32 = rate_1 * step_4;
     if(((((((((!previous_1.known_0) | ((here_0.hole_1)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((((3.0f * previous_1.clearance_0 + _S97) >= 0.0f) & (((3.0f * clearance_1 - _S98) >= 0.0f))))
+    if((((3.0f * previous_1.clearance_0 + _S110) >= 0.0f) & (((3.0f * clearance_1 - _S111) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S99 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S100 : f32 = 6.0f * _S99 - 4.0f * _S97 - 2.0f * _S98;
-    var _S101 : f32 = -2.0f * _S97 / max(_S100 + sqrt(max(_S100 * _S100 - 4.0f * (3.0f * (_S97 + _S98 - 2.0f * _S99)) * _S97, 0.0f)), 9.99999968265522539e-21f);
-    var _S102 : f32 = 1.0f - _S101;
-    return select(-1.0f, _S102 * step_4, ((((_S101 > 0.01999999955296516f) & ((_S102 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S101 + 1.0f) + _S97 * _S101) * _S102 * _S102 + (clearance_1 * (2.0f * _S102 + 1.0f) - _S98 * _S102) * _S101 * _S101) < 0.0f))));
+    var _S112 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S113 : f32 = 6.0f * _S112 - 4.0f * _S110 - 2.0f * _S111;
+    var _S114 : f32 = -2.0f * _S110 / max(_S113 + sqrt(max(_S113 * _S113 - 4.0f * (3.0f * (_S110 + _S111 - 2.0f * _S112)) * _S110, 0.0f)), 9.99999968265522539e-21f);
+    var _S115 : f32 = 1.0f - _S114;
+    return select(-1.0f, _S115 * step_4, ((((_S114 > 0.01999999955296516f) & ((_S115 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S114 + 1.0f) + _S110 * _S114) * _S115 * _S115 + (clearance_1 * (2.0f * _S115 + 1.0f) - _S111 * _S115) * _S114 * _S114) < 0.0f))));
 }
 
 fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
@@ -959,8 +1021,8 @@ fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_1 : f32,  side_y_
 
 fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S103 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
-    return min(this_2.step_2, select(max(_S103, 0.0f) + this_2.epsilon_0, _S103 - this_2.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S103 + clearance_3) < 0.0f)))) & ((_S103 > (2.0f * this_2.epsilon_0))))));
+    var _S116 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
+    return min(this_2.step_2, select(max(_S116, 0.0f) + this_2.epsilon_0, _S116 - this_2.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S116 + clearance_3) < 0.0f)))) & ((_S116 > (2.0f * this_2.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -981,10 +1043,10 @@ fn ViewRay_rate_0( this_4 : ViewRay_0,  here_3 : Probe_0) -> f32
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S104 : f32 = end_0 - start_1;
-    var _S105 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S104;
-    var _S106 : f32 = 3.0f * _S104 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S104, 9.99999968265522539e-21f);
+    var _S117 : f32 = end_0 - start_1;
+    var _S118 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S117;
+    var _S119 : f32 = 3.0f * _S117 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S117, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -995,10 +1057,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S107 : f32 = clamp(share_1 - (((_S105 * share_1 + _S106) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S105 * share_1 + 2.0f * _S106) * share_1 + start_rate_0, 0.10000000149011612f * _S104 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S108 : i32 = i_0 + i32(1);
-        share_1 = _S107;
-        i_0 = _S108;
+        var _S120 : f32 = clamp(share_1 - (((_S118 * share_1 + _S119) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S118 * share_1 + 2.0f * _S119) * share_1 + start_rate_0, 0.10000000149011612f * _S117 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S121 : i32 = i_0 + i32(1);
+        share_1 = _S120;
+        i_0 = _S121;
     }
     return share_1;
 }
@@ -1020,10 +1082,10 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
 
 fn arc_tangent_0( y_3 : f32,  x_8 : f32) -> f32
 {
-    var _S109 : f32 = abs(x_8);
-    var _S110 : f32 = abs(y_3);
-    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S109, _S110) / max(max(_S109, _S110), 1.00000000317107685e-30f));
-    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S110 > _S109);
+    var _S122 : f32 = abs(x_8);
+    var _S123 : f32 = abs(y_3);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S122, _S123) / max(max(_S122, _S123), 1.00000000317107685e-30f));
+    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S123 > _S122);
     var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_8 < 0.0f);
     return select(angle_2, - angle_2, y_3 < 0.0f);
 }
@@ -1037,37 +1099,37 @@ struct NodeTaps_0
 
 fn node_taps_of_0( direction_4 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
 {
-    var _S111 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
-    var _S112 : f32 = floor(_S111);
-    var _S113 : f32 = _S111 - _S112;
-    var _S114 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    var _S115 : f32 = 7.0f * _S114 * sqrt(_S114);
-    var _S116 : f32 = min(floor(_S115), 6.0f);
-    var _S117 : f32 = _S115 - _S116;
-    var _S118 : u32 = u32(i32(_S112) + i32(azimuths_0)) % azimuths_0;
-    var _S119 : u32 = u32(_S116);
-    var _S120 : u32 = _S118 * u32(8) + _S119;
-    var _S121 : u32 = (_S118 + u32(1)) % azimuths_0;
-    var _S122 : u32 = _S121 * u32(8) + _S119;
+    var _S124 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
+    var _S125 : f32 = floor(_S124);
+    var _S126 : f32 = _S124 - _S125;
+    var _S127 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    var _S128 : f32 = 7.0f * _S127 * sqrt(_S127);
+    var _S129 : f32 = min(floor(_S128), 6.0f);
+    var _S130 : f32 = _S128 - _S129;
+    var _S131 : u32 = u32(i32(_S125) + i32(azimuths_0)) % azimuths_0;
+    var _S132 : u32 = u32(_S129);
+    var _S133 : u32 = _S131 * u32(8) + _S132;
+    var _S134 : u32 = (_S131 + u32(1)) % azimuths_0;
+    var _S135 : u32 = _S134 * u32(8) + _S132;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S120, _S120 + u32(1), _S122, _S122 + u32(1));
-    var _S123 : f32 = 1.0f - _S113;
-    var _S124 : f32 = 1.0f - _S117;
-    var _S125 : vec4<u32> = vec4<u32>(vec4<f32>(_S123 * _S124, _S123 * _S117, _S113 * _S124, _S113 * _S117) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S125;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S125.x + _S125.y + _S125.z + _S125.w);
+    taps_0.nodes_0 = vec4<u32>(_S133, _S133 + u32(1), _S135, _S135 + u32(1));
+    var _S136 : f32 = 1.0f - _S126;
+    var _S137 : f32 = 1.0f - _S130;
+    var _S138 : vec4<u32> = vec4<u32>(vec4<f32>(_S136 * _S137, _S136 * _S130, _S126 * _S137, _S126 * _S130) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S138;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S138.x + _S138.y + _S138.z + _S138.w);
     return taps_0;
 }
 
 fn node_taps_0( direction_5 : vec3<f32>) -> NodeTaps_0
 {
-    var _S126 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
-    return _S126;
+    var _S139 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
+    return _S139;
 }
 
-fn wrapped_cell_0( position_4 : f32,  count_2 : f32) -> f32
+fn wrapped_cell_0( position_5 : f32,  count_2 : f32) -> f32
 {
-    return min(floor((position_4 - floor(position_4)) * count_2), count_2 - 1.0f);
+    return min(floor((position_5 - floor(position_5)) * count_2), count_2 - 1.0f);
 }
 
 fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
@@ -1077,16 +1139,82 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_1 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S127 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S128 : vec4<u32> = ((packs_1 & (_S127))) * taps_1.weights_0;
-    var _S129 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S127))) * taps_1.weights_0;
-    return bytes_of_sums_0(_S128.x + _S128.y + _S128.z + _S128.w, _S129.x + _S129.y + _S129.z + _S129.w) * vec4<f32>(taps_1.inverse_sum_0);
+    var _S140 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S141 : vec4<u32> = ((packs_1 & (_S140))) * taps_1.weights_0;
+    var _S142 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S140))) * taps_1.weights_0;
+    return bytes_of_sums_0(_S141.x + _S141.y + _S141.z + _S141.w, _S142.x + _S142.y + _S142.z + _S142.w) * vec4<f32>(taps_1.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_2 : NodeTaps_0,  table_1 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S130 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_2, vec4<u32>(words_0[_S130.x], words_0[_S130.y], words_0[_S130.z], words_0[_S130.w]));
+    var _S143 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_2, vec4<u32>(words_0[_S143.x], words_0[_S143.y], words_0[_S143.z], words_0[_S143.w]));
+}
+
+struct Yarns_0
+{
+     warp_2 : vec4<f32>,
+     weft_2 : vec4<f32>,
+     shares_0 : vec3<f32>,
+};
+
+fn Yarns_x24init_0( warp_3 : vec4<f32>,  weft_3 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
+{
+    var _S144 : Yarns_0;
+    _S144.warp_2 = warp_3;
+    _S144.weft_2 = weft_3;
+    _S144.shares_0 = shares_1;
+    return _S144;
+}
+
+fn irregular_over_0( family_13 : u32,  key_4 : u32,  place_1 : f32,  width_2 : f32,  along_1 : f32,  length_0 : f32) -> vec4<f32>
+{
+    var _S145 : f32 = max(width_2, 0.0625f);
+    var _S146 : f32 = min(_S145, 64.0f);
+    var _S147 : f32 = max(length_0 / 2.0f, 1.0f);
+    var _S148 : f32 = along_1 / 2.0f - 0.5f * _S147;
+    var _S149 : f32 = 0.5f * _S146;
+    var _S150 : vec2<f32> = floor(vec2<f32>(place_1 - _S149, place_1 + _S149) / vec2<f32>(64.0f));
+    var _S151 : vec4<f32> = vec4<f32>(0.0f);
+    var number_2 : u32 = u32(0);
+    var sums_2 : vec4<f32> = _S151;
+    for(;;)
+    {
+        if(number_2 < u32(6))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S152 : bool = number_2 >= u32(3);
+        var _S153 : u32 = select(number_2, number_2 - u32(3), _S152);
+        var _S154 : f32 = select(-1.0f, 1.0f, _S152);
+        var _S155 : f32 = _S150.y;
+        var _S156 : f32 = _S150.x;
+        var _S157 : f32 = select(_S156, _S155, _S152);
+        var _S158 : f32 = place_1 + _S154 * 0.5f * _S146 - 64.0f * _S157;
+        var _S159 : f32 = clamp(floor(_S158), 0.0f, 63.0f);
+        var _S160 : f32 = _S158 - _S159;
+        var _S161 : f32 = select(select(64.0f, 0.0f, _S152), _S159 + f32(_S153), _S153 < u32(2));
+        var _S162 : f32 = _S154 * select(select(select(0.0f, -1.0f, _S156 != _S155), _S160, _S153 == u32(1)), 1.0f - _S160, _S153 == u32(0));
+        if(_S162 == 0.0f)
+        {
+            number_2 = number_2 + u32(1);
+            continue;
+        }
+        var _S163 : u32 = hash_bits_0(key_4, u32(i32(_S157)));
+        sums_2 = sums_2 + vec4<f32>(_S162) * irregular_integral_0(family_13, ((_S163 & (u32(127)))) + u32(_S161), _S148 + f32((_S163 >> (u32(22)))), _S147);
+        number_2 = number_2 + u32(1);
+    }
+    return sums_2 * irregular_units_0(family_13) * vec4<f32>((sqrt(_S146 / _S145) / (_S146 * _S147)));
+}
+
+fn shown_of_covers_0( covers_0 : vec2<f32>,  warp_on_top_1 : f32) -> vec3<f32>
+{
+    var _S164 : f32 = covers_0.x;
+    var _S165 : f32 = covers_0.y;
+    return vec3<f32>(_S164 * (1.0f - _S165 * (1.0f - warp_on_top_1)), _S165 * (1.0f - _S164 * warp_on_top_1), (1.0f - _S164) * (1.0f - _S165));
 }
 
 fn sheen_scale_0( x_9 : f32,  y_4 : f32) -> f32
@@ -1106,18 +1234,18 @@ fn sheen_reflectance_0( x_11 : f32,  y_6 : f32) -> f32
 
 fn exponential_0( x_12 : f32) -> f32
 {
-    var _S131 : f32 = clamp(x_12, -87.0f, 88.0f);
-    var _S132 : f32 = floor(_S131 * 1.4426950216293335f + 0.5f);
-    var _S133 : f32 = _S131 - _S132 * 0.693359375f + _S132 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S133 + 0.00139819993637502f) * _S133 + 0.00833345204591751f) * _S133 + 0.04166579619050026f) * _S133 + 0.1666666567325592f) * _S133 + 0.5f) * _S133 * _S133 + _S133 + 1.0f) * (bitcast<f32>(((u32(i32(_S132) + i32(127)) << (u32(23)))))), 0.0f, x_12 < -87.0f);
+    var _S166 : f32 = clamp(x_12, -87.0f, 88.0f);
+    var _S167 : f32 = floor(_S166 * 1.4426950216293335f + 0.5f);
+    var _S168 : f32 = _S166 - _S167 * 0.693359375f + _S167 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S168 + 0.00139819993637502f) * _S168 + 0.00833345204591751f) * _S168 + 0.04166579619050026f) * _S168 + 0.1666666567325592f) * _S168 + 0.5f) * _S168 * _S168 + _S168 + 1.0f) * (bitcast<f32>(((u32(i32(_S167) + i32(127)) << (u32(23)))))), 0.0f, x_12 < -87.0f);
 }
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S134 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S135 : f32 = 2.0f * sqrt(_S134) - 1.0f;
-    var _S136 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S135, _S136), 0.00999999977648258f, 1.0f), clamp((1.0f - _S134) * sheen_shear_0(_S135, _S136), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S135, _S136), -60.0f, 60.0f))));
+    var _S169 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S170 : f32 = 2.0f * sqrt(_S169) - 1.0f;
+    var _S171 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S170, _S171), 0.00999999977648258f, 1.0f), clamp((1.0f - _S169) * sheen_shear_0(_S170, _S171), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S170, _S171), -60.0f, 60.0f))));
 }
 
 fn camera_right_0() -> vec3<f32>
@@ -1140,93 +1268,93 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S137 : u32,  _S138 : u32,  _S139 : u32,  _S140 : vec2<f32>) -> f32
+fn uneven_shift_0( _S172 : u32,  _S173 : u32,  _S174 : u32,  _S175 : vec2<f32>) -> f32
 {
-    var _S141 : f32 = families_0[_S139].period_0 / families_0[_S139].count_0;
-    var _S142 : u32 = hash_key_0(_S138, ((fabrics_0[_S137].seed_0) ^ (u32(625341585))));
-    var _S143 : vec2<f32> = vec2<f32>(_S140.x, _S140.y / 4.0f) / vec2<f32>(_S141);
-    return 0.20000000298023224f * sqrt(families_0[_S139].slub_0) * _S141 * (uneven_octave_0(_S142, _S143) * 0.66666668653488159f + uneven_octave_0(_S142 + u32(1), vec2<f32>(2.0f) * _S143 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S176 : f32 = families_0[_S174].period_0 / families_0[_S174].count_0;
+    var _S177 : u32 = hash_key_0(_S173, ((fabrics_0[_S172].seed_0) ^ (u32(625341585))));
+    var _S178 : vec2<f32> = vec2<f32>(_S175.x, _S175.y / 4.0f) / vec2<f32>(_S176);
+    return 0.20000000298023224f * sqrt(families_0[_S174].slub_0) * _S176 * (uneven_octave_0(_S177, _S178) * 0.66666668653488159f + uneven_octave_0(_S177 + u32(1), vec2<f32>(2.0f) * _S178 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S144 : u32,  _S145 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S179 : u32,  _S180 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S144].has_detail_0) == u32(0), _S145, _S145 + vec2<f32>(uneven_shift_0(_S144, u32(0), fabrics_0[_S144].warp_0, _S145), uneven_shift_0(_S144, u32(1), fabrics_0[_S144].weft_0, _S145.yx)));
+    return select_vector_1((fabrics_0[_S179].has_detail_0) == u32(0), _S180, _S180 + vec2<f32>(uneven_shift_0(_S179, u32(0), fabrics_0[_S179].warp_0, _S180), uneven_shift_0(_S179, u32(1), fabrics_0[_S179].weft_0, _S180.yx)));
 }
 
-fn face_point_0( _S146 : u32,  _S147 : u32,  _S148 : f32,  _S149 : f32) -> VisiblePoint_0
+fn face_point_0( _S181 : u32,  _S182 : u32,  _S183 : f32,  _S184 : f32) -> VisiblePoint_0
 {
-    var _S150 : u32 = u32(3) * _S147;
-    var _S151 : Vertex_0 = vertex_at_0(_S150);
-    var _S152 : Vertex_0 = vertex_at_0(_S150 + u32(1));
-    var _S153 : Vertex_0 = vertex_at_0(_S150 + u32(2));
-    var _S154 : vec3<f32> = position_of_0(_S151);
-    var _S155 : vec3<f32> = position_of_0(_S152) - _S154;
-    var _S156 : vec3<f32> = position_of_0(_S153) - _S154;
-    var _S157 : f32 = _S152.u_0 - _S151.u_0;
-    var _S158 : f32 = _S152.v_0 - _S151.v_0;
-    var _S159 : vec2<f32> = vec2<f32>(_S157, _S158);
-    var _S160 : f32 = _S153.u_0 - _S151.u_0;
-    var _S161 : f32 = _S153.v_0 - _S151.v_0;
-    var _S162 : vec2<f32> = vec2<f32>(_S160, _S161);
-    var _S163 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S157 * _S161 - _S158 * _S160) < 0.0f));
-    var _S164 : vec3<f32> = _S163 * (vec3<f32>(_S161) * _S155 - vec3<f32>(_S158) * _S156);
-    var _S165 : vec3<f32> = _S163 * (vec3<f32>(_S157) * _S156 - vec3<f32>(_S160) * _S155);
+    var _S185 : u32 = u32(3) * _S182;
+    var _S186 : Vertex_0 = vertex_at_0(_S185);
+    var _S187 : Vertex_0 = vertex_at_0(_S185 + u32(1));
+    var _S188 : Vertex_0 = vertex_at_0(_S185 + u32(2));
+    var _S189 : vec3<f32> = position_of_0(_S186);
+    var _S190 : vec3<f32> = position_of_0(_S187) - _S189;
+    var _S191 : vec3<f32> = position_of_0(_S188) - _S189;
+    var _S192 : f32 = _S187.u_0 - _S186.u_0;
+    var _S193 : f32 = _S187.v_0 - _S186.v_0;
+    var _S194 : vec2<f32> = vec2<f32>(_S192, _S193);
+    var _S195 : f32 = _S188.u_0 - _S186.u_0;
+    var _S196 : f32 = _S188.v_0 - _S186.v_0;
+    var _S197 : vec2<f32> = vec2<f32>(_S195, _S196);
+    var _S198 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S192 * _S196 - _S193 * _S195) < 0.0f));
+    var _S199 : vec3<f32> = _S198 * (vec3<f32>(_S196) * _S190 - vec3<f32>(_S193) * _S191);
+    var _S200 : vec3<f32> = _S198 * (vec3<f32>(_S192) * _S191 - vec3<f32>(_S195) * _S190);
     var point_1 : VisiblePoint_0;
-    var _S166 : vec3<f32> = vec3<f32>(_S148);
-    var _S167 : vec3<f32> = vec3<f32>(_S149);
-    var _S168 : vec3<f32> = normalize(vec3<f32>((1.0f - _S148 - _S149)) * normal_of_0(_S151) + _S166 * normal_of_0(_S152) + _S167 * normal_of_0(_S153));
-    point_1.normal_0 = _S168;
-    var _S169 : vec3<f32> = normalize(_S164 - _S168 * vec3<f32>(dot(_S168, _S164)));
-    point_1.axis_x_0 = _S169;
-    point_1.axis_y_0 = cross(_S168, _S169);
-    var _S170 : vec3<f32> = normalize(cross(_S155, _S156));
-    point_1.face_normal_0 = select_vector_0((dot(_S170, _S168)) < 0.0f, (vec3<f32>(0) - _S170), _S170);
-    point_1.position_0 = _S154 + _S166 * _S155 + _S167 * _S156;
-    point_1.view_0 = _S168;
-    var _S171 : vec2<f32> = vec2<f32>(_S151.u_0, _S151.v_0) + vec2<f32>(_S148) * _S159 + vec2<f32>(_S149) * _S162;
-    point_1.uv_0 = _S171;
-    var _S172 : bool = (dot(cross(_S164, _S165), _S168)) < 0.0f;
-    var _S173 : vec2<f32> = vec2<f32>(fabrics_0[_S146].uv_width_0, select(fabrics_0[_S146].uv_height_0, - fabrics_0[_S146].uv_height_0, _S172));
-    point_1.draft_per_uv_0 = _S173;
-    point_1.draft_0 = uneven_place_0(_S146, _S171 * _S173 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S146].uv_height_0, _S172)));
-    var _S174 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S174;
-    point_1.draft_dy_0 = _S174;
+    var _S201 : vec3<f32> = vec3<f32>(_S183);
+    var _S202 : vec3<f32> = vec3<f32>(_S184);
+    var _S203 : vec3<f32> = normalize(vec3<f32>((1.0f - _S183 - _S184)) * normal_of_0(_S186) + _S201 * normal_of_0(_S187) + _S202 * normal_of_0(_S188));
+    point_1.normal_0 = _S203;
+    var _S204 : vec3<f32> = normalize(_S199 - _S203 * vec3<f32>(dot(_S203, _S199)));
+    point_1.axis_x_0 = _S204;
+    point_1.axis_y_0 = cross(_S203, _S204);
+    var _S205 : vec3<f32> = normalize(cross(_S190, _S191));
+    point_1.face_normal_0 = select_vector_0((dot(_S205, _S203)) < 0.0f, (vec3<f32>(0) - _S205), _S205);
+    point_1.position_0 = _S189 + _S201 * _S190 + _S202 * _S191;
+    point_1.view_0 = _S203;
+    var _S206 : vec2<f32> = vec2<f32>(_S186.u_0, _S186.v_0) + vec2<f32>(_S183) * _S194 + vec2<f32>(_S184) * _S197;
+    point_1.uv_0 = _S206;
+    var _S207 : bool = (dot(cross(_S199, _S200), _S203)) < 0.0f;
+    var _S208 : vec2<f32> = vec2<f32>(fabrics_0[_S181].uv_width_0, select(fabrics_0[_S181].uv_height_0, - fabrics_0[_S181].uv_height_0, _S207));
+    point_1.draft_per_uv_0 = _S208;
+    point_1.draft_0 = uneven_place_0(_S181, _S206 * _S208 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S181].uv_height_0, _S207)));
+    var _S209 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S209;
+    point_1.draft_dy_0 = _S209;
     return point_1;
 }
 
-fn visible_point_0( _S175 : u32,  _S176 : u32,  _S177 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S210 : u32,  _S211 : u32,  _S212 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S178 : u32 = u32(3) * _S176;
-    var _S179 : Vertex_0 = vertex_at_0(_S178);
-    var _S180 : Vertex_0 = vertex_at_0(_S178 + u32(1));
-    var _S181 : Vertex_0 = vertex_at_0(_S178 + u32(2));
-    var _S182 : vec3<f32> = position_of_0(_S179);
-    var _S183 : vec3<f32> = position_of_0(_S180) - _S182;
-    var _S184 : vec3<f32> = position_of_0(_S181) - _S182;
-    var _S185 : vec3<f32> = cross(_S183, _S184);
-    var _S186 : f32 = f32(frame_record_0.width_0);
-    var _S187 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S186));
-    var _S188 : f32 = f32(frame_record_0.height_0);
-    var _S189 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S188));
-    var _S190 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S177.x) + 0.5f - 0.5f * _S186)) * _S187 + vec3<f32>((f32(_S177.y) + 0.5f - 0.5f * _S188)) * _S189;
-    var _S191 : f32 = dot(_S190, _S185);
-    var _S192 : f32 = 1.0f / select(1.00000000317107685e-30f, _S191, (abs(_S191)) > 1.00000000317107685e-30f);
-    var _S193 : vec3<f32> = _S182 - camera_origin_0();
-    var _S194 : vec3<f32> = vec3<f32>((dot(_S193, _S185) * _S192));
-    var _S195 : vec3<f32> = _S190 * _S194 - _S193;
-    var _S196 : vec3<f32> = _S194 * (_S187 - _S190 * vec3<f32>((dot(_S187, _S185) * _S192)));
-    var _S197 : vec3<f32> = _S194 * (_S189 - _S190 * vec3<f32>((dot(_S189, _S185) * _S192)));
-    var _S198 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S185), 1.00000000317107685e-30f)));
-    var _S199 : vec3<f32> = cross(_S184, _S185) * _S198;
-    var _S200 : vec3<f32> = cross(_S185, _S183) * _S198;
-    var _S201 : vec2<f32> = vec2<f32>(_S180.u_0 - _S179.u_0, _S180.v_0 - _S179.v_0);
-    var _S202 : vec2<f32> = vec2<f32>(_S181.u_0 - _S179.u_0, _S181.v_0 - _S179.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S175, _S176, dot(_S195, _S199), dot(_S195, _S200));
-    point_2.position_0 = _S182 + _S195;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S190));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S196, _S199)) * _S201 + vec2<f32>(dot(_S196, _S200)) * _S202) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S197, _S199)) * _S201 + vec2<f32>(dot(_S197, _S200)) * _S202) * point_2.draft_per_uv_0;
+    var _S213 : u32 = u32(3) * _S211;
+    var _S214 : Vertex_0 = vertex_at_0(_S213);
+    var _S215 : Vertex_0 = vertex_at_0(_S213 + u32(1));
+    var _S216 : Vertex_0 = vertex_at_0(_S213 + u32(2));
+    var _S217 : vec3<f32> = position_of_0(_S214);
+    var _S218 : vec3<f32> = position_of_0(_S215) - _S217;
+    var _S219 : vec3<f32> = position_of_0(_S216) - _S217;
+    var _S220 : vec3<f32> = cross(_S218, _S219);
+    var _S221 : f32 = f32(frame_record_0.width_0);
+    var _S222 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S221));
+    var _S223 : f32 = f32(frame_record_0.height_0);
+    var _S224 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S223));
+    var _S225 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S212.x) + 0.5f - 0.5f * _S221)) * _S222 + vec3<f32>((f32(_S212.y) + 0.5f - 0.5f * _S223)) * _S224;
+    var _S226 : f32 = dot(_S225, _S220);
+    var _S227 : f32 = 1.0f / select(1.00000000317107685e-30f, _S226, (abs(_S226)) > 1.00000000317107685e-30f);
+    var _S228 : vec3<f32> = _S217 - camera_origin_0();
+    var _S229 : vec3<f32> = vec3<f32>((dot(_S228, _S220) * _S227));
+    var _S230 : vec3<f32> = _S225 * _S229 - _S228;
+    var _S231 : vec3<f32> = _S229 * (_S222 - _S225 * vec3<f32>((dot(_S222, _S220) * _S227)));
+    var _S232 : vec3<f32> = _S229 * (_S224 - _S225 * vec3<f32>((dot(_S224, _S220) * _S227)));
+    var _S233 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S220), 1.00000000317107685e-30f)));
+    var _S234 : vec3<f32> = cross(_S219, _S220) * _S233;
+    var _S235 : vec3<f32> = cross(_S220, _S218) * _S233;
+    var _S236 : vec2<f32> = vec2<f32>(_S215.u_0 - _S214.u_0, _S215.v_0 - _S214.v_0);
+    var _S237 : vec2<f32> = vec2<f32>(_S216.u_0 - _S214.u_0, _S216.v_0 - _S214.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S210, _S211, dot(_S230, _S234), dot(_S230, _S235));
+    point_2.position_0 = _S217 + _S230;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S225));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S231, _S234)) * _S236 + vec2<f32>(dot(_S231, _S235)) * _S237) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S232, _S234)) * _S236 + vec2<f32>(dot(_S232, _S235)) * _S237) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -1242,80 +1370,80 @@ struct LightSample_0
      distance_2 : f32,
 };
 
-fn environment_texel_0( _S203 : u32,  _S204 : u32) -> vec3<f32>
+fn environment_texel_0( _S238 : u32,  _S239 : u32) -> vec3<f32>
 {
-    var _S205 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S203 * frame_record_0.environment_columns_0 + _S204);
-    return vec3<f32>(scene_number_0(_S205), scene_number_0(_S205 + u32(1)), scene_number_0(_S205 + u32(2)));
+    var _S240 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S238 * frame_record_0.environment_columns_0 + _S239);
+    return vec3<f32>(scene_number_0(_S240), scene_number_0(_S240 + u32(1)), scene_number_0(_S240 + u32(2)));
 }
 
-fn sample_environment_0( _S206 : vec2<f32>,  _S207 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S241 : vec2<f32>,  _S242 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S208 : u32 = frame_record_0.environment_rows_0;
-    var _S209 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S206.y);
-    var _S210 : u32 = frame_record_0.environment_columns_0;
-    var _S211 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S209.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S206.x);
-    var _S212 : vec3<f32> = environment_texel_0(_S209.index_2, _S211.index_2);
-    (*_S207) = _S212 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S212), 9.99999968265522539e-21f)));
-    var _S213 : f32 = 3.14159274101257324f / f32(_S208);
-    var _S214 : f32 = mix(sine_cosine_0(f32(_S209.index_2) * _S213).y, sine_cosine_0(f32(_S209.index_2 + u32(1)) * _S213).y, _S209.remainder_0);
-    var _S215 : f32 = sqrt(max(1.0f - _S214 * _S214, 0.0f));
-    var _S216 : vec2<f32> = sine_cosine_0((f32(_S211.index_2) + _S211.remainder_0) * (6.28318548202514648f / f32(_S210)));
-    var _S217 : f32 = _S215 * _S216.x;
-    var _S218 : f32 = - _S215 * _S216.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S217 + frame_record_0.environment_sine_0 * _S218, _S214, frame_record_0.environment_cosine_0 * _S218 - frame_record_0.environment_sine_0 * _S217);
+    var _S243 : u32 = frame_record_0.environment_rows_0;
+    var _S244 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S241.y);
+    var _S245 : u32 = frame_record_0.environment_columns_0;
+    var _S246 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S244.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S241.x);
+    var _S247 : vec3<f32> = environment_texel_0(_S244.index_2, _S246.index_2);
+    (*_S242) = _S247 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S247), 9.99999968265522539e-21f)));
+    var _S248 : f32 = 3.14159274101257324f / f32(_S243);
+    var _S249 : f32 = mix(sine_cosine_0(f32(_S244.index_2) * _S248).y, sine_cosine_0(f32(_S244.index_2 + u32(1)) * _S248).y, _S244.remainder_0);
+    var _S250 : f32 = sqrt(max(1.0f - _S249 * _S249, 0.0f));
+    var _S251 : vec2<f32> = sine_cosine_0((f32(_S246.index_2) + _S246.remainder_0) * (6.28318548202514648f / f32(_S245)));
+    var _S252 : f32 = _S250 * _S251.x;
+    var _S253 : f32 = - _S250 * _S251.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S252 + frame_record_0.environment_sine_0 * _S253, _S249, frame_record_0.environment_cosine_0 * _S253 - frame_record_0.environment_sine_0 * _S252);
 }
 
-fn light_sample_0( _S219 : u32,  _S220 : vec2<u32>,  _S221 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S254 : u32,  _S255 : vec2<u32>,  _S256 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_2 = 1.00000001504746622e+30f;
-    var _S222 : u32 = frame_record_0.lights_0;
-    if(_S219 >= (frame_record_0.lights_0))
+    var _S257 : u32 = frame_record_0.lights_0;
+    if(_S254 >= (frame_record_0.lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S223 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S220, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S219 - _S222), u32(3)), &(weight_0));
-        sample_0.towards_0 = _S223;
+        var _S258 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S255, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S254 - _S257), u32(3)), &(weight_0));
+        sample_0.towards_0 = _S258;
         sample_0.irradiance_1 = weight_0 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S224 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S219);
-    sample_0.irradiance_1 = vec3<f32>(_S224.red_0, _S224.green_0, _S224.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S224.x_3, _S224.y_1, _S224.z_1);
-    if((_S224.is_point_0) != u32(0))
+    var _S259 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S254);
+    sample_0.irradiance_1 = vec3<f32>(_S259.red_0, _S259.green_0, _S259.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S259.x_3, _S259.y_1, _S259.z_1);
+    if((_S259.is_point_0) != u32(0))
     {
-        var _S225 : vec3<f32> = sample_0.towards_0 - _S221;
-        var _S226 : f32 = max(square_0(_S225), 9.999999960041972e-13f);
-        sample_0.distance_2 = sqrt(_S226);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S226);
-        sample_0.towards_0 = normalize(_S225);
+        var _S260 : vec3<f32> = sample_0.towards_0 - _S256;
+        var _S261 : f32 = max(square_0(_S260), 9.999999960041972e-13f);
+        sample_0.distance_2 = sqrt(_S261);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S261);
+        sample_0.towards_0 = normalize(_S260);
     }
     return sample_0;
 }
 
-fn seen_position_0( _S227 : u32,  _S228 : vec2<u32>) -> vec3<f32>
+fn seen_position_0( _S262 : u32,  _S263 : vec2<u32>) -> vec3<f32>
 {
-    var _S229 : u32 = u32(3) * _S227;
-    var _S230 : vec3<f32> = position_of_0(vertex_at_0(_S229));
-    var _S231 : vec3<f32> = position_of_0(vertex_at_0(_S229 + u32(1))) - _S230;
-    var _S232 : vec3<f32> = position_of_0(vertex_at_0(_S229 + u32(2))) - _S230;
-    var _S233 : vec3<f32> = cross(_S231, _S232);
-    var _S234 : f32 = 1.0f / max(square_0(_S233), 1.00000000317107685e-30f);
-    var _S235 : f32 = f32(frame_record_0.width_0);
-    var _S236 : f32 = f32(frame_record_0.height_0);
-    var _S237 : vec3<f32> = camera_forward_0() + camera_right_0() * vec3<f32>((2.0f * (f32(_S228.x) + 0.5f + frame_record_0.jitter_x_0 - 0.5f * _S235) / _S235)) - camera_up_0() * vec3<f32>((2.0f * (f32(_S228.y) + 0.5f + frame_record_0.jitter_y_0 - 0.5f * _S236) / _S236));
-    var _S238 : f32 = dot(_S237, _S233);
-    var _S239 : vec3<f32> = _S230 - camera_origin_0();
-    var _S240 : vec3<f32> = _S237 * vec3<f32>((dot(_S239, _S233) / select(1.00000000317107685e-30f, _S238, (abs(_S238)) > 1.00000000317107685e-30f))) - _S239;
-    var _S241 : f32 = clamp(dot(_S240, cross(_S232, _S233)) * _S234, 0.0f, 1.0f);
-    return _S230 + vec3<f32>(_S241) * _S231 + vec3<f32>(clamp(dot(_S240, cross(_S233, _S231)) * _S234, 0.0f, 1.0f - _S241)) * _S232;
+    var _S264 : u32 = u32(3) * _S262;
+    var _S265 : vec3<f32> = position_of_0(vertex_at_0(_S264));
+    var _S266 : vec3<f32> = position_of_0(vertex_at_0(_S264 + u32(1))) - _S265;
+    var _S267 : vec3<f32> = position_of_0(vertex_at_0(_S264 + u32(2))) - _S265;
+    var _S268 : vec3<f32> = cross(_S266, _S267);
+    var _S269 : f32 = 1.0f / max(square_0(_S268), 1.00000000317107685e-30f);
+    var _S270 : f32 = f32(frame_record_0.width_0);
+    var _S271 : f32 = f32(frame_record_0.height_0);
+    var _S272 : vec3<f32> = camera_forward_0() + camera_right_0() * vec3<f32>((2.0f * (f32(_S263.x) + 0.5f + frame_record_0.jitter_x_0 - 0.5f * _S270) / _S270)) - camera_up_0() * vec3<f32>((2.0f * (f32(_S263.y) + 0.5f + frame_record_0.jitter_y_0 - 0.5f * _S271) / _S271));
+    var _S273 : f32 = dot(_S272, _S268);
+    var _S274 : vec3<f32> = _S265 - camera_origin_0();
+    var _S275 : vec3<f32> = _S272 * vec3<f32>((dot(_S274, _S268) / select(1.00000000317107685e-30f, _S273, (abs(_S273)) > 1.00000000317107685e-30f))) - _S274;
+    var _S276 : f32 = clamp(dot(_S275, cross(_S267, _S268)) * _S269, 0.0f, 1.0f);
+    return _S265 + vec3<f32>(_S276) * _S266 + vec3<f32>(clamp(dot(_S275, cross(_S268, _S266)) * _S269, 0.0f, 1.0f - _S276)) * _S267;
 }
 
-fn nearest_hit_0( _S242 : vec3<f32>,  _S243 : vec3<f32>,  _S244 : f32,  _S245 : f32,  _S246 : u32,  _S247 : bool) -> Hit_0
+fn nearest_hit_0( _S277 : vec3<f32>,  _S278 : vec3<f32>,  _S279 : f32,  _S280 : f32,  _S281 : u32,  _S282 : bool) -> Hit_0
 {
-    var _S248 : vec3<f32> = vec3<f32>(inverse_of_0(_S243.x), inverse_of_0(_S243.y), inverse_of_0(_S243.z));
+    var _S283 : vec3<f32> = vec3<f32>(inverse_of_0(_S278.x), inverse_of_0(_S278.y), inverse_of_0(_S278.z));
     var found_0 : Hit_0;
     found_0.face_2 = u32(4294967295);
-    found_0.distance_0 = _S245;
+    found_0.distance_0 = _S280;
     found_0.weight_b_0 = 0.0f;
     found_0.weight_c_0 = 0.0f;
     var node_2 : u32 = u32(1);
@@ -1329,56 +1457,56 @@ fn nearest_hit_0( _S242 : vec3<f32>,  _S243 : vec3<f32>,  _S244 : f32,  _S245 : 
             break;
         }
         var node_3 : u32;
-        if(!meets_node_0(node_2, _S242, _S248, _S244, found_0.distance_0))
+        if(!meets_node_0(node_2, _S277, _S283, _S279, found_0.distance_0))
         {
             node_3 = following_node_0(node_2);
         }
         else
         {
-            var _S249 : u32 = frame_record_0.leaves_0;
+            var _S284 : u32 = frame_record_0.leaves_0;
             if(node_2 < (frame_record_0.leaves_0))
             {
                 node_3 = node_2 * u32(2);
             }
             else
             {
-                var _S250 : u32 = frame_record_0.leaf_faces_0 + u32(4) * (node_2 - _S249);
-                var _S251 : u32 = following_node_0(node_2);
-                var number_1 : u32 = u32(0);
-                node_3 = _S251;
+                var _S285 : u32 = frame_record_0.leaf_faces_0 + u32(4) * (node_2 - _S284);
+                var _S286 : u32 = following_node_0(node_2);
+                var number_3 : u32 = u32(0);
+                node_3 = _S286;
                 for(;;)
                 {
-                    if(number_1 < u32(4))
+                    if(number_3 < u32(4))
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S252 : u32 = scene_words_0[_S250 + number_1];
-                    if(((_S252 == u32(4294967295)) | ((_S252 == _S246))))
+                    var _S287 : u32 = scene_words_0[_S285 + number_3];
+                    if(((_S287 == u32(4294967295)) | ((_S287 == _S281))))
                     {
-                        number_1 = number_1 + u32(1);
+                        number_3 = number_3 + u32(1);
                         continue;
                     }
-                    var _S253 : Hit_0 = meet_face_0(_S252, _S242, _S243);
-                    if((((((_S253.face_2) == u32(4294967295)) | (((_S253.distance_0) <= _S244)))) | (((_S253.distance_0) >= (found_0.distance_0)))))
+                    var _S288 : Hit_0 = meet_face_0(_S287, _S277, _S278);
+                    if((((((_S288.face_2) == u32(4294967295)) | (((_S288.distance_0) <= _S279)))) | (((_S288.distance_0) >= (found_0.distance_0)))))
                     {
-                        number_1 = number_1 + u32(1);
+                        number_3 = number_3 + u32(1);
                         continue;
                     }
-                    found_0 = _S253;
-                    var _S254 : bool;
-                    if(_S247)
+                    found_0 = _S288;
+                    var _S289 : bool;
+                    if(_S282)
                     {
-                        _S254 = (fabrics_0[fabric_of_0(_S252)].is_open_0) == u32(0);
+                        _S289 = (fabrics_0[fabric_of_0(_S287)].is_open_0) == u32(0);
                     }
                     else
                     {
-                        _S254 = false;
+                        _S289 = false;
                     }
                     var node_4 : u32;
-                    if(_S254)
+                    if(_S289)
                     {
                         node_4 = u32(0);
                     }
@@ -1387,7 +1515,7 @@ fn nearest_hit_0( _S242 : vec3<f32>,  _S243 : vec3<f32>,  _S244 : f32,  _S245 : 
                         node_4 = node_3;
                     }
                     node_3 = node_4;
-                    number_1 = number_1 + u32(1);
+                    number_3 = number_3 + u32(1);
                 }
             }
         }
@@ -1396,23 +1524,88 @@ fn nearest_hit_0( _S242 : vec3<f32>,  _S243 : vec3<f32>,  _S244 : f32,  _S245 : 
     return found_0;
 }
 
+fn irregular_key_0( _S290 : u32,  _S291 : u32) -> u32
+{
+    return hash_key_0(_S291, ((fabrics_0[_S290].seed_0) ^ (u32(1821285621))));
+}
+
+fn irregular_place_0( _S292 : u32,  _S293 : vec2<f32>,  _S294 : f32) -> vec2<f32>
+{
+    var _S295 : u32 = fabrics_0[_S292].warp_0;
+    var _S296 : u32 = fabrics_0[_S292].weft_0;
+    var _S297 : bool = (((fabrics_0[_S292].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S292].warp_0, _S294), moved_share_0(fabrics_0[_S292].weft_0, _S294))) > 0.0f)));
+    var number_4 : u32 = u32(0);
+    var moved_0 : vec2<f32> = _S293;
+    for(;;)
+    {
+        if(number_4 < select(u32(0), u32(2), _S297))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S298 : bool = number_4 == u32(0);
+        var _S299 : u32 = select(_S296, _S295, _S298);
+        var _S300 : vec2<f32> = select_vector_1(_S298, _S293, _S293.yx);
+        var _S301 : u32 = irregular_key_0(_S292, number_4);
+        var _S302 : f32 = _S300.x;
+        var _S303 : Cell_0 = locate_0(_S299, _S302);
+        var _S304 : f32 = irregular_thread_0(_S299, _S302, _S303);
+        var _S305 : f32 = select(1.0f, -1.0f, (_S303.across_0) < 0.0f);
+        var _S306 : vec2<f32> = vec2<f32>(0.0f);
+        var other_2 : vec2<f32> = _S306;
+        var own_1 : vec2<f32> = _S306;
+        var neighbour_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(neighbour_0 < u32(2))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var _S307 : vec2<f32> = irregular_at_0(_S299, _S301, _S304 + _S305 * f32(neighbour_0), _S300.y).xy;
+            var _S308 : u32 = neighbour_0 + u32(1);
+            own_1 = other_2;
+            other_2 = _S307;
+            neighbour_0 = _S308;
+        }
+        var _S309 : f32 = _S303.below_0 + _S303.above_0;
+        var _S310 : f32 = min(_S303.half_width_1 / _S309, 0.5f);
+        var _S311 : f32 = min(_S310 * (2.0f + own_1.y + other_2.y), 1.0f);
+        var _S312 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_2.x), vec2<f32>(0.25f)));
+        var _S313 : f32 = _S312.x;
+        var _S314 : f32 = _S311 * _S313 / (_S313 + _S312.y);
+        var _S315 : f32 = abs(_S303.across_0) / _S309;
+        var _S316 : f32 = 1.0f - _S311;
+        var _S317 : f32 = _S315 - _S314;
+        var _S318 : f32 = moved_share_0(_S299, _S294) * _S305 * _S309 * (select(select((_S317 - _S316) / max(_S311 - _S314, 9.99999997475242708e-07f) * _S310 + (1.0f - _S310), _S317 / max(_S316, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S310) + _S310, _S317 < _S316), _S315 * _S310 / _S314, _S317 < 0.0f) - _S315);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S298, vec2<f32>(_S318, 0.0f), vec2<f32>(0.0f, _S318));
+        number_4 = number_4 + u32(1);
+        moved_0 = moved_1;
+    }
+    return moved_0;
+}
+
 struct Regime_0
 {
      prefiltered_0 : f32,
-     threads_0 : f32,
+     threads_1 : f32,
      points_0 : f32,
 };
 
-fn regime_of_0( _S255 : u32,  _S256 : Footprint_0,  _S257 : f32) -> Regime_0
+fn regime_of_0( _S319 : u32,  _S320 : Footprint_0,  _S321 : f32) -> Regime_0
 {
-    var _S258 : f32 = Footprint_spread_side_0(_S256);
-    var _S259 : f32 = clamp((binary_logarithm_0(max(_S258, 9.99999971718068537e-10f)) - fabrics_0[_S255].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S322 : f32 = Footprint_spread_side_0(_S320);
+    var _S323 : f32 = clamp((binary_logarithm_0(max(_S322, 9.99999971718068537e-10f)) - fabrics_0[_S319].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S260 : f32 = _S259 * _S259 * (3.0f - 2.0f * _S259);
-    regime_0.prefiltered_0 = _S260;
-    var _S261 : f32 = _S258 * fabrics_0[_S255].lobes_0.threads_per_mm_0;
-    regime_0.threads_0 = _S261;
-    regime_0.points_0 = select(0.0f, clamp(_S261 * 12.0f, 1.0f, mix(max(8.0f / _S257, 1.0f), 1.0f, _S260)), _S260 < 1.0f);
+    var _S324 : f32 = _S323 * _S323 * (3.0f - 2.0f * _S323);
+    regime_0.prefiltered_0 = _S324;
+    var _S325 : f32 = _S322 * fabrics_0[_S319].lobes_0.threads_per_mm_0;
+    regime_0.threads_1 = _S325;
+    regime_0.points_0 = select(0.0f, clamp(_S325 * 12.0f, 1.0f, mix(max(8.0f / _S321, 1.0f), 1.0f, _S324)), _S324 < 1.0f);
     return regime_0;
 }
 
@@ -1438,131 +1631,131 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S262 : u32,  _S263 : f32,  _S264 : f32,  _S265 : bool) -> Crossing_0
+fn crossing_at_0( _S326 : u32,  _S327 : f32,  _S328 : f32,  _S329 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S262].warp_0, _S263);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S262].weft_0, _S264);
-    var _S266 : u32 = fabrics_0[_S262].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S262].ends_1 + crossing_2.warp_1.thread_2);
-    var _S267 : u32 = words_0[_S266];
-    crossing_2.warp_word_0 = _S267;
-    crossing_2.weft_word_0 = words_0[_S266 + u32(1)];
-    crossing_2.warp_above_0 = (((_S267 & (u32(1)))) == u32(1)) != _S265;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S326].warp_0, _S327);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S326].weft_0, _S328);
+    var _S330 : u32 = fabrics_0[_S326].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S326].ends_1 + crossing_2.warp_1.thread_2);
+    var _S331 : u32 = words_0[_S330];
+    crossing_2.warp_word_0 = _S331;
+    crossing_2.weft_word_0 = words_0[_S330 + u32(1)];
+    crossing_2.warp_above_0 = (((_S331 & (u32(1)))) == u32(1)) != _S329;
     return crossing_2;
 }
 
-fn sample_at_0( _S268 : u32,  _S269 : f32,  _S270 : f32,  _S271 : bool) -> Sample_0
+fn sample_at_0( _S332 : u32,  _S333 : f32,  _S334 : f32,  _S335 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S272 : Crossing_0 = crossing_at_0(_S268, _S269, _S270, _S271);
-    sample_1.crossing_1 = _S272;
-    var _S273 : Shown_0 = shown_at_0(_S272, _S271);
-    sample_1.shown_3 = _S273;
-    var _S274 : u32 = select(fabrics_0[_S268].weft_0, fabrics_0[_S268].warp_0, _S273.is_warp_0);
-    var _S275 : u32 = select(fabrics_0[_S268].warp_0, fabrics_0[_S268].weft_0, _S273.is_warp_0);
-    var _S276 : Cell_0 = select_cell_0(_S273.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
-    var _S277 : Cell_0 = select_cell_0(_S273.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
-    var _S278 : Run_0 = unpack_0(_S274, _S275, _S276.thread_2, _S277, _S273.word_0);
-    var _S279 : Section_0 = section_at_0(_S276);
-    var _S280 : bool = ((_S273.on_top_0) & (((_S278.distance_1) < (_S279.drop_0 * _S278.bend_1.sine_0))));
-    var _S281 : f32 = select(-1.0f, 1.0f, ((_S273.on_top_0) & ((!_S280))));
-    var _S282 : f32 = select(_S278.reach_0, _S278.other_reach_0, _S280);
-    var _S283 : f32 = select(max(_S282 - _S278.distance_1, 0.0f), _S282 + _S278.distance_1, _S280);
-    var _S284 : f32 = _S282 / _S278.bend_1.sine_0 - _S281 * _S279.drop_0;
-    var _S285 : f32 = _S283 * _S283;
-    var _S286 : f32 = max(_S284 * _S284 - _S285, 9.99999968265522539e-21f);
-    var _S287 : f32 = rsqrt_0(_S286);
-    var _S288 : f32 = _S285 / (_S286 * _S287 + _S284);
-    var _S289 : bool = _S283 > 0.0f;
-    var _S290 : f32 = select(-1.0f, 1.0f, _S273.on_top_0) * select(-1.0f, 1.0f, _S278.near_start_0);
-    var _S291 : f32 = _S279.slope_0 * select(1.0f, _S284 * _S287, _S289);
-    sample_1.slope_across_0 = _S291;
-    var _S292 : f32 = select(0.0f, _S290 * _S283 * _S287, _S289);
-    sample_1.slope_along_0 = _S292;
-    var _S293 : vec3<f32> = dive_0(_S275, _S273, _S278, _S277);
-    sample_1.dive_1 = _S293;
-    sample_1.height_5 = select(families_0[_S274].height_scale_0 * _S281, 0.0f, _S278.straight_0) * (_S282 * _S278.bend_1.half_tangent_0 - _S288) - families_0[_S274].height_scale_0 * _S279.drop_0 - _S293.x;
-    var _S294 : f32 = families_0[_S274].height_scale_0 * _S291;
-    var _S295 : f32 = families_0[_S274].height_scale_0 * _S292 - _S293.y;
-    sample_1.slope_x_1 = select(_S295, _S294, _S273.is_warp_0);
-    sample_1.slope_y_1 = select(_S294, _S295, _S273.is_warp_0);
-    sample_1.run_3 = _S278;
-    sample_1.section_1 = _S279;
+    var _S336 : Crossing_0 = crossing_at_0(_S332, _S333, _S334, _S335);
+    sample_1.crossing_1 = _S336;
+    var _S337 : Shown_0 = shown_at_0(_S336, _S335);
+    sample_1.shown_3 = _S337;
+    var _S338 : u32 = select(fabrics_0[_S332].weft_0, fabrics_0[_S332].warp_0, _S337.is_warp_0);
+    var _S339 : u32 = select(fabrics_0[_S332].warp_0, fabrics_0[_S332].weft_0, _S337.is_warp_0);
+    var _S340 : Cell_0 = select_cell_0(_S337.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
+    var _S341 : Cell_0 = select_cell_0(_S337.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
+    var _S342 : Run_0 = unpack_0(_S338, _S339, _S340.thread_2, _S341, _S337.word_0);
+    var _S343 : Section_0 = section_at_0(_S340);
+    var _S344 : bool = ((_S337.on_top_0) & (((_S342.distance_1) < (_S343.drop_0 * _S342.bend_1.sine_0))));
+    var _S345 : f32 = select(-1.0f, 1.0f, ((_S337.on_top_0) & ((!_S344))));
+    var _S346 : f32 = select(_S342.reach_0, _S342.other_reach_0, _S344);
+    var _S347 : f32 = select(max(_S346 - _S342.distance_1, 0.0f), _S346 + _S342.distance_1, _S344);
+    var _S348 : f32 = _S346 / _S342.bend_1.sine_0 - _S345 * _S343.drop_0;
+    var _S349 : f32 = _S347 * _S347;
+    var _S350 : f32 = max(_S348 * _S348 - _S349, 9.99999968265522539e-21f);
+    var _S351 : f32 = rsqrt_0(_S350);
+    var _S352 : f32 = _S349 / (_S350 * _S351 + _S348);
+    var _S353 : bool = _S347 > 0.0f;
+    var _S354 : f32 = select(-1.0f, 1.0f, _S337.on_top_0) * select(-1.0f, 1.0f, _S342.near_start_0);
+    var _S355 : f32 = _S343.slope_0 * select(1.0f, _S348 * _S351, _S353);
+    sample_1.slope_across_0 = _S355;
+    var _S356 : f32 = select(0.0f, _S354 * _S347 * _S351, _S353);
+    sample_1.slope_along_0 = _S356;
+    var _S357 : vec3<f32> = dive_0(_S339, _S337, _S342, _S341);
+    sample_1.dive_1 = _S357;
+    sample_1.height_5 = select(families_0[_S338].height_scale_0 * _S345, 0.0f, _S342.straight_0) * (_S346 * _S342.bend_1.half_tangent_0 - _S352) - families_0[_S338].height_scale_0 * _S343.drop_0 - _S357.x;
+    var _S358 : f32 = families_0[_S338].height_scale_0 * _S355;
+    var _S359 : f32 = families_0[_S338].height_scale_0 * _S356 - _S357.y;
+    sample_1.slope_x_1 = select(_S359, _S358, _S337.is_warp_0);
+    sample_1.slope_y_1 = select(_S358, _S359, _S337.is_warp_0);
+    sample_1.run_3 = _S342;
+    sample_1.section_1 = _S343;
     return sample_1;
 }
 
-fn steps_per_length_0( _S296 : u32,  _S297 : SearchQuality_0,  _S298 : vec3<f32>) -> f32
+fn steps_per_length_0( _S360 : u32,  _S361 : SearchQuality_0,  _S362 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S298.x) * fabrics_0[_S296].threads_per_x_0, abs(_S298.y) * fabrics_0[_S296].threads_per_y_0) * _S297.steps_per_thread_0, abs(_S298.z) * fabrics_0[_S296].per_relief_0 * _S297.steps_per_relief_0);
+    return max(max(abs(_S362.x) * fabrics_0[_S360].threads_per_x_0, abs(_S362.y) * fabrics_0[_S360].threads_per_y_0) * _S361.steps_per_thread_0, abs(_S362.z) * fabrics_0[_S360].per_relief_0 * _S361.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S299 : u32,  _S300 : Crossing_0) -> f32
+fn cell_maximum_0( _S363 : u32,  _S364 : Crossing_0) -> f32
 {
-    var _S301 : u32 = select(fabrics_0[_S299].weft_0, fabrics_0[_S299].warp_0, _S300.warp_above_0);
-    return f32((select(_S300.weft_word_0, _S300.warp_word_0, _S300.warp_above_0) >> (u32(28)))) * families_0[_S301].height_scale_0 * families_0[_S301].level_0;
+    var _S365 : u32 = select(fabrics_0[_S363].weft_0, fabrics_0[_S363].warp_0, _S364.warp_above_0);
+    return f32((select(_S364.weft_word_0, _S364.warp_word_0, _S364.warp_above_0) >> (u32(28)))) * families_0[_S365].height_scale_0 * families_0[_S365].level_0;
 }
 
-fn probe_0( _S302 : u32,  _S303 : f32,  _S304 : f32,  _S305 : bool,  _S306 : bool,  _S307 : bool) -> Probe_0
+fn probe_0( _S366 : u32,  _S367 : f32,  _S368 : f32,  _S369 : bool,  _S370 : bool,  _S371 : bool) -> Probe_0
 {
-    var _S308 : Sample_0 = sample_at_0(_S302, _S303, _S304, _S305);
+    var _S372 : Sample_0 = sample_at_0(_S366, _S367, _S368, _S369);
     var probe_1 : Probe_0;
-    probe_1.height_2 = _S308.height_5;
-    probe_1.hole_1 = _S308.shown_3.hole_0;
-    probe_1.slope_x_0 = _S308.slope_x_1;
-    probe_1.slope_y_0 = _S308.slope_y_1;
-    probe_1.yarn_1 = select(_S308.crossing_1.weft_1.thread_2 * u32(2), _S308.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S308.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S302, _S308.crossing_1);
-    probe_1.side_x_0 = select(_S308.crossing_1.warp_1.below_0, _S308.crossing_1.warp_1.above_0, _S306);
-    probe_1.side_y_0 = select(_S308.crossing_1.weft_1.below_0, _S308.crossing_1.weft_1.above_0, _S307);
-    probe_1.edge_x_0 = outline_distance_0(_S308.crossing_1.warp_1, _S308.shown_3, _S308.run_3, !_S308.shown_3.is_warp_0, _S306);
-    probe_1.edge_y_0 = outline_distance_0(_S308.crossing_1.weft_1, _S308.shown_3, _S308.run_3, _S308.shown_3.is_warp_0, _S307);
+    probe_1.height_2 = _S372.height_5;
+    probe_1.hole_1 = _S372.shown_3.hole_0;
+    probe_1.slope_x_0 = _S372.slope_x_1;
+    probe_1.slope_y_0 = _S372.slope_y_1;
+    probe_1.yarn_1 = select(_S372.crossing_1.weft_1.thread_2 * u32(2), _S372.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S372.shown_3.is_warp_0);
+    probe_1.cell_max_0 = cell_maximum_0(_S366, _S372.crossing_1);
+    probe_1.side_x_0 = select(_S372.crossing_1.warp_1.below_0, _S372.crossing_1.warp_1.above_0, _S370);
+    probe_1.side_y_0 = select(_S372.crossing_1.weft_1.below_0, _S372.crossing_1.weft_1.above_0, _S371);
+    probe_1.edge_x_0 = outline_distance_0(_S372.crossing_1.warp_1, _S372.shown_3, _S372.run_3, !_S372.shown_3.is_warp_0, _S370);
+    probe_1.edge_y_0 = outline_distance_0(_S372.crossing_1.weft_1, _S372.shown_3, _S372.run_3, _S372.shown_3.is_warp_0, _S371);
     return probe_1;
 }
 
-fn is_free_0( _S309 : u32,  _S310 : SearchQuality_0,  _S311 : vec3<f32>,  _S312 : vec3<f32>,  _S313 : bool,  _S314 : f32) -> bool
+fn is_free_0( _S373 : u32,  _S374 : SearchQuality_0,  _S375 : vec3<f32>,  _S376 : vec3<f32>,  _S377 : bool,  _S378 : f32) -> bool
 {
-    var _S315 : f32 = _S312.z;
-    if(_S315 <= 0.0f)
+    var _S379 : f32 = _S376.z;
+    if(_S379 <= 0.0f)
     {
         return false;
     }
-    var _S316 : f32 = 1.0f / max(_S310.shadow_share_0 * steps_per_length_0(_S309, _S310, _S312), 9.99999971718068537e-10f);
-    var _S317 : StepControl_0 = step_control_0(_S312.xy, _S316);
+    var _S380 : f32 = 1.0f / max(_S374.shadow_share_0 * steps_per_length_0(_S373, _S374, _S376), 9.99999971718068537e-10f);
+    var _S381 : StepControl_0 = step_control_0(_S376.xy, _S380);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_3 : u32 = u32(0);
     var distance_3 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_3 < u32(1024)) & (((_S311.z + _S315 * distance_3) < _S314))))
+        if(((count_3 < u32(1024)) & (((_S375.z + _S379 * distance_3) < _S378))))
         {
         }
         else
         {
             break;
         }
-        var _S318 : vec3<f32> = _S311 + _S312 * vec3<f32>(distance_3);
-        var _S319 : Probe_0 = probe_0(_S309, _S318.x, _S318.y, _S313, _S317.right_0, _S317.up_0);
-        var _S320 : f32 = _S318.z;
-        var _S321 : f32 = _S320 - _S319.height_2;
-        var _S322 : f32 = _S315 - _S319.slope_x_0 * _S312.x - _S319.slope_y_0 * _S312.y;
-        if(((!_S319.hole_1) & ((_S321 < 0.0f))))
+        var _S382 : vec3<f32> = _S375 + _S376 * vec3<f32>(distance_3);
+        var _S383 : Probe_0 = probe_0(_S373, _S382.x, _S382.y, _S377, _S381.right_0, _S381.up_0);
+        var _S384 : f32 = _S382.z;
+        var _S385 : f32 = _S384 - _S383.height_2;
+        var _S386 : f32 = _S379 - _S383.slope_x_0 * _S376.x - _S383.slope_y_0 * _S376.y;
+        if(((!_S383.hole_1) & ((_S385 < 0.0f))))
         {
             return false;
         }
-        var _S323 : f32 = way_back_to_dip_0(previous_3, _S321, _S322, last_step_0, _S319);
-        if(_S323 >= 0.0f)
+        var _S387 : f32 = way_back_to_dip_0(previous_3, _S385, _S386, last_step_0, _S383);
+        if(_S387 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S323;
-            distance_3 = distance_3 - _S323;
+            var last_step_1 : f32 = last_step_0 - _S387;
+            distance_3 = distance_3 - _S387;
             last_step_0 = last_step_1;
             count_3 = count_3 + u32(1);
             continue;
         }
-        var _S324 : bool = _S320 > (_S319.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S317, _S319, _S321, _S322), max(StepControl_to_cell_exit_0(_S317, _S319.side_x_0, _S319.side_y_0), _S316), _S324);
+        var _S388 : bool = _S384 > (_S383.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S381, _S383, _S385, _S386), max(StepControl_to_cell_exit_0(_S381, _S383.side_x_0, _S383.side_y_0), _S380), _S388);
         var distance_4 : f32 = distance_3 + last_step_2;
-        previous_3 = after_sample_0(_S321, _S322, _S319, _S324);
+        previous_3 = after_sample_0(_S385, _S386, _S383, _S388);
         distance_3 = distance_4;
         last_step_0 = last_step_2;
         count_3 = count_3 + u32(1);
@@ -1570,28 +1763,28 @@ fn is_free_0( _S309 : u32,  _S310 : SearchQuality_0,  _S311 : vec3<f32>,  _S312 
     return true;
 }
 
-fn passes_through_0( _S325 : u32,  _S326 : SearchQuality_0,  _S327 : f32,  _S328 : f32,  _S329 : vec3<f32>,  _S330 : bool) -> bool
+fn passes_through_0( _S389 : u32,  _S390 : SearchQuality_0,  _S391 : f32,  _S392 : f32,  _S393 : vec3<f32>,  _S394 : bool) -> bool
 {
-    if(!sample_at_0(_S325, _S327, _S328, _S330).shown_3.hole_0)
+    if(!sample_at_0(_S389, _S391, _S392, _S394).shown_3.hole_0)
     {
         return false;
     }
-    var _S331 : vec3<f32> = vec3<f32>(_S327, _S328, 0.0f);
+    var _S395 : vec3<f32> = vec3<f32>(_S391, _S392, 0.0f);
     var passes_0 : bool = true;
-    var side_0 : u32 = u32(0);
+    var side_1 : u32 = u32(0);
     for(;;)
     {
-        if(((side_0 < u32(2)) & (passes_0)))
+        if(((side_1 < u32(2)) & (passes_0)))
         {
         }
         else
         {
             break;
         }
-        var _S332 : bool = is_free_0(_S325, _S326, _S331, select_vector_0(side_0 == u32(0), _S329, vec3<f32>(- _S329.x, - _S329.y, _S329.z)), _S330 != (side_0 == u32(1)), fabrics_0[_S325].height_high_0);
-        var _S333 : u32 = side_0 + u32(1);
-        passes_0 = _S332;
-        side_0 = _S333;
+        var _S396 : bool = is_free_0(_S389, _S390, _S395, select_vector_0(side_1 == u32(0), _S393, vec3<f32>(- _S393.x, - _S393.y, _S393.z)), _S394 != (side_1 == u32(1)), fabrics_0[_S389].height_high_0);
+        var _S397 : u32 = side_1 + u32(1);
+        passes_0 = _S396;
+        side_1 = _S397;
     }
     return passes_0;
 }
@@ -1606,44 +1799,44 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S334 : u32,  _S335 : f32,  _S336 : f32,  _S337 : f32,  _S338 : vec3<f32>,  _S339 : bool) -> f32
+fn max_height_along_0( _S398 : u32,  _S399 : f32,  _S400 : f32,  _S401 : f32,  _S402 : vec3<f32>,  _S403 : bool) -> f32
 {
-    var _S340 : f32 = _S338.x;
-    var _S341 : f32 = _S338.y;
-    var _S342 : u32 = (words_0[fabrics_0[_S334].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S334].weft_0, _S336).thread_2 / u32(2) * fabrics_0[_S334].max_height_columns_0 + locate_0(fabrics_0[_S334].warp_0, _S335).thread_2 / u32(2)) + (select(u32(0), u32(1), _S340 > 0.0f) + select(u32(0), u32(2), _S341 > 0.0f))] >> (u32(select(i32(0), i32(4), _S339))));
-    var _S343 : f32 = max(abs(_S340) * fabrics_0[_S334].threads_per_x_0, abs(_S341) * fabrics_0[_S334].threads_per_y_0) / _S338.z;
-    var _S344 : f32 = fabrics_0[_S334].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S334].height_high_0;
-    var number_2 : i32 = i32(3);
+    var _S404 : f32 = _S402.x;
+    var _S405 : f32 = _S402.y;
+    var _S406 : u32 = (words_0[fabrics_0[_S398].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S398].weft_0, _S400).thread_2 / u32(2) * fabrics_0[_S398].max_height_columns_0 + locate_0(fabrics_0[_S398].warp_0, _S399).thread_2 / u32(2)) + (select(u32(0), u32(1), _S404 > 0.0f) + select(u32(0), u32(2), _S405 > 0.0f))] >> (u32(select(i32(0), i32(4), _S403))));
+    var _S407 : f32 = max(abs(_S404) * fabrics_0[_S398].threads_per_x_0, abs(_S405) * fabrics_0[_S398].threads_per_y_0) / _S402.z;
+    var _S408 : f32 = fabrics_0[_S398].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S398].height_high_0;
+    var number_5 : i32 = i32(3);
     for(;;)
     {
-        if(number_2 >= i32(0))
+        if(number_5 >= i32(0))
         {
         }
         else
         {
             break;
         }
-        if(((max_height_0 - _S337) * _S343) <= (PYRAMID_RADII_0[number_2]))
+        if(((max_height_0 - _S401) * _S407) <= (PYRAMID_RADII_0[number_5]))
         {
-            max_height_0 = min(max_height_0, f32((((_S342 >> (u32(i32(8) * number_2)))) & (u32(15)))) * 0.06666667014360428f * _S344);
+            max_height_0 = min(max_height_0, f32((((_S406 >> (u32(i32(8) * number_5)))) & (u32(15)))) * 0.06666667014360428f * _S408);
         }
-        number_2 = number_2 - i32(1);
+        number_5 = number_5 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S345 : u32,  _S346 : f32,  _S347 : f32,  _S348 : bool,  _S349 : bool,  _S350 : bool) -> vec3<f32>
+fn cell_bounds_0( _S409 : u32,  _S410 : f32,  _S411 : f32,  _S412 : bool,  _S413 : bool,  _S414 : bool) -> vec3<f32>
 {
-    var _S351 : Crossing_0 = crossing_at_0(_S345, _S346, _S347, _S348);
-    return vec3<f32>(cell_maximum_0(_S345, _S351), select(_S351.warp_1.below_0, _S351.warp_1.above_0, _S349), select(_S351.weft_1.below_0, _S351.weft_1.above_0, _S350));
+    var _S415 : Crossing_0 = crossing_at_0(_S409, _S410, _S411, _S412);
+    return vec3<f32>(cell_maximum_0(_S409, _S415), select(_S415.warp_1.below_0, _S415.warp_1.above_0, _S413), select(_S415.weft_1.below_0, _S415.weft_1.above_0, _S414));
 }
 
-fn first_sample_height_0( _S352 : u32,  _S353 : ViewRay_0,  _S354 : StepControl_0,  _S355 : bool) -> f32
+fn first_sample_height_0( _S416 : u32,  _S417 : ViewRay_0,  _S418 : StepControl_0,  _S419 : bool) -> f32
 {
-    var _S356 : f32 = max_height_along_0(_S352, _S353.origin_2.x, _S353.origin_2.y, 0.0f, vec3<f32>(_S353.slope_1, 1.0f), _S355);
+    var _S420 : f32 = max_height_along_0(_S416, _S417.origin_2.x, _S417.origin_2.y, 0.0f, vec3<f32>(_S417.slope_1, 1.0f), _S419);
     var count_4 : u32 = u32(0);
-    var height_7 : f32 = _S356;
+    var height_7 : f32 = _S420;
     for(;;)
     {
         if(count_4 < u32(1024))
@@ -1653,12 +1846,12 @@ fn first_sample_height_0( _S352 : u32,  _S353 : ViewRay_0,  _S354 : StepControl_
         {
             break;
         }
-        var _S357 : vec2<f32> = ViewRay_at_0(_S353, height_7);
-        var _S358 : vec3<f32> = cell_bounds_0(_S352, _S357.x, _S357.y, _S355, _S354.right_0, _S354.up_0);
-        var _S359 : f32 = height_7 - _S358.x;
-        var _S360 : f32 = StepControl_to_cell_exit_0(_S354, _S358.y, _S358.z);
-        var height_8 : f32 = height_7 - clamp(_S359, 0.0f, _S360);
-        if(_S359 <= _S360)
+        var _S421 : vec2<f32> = ViewRay_at_0(_S417, height_7);
+        var _S422 : vec3<f32> = cell_bounds_0(_S416, _S421.x, _S421.y, _S419, _S418.right_0, _S418.up_0);
+        var _S423 : f32 = height_7 - _S422.x;
+        var _S424 : f32 = StepControl_to_cell_exit_0(_S418, _S422.y, _S422.z);
+        var height_8 : f32 = height_7 - clamp(_S423, 0.0f, _S424);
+        if(_S423 <= _S424)
         {
             height_7 = height_8;
             break;
@@ -1669,12 +1862,12 @@ fn first_sample_height_0( _S352 : u32,  _S353 : ViewRay_0,  _S354 : StepControl_
     return height_7;
 }
 
-fn search_down_0( _S361 : u32,  _S362 : ViewRay_0,  _S363 : StepControl_0,  _S364 : bool) -> ViewRayEnd_0
+fn search_down_0( _S425 : u32,  _S426 : ViewRay_0,  _S427 : StepControl_0,  _S428 : bool) -> ViewRayEnd_0
 {
-    var _S365 : f32 = fabrics_0[_S361].height_low_0 - (fabrics_0[_S361].height_high_0 - fabrics_0[_S361].height_low_0);
+    var _S429 : f32 = fabrics_0[_S425].height_low_0 - (fabrics_0[_S425].height_high_0 - fabrics_0[_S425].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S361, _S362, _S363, _S364);
-    end_1.last_step_3 = _S363.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S425, _S426, _S427, _S428);
+    end_1.last_step_3 = _S427.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -1689,115 +1882,115 @@ fn search_down_0( _S361 : u32,  _S362 : ViewRay_0,  _S363 : StepControl_0,  _S36
         {
             break;
         }
-        var _S366 : vec2<f32> = ViewRay_at_0(_S362, end_1.height_6);
-        var _S367 : Probe_0 = probe_0(_S361, _S366.x, _S366.y, _S364, _S363.right_0, _S363.up_0);
-        var _S368 : f32 = end_1.height_6 - _S367.height_2;
-        var _S369 : f32 = ViewRay_rate_0(_S362, _S367);
-        end_1.depth_0 = - _S368;
-        end_1.rate_4 = _S369;
-        var _S370 : bool = !_S367.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S370))) & (((end_1.previous_4.yarn_0) == (_S367.yarn_1))));
-        if((((_S370 & ((_S368 <= 0.0f)))) | (((end_1.height_6) <= _S365))))
+        var _S430 : vec2<f32> = ViewRay_at_0(_S426, end_1.height_6);
+        var _S431 : Probe_0 = probe_0(_S425, _S430.x, _S430.y, _S428, _S427.right_0, _S427.up_0);
+        var _S432 : f32 = end_1.height_6 - _S431.height_2;
+        var _S433 : f32 = ViewRay_rate_0(_S426, _S431);
+        end_1.depth_0 = - _S432;
+        end_1.rate_4 = _S433;
+        var _S434 : bool = !_S431.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S434))) & (((end_1.previous_4.yarn_0) == (_S431.yarn_1))));
+        if((((_S434 & ((_S432 <= 0.0f)))) | (((end_1.height_6) <= _S429))))
         {
             break;
         }
-        var _S371 : f32 = way_back_to_dip_0(end_1.previous_4, _S368, _S369, end_1.last_step_3, _S367);
-        if(_S371 >= 0.0f)
+        var _S435 : f32 = way_back_to_dip_0(end_1.previous_4, _S432, _S433, end_1.last_step_3, _S431);
+        if(_S435 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S371;
-            end_1.last_step_3 = end_1.last_step_3 - _S371;
+            end_1.height_6 = end_1.height_6 + _S435;
+            end_1.last_step_3 = end_1.last_step_3 - _S435;
             count_5 = count_5 + u32(1);
             continue;
         }
-        var _S372 : f32 = min(StepControl_to_cell_exit_0(_S363, _S367.side_x_0, _S367.side_y_0), end_1.height_6 - _S367.cell_max_0);
-        var _S373 : f32 = StepControl_to_next_sample_0(_S363, _S367, _S368, _S369);
-        end_1.previous_4 = after_sample_0(_S368, _S369, _S367, _S372 > _S373);
-        var _S374 : f32 = max(_S372, _S373);
-        end_1.last_step_3 = _S374;
-        end_1.height_6 = end_1.height_6 - _S374;
+        var _S436 : f32 = min(StepControl_to_cell_exit_0(_S427, _S431.side_x_0, _S431.side_y_0), end_1.height_6 - _S431.cell_max_0);
+        var _S437 : f32 = StepControl_to_next_sample_0(_S427, _S431, _S432, _S433);
+        end_1.previous_4 = after_sample_0(_S432, _S433, _S431, _S436 > _S437);
+        var _S438 : f32 = max(_S436, _S437);
+        end_1.last_step_3 = _S438;
+        end_1.height_6 = end_1.height_6 - _S438;
         count_5 = count_5 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S375 : u32,  _S376 : ViewRay_0,  _S377 : StepControl_0,  _S378 : bool,  _S379 : ViewRayEnd_0,  _S380 : u32) -> f32
+fn refined_height_0( _S439 : u32,  _S440 : ViewRay_0,  _S441 : StepControl_0,  _S442 : bool,  _S443 : ViewRayEnd_0,  _S444 : u32) -> f32
 {
-    var _S381 : f32 = fabrics_0[_S375].height_high_0 - fabrics_0[_S375].height_low_0;
-    var above_2 : f32 = _S379.height_6 + _S379.last_step_3;
-    var above_gap_1 : f32 = clamp(_S379.previous_4.clearance_0, 0.0f, _S381);
-    var under_gap_1 : f32 = clamp(_S379.depth_0, 0.0f, _S381);
-    var middle_0 : f32 = select(between_0(above_2, _S379.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S379.previous_4.rate_0 * _S379.last_step_3, _S379.rate_4 * _S379.last_step_3) * _S379.last_step_3, _S379.smooth_0);
-    var side_1 : f32 = 0.0f;
+    var _S445 : f32 = fabrics_0[_S439].height_high_0 - fabrics_0[_S439].height_low_0;
+    var above_2 : f32 = _S443.height_6 + _S443.last_step_3;
+    var above_gap_1 : f32 = clamp(_S443.previous_4.clearance_0, 0.0f, _S445);
+    var under_gap_1 : f32 = clamp(_S443.depth_0, 0.0f, _S445);
+    var middle_0 : f32 = select(between_0(above_2, _S443.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S443.previous_4.rate_0 * _S443.last_step_3, _S443.rate_4 * _S443.last_step_3) * _S443.last_step_3, _S443.smooth_0);
+    var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S379.height_6;
+    var under_1 : f32 = _S443.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S380)
+        if(i_1 < _S444)
         {
         }
         else
         {
             break;
         }
-        var _S382 : vec2<f32> = ViewRay_at_0(_S376, middle_0);
-        var _S383 : Probe_0 = probe_0(_S375, _S382.x, _S382.y, _S378, _S377.right_0, _S377.up_0);
-        var _S384 : f32 = clamp(middle_0 - select(_S383.height_2, -1.0e+09f, _S383.hole_1), - _S381, _S381);
-        if(_S384 <= 0.0f)
+        var _S446 : vec2<f32> = ViewRay_at_0(_S440, middle_0);
+        var _S447 : Probe_0 = probe_0(_S439, _S446.x, _S446.y, _S442, _S441.right_0, _S441.up_0);
+        var _S448 : f32 = clamp(middle_0 - select(_S447.height_2, -1.0e+09f, _S447.hole_1), - _S445, _S445);
+        if(_S448 <= 0.0f)
         {
-            var _S385 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_1 > 0.0f);
-            var _S386 : f32 = - _S384;
+            var _S449 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
+            var _S450 : f32 = - _S448;
             under_1 = middle_0;
-            above_gap_2 = _S385;
-            under_gap_2 = _S386;
-            side_1 = 1.0f;
+            above_gap_2 = _S449;
+            under_gap_2 = _S450;
+            side_2 = 1.0f;
         }
         else
         {
-            var _S387 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_1 < 0.0f);
+            var _S451 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S384;
-            under_gap_2 = _S387;
-            side_1 = -1.0f;
+            above_gap_2 = _S448;
+            under_gap_2 = _S451;
+            side_2 = -1.0f;
         }
-        var _S388 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S384 / min(ViewRay_rate_0(_S376, _S383), -9.99999997475242708e-07f), under_1, above_3), _S379.smooth_0);
-        var _S389 : u32 = i_1 + u32(1);
-        middle_0 = _S388;
-        i_1 = _S389;
+        var _S452 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S448 / min(ViewRay_rate_0(_S440, _S447), -9.99999997475242708e-07f), under_1, above_3), _S443.smooth_0);
+        var _S453 : u32 = i_1 + u32(1);
+        middle_0 = _S452;
+        i_1 = _S453;
     }
-    return select(under_1, middle_0, _S379.smooth_0);
+    return select(under_1, middle_0, _S443.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S390 : u32,  _S391 : SearchQuality_0,  _S392 : f32,  _S393 : f32,  _S394 : vec3<f32>,  _S395 : bool) -> Hit_1
+fn first_hit_of_yarn_0( _S454 : u32,  _S455 : SearchQuality_0,  _S456 : f32,  _S457 : f32,  _S458 : vec3<f32>,  _S459 : bool) -> Hit_1
 {
-    var _S396 : f32 = max(_S394.z, 0.00009999999747379f);
+    var _S460 : f32 = max(_S458.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_2 = vec2<f32>(_S392, _S393);
-    var _S397 : vec2<f32> = _S394.xy / vec2<f32>(_S396);
-    ray_0.slope_1 = _S397;
-    var _S398 : StepControl_0 = step_control_0((vec2<f32>(0) - _S397), 1.0f / max(steps_per_length_0(_S390, _S391, _S394) / _S396, 9.99999971718068537e-10f));
-    var _S399 : ViewRayEnd_0 = search_down_0(_S390, ray_0, _S398, _S395);
+    ray_0.origin_2 = vec2<f32>(_S456, _S457);
+    var _S461 : vec2<f32> = _S458.xy / vec2<f32>(_S460);
+    ray_0.slope_1 = _S461;
+    var _S462 : StepControl_0 = step_control_0((vec2<f32>(0) - _S461), 1.0f / max(steps_per_length_0(_S454, _S455, _S458) / _S460, 9.99999971718068537e-10f));
+    var _S463 : ViewRayEnd_0 = search_down_0(_S454, ray_0, _S462, _S459);
     var hit_1 : Hit_1;
     hit_1.hole_2 = false;
-    var _S400 : f32 = refined_height_0(_S390, ray_0, _S398, _S395, _S399, _S391.refinements_0);
-    hit_1.height_4 = _S400;
-    var _S401 : vec2<f32> = ViewRay_at_0(ray_0, _S400);
-    hit_1.x_13 = _S401.x;
-    hit_1.y_7 = _S401.y;
+    var _S464 : f32 = refined_height_0(_S454, ray_0, _S462, _S459, _S463, _S455.refinements_0);
+    hit_1.height_4 = _S464;
+    var _S465 : vec2<f32> = ViewRay_at_0(ray_0, _S464);
+    hit_1.x_13 = _S465.x;
+    hit_1.y_7 = _S465.y;
     return hit_1;
 }
 
-fn first_hit_0( _S402 : u32,  _S403 : SearchQuality_0,  _S404 : f32,  _S405 : f32,  _S406 : vec3<f32>,  _S407 : bool) -> Hit_1
+fn first_hit_0( _S466 : u32,  _S467 : SearchQuality_0,  _S468 : f32,  _S469 : f32,  _S470 : vec3<f32>,  _S471 : bool) -> Hit_1
 {
-    if(!passes_through_0(_S402, _S403, _S404, _S405, _S406, _S407))
+    if(!passes_through_0(_S466, _S467, _S468, _S469, _S470, _S471))
     {
-        return first_hit_of_yarn_0(_S402, _S403, _S404, _S405, _S406, _S407);
+        return first_hit_of_yarn_0(_S466, _S467, _S468, _S469, _S470, _S471);
     }
     var hit_2 : Hit_1;
-    hit_2.x_13 = _S404;
-    hit_2.y_7 = _S405;
+    hit_2.x_13 = _S468;
+    hit_2.y_7 = _S469;
     hit_2.height_4 = 0.0f;
     hit_2.hole_2 = true;
     return hit_2;
@@ -1808,89 +2001,132 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S408 : u32,  _S409 : f32) -> vec3<f32>
+fn pyramid_level_0( _S472 : u32,  _S473 : f32) -> vec3<f32>
 {
-    var _S410 : u32 = fabrics_0[_S408].lobes_0.levels_0 + u32(4) * u32(min(_S409, fabrics_0[_S408].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S410), table_number_0(_S410 + u32(1)), table_number_0(_S410 + u32(2)));
+    var _S474 : u32 = fabrics_0[_S472].lobes_0.levels_0 + u32(4) * u32(min(_S473, fabrics_0[_S472].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S474), table_number_0(_S474 + u32(1)), table_number_0(_S474 + u32(2)));
 }
 
-fn coverage_taps_0( _S411 : u32,  _S412 : Footprint_0,  _S413 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S475 : u32,  _S476 : Footprint_0,  _S477 : bool) -> CoverageTaps_0
 {
-    var _S414 : Lobes_std430_0 = fabrics_0[_S411].lobes_0;
-    var _S415 : f32 = Footprint_spread_side_0(_S412) * fabrics_0[_S411].lobes_0.inverse_base_size_0;
-    var _S416 : vec3<f32> = pyramid_level_0(_S411, floor(binary_logarithm_0(max(0.68000000715255737f * _S415, 1.0f))));
-    var _S417 : f32 = 1.0f / max(_S415, 9.99999997475242708e-07f);
-    var _S418 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S411].warp_0].inverse_period_0, families_0[fabrics_0[_S411].weft_0].inverse_period_0);
-    var _S419 : vec2<f32> = _S412.centre_0 * _S418;
-    var _S420 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S417 * _S417), 0.0f, 1.0f)), 0.3333333432674408f * _S417), 1.0f));
-    var _S421 : vec2<f32> = _S412.dx_0 * _S418 * _S420;
-    var _S422 : vec2<f32> = _S412.dy_0 * _S418 * _S420;
+    var _S478 : Lobes_std430_0 = fabrics_0[_S475].lobes_0;
+    var _S479 : f32 = Footprint_spread_side_0(_S476) * fabrics_0[_S475].lobes_0.inverse_base_size_0;
+    var _S480 : vec3<f32> = pyramid_level_0(_S475, floor(binary_logarithm_0(max(0.68000000715255737f * _S479, 1.0f))));
+    var _S481 : f32 = 1.0f / max(_S479, 9.99999997475242708e-07f);
+    var _S482 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S475].warp_0].inverse_period_0, families_0[fabrics_0[_S475].weft_0].inverse_period_0);
+    var _S483 : vec2<f32> = _S476.centre_0 * _S482;
+    var _S484 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S481 * _S481), 0.0f, 1.0f)), 0.3333333432674408f * _S481), 1.0f));
+    var _S485 : vec2<f32> = _S476.dx_0 * _S482 * _S484;
+    var _S486 : vec2<f32> = _S476.dy_0 * _S482 * _S484;
     var taps_3 : CoverageTaps_0;
-    var number_3 : u32 = u32(0);
+    var number_6 : u32 = u32(0);
     for(;;)
     {
-        if(number_3 < u32(9))
+        if(number_6 < u32(9))
         {
         }
         else
         {
             break;
         }
-        var _S423 : vec2<f32> = _S419 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S421 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S422;
-        var _S424 : f32 = _S416.y;
-        taps_3.nodes_1[number_3] = select(u32(0), _S414.face_nodes_0, _S413) + u32(wrapped_cell_0(_S423.y, _S416.z) * _S424 + wrapped_cell_0(_S423.x, _S424) + _S416.x);
-        number_3 = number_3 + u32(1);
+        var _S487 : vec2<f32> = _S483 + vec2<f32>(TAP_OFFSETS_0[number_6].x) * _S485 + vec2<f32>(TAP_OFFSETS_0[number_6].y) * _S486;
+        var _S488 : f32 = _S480.y;
+        taps_3.nodes_1[number_6] = select(u32(0), _S478.face_nodes_0, _S477) + u32(wrapped_cell_0(_S487.y, _S480.z) * _S488 + wrapped_cell_0(_S487.x, _S488) + _S480.x);
+        number_6 = number_6 + u32(1);
     }
     return taps_3;
 }
 
-fn coverage_of_holes_0( _S425 : u32,  _S426 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S489 : u32,  _S490 : CoverageTaps_0) -> f32
 {
-    var number_4 : u32 = u32(0);
+    var number_7 : u32 = u32(0);
     var total_0 : u32 = u32(0);
     for(;;)
     {
-        if(number_4 < u32(9))
+        if(number_7 < u32(9))
         {
         }
         else
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S425].lobes_0.coverage_holes_0 + _S426.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S426.nodes_1[number_4] % u32(4)))))) & (u32(255))));
-        number_4 = number_4 + u32(1);
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S489].lobes_0.coverage_holes_0 + _S490.nodes_1[number_7] / u32(4)] >> ((u32(8) * (_S490.nodes_1[number_7] % u32(4)))))) & (u32(255))));
+        number_7 = number_7 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S427 : u32,  _S428 : CoverageTaps_0,  _S429 : NodeTaps_0,  _S430 : bool) -> f32
+fn prefiltered_hole_0( _S491 : u32,  _S492 : CoverageTaps_0,  _S493 : NodeTaps_0,  _S494 : bool) -> f32
 {
-    var _S431 : f32 = interpolate_table_0(_S429, fabrics_0[_S427].lobes_0.projected_area_0 + fabrics_0[_S427].lobes_0.packs_0, fabrics_0[_S427].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S427, _S428) * _S431 * _S431 * select(fabrics_0[_S427].lobes_0.front_hole_weight_0, fabrics_0[_S427].lobes_0.back_hole_weight_0, _S430), 1.0f);
+    var _S495 : f32 = interpolate_table_0(_S493, fabrics_0[_S491].lobes_0.projected_area_0 + fabrics_0[_S491].lobes_0.packs_0, fabrics_0[_S491].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S491, _S492) * _S495 * _S495 * select(fabrics_0[_S491].lobes_0.front_hole_weight_0, fabrics_0[_S491].lobes_0.back_hole_weight_0, _S494), 1.0f);
 }
 
-fn passed_share_0( _S432 : u32,  _S433 : VisiblePoint_0,  _S434 : vec3<f32>,  _S435 : f32,  _S436 : vec2<f32>) -> f32
+fn yarns_over_0( _S496 : u32,  _S497 : Footprint_0,  _S498 : bool) -> Yarns_0
 {
-    if((fabrics_0[_S432].has_yarns_0) == u32(0))
+    var _S499 : vec2<f32> = _S497.dx_0;
+    var _S500 : vec2<f32> = _S497.dy_0;
+    var _S501 : vec2<f32> = sqrt(_S499 * _S499 + _S500 * _S500);
+    var _S502 : f32 = Footprint_spread_side_0(_S497);
+    var _S503 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S503, _S503, vec3<f32>(0.0f));
+    var _S504 : bool = (fabrics_0[_S496].is_irregular_0) != u32(0);
+    var number_8 : u32 = u32(0);
+    for(;;)
     {
-        return fabrics_0[_S432].mean_hole_0;
-    }
-    var _S437 : vec3<f32> = to_local_0(_S433, _S434);
-    var _S438 : bool = (_S437.z) < 0.0f;
-    var _S439 : vec3<f32> = to_face_frame_0(_S437, _S438);
-    var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S433.draft_0;
-    footprint_0.dx_0 = vec2<f32>(_S435, 0.0f);
-    footprint_0.dy_0 = vec2<f32>(0.0f, _S435);
-    var _S440 : f32 = select(0.0f, regime_of_0(_S432, footprint_0, 1.0f).prefiltered_0, (fabrics_0[_S432].lobes_0.is_baked_0) != u32(0));
-    var share_2 : f32;
-    if(_S440 < 1.0f)
-    {
-        var _S441 : vec2<f32> = footprint_0.centre_0 + (_S436 - vec2<f32>(0.5f)) * vec2<f32>(_S435);
-        if(first_hit_0(_S432, default_quality_0(), _S441.x, _S441.y, _S439, _S438).hole_2)
+        if(number_8 < select(u32(0), u32(2), _S504))
         {
-            share_2 = 1.0f - _S440;
+        }
+        else
+        {
+            break;
+        }
+        var _S505 : bool = number_8 == u32(0);
+        var _S506 : u32 = select(fabrics_0[_S496].weft_0, fabrics_0[_S496].warp_0, _S505);
+        var _S507 : vec2<f32> = select_vector_1(_S505, _S497.centre_0, _S497.centre_0.yx);
+        var _S508 : vec2<f32> = select_vector_1(_S505, _S501, _S501.yx);
+        var _S509 : f32 = _S507.x;
+        var _S510 : Cell_0 = locate_0(_S506, _S509);
+        var yarn_2 : vec4<f32> = irregular_over_0(_S506, irregular_key_0(_S496, number_8), irregular_thread_0(_S506, _S509, _S510) + _S510.below_0 / (_S510.below_0 + _S510.above_0), _S508.x * (families_0[_S506].count_0 / families_0[_S506].period_0), _S507.y, _S508.y);
+        yarn_2[i32(1)] = yarn_2[i32(1)] * (1.0f - moved_share_0(_S506, _S502));
+        yarns_0.warp_2 = yarns_0.weft_2;
+        yarns_0.weft_2 = yarn_2;
+        number_8 = number_8 + u32(1);
+    }
+    var _S511 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S496].warp_0].cover_0, families_0[fabrics_0[_S496].weft_0].cover_0);
+    var _S512 : f32 = select(fabrics_0[_S496].warp_on_top_0, 1.0f - fabrics_0[_S496].warp_on_top_0, _S498);
+    var _S513 : vec3<f32> = shown_of_covers_0(_S511, _S512);
+    var _S514 : vec3<f32> = select_vector_0(_S504, shown_of_covers_0(saturate(_S511 + _S511 * vec2<f32>(yarns_0.warp_2.y, yarns_0.weft_2.y)), _S512) / max(_S513, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_0.shares_0 = _S514;
+    yarns_0.shares_0[i32(2)] = select(1.0f, _S514.z, (_S513.z) > 0.00009999999747379f);
+    return yarns_0;
+}
+
+fn passed_share_0( _S515 : u32,  _S516 : VisiblePoint_0,  _S517 : vec3<f32>,  _S518 : f32,  _S519 : vec2<f32>) -> f32
+{
+    if((fabrics_0[_S515].has_yarns_0) == u32(0))
+    {
+        return fabrics_0[_S515].mean_hole_0;
+    }
+    var _S520 : vec3<f32> = to_local_0(_S516, _S517);
+    var _S521 : bool = (_S520.z) < 0.0f;
+    var _S522 : vec3<f32> = to_face_frame_0(_S520, _S521);
+    var _S523 : bool = (fabrics_0[_S515].lobes_0.is_baked_0) != u32(0);
+    var _S524 : vec2<f32> = (_S519 - vec2<f32>(0.5f)) * vec2<f32>(_S518);
+    var _S525 : vec2<f32> = vec2<f32>(0.0f);
+    var footprint_0 : Footprint_0;
+    footprint_0.centre_0 = irregular_place_0(_S515, _S516.draft_0 + select_vector_1(_S523, _S525, _S524), select(0.0f, _S518, _S523));
+    footprint_0.dx_0 = vec2<f32>(_S518, 0.0f);
+    footprint_0.dy_0 = vec2<f32>(0.0f, _S518);
+    var _S526 : f32 = select(0.0f, regime_of_0(_S515, footprint_0, 1.0f).prefiltered_0, _S523);
+    var share_2 : f32;
+    if(_S526 < 1.0f)
+    {
+        var _S527 : vec2<f32> = footprint_0.centre_0 + select_vector_1(_S523, _S524, _S525);
+        if(first_hit_0(_S515, default_quality_0(), _S527.x, _S527.y, _S522, _S521).hole_2)
+        {
+            share_2 = 1.0f - _S526;
         }
         else
         {
@@ -1901,113 +2137,118 @@ fn passed_share_0( _S432 : u32,  _S433 : VisiblePoint_0,  _S434 : vec3<f32>,  _S
     {
         share_2 = 0.0f;
     }
-    if(_S440 > 0.0f)
+    if(_S526 > 0.0f)
     {
-        var _S442 : NodeTaps_0 = node_taps_0(_S439);
-        var nodes_2 : NodeTaps_0 = _S442;
-        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((select(u32(0), u32(1), _S438) * u32(256)));
-        share_2 = share_2 + _S440 * prefiltered_hole_0(_S432, coverage_taps_0(_S432, footprint_0, _S438), nodes_2, _S438);
+        var _S528 : NodeTaps_0 = node_taps_0(_S522);
+        var nodes_2 : NodeTaps_0 = _S528;
+        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((select(u32(0), u32(1), _S521) * u32(256)));
+        share_2 = share_2 + _S526 * prefiltered_hole_0(_S515, coverage_taps_0(_S515, footprint_0, _S521), nodes_2, _S521);
     }
-    var _S443 : f32 = fabrics_0[_S432].sheen_strength_0;
-    if((fabrics_0[_S432].sheen_strength_0) > 0.0f)
+    var _S529 : f32 = min(share_2 * select(1.0f, yarns_over_0(_S515, footprint_0, _S521).shares_0.z, _S523), 1.0f);
+    var _S530 : f32 = fabrics_0[_S515].sheen_strength_0;
+    if((fabrics_0[_S515].sheen_strength_0) > 0.0f)
     {
-        share_2 = share_2 * (1.0f - _S443 * sheen_lobe_0(_S439.z, fabrics_0[_S432].sheen_roughness_0).z);
+        share_2 = _S529 * (1.0f - _S530 * sheen_lobe_0(_S522.z, fabrics_0[_S515].sheen_roughness_0).z);
+    }
+    else
+    {
+        share_2 = _S529;
     }
     return share_2;
 }
 
-fn visibility_of_0( _S444 : VisiblePoint_0,  _S445 : u32,  _S446 : vec2<u32>,  _S447 : u32) -> f32
+fn visibility_of_0( _S531 : VisiblePoint_0,  _S532 : u32,  _S533 : vec2<u32>,  _S534 : u32) -> f32
 {
-    var _S448 : bool;
-    var _S449 : LightSample_0 = light_sample_0(_S447, _S446, _S444.position_0);
-    var _S450 : vec3<f32> = seen_position_0(_S445, _S446) + vec3<f32>((select(1.0f, -1.0f, (dot(_S449.towards_0, _S444.face_normal_0)) < 0.0f) * frame_record_0.ray_offset_0)) * _S444.face_normal_0;
-    var _S451 : vec2<f32> = _S444.draft_dx_0;
-    var _S452 : vec2<f32> = _S444.draft_dy_0;
-    var _S453 : f32 = sqrt(0.5f * (dot(_S451, _S451) + dot(_S452, _S452)));
+    var _S535 : bool;
+    var _S536 : LightSample_0 = light_sample_0(_S534, _S533, _S531.position_0);
+    var _S537 : vec3<f32> = seen_position_0(_S532, _S533) + vec3<f32>((select(1.0f, -1.0f, (dot(_S536.towards_0, _S531.face_normal_0)) < 0.0f) * frame_record_0.ray_offset_0)) * _S531.face_normal_0;
+    var _S538 : vec2<f32> = _S531.draft_dx_0;
+    var _S539 : vec2<f32> = _S531.draft_dy_0;
+    var _S540 : f32 = sqrt(0.5f * (dot(_S538, _S538) + dot(_S539, _S539)));
     var nearest_1 : f32 = 0.0f;
-    var without_0 : u32 = _S445;
+    var without_0 : u32 = _S532;
     var layer_0 : u32 = u32(0);
     var visibility_0 : f32 = 1.0f;
     for(;;)
     {
-        var _S454 : bool = layer_0 < u32(8);
-        var _S455 : bool = visibility_0 > 0.00100000004749745f;
-        _S448 = _S455;
-        if((_S454 & (_S455)))
+        var _S541 : bool = layer_0 < u32(8);
+        var _S542 : bool = visibility_0 > 0.00100000004749745f;
+        _S535 = _S542;
+        if((_S541 & (_S542)))
         {
         }
         else
         {
             break;
         }
-        var _S456 : Hit_0 = nearest_hit_0(_S450, _S449.towards_0, nearest_1, _S449.distance_2, without_0, true);
-        if((_S456.face_2) == u32(4294967295))
+        var _S543 : Hit_0 = nearest_hit_0(_S537, _S536.towards_0, nearest_1, _S536.distance_2, without_0, true);
+        if((_S543.face_2) == u32(4294967295))
         {
             break;
         }
-        var _S457 : u32 = fabric_of_0(_S456.face_2);
-        var _S458 : VisiblePoint_0 = face_point_0(_S457, _S456.face_2, _S456.weight_b_0, _S456.weight_c_0);
-        var _S459 : vec2<f32> = pixel_sequence_0(_S446, frame_record_0.pass_number_0, u32(5) + u32(2) * (u32(8) * _S447 + layer_0));
-        var _S460 : f32;
-        if((fabrics_0[_S457].is_open_0) != u32(0))
+        var _S544 : u32 = fabric_of_0(_S543.face_2);
+        var _S545 : VisiblePoint_0 = face_point_0(_S544, _S543.face_2, _S543.weight_b_0, _S543.weight_c_0);
+        var _S546 : vec2<f32> = pixel_sequence_0(_S533, frame_record_0.pass_number_0, u32(5) + u32(2) * (u32(8) * _S534 + layer_0));
+        var _S547 : f32;
+        if((fabrics_0[_S544].is_open_0) != u32(0))
         {
-            var _S461 : f32 = passed_share_0(_S457, _S458, (vec3<f32>(0) - _S449.towards_0), _S453, _S459);
-            _S460 = _S461;
+            var _S548 : f32 = passed_share_0(_S544, _S545, (vec3<f32>(0) - _S536.towards_0), _S540, _S546);
+            _S547 = _S548;
         }
         else
         {
-            _S460 = 0.0f;
+            _S547 = 0.0f;
         }
-        var visibility_1 : f32 = visibility_0 * _S460;
-        var _S462 : u32 = layer_0 + u32(1);
-        nearest_1 = _S456.distance_0;
-        without_0 = _S456.face_2;
-        layer_0 = _S462;
+        var visibility_1 : f32 = visibility_0 * _S547;
+        var _S549 : u32 = layer_0 + u32(1);
+        nearest_1 = _S543.distance_0;
+        without_0 = _S543.face_2;
+        layer_0 = _S549;
         visibility_0 = visibility_1;
     }
-    return select(0.0f, visibility_0, _S448);
+    return select(0.0f, visibility_0, _S535);
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S463 : u32 = id_0.x;
-    var _S464 : bool;
-    if(_S463 >= (frame_record_0.width_0))
+    var _S550 : u32 = id_0.x;
+    var _S551 : bool;
+    if(_S550 >= (frame_record_0.width_0))
     {
-        _S464 = true;
+        _S551 = true;
     }
     else
     {
-        _S464 = (id_0.y) >= (frame_record_0.height_0);
+        _S551 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S464)
+    if(_S551)
     {
         return;
     }
-    var _S465 : u32 = id_0.y * frame_record_0.width_0 + _S463;
-    var _S466 : u32 = layers_0[_S465].face_0;
-    if((layers_0[_S465].face_0) == u32(0))
+    var _S552 : u32 = id_0.y * frame_record_0.width_0 + _S550;
+    var _S553 : u32 = layers_0[_S552].face_0;
+    if((layers_0[_S552].face_0) == u32(0))
     {
         return;
     }
-    var _S467 : u32 = _S466 - u32(1);
-    var _S468 : vec2<u32> = id_0.xy;
-    var _S469 : VisiblePoint_0 = visible_point_0(fabric_of_0(_S467), _S467, _S468);
-    var number_5 : u32 = u32(0);
+    var _S554 : u32 = _S553 - u32(1);
+    var _S555 : vec2<u32> = id_0.xy;
+    var _S556 : VisiblePoint_0 = visible_point_0(fabric_of_0(_S554), _S554, _S555);
+    var number_9 : u32 = u32(0);
     for(;;)
     {
-        if(number_5 < (light_sample_count_0()))
+        if(number_9 < (light_sample_count_0()))
         {
         }
         else
         {
             break;
         }
-        var _S470 : f32 = visibility_of_0(_S469, _S467, _S468, number_5);
-        visibilities_0[number_5 * frame_record_0.width_0 * frame_record_0.height_0 + _S465] = _S470;
-        number_5 = number_5 + u32(1);
+        var _S557 : f32 = visibility_of_0(_S556, _S554, _S555, number_9);
+        visibilities_0[number_9 * frame_record_0.width_0 * frame_record_0.height_0 + _S552] = _S557;
+        number_9 = number_9 + u32(1);
     }
     return;
 }

@@ -1804,174 +1804,170 @@ fn yarns_over_0( _S412 : u32,  _S413 : Footprint_0,  _S414 : bool) -> Yarns_0
     var _S418 : f32 = Footprint_spread_side_0(_S413);
     var _S419 : vec4<f32> = vec4<f32>(0.0f);
     var yarns_1 : Yarns_0 = Yarns_x24init_0(_S419, _S419, vec3<f32>(0.0f));
-    yarns_1.shares_0 = vec3<f32>(1.0f);
-    if((fabrics_0[_S412].is_irregular_0) == u32(0))
-    {
-        return yarns_1;
-    }
+    var _S420 : bool = (fabrics_0[_S412].is_irregular_0) != u32(0);
     var number_6 : u32 = u32(0);
     for(;;)
     {
-        if(number_6 < u32(2))
+        if(number_6 < select(u32(0), u32(2), _S420))
         {
         }
         else
         {
             break;
         }
-        var _S420 : bool = number_6 == u32(0);
-        var _S421 : u32 = select(fabrics_0[_S412].weft_0, fabrics_0[_S412].warp_0, _S420);
-        var _S422 : vec2<f32> = select_vector_1(_S420, _S413.centre_0, _S413.centre_0.yx);
-        var _S423 : vec2<f32> = select_vector_1(_S420, _S417, _S417.yx);
-        var _S424 : f32 = _S422.x;
-        var _S425 : Cell_0 = locate_0(_S421, _S424);
-        var yarn_1 : vec4<f32> = irregular_over_0(_S421, irregular_key_0(_S412, number_6), irregular_thread_0(_S421, _S424, _S425) + _S425.below_0 / (_S425.below_0 + _S425.above_0), _S423.x * (families_0[_S421].count_0 / families_0[_S421].period_0), _S422.y, _S423.y);
-        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S421, _S418));
+        var _S421 : bool = number_6 == u32(0);
+        var _S422 : u32 = select(fabrics_0[_S412].weft_0, fabrics_0[_S412].warp_0, _S421);
+        var _S423 : vec2<f32> = select_vector_1(_S421, _S413.centre_0, _S413.centre_0.yx);
+        var _S424 : vec2<f32> = select_vector_1(_S421, _S417, _S417.yx);
+        var _S425 : f32 = _S423.x;
+        var _S426 : Cell_0 = locate_0(_S422, _S425);
+        var yarn_1 : vec4<f32> = irregular_over_0(_S422, irregular_key_0(_S412, number_6), irregular_thread_0(_S422, _S425, _S426) + _S426.below_0 / (_S426.below_0 + _S426.above_0), _S424.x * (families_0[_S422].count_0 / families_0[_S422].period_0), _S423.y, _S424.y);
+        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S422, _S418));
         yarns_1.warp_1 = yarns_1.weft_1;
         yarns_1.weft_1 = yarn_1;
         number_6 = number_6 + u32(1);
     }
-    var _S426 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S412].warp_0].cover_0, families_0[fabrics_0[_S412].weft_0].cover_0);
-    var _S427 : f32 = select(fabrics_0[_S412].warp_on_top_0, 1.0f - fabrics_0[_S412].warp_on_top_0, _S414);
-    var _S428 : vec3<f32> = shown_of_covers_0(_S426, _S427);
-    var _S429 : vec3<f32> = shown_of_covers_0(saturate(_S426 + _S426 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S427) / max(_S428, vec3<f32>(0.00009999999747379f));
-    yarns_1.shares_0 = _S429;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S429.z, (_S428.z) > 0.00009999999747379f);
+    var _S427 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S412].warp_0].cover_0, families_0[fabrics_0[_S412].weft_0].cover_0);
+    var _S428 : f32 = select(fabrics_0[_S412].warp_on_top_0, 1.0f - fabrics_0[_S412].warp_on_top_0, _S414);
+    var _S429 : vec3<f32> = shown_of_covers_0(_S427, _S428);
+    var _S430 : vec3<f32> = select_vector_2(_S420, shown_of_covers_0(saturate(_S427 + _S427 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S428) / max(_S429, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_1.shares_0 = _S430;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S430.z, (_S429.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn albedos_over_0( _S430 : u32,  _S431 : Footprint_0,  _S432 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S431 : u32,  _S432 : Footprint_0,  _S433 : bool) -> FamilyAlbedos_0
 {
-    var _S433 : vec2<f32> = _S431.dx_0;
-    var _S434 : vec2<f32> = _S431.dy_0;
-    var _S435 : vec2<f32> = sqrt(_S433 * _S433 + _S434 * _S434);
-    var _S436 : Stretch_0 = stretch_of_0(fabrics_0[_S430].warp_0, _S431.centre_0.x, _S435.x);
-    var _S437 : Stretch_0 = stretch_of_0(fabrics_0[_S430].weft_0, _S431.centre_0.y, _S435.y);
+    var _S434 : vec2<f32> = _S432.dx_0;
+    var _S435 : vec2<f32> = _S432.dy_0;
+    var _S436 : vec2<f32> = sqrt(_S434 * _S434 + _S435 * _S435);
+    var _S437 : Stretch_0 = stretch_of_0(fabrics_0[_S431].warp_0, _S432.centre_0.x, _S436.x);
+    var _S438 : Stretch_0 = stretch_of_0(fabrics_0[_S431].weft_0, _S432.centre_0.y, _S436.y);
     var albedos_6 : FamilyAlbedos_0;
-    albedos_6.warp_5 = mean_albedos_0(fabrics_0[_S430].warp_0, fabrics_0[_S430].weft_0, _S436, _S437, _S432);
-    albedos_6.weft_5 = mean_albedos_0(fabrics_0[_S430].weft_0, fabrics_0[_S430].warp_0, _S437, _S436, _S432);
+    albedos_6.warp_5 = mean_albedos_0(fabrics_0[_S431].warp_0, fabrics_0[_S431].weft_0, _S437, _S438, _S433);
+    albedos_6.weft_5 = mean_albedos_0(fabrics_0[_S431].weft_0, fabrics_0[_S431].warp_0, _S438, _S437, _S433);
     return albedos_6;
 }
 
-fn toned_0( _S438 : u32,  _S439 : u32,  _S440 : Albedos_0,  _S441 : vec4<f32>) -> Albedos_0
+fn toned_0( _S439 : u32,  _S440 : u32,  _S441 : Albedos_0,  _S442 : vec4<f32>) -> Albedos_0
 {
-    var _S442 : vec3<f32> = _S440.diffuse_reflect_0 + _S440.diffuse_transmit_0;
-    var _S443 : vec3<f32> = vec3<f32>(1.0f);
-    var _S444 : vec3<f32> = _S443 - vec3<f32>(fabrics_0[_S438].layer_bound_0) * max(_S440.specular_reflect_0, _S440.specular_transmit_0);
-    var _S445 : vec3<f32> = vec3<f32>(0.0f);
-    var _S446 : vec3<f32> = max(_S443 - _S442, _S445) / (_S443 + _S442);
-    var _S447 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S448 : vec3<f32> = (_S444 / max(_S442, _S447) - _S443) / max(vec3<f32>(0.89999997615814209f) * _S446, _S447);
-    var _S449 : vec3<f32> = _S443 - vec3<f32>((saturate(min(min(_S448.x, _S448.y), _S448.z)) * _S441.z)) * _S446;
-    var _S450 : vec3<f32> = min(vec3<f32>(families_0[_S439].nep_red_0, families_0[_S439].nep_green_0, families_0[_S439].nep_blue_0), _S444);
-    var found_1 : Albedos_0 = _S440;
-    var _S451 : f32 = _S441.w;
-    var _S452 : vec3<f32> = _S449 * _S440.diffuse_transmit_0 * vec3<f32>((1.0f - _S451));
-    found_1.diffuse_transmit_0 = _S452;
-    found_1.diffuse_reflect_0 = clamp(mix(_S449 * _S440.diffuse_reflect_0, _S450, vec3<f32>(_S451)), _S445, max(_S444 - _S452, _S445));
+    var _S443 : vec3<f32> = _S441.diffuse_reflect_0 + _S441.diffuse_transmit_0;
+    var _S444 : vec3<f32> = vec3<f32>(1.0f);
+    var _S445 : vec3<f32> = _S444 - vec3<f32>(fabrics_0[_S439].layer_bound_0) * max(_S441.specular_reflect_0, _S441.specular_transmit_0);
+    var _S446 : vec3<f32> = vec3<f32>(0.0f);
+    var _S447 : vec3<f32> = max(_S444 - _S443, _S446) / (_S444 + _S443);
+    var _S448 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S449 : vec3<f32> = (_S445 / max(_S443, _S448) - _S444) / max(vec3<f32>(0.89999997615814209f) * _S447, _S448);
+    var _S450 : vec3<f32> = _S444 - vec3<f32>((saturate(min(min(_S449.x, _S449.y), _S449.z)) * _S442.z)) * _S447;
+    var _S451 : vec3<f32> = min(vec3<f32>(families_0[_S440].nep_red_0, families_0[_S440].nep_green_0, families_0[_S440].nep_blue_0), _S445);
+    var found_1 : Albedos_0 = _S441;
+    var _S452 : f32 = _S442.w;
+    var _S453 : vec3<f32> = _S450 * _S441.diffuse_transmit_0 * vec3<f32>((1.0f - _S452));
+    found_1.diffuse_transmit_0 = _S453;
+    found_1.diffuse_reflect_0 = clamp(mix(_S450 * _S441.diffuse_reflect_0, _S451, vec3<f32>(_S452)), _S446, max(_S445 - _S453, _S446));
     return found_1;
 }
 
-fn with_tones_0( _S453 : u32,  _S454 : FamilyAlbedos_0,  _S455 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S454 : u32,  _S455 : FamilyAlbedos_0,  _S456 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S453].is_irregular_0) == u32(0))
+    if((fabrics_0[_S454].is_irregular_0) == u32(0))
     {
-        return _S454;
+        return _S455;
     }
     var result_3 : FamilyAlbedos_0;
-    result_3.warp_5 = toned_0(_S453, fabrics_0[_S453].warp_0, _S454.warp_5, _S455.warp_1);
-    result_3.weft_5 = toned_0(_S453, fabrics_0[_S453].weft_0, _S454.weft_5, _S455.weft_1);
+    result_3.warp_5 = toned_0(_S454, fabrics_0[_S454].warp_0, _S455.warp_5, _S456.warp_1);
+    result_3.weft_5 = toned_0(_S454, fabrics_0[_S454].weft_0, _S455.weft_5, _S456.weft_1);
     return result_3;
 }
 
-fn openness_number_0( _S456 : u32,  _S457 : u32) -> f32
+fn openness_number_0( _S457 : u32,  _S458 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S456].openness_0 + _S457);
+    return table_number_0(fabrics_0[_S457].openness_0 + _S458);
 }
 
-fn scattered_by_0( _S458 : u32,  _S459 : Albedos_0,  _S460 : u32,  _S461 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S459 : u32,  _S460 : Albedos_0,  _S461 : u32,  _S462 : vec3<f32>) -> Scattered_0
 {
-    var _S462 : u32 = u32(159) + u32(2) * _S460;
+    var _S463 : u32 = u32(159) + u32(2) * _S461;
     var yarn_2 : Scattered_0;
-    yarn_2.back_4 = _S461 * _S459.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S458, _S462)) * _S459.specular_reflect_0;
-    yarn_2.through_0 = _S461 * _S459.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S458, _S462 + u32(1))) * _S459.specular_transmit_0;
+    yarn_2.back_4 = _S462 * _S460.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S459, _S463)) * _S460.specular_reflect_0;
+    yarn_2.through_0 = _S462 * _S460.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S459, _S463 + u32(1))) * _S460.specular_transmit_0;
     return yarn_2;
 }
 
-fn sent_0( _S463 : u32,  _S464 : u32,  _S465 : vec3<f32>,  _S466 : vec3<f32>,  _S467 : vec3<f32>,  _S468 : vec3<f32>,  _S469 : ptr<function, vec3<f32>>,  _S470 : ptr<function, vec3<f32>>)
+fn sent_0( _S464 : u32,  _S465 : u32,  _S466 : vec3<f32>,  _S467 : vec3<f32>,  _S468 : vec3<f32>,  _S469 : vec3<f32>,  _S470 : ptr<function, vec3<f32>>,  _S471 : ptr<function, vec3<f32>>)
 {
-    var _S471 : u32 = u32(146) + u32(4) * _S464;
-    var _S472 : f32 = openness_number_0(_S463, _S471 + u32(1));
-    var _S473 : f32 = openness_number_0(_S463, _S471 + u32(2));
-    var _S474 : vec3<f32> = vec3<f32>(1.0f);
-    var _S475 : vec3<f32> = _S474 - _S467 * vec3<f32>(openness_number_0(_S463, _S471));
-    var _S476 : vec3<f32> = _S474 - _S468 * vec3<f32>(openness_number_0(_S463, _S471 + u32(3)));
-    var _S477 : vec3<f32> = _S474 / (_S475 * _S476 - _S467 * _S468 * vec3<f32>((_S472 * _S473)));
-    (*_S469) = (_S465 * _S476 + _S467 * vec3<f32>(_S472) * _S466) * _S477;
-    (*_S470) = (_S466 * _S475 + _S468 * vec3<f32>(_S473) * _S465) * _S477;
+    var _S472 : u32 = u32(146) + u32(4) * _S465;
+    var _S473 : f32 = openness_number_0(_S464, _S472 + u32(1));
+    var _S474 : f32 = openness_number_0(_S464, _S472 + u32(2));
+    var _S475 : vec3<f32> = vec3<f32>(1.0f);
+    var _S476 : vec3<f32> = _S475 - _S468 * vec3<f32>(openness_number_0(_S464, _S472));
+    var _S477 : vec3<f32> = _S475 - _S469 * vec3<f32>(openness_number_0(_S464, _S472 + u32(3)));
+    var _S478 : vec3<f32> = _S475 / (_S476 * _S477 - _S468 * _S469 * vec3<f32>((_S473 * _S474)));
+    (*_S470) = (_S466 * _S477 + _S468 * vec3<f32>(_S473) * _S467) * _S478;
+    (*_S471) = (_S467 * _S476 + _S469 * vec3<f32>(_S474) * _S466) * _S478;
     return;
 }
 
-fn face_sends_0( _S478 : u32,  _S479 : u32,  _S480 : Scattered_0,  _S481 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S479 : u32,  _S480 : u32,  _S481 : Scattered_0,  _S482 : Scattered_0) -> FaceSends_0
 {
-    var _S482 : u32 = u32(2) * _S479;
-    var _S483 : u32 = u32(142) + _S482;
-    var _S484 : f32 = openness_number_0(_S478, _S483);
-    var _S485 : f32 = openness_number_0(_S478, _S483 + u32(1));
-    var _S486 : vec3<f32> = vec3<f32>((1.0f - _S484)) * _S480.back_4;
+    var _S483 : u32 = u32(2) * _S480;
+    var _S484 : u32 = u32(142) + _S483;
+    var _S485 : f32 = openness_number_0(_S479, _S484);
+    var _S486 : f32 = openness_number_0(_S479, _S484 + u32(1));
     var _S487 : vec3<f32> = vec3<f32>((1.0f - _S485)) * _S481.back_4;
+    var _S488 : vec3<f32> = vec3<f32>((1.0f - _S486)) * _S482.back_4;
     var sends_1 : FaceSends_0;
-    var _S488 : u32 = u32(154) + _S482;
-    var _S489 : f32 = openness_number_0(_S478, _S488);
-    sends_1.blocks_warp_0 = _S489;
-    var _S490 : f32 = openness_number_0(_S478, _S488 + u32(1));
-    sends_1.blocks_weft_0 = _S490;
-    sends_1.open_0 = _S489 * _S484 + _S490 * _S485;
-    var _S491 : vec3<f32> = vec3<f32>(_S484) * _S480.back_4;
+    var _S489 : u32 = u32(154) + _S483;
+    var _S490 : f32 = openness_number_0(_S479, _S489);
+    sends_1.blocks_warp_0 = _S490;
+    var _S491 : f32 = openness_number_0(_S479, _S489 + u32(1));
+    sends_1.blocks_weft_0 = _S491;
+    sends_1.open_0 = _S490 * _S485 + _S491 * _S486;
     var _S492 : vec3<f32> = vec3<f32>(_S485) * _S481.back_4;
-    var _S493 : vec3<f32> = sends_1.sky_warp_0;
-    var _S494 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S478, _S479, _S491, _S492, _S486, _S487, &(_S493), &(_S494));
-    sends_1.sky_warp_0 = _S493;
-    sends_1.sky_weft_0 = _S494;
-    var _S495 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S496 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S478, _S479, _S480.through_0, _S481.through_0, _S486, _S487, &(_S495), &(_S496));
-    sends_1.crossing_warp_0 = _S495;
-    sends_1.crossing_weft_0 = _S496;
+    var _S493 : vec3<f32> = vec3<f32>(_S486) * _S482.back_4;
+    var _S494 : vec3<f32> = sends_1.sky_warp_0;
+    var _S495 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S479, _S480, _S492, _S493, _S487, _S488, &(_S494), &(_S495));
+    sends_1.sky_warp_0 = _S494;
+    sends_1.sky_weft_0 = _S495;
+    var _S496 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S497 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S479, _S480, _S481.through_0, _S482.through_0, _S487, _S488, &(_S496), &(_S497));
+    sends_1.crossing_warp_0 = _S496;
+    sends_1.crossing_weft_0 = _S497;
     return sends_1;
 }
 
-fn interior_of_0( _S497 : u32,  _S498 : vec3<f32>,  _S499 : bool) -> Interior_0
+fn interior_of_0( _S498 : u32,  _S499 : vec3<f32>,  _S500 : bool) -> Interior_0
 {
-    var _S500 : Scattered_0 = scattered_by_0(_S497, table_albedos_0(families_0[fabrics_0[_S497].warp_0].colour_mean_0), u32(0), _S498);
-    var _S501 : Scattered_0 = scattered_by_0(_S497, table_albedos_0(families_0[fabrics_0[_S497].weft_0].colour_mean_0), u32(1), _S498);
-    var _S502 : FaceSends_0 = face_sends_0(_S497, select(u32(0), u32(1), _S499), _S500, _S501);
-    var _S503 : FaceSends_0 = face_sends_0(_S497, select(u32(1), u32(0), _S499), _S500, _S501);
-    var _S504 : vec3<f32> = vec3<f32>(_S502.blocks_warp_0);
-    var _S505 : vec3<f32> = vec3<f32>(_S502.blocks_weft_0);
-    var _S506 : vec3<f32> = _S504 * _S502.crossing_warp_0 + _S505 * _S502.crossing_weft_0;
-    var _S507 : vec3<f32> = vec3<f32>(_S503.blocks_warp_0);
-    var _S508 : vec3<f32> = vec3<f32>(_S503.blocks_weft_0);
-    var _S509 : vec3<f32> = _S507 * _S503.crossing_warp_0 + _S508 * _S503.crossing_weft_0;
-    var _S510 : f32 = 1.0f - _S502.open_0;
+    var _S501 : Scattered_0 = scattered_by_0(_S498, table_albedos_0(families_0[fabrics_0[_S498].warp_0].colour_mean_0), u32(0), _S499);
+    var _S502 : Scattered_0 = scattered_by_0(_S498, table_albedos_0(families_0[fabrics_0[_S498].weft_0].colour_mean_0), u32(1), _S499);
+    var _S503 : FaceSends_0 = face_sends_0(_S498, select(u32(0), u32(1), _S500), _S501, _S502);
+    var _S504 : FaceSends_0 = face_sends_0(_S498, select(u32(1), u32(0), _S500), _S501, _S502);
+    var _S505 : vec3<f32> = vec3<f32>(_S503.blocks_warp_0);
+    var _S506 : vec3<f32> = vec3<f32>(_S503.blocks_weft_0);
+    var _S507 : vec3<f32> = _S505 * _S503.crossing_warp_0 + _S506 * _S503.crossing_weft_0;
+    var _S508 : vec3<f32> = vec3<f32>(_S504.blocks_warp_0);
+    var _S509 : vec3<f32> = vec3<f32>(_S504.blocks_weft_0);
+    var _S510 : vec3<f32> = _S508 * _S504.crossing_warp_0 + _S509 * _S504.crossing_weft_0;
     var _S511 : f32 = 1.0f - _S503.open_0;
-    var _S512 : vec3<f32> = vec3<f32>(1.0f);
-    var _S513 : vec3<f32> = _S512 / (_S512 - _S506 * _S509 * vec3<f32>((_S510 * _S511)));
-    var _S514 : vec3<f32> = _S509 * (vec3<f32>(_S502.open_0) + vec3<f32>(_S510) * (_S504 * _S502.sky_warp_0 + _S505 * _S502.sky_weft_0)) * _S513;
-    var _S515 : vec3<f32> = _S506 * (vec3<f32>(_S503.open_0) + vec3<f32>(_S511) * (_S507 * _S503.sky_warp_0 + _S508 * _S503.sky_weft_0)) * _S513;
-    var _S516 : FaceRadiance_0 = face_radiance_0(_S502, _S503.open_0, _S514, _S515);
-    var _S517 : FaceRadiance_0 = face_radiance_0(_S503, _S502.open_0, _S515, _S514);
+    var _S512 : f32 = 1.0f - _S504.open_0;
+    var _S513 : vec3<f32> = vec3<f32>(1.0f);
+    var _S514 : vec3<f32> = _S513 / (_S513 - _S507 * _S510 * vec3<f32>((_S511 * _S512)));
+    var _S515 : vec3<f32> = _S510 * (vec3<f32>(_S503.open_0) + vec3<f32>(_S511) * (_S505 * _S503.sky_warp_0 + _S506 * _S503.sky_weft_0)) * _S514;
+    var _S516 : vec3<f32> = _S507 * (vec3<f32>(_S504.open_0) + vec3<f32>(_S512) * (_S508 * _S504.sky_warp_0 + _S509 * _S504.sky_weft_0)) * _S514;
+    var _S517 : FaceRadiance_0 = face_radiance_0(_S503, _S504.open_0, _S515, _S516);
+    var _S518 : FaceRadiance_0 = face_radiance_0(_S504, _S503.open_0, _S516, _S515);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S516.warp_3;
-    interior_1.weft_4 = _S516.weft_3;
-    interior_1.leaked_1 = _S516.leaked_0;
-    interior_1.far_1 = _S517.mean_0;
-    interior_1.far_leaked_0 = _S517.leaked_0;
+    interior_1.warp_4 = _S517.warp_3;
+    interior_1.weft_4 = _S517.weft_3;
+    interior_1.leaked_1 = _S517.leaked_0;
+    interior_1.far_1 = _S518.mean_0;
+    interior_1.far_leaked_0 = _S518.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S518 : u32,  _S519 : u32,  _S520 : array<f32, i32(6)>,  _S521 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S519 : u32,  _S520 : u32,  _S521 : array<f32, i32(6)>,  _S522 : u32) -> Blocked_0
 {
     var shares_2 : array<f32, i32(3)>;
     var share_3 : u32 = u32(0);
@@ -1988,14 +1984,14 @@ fn blocked_of_terms_0( _S518 : u32,  _S519 : u32,  _S520 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S521)
+            if(term_0 < _S522)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_3] = shares_2[share_3] + openness_number_0(_S518, _S519 + share_3 * _S521 + term_0) * _S520[term_0];
+            shares_2[share_3] = shares_2[share_3] + openness_number_0(_S519, _S520 + share_3 * _S522 + term_0) * _S521[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_2[share_3] = saturate(shares_2[share_3]);
@@ -2008,81 +2004,81 @@ fn blocked_of_terms_0( _S518 : u32,  _S519 : u32,  _S520 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_from_0( _S522 : u32,  _S523 : vec3<f32>,  _S524 : bool,  _S525 : bool) -> Blocked_0
+fn blocked_from_0( _S523 : u32,  _S524 : vec3<f32>,  _S525 : bool,  _S526 : bool) -> Blocked_0
 {
     var terms_1 : array<f32, i32(6)>;
-    view_terms_0(_S523, &(terms_1));
-    return blocked_of_terms_0(_S522, (select(u32(0), u32(2), _S525) + select(u32(1), u32(0), _S524)) * u32(15), terms_1, u32(5));
+    view_terms_0(_S524, &(terms_1));
+    return blocked_of_terms_0(_S523, (select(u32(0), u32(2), _S526) + select(u32(1), u32(0), _S525)) * u32(15), terms_1, u32(5));
 }
 
-fn family_share_0( _S526 : u32,  _S527 : u32,  _S528 : f32) -> vec2<f32>
+fn family_share_0( _S527 : u32,  _S528 : u32,  _S529 : f32) -> vec2<f32>
 {
-    var _S529 : bool = _S527 < (fabrics_0[_S526].clustered_0.clusters_0 / u32(2));
-    return vec2<f32>(select(0.0f, _S528, _S529), select(_S528, 0.0f, _S529));
+    var _S530 : bool = _S528 < (fabrics_0[_S527].clustered_0.clusters_0 / u32(2));
+    return vec2<f32>(select(0.0f, _S529, _S530), select(_S529, 0.0f, _S530));
 }
 
-fn clustered_shown_0( _S530 : u32,  _S531 : ViewedBase_0) -> vec2<f32>
+fn clustered_shown_0( _S531 : u32,  _S532 : ViewedBase_0) -> vec2<f32>
 {
-    var _S532 : Clustered_std430_0 = fabrics_0[_S530].clustered_0;
-    var _S533 : u32 = _S532.clusters_0;
-    var _S534 : vec2<f32> = vec2<f32>(0.0f);
+    var _S533 : Clustered_std430_0 = fabrics_0[_S531].clustered_0;
+    var _S534 : u32 = _S533.clusters_0;
+    var _S535 : vec2<f32> = vec2<f32>(0.0f);
     var cluster_1 : u32 = u32(0);
-    var shown_0 : vec2<f32> = _S534;
+    var shown_0 : vec2<f32> = _S535;
     for(;;)
     {
-        if(cluster_1 < _S533)
+        if(cluster_1 < _S534)
         {
         }
         else
         {
             break;
         }
-        var _S535 : f32 = box_mean_0(&(_S532), _S531.box_5, _S531.face_6, cluster_1);
-        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S530, cluster_1, _S535);
+        var _S536 : f32 = box_mean_0(&(_S533), _S532.box_5, _S532.face_6, cluster_1);
+        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S531, cluster_1, _S536);
         cluster_1 = cluster_1 + u32(1);
         shown_0 = shown_1;
     }
     return shown_0;
 }
 
-fn clustered_view_0( _S536 : u32,  _S537 : Footprint_0,  _S538 : vec3<f32>,  _S539 : vec3<f32>,  _S540 : u32) -> ClusteredView_0
+fn clustered_view_0( _S537 : u32,  _S538 : Footprint_0,  _S539 : vec3<f32>,  _S540 : vec3<f32>,  _S541 : u32) -> ClusteredView_0
 {
     var seen_2 : ClusteredView_0;
-    var _S541 : ViewedBase_0 = viewed_base_0(_S536, _S537, _S538, uniform_of_0(_S540, u32(0)));
-    seen_2.base_0 = _S541;
-    seen_2.view_7 = _S538;
-    var _S542 : f32 = texel_hole_0(_S536, _S541);
-    seen_2.even_hole_0 = _S542;
-    var _S543 : Yarns_0 = yarns_over_0(_S536, _S537, seen_2.base_0.back_5);
-    seen_2.yarns_0 = _S543;
-    seen_2.hole_1 = min(_S542 * seen_2.yarns_0.shares_0.z, 1.0f);
-    var _S544 : FamilyAlbedos_0 = with_tones_0(_S536, albedos_over_0(_S536, _S537, seen_2.base_0.back_5), _S543);
-    seen_2.albedos_5.warp_5 = tinted_0(_S544.warp_5, _S539);
-    seen_2.albedos_5.weft_5 = tinted_0(_S544.weft_5, _S539);
-    var _S545 : vec3<f32> = vec3<f32>(0.0f);
-    seen_2.bounced_2.reflected_0 = _S545;
-    seen_2.bounced_2.transmitted_0 = _S545;
-    if((fabrics_0[_S536].openness_0) == u32(4294967295))
+    var _S542 : ViewedBase_0 = viewed_base_0(_S537, _S538, _S539, uniform_of_0(_S541, u32(0)));
+    seen_2.base_0 = _S542;
+    seen_2.view_7 = _S539;
+    var _S543 : f32 = texel_hole_0(_S537, _S542);
+    seen_2.even_hole_0 = _S543;
+    var _S544 : Yarns_0 = yarns_over_0(_S537, _S538, seen_2.base_0.back_5);
+    seen_2.yarns_0 = _S544;
+    seen_2.hole_1 = min(_S543 * seen_2.yarns_0.shares_0.z, 1.0f);
+    var _S545 : FamilyAlbedos_0 = with_tones_0(_S537, albedos_over_0(_S537, _S538, seen_2.base_0.back_5), _S544);
+    seen_2.albedos_5.warp_5 = tinted_0(_S545.warp_5, _S540);
+    seen_2.albedos_5.weft_5 = tinted_0(_S545.weft_5, _S540);
+    var _S546 : vec3<f32> = vec3<f32>(0.0f);
+    seen_2.bounced_2.reflected_0 = _S546;
+    seen_2.bounced_2.transmitted_0 = _S546;
+    if((fabrics_0[_S537].openness_0) == u32(4294967295))
     {
         return seen_2;
     }
-    var _S546 : Interior_0 = interior_of_0(_S536, _S539, seen_2.base_0.back_5);
-    var _S547 : Bounced_0 = bounced_by_0(blocked_from_0(_S536, seen_2.base_0.view_3, true, seen_2.base_0.back_5), scattered_by_0(_S536, _S544.warp_5, u32(0), _S539), _S546);
-    var _S548 : Bounced_0 = bounced_by_0(blocked_from_0(_S536, seen_2.base_0.view_3, false, seen_2.base_0.back_5), scattered_by_0(_S536, _S544.weft_5, u32(1), _S539), _S546);
-    var _S549 : vec2<f32> = clustered_shown_0(_S536, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
-    var _S550 : vec3<f32> = vec3<f32>(_S549.x);
-    var _S551 : vec3<f32> = vec3<f32>(_S549.y);
-    seen_2.bounced_2.reflected_0 = _S550 * _S547.reflected_0 + _S551 * _S548.reflected_0;
-    seen_2.bounced_2.transmitted_0 = _S550 * _S547.transmitted_0 + _S551 * _S548.transmitted_0;
+    var _S547 : Interior_0 = interior_of_0(_S537, _S540, seen_2.base_0.back_5);
+    var _S548 : Bounced_0 = bounced_by_0(blocked_from_0(_S537, seen_2.base_0.view_3, true, seen_2.base_0.back_5), scattered_by_0(_S537, _S545.warp_5, u32(0), _S540), _S547);
+    var _S549 : Bounced_0 = bounced_by_0(blocked_from_0(_S537, seen_2.base_0.view_3, false, seen_2.base_0.back_5), scattered_by_0(_S537, _S545.weft_5, u32(1), _S540), _S547);
+    var _S550 : vec2<f32> = clustered_shown_0(_S537, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
+    var _S551 : vec3<f32> = vec3<f32>(_S550.x);
+    var _S552 : vec3<f32> = vec3<f32>(_S550.y);
+    seen_2.bounced_2.reflected_0 = _S551 * _S548.reflected_0 + _S552 * _S549.reflected_0;
+    seen_2.bounced_2.transmitted_0 = _S551 * _S548.transmitted_0 + _S552 * _S549.transmitted_0;
     return seen_2;
 }
 
-fn residual_texel_0( _S552 : u32,  _S553 : ClusteredView_0,  _S554 : u32,  _S555 : u32) -> u32
+fn residual_texel_0( _S553 : u32,  _S554 : ClusteredView_0,  _S555 : u32,  _S556 : u32) -> u32
 {
-    var _S556 : u32 = _S554 + _S555 * u32(1663821227);
-    var _S557 : Clustered_std430_0 = fabrics_0[_S552].clustered_0;
-    var _S558 : u32 = texel_of_0(&(_S557), _S553.base_0.box_5, vec2<f32>(uniform_of_0(_S556, u32(1)), uniform_of_0(_S556, u32(2))));
-    return _S558;
+    var _S557 : u32 = _S555 + _S556 * u32(1663821227);
+    var _S558 : Clustered_std430_0 = fabrics_0[_S553].clustered_0;
+    var _S559 : u32 = texel_of_0(&(_S558), _S554.base_0.box_5, vec2<f32>(uniform_of_0(_S557, u32(1)), uniform_of_0(_S557, u32(2))));
+    return _S559;
 }
 
 fn light_sample_count_0() -> u32
@@ -2090,13 +2086,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S559 : u32,  _S560 : vec2<u32>) -> f32
+fn visibility_at_0( _S560 : u32,  _S561 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S559 * frame_record_0.height_0 + _S560.y) * frame_record_0.width_0 + _S560.x];
+    return visibilities_0[(_S560 * frame_record_0.height_0 + _S561.y) * frame_record_0.width_0 + _S561.x];
 }
 
 struct LightSample_0
@@ -2106,178 +2102,178 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S561 : u32,  _S562 : u32) -> vec3<f32>
+fn environment_texel_0( _S562 : u32,  _S563 : u32) -> vec3<f32>
 {
-    var _S563 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S561 * frame_record_0.environment_columns_0 + _S562);
-    return vec3<f32>(scene_number_0(_S563), scene_number_0(_S563 + u32(1)), scene_number_0(_S563 + u32(2)));
+    var _S564 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S562 * frame_record_0.environment_columns_0 + _S563);
+    return vec3<f32>(scene_number_0(_S564), scene_number_0(_S564 + u32(1)), scene_number_0(_S564 + u32(2)));
 }
 
-fn sample_environment_0( _S564 : vec2<f32>,  _S565 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S565 : vec2<f32>,  _S566 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S566 : u32 = frame_record_0.environment_rows_0;
-    var _S567 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S564.y);
-    var _S568 : u32 = frame_record_0.environment_columns_0;
-    var _S569 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S567.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S564.x);
-    var _S570 : vec3<f32> = environment_texel_0(_S567.index_6, _S569.index_6);
-    (*_S565) = _S570 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S570), 9.99999968265522539e-21f)));
-    var _S571 : f32 = 3.14159274101257324f / f32(_S566);
-    var _S572 : f32 = mix(sine_cosine_0(f32(_S567.index_6) * _S571).y, sine_cosine_0(f32(_S567.index_6 + u32(1)) * _S571).y, _S567.remainder_0);
-    var _S573 : f32 = sqrt(max(1.0f - _S572 * _S572, 0.0f));
-    var _S574 : vec2<f32> = sine_cosine_0((f32(_S569.index_6) + _S569.remainder_0) * (6.28318548202514648f / f32(_S568)));
-    var _S575 : f32 = _S573 * _S574.x;
-    var _S576 : f32 = - _S573 * _S574.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S575 + frame_record_0.environment_sine_0 * _S576, _S572, frame_record_0.environment_cosine_0 * _S576 - frame_record_0.environment_sine_0 * _S575);
+    var _S567 : u32 = frame_record_0.environment_rows_0;
+    var _S568 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S565.y);
+    var _S569 : u32 = frame_record_0.environment_columns_0;
+    var _S570 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S568.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S565.x);
+    var _S571 : vec3<f32> = environment_texel_0(_S568.index_6, _S570.index_6);
+    (*_S566) = _S571 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S571), 9.99999968265522539e-21f)));
+    var _S572 : f32 = 3.14159274101257324f / f32(_S567);
+    var _S573 : f32 = mix(sine_cosine_0(f32(_S568.index_6) * _S572).y, sine_cosine_0(f32(_S568.index_6 + u32(1)) * _S572).y, _S568.remainder_0);
+    var _S574 : f32 = sqrt(max(1.0f - _S573 * _S573, 0.0f));
+    var _S575 : vec2<f32> = sine_cosine_0((f32(_S570.index_6) + _S570.remainder_0) * (6.28318548202514648f / f32(_S569)));
+    var _S576 : f32 = _S574 * _S575.x;
+    var _S577 : f32 = - _S574 * _S575.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S576 + frame_record_0.environment_sine_0 * _S577, _S573, frame_record_0.environment_cosine_0 * _S577 - frame_record_0.environment_sine_0 * _S576);
 }
 
-fn light_sample_0( _S577 : u32,  _S578 : vec2<u32>,  _S579 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S578 : u32,  _S579 : vec2<u32>,  _S580 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S580 : u32 = frame_record_0.lights_0;
-    if(_S577 >= (frame_record_0.lights_0))
+    var _S581 : u32 = frame_record_0.lights_0;
+    if(_S578 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S581 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S578, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S577 - _S580), u32(3)), &(weight_3));
-        sample_0.towards_1 = _S581;
+        var _S582 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S579, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S578 - _S581), u32(3)), &(weight_3));
+        sample_0.towards_1 = _S582;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S582 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S577);
-    sample_0.irradiance_1 = vec3<f32>(_S582.red_0, _S582.green_0, _S582.blue_0);
-    sample_0.towards_1 = vec3<f32>(_S582.x_8, _S582.y_2, _S582.z_1);
-    if((_S582.is_point_0) != u32(0))
+    var _S583 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S578);
+    sample_0.irradiance_1 = vec3<f32>(_S583.red_0, _S583.green_0, _S583.blue_0);
+    sample_0.towards_1 = vec3<f32>(_S583.x_8, _S583.y_2, _S583.z_1);
+    if((_S583.is_point_0) != u32(0))
     {
-        var _S583 : vec3<f32> = sample_0.towards_1 - _S579;
-        var _S584 : f32 = max(square_0(_S583), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S584);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S584);
-        sample_0.towards_1 = normalize(_S583);
+        var _S584 : vec3<f32> = sample_0.towards_1 - _S580;
+        var _S585 : f32 = max(square_0(_S584), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S585);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S585);
+        sample_0.towards_1 = normalize(_S584);
     }
     return sample_0;
 }
 
-fn cluster_density_0( _S585 : u32,  _S586 : ViewedBase_0,  _S587 : BaseTaps_0,  _S588 : u32,  _S589 : u32) -> f32
+fn cluster_density_0( _S586 : u32,  _S587 : ViewedBase_0,  _S588 : BaseTaps_0,  _S589 : u32,  _S590 : u32) -> f32
 {
-    return BinTaps_read_0(_S587.half_vector_0, fabrics_0[_S585].clustered_0.basis_0, _S586.face_6 * u32(1024), fabrics_0[_S585].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S585].clustered_0.rank_0), _S589 * fabrics_0[_S585].clustered_0.clusters_0 + _S588);
+    return BinTaps_read_0(_S588.half_vector_0, fabrics_0[_S586].clustered_0.basis_0, _S587.face_6 * u32(1024), fabrics_0[_S586].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S586].clustered_0.rank_0), _S590 * fabrics_0[_S586].clustered_0.clusters_0 + _S589);
 }
 
-fn cluster_visibility_0( _S590 : u32,  _S591 : BaseTaps_0,  _S592 : u32) -> f32
+fn cluster_visibility_0( _S591 : u32,  _S592 : BaseTaps_0,  _S593 : u32) -> f32
 {
-    return BinTaps_read_0(_S591.around_0, fabrics_0[_S590].clustered_0.light_0, _S591.first_7, fabrics_0[_S590].clustered_0.clusters_0, _S592);
+    return BinTaps_read_0(_S592.around_0, fabrics_0[_S591].clustered_0.light_0, _S592.first_7, fabrics_0[_S591].clustered_0.clusters_0, _S593);
 }
 
-fn clustered_diffuse_0( _S593 : u32,  _S594 : BaseTaps_0,  _S595 : f32,  _S596 : vec3<f32>) -> f32
+fn clustered_diffuse_0( _S594 : u32,  _S595 : BaseTaps_0,  _S596 : f32,  _S597 : vec3<f32>) -> f32
 {
-    return 0.31830987334251404f * ((1.0f - fabrics_0[_S593].diffuse_blend_0) * abs(_S594.facing_0.z) * _S595 + fabrics_0[_S593].diffuse_blend_0 * clustered_cosine_0(_S594, _S596));
+    return 0.31830987334251404f * ((1.0f - fabrics_0[_S594].diffuse_blend_0) * abs(_S595.facing_0.z) * _S596 + fabrics_0[_S594].diffuse_blend_0 * clustered_cosine_0(_S595, _S597));
 }
 
-fn cluster_attenuation_0( _S597 : u32,  _S598 : ViewedBase_0,  _S599 : BaseTaps_0,  _S600 : u32) -> f32
+fn cluster_attenuation_0( _S598 : u32,  _S599 : ViewedBase_0,  _S600 : BaseTaps_0,  _S601 : u32) -> f32
 {
-    var _S601 : u32 = fabrics_0[_S597].clustered_0.moments_1 + (_S598.face_6 * fabrics_0[_S597].clustered_0.clusters_0 + _S600) * u32(8);
-    var _S602 : vec3<f32> = vec3<f32>(table_number_0(_S601), table_number_0(_S601 + u32(1)), table_number_0(_S601 + u32(2)));
-    var _S603 : vec3<f32> = vec3<f32>(table_number_0(_S601 + u32(3)), table_number_0(_S601 + u32(4)), table_number_0(_S601 + u32(5)));
-    var _S604 : f32 = table_number_0(_S601 + u32(7));
-    var _S605 : f32 = fabrics_0[_S597].optical_depth_0;
-    var _S606 : f32 = dot(_S599.facing_0, _S602);
-    var _S607 : f32 = max(dot(_S598.view_3, _S602), 0.10000000149011612f);
-    var _S608 : f32 = projected_area_1(_S599.facing_0, _S603, _S604) / max(select(_S606, - _S606, _S599.transmits_1), 0.10000000149011612f);
-    var _S609 : f32 = projected_area_1(_S598.view_3, _S603, _S604) / _S607;
-    if(!_S599.transmits_1)
+    var _S602 : u32 = fabrics_0[_S598].clustered_0.moments_1 + (_S599.face_6 * fabrics_0[_S598].clustered_0.clusters_0 + _S601) * u32(8);
+    var _S603 : vec3<f32> = vec3<f32>(table_number_0(_S602), table_number_0(_S602 + u32(1)), table_number_0(_S602 + u32(2)));
+    var _S604 : vec3<f32> = vec3<f32>(table_number_0(_S602 + u32(3)), table_number_0(_S602 + u32(4)), table_number_0(_S602 + u32(5)));
+    var _S605 : f32 = table_number_0(_S602 + u32(7));
+    var _S606 : f32 = fabrics_0[_S598].optical_depth_0;
+    var _S607 : f32 = dot(_S600.facing_0, _S603);
+    var _S608 : f32 = max(dot(_S599.view_3, _S603), 0.10000000149011612f);
+    var _S609 : f32 = projected_area_1(_S600.facing_0, _S604, _S605) / max(select(_S607, - _S607, _S600.transmits_1), 0.10000000149011612f);
+    var _S610 : f32 = projected_area_1(_S599.view_3, _S604, _S605) / _S608;
+    if(!_S600.transmits_1)
     {
-        var _S610 : f32 = _S608 + _S609;
-        return 0.25f * (1.0f - exponential_0(- _S605 * _S610)) / (_S610 * _S607);
+        var _S611 : f32 = _S609 + _S610;
+        return 0.25f * (1.0f - exponential_0(- _S606 * _S611)) / (_S611 * _S608);
     }
-    var _S611 : f32 = max(_S605 * abs(_S608 - _S609), 0.00100000004749745f);
-    return 0.25f * _S605 * exponential_0(- _S605 * min(_S608, _S609)) * (1.0f - exponential_0(- _S611)) / (_S611 * _S607);
+    var _S612 : f32 = max(_S606 * abs(_S609 - _S610), 0.00100000004749745f);
+    return 0.25f * _S606 * exponential_0(- _S606 * min(_S609, _S610)) * (1.0f - exponential_0(- _S612)) / (_S612 * _S608);
 }
 
-fn clustered_base_0( _S612 : u32,  _S613 : ViewedBase_0,  _S614 : BaseTaps_0) -> Components_0
+fn clustered_base_0( _S613 : u32,  _S614 : ViewedBase_0,  _S615 : BaseTaps_0) -> Components_0
 {
-    var _S615 : Clustered_std430_0 = fabrics_0[_S612].clustered_0;
-    var _S616 : u32 = _S615.clusters_0;
-    var _S617 : u32 = _S615.rank_0;
+    var _S616 : Clustered_std430_0 = fabrics_0[_S613].clustered_0;
+    var _S617 : u32 = _S616.clusters_0;
+    var _S618 : u32 = _S616.rank_0;
     var base_1 : Components_0 = no_components_0();
     var cluster_2 : u32 = u32(0);
     for(;;)
     {
-        if(cluster_2 < _S616)
+        if(cluster_2 < _S617)
         {
         }
         else
         {
             break;
         }
-        var _S618 : f32 = box_mean_1(&(_S615), _S613.box_5, _S613.face_6, cluster_2);
-        if(_S618 <= 0.0f)
+        var _S619 : f32 = box_mean_1(&(_S616), _S614.box_5, _S614.face_6, cluster_2);
+        if(_S619 <= 0.0f)
         {
             cluster_2 = cluster_2 + u32(1);
             continue;
         }
-        var _S619 : f32 = _S618 * cluster_density_0(_S612, _S613, _S614, cluster_2, u32(0));
+        var _S620 : f32 = _S619 * cluster_density_0(_S613, _S614, _S615, cluster_2, u32(0));
         var number_7 : u32 = u32(1);
-        var density_0 : f32 = _S619;
+        var density_0 : f32 = _S620;
         for(;;)
         {
-            if(number_7 <= _S617)
+            if(number_7 <= _S618)
             {
             }
             else
             {
                 break;
             }
-            var _S620 : f32 = box_mean_1(&(_S615), _S613.box_5, _S613.face_6, number_7 * _S616 + cluster_2);
-            var density_1 : f32 = density_0 + _S620 * cluster_density_0(_S612, _S613, _S614, cluster_2, number_7);
+            var _S621 : f32 = box_mean_1(&(_S616), _S614.box_5, _S614.face_6, number_7 * _S617 + cluster_2);
+            var density_1 : f32 = density_0 + _S621 * cluster_density_0(_S613, _S614, _S615, cluster_2, number_7);
             number_7 = number_7 + u32(1);
             density_0 = density_1;
         }
-        var _S621 : f32 = box_mean_1(&(_S615), _S613.box_5, _S613.face_6, (_S617 + u32(1)) * _S616 + cluster_2);
-        var _S622 : f32 = box_mean_1(&(_S615), _S613.box_5, _S613.face_6, (_S617 + u32(2)) * _S616 + cluster_2);
-        var _S623 : f32 = box_mean_1(&(_S615), _S613.box_5, _S613.face_6, (_S617 + u32(3)) * _S616 + cluster_2);
-        var _S624 : f32 = cluster_visibility_0(_S612, _S614, cluster_2);
-        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S616 / u32(2)), _S624 * clustered_diffuse_0(_S612, _S614, _S618, vec3<f32>(_S621, _S622, _S623)), _S624 * cluster_attenuation_0(_S612, _S613, _S614, cluster_2) * density_0, _S618 * _S624), 1.0f);
+        var _S622 : f32 = box_mean_1(&(_S616), _S614.box_5, _S614.face_6, (_S618 + u32(1)) * _S617 + cluster_2);
+        var _S623 : f32 = box_mean_1(&(_S616), _S614.box_5, _S614.face_6, (_S618 + u32(2)) * _S617 + cluster_2);
+        var _S624 : f32 = box_mean_1(&(_S616), _S614.box_5, _S614.face_6, (_S618 + u32(3)) * _S617 + cluster_2);
+        var _S625 : f32 = cluster_visibility_0(_S613, _S615, cluster_2);
+        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S617 / u32(2)), _S625 * clustered_diffuse_0(_S613, _S615, _S619, vec3<f32>(_S622, _S623, _S624)), _S625 * cluster_attenuation_0(_S613, _S614, _S615, cluster_2) * density_0, _S619 * _S625), 1.0f);
         cluster_2 = cluster_2 + u32(1);
     }
     return base_1;
 }
 
-fn with_shares_0( _S625 : u32,  _S626 : Components_0,  _S627 : Yarns_0) -> Components_0
+fn with_shares_0( _S626 : u32,  _S627 : Components_0,  _S628 : Yarns_0) -> Components_0
 {
     var result_4 : Components_0;
-    var _S628 : f32 = min(_S626.hole_0 * _S627.shares_0.z, 1.0f);
-    result_4.hole_0 = _S628;
-    var _S629 : f32 = _S627.shares_0.x;
-    result_4.diffuse_warp_0 = _S626.diffuse_warp_0 * _S629;
-    var _S630 : f32 = _S627.shares_0.y;
-    result_4.diffuse_weft_0 = _S626.diffuse_weft_0 * _S630;
-    result_4.specular_warp_0 = _S626.specular_warp_0 * _S629;
-    result_4.specular_weft_0 = _S626.specular_weft_0 * _S630;
-    result_4.light_visibility_1 = _S626.light_visibility_1 * select(1.0f, (1.0f - _S628) / max(1.0f - _S626.hole_0, 9.99999997475242708e-07f), (fabrics_0[_S625].is_irregular_0) != u32(0));
+    var _S629 : f32 = min(_S627.hole_0 * _S628.shares_0.z, 1.0f);
+    result_4.hole_0 = _S629;
+    var _S630 : f32 = _S628.shares_0.x;
+    result_4.diffuse_warp_0 = _S627.diffuse_warp_0 * _S630;
+    var _S631 : f32 = _S628.shares_0.y;
+    result_4.diffuse_weft_0 = _S627.diffuse_weft_0 * _S631;
+    result_4.specular_warp_0 = _S627.specular_warp_0 * _S630;
+    result_4.specular_weft_0 = _S627.specular_weft_0 * _S631;
+    result_4.light_visibility_1 = _S627.light_visibility_1 * select(1.0f, (1.0f - _S629) / max(1.0f - _S627.hole_0, 9.99999997475242708e-07f), (fabrics_0[_S626].is_irregular_0) != u32(0));
     return result_4;
 }
 
-fn as_seen_0( _S631 : u32,  _S632 : ClusteredView_0,  _S633 : Components_0) -> Components_0
+fn as_seen_0( _S632 : u32,  _S633 : ClusteredView_0,  _S634 : Components_0) -> Components_0
 {
-    var whole_1 : Components_0 = _S633;
-    whole_1.hole_0 = _S632.even_hole_0;
-    return with_shares_0(_S631, whole_1, _S632.yarns_0);
+    var whole_1 : Components_0 = _S634;
+    whole_1.hole_0 = _S633.even_hole_0;
+    return with_shares_0(_S632, whole_1, _S633.yarns_0);
 }
 
-fn under_sheen_0( _S634 : u32,  _S635 : ClusteredView_0,  _S636 : vec3<f32>,  _S637 : f32,  _S638 : vec3<f32>) -> vec3<f32>
+fn under_sheen_0( _S635 : u32,  _S636 : ClusteredView_0,  _S637 : vec3<f32>,  _S638 : f32,  _S639 : vec3<f32>) -> vec3<f32>
 {
-    var _S639 : f32 = fabrics_0[_S634].sheen_strength_0;
-    if((fabrics_0[_S634].sheen_strength_0) <= 0.0f)
+    var _S640 : f32 = fabrics_0[_S635].sheen_strength_0;
+    if((fabrics_0[_S635].sheen_strength_0) <= 0.0f)
     {
-        return _S636;
+        return _S637;
     }
-    var _S640 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S638, _S635.base_0.back_5), _S635.base_0.view_3, _S639, fabrics_0[_S634].sheen_roughness_0);
-    return vec3<f32>(_S640.y) * _S636 + vec3<f32>((_S637 * _S640.x));
+    var _S641 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S639, _S636.base_0.back_5), _S636.base_0.view_3, _S640, fabrics_0[_S635].sheen_roughness_0);
+    return vec3<f32>(_S641.y) * _S637 + vec3<f32>((_S638 * _S641.x));
 }
 
-fn clustered_base_value_0( _S641 : u32,  _S642 : ClusteredView_0,  _S643 : vec3<f32>) -> vec3<f32>
+fn clustered_base_value_0( _S642 : u32,  _S643 : ClusteredView_0,  _S644 : vec3<f32>) -> vec3<f32>
 {
-    var _S644 : BaseTaps_0 = base_taps_0(_S642.base_0, _S643);
-    var _S645 : Components_0 = as_seen_0(_S641, _S642, clustered_base_0(_S641, _S642.base_0, _S644));
-    return under_sheen_0(_S641, _S642, shaded_0(_S645, _S642.albedos_5, _S644.transmits_1) + bounced_value_0(_S642.bounced_2, _S643, _S642.view_7), _S645.light_visibility_1 + _S642.hole_1, _S643);
+    var _S645 : BaseTaps_0 = base_taps_0(_S643.base_0, _S644);
+    var _S646 : Components_0 = as_seen_0(_S642, _S643, clustered_base_0(_S642, _S643.base_0, _S645));
+    return under_sheen_0(_S642, _S643, shaded_0(_S646, _S643.albedos_5, _S645.transmits_1) + bounced_value_0(_S643.bounced_2, _S644, _S643.view_7), _S646.light_visibility_1 + _S643.hole_1, _S644);
 }
 
 struct TexelTerms_0
@@ -2286,108 +2282,108 @@ struct TexelTerms_0
      known_0 : Components_0,
 };
 
-fn coefficient_0( _S646 : u32,  _S647 : u32,  _S648 : u32) -> f32
+fn coefficient_0( _S647 : u32,  _S648 : u32,  _S649 : u32) -> f32
 {
-    var _S649 : i32 = i32(table_byte_0(fabrics_0[_S646].clustered_0.coefficients_0, _S647 * (fabrics_0[_S646].clustered_0.rank_0 + u32(3)) + _S648));
-    return f32(select(_S649, _S649 - i32(256), _S649 > i32(127)));
+    var _S650 : i32 = i32(table_byte_0(fabrics_0[_S647].clustered_0.coefficients_0, _S648 * (fabrics_0[_S647].clustered_0.rank_0 + u32(3)) + _S649));
+    return f32(select(_S650, _S650 - i32(256), _S650 > i32(127)));
 }
 
-fn at_texel_0( _S650 : u32,  _S651 : ViewedBase_0,  _S652 : u32,  _S653 : BaseTaps_0) -> TexelTerms_0
+fn at_texel_0( _S651 : u32,  _S652 : ViewedBase_0,  _S653 : u32,  _S654 : BaseTaps_0) -> TexelTerms_0
 {
-    var _S654 : Clustered_std430_0 = fabrics_0[_S650].clustered_0;
-    var _S655 : u32 = fabrics_0[_S650].clustered_0.columns_0 * fabrics_0[_S650].clustered_0.rows_0;
-    var _S656 : u32 = _S651.face_6 * _S655 + _S652;
-    var _S657 : u32 = table_byte_0(fabrics_0[_S650].clustered_0.labels_0, _S656);
+    var _S655 : Clustered_std430_0 = fabrics_0[_S651].clustered_0;
+    var _S656 : u32 = fabrics_0[_S651].clustered_0.columns_0 * fabrics_0[_S651].clustered_0.rows_0;
+    var _S657 : u32 = _S652.face_6 * _S656 + _S653;
+    var _S658 : u32 = table_byte_0(fabrics_0[_S651].clustered_0.labels_0, _S657);
     var terms_2 : TexelTerms_0;
-    var _S658 : Components_0 = no_components_0();
-    terms_2.own_2 = _S658;
-    terms_2.known_0 = _S658;
-    if(_S657 >= (fabrics_0[_S650].clustered_0.clusters_0))
+    var _S659 : Components_0 = no_components_0();
+    terms_2.own_2 = _S659;
+    terms_2.known_0 = _S659;
+    if(_S658 >= (fabrics_0[_S651].clustered_0.clusters_0))
     {
         return terms_2;
     }
-    var _S659 : f32 = cluster_density_0(_S650, _S651, _S653, _S657, u32(0));
+    var _S660 : f32 = cluster_density_0(_S651, _S652, _S654, _S658, u32(0));
     var number_8 : u32 = u32(1);
-    var density_2 : f32 = _S659;
+    var density_2 : f32 = _S660;
     for(;;)
     {
-        if(number_8 <= (_S654.rank_0))
+        if(number_8 <= (_S655.rank_0))
         {
         }
         else
         {
             break;
         }
-        var density_3 : f32 = density_2 + coefficient_0(_S650, _S656, number_8 - u32(1)) * cluster_density_0(_S650, _S651, _S653, _S657, number_8);
+        var density_3 : f32 = density_2 + coefficient_0(_S651, _S657, number_8 - u32(1)) * cluster_density_0(_S651, _S652, _S654, _S658, number_8);
         number_8 = number_8 + u32(1);
         density_2 = density_3;
     }
-    var _S660 : f32 = cluster_attenuation_0(_S650, _S651, _S653, _S657) * density_2;
-    var _S661 : f32 = clustered_cosine_0(_S653, vec3<f32>(coefficient_0(_S650, _S656, _S654.rank_0), coefficient_0(_S650, _S656, _S654.rank_0 + u32(1)), coefficient_0(_S650, _S656, _S654.rank_0 + u32(2))));
-    var _S662 : f32 = abs(_S653.facing_0.z);
-    var _S663 : f32 = gaussian_visibility_0(_S654.texels_2 + (select(_S651.face_6, u32(1) - _S651.face_6, _S653.transmits_1) * _S655 + _S652) * u32(12), vec3<f32>(_S653.facing_0.xy, _S662));
-    var _S664 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S650].diffuse_blend_0) * _S662;
-    var _S665 : f32 = cluster_visibility_0(_S650, _S653, _S657);
-    var _S666 : bool = _S657 < (_S654.clusters_0 / u32(2));
-    var _S667 : f32 = 0.31830987334251404f * fabrics_0[_S650].diffuse_blend_0;
-    terms_2.own_2 = of_family_0(_S666, _S663 * (_S664 + _S667 * max(_S661, 0.0f)), _S663 * _S660, _S663);
-    terms_2.known_0 = of_family_0(_S666, _S665 * (_S664 + _S667 * _S661), _S665 * _S660, _S665);
+    var _S661 : f32 = cluster_attenuation_0(_S651, _S652, _S654, _S658) * density_2;
+    var _S662 : f32 = clustered_cosine_0(_S654, vec3<f32>(coefficient_0(_S651, _S657, _S655.rank_0), coefficient_0(_S651, _S657, _S655.rank_0 + u32(1)), coefficient_0(_S651, _S657, _S655.rank_0 + u32(2))));
+    var _S663 : f32 = abs(_S654.facing_0.z);
+    var _S664 : f32 = gaussian_visibility_0(_S655.texels_2 + (select(_S652.face_6, u32(1) - _S652.face_6, _S654.transmits_1) * _S656 + _S653) * u32(12), vec3<f32>(_S654.facing_0.xy, _S663));
+    var _S665 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S651].diffuse_blend_0) * _S663;
+    var _S666 : f32 = cluster_visibility_0(_S651, _S654, _S658);
+    var _S667 : bool = _S658 < (_S655.clusters_0 / u32(2));
+    var _S668 : f32 = 0.31830987334251404f * fabrics_0[_S651].diffuse_blend_0;
+    terms_2.own_2 = of_family_0(_S667, _S664 * (_S665 + _S668 * max(_S662, 0.0f)), _S664 * _S661, _S664);
+    terms_2.known_0 = of_family_0(_S667, _S666 * (_S665 + _S668 * _S662), _S666 * _S661, _S666);
     return terms_2;
 }
 
-fn texel_albedos_0( _S668 : u32,  _S669 : ClusteredView_0,  _S670 : u32) -> Albedos_0
+fn texel_albedos_0( _S669 : u32,  _S670 : ClusteredView_0,  _S671 : u32) -> Albedos_0
 {
-    var _S671 : u32 = _S669.base_0.face_6 * fabrics_0[_S668].clustered_0.columns_0 * fabrics_0[_S668].clustered_0.rows_0 + _S670;
-    var _S672 : bool = (table_byte_0(fabrics_0[_S668].clustered_0.labels_0, _S671)) < (fabrics_0[_S668].clustered_0.clusters_0 / u32(2));
-    var _S673 : u32 = select(fabrics_0[_S668].weft_0, fabrics_0[_S668].warp_0, _S672);
-    var _S674 : u32 = fabrics_0[_S668].clustered_0.texels_2 + _S671 * u32(12) + u32(9);
-    var _S675 : Albedos_0 = table_albedos_0(families_0[_S673].albedo_table_0 + min(u32(table_number_0(_S674)) + u32(1024) * u32(table_number_0(_S674 + u32(1))), u32(families_0[_S673].count_0) - u32(1)) * families_0[_S673].albedo_stride_0);
-    if((fabrics_0[_S668].is_irregular_0) == u32(0))
+    var _S672 : u32 = _S670.base_0.face_6 * fabrics_0[_S669].clustered_0.columns_0 * fabrics_0[_S669].clustered_0.rows_0 + _S671;
+    var _S673 : bool = (table_byte_0(fabrics_0[_S669].clustered_0.labels_0, _S672)) < (fabrics_0[_S669].clustered_0.clusters_0 / u32(2));
+    var _S674 : u32 = select(fabrics_0[_S669].weft_0, fabrics_0[_S669].warp_0, _S673);
+    var _S675 : u32 = fabrics_0[_S669].clustered_0.texels_2 + _S672 * u32(12) + u32(9);
+    var _S676 : Albedos_0 = table_albedos_0(families_0[_S674].albedo_table_0 + min(u32(table_number_0(_S675)) + u32(1024) * u32(table_number_0(_S675 + u32(1))), u32(families_0[_S674].count_0) - u32(1)) * families_0[_S674].albedo_stride_0);
+    if((fabrics_0[_S669].is_irregular_0) == u32(0))
     {
-        return _S675;
+        return _S676;
     }
-    return toned_0(_S668, _S673, _S675, select_vector_0(_S672, _S669.yarns_0.warp_1, _S669.yarns_0.weft_1));
+    return toned_0(_S669, _S674, _S676, select_vector_0(_S673, _S670.yarns_0.warp_1, _S670.yarns_0.weft_1));
 }
 
-fn clustered_residual_0( _S676 : u32,  _S677 : ClusteredView_0,  _S678 : u32,  _S679 : vec3<f32>,  _S680 : vec3<f32>) -> vec3<f32>
+fn clustered_residual_0( _S677 : u32,  _S678 : ClusteredView_0,  _S679 : u32,  _S680 : vec3<f32>,  _S681 : vec3<f32>) -> vec3<f32>
 {
-    var _S681 : BaseTaps_0 = base_taps_0(_S677.base_0, _S680);
-    var _S682 : TexelTerms_0 = at_texel_0(_S676, _S677.base_0, _S678, _S681);
+    var _S682 : BaseTaps_0 = base_taps_0(_S678.base_0, _S681);
+    var _S683 : TexelTerms_0 = at_texel_0(_S677, _S678.base_0, _S679, _S682);
     var own_3 : FamilyAlbedos_0;
-    var _S683 : Albedos_0 = tinted_0(texel_albedos_0(_S676, _S677, _S678), _S679);
-    own_3.warp_5 = _S683;
-    own_3.weft_5 = _S683;
-    var _S684 : Components_0 = as_seen_0(_S676, _S677, _S682.own_2);
-    var _S685 : Components_0 = as_seen_0(_S676, _S677, _S682.known_0);
-    return under_sheen_0(_S676, _S677, shaded_0(_S684, own_3, _S681.transmits_1) - shaded_0(_S685, _S677.albedos_5, _S681.transmits_1), _S684.light_visibility_1 - _S685.light_visibility_1, _S680);
+    var _S684 : Albedos_0 = tinted_0(texel_albedos_0(_S677, _S678, _S679), _S680);
+    own_3.warp_5 = _S684;
+    own_3.weft_5 = _S684;
+    var _S685 : Components_0 = as_seen_0(_S677, _S678, _S683.own_2);
+    var _S686 : Components_0 = as_seen_0(_S677, _S678, _S683.known_0);
+    return under_sheen_0(_S677, _S678, shaded_0(_S685, own_3, _S682.transmits_1) - shaded_0(_S686, _S678.albedos_5, _S682.transmits_1), _S685.light_visibility_1 - _S686.light_visibility_1, _S681);
 }
 
-fn passed_by_sheen_0( _S686 : u32,  _S687 : f32,  _S688 : vec3<f32>) -> f32
+fn passed_by_sheen_0( _S687 : u32,  _S688 : f32,  _S689 : vec3<f32>) -> f32
 {
-    var _S689 : f32 = fabrics_0[_S686].sheen_strength_0;
-    if((fabrics_0[_S686].sheen_strength_0) <= 0.0f)
+    var _S690 : f32 = fabrics_0[_S687].sheen_strength_0;
+    if((fabrics_0[_S687].sheen_strength_0) <= 0.0f)
     {
-        return _S687;
+        return _S688;
     }
-    return _S687 * (1.0f - _S689 * sheen_lobe_0(abs(_S688.z), fabrics_0[_S686].sheen_roughness_0).z);
+    return _S688 * (1.0f - _S690 * sheen_lobe_0(abs(_S689.z), fabrics_0[_S687].sheen_roughness_0).z);
 }
 
-fn light_of_clustered_0( _S690 : u32,  _S691 : VisiblePoint_0,  _S692 : vec2<u32>,  _S693 : vec3<f32>) -> vec4<f32>
+fn light_of_clustered_0( _S691 : u32,  _S692 : VisiblePoint_0,  _S693 : vec2<u32>,  _S694 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S691.draft_dx_0;
-    footprint_1.dy_0 = _S691.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S690, _S691.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S694 : vec3<f32> = to_local_0(_S691, _S691.view_0);
-    var _S695 : Clustered_std430_0 = fabrics_0[_S690].clustered_0;
-    var _S696 : u32 = mixed_0(mixed_0(_S692.x + u32(65536) * _S692.y) + frame_record_0.pass_number_0 * u32(2654435769));
-    var _S697 : ClusteredView_0 = clustered_view_0(_S690, footprint_1, _S694, _S693, _S696);
-    var _S698 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_1.dx_0 = _S692.draft_dx_0;
+    footprint_1.dy_0 = _S692.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S691, _S692.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S695 : vec3<f32> = to_local_0(_S692, _S692.view_0);
+    var _S696 : Clustered_std430_0 = fabrics_0[_S691].clustered_0;
+    var _S697 : u32 = mixed_0(mixed_0(_S693.x + u32(65536) * _S693.y) + frame_record_0.pass_number_0 * u32(2654435769));
+    var _S698 : ClusteredView_0 = clustered_view_0(_S691, footprint_1, _S695, _S694, _S697);
+    var _S699 : vec3<f32> = vec3<f32>(0.0f);
     var term_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S698;
+    var radiance_1 : vec3<f32> = _S699;
     for(;;)
     {
-        if(term_1 <= (_S695.samples_1))
+        if(term_1 <= (_S696.samples_1))
         {
         }
         else
@@ -2397,7 +2393,7 @@ fn light_of_clustered_0( _S690 : u32,  _S691 : VisiblePoint_0,  _S692 : vec2<u32
         var texel_0 : u32;
         if(term_1 > u32(0))
         {
-            texel_0 = residual_texel_0(_S690, _S697, _S696, term_1 - u32(1));
+            texel_0 = residual_texel_0(_S691, _S698, _S697, term_1 - u32(1));
         }
         else
         {
@@ -2414,61 +2410,61 @@ fn light_of_clustered_0( _S690 : u32,  _S691 : VisiblePoint_0,  _S692 : vec2<u32
             {
                 break;
             }
-            var _S699 : f32 = visibility_at_0(number_9, _S692);
-            if(_S699 <= 0.0f)
+            var _S700 : f32 = visibility_at_0(number_9, _S693);
+            if(_S700 <= 0.0f)
             {
                 number_9 = number_9 + u32(1);
                 continue;
             }
-            var _S700 : LightSample_0 = light_sample_0(number_9, _S692, _S691.position_4);
-            var _S701 : vec3<f32> = to_local_0(_S691, _S700.towards_1);
+            var _S701 : LightSample_0 = light_sample_0(number_9, _S693, _S692.position_4);
+            var _S702 : vec3<f32> = to_local_0(_S692, _S701.towards_1);
             var value_1 : vec3<f32>;
             if(term_1 == u32(0))
             {
-                value_1 = clustered_base_value_0(_S690, _S697, _S701);
+                value_1 = clustered_base_value_0(_S691, _S698, _S702);
             }
             else
             {
-                value_1 = clustered_residual_0(_S690, _S697, texel_0, _S693, _S701) / vec3<f32>(f32(_S695.samples_1));
+                value_1 = clustered_residual_0(_S691, _S698, texel_0, _S694, _S702) / vec3<f32>(f32(_S696.samples_1));
             }
-            radiance_2 = radiance_2 + vec3<f32>(_S699) * _S700.irradiance_1 * value_1;
+            radiance_2 = radiance_2 + vec3<f32>(_S700) * _S701.irradiance_1 * value_1;
             number_9 = number_9 + u32(1);
         }
         term_1 = term_1 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S690, _S697.hole_1, _S694));
+    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S691, _S698.hole_1, _S695));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_clustered(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S702 : u32 = id_0.x;
-    var _S703 : bool;
-    if(_S702 >= (frame_record_0.width_0))
+    var _S703 : u32 = id_0.x;
+    var _S704 : bool;
+    if(_S703 >= (frame_record_0.width_0))
     {
-        _S703 = true;
+        _S704 = true;
     }
     else
     {
-        _S703 = (id_0.y) >= (frame_record_0.height_0);
+        _S704 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S703)
+    if(_S704)
     {
         return;
     }
-    var _S704 : u32 = id_0.y * frame_record_0.width_0 + _S702;
-    var _S705 : u32 = layers_0[_S704].face_0;
-    if((layers_0[_S704].face_0) == u32(0))
+    var _S705 : u32 = id_0.y * frame_record_0.width_0 + _S703;
+    var _S706 : u32 = layers_0[_S705].face_0;
+    if((layers_0[_S705].face_0) == u32(0))
     {
         return;
     }
-    var _S706 : u32 = _S705 - u32(1);
-    var _S707 : u32 = fabric_of_0(_S706);
-    var _S708 : vec2<u32> = id_0.xy;
-    var _S709 : VisiblePoint_0 = visible_point_0(_S707, _S706, _S708);
-    accumulate_0(_S704, light_of_clustered_0(_S707, _S709, _S708, filtered_albedo_0(_S707, _S709)));
+    var _S707 : u32 = _S706 - u32(1);
+    var _S708 : u32 = fabric_of_0(_S707);
+    var _S709 : vec2<u32> = id_0.xy;
+    var _S710 : VisiblePoint_0 = visible_point_0(_S708, _S707, _S709);
+    accumulate_0(_S705, light_of_clustered_0(_S708, _S710, _S709, filtered_albedo_0(_S708, _S710)));
     return;
 }
 

@@ -3420,372 +3420,368 @@ fn yarns_over_0( _S891 : u32,  _S892 : Footprint_0,  _S893 : bool) -> Yarns_0
     var _S897 : f32 = Footprint_spread_side_0(_S892);
     var _S898 : vec4<f32> = vec4<f32>(0.0f);
     var yarns_0 : Yarns_0 = Yarns_x24init_0(_S898, _S898, vec3<f32>(0.0f));
-    yarns_0.shares_0 = vec3<f32>(1.0f);
-    if((fabrics_0[_S891].is_irregular_0) == u32(0))
-    {
-        return yarns_0;
-    }
+    var _S899 : bool = (fabrics_0[_S891].is_irregular_0) != u32(0);
     var number_10 : u32 = u32(0);
     for(;;)
     {
-        if(number_10 < u32(2))
+        if(number_10 < select(u32(0), u32(2), _S899))
         {
         }
         else
         {
             break;
         }
-        var _S899 : bool = number_10 == u32(0);
-        var _S900 : u32 = select(fabrics_0[_S891].weft_0, fabrics_0[_S891].warp_0, _S899);
-        var _S901 : vec2<f32> = select_vector_0(_S899, _S892.centre_0, _S892.centre_0.yx);
-        var _S902 : vec2<f32> = select_vector_0(_S899, _S896, _S896.yx);
-        var _S903 : f32 = _S901.x;
-        var _S904 : Cell_0 = locate_0(_S900, _S903);
-        var yarn_3 : vec4<f32> = irregular_over_0(_S900, irregular_key_0(_S891, number_10), irregular_thread_0(_S900, _S903, _S904) + _S904.below_0 / (_S904.below_0 + _S904.above_0), _S902.x * (families_0[_S900].count_0 / families_0[_S900].period_0), _S901.y, _S902.y);
-        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S900, _S897));
+        var _S900 : bool = number_10 == u32(0);
+        var _S901 : u32 = select(fabrics_0[_S891].weft_0, fabrics_0[_S891].warp_0, _S900);
+        var _S902 : vec2<f32> = select_vector_0(_S900, _S892.centre_0, _S892.centre_0.yx);
+        var _S903 : vec2<f32> = select_vector_0(_S900, _S896, _S896.yx);
+        var _S904 : f32 = _S902.x;
+        var _S905 : Cell_0 = locate_0(_S901, _S904);
+        var yarn_3 : vec4<f32> = irregular_over_0(_S901, irregular_key_0(_S891, number_10), irregular_thread_0(_S901, _S904, _S905) + _S905.below_0 / (_S905.below_0 + _S905.above_0), _S903.x * (families_0[_S901].count_0 / families_0[_S901].period_0), _S902.y, _S903.y);
+        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S901, _S897));
         yarns_0.warp_3 = yarns_0.weft_3;
         yarns_0.weft_3 = yarn_3;
         number_10 = number_10 + u32(1);
     }
-    var _S905 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S891].warp_0].cover_0, families_0[fabrics_0[_S891].weft_0].cover_0);
-    var _S906 : f32 = select(fabrics_0[_S891].warp_on_top_0, 1.0f - fabrics_0[_S891].warp_on_top_0, _S893);
-    var _S907 : vec3<f32> = shown_of_covers_0(_S905, _S906);
-    var _S908 : vec3<f32> = shown_of_covers_0(saturate(_S905 + _S905 * vec2<f32>(yarns_0.warp_3.y, yarns_0.weft_3.y)), _S906) / max(_S907, vec3<f32>(0.00009999999747379f));
-    yarns_0.shares_0 = _S908;
-    yarns_0.shares_0[i32(2)] = select(1.0f, _S908.z, (_S907.z) > 0.00009999999747379f);
+    var _S906 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S891].warp_0].cover_0, families_0[fabrics_0[_S891].weft_0].cover_0);
+    var _S907 : f32 = select(fabrics_0[_S891].warp_on_top_0, 1.0f - fabrics_0[_S891].warp_on_top_0, _S893);
+    var _S908 : vec3<f32> = shown_of_covers_0(_S906, _S907);
+    var _S909 : vec3<f32> = select_vector_1(_S899, shown_of_covers_0(saturate(_S906 + _S906 * vec2<f32>(yarns_0.warp_3.y, yarns_0.weft_3.y)), _S907) / max(_S908, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_0.shares_0 = _S909;
+    yarns_0.shares_0[i32(2)] = select(1.0f, _S909.z, (_S908.z) > 0.00009999999747379f);
     return yarns_0;
 }
 
-fn with_shares_0( _S909 : u32,  _S910 : Components_0,  _S911 : Yarns_0) -> Components_0
+fn with_shares_0( _S910 : u32,  _S911 : Components_0,  _S912 : Yarns_0) -> Components_0
 {
     var result_5 : Components_0;
-    var _S912 : f32 = min(_S910.hole_2 * _S911.shares_0.z, 1.0f);
-    result_5.hole_2 = _S912;
-    var _S913 : f32 = _S911.shares_0.x;
-    result_5.diffuse_warp_0 = _S910.diffuse_warp_0 * _S913;
-    var _S914 : f32 = _S911.shares_0.y;
-    result_5.diffuse_weft_0 = _S910.diffuse_weft_0 * _S914;
-    result_5.specular_warp_0 = _S910.specular_warp_0 * _S913;
-    result_5.specular_weft_0 = _S910.specular_weft_0 * _S914;
-    result_5.light_visibility_1 = _S910.light_visibility_1 * select(1.0f, (1.0f - _S912) / max(1.0f - _S910.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S909].is_irregular_0) != u32(0));
+    var _S913 : f32 = min(_S911.hole_2 * _S912.shares_0.z, 1.0f);
+    result_5.hole_2 = _S913;
+    var _S914 : f32 = _S912.shares_0.x;
+    result_5.diffuse_warp_0 = _S911.diffuse_warp_0 * _S914;
+    var _S915 : f32 = _S912.shares_0.y;
+    result_5.diffuse_weft_0 = _S911.diffuse_weft_0 * _S915;
+    result_5.specular_warp_0 = _S911.specular_warp_0 * _S914;
+    result_5.specular_weft_0 = _S911.specular_weft_0 * _S915;
+    result_5.light_visibility_1 = _S911.light_visibility_1 * select(1.0f, (1.0f - _S913) / max(1.0f - _S911.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S910].is_irregular_0) != u32(0));
     return result_5;
 }
 
-fn albedos_over_0( _S915 : u32,  _S916 : Footprint_0,  _S917 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S916 : u32,  _S917 : Footprint_0,  _S918 : bool) -> FamilyAlbedos_0
 {
-    var _S918 : vec2<f32> = _S916.dx_0;
-    var _S919 : vec2<f32> = _S916.dy_0;
-    var _S920 : vec2<f32> = sqrt(_S918 * _S918 + _S919 * _S919);
-    var _S921 : Stretch_0 = stretch_of_0(fabrics_0[_S915].warp_0, _S916.centre_0.x, _S920.x);
-    var _S922 : Stretch_0 = stretch_of_0(fabrics_0[_S915].weft_0, _S916.centre_0.y, _S920.y);
+    var _S919 : vec2<f32> = _S917.dx_0;
+    var _S920 : vec2<f32> = _S917.dy_0;
+    var _S921 : vec2<f32> = sqrt(_S919 * _S919 + _S920 * _S920);
+    var _S922 : Stretch_0 = stretch_of_0(fabrics_0[_S916].warp_0, _S917.centre_0.x, _S921.x);
+    var _S923 : Stretch_0 = stretch_of_0(fabrics_0[_S916].weft_0, _S917.centre_0.y, _S921.y);
     var albedos_8 : FamilyAlbedos_0;
-    albedos_8.warp_7 = mean_albedos_0(fabrics_0[_S915].warp_0, fabrics_0[_S915].weft_0, _S921, _S922, _S917);
-    albedos_8.weft_7 = mean_albedos_0(fabrics_0[_S915].weft_0, fabrics_0[_S915].warp_0, _S922, _S921, _S917);
+    albedos_8.warp_7 = mean_albedos_0(fabrics_0[_S916].warp_0, fabrics_0[_S916].weft_0, _S922, _S923, _S918);
+    albedos_8.weft_7 = mean_albedos_0(fabrics_0[_S916].weft_0, fabrics_0[_S916].warp_0, _S923, _S922, _S918);
     return albedos_8;
 }
 
-fn toned_0( _S923 : u32,  _S924 : u32,  _S925 : Albedos_0,  _S926 : vec4<f32>) -> Albedos_0
+fn toned_0( _S924 : u32,  _S925 : u32,  _S926 : Albedos_0,  _S927 : vec4<f32>) -> Albedos_0
 {
-    var _S927 : vec3<f32> = _S925.diffuse_reflect_0 + _S925.diffuse_transmit_0;
-    var _S928 : vec3<f32> = vec3<f32>(1.0f);
-    var _S929 : vec3<f32> = _S928 - vec3<f32>(fabrics_0[_S923].layer_bound_0) * max(_S925.specular_reflect_0, _S925.specular_transmit_0);
-    var _S930 : vec3<f32> = vec3<f32>(0.0f);
-    var _S931 : vec3<f32> = max(_S928 - _S927, _S930) / (_S928 + _S927);
-    var _S932 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S933 : vec3<f32> = (_S929 / max(_S927, _S932) - _S928) / max(vec3<f32>(0.89999997615814209f) * _S931, _S932);
-    var _S934 : vec3<f32> = _S928 - vec3<f32>((saturate(min(min(_S933.x, _S933.y), _S933.z)) * _S926.z)) * _S931;
-    var _S935 : vec3<f32> = min(vec3<f32>(families_0[_S924].nep_red_0, families_0[_S924].nep_green_0, families_0[_S924].nep_blue_0), _S929);
-    var found_1 : Albedos_0 = _S925;
-    var _S936 : f32 = _S926.w;
-    var _S937 : vec3<f32> = _S934 * _S925.diffuse_transmit_0 * vec3<f32>((1.0f - _S936));
-    found_1.diffuse_transmit_0 = _S937;
-    found_1.diffuse_reflect_0 = clamp(mix(_S934 * _S925.diffuse_reflect_0, _S935, vec3<f32>(_S936)), _S930, max(_S929 - _S937, _S930));
+    var _S928 : vec3<f32> = _S926.diffuse_reflect_0 + _S926.diffuse_transmit_0;
+    var _S929 : vec3<f32> = vec3<f32>(1.0f);
+    var _S930 : vec3<f32> = _S929 - vec3<f32>(fabrics_0[_S924].layer_bound_0) * max(_S926.specular_reflect_0, _S926.specular_transmit_0);
+    var _S931 : vec3<f32> = vec3<f32>(0.0f);
+    var _S932 : vec3<f32> = max(_S929 - _S928, _S931) / (_S929 + _S928);
+    var _S933 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S934 : vec3<f32> = (_S930 / max(_S928, _S933) - _S929) / max(vec3<f32>(0.89999997615814209f) * _S932, _S933);
+    var _S935 : vec3<f32> = _S929 - vec3<f32>((saturate(min(min(_S934.x, _S934.y), _S934.z)) * _S927.z)) * _S932;
+    var _S936 : vec3<f32> = min(vec3<f32>(families_0[_S925].nep_red_0, families_0[_S925].nep_green_0, families_0[_S925].nep_blue_0), _S930);
+    var found_1 : Albedos_0 = _S926;
+    var _S937 : f32 = _S927.w;
+    var _S938 : vec3<f32> = _S935 * _S926.diffuse_transmit_0 * vec3<f32>((1.0f - _S937));
+    found_1.diffuse_transmit_0 = _S938;
+    found_1.diffuse_reflect_0 = clamp(mix(_S935 * _S926.diffuse_reflect_0, _S936, vec3<f32>(_S937)), _S931, max(_S930 - _S938, _S931));
     return found_1;
 }
 
-fn with_tones_0( _S938 : u32,  _S939 : FamilyAlbedos_0,  _S940 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S939 : u32,  _S940 : FamilyAlbedos_0,  _S941 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S938].is_irregular_0) == u32(0))
+    if((fabrics_0[_S939].is_irregular_0) == u32(0))
     {
-        return _S939;
+        return _S940;
     }
     var result_6 : FamilyAlbedos_0;
-    result_6.warp_7 = toned_0(_S938, fabrics_0[_S938].warp_0, _S939.warp_7, _S940.warp_3);
-    result_6.weft_7 = toned_0(_S938, fabrics_0[_S938].weft_0, _S939.weft_7, _S940.weft_3);
+    result_6.warp_7 = toned_0(_S939, fabrics_0[_S939].warp_0, _S940.warp_7, _S941.warp_3);
+    result_6.weft_7 = toned_0(_S939, fabrics_0[_S939].weft_0, _S940.weft_7, _S941.weft_3);
     return result_6;
 }
 
-fn detail_gain_0( _S941 : u32,  _S942 : u32,  _S943 : SurfacePoint_0,  _S944 : bool,  _S945 : u32,  _S946 : f32) -> vec2<f32>
+fn detail_gain_0( _S942 : u32,  _S943 : u32,  _S944 : SurfacePoint_0,  _S945 : bool,  _S946 : u32,  _S947 : f32) -> vec2<f32>
 {
-    var _S947 : vec2<f32> = vec2<f32>(0.0f);
+    var _S948 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S942].has_plies_0) > 0.0f)
+    if((families_0[_S943].has_plies_0) > 0.0f)
     {
-        gain_2 = groove_0(0.94999998807907104f * fade_0(_S946, 1.0f / families_0[_S942].plies_per_mm_0), ply_offset_0(_S942, _S943, _S944));
+        gain_2 = groove_0(0.94999998807907104f * fade_0(_S947, 1.0f / families_0[_S943].plies_per_mm_0), ply_offset_0(_S943, _S944, _S945));
     }
     else
     {
-        gain_2 = _S947;
+        gain_2 = _S948;
     }
-    if((families_0[_S942].fibre_tone_0) > 0.0f)
+    if((families_0[_S943].fibre_tone_0) > 0.0f)
     {
-        var _S948 : FibreNoise_0 = fibre_noise_at_0(_S941, _S942, _S943, _S945, _S946);
-        var _S949 : f32 = 4.5f * families_0[_S942].fibre_tone_0;
-        gain_2 = gain_2 + vec2<f32>(families_0[_S942].fibre_tone_0) * vec2<f32>(_S948.bundle_weight_0 * _S948.bundle_0.y + _S948.fibre_weight_0 * _S948.fibre_0.y, _S948.bundle_weight_0 + _S948.fibre_weight_0) + (groove_0(_S949 * (_S948.bundle_weight_0 * (0.5f * (_S948.bundle_0.x - 1.0f) + 1.0f)), _S948.bundle_offset_0) + groove_0(_S949 * _S948.fibre_weight_0, _S948.offset_2));
+        var _S949 : FibreNoise_0 = fibre_noise_at_0(_S942, _S943, _S944, _S946, _S947);
+        var _S950 : f32 = 4.5f * families_0[_S943].fibre_tone_0;
+        gain_2 = gain_2 + vec2<f32>(families_0[_S943].fibre_tone_0) * vec2<f32>(_S949.bundle_weight_0 * _S949.bundle_0.y + _S949.fibre_weight_0 * _S949.fibre_0.y, _S949.bundle_weight_0 + _S949.fibre_weight_0) + (groove_0(_S950 * (_S949.bundle_weight_0 * (0.5f * (_S949.bundle_0.x - 1.0f) + 1.0f)), _S949.bundle_offset_0) + groove_0(_S950 * _S949.fibre_weight_0, _S949.offset_2));
     }
-    if((families_0[_S942].slub_0) > 0.0f)
+    if((families_0[_S943].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S942].slub_0 * fade_0(_S946, 1.0f / families_0[_S942].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S945, ((fabrics_0[_S941].seed_0) ^ (u32(1373058189)))), select(- _S943.x_8, _S943.y_2, _S943.is_warp_0) * families_0[_S942].slubs_per_mm_0).x, 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S943].slub_0 * fade_0(_S947, 1.0f / families_0[_S943].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S946, ((fabrics_0[_S942].seed_0) ^ (u32(1373058189)))), select(- _S944.x_8, _S944.y_2, _S944.is_warp_0) * families_0[_S943].slubs_per_mm_0).x, 1.0f);
     }
     return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
 }
 
-fn vary_albedos_0( _S950 : u32,  _S951 : Albedos_0,  _S952 : u32,  _S953 : u32,  _S954 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S951 : u32,  _S952 : Albedos_0,  _S953 : u32,  _S954 : u32,  _S955 : vec2<f32>) -> Albedos_0
 {
-    var _S955 : vec3<f32> = max(_S951.specular_reflect_0, _S951.specular_transmit_0);
-    var _S956 : vec3<f32> = _S951.diffuse_reflect_0 + _S951.diffuse_transmit_0;
-    var _S957 : vec3<f32> = vec3<f32>(fabrics_0[_S950].layer_bound_0);
-    var _S958 : vec3<f32> = vec3<f32>(1.0f);
-    var _S959 : vec3<f32> = _S958 - _S957 * _S955;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S952, fabrics_0[_S950].colour_noise_0, fabrics_0[_S950].seed_0), _S956, _S959);
-    var _S960 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S954.y, vec3<f32>(colour_1) * _S956, _S959) * _S954.x)));
-    var _S961 : f32 = bounded_gain_0(fibre_gain_0(_S952, _S953, fabrics_0[_S950].fibre_noise_0, fabrics_0[_S950].seed_0), _S955, min((_S958 - _S960 * _S956) / _S957, vec3<f32>(1.0f)));
+    var _S956 : vec3<f32> = max(_S952.specular_reflect_0, _S952.specular_transmit_0);
+    var _S957 : vec3<f32> = _S952.diffuse_reflect_0 + _S952.diffuse_transmit_0;
+    var _S958 : vec3<f32> = vec3<f32>(fabrics_0[_S951].layer_bound_0);
+    var _S959 : vec3<f32> = vec3<f32>(1.0f);
+    var _S960 : vec3<f32> = _S959 - _S958 * _S956;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S953, fabrics_0[_S951].colour_noise_0, fabrics_0[_S951].seed_0), _S957, _S960);
+    var _S961 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S955.y, vec3<f32>(colour_1) * _S957, _S960) * _S955.x)));
+    var _S962 : f32 = bounded_gain_0(fibre_gain_0(_S953, _S954, fabrics_0[_S951].fibre_noise_0, fabrics_0[_S951].seed_0), _S956, min((_S959 - _S961 * _S957) / _S958, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S960 * _S951.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S960 * _S951.diffuse_transmit_0;
-    var _S962 : vec3<f32> = vec3<f32>(_S961);
-    varied_0.specular_reflect_0 = _S962 * _S951.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S962 * _S951.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S961 * _S952.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S961 * _S952.diffuse_transmit_0;
+    var _S963 : vec3<f32> = vec3<f32>(_S962);
+    varied_0.specular_reflect_0 = _S963 * _S952.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S963 * _S952.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S963 : u32,  _S964 : SurfacePoint_0,  _S965 : Albedos_0,  _S966 : bool,  _S967 : f32,  _S968 : f32) -> Albedos_0
+fn varied_at_0( _S964 : u32,  _S965 : SurfacePoint_0,  _S966 : Albedos_0,  _S967 : bool,  _S968 : f32,  _S969 : f32) -> Albedos_0
 {
-    var _S969 : u32 = thread_number_0(_S963, _S964);
-    var _S970 : vec3<f32> = fibre_cell_0(_S964.fibre_across_0, _S964.fibre_along_0, fabrics_0[_S963].fibre_size_0);
-    var _S971 : vec2<f32> = vec2<f32>(0.0f);
+    var _S970 : u32 = thread_number_0(_S964, _S965);
+    var _S971 : vec3<f32> = fibre_cell_0(_S965.fibre_across_0, _S965.fibre_along_0, fabrics_0[_S964].fibre_size_0);
+    var _S972 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S963].has_detail_0) != u32(0)) & ((_S967 >= 0.0f))))
+    if((((fabrics_0[_S964].has_detail_0) != u32(0)) & ((_S968 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S963, select(fabrics_0[_S963].weft_0, fabrics_0[_S963].warp_0, _S964.is_warp_0), _S964, _S966, _S969, _S967) * vec2<f32>(1.0f - _S968, 1.0f);
+        gain_3 = detail_gain_0(_S964, select(fabrics_0[_S964].weft_0, fabrics_0[_S964].warp_0, _S965.is_warp_0), _S965, _S967, _S970, _S968) * vec2<f32>(1.0f - _S969, 1.0f);
     }
     else
     {
-        gain_3 = _S971;
+        gain_3 = _S972;
     }
-    return vary_albedos_0(_S963, _S965, _S969, u32(i32(_S970.x)) * u32(65536) + u32(i32(floor(_S970.y))), gain_3);
+    return vary_albedos_0(_S964, _S966, _S970, u32(i32(_S971.x)) * u32(65536) + u32(i32(floor(_S971.y))), gain_3);
 }
 
-fn lobes_estimate_of_pass_0( _S972 : u32,  _S973 : Footprint_0,  _S974 : f32,  _S975 : vec2<f32>,  _S976 : vec3<f32>,  _S977 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S973 : u32,  _S974 : Footprint_0,  _S975 : f32,  _S976 : vec2<f32>,  _S977 : vec3<f32>,  _S978 : vec3<f32>) -> Estimate_0
 {
-    var _S978 : f32;
-    var _S979 : Regime_0 = regime_of_0(_S972, _S973, _S974);
-    var _S980 : bool = (_S977.z) < 0.0f;
-    var _S981 : vec3<f32> = to_face_frame_0(_S977, _S980);
-    var _S982 : f32 = Footprint_spread_side_0(_S973);
-    var _S983 : bool = varies_at_0(_S972, _S982);
-    var _S984 : f32 = 1.0f - _S979.prefiltered_0;
-    var _S985 : bool = ((_S984 > 0.0f) & (((((_S983 | (((((families_0[fabrics_0[_S972].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S972].weft_0].quantities_0) > u32(1)))))))) | (((fabrics_0[_S972].is_irregular_0) != u32(0)))))));
-    var box_0 : Footprint_0 = _S973;
-    var _S986 : vec3<f32> = vec3<f32>(0.0f);
-    var _S987 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S986, _S986, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
-    var _S988 : Components_0 = no_components_0();
+    var _S979 : f32;
+    var _S980 : Regime_0 = regime_of_0(_S973, _S974, _S975);
+    var _S981 : bool = (_S978.z) < 0.0f;
+    var _S982 : vec3<f32> = to_face_frame_0(_S978, _S981);
+    var _S983 : f32 = Footprint_spread_side_0(_S974);
+    var _S984 : bool = varies_at_0(_S973, _S983);
+    var _S985 : f32 = 1.0f - _S980.prefiltered_0;
+    var _S986 : bool = ((_S985 > 0.0f) & (((((_S984 | (((((families_0[fabrics_0[_S973].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S973].weft_0].quantities_0) > u32(1)))))))) | (((fabrics_0[_S973].is_irregular_0) != u32(0)))))));
+    var box_0 : Footprint_0 = _S974;
+    var _S987 : vec3<f32> = vec3<f32>(0.0f);
+    var _S988 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S987, _S987, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
+    var _S989 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S989 : u32 = select(u32(1), u32(0), _S985);
-    var points_1 : Components_0 = _S988;
+    var _S990 : u32 = select(u32(1), u32(0), _S986);
+    var points_1 : Components_0 = _S989;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S987;
-    var number_11 : u32 = _S989;
+    var central_0 : SurfacePoint_0 = _S988;
+    var number_11 : u32 = _S990;
     for(;;)
     {
-        var _S990 : f32 = f32(number_11);
-        _S978 = _S979.points_0;
-        if(_S990 < (_S979.points_0 + 1.0f))
+        var _S991 : f32 = f32(number_11);
+        _S979 = _S980.points_0;
+        if(_S991 < (_S980.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S991 : bool = number_11 == u32(0);
-        var _S992 : u32 = number_11 - u32(1);
-        var _S993 : vec2<f32> = POINT_OFFSETS_0[select(_S992, u32(0), _S991)] + _S975;
-        var _S994 : vec2<f32> = select_vector_0(_S991, vec2<f32>(0.0f), _S993 - round(_S993));
-        var _S995 : vec2<f32> = _S973.centre_0 + vec2<f32>(_S994.x) * _S973.dx_0 + vec2<f32>(_S994.y) * _S973.dy_0;
-        var _S996 : SearchQuality_0 = quality_of_0(select(_S979.threads_2, 0.0f, _S991));
-        var _S997 : Hit_0 = first_hit_0(_S972, _S996, _S995.x, _S995.y, _S981, _S980);
-        var _S998 : SurfacePoint_0 = surface_met_0(_S972, _S997.x_18, _S997.y_11, _S997.height_8, _S981, _S980);
-        if(_S991)
+        var _S992 : bool = number_11 == u32(0);
+        var _S993 : u32 = number_11 - u32(1);
+        var _S994 : vec2<f32> = POINT_OFFSETS_0[select(_S993, u32(0), _S992)] + _S976;
+        var _S995 : vec2<f32> = select_vector_0(_S992, vec2<f32>(0.0f), _S994 - round(_S994));
+        var _S996 : vec2<f32> = _S974.centre_0 + vec2<f32>(_S995.x) * _S974.dx_0 + vec2<f32>(_S995.y) * _S974.dy_0;
+        var _S997 : SearchQuality_0 = quality_of_0(select(_S980.threads_2, 0.0f, _S992));
+        var _S998 : Hit_0 = first_hit_0(_S973, _S997, _S996.x, _S996.y, _S982, _S981);
+        var _S999 : SurfacePoint_0 = surface_met_0(_S973, _S998.x_18, _S998.y_11, _S998.height_8, _S982, _S981);
+        if(_S992)
         {
-            var central_weight_1 : f32 = select(_S984, 0.0f, _S997.hole_7);
-            box_0.centre_0 = mix(_S973.centre_0, vec2<f32>(_S997.x_18, _S997.y_11), vec2<f32>(central_weight_1));
+            var central_weight_1 : f32 = select(_S985, 0.0f, _S998.hole_7);
+            box_0.centre_0 = mix(_S974.centre_0, vec2<f32>(_S998.x_18, _S998.y_11), vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S998;
+            central_0 = _S999;
             number_11 = number_11 + u32(1);
             continue;
         }
-        var _S999 : YarnPoint_0 = uncoloured_point_0(_S972, _S998, _S981, _S980, _S997.hole_7, _S982);
-        var _S1000 : f32 = min(_S979.points_0 - f32(_S992), 1.0f);
-        var _S1001 : Components_0 = with_added_0(points_1, components_of_point_0(_S972, _S996, _S999, _S976, _S977), _S1000);
-        if((fabrics_0[_S972].openness_0) != u32(4294967295))
+        var _S1000 : YarnPoint_0 = uncoloured_point_0(_S973, _S999, _S982, _S981, _S998.hole_7, _S983);
+        var _S1001 : f32 = min(_S980.points_0 - f32(_S993), 1.0f);
+        var _S1002 : Components_0 = with_added_0(points_1, components_of_point_0(_S973, _S997, _S1000, _S977, _S978), _S1001);
+        if((fabrics_0[_S973].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S972, close_1.warp_1, _S999, true, _S1000);
-            close_1.weft_1 = with_blocked_0(_S972, close_1.weft_1, _S999, false, _S1000);
+            close_1.warp_1 = with_blocked_0(_S973, close_1.warp_1, _S1000, true, _S1001);
+            close_1.weft_1 = with_blocked_0(_S973, close_1.weft_1, _S1000, false, _S1001);
         }
-        points_1 = _S1001;
+        points_1 = _S1002;
         number_11 = number_11 + u32(1);
     }
-    close_1.weight_0 = _S984;
-    var _S1002 : f32 = max(_S978, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1002);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1002);
+    close_1.weight_0 = _S985;
+    var _S1003 : f32 = max(_S979, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1003);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1003);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S988, points_1, _S984 / _S1002);
-    if((_S979.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S989, points_1, _S985 / _S1003);
+    if((_S980.prefiltered_0) > 0.0f)
     {
-        var _S1003 : Components_0 = prefiltered_components_0(_S972, _S973, to_face_frame_0(_S976, _S980), _S981, _S980);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1003, _S979.prefiltered_0);
+        var _S1004 : Components_0 = prefiltered_components_0(_S973, _S974, to_face_frame_0(_S977, _S981), _S982, _S981);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1004, _S980.prefiltered_0);
     }
-    var _S1004 : Yarns_0 = yarns_over_0(_S972, box_0, _S980);
-    estimate_0.components_0 = with_shares_0(_S972, estimate_0.components_0, _S1004);
-    estimate_0.albedos_7 = with_tones_0(_S972, albedos_over_0(_S972, box_0, _S980), _S1004);
-    if((_S983 & ((central_weight_0 > 0.0f))))
+    var _S1005 : Yarns_0 = yarns_over_0(_S973, box_0, _S981);
+    estimate_0.components_0 = with_shares_0(_S973, estimate_0.components_0, _S1005);
+    estimate_0.albedos_7 = with_tones_0(_S973, albedos_over_0(_S973, box_0, _S981), _S1005);
+    if((_S984 & ((central_weight_0 > 0.0f))))
     {
-        var _S1005 : SurfacePoint_0 = central_0;
-        var _S1006 : Albedos_0;
+        var _S1006 : SurfacePoint_0 = central_0;
+        var _S1007 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S1006 = estimate_0.albedos_7.warp_7;
+            _S1007 = estimate_0.albedos_7.warp_7;
         }
         else
         {
-            _S1006 = estimate_0.albedos_7.weft_7;
+            _S1007 = estimate_0.albedos_7.weft_7;
         }
-        var _S1007 : bool;
-        if((fabrics_0[_S972].has_detail_0) != u32(0))
+        var _S1008 : bool;
+        if((fabrics_0[_S973].has_detail_0) != u32(0))
         {
-            _S1007 = has_hairs_0(_S972);
+            _S1008 = has_hairs_0(_S973);
         }
         else
         {
-            _S1007 = false;
+            _S1008 = false;
         }
         var cover_4 : f32;
-        if(_S1007)
+        if(_S1008)
         {
-            cover_4 = hair_towards_0(_S972, hairs_over_0(_S972, central_0, _S980, _S982), _S981, _S982).cover_1;
+            cover_4 = hair_towards_0(_S973, hairs_over_0(_S973, central_0, _S981, _S983), _S982, _S983).cover_1;
         }
         else
         {
             cover_4 = 0.0f;
         }
-        var _S1008 : Albedos_0 = lerp_albedos_0(_S1006, varied_at_0(_S972, central_0, _S1006, _S980, _S982, cover_4), central_weight_0);
-        if(_S1005.is_warp_0)
+        var _S1009 : Albedos_0 = lerp_albedos_0(_S1007, varied_at_0(_S973, central_0, _S1007, _S981, _S983, cover_4), central_weight_0);
+        if(_S1006.is_warp_0)
         {
-            estimate_0.albedos_7.warp_7 = _S1008;
+            estimate_0.albedos_7.warp_7 = _S1009;
         }
         else
         {
-            estimate_0.albedos_7.weft_7 = _S1008;
+            estimate_0.albedos_7.weft_7 = _S1009;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S1009 : u32,  _S1010 : Albedos_0,  _S1011 : u32,  _S1012 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S1010 : u32,  _S1011 : Albedos_0,  _S1012 : u32,  _S1013 : vec3<f32>) -> Scattered_0
 {
-    var _S1013 : u32 = u32(159) + u32(2) * _S1011;
+    var _S1014 : u32 = u32(159) + u32(2) * _S1012;
     var yarn_4 : Scattered_0;
-    yarn_4.back_10 = _S1012 * _S1010.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1009, _S1013)) * _S1010.specular_reflect_0;
-    yarn_4.through_0 = _S1012 * _S1010.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1009, _S1013 + u32(1))) * _S1010.specular_transmit_0;
+    yarn_4.back_10 = _S1013 * _S1011.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1010, _S1014)) * _S1011.specular_reflect_0;
+    yarn_4.through_0 = _S1013 * _S1011.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1010, _S1014 + u32(1))) * _S1011.specular_transmit_0;
     return yarn_4;
 }
 
-fn sent_0( _S1014 : u32,  _S1015 : u32,  _S1016 : vec3<f32>,  _S1017 : vec3<f32>,  _S1018 : vec3<f32>,  _S1019 : vec3<f32>,  _S1020 : ptr<function, vec3<f32>>,  _S1021 : ptr<function, vec3<f32>>)
+fn sent_0( _S1015 : u32,  _S1016 : u32,  _S1017 : vec3<f32>,  _S1018 : vec3<f32>,  _S1019 : vec3<f32>,  _S1020 : vec3<f32>,  _S1021 : ptr<function, vec3<f32>>,  _S1022 : ptr<function, vec3<f32>>)
 {
-    var _S1022 : u32 = u32(146) + u32(4) * _S1015;
-    var _S1023 : f32 = openness_number_0(_S1014, _S1022 + u32(1));
-    var _S1024 : f32 = openness_number_0(_S1014, _S1022 + u32(2));
-    var _S1025 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1026 : vec3<f32> = _S1025 - _S1018 * vec3<f32>(openness_number_0(_S1014, _S1022));
-    var _S1027 : vec3<f32> = _S1025 - _S1019 * vec3<f32>(openness_number_0(_S1014, _S1022 + u32(3)));
-    var _S1028 : vec3<f32> = _S1025 / (_S1026 * _S1027 - _S1018 * _S1019 * vec3<f32>((_S1023 * _S1024)));
-    (*_S1020) = (_S1016 * _S1027 + _S1018 * vec3<f32>(_S1023) * _S1017) * _S1028;
-    (*_S1021) = (_S1017 * _S1026 + _S1019 * vec3<f32>(_S1024) * _S1016) * _S1028;
+    var _S1023 : u32 = u32(146) + u32(4) * _S1016;
+    var _S1024 : f32 = openness_number_0(_S1015, _S1023 + u32(1));
+    var _S1025 : f32 = openness_number_0(_S1015, _S1023 + u32(2));
+    var _S1026 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1027 : vec3<f32> = _S1026 - _S1019 * vec3<f32>(openness_number_0(_S1015, _S1023));
+    var _S1028 : vec3<f32> = _S1026 - _S1020 * vec3<f32>(openness_number_0(_S1015, _S1023 + u32(3)));
+    var _S1029 : vec3<f32> = _S1026 / (_S1027 * _S1028 - _S1019 * _S1020 * vec3<f32>((_S1024 * _S1025)));
+    (*_S1021) = (_S1017 * _S1028 + _S1019 * vec3<f32>(_S1024) * _S1018) * _S1029;
+    (*_S1022) = (_S1018 * _S1027 + _S1020 * vec3<f32>(_S1025) * _S1017) * _S1029;
     return;
 }
 
-fn face_sends_0( _S1029 : u32,  _S1030 : u32,  _S1031 : Scattered_0,  _S1032 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S1030 : u32,  _S1031 : u32,  _S1032 : Scattered_0,  _S1033 : Scattered_0) -> FaceSends_0
 {
-    var _S1033 : u32 = u32(2) * _S1030;
-    var _S1034 : u32 = u32(142) + _S1033;
-    var _S1035 : f32 = openness_number_0(_S1029, _S1034);
-    var _S1036 : f32 = openness_number_0(_S1029, _S1034 + u32(1));
-    var _S1037 : vec3<f32> = vec3<f32>((1.0f - _S1035)) * _S1031.back_10;
+    var _S1034 : u32 = u32(2) * _S1031;
+    var _S1035 : u32 = u32(142) + _S1034;
+    var _S1036 : f32 = openness_number_0(_S1030, _S1035);
+    var _S1037 : f32 = openness_number_0(_S1030, _S1035 + u32(1));
     var _S1038 : vec3<f32> = vec3<f32>((1.0f - _S1036)) * _S1032.back_10;
+    var _S1039 : vec3<f32> = vec3<f32>((1.0f - _S1037)) * _S1033.back_10;
     var sends_1 : FaceSends_0;
-    var _S1039 : u32 = u32(154) + _S1033;
-    var _S1040 : f32 = openness_number_0(_S1029, _S1039);
-    sends_1.blocks_warp_0 = _S1040;
-    var _S1041 : f32 = openness_number_0(_S1029, _S1039 + u32(1));
-    sends_1.blocks_weft_0 = _S1041;
-    sends_1.open_0 = _S1040 * _S1035 + _S1041 * _S1036;
-    var _S1042 : vec3<f32> = vec3<f32>(_S1035) * _S1031.back_10;
+    var _S1040 : u32 = u32(154) + _S1034;
+    var _S1041 : f32 = openness_number_0(_S1030, _S1040);
+    sends_1.blocks_warp_0 = _S1041;
+    var _S1042 : f32 = openness_number_0(_S1030, _S1040 + u32(1));
+    sends_1.blocks_weft_0 = _S1042;
+    sends_1.open_0 = _S1041 * _S1036 + _S1042 * _S1037;
     var _S1043 : vec3<f32> = vec3<f32>(_S1036) * _S1032.back_10;
-    var _S1044 : vec3<f32> = sends_1.sky_warp_0;
-    var _S1045 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S1029, _S1030, _S1042, _S1043, _S1037, _S1038, &(_S1044), &(_S1045));
-    sends_1.sky_warp_0 = _S1044;
-    sends_1.sky_weft_0 = _S1045;
-    var _S1046 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S1047 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S1029, _S1030, _S1031.through_0, _S1032.through_0, _S1037, _S1038, &(_S1046), &(_S1047));
-    sends_1.crossing_warp_0 = _S1046;
-    sends_1.crossing_weft_0 = _S1047;
+    var _S1044 : vec3<f32> = vec3<f32>(_S1037) * _S1033.back_10;
+    var _S1045 : vec3<f32> = sends_1.sky_warp_0;
+    var _S1046 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S1030, _S1031, _S1043, _S1044, _S1038, _S1039, &(_S1045), &(_S1046));
+    sends_1.sky_warp_0 = _S1045;
+    sends_1.sky_weft_0 = _S1046;
+    var _S1047 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S1048 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S1030, _S1031, _S1032.through_0, _S1033.through_0, _S1038, _S1039, &(_S1047), &(_S1048));
+    sends_1.crossing_warp_0 = _S1047;
+    sends_1.crossing_weft_0 = _S1048;
     return sends_1;
 }
 
-fn interior_of_0( _S1048 : u32,  _S1049 : vec3<f32>,  _S1050 : bool) -> Interior_0
+fn interior_of_0( _S1049 : u32,  _S1050 : vec3<f32>,  _S1051 : bool) -> Interior_0
 {
-    var _S1051 : Scattered_0 = scattered_by_0(_S1048, table_albedos_0(families_0[fabrics_0[_S1048].warp_0].colour_mean_0), u32(0), _S1049);
-    var _S1052 : Scattered_0 = scattered_by_0(_S1048, table_albedos_0(families_0[fabrics_0[_S1048].weft_0].colour_mean_0), u32(1), _S1049);
-    var _S1053 : FaceSends_0 = face_sends_0(_S1048, select(u32(0), u32(1), _S1050), _S1051, _S1052);
-    var _S1054 : FaceSends_0 = face_sends_0(_S1048, select(u32(1), u32(0), _S1050), _S1051, _S1052);
-    var _S1055 : vec3<f32> = vec3<f32>(_S1053.blocks_warp_0);
-    var _S1056 : vec3<f32> = vec3<f32>(_S1053.blocks_weft_0);
-    var _S1057 : vec3<f32> = _S1055 * _S1053.crossing_warp_0 + _S1056 * _S1053.crossing_weft_0;
-    var _S1058 : vec3<f32> = vec3<f32>(_S1054.blocks_warp_0);
-    var _S1059 : vec3<f32> = vec3<f32>(_S1054.blocks_weft_0);
-    var _S1060 : vec3<f32> = _S1058 * _S1054.crossing_warp_0 + _S1059 * _S1054.crossing_weft_0;
-    var _S1061 : f32 = 1.0f - _S1053.open_0;
+    var _S1052 : Scattered_0 = scattered_by_0(_S1049, table_albedos_0(families_0[fabrics_0[_S1049].warp_0].colour_mean_0), u32(0), _S1050);
+    var _S1053 : Scattered_0 = scattered_by_0(_S1049, table_albedos_0(families_0[fabrics_0[_S1049].weft_0].colour_mean_0), u32(1), _S1050);
+    var _S1054 : FaceSends_0 = face_sends_0(_S1049, select(u32(0), u32(1), _S1051), _S1052, _S1053);
+    var _S1055 : FaceSends_0 = face_sends_0(_S1049, select(u32(1), u32(0), _S1051), _S1052, _S1053);
+    var _S1056 : vec3<f32> = vec3<f32>(_S1054.blocks_warp_0);
+    var _S1057 : vec3<f32> = vec3<f32>(_S1054.blocks_weft_0);
+    var _S1058 : vec3<f32> = _S1056 * _S1054.crossing_warp_0 + _S1057 * _S1054.crossing_weft_0;
+    var _S1059 : vec3<f32> = vec3<f32>(_S1055.blocks_warp_0);
+    var _S1060 : vec3<f32> = vec3<f32>(_S1055.blocks_weft_0);
+    var _S1061 : vec3<f32> = _S1059 * _S1055.crossing_warp_0 + _S1060 * _S1055.crossing_weft_0;
     var _S1062 : f32 = 1.0f - _S1054.open_0;
-    var _S1063 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1064 : vec3<f32> = _S1063 / (_S1063 - _S1057 * _S1060 * vec3<f32>((_S1061 * _S1062)));
-    var _S1065 : vec3<f32> = _S1060 * (vec3<f32>(_S1053.open_0) + vec3<f32>(_S1061) * (_S1055 * _S1053.sky_warp_0 + _S1056 * _S1053.sky_weft_0)) * _S1064;
-    var _S1066 : vec3<f32> = _S1057 * (vec3<f32>(_S1054.open_0) + vec3<f32>(_S1062) * (_S1058 * _S1054.sky_warp_0 + _S1059 * _S1054.sky_weft_0)) * _S1064;
-    var _S1067 : FaceRadiance_0 = face_radiance_0(_S1053, _S1054.open_0, _S1065, _S1066);
-    var _S1068 : FaceRadiance_0 = face_radiance_0(_S1054, _S1053.open_0, _S1066, _S1065);
+    var _S1063 : f32 = 1.0f - _S1055.open_0;
+    var _S1064 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1065 : vec3<f32> = _S1064 / (_S1064 - _S1058 * _S1061 * vec3<f32>((_S1062 * _S1063)));
+    var _S1066 : vec3<f32> = _S1061 * (vec3<f32>(_S1054.open_0) + vec3<f32>(_S1062) * (_S1056 * _S1054.sky_warp_0 + _S1057 * _S1054.sky_weft_0)) * _S1065;
+    var _S1067 : vec3<f32> = _S1058 * (vec3<f32>(_S1055.open_0) + vec3<f32>(_S1063) * (_S1059 * _S1055.sky_warp_0 + _S1060 * _S1055.sky_weft_0)) * _S1065;
+    var _S1068 : FaceRadiance_0 = face_radiance_0(_S1054, _S1055.open_0, _S1066, _S1067);
+    var _S1069 : FaceRadiance_0 = face_radiance_0(_S1055, _S1054.open_0, _S1067, _S1066);
     var interior_1 : Interior_0;
-    interior_1.warp_6 = _S1067.warp_5;
-    interior_1.weft_6 = _S1067.weft_5;
-    interior_1.leaked_1 = _S1067.leaked_0;
-    interior_1.far_1 = _S1068.mean_1;
-    interior_1.far_leaked_0 = _S1068.leaked_0;
+    interior_1.warp_6 = _S1068.warp_5;
+    interior_1.weft_6 = _S1068.weft_5;
+    interior_1.leaked_1 = _S1068.leaked_0;
+    interior_1.far_1 = _S1069.mean_1;
+    interior_1.far_leaked_0 = _S1069.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S1069 : u32,  _S1070 : vec3<f32>,  _S1071 : bool,  _S1072 : bool) -> Blocked_0
+fn blocked_from_0( _S1070 : u32,  _S1071 : vec3<f32>,  _S1072 : bool,  _S1073 : bool) -> Blocked_0
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S1070, &(terms_3));
-    return blocked_of_terms_0(_S1069, (select(u32(0), u32(2), _S1072) + select(u32(1), u32(0), _S1071)) * u32(15), terms_3, u32(5));
+    view_terms_0(_S1071, &(terms_3));
+    return blocked_of_terms_0(_S1070, (select(u32(0), u32(2), _S1073) + select(u32(1), u32(0), _S1072)) * u32(15), terms_3, u32(5));
 }
 
-fn warp_seen_from_0( _S1073 : u32,  _S1074 : vec3<f32>,  _S1075 : bool) -> f32
+fn warp_seen_from_0( _S1074 : u32,  _S1075 : vec3<f32>,  _S1076 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S1074, &(terms_4));
+    view_terms_1(_S1075, &(terms_4));
     var term_1 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -3797,132 +3793,132 @@ fn warp_seen_from_0( _S1073 : u32,  _S1074 : vec3<f32>,  _S1075 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S1073, u32(132) + select(u32(0), u32(5), _S1075) + term_1) * terms_4[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S1074, u32(132) + select(u32(0), u32(5), _S1076) + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S1076 : u32,  _S1077 : FamilyAlbedos_0,  _S1078 : vec3<f32>,  _S1079 : Interior_0,  _S1080 : Blocked_0,  _S1081 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S1077 : u32,  _S1078 : FamilyAlbedos_0,  _S1079 : vec3<f32>,  _S1080 : Interior_0,  _S1081 : Blocked_0,  _S1082 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S1080, scattered_by_0(_S1076, _S1077.warp_7, u32(0), _S1078), _S1079), bounced_by_0(_S1081, scattered_by_0(_S1076, _S1077.weft_7, u32(1), _S1078), _S1079));
+    return sum_of_0(bounced_by_0(_S1081, scattered_by_0(_S1077, _S1078.warp_7, u32(0), _S1079), _S1080), bounced_by_0(_S1082, scattered_by_0(_S1077, _S1078.weft_7, u32(1), _S1079), _S1080));
 }
 
-fn bounced_far_0( _S1082 : u32,  _S1083 : FamilyAlbedos_0,  _S1084 : vec3<f32>,  _S1085 : Interior_0,  _S1086 : vec3<f32>,  _S1087 : bool,  _S1088 : f32,  _S1089 : f32,  _S1090 : f32) -> Bounced_0
+fn bounced_far_0( _S1083 : u32,  _S1084 : FamilyAlbedos_0,  _S1085 : vec3<f32>,  _S1086 : Interior_0,  _S1087 : vec3<f32>,  _S1088 : bool,  _S1089 : f32,  _S1090 : f32,  _S1091 : f32) -> Bounced_0
 {
-    var _S1091 : Blocked_0 = blocked_from_0(_S1082, _S1086, true, _S1087);
-    var _S1092 : Blocked_0 = blocked_from_0(_S1082, _S1086, false, _S1087);
-    var _S1093 : f32 = _S1088 / max(1.0f - _S1091.by_warp_0 - _S1091.by_weft_0, 0.10000000149011612f);
-    var _S1094 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1082, _S1086, _S1087) + _S1093) / (_S1093 + _S1089 / max(1.0f - _S1092.by_warp_0 - _S1092.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S1095 : f32 = 1.0f - _S1090;
-    return bounced_of_families_0(_S1082, _S1083, _S1084, _S1085, scaled_0(_S1091, _S1094 * _S1095), scaled_0(_S1092, (1.0f - _S1094) * _S1095));
+    var _S1092 : Blocked_0 = blocked_from_0(_S1083, _S1087, true, _S1088);
+    var _S1093 : Blocked_0 = blocked_from_0(_S1083, _S1087, false, _S1088);
+    var _S1094 : f32 = _S1089 / max(1.0f - _S1092.by_warp_0 - _S1092.by_weft_0, 0.10000000149011612f);
+    var _S1095 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1083, _S1087, _S1088) + _S1094) / (_S1094 + _S1090 / max(1.0f - _S1093.by_warp_0 - _S1093.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S1096 : f32 = 1.0f - _S1091;
+    return bounced_of_families_0(_S1083, _S1084, _S1085, _S1086, scaled_0(_S1092, _S1095 * _S1096), scaled_0(_S1093, (1.0f - _S1095) * _S1096));
 }
 
-fn bounced_over_0( _S1096 : u32,  _S1097 : Components_0,  _S1098 : CloseUp_0,  _S1099 : FamilyAlbedos_0,  _S1100 : vec3<f32>,  _S1101 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S1097 : u32,  _S1098 : Components_0,  _S1099 : CloseUp_0,  _S1100 : FamilyAlbedos_0,  _S1101 : vec3<f32>,  _S1102 : vec3<f32>) -> Bounced_0
 {
-    var _S1102 : bool = (_S1101.z) < 0.0f;
-    var _S1103 : Interior_0 = interior_of_0(_S1096, _S1100, _S1102);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S1096, _S1099, _S1100, _S1103, to_face_frame_0(_S1101, _S1102), _S1102, _S1097.diffuse_warp_0, _S1097.diffuse_weft_0, _S1097.hole_2);
-    if((_S1098.weight_0) > 0.0f)
+    var _S1103 : bool = (_S1102.z) < 0.0f;
+    var _S1104 : Interior_0 = interior_of_0(_S1097, _S1101, _S1103);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S1097, _S1100, _S1101, _S1104, to_face_frame_0(_S1102, _S1103), _S1103, _S1098.diffuse_warp_0, _S1098.diffuse_weft_0, _S1098.hole_2);
+    if((_S1099.weight_0) > 0.0f)
     {
-        var _S1104 : Bounced_0 = bounced_of_families_0(_S1096, _S1099, _S1100, _S1103, _S1098.warp_1, _S1098.weft_1);
-        var _S1105 : vec3<f32> = vec3<f32>(_S1098.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1104.reflected_0, _S1105);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1104.transmitted_0, _S1105);
+        var _S1105 : Bounced_0 = bounced_of_families_0(_S1097, _S1100, _S1101, _S1104, _S1099.warp_1, _S1099.weft_1);
+        var _S1106 : vec3<f32> = vec3<f32>(_S1099.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1105.reflected_0, _S1106);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1105.transmitted_0, _S1106);
     }
     return bounced_2;
 }
 
-fn composed_0( _S1106 : u32,  _S1107 : Components_0,  _S1108 : CloseUp_0,  _S1109 : FamilyAlbedos_0,  _S1110 : vec3<f32>,  _S1111 : vec3<f32>,  _S1112 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S1107 : u32,  _S1108 : Components_0,  _S1109 : CloseUp_0,  _S1110 : FamilyAlbedos_0,  _S1111 : vec3<f32>,  _S1112 : vec3<f32>,  _S1113 : vec3<f32>) -> vec3<f32>
 {
-    var _S1113 : Albedos_0 = tinted_0(_S1109.warp_7, _S1110);
-    var _S1114 : Albedos_0 = tinted_0(_S1109.weft_7, _S1110);
-    var _S1115 : vec3<f32> = vec3<f32>(_S1107.diffuse_warp_0);
-    var _S1116 : vec3<f32> = vec3<f32>(_S1107.diffuse_weft_0);
-    var _S1117 : vec3<f32> = vec3<f32>(_S1107.specular_warp_0);
-    var _S1118 : vec3<f32> = vec3<f32>(_S1107.specular_weft_0);
-    var _S1119 : vec3<f32> = _S1113.diffuse_reflect_0 * _S1115 + _S1114.diffuse_reflect_0 * _S1116 + _S1113.specular_reflect_0 * _S1117 + _S1114.specular_reflect_0 * _S1118;
-    var _S1120 : f32 = _S1112.z;
+    var _S1114 : Albedos_0 = tinted_0(_S1110.warp_7, _S1111);
+    var _S1115 : Albedos_0 = tinted_0(_S1110.weft_7, _S1111);
+    var _S1116 : vec3<f32> = vec3<f32>(_S1108.diffuse_warp_0);
+    var _S1117 : vec3<f32> = vec3<f32>(_S1108.diffuse_weft_0);
+    var _S1118 : vec3<f32> = vec3<f32>(_S1108.specular_warp_0);
+    var _S1119 : vec3<f32> = vec3<f32>(_S1108.specular_weft_0);
+    var _S1120 : vec3<f32> = _S1114.diffuse_reflect_0 * _S1116 + _S1115.diffuse_reflect_0 * _S1117 + _S1114.specular_reflect_0 * _S1118 + _S1115.specular_reflect_0 * _S1119;
+    var _S1121 : f32 = _S1113.z;
     var body_0 : vec3<f32>;
-    if((_S1111.z * _S1120) < 0.0f)
+    if((_S1112.z * _S1121) < 0.0f)
     {
-        body_0 = _S1113.diffuse_transmit_0 * _S1115 + _S1114.diffuse_transmit_0 * _S1116 + _S1113.specular_transmit_0 * _S1117 + _S1114.specular_transmit_0 * _S1118;
+        body_0 = _S1114.diffuse_transmit_0 * _S1116 + _S1115.diffuse_transmit_0 * _S1117 + _S1114.specular_transmit_0 * _S1118 + _S1115.specular_transmit_0 * _S1119;
     }
     else
     {
-        body_0 = _S1119;
+        body_0 = _S1120;
     }
-    if((fabrics_0[_S1106].openness_0) != u32(4294967295))
+    if((fabrics_0[_S1107].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1106, _S1107, _S1108, _S1109, _S1110, _S1112), _S1111, _S1112);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1107, _S1108, _S1109, _S1110, _S1111, _S1113), _S1112, _S1113);
     }
-    var _S1121 : f32 = fabrics_0[_S1106].sheen_strength_0;
-    if((fabrics_0[_S1106].sheen_strength_0) <= 0.0f)
+    var _S1122 : f32 = fabrics_0[_S1107].sheen_strength_0;
+    if((fabrics_0[_S1107].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S1122 : bool = _S1120 < 0.0f;
-    var _S1123 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1111, _S1122), to_face_frame_0(_S1112, _S1122), _S1121, fabrics_0[_S1106].sheen_roughness_0);
-    return vec3<f32>(_S1123.y) * body_0 + vec3<f32>(((_S1107.light_visibility_1 + _S1107.hole_2) * _S1123.x));
+    var _S1123 : bool = _S1121 < 0.0f;
+    var _S1124 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1112, _S1123), to_face_frame_0(_S1113, _S1123), _S1122, fabrics_0[_S1107].sheen_roughness_0);
+    return vec3<f32>(_S1124.y) * body_0 + vec3<f32>(((_S1108.light_visibility_1 + _S1108.hole_2) * _S1124.x));
 }
 
-fn light_of_footprint_0( _S1124 : u32,  _S1125 : VisiblePoint_0,  _S1126 : vec2<u32>,  _S1127 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S1125 : u32,  _S1126 : VisiblePoint_0,  _S1127 : vec2<u32>,  _S1128 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.dx_0 = _S1125.draft_dx_0;
-    footprint_0.dy_0 = _S1125.draft_dy_0;
-    footprint_0.centre_0 = irregular_place_0(_S1124, _S1125.draft_0, Footprint_spread_side_0(footprint_0));
-    var _S1128 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S1129 : vec3<f32> = to_local_0(_S1125, _S1125.view_0);
-    var _S1130 : u32 = light_sample_count_0();
-    var _S1131 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.dx_0 = _S1126.draft_dx_0;
+    footprint_0.dy_0 = _S1126.draft_dy_0;
+    footprint_0.centre_0 = irregular_place_0(_S1125, _S1126.draft_0, Footprint_spread_side_0(footprint_0));
+    var _S1129 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S1130 : vec3<f32> = to_local_0(_S1126, _S1126.view_0);
+    var _S1131 : u32 = light_sample_count_0();
+    var _S1132 : vec3<f32> = vec3<f32>(0.0f);
     var number_12 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S1131;
+    var radiance_1 : vec3<f32> = _S1132;
     var hole_8 : f32 = 0.0f;
     for(;;)
     {
-        if(number_12 < (max(_S1130, u32(1))))
+        if(number_12 < (max(_S1131, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S1132 : f32;
-        if(number_12 < _S1130)
+        var _S1133 : f32;
+        if(number_12 < _S1131)
         {
-            _S1132 = visibility_at_0(number_12, _S1126);
+            _S1133 = visibility_at_0(number_12, _S1127);
         }
         else
         {
-            _S1132 = 0.0f;
+            _S1133 = 0.0f;
         }
-        var _S1133 : bool;
-        if(_S1132 <= 0.0f)
+        var _S1134 : bool;
+        if(_S1133 <= 0.0f)
         {
-            _S1133 = number_12 > u32(0);
+            _S1134 = number_12 > u32(0);
         }
         else
         {
-            _S1133 = false;
+            _S1134 = false;
         }
-        if(_S1133)
+        if(_S1134)
         {
             number_12 = number_12 + u32(1);
             continue;
         }
-        var _S1134 : LightSample_0 = light_sample_0(number_12, _S1126, _S1125.position_4);
-        var _S1135 : vec3<f32> = to_local_0(_S1125, _S1134.towards_0);
-        var _S1136 : Estimate_0 = lobes_estimate_of_pass_0(_S1124, footprint_0, 1.0f, _S1128, _S1135, _S1129);
-        radiance_1 = radiance_1 + vec3<f32>(_S1132) * _S1134.irradiance_1 * composed_0(_S1124, _S1136.components_0, _S1136.close_0, _S1136.albedos_7, _S1127, _S1135, _S1129);
-        hole_8 = _S1136.components_0.hole_2;
+        var _S1135 : LightSample_0 = light_sample_0(number_12, _S1127, _S1126.position_4);
+        var _S1136 : vec3<f32> = to_local_0(_S1126, _S1135.towards_0);
+        var _S1137 : Estimate_0 = lobes_estimate_of_pass_0(_S1125, footprint_0, 1.0f, _S1129, _S1136, _S1130);
+        radiance_1 = radiance_1 + vec3<f32>(_S1133) * _S1135.irradiance_1 * composed_0(_S1125, _S1137.components_0, _S1137.close_0, _S1137.albedos_7, _S1128, _S1136, _S1130);
+        hole_8 = _S1137.components_0.hole_2;
         number_12 = number_12 + u32(1);
     }
-    var _S1137 : f32 = fabrics_0[_S1124].sheen_strength_0;
-    if((fabrics_0[_S1124].sheen_strength_0) > 0.0f)
+    var _S1138 : f32 = fabrics_0[_S1125].sheen_strength_0;
+    if((fabrics_0[_S1125].sheen_strength_0) > 0.0f)
     {
-        hole_8 = hole_8 * (1.0f - _S1137 * sheen_lobe_0(abs(_S1129.z), fabrics_0[_S1124].sheen_roughness_0).z);
+        hole_8 = hole_8 * (1.0f - _S1138 * sheen_lobe_0(abs(_S1130.z), fabrics_0[_S1125].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_8);
 }
@@ -3931,32 +3927,32 @@ fn light_of_footprint_0( _S1124 : u32,  _S1125 : VisiblePoint_0,  _S1126 : vec2<
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S1138 : u32 = id_0.x;
-    var _S1139 : bool;
-    if(_S1138 >= (frame_record_0.width_0))
+    var _S1139 : u32 = id_0.x;
+    var _S1140 : bool;
+    if(_S1139 >= (frame_record_0.width_0))
     {
-        _S1139 = true;
+        _S1140 = true;
     }
     else
     {
-        _S1139 = (id_0.y) >= (frame_record_0.height_0);
+        _S1140 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S1139)
+    if(_S1140)
     {
         return;
     }
-    var _S1140 : u32 = id_0.y * frame_record_0.width_0 + _S1138;
-    var _S1141 : u32 = layers_0[_S1140].face_0;
-    if((layers_0[_S1140].face_0) == u32(0))
+    var _S1141 : u32 = id_0.y * frame_record_0.width_0 + _S1139;
+    var _S1142 : u32 = layers_0[_S1141].face_0;
+    if((layers_0[_S1141].face_0) == u32(0))
     {
         return;
     }
-    var _S1142 : u32 = _S1141 - u32(1);
-    var _S1143 : u32 = fabric_of_0(_S1142);
-    var _S1144 : vec2<u32> = id_0.xy;
-    var _S1145 : VisiblePoint_0 = visible_point_0(_S1143, _S1142, _S1144);
-    var _S1146 : vec4<f32> = light_of_footprint_0(_S1143, _S1145, _S1144, filtered_albedo_0(_S1143, _S1145));
-    accumulate_0(_S1140, _S1146);
+    var _S1143 : u32 = _S1142 - u32(1);
+    var _S1144 : u32 = fabric_of_0(_S1143);
+    var _S1145 : vec2<u32> = id_0.xy;
+    var _S1146 : VisiblePoint_0 = visible_point_0(_S1144, _S1143, _S1145);
+    var _S1147 : vec4<f32> = light_of_footprint_0(_S1144, _S1146, _S1145, filtered_albedo_0(_S1144, _S1146));
+    accumulate_0(_S1141, _S1147);
     return;
 }
 

@@ -2674,75 +2674,71 @@ fn yarns_over_0( _S491 : u32,  _S492 : Footprint_0,  _S493 : bool) -> Yarns_0
     var _S497 : f32 = Footprint_spread_side_0(_S492);
     var _S498 : vec4<f32> = vec4<f32>(0.0f);
     var yarns_1 : Yarns_0 = Yarns_x24init_0(_S498, _S498, vec3<f32>(0.0f));
-    yarns_1.shares_0 = vec3<f32>(1.0f);
-    if((fabrics_0[_S491].is_irregular_0) == u32(0))
-    {
-        return yarns_1;
-    }
+    var _S499 : bool = (fabrics_0[_S491].is_irregular_0) != u32(0);
     var number_7 : u32 = u32(0);
     for(;;)
     {
-        if(number_7 < u32(2))
+        if(number_7 < select(u32(0), u32(2), _S499))
         {
         }
         else
         {
             break;
         }
-        var _S499 : bool = number_7 == u32(0);
-        var _S500 : u32 = select(fabrics_0[_S491].weft_0, fabrics_0[_S491].warp_0, _S499);
-        var _S501 : vec2<f32> = select_vector_1(_S499, _S492.centre_0, _S492.centre_0.yx);
-        var _S502 : vec2<f32> = select_vector_1(_S499, _S496, _S496.yx);
-        var _S503 : f32 = _S501.x;
-        var _S504 : Cell_0 = locate_0(_S500, _S503);
-        var yarn_1 : vec4<f32> = irregular_over_0(_S500, irregular_key_0(_S491, number_7), irregular_thread_0(_S500, _S503, _S504) + _S504.below_0 / (_S504.below_0 + _S504.above_0), _S502.x * (families_0[_S500].count_0 / families_0[_S500].period_0), _S501.y, _S502.y);
-        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S500, _S497));
+        var _S500 : bool = number_7 == u32(0);
+        var _S501 : u32 = select(fabrics_0[_S491].weft_0, fabrics_0[_S491].warp_0, _S500);
+        var _S502 : vec2<f32> = select_vector_1(_S500, _S492.centre_0, _S492.centre_0.yx);
+        var _S503 : vec2<f32> = select_vector_1(_S500, _S496, _S496.yx);
+        var _S504 : f32 = _S502.x;
+        var _S505 : Cell_0 = locate_0(_S501, _S504);
+        var yarn_1 : vec4<f32> = irregular_over_0(_S501, irregular_key_0(_S491, number_7), irregular_thread_0(_S501, _S504, _S505) + _S505.below_0 / (_S505.below_0 + _S505.above_0), _S503.x * (families_0[_S501].count_0 / families_0[_S501].period_0), _S502.y, _S503.y);
+        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S501, _S497));
         yarns_1.warp_1 = yarns_1.weft_1;
         yarns_1.weft_1 = yarn_1;
         number_7 = number_7 + u32(1);
     }
-    var _S505 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S491].warp_0].cover_0, families_0[fabrics_0[_S491].weft_0].cover_0);
-    var _S506 : f32 = select(fabrics_0[_S491].warp_on_top_0, 1.0f - fabrics_0[_S491].warp_on_top_0, _S493);
-    var _S507 : vec3<f32> = shown_of_covers_0(_S505, _S506);
-    var _S508 : vec3<f32> = shown_of_covers_0(saturate(_S505 + _S505 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S506) / max(_S507, vec3<f32>(0.00009999999747379f));
-    yarns_1.shares_0 = _S508;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S508.z, (_S507.z) > 0.00009999999747379f);
+    var _S506 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S491].warp_0].cover_0, families_0[fabrics_0[_S491].weft_0].cover_0);
+    var _S507 : f32 = select(fabrics_0[_S491].warp_on_top_0, 1.0f - fabrics_0[_S491].warp_on_top_0, _S493);
+    var _S508 : vec3<f32> = shown_of_covers_0(_S506, _S507);
+    var _S509 : vec3<f32> = select_vector_2(_S499, shown_of_covers_0(saturate(_S506 + _S506 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S507) / max(_S508, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_1.shares_0 = _S509;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S509.z, (_S508.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn neural_view_0( _S509 : u32,  _S510 : Footprint_0,  _S511 : vec3<f32>,  _S512 : ptr<function, NeuralView_0>)
+fn neural_view_0( _S510 : u32,  _S511 : Footprint_0,  _S512 : vec3<f32>,  _S513 : ptr<function, NeuralView_0>)
 {
-    var _S513 : bool = (_S511.z) < 0.0f;
-    var _S514 : AnisotropicTaps_0 = anisotropic_taps_0(_S509, _S510);
-    var _S515 : vec3<f32> = footprint_coordinates_0(_S514);
-    var _S516 : vec3<f32> = to_face_frame_0(_S511, _S513);
+    var _S514 : bool = (_S512.z) < 0.0f;
+    var _S515 : AnisotropicTaps_0 = anisotropic_taps_0(_S510, _S511);
+    var _S516 : vec3<f32> = footprint_coordinates_0(_S515);
+    var _S517 : vec3<f32> = to_face_frame_0(_S512, _S514);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S509].neural_0.network_0;
+    weights_23.first_2 = fabrics_0[_S510].neural_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S509, _S514, _S515, _S513, &(inputs_23));
+    code_footprint_0(_S510, _S515, _S516, _S514, &(inputs_23));
     var hidden_1 : array<f32, i32(96)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(100)>;
     dense_part_8(weights_23, u32(1068), false, &(hidden_1), &(fused_0));
-    fused_0[i32(96)] = _S516.x;
-    fused_0[i32(97)] = _S516.y;
-    var _S517 : vec2<f32> = _S516.xy;
-    fused_0[i32(98)] = dot(crown_fibres_0(_S509, true, _S513).xy, _S517);
-    fused_0[i32(99)] = dot(crown_fibres_0(_S509, false, _S513).xy, _S517);
+    fused_0[i32(96)] = _S517.x;
+    fused_0[i32(97)] = _S517.y;
+    var _S518 : vec2<f32> = _S517.xy;
+    fused_0[i32(98)] = dot(crown_fibres_0(_S510, true, _S514).xy, _S518);
+    fused_0[i32(99)] = dot(crown_fibres_0(_S510, false, _S514).xy, _S518);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
     var hole_1 : array<f32, i32(1)>;
     dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
-    var _S518 : array<f32, i32(96)> = (*_S512).sums_9;
-    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S518));
-    (*_S512).sums_9 = _S518;
-    var _S519 : f32 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
-    (*_S512).even_hole_0 = _S519;
-    (*_S512).yarns_0 = yarns_over_0(_S509, _S510, _S513);
-    (*_S512).hole_0 = min(_S519 * (*_S512).yarns_0.shares_0.z, 1.0f);
-    (*_S512).correction_weight_0 = correction_weight_of_0(_S515.z);
-    (*_S512).view_7 = _S516;
-    (*_S512).back_5 = _S513;
+    var _S519 : array<f32, i32(96)> = (*_S513).sums_9;
+    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S519));
+    (*_S513).sums_9 = _S519;
+    var _S520 : f32 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
+    (*_S513).even_hole_0 = _S520;
+    (*_S513).yarns_0 = yarns_over_0(_S510, _S511, _S514);
+    (*_S513).hole_0 = min(_S520 * (*_S513).yarns_0.shares_0.z, 1.0f);
+    (*_S513).correction_weight_0 = correction_weight_of_0(_S516.z);
+    (*_S513).view_7 = _S517;
+    (*_S513).back_5 = _S514;
     return;
 }
 
@@ -2752,47 +2748,47 @@ struct FamilyAlbedos_0
      weft_6 : Albedos_0,
 };
 
-fn albedos_over_0( _S520 : u32,  _S521 : Footprint_0,  _S522 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S521 : u32,  _S522 : Footprint_0,  _S523 : bool) -> FamilyAlbedos_0
 {
-    var _S523 : vec2<f32> = _S521.dx_0;
-    var _S524 : vec2<f32> = _S521.dy_0;
-    var _S525 : vec2<f32> = sqrt(_S523 * _S523 + _S524 * _S524);
-    var _S526 : Stretch_0 = stretch_of_0(fabrics_0[_S520].warp_0, _S521.centre_0.x, _S525.x);
-    var _S527 : Stretch_0 = stretch_of_0(fabrics_0[_S520].weft_0, _S521.centre_0.y, _S525.y);
+    var _S524 : vec2<f32> = _S522.dx_0;
+    var _S525 : vec2<f32> = _S522.dy_0;
+    var _S526 : vec2<f32> = sqrt(_S524 * _S524 + _S525 * _S525);
+    var _S527 : Stretch_0 = stretch_of_0(fabrics_0[_S521].warp_0, _S522.centre_0.x, _S526.x);
+    var _S528 : Stretch_0 = stretch_of_0(fabrics_0[_S521].weft_0, _S522.centre_0.y, _S526.y);
     var albedos_4 : FamilyAlbedos_0;
-    albedos_4.warp_6 = mean_albedos_0(fabrics_0[_S520].warp_0, fabrics_0[_S520].weft_0, _S526, _S527, _S522);
-    albedos_4.weft_6 = mean_albedos_0(fabrics_0[_S520].weft_0, fabrics_0[_S520].warp_0, _S527, _S526, _S522);
+    albedos_4.warp_6 = mean_albedos_0(fabrics_0[_S521].warp_0, fabrics_0[_S521].weft_0, _S527, _S528, _S523);
+    albedos_4.weft_6 = mean_albedos_0(fabrics_0[_S521].weft_0, fabrics_0[_S521].warp_0, _S528, _S527, _S523);
     return albedos_4;
 }
 
-fn toned_0( _S528 : u32,  _S529 : u32,  _S530 : Albedos_0,  _S531 : vec4<f32>) -> Albedos_0
+fn toned_0( _S529 : u32,  _S530 : u32,  _S531 : Albedos_0,  _S532 : vec4<f32>) -> Albedos_0
 {
-    var _S532 : vec3<f32> = _S530.diffuse_reflect_0 + _S530.diffuse_transmit_0;
-    var _S533 : vec3<f32> = vec3<f32>(1.0f);
-    var _S534 : vec3<f32> = _S533 - vec3<f32>(fabrics_0[_S528].layer_bound_0) * max(_S530.specular_reflect_0, _S530.specular_transmit_0);
-    var _S535 : vec3<f32> = vec3<f32>(0.0f);
-    var _S536 : vec3<f32> = max(_S533 - _S532, _S535) / (_S533 + _S532);
-    var _S537 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S538 : vec3<f32> = (_S534 / max(_S532, _S537) - _S533) / max(vec3<f32>(0.89999997615814209f) * _S536, _S537);
-    var _S539 : vec3<f32> = _S533 - vec3<f32>((saturate(min(min(_S538.x, _S538.y), _S538.z)) * _S531.z)) * _S536;
-    var _S540 : vec3<f32> = min(vec3<f32>(families_0[_S529].nep_red_0, families_0[_S529].nep_green_0, families_0[_S529].nep_blue_0), _S534);
-    var found_1 : Albedos_0 = _S530;
-    var _S541 : f32 = _S531.w;
-    var _S542 : vec3<f32> = _S539 * _S530.diffuse_transmit_0 * vec3<f32>((1.0f - _S541));
-    found_1.diffuse_transmit_0 = _S542;
-    found_1.diffuse_reflect_0 = clamp(mix(_S539 * _S530.diffuse_reflect_0, _S540, vec3<f32>(_S541)), _S535, max(_S534 - _S542, _S535));
+    var _S533 : vec3<f32> = _S531.diffuse_reflect_0 + _S531.diffuse_transmit_0;
+    var _S534 : vec3<f32> = vec3<f32>(1.0f);
+    var _S535 : vec3<f32> = _S534 - vec3<f32>(fabrics_0[_S529].layer_bound_0) * max(_S531.specular_reflect_0, _S531.specular_transmit_0);
+    var _S536 : vec3<f32> = vec3<f32>(0.0f);
+    var _S537 : vec3<f32> = max(_S534 - _S533, _S536) / (_S534 + _S533);
+    var _S538 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S539 : vec3<f32> = (_S535 / max(_S533, _S538) - _S534) / max(vec3<f32>(0.89999997615814209f) * _S537, _S538);
+    var _S540 : vec3<f32> = _S534 - vec3<f32>((saturate(min(min(_S539.x, _S539.y), _S539.z)) * _S532.z)) * _S537;
+    var _S541 : vec3<f32> = min(vec3<f32>(families_0[_S530].nep_red_0, families_0[_S530].nep_green_0, families_0[_S530].nep_blue_0), _S535);
+    var found_1 : Albedos_0 = _S531;
+    var _S542 : f32 = _S532.w;
+    var _S543 : vec3<f32> = _S540 * _S531.diffuse_transmit_0 * vec3<f32>((1.0f - _S542));
+    found_1.diffuse_transmit_0 = _S543;
+    found_1.diffuse_reflect_0 = clamp(mix(_S540 * _S531.diffuse_reflect_0, _S541, vec3<f32>(_S542)), _S536, max(_S535 - _S543, _S536));
     return found_1;
 }
 
-fn with_tones_0( _S543 : u32,  _S544 : FamilyAlbedos_0,  _S545 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S544 : u32,  _S545 : FamilyAlbedos_0,  _S546 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S543].is_irregular_0) == u32(0))
+    if((fabrics_0[_S544].is_irregular_0) == u32(0))
     {
-        return _S544;
+        return _S545;
     }
     var result_2 : FamilyAlbedos_0;
-    result_2.warp_6 = toned_0(_S543, fabrics_0[_S543].warp_0, _S544.warp_6, _S545.warp_1);
-    result_2.weft_6 = toned_0(_S543, fabrics_0[_S543].weft_0, _S544.weft_6, _S545.weft_1);
+    result_2.warp_6 = toned_0(_S544, fabrics_0[_S544].warp_0, _S545.warp_6, _S546.warp_1);
+    result_2.weft_6 = toned_0(_S544, fabrics_0[_S544].weft_0, _S545.weft_6, _S546.weft_1);
     return result_2;
 }
 
@@ -2801,13 +2797,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S546 : u32,  _S547 : vec2<u32>) -> f32
+fn visibility_at_0( _S547 : u32,  _S548 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S546 * frame_record_0.height_0 + _S547.y) * frame_record_0.width_0 + _S547.x];
+    return visibilities_0[(_S547 * frame_record_0.height_0 + _S548.y) * frame_record_0.width_0 + _S548.x];
 }
 
 struct LightSample_0
@@ -2817,52 +2813,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S548 : u32,  _S549 : u32) -> vec3<f32>
+fn environment_texel_0( _S549 : u32,  _S550 : u32) -> vec3<f32>
 {
-    var _S550 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S548 * frame_record_0.environment_columns_0 + _S549);
-    return vec3<f32>(scene_number_0(_S550), scene_number_0(_S550 + u32(1)), scene_number_0(_S550 + u32(2)));
+    var _S551 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S549 * frame_record_0.environment_columns_0 + _S550);
+    return vec3<f32>(scene_number_0(_S551), scene_number_0(_S551 + u32(1)), scene_number_0(_S551 + u32(2)));
 }
 
-fn sample_environment_0( _S551 : vec2<f32>,  _S552 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S552 : vec2<f32>,  _S553 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S553 : u32 = frame_record_0.environment_rows_0;
-    var _S554 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S551.y);
-    var _S555 : u32 = frame_record_0.environment_columns_0;
-    var _S556 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S554.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S551.x);
-    var _S557 : vec3<f32> = environment_texel_0(_S554.index_7, _S556.index_7);
-    (*_S552) = _S557 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S557), 9.99999968265522539e-21f)));
-    var _S558 : f32 = 3.14159274101257324f / f32(_S553);
-    var _S559 : f32 = mix(sine_cosine_0(f32(_S554.index_7) * _S558).y, sine_cosine_0(f32(_S554.index_7 + u32(1)) * _S558).y, _S554.remainder_0);
-    var _S560 : f32 = sqrt(max(1.0f - _S559 * _S559, 0.0f));
-    var _S561 : vec2<f32> = sine_cosine_0((f32(_S556.index_7) + _S556.remainder_0) * (6.28318548202514648f / f32(_S555)));
-    var _S562 : f32 = _S560 * _S561.x;
-    var _S563 : f32 = - _S560 * _S561.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S562 + frame_record_0.environment_sine_0 * _S563, _S559, frame_record_0.environment_cosine_0 * _S563 - frame_record_0.environment_sine_0 * _S562);
+    var _S554 : u32 = frame_record_0.environment_rows_0;
+    var _S555 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S552.y);
+    var _S556 : u32 = frame_record_0.environment_columns_0;
+    var _S557 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S555.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S552.x);
+    var _S558 : vec3<f32> = environment_texel_0(_S555.index_7, _S557.index_7);
+    (*_S553) = _S558 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S558), 9.99999968265522539e-21f)));
+    var _S559 : f32 = 3.14159274101257324f / f32(_S554);
+    var _S560 : f32 = mix(sine_cosine_0(f32(_S555.index_7) * _S559).y, sine_cosine_0(f32(_S555.index_7 + u32(1)) * _S559).y, _S555.remainder_0);
+    var _S561 : f32 = sqrt(max(1.0f - _S560 * _S560, 0.0f));
+    var _S562 : vec2<f32> = sine_cosine_0((f32(_S557.index_7) + _S557.remainder_0) * (6.28318548202514648f / f32(_S556)));
+    var _S563 : f32 = _S561 * _S562.x;
+    var _S564 : f32 = - _S561 * _S562.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S563 + frame_record_0.environment_sine_0 * _S564, _S560, frame_record_0.environment_cosine_0 * _S564 - frame_record_0.environment_sine_0 * _S563);
 }
 
-fn light_sample_0( _S564 : u32,  _S565 : vec2<u32>,  _S566 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S565 : u32,  _S566 : vec2<u32>,  _S567 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S567 : u32 = frame_record_0.lights_0;
-    if(_S564 >= (frame_record_0.lights_0))
+    var _S568 : u32 = frame_record_0.lights_0;
+    if(_S565 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S568 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S565, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S564 - _S567), u32(3)), &(weight_3));
-        sample_0.towards_0 = _S568;
+        var _S569 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S566, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S565 - _S568), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S569;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S569 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S564);
-    sample_0.irradiance_1 = vec3<f32>(_S569.red_0, _S569.green_0, _S569.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S569.x_9, _S569.y_1, _S569.z_1);
-    if((_S569.is_point_0) != u32(0))
+    var _S570 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S565);
+    sample_0.irradiance_1 = vec3<f32>(_S570.red_0, _S570.green_0, _S570.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S570.x_9, _S570.y_1, _S570.z_1);
+    if((_S570.is_point_0) != u32(0))
     {
-        var _S570 : vec3<f32> = sample_0.towards_0 - _S566;
-        var _S571 : f32 = max(square_0(_S570), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S571);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S571);
-        sample_0.towards_0 = normalize(_S570);
+        var _S571 : vec3<f32> = sample_0.towards_0 - _S567;
+        var _S572 : f32 = max(square_0(_S571), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S572);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S572);
+        sample_0.towards_0 = normalize(_S571);
     }
     return sample_0;
 }
@@ -2877,16 +2873,16 @@ struct Components_0
      hole_2 : f32,
 };
 
-fn code_light_0( _S572 : u32,  _S573 : vec3<f32>,  _S574 : vec3<f32>,  _S575 : bool,  _S576 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S573 : u32,  _S574 : vec3<f32>,  _S575 : vec3<f32>,  _S576 : bool,  _S577 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S576)[i32(0)] = _S573.x;
-    (*_S576)[i32(1)] = _S573.y;
-    (*_S576)[i32(2)] = _S573.z;
-    var _S577 : vec3<f32> = _S573 + _S574;
-    var _S578 : f32 = _S577.z;
-    var _S579 : f32 = _S578 * _S578 + 0.00009999999747379f;
-    var _S580 : vec2<f32> = _S577.xy;
-    var _S581 : f32 = 1.0f / (dot(_S580, _S580) + _S579);
+    (*_S577)[i32(0)] = _S574.x;
+    (*_S577)[i32(1)] = _S574.y;
+    (*_S577)[i32(2)] = _S574.z;
+    var _S578 : vec3<f32> = _S574 + _S575;
+    var _S579 : f32 = _S578.z;
+    var _S580 : f32 = _S579 * _S579 + 0.00009999999747379f;
+    var _S581 : vec2<f32> = _S578.xy;
+    var _S582 : f32 = 1.0f / (dot(_S581, _S581) + _S580);
     var family_16 : i32 = i32(0);
     for(;;)
     {
@@ -2897,12 +2893,12 @@ fn code_light_0( _S572 : u32,  _S573 : vec3<f32>,  _S574 : vec3<f32>,  _S575 : b
         {
             break;
         }
-        var _S582 : vec3<f32> = crown_fibres_0(_S572, family_16 == i32(0), _S575);
-        var _S583 : vec2<f32> = _S582.xy;
-        (*_S576)[i32(3) + family_16] = dot(_S583, _S573.xy);
-        var _S584 : f32 = dot(_S583, _S580);
-        var _S585 : f32 = _S584 * _S584;
-        var _S586 : f32 = (0.75f * _S584 / (0.5f * sqrt(_S585 + _S579) + abs(_S584)) + 0.5f) * 8.0f;
+        var _S583 : vec3<f32> = crown_fibres_0(_S573, family_16 == i32(0), _S576);
+        var _S584 : vec2<f32> = _S583.xy;
+        (*_S577)[i32(3) + family_16] = dot(_S584, _S574.xy);
+        var _S585 : f32 = dot(_S584, _S581);
+        var _S586 : f32 = _S585 * _S585;
+        var _S587 : f32 = (0.75f * _S585 / (0.5f * sqrt(_S586 + _S580) + abs(_S585)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -2913,26 +2909,26 @@ fn code_light_0( _S572 : u32,  _S573 : vec3<f32>,  _S574 : vec3<f32>,  _S575 : b
             {
                 break;
             }
-            (*_S576)[i32(5) + family_16 * i32(16) + bin_1] = bump_0(_S586 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S577)[i32(5) + family_16 * i32(16) + bin_1] = bump_0(_S587 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S587 : f32 = _S582.z;
-        var _S588 : f32 = _S587 * _S587;
-        var _S589 : f32 = _S585 * _S581 * (1.0f - _S588) + _S588;
-        (*_S576)[i32(37) + family_16] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S588 * _S587 / (_S589 * _S589));
+        var _S588 : f32 = _S583.z;
+        var _S589 : f32 = _S588 * _S588;
+        var _S590 : f32 = _S586 * _S582 * (1.0f - _S589) + _S589;
+        (*_S577)[i32(37) + family_16] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S589 * _S588 / (_S590 * _S590));
         family_16 = family_16 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S590 : u32,  _S591 : u32,  _S592 : u32,  _S593 : vec3<f32>,  _S594 : vec3<f32>,  _S595 : bool,  _S596 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S591 : u32,  _S592 : u32,  _S593 : u32,  _S594 : vec3<f32>,  _S595 : vec3<f32>,  _S596 : bool,  _S597 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S597 : vec3<f32> = _S593 + _S594;
-    var _S598 : f32 = 1.0f / (square_0(_S597) + 0.00009999999747379f);
-    var _S599 : f32 = _S597.x;
-    var _S600 : f32 = select(_S599, - _S599, ((_S591 == u32(0)) & (_S595)));
-    var _S601 : f32 = _S597.y;
-    var _S602 : f32 = select(_S601, - _S601, ((_S591 == u32(1)) & (_S595)));
+    var _S598 : vec3<f32> = _S594 + _S595;
+    var _S599 : f32 = 1.0f / (square_0(_S598) + 0.00009999999747379f);
+    var _S600 : f32 = _S598.x;
+    var _S601 : f32 = select(_S600, - _S600, ((_S592 == u32(0)) & (_S596)));
+    var _S602 : f32 = _S598.y;
+    var _S603 : f32 = select(_S602, - _S602, ((_S592 == u32(1)) & (_S596)));
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
     for(;;)
@@ -2944,42 +2940,42 @@ fn mixed_bundles_0( _S590 : u32,  _S591 : u32,  _S592 : u32,  _S593 : vec3<f32>,
         {
             break;
         }
-        var _S603 : u32 = _S591 * u32(25);
-        var _S604 : u32 = fabrics_0[_S590].neural_0.bundles_0 + u32(4) * (_S603 + bundle_1);
-        var _S605 : f32 = dot(vec3<f32>(table_number_0(_S604), table_number_0(_S604 + u32(1)), table_number_0(_S604 + u32(2))), vec3<f32>(_S600, _S602, _S597.z));
-        var _S606 : f32 = _S605 * _S605 * _S598 + table_number_0(_S604 + u32(3));
-        var sum_3 : f32 = sum_2 + max((*_S596)[_S592 + _S603 + select(bundle_1, mirrored_bundle_0(bundle_1), _S595)], (*_S596)[_S592 + _S603 + select(bundle_1, mirrored_bundle_0(bundle_1), _S595)] * 0.00999999977648258f) / (_S606 * _S606);
+        var _S604 : u32 = _S592 * u32(25);
+        var _S605 : u32 = fabrics_0[_S591].neural_0.bundles_0 + u32(4) * (_S604 + bundle_1);
+        var _S606 : f32 = dot(vec3<f32>(table_number_0(_S605), table_number_0(_S605 + u32(1)), table_number_0(_S605 + u32(2))), vec3<f32>(_S601, _S603, _S598.z));
+        var _S607 : f32 = _S606 * _S606 * _S599 + table_number_0(_S605 + u32(3));
+        var sum_3 : f32 = sum_2 + max((*_S597)[_S593 + _S604 + select(bundle_1, mirrored_bundle_0(bundle_1), _S596)], (*_S597)[_S593 + _S604 + select(bundle_1, mirrored_bundle_0(bundle_1), _S596)] * 0.00999999977648258f) / (_S607 * _S607);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn with_shares_0( _S607 : u32,  _S608 : Components_0,  _S609 : Yarns_0) -> Components_0
+fn with_shares_0( _S608 : u32,  _S609 : Components_0,  _S610 : Yarns_0) -> Components_0
 {
     var result_3 : Components_0;
-    var _S610 : f32 = min(_S608.hole_2 * _S609.shares_0.z, 1.0f);
-    result_3.hole_2 = _S610;
-    var _S611 : f32 = _S609.shares_0.x;
-    result_3.diffuse_warp_0 = _S608.diffuse_warp_0 * _S611;
-    var _S612 : f32 = _S609.shares_0.y;
-    result_3.diffuse_weft_0 = _S608.diffuse_weft_0 * _S612;
-    result_3.specular_warp_0 = _S608.specular_warp_0 * _S611;
-    result_3.specular_weft_0 = _S608.specular_weft_0 * _S612;
-    result_3.light_visibility_1 = _S608.light_visibility_1 * select(1.0f, (1.0f - _S610) / max(1.0f - _S608.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S607].is_irregular_0) != u32(0));
+    var _S611 : f32 = min(_S609.hole_2 * _S610.shares_0.z, 1.0f);
+    result_3.hole_2 = _S611;
+    var _S612 : f32 = _S610.shares_0.x;
+    result_3.diffuse_warp_0 = _S609.diffuse_warp_0 * _S612;
+    var _S613 : f32 = _S610.shares_0.y;
+    result_3.diffuse_weft_0 = _S609.diffuse_weft_0 * _S613;
+    result_3.specular_warp_0 = _S609.specular_warp_0 * _S612;
+    result_3.specular_weft_0 = _S609.specular_weft_0 * _S613;
+    result_3.light_visibility_1 = _S609.light_visibility_1 * select(1.0f, (1.0f - _S611) / max(1.0f - _S609.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S608].is_irregular_0) != u32(0));
     return result_3;
 }
 
-fn neural_components_0( _S613 : u32,  _S614 : ptr<function, NeuralView_0>,  _S615 : vec3<f32>) -> Components_0
+fn neural_components_0( _S614 : u32,  _S615 : ptr<function, NeuralView_0>,  _S616 : vec3<f32>) -> Components_0
 {
-    var _S616 : bool = (*_S614).back_5;
-    var _S617 : vec3<f32> = to_face_frame_0(_S615, (*_S614).back_5);
-    var _S618 : vec3<f32> = (*_S614).view_7;
+    var _S617 : bool = (*_S615).back_5;
+    var _S618 : vec3<f32> = to_face_frame_0(_S616, (*_S615).back_5);
+    var _S619 : vec3<f32> = (*_S615).view_7;
     var weights_24 : HalfWeights_0;
-    var _S619 : Neural_std430_0 = fabrics_0[_S613].neural_0;
-    weights_24.first_2 = fabrics_0[_S613].neural_0.network_0;
+    var _S620 : Neural_std430_0 = fabrics_0[_S614].neural_0;
+    weights_24.first_2 = fabrics_0[_S614].neural_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S613, _S617, (*_S614).view_7, (*_S614).back_5, &(directions_0));
+    code_light_0(_S614, _S618, (*_S615).view_7, (*_S615).back_5, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -2991,7 +2987,7 @@ fn neural_components_0( _S613 : u32,  _S614 : ptr<function, NeuralView_0>,  _S61
         {
             break;
         }
-        skip_0[k_1] = (*_S614).sums_9[k_1];
+        skip_0[k_1] = (*_S615).sums_9[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
@@ -3051,27 +3047,27 @@ fn neural_components_0( _S613 : u32,  _S614 : ptr<function, NeuralView_0>,  _S61
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(7700), false, &(hidden_2), &(outputs_17));
-    var _S620 : bool;
-    if((_S619.is_corrected_0) != u32(0))
+    var _S621 : bool;
+    if((_S620.is_corrected_0) != u32(0))
     {
-        _S620 = (_S617.z) > 0.0f;
+        _S621 = (_S618.z) > 0.0f;
     }
     else
     {
-        _S620 = false;
+        _S621 = false;
     }
-    if(_S620)
+    if(_S621)
     {
-        _S620 = ((*_S614).correction_weight_0) > 0.0f;
+        _S621 = ((*_S615).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S620 = false;
+        _S621 = false;
     }
-    if(_S620)
+    if(_S621)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S619.correction_0;
+        fitted_0.first_0 = _S620.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -3084,114 +3080,114 @@ fn neural_components_0( _S613 : u32,  _S614 : ptr<function, NeuralView_0>,  _S61
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S614).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S615).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    var _S621 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S617.z) > 0.0f);
+    var _S622 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S618.z) > 0.0f);
     var result_4 : Components_0;
-    var _S622 : f32 = unmapped_0(outputs_17[i32(0)], _S621);
-    result_4.diffuse_warp_0 = _S622;
-    var _S623 : f32 = unmapped_0(outputs_17[i32(1)], _S621);
-    result_4.diffuse_weft_0 = _S623;
-    var _S624 : f32 = 2979.9580078125f * _S621;
-    var _S625 : f32 = mixed_bundles_0(_S613, u32(0), u32(2), _S617, _S618, _S616, &(outputs_17));
-    result_4.specular_warp_0 = clamp(_S625, 0.0f, _S624);
-    var _S626 : f32 = mixed_bundles_0(_S613, u32(1), u32(2), _S617, _S618, _S616, &(outputs_17));
-    result_4.specular_weft_0 = clamp(_S626, 0.0f, _S624);
-    result_4.hole_2 = (*_S614).even_hole_0;
-    result_4.light_visibility_1 = min(light_visibility_of_0(_S622 + _S623, _S617, _S618, fabrics_0[_S613].diffuse_blend_0), 1.0f - (*_S614).even_hole_0);
-    return with_shares_0(_S613, result_4, (*_S614).yarns_0);
+    var _S623 : f32 = unmapped_0(outputs_17[i32(0)], _S622);
+    result_4.diffuse_warp_0 = _S623;
+    var _S624 : f32 = unmapped_0(outputs_17[i32(1)], _S622);
+    result_4.diffuse_weft_0 = _S624;
+    var _S625 : f32 = 2979.9580078125f * _S622;
+    var _S626 : f32 = mixed_bundles_0(_S614, u32(0), u32(2), _S618, _S619, _S617, &(outputs_17));
+    result_4.specular_warp_0 = clamp(_S626, 0.0f, _S625);
+    var _S627 : f32 = mixed_bundles_0(_S614, u32(1), u32(2), _S618, _S619, _S617, &(outputs_17));
+    result_4.specular_weft_0 = clamp(_S627, 0.0f, _S625);
+    result_4.hole_2 = (*_S615).even_hole_0;
+    result_4.light_visibility_1 = min(light_visibility_of_0(_S623 + _S624, _S618, _S619, fabrics_0[_S614].diffuse_blend_0), 1.0f - (*_S615).even_hole_0);
+    return with_shares_0(_S614, result_4, (*_S615).yarns_0);
 }
 
-fn openness_number_0( _S627 : u32,  _S628 : u32) -> f32
+fn openness_number_0( _S628 : u32,  _S629 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S627].openness_0 + _S628);
+    return table_number_0(fabrics_0[_S628].openness_0 + _S629);
 }
 
-fn scattered_by_0( _S629 : u32,  _S630 : Albedos_0,  _S631 : u32,  _S632 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S630 : u32,  _S631 : Albedos_0,  _S632 : u32,  _S633 : vec3<f32>) -> Scattered_0
 {
-    var _S633 : u32 = u32(159) + u32(2) * _S631;
+    var _S634 : u32 = u32(159) + u32(2) * _S632;
     var yarn_2 : Scattered_0;
-    yarn_2.back_4 = _S632 * _S630.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S629, _S633)) * _S630.specular_reflect_0;
-    yarn_2.through_0 = _S632 * _S630.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S629, _S633 + u32(1))) * _S630.specular_transmit_0;
+    yarn_2.back_4 = _S633 * _S631.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S630, _S634)) * _S631.specular_reflect_0;
+    yarn_2.through_0 = _S633 * _S631.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S630, _S634 + u32(1))) * _S631.specular_transmit_0;
     return yarn_2;
 }
 
-fn sent_0( _S634 : u32,  _S635 : u32,  _S636 : vec3<f32>,  _S637 : vec3<f32>,  _S638 : vec3<f32>,  _S639 : vec3<f32>,  _S640 : ptr<function, vec3<f32>>,  _S641 : ptr<function, vec3<f32>>)
+fn sent_0( _S635 : u32,  _S636 : u32,  _S637 : vec3<f32>,  _S638 : vec3<f32>,  _S639 : vec3<f32>,  _S640 : vec3<f32>,  _S641 : ptr<function, vec3<f32>>,  _S642 : ptr<function, vec3<f32>>)
 {
-    var _S642 : u32 = u32(146) + u32(4) * _S635;
-    var _S643 : f32 = openness_number_0(_S634, _S642 + u32(1));
-    var _S644 : f32 = openness_number_0(_S634, _S642 + u32(2));
-    var _S645 : vec3<f32> = vec3<f32>(1.0f);
-    var _S646 : vec3<f32> = _S645 - _S638 * vec3<f32>(openness_number_0(_S634, _S642));
-    var _S647 : vec3<f32> = _S645 - _S639 * vec3<f32>(openness_number_0(_S634, _S642 + u32(3)));
-    var _S648 : vec3<f32> = _S645 / (_S646 * _S647 - _S638 * _S639 * vec3<f32>((_S643 * _S644)));
-    (*_S640) = (_S636 * _S647 + _S638 * vec3<f32>(_S643) * _S637) * _S648;
-    (*_S641) = (_S637 * _S646 + _S639 * vec3<f32>(_S644) * _S636) * _S648;
+    var _S643 : u32 = u32(146) + u32(4) * _S636;
+    var _S644 : f32 = openness_number_0(_S635, _S643 + u32(1));
+    var _S645 : f32 = openness_number_0(_S635, _S643 + u32(2));
+    var _S646 : vec3<f32> = vec3<f32>(1.0f);
+    var _S647 : vec3<f32> = _S646 - _S639 * vec3<f32>(openness_number_0(_S635, _S643));
+    var _S648 : vec3<f32> = _S646 - _S640 * vec3<f32>(openness_number_0(_S635, _S643 + u32(3)));
+    var _S649 : vec3<f32> = _S646 / (_S647 * _S648 - _S639 * _S640 * vec3<f32>((_S644 * _S645)));
+    (*_S641) = (_S637 * _S648 + _S639 * vec3<f32>(_S644) * _S638) * _S649;
+    (*_S642) = (_S638 * _S647 + _S640 * vec3<f32>(_S645) * _S637) * _S649;
     return;
 }
 
-fn face_sends_0( _S649 : u32,  _S650 : u32,  _S651 : Scattered_0,  _S652 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S650 : u32,  _S651 : u32,  _S652 : Scattered_0,  _S653 : Scattered_0) -> FaceSends_0
 {
-    var _S653 : u32 = u32(2) * _S650;
-    var _S654 : u32 = u32(142) + _S653;
-    var _S655 : f32 = openness_number_0(_S649, _S654);
-    var _S656 : f32 = openness_number_0(_S649, _S654 + u32(1));
-    var _S657 : vec3<f32> = vec3<f32>((1.0f - _S655)) * _S651.back_4;
+    var _S654 : u32 = u32(2) * _S651;
+    var _S655 : u32 = u32(142) + _S654;
+    var _S656 : f32 = openness_number_0(_S650, _S655);
+    var _S657 : f32 = openness_number_0(_S650, _S655 + u32(1));
     var _S658 : vec3<f32> = vec3<f32>((1.0f - _S656)) * _S652.back_4;
+    var _S659 : vec3<f32> = vec3<f32>((1.0f - _S657)) * _S653.back_4;
     var sends_1 : FaceSends_0;
-    var _S659 : u32 = u32(154) + _S653;
-    var _S660 : f32 = openness_number_0(_S649, _S659);
-    sends_1.blocks_warp_0 = _S660;
-    var _S661 : f32 = openness_number_0(_S649, _S659 + u32(1));
-    sends_1.blocks_weft_0 = _S661;
-    sends_1.open_0 = _S660 * _S655 + _S661 * _S656;
-    var _S662 : vec3<f32> = vec3<f32>(_S655) * _S651.back_4;
+    var _S660 : u32 = u32(154) + _S654;
+    var _S661 : f32 = openness_number_0(_S650, _S660);
+    sends_1.blocks_warp_0 = _S661;
+    var _S662 : f32 = openness_number_0(_S650, _S660 + u32(1));
+    sends_1.blocks_weft_0 = _S662;
+    sends_1.open_0 = _S661 * _S656 + _S662 * _S657;
     var _S663 : vec3<f32> = vec3<f32>(_S656) * _S652.back_4;
-    var _S664 : vec3<f32> = sends_1.sky_warp_0;
-    var _S665 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S649, _S650, _S662, _S663, _S657, _S658, &(_S664), &(_S665));
-    sends_1.sky_warp_0 = _S664;
-    sends_1.sky_weft_0 = _S665;
-    var _S666 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S667 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S649, _S650, _S651.through_0, _S652.through_0, _S657, _S658, &(_S666), &(_S667));
-    sends_1.crossing_warp_0 = _S666;
-    sends_1.crossing_weft_0 = _S667;
+    var _S664 : vec3<f32> = vec3<f32>(_S657) * _S653.back_4;
+    var _S665 : vec3<f32> = sends_1.sky_warp_0;
+    var _S666 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S650, _S651, _S663, _S664, _S658, _S659, &(_S665), &(_S666));
+    sends_1.sky_warp_0 = _S665;
+    sends_1.sky_weft_0 = _S666;
+    var _S667 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S668 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S650, _S651, _S652.through_0, _S653.through_0, _S658, _S659, &(_S667), &(_S668));
+    sends_1.crossing_warp_0 = _S667;
+    sends_1.crossing_weft_0 = _S668;
     return sends_1;
 }
 
-fn interior_of_0( _S668 : u32,  _S669 : vec3<f32>,  _S670 : bool) -> Interior_0
+fn interior_of_0( _S669 : u32,  _S670 : vec3<f32>,  _S671 : bool) -> Interior_0
 {
-    var _S671 : Scattered_0 = scattered_by_0(_S668, table_albedos_0(families_0[fabrics_0[_S668].warp_0].colour_mean_0), u32(0), _S669);
-    var _S672 : Scattered_0 = scattered_by_0(_S668, table_albedos_0(families_0[fabrics_0[_S668].weft_0].colour_mean_0), u32(1), _S669);
-    var _S673 : FaceSends_0 = face_sends_0(_S668, select(u32(0), u32(1), _S670), _S671, _S672);
-    var _S674 : FaceSends_0 = face_sends_0(_S668, select(u32(1), u32(0), _S670), _S671, _S672);
-    var _S675 : vec3<f32> = vec3<f32>(_S673.blocks_warp_0);
-    var _S676 : vec3<f32> = vec3<f32>(_S673.blocks_weft_0);
-    var _S677 : vec3<f32> = _S675 * _S673.crossing_warp_0 + _S676 * _S673.crossing_weft_0;
-    var _S678 : vec3<f32> = vec3<f32>(_S674.blocks_warp_0);
-    var _S679 : vec3<f32> = vec3<f32>(_S674.blocks_weft_0);
-    var _S680 : vec3<f32> = _S678 * _S674.crossing_warp_0 + _S679 * _S674.crossing_weft_0;
-    var _S681 : f32 = 1.0f - _S673.open_0;
+    var _S672 : Scattered_0 = scattered_by_0(_S669, table_albedos_0(families_0[fabrics_0[_S669].warp_0].colour_mean_0), u32(0), _S670);
+    var _S673 : Scattered_0 = scattered_by_0(_S669, table_albedos_0(families_0[fabrics_0[_S669].weft_0].colour_mean_0), u32(1), _S670);
+    var _S674 : FaceSends_0 = face_sends_0(_S669, select(u32(0), u32(1), _S671), _S672, _S673);
+    var _S675 : FaceSends_0 = face_sends_0(_S669, select(u32(1), u32(0), _S671), _S672, _S673);
+    var _S676 : vec3<f32> = vec3<f32>(_S674.blocks_warp_0);
+    var _S677 : vec3<f32> = vec3<f32>(_S674.blocks_weft_0);
+    var _S678 : vec3<f32> = _S676 * _S674.crossing_warp_0 + _S677 * _S674.crossing_weft_0;
+    var _S679 : vec3<f32> = vec3<f32>(_S675.blocks_warp_0);
+    var _S680 : vec3<f32> = vec3<f32>(_S675.blocks_weft_0);
+    var _S681 : vec3<f32> = _S679 * _S675.crossing_warp_0 + _S680 * _S675.crossing_weft_0;
     var _S682 : f32 = 1.0f - _S674.open_0;
-    var _S683 : vec3<f32> = vec3<f32>(1.0f);
-    var _S684 : vec3<f32> = _S683 / (_S683 - _S677 * _S680 * vec3<f32>((_S681 * _S682)));
-    var _S685 : vec3<f32> = _S680 * (vec3<f32>(_S673.open_0) + vec3<f32>(_S681) * (_S675 * _S673.sky_warp_0 + _S676 * _S673.sky_weft_0)) * _S684;
-    var _S686 : vec3<f32> = _S677 * (vec3<f32>(_S674.open_0) + vec3<f32>(_S682) * (_S678 * _S674.sky_warp_0 + _S679 * _S674.sky_weft_0)) * _S684;
-    var _S687 : FaceRadiance_0 = face_radiance_0(_S673, _S674.open_0, _S685, _S686);
-    var _S688 : FaceRadiance_0 = face_radiance_0(_S674, _S673.open_0, _S686, _S685);
+    var _S683 : f32 = 1.0f - _S675.open_0;
+    var _S684 : vec3<f32> = vec3<f32>(1.0f);
+    var _S685 : vec3<f32> = _S684 / (_S684 - _S678 * _S681 * vec3<f32>((_S682 * _S683)));
+    var _S686 : vec3<f32> = _S681 * (vec3<f32>(_S674.open_0) + vec3<f32>(_S682) * (_S676 * _S674.sky_warp_0 + _S677 * _S674.sky_weft_0)) * _S685;
+    var _S687 : vec3<f32> = _S678 * (vec3<f32>(_S675.open_0) + vec3<f32>(_S683) * (_S679 * _S675.sky_warp_0 + _S680 * _S675.sky_weft_0)) * _S685;
+    var _S688 : FaceRadiance_0 = face_radiance_0(_S674, _S675.open_0, _S686, _S687);
+    var _S689 : FaceRadiance_0 = face_radiance_0(_S675, _S674.open_0, _S687, _S686);
     var interior_1 : Interior_0;
-    interior_1.warp_5 = _S687.warp_4;
-    interior_1.weft_5 = _S687.weft_4;
-    interior_1.leaked_1 = _S687.leaked_0;
-    interior_1.far_1 = _S688.mean_1;
-    interior_1.far_leaked_0 = _S688.leaked_0;
+    interior_1.warp_5 = _S688.warp_4;
+    interior_1.weft_5 = _S688.weft_4;
+    interior_1.leaked_1 = _S688.leaked_0;
+    interior_1.far_1 = _S689.mean_1;
+    interior_1.far_leaked_0 = _S689.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S689 : u32,  _S690 : u32,  _S691 : array<f32, i32(6)>,  _S692 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S690 : u32,  _S691 : u32,  _S692 : array<f32, i32(6)>,  _S693 : u32) -> Blocked_0
 {
     var shares_2 : array<f32, i32(3)>;
     var share_2 : u32 = u32(0);
@@ -3208,14 +3204,14 @@ fn blocked_of_terms_0( _S689 : u32,  _S690 : u32,  _S691 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S692)
+            if(term_0 < _S693)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_2] = shares_2[share_2] + openness_number_0(_S689, _S690 + share_2 * _S692 + term_0) * _S691[term_0];
+            shares_2[share_2] = shares_2[share_2] + openness_number_0(_S690, _S691 + share_2 * _S693 + term_0) * _S692[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_2[share_2] = saturate(shares_2[share_2]);
@@ -3228,17 +3224,17 @@ fn blocked_of_terms_0( _S689 : u32,  _S690 : u32,  _S691 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_from_0( _S693 : u32,  _S694 : vec3<f32>,  _S695 : bool,  _S696 : bool) -> Blocked_0
+fn blocked_from_0( _S694 : u32,  _S695 : vec3<f32>,  _S696 : bool,  _S697 : bool) -> Blocked_0
 {
     var terms_2 : array<f32, i32(6)>;
-    view_terms_0(_S694, &(terms_2));
-    return blocked_of_terms_0(_S693, (select(u32(0), u32(2), _S696) + select(u32(1), u32(0), _S695)) * u32(15), terms_2, u32(5));
+    view_terms_0(_S695, &(terms_2));
+    return blocked_of_terms_0(_S694, (select(u32(0), u32(2), _S697) + select(u32(1), u32(0), _S696)) * u32(15), terms_2, u32(5));
 }
 
-fn warp_seen_from_0( _S697 : u32,  _S698 : vec3<f32>,  _S699 : bool) -> f32
+fn warp_seen_from_0( _S698 : u32,  _S699 : vec3<f32>,  _S700 : bool) -> f32
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_1(_S698, &(terms_3));
+    view_terms_1(_S699, &(terms_3));
     var term_1 : u32 = u32(0);
     var share_3 : f32 = 0.0f;
     for(;;)
@@ -3250,90 +3246,90 @@ fn warp_seen_from_0( _S697 : u32,  _S698 : vec3<f32>,  _S699 : bool) -> f32
         {
             break;
         }
-        var share_4 : f32 = share_3 + openness_number_0(_S697, u32(132) + select(u32(0), u32(5), _S699) + term_1) * terms_3[term_1];
+        var share_4 : f32 = share_3 + openness_number_0(_S698, u32(132) + select(u32(0), u32(5), _S700) + term_1) * terms_3[term_1];
         term_1 = term_1 + u32(1);
         share_3 = share_4;
     }
     return saturate(share_3);
 }
 
-fn bounced_of_families_0( _S700 : u32,  _S701 : FamilyAlbedos_0,  _S702 : vec3<f32>,  _S703 : Interior_0,  _S704 : Blocked_0,  _S705 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S701 : u32,  _S702 : FamilyAlbedos_0,  _S703 : vec3<f32>,  _S704 : Interior_0,  _S705 : Blocked_0,  _S706 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S704, scattered_by_0(_S700, _S701.warp_6, u32(0), _S702), _S703), bounced_by_0(_S705, scattered_by_0(_S700, _S701.weft_6, u32(1), _S702), _S703));
+    return sum_of_0(bounced_by_0(_S705, scattered_by_0(_S701, _S702.warp_6, u32(0), _S703), _S704), bounced_by_0(_S706, scattered_by_0(_S701, _S702.weft_6, u32(1), _S703), _S704));
 }
 
-fn bounced_far_0( _S706 : u32,  _S707 : FamilyAlbedos_0,  _S708 : vec3<f32>,  _S709 : Interior_0,  _S710 : vec3<f32>,  _S711 : bool,  _S712 : f32,  _S713 : f32,  _S714 : f32) -> Bounced_0
+fn bounced_far_0( _S707 : u32,  _S708 : FamilyAlbedos_0,  _S709 : vec3<f32>,  _S710 : Interior_0,  _S711 : vec3<f32>,  _S712 : bool,  _S713 : f32,  _S714 : f32,  _S715 : f32) -> Bounced_0
 {
-    var _S715 : Blocked_0 = blocked_from_0(_S706, _S710, true, _S711);
-    var _S716 : Blocked_0 = blocked_from_0(_S706, _S710, false, _S711);
-    var _S717 : f32 = _S712 / max(1.0f - _S715.by_warp_0 - _S715.by_weft_0, 0.10000000149011612f);
-    var _S718 : f32 = (0.0020000000949949f * warp_seen_from_0(_S706, _S710, _S711) + _S717) / (_S717 + _S713 / max(1.0f - _S716.by_warp_0 - _S716.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S719 : f32 = 1.0f - _S714;
-    return bounced_of_families_0(_S706, _S707, _S708, _S709, scaled_0(_S715, _S718 * _S719), scaled_0(_S716, (1.0f - _S718) * _S719));
+    var _S716 : Blocked_0 = blocked_from_0(_S707, _S711, true, _S712);
+    var _S717 : Blocked_0 = blocked_from_0(_S707, _S711, false, _S712);
+    var _S718 : f32 = _S713 / max(1.0f - _S716.by_warp_0 - _S716.by_weft_0, 0.10000000149011612f);
+    var _S719 : f32 = (0.0020000000949949f * warp_seen_from_0(_S707, _S711, _S712) + _S718) / (_S718 + _S714 / max(1.0f - _S717.by_warp_0 - _S717.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S720 : f32 = 1.0f - _S715;
+    return bounced_of_families_0(_S707, _S708, _S709, _S710, scaled_0(_S716, _S719 * _S720), scaled_0(_S717, (1.0f - _S719) * _S720));
 }
 
-fn bounced_over_0( _S720 : u32,  _S721 : Components_0,  _S722 : CloseUp_0,  _S723 : FamilyAlbedos_0,  _S724 : vec3<f32>,  _S725 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S721 : u32,  _S722 : Components_0,  _S723 : CloseUp_0,  _S724 : FamilyAlbedos_0,  _S725 : vec3<f32>,  _S726 : vec3<f32>) -> Bounced_0
 {
-    var _S726 : bool = (_S725.z) < 0.0f;
-    var _S727 : Interior_0 = interior_of_0(_S720, _S724, _S726);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S720, _S723, _S724, _S727, to_face_frame_0(_S725, _S726), _S726, _S721.diffuse_warp_0, _S721.diffuse_weft_0, _S721.hole_2);
-    if((_S722.weight_2) > 0.0f)
+    var _S727 : bool = (_S726.z) < 0.0f;
+    var _S728 : Interior_0 = interior_of_0(_S721, _S725, _S727);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S721, _S724, _S725, _S728, to_face_frame_0(_S726, _S727), _S727, _S722.diffuse_warp_0, _S722.diffuse_weft_0, _S722.hole_2);
+    if((_S723.weight_2) > 0.0f)
     {
-        var _S728 : Bounced_0 = bounced_of_families_0(_S720, _S723, _S724, _S727, _S722.warp_3, _S722.weft_3);
-        var _S729 : vec3<f32> = vec3<f32>(_S722.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S728.reflected_0, _S729);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S728.transmitted_0, _S729);
+        var _S729 : Bounced_0 = bounced_of_families_0(_S721, _S724, _S725, _S728, _S723.warp_3, _S723.weft_3);
+        var _S730 : vec3<f32> = vec3<f32>(_S723.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S729.reflected_0, _S730);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S729.transmitted_0, _S730);
     }
     return bounced_2;
 }
 
-fn composed_0( _S730 : u32,  _S731 : Components_0,  _S732 : CloseUp_0,  _S733 : FamilyAlbedos_0,  _S734 : vec3<f32>,  _S735 : vec3<f32>,  _S736 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S731 : u32,  _S732 : Components_0,  _S733 : CloseUp_0,  _S734 : FamilyAlbedos_0,  _S735 : vec3<f32>,  _S736 : vec3<f32>,  _S737 : vec3<f32>) -> vec3<f32>
 {
-    var _S737 : Albedos_0 = tinted_0(_S733.warp_6, _S734);
-    var _S738 : Albedos_0 = tinted_0(_S733.weft_6, _S734);
-    var _S739 : vec3<f32> = vec3<f32>(_S731.diffuse_warp_0);
-    var _S740 : vec3<f32> = vec3<f32>(_S731.diffuse_weft_0);
-    var _S741 : vec3<f32> = vec3<f32>(_S731.specular_warp_0);
-    var _S742 : vec3<f32> = vec3<f32>(_S731.specular_weft_0);
-    var _S743 : vec3<f32> = _S737.diffuse_reflect_0 * _S739 + _S738.diffuse_reflect_0 * _S740 + _S737.specular_reflect_0 * _S741 + _S738.specular_reflect_0 * _S742;
-    var _S744 : f32 = _S736.z;
+    var _S738 : Albedos_0 = tinted_0(_S734.warp_6, _S735);
+    var _S739 : Albedos_0 = tinted_0(_S734.weft_6, _S735);
+    var _S740 : vec3<f32> = vec3<f32>(_S732.diffuse_warp_0);
+    var _S741 : vec3<f32> = vec3<f32>(_S732.diffuse_weft_0);
+    var _S742 : vec3<f32> = vec3<f32>(_S732.specular_warp_0);
+    var _S743 : vec3<f32> = vec3<f32>(_S732.specular_weft_0);
+    var _S744 : vec3<f32> = _S738.diffuse_reflect_0 * _S740 + _S739.diffuse_reflect_0 * _S741 + _S738.specular_reflect_0 * _S742 + _S739.specular_reflect_0 * _S743;
+    var _S745 : f32 = _S737.z;
     var body_0 : vec3<f32>;
-    if((_S735.z * _S744) < 0.0f)
+    if((_S736.z * _S745) < 0.0f)
     {
-        body_0 = _S737.diffuse_transmit_0 * _S739 + _S738.diffuse_transmit_0 * _S740 + _S737.specular_transmit_0 * _S741 + _S738.specular_transmit_0 * _S742;
+        body_0 = _S738.diffuse_transmit_0 * _S740 + _S739.diffuse_transmit_0 * _S741 + _S738.specular_transmit_0 * _S742 + _S739.specular_transmit_0 * _S743;
     }
     else
     {
-        body_0 = _S743;
+        body_0 = _S744;
     }
-    if((fabrics_0[_S730].openness_0) != u32(4294967295))
+    if((fabrics_0[_S731].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S730, _S731, _S732, _S733, _S734, _S736), _S735, _S736);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S731, _S732, _S733, _S734, _S735, _S737), _S736, _S737);
     }
-    var _S745 : f32 = fabrics_0[_S730].sheen_strength_0;
-    if((fabrics_0[_S730].sheen_strength_0) <= 0.0f)
+    var _S746 : f32 = fabrics_0[_S731].sheen_strength_0;
+    if((fabrics_0[_S731].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S746 : bool = _S744 < 0.0f;
-    var _S747 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S735, _S746), to_face_frame_0(_S736, _S746), _S745, fabrics_0[_S730].sheen_roughness_0);
-    return vec3<f32>(_S747.y) * body_0 + vec3<f32>(((_S731.light_visibility_1 + _S731.hole_2) * _S747.x));
+    var _S747 : bool = _S745 < 0.0f;
+    var _S748 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S736, _S747), to_face_frame_0(_S737, _S747), _S746, fabrics_0[_S731].sheen_roughness_0);
+    return vec3<f32>(_S748.y) * body_0 + vec3<f32>(((_S732.light_visibility_1 + _S732.hole_2) * _S748.x));
 }
 
-fn light_of_neural_0( _S748 : u32,  _S749 : VisiblePoint_0,  _S750 : vec2<u32>,  _S751 : vec3<f32>) -> vec4<f32>
+fn light_of_neural_0( _S749 : u32,  _S750 : VisiblePoint_0,  _S751 : vec2<u32>,  _S752 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S749.draft_dx_0;
-    footprint_1.dy_0 = _S749.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S748, _S749.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S752 : vec3<f32> = to_local_0(_S749, _S749.view_0);
+    footprint_1.dx_0 = _S750.draft_dx_0;
+    footprint_1.dy_0 = _S750.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S749, _S750.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S753 : vec3<f32> = to_local_0(_S750, _S750.view_0);
     var activations_0 : NeuralView_0;
-    neural_view_0(_S748, footprint_1, _S752, &(activations_0));
-    var _S753 : f32 = _S752.z;
-    var _S754 : FamilyAlbedos_0 = with_tones_0(_S748, albedos_over_0(_S748, footprint_1, _S753 < 0.0f), activations_0.yarns_0);
-    var _S755 : vec3<f32> = vec3<f32>(0.0f);
+    neural_view_0(_S749, footprint_1, _S753, &(activations_0));
+    var _S754 : f32 = _S753.z;
+    var _S755 : FamilyAlbedos_0 = with_tones_0(_S749, albedos_over_0(_S749, footprint_1, _S754 < 0.0f), activations_0.yarns_0);
+    var _S756 : vec3<f32> = vec3<f32>(0.0f);
     var number_8 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S755;
+    var radiance_1 : vec3<f32> = _S756;
     for(;;)
     {
         if(number_8 < (light_sample_count_0()))
@@ -3343,24 +3339,24 @@ fn light_of_neural_0( _S748 : u32,  _S749 : VisiblePoint_0,  _S750 : vec2<u32>, 
         {
             break;
         }
-        var _S756 : f32 = visibility_at_0(number_8, _S750);
-        if(_S756 <= 0.0f)
+        var _S757 : f32 = visibility_at_0(number_8, _S751);
+        if(_S757 <= 0.0f)
         {
             number_8 = number_8 + u32(1);
             continue;
         }
-        var _S757 : LightSample_0 = light_sample_0(number_8, _S750, _S749.position_4);
-        var _S758 : vec3<f32> = to_local_0(_S749, _S757.towards_0);
-        var _S759 : Components_0 = neural_components_0(_S748, &(activations_0), _S758);
-        radiance_1 = radiance_1 + vec3<f32>(_S756) * _S757.irradiance_1 * composed_0(_S748, _S759, no_close_up_0(), _S754, _S751, _S758, _S752);
+        var _S758 : LightSample_0 = light_sample_0(number_8, _S751, _S750.position_4);
+        var _S759 : vec3<f32> = to_local_0(_S750, _S758.towards_0);
+        var _S760 : Components_0 = neural_components_0(_S749, &(activations_0), _S759);
+        radiance_1 = radiance_1 + vec3<f32>(_S757) * _S758.irradiance_1 * composed_0(_S749, _S760, no_close_up_0(), _S755, _S752, _S759, _S753);
         number_8 = number_8 + u32(1);
     }
     var hole_3 : f32 = activations_0.hole_0;
-    var _S760 : f32 = fabrics_0[_S748].sheen_strength_0;
+    var _S761 : f32 = fabrics_0[_S749].sheen_strength_0;
     var hole_4 : f32;
-    if((fabrics_0[_S748].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S749].sheen_strength_0) > 0.0f)
     {
-        hole_4 = hole_3 * (1.0f - _S760 * sheen_lobe_0(abs(_S753), fabrics_0[_S748].sheen_roughness_0).z);
+        hole_4 = hole_3 * (1.0f - _S761 * sheen_lobe_0(abs(_S754), fabrics_0[_S749].sheen_roughness_0).z);
     }
     else
     {
@@ -3373,31 +3369,31 @@ fn light_of_neural_0( _S748 : u32,  _S749 : VisiblePoint_0,  _S750 : vec2<u32>, 
 @workgroup_size(8, 8, 1)
 fn shade_neural(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S761 : u32 = id_0.x;
-    var _S762 : bool;
-    if(_S761 >= (frame_record_0.width_0))
+    var _S762 : u32 = id_0.x;
+    var _S763 : bool;
+    if(_S762 >= (frame_record_0.width_0))
     {
-        _S762 = true;
+        _S763 = true;
     }
     else
     {
-        _S762 = (id_0.y) >= (frame_record_0.height_0);
+        _S763 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S762)
+    if(_S763)
     {
         return;
     }
-    var _S763 : u32 = id_0.y * frame_record_0.width_0 + _S761;
-    var _S764 : u32 = layers_0[_S763].face_0;
-    if((layers_0[_S763].face_0) == u32(0))
+    var _S764 : u32 = id_0.y * frame_record_0.width_0 + _S762;
+    var _S765 : u32 = layers_0[_S764].face_0;
+    if((layers_0[_S764].face_0) == u32(0))
     {
         return;
     }
-    var _S765 : u32 = _S764 - u32(1);
-    var _S766 : u32 = fabric_of_0(_S765);
-    var _S767 : vec2<u32> = id_0.xy;
-    var _S768 : VisiblePoint_0 = visible_point_0(_S766, _S765, _S767);
-    accumulate_0(_S763, light_of_neural_0(_S766, _S768, _S767, filtered_albedo_0(_S766, _S768)));
+    var _S766 : u32 = _S765 - u32(1);
+    var _S767 : u32 = fabric_of_0(_S766);
+    var _S768 : vec2<u32> = id_0.xy;
+    var _S769 : VisiblePoint_0 = visible_point_0(_S767, _S766, _S768);
+    accumulate_0(_S764, light_of_neural_0(_S767, _S769, _S768, filtered_albedo_0(_S767, _S769)));
     return;
 }
 
