@@ -106,7 +106,9 @@ def test_a_ground_loses_the_light_of_the_lamp() -> None:
         float(renderer.render(camera, [DirectionalLight(towards)], **options).linear[..., :3].mean()) / 0.5
         for towards in [(1, 0, 0.5), (0, 0, 1), (-1, 0, 1)]
     ]
-    assert shares == pytest.approx([1, 0.5, 0], abs=0.02)
+    # All but what its holes let through.
+    open_area = cloth.material.layout().open_area
+    assert shares == pytest.approx([1, 0.5, open_area], abs=0.02)
 
 
 def test_a_ground_is_not_seen_from_below() -> None:
