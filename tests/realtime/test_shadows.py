@@ -107,7 +107,7 @@ def test_a_ground_loses_the_light_of_the_lamp() -> None:
         for towards in [(1, 0, 0.5), (0, 0, 1), (-1, 0, 1)]
     ]
     # All but what its holes let through.
-    open_area = cloth.material.layout().open_area
+    open_area = load_fabric(EXAMPLES / "denim.toml").layout().open_area
     assert shares == pytest.approx([1, 0.5, open_area], abs=0.02)
 
 
