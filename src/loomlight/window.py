@@ -77,7 +77,7 @@ def _viewer(fabric: Material | str | os.PathLike[str], settings: PlaySettings) -
     """Cloth as the settings have it, in real time."""
     choose_variant(None)
     material = material_of(fabric)
-    cloth, towards_camera, towards_light = built_in_cloth(settings.scene, settings.mesh)
+    cloth, towards_camera, towards_light, on_paper = built_in_cloth(settings.scene, settings.mesh)
     cloth = cloth.scaled(settings.metres_per_unit if settings.mesh is not None else 1.0)
     if settings.mesh is not None:
         warn_of_extent(cloth, settings.metres_per_unit)
@@ -90,7 +90,7 @@ def _viewer(fabric: Material | str | os.PathLike[str], settings: PlaySettings) -
     # Light and colours multiply channel by channel: balanced light is a balanced picture.
     balance, environment = settings.white_balance, settings.environment
     gains = np.ones(3) if balance is None else white_balance(balance)
-    places = {"studio": Environment(studio_radiance(towards_light, paper=True) * gains)}
+    places = {"studio": Environment(studio_radiance(towards_light, paper=on_paper) * gains)}
     if environment is not None:
         read = Environment.read(environment, settings.environment_turn)
         places[Path(environment).name] = Environment(read.radiance * gains, read.turn)

@@ -319,8 +319,9 @@ def _require_values(
 
 def built_in_cloth(
     name: str, mesh: str | os.PathLike[str] | None = None
-) -> tuple[ClothMesh, NDArray[np.float64], NDArray[np.float64]]:
-    """The cloth of a built-in scene, or a mesh instead; where its camera and its light are, as directions.
+) -> tuple[ClothMesh, NDArray[np.float64], NDArray[np.float64], bool]:
+    """The cloth of a built-in scene, or a mesh instead; directions to its camera and its light; whether paper
+    is below it.
 
     Raises:
         InputError: an unknown scene, or a mesh that cannot be read.
@@ -329,7 +330,7 @@ def built_in_cloth(
         raise InputError(f'scene = "{name}" is unknown: use {", ".join(SCENES)}.')
     setup = _SETUPS[name] if mesh is None else _MESH
     cloth = setup.cloth() if mesh is None else read_mesh(mesh)
-    return cloth, np.array(setup.towards_camera, float), direction_of(*setup.light_from)
+    return cloth, np.array(setup.towards_camera, float), direction_of(*setup.light_from), setup.ground
 
 
 def empty_scene() -> dict[str, Any]:
