@@ -23,7 +23,7 @@ from loomlight.mitsuba.variants import choose_variant
 _SAMPLES = 8
 # Rays that a pixel of the ground sends, and the lamp's radius: as `shaders/layers.slang:ground_light`, which
 # adds up 4 in each of its passes.
-_GROUND_RAYS, _LAMP_RADIUS = 16, 0.176
+_GROUND_RAYS, _LAMP_RADIUS = 16, 0.0873
 # Deviation, pixels: soft shadows lose their noise.
 _SHADOW_BLUR = 2.5
 

@@ -609,7 +609,7 @@ fn ground_light_0( _S75 : vec2<u32>,  _S76 : vec3<f32>) -> f32
         var _S85 : f32 = _S84.x;
         var _S86 : bool = _S85 >= (frame_record_0.ground_lamp_0);
         number_1[i32(0)] = select(_S85 / frame_record_0.ground_lamp_0, (_S85 - frame_record_0.ground_lamp_0) / (1.0f - frame_record_0.ground_lamp_0), _S86);
-        var _S87 : Hit_0 = nearest_hit_0(_S81, select_vector_1(_S86, _S77, _S83) + vec3<f32>(select(0.17599999904632568f, 0.99989998340606689f, _S86)) * sphere_point_0(number_1), frame_record_0.ray_offset_0, 1.00000001504746622e+30f, u32(4294967295), true);
+        var _S87 : Hit_0 = nearest_hit_0(_S81, select_vector_1(_S86, _S77, _S83) + vec3<f32>(select(0.08730000257492065f, 0.99989998340606689f, _S86)) * sphere_point_0(number_1), frame_record_0.ray_offset_0, 1.00000001504746622e+30f, u32(4294967295), true);
         if((_S87.face_1) != u32(4294967295))
         {
             blocked_0 = blocked_0 + (1.0f - fabrics_0[fabric_of_0(_S87.face_1)].mean_hole_0);
