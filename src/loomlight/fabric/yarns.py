@@ -4,11 +4,11 @@ Densities of fibres and packing of yarns are from Morton and Hearle 2008, angles
 factors (Hearle, Grosberg and Backer 1969). Gloss, stray, slubs, hairs, gaps and spreads were set by eye.
 
 `mass_cv` is about the middle of what the trade takes for usual, not checked against Uster's statistics, per
-cent of the mass of 8 mm: carded ring-spun cotton 14 to 16, combed 11 to 13, open-end 13 to 15, viscose 11 to 13, worsted 13
-to 17, woollen 18 to 25, wet-spun linen 20 to 28; of two plies it is a root of two less. Filament has 1 to
-3; that of dupion, its thick places where double cocoons tangle, and shades were set by eye. Lengths of
-fibres are those of the trade (Morton and Hearle 2008); of flax it is that of bundles, as ultimates of 25 mm
-lie in them end to end.
+cent of the mass of 8 mm: carded ring-spun cotton 14 to 16, combed 11 to 13, open-end 13 to 15, viscose 11 to
+13, worsted 13 to 17, woollen 18 to 25, wet-spun linen 20 to 28; of two plies it is a root of two less.
+Filament has 1 to 3; that of dupion, its thick places where double cocoons tangle, and shades were set by eye.
+Lengths of fibres are those of the trade (Morton and Hearle 2008); of flax it is that of bundles, as ultimates
+of 25 mm lie in them end to end.
 """
 
 from __future__ import annotations
