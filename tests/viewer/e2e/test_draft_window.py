@@ -82,8 +82,7 @@ def test_ends_are_threaded_by_an_order_and_long_floats_are_told(page: Any) -> No
     by_id(page, "tab-draft").click()
     by_id(page, "floats-marked").check()
     said = by_id(page, "floats").inner_text()
-    # Denim keeps its seven colours of ends, so a repeat is that of seven satins.
-    assert said.startswith("56 on the face (spots), 56 on the back (rings)")
+    assert said.startswith("8 on the face (spots), 8 on the back (rings)")
     assert "warp 7 on the face" in said
     by_id(page, "floats-limit-count").fill("7")
     by_id(page, "floats-limit-count").press("Enter")
