@@ -307,7 +307,11 @@ class _OfFamily:
 
     def at(self, number: Float, along: Float) -> Yarn:
         """What a thread is at a place along it, millimetres."""
-        return self.over(number + 0.5, LEAST_WIDTH, along, 0)
+        bound = self._bound(number + 0.5, dr.fma(along, 1 / STEP, -0.5), array_types(along).Float(1))
+        # A thread lies in one block.
+        whole = dr.floor(bound.inside)
+        low, high = bound.up_to(whole), bound.up_to(whole + 1)
+        return Yarn(*((b - a) * unit for a, b, unit in zip(low, high, self.units, strict=True)))
 
     def _bound(self, thread: Float, begin: Float, steps: Float) -> _Bound:
         types = array_types(thread)
@@ -324,6 +328,7 @@ class _Bound:
 
     Attributes:
         block: number of the block that it lies in.
+        inside: threads of the block before it, 0 to `BLOCK`.
     """
 
     def __init__(
@@ -331,13 +336,12 @@ class _Bound:
     ) -> None:
         """
         Args:
-            inside: threads of the block before it, 0 to `BLOCK`.
             row: of the table, where the block begins.
             begin, steps: along the threads, steps of the table.
         """
         self.block = block
         self._types = types = array_types(inside)
-        self._integrals, self._inside, self._row = integrals, inside, row
+        self._integrals, self.inside, self._row = integrals, inside, row
         places = [begin, begin + steps]
         whole = [dr.floor(place) for place in places]
         self._columns = [types.UInt32(types.Int32(column)) for column in whole]
@@ -345,9 +349,9 @@ class _Bound:
 
     def integral(self) -> list[Float]:
         """Integrals of the quantities over the threads of the table before it, the last one in part."""
-        whole = clip(dr.floor(self._inside), 0, BLOCK - 1)
+        whole = clip(dr.floor(self.inside), 0, BLOCK - 1)
         low, high = self.up_to(whole), self.up_to(whole + 1)
-        return [dr.lerp(a, b, self._inside - whole) for a, b in zip(low, high, strict=True)]
+        return [dr.lerp(a, b, self.inside - whole) for a, b in zip(low, high, strict=True)]
 
     def up_to(self, threads: Float, active: Mask = True) -> list[Float]:
         """Integrals over so many whole threads of the block, and those of the table before it."""
@@ -586,45 +590,44 @@ class Process:
     def place(self, centre: Vec2, size: Float | None) -> Vec2:
         """See `IrregularYarns.place`."""
         types = array_types(centre.x)
-        moved = [
-            self._across(family, across, along, size)
-            for family, (across, along) in enumerate(((centre.x, centre.y), (centre.y, centre.x)))
-        ]
-        return types.Vector2(*moved)
+        weights = [types.Float(1) if size is None else self._moved_share(family, size) for family in range(2)]
+
+        def move(place: tuple[Float, Float]) -> tuple[Float, Float]:
+            x, y = place
+            return self._across(0, x, y, weights[0]), self._across(1, y, x, weights[1])
+
+        # One branch for both: most packets of far pictures skip it.
+        is_near = (weights[0] > 0) | (weights[1] > 0)
+        return types.Vector2(*masked_branch(is_near, (centre.x, centre.y), move, "irregularity: wide yarns"))
 
     def _moved_share(self, family: int, size: Float) -> Float:
         """Share of what `place` does to points that it does to footprints of a side, 0 to 1."""
         return fade(size, self._periods[family] / self._threads[family])
 
-    def _across(self, family: int, across: Float, along: Float, size: Float | None) -> Float:
-        """A coordinate across the threads, in the draft of even yarns."""
+    def _across(self, family: int, across: Float, along: Float, weight: Float) -> Float:
+        """A coordinate across the threads, in the draft of even yarns, moved by a share of 0 to 1."""
         types = array_types(across)
-        weight = types.Float(1) if size is None else self._moved_share(family, size)
-
-        def move(place: Float) -> Float:
-            cell, number = self._cell(family, place)
-            process, side = self._families[family], dr.copysign(types.Float(1), cell.across)
-            own, other = (process.at(thread, along) for thread in (number, number + side))
-            # From the middle of the thread, 0, to that of its neighbour, 1.
-            spacing = cell.below + cell.above
-            even = minimum(cell.half_width / spacing, 0.5)
-            room = minimum(even * (2 + own.cover + other.cover), 1)
-            roots = [dr.sqrt(maximum(1 + yarn.thickness, 1 + LEAST_THICKNESS)) for yarn in (own, other)]
-            edge = room * roots[0] * dr.rcp(roots[0] + roots[1])
-            here, gap = abs(cell.across) / spacing, 1 - room
-            over_gap, over_other = here - edge, here - edge - gap
-            found = dr.select(
-                over_gap < 0,
-                here * even * dr.rcp(edge),
-                dr.select(
-                    over_other < 0,
-                    dr.fma(over_gap * dr.rcp(maximum(gap, 1e-6)), 1 - 2 * even, even),
-                    dr.fma(over_other * dr.rcp(maximum(room - edge, 1e-6)), even, 1 - even),
-                ),
-            )
-            return dr.fma(weight * side * spacing, found - here, place)
-
-        return masked_branch(weight > 0, across, move, "irregularity: wide yarns")
+        cell, number = self._cell(family, across)
+        process, side = self._families[family], dr.copysign(types.Float(1), cell.across)
+        own, other = (process.at(thread, along) for thread in (number, number + side))
+        # From the middle of the thread, 0, to that of its neighbour, 1.
+        spacing = cell.below + cell.above
+        even = minimum(cell.half_width / spacing, 0.5)
+        room = minimum(even * (2 + own.cover + other.cover), 1)
+        roots = [dr.sqrt(maximum(1 + yarn.thickness, 1 + LEAST_THICKNESS)) for yarn in (own, other)]
+        edge = room * roots[0] * dr.rcp(roots[0] + roots[1])
+        here, gap = abs(cell.across) / spacing, 1 - room
+        over_gap, over_other = here - edge, here - edge - gap
+        found = dr.select(
+            over_gap < 0,
+            here * even * dr.rcp(edge),
+            dr.select(
+                over_other < 0,
+                dr.fma(over_gap * dr.rcp(maximum(gap, 1e-6)), 1 - 2 * even, even),
+                dr.fma(over_other * dr.rcp(maximum(room - edge, 1e-6)), even, 1 - even),
+            ),
+        )
+        return dr.fma(weight * side * spacing, found - here, across)
 
 
 def toned(albedos: FourColours, yarn: Yarn, layer_bound: Float, nep_albedo: Color3 | None) -> FourColours:
