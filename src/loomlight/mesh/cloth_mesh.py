@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import mapbox_earcut
 import numpy as np
@@ -32,6 +32,8 @@ class ClothMesh:
         uv: [n, 2].
         triangles: vertex indices [m, 3], counter-clockwise from the front.
         name: the file, for messages.
+        attributes: further numbers of vertices [n, k] by name, such as "uv1", a second set of uv; they go
+            with their vertices wherever those are sorted out, doubled or joined to others.
     """
 
     positions: NDArray[np.float64]
@@ -39,10 +41,29 @@ class ClothMesh:
     uv: NDArray[np.float64]
     triangles: NDArray[np.int64]
     name: str
+    attributes: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
 
     def scaled(self, factor: float) -> ClothMesh:
         """The same mesh with lengths multiplied by `factor`."""
-        return ClothMesh(self.positions * factor, self.normals, self.uv, self.triangles, self.name)
+        return replace(self, positions=self.positions * factor)
+
+    def taken(
+        self, vertices: NDArray[np.int64] | NDArray[np.bool_], triangles: NDArray[np.int64]
+    ) -> ClothMesh:
+        """The mesh of some vertices, which may be named several times, and other triangles of these."""
+        count = len(self.positions)
+
+        def rows(values: NDArray[np.float64]) -> NDArray[np.float64]:
+            return values[vertices] if len(values) == count else values[:0]
+
+        return ClothMesh(
+            self.positions[vertices],
+            rows(self.normals),
+            rows(self.uv),
+            triangles,
+            self.name,
+            {name: rows(values) for name, values in self.attributes.items()},
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,20 +112,16 @@ def cleaned(mesh: ClothMesh) -> ClothMesh:
     triangles = triangles[np.any(cross_products(mesh) != 0, axis=1)]
     used = np.zeros(count, bool)
     used[triangles] = True
-    mesh = ClothMesh(
-        positions=mesh.positions[used],
-        normals=mesh.normals[used] if len(mesh.normals) == count else np.zeros((used.sum(), 3)),
-        uv=mesh.uv[used] if len(mesh.uv) == count else np.zeros((0, 2)),
-        triangles=(np.cumsum(used) - 1)[triangles],
-        name=mesh.name,
-    )
+    if len(mesh.normals) != count:
+        mesh = replace(mesh, normals=np.zeros((count, 3)))
+    mesh = mesh.taken(used, (np.cumsum(used) - 1)[triangles])
     usable = np.isfinite(mesh.normals).all(axis=1, keepdims=True)
     normals = np.clip(np.where(usable, mesh.normals, 0), -1e100, 1e100)
     length = np.linalg.norm(normals, axis=1, keepdims=True)
     if (length == 0).any():
         normals = np.where(length == 0, vertex_normals(mesh.positions, mesh.triangles), normals)
         length = np.linalg.norm(normals, axis=1, keepdims=True)
-    return ClothMesh(mesh.positions, normals / length, mesh.uv, mesh.triangles, mesh.name)
+    return replace(mesh, normals=normals / length)
 
 
 def check_indices(indices: NDArray[np.int64], count: int, name: str) -> None:
@@ -123,7 +140,11 @@ def collapses(mesh: ClothMesh) -> bool:
 
 
 def joined(parts: list[ClothMesh]) -> ClothMesh:
-    """One mesh of all parts; raises InputError if some have uv and one has none."""
+    """One mesh of all parts, of which an attribute that one of them lacks is NaN there.
+
+    Raises:
+        InputError: some have uv and one has none.
+    """
     if any(len(part.uv) for part in parts) and any(len(part.uv) != len(part.positions) for part in parts):
         raise InputError(f"{parts[0].name}: a part of the mesh has no uv coordinates; unwrap it first.")
     starts = np.cumsum([0] + [len(part.positions) for part in parts[:-1]])
@@ -137,7 +158,15 @@ def joined(parts: list[ClothMesh]) -> ClothMesh:
         uv=stacked(lambda part: part.uv),
         triangles=np.concatenate([part.triangles + start for part, start in zip(parts, starts, strict=True)]),
         name=parts[0].name,
+        attributes={
+            name: stacked(lambda part: _attribute(part, name, width))  # noqa: B023 (called at once)
+            for name, width in {n: v.shape[1] for part in parts for n, v in part.attributes.items()}.items()
+        },
     )
+
+
+def _attribute(mesh: ClothMesh, name: str, width: int) -> NDArray[np.float64]:
+    return mesh.attributes.get(name, np.full((len(mesh.positions), width), np.nan))
 
 
 def cross_products(mesh: ClothMesh) -> NDArray[np.float64]:

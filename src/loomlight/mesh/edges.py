@@ -154,7 +154,11 @@ def _strip(mesh: ClothMesh, twin: Indices, half: Indices, mitre: Floats, shape: 
     triangles = np.concatenate([np.stack([b, a, c], axis=1), np.stack([b, c, d], axis=1)])
     uv = uv + run * (uv_out - uv_side) + across * uv_side
     p, n, t = (values.reshape(-1, values.shape[-1]) for values in (position, _unit(normals), uv))
-    return ClothMesh(p, n, t, triangles, mesh.name)
+    attributes = {}
+    for name, values in mesh.attributes.items():
+        row = between(values[ends])
+        attributes[name] = np.broadcast_to(row, (len(rows), *row.shape)).reshape(-1, row.shape[-1])
+    return ClothMesh(p, n, t, triangles, mesh.name, attributes)
 
 
 def _below(mesh: ClothMesh, twin: Indices, triangle: Indices, uv: Floats) -> tuple[Floats, Floats]:

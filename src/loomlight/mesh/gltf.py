@@ -10,7 +10,7 @@ import binascii
 import json
 import struct
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeGuard
 from urllib.parse import unquote
@@ -370,7 +370,8 @@ def _moved(mesh: ClothMesh, matrix: NDArray[np.float64]) -> ClothMesh:
     determinant = np.linalg.det(linear)
     normals = mesh.normals @ np.linalg.inv(linear) if abs(determinant) > 1e-30 else np.zeros((0, 3))
     triangles = mesh.triangles[:, ::-1] if determinant < 0 else mesh.triangles
-    return ClothMesh(mesh.positions @ linear.T + matrix[:3, 3], normals, mesh.uv, triangles, mesh.name)
+    positions = mesh.positions @ linear.T + matrix[:3, 3]
+    return replace(mesh, positions=positions, normals=normals, triangles=triangles)
 
 
 # ------------------------------------------------------------------------------------- containers and buffers

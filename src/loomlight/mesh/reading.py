@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -99,8 +100,8 @@ def _pieces(part: MeshPart) -> list[MeshPart]:
 
 
 def _some(mesh: ClothMesh, chosen: NDArray[np.bool_]) -> ClothMesh:
-    return cleaned(ClothMesh(mesh.positions, mesh.normals, mesh.uv, mesh.triangles[chosen], mesh.name))
+    return cleaned(replace(mesh, triangles=mesh.triangles[chosen]))
 
 
 def _without_uv(mesh: ClothMesh) -> ClothMesh:
-    return ClothMesh(mesh.positions, mesh.normals, np.zeros((0, 2)), mesh.triangles, mesh.name)
+    return replace(mesh, uv=np.zeros((0, 2)))

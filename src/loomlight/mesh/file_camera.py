@@ -1,0 +1,25 @@
+"""Cameras that mesh files hold, of whichever format."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, eq=False)
+class FileCamera:
+    """A camera as a file has it.
+
+    Attributes:
+        name: "" where the file gives none.
+        to_world: rigid [4, 4], of a camera that looks along -z with y up; lengths as `read_parts` gives them.
+        vertical: degrees that its picture's height shows.
+        aspect: width over height of its picture; None where the file leaves it open.
+    """
+
+    name: str
+    to_world: NDArray[np.float64]
+    vertical: float
+    aspect: float | None = None
