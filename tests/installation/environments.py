@@ -53,6 +53,16 @@ widget = loomlight.view("plain")
 assert widget.fabric.name == "plain"
 """
 
+_QUAD = """#usda 1.0
+( metersPerUnit = 1 )
+def Mesh "cloth" {
+    int[] faceVertexCounts = [4]
+    int[] faceVertexIndices = [0, 1, 2, 3]
+    point3f[] points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+    texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 1)] ( interpolation = "vertex" )
+}
+"""
+
 
 @dataclass(frozen=True)
 class Case:
@@ -116,6 +126,7 @@ CASES = (
     *(Case(f"export plain --to {name} -o {name}", only=(BASE,)) for name in _SHADER_LANGUAGES),
     Case("export plain --to materialx -o materialx", ("materialx",), ("materialx",)),
     Case("render plain -o mesh.png --mesh quad.gltf --size 32x24 --spp 1", ("meshopt",), ("meshopt",)),
+    Case("render plain -o stage.png --mesh quad.usda --size 32x24 --spp 1", ("usd-core",), ("usd",)),
     Case("play plain -o frame.png --size 32x24 --passes 1", ("wgpu",), ("realtime",), _NO_ADAPTER),
     Case("play plain", ("rendercanvas",), ("realtime",), "no display|no window library"),
     Case(program=_SERVE, needs=("uvicorn",), extra=("viewer",), name="view plain"),
@@ -195,6 +206,7 @@ def installations(folder: Path, python: str = sys.executable) -> Iterator[Enviro
     work = folder / "work"
     work.mkdir()
     write_compressed_quad(work)
+    (work / "quad.usda").write_text(_QUAD)
     builder = _checkout_copy(folder)
     base = _venv(folder / BASE, python)
     _require_registry(base, folder)

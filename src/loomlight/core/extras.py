@@ -15,6 +15,7 @@ EXTRAS = {
     "neural": "the model neural, the network",
     "materialx": "export to MaterialX",
     "meshopt": "glTF meshes that meshopt compresses",
+    "usd": "meshes in USD",
     "realtime": "frames on a graphics adapter, loomlight play",
     "viewer": "loomlight view, the live editor",
     "notebook": "the editor in a notebook",

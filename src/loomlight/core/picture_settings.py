@@ -66,7 +66,7 @@ class RenderSettings(Settings):
     )
     mesh: str | os.PathLike[str] | None = setting(
         None,
-        "An .obj, .ply, .gltf or .glb file that is clothed instead of the scene's cloth; it needs uv.",
+        "An .obj, .ply, .gltf, .glb or .usd (.usda, .usdc, .usdz) file that is clothed instead of the scene's cloth; it needs uv.",
         otherwise="none",
     )
     metres_per_unit: float = setting(

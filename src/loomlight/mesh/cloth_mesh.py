@@ -20,6 +20,8 @@ from loomlight.core.errors import InputError, LoomlightWarning
 MAX_COORDINATE = 1e15
 # Each part costs about a millisecond, however small it is.
 MAX_PARTS = 20_000
+# Parts of a file may show the same arrays any number of times: a bound for all triangles.
+MAX_TRIANGLES = 10_000_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,6 +169,29 @@ def joined(parts: list[ClothMesh]) -> ClothMesh:
 
 def _attribute(mesh: ClothMesh, name: str, width: int) -> NDArray[np.float64]:
     return mesh.attributes.get(name, np.full((len(mesh.positions), width), np.nan))
+
+
+def placed(mesh: ClothMesh, matrix: NDArray[np.float64]) -> ClothMesh:
+    """The mesh where a matrix [4, 4] of columns moves it; what the matrix mirrors keeps its front."""
+    linear = matrix[:3, :3]
+    determinant = np.linalg.det(linear)
+    normals = mesh.normals @ np.linalg.inv(linear) if abs(determinant) > 1e-30 else np.zeros((0, 3))
+    triangles = mesh.triangles[:, ::-1] if determinant < 0 else mesh.triangles
+    positions = mesh.positions @ linear.T + matrix[:3, 3]
+    return replace(mesh, positions=positions, normals=normals, triangles=triangles)
+
+
+def distinct_rows(rows: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Where the distinct rows of small numbers from -1 on are first, and of each row which it is.
+
+    It is `np.unique` by rows, quicker.
+    """
+    inverse, at = np.zeros(len(rows), int), np.zeros(min(1, len(rows)), int)
+    for column in rows.T:
+        _, at, inverse = np.unique(
+            inverse * (column.max(initial=0) + 2) + column + 1, return_index=True, return_inverse=True
+        )
+    return at, inverse
 
 
 def cross_products(mesh: ClothMesh) -> NDArray[np.float64]:

@@ -17,9 +17,11 @@ class FileCamera:
         to_world: rigid [4, 4], of a camera that looks along -z with y up; lengths as `read_parts` gives them.
         vertical: degrees that its picture's height shows.
         aspect: width over height of its picture; None where the file leaves it open.
+        orthographic: its lines of sight are parallel, so that `vertical` says nothing.
     """
 
     name: str
     to_world: NDArray[np.float64]
     vertical: float
     aspect: float | None = None
+    orthographic: bool = False

@@ -10,7 +10,7 @@ import binascii
 import json
 import struct
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeGuard
 from urllib.parse import unquote
@@ -20,18 +20,25 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, MissingDependencyError
 from loomlight.core.extras import installing
-from loomlight.mesh.cloth_mesh import MAX_PARTS, ClothMesh, MeshPart, check_indices, strip_triangles
+from loomlight.mesh.cloth_mesh import (
+    MAX_PARTS,
+    MAX_TRIANGLES,
+    ClothMesh,
+    MeshPart,
+    check_indices,
+    placed,
+    strip_triangles,
+)
+from loomlight.mesh.file_camera import FileCamera
 
 # Modes of primitives; those before are points and lines.
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
-# Nodes and primitives may show the same arrays any number of times: a bound for all triangles.
-_MAX_TRIANGLES = 10_000_000
 _DRACO = "KHR_draco_mesh_compression"
 _INSTANCING = "EXT_mesh_gpu_instancing"
 _TRANSFORM = "KHR_texture_transform"
 
 
-def read_gltf(file: Path) -> list[MeshPart]:
+def read_gltf(file: Path, time: float | None = None) -> list[MeshPart]:
     """A part for each primitive of each node, named by the node or else its mesh, where the scene places it.
 
     Raises:
@@ -41,8 +48,8 @@ def read_gltf(file: Path) -> list[MeshPart]:
     parts: list[MeshPart] = []
     known: dict[_Shape, list[MeshPart]] = {}
     total = 0
-    placed, world = _placements(gltf)
-    for node, matrix in placed:
+    shown, world = _placements(gltf)
+    for node, matrix in shown:
         shape = _shape_of(gltf, node)
         mesh = gltf.entry("meshes", shape.mesh)
         if shape not in known:
@@ -54,11 +61,19 @@ def read_gltf(file: Path) -> list[MeshPart]:
         name = _text(node) or _text(mesh)
         if len(parts) + len(known[shape]) > MAX_PARTS:
             raise InputError(f"{file} shows more than {MAX_PARTS} parts, copies included: join some.")
-        parts += [MeshPart(name, part.material, _moved(part.mesh, matrix)) for part in known[shape]]
+        parts += [MeshPart(name, part.material, placed(part.mesh, matrix)) for part in known[shape]]
     if not parts:
         reason = "its meshes are points or lines" if known else "its scene shows no mesh"
         raise InputError(f"{file} holds no triangles: {reason}.")
     return parts
+
+
+def gltf_frames(file: Path) -> list[float]:
+    return []
+
+
+def gltf_cameras(file: Path, time: float | None = None) -> list[FileCamera]:
+    return []
 
 
 @dataclass(frozen=True)
@@ -101,8 +116,8 @@ def _shape_of(gltf: GltfFile, node: Entry) -> _Shape:
 
 
 def _check_total(total: int, file: Path) -> None:
-    if total > _MAX_TRIANGLES:
-        raise InputError(f"{file} shows more than {_MAX_TRIANGLES} triangles, copies included: export fewer.")
+    if total > MAX_TRIANGLES:
+        raise InputError(f"{file} shows more than {MAX_TRIANGLES} triangles, copies included: export fewer.")
 
 
 def _text(entry: Entry) -> str:
@@ -118,7 +133,7 @@ def _placements(
     Beside them the matrix of every node. Of a skinned mesh joints alone say where it is (glTF 2.0, 3.7.3.3).
     """
     world: dict[int, NDArray[np.float64]] = {}
-    placed: list[tuple[Entry, NDArray[np.float64]]] = []
+    shown: list[tuple[Entry, NDArray[np.float64]]] = []
     waiting = [(number, np.eye(4)) for number in reversed(_roots(gltf))]
     while waiting:
         number, above = waiting.pop()
@@ -127,11 +142,11 @@ def _placements(
             raise gltf.damaged(f"node {number} is its own ancestor, or has two parents")
         matrix = world[number] = above @ _own_matrix(gltf, node)
         if "mesh" in node and "skin" in node:
-            placed.append((node, np.eye(4)))
+            shown.append((node, np.eye(4)))
         elif "mesh" in node:
-            placed += [(node, matrix @ instance) for instance in _instances(gltf, node)]
+            shown += [(node, matrix @ instance) for instance in _instances(gltf, node)]
         waiting += [(child, matrix) for child in reversed(_children(gltf, node))]
-    return placed, world
+    return shown, world
 
 
 def _joints(
@@ -362,16 +377,6 @@ def _uv_of_material(gltf: GltfFile, material: Entry, names: Entry) -> tuple[str,
     turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
     offset = _vector(gltf, change, "offset", [0, 0])
     return name, np.concatenate([turn * [u, v], offset[:, None]], axis=1)
-
-
-def _moved(mesh: ClothMesh, matrix: NDArray[np.float64]) -> ClothMesh:
-    """The mesh in the scene; what the matrix mirrors keeps its front."""
-    linear = matrix[:3, :3]
-    determinant = np.linalg.det(linear)
-    normals = mesh.normals @ np.linalg.inv(linear) if abs(determinant) > 1e-30 else np.zeros((0, 3))
-    triangles = mesh.triangles[:, ::-1] if determinant < 0 else mesh.triangles
-    positions = mesh.positions @ linear.T + matrix[:3, 3]
-    return replace(mesh, positions=positions, normals=normals, triangles=triangles)
 
 
 # ------------------------------------------------------------------------------------- containers and buffers

@@ -16,7 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mesh.cloth_mesh import MAX_PARTS, ClothMesh, MeshPart, triangulate, vertex_normals
+from loomlight.mesh.cloth_mesh import (
+    MAX_PARTS,
+    ClothMesh,
+    MeshPart,
+    distinct_rows,
+    triangulate,
+    vertex_normals,
+)
 
 _CONTINUED = re.compile(r"\\[ \t]*\n")
 # A slash with nothing behind it: "7//2" and "7/" name no uv.
@@ -78,7 +85,9 @@ def read_obj(file: Path) -> list[MeshPart]:
     for (name, material), piece in zip(keys, pieces, strict=True):
         if len(piece) == 0:
             continue
-        rows, inverse = _distinct(corners[triangles[piece].ravel()])
+        found = corners[triangles[piece].ravel()]
+        at, inverse = distinct_rows(found)
+        rows = found[at]
         own = normals[rows[:, 2]]
         if smooth is not None:
             own = np.where(rows[:, 2:] < 0, smooth[rows[:, 0]], own)
@@ -183,13 +192,3 @@ def _corners(lines: _Lines, sizes: list[int], file: Path) -> tuple[NDArray[np.in
             )
         corners[has, column] = index
     return np.bincount(face, minlength=len(lines.faces)), corners
-
-
-def _distinct(rows: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Distinct rows, and of each row which it is: `np.unique` by rows, quicker."""
-    inverse = np.zeros(len(rows), int)
-    for column in rows.T:
-        _, at, inverse = np.unique(
-            inverse * (column.max(initial=0) + 2) + column + 1, return_index=True, return_inverse=True
-        )
-    return rows[at], inverse

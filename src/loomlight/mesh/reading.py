@@ -1,15 +1,17 @@
-"""Mesh files, read in parts: OBJ, PLY, glTF and GLB.
+"""Mesh files, read in parts, at rest or at a time: OBJ, PLY, glTF, GLB and USD.
 
-uv follow Mitsuba's bitmaps, v running down the image: OBJ's v is turned over, glTF's is kept, PLY's is taken
-as it is written, as Mitsuba's `obj` and `ply` plugins do.
+uv follow Mitsuba's bitmaps, v running down the image: OBJ's and USD's v is turned over, glTF's is kept, PLY's
+is taken as it is written, as Mitsuba's `obj` and `ply` plugins do.
 """
 
 from __future__ import annotations
 
 import os
 import warnings
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,27 +19,54 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError, LoomlightError, LoomlightWarning
 from loomlight.core.files import require_file
 from loomlight.mesh.cloth_mesh import MAX_COORDINATE, ClothMesh, MeshPart, cleaned, collapses, joined
-from loomlight.mesh.gltf import read_gltf
+from loomlight.mesh.file_camera import FileCamera
+from loomlight.mesh.gltf import gltf_cameras, gltf_frames, read_gltf
 from loomlight.mesh.obj import read_obj
 from loomlight.mesh.ply import read_ply
+from loomlight.mesh.usd import SUFFIXES as USD_SUFFIXES
+from loomlight.mesh.usd import read_usd, usd_cameras, usd_frames
 
-_READERS = {".obj": read_obj, ".ply": read_ply, ".gltf": read_gltf, ".glb": read_gltf}
-SUFFIXES = tuple(_READERS)
+
+@dataclass(frozen=True)
+class _Format:
+    """The readers of a file: its parts and cameras at a time or at rest (None), and times of its frames."""
+
+    parts: Callable[[Path, float | None], list[MeshPart]]
+    cameras: Callable[[Path, float | None], list[FileCamera]] = lambda file, time: []
+    frames: Callable[[Path], list[float]] = lambda file: []
 
 
-def read_parts(path: str | os.PathLike[str]) -> list[MeshPart]:
-    """The parts of an OBJ, PLY, glTF or GLB file, in its order.
+_GLTF = _Format(read_gltf, gltf_cameras, gltf_frames)
+_USD = _Format(read_usd, usd_cameras, usd_frames)
+_FORMATS = {
+    ".obj": _Format(lambda file, time: read_obj(file)),
+    ".ply": _Format(lambda file, time: read_ply(file)),
+    ".gltf": _GLTF,
+    ".glb": _GLTF,
+    **dict.fromkeys(USD_SUFFIXES, _USD),
+}
+SUFFIXES = tuple(_FORMATS)
+T = TypeVar("T")
+
+
+def read_parts(path: str | os.PathLike[str], time: float | None = None) -> list[MeshPart]:
+    """The parts of a mesh file, in its order.
 
     Triangles without an area are left out. Those of a part that have no uv become a part of their own, of the
     same name, which follows it. A warning says how many triangles have no uv, if others have.
 
+    Args:
+        time: seconds from the start of the file's animation, held beyond its ends; None for what the file
+            has at rest, as it does for files that do not move.
+
     Raises:
         InputError: no such file, another suffix, a damaged file, or no triangles.
-        MissingDependencyError: the file is compressed, and what decodes it is not installed.
+        MissingDependencyError: the file is compressed or USD, and what decodes it is not installed.
     """
     file = Path(path)
     with np.errstate(all="ignore"):  # of numbers that are then refused
-        parts = [made for part in _raw_parts(file) for made in _pieces(part)]
+        raw = _read(file, lambda of: of.parts(file, time))
+        parts = [made for part in raw for made in _pieces(part)]
     if not parts:
         raise InputError(f"{file} holds no triangles that have an area.")
     bare = [part for part in parts if len(part.mesh.uv) == 0]
@@ -46,8 +75,29 @@ def read_parts(path: str | os.PathLike[str]) -> list[MeshPart]:
     return parts
 
 
+def frame_times(path: str | os.PathLike[str]) -> list[float]:
+    """The times of a file's frames, for `read_parts`: seconds from the start; [] where nothing moves.
+
+    Raises:
+        InputError, MissingDependencyError: what `read_parts` raises.
+    """
+    file = Path(path)
+    return _read(file, lambda of: of.frames(file))
+
+
+def read_cameras(path: str | os.PathLike[str], time: float | None = None) -> list[FileCamera]:
+    """The cameras of a file, in its order; those of OBJ and PLY are none.
+
+    Raises:
+        InputError, MissingDependencyError: what `read_parts` raises.
+    """
+    file = Path(path)
+    with np.errstate(all="ignore"):
+        return _read(file, lambda of: of.cameras(file, time))
+
+
 def read_mesh(path: str | os.PathLike[str]) -> ClothMesh:
-    """Every triangle with uv of an OBJ, PLY, glTF or GLB file as one mesh; missing normals are computed.
+    """Every triangle with uv of a mesh file as one mesh; missing normals are computed.
 
     Raises:
         InputError: what `read_parts` raises, or no usable uv.
@@ -60,15 +110,15 @@ def read_mesh(path: str | os.PathLike[str]) -> ClothMesh:
     return joined(covered)
 
 
-def _raw_parts(file: Path) -> list[MeshPart]:
+def _read(file: Path, what: Callable[[_Format], T]) -> T:
     suffix = file.suffix.lower()
-    if suffix not in _READERS:
+    if suffix not in _FORMATS:
         raise InputError(f"{file}: meshes are read from {', '.join(SUFFIXES)} files.")
     require_file(file)
     if file.stat().st_size == 0:
         raise InputError(f"{file} is empty: it holds no mesh.")
     try:
-        return _READERS[suffix](file)
+        return what(_FORMATS[suffix])
     except LoomlightError:
         raise
     except OSError as error:
