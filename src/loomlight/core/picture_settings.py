@@ -66,7 +66,8 @@ class RenderSettings(Settings):
     )
     mesh: str | os.PathLike[str] | None = setting(
         None,
-        "An .obj, .ply, .gltf, .glb or .usd (.usda, .usdc, .usdz) file that is clothed instead of the scene's cloth; it needs uv.",
+        "An .obj, .ply, .gltf, .glb, .usd, .usda, .usdc or .usdz file that is clothed instead of the scene's "
+        "cloth; it needs uv.",
         otherwise="none",
     )
     metres_per_unit: float = setting(
