@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, TypedDict
 
+from loomlight.core.camera_settings import CameraKeywords, CameraSettings
 from loomlight.core.errors import InputError
 from loomlight.core.settings import Settings, documented, same_setting, setting
 
@@ -101,6 +102,12 @@ class RenderSettings(Settings):
     size: tuple[int, int] | None = setting(
         None, "Pixels.", otherwise="640x480, or a scene file's own", low=1, high=MAX_SIDE, metavar="WxH"
     )
+    view: str | tuple[float, float] | None = same_setting(CameraSettings, "view")
+    look_at: str | None = same_setting(CameraSettings, "look_at")
+    target: tuple[float, float, float] | None = same_setting(CameraSettings, "target")
+    distance: float | None = same_setting(CameraSettings, "distance")
+    focal_length: float | None = same_setting(CameraSettings, "focal_length")
+    roll: float = same_setting(CameraSettings, "roll")
     zoom: float = setting(
         1.0,
         "1 frames the whole object, 10 is ten times closer to the cloth in the middle.",
@@ -164,6 +171,11 @@ class RenderSettings(Settings):
         choices=("llvm_ad_rgb", "cuda_ad_rgb"),
         metavar="NAME",
     )
+
+    def __post_init__(self) -> None:
+        """Raises InputError for a value that cannot be, and for settings of the camera that contradict."""
+        super().__post_init__()
+        CameraSettings.within(self)
 
     @property
     def soft_terminator(self) -> bool:
@@ -286,7 +298,7 @@ class _Keywords(TypedDict, total=False):
     variant: str | None
 
 
-class RenderKeywords(_Keywords, total=False):
+class RenderKeywords(_Keywords, CameraKeywords, total=False):
     """Keywords of `loomlight.render`: fields of `RenderSettings`, but for the scene."""
 
     model: str | None

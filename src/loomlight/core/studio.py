@@ -34,13 +34,8 @@ def studio_radiance(direction: NDArray[np.float64], *, paper: bool = False) -> N
         paper: light from below stands for that of paper, in renderers that follow no reflections; without,
             nothing comes from below the horizon, where the built-in scenes have a ground.
     """
-    rows, columns = _ROWS, 2 * _ROWS
-    polar = (np.arange(rows) + 0.5) / rows * np.pi
-    around = (np.arange(columns) + 0.5) / columns * 2 * np.pi
-    # Mitsuba's envmap: up is +y, and columns turn from -z over +x.
-    x, y = np.sin(polar)[:, None] * np.sin(around), np.cos(polar)[:, None] + 0 * around
-    towards = np.stack([x, y, -np.sin(polar)[:, None] * np.cos(around)], axis=-1)
-    solid_angle = np.sin(polar)[:, None] * (np.pi / rows) * (2 * np.pi / columns)
+    towards, solid_angle = _texels()
+    y = towards[..., 1]
     above = (y > 0).astype(np.float64)
 
     def irradiance(radiance: NDArray[np.float64], normal: NDArray[np.float64]) -> float:
@@ -62,3 +57,21 @@ def studio_radiance(direction: NDArray[np.float64], *, paper: bool = False) -> N
         total += (1 - above) * PAPER_SHARE * PAPER * irradiance(total, np.array([0.0, 1.0, 0.0])) / np.pi
     total *= np.pi / irradiance(total, direction)
     return np.repeat(total[..., None], 3, axis=-1).astype(np.float32)
+
+
+def paper_radiance(radiance: NDArray[np.float32], normal: NDArray[np.float64]) -> float:
+    """Radiance of unshaded paper that faces the unit `normal` in the light of `studio_radiance`."""
+    towards, solid_angle = _texels()
+    irradiance = radiance[..., 0] * np.clip(towards @ normal, 0, None) * solid_angle
+    return PAPER / np.pi * float(irradiance.sum())
+
+
+def _texels() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Directions [128, 256, 3] of the picture of the studio, and their solid angles, of each row alike."""
+    rows, columns = _ROWS, 2 * _ROWS
+    polar = (np.arange(rows) + 0.5) / rows * np.pi
+    around = (np.arange(columns) + 0.5) / columns * 2 * np.pi
+    # Mitsuba's envmap: up is +y, and columns turn from -z over +x.
+    x, y = np.sin(polar)[:, None] * np.sin(around), np.cos(polar)[:, None] + 0 * around
+    towards = np.stack([x, y, -np.sin(polar)[:, None] * np.cos(around)], axis=-1)
+    return towards, np.sin(polar)[:, None] * (np.pi / rows) * (2 * np.pi / columns)

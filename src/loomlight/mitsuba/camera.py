@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import drjit as dr
@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.backend import opaque
+from loomlight.core.camera_settings import CameraSettings, direction_of_angles
 from loomlight.core.errors import InputError
 
 Vector = NDArray[np.float64]
@@ -19,57 +20,128 @@ FIELD_OF_VIEW = 26.0  # degrees, of the picture's shorter side
 # Over a floor: degrees from a picture's middle to its upper edge at most, and from there to the horizon at
 # least. Taller pictures take a longer lens from farther away, as photographers do, so that floor fills them.
 _MAX_UPWARD, _BELOW_HORIZON = 17.5, 4.0
+# Cameras below that see over the floor in any case: they keep the lens that they have there, degrees.
+_LEAST_ELEVATION = 17.0
 _MARGIN = 1.04
 MAX_ZOOM = 1000.0
+# Of a unit vector's horizontal part, in directions that have no azimuth.
+_VERTICAL = 1e-6
 # The same for all views, and beyond every scene: kernels hold them.
 _NEAR, _FAR = 1e-7, 1e7
 
 
+def _upwards() -> Vector:
+    return np.array([0.0, 1.0, 0.0])
+
+
 @dataclass(frozen=True)
 class View:
-    """Where a camera stands, what it looks at, and degrees that the picture's shorter side shows."""
+    """Where a camera stands, what it looks at, and degrees that the picture's shorter side shows.
+
+    `up` is upwards in the picture, no direction of sight.
+    """
 
     origin: Vector
     target: Vector
     field_of_view: float = FIELD_OF_VIEW
+    up: Vector = field(default_factory=_upwards)
+
+    @property
+    def backward(self) -> Vector:
+        """Unit vector from the target to the camera."""
+        offset = self.origin - self.target
+        return np.asarray(offset / np.linalg.norm(offset))
+
+    @property
+    def azimuth(self) -> float:
+        """Degrees about the vertical, 0 from +z, 90 from +x; from above or below where its lower edge is."""
+        x, height, z = self.backward
+        if np.hypot(x, z) < _VERTICAL:
+            x, _, z = -np.sign(height) * self.up
+        return float(np.degrees(np.arctan2(x, z)))
 
     def closer(self, zoom: float, point: Vector) -> View:
         """The view `zoom` times closer to `point` on the cloth; at zoom 1 this view itself."""
         origin, target = (point + (place - point) / zoom for place in (self.origin, self.target))
-        return View(origin, target, self.field_of_view)
+        return replace(self, origin=origin, target=target)
 
 
 def field_of_view_over_floor(towards_camera: Vector, size: tuple[int, int]) -> float:
     """Degrees of the shorter side of a picture that shows nothing but floor behind its object.
 
     Args:
-        towards_camera: where the camera stands, at least 17 degrees above the floor.
+        towards_camera: where the camera stands; 17 degrees above the floor and more.
         size: width and height of the picture.
     """
     elevation = np.degrees(np.arcsin(towards_camera[1] / np.linalg.norm(towards_camera)))
-    upward = np.radians(min(_MAX_UPWARD, elevation - _BELOW_HORIZON))
+    upward = np.radians(min(_MAX_UPWARD, max(elevation, _LEAST_ELEVATION) - _BELOW_HORIZON))
     slope = min(np.tan(np.radians(FIELD_OF_VIEW / 2)), np.tan(upward) * min(size) / size[1])
     return float(2 * np.degrees(np.arctan(slope)))
 
 
 def framing(
-    points: Vector, towards_camera: Vector, size: tuple[int, int], field_of_view: float = FIELD_OF_VIEW
+    points: Vector,
+    towards_camera: Vector,
+    size: tuple[int, int],
+    field_of_view: float = FIELD_OF_VIEW,
+    up: Vector | None = None,
 ) -> View:
-    """The nearest view from the direction `towards_camera` that shows all `points` [n, 3]."""
+    """The nearest view from the direction `towards_camera` that shows all `points` [n, 3].
+
+    Args:
+        up: upwards in the picture, no direction of sight; +y by default.
+    """
+    upwards = _upwards() if up is None else up
     backward = towards_camera / np.linalg.norm(towards_camera)
-    right = np.cross([0.0, 1.0, 0.0], backward)
+    right = np.cross(upwards, backward)
     right /= np.linalg.norm(right)
-    up = np.cross(backward, right)
-    x, y, z = points @ right, points @ up, points @ backward
+    above = np.cross(backward, right)
+    x, y, z = points @ right, points @ above, points @ backward
     slope_x, slope_y = _slopes(size, field_of_view)
     # Each pair of opposite points bounds the distance; half their sum centres them in perspective.
     high_x, low_x = np.max(x + slope_x * z), np.max(-x + slope_x * z)
     high_y, low_y = np.max(y + slope_y * z), np.max(-y + slope_y * z)
     distance = max((high_x + low_x) / (2 * slope_x), (high_y + low_y) / (2 * slope_y))
     depth = (z.min() + z.max()) / 2
-    across = (high_x - low_x) / 2 * right + (high_y - low_y) / 2 * up
+    across = (high_x - low_x) / 2 * right + (high_y - low_y) / 2 * above
     target = across + depth * backward
-    return View(target + (distance - depth) * _MARGIN * backward, target, field_of_view)
+    return View(target + (distance - depth) * _MARGIN * backward, target, field_of_view, upwards)
+
+
+def chosen_view(
+    settings: CameraSettings,
+    points: Vector,
+    towards_camera: Vector,
+    size: tuple[int, int],
+    over_floor: bool = False,
+) -> View:
+    """The view that settings of a camera choose.
+
+    Args:
+        points: what the camera frames [n, 3], metres.
+        towards_camera: where it stands unless they say so.
+        over_floor: the lens that shows nothing but floor is taken unless they choose one.
+    """
+    towards, up = towards_camera, _upwards()
+    if settings.angles is not None:
+        azimuth, elevation = settings.angles
+        towards = direction_of_angles(azimuth, elevation)
+        up = direction_of_angles(azimuth, elevation + 90)
+    if settings.roll:
+        right = np.cross(up, towards)
+        above = np.cross(towards, right)
+        right, above = (axis / np.linalg.norm(axis) for axis in (right, above))
+        angle = np.radians(settings.roll)
+        up = np.cos(angle) * above + np.sin(angle) * right
+    lens = settings.field_of_view
+    if lens is None:
+        lens = field_of_view_over_floor(towards, size) if over_floor else FIELD_OF_VIEW
+    view = framing(points, towards, size, lens, up)
+    if settings.target is None and settings.distance is None:
+        return view
+    target = view.target if settings.target is None else np.array(settings.target, float)
+    distance = settings.distance or float(np.linalg.norm(view.origin - view.target))
+    return replace(view, origin=target + distance * view.backward, target=target)
 
 
 def perspective(view: View, size: tuple[int, int]) -> dict[str, Any]:
@@ -159,7 +231,7 @@ class Pinhole:
 def look_at(view: View) -> Any:
     """Mitsuba's camera-to-world transform of `view`."""
     return mi.ScalarTransform4f().look_at(
-        origin=view.origin.tolist(), target=view.target.tolist(), up=[0, 1, 0]
+        origin=view.origin.tolist(), target=view.target.tolist(), up=view.up.tolist()
     )
 
 

@@ -158,6 +158,7 @@ def camera_guides(
     number: Any,
     emitters: bool,
     max_passes: int,
+    background: float | None = None,
 ) -> list[Any]:
     """Normal and unshadowed light of what camera rays see, through holes too.
 
@@ -166,6 +167,7 @@ def camera_guides(
         number: of the sample within its pixel.
         emitters: they show.
         max_passes: rays that pass through so many holes end.
+        background: radiance where they meet nothing; None for the emitters' own.
 
     Returns:
         six arrays: normal of the world [3], light [3].
@@ -174,13 +176,16 @@ def camera_guides(
     active = mi.Bool(True)
     share, passes = mi.Spectrum(1), mi.UInt32(0)
     normal, light = mi.Vector3f(0), mi.Spectrum(0)
+    behind: Any = None if background is None else dr.opaque(mi.Float, background)
     while dr.hint(active, exclude=[first, traits], label="camera_guides"):
         si = scene.ray_intersect(ray, mi.RayFlags.All, coherent=True, active=active)
         bsdf = si.bsdf()
         filters = mi.Bool(traits.filters) & ((bsdf.flags() & FILTERS) != 0)
         first.set_on(si, filters)
         valid = active & si.is_valid()
-        if dr.hint(emitters, mode="scalar"):
+        if dr.hint(behind is not None, mode="scalar"):
+            light += share * dr.select(active & ~valid, behind, 0)
+        elif dr.hint(emitters, mode="scalar"):
             light += share * dr.select(active, si.emitter(scene).eval(si, active), 0)
         lit, through = _lit_without_shadow(scene, traits, si, number, valid)
         light += share * lit

@@ -10,6 +10,7 @@ import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.camera_settings import direction_of_angles
 from loomlight.core.environment_map import checked_environment_map, read_environment_map
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
@@ -34,16 +35,20 @@ def direction_of(azimuth: float, elevation: float) -> NDArray[np.float64]:
             f"light_from = {azimuth:g},{elevation:g} is out of range: write an azimuth from -360 to 360 and "
             "an elevation from -90 to 90 degrees."
         )
-    around, above = np.radians([azimuth, elevation])
-    return np.array([np.sin(around) * np.cos(above), np.sin(above), np.cos(around) * np.cos(above)])
+    return direction_of_angles(azimuth, elevation)
 
 
 def light_dicts(
-    light: str, centre: NDArray[np.float64], radius: float, towards: NDArray[np.float64]
+    light: str,
+    centre: NDArray[np.float64],
+    radius: float,
+    towards: NDArray[np.float64],
+    paper: bool = False,
 ) -> dict[str, dict[str, Any]]:
     """Mitsuba's dictionaries, by name, of the emitters that light an object of `radius` at `centre`.
 
-    `towards` points from the object to the light. A point light stands three radii away.
+    `towards` points from the object to the light. A point light stands three radii away. Of a studio without
+    a floor, light from below stands for that of `paper`.
 
     Raises:
         InputError: no such light, or a studio's key light or a sun below the horizon.
@@ -55,7 +60,7 @@ def light_dicts(
             f"horizon, where {light} has the ground; write an elevation from 0 to 90, or use directional."
         )
     if light == "studio":
-        return {"studio": {"type": "envmap", "bitmap": mi.Bitmap(studio_radiance(direction))}}
+        return {"studio": {"type": "envmap", "bitmap": mi.Bitmap(studio_radiance(direction, paper=paper))}}
     if light == "sunsky":
         # The sun keeps its true width: Mitsuba samples a wider one far too seldom, and allows one sky alone.
         scale = {"sun_scale": _DAYLIGHT, "sky_scale": _DAYLIGHT}

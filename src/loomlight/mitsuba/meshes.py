@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import re
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Generic, TypeVar
@@ -135,10 +135,12 @@ class Garment(Generic[ClothT]):
     Attributes:
         pieces: meshes, in metres, and the cloth of each.
         uncovered: the triangles that have no uv; None where all have.
+        parts: those of the file, in metres; none of a piece that is no file's.
     """
 
     pieces: list[tuple[ClothMesh, ClothT]]
     uncovered: ClothMesh | None
+    parts: Sequence[MeshPart] = ()
 
     @property
     def meshes(self) -> list[ClothMesh]:
@@ -178,7 +180,8 @@ def read_garment(
         ]
         pieces.append((at_one_scale(chosen), cloth if key is None else others[key]))
     bare = [part.mesh.scaled(metres_per_unit) for part in parts if not len(part.mesh.uv)]
-    garment = Garment(pieces, joined(bare) if bare else None)
+    parts = [replace(part, mesh=part.mesh.scaled(metres_per_unit)) for part in parts]
+    garment = Garment(pieces, joined(bare) if bare else None, parts)
     warn_of_extent(joined([mesh for mesh, _ in pieces]), metres_per_unit)
     for mesh, _ in pieces:
         warn_of_scale(mesh)

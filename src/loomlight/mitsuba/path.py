@@ -110,6 +110,7 @@ def _class_of(_variant: str) -> type:
             apart: samples count in their own pixels alone; see `PixelFilter`.
             soft_terminator: shadows begin on the smooth surface that vertex normals stand for.
             corner: a close-up in a corner of the picture, or None.
+            background: radiance that camera rays find where they meet nothing; None for the emitters' own.
         """
 
         def __init__(self, props: Any) -> None:
@@ -122,6 +123,7 @@ def _class_of(_variant: str) -> type:
             self.skip_film = False
             self.apart, self.soft_terminator = False, False
             self.corner: Corner | None = None
+            self.background: float | None = None
             self._render: _Render | None = None
 
         def to_string(self) -> str:
@@ -218,7 +220,9 @@ def _class_of(_variant: str) -> type:
                 number = samples_of(camera.film(), spp)[1] + dr.opaque(mi.UInt32, start)
                 shows = not self.hide_emitters
                 with sharing_pixels(render.shared_by(samples)):
-                    found = camera_guides(scene, render.traits, first, ray, number, shows, MAX_PASSES)
+                    found = camera_guides(
+                        scene, render.traits, first, ray, number, shows, MAX_PASSES, self.background
+                    )
                 return means_of_pixels(found, spp, camera.film())
 
         def prepare(self, sensor: Any, seed: Any = 0, spp: int = 0, aovs: Any = ()) -> tuple[Any, int]:
@@ -325,6 +329,7 @@ def _class_of(_variant: str) -> type:
             L = mi.Spectrum(0 if primal else state_in)
             δL = mi.Spectrum(δL if δL is not None else 0)
             passes = mi.UInt32(0)
+            background = None if self.background is None else dr.opaque(mi.Float, self.background)
             visible = mi.Bool(scene.environment() is not None and not self.hide_emitters)
 
             # The first surface that it meets; emitters that do not show are passed.
@@ -347,6 +352,8 @@ def _class_of(_variant: str) -> type:
                 shown = path.active & (path.scattered | (not self.hide_emitters))
                 with dr.resume_grad(when=not primal):
                     Le = β * vertices.emission(si, path, shown, primal)
+                if dr.hint(background is not None, mode="scalar"):
+                    Le = dr.select(path.active & ~valid & ~path.scattered, β * background, Le)
 
                 # 3. A light sample. Past the last bounce a path still passes through holes, because the
                 # previous vertex's light samples did.

@@ -402,8 +402,9 @@ def turntable(
 class Turntable:
     """A built-in scene, or one around a mesh, whose cloth turns about a vertical.
 
-    The camera stands as far away as the whole turn needs, and closer by `zoom`. Built-in cloths turn about
-    the origin, where a ball carries the drape; `about_middle` is for others.
+    The camera stands as far away as the whole turn of what it frames needs, and closer by `zoom`; one that
+    has a place of its own stays there. Built-in cloths turn about the origin, where a ball carries the drape;
+    `about_middle` is for others.
     """
 
     def __init__(self, shown: ClothScene, zoom: float = 1.0, *, about_middle: bool = False) -> None:
@@ -414,12 +415,16 @@ class Turntable:
         positions = np.concatenate([rows for rows, _ in self._rows.values()])
         low, high = positions.min(axis=0), positions.max(axis=0)
         self._axis = (low + high) / 2 * (1 - _UP) if about_middle else 0 * _UP
-        width, height = shown.scene.sensors()[0].film().size()
-        whole = np.concatenate([self._turned(positions, angle) for angle in _ANGLES])
-        towards_camera = shown.view.origin - shown.view.target
-        view = framing(whole, towards_camera, (int(width), int(height)), shown.view.field_of_view)
-        middle = self._axis + _UP * (low + high) / 2
-        shown.look_from(view.closer(zoom, middle if zoom > 1 else view.target))
+        view, middle = shown.view, shown.point
+        if shown.framed is not None:
+            width, height = shown.scene.sensors()[0].film().size()
+            framed = shown.framed.astype(np.float32).astype(np.float64)  # as the shapes hold it
+            whole = np.concatenate([self._turned(framed, angle) for angle in _ANGLES])
+            towards_camera, size = view.origin - view.target, (int(width), int(height))
+            view = framing(whole, towards_camera, size, view.field_of_view, view.up)
+            low, high = framed.min(axis=0), framed.max(axis=0)
+            middle = self._axis + _UP * (low + high) / 2 if zoom > 1 else view.target
+        shown.look_from(view.closer(zoom, middle))
 
     def pictures(self, count: int, **options: Any) -> Iterator[NDArray[np.float32]]:
         """`count` pictures of one turn, linear RGB [height, width, 3]; the first as the scene has the cloth.

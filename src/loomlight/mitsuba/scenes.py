@@ -6,15 +6,17 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, TypedDict
+from typing import Any, Unpack
 
 import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.camera_settings import CameraKeywords, CameraSettings
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
-from loomlight.core.studio import STUDIO_AZIMUTH, STUDIO_ELEVATION
+from loomlight.core.sentences import shown
+from loomlight.core.studio import PAPER, STUDIO_AZIMUTH, STUDIO_ELEVATION, paper_radiance, studio_radiance
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts
 from loomlight.mesh.cloth_mesh import ClothMesh, joined, warn_of_extent, warn_of_scale
@@ -22,10 +24,8 @@ from loomlight.mesh.edges import EDGES, edged
 from loomlight.mesh.reading import read_mesh
 from loomlight.mitsuba.bsdf import surface_bsdf
 from loomlight.mitsuba.camera import (
-    FIELD_OF_VIEW,
     View,
-    field_of_view_over_floor,
-    framing,
+    chosen_view,
     look_at,
     perspective,
     require_size,
@@ -74,6 +74,8 @@ MIN_RADIUS, MAX_RADIUS = 1e-5, 1e4
 
 # Of cloth of which it is not known, metres.
 _THICKNESS = 5e-4
+# Of a unit vector across cloth that is seen from its edge.
+_EDGE_ON = 1e-9
 # Of the ball behind the paper of scenes that show none, metres.
 _UNSEEN = 2.0
 
@@ -81,7 +83,7 @@ _UNSEEN = 2.0
 BsdfFactory = Callable[[tuple[float, float]], Any]
 
 
-class SceneOptions(TypedDict, total=False):
+class SceneOptions(CameraKeywords, total=False):
     """The keyword arguments of `build_scene`."""
 
     mesh: str | os.PathLike[str] | None
@@ -107,6 +109,7 @@ class ClothScene:
         uv_size_mm: millimetres of cloth per unit of u and of v, of the first piece of cloth.
         point: where the camera comes closer to, world coordinates.
         view: where the camera stands, at the zoom of the scene.
+        framed: what the camera frames [n, 3]; None where it stands in a place of its own.
     """
 
     scene: mi.Scene
@@ -115,6 +118,7 @@ class ClothScene:
     uv_size_mm: tuple[float, float]
     point: NDArray[np.float64]
     view: View
+    framed: NDArray[np.float64] | None = None
 
     def pixel_mm(self, metres_per_unit: float = 1.0) -> float:
         """Side of what a pixel in the middle shows of cloth that faces the camera at `point`, millimetres.
@@ -147,14 +151,28 @@ class ClothScene:
 
 @dataclass(frozen=True)
 class _Setup:
-    """The parts of a built-in scene; `light_from` as in `build_scene`."""
+    """The parts of a built-in scene; `light_from` as in `build_scene`.
+
+    Paper stands on the ground, or a gap behind the plane z = 0, metres.
+    """
 
     cloth: Callable[[], ClothMesh]
     towards_camera: tuple[float, float, float]
     light_from: tuple[float, float]
     ground: bool = False
-    backdrop: float | None = None
+    gap: float = 0.0
     edge: str = "raw"
+
+    def light_seen_from(self, view: View, behind: bool) -> tuple[float, float]:
+        """Azimuth and elevation of the lamp of another view than the setup's.
+
+        It stays beside a camera that walks around what stands on the floor, and on the upper side of a
+        backdrop, which is moved to the other side of the cloth for cameras `behind` it.
+        """
+        azimuth, elevation = self.light_from
+        x, _, z = self.towards_camera
+        walked = view.azimuth - float(np.degrees(np.arctan2(x, z))) if self.ground else 180.0 * behind
+        return (azimuth + walked + 180) % 360 - 180, elevation
 
 
 # As catalogues show cloth: on light paper, in a studio whose light is neutral. A flat piece, a ball and a
@@ -162,9 +180,9 @@ class _Setup:
 # over the drape some 70 degrees off the camera, over what lies flat 50: more would leave white cloth grey.
 _FRONT = (0, 0, 1)
 _SETUPS = {
-    "flat": _Setup(flat, _FRONT, (-37, 33), backdrop=-0.004, edge="pinked"),
-    "sphere": _Setup(sphere, _FRONT, (-45, 35), backdrop=-0.001 - SPHERE_RADIUS),
-    "cylinder": _Setup(cylinder, _FRONT, (-25, 42), backdrop=-0.001 - CYLINDER_RADIUS),
+    "flat": _Setup(flat, _FRONT, (-37, 33), gap=0.004, edge="pinked"),
+    "sphere": _Setup(sphere, _FRONT, (-45, 35), gap=0.001 + SPHERE_RADIUS),
+    "cylinder": _Setup(cylinder, _FRONT, (-25, 42), gap=0.001 + CYLINDER_RADIUS),
     "drape": _Setup(drape, (0.35, 0.55, 1), (STUDIO_AZIMUTH, STUDIO_ELEVATION), ground=True, edge="hem"),
 }
 _MESH = replace(_SETUPS["drape"], towards_camera=(0.3, 0.35, 1))
@@ -188,6 +206,7 @@ def build_scene(
     placement: Placement = Placement(),  # noqa: B008 (frozen)
     edge: str | None = "raw",
     others: Mapping[str, BsdfFactory] | None = None,
+    **camera: Unpack[CameraKeywords],
 ) -> ClothScene:
     """A scene that shows the cloth `bsdf`; a Mitsuba variant must be set.
 
@@ -205,16 +224,23 @@ def build_scene(
             mesh has them; None is what suits the scene. Scene files have their own.
         others: further cloths: of a scene file by the id of the BSDF that each replaces, of a mesh by the
             name of a part or of its material.
+        camera: fields of `CameraSettings`.
 
     Raises:
         InputError: an unknown scene or light, a value out of range, or a file that cannot be used.
     """
     _require_values(zoom, size, metres_per_unit, max_depth, edge)
+    seen = CameraSettings.of(camera)
     factory = bsdf if callable(bsdf) else _always(bsdf)
     # 1. A scene file has all but the cloth, and takes none of what describes a built-in scene.
     if Path(name).suffix.lower() == ".xml":
-        given = {"mesh": mesh, "environment": environment, "light": light, "light_from": light_from}
-        given["edge"] = None if edge == "raw" else edge
+        given: dict[str, object] = {
+            "mesh": mesh,
+            "environment": environment,
+            "light": light,
+            "light_from": light_from,
+        }
+        given |= seen.chosen() | {"edge": None if edge == "raw" else edge}
         for field, value in given.items():
             if value is not None:
                 raise InputError(
@@ -241,35 +267,122 @@ def build_scene(
     shapes, cloth, uv_size_mm = _dressed(worn, placement, edge)
     centre, radius = _bounds(cloth)
     _require_extent(cloth.name, radius)
-    # 3. The camera frames all of it, and comes closer below.
-    towards_camera = np.array(setup.towards_camera, float)
-    lens = field_of_view_over_floor(towards_camera, size) if setup.ground else FIELD_OF_VIEW
-    view = framing(cloth.positions, towards_camera, size, lens)
+    # 3. The camera frames all of it, or what it is told to, and comes closer below.
+    view, point, framed = _seen(seen, setup, worn, name if mesh is None else mesh, cloth, size)
+    farther, view = view.closer(min(zoom, 1.0), point), view.closer(zoom, point)
     paths = {"max_depth": max_depth or DEFAULT_DEPTH, "rr_depth": ROULETTE_DEPTH}
     integrator = mi.load_dict({"type": "footprint_path", **paths})
     parts: dict[str, Any] = {**empty_scene(), "integrator": integrator, **shapes}
-    # 4. The light.
+    lies = setup.edge == edge == "pinked"
+    gap = 1e-3 * float(np.clip(placement.scale, 1, 4)) if lies else setup.gap
+    paper = _Paper.under(cloth, radius, view) if setup.ground else _Paper.behind(gap, view)
+    # 4. The light. Photographers take their lamps along when they walk around; the sun stays.
     if environment is not None:
         parts["environment"] = environment_dict(environment, environment_turn)
     else:
-        towards = direction_of(*(setup.light_from if light_from is None else light_from))
-        parts |= light_dicts("studio" if light is None else light, centre, radius, towards)
+        kind = "studio" if light is None else light
+        placed = seen.view is not None
+        if light_from is None:
+            light_from = setup.light_from
+            if placed and kind != "sunsky":
+                light_from = setup.light_seen_from(view, paper.side < 0)
+        towards = direction_of(*light_from)
+        parts |= light_dicts(kind, centre, radius, towards, paper=not paper.is_there)
+        if seen.chosen():
+            integrator.background = paper.radiance(kind, towards)
     # 5. What stands around: paper below or behind, as far as a camera farther away sees, and the ball.
-    point = _facing_point(cloth, view)
-    farther = view.closer(min(zoom, 1.0), point)
     distance = float(np.linalg.norm(farther.origin - centre))
-    if setup.ground:
+    if setup.ground and paper.is_there:
         parts["ground"] = ground(centre, radius, float(cloth.positions[:, 1].min()), distance)
     if mesh is None:
-        parts["ball"] = ball(_UNSEEN if setup.backdrop is not None else 0.0)
-    if setup.backdrop is not None:
-        lies = setup.edge == edge == "pinked"
-        depth = -1e-3 * float(np.clip(placement.scale, 1, 4)) if lies else setup.backdrop
-        parts["backdrop"] = backdrop(centre, radius, depth, distance)
+        parts["ball"] = ball(0.0 if setup.ground else paper.side * _UNSEEN)
+    if not setup.ground and paper.is_there:
+        parts["backdrop"] = backdrop(centre, radius, paper.side * -gap, distance)
     # 6. The scene, seen from as near as asked for.
-    view = view.closer(zoom, point)
     parts["sensor"] = perspective(view, size)
-    return ClothScene(_loaded(parts), integrator, uv_size_mm, point, view)
+    return ClothScene(_loaded(parts), integrator, uv_size_mm, point, view, framed)
+
+
+def _seen(
+    settings: CameraSettings,
+    setup: _Setup,
+    worn: Garment[BsdfFactory],
+    name: str | os.PathLike[str],
+    cloth: ClothMesh,
+    size: tuple[int, int],
+) -> tuple[View, NDArray[np.float64], NDArray[np.float64] | None]:
+    """The view at zoom 1, the point that zoom comes closer to, and what the camera frames; see `ClothScene`.
+
+    Args:
+        name: of the scene or of the mesh file.
+
+    Raises:
+        InputError: no such part.
+    """
+    looked_at = cloth if settings.look_at is None else _part_of(worn, settings.look_at, name)
+    points, towards = looked_at.positions, np.array(setup.towards_camera, float)
+    view = chosen_view(settings, points, towards, size, setup.ground)
+    point = _facing_point(looked_at, view, settings.target)
+    stands = settings.target is not None or settings.distance is not None
+    return view, point, None if stands else points
+
+
+def _part_of(worn: Garment[BsdfFactory], part: str, name: str | os.PathLike[str]) -> ClothMesh:
+    if not worn.parts:
+        raise InputError(f"look_at = {shown(part)} needs a mesh with parts, and the scene {name} has none.")
+    chosen = [each.mesh for each in worn.parts if part in (each.name, each.material)]
+    if not chosen:
+        known = list(
+            dict.fromkeys(word for each in worn.parts for word in (each.name, each.material) if word)
+        )
+        advice = f"it has {_listed(known)}" if known else "its parts have no names"
+        raise InputError(f"{name} has no part and no material {shown(part)} to look at: {advice}.")
+    return joined([replace(each, uv=np.zeros((0, 2))) for each in chosen])
+
+
+def _listed(names: list[str]) -> str:
+    """At most eight names."""
+    more = f" and {len(names) - 8} others" if len(names) > 8 else ""
+    return f"{', '.join(name[:40] for name in names[:8])}{more}"
+
+
+@dataclass(frozen=True)
+class _Paper:
+    """The sheet of paper that cloth stands on or lies on.
+
+    Attributes:
+        normal: unit vector towards the cloth.
+        is_there: the camera stands on its upper side; it is left out of pictures from below.
+    """
+
+    normal: NDArray[np.float64]
+    is_there: bool
+
+    @classmethod
+    def under(cls, cloth: ClothMesh, radius: float, view: View) -> _Paper:
+        """A floor."""
+        return cls(
+            np.array([0.0, 1.0, 0.0]), bool(view.origin[1] > cloth.positions[:, 1].min() - 1e-3 * radius)
+        )
+
+    @classmethod
+    def behind(cls, gap: float, view: View) -> _Paper:
+        """A backdrop so many metres from the plane z = 0, on the far side of the cloth."""
+        side = -1.0 if view.backward[2] < -_EDGE_ON else 1.0
+        return cls(np.array([0.0, 0.0, side]), bool(side * view.origin[2] > -gap))
+
+    @property
+    def side(self) -> float:
+        """-1 where a backdrop stands before the front of the cloth, for cameras behind it."""
+        return float(self.normal[2])
+
+    def radiance(self, light: str, towards: NDArray[np.float64]) -> float | None:
+        """Of what is seen past the paper's horizon: the paper goes on; None where the light has a sky."""
+        if light == "studio":
+            return paper_radiance(studio_radiance(towards, paper=not self.is_there), self.normal)
+        if light == "directional":
+            return PAPER * max(float(towards @ self.normal), 0.0)
+        return None
 
 
 def _dressed(
@@ -368,8 +481,10 @@ def _bounds(cloth: ClothMesh) -> tuple[NDArray[np.float64], float]:
     return (low + high) / 2, float(np.linalg.norm(high - low)) / 2
 
 
-def _facing_point(cloth: ClothMesh, view: View) -> NDArray[np.float64]:
-    """Where the camera's axis meets the cloth first, or the vertex nearest to the axis."""
+def _facing_point(
+    cloth: ClothMesh, view: View, otherwise: tuple[float, float, float] | None = None
+) -> NDArray[np.float64]:
+    """Where the camera's axis meets the cloth first; otherwise a point, or the vertex nearest to the axis."""
     axis = view.target - view.origin
     axis /= np.linalg.norm(axis)
     a, b, c = (cloth.positions[cloth.triangles[:, corner]] for corner in range(3))
@@ -383,6 +498,8 @@ def _facing_point(cloth: ClothMesh, view: View) -> NDArray[np.float64]:
             inside &= np.sum(np.cross(end - start, hits - start) * normal, axis=1) >= 0
     if inside.any():
         return hits[np.argmin(np.where(inside, along, np.inf))]
+    if otherwise is not None:
+        return np.array(otherwise, float)
     offset = cloth.positions - view.origin
     away = np.linalg.norm(offset - (offset @ axis)[:, None] * axis, axis=1)
     return cloth.positions[np.argmin(away)]

@@ -134,8 +134,13 @@ def ground(
 def backdrop(
     centre: NDArray[np.float64], radius: float, depth: float, distance: float = 0.0
 ) -> dict[str, Any]:
-    """A sheet of paper at z = `depth` behind an object of `radius` that faces +z, as wide as `ground`'s."""
+    """A sheet of paper at z = `depth` behind an object of `radius`, as wide as `ground`'s.
+
+    It faces +z, or -z where it stands before the object, for cameras behind it.
+    """
     transform = mi.ScalarTransform4f().translate([centre[0], centre[1], depth])
+    if depth > 0:
+        transform = transform.rotate([0, 1, 0], 180)
     return {"type": "disk", "to_world": transform.scale(60 * max(radius, distance)), "bsdf": _PAPER}
 
 

@@ -1,0 +1,144 @@
+"""Where the camera of a picture stands: settings, declared once for pictures, windows and sheets."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Self, TypedDict
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+from loomlight.core.sentences import shown
+from loomlight.core.settings import Settings, declared, documented, setting
+
+# Azimuth and elevation in degrees, as those of `light_from`.
+VIEWS: dict[str, tuple[float, float]] = {
+    "front": (0, 0),
+    "back": (180, 0),
+    "left": (-90, 0),
+    "right": (90, 0),
+    "three-quarter": (40, 20),
+    "back-three-quarter": (140, 20),
+    "top": (0, 90),
+    "bottom": (0, -90),
+}
+# Millimetres of a sensor of 36 × 24 that the picture's shorter side is.
+SENSOR_MM = 24.0
+_VIEWS_IN_WORDS = f"{', '.join(VIEWS)}, or AZIMUTH,ELEVATION in degrees, such as 30,20"
+
+
+def view_angles(view: object) -> tuple[float, float] | None:
+    """Azimuth, −360 to 360, and elevation, −90 to 90 degrees, of a view's name, "30,20" or (30, 20).
+
+    None where it is none of these.
+    """
+    if isinstance(view, str) and view in VIEWS:
+        return VIEWS[view]
+    parts = view.split(",") if isinstance(view, str) else view
+    try:
+        azimuth, elevation = (float(part) for part in parts)  # type: ignore[attr-defined]  # it is tried
+    except (TypeError, ValueError):
+        return None
+    return (azimuth, elevation) if abs(azimuth) <= 360 and abs(elevation) <= 90 else None
+
+
+def direction_of_angles(azimuth: float, elevation: float) -> NDArray[np.float64]:
+    """The unit vector towards `azimuth` (0 at +z, 90 at +x) and `elevation` above it, degrees."""
+    around, above = np.radians([azimuth, elevation])
+    return np.array([np.sin(around) * np.cos(above), np.sin(above), np.cos(around) * np.cos(above)])
+
+
+@documented
+@dataclass(frozen=True, kw_only=True)
+class CameraSettings(Settings):
+    """Where a camera stands and what it shows; zoom comes closer from there."""
+
+    title: ClassVar[str] = "setting of a camera"
+
+    view: str | tuple[float, float] | None = setting(
+        None,
+        f"Where the camera stands: {_VIEWS_IN_WORDS}; 0,0 is the front (+z), 90,0 the right (+x).",
+        otherwise="as the scene has it",
+        fits=lambda view: view_angles(view) is not None,
+        expected=_VIEWS_IN_WORDS,
+        metavar="NAME|AZIMUTH,ELEVATION",
+    )
+    look_at: str | None = setting(
+        None,
+        "Frames the part or material of this name of the mesh.",
+        otherwise="the whole object",
+        metavar="PART",
+    )
+    target: tuple[float, float, float] | None = setting(
+        None,
+        "Where the camera looks, metres.",
+        otherwise="the middle of what it frames",
+        low=-1e6,
+        high=1e6,
+        metavar="X,Y,Z",
+        example="0,0.3,0",
+    )
+    distance: float | None = setting(
+        None,
+        "Of the camera from where it looks, metres.",
+        otherwise="as near as shows all of it",
+        low=1e-4,
+        high=1e6,
+        metavar="METRES",
+    )
+    focal_length: float | None = setting(
+        None,
+        "Of the lens, millimetres of 35 mm film: the picture's shorter side is its 24 mm.",
+        otherwise="52, longer for tall pictures of what stands on paper",
+        low=1,
+        high=10_000,
+        metavar="MM",
+    )
+    roll: float = setting(0.0, "Turns the picture, counter-clockwise, degrees.", low=-360, high=360)
+
+    def __post_init__(self) -> None:
+        """Raises InputError for a value that cannot be, and for two that contradict."""
+        super().__post_init__()
+        for one, others in (("look_at", ("target",)),):
+            chosen = self.chosen()
+            if one in chosen and (other := next((name for name in others if name in chosen), None)):
+                what = "where the camera looks"
+                raise InputError(
+                    f"{one} = {shown(chosen[one])} and {other} = {shown(chosen[other])} both say {what}: "
+                    "leave one of them out."
+                )
+
+    @classmethod
+    def within(cls, settings: Settings) -> Self:
+        """Those among other settings, which may lack some."""
+        names = declared(cls).keys() & declared(type(settings)).keys()
+        return cls(**{name: getattr(settings, name) for name in names})
+
+    @property
+    def angles(self) -> tuple[float, float] | None:
+        """Azimuth and elevation of the view, degrees; None where none is chosen."""
+        return None if self.view is None else view_angles(self.view)
+
+    @property
+    def field_of_view(self) -> float | None:
+        """Degrees of the picture's shorter side; None where no lens is chosen."""
+        if self.focal_length is None:
+            return None
+        return float(2 * np.degrees(np.arctan(SENSOR_MM / 2 / self.focal_length)))
+
+
+def focal_length_of(field_of_view: float) -> float:
+    """Millimetres of 35 mm film of a lens that shows so many degrees along the picture's shorter side."""
+    return float(SENSOR_MM / 2 / np.tan(np.radians(field_of_view) / 2))
+
+
+class CameraKeywords(TypedDict, total=False):
+    """Keywords of cameras: fields of `CameraSettings`."""
+
+    view: str | tuple[float, float] | None
+    look_at: str | None
+    target: tuple[float, float, float] | None
+    distance: float | None
+    focal_length: float | None
+    roll: float
