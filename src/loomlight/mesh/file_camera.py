@@ -25,3 +25,12 @@ class FileCamera:
     vertical: float
     aspect: float | None = None
     orthographic: bool = False
+
+
+def rigid(matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The turn and the place [4, 4] of a matrix that may scale, shear or mirror too."""
+    left, _, right = np.linalg.svd(matrix[:3, :3])
+    found = np.eye(4)
+    found[:3, :3] = left @ np.diag([1, 1, np.sign(np.linalg.det(left @ right))]) @ right
+    found[:3, 3] = matrix[:3, 3]
+    return found

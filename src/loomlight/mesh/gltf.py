@@ -1,6 +1,7 @@
 """glTF meshes: primitives of triangles, placed by their nodes, with the uv that their base colour takes.
 
-Morph targets have the file's default weights, and skinned meshes are where their joints stand in the file.
+At rest morph targets have the file's default weights, and joints stand where their nodes do; at a time
+animations move both. Their other uv are attributes: "uv1", "uv2" … in the order of their numbers.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 import base64
 import binascii
 import json
+import re
 import struct
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -29,7 +31,8 @@ from loomlight.mesh.cloth_mesh import (
     placed,
     strip_triangles,
 )
-from loomlight.mesh.file_camera import FileCamera
+from loomlight.mesh.file_camera import FileCamera, rigid
+from loomlight.mesh.frames import times_of_frames
 
 # Modes of primitives; those before are points and lines.
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
@@ -41,10 +44,14 @@ _TRANSFORM = "KHR_texture_transform"
 def read_gltf(file: Path, time: float | None = None) -> list[MeshPart]:
     """A part for each primitive of each node, named by the node or else its mesh, where the scene places it.
 
+    Args:
+        time: seconds after the first key of its animations; None for what it shows without them.
+
     Raises:
         InputError: a damaged file, or one that shows no triangles.
     """
     gltf = load_gltf(file)
+    _animate(gltf, time)
     parts: list[MeshPart] = []
     known: dict[_Shape, list[MeshPart]] = {}
     total = 0
@@ -66,14 +73,6 @@ def read_gltf(file: Path, time: float | None = None) -> list[MeshPart]:
         reason = "its meshes are points or lines" if known else "its scene shows no mesh"
         raise InputError(f"{file} holds no triangles: {reason}.")
     return parts
-
-
-def gltf_frames(file: Path) -> list[float]:
-    return []
-
-
-def gltf_cameras(file: Path, time: float | None = None) -> list[FileCamera]:
-    return []
 
 
 @dataclass(frozen=True)
@@ -259,7 +258,8 @@ def _geometry(gltf: GltfFile, primitive: Entry, material: Entry, pose: _Pose) ->
     if "POSITION" not in names:
         raise gltf.damaged("a primitive has no positions")
     uv_name, transform = _uv_of_material(gltf, material, names)
-    widths = {"POSITION": 3, "NORMAL": 3, uv_name: 2} | _skin_widths(names, pose)
+    others = sorted(_texture_coordinates(names) - {uv_name})
+    widths = {"POSITION": 3, "NORMAL": 3, uv_name: 2, **dict.fromkeys(others, 2)} | _skin_widths(names, pose)
     wanted = {name: width for name, width in widths.items() if name in names}
     compressed = gltf.dictionary(primitive, "extensions", _DRACO)
     if compressed:
@@ -288,7 +288,12 @@ def _geometry(gltf: GltfFile, primitive: Entry, material: Entry, pose: _Pose) ->
         uv=uv[used] if len(uv) else uv,
         triangles=inverse.reshape(-1, 3),
         name=str(gltf.file),
+        attributes={f"uv{number}": arrays[name][used] for number, name in enumerate(others, 1)},
     )
+
+
+def _texture_coordinates(names: Entry) -> set[str]:
+    return {name for name in names if re.fullmatch(r"TEXCOORD_\d", name)}
 
 
 def _skin_widths(names: Entry, pose: _Pose) -> dict[str, int]:
@@ -368,7 +373,7 @@ def _uv_of_material(gltf: GltfFile, material: Entry, names: Entry) -> tuple[str,
     change = gltf.dictionary(texture, "extensions", _TRANSFORM)
     name = f"TEXCOORD_{gltf.integer(change, 'texCoord', gltf.integer(texture, 'texCoord', 0))}"
     if name not in names:
-        name = min((key for key in names if key.startswith("TEXCOORD_")), default=name)
+        name = min(_texture_coordinates(names), default=name)
     u, v = _vector(gltf, change, "scale", [1, 1])
     angle = change.get("rotation", 0)
     if isinstance(angle, bool) or not isinstance(angle, int | float) or not abs(angle) < 1e6:
@@ -377,6 +382,203 @@ def _uv_of_material(gltf: GltfFile, material: Entry, names: Entry) -> tuple[str,
     turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
     offset = _vector(gltf, change, "offset", [0, 0])
     return name, np.concatenate([turn * [u, v], offset[:, None]], axis=1)
+
+
+# ------------------------------------------------------------------------------------- animations and cameras
+# What animations make of nodes at a time, and the cameras of nodes.
+
+
+# Rows of the output of a sampler for each of its keys, by its interpolation.
+_ROWS_OF_KEY = {"LINEAR": 1, "STEP": 1, "CUBICSPLINE": 3}
+_WIDTHS_OF_PATHS = {"translation": 3, "rotation": 4, "scale": 3, "weights": 1}
+# Frames a second at which animations are keyed; the first that all keys of a file lie on is taken.
+_RATES = (24, 25, 30, 48, 50, 60, 120)
+
+
+@dataclass(frozen=True, eq=False)
+class _Channel:
+    """What an animation does to a node.
+
+    Attributes:
+        path: "translation", "rotation", "scale" or "weights", of the morph targets.
+        keys: times, seconds, which rise.
+        values: [keys, 1, k], or [keys, 3, k] of a spline: tangent before, value and tangent behind.
+    """
+
+    node: int
+    path: str
+    interpolation: str
+    keys: NDArray[np.float64]
+    values: NDArray[np.float64]
+
+    def at(self, time: float) -> NDArray[np.float64]:
+        """The value [k] at a time, held before the first and after the last key (glTF 2.0, appendix C)."""
+        keys, values = self.keys, self.values
+        time = min(max(time, keys[0]), keys[-1])
+        before = int(np.searchsorted(keys, time, side="right")) - 1
+        middle = values.shape[1] // 2
+        first = values[before, middle]
+        if before + 1 == len(keys) or self.interpolation == "STEP":
+            return first
+        second, step = values[before + 1, middle], keys[before + 1] - keys[before]
+        t = (time - keys[before]) / step
+        if self.interpolation == "CUBICSPLINE":
+            out, into = step * values[before, 2], step * values[before + 1, 0]
+            return (
+                (2 * t**3 - 3 * t**2 + 1) * first
+                + (t**3 - 2 * t**2 + t) * out
+                + (3 * t**2 - 2 * t**3) * second
+                + (t**3 - t**2) * into
+            )
+        if self.path == "rotation":
+            return _slerp(first, second, t)
+        return first + t * (second - first)
+
+
+def gltf_frames(file: Path) -> list[float]:
+    """Seconds of each frame from the first key to the last, at the rate of the keys; [] where no mesh moves.
+
+    The rate is the first of 24, 25, 30, 48, 50, 60 and 120 a second that all keys lie on, or else 24.
+
+    Raises:
+        InputError: a damaged file, or too many frames.
+    """
+    gltf = load_gltf(file)
+    moving = _moving_nodes(gltf)
+    keys = np.concatenate(
+        [np.zeros(0), *(channel.keys for channel in _channels(gltf) if channel.node in moving)]
+    )
+    if len(keys) == 0 or keys.min() == keys.max():
+        return []
+    offsets = keys - keys.min()
+    rate = next((r for r in _RATES if np.abs(offsets * r - np.round(offsets * r)).max() < 0.01), _RATES[0])
+    return times_of_frames(float(offsets.max()), rate, file)
+
+
+def gltf_cameras(file: Path, time: float | None = None) -> list[FileCamera]:
+    """The cameras that the nodes of the scene have, named by the node or else the camera.
+
+    Raises:
+        InputError: a damaged file.
+    """
+    gltf = load_gltf(file)
+    _animate(gltf, time)
+    _, world = _placements(gltf)
+    return [
+        _camera(gltf, node, matrix)
+        for number, matrix in world.items()
+        if "camera" in (node := gltf.entry("nodes", number))
+    ]
+
+
+def _camera(gltf: GltfFile, node: Entry, matrix: NDArray[np.float64]) -> FileCamera:
+    entry = gltf.entry("cameras", node["camera"])
+    name = _text(node) or _text(entry)
+    if not np.isfinite(matrix).all():
+        raise gltf.damaged(f'a transform of the camera "{name[:40]}" is not finite')
+    if entry.get("type") == "orthographic":
+        return FileCamera(name, rigid(matrix), 0.0, orthographic=True)
+    lens = gltf.dictionary(entry, "perspective")
+    height = _number(gltf, lens, "yfov")
+    aspect = _number(gltf, lens, "aspectRatio") if "aspectRatio" in lens else None
+    if not 0 < height < np.pi or (aspect is not None and aspect <= 0):
+        raise gltf.damaged(f'the camera "{name[:40]}" has an angle or an aspect ratio that makes no picture')
+    return FileCamera(name, rigid(matrix), float(np.degrees(height)), aspect)
+
+
+def _number(gltf: GltfFile, holder: Entry, key: str) -> float:
+    (value,) = _vector(gltf, {key: [holder.get(key)]}, key, [0.0])
+    return float(value)
+
+
+def _animate(gltf: GltfFile, time: float | None) -> None:
+    """Gives nodes what animations make of them `time` seconds after the first key that moves a mesh."""
+    if time is None:
+        return
+    channels = _channels(gltf)
+    moving = _moving_nodes(gltf)
+    start = min((channel.keys[0] for channel in channels if channel.node in moving), default=None)
+    if start is None:
+        start = min((channel.keys[0] for channel in channels), default=0.0)
+    for channel in channels:
+        node = gltf.entry("nodes", channel.node)
+        if "matrix" in node and channel.path != "weights":
+            raise gltf.damaged(f"node {channel.node} has a matrix and is animated")
+        node[channel.path] = channel.at(start + time).tolist()
+
+
+def _channels(gltf: GltfFile) -> list[_Channel]:
+    """What is played: all animations together, but for those that move what one before them moves."""
+    played: list[_Channel] = []
+    taken: set[tuple[int, str]] = set()
+    for number in range(len(gltf.entries("animations"))):
+        animation = gltf.entry("animations", number)
+        channels, samplers = animation.get("channels"), animation.get("samplers")
+        if not isinstance(channels, list) or not isinstance(samplers, list):
+            raise gltf.damaged(f"animation {number} has no channels and samplers")
+        targets: dict[tuple[int, str], object] = {}
+        for channel in channels:
+            if not isinstance(channel, dict):
+                raise gltf.damaged(f"a channel of animation {number} is no object of JSON")
+            target = gltf.dictionary(channel, "target")
+            path = target.get("path")
+            if "node" in target and isinstance(path, str) and path in _WIDTHS_OF_PATHS:
+                gltf.entry("nodes", target["node"])
+                targets[target["node"], path] = channel.get("sampler")
+        if taken & set(targets):
+            continue  # another clip, to be played instead
+        taken |= set(targets)
+        played += [_channel(gltf, *target, samplers, sampler) for target, sampler in targets.items()]
+    return played
+
+
+def _channel(gltf: GltfFile, node: int, path: str, samplers: list[object], number: object) -> _Channel:
+    sampler = samplers[number] if _is_index(number) and number < len(samplers) else None
+    if not isinstance(sampler, dict):
+        raise gltf.damaged(f"an animation names sampler {repr(number)[:20]}, which it does not have")
+    interpolation = sampler.get("interpolation", "LINEAR")
+    if not isinstance(interpolation, str) or interpolation not in _ROWS_OF_KEY:
+        raise gltf.damaged(f"the interpolation of an animation is {repr(interpolation)[:20]}")
+    keys = attribute(gltf, sampler.get("input"), 1)[:, 0]
+    values = attribute(gltf, sampler.get("output"), _WIDTHS_OF_PATHS[path])
+    rows = _ROWS_OF_KEY[interpolation]
+    if not len(keys) or not np.isfinite(keys).all() or (np.diff(keys) <= 0).any():
+        raise gltf.damaged("the times of an animation do not rise")
+    # Of morph targets there is a number for each at each key; others have one row.
+    width = len(values) // (len(keys) * rows) if path == "weights" else 1
+    if len(values) != len(keys) * rows * width or not width:
+        raise gltf.damaged(f"an animation has {len(keys)} keys and {len(values)} values")
+    return _Channel(node, path, interpolation, keys, values.reshape(len(keys), rows, -1))
+
+
+def _slerp(first: NDArray[np.float64], second: NDArray[np.float64], t: float) -> NDArray[np.float64]:
+    """Between two quaternions, the shorter way round."""
+    first, second = (each / max(float(np.linalg.norm(each)), 1e-30) for each in (first, second))
+    cosine = float(first @ second)
+    if cosine < 0:
+        second, cosine = -second, -cosine
+    if cosine > 1 - 1e-9:
+        return first + t * (second - first)
+    angle = np.arccos(cosine)
+    return (np.sin((1 - t) * angle) * first + np.sin(t * angle) * second) / np.sin(angle)
+
+
+def _moving_nodes(gltf: GltfFile) -> set[int]:
+    """Nodes that have a mesh or are a joint, and all above these."""
+    count = len(gltf.entries("nodes"))
+    above = {
+        child: number for number in range(count) for child in _children(gltf, gltf.entry("nodes", number))
+    }
+    waiting = [number for number in range(count) if "mesh" in gltf.entry("nodes", number)]
+    for number in range(len(gltf.entries("skins"))):
+        waiting += _children(gltf, gltf.entry("skins", number), "joints")
+    found: set[int] = set()
+    while waiting:
+        number = waiting.pop()
+        if number not in found:
+            found.add(number)
+            waiting += [above[number]] if number in above else []
+    return found
 
 
 # ------------------------------------------------------------------------------------- containers and buffers

@@ -32,7 +32,8 @@ from loomlight.mesh.cloth_mesh import (
     triangulate,
     vertex_normals,
 )
-from loomlight.mesh.file_camera import FileCamera
+from loomlight.mesh.file_camera import FileCamera, rigid
+from loomlight.mesh.frames import times_of_frames
 
 SUFFIXES = (".usd", ".usda", ".usdc", ".usdz")
 # Primvars that are uv by their name, the first that there is, before others of USD's own type for uv.
@@ -40,7 +41,6 @@ _UV_NAMES = ("st", "uv", "UVMap", "map1", "st0", "st_0", "Texture_uv")
 _LIKE_UV = re.compile(r"(st|uv|map|tex)", re.IGNORECASE)
 # Point instancers may show others, which may show others.
 _MAX_DEPTH = 8
-_MAX_FRAMES = 100_000
 # (x, y, z) with z up is (x, z, -y) with y up.
 _Z_TO_Y = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
 # Attributes that move what is shown, beside operations of transforms.
@@ -65,7 +65,7 @@ def usd_frames(file: Path) -> list[float]:
     """Seconds of each frame, by the file's frames a second; [] where no mesh moves.
 
     Raises:
-        InputError: what `read_usd` raises, or more than 100,000 frames.
+        InputError: what `read_usd` raises, or too many frames.
     """
     with _opened(file) as scene:
         samples = scene.samples
@@ -77,13 +77,7 @@ def usd_frames(file: Path) -> list[float]:
         per_second = rate if rate >= 10 else 24.0
         if stage.HasAuthoredMetadata("framesPerSecond"):
             per_second = stage.GetFramesPerSecond()
-        count = np.floor((end - start) / rate * per_second + 1e-6) + 1 if rate > 0 else np.nan
-        if not 0 < per_second < 1e6 or not 1 <= count <= _MAX_FRAMES:
-            raise InputError(
-                f"{file} has time codes from {start:g} to {end:g} at {rate:g} a second: it should have 1 to "
-                f"{_MAX_FRAMES} frames."
-            )
-        return [number / per_second for number in range(int(count))]
+        return times_of_frames((end - start) / rate if rate > 0 else np.nan, per_second, file)
 
 
 def usd_cameras(file: Path, time: float | None = None) -> list[FileCamera]:
@@ -752,13 +746,9 @@ def _camera(scene: _Scene, prim: Any, code: Any) -> FileCamera:
             f'{scene.file}: the camera "{prim.GetPath()}" has a focal length, an aperture or a transform '
             "that makes no picture: they should be finite, and lengths above 0."
         )
-    left, _, right = np.linalg.svd(matrix[:3, :3])
-    rigid = np.eye(4)
-    rigid[:3, :3] = left @ np.diag([1, 1, np.sign(np.linalg.det(left @ right))]) @ right
-    rigid[:3, 3] = matrix[:3, 3]
     return FileCamera(
         name=prim.GetName(),
-        to_world=rigid,
+        to_world=rigid(matrix),
         vertical=float(np.degrees(2 * np.arctan(sizes[2] / (2 * sizes[0])))),
         aspect=float(sizes[1] / sizes[2]),
         orthographic=camera.projection == Gf.Camera.Orthographic,
