@@ -50,6 +50,8 @@ def test_a_lens_of_film() -> None:
 @pytest.mark.parametrize(
     ("settings", "sentence"),
     [
+        ({"camera": "a", "view": "back"}, 'camera = "a" and view = "back" both say how the file'),
+        ({"camera": "a", "roll": 3.0}, 'camera = "a" and roll = 3.0 both say'),
         (
             {"look_at": "collar", "target": (0, 0, 0)},
             'look_at = "collar" and target = (0, 0, 0) both say where',

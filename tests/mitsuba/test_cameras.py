@@ -5,6 +5,10 @@ Covers: core/camera_settings.py, mitsuba/camera.py, mitsuba/scenes.py
 
 from __future__ import annotations
 
+import base64
+import json
+import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -216,3 +220,122 @@ def test_a_turntable_starts_at_the_view(tmp_path: Path) -> None:
     assert np.abs(first - second).mean() > 1e-4
     assert first.mean() == pytest.approx(second.mean(), rel=0.3)
     assert framing(np.eye(3), FRONT, (8, 8)).up.tolist() == [0, 1, 0]
+
+
+USD = """#usda 1.0
+(
+    metersPerUnit = 0.01
+    upAxis = "Z"
+)
+def Mesh "cloth"
+{{
+    int[] faceVertexCounts = [4]
+    int[] faceVertexIndices = [0, 1, 2, 3]
+    point3f[] points = [(-50, 0, 0), (50, 0, 0), (50, 0, 100), (-50, 0, 100)]
+    texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 1)] (interpolation = "vertex")
+}}
+def Camera "hero"
+{{
+    double3 xformOp:translate = (0, -200, 50)
+    double3 xformOp:rotateXYZ = (90, 0, 0)
+    uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:rotateXYZ"]
+    token projection = "{projection}"
+    float focalLength = 50
+    float horizontalAperture = 50
+    float verticalAperture = 25
+}}
+"""
+
+
+def usd_of_a_camera(folder: Path, projection: str = "perspective") -> Path:
+    """A square of 1 m, and a camera 2 m before it that shows 1 m of its height and 2 m across; z is up."""
+    pytest.importorskip("pxr")
+    file = folder / "shot.usda"
+    file.write_text(USD.format(projection=projection))
+    return file
+
+
+def gltf_of_a_camera(folder: Path) -> Path:
+    """The same as `usd_of_a_camera`, in metres."""
+    data = np.array([[-0.5, 0, 0], [0.5, 0, 0], [0.5, 1, 0], [-0.5, 1, 0]], "<f4").tobytes()
+    data += (
+        np.array([[0, 1], [1, 1], [1, 0], [0, 0]], "<f4").tobytes()
+        + np.array([0, 1, 2, 0, 2, 3], "<u2").tobytes()
+    )
+    document = {
+        "asset": {"version": "2.0"},
+        "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": 0, "byteLength": 48},
+            {"buffer": 0, "byteOffset": 48, "byteLength": 32},
+            {"buffer": 0, "byteOffset": 80, "byteLength": 12},
+        ],
+        "accessors": [
+            {
+                "bufferView": 0,
+                "componentType": 5126,
+                "count": 4,
+                "type": "VEC3",
+                "min": [-0.5, 0, 0],
+                "max": [0.5, 1, 0],
+            },
+            {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+            {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"},
+        ],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2}]}],
+        "cameras": [
+            {
+                "type": "perspective",
+                "perspective": {"yfov": 2 * math.atan(0.25), "aspectRatio": 2, "znear": 0.1},
+            }
+        ],
+        "nodes": [{"mesh": 0}, {"camera": 0, "name": "hero", "translation": [0, 0.5, 2]}],
+        "scenes": [{"nodes": [0, 1]}],
+    }
+    file = folder / "shot.gltf"
+    file.write_text(json.dumps(document))
+    return file
+
+
+@pytest.mark.parametrize("write", [usd_of_a_camera, gltf_of_a_camera])
+@pytest.mark.parametrize("units", [1.0, 3.0])
+@pytest.mark.parametrize("size", [None, (40, 20), (40, 40), (90, 20)])
+def test_a_camera_of_a_file_shows_known_points(
+    write: Callable[[Path], Path], units: float, size: tuple[int, int] | None, tmp_path: Path
+) -> None:
+    """All that the file's camera frames, in pictures of any shape, and its own shape where none is chosen."""
+    options: Any = {} if size is None else {"size": size}
+    shown = build_scene("drape", WHITE, mesh=write(tmp_path), metres_per_unit=units, camera="hero", **options)
+    width, height = (int(side) for side in shown.scene.sensors()[0].film().size())
+    assert size is not None or width == 2 * height
+    # Of the cloth's width and height, shares of the picture.
+    across, up = 1 / max(2, width / height), 1 / max(1, 2 * height / width)
+    for x, y in ((-0.5, 0), (0.5, 1), (0, 0.5)):
+        place = pixel_of(shown, np.array([x, y, 0]) * units)
+        assert place == pytest.approx((0.5 + x * across, 0.5 - (y - 0.5) * up), abs=1e-5)
+    np.testing.assert_allclose(shown.point, [0, 0.5 * units, 0], atol=1e-6)
+    assert shown.framed is None
+
+
+@pytest.mark.parametrize(
+    ("camera", "projection", "sentence"),
+    [
+        ("side", "perspective", 'no camera "side": it has hero'),
+        ("hero", "orthographic", 'the camera "hero" is orthographic'),
+    ],
+)
+def test_other_cameras_of_files_are_refused(
+    camera: str, projection: str, sentence: str, tmp_path: Path
+) -> None:
+    with pytest.raises(InputError, match=sentence):
+        build_scene("drape", WHITE, mesh=usd_of_a_camera(tmp_path, projection), camera=camera)
+
+
+@pytest.mark.parametrize(
+    ("mesh", "sentence"), [(None, "needs a mesh file with cameras"), ("coat.obj", "it has none")]
+)
+@pytest.mark.filterwarnings("ignore:.*stay uncovered")
+def test_files_without_cameras_are_refused(mesh: str | None, sentence: str, tmp_path: Path) -> None:
+    coat(tmp_path)
+    with pytest.raises(InputError, match=sentence):
+        build_scene("drape", WHITE, mesh=mesh and tmp_path / mesh, camera="hero")

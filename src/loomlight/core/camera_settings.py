@@ -96,14 +96,23 @@ class CameraSettings(Settings):
         metavar="MM",
     )
     roll: float = setting(0.0, "Turns the picture, counter-clockwise, degrees.", low=-360, high=360)
+    camera: str | None = setting(
+        None,
+        "A camera of the mesh file, by its name, in place of the settings above.",
+        otherwise="none",
+        metavar="NAME",
+    )
 
     def __post_init__(self) -> None:
         """Raises InputError for a value that cannot be, and for two that contradict."""
         super().__post_init__()
-        for one, others in (("look_at", ("target",)),):
+        for one, others in (
+            ("camera", ("view", "look_at", "target", "distance", "focal_length", "roll")),
+            ("look_at", ("target",)),
+        ):
             chosen = self.chosen()
             if one in chosen and (other := next((name for name in others if name in chosen), None)):
-                what = "where the camera looks"
+                what = "how the file's camera sees" if one == "camera" else "where the camera looks"
                 raise InputError(
                     f"{one} = {shown(chosen[one])} and {other} = {shown(chosen[other])} both say {what}: "
                     "leave one of them out."
@@ -142,3 +151,4 @@ class CameraKeywords(TypedDict, total=False):
     distance: float | None
     focal_length: float | None
     roll: float
+    camera: str | None

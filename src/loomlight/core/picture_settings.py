@@ -100,7 +100,12 @@ class RenderSettings(Settings):
     # Two halves of 2 × 2: a denoised picture takes as many as fill the grids of both, of 9 twelve.
     spp: int = setting(8, "Samples a pixel.", low=1, high=1_000_000)
     size: tuple[int, int] | None = setting(
-        None, "Pixels.", otherwise="640x480, or a scene file's own", low=1, high=MAX_SIDE, metavar="WxH"
+        None,
+        "Pixels.",
+        otherwise="640x480, a scene file's own, or as a camera's",
+        low=1,
+        high=MAX_SIDE,
+        metavar="WxH",
     )
     view: str | tuple[float, float] | None = same_setting(CameraSettings, "view")
     look_at: str | None = same_setting(CameraSettings, "look_at")
@@ -108,6 +113,7 @@ class RenderSettings(Settings):
     distance: float | None = same_setting(CameraSettings, "distance")
     focal_length: float | None = same_setting(CameraSettings, "focal_length")
     roll: float = same_setting(CameraSettings, "roll")
+    camera: str | None = same_setting(CameraSettings, "camera")
     zoom: float = setting(
         1.0,
         "1 frames the whole object, 10 is ten times closer to the cloth in the middle.",

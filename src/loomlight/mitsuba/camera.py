@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from loomlight.core.backend import opaque
 from loomlight.core.camera_settings import CameraSettings, direction_of_angles
 from loomlight.core.errors import InputError
+from loomlight.mesh.file_camera import FileCamera
 
 Vector = NDArray[np.float64]
 
@@ -115,7 +116,7 @@ def chosen_view(
     size: tuple[int, int],
     over_floor: bool = False,
 ) -> View:
-    """The view that settings of a camera choose.
+    """The view that settings of a camera choose, but for a camera of a file; see `view_of_file`.
 
     Args:
         points: what the camera frames [n, 3], metres.
@@ -142,6 +143,28 @@ def chosen_view(
     target = view.target if settings.target is None else np.array(settings.target, float)
     distance = settings.distance or float(np.linalg.norm(view.origin - view.target))
     return replace(view, origin=target + distance * view.backward, target=target)
+
+
+def view_of_file(camera: FileCamera, metres_per_unit: float, size: tuple[int, int]) -> View:
+    """The view of a camera of a mesh file: all of its own picture, in one of `size`."""
+    right_up_back = camera.to_world[:3, :3]
+    origin = metres_per_unit * camera.to_world[:3, 3]
+    width, height = size
+    vertical = np.tan(np.radians(camera.vertical) / 2)
+    if camera.aspect is not None:
+        vertical = max(vertical, vertical * camera.aspect * height / width)
+    shorter = np.degrees(2 * np.arctan(vertical * min(size) / height))
+    return View(origin, origin - right_up_back[:, 2], float(shorter), right_up_back[:, 1])
+
+
+def size_of_file(camera: FileCamera, longer: int) -> tuple[int, int] | None:
+    """Width and height of its own picture of so many pixels; None where the file leaves that open."""
+    if camera.aspect is None:
+        return None
+    width, height = (
+        (longer, longer / camera.aspect) if camera.aspect > 1 else (longer * camera.aspect, longer)
+    )
+    return max(1, round(width)), max(1, round(height))
 
 
 def perspective(view: View, size: tuple[int, int]) -> dict[str, Any]:

@@ -30,13 +30,13 @@ from loomlight.mitsuba.rendering import PartialPicture, Progress
 from loomlight.mitsuba.rendering import render as render_scene
 from loomlight.mitsuba.scenes import (
     CLOTH_NAME,
-    DEFAULT_SIZE,
     SCENES,
     UNCOVERED_NAME,
     BsdfFactory,
     ClothScene,
     SceneOptions,
     build_scene,
+    default_size,
 )
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.material_spec import Material, MaterialSpec, resolve
@@ -170,7 +170,7 @@ class RenderJob:
     def __post_init__(self) -> None:
         setting = self.settings
         self._own_scene = str(setting.scene) not in SCENES
-        self._size = setting.size or DEFAULT_SIZE
+        self._size = setting.size or default_size(setting.mesh, setting.camera)
         whole_drape = str(setting.scene) == "drape" and setting.mesh is None and setting.zoom == 1
         readable = min(self._size) >= MIN_PICTURE
         is_wanted = whole_drape and readable and isinstance(self.material.source, Fabric)

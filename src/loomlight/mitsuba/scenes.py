@@ -21,7 +21,8 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts
 from loomlight.mesh.cloth_mesh import ClothMesh, joined, warn_of_extent, warn_of_scale
 from loomlight.mesh.edges import EDGES, edged
-from loomlight.mesh.reading import read_mesh
+from loomlight.mesh.file_camera import FileCamera
+from loomlight.mesh.reading import read_cameras, read_mesh
 from loomlight.mitsuba.bsdf import surface_bsdf
 from loomlight.mitsuba.camera import (
     View,
@@ -30,6 +31,8 @@ from loomlight.mitsuba.camera import (
     perspective,
     require_size,
     require_zoom,
+    size_of_file,
+    view_of_file,
 )
 from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
 from loomlight.mitsuba.meshes import (
@@ -263,12 +266,14 @@ def build_scene(
         worn = Garment([(setup.cloth(), factory)], None)
     else:
         setup, worn = _MESH, read_garment(mesh, metres_per_unit, factory, others or {})
-    size, edge = size or DEFAULT_SIZE, edge or setup.edge
+    size, edge = size or default_size(mesh, seen.camera), edge or setup.edge
     shapes, cloth, uv_size_mm = _dressed(worn, placement, edge)
     centre, radius = _bounds(cloth)
     _require_extent(cloth.name, radius)
     # 3. The camera frames all of it, or what it is told to, and comes closer below.
-    view, point, framed = _seen(seen, setup, worn, name if mesh is None else mesh, cloth, size)
+    view, point, framed = _seen(
+        seen, setup, worn, name if mesh is None else mesh, cloth, size, metres_per_unit
+    )
     farther, view = view.closer(min(zoom, 1.0), point), view.closer(zoom, point)
     paths = {"max_depth": max_depth or DEFAULT_DEPTH, "rr_depth": ROULETTE_DEPTH}
     integrator = mi.load_dict({"type": "footprint_path", **paths})
@@ -281,7 +286,7 @@ def build_scene(
         parts["environment"] = environment_dict(environment, environment_turn)
     else:
         kind = "studio" if light is None else light
-        placed = seen.view is not None
+        placed = seen.view is not None or seen.camera is not None
         if light_from is None:
             light_from = setup.light_from
             if placed and kind != "sunsky":
@@ -310,6 +315,7 @@ def _seen(
     name: str | os.PathLike[str],
     cloth: ClothMesh,
     size: tuple[int, int],
+    metres_per_unit: float,
 ) -> tuple[View, NDArray[np.float64], NDArray[np.float64] | None]:
     """The view at zoom 1, the point that zoom comes closer to, and what the camera frames; see `ClothScene`.
 
@@ -317,8 +323,15 @@ def _seen(
         name: of the scene or of the mesh file.
 
     Raises:
-        InputError: no such part.
+        InputError: no such part, or no such camera of the file.
     """
+    if settings.camera is not None:
+        view = view_of_file(file_camera(name, settings.camera), metres_per_unit, size)
+        point = _facing_point(cloth, view)
+        ahead = -float((point - view.origin) @ view.backward)
+        if ahead > 0:
+            view = replace(view, target=view.origin - ahead * view.backward)
+        return view, point, None
     looked_at = cloth if settings.look_at is None else _part_of(worn, settings.look_at, name)
     points, towards = looked_at.positions, np.array(setup.towards_camera, float)
     view = chosen_view(settings, points, towards, size, setup.ground)
@@ -338,6 +351,34 @@ def _part_of(worn: Garment[BsdfFactory], part: str, name: str | os.PathLike[str]
         advice = f"it has {_listed(known)}" if known else "its parts have no names"
         raise InputError(f"{name} has no part and no material {shown(part)} to look at: {advice}.")
     return joined([replace(each, uv=np.zeros((0, 2))) for each in chosen])
+
+
+def default_size(mesh: str | os.PathLike[str] | None, camera: str | None) -> tuple[int, int]:
+    """Width and height of a picture for which none are chosen, pixels: the shape that a file's camera has."""
+    own = None if mesh is None or camera is None else size_of_file(file_camera(mesh, camera), DEFAULT_SIZE[0])
+    return own or DEFAULT_SIZE
+
+
+def file_camera(name: str | os.PathLike[str], camera: str) -> FileCamera:
+    """The camera of this name of a mesh file.
+
+    Raises:
+        InputError: no mesh file, or one without this camera; one without perspective.
+    """
+    if str(name) in _SETUPS:
+        raise InputError(f"camera = {shown(camera)} needs a mesh file with cameras, and {name} is none.")
+    cameras = read_cameras(name)
+    found = next((each for each in cameras if each.name == camera), None)
+    if found is None:
+        known = [each.name for each in cameras if each.name]
+        advice = f"it has {_listed(known)}" if known else f"it has none{' with a name' if cameras else ''}"
+        raise InputError(f"{name} has no camera {shown(camera)}: {advice}.")
+    if found.orthographic:
+        raise InputError(
+            f"{name}: the camera {shown(camera)} is orthographic, and pixels of cloth need perspective: make "
+            "it a perspective camera, or use --view with --focal-length 1000."
+        )
+    return found
 
 
 def _listed(names: list[str]) -> str:
