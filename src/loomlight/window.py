@@ -5,11 +5,13 @@ from __future__ import annotations
 import os
 import sys
 import warnings
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Unpack
 
 import numpy as np
 
+from loomlight.core.camera_settings import CameraSettings
 from loomlight.core.colour import white_balance
 from loomlight.core.errors import LoomlightWarning, MissingDependencyError
 from loomlight.core.extras import import_extra
@@ -20,8 +22,7 @@ from loomlight.core.outputs import check_output
 from loomlight.core.picture_settings import PlayKeywords, PlaySettings
 from loomlight.core.studio import studio_radiance
 from loomlight.mesh.cloth_mesh import uv_size, warn_of_extent, warn_of_scale
-from loomlight.mitsuba.camera import framing
-from loomlight.mitsuba.scenes import built_in_cloth
+from loomlight.mitsuba.scenes import built_in_cloth, built_in_view
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.realtime import Cloth, DirectionalLight, Environment, Mesh, Renderer
 from loomlight.realtime.materials import Material, material_of, models_of
@@ -47,7 +48,7 @@ def play(
     """Opens a window of a fabric in real time, and returns when it is closed; or writes a frame of it.
 
     Drag to orbit, turn the wheel from garment to yarn, Shift or the right button moves; m is the model, l the
-    light, + and - the exposure, r back to the start.
+    light, + and - the exposure, c prints the camera as options of commands, r back to the start.
 
     Args:
         fabric: a fabric or a model; or the path of a fabric file, a draft or a `.loom`, or a weave's name.
@@ -77,11 +78,15 @@ def _viewer(fabric: Material | str | os.PathLike[str], settings: PlaySettings) -
     """Cloth as the settings have it, in real time."""
     choose_variant(None)
     material = material_of(fabric)
-    cloth, towards_camera, towards_light, on_paper = built_in_cloth(settings.scene, settings.mesh)
+    cloth, _, _, on_paper = built_in_cloth(settings.scene, settings.mesh)
     cloth = cloth.scaled(settings.metres_per_unit if settings.mesh is not None else 1.0)
     if settings.mesh is not None:
         warn_of_extent(cloth, settings.metres_per_unit)
         warn_of_scale(cloth)
+    seen = CameraSettings.within(settings)
+    view, towards_light = built_in_view(
+        seen, settings.scene, settings.mesh, cloth, settings.size, settings.metres_per_unit
+    )
     piece = Cloth(
         Mesh(cloth.positions, cloth.normals, cloth.uv, cloth.triangles.astype("uint32")),
         material,
@@ -103,8 +108,12 @@ def _viewer(fabric: Material | str | os.PathLike[str], settings: PlaySettings) -
     # What the user named comes first.
     sun = Lighting("directional", [DirectionalLight(towards_light, tuple(np.pi * gains))])
     renderer = Renderer([piece], settings.size, settings.model)
-    view = framing(cloth.positions, towards_camera, settings.size)
-    orbit = Orbit.between(view.origin, view.target)
+    orbit = replace(
+        Orbit.between(view.origin, view.target),
+        azimuth=view.azimuth,
+        field_of_view=view.field_of_view,
+        roll=view.roll,
+    )
     lights = [*around[::-1], sun]
     return Viewer(renderer, orbit.closer_by(settings.zoom), lights, models_of(material), settings.exposure)
 

@@ -9,11 +9,16 @@ import numpy as np
 import pytest
 
 from loomlight.cli.main import run
+from loomlight.core.camera_settings import CameraKeywords
 from loomlight.core.images import read_picture, write_image
+from loomlight.core.picture_settings import PlaySettings
 from loomlight.fabric import load_fabric
+from loomlight.mitsuba import build_scene
 from loomlight.models.registry import make_model
 from loomlight.realtime.device import default_adapter
 from loomlight.sources.loom_file import write_loom
+from loomlight.window import _viewer
+from tests.mitsuba.test_garment import coat
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -58,6 +63,27 @@ def test_no_display_is_one_sentence(
     assert message.count("\n") == 1
 
 
+@pytest.mark.filterwarnings("ignore:.*stay uncovered")
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"view": "back"},
+        {"view": "140,30", "look_at": "lining", "focal_length": 85.0},
+        {"target": (0.1, 0.2, 0.0), "distance": 0.7, "roll": 20.0},
+    ],
+)
+def test_the_window_opens_at_the_view_of_render(options: CameraKeywords, tmp_path: Path) -> None:
+    """But for steepest views, and for the lens of tall pictures over a floor."""
+    mesh, size = coat(tmp_path), (32, 24)
+    settings = PlaySettings(mesh=mesh, size=size, model="point", **options)
+    camera = _viewer("plain", settings).orbit.camera()
+    view = build_scene("drape", {"type": "diffuse"}, mesh=mesh, size=size, **options).view
+    for name in ("origin", "target", "field_of_view"):
+        np.testing.assert_allclose(getattr(camera, name), getattr(view, name), atol=1e-9)
+    across = np.cross(view.up, view.backward)
+    np.testing.assert_allclose(np.cross(camera.up, view.backward), across / np.linalg.norm(across), atol=1e-9)
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -65,6 +91,9 @@ def test_no_display_is_one_sentence(
         (["--model", "neural!"], 'model = "neural!" is unknown here'),
         (["--env", "none.exr"], "none.exr does not exist"),
         (["--passes", "0"], "--passes 0 is out of range"),
+        (["--view", "0,100"], 'view = "0,100" is wrong: give front'),
+        (["--look-at", "collar"], 'look_at = "collar" needs a mesh with parts'),
+        (["--camera", "hero"], 'camera = "hero" needs a mesh file'),
     ],
 )
 def test_errors_are_sentences(arguments: list[str], message: str, refused: Callable[..., str]) -> None:

@@ -52,6 +52,14 @@ def test_keys_change_light_and_exposure_and_go_back(viewer: Viewer) -> None:
     assert not viewer.handle(event("key_down", key="x"))
 
 
+def test_a_key_tells_the_camera_as_options(viewer: Viewer) -> None:
+    told: list[str] = []
+    viewer._tell = told.append
+    viewer.handle(event("wheel", dy=-100))
+    assert not viewer.handle(event("key_down", key="c"))
+    assert told == ["--view 0,0 --target 0,0,0 --distance 0.26087 --focal-length 51.978"]
+
+
 def test_frames_add_up_while_the_camera_rests(viewer: Viewer) -> None:
     first = viewer.frame().linear
     viewer.frame()

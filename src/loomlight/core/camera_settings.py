@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar, Self, TypedDict
 
@@ -25,7 +26,7 @@ VIEWS: dict[str, tuple[float, float]] = {
 }
 # Millimetres of a sensor of 36 × 24 that the picture's shorter side is.
 SENSOR_MM = 24.0
-_VIEWS_IN_WORDS = f"{', '.join(VIEWS)}, or AZIMUTH,ELEVATION in degrees, such as 30,20"
+VIEWS_IN_WORDS = f"{', '.join(VIEWS)}, or AZIMUTH,ELEVATION in degrees, such as 30,20"
 
 
 def view_angles(view: object) -> tuple[float, float] | None:
@@ -58,10 +59,10 @@ class CameraSettings(Settings):
 
     view: str | tuple[float, float] | None = setting(
         None,
-        f"Where the camera stands: {_VIEWS_IN_WORDS}; 0,0 is the front (+z), 90,0 the right (+x).",
+        f"Where the camera stands: {VIEWS_IN_WORDS}; 0,0 is the front (+z), 90,0 the right (+x).",
         otherwise="as the scene has it",
         fits=lambda view: view_angles(view) is not None,
-        expected=_VIEWS_IN_WORDS,
+        expected=VIEWS_IN_WORDS,
         metavar="NAME|AZIMUTH,ELEVATION",
     )
     look_at: str | None = setting(
@@ -140,6 +141,42 @@ class CameraSettings(Settings):
 def focal_length_of(field_of_view: float) -> float:
     """Millimetres of 35 mm film of a lens that shows so many degrees along the picture's shorter side."""
     return float(SENSOR_MM / 2 / np.tan(np.radians(field_of_view) / 2))
+
+
+def options_of_camera(
+    angles: tuple[float, float],
+    target: NDArray[np.float64],
+    distance: float,
+    field_of_view: float,
+    roll: float = 0.0,
+) -> str:
+    """A camera as options of `render`, `swatches` and `play`; as `web/editor/src/view/camera_options.ts`.
+
+    Lengths are written to a ten-thousandth of the distance, less than a pixel of a picture.
+
+    Args:
+        angles: azimuth and elevation, degrees.
+        target, distance: metres.
+        field_of_view: of the picture's shorter side, degrees.
+        roll: counter-clockwise, degrees.
+    """
+    azimuth, elevation = angles
+    digits = min(max(4 - math.floor(math.log10(distance)), 0), 9)
+    options = {
+        "view": f"{_decimal(azimuth, 2)},{_decimal(elevation, 2)}",
+        "target": ",".join(_decimal(float(place), digits) for place in target),
+        "distance": _decimal(distance, digits),
+        "focal-length": _decimal(focal_length_of(field_of_view), 3),
+        "roll": _decimal(roll, 2),
+    }
+    return " ".join(f"--{name} {value}" for name, value in options.items() if (name, value) != ("roll", "0"))
+
+
+def _decimal(number: float, digits: int) -> str:
+    """Without zeros at its end."""
+    text = f"{number:.{digits}f}"
+    text = text.rstrip("0").rstrip(".") if "." in text else text
+    return "0" if text == "-0" else text
 
 
 class CameraKeywords(TypedDict, total=False):

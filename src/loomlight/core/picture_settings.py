@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, TypedDict
 
-from loomlight.core.camera_settings import CameraKeywords, CameraSettings
+from loomlight.core.camera_settings import VIEWS_IN_WORDS, CameraKeywords, CameraSettings
 from loomlight.core.errors import InputError
 from loomlight.core.settings import Settings, documented, same_setting, setting
 
@@ -199,6 +199,9 @@ class SwatchSettings(Settings):
     model: str = setting("lobes", "One of the models.", metavar="NAME")
     size: int = setting(240, "Side of each picture, pixels.", low=32, high=2048, metavar="PIXELS")
     spp: int = same_setting(RenderSettings, "spp")
+    view: str | tuple[float, float] | None = same_setting(
+        CameraSettings, "view", help=f"Where the camera of the drape stands: {VIEWS_IN_WORDS}."
+    )
     heading: str = setting("Fabrics", "Heading of a page.", flag="--title")
     white_balance: float | None = same_setting(RenderSettings, "white_balance")
     denoise: str = same_setting(RenderSettings, "denoise")
@@ -228,6 +231,13 @@ class PlaySettings(Settings):
     size: tuple[int, int] = same_setting(
         RenderSettings, "size", help="Pixels of the window.", default=(960, 720), otherwise=""
     )
+    view: str | tuple[float, float] | None = same_setting(CameraSettings, "view")
+    look_at: str | None = same_setting(CameraSettings, "look_at")
+    target: tuple[float, float, float] | None = same_setting(CameraSettings, "target")
+    distance: float | None = same_setting(CameraSettings, "distance")
+    focal_length: float | None = same_setting(CameraSettings, "focal_length", otherwise="52")
+    roll: float = same_setting(CameraSettings, "roll")
+    camera: str | None = same_setting(CameraSettings, "camera")
     zoom: float = same_setting(RenderSettings, "zoom", low=1e-3, fits=None, expected="")
     exposure: float = same_setting(
         RenderSettings, "exposure", help="Stops; the keys + and - of the window change it."
@@ -240,6 +250,11 @@ class PlaySettings(Settings):
         low=1,
         high=100_000,
     )
+
+    def __post_init__(self) -> None:
+        """Raises InputError for a value that cannot be, and for settings of the camera that contradict."""
+        super().__post_init__()
+        CameraSettings.within(self)
 
 
 @documented
@@ -331,10 +346,11 @@ class SwatchKeywords(_Keywords, total=False):
 
     model: str
     size: int
+    view: str | tuple[float, float] | None
     heading: str
 
 
-class PlayKeywords(TypedDict, total=False):
+class PlayKeywords(CameraKeywords, total=False):
     """Keywords of `loomlight.play`: fields of `PlaySettings`."""
 
     scene: str

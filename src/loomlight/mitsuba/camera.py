@@ -61,6 +61,19 @@ class View:
             x, _, z = -np.sign(height) * self.up
         return float(np.degrees(np.arctan2(x, z)))
 
+    @property
+    def elevation(self) -> float:
+        """Degrees above the horizon."""
+        return float(np.degrees(np.arcsin(np.clip(self.backward[1], -1, 1))))
+
+    @property
+    def roll(self) -> float:
+        """Degrees that the picture is turned by, counter-clockwise."""
+        around = np.radians(self.azimuth)
+        right = np.array([np.cos(around), 0.0, -np.sin(around)])
+        above = np.cross(self.backward, right)
+        return float(np.degrees(np.arctan2(self.up @ right, self.up @ above)))
+
     def closer(self, zoom: float, point: Vector) -> View:
         """The view `zoom` times closer to `point` on the cloth; at zoom 1 this view itself."""
         origin, target = (point + (place - point) / zoom for place in (self.origin, self.target))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Unpack
@@ -19,10 +19,10 @@ from loomlight.core.sentences import shown
 from loomlight.core.studio import PAPER, STUDIO_AZIMUTH, STUDIO_ELEVATION, paper_radiance, studio_radiance
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts
-from loomlight.mesh.cloth_mesh import ClothMesh, joined, warn_of_extent, warn_of_scale
+from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, joined, warn_of_extent, warn_of_scale
 from loomlight.mesh.edges import EDGES, edged
 from loomlight.mesh.file_camera import FileCamera
-from loomlight.mesh.reading import read_cameras, read_mesh
+from loomlight.mesh.reading import read_cameras, read_mesh, read_parts
 from loomlight.mitsuba.bsdf import surface_bsdf
 from loomlight.mitsuba.camera import (
     View,
@@ -166,15 +166,18 @@ class _Setup:
     gap: float = 0.0
     edge: str = "raw"
 
-    def light_seen_from(self, view: View, behind: bool) -> tuple[float, float]:
-        """Azimuth and elevation of the lamp of another view than the setup's.
+    def lamp(self, settings: CameraSettings, view: View) -> tuple[float, float]:
+        """Azimuth and elevation of the lamp.
 
         It stays beside a camera that walks around what stands on the floor, and on the upper side of a
-        backdrop, which is moved to the other side of the cloth for cameras `behind` it.
+        backdrop, which is moved to the other side of the cloth for cameras behind it.
         """
         azimuth, elevation = self.light_from
+        if settings.view is None and settings.camera is None:
+            return azimuth, elevation
         x, _, z = self.towards_camera
-        walked = view.azimuth - float(np.degrees(np.arctan2(x, z))) if self.ground else 180.0 * behind
+        front = float(np.degrees(np.arctan2(x, z)))
+        walked = view.azimuth - front if self.ground else 180.0 * (_backdrop_side(view) < 0)
         return (azimuth + walked + 180) % 360 - 180, elevation
 
 
@@ -272,7 +275,7 @@ def build_scene(
     _require_extent(cloth.name, radius)
     # 3. The camera frames all of it, or what it is told to, and comes closer below.
     view, point, framed = _seen(
-        seen, setup, worn, name if mesh is None else mesh, cloth, size, metres_per_unit
+        seen, name if mesh is None else mesh, cloth, worn.parts, setup, size, metres_per_unit, setup.ground
     )
     farther, view = view.closer(min(zoom, 1.0), point), view.closer(zoom, point)
     paths = {"max_depth": max_depth or DEFAULT_DEPTH, "rr_depth": ROULETTE_DEPTH}
@@ -286,11 +289,8 @@ def build_scene(
         parts["environment"] = environment_dict(environment, environment_turn)
     else:
         kind = "studio" if light is None else light
-        placed = seen.view is not None or seen.camera is not None
         if light_from is None:
-            light_from = setup.light_from
-            if placed and kind != "sunsky":
-                light_from = setup.light_seen_from(view, paper.side < 0)
+            light_from = setup.light_from if kind == "sunsky" else setup.lamp(seen, view)
         towards = direction_of(*light_from)
         parts |= light_dicts(kind, centre, radius, towards, paper=not paper.is_there)
         if seen.chosen():
@@ -310,17 +310,19 @@ def build_scene(
 
 def _seen(
     settings: CameraSettings,
-    setup: _Setup,
-    worn: Garment[BsdfFactory],
     name: str | os.PathLike[str],
     cloth: ClothMesh,
+    parts: Sequence[MeshPart],
+    setup: _Setup,
     size: tuple[int, int],
     metres_per_unit: float,
+    over_floor: bool,
 ) -> tuple[View, NDArray[np.float64], NDArray[np.float64] | None]:
     """The view at zoom 1, the point that zoom comes closer to, and what the camera frames; see `ClothScene`.
 
     Args:
-        name: of the scene or of the mesh file.
+        name: of the scene or of the mesh file, which has `parts`.
+        over_floor: the picture shows a floor behind the cloth.
 
     Raises:
         InputError: no such part, or no such camera of the file.
@@ -332,22 +334,43 @@ def _seen(
         if ahead > 0:
             view = replace(view, target=view.origin - ahead * view.backward)
         return view, point, None
-    looked_at = cloth if settings.look_at is None else _part_of(worn, settings.look_at, name)
+    looked_at = cloth if settings.look_at is None else _part_of(parts, settings.look_at, name)
     points, towards = looked_at.positions, np.array(setup.towards_camera, float)
-    view = chosen_view(settings, points, towards, size, setup.ground)
+    view = chosen_view(settings, points, towards, size, over_floor)
     point = _facing_point(looked_at, view, settings.target)
     stands = settings.target is not None or settings.distance is not None
     return view, point, None if stands else points
 
 
-def _part_of(worn: Garment[BsdfFactory], part: str, name: str | os.PathLike[str]) -> ClothMesh:
-    if not worn.parts:
+def built_in_view(
+    settings: CameraSettings,
+    name: str,
+    mesh: str | os.PathLike[str] | None,
+    cloth: ClothMesh,
+    size: tuple[int, int],
+    metres_per_unit: float,
+) -> tuple[View, NDArray[np.float64]]:
+    """Where a camera sees `built_in_cloth` from, before nothing, and the direction to the light that it has.
+
+    Raises:
+        InputError: no such part or camera of the mesh.
+    """
+    setup = _SETUPS[name] if mesh is None else _MESH
+    parts: list[MeshPart] = []
+    if mesh is not None and settings.look_at is not None:
+        parts = [replace(part, mesh=part.mesh.scaled(metres_per_unit)) for part in read_parts(mesh)]
+    view, _, _ = _seen(
+        settings, name if mesh is None else mesh, cloth, parts, setup, size, metres_per_unit, False
+    )
+    return view, direction_of(*setup.lamp(settings, view))
+
+
+def _part_of(parts: Sequence[MeshPart], part: str, name: str | os.PathLike[str]) -> ClothMesh:
+    if not parts:
         raise InputError(f"look_at = {shown(part)} needs a mesh with parts, and the scene {name} has none.")
-    chosen = [each.mesh for each in worn.parts if part in (each.name, each.material)]
+    chosen = [each.mesh for each in parts if part in (each.name, each.material)]
     if not chosen:
-        known = list(
-            dict.fromkeys(word for each in worn.parts for word in (each.name, each.material) if word)
-        )
+        known = list(dict.fromkeys(word for each in parts for word in (each.name, each.material) if word))
         advice = f"it has {_listed(known)}" if known else "its parts have no names"
         raise InputError(f"{name} has no part and no material {shown(part)} to look at: {advice}.")
     return joined([replace(each, uv=np.zeros((0, 2))) for each in chosen])
@@ -387,6 +410,11 @@ def _listed(names: list[str]) -> str:
     return f"{', '.join(name[:40] for name in names[:8])}{more}"
 
 
+def _backdrop_side(view: View) -> float:
+    """-1 where a backdrop stands before the front of the cloth, for cameras behind it; else 1."""
+    return -1.0 if view.backward[2] < -_EDGE_ON else 1.0
+
+
 @dataclass(frozen=True)
 class _Paper:
     """The sheet of paper that cloth stands on or lies on.
@@ -409,12 +437,12 @@ class _Paper:
     @classmethod
     def behind(cls, gap: float, view: View) -> _Paper:
         """A backdrop so many metres from the plane z = 0, on the far side of the cloth."""
-        side = -1.0 if view.backward[2] < -_EDGE_ON else 1.0
+        side = _backdrop_side(view)
         return cls(np.array([0.0, 0.0, side]), bool(side * view.origin[2] > -gap))
 
     @property
     def side(self) -> float:
-        """-1 where a backdrop stands before the front of the cloth, for cameras behind it."""
+        """Of a backdrop; see `_backdrop_side`."""
         return float(self.normal[2])
 
     def radiance(self, light: str, towards: NDArray[np.float64]) -> float | None:

@@ -173,10 +173,12 @@ def _card(settings: SwatchSettings, path: str) -> bytes:
     fabric = fabric_of_path(path)
     made, side = make_model(settings.model, fabric), settings.size
 
-    def picture(scene: str, placement: Placement) -> Pixels:
+    def picture(scene: str, placement: Placement, view: str | tuple[float, float] | None = None) -> Pixels:
         # A kernel holds all living BSDFs: with those of the last picture it would be another one.
         gc.collect()
-        shown = build_scene(scene, material_bsdf(made), size=(side, side), placement=placement, edge=None)
+        shown = build_scene(
+            scene, material_bsdf(made), size=(side, side), placement=placement, edge=None, view=view
+        )
         linear = render(
             shown.scene,
             spp=settings.spp,
@@ -189,7 +191,7 @@ def _card(settings: SwatchSettings, path: str) -> bytes:
     pictures = {
         "drawdown": _drawdown(fabric.draft, side),
         f"{SWATCH_MM:g} mm of it": picture("flat", Placement(scale=_FLAT_MM / SWATCH_MM)),
-        "draped": picture("drape", Placement()),
+        "draped": picture("drape", Placement(), settings.view),
     }
     return card_to_bytes(Card(fabric.name, fact_lines(fabric), pictures))
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.camera_settings import options_of_camera
 from loomlight.core.errors import InputError
 from loomlight.realtime.device import Adapter
 from loomlight.realtime.renderer import FrameOptions, Picture, Renderer
@@ -40,6 +41,7 @@ class Orbit:
         distance: from the target, metres.
         nearest, farthest: bounds of the distance.
         field_of_view: of the picture's shorter side, degrees.
+        roll: that the picture is turned by, counter-clockwise, degrees.
     """
 
     target: NDArray[np.float64]
@@ -49,6 +51,7 @@ class Orbit:
     nearest: float = 2e-3
     farthest: float = 100.0
     field_of_view: float = 26.0
+    roll: float = 0.0
 
     @classmethod
     def between(cls, origin: Vector, target: Vector, nearest: float = 2e-3) -> Orbit:
@@ -79,23 +82,36 @@ class Orbit:
         return Camera(
             self.target + self.distance * self.backward,
             self.target,
-            _UP,
+            self._axes()[1],
             self.field_of_view,
             near=self.distance * 1e-3,
         )
 
+    def options(self) -> str:
+        """The camera as options of the command line."""
+        angles = (self.azimuth + 180) % 360 - 180, self.elevation
+        return options_of_camera(angles, self.target, self.distance, self.field_of_view, self.roll)
+
     def turned(self, right: float, down: float) -> Orbit:
         """After a drag, in shares of the picture's shorter side: the object follows the mouse."""
+        cosine, sine = math.cos(math.radians(self.roll)), math.sin(math.radians(self.roll))
+        right, down = cosine * right - sine * down, sine * right + cosine * down
         elevation = min(max(self.elevation + TURN_DEGREES * down, -STEEPEST_DEGREES), STEEPEST_DEGREES)
         return replace(self, azimuth=(self.azimuth - TURN_DEGREES * right) % 360, elevation=elevation)
 
     def moved(self, right: float, down: float) -> Orbit:
         """After a drag that moves the object with the mouse, in shares of the picture's shorter side."""
         side = 2 * self.distance * math.tan(math.radians(self.field_of_view) / 2)
-        to_right = np.cross(_UP, self.backward)
-        to_right /= np.linalg.norm(to_right)
-        up = np.cross(self.backward, to_right)
+        to_right, up = self._axes()
         return replace(self, target=self.target + side * (down * up - right * to_right))
+
+    def _axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Unit vectors to the right and upwards in the picture."""
+        right = np.cross(_UP, self.backward)
+        right /= np.linalg.norm(right)
+        up = np.cross(self.backward, right)
+        cosine, sine = math.cos(math.radians(self.roll)), math.sin(math.radians(self.roll))
+        return cosine * right - sine * up, cosine * up + sine * right
 
     def closer(self, notches: float) -> Orbit:
         """After so many notches of a wheel towards the cloth, within the bounds of the distance."""
@@ -148,8 +164,10 @@ class Viewer:
         lightings: Sequence[Lighting],
         models: Sequence[str] = ("lobes", "point"),
         exposure: float = 0.0,
+        tell: Callable[[str], object] = print,
     ) -> None:
-        self._renderer = renderer
+        """Options of the camera are told when they are asked for."""
+        self._renderer, self._tell = renderer, tell
         self._lightings, self._models = list(lightings), list(models)
         self._start, self._start_exposure = orbit, exposure
         self._pointer: tuple[float, float] | None = None
@@ -227,6 +245,8 @@ class Viewer:
         elif key == "r":
             self.orbit, self.exposure = self._start, self._start_exposure
         else:
+            if key == "c":
+                self._tell(self.orbit.options())
             return False
         return True
 
