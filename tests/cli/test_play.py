@@ -63,11 +63,11 @@ def test_no_display_is_one_sentence(
     assert message.count("\n") == 1
 
 
-@pytest.mark.filterwarnings("ignore:.*stay uncovered")
+@pytest.mark.filterwarnings("ignore:.*stay uncovered", "ignore:.*several scales")
 @pytest.mark.parametrize(
     "options",
     [
-        {"view": "back"},
+        {"view": "back", "look_at": "front"},
         {"view": "140,30", "look_at": "lining", "focal_length": 85.0},
         {"target": (0.1, 0.2, 0.0), "distance": 0.7, "roll": 20.0},
     ],

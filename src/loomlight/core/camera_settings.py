@@ -26,7 +26,7 @@ VIEWS: dict[str, tuple[float, float]] = {
 }
 # Millimetres of a sensor of 36 × 24 that the picture's shorter side is.
 SENSOR_MM = 24.0
-VIEWS_IN_WORDS = f"{', '.join(VIEWS)}, or AZIMUTH,ELEVATION in degrees, such as 30,20"
+_VIEWS_IN_WORDS = f"{', '.join(VIEWS)}, or AZIMUTH,ELEVATION in degrees, such as 30,20"
 
 
 def view_angles(view: object) -> tuple[float, float] | None:
@@ -59,10 +59,10 @@ class CameraSettings(Settings):
 
     view: str | tuple[float, float] | None = setting(
         None,
-        f"Where the camera stands: {VIEWS_IN_WORDS}; 0,0 is the front (+z), 90,0 the right (+x).",
+        f"Where the camera stands: {_VIEWS_IN_WORDS}; 0,0 is the front (+z), 90,0 the right (+x).",
         otherwise="as the scene has it",
         fits=lambda view: view_angles(view) is not None,
-        expected=VIEWS_IN_WORDS,
+        expected=_VIEWS_IN_WORDS,
         metavar="NAME|AZIMUTH,ELEVATION",
     )
     look_at: str | None = setting(

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, TypedDict
 
-from loomlight.core.camera_settings import VIEWS_IN_WORDS, CameraKeywords, CameraSettings
+from loomlight.core.camera_settings import CameraKeywords, CameraSettings
 from loomlight.core.errors import InputError
 from loomlight.core.settings import Settings, documented, same_setting, setting
 
@@ -200,7 +200,7 @@ class SwatchSettings(Settings):
     size: int = setting(240, "Side of each picture, pixels.", low=32, high=2048, metavar="PIXELS")
     spp: int = same_setting(RenderSettings, "spp")
     view: str | tuple[float, float] | None = same_setting(
-        CameraSettings, "view", help=f"Where the camera of the drape stands: {VIEWS_IN_WORDS}."
+        CameraSettings, "view", help="Where the camera of the drape stands, as that of a picture."
     )
     heading: str = setting("Fabrics", "Heading of a page.", flag="--title")
     white_balance: float | None = same_setting(RenderSettings, "white_balance")
