@@ -171,7 +171,8 @@ class RenderJob:
         setting = self.settings
         self._own_scene = str(setting.scene) not in SCENES
         self._size = setting.size or default_size(setting.mesh, setting.camera)
-        whole_drape = str(setting.scene) == "drape" and setting.mesh is None and setting.zoom == 1
+        frames = setting.zoom == 1 and setting.target is None and setting.distance is None
+        whole_drape = str(setting.scene) == "drape" and setting.mesh is None and frames
         readable = min(self._size) >= MIN_PICTURE
         is_wanted = whole_drape and readable and isinstance(self.material.source, Fabric)
         self._inset = is_wanted if setting.inset is None else setting.inset

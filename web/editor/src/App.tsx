@@ -25,6 +25,7 @@ import { TABS, type Notice, type Tab } from "./state/document.ts";
 import { fabricForServer } from "./state/fabric_json.ts";
 import type { Store } from "./state/store.ts";
 import { TopBar, type SaveFormat } from "./TopBar.tsx";
+import { renderCommand } from "./view/camera_options.ts";
 import type { ClothView, Print, SurroundingsPicture } from "./view/cloth_view.ts";
 import type { ClothShape } from "./view/meshes.ts";
 import type { TableSource } from "./view/served_models.ts";
@@ -177,6 +178,19 @@ export function App({ store, server, health, onView }: Props) {
       }
     });
 
+  const copyCamera = (piece: ClothShape, size: readonly [number, number]): Promise<void> =>
+    attempt(async () => {
+      const orbit = view.current?.orbit ?? null;
+      if (orbit === null) return;
+      const command = renderCommand({ stem: stemOf(store.state.fabric), scene: store.state.scene, piece, orbit, size });
+      try {
+        await navigator.clipboard.writeText(command);
+        tell("done", "The camera is copied as a command: save the fabric beside the mesh, and run it there.");
+      } catch {
+        tell("done", command);
+      }
+    });
+
   useEffect(() => {
     const onKey = (event: KeyboardEvent): void => {
       const isText = event.target instanceof HTMLInputElement && event.target.type === "text";
@@ -242,6 +256,7 @@ export function App({ store, server, health, onView }: Props) {
           openness={openness}
           answers={answers}
           onMesh={() => choose(".obj,.ply,.glb,.gltf")}
+          onCamera={(piece, size) => void copyCamera(piece, size)}
           onView={(made) => {
             view.current = made;
             setFlat(made?.kind === "canvas");

@@ -31,6 +31,8 @@ interface Props {
   /** Chooses a mesh file. */
   readonly onMesh: () => void;
   readonly onView: (view: ClothView | null) => void;
+  /** Copies the camera of a piece in a picture of so many pixels. */
+  readonly onCamera: (piece: ClothShape, size: readonly [number, number]) => void;
   /** What lies over the foot of the cloth. */
   readonly children?: ComponentChildren;
 }
@@ -63,7 +65,7 @@ export const MODEL_NAMES: Readonly<Record<Model, readonly [string, string]>> = {
 const NEEDS_PYTHON = "Python makes the tables of this model, and this page runs without it: start loomlight view.";
 
 export function Stage(props: Props) {
-  const { tables, pictures, hasPython, state, dispatch, ownMesh, surroundings, print, openness, answers, onMesh, onView, children } = props;
+  const { tables, pictures, hasPython, state, dispatch, ownMesh, surroundings, print, openness, answers, onMesh, onView, onCamera, children } = props;
   const host = useRef<HTMLDivElement>(null);
   const [view, setView] = useState<ClothView | null>(null);
   const [reason, setReason] = useState<string | null>(null);
@@ -204,6 +206,19 @@ export function Stage(props: Props) {
         <button type="button" class="icon-button" aria-label="Show the whole cloth" title="Show the whole cloth" data-testid="frame-whole" onClick={() => view?.frameWhole()}>
           <Icon name="frame" />
         </button>
+        {view?.kind === "webgpu" && (
+          <button
+            type="button"
+            class="icon-button"
+            aria-label="Copy camera"
+            title="Copy this view as a command of loomlight render"
+            data-testid="copy-camera"
+            disabled={piece === null}
+            onClick={() => onCamera(piece!, [host.current!.clientWidth, host.current!.clientHeight])}
+          >
+            <Icon name="camera" />
+          </button>
+        )}
         {refining !== null ? (
           <output class="refining" title="This adapter takes long for a picture as fine as the screen" data-testid="refining">
             {refining}

@@ -7,6 +7,7 @@ const PATHS = {
   link: "M8.5 11.5a3 3 0 0 0 4.2 0l2.6-2.6a3 3 0 0 0-4.2-4.2l-1 1m1.4 2.8a3 3 0 0 0-4.2 0l-2.6 2.6a3 3 0 0 0 4.2 4.2l1-1",
   compare: "M10 3v14M3.5 5.5h4v9h-4zM12.5 5.5h4v9h-4z",
   close: "m5 5 10 10M15 5 5 15",
+  camera: "M3 6.5h3.5L8 4.5h4l1.5 2H17v9H3zM10 8a3 3 0 1 0 0 6 3 3 0 0 0 0-6",
   frame: "M4 8V4h4m4 0h4v4m0 4v4h-4m-4 0H4v-4",
   plus: "M10 4v12M4 10h12",
   minus: "M4 10h12",

@@ -71,6 +71,8 @@ export class CanvasView implements ClothView {
     this.zoomTo(FARTHEST * (CLOSEST / FARTHEST) ** zoom, this.canvas.clientWidth / 2, this.canvas.clientHeight / 2);
   }
 
+  readonly orbit = null;
+
   frameWhole(): void {
     this.scale = firstScale(this.shown === null ? 0 : woven(this.shown.fabric).ends);
     this.offset = { x: 0, y: 0 };

@@ -1,5 +1,5 @@
 /** What shows the cloth: by WebGPU, or where that is missing as a flat picture of its yarns. */
-import type { LinearPicture, Openness } from "loomlight-web";
+import type { LinearPicture, Openness, Orbit } from "loomlight-web";
 
 import type { Comparison, Fabric, Scene } from "../state/document.ts";
 import type { ClothShape } from "./meshes.ts";
@@ -81,6 +81,8 @@ export interface ClothView {
   zoom: number;
   /** The camera as it began. */
   frameWhole(): void;
+  /** Where the camera stands; null where cloth is shown flat. */
+  readonly orbit: Orbit | null;
   readPixels(): Promise<Pixels>;
   /**
    * A picture from the present camera, with as many passes as a still one.

@@ -18,6 +18,8 @@ export interface ClothShape {
   readonly from: readonly [number, number, number];
   /** The plane that it stands on, or lies on as in `mitsuba/scenes.py`. */
   readonly ground: Omit<Ground, "lampShare">;
+  /** Of the user's own: its file, and the length of one of its units as it is shown. */
+  readonly file?: { readonly name: string; readonly metresPerUnit: number };
 }
 
 type Place = (u: number, v: number) => [number, number, number];

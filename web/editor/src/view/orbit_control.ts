@@ -48,6 +48,10 @@ export class OrbitControl {
     });
   }
 
+  get place(): Orbit {
+    return this.orbit;
+  }
+
   get camera(): Camera {
     return orbitCamera(this.orbit);
   }

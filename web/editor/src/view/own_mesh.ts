@@ -34,7 +34,7 @@ export async function readOwnMesh(file: File): Promise<OwnMesh> {
   const parted = bare.length === 1 ? "A part" : `${bare.length} parts`;
   const warnings =
     triangles === 0 ? [] : [`${parted} of ${file.name} without uv, ${triangles} triangles, ${bare.length === 1 ? "wears" : "wear"} no cloth, and cast${bare.length === 1 ? "s" : ""} only a shadow here.`];
-  return { shape: scaled(mesh, bare.length === 0 ? null : merged(bare, file.name)), warnings };
+  return { shape: scaled(mesh, bare.length === 0 ? null : merged(bare, file.name), file.name), warnings };
 }
 
 export interface Geometry {
@@ -127,14 +127,14 @@ function merged(geometries: readonly Geometry[], name: string): Mesh {
 }
 
 /** Millimetres per unit of uv: the root of the mesh's area over that of its uv, in a mesh brought to a likely size. */
-function scaled(mesh: Mesh, bare: Mesh | null): ClothShape {
+function scaled(mesh: Mesh, bare: Mesh | null, name: string): ClothShape {
   const whole = ownShape(mesh, [100, 100]);
   const isMetres = whole.radius > 0.02 && whole.radius < 3;
   const factor = isMetres ? 1 : LIKELY_MM / 2000 / whole.radius;
   const sizedOf = (part: Mesh): Mesh => (isMetres ? part : { ...part, positions: Array.from(part.positions, (value) => value * factor) });
   const sized = sizedOf(mesh);
   const side = 1000 * Math.sqrt(areaRatio(sized));
-  const shape = ownShape(sized, [side, side]);
+  const shape = { ...ownShape(sized, [side, side]), file: { name, metresPerUnit: factor } };
   return bare === null ? shape : { ...shape, casters: [sizedOf(bare)] };
 }
 

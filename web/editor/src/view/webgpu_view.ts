@@ -1,6 +1,6 @@
 /** The cloth on WebGPU: lit, draped, from the whole piece to a single yarn; two fabrics or models side by side. */
 import { InputError } from "loomlight-fabric";
-import { ClothRenderer, type FrameReport, type Openness, type Vector3 } from "loomlight-web";
+import { ClothRenderer, type FrameReport, type Openness, type Orbit, type Vector3 } from "loomlight-web";
 
 import { tableStore } from "../keeping/table_store.ts";
 import { woven, type Fabric, type Model, type Scene } from "../state/document.ts";
@@ -204,6 +204,10 @@ export class WebGpuView implements ClothView {
 
   set zoom(zoom: number) {
     this.control.zoom = zoom;
+  }
+
+  get orbit(): Orbit {
+    return this.control.place;
   }
 
   frameWhole(): void {
