@@ -426,6 +426,14 @@ def test_what_is_no_usd_says_nothing_else(
     assert capfd.readouterr() == ("", "")
 
 
+def test_a_file_that_was_mended_is_read_anew(tmp_path: Path) -> None:
+    file = written(tmp_path, lambda stage: quad(stage).GetFaceVertexCountsAttr().Set([3]))
+    with pytest.raises(InputError, match="have 3 corners"):
+        read_parts(file)
+    file.write_text(file.read_text().replace("faceVertexCounts = [3]", "faceVertexCounts = [4]"))
+    assert len(mesh_of(file).triangles) == 2
+
+
 def test_other_geometry_is_named(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="it shows Sphere alone, and meshes are read"):
         read_parts(written(tmp_path, lambda stage: UsdGeom.Sphere.Define(stage, "/ball")))

@@ -24,7 +24,7 @@ from loomlight.mesh.gltf import gltf_cameras, gltf_frames, read_gltf
 from loomlight.mesh.obj import read_obj
 from loomlight.mesh.ply import read_ply
 from loomlight.mesh.usd import SUFFIXES as USD_SUFFIXES
-from loomlight.mesh.usd import read_usd, usd_cameras, usd_frames
+from loomlight.mesh.usd_worker import read_usd, usd_cameras, usd_frames
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,12 +35,14 @@ from loomlight.mesh.cloth_mesh import (
 from loomlight.mesh.file_camera import FileCamera, rigid
 from loomlight.mesh.frames import times_of_frames
 
+Number = TypeVar("Number", np.float64, np.int64)
 SUFFIXES = (".usd", ".usda", ".usdc", ".usdz")
 # Primvars that are uv by their name, the first that there is, before others of USD's own type for uv.
 _UV_NAMES = ("st", "uv", "UVMap", "map1", "st0", "st_0", "Texture_uv")
 _LIKE_UV = re.compile(r"(st|uv|map|tex)", re.IGNORECASE)
 # Point instancers may show others, which may show others.
 _MAX_DEPTH = 8
+_IN_SOURCES = re.compile(r"^.* in file \S+ : ", re.DOTALL)
 # (x, y, z) with z up is (x, z, -y) with y up.
 _Z_TO_Y = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
 # Attributes that move what is shown, beside operations of transforms.
@@ -116,6 +118,26 @@ class _Scene:
         """The error that says what is wrong with the file."""
         return InputError(f"{self.file} is damaged: {what}; export it anew.")
 
+    def rows(self, attribute: Any, code: Any, width: int) -> NDArray[np.float64]:
+        """The value [n, width] of an attribute; [0, width] where it has none."""
+        return self._numbers(attribute.GetPath(), attribute.Get(code), np.float64, width)
+
+    def whole(self, attribute: Any, code: Any) -> NDArray[np.int64]:
+        """The whole numbers [n] of an attribute or of the indices of a primvar; [0] where it has none."""
+        return self._numbers(attribute.GetPath(), attribute.Get(code), np.int64, 1)[:, 0]
+
+    def _numbers(self, name: object, value: Any, kind: type[Number], width: int) -> NDArray[Number]:
+        try:
+            count = 0 if value is None else len(value)
+            found = np.array(value, dtype=kind).reshape(count, -1) if count else np.zeros((0, width), kind)
+        except (TypeError, ValueError, OverflowError) as error:
+            if "to_python" in str(error):
+                raise
+            raise self.damaged(f'"{name}" is no list of numbers') from error
+        if found.shape[1] < width:
+            raise self.damaged(f'"{name}" has {found.shape[1]} numbers a row, and {width} are needed')
+        return found[:, :width]
+
     def prims(self) -> Iterable[Any]:
         """Active and loaded prims, those of instances included."""
         from pxr import Usd
@@ -169,16 +191,26 @@ def _opened(file: Path) -> Iterator[_Scene]:
             to_metres = to_metres @ _Z_TO_Y
         yield _Scene(file, stage, to_metres, missing)
         _check_layers(stage, file)  # those of value clips, which are opened when they are read
+    except UnicodeDecodeError as error:  # of a name or a token
+        raise InputError(f"{file} is damaged: it holds text that is not UTF-8.") from error
     except Tf.ErrorException as error:
-        raise InputError(f"{file} is damaged or no USD file ({_reason(error)}).") from error
+        raise InputError(f"{file} is damaged or no USD file ({_reason(error, file)}).") from error
+    except TypeError as error:
+        if "to_python" not in str(error):
+            raise
+        raise InputError(f"{file} is damaged: an attribute is of a type that nobody knows.") from error
     finally:
         del silencer
 
 
-def _reason(error: Exception) -> str:
-    """What USD says of an error, without the place in its own sources."""
-    said = [getattr(each, "commentary", str(each)) for each in error.args] or [str(error)]
-    return " ".join(str(said[0]).split())[:120]
+def _reason(error: Exception, file: Path) -> str:
+    """What USD says of an error, without the places in its own sources."""
+    try:
+        said = _IN_SOURCES.sub("", str(error)).replace("pxrInternal", " pxrInternal")
+    except UnicodeDecodeError:  # it repeats bytes of the file
+        return "it holds text that is not UTF-8"
+    said = said.replace(f"{file.resolve()}:", "line ")
+    return " ".join(word for word in said.split() if not word.startswith("pxrInternal")).strip("'")[:120]
 
 
 def _check_assets(root: Any, file: Path) -> list[str]:
@@ -376,7 +408,7 @@ class _Reader:
         if depth >= _MAX_DEPTH:
             raise InputError(f"{scene.file} has point instancers more than {_MAX_DEPTH} deep in each other.")
         targets = instancer.GetPrototypesRel().GetForwardedTargets()
-        chosen = np.array(instancer.GetProtoIndicesAttr().Get(self.code) or [], dtype=np.int64)
+        chosen = scene.whole(instancer.GetProtoIndicesAttr(), self.code)
         if len(chosen) and not 0 <= chosen.min() <= chosen.max() < len(targets):
             raise scene.damaged(f'"{prim.GetPath()}" names prototype {chosen.max()} of {len(targets)}')
         mask = np.array(instancer.ComputeMaskAtTime(self.code), dtype=bool)
@@ -420,8 +452,8 @@ class _Reader:
 
         scene, mesh = self.scene, UsdGeom.Mesh(prim)
         points = self._points(mesh, self.code)
-        counts = _whole(mesh.GetFaceVertexCountsAttr().Get(self.code))
-        corners = _whole(mesh.GetFaceVertexIndicesAttr().Get(self.code))
+        counts = scene.whole(mesh.GetFaceVertexCountsAttr(), self.code)
+        corners = scene.whole(mesh.GetFaceVertexIndicesAttr(), self.code)
         if not len(points) or not len(corners):
             return []
         name = f'the mesh "{prim.GetPath()}"'
@@ -435,7 +467,7 @@ class _Reader:
         cut = triangulate(rest if len(rest) == len(points) else points, corners, counts)
         face_of_corner = np.repeat(np.arange(len(counts)), counts)
         face = face_of_corner[cut[:, 0]]
-        holes = _whole(mesh.GetHoleIndicesAttr().Get(self.code))
+        holes = scene.whole(mesh.GetHoleIndicesAttr(), self.code)
         solid = ~np.isin(face, holes)
         cut, face = cut[solid], face[solid]
         if mesh.GetOrientationAttr().Get(self.code) == UsdGeom.Tokens.leftHanded:
@@ -468,7 +500,7 @@ class _Reader:
         return pieces
 
     def _points(self, mesh: Any, code: Any) -> NDArray[np.float64]:
-        points = _rows(mesh.GetPointsAttr().Get(code), 3)
+        points = self.scene.rows(mesh.GetPointsAttr(), code, 3)
         skin = self._skins.get(str(mesh.GetPath()))
         return points if skin is None or not len(points) else _skinned(self.scene, points, *skin, code)
 
@@ -484,7 +516,7 @@ class _Reader:
         ]
         # Subsets of materials go before others, which may overlap them.
         for subset in sorted(subsets, key=lambda s: s.GetFamilyNameAttr().Get() != "materialBind"):
-            index = _whole(subset.GetIndicesAttr().Get(self.code))
+            index = self.scene.whole(subset.GetIndicesAttr(), self.code)
             if len(index) and not 0 <= index.min() <= index.max() < faces:
                 raise self.scene.damaged(
                     f'the subset "{subset.GetPath()}" names face {index.max()} of {faces}'
@@ -523,16 +555,6 @@ def _material(prim: Any, subset: str) -> str:
     return material.GetPrim().GetName() if material else ""
 
 
-def _whole(values: Any) -> NDArray[np.int64]:
-    return np.zeros(0, np.int64) if values is None else np.array(values, dtype=np.int64).ravel()
-
-
-def _rows(values: Any, width: int) -> NDArray[np.float64]:
-    if values is None or not len(values):
-        return np.zeros((0, width))
-    return np.array(values, dtype=np.float64).reshape(len(values), -1)[:, :width]
-
-
 # --------------------------------------------------------------------------------------------------- primvars
 # Numbers of corners, whichever way they are spread over a mesh.
 
@@ -566,11 +588,6 @@ class _Source:
     attribute: Any
     kind: str
     primvar: Any = None
-
-    def indices(self, code: Any) -> NDArray[np.int64] | None:
-        if self.primvar is None or not self.primvar.IsIndexed():
-            return None
-        return _whole(self.primvar.GetIndices(code))
 
 
 @dataclass(frozen=True, eq=False)
@@ -607,8 +624,8 @@ class _Values:
     def _indexed(
         self, source: _Source, width: int, code: Any
     ) -> tuple[NDArray[np.int64], NDArray[np.float64]] | None:
-        values = _rows(source.attribute.Get(code), width)
-        if values.shape[1] < width or not len(values):
+        values = self.scene.rows(source.attribute, code, width)
+        if not len(values):
             return None
         place, needed = {
             "vertex": (self.corners, self.points),
@@ -616,7 +633,9 @@ class _Values:
             "uniform": (self.face, self.faces),
             "faceVarying": (np.arange(len(self.corners)), len(self.corners)),
         }.get(source.kind, (np.zeros(len(self.corners), np.int64), 1))
-        indices = source.indices(code)
+        indices = None
+        if source.primvar is not None and source.primvar.IsIndexed():
+            indices = self.scene.whole(source.primvar.GetIndicesAttr(), code)
         count, name = len(values if indices is None else indices), source.attribute.GetPath()
         if count < needed:
             raise self.scene.damaged(f'"{name}" ({source.kind}) has {count} values, and {needed} are needed')
@@ -677,12 +696,14 @@ def _skinned(
     if not skin.HasJointInfluences():
         return points
     found = skin.ComputeJointInfluences(code)
-    joints, weights = _whole(found[0]), np.array(found[1], dtype=np.float64)
-    width = max(1, skin.GetNumInfluencesPerComponent())
     matrices = skeleton.ComputeSkinningTransforms(code)
     mapper = skin.GetJointMapper()
-    if mapper and not mapper.IsIdentity():
+    if matrices and mapper and not mapper.IsIdentity():
         matrices = mapper.RemapTransforms(matrices)
+    if not found or not matrices:
+        raise scene.damaged(f'joints of "{prim.GetPath()}" or of its skeleton cannot be read')
+    joints, weights = np.array(found[0], dtype=np.int64), np.array(found[1], dtype=np.float64)
+    width = max(1, skin.GetNumInfluencesPerComponent())
     turns = np.array(matrices, dtype=np.float64).reshape(-1, 4, 4)
     if len(joints) != len(weights) or len(joints) % width or not np.isfinite(turns).all():
         raise scene.damaged(f'joints and weights of "{prim.GetPath()}" do not fit')
@@ -721,7 +742,9 @@ def _blend_shapes(
     amounts, of_shape, of_sub = shapes.ComputeSubShapeWeights(weights)
     where, offsets = shapes.ComputeBlendShapePointIndices(), shapes.ComputeSubShapePointOffsets()
     for amount, shape, sub in zip(amounts, of_shape, of_sub, strict=True):
-        rows, index = _rows(offsets[sub], 3), _whole(where[shape])
+        fits = sub < len(offsets) and shape < len(where)
+        rows = np.array(offsets[sub] if fits else [], dtype=np.float64).reshape(-1, 3)
+        index = np.array(where[shape] if fits else [], dtype=np.int64)
         index = index if len(index) else np.arange(len(rows))
         if len(index) != len(rows) or (len(index) and not 0 <= index.min() <= index.max() < len(points)):
             raise scene.damaged(f'a blend shape of "{skin.GetPrim().GetPath()}" does not fit its points')
