@@ -37,6 +37,7 @@ _FIRST = {
         "rendering",
         "meshes",
         "animation",
+        "moving-cloth",
         "fabric-files",
         "drafts",
         "large-drafts",

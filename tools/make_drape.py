@@ -1,15 +1,13 @@
 """Drapes a 0.6 m square of cloth over a ball and writes src/loomlight/mitsuba/data/drape.ply.
 
-Extended position-based dynamics (Macklin et al. 2016, small steps: Macklin et al. 2019) on a regular grid:
-stretch along the threads, soft shear along the diagonals, bending as second differences, contact and friction
-with the ball, the ground and the cloth itself. The settled grid is resampled by a bicubic spline, which gives
-its normals as well, so that close-ups show no facets. Run: python -m tools.make_drape
+The dynamics of `tools/position_dynamics.py`, with contact and friction with the ball, the ground and the
+cloth itself. The settled grid is resampled by a bicubic spline, which gives its normals as well, so that
+close-ups show no facets. Run: python -m tools.make_drape
 """
 
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +16,7 @@ from scipy.interpolate import RectBivariateSpline
 from scipy.ndimage import gaussian_filter
 from scipy.spatial import cKDTree
 
-Grid = NDArray[np.float64]
+from tools.position_dynamics import Cloth, Grid, hold_together
 
 OUTPUT = Path(__file__).resolve().parents[1] / "src/loomlight/mitsuba/data/drape.ply"
 SIDE = 0.6  # metres
@@ -27,16 +25,6 @@ BALL_HEIGHT = 0.115  # it lies on the ground
 THICKNESS = 0.006  # of the cloth, for contact with itself
 CLEARANCE = 0.002  # between the cloth and what it lies on
 SEED = 4
-
-
-@dataclass(frozen=True)
-class Cloth:
-    """Compliances in metres per newton for unit vertex masses; 0 is rigid."""
-
-    shear: float = 3e-5
-    bend: float = 4e-5
-    friction: float = 0.35
-    drag: float = 1.2  # 1/s
 
 
 def settle(grid: int, seconds: float, substeps: int, cloth: Cloth) -> Grid:
@@ -53,7 +41,7 @@ def settle(grid: int, seconds: float, substeps: int, cloth: Cloth) -> Grid:
         velocity *= max(0.0, 1 - cloth.drag * step)
         previous = position.copy()
         position += velocity * step
-        _hold_together(position, spacing, step, cloth)
+        hold_together(position, spacing, step, cloth)
         _keep_apart(position, apart)
         _rest_on_things(position, previous, cloth.friction)
         velocity = (position - previous) / step
@@ -71,42 +59,6 @@ def _laid_flat(grid: int) -> Grid:
     bumps = gaussian_filter(random.standard_normal((grid, grid)), grid / 14)
     z = BALL_HEIGHT + BALL_RADIUS + 0.01 + 0.004 * bumps / np.abs(bumps).max()
     return np.stack([x + 0.012, y - 0.008, z], axis=-1)
-
-
-def _hold_together(position: Grid, spacing: float, step: float, cloth: Cloth) -> None:
-    for first in (0, 1):
-        _pull(position[:, first:-1:2], position[:, first + 1 :: 2], spacing, 0)
-        _pull(position[first:-1:2], position[first + 1 :: 2], spacing, 0)
-    shear = cloth.shear / step**2
-    diagonal = spacing * np.sqrt(2)
-    for row in (0, 1):
-        for column in (0, 1):
-            rows, below = slice(row, -1, 2), slice(row + 1, None, 2)
-            columns, right = slice(column, -1, 2), slice(column + 1, None, 2)
-            _pull(position[rows, columns], position[below, right], diagonal, shear)
-            _pull(position[rows, right], position[below, columns], diagonal, shear)
-    # The bending energy of a strip goes with the second difference over its spacing squared.
-    bend = cloth.bend / step**2 * (spacing / 0.006) ** 2
-    for first in (0, 1, 2):
-        _straighten(
-            position[:, first:-2:3], position[:, first + 1 : -1 : 3], position[:, first + 2 :: 3], bend
-        )
-        _straighten(position[first:-2:3], position[first + 1 : -1 : 3], position[first + 2 :: 3], bend)
-
-
-def _pull(a: Grid, b: Grid, rest: float, compliance: float) -> None:
-    offset = b - a
-    length = np.sqrt(np.einsum("...i,...i->...", offset, offset))
-    offset *= ((length - rest) / ((2 + compliance) * np.maximum(length, 1e-9)))[..., None]
-    a += offset
-    b -= offset
-
-
-def _straighten(a: Grid, middle: Grid, b: Grid, compliance: float) -> None:
-    shift = (a - 2 * middle + b) / (6 + compliance)
-    a -= shift
-    middle += 2 * shift
-    b -= shift
 
 
 def _close_pairs(position: Grid, spacing: float) -> NDArray[np.intp]:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from loomlight.exporters.exporter import export
     from loomlight.fabric.fabric import Fabric
     from loomlight.fabric.read import fabric_from_text, load_fabric
+    from loomlight.mitsuba.moving import render_frames
     from loomlight.mitsuba.pictures import render
     from loomlight.mitsuba.swatches import swatches
     from loomlight.models.bake import bake, bake_maps, load, save
@@ -63,6 +64,7 @@ _HOMES = {
     "play": "loomlight.window",
     "read_wif": "loomlight.weave.wif_reader",
     "render": "loomlight.mitsuba.pictures",
+    "render_frames": "loomlight.mitsuba.moving",
     "save": "loomlight.models.bake",
     "swatches": "loomlight.mitsuba.swatches",
     "view": "loomlight.viewer.notebook",
@@ -95,6 +97,7 @@ __all__ = [
     "play",
     "read_wif",
     "render",
+    "render_frames",
     "save",
     "swatches",
     "view",

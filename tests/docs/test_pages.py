@@ -16,6 +16,7 @@ import typer
 from loomlight.cli.main import app, run
 from loomlight.mitsuba.pictures import RenderJob
 from loomlight.models.registry import MODELS
+from tools import make_towel_frames
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -57,8 +58,9 @@ def python_texts(page: Path) -> list[str]:
 def arguments_of(command: str) -> list[str]:
     """The words of a command after its name, as a shell that expands `*` hands them over."""
     words: list[str] = []
+    quoted = re.findall(r"'([^']*)'", command)
     for word in shlex.split(command)[1:]:
-        words += sorted(glob.glob(word)) if "*" in word else [word]
+        words += sorted(glob.glob(word)) if "*" in word and word not in quoted else [word]
     return words
 
 
@@ -86,6 +88,8 @@ def clone(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         if file.stem not in FABRICS and file.name not in text:
             file.unlink()
     monkeypatch.chdir(tmp_path)
+    if "frames/*.obj" in text:
+        make_towel_frames.write(tmp_path / "frames", 3)
     # A quarter of the pixels, and a few samples of each: the words stay the same, and pages take less time.
     begin = RenderJob.__post_init__
 

@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 from loomlight.mesh.cloth_mesh import ClothMesh, cross_products, metric
-from loomlight.mesh.edges import edged
+from loomlight.mesh.edges import Edges
 from loomlight.mitsuba import shapes
 
 WIDTH, THICKNESS = 6e-3, 5e-4
@@ -27,9 +27,13 @@ def square(cells: int, bend: float = 0.0, side: float = 0.1) -> ClothMesh:
     return shapes.grid_surface(cells + 1, place, "square")
 
 
+def edged(pieces: list[ClothMesh], kind: str, thickness: list[float]) -> list[ClothMesh]:
+    return Edges.of(pieces, kind, thickness, 1.0).on(pieces)
+
+
 def strip_of(mesh: ClothMesh, kind: str = "hem", thickness: float = THICKNESS) -> ClothMesh:
     """The triangles that an edge adds."""
-    (found,) = edged([mesh], kind, [thickness], 1.0)
+    (found,) = edged([mesh], kind, [thickness])
     assert np.array_equal(found.triangles[: len(mesh.triangles)], mesh.triangles)
     assert np.array_equal(found.positions[: len(mesh.positions)], mesh.positions)
     return ClothMesh(
@@ -156,7 +160,7 @@ def test_seams_have_no_edge() -> None:
     left = square(10)
     shifted = left.positions + np.array([0.1, 0, 0])
     right = ClothMesh(shifted, left.normals, left.uv, left.triangles, "right")
-    pieces = edged([left, right], "hem", [THICKNESS, 2 * THICKNESS], 1.0)
+    pieces = edged([left, right], "hem", [THICKNESS, 2 * THICKNESS])
     for piece, old, x in zip(pieces, (left, right), (0.1, 0.1), strict=True):
         used = piece.positions[np.unique(piece.triangles[len(old.triangles) :])]
         middle = (used[:, 1] > 0.02) & (used[:, 1] < 0.08)
@@ -169,10 +173,10 @@ def test_seams_have_no_edge() -> None:
 
 def test_what_has_no_edge_stays() -> None:
     mesh = square(4)
-    assert edged([mesh], "raw", [THICKNESS], 1.0)[0] is mesh
+    assert edged([mesh], "raw", [THICKNESS])[0] is mesh
     # A patch of 2 mm is no wider than a hem.
     small = square(4, side=2e-3)
-    assert edged([small], "hem", [THICKNESS], 1.0)[0] is small
+    assert edged([small], "hem", [THICKNESS])[0] is small
     closed = square(1)
     double = ClothMesh(
         closed.positions,
@@ -181,13 +185,13 @@ def test_what_has_no_edge_stays() -> None:
         np.concatenate([closed.triangles, closed.triangles[:, ::-1]]),
         "bag",
     )
-    assert len(edged([double], "hem", [THICKNESS], 1.0)[0].triangles) == len(double.triangles)
+    assert len(edged([double], "hem", [THICKNESS])[0].triangles) == len(double.triangles)
 
 
 def test_triangles_without_uv_have_no_edge() -> None:
     mesh = square(4)
     bare = ClothMesh(mesh.positions, mesh.normals, 0 * mesh.uv, mesh.triangles, "bare")
-    (found,) = edged([bare], "hem", [THICKNESS], 1.0)
+    (found,) = edged([bare], "hem", [THICKNESS])
     assert len(found.triangles) == len(bare.triangles)
 
 
@@ -199,3 +203,21 @@ def test_the_draped_cloth_has_a_hem() -> None:
     # In the sharpest folds, whose radius is less than the hem's thickness, some triangles turn over, and
     # slivers on the mitres of corners.
     assert turned_share(strip) < 5e-3
+
+
+@pytest.mark.parametrize("kind", ["hem", "pinked"])
+def test_edges_follow_cloth_that_moves(kind: str) -> None:
+    """Turned and carried away, the cloth takes its edge along; bent, it has the edge of the bent cloth."""
+    flat, bent = square(30), square(30, bend=20.0)
+    edges = Edges.of([flat], kind, [THICKNESS], 1.0)
+    (before,) = edges.on([flat])
+    turn = np.array([[0, 0, 1], [0.6, 0.8, 0], [-0.8, 0.6, 0]])
+    there = replace(flat, positions=flat.positions @ turn.T + 3, normals=flat.normals @ turn.T)
+    (after,) = edges.on([there])
+    np.testing.assert_allclose(after.positions, before.positions @ turn.T + 3, atol=1e-12)
+    np.testing.assert_allclose(after.normals, before.normals @ turn.T, atol=1e-9)
+    np.testing.assert_array_equal(after.uv, before.uv)
+    np.testing.assert_array_equal(after.triangles, before.triangles)
+    (followed,), (own,) = edges.on([bent]), Edges.of([bent], kind, [THICKNESS], 1.0).on([bent])
+    # Columns stand as far apart, and where the hem lies below the cloth is found in its uv: 2 % of its width.
+    np.testing.assert_allclose(followed.positions, own.positions, atol=0.02 * WIDTH)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from loomlight.cli.frames import frame_paths, frames_of, write_frames
 from loomlight.cli.options import (
     ExecutorName,
     FabricsArgument,
@@ -23,7 +25,7 @@ from loomlight.cli.options import (
 )
 from loomlight.cli.terminal import done, note_left, progress, was_interrupted
 from loomlight.core.errors import InputError
-from loomlight.core.files import WRITTEN_SUFFIXES, replacing
+from loomlight.core.files import ANIMATION_SUFFIXES, WRITTEN_SUFFIXES, replacing
 from loomlight.core.outputs import check_output, require_not_read
 from loomlight.core.picture_settings import RenderSettings, SwatchSettings
 
@@ -34,7 +36,6 @@ if TYPE_CHECKING:
 RENDER_EXAMPLE = (
     "Example: loomlight render examples/denim.toml -o denim.png --scene drape --size 960x720 --spp 64"
 )
-ANIMATION_SUFFIXES = (".webp", ".gif")
 # Of one turn of an animation, seconds.
 _TURN_SECONDS = 6.0
 # Seconds between refined pictures: writing one takes a tenth of a second.
@@ -62,11 +63,30 @@ def render(
             help="N pictures of one turn: .png, .jpg, .exr, numbered, or one .webp or .gif; off by default.",
         ),
     ] = None,
+    frames: Annotated[
+        str | None,
+        typer.Option(
+            "--frames",
+            metavar="A:B",
+            help="Frames of a mesh that moves, such as --mesh 'frames/*.obj': from A to B, A:B:STEP or one "
+            "number; all by default. Pictures are numbered as they are, or one .webp or .gif.",
+        ),
+    ] = None,
+    frames_per_second: Annotated[
+        float, typer.Option("--fps", metavar="N", help="Frames a second, of frames in one .webp or .gif.")
+    ] = 24.0,
 ) -> None:
     """Renders fabrics, each on a piece of cloth, a mesh, or the marked shapes of a scene file."""
     if turns is not None:
         require_within("--turntable", turns, 2, 1000)
-    outputs = _outputs(fabrics, output, turns)
+    require_within("--fps", frames_per_second, 1, 240)
+    moving = frames_of(given.get("mesh"), frames, turns, fabrics)
+    numbered: Callable[[Path], list[Path]] | None = None
+    if moving is not None:
+        numbered = partial(frame_paths, frames=moving.chosen)
+    elif turns is not None:
+        numbered = partial(turn_paths, count=turns)
+    outputs = _outputs(fabrics, output, numbered)
     if "scene" in given and "mesh" in given:
         raise InputError(
             f"--scene {given['scene']} and --mesh {given['mesh']} both say what to clothe: leave one of them "
@@ -74,13 +94,16 @@ def render(
         )
     settings = RenderSettings(**given)
     read = [settings.scene, settings.mesh, settings.environment, *settings.cloths.values()]
-    require_not_read(_written(outputs, turns), [*fabrics, *read])
+    read += [] if moving is None else [frame.path for frame in moving.frames]
+    require_not_read(_written(outputs, numbered), [*fabrics, *read])
     for fabric, path in zip(fabrics, outputs, strict=True):
         what = f"{fabric}, {settings.scene if settings.mesh is None else Path(settings.mesh).name}"
-        if turns is None:
-            _write_picture(what, fabric, path, settings)
-        else:
+        if moving is not None:
+            write_frames(what, fabric, path, moving, settings, frames_per_second)
+        elif turns is not None:
             write_turn(what, fabric, path, turns, settings.changed(inset=None))
+        else:
+            _write_picture(what, fabric, path, settings)
 
 
 def _write_picture(what: str, fabric: str, path: Path, settings: RenderSettings) -> None:
@@ -94,8 +117,12 @@ def _write_picture(what: str, fabric: str, path: Path, settings: RenderSettings)
     done(path)
 
 
-def _outputs(fabrics: list[str], output: str, turntable: int | None) -> list[Path]:
-    """Where the picture of each fabric goes: `{name}` stands for the file's name without its suffix."""
+def _outputs(fabrics: list[str], output: str, numbered: Callable[[Path], list[Path]] | None) -> list[Path]:
+    """Where the picture of each fabric goes: `{name}` stands for the file's name without its suffix.
+
+    Args:
+        numbered: gives the files of an output that is several pictures.
+    """
     if "\0" in output:
         raise InputError(f"--output {output!r} is no path of a file that can be written.")
     if len(fabrics) > 1 and "{name}" not in output:
@@ -105,22 +132,20 @@ def _outputs(fabrics: list[str], output: str, turntable: int | None) -> list[Pat
         )
     if other := next((word for word in re.findall(r"{\w*}", output) if word != "{name}"), None):
         raise InputError(f"--output {output}: {other} stands for nothing; {{name}} is the fabric's name.")
-    suffixes = WRITTEN_SUFFIXES if turntable is None else (*WRITTEN_SUFFIXES, *ANIMATION_SUFFIXES)
+    suffixes = WRITTEN_SUFFIXES if numbered is None else (*WRITTEN_SUFFIXES, *ANIMATION_SUFFIXES)
     paths = [Path(output.replace("{name}", _file_name(fabric))) for fabric in fabrics]
     for path, fabric in zip(paths, fabrics, strict=True):
         check_output(path, suffixes)
         if paths.count(path) > 1:
             raise InputError(f"{path} would be the picture of {fabric} and of another fabric: rename one.")
-    for path in _written(paths, turntable):
+    for path in _written(paths, numbered):
         check_output(path, suffixes)
     return paths
 
 
-def _written(outputs: list[Path], turntable: int | None) -> list[Path]:
-    """The files of all pictures: numbered ones of each output if it is a turn."""
-    if turntable is None:
-        return outputs
-    return [picture for path in outputs for picture in turn_paths(path, turntable)]
+def _written(outputs: list[Path], numbered: Callable[[Path], list[Path]] | None) -> list[Path]:
+    """The files of all pictures."""
+    return outputs if numbered is None else [picture for path in outputs for picture in numbered(path)]
 
 
 def _file_name(fabric: str) -> str:

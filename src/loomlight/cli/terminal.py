@@ -20,31 +20,37 @@ LINE_SECONDS = 10.0
 
 
 @contextmanager
-def progress(title: str, *, milliseconds: bool = False) -> Iterator[Callable[[int, int], None]]:
+def progress(
+    title: str, *, milliseconds: bool = False, unit: str = ""
+) -> Iterator[Callable[[int, int], None]]:
     """A function that takes (done, in all) and moves a bar, or without a terminal writes lines.
 
     Args:
         title: what is done.
         milliseconds: the numbers are times, passed and in all as estimated; otherwise parts of the work, from
             which the time left follows by proportion.
+        unit: of a part of the work, whose seconds are shown, such as "frame".
     """
     begun = time.monotonic()
-    # When the work will be done, by the latest report.
+    # When the work will be done, by the latest report; and how long a part takes, in words.
     expected: list[float] = []
+    pace = [""]
 
     def expect(done: int, total: int) -> None:
         now = time.monotonic()
         if milliseconds:
             expected[:] = [now + (total - done) / 1000]
         elif done > 0:
-            expected[:] = [now + (now - begun) * (total - done) / done]
+            each = (now - begun) / done
+            expected[:] = [now + each * (total - done)]
+            pace[0] = f", {each:.2g} s a {unit}" if unit else ""
 
     if not sys.stderr.isatty():
         lines = Lines(title)
 
         def write(done: int, total: int) -> None:
             expect(done, total)
-            lines.report(done / max(total, 1), expected[0] if expected else None)
+            lines.report(done / max(total, 1), expected[0] if expected else None, pace[0])
 
         yield write
         return
@@ -59,7 +65,8 @@ def progress(title: str, *, milliseconds: bool = False) -> Iterator[Callable[[in
             if not expected:
                 return Text("")
             left = expected[0] - time.monotonic()
-            return Text(f"about {_duration(max(left, 1))} left" if left > -1 else "longer than estimated")
+            said = f"about {_duration(max(left, 1))} left" if left > -1 else "longer than estimated"
+            return Text(said + pace[0])
 
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeLeftColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
@@ -79,12 +86,13 @@ class Lines:
         self._title, self._clock = title, clock
         self._next = clock() + LINE_SECONDS
 
-    def report(self, share: float, expected: float | None) -> None:
+    def report(self, share: float, expected: float | None, pace: str = "") -> None:
         """Writes a line if it is time.
 
         Args:
             share: of the work that is done; above 1 where it takes longer than estimated.
             expected: when it will be done, by the clock.
+            pace: what else is said of it.
         """
         now = self._clock()
         if now < self._next:
@@ -96,7 +104,7 @@ class Lines:
             said = f"{100 * share:.0f} %"
         else:
             said = f"{100 * share:.0f} %, about {_duration(expected - now)} left"
-        print(f"{self._title}: {said}", file=sys.stderr, flush=True)
+        print(f"{self._title}: {said}{pace}", file=sys.stderr, flush=True)
 
 
 def _duration(seconds: float) -> str:

@@ -21,6 +21,8 @@ from loomlight.core.errors import InputError
 # what writes.
 PIXEL_SUFFIXES = (".png", ".jpg", ".jpeg")
 WRITTEN_SUFFIXES = (*PIXEL_SUFFIXES, ".exr")
+# Of several pictures in one file.
+ANIMATION_SUFFIXES = (".webp", ".gif")
 
 # Thread colours of the longest draft take some 100 kB; what is larger is not a fabric file.
 MAX_TEXT = 4 * 2**20

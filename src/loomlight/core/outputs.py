@@ -58,7 +58,7 @@ def require_not_read(outputs: Iterable[Path], reads: Iterable[str | os.PathLike[
     written = [path for path in outputs if _exists(path)]
     if not written:
         return
-    for read in chain.from_iterable(map(_files_of, reads)):
+    for read in chain.from_iterable(map(files_of, reads)):
         for path in written:
             if path.is_dir() and path.resolve() in read.resolve().parents:
                 raise InputError(f"{path} holds {read}, which is read by this command: give another folder.")
@@ -66,7 +66,7 @@ def require_not_read(outputs: Iterable[Path], reads: Iterable[str | os.PathLike[
                 raise InputError(f"{path} is read by this command: give another name to write to.")
 
 
-def _files_of(argument: str | os.PathLike[str] | None) -> list[Path]:
+def files_of(argument: str | os.PathLike[str] | None) -> list[Path]:
     """The file that an argument names, if it names one, and those that this file names, and so on."""
     found: list[Path] = []
     left = [] if argument is None else [Path(argument)]

@@ -1,8 +1,11 @@
-"""Edges of cloth: turned hems and pinked borders, as further triangles along the open edges of a mesh."""
+"""Edges of cloth: turned hems and pinked borders, as further triangles along the open edges of a mesh.
+
+They are bound to the cloth, so that they follow it where it moves.
+"""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,34 +33,54 @@ _LEAN, _MAX_PAIRS = 0.3, 10_000_000
 _MAX_STEPS = 64
 
 
-def edged(pieces: list[ClothMesh], kind: str, thickness: list[float], scale: float) -> list[ClothMesh]:
-    """Pieces of cloth with edges; where two of them lie on each other they are sewn together and have none.
+@dataclass(frozen=True, eq=False)
+class Edges:
+    """Edges of pieces of cloth, whichever way these move; see `of`."""
 
-    A hem goes on around the edge, back below the cloth and up to it; a pinked edge goes on in teeth. uv run
-    on as cloth does. Where they collapse, or where the whole is hardly wider than an edge, nothing is added.
+    _border: _Border
+    _strips: list[_Strip | None]
 
-    Args:
-        pieces: metres.
-        kind: of `EDGES`.
-        thickness: of the cloth of each piece, metres; a hem is twice as thick.
-        scale: of widths and thicknesses.
-    """
-    whole = joined(pieces)
-    shape = _TOOTH_WIDTH * scale / 2, np.array([[0, 0, 0, 0], [0, _TOOTH_DEPTH * scale, 0, 0]])
-    if kind == "raw" or np.ptp(whole.positions, axis=0).max() < _MIN_COLUMNS * shape[0]:
-        return pieces
-    ends = np.stack([whole.triangles, np.roll(whole.triangles, -1, axis=1)], axis=2).reshape(-1, 2)
-    twin = _twins(ends)
-    half, mitre, whole = _open_edges(whole, ends, np.flatnonzero(twin < 0))
-    owner = np.repeat(np.arange(len(pieces)), [len(piece.triangles) for piece in pieces])[half // 3]
-    found = []
-    for number, piece in enumerate(pieces):
-        mine = owner == number
-        if kind == "hem":
-            shape = _hem(thickness[number] * scale, _HEM_WIDTH * scale)
-        strip = _strip(whole, twin, half[mine], mitre[mine], shape)
-        found.append(joined([piece, strip]) if mine.any() else piece)
-    return found
+    @classmethod
+    def of(cls, pieces: list[ClothMesh], kind: str, thickness: list[float], scale: float) -> Edges:
+        """Edges; where two pieces lie on each other they are sewn together and have none.
+
+        A hem goes on around the edge, back below the cloth and up to it; a pinked edge goes on in teeth. uv
+        run on as cloth does. Where they collapse, or where the whole is hardly wider than an edge, nothing is
+        added.
+
+        Args:
+            pieces: metres.
+            kind: of `EDGES`.
+            thickness: of the cloth of each piece, metres; a hem is twice as thick.
+            scale: of widths and thicknesses.
+        """
+        whole = joined(pieces)
+        shape = _TOOTH_WIDTH * scale / 2, np.array([[0, 0, 0, 0], [0, _TOOTH_DEPTH * scale, 0, 0]])
+        if kind == "raw" or np.ptp(whole.positions, axis=0).max() < _MIN_COLUMNS * shape[0]:
+            nothing = np.zeros(0, np.int64)
+            return cls(_Border(nothing, np.zeros((0, 2), np.int64)), [None] * len(pieces))
+        ends = np.stack([whole.triangles, np.roll(whole.triangles, -1, axis=1)], axis=2).reshape(-1, 2)
+        twin = _twins(ends)
+        border = _Border.of(whole, ends, np.flatnonzero(twin < 0))
+        mitre, whole = border.mitred(whole)
+        owner = np.repeat(np.arange(len(pieces)), [len(piece.triangles) for piece in pieces])
+        strips: list[_Strip | None] = []
+        for number in range(len(pieces)):
+            (mine,) = np.nonzero(owner[border.half // 3] == number)
+            if kind == "hem":
+                shape = _hem(thickness[number] * scale, _HEM_WIDTH * scale)
+            strips.append(_Strip.of(whole, twin, border, mine, mitre, shape) if len(mine) else None)
+        return cls(border, strips)
+
+    def on(self, pieces: list[ClothMesh]) -> list[ClothMesh]:
+        """The same pieces, wherever their vertices are now, with their edges."""
+        if not any(self._strips):
+            return pieces
+        mitre, whole = self._border.mitred(joined(pieces))
+        return [
+            piece if strip is None else joined([piece, strip.on(whole, mitre)])
+            for piece, strip in zip(pieces, self._strips, strict=True)
+        ]
 
 
 def _hem(radius: float, width: float) -> _Shape:
@@ -80,89 +103,152 @@ def _twins(ends: Indices) -> Indices:
     return twin
 
 
-def _open_edges(mesh: ClothMesh, ends: Indices, alone: Indices) -> tuple[Indices, Floats, ClothMesh]:
-    """Half-edges [m] without a neighbour at their place; steps [m, 2, 3] a unit out from their ends.
+@dataclass(frozen=True, eq=False)
+class _Border:
+    """Half-edges without a neighbour at their place.
 
-    Third, the mesh with one normal at each place of its border.
+    Attributes:
+        half: numbers of half-edges [m].
+        place: numbers of the places of their two ends [m, 2].
     """
-    spots = np.round(mesh.positions[ends[alone].ravel()] / _WELD).astype(np.int64)
-    place = np.unique(spots, axis=0, return_inverse=True)[1].reshape(-1, 2)
-    area, _, _ = metric(mesh)
-    is_open = (_twins(place) < 0) & np.isfinite(area[alone // 3])
-    half, place = alone[is_open], place[is_open]
-    along = np.diff(mesh.positions[ends[half]], axis=1)[:, 0]
-    out = _unit(np.cross(along, cross_products(mesh)[half // 3]))
-    # The sum of two unit vectors, over half its own square, is a unit away from both edges.
-    total, normals, ways = (np.zeros((place.max(initial=0) + 1, size)) for size in (3, 3, 1))
-    for end in range(2):
-        np.add.at(total, place[:, end], out)
-        np.add.at(normals, place[:, end], mesh.normals[ends[half, end]])
-        np.add.at(ways, place[:, end], 1)
-    length = np.maximum(np.linalg.norm(total, axis=1, keepdims=True), 1e-9)
-    mitre = total / length * np.minimum(ways / length, _MAX_MITRE)
-    smooth, up = mesh.normals.copy(), _unit(normals)
-    smooth[ends[half]] = up[place]
-    mitre -= np.sum(mitre * up, axis=1, keepdims=True) * up
-    return half, mitre[place], replace(mesh, normals=smooth)
+
+    half: Indices
+    place: Indices
+
+    @classmethod
+    def of(cls, mesh: ClothMesh, ends: Indices, alone: Indices) -> _Border:
+        """Those of the half-edges `alone` that no other one lies on."""
+        spots = np.round(mesh.positions[ends[alone].ravel()] / _WELD).astype(np.int64)
+        place = np.unique(spots, axis=0, return_inverse=True)[1].reshape(-1, 2)
+        area, _, _ = metric(mesh)
+        is_open = (_twins(place) < 0) & np.isfinite(area[alone // 3])
+        return cls(alone[is_open], place[is_open])
+
+    def ends(self, mesh: ClothMesh) -> Indices:
+        """Vertices of both ends [m, 2]."""
+        corner = np.stack([self.half % 3, (self.half % 3 + 1) % 3], axis=1)
+        return mesh.triangles[(self.half // 3)[:, None], corner]
+
+    def mitred(self, mesh: ClothMesh) -> tuple[Floats, ClothMesh]:
+        """Steps [m, 2, 3] a unit out from both ends; the mesh with one normal at each place of its border."""
+        half, place, ends = self.half, self.place, self.ends(mesh)
+        along = np.diff(mesh.positions[ends], axis=1)[:, 0]
+        out = _unit(np.cross(along, cross_products(mesh)[half // 3]))
+        # The sum of two unit vectors, over half its own square, is a unit away from both edges.
+        total, normals, ways = (np.zeros((place.max(initial=0) + 1, size)) for size in (3, 3, 1))
+        for end in range(2):
+            np.add.at(total, place[:, end], out)
+            np.add.at(normals, place[:, end], mesh.normals[ends[:, end]])
+            np.add.at(ways, place[:, end], 1)
+        length = np.maximum(np.linalg.norm(total, axis=1, keepdims=True), 1e-9)
+        mitre = total / length * np.minimum(ways / length, _MAX_MITRE)
+        smooth, up = mesh.normals.copy(), _unit(normals)
+        smooth[ends] = up[place]
+        mitre -= np.sum(mitre * up, axis=1, keepdims=True) * up
+        return mitre[place], replace(mesh, normals=smooth)
 
 
-def _strip(mesh: ClothMesh, twin: Indices, half: Indices, mitre: Floats, shape: _Shape) -> ClothMesh:
-    """The triangles of an edge along half-edges, of columns as far apart as `shape` says, or less."""
-    apart, rows = shape
-    corner = np.stack([half % 3, (half % 3 + 1) % 3], axis=1)
-    ends = mesh.triangles[(half // 3)[:, None], corner]
-    along = np.diff(mesh.positions[ends], axis=1)[:, 0]
-    length = np.linalg.norm(along, axis=1)
-    # An even number, so that teeth meet at both ends.
-    count = 2 * np.ceil(length / max(2 * apart, 2 * length.sum() / _MAX_COLUMNS)).astype(np.int64)
-    edge = np.repeat(np.arange(len(half)), count)
-    step = np.arange(len(edge)) - np.repeat(np.cumsum(count) - count, count)
-    share = (np.stack([step, step + 1], axis=1) / count[edge][:, None])[..., None]
+@dataclass(frozen=True, eq=False)
+class _Strip:
+    """The triangles of an edge along half-edges, in columns across it.
 
-    def between(values: Floats) -> Floats:
-        """Of columns [columns, 2, …], of what edges have at their ends."""
-        return values[edge, :1] * (1 - share) + values[edge, 1:] * share
+    Attributes:
+        mine: which half-edges of the border.
+        ends: vertices of their ends [m, 2].
+        edge: which half-edge each column is of [columns].
+        share: how far along it both sides of the column are [columns, 2, 1].
+        across, up, angle: how far out and up each vertex is, and its normal's angle [rows, columns, 2, 1].
+        triangle, weights: below which point of the cloth, [rows, columns, 2] and [rows, columns, 2, 3].
+        made: the strip on the cloth that it was made for; its uv, triangles and attributes stay.
+    """
 
-    # Columns between corners would cross the mitres there: they end before, as far as corners lean.
-    lean = np.sum(mitre * along[:, None], axis=2) / length[:, None] * [-1, 1]
-    corners, lean = mesh.positions[ends][lean > _LEAN], lean[lean > _LEAN]
-    foot, is_end = between(mesh.positions[ends]), (share == 0) | (share == 1)
-    room = np.full(share.shape, np.inf)
-    if len(corners) * len(foot) < _MAX_PAIRS:
-        for place, slope in zip(corners, lean, strict=True):
-            away = np.linalg.norm(foot - place, axis=2, keepdims=True)
-            room = np.where(away > _WELD, np.minimum(room, away / slope), room)
-    out = between(mitre)
-    to_uv = np.linalg.pinv(np.stack(metric(mesh)[1:], axis=2)[half // 3])[edge]
-    along = (along / length[:, None])[edge][:, None]
+    mine: Indices
+    ends: Indices
+    edge: Indices
+    share: Floats
+    across: Floats
+    up: Floats
+    angle: Floats
+    triangle: Indices
+    weights: Floats
+    made: ClothMesh
+
+    @classmethod
+    def of(
+        cls, mesh: ClothMesh, twin: Indices, border: _Border, mine: Indices, mitre: Floats, shape: _Shape
+    ) -> _Strip:
+        """The strip along some half-edges, of columns as far apart as `shape` says, or less."""
+        apart, rows = shape
+        half, ends, mitre = border.half[mine], border.ends(mesh)[mine], mitre[mine]
+        along = np.diff(mesh.positions[ends], axis=1)[:, 0]
+        length = np.linalg.norm(along, axis=1)
+        # An even number, so that teeth meet at both ends.
+        count = 2 * np.ceil(length / max(2 * apart, 2 * length.sum() / _MAX_COLUMNS)).astype(np.int64)
+        edge = np.repeat(np.arange(len(half)), count)
+        step = np.arange(len(edge)) - np.repeat(np.cumsum(count) - count, count)
+        share = (np.stack([step, step + 1], axis=1) / count[edge][:, None])[..., None]
+        # Columns between corners would cross the mitres there: they end before, as far as corners lean.
+        lean = np.sum(mitre * along[:, None], axis=2) / length[:, None] * [-1, 1]
+        corners, lean = mesh.positions[ends][lean > _LEAN], lean[lean > _LEAN]
+        foot = _between(mesh.positions[ends], edge, share)
+        room = np.full(share.shape, np.inf)
+        if len(corners) * len(foot) < _MAX_PAIRS:
+            for place, slope in zip(corners, lean, strict=True):
+                away = np.linalg.norm(foot - place, axis=2, keepdims=True)
+                room = np.where(away > _WELD, np.minimum(room, away / slope), room)
+        out, sideways = _outward(mesh.positions[ends], mitre, edge, share)
+        to_uv = np.linalg.pinv(np.stack(metric(mesh)[1:], axis=2)[half // 3])[edge]
+        uv = _between(mesh.uv[ends], edge, share)
+        uv_out, uv_side = (np.einsum("nij,nkj->nki", to_uv, vectors) for vectors in (out, sideways))
+        is_odd = np.stack([step % 2, (step + 1) % 2], axis=1)
+        across = np.where(is_odd, rows[:, None, None, 1], rows[:, None, None, 0])[..., None]
+        across = np.maximum(across, -room)
+        up, angle = rows[:, 2, None, None, None], rows[:, 3, None, None, None]
+        inside = uv + np.minimum(across, 0) * uv_out
+        beside = np.broadcast_to((half // 3)[edge, None], inside.shape[:-1])
+        triangle, weights = _below(mesh, twin, beside, inside)
+        run = np.cumsum(np.hypot(np.diff(across, axis=0, prepend=0), np.diff(up, axis=0, prepend=0)), axis=0)
+        uv = uv + run * (uv_out - uv_side) + across * uv_side
+        size = 2 * len(edge)
+        a = (np.arange(0, size, 2) + size * np.arange(len(rows) - 1)[:, None]).ravel()
+        b, c, d = a + 1, a + size, a + size + 1
+        triangles = np.concatenate([np.stack([b, a, c], axis=1), np.stack([b, c, d], axis=1)])
+        attributes = {}
+        for name, values in mesh.attributes.items():
+            row = _between(values[ends], edge, share)
+            attributes[name] = np.broadcast_to(row, (len(rows), *row.shape)).reshape(-1, row.shape[-1])
+        nowhere = np.zeros((len(rows) * size, 3))
+        made = ClothMesh(nowhere, nowhere, uv.reshape(-1, 2), triangles, mesh.name, attributes)
+        return cls(mine, ends, edge, share, across, up, angle, triangle, weights, made)
+
+    def on(self, mesh: ClothMesh, mitre: Floats) -> ClothMesh:
+        """The strip on a mesh whose border is mitred so, wherever its vertices are."""
+        out, _ = _outward(mesh.positions[self.ends], mitre[self.mine], self.edge, self.share)
+        base, normal = (
+            np.einsum("...k,...ki->...i", self.weights, values[mesh.triangles[self.triangle]])
+            for values in (mesh.positions, mesh.normals)
+        )
+        normal = _unit(normal)
+        position = base + np.maximum(self.across, 0) * out + self.up * normal
+        normals = _unit(np.sin(self.angle) * _unit(out) + np.cos(self.angle) * normal)
+        return replace(self.made, positions=position.reshape(-1, 3), normals=normals.reshape(-1, 3))
+
+
+def _between(values: Floats, edge: Indices, share: Floats) -> Floats:
+    """Of columns [columns, 2, …], of what edges have at their ends."""
+    return values[edge, :1] * (1 - share) + values[edge, 1:] * share
+
+
+def _outward(places: Floats, mitre: Floats, edge: Indices, share: Floats) -> tuple[Floats, Floats]:
+    """Steps out of both sides of columns, square to the edge but at its ends; how far those go along it."""
+    along = _unit(np.diff(places, axis=1)[:, 0])[edge][:, None]
+    out, is_end = _between(mitre, edge, share), (share == 0) | (share == 1)
     sideways = np.sum(out * along, axis=2, keepdims=True) * along
-    out, sideways = np.where(is_end, out, out - sideways), np.where(is_end, sideways, 0)
-    uv = between(mesh.uv[ends])
-    uv_out, uv_side = (np.einsum("nij,nkj->nki", to_uv, vectors) for vectors in (out, sideways))
-    is_odd = np.stack([step % 2, (step + 1) % 2], axis=1)
-    across = np.where(is_odd, rows[:, None, None, 1], rows[:, None, None, 0])[..., None]
-    across = np.maximum(across, -room)
-    up, angle = rows[:, 2, None, None, None], rows[:, 3, None, None, None]
-    inside = uv + np.minimum(across, 0) * uv_out
-    base, normal = _below(mesh, twin, np.broadcast_to((half // 3)[edge, None], inside.shape[:-1]), inside)
-    run = np.cumsum(np.hypot(np.diff(across, axis=0, prepend=0), np.diff(up, axis=0, prepend=0)), axis=0)
-    position = base + np.maximum(across, 0) * out + up * normal
-    normals = np.sin(angle) * _unit(out) + np.cos(angle) * normal
-    size = 2 * len(edge)
-    a = (np.arange(0, size, 2) + size * np.arange(len(rows) - 1)[:, None]).ravel()
-    b, c, d = a + 1, a + size, a + size + 1
-    triangles = np.concatenate([np.stack([b, a, c], axis=1), np.stack([b, c, d], axis=1)])
-    uv = uv + run * (uv_out - uv_side) + across * uv_side
-    p, n, t = (values.reshape(-1, values.shape[-1]) for values in (position, _unit(normals), uv))
-    attributes = {}
-    for name, values in mesh.attributes.items():
-        row = between(values[ends])
-        attributes[name] = np.broadcast_to(row, (len(rows), *row.shape)).reshape(-1, row.shape[-1])
-    return ClothMesh(p, n, t, triangles, mesh.name, attributes)
+    return np.where(is_end, out, out - sideways), np.where(is_end, sideways, 0)
 
 
-def _below(mesh: ClothMesh, twin: Indices, triangle: Indices, uv: Floats) -> tuple[Floats, Floats]:
-    """Positions and normals [n, 3] of a mesh at `uv` [n, 2], walking there from `triangle` [n] each."""
+def _below(mesh: ClothMesh, twin: Indices, triangle: Indices, uv: Floats) -> tuple[Indices, Floats]:
+    """Triangles [n] of a mesh that hold `uv` [n, 2], walking there from `triangle` [n]; weights [n, 3]."""
     for _ in range(_MAX_STEPS):
         a, b, c = np.moveaxis(mesh.uv[mesh.triangles[triangle]], -2, 0)
         weights = np.stack([_cross(b - uv, c - uv), _cross(c - uv, a - uv), _cross(a - uv, b - uv)], axis=-1)
@@ -175,12 +261,7 @@ def _below(mesh: ClothMesh, twin: Indices, triangle: Indices, uv: Floats) -> tup
             break
         triangle = np.where(goes, other // 3, triangle)
     weights = np.clip(weights, 0, None)
-    weights /= weights.sum(axis=-1, keepdims=True)
-    position, normal = (
-        np.einsum("...k,...ki->...i", weights, values[mesh.triangles[triangle]])
-        for values in (mesh.positions, mesh.normals)
-    )
-    return position, _unit(normal)
+    return triangle, weights / weights.sum(axis=-1, keepdims=True)
 
 
 def _cross(a: Floats, b: Floats) -> Floats:

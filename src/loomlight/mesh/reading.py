@@ -6,6 +6,7 @@ is taken as it is written, as Mitsuba's `obj` and `ply` plugins do.
 
 from __future__ import annotations
 
+import hashlib
 import os
 import warnings
 from collections.abc import Callable
@@ -18,10 +19,10 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, LoomlightError, LoomlightWarning
 from loomlight.core.files import require_file
-from loomlight.mesh.cloth_mesh import MAX_COORDINATE, ClothMesh, MeshPart, cleaned, collapses, joined
+from loomlight.mesh.cloth_mesh import INDEX, MAX_COORDINATE, ClothMesh, MeshPart, cleaned, collapses, joined
 from loomlight.mesh.file_camera import FileCamera
 from loomlight.mesh.gltf import gltf_cameras, gltf_frames, read_gltf
-from loomlight.mesh.obj import read_obj
+from loomlight.mesh.obj import read_obj, read_obj_rows
 from loomlight.mesh.ply import read_ply
 from loomlight.mesh.usd import SUFFIXES as USD_SUFFIXES
 from loomlight.mesh.usd_worker import read_usd, usd_cameras, usd_frames
@@ -49,11 +50,17 @@ SUFFIXES = tuple(_FORMATS)
 T = TypeVar("T")
 
 
+def is_mesh(path: str | os.PathLike[str]) -> bool:
+    """Whether a path ends as meshes do that can be read."""
+    return Path(path).suffix.lower() in SUFFIXES
+
+
 def read_parts(path: str | os.PathLike[str], time: float | None = None) -> list[MeshPart]:
     """The parts of a mesh file, in its order.
 
-    Triangles without an area are left out. Those of a part that have no uv become a part of their own, of the
-    same name, which follows it. A warning says how many triangles have no uv, if others have.
+    Their attribute "index" says which row of the file a vertex has its position of. Triangles without an area
+    are left out. Those of a part that have no uv become a part of their own, of the same name, which follows
+    it. A warning says how many triangles have no uv, if others have.
 
     Args:
         time: seconds from the start of the file's animation, held beyond its ends; None for what the file
@@ -65,8 +72,7 @@ def read_parts(path: str | os.PathLike[str], time: float | None = None) -> list[
     """
     file = Path(path)
     with np.errstate(all="ignore"):  # of numbers that are then refused
-        raw = _read(file, lambda of: of.parts(file, time))
-        parts = [made for part in raw for made in _pieces(part)]
+        parts = [made for part in _raw_parts(file, time) for made in _pieces(part)]
     if not parts:
         raise InputError(f"{file} holds no triangles that have an area.")
     bare = [part for part in parts if len(part.mesh.uv) == 0]
@@ -108,6 +114,55 @@ def read_mesh(path: str | os.PathLike[str]) -> ClothMesh:
             f"{path} has no uv coordinates, or they collapse to lines or points; unwrap it first."
         )
     return joined(covered)
+
+
+def read_rows(path: str | os.PathLike[str], time: float | None = None) -> tuple[NDArray[np.float64], bytes]:
+    """The positions of a file's rows [n, 3], which "index" counts, and a hash that equal faces share.
+
+    Args:
+        time: as `read_parts` takes it.
+
+    Raises:
+        InputError, MissingDependencyError: what `read_parts` raises.
+    """
+    file = Path(path)
+    if file.suffix.lower() == ".obj":
+        return _read(file, lambda of: read_obj_rows(file))
+    parts = _raw_parts(file, time)
+    faces = hashlib.sha256(_triangles(parts).tobytes()).digest()
+    return np.concatenate([part.mesh.positions for part in parts]), faces
+
+
+def read_triangles(path: str | os.PathLike[str], time: float | None = None) -> NDArray[np.int64]:
+    """All triangles [m, 3] of a file, as rows that "index" counts.
+
+    Args:
+        time: as `read_parts` takes it.
+
+    Raises:
+        InputError, MissingDependencyError: what `read_parts` raises.
+    """
+    return _triangles(_raw_parts(Path(path), time))
+
+
+def _triangles(parts: list[MeshPart]) -> NDArray[np.int64]:
+    rows = [part.mesh.attributes[INDEX][part.mesh.triangles, 0] for part in parts]
+    return np.concatenate(rows).astype(np.int64)
+
+
+def _raw_parts(file: Path, time: float | None) -> list[MeshPart]:
+    """The parts as their reader has them, with "index"."""
+    parts, first = [], 0
+    with np.errstate(all="ignore"):  # of numbers that are then refused
+        raw = _read(file, lambda of: of.parts(file, time))
+    for part in raw:
+        mesh, count = part.mesh, len(part.mesh.positions)
+        if INDEX not in mesh.attributes:
+            rows = np.arange(first, first + count, dtype=np.float64)[:, None]
+            mesh = replace(mesh, attributes={**mesh.attributes, INDEX: rows})
+        first += count
+        parts.append(replace(part, mesh=mesh))
+    return parts
 
 
 def _read(file: Path, what: Callable[[_Format], T]) -> T:

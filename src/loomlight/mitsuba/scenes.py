@@ -20,7 +20,7 @@ from loomlight.core.studio import PAPER, STUDIO_AZIMUTH, STUDIO_ELEVATION, paper
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts
 from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, joined, warn_of_extent, warn_of_scale
-from loomlight.mesh.edges import EDGES, edged
+from loomlight.mesh.edges import EDGES, Edges
 from loomlight.mesh.file_camera import FileCamera
 from loomlight.mesh.reading import read_cameras, read_mesh, read_parts
 from loomlight.mitsuba.bsdf import surface_bsdf
@@ -113,6 +113,7 @@ class ClothScene:
         point: where the camera comes closer to, world coordinates.
         view: where the camera stands, at the zoom of the scene.
         framed: what the camera frames [n, 3]; None where it stands in a place of its own.
+        dressed: the cloth of a built-in scene or of a mesh; None of scene files.
     """
 
     scene: mi.Scene
@@ -122,6 +123,7 @@ class ClothScene:
     point: NDArray[np.float64]
     view: View
     framed: NDArray[np.float64] | None = None
+    dressed: Dressed | None = None
 
     def pixel_mm(self, metres_per_unit: float = 1.0) -> float:
         """Side of what a pixel in the middle shows of cloth that faces the camera at `point`, millimetres.
@@ -150,6 +152,27 @@ class ClothScene:
         params = mi.traverse(self.scene.sensors()[0])
         params["to_world"] = mi.Transform4f(look_at(view))
         params.update()
+
+
+@dataclass(frozen=True, eq=False)
+class Dressed:
+    """The triangles of a scene before its cloth has edges.
+
+    Attributes:
+        pieces: by the names of their shapes, among the scene's parameters.
+        edges: of all pieces, in this order.
+    """
+
+    pieces: dict[str, ClothMesh]
+    edges: Edges
+
+    def at_rest(self) -> dict[str, ClothMesh]:
+        """The pieces with their edges, by name."""
+        return self.moved([*self.pieces.values()])
+
+    def moved(self, pieces: list[ClothMesh]) -> dict[str, ClothMesh]:
+        """The same, of pieces whose vertices have moved."""
+        return dict(zip(self.pieces, self.edges.on(pieces), strict=True))
 
 
 @dataclass(frozen=True)
@@ -212,6 +235,7 @@ def build_scene(
     placement: Placement = Placement(),  # noqa: B008 (frozen)
     edge: str | None = "raw",
     others: Mapping[str, BsdfFactory] | None = None,
+    swept: Callable[[Sequence[ClothMesh]], NDArray[np.float64]] | None = None,
     **camera: Unpack[CameraKeywords],
 ) -> ClothScene:
     """A scene that shows the cloth `bsdf`; a Mitsuba variant must be set.
@@ -231,6 +255,7 @@ def build_scene(
         others: further cloths: of a scene file by the id of the BSDF that each replaces, of a mesh by the
             name of a part or of its material.
         camera: fields of `CameraSettings`.
+        swept: gives further points [n, 3] that the picture has to show, of the pieces of cloth, which move.
 
     Raises:
         InputError: an unknown scene or light, a value out of range, or a file that cannot be used.
@@ -270,7 +295,13 @@ def build_scene(
     else:
         setup, worn = _MESH, read_garment(mesh, metres_per_unit, factory, others or {})
     size, edge = size or default_size(mesh, seen.camera), edge or setup.edge
-    shapes, cloth, uv_size_mm = _dressed(worn, placement, edge)
+    dressed, bsdfs, uv_size_mm = _dressed(worn, placement, edge)
+    meshes = dressed.at_rest()
+    cloth = joined([replace(mesh, uv=np.zeros((0, 2))) for mesh in meshes.values()])
+    if swept is not None:
+        further = swept([*dressed.pieces.values()])
+        cloth = replace(cloth, positions=np.concatenate([cloth.positions, further]))
+    shapes = {name: to_shape(mesh, bsdf) for (name, mesh), bsdf in zip(meshes.items(), bsdfs, strict=True)}
     centre, radius = _bounds(cloth)
     _require_extent(cloth.name, radius)
     # 3. The camera frames all of it, or what it is told to, and comes closer below.
@@ -305,7 +336,7 @@ def build_scene(
         parts["backdrop"] = backdrop(centre, radius, paper.side * -gap, distance)
     # 6. The scene, seen from as near as asked for.
     parts["sensor"] = perspective(view, size)
-    return ClothScene(_loaded(parts), integrator, uv_size_mm, point, view, framed)
+    return ClothScene(_loaded(parts), integrator, uv_size_mm, point, view, framed, dressed)
 
 
 def _seen(
@@ -456,8 +487,8 @@ class _Paper:
 
 def _dressed(
     worn: Garment[BsdfFactory], placement: Placement, edge: str
-) -> tuple[dict[str, mi.Mesh], ClothMesh, tuple[float, float]]:
-    """Shapes by name, all their triangles without uv, and millimetres per unit of u and of v of the first."""
+) -> tuple[Dressed, list[Any], tuple[float, float]]:
+    """The cloth, BSDFs of its pieces, and millimetres per unit of u and of v of the first."""
     laid = [(*placed(piece, placement), own) for piece, own in worn.pieces]
     bsdfs = [loaded_bsdf(own(millimetres)) for _, millimetres, own in laid]
     meshes = [piece for piece, _, _ in laid]
@@ -466,9 +497,8 @@ def _dressed(
     if worn.uncovered is not None:
         meshes.append(replace(worn.uncovered, uv=np.zeros((len(worn.uncovered.positions), 2))))
         names, bsdfs, thickness = [*names, UNCOVERED_NAME], [*bsdfs, _UNCOVERED], [*thickness, 0]
-    meshes = edged(meshes, edge, thickness, placement.scale)
-    shapes = {name: to_shape(mesh, bsdf) for name, mesh, bsdf in zip(names, meshes, bsdfs, strict=True)}
-    return shapes, joined([replace(mesh, uv=np.zeros((0, 2))) for mesh in meshes]), laid[0][1]
+    edges = Edges.of(meshes, edge, thickness, placement.scale)
+    return Dressed(dict(zip(names, meshes, strict=True)), edges), bsdfs, laid[0][1]
 
 
 def _thickness(bsdf: Any) -> float:
