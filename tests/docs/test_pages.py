@@ -24,6 +24,7 @@ PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 WITH_COMMANDS = [*PAGES, *sorted((ROOT / "docs/research/models").glob("*.md"))]
 # What never ends, takes hours or needs other machines: its words are checked, and that its files exist.
 NOT_RUN = {
+    r"loomlight render .*'frames/": "frames of a simulation take minutes",
     r"loomlight view(?!.*--export)": "a server runs until it is stopped",
     r"loomlight play(?!.* -o )": "a window waits for its user",
     r"loomlight play .* -o ": "software adapters take minutes",
@@ -33,6 +34,7 @@ NOT_RUN = {
     r"loomlight bake .*--executor (slurm|joblib:ray|joblib:dask)": "it needs a cluster",
 }
 PYTHON_NOT_RUN = {
+    r"loomlight render .*'frames/": "frames of a simulation take minutes",
     "rendercanvas": "a window waits for its user",
     "Renderer(": "software adapters take minutes",
 }
@@ -89,7 +91,7 @@ def clone(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
             file.unlink()
     monkeypatch.chdir(tmp_path)
     if "frames/*.obj" in text:
-        make_towel_frames.write(tmp_path / "frames", 3)
+        make_towel_frames.write(tmp_path / "frames", 48)
     # A quarter of the pixels, and a few samples of each: the words stay the same, and pages take less time.
     begin = RenderJob.__post_init__
 
