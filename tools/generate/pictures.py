@@ -78,6 +78,7 @@ RECIPES: dict[str, Recipe] = {
     ),
     "studio.jpg": Recipe(("loomlight render examples/denim.toml -o {out}/picture.png",)),
     "distances.jpg": Recipe(("experiments.distances -o {out}/picture.png",)),
+    "views.jpg": Recipe(("tools.make_view_sheet -o {out}/picture.png",)),
     "edges.jpg": Recipe(("tools.make_edge_pictures -o {out}/picture.png",)),
     "yarns.jpg": Recipe(("tools.make_yarn_sheet -o {out}/picture.png",)),
     "yarn-gaps.jpg": Recipe(("tools.make_yarn_sheet --gaps -o {out}/picture.png",)),

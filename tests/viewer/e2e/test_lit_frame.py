@@ -295,6 +295,13 @@ def test_the_editor_lights_its_cloth(
         wait_until(visit.page, "window.loomlight.statistics().rendered === 'shown'")
         assert visit.page.evaluate(SAME_SIZE)
         assert visit.page.evaluate("window.loomlight.statistics().isComplete")
+        # Its camera is one of `render`: the view of the drape, in the studio.
+        visit.page.evaluate("navigator.clipboard.writeText = async (text) => { window.copied = text; }")
+        visit.page.get_by_test_id("copy-camera").click()
+        command = visit.page.evaluate("window.copied")
+        assert command.startswith("loomlight render twill-3-1.toml -o twill-3-1.png --scene drape --size ")
+        assert "--view 19.29,27.43 --target " in command
+        assert command.endswith(" --focal-length 51.978 --light-from -56,33")
         visit.page.locator("canvas.cloth-canvas").press("ArrowRight")
         wait_until(visit.page, "window.loomlight.statistics().rendered !== 'shown'")
         assert not visit.page.locator(".stage-picture").is_visible()
