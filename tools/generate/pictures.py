@@ -80,6 +80,13 @@ RECIPES: dict[str, Recipe] = {
     "distances.jpg": Recipe(("experiments.distances -o {out}/picture.png",)),
     "views.jpg": Recipe(("tools.make_view_sheet -o {out}/picture.png",)),
     "edges.jpg": Recipe(("tools.make_edge_pictures -o {out}/picture.png",)),
+    "daybed.jpg": Recipe(
+        (
+            "loomlight render examples/harris-tweed.toml --mesh examples/daybed.usdc --camera from_the_door "
+            "--cloth front=examples/wool-houndstooth.toml --cloth linen=examples/linen.toml "
+            "--cloth bolster=examples/denim.toml -o {out}/picture.png",
+        )
+    ),
     "yarns.jpg": Recipe(("tools.make_yarn_sheet -o {out}/picture.png",)),
     "yarn-gaps.jpg": Recipe(("tools.make_yarn_sheet --gaps -o {out}/picture.png",)),
     "yarn-fibres.jpg": Recipe(("tools.make_yarn_sheet --fibres -o {out}/picture.png",)),
