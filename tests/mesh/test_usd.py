@@ -17,6 +17,7 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade, UsdSkel, UsdUtils, Vt
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import ClothMesh, cross_products
 from loomlight.mesh.reading import frame_times, read_cameras, read_parts
+from tests.mesh.test_subdivision import CUBE, FACES
 
 CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 UV = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -214,6 +215,59 @@ def test_subsets_are_parts_with_their_materials(tmp_path: Path) -> None:
     assert [(part.name, part.material) for part in (cuff, rest)] == [("cuff", "silk"), ("cloth", "wool")]
     np.testing.assert_allclose(extent(cuff.mesh), [[1, 0, 0], [2, 1, 0]])
     np.testing.assert_allclose(extent(rest.mesh), [[0, 0, 0], [1, 1, 0]])
+
+
+def box(stage: Usd.Stage, scheme: str | None = "catmullClark") -> UsdGeom.Mesh:
+    """A cube from -1 to 1 of quads, whose uv run from 0 to 1 on each face."""
+    mesh = UsdGeom.Mesh.Define(stage, "/box")
+    mesh.CreatePointsAttr(CUBE)
+    mesh.CreateFaceVertexCountsAttr([4] * 6)
+    mesh.CreateFaceVertexIndicesAttr(FACES.ravel().tolist())
+    primvar(mesh, "st", UV * 6, "faceVarying")
+    if scheme is not None:
+        mesh.CreateSubdivisionSchemeAttr(scheme)
+    return mesh
+
+
+def test_surfaces_of_catmull_clark_are_subdivided(tmp_path: Path) -> None:
+    def make(stage: Usd.Stage) -> None:
+        UsdGeom.Subset.CreateGeomSubset(box(stage), "lid", "face", [1])
+
+    lid, rest = read_parts(written(tmp_path, make))
+    assert [len(part.mesh.triangles) for part in (lid, rest)] == [2 * 16, 5 * 2 * 16]
+    # The surface nears a ball: 5/9 of the corners' √3 is 0.96, and faces come down from 1.
+    radius = np.linalg.norm(rest.mesh.positions, axis=1)
+    assert 0.8 < radius.min() <= radius.max() < 0.97
+    np.testing.assert_allclose(np.unique(lid.mesh.uv.round(6)), [0, 0.25, 0.5, 0.75, 1])
+    np.testing.assert_allclose(
+        np.linalg.norm(np.cross(lid.mesh.normals, lid.mesh.positions), axis=1), 0, atol=0.2
+    )
+
+
+def test_creases_of_a_surface(tmp_path: Path) -> None:
+    def make(stage: Usd.Stage) -> None:
+        mesh = box(stage)
+        mesh.CreateCreaseIndicesAttr([4, 5, 7, 6, 4])
+        mesh.CreateCreaseLengthsAttr([5])
+        mesh.CreateCreaseSharpnessesAttr([10.0])
+
+    low, high = extent(mesh_of(written(tmp_path, make)))
+    assert high[2] == 1
+    # The middle of a creased edge is (6 + 0.75 + 0.75) / 8 after the second level.
+    assert high[0] == pytest.approx(0.9375)
+    assert low[2] > -0.97
+
+
+@pytest.mark.parametrize("scheme", [None, "none", "bilinear"])
+def test_polygons_stay(tmp_path: Path, scheme: str | None) -> None:
+    mesh = mesh_of(written(tmp_path, lambda stage: box(stage, scheme)))
+    assert len(mesh.triangles) == 12
+    np.testing.assert_allclose(np.abs(mesh.positions), np.ones_like(mesh.positions))
+
+
+def test_of_loop_surfaces_the_control_mesh_is_said(tmp_path: Path) -> None:
+    with pytest.warns(LoomlightWarning, match='"/box", a surface of the scheme "loop"'):
+        read_parts(written(tmp_path, lambda stage: box(stage, "loop")))
 
 
 def test_holes_are_left_out(tmp_path: Path) -> None:

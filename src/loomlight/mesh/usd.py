@@ -34,12 +34,15 @@ from loomlight.mesh.cloth_mesh import (
 )
 from loomlight.mesh.file_camera import FileCamera, rigid
 from loomlight.mesh.frames import times_of_frames
+from loomlight.mesh.subdivision import Polygons
 
 Number = TypeVar("Number", np.float64, np.int64)
 SUFFIXES = (".usd", ".usda", ".usdc", ".usdz")
 # Primvars that are uv by their name, the first that there is, before others of USD's own type for uv.
 _UV_NAMES = ("st", "uv", "UVMap", "map1", "st0", "st_0", "Texture_uv")
 _LIKE_UV = re.compile(r"(st|uv|map|tex)", re.IGNORECASE)
+# Corners of a mesh that is subdivided, and of one that is subdivided twice after the first time.
+_MAX_SUBDIVIDED = 100_000
 # Point instancers may show others, which may show others.
 _MAX_DEPTH = 8
 _IN_SOURCES = re.compile(r"^.* in file \S+ : ", re.DOTALL)
@@ -462,24 +465,35 @@ class _Reader:
                 f"the faces of {name} have {counts.sum()} corners, and {len(corners)} are listed"
             )
         check_indices(corners, len(points), f"{scene.file}, {name},")
+        face = np.repeat(np.arange(len(counts)), counts)
+        values = _Values(scene, corners, face, len(counts), len(points), self.code, self._rest)
+        uv, others = _coordinates(mesh, values)
+        normals = None if str(prim.GetPath()) in self._skins else _normals(mesh, values)
         # How faces are cut, and which corners are a vertex, is decided at rest: frames must not differ in it.
         rest = self._points(mesh, self._rest)
-        cut = triangulate(rest if len(rest) == len(points) else points, corners, counts)
-        face_of_corner = np.repeat(np.arange(len(counts)), counts)
-        face = face_of_corner[cut[:, 0]]
-        holes = scene.whole(mesh.GetHoleIndicesAttr(), self.code)
-        solid = ~np.isin(face, holes)
+        rest = rest if len(rest) == len(points) else points
+        origin = np.arange(len(counts))
+        if levels := self._levels(mesh, counts, normals):
+            polygons = Polygons(corners, counts, len(points), *self._creases(mesh))
+            normals = None
+            for _ in range(levels):
+                points, rest = polygons.moved(points), polygons.moved(rest)
+                uv = None if uv is None else uv.finer(polygons)
+                others = {name: each.finer(polygons) for name, each in others.items()}
+                origin = origin[polygons.face]
+                polygons = polygons.finer()
+            corners, counts = polygons.corners, polygons.counts
+        cut = triangulate(rest, corners, counts)
+        face = origin[np.repeat(np.arange(len(counts)), counts)[cut[:, 0]]]
+        solid = ~np.isin(face, scene.whole(mesh.GetHoleIndicesAttr(), self.code))
         cut, face = cut[solid], face[solid]
         if mesh.GetOrientationAttr().Get(self.code) == UsdGeom.Tokens.leftHanded:
             cut = cut[:, ::-1]
-        values = _Values(scene, corners, face_of_corner, len(counts), len(points), self.code, self._rest)
-        uv, others = _coordinates(mesh, values)
-        normals = None if str(prim.GetPath()) in self._skins else _normals(mesh, values)
         smooth = vertex_normals(points, corners[cut]) if normals is None else None
-        columns = [corners, *(each.row for each in (uv, normals, *others.values()) if each is not None)]
-        keys = np.stack(columns, axis=1)
+        columns = {id(each): each.row for each in (uv, normals, *others.values()) if each is not None}
+        keys = np.stack([corners, *columns.values()], axis=1)
         pieces = []
-        for subset, chosen in self._subsets(mesh, len(counts), face):
+        for subset, chosen in self._subsets(mesh, values.faces, face):
             used = cut[chosen].ravel()
             at, inverse = distinct_rows(keys[used])
             corner = used[at]
@@ -498,6 +512,46 @@ class _Reader:
                 )
             )
         return pieces
+
+    def _levels(self, mesh: Any, counts: NDArray[np.int64], normals: _OfCorners | None) -> int:
+        """How often a mesh is subdivided: twice where it is coarse.
+
+        Programs write triangles of simulations, and polygons with normals, as USD's default scheme too, which
+        was never meant.
+        """
+        from pxr import UsdGeom
+
+        attribute = mesh.GetSubdivisionSchemeAttr()
+        scheme = attribute.Get() if attribute.HasAuthoredValue() else UsdGeom.Tokens.none
+        if scheme == UsdGeom.Tokens.loop:
+            warnings.warn(
+                f'{self.scene.file}: of "{mesh.GetPath()}", a surface of the scheme "loop", the control mesh '
+                "is shown: subdivide it before it is exported.",
+                LoomlightWarning,
+                stacklevel=2,
+            )
+        if scheme != UsdGeom.Tokens.catmullClark or normals is not None:
+            return 0
+        if counts.min() < 3 or (counts == 3).mean() > 0.5:
+            return 0
+        return 2 if 4 * counts.sum() <= _MAX_SUBDIVIDED else int(counts.sum() <= _MAX_SUBDIVIDED)
+
+    def _creases(self, mesh: Any) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+        """Both vertices of each sharp edge, and for how many levels it is sharp."""
+        scene = self.scene
+        index = scene.whole(mesh.GetCreaseIndicesAttr(), self.code)
+        lengths = scene.whole(mesh.GetCreaseLengthsAttr(), self.code)
+        sharpness = scene.rows(mesh.GetCreaseSharpnessesAttr(), self.code, 1)[:, 0]
+        last = np.cumsum(lengths) - 1
+        if (lengths < 2).any() or lengths.sum() != len(index):
+            raise scene.damaged(f'the creases of "{mesh.GetPath()}" do not fit their lengths')
+        begins = ~np.isin(np.arange(len(index)), last)
+        edges = np.stack([index[begins], index[np.flatnonzero(begins) + 1]], axis=1)
+        if len(sharpness) == len(lengths):
+            sharpness = np.repeat(sharpness, lengths - 1)
+        if len(sharpness) != len(edges) or (index < 0).any():
+            raise scene.damaged(f'the creases of "{mesh.GetPath()}" do not fit their sharpnesses')
+        return edges, sharpness
 
     def _points(self, mesh: Any, code: Any) -> NDArray[np.float64]:
         points = self.scene.rows(mesh.GetPointsAttr(), code, 3)
@@ -564,16 +618,31 @@ class _OfCorners:
     """Numbers of a mesh's corners.
 
     Attributes:
-        row: of each corner, which corners of one row have the same numbers at rest.
         index: of each corner, its row of `values`.
+        row: of each corner, a number that corners of the same numbers at rest share.
+        rest: values at rest, and of each corner its row of these.
     """
 
-    row: NDArray[np.int64]
     index: NDArray[np.int64]
     values: NDArray[np.float64]
+    row: NDArray[np.int64]
+    rest: tuple[NDArray[np.int64], NDArray[np.float64]]
 
     def at(self, corner: NDArray[np.int64]) -> NDArray[np.float64]:
         return self.values[self.index[corner]]
+
+    def finer(self, polygons: Polygons) -> _OfCorners:
+        """The numbers of the corners of the next level of a subdivision."""
+        index, rest = self.rest
+        fine = polygons.spread(rest[index])
+        every = np.arange(len(fine))
+        return _OfCorners(every, polygons.spread(self.values[self.index]), _equal(fine), (every, fine))
+
+
+def _equal(rows: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Of each row, which of the distinct ones it is."""
+    columns = [np.unique(column, return_inverse=True)[1] for column in rows.T]
+    return distinct_rows(np.stack(columns, axis=1))[1]
 
 
 @dataclass(frozen=True, eq=False)
@@ -612,14 +681,11 @@ class _Values:
         if now is None:
             return None
         index, values = now
-        if source.kind != "faceVarying":
-            return _OfCorners(index, index, values)
         before = self._indexed(source, width, self.rest)
         fixed, rows = now if before is None or len(before[1]) != len(values) else before
         # Values may be listed once for each corner, though corners of neighbours have the same.
-        columns = [np.unique(column, return_inverse=True)[1] for column in rows.T]
-        _, row = distinct_rows(np.stack(columns, axis=1))
-        return _OfCorners(row[fixed], index, values)
+        row = _equal(rows)[fixed] if source.kind == "faceVarying" else index
+        return _OfCorners(index, values, row, (fixed, rows))
 
     def _indexed(
         self, source: _Source, width: int, code: Any
@@ -660,13 +726,18 @@ def _coordinates(mesh: Any, values: _Values) -> tuple[_OfCorners | None, Mapping
             continue
         made = values.spread(_source_of(primvar), 2)
         if made is not None:
-            spread[name] = replace(made, values=made.values * [1, -1] + [0, 1])
+            at, rest = made.rest
+            spread[name] = replace(made, values=_turned(made.values), rest=(at, _turned(rest)))
             likely += [name] if is_uv or _LIKE_UV.match(name) else []
     order = [name for name in _UV_NAMES if name in spread]
     order += [name for name in likely if name not in order]
     others = {f"uv{number}": spread[name] for number, name in enumerate(order[1:], 1)}
     others |= {name: each for name, each in spread.items() if name not in order[:1]}
     return (spread[order[0]] if order else None), others
+
+
+def _turned(uv: NDArray[np.float64]) -> NDArray[np.float64]:
+    return uv * [1, -1] + [0, 1]
 
 
 def _source_of(primvar: Any) -> _Source:
