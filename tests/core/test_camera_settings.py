@@ -28,7 +28,7 @@ def test_names_of_views_are_directions() -> None:
         assert (np.sign(direction_of_angles(*VIEWS[name])) == (1, 1, front)).all()
 
 
-@pytest.mark.parametrize("view", ["-30,20", " -30 , 2e1", (-30, 20), [-30.0, 20.0]])
+@pytest.mark.parametrize("view", ["-30,20", " -30 , 2e1", (-30, 20), [-30.0, 20.0], np.array([-30, 20])])
 def test_angles_are_text_or_numbers(view: Any) -> None:
     assert CameraSettings(view=view).angles == (-30, 20)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 
+import mitsuba as mi
 import numpy as np
 import pytest
 
@@ -92,3 +93,14 @@ def test_close_ups_of_all_fabrics_share_a_kernel() -> None:
             kernels = [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
     assert kernels
     assert all(kernel["cache_hit"] for kernel in kernels)
+
+
+@pytest.mark.parametrize("view", ["back", "top", "bottom", "-100,35"])
+def test_the_close_up_shows_cloth_from_every_side(view: str) -> None:
+    """Its axis meets the cloth first, and not the ball from below, which is left out with the floor."""
+    fabric = load_fabric("plain")
+    shown = build_scene("drape", WHITE, size=SIZE, view=view)
+    inset = Inset.of(fabric, shown, SIZE)
+    ray = mi.Ray3f(inset.view.origin.tolist(), (-shown.view.backward).tolist())
+    hit = shown.scene.ray_intersect(ray)
+    np.testing.assert_allclose(np.array(hit.p).ravel(), shown.point, atol=1e-3)

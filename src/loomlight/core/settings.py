@@ -203,11 +203,18 @@ class Settings:
     def chosen(self) -> dict[str, object]:
         """The settings that are not the defaults, by name."""
         values = {name: (getattr(self, name), each.default) for name, each in declared(type(self)).items()}
-        return {name: value for name, (value, default) in values.items() if value != default}
+        return {name: value for name, (value, default) in values.items() if not _same(value, default)}
 
     def stored(self) -> dict[str, Stored]:
         """What a `.loom` tells of them, by name."""
         return {name: getattr(self, name) for name, each in declared(type(self)).items() if each.stored}
+
+
+def _same(value: object, default: object) -> bool:
+    try:
+        return bool(value == default)
+    except ValueError:  # of an array, which no default is
+        return False
 
 
 def require_names(cls: type[Settings], names: Iterable[str]) -> None:

@@ -330,7 +330,7 @@ def build_scene(
     distance = float(np.linalg.norm(farther.origin - centre))
     if setup.ground and paper.is_there:
         parts["ground"] = ground(centre, radius, float(cloth.positions[:, 1].min()), distance)
-    if mesh is None:
+    if mesh is None and paper.is_there:
         parts["ball"] = ball(0.0 if setup.ground else paper.side * _UNSEEN)
     if not setup.ground and paper.is_there:
         parts["backdrop"] = backdrop(centre, radius, paper.side * -gap, distance)
