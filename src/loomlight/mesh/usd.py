@@ -20,7 +20,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.core.extras import import_extra
 from loomlight.mesh.cloth_mesh import (
     MAX_PARTS,
     MAX_TRIANGLES,
@@ -175,7 +174,6 @@ class _Scene:
 @contextmanager
 def _opened(file: Path) -> Iterator[_Scene]:
     """The stage of a file, without USD's own messages on the terminal."""
-    import_extra("pxr", "usd", f"{file}: a mesh in USD")
     from pxr import Sdf, Tf, Usd, UsdGeom, UsdUtils
 
     silencer = UsdUtils.CoalescingDiagnosticDelegate()

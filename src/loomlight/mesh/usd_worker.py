@@ -19,7 +19,6 @@ import weakref
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -68,8 +67,7 @@ class _Worker:
             InputError: what it raises, or the process ended or took too long.
             MissingDependencyError: usd-core is not installed.
         """
-        if find_spec("pxr") is None:
-            import_extra("pxr", "usd", f"{file}: a mesh in USD")
+        import_extra("pxr", "usd", f"{file}: a mesh in USD")
         with self._lock:
             process = self._started()
             is_late = threading.Event()
