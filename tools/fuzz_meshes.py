@@ -279,6 +279,16 @@ def Xform "set" (kind = "group") {
     def Xform "copy" (instanceable = true; references = </set/buttons>) {
     }
 }
+def Mesh "ball" {
+    uniform token subdivisionScheme = "catmullClark"
+    int[] faceVertexCounts = [4, 4, 4, 4, 4, 4]
+    int[] faceVertexIndices = [0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5]
+    point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0), (0, 0, 1), (1, 0, 1), (0, 1, 1), (1, 1, 1)]
+    texCoord2f[] primvars:UVMap = [(0, 0), (1, 0), (0, 1), (1, 1), (0, 0), (1, 0), (0, 1), (1, 1)] (interpolation = "varying")
+    int[] creaseIndices = [4, 5, 7, 6]
+    int[] creaseLengths = [4]
+    float[] creaseSharpnesses = [1.5]
+}
 def SkelRoot "body" {
     def Mesh "sleeve" (prepend apiSchemas = ["SkelBindingAPI"]) {
         int[] faceVertexCounts = [4]

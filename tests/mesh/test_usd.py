@@ -529,6 +529,38 @@ def test_files_outside_the_folder_are_not_read(tmp_path: Path, name: str, arc: s
         read_parts(tmp_path / "in" / "mesh.usda")
 
 
+@pytest.mark.parametrize("folder", [".", ".."])
+def test_value_clips_are_frames(tmp_path: Path, folder: str) -> None:
+    (tmp_path / "in").mkdir()
+    for code in (1, 2):
+
+        def clip(stage: Usd.Stage, code: int = code) -> None:
+            UsdGeom.Mesh.Define(stage, "/cloth").CreatePointsAttr().Set(
+                [(x, y, code) for x, y, _ in CORNERS], code
+            )
+
+        written(tmp_path / "in" / folder, clip, f"clip{code}.usda")
+
+    def make(stage: Usd.Stage) -> None:
+        stage.SetStartTimeCode(1)
+        stage.SetEndTimeCode(2)
+        mesh = quad(stage)
+        mesh.GetPointsAttr().Clear()
+        clips = Usd.ClipsAPI(mesh.GetPrim())
+        clips.SetClipAssetPaths([Sdf.AssetPath(f"{folder}/clip{code}.usda") for code in (1, 2)])
+        clips.SetClipPrimPath("/cloth")
+        clips.SetClipActive([(1, 0), (2, 1)])
+        clips.SetClipTimes([(1, 1), (2, 2)])
+
+    file = written(tmp_path / "in", make)
+    if folder == "..":
+        with pytest.raises(InputError, match="lies outside its folder"):
+            read_parts(file)
+        return
+    assert frame_times(file) == pytest.approx([0, 1 / 24])
+    np.testing.assert_allclose(mesh_of(file, 1 / 24).positions[:, 2], [2] * 4)
+
+
 def test_nothing_is_fetched(tmp_path: Path) -> None:
     text = '#usda 1.0\ndef "a" (prepend references = @https://example.com/a.usd@) {}\n'
     (tmp_path / "mesh.usda").write_text(text)
