@@ -20,7 +20,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.models.interface import FootprintBsdf, Model, Values
 from loomlight.models.point import PointModel
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
-from loomlight.scattering.point import DirectionSample, YarnScattering, to_face_frame
+from loomlight.scattering.point import DirectionSample, Tint, YarnScattering, to_face_frame
 from loomlight.sources.kinds import Source
 from loomlight.sources.loom_file import LoomFile
 
@@ -66,7 +66,7 @@ class AlteredModel(Model):
         raise InputError(f"{loom.file}: an altered model is made of a model, not of a file.")
 
     def at(
-        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+        self, view: Vec3, footprint: Footprint, tint: Tint | None = None, active: Mask = True
     ) -> FootprintBsdf:
         """What the function says."""
         return self._at(self._model, view, footprint, tint, active)

@@ -21,6 +21,8 @@ from loomlight.core.images import write_image, write_pixels
 from loomlight.core.outputs import check_output
 from loomlight.core.picture_settings import PlayKeywords, PlaySettings
 from loomlight.core.studio import studio_radiance
+from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.surface_maps import print_on_uv, without_maps
 from loomlight.mesh.cloth_mesh import uv_size, warn_of_extent, warn_of_scale
 from loomlight.mitsuba.scenes import built_in_cloth, built_in_view
 from loomlight.mitsuba.variants import choose_variant
@@ -79,6 +81,12 @@ def _viewer(fabric: Material | str | os.PathLike[str], settings: PlaySettings) -
     choose_variant(None)
     material = material_of(fabric)
     cloth, _, _, on_paper = built_in_cloth(settings.scene, settings.mesh)
+    picture = None
+    if isinstance(material, Fabric) and material.fields.maps:
+        picture = print_on_uv(material)
+        material = without_maps(material, "A window", [] if picture is None else ["color"])
+        if picture is not None and settings.mesh is None:
+            picture = picture[::-1]  # uv of built-in pieces run upwards
     cloth = cloth.scaled(settings.metres_per_unit if settings.mesh is not None else 1.0)
     if settings.mesh is not None:
         warn_of_extent(cloth, settings.metres_per_unit)
@@ -91,6 +99,7 @@ def _viewer(fabric: Material | str | os.PathLike[str], settings: PlaySettings) -
         Mesh(cloth.positions, cloth.normals, cloth.uv, cloth.triangles.astype("uint32")),
         material,
         uv_size(cloth),
+        picture,
     )
     # Light and colours multiply channel by channel: balanced light is a balanced picture.
     balance, environment = settings.white_balance, settings.environment

@@ -220,7 +220,7 @@ def test_further_uv_are_attributes(tmp_path: Path) -> None:
         materials=[{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1}}}],
     )
     (part,) = read_parts(file)
-    assert set(part.mesh.attributes) - {"index"} == {"uv1", "uv2"}
+    assert set(part.mesh.attributes) - {"index", "uv"} == {"uv1", "uv2"}
     np.testing.assert_allclose(part.mesh.attributes["uv1"], part.mesh.uv / 2)
     np.testing.assert_allclose(part.mesh.attributes["uv2"], part.mesh.uv * 1.5)
 

@@ -178,7 +178,7 @@ def test_further_primvars_are_attributes(tmp_path: Path) -> None:
         primvar(mesh, "flow", [(3, 4)], "uniform", role=False)
 
     mesh = mesh_of(written(tmp_path, make))
-    assert set(mesh.attributes) - {"index"} == {"uv1", "print", "flow"}
+    assert set(mesh.attributes) - {"index", "uv"} == {"uv1", "print", "flow"}
     for name, value in {"uv1": (0.25, 0.25), "print": (0.25, 0.25), "flow": (3, -3)}.items():
         np.testing.assert_allclose(mesh.attributes[name], [value] * 4)
     np.testing.assert_allclose(sorted(mesh.uv.tolist()), sorted([u, 1 - v] for u, v in UV))

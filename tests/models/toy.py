@@ -13,7 +13,7 @@ from loomlight.core.backend import array_types
 from loomlight.core.fleet import Report
 from loomlight.core.footprint import Footprint
 from loomlight.models.interface import FootprintBsdf, Model
-from loomlight.scattering.point import DirectionSample
+from loomlight.scattering.point import DirectionSample, Tint
 from loomlight.sources.loom_file import LoomFile
 
 
@@ -30,10 +30,10 @@ class Paint:
 class Lambertian(FootprintBsdf):
     """Reflects a share of the light by the cosine."""
 
-    def __init__(self, albedo: float, tint: Color3 | None, view: Vec3, footprint: Footprint) -> None:
+    def __init__(self, albedo: float, tint: Tint | None, view: Vec3, footprint: Footprint) -> None:
         super().__init__(view, footprint)
         types = array_types(view.x)
-        self.albedo = types.Color3(albedo) * (1 if tint is None else tint)
+        self.albedo = types.Color3(albedo) * (1 if tint is None else tint.warp)
 
     @property
     def diffuse_reflectance(self) -> Color3:
@@ -76,7 +76,7 @@ class ToyModel(Model):
         return cls(loom.source, loom.setting("albedo", float))
 
     def at(
-        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+        self, view: Vec3, footprint: Footprint, tint: Tint | None = None, active: Mask = True
     ) -> Lambertian:
         return Lambertian(self.albedo, tint, view, footprint)
 

@@ -49,6 +49,7 @@ TEXTS = [
     "variation.colour_noise = 0.2",
     'weave = "twill 3/1"\nwarp.yarn = "dupion silk"\nweft.yarn = "linen"\ninterreflection = true\n'
     "weft.neps = 3\nweft.melange = 0.3\nvariation.irregularity = 1.5",
+    'weave = "twill 3/1"\nwear = 0.4\nwarp.color = "#1c2340"\nweft.albedo = "#000"\ninterreflection = true',
     'weave = "damask 160"\nwarp.color = ["#111", "#777", "#eee", "#900", "#070"]',
 ]
 # Whose openness the page fits to rays itself.

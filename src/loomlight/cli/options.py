@@ -6,6 +6,7 @@ import inspect
 import math
 import os
 import re
+import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import wraps
@@ -216,6 +217,30 @@ def _colours(flag: str, texts: list[str], example: str) -> dict[str, object]:
     return {family: values[0] if len(values) == 1 else values for family, values in found.items()}
 
 
+def _maps(flag: str, texts: list[str], example: str) -> dict[str, object]:
+    """Maps by name: a picture, and behind it, with colons, fields of `[maps]` as TOML has them."""
+    found: dict[str, object] = {}
+    for text in texts:
+        name, _, rest = (part.strip() for part in text.partition("="))
+        picture, *fields = re.split(r":(?=[a-z_]+=)", rest)
+        if not name or not picture:
+            raise InputError(
+                f'{flag} "{text}" is not understood: write NAME=PICTURE, such as {example}, and behind it '
+                f"fields with colons, {example}:side=front:width_mm=400."
+            )
+        pairs = (field.split("=", 1) for field in fields)
+        found[name] = {"picture": picture} | {key: _toml_value(value) for key, value in pairs}
+    return found
+
+
+def _toml_value(text: str) -> object:
+    """A number, a truth value or a list as TOML has them; all else is text."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        return text
+
+
 def _last_named(flag: str, texts: list[str], example: str) -> dict[str, str]:
     return {name: values[-1] for name, values in parse_named(flag, texts, example).items()}
 
@@ -224,6 +249,7 @@ def _last_named(flag: str, texts: list[str], example: str) -> dict[str, str]:
 _MAPPINGS: dict[str, Callable[[str, list[str], str], Mapping[str, object]]] = {
     "colors": _colours,
     "cloths": _last_named,
+    "maps": _maps,
 }
 
 

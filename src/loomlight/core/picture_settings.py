@@ -162,6 +162,16 @@ class RenderSettings(Settings):
         metavar="NAME=FABRIC",
         example="lining=satin",
     )
+    maps: Mapping[str, Any] = setting(
+        dict,
+        "Pictures over the surface, of a colour, a number of the yarns, wear, or which fabric, color=a.png, "
+        "or with fields of [maps], wear=knees.png:side=front:width_mm=400.",
+        flag="--map",
+        otherwise="the fabric's",
+        expected="a dictionary; {} changes nothing",
+        metavar="NAME=PICTURE",
+        example="wear=knees.png",
+    )
     placement: Placement = setting(Placement, "Where the weave lies on a mesh.", expected="a Placement")
     edge: str | None = setting(
         None,
@@ -336,6 +346,7 @@ class RenderKeywords(_Keywords, CameraKeywords, total=False):
     inset: bool | None
     colors: Mapping[str, Any]
     cloths: Mapping[str, Any]
+    maps: Mapping[str, Any]
     placement: Placement
     edge: str | None
     seed: int

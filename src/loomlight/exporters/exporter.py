@@ -12,6 +12,7 @@ from loomlight.exporters.folder import replacing_folder, write_manifest
 from loomlight.exporters.materials import write_gltf, write_materialx
 from loomlight.exporters.shaders import write_shaders
 from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.surface_maps import without_maps
 from loomlight.models.registry import REALTIME_MODELS, model_class
 from loomlight.realtime.materials import (
     Material,
@@ -124,6 +125,8 @@ def export(
         raise InputError(f"--distance {distance:g} is out of range: write metres from 0.01 to 1000.")
     with replacing_folder(folder) as temporary:
         material = material_of(fabric)
+        if isinstance(material, Fabric):
+            material = without_maps(material, f"What is written for {to}")
         own = default_model_of(material)
         chosen = model or (own if own in target.models else target.models[0])
         facts: dict[str, object] = {"fabric": source_of(material).name, "model": chosen, "target": to}

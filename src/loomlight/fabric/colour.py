@@ -11,12 +11,15 @@ from numpy.typing import NDArray
 from loomlight.core.colour import delta_e_2000, lab_of_linear, lab_of_text, parse_colour, to_hex
 from loomlight.core.errors import LoomlightWarning
 from loomlight.fabric.fields import FabricFile, colours_in_order
-from loomlight.fabric.resolve import ResolvedFabric, ResolvedFamily
+from loomlight.fabric.resolve import NEP_COLOUR, ResolvedFabric, ResolvedFamily
 from loomlight.scattering.albedo import LayerBound, albedos_from_colour, check_albedos
 from loomlight.scattering.appearance import FamilyAppearance, Irregularity
 from loomlight.scattering.fibre import cloth_layer_bound, mean_layer_shares
 from loomlight.scattering.interreflection import scattered, solved_interior
 from loomlight.scattering.openness import Openness
+
+# Reflectance of the deepest dye: of black, none would be left to fade.
+_DARKEST = 2e-3
 
 
 def family_appearance(
@@ -33,7 +36,7 @@ def family_appearance(
     Raises:
         InputError: explicit albedos that together send back more light than arrives.
     """
-    colours, bound = family.colours, None
+    colours, bound = faded(family.colours, family.worn), None
     if openness is not None:
         bound = cloth_layer_bound(family.roughness, optical_depth)
         if not family.are_albedos:
@@ -79,6 +82,25 @@ def _yarn(
     """The arguments of `shown_colour` after the colour."""
     number = ("warp", "weft").index(name)
     return family.specular, family.translucency, openness, number, family.roughness, optical_depth
+
+
+def faded(colours: NDArray[np.float64], worn: float) -> NDArray[np.float64]:
+    """Colours [n, 3] of which a share `worn` of the dye is gone: 1 leaves the colour of undyed fibres.
+
+    Dye adds to how much fibres absorb for what they scatter, K/S = (1 − R)²/2R (Kubelka and Munk 1931).
+    """
+    if worn == 0:
+        return colours
+    undyed = absorption(parse_colour(NEP_COLOUR, "undyed fibres"))
+    ratio = undyed + (1 - worn) * (absorption(np.maximum(colours, _DARKEST)) - undyed)
+    found: NDArray[np.float64] = 1 + ratio - np.sqrt(ratio * (ratio + 2))
+    return found
+
+
+def absorption(colours: NDArray[np.float64]) -> NDArray[np.float64]:
+    """K/S of reflectances above 0."""
+    ratio: NDArray[np.float64] = np.square(1 - colours) / (2 * colours)
+    return ratio
 
 
 # -------------------------------------------------------------------------------- colours as cloth shows them

@@ -10,7 +10,7 @@ import re
 from functools import cache
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, WithJsonSchema
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
 from loomlight.core.colour import parse_colour
@@ -140,6 +140,54 @@ class VariationTable(Table):
     seed: Annotated[int, Field(ge=0, le=2**32 - 1)] | None = None
 
 
+# How a map changes what the fabric has, and the sides from which one may be thrown onto a garment.
+MAP_MODES = ("multiply", "replace")
+MAP_SIDES = ("front", "back", "left", "right", "above", "below")
+
+
+def _one_of(choices: tuple[str, ...]) -> AfterValidator:
+    def require(value: str) -> str:
+        if value not in choices:
+            text = f'{FIELD} = "{value[:40]}" does not exist: write {" or ".join(choices)}.'
+            raise PydanticCustomError("sentence", "{text}", {"text": text})
+        return value
+
+    return AfterValidator(require)
+
+
+class MapTable(Table):
+    """One of [maps]: a picture over the surface that changes one parameter; see `surface_maps.py`."""
+
+    picture: Annotated[str, Field(min_length=1)]
+    mode: Annotated[str, _one_of(MAP_MODES)] | None = None
+    low: Annotated[float, Field(ge=-1000, le=1000)] | None = None
+    high: Annotated[float, Field(ge=-1000, le=1000)] | None = None
+    fabrics: list[Annotated[str, Field(min_length=1)]] | None = None
+    uv: Annotated[str, Field(min_length=1)] | None = None
+    side: Annotated[str, _one_of(MAP_SIDES)] | None = None
+    width_mm: Annotated[float, Field(ge=0.1, le=100_000)] | None = None
+    at_mm: Annotated[list[float], Field(min_length=2, max_length=2)] | None = None
+    repeat: bool | None = None
+
+
+def _maps_by_name(value: object) -> object:
+    """Maps by dotted name: `[maps.warp] roughness = "a.png"` is `warp.roughness`, a path alone a picture."""
+    if not isinstance(value, dict):
+        return value
+    found: dict[str, object] = {}
+    for name, each in value.items():
+        if isinstance(each, str):
+            found[name] = {"picture": each}
+        elif isinstance(each, dict) and not each.keys() & MapTable.model_fields.keys():
+            inner = _maps_by_name(each)
+            assert isinstance(inner, dict)
+            found |= {f"{name}.{field}": table for field, table in inner.items()}
+        else:
+            found[name] = each
+    return found
+
+
+Maps = Annotated[dict[str, MapTable], BeforeValidator(_maps_by_name), WithJsonSchema({"type": "maps"})]
 Density = Annotated[float, Field(ge=0.1, le=1000)]
 DensityPerInch = Annotated[float, Field(ge=0.254, le=2540)]
 
@@ -158,6 +206,7 @@ class FabricFile(Table):
     ppi: DensityPerInch | None = None
     gap: Gap | None = None
     yarn: YarnName | None = None
+    wear: Fraction | None = None
     diffuse_blend: Fraction | None = None
     optical_depth: Annotated[float, Field(ge=0.01, le=100)] | None = None
     interreflection: bool | None = None
@@ -165,14 +214,15 @@ class FabricFile(Table):
     weft: YarnTable = YarnTable()
     sheen: SheenTable = SheenTable()
     variation: VariationTable = VariationTable()
+    maps: Maps = Field(default_factory=dict)
 
 
 @cache
 def field_schemas(table: type[Table]) -> dict[str, dict[str, Any]]:
     """JSON schemas of a table's fields by their names, in the order of the file.
 
-    "type" may be "colour", "colours" or "yarn" too; numbers have "minimum" and "maximum", texts that may not
-    be empty "minLength"; a table has "$ref", which ends in the name of its class.
+    "type" may be "colour", "colours", "yarn" or "maps" too; numbers have "minimum" and "maximum", texts that
+    may not be empty "minLength"; a table has "$ref", which ends in the name of its class.
     """
     properties = table.model_json_schema()["properties"]
     return {name: schema.get("anyOf", [schema])[0] for name, schema in properties.items()}

@@ -23,7 +23,8 @@ from loomlight.core.files import read_text, require_file
 from loomlight.core.sentences import closest, one_line, shown, speaking_of
 from loomlight.core.spectra import is_spectrum, read_spectrum
 from loomlight.fabric.fabric import Fabric, make_fabric
-from loomlight.fabric.fields import FIELD, FabricFile, YarnTable, is_one_colour
+from loomlight.fabric.fields import FIELD, FabricFile, MapTable, YarnTable, is_one_colour
+from loomlight.fabric.map_fields import require_maps
 from loomlight.scattering.albedo import Albedos
 from loomlight.weave.draft import Draft
 from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
@@ -223,6 +224,7 @@ def _require_consistent(fields: FabricFile) -> None:
     _refuse_together(fields, ["picks_per_cm", "ppi"])
     for family in ("warp", "weft"):
         _refuse_together(getattr(fields, family), ["width_mm", "gap"], f"{family}.")
+    require_maps(fields)
 
 
 def _refuse_together(table: object, names: list[str], prefix: str = "") -> None:
@@ -254,10 +256,28 @@ def sentence_of(error: ValidationError) -> str:
         return f'{name} = "" is empty: write a value, or leave the field out.'
     if fault["type"] == "string_unicode":
         return f"{name} holds bytes that are no text in UTF-8: rename the file, or write the value anew."
+    if path[0] == "maps":
+        return _fault_of_map(path, fault["input"])
     field = _field_at(path)
     if field is None:
         return f"{name} = {shown(fault['input'])} cannot be used: {fault['msg']}."
     return f"{name} = {shown(fault['input'])} cannot be used: {_expected(field, fault['input'])}."
+
+
+def _fault_of_map(path: list[str], given: object) -> str:
+    """What is wrong with a field of `[maps]`, which pydantic names by its map and its place in a list."""
+    name = ".".join(path[:3])
+    if path[2:] == ["picture"] and isinstance(given, dict):
+        return f'{".".join(path[:2])} names no picture: write picture = "FILE.png".'
+    if len(path) < 2:
+        return f"{name} = {shown(given)} cannot be used: it is a table of pictures, a name each."
+    if len(path) < 3:
+        return f'{name} = {shown(given)} cannot be used: write the path of a picture, "FILE.png", or a table.'
+    if path[2] == "at_mm":
+        return f"{name} = {shown(given)} cannot be used: write two numbers, such as [0, 50]."
+    if path[2] == "fabrics":
+        return f'{name} = {shown(given)} cannot be used: write fabric files in quotes, ["FILE.toml"].'
+    return f"{name} = {shown(given)} cannot be used: {_expected(MapTable.model_fields[path[2]], given)}."
 
 
 def _tables(model: type[BaseModel]) -> dict[str, type[BaseModel]]:
@@ -270,6 +290,8 @@ def _tables(model: type[BaseModel]) -> dict[str, type[BaseModel]]:
 
 def _unknown(path: list[str]) -> str:
     *parents, key = path
+    if parents[:1] == ["maps"]:
+        return f"{shown(key)} is no field that a map has: {closest(key, MapTable.model_fields)}"
     model: type[BaseModel] = FabricFile
     for parent in parents:
         model = _tables(model)[parent]

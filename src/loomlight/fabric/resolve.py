@@ -37,7 +37,7 @@ HEIGHT_SCALE = 1.0
 PLY_TWIST_DEG = 24.0
 DIFFUSE_BLEND = 0.5
 OPTICAL_DEPTH = 2.0
-# Of fibres that took no dye.
+# Of fibres that took no dye, or have lost it.
 NEP_COLOUR = "#e4dccb"
 # Crossings of a fabric: those of 4096 by 16384 threads, for which rendering takes gigabytes (docs/drafts.md).
 MAXIMUM_CROSSINGS = 1 << 26
@@ -62,6 +62,7 @@ class ResolvedFamily:
         specular_tint: what the highlight is multiplied by [3], linear RGB.
         translucency: share of the diffuse light that goes through, 0 to 1.
         roughness: α, 0.01 to 1.
+        worn: share of the dye that rubbing has taken off its threads, 0 to 1.
         given_albedos: those that the file states outright, by their names in `Albedos` [3].
     """
 
@@ -77,6 +78,7 @@ class ResolvedFamily:
     specular_tint: NDArray[np.float64]
     translucency: float
     roughness: float
+    worn: float
     given_albedos: Mapping[str, NDArray[np.float64]]
 
 
@@ -87,6 +89,7 @@ class ResolvedFabric:
     Attributes:
         draft: one repeat, with a colour for every thread. It is longer than the draft in the file where a
             list of colours repeats later than the weave does.
+        wear: how much the face is rubbed, 0 to 1.
         diffuse_blend: share of the cloth's normal in diffuse light, 0 to 1.
         optical_depth: Tρ of the fibre layer, > 0.
         interreflection: whether there is light between the yarns.
@@ -97,6 +100,7 @@ class ResolvedFabric:
     weft: ResolvedFamily
     sheen: Sheen
     variation: Variation
+    wear: float
     diffuse_blend: float
     optical_depth: float
     interreflection: bool
@@ -125,10 +129,14 @@ def resolve(fields: FabricFile, draft: Draft) -> ResolvedFabric:
     warp_bend, weft_bend = bends_of(coloured.drawdown)
     warp_spacing = family_spacing(fields, "warp", coloured.warp, coloured.weft, coloured.ends)
     weft_spacing = family_spacing(fields, "weft", coloured.weft, coloured.warp, coloured.picks)
+    wear, on_face = _or(fields.wear, 0.0), float(coloured.drawdown.mean())
+    # What lies on the face most is rubbed first, the other family in proportion to how much of it does.
+    most = max(on_face, 1 - on_face)
     return ResolvedFabric(
         draft=coloured,
-        warp=_family(fields, "warp", coloured.warp, warp_spacing, warp_bend),
-        weft=_family(fields, "weft", coloured.weft, weft_spacing, weft_bend),
+        warp=_family(fields, "warp", coloured.warp, warp_spacing, warp_bend, wear * on_face / most),
+        weft=_family(fields, "weft", coloured.weft, weft_spacing, weft_bend, wear * (1 - on_face) / most),
+        wear=wear,
         sheen=Sheen(**fields.sheen.model_dump(exclude_none=True)),
         variation=Variation(**fields.variation.model_dump(exclude_none=True)),
         diffuse_blend=_or(fields.diffuse_blend, DIFFUSE_BLEND),
@@ -138,7 +146,7 @@ def resolve(fields: FabricFile, draft: Draft) -> ResolvedFabric:
 
 
 def _family(
-    fields: FabricFile, name: str, threads: Threads, spacing: NDArray[np.float64], bend: Bend
+    fields: FabricFile, name: str, threads: Threads, spacing: NDArray[np.float64], bend: Bend, worn: float
 ) -> ResolvedFamily:
     table: YarnTable = getattr(fields, name)
     assert threads.colors is not None  # of a coloured draft
@@ -166,6 +174,7 @@ def _family(
         specular_tint=parse_colour(tint, f"{name}.specular_tint"),
         translucency=_or(table.translucency, TRANSLUCENCY),
         roughness=_or(table.roughness, ROUGHNESS),
+        worn=worn,
         given_albedos={key: parse_colour(value, f"{name}.{key}") for key, value in given.items()},
     )
 

@@ -15,6 +15,10 @@ def fabric_toml(fields: FabricFile, read_from: str, written_to: str | os.PathLik
     for key in _PATHS:
         if key in values:
             values[key] = _moved(values[key], read_from, written_to)
+    for table in values["maps"].values():
+        table["picture"] = _moved(table["picture"], read_from, written_to)
+        if "fabrics" in table:
+            table["fabrics"] = [_moved(path, read_from, written_to) for path in table["fabrics"]]
     tables = {key: value for key, value in values.items() if isinstance(value, dict)}
     lines = [f"{key} = {_literal(value)}" for key, value in values.items() if key not in tables]
     for name, table in tables.items():
@@ -40,6 +44,8 @@ def _literal(value: object) -> str:
         return "true" if value else "false"
     if isinstance(value, list | tuple):
         return "[" + ", ".join(_literal(part) for part in value) + "]"
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {_literal(part)}" for key, part in value.items()) + " }"
     return repr(value)
 
 

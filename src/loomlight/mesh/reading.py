@@ -23,6 +23,7 @@ from loomlight.mesh.cloth_mesh import INDEX, MAX_COORDINATE, ClothMesh, MeshPart
 from loomlight.mesh.file_camera import FileCamera
 from loomlight.mesh.gltf import gltf_cameras, gltf_frames, read_gltf
 from loomlight.mesh.obj import read_obj, read_obj_rows
+from loomlight.mesh.picture_places import FILE_UV
 from loomlight.mesh.ply import read_ply
 from loomlight.mesh.usd import SUFFIXES as USD_SUFFIXES
 from loomlight.mesh.usd_worker import read_usd, usd_cameras, usd_frames
@@ -200,6 +201,9 @@ def _pieces(part: MeshPart) -> list[MeshPart]:
     covered, bare = (mesh if chosen.all() else _some(mesh, chosen) for chosen in (has_uv, ~has_uv))
     if len(covered.triangles) and collapses(covered):
         covered = _without_uv(covered)
+    if len(covered.uv):
+        # Pictures lie on these, whatever becomes of those of the weave.
+        covered = replace(covered, attributes={**covered.attributes, FILE_UV: covered.uv})
     pieces = covered, _without_uv(bare)
     return [MeshPart(part.name, part.material, piece) for piece in pieces if len(piece.triangles)]
 

@@ -9,6 +9,7 @@ mesh's uv to the draft, lobes and samples in Mitsuba's terms, the modes in which
 from __future__ import annotations
 
 import functools
+import itertools
 import os
 import warnings
 from collections.abc import Callable, Iterator
@@ -27,7 +28,9 @@ from loomlight.core.backend import ArrayTypes, array_types, clip
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.footprint import Footprint
 from loomlight.core.frozen import leaves
+from loomlight.mesh.picture_places import PicturePlace
 from loomlight.mitsuba.filtered_texture import FilteredTexture
+from loomlight.mitsuba.painting import Painted, painted_of
 from loomlight.mitsuba.pixels import cone_partials
 from loomlight.mitsuba.props import (
     LiveEdits,
@@ -39,7 +42,7 @@ from loomlight.mitsuba.props import (
 from loomlight.mitsuba.variants import TURN
 from loomlight.models.interface import FootprintBsdf, Model, Parameter
 from loomlight.models.registry import MODELS
-from loomlight.scattering.point import DirectionSample
+from loomlight.scattering.point import DirectionSample, Tint
 from loomlight.sources.kinds import Source
 
 
@@ -54,6 +57,7 @@ class SurfaceBsdf(Protocol):
         has_holes: it may let light pass straight through.
         lets_light_through: as much that it would be seen in a shadow.
         symbolic_calls: Dr.Jit may trace it in symbolic calls; see `Model.symbolic`.
+        picture_places: where its maps lie, in the order of `painting.attribute_name`.
         source: of which its model is made; None where it has none.
     """
 
@@ -65,6 +69,8 @@ class SurfaceBsdf(Protocol):
     def lets_light_through(self) -> bool: ...
     @property
     def symbolic_calls(self) -> bool: ...
+    @property
+    def picture_places(self) -> tuple[PicturePlace, ...]: ...
     @property
     def source(self) -> Source | None: ...
 
@@ -94,6 +100,7 @@ class ForeignBsdf:
     """A BSDF that knows nothing of footprints: Mitsuba's, or what users have written."""
 
     symbolic_calls = True
+    picture_places = ()
     source = None
 
     def __init__(self, bsdf: mi.BSDF) -> None:
@@ -135,6 +142,7 @@ class NoBsdf:
 
     filters = has_holes = lets_light_through = False
     symbolic_calls = True
+    picture_places = ()
     source = None
 
     def eval_and_null_transmission(self, *_: Any) -> tuple[Color3, Color3]:
@@ -252,10 +260,12 @@ class GivenModel:
     Attributes:
         model: what answers.
         uv_size_mm: millimetres per unit of u and of v.
+        painted: where maps show which of several models, whose source has them; None without any.
     """
 
     model: Model
     uv_size_mm: tuple[float, float]
+    painted: Painted | None = None
 
 
 def model_bsdf_class() -> Any:
@@ -289,7 +299,8 @@ def made_class() -> Any:
             pixel_angle: angle of a pixel seen from the camera, radians, for integrators that hand over no
                 footprint; 0 (default).
 
-        Scene parameters are the model's (`Model.parameters`), ``uv_size`` and those of ``albedo``.
+        Scene parameters are the model's (`Model.parameters`), ``uv_size`` and those of ``albedo``; of a
+        fabric with maps ``uv_size`` alone.
 
         Attributes:
             model: what answers.
@@ -313,7 +324,8 @@ def made_class() -> Any:
             # must find all of it.
             if given is None:
                 model = model_of_props(props, name)
-                given = GivenModel(model, uv_size_of(props, model.source))
+                painted = painted_of(model.source, name, model.options)
+                given = GivenModel(model, uv_size_of(props, model.source), painted)
             self.uv_size = mi.Vector2f(given.uv_size_mm)
             self.albedo = props.get_texture("albedo", 1.0) if "albedo" in props else None
             radians = "an angle in radians, such as 0.001"
@@ -322,7 +334,8 @@ def made_class() -> Any:
             self.arrays: list[Any] = []
             self._texture: FilteredTexture | None = None
             self._was_traced = False
-            self._set_model(given.model)
+            self._painted = given.painted
+            self._set_model(given.model if given.painted is None else given.painted.variants[0])
             self._filter_albedo()
             super().__init__(props)
             declare_lobes(self, self.has_holes, self.filters)
@@ -332,7 +345,16 @@ def made_class() -> Any:
         @property
         def source(self) -> Source:
             """What the model is made of."""
-            return self.model.source
+            return self.model.source if self._painted is None else self._painted.source
+
+        @property
+        def picture_places(self) -> tuple[PicturePlace, ...]:
+            """Where its maps lie."""
+            return () if self._painted is None else self._painted.shown.places
+
+        @property
+        def _models(self) -> tuple[Model, ...]:
+            return (self.model,) if self._painted is None else self._painted.variants
 
         @property
         def filters(self) -> bool:
@@ -342,7 +364,7 @@ def made_class() -> Any:
         @property
         def has_holes(self) -> bool:
             """Whether light may pass straight through."""
-            return self.model.has_holes
+            return any(model.has_holes for model in self._models)
 
         def set_source(self, source: Source) -> None:
             """Becomes the BSDF of another source; `mi.traverse` has to be called again.
@@ -354,12 +376,15 @@ def made_class() -> Any:
             """
             if isinstance(source, str | os.PathLike):
                 raise InputError(f"{source!r} is a name: hand over the fabric, loomlight.load({source!r}).")
+            if self._painted is not None or getattr(getattr(source, "fields", None), "maps", None):
+                raise InputError(f"{source.name} or what it takes the place of has maps: make a new BSDF.")
             self._set_model(self.model.with_source(source))
 
         def _set_model(self, model: Model) -> None:
             self.symbolic_calls = model.symbolic
-            self._parameters = dict(model.parameters(variant_types()))
-            self.model = model.bound_to(self._parameters)
+            # Edits of one variant would leave the others as they are.
+            self._parameters = {} if self._painted else dict(model.parameters(variant_types()))
+            self.model = model if self._painted else model.bound_to(self._parameters)
             self._shown = {"uv_size": Parameter(self.uv_size, low=_MIN_UV_SIZE, unit="mm")}
             self._shown |= self._parameters
             self._upload_parameters(model_changed=True)
@@ -401,12 +426,15 @@ def made_class() -> Any:
             fixed = [value for value in self._parameters.values() if not value.differentiable]
             dr.make_opaque([parameter.value for parameter in fixed])
             if model_changed:
-                self.model.upload(variant_types())
+                for model in self._models:
+                    model.upload(variant_types())
             # Dr.Jit looks for arrays in the attributes of BSDFs, and no deeper.
             self.arrays = []
             self.arrays = leaves(self)
-            self.lets_light_through = not self.model.filters or self.model.open_area > _MIN_OPEN_AREA
-            self.literals = (*self.model.literals(), float(self.lets_light_through))
+            open_area = max(model.open_area for model in self._models)
+            self.lets_light_through = not self.model.filters or open_area > _MIN_OPEN_AREA
+            literals = itertools.chain.from_iterable(model.literals() for model in self._models)
+            self.literals = (*literals, float(self.lets_light_through))
 
         @property
         def label(self) -> str:
@@ -425,43 +453,81 @@ def made_class() -> Any:
             filters = self.albedo is not None and self.model.filters
             self._texture = FilteredTexture(self.albedo) if filters else None
 
-        def _at(self, si: mi.SurfaceInteraction3f, active: Mask) -> FootprintBsdf:
-            """The query of the view: everything but the light."""
+        def _asked(
+            self, ask: Callable[..., Any], si: mi.SurfaceInteraction3f, active: Mask, *args: Any
+        ) -> Any:
+            """What `ask(at, si, active, *args)` answers, where `at` is all of the BSDF but the light."""
             if not self._was_traced:
                 self._was_traced = True
                 warn_of_missing_uv(self, si)
             if not self.symbolic_calls:
                 warn_of_slow_calls(MODELS[self.model.name].plugin)
             edges = uv_footprint(si, self.pixel_angle)
+            tint, active = self._tint(si, edges, active), mi.Bool(active)
+            if self._painted is None:
+                return ask(self._at(self.model, si, edges, tint, active), si, active, *args)
+            cloth = draft_footprint(si, self.uv_size, edges)
+            number, warp, weft = self._painted.shown.shown(si, edges, cloth, active)
+            tint = (
+                Tint(plain(warp), plain(weft)) if tint is None else Tint(tint.warp * warp, tint.weft * weft)
+            )
+
+            def of(model: Model) -> Callable[..., Any]:
+                return lambda si, edges, tint, active, *args: ask(
+                    self._at(model, si, edges, tint, active), si, active, *args
+                )
+
+            if len(self._models) == 1:
+                return of(self._models[0])(si, edges, tint, active, *args)
+            return dr.switch(number, [of(model) for model in self._models], si, edges, tint, active, *args)
+
+        def _at(
+            self,
+            model: Model,
+            si: mi.SurfaceInteraction3f,
+            edges: tuple[Any, Any],
+            tint: Tint | None,
+            active: Mask,
+        ) -> FootprintBsdf:
+            """The query of the view: everything but the light."""
             footprint = replace(draft_footprint(si, self.uv_size, edges), samples=pixel_samples())
             view = dr.select(_is_seen(si), si.wi, mi.Vector3f(0, 0, 1))
-            footprint, tint = self.model.on_cloth(footprint), self._tint(si, edges, active)
-            return self.model.at(plain(view), footprint, tint, active)
+            return model.at(plain(view), model.on_cloth(footprint), tint, active)
 
-        def _tint(self, si: mi.SurfaceInteraction3f, edges: tuple[Any, Any], active: Mask) -> Color3 | None:
+        def _tint(self, si: mi.SurfaceInteraction3f, edges: tuple[Any, Any], active: Mask) -> Tint | None:
             if self.albedo is None:
                 return None
             if self._texture is not None:
-                return plain(clip(self._texture.over(si, *edges, active), 0, 1))
-            return plain(clip(self.albedo.eval(si, active), 0, 1))
+                return Tint.of(plain(clip(self._texture.over(si, *edges, active), 0, 1)))
+            return Tint.of(plain(clip(self.albedo.eval(si, active), 0, 1)))
 
         @nested
         def eval(self, ctx: mi.BSDFContext, si: mi.SurfaceInteraction3f, wo: Any, active: Mask = True) -> Any:
             warn_of_light_paths(ctx, self.label)
-            at, active = self._at(si, active), active & _is_seen(si)
-            return mi.Spectrum(dr.select(active, at.value(plain(wo), active), 0))
+
+            def ask(at: FootprintBsdf, si: Any, active: Mask, wo: Any) -> Any:
+                active &= _is_seen(si)
+                return mi.Spectrum(dr.select(active, at.value(plain(wo), active), 0))
+
+            return self._asked(ask, si, active, wo)
 
         @nested
         def pdf(self, ctx: mi.BSDFContext, si: mi.SurfaceInteraction3f, wo: Any, active: Mask = True) -> Any:
-            return dr.select(active & _is_seen(si), self._at(si, active).pdf(plain(wo)), 0)
+            def ask(at: FootprintBsdf, si: Any, active: Mask, wo: Any) -> Any:
+                return dr.select(active & _is_seen(si), at.pdf(plain(wo)), 0)
+
+            return self._asked(ask, si, active, wo)
 
         @nested
         def eval_pdf(
             self, ctx: mi.BSDFContext, si: mi.SurfaceInteraction3f, wo: Any, active: Mask = True
         ) -> Any:
-            active &= _is_seen(si)
-            value, pdf = self._at(si, active).value_and_pdf(plain(wo), active)
-            return mi.Spectrum(dr.select(active, value, 0)), dr.select(active, pdf, 0)
+            def ask(at: FootprintBsdf, si: Any, active: Mask, wo: Any) -> Any:
+                active &= _is_seen(si)
+                value, pdf = at.value_and_pdf(plain(wo), active)
+                return mi.Spectrum(dr.select(active, value, 0)), dr.select(active, pdf, 0)
+
+            return self._asked(ask, si, active, wo)
 
         @nested
         def sample(
@@ -473,8 +539,12 @@ def made_class() -> Any:
             active: Mask = True,
         ) -> Any:
             warn_of_light_paths(ctx, self.label)
-            drawn = self._at(si, active).sample(sample1, variant_types().Vector2(sample2))
-            return bsdf_sample(drawn, si, active & _is_seen(si))
+
+            def ask(at: FootprintBsdf, si: Any, active: Mask, choice: Any, u: Any) -> Any:
+                drawn = at.sample(choice, variant_types().Vector2(u))
+                return bsdf_sample(drawn, si, active & _is_seen(si))
+
+            return self._asked(ask, si, active, sample1, sample2)
 
         @nested
         def eval_pdf_sample(self, *arguments: Any) -> Any:
@@ -490,13 +560,18 @@ def made_class() -> Any:
             active: Mask = True,
         ) -> tuple[Any, ...]:
             """`eval_pdf_sample` and `eval_null_transmission`, for less than both."""
-            u, active = variant_types().Vector2(sample2), active & _is_seen(si)
-            value, pdf, drawn, null_transmission = self._at(
-                si, active
-            ).value_pdf_sample_and_null_transmission(plain(wo), sample1, u)
-            value = mi.Spectrum(dr.select(active, value, 0))
-            null = mi.Spectrum(dr.select(active, null_transmission, 0))
-            return value, dr.select(active, pdf, 0), *bsdf_sample(drawn, si, active), null
+
+            def ask(at: FootprintBsdf, si: Any, active: Mask, wo: Any, choice: Any, u: Any) -> Any:
+                active &= _is_seen(si)
+                value, pdf, drawn, null_transmission = at.value_pdf_sample_and_null_transmission(
+                    plain(wo), choice, variant_types().Vector2(u)
+                )
+                value = mi.Spectrum(dr.select(active, value, 0))
+                null = mi.Spectrum(dr.select(active, null_transmission, 0))
+                return value, dr.select(active, pdf, 0), *bsdf_sample(drawn, si, active), null
+
+            found: tuple[Any, ...] = self._asked(ask, si, active, wo, sample1, sample2)
+            return found
 
         @nested
         def eval_and_null_transmission(
@@ -508,21 +583,29 @@ def made_class() -> Any:
             entering: Mask = True,
         ) -> tuple[Any, Any]:
             """`eval` of active lanes and `eval_null_transmission` of entering ones, for less than both."""
+
+            def ask(at: FootprintBsdf, si: Any, _: Mask, wo: Any, active: Mask, entering: Mask) -> Any:
+                value, null_transmission = at.value_and_null_transmission(plain(wo), active)
+                value = mi.Spectrum(dr.select(active, value, 0))
+                return value, mi.Spectrum(dr.select(entering, null_transmission, 0))
+
             active, entering = active & _is_seen(si), entering & _is_seen(si)
-            at = self._at(si, active | entering)
-            value, null_transmission = at.value_and_null_transmission(plain(wo), active)
-            value = mi.Spectrum(dr.select(active, value, 0))
-            return value, mi.Spectrum(dr.select(entering, null_transmission, 0))
+            found: tuple[Any, Any] = self._asked(ask, si, active | entering, wo, active, entering)
+            return found
 
         @nested
         def eval_null_transmission(self, si: mi.SurfaceInteraction3f, active: Mask = True) -> Any:
-            null = self._at(si, active).null_transmission
-            return mi.Spectrum(dr.select(active & _is_seen(si), null, 0))
+            def ask(at: FootprintBsdf, si: Any, active: Mask) -> Any:
+                return mi.Spectrum(dr.select(active & _is_seen(si), at.null_transmission, 0))
+
+            return self._asked(ask, si, active)
 
         @nested
         def eval_diffuse_reflectance(self, si: mi.SurfaceInteraction3f, active: Mask = True) -> Any:
-            reflectance = self._at(si, active).diffuse_reflectance
-            return mi.Spectrum(dr.select(active & _is_seen(si), reflectance, 0))
+            def ask(at: FootprintBsdf, si: Any, active: Mask) -> Any:
+                return mi.Spectrum(dr.select(active & _is_seen(si), at.diffuse_reflectance, 0))
+
+            return self._asked(ask, si, active)
 
         def to_string(self) -> str:
             facts = {

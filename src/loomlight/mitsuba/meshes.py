@@ -37,8 +37,12 @@ from loomlight.mesh.cloth_mesh import (
 from loomlight.mesh.reading import read_parts
 
 
-def to_shape(mesh: ClothMesh, bsdf: mi.BSDF | dict[str, Any]) -> mi.Mesh:
-    """The mesh as a Mitsuba shape with the BSDF object or dictionary `bsdf`."""
+def to_shape(
+    mesh: ClothMesh,
+    bsdf: mi.BSDF | dict[str, Any],
+    attributes: Mapping[str, NDArray[np.float64]] | None = None,
+) -> mi.Mesh:
+    """The mesh as a Mitsuba shape with the BSDF object or dictionary `bsdf`, and attributes of vertices."""
     props = mi.Properties()
     props["bsdf"] = mi.load_dict(bsdf) if isinstance(bsdf, dict) else bsdf
     shape = mi.Mesh(
@@ -54,7 +58,14 @@ def to_shape(mesh: ClothMesh, bsdf: mi.BSDF | dict[str, Any]) -> mi.Mesh:
         params[f"vertex_{key}"] = upload(mi.Float, rows.astype(np.float32))
     params["faces"] = upload(mi.UInt32, mesh.triangles.astype(np.uint32))
     params.update()
+    add_attributes(shape, attributes or {})
     return shape
+
+
+def add_attributes(shape: mi.Mesh, attributes: Mapping[str, NDArray[np.float64]]) -> None:
+    """Gives the vertices of a shape further numbers [n, k] by name."""
+    for name, rows in attributes.items():
+        shape.add_attribute(name, rows.shape[1], rows.astype(np.float32).ravel().tolist())
 
 
 def from_shape(shape: mi.Mesh, name: str) -> ClothMesh:
@@ -100,7 +111,7 @@ def placed(mesh: ClothMesh, placement: Placement) -> tuple[ClothMesh, tuple[floa
     if placement == Placement():
         return mesh, size
     upright = ~_mirrored(mesh)
-    # Draft coordinates, as cloth_uv.draft_position has them: v is counted from its other end where mirrored.
+    # Draft coordinates, as `bsdf.draft_position` has them: v is counted from its other end where mirrored.
     x, y = mesh.uv[:, 0] * size[0], np.where(upright, mesh.uv[:, 1], 1 - mesh.uv[:, 1]) * size[1]
     middle = np.array([(values.min() + values.max()) / 2 for values in (x, y)])
     angle = np.radians(placement.turn)

@@ -120,7 +120,8 @@ def shown_material(material: Material, settings: RenderSettings) -> MaterialSpec
             LoomlightWarning,
             stacklevel=3,
         )
-    return spec.recoloured(settings.colors) if settings.colors else spec
+    spec = spec.recoloured(settings.colors) if settings.colors else spec
+    return spec.mapped(settings.maps) if settings.maps else spec
 
 
 def further_cloths(settings: RenderSettings) -> dict[str, BsdfFactory]:

@@ -17,6 +17,7 @@ import numpy as np
 from loomlight.core.errors import InputError
 from loomlight.core.images import PICTURE_SUFFIXES, is_turned, read_picture, require_picture_size
 from loomlight.mitsuba.bsdf import GivenModel, model_bsdf_class
+from loomlight.mitsuba.painting import Painted, painted_of
 from loomlight.mitsuba.path import footprint_path_class
 from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, in_turn, require_backend
 from loomlight.models.interface import Model
@@ -34,12 +35,18 @@ def register_plugins() -> None:
         _on_variant(None, mi.variant())
 
 
-def make_bsdf(model: Model, uv_size_mm: tuple[float, float], albedo: dict[str, Any] | None = None) -> Any:
+def make_bsdf(
+    model: Model,
+    uv_size_mm: tuple[float, float],
+    albedo: dict[str, Any] | None = None,
+    painted: Painted | None = None,
+) -> Any:
     """The BSDF of a model that is at hand.
 
     Args:
         uv_size_mm: millimetres per unit of u and of v.
         albedo: the dictionary of a texture that diffuse albedos are multiplied with.
+        painted: of a fabric with maps.
 
     Raises:
         InputError: the texture names no picture, or one of more than 16384 pixels a side.
@@ -52,7 +59,7 @@ def make_bsdf(model: Model, uv_size_mm: tuple[float, float], albedo: dict[str, A
             require_picture_size(file)
             albedo = _upright(albedo, file)
         props["albedo"] = mi.load_dict(albedo)
-    given = GivenModel(model, uv_size_mm)
+    given = GivenModel(model, uv_size_mm, painted)
     return _constructor(partial(model_bsdf_class(), name=model.name, given=given))(props)
 
 
@@ -127,9 +134,13 @@ def material_bsdf(
         InputError: an unknown model, or a material that cannot be read or that the model does not take.
     """
     spec = resolve(material, model, options.changed(**values) if options is not None else values)
-    first = [spec.model()]
+    painted = painted_of(spec.source, spec.model_name, spec.options)
+    # Painted cloth is not edited: its BSDFs share their models.
+    first = [spec.model()] if painted is None else []
 
     def to_scale(uv_size_mm: tuple[float, float]) -> Any:
+        if painted is not None:
+            return make_bsdf(painted.variants[0], uv_size_mm, albedo, painted)
         return make_bsdf(first.pop() if first else spec.model(), uv_size_mm, albedo)
 
     return to_scale

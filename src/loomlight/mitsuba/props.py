@@ -39,7 +39,8 @@ from loomlight.sources.load import load_source
 from loomlight.sources.loom_file import is_loom, read_loom
 
 _TABLES = ("warp", "weft", "sheen", "variation")
-_TOP = tuple(name for name in FabricFile.model_fields if name not in _TABLES)
+# Maps are left to fabric files: they are tables of tables.
+_TOP = tuple(name for name in FabricFile.model_fields if name not in (*_TABLES, "maps"))
 _SOURCES = ("fabric", "source")
 _DRAFT_FILES = ("draft", "image")
 _DRAFTS = ("weave", *_DRAFT_FILES)

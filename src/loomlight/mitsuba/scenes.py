@@ -22,6 +22,7 @@ from loomlight.fabric.facts import cloth_facts
 from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, joined, warn_of_extent, warn_of_scale
 from loomlight.mesh.edges import EDGES, Edges
 from loomlight.mesh.file_camera import FileCamera
+from loomlight.mesh.picture_places import FILE_UV, picture_uv
 from loomlight.mesh.reading import read_cameras, read_mesh, read_parts
 from loomlight.mitsuba.bsdf import surface_bsdf
 from loomlight.mitsuba.camera import (
@@ -38,6 +39,7 @@ from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
 from loomlight.mitsuba.meshes import (
     Garment,
     Placement,
+    add_attributes,
     check_scene_meshes,
     from_shape,
     placed,
@@ -45,6 +47,7 @@ from loomlight.mitsuba.meshes import (
     set_uv,
     to_shape,
 )
+from loomlight.mitsuba.painting import attribute_name
 from loomlight.mitsuba.path import footprint_integrator
 from loomlight.mitsuba.shapes import (
     CYLINDER_RADIUS,
@@ -291,7 +294,7 @@ def build_scene(
     # 2. The cloth: the scene's own piece, or a mesh in parts; laid, with its edges, and measured.
     setup = _SETUPS[str(name)]
     if mesh is None:
-        worn = Garment([(setup.cloth(), factory)], None)
+        worn = Garment([(_upright(setup.cloth()), factory)], None)
     else:
         setup, worn = _MESH, read_garment(mesh, metres_per_unit, factory, others or {})
     size, edge = size or default_size(mesh, seen.camera), edge or setup.edge
@@ -301,7 +304,11 @@ def build_scene(
     if swept is not None:
         further = swept([*dressed.pieces.values()])
         cloth = replace(cloth, positions=np.concatenate([cloth.positions, further]))
-    shapes = {name: to_shape(mesh, bsdf) for (name, mesh), bsdf in zip(meshes.items(), bsdfs, strict=True)}
+    corners = _corners([*meshes.values()])
+    shapes = {
+        name: to_shape(mesh, bsdf, _pictures(mesh, bsdf, corners))
+        for (name, mesh), bsdf in zip(meshes.items(), bsdfs, strict=True)
+    }
     centre, radius = _bounds(cloth)
     _require_extent(cloth.name, radius)
     # 3. The camera frames all of it, or what it is told to, and comes closer below.
@@ -501,6 +508,31 @@ def _dressed(
     return Dressed(dict(zip(names, meshes, strict=True)), edges), bsdfs, laid[0][1]
 
 
+def _corners(meshes: list[ClothMesh]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Corners of the box around meshes."""
+    rows = np.concatenate([mesh.positions for mesh in meshes])
+    return rows.min(axis=0), rows.max(axis=0)
+
+
+def _upright(cloth: ClothMesh) -> ClothMesh:
+    """A built-in piece, on whose uv, which run upwards, pictures stand upright."""
+    return replace(cloth, attributes={FILE_UV: cloth.uv * [1, -1] + [0, 1]})
+
+
+def _pictures(
+    mesh: ClothMesh,
+    bsdf: Any,
+    bounds: tuple[NDArray[np.float64], NDArray[np.float64]],
+) -> dict[str, NDArray[np.float64]]:
+    """Attributes by name that say where the maps of its cloth lie on a mesh."""
+    places = () if bsdf is _UNCOVERED else surface_bsdf(bsdf).picture_places
+    return {
+        attribute_name(number): picture_uv(mesh, place, bounds)
+        for number, place in enumerate(places)
+        if not place.is_on_cloth
+    }
+
+
 def _thickness(bsdf: Any) -> float:
     """Metres of a cloth."""
     source = surface_bsdf(bsdf).source
@@ -627,7 +659,7 @@ def _from_file(
             raise InputError(f'{file} has no shape whose BSDF has the id "{name}"; give one that id.')
     if not scene.sensors():
         raise InputError(f"{file} has no sensor.")
-    meshes = []
+    meshes, clothed = [], []
     uv_sizes = []
     for shape in shapes:
         if shape.bsdf().id() not in factories:
@@ -643,7 +675,12 @@ def _from_file(
             )
         shape.set_bsdf(loaded_bsdf(factories[shape.bsdf().id()](uv_size_mm)))
         meshes.append(mesh)
+        clothed.append(shape)
         uv_sizes.append(uv_size_mm)
+    corners = _corners(meshes)
+    for shape, mesh in zip(clothed, meshes, strict=True):
+        on_uv = replace(mesh, attributes={FILE_UV: mesh.uv})
+        add_attributes(shape, _pictures(on_uv, shape.bsdf(), corners))
     warn_of_extent(joined(meshes), metres_per_unit)
     point, view = _move_camera(scene, joined(meshes).scaled(1 / metres_per_unit), zoom, size)
     integrator = footprint_integrator(scene)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.surface_maps import without_maps
 from loomlight.mesh.cloth_mesh import ClothMesh, checked
 from loomlight.mitsuba.camera import View, perspective
 from loomlight.mitsuba.denoising import gaussian_blur
@@ -61,7 +62,7 @@ def stage_picture(
     # Light that comes from cloth by one reflection: as far as the page's shaders follow it.
     integrator = mi.load_dict({"type": "footprint_path", "max_depth": 2, "hide_emitters": True})
     parts: dict[str, Any] = {**empty_scene(), "integrator": integrator, "sensor": sensor}
-    parts["cloth"] = to_shape(cloth, material_bsdf(fabric)(uv_size_mm))
+    parts["cloth"] = to_shape(cloth, material_bsdf(without_maps(fabric))(uv_size_mm))
     if towards is not None:
         lamp = {"type": "rgb", "value": irradiance.tolist()}
         parts["lamp"] = {"type": "directional", "direction": (-towards).tolist(), "irradiance": lamp}

@@ -27,6 +27,7 @@ from loomlight.fabric.maps import (
     write_maps,
 )
 from loomlight.fabric.read import FABRIC_SUFFIX
+from loomlight.fabric.surface_maps import without_maps
 from loomlight.models.interface import Model
 from loomlight.models.material_spec import Material, resolve
 from loomlight.models.options import Options
@@ -66,7 +67,10 @@ def bake(
     """
     spec = resolve(material, model, options_of(model, options, **values))
     require_llvm()
-    return model_class(model).for_source(spec.source, spec.options, report)
+    source = spec.source
+    if isinstance(source, Fabric):
+        source = without_maps(source, "A baked model")
+    return model_class(model).for_source(source, spec.options, report)
 
 
 def bake_maps(

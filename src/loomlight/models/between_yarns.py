@@ -17,7 +17,7 @@ from loomlight.scattering.interreflection import (
     bounced,
     scattered,
 )
-from loomlight.scattering.point import Albedos, tinted
+from loomlight.scattering.point import Albedos, Tint, colours_of, tinted
 
 # Albedos of reflected and of transmitted light.
 Bounced = tuple[Color3, Color3]
@@ -47,7 +47,7 @@ class BetweenYarns:
         cls,
         means: FootprintAlbedos,
         albedos: tuple[Albedos, Albedos],
-        tint: Color3 | None,
+        tint: Tint | None,
         view: Vec3,
         back: Mask,
     ) -> BetweenYarns | None:
@@ -63,8 +63,8 @@ class BetweenYarns:
             return None
         layers = cloth.layers
         whole_warp, whole_weft = (
-            _scattered(tinted(family, tint), layer)
-            for family, layer in zip(means.of_cloth(types), layers, strict=True)
+            _scattered(tinted(family, colour), layer)
+            for family, layer, colour in zip(means.of_cloth(types), layers, colours_of(tint), strict=True)
         )
         interior = cloth.interior(whole_warp, whole_weft, back)
         warp, weft = map(_scattered, albedos, layers)

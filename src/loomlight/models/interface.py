@@ -32,7 +32,7 @@ from loomlight.core.fleet import Report
 from loomlight.core.footprint import Footprint
 from loomlight.core.tables import Tables
 from loomlight.models.options import Options
-from loomlight.scattering.point import DirectionSample
+from loomlight.scattering.point import DirectionSample, Tint
 from loomlight.sources.kinds import Source
 from loomlight.sources.loom_file import LoomFile
 
@@ -199,14 +199,14 @@ class Model(ABC):
 
     @abstractmethod
     def at(
-        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+        self, view: Vec3, footprint: Footprint, tint: Tint | None = None, active: Mask = True
     ) -> FootprintBsdf:
         """The BSDF of footprints as views see them.
 
         Args:
             view: unit vectors [3] away from the surface; z < 0 sees the back.
             footprint: millimetres of the source.
-            tint: what diffuse albedos are multiplied with, 0 to 1; None for 1. Models that keep no albedos
+            tint: what diffuse albedos are multiplied with; None for 1. Models that keep no albedos
                 apart ignore it.
             active: lanes that are asked about; answers in others may be anything.
         """

@@ -10,6 +10,7 @@ from typing import Any
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.read import edited_fabric
+from loomlight.fabric.surface_maps import with_maps
 from loomlight.models.interface import Model
 from loomlight.models.options import Options
 from loomlight.models.registry import (
@@ -79,6 +80,16 @@ class MaterialSpec:
         fabric = edited_fabric(self.source, {f"{family}.color": value for family, value in colors.items()})
         held = None if self.held is None else self.model().with_source(fabric)
         return replace(self, source=fabric, held=held)
+
+    def mapped(self, maps: Mapping[str, Any]) -> MaterialSpec:
+        """The material with maps over the surface; see `with_maps`.
+
+        Raises:
+            InputError: no fabric, or a map that cannot be.
+        """
+        if not isinstance(self.source, Fabric):
+            raise InputError(f"Maps go with fabrics, and {self.source.name} is none.")
+        return replace(self, source=with_maps(self.source, maps), held=None)
 
 
 # Whatever `resolve` takes: what users name a material by.

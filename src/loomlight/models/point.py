@@ -40,7 +40,14 @@ from loomlight.models.interface import FootprintBsdf, Values
 from loomlight.models.options import Options
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf
-from loomlight.scattering.point import Albedos, DirectionSample, YarnPoint, YarnScattering, to_face_frame
+from loomlight.scattering.point import (
+    Albedos,
+    DirectionSample,
+    Tint,
+    YarnPoint,
+    YarnScattering,
+    to_face_frame,
+)
 from loomlight.sources.kinds import Source
 from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import DetachedSurface, YarnGeometry
@@ -59,7 +66,7 @@ class PointBsdf(SeparableBsdf):
     """The yarn points that view rays through the centres of footprints meet."""
 
     def __init__(
-        self, model: YarnScattering, view: Vec3, footprint: Footprint, tint: Color3 | None, active: Mask
+        self, model: YarnScattering, view: Vec3, footprint: Footprint, tint: Tint | None, active: Mask
     ) -> None:
         super().__init__(view, footprint, model.appearance.sheen)
         self._model = model
@@ -138,7 +145,7 @@ def families_of(point: YarnPoint) -> FamilyAlbedos:
 class SamplesBsdf(FootprintBsdf):
     """Means over so many points of footprints, each with its own albedos."""
 
-    def __init__(self, model: SampledModel, view: Vec3, footprint: Footprint, tint: Color3 | None) -> None:
+    def __init__(self, model: SampledModel, view: Vec3, footprint: Footprint, tint: Tint | None) -> None:
         super().__init__(view, footprint)
         self._model, self._points, self._tint = model.point_model, model.options.points, tint
         self._irregular = model.irregular
@@ -327,7 +334,7 @@ class PointModel(YarnPointModel):
         return replace(footprint, centre=self.irregular.place(footprint.centre))
 
     def at(
-        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+        self, view: Vec3, footprint: Footprint, tint: Tint | None = None, active: Mask = True
     ) -> PointBsdf:
         """The yarn points at the centres of footprints as views see them."""
         return PointBsdf(self.point_model, view, footprint, tint, active)
@@ -363,7 +370,7 @@ class SampledModel(YarnPointModel):
         return PrimitiveCell(self.fabric.layout())
 
     def at(
-        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+        self, view: Vec3, footprint: Footprint, tint: Tint | None = None, active: Mask = True
     ) -> SamplesBsdf:
         """The points of footprints as views see them."""
         del active

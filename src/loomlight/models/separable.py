@@ -19,7 +19,7 @@ from loomlight.models.interface import FootprintBsdf
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.interreflection import Blocked
 from loomlight.scattering.irregularity import IrregularYarns, Yarns
-from loomlight.scattering.point import Albedos
+from loomlight.scattering.point import Albedos, Tint
 from loomlight.scattering.point import tinted as tinted_family
 from loomlight.scattering.sheen import sheen_transmittance, sheen_with_transmittance
 
@@ -181,7 +181,7 @@ class FilteredBsdf(SeparableBsdf):
         sheen: Sheen,
         view: Vec3,
         footprint: Footprint,
-        tint: Color3 | None,
+        tint: Tint | None,
     ) -> None:
         """
         Args:
@@ -277,8 +277,8 @@ def shade(components: Components, albedos: FamilyAlbedos, is_transmission: Mask)
     return dr.select(is_transmission, transmitted, reflected)
 
 
-def tinted(albedos: FamilyAlbedos, tint: Color3 | None) -> FamilyAlbedos:
+def tinted(albedos: FamilyAlbedos, tint: Tint | None) -> FamilyAlbedos:
     """Albedos whose diffuse terms are multiplied with a tint; None leaves them."""
     if tint is None:
         return albedos
-    return FamilyAlbedos(*(tinted_family(family, tint) for family in (albedos.warp, albedos.weft)))
+    return FamilyAlbedos(tinted_family(albedos.warp, tint.warp), tinted_family(albedos.weft, tint.weft))

@@ -151,16 +151,34 @@ def shadow_query(surface: Surface, point: YarnPoint, light: Vec3) -> ShadowQuery
     return ShadowQuery(height, direction, point.back ^ beyond, searched)
 
 
-def tinted(albedos: Albedos, tint: Color3 | None) -> Albedos:
-    """Albedos whose diffuse terms are multiplied with a tint; None leaves them."""
-    if tint is None:
+@dataclass
+class Tint:
+    """What diffuse albedos of both families are multiplied with, 0 to 1, as prints do."""
+
+    warp: Color3
+    weft: Color3
+
+    @classmethod
+    def of(cls, colour: Color3) -> Tint:
+        """The same for both."""
+        return cls(colour, colour)
+
+
+def tinted(albedos: Albedos, colour: Color3 | None) -> Albedos:
+    """Albedos whose diffuse terms are multiplied with a colour; None leaves them."""
+    if colour is None:
         return albedos
     return Albedos(
-        albedos.diffuse_reflect * tint,
-        albedos.diffuse_transmit * tint,
+        albedos.diffuse_reflect * colour,
+        albedos.diffuse_transmit * colour,
         albedos.specular_reflect,
         albedos.specular_transmit,
     )
+
+
+def colours_of(tint: Tint | None) -> tuple[Color3 | None, Color3 | None]:
+    """The colour of warp and of weft; None for each without a tint."""
+    return (None, None) if tint is None else (tint.warp, tint.weft)
 
 
 def to_face_frame(direction: Vec3, back: Mask) -> Vec3:
@@ -285,7 +303,7 @@ class YarnScattering:
         view: Vec3,
         active: Mask = True,
         size: Float | None = None,
-        tint: Color3 | None = None,
+        tint: Tint | None = None,
     ) -> YarnPoint:
         """The yarn point that the view ray through x, y on the plane z = 0 meets.
 
@@ -307,7 +325,7 @@ class YarnScattering:
         back: Mask,
         hole: Mask,
         size: Float | None = None,
-        tint: Color3 | None = None,
+        tint: Tint | None = None,
         ray: tuple[Vec3, Float] | None = None,
     ) -> YarnPoint:
         """The yarn point at draft coordinates x, y (millimetres) of one face, without parallax.
@@ -315,7 +333,7 @@ class YarnScattering:
         Args:
             size: side of the footprint, millimetres, that the yarns' detail is filtered with; None shows
                 smooth yarns.
-            tint: what diffuse albedos of the cloth are multiplied with, Color3; None for 1.
+            tint: what diffuse albedos of the cloth are multiplied with; None for 1.
         """
         # Find the yarn, or the hair that lies over it.
         types = array_types(x)
@@ -333,7 +351,8 @@ class YarnScattering:
         albedos = self.toned(point, albedos, is_warp)
         if self.varies_at(size):
             albedos = self.varied(point, albedos, back, size, hair)
-        albedos = tinted(albedos, tint)
+        if tint is not None:
+            albedos = tinted(albedos, dr.select(is_warp, tint.warp, tint.weft))
         roughness = dr.select(is_warp, warp.roughness, weft.roughness)
         # Turn its frame by what it shows close up.
         frame = None
@@ -364,7 +383,7 @@ class YarnScattering:
         found.bounced = self._bounced(found, tint)
         return found
 
-    def _bounced(self, point: YarnPoint, tint: Color3 | None) -> tuple[Color3, Color3] | None:
+    def _bounced(self, point: YarnPoint, tint: Tint | None) -> tuple[Color3, Color3] | None:
         """Albedos of light between yarns at a point, reflected and transmitted; 0 in holes."""
         types = array_types(point.roughness)
         between = self.between_yarns(types)
@@ -372,8 +391,8 @@ class YarnScattering:
             return None
         depth = types.Float(self.appearance.optical_depth)
         warp, weft = (
-            scattered_by(tinted(Albedos(*family.mean()), tint), family.roughness, depth)
-            for family in self.parameters(types)
+            scattered_by(tinted(Albedos(*family.mean()), colour), family.roughness, depth)
+            for family, colour in zip(self.parameters(types), colours_of(tint), strict=True)
         )
         normal = point.normal if point.surface_normal is None else point.surface_normal
         blocked = between.blocked_at(point.is_warp, point.back, normal.z, point.height)

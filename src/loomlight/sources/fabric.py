@@ -67,9 +67,10 @@ def fabric_record(fabric: Fabric) -> tuple[dict[str, Any], dict[str, Tensor]]:
 
 
 def _without_folders(fields: FabricFile) -> FabricFile:
-    """The fields with the bare names of the draft's files: their folders are private to the user."""
+    """The fields with bare names of the draft's files, as folders are private, and without maps' pictures."""
     paths = {name: getattr(fields, name) for name in ("draft", "image") if getattr(fields, name)}
-    return fields.model_copy(update={name: PurePath(path).name for name, path in paths.items()})
+    names = {name: PurePath(path).name for name, path in paths.items()}
+    return fields.model_copy(update={**names, "maps": {}})
 
 
 def fabric_from_record(record: Mapping[str, Any], tensors: Mapping[str, Tensor], folder: str) -> Fabric:

@@ -61,6 +61,8 @@ export async function openFabric(files: readonly File[], server: Server | null, 
   if (toml !== undefined) {
     const text = await toml.text();
     const fields = speakingOf(toml.name, () => readToml(text));
+    const maps = Object.keys(fields.maps ?? {}).join(", ");
+    if (maps !== "") warn(`${toml.name} has maps of ${maps}: the page keeps them, and loomlight render shows them.`);
     if (fields.weave !== undefined) return { fabric: { fields, draft: speakingOf(toml.name, () => loadDraft(fields)) }, warnings };
     const named = fields.draft ?? fields.image ?? "";
     if (draft === undefined)

@@ -6,8 +6,13 @@
 export type FieldKind =
   | { readonly kind: "number" | "integer"; readonly low: number; readonly high: number }
   | { readonly kind: "text"; readonly mayBeEmpty: boolean }
-  | { readonly kind: "colour" | "colours" | "boolean" | "yarn" }
+  | { readonly kind: "colour" | "colours" | "boolean" | "yarn" | "maps" }
   | { readonly kind: "table"; readonly fields: FieldTable };
+
+/** [maps] as the file has it: pictures over the surface, which Python reads; pages keep it. */
+export interface SurfaceMaps {
+  readonly [name: string]: string | SurfaceMaps | number | boolean | readonly (string | number)[];
+}
 
 /** Fields of a table by their keys, in the order in which a file is written. */
 export interface FieldTable {

@@ -2,6 +2,7 @@
 import { parse, TomlError } from "smol-toml";
 
 import { InputError } from "./errors.ts";
+import type { SurfaceMaps } from "./fields.ts";
 import { FABRIC, type FabricFields } from "./generated.ts";
 import { validateFields } from "./validate.ts";
 
@@ -38,7 +39,10 @@ export function writeToml(fields: FabricFields): string {
   for (const [key, kind] of Object.entries(FABRIC)) {
     const value = values[key];
     if (value === undefined) continue;
-    if (kind.kind !== "table") lines.push(`${key} = ${literal(value)}`);
+    if (kind.kind === "maps") {
+      const inner = Object.entries(value as SurfaceMaps).map(([name, each]) => `${name} = ${literal(each)}`);
+      if (inner.length > 0) tables.push(["", `[${key}]`, ...inner].join("\n"));
+    } else if (kind.kind !== "table") lines.push(`${key} = ${literal(value)}`);
     else {
       const inner = Object.keys(kind.fields).flatMap((field) => {
         const entry = (value as Record<string, unknown>)[field];
@@ -53,6 +57,8 @@ export function writeToml(fields: FabricFields): string {
 function literal(value: unknown): string {
   if (typeof value === "string") return quoted(value);
   if (Array.isArray(value)) return `[${value.map(literal).join(", ")}]`;
+  if (typeof value === "object" && value !== null)
+    return `{ ${Object.entries(value).map(([key, each]) => `${key} = ${literal(each)}`).join(", ")} }`;
   return String(value);
 }
 

@@ -2,7 +2,7 @@
 import { closeMatch } from "./close_match.ts";
 import { coloursInOrder, isOneColour, parseColour } from "./colour.ts";
 import { InputError } from "./errors.ts";
-import { FAMILIES, type FamilyName, type FieldKind, type FieldTable } from "./fields.ts";
+import { FAMILIES, type FamilyName, type FieldKind, type FieldTable, type SurfaceMaps } from "./fields.ts";
 import { FABRIC, type FabricFields, YARN_PRESETS } from "./generated.ts";
 import { general } from "./numbers.ts";
 import { yarnTex } from "./yarn_count.ts";
@@ -63,6 +63,8 @@ function validValue(value: unknown, kind: FieldKind, name: string, isWhole: IsWh
       if (value === "" && !kind.mayBeEmpty)
         throw new InputError(`${name} = "" is empty: write a value, or leave the field out.`);
       return value;
+    case "maps":
+      return validMaps(value, name);
     case "boolean":
       if (typeof value !== "boolean") throw cannotBeUsed(name, value, kind);
       return value;
@@ -81,6 +83,23 @@ function validValue(value: unknown, kind: FieldKind, name: string, isWhole: IsWh
     case "table":
       throw cannotBeUsed(name, value, kind);
   }
+}
+
+/** Maps as they are: tables of texts, numbers, truth values and lists; Python says more of what they hold. */
+function validMaps(value: unknown, name: string): SurfaceMaps {
+  if (!isTable(value))
+    throw new InputError(`${name} = ${shown(value)} cannot be used: it is a table of pictures, a name each.`);
+  return Object.fromEntries(
+    Object.entries(value).map(([key, each]) => [key, validMap(each, `${name}.${key}`)]),
+  );
+}
+
+function validMap(value: unknown, name: string): SurfaceMaps[string] {
+  if (isTable(value)) return validMaps(value, name);
+  if (typeof value === "bigint") return Number(value);
+  if (Array.isArray(value)) return value.map((part) => (typeof part === "bigint" ? Number(part) : (part as string | number)));
+  if (typeof value === "string" || typeof value === "number" || typeof value === "boolean") return value;
+  throw new InputError(`${name} = ${shown(value)} cannot be used: write the path of a picture, "FILE.png", or a table.`);
 }
 
 function validYarn(value: unknown, name: string): string {

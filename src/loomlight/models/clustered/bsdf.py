@@ -32,7 +32,14 @@ from loomlight.scattering.appearance import ALBEDO_NAMES, Sheen
 from loomlight.scattering.directions import cosine_about
 from loomlight.scattering.fibre import layer_albedo_estimate, pdf_specular, projected_area, sample_specular
 from loomlight.scattering.irregularity import IrregularYarns
-from loomlight.scattering.point import Albedos, DirectionSample, YarnScattering, to_face_frame
+from loomlight.scattering.point import (
+    Albedos,
+    DirectionSample,
+    Tint,
+    YarnScattering,
+    colours_of,
+    to_face_frame,
+)
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance
 
 # ------------------------------------------------------------------------------------------------------- base
@@ -479,7 +486,7 @@ class ClusteredBsdf(FilteredBsdf):
         seed: UInt,
         view: Vec3,
         footprint: Footprint,
-        tint: Color3 | None,
+        tint: Tint | None,
         active: Mask,
     ) -> None:
         """
@@ -599,8 +606,9 @@ class ClusteredBsdf(FilteredBsdf):
         )
         families = self._model.parameters(types)
         shares = (1, 1) if self.yarns is None else self.yarns.shares[:2]
-        for alike, family, share, (diffuse, specular) in zip(
-            self._alike, families, shares, parts, strict=True
+        tints = colours_of(self._tint)
+        for alike, family, share, tint, (diffuse, specular) in zip(
+            self._alike, families, shares, tints, parts, strict=True
         ):
             if alike:
                 continue
@@ -611,8 +619,8 @@ class ClusteredBsdf(FilteredBsdf):
             own = shown.warp if family is families[0] else shown.weft
             of_diffuse = dr.select(transmits, own.diffuse_transmit, own.diffuse_reflect)
             of_specular = dr.select(transmits, own.specular_transmit, own.specular_reflect)
-            tint = 1 if self._tint is None else self._tint
-            total += (of_diffuse * tint * diffuse + of_specular * specular) * share
+            of_diffuse = of_diffuse if tint is None else of_diffuse * tint
+            total += (of_diffuse * diffuse + of_specular * specular) * share
         return total
 
     def pdf(self, light: Vec3) -> Float:

@@ -6,7 +6,7 @@ from copy import copy
 from dataclasses import dataclass
 from typing import ClassVar, Self, final
 
-from loomlight.core.arrays import Color3, Mask, UInt, Vec3
+from loomlight.core.arrays import Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.fleet import Report
 from loomlight.core.footprint import Footprint
@@ -20,7 +20,7 @@ from loomlight.models.interface import ShaderTables, Values
 from loomlight.models.options import Options
 from loomlight.models.random_numbers import hashed
 from loomlight.scattering.appearance import Appearance
-from loomlight.scattering.point import YarnScattering
+from loomlight.scattering.point import Tint, YarnScattering
 from loomlight.sources.kinds import Source
 from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import YarnGeometry
@@ -167,7 +167,7 @@ class ClusteredModel(FilteredFabricModel):
         self,
         view: Vec3,
         footprint: Footprint,
-        tint: Color3 | None = None,
+        tint: Tint | None = None,
         active: Mask = True,
         seed: UInt | None = None,
     ) -> ClusteredBsdf:

@@ -26,7 +26,7 @@ from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
 from loomlight.scattering.fibre import pdf_specular, sample_specular
 from loomlight.scattering.irregularity import IrregularYarns
-from loomlight.scattering.point import Albedos, DirectionSample, YarnScattering, to_face_frame
+from loomlight.scattering.point import Albedos, DirectionSample, Tint, YarnScattering, to_face_frame
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance
 from loomlight.yarn.visibility import first_hit
 
@@ -307,7 +307,7 @@ class LobesBsdf(FilteredBsdf):
         regime: Regime,
         view: Vec3,
         footprint: Footprint,
-        tint: Color3 | None,
+        tint: Tint | None,
     ) -> None:
         """See `FilteredBsdf`."""
         super().__init__(means, irregular, point_model.appearance.sheen, view, footprint, tint)

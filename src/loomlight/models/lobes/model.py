@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Self, final
 
-from loomlight.core.arrays import Color3, Mask, Vec3
+from loomlight.core.arrays import Mask, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.fleet import Report
 from loomlight.core.footprint import Footprint
@@ -20,7 +20,7 @@ from loomlight.models.lobes.prefiltered import PrefilteredLobes
 from loomlight.models.lobes.tables import LobeTables, bake_tables, given_numbers
 from loomlight.models.lobes.visibility import JOINT_FACTORS
 from loomlight.models.options import Options
-from loomlight.scattering.point import YarnScattering
+from loomlight.scattering.point import Tint, YarnScattering
 from loomlight.sources.kinds import Source
 from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import YarnGeometry
@@ -130,7 +130,7 @@ class LobesModel(FilteredFabricModel):
         self.on_backend(types)
 
     def at(
-        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+        self, view: Vec3, footprint: Footprint, tint: Tint | None = None, active: Mask = True
     ) -> LobesBsdf:
         """The BSDF of footprints for one view each."""
         del active

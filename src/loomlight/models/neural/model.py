@@ -42,7 +42,7 @@ from loomlight.models.neural.proposal import (
 from loomlight.models.neural.weights import Weights, read_weights, shipped_weights
 from loomlight.models.options import Options
 from loomlight.models.separable import Components, Evaluation, FilteredBsdf
-from loomlight.scattering.point import DirectionSample, to_face_frame
+from loomlight.scattering.point import DirectionSample, Tint, to_face_frame
 from loomlight.sources.kinds import Source
 from loomlight.sources.loom_file import LoomFile
 
@@ -57,7 +57,7 @@ _ENCODED = ("roughness", "height_scale", "inclination", "twist")
 class NeuralBsdf(FilteredBsdf):
     """The BSDF of footprints for one view: the decoder's activations that do not depend on the light."""
 
-    def __init__(self, model: NeuralModel, view: Vec3, footprint: Footprint, tint: Color3 | None) -> None:
+    def __init__(self, model: NeuralModel, view: Vec3, footprint: Footprint, tint: Tint | None) -> None:
         super().__init__(model.means, model.irregular, model.fabric.appearance().sheen, view, footprint, tint)
         self._model = model
         self._decoder = decoder_of(model.weights, array_types(view.x).Float)
@@ -313,7 +313,7 @@ class NeuralModel(FilteredFabricModel):
         return cls(fabric, encoded, weights, NeuralOptions(sampler=sampler))
 
     def at(
-        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+        self, view: Vec3, footprint: Footprint, tint: Tint | None = None, active: Mask = True
     ) -> NeuralBsdf:
         """The BSDF of footprints for one view each."""
         del active

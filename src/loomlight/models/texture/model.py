@@ -30,7 +30,7 @@ from loomlight.models.options import TrainingOptions
 from loomlight.models.registry import untrained
 from loomlight.models.texture.pyramid import PyramidShape
 from loomlight.models.texture.settings import TrainingSettings
-from loomlight.scattering.point import to_face_frame
+from loomlight.scattering.point import Tint, to_face_frame
 from loomlight.sources.kinds import Source
 from loomlight.sources.loom_file import LoomFile
 
@@ -136,7 +136,7 @@ class TexturedModel(Model, Generic[WeightsT, DeviceT]):
         self.device_weights(types.Float)
 
     def at(
-        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+        self, view: Vec3, footprint: Footprint, tint: Tint | None = None, active: Mask = True
     ) -> TexturedBsdf:
         """The BSDF of footprints for one view each; it keeps no albedos apart, so `tint` is ignored."""
         del tint, active

@@ -288,6 +288,15 @@ export const CLOTH_QUANTITIES: Readonly<Record<string, Quantity>> = {
     ends: ["smooth", "lively"],
     standard: 0,
   },
+  wear: {
+    label: "Wear",
+    tip: "How much rubbing has taken the dye off yarns that lie on the face (wear)",
+    low: 0,
+    high: 1,
+    step: 0.01,
+    ends: ["new", "worn out"],
+    standard: 0,
+  },
   diffuse_blend: {
     label: "Roundness in the shade",
     tip: "w: how much diffuse light follows the yarn's own normal rather than the cloth's",

@@ -75,6 +75,7 @@ export function FinishPanel({ fabric, dispatch, print, isFlat, onPrint, onPrintO
         {slider("variation.irregularity")}
         {slider("variation.colour_noise")}
         {slider("variation.fibre_noise")}
+        {slider("wear")}
         <div class="row">
           <span class="tip" data-tip="The seed of the variation: another piece of the same cloth">
             Piece {seed}

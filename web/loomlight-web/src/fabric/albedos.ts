@@ -18,6 +18,8 @@ import { coloursFor, type ChannelAlbedos, type Openness } from "./between_yarns.
 import { detailOf, type YarnDetail } from "./detail.ts";
 import { boundInUse, clothBound, taken, yarnBound, type LayerBound } from "./layer_bound.ts";
 
+/** Reflectance of the deepest dye. */
+const DARKEST = 2e-3;
 /** The order of a thread's albedos, red, green and blue of each. */
 export const ALBEDOS = ["diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit"] as const;
 export const ALBEDO_NUMBERS = 3 * ALBEDOS.length;
@@ -60,7 +62,7 @@ export function familyAppearance(
       : clothBound(roughness, opticalDepth, openness.layers.slice(2 * number, 2 * number + 2));
   const albedosOf = (colour: number) => channelAlbedos(colour, strength, table.translucency ?? TRANSLUCENCY, bound);
   const irregularity = irregularityOf(fields, family);
-  let colours = draft[family].colors ?? new Float64Array(0);
+  let colours = faded(draft[family].colors ?? new Float64Array(0), wornShare(fields, family, draft));
   if (openness !== null && table.albedo === undefined)
     colours = coloursFor(colours, openness, number, albedosOf);
   const albedos = albedosFromColours(colours, albedosOf);
@@ -85,6 +87,30 @@ export function familyAppearance(
     knots.forEach((colour, channel) => (nepAlbedo[channel] = knotOf(colour)[0]));
   }
   return { albedos, roughness, layerBound, detail: detailOf(table), irregularity, nepAlbedo };
+}
+
+/** Share of the dye that rubbing has taken off a family's threads; see `fabric/resolve.py`. */
+function wornShare(fields: FabricFields, family: FamilyName, { drawdown }: Draft): number {
+  const wear = fields.wear ?? 0;
+  if (wear === 0) return 0;
+  const onFace = drawdown.reduce((sum, warpIsOnTop) => sum + warpIsOnTop, 0) / drawdown.length;
+  return (wear * (family === "warp" ? onFace : 1 - onFace)) / Math.max(onFace, 1 - onFace);
+}
+
+/** Colours of which a share of the dye is gone; see `fabric/colour.py`. */
+function faded(colours: Float64Array, worn: number): Float64Array {
+  if (worn === 0) return colours;
+  const undyed = parseColour(NEP_COLOUR, "undyed fibres").map(absorption);
+  return colours.map((colour, index) => {
+    const own = undyed[index % 3]!;
+    const ratio = own + (1 - worn) * (absorption(Math.max(colour, DARKEST)) - own);
+    return 1 + ratio - Math.sqrt(ratio * (ratio + 2));
+  });
+}
+
+/** K/S of a reflectance above 0. */
+function absorption(colour: number): number {
+  return (1 - colour) ** 2 / (2 * colour);
 }
 
 /** Albedo of the highlight of white threads at specular 1; see `scattering/albedo.py`. */
