@@ -64,6 +64,16 @@ def test_a_process_that_ended_between_files_is_begun_anew(stage: Path) -> None:
     assert worker.answer("usd_frames", stage) == []
 
 
+def test_an_idle_process_ends(stage: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(usd_worker, "_IDLE_SECONDS", 0.0)
+    worker = usd_worker._Worker()
+    worker.answer("read_usd", stage)
+    assert worker._idle is not None
+    worker._idle.join()
+    assert worker._process is None
+    assert worker.answer("usd_frames", stage) == []
+
+
 def test_a_file_that_takes_too_long_is_given_up(stage: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(usd_worker, "_MAX_SECONDS", 0.0)
     with pytest.raises(InputError, match="was given up after 0 s"):

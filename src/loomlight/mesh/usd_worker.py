@@ -29,6 +29,8 @@ from loomlight.mesh.file_camera import FileCamera
 
 # Ten million triangles take a minute.
 _MAX_SECONDS = 600.0
+# After the last file it gives its memory back: it starts in less than a second.
+_IDLE_SECONDS = 10.0
 # Of address space: a bound for what a damaged file asks for.
 _MAX_BYTES = 32 << 30
 
@@ -58,6 +60,7 @@ class _Worker:
     owner: int = field(default_factory=os.getpid)
     _process: subprocess.Popen[bytes] | None = None
     _end: Callable[[], object] = lambda: None
+    _idle: threading.Timer | None = None
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
     def answer(self, what: str, file: Path, *more: object) -> Any:
@@ -82,19 +85,18 @@ class _Worker:
             try:
                 kind, result, told = _asked(process, (what, file, *more))
             except (OSError, EOFError, pickle.UnpicklingError) as error:
-                self._end()
-                self._process = None
+                self._stop()
                 if is_late.is_set():
                     raise InputError(f"{file} was given up after {_MAX_SECONDS:g} s.") from error
                 raise InputError(
                     f"{file} is damaged or takes too much memory: usd-core ended as it read it."
                 ) from error
             except BaseException:  # an interruption: the answer would be that to another question
-                self._end()
-                self._process = None
+                self._stop()
                 raise
             finally:
                 timer.cancel()
+            self._rest()
         for sentence in told:
             warnings.warn(sentence, LoomlightWarning, stacklevel=5)
         if kind == "fault":
@@ -102,6 +104,22 @@ class _Worker:
         if kind == "refused":
             raise result
         return result
+
+    def close(self) -> None:
+        """Ends the process; another question starts one anew."""
+        with self._lock:
+            self._stop()
+
+    def _stop(self) -> None:
+        self._end()
+        self._process = None
+
+    def _rest(self) -> None:
+        if self._idle is not None:
+            self._idle.cancel()
+        self._idle = threading.Timer(_IDLE_SECONDS, self.close)
+        self._idle.daemon = True
+        self._idle.start()
 
     def _started(self) -> subprocess.Popen[bytes]:
         if self._process is None or self._process.poll() is not None:
