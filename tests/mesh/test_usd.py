@@ -353,6 +353,19 @@ def test_times_of_a_file_that_states_no_range(tmp_path: Path) -> None:
     np.testing.assert_allclose(extent(mesh_of(file, 0.5))[0], [2.5, 0, 0])
 
 
+def test_a_range_of_one_time_code_is_none(tmp_path: Path) -> None:
+    def make(stage: Usd.Stage) -> None:
+        stage.SetStartTimeCode(0)
+        stage.SetEndTimeCode(0)
+        points = quad(stage).GetPointsAttr()
+        for code in (1, 2, 3):
+            points.Set([(x, y, code) for x, y, _ in CORNERS], code)
+
+    file = written(tmp_path, make)
+    assert frame_times(file) == pytest.approx([0, 1 / 24, 2 / 24])
+    np.testing.assert_allclose(mesh_of(file).positions[:, 2], [1] * 4)
+
+
 def test_frames_have_the_vertices_of_rest(tmp_path: Path) -> None:
     """Faces are cut alike, and corners are joined alike, whatever positions and normals do."""
 

@@ -75,9 +75,7 @@ def picture_uv(mesh: ClothMesh, place: PicturePlace, bounds: tuple[Floats, Float
     else:
         if place.uv not in mesh.attributes:
             sets = [name for name, values in mesh.attributes.items() if values.shape[1] == 2]
-            known = (
-                closest(place.uv, sets) if sets else 'it has none; side = "front" needs none.'
-            )
+            known = closest(place.uv, sets) if sets else 'it has none; side = "front" needs none.'
             raise InputError(f"{mesh.name} has no set of uv {shown(place.uv)} for a map: {known}")
         uv = mesh.attributes[place.uv][:, :2]
         if not np.isfinite(uv).all():

@@ -153,9 +153,14 @@ class _Scene:
             self._samples = _samples(self)
         return self._samples
 
+    @property
+    def _states_range(self) -> bool:
+        stage = self.stage
+        return bool(stage.HasAuthoredTimeCodeRange() and stage.GetStartTimeCode() < stage.GetEndTimeCode())
+
     def code_range(self) -> tuple[float, float]:
         """First and last time code: those that the file states, else those of its samples."""
-        if self.stage.HasAuthoredTimeCodeRange():
+        if self._states_range:
             return self.stage.GetStartTimeCode(), self.stage.GetEndTimeCode()
         return (self.samples[0], self.samples[-1]) if self.samples else (0.0, 0.0)
 
@@ -164,7 +169,7 @@ class _Scene:
         from pxr import Usd
 
         if time is None:
-            if self.stage.HasAuthoredTimeCodeRange():
+            if self._states_range:
                 return Usd.TimeCode(self.stage.GetStartTimeCode())
             return Usd.TimeCode.EarliestTime()
         start, _ = self.code_range()
@@ -229,15 +234,16 @@ def _check_assets(root: Any, file: Path) -> list[str]:
             shown = " ".join(name[:80].split())
             if "://" in name:
                 raise InputError(f'{file} names "{shown}", and nothing is fetched: export one file.')
-            path = layer.ComputeAbsolutePath(name)
+            path = layer.ComputeAbsolutePath(Sdf.Layer.SplitIdentifier(name)[0])
             outer = Ar.SplitPackageRelativePathOuter(path)[0] if Ar.IsPackageRelativePath(path) else path
             try:
                 lies_within = (folder / outer).resolve().is_relative_to(folder)
+                is_there = (folder / outer).is_file()
             except (OSError, ValueError):  # too long a name, a NUL
-                lies_within = True
+                lies_within, is_there = True, False
             if not lies_within:
                 raise _outside(file, shown)
-            found = Sdf.Layer.FindOrOpen(path) if (folder / outer).is_file() else None
+            found = Sdf.Layer.FindOrOpen(path) if is_there else None
             if found is None:
                 missing[shown] = None
             elif found.identifier not in seen:
