@@ -184,6 +184,23 @@ def test_further_primvars_are_attributes(tmp_path: Path) -> None:
     np.testing.assert_allclose(sorted(mesh.uv.tolist()), sorted([u, 1 - v] for u, v in UV))
 
 
+def test_the_uv_that_the_material_reads_go_first(tmp_path: Path) -> None:
+    def make(stage: Usd.Stage) -> None:
+        mesh = quad(stage)
+        primvar(mesh, "panels", [(u / 2, v / 2) for u, v in UV], "vertex")
+        material = UsdShade.Material.Define(stage, "/looks/wool")
+        given = material.CreateInput("which", Sdf.ValueTypeNames.String)
+        given.Set("panels")
+        reader = UsdShade.Shader.Define(stage, "/looks/wool/reader")
+        reader.CreateIdAttr("UsdPrimvarReader_float2")
+        reader.CreateInput("varname", Sdf.ValueTypeNames.String).ConnectToSource(given)
+        UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(material)
+
+    mesh = mesh_of(written(tmp_path, make))
+    assert mesh.uv[:, 0].max() == 0.5
+    assert mesh.attributes["uv1"][:, 0].max() == 1
+
+
 def test_any_texture_coordinates_serve_where_there_is_no_st(tmp_path: Path) -> None:
     def make(stage: Usd.Stage) -> None:
         primvar(quad(stage, with_uv=False), "of_my_tool", UV, "vertex")

@@ -733,11 +733,28 @@ def _coordinates(mesh: Any, values: _Values) -> tuple[_OfCorners | None, Mapping
             at, rest = made.rest
             spread[name] = replace(made, values=_turned(made.values), rest=(at, _turned(rest)))
             likely += [name] if is_uv or _LIKE_UV.match(name) else []
-    order = [name for name in _UV_NAMES if name in spread]
+    order = [name for name in dict.fromkeys([*_read_by_material(mesh), *_UV_NAMES]) if name in spread]
     order += [name for name in likely if name not in order]
     others = {f"uv{number}": spread[name] for number, name in enumerate(order[1:], 1)}
     others |= {name: each for name, each in spread.items() if name not in order[:1]}
     return (spread[order[0]] if order else None), others
+
+
+def _read_by_material(mesh: Any) -> list[str]:
+    """The primvars that the material of a mesh reads uv from, or that of its first subset."""
+    from pxr import Usd, UsdGeom, UsdShade
+
+    bound = [mesh.GetPrim(), *(subset.GetPrim() for subset in UsdGeom.Subset.GetAllGeomSubsets(mesh)[:1])]
+    names = []
+    for prim in bound:
+        material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()
+        for below in Usd.PrimRange(material.GetPrim()) if material else ():
+            shader = UsdShade.Shader(below)
+            if shader and shader.GetIdAttr().Get() == "UsdPrimvarReader_float2":
+                given = shader.GetInput("varname")
+                sources = given.GetValueProducingAttributes() if given else ()
+                names += [str(source.Get()) for source in sources]
+    return names
 
 
 def _turned(uv: NDArray[np.float64]) -> NDArray[np.float64]:
