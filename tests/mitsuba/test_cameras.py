@@ -173,6 +173,17 @@ def test_paper_is_seen_from_every_side(name: str, view: str) -> None:
     assert np.quantile(outline, 0.75) == pytest.approx(shown.integrator.background, rel=0.08)
 
 
+def test_the_floor_goes_to_the_horizon() -> None:
+    """Below a sky, where past its edge the black of an environment's lower half would show."""
+    shown = build_scene("drape", WHITE, size=(8, 8), view="30,8", light="sunsky")
+    for below, meets in ((0.02, True), (-0.02, False)):
+        towards = -direction_of_angles(30, below)
+        ray = mi.Ray3f(shown.view.origin.tolist(), towards.tolist())
+        # Past the cloth: from as high, a metre to the side.
+        ray.o += mi.Vector3f(1, 0, 0)
+        assert bool(shown.scene.ray_test(ray)[0]) is meets
+
+
 def test_flat_cloth_shows_its_back_from_behind() -> None:
     """Red at the front, blue at the back: the paper is moved out of the way."""
     faces = [

@@ -8,6 +8,7 @@ from __future__ import annotations
 import gc
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import drjit as dr
 import mitsuba as mi
@@ -57,6 +58,17 @@ def test_fabrics_scenes_and_views_share_kernels(model: str) -> None:
     assert new_kernels(lambda: shown(first, "flat", 4.0, model)) > 0
     assert new_kernels(lambda: shown(first, "drape", 1.0, model, seed=7)) == 0
     assert new_kernels(lambda: shown(second, "sphere", 9.0, model)) == 0
+
+
+@pytest.mark.slow
+def test_views_share_kernels() -> None:
+    def seen(scene: str, **camera: Any) -> None:
+        built = build_scene(scene, material_bsdf("plain", "point"), size=SIZE, **camera)
+        render(built.scene, spp=2, integrator=built.integrator, denoise="auto")
+
+    assert new_kernels(lambda: seen("drape", view="front")) > 0
+    assert new_kernels(lambda: seen("drape", view="top", focal_length=20.0, roll=10)) == 0
+    assert new_kernels(lambda: seen("flat", view="back", target=(0, 0, 0), distance=0.3)) == 0
 
 
 @pytest.mark.slow

@@ -80,6 +80,8 @@ MIN_RADIUS, MAX_RADIUS = 1e-5, 1e4
 
 # Of cloth of which it is not known, metres.
 _THICKNESS = 5e-4
+# Paper goes on so many times farther where a camera may see its horizon, to a hundredth of a degree below it.
+_TO_HORIZON = 100
 # Of a unit vector across cloth that is seen from its edge.
 _EDGE_ON = 1e-9
 # Of the ball behind the paper of scenes that show none, metres.
@@ -334,7 +336,7 @@ def build_scene(
         if seen.chosen():
             integrator.background = paper.radiance(kind, towards)
     # 5. What stands around: paper below or behind, as far as a camera farther away sees, and the ball.
-    distance = float(np.linalg.norm(farther.origin - centre))
+    distance = float(np.linalg.norm(farther.origin - centre)) * (_TO_HORIZON if seen.chosen() else 1)
     if setup.ground and paper.is_there:
         parts["ground"] = ground(centre, radius, float(cloth.positions[:, 1].min()), distance)
     if mesh is None and paper.is_there:
