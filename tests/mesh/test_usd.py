@@ -439,6 +439,29 @@ def test_skinned_poses(tmp_path: Path) -> None:
     np.testing.assert_allclose([low, high], [[3, 0, 0], [4, 2, 0]], atol=1e-6)
 
 
+def test_a_skeleton_without_an_animation_rests(tmp_path: Path) -> None:
+    def make(stage: Usd.Stage) -> None:
+        skeleton(stage, animated=False)
+        knee = Gf.Matrix4d().SetTranslate((0, 1, 5))
+        UsdSkel.Skeleton.Get(stage, "/body/bones").GetRestTransformsAttr().Set([Gf.Matrix4d(1), knee])
+
+    file = written(tmp_path, make)
+    assert frame_times(file) == []
+    np.testing.assert_allclose(extent(mesh_of(file)), [[3, 0, 0], [4, 1, 5]], atol=1e-6)
+
+
+@pytest.mark.parametrize("joints", [["hip/knee", "hip"], ["hip/knee", "of_another", "hip"]])
+def test_joints_that_a_mesh_names_in_its_own_order(tmp_path: Path, joints: list[str]) -> None:
+    def make(stage: Usd.Stage) -> None:
+        mesh = skeleton(stage)
+        binding = UsdSkel.BindingAPI(mesh)
+        binding.CreateJointsAttr(joints)
+        binding.GetJointIndicesPrimvar().Set([joints.index("hip")] * 2 + [joints.index("hip/knee")] * 2)
+
+    low, high = extent(mesh_of(written(tmp_path, make), 1.0))
+    np.testing.assert_allclose([low, high], [[3, 0, 0], [4, 2, 0]], atol=1e-6)
+
+
 def test_blend_shapes(tmp_path: Path) -> None:
     def make(stage: Usd.Stage) -> None:
         mesh = skeleton(stage)

@@ -782,6 +782,8 @@ def _skinned(
     scene: _Scene, points: NDArray[np.float64], skin: Any, skeleton: Any, code: Any
 ) -> NDArray[np.float64]:
     """Points after blend shapes, and by linear blend skinning in the skeleton's space if it has joints."""
+    from pxr import Vt
+
     prim = skin.GetPrim()
     if skin.HasBlendShapes():
         points = points + _blend_shapes(scene, points, skin, skeleton, code)
@@ -791,7 +793,7 @@ def _skinned(
     matrices = skeleton.ComputeSkinningTransforms(code)
     mapper = skin.GetJointMapper()
     if matrices and mapper and not mapper.IsIdentity():
-        matrices = mapper.RemapTransforms(matrices)
+        matrices = mapper.RemapTransforms(matrices, Vt.Matrix4dArray())
     if not found or not matrices:
         raise scene.damaged(f'joints of "{prim.GetPath()}" or of its skeleton cannot be read')
     joints, weights = np.array(found[0], dtype=np.int64), np.array(found[1], dtype=np.float64)
