@@ -439,6 +439,21 @@ def test_skinned_poses(tmp_path: Path) -> None:
     np.testing.assert_allclose([low, high], [[3, 0, 0], [4, 2, 0]], atol=1e-6)
 
 
+def test_instances_of_a_skeleton_stand_apart(tmp_path: Path) -> None:
+    def make(stage: Usd.Stage) -> None:
+        skeleton(stage)
+        for number in range(2):
+            place = UsdGeom.Xform.Define(stage, f"/copy{number}")
+            place.AddTranslateOp().Set((100 * number, 0, 0))
+            copied = stage.DefinePrim(f"/copy{number}/body")
+            copied.GetReferences().AddInternalReference("/body")
+            copied.SetInstanceable(True)
+        stage.GetPrimAtPath("/body").SetSpecifier(Sdf.SpecifierClass)
+
+    parts = read_parts(written(tmp_path, make), 1.0)
+    np.testing.assert_allclose([extent(part.mesh)[0] for part in parts], [[3, 0, 0], [103, 0, 0]], atol=1e-6)
+
+
 def test_a_skeleton_without_an_animation_rests(tmp_path: Path) -> None:
     def make(stage: Usd.Stage) -> None:
         skeleton(stage, animated=False)

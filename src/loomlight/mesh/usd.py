@@ -306,6 +306,21 @@ class _Piece:
     mesh: ClothMesh
 
 
+@dataclass(frozen=True, eq=False)
+class _Skin:
+    """What moves the points of a mesh.
+
+    Attributes:
+        mesh: the query of what it hangs on.
+        skeleton: the query of joints, which instances share.
+        prim: the skeleton, where this instance of it stands.
+    """
+
+    mesh: Any
+    skeleton: Any
+    prim: Any
+
+
 @dataclass(eq=False)
 class _Reader:
     """What a scene shows at a time code."""
@@ -313,7 +328,7 @@ class _Reader:
     scene: _Scene
     code: Any
     _shapes: dict[str, list[_Piece]] = field(default_factory=dict)
-    _skins: dict[str, tuple[Any, Any]] = field(default_factory=dict)
+    _skins: dict[str, _Skin] = field(default_factory=dict)
 
     def parts(self) -> list[MeshPart]:
         from pxr import UsdGeom
@@ -397,8 +412,8 @@ class _Reader:
     def _place_of(self, prim: Any) -> Any:
         """The matrix of a prim; a skinned mesh stands where its skeleton does."""
         skin = self._skins.get(str(prim.GetPath()))
-        if skin is not None and skin[0].HasJointInfluences():
-            prim = skin[1].GetPrim()
+        if skin is not None and skin.mesh.HasJointInfluences():
+            prim = skin.prim
         return self._places.GetLocalToWorldTransform(prim)
 
     def _matrix(self, found: Any, prim: Any) -> NDArray[np.float64]:
@@ -560,7 +575,7 @@ class _Reader:
     def _points(self, mesh: Any, code: Any) -> NDArray[np.float64]:
         points = self.scene.rows(mesh.GetPointsAttr(), code, 3)
         skin = self._skins.get(str(mesh.GetPath()))
-        return points if skin is None or not len(points) else _skinned(self.scene, points, *skin, code)
+        return points if skin is None or not len(points) else _skinned(self.scene, points, skin, code)
 
     def _subsets(
         self, mesh: Any, faces: int, face: NDArray[np.int64]
@@ -601,7 +616,9 @@ class _Reader:
                 skeleton = cache.GetSkelQuery(binding.GetSkeleton())
                 for target in binding.GetSkinningTargets():
                     if skeleton and (target.HasJointInfluences() or target.HasBlendShapes()):
-                        self._skins[str(target.GetPrim().GetPath())] = (target, skeleton)
+                        self._skins[str(target.GetPrim().GetPath())] = _Skin(
+                            target, skeleton, binding.GetSkeleton().GetPrim()
+                        )
 
 
 def _material(prim: Any, subset: str) -> str:
@@ -778,12 +795,11 @@ def _normals(mesh: Any, values: _Values) -> _OfCorners | None:
 # Points moved by blend shapes and by the joints of a skeleton.
 
 
-def _skinned(
-    scene: _Scene, points: NDArray[np.float64], skin: Any, skeleton: Any, code: Any
-) -> NDArray[np.float64]:
+def _skinned(scene: _Scene, points: NDArray[np.float64], hung: _Skin, code: Any) -> NDArray[np.float64]:
     """Points after blend shapes, and by linear blend skinning in the skeleton's space if it has joints."""
     from pxr import Vt
 
+    skin, skeleton = hung.mesh, hung.skeleton
     prim = skin.GetPrim()
     if skin.HasBlendShapes():
         points = points + _blend_shapes(scene, points, skin, skeleton, code)
