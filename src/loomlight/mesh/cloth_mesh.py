@@ -78,11 +78,13 @@ class MeshPart:
         name: of its object or group; "" where the file gives none.
         material: its material's name; "" where the file gives none.
         mesh: its triangles; `uv` is [0, 2] where the part has none.
+        piece: the name of a piece that was cut for it, such as "left sleeve"; "" of what has uv of its own.
     """
 
     name: str
     material: str
     mesh: ClothMesh
+    piece: str = ""
 
 
 def checked(mesh: ClothMesh) -> ClothMesh:
