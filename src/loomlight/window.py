@@ -80,20 +80,27 @@ def _viewer(fabric: Material | str | os.PathLike[str], settings: PlaySettings) -
     """Cloth as the settings have it, in real time."""
     choose_variant(None)
     material = material_of(fabric)
-    cloth, _, _, on_paper = built_in_cloth(settings.scene, settings.mesh)
+    cloth, _, _, on_paper = built_in_cloth(
+        settings.scene, settings.mesh, settings.metres_per_unit, settings.unwrap
+    )
     picture = None
     if isinstance(material, Fabric) and material.fields.maps:
         picture = print_on_uv(material)
         material = without_maps(material, "A window", [] if picture is None else ["color"])
         if picture is not None and settings.mesh is None:
             picture = picture[::-1]  # uv of built-in pieces run upwards
-    cloth = cloth.scaled(settings.metres_per_unit if settings.mesh is not None else 1.0)
     if settings.mesh is not None:
         warn_of_extent(cloth, settings.metres_per_unit)
         warn_of_scale(cloth)
     seen = CameraSettings.within(settings)
     view, towards_light = built_in_view(
-        seen, settings.scene, settings.mesh, cloth, settings.size, settings.metres_per_unit
+        seen,
+        settings.scene,
+        settings.mesh,
+        cloth,
+        settings.size,
+        settings.metres_per_unit,
+        settings.unwrap,
     )
     piece = Cloth(
         Mesh(cloth.positions, cloth.normals, cloth.uv, cloth.triangles.astype("uint32")),

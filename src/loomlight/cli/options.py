@@ -17,7 +17,7 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from loomlight.core.errors import InputError
-from loomlight.core.picture_settings import MAX_SIDE
+from loomlight.core.picture_settings import MAX_SIDE, Worn
 from loomlight.core.settings import Setting, Settings, declared, default_text, range_text
 
 if TYPE_CHECKING:
@@ -241,14 +241,25 @@ def _toml_value(text: str) -> object:
         return text
 
 
-def _last_named(flag: str, texts: list[str], example: str) -> dict[str, str]:
-    return {name: values[-1] for name, values in parse_named(flag, texts, example).items()}
+def _cloths(flag: str, texts: list[str], example: str) -> dict[str, object]:
+    """Fabrics by name, each of which a turn may follow."""
+    found: dict[str, object] = {}
+    for text in texts:
+        last = None
+        for part in text.split(","):
+            ((name, values),) = parse_named(flag, [part], example).items()
+            if name == "turn" and last is not None:
+                found[last] = Worn(found[last], parse_numbers(flag, values[-1], 1, f"{last}=…,turn=45")[0])
+                last = None
+            else:
+                found[name], last = values[-1], name
+    return found
 
 
 # Settings of values by name, which texts write in ways of their own.
 _MAPPINGS: dict[str, Callable[[str, list[str], str], Mapping[str, object]]] = {
     "colors": _colours,
-    "cloths": _last_named,
+    "cloths": _cloths,
     "maps": _maps,
 }
 

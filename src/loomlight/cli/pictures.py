@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import time
 from collections.abc import Callable, Iterator
@@ -27,7 +28,7 @@ from loomlight.cli.terminal import done, note_left, progress, was_interrupted
 from loomlight.core.errors import InputError
 from loomlight.core.files import ANIMATION_SUFFIXES, WRITTEN_SUFFIXES, replacing
 from loomlight.core.outputs import check_output, require_not_read
-from loomlight.core.picture_settings import RenderSettings, SwatchSettings
+from loomlight.core.picture_settings import RenderSettings, SwatchSettings, Worn
 
 if TYPE_CHECKING:
     import numpy as np
@@ -93,9 +94,12 @@ def render(
             "out."
         )
     settings = RenderSettings(**given)
-    read = [settings.scene, settings.mesh, settings.environment, *settings.cloths.values()]
+    cloths = [cloth.fabric if isinstance(cloth, Worn) else cloth for cloth in settings.cloths.values()]
+    read = [*fabrics, settings.scene, settings.mesh, settings.environment, *cloths]
     read += [] if moving is None else [frame.path for frame in moving.frames]
-    require_not_read(_written(outputs, numbered), [*fabrics, *read])
+    require_not_read(_written(outputs, numbered), read)
+    if settings.save_mesh is not None:
+        _check_save_mesh(settings, read)
     for fabric, path in zip(fabrics, outputs, strict=True):
         what = f"{fabric}, {settings.scene if settings.mesh is None else Path(settings.mesh).name}"
         if moving is not None:
@@ -104,6 +108,15 @@ def render(
             write_turn(what, fabric, path, turns, settings.changed(inset=None))
         else:
             _write_picture(what, fabric, path, settings)
+
+
+def _check_save_mesh(settings: RenderSettings, read: list[str | os.PathLike[str] | None]) -> None:
+    from loomlight.mesh.writing import WRITTEN_MESHES
+
+    assert settings.save_mesh is not None
+    if settings.mesh is None:
+        raise InputError(f"--save-mesh {settings.save_mesh} writes the mesh of --mesh, and none is given.")
+    check_output(Path(settings.save_mesh), WRITTEN_MESHES, read)
 
 
 def _write_picture(what: str, fabric: str, path: Path, settings: RenderSettings) -> None:

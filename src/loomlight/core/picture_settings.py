@@ -7,13 +7,16 @@ A new setting is a field of one of them, its line in the keywords below it, and 
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from numbers import Real
 from typing import Any, ClassVar, TypedDict
 
 from loomlight.core.camera_settings import CameraKeywords, CameraSettings
 from loomlight.core.errors import InputError
+from loomlight.core.sentences import shown
 from loomlight.core.settings import Settings, documented, same_setting, setting
 
 MAX_SIDE = 16384
@@ -46,6 +49,24 @@ class Placement(Settings):
     scale: float = setting(1.0, "2 shows threads twice as large as life.", low=1e-4, high=1e4)
 
 
+@dataclass(frozen=True)
+class Worn:
+    """A further fabric of a picture, as some parts wear it.
+
+    Attributes:
+        fabric: a fabric, a model, or the path of a file.
+        turn: turns its weave there, counter-clockwise as the front is seen, degrees, beyond `Placement.turn`.
+    """
+
+    fabric: Any
+    turn: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Raises InputError unless the angle is a finite number."""
+        if not isinstance(self.turn, Real) or not math.isfinite(self.turn):
+            raise InputError(f"turn = {shown(self.turn)} is wrong: give a number of degrees.")
+
+
 @documented
 @dataclass(frozen=True, kw_only=True)
 class RenderSettings(Settings):
@@ -68,7 +89,20 @@ class RenderSettings(Settings):
     mesh: str | os.PathLike[str] | None = setting(
         None,
         "An .obj, .ply, .gltf, .glb, .usd, .usda, .usdc or .usdz file that is clothed instead of the scene's "
-        "cloth; it needs uv.",
+        "cloth; without uv it is cut into pieces.",
+        otherwise="none",
+    )
+    unwrap: bool | None = setting(
+        None,
+        "Cuts the mesh into pieces that lie flat, at true scale and on straight grain, whether it has uv or "
+        "not.",
+        flag="--unwrap/--no-unwrap",
+        otherwise="where the mesh has no uv",
+    )
+    save_mesh: str | os.PathLike[str] | None = setting(
+        None,
+        "An .obj, .gltf or .glb file to which the mesh is written as it is clothed: its parts, their names, "
+        "and uv in metres.",
         otherwise="none",
     )
     metres_per_unit: float = setting(
@@ -155,11 +189,12 @@ class RenderSettings(Settings):
     )
     cloths: Mapping[str, Any] = setting(
         dict,
-        "Further fabrics, for parts or materials NAME of the mesh, or BSDFs NAME of a scene file.",
+        "Further fabrics, for parts, pieces or materials NAME of the mesh, or BSDFs NAME of a scene file; "
+        "turn turns the weave there (`Worn` in Python).",
         flag="--cloth",
         otherwise="none",
         expected="a dictionary; {} changes nothing",
-        metavar="NAME=FABRIC",
+        metavar="NAME=FABRIC[,turn=DEGREES]",
         example="lining=satin",
     )
     maps: Mapping[str, Any] = setting(
@@ -227,6 +262,7 @@ class PlaySettings(Settings):
 
     scene: str = setting("drape", "flat, sphere, cylinder or drape.", metavar="NAME")
     mesh: str | os.PathLike[str] | None = same_setting(RenderSettings, "mesh")
+    unwrap: bool | None = same_setting(RenderSettings, "unwrap")
     metres_per_unit: float = same_setting(
         RenderSettings, "metres_per_unit", help="Length of one unit of the mesh, metres."
     )
@@ -334,6 +370,8 @@ class RenderKeywords(_Keywords, CameraKeywords, total=False):
 
     model: str | None
     mesh: str | os.PathLike[str] | None
+    unwrap: bool | None
+    save_mesh: str | os.PathLike[str] | None
     metres_per_unit: float
     environment: str | os.PathLike[str] | None
     environment_turn: float
@@ -366,6 +404,7 @@ class PlayKeywords(CameraKeywords, total=False):
 
     scene: str
     mesh: str | os.PathLike[str] | None
+    unwrap: bool | None
     metres_per_unit: float
     model: str | None
     environment: str | os.PathLike[str] | None

@@ -6,6 +6,7 @@ uv follows Mitsuba's bitmaps, v running down the image.
 from __future__ import annotations
 
 import os
+import re
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -85,6 +86,12 @@ class MeshPart:
     material: str
     mesh: ClothMesh
     piece: str = ""
+
+    @property
+    def names(self) -> list[str]:
+        """The words by which cloth is given to it: of its piece, all or the last, part and material."""
+        words = [self.piece, *re.findall(r"[^\W\d]+(?= \d+$|$)", self.piece), self.name, self.material]
+        return [word for word in dict.fromkeys(words) if word]
 
 
 def checked(mesh: ClothMesh) -> ClothMesh:

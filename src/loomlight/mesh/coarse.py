@@ -1,8 +1,8 @@
 """A coarse copy of a fine surface, on which is decided where to cut, and the way of its pieces back.
 
 Vertices are gathered around seeds that lie evenly over the surface, by ways along its edges (Valette 2004,
-"Approximated centroidal Voronoi diagrams"), so that nothing is carried over to another layer of cloth that lies
-near. Quadrics (`fast-simplification`) leave slivers where cloth is flat, on which no distance is right.
+"Approximated centroidal Voronoi diagrams"), so that nothing is carried over to another layer of cloth that
+lies near. Quadrics (`fast-simplification`) leave slivers where cloth is flat, on which no distance is right.
 """
 
 from __future__ import annotations
@@ -152,7 +152,9 @@ def carried(surface: Surface, copy: CoarseCopy, cut: Cut, corners: Indices, uv: 
     meet |= meet.T
     kept = (surface.twins >= 0) & meet[np.repeat(fine, 3), fine[surface.twins // 3]]
     made = corners_of(surface, kept)
-    return FinePieces(piece_of[fine], made, _places(surface, copy, strip, corners, uv, fine, made, beside, share))
+    return FinePieces(
+        piece_of[fine], made, _places(surface, copy, strip, corners, uv, fine, made, beside, share)
+    )
 
 
 def _strips(coarse: Surface, cut: Cut, corners: Indices, uv: Floats) -> Indices:
@@ -180,7 +182,7 @@ def _scores(coarse: Surface, strip: Indices, count: int) -> Floats:
 
 
 def _nearest(places: Floats, copy: CoarseCopy) -> tuple[Indices, Floats]:
-    """The corners of the coarse triangle that is nearest to each place, of those beside its vertex; shares."""
+    """The corners of the coarse triangle that is nearest to each place, of those at its vertex; shares."""
     coarse = copy.surface
     corner = np.argsort(coarse.triangles.ravel(), kind="stable")
     counts = np.bincount(coarse.triangles.ravel(), minlength=len(coarse.positions))

@@ -1,7 +1,7 @@
 """Where a garment is cut into pieces: few, large, hardly stretched when they lie flat, with straight grain.
 
-Limbs are found by how a band around their end grows, and end at a plane through the armpit. What is left is cut
-where it turns from front to back, and further where a cut makes it lie flat.
+Limbs are found by how a band around their end grows, and end at a plane through the armpit. What is left is
+cut where it turns from front to back, and further where a cut makes it lie flat.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ Mask = NDArray[np.bool_]
 
 UP = np.array([0.0, 1.0, 0.0])
 FRONT = np.array([0.0, 0.0, 1.0])
-# A piece lies flat where 98 % of its area is stretched by less, and its grain is straight within so many degrees.
+# A piece lies flat where 98 % of its area is stretched by less; its grain is straight within so many degrees.
 MAX_STRETCH, MAX_ANGLE = 1.12, 14.0
 # Pieces of a component, and the share of its area below which nothing is cut further.
 _MAX_PIECES, _MIN_SHARE = 24, 0.01
@@ -170,7 +170,8 @@ def _bands(far: Floats, areas: Floats, width: float) -> Floats:
     low, reach = far.min(axis=1), np.ptp(far, axis=1)
     parts = 8
     at = low[:, None] + reach[:, None] * ((np.arange(parts) + 0.5) / parts)
-    return np.bincount((at / width).astype(int).ravel(), np.repeat(areas / parts, parts))
+    found: Floats = np.bincount((at / width).astype(int).ravel(), np.repeat(areas / parts, parts))
+    return found
 
 
 def _end_of_limb(bands: Floats, width: float) -> int | None:
@@ -221,7 +222,6 @@ class _Trial:
 
     is_good: bool
     cost: float
-    x: object = None
 
 
 def _tried(surface: Surface, chosen: Mask, kept: Mask, axis: Floats, rounds: int) -> _Trial:
@@ -240,7 +240,7 @@ def _tried(surface: Surface, chosen: Mask, kept: Mask, axis: Floats, rounds: int
     weight = flat.areas * np.hypot(*flat.along(grain).T)
     mean_angle = float(np.average(np.abs(angle), weights=np.maximum(weight, 1e-300)))
     cost = float((flat.areas * (stretch - 1)).sum() + flat.areas.sum() * mean_angle / 200)
-    return _Trial(bool(worst < MAX_STRETCH and mean_angle < MAX_ANGLE), cost, (worst,mean_angle))
+    return _Trial(bool(worst < MAX_STRETCH and mean_angle < MAX_ANGLE), cost)
 
 
 def grain_angles(flat: FlatTriangles, jacobian: Floats, grain: Floats) -> Floats:
@@ -267,10 +267,10 @@ def _pieces(surface: Surface, region: Mask, axis: Floats) -> list[tuple[Mask, Ma
             done.append((piece, opened))
             continue
         best = None
-        for parts, seam, cuts in _candidates(surface, piece, opened, axis, conductance):
+        for parts, seam, cuts, is_usual in _candidates(surface, piece, opened, axis, conductance):
             trials = [_tried(surface, part, ~cuts, axis, 12) for part in parts]
             cost = sum(each.cost for each in trials) + _SEAM_COST * seam * np.sqrt(area)
-            if len(parts) == 1 and trials[0].is_good:
+            if is_usual and all(each.is_good for each in trials):
                 best = 0.0, parts, cuts, trials
                 break
             if best is None or cost < best[0]:
@@ -284,8 +284,11 @@ def _pieces(surface: Surface, region: Mask, axis: Floats) -> list[tuple[Mask, Ma
 
 def _candidates(
     surface: Surface, piece: Mask, opened: Mask, axis: Floats, conductance: Floats
-) -> Iterator[tuple[list[Mask], float, Mask]]:
-    """Ways to cut a piece: its parts, the length of the seam, and the edges that are cut within them."""
+) -> Iterator[tuple[list[Mask], float, Mask, bool]]:
+    """Ways to cut a piece: its parts, the length of the seam, the edges that are cut within them.
+
+    Last, whether it is how a tailor cuts, first of all: a tube open along a seam, or front from back.
+    """
     areas, normals, middles = surface.areas[piece], surface.normals, surface.middles
     inside = np.where(np.repeat(piece, 3) & np.repeat(piece, 3)[surface.twins], conductance, 0.0)
     mean = np.average(normals[piece], axis=0, weights=areas)
@@ -294,16 +297,23 @@ def _candidates(
     offset = normals[piece] - mean
     _, vectors = np.linalg.eigh(np.einsum("mi,mj,m->ij", offset, offset, areas))
     centre = np.average(middles[piece], axis=0, weights=areas)
-    scores = [(normals - mean) @ vectors[:, 2], (normals - mean) @ vectors[:, 1]]
+    is_round = not mean.any()
+    scores = [normals @ (FRONT - (FRONT @ axis) * axis)] if is_round else []
+    scores += [(normals - mean) @ vectors[:, 2], (normals - mean) @ vectors[:, 1]]
+    blurry = len(scores)
     place = middles[piece] - centre
     _, spread = np.linalg.eigh(np.einsum("mi,mj,m->ij", place, place, areas))
-    scores += [(middles - centre) @ spread[:, 2], (middles - centre) @ spread[:, 1], (middles - centre) @ axis]
+    scores += [
+        (middles - centre) @ spread[:, 2],
+        (middles - centre) @ spread[:, 1],
+        (middles - centre) @ axis,
+    ]
     length = _edge_lengths(surface)
     seam = _opening(surface, piece, opened, axis)
     if seam is not None:
-        yield [piece], float(length[seam & ~opened].sum() / 2), opened | seam
+        yield [piece], float(length[seam & ~opened].sum() / 2), opened | seam, True
     for number, score in enumerate(scores):
-        if number < 2:
+        if number < blurry:
             score = blurred(surface, np.where(piece, score, 0), inside, 12)
         parts = _halves(surface, piece, score > 0)
         if len(parts) < 2:
@@ -313,11 +323,11 @@ def _candidates(
             side[part] = at
         seam = np.repeat(piece, 3) & np.repeat(piece, 3)[surface.twins] & (surface.twins >= 0)
         seam &= ~across(surface, side)
-        yield parts, float(length[seam].sum() / 2), opened
+        yield parts, float(length[seam].sum() / 2), opened, is_round and number == 0
 
 
 def _opening(surface: Surface, piece: Mask, opened: Mask, axis: Floats) -> Mask | None:
-    """The edges of a seam from one end of a tube to the other, where it is seen least; None of what is no tube."""
+    """The edges of a seam along a tube, where it is seen least; None of what is no tube."""
     loops = _loops(surface, piece, ~opened, _SHORT_LOOP * np.sqrt(surface.areas[piece].sum()))
     if len(loops) != 2:
         return None

@@ -109,23 +109,32 @@ class _Stiffness:
         """x for `right`, from `start` on, by conjugate gradients, real and imaginary parts at once."""
         scale = 1 / np.maximum(self.diagonal, 1e-300)
         x, rest = start, right - self @ start
-        goal = tolerance**2 * max(np.vdot(right, right).real, 1e-300)
+        goal = tolerance**2 * _power(right, right)
         direction = scale * rest
-        power = np.vdot(rest, direction).real
+        power = _power(rest, direction)
         for _ in range(steps):
             image = self @ direction
-            reach = power / max(np.vdot(direction, image).real, 1e-300)
+            reach = power / _power(direction, image)
             x, rest = x + reach * direction, rest - reach * image
-            if np.vdot(rest, rest).real <= goal:
+            if _power(rest, rest) <= goal:
                 break
             step = scale * rest
-            power, before = np.vdot(rest, step).real, power
-            direction = step + power / max(before, 1e-300) * direction
+            power, before = _power(rest, step), power
+            direction = step + power / before * direction
         return x
 
 
+def _power(a: Complexes, b: Complexes) -> float:
+    return max(float(np.vdot(a, b).real), 1e-300)
+
+
 def flattened(
-    flat: FlatTriangles, grain: Floats, start: Floats | None = None, rounds: int = 30, tolerance: float = 1e-4, steps: int = 400
+    flat: FlatTriangles,
+    grain: Floats,
+    start: Floats | None = None,
+    rounds: int = 30,
+    tolerance: float = 1e-4,
+    steps: int = 400,
 ) -> Floats:
     """uv [n, 2] of triangles, u to the right and v up as the front is seen, in the unit of their places.
 

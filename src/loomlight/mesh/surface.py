@@ -1,4 +1,4 @@
-"""Triangles as a surface: which lie beside each other, sets that hang together, distances along it, blurring."""
+"""Triangles as a surface: which lie beside each other, what hangs together, distances along it, blurring."""
 
 from __future__ import annotations
 

@@ -172,7 +172,7 @@ def _large(surface: Surface, chosen: Mask) -> _Laid:
     made = carried(fine, copy, pattern, corners, uv)
     grain = pattern.axis[made.label]
     flat = FlatTriangles.of(fine.positions[fine.triangles], made.corners)
-    lost = np.isnan(made.uv).any(axis=1)
+    lost: Mask = np.isnan(made.uv[:, 0])
     start = np.where(lost[:, None], 0.0, made.uv)
     if lost.any():
         here = lost[made.corners].any(axis=1)
@@ -278,7 +278,7 @@ def _quantile(values: Floats, weights: Floats, share: float) -> float:
     return float(values[order[min(int(at), len(order) - 1)]])
 
 
-# ------------------------------------------------------------------------------------------- the cutting table
+# ------------------------------------------------------------------------------------------ the cutting table
 
 
 def _beside(surface: Surface, corners: Indices, uv: Floats, label: Indices, named: int) -> Floats:
@@ -316,7 +316,11 @@ def _lifts(surface: Surface, corners: Indices, uv: Floats, label: Indices, named
     start, end = corners.ravel()[edge], np.roll(corners, -1, axis=1).ravel()[edge]
     places = surface.triangles.ravel()[edge], np.roll(surface.triangles, -1, axis=1).ravel()[edge]
     spots = np.round(surface.positions[np.stack(places, axis=1)].reshape(-1, 3) / _WELD).astype(np.int64)
-    spot = np.unique(spots, axis=0, return_inverse=True)[1].reshape(-1, 2) if len(edge) else np.zeros((0, 2), int)
+    spot = (
+        np.unique(spots, axis=0, return_inverse=True)[1].reshape(-1, 2)
+        if len(edge)
+        else np.zeros((0, 2), int)
+    )
     low, high = spot.min(axis=1), spot.max(axis=1)
     order = np.lexsort((high, low))
     same = (np.diff(low[order]) == 0) & (np.diff(high[order]) == 0)
@@ -333,7 +337,8 @@ def _lifts(surface: Surface, corners: Indices, uv: Floats, label: Indices, named
         np.add.at(matrix, (a, a), weight)
         np.add.at(matrix, (a, b), -weight)
         np.add.at(right, a, sign * weight * gap)
-    return np.linalg.lstsq(matrix, right, rcond=1e-9)[0] if named else right
+    lifts: Floats = np.linalg.lstsq(matrix, right, rcond=1e-9)[0] if named else right
+    return lifts
 
 
 def _names(surface: Surface, label: Indices, named: int, is_limb: Mask) -> list[str]:

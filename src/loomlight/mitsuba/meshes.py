@@ -34,7 +34,9 @@ from loomlight.mesh.cloth_mesh import (
     warn_of_inside_out,
     warn_of_scale,
 )
+from loomlight.mesh.garments import garment_parts
 from loomlight.mesh.reading import read_parts
+from loomlight.mesh.writing import write_mesh
 
 
 def to_shape(
@@ -147,11 +149,13 @@ class Garment(Generic[ClothT]):
         pieces: meshes, in metres, and the cloth of each.
         uncovered: the triangles that have no uv; None where all have.
         parts: those of the file, in metres; none of a piece that is no file's.
+        turns: degrees by which the cloth of each piece is turned, beyond that of all.
     """
 
     pieces: list[tuple[ClothMesh, ClothT]]
     uncovered: ClothMesh | None
     parts: Sequence[MeshPart] = ()
+    turns: Sequence[float] = (0.0,)
 
     @property
     def meshes(self) -> list[ClothMesh]:
@@ -161,38 +165,44 @@ class Garment(Generic[ClothT]):
 
 
 def read_garment(
-    path: str | os.PathLike[str], metres_per_unit: float, cloth: ClothT, others: Mapping[str, ClothT]
+    path: str | os.PathLike[str],
+    metres_per_unit: float,
+    cloth: ClothT,
+    others: Mapping[str, ClothT],
+    *,
+    unwrap: bool | None = None,
+    turns: Mapping[str, float] | None = None,
+    save: str | os.PathLike[str] | None = None,
 ) -> Garment[ClothT]:
     """A mesh file whose parts are given `cloth`, or one of `others` by the name of the part or its material.
 
-    A part's own name goes before that of its material. Warnings say so where uv have several scales within a
-    piece, and where the whole is larger or smaller than cloth is.
+    The name of a piece that was cut goes before that of its part, and that before its material's. Warnings say
+    so where uv have several scales within a piece, and where the whole is larger or smaller than cloth is.
 
     Args:
         metres_per_unit: the length of one unit of the file's positions.
+        unwrap: see `garment_parts`.
+        turns: degrees by which `others` are turned, by the same names.
+        save: where the mesh is written as it is clothed; see `write_mesh`.
 
     Raises:
         InputError: what `read_parts` raises, no usable uv, or a name that no part with uv has.
     """
-    parts = read_parts(path)
+    parts = garment_parts(path, metres_per_unit, unwrap, others)
     covered = [part for part in parts if len(part.mesh.uv)]
-    if not covered:
-        raise InputError(
-            f"{path} has no uv coordinates, or they collapse to lines or points; unwrap it first."
-        )
     warn_of_inside_out(covered, path)
     for name in others:
         _require_part(name, parts, covered, path)
-    keys = [next((key for key in (part.name, part.material) if key in others), None) for part in covered]
+    if save is not None:
+        write_mesh(Path(save), parts)
+    keys = [next((key for key in part.names if key in others), None) for part in covered]
     pieces = []
-    for key in dict.fromkeys(keys):
-        chosen = [
-            part.mesh.scaled(metres_per_unit) for part, own in zip(covered, keys, strict=True) if own == key
-        ]
+    for key in (found := list(dict.fromkeys(keys))):
+        chosen = [part.mesh for part, own in zip(covered, keys, strict=True) if own == key]
         pieces.append((at_one_scale(chosen), cloth if key is None else others[key]))
-    bare = [part.mesh.scaled(metres_per_unit) for part in parts if not len(part.mesh.uv)]
-    parts = [replace(part, mesh=part.mesh.scaled(metres_per_unit)) for part in parts]
-    garment = Garment(pieces, joined(bare) if bare else None, parts)
+    bare = [part.mesh for part in parts if not len(part.mesh.uv)]
+    turned = [(turns or {}).get(key or "", 0.0) for key in found]
+    garment = Garment(pieces, joined(bare) if bare else None, parts, turned)
     warn_of_extent(joined([mesh for mesh, _ in pieces]), metres_per_unit)
     for mesh, _ in pieces:
         warn_of_scale(mesh)
@@ -202,11 +212,11 @@ def read_garment(
 def _require_part(
     name: str, parts: list[MeshPart], covered: list[MeshPart], path: str | os.PathLike[str]
 ) -> None:
-    if any(name in (part.name, part.material) for part in covered):
+    if any(name in part.names for part in covered):
         return
-    if any(name in (part.name, part.material) for part in parts):
+    if any(name in part.names for part in parts):
         raise InputError(f"{path}: the part {shown(name)} has no usable uv coordinates; unwrap it first.")
-    known = dict.fromkeys(each for part in covered for each in (part.name, part.material) if each)
+    known = dict.fromkeys(each for part in covered for each in part.names)
     advice = closest(name, known) if known else "its parts have no names."
     raise InputError(f"{path} has no part and no material {shown(name)}: {advice}")
 

@@ -22,7 +22,7 @@ from loomlight.core.backend import upload
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.images import Picture
 from loomlight.core.parallel_map import core_count
-from loomlight.core.picture_settings import RenderKeywords, RenderSettings
+from loomlight.core.picture_settings import RenderKeywords, RenderSettings, Worn
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.camera import MAX_ZOOM, Corner, View, framing
 from loomlight.mitsuba.plugins import material_bsdf
@@ -32,7 +32,6 @@ from loomlight.mitsuba.scenes import (
     CLOTH_NAME,
     SCENES,
     UNCOVERED_NAME,
-    BsdfFactory,
     ClothScene,
     SceneOptions,
     build_scene,
@@ -124,9 +123,15 @@ def shown_material(material: Material, settings: RenderSettings) -> MaterialSpec
     return spec.mapped(settings.maps) if settings.maps else spec
 
 
-def further_cloths(settings: RenderSettings) -> dict[str, BsdfFactory]:
-    """What `settings.cloths` names, each with a model of its own."""
-    return {name: material_bsdf(cloth) for name, cloth in settings.cloths.items()}
+def further_cloths(settings: RenderSettings) -> dict[str, Any]:
+    """Keyword arguments of `build_scene` for what `settings.cloths` names, each with a model of its own."""
+    worn = {
+        name: cloth if isinstance(cloth, Worn) else Worn(cloth) for name, cloth in settings.cloths.items()
+    }
+    return {
+        "others": {name: material_bsdf(each.fabric) for name, each in worn.items()},
+        "turns": {name: each.turn for name, each in worn.items()},
+    }
 
 
 def warn_of_hidden_weave(source: Source, pixel_mm: float, settings: RenderSettings) -> None:
@@ -218,7 +223,7 @@ class RenderJob:
         """The scene, with the model baked, and what its close-up shows."""
         if self._own_scene:
             bsdf, others = material_bsdf(self.material), further_cloths(self.settings)
-            shown = build_scene(self.settings.scene, bsdf, others=others, **scene_options(self.settings))
+            shown = build_scene(self.settings.scene, bsdf, **others, **scene_options(self.settings))
             pixel_mm = shown.pixel_mm(self.settings.metres_per_unit)
             warn_of_hidden_weave(self.material.source, pixel_mm, self.settings)
             return shown, None
@@ -256,7 +261,7 @@ class RenderJob:
         gc.collect()
         setting: SceneOptions = {**scene_options(self.settings), "size": size}
         others = further_cloths(self.settings)
-        shown = build_scene(self.settings.scene, material_bsdf(material), others=others, **setting)
+        shown = build_scene(self.settings.scene, material_bsdf(material), **others, **setting)
         shown.integrator.soft_terminator = self.settings.soft_terminator
         if not self._inset:
             return shown, None
@@ -394,7 +399,7 @@ def turntable(
     whole: SceneOptions = {**scene_options(chosen), "zoom": 1.0}
     spec = shown_material(material, chosen)
     bsdf, others = material_bsdf(spec), further_cloths(chosen)
-    shown = build_scene(chosen.scene, bsdf, others=others, **whole)
+    shown = build_scene(chosen.scene, bsdf, **others, **whole)
     shown.integrator.soft_terminator = chosen.soft_terminator
     turning = Turntable(shown, chosen.zoom, about_middle=chosen.mesh is not None)
     warn_of_hidden_weave(spec.source, shown.pixel_mm(), chosen)

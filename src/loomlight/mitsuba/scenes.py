@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -13,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.camera_settings import CameraKeywords, CameraSettings
-from loomlight.core.errors import InputError
+from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.files import require_file
 from loomlight.core.sentences import shown
 from loomlight.core.studio import PAPER, STUDIO_AZIMUTH, STUDIO_ELEVATION, paper_radiance, studio_radiance
@@ -22,8 +23,9 @@ from loomlight.fabric.facts import cloth_facts
 from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, joined, warn_of_extent, warn_of_scale
 from loomlight.mesh.edges import EDGES, Edges
 from loomlight.mesh.file_camera import FileCamera
+from loomlight.mesh.garments import garment_parts
 from loomlight.mesh.picture_places import FILE_UV, picture_uv
-from loomlight.mesh.reading import read_cameras, read_mesh, read_parts
+from loomlight.mesh.reading import read_cameras
 from loomlight.mitsuba.bsdf import surface_bsdf
 from loomlight.mitsuba.camera import (
     View,
@@ -105,6 +107,8 @@ class SceneOptions(CameraKeywords, total=False):
     max_depth: int | None
     placement: Placement
     edge: str | None
+    unwrap: bool | None
+    save_mesh: str | os.PathLike[str] | None
 
 
 @dataclass(frozen=True)
@@ -239,7 +243,10 @@ def build_scene(
     max_depth: int | None = None,
     placement: Placement = Placement(),  # noqa: B008 (frozen)
     edge: str | None = "raw",
+    unwrap: bool | None = None,
+    save_mesh: str | os.PathLike[str] | None = None,
     others: Mapping[str, BsdfFactory] | None = None,
+    turns: Mapping[str, float] | None = None,
     swept: Callable[[Sequence[ClothMesh]], NDArray[np.float64]] | None = None,
     **camera: Unpack[CameraKeywords],
 ) -> ClothScene:
@@ -250,7 +257,8 @@ def build_scene(
             Mitsuba scene, FILE.xml, in which every mesh whose BSDF has the id "fabric" is given the cloth.
         bsdf: a function from (mm per unit of u, mm per unit of v) of a piece of cloth to its BSDF, or the
             dictionary of it, such as `material_bsdf` gives; or the dictionary itself.
-        mesh, metres_per_unit, environment, environment_turn, light, zoom, placement: of `RenderSettings`.
+        mesh, metres_per_unit, environment, environment_turn, light, zoom, placement, unwrap, save_mesh: of
+            `RenderSettings`.
         light_from: where the light comes from, degrees: azimuth (0 from +z, where the camera of `flat`
             stands, 90 from +x, its right) and elevation (90 from +y); by default as designed.
         size: width and height in pixels; 640 × 480 by default, a scene file's own otherwise.
@@ -259,6 +267,7 @@ def build_scene(
             mesh has them; None is what suits the scene. Scene files have their own.
         others: further cloths: of a scene file by the id of the BSDF that each replaces, of a mesh by the
             name of a part or of its material.
+        turns: degrees by which these are turned on a mesh, by the same names.
         camera: fields of `CameraSettings`.
         swept: gives further points [n, 3] that the picture has to show, of the pieces of cloth, which move.
 
@@ -277,6 +286,7 @@ def build_scene(
             "light_from": light_from,
         }
         given |= seen.chosen() | {"edge": None if edge == "raw" else edge}
+        given |= {"unwrap": unwrap, "save_mesh": save_mesh}
         for field, value in given.items():
             if value is not None:
                 raise InputError(
@@ -298,7 +308,10 @@ def build_scene(
     if mesh is None:
         worn = Garment([(_upright(setup.cloth()), factory)], None)
     else:
-        setup, worn = _MESH, read_garment(mesh, metres_per_unit, factory, others or {})
+        setup = _MESH
+        worn = read_garment(
+            mesh, metres_per_unit, factory, others or {}, unwrap=unwrap, turns=turns, save=save_mesh
+        )
     size, edge = size or default_size(mesh, seen.camera), edge or setup.edge
     dressed, bsdfs, uv_size_mm = _dressed(worn, placement, edge)
     meshes = dressed.at_rest()
@@ -389,6 +402,7 @@ def built_in_view(
     cloth: ClothMesh,
     size: tuple[int, int],
     metres_per_unit: float,
+    unwrap: bool | None = None,
 ) -> tuple[View, NDArray[np.float64]]:
     """Where a camera sees `built_in_cloth` from, before nothing, and the direction to the light that it has.
 
@@ -398,7 +412,9 @@ def built_in_view(
     setup = _SETUPS[name] if mesh is None else _MESH
     parts: list[MeshPart] = []
     if mesh is not None and settings.look_at is not None:
-        parts = [replace(part, mesh=part.mesh.scaled(metres_per_unit)) for part in read_parts(mesh)]
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", LoomlightWarning)  # which `built_in_cloth` has given
+            parts = garment_parts(mesh, metres_per_unit, unwrap)
     view, _, _ = _seen(
         settings, name if mesh is None else mesh, cloth, parts, setup, size, metres_per_unit, False
     )
@@ -408,9 +424,9 @@ def built_in_view(
 def _part_of(parts: Sequence[MeshPart], part: str, name: str | os.PathLike[str]) -> ClothMesh:
     if not parts:
         raise InputError(f"look_at = {shown(part)} needs a mesh with parts, and the scene {name} has none.")
-    chosen = [each.mesh for each in parts if part in (each.name, each.material)]
+    chosen = [each.mesh for each in parts if part in each.names]
     if not chosen:
-        known = list(dict.fromkeys(word for each in parts for word in (each.name, each.material) if word))
+        known = list(dict.fromkeys(word for each in parts for word in each.names))
         advice = f"it has {_listed(known)}" if known else "its parts have no names"
         raise InputError(f"{name} has no part and no material {shown(part)} to look at: {advice}.")
     return joined([replace(each, uv=np.zeros((0, 2))) for each in chosen])
@@ -498,7 +514,10 @@ def _dressed(
     worn: Garment[BsdfFactory], placement: Placement, edge: str
 ) -> tuple[Dressed, list[Any], tuple[float, float]]:
     """The cloth, BSDFs of its pieces, and millimetres per unit of u and of v of the first."""
-    laid = [(*placed(piece, placement), own) for piece, own in worn.pieces]
+    laid = [
+        (*placed(piece, placement.changed(turn=placement.turn + turn)), own)
+        for (piece, own), turn in zip(worn.pieces, worn.turns, strict=True)
+    ]
     bsdfs = [loaded_bsdf(own(millimetres)) for _, millimetres, own in laid]
     meshes = [piece for piece, _, _ in laid]
     names = [f"{CLOTH_NAME}{number or ''}" for number in range(len(laid))]
@@ -564,10 +583,16 @@ def _require_values(
 
 
 def built_in_cloth(
-    name: str, mesh: str | os.PathLike[str] | None = None
+    name: str,
+    mesh: str | os.PathLike[str] | None = None,
+    metres_per_unit: float = 1.0,
+    unwrap: bool | None = None,
 ) -> tuple[ClothMesh, NDArray[np.float64], NDArray[np.float64], bool]:
-    """The cloth of a built-in scene, or a mesh instead; directions to its camera and its light; whether paper
-    is below it.
+    """The cloth of a built-in scene, or a mesh instead, in metres; directions to its camera and its light;
+    whether paper is below it.
+
+    Args:
+        metres_per_unit, unwrap: of the mesh; see `garment_parts`.
 
     Raises:
         InputError: an unknown scene, or a mesh that cannot be read.
@@ -575,7 +600,11 @@ def built_in_cloth(
     if name not in _SETUPS:
         raise InputError(f'scene = "{name}" is unknown: use {", ".join(SCENES)}.')
     setup = _SETUPS[name] if mesh is None else _MESH
-    cloth = setup.cloth() if mesh is None else read_mesh(mesh)
+    if mesh is None:
+        cloth = setup.cloth()
+    else:
+        parts = garment_parts(mesh, metres_per_unit, unwrap)
+        cloth = joined([part.mesh for part in parts if len(part.mesh.uv)])
     return cloth, np.array(setup.towards_camera, float), direction_of(*setup.light_from), setup.ground
 
 
