@@ -36,6 +36,7 @@ _FIRST = {
     USE: (
         "rendering",
         "meshes",
+        "garments",
         "animation",
         "moving-cloth",
         "fabric-files",

@@ -1,4 +1,4 @@
-"""Garments without uv for tests and figures: a skirt, trousers, a hood, a cushion, a ball and a scan, in metres.
+"""Garments without uv for tests and figures, in metres: skirt, trousers, hood, cushion, ball and a scan.
 
 `python -m tools.garment_shapes FOLDER` writes them as OBJ files.
 """

@@ -14,10 +14,13 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.mesh.cloth_mesh import metric
+from loomlight.mesh.cloth_mesh import metric, uv_size
+from loomlight.mesh.edges import edged
+from loomlight.mesh.writing import write_mesh
 from loomlight.mitsuba import build_scene
 from loomlight.mitsuba.meshes import read_garment
 from loomlight.mitsuba.pictures import Turntable
+from tools.garment_shapes import skirt
 
 DATA = os.environ.get("LOOMLIGHT_DATA")
 SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1))
@@ -57,13 +60,55 @@ def test_parts_are_clothed_by_their_names_and_materials(tmp_path: Path) -> None:
     [
         ("linin", 'no part and no material "linin": did you mean lining'),
         ("sleeve left", "known are front, shell, back, lining"),
-        ("button", 'the part "button" has no usable uv'),
-        ("horn", 'the part "horn" has no usable uv'),
     ],
 )
 def test_wrong_names_are_told(tmp_path: Path, name: str, sentence: str) -> None:
     with pytest.raises(InputError, match=sentence):
         read_garment(coat(tmp_path), 1.0, "twill", {name: "satin"})
+
+
+@pytest.mark.filterwarnings("ignore:.*stay uncovered")
+@pytest.mark.parametrize("name", ["button", "horn"])
+def test_a_part_without_uv_that_is_named_is_cut(tmp_path: Path, name: str) -> None:
+    with pytest.warns(LoomlightWarning, match="is cut into a piece"):
+        garment = read_garment(coat(tmp_path), 1.0, "twill", {name: "satin"}, turns={name: 30.0})
+    assert [cloth for _, cloth in garment.pieces] == ["twill", "satin"]
+    assert garment.uncovered is None
+    assert list(garment.turns) == [0.0, 30.0]
+    assert uv_size(garment.pieces[1][0]) == pytest.approx((1000, 1000))
+
+
+def test_a_mesh_without_uv_is_cut_unless_it_must_not_be(tmp_path: Path) -> None:
+    write_mesh(tmp_path / "skirt.obj", [skirt(300)])
+    with pytest.raises(InputError, match=r"skirt\.obj has no uv coordinates"):
+        read_garment(tmp_path / "skirt.obj", 1.0, "twill", {}, unwrap=False)
+    with pytest.warns(LoomlightWarning, match=r"cut into 2 pieces \((front, back|back, front)\)"):
+        garment = read_garment(tmp_path / "skirt.obj", 0.5, "twill", {"back": "satin"})
+    assert [cloth for _, cloth in garment.pieces] == ["twill", "satin"]
+    # uv are metres, of a mesh in other units too.
+    assert uv_size(garment.pieces[0][0]) == pytest.approx((1000, 1000), rel=0.03)
+
+
+def test_edges_of_cut_cloth_have_hems_and_its_seams_none(tmp_path: Path) -> None:
+    write_mesh(tmp_path / "skirt.obj", [skirt(600)])
+    with pytest.warns(LoomlightWarning, match="is cut"):
+        garment = read_garment(tmp_path / "skirt.obj", 1.0, "twill", {"back": "satin"})
+    pieces = [mesh for mesh, _ in garment.pieces]
+    hems = edged(pieces, "hem", [5e-4, 5e-4], 1.0)
+    added = np.concatenate(
+        [hem.positions[len(mesh.positions) :] for hem, mesh in zip(hems, pieces, strict=True)]
+    )
+    # Waist and hem of the skirt are level, at 0.65 m and at 0; its seams run up between them.
+    assert len(added) > 0
+    assert (np.minimum(np.abs(added[:, 1]), np.abs(added[:, 1] - 0.65)) < 0.012).all()
+
+
+def test_uv_of_a_file_are_cut_anew_where_that_is_asked_for(tmp_path: Path) -> None:
+    with pytest.warns(LoomlightWarning, match="is cut into 3 pieces"):
+        garment = read_garment(coat(tmp_path), 1.0, "twill", {}, unwrap=True)
+    assert garment.uncovered is None
+    ((mesh, _),) = garment.pieces
+    assert uv_size(mesh) == pytest.approx((1000, 1000))
 
 
 def test_what_is_uncovered_is_said(tmp_path: Path) -> None:

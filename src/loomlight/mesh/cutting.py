@@ -170,8 +170,8 @@ def _bands(far: Floats, areas: Floats, width: float) -> Floats:
     low, reach = far.min(axis=1), np.ptp(far, axis=1)
     parts = 8
     at = low[:, None] + reach[:, None] * ((np.arange(parts) + 0.5) / parts)
-    found: Floats = np.bincount((at / width).astype(int).ravel(), np.repeat(areas / parts, parts))
-    return found
+    found = np.bincount((at / width).astype(int).ravel(), np.repeat(areas / parts, parts))
+    return found.astype(np.float64)
 
 
 def _end_of_limb(bands: Floats, width: float) -> int | None:
@@ -235,7 +235,7 @@ def _tried(surface: Surface, chosen: Mask, kept: Mask, axis: Floats, rounds: int
     stretch = np.minimum(stretches(jacobian), 4.0)
     order = np.argsort(stretch)
     share = np.cumsum(flat.areas[order]) / flat.areas.sum()
-    worst = stretch[order[min(np.searchsorted(share, 0.98), len(order) - 1)]]
+    worst = stretch[order[min(int(np.searchsorted(share, 0.98)), len(order) - 1)]]
     angle = grain_angles(flat, jacobian, grain)
     weight = flat.areas * np.hypot(*flat.along(grain).T)
     mean_angle = float(np.average(np.abs(angle), weights=np.maximum(weight, 1e-300)))

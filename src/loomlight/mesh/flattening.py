@@ -65,8 +65,9 @@ class FlatTriangles:
     def some(self, chosen: Mask) -> tuple[FlatTriangles, Indices]:
         """Some of them, and which of the vertices theirs are."""
         used, corner = np.unique(self.corners[chosen], return_inverse=True)
-        parts = (values[chosen] for values in (self.across, self.up, self.gradients, self.areas))
-        return FlatTriangles(*parts, corner.reshape(-1, 3)), used
+        across, up, gradients, areas = self.across, self.up, self.gradients, self.areas
+        made = across[chosen], up[chosen], gradients[chosen], areas[chosen], corner.reshape(-1, 3)
+        return FlatTriangles(*made), used
 
     def jacobian(self, uv: Floats) -> Floats:
         """Derivatives of u and of v along `across` and `up` [m, 2, 2]."""

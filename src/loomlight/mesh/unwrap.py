@@ -176,7 +176,7 @@ def _large(surface: Surface, chosen: Mask) -> _Laid:
     start = np.where(lost[:, None], 0.0, made.uv)
     if lost.any():
         here = lost[made.corners].any(axis=1)
-        here = np.isin(made.corners, np.unique(made.corners[here])).any(axis=1)
+        here = np.asarray(np.isin(made.corners, np.unique(made.corners[here])).any(axis=1))
         few, which = flat.some(here)
         start[which] = flattened(few, grain[here])
     uv = unfolded(flat, flattened(flat, grain, start, rounds=6, tolerance=1e-4, steps=40))
@@ -337,8 +337,7 @@ def _lifts(surface: Surface, corners: Indices, uv: Floats, label: Indices, named
         np.add.at(matrix, (a, a), weight)
         np.add.at(matrix, (a, b), -weight)
         np.add.at(right, a, sign * weight * gap)
-    lifts: Floats = np.linalg.lstsq(matrix, right, rcond=1e-9)[0] if named else right
-    return lifts
+    return np.asarray(np.linalg.lstsq(matrix, right, rcond=1e-9)[0]) if named else right
 
 
 def _names(surface: Surface, label: Indices, named: int, is_limb: Mask) -> list[str]:

@@ -176,8 +176,8 @@ def read_garment(
 ) -> Garment[ClothT]:
     """A mesh file whose parts are given `cloth`, or one of `others` by the name of the part or its material.
 
-    The name of a piece that was cut goes before that of its part, and that before its material's. Warnings say
-    so where uv have several scales within a piece, and where the whole is larger or smaller than cloth is.
+    The name of a piece that was cut goes before that of its part, and that before its material's. Warnings
+    say so where uv have several scales within a piece, and where the whole is of no size of cloth.
 
     Args:
         metres_per_unit: the length of one unit of the file's positions.
