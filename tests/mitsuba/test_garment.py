@@ -15,7 +15,7 @@ import pytest
 
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import metric, uv_size
-from loomlight.mesh.edges import edged
+from loomlight.mesh.edges import Edges
 from loomlight.mesh.writing import write_mesh
 from loomlight.mitsuba import build_scene
 from loomlight.mitsuba.meshes import read_garment
@@ -94,7 +94,7 @@ def test_edges_of_cut_cloth_have_hems_and_its_seams_none(tmp_path: Path) -> None
     with pytest.warns(LoomlightWarning, match="is cut"):
         garment = read_garment(tmp_path / "skirt.obj", 1.0, "twill", {"back": "satin"})
     pieces = [mesh for mesh, _ in garment.pieces]
-    hems = edged(pieces, "hem", [5e-4, 5e-4], 1.0)
+    hems = Edges.of(pieces, "hem", [5e-4, 5e-4], 1.0).on(pieces)
     added = np.concatenate(
         [hem.positions[len(mesh.positions) :] for hem, mesh in zip(hems, pieces, strict=True)]
     )

@@ -99,9 +99,7 @@ class MovingCloth:
         spec = shown_material(material, settings)
         options: SceneOptions = {**scene_options(settings), "mesh": self._mesh.first.path}
         others = further_cloths(settings)
-        self.shown = build_scene(
-            settings.scene, material_bsdf(spec), others=others, swept=self._swept, **options
-        )
+        self.shown = build_scene(settings.scene, material_bsdf(spec), swept=self._swept, **others, **options)
         self.shown.integrator.soft_terminator = settings.soft_terminator
         warn_of_hidden_weave(spec.source, self.shown.pixel_mm(), settings)
         dressed = self.shown.dressed
