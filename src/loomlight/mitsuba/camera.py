@@ -55,7 +55,7 @@ class View:
 
     @property
     def azimuth(self) -> float:
-        """Degrees about the vertical, 0 from +z, 90 from +x; from above or below where its lower edge is."""
+        """Degrees about the vertical, 0 from +z, 90 from +x; from above that of its lower edge."""
         x, height, z = self.backward
         if np.hypot(x, z) < _VERTICAL:
             x, _, z = -np.sign(height) * self.up
