@@ -31,8 +31,9 @@ from loomlight.mesh.file_camera import FileCamera
 _MAX_SECONDS = 600.0
 # After the last file it gives its memory back: it starts in less than a second.
 _IDLE_SECONDS = 10.0
-# Of address space: a bound for what a damaged file asks for.
-_MAX_BYTES = 32 << 30
+# Of address space, beside so many times the file: a damaged one may ask for any amount, and ten million
+# triangles that a small one shows again and again take 6 GiB.
+_MAX_BYTES, _BYTES_OF_FILE = 8 << 30, 32
 
 
 def read_usd(file: Path, time: float | None = None) -> list[MeshPart]:
@@ -172,15 +173,17 @@ def _ended(process: subprocess.Popen[bytes], folder: str, owner: int) -> None:
 # ------------------------------------------------------------------------------------------ the other process
 
 
-def _limit_memory() -> None:
-    """Limits this process; Windows has no such limits."""
+def _limit_memory(file: Path) -> None:
+    """Limits this process while it reads a file; Windows has no such limits."""
     try:
         import resource
     except ImportError:
         return
+    limit = _MAX_BYTES + _BYTES_OF_FILE * file.stat().st_size
     _, most = resource.getrlimit(resource.RLIMIT_AS)
-    limit = _MAX_BYTES if most == resource.RLIM_INFINITY else min(_MAX_BYTES, most)
-    resource.setrlimit(resource.RLIMIT_AS, (limit, most))
+    resource.setrlimit(
+        resource.RLIMIT_AS, (limit if most == resource.RLIM_INFINITY else min(limit, most), most)
+    )
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
@@ -191,6 +194,7 @@ def _answer(what: str, *arguments: Any) -> tuple[str, Any, list[str]]:
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         try:
+            _limit_memory(arguments[0])
             kind, result = "done", getattr(usd, what)(*arguments)
         except LoomlightError as error:
             kind, result = "refused", error
@@ -217,7 +221,6 @@ def _serve(questions: BinaryIO, answers: BinaryIO) -> None:
 
 
 if __name__ == "__main__":
-    _limit_memory()
     # An interruption is the other process's to handle.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     answers = os.fdopen(os.dup(1), "wb")
