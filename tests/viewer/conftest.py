@@ -13,7 +13,7 @@ import pytest
 import uvicorn
 
 from loomlight.viewer.app import Access, editor_app
-from loomlight.viewer.draft_reader import MEMORY_BYTES, DraftReader
+from loomlight.viewer.limited_reader import MEMORY_BYTES, DraftReader
 from tests.limits import HANG
 
 

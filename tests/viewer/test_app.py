@@ -23,7 +23,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.realtime.materials import tables_for
 from loomlight.realtime.words import pack_fabrics
 from loomlight.viewer.app import Access, is_loopback, read_body
-from loomlight.viewer.draft_reader import MAX_UPLOAD
+from loomlight.viewer.limited_reader import MAX_UPLOAD
 from tests.limits import HANG
 from tests.viewer.conftest import Served
 

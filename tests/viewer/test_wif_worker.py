@@ -1,6 +1,6 @@
 """Drafts that came over the network are read by a process of limited time and memory, which stays for others.
 
-Covers: viewer/wif_worker.py, viewer/draft_reader.py
+Covers: viewer/wif_worker.py, viewer/limited_reader.py
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.viewer.draft_reader import MAX_UPLOAD, DraftReader, safe_name
+from loomlight.viewer.limited_reader import MAX_UPLOAD, DraftReader, safe_name
 
 WIF = (Path(__file__).resolve().parents[2] / "examples" / "undulating-twill.wif").read_bytes()
 
@@ -98,7 +98,7 @@ def test_a_process_that_ended_is_replaced(reader: DraftReader) -> None:
 def test_a_process_is_replaced_after_many_drafts(
     reader: DraftReader, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("loomlight.viewer.draft_reader._MAX_SERVED", 2)
+    monkeypatch.setattr("loomlight.viewer.limited_reader._MAX_SERVED", 2)
     reader.read(WIF, "a.wif")
     first = process_of(reader)
     reader.read(WIF, "a.wif")

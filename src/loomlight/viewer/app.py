@@ -29,7 +29,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from loomlight.core.errors import LoomlightError
 from loomlight.fabric.fabric import Fabric
 from loomlight.viewer.answers import ANSWERS, answer
-from loomlight.viewer.draft_reader import MAX_UPLOAD, DraftReader
+from loomlight.viewer.limited_reader import MAX_MESH, MAX_UPLOAD, DraftReader, MeshReader
 from loomlight.viewer.picture import MAX_BYTES
 from loomlight.viewer.picture_worker import PictureMaker
 from loomlight.viewer.session import gallery_pictures, session
@@ -58,6 +58,7 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
     """
     first = session(fabric, has_python=True, token=access.token)
     readers = [[DraftReader() for _ in range(count)] for count in _READERS]
+    tailor, tailors = [MeshReader()], anyio.CapacityLimiter(1)
     lanes = [anyio.CapacityLimiter(count) for count in _READERS]
     bakery = anyio.CapacityLimiter(1)
     maker = PictureMaker()
@@ -65,8 +66,10 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
     @asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncIterator[None]:
         yield
-        for reader in (each for idle in readers for each in idle):
-            reader.close()
+        for drafts in (each for idle in readers for each in idle):
+            drafts.close()
+        for meshes in tailor:
+            meshes.close()
         maker.close()
 
     async def get_session(request: Request) -> Response:
@@ -77,6 +80,12 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
         name, lane = request.query_params.get("name", "draft.wif"), int(len(content) > _LARGE_FILE)
         draft = await anyio.to_thread.run_sync(_read, readers[lane], content, name, limiter=lanes[lane])
         return Response(draft, media_type="application/json")
+
+    async def read_mesh(request: Request) -> Response:
+        content = await read_body(request, MAX_MESH)
+        name = request.query_params.get("name", "mesh.obj")
+        mesh = await anyio.to_thread.run_sync(_read, tailor, content, name, limiter=tailors)
+        return Response(mesh, media_type="application/octet-stream")
 
     async def make(request: Request) -> Response:
         asked = await _json_object(request)
@@ -104,6 +113,7 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
         routes=[
             Route("/api/session", _answered(get_session)),
             Route("/api/wif", _answered(read_draft), methods=["POST"]),
+            Route("/api/mesh", _answered(read_mesh), methods=["POST"]),
             Route("/api/picture", _answered(draw), methods=["POST"]),
             *(Route(f"/{place}", _answered(make), methods=["POST"]) for place in ANSWERS),
             Route("/api/{rest:path}", _answered(_unknown), methods=["GET", "POST"]),
@@ -116,8 +126,8 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
     )
 
 
-def _read(idle: list[DraftReader], content: bytes, name: str) -> bytes:
-    """JSON of a draft, by one of the readers that have nothing to do."""
+def _read(idle: list[Any], content: bytes, name: str) -> bytes:
+    """The answer of one of the readers that have nothing to do."""
     reader = idle.pop()
     try:
         return reader.read(content, name)

@@ -10,7 +10,7 @@ from typing import Any
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.read import load_fabric
 from loomlight.sources.load import fabric_of_path
-from loomlight.viewer.draft_reader import MAX_UPLOAD
+from loomlight.viewer.limited_reader import MAX_UPLOAD
 from loomlight.viewer.messages import Session, fabric_json
 
 VERSION = 1

@@ -20,7 +20,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.sources.load import fabric_of_path
 from loomlight.viewer.answers import ANSWERS, answer
 from loomlight.viewer.client import client_folder
-from loomlight.viewer.draft_reader import DraftReader
+from loomlight.viewer.limited_reader import DraftReader, MeshReader
 from loomlight.viewer.messages import fabric_json, fabric_of_json
 from loomlight.viewer.session import first_fabric, session
 
@@ -39,7 +39,7 @@ class ClothWidget(anywidget.AnyWidget):
 
     def __init__(self, fabric: Fabric | str | os.PathLike[str] | None = None, height: int = 620) -> None:
         self._from_view: str | None = None
-        self._drafts = DraftReader()
+        self._drafts, self._meshes = DraftReader(), MeshReader()
         _page()  # a page that cannot be built is told here
         super().__init__(fabric=first_fabric() if fabric is None else fabric, height=height)
         self.on_msg(lambda _, asked, buffers: self._answer(asked, buffers))
@@ -71,6 +71,8 @@ class ClothWidget(anywidget.AnyWidget):
             return json.dumps(_without_pictures(session(self.fabric, has_python=True))).encode()
         if place == "api/wif":
             return self._drafts.read(body, name)
+        if place == "api/mesh":
+            return self._meshes.read(body, name)
         if place == "api/fabric":
             self._from_view = str(asked["view"])
             try:

@@ -111,7 +111,7 @@ export function App({ store, server, health, onView }: Props) {
       const picture = files.find((file) => SURROUNDINGS.test(file.name));
       if (mesh !== undefined) {
         const { readOwnMesh } = await import("./view/own_mesh.ts");
-        const { shape, warnings } = await readOwnMesh(mesh);
+        const { shape, warnings } = await readOwnMesh(mesh, server);
         setOwnMesh(shape);
         for (const warning of warnings) tell("warning", warning, "file");
         dispatch({ type: "scene/set", scene: { shape: "mesh" } });

@@ -61,6 +61,11 @@ export class Server {
     return (await response.json()) as DraftJson & { warnings: string[] };
   }
 
+  /** The mesh in a file as Python reads it, cut into pieces where it has no uv; see `serverMeshOf`. */
+  async mesh(file: File): Promise<ArrayBuffer> {
+    return (await this.post(`api/mesh?name=${encodeURIComponent(file.name)}`, await file.arrayBuffer())).arrayBuffer();
+  }
+
   /** The bytes of a file of a fabric: a baked material of `model`, maps of `size` texels in a zip, or a glTF file. */
   async save(format: "loom" | "zip" | "glb", fabric: FabricJson, options: SaveOptions = {}): Promise<Uint8Array<ArrayBuffer>> {
     const response = await this.post("api/save", JSON.stringify({ format, ...options, ...fabric }));

@@ -8,7 +8,7 @@ import { fittingCell, layoutOf } from "../src/panels/draft_grid.ts";
 import { withNotice, withoutTopic } from "../src/reducers/notices.ts";
 import type { Notice } from "../src/state/document.ts";
 import { framing } from "../src/view/framing.ts";
-import { hasUv, type Geometry } from "../src/view/own_mesh.ts";
+import { hasUv, readOwnMesh, serverMeshOf, type Geometry } from "../src/view/own_mesh.ts";
 
 describe("an order of colours", () => {
   const [a, b, z] = ["#112233", "#445566", "#778899"];
@@ -123,5 +123,28 @@ describe("the camera that frames a piece", () => {
       expect(Math.abs(left + right)).toBeLessThan(0.15);
       expect(Math.abs(low + high)).toBeLessThan(0.15);
     }
+  });
+});
+
+describe("a mesh that the server read", () => {
+  it("is positions, normals, uv and triangles, and what is bare", () => {
+    const head = new TextEncoder().encode('{"vertices":3,"triangles":1,"bareVertices":1,"bareTriangles":1,"warnings":["cut"]} ');
+    const numbers = [[1, 2, 3, 4, 5, 6, 7, 8, 9], [0, 0, 1, 0, 0, 1, 0, 0, 1], [0, 0, 1, 0, 0, 1], [5, 5, 5], [0, 1, 0]].flat();
+    const size = head.length + (-head.length & 3);
+    const content = new ArrayBuffer(4 + size + 4 * (numbers.length + 6));
+    new DataView(content).setUint32(0, size, true);
+    new Uint8Array(content, 4).fill(32, 0, size).set(head);
+    new Float32Array(content, 4 + size, numbers.length).set(numbers);
+    new Uint32Array(content, 4 + size + 4 * numbers.length).set([2, 1, 0, 0, 0, 0]);
+    const { mesh, bare, warnings } = serverMeshOf(content);
+    expect([...(mesh.positions as Float32Array)]).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9]);
+    expect([...(mesh.uv as Float32Array)]).toEqual([0, 0, 1, 0, 0, 1]);
+    expect([...(mesh.triangles as Uint32Array)]).toEqual([2, 1, 0]);
+    expect([...(bare!.positions as Float32Array)]).toEqual([5, 5, 5]);
+    expect(warnings).toEqual(["cut"]);
+  });
+
+  it("needs a server, which a static page says", async () => {
+    await expect(readOwnMesh(new File(["#usda 1.0"], "shirt.usda"), null)).rejects.toThrow("shirt.usda is read by `loomlight view`, which this page runs without");
   });
 });

@@ -2,6 +2,7 @@
 import { InputError } from "loomlight-fabric";
 import type { Mesh } from "loomlight-web";
 
+import type { Server } from "../api.ts";
 import { ownShape, type ClothShape } from "./meshes.ts";
 
 /** The side, in millimetres, that a mesh is taken to have where its unit is unlikely to be the metre. */
@@ -9,6 +10,9 @@ const LIKELY_MM = 600;
 
 /** Larger meshes take minutes to read here, and their triangles are smaller than pixels. */
 const MAX = 64 * 2 ** 20;
+
+/** What Python alone reads. */
+const READ_BY_PYTHON = /\.usd[acz]?$/i;
 
 /** A mesh as a piece of cloth, and in a sentence what of it is no cloth. */
 export interface OwnMesh {
@@ -18,23 +22,53 @@ export interface OwnMesh {
 
 /**
  * The mesh in a file, all its parts with uv as one piece of cloth. Parts without, as buttons, stay bare, as `render --mesh`
- * has them: here they are not drawn, but cast shadows.
+ * has them: here they are not drawn, but cast shadows. A mesh without uv, and USD, is read by the server, which cuts it into pieces.
  *
- * @throws InputError a file that is too large, no mesh, one without triangles, or one without uv, which place the weave.
+ * @throws InputError a file that is too large, no mesh, one without triangles, or one that needs the server where there is none.
  */
-export async function readOwnMesh(file: File): Promise<OwnMesh> {
+export async function readOwnMesh(file: File, server: Server | null): Promise<OwnMesh> {
   if (file.size > MAX)
     throw new InputError(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; meshes of up to ${MAX >> 20} MiB are read: simplify it.`);
+  if (READ_BY_PYTHON.test(file.name)) return readByServer(file, server, "is read");
   const parts = await geometriesOf(file);
   const [covered, bare] = [parts.filter(hasUv), parts.filter((part) => !hasUv(part))];
   if (covered.length === 0 && bare.length > 0)
-    throw new InputError(`${file.name} has no uv, or they collapse to lines or points: unwrap the mesh and export it again, as uv place the weave on it.`);
+    return readByServer(file, server, "has no uv, or they collapse to lines or points, and is cut into pieces");
   const mesh = merged(covered, file.name);
   const triangles = bare.reduce((sum, part) => sum + trianglesOf(part), 0);
   const parted = bare.length === 1 ? "A part" : `${bare.length} parts`;
   const warnings =
     triangles === 0 ? [] : [`${parted} of ${file.name} without uv, ${triangles} triangles, ${bare.length === 1 ? "wears" : "wear"} no cloth, and cast${bare.length === 1 ? "s" : ""} only a shadow here.`];
   return { shape: scaled(mesh, bare.length === 0 ? null : merged(bare, file.name), file.name), warnings };
+}
+
+async function readByServer(file: File, server: Server | null, what: string): Promise<OwnMesh> {
+  if (server === null || !server.hasPython)
+    throw new InputError(`${file.name} ${what} by \`loomlight view\`, which this page runs without: open it there, or what \`loomlight render --save-mesh\` writes.`);
+  const { mesh, bare, warnings } = serverMeshOf(await server.mesh(file));
+  return { shape: scaled(mesh, bare, file.name), warnings };
+}
+
+/** What the server made of a mesh; `viewer/mesh_message.py` says how it lies. */
+export function serverMeshOf(content: ArrayBuffer): { mesh: Mesh; bare: Mesh | null; warnings: string[] } {
+  const size = new DataView(content).getUint32(0, true);
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(content, 4, size))) as {
+    vertices: number;
+    triangles: number;
+    bareVertices: number;
+    bareTriangles: number;
+    warnings: string[];
+  };
+  let at = 4 + size;
+  const take = (count: number): number => (at += 4 * count) - 4 * count;
+  const floats = (count: number): Float32Array<ArrayBuffer> => new Float32Array(content, take(count), count);
+  const words = (count: number): Uint32Array<ArrayBuffer> => new Uint32Array(content, take(count), count);
+  const { vertices, bareVertices } = head;
+  const [positions, normals, uv] = [floats(3 * vertices), floats(3 * vertices), floats(2 * vertices)];
+  const [barePositions, bareNormals] = [floats(3 * bareVertices), floats(3 * bareVertices)];
+  const [triangles, bareTriangles] = [words(3 * head.triangles), words(3 * head.bareTriangles)];
+  const bare = { positions: barePositions, normals: bareNormals, uv: new Float32Array(2 * bareVertices), triangles: bareTriangles };
+  return { mesh: { positions, normals, uv, triangles }, bare: bareVertices === 0 ? null : bare, warnings: head.warnings };
 }
 
 export interface Geometry {

@@ -1,7 +1,7 @@
-"""Files of drafts that came over the network, read by a process of limited memory and time.
+"""Files that came over the network, drafts and meshes, read by a process of limited memory and time.
 
-The process is `python -m loomlight.viewer.wif_worker`, which stays for further drafts. It is ended when its
-time for a draft is over, so no file can take the server down; the next draft starts another one.
+The process stays for further files. It is ended when its time for a file is over, so no file can take the
+server down; the next one starts another process.
 """
 
 from __future__ import annotations
@@ -19,26 +19,39 @@ from contextlib import suppress
 from tempfile import TemporaryDirectory
 
 from loomlight.core.errors import InputError
-from loomlight.viewer.wif_worker import ANSWER, REQUEST
+from loomlight.viewer.limited_worker import ANSWER, REQUEST
 
 # A WIF of 16384 threads with a colour and a spacing each has some 2 MB.
 MAX_UPLOAD = 16 << 20
 # The interpreter and NumPy map 0.4 GiB; the largest draft, of 16384² crossings, takes 1.2 GiB meanwhile.
 MEMORY_BYTES = 2 << 30
 SECONDS = 20.0
-# Drafts after which a process is replaced, so that what readers leave behind does not grow.
+# A page reads meshes as large; a million triangles without uv take 1.5 GiB to cut, and a minute.
+MAX_MESH = 64 << 20
+_MESH_BYTES, _MESH_SECONDS = 6 << 30, 180.0
+# Files after which a process is replaced, so that what readers leave behind does not grow.
 _MAX_SERVED = 200
 _UNSAFE = re.compile(r"[^\w .()+-]+")
 _MAX_NAME = 120
 
 
-class DraftReader:
-    """Reads one draft at a time, in a process that starts with the first."""
+class LimitedReader:
+    """Reads one file at a time, in a process that starts with the first.
 
-    def __init__(self, seconds: float = SECONDS, memory_bytes: int = MEMORY_BYTES) -> None:
+    Attributes:
+        worker: the module of the process.
+        usual: how long a file takes, the end of a sentence.
+        less: how much memory, too.
+    """
+
+    worker = ""
+    usual = ""
+    less = ""
+
+    def __init__(self, seconds: float, memory_bytes: int) -> None:
         """
         Args:
-            seconds: that a draft may take.
+            seconds: that a file may take.
             memory_bytes: of address space that the process may take.
         """
         self._seconds = seconds
@@ -48,13 +61,13 @@ class DraftReader:
         self._end: Callable[[], object] = lambda: None
 
     def read(self, content: bytes, name: str) -> bytes:
-        """The draft in a file's content, as JSON of `draft_json` with its reader's warnings in "warnings".
+        """The worker's answer to a file's content.
 
         Args:
             name: of the file; its suffix says what it is, and messages name it.
 
         Raises:
-            InputError: no draft, or one that takes too much time or memory.
+            InputError: no such file, or one that takes too much time or memory.
         """
         shown = safe_name(name)
         process = self._started()
@@ -75,20 +88,17 @@ class DraftReader:
             self.close()
         if answer is None:
             if is_late.is_set() or process.returncode == -getattr(signal, "SIGXCPU", 999):
-                raise InputError(
-                    f"{shown} was given up after {self._seconds:g} s; a draft takes less than one."
-                )
+                raise InputError(f"{shown} was given up after {self._seconds:g} s; {self.usual}.")
             raise InputError(
-                f"{shown} could not be read within {self._memory_bytes >> 20} MiB of memory; "
-                "drafts take far less."
+                f"{shown} could not be read within {self._memory_bytes >> 20} MiB of memory{self.less}."
             )
-        is_draft, printed = answer
-        if not is_draft:
+        is_read, printed = answer
+        if not is_read:
             raise InputError(json.loads(printed)["error"])
         return printed
 
     def close(self) -> None:
-        """Ends the process; another draft starts one anew."""
+        """Ends the process; another file starts one anew."""
         self._end()
         self._process, self._served = None, 0
 
@@ -98,7 +108,7 @@ class DraftReader:
             folder = TemporaryDirectory(prefix="loomlight-")
             limits = (folder.name, str(self._memory_bytes), str(self._seconds))
             self._process = subprocess.Popen(
-                [sys.executable, "-m", "loomlight.viewer.wif_worker", *limits],
+                [sys.executable, "-m", self.worker, *limits],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
@@ -106,6 +116,26 @@ class DraftReader:
             )
             self._end = weakref.finalize(self, _ended, self._process, folder)
         return self._process
+
+
+class DraftReader(LimitedReader):
+    """Reads drafts: JSON of `draft_json` with its reader's warnings in "warnings"."""
+
+    worker = "loomlight.viewer.wif_worker"
+    usual, less = "a draft takes less than one", "; drafts take far less"
+
+    def __init__(self, seconds: float = SECONDS, memory_bytes: int = MEMORY_BYTES) -> None:
+        super().__init__(seconds, memory_bytes)
+
+
+class MeshReader(LimitedReader):
+    """Reads meshes, cut where they have no uv: the bytes of `mesh_message`."""
+
+    worker = "loomlight.viewer.mesh_worker"
+    usual, less = "loomlight render --mesh takes its time with it", "; simplify it"
+
+    def __init__(self, seconds: float = _MESH_SECONDS, memory_bytes: int = _MESH_BYTES) -> None:
+        super().__init__(seconds, memory_bytes)
 
 
 def safe_name(name: str) -> str:
@@ -119,7 +149,7 @@ def safe_name(name: str) -> str:
 
 
 def _asked(process: subprocess.Popen[bytes], content: bytes, name: str) -> tuple[bool, bytes] | None:
-    """Whether a process read a draft, and its JSON; None if it ended."""
+    """Whether a process read a file, and its answer; None if it ended."""
     assert process.stdin is not None
     assert process.stdout is not None
     named = name.encode()
@@ -131,10 +161,10 @@ def _asked(process: subprocess.Popen[bytes], content: bytes, name: str) -> tuple
         return None
     head = process.stdout.read(ANSWER.size)
     if len(head) == ANSWER.size:
-        is_draft, size = ANSWER.unpack(head)
+        is_read, size = ANSWER.unpack(head)
         printed = process.stdout.read(size)
         if len(printed) == size:
-            return is_draft, printed
+            return is_read, printed
     process.wait()
     return None
 
