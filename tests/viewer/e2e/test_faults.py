@@ -58,7 +58,6 @@ def page(opened: Any) -> Iterator[Any]:
 @pytest.mark.parametrize(
     ("name", "text", "said"),
     [
-        ("cut.usda", "#usda 1.0\ndef Mesh {", "cut.usda is damaged or no usda mesh"),
         ("empty.obj", "# nothing\n", "empty.obj holds no triangles"),
         ("cut.glb", "glTF", "cut.glb is damaged or no mesh: OBJ, PLY and GLB are read"),
         ("notes.txt", "hello", "notes.txt is neither a fabric (.toml) nor a draft"),
