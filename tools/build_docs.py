@@ -35,6 +35,7 @@ USE, HOW, FIGURES, PAPERS, TRIED = "Use", "How it works", "Figures", "Papers", "
 _FIRST = {
     USE: (
         "rendering",
+        "cameras",
         "meshes",
         "garments",
         "animation",
