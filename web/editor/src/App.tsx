@@ -187,7 +187,7 @@ export function App({ store, server, health, onView }: Props) {
         await navigator.clipboard.writeText(command);
         tell("done", "The camera is copied as a command: save the fabric beside the mesh, and run it there.");
       } catch {
-        tell("done", command);
+        tell("fault", `This page may not write to the clipboard; the command is: ${command}`);
       }
     });
 
