@@ -18,6 +18,8 @@ from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import ClothMesh, cross_products
 from loomlight.mesh.reading import frame_times, read_cameras, read_parts
 from tests.mesh.test_subdivision import CUBE, FACES
+from tools.make_example_stage import FILE as EXAMPLE
+from tools.make_example_stage import fill
 
 CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 UV = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -634,6 +636,17 @@ def test_nothing_is_fetched(tmp_path: Path) -> None:
     (tmp_path / "mesh.usda").write_text(text)
     with pytest.raises(InputError, match="nothing is fetched"):
         read_parts(tmp_path / "mesh.usda")
+
+
+def test_the_example_is_what_its_maker_makes(tmp_path: Path) -> None:
+    made, kept = read_parts(written(tmp_path, fill, "mesh.usdc")), read_parts(EXAMPLE)
+    names = [(part.name, part.material) for part in kept]
+    cushion = [("front", "houndstooth"), ("back", "linen")]
+    assert names == [("mattress", "tweed"), *cushion, *cushion, ("bolster", "stripe")]
+    for part, other in zip(made, kept, strict=True):
+        np.testing.assert_allclose(part.mesh.positions, other.mesh.positions, atol=1e-6)
+        np.testing.assert_array_equal(part.mesh.triangles, other.mesh.triangles)
+    assert [camera.name for camera in read_cameras(EXAMPLE)] == ["from_the_door"]
 
 
 @pytest.mark.skipif(not DATA, reason="set LOOMLIGHT_DATA to the folder of measured data")
