@@ -130,6 +130,24 @@ def test_turned_and_refined_meshes_are_cut_alike() -> None:
     assert other.worst < 1.15
 
 
+def test_a_garment_that_lies_on_its_back_is_cut_as_one_that_stands() -> None:
+    part = skirt(1000)
+    down = part.mesh.positions[:, [0, 2, 1]] * [1, -1, 1]
+    one, other = (cut_pieces([as_part(p, part.mesh.triangles, "")]) for p in (part.mesh.positions, down))
+    assert other.names == one.names
+    np.testing.assert_allclose(other.uv, one.uv, atol=1e-6)
+
+
+def test_panels_that_share_no_vertices_stay_pieces() -> None:
+    """A strip that would lie flat as one, of two panels that meet; a soup of it is one piece."""
+    panel = sheet(0.0).mesh
+    places = np.concatenate([panel.positions, panel.positions + np.array([0.2, 0, 0])])
+    faces = np.concatenate([panel.triangles, panel.triangles + len(panel.positions)])
+    assert cut_pieces([as_part(places, faces, "panels")]).count == 2
+    soup = as_part(places[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3), "soup")
+    assert cut_pieces([soup]).count == 1
+
+
 @needs_data
 @pytest.mark.parametrize(
     "times", [0, pytest.param(1, marks=pytest.mark.slow), pytest.param(2, marks=pytest.mark.slow)]

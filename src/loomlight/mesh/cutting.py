@@ -68,18 +68,32 @@ def cut(surface: Surface) -> Cut:
     component = pieces_of(surface, np.zeros(len(surface.areas), np.int64))
     label = np.zeros(len(surface.areas), np.int64)
     kept = across(surface, component)
+    centre = np.average(surface.middles, axis=0, weights=surface.areas)
     axes: list[Floats] = []
     limbs: list[bool] = []
     for number in range(int(component.max()) + 1):
-        whole = component == number
-        for region, axis, is_limb in _regions(surface, whole):
-            for piece, opened in _pieces(surface, region, axis):
-                label[piece] = len(axes)
-                kept &= ~opened
+        (here,) = np.nonzero(component == number)
+        edges = (3 * here[:, None] + np.arange(3)).ravel()
+        part = surface.some(component == number)
+        leans = leaning_axis(part, np.ones(len(here), bool)) is not None
+        for region, axis, is_limb in _regions(part, np.ones(len(here), bool)):
+            for piece, opened in _pieces(part, region, axis, centre):
+                label[here[piece]] = len(axes)
+                kept[edges[opened]] = False
                 axes.append(axis)
-                limbs.append(is_limb)
+                limbs.append(is_limb or leans)
     kept &= across(surface, label)
     return Cut(label, kept, np.array(axes), np.array(limbs))
+
+
+def leaning_axis(surface: Surface, chosen: Mask) -> Floats | None:
+    """The axis of a tube that leans, upwards; None of what stands upright, lies flat, or is no tube."""
+    normals, areas = surface.normals[chosen], surface.areas[chosen]
+    spread = np.einsum("mi,mj,m->ij", normals, normals, areas) / areas.sum()
+    values, vectors = np.linalg.eigh(spread)
+    axis: Floats = vectors[:, 0] * (-1 if vectors[1, 0] < 0 else 1)
+    leans = values[1] - values[0] > 0.15 and axis @ UP < np.cos(np.radians(_OWN_AXIS))
+    return axis if leans else None
 
 
 def main_axis(surface: Surface, chosen: Mask) -> Floats:
@@ -87,13 +101,11 @@ def main_axis(surface: Surface, chosen: Mask) -> Floats:
 
     Of what lies flat on the ground the longer side.
     """
-    normals, areas = surface.normals[chosen], surface.areas[chosen]
-    spread = np.einsum("mi,mj,m->ij", normals, normals, areas) / areas.sum()
-    values, vectors = np.linalg.eigh(spread)
-    axis = vectors[:, 0] * (-1 if vectors[1, 0] < 0 else 1)
-    if values[1] - values[0] > 0.15 and axis @ UP < np.cos(np.radians(_OWN_AXIS)):
+    axis = leaning_axis(surface, chosen)
+    if axis is not None:
         return axis
-    if spread[1, 1] < 0.8:
+    areas = surface.areas[chosen]
+    if np.average(surface.normals[chosen][:, 1] ** 2, weights=areas) < 0.8:
         return UP
     middles = surface.middles[chosen]
     middles = middles - np.average(middles, axis=0, weights=areas)
@@ -252,8 +264,8 @@ def grain_angles(flat: FlatTriangles, jacobian: Floats, grain: Floats) -> Floats
     return np.degrees((np.arctan2(u, v) - turn + np.pi) % (2 * np.pi) - np.pi)
 
 
-def _pieces(surface: Surface, region: Mask, axis: Floats) -> list[tuple[Mask, Mask]]:
-    """A region in pieces, and the edges that are cut within each."""
+def _pieces(surface: Surface, region: Mask, axis: Floats, centre: Floats) -> list[tuple[Mask, Mask]]:
+    """A region in pieces, and the edges that are cut within each; `centre` is the garment's middle."""
     total = surface.areas[region].sum()
     conductance = crease_conductance(surface)
     none = np.zeros(3 * len(region), bool)
@@ -267,7 +279,7 @@ def _pieces(surface: Surface, region: Mask, axis: Floats) -> list[tuple[Mask, Ma
             done.append((piece, opened))
             continue
         best = None
-        for parts, seam, cuts, is_usual in _candidates(surface, piece, opened, axis, conductance):
+        for parts, seam, cuts, is_usual in _candidates(surface, piece, opened, axis, conductance, centre):
             trials = [_tried(surface, part, ~cuts, axis, 12) for part in parts]
             cost = sum(each.cost for each in trials) + _SEAM_COST * seam * np.sqrt(area)
             if is_usual and all(each.is_good for each in trials):
@@ -283,7 +295,7 @@ def _pieces(surface: Surface, region: Mask, axis: Floats) -> list[tuple[Mask, Ma
 
 
 def _candidates(
-    surface: Surface, piece: Mask, opened: Mask, axis: Floats, conductance: Floats
+    surface: Surface, piece: Mask, opened: Mask, axis: Floats, conductance: Floats, centre: Floats
 ) -> Iterator[tuple[list[Mask], float, Mask, bool]]:
     """Ways to cut a piece: its parts, the length of the seam, the edges that are cut within them.
 
@@ -296,20 +308,20 @@ def _candidates(
         mean = np.zeros(3)
     offset = normals[piece] - mean
     _, vectors = np.linalg.eigh(np.einsum("mi,mj,m->ij", offset, offset, areas))
-    centre = np.average(middles[piece], axis=0, weights=areas)
+    away = middles - np.average(middles[piece], axis=0, weights=areas)
     is_round = not mean.any()
     scores = [normals @ (FRONT - (FRONT @ axis) * axis)] if is_round else []
     scores += [(normals - mean) @ vectors[:, 2], (normals - mean) @ vectors[:, 1]]
     blurry = len(scores)
-    place = middles[piece] - centre
+    place = away[piece]
     _, spread = np.linalg.eigh(np.einsum("mi,mj,m->ij", place, place, areas))
     scores += [
-        (middles - centre) @ spread[:, 2],
-        (middles - centre) @ spread[:, 1],
-        (middles - centre) @ axis,
+        away @ spread[:, 2],
+        away @ spread[:, 1],
+        away @ axis,
     ]
     length = _edge_lengths(surface)
-    seam = _opening(surface, piece, opened, axis)
+    seam = _opening(surface, piece, opened, axis, centre)
     if seam is not None:
         yield [piece], float(length[seam & ~opened].sum() / 2), opened | seam, True
     for number, score in enumerate(scores):
@@ -326,7 +338,7 @@ def _candidates(
         yield parts, float(length[seam].sum() / 2), opened, is_round and number == 0
 
 
-def _opening(surface: Surface, piece: Mask, opened: Mask, axis: Floats) -> Mask | None:
+def _opening(surface: Surface, piece: Mask, opened: Mask, axis: Floats, centre: Floats) -> Mask | None:
     """The edges of a seam along a tube, where it is seen least; None of what is no tube."""
     loops = _loops(surface, piece, ~opened, _SHORT_LOOP * np.sqrt(surface.areas[piece].sum()))
     if len(loops) != 2:
@@ -334,8 +346,7 @@ def _opening(surface: Surface, piece: Mask, opened: Mask, axis: Floats) -> Mask 
     tube = Surface.of(surface.positions, surface.triangles[piece])
     away = distances(tube, loops[0])
     middle = np.average(tube.middles, axis=0, weights=tube.areas)
-    whole = np.average(surface.middles, axis=0, weights=surface.areas)
-    hidden = whole - middle
+    hidden = centre - middle
     hidden -= (hidden @ axis) * axis
     length = float(np.linalg.norm(hidden))
     hidden = hidden / length if length > 0.1 * np.sqrt(tube.areas.sum()) else -FRONT

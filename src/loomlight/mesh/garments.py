@@ -23,7 +23,7 @@ from loomlight.mesh.reading import read_parts
 from loomlight.mesh.unwrap import CutPieces, cut_pieces, with_uv
 
 # Changed with whatever changes how cloth is cut.
-_VERSION = 1
+_VERSION = 2
 # Cuts that are kept on disk, the newest, and in memory: a command reads a mesh for each of its pictures.
 _MAX_KEPT, _MAX_HELD = 32, 2
 _held: dict[str, CutPieces] = {}

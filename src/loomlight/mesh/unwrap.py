@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, joined
 from loomlight.mesh.coarse import carried, coarse_copy
-from loomlight.mesh.cutting import cut, main_axis
+from loomlight.mesh.cutting import cut, leaning_axis, main_axis
 from loomlight.mesh.flattening import FlatTriangles, flattened, stretches, unfolded
 from loomlight.mesh.surface import Surface, corners_of, pieces_of, together
 
@@ -26,7 +26,7 @@ Mask = NDArray[np.bool_]
 # Triangles of the copy on which is decided where to cut, and more for each component of the mesh.
 _COARSE, _OF_COMPONENT = 4000, 200
 # Components of less of the area are small: they are laid flat as they are.
-_SMALL, _MAX_LARGE = 0.004, 100
+_SMALL, _MAX_LARGE = 0.004, 40
 # A file whose triangles hang together in so many panels at most, of so many triangles, has its own seams.
 _MAX_PANELS, _PANEL = 64, 20
 # Between pieces that lie beside each other, metres.
@@ -117,7 +117,7 @@ def cut_pieces(parts: Sequence[MeshPart]) -> CutPieces:
     if not len(whole.triangles):
         raise InputError(f"{whole.name} holds no triangles that have an area.")
     part = np.repeat(np.arange(len(parts)), [len(each.mesh.triangles) for each in parts])
-    surface = _welded(whole, part)
+    surface = _upright(_welded(whole, part))
     component = pieces_of(surface, np.zeros(len(part), np.int64))
     areas = np.bincount(component, surface.areas)
     order = np.argsort(-areas, kind="stable")[:_MAX_LARGE]
@@ -156,6 +156,14 @@ def _welded(mesh: ClothMesh, part: Indices) -> Surface:
     positions = np.zeros((int(vertex.max()) + 1, 3))
     positions[vertex] = mesh.positions
     return Surface.of(positions, vertex[mesh.triangles])
+
+
+def _upright(surface: Surface) -> Surface:
+    """A garment that lies on its back, as files with z upwards have it, stood up: its front along +z."""
+    axis = leaning_axis(surface, np.ones(len(surface.areas), bool))
+    if axis is None or abs(axis[2]) < 0.87:
+        return surface
+    return Surface.of(surface.positions[:, [0, 2, 1]] * [1, 1, -1], surface.triangles)
 
 
 def _large(surface: Surface, chosen: Mask) -> _Laid:
