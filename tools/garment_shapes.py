@@ -127,6 +127,19 @@ def scan(triangles: int = 4000) -> MeshPart:
     return as_part(places[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3), "scan")
 
 
+def refined(mesh: ClothMesh) -> ClothMesh:
+    """Each triangle cut into four at the middles of its edges."""
+    triangles, count = mesh.triangles, len(mesh.positions)
+    ends = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+    pairs, middle = np.unique(ends, axis=0, return_inverse=True)
+    a, b, c = triangles.T
+    ab, bc, ca = (count + middle.reshape(-1, 3)).T
+    faces = [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
+    positions = np.concatenate([mesh.positions, mesh.positions[pairs].mean(axis=1)])
+    made = np.concatenate([np.stack(face, axis=1) for face in faces])
+    return cleaned(ClothMesh(positions, np.zeros((0, 3)), np.zeros((0, 2)), made, mesh.name))
+
+
 SHAPES: dict[str, Callable[[int], MeshPart]] = {
     "skirt": skirt,
     "trousers": trousers,

@@ -1,6 +1,6 @@
 """Writes the example pictures of maps over a garment: a badge to print, and where denim is worn.
 
-    python -m tools.make_example_maps            # examples/badge.png, examples/worn.png
+python -m tools.make_example_maps            # examples/badge.png, examples/worn.png
 """
 
 from __future__ import annotations

@@ -14,26 +14,13 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, cleaned, cross_products, metric
+from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, cross_products, metric
 from loomlight.mesh.reading import read_parts
 from loomlight.mesh.unwrap import CutPieces, cut_pieces, with_uv
-from tools.garment_shapes import SHAPES, as_part, ball, cushion, scan, skirt
+from tools.garment_shapes import SHAPES, as_part, ball, cushion, refined, scan, skirt
 
 DATA = os.environ.get("LOOMLIGHT_DATA")
 needs_data = pytest.mark.skipif(DATA is None, reason="LOOMLIGHT_DATA does not name the folder of meshes")
-
-
-def refined(mesh: ClothMesh) -> ClothMesh:
-    """Each triangle cut into four at the middles of its edges."""
-    triangles, count = mesh.triangles, len(mesh.positions)
-    ends = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
-    pairs, middle = np.unique(ends, axis=0, return_inverse=True)
-    a, b, c = triangles.T
-    ab, bc, ca = (count + middle.reshape(-1, 3)).T
-    faces = [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
-    positions = np.concatenate([mesh.positions, mesh.positions[pairs].mean(axis=1)])
-    made = np.concatenate([np.stack(face, axis=1) for face in faces])
-    return cleaned(ClothMesh(positions, np.zeros((0, 3)), np.zeros((0, 2)), made, mesh.name))
 
 
 def shirt() -> MeshPart:
