@@ -17,6 +17,7 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade, UsdSkel, UsdUtils, Vt
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import ClothMesh, cross_products
 from loomlight.mesh.reading import frame_times, read_cameras, read_parts
+from tests.mesh.test_gltf_data import gltf
 from tests.mesh.test_subdivision import CUBE, FACES
 from tools.make_example_stage import FILE as EXAMPLE
 from tools.make_example_stage import fill
@@ -96,13 +97,18 @@ def test_a_quad_of_every_kind_of_file(tmp_path: Path, suffix: str) -> None:
     assert read_cameras(file) == []
 
 
-def test_the_same_mesh_as_obj(tmp_path: Path) -> None:
+def test_the_same_mesh_as_obj_and_gltf(tmp_path: Path) -> None:
     file = written(tmp_path, quad)
+    down = np.array([(u, 1 - v) for u, v in UV], "<f4")
+    arrays = {"POSITION": np.array(CORNERS, "<f4"), "TEXCOORD_0": down}
+    gltf_mesh = mesh_of(gltf(tmp_path, {**arrays, "indices": np.array([0, 1, 2, 0, 2, 3], "<u2")}))
     rows = [*(f"v {x} {y} {z}" for x, y, z in CORNERS), *(f"vt {u} {v}" for u, v in UV), "f 1/1 2/2 3/3 4/4"]
     (tmp_path / "mesh.obj").write_text("\n".join(rows))
     usd, obj = mesh_of(file), mesh_of(tmp_path / "mesh.obj")
-    assert by_corner(usd) == by_corner(obj)
-    np.testing.assert_array_equal(usd.positions[usd.triangles], obj.positions[obj.triangles])
+    for other in (obj, gltf_mesh):
+        assert by_corner(usd) == by_corner(other)
+        np.testing.assert_array_equal(usd.positions[usd.triangles], other.positions[other.triangles])
+        np.testing.assert_allclose(usd.normals, other.normals)
 
 
 def test_centimetres_with_z_up_become_metres_with_y_up(tmp_path: Path) -> None:
