@@ -14,6 +14,7 @@ from loomlight.cli.main import run
 from loomlight.core.images import Picture
 from loomlight.mesh.moving import Frame
 from loomlight.mitsuba.moving import MovingCloth
+from tests.mesh.test_gltf_motion import moving
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*too many to be seen")
 
@@ -155,6 +156,39 @@ def test_one_sentence(
         Path("frames/11.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n")
     assert expected in refused(["render", *MOVING, *words, "-o", "a.png"])
     assert rendered == []
+
+
+@pytest.fixture
+def animated(tmp_path: Path) -> str:
+    """A glTF file of a square that goes 0.2 m to the right within a fifth of a second, six frames at 25."""
+    return moving(tmp_path, (0, "translation", "LINEAR", [0, 0.2], [(0, 0, 0), (0.2, 0, 0)])).name
+
+
+def test_an_animation_in_one_file(
+    animated: str, rendered: list[int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    command = ["render", "plain", "--mesh", animated, *RENDER[4:]]
+    assert run([*command, "-o", "still.png"]) == 0
+    said = capsys.readouterr()
+    assert f"{animated} is shown as it rests: --frames : renders its 6 frames." in said.err
+    assert said.out.split() == ["still.png"]
+    assert rendered == []
+    assert run([*command, "-o", "a.png", "--frames", ":"]) == 0
+    assert capsys.readouterr().out.split() == [f"a-{number:04}.png" for number in range(1, 7)]
+    assert rendered == [1, 2, 3, 4, 5, 6]
+    assert run([*command, "-o", "a.webp"]) == 0
+    with Image.open("a.webp") as animation:
+        assert animation.n_frames == 6  # type: ignore[attr-defined]
+        animation.seek(1)
+        animation.load()
+        assert animation.info["duration"] == 40
+
+
+def test_cloth_that_stands_still_has_no_frames(rendered: list[int], refused: Callable[..., str]) -> None:
+    command = ["render", "plain", "--mesh", "frames/9.obj", "-o", "a.png", "--frames", ":"]
+    assert "frames/9.obj does not move: give a file of several frames, or a pattern" in refused(command)
+    expected = "play/*.obj stands for several meshes, frames of one that moves; one alone is shown here"
+    assert expected in refused(["play", "plain", "--mesh", "play/*.obj", "-o", "a.png"])
 
 
 def test_frames_are_of_a_mesh(refused: Callable[..., str]) -> None:

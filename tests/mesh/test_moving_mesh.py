@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import INDEX
-from loomlight.mesh.moving import Frame, MovingMesh, chosen_frames, extremes, find_frames, is_pattern, moved
-from loomlight.mesh.reading import read_mesh
+from loomlight.mesh.moving import Frame, MovingMesh, chosen_frames, extremes, find_frames, moved
+from loomlight.mesh.reading import is_pattern, read_mesh
 
 Floats = NDArray[np.float64]
 Write = Callable[[Path, Floats], None]

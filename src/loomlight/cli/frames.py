@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 from loomlight import __version__
 from loomlight.cli.terminal import done, note_left, progress
-from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.errors import InputError, LoomlightError, LoomlightWarning
 from loomlight.core.files import ANIMATION_SUFFIXES
 from loomlight.core.outputs import files_of
 from loomlight.core.picture_record import PictureRecord
@@ -34,33 +34,53 @@ class Frames:
     frames: Sequence[Frame]
     chosen: Sequence[Frame]
 
+    def numbers(self) -> list[str]:
+        """Numbers of those that are to be rendered, of as many digits each."""
+        digits = max(4, len(str(self.frames[-1].number)))
+        return [f"{frame.number:0{digits}}" for frame in self.chosen]
+
+    def paths(self, output: Path) -> list[Path]:
+        """The files of an output: a picture numbered as each frame is, or an animation."""
+        if is_animation(output):
+            return [output]
+        return [output.with_stem(f"{output.stem}-{number}") for number in self.numbers()]
+
 
 def frames_of(
-    mesh: str | os.PathLike[str] | None, chosen: str | None, turns: int | None, fabrics: Sequence[str]
+    mesh: str | os.PathLike[str] | None,
+    chosen: str | None,
+    turns: int | None,
+    fabrics: Sequence[str],
+    output: str,
 ) -> Frames | None:
     """The frames that a command line names; None where nothing moves.
 
     Args:
-        mesh, chosen, turns: of `--mesh`, `--frames` and `--turntable`.
+        mesh, chosen, turns, output: of `--mesh`, `--frames`, `--turntable` and `--output`.
         fabrics: of the command line, among which shells put the meshes of a pattern.
 
     Raises:
         InputError: no such frames, or options that do not go together.
     """
-    if mesh is None and chosen is None:
+    if mesh is None:
+        if chosen is not None:
+            raise InputError(f"--frames {chosen} needs a mesh that moves, such as --mesh 'frames/*.obj'.")
         return None  # what follows takes numpy, for which help must not wait
-    from loomlight.mesh.moving import chosen_frames, find_frames, is_pattern
-    from loomlight.mesh.reading import is_mesh
+    from loomlight.mesh.moving import chosen_frames, find_frames
+    from loomlight.mesh.reading import is_mesh, is_pattern
 
-    if mesh is not None and (other := next(filter(is_mesh, fabrics), None)):
+    if other := next(filter(is_mesh, fabrics), None):
         raise InputError(
             f"{other} is a mesh and no fabric: put a pattern of meshes in quotes, as in --mesh "
             f"'{Path(other).with_name('*')}{Path(other).suffix}', so that the shell hands it on."
         )
-    if chosen is None and (mesh is None or not is_pattern(mesh)):
-        return None
-    if mesh is None:
-        raise InputError(f"--frames {chosen} needs a mesh that moves, such as --mesh 'frames/*.obj'.")
+    if chosen is None and not is_pattern(mesh):
+        count = 0 if turns is not None else _count_in_file(mesh)
+        if count == 0:
+            return None
+        if not is_animation(Path(output)):
+            _say(f"{mesh} is shown as it rests: --frames : renders its {count} frames.")
+            return None
     if turns is not None:
         raise InputError(
             f"--turntable {turns} turns a cloth that stands still, and that of {mesh} moves: leave one of "
@@ -70,17 +90,19 @@ def frames_of(
     return Frames(frames, chosen_frames(frames, chosen, mesh, "--frames"))
 
 
-def frame_paths(output: Path, frames: Sequence[Frame]) -> list[Path]:
-    """The files of an output: a picture numbered as each frame is, or an animation."""
-    if output.suffix.lower() in ANIMATION_SUFFIXES:
-        return [output]
-    return [output.with_stem(f"{output.stem}-{number}") for number in _numbers(frames)]
+def _count_in_file(mesh: str | os.PathLike[str]) -> int:
+    """Frames of a file of several, 0 of another one or of one that cannot be read, which is said later."""
+    from loomlight.mesh.reading import frame_times, is_mesh
+
+    try:
+        return len(frame_times(mesh)) if is_mesh(mesh) else 0
+    except LoomlightError:
+        return 0
 
 
-def _numbers(frames: Sequence[Frame]) -> list[str]:
-    """Numbers of frames with as many digits each."""
-    digits = max(4, *(len(str(frame.number)) for frame in frames))
-    return [f"{frame.number:0{digits}}" for frame in frames]
+def is_animation(output: Path) -> bool:
+    """Whether an output is one file of several pictures."""
+    return output.suffix.lower() in ANIMATION_SUFFIXES
 
 
 def _parts(animation: Path) -> Path:
@@ -94,32 +116,33 @@ def write_frames(
     output: Path,
     moving: Frames,
     settings: RenderSettings,
-    frames_per_second: float,
+    frames_per_second: float | None,
 ) -> None:
     """Writes the pictures of frames, but for those that this command has made before.
 
     Args:
         what: is rendered, for the terminal.
-        output: see `frame_paths`.
-        frames_per_second: of an animation.
+        output: see `Frames.paths`.
+        frames_per_second: of an animation; by default as its file has it, else 24.
     """
     import numpy as np
 
     from loomlight.core.images import read_picture, write_animation, write_image
+    from loomlight.mesh.moving import frames_per_second as own_rate
     from loomlight.mitsuba.moving import MovingCloth
 
-    animated = output.suffix.lower() in ANIMATION_SUFFIXES
-    frames, chosen = moving.frames, moving.chosen
-    paths = frame_paths(output, chosen)
+    animated, frames, chosen = is_animation(output), moving.frames, moving.chosen
+    paths = moving.paths(output)
     if animated:
-        paths = [_parts(output) / f"{number}.png" for number in _numbers(chosen)]
+        paths = [_parts(output) / f"{number}.png" for number in moving.numbers()]
+    rate = frames_per_second or own_rate(frames) or 24.0
     # 1. All that pictures are made of, and which of them are there.
     with progress(f"{what}: reading {len(frames)} frames") as report:
         cloth = MovingCloth(fabric, frames, settings, report)
     common = _hash([__version__, *_facts({**dataclasses.asdict(settings), "fabric": fabric, "mesh": None})])
     made_of = [_hash([common, cloth.hash_of(frame)]) for frame in chosen]
     record = PictureRecord(output.with_name(f".loomlight-{output.name}.frames"))
-    whole_hash = _hash([*made_of, frames_per_second])
+    whole_hash = _hash([*made_of, rate])
     if animated and record.holds(output, whole_hash):
         _say(f"{output} is whole and made by this command: nothing is rendered.")
         return
@@ -143,7 +166,7 @@ def write_frames(
             report(count + 1, len(left))
     if animated:
         pictures = [np.rint(255 * read_picture(path)).astype(np.uint8) for path in paths]
-        write_animation(output, pictures, len(pictures) / frames_per_second)
+        write_animation(output, pictures, len(pictures) / rate)
         record.add(output, whole_hash)
         done(output)
         shutil.rmtree(_parts(output), ignore_errors=True)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from loomlight.cli.frames import frame_paths, frames_of, write_frames
+from loomlight.cli.frames import frames_of, is_animation, write_frames
 from loomlight.cli.options import (
     ExecutorName,
     FabricsArgument,
@@ -69,22 +69,28 @@ def render(
         typer.Option(
             "--frames",
             metavar="A:B",
-            help="Frames of a mesh that moves, such as --mesh 'frames/*.obj': from A to B, A:B:STEP or one "
-            "number; all by default. Pictures are numbered as they are, or one .webp or .gif.",
+            help="Frames of a mesh that moves: from A to B, A:B:STEP, one number, or : for all, as of files "
+            "--mesh 'frames/*.obj'. Pictures are numbered as frames are, or one .webp or .gif.",
         ),
     ] = None,
     frames_per_second: Annotated[
-        float, typer.Option("--fps", metavar="N", help="Frames a second, of frames in one .webp or .gif.")
-    ] = 24.0,
+        float | None,
+        typer.Option(
+            "--fps",
+            metavar="N",
+            help="Frames a second of one .webp or .gif; by default the mesh file's, or 24.",
+        ),
+    ] = None,
 ) -> None:
     """Renders fabrics, each on a piece of cloth, a mesh, or the marked shapes of a scene file."""
     if turns is not None:
         require_within("--turntable", turns, 2, 1000)
-    require_within("--fps", frames_per_second, 1, 240)
-    moving = frames_of(given.get("mesh"), frames, turns, fabrics)
+    if frames_per_second is not None:
+        require_within("--fps", frames_per_second, 1, 240)
+    moving = frames_of(given.get("mesh"), frames, turns, fabrics, output)
     numbered: Callable[[Path], list[Path]] | None = None
     if moving is not None:
-        numbered = partial(frame_paths, frames=moving.chosen)
+        numbered = moving.paths
     elif turns is not None:
         numbered = partial(turn_paths, count=turns)
     outputs = _outputs(fabrics, output, numbered)
@@ -96,7 +102,7 @@ def render(
     settings = RenderSettings(**given)
     cloths = [cloth.fabric if isinstance(cloth, Worn) else cloth for cloth in settings.cloths.values()]
     read = [*fabrics, settings.scene, settings.mesh, settings.environment, *cloths]
-    read += [] if moving is None else [frame.path for frame in moving.frames]
+    read += [] if moving is None else {frame.path for frame in moving.frames}
     require_not_read(_written(outputs, numbered), read)
     if settings.save_mesh is not None:
         _check_save_mesh(settings, read)
@@ -208,18 +214,14 @@ class _Written:
 
 def turn_paths(path: Path, count: int) -> list[Path]:
     """The files of `count` pictures of one turn: `path` if it is an animation, else numbered from 000."""
-    if _is_animated(path):
+    if is_animation(path):
         return [path]
     return [path.with_stem(f"{path.stem}-{number:03}") for number in range(count)]
 
 
-def _is_animated(path: Path) -> bool:
-    return path.suffix.lower() in ANIMATION_SUFFIXES
-
-
 def write_turn(what: str, fabric: str, path: Path, count: int, settings: RenderSettings) -> None:
     """Writes `count` pictures of one turn to `turn_paths`."""
-    animated = _is_animated(path)
+    animated = is_animation(path)
     paths = turn_paths(path, count)
     from loomlight.core.images import encoded, write_animation, write_image
     from loomlight.mitsuba.pictures import turntable

@@ -1,4 +1,4 @@
-"""Moving cloth: the frames of a mesh, a file for each, of one topology.
+"""Moving cloth: the frames of a mesh, in a file each or in one, of one topology.
 
 The triangles, uv and parts of all frames are those of the first one; of the others positions alone are read.
 """
@@ -19,11 +19,10 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import INDEX, MAX_COORDINATE, ClothMesh
-from loomlight.mesh.reading import SUFFIXES, is_mesh, read_rows, read_triangles
+from loomlight.mesh.reading import SUFFIXES, frame_times, is_mesh, is_pattern, read_rows, read_triangles
 
 Floats = NDArray[np.float64]
 
-_WILD = re.compile(r"[*?\[]")
 _DIGITS = re.compile(r"\d+")
 _RANGE = re.compile(r"\s*(\d*)\s*(?::\s*(\d*)\s*)?(?::\s*(\d*)\s*)?")
 # Directions in which the outermost vertices of each frame are kept: all others lie within 1 % of the hull.
@@ -34,32 +33,52 @@ _AT_ONCE = 2**22
 _SAME = 0.5
 
 
-def is_pattern(mesh: str | os.PathLike[str]) -> bool:
-    """Whether a path stands for many files, as "frames/*.obj" does, and is no file itself."""
-    return bool(_WILD.search(os.fspath(mesh))) and not os.path.lexists(mesh)
-
-
 @dataclass(frozen=True)
 class Frame:
     """A frame of moving cloth.
 
     Attributes:
-        number: as the names of files have it.
+        number: as the names of files have it, or counted from 1 in a file of several.
         path: its file.
+        time: seconds from the start of a file of several frames.
     """
 
     number: int
     path: Path
+    time: float | None = None
+
+    def __str__(self) -> str:
+        return f"{self.path}" if self.time is None else f"{self.path} at {self.time:.4g} s"
 
 
-def find_frames(pattern: str | os.PathLike[str]) -> list[Frame]:
-    """The frames of a pattern such as "frames/*.obj", by the number in which the names of its files differ.
+def find_frames(mesh: str | os.PathLike[str]) -> list[Frame]:
+    """The frames of a file that moves, or of a pattern such as "frames/*.obj".
 
-    A warning says so where numbers are missing.
+    Files are in the order of the number in which their names differ. A warning says so where one is missing.
 
     Raises:
-        InputError: no mesh files, several formats, or names without numbers of their own.
+        InputError: no mesh files, several formats, names without numbers of their own, or a file whose meshes
+            do not move; and what `read_parts` raises.
+        MissingDependencyError: as `read_parts` raises it.
     """
+    if is_pattern(mesh):
+        return _frames_of_files(mesh)
+    path = Path(mesh)
+    times = frame_times(path)
+    if not times:
+        raise InputError(
+            f"{path} does not move: give a file of several frames, or a pattern such as 'frames/*.obj'."
+        )
+    return [Frame(number, path, time) for number, time in enumerate(times, 1)]
+
+
+def frames_per_second(frames: Sequence[Frame]) -> float | None:
+    """The rate of frames in one file; None where none is known."""
+    times = [frame.time for frame in frames[:2] if frame.time is not None]
+    return 1 / (times[1] - times[0]) if len(times) > 1 else None
+
+
+def _frames_of_files(pattern: str | os.PathLike[str]) -> list[Frame]:
     found = sorted(Path(name) for name in glob.glob(os.fspath(pattern), recursive=True))
     paths = [path for path in found if is_mesh(path) and path.is_file()]
     if not paths:
@@ -112,7 +131,7 @@ def _warn_of_gaps(frames: Sequence[Frame], pattern: str | os.PathLike[str]) -> N
     warnings.warn(
         f"{pattern} has no frame {missing} between {frames[at].number} and {frames[at + 1].number}.",
         LoomlightWarning,
-        stacklevel=3,
+        stacklevel=4,
     )
 
 
@@ -184,9 +203,9 @@ class MovingMesh:
         self.frames = list(frames)
         self.first = self.frames[0]
         self._metres_per_unit = metres_per_unit
-        rows, self._faces = read_rows(self.first.path)
+        rows, self._faces = read_rows(self.first.path, self.first.time)
         self._count = len(rows)
-        self._triangles = read_triangles(self.first.path)
+        self._triangles = read_triangles(self.first.path, self.first.time)
         self._used = np.unique(self._triangles)
 
     def rows(self, frame: Frame) -> Floats:
@@ -195,27 +214,25 @@ class MovingMesh:
         Raises:
             InputError: a damaged file, or other vertices or triangles than the first frame's.
         """
-        rows, faces = read_rows(frame.path)
+        rows, faces = read_rows(frame.path, frame.time)
         if len(rows) != self._count or faces != self._faces:
             self._require_same(frame, len(rows))
         if not (np.abs(rows[self._used]) < MAX_COORDINATE).all():
-            raise InputError(f"{frame.path} is damaged: a vertex position is not finite, or beyond ±1e15.")
+            raise InputError(f"{frame} is damaged: a vertex position is not finite, or beyond ±1e15.")
         return rows * self._metres_per_unit
 
     def _require_same(self, frame: Frame, count: int) -> None:
-        triangles = read_triangles(frame.path)
+        triangles = read_triangles(frame.path, frame.time)
         own, first = (
             f"{vertices} vertices and {len(faces)} triangles"
             for vertices, faces in ((count, triangles), (self._count, self._triangles))
         )
         advice = "frames are one mesh that moves, with the same vertices and faces in the same order."
         if own != first:
-            raise InputError(
-                f"{frame.path} has {own}, and the first frame, {self.first.path}, {first}: {advice}"
-            )
+            raise InputError(f"{frame} has {own}, and the first frame, {self.first}, {first}: {advice}")
         if np.isin(_keys(triangles, count), _keys(self._triangles, count)).mean() < _SAME:
             raise InputError(
-                f"{frame.path} has as many vertices and triangles as the first frame, {self.first.path} "
+                f"{frame} has as many vertices and triangles as the first frame, {self.first} "
                 f"({first}), but other ones: {advice}"
             )
 

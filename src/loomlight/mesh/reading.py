@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -49,11 +50,17 @@ _FORMATS = {
 }
 SUFFIXES = tuple(_FORMATS)
 T = TypeVar("T")
+_WILD = re.compile(r"[*?\[]")
 
 
 def is_mesh(path: str | os.PathLike[str]) -> bool:
     """Whether a path ends as meshes do that can be read."""
     return Path(path).suffix.lower() in SUFFIXES
+
+
+def is_pattern(mesh: str | os.PathLike[str]) -> bool:
+    """Whether a path stands for many files, as "frames/*.obj" does, and is no file itself."""
+    return bool(_WILD.search(os.fspath(mesh))) and not os.path.lexists(mesh)
 
 
 def read_parts(path: str | os.PathLike[str], time: float | None = None) -> list[MeshPart]:
@@ -168,6 +175,10 @@ def _raw_parts(file: Path, time: float | None) -> list[MeshPart]:
 
 def _read(file: Path, what: Callable[[_Format], T]) -> T:
     suffix = file.suffix.lower()
+    if is_pattern(file):
+        raise InputError(
+            f"{file} stands for several meshes, frames of one that moves; one alone is shown here."
+        )
     if suffix not in _FORMATS:
         raise InputError(f"{file}: meshes are read from {', '.join(SUFFIXES)} files.")
     require_file(file)

@@ -173,6 +173,7 @@ def read_garment(
     unwrap: bool | None = None,
     turns: Mapping[str, float] | None = None,
     save: str | os.PathLike[str] | None = None,
+    time: float | None = None,
 ) -> Garment[ClothT]:
     """A mesh file whose parts are given `cloth`, or one of `others` by the name of the part or its material.
 
@@ -184,11 +185,12 @@ def read_garment(
         unwrap: see `garment_parts`.
         turns: degrees by which `others` are turned, by the same names.
         save: where the mesh is written as it is clothed; see `write_mesh`.
+        time: as `read_parts` takes it.
 
     Raises:
         InputError: what `read_parts` raises, no usable uv, or a name that no part with uv has.
     """
-    parts = garment_parts(path, metres_per_unit, unwrap, others)
+    parts = garment_parts(path, metres_per_unit, unwrap, others, time)
     covered = [part for part in parts if len(part.mesh.uv)]
     warn_of_inside_out(covered, path)
     for name in others:

@@ -46,7 +46,7 @@ def render_frames(
         material: as `render` takes it.
         frames: one number; "A:B" or "A:B:STEP", from A to B, both included; or numbers; by default all.
         settings: by default those of `RenderSettings`, but for `mesh`, which there has to be.
-        changes: settings by name, such as `mesh="frames/*.obj", spp=64`.
+        changes: settings by name, such as `mesh="frames/*.obj", spp=64`, or `mesh="fall.usd"`.
 
     Raises:
         InputError: no such frames, frames that are not one mesh, or what `render` raises.
@@ -99,7 +99,14 @@ class MovingCloth:
         spec = shown_material(material, settings)
         options: SceneOptions = {**scene_options(settings), "mesh": self._mesh.first.path}
         others = further_cloths(settings)
-        self.shown = build_scene(settings.scene, material_bsdf(spec), swept=self._swept, **others, **options)
+        self.shown = build_scene(
+            settings.scene,
+            material_bsdf(spec),
+            time=self._mesh.first.time,
+            swept=self._swept,
+            **others,
+            **options,
+        )
         self.shown.integrator.soft_terminator = settings.soft_terminator
         warn_of_hidden_weave(spec.source, self.shown.pixel_mm(), settings)
         dressed = self.shown.dressed

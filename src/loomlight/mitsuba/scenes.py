@@ -91,6 +91,8 @@ _UNSEEN = 2.0
 
 # From (mm per unit of u, mm per unit of v) to a BSDF, or to the dictionary of one.
 BsdfFactory = Callable[[tuple[float, float]], Any]
+# From meshes of the scene to the outermost places [n, 3] where they will be.
+Swept = Callable[[Sequence[ClothMesh]], NDArray[np.float64]]
 
 
 class SceneOptions(CameraKeywords, total=False):
@@ -247,7 +249,8 @@ def build_scene(
     save_mesh: str | os.PathLike[str] | None = None,
     others: Mapping[str, BsdfFactory] | None = None,
     turns: Mapping[str, float] | None = None,
-    swept: Callable[[Sequence[ClothMesh]], NDArray[np.float64]] | None = None,
+    time: float | None = None,
+    swept: Swept | None = None,
     **camera: Unpack[CameraKeywords],
 ) -> ClothScene:
     """A scene that shows the cloth `bsdf`; a Mitsuba variant must be set.
@@ -269,7 +272,8 @@ def build_scene(
             name of a part or of its material.
         turns: degrees by which these are turned on a mesh, by the same names.
         camera: fields of `CameraSettings`.
-        swept: gives further points [n, 3] that the picture has to show, of the pieces of cloth, which move.
+        time: of a mesh file that moves, seconds from its start; None is as it rests.
+        swept: gives places [n, 3] where meshes will be, which move; the camera shows all of them.
 
     Raises:
         InputError: an unknown scene or light, a value out of range, or a file that cannot be used.
@@ -310,15 +314,20 @@ def build_scene(
     else:
         setup = _MESH
         worn = read_garment(
-            mesh, metres_per_unit, factory, others or {}, unwrap=unwrap, turns=turns, save=save_mesh
+            mesh,
+            metres_per_unit,
+            factory,
+            others or {},
+            unwrap=unwrap,
+            turns=turns,
+            save=save_mesh,
+            time=time,
         )
     size, edge = size or default_size(mesh, seen.camera), edge or setup.edge
     dressed, bsdfs, uv_size_mm = _dressed(worn, placement, edge)
     meshes = dressed.at_rest()
     cloth = joined([replace(mesh, uv=np.zeros((0, 2))) for mesh in meshes.values()])
-    if swept is not None:
-        further = swept([*dressed.pieces.values()])
-        cloth = replace(cloth, positions=np.concatenate([cloth.positions, further]))
+    cloth = _extended(cloth, [*dressed.pieces.values()], swept)
     corners = _corners([*meshes.values()])
     shapes = {
         name: to_shape(mesh, bsdf, _pictures(mesh, bsdf, corners))
@@ -328,7 +337,15 @@ def build_scene(
     _require_extent(cloth.name, radius)
     # 3. The camera frames all of it, or what it is told to, and comes closer below.
     view, point, framed = _seen(
-        seen, name if mesh is None else mesh, cloth, worn.parts, setup, size, metres_per_unit, setup.ground
+        seen,
+        name if mesh is None else mesh,
+        cloth,
+        worn.parts,
+        setup,
+        size,
+        metres_per_unit,
+        setup.ground,
+        swept,
     )
     farther, view = view.closer(min(zoom, 1.0), point), view.closer(zoom, point)
     paths = {"max_depth": max_depth or DEFAULT_DEPTH, "rr_depth": ROULETTE_DEPTH}
@@ -370,6 +387,7 @@ def _seen(
     size: tuple[int, int],
     metres_per_unit: float,
     over_floor: bool,
+    swept: Swept | None = None,
 ) -> tuple[View, NDArray[np.float64], NDArray[np.float64] | None]:
     """The view at zoom 1, the point that zoom comes closer to, and what the camera frames; see `ClothScene`.
 
@@ -387,7 +405,10 @@ def _seen(
         if ahead > 0:
             view = replace(view, target=view.origin - ahead * view.backward)
         return view, point, None
-    looked_at = cloth if settings.look_at is None else _part_of(parts, settings.look_at, name)
+    looked_at = cloth
+    if settings.look_at is not None:
+        part = _part_of(parts, settings.look_at, name)
+        looked_at = _extended(part, [part], swept)
     points, towards = looked_at.positions, np.array(setup.towards_camera, float)
     view = chosen_view(settings, points, towards, size, over_floor)
     point = _facing_point(looked_at, view, settings.target)
@@ -552,6 +573,13 @@ def _pictures(
         for number, place in enumerate(places)
         if not place.is_on_cloth
     }
+
+
+def _extended(mesh: ClothMesh, moving: Sequence[ClothMesh], swept: Swept | None) -> ClothMesh:
+    """The mesh with further vertices where what moves will be."""
+    if swept is None:
+        return mesh
+    return replace(mesh, positions=np.concatenate([mesh.positions, swept(moving)]))
 
 
 def _thickness(bsdf: Any) -> float:
