@@ -36,12 +36,13 @@ def square(cells: int = 2) -> tuple[Floats, Floats]:
     return SIDE * ((u - 0.5)[:, None] * RIGHT + (v - 0.5)[:, None] * up), np.stack([u, v], axis=1)
 
 
-def write(path: Path, places: Floats, uv: Floats) -> None:
+def write(path: Path, places: Floats, uv: Floats | None) -> None:
     cells = round(len(places) ** 0.5) - 1
     corner = [row * (cells + 1) + column + 1 for row in range(cells) for column in range(cells)]
     faces = [(a, a + 1, a + cells + 2, a + cells + 1) for a in corner]
-    lines = [f"v {x:.9f} {y:.9f} {z:.9f}" for x, y, z in places] + [f"vt {u} {v}" for u, v in uv]
-    lines += ["f " + " ".join(f"{n}/{n}" for n in face) for face in faces]
+    lines = [f"v {x:.9f} {y:.9f} {z:.9f}" for x, y, z in places]
+    lines += [] if uv is None else [f"vt {u} {v}" for u, v in uv]
+    lines += ["f " + " ".join(str(n) if uv is None else f"{n}/{n}" for n in face) for face in faces]
     path.write_text("\n".join([*lines, ""]))
 
 
@@ -103,6 +104,24 @@ def test_kernels_are_compiled_for_the_first_frame_alone(tmp_path: Path) -> None:
     cloth = MovingCloth("plain", frames, SMALL.changed(edge="hem"))
     assert new_kernels(lambda: cloth.picture(frames[0])) > 0
     assert new_kernels(lambda: cloth.picture(frames[1])) == 0
+
+
+@pytest.mark.filterwarnings("ignore:.*cut into")
+def test_cloth_without_uv_is_cut_in_its_first_frame(tmp_path: Path) -> None:
+    """Every vertex of every piece goes where its row of the file goes."""
+    places, _ = square(6)
+    bent = places + 0.5 * (places**2).sum(axis=1, keepdims=True) / SIDE * BACKWARD
+    frames = [Frame(number, tmp_path / f"{number}.obj") for number in (1, 2)]
+    write(frames[0].path, places, None)
+    write(frames[1].path, bent, None)
+    cloth = MovingCloth("plain", frames, SMALL)
+    params = mi.traverse(cloth.shown.scene)
+    before, uv = (np.array(params[f"cloth.vertex_{name}"]) for name in ("positions", "texcoords"))
+    cloth.show(frames[1])
+    nearest = np.linalg.norm(before.reshape(-1, 1, 3) - places, axis=2).argmin(axis=1)
+    after = np.array(params["cloth.vertex_positions"]).reshape(-1, 3)
+    np.testing.assert_allclose(after, bent[nearest], atol=1e-6)
+    np.testing.assert_array_equal(params["cloth.vertex_texcoords"], uv)
 
 
 def test_a_mesh_has_to_move() -> None:

@@ -139,7 +139,8 @@ def write_frames(
     # 1. All that pictures are made of, and which of them are there.
     with progress(f"{what}: reading {len(frames)} frames") as report:
         cloth = MovingCloth(fabric, frames, settings, report)
-    common = _hash([__version__, *_facts({**dataclasses.asdict(settings), "fabric": fabric, "mesh": None})])
+    values = {**dataclasses.asdict(settings), "fabric": fabric, "mesh": None, "save_mesh": None}
+    common = _hash([__version__, *_facts(values)])
     made_of = [_hash([common, cloth.hash_of(frame)]) for frame in chosen]
     record = PictureRecord(output.with_name(f".loomlight-{output.name}.frames"))
     whole_hash = _hash([*made_of, rate])
