@@ -1,6 +1,6 @@
 """Writes the example pictures of maps over a garment: a badge to print, and where denim is worn.
 
-python -m tools.make_example_maps            # examples/badge.png, examples/worn.png
+python -m tools.make_example_maps            # examples/maps/badge.png, worn.png
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
+EXAMPLES = Path(__file__).resolve().parents[1] / "examples" / "maps"
 # Drawn so many times larger, then averaged.
 _SUPERSAMPLED = 4
 _INK, _PAPER, _RED = (24, 38, 66, 255), (240, 232, 214, 255), (196, 62, 44, 255)

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from PIL import Image
 
+from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.fabric import Fabric, fabric_from_text
-from loomlight.fabric.colour import absorption, faded
-from loomlight.fabric.read import edited_fabric
+from loomlight.fabric.colour import TRACE, absorption, faded
+from loomlight.fabric.fields import MapTable
+from loomlight.fabric.read import edited_fabric, fabric_from_fields
+from loomlight.fabric.resolve import NEP_COLOUR
 from loomlight.fabric.surface_maps import Painting, painting_of, print_on_uv, with_maps, without_maps
 
 
@@ -168,11 +174,15 @@ def test_files_keep_maps_relative_to_where_they_are_written(tmp_path: Path) -> N
     assert fabric_from_text(fabric.to_toml(), tmp_path).fields == fabric.fields
 
 
-def test_dye_fades_to_undyed_fibres_and_no_further() -> None:
+def test_dye_fades_in_even_steps_and_a_trace_stays() -> None:
     colours = np.array([[0.02, 0.04, 0.2], [0.5, 0.5, 0.5]])
-    gone, half = faded(colours, 1.0), faded(colours, 0.5)
-    np.testing.assert_allclose(gone[0], gone[1])
-    np.testing.assert_allclose(absorption(half), (absorption(colours) + absorption(gone)) / 2)
+    undyed = absorption(parse_colour(NEP_COLOUR, ""))
+    dye = absorption(colours) - undyed
+    np.testing.assert_allclose(absorption(faded(colours, 1.0)) - undyed, TRACE * dye)
+    steps = np.diff([faded(colours, share)[0].mean() for share in np.linspace(0, 1, 5)])
+    assert (steps > 0).all()
+    # K/S alone in proportion would put nearly all of it into the last step.
+    assert steps.max() < 3 * steps.min()
     np.testing.assert_array_equal(faded(colours, 0.0), colours)
 
 
@@ -184,3 +194,23 @@ def test_the_family_on_the_face_is_rubbed_first() -> None:
     assert worn("twill 3/1") == pytest.approx((0.6, 0.2))
     assert worn("twill 1/3") == pytest.approx((0.2, 0.6))
     assert worn("plain") == pytest.approx((0.6, 0.6))
+
+
+_NAMES = ["color", "wear", "gap", "warp.roughness", "fabric", "sheen.strength", "plies", "x", ""]
+_ODD = st.one_of(
+    st.sampled_from([None, True, 3, float("nan"), -1.5, [], [0, 1], ["a.toml"], "front", "multiply"]),
+    st.text(max_size=8),
+)
+_TABLES = st.dictionaries(st.sampled_from([*MapTable.model_fields, "odd"]), _ODD, max_size=4)
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.dictionaries(st.sampled_from(_NAMES), st.one_of(_ODD, _TABLES), max_size=3))
+def test_odd_maps_are_read_or_refused_in_a_sentence(maps: dict[str, Any]) -> None:
+    sentence = "It is read."
+    try:
+        fabric_from_fields({"weave": "plain", "maps": maps})
+    except InputError as fault:
+        sentence = str(fault)
+    assert sentence.endswith((".", "?"))
+    assert "\n" not in sentence

@@ -19,7 +19,9 @@ from loomlight.scattering.interreflection import scattered, solved_interior
 from loomlight.scattering.openness import Openness
 
 # Reflectance of the deepest dye: of black, none would be left to fade.
-_DARKEST = 2e-3
+DARKEST = 2e-3
+# How much faster dye goes at first than at the end, and the share that no rubbing takes off.
+FADING, TRACE = 8.0, 0.02
 
 
 def family_appearance(
@@ -85,14 +87,16 @@ def _yarn(
 
 
 def faded(colours: NDArray[np.float64], worn: float) -> NDArray[np.float64]:
-    """Colours [n, 3] of which a share `worn` of the dye is gone: 1 leaves the colour of undyed fibres.
+    """Colours [n, 3] of threads rubbed as much as `worn` says, 0 to 1; at the end a trace of dye stays.
 
-    Dye adds to how much fibres absorb for what they scatter, K/S = (1 − R)²/2R (Kubelka and Munk 1931).
+    Dye adds to how much fibres absorb for what they scatter, K/S = (1 − R)²/2R (Kubelka and Munk 1931). How
+    much is left makes lightness grow in even steps.
     """
     if worn == 0:
         return colours
+    left = (1 - worn) / (1 + FADING * worn) + TRACE * worn
     undyed = absorption(parse_colour(NEP_COLOUR, "undyed fibres"))
-    ratio = undyed + (1 - worn) * (absorption(np.maximum(colours, _DARKEST)) - undyed)
+    ratio = undyed + left * (absorption(np.maximum(colours, DARKEST)) - undyed)
     found: NDArray[np.float64] = 1 + ratio - np.sqrt(ratio * (ratio + 2))
     return found
 

@@ -62,7 +62,7 @@ class ResolvedFamily:
         specular_tint: what the highlight is multiplied by [3], linear RGB.
         translucency: share of the diffuse light that goes through, 0 to 1.
         roughness: α, 0.01 to 1.
-        worn: share of the dye that rubbing has taken off its threads, 0 to 1.
+        worn: how much its threads are rubbed, 0 to 1.
         given_albedos: those that the file states outright, by their names in `Albedos` [3].
     """
 

@@ -21,6 +21,8 @@ from loomlight.core.errors import InputError, LoomlightWarning
 MAX_COORDINATE = 1e15
 # The attribute that tells which row of its file a vertex has its position of, counted over all its parts.
 INDEX = "index"
+# Of a vertex that was made where cloth is cut: three such rows and their shares; NaN of others.
+BETWEEN = "between"
 # Each part costs about a millisecond, however small it is.
 MAX_PARTS = 20_000
 # Parts of a file may show the same arrays any number of times: a bound for all triangles.

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.mesh.cloth_mesh import INDEX, MAX_COORDINATE, ClothMesh
+from loomlight.mesh.cloth_mesh import BETWEEN, INDEX, MAX_COORDINATE, ClothMesh
 from loomlight.mesh.reading import SUFFIXES, frame_times, is_mesh, is_pattern, read_rows, read_triangles
 
 Floats = NDArray[np.float64]
@@ -239,7 +239,13 @@ class MovingMesh:
 
 def moved(cloth: ClothMesh, rows: Floats) -> ClothMesh:
     """A cloth of the first frame where the rows of another one have its vertices; normals stay."""
-    return replace(cloth, positions=rows[cloth.attributes[INDEX][:, 0].astype(np.int64)])
+    positions = rows[cloth.attributes[INDEX][:, 0].astype(np.int64)]
+    between = cloth.attributes.get(BETWEEN)
+    if between is not None:
+        new = np.isfinite(between[:, 0])
+        three, shares = between[new, :3].astype(np.int64), between[new, 3:]
+        positions[new] = np.einsum("nk,nkj->nj", shares, rows[three])
+    return replace(cloth, positions=positions)
 
 
 def _keys(triangles: NDArray[np.int64], count: int) -> NDArray[np.int64]:

@@ -17,6 +17,7 @@ from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, joined
 from loomlight.mesh.coarse import carried, coarse_copy
 from loomlight.mesh.cutting import cut, leaning_axis, main_axis
 from loomlight.mesh.flattening import FlatTriangles, flattened, stretches, unfolded
+from loomlight.mesh.seams import Sheet, with_smooth_seams
 from loomlight.mesh.surface import Surface, corners_of, pieces_of, together
 
 Floats = NDArray[np.float64]
@@ -90,10 +91,11 @@ def with_uv(parts: Sequence[MeshPart], found: CutPieces) -> list[MeshPart]:
     for part in parts:
         mine = slice(first, first + len(part.mesh.triangles))
         first = mine.stop
-        piece = found.piece[mine]
-        for number in np.unique(piece):
-            chosen = piece == number
-            mesh = _doubled(part.mesh, part.mesh.triangles[chosen], found.corners[mine][chosen], found.uv)
+        sheet = Sheet(part.mesh, part.mesh.triangles, found.piece[mine], found.corners[mine], found.uv)
+        sheet = with_smooth_seams(sheet)
+        for number in np.unique(sheet.piece):
+            chosen = sheet.piece == number
+            mesh = _doubled(sheet.mesh, sheet.triangles[chosen], sheet.corners[chosen], sheet.uv)
             made.append(replace(part, mesh=mesh, piece=found.names[number] if number >= 0 else ""))
     return made
 

@@ -18,8 +18,8 @@ import { coloursFor, type ChannelAlbedos, type Openness } from "./between_yarns.
 import { detailOf, type YarnDetail } from "./detail.ts";
 import { boundInUse, clothBound, taken, yarnBound, type LayerBound } from "./layer_bound.ts";
 
-/** Reflectance of the deepest dye. */
-const DARKEST = 2e-3;
+/** Of rubbed threads, as in `fabric/colour.py`: reflectance of the deepest dye, how dye goes, and what stays of it. */
+const [DARKEST, FADING, TRACE] = [2e-3, 8, 0.02];
 /** The order of a thread's albedos, red, green and blue of each. */
 export const ALBEDOS = ["diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit"] as const;
 export const ALBEDO_NUMBERS = 3 * ALBEDOS.length;
@@ -89,7 +89,7 @@ export function familyAppearance(
   return { albedos, roughness, layerBound, detail: detailOf(table), irregularity, nepAlbedo };
 }
 
-/** Share of the dye that rubbing has taken off a family's threads; see `fabric/resolve.py`. */
+/** How much a family's threads are rubbed; see `fabric/resolve.py`. */
 function wornShare(fields: FabricFields, family: FamilyName, { drawdown }: Draft): number {
   const wear = fields.wear ?? 0;
   if (wear === 0) return 0;
@@ -97,13 +97,14 @@ function wornShare(fields: FabricFields, family: FamilyName, { drawdown }: Draft
   return (wear * (family === "warp" ? onFace : 1 - onFace)) / Math.max(onFace, 1 - onFace);
 }
 
-/** Colours of which a share of the dye is gone; see `fabric/colour.py`. */
+/** Colours of threads that are rubbed; see `fabric/colour.py`. */
 function faded(colours: Float64Array, worn: number): Float64Array {
   if (worn === 0) return colours;
+  const left = (1 - worn) / (1 + FADING * worn) + TRACE * worn;
   const undyed = parseColour(NEP_COLOUR, "undyed fibres").map(absorption);
   return colours.map((colour, index) => {
     const own = undyed[index % 3]!;
-    const ratio = own + (1 - worn) * (absorption(Math.max(colour, DARKEST)) - own);
+    const ratio = own + left * (absorption(Math.max(colour, DARKEST)) - own);
     return 1 + ratio - Math.sqrt(ratio * (ratio + 2));
   });
 }
