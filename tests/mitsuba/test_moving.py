@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from loomlight import render_frames
 from loomlight.core.errors import InputError
 from loomlight.core.picture_settings import RenderSettings
-from loomlight.mesh.moving import Frame
+from loomlight.mesh.moving import Frame, find_frames
 from loomlight.mitsuba.moving import MovingCloth
 
 from .test_kernels import new_kernels
@@ -127,3 +127,51 @@ def test_cloth_without_uv_is_cut_in_its_first_frame(tmp_path: Path) -> None:
 def test_a_mesh_has_to_move() -> None:
     with pytest.raises(InputError, match="render_frames needs a mesh that moves"):
         next(render_frames("plain"))
+
+
+STAGE = """#usda 1.0
+(
+    metersPerUnit = 1
+    upAxis = "Y"
+    timeCodesPerSecond = 24
+    startTimeCode = 0
+    endTimeCode = 1
+)
+def Mesh "cloth"
+{
+    int[] faceVertexCounts = [4]
+    int[] faceVertexIndices = [0, 1, 2, 3]
+    point3f[] points.timeSamples = {
+        0: [(-0.5, 0, 0), (0.5, 0, 0), (0.5, 1, 0), (-0.5, 1, 0)],
+        1: [(-0.4, 0, 0), (0.6, 0, 0), (0.6, 1, 0), (-0.4, 1, 0)],
+    }
+    texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 1)] (interpolation = "vertex")
+}
+def Camera "hero"
+{
+    double3 xformOp:translate.timeSamples = { 0: (0, 0.5, 2), 1: (0.2, 0.5, 3) }
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+    float focalLength.timeSamples = { 0: 50, 1: 25 }
+    float horizontalAperture = 50
+    float verticalAperture = 25
+}
+"""
+
+
+@pytest.mark.parametrize("zoom", [1.0, 4.0])
+def test_a_camera_of_the_file_moves_as_it_does_there(zoom: float, tmp_path: Path) -> None:
+    """Its place and its lens, at each frame: half a metre to the right is seen where the lens has it."""
+    pytest.importorskip("pxr")
+    file = tmp_path / "shot.usda"
+    file.write_text(STAGE)
+    frames = find_frames(file)
+    moving = MovingCloth("plain", frames, SMALL.changed(mesh=file, camera="hero", size=None, zoom=zoom))
+    sensor = moving.shown.scene.sensors()[0]
+    point = np.array([0, 0.5, 0])
+    for frame, origin, half_height in zip(frames, [(0, 0.5, 2), (0.2, 0.5, 3)], [0.25, 0.5], strict=True):
+        moving.show(frame)
+        ray = sensor.sample_ray(0, 0, mi.Point2f(1, 0), mi.Point2f(0))[0]
+        np.testing.assert_allclose(np.ravel(ray.o), point + (np.array(origin) - point) / zoom, atol=1e-5)
+        towards = np.ravel(ray.d)
+        np.testing.assert_allclose(towards[:2] / -towards[2], [2 * half_height, half_height], atol=1e-5)
+    assert moving.hash_of(frames[0]) != moving.hash_of(frames[1])

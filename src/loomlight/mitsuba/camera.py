@@ -74,6 +74,10 @@ class View:
         above = np.cross(self.backward, right)
         return float(np.degrees(np.arctan2(self.up @ right, self.up @ above)))
 
+    def across(self, size: tuple[int, int]) -> float:
+        """Degrees that a picture of `size` shows of its width."""
+        return float(2 * np.degrees(np.arctan(_slopes(size, self.field_of_view)[0])))
+
     def closer(self, zoom: float, point: Vector) -> View:
         """The view `zoom` times closer to `point` on the cloth; at zoom 1 this view itself."""
         origin, target = (point + (place - point) / zoom for place in (self.origin, self.target))

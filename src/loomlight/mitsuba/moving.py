@@ -18,6 +18,7 @@ from loomlight.core.picture_settings import RenderKeywords, RenderSettings
 from loomlight.mesh.cloth_mesh import INDEX, ClothMesh, joined
 from loomlight.mesh.moving import Frame, MovingMesh, chosen_frames, extremes, find_frames, moved
 from loomlight.mesh.smoothing import Smoothing
+from loomlight.mitsuba.camera import View, view_of_file
 from loomlight.mitsuba.pictures import (
     further_cloths,
     picture_options,
@@ -27,7 +28,7 @@ from loomlight.mitsuba.pictures import (
 )
 from loomlight.mitsuba.plugins import material_bsdf
 from loomlight.mitsuba.rendering import render
-from loomlight.mitsuba.scenes import SceneOptions, build_scene
+from loomlight.mitsuba.scenes import SceneOptions, build_scene, file_camera
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.material_spec import Material
 
@@ -64,7 +65,8 @@ def render_frames(
 class MovingCloth:
     """A scene around a mesh that moves, of which pictures are taken frame by frame.
 
-    Camera and light are where the whole motion needs them, whichever frames are shown.
+    Camera and light are where the whole motion needs them, whichever frames are shown; a camera of the file
+    moves as it does there.
 
     Attributes:
         shown: the scene.
@@ -93,7 +95,8 @@ class MovingCloth:
         choose_variant(settings.variant)
         self._mesh = MovingMesh(frames, settings.metres_per_unit)
         self._options = picture_options(settings)
-        self._report = report
+        self._settings, self._report = settings, report
+        self._views: dict[int, View] = {}
         # Hashes of where vertices are, by frame.
         self._hashes: dict[int, str] = {}
         spec = shown_material(material, settings)
@@ -118,10 +121,10 @@ class MovingCloth:
     def hash_of(self, frame: Frame) -> str:
         """What stands for the cloth of a frame and for where camera and light are, hexadecimal."""
         digest = hashlib.sha256(self._hashes[frame.number].encode())
-        view = self.shown.view
+        view = self._view(frame)
         for piece in self._pieces:
             digest.update(piece.uv.tobytes() + piece.triangles.tobytes())
-        digest.update(np.concatenate([view.origin, view.target, [view.field_of_view]]).tobytes())
+        digest.update(np.concatenate([view.origin, view.target, view.up, [view.field_of_view]]).tobytes())
         return digest.hexdigest()
 
     def picture(self, frame: Frame) -> Picture:
@@ -151,6 +154,20 @@ class MovingCloth:
             for key, values in {"positions": mesh.positions, "normals": mesh.normals}.items():
                 self._params[f"{name}.vertex_{key}"] = upload(mi.Float, values.astype(np.float32))
         self._params.update()
+        if self._settings.camera is not None:
+            self.shown.look_from(self._view(frame))
+
+    def _view(self, frame: Frame) -> View:
+        """Where the camera stands in a frame."""
+        settings = self._settings
+        if settings.camera is None:
+            return self.shown.view
+        if frame.number not in self._views:
+            width, height = self.shown.scene.sensors()[0].film().size()
+            camera = file_camera(frame.path, settings.camera, frame.time)
+            view = view_of_file(camera, settings.metres_per_unit, (int(width), int(height)))
+            self._views[frame.number] = view.closer(settings.zoom, self.shown.point)
+        return self._views[frame.number]
 
     def _swept(self, pieces: Sequence[ClothMesh]) -> NDArray[np.float64]:
         """The outermost places of the cloth over all frames [n, 3]."""

@@ -156,12 +156,15 @@ class ClothScene:
         return float(1e3 * metres_per_unit * np.linalg.norm(places[1] - places[0]))
 
     def look_from(self, view: View) -> None:
-        """Moves the camera, which keeps its field of view and its picture.
+        """Moves the camera, which keeps the size of its picture.
 
         Kernels of all places are the same: the place is no constant of theirs, as it is in a new scene.
         """
         params = mi.traverse(self.scene.sensors()[0])
         params["to_world"] = mi.Transform4f(look_at(view))
+        if view.field_of_view != self.view.field_of_view:
+            width, height = params["film.size"]
+            params["x_fov"] = mi.Float(view.across((int(width), int(height))))
         params.update()
 
 
@@ -346,6 +349,7 @@ def build_scene(
         metres_per_unit,
         setup.ground,
         swept,
+        time,
     )
     farther, view = view.closer(min(zoom, 1.0), point), view.closer(zoom, point)
     paths = {"max_depth": max_depth or DEFAULT_DEPTH, "rr_depth": ROULETTE_DEPTH}
@@ -388,18 +392,20 @@ def _seen(
     metres_per_unit: float,
     over_floor: bool,
     swept: Swept | None = None,
+    time: float | None = None,
 ) -> tuple[View, NDArray[np.float64], NDArray[np.float64] | None]:
     """The view at zoom 1, the point that zoom comes closer to, and what the camera frames; see `ClothScene`.
 
     Args:
         name: of the scene or of the mesh file, which has `parts`.
         over_floor: the picture shows a floor behind the cloth.
+        swept, time: as `build_scene` takes them.
 
     Raises:
         InputError: no such part, or no such camera of the file.
     """
     if settings.camera is not None:
-        view = view_of_file(file_camera(name, settings.camera), metres_per_unit, size)
+        view = view_of_file(file_camera(name, settings.camera, time), metres_per_unit, size)
         point = _facing_point(cloth, view)
         ahead = -float((point - view.origin) @ view.backward)
         if ahead > 0:
@@ -459,15 +465,15 @@ def default_size(mesh: str | os.PathLike[str] | None, camera: str | None) -> tup
     return own or DEFAULT_SIZE
 
 
-def file_camera(name: str | os.PathLike[str], camera: str) -> FileCamera:
-    """The camera of this name of a mesh file.
+def file_camera(name: str | os.PathLike[str], camera: str, time: float | None = None) -> FileCamera:
+    """The camera of this name of a mesh file, at a time as `build_scene` takes it.
 
     Raises:
         InputError: no mesh file, or one without this camera; one without perspective.
     """
     if str(name) in _SETUPS:
         raise InputError(f"camera = {shown(camera)} needs a mesh file with cameras, and {name} is none.")
-    cameras = read_cameras(name)
+    cameras = read_cameras(name, time)
     found = next((each for each in cameras if each.name == camera), None)
     if found is None:
         known = [each.name for each in cameras if each.name]
