@@ -211,13 +211,13 @@ def test_frames_that_are_another_mesh(text: str, expected: str, tmp_path: Path) 
 
 
 def test_extremes_hold_the_hull() -> None:
-    """Of 20 000 points in a ball few are kept, and in no direction a point lies 1 % farther out."""
+    """Of 20 000 points in a ball few are kept, and in no direction a point lies 1.5 % farther out."""
     random = np.random.default_rng(3)
     points = random.standard_normal((20_000, 3))
     points *= (random.random((len(points), 1)) ** (1 / 3)) / np.linalg.norm(points, axis=1, keepdims=True)
     kept = extremes(points)
-    assert len(kept) < 810
+    assert len(kept) < 410
     directions = random.standard_normal((500, 3))
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
-    assert ((points @ directions.T).max(axis=0) - (kept @ directions.T).max(axis=0)).max() < 0.01
-    np.testing.assert_array_equal(kept.min(axis=0), points.min(axis=0))
+    assert ((points @ directions.T).max(axis=0) - (kept @ directions.T).max(axis=0)).max() < 0.015
+    np.testing.assert_allclose(kept.min(axis=0), points.min(axis=0), atol=1e-6)

@@ -16,8 +16,10 @@ import glob
 import hashlib
 import json
 import os
+import re
 import resource
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -86,6 +88,14 @@ RECIPES: dict[str, Recipe] = {
             "--cloth front=examples/wool-houndstooth.toml --cloth linen=examples/linen.toml "
             "--cloth bolster=examples/denim.toml -o {out}/picture.png",
         )
+    ),
+    "moving-cloth.webp": Recipe(
+        (
+            "tools.make_towel_frames -o {out}/frames",
+            "loomlight render examples/wool-houndstooth.toml --mesh '{out}/frames/*.obj' --scale 4 "
+            "--size 320x240 -o {out}/picture.webp",
+        ),
+        picture="picture.webp",
     ),
     "yarns.jpg": Recipe(("tools.make_yarn_sheet -o {out}/picture.png",)),
     "yarn-gaps.jpg": Recipe(("tools.make_yarn_sheet --gaps -o {out}/picture.png",)),
@@ -220,10 +230,13 @@ def ages(made: Mapping[str, Any], now: Mapping[str, Mapping[str, list[float]]]) 
 
 def words_of(command: str, out: str) -> list[str]:
     """The words of a recipe's command: Python, and the module or file that it runs."""
-    first, *rest = shlex.split(command.replace("{out}", out))
-    words = [
-        word for part in rest for word in (sorted(glob.glob(part, root_dir=ROOT)) if "*" in part else [part])
-    ]
+    command = command.replace("{out}", out)
+    first, *rest = shlex.split(command)
+    quoted = re.findall(r"'([^']*)'", command)
+    words: list[str] = []
+    for part in rest:
+        is_pattern = "*" in part and part not in quoted
+        words += sorted(glob.glob(part, root_dir=ROOT)) if is_pattern else [part]
     return [sys.executable, *([first] if first.endswith(".py") else ["-m", first]), *words]
 
 
@@ -242,7 +255,10 @@ def make(name: str) -> dict[str, Any]:
             environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT / "src"), str(ROOT)])}
             subprocess.run(words, cwd=place, check=True, env=environment)
         with Image.open(Path(folder) / recipe.picture) as picture, replacing(IMAGES / name) as temporary:
-            picture.convert("RGB").save(temporary, quality=_QUALITY, optimize=True)
+            if getattr(picture, "is_animated", False):
+                shutil.copyfile(Path(folder) / recipe.picture, temporary)
+            else:
+                picture.convert("RGB").save(temporary, quality=_QUALITY, optimize=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     return {

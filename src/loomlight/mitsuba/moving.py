@@ -127,14 +127,17 @@ class MovingCloth:
         digest.update(np.concatenate([view.origin, view.target, view.up, [view.field_of_view]]).tobytes())
         return digest.hexdigest()
 
-    def picture(self, frame: Frame) -> Picture:
+    def picture(self, frame: Frame, **options: Any) -> Picture:
         """The linear picture [height, width, 3] of a frame.
+
+        Args:
+            options: of `rendering.render`, other than the settings: spp, seed, denoise and so on.
 
         Raises:
             InputError: what `MovingMesh.rows` raises.
         """
         self.show(frame)
-        picture = render(self.shown.scene, integrator=self.shown.integrator, **self._options)
+        picture = render(self.shown.scene, integrator=self.shown.integrator, **{**self._options, **options})
         return picture.view(Picture)
 
     def show(self, frame: Frame) -> None:
