@@ -33,10 +33,9 @@ Floats = NDArray[np.float64]
 # Name, zoom, and the first of three frames: falling, then hanging near the end.
 CASES = (("denim", 1.0, 28), ("wool-houndstooth", 1.0, 28), ("denim", 10.0, 36))
 POINTS, SEED = 20_000, 0
-REFERENCE_SAMPLES, MANY = 1024, 256
+MANY = 256
 # Model, samples, how it is denoised, and whether every frame has a seed of its own.
 PICTURES: dict[str, tuple[str, int, str, bool]] = {
-    "own": ("point", REFERENCE_SAMPLES, "off", True),
     "lobes 8, denoised, one seed": ("lobes", 8, "auto", False),
     "lobes 8, denoised, seed by frame": ("lobes", 8, "auto", True),
     "lobes 8, one seed": ("lobes", 8, "off", False),
@@ -101,8 +100,10 @@ def sampled(picture: Floats, place: Floats) -> Floats:
     return upper * (1 - down) + lower * down
 
 
-def of_case(frames: list[Frame], case: tuple[str, float, int], size: tuple[int, int]) -> dict[str, Any]:
-    """Flicker and change of each of the pictures."""
+def of_case(
+    frames: list[Frame], case: tuple[str, float, int], size: tuple[int, int], samples: int
+) -> dict[str, Any]:
+    """Flicker and change of each of the pictures, against references of so many samples."""
     fabric, zoom, first = case
     towel, three = Towel(frames, fabric, zoom, size), frames[first : first + 3]
     random = np.random.default_rng(SEED)
@@ -118,9 +119,9 @@ def of_case(frames: list[Frame], case: tuple[str, float, int], size: tuple[int, 
         ]
         return np.diff(colours, axis=0)
 
-    reference = changes("point", REFERENCE_SAMPLES, "off", True, 100)
+    reference = changes("point", samples, "off", True, 100)
     rows: dict[str, Any] = {"points": int(seen.sum()), "reference": _root_mean_square(reference)}
-    for name, how in PICTURES.items():
+    for name, how in {"own": ("point", samples, "off", True), **PICTURES}.items():
         change = changes(*how, 1)
         rows[name] = {
             "flicker": _root_mean_square(change - reference),
@@ -137,6 +138,7 @@ def _root_mean_square(values: Floats) -> float:
 def add_options(parser: ArgumentParser) -> None:
     """The size of pictures, and how many of the cases."""
     parser.add_argument("--side", type=int, default=160, help="pixels of the longer side")
+    parser.add_argument("--reference", type=int, default=1024, help="samples of the reference")
     parser.add_argument("--cases", type=int, default=len(CASES), help="of the first so many; all")
 
 
@@ -147,10 +149,11 @@ def measure(options: Namespace) -> Figures:
         frames = find_frames(Path(folder) / "frames" / "*.obj")
         size = options.side, options.side * 3 // 4
         rows = {
-            f"{case[0]}, zoom {case[1]:g}": of_case(frames, case, size) for case in CASES[: options.cases]
+            f"{case[0]}, zoom {case[1]:g}": of_case(frames, case, size, options.reference)
+            for case in CASES[: options.cases]
         }
     missed = [name for name, row in rows.items() if row[f"lobes {MANY}"]["change"] > BAR]
-    return {"size": size, "rows": rows, "missed": missed}
+    return {"size": size, "reference": options.reference, "rows": rows, "missed": missed}
 
 
 if __name__ == "__main__":

@@ -99,6 +99,8 @@ class MovingCloth:
         self._views: dict[int, View] = {}
         # Hashes of where vertices are, by frame.
         self._hashes: dict[int, str] = {}
+        # Bounds of the whole motion, by which floor and lamps are placed.
+        self._surroundings = ""
         spec = shown_material(material, settings)
         options: SceneOptions = {**scene_options(settings), "mesh": self._mesh.first.path}
         others = further_cloths(settings)
@@ -120,7 +122,7 @@ class MovingCloth:
 
     def hash_of(self, frame: Frame) -> str:
         """What stands for the cloth of a frame and for where camera and light are, hexadecimal."""
-        digest = hashlib.sha256(self._hashes[frame.number].encode())
+        digest = hashlib.sha256(f"{self._hashes[frame.number]} {self._surroundings}".encode())
         view = self._view(frame)
         for piece in self._pieces:
             digest.update(piece.uv.tobytes() + piece.triangles.tobytes())
@@ -181,4 +183,6 @@ class MovingCloth:
             self._hashes[frame.number] = hashlib.sha256(rows[used].data).hexdigest()
             found.append(extremes(rows[used]))
             self._report(number + 1, len(self._mesh.frames))
-        return np.concatenate(found)
+        places = np.concatenate(found)
+        self._surroundings = f"{places.min(axis=0).tolist()} {places.max(axis=0).tolist()}"
+        return places
