@@ -27,7 +27,7 @@ from benchmarks.harness import Figures, run
 from loomlight.mesh.cloth_mesh import MeshPart
 from loomlight.mesh.flattening import FlatTriangles, stretches
 from loomlight.mesh.reading import read_parts
-from loomlight.mesh.unwrap import cut_pieces
+from loomlight.mesh.unwrap import cut_pieces, with_uv
 from tools.garment_shapes import SHAPES, refined, skirt
 
 SHIRT = Path("meshes") / "unisex_shirt.usd"
@@ -77,7 +77,7 @@ def costs() -> list[dict[str, Any]]:
 def _print_cost(size: int) -> None:
     part = skirt(size)
     begun, wall = time.process_time(), time.perf_counter()
-    cut_pieces([part])
+    with_uv([part], cut_pieces([part]))
     usage = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     print(time.process_time() - begun, time.perf_counter() - wall, usage)
 

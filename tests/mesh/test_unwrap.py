@@ -266,3 +266,19 @@ def test_sentences_say_what_was_cut() -> None:
         "(median) and 12 % at worst, and lies 2° off the grain (median)."
     )
     assert "far more than cloth is" in replace(found, worst=2.0).sentence("shirt.usd")
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_whatever_is_cut_keeps_its_area(seed: int) -> None:
+    """Garments of which triangles are missing, turned over, or named at random."""
+    random = np.random.default_rng(seed)
+    mesh = list(SHAPES.values())[seed % len(SHAPES)](200).mesh
+    triangles = mesh.triangles[random.random(len(mesh.triangles)) > 0.2].copy()
+    turned = random.random(len(triangles)) < 0.2
+    triangles[turned] = triangles[turned, ::-1]
+    stray = random.random(len(triangles)) < 0.1
+    triangles[stray] = random.integers(0, len(mesh.positions), (int(stray.sum()), 3))
+    part = as_part(mesh.positions, triangles, "broken")
+    pieces = with_uv([part], cut_pieces([part]))
+    assert all(np.isfinite(piece.mesh.uv).all() for piece in pieces)
+    assert sum(surface_area(piece.mesh) for piece in pieces) == pytest.approx(surface_area(part.mesh))
