@@ -80,6 +80,9 @@ RECIPES: dict[str, Recipe] = {
     ),
     "studio.jpg": Recipe(("loomlight render examples/denim.toml -o {out}/picture.png",)),
     "distances.jpg": Recipe(("experiments.distances -o {out}/picture.png",)),
+    "garments.jpg": Recipe(("tools.make_garment_sheet shirt -o {out}/picture.png",)),
+    "garment-shapes.jpg": Recipe(("tools.make_garment_sheet shapes -o {out}/picture.png",)),
+    "garment-maps.jpg": Recipe(("tools.make_garment_sheet maps -o {out}/picture.png",)),
     "views.jpg": Recipe(("tools.make_view_sheet -o {out}/picture.png",)),
     "edges.jpg": Recipe(("tools.make_edge_pictures -o {out}/picture.png",)),
     "daybed.jpg": Recipe(
