@@ -23,6 +23,6 @@ def test_many_samples_do_not_flicker() -> None:
     (row,) = figures["rows"].values()
     assert row["points"] > 1000
     few, many = (row[name]["flicker"] for name in ("lobes 8, one seed", f"lobes {MANY}"))
-    # Points that were not followed would change alike in both; noise of 32 times as many samples is a sixth.
-    assert many < few / 2
-    assert row["own"]["flicker"] < few / 2
+    # Points that were not followed would change alike in all. Noise of the reference leaves two thirds.
+    assert many < 0.8 * few
+    assert row["own"]["flicker"] < 0.8 * few
