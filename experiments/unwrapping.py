@@ -6,7 +6,7 @@
   edges halved once and twice: pieces, their names, stretch (median, largest but for a thousandth of the area,
   and largest), degrees off the grain, triangles that are folded over.
 - *costs*: processor seconds and the largest memory of a process that cuts the skirt at 10,000, 100,000 and
-  1,000,000 triangles, reading not counted.
+  1,000,000 triangles, reading not counted; memory is at least that of the process which starts it.
 """
 
 from __future__ import annotations

@@ -15,6 +15,7 @@ from typer.testing import CliRunner
 
 from loomlight.cli.main import app
 from loomlight.cli.options import Given, options_of_settings, takes
+from loomlight.core.errors import InputError
 from loomlight.core.picture_settings import (
     MapKeywords,
     MapSettings,
@@ -25,6 +26,7 @@ from loomlight.core.picture_settings import (
     RenderSettings,
     SwatchKeywords,
     SwatchSettings,
+    Worn,
 )
 from loomlight.core.settings import Settings, declared, default_text
 from loomlight.mesh.edges import EDGES
@@ -85,7 +87,8 @@ def test_what_is_given_is_handed_over_and_nothing_else() -> None:
         "--shift",
         "1,-2",
     ]
-    words += ["--color", "warp=#ff0000,weft=2 #111111, 3 #222222", "--cloth", "hem=satin", "--mesh", "a.obj"]
+    words += ["--color", "warp=#ff0000,weft=2 #111111, 3 #222222", "--mesh", "a.obj"]
+    words += ["--cloth", "hem=satin,sleeve=plain,turn=45", "--cloth", "turn=twill"]
     result = CliRunner().invoke(small, [*words, "--fast"])
     assert result.exception is None
     expected: Given = {
@@ -94,7 +97,7 @@ def test_what_is_given_is_handed_over_and_nothing_else() -> None:
         "light_from": (20.0, 30.0),
         "inset": False,
         "colors": {"warp": "#ff0000", "weft": "2 #111111, 3 #222222"},
-        "cloths": {"hem": "satin"},
+        "cloths": {"hem": "satin", "sleeve": Worn("plain", 45.0), "turn": "twill"},
         "placement": Placement(scale=2.0, shift=(1.0, -2.0)),
     }
     assert found == [("plain", expected, True)]
@@ -122,3 +125,15 @@ def test_tables_of_pages_are_written_from_the_declarations(page: str) -> None:
     """If not, run `python -m tools.generate.settings`."""
     text = (ROOT / page).read_text(encoding="utf-8")
     assert with_tables(page, text) == text
+
+
+@pytest.mark.parametrize("turn", ["north", "1,2", "inf"])
+def test_a_turn_of_a_cloth_is_a_number(turn: str) -> None:
+    @takes(RenderSettings)
+    def small(given: Given) -> None: ...
+
+    app = typer.Typer()
+    app.command()(small)
+    result = CliRunner().invoke(app, ["--cloth", f"hem=satin,turn={turn}"])
+    assert isinstance(result.exception, InputError)
+    assert "--cloth" in str(result.exception)

@@ -71,3 +71,16 @@ def test_scenes_lay_their_cloth(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"uv of the shape .* fixed"):
         build_scene(scene, factory, placement=Placement(scale=3))
     assert told == [(1.0, 1.0)]
+
+
+def test_a_cloth_of_a_scene_file_is_turned_by_itself(tmp_path: Path) -> None:
+    scene = tmp_path / "scene.xml"
+    scene.write_text(
+        '<scene version="3.0.0"><sensor type="perspective"/>'
+        '<shape type="rectangle"><bsdf type="diffuse" id="fabric"/></shape>'
+        '<shape type="rectangle"><bsdf type="diffuse" id="hem"/></shape></scene>'
+    )
+    cloths = {"others": {"hem": lambda _: WHITE}, "turns": {"hem": 0.0}}
+    build_scene(scene, lambda _: WHITE, **cloths)
+    with pytest.raises(InputError, match=r"uv of the shape .* fixed"):
+        build_scene(scene, lambda _: WHITE, **{**cloths, "turns": {"hem": 30.0}})

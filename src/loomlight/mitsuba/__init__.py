@@ -6,7 +6,7 @@ as soon as one is set; it never sets one.
 
 from __future__ import annotations
 
-from loomlight.core.picture_settings import Placement, RenderSettings
+from loomlight.core.picture_settings import Placement, RenderSettings, Worn
 from loomlight.mesh.cloth_mesh import ClothMesh, uv_size
 from loomlight.mesh.reading import read_mesh
 from loomlight.mitsuba.lights import LIGHTS
@@ -24,6 +24,7 @@ __all__ = [
     "ClothScene",
     "Placement",
     "RenderSettings",
+    "Worn",
     "build_scene",
     "choose_variant",
     "material_bsdf",

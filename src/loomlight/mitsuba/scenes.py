@@ -273,7 +273,7 @@ def build_scene(
             mesh has them; None is what suits the scene. Scene files have their own.
         others: further cloths: of a scene file by the id of the BSDF that each replaces, of a mesh by the
             name of a part or of its material.
-        turns: degrees by which these are turned on a mesh, by the same names.
+        turns: degrees by which these are turned, by the same names.
         camera: fields of `CameraSettings`.
         time: of a mesh file that moves, seconds from its start; None is as it rests.
         swept: gives places [n, 3] where meshes will be, which move; the camera shows all of them.
@@ -300,7 +300,9 @@ def build_scene(
                     f"{field} = {value} does not go with the scene file {name}, which has its own."
                 )
         cloths = {FABRIC_ID: factory, **(others or {})}
-        return _from_file(Path(name), cloths, placement, metres_per_unit, zoom, size, max_depth)
+        own = turns or {}
+        laid = {each: placement.changed(turn=placement.turn + own.get(each, 0.0)) for each in cloths}
+        return _from_file(Path(name), cloths, laid, metres_per_unit, zoom, size, max_depth)
     if str(name) not in _SETUPS:
         raise InputError(
             f'scene = "{name}" is unknown: use {", ".join(SCENES)}, or the path of an .xml file.'
@@ -704,7 +706,7 @@ def _facing_point(
 def _from_file(
     file: Path,
     factories: Mapping[str, BsdfFactory],
-    placement: Placement,
+    placements: Mapping[str, Placement],
     metres_per_unit: float,
     zoom: float,
     size: tuple[int, int] | None,
@@ -733,7 +735,7 @@ def _from_file(
             raise InputError(f"{file}: the shape {shape.id()} is no mesh; only meshes can be woven.")
         mesh = from_shape(shape, f"{file}: {shape.id()}").scaled(metres_per_unit)
         warn_of_scale(mesh)
-        laid, uv_size_mm = placed(mesh, placement)
+        laid, uv_size_mm = placed(mesh, placements[shape.bsdf().id()])
         if laid is not mesh and not set_uv(shape, laid.uv):
             raise InputError(
                 f"{file}: the uv of the shape {shape.id()} are fixed; make it an obj or ply mesh."
