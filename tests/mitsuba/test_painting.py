@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -133,29 +134,41 @@ def card(turned: bool = False) -> ClothMesh:
     )
 
 
-BOUNDS = np.array([0.0, 0, 0]), np.array([0.4, 0.2, 0.0])
-
-
 def test_a_thrown_picture_is_as_wide_as_told_where_it_is_told() -> None:
     place = PicturePlace(side="front", width_mm=200, at_mm=(100, 50), repeat=False, aspect=0.5)
-    found = picture_uv(card(), place, BOUNDS)
+    found = picture_uv(card(), place, [card()])
     # Its middle is at (300, 150) mm; it is 200 mm wide and 100 high, v down.
     np.testing.assert_allclose(found[:, :2], [[-1, 2], [1, 2], [1, 0], [-1, 0]])
     # 400 × 200 mm of cloth are 2 × 2 pictures, and one unit of uv.
     np.testing.assert_allclose(found[:, 2], 2)
-    assert (picture_uv(card(turned=True), place, BOUNDS)[:, 2] < 0).all()
-    assert (picture_uv(card(turned=True), PicturePlace(side="back"), BOUNDS)[:, 2] > 0).all()
+    assert (picture_uv(card(turned=True), place, [card()])[:, 2] < 0).all()
+    assert (picture_uv(card(turned=True), PicturePlace(side="back"), [card()])[:, 2] > 0).all()
+
+
+def test_what_lies_behind_is_not_printed() -> None:
+    """A card 10 cm behind another that covers its left half; one a centimetre behind is the same cloth."""
+    front = replace(card(), positions=card().positions * [0.5, 1, 1] + [0, 0, 0.1])
+    grid = np.linspace(0, 1, 9)
+    x, y = (axis.ravel() for axis in np.meshgrid(0.4 * grid, 0.2 * grid))
+    row = (np.arange(8)[:, None] * 9 + np.arange(8)).ravel()
+    triangles = np.concatenate([np.c_[row, row + 1, row + 10], np.c_[row, row + 10, row + 9]])
+    positions = np.c_[x, y, 0 * x]
+    behind = ClothMesh(positions, np.tile([0.0, 0, 1], (81, 1)), np.c_[x, y], triangles, "behind")
+    place = PicturePlace(side="front")
+    np.testing.assert_array_equal(picture_uv(behind, place, [front, behind])[:, 2] > 0, x > 0.2)
+    near = replace(front, positions=front.positions - [0, 0, 0.09])
+    assert (picture_uv(behind, place, [near, behind])[:, 2] > 0).all()
 
 
 def test_seen_from_behind_right_is_the_other_way() -> None:
-    front, back = (picture_uv(card(), PicturePlace(side=side), BOUNDS) for side in ("front", "back"))
+    front, back = (picture_uv(card(), PicturePlace(side=side), [card()]) for side in ("front", "back"))
     np.testing.assert_allclose(front[:, 0], 1 - back[:, 0])
     np.testing.assert_allclose(front[:, 1], back[:, 1])
 
 
 def test_a_picture_without_a_width_covers_what_is_seen() -> None:
     for aspect in (0.25, 1.0, 3.0):
-        found = picture_uv(card(), PicturePlace(side="front", aspect=aspect), BOUNDS)[:, :2]
+        found = picture_uv(card(), PicturePlace(side="front", aspect=aspect), [card()])[:, :2]
         assert found.min() >= -1e-12
         assert found.max() <= 1 + 1e-12
         assert np.isclose(np.ptp(found, axis=0), 1).any()
@@ -174,7 +187,7 @@ def test_printed_cloth_has_its_picture_upright_on_the_warp(tmp_path: Path) -> No
 
 def test_sets_of_uv_that_are_not_there_are_named() -> None:
     with pytest.raises(InputError, match='no set of uv "uv1" for a map'):
-        picture_uv(card(), PicturePlace(uv="uv1"), BOUNDS)
+        picture_uv(card(), PicturePlace(uv="uv1"), [card()])
 
 
 def test_pictures_keep_their_place_where_the_weave_is_turned(tmp_path: Path) -> None:

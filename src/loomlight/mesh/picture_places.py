@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,6 +26,10 @@ _SIDES = {
     "below": ((0, -1, 0), (1, 0, 0), (0, 0, 1)),
 }
 SIDES = tuple(_SIDES)
+# Of the map of depths: cells across, and how much farther behind, metres, cloth is hidden.
+_DEPTH_CELLS, _BEHIND = 256, 0.02
+# Points that are looked at together.
+_AT_ONCE = 2_000_000
 # So that what has a place is told from what has none.
 _LEAST_RATIO = 1e-6
 
@@ -56,22 +61,22 @@ class PicturePlace:
         return self.width_mm is not None and not self.side
 
 
-def picture_uv(mesh: ClothMesh, place: PicturePlace, bounds: tuple[Floats, Floats]) -> Floats:
+def picture_uv(mesh: ClothMesh, place: PicturePlace, whole: Sequence[ClothMesh]) -> Floats:
     """uv of a picture at the vertices of a mesh, and by what its steps differ from those of the mesh [n, 3].
 
     v runs down the picture. The third number is the root of the ratio of areas in uv; it is negative where
-    the surface faces away from the side that a picture is thrown from.
+    the surface faces away from the side that a picture is thrown from, or lies behind something.
 
     Args:
         mesh: metres.
-        bounds: corners of the box around the whole garment [3].
+        whole: all pieces of the garment, among them this one.
 
     Raises:
         InputError: a set of uv that the mesh does not have.
     """
     faces = np.ones(len(mesh.positions))
     if place.side:
-        uv, faces = _thrown(mesh, place, bounds)
+        uv, faces = _thrown(mesh, place, whole)
     else:
         if place.uv not in mesh.attributes:
             sets = [name for name, values in mesh.attributes.items() if values.shape[1] == 2]
@@ -84,10 +89,11 @@ def picture_uv(mesh: ClothMesh, place: PicturePlace, bounds: tuple[Floats, Float
     return np.column_stack([uv, faces * np.maximum(ratio, _LEAST_RATIO)])
 
 
-def _thrown(mesh: ClothMesh, place: PicturePlace, bounds: tuple[Floats, Floats]) -> tuple[Floats, Floats]:
-    """uv [n, 2], and 1 where vertices face the side, else -1 [n]."""
+def _thrown(mesh: ClothMesh, place: PicturePlace, whole: Sequence[ClothMesh]) -> tuple[Floats, Floats]:
+    """uv [n, 2], and 1 where vertices are seen from the side, else -1 [n]."""
     towards, right, up = (np.array(axis, float) for axis in _SIDES[place.side])
-    low, high = bounds
+    points = np.concatenate([each.positions for each in whole])
+    low, high = points.min(axis=0), points.max(axis=0)
     middle, extent = (low + high) / 2, high - low
     width = float(np.abs(extent @ right))
     if place.width_mm is not None:
@@ -99,7 +105,37 @@ def _thrown(mesh: ClothMesh, place: PicturePlace, bounds: tuple[Floats, Floats])
         for axis, shift in zip((right, up), place.at_mm, strict=True)
     )
     uv = np.column_stack([x / width + 0.5, 0.5 - y / (width * place.aspect)])
-    return uv, np.where(mesh.normals @ towards > 0, 1.0, -1.0)
+    is_seen = (mesh.normals @ towards > 0) & ~_lies_behind(mesh.positions, whole, (right, up, towards))
+    return uv, np.where(is_seen, 1.0, -1.0)
+
+
+def _lies_behind(
+    places: Floats, whole: Sequence[ClothMesh], axes: tuple[Floats, Floats, Floats]
+) -> NDArray[np.bool_]:
+    """Whether something lies before places [n], as one looks against the last of the axes: by a depth map."""
+    frame = np.stack(axes, axis=1)
+    corners = np.concatenate([each.positions[each.triangles] for each in whole]) @ frame
+    origin = corners.reshape(-1, 3).min(axis=0)
+    cell = float((corners.reshape(-1, 3).max(axis=0) - origin)[:2].max()) / _DEPTH_CELLS
+    depth = np.full((_DEPTH_CELLS + 2) ** 2, -np.inf)
+
+    def cells(points: Floats) -> NDArray[np.int64]:
+        column, row = ((points[:, axis] - origin[axis]) / max(cell, 1e-12) for axis in (0, 1))
+        return (np.rint(row) * (_DEPTH_CELLS + 2) + np.rint(column)).astype(np.int64)
+
+    # 1. Points of each triangle, at most a cell apart.
+    sides = np.ptp(corners[..., :2], axis=1).max(axis=1)
+    steps = np.minimum(np.ceil(sides / max(cell, 1e-12)).astype(np.int64) + 1, 2 * _DEPTH_CELLS)
+    for count in np.unique(steps):
+        triangles = corners[steps == count]
+        u, v = np.meshgrid(*[np.linspace(0, 1, int(count) + 1)] * 2)
+        weights = np.stack([1 - u - v, u, v], axis=-1)[u + v <= 1 + 1e-9]
+        for part in np.array_split(triangles, -(-len(triangles) * len(weights) // _AT_ONCE)):
+            points = np.einsum("ki,mij->mkj", weights, part).reshape(-1, 3)
+            np.maximum.at(depth, cells(points), points[:, 2])
+    # 2. Cloth itself is about as deep as its cell says; what is farther behind is hidden.
+    seen = places @ frame
+    return depth[cells(seen)] > seen[:, 2] + max(_BEHIND, 3 * cell)
 
 
 def _areas(uv: Floats, mesh: ClothMesh) -> Floats:

@@ -333,9 +333,8 @@ def build_scene(
     meshes = dressed.at_rest()
     cloth = joined([replace(mesh, uv=np.zeros((0, 2))) for mesh in meshes.values()])
     cloth = _extended(cloth, [*dressed.pieces.values()], swept)
-    corners = _corners([*meshes.values()])
     shapes = {
-        name: to_shape(mesh, bsdf, _pictures(mesh, bsdf, corners))
+        name: to_shape(mesh, bsdf, _pictures(mesh, bsdf, [*meshes.values()]))
         for (name, mesh), bsdf in zip(meshes.items(), bsdfs, strict=True)
     }
     centre, radius = _bounds(cloth)
@@ -558,26 +557,16 @@ def _dressed(
     return Dressed(dict(zip(names, meshes, strict=True)), edges), bsdfs, laid[0][1]
 
 
-def _corners(meshes: list[ClothMesh]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Corners of the box around meshes."""
-    rows = np.concatenate([mesh.positions for mesh in meshes])
-    return rows.min(axis=0), rows.max(axis=0)
-
-
 def _upright(cloth: ClothMesh) -> ClothMesh:
     """A built-in piece, on whose uv, which run upwards, pictures stand upright."""
     return replace(cloth, attributes={FILE_UV: cloth.uv * [1, -1] + [0, 1]})
 
 
-def _pictures(
-    mesh: ClothMesh,
-    bsdf: Any,
-    bounds: tuple[NDArray[np.float64], NDArray[np.float64]],
-) -> dict[str, NDArray[np.float64]]:
+def _pictures(mesh: ClothMesh, bsdf: Any, whole: list[ClothMesh]) -> dict[str, NDArray[np.float64]]:
     """Attributes by name that say where the maps of its cloth lie on a mesh."""
     places = () if bsdf is _UNCOVERED else surface_bsdf(bsdf).picture_places
     return {
-        attribute_name(number): picture_uv(mesh, place, bounds)
+        attribute_name(number): picture_uv(mesh, place, whole)
         for number, place in enumerate(places)
         if not place.is_on_cloth
     }
@@ -744,10 +733,9 @@ def _from_file(
         meshes.append(mesh)
         clothed.append(shape)
         uv_sizes.append(uv_size_mm)
-    corners = _corners(meshes)
     for shape, mesh in zip(clothed, meshes, strict=True):
         on_uv = replace(mesh, attributes={FILE_UV: mesh.uv})
-        add_attributes(shape, _pictures(on_uv, shape.bsdf(), corners))
+        add_attributes(shape, _pictures(on_uv, shape.bsdf(), meshes))
     warn_of_extent(joined(meshes), metres_per_unit)
     point, view = _move_camera(scene, joined(meshes).scaled(1 / metres_per_unit), zoom, size)
     integrator = footprint_integrator(scene)
