@@ -180,5 +180,6 @@ def _between(ids: Indices, closed: bool = True) -> Indices:
 
 
 if __name__ == "__main__":
+    Path(sys.argv[1]).mkdir(parents=True, exist_ok=True)
     for shape, make in SHAPES.items():
         write_mesh(Path(sys.argv[1]) / f"{shape}.obj", [make(10_000)])
