@@ -148,7 +148,7 @@ def write_ply(path: Path, places: Floats) -> None:
 @pytest.mark.parametrize(
     ("write", "suffix"),
     [(write_obj, ".obj"), (write_ply, ".ply"), (write_glb, ".glb")],
-    ids=lambda value: str(value),
+    ids=("obj", "ply", "glb"),
 )
 def test_every_vertex_finds_its_row(
     write: Callable[[Path, Floats], None], suffix: str, tmp_path: Path

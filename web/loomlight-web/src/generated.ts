@@ -727,6 +727,9 @@ export const WHITE_SHARE = 0.3;
 export const ALBEDO_TOLERANCE = 1e-05;
 
 // fabric.colour
+export const DARKEST = 0.002;
+export const FADING = 8.0;
+export const TRACE = 0.02;
 export const HALVINGS = 20;
 
 // yarn.layout

@@ -13,13 +13,11 @@ import {
   type Irregularity,
 } from "loomlight-fabric";
 
-import { ALBEDO_TOLERANCE, WHITE_SHARE } from "../generated.ts";
+import { ALBEDO_TOLERANCE, DARKEST, FADING, TRACE, WHITE_SHARE } from "../generated.ts";
 import { coloursFor, type ChannelAlbedos, type Openness } from "./between_yarns.ts";
 import { detailOf, type YarnDetail } from "./detail.ts";
 import { boundInUse, clothBound, taken, yarnBound, type LayerBound } from "./layer_bound.ts";
 
-/** Of rubbed threads, as in `fabric/colour.py`: reflectance of the deepest dye, how dye goes, and what stays of it. */
-const [DARKEST, FADING, TRACE] = [2e-3, 8, 0.02];
 /** The order of a thread's albedos, red, green and blue of each. */
 export const ALBEDOS = ["diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit"] as const;
 export const ALBEDO_NUMBERS = 3 * ALBEDOS.length;
