@@ -35,6 +35,7 @@ PUBLIC = {
     "play",
     "read_wif",
     "render",
+    "render_frames",
     "save",
     "swatches",
     "view",

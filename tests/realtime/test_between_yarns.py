@@ -8,8 +8,6 @@ Covers: realtime/words.py
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import pytest
 from drjit.llvm import Float
@@ -18,6 +16,7 @@ from loomlight.core.backend import array_types
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import make_model
 from loomlight.realtime.words import WordTable, add_block
+from loomlight.scattering.point import Tint
 from tests.realtime.queries import share_beyond, vectors
 from tests.realtime.test_lobes import MAX_FLIPS, Queries
 from tests.realtime.whole_queries import lobes_values, point_values
@@ -38,8 +37,8 @@ strength = 0.4
 """
 
 
-def tint() -> Any:
-    return array_types(Float).Color3(*TINT)
+def tint() -> Tint:
+    return Tint.of(array_types(Float).Color3(*TINT))
 
 
 @pytest.mark.slow
