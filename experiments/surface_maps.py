@@ -1,6 +1,6 @@
 """Maps over a garment: what mixing a few variants errs, and what a picture with maps costs.
 
-    python -m experiments.surface_maps [--part levels] [--output experiments/results/surface_maps.json]
+    python -m experiments.surface_maps --part levels --output experiments/results/surface_maps_levels.json
 
 - *levels*: a number in the middle between two of the four variants that a picture of many greys makes, mixed
   of both, against cloth that has the number itself: mean difference of f·cos over lights and views, seen over
