@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import ClassVar, Self, TypedDict
 
@@ -37,8 +38,10 @@ def view_angles(view: object) -> tuple[float, float] | None:
     if isinstance(view, str) and view in VIEWS:
         return VIEWS[view]
     parts = view.split(",") if isinstance(view, str) else view
+    if not isinstance(parts, Iterable):
+        return None
     try:
-        azimuth, elevation = (float(part) for part in parts)  # type: ignore[attr-defined]  # it is tried
+        azimuth, elevation = (float(part) for part in parts)
     except (TypeError, ValueError):
         return None
     return (azimuth, elevation) if abs(azimuth) <= 360 and abs(elevation) <= 90 else None

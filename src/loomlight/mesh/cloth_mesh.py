@@ -173,15 +173,18 @@ def joined(parts: list[ClothMesh]) -> ClothMesh:
         uv=stacked(lambda part: part.uv),
         triangles=np.concatenate([part.triangles + start for part, start in zip(parts, starts, strict=True)]),
         name=parts[0].name,
-        attributes={
-            name: stacked(lambda part: _attribute(part, name, width))  # noqa: B023 (called at once)
-            for name, width in {n: v.shape[1] for part in parts for n, v in part.attributes.items()}.items()
-        },
+        attributes=_joined_attributes(parts),
     )
 
 
-def _attribute(mesh: ClothMesh, name: str, width: int) -> NDArray[np.float64]:
-    return mesh.attributes.get(name, np.full((len(mesh.positions), width), np.nan))
+def _joined_attributes(parts: list[ClothMesh]) -> dict[str, NDArray[np.float64]]:
+    widths = {name: values.shape[1] for part in parts for name, values in part.attributes.items()}
+    return {
+        name: np.concatenate(
+            [part.attributes.get(name, np.full((len(part.positions), width), np.nan)) for part in parts]
+        )
+        for name, width in widths.items()
+    }
 
 
 def placed(mesh: ClothMesh, matrix: NDArray[np.float64]) -> ClothMesh:

@@ -517,12 +517,16 @@ class _Reader:
             at, inverse = distinct_rows(keys[used])
             corner = used[at]
             vertex = corners[corner]
+            if smooth is not None:
+                own = smooth[vertex]
+            elif normals is not None:
+                own = normals.at(corner)
             pieces.append(
                 _Piece(
                     subset,
                     ClothMesh(
                         positions=points[vertex],
-                        normals=smooth[vertex] if smooth is not None else normals.at(corner),  # type: ignore[union-attr]
+                        normals=own,
                         uv=uv.at(corner) if uv is not None else np.zeros((0, 2)),
                         triangles=inverse.reshape(-1, 3),
                         name=str(scene.file),
