@@ -26,13 +26,13 @@ test-all: lint
 	$(call run_tests,-m "")
 
 lint: $(VENV)/.test
-	$(RUN)/ruff check src papers tests tools benchmarks experiments
-	$(RUN)/ruff format --check src papers tests tools benchmarks experiments
+	$(RUN)/ruff check src studies tests tools
+	$(RUN)/ruff format --check src studies tests tools
 	$(RUN)/mypy
 	$(RUN)/lint-imports
 
 benchmark: $(VENV)/.test
-	$(RUN)/python -m benchmarks.point
+	$(RUN)/python -m studies.speed.point
 
 # What a picture needs, and what tests need beside it.
 $(VENV)/.demo: pyproject.toml constraints.txt scripts/setup.sh

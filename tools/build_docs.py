@@ -100,8 +100,8 @@ def read_pages(root: Path) -> list[Page]:
 
 
 def _files(root: Path) -> list[Path]:
-    """The Markdown files below docs/ and papers/."""
-    return [file for folder in ("docs", "papers") for file in sorted((root / folder).rglob("*.md"))]
+    """The Markdown files below docs/ and studies/papers/."""
+    return [file for folder in ("docs", "studies/papers") for file in sorted((root / folder).rglob("*.md"))]
 
 
 def _name(file: Path) -> str:
@@ -111,7 +111,7 @@ def _name(file: Path) -> str:
 
 def _reader(root: Path, file: Path) -> str:
     folders = file.relative_to(root).parts
-    if folders[0] == "papers":
+    if folders[0] == "studies":
         return PAPERS
     if "notes" in folders:
         return TRIED
@@ -121,7 +121,8 @@ def _reader(root: Path, file: Path) -> str:
 
 
 def _target(root: Path, file: Path) -> str:
-    page = file.relative_to(root / "docs") if file.is_relative_to(root / "docs") else file.relative_to(root)
+    folder = "docs" if file.is_relative_to(root / "docs") else "studies"
+    page = file.relative_to(root / folder)
     return (
         page.parent.with_suffix(".html") if page.stem == "README" else page.with_suffix(".html")
     ).as_posix()

@@ -17,12 +17,12 @@ from argparse import ArgumentParser
 from collections.abc import Callable
 from pathlib import Path
 
-from benchmarks.random_networks import random_latent, random_neumip
 from loomlight.exporters import export
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.interface import Model
 from loomlight.models.registry import REALTIME_MODELS
 from loomlight.realtime.materials import Material
+from studies.instruments.random_networks import random_latent, random_neumip
 
 # Trained models have random numbers: the text is the same.
 _TRAINED: dict[str, Callable[[Fabric], Model]] = {

@@ -22,8 +22,8 @@ from torch import Tensor, nn
 from loomlight.core.files import replacing
 from loomlight.models.neural.architecture import BUNDLES, MAX_OUTPUT
 from loomlight.models.neural.weights import Weights, read_weights_alone
-from papers.chen2024.training.losses import gain
-from papers.chen2024.training.network import COMPONENTS, FAMILIES, Decoder
+from studies.papers.chen2024.training.losses import gain
+from studies.papers.chen2024.training.network import COMPONENTS, FAMILIES, Decoder
 
 _OPSET = 17
 INPUTS = ("latent", "coordinates", "light", "view", "fibres", "bundles", "correction")

@@ -32,9 +32,9 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from benchmarks.harness import Figures, record
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.evaluation.table import write_json
+from studies.instruments.harness import Figures, record
 
 Mutation = Callable[[random.Random, bytes], bytes]
 

@@ -17,7 +17,7 @@ from PIL import Image
 
 from loomlight.core.colour import linear_to_srgb
 from loomlight.sources.heightfield import Heightfield
-from papers.kuznetsov2021.materials import RECIPES, SIDE, paper_heightfield
+from studies.papers.kuznetsov2021.materials import RECIPES, SIDE, paper_heightfield
 
 
 def write_heightfield(source: Heightfield, folder: Path) -> Path:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from papers.zeltner2024.layered_materials import LAYERED, SIZE_MM, layered_parts
+from studies.papers.zeltner2024.layered_materials import LAYERED, SIZE_MM, layered_parts
 
 SIDE = 128
 

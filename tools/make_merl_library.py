@@ -11,7 +11,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from papers.zeltner2024.analytic_brdfs import write_analytic_library
+from studies.papers.zeltner2024.analytic_brdfs import write_analytic_library
 
 COUNT = 16
 

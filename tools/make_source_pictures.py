@@ -33,10 +33,10 @@ from loomlight.sources.kinds import Source, kind_of_file
 from loomlight.sources.load import load_source
 from loomlight.sources.material import Material
 from loomlight.sources.merl import MerlLibrary
-from papers.altered_models import AlteredModel, UniformDirections
-from papers.kuznetsov2021.stage import Shot, plane_shot
-from papers.setting import Setting
-from papers.zeltner2024.stage import model_factory, reference_factory, stage_picture, stage_scene
+from studies.instruments.altered_models import AlteredModel, UniformDirections
+from studies.papers.kuznetsov2021.stage import Shot, plane_shot
+from studies.papers.setting import Setting
+from studies.papers.zeltner2024.stage import model_factory, reference_factory, stage_picture, stage_scene
 
 # Share of the sun's light, its width, and where it stands.
 _SUN, _SUN_WIDTH = 0.6, 0.15

@@ -12,9 +12,9 @@ import torch
 
 from loomlight.core.provenance import provenance
 from loomlight.models.neural.architecture import NetworkTable
-from papers.chen2024.training.export import export_encoder
-from papers.chen2024.training.network import ClothNetwork
-from papers.chen2024.training.weights_file import write_weights
+from studies.papers.chen2024.training.export import export_encoder
+from studies.papers.chen2024.training.network import ClothNetwork
+from studies.papers.chen2024.training.weights_file import write_weights
 
 
 def main() -> None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from drjit.llvm.ad import Array2f64, Float
 
-from experiments.reference import reference
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import require_llvm
+from studies.instruments.reference import reference
 
 from .colour_sums import ColourSums
 from .fabrics import directions, woven

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f64, Array3f, Bool, Float
 
-from experiments.reference import reference
 from loomlight.aggregate.components import (
     colours,
     components,
@@ -23,6 +22,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.sheen import sheen_with_transmittance
 from loomlight.yarn.geometry import YarnGeometry
+from studies.instruments.reference import reference
 
 from .fabrics import NAMES, directions, woven
 
@@ -211,6 +211,6 @@ def test_estimates_do_not_depend_on_batches(monkeypatch: pytest.MonkeyPatch) -> 
     box = Box(Array2f64(rng.random((2, 9))), Array2f64(rng.random((2, 9))))
     lights, views = directions(rng, 9), directions(rng, 9)
     whole = reference(model, box_footprint(box), lights, views, 64, seed=3)
-    monkeypatch.setattr("experiments.reference._BATCH", 128)
+    monkeypatch.setattr("studies.instruments.reference._BATCH", 128)
     parts = reference(model, box_footprint(box), lights, views, 64, seed=3)
     np.testing.assert_allclose(parts.mean, whole.mean, rtol=1e-6)

@@ -10,11 +10,11 @@ import pytest
 from drjit.llvm.ad import Float
 from scipy import stats
 
-from experiments.reference import brute_force
 from loomlight.aggregate.components import CHANNELS
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
+from studies.instruments.reference import brute_force
 
 from .fabrics import NAMES, directions, woven
 

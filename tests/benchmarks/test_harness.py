@@ -1,6 +1,7 @@
 """Measuring scripts: what they record, where they write it, and how they end.
 
-Covers: papers/zhu2024/storage.py, papers/zeltner2024/merl.py, papers/zeltner2024/speed.py
+Covers: studies/papers/zhu2024/storage.py, studies/papers/zeltner2024/merl.py
+Covers: studies/papers/zeltner2024/speed.py
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks import harness
+from studies.instruments import harness
 
 LIBRARIES = (
     "__init__",
@@ -30,7 +31,7 @@ LIBRARIES = (
     "neural_sampler_training",
 )
 # They write constants, or a picture.
-NO_FIGURES = ("tools.fits.sheen", "tools.fits.neural_sampler", "experiments.distances")
+NO_FIGURES = ("tools.fits.sheen", "tools.fits.neural_sampler", "studies.look.distances")
 SCRIPTS = sorted(
     [
         f"{folder.replace('/', '.')}.{file.stem}"
@@ -38,7 +39,11 @@ SCRIPTS = sorted(
         for file in (harness.REPOSITORY / folder).glob("*.py")
         if file.stem not in LIBRARIES
     ]
-    + ["papers.zhu2024.storage", "papers.zeltner2024.merl", "papers.zeltner2024.speed"]
+    + [
+        "studies.papers.zhu2024.storage",
+        "studies.papers.zeltner2024.merl",
+        "studies.papers.zeltner2024.speed",
+    ]
 )
 
 
@@ -73,8 +78,8 @@ def test_commands_name_no_folder_of_the_machine(tmp_path: Path) -> None:
     (tmp_path / "a draft.wif").touch()
     inside = harness.REPOSITORY / "examples" / "denim.toml"
     words = [str(tmp_path / "a draft.wif"), str(inside), "--groups", "4", "--output=a.json", "--output", "b"]
-    assert harness.command("benchmarks.lobes", words) == (
-        "python -m benchmarks.lobes 'a draft.wif' examples/denim.toml --groups 4"
+    assert harness.command("studies.speed.lobes", words) == (
+        "python -m studies.speed.lobes 'a draft.wif' examples/denim.toml --groups 4"
     )
 
 

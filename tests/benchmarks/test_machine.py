@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from drjit.llvm import Float
 
-from benchmarks import machine
-from benchmarks.machine import fma_peak, operations_of
-from experiments.timing import launched_kernels
+from studies.instruments import machine
+from studies.instruments.machine import fma_peak, operations_of
+from studies.instruments.timing import launched_kernels
 
 
 def test_operations_of_a_kernel_are_counted() -> None:

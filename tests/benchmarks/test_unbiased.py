@@ -1,6 +1,6 @@
 """The test of unbiasedness: it passes what is unbiased, finds what is not, and counts as Holm does.
 
-`experiments/unbiased.py` and what `benchmarks/clustered.py` shares with it.
+`studies/accuracy/unbiased.py` and what `studies/speed/clustered.py` shares with it.
 """
 
 from __future__ import annotations
@@ -10,9 +10,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks.clustered import cost_by_footprint, stored_bytes
-from experiments.held_out import held_out_fabrics
-from experiments.unbiased import (
+from loomlight.models.registry import make_model
+from studies.accuracy.unbiased import (
     Means,
     holm,
     model_means,
@@ -20,7 +19,8 @@ from experiments.unbiased import (
     reference_means,
     scores,
 )
-from loomlight.models.registry import make_model
+from studies.instruments.held_out import held_out_fabrics
+from studies.speed.clustered import cost_by_footprint, stored_bytes
 
 CASES = 6
 

@@ -20,7 +20,7 @@ from PIL import Image
 from loomlight.cli import terminal
 from loomlight.cli.main import run
 from loomlight.cli.terminal import note_left, report_interruption, was_interrupted
-from papers.chen2024 import data
+from studies.papers.chen2024 import data
 
 
 def started(code: str) -> subprocess.Popen[str]:
@@ -124,7 +124,7 @@ def test_work_that_goes_on_later_says_so(
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("papers.chen2024.dataset_store.make_store", interrupted)
+    monkeypatch.setattr("studies.papers.chen2024.dataset_store.make_store", interrupted)
     assert run(["-o", str(tmp_path / "a.zarr")], data.app) == 130
     assert "a.zarr keeps the materials that are finished" in capsys.readouterr().err
 

@@ -12,7 +12,6 @@ import pytest
 from drjit.llvm.ad import Array2f, Float
 from scipy import stats
 
-from experiments.reference import reference
 from loomlight.aggregate.queries import QuerySet
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
@@ -29,6 +28,7 @@ from loomlight.evaluation.query_benchmark import (
 )
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.registry import make_model
+from studies.instruments.reference import reference
 
 TOML = """
 weave = "twill 2/1"

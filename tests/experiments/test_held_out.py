@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from experiments.held_out import held_out_fabrics
 from loomlight.aggregate.queries import admits_transmission
 from loomlight.core.errors import InputError
 from loomlight.evaluation.query_benchmark import HeldOut
 from loomlight.models.neural.weights import PARAMETER_RANGES
-from papers.chen2024.training.weaves import HELD_OUT_WEAVES, PAPER_WEAVES, paper_draft
+from studies.instruments.held_out import held_out_fabrics
+from studies.papers.chen2024.training.weaves import HELD_OUT_WEAVES, PAPER_WEAVES, paper_draft
 
 
 @pytest.fixture(scope="module")

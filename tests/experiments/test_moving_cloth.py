@@ -7,7 +7,7 @@ from argparse import Namespace
 import numpy as np
 import pytest
 
-from experiments.moving_cloth import MANY, measure, sampled
+from studies.accuracy.moving_cloth import MANY, measure, sampled
 
 
 def test_colours_between_pixels() -> None:

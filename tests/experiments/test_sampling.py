@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 from drjit.llvm.ad import Array2f, Array3f, Float
 
-from experiments.sampling import _by_source
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.sources.material import material_from_xml
+from studies.accuracy.sampling import _by_source
 
 require_llvm()
 

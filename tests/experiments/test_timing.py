@@ -7,7 +7,7 @@ import time
 import drjit as dr
 from drjit.llvm import Float
 
-from experiments.timing import launched_kernels, timed
+from studies.instruments.timing import launched_kernels, timed
 
 
 def test_what_was_made_comes_with_its_time() -> None:

@@ -18,7 +18,6 @@ import numpy as np
 import pytest
 from drjit.llvm import Array2f, Array3f, Float, UInt32
 
-from benchmarks.counted_library import CountedLibrary, queries_of
 from loomlight.core.footprint import Footprint
 from loomlight.core.images import read_picture
 from loomlight.core.llvm import require_llvm
@@ -32,6 +31,7 @@ from loomlight.realtime.device import default_adapter
 from loomlight.realtime.materials import Material
 from loomlight.realtime.records import numpy_type
 from loomlight.realtime.slangc import compile_shader
+from studies.instruments.counted_library import CountedLibrary, queries_of
 from tests.limits import HANG
 from tests.marks import slow_among
 from tests.models.clustered.samples import with_samples

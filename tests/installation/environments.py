@@ -134,7 +134,7 @@ CASES = (
     Case("swatches plain -o a.html --size 32 --spp 1 --executor slurm:local", ("submitit",), ("fleet",)),
     Case("swatches plain -o b.html --size 32 --spp 1 --executor joblib", ("joblib",), ("fleet",)),
     Case(
-        module="papers.chen2024.data -o data.zarr --materials 0:1 --queries 1024",
+        module="studies.papers.chen2024.data -o data.zarr --materials 0:1 --queries 1024",
         needs=("zarr",),
         extra=("data",),
     ),

@@ -14,13 +14,13 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
-from experiments.scene_edits import SceneEdits
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, material_bsdf
 from loomlight.mitsuba.bsdf import model_bsdfs
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.pixels import samples_are_pixels
+from studies.instruments.scene_edits import SceneEdits
 from tests.marks import slow
 
 SHEEN = 'weave = "twill 2/1"\n[sheen]\nstrength = 0.5\n'

@@ -1,6 +1,6 @@
 """Queries of materials: Mitsuba's values, filtered inputs, and BSDFs that cannot be learned.
 
-Covers: papers/zeltner2024/layered_materials.py, papers/zeltner2024/layered_textures.py
+Covers: studies/papers/zeltner2024/layered_materials.py, studies/papers/zeltner2024/layered_textures.py
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mitsuba.material_btf import MaterialBtf, material_bsdf_of
 from loomlight.models.texture.queries import footprint_values
 from loomlight.sources.material import Material, material_from_xml
-from papers.zeltner2024.layered_materials import LAYERED, layered_material
+from studies.papers.zeltner2024.layered_materials import LAYERED, layered_material
 
 
 def material(body: str) -> Material:

@@ -20,7 +20,6 @@ import pytest
 from drjit.llvm.ad import Array3f, Float
 from numpy.typing import NDArray
 
-from experiments.reference import reference
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
@@ -32,6 +31,7 @@ from loomlight.scattering.point import Albedos, DirectionSample, YarnScattering
 from loomlight.scattering.sheen import sheen
 from loomlight.sources.loom_file import write_loom
 from loomlight.yarn.geometry import YarnGeometry
+from studies.instruments.reference import reference
 from tests.marks import slow_among
 
 from .chi_square import cell_counts, cell_shares, p_value
@@ -278,7 +278,7 @@ def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None
             assert error[4] < (OWN_SURFACE if model.estimates else 1) * MAX_ERROR * truth[4]
         if model.filters and not model.estimates:
             # Each large footprint by itself, against its own box. (One estimate alone is noise; its mean is
-            # above, and experiments/unbiased.py tests single footprints.)
+            # above, and studies/accuracy/unbiased.py tests single footprints.)
             boxes = exact.box_means(centres[:200], np.tile(size, (200, 1)))[:, :4]
             assert np.abs(actual[:200, :4] - boxes).sum() < 2 * MAX_ERROR * boxes.sum()
     assert np.sum(errors) < MAX_ERROR * np.sum(truths), (errors, truths)

@@ -8,7 +8,6 @@ import pytest
 from drjit.llvm.ad import Array2f, Array3f, UInt32
 from numpy.typing import NDArray
 
-from experiments.unbiased import SIGNIFICANCE, Means, holm, random_cases, scores
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import Fabric, fabric_from_text
@@ -20,6 +19,7 @@ from loomlight.models.point import (
     SampledModel,
     SamplesOptions,
 )
+from studies.accuracy.unbiased import SIGNIFICANCE, Means, holm, random_cases, scores
 from tests.marks import slow
 
 require_llvm()

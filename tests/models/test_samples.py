@@ -11,12 +11,12 @@ import drjit as dr
 import numpy as np
 import pytest
 
-from experiments.reference import reference
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model
 from loomlight.models.point import PointModel, SampledModel, SamplesOptions
 from loomlight.models.separable import Components, SeparableBsdf
+from studies.instruments.reference import reference
 
 from .fabrics import Queries, fabric, queries
 

@@ -1,6 +1,6 @@
 """The analytic library: its range, its energy, and that its files are MERL's.
 
-Covers: papers/zeltner2024/analytic_brdfs.py
+Covers: studies/papers/zeltner2024/analytic_brdfs.py
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from loomlight.sources.merl import load_merl
-from papers.zeltner2024.analytic_brdfs import (
+from studies.papers.zeltner2024.analytic_brdfs import (
     analytic_brdf,
     analytic_library,
     analytic_parameters,

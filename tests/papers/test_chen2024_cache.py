@@ -1,6 +1,6 @@
 """Runs of the encoder without cached latents.
 
-Covers: papers/chen2024/cache.py
+Covers: studies/papers/chen2024/cache.py
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from papers.chen2024.cache import without_cached_latents
+from studies.papers.chen2024.cache import without_cached_latents
 
 
 @pytest.mark.parametrize("before", ["/somewhere", None])

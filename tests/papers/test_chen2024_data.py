@@ -1,15 +1,15 @@
-"""`python -m papers.chen2024.data`: what it writes, and what it refuses in one sentence.
+"""`python -m studies.papers.chen2024.data`: what it writes, and what it refuses in one sentence.
 
-Covers: papers/chen2024/data.py
+Covers: studies/papers/chen2024/data.py
 """
 
 import pytest
 
 from loomlight.cli.main import run
-from papers.chen2024.data import MATERIALS as OFFERED
-from papers.chen2024.data import app
-from papers.chen2024.dataset_store import QueryStore
-from papers.chen2024.materials import MATERIALS
+from studies.papers.chen2024.data import MATERIALS as OFFERED
+from studies.papers.chen2024.data import app
+from studies.papers.chen2024.dataset_store import QueryStore
+from studies.papers.chen2024.materials import MATERIALS
 
 
 def test_writes_a_store_and_goes_on_with_it(tmp_path, capsys):
@@ -22,7 +22,8 @@ def test_writes_a_store_and_goes_on_with_it(tmp_path, capsys):
     assert store.numbers == (7, 8)
     assert store.settings.seed == 5
     assert (
-        store.attributes["made_with"]["command"] == "python -m papers.chen2024.data --queries 2048 --seed 5"
+        store.attributes["made_with"]["command"]
+        == "python -m studies.papers.chen2024.data --queries 2048 --seed 5"
     )
     assert store.material(8).queries.count == pytest.approx(2048, rel=0.1)
 

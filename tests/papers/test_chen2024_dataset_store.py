@@ -1,6 +1,6 @@
 """The store of queries: what is read is what was computed, whatever happened to the program that wrote it.
 
-Covers: papers/chen2024/dataset_store.py
+Covers: studies/papers/chen2024/dataset_store.py
 """
 
 import json
@@ -19,15 +19,15 @@ from drjit.llvm.ad import Float
 
 from loomlight.core.errors import InputError, LoomlightWarning, MissingDependencyError
 from loomlight.core.fleet import Executor
-from papers.chen2024 import dataset_store as store_module
-from papers.chen2024.dataset_store import (
+from studies.papers.chen2024 import dataset_store as store_module
+from studies.papers.chen2024.dataset_store import (
     BYTES_A_QUERY,
     QueryStore,
     StoreSettings,
     make_store,
 )
-from papers.chen2024.materials import paper_material
-from papers.chen2024.queries import material_queries, slice_means
+from studies.papers.chen2024.materials import paper_material
+from studies.papers.chen2024.queries import material_queries, slice_means
 
 SETTINGS = StoreSettings(seed=3, queries=4096)
 NUMBERS = (79, 80, 81)
@@ -119,7 +119,7 @@ def test_killed_at_any_moment_and_run_again_the_bytes_are_the_same(made, tmp_pat
     path = tmp_path / "killed.zarr"
     code = (
         "import sys; from drjit.llvm.ad import Float;"
-        "from papers.chen2024.dataset_store import *;"
+        "from studies.papers.chen2024.dataset_store import *;"
         f"make_store(sys.argv[1], {NUMBERS}, StoreSettings(3, 4096), Float, 'killed')"
     )
     # The first is killed once a material is there, the second at once when it begins to write one.

@@ -1,7 +1,8 @@
 """Figures made whole, of few pictures: what they draw and what they measure.
 
-Covers: papers/chen2024/ablation.py, papers/chen2024/cost.py, papers/chen2024/editing.py
-Covers: papers/chen2024/latents.py
+Covers: studies/papers/chen2024/ablation.py, studies/papers/chen2024/cost.py
+Covers: studies/papers/chen2024/editing.py
+Covers: studies/papers/chen2024/latents.py
 """
 
 from __future__ import annotations
@@ -11,9 +12,9 @@ from pathlib import Path
 import pytest
 
 from loomlight.mitsuba import choose_variant
-from papers.chen2024 import ablation, cost, editing, latents
-from papers.figure import Evidence
-from papers.setting import Setting
+from studies.papers.chen2024 import ablation, cost, editing, latents
+from studies.papers.figure import Evidence
+from studies.papers.setting import Setting
 
 from ..models.neural.networks import network, written
 

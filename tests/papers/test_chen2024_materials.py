@@ -1,6 +1,6 @@
 """The paper's 465 materials: how many of each weave, in which ranges, and the same whenever they are made.
 
-Covers: papers/chen2024/materials.py
+Covers: studies/papers/chen2024/materials.py
 """
 
 from collections import Counter
@@ -10,7 +10,7 @@ import pytest
 
 from loomlight.core.errors import InputError
 from loomlight.models.neural.weights import PARAMETER_RANGES
-from papers.chen2024.materials import MATERIALS, paper_material
+from studies.papers.chen2024.materials import MATERIALS, paper_material
 
 # Ends and picks of one repeat that the paper names (its "5×10" is read as 5 ends by 10 picks).
 REPEATS = {

@@ -1,20 +1,20 @@
 """The paper's sampling of queries, and means of slices against the Monte Carlo reference.
 
-Covers: papers/chen2024/queries.py
+Covers: studies/papers/chen2024/queries.py
 """
 
 import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f, Float
 
-from experiments.reference import reference
 from loomlight.aggregate.queries import fabric_scale
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-from papers.chen2024.materials import paper_material
-from papers.chen2024.queries import (
+from studies.instruments.reference import reference
+from studies.papers.chen2024.materials import paper_material
+from studies.papers.chen2024.queries import (
     FULL_QUERIES,
     fabric_queries,
     material_queries,

@@ -1,6 +1,6 @@
 """Pieces of cloth that are made of formulas: closed where they should be, unit normals, uv to scale.
 
-Covers: papers/zhu2024/cloth_pieces.py
+Covers: studies/papers/zhu2024/cloth_pieces.py
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import pytest
 
 from loomlight.mesh.cloth_mesh import uv_size
 from loomlight.mitsuba import ClothMesh, shapes
-from papers.zhu2024 import cloth_pieces
+from studies.papers.zhu2024 import cloth_pieces
 
 PIECES = {
     "couch": cloth_pieces.couch,

@@ -1,6 +1,7 @@
 """Scenes of several pieces, and cloth as a ray-traced height field.
 
-Covers: papers/composed_scenes.py, papers/cosine_bsdf.py, papers/zhu2024/height_field.py
+Covers: studies/instruments/composed_scenes.py, studies/instruments/cosine_bsdf.py
+Covers: studies/papers/zhu2024/height_field.py
 Covers: mitsuba/shapes.py
 """
 
@@ -15,8 +16,8 @@ from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import ClothMesh, material_bsdf, render, shapes
 from loomlight.mitsuba.lights import light_dicts
 from loomlight.mitsuba.shapes import ground
-from papers.composed_scenes import Composition, composed_scene, scene_of_shapes
-from papers.zhu2024.height_field import height_field_shape
+from studies.instruments.composed_scenes import Composition, composed_scene, scene_of_shapes
+from studies.papers.zhu2024.height_field import height_field_shape
 
 SIZE = (24, 16)
 THREADS = 6

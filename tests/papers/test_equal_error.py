@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from papers.equal_error import HalvedTruth, least_times
+from studies.instruments.equal_error import HalvedTruth, least_times
 
 
 def test_runs_take_turns() -> None:

@@ -1,7 +1,7 @@
 """The figures of kuznetsov2021, small: trainings of a few steps of one material.
 
-Covers: papers/kuznetsov2021/figures.py, papers/kuznetsov2021/stage.py
-Covers: papers/kuznetsov2021/tables.py, papers/kuznetsov2021/equal_cost.py
+Covers: studies/papers/kuznetsov2021/figures.py, studies/papers/kuznetsov2021/stage.py
+Covers: studies/papers/kuznetsov2021/tables.py, studies/papers/kuznetsov2021/equal_cost.py
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from papers.kuznetsov2021 import equal_cost, figures, stage, tables
-from papers.kuznetsov2021.designs import DESIGNS
-from papers.kuznetsov2021.materials import paper_heightfield
-from papers.setting import NEUMIP, Setting
+from studies.papers.kuznetsov2021 import equal_cost, figures, stage, tables
+from studies.papers.kuznetsov2021.designs import DESIGNS
+from studies.papers.kuznetsov2021.materials import paper_heightfield
+from studies.papers.setting import NEUMIP, Setting
 
 MATERIAL = "turtle shell"
 

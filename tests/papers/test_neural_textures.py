@@ -1,7 +1,7 @@
 """Designs have the published sizes, and ours as a design is ours as a model.
 
-Covers: papers/kuznetsov2021/neural_textures.py
-Covers: papers/kuznetsov2021/designs.py, papers/kuznetsov2021/encoded_textures.py
+Covers: studies/papers/kuznetsov2021/neural_textures.py
+Covers: studies/papers/kuznetsov2021/designs.py, studies/papers/kuznetsov2021/encoded_textures.py
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ from loomlight.models.texture.neumip_training import NeumipNetwork, gains_of, ta
 from loomlight.models.texture.pyramid import PyramidShape, Taps  # noqa: E402
 from loomlight.models.texture.queries import Queries  # noqa: E402
 from loomlight.models.texture.settings import NeumipSettings  # noqa: E402
-from papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20  # noqa: E402
-from papers.kuznetsov2021.encoded_textures import (  # noqa: E402
+from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20  # noqa: E402
+from studies.papers.kuznetsov2021.encoded_textures import (  # noqa: E402
     PAIRS,
     EncodedTextures,
     TiledBatches,
     apparent_brdfs,
     trained_encodings,
 )
-from papers.kuznetsov2021.materials import paper_heightfield  # noqa: E402
-from papers.kuznetsov2021.neural_textures import NeuralTextures, blur_of, blurred  # noqa: E402
+from studies.papers.kuznetsov2021.materials import paper_heightfield  # noqa: E402
+from studies.papers.kuznetsov2021.neural_textures import NeuralTextures, blur_of, blurred  # noqa: E402
 
 SHAPE = PyramidShape(8, 8, 2.0, 2.0)
 

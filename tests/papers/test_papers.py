@@ -1,10 +1,10 @@
 """The papers' figures: what is drawn where, what is written down, and what is refused.
 
-Covers: papers/command.py, papers/__main__.py, papers/catalogue.py
-Covers: papers/chen2024/comparison.py, papers/chen2024/components.py
-Covers: papers/figure.py, papers/chen2024/fabrics.py
-Covers: papers/renders.py, papers/make.py
-Covers: papers/setting.py, papers/sheet.py, papers/chen2024/shots.py
+Covers: studies/papers/command.py, studies/papers/__main__.py, studies/papers/catalogue.py
+Covers: studies/papers/chen2024/comparison.py, studies/papers/chen2024/components.py
+Covers: studies/papers/figure.py, studies/papers/chen2024/fabrics.py
+Covers: studies/instruments/renders.py, studies/papers/make.py
+Covers: studies/papers/setting.py, studies/instruments/sheet.py, studies/papers/chen2024/shots.py
 """
 
 from __future__ import annotations
@@ -18,28 +18,28 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from experiments.scene_edits import SceneEdits
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import choose_variant
 from loomlight.weave.named import named_weave
-from papers.catalogue import CATALOGUE
-from papers.chen2024.ablation import NETWORKS, weights_files
-from papers.chen2024.comparison import compared
-from papers.chen2024.components import direction_grid
-from papers.chen2024.cost import network_time
-from papers.chen2024.editing import EDITS, albedo_map
-from papers.chen2024.fabrics import paper_fabric, seen_fabrics, unseen_fabrics
-from papers.chen2024.shots import DRAPE
-from papers.chen2024.training.config import read_config
-from papers.chen2024.training.weaves import HELD_OUT_WEAVES, paper_draft
-from papers.command import main
-from papers.renders import Stage, count_near, one_picture
-from papers.setting import Setting, cloth_bsdf
-from papers.sheet import Row, Tile, contact_sheet
+from studies.instruments.renders import Stage, count_near, one_picture
+from studies.instruments.scene_edits import SceneEdits
+from studies.instruments.sheet import Row, Tile, contact_sheet
+from studies.papers.catalogue import CATALOGUE
+from studies.papers.chen2024.ablation import NETWORKS, weights_files
+from studies.papers.chen2024.comparison import compared
+from studies.papers.chen2024.components import direction_grid
+from studies.papers.chen2024.cost import network_time
+from studies.papers.chen2024.editing import EDITS, albedo_map
+from studies.papers.chen2024.fabrics import paper_fabric, seen_fabrics, unseen_fabrics
+from studies.papers.chen2024.shots import DRAPE
+from studies.papers.chen2024.training.config import read_config
+from studies.papers.chen2024.training.weaves import HELD_OUT_WEAVES, paper_draft
+from studies.papers.command import main
+from studies.papers.setting import Setting, cloth_bsdf
 
 from ..models.neural.networks import network, written
 
-CHEN2024 = Path(__file__).parents[2] / "papers" / "chen2024"
+CHEN2024 = Path(__file__).parents[2] / "studies" / "papers" / "chen2024"
 
 
 @pytest.fixture(scope="module")
@@ -168,8 +168,10 @@ def test_missing_trainings_are_named_with_their_commands(tmp_path: Path) -> None
     with pytest.raises(InputError) as fault:
         weights_files(tmp_path)
     message = str(fault.value)
-    assert "python -m papers.chen2024.training papers/chen2024/ablation_one_blob.toml" in message
-    assert "papers/chen2024/ablation_fusion.toml" in message
+    assert (
+        "python -m studies.papers.chen2024.training studies/papers/chen2024/ablation_one_blob.toml"
+    ) in message
+    assert "studies/papers/chen2024/ablation_fusion.toml" in message
     assert "ablation_both.toml" not in message
     assert all((CHEN2024 / f"{name}.toml").is_file() for name in NETWORKS.values())
 
@@ -189,7 +191,7 @@ def test_the_command_writes_and_adds(
     written_down = json.loads((out / "table.json").read_text())
     figure = written_down["figures"]["chen2024/fig2"]
     assert set(figure) >= {"command", "sources", "machine", "size", "weights", "tables"}
-    assert figure["command"].startswith("python -m papers chen2024/fig2 --size 32x40 --spp 4")
+    assert figure["command"].startswith("python -m studies.papers chen2024/fig2 --size 32x40 --spp 4")
     assert figure["tables"][0]["rows"]["reflection"]["BSDF"] > 0
     assert "nMAE" in capsys.readouterr().out
     # What was found of other figures stays.
@@ -219,11 +221,11 @@ def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
         (["chen2024/fig4", "-o", "out", "--weights", "none.safetensors"], "none.safetensors does not exist"),
         (
             ["chen2024/fig7", "-o", "out", "--runs", "none"],
-            "python -m papers.chen2024.training papers/chen2024/ablation_both.toml",
+            "python -m studies.papers.chen2024.training studies/papers/chen2024/ablation_both.toml",
         ),
         (["chen2024/fig4", "-o", "other", "--weights", "other/table.json"], "read by this command"),
         (["zhu2024/table1", "-o", ".", "--environment", "pictures/room.exr"], "read by this command"),
-        (["chen2024/fig4", "-o", "other"], "not written by `python -m papers`"),
+        (["chen2024/fig4", "-o", "other"], "not written by `python -m studies.papers`"),
     ],
 )
 def test_faults(arguments: list[str], expected: str, refused: Callable[..., str]) -> None:

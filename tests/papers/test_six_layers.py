@@ -1,6 +1,6 @@
 """The material of six layers: that it has them, each with textures of its own, and how its speed is told.
 
-Covers: papers/zeltner2024/six_layers.py
+Covers: studies/papers/zeltner2024/six_layers.py
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ import pytest
 
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.material_btf import MaterialBtf
-from papers.setting import Setting
-from papers.zeltner2024 import six_layers, speed, stage
-from papers.zeltner2024.six_layers import LAYERS, SIX_LAYERS
+from studies.papers.setting import Setting
+from studies.papers.zeltner2024 import six_layers, speed, stage
+from studies.papers.zeltner2024.six_layers import LAYERS, SIX_LAYERS
 
 # What holds other BSDFs: a blend of two layers, and a map of the normals of one.
 _BLEND, _TILTED = "blendbsdf", "normalmap"

@@ -1,8 +1,8 @@
 """The figures of zeltner2024, small: trainings of a few steps, three materials of four left out.
 
-Covers: papers/zeltner2024/analytic_baseline.py, papers/zeltner2024/polar.py
-Covers: papers/zeltner2024/sampling.py, papers/zeltner2024/stage.py
-Covers: papers/zeltner2024/tables.py, papers/zeltner2024/two_normals.py
+Covers: studies/papers/zeltner2024/analytic_baseline.py, studies/papers/zeltner2024/polar.py
+Covers: studies/papers/zeltner2024/sampling.py, studies/papers/zeltner2024/stage.py
+Covers: studies/papers/zeltner2024/tables.py, studies/papers/zeltner2024/two_normals.py
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.material_btf import MaterialBtf
 from loomlight.models.interface import Model
 from loomlight.models.texture.settings import LATENT_QUALITIES, LatentSettings
-from papers.setting import LATENT, Setting
-from papers.zeltner2024 import analytic_baseline, polar, sampling, stage, tables, two_normals
+from studies.papers.setting import LATENT, Setting
+from studies.papers.zeltner2024 import analytic_baseline, polar, sampling, stage, tables, two_normals
 
 
 @pytest.fixture

@@ -1,9 +1,9 @@
 """The figures of zhu2024, small: scenes, equal quality, sampling, parallax, sheen and the choice of α.
 
-Covers: papers/altered_models.py, papers/zhu2024/control.py
-Covers: papers/zhu2024/cylinder.py, papers/zhu2024/sampling.py
-Covers: papers/zhu2024/scenes.py, papers/zhu2024/sheen.py
-Covers: papers/zhu2024/table1.py
+Covers: studies/instruments/altered_models.py, studies/papers/zhu2024/control.py
+Covers: studies/papers/zhu2024/cylinder.py, studies/papers/zhu2024/sampling.py
+Covers: studies/papers/zhu2024/scenes.py, studies/papers/zhu2024/sheen.py
+Covers: studies/papers/zhu2024/table1.py
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from loomlight.core.footprint import Footprint
 from loomlight.mitsuba import choose_variant
 from loomlight.models.point import PointModel
 from loomlight.models.registry import make_model
-from papers.altered_models import uniformly_sampled, without_parallax
-from papers.catalogue import CATALOGUE
-from papers.command import main
-from papers.setting import Setting
-from papers.zhu2024 import control, cylinder, sheen, table1
-from papers.zhu2024.scenes import FABRICS, SCENES, table_composition, table_fabric
+from studies.instruments.altered_models import uniformly_sampled, without_parallax
+from studies.papers.catalogue import CATALOGUE
+from studies.papers.command import main
+from studies.papers.setting import Setting
+from studies.papers.zhu2024 import control, cylinder, sheen, table1
+from studies.papers.zhu2024.scenes import FABRICS, SCENES, table_composition, table_fabric
 
 
 @pytest.fixture
@@ -163,7 +163,7 @@ def test_sheen_brightens_black_cloth_by_the_command(
     assert (out / "zhu2024-fig7.png").is_file()
     figure = json.loads((out / "table.json").read_text())["figures"]["zhu2024/fig7"]
     assert figure["model"] == "lobes"
-    assert figure["command"] == "python -m papers zhu2024/fig7 --size 16x12 --spp 4 --model lobes"
+    assert figure["command"] == "python -m studies.papers zhu2024/fig7 --size 16x12 --spp 4 --model lobes"
     without, with_sheen = figure["tables"][0]["rows"]["mean of the reference"].values()
     assert with_sheen > 2 * without > 0
     assert "MSE" in capsys.readouterr().out

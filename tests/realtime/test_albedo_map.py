@@ -6,12 +6,12 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
-from experiments.realtime_frames import mitsuba_frame
 from loomlight.core.errors import InputError
 from loomlight.evaluation.metrics import flip_mean
 from loomlight.fabric import fabric_from_text
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.scene import map_words
+from studies.accuracy.realtime_frames import mitsuba_frame
 
 
 def unpacked(words: np.ndarray) -> np.ndarray:

@@ -8,12 +8,12 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
-from experiments.realtime_frames import mitsuba_frame
 from loomlight.core.errors import InputError
 from loomlight.core.images import write_image
 from loomlight.evaluation.metrics import flip_mean
 from loomlight.fabric import load_fabric
 from loomlight.realtime import Camera, Cloth, Environment, Mesh, Renderer, rectangle
+from studies.accuracy.realtime_frames import mitsuba_frame
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

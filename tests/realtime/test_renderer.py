@@ -13,13 +13,13 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
-from experiments.realtime_frames import mitsuba_frame
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import InputError
 from loomlight.evaluation.metrics import flip_mean
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Mesh, Picture, PointLight, Renderer, rectangle
+from studies.accuracy.realtime_frames import mitsuba_frame
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SIZE, SAMPLES = 40, 1024

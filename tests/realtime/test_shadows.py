@@ -12,11 +12,11 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
-from experiments.realtime_frames import mitsuba_frame
 from loomlight.evaluation.metrics import flip_mean
 from loomlight.fabric import load_fabric
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Mesh, PointLight, Renderer, rectangle
 from loomlight.realtime.scene import Light
+from studies.accuracy.realtime_frames import mitsuba_frame
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SIZE = (32, 32)

@@ -10,9 +10,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from experiments.cloth_paths import radiance
-from experiments.interreflection import direction, fabric_text, sky_value
-from experiments.interreflection_furnace import returned
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.colour import colour_for, shown_colour
@@ -21,6 +18,9 @@ from loomlight.scattering.interreflection import Scattered, solved_interior
 from loomlight.scattering.openness import Openness
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
+from studies.accuracy.interreflection import direction, fabric_text, sky_value
+from studies.accuracy.interreflection_furnace import returned
+from studies.instruments.cloth_paths import radiance
 from tests.marks import slow
 
 require_llvm()

@@ -12,7 +12,6 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
-from experiments.tabulated_visibility import TabulatedScattering
 from loomlight.core.llvm import require_llvm
 from loomlight.scattering.albedo import albedos_from_colour, layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
@@ -20,6 +19,7 @@ from loomlight.scattering.point import YarnPoint, YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 from loomlight.yarn.visibility import HorizonMap
+from studies.instruments.tabulated_visibility import TabulatedScattering
 from tests.marks import slow
 
 require_llvm()
@@ -174,7 +174,7 @@ def test_weight_is_value_over_density(seed: int) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("batch", [0, slow(1), slow(2)])
 def test_cloth_never_sends_back_more_than_it_gets(batch: int) -> None:
-    """White furnace over all ranges, point by point; `experiments/white_furnace.py` goes further."""
+    """White furnace over all ranges, point by point; `studies/accuracy/white_furnace.py` goes further."""
     for seed in range(10 * batch, 10 * batch + 10):
         model = random_model(seed, white=True)
         rng = np.random.default_rng(seed)

@@ -24,7 +24,12 @@ from loomlight.sources.merl import (
     merl_record,
     read_merl,
 )
-from papers.zeltner2024.analytic_brdfs import analytic_brdf, analytic_parameters, bin_directions, write_merl
+from studies.papers.zeltner2024.analytic_brdfs import (
+    analytic_brdf,
+    analytic_parameters,
+    bin_directions,
+    write_merl,
+)
 
 
 def directions(count: int, seed: int) -> NDArray[np.float32]:

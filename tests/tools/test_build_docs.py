@@ -43,7 +43,7 @@ def test_every_page_of_the_project_is_there(site: Path) -> None:
     assert readers["docs/fabric-files.md"] == "Use"
     assert readers["docs/research/figures.md"] == "Figures"
     assert readers["docs/research/notes/simd.md"] == "What was tried"
-    assert readers["papers/chen2024/README.md"] == "Papers"
+    assert readers["studies/papers/chen2024/README.md"] == "Papers"
 
 
 def test_the_python_reference_has_every_public_name(site: Path) -> None:

@@ -1,6 +1,6 @@
 """Height field files of the five materials are read back as what was written, and repeat.
 
-Covers: papers/kuznetsov2021/materials.py
+Covers: studies/papers/kuznetsov2021/materials.py
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from loomlight.sources.heightfield import load_heightfield
-from papers.kuznetsov2021.materials import RECIPES, paper_heightfield
+from studies.papers.kuznetsov2021.materials import RECIPES, paper_heightfield
 from tools.make_heightfields import main
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from papers.zeltner2024.layered_materials import LAYERED
+from studies.papers.zeltner2024.layered_materials import LAYERED
 from tools.make_materials import main
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "materials"

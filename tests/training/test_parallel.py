@@ -106,7 +106,7 @@ decoder_steps = 2
 def test_two_processes_train_what_one_trains(tmp_path: Path) -> None:
     config = tmp_path / "tiny.toml"
     config.write_text(CONFIG)
-    train = ["-m", "papers.chen2024.training", str(config), "-o"]
+    train = ["-m", "studies.papers.chen2024.training", str(config), "-o"]
     starter = ["-m", "torch.distributed.run", "--standalone", "--nproc-per-node", "2"]
     environment = os.environ | {"OMP_NUM_THREADS": "1"}
     for command in ([*train, str(tmp_path / "one")], [*starter, *train, str(tmp_path / "two")]):

@@ -12,12 +12,12 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
-from experiments import tabulated_visibility
 from loomlight.core.llvm import require_llvm
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.rays import DEFAULT_QUALITY, REFERENCE_QUALITY, SearchQuality
 from loomlight.yarn.visibility import Hit, HorizonMap, first_hit, horizon, passes_through, unoccluded
+from studies.instruments import tabulated_visibility
 from tests.marks import slow
 
 from .layouts import PLAIN, SATIN, TWILL, even_layout

@@ -16,14 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
 
-from benchmarks.harness import Figures, run
-from experiments.held_out import held_out_fabrics
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.evaluation.query_benchmark import reference_model
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.codings import FACING
+from studies.instruments.harness import Figures, run
+from studies.instruments.held_out import held_out_fabrics
 
 PAIRS, FOOTPRINTS, TEXELS_PER_THREAD = 48, 24, 24
 _MIN_COSINE = 1e-3

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
 
-from benchmarks.harness import Figures, run
+from studies.instruments.harness import Figures, run
 
 COUNT, LINES, SOFTNESS = 8, 1500, 0.04
 NUMBERS = np.arange(1, COUNT + 0.01, 0.25)

@@ -32,8 +32,8 @@ from loomlight.training.direction_sampler import two_sided_loss
 from loomlight.training.layers import TORCH, relu_layers
 from loomlight.training.loop import Report, Schedule, train
 from loomlight.training.soap import Soap
-from papers.chen2024.training.random_fabrics import random_fabric
-from papers.chen2024.training.weaves import training_draft
+from studies.papers.chen2024.training.random_fabrics import random_fabric
+from studies.papers.chen2024.training.weaves import training_draft
 
 _Floats = NDArray[np.float32]
 _HIDDEN = (40, 40)

@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from benchmarks.harness import REPOSITORY, outside_data
 from loomlight.scattering import sheen_coefficients
+from studies.instruments.harness import REPOSITORY, outside_data
 
 Array = NDArray[np.float64]
 

@@ -79,7 +79,7 @@ RECIPES: dict[str, Recipe] = {
         ("loomlight swatches examples/*.toml -o {out}/picture.png --size 160 --spp 4 --model lobes",)
     ),
     "studio.jpg": Recipe(("loomlight render examples/denim.toml -o {out}/picture.png",)),
-    "distances.jpg": Recipe(("experiments.distances -o {out}/picture.png",)),
+    "distances.jpg": Recipe(("studies.look.distances -o {out}/picture.png",)),
     "garments.jpg": Recipe(("tools.make_garment_sheet shirt -o {out}/picture.png",)),
     "garment-shapes.jpg": Recipe(("tools.make_garment_sheet shapes -o {out}/picture.png",)),
     "garment-maps.jpg": Recipe(("tools.make_garment_sheet maps -o {out}/picture.png",)),
@@ -103,9 +103,9 @@ RECIPES: dict[str, Recipe] = {
     "yarns.jpg": Recipe(("tools.make_yarn_sheet -o {out}/picture.png",)),
     "yarn-gaps.jpg": Recipe(("tools.make_yarn_sheet --gaps -o {out}/picture.png",)),
     "yarn-fibres.jpg": Recipe(("tools.make_yarn_sheet --fibres -o {out}/picture.png",)),
-    "yarn-flanks.jpg": Recipe(("experiments.flanks --sheet {out}/picture.png",)),
+    "yarn-flanks.jpg": Recipe(("studies.accuracy.flanks --sheet {out}/picture.png",)),
     "which-model.jpg": Recipe(("tools.generate.model_sheet {out}/picture.png",)),
-    "neural.jpg": Recipe(("papers chen2024/fig5 -o {out}/papers",), picture="papers/fig5.png"),
+    "neural.jpg": Recipe(("studies.papers chen2024/fig5 -o {out}/papers",), picture="papers/fig5.png"),
     "editor.png": Recipe(("tools.generate.editor_picture {out}/picture.png",), ("page",)),
     "realtime.png": Recipe(("tools.generate.frame_picture {out}/picture.png",), ("shaders",)),
     "realtime_play.png": Recipe(

@@ -20,7 +20,7 @@ EXTRAS = {
     "viewer": "loomlight view, the live editor",
     "notebook": "the editor in a notebook",
     "fleet": "many fabrics on many machines",
-    "data": "the data of papers/chen2024",
+    "data": "the data of studies/papers/chen2024",
     "train": "bake --model neumip and latent, and to train neural",
 }
 _NAME = re.compile(r"[\w.-]+")

@@ -72,7 +72,7 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True, eq=False)
 class HeldOut:
-    """A fabric of the benchmark, such as those of `experiments/held_out.py`, which are in no training set.
+    """A fabric of the benchmark; those of `studies/instruments/held_out.py` are in no training set.
 
     Attributes:
         name: of its row.

@@ -25,7 +25,7 @@ _MODULE, _PACKAGE = "mitsuba_oidn", "mitsuba-oidn"
 
 # Deviations, pixels: of the blur that competes with the denoiser, about a film's own filter, and of the
 # neighbourhoods over which errors are averaged. Wider ones follow what is smeared less well, smaller ones are
-# noise themselves (experiments/denoise.py).
+# noise themselves (studies/accuracy/denoise.py).
 _BLUR, _NEIGHBOURHOOD = 0.5, 16.0
 _LEAST_ERROR = 1e-9
 

@@ -37,7 +37,7 @@ class Shaders:
     Attributes:
         kernel: entry point that shades the pixels of a frame; `cloth_NAME` is the library for engines.
         computes: what the library's `cloth_value` computes, a phrase.
-        cost: of it, counted by benchmarks/realtime.py: denim, one light.
+        cost: of it, counted by studies/speed/realtime.py: denim, one light.
         tables: module and class, "module:Class", of the `Tables` that declare its record; "" for none.
         buffers: that the library reads, of `realtime.records.BUFFERS`.
         reads_yarns: whether shaders read yarns and colours of a fabric.

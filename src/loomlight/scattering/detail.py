@@ -35,7 +35,7 @@ from loomlight.yarn.threads import SECTION_ANGLE
 PLY_EDGE_SINE = 0.62
 GROOVE_DEPTH = 0.95
 # Turned normals see less of a dome, as light from below the yarn's own surface is lost. How much more diffuse
-# light makes up for it, over the mean of 1 − cos of the turn (`experiments/yarn_detail.py`).
+# light makes up for it, over the mean of 1 − cos of the turn (`studies/accuracy/yarn_detail.py`).
 DIFFUSE_TURN_LOSS = 0.85
 # Fibres that stray together.
 BUNDLE_FIBRES = 5.0
@@ -177,7 +177,8 @@ def turned_frame(numbers: DetailNumbers, point: SurfacePoint, back: Mask, thread
     period = dr.rcp(numbers.of("plies_per_mm", point.is_warp))
     weight = numbers.of("has_plies", point.is_warp) * fade(size, period)
     sine = weight * PLY_EDGE_SINE * ply_offset(numbers, point, back)
-    # Twice the mean of 1 − cos, as specular terms lose too and gain nothing (`experiments/yarn_detail.py`).
+    # Twice the mean of 1 − cos, as specular terms lose too and gain nothing
+    # (`studies/accuracy/yarn_detail.py`).
     loss = dr.square(weight) * (PLY_EDGE_SINE**2 / 3)
     # The fibre in the frame of the ply, which then turns about its own axis.
     lean_sine = numbers.of("ply_sine", point.is_warp)

@@ -35,7 +35,7 @@ HAIR_EDGE_SINE = 0.8
 # blurred, and the largest shift of hairs over their height.
 HAIR_SHADOW, HAIR_BLUR, HAIR_LEAN = 0.5, 1.0, 3.0
 # What hairs take at a hairiness of 1 of one family: half of the area of all, a fifth less as they taper, and
-# twice as much, as specular terms and light between yarns gain nothing (`experiments/yarn_detail.py`).
+# twice as much, as specular terms and light between yarns gain nothing (`studies/accuracy/yarn_detail.py`).
 MEAN_SHADE = 1.6 * HAIR_SHADOW * HAIR_LAYERS * HAIR_HALF_WIDTH * (HAIR_MIN + HAIR_MAX) / HAIR_CELL**2
 HAIR_STREAM = 0x3C6EF372
 

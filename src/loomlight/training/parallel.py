@@ -2,7 +2,7 @@
 
 Processes are those that torchrun starts, each with a share of every batch:
 
-    torchrun --nproc-per-node 2 -m papers.chen2024.training experiments/neural.toml
+    torchrun --nproc-per-node 2 -m studies.papers.chen2024.training studies/papers/chen2024/neural.toml
 
 Without torchrun there is one process, and none of the functions for processes does anything. Threads take
 parts of a batch each: no single operation of a small network occupies several cores, so parts on a core each

@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f, Array3f, Array4f, Bool, Float, UInt32
 
-from experiments.tabulated_visibility import unoccluded
 from loomlight.core.llvm import require_llvm
 from loomlight.models.clustered.gaussians import fitted_gaussians, lobe_value, lobe_values
 from loomlight.models.clustered.parallax import PARALLAX_BINS, parallax_offset, parallax_tables
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import HorizonMap, first_hit
+from studies.instruments.tabulated_visibility import unoccluded
 from tests.yarn.layouts import TWILL, even_layout
 
 from ..fabrics import directions, vectors

@@ -12,8 +12,8 @@ from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.neural.weights import TRAINING_RANGES
 from loomlight.scattering.albedo import layer_albedo_bound
-from papers.chen2024.training.random_fabrics import random_fabric
-from papers.chen2024.training.weaves import PAPER_WEAVES, paper_draft
+from studies.papers.chen2024.training.random_fabrics import random_fabric
+from studies.papers.chen2024.training.weaves import PAPER_WEAVES, paper_draft
 from tests.marks import slow
 
 from .cloths import FootprintQueries, directions, floats, prefiltered_parts

@@ -14,9 +14,9 @@ from loomlight.models.neural import encoding
 from loomlight.models.neural.architecture import NetworkTable
 from loomlight.models.neural.encoding import clear_encodings
 from loomlight.models.neural.weights import Weights, read_weights
-from papers.chen2024.training.export import export_encoder
-from papers.chen2024.training.network import ClothNetwork
-from papers.chen2024.training.weights_file import write_weights
+from studies.papers.chen2024.training.export import export_encoder
+from studies.papers.chen2024.training.network import ClothNetwork
+from studies.papers.chen2024.training.weights_file import write_weights
 
 # The shapes that are trained: what ships, what was published, and the ablations.
 TABLES: dict[str, dict[str, Any]] = {

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.encoded_fabric import EncodedFabric, footprints_in_threads, taps
-from papers.chen2024.training.batches import coordinate_rows
-from papers.chen2024.training.losses import unmapped
-from papers.chen2024.training.network import ClothNetwork
+from studies.papers.chen2024.training.batches import coordinate_rows
+from studies.papers.chen2024.training.losses import unmapped
+from studies.papers.chen2024.training.network import ClothNetwork
 
 from .networks import linear_diffuse
 

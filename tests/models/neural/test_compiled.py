@@ -20,7 +20,7 @@ from loomlight.models.neural.decoder import compiled_decoder, decode, kernel_tab
 from loomlight.models.neural.encoded_fabric import EncodedFabric, Fibres, levels_of, taps
 from loomlight.models.neural.encoding import encode
 from loomlight.models.neural.weights import Weights
-from papers.chen2024.training.network import ClothNetwork
+from studies.papers.chen2024.training.network import ClothNetwork
 
 from .networks import TABLES, network, unit_vectors, weights_of
 

@@ -24,7 +24,7 @@ from loomlight.models.neural.encoded_fabric import Fibres
 from loomlight.models.neural.model import NeuralModel
 from loomlight.scattering.fibre import density
 from loomlight.yarn.geometry import YarnGeometry
-from papers.chen2024.training.network import fibre_features
+from studies.papers.chen2024.training.network import fibre_features
 
 from .networks import unit_vectors
 

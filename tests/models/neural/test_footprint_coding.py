@@ -54,7 +54,7 @@ def test_small_footprints_read_the_finest_level_where_they_lie() -> None:
 @pytest.mark.parametrize("window", [2, 4, 8])
 def test_running_means_of_a_wave_are_those_of_boxes(window: int) -> None:
     """The encoder's pooling and a footprint's taps agree on the centre of a mean."""
-    from papers.chen2024.training.network import _wider
+    from studies.papers.chen2024.training.network import _wider
 
     ends = 16
     thread = np.arange(ends)

@@ -1,6 +1,6 @@
 """The weights file: what is written comes back, what is wrong is one sentence, and what ships is small.
 
-Covers: papers/chen2024/training/weights_file.py
+Covers: studies/papers/chen2024/training/weights_file.py
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from loomlight.models.neural.weights import (
     read_weights,
     shipped_weights,
 )
-from papers.chen2024.training.weights_file import write_weights
+from studies.papers.chen2024.training.weights_file import write_weights
 
 from .networks import TABLES, network, written
 
@@ -135,7 +135,7 @@ def test_weights_need_their_encoder_beside_them(file: Path, tmp_path: Path) -> N
             read_weights(path)
         said = str(caught.value)
         assert said.startswith(str(tmp_path))
-        assert f"`python -m papers.chen2024.training.export {path}` writes it" in said
+        assert f"`python -m studies.papers.chen2024.training.export {path}` writes it" in said
         assert "\n" not in said
     encoder_path(path).write_bytes(good)
     assert read_weights(path).encoder == good

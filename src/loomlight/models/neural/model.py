@@ -150,7 +150,7 @@ class NeuralOptions(Options):
     )
     weights: str | os.PathLike[str] | Weights | None = setting(
         None,
-        "A weights file that `python -m papers.chen2024.training` wrote.",
+        "A weights file that `python -m studies.papers.chen2024.training` wrote.",
         otherwise="that of the package",
         metavar="PATH",
     )

@@ -104,7 +104,7 @@ class Weights:
         return self.tensors[name]
 
 
-_REMEDY = "`python -m papers.chen2024.training`, in a checkout, writes a weights file"
+_REMEDY = "`python -m studies.papers.chen2024.training`, in a checkout, writes a weights file"
 
 
 def encoder_path(weights_path: str | os.PathLike[str]) -> Path:
@@ -125,7 +125,7 @@ def read_weights(path: str | os.PathLike[str]) -> Weights:
 
 def _read_encoder(weights_path: str | os.PathLike[str], sha256: str) -> bytes:
     path = encoder_path(weights_path)
-    remedy = f"`python -m papers.chen2024.training.export {weights_path}` writes it"
+    remedy = f"`python -m studies.papers.chen2024.training.export {weights_path}` writes it"
     try:
         data = path.read_bytes()
     except OSError as error:

@@ -1,6 +1,6 @@
 """The exported encoder is torch's for every shape, and what ships is what the shipped weights export.
 
-Covers: papers/chen2024/training/network.py
+Covers: studies/papers/chen2024/training/network.py
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import torch
 from loomlight.models.neural.encoded_fabric import levels_of
 from loomlight.models.neural.encoding import encoder_session
 from loomlight.models.neural.weights import encoder_path, read_weights, shipped_weights
-from papers.chen2024.training.export import encoder_model, export_encoder
+from studies.papers.chen2024.training.export import encoder_model, export_encoder
 from tests.models.neural.networks import TABLES, network, weights_of, written
 
 PARAMETERS = np.array([0.2, 0.3, 0.5, 0.8], np.float32)

@@ -1,8 +1,8 @@
 """Training learns, is the same after kill −9 at any moment, and refuses what is not its own.
 
-Covers: papers/chen2024/training/__main__.py, papers/chen2024/training/batches.py
-Covers: papers/chen2024/training/config.py
-Covers: papers/chen2024/training/dataset.py, papers/chen2024/training/losses.py
+Covers: studies/papers/chen2024/training/__main__.py, studies/papers/chen2024/training/batches.py
+Covers: studies/papers/chen2024/training/config.py
+Covers: studies/papers/chen2024/training/dataset.py, studies/papers/chen2024/training/losses.py
 """
 
 import signal
@@ -21,11 +21,11 @@ torch = pytest.importorskip("torch")
 
 from loomlight.core.errors import InputError  # noqa: E402
 from loomlight.models.neural.weights import read_weights  # noqa: E402
-from papers.chen2024.training.batches import Batches, _draw  # noqa: E402
-from papers.chen2024.training.config import TrainingConfig, read_config  # noqa: E402
-from papers.chen2024.training.dataset import read_faces  # noqa: E402
-from papers.chen2024.training.losses import LOSSES, mapped, unmapped  # noqa: E402
-from papers.chen2024.training.train import rate_factor, train_neural  # noqa: E402
+from studies.papers.chen2024.training.batches import Batches, _draw  # noqa: E402
+from studies.papers.chen2024.training.config import TrainingConfig, read_config  # noqa: E402
+from studies.papers.chen2024.training.dataset import read_faces  # noqa: E402
+from studies.papers.chen2024.training.losses import LOSSES, mapped, unmapped  # noqa: E402
+from studies.papers.chen2024.training.train import rate_factor, train_neural  # noqa: E402
 from tests.models.neural.networks import network  # noqa: E402
 
 TINY = """
@@ -177,8 +177,8 @@ def keep_and_die(*given):
     if left == 0:
         os.kill(os.getpid(), signal.SIGKILL)
 loop._keep = keep_and_die
-from papers.chen2024.training.config import read_config
-from papers.chen2024.training.train import train_neural
+from studies.papers.chen2024.training.config import read_config
+from studies.papers.chen2024.training.train import train_neural
 train_neural(read_config(sys.argv[1]), Path(sys.argv[2]), keep_every=0)
 """
 

@@ -1,6 +1,6 @@
 """What is drawn for training lies inside the ranges, and is never a held-out weave.
 
-Covers: papers/chen2024/training/random_fabrics.py
+Covers: studies/papers/chen2024/training/random_fabrics.py
 """
 
 import numpy as np
@@ -8,8 +8,8 @@ import pytest
 
 from loomlight.models.neural.weights import LAYOUT_RANGES, PARAMETER_RANGES
 from loomlight.weave.named import named_weave
-from papers.chen2024.training.random_fabrics import random_fabric
-from papers.chen2024.training.weaves import (
+from studies.papers.chen2024.training.random_fabrics import random_fabric
+from studies.papers.chen2024.training.weaves import (
     HELD_OUT_WEAVES,
     PAPER_WEAVES,
     _class_of,

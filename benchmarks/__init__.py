@@ -1,1 +1,0 @@
-"""Measurements of speed against targets: each module is a script, `python -m benchmarks.point`."""

@@ -1,0 +1,1 @@
+"""How exact the models and their pictures are."""

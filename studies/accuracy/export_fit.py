@@ -1,0 +1,161 @@
+"""How near the standard material of `loomlight export --to gltf` comes to lobes: spheres, and their FLIP.
+
+    python -m studies.accuracy.export_fit [--pictures FOLDER] [--output FILE.json]
+
+A sphere under one directional light, without shadows of the sphere. Textures are made for the distance from
+which a pixel is a texel; a pixel reads the mean of 16 places of its footprint, as mipmaps give it. The
+material is evaluated by `loomlight.exporters.fit`, which follows the specification, so that the error
+is of the fit and the textures alone.
+"""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+import numpy as np
+from drjit.llvm import Array2f, Array3f
+from numpy.typing import NDArray
+
+from loomlight.core.footprint import Footprint
+from loomlight.core.images import write_image
+from loomlight.evaluation.metrics import flip_mean
+from loomlight.exporters.fit import FittedMaterial, GltfMaterial, evaluate, fit_material
+from loomlight.exporters.texels import frames, texture_grid
+from loomlight.fabric import load_fabric
+from loomlight.models.interface import Model
+from loomlight.models.registry import make_model
+from studies.instruments.harness import REPOSITORY, Figures, run
+
+FABRICS = ("denim", "silk-satin", "wool-houndstooth", "linen")
+# Pixels a thread, in the middle of the sphere.
+DISTANCES = {"close": 8.0, "middle": 1.0, "far": 0.25}
+SIDE = 192
+Numbers = NDArray[np.float64]
+
+
+def measure(options: Namespace) -> Figures:
+    """FLIP and brightness by fabric and distance."""
+    rows = []
+    for name in options.fabrics.split(","):
+        fabric = load_fabric(REPOSITORY / "examples" / f"{name}.toml")
+        model = make_model("lobes", fabric)
+        layout = fabric.layout()
+        pitch = float(np.sqrt(np.prod(layout.size) / layout.warp_on_top.size))
+        for distance, pixels in DISTANCES.items():
+            texel = pitch / pixels
+            material = fit_material(fabric, model, *texture_grid(fabric, texel))
+            sphere = _Sphere(texel)
+            truth, found = (
+                sphere.picture(sphere.of_model(model)),
+                sphere.picture(sphere.of_material(material)),
+            )
+            counted = sphere.is_hit
+            row = {
+                "fabric": name,
+                "distance": distance,
+                "flip": flip_mean(found, truth, counted),
+                "brightness": float(found[counted].mean() / truth[counted].mean()),
+                "relative_rms_error_of_fit": material.error,
+            }
+            rows.append(row)
+            print(row, flush=True)
+            if options.pictures is not None:
+                both = np.concatenate([truth, found], axis=1)
+                write_image(options.pictures / f"{name}_{distance}.png", both)
+    return {"pictures": rows}
+
+
+class _Sphere:
+    """A sphere that fills a picture, seen by parallel rays; places and directions of its pixels [n, ...]."""
+
+    def __init__(self, texel: float) -> None:
+        axis = (np.arange(SIDE) + 0.5) / SIDE * 2.1 - 1.05
+        x, y = np.meshgrid(axis, -axis)
+        self.is_hit = x**2 + y**2 < 0.97
+        x, y = x[self.is_hit], y[self.is_hit]
+        self.normal = np.stack([x, y, np.sqrt(1 - x**2 - y**2)], axis=-1)
+        radius = texel * SIDE / 2.1
+        step = 2.1 / SIDE
+        self.centre = self._draft(x, y, radius)
+        self.dx = self._draft(x + step / 8, y, radius) - self.centre
+        self.dy = self._draft(x, y - step / 8, radius) - self.centre
+        self.dx, self.dy = 8 * self.dx, 8 * self.dy
+        along = np.stack([self.normal[:, 2], 0 * x, -self.normal[:, 0]], axis=-1)
+        along /= np.linalg.norm(along, axis=-1, keepdims=True)
+        axes = (along, np.cross(self.normal, along), self.normal)
+        light = np.array([0.5, 0.6, 0.8]) / np.linalg.norm([0.5, 0.6, 0.8])
+        self.light = np.stack([vectors @ light for vectors in axes], axis=-1)
+        self.view = np.stack([vectors[:, 2] for vectors in axes], axis=-1)
+
+    def _draft(self, x: Numbers, y: Numbers, radius: float) -> Numbers:
+        z = np.sqrt(np.maximum(1 - x**2 - y**2, 1e-4))
+        return radius * np.stack([np.arctan2(x, z), np.arcsin(y)], axis=-1)
+
+    def picture(self, values: Numbers) -> NDArray[np.float32]:
+        """A picture [rows, columns, 3] under an irradiance of 2π."""
+        image = np.full((SIDE, SIDE, 3), 0.02, np.float32)
+        lit = self.light[:, 2:] > 0
+        image[self.is_hit] = 2 * np.pi * values * lit
+        return image
+
+    def of_model(self, model: Model) -> Numbers:
+        """Values of a model, with its holes black."""
+        places = (Array2f(rows.T.astype(np.float32)) for rows in (self.centre, self.dx, self.dy))
+        view, light = (Array3f(rows.T.astype(np.float32)) for rows in (self.view, self.light))
+        value = model.at(view, Footprint(*places)).value(light)
+        return np.stack([np.asarray(part.numpy(), np.float64) for part in value], axis=-1)
+
+    def of_material(self, material: FittedMaterial) -> Numbers:
+        """Values of the material, from means of its textures."""
+
+        def texture(values: Numbers) -> Numbers:
+            rows, columns = material.cover.shape
+            width, height = material.size
+            total = np.zeros((len(self.centre), *values.shape[2:]))
+            for s in (np.arange(4) + 0.5) / 4 - 0.5:
+                for t in (np.arange(4) + 0.5) / 4 - 0.5:
+                    place = self.centre + s * self.dx + t * self.dy
+                    column = np.floor(place[:, 0] / width * columns).astype(int) % columns
+                    row = np.floor(place[:, 1] / height * rows).astype(int) % rows
+                    total += values[row, column] / 16
+            return total
+
+        normal = texture(material.normal)
+        normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+        x, y = frames(normal)
+        # A direction and its opposite are the same: their doubled angles have a mean.
+        direction = material.direction
+        doubled = np.stack(
+            [direction[..., 0] ** 2 - direction[..., 1] ** 2, 2 * direction[..., 0] * direction[..., 1]],
+            axis=-1,
+        )
+        mean = texture(doubled)
+        angle = 0.5 * np.arctan2(mean[:, 1], mean[:, 0])
+        axis_x = np.cos(angle)[:, None] * x + np.sin(angle)[:, None] * y
+        places = GltfMaterial(
+            base=texture(material.base),
+            transmission=texture(material.transmission),
+            transmit=texture(material.transmit),
+            specular=texture(material.specular),
+            weight=material.weight,
+            alpha_x=texture(material.alpha_x),
+            alpha_y=texture(material.alpha_y),
+            normal=normal,
+            axis_x=axis_x,
+            axis_y=np.cross(normal, axis_x),
+            sheen=material.sheen,
+            sheen_roughness=material.sheen_roughness,
+        )
+        return evaluate(places, self.light, self.view) * texture(material.cover)[:, None]
+
+
+def _options(parser: ArgumentParser) -> None:
+    parser.add_argument("--fabrics", default=",".join(FABRICS), help="names in examples/")
+    parser.add_argument(
+        "--pictures", type=Path, default=None, help="a folder: lobes left, the material right"
+    )
+
+
+if __name__ == "__main__":
+    run(measure, _options, prints=False)

@@ -1,0 +1,1 @@
+"""What studies measure with: times, machines, processes, references, held-out fabrics, sheets."""

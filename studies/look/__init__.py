@@ -1,0 +1,1 @@
+"""Sheets of pictures that are to be looked at."""

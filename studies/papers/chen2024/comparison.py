@@ -1,0 +1,128 @@
+"""Figures 1, 4, 5 and 6: the network against the point model at 1 and 3 samples and at equal time.
+
+The paper's columns, without NeuMIP's, which joins when that model exists, and with 3 samples everywhere. The
+reference has 256 samples a pixel as the paper's has; its own noise is part of every error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from loomlight.evaluation.metrics import PictureError, picture_error
+from loomlight.evaluation.table import Table
+from loomlight.fabric.fabric import Fabric
+from loomlight.mitsuba.measured_scenes import MeasuredShot
+from studies.instruments.renders import Rendered, Stage
+from studies.instruments.sheet import Row, Tile, contact_sheet
+from studies.papers.chen2024.fabrics import Look, paper_fabric, seen_fabrics, unseen_fabrics
+from studies.papers.chen2024.shots import BACKLIT, DRAPE, NINE
+from studies.papers.figure import Evidence, error_caption, on_display
+from studies.papers.setting import Setting
+
+_COLUMNS = ("point, 1 spp", "point, 3 spp", "point, equal time", "neural, 1 spp", "reference")
+_METRICS = ("MSE", "FLIP", "seconds", "samples")
+_TRANSLUCENT = Look(("#f0d9a8", "#f6efe0"), (0.35, 0.35), (0.6, 0.6), translucency=0.6)
+
+
+def many(setting: Setting) -> Evidence:
+    """Figure 1: many fabrics in one picture."""
+    fabrics = [*seen_fabrics(), *unseen_fabrics()]
+    return compared(
+        "chen2024 figure 1: nine fabrics, one network",
+        setting,
+        NINE,
+        [(", ".join(fabric.name for fabric in fabrics), fabrics)],
+    )
+
+
+def training_patterns(setting: Setting) -> Evidence:
+    """Figure 4: the seven patterns of the training set."""
+    return _one_by_one("chen2024 figure 4: patterns of the training set", setting, seen_fabrics())
+
+
+def unseen_patterns(setting: Setting) -> Evidence:
+    """Figure 5: a twill that is in no training set."""
+    return _one_by_one("chen2024 figure 5: a pattern that no training has seen", setting, unseen_fabrics())
+
+
+def _one_by_one(title: str, setting: Setting, fabrics: Sequence[Fabric]) -> Evidence:
+    """Each fabric draped, one picture each."""
+    return compared(title, setting, DRAPE, [(fabric.name, [fabric]) for fabric in fabrics])
+
+
+def backlit(setting: Setting) -> Evidence:
+    """Figure 6: plain cloth against the light, with the BTDF, and without it."""
+    opaque = replace(_TRANSLUCENT, translucency=0.0)
+    return compared(
+        "chen2024 figure 6: transmission, the light behind the cloth",
+        setting,
+        BACKLIT,
+        [
+            ("plain, BRDF and BTDF", [paper_fabric("plain", _TRANSLUCENT)]),
+            ("plain, BRDF alone", [paper_fabric("plain", opaque)]),
+        ],
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Measured:
+    picture: Rendered
+    error: PictureError | None
+
+
+def compared(
+    title: str, setting: Setting, shot: MeasuredShot, cloths: Sequence[tuple[str, Sequence[Fabric]]]
+) -> Evidence:
+    """Two rows for each picture, by its label and its fabrics: the picture and its FLIP map."""
+    rows, pictures = [], {}
+    tables = {metric: Table(metric, list(_COLUMNS[:-1])) for metric in _METRICS}
+    for number, (label, fabrics) in enumerate(cloths):
+        by_column = _measure(Stage(setting, shot, *fabrics))
+        shown, maps = [], []
+        for column, measured in by_column.items():
+            file = f"{label}-{column}" if len(cloths) > 1 else column
+            pixels = on_display(measured.picture.linear)
+            pictures[file] = pixels
+            shown.append(Tile(pixels, _caption(measured)))
+            if measured.error is None:
+                maps.append(Tile(None))
+                continue
+            pictures[f"{file}-flip"] = measured.error.flip_picture
+            maps.append(Tile(measured.error.flip_picture))
+        rows += [Row(label, shown), Row("", maps)]
+        errors = [(part.picture, part.error) for part in by_column.values() if part.error is not None]
+        tables["MSE"].rows[label] = [error.mse for _, error in errors]
+        tables["FLIP"].rows[label] = [error.flip for _, error in errors]
+        tables["seconds"].rows[label] = [picture.seconds for picture, _ in errors]
+        tables["samples"].rows[label] = [picture.samples for picture, _ in errors]
+        setting.step(number + 1, len(cloths))
+    note = (
+        f"{shot.yarns:g} yarns a pixel, one directional light, direct light only, box filter; reference: the "
+        f"point model with {setting.samples} samples a pixel. MSE of linear RGB and mean LDR-FLIP over the "
+        "cloth; seconds of a second picture. Below each picture its FLIP map: dark is alike."
+    )
+    return Evidence(contact_sheet(title, _COLUMNS, rows, note), pictures, list(tables.values()))
+
+
+def _measure(stage: Stage) -> dict[str, _Measured]:
+    reference = stage.reference()
+    neural, as_long = stage.equal_time()
+    pictures = {
+        "point, 1 spp": stage.point(1),
+        "point, 3 spp": stage.point(3),
+        "point, equal time": as_long,
+        "neural, 1 spp": neural,
+    }
+    measured = {
+        name: _Measured(picture, picture_error(picture.linear, reference.linear, stage.counted))
+        for name, picture in pictures.items()
+    }
+    return measured | {"reference": _Measured(reference, None)}
+
+
+def _caption(measured: _Measured) -> str:
+    cost = f"{measured.picture.samples} spp, {measured.picture.seconds:.2f} s"
+    if measured.error is None:
+        return cost
+    return f"{error_caption(measured.error)}, {cost}"

@@ -1,0 +1,126 @@
+"""One network of `latent` for a library of MERL files: how exact is it of each BRDF?
+
+    python -m studies.papers.zeltner2024.merl --count 100 --output FILE.json
+
+Without `--library FOLDER`, `.binary` files of analytic BRDFs over the whole range of roughness are written to
+a temporary folder (35 MB each) and read again: they stand for measurements and are none. Every BRDF is asked
+at the middle of its cell, about pairs of directions that no training saw; the truth is the file's own value.
+
+- `nmae`: mean absolute difference of f·cos over the mean; `bias`: mean difference over the mean; `smape`;
+- `quartiles`, `worst`: of the BRDFs' nmae; `by_roughness`: its mean over each quarter of the analytic BRDFs,
+  smooth ones first;
+- of each decoder, `bytes`, and `file_bytes`: of texture and networks in float32, and of the files.
+"""
+
+from __future__ import annotations
+
+import time
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+from drjit.llvm.ad import Array2f, Array3f
+from numpy.typing import NDArray
+
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import require_llvm
+from loomlight.models.texture.latent import LatentModel
+from loomlight.models.texture.queries import draw_directions, draw_lights
+from loomlight.models.texture.settings import LatentOptions
+from loomlight.sources.merl import SUFFIX, MerlLibrary, load_merl
+from studies.instruments.harness import Figures, run
+from studies.papers.zeltner2024.analytic_brdfs import write_analytic_library
+
+_SEED = 999  # of no training
+_FLOOR = 1e-4
+
+
+def measure(options: Namespace) -> Figures:
+    require_llvm()
+    if options.library is not None:
+        return _figures(Path(options.library), options)
+    with TemporaryDirectory() as folder:
+        write_analytic_library(folder, options.count)
+        return _figures(Path(folder), options)
+
+
+def _figures(folder: Path, options: Namespace) -> Figures:
+    library = load_merl(folder)
+    return {
+        "source": "analytic" if options.library is None else folder.name,
+        "brdfs": len(library.names),
+        "steps": options.steps,
+        "file_bytes": sum(file.stat().st_size for file in folder.glob(f"*{SUFFIX}")),
+        **{decoder: _of_decoder(library, decoder, options) for decoder in options.decoders},
+    }
+
+
+def _of_decoder(library: MerlLibrary, decoder: str, options: Namespace) -> Figures:
+    """Figures of a network that is trained for a library."""
+    start = time.process_time()
+    model = LatentModel.for_source(library, LatentOptions(decoder=decoder, steps=options.steps))
+    spent = time.process_time() - start
+    each = [_errors(model, library, number, options.pairs) for number in range(len(library.names))]
+    overall = np.array([errors["nmae"] for errors in each])
+    weights = model.weights
+    parts = [weights.latents, *([] if weights.frames is None else [weights.frames])]
+    parts += [array for layers in weights.layers.values() for layer in layers for array in layer]
+    return {
+        "train_s": round(spent, 1),
+        "means": {name: _short(np.mean([errors[name] for errors in each])) for name in each[0]},
+        "quartiles": [_short(value) for value in np.percentile(overall, (25, 50, 75))],
+        "worst": {"name": library.names[int(overall.argmax())], "nmae": _short(overall.max())},
+        **({"by_roughness": _by_roughness(library, overall)} if options.library is None else {}),
+        "bytes": 4 * sum(part.size for part in parts),
+        "nmae": {name: _short(value) for name, value in zip(library.names, overall, strict=True)},
+    }
+
+
+def _by_roughness(library: MerlLibrary, errors: NDArray[np.float64]) -> list[float]:
+    """Mean errors of quarters; names of analytic BRDFs end with their number, smooth ones first."""
+    order = np.argsort([name.rsplit("-", 1)[1] for name in library.names])
+    return [_short(part.mean()) for part in np.array_split(errors[order], min(4, len(errors)))]
+
+
+def _errors(model: LatentModel, library: MerlLibrary, number: int, pairs: int) -> Figures:
+    """Errors of one BRDF over pairs of directions, lights of which gather about the highlight."""
+    rng = np.random.default_rng([_SEED, number])
+    views = draw_directions(rng, pairs)
+    lights = draw_lights(rng, views)
+    truth = library.evaluate(np.full(pairs, number), lights, views).astype(np.float64)
+    columns, rows = library.grid
+    width, height = library.repeat_mm
+    cell = np.array([width / columns, height / rows], np.float32)
+    middle = (np.array([number % columns, number // columns]) + 0.5) * cell
+    centre = Array2f(_columns(np.tile(middle.astype(np.float32), (pairs, 1))))
+    texel = model.weights.shape.texel_mm
+    footprint = Footprint(centre, Array2f(texel, 0), Array2f(0, texel))
+    value = model.at(Array3f(_columns(views)), footprint).value(Array3f(_columns(lights)))
+    difference = np.array(value, np.float64).T - truth
+    size = np.abs(difference)
+    return {
+        "nmae": size.sum() / truth.sum(),
+        "bias": difference.sum() / truth.sum(),
+        "smape": (2 * size / (np.abs(difference + truth) + truth + _FLOOR)).mean(),
+    }
+
+
+def _columns(values: NDArray[np.float32]) -> NDArray[np.float32]:
+    return np.ascontiguousarray(values.T, np.float32)
+
+
+def _short(value: float | np.floating) -> float:
+    return float(f"{float(value):.4g}")
+
+
+def _add_options(parser: ArgumentParser) -> None:
+    parser.add_argument("--library", help="a folder of .binary files; analytic ones by default")
+    parser.add_argument("--count", type=int, default=100, help="of analytic BRDFs")
+    parser.add_argument("--decoders", nargs="+", default=["2x32"])
+    parser.add_argument("--steps", type=int, default=2500)
+    parser.add_argument("--pairs", type=int, default=2000, help="of directions for each BRDF")
+
+
+if __name__ == "__main__":
+    run(measure, _add_options)

@@ -1,0 +1,147 @@
+"""zeltner2024: the learned importance sampler beside cosine-distributed directions and the reference's own.
+
+Direct light of the studio that directions alone find, and with multiple importance sampling of the light, at
+equal samples. The error of each picture is the mean squared error against a picture of the *same* BSDF with
+many samples, so that only the noise of its sampler is in it. Errors times processor seconds are compared too:
+they stay as they are when samples are traded for time.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.arrays import Float, Mask, Vec2, Vec3
+from loomlight.core.backend import array_types, maximum
+from loomlight.core.footprint import Footprint
+from loomlight.evaluation.table import Table
+from loomlight.mitsuba import choose_variant
+from loomlight.mitsuba.measured_scenes import MeasuredScene
+from loomlight.models.interface import FootprintBsdf, Model
+from loomlight.scattering.point import DirectionSample, to_face_frame
+from studies.instruments.altered_models import AlteredModel, UniformDirections
+from studies.instruments.equal_error import HalvedTruth
+from studies.instruments.renders import one_picture
+from studies.instruments.sheet import Row, Tile, contact_sheet
+from studies.papers.figure import Evidence, Pixels, on_display
+from studies.papers.setting import Setting
+from studies.papers.zeltner2024.layered_materials import LAYERED
+from studies.papers.zeltner2024.stage import (
+    model_factory,
+    reference_factory,
+    stage_material,
+    stage_scene,
+    trained,
+)
+
+SAMPLES = 16
+_COLUMNS = ("cosine", "learned sampler", "reference's own")
+_WAYS = ("directions alone", "with light samples (MIS)")
+# Direct light: camera to sphere to light.
+_DEPTH = 2
+
+
+class _CosineDirections(UniformDirections):
+    """Another BSDF's values, at directions distributed by the cosine."""
+
+    def pdf(self, light: Vec3) -> Float:
+        facing = to_face_frame(light, self.view.z < 0)
+        return maximum(facing.z, 0) * (1 / math.pi)
+
+    def sample(self, choice: Float, u: Vec2) -> DirectionSample:
+        types = array_types(self.view.x)
+        radius = dr.sqrt(u.x)
+        sin, cos = dr.sincos(2 * math.pi * u.y)
+        facing = types.Vector3(radius * cos, radius * sin, dr.sqrt(maximum(1 - u.x, 0)))
+        light = to_face_frame(facing, self.view.z < 0)
+        pdf = self.pdf(light)
+        weight = dr.select(pdf > 0, self.value(light) / maximum(pdf, 1e-30), 0)
+        return DirectionSample(light=light, pdf=pdf, weight=weight, is_null=types.Bool(choice < 0))
+
+
+def cosine_sampled(model: Model) -> AlteredModel:
+    """The model without its sampler: directions are distributed by the cosine."""
+
+    def at(of: Model, view: Vec3, footprint: Footprint, tint: Any, active: Mask) -> FootprintBsdf:
+        return _CosineDirections(of.at(view, footprint, tint, active))
+
+    return AlteredModel(model, at)
+
+
+def sampler_variance(setting: Setting) -> Evidence:
+    """Noise at equal samples and at equal time, of three samplers."""
+    choose_variant()
+    noise = {way: Table(f"MSE of {SAMPLES} samples, {way}", [*_COLUMNS, "gain"], digits=3) for way in _WAYS}
+    cost = Table(
+        "MSE times processor seconds, directions alone", ["cosine", "learned sampler", "gain"], digits=3
+    )
+    rows: list[Row] = []
+    pictures: dict[str, Pixels] = {}
+    for number, name in enumerate(LAYERED):
+        source = stage_material(name)
+        model = trained(source, setting)
+        factories = {
+            _COLUMNS[0]: model_factory(cosine_sampled(model)),
+            _COLUMNS[1]: model_factory(model),
+            _COLUMNS[2]: reference_factory(source),
+        }
+        scenes = {
+            column: stage_scene(factory, "whole", setting, _DEPTH) for column, factory in factories.items()
+        }
+        truths = {column: _truth(scenes[column], setting) for column in _COLUMNS[1:]}
+        truths[_COLUMNS[0]] = truths[_COLUMNS[1]]
+        tiles: dict[str, list[Tile]] = {}
+        spent: dict[str, float] = {}
+        for way in _WAYS:
+            errors: dict[str, float] = {}
+            for column, scene in scenes.items():
+                picture, seconds = _noisy(scene, way)
+                errors[column] = truths[column].squared_error(picture, scene.counted)
+                pixels = on_display(picture)
+                pictures[f"{name}-{way}-{column}"] = pixels
+                tiles.setdefault(way, []).append(Tile(pixels, f"MSE {errors[column]:.2e}"))
+                spent.setdefault(column, seconds)
+            gain = errors[_COLUMNS[0]] / errors[_COLUMNS[1]]
+            noise[way].rows[name] = [*errors.values(), gain]
+            if way == _WAYS[0]:
+                products = [errors[column] * spent[column] for column in _COLUMNS[:2]]
+                cost.rows[name] = [*products, products[0] / products[1]]
+            rows.append(Row(f"{name}, {way}", tiles[way]))
+        setting.step(number + 1, len(LAYERED))
+    note = (
+        f"{SAMPLES} samples a pixel, direct light of an environment; truths: {setting.samples} samples of "
+        f"the same BSDF, in two halves; 2×32, quality {setting.quality}."
+    )
+    title = "zeltner2024: the importance sampler"
+    return Evidence(contact_sheet(title, _COLUMNS, rows, note), pictures, [*noise.values(), cost])
+
+
+def _truth(scene: MeasuredScene, setting: Setting) -> HalvedTruth:
+    half = max(setting.samples // 2, 1)
+    return HalvedTruth((one_picture(scene, half, 11), one_picture(scene, half, 12)))
+
+
+def _noisy(scene: MeasuredScene, way: str) -> tuple[NDArray[np.float32], float]:
+    """A picture of a few samples, and the processor seconds of a second one like it."""
+    integrator = scene.integrator if way == _WAYS[1] else _directions_alone()
+    noisy = MeasuredScene(scene.scene, integrator, scene.counted, scene.yarns_per_pixel)
+    # Networks are many times slower in symbolic calls, which Mitsuba's own integrators would make.
+    with (
+        dr.scoped_set_flag(dr.JitFlag.SymbolicCalls, False),
+        dr.scoped_set_flag(dr.JitFlag.SymbolicLoops, False),
+    ):
+        one_picture(noisy, SAMPLES, 3)
+        start = time.process_time()
+        picture = one_picture(noisy, SAMPLES, 4)
+    return picture, time.process_time() - start
+
+
+def _directions_alone() -> Any:
+    """Direct light that only the BSDF's directions find."""
+    return mi.load_dict({"type": "direct", "emitter_samples": 0, "bsdf_samples": 1})

@@ -1,0 +1,168 @@
+"""What the tables of zeltner2024's supplemental are made from: a stage, trainings, and six errors.
+
+The paper's scenes and materials are not public: four layered materials of this package stand for them, each
+on a sphere of 0.1 m over a grey ground in the studio's light, seen whole, close, and from far. Models and
+references are rendered with as many samples, all of them with light that other surfaces scattered once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.evaluation.metrics import PictureError, picture_error
+from loomlight.evaluation.table import Table
+from loomlight.mitsuba import choose_variant, shapes
+from loomlight.mitsuba.lights import environment_dict, light_dicts
+from loomlight.mitsuba.material_btf import material_bsdf_of
+from loomlight.mitsuba.measured_scenes import MeasuredScene
+from loomlight.mitsuba.plugins import make_bsdf
+from loomlight.mitsuba.shapes import ground
+from loomlight.models.interface import Model
+from loomlight.models.registry import make_model, model_from_loom
+from loomlight.models.texture.settings import LatentOptions
+from loomlight.sources.loom_file import write_loom
+from loomlight.sources.material import Material
+from studies.instruments.composed_scenes import Composition, composed_scene
+from studies.instruments.renders import one_picture
+from studies.papers.setting import LATENT, Setting
+from studies.papers.zeltner2024.layered_materials import layered_material
+from studies.papers.zeltner2024.six_layers import SIX_LAYERS, six_layer_material
+from studies.papers.zeltner2024.two_normals import TWO_NORMALS, two_normal_material
+
+# Texels a side, of textures and latents.
+RESOLUTION = 128
+VIEWS = {"whole": 1.0, "close": 3.5, "far": 0.25}
+_TOWARDS_CAMERA, _TOWARDS_LIGHT = (0.0, 0.25, 1.0), np.array([-0.6, 0.75, 0.6])
+# Camera to sphere, to ground or sphere, to light.
+DEPTH = 3
+# Where the close view looks: the middle of the sphere's front, a little above.
+_FOCUS = (-0.02, 0.04, 0.09)
+METRICS = (
+    "Mean FLIP",
+    "Mean abs. error",
+    "Mean sqr. error",
+    "Mean rel. abs. error",
+    "Mean rel. sqr. error",
+    "SMAPE",
+)
+# Added to denominators of relative errors; the brightest white of these pictures is about 1.
+_FLOOR = 0.01
+
+
+@dataclass(frozen=True, eq=False)
+class ShownError:
+    """Errors of a picture: the six metrics of the supplemental, in the order of `METRICS`, and FLIP's map."""
+
+    metrics: tuple[float, ...]
+    picture: PictureError
+
+
+def six_errors(
+    picture: NDArray[np.float32], reference: NDArray[np.float32], counted: NDArray[np.bool_]
+) -> ShownError:
+    """The errors of linear pictures [height, width, 3] over a mask; relative to the reference plus 0.01."""
+    flip = picture_error(picture, reference, counted)
+    p, t = (part[counted].astype(np.float64) for part in (picture, reference))
+    difference = p - t
+    size = np.abs(difference)
+    metrics = (
+        flip.flip,
+        float(size.mean()),
+        float((difference**2).mean()),
+        float((size / (t + _FLOOR)).mean()),
+        float((difference**2 / (t**2 + _FLOOR)).mean()),
+        float((2 * size / (np.abs(p) + t + _FLOOR)).mean()),
+    )
+    return ShownError(metrics, flip)
+
+
+def metric_table(title: str, errors: dict[str, ShownError], note: str = "") -> Table:
+    """A table as the supplemental prints them: a row for each metric, a column for each model."""
+    table = Table(title, list(errors), note=note)
+    for number, metric in enumerate(METRICS):
+        table.rows[metric] = [error.metrics[number] for error in errors.values()]
+    return table
+
+
+def stage_material(name: str) -> Material:
+    """A material of the stage, of `LAYERED` or `TWO_NORMALS`, or `SIX_LAYERS`."""
+    if name == SIX_LAYERS:
+        return six_layer_material(RESOLUTION)
+    make = two_normal_material if name in TWO_NORMALS else layered_material
+    return make(name, RESOLUTION)
+
+
+def trained(
+    source: Material, setting: Setting, decoder: str = "2x32", rung: str = "frames", **others: Any
+) -> Model:
+    """The model of a material; a training is kept in the setting's folder of runs, and read if it is there.
+
+    Args:
+        others: further ones of `LatentOptions`.
+
+    Raises:
+        InputError: an unknown quality, or a folder that cannot be written to.
+        MissingDependencyError: PyTorch is missing, where there is a training to do.
+    """
+    options: dict[str, Any] = {
+        "quality": setting.quality,
+        "resolution": RESOLUTION,
+        "decoder": decoder,
+        "rung": rung,
+        **others,
+    }
+    if setting.steps is not None:
+        options["steps"] = setting.steps
+    identity = LatentOptions(**options).settings().identity(source)[:12]
+    file = Path(setting.runs) / "zeltner2024" / f"{source.name}-{decoder}-{rung}-{identity}.loom"
+    if file.exists():
+        return model_from_loom(file)
+    model = make_model(LATENT, source, **options)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    write_loom(file, model.to_loom())
+    return model
+
+
+def reference_factory(source: Material) -> Callable[[tuple[float, float]], Any]:
+    """The material's own BSDF."""
+    return lambda _size: material_bsdf_of(source)
+
+
+def model_factory(model: Model) -> Callable[[tuple[float, float]], Any]:
+    """The BSDF of a model, whose repeat is a unit of uv as it is the material's."""
+    return lambda _size: make_bsdf(model, model.source.default_uv_size_mm)
+
+
+def stage_scene(
+    factory: Callable[[tuple[float, float]], Any], view: str, setting: Setting, depth: int = DEPTH
+) -> MeasuredScene:
+    """The sphere in one of `VIEWS`.
+
+    Args:
+        depth: longest path in segments.
+    """
+    choose_variant()
+    sphere = shapes.sphere()
+    centre = np.zeros(3)
+    radius = shapes.SPHERE_RADIUS
+    light: dict[str, Any] = (
+        light_dicts("studio", centre, radius, _TOWARDS_LIGHT)
+        if setting.environment is None
+        else {"environment": environment_dict(setting.environment)}
+    )
+    props = {**light, "ground": ground(centre, radius, -radius)}
+    zoom = VIEWS[view]
+    focus = _FOCUS if zoom > 1 else None
+    shown = Composition([sphere], _TOWARDS_CAMERA, props, depth, zoom, focus)
+    return composed_scene(shown, [factory], setting.size)
+
+
+def stage_picture(scene: MeasuredScene, setting: Setting, seed: int = 1) -> NDArray[np.float32]:
+    """Linear RGB [height, width, 3] with the samples of the setting."""
+    return one_picture(scene, setting.samples, seed)

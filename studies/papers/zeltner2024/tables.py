@@ -1,0 +1,215 @@
+"""zeltner2024's supplemental: Tables 1 to 4 (ablation), 5 to 11 (quality), and figure 5 (8 channels).
+
+The ablation has the paper's inputs of the decoder; the others have half-vector features too, as the model has
+them by default. A table of our own says what frames gain with these features and without them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.evaluation.table import Table
+from loomlight.mitsuba import choose_variant
+from loomlight.mitsuba.measured_scenes import MeasuredScene
+from loomlight.models.texture.settings import DECODERS, FEATURES, RUNGS
+from loomlight.sources.material import Material
+from studies.instruments.sheet import Row, Tile, contact_sheet
+from studies.papers.figure import Evidence, Pixels, on_display
+from studies.papers.setting import Setting
+from studies.papers.zeltner2024.analytic_baseline import analytic_factory
+from studies.papers.zeltner2024.layered_materials import LAYERED
+from studies.papers.zeltner2024.stage import (
+    RESOLUTION,
+    ShownError,
+    metric_table,
+    model_factory,
+    reference_factory,
+    six_errors,
+    stage_material,
+    stage_picture,
+    stage_scene,
+    trained,
+)
+from studies.papers.zeltner2024.two_normals import TWO_NORMALS
+
+# As the supplemental heads its columns.
+_RUNG_NAMES = {"mlp": "Vanilla MLP", "encoder": "with encoder", "frames": "with frame transform"}
+# Mean FLIP of Tables 1, 2, 3 and 4, in the order of the rungs: the paper's materials and scenes.
+_PAPER_RUNGS = {
+    "inkwell body": (0.2589, 0.1921, 0.0703),
+    "teapot ceramic": (0.3343, 0.2552, 0.1362),
+    "slicer blade": (0.1381, 0.1268, 0.0774),
+    "slicer handle": (0.2245, 0.2083, 0.0423),
+}
+# Means over Tables 5 to 11 of mean FLIP, in the order of the decoders.
+_PAPER_FLIP = (0.1087, 0.0551, 0.0444)
+_ANALYTIC = "8-channel BRDF"
+_Factory = Callable[[tuple[float, float]], Any]
+
+
+def ablation(setting: Setting) -> Evidence:
+    """Tables 1 to 4: a plain network, with the encoder, and with learned frames."""
+    columns = [_RUNG_NAMES[rung] for rung in RUNGS]
+    return _compared(
+        setting,
+        "zeltner2024 tables 1 to 4: ablation",
+        ("whole",),
+        columns,
+        lambda source: {
+            _RUNG_NAMES[rung]: model_factory(trained(source, setting, rung=rung, features="none"))
+            for rung in RUNGS
+        },
+        Table("Mean FLIP in the paper", columns, {name: [*row] for name, row in _PAPER_RUNGS.items()}),
+    )
+
+
+def frames(setting: Setting) -> Evidence:
+    """What learned frames gain of two materials of two normal maps each, with and without features."""
+    columns = {
+        f"{_RUNG_NAMES[rung]}, {'features' if features == FEATURES[0] else 'none'}": (rung, features)
+        for features in reversed(FEATURES)
+        for rung in RUNGS[1:]
+    }
+    return _compared(
+        setting,
+        "frames of materials of two normal maps",
+        ("whole",),
+        list(columns),
+        lambda source: {
+            column: model_factory(trained(source, setting, rung=rung, features=features))
+            for column, (rung, features) in columns.items()
+        },
+        names=TWO_NORMALS,
+    )
+
+
+def quality(setting: Setting) -> Evidence:
+    """Tables 5 to 11: three decoders in a close and a far view."""
+    columns = [decoder.replace("x", "×") for decoder in DECODERS]
+    return _compared(
+        setting,
+        "zeltner2024 tables 5 to 11: three decoders",
+        ("close", "far"),
+        columns,
+        lambda source: {
+            decoder.replace("x", "×"): model_factory(trained(source, setting, decoder))
+            for decoder in DECODERS
+        },
+        Table("Mean FLIP in the paper", columns, {"mean of its views": [*_PAPER_FLIP]}),
+    )
+
+
+def whole(setting: Setting) -> Evidence:
+    """The default network alone, as it is baked: whole spheres."""
+    return _compared(
+        setting,
+        "whole spheres by the default network",
+        ("whole",),
+        ["2×32"],
+        lambda source: {"2×32": model_factory(trained(source, setting))},
+    )
+
+
+def eight_channels(setting: Setting) -> Evidence:
+    """Figure 5: the model beside a simple analytic BRDF with as many channels."""
+    return _compared(
+        setting,
+        "zeltner2024 supplemental figure 5: an analytic BRDF of 8 channels",
+        ("whole",),
+        [_ANALYTIC, "2×32"],
+        lambda source: {
+            _ANALYTIC: analytic_factory(source, RESOLUTION, setting.steps),
+            "2×32": model_factory(trained(source, setting)),
+        },
+    )
+
+
+def _compared(
+    setting: Setting,
+    title: str,
+    views: tuple[str, ...],
+    columns: list[str],
+    factories: Callable[[Material], dict[str, _Factory]],
+    paper: Table | None = None,
+    names: tuple[str, ...] | None = None,
+) -> Evidence:
+    """Pictures and tables of materials in some views.
+
+    Args:
+        factories: from a material to functions that make its BSDFs, by the heading of their column.
+        names: of materials, by default `LAYERED`.
+    """
+    choose_variant()
+    pictures: dict[str, Pixels] = {}
+    rows: list[Row] = []
+    tables: list[Table] = []
+    means: dict[str, list[tuple[float, ...]]] = {column: [] for column in columns}
+    names = LAYERED if names is None else names
+    done, total = 0, len(names) * len(views)
+    for name in names:
+        source = stage_material(name)
+        made = factories(source)
+        for view in views:
+            label = f"{name}, {view}"
+            reference_scene = stage_scene(reference_factory(source), view, setting)
+            reference = stage_picture(reference_scene, setting, 2)
+            shown = {
+                column: stage_picture(stage_scene(factory, view, setting), setting)
+                for column, factory in made.items()
+            }
+            errors = {
+                column: six_errors(picture, reference, reference_scene.counted)
+                for column, picture in shown.items()
+            }
+            tables.append(metric_table(label, errors))
+            for column, error in errors.items():
+                means[column].append(error.metrics)
+            pictures |= _pictures(label, reference, shown)
+            rows += _rows(label, reference, shown, errors)
+            done += 1
+            setting.step(done, total)
+    floor = _noise_floor(reference_scene, setting)
+    summary = Table("Means over all", columns, digits=3)
+    for number, metric in enumerate(tables[0].rows):
+        summary.rows[metric] = [float(np.mean([row[number] for row in means[c]])) for c in columns]
+    note = (
+        f"{setting.samples} samples a pixel of model and reference, textures of {RESOLUTION} texels, quality "
+        f"{setting.quality}{'' if setting.steps is None else f', {setting.steps} steps'}. Noise alone has a "
+        f"FLIP of {floor:.3f} (last material and view)."
+    )
+    summary.note = note
+    sheet = contact_sheet(title, [*columns, "reference"], rows, note)
+    return Evidence(sheet, pictures, [summary, *([paper] if paper is not None else []), *tables])
+
+
+def _noise_floor(scene: MeasuredScene, setting: Setting) -> float:
+    """FLIP between two references."""
+    one, other = (stage_picture(scene, setting, seed) for seed in (2, 3))
+    return six_errors(one, other, scene.counted).metrics[0]
+
+
+def _pictures(
+    label: str, reference: NDArray[np.float32], shown: Mapping[str, NDArray[np.float32]]
+) -> dict[str, Pixels]:
+    named = {f"{label}-{column}": on_display(picture) for column, picture in shown.items()}
+    return {**named, f"{label}-reference": on_display(reference)}
+
+
+def _caption(error: ShownError) -> str:
+    return f"FLIP {error.metrics[0]:.4f}, MAE {error.metrics[1]:.4f}"
+
+
+def _rows(
+    label: str,
+    reference: NDArray[np.float32],
+    shown: Mapping[str, NDArray[np.float32]],
+    errors: Mapping[str, ShownError],
+) -> list[Row]:
+    """Pictures, and the maps of their FLIP below them."""
+    tiles = [Tile(on_display(picture), _caption(errors[column])) for column, picture in shown.items()]
+    maps = [Tile(error.picture.flip_picture) for error in errors.values()]
+    return [Row(label, [*tiles, Tile(on_display(reference))]), Row("", maps)]

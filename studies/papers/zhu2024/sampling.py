@@ -1,0 +1,93 @@
+"""zhu2024, figure 5: importance sampling of the cloth under an environment map, at 32 samples a pixel.
+
+The paper shows its sampling beside none. Here directions are uniform over the sphere in the left column and
+drawn by the model in the middle. Above, light sampling and multiple importance sampling are the same in
+both; below, the BSDF's directions are all that finds the light. Direct light.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import mitsuba as mi
+
+from loomlight.evaluation.metrics import picture_error
+from loomlight.evaluation.table import Table
+from loomlight.mitsuba import choose_variant
+from loomlight.mitsuba.camera import FIELD_OF_VIEW
+from loomlight.mitsuba.measured_scenes import MeasuredScene
+from loomlight.mitsuba.plugins import make_bsdf
+from loomlight.models.interface import Model
+from loomlight.models.registry import make_model
+from studies.instruments.altered_models import uniformly_sampled
+from studies.instruments.composed_scenes import composed_scene
+from studies.instruments.renders import one_picture
+from studies.instruments.sheet import Row, Tile, contact_sheet
+from studies.papers.figure import Evidence, error_caption, on_display
+from studies.papers.setting import POINT, Setting
+from studies.papers.zhu2024.scenes import SCENES, table_composition, table_fabric, table_scene
+
+SAMPLES = 32
+_COLUMNS = ("uniform directions", "importance sampling", "reference")
+_ROWS = ("directions and light samples (MIS)", "directions alone")
+# Direct light: camera to cloth to light.
+_DEPTH = 2
+_SCENE = replace(SCENES["blouse"], max_depth=_DEPTH)
+
+
+def importance_sampling(setting: Setting) -> Evidence:
+    """Figure 5."""
+    choose_variant()
+    truth_scene = table_scene(_SCENE, setting, POINT)
+    truth = one_picture(truth_scene, setting.samples, 1)
+    shown = on_display(truth)
+    ways = {
+        _COLUMNS[0]: _scene(setting, uniformly_sampled),
+        _COLUMNS[1]: _scene(setting, lambda model: model),
+    }
+    table = Table("MSE", list(_COLUMNS[:2]))
+    pictures, rows = {"reference": shown}, []
+    for number, row in enumerate(_ROWS):
+        tiles, errors = [], []
+        for column, scene in ways.items():
+            integrator = scene.integrator if number == 0 else _directions_alone()
+            picture = one_picture(replace(scene, integrator=integrator), SAMPLES, 2)
+            error = picture_error(picture, truth, scene.counted)
+            errors.append(error.mse)
+            pixels = on_display(picture)
+            pictures[f"{column}-{row}"] = pixels
+            tiles.append(Tile(pixels, error_caption(error)))
+        table.rows[row] = [*errors]
+        rows.append(Row(row, [*tiles, Tile(shown, f"{setting.samples} spp")]))
+        setting.step(number + 1, len(_ROWS))
+    light = "the studio" if setting.environment is None else setting.environment.name
+    note = (
+        f"{setting.model}, {SAMPLES} samples a pixel, direct light of an environment ({light}); reference: "
+        f"the point model with {setting.samples} samples."
+    )
+    title = "zhu2024 figure 5: importance sampling under an environment"
+    return Evidence(contact_sheet(title, _COLUMNS, rows, note), pictures, [table])
+
+
+def _scene(setting: Setting, altered: Callable[[Model], Model]) -> MeasuredScene:
+    composition = table_composition(_SCENE, setting.environment)
+    shorter = min(setting.size)
+    angle = math.radians(FIELD_OF_VIEW) / shorter
+
+    def factory(fabric: str) -> Callable[[tuple[float, float]], mi.BSDF]:
+        def made(millimetres: tuple[float, float]) -> mi.BSDF:
+            bsdf = make_bsdf(altered(make_model(setting.model, table_fabric(fabric))), millimetres)
+            # Mitsuba's integrators set no footprints.
+            bsdf.pixel_angle = angle
+            return bsdf
+
+        return made
+
+    return composed_scene(composition, [factory(fabric) for _, fabric in _SCENE.pieces], setting.size)
+
+
+def _directions_alone() -> mi.Integrator:
+    """Direct light that only the BSDF's directions find."""
+    return mi.load_dict({"type": "direct", "emitter_samples": 0, "bsdf_samples": 1})

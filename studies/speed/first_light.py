@@ -1,0 +1,84 @@
+"""How long the editor's page takes to its first picture in a browser that computes in software.
+
+    python -m studies.speed.first_light [--rounds 3] [--output FILE.json]
+
+Headless Chromium with SwiftShader opens the page on a fresh profile, with the draped cloth and light between
+yarns. Seconds, and CPU seconds of the browser's processes, until the cloth is there flat, until a first lit
+frame (points, without shadows) and until it is drawn as asked for (`lobes`, with shadows): the visit of the
+fewest CPU seconds.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+from typing import Any
+
+from playwright.sync_api import sync_playwright
+
+from loomlight.viewer.app import Access
+from loomlight.viewer.client import client_folder
+from studies.instruments.harness import Figures, run
+from tests.viewer.conftest import serving
+from tests.viewer.e2e.conftest import SWIFTSHADER, launched, visiting, wait_until
+
+STEPS = {
+    "flat cloth": "window.loomlight?.statistics()?.frames > 0",
+    "first light": "window.loomlight.statistics().passes > 0",
+    "full picture": "window.loomlight.statistics().preparing === null",
+}
+
+
+def browser_cpu_seconds() -> float:
+    """CPU seconds of all processes below this one."""
+    parents: dict[int, int] = {}
+    ticks: dict[int, int] = {}
+    for status in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = status.read_text().rpartition(")")[2].split()
+        except OSError:  # It has ended since.
+            continue
+        process = int(status.parent.name)
+        parents[process], ticks[process] = int(fields[1]), sum(map(int, fields[11:15]))
+    below = {os.getpid()}
+    while more := {process for process, parent in parents.items() if parent in below} - below:
+        below |= more
+    return sum(ticks[process] for process in below - {os.getpid()}) / os.sysconf("SC_CLK_TCK")
+
+
+def first_picture(playwright: Any, port: int) -> dict[str, dict[str, float]]:
+    """Seconds and CPU seconds to each step of one visit."""
+    with launched(playwright, SWIFTSHADER) as browser, visiting(browser) as visit:
+        begun, cpu = time.perf_counter(), browser_cpu_seconds()
+        visit.page.goto(f"http://127.0.0.1:{port}/")
+        found = {}
+        for step, condition in STEPS.items():
+            wait_until(visit.page, condition)
+            seconds, cpu_seconds = time.perf_counter() - begun, browser_cpu_seconds() - cpu
+            found[step] = {"seconds": round(seconds, 1), "cpu_seconds": round(cpu_seconds, 1)}
+        return found
+
+
+def measure(options: Namespace) -> Figures:
+    """The best of some visits."""
+    served = serving(client_folder(), Access.for_host("127.0.0.1"))
+    port = next(served).port
+    with sync_playwright() as playwright:
+        visits = [first_picture(playwright, port) for _ in range(options.rounds)]
+    served.close()
+    return {
+        "fabric": "twill 3/1",
+        "window": "1280x800",
+        **min(visits, key=lambda visit: visit["full picture"]["cpu_seconds"]),
+    }
+
+
+def add_options(parser: ArgumentParser) -> None:
+    """How often."""
+    parser.add_argument("--rounds", type=int, default=3, help="visits")
+
+
+if __name__ == "__main__":
+    run(measure, add_options)

@@ -1,0 +1,182 @@
+"""What a frame costs on a graphics adapter: measured milliseconds, and operations and bytes counted a pixel.
+
+    python -m studies.speed.realtime [--size 64x64] [--output FILE.json]
+
+Times are of frames in which all pixels are cloth under one directional light, one pass, split into the raster
+pass, the layers of what it saw, shading, and the rest (tone mapping and reading back); the first frame, in
+which the driver compiles, is left out. They are scaled from `--size` to 1920 × 1080 by the number of
+pixels. On a software adapter they say little.
+
+Counts are of the exported CUDA library, which slangc makes of the same Slang: it is compiled for the CPU
+with numbers that count every operation that is executed (`realtime_counts.cpp`), and runs the footprints
+and directions of such frames. Networks that are trained for one source have random weights, of which counts
+do not depend: `neumip` with textures of 64 texels and all of its networks, `latent` with 128 texels and each
+decoder. `clustered, 2 texels` is `cloth_estimate`. Integer operations are not counted. Bytes are those of
+tables: loaded, and of the 32-byte sectors that a workgroup of 8 × 8 pixels touches, which caches deliver;
+memory delivers each table once a frame, as all tables fit into a cache of some megabytes, and 24 bytes a
+pixel. From the counts follow what 60 frames a second take, and the time on an RTX 4090's published peaks
+(82.6 TFLOP/s, 1008 GB/s), a bound from below that no program reaches.
+"""
+
+from __future__ import annotations
+
+import time
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
+from dataclasses import asdict
+from unittest.mock import patch
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.cli.options import parse_size
+from loomlight.fabric import load_fabric
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.clustered.model import ClusteredModel
+from loomlight.models.texture.settings import DECODERS
+from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
+from loomlight.realtime.materials import Material
+from studies.instruments.counted_library import CountedLibrary, Counts, queries_of
+from studies.instruments.harness import Figures, run
+from studies.instruments.random_networks import random_latent, random_neumip
+
+FABRICS = ("examples/denim.toml", "examples/silk-satin.toml")
+# Pixels a thread.
+DISTANCES = {"near": 20.0, "middle": 2.0, "far": 0.2}
+PIXELS = 1920 * 1080
+FRAMES_PER_SECOND = 60
+PEAK_FLOPS, PEAK_BYTES = 82.6e12, 1008e9
+# Milliseconds that others publish: a neural material without geometry, zeltner2024's shading, zhu2024's at 2
+# samples, chen2024's frame.
+PUBLISHED = {
+    "neural material": 0.18,
+    "zeltner2024 shading": 1.54,
+    "zhu2024, 2 samples": 8.3,
+    "chen2024 frame": 16.7,
+}
+_GROUPS = 24
+_ROUNDS = 5
+# Parts of a frame, and how the names of their kernels begin.
+_KERNELS = {"raster": "raster", "layers": "first_layer", "shading": "shade_"}
+# A pixel reads the number of its face, and writes 16 bytes of radiance and 4 of colour.
+_PIXEL_BYTES = 24
+
+
+def measure(options: Namespace) -> Figures:
+    """Counts by fabric, model and distance, and times of the adapter."""
+    width, height = parse_size(options.size)
+    rows = []
+    for path in FABRICS:
+        fabric = load_fabric(path)
+        for name, (model, material, estimates) in _materials(fabric).items():
+            library = CountedLibrary(material, model, estimates)
+            for distance, pixels in DISTANCES.items():
+                counts = library.answers(_queries(fabric, pixels))[1]
+                row = {"fabric": fabric.name, "model": name, "distance": distance}
+                rows.append(row | _budget(counts, library.table_bytes))
+    figures: Figures = {"counts": rows, "published_ms": PUBLISHED}
+    if not options.counts_only:
+        figures["frames"] = [
+            _frame_times(load_fabric(FABRICS[0]), model, width, height) for model in options.models.split(",")
+        ]
+    return figures
+
+
+def _materials(fabric: Fabric) -> dict[str, tuple[str, Material, bool]]:
+    """Model, what is exported, and whether estimates are counted, by the name of a row."""
+    clustered = ClusteredModel.for_source(fabric)
+    return {
+        "lobes": ("lobes", fabric, False),
+        "point": ("point", fabric, False),
+        "neural": ("neural", fabric, False),
+        "clustered": ("clustered", clustered, False),
+        "clustered, 2 texels": ("clustered", clustered, True),
+        "neumip": ("neumip", random_neumip(fabric), False),
+        **{f"latent {name}": ("latent", random_latent(fabric, name), False) for name in DECODERS},
+    }
+
+
+def _queries(fabric: Fabric, pixels: float) -> NDArray[np.void]:
+    """Workgroups of 8 × 8 pixels, 30° aslant, `pixels` a thread, anywhere on the cloth."""
+    rng = np.random.default_rng(3)
+    layout = fabric.layout()
+    picks, ends = layout.warp_on_top.shape
+    width, height = layout.size
+    step = float(np.sqrt(width / ends * height / picks)) / pixels
+    angle = np.radians(30)
+    right, down = np.array([step, 0.0]), np.array([0.0, step / np.cos(angle)])
+    corners = rng.uniform(0, 1, (_GROUPS, 1, 2)) * (10 * width, 10 * height)
+    column, row = np.arange(64) % 8, np.arange(64) // 8
+    centre = (corners + column[:, None] * right + row[:, None] * down).reshape(-1, 2)
+    light = np.array([0.5, 0.3, 0.8]) / np.linalg.norm([0.5, 0.3, 0.8])
+    view = np.array([0.0, -np.sin(angle), np.cos(angle)])
+    everywhere = (np.tile(vector, (len(centre), 1)) for vector in (right, down, light, view))
+    queries = queries_of(centre, *everywhere)
+    queries["seed"] = rng.integers(1, 2**32, len(queries), dtype=np.uint32)
+    return queries
+
+
+def _budget(counts: Counts, table_bytes: int) -> Figures:
+    """Counts a pixel, what 60 frames a second of 1920 × 1080 take, and times on the published peaks."""
+    memory = table_bytes + _PIXEL_BYTES * PIXELS
+    return asdict(counts) | {
+        "operations": counts.operations,
+        "table_bytes": table_bytes,
+        "tflops_at_60": counts.operations * PIXELS * FRAMES_PER_SECOND / 1e12,
+        "cache_gb_per_s_at_60": counts.sector_bytes * PIXELS * FRAMES_PER_SECOND / 1e9,
+        "memory_gb_per_s_at_60": memory * FRAMES_PER_SECOND / 1e9,
+        "ms_by_arithmetic_of_4090": 1e3 * counts.operations * PIXELS / PEAK_FLOPS,
+        "ms_by_memory_of_4090": 1e3 * memory / PEAK_BYTES,
+    }
+
+
+def _frame_times(fabric: Fabric, model: str, width: int, height: int) -> Figures:
+    renderer = Renderer(
+        [Cloth(rectangle(1.0, 1.0), fabric, (1000.0, 1000.0))], size=(width, height), model=model
+    )
+    camera, lights = Camera(origin=(0, -0.1, 0.17)), [DirectionalLight(towards=(0.5, 0.3, 0.8))]
+    renderer.render(camera, lights, samples=1, passes=1)
+    spent = dict.fromkeys(_KERNELS, 0.0)
+
+    def timed(launch: Callable[..., None]) -> Callable[..., None]:
+        def launch_and_wait(entry: str = "raster", *arguments: object) -> None:
+            start = time.perf_counter()
+            launch(*(() if entry == "raster" else (entry, *arguments)))
+            # Reading waits for the work.
+            renderer.adapter.read(renderer._resources["pixels"], np.uint32, 1)
+            part = next((name for name, prefix in _KERNELS.items() if entry.startswith(prefix)), None)
+            if part is not None:
+                spent[part] += 1e3 * (time.perf_counter() - start) / _ROUNDS
+
+        return launch_and_wait
+
+    start = time.perf_counter()
+    with (
+        patch.object(renderer, "_draw", timed(renderer._draw)),
+        patch.object(renderer, "_compute", timed(renderer._compute)),
+    ):
+        for _ in range(_ROUNDS):
+            renderer.render(camera, lights, samples=1, passes=1)
+    total = 1e3 * (time.perf_counter() - start) / _ROUNDS
+    parts = spent | {"rest": total - sum(spent.values())}
+    scale = PIXELS / (width * height)
+    return {
+        "adapter": renderer.adapter.name,
+        "is_software": renderer.adapter.is_software,
+        "model": model,
+        "size": [width, height],
+        "ms": parts,
+        "ms_scaled_to_1920x1080": {name: value * scale for name, value in parts.items()},
+    }
+
+
+def _options(parser: ArgumentParser) -> None:
+    parser.add_argument("--size", default="64x64", help="pixels of measured frames")
+    parser.add_argument(
+        "--models", default="lobes,point,clustered,neural", help="models whose frames are measured"
+    )
+    parser.add_argument("--counts-only", action="store_true", help="no frames: no adapter is needed")
+
+
+if __name__ == "__main__":
+    run(measure, _options)

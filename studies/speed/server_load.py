@@ -1,0 +1,158 @@
+"""The editor's server while many read drafts: latency, errors and memory.
+
+    python -m studies.speed.server_load [--clients 64] [--seconds 60] [--output FILE.json]
+
+Clients post drafts of 641 ends, each another one, as fast as they are answered, while one more posts a draft
+of 16,384 ends again and again. Bars: no error, a 99th percentile below 2 s, and resident memory of the server
+within 50 MiB between request 200 and the end.
+"""
+
+from __future__ import annotations
+
+import argparse
+import http.client
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+
+from studies.instruments.harness import Figures, run
+
+_MIB = 1 << 20
+
+
+def draft_of(ends: int, picks: int, seed: int) -> bytes:
+    """A draft of eight shafts with a threading of its own."""
+    chance = np.random.default_rng(seed)
+    lines = ["[WIF]", "Version=1.1", "[WEAVING]", "Shafts=8", "Treadles=8", "[THREADING]"]
+    lines += [f"{end}={shaft}" for end, shaft in enumerate(chance.integers(1, 9, ends), 1)]
+    lines += ["[TIEUP]"] + [f"{treadle}={treadle},{1 + treadle % 8}" for treadle in range(1, 9)]
+    lines += ["[TREADLING]"]
+    lines += [f"{pick}={treadle}" for pick, treadle in enumerate(chance.integers(1, 9, picks), 1)]
+    return "\n".join(lines).encode()
+
+
+class _Load:
+    """Clients of a server: what they measured."""
+
+    def __init__(self, port: int, until: float) -> None:
+        self.port, self.until = port, until
+        self.seconds: list[float] = []
+        self.large: list[float] = []
+        self.errors: list[str] = []
+
+    def post(self, draft: bytes, into: list[float]) -> None:
+        begin = time.perf_counter()
+        try:
+            connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=120)
+            connection.request("POST", "/api/wif?name=a.wif", draft)
+            answer = connection.getresponse()
+            content = answer.read()
+            connection.close()
+            if answer.status != 200:
+                self.errors.append(f"{answer.status} {content[:200]!r}")
+        except OSError as error:
+            self.errors.append(str(error))
+        into.append(time.perf_counter() - begin)
+
+    def client(self, number: int) -> None:
+        """Posts until the time is over."""
+        drafts = [draft_of(641, 641, 100 * number + each) for each in range(3)]
+        while time.monotonic() < self.until:
+            self.post(drafts[len(self.seconds) % 3], self.seconds)
+
+    def large_client(self) -> None:
+        """Posts the draft of 16,384 ends until the time is over."""
+        draft = draft_of(16384, 641, 7)
+        while time.monotonic() < self.until:
+            self.post(draft, self.large)
+
+
+def measure(options: argparse.Namespace) -> Figures:
+    """Percentiles of latency in seconds, errors, and resident MiB."""
+    with tempfile.TemporaryDirectory() as page:
+        Path(page, "index.html").write_text("page")
+        code = (
+            "import uvicorn; from pathlib import Path; from loomlight.viewer.app import Access; "
+            "from loomlight.viewer.app import editor_app; "
+            f"app = editor_app(Path({page!r}), 'twill 3/1', Access(True, None)); "
+            f"uvicorn.run(app, port={options.port}, log_level='error')"
+        )
+        server = subprocess.Popen([sys.executable, "-c", code])
+        try:
+            _await_server(options.port, server)
+            return _figures(options, server.pid)
+        finally:
+            server.terminate()
+            server.wait()
+
+
+def _await_server(port: int, server: subprocess.Popen[bytes]) -> None:
+    while server.poll() is None:
+        try:
+            http.client.HTTPConnection("127.0.0.1", port, timeout=1).connect()
+        except OSError:
+            time.sleep(0.1)
+        else:
+            return
+    raise RuntimeError("The server ended.")
+
+
+def _figures(options: argparse.Namespace, server: int) -> Figures:
+    warm = _Load(options.port, 0)
+    for number in range(200):
+        warm.post(draft_of(641, 641, number), warm.seconds)
+    before = _resident_mib(server)
+    load = _Load(options.port, time.monotonic() + options.seconds)
+    threads = [threading.Thread(target=load.client, args=(number,)) for number in range(options.clients)]
+    threads.append(threading.Thread(target=load.large_client))
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    after = _resident_mib(server)
+    missed = []
+    late = float(np.percentile(load.seconds, 99))
+    if load.errors:
+        missed.append(f"{len(load.errors)} errors, such as {load.errors[0]}")
+    if late >= 2:
+        missed.append(f"p99 {late:.2f} s, not below 2 s")
+    if after["server"] - before["server"] > 50:
+        missed.append(f"the server grew by {after['server'] - before['server']:.0f} MiB")
+    return {
+        "clients": options.clients,
+        "requests": len(load.seconds),
+        "errors": len(load.errors),
+        "p50_s": float(np.median(load.seconds)),
+        "p99_s": late,
+        "large_requests": len(load.large),
+        "large_p50_s": float(np.median(load.large)),
+        "resident_mib": {"after_200": before, "at_the_end": after},
+        "missed": missed,
+    }
+
+
+def _resident_mib(server: int) -> dict[str, float]:
+    """Of the server, and of the processes that it started."""
+    tasks = Path(f"/proc/{server}/task").iterdir()
+    children = sorted({pid for task in tasks for pid in (task / "children").read_text().split()})
+    return {"server": _rss(server), "readers": sum(_rss(int(pid)) for pid in children)}
+
+
+def _rss(process: int) -> float:
+    return int(Path(f"/proc/{process}/statm").read_text().split()[1]) * 4096 / _MIB
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """The load."""
+    parser.add_argument("--clients", type=int, default=64)
+    parser.add_argument("--seconds", type=float, default=60.0)
+    parser.add_argument("--port", type=int, default=8799)
+
+
+if __name__ == "__main__":
+    run(measure, add_options)
