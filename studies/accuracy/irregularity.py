@@ -1,7 +1,5 @@
 """Irregular yarns in pictures: their statistics against those of the process, means, repeats and zooms.
 
-    python -m studies.accuracy.irregularity [--part statistics] [--output FILE.json]
-
 - *statistics*: cloth of one family that shows, whose shade varies, seen straight on at 1, 3 and 10 threads a
   pixel. The picture over that of even cloth is the process, filtered by the film's filter and the footprints:
   deviation and autocorrelation across and along the threads against those computed from its spectrum.
@@ -19,7 +17,7 @@ from __future__ import annotations
 
 import math
 import time
-from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
 from typing import Any
 
 import drjit as dr
@@ -30,6 +28,7 @@ from numpy.typing import NDArray
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float, require_llvm
+from loomlight.core.settings import Settings
 from loomlight.evaluation.metrics import flip_mean
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.fabric import Fabric
@@ -40,7 +39,7 @@ from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model
 from loomlight.scattering import irregularity
-from studies.instruments.harness import REPOSITORY, Figures, run
+from studies.harness.study import Found, Run, Study, example, listed, names
 
 EXAMPLES = ("linen", "denim")
 # The warp alone reflects, and its shade alone varies.
@@ -179,7 +178,7 @@ def means() -> list[dict[str, Any]]:
     """Means of pictures of irregular cloth over those of even cloth, by light and threads a pixel."""
     rows = []
     for name in EXAMPLES:
-        fabric = load_fabric(REPOSITORY / "examples" / f"{name}.toml")
+        fabric = load_fabric(example(name))
         models = [make_model("lobes", one) for one in (fabric, even(fabric))]
         for threads in (1, 3, 10):
             side = 128 * threads * 10 / 15
@@ -208,7 +207,7 @@ def queries(count: int = 2000, points: int = 2048) -> list[dict[str, Any]]:
     )
     rows = []
     for name in EXAMPLES:
-        fabric = load_fabric(REPOSITORY / "examples" / f"{name}.toml")
+        fabric = load_fabric(example(name))
         for kind, one in (("irregular", fabric), ("even", even(fabric))):
             truth_model = make_model("samples", one, points=points)
             models = [make_model(model, one) for model in ("lobes", "neural")]
@@ -241,7 +240,7 @@ def repeats() -> dict[str, float]:
     """The largest autocorrelation of a metre of linen at far lags across the threads, and by chance."""
     count, side = 1024, 1000.0
     found = []
-    fabric = load_fabric(REPOSITORY / "examples" / "linen.toml")
+    fabric = load_fabric(example("linen"))
     for seed in (11, 12):
         model = make_model("lobes", edited_fabric(fabric, {"variation.seed": seed}))
         picture = straight_on(model, side, LIGHTS["above"], 16, count)
@@ -279,7 +278,7 @@ def dolly(steps: int = 40, count: int = 1 << 17) -> list[dict[str, Any]]:
     sides = 2000 / 512 * (10 / 2000) ** (np.arange(steps) / (steps - 1))
     rows = []
     for name in EXAMPLES:
-        fabric = load_fabric(REPOSITORY / "examples" / f"{name}.toml")
+        fabric = load_fabric(example(name))
         found = {}
         for kind, one in (("irregular", fabric), ("even", even(fabric))):
             model = make_model("lobes", one)
@@ -300,7 +299,7 @@ def shimmer(pairs: int = 8) -> list[dict[str, Any]]:
     """FLIP between neighbouring frames of 60 from 5 to 50 cm, of `lobes` and of `point` with 64 samples."""
     rows = []
     for name in EXAMPLES:
-        fabric = load_fabric(REPOSITORY / "examples" / f"{name}.toml")
+        fabric = load_fabric(example(name))
         found = {}
         for model_name, spp in (("lobes", 64), ("point", 256)):
             model = make_model(model_name, fabric)
@@ -333,7 +332,7 @@ def times(rounds: int = 5) -> list[dict[str, Any]]:
 
     rows = []
     for name in EXAMPLES:
-        fabric = load_fabric(REPOSITORY / "examples" / f"{name}.toml")
+        fabric = load_fabric(example(name))
         models = [make_model("lobes", one) for one in (fabric, even(fabric))]
         for zoom in (1.0, 30.0):
             spent: list[list[float]] = [[], []]
@@ -359,17 +358,23 @@ PARTS = {
 }
 
 
-def measure(options: Namespace) -> Figures:
-    """The figures of all parts, or of one."""
+@dataclass(frozen=True)
+class Irregularity(Settings):
+    parts: str = names(",".join(PARTS), "What is measured.", tuple(PARTS))
+
+
+def measure(settings: Irregularity, run: Run) -> Found:
+    """The figures of all parts that are asked for."""
     require_llvm()
     choose_variant(None)
-    chosen = PARTS if options.part is None else {options.part: PARTS[options.part]}
-    return {name: part() for name, part in chosen.items()}
+    return Found(run.each({part: PARTS[part] for part in listed(settings.parts)}))
 
 
-def _add_options(parser: ArgumentParser) -> None:
-    parser.add_argument("--part", choices=PARTS, help="one part alone")
-
-
-if __name__ == "__main__":
-    run(measure, _add_options)
+STUDY = Study(
+    "accuracy/irregularity",
+    "irregular yarns in pictures: statistics, means, repeats and zooms",
+    Irregularity(),
+    measure,
+    stands_on=("point", "lobes", "picture"),
+    small={"parts": "queries"},
+)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import os
+import re
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,6 +16,8 @@ from loomlight.core.files import replacing
 Cell = float | int | str | None
 
 _DIGITS = 6  # significant, of numbers in JSON
+# A list of numbers alone, which is read more easily on one line.
+_NUMBERS = re.compile(r"\[\s*[-+\d.eE,\s]*?\s*\]")
 
 
 @dataclass
@@ -42,6 +45,13 @@ class Table:
             for name, cells in self.rows.items()
         }
         return {"title": self.title, "note": self.note, "rows": rows}
+
+    @classmethod
+    def from_dict(cls, content: dict[str, Any]) -> Table:
+        """The table that `to_dict` made JSON of."""
+        rows = {name: list(cells.values()) for name, cells in content["rows"].items()}
+        columns = next((list(cells) for cells in content["rows"].values()), [])
+        return cls(content["title"], columns, rows, content["note"])
 
     def to_markdown(self) -> str:
         """The table in Markdown, its title as a heading."""
@@ -78,8 +88,12 @@ def write_json(
     with suppress(OSError, ValueError):
         Path(path).parent.mkdir(exist_ok=True)
     with replacing(path) as temporary:
-        text = json.dumps(_plain(content, digits), indent=2, ensure_ascii=False)
+        text = _NUMBERS.sub(_on_one_line, json.dumps(_plain(content, digits), indent=2, ensure_ascii=False))
         temporary.write_text(text + "\n", encoding="utf-8")
+
+
+def _on_one_line(numbers: re.Match[str]) -> str:
+    return f"[{' '.join(numbers[0][1:-1].split())}]"
 
 
 def _plain(value: Any, digits: int | None = _DIGITS) -> Any:
