@@ -26,7 +26,8 @@ from loomlight.fabric import Fabric, load_fabric
 from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.measured_scenes import MeasuredScene, measured_scene
-from studies.instruments.equal_error import HalvedTruth, least_times
+from studies.instruments.halved_truth import HalvedTruth
+from studies.instruments.timing import least_times
 from studies.instruments.harness import REPOSITORY, Figures, run
 
 FABRICS = ("denim.toml", "silk-satin.toml", "damask.toml", "undulating-twill.wif")

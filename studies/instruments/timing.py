@@ -1,9 +1,10 @@
-"""Wall-clock times of functions, and the Dr.Jit kernels that they launch."""
+"""Times of functions, by the wall clock and of the processor, and the Dr.Jit kernels that they launch."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import drjit as dr
@@ -19,6 +20,35 @@ def timed(run: Callable[[], Made]) -> tuple[Made, float]:
     start = time.perf_counter()
     made = run()
     return made, time.perf_counter() - start
+
+
+@dataclass(frozen=True)
+class Spent:
+    """The time of a run.
+
+    Attributes:
+        seconds: by the wall clock.
+        cpu_seconds: of all threads of this process; other programs do not lengthen them.
+    """
+
+    seconds: float
+    cpu_seconds: float
+
+
+def spent(run: Callable[[], Made]) -> tuple[Made, Spent]:
+    """The result of `run`, and its times; as of `timed`, it must evaluate and synchronize."""
+    before = time.process_time()
+    made, seconds = timed(run)
+    return made, Spent(seconds, time.process_time() - before)
+
+
+def least_times(runs: Sequence[Callable[[], object]], turns: int) -> list[Spent]:
+    """The least times of each run; they take turns, so that all see the same machine."""
+    taken = [[spent(run)[1] for run in runs] for _ in range(turns)]
+    return [
+        Spent(min(turn[number].seconds for turn in taken), min(turn[number].cpu_seconds for turn in taken))
+        for number in range(len(runs))
+    ]
 
 
 def launched_kernels(run: Callable[[], object]) -> list[dict[str, Any]]:

@@ -41,7 +41,7 @@ from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class, options_of
 from loomlight.sources.loom_file import write_loom
 from studies.accuracy.unbiased import Cases, Means, model_means, random_cases, reference_means
-from studies.instruments.equal_error import least_times
+from studies.instruments.timing import least_times
 from studies.instruments.harness import REPOSITORY, Figures, run
 
 EXAMPLES = REPOSITORY / "examples"

@@ -7,7 +7,7 @@ import time
 import drjit as dr
 from drjit.llvm import Float
 
-from studies.instruments.timing import launched_kernels, timed
+from studies.instruments.timing import launched_kernels, least_times, timed
 
 
 def test_what_was_made_comes_with_its_time() -> None:
@@ -28,3 +28,10 @@ def test_kernels_of_the_run_alone_are_listed() -> None:
     assert "llvm.sqrt" in kernel["ir"].read()
     assert kernel["execution_time"] >= 0
     assert launched_kernels(lambda: None) == []
+
+
+def test_runs_take_turns() -> None:
+    order: list[str] = []
+    times = least_times([lambda: order.append("a"), lambda: order.append("b")], 3)
+    assert order == ["a", "b"] * 3
+    assert all(spent.seconds >= 0 and spent.cpu_seconds >= 0 for spent in times)

@@ -26,7 +26,7 @@ from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.scattering.point import DirectionSample, to_face_frame
 from studies.instruments.altered_models import AlteredModel, UniformDirections
-from studies.instruments.equal_error import HalvedTruth
+from studies.instruments.halved_truth import HalvedTruth
 from studies.instruments.renders import one_picture
 from studies.instruments.sheet import Row, Tile, contact_sheet
 from studies.papers.figure import Evidence, Pixels, on_display

@@ -24,9 +24,10 @@ from loomlight.evaluation.table import Cell, Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.measured_scenes import MeasuredScene
-from studies.instruments.equal_error import HalvedTruth, Spent, least_times
+from studies.instruments.halved_truth import HalvedTruth
 from studies.instruments.renders import one_picture
 from studies.instruments.sheet import Row, Tile, contact_sheet
+from studies.instruments.timing import Spent, least_times
 from studies.papers.figure import Evidence, Pixels, on_display
 from studies.papers.setting import CLUSTERED, LOBES, POINT, Setting
 from studies.papers.zhu2024.scenes import SCENES, TableScene, table_scene

@@ -1,18 +1,11 @@
-"""Times in turns, and a truth whose noise is in no error."""
+"""A truth whose noise is in no error."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from studies.instruments.equal_error import HalvedTruth, least_times
-
-
-def test_runs_take_turns() -> None:
-    order: list[str] = []
-    times = least_times([lambda: order.append("a"), lambda: order.append("b")], 3)
-    assert order == ["a", "b"] * 3
-    assert all(spent.seconds >= 0 and spent.cpu_seconds >= 0 for spent in times)
+from studies.instruments.halved_truth import HalvedTruth
 
 
 def test_the_truths_noise_is_in_no_error() -> None:
