@@ -35,6 +35,7 @@ Chosen = TypeVar("Chosen", bound=Settings)
 Made = TypeVar("Made")
 
 
+@dataclass(frozen=True)
 class NoSettings(Settings):
     """Of studies that have none."""
 

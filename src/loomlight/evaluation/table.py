@@ -55,11 +55,12 @@ class Table:
 
     def to_markdown(self) -> str:
         """The table in Markdown, its title as a heading."""
-        lines = [f"### {self.title}", ""]
-        if self.note:
-            lines += [self.note, ""]
-        lines.append("| " + " | ".join(["", *self.columns]) + " |")
-        lines.append("|" + "---|" + "---:|" * len(self.columns))
+        note = f"{self.note}\n\n" if self.note else ""
+        return f"### {self.title}\n\n{note}{self.grid()}"
+
+    def grid(self) -> str:
+        """The rows in Markdown, with their headings alone."""
+        lines = ["| " + " | ".join(["", *self.columns]) + " |", "|" + "---|" + "---:|" * len(self.columns)]
         for name, cells in self.rows.items():
             lines.append("| " + " | ".join([name, *(self.shown(cell) for cell in cells)]) + " |")
         return "\n".join(lines) + "\n"
