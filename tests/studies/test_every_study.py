@@ -1,0 +1,43 @@
+"""Every study runs when it is small."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from loomlight.core.settings import declared
+from studies.harness.catalogue import catalogue, find_study
+from studies.harness.probes import PROBES
+from studies.harness.record import read_record
+from studies.harness.run import run_study
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", list(catalogue()))
+def test_every_study_runs_when_it_is_small(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its figures are whole, and tables, page and record are made of them."""
+    # Probes take longer than small studies; tests of their own ask them.
+    monkeypatch.setattr("studies.harness.run.probed", lambda names: {})
+    study = find_study(name)
+    record = run_study(study, study.settings.changed(**study.small), tmp_path, tmp_path / "runs")
+    assert record.figures
+    assert read_record(tmp_path / f"{name}.json").study == name
+    page = (tmp_path / f"{name}.md").read_text(encoding="utf-8")
+    tables = study.tables(record.figures)
+    assert all(table.rows and table.title in page for table in tables)
+    # What is found is in the record: a study without figures has something to look at.
+    assert tables or len(record.figures) > 0
+    assert record.command in page
+
+
+@pytest.mark.parametrize("name", list(catalogue()))
+def test_studies_say_what_they_are(name: str) -> None:
+    study, declaration = find_study(name), catalogue()[name]
+    assert (study.name, study.shows) == (declaration.name, declaration.shows)
+    assert len(study.about) > 60
+    assert set(study.stands_on) <= set(PROBES)
+    assert set(study.small) <= set(declared(type(study.settings)))
+    study.settings.changed(**study.small)
