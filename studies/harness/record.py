@@ -112,7 +112,7 @@ def new_record(
     study: Study[Any], settings: Settings, figures: Figures, seconds: float, outputs: Outputs
 ) -> Record:
     """The record of a run that was made just now."""
-    chosen = _described(settings, study.settings)
+    chosen = changed_settings(settings, study.settings)
     command = command_of(study.name, settings, study.settings)
     made = provenance(command, REPOSITORY)
     return Record(
@@ -127,17 +127,22 @@ def new_record(
     )
 
 
+def sources_now() -> str:
+    """What a record says of the sources of this moment."""
+    return provenance("", REPOSITORY)["sources"]
+
+
 def command_of(name: str, settings: Settings, defaults: Settings) -> str:
     """The command line that runs a study with these settings; of files elsewhere it has the names alone."""
     words = []
-    described = _described(settings, defaults)
+    described = changed_settings(settings, defaults)
     for option in options_of_settings(type(settings)):
         if option.key in described:
             words += [option.flag, _text(described[option.key])]
     return shlex.join(["python", "-m", "studies", name, *words])
 
 
-def _described(settings: Settings, defaults: Settings) -> dict[str, Any]:
+def changed_settings(settings: Settings, defaults: Settings) -> dict[str, Any]:
     """The settings that are not the defaults, as JSON holds them."""
     found = {}
     for name in declared(type(settings)):

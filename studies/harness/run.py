@@ -9,20 +9,20 @@ from typing import Any
 
 from loomlight.core.files import discarding_empty, replacing
 from loomlight.core.images import write_pixels
-from loomlight.core.provenance import provenance
 from loomlight.core.settings import Settings
 from studies.harness.page import page
-from studies.harness.parts import Parts, as_json
+from studies.harness.parts import Parts
 from studies.harness.probes import probed
 from studies.harness.record import (
-    REPOSITORY,
+    Outputs,
     Record,
-    _described,
+    changed_settings,
     make_folder,
     new_record,
     record_file,
+    sources_now,
 )
-from studies.harness.study import Run, Study
+from studies.harness.study import Found, Run, Study
 
 
 def run_study(
@@ -49,32 +49,44 @@ def run_study(
     chosen = study.settings if settings is None else settings
     outputs = probed(study.stands_on)
     if folder is None:
-        parts = Parts()
-        found = study.run(chosen, Run(parts, runs, report))
-        return new_record(study, chosen, found.figures, parts.processor_seconds, outputs)
+        return _measured(study, chosen, outputs, Run(Parts(), runs, report))[0]
     file = record_file(folder, study.name)
+    asked = {
+        "settings": changed_settings(chosen, study.settings),
+        "sources": sources_now(),
+        "probes": outputs,
+    }
     with discarding_empty(folder):
         make_folder(file.parent)
-        sources = provenance("", REPOSITORY)["sources"]
-        of = as_json({"settings": _described(chosen, study.settings), "sources": sources, "probes": outputs})
-        parts = Parts(file.with_suffix(".parts"), of)
-        found = study.run(chosen, Run(parts, runs, report))
-        record = new_record(study, chosen, found.figures, parts.processor_seconds, outputs)
-        pictures = {title: file.with_suffix("") / f"{_file_name(title)}.png" for title in found.pictures}
-        for title, picture in pictures.items():
-            make_folder(picture.parent)
-            write_pixels(picture, found.pictures[title])
-        if found.sheet is not None:
-            write_pixels(file.with_suffix(".png"), found.sheet)
-        record.write(folder)
-        with replacing(file.with_suffix(".md")) as temporary:
-            shown = {
-                title: picture.relative_to(file.parent).as_posix() for title, picture in pictures.items()
-            }
-            sheet = None if found.sheet is None else file.with_suffix(".png").name
-            temporary.write_text(page(study, record, sheet, shown), encoding="utf-8")
+        parts = Parts(file.with_suffix(".parts"), asked)
+        record, found = _measured(study, chosen, outputs, Run(parts, runs, report))
+        _write(study, record, found, folder)
         parts.forget()
-        return record
+    return record
+
+
+def _measured(study: Study[Any], settings: Settings, outputs: Outputs, run: Run) -> tuple[Record, Found]:
+    found = study.run(settings, run)
+    seconds = run.parts.processor_seconds
+    return new_record(study, settings, found.figures, seconds, outputs), found
+
+
+def _write(study: Study[Any], record: Record, found: Found, folder: Path) -> None:
+    """Pictures first, then the record and the page that shows both."""
+    file = record_file(folder, study.name)
+    pictures = {}
+    for title, pixels in found.pictures.items():
+        picture = file.with_suffix("") / f"{_file_name(title)}.png"
+        make_folder(picture.parent)
+        write_pixels(picture, pixels)
+        pictures[title] = picture.relative_to(file.parent).as_posix()
+    sheet = None if found.sheet is None else file.with_suffix(".png")
+    if sheet is not None and found.sheet is not None:
+        write_pixels(sheet, found.sheet)
+    record.write(folder)
+    with replacing(file.with_suffix(".md")) as temporary:
+        shown = page(study, record, None if sheet is None else sheet.name, pictures)
+        temporary.write_text(shown, encoding="utf-8")
 
 
 def _file_name(text: str) -> str:

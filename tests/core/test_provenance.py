@@ -17,8 +17,8 @@ def git(folder: Path, *arguments: str) -> None:
 def test_sources_outlive_their_commit_and_changes_are_marked(tmp_path: Path) -> None:
     git(tmp_path, "init", "-q")
     (tmp_path / "src").mkdir()
-    (tmp_path / "results").mkdir()
-    source, result = tmp_path / "src" / "a", tmp_path / "results" / "a.json"
+    (tmp_path / "records").mkdir()
+    source, result = tmp_path / "src" / "a", tmp_path / "records" / "a.json"
     source.write_text("1")
     result.write_text("1")
     git(tmp_path, "add", ".")

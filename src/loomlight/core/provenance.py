@@ -9,8 +9,8 @@ from pathlib import Path
 
 # Of a tree's hash, as much as is recorded.
 _DIGITS = 12
-# Changes of these make no source dirty: results that the command itself writes, and pages.
-_NO_SOURCES = (":(top,exclude,glob)**/results/**", ":(top,exclude,glob)**/*.md")
+# Changes of these make no source dirty: records that the command itself writes, and pages.
+_NO_SOURCES = (":(top,exclude,glob)**/records/**", ":(top,exclude,glob)**/*.md")
 
 
 def provenance(command: str, repository: str | os.PathLike[str]) -> dict[str, str]:
