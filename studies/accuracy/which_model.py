@@ -27,8 +27,8 @@ from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.measured_scenes import MeasuredScene, measured_scene
 from studies.instruments.halved_truth import HalvedTruth
-from studies.instruments.timing import least_times
 from studies.instruments.harness import REPOSITORY, Figures, run
+from studies.instruments.timing import least_times
 
 FABRICS = ("denim.toml", "silk-satin.toml", "damask.toml", "undulating-twill.wif")
 MODELS = ("point", "samples", "lobes", "clustered", "neural")

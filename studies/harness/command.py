@@ -15,13 +15,14 @@ from loomlight.core.errors import InputError, LoomlightError
 from loomlight.core.outputs import require_not_read
 from loomlight.core.settings import Settings, default_text, range_text
 from studies.harness.catalogue import catalogue, find_study
-from studies.harness.record import RECORDS, record_file
+from studies.harness.changes import changes_text
+from studies.harness.record import RECORDS, Record, changed_settings, read_record, record_file
 from studies.harness.run import run_study
 from studies.harness.stale import stale
 from studies.harness.study import Study
 
 BAD_INPUT, MISSED = 2, 1
-_USAGE = "python -m studies [NAME ...] [-o DIR] [--small] [--stale] [settings of the studies]"
+_USAGE = "python -m studies [NAME ...] [-o DIR] [--against DIR] [--small] [--stale] [settings of the studies]"
 
 
 class _Parser(argparse.ArgumentParser):
@@ -61,15 +62,19 @@ def _run(arguments: Sequence[str]) -> int:
     chosen = [(study, _settings(study, options, studies)) for study in studies]
     missed: list[str] = []
     for study, settings in chosen:
-        missed += _run_one(study, settings, options.output, options.runs)
+        earlier = None if options.against is None else _earlier(study, settings, options.against)
+        record = _run_one(study, settings, options.output, options.runs)
+        missed += [f"{study.name}: {bar}" for bar in record.figures.get("missed", [])]
+        if earlier is not None:
+            print(changes_text(earlier.figures, record.figures))
     if missed:
         print(f"missed: {', '.join(missed)}", file=sys.stderr)
         return MISSED
     return 0
 
 
-def _run_one(study: Study[Any], settings: Settings, folder: Path | None, runs: Path) -> list[str]:
-    """Runs a study and prints its tables; the bars that it missed."""
+def _run_one(study: Study[Any], settings: Settings, folder: Path | None, runs: Path) -> Record:
+    """Runs a study and prints its tables."""
     if folder is not None:
         file = record_file(folder, study.name)
         read = [getattr(settings, option.key, None) for option in _options(study)]
@@ -83,7 +88,21 @@ def _run_one(study: Study[Any], settings: Settings, folder: Path | None, runs: P
     if folder is not None:
         done(record_file(folder, study.name))
         note_left(f"{folder} holds all up to {study.name}.")
-    return [f"{study.name}: {bar}" for bar in record.figures.get("missed", [])]
+    return record
+
+
+def _earlier(study: Study[Any], settings: Settings, folder: Path) -> Record:
+    """The record below a folder that a run is compared with.
+
+    Raises:
+        InputError: there is none, or of other settings.
+    """
+    record = read_record(record_file(folder, study.name))
+    if record.settings != changed_settings(settings, study.settings):
+        raise InputError(
+            f"{record_file(folder, study.name)} was made with other settings, by {record.command}; give the same."
+        )
+    return record
 
 
 def _print_stale(folder: Path) -> int:
@@ -109,6 +128,9 @@ def _parser(studies: Sequence[Study[Any]]) -> argparse.ArgumentParser:
     parser.add_argument("-o", "--output", type=Path, metavar="DIR", help="a folder for records and pictures")
     parser.add_argument(
         "--runs", type=Path, default=Path("runs"), metavar="DIR", help="trainings that are kept"
+    )
+    parser.add_argument(
+        "--against", type=Path, metavar="DIR", help="says what differs from the records below a folder"
     )
     parser.add_argument("--small", action="store_true", help="so small that it takes seconds")
     parser.add_argument(

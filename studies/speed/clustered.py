@@ -41,8 +41,8 @@ from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class, options_of
 from loomlight.sources.loom_file import write_loom
 from studies.accuracy.unbiased import Cases, Means, model_means, random_cases, reference_means
-from studies.instruments.timing import least_times
 from studies.instruments.harness import REPOSITORY, Figures, run
+from studies.instruments.timing import least_times
 
 EXAMPLES = REPOSITORY / "examples"
 FABRICS = ("denim", "silk-satin", "linen", "organza", "wool-houndstooth", "damask")

@@ -1,7 +1,7 @@
 """The harness of studies: what it lists, runs, keeps, resumes and refuses, and what it finds to be old.
 
 Covers: studies/harness/study.py, studies/harness/parts.py, studies/harness/record.py
-Covers: studies/harness/catalogue.py
+Covers: studies/harness/catalogue.py, studies/harness/changes.py
 Covers: studies/harness/run.py, studies/harness/page.py, studies/harness/probes.py, studies/harness/stale.py
 Covers: studies/harness/command.py, studies/__main__.py
 """
@@ -26,6 +26,7 @@ from studies.harness import catalogue as catalogues
 from studies.harness import command, probes
 from studies.harness import stale as staleness
 from studies.harness.catalogue import Declared, catalogue, find_study
+from studies.harness.changes import changes, changes_text
 from studies.harness.command import main
 from studies.harness.parts import Parts
 from studies.harness.record import REPOSITORY, read_record
@@ -305,6 +306,36 @@ def test_probes_give_the_same_numbers_again(name: str) -> None:
     one, other = (probes.probed([name])[name] for _ in range(2))
     assert probes.moved(name, one, other) is None
     assert len(one) > 0
+
+
+# --------------------------------------------------------------------------------------------- what has changed
+
+
+def test_a_run_is_compared_with_a_record(
+    study: Study[Thirds], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    run_study(study, Thirds(counts="three"), tmp_path)
+    assert main([NAME, "--counts", "three", "--against", str(tmp_path)]) == 0
+    assert "None of 1 figures differs by more than 1 %." in capsys.readouterr().out
+    assert main([NAME, "--counts", "one", "--against", str(tmp_path)]) == 2
+    sentence = (
+        "was made with other settings, by python -m studies accuracy/thirds --counts three; give the same."
+    )
+    assert sentence in capsys.readouterr().err
+
+
+def test_changes_are_named_by_their_places_the_largest_first() -> None:
+    before = {"rows": [{"error": 0.5, "name": "a"}, {"error": 1.0}], "gone": 1, "same": 2.0}
+    now = {"rows": [{"error": 0.52, "name": "b"}, {"error": 2.0}], "same": 2.001}
+    assert [str(change) for change in changes(before, now)] == [
+        "rows.0.name: a → b",
+        "gone: 1 → nothing",
+        "rows.1.error: 1 → 2 (+100 %)",
+        "rows.0.error: 0.5 → 0.52 (+4 %)",
+    ]
+    text = changes_text({"of": [1.0] * 30}, {"of": [2.0] * 30})
+    assert text.startswith("30 of 30 figures differ by more than 1 %:")
+    assert text.endswith("… and 10 more")
 
 
 def test_lists_with_commas() -> None:
