@@ -97,11 +97,10 @@ def _earlier(study: Study[Any], settings: Settings, folder: Path) -> Record:
     Raises:
         InputError: there is none, or of other settings.
     """
-    record = read_record(record_file(folder, study.name))
+    file = record_file(folder, study.name)
+    record = read_record(file)
     if record.settings != changed_settings(settings, study.settings):
-        raise InputError(
-            f"{record_file(folder, study.name)} was made with other settings, by {record.command}; give the same."
-        )
+        raise InputError(f"{file} was made with other settings, by {record.command}; give the same.")
     return record
 
 

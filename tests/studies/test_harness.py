@@ -308,7 +308,7 @@ def test_probes_give_the_same_numbers_again(name: str) -> None:
     assert len(one) > 0
 
 
-# --------------------------------------------------------------------------------------------- what has changed
+# ------------------------------------------------------------------------------------------- what has changed
 
 
 def test_a_run_is_compared_with_a_record(
