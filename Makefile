@@ -26,8 +26,8 @@ test-all: lint
 	$(call run_tests,-m "")
 
 lint: $(VENV)/.test
-	$(RUN)/ruff check src studies tests tools
-	$(RUN)/ruff format --check src studies tests tools
+	$(RUN)/ruff check src studies tests tools examples
+	$(RUN)/ruff format --check src studies tests tools examples
 	$(RUN)/mypy
 	$(RUN)/lint-imports
 

@@ -76,7 +76,7 @@ def test_few_parameters_are_anything() -> None:
     assert share <= MAX_ANY, f"{sum(says_any)} of {len(says_any)} annotated parameters say Any: {share:.3f}"
 
 
-@pytest.mark.parametrize("folder", ["studies", "studies/papers", "tools", "tools/fits"])
+@pytest.mark.parametrize("folder", ["studies", "studies/papers", "tools", "tools/fits", "tests", "examples"])
 def test_scripts_are_packages(folder: str) -> None:
     assert (ROOT / folder / "__init__.py").is_file()
 

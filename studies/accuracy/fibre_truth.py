@@ -3,7 +3,7 @@
     python -m studies.accuracy.fibre_truth [--only NAME,…] [--spp N] [--output FILE.json]
     python -m studies.accuracy.fibre_truth --fit [--only NAME,…]
 
-A repeat of each cloth of `tools/make_yarn_sheet.py` in the flat scene's studio, seen from straight above at
+A repeat of each cloth of `instruments/yarn_cloths.py` in the flat scene's studio, seen from straight above at
 `NEAR` pixels a thread, once with the point model and once as fibres: the mean colour over that of our cloth,
 with the absorption that the albedos give and with the sheet's; the share of pixels that see paper between
 yarns; heights of what is seen; the contrast of luminance in three bands of size, and the brightest and
@@ -24,9 +24,9 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.denoising import gaussian_blur
 from loomlight.yarn.geometry import YarnGeometry
+from studies.instruments.fibre_scene import Shown, fibre_picture, fibre_scene
 from studies.instruments.harness import Figures, run
-from tools.fibre_scene import Shown, fibre_picture, fibre_scene
-from tools.make_yarn_sheet import ABSORPTION, OF_GAPS, cloth, flat_scene
+from studies.instruments.yarn_cloths import ABSORPTION, OF_GAPS, cloth, flat_scene
 
 Picture = NDArray[np.float64]
 

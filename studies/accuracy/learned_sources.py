@@ -42,7 +42,7 @@ from loomlight.models.texture.queries import (
 from loomlight.sources.kinds import Source, kind_of_file
 from loomlight.sources.load import load_source
 from studies.instruments.harness import Figures, run
-from tools.make_merl_library import main as write_library
+from studies.papers.zeltner2024.analytic_brdfs import write_analytic_library
 
 # Files of sources, the model that each is baked for, and its options; the library is written when needed.
 LIBRARY = "merl-library"
@@ -84,8 +84,10 @@ def _row(name: str, options: Namespace) -> Figures:
     if name != LIBRARY:
         return _of_source(load_source(path, kind_of_file(path, "fabric")), name, kind, chosen, options.folder)
     with TemporaryDirectory() as place:
-        write_library(Path(place) / name)
-        return _of_source(load_source(Path(place) / name, "merl"), name, kind, chosen, options.folder)
+        library = Path(place) / name
+        library.mkdir()
+        write_analytic_library(library)
+        return _of_source(load_source(library, "merl"), name, kind, chosen, options.folder)
 
 
 def _of_source(source: Source, name: str, kind: str, chosen: dict[str, Any], folder: Path) -> Figures:

@@ -2,7 +2,7 @@
 
     python -m studies.accuracy.moving_cloth [--output FILE.json]
 
-A towel of `tools/make_towel_frames.py` falls and swings. Points of the cloth are followed over three frames,
+A towel of `instruments/towel.py` falls and swings. Points of the cloth are followed over three frames,
 where the camera sees them in all, in pictures of `lobes` and of `point`, denoised or not, with one seed for
 all frames or one for each. Their colours change as light and folds do; how far that is from the change in
 `point` with many samples is flicker, the root of its mean square, in steps of 8-bit sRGB. "own" is that of
@@ -25,8 +25,8 @@ from loomlight.core.colour import linear_to_srgb
 from loomlight.core.picture_settings import RenderSettings
 from loomlight.mesh.moving import Frame, find_frames
 from loomlight.mitsuba.moving import MovingCloth
+from studies.instruments import towel
 from studies.instruments.harness import REPOSITORY, Figures, run
-from tools import make_towel_frames
 
 Floats = NDArray[np.float64]
 
@@ -145,7 +145,7 @@ def add_options(parser: ArgumentParser) -> None:
 def measure(options: Namespace) -> Figures:
     """Flicker of each case, and those where `lobes` changes more than the reference."""
     with tempfile.TemporaryDirectory() as folder:
-        make_towel_frames.write(Path(folder) / "frames", 48)
+        towel.write(Path(folder) / "frames", 48)
         frames = find_frames(Path(folder) / "frames" / "*.obj")
         size = options.side, options.side * 3 // 4
         rows = {

@@ -2,9 +2,9 @@
 
     python -m studies.accuracy.unwrapping [--output FILE.json]
 
-- *shapes*: those of `tools/garment_shapes.py` of 10,000 triangles, the shirt of $LOOMLIGHT_DATA, and it with
-  edges halved once and twice: pieces, their names, stretch (median, largest but for a thousandth of the area,
-  and largest), degrees off the grain, triangles that are folded over.
+- *shapes*: those of `instruments/garment_shapes.py` of 10,000 triangles, the shirt of $LOOMLIGHT_DATA, and it
+  with edges halved once and twice: pieces, their names, stretch (median, largest but for a thousandth of the
+  area, and largest), degrees off the grain, triangles that are folded over.
 - *costs*: processor seconds and the largest memory of a process that cuts the skirt at 10,000, 100,000 and
   1,000,000 triangles, reading not counted; memory is at least that of the process which starts it.
 """
@@ -27,8 +27,8 @@ from loomlight.mesh.cloth_mesh import MeshPart
 from loomlight.mesh.flattening import FlatTriangles, stretches
 from loomlight.mesh.reading import read_parts
 from loomlight.mesh.unwrap import cut_pieces, with_uv
+from studies.instruments.garment_shapes import SHAPES, refined, skirt
 from studies.instruments.harness import Figures, run
-from tools.garment_shapes import SHAPES, refined, skirt
 
 SHIRT = Path("meshes") / "unisex_shirt.usd"
 SIZES = (10_000, 100_000, 1_000_000)

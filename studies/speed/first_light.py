@@ -20,10 +20,11 @@ from playwright.sync_api import sync_playwright
 
 from loomlight.viewer.app import Access
 from loomlight.viewer.client import client_folder
+from studies.instruments.browser import SWIFTSHADER, launched, serving, wait_until
 from studies.instruments.harness import Figures, run
-from tests.viewer.conftest import serving
-from tests.viewer.e2e.conftest import SWIFTSHADER, launched, visiting, wait_until
 
+FABRIC, SIZE = "twill 3/1", (1280, 800)
+PATIENCE = 600  # seconds for a step
 STEPS = {
     "flat cloth": "window.loomlight?.statistics()?.frames > 0",
     "first light": "window.loomlight.statistics().passes > 0",
@@ -50,12 +51,14 @@ def browser_cpu_seconds() -> float:
 
 def first_picture(playwright: Any, port: int) -> dict[str, dict[str, float]]:
     """Seconds and CPU seconds to each step of one visit."""
-    with launched(playwright, SWIFTSHADER) as browser, visiting(browser) as visit:
+    with launched(playwright, SWIFTSHADER) as browser:
+        page = browser.new_context(viewport={"width": SIZE[0], "height": SIZE[1]}).new_page()
+        page.set_default_timeout(1000 * PATIENCE)
         begun, cpu = time.perf_counter(), browser_cpu_seconds()
-        visit.page.goto(f"http://127.0.0.1:{port}/")
+        page.goto(f"http://127.0.0.1:{port}/")
         found = {}
         for step, condition in STEPS.items():
-            wait_until(visit.page, condition)
+            wait_until(page, condition, PATIENCE)
             seconds, cpu_seconds = time.perf_counter() - begun, browser_cpu_seconds() - cpu
             found[step] = {"seconds": round(seconds, 1), "cpu_seconds": round(cpu_seconds, 1)}
         return found
@@ -63,14 +66,12 @@ def first_picture(playwright: Any, port: int) -> dict[str, dict[str, float]]:
 
 def measure(options: Namespace) -> Figures:
     """The best of some visits."""
-    served = serving(client_folder(), Access.for_host("127.0.0.1"))
-    port = next(served).port
-    with sync_playwright() as playwright:
+    access = Access.for_host("127.0.0.1")
+    with serving(client_folder(), access, FABRIC) as port, sync_playwright() as playwright:
         visits = [first_picture(playwright, port) for _ in range(options.rounds)]
-    served.close()
     return {
-        "fabric": "twill 3/1",
-        "window": "1280x800",
+        "fabric": FABRIC,
+        "window": f"{SIZE[0]}x{SIZE[1]}",
         **min(visits, key=lambda visit: visit["full picture"]["cpu_seconds"]),
     }
 

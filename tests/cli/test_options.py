@@ -33,7 +33,6 @@ from loomlight.mesh.edges import EDGES
 from loomlight.mitsuba.camera import MAX_ZOOM
 from loomlight.mitsuba.lights import LIGHTS
 from loomlight.mitsuba.variants import SUPPORTED_VARIANTS
-from tools.generate.settings import TABLES, with_tables
 
 ROOT = Path(__file__).parents[2]
 COMMANDS: dict[str, tuple[type[Settings], Any]] = {
@@ -118,13 +117,6 @@ def test_values_are_completed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COMP_CWORD", "4")
     shown = CliRunner().invoke(app, [], prog_name="loomlight")
     assert shown.output.split() == ["pinked"]
-
-
-@pytest.mark.parametrize("page", TABLES)
-def test_tables_of_pages_are_written_from_the_declarations(page: str) -> None:
-    """If not, run `python -m tools.generate.settings`."""
-    text = (ROOT / page).read_text(encoding="utf-8")
-    assert with_tables(page, text) == text
 
 
 @pytest.mark.parametrize("turn", ["north", "1,2", "inf"])

@@ -16,7 +16,7 @@ import typer
 from loomlight.cli.main import app, run
 from loomlight.mitsuba.pictures import RenderJob
 from loomlight.models.registry import MODELS
-from tools import make_towel_frames
+from studies.instruments import towel
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -85,15 +85,14 @@ FEW_SAMPLES = 4
 @pytest.fixture
 def clone(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with what a fresh clone has beside the code, of fabrics what the page names and two more."""
-    for folder in ("examples", "experiments"):
-        shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("*.py", "results"))
+    shutil.copytree(ROOT / "examples", tmp_path / "examples", ignore=shutil.ignore_patterns("*.py"))
     text = page.read_text(encoding="utf-8")
     for file in (tmp_path / "examples").glob("*.toml"):
         if file.stem not in FABRICS and file.name not in text:
             file.unlink()
     monkeypatch.chdir(tmp_path)
     if "frames/*.obj" in text:
-        make_towel_frames.write(tmp_path / "frames", 48)
+        towel.write(tmp_path / "frames", 48)
     # A quarter of the pixels, and a few samples of each: the words stay the same, and pages take less time.
     begin = RenderJob.__post_init__
 

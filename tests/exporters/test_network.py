@@ -26,10 +26,10 @@ from loomlight.models.neural import model as model_module
 from loomlight.models.neural.encoded_fabric import Level, taps
 from loomlight.models.neural.weights import shipped_decoder, shipped_weights
 from loomlight.models.registry import make_model
+from studies.papers.chen2024.training.decoder import decoder_model
 from tests.marks import slow
 from tests.realtime import test_latent
 from tests.realtime.queries import directions, share_beyond
-from tools.export_decoder import decoder_model
 
 require_llvm()
 FABRIC = fabric_from_text('weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n')

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 from pydantic import BaseModel
 
+from examples.makers.undulating_twill import undulating_twill
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.facts import cloth_facts
 from loomlight.fabric.fields import FabricFile
 from loomlight.weave.loom import plan_drawdown
 from loomlight.weave.textile import longest_floats
 from loomlight.weave.wif_writer import write_wif
-from tools.make_undulating_twill import undulating_twill
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))

@@ -16,7 +16,7 @@ from loomlight.mesh.cloth_mesh import MeshPart
 from loomlight.mesh.garments import garment_parts
 from loomlight.mesh.unwrap import CutPieces, cut_pieces
 from loomlight.mesh.writing import write_mesh
-from tools.garment_shapes import skirt
+from studies.instruments.garment_shapes import skirt
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*is cut into")
 

@@ -17,7 +17,7 @@ from loomlight.core.errors import InputError
 from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, cross_products, metric
 from loomlight.mesh.reading import read_parts
 from loomlight.mesh.unwrap import CutPieces, cut_pieces, with_uv
-from tools.garment_shapes import SHAPES, as_part, ball, cushion, refined, scan, skirt
+from studies.instruments.garment_shapes import SHAPES, as_part, ball, cushion, refined, scan, skirt
 
 DATA = os.environ.get("LOOMLIGHT_DATA")
 needs_data = pytest.mark.skipif(DATA is None, reason="LOOMLIGHT_DATA does not name the folder of meshes")

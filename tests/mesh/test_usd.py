@@ -14,13 +14,13 @@ import numpy as np
 import pytest
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade, UsdSkel, UsdUtils, Vt
 
+from examples.makers.daybed import FILE as EXAMPLE
+from examples.makers.daybed import fill
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import ClothMesh, cross_products
 from loomlight.mesh.reading import frame_times, read_cameras, read_parts
 from tests.mesh.test_gltf_data import gltf
 from tests.mesh.test_subdivision import CUBE, FACES
-from tools.make_example_stage import FILE as EXAMPLE
-from tools.make_example_stage import fill
 
 CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 UV = [(0, 0), (1, 0), (1, 1), (0, 1)]

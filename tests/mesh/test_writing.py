@@ -18,7 +18,7 @@ from loomlight.mesh.cloth_mesh import MeshPart
 from loomlight.mesh.reading import read_parts
 from loomlight.mesh.unwrap import cut_pieces, with_uv
 from loomlight.mesh.writing import WRITTEN_MESHES, write_mesh
-from tools.garment_shapes import cushion
+from studies.instruments.garment_shapes import cushion
 
 
 def pieces() -> list[MeshPart]:

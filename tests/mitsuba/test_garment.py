@@ -20,7 +20,7 @@ from loomlight.mesh.writing import write_mesh
 from loomlight.mitsuba import build_scene
 from loomlight.mitsuba.meshes import read_garment
 from loomlight.mitsuba.pictures import Turntable
-from tools.garment_shapes import skirt
+from studies.instruments.garment_shapes import skirt
 
 DATA = os.environ.get("LOOMLIGHT_DATA")
 SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1))

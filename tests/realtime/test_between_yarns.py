@@ -2,8 +2,6 @@
 
 The bar is that of `queries.py`; a footprint or ray that meets the edge of a yarn may take the other side,
 which rounding decides, so a few of the queries may differ.
-
-Covers: realtime/words.py
 """
 
 from __future__ import annotations
@@ -15,12 +13,10 @@ from drjit.llvm import Float
 from loomlight.core.backend import array_types
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import make_model
-from loomlight.realtime.words import WordTable, add_block
 from loomlight.scattering.point import Tint
 from tests.realtime.queries import share_beyond, vectors
 from tests.realtime.test_lobes import MAX_FLIPS, Queries
 from tests.realtime.whole_queries import lobes_values, point_values
-from tools.shaders.constants import first_words
 
 TINT = (0.9, 0.5, 0.2)
 FABRIC = """
@@ -63,15 +59,3 @@ def test_values_with_light_between_yarns(name: str) -> None:
             dark.at(vectors(queries.view), queries.footprint, tint=tint()).value(vectors(queries.light))
         ).mean()
     )
-
-
-def test_parts_follow_each_other() -> None:
-    offsets = first_words()
-    openness = fabric_from_text(FABRIC).appearance().openness
-    assert openness is not None
-    table = WordTable()
-    assert add_block(openness, table) == 0
-    numbers = table.words().view(np.float32)
-    for name, first in offsets.items():
-        array = getattr(openness, name.removeprefix("OPENNESS_").lower()).ravel()
-        np.testing.assert_array_equal(numbers[first:][: array.size], array.astype(np.float32))

@@ -18,7 +18,7 @@ from loomlight.models.registry import model_from_loom
 from loomlight.sources.load import load_source
 from loomlight.sources.loom_file import LoomFile, read_loom, write_loom
 from loomlight.sources.material import Material
-from tools.fuzz_merl import merl_file, rgl_file
+from tests.fuzz.merl import merl_file, rgl_file
 
 
 def up(count: int) -> np.ndarray:

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import http.client
-import threading
-import time
 from collections.abc import Generator, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-import uvicorn
 
-from loomlight.viewer.app import Access, editor_app
+from loomlight.viewer.app import Access
 from loomlight.viewer.limited_reader import MEMORY_BYTES, DraftReader
+from studies.instruments import browser
 from tests.limits import HANG
 
 
@@ -54,20 +52,8 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def serving(page: Path, access: Access) -> Generator[Served, None, None]:
     """Serves until the generator is closed."""
-    config = uvicorn.Config(
-        editor_app(page, "twill 3/1", access), host="127.0.0.1", port=0, log_level="critical"
-    )
-    server = uvicorn.Server(config)
-    thread = threading.Thread(target=server.run, daemon=True)
-    thread.start()
-    while not server.started:
-        assert thread.is_alive()
-        time.sleep(0.01)
-    try:
-        yield Served(server.servers[0].sockets[0].getsockname()[1])
-    finally:
-        server.should_exit = True
-        thread.join()
+    with browser.serving(page, access) as port:
+        yield Served(port)
 
 
 @pytest.fixture(scope="module")

@@ -18,7 +18,7 @@ from loomlight.core.errors import InputError
 from loomlight.mesh.writing import write_mesh
 from loomlight.viewer.limited_reader import MeshReader
 from loomlight.viewer.mesh_message import mesh_message
-from tools.garment_shapes import skirt
+from studies.instruments.garment_shapes import skirt
 
 SQUARE = "v 0 0 0\nv 0.3 0 0\nv 0.3 0.3 0\nv 0 0.3 0\n"
 

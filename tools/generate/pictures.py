@@ -65,7 +65,7 @@ def _learned(source: str, model: str, settings: str = "") -> Recipe:
     return Recipe(
         (
             f"loomlight bake {source} --model {model} {settings}-o {{out}}/material.loom",
-            f"tools.make_source_pictures {{out}}/picture.png {source} {{out}}/material.loom",
+            f"tools.generate.source_pictures {{out}}/picture.png {source} {{out}}/material.loom",
         )
     )
 
@@ -80,11 +80,11 @@ RECIPES: dict[str, Recipe] = {
     ),
     "studio.jpg": Recipe(("loomlight render examples/denim.toml -o {out}/picture.png",)),
     "distances.jpg": Recipe(("studies.look.distances -o {out}/picture.png",)),
-    "garments.jpg": Recipe(("tools.make_garment_sheet shirt -o {out}/picture.png",)),
-    "garment-shapes.jpg": Recipe(("tools.make_garment_sheet shapes -o {out}/picture.png",)),
-    "garment-maps.jpg": Recipe(("tools.make_garment_sheet maps -o {out}/picture.png",)),
-    "views.jpg": Recipe(("tools.make_view_sheet -o {out}/picture.png",)),
-    "edges.jpg": Recipe(("tools.make_edge_pictures -o {out}/picture.png",)),
+    "garments.jpg": Recipe(("tools.generate.garment_sheet shirt -o {out}/picture.png",)),
+    "garment-shapes.jpg": Recipe(("tools.generate.garment_sheet shapes -o {out}/picture.png",)),
+    "garment-maps.jpg": Recipe(("tools.generate.garment_sheet maps -o {out}/picture.png",)),
+    "views.jpg": Recipe(("tools.generate.view_sheet -o {out}/picture.png",)),
+    "edges.jpg": Recipe(("tools.generate.edge_pictures -o {out}/picture.png",)),
     "daybed.jpg": Recipe(
         (
             "loomlight render examples/harris-tweed.toml --mesh examples/daybed.usdc --camera from_the_door "
@@ -94,15 +94,15 @@ RECIPES: dict[str, Recipe] = {
     ),
     "moving-cloth.webp": Recipe(
         (
-            "tools.make_towel_frames -o {out}/frames",
+            "examples.makers.towel -o {out}/frames",
             "loomlight render examples/wool-houndstooth.toml --mesh '{out}/frames/*.obj' --scale 4 "
             "--size 320x240 -o {out}/picture.webp",
         ),
         picture="picture.webp",
     ),
-    "yarns.jpg": Recipe(("tools.make_yarn_sheet -o {out}/picture.png",)),
-    "yarn-gaps.jpg": Recipe(("tools.make_yarn_sheet --gaps -o {out}/picture.png",)),
-    "yarn-fibres.jpg": Recipe(("tools.make_yarn_sheet --fibres -o {out}/picture.png",)),
+    "yarns.jpg": Recipe(("studies.look.yarn_sheet -o {out}/picture.png",)),
+    "yarn-gaps.jpg": Recipe(("studies.look.yarn_sheet --gaps -o {out}/picture.png",)),
+    "yarn-fibres.jpg": Recipe(("studies.look.yarn_sheet --fibres -o {out}/picture.png",)),
     "yarn-flanks.jpg": Recipe(("studies.accuracy.flanks --sheet {out}/picture.png",)),
     "which-model.jpg": Recipe(("tools.generate.model_sheet {out}/picture.png",)),
     "neural.jpg": Recipe(("studies.papers chen2024/fig5 -o {out}/papers",), picture="papers/fig5.png"),
@@ -127,8 +127,8 @@ RECIPES: dict[str, Recipe] = {
     ),
     "neumip-basket-fibres.png": Recipe(
         (
-            'tools.make_fibre_tile "basket 2/2" {out}/basket',
-            "tools.make_source_pictures {out}/picture.png {out}/basket/basket.toml",
+            'examples.makers.fibre_tile "basket 2/2" {out}/basket',
+            "tools.generate.source_pictures {out}/picture.png {out}/basket/basket.toml",
         )
     ),
     "latent-materials.jpg": Recipe(
@@ -137,7 +137,7 @@ RECIPES: dict[str, Recipe] = {
                 f"loomlight bake {_MATERIALS}/{name}/{name}.toml --model latent -o {{out}}/{name}.loom"
                 for name in _LAYERED
             ),
-            "tools.make_source_pictures --below --side 280 {out}/picture.png "
+            "tools.generate.source_pictures --below --side 280 {out}/picture.png "
             + " ".join(f"{_MATERIALS}/{name}/{name}.toml {{out}}/{name}.loom" for name in _LAYERED),
         )
     ),
@@ -150,9 +150,9 @@ RECIPES: dict[str, Recipe] = {
     "learned-ceramic.jpg": _learned(f"{_MATERIALS}/glazed-ceramic/glazed-ceramic.toml", "latent"),
     "learned-library.jpg": Recipe(
         (
-            "tools.make_merl_library {out}/library",
+            "examples.makers.merl_library {out}/library",
             "loomlight bake {out}/library --model latent -o {out}/material.loom",
-            "tools.make_source_pictures {out}/picture.png {out}/library {out}/material.loom",
+            "tools.generate.source_pictures {out}/picture.png {out}/library {out}/material.loom",
         )
     ),
 }

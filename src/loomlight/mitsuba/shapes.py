@@ -26,7 +26,7 @@ SPHERE_RADIUS = 0.1
 SPHERE_CAP = np.radians(115.0)
 CYLINDER_RADIUS = 0.04
 CYLINDER_LENGTH = 0.12
-# The ball under the draped cloth; tools/make_drape.py drapes over the same one.
+# The ball under the draped cloth; tools/generate/drape.py drapes over the same one.
 DRAPE_BALL_RADIUS = 0.115
 
 
@@ -68,7 +68,7 @@ def cylinder() -> ClothMesh:
 
 
 def drape() -> ClothMesh:
-    """A square of 0.6 m draped over a ball on the ground, made by tools/make_drape.py."""
+    """A square of 0.6 m draped over a ball on the ground, made by tools/generate/drape.py."""
     return read_mesh(str(files("loomlight.mitsuba").joinpath("data/drape.ply")))
 
 

@@ -1,6 +1,6 @@
 """Messages between the editor's page and Python: drafts, fabrics and the session as JSON, declared once.
 
-`web/fabric/src/messages.ts` is generated from it (`python -m tools.shaders.build --web`). A drawdown
+`web/fabric/src/messages.ts` is generated from it (`python -m tools.generate.shaders --web`). A drawdown
 is base64 of its bits, row by row (a row is a pick) without padding between rows, the first bit highest, 1
 where the warp is on top. Colours are linear RGB, lengths millimetres; what a draft does not say is null.
 """

@@ -2,7 +2,7 @@
 
 Each is one periodic repeat of 10 × 10 mm with maps of height, albedo and roughness. Row 0 of a map is at
 y = 0.
-`python -m tools.make_heightfields` writes them as height field files.
+`python -m examples.makers.heightfields` writes them as height field files.
 """
 
 from __future__ import annotations

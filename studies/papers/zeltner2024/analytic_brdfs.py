@@ -22,6 +22,7 @@ from loomlight.sources.merl import BINS, SCALES, MerlLibrary, library_of
 _Floats = NDArray[np.float32]
 _MIN_ALPHA, _MAX_ALPHA = 0.03, 1.0
 _SEED = 100
+LIBRARY_SIZE = 16
 
 
 @dataclass(frozen=True)
@@ -88,7 +89,7 @@ def analytic_library(count: int) -> MerlLibrary:
     return library_of(f"{count} analytic BRDFs", [each.name for each in chosen], values)
 
 
-def write_analytic_library(folder: str | os.PathLike[str], count: int) -> None:
+def write_analytic_library(folder: str | os.PathLike[str], count: int = LIBRARY_SIZE) -> None:
     """Writes the library as `.binary` files of 35 MB each.
 
     Raises:

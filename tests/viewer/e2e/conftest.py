@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import time
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -16,9 +14,11 @@ import pytest
 from loomlight.core.errors import LoomlightError
 from loomlight.viewer.app import Access
 from loomlight.viewer.client import client_folder
+from studies.instruments.browser import SWIFTSHADER, chromium
+from studies.instruments.browser import launched as start_chromium
+from studies.instruments.browser import wait_until as wait_for
 from tests.limits import HANG
 from tests.viewer.conftest import Served, serving
-from tools.chromium import QUIET, SWIFTSHADER, chromium
 
 __all__ = ["SWIFTSHADER"]
 ROOT = Path(__file__).resolve().parents[3]
@@ -28,7 +28,6 @@ AXE = ROOT / "web" / "node_modules" / "axe-core" / "axe.min.js"
 _SETTLED = """{ const [frame, later] = [requestAnimationFrame, setTimeout];
   window.settled = () => new Promise((resolve) => frame(() => later(() => later(resolve)))); }"""
 _ACTIONS = ("check", "click", "fill", "press", "select_option", "set_checked", "set_input_files", "tap")
-_LOADING = ("Execution context was destroyed", "Cannot find context", "Frame is not ready")
 _OF_THE_MACHINE = ("No available adapters", "GPU stall due to ReadPixels", "experimental on this platform")
 
 
@@ -98,16 +97,10 @@ def browser(client: Path, playwright: Any) -> Iterator[Any]:
 @contextmanager
 def launched(playwright: Any, options: tuple[str, ...]) -> Iterator[Any]:
     """Chromium with further options; skips the test where it is missing."""
-    program = chromium()
-    if program is None:
+    if chromium() is None:
         pytest.skip("chromium is not installed: apt-get install chromium")
-    started = playwright.chromium.launch(
-        executable_path=program, args=[*QUIET, *options], env=dict(os.environ)
-    )
-    try:
+    with start_chromium(playwright, options) as started:
         yield started
-    finally:
-        started.close()
 
 
 @pytest.fixture(scope="session")
@@ -145,17 +138,5 @@ def visiting(browser: Any, **options: Any) -> Iterator[Visit]:
 
 
 def wait_until(page: Any, condition: str) -> None:
-    """Waits for a condition in the page; its content policy forbids Playwright's own way."""
-    from playwright.sync_api import Error
-
-    end = time.monotonic() + HANG
-    while time.monotonic() < end:
-        try:
-            if page.evaluate(condition):
-                return
-        except Error as error:
-            # What is being loaded, once or once more, answers when it is there.
-            if not any(part in error.message for part in _LOADING):
-                raise
-        page.wait_for_timeout(20)
-    raise AssertionError(f"{condition} did not become true")
+    """Waits for a condition in the page, as long as a busy machine needs."""
+    wait_for(page, condition, HANG)

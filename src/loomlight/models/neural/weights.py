@@ -227,7 +227,7 @@ def shipped_weights() -> Weights:
 
 @cache
 def shipped_decoder() -> bytes:
-    """The decoder of `shipped_weights` as an ONNX model, written by `tools/export_decoder.py`."""
+    """The decoder of `shipped_weights` as ONNX, written by `studies/papers/chen2024/training/decoder.py`."""
     return (files("loomlight.models.neural") / "weights" / "neural_decoder.onnx").read_bytes()
 
 

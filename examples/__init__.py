@@ -1,0 +1,1 @@
+"""Examples, with what made their files: `python -m examples.makers.corduroy`."""

@@ -1,0 +1,1 @@
+"""Checks by hand: compilers of other makers, processor times of tests."""

@@ -1,1 +1,0 @@
-"""What pages of the documentation site share: template, style, the script of live cloths, pictures."""

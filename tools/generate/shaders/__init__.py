@@ -1,0 +1,1 @@
+"""Shaders and constants that git keeps: what writes them."""
