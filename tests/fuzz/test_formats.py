@@ -45,7 +45,7 @@ def _cases() -> Iterator[Any]:
                 yield pytest.param(module, name, FEW[name], id=f"{case}-few")
 
 
-@pytest.mark.parametrize(("module", "name", "count"), _cases())
+@pytest.mark.parametrize(("module", "name", "count"), list(_cases()))
 def test_mutilated_files_are_read_or_refused(module: ModuleType, name: str, count: int) -> None:
     (target,) = (target for target in module.targets() if target.name == name)
     for content in target.originals:
