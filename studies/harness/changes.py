@@ -57,9 +57,8 @@ def changes_text(before: Figures, now: Figures) -> str:
         return f"None of {count} figures differs by more than {100 * _TOLERANCE:g} %."
     lines = [str(change) for change in found[:_MOST]]
     more = [f"… and {len(found) - _MOST} more"] if len(found) > _MOST else []
-    return "\n".join(
-        [f"{len(found)} of {count} figures differ by more than {100 * _TOLERANCE:g} %:", *lines, *more]
-    )
+    said = f"{len(found)} of {count} figures differ by more than {100 * _TOLERANCE:g} %:"
+    return "\n".join([said, *lines, *more])
 
 
 def _leaves(value: Any, place: str = "") -> Iterator[tuple[str, Any]]:

@@ -40,6 +40,10 @@ def main(arguments: Sequence[str]) -> int:
     except LoomlightError as error:
         print(f"studies: {error}", file=sys.stderr)
         return BAD_INPUT
+    except ModuleNotFoundError as error:
+        brings = "`pip install -e '.[dev]'` brings all that studies need."
+        print(f"studies: {error.name} is needed and not installed; {brings}", file=sys.stderr)
+        return BAD_INPUT
     except KeyboardInterrupt:
         return report_interruption()
     except BrokenPipeError:  # the reader of the list has enough

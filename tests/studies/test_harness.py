@@ -265,6 +265,17 @@ def test_faults(
     assert sentence in refused(arguments, main)
 
 
+def test_a_package_that_is_not_installed_is_named(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def imports(name: str) -> None:
+        raise ModuleNotFoundError(f"No module named {name}", name="torch")
+
+    monkeypatch.setattr(command, "find_study", imports)
+    assert main(["accuracy/irregularity"]) == 2
+    assert capsys.readouterr().err.startswith("studies: torch is needed and not installed; `pip install")
+
+
 # ------------------------------------------------------------------------------------------------ what is old
 
 
