@@ -30,6 +30,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.core.settings import Settings
 from loomlight.evaluation.metrics import flip_mean
+from loomlight.evaluation.table import Table
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.read import edited_fabric
@@ -39,7 +40,7 @@ from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model
 from loomlight.scattering import irregularity
-from studies.harness.study import Found, Run, Study, example, listed, names
+from studies.harness.study import Figures, Found, Run, Study, example, listed, names
 
 EXAMPLES = ("linen", "denim")
 # The warp alone reflects, and its shade alone varies.
@@ -370,11 +371,65 @@ def measure(settings: Irregularity, run: Run) -> Found:
     return Found(run.each({part: PARTS[part] for part in listed(settings.parts)}))
 
 
+def tables(figures: Figures) -> list[Table]:
+    """A table a part that is there."""
+    found = []
+    if rows := figures.get("statistics"):
+        shown = {
+            str(row["threads a pixel"]): [
+                *row["deviation"],
+                _farthest(row["across"]),
+                _farthest(row["along"]),
+            ]
+            for row in rows
+        }
+        columns = ["deviation", "predicted", "largest difference of autocorrelations, across", "along"]
+        found.append(Table("Statistics of pictures, by threads a pixel", columns, shown))
+    if rows := figures.get("means"):
+        shown = {
+            f"{row['fabric']}, {row['threads a pixel']} threads a pixel": list(
+                row["over even cloth"].values()
+            )
+            for row in rows
+        }
+        found.append(
+            Table("Mean brightness over even cloth", list(rows[0]["over even cloth"]), shown, digits=4)
+        )
+    if rows := figures.get("queries"):
+        shown = {
+            f"{row['fabric']}, {row['yarns']}, {row['threads']:g} threads": list(row["errors"].values())
+            for row in rows
+        }
+        found.append(Table("Errors against means over 2048 points", list(rows[0]["errors"]), shown))
+    if correlations := figures.get("repeats"):
+        shown = {"a metre of linen": list(correlations.values())}
+        found.append(Table("Largest autocorrelation at far lags", list(correlations), shown))
+    if rows := figures.get("dolly"):
+        shown = {row["fabric"]: [*row["largest step"].values(), *row["over even cloth"]] for row in rows}
+        columns = ["largest step", "of even cloth", "least mean over even cloth", "largest"]
+        found.append(Table("Brightness while footprints shrink", columns, shown))
+    if rows := figures.get("shimmer"):
+        shown = {row["fabric"]: [row["lobes"], row["point"], row["ratio"]] for row in rows}
+        found.append(Table("FLIP from frame to frame", ["lobes", "point, 64 samples", "ratio"], shown))
+    if rows := figures.get("times"):
+        shown = {f"{row['fabric']}, zoom {row['zoom']:g}": [*row["seconds"], row["ratio"]] for row in rows}
+        columns = ["processor s", "of even cloth", "ratio"]
+        found.append(Table("Times of pictures", columns, shown))
+    return found
+
+
+def _farthest(pair: list[list[float]]) -> float:
+    """The largest difference of two lists of numbers."""
+    one, other = np.array(pair)
+    return float(np.abs(one - other).max())
+
+
 STUDY = Study(
     "accuracy/irregularity",
     "irregular yarns in pictures: statistics, means, repeats and zooms",
     Irregularity(),
     measure,
+    tables,
     stands_on=("point", "lobes", "picture"),
     small={"parts": "queries"},
 )

@@ -113,8 +113,7 @@ def new_record(
 ) -> Record:
     """The record of a run that was made just now."""
     chosen = changed_settings(settings, study.settings)
-    command = command_of(study.name, settings, study.settings)
-    made = provenance(command, REPOSITORY)
+    made = provenance(command_of(study, chosen), REPOSITORY)
     return Record(
         study.name,
         made["command"],
@@ -132,18 +131,21 @@ def sources_now() -> str:
     return provenance("", REPOSITORY)["sources"]
 
 
-def command_of(name: str, settings: Settings, defaults: Settings) -> str:
-    """The command line that runs a study with these settings; of files elsewhere it has the names alone."""
+def command_of(study: Study[Any], changed: Mapping[str, Any]) -> str:
+    """The command line that runs a study.
+
+    Args:
+        changed: the settings that are not the defaults, as a record has them.
+    """
     words = []
-    described = changed_settings(settings, defaults)
-    for option in options_of_settings(type(settings)):
-        if option.key in described:
-            words += [option.flag, _text(described[option.key])]
-    return shlex.join(["python", "-m", "studies", name, *words])
+    for option in options_of_settings(type(study.settings)):
+        if option.key in changed:
+            words += [option.flag, _text(changed[option.key])]
+    return shlex.join(["python", "-m", "studies", study.name, *words])
 
 
 def changed_settings(settings: Settings, defaults: Settings) -> dict[str, Any]:
-    """The settings that are not the defaults, as JSON holds them."""
+    """The settings that are not the defaults, as JSON holds them; of files elsewhere the names alone."""
     found = {}
     for name in declared(type(settings)):
         value = getattr(settings, name)

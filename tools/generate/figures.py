@@ -15,16 +15,16 @@ import re
 from pathlib import Path
 
 from studies.harness.catalogue import find_study
-from studies.harness.record import RECORDS, read_record, record_file
+from studies.harness.record import RECORDS, command_of, read_record, record_file
 
 ROOT = Path(__file__).resolve().parents[2]
-_PLACE = re.compile(r"(<!-- study ([\w/.-]+)(?:: (.+?))? -->\n).*?(<!-- end -->)", re.DOTALL)
+_PLACE = re.compile(r"^(<!-- study ([\w/.-]+)(?:: (.+?))? -->\n).*?(<!-- end -->)", re.DOTALL | re.MULTILINE)
 
 
 def pages() -> list[Path]:
     """The Markdown files that have places for figures."""
     found = [file for folder in ("docs", "studies/papers") for file in sorted((ROOT / folder).rglob("*.md"))]
-    return [file for file in found if "<!-- study " in file.read_text(encoding="utf-8")]
+    return [file for file in found if _PLACE.search(file.read_text(encoding="utf-8"))]
 
 
 def with_figures(text: str) -> str:
@@ -50,8 +50,9 @@ def _figures(name: str, title: str | None) -> str:
         said = [] if title is not None else [f"**{table.title}.**"]
         said += [table.note] if table.note else []
         parts += [" ".join(said), table.grid().rstrip()] if said else [table.grid().rstrip()]
-    place = file.relative_to(ROOT).as_posix()
-    parts.append(f"`{record.command}`; {record.machine.split(', ', 1)[-1]}; `{place}`.")
+    # Of a record that an earlier command made, the command that there is now.
+    made = f"`{command_of(study, record.settings)}`; {record.machine.split(', ', 1)[-1]}"
+    parts.append(f"{made}, sources `{record.sources}`; `{file.relative_to(ROOT).as_posix()}`.")
     return "\n" + "\n\n".join(parts) + "\n\n"
 
 

@@ -42,7 +42,7 @@ def test_all_tables_stand_between_the_comments(study: Study[Settings]) -> None:
         f"before\n\n<!-- study {NAME} -->\n\n"
         "**Errors.** Of 24 fabrics.\n\n|  | nMAE |\n|---|---:|\n| lobes | 0.0531 |\n\n"
         "**Times.**\n\n|  | s |\n|---|---:|\n| lobes | 1.25 |\n| point | – |\n\n"
-        f"`python -m studies {NAME}`; 2 cores, AMD EPYC; `accuracy/one.json`.\n\n"
+        f"`python -m studies {NAME}`; 2 cores, AMD EPYC, sources `abc`; `accuracy/one.json`.\n\n"
         "<!-- end -->\n\nafter\n"
     )
     assert with_figures(text) == text
