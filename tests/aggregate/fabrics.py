@@ -1,11 +1,10 @@
-"""Fabrics and directions for the tests of this folder."""
+"""Fabrics for the tests of this folder."""
 
 from __future__ import annotations
 
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from loomlight.fabric import fabric_from_text
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen
@@ -39,12 +38,3 @@ def _uneven(rng: np.random.Generator) -> ClothLayout:
         return FamilyLayout(spacings, widths, math.radians(inclination), math.radians(twist), scale)
 
     return ClothLayout(warp_on_top, family(3, 0.4, 30, -30, 0.7), family(4, 0.55, 20, 15, 1.2))
-
-
-def directions(rng: np.random.Generator, count: int, back: bool | None = None) -> NDArray[np.float64]:
-    """Unit vectors [count, 3], uniform above 6° of elevation; `back` None is either side."""
-    z = rng.uniform(0.1, 1, count)
-    azimuth = rng.uniform(0, 2 * math.pi, count)
-    radius = np.sqrt(1 - z**2)
-    sign = rng.choice([-1.0, 1.0], count) if back is None else np.full(count, -1.0 if back else 1.0)
-    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), sign * z], axis=1)

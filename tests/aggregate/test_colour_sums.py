@@ -9,9 +9,10 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import require_llvm
 from studies.instruments.reference import reference
+from tests.helpers.directions import directions
 
 from .colour_sums import ColourSums
-from .fabrics import directions, woven
+from .fabrics import woven
 
 require_llvm()
 

@@ -23,8 +23,9 @@ from loomlight.scattering.point import YarnScattering
 from loomlight.scattering.sheen import sheen_with_transmittance
 from loomlight.yarn.geometry import YarnGeometry
 from studies.instruments.reference import reference
+from tests.helpers.directions import directions
 
-from .fabrics import NAMES, directions, woven
+from .fabrics import NAMES, woven
 
 require_llvm()
 

@@ -15,8 +15,9 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from studies.instruments.reference import brute_force
+from tests.helpers.directions import directions
 
-from .fabrics import NAMES, directions, woven
+from .fabrics import NAMES, woven
 
 require_llvm()
 

@@ -11,8 +11,9 @@ from loomlight.aggregate.tables import fabric_grid
 from loomlight.core.llvm import require_llvm
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.rays import REFERENCE_QUALITY
+from tests.helpers.directions import directions
 
-from .fabrics import NAMES, directions, woven
+from .fabrics import NAMES, woven
 from .surface_form import surface_form, surface_samples
 
 require_llvm()

@@ -15,8 +15,7 @@ from loomlight.core.images import write_pixels
 from loomlight.core.llvm import require_llvm
 from loomlight.weave.drawing import draw_drawdown
 from loomlight.weave.named import named_weave
-
-from ..core.pictures import png_head
+from tests.helpers.pictures import png_head
 
 require_llvm()
 FAULTS: dict[str, tuple[list[str], str]] = {

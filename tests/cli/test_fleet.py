@@ -19,7 +19,7 @@ from pathlib import Path
 import pytest
 
 from loomlight.cli.main import run
-from tests.core.clusters import one_node_slurm, require_slurm
+from tests.helpers.clusters import one_node_slurm, require_slurm
 from tests.limits import HANG
 
 pytestmark = pytest.mark.slow

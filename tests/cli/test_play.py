@@ -18,7 +18,7 @@ from loomlight.models.registry import make_model
 from loomlight.realtime.device import default_adapter
 from loomlight.sources.loom_file import write_loom
 from loomlight.window import _viewer
-from tests.mitsuba.test_garment import coat
+from tests.helpers.meshes import coat
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -20,8 +20,8 @@ from loomlight.models.bake import bake, save
 from loomlight.models.interface import Model
 from loomlight.models.material_spec import resolve
 from loomlight.models.texture.neumip import NeumipModel
+from tests.helpers.untrained import random_neumip
 from tests.marks import slow
-from tests.realtime.test_neumip import random_model
 
 SMALL = ["--size", "24x16", "--spp", "2"]
 # A rectangle to clothe, and behind the camera one with a cloth of the scene's own.
@@ -264,7 +264,7 @@ def test_no_picture_trains_a_model(
     """A picture of a model that is trained is of a `.loom`: nobody waits for minutes unasked."""
     monkeypatch.setattr(NeumipModel, "for_source", lambda *_, **__: pytest.fail("it is trained"))
     save(bake("plain", "point"), "point.loom")
-    save(random_model(), "own.loom")
+    save(random_neumip(), "own.loom")
     words = {
         "a weave": ["plain", "--model", "neumip"],
         "a .loom of another": ["point.loom", "--model", "neumip"],

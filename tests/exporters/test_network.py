@@ -27,9 +27,12 @@ from loomlight.models.neural.encoded_fabric import Level, taps
 from loomlight.models.neural.weights import shipped_decoder, shipped_weights
 from loomlight.models.registry import make_model
 from studies.papers.chen2024.training.decoder import decoder_model
+from tests.helpers.arrays import pairs
+from tests.helpers.directions import clear_of_the_plane
+from tests.helpers.parity import share_beyond
+from tests.helpers.untrained import random_latent
 from tests.marks import slow
 from tests.realtime import test_latent
-from tests.realtime.queries import directions, share_beyond
 
 require_llvm()
 FABRIC = fabric_from_text('weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n')
@@ -47,7 +50,7 @@ def test_the_decoder_computes_what_neural_computes(folder: Path, monkeypatch: py
     # One tap a footprint, as the page of instructions has it.
     monkeypatch.setattr(model_module, "taps_of_footprint", lambda f, _: (f.spread_side, nothing, nothing))
     rng = np.random.default_rng(2)
-    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    light, view = clear_of_the_plane(rng, COUNT), clear_of_the_plane(rng, COUNT)
     back = view[:, 2] < 0
     pitch = json.loads((folder / "manifest.json").read_text())["mean_pitch_mm"]
     size = np.float32(10 ** rng.uniform(-1, 1, COUNT))
@@ -101,7 +104,7 @@ def test_the_program_in_the_folder_computes_colours(text: str, tmp_path: Path) -
     fabric = fabric_from_text(text)
     program = runpy.run_path(str(export(fabric, "onnx", tmp_path / "onnx") / "colour.py"))
     rng = np.random.default_rng(5)
-    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    light, view = clear_of_the_plane(rng, COUNT), clear_of_the_plane(rng, COUNT)
     centre = rng.uniform(-4, 6, (COUNT, 2))
     side = 10 ** rng.uniform(-1.5, 1.5, COUNT)
     actual = program["Cloth"](tmp_path / "onnx").value(centre, side, light, view)
@@ -191,10 +194,10 @@ def test_the_shipped_decoder_is_exported_from_the_shipped_weights() -> None:
 @pytest.mark.parametrize(("frames", "features"), [(True, True), (False, True), (True, False)])
 def test_the_decoder_computes_what_latent_computes(frames: bool, features: bool, tmp_path: Path) -> None:
     """On the query set of the shaders' parity, whose bar this is too."""
-    model = test_latent.random_model(frames=frames, features=features)
+    model = random_latent(frames=frames, features=features)
     folder = export(model, "onnx", tmp_path / "onnx")
     rows = test_latent.queries()
-    footprint = Footprint(*(test_latent.pairs(rows[name]) for name in ("centre", "dx", "dy")))
+    footprint = Footprint(*(pairs(rows[name]) for name in ("centre", "dx", "dy")))
     light, view = (Array3f(*np.ascontiguousarray(rows[name].T)) for name in ("light", "view"))
     at = model.at(view, footprint)
     facing = {

@@ -32,11 +32,11 @@ from loomlight.realtime.materials import Material
 from loomlight.realtime.records import numpy_type
 from loomlight.realtime.slangc import compile_shader
 from studies.instruments.counted_library import CountedLibrary, queries_of
+from tests.helpers.directions import clear_of_the_plane
+from tests.helpers.parity import share_beyond
+from tests.helpers.untrained import random_latent, random_neumip, small_clustered, with_samples
 from tests.limits import HANG
 from tests.marks import slow_among
-from tests.models.clustered.samples import with_samples
-from tests.realtime import test_clustered, test_latent, test_neumip
-from tests.realtime.queries import directions, share_beyond
 
 require_llvm()
 # Of yarns that wander, and vary along themselves.
@@ -56,10 +56,10 @@ def material_of(model: str) -> Material:
     if model == "neural":
         return NeuralModel.for_source(FABRIC, NeuralOptions(refined=False))
     if model == "clustered":
-        return with_samples(test_clustered.model_of(1), 0)
+        return with_samples(small_clustered(1), 0)
     if model == "neumip":
-        return test_neumip.random_model(half=True)
-    return test_latent.random_model() if model == "latent" else FABRIC
+        return random_neumip(half=True)
+    return random_latent() if model == "latent" else FABRIC
 
 
 def run(*command: str | Path, cwd: Path) -> None:
@@ -136,7 +136,7 @@ def test_cuda_text_computes_what_the_model_computes(model: str) -> None:
     side = np.float32(10 ** rng.uniform(-2, 0.6, count))
     zero = np.zeros_like(side)
     dx, dy = np.stack([side, 0.3 * side], axis=-1), np.stack([zero, 0.7 * side], axis=-1)
-    light, view = directions(rng, count), directions(rng, count)
+    light, view = clear_of_the_plane(rng, count), clear_of_the_plane(rng, count)
     library = CountedLibrary(material_of(model), model)
     found, counts = library.answers(queries_of(centre, dx, dy, light, view))
     footprint = Footprint(*(Array2f(*np.ascontiguousarray(rows.T)) for rows in (centre, dx, dy)))
@@ -156,14 +156,14 @@ def test_cuda_text_computes_what_the_model_computes(model: str) -> None:
 @pytest.mark.slow
 def test_estimates_of_clustered_are_unbiased() -> None:
     """Means of exported estimates of a few footprints, against those of texels alone in Python."""
-    model = test_clustered.model_of(1)
+    model = small_clustered(1)
     rng = np.random.default_rng(6)
     count, seeds = 6, 4000
     centre, side = np.float32(rng.uniform(-3, 3, (count, 2))), np.float32(10 ** rng.uniform(-1, 0.5, count))
     zero = np.zeros_like(side)
     # Along the threads the footprint of the model is the pixel's.
     dx, dy = np.stack([side, zero], axis=-1), np.stack([zero, 0.7 * side], axis=-1)
-    light, view = directions(rng, count), directions(rng, count)
+    light, view = clear_of_the_plane(rng, count), clear_of_the_plane(rng, count)
     rows = [np.repeat(part, seeds, axis=0) for part in (centre, dx, dy, light, view)]
     asked = queries_of(*rows)
     asked["seed"] = rng.integers(1, 2**32, len(asked), dtype=np.uint32)

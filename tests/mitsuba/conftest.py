@@ -10,8 +10,7 @@ from loomlight.mitsuba import choose_variant
 from loomlight.models.neural import model as neural_model
 from loomlight.models.neural.encoding import clear_encodings
 from loomlight.models.neural.weights import Weights
-
-from ..models.neural.networks import network, weights_of
+from tests.helpers.neural_networks import network, weights_of
 
 
 @pytest.fixture(autouse=True, scope="session")

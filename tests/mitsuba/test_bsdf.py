@@ -17,9 +17,9 @@ from loomlight.mitsuba import render
 from loomlight.mitsuba.bsdf import SceneTraits
 from loomlight.models.lobes import model as lobes_model
 from loomlight.models.neural import encoding
+from tests.helpers.directions import unit_vectors
+from tests.helpers.interactions import interactions, mean_value, random_interactions, side_by_side, vectors
 from tests.marks import slow
-
-from .footprints import interactions, mean_value, random_interactions, side_by_side, unit, vectors
 
 pytestmark = pytest.mark.usefixtures("narrow_network")
 TWILL = {
@@ -58,7 +58,7 @@ def bakings(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 @every_plugin
 def test_weight_is_value_over_density(plugin: str, side: float) -> None:
     bsdf, rng, count = woven(plugin, sheen_strength=0.4), np.random.default_rng(2), 4000
-    si = interactions(rng.random((count, 2)), unit(rng, count), np.full(count, side))
+    si = interactions(rng.random((count, 2)), unit_vectors(rng, count), np.full(count, side))
     bs, weight = bsdf.sample(
         mi.BSDFContext(), si, mi.Float(rng.random(count, np.float32)), mi.Point2f(rng.random((2, count)))
     )
@@ -82,7 +82,7 @@ def test_all_at_once_is_each_alone(plugin: str) -> None:
     """`eval_pdf_sample` against `eval`, `pdf` and `sample`; `eval_and_null_transmission` against both."""
     bsdf, rng, count, rtol = woven(plugin), np.random.default_rng(3), 1000, TOLERANCES[plugin]
     si, *_ = random_interactions(count)
-    wo, lobe = vectors(unit(rng, count)), mi.Float(rng.random(count, np.float32))
+    wo, lobe = vectors(unit_vectors(rng, count)), mi.Float(rng.random(count, np.float32))
     square = mi.Point2f(rng.random((2, count)))
     context = mi.BSDFContext()
     value, pdf, bs, weight = bsdf.eval_pdf_sample(context, si, wo, lobe, square)

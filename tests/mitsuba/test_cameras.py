@@ -22,7 +22,7 @@ from loomlight.mitsuba import SCENES, ClothScene, RenderSettings, build_scene
 from loomlight.mitsuba.camera import chosen_view, framing
 from loomlight.mitsuba.pictures import Turntable, turntable
 from loomlight.mitsuba.rendering import render
-from tests.mitsuba.test_garment import coat
+from tests.helpers.meshes import coat
 
 WHITE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.8}}
 FRONT = np.array([0.0, 0.0, 1.0])

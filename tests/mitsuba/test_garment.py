@@ -21,26 +21,9 @@ from loomlight.mitsuba import build_scene
 from loomlight.mitsuba.meshes import read_garment
 from loomlight.mitsuba.pictures import Turntable
 from studies.instruments.garment_shapes import skirt
+from tests.helpers.meshes import coat
 
 DATA = os.environ.get("LOOMLIGHT_DATA")
-SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1))
-
-
-def coat(folder: Path) -> Path:
-    """Two panels of 0.4 m, the second with uv four times as dense, and a button without uv."""
-    lines, first = [], 1
-    for number, (name, material, density) in enumerate(
-        [("front", "shell", 1.0), ("back", "lining", 4.0), ("button", "horn", None)]
-    ):
-        lines += [f"o {name}", f"usemtl {material}"]
-        lines += [f"v {0.5 * number + 0.4 * x} {0.4 * y} 0" for x, y in SQUARE]
-        lines += [f"vt {density * x} {density * y}" for x, y in SQUARE if density is not None]
-        corners = [str(first + k) if density is None else f"{first + k}/{first + k}" for k in range(4)]
-        lines.append("f " + " ".join(corners))
-        first += 4
-    file = folder / "coat.obj"
-    file.write_text("\n".join(lines) + "\n")
-    return file
 
 
 @pytest.mark.filterwarnings("ignore:.*stay uncovered")

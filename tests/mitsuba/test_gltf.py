@@ -20,8 +20,10 @@ import pytest
 
 from loomlight.core.errors import InputError, MissingDependencyError
 from loomlight.mitsuba import read_mesh
+from tests.helpers.meshes import CORNERS, TRIANGLES, UV_UP, write_obj
+from tests.helpers.meshes import write_gltf as write_glb
 
-from .test_meshes import CORNERS, TRIANGLES, UV_UP, uv_by_corner, write_glb, write_obj
+from .test_meshes import uv_by_corner
 
 PARTS = CORNERS.astype("<f4"), (UV_UP * [1, -1] + [0, 1]).astype("<f4"), TRIANGLES.astype("<u2")
 BODY = b"".join(part.tobytes() for part in PARTS)

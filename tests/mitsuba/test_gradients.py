@@ -13,9 +13,8 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
+from tests.helpers.interactions import random_interactions
 from tests.marks import slow
-
-from .footprints import random_interactions
 
 CLOTH = {
     "weave": "twill 2/1",

@@ -7,14 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import trimesh
 
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, material_bsdf, render
+from tests.helpers.meshes import write_gltf, write_obj, write_ply
 
 # A square of 8 mm that faces +z, x to the right and y up.
 CORNERS = np.array([[0, 0, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0]]) * 1e-3
-TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
 UPRIGHT = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], dtype=float)
 ISLANDS = {
     "upright": UPRIGHT,
@@ -25,41 +24,11 @@ ISLANDS = {
 SIZE = 64
 
 
-def write_obj(folder: Path, uv: np.ndarray) -> Path:
-    lines = [f"v {x} {y} {z}" for x, y, z in CORNERS] + [f"vt {u} {v}" for u, v in uv]
-    lines += ["f " + " ".join(f"{corner + 1}/{corner + 1}" for corner in face) for face in TRIANGLES]
-    file = folder / "quad.obj"
-    file.write_text("\n".join(lines))
-    return file
-
-
-def write_with_trimesh(suffix: str) -> Callable[[Path, np.ndarray], Path]:
-    def write(folder: Path, uv: np.ndarray) -> Path:
-        visual = trimesh.visual.TextureVisuals(uv=uv)
-        mesh = trimesh.Trimesh(CORNERS, TRIANGLES, visual=visual, process=False)
-        file = folder / f"quad{suffix}"
-        trimesh.Scene(mesh).export(file)
-        return file
-
-    return write
-
-
-def write_ply(folder: Path, uv: np.ndarray) -> Path:
-    lines = ["ply", "format ascii 1.0", "element vertex 4"]
-    lines += [f"property float {name}" for name in ("x", "y", "z", "u", "v")]
-    lines += ["element face 2", "property list uchar int vertex_indices", "end_header"]
-    lines += [" ".join(map(str, row)) for row in np.concatenate([CORNERS, uv], axis=1)]
-    lines += [f"3 {a} {b} {c}" for a, b, c in TRIANGLES]
-    file = folder / "quad.ply"
-    file.write_text("\n".join(lines) + "\n")
-    return file
-
-
-FORMATS = {
-    "obj": write_obj,
-    "ply": write_ply,
-    "gltf": write_with_trimesh(".gltf"),
-    "glb": write_with_trimesh(".glb"),
+FORMATS: dict[str, Callable[[Path, np.ndarray], Path]] = {
+    "obj": lambda folder, uv: write_obj(folder, CORNERS, uv),
+    "ply": lambda folder, uv: write_ply(folder, CORNERS, uv),
+    "gltf": lambda folder, uv: write_gltf(folder, CORNERS, uv, "quad.gltf"),
+    "glb": lambda folder, uv: write_gltf(folder, CORNERS, uv),
 }
 
 

@@ -16,9 +16,8 @@ from loomlight.fabric import fabric_from_text
 from loomlight.fabric.read import edited_fabric
 from loomlight.models.fabric_model import parameter_of
 from loomlight.models.registry import MODELS
+from tests.helpers.interactions import mean_value, pretrained, side_by_side
 from tests.marks import slow, slow_among
-
-from .footprints import mean_value, pretrained, side_by_side
 
 # Refused by the same code for all: those that bake for seconds are slow.
 SLOW = ("woven_clustered", "woven_neural", "woven_samples", "neumip", "latent")

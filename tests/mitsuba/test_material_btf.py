@@ -8,23 +8,17 @@ from __future__ import annotations
 import mitsuba as mi
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mitsuba.material_btf import MaterialBtf, material_bsdf_of
 from loomlight.models.texture.queries import footprint_values
 from loomlight.sources.material import Material, material_from_xml
 from studies.papers.zeltner2024.layered_materials import LAYERED, layered_material
+from tests.helpers.directions import upper_directions
 
 
 def material(body: str) -> Material:
     return material_from_xml(f'<scene version="3.0.0">{body}</scene>', ".", "test", (100, 100))
-
-
-def directions(count: int, seed: int) -> NDArray[np.float32]:
-    found = np.random.default_rng(seed).standard_normal((count, 3))
-    found[:, 2] = np.abs(found[:, 2]) + 0.1
-    return (found / np.linalg.norm(found, axis=1, keepdims=True)).astype(np.float32)
 
 
 CHECKERS = """<bsdf type="diffuse"><texture type="checkerboard" name="reflectance">
@@ -36,7 +30,7 @@ def test_values_are_filtered_over_the_footprint() -> None:
     texels = btf.texels(8)
     assert (btf.faces, texels.resolution) == (1, (8, 8))
     count = 20000
-    light, view = directions(count, 0), directions(count, 1)
+    light, view = (upper_directions(np.random.default_rng(seed), count, raised=0.1) for seed in (0, 1))
     positions = np.full((count, 2), 0.25, np.float32)
     levels = np.zeros(count, np.float32)
     point = footprint_values(btf, texels, positions, levels, light, view, (1,))

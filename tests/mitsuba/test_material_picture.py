@@ -19,8 +19,7 @@ from loomlight.core.picture_settings import Placement, RenderSettings
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import material_bsdf
 from loomlight.mitsuba.pictures import RenderJob, shown_material
-
-from ..core.pictures import png_head
+from tests.helpers.pictures import png_head
 
 SMALL = {"size": (12, 8), "spp": 2, "seed": 3, "model": "point"}
 

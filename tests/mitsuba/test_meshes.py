@@ -6,63 +6,18 @@ Covers: mesh/cloth_mesh.py, mitsuba/shapes.py, mitsuba/variants.py
 from __future__ import annotations
 
 import os
-import struct
 from pathlib import Path
 
 import numpy as np
 import pytest
-import trimesh
 
 from loomlight.core.errors import InputError
 from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mitsuba import read_mesh, shapes, to_shape, uv_size
 from loomlight.mitsuba.meshes import from_shape
+from tests.helpers.meshes import CORNERS, UV_UP, obj_text, write_gltf, write_obj, write_ply
 
 DATA = os.environ.get("LOOMLIGHT_DATA")
-
-# A quad of 2 × 3 in the plane z = 0; u runs along x from 0 to 1, v (upwards) along y from 0 to 0.5.
-CORNERS = np.array([[0, 0, 0], [2, 0, 0], [2, 3, 0], [0, 3, 0]], dtype=float)
-UV_UP = np.array([[0, 0], [1, 0], [1, 0.5], [0, 0.5]])
-TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
-
-
-def obj_text(uv: bool = True, extra: str = "") -> str:
-    lines = [f"v {x} {y} {z}" for x, y, z in CORNERS]
-    lines += [f"vt {u} {v}" for u, v in UV_UP] if uv else []
-    corner = "{0}/{0}" if uv else "{0}"
-    lines += ["f " + " ".join(corner.format(i + 1) for i in triangle) for triangle in TRIANGLES]
-    return "\n".join(lines) + "\n" + extra
-
-
-def write_obj(folder: Path) -> Path:
-    file = folder / "quad.obj"
-    file.write_text(obj_text())
-    return file
-
-
-def write_glb(
-    folder: Path, name: str = "quad.glb", transforms: tuple[np.ndarray, ...] = (np.eye(4),)
-) -> Path:
-    scene = trimesh.Scene()
-    for transform in transforms:
-        # trimesh holds v upwards and writes it downwards, as glTF wants it.
-        visual = trimesh.visual.TextureVisuals(uv=UV_UP)
-        part = trimesh.Trimesh(CORNERS, TRIANGLES, visual=visual, process=False)
-        scene.add_geometry(part, transform=transform)
-    file = folder / name
-    scene.export(file)
-    return file
-
-
-def write_ply(folder: Path) -> Path:
-    file = folder / "quad.ply"
-    header = ["ply", "format binary_little_endian 1.0", "element vertex 4"]
-    header += [f"property float {name}" for name in ("x", "y", "z", "u", "v")]
-    header += ["element face 2", "property list uchar int vertex_indices", "end_header", ""]
-    body = np.concatenate([CORNERS, UV_UP], axis=1).astype("<f4").tobytes()
-    body += b"".join(struct.pack("<B3i", 3, *triangle) for triangle in TRIANGLES)
-    file.write_bytes("\n".join(header).encode() + body)
-    return file
 
 
 def uv_by_corner(mesh: ClothMesh) -> np.ndarray:
@@ -72,7 +27,7 @@ def uv_by_corner(mesh: ClothMesh) -> np.ndarray:
 
 
 def test_obj_and_gltf_give_the_same_uv_and_normals(tmp_path: Path) -> None:
-    obj, glb = read_mesh(write_obj(tmp_path)), read_mesh(write_glb(tmp_path))
+    obj, glb = read_mesh(write_obj(tmp_path)), read_mesh(write_gltf(tmp_path))
     np.testing.assert_allclose(uv_by_corner(obj), uv_by_corner(glb), atol=1e-6)
     np.testing.assert_allclose(uv_by_corner(obj), [[0, 1], [1, 1], [1, 0.5], [0, 0.5]], atol=1e-6)
     for mesh in (obj, glb):
@@ -86,7 +41,7 @@ def test_ply_keeps_its_uv(tmp_path: Path) -> None:
 
 
 def test_uv_size_is_the_metric(tmp_path: Path) -> None:
-    for file in (write_obj(tmp_path), write_glb(tmp_path), write_ply(tmp_path)):
+    for file in (write_obj(tmp_path), write_gltf(tmp_path), write_ply(tmp_path)):
         np.testing.assert_allclose(uv_size(read_mesh(file)), (2000, 6000), rtol=1e-6)
         np.testing.assert_allclose(uv_size(read_mesh(file), metres_per_unit=0.01), (20, 60), rtol=1e-6)
 
@@ -94,7 +49,7 @@ def test_uv_size_is_the_metric(tmp_path: Path) -> None:
 def test_gltf_parts_are_placed_and_joined(tmp_path: Path) -> None:
     moved, mirrored = np.eye(4), np.diag([-1.0, 1, 1, 1])
     moved[:3, 3] = [10, 0, 0]
-    mesh = read_mesh(write_glb(tmp_path, transforms=(moved, mirrored)))
+    mesh = read_mesh(write_gltf(tmp_path, transforms=(moved, mirrored)))
     assert len(mesh.triangles) == 4
     np.testing.assert_allclose(mesh.positions.min(axis=0), [-2, 0, 0], atol=1e-6)
     np.testing.assert_allclose(mesh.positions.max(axis=0), [12, 3, 0], atol=1e-6)
@@ -123,7 +78,7 @@ def test_goes_through_mitsuba_and_back(tmp_path: Path) -> None:
     [
         ("missing.obj", None, "does not exist"),
         ("cloth.fbx", b"", ".obj, .ply, .gltf, .glb"),
-        ("nouv.obj", obj_text(uv=False).encode(), "no uv"),
+        ("nouv.obj", obj_text(uv=None).encode(), "no uv"),
         (
             "collapsed.obj",
             obj_text().replace("vt 1.0", "vt 0.0").encode(),
@@ -149,7 +104,7 @@ def test_unusable_files_are_named(tmp_path: Path, name: str, content: bytes | No
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("make", [write_ply, write_glb])
+@pytest.mark.parametrize("make", [write_ply, write_gltf])
 def test_truncated_files_are_refused(tmp_path: Path, make: object) -> None:
     file = make(tmp_path)  # type: ignore[operator]
     file.write_bytes(file.read_bytes()[:-20])

@@ -22,9 +22,8 @@ from loomlight.fabric.read import edited_fabric
 from loomlight.mitsuba.props import _field
 from loomlight.models.bake import bake, save
 from loomlight.models.registry import MODELS, model_class
+from tests.helpers.interactions import pretrained
 from tests.marks import slow_among
-
-from .footprints import pretrained
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGES = (DOCS / "mitsuba-parameters.md", DOCS / "mitsuba-edits.md")

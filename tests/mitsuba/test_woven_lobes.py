@@ -25,14 +25,9 @@ from loomlight.models.lobes import model as lobes_model
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel, LobesOptions
 from loomlight.models.registry import make_model
 from loomlight.sources.loom_file import write_loom
+from tests.helpers.directions import unit_vectors
+from tests.helpers.interactions import mean_value, random_interactions, vectors
 from tests.marks import slow
-
-from .footprints import (
-    mean_value,
-    random_interactions,
-    unit,
-    vectors,
-)
 
 GROUPS = 4
 TWILL = {
@@ -69,7 +64,7 @@ def woven(**parameters: Any) -> Any:
 def test_values_and_densities_are_those_of_the_model() -> None:
     bsdf, count = woven(), 2000
     si, uv, views, sides = random_interactions(count)
-    lights = unit(np.random.default_rng(1), count)
+    lights = unit_vectors(np.random.default_rng(1), count)
     value, pdf = bsdf.eval_pdf(mi.BSDFContext(), si, vectors(lights))
     through = bsdf.eval_null_transmission(si)
     dr.eval(value, pdf, through)

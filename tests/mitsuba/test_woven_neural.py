@@ -16,16 +16,10 @@ from loomlight.mitsuba.bsdf import SceneTraits, symbolic_mode
 from loomlight.mitsuba.filtered_texture import FilteredTexture
 from loomlight.models.neural import encoding
 from loomlight.models.neural import model as neural_model
-
-from ..models.neural.networks import network
-from ..models.neural.reference import responses
-from .footprints import (
-    interactions,
-    mean_value,
-    random_interactions,
-    unit,
-    vectors,
-)
+from tests.helpers.directions import unit_vectors
+from tests.helpers.interactions import interactions, mean_value, random_interactions, vectors
+from tests.helpers.neural_networks import network
+from tests.helpers.references.neural_decoder import responses
 
 TWILL = {
     "type": "woven_neural",
@@ -62,7 +56,7 @@ def test_values_are_those_of_torch(monkeypatch: pytest.MonkeyPatch) -> None:
     # Nor has it light between yarns.
     bsdf, count, made = woven(interreflection=False), 2000, network("field", hidden=16)
     si, uv, views, sides = random_interactions(count)
-    lights = unit(np.random.default_rng(1), count)
+    lights = unit_vectors(np.random.default_rng(1), count)
     found = np.array(bsdf.eval(mi.BSDFContext(), si, vectors(lights)))
     parts = responses(made, bsdf.model.encoded, bsdf.model.fabric, lights, views, 4.0 * uv, 4.0 * sides)
     appearance = bsdf.model.fabric.appearance()

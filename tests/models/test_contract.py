@@ -32,10 +32,12 @@ from loomlight.scattering.sheen import sheen
 from loomlight.sources.loom_file import write_loom
 from loomlight.yarn.geometry import YarnGeometry
 from studies.instruments.reference import reference
+from tests.helpers.arrays import numbers, vectors
+from tests.helpers.chi_square import cell_counts, cell_shares, p_value
+from tests.helpers.directions import directions
+from tests.helpers.fabrics import TEXTS, WHITE, fabric
+from tests.helpers.queries import Queries, queries
 from tests.marks import slow_among
-
-from .chi_square import cell_counts, cell_shares, p_value
-from .fabrics import TEXTS, WHITE, Queries, directions, fabric, numbers, queries, vectors
 
 require_llvm()
 

@@ -14,9 +14,9 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.registry import make_model
-
-from .chi_square import cell_counts, cell_shares, p_value
-from .fabrics import directions, numbers, vectors
+from tests.helpers.arrays import numbers, vectors
+from tests.helpers.chi_square import cell_counts, cell_shares, p_value
+from tests.helpers.directions import directions
 
 SMOOTH = 'weave = "twill 2/2"\ngap = 0.1\n'
 DETAIL = "plies = 2\nfibre_tilt_deg = 12\nslub = 0.5\nhairiness = 1\n"

@@ -20,8 +20,9 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.models.registry import make_model, model_names
 from loomlight.models.separable import SeparableBsdf
-
-from .fabrics import Queries, directions, numbers, queries
+from tests.helpers.arrays import numbers
+from tests.helpers.directions import directions
+from tests.helpers.queries import Queries, queries
 
 require_llvm()
 

@@ -17,8 +17,8 @@ from loomlight.models.interface import Model
 from loomlight.models.point import PointModel, SampledModel, SamplesOptions
 from loomlight.models.separable import Components, SeparableBsdf
 from studies.instruments.reference import reference
-
-from .fabrics import Queries, fabric, queries
+from tests.helpers.fabrics import fabric
+from tests.helpers.queries import Queries, queries
 
 require_llvm()
 

@@ -15,8 +15,7 @@ from loomlight.mitsuba import choose_variant
 from studies.papers.chen2024 import ablation, cost, editing, latents
 from studies.papers.figure import Evidence
 from studies.papers.setting import Setting
-
-from ..models.neural.networks import network, written
+from tests.helpers.neural_networks import network, written
 
 
 @pytest.fixture

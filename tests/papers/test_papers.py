@@ -36,8 +36,7 @@ from studies.papers.chen2024.training.config import read_config
 from studies.papers.chen2024.training.weaves import HELD_OUT_WEAVES, paper_draft
 from studies.papers.command import main
 from studies.papers.setting import Setting, cloth_bsdf
-
-from ..models.neural.networks import network, written
+from tests.helpers.neural_networks import network, written
 
 CHEN2024 = Path(__file__).parents[2] / "studies" / "papers" / "chen2024"
 

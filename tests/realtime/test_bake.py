@@ -33,9 +33,10 @@ from loomlight.realtime.words import Packed, pack_fabrics
 from loomlight.scattering.appearance import Appearance
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
-from tests.realtime.mapped import mapped
-from tests.realtime.queries import appearance, directions, places, share_beyond
-from tests.yarn.layouts import even_layout
+from tests.helpers.directions import clear_of_the_plane
+from tests.helpers.layouts import even_layout
+from tests.helpers.parity import appearance, places, share_beyond
+from tests.helpers.slang import mapped
 
 GROUPS = 8
 COUNT = 20_000
@@ -120,8 +121,8 @@ def test_queries_on_both_sets_of_tables_agree(baked: Baked) -> None:
     arguments = {
         "x": at.x,
         "y": at.y,
-        "light": directions(rng, COUNT),
-        "view": directions(rng, COUNT),
+        "light": clear_of_the_plane(rng, COUNT),
+        "view": clear_of_the_plane(rng, COUNT),
         "dx": np.float32(np.stack([side * np.cos(turn), side * np.sin(turn)], axis=1)),
         "dy": np.float32(np.stack([-side * np.sin(turn), side * np.cos(turn)], axis=1)),
     }

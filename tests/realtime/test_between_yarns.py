@@ -14,9 +14,10 @@ from loomlight.core.backend import array_types
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import make_model
 from loomlight.scattering.point import Tint
-from tests.realtime.queries import share_beyond, vectors
+from tests.helpers.arrays import vectors
+from tests.helpers.parity import share_beyond
+from tests.helpers.whole_queries import lobes_values, point_values
 from tests.realtime.test_lobes import MAX_FLIPS, Queries
-from tests.realtime.whole_queries import lobes_values, point_values
 
 TINT = (0.9, 0.5, 0.2)
 FABRIC = """

@@ -7,55 +7,32 @@ Covers: realtime/words.py
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 import pytest
-from drjit.llvm import Array2f, UInt
+from drjit.llvm.ad import UInt
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
-from loomlight.core.llvm import llvm_float, require_llvm
-from loomlight.fabric import Fabric, fabric_from_text
-from loomlight.fabric.read import edited_fabric
-from loomlight.models.clustered.model import ClusteredModel, ClusteredOptions
-from loomlight.models.clustered.tables import bake_tables
+from loomlight.core.llvm import require_llvm
+from loomlight.fabric import Fabric
+from loomlight.models.clustered.model import ClusteredModel
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.words import Packed, pack_fabrics
-from loomlight.yarn.geometry import YarnGeometry
-from tests.models.clustered.samples import with_samples
-from tests.realtime.mapped import mapped
-from tests.realtime.queries import directions, share_beyond, vectors
+from tests.helpers.arrays import pairs, vectors
+from tests.helpers.directions import clear_of_the_plane
+from tests.helpers.parity import share_beyond
+from tests.helpers.slang import mapped
+from tests.helpers.untrained import IRREGULAR_TWILL, OPEN_TWILL, small_clustered, with_samples
 
 require_llvm()
 COUNT = 4096
 # Of two texels and a box: each may fall on another side of an edge.
 MAX_FLIPS = 4e-3
-# Open cloth, whose threads differ in tone, under a sheen.
-FABRIC = fabric_from_text(
-    'weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n[warp]\ncolor = "#2a4680"\nwidth_mm = 0.5\n'
-    "[sheen]\nstrength = 0.3\n[variation]\ncolour_noise = 0.4\n"
-)
-# The same of yarns that vary along themselves and have neps.
-IRREGULAR = edited_fabric(FABRIC, {"yarn": "linen", "warp.neps": 9, "weft.melange": 0.3})
-
-
-@cache
-def model_of(rank: int, fabric: Fabric = FABRIC) -> ClusteredModel:
-    """Small tables."""
-    appearance = fabric.appearance()
-    roughness = appearance.warp.roughness, appearance.weft.roughness
-    tables = bake_tables(YarnGeometry(fabric.layout()), roughness, 8, rank, llvm_float(), 32)
-    return ClusteredModel(fabric, tables, ClusteredOptions(samples=2, texels=32))
 
 
 def packed(model: ClusteredModel) -> Packed:
     fabric = model.fabric
     return pack_fabrics([(fabric.layout(), fabric.appearance())], None, [model.shader_tables()])
-
-
-def pairs(rows: NDArray[np.float32]) -> Array2f:
-    return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
 
 
 def queries() -> dict[str, NDArray[np.generic]]:
@@ -68,8 +45,8 @@ def queries() -> dict[str, NDArray[np.generic]]:
         "centre": np.float32(rng.uniform(-5, 5, (COUNT, 2))),
         "dx": np.float32(np.stack([cosine, sine], axis=1)),
         "dy": np.float32(np.stack([-ratio * sine, ratio * cosine], axis=1)),
-        "light": directions(rng, COUNT),
-        "view": directions(rng, COUNT),
+        "light": clear_of_the_plane(rng, COUNT),
+        "view": clear_of_the_plane(rng, COUNT),
         "seed": rng.integers(1, 2**32, COUNT, dtype=np.uint32),
     }
 
@@ -77,11 +54,18 @@ def queries() -> dict[str, NDArray[np.generic]]:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("rank", "samples", "fabric"),
-    [(0, 0, FABRIC), (1, 0, FABRIC), (3, 0, FABRIC), (1, 2, FABRIC), (1, 0, IRREGULAR), (1, 2, IRREGULAR)],
+    [
+        (0, 0, OPEN_TWILL),
+        (1, 0, OPEN_TWILL),
+        (3, 0, OPEN_TWILL),
+        (1, 2, OPEN_TWILL),
+        (1, 0, IRREGULAR_TWILL),
+        (1, 2, IRREGULAR_TWILL),
+    ],
 )
 def test_queries_of_clustered(rank: int, samples: int, fabric: Fabric) -> None:
     """The base alone, its densities compressed to several ranks, and with two texels of the residual."""
-    model = with_samples(model_of(rank, fabric), samples)
+    model = with_samples(small_clustered(rank, fabric), samples)
     rows = queries()
     footprint = Footprint(*(pairs(rows[name]) for name in ("centre", "dx", "dy")))
     at = model.at(vectors(rows["view"]), footprint, seed=UInt(rows["seed"]))
@@ -102,7 +86,7 @@ def test_passes_of_a_frame_tend_to_the_surface() -> None:
     """A pixel of a millimetre from above, in which light and view are those of the frame."""
     towards = np.float32([0.5, 0.3, 0.8]) / np.linalg.norm([0.5, 0.3, 0.8])
     field = 2 * np.degrees(np.arctan(0.5 * 1e-3 / 0.02))
-    renderer = Renderer([Cloth(rectangle(0.1, 0.1), model_of(1))], (1, 1))
+    renderer = Renderer([Cloth(rectangle(0.1, 0.1), small_clustered(1))], (1, 1))
     assert renderer.model == "clustered"
     light = DirectionalLight(towards, (1.0, 1.0, 1.0))
     camera = Camera((0, 0, 0.02), field_of_view=float(field))
@@ -111,7 +95,7 @@ def test_passes_of_a_frame_tend_to_the_surface() -> None:
     edges = pairs(np.float32([[1, 0]])), pairs(np.float32([[0, 1]]))
     footprint = Footprint(pairs(np.float32([[50, 50]])), *edges)
     seed = UInt(np.random.default_rng(2).integers(0, 2**32, many, dtype=np.uint32))
-    at = model_of(1).at(vectors(np.float32([[0, 0, 1]])), footprint, seed=seed)
+    at = small_clustered(1).at(vectors(np.float32([[0, 0, 1]])), footprint, seed=seed)
     expected = np.array(at.value(vectors(towards[None]))).mean(axis=1)
     # Means of 1024 texels, whose spread the base takes in part.
     np.testing.assert_allclose(found[:3], expected, rtol=0.05)

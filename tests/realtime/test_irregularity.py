@@ -8,16 +8,17 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from drjit.llvm import Array2f, Bool, Float
-from numpy.typing import NDArray
+from drjit.llvm.ad import Bool, Float
 
 from loomlight.core.footprint import Footprint
 from loomlight.realtime.words import pack_fabrics
 from loomlight.scattering.irregularity import BLOCK, IrregularYarns
 from loomlight.yarn.geometry import YarnGeometry
-from tests.realtime.mapped import mapped
-from tests.realtime.queries import FOOTPRINT, appearance, directions, irregular
-from tests.yarn.layouts import TWILL, even_layout, random_layout
+from tests.helpers.arrays import pairs
+from tests.helpers.directions import clear_of_the_plane
+from tests.helpers.layouts import TWILL, even_layout, random_layout
+from tests.helpers.parity import FOOTPRINT, appearance, irregular
+from tests.helpers.slang import mapped
 
 COUNT = 20_000
 LAYOUT = random_layout(np.random.default_rng(1), uneven=True)
@@ -25,10 +26,6 @@ LAYOUT = random_layout(np.random.default_rng(1), uneven=True)
 
 def generator() -> np.random.Generator:
     return np.random.default_rng(60)
-
-
-def pairs(rows: NDArray[np.float32]) -> Array2f:
-    return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
 
 
 def test_means_over_footprints() -> None:
@@ -40,7 +37,7 @@ def test_means_over_footprints() -> None:
     dx = np.float32(np.stack([side, rng.uniform(-0.2, 0.2, COUNT) * side], axis=1))
     dy = np.float32(dx[:, ::-1] * rng.uniform(0.1, 1, (COUNT, 1)))
     centre = np.float32(rng.uniform(-3 * BLOCK * spacing, 3 * BLOCK * spacing, (COUNT, 2)))
-    view = directions(rng, COUNT)
+    view = clear_of_the_plane(rng, COUNT)
     body = FOOTPRINT + "let a = yarns_over(fabric, p, back);"
     results = (
         "a.warp.x; a.warp.y; a.warp.z; a.warp.w; a.weft.x; a.weft.y; a.weft.z; a.weft.w;"

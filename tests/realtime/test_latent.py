@@ -7,73 +7,21 @@ Covers: models/texture/tables.py
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
-from drjit.llvm import Array2f, Float
+from drjit.llvm.ad import Float
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
-from loomlight.fabric import fabric_from_text
-from loomlight.models.networks import Layers
-from loomlight.models.texture.latent import (
-    ALBEDO_WIDTHS,
-    CHANNELS,
-    SAMPLER_WIDTHS,
-    LatentModel,
-    Weights,
-    decoder_widths,
-)
-from loomlight.models.texture.pyramid import PyramidShape
-from loomlight.models.texture.settings import DECODERS
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.words import pack_fabrics
-from tests.realtime.mapped import mapped
-from tests.realtime.queries import directions, share_beyond, vectors
+from tests.helpers.arrays import pairs, vectors
+from tests.helpers.directions import clear_of_the_plane
+from tests.helpers.parity import share_beyond
+from tests.helpers.slang import mapped
+from tests.helpers.untrained import PLAIN, random_latent
 
 COUNT = 4096
-FABRIC = fabric_from_text('weave = "plain"')
-
-
-def random_model(
-    decoder: str = "2x32",
-    mips: str = "trilinear",
-    frames: bool = True,
-    features: bool = True,
-    is_apart: bool = False,
-) -> LatentModel:
-    """Numbers of the size of trained ones."""
-    rng = np.random.default_rng(11)
-    shape = PyramidShape(16, 8, *FABRIC.repeat_mm, 2, is_apart)
-
-    def network(widths: tuple[int, ...]) -> Layers:
-        return [
-            (
-                np.float32(rng.normal(0, np.sqrt(1 / before), (after, before))),
-                np.float32(rng.normal(0, 0.1, after)),
-            )
-            for before, after in pairwise(widths)
-        ]
-
-    layers = {
-        "decoder": network(decoder_widths(DECODERS[decoder], frames, features)),
-        "sampler": network(SAMPLER_WIDTHS),
-        "albedo": network(ALBEDO_WIDTHS),
-    }
-    layers["decoder"][-1][1][:] = [2.5, 2, 1.5]
-    weights = Weights(
-        shape,
-        np.float32(rng.normal(0, 0.5, (2 * shape.texels, CHANNELS))),
-        np.float32(rng.normal(0, 0.3, (12, CHANNELS))) if frames else None,
-        layers,
-        np.full((2, 3), 0.5, np.float32),
-    )
-    return LatentModel(FABRIC, weights, mips)
-
-
-def pairs(rows: NDArray[np.float32]) -> Array2f:
-    return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
 
 
 def queries(count: int = COUNT) -> dict[str, NDArray[np.float32]]:
@@ -86,8 +34,8 @@ def queries(count: int = COUNT) -> dict[str, NDArray[np.float32]]:
         "centre": np.float32(rng.uniform(-2, 2, (count, 2))),
         "dx": np.float32(np.stack([cosine, sine], axis=1)),
         "dy": np.float32(np.stack([-ratio * sine, ratio * cosine], axis=1)),
-        "light": directions(rng, count),
-        "view": directions(rng, count),
+        "light": clear_of_the_plane(rng, count),
+        "view": clear_of_the_plane(rng, count),
         "choice": np.float32(rng.random(count)),
         "u": np.float32(rng.random((count, 2))),
     }
@@ -113,7 +61,7 @@ SEEN = (
     ],
 )
 def test_queries_of_latent(decoder: str, mips: str, frames: bool, features: bool, is_apart: bool) -> None:
-    model = random_model(decoder, mips, frames, features, is_apart)
+    model = random_latent(decoder, mips, frames, features, is_apart)
     packed = pack_fabrics([None], None, [model.shader_tables(half=False)])
     rows = queries()
     footprint = Footprint(*(pairs(rows[name]) for name in ("centre", "dx", "dy")))
@@ -130,7 +78,7 @@ def test_queries_of_latent(decoder: str, mips: str, frames: bool, features: bool
 
 @pytest.mark.slow
 def test_densities_and_samples_of_latent() -> None:
-    model = random_model()
+    model = random_latent()
     packed = pack_fabrics([None], None, [model.shader_tables(half=False)])
     rows = queries()
     footprint = Footprint(*(pairs(rows[name]) for name in ("centre", "dx", "dy")))
@@ -151,8 +99,8 @@ def test_densities_and_samples_of_latent() -> None:
 
 @pytest.mark.slow
 def test_passes_of_a_frame_tend_to_the_mixture_of_levels() -> None:
-    model = random_model(mips="stochastic")
-    size_mm = FABRIC.repeat_mm
+    model = random_latent(mips="stochastic")
+    size_mm = PLAIN.repeat_mm
     cloth = Cloth(rectangle(2e-3 * size_mm[0], 2e-3 * size_mm[1]), model, (2 * size_mm[0], 2 * size_mm[1]))
     renderer = Renderer([cloth], (5, 5))
     towards = np.float32([0.3, 0.2, 0.9]) / np.linalg.norm([0.3, 0.2, 0.9])

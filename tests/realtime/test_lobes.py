@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from drjit.llvm import Array2f
+from drjit.llvm.ad import Array2f
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
@@ -19,9 +19,11 @@ from loomlight.fabric.read import edited_fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.registry import make_model
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
-from tests.realtime.mapped import mapped
-from tests.realtime.queries import FOOTPRINT, directions, places, share_beyond, vectors
-from tests.realtime.whole_queries import lobes_values
+from tests.helpers.arrays import pairs, vectors
+from tests.helpers.directions import clear_of_the_plane
+from tests.helpers.parity import FOOTPRINT, places, share_beyond
+from tests.helpers.slang import mapped
+from tests.helpers.whole_queries import lobes_values
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 COUNT = 20_000
@@ -52,7 +54,7 @@ class Queries:
     def __init__(self, model: LobesModel, smallest: float = 0.01) -> None:
         rng = np.random.default_rng(23)
         at = places(rng, model.fabric.layout(), COUNT)
-        self.light, self.view = directions(rng, COUNT), directions(rng, COUNT)
+        self.light, self.view = clear_of_the_plane(rng, COUNT), clear_of_the_plane(rng, COUNT)
         side = np.exp(rng.uniform(np.log(smallest), np.log(10), COUNT))
         angle, ratio = rng.uniform(0, 2 * np.pi, COUNT), rng.uniform(0.2, 1, COUNT)
         cosine, sine = side * np.cos(angle), side * np.sin(angle)
@@ -68,10 +70,6 @@ class Queries:
         }
         self.footprint = Footprint(Array2f(at.x, at.y), pairs(self.dx), pairs(self.dy))
         self.looks = (model.fabric.layout(), model.fabric.appearance(), model.tables)
-
-
-def pairs(rows: NDArray[np.float32]) -> Array2f:
-    return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
 
 
 @pytest.mark.slow

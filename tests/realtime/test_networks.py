@@ -12,8 +12,8 @@ import pytest
 from numpy.typing import NDArray
 
 from loomlight.realtime.words import NumberTable, layer_size, packed_layer, packed_mlp, packed_numbers
-from tests.realtime.mapped import mapped
-from tests.realtime.queries import share_beyond
+from tests.helpers.parity import share_beyond
+from tests.helpers.slang import mapped
 
 COUNT = 2048
 # Inputs, width, hidden layers and outputs: of NeuMIP and of latent materials, and of odd sizes.

@@ -7,85 +7,36 @@ Covers: models/texture/tables.py
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
-from drjit.llvm import Array2f
-from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
-from loomlight.models.networks import Layers
-from loomlight.models.texture.neumip import CHANNELS, NETWORKS, NeumipModel, Weights
-from loomlight.models.texture.pyramid import PyramidShape
+from loomlight.models.texture.neumip import CHANNELS, NeumipModel
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.words import Packed, pack_fabrics
-from loomlight.sources.heightfield import Heightfield
-from tests.realtime.mapped import mapped
-from tests.realtime.queries import directions, share_beyond, vectors
+from tests.helpers.arrays import pairs, vectors
+from tests.helpers.directions import clear_of_the_plane
+from tests.helpers.parity import share_beyond
+from tests.helpers.slang import mapped
+from tests.helpers.untrained import random_neumip
 
 COUNT = 4096
-# Networks of sources that light passes through.
-FURTHER = ("transmission", "opacity")
-
-
-def heightfield() -> Heightfield:
-    one = np.ones((1, 1), np.float32)
-    return Heightfield("tile", (4.0, 2.0), 0.5, 0.5, one, np.ones((1, 1, 3), np.float32), one, 0 * one)
-
-
-def random_model(faces: int = 2, offset: bool = True, half: bool = False) -> NeumipModel:
-    """Numbers of the size of trained ones: depths of a few texels, values of a colour.
-
-    Args:
-        half: texels are numbers of half precision, so that packing them as such rounds nothing.
-    """
-    rng = np.random.default_rng(3)
-    source = fabric_from_text('weave = "plain"') if faces == 2 else heightfield()
-    shape = PyramidShape(16, 8, *source.repeat_mm, faces)
-
-    def network(name: str, rng: np.random.Generator) -> Layers:
-        return [
-            (
-                np.float32(rng.normal(0, np.sqrt(2 / before), (after, before))),
-                np.float32(rng.normal(0, 0.1, after)),
-            )
-            for before, after in pairwise(NETWORKS[name])
-        ]
-
-    layers = {name: network(name, rng) for name in (("decoder", "offset") if offset else ("decoder",))}
-    if faces == 2:
-        layers |= {name: network(name, np.random.default_rng(4)) for name in FURTHER}
-    for name in set(layers) & {"decoder", "transmission"}:
-        layers[name][-1] = (layers[name][-1][0], np.float32([1, 0.8, 0.6]))
-
-    def texels(count: int) -> NDArray[np.float32]:
-        numbers = np.float32(rng.normal(0, 0.5, (faces * count, CHANNELS)))
-        return numbers.astype(np.float16).astype(np.float32) if half else numbers
-
-    of_offset = texels(shape.columns * shape.rows) if offset else None
-    weights = Weights(shape, texels(shape.texels), of_offset, layers, np.full((faces, 3), 0.5, np.float32))
-    return NeumipModel(source, weights)
 
 
 def packed(model: NeumipModel, half: bool = False) -> Packed:
     return pack_fabrics([None], None, [model.shader_tables(half)])
 
 
-def pairs(rows: NDArray[np.float32]) -> Array2f:
-    return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(("faces", "offset"), [(2, True), (1, False)])
 def test_queries_of_neumip(faces: int, offset: bool) -> None:
     """Footprints of 10 µm to 10 mm, elongated and turned, views and lights all over the sphere."""
-    model = random_model(faces, offset)
+    model = random_neumip(faces, offset)
     rng = np.random.default_rng(5)
     centre = np.float32(rng.uniform(-8, 8, (COUNT, 2)))
-    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    light, view = clear_of_the_plane(rng, COUNT), clear_of_the_plane(rng, COUNT)
     side = np.exp(rng.uniform(np.log(0.01), np.log(10), COUNT))
     angle, ratio = rng.uniform(0, 2 * np.pi, COUNT), rng.uniform(0.1, 1, COUNT)
     cosine, sine = side * np.cos(angle), side * np.sin(angle)
@@ -117,7 +68,7 @@ def test_queries_of_neumip(faces: int, offset: bool) -> None:
 @pytest.mark.slow
 def test_frames_are_those_of_the_model() -> None:
     """A sheet from above: the middle pixel, in which light and view are those of the frame."""
-    model = random_model()
+    model = random_neumip()
     cloth = Cloth(rectangle(0.008, 0.004), model, (8.0, 4.0))
     renderer = Renderer([cloth], (9, 9))
     assert renderer.model == "neumip"
@@ -137,6 +88,6 @@ def test_a_model_to_train_is_one_sentence() -> None:
     cloth = Cloth(rectangle(1, 1), fabric_from_text('weave = "plain"'))
     with pytest.raises(InputError, match=r"neumip is trained for .* which takes minutes: bake it"):
         Renderer([cloth], (4, 4), "neumip")
-    alone = Cloth(rectangle(1, 1), random_model(faces=1, offset=False))
+    alone = Cloth(rectangle(1, 1), random_neumip(faces=1, offset=False))
     with pytest.raises(InputError, match='"tile" is no fabric: lobes shows fabrics alone'):
         Renderer([alone], (4, 4), "lobes")

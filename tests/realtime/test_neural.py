@@ -11,8 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from drjit.llvm import Array2f
-from numpy.typing import NDArray
+from drjit.llvm.ad import Array2f
 
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
@@ -21,8 +20,10 @@ from loomlight.models.neural.model import NeuralModel, NeuralOptions
 from loomlight.models.neural.weights import shipped_weights
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.words import pack_fabrics
-from tests.realtime.mapped import mapped
-from tests.realtime.queries import directions, places, share_beyond, vectors
+from tests.helpers.arrays import pairs, vectors
+from tests.helpers.directions import clear_of_the_plane
+from tests.helpers.parity import places, share_beyond
+from tests.helpers.slang import mapped
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 COUNT = 10_000
@@ -40,10 +41,6 @@ def neural_of(name: str) -> NeuralModel:
     return NeuralModel.for_source(load_fabric(EXAMPLES / f"{name}.toml"))
 
 
-def pairs(rows: NDArray[np.float32]) -> Array2f:
-    return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["denim", "open"])
 def test_queries_of_neural(name: str) -> None:
@@ -51,7 +48,7 @@ def test_queries_of_neural(name: str) -> None:
     model = neural_of(name)
     rng = np.random.default_rng(23)
     at = places(rng, model.fabric.layout(), COUNT)
-    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    light, view = clear_of_the_plane(rng, COUNT), clear_of_the_plane(rng, COUNT)
     side = np.exp(rng.uniform(np.log(0.01), np.log(10), COUNT))
     angle, ratio = rng.uniform(0, 2 * np.pi, COUNT), rng.uniform(0.1, 1, COUNT)
     cosine, sine = side * np.cos(angle), side * np.sin(angle)

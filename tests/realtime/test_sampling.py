@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from drjit.llvm import Array2f, Float
+from drjit.llvm.ad import Array2f, Float
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
@@ -19,10 +19,12 @@ from loomlight.models.neural.model import NeuralModel, NeuralOptions
 from loomlight.models.registry import make_model
 from loomlight.scattering.point import DirectionSample, YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-from tests.models.chi_square import COLUMNS, ROWS, cell_counts, cell_shares, p_value
-from tests.realtime.mapped import mapped
-from tests.realtime.queries import appearance, directions, places, share_beyond, vectors
-from tests.yarn.layouts import TWILL, even_layout
+from tests.helpers.arrays import pairs, vectors
+from tests.helpers.chi_square import COLUMNS, ROWS, cell_counts, cell_shares, p_value
+from tests.helpers.directions import clear_of_the_plane
+from tests.helpers.layouts import TWILL, even_layout
+from tests.helpers.parity import appearance, places, share_beyond
+from tests.helpers.slang import mapped
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 COUNT = 10_000
@@ -43,10 +45,6 @@ def random_numbers(rng: np.random.Generator, count: int) -> dict[str, NDArray[np
     }
 
 
-def pairs(rows: NDArray[np.float32]) -> Array2f:
-    return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
-
-
 def require_same(found: NDArray[np.float32], sample: DirectionSample) -> None:
     """Directions, densities and null transmission of `RESULTS` are those of a sample."""
     null = np.array(sample.is_null)
@@ -61,7 +59,11 @@ def test_sampling_of_the_point_model() -> None:
     rng = np.random.default_rng(4)
     layout = even_layout(TWILL, gap=0.3)
     looks = appearance(rng, layout, sheen=True, varies=False)
-    at, light, view = places(rng, layout, COUNT), directions(rng, COUNT), directions(rng, COUNT)
+    at, light, view = (
+        places(rng, layout, COUNT),
+        clear_of_the_plane(rng, COUNT),
+        clear_of_the_plane(rng, COUNT),
+    )
     numbers = random_numbers(rng, COUNT)
     body = (
         "let q = default_quality(); let back = view.z < 0.0; let at = surface_at(fabric, x, y, back);"
@@ -113,7 +115,7 @@ def test_sampling_of_lobes() -> None:
     assert isinstance(model, LobesModel)
     rng = np.random.default_rng(4)
     at = places(rng, model.fabric.layout(), COUNT)
-    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    light, view = clear_of_the_plane(rng, COUNT), clear_of_the_plane(rng, COUNT)
     side = np.float32(rng.uniform(5, 20, COUNT))
     numbers = random_numbers(rng, COUNT)
     found = lobes_rows(model, {"x": at.x, "y": at.y, "side": side, "light": light, "view": view} | numbers)
@@ -160,7 +162,7 @@ def test_sampling_of_neural() -> None:
     model = NeuralModel.for_source(fabric_from_text(OPEN), NeuralOptions(refined=False, sampler="lobes"))
     rng = np.random.default_rng(4)
     at = places(rng, model.fabric.layout(), COUNT)
-    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    light, view = clear_of_the_plane(rng, COUNT), clear_of_the_plane(rng, COUNT)
     side = np.full(COUNT, 3, np.float32)
     numbers = random_numbers(rng, COUNT)
     zero = np.zeros(COUNT, np.float32)

@@ -19,10 +19,12 @@ from loomlight.scattering.point import YarnScattering, to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.visibility import first_hit, unoccluded
-from tests.realtime.mapped import mapped
-from tests.realtime.queries import appearance, directions, irregular, places, share_beyond, vectors
-from tests.realtime.whole_queries import point_values
-from tests.yarn.layouts import PLAIN, SATIN, TWILL, even_layout, random_layout
+from tests.helpers.arrays import vectors
+from tests.helpers.directions import clear_of_the_plane
+from tests.helpers.layouts import PLAIN, SATIN, TWILL, even_layout, random_layout
+from tests.helpers.parity import appearance, irregular, places, share_beyond
+from tests.helpers.slang import mapped
+from tests.helpers.whole_queries import point_values
 
 COUNT = 20_000
 # Share of queries whose ray meets another edge, which rounding decides: most on a dense satin of 60°.
@@ -67,7 +69,7 @@ def test_sines_and_powers() -> None:
 @pytest.mark.parametrize("side", [1, -1], ids=["reflection", "transmission"])
 def test_fibre_layer(side: int) -> None:
     rng = generator()
-    light, view, normal, tangent = (directions(rng, COUNT) for _ in range(4))
+    light, view, normal, tangent = (clear_of_the_plane(rng, COUNT) for _ in range(4))
     view *= np.sign(np.sum(view * normal, axis=1, keepdims=True))
     light *= side * np.sign(np.sum(light * normal, axis=1, keepdims=True))
     roughness = np.float32(rng.uniform(0.01, 1, COUNT))
@@ -82,7 +84,7 @@ def test_fibre_layer(side: int) -> None:
 
 def test_diffuse_and_sheen() -> None:
     rng = generator()
-    light, view, normal = (directions(rng, COUNT) for _ in range(3))
+    light, view, normal = (clear_of_the_plane(rng, COUNT) for _ in range(3))
     roughness = np.float32(rng.uniform(0, 1, COUNT))
     body = "let sheen = sheen_with_transmittance(light, view, 0.7, roughness);"
     results = "diffuse_reflection(light, normal, 0.3); sheen.x; sheen.y"
@@ -121,7 +123,7 @@ def test_surface(layout: ClothLayout) -> None:
 def test_view_and_shadow_rays(layout: ClothLayout) -> None:
     rng = generator()
     at = places(rng, layout, COUNT)
-    view = directions(rng, COUNT)
+    view = clear_of_the_plane(rng, COUNT)
     view[:, 2] = np.abs(view[:, 2])
     body = (
         "let hit = first_hit(fabric, default_quality(), x, y, view, back);"
@@ -152,7 +154,7 @@ def test_queries_of_the_point_model(layout: ClothLayout, varied: bool) -> None:
     """f·cos and delta transmission of whole queries, reflection and transmission from both faces."""
     rng = generator()
     at = places(rng, layout, COUNT)
-    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    light, view = clear_of_the_plane(rng, COUNT), clear_of_the_plane(rng, COUNT)
     looks = appearance(rng, layout, sheen=varied, varies=varied)
     arguments = {"x": at.x, "y": at.y, "light": light, "view": view}
     found = point_values(arguments, (layout, looks))
@@ -172,7 +174,7 @@ def test_queries_of_irregular_yarns() -> None:
     layout = LAYOUTS["uneven"]
     looks = irregular(appearance(rng, layout, sheen=True, varies=True))
     at = places(rng, layout, COUNT)
-    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    light, view = clear_of_the_plane(rng, COUNT), clear_of_the_plane(rng, COUNT)
     arguments = {"x": at.x, "y": at.y, "light": light, "view": view}
     found = point_values(arguments, (layout, looks))
     geometry = YarnGeometry(layout)
@@ -189,7 +191,7 @@ def test_queries_of_irregular_yarns() -> None:
 
 
 def test_view_from_behind_negates_z() -> None:
-    view = directions(generator(), 100)
+    view = clear_of_the_plane(generator(), 100)
     found = mapped("point", "let v = to_face_frame(view, true);", "v.x; v.y; v.z", {"view": view})
     np.testing.assert_array_equal(found.T, np.array(to_face_frame(vectors(view), True)))
 
@@ -208,7 +210,7 @@ def test_queries_of_yarns_close_up() -> None:
         plain, warp=replace(plain.warp, detail=details[0]), weft=replace(plain.weft, detail=details[1])
     )
     at = places(rng, layout, COUNT)
-    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    light, view = clear_of_the_plane(rng, COUNT), clear_of_the_plane(rng, COUNT)
     side = np.float32(float(layout.warp.spacing.mean()) * np.exp(rng.uniform(np.log(5e-4), np.log(2), COUNT)))
     arguments = {"x": at.x, "y": at.y, "light": light, "view": view, "side": side}
     found = np.delete(point_values(arguments, (layout, looks)), 3, axis=1)

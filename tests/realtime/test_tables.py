@@ -10,8 +10,8 @@ import numpy as np
 from loomlight.realtime.records import BUFFERS, RECORDS, numpy_type, slang_structs
 from loomlight.realtime.words import WordTable, pack_fabrics
 from loomlight.yarn.geometry import YarnGeometry
-from tests.realtime.queries import appearance
-from tests.yarn.layouts import TWILL, even_layout, random_layout
+from tests.helpers.layouts import TWILL, even_layout, random_layout
+from tests.helpers.parity import appearance
 
 
 def test_records_have_no_padding() -> None:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import drjit as dr
 import drjit.llvm.ad as jit
-import microflakes as flakes
 import numpy as np
 import pytest
 
@@ -18,6 +17,7 @@ from loomlight.scattering.albedo import Albedos, albedos_from_colour, check_albe
 from loomlight.scattering.diffuse import diffuse_reflection, diffuse_transmission, sample_diffuse
 from loomlight.scattering.fibre import bound_in_use, cloth_layer_bound
 from loomlight.scattering.sheen import sheen_lobe
+from tests.helpers.references import microflakes as flakes
 
 WHITE = np.ones((1, 3))
 

@@ -12,7 +12,7 @@ from functools import cache
 import drjit as dr
 import numpy as np
 import pytest
-from drjit.llvm import Array3f, Bool, Float, UInt32
+from drjit.llvm.ad import Array3f, Bool, Float, UInt32
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
@@ -23,6 +23,7 @@ from loomlight.scattering.appearance import Variation
 from loomlight.scattering.point import YarnPoint, YarnScattering
 from loomlight.scattering.variation import Gain, vary_albedos
 from loomlight.yarn.geometry import YarnGeometry
+from tests.helpers.arrays import vectors
 
 TYPES = array_types(Float)
 CLOSE = 1e-4  # millimetres: everything shows
@@ -42,10 +43,6 @@ def model_of(text: str) -> YarnScattering:
 def places(rng: np.random.Generator, count: int) -> tuple[Float, Float]:
     x, y = (Float((200 * rng.random(count) - 100).astype(np.float32)) for _ in range(2))
     return x, y
-
-
-def vectors(rows: NDArray[np.float64]) -> Array3f:
-    return Array3f(*(Float(np.ascontiguousarray(column, np.float32)) for column in rows.T))
 
 
 def cosine_directions(rng: np.random.Generator, count: int) -> NDArray[np.float64]:

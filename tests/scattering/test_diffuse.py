@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import drjit as dr
 import drjit.llvm.ad as jit
-import microflakes as flakes
 import numpy as np
 import pytest
 
@@ -18,6 +17,7 @@ from loomlight.scattering.diffuse import (
     sample_diffuse,
 )
 from loomlight.scattering.directions import uniform_on_sphere
+from tests.helpers.references import microflakes as flakes
 
 COUNT = 1 << 18
 NORMALS = [flakes.unit(n) for n in ([0, 0, 1], [0.3, -0.4, 0.8], [0.98, 0.1, 0.17], [0.6, 0, -0.2])]

@@ -6,11 +6,11 @@ import itertools
 
 import drjit as dr
 import drjit.llvm.ad as jit
-import microflakes as flakes
 import numpy as np
 import pytest
 
 from loomlight.scattering import fibre
+from tests.helpers.references import microflakes as flakes
 
 ROUGHNESSES = (0.01, 0.03, 0.1, 0.3, 0.6, 1.0)
 

@@ -20,8 +20,7 @@ from loomlight.scattering.lobe_mixture import (
     sample_mixture,
 )
 from loomlight.training.layers import TORCH
-
-from ..models.chi_square import COLUMNS, ROWS, cell_counts, cell_shares, p_value
+from tests.helpers.chi_square import COLUMNS, ROWS, cell_counts, cell_shares, p_value
 
 require_llvm()
 

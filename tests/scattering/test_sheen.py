@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import drjit as dr
 import drjit.llvm.ad as jit
-import microflakes as flakes
 import numpy as np
 import pytest
 
@@ -17,6 +16,7 @@ from loomlight.scattering.sheen import (
     sheen_transmittance,
     sheen_with_transmittance,
 )
+from tests.helpers.references import microflakes as flakes
 
 LOBES = [(0.02, 0.3), (0.3, 0.05), (0.3, 0.4), (0.7, 0.4), (0.999, 1.0), (0.1, 1.0)]
 

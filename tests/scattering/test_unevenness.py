@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
 from loomlight.scattering.variation import UNEVENNESS, Unevenness
-from tests.realtime.mapped import mapped
+from tests.helpers.slang import mapped
 
 COUNT = 200_000
 

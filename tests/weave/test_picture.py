@@ -18,8 +18,8 @@ from loomlight.core import images
 from loomlight.core.errors import InputError
 from loomlight.core.images import read_picture
 from loomlight.weave import drawdown_from_picture, load_draft, named_weave, write_wif
+from tests.helpers.pictures import png_head
 
-from ..core.pictures import png_head
 from .conftest import cases
 
 

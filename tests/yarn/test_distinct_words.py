@@ -10,8 +10,7 @@ import pytest
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 from loomlight.yarn.threads import DistinctWords
-
-from .layouts import even_layout
+from tests.helpers.layouts import even_layout
 
 
 def test_distinct_words_are_those_of_numpy() -> None:

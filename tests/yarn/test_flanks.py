@@ -14,8 +14,8 @@ from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.rays import REFERENCE_QUALITY
 from loomlight.yarn.threads import SECTION_ANGLE
 from loomlight.yarn.visibility import first_hit, unoccluded
-from tests.realtime.queries import vectors
-from tests.yarn.layouts import SATIN, TWILL, even_layout
+from tests.helpers.arrays import vectors
+from tests.helpers.layouts import SATIN, TWILL, even_layout
 
 COUNT = 4000
 LAYOUTS = {"closed": even_layout(TWILL, gap=0.0), "arched": even_layout(SATIN, gap=0.1, inclination=60)}

@@ -18,8 +18,7 @@ from loomlight.core.errors import InputError
 from loomlight.yarn.flanks import SurfacePoint
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import MIN_GAP, ClothLayout, FamilyLayout
-
-from .layouts import PLAIN, SATIN, TWILL, even_layout, random_layout
+from tests.helpers.layouts import PLAIN, SATIN, TWILL, even_layout, random_layout
 
 COUNT = 20_000
 STEP = 1e-7  # mm: rounding of heights (1e-16) and curvature (radii above 1e-3 mm) both stay below 1e-3

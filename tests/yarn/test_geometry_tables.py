@@ -11,8 +11,7 @@ from drjit.llvm.ad import Bool, Float
 
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.threads import pack_runs
-
-from .layouts import TWILL, even_layout
+from tests.helpers.layouts import TWILL, even_layout
 
 
 def test_geometries_of_one_layout_share_their_tables(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,8 +11,7 @@ from drjit.llvm.ad import Bool, Float
 
 from loomlight.core.llvm import require_llvm
 from loomlight.yarn.geometry import PYRAMID_RADII, TILE_CELLS, YarnGeometry, pack_max_heights
-
-from .layouts import random_layout
+from tests.helpers.layouts import random_layout
 
 require_llvm()
 

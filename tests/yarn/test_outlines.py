@@ -12,8 +12,7 @@ import pytest
 from loomlight.core.llvm import require_llvm
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import first_hit, unoccluded
-
-from .layouts import PLAIN, SATIN, TWILL, even_layout
+from tests.helpers.layouts import PLAIN, SATIN, TWILL, even_layout
 
 require_llvm()
 mi.set_variant("llvm_ad_rgb")

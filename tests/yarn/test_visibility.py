@@ -18,9 +18,8 @@ from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.rays import DEFAULT_QUALITY, REFERENCE_QUALITY, SearchQuality
 from loomlight.yarn.visibility import Hit, HorizonMap, first_hit, horizon, passes_through, unoccluded
 from studies.instruments import tabulated_visibility
+from tests.helpers.layouts import PLAIN, SATIN, TWILL, even_layout
 from tests.marks import slow
-
-from .layouts import PLAIN, SATIN, TWILL, even_layout
 
 require_llvm()
 mi.set_variant("llvm_ad_rgb")

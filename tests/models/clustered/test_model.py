@@ -37,9 +37,10 @@ from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.separable import Components
 from loomlight.scattering.point import to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
-
-from ..fabrics import Queries, directions, queries, vectors
-from .samples import with_samples
+from tests.helpers.arrays import vectors
+from tests.helpers.directions import directions
+from tests.helpers.queries import Queries, queries
+from tests.helpers.untrained import with_samples
 
 require_llvm()
 

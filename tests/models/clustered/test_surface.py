@@ -18,9 +18,9 @@ from loomlight.models.clustered.parallax import PARALLAX_BINS, parallax_offset, 
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import HorizonMap, first_hit
 from studies.instruments.tabulated_visibility import unoccluded
-from tests.yarn.layouts import TWILL, even_layout
-
-from ..fabrics import directions, vectors
+from tests.helpers.arrays import vectors
+from tests.helpers.directions import directions
+from tests.helpers.layouts import TWILL, even_layout
 
 require_llvm()
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from functools import cache
-from typing import Any
 
 import drjit as dr
 import numpy as np
-from drjit.llvm.ad import Array2f, Array3f, Bool, Float
+from drjit.llvm.ad import Array3f, Bool, Float
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
@@ -25,6 +24,8 @@ from loomlight.models.lobes.rays import launch_views, top_down_samples, upload_c
 from loomlight.models.separable import Components
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry
+from tests.helpers.arrays import pairs, vectors
+from tests.helpers.directions import directions
 
 from .reference import LobesReference
 
@@ -86,18 +87,18 @@ class FootprintQueries:
     @property
     def light(self) -> Array3f:
         """The lights on a device."""
-        return Array3f(np.ascontiguousarray(self.lights.T, np.float32))
+        return vectors(self.lights)
 
     @property
     def view(self) -> Array3f:
         """The views on a device."""
-        return Array3f(np.ascontiguousarray(self.views.T, np.float32))
+        return vectors(self.views)
 
     @property
     def footprint(self) -> Footprint:
         """The footprints on a device."""
         parts = self.centres, self.edges[:, 0], self.edges[:, 1]
-        return Footprint(*(Array2f(np.ascontiguousarray(part.T, np.float32)) for part in parts))
+        return Footprint(*(pairs(part) for part in parts))
 
 
 @cache
@@ -136,21 +137,14 @@ def reference_of(model: LobesModel) -> LobesReference:
     )
 
 
-def directions(rng: np.random.Generator, count: int, lowest: float = 0.02) -> NDArray[np.float64]:
-    """Unit vectors [count, 3], uniform over both sides above z = `lowest`."""
-    z = rng.uniform(lowest, 1, count) * rng.choice([-1.0, 1.0], count)
-    azimuth = rng.uniform(0, 2 * np.pi, count)
-    radius = np.sqrt(1 - z**2)
-    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
-
-
 def random_queries(fabric: Fabric, smallest: float, count: int, seed: int) -> FootprintQueries:
     """Queries anywhere, from half of `smallest` to three repeats wide, askew and up to thrice as long."""
     rng = np.random.default_rng(seed)
     extent = np.asarray(fabric.repeat_mm)
     sizes = np.exp(rng.uniform(np.log(0.5 * smallest), np.log(3 * extent.max()), count))
     centres = rng.uniform(-1, 2, (count, 2)) * extent
-    return FootprintQueries(directions(rng, count), directions(rng, count), centres, sizes, askew(rng, count))
+    lights, views = (directions(rng, count, lowest=0.02) for _ in range(2))
+    return FootprintQueries(lights, views, centres, sizes, askew(rng, count))
 
 
 def askew(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
@@ -170,11 +164,6 @@ def prefiltered_parts(model: LobesModel, queries: FootprintQueries) -> dict[str,
     parts = {part.name: getattr(answer.components, part.name) for part in fields(Components)}
     dr.eval(parts, hole)
     return {name: values.numpy() for name, values in {**parts, "hole": hole}.items()}
-
-
-def floats(values: NDArray[Any]) -> Float:
-    """Numbers on a device."""
-    return Float(np.ascontiguousarray(values, np.float32))
 
 
 def groups_of(geometry: YarnGeometry, per_family: int) -> Groups:

@@ -17,8 +17,9 @@ from loomlight.models.lobes.groups import Groups, NearestGroup
 from loomlight.models.lobes.hemisphere import byte_of_group, pack_count
 from loomlight.models.lobes.rays import SurfaceHits
 from loomlight.yarn.geometry import YarnGeometry
+from tests.helpers.arrays import floats
 
-from .cloths import TEXTS, askew, floats, geometry_of, pyramid_of
+from .cloths import TEXTS, askew, geometry_of, pyramid_of
 
 TYPES = array_types(Float)
 PER_FAMILY = 8

@@ -19,17 +19,15 @@ from loomlight.models.lobes.prefiltered import (
 )
 from loomlight.scattering.fibre import density, projected_area, reflection, transmission
 from loomlight.yarn.geometry import YarnGeometry
+from tests.helpers.arrays import floats, vectors
+from tests.helpers.directions import directions
 
-from .cloths import directions, floats, geometry_of
+from .cloths import geometry_of
 
 COUNT = 2000
 OPTICAL_DEPTH = 2.0
 # Float32: far from a narrow highlight the two terms of the closed form cancel to 1/(k x²) of their size.
 RELATIVE = 5e-4
-
-
-def vectors(values: NDArray[Any]) -> Array3f:
-    return Array3f(np.ascontiguousarray(np.transpose(values), np.float32))
 
 
 def lobe_of(normals: NDArray[Any], tangents: NDArray[Any], roughness: float) -> GroupLobe:
@@ -83,7 +81,7 @@ def test_density_is_the_mean_over_an_interval(roughness: float, spread: float) -
     rng = np.random.default_rng(1)
     normals, tangents = fibres(rng, COUNT, spread)
     lobe = lobe_of(normals, tangents, roughness)
-    half = directions(rng, COUNT)
+    half = directions(rng, COUNT, lowest=0.02)
     along, variance = (
         part.numpy() for part in (dr.dot(vectors(half), lobe.tangent), lobe.variance(vectors(half)))
     )
@@ -119,7 +117,7 @@ def test_round_fibres_are_alike_everywhere() -> None:
     for spread in (0.0, 0.5):
         lobe = lobe_of(*fibres(rng, COUNT, spread), 1.0)
         np.testing.assert_allclose(
-            mean_density(vectors(directions(rng, COUNT)), lobe).numpy(), 1 / np.pi, rtol=1e-5
+            mean_density(vectors(directions(rng, COUNT, lowest=0.02)), lobe).numpy(), 1 / np.pi, rtol=1e-5
         )
 
 
@@ -127,7 +125,7 @@ def test_round_fibres_are_alike_everywhere() -> None:
 def test_without_spread_it_is_one_fibre(roughness: float) -> None:
     """Density and area; the width that is left flattens the peak by less than k w²·2/3 = 3e-4."""
     rng = np.random.default_rng(3)
-    tangents, half = directions(rng, COUNT), directions(rng, COUNT)
+    tangents, half = directions(rng, COUNT, lowest=0.02), directions(rng, COUNT, lowest=0.02)
     lobe = one_fibre(tangents, roughness)
     expected = density(vectors(half), vectors(tangents), Float(roughness)).numpy()
     np.testing.assert_allclose(mean_density(vectors(half), lobe).numpy(), expected, rtol=2e-3, atol=1e-5)
@@ -141,7 +139,7 @@ def test_wide_spread_is_flat() -> None:
     lobe = GroupLobe(
         Array3f(0, 0, 1), Array3f(0, 0, 0), *[Float(variance)] * 3, *[Float(0)] * 3, Float(roughness)
     )
-    half = directions(np.random.default_rng(4), COUNT)
+    half = directions(np.random.default_rng(4), COUNT, lowest=0.02)
     steepness = np.sqrt(1 / roughness**2 - 1)
     expected = 1 / (2 * roughness * steepness) / (2 * np.sqrt(3 * variance))
     # The tails that lie outside are 2/(3π (k w²)^{3/2}) of it.
@@ -162,7 +160,7 @@ def test_projected_area_of_the_density_is_that_of_the_fibres(roughness: float) -
         normals, tangents = fibres(rng, 1, spread)
         lobe = lobe_of(normals, tangents, roughness)
         actual = mean_density(vectors(half), lobe).numpy()
-        for towards in directions(rng, 5):
+        for towards in directions(rng, 5, lowest=0.02):
             area = (actual * np.maximum(half @ towards, 0)).mean() * 4 * np.pi
             exact = np.sqrt(1 - (1 - roughness**2) * (tangents[0] @ towards) ** 2).mean()
             # Directions are not spread quite as a box is, and a root mean square is no mean.

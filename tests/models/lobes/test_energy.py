@@ -14,9 +14,11 @@ from loomlight.models.neural.weights import TRAINING_RANGES
 from loomlight.scattering.albedo import layer_albedo_bound
 from studies.papers.chen2024.training.random_fabrics import random_fabric
 from studies.papers.chen2024.training.weaves import PAPER_WEAVES, paper_draft
+from tests.helpers.arrays import floats
+from tests.helpers.directions import directions
 from tests.marks import slow
 
-from .cloths import FootprintQueries, directions, floats, prefiltered_parts
+from .cloths import FootprintQueries, prefiltered_parts
 
 FABRICS = 40
 # Heights of the views; half of them see the back.
@@ -120,7 +122,7 @@ def test_close_ups_and_holes_make_no_light(name: str) -> None:
     extent, thread = np.asarray(fabric.repeat_mm), float(fabric.layout().warp.spacing[0])
     sizes = np.exp(rng.uniform(np.log(0.05), np.log(2), PLACES)) * thread
     places = FootprintQueries(
-        np.zeros((PLACES, 3)), directions(rng, PLACES), rng.random((PLACES, 2)) * extent, sizes
+        np.zeros((PLACES, 3)), directions(rng, PLACES, lowest=0.02), rng.random((PLACES, 2)) * extent, sizes
     )
 
     def weights(chosen: NDArray[np.intp], samples: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

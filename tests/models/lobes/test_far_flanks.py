@@ -27,7 +27,7 @@ from loomlight.models.lobes.rays import (
 from loomlight.models.lobes.visibility import tabulate_visibility
 from loomlight.models.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
-from tests.realtime.queries import vectors
+from tests.helpers.arrays import vectors
 
 PER_FAMILY = 8
 RAYS = 150_000

@@ -30,8 +30,9 @@ from loomlight.models.lobes.rays import (
 )
 from loomlight.yarn.flanks import SurfacePoint
 from loomlight.yarn.geometry import YarnGeometry
+from tests.helpers.arrays import floats
 
-from .cloths import TEXTS, floats, geometry_of, groups_of, prefiltered_parts, random_queries
+from .cloths import TEXTS, geometry_of, groups_of, prefiltered_parts, random_queries
 
 PER_FAMILY = 8
 # Texels of an independent plan, a side.

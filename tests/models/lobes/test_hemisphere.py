@@ -8,8 +8,7 @@ import numpy as np
 from drjit.llvm.ad import Array3f
 
 from loomlight.models.lobes.hemisphere import NODES, node_directions, node_taps
-
-from .cloths import directions
+from tests.helpers.directions import directions
 
 
 def test_a_node_has_itself_alone() -> None:

@@ -17,8 +17,9 @@ from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.point_sampled import MAX_POINTS, RegimeScale, _offset
+from tests.helpers.directions import directions
 
-from .cloths import FootprintQueries, directions
+from .cloths import FootprintQueries
 
 LINES = 4000
 
@@ -61,7 +62,9 @@ def test_holes_and_values_come_from_the_same_decision() -> None:
     model, rng, count = LobesModel.for_source(fabric), np.random.default_rng(2), 20_000
     sides = np.exp(rng.uniform(np.log(0.01), np.log(2), count)) * float(fabric.layout().warp.spacing[0])
     centres = rng.random((count, 2)) * np.asarray(fabric.repeat_mm)
-    queries = FootprintQueries(directions(rng, count), directions(rng, count), centres, sides)
+    queries = FootprintQueries(
+        directions(rng, count, lowest=0.02), directions(rng, count, lowest=0.02), centres, sides
+    )
     alone = model.at(queries.view, queries.footprint).hole
     at = model.at(queries.view, queries.footprint)
     components = at.components(queries.light)

@@ -17,9 +17,9 @@ from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes.model import LobesModel
 from loomlight.scattering.point import DirectionSample
+from tests.helpers.chi_square import cell_counts, cell_shares, p_value
+from tests.helpers.fabrics import WHITE
 
-from ..chi_square import cell_counts, cell_shares, p_value
-from ..fabrics import WHITE
 from .cloths import TEXTS, model_of
 
 DRAWN = 8000

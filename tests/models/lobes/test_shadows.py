@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 from loomlight.aggregate.components import lobes
 from loomlight.models.lobes.model import LobesModel
 from loomlight.scattering.point import YarnScattering
+from tests.helpers.directions import directions
 
-from .cloths import TEXTS, FootprintQueries, cloth, directions, geometry_of, model_of, prefiltered_parts
+from .cloths import TEXTS, FootprintQueries, cloth, geometry_of, model_of, prefiltered_parts
 
 PAIRS, POINTS = 250, 2048
 

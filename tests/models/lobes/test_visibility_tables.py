@@ -28,9 +28,10 @@ from loomlight.models.lobes.visibility import VIEW_SUMS, VisibilityTables, tabul
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.rays import REFERENCE_QUALITY
 from loomlight.yarn.visibility import first_hit, unoccluded
-from tests.yarn.layouts import even_layout
+from tests.helpers.arrays import floats
+from tests.helpers.layouts import even_layout
 
-from .cloths import TEXTS, floats, geometry_of
+from .cloths import TEXTS, geometry_of
 
 PER_FAMILY = 4
 RAYS = ray_count(PER_FAMILY)

@@ -21,8 +21,8 @@ from loomlight.models.neural.encoded_fabric import EncodedFabric, Fibres, levels
 from loomlight.models.neural.encoding import encode
 from loomlight.models.neural.weights import Weights
 from studies.papers.chen2024.training.network import ClothNetwork
-
-from .networks import TABLES, network, unit_vectors, weights_of
+from tests.helpers.directions import unit_vectors
+from tests.helpers.neural_networks import TABLES, network, weights_of
 
 require_llvm()
 _FIBRES = Fibres(twist=(-0.5, 0.3), roughness=(0.2, 0.7), inclination=(0.3, 0.6), height_scale=(1.0, 0.5))

@@ -30,10 +30,10 @@ from loomlight.models.neural.encoding import encode
 from loomlight.models.neural.model import NeuralModel
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
+from tests.helpers.directions import unit_vectors
+from tests.helpers.neural_networks import TABLES, network, weights_of
+from tests.helpers.references.neural_decoder import responses
 from tests.marks import slow
-
-from .networks import TABLES, network, unit_vectors, weights_of
-from .reference import responses
 
 require_llvm()
 COUNT = 4000

@@ -15,8 +15,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neural.encoding import encode, encode_pair
-
-from .networks import counted_runs, network, weights_of
+from tests.helpers.neural_networks import counted_runs, network, weights_of
 
 require_llvm()
 

@@ -25,8 +25,7 @@ from loomlight.models.neural.model import NeuralModel
 from loomlight.scattering.fibre import density
 from loomlight.yarn.geometry import YarnGeometry
 from studies.papers.chen2024.training.network import fibre_features
-
-from .networks import unit_vectors
+from tests.helpers.directions import unit_vectors
 
 require_llvm()
 _FIBRES = Fibres(twist=(-0.5, 0.3), roughness=(0.2, 0.7), inclination=(0.3, 0.6), height_scale=(1.0, 0.5))

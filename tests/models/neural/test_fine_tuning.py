@@ -20,8 +20,7 @@ from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.weights import shipped_weights
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-
-from .networks import counted_runs, network, weights_of
+from tests.helpers.neural_networks import counted_runs, network, weights_of
 
 require_llvm()
 SATIN = (

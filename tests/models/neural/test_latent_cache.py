@@ -12,8 +12,7 @@ from loomlight.core.files import cache_folder
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neural.encoding import clear_encodings, encode
-
-from .networks import counted_runs, network, weights_of
+from tests.helpers.neural_networks import counted_runs, network, weights_of
 
 require_llvm()
 

@@ -13,8 +13,7 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neural.encoding import encode
 from loomlight.models.neural.weights import read_weights
-
-from .networks import counted_runs, network, weights_of, written
+from tests.helpers.neural_networks import counted_runs, network, weights_of, written
 
 require_llvm()
 

@@ -24,8 +24,7 @@ from loomlight.models.neural.proposal import FURTHER_INPUTS, sampler_layers
 from loomlight.models.neural.weights import shipped_weights
 from loomlight.scattering.lobe_mixture import OUTPUTS, TwoSidedLobes
 from loomlight.training.layers import TORCH
-
-from ..chi_square import cell_counts, cell_shares, p_value
+from tests.helpers.chi_square import cell_counts, cell_shares, p_value
 
 require_llvm()
 

@@ -24,8 +24,7 @@ from loomlight.models.neural.weights import (
     shipped_weights,
 )
 from studies.papers.chen2024.training.weights_file import write_weights
-
-from .networks import TABLES, network, written
+from tests.helpers.neural_networks import TABLES, network, written
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 import torch
 from drjit.llvm.ad import Array3f, Float, Int32, UInt32
-from numpy.typing import NDArray
 
 from loomlight.core.llvm import require_llvm
 from loomlight.models.texture.latent import DeviceWeights, decoder_widths, half_vector_features
@@ -21,6 +20,7 @@ from loomlight.models.texture.latent_training import LatentNetwork, loss_of
 from loomlight.models.texture.pyramid import PyramidShape
 from loomlight.models.texture.settings import DECODERS
 from loomlight.scattering.lobe_mixture import lobe_mixture
+from tests.helpers.directions import upper_directions
 
 require_llvm()
 
@@ -40,12 +40,6 @@ def network(decoder: str = "2x32", with_frames: bool = True, with_features: bool
     return made
 
 
-def directions(rng: np.random.Generator) -> NDArray[np.float32]:
-    found = rng.normal(size=(COUNT, 3))
-    found[:, 2] = np.abs(found[:, 2])
-    return (found / np.linalg.norm(found, axis=1, keepdims=True)).astype(np.float32)
-
-
 @pytest.mark.parametrize(
     ("decoder", "with_frames", "with_features", "derivatives"),
     [
@@ -63,7 +57,7 @@ def test_values_and_lobes_are_those_of_torch(
     made, rng = network(decoder, with_frames, with_features), np.random.default_rng(1)
     positions = rng.random((COUNT, 2)).astype(np.float32)
     levels, faces = rng.integers(SHAPE.levels, size=COUNT), rng.integers(2, size=COUNT)
-    lights, views = directions(rng), directions(rng)
+    lights, views = upper_directions(rng, COUNT), upper_directions(rng, COUNT)
     latent, light, view = (
         made.latent(torch.from_numpy(positions), torch.from_numpy(levels), torch.from_numpy(faces), False),
         torch.from_numpy(lights),

@@ -41,7 +41,7 @@ from loomlight.scattering.point import YarnScattering
 from loomlight.sources.loom_file import write_loom
 from loomlight.training.layers import relu_layers
 from loomlight.yarn.geometry import YarnGeometry
-from tests.aggregate.gaussian_means import gaussian_means
+from tests.helpers.references.gaussian_means import gaussian_means
 
 require_llvm()
 

@@ -16,7 +16,7 @@ from loomlight.models.neural.encoded_fabric import levels_of
 from loomlight.models.neural.encoding import encoder_session
 from loomlight.models.neural.weights import encoder_path, read_weights, shipped_weights
 from studies.papers.chen2024.training.export import encoder_model, export_encoder
-from tests.models.neural.networks import TABLES, network, weights_of, written
+from tests.helpers.neural_networks import TABLES, network, weights_of, written
 
 PARAMETERS = np.array([0.2, 0.3, 0.5, 0.8], np.float32)
 

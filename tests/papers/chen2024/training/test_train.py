@@ -26,7 +26,7 @@ from studies.papers.chen2024.training.config import TrainingConfig, read_config 
 from studies.papers.chen2024.training.dataset import read_faces  # noqa: E402
 from studies.papers.chen2024.training.losses import LOSSES, mapped, unmapped  # noqa: E402
 from studies.papers.chen2024.training.train import rate_factor, train_neural  # noqa: E402
-from tests.models.neural.networks import network  # noqa: E402
+from tests.helpers.neural_networks import network  # noqa: E402
 
 TINY = """
 [network]

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.realtime.mapped import mapped
-from tests.realtime.queries import FOOTPRINT
+from tests.helpers.parity import FOOTPRINT
+from tests.helpers.slang import mapped
 
 _WHITE = (1.0, 1.0, 1.0)
 # Of `detail.slang`.

@@ -1,11 +1,11 @@
-"""Query sets of these tests, positions and directions as Slang and Dr.Jit take them; the bar of parity."""
+"""The bar of parity of shaders with Python, and places and appearances that they are compared at."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
 import numpy as np
-from drjit.llvm import Array3f, Bool, Float
+from drjit.llvm.ad import Bool, Float
 from numpy.typing import ArrayLike, NDArray
 
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Irregularity, Sheen, Variation
@@ -20,19 +20,6 @@ def share_beyond(found: ArrayLike, expected: ArrayLike) -> float:
     """Share of the numbers with |a − b| > 1e-5 + 1e-3·|b|; NaN counts."""
     a, b = np.asarray(found, np.float64), np.asarray(expected, np.float64)
     return float(np.mean(~(np.abs(a - b) <= ABSOLUTE + RELATIVE * np.abs(b))))
-
-
-def directions(rng: np.random.Generator, count: int) -> NDArray[np.float32]:
-    """Unit vectors all over the sphere [count, 3], at least 3° above or below the cloth."""
-    vectors = rng.normal(size=(count, 3))
-    vectors /= np.linalg.norm(vectors, axis=1, keepdims=True)
-    vectors[:, 2] = np.where(np.abs(vectors[:, 2]) < 0.05, 0.05, vectors[:, 2])
-    return np.float32(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
-
-
-def vectors(rows: NDArray[np.float32]) -> Array3f:
-    """Rows [n, 3] as a Dr.Jit vector."""
-    return Array3f(*(np.ascontiguousarray(column) for column in rows.T))
 
 
 @dataclass

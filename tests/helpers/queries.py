@@ -1,4 +1,4 @@
-"""Fabrics and queries that every model is tried on."""
+"""Queries of models: lights, views and footprints."""
 
 from __future__ import annotations
 
@@ -7,66 +7,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from drjit.llvm.ad import Array2f, Array3f, Float
+from drjit.llvm.ad import Array3f
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
-from loomlight.fabric import Fabric, fabric_from_text
-
-TEXTS = {
-    "plain": 'weave = "plain"\ngap = 0.3',
-    "coloured twill": """
-        weave = "twill 3/1"
-        [warp]
-        color = ["#c02020", "#2040c0", "#e0e0d0"]
-        [weft]
-        color = "#806020"
-        """,
-    "translucent satin": """
-        weave = "satin 5/2"
-        [warp]
-        translucency = 0.6
-        roughness = 0.5
-        [weft]
-        translucency = 0.4
-        """,
-    "with sheen": """
-        weave = "twill 2/2"
-        [sheen]
-        strength = 0.7
-        roughness = 0.4
-        """,
-    "irregular": """
-        weave = "plain"
-        gap = 0.25
-        [warp]
-        yarn = "linen"
-        melange = 0.2
-        [weft]
-        yarn = "woollen"
-        neps = 30
-        nep_color = "#a02010"
-        [variation]
-        irregularity = 1.5
-        """,
-}
-# All the light that the energy bound admits is sent on, half of it to the far side.
-WHITE = """
-    weave = "twill 2/1"
-    [warp]
-    color = [1.0, 1.0, 1.0]
-    translucency = 0.5
-    [weft]
-    color = [1.0, 1.0, 1.0]
-    translucency = 0.5
-    [sheen]
-    strength = 0.5
-    """
-
-
-def fabric(name: str) -> Fabric:
-    """A fabric of `TEXTS`."""
-    return fabric_from_text(TEXTS[name])
+from loomlight.fabric import Fabric
+from tests.helpers.arrays import pairs, vectors
+from tests.helpers.directions import directions
 
 
 @dataclass
@@ -108,29 +55,6 @@ class Queries:
     def moved(self, by: tuple[float, float]) -> Queries:
         """The same queries elsewhere on the cloth."""
         return Queries(self.lights, self.views, self.centres + np.asarray(by), self.edges)
-
-
-def vectors(values: NDArray[np.float64]) -> Array3f:
-    """Vectors [n, 3] on a device."""
-    return Array3f(np.ascontiguousarray(values.T, np.float32))
-
-
-def pairs(values: NDArray[np.float64]) -> Array2f:
-    """Points [n, 2] on a device."""
-    return Array2f(np.ascontiguousarray(values.T, np.float32))
-
-
-def numbers(rng: np.random.Generator, count: int) -> tuple[Float, Array2f]:
-    """What samplers take: uniform numbers, and pairs of them."""
-    return Float(rng.random(count, np.float32)), Array2f(rng.random((2, count), np.float32))
-
-
-def directions(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
-    """Unit vectors [count, 3] on both sides, uniform above 6° of elevation."""
-    z = rng.uniform(0.1, 1, count) * rng.choice([-1.0, 1.0], count)
-    azimuth = rng.uniform(0, 2 * math.pi, count)
-    radius = np.sqrt(1 - z**2)
-    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
 
 
 def queries(cloth: Fabric, count: int, seed: int) -> Queries:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 import torch
 
@@ -79,9 +78,3 @@ def counted_runs(monkeypatch: pytest.MonkeyPatch, folder: Path, function: str) -
 
     monkeypatch.setattr(encoding, function, counted)
     return actual
-
-
-def unit_vectors(rng: np.random.Generator, count: int) -> np.ndarray:
-    """Directions on the whole sphere [count, 3]."""
-    vectors = rng.normal(size=(count, 3))
-    return (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).astype(np.float32)

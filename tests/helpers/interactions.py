@@ -12,12 +12,7 @@ import numpy as np
 from loomlight.mitsuba.props import _field
 from loomlight.models.bake import bake, save
 from loomlight.models.registry import MODELS, model_class
-
-
-def unit(rng: np.random.Generator, count: int) -> np.ndarray:
-    """Directions over the whole sphere [count, 3]."""
-    vectors = rng.normal(size=(count, 3))
-    return (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).astype(np.float32)
+from tests.helpers.directions import unit_vectors
 
 
 def vectors(values: np.ndarray) -> Any:
@@ -43,7 +38,7 @@ def interactions(uv: np.ndarray, views: np.ndarray, sides: np.ndarray) -> Any:
 def random_interactions(count: int, seed: int = 0) -> tuple[Any, np.ndarray, np.ndarray, np.ndarray]:
     """Points, and what they are of: uv, views, and sides of 0.01 to 0.5."""
     rng = np.random.default_rng(seed)
-    uv, views = rng.random((count, 2)), unit(rng, count)
+    uv, views = rng.random((count, 2)), unit_vectors(rng, count)
     sides = np.exp(rng.uniform(np.log(0.01), np.log(0.5), count))
     return interactions(uv, views, sides), uv, views, sides
 

@@ -11,8 +11,7 @@ from loomlight.models.neural.encoded_fabric import EncodedFabric, footprints_in_
 from studies.papers.chen2024.training.batches import coordinate_rows
 from studies.papers.chen2024.training.losses import unmapped
 from studies.papers.chen2024.training.network import ClothNetwork
-
-from .networks import linear_diffuse
+from tests.helpers.neural_networks import linear_diffuse
 
 
 def responses(

@@ -1,4 +1,4 @@
-"""Layouts for the tests of this folder."""
+"""Layouts of cloth, even and random."""
 
 from __future__ import annotations
 
