@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import onnxruntime
 import pytest
-from drjit.llvm import Array2f, Array3f, Float
+from drjit.llvm.ad import Array2f, Array3f, Float
 from safetensors.numpy import load_file
 
 from loomlight.core.footprint import Footprint

@@ -16,7 +16,7 @@ from unittest.mock import patch
 
 import numpy as np
 import pytest
-from drjit.llvm import Array2f, Array3f, Float, UInt32
+from drjit.llvm.ad import Array2f, Array3f, Float, UInt32
 
 from loomlight.core.footprint import Footprint
 from loomlight.core.images import read_picture

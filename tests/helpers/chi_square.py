@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,12 +36,21 @@ def cell_shares(density: Density, points: int = _POINTS) -> NDArray[np.float64]:
     return np.einsum("rpcq,p,q->rc", cells, weight, weight).ravel() * area
 
 
-def cell_counts(directions: NDArray[np.float64]) -> NDArray[np.int64]:
-    """How many unit vectors [n, 3] fall into each cell [ROWS · COLUMNS]."""
-    row = np.clip(((directions[:, 2] + 1) / 2 * ROWS).astype(int), 0, ROWS - 1)
+def cell_counts(
+    directions: NDArray[np.float64],
+    shape: tuple[int, int] = (ROWS, COLUMNS),
+    weights: NDArray[np.float64] | None = None,
+) -> NDArray[Any]:
+    """How many unit vectors [n, 3] fall into each cell, or the sum of their weights there.
+
+    Args:
+        shape: rows and columns of cells of equal solid angle.
+    """
+    rows, columns = shape
+    row = np.clip(((directions[:, 2] + 1) / 2 * rows).astype(int), 0, rows - 1)
     turn = np.arctan2(directions[:, 1], directions[:, 0]) / (2 * math.pi) % 1
-    column = np.clip((turn * COLUMNS).astype(int), 0, COLUMNS - 1)
-    return np.bincount(row * COLUMNS + column, minlength=ROWS * COLUMNS)
+    column = np.clip((turn * columns).astype(int), 0, columns - 1)
+    return np.bincount(row * columns + column, weights, rows * columns)
 
 
 def p_value(counts: NDArray[np.int64], expected: NDArray[np.float64]) -> float:

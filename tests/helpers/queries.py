@@ -57,12 +57,12 @@ class Queries:
         return Queries(self.lights, self.views, self.centres + np.asarray(by), self.edges)
 
 
-def queries(cloth: Fabric, count: int, seed: int) -> Queries:
-    """Both sides, reflection and transmission; parallelograms from a tenth of a thread to 3 repeats."""
+def queries(cloth: Fabric, count: int, seed: int, smallest: float = 0.1) -> Queries:
+    """Both sides, reflection and transmission; parallelograms from `smallest` of a thread to 3 repeats."""
     rng = np.random.default_rng(seed)
     extent = np.asarray(cloth.repeat_mm)
     thread = float(cloth.layout().warp.spacing.mean())
-    size = np.exp(rng.uniform(math.log(0.1 * thread), math.log(3 * extent.max()), count))
+    size = np.exp(rng.uniform(math.log(smallest * thread), math.log(3 * extent.max()), count))
     turn, shear = rng.uniform(0, 2 * math.pi, count), rng.uniform(-0.6, 0.6, count)
     along = np.stack([np.cos(turn), np.sin(turn)], axis=1)
     across = np.stack([-along[:, 1], along[:, 0]], axis=1) * rng.uniform(0.3, 1, (count, 1))

@@ -7,14 +7,12 @@ from __future__ import annotations
 
 import io
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import loomlight
-from loomlight.core.errors import InputError
 from loomlight.core.images import Picture, read_linear
 from loomlight.models.interface import Model
 from loomlight.models.material_spec import resolve
@@ -113,9 +111,3 @@ def test_fabrics_drafts_and_pictures_show_themselves() -> None:
     assert png is not None
     assert Image.open(io.BytesIO(png)).size == (3, 2)
     assert picture[0]._repr_png_() is None
-
-
-@pytest.mark.parametrize("groups", ["8", True, 8.5, 0, 65, float("nan")])
-def test_options_of_another_kind_are_refused(groups: Any) -> None:
-    with pytest.raises(InputError, match=r"groups = .* is wrong: give a whole number from 1 to 64\."):
-        loomlight.bake("plain", "lobes", groups=groups)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from drjit.llvm import Float
+from drjit.llvm.ad import Float
 
 from loomlight.core.backend import array_types
 from loomlight.fabric import fabric_from_text

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from drjit.llvm import Float
+from drjit.llvm.ad import Float
 
 from loomlight.scattering import diffuse, fibre, sheen
 from loomlight.scattering.appearance import YarnDetail

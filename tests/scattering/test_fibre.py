@@ -1,4 +1,4 @@
-"""The fibre layer against random walks, its own sampler, and the identities that it must keep."""
+"""The fibre layer against random walks, the weights of its sampler, and the identities that it must keep."""
 
 from __future__ import annotations
 
@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 
 from loomlight.scattering import fibre
+from tests.helpers.lobes import FIBRE_ROUGHNESSES
 from tests.helpers.references import microflakes as flakes
-
-ROUGHNESSES = (0.01, 0.03, 0.1, 0.3, 0.6, 1.0)
 
 
 def vector(values: np.ndarray) -> jit.Array3f:
@@ -83,7 +82,7 @@ def test_layer_agrees_with_random_walks() -> None:
 
 
 @pytest.mark.quick("0.3", "1.0")
-@pytest.mark.parametrize("roughness", ROUGHNESSES)
+@pytest.mark.parametrize("roughness", FIBRE_ROUGHNESSES)
 def test_normals_project_to_the_area(roughness: float) -> None:
     rng = np.random.default_rng(1)
     for _ in range(4):
@@ -98,41 +97,7 @@ def test_normals_project_to_the_area(roughness: float) -> None:
         assert area == pytest.approx(flakes.area(direction, tangent, roughness), rel=1e-5)
 
 
-def views_for_sampling() -> list[tuple[str, np.ndarray, np.ndarray]]:
-    tangent = np.array([1.0, 0, 0])
-    return [
-        ("across", np.array([0.0, 0.3, np.sqrt(1 - 0.09)]), tangent),
-        ("oblique", flakes.unit([0.6, -0.5, 0.4]), flakes.unit([0.8, 0.3, 0.2])),
-        ("grazing", flakes.unit([0.7, 0.7, 0.01]), tangent),
-        ("nearly along the fibre", flakes.unit([1, 0.004, 0.01]), tangent),
-    ]
-
-
-@pytest.mark.quick(
-    "oblique-view1-tangent1-0.3", "grazing-view2-tangent2-0.1", "nearly along the fibre-view3-tangent3-0.6"
-)
-@pytest.mark.parametrize("roughness", ROUGHNESSES)
-@pytest.mark.parametrize(("name", "view", "tangent"), views_for_sampling())
-def test_samples_follow_their_density(
-    name: str, view: np.ndarray, tangent: np.ndarray, roughness: float
-) -> None:
-    count, bins = 1 << 18, (24, 36)
-    u = jit.Array2f(np.random.default_rng(7).random((2, count)).astype(np.float32))
-    samples = fibre.sample_specular(vector(view), vector(tangent), jit.Float(roughness), u)
-    # Bin edges cut cells: about 2.5 counts of 300 a bin, a fiftieth of the variance.
-    grid, solid_angle = flakes.light_grid(view, tangent, roughness, (1200, 1000))
-    pdf = fibre.pdf_specular(vector(grid), vector(view), vector(tangent), jit.Float(roughness)).numpy()
-    mass = pdf * solid_angle
-    assert mass.sum() == pytest.approx(1, abs=2e-3)
-    frame = flakes.frame_about(flakes.unit([0.3, 0.5, 0.8]))
-    size = bins[0] * bins[1]
-    observed = np.bincount(flakes.bins_of(samples.numpy().T.astype(float), frame, bins), minlength=size)
-    expected = np.bincount(flakes.bins_of(grid, frame, bins), mass / mass.sum(), size) * count
-    # 24 tests: one in a thousand of them all falls below this by chance. Seeds are fixed.
-    assert flakes.chi_square_p(observed, expected) > 1e-3 / 24
-
-
-@pytest.mark.parametrize("roughness", ROUGHNESSES)
+@pytest.mark.parametrize("roughness", FIBRE_ROUGHNESSES)
 def test_sample_weights_are_values_over_density(roughness: float) -> None:
     rng = np.random.default_rng(3)
     view, normal, tangent = (vector(rows) for rows in flakes.random_frames(rng, 1 << 16, 0.5))
@@ -283,7 +248,7 @@ def test_estimates_are_positive_and_near_the_albedos() -> None:
     count = 1 << 18
     view, normal, tangent = (vector(rows) for rows in flakes.random_frames(rng, count))
     u = jit.Array2f(rng.random((2, count)).astype(np.float32))
-    for roughness, depth in itertools.product(ROUGHNESSES, (0.3, 2.0, 6.0)):
+    for roughness, depth in itertools.product(FIBRE_ROUGHNESSES, (0.3, 2.0, 6.0)):
         alpha = jit.Float(roughness)
         light = fibre.sample_specular(view, tangent, alpha, u)
         pdf = fibre.pdf_specular(light, view, tangent, alpha)

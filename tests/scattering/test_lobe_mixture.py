@@ -1,4 +1,4 @@
-"""Lobes of the sampler network: directions follow their density, and the density is that of the listings."""
+"""Lobes of the sampler network: their density is that of the listings."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import math
 
 import drjit as dr
 import numpy as np
-import pytest
 import torch
 from drjit.llvm.ad import Float
 from numpy.typing import NDArray
@@ -20,47 +19,13 @@ from loomlight.scattering.lobe_mixture import (
     sample_mixture,
 )
 from loomlight.training.layers import TORCH
-from tests.helpers.chi_square import COLUMNS, ROWS, cell_counts, cell_shares, p_value
+from tests.helpers.lobes import MIXTURE_VIEWS
 
 require_llvm()
-
-# Roughness x and y, correlation, slopes of both lobes, logarithms of weights; before their activations.
-OUTPUTS = {
-    "round": [-0.5, -0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-    "off-centre": [-0.8, 0.3, 0.9, 0.4, -0.3, 0.2, 0.5, 1.0, 0.0],
-    "steep": [0.0, -1.0, -2.0, -1.2, 0.8, -2.0, 1.0, 0.5, 0.0],
-    "diffuse alone": [0.0, 0.0, 0.0, 0.0, 0.0, 0.7, -0.4, -50.0, 50.0],
-}
-VIEWS = [(0.0, 0.0, 1.0), (0.6, 0.2, math.sqrt(0.6)), (-0.3, 0.86, math.sqrt(1 - 0.09 - 0.7396))]
 
 
 def mixture_of(outputs: list[float]) -> LobeMixture:
     return lobe_mixture([Float(value) for value in outputs])
-
-
-@pytest.mark.parametrize("view", VIEWS)
-@pytest.mark.parametrize("name", OUTPUTS)
-def test_directions_follow_their_density(name: str, view: tuple[float, float, float]) -> None:
-    mixture, count = mixture_of(OUTPUTS[name]), 40_000
-    eye = [Float(part) for part in view]
-
-    def density(lights: NDArray[np.float64]) -> NDArray[np.float64]:
-        light = [Float(column.astype(np.float32)) for column in lights.T]
-        return np.broadcast_to(mixture_density(mixture, light, eye).numpy(), len(lights)).astype(np.float64)
-
-    # Below the surface the density has a pole where light and view are opposite, which no rule integrates:
-    # all cells there are one.
-    below = ROWS // 2 * COLUMNS
-    above = cell_shares(density)[below:]
-    shares = np.append(above, 1 - above.sum())
-    rng = np.random.default_rng(4)
-    choice, *u = (Float(rng.random(count, np.float32)) for _ in range(3))
-    drawn = np.stack([part.numpy() for part in sample_mixture(mixture, eye, choice, u)], axis=1)
-    np.testing.assert_allclose(np.linalg.norm(drawn, axis=1), 1, atol=1e-5)
-    # 12 tests with fixed seeds.
-    counts = cell_counts(drawn.astype(np.float64))
-    counts = np.append(counts[below:], counts[:below].sum())
-    assert p_value(counts, shares * count) > 1e-3
 
 
 def listed_density(
@@ -101,7 +66,7 @@ def test_densities_are_those_of_the_listings() -> None:
 def test_extreme_outputs_are_finite() -> None:
     for sign in (-1e6, 1e6):
         mixture = mixture_of([sign] * LOBE_OUTPUTS)
-        eye = [Float(part) for part in VIEWS[1]]
+        eye = [Float(part) for part in MIXTURE_VIEWS[1]]
         drawn = sample_mixture(mixture, eye, Float(0.5), [Float(0.3), Float(0.999999)])
         density = mixture_density(mixture, drawn, eye)
         assert all(dr.all(dr.isfinite(part)) for part in (*drawn, density))

@@ -1,4 +1,4 @@
-"""The sheen: its energy and its sampler; its lobe is held to the published tables in tests/tools/fits."""
+"""The sheen: its energy and its weights; its lobe is held to the published tables in tests/tools/fits."""
 
 from __future__ import annotations
 
@@ -16,48 +16,24 @@ from loomlight.scattering.sheen import (
     sheen_transmittance,
     sheen_with_transmittance,
 )
+from tests.helpers.lobes import SHEENS, jittered_upper_half, view_at
 from tests.helpers.references import microflakes as flakes
 
-LOBES = [(0.02, 0.3), (0.3, 0.05), (0.3, 0.4), (0.7, 0.4), (0.999, 1.0), (0.1, 1.0)]
 
-
-def view_at(cos_view: float, azimuth: float = 2.1) -> jit.Array3f:
-    sin = np.sqrt(1 - cos_view**2)
-    return jit.Array3f(float(sin * np.cos(azimuth)), float(sin * np.sin(azimuth)), cos_view)
-
-
-def upper_grid(size: tuple[int, int] = (2000, 600)) -> tuple[np.ndarray, np.ndarray]:
-    """Jittered directions above the cloth, denser towards the horizon, and their solid angles."""
-    row, column = (np.indices(size) + np.random.default_rng(0).random((2, *size))).reshape(2, -1)
-    z, azimuth = (row / size[0]) ** 2, 2 * np.pi * column / size[1]
-    radius = np.sqrt(1 - z**2)
-    directions = np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], -1)
-    return directions, 2 * row / size[0] / size[0] * 2 * np.pi / size[1]
-
-
-@pytest.mark.quick("0.1-1.0", "0.3-0.4")
-@pytest.mark.parametrize(("cos_view", "roughness"), LOBES)
-def test_samples_follow_their_density(cos_view: float, roughness: float) -> None:
-    count, bins = 1 << 18, (32, 24)
-    u = jit.Array2f(np.random.default_rng(5).random((2, count)).astype(np.float32))
+@pytest.mark.parametrize(("cos_view", "roughness"), SHEENS)
+def test_the_weight_is_the_reflectance(cos_view: float, roughness: float) -> None:
+    """For every sample; that samples follow their density, tests/contract asks."""
+    u = jit.Array2f(np.random.default_rng(5).random((2, 1 << 14)).astype(np.float32))
     view = view_at(cos_view)
     light = sample_sheen(view, roughness, u)
-    grid, solid_angle = upper_grid()
-    pdf = sheen_pdf(jit.Array3f(grid.T.astype(np.float32)), view, roughness).numpy()
-    observed = np.bincount(flakes.bins_of(light.numpy().T.astype(float), np.eye(3), bins), minlength=768)
-    expected = np.bincount(flakes.bins_of(grid, np.eye(3), bins), pdf * solid_angle, 768)
-    # The jittered grid's own error.
-    assert expected.sum() == pytest.approx(1, abs=1e-3)
-    assert flakes.chi_square_p(observed, expected / expected.sum() * count) > 1e-3 / len(LOBES)
-    # The weight is the reflectance, for every sample.
     weight = (sheen(light, view, 0.8, roughness) / sheen_pdf(light, view, roughness)).numpy()
     np.testing.assert_allclose(weight, 0.8 * sheen_lobe(view.z, roughness)[2].numpy()[0], rtol=1e-5)
 
 
-@pytest.mark.parametrize(("cos_view", "roughness"), LOBES)
+@pytest.mark.parametrize(("cos_view", "roughness"), SHEENS)
 def test_what_the_sheen_takes_it_returns(cos_view: float, roughness: float) -> None:
     view = view_at(cos_view)
-    grid, solid_angle = upper_grid()
+    grid, solid_angle = jittered_upper_half()
     value = sheen(jit.Array3f(grid.T.astype(np.float32)), view, 0.8, roughness).numpy()
     returned = np.sum(value * solid_angle)
     assert returned + sheen_transmittance(view, 0.8, roughness).numpy()[0] == pytest.approx(1, abs=1e-3)

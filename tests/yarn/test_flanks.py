@@ -5,7 +5,7 @@ from __future__ import annotations
 import drjit as dr
 import numpy as np
 import pytest
-from drjit.llvm import Bool, Float
+from drjit.llvm.ad import Bool, Float
 from numpy.typing import NDArray
 
 from loomlight.yarn.flanks import FILLED_GAP, OPEN_GAP, filled_share

@@ -141,7 +141,7 @@ class FootprintBsdf(ABC):
 class Model(ABC):
     """A multi-scale model of one source.
 
-    Every model passes `tests/models/test_contract.py`, which holds it to what it claims here.
+    Every model passes `tests/contract/test_models.py`, which holds it to what it claims here.
 
     Attributes:
         name: as the command line and assets call it.

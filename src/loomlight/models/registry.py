@@ -3,7 +3,7 @@
 This is the one list of both; what needs a renderer is named here too, and imports it when it is used.
 
 An entry here is all that a model needs to become a name of the command line, a material file, a BSDF of
-Mitsuba and a row of the query benchmark; it must pass tests/models/test_contract.py.
+Mitsuba and a row of the query benchmark; it must pass the tests of models in tests/contract.
 """
 
 from __future__ import annotations

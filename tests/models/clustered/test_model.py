@@ -21,7 +21,7 @@ from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.clustered.model import ClusteredModel, ClusteredOptions
+from loomlight.models.clustered.model import ClusteredModel
 from loomlight.models.clustered.square_map import BINS, bin_centres, bin_taps
 from loomlight.models.clustered.tables import (
     MAX_TEXELS,
@@ -271,20 +271,3 @@ def test_a_large_repeat_has_fewer_texels_a_thread_and_says_what_it_takes() -> No
     too_large = YarnGeometry(fabric_from_text('weave = "satin 1001/300"').layout())
     with pytest.raises(InputError, match=r"texels, .* GB and about .* s to bake"):
         texel_counts(too_large, 256)
-
-
-@pytest.mark.parametrize("option", [{"clusters": 6}, {"rank": 17}, {"samples": 9}, {"texels": 8}])
-def test_options_out_of_range_are_refused(option: dict[str, int]) -> None:
-    name, value = next(iter(option.items()))
-    with pytest.raises(InputError, match=f"{name} = {value} is wrong"):
-        ClusteredOptions(**option)
-
-
-def test_a_file_of_another_version_is_refused() -> None:
-    loom = model().to_loom()
-    with pytest.raises(InputError, match="bake it again"):
-        ClusteredModel.from_loom(replace(loom, settings={**loom.settings, "tables_version": 0}))
-    with pytest.raises(InputError, match=r"model\.labels holds 77: it should be 0 to 3 each, or 255"):
-        ClusteredModel.from_loom(
-            replace(loom, tensors={**loom.tensors, "labels": np.full_like(loom.tensors["labels"], 77)})
-        )

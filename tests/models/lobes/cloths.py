@@ -26,39 +26,11 @@ from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry
 from tests.helpers.arrays import pairs, vectors
 from tests.helpers.directions import directions
+from tests.helpers.fabrics import STRESSING
 
 from .reference import LobesReference
 
 require_llvm()
-
-TEXTS = {
-    # Holes.
-    "open plain": 'weave = "plain"\ngap = 0.4',
-    # Narrow highlights; each face shows little of one family.
-    "smooth satin": """
-        weave = "satin 8/3"
-        [warp]
-        roughness = 0.1
-        twist_deg = -30.0
-        [weft]
-        roughness = 0.3
-        """,
-    # Light from the other side, families unlike each other.
-    "translucent twill": """
-        weave = "twill 2/1"
-        diffuse_blend = 0.8
-        optical_depth = 1.2
-        [warp]
-        translucency = 0.6
-        roughness = 0.6
-        height_scale = 0.5
-        [weft]
-        translucency = 0.3
-        inclination_deg = 35.0
-        """,
-    # A repeat that is longer than wide.
-    "long rib": 'weave = "warp rib 3/3"\nends_per_cm = 30.0\npicks_per_cm = 12.0',
-}
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,8 +75,8 @@ class FootprintQueries:
 
 @cache
 def cloth(name: str) -> Fabric:
-    """A fabric of `TEXTS`."""
-    return fabric_from_text(TEXTS[name])
+    """A fabric of `STRESSING`."""
+    return fabric_from_text(STRESSING[name])
 
 
 def random_cloth(ends: int, picks: int, uneven: bool = False) -> Fabric:

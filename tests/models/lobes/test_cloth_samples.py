@@ -11,8 +11,9 @@ from drjit.llvm.ad import Float, UInt32
 
 from loomlight.core.backend import array_types
 from loomlight.models.lobes.rays import SamplePositions
+from tests.helpers.fabrics import STRESSING
 
-from .cloths import TEXTS, geometry_of
+from .cloths import geometry_of
 
 
 def test_positions_are_even_over_crossings_and_within_them() -> None:
@@ -37,7 +38,7 @@ def test_positions_are_even_over_crossings_and_within_them() -> None:
     assert not np.isclose(places[0], places[1]).any(axis=1).all()
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 def test_lattices_measure_families_with_less_noise(name: str) -> None:
     """The share of a family, seen from above by as many points as a node has rays, over many sets."""
     geometry = geometry_of(name)

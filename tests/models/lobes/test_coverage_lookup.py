@@ -18,8 +18,9 @@ from loomlight.models.lobes.hemisphere import byte_of_group, pack_count
 from loomlight.models.lobes.rays import SurfaceHits
 from loomlight.yarn.geometry import YarnGeometry
 from tests.helpers.arrays import floats
+from tests.helpers.fabrics import STRESSING
 
-from .cloths import TEXTS, askew, geometry_of, pyramid_of
+from .cloths import askew, geometry_of, pyramid_of
 
 TYPES = array_types(Float)
 PER_FAMILY = 8
@@ -89,7 +90,7 @@ def _squares(name: str, relative: float, seed: int) -> tuple[NDArray[np.float64]
 
 @pytest.mark.quick("long rib-1.0")
 @pytest.mark.parametrize("relative", ERRORS)
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 def test_means_are_those_of_squares(name: str, relative: float) -> None:
     for back in (False, True):
         centres, sizes = _squares(name, relative, 1)
@@ -101,7 +102,7 @@ def test_means_are_those_of_squares(name: str, relative: float) -> None:
 
 
 @pytest.mark.parametrize("relative", ERRORS_ASKEW)
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 def test_means_are_those_of_footprints_askew(name: str, relative: float) -> None:
     for back in (False, True):
         centres, sizes = _squares(name, relative, 6)
@@ -130,7 +131,7 @@ def test_squares_elsewhere_are_another_matter() -> None:
     assert (np.abs(actual - expected).sum(axis=1) / 2).mean() > 1.4 * ERRORS[2.0]
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 def test_shares_sum_to_one(name: str) -> None:
     for relative in (0.3, 1.0, 1.7, 5.0, 40.0):
         for back in (False, True):
@@ -139,7 +140,7 @@ def test_shares_sum_to_one(name: str) -> None:
             np.testing.assert_allclose(total, 1, atol=6e-3)
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 def test_coverage_repeats(name: str) -> None:
     width, height = _made(name)[0].size
     for relative in (0.5, 1.3, 3.0, 30.0):

@@ -10,14 +10,15 @@ from loomlight.models.lobes.coverage import spacing_of
 from loomlight.models.lobes.hemisphere import pack_count
 from loomlight.models.lobes.model import LobesModel, LobesOptions
 from loomlight.yarn.geometry import YarnGeometry
+from tests.helpers.fabrics import STRESSING
 
-from .cloths import TEXTS, geometry_of, pyramid_of, random_cloth
+from .cloths import geometry_of, pyramid_of, random_cloth
 
 PER_FAMILY = 8
 
 
 def test_levels_are_a_pyramid() -> None:
-    for name in TEXTS:
+    for name in STRESSING:
         geometry = geometry_of(name)
         coverage = pyramid_of(geometry, PER_FAMILY)[1]
         first, columns, rows = coverage.levels.T

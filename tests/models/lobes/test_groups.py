@@ -31,8 +31,9 @@ from loomlight.models.lobes.rays import (
 from loomlight.yarn.flanks import SurfacePoint
 from loomlight.yarn.geometry import YarnGeometry
 from tests.helpers.arrays import floats
+from tests.helpers.fabrics import STRESSING
 
-from .cloths import TEXTS, geometry_of, groups_of, prefiltered_parts, random_queries
+from .cloths import geometry_of, groups_of, prefiltered_parts, random_queries
 
 PER_FAMILY = 8
 # Texels of an independent plan, a side.
@@ -58,7 +59,7 @@ def _numbers(groups: Groups, point: SurfacePoint, back: bool) -> NDArray[np.int6
     return actual.numpy().astype(np.int64)
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 @pytest.mark.parametrize("back", [False, True])
 def test_points_belong_to_the_nearest_centre_of_their_family(name: str, back: bool) -> None:
     geometry = geometry_of(name)
@@ -85,7 +86,7 @@ def test_points_belong_to_the_nearest_centre_of_their_family(name: str, back: bo
             assert (family > 0).all()
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 @pytest.mark.parametrize("back", [False, True])
 def test_holes_are_those_of_the_plan(name: str, back: bool) -> None:
     geometry = geometry_of(name)
@@ -132,7 +133,7 @@ def test_groups_shared_out_are_narrower_than_halves() -> None:
     assert shared < 0.9 * halves
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 def test_more_groups_are_narrower(name: str) -> None:
     cloth = upload_cloth(geometry_of(name), Float)
     points, seen = top_down_samples(cloth), view_samples(launch_views(cloth, PER_FAMILY))

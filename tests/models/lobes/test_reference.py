@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 from loomlight.models.lobes.bsdf import LobeWeights
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.separable import Components
+from tests.helpers.fabrics import STRESSING
 
-from .cloths import TEXTS, FootprintQueries, model_of, prefiltered_parts, random_queries, reference_of
+from .cloths import FootprintQueries, model_of, prefiltered_parts, random_queries, reference_of
 from .reference import LobesReference, Parallelogram
 
 QUERIES = 250
@@ -55,7 +56,7 @@ def reference_parts(reference: LobesReference, queries: FootprintQueries) -> dic
 
 
 @pytest.mark.quick("smooth satin")
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 def test_both_agree_on_components_and_holes(name: str) -> None:
     model = model_of(name)
     queries = queries_of(model, seed=1)

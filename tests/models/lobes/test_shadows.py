@@ -17,8 +17,9 @@ from loomlight.aggregate.components import lobes
 from loomlight.models.lobes.model import LobesModel
 from loomlight.scattering.point import YarnScattering
 from tests.helpers.directions import directions
+from tests.helpers.fabrics import STRESSING
 
-from .cloths import TEXTS, FootprintQueries, cloth, geometry_of, model_of, prefiltered_parts
+from .cloths import FootprintQueries, cloth, geometry_of, model_of, prefiltered_parts
 
 PAIRS, POINTS = 250, 2048
 
@@ -55,7 +56,7 @@ def traced(name: str, queries: FootprintQueries) -> NDArray[np.float64]:
 def errors(through: bool, joint: bool) -> NDArray[np.float64]:
     """nMAE of diffuse and specular terms, mean over the cloths [2]; without `joint` of ratios of 1."""
     rows = []
-    for name in TEXTS:
+    for name in STRESSING:
         queries = queried(name, through)
         tables = model_of(name).tables
         model = LobesModel(cloth(name), replace(tables, joint=tables.joint * np.int16(joint)))

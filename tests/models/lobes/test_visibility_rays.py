@@ -15,13 +15,14 @@ from loomlight.models.lobes.rays import (
     upload_cloth,
     view_samples,
 )
+from tests.helpers.fabrics import STRESSING
 
-from .cloths import TEXTS, geometry_of
+from .cloths import geometry_of
 
 PER_FAMILY = 8
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 def test_view_samples_are_those_that_views_hit(name: str) -> None:
     """Fractions of families and holes are those of the rays that tables are made of."""
     geometry = geometry_of(name)

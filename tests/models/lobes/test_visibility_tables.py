@@ -29,9 +29,10 @@ from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.rays import REFERENCE_QUALITY
 from loomlight.yarn.visibility import first_hit, unoccluded
 from tests.helpers.arrays import floats
+from tests.helpers.fabrics import STRESSING
 from tests.helpers.layouts import even_layout
 
-from .cloths import TEXTS, geometry_of
+from .cloths import geometry_of
 
 PER_FAMILY = 4
 RAYS = ray_count(PER_FAMILY)
@@ -85,7 +86,7 @@ def _noise(share: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize(("degrees", "azimuth"), [(20.0, 0.7), (65.0, 2.5)])
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 def test_projected_area_is_what_finer_rays_hit(name: str, degrees: float, azimuth: float) -> None:
     made = _made(name)
     geometry, groups = made.geometry, made.groups
@@ -137,7 +138,7 @@ def _coverage(geometry: YarnGeometry, nearest: NearestGroup) -> NDArray[np.int64
 
 
 @pytest.mark.quick("translucent twill")
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 def test_moments_are_those_of_what_finer_rays_hit(name: str) -> None:
     """Of random rays from all nodes, as many as moments are of."""
     made = _made(name)
@@ -233,7 +234,7 @@ def test_lit_is_what_finer_shadow_rays_say(name: str, degrees: float, azimuth: f
                 assert abs((share * (actual - expected)[several]).sum()) < 1 / math.sqrt(RAYS)
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 def test_ranges(name: str) -> None:
     tables = _made(name).tables
     np.testing.assert_allclose(tables.projected_area.sum(axis=-1), 1, atol=1e-12)
@@ -246,7 +247,7 @@ def test_ranges(name: str) -> None:
     assert (tables.irradiance <= tables.light_visibility / math.pi + 1e-6).all()
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", STRESSING)
 def test_from_the_zenith_everything_is_seen_and_lit(name: str) -> None:
     made = _made(name)
     geometry, groups, tables = made.geometry, made.groups, made.tables

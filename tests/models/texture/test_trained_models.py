@@ -1,4 +1,4 @@
-"""The models that are trained, `neumip` and `latent`: options, files, and trainings that are stopped."""
+"""The models that are trained, `neumip` and `latent`: what they learn, and trainings that are stopped."""
 
 from __future__ import annotations
 
@@ -17,12 +17,11 @@ from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.registry import make_model, model_class
+from loomlight.models.registry import make_model
 from loomlight.models.texture.latent_training import train_latent
 from loomlight.models.texture.neumip_training import train_neumip
 from loomlight.models.texture.settings import LATENT_QUALITIES, NEUMIP_QUALITIES
 from loomlight.scattering.point import YarnScattering
-from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import YarnGeometry
 from tests.marks import slow
 
@@ -58,65 +57,6 @@ def test_means_of_the_whole_cloth_are_learned_on_both_faces(name: str) -> None:
             numbers = [Float(rng.random(4000, np.float32)) for _ in range(3)]
             mean = at.sample(numbers[0], Array2f(*numbers[1:])).weight.numpy().mean(axis=1)
             np.testing.assert_allclose(at.directional_albedo.numpy()[:, 0], mean, rtol=0.3, atol=0.05)
-
-
-@pytest.mark.parametrize(
-    ("name", "setting", "says"),
-    [
-        ("neumip", "qualty=full", '"qualty" is no option of neumip: did you mean quality?'),
-        ("neumip", "quality", '"quality" is no option: write its name, "=" and its value'),
-        ("neumip", "quality=best", 'quality = "best" does not exist: known are preview, full.'),
-        ("neumip", "resolution=100", "resolution = 100 is wrong: give a power of two from 8 to 1024"),
-        ("neumip", "resolution=4", "resolution = 4 is wrong: give a power of two from 8 to 1024"),
-        ("neumip", "steps=many", 'steps = "many" is wrong: give a whole number from 1'),
-        ("neumip", "offset=no", 'offset = "no" is wrong: give true or false'),
-        ("neumip", "device=tpu", 'device = "tpu" does not exist: did you mean cpu?'),
-        ("latent", "quality=best", 'quality = "best" does not exist: known are preview, full, published'),
-        ("latent", "decoder=2x33", 'decoder = "2x33" does not exist'),
-        ("latent", "rung=frame", 'rung = "frame" does not exist: did you mean frames?'),
-        ("latent", "resolution=100", "resolution = 100 is wrong: give a power of two from 8 to 1024"),
-        ("latent", "mips=nearest", 'mips = "nearest" does not exist: known are stochastic, trilinear.'),
-        ("latent", "precision=int8", 'precision = "int8" does not exist'),
-        ("latent", "features=all", 'features = "all" does not exist'),
-        ("latent", "loss=l2", 'loss = "l2" does not exist'),
-    ],
-)
-def test_a_wrong_option_is_one_sentence(
-    name: str, setting: str, says: str, refused: Callable[..., str]
-) -> None:
-    assert says in refused(["bake", "plain", "--model", name, "-o", "a.loom", "--set", setting])
-
-
-@pytest.fixture(scope="module")
-def looms() -> dict[str, LoomFile]:
-    return {name: make_model(name, TWILL, steps=1).to_loom() for name in STEPS}
-
-
-@pytest.mark.parametrize(
-    ("name", "changes", "says"),
-    [
-        ("neumip", {"columns": 3}, "columns = 3 is wrong: it is a power of two up to 4096"),
-        ("neumip", {"columns": 32}, "model.features is"),
-        ("neumip", {"faces": 4}, "faces = 4 is wrong"),
-        ("latent", {"version": 1}, "its networks are of another version of loomlight: bake it again"),
-        ("latent", {"features": "all"}, 'features = "all" is wrong: it is one of half-vector, none'),
-        ("latent", {"features": "none"}, "model.decoder.0.weight is"),
-        ("latent", {"columns": 3}, "columns = 3 is wrong: it is a power of two up to 4096"),
-        ("latent", {"columns": 32}, "model.latents is"),
-        ("latent", {"precision": "int8"}, 'precision = "int8" is wrong: it is one of float32, float16'),
-        ("latent", {"precision": "float16"}, "model.latents is"),
-        ("latent", {"faces": 4}, "faces = 4 is wrong"),
-        ("latent", {"decoder": "9x9"}, 'decoder = "9x9" is wrong: it is one of 2x16, 2x32, 3x64'),
-        ("latent", {"decoder": "3x64"}, "model.decoder.0.weight is"),
-    ],
-)
-def test_a_file_that_fits_not_is_refused(
-    name: str, changes: dict[str, int | str], says: str, looms: dict[str, LoomFile]
-) -> None:
-    loom = looms[name]
-    with pytest.raises(InputError) as caught:
-        model_class(name).from_loom(replace(loom, settings={**loom.settings, **changes}))
-    assert says in str(caught.value)
 
 
 class Stopped(Exception):  # noqa: N818 (no error: what a user does)

@@ -1,7 +1,8 @@
 """The contract of `loomlight.models.interface`: every registered model passes, or does not ship.
 
-Every model in the registry is tested here without further code. Its claims (`filters`, `conserves_energy`)
-are tested where it makes them, everything else for all models.
+Every model in the registry is tested here without further code. Its claims (`filters`, `estimates`) are
+tested where it makes them, everything else for all models. Samplers are in test_sampling.py, files in
+test_model_files.py.
 
 Covers: models/interface.py, models/separable.py
 """
@@ -9,35 +10,44 @@ Covers: models/interface.py, models/separable.py
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from collections.abc import Callable
+from dataclasses import fields
 from functools import cache
-from pathlib import Path
-from typing import Any, get_type_hints
+from typing import Any
 
 import drjit as dr
 import numpy as np
 import pytest
-from drjit.llvm.ad import Array3f, Float
+from drjit.llvm.ad import Array2f, Array3f, Float
 from numpy.typing import NDArray
 
 from loomlight.aggregate.slices import FabricSlices
+from loomlight.core.backend import array_types
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.fabric.read import edited_fabric
-from loomlight.models.interface import Model
-from loomlight.models.registry import make_model, model_class, model_from_loom, model_names
-from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
-from loomlight.scattering.point import Albedos, DirectionSample, YarnScattering
+from loomlight.models.interface import FootprintBsdf, Model
+from loomlight.models.registry import model_class, model_names
+from loomlight.models.separable import SeparableBsdf
+from loomlight.scattering.point import Albedos, YarnScattering
 from loomlight.scattering.sheen import sheen
-from loomlight.sources.loom_file import write_loom
 from loomlight.yarn.geometry import YarnGeometry
 from studies.instruments.reference import reference
 from tests.helpers.arrays import numbers, vectors
-from tests.helpers.chi_square import cell_counts, cell_shares, p_value
 from tests.helpers.directions import directions
-from tests.helpers.fabrics import TEXTS, WHITE, fabric
+from tests.helpers.fabrics import EVERYTHING, TEXTS, fabric
+from tests.helpers.model_answers import (
+    answers,
+    bake_cheaply,
+    built,
+    close,
+    every_fabric,
+    every_model,
+    every_model_once,
+    separable_models,
+    separable_models_once,
+)
 from tests.helpers.queries import Queries, queries
-from tests.marks import slow_among
+from tests.marks import slow, slow_among
 
 require_llvm()
 
@@ -48,91 +58,8 @@ MAX_ERROR = 0.2
 # from oblique views, and each footprint has one offset of parallax (zhu2024 5.2).
 OWN_SURFACE = 2
 
-# Options of the cheapest bake: the contract holds for any.
-CHEAPEST = {"clustered": {"clusters": 4, "texels": 32}}
-
-every_model = pytest.mark.parametrize("name", model_names())
-
-
-def is_separable(name: str) -> bool:
-    """Whether a model keeps components and albedos apart; others give colours alone."""
-    return issubclass(get_type_hints(model_class(name).at)["return"], SeparableBsdf)
-
-
-separable_models = pytest.mark.parametrize("name", [*filter(is_separable, model_names())])
-# Of cloths that no other test bakes for.
-SLOW_MODELS = ("clustered", "neumip", "latent")
-every_model_once = pytest.mark.parametrize("name", slow_among(model_names(), SLOW_MODELS))
-separable_models_once = pytest.mark.parametrize(
-    "name", slow_among(filter(is_separable, model_names()), SLOW_MODELS)
-)
-# Plain cloth has holes and lets light through its yarns.
-FABRICS = slow_among(TEXTS, set(TEXTS) - {"plain"})
-every_fabric = pytest.mark.parametrize("cloth", FABRICS)
 # Irregular yarns are alike in no two repeats.
 EVEN = [name for name in TEXTS if not fabric(name).appearance().is_irregular]
-
-
-@cache
-def built(name: str, cloth: str, between_yarns: bool = True) -> Model:
-    chosen = fabric_from_text(WHITE) if cloth == "white" else fabric(cloth)
-    if not between_yarns:
-        chosen = edited_fabric(chosen, {"interreflection": False})
-    return make_model(name, chosen, **CHEAPEST.get(name, {}))
-
-
-@dataclass
-class Answers:
-    """All outputs of a model for queries, computed at once: one kernel serves most of these tests."""
-
-    components: Components | None
-    hole: Any
-    albedos: FamilyAlbedos | None
-    value: Any
-    pdf: Any
-    through: Any
-
-    @property
-    def parts(self) -> dict[str, NDArray[np.float32]]:
-        """Components, where there are any, and the hole by name."""
-        parts = {}
-        if self.components is not None:
-            parts = {part.name: getattr(self.components, part.name).numpy() for part in fields(Components)}
-        return parts | {"hole": self.hole.numpy()}
-
-
-def answers(model: Model, queried: Queries, light: Any = None) -> Answers:
-    """The outputs of `model` for the queries, or for another light."""
-    light = queried.light if light is None else light
-    at = model.at(queried.view, queried.footprint)
-    separable = isinstance(at, SeparableBsdf)
-    assert separable == is_separable(model.name)
-    components, albedos = (at.components(light), at.albedos) if separable else (None, None)
-    value, pdf = at.value_and_pdf(light)
-    actual = Answers(components, at.hole, albedos, value, pdf, at.null_transmission)
-    dr.eval(actual)
-    return actual
-
-
-def drawn(model: Model, queried: Queries, seed: int) -> DirectionSample:
-    at = model.at(queried.view, queried.footprint)
-    actual = at.sample(*numbers(np.random.default_rng(seed), len(queried)))
-    dr.eval(actual)
-    return actual
-
-
-def close(
-    actual: NDArray[np.float32], wanted: NDArray[np.float32], rtol: float = 2e-3, lanes: int | None = None
-) -> None:
-    """Two kernels round differently, and in a shadow's edge or a yarn's that decides: 1 lane in 200 may.
-
-    Args:
-        lanes: how many these were chosen from.
-    """
-    near = np.isclose(actual, wanted, rtol=rtol, atol=1e-5)
-    alike = near if near.ndim == 1 else near.all(axis=0)
-    apart = actual[..., ~alike][..., :3], wanted[..., ~alike][..., :3]
-    assert (~alike).sum() < 0.005 * (lanes or alike.size), (alike.mean(), *apart)
 
 
 @every_model
@@ -203,7 +130,7 @@ def test_value_is_made_of_components_and_albedos(name: str) -> None:
 @every_model_once
 def test_opaque_yarns_send_nothing_to_the_far_side(name: str) -> None:
     opaque = fabric_from_text('weave = "plain"\n[warp]\ntranslucency = 0.0\n[weft]\ntranslucency = 0.0')
-    model = make_model(name, opaque, **CHEAPEST.get(name, {}))
+    model = bake_cheaply(name, opaque)
     queried = queries(opaque, 1000, seed=3)
     value = answers(model, queried).value.numpy().max(axis=0)
     far = queried.lights[:, 2] * queried.views[:, 2] < 0
@@ -301,7 +228,7 @@ def test_sheen_is_scaled_by_what_light_reaches_and_by_holes(name: str) -> None:
     black += '[weft]\ncolor = "#000000"\nspecular = 0\n[sheen]\nstrength = 0.7\n'
     cloth = fabric_from_text(black)
     queried = queries(cloth, 1500, seed=21)
-    actual = answers(make_model(name, cloth, **CHEAPEST.get(name, {})), queried)
+    actual = answers(bake_cheaply(name, cloth), queried)
     front = [np.c_[v[:, :2], v[:, 2] * np.sign(queried.views[:, 2])] for v in (queried.lights, queried.views)]
     lobe = sheen(*(vectors(v) for v in front), 0.7, cloth.appearance().sheen.roughness).numpy()
     scale = actual.parts["light_visibility"] + actual.parts["hole"]
@@ -322,116 +249,96 @@ def test_sheen_is_scaled_by_what_light_reaches_and_by_holes(name: str) -> None:
     assert abs((lobe * (scale - true_scale))[near].sum()) < bound * (lobe * true_scale)[near].sum()
 
 
-@pytest.mark.quick("latent-plain", "neumip-plain", "neural-plain", "point-plain", "lobes-plain")
-@every_fabric
-@every_model
-def test_weight_is_value_over_density(name: str, cloth: str) -> None:
-    model, queried = built(name, cloth), queries(fabric(cloth), 1500, seed=7)
-    actual = drawn(model, queried, seed=8)
-    passes, pdf, weight = actual.is_null.numpy(), actual.pdf.numpy(), actual.weight.numpy()
-    np.testing.assert_allclose(np.linalg.norm(actual.light.numpy(), axis=0), 1, atol=1e-4)
-    assert np.isfinite(weight).all()
-    assert (weight >= 0).all() or model_class(name).estimates
-    again = answers(model, queried, actual.light)
-    density, value, through = (part.numpy() for part in (again.pdf, again.value, again.through))
-    smooth = ~passes & (density > 0)
-    assert smooth.mean() > 0.5
-    close(pdf[smooth], density[smooth])
-    close(weight[:, smooth], value[:, smooth] / density[smooth])
-    # Straight on means straight on, and the weight is the light that passes over the chance to be drawn.
-    np.testing.assert_allclose(actual.light.numpy()[:, passes], -queried.view.numpy()[:, passes], atol=1e-5)
-    # Rays are chosen that one of both kernels lets through.
-    close(weight[0, passes] * pdf[passes], through[passes], lanes=len(queried))
-
-
-def spread_over(model: Model, view: NDArray[np.float64], size: float, count: int) -> Queries:
-    """One footprint, looked at `count` times from one direction."""
-    extent = np.asarray(model.source.repeat_mm)
-    edges = size * np.array([[1.0, 0.2], [-0.1, 0.8]]) * extent.min()
-    one = Queries(np.array([[0.0, 0.0, 1.0]]), view[None], 0.37 * extent[None], edges[None])
-    return one[np.zeros(count, int)]
-
-
-@pytest.mark.quick(
-    "latent-plain-25.0-0.3", "neumip-plain-25.0-0.3", "neural-plain-25.0-0.3", "point-plain-25.0-0.3"
-)
-@pytest.mark.parametrize(("degrees", "size"), [(25.0, 0.3), (70.0, 1.5), (140.0, 0.8)])
-@every_fabric
-@every_model
-def test_directions_are_distributed_by_their_density(
-    name: str, cloth: str, degrees: float, size: float
-) -> None:
-    model, count = built(name, cloth), 20_000
-    angle = math.radians(degrees)
-    view = np.array([0.6 * math.sin(angle), 0.8 * math.sin(angle), math.cos(angle)])
-
-    def density(lights: NDArray[np.float64]) -> NDArray[np.float64]:
-        queried = spread_over(model, view, size, len(lights))
-        return model.at(queried.view, queried.footprint).pdf(vectors(lights)).numpy().astype(np.float64)
-
-    shares = cell_shares(density)
-    actual = drawn(model, spread_over(model, view, size, count), seed=9)
-    passes, chance = actual.is_null.numpy(), actual.pdf.numpy()
-    through = float(chance[passes].mean()) if passes.any() else 0.0
-    if abs(shares.sum() + through - 1) > 3e-3:
-        # A narrow lobe needs a finer rule.
-        shares = cell_shares(density, points=24)
-    # The rule's error at the edge of a lobe is a few thousandths of a cell.
-    assert abs(shares.sum() + through - 1) < 5e-3
-    np.testing.assert_allclose(chance[passes], through, rtol=1e-3)
-    assert abs(passes.mean() - through) < 4.5 * math.sqrt(max(through, 1e-4) / count)
-    counts = cell_counts(actual.light.numpy().T[~passes].astype(np.float64))
-    # 24 tests: a false alarm once in forty runs, were the seeds not fixed.
-    assert p_value(counts, shares * count) > 1e-3
-
-
-@pytest.mark.quick("lobes-False", "point-False", "point-True", "neural-False")
-@pytest.mark.parametrize("between_yarns", [False, True])
-@every_model_once
-def test_no_light_is_made(name: str, between_yarns: bool) -> None:
-    model = built(name, "white", between_yarns)
-    if not model.conserves_energy:
-        pytest.skip("does not claim it")
-    rng = np.random.default_rng(10)
-    places, each = 64, 512
-    queried = queries(model.source, places, seed=11)[np.repeat(np.arange(places), each)]
-    weight = drawn(model, queried, seed=12).weight.numpy()[0].reshape(places, each)
-    mean, error = weight.mean(axis=1), weight.std(axis=1) / math.sqrt(each)
-    # 64 means of 512 weights, none of which may pass 5 deviations. How open a point is, is fitted: single
-    # points are off by 0.03 of their D with a deviation of 0.2 (`openness.py`), their mean is not.
-    room = 0.1 if between_yarns and not model.filters else 1e-4
-    assert (mean <= 1 + 5 * error + room).all()
-    assert mean.mean() <= 1 + 1e-4
-    # White cloth sends back most of what it gets, or the bound above says nothing.
-    assert mean.mean() > 0.5
-    # The same light by uniform directions: what is drawn is all there is.
-    lights = rng.normal(size=(len(queried), 3))
-    queried.lights = lights / np.linalg.norm(lights, axis=1, keepdims=True)
-    actual = answers(model, queried)
-    value, through = (
-        part.reshape(places, each) for part in (actual.value.numpy()[0], actual.through.numpy())
-    )
-    uniform = 4 * math.pi * value + through
-    spread = np.sqrt(error**2 + uniform.var(axis=1) / each)
-    assert (np.abs(uniform.mean(axis=1) - mean) < 5 * spread + 1e-3).all()
-
-
-@every_fabric
-@every_model
-def test_a_loom_file_gives_the_same_numbers(name: str, cloth: str, tmp_path: Path) -> None:
-    model, queried = built(name, cloth), queries(fabric(cloth), 300, seed=13)
-    path = tmp_path / "cloth.loom"
-    write_loom(path, model.to_loom())
-    again = model_from_loom(path)
-    assert type(again) is type(model)
-    first = path.read_bytes()
-    write_loom(path, again.to_loom())
-    assert path.read_bytes() == first
-    actual, wanted = answers(again, queried), answers(model, queried)
-    for what in ("value", "pdf", "through"):
-        assert np.array_equal(getattr(actual, what).numpy(), getattr(wanted, what).numpy()), what
-
-
 def test_views_in_these_tests_see_both_faces() -> None:
     sides = np.sign(directions(np.random.default_rng(0), 1000)[:, 2])
     assert abs(sides.mean()) < 0.1
+
+
+@cache
+def asked() -> tuple[Queries, Float, Array2f]:
+    return queries(fabric_from_text(EVERYTHING), 200, seed=31), *numbers(np.random.default_rng(32), 200)
+
+
+def questions(at: FootprintBsdf) -> dict[str, Callable[[], Any]]:
+    """All that can be asked of a BSDF, by name."""
+    queried, choice, u = asked()
+    light = queried.light
+    found: dict[str, Callable[[], Any]] = {
+        "hole": lambda: at.hole,
+        "null transmission": lambda: at.null_transmission,
+        "reflectance": lambda: at.diffuse_reflectance,
+        "value": lambda: at.value(light),
+        "pdf": lambda: at.pdf(light),
+        "value and pdf": lambda: at.value_and_pdf(light),
+        "sample": lambda: at.sample(choice, u),
+        "value and null transmission": lambda: at.value_and_null_transmission(light),
+        "everything": lambda: at.value_pdf_sample_and_null_transmission(light, choice, u),
+    }
+    if isinstance(at, SeparableBsdf):
+        separable = at
+        found["albedos"] = lambda: separable.albedos
+        found["components"] = lambda: separable.components(light)
+        found["bounced"] = lambda: separable.bounced(separable.evaluate(light))
+    return found
+
+
+def leaves(answer: Any) -> list[NDArray[np.float32]]:
+    """The arrays of an answer."""
+    if answer is None:
+        return []
+    if isinstance(answer, tuple):
+        return [leaf for part in answer for leaf in leaves(part)]
+    if hasattr(answer, "__dataclass_fields__"):
+        return leaves(tuple(vars(answer).values()))
+    return [answer.numpy()]
+
+
+def asked_in_order(at: FootprintBsdf, names: list[str]) -> dict[str, list[NDArray[np.float32]]]:
+    """Answers to questions in an order, each before the next."""
+    return {name: leaves(questions(at)[name]()) for name in names}
+
+
+# Questions whose answers share a search. Each order compiles kernels of its own, so `make test-all` asks all
+# questions of all models.
+SHARED = ("bounced", "components", "hole", "value")
+CHEAP = ("lobes", "point", "neural")
+asked_of = [(name, SHARED) for name in CHEAP]
+asked_of += [slow(name, ()) for name in model_names()]
+
+
+@pytest.mark.quick("neural-chosen2")
+@pytest.mark.parametrize(("name", "chosen"), asked_of)
+def test_no_answer_depends_on_what_was_asked_before(name: str, chosen: tuple[str, ...]) -> None:
+    """Any question comes before and after any other, of objects that were asked nothing else."""
+    model, queried = built(name, "everything"), asked()[0]
+
+    def fresh() -> FootprintBsdf:
+        return model.at(queried.view, queried.footprint)
+
+    names = [*(chosen or questions(fresh()))]
+    alone = {question: asked_in_order(fresh(), [question])[question] for question in names}
+    for order in (names, names[::-1]):
+        for question, actual in asked_in_order(fresh(), order).items():
+            for one, other in zip(actual, alone[question], strict=True):
+                np.testing.assert_array_equal(one, other, err_msg=f"{question} of {order}")
+
+
+@pytest.mark.parametrize("name", slow_among(model_names(), {*model_names()} - {*CHEAP}))
+def test_parameters_are_read_and_nothing_else_happens(name: str) -> None:
+    model, queried = built(name, "everything"), asked()[0]
+
+    def value(of: Model) -> NDArray[np.float32]:
+        return of.at(queried.view, queried.footprint).value(queried.light).numpy()
+
+    before = value(model)
+    values = model.parameters(array_types(Float))
+    bound = model.bound_to(values)
+    np.testing.assert_allclose(value(bound), before, rtol=1e-4, atol=1e-6)
+    if not values:
+        assert bound is model
+        return
+    values["weft.diffuse_reflect"].value.x = 0.05
+    assert np.abs(value(bound)[0] - before[0]).max() > 0.01
+    if name not in ("point", "samples"):
+        # Whose parameters are their own arrays: gradients reach what it computes with.
+        np.testing.assert_array_equal(value(model), before)
