@@ -3,7 +3,7 @@
 Of single lobes the same is asked in test_lobes.py, of plugins of Mitsuba in test_bsdfs.py, of shaders in
 test_shaders.py.
 
-Covers: models/lobes/proposal.py, models/neural/proposal.py, models/point.py
+Covers: models/lobes/bsdf.py, models/neural/proposal.py, models/point.py
 """
 
 from __future__ import annotations
