@@ -1,7 +1,5 @@
 """Accuracy of the truth: slices against brute force, their grids, boxes for parallelograms.
 
-    python -m studies.accuracy.aggregation [--output FILE.json]
-
 - `scores`: z-scores of random queries over all weaves, bands and both sides, slices against `brute_force` on
   the same rays; standard normal if both compute the same mean.
 - `grid`: 32 and 64 rays a thread against 128, by band: bias and mean absolute error of f·cos at albedos 0.4
@@ -11,7 +9,8 @@
 
 from __future__ import annotations
 
-from argparse import Namespace
+from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -24,10 +23,12 @@ from loomlight.aggregate.queries import BANDS, FabricScale, fabric_scale, query_
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
 from loomlight.fabric import fabric_from_text
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-from studies.instruments.harness import Figures, run
+from studies.harness.study import Figures, Found, Run, Study
 from studies.instruments.reference import brute_force, reference
 
 WEAVES = ("plain", "twill 2/2", "twill 3/1", "twill 4/4", "satin 5/2", "satin 8/3", "basket 2/2")
@@ -155,15 +156,54 @@ def boxes(count: int) -> dict[str, float]:
     }
 
 
-def measure(_: Namespace) -> Figures:
+@dataclass(frozen=True)
+class Aggregation(Settings):
+    pairs: int = setting(40, "Pairs of directions of each weave's z-scores.", low=1)
+    footprints: int = setting(50, "Footprints of each pair.", low=1)
+    grid_pairs: int = setting(32, "Pairs of directions of each weave's grids.", low=1)
+    boxes: int = setting(1500, "Parallelograms.", low=1)
+
+
+def measure(settings: Aggregation, run: Run) -> Found:
     """Everything."""
     require_llvm()
-    return {
-        "scores": scores(40, 50),
-        "grid": grid(32),
-        "boxes": boxes(1500),
+    return Found(
+        {
+            "scores": run.parts.kept("scores", partial(scores, settings.pairs, settings.footprints)),
+            "grid": run.parts.kept("grid", partial(grid, settings.grid_pairs)),
+            "boxes": run.parts.kept("boxes", partial(boxes, settings.boxes)),
+        }
+    )
+
+
+def tables(figures: Figures) -> list[Table]:
+    """z-scores, errors of coarser grids by band, and errors of boxes by correlation."""
+    scores = figures["scores"]
+    columns = ["queries", "mean", "variance", "largest", "p"]
+    keys = ("queries", "mean", "variance", "largest", "p_value")
+    grids = {
+        f"{texels} rays a thread, {what}": [100 * bands[band][key] for band in bands]
+        for texels, bands in figures["grid"].items()
+        for what, key in (("bias, %", "bias"), ("error, %", "nmae"))
     }
+    boxes = figures["boxes"]
+    return [
+        Table("z of slices against brute force", columns, {"all weaves": [scores[key] for key in keys]}),
+        Table("Grids against 128 rays a thread", list(BANDS), grids),
+        Table(
+            "Error of the box for a parallelogram, by correlation",
+            list(boxes),
+            {"error, %": [100 * error for error in boxes.values()]},
+        ),
+    ]
 
 
-if __name__ == "__main__":
-    run(measure)
+STUDY = Study(
+    "accuracy/aggregation",
+    "accuracy of the truth: slices against brute force, their grids, boxes for parallelograms",
+    Aggregation(),
+    measure,
+    tables,
+    stands_on=("point",),
+    small={"pairs": 2, "footprints": 4, "grid_pairs": 1, "boxes": 20},
+)

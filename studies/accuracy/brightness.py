@@ -1,7 +1,5 @@
 """Brightness of `lobes` over distance: the mean over positions against rays, from close-ups to afar.
 
-    python -m studies.accuracy.brightness [--output FILE.json]
-
 Flat cloth is seen by footprints of 1/300 to 30 threads, in ten pairs of light and view, from both faces and
 through the cloth: every weave at the defaults of fabric files, and three with other gaps and heights. Light
 between yarns is off: it is no matter of directions. The mean of a footprint's value over all positions does
@@ -13,9 +11,9 @@ Then random irregular weaves of 12 by 12 threads, gaps to 0.6: the query benchma
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import drjit as dr
@@ -26,7 +24,9 @@ from numpy.typing import NDArray
 from loomlight.aggregate.queries import BANDS
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.query_benchmark import HeldOut, model_predictor, run_query_benchmark
+from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.fields import FabricFile, YarnTable
 from loomlight.models.lobes.model import LobesModel
@@ -36,7 +36,8 @@ from loomlight.weave.draft import Draft
 from loomlight.weave.named import named_weave
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.rays import SearchQuality
-from studies.instruments.harness import Figures, run
+from studies.harness.study import Figures, Found, Run, Study, listed, names
+from studies.instruments.directions import direction
 from studies.papers.chen2024.training.random_fabrics import random_fabric
 
 WEAVES = (
@@ -79,8 +80,6 @@ PAIRS = {
     "both grazing": ((70, 140), (65, 15)),
 }
 THREADS = 1 / 300, 1 / 30, 0.1, 0.3, 0.6, 1.0, 1.6, 2.4, 4.0, 8.0, 16.0, 30.0
-# Positions over the repeat of the model at each size, and of the truth.
-POSITIONS, TRUTH_POSITIONS = 1 << 13, 1 << 15
 BAR, VARIED_BAR, IRREGULAR_BAR = 0.03, 0.05, 0.075
 IRREGULAR_RANGES = ParameterRanges(gap=(0.0, 0.6))
 _TRUTH_QUALITY = SearchQuality(24, 24, refinements=6, steps=8192)
@@ -95,12 +94,6 @@ class Directions:
 
     light: Floats
     view: Floats
-
-
-def direction(degrees: float, azimuth: float) -> Floats:
-    """Unit vector [3] at an angle from the normal, degrees."""
-    angle, turn = np.radians([degrees, azimuth])
-    return np.array([np.sin(angle) * np.cos(turn), np.sin(angle) * np.sin(turn), np.cos(angle)])
 
 
 def pairs_of(side: str) -> dict[str, Directions]:
@@ -140,38 +133,38 @@ def _luminance(value: Any) -> float:
     return float(value.numpy().astype(np.float64).mean(axis=1) @ _LUMINANCE)
 
 
-def truth(fabric: Fabric, pair: Directions) -> float:
+def truth(fabric: Fabric, pair: Directions, count: int) -> float:
     """Mean luminance of the point model over the repeat, 1/sr."""
     model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance(), _TRUTH_QUALITY)
-    place = positions(fabric, TRUTH_POSITIONS)
-    zeros = dr.opaque(Float, 0, TRUTH_POSITIONS)
+    place = positions(fabric, count)
+    zeros = dr.opaque(Float, 0, count)
     view, light = (Array3f(*(Float(part) + zeros for part in vector)) for vector in (pair.view, pair.light))
     dr.eval(place, view, light)
     return _luminance(model.evaluate(model.locate(place.x, place.y, view), light, view))
 
 
-def seen(model: LobesModel, pair: Directions, threads: float) -> float:
+def seen(model: LobesModel, pair: Directions, threads: float, count: int) -> float:
     """Mean luminance of the model over positions, 1/sr, for squares of a side in threads."""
     fabric = model.fabric
     picks, ends = fabric.layout().warp_on_top.shape
     side = threads * float(np.sqrt(np.prod(fabric.repeat_mm) / (picks * ends)))
     # Opaque: directions are no literals of the kernel, which serves all pairs and sizes.
-    zeros = dr.opaque(Float, 0, POSITIONS)
+    zeros = dr.opaque(Float, 0, count)
     # Along neither family, as on cloth that is looked at.
     edges = Array2f(0.8 * side + zeros, 0.6 * side), Array2f(-0.6 * side + zeros, 0.8 * side)
     view, light = (Array3f(*(Float(part) + zeros for part in vector)) for vector in (pair.view, pair.light))
     dr.eval(edges, view, light)
-    return _luminance(model.at(view, Footprint(positions(fabric, POSITIONS), *edges)).value(light))
+    return _luminance(model.at(view, Footprint(positions(fabric, count), *edges)).value(light))
 
 
-def errors(fabric: Fabric) -> dict[str, dict[str, list[float]]]:
+def errors(fabric: Fabric, settings: Brightness) -> dict[str, dict[str, list[float]]]:
     """Relative errors by side of the light, pair and size."""
     model = LobesModel.for_source(fabric)
     return {
         side: {
-            name: [seen(model, pair, threads) / exact - 1 for threads in THREADS]
+            name: [seen(model, pair, threads, settings.positions) / exact - 1 for threads in THREADS]
             for name, pair in pairs_of(side).items()
-            for exact in (truth(fabric, pair),)
+            for exact in (truth(fabric, pair, settings.truth_positions),)
         }
         for side in SIDES
     }
@@ -202,20 +195,26 @@ def irregular(count: int, pairs: int, footprints: int) -> dict[str, Any]:
     }
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """How many random weaves; 0 leaves them out."""
-    parser.add_argument("--irregular", type=int, default=8, help="random irregular weaves")
-    parser.add_argument("--pairs", type=int, default=48)
-    parser.add_argument("--footprints", type=int, default=96)
+@dataclass(frozen=True)
+class Brightness(Settings):
+    weaves: str = names(",".join(WEAVES), "At the defaults of fabric files.", WEAVES)
+    varied: str = names(",".join(VARIED_WEAVES), "With other gaps and heights too.")
+    positions: int = setting(1 << 13, "Over the repeat, of the model at each size.", low=1)
+    truth_positions: int = setting(1 << 15, "Of the truth.", low=1)
+    irregular: int = setting(8, "Random irregular weaves.", low=0)
+    pairs: int = setting(48, "Pairs of directions of each of these.", low=1)
+    footprints: int = setting(96, "Footprints of each pair.", low=1)
 
 
-def measure(options: Namespace) -> Figures:
+def measure(settings: Brightness, run: Run) -> Found:
     """Errors of all weaves, and the largest of each."""
     require_llvm()
-    by_weave = {weave: errors(fabric_of(weave)) for weave in WEAVES}
-    for weave in VARIED_WEAVES:
+    weaves = listed(settings.weaves)
+    cloths = {weave: fabric_of(weave) for weave in weaves}
+    for weave in listed(settings.varied):
         for change, fields in VARIATIONS.items():
-            by_weave[f"{weave}, {change}"] = errors(fabric_of(weave, fields))
+            cloths[f"{weave}, {change}"] = fabric_of(weave, fields)
+    by_weave = run.each({name: partial(errors, cloth, settings) for name, cloth in cloths.items()})
     largest = {
         weave: {
             side: max(abs(error) for row in rows.values() for error in row) for side, rows in sides.items()
@@ -227,7 +226,7 @@ def measure(options: Namespace) -> Figures:
         "bar": BAR,
         "varied_bar": VARIED_BAR,
         "largest_relative_error": largest,
-        "relative_errors": {weave: by_weave[weave] for weave in WEAVES},
+        "relative_errors": {weave: by_weave[weave] for weave in weaves},
         "missed": [
             f"{name} {side}"
             for name, sides in largest.items()
@@ -235,15 +234,34 @@ def measure(options: Namespace) -> Figures:
             if error > (BAR if name in WEAVES else VARIED_BAR)
         ],
     }
-    if options.irregular:
-        figures["irregular_nmae"] = irregular(options.irregular, options.pairs, options.footprints)
+    if settings.irregular:
+        figures["irregular_nmae"] = irregular(settings.irregular, settings.pairs, settings.footprints)
         # Above two threads: both upper bands.
         for quantity, bands in figures["irregular_nmae"].items():
             worst = max(bands[band] for band in BANDS[2:] if bands[band] is not None)
             if worst > IRREGULAR_BAR:
                 figures["missed"].append(f"irregular weaves in {quantity}")
-    return figures
+    return Found(figures)
 
 
-if __name__ == "__main__":
-    run(measure, add_options, digits=4)
+def tables(figures: Figures) -> list[Table]:
+    """The largest errors of all sides and sizes by weave, and those of random irregular weaves."""
+    rows: dict[str, list[Cell]] = {}
+    for weave, found in figures["largest_relative_error"].items():
+        worst = [max(error for side, error in found.items() if kind in side) for kind in ("refl", "trans")]
+        rows[weave] = [f"{100 * error:.0f}" for error in worst]
+    largest = Table("Largest errors of the mean luminance", ["reflection, %", "transmission, %"], rows)
+    random = {quantity: list(bands.values()) for quantity, bands in figures.get("irregular_nmae", {}).items()}
+    irregular = Table("nMAE on random irregular weaves with gaps", list(BANDS), random)
+    return [largest, irregular] if random else [largest]
+
+
+STUDY = Study(
+    "accuracy/brightness",
+    "brightness of `lobes` over distance: means over positions against rays",
+    Brightness(),
+    measure,
+    tables,
+    stands_on=("lobes", "point"),
+    small={"weaves": "plain", "varied": "", "positions": 256, "truth_positions": 256, "irregular": 0},
+)

@@ -1,15 +1,12 @@
 """Denoised pictures against pictures of many samples: RMSE and FLIP of the examples on the drape, by zoom.
 
-    python -m studies.accuracy.denoise [--output FILE.json]
-
 Each example at zoom 1, 8 and 30 is rendered with 4, 9 and 16 samples, and denoised with 4 and 9. RMSE is of
 8-bit sRGB, in steps. The bars: 4 denoised samples beat 16 at zoom 1 and 8, and never lose to 4 as they are.
 """
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
-from pathlib import Path
+from dataclasses import dataclass
 from typing import Any
 
 import flip_evaluator
@@ -17,12 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.colour import linear_to_srgb
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Cell, Table
 from loomlight.mitsuba import build_scene, material_bsdf, render
 from loomlight.mitsuba.variants import choose_variant
-from studies.instruments.harness import Figures, run
+from studies.harness.study import EXAMPLES, Figures, Found, Run, Study, example, listed, listed_numbers, names
 
-ZOOMS = 1, 8, 30
-EXAMPLES = Path(__file__).parents[2] / "examples"
 # Samples and whether the picture is denoised, by name.
 PICTURES = {
     "4": (4, "off"),
@@ -41,30 +38,28 @@ def errors(picture: Picture, reference: Picture) -> dict[str, float]:
     return {"rmse": rmse, "flip": float(flip_evaluator.evaluate(truth, shown, "LDR")[1])}
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """Which examples, and how large and how exact pictures are."""
-    parser.add_argument(
-        "--examples", nargs="*", default=sorted(path.stem for path in EXAMPLES.glob("*.toml"))
-    )
-    parser.add_argument("--zooms", nargs="*", type=float, default=ZOOMS)
-    parser.add_argument("--side", type=int, default=160, help="pixels of the longer side")
-    parser.add_argument("--reference", type=int, default=1024, help="samples of the reference")
+@dataclass(frozen=True)
+class Denoise(Settings):
+    examples: str = names(",".join(sorted(path.stem for path in EXAMPLES.glob("*.toml"))), "Fabrics.")
+    zooms: str = setting("1,8,30", "Of the camera.", metavar="ZOOM,…")
+    side: int = setting(160, "Pixels of the longer side.", low=8)
+    reference: int = setting(1024, "Samples of the reference.", low=1)
 
 
-def measure(options: Namespace) -> Figures:
+def measure(settings: Denoise, run: Run) -> Found:
     """Errors by example, zoom and picture, and which bars are missed."""
     choose_variant(None)
     rows: dict[str, Any] = {}
     missed = []
-    for name in options.examples:
-        for zoom in options.zooms:
-            bsdf = material_bsdf(str(EXAMPLES / f"{name}.toml"))
-            shown = build_scene("drape", bsdf, size=(options.side, options.side * 3 // 4), zoom=zoom)
+    for name in listed(settings.examples):
+        for zoom in listed_numbers("zooms", settings.zooms):
+            bsdf = material_bsdf(str(example(name)))
+            shown = build_scene("drape", bsdf, size=(settings.side, settings.side * 3 // 4), zoom=zoom)
 
             def shot(spp: int, denoise: str, seed: int, shown: Any = shown) -> Picture:
                 return render(shown.scene, integrator=shown.integrator, spp=spp, seed=seed, denoise=denoise)
 
-            reference = shot(options.reference, "off", 99)
+            reference = shot(settings.reference, "off", 99)
             found = {key: errors(shot(*how, 1), reference) for key, how in PICTURES.items()}
             case = f"{name}, zoom {zoom:g}"
             rows[case] = found
@@ -74,13 +69,24 @@ def measure(options: Namespace) -> Figures:
                 for kind in ("rmse", "flip")
                 if found["4 denoised"][kind] > found[rival][kind]
             ]
-            print(
-                case,
-                {key: f"{each['rmse']:.1f} {each['flip']:.3f}" for key, each in found.items()},
-                flush=True,
-            )
-    return {"side": options.side, "reference": options.reference, "errors": rows, "missed": missed}
+    return Found({"side": settings.side, "reference": settings.reference, "errors": rows, "missed": missed})
 
 
-if __name__ == "__main__":
-    run(measure, add_options, digits=3)
+def tables(figures: Figures) -> list[Table]:
+    """RMSE and FLIP by case and picture."""
+    rows: dict[str, list[Cell]] = {
+        case: [f"{found[key]['rmse']:.1f}, {found[key]['flip']:.3f}" for key in PICTURES]
+        for case, found in figures["errors"].items()
+    }
+    return [Table("RMSE and FLIP of pictures of so many samples", list(PICTURES), rows)]
+
+
+STUDY = Study(
+    "accuracy/denoise",
+    "denoised pictures against pictures of many samples: RMSE and FLIP by example and zoom",
+    Denoise(),
+    measure,
+    tables,
+    stands_on=("picture",),
+    small={"examples": "denim", "zooms": "1", "side": 32, "reference": 16},
+)

@@ -1,7 +1,5 @@
 """How near the standard material of `loomlight export --to gltf` comes to lobes: spheres, and their FLIP.
 
-    python -m studies.accuracy.export_fit [--pictures FOLDER] [--output FILE.json]
-
 A sphere under one directional light, without shadows of the sphere. Textures are made for the distance from
 which a pixel is a texel; a pixel reads the mean of 16 places of its footprint, as mipmaps give it. The
 material is evaluated by `loomlight.exporters.fit`, which follows the specification, so that the error
@@ -10,42 +8,48 @@ is of the fit and the textures alone.
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
-from pathlib import Path
+from dataclasses import dataclass
 
 import numpy as np
 from drjit.llvm import Array2f, Array3f
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
-from loomlight.core.images import write_image
+from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.metrics import flip_mean
+from loomlight.evaluation.table import Table
 from loomlight.exporters.fit import FittedMaterial, GltfMaterial, evaluate, fit_material
 from loomlight.exporters.texels import frames, texture_grid
 from loomlight.fabric import load_fabric
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model
-from studies.instruments.harness import REPOSITORY, Figures, run
+from studies.harness.study import Figures, Found, Run, Study, example, listed, names, on_display
+from studies.instruments.sheet import Row, Tile, contact_sheet
 
 FABRICS = ("denim", "silk-satin", "wool-houndstooth", "linen")
 # Pixels a thread, in the middle of the sphere.
 DISTANCES = {"close": 8.0, "middle": 1.0, "far": 0.25}
-SIDE = 192
 Numbers = NDArray[np.float64]
 
 
-def measure(options: Namespace) -> Figures:
+@dataclass(frozen=True)
+class ExportFit(Settings):
+    fabrics: str = names(",".join(FABRICS), "Example fabrics.")
+    side: int = setting(192, "Pixels of a picture.", low=8)
+
+
+def measure(settings: ExportFit, run: Run) -> Found:
     """FLIP and brightness by fabric and distance."""
-    rows = []
-    for name in options.fabrics.split(","):
-        fabric = load_fabric(REPOSITORY / "examples" / f"{name}.toml")
+    rows, tiles = [], {}
+    for name in listed(settings.fabrics):
+        fabric = load_fabric(example(name))
         model = make_model("lobes", fabric)
         layout = fabric.layout()
         pitch = float(np.sqrt(np.prod(layout.size) / layout.warp_on_top.size))
         for distance, pixels in DISTANCES.items():
             texel = pitch / pixels
             material = fit_material(fabric, model, *texture_grid(fabric, texel))
-            sphere = _Sphere(texel)
+            sphere = _Sphere(texel, settings.side)
             truth, found = (
                 sphere.picture(sphere.of_model(model)),
                 sphere.picture(sphere.of_material(material)),
@@ -59,24 +63,28 @@ def measure(options: Namespace) -> Figures:
                 "relative_rms_error_of_fit": material.error,
             }
             rows.append(row)
-            print(row, flush=True)
-            if options.pictures is not None:
-                both = np.concatenate([truth, found], axis=1)
-                write_image(options.pictures / f"{name}_{distance}.png", both)
-    return {"pictures": rows}
+            shown = [on_display(linear) for linear in (truth, found)]
+            tiles[f"{name}, {distance}"] = [Tile(shown[0]), Tile(shown[1], f"FLIP {row['flip']:.3f}")]
+    sheet = contact_sheet(
+        "Standard materials beside lobes",
+        ["lobes", "standard material"],
+        [Row(label, both) for label, both in tiles.items()],
+    )
+    return Found({"pictures": rows}, sheet)
 
 
 class _Sphere:
     """A sphere that fills a picture, seen by parallel rays; places and directions of its pixels [n, ...]."""
 
-    def __init__(self, texel: float) -> None:
-        axis = (np.arange(SIDE) + 0.5) / SIDE * 2.1 - 1.05
+    def __init__(self, texel: float, side: int) -> None:
+        self._side = side
+        axis = (np.arange(side) + 0.5) / side * 2.1 - 1.05
         x, y = np.meshgrid(axis, -axis)
         self.is_hit = x**2 + y**2 < 0.97
         x, y = x[self.is_hit], y[self.is_hit]
         self.normal = np.stack([x, y, np.sqrt(1 - x**2 - y**2)], axis=-1)
-        radius = texel * SIDE / 2.1
-        step = 2.1 / SIDE
+        radius = texel * side / 2.1
+        step = 2.1 / side
         self.centre = self._draft(x, y, radius)
         self.dx = self._draft(x + step / 8, y, radius) - self.centre
         self.dy = self._draft(x, y - step / 8, radius) - self.centre
@@ -94,7 +102,7 @@ class _Sphere:
 
     def picture(self, values: Numbers) -> NDArray[np.float32]:
         """A picture [rows, columns, 3] under an irradiance of 2π."""
-        image = np.full((SIDE, SIDE, 3), 0.02, np.float32)
+        image = np.full((self._side, self._side, 3), 0.02, np.float32)
         lit = self.light[:, 2:] > 0
         image[self.is_hit] = 2 * np.pi * values * lit
         return image
@@ -150,12 +158,26 @@ class _Sphere:
         return evaluate(places, self.light, self.view) * texture(material.cover)[:, None]
 
 
-def _options(parser: ArgumentParser) -> None:
-    parser.add_argument("--fabrics", default=",".join(FABRICS), help="names in examples/")
-    parser.add_argument(
-        "--pictures", type=Path, default=None, help="a folder: lobes left, the material right"
-    )
+def tables(figures: Figures) -> list[Table]:
+    """FLIP and brightness by fabric and distance."""
+    rows = {
+        f"{row['fabric']}, {row['distance']}": [
+            row["flip"],
+            row["brightness"],
+            row["relative_rms_error_of_fit"],
+        ]
+        for row in figures["pictures"]
+    }
+    columns = ["FLIP", "brightness over lobes'", "relative RMS error of the fit"]
+    return [Table("Standard materials on spheres", columns, rows)]
 
 
-if __name__ == "__main__":
-    run(measure, _options, prints=False)
+STUDY = Study(
+    "accuracy/export_fit",
+    "how near the standard material of `loomlight export --to gltf` comes to `lobes`, on spheres",
+    ExportFit(),
+    measure,
+    tables,
+    stands_on=("lobes",),
+    small={"fabrics": "denim", "side": 24},
+)

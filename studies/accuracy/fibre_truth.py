@@ -1,18 +1,16 @@
 """Our cloth against fibres path traced in its place: what still differs, kind by kind of yarn.
 
-    python -m studies.accuracy.fibre_truth [--only NAME,…] [--spp N] [--output FILE.json]
-    python -m studies.accuracy.fibre_truth --fit [--only NAME,…]
-
 A repeat of each cloth of `instruments/yarn_cloths.py` in the flat scene's studio, seen from straight above at
-`NEAR` pixels a thread, once with the point model and once as fibres: the mean colour over that of our cloth,
+48 pixels a thread, once with the point model and once as fibres: the mean colour over that of our cloth,
 with the absorption that the albedos give and with the sheet's; the share of pixels that see paper between
 yarns; heights of what is seen; the contrast of luminance in three bands of size, and the brightest and
-darkest pixels over the median. `--fit` prints the absorption that gives both the same mean colour.
+darkest pixels over the median.
 """
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
+from functools import partial
 
 import drjit as dr
 import mitsuba as mi
@@ -20,17 +18,19 @@ import numpy as np
 from drjit.llvm import Bool, Float
 from numpy.typing import NDArray
 
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.denoising import gaussian_blur
 from loomlight.yarn.geometry import YarnGeometry
+from studies.harness.study import Figures, Found, Run, Study, listed, names
 from studies.instruments.fibre_scene import Shown, fibre_picture, fibre_scene
-from studies.instruments.harness import Figures, run
 from studies.instruments.yarn_cloths import ABSORPTION, OF_GAPS, cloth, flat_scene
 
 Picture = NDArray[np.float64]
 
-NEAR, FAR = 48, 10
+FAR = 10
 OURS_SAMPLES = 64
 # Sizes of detail, in threads: what a Gaussian of the first deviation keeps and one of the second does not.
 BANDS = {"fibres": (0.0, 0.04), "yarns": (0.04, 0.25), "weave": (0.25, 1.0)}
@@ -99,18 +99,19 @@ def seen_of_ours(fabric: Fabric, count: int = 512) -> dict[str, float]:
     return {"open": float(is_open.mean()), "relief": float(height.numpy()[~is_open].std())}
 
 
-def compare(name: str, spp: int) -> Figures:
+def compare(name: str, near: int, spp: int) -> Figures:
+    """Figures of one kind, with close pictures of `near` pixels a thread."""
     fabric = cloth(name)
-    ours, fibres = both(fabric, NEAR, ABSORPTION[name], spp)
+    ours, fibres = both(fabric, near, ABSORPTION[name], spp)
     _, as_given = both(fabric, FAR, (1.0, 1.0, 1.0), 4 * spp)
     far, matched = both(fabric, FAR, ABSORPTION[name], 4 * spp)
     return {
         "far, absorption of albedos": (as_given.mean((0, 1)) / far.mean((0, 1))).tolist(),
         "far": (matched.mean((0, 1)) / far.mean((0, 1))).tolist(),
         "near": (fibres.mean((0, 1)) / ours.mean((0, 1))).tolist(),
-        "contrast": {"ours": contrast(ours, NEAR), "fibres": contrast(fibres, NEAR)},
+        "contrast": {"ours": contrast(ours, near), "fibres": contrast(fibres, near)},
         "extremes": {"ours": extremes(ours), "fibres": extremes(fibres)},
-        "seen": {"ours": seen_of_ours(fabric), "fibres": seen_of_fibres(fabric, NEAR)},
+        "seen": {"ours": seen_of_ours(fabric), "fibres": seen_of_fibres(fabric, near)},
     }
 
 
@@ -135,25 +136,79 @@ def fitted(name: str) -> tuple[float, float, float]:
         before = factor, found
         most = np.log(LARGEST_FACTOR)
         factor = np.clip(factor + np.clip((wanted - found) / slope, -1.5, 1.5), -most, most)
-        print(name, np.exp(found - wanted).round(3), np.exp(factor).round(3), flush=True)
     red, green, blue = (float(value) for value in np.exp(factor))
     return red, green, blue
 
 
-def measure(options: Namespace) -> Figures:
+@dataclass(frozen=True)
+class FibreTruth(Settings):
+    only: str = names(",".join(OF_GAPS), "Kinds of yarn.", tuple(ABSORPTION))
+    near: int = setting(48, "Pixels a thread of close pictures.", low=2)
+    spp: int = setting(16, "Samples a pixel of close pictures of fibres.", low=1)
+    fit: bool = setting(False, "Finds the absorption that gives both the same mean colour instead.")
+
+
+def measure(settings: FibreTruth, run: Run) -> Found:
     choose_variant(None)
     mi.set_log_level(mi.LogLevel.Error)
-    names = options.only.split(",") if options.only else OF_GAPS
-    if options.fit:
-        return {"absorption": {name: fitted(name) for name in names}}
-    return {"kinds": {name: compare(name, options.spp) for name in names}}
+    kinds = listed(settings.only)
+    if settings.fit:
+        return Found({"absorption": run.each({name: partial(fitted, name) for name in kinds})})
+    return Found(
+        {"kinds": run.each({name: partial(compare, name, settings.near, settings.spp) for name in kinds})}
+    )
 
 
-def add_options(parser: ArgumentParser) -> None:
-    parser.add_argument("--only", help="names, separated by commas")
-    parser.add_argument("--spp", type=int, default=16)
-    parser.add_argument("--fit", action="store_true", help="print factors of absorption instead")
+def tables(figures: Figures) -> list[Table]:
+    """Mean colours, what is open and how deep, contrasts by size, and extremes: fibres, then ours."""
+    kinds = figures.get("kinds", {})
+    colours: dict[str, list[Cell]] = {
+        name: [_three(found["far, absorption of albedos"]), _three(found["far"]), _three(found["near"])]
+        for name, found in kinds.items()
+    }
+    absorption: dict[str, list[Cell]] = {
+        name: [_three(found)] for name, found in figures.get("absorption", {}).items()
+    }
+    columns = [*BANDS, "darkest", "brightest", "open", "relief, mm"]
+    seen: dict[str, list[Cell]] = {
+        name: [
+            _beside(found, *place)
+            for place in (
+                *(("contrast", band) for band in BANDS),
+                ("extremes", "dark"),
+                ("extremes", "bright"),
+                ("seen", "open"),
+                ("seen", "relief"),
+            )
+        ]
+        for name, found in kinds.items()
+    }
+    titles = ["far, absorption of albedos", "far", "near"]
+    return [
+        table
+        for table in (
+            Table("Mean colour of fibres over ours", titles, colours, "Red, green, blue."),
+            Table("Contrast, extremes and openness", columns, seen, "Fibres, and ours after the stroke."),
+            Table("Factors of absorption", ["red, green, blue"], absorption),
+        )
+        if table.rows
+    ]
 
 
-if __name__ == "__main__":
-    run(measure, add_options)
+def _three(values: list[float]) -> str:
+    return ", ".join(f"{value:.2f}" for value in values)
+
+
+def _beside(found: Figures, what: str, name: str) -> str:
+    return " / ".join(f"{found[what][whose][name]:.3g}" for whose in ("fibres", "ours"))
+
+
+STUDY = Study(
+    "accuracy/fibre_truth",
+    "our cloth against fibres path traced in its place, kind by kind of yarn",
+    FibreTruth(),
+    measure,
+    tables,
+    stands_on=("point", "picture"),
+    small={"only": "silk", "near": 8, "spp": 1},
+)

@@ -1,7 +1,5 @@
 """Light between yarns: models with its closed form against paths through the cloth, under a white sky.
 
-    python -m studies.accuracy.interreflection [--models point,lobes] [--paths N] [--samples N] [--output F]
-
 Twelve pairs of weave and colours, six views each. Cloth that scatters like the point model is traced by
 `cloth_paths.py`; a model's reflectance is the mean of its values over lights of the whole sphere and places
 of the repeat, of the yarn that views meet. The bar is 3 % of the mean of the channels.
@@ -9,7 +7,7 @@ of the repeat, of the yarn that views meet. The bar is 3 % of the mean of the ch
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -18,10 +16,13 @@ from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
 from loomlight.fabric import fabric_from_text
-from loomlight.models.registry import make_model
+from loomlight.models.registry import MODELS, make_model
+from studies.harness.study import Figures, Found, Run, Study, listed, names
 from studies.instruments.cloth_paths import radiance
-from studies.instruments.harness import Figures, run
+from studies.instruments.directions import direction
 
 WEAVES = ("plain", "twill 3/1", "satin 5")
 COLOURS = (("#ffffff", "#ffffff"), ("#c03030", "#3050c0"), ("#e0c060", "#f0f0f0"), ("#20305c", "#d8d0c0"))
@@ -37,12 +38,6 @@ def fabric_text(weave: str, colours: tuple[str, str]) -> str:
         f'weave = "{weave}"\ninterreflection = true\n'
         f'[warp]\ncolor = "{warp}"\n[weft]\ncolor = "{weft}"\ntranslucency = 0.2\n'
     )
-
-
-def direction(angle: float, azimuth: float) -> NDArray[np.float64]:
-    """Unit vector [3] so many degrees from the normal."""
-    theta, phi = np.radians([angle, azimuth])
-    return np.array([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)])
 
 
 def sky_value(model: Any, view: NDArray[np.float64], samples: int, seed: int) -> NDArray[np.float64]:
@@ -65,17 +60,27 @@ def sky_value(model: Any, view: NDArray[np.float64], samples: int, seed: int) ->
     return shown
 
 
-def measure(options: Namespace) -> Figures:
+@dataclass(frozen=True)
+class Interreflection(Settings):
+    models: str = names("point,lobes", "Models.", tuple(MODELS))
+    paths: int = setting(1 << 16, "Paths a view.", low=1)
+    samples: int = setting(1 << 16, "Lights a view and model.", low=1)
+    weaves: str = names(",".join(WEAVES), "Weaves.")
+    colours: int = setting(len(COLOURS), "Pairs of colours, the first so many.", low=1, high=len(COLOURS))
+    views: int = setting(len(VIEWS), "The first so many.", low=1, high=len(VIEWS))
+
+
+def measure(settings: Interreflection, run: Run) -> Found:
     """Relative differences of the mean channel by model, weave, colours and view."""
     require_llvm()
     rows = []
-    for weave in WEAVES:
-        for colours in COLOURS:
+    for weave in listed(settings.weaves):
+        for colours in COLOURS[: settings.colours]:
             fabric = fabric_from_text(fabric_text(weave, colours))
-            models = {name: make_model(name, fabric) for name in options.models.split(",")}
-            for number, place in enumerate(VIEWS):
+            models = {name: make_model(name, fabric) for name in listed(settings.models)}
+            for number, place in enumerate(VIEWS[: settings.views]):
                 view = direction(*place)
-                truth = radiance(fabric.layout(), fabric.appearance(), view, options.paths, 17 + number)
+                truth = radiance(fabric.layout(), fabric.appearance(), view, settings.paths, 17 + number)
                 expected = float((truth.reflected + truth.transmitted).mean())
                 row: dict[str, Any] = {
                     "weave": weave,
@@ -86,7 +91,7 @@ def measure(options: Namespace) -> Figures:
                     "scattered_once": float(truth.once.mean()),
                 }
                 for name, model in models.items():
-                    value = float(sky_value(model, view, options.samples, 5).mean())
+                    value = float(sky_value(model, view, settings.samples, 5).mean())
                     row[name] = value / expected - 1
                 rows.append(row)
     summary = {
@@ -95,18 +100,30 @@ def measure(options: Namespace) -> Figures:
             "largest": float(np.max([abs(row[name]) for row in rows])),
             "share_within_bar": float(np.mean([abs(row[name]) <= BAR for row in rows])),
         }
-        for name in options.models.split(",")
+        for name in listed(settings.models)
     }
     lost = float(np.mean([1 - row["scattered_once"] / row["paths"] for row in rows]))
-    return {"bar": BAR, "summary": summary, "share_that_scatters_again": lost, "rows": rows}
+    return Found({"bar": BAR, "summary": summary, "share_that_scatters_again": lost, "rows": rows})
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """Options of this script."""
-    parser.add_argument("--models", default="point,lobes", help="names of models")
-    parser.add_argument("--paths", type=int, default=1 << 14, help="paths a view")
-    parser.add_argument("--samples", type=int, default=1 << 16, help="lights a view and model")
+def tables(figures: Figures) -> list[Table]:
+    """Differences by model, and those of each view beyond the bar."""
+    columns = ["mean, %", "largest, %", "views within the bar, %"]
+    rows = {
+        f"`{name}`": [100 * found["mean"], 100 * found["largest"], 100 * found["share_within_bar"]]
+        for name, found in figures["summary"].items()
+    }
+    again = 100 * figures["share_that_scatters_again"]
+    note = f"Of the light that leaves, {again:.3g} % scatters more than once."
+    return [Table("Reflectance against paths", columns, rows, note)]
 
 
-if __name__ == "__main__":
-    run(measure, add_options)
+STUDY = Study(
+    "accuracy/interreflection",
+    "light between yarns: models against paths through the cloth under a white sky",
+    Interreflection(),
+    measure,
+    tables,
+    stands_on=("point", "lobes"),
+    small={"paths": 64, "samples": 256, "weaves": "plain", "colours": 1, "views": 1},
+)

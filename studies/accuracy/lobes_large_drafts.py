@@ -1,16 +1,14 @@
 """The prefiltered lobes on drafts of hundreds of threads: error by band, table, baking.
 
-    python -m studies.accuracy.lobes_large_drafts DRAFT.wif … --output FILE.json
-
 A repeat of 641 by 641 threads is too large for one slice, so the truth is the mean of 4096 multi-jittered
 samples a footprint (its own error, about 1 % of the mean, is part of what is reported); otherwise queries,
-bands and metric are those of the query benchmark. `studies.speed.lobes` has the cost of a query.
+bands and metric are those of the query benchmark.
 """
 
 from __future__ import annotations
 
-import json
-from argparse import ArgumentParser, Namespace
+import os
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -20,20 +18,22 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate.queries import BANDS, admits_transmission, fabric_scale, query_set
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.metrics import Classes, sums_by_class
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.metrics import OVERALL, Classes, sums_by_class
 from loomlight.evaluation.query_benchmark import (
     Prediction,
     grey_value,
     model_predictor,
     monte_carlo_predictor,
 )
+from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.sources.load import fabric_of_path
-from studies.instruments.harness import Figures, run
+from studies.harness.study import Figures, Found, Run, Study, listed, names, outside_data
 from studies.instruments.timing import timed
 
-PAIRS, FOOTPRINTS, SAMPLES = 120, 40, 4096
+DRAFTS = ("multi-byte-liftplan.wif", "multi-byte-multi-treadled.wif", "multi-byte-single-treadled.wif")
 
 
 def grey_means(prediction: Prediction) -> NDArray[np.float64]:
@@ -42,17 +42,18 @@ def grey_means(prediction: Prediction) -> NDArray[np.float64]:
     return grey_value(prediction.means)
 
 
-def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
+def errors(fabric: Fabric, model: LobesModel, settings: LobesLargeDrafts) -> dict[str, dict[str, float]]:
     """NMAE of grey f·cos in reflection by band, of the lobes and of a few samples."""
     scale = fabric_scale(fabric.layout())
-    queries = query_set(scale, PAIRS, FOOTPRINTS, 0, transmits=admits_transmission(fabric.appearance()))
+    transmits = admits_transmission(fabric.appearance())
+    queries = query_set(scale, settings.pairs, settings.footprints, 0, transmits=transmits)
     near = queries.lights[queries.pairs[:, 0], 2] * queries.views[queries.pairs[:, 1], 2] > 0
-    truth = grey_means(monte_carlo_predictor(SAMPLES, seed=1)(fabric, queries))[near]
+    truth = grey_means(monte_carlo_predictor(settings.samples, seed=1)(fabric, queries))[near]
     rows = {
         "lobes": model_predictor(lambda _: model),
         "3 samples": monte_carlo_predictor(3),
         "8 samples": monte_carlo_predictor(8),
-        f"{SAMPLES} other samples": monte_carlo_predictor(SAMPLES, seed=2),
+        f"{settings.samples} other samples": monte_carlo_predictor(settings.samples, seed=2),
     }
     bands = [Classes(BANDS, scale.bands(queries.sizes)[near])]
     by_name = {}
@@ -63,30 +64,53 @@ def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
     return by_name
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """Which drafts."""
-    parser.add_argument("drafts", nargs="+")
+@dataclass(frozen=True)
+class LobesLargeDrafts(Settings):
+    drafts: str = names("", "Drafts; by default three of the folder LOOMLIGHT_DATA.")
+    pairs: int = setting(120, "Pairs of directions.", low=1)
+    footprints: int = setting(40, "Footprints of a pair.", low=1)
+    samples: int = setting(4096, "Of the truth, a footprint.", low=8)
 
 
-def measure(options: Namespace) -> Figures:
+def measure(settings: LobesLargeDrafts, run: Run) -> Found:
     """Size, baking and errors of each draft, as they come."""
     require_llvm()
-    drafts: dict[str, dict[str, Any]] = {}
-    for text in options.drafts:
-        fabric = fabric_of_path(text)
-        LobesModel.for_source(fabric)
-        model, seconds = timed(partial(LobesModel.for_source, fabric))
-        picks, ends = fabric.layout().warp_on_top.shape
-        drafts[Path(text).name] = {
-            "ends": ends,
-            "picks": picks,
-            "baking_seconds": round(seconds, 3),
-            "table_megabytes": round(model.tables.nbytes / 1e6, 2),
-            "nmae_of_reflection": errors(fabric, model),
-        }
-        print(json.dumps(drafts[Path(text).name], indent=2), flush=True)
-    return {"drafts": drafts}
+    files = listed(settings.drafts) or [os.fspath(outside_data("wif", "good", name)) for name in DRAFTS]
+    return Found({"drafts": run.each({Path(file).name: partial(of_draft, file, settings) for file in files})})
 
 
-if __name__ == "__main__":
-    run(measure, add_options, prints=False)
+def of_draft(file: str, settings: LobesLargeDrafts) -> dict[str, Any]:
+    """Size, baking and errors of a draft."""
+    fabric = fabric_of_path(file)
+    LobesModel.for_source(fabric)
+    model, seconds = timed(partial(LobesModel.for_source, fabric))
+    picks, ends = fabric.layout().warp_on_top.shape
+    return {
+        "ends": ends,
+        "picks": picks,
+        "baking_seconds": round(seconds, 3),
+        "table_megabytes": round(model.tables.nbytes / 1e6, 2),
+        "nmae_of_reflection": errors(fabric, model, settings),
+    }
+
+
+def tables(figures: Figures) -> list[Table]:
+    """Error of the lobes and of a few samples, baking and tables by draft."""
+    columns = ["ends", "picks", "bake, s", "table, MB", "`lobes`", "3 samples", "8 samples"]
+    rows: dict[str, list[Cell]] = {}
+    for name, found in figures["drafts"].items():
+        errors = [found["nmae_of_reflection"][kind][OVERALL] for kind in ("lobes", "3 samples", "8 samples")]
+        sizes = [found[key] for key in ("ends", "picks", "baking_seconds", "table_megabytes")]
+        rows[name] = [*sizes, *errors]
+    return [Table("nMAE of reflection on large drafts", columns, rows)]
+
+
+STUDY = Study(
+    "accuracy/lobes_large_drafts",
+    "the prefiltered lobes on drafts of hundreds of threads: error by band, tables, baking",
+    LobesLargeDrafts(),
+    measure,
+    tables,
+    stands_on=("lobes", "point"),
+    small={"pairs": 4, "footprints": 4, "samples": 64},
+)

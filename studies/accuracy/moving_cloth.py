@@ -1,7 +1,5 @@
 """Flicker of cloth that moves: how colours of points of the cloth change from frame to frame, and should.
 
-    python -m studies.accuracy.moving_cloth [--output FILE.json]
-
 A towel of `instruments/towel.py` falls and swings. Points of the cloth are followed over three frames,
 where the camera sees them in all, in pictures of `lobes` and of `point`, denoised or not, with one seed for
 all frames or one for each. Their colours change as light and folds do; how far that is from the change in
@@ -13,7 +11,8 @@ pattern's own, and the bar for `lobes` of many samples is a tenth more.
 from __future__ import annotations
 
 import tempfile
-from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -23,17 +22,18 @@ from numpy.typing import NDArray
 
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.picture_settings import RenderSettings
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
 from loomlight.mesh.moving import Frame, find_frames
 from loomlight.mitsuba.moving import MovingCloth
+from studies.harness.study import Figures, Found, Run, Study, example
 from studies.instruments import towel
-from studies.instruments.harness import REPOSITORY, Figures, run
 
 Floats = NDArray[np.float64]
 
 # Name, zoom, and the first of three frames: falling, then hanging near the end.
 CASES = (("denim", 1.0, 28), ("wool-houndstooth", 1.0, 28), ("denim", 10.0, 36))
-POINTS, SEED = 20_000, 0
-MANY = 256
+SEED, MANY = 0, 256
 # Model, samples, how it is denoised, and whether every frame has a seed of its own.
 PICTURES: dict[str, tuple[str, int, str, bool]] = {
     "lobes 8, denoised, one seed": ("lobes", 8, "auto", False),
@@ -51,7 +51,7 @@ class Towel:
     """A moving towel, of which pictures are taken by several models from the same camera."""
 
     def __init__(self, frames: list[Frame], fabric: str, zoom: float, size: tuple[int, int]) -> None:
-        path = REPOSITORY / "examples" / f"{fabric}.toml"
+        path = example(fabric)
         self._size = size
         self._cloths = {}
         for model in ("lobes", "point"):
@@ -101,14 +101,14 @@ def sampled(picture: Floats, place: Floats) -> Floats:
 
 
 def of_case(
-    frames: list[Frame], case: tuple[str, float, int], size: tuple[int, int], samples: int
+    frames: list[Frame], case: tuple[str, float, int], size: tuple[int, int], settings: MovingClothFlicker
 ) -> dict[str, Any]:
-    """Flicker and change of each of the pictures, against references of so many samples."""
+    """Flicker and change of each of the pictures, against references."""
     fabric, zoom, first = case
     towel, three = Towel(frames, fabric, zoom, size), frames[first : first + 3]
     random = np.random.default_rng(SEED)
-    triangle = random.integers(0, towel.triangle_count, POINTS)
-    weights = random.dirichlet([1, 1, 1], POINTS)
+    triangle = random.integers(0, towel.triangle_count, settings.points)
+    weights = random.dirichlet([1, 1, 1], settings.points)
     found = [towel.places(frame, triangle, weights) for frame in three]
     seen = np.all([visible for _, visible in found], axis=0)
 
@@ -119,15 +119,14 @@ def of_case(
         ]
         return np.diff(colours, axis=0)
 
-    reference = changes("point", samples, "off", True, 100)
+    reference = changes("point", settings.reference, "off", True, 100)
     rows: dict[str, Any] = {"points": int(seen.sum()), "reference": _root_mean_square(reference)}
-    for name, how in {"own": ("point", samples, "off", True), **PICTURES}.items():
+    for name, how in {"own": ("point", settings.reference, "off", True), **PICTURES}.items():
         change = changes(*how, 1)
         rows[name] = {
             "flicker": _root_mean_square(change - reference),
             "change": _root_mean_square(change) / rows["reference"],
         }
-        print(fabric, zoom, name, rows[name], flush=True)
     return rows
 
 
@@ -135,26 +134,56 @@ def _root_mean_square(values: Floats) -> float:
     return float(np.sqrt(np.square(values).mean()))
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """The size of pictures, and how many of the cases."""
-    parser.add_argument("--side", type=int, default=160, help="pixels of the longer side")
-    parser.add_argument("--reference", type=int, default=1024, help="samples of the reference")
-    parser.add_argument("--cases", type=int, default=len(CASES), help="of the first so many; all")
+@dataclass(frozen=True)
+class MovingClothFlicker(Settings):
+    side: int = setting(160, "Pixels of the longer side.", low=16)
+    reference: int = setting(1024, "Samples of the reference.", low=1)
+    cases: int = setting(len(CASES), "Of the first so many.", low=1, high=len(CASES))
+    points: int = setting(20_000, "Of the cloth, that are followed.", low=1)
 
 
-def measure(options: Namespace) -> Figures:
+def measure(settings: MovingClothFlicker, run: Run) -> Found:
     """Flicker of each case, and those where `lobes` changes more than the reference."""
     with tempfile.TemporaryDirectory() as folder:
         towel.write(Path(folder) / "frames", 48)
         frames = find_frames(Path(folder) / "frames" / "*.obj")
-        size = options.side, options.side * 3 // 4
-        rows = {
-            f"{case[0]}, zoom {case[1]:g}": of_case(frames, case, size, options.reference)
-            for case in CASES[: options.cases]
-        }
+        size = settings.side, settings.side * 3 // 4
+        rows = run.each(
+            {
+                f"{case[0]}, zoom {case[1]:g}": partial(of_case, frames, case, size, settings)
+                for case in CASES[: settings.cases]
+            }
+        )
     missed = [name for name, row in rows.items() if row[f"lobes {MANY}"]["change"] > BAR]
-    return {"size": size, "reference": options.reference, "rows": rows, "missed": missed}
+    return Found({"size": size, "reference": settings.reference, "rows": rows, "missed": missed})
 
 
-if __name__ == "__main__":
-    run(measure, add_options)
+def tables(figures: Figures) -> list[Table]:
+    """Flicker, and change over the reference's, by picture."""
+    columns = list(figures["rows"])
+    names = [name for name in ("own", *PICTURES) if any(name in row for row in figures["rows"].values())]
+    return [
+        Table(
+            title,
+            columns,
+            {
+                name: [row[name][key] if name in row else None for row in figures["rows"].values()]
+                for name in names
+            },
+        )
+        for title, key in (
+            ("Flicker, steps of 8-bit sRGB", "flicker"),
+            ("Change over the reference's", "change"),
+        )
+    ]
+
+
+STUDY = Study(
+    "accuracy/moving_cloth",
+    "flicker of cloth that moves: how colours of its points change from frame to frame",
+    MovingClothFlicker(),
+    measure,
+    tables,
+    stands_on=("point", "lobes", "picture"),
+    small={"side": 16, "reference": 1, "cases": 1, "points": 200},
+)

@@ -1,12 +1,8 @@
 """The query benchmark of all models on the 24 held-out fabrics: the figures that recipes are chosen by.
 
-    python -m studies.accuracy.query_benchmark --models point,neural --output query_benchmark.json
-    python -m studies.accuracy.query_benchmark --models neural --weights runs/a/neural.safetensors
-    python -m studies.accuracy.query_benchmark --models neural --fabrics 8 --pairs 40 --footprints 40
-
 The protocol is docs/research/evaluation.md: 25 600 queries a fabric against slices on the reference
-plane, with 1, 3 and 16 Monte Carlo samples beside the models. The truths are cached on disk: the first
-run takes minutes, later ones seconds. Tables are printed; `--output` writes every figure as JSON.
+plane, with 1, 3 and 16 Monte Carlo samples beside the models. The truths are kept on disk:
+the first run takes minutes, later ones seconds.
 
 From other code, `run_query_benchmark({"mine": predictor}, held_out_fabrics())` of `loomlight.evaluation`
 takes any function (fabric, queries) -> Prediction, and `query_truth(fabric, seed)` returns queries and truth
@@ -15,13 +11,13 @@ as NumPy arrays.
 
 from __future__ import annotations
 
-import sys
-from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from loomlight.core.settings import declared
+from loomlight.core.settings import Settings, declared, setting
+from loomlight.evaluation.metrics import OVERALL
 from loomlight.evaluation.query_benchmark import (
     FOOTPRINTS,
     PAIRS,
@@ -30,21 +26,22 @@ from loomlight.evaluation.query_benchmark import (
     model_predictor,
     run_query_benchmark,
 )
+from loomlight.evaluation.table import Table
 from loomlight.models.neural.weights import LAYOUT_RANGES, PARAMETER_RANGES, read_weights
-from loomlight.models.registry import make_model, model_class
-from studies.instruments.harness import Figures, run
+from loomlight.models.registry import MODELS, make_model, model_class
+from studies.harness.study import Figures, Found, Run, Study, listed, names
 from studies.instruments.held_out import held_out_fabrics
 from studies.papers.setting import neural_predictor
 
 
-def predictors(names: list[str], files: list[Path], quality: str | None = None) -> dict[str, Predictor]:
+def predictors(models: list[str], files: list[Path], quality: str = "") -> dict[str, Predictor]:
     """A predictor for each model by its name, and one for each file of weights of the neural network."""
-    trained: dict[str, Any] = {} if quality is None else {"quality": quality}
+    trained: dict[str, Any] = {"quality": quality} if quality else {}
     predictors_by_name = {
         name: model_predictor(
             partial(make_model, name, **trained) if _is_trained(name) else partial(make_model, name)
         )
-        for name in names
+        for name in models
     }
     for file in files:
         predictors_by_name[f"neural {file.stem}"] = neural_predictor(read_weights(file))
@@ -55,33 +52,81 @@ def _is_trained(name: str) -> bool:
     return "quality" in declared(model_class(name).options_class)
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """Which models, on what."""
-    parser.add_argument("--models", default="", help="names, with commas between them")
-    parser.add_argument("--weights", type=Path, action="append", default=[], help="weights of neural")
-    parser.add_argument("--quality", default=None, help="of models that are trained")
-    parser.add_argument("--fabrics", type=int, default=None, help="only so many, of every kind")
-    parser.add_argument("--varied-layouts", action="store_true", help="gaps and setts other than chen2024's")
-    parser.add_argument("--pairs", type=int, default=PAIRS)
-    parser.add_argument("--footprints", type=int, default=FOOTPRINTS)
-    parser.add_argument("--seed", type=int, default=SEED, help="of the queries")
+@dataclass(frozen=True)
+class QueryQuestions(Settings):
+    models: str = names("point,lobes,neural", "Models.", tuple(MODELS))
+    weights: str = names("", "Files of weights of `neural`, each a row.")
+    quality: str = setting("", "Of models that are trained; by default their own.")
+    fabrics: int = setting(24, "Of the held-out fabrics, of every kind.", low=1, high=24)
+    varied_layouts: bool = setting(False, "Gaps and setts other than chen2024's.")
+    pairs: int = setting(PAIRS, "Pairs of directions of a fabric.", low=1)
+    footprints: int = setting(FOOTPRINTS, "Footprints of a pair.", low=1)
+    seed: int = setting(SEED, "Of the queries.", low=0)
 
 
-def measure(options: Namespace) -> Figures:
-    """Runs the benchmark, prints its tables and returns every figure."""
-    names = [name for name in options.models.split(",") if name]
+def measure(settings: QueryQuestions, run: Run) -> Found:
+    """Every figure of the benchmark."""
+    files = [Path(file) for file in listed(settings.weights)]
     result = run_query_benchmark(
-        predictors(names, options.weights, options.quality),
-        held_out_fabrics(options.fabrics, LAYOUT_RANGES if options.varied_layouts else PARAMETER_RANGES),
-        pairs=options.pairs,
-        footprints=options.footprints,
-        seed=options.seed,
-        progress=lambda done, total: print(f"{done}/{total} fabrics", file=sys.stderr),
+        predictors(listed(settings.models), files, settings.quality),
+        held_out_fabrics(settings.fabrics, LAYOUT_RANGES if settings.varied_layouts else PARAMETER_RANGES),
+        pairs=settings.pairs,
+        footprints=settings.footprints,
+        seed=settings.seed,
+        progress=run.report,
     )
-    for table in result.tables():
-        print(table.to_markdown())
-    return result.to_dict()
+    return Found(result.to_dict())
 
 
-if __name__ == "__main__":
-    run(measure, add_options, prints=False)
+def tables(figures: Figures) -> list[Table]:
+    """Errors by class, errors of other quantities and costs, and errors by fabric."""
+    note = f"{len(figures['fabrics'])} fabrics, {figures['queries_per_fabric']} queries each."
+    rows = figures["rows"]
+    parts = list(dict.fromkeys(part for row in rows.values() for part in row["metrics"]["reflection"]))
+    classes = Table("nMAE of grey reflection", parts, note=note)
+    columns = ["transmission", "colour", "MSE", "bias", "queries/s", "multiply-adds", "bytes fetched"]
+    others = Table("Other figures", columns, note="Errors are nMAE; MSE and bias are of grey reflection.")
+    by_fabric = Table("nMAE of grey f·cos by fabric", list(rows))
+    for name, row in rows.items():
+        metrics = row["metrics"]
+        reflection = metrics["reflection"]
+        classes.rows[name] = [reflection.get(part, {}).get("nmae") for part in parts]
+        kinds = [metrics.get(kind, {}).get(OVERALL, {}).get("nmae") for kind in ("transmission", "colour")]
+        means = [reflection[OVERALL][metric] for metric in ("mse", "bias")]
+        costs = [row[key] for key in ("queries_per_second", "multiply_adds", "bytes_fetched")]
+        others.rows[name] = [*kinds, *means, *costs]
+    for fabric in figures["fabrics"]:
+        by_fabric.rows[fabric] = [row["nmae_by_fabric"].get(fabric) for row in rows.values()]
+    return [classes, others, by_fabric]
+
+
+_FEW = {"fabrics": 1, "pairs": 4, "footprints": 4}
+STUDIES = (
+    Study(
+        "accuracy/query_benchmark",
+        "the query benchmark on the 24 held-out fabrics: errors of models by size, roughness and angle",
+        QueryQuestions(),
+        measure,
+        tables,
+        stands_on=("point", "lobes", "neural", "network"),
+        small={**_FEW, "models": "point,lobes"},
+    ),
+    Study(
+        "accuracy/query_benchmark_neumip",
+        "the same of `neumip`, which is trained for each of three fabrics",
+        QueryQuestions(models="lobes,neumip", fabrics=3, pairs=40, footprints=40),
+        measure,
+        tables,
+        stands_on=("point", "lobes", "neumip"),
+        small={**_FEW, "models": "lobes"},
+    ),
+    Study(
+        "accuracy/query_benchmark_varied_layouts",
+        "the same of `neural` on layouts that its paper does not have",
+        QueryQuestions(models="neural", fabrics=8, varied_layouts=True, pairs=40, footprints=40),
+        measure,
+        tables,
+        stands_on=("point", "neural", "network"),
+        small=_FEW,
+    ),
+)

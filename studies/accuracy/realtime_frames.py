@@ -1,22 +1,23 @@
 """Frames of `loomlight.realtime` beside Mitsuba's direct light: FLIP of six fabrics at three distances.
 
-    python -m studies.accuracy.realtime_frames [--output FILE.json]
-
 Both render the same rectangle with the same model under one directional light. Two seeds of Mitsuba are
 compared too: no frame can be closer than they are to each other.
 """
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.metrics import flip_mean
+from loomlight.evaluation.table import Table
 from loomlight.fabric import load_fabric
 from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mitsuba import material_bsdf, render
@@ -24,12 +25,10 @@ from loomlight.mitsuba.meshes import to_shape
 from loomlight.mitsuba.scenes import empty_scene
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Environment, Renderer, rectangle
 from loomlight.realtime.scene import Light
-from studies.instruments.harness import REPOSITORY, Figures, run
+from studies.harness.study import Figures, Found, Run, Study, example, listed, listed_numbers, names
 
-EXAMPLES = REPOSITORY / "examples"
 FABRICS = ("denim", "wool-houndstooth", "silk-satin", "linen", "organza", "damask")
-DISTANCES = (0.01, 0.05, 0.2)  # metres
-SIDE, SIZE, SAMPLES = 0.1, 32, 512
+SIDE = 0.1  # of the cloth, metres
 TOWARDS = (0.5, 0.3, 0.8)
 
 
@@ -40,7 +39,7 @@ def mitsuba_frame(
     lights: Sequence[Light] = (),
     environment: Environment | None = None,
     model: str = "point",
-    spp: int = SAMPLES,
+    spp: int = 512,
     seed: int = 0,
 ) -> NDArray[np.float32]:
     """Linear RGB [height, width, 3] of the same scene by Mitsuba: direct light, box filter."""
@@ -89,11 +88,9 @@ def _texture(albedo: NDArray[np.floating]) -> dict[str, Any]:
     return {"type": "bitmap", "bitmap": mi.Bitmap(np.asarray(albedo, np.float32)), "raw": True}
 
 
-def compare(
-    name: str, distance: float, model: str, samples: int = SAMPLES, side: int = SIZE
-) -> dict[str, Any]:
+def compare(name: str, distance: float, model: str, samples: int = 512, side: int = 32) -> dict[str, Any]:
     """FLIP of a frame against Mitsuba, and of two seeds of Mitsuba against each other."""
-    cloths = [Cloth(rectangle(SIDE, SIDE), load_fabric(EXAMPLES / f"{name}.toml"))]
+    cloths = [Cloth(rectangle(SIDE, SIDE), load_fabric(example(name)))]
     camera = Camera((0, -0.6 * distance, 0.8 * distance))
     lights = [DirectionalLight(TOWARDS)]
     size = (side, side)
@@ -115,25 +112,71 @@ def compare(
     }
 
 
-def measure(arguments: Namespace) -> Figures:
+@dataclass(frozen=True)
+class RealtimeFrames(Settings):
+    models: str = names("point,lobes", "Models.", ("point", "lobes"))
+    fabrics: str = names(",".join(FABRICS), "Example fabrics.")
+    distances: str = setting("0.01,0.05,0.2", "Metres from the camera to the cloth.", metavar="M,…")
+    size: int = setting(32, "Pixels a side.", low=8)
+    samples: int = setting(512, "A pixel, of both.", low=1)
+
+
+def measure(settings: RealtimeFrames, run: Run) -> Found:
     """All rows."""
     mi.set_variant("llvm_ad_rgb")
-    rows = [
-        compare(name, distance, model, arguments.samples, arguments.size)
-        for model in arguments.models.split(",")
-        for name in arguments.fabrics.split(",")
-        for distance in DISTANCES
-    ]
-    largest = max(row["flip"] for row in rows)
-    return {"size": arguments.size, "samples": arguments.samples, "rows": rows, "largest_flip": largest}
+    rows = run.each(
+        {
+            f"{model}, {name}, {distance:g} m": partial(
+                compare, name, distance, model, settings.samples, settings.size
+            )
+            for model in listed(settings.models)
+            for name in listed(settings.fabrics)
+            for distance in listed_numbers("distances", settings.distances)
+        }
+    )
+    largest = max(row["flip"] for row in rows.values())
+    return Found(
+        {
+            "size": settings.size,
+            "samples": settings.samples,
+            "rows": list(rows.values()),
+            "largest_flip": largest,
+        }
+    )
 
 
-def _add_options(parser: ArgumentParser) -> None:
-    parser.add_argument("--models", default="point,lobes", help="point, lobes, or both")
-    parser.add_argument("--fabrics", default=",".join(FABRICS), help="names of examples")
-    parser.add_argument("--size", type=int, default=SIZE, help="pixels a side")
-    parser.add_argument("--samples", type=int, default=SAMPLES, help="a pixel, of both")
+def tables(figures: Figures) -> list[Table]:
+    """FLIP by model, fabric and distance."""
+    rows = {
+        f"`{row['model']}`, {row['fabric']}, {1000 * row['distance_m']:g} mm": [
+            row["flip"],
+            row["flip_of_two_seeds"],
+            row["brightness_ratio"],
+        ]
+        for row in figures["rows"]
+    }
+    columns = ["FLIP", "of two seeds of Mitsuba", "brightness over Mitsuba's"]
+    return [Table(f"Frames of {figures['size']}² pixels against Mitsuba", columns, rows)]
 
 
-if __name__ == "__main__":
-    run(measure, _add_options)
+_SMALL = {"models": "point", "fabrics": "denim", "distances": "0.05", "size": 8, "samples": 8}
+STUDIES = (
+    Study(
+        "accuracy/realtime_frames",
+        "frames of `loomlight.realtime` beside Mitsuba's direct light: FLIP of fabrics by distance",
+        RealtimeFrames(),
+        measure,
+        tables,
+        stands_on=("shaders", "point", "lobes"),
+        small=_SMALL,
+    ),
+    Study(
+        "accuracy/realtime_frames_256",
+        "the same of `lobes`, in frames as large as they are shown",
+        RealtimeFrames(models="lobes", size=256, samples=64),
+        measure,
+        tables,
+        stands_on=("shaders", "lobes"),
+        small=_SMALL,
+    ),
+)

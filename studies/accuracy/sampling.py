@@ -1,8 +1,5 @@
 """How much noise the sampler of a model saves: variances of weights against those of a cosine on either side.
 
-    python -m studies.accuracy.sampling examples/denim.toml … [--environment SKY.exr] [--output FILE.json]
-    python -m studies.accuracy.sampling brass.loom …
-
 Footprints of 0.05 to 5 threads lie anywhere, and views all around. A weight is the luminance of f·cos over
 the density, times the sky's radiance in that direction, given that light does not pass straight through a
 hole. The cosine knows the shares of both sides: each is drawn in proportion to what it scatters. A row has,
@@ -22,10 +19,11 @@ under a white sky and under the environment if one is given,
 from __future__ import annotations
 
 import math
+import os
 import time
-from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -36,18 +34,21 @@ from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Cell, Table
 from loomlight.models.interface import FootprintBsdf, Model
-from loomlight.models.registry import make_model, model_from_loom, parse_options
-from loomlight.sources.kinds import kind_of_file
+from loomlight.models.registry import MODELS, make_model, model_from_loom, parse_options
 from loomlight.sources.load import load_source
 from loomlight.sources.material import Material
-from studies.instruments.harness import Figures, run
+from studies.accuracy.learned_sources import SOURCES, baked, source_of
+from studies.harness.study import REPOSITORY, Figures, Found, Run, Study, example, listed, names
 
 _LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 _THREADS = 0.05, 5.0
 _TEXELS = 64  # across sources without threads
 _SEED = 999
 _BRIGHTEST = 10.0  # of a sky, over its mean
+_SOURCES_HELP = "Example fabrics, .loom files, or sources of the gallery, which are trained first."
 
 _Floats = NDArray[np.float64]
 T = TypeVar("T")
@@ -56,7 +57,7 @@ T = TypeVar("T")
 class _Sky:
     """Radiance by direction: white, or a latitude-longitude picture that z is up in, its sun dimmed."""
 
-    def __init__(self, file: Path | None) -> None:
+    def __init__(self, file: os.PathLike[str] | None) -> None:
         self._picture: _Floats | None = None
         if file is not None:
             import mitsuba as mi
@@ -81,31 +82,53 @@ class _Sky:
         return found
 
 
-def measure(options: Namespace) -> Figures:
+@dataclass(frozen=True)
+class Sampling(Settings):
+    sources: str = names("denim,silk-satin,organza,linen,wool-houndstooth", _SOURCES_HELP)
+    model: str = setting("neural", "Of fabrics.", choices=tuple(MODELS))
+    options: str = names("", "Of that model: name=value.")
+    environment: os.PathLike[str] | None = setting(None, "A picture of a sky.")
+    places: int = setting(1000, "Places and views.", low=1)
+    samples: int = setting(64, "Directions of each.", low=8)
+
+
+def measure(settings: Sampling, run: Run) -> Found:
+    """A row for each source."""
     require_llvm()
     skies = {"white": _Sky(None)}
-    if options.environment is not None:
-        skies["environment"] = _Sky(options.environment)
-    rows = {}
-    for source in options.sources:
-        if source.suffix == ".loom":
-            model = model_from_loom(source)
-        else:
-            made_of = load_source(source, kind_of_file(source, "fabric"))
-            model = make_model(options.model, made_of, parse_options(options.model, options.set))
-        row = _row(model, options, skies)
-        rows[source.stem] = {name: float(f"{value:.4g}") for name, value in row.items()}
-    return {
-        "model": options.model,
-        "options": options.set,
-        "places": options.places,
-        "samples": options.samples,
-        "rows": rows,
+    if settings.environment is not None:
+        skies["environment"] = _Sky(settings.environment)
+    cases = {
+        Path(name).stem: partial(_rounded_row, name, settings, skies, run.runs)
+        for name in listed(settings.sources)
     }
+    return Found(
+        {
+            "model": settings.model,
+            "options": listed(settings.options),
+            "places": settings.places,
+            "samples": settings.samples,
+            "rows": run.each(cases),
+        }
+    )
 
 
-def _row(model: Model, options: Namespace, skies: dict[str, _Sky]) -> Figures:
-    places, samples = options.places, options.samples
+def _model(name: str, settings: Sampling, runs: Path) -> Model:
+    if name in SOURCES:
+        return model_from_loom(baked(name, source_of(name, runs / "learned_sources"), runs))
+    if name.endswith(".loom"):
+        return model_from_loom(name)
+    source = load_source(name if Path(name).suffix else example(name), "fabric")
+    return make_model(settings.model, source, parse_options(settings.model, listed(settings.options)))
+
+
+def _rounded_row(name: str, settings: Sampling, skies: dict[str, _Sky], runs: Path) -> Figures:
+    row = _row(_model(name, settings, runs), settings, skies)
+    return {key: float(f"{value:.4g}") for key, value in row.items()}
+
+
+def _row(model: Model, settings: Sampling, skies: dict[str, _Sky]) -> Figures:
+    places, samples = settings.places, settings.samples
     rng = np.random.default_rng(_SEED)
     view, footprint = _places(model, rng, places, samples)
     at = model.at(view, footprint)
@@ -236,14 +259,54 @@ def _by_cosine(at: FootprintBsdf, rng: np.random.Generator, side: int) -> tuple[
     return (_LUMINANCE @ value) * math.pi / height, light
 
 
-def _add_options(parser: ArgumentParser) -> None:
-    parser.add_argument("sources", nargs="+", type=Path, help="fabrics, or .loom files")
-    parser.add_argument("--model", default="neural", help="of fabrics")
-    parser.add_argument("--set", action="append", default=[], help="an option of the model: name=value")
-    parser.add_argument("--environment", type=Path, help="a picture of a sky")
-    parser.add_argument("--places", type=int, default=2000)
-    parser.add_argument("--samples", type=int, default=64)
+def tables(figures: Figures) -> list[Table]:
+    """Variances of a cosine over the sampler's, a row a source, under each sky."""
+    rows: dict[str, list[Cell]] = {}
+    for name, row in figures["rows"].items():
+        cells: list[Cell] = []
+        for key in ("gain", "equal_time_gain", "median_gain", "source_equal_time_gain"):
+            cells += [row.get(key), row.get(f"environment_{key}")]
+        rows[name] = [*cells, row["largest_by_cosine"], row["largest"]]
+    gains = ("gain", "at equal time", "in the median place", "of its own sampler at equal time")
+    columns = [f"{gain}: {sky}" for gain in gains for sky in ("white", "sky")]
+    return [
+        Table(
+            "Variance of a cosine over the sampler's", [*columns, "largest weight: cosine", "sampler"], rows
+        )
+    ]
 
 
-if __name__ == "__main__":
-    run(measure, _add_options)
+_FEW = {"sources": "denim", "places": 20}
+STUDIES = (
+    Study(
+        "accuracy/sampling_neural_learned",
+        "noise that the network's sampler of `neural` saves over cosines",
+        Sampling(options="sampler=learned"),
+        measure,
+        tables,
+        stands_on=("neural", "network"),
+        small=_FEW,
+    ),
+    Study(
+        "accuracy/sampling_neural_lobes",
+        "noise that the fibre lobes in the place of that network save",
+        Sampling(options="sampler=lobes"),
+        measure,
+        tables,
+        stands_on=("neural", "network"),
+        small=_FEW,
+    ),
+    Study(
+        "accuracy/sampling_learned_sources",
+        "noise that samplers of `neumip` and `latent` save on the gallery's sources",
+        Sampling(
+            sources=",".join(SOURCES),
+            environment=REPOSITORY / "examples" / "room.exr",
+            places=2000,
+        ),
+        measure,
+        tables,
+        stands_on=("neumip", "latent"),
+        small={**_FEW, "model": "lobes", "environment": None},
+    ),
+)

@@ -1,18 +1,16 @@
 """Maps over a garment: what mixing a few variants errs, and what a picture with maps costs.
 
-    python -m studies.accuracy.surface_maps --part levels --output FILE.json
-
-- *levels*: a number in the middle between two of the four variants that a picture of many greys makes, mixed
+- levels: a number in the middle between two of the four variants that a picture of many greys makes, mixed
   of both, against cloth that has the number itself: mean difference of f·cos over lights and views, seen over
   three threads, over the mean; for the field's whole range and for the lowest four tenths of it.
-- *times*: processor time of pictures of the drape with maps over those without, of alternate renderings.
+- times: processor time of pictures of the drape with maps over those without, of alternate renderings.
 """
 
 from __future__ import annotations
 
 import tempfile
-import time
-from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -23,29 +21,45 @@ from PIL import Image
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float, require_llvm
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.map_fields import fields_of, range_of
 from loomlight.fabric.read import edited_fabric
+from loomlight.mitsuba.pictures import render
 from loomlight.mitsuba.variants import choose_variant
 from loomlight.models.registry import make_model
-from studies.instruments.harness import REPOSITORY, Figures, run
+from studies.harness.study import Figures, Found, Run, Study, example, listed, names
+from studies.instruments.timing import least_times
 
-EXAMPLES = ("denim", "linen")
 FIELDS = ("roughness", "gap", "specular", "height_scale", "wear")
 # Variants of a picture of many greys.
 LEVELS = 4
-QUERIES = 4000
 
 
-def values(fabric: Fabric, seed: int = 5) -> NDArray[np.float64]:
+@dataclass(frozen=True)
+class Levels(Settings):
+    queries: int = setting(4000, "Of each fabric.", low=1)
+    fabrics: str = names("denim,linen", "Example fabrics.")
+    fields: str = names(",".join(FIELDS), "Fields that maps change.", FIELDS)
+
+
+@dataclass(frozen=True)
+class Times(Settings):
+    rounds: int = setting(4, "Pictures of each.", low=1)
+    size: tuple[int, int] = setting((480, 360), "Pixels.", low=8)
+    spp: int = setting(32, "Samples a pixel.", low=1)
+
+
+def values(fabric: Fabric, count: int, seed: int = 5) -> NDArray[np.float64]:
     """f·cos [n, 3] of `lobes` over footprints of three threads, from random views under random lights."""
     types = array_types(llvm_float())
     rng = np.random.default_rng(seed)
 
     def directions() -> Any:
-        z = np.sqrt(rng.random(QUERIES) * 0.98 + 0.02)
-        angle = 2 * np.pi * rng.random(QUERIES)
+        z = np.sqrt(rng.random(count) * 0.98 + 0.02)
+        angle = 2 * np.pi * rng.random(count)
         across = np.sqrt(1 - z * z)
         return types.Vector3(
             *(row.astype(np.float32) for row in (across * np.cos(angle), across * np.sin(angle), z))
@@ -53,7 +67,7 @@ def values(fabric: Fabric, seed: int = 5) -> NDArray[np.float64]:
 
     view, light = directions(), directions()
     width, height = fabric.repeat_mm
-    centre = types.Vector2(*((rng.random(QUERIES) * side).astype(np.float32) for side in (width, height)))
+    centre = types.Vector2(*((rng.random(count) * side).astype(np.float32) for side in (width, height)))
     side = 3 * float(fabric.layout().warp.spacing.mean())
     model = make_model("lobes", fabric)
     model.upload(types)
@@ -61,20 +75,22 @@ def values(fabric: Fabric, seed: int = 5) -> NDArray[np.float64]:
     return np.array(model.at(view, model.on_cloth(footprint)).value(light), np.float64).T
 
 
-def levels() -> list[dict[str, Any]]:
+def measure_levels(settings: Levels, run: Run) -> Found:
     """Errors of mixtures."""
+    require_llvm()
     rows = []
-    for name in EXAMPLES:
-        fabric = load_fabric(REPOSITORY / "examples" / f"{name}.toml")
-        for field in FIELDS:
+    for name in listed(settings.fabrics):
+        fabric = load_fabric(example(name))
+        for field in listed(settings.fields):
             low, high = range_of(fields_of(field)[0])
             for share in (1.0, 0.4):
                 ends = low, low + share * (high - low)
                 errors = []
                 knots = np.linspace(*ends, LEVELS)
-                seen = [values(with_number(fabric, field, float(knot))) for knot in knots]
+                seen = [values(with_number(fabric, field, float(knot)), settings.queries) for knot in knots]
                 for first in range(LEVELS - 1):
-                    middle = values(with_number(fabric, field, float(knots[first : first + 2].mean())))
+                    between = float(knots[first : first + 2].mean())
+                    middle = values(with_number(fabric, field, between), settings.queries)
                     mixed = (seen[first] + seen[first + 1]) / 2
                     errors.append(float(np.abs(mixed - middle).mean() / middle.mean()))
                     bias = float(mixed.mean() / middle.mean() - 1)
@@ -88,7 +104,7 @@ def levels() -> list[dict[str, Any]]:
                             "bias": bias,
                         }
                     )
-    return rows
+    return Found({"levels": rows})
 
 
 def with_number(fabric: Fabric, field: str, value: float) -> Fabric:
@@ -99,11 +115,10 @@ def with_number(fabric: Fabric, field: str, value: float) -> Fabric:
     return edited_fabric(fabric, edits)
 
 
-def times(rounds: int = 4) -> list[dict[str, Any]]:
+def measure_times(settings: Times, run: Run) -> Found:
     """Processor time of pictures, and of baking what they show."""
-    from loomlight.mitsuba.pictures import render
-
-    fabric = load_fabric(REPOSITORY / "examples" / "denim.toml")
+    choose_variant(None)
+    fabric = load_fabric(example("denim"))
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         ramp = Path(folder) / "ramp.png"
@@ -114,35 +129,53 @@ def times(rounds: int = 4) -> list[dict[str, Any]]:
             "wear": {"wear": ramp},
             "wear and gap": {"wear": ramp, "gap": {"picture": ramp, "high": 0.4}},
         }
-        spent: dict[str, list[tuple[float, float]]] = {case: [] for case in cases}
-        for _ in range(rounds):
-            for case, maps in cases.items():
-                began = time.process_time()
-                render(fabric, size=(32, 24), spp=1, inset=False, maps=maps)
-                ready = time.process_time()
-                render(fabric, size=(480, 360), spp=32, inset=False, maps=maps)
-                spent[case].append((ready - began, time.process_time() - ready))
-        plain = np.min(spent["none"], axis=0)
-        for case, seconds in spent.items():
-            start, picture = np.min(seconds, axis=0)
-            rows.append({"maps": case, "start": start, "picture": picture, "ratio": picture / plain[1]})
-    return rows
+        pictures = [
+            partial(render, fabric, size=size, spp=spp, inset=False, maps=maps)
+            for maps in cases.values()
+            for size, spp in (((32, 24), 1), (settings.size, settings.spp))
+        ]
+        seconds = [spent.cpu_seconds for spent in least_times(pictures, settings.rounds)]
+    for case, start, picture in zip(cases, seconds[::2], seconds[1::2], strict=True):
+        rows.append({"maps": case, "start": start, "picture": picture, "ratio": picture / seconds[1]})
+    return Found({"times": rows})
 
 
-PARTS = {"levels": levels, "times": times}
+def tables_of_levels(figures: Figures) -> list[Table]:
+    """The largest error and bias by field, over the whole range and its lowest four tenths."""
+    found = figures["levels"]
+    rows: dict[str, list[Cell]] = {}
+    for fabric, field in dict.fromkeys((row["fabric"], row["field"]) for row in found):
+        own = [row for row in found if (row["fabric"], row["field"]) == (fabric, field)]
+        # The whole range comes first.
+        parts = own[: LEVELS - 1], own[LEVELS - 1 :]
+        rows[f"{fabric}, `{field}`"] = [100 * max(row["error"] for row in part) for part in parts]
+    columns = ["whole range, %", "lowest four tenths, %"]
+    return [Table("Largest error of a mixture in the middle", columns, rows)]
 
 
-def measure(options: Namespace) -> Figures:
-    """The figures of all parts, or of one."""
-    require_llvm()
-    choose_variant(None)
-    chosen = PARTS if options.part is None else {options.part: PARTS[options.part]}
-    return {name: part() for name, part in chosen.items()}
+def tables_of_times(figures: Figures) -> list[Table]:
+    """Processor seconds until a first picture, and of a picture."""
+    rows = {row["maps"]: [row["start"], row["picture"], row["ratio"]] for row in figures["times"]}
+    return [Table("Pictures with maps", ["start, s", "picture, s", "over none"], rows)]
 
 
-def _add_options(parser: ArgumentParser) -> None:
-    parser.add_argument("--part", choices=PARTS, help="one part alone")
-
-
-if __name__ == "__main__":
-    run(measure, _add_options)
+STUDIES = (
+    Study(
+        "accuracy/surface_maps_levels",
+        "maps over a garment: what mixing a few variants of a fabric errs",
+        Levels(),
+        measure_levels,
+        tables_of_levels,
+        stands_on=("lobes",),
+        small={"queries": 100, "fabrics": "denim", "fields": "roughness"},
+    ),
+    Study(
+        "accuracy/surface_maps_times",
+        "maps over a garment: what a picture with maps costs",
+        Times(),
+        measure_times,
+        tables_of_times,
+        stands_on=("lobes", "picture", "lobes cost"),
+        small={"rounds": 1, "size": (32, 24), "spp": 1},
+    ),
+)

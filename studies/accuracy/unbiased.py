@@ -1,11 +1,9 @@
 """Is a model's mean the Monte Carlo footprint reference's? z-tests over random cases, with Holm's correction.
 
-    python -m studies.accuracy.unbiased --models NAME,NAME [--options points=4096] [--output FILE.json]
-
 A case is a fabric (of the 24 held-out ones), a light, a view and a parallelogram of a quarter thread to
 four repeats, up to three times as long as wide. Reflection and transmission, both faces. The reference
 draws uniform points in the parallelogram and follows each view and shadow ray exactly
-(`reference.py`). With `--aligned` the parallelograms are rectangles along the threads. Of models
+(`reference.py`). They may be rectangles along the threads. Of models
 that estimate a surface of their own, as `clustered`, the means are others.
 
 Models may draw points themselves, by numbers that they make of what they are asked. Moving a footprint by
@@ -21,7 +19,6 @@ much.
 from __future__ import annotations
 
 import math
-from argparse import ArgumentParser, Namespace
 from dataclasses import dataclass
 from statistics import NormalDist
 
@@ -34,15 +31,18 @@ from loomlight.aggregate.queries import admits_transmission, fabric_scale
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.query_benchmark import reference_model
+from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
-from loomlight.models.registry import make_model, parse_options
-from studies.instruments.harness import Figures, run
+from loomlight.models.registry import MODELS, make_model, parse_options
+from studies.harness.study import Figures, Found, Run, Study, listed, names
+from studies.instruments.directions import above
 from studies.instruments.held_out import held_out_fabrics
 from studies.instruments.reference import reference
 
-CASES, SAMPLES, REPEATS, SIGNIFICANCE = 72, 1 << 16, 256, 0.01
+SIGNIFICANCE = 0.01
 _FABRICS = 24
 # Footprints are moved by up to so many repeats each way: more cost digits of single precision.
 _SHIFTS = 16
@@ -88,8 +88,10 @@ def random_cases(fabric: Fabric, count: int, seed: int, aligned: bool = False) -
     """
     rng = np.random.default_rng(seed)
     scale = fabric_scale(fabric.layout())
-    views = _directions(rng, count) * np.where(rng.random(count) < 0.5, -1, 1)[:, None] ** [[0, 0, 1]]
-    lights = _directions(rng, count)
+    views = above(rng, count, _MIN_COSINE).T * np.where(rng.random(count) < 0.5, -1, 1)[:, None] ** [
+        [0, 0, 1]
+    ]
+    lights = above(rng, count, _MIN_COSINE).T
     side = np.sign(views[:, 2])
     if admits_transmission(fabric.appearance()):
         side = side * np.where(rng.random(count) < 0.5, -1, 1)
@@ -104,13 +106,6 @@ def random_cases(fabric: Fabric, count: int, seed: int, aligned: bool = False) -
     lengths = sizes[:, None] * np.stack([rng.uniform(1, _MAX_RATIO, count), np.ones(count)], axis=1)
     edges = lengths[..., None] * np.stack([np.cos(angles), np.sin(angles)], axis=2)
     return Cases(lights, views, rng.random((count, 2)) * scale.extent, edges)
-
-
-def _directions(rng: np.random.Generator, count: int) -> Array:
-    z = rng.uniform(_MIN_COSINE, 1, count)
-    azimuth = rng.uniform(0, 2 * np.pi, count)
-    radius = np.sqrt(1 - z * z)
-    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
 
 
 def reference_means(fabric: Fabric, cases: Cases, samples: int, seed: int) -> Means:
@@ -165,19 +160,18 @@ def holm(z: Array, significance: float) -> int:
     return int(kept[0]) if len(kept) else len(p)
 
 
-def tested(name: str, made: list[tuple[Fabric, Cases, Means]], options: Namespace) -> Figures:
+def tested(name: str, made: list[tuple[Fabric, Cases, Means]], settings: Unbiased) -> Figures:
     """The tests of one model over all fabrics."""
     found, truths, refused, names = [], [], [], []
     for number, (fabric, cases, truth) in enumerate(made):
         try:
-            model = make_model(name, fabric, parse_options(name, filter(None, options.options.split(","))))
+            model = make_model(name, fabric, parse_options(name, listed(settings.options)))
         except InputError as fault:
             refused.append(str(fault))
             continue
-        found.append(model_means(model, cases, options.repeats, options.seed + number))
+        found.append(model_means(model, cases, settings.repeats, settings.seed + number))
         truths.append(truth)
         names += [fabric.name] * len(cases.lights)
-        print(f"{name}: {number + 1} of {len(made)} fabrics", flush=True)
     means, truth = (
         Means(*(np.concatenate([getattr(part, field) for part in parts]) for field in ("mean", "variance")))
         for parts in (found, truths)
@@ -206,41 +200,75 @@ def tested(name: str, made: list[tuple[Fabric, Cases, Means]], options: Namespac
     }
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """Which models, how many cases."""
-    parser.add_argument("--models", default="samples", help="names of the registry, by commas")
-    parser.add_argument("--options", default="", help='of these models, such as "points=4096"')
-    parser.add_argument("--cases", type=int, default=CASES)
-    parser.add_argument("--samples", type=int, default=SAMPLES, help="of the reference, a footprint")
-    parser.add_argument("--repeats", type=int, default=REPEATS, help="footprints a case, a repeat apart")
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--aligned", action="store_true", help="footprints are rectangles along the threads")
+@dataclass(frozen=True)
+class Unbiased(Settings):
+    models: str = names("samples", "Models.", tuple(MODELS))
+    options: str = setting("", 'Of these models, such as "points=4096".')
+    cases: int = setting(72, "Random cases.", low=1)
+    samples: int = setting(1 << 16, "Of the reference, a footprint.", low=2)
+    repeats: int = setting(256, "Footprints of a case, a repeat apart.", low=2)
+    seed: int = setting(0, "Of the cases.", low=0)
+    aligned: bool = setting(False, "Footprints are rectangles along the threads.")
 
 
-def measure(options: Namespace) -> Figures:
+def measure(settings: Unbiased, run: Run) -> Found:
     """Every model against the same references."""
     require_llvm()
-    fabrics = held_out_fabrics(min(_FABRICS, options.cases))
-    each = -(-options.cases // len(fabrics))
+    fabrics = held_out_fabrics(min(_FABRICS, settings.cases))
+    each = -(-settings.cases // len(fabrics))
     made = []
     for number, held in enumerate(fabrics):
-        cases = random_cases(held.fabric, each, options.seed * 1000 + number, options.aligned)
-        truth = reference_means(held.fabric, cases, options.samples, options.seed * 1000 + 500 + number)
+        cases = random_cases(held.fabric, each, settings.seed * 1000 + number, settings.aligned)
+        truth = reference_means(held.fabric, cases, settings.samples, settings.seed * 1000 + 500 + number)
         made.append((held.fabric, cases, truth))
-        print(f"reference: {number + 1} of {len(fabrics)} fabrics", flush=True)
-    results = {name: tested(name, made, options) for name in options.models.split(",")}
-    return {
-        "reference_samples": options.samples,
-        "footprints_a_case": options.repeats,
-        "options": options.options,
-        "aligned": options.aligned,
-        "significance": SIGNIFICANCE,
-        "correction": "Holm",
-        "models": results,
-        # Biased models are shown to compare with; only those that claim none are held to it.
-        "biased": [name for name, result in results.items() if result["rejected"]],
+        run.report(number + 1, len(fabrics))
+    results = {name: tested(name, made, settings) for name in listed(settings.models)}
+    return Found(
+        {
+            "reference_samples": settings.samples,
+            "footprints_a_case": settings.repeats,
+            "options": settings.options,
+            "aligned": settings.aligned,
+            "significance": SIGNIFICANCE,
+            "correction": "Holm",
+            "models": results,
+            # Biased models are shown to compare with; only those that claim none are held to it.
+            "biased": [name for name, result in results.items() if result["rejected"]],
+        }
+    )
+
+
+def tables(figures: Figures) -> list[Table]:
+    """Tests and bias by model."""
+    keys = ("cases", "tests", "rejected", "largest_z", "largest_z_expected", "mean_z_squared")
+    rows: dict[str, list[Cell]] = {
+        f"`{name}`": [
+            *(found[key] for key in keys),
+            f"{found['relative_bias']:.4f} ± {found['relative_bias_error']:.4f}",
+        ]
+        for name, found in figures["models"].items()
     }
+    columns = ["cases", "tests", "rejected", "largest z", "expected", "mean z²", "relative bias"]
+    return [Table("z-tests against the footprint reference", columns, rows, "Holm's correction at 0.01.")]
 
 
-if __name__ == "__main__":
-    run(measure, add_options, prints=False)
+STUDIES = (
+    Study(
+        "accuracy/unbiased",
+        "is the mean of `samples` the Monte Carlo footprint reference's? z-tests over random cases",
+        Unbiased(),
+        measure,
+        tables,
+        stands_on=("samples", "point"),
+        small={"cases": 2, "samples": 1 << 8, "repeats": 4},
+    ),
+    Study(
+        "accuracy/unbiased_point",
+        "the same of `point`, over rectangles along the threads",
+        Unbiased(models="point", aligned=True, samples=1 << 14, repeats=1 << 13),
+        measure,
+        tables,
+        stands_on=("point",),
+        small={"cases": 2, "samples": 1 << 8, "repeats": 4},
+    ),
+)

@@ -1,7 +1,5 @@
 """White furnace over all parameter ranges: does a point of any admitted fabric return more than it receives?
 
-    python -m studies.accuracy.white_furnace [--fabrics N] [--seed N] [--output FILE.json]
-
 Each fabric is drawn at random from everything that a fabric file admits, limits included; warp and weft
 differ in all of it, threads are white or use the energy bound up. Places all over both faces are lit from
 everywhere and seen from directions of their own, grazing ones among them; the albedo is the mean weight of
@@ -13,8 +11,7 @@ largest is too large. (Holes without sheen return exactly 1 and would always win
 from __future__ import annotations
 
 import math
-import time
-from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
 from typing import Any
 
 import drjit as dr
@@ -24,6 +21,8 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Cell, Table
 from loomlight.scattering.albedo import (
     Albedos,
     LayerBound,
@@ -36,9 +35,9 @@ from loomlight.scattering.fibre import cloth_layer_bound
 from loomlight.scattering.point import YarnPoint, YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
-from studies.instruments.harness import Figures, run
+from studies.harness.study import Figures, Found, Run, Study
 
-POSITIONS, SAMPLES, AGAIN = 96, 2048, 1 << 19
+POSITIONS, SAMPLES = 96, 2048
 # Largest of some 10⁶ normal deviations, and rounding of float32.
 SIGMAS, ROUNDING = 5.5, 1e-4
 
@@ -160,7 +159,7 @@ def albedos(
     return weight.mean(axis=2), weight.std(axis=2) / math.sqrt(each), hole.numpy()[::each]
 
 
-def measured(seed: int, number: int) -> dict[str, float]:
+def measured(seed: int, number: int, samples: int) -> dict[str, float]:
     """The largest albedo of fabric `number`, its error, and both measured again where it is largest."""
     rng = np.random.default_rng([seed, number])
     model = Unshadowed(*fabric(rng))
@@ -168,7 +167,7 @@ def measured(seed: int, number: int) -> dict[str, float]:
     views = directions(rng, POSITIONS)
     mean, error, hole = albedos(model, positions, views, SAMPLES, rng)
     brightest = int(np.argmax(np.where(hole, 0, mean.max(axis=0))))
-    again, its_error, _ = albedos(model, positions[:, [brightest]], views[:, [brightest]], AGAIN, rng)
+    again, its_error, _ = albedos(model, positions[:, [brightest]], views[:, [brightest]], samples, rng)
     channel = int(np.argmax(again[:, 0]))
     excess = (mean - 1 - ROUNDING) / np.maximum(error, 1e-12)
     return {
@@ -180,29 +179,32 @@ def measured(seed: int, number: int) -> dict[str, float]:
     }
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """How many fabrics, and which."""
-    parser.add_argument("--fabrics", type=int, default=1200)
-    parser.add_argument("--seed", type=int, default=0)
+@dataclass(frozen=True)
+class WhiteFurnace(Settings):
+    fabrics: int = setting(1200, "Random fabrics.", low=1)
+    seed: int = setting(0, "Of the fabrics.", low=0)
+    again: int = setting(1 << 19, "Samples of each fabric's brightest place.", low=1)
 
 
-def measure(options: Namespace) -> Figures:
+def measure(settings: WhiteFurnace, run: Run) -> Found:
     """The largest albedos, and those above the bar."""
     require_llvm()
-    begun = time.perf_counter()
-    rows = [measured(options.seed, number) for number in range(options.fabrics)]
+    rows = [measured(settings.seed, number, settings.again) for number in range(settings.fabrics)]
     above = [row for row in rows if max(_excess(row), row["largest_excess_in_errors"]) > SIGMAS]
-    return {
-        "seed": options.seed,
-        "places": f"{POSITIONS} a fabric, {SAMPLES} samples each; the brightest again with {AGAIN}",
-        "bar": f"none above 1 + {SIGMAS} standard errors + {ROUNDING}",
-        "fabrics": len(rows),
-        "seconds": time.perf_counter() - begun,
-        "above": above,
-        "largest": max(rows, key=lambda row: row["albedo"]),
-        "closest_to_the_bar": max(rows, key=lambda row: row["largest_excess_in_errors"]),
-        "mean_albedo": float(np.mean([row["mean_albedo"] for row in rows])),
-    }
+    return Found(
+        {
+            "seed": settings.seed,
+            "places": (
+                f"{POSITIONS} a fabric, {SAMPLES} samples each; the brightest again with {settings.again}"
+            ),
+            "bar": f"none above 1 + {SIGMAS} standard errors + {ROUNDING}",
+            "fabrics": len(rows),
+            "above": above,
+            "largest": max(rows, key=lambda row: row["albedo"]),
+            "closest_to_the_bar": max(rows, key=lambda row: row["largest_excess_in_errors"]),
+            "mean_albedo": float(np.mean([row["mean_albedo"] for row in rows])),
+        }
+    )
 
 
 def _excess(row: dict[str, float]) -> float:
@@ -210,5 +212,24 @@ def _excess(row: dict[str, float]) -> float:
     return (row["albedo"] - 1 - ROUNDING) / max(row["error"], 1e-12)
 
 
-if __name__ == "__main__":
-    run(measure, add_options)
+def tables(figures: Figures) -> list[Table]:
+    """The largest albedo, and the place that is the most errors above 1."""
+    rows: dict[str, list[Cell]] = {}
+    for name, key in (("largest albedo", "largest"), ("closest to the bar", "closest_to_the_bar")):
+        found = figures[key]
+        above = found["largest_excess_in_errors"]
+        rows[name] = [found["albedo"], found["error"], above if above > 0 else None]
+    note = f"{figures['fabrics']} fabrics, {len(figures['above'])} above the bar: {figures['bar']}."
+    columns = ["albedo", "error", "errors above 1"]
+    return [Table("Albedos of random fabrics", columns, rows, note, digits=5)]
+
+
+STUDY = Study(
+    "accuracy/white_furnace",
+    "white furnace over all that a fabric file admits: the largest albedo of a point",
+    WhiteFurnace(),
+    measure,
+    tables,
+    stands_on=("point",),
+    small={"fabrics": 2, "again": 1 << 12},
+)

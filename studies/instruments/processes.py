@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import TypeVar
 
-from studies.instruments.harness import REPOSITORY
+from loomlight.core.errors import LoomlightError
+from studies.harness.study import REPOSITORY
+
+Made = TypeVar("Made")
 
 Cost = dict[str, float]
 _LOOK_SECONDS = 0.02
+_CALL = """
+import importlib, json, sys
+module, name, arguments = json.loads(sys.argv[1])
+print(json.dumps(getattr(importlib.import_module(module), name)(*arguments)))
+"""
 
 
 def loomlight(*arguments: object) -> list[str]:
@@ -33,7 +43,7 @@ def cost_of(
         shows: a file; `first_*` are the costs until it is there, within a fiftieth of a second.
 
     Raises:
-        SystemExit: the command fails; with its last words.
+        LoomlightError: the command fails; with its last words.
     """
     begun = time.perf_counter()
     process = subprocess.Popen(
@@ -56,13 +66,39 @@ def cost_of(
     _, status, used = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode:
-        sys.exit(f"{' '.join(command)} failed:\n{said.decode(errors='replace')[-2000:]}")
+        raise LoomlightError(f"{' '.join(command)} failed:\n{said.decode(errors='replace')[-2000:]}")
     return {
         "cpu_seconds": round(used.ru_utime + used.ru_stime, 2),
         "seconds": round(time.perf_counter() - begun, 2),
         **{name: round(value, 2) for name, value in first.items()},
         "peak_megabytes": round(used.ru_maxrss / 1e3),
     }
+
+
+def in_own_process(
+    function: Callable[..., Made], *arguments: object, environment: Mapping[str, str] | None = None
+) -> Made:
+    """What a function of a module returns in a process of its own, by way of JSON.
+
+    Args:
+        arguments: of the function.
+        environment: variables beside those of this process.
+
+    Raises:
+        LoomlightError: it fails; with the last line of what it said.
+    """
+    done = subprocess.run(
+        [sys.executable, "-c", _CALL, json.dumps([function.__module__, function.__qualname__, arguments])],
+        cwd=REPOSITORY,
+        env={**os.environ, **(environment or {})},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if done.returncode:
+        raise LoomlightError(f"{function.__qualname__} failed: {done.stderr.strip().splitlines()[-1]}")
+    made: Made = json.loads(done.stdout.splitlines()[-1])
+    return made
 
 
 def _has_ended(process: int) -> bool:

@@ -103,7 +103,7 @@ RECIPES: dict[str, Recipe] = {
     "yarns.jpg": Recipe(("studies.look.yarn_sheet -o {out}/picture.png",)),
     "yarn-gaps.jpg": Recipe(("studies.look.yarn_sheet --gaps -o {out}/picture.png",)),
     "yarn-fibres.jpg": Recipe(("studies.look.yarn_sheet --fibres -o {out}/picture.png",)),
-    "yarn-flanks.jpg": Recipe(("studies.accuracy.flanks --sheet {out}/picture.png",)),
+    "yarn-flanks.jpg": Recipe(("studies accuracy/flanks -o {out}",), picture="accuracy/flanks.png"),
     "which-model.jpg": Recipe(("tools.generate.model_sheet {out}/picture.png",)),
     "neural.jpg": Recipe(("studies.papers chen2024/fig5 -o {out}/papers",), picture="papers/fig5.png"),
     "editor.png": Recipe(("tools.generate.editor_picture {out}/picture.png",), ("page",)),

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from argparse import Namespace
-
 import numpy as np
 import pytest
 
-from studies.accuracy.moving_cloth import MANY, measure, sampled
+from studies.accuracy.moving_cloth import MANY, MovingClothFlicker, measure, sampled
+from studies.harness.study import Run
 
 
 def test_colours_between_pixels() -> None:
@@ -19,7 +18,7 @@ def test_colours_between_pixels() -> None:
 
 @pytest.mark.slow
 def test_many_samples_do_not_flicker() -> None:
-    figures = measure(Namespace(side=24, cases=1, reference=128))
+    figures = measure(MovingClothFlicker(side=24, cases=1, reference=128), Run()).figures
     (row,) = figures["rows"].values()
     assert row["points"] > 1000
     few, many = (row[name]["flicker"] for name in ("lobes 8, one seed", f"lobes {MANY}"))
