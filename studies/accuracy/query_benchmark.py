@@ -121,7 +121,7 @@ STUDIES = (
         small={**_FEW, "models": "lobes"},
     ),
     Study(
-        "accuracy/query_benchmark_varied_layouts",
+        "accuracy/query_benchmark_layouts",
         "the same of `neural` on layouts that its paper does not have",
         QueryQuestions(models="neural", fabrics=8, varied_layouts=True, pairs=40, footprints=40),
         measure,

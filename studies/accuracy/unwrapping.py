@@ -1,8 +1,8 @@
 """Garments without uv, cut into pieces: how far they are stretched and off the grain, and what that costs.
 
-- *shapes*: those of `instruments/garment_shapes.py` of 10,000 triangles, the shirt of $LOOMLIGHT_DATA, and it with
-  edges halved once and twice: pieces, their names, stretch (median, largest but for a thousandth of the area,
-  and largest), degrees off the grain, triangles that are folded over.
+- *shapes*: those of `instruments/garment_shapes.py` of 10,000 triangles, the shirt of $LOOMLIGHT_DATA, and it
+  with edges halved once and twice: pieces, their names, stretch (median, largest but for a thousandth of the
+  area, and largest), degrees off the grain, triangles that are folded over.
 - *costs*: processor seconds and the largest memory of a process that cuts the skirt at 10,000, 100,000 and
   1,000,000 triangles, reading not counted; memory is at least that of the process which starts it.
 """
