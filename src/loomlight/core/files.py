@@ -50,8 +50,14 @@ def require_file(path: str | os.PathLike[str]) -> None:
         if file.exists():
             raise InputError(f"{file} is no ordinary file; give the name of one.")
     except (OSError, ValueError) as error:  # too long a name, a NUL, no permission
-        raise InputError(f"{str(file)[:80]!r} is no path of a file that can be read.") from error
+        raise InputError(f"{_short(file)!r} is no path of a file that can be read.") from error
     raise InputError(f"{file} does not exist.")
+
+
+def _short(path: Path) -> str:
+    """The beginning of a path, and its end, by which a user knows it."""
+    text = str(path)
+    return text if len(text) <= 160 else f"{text[:60]}…{text[-99:]}"
 
 
 def read_text(path: str | os.PathLike[str]) -> str:

@@ -312,14 +312,13 @@ def _between_0_and_1(values: NDArray[np.float64], path: str | os.PathLike[str]) 
 @contextmanager
 def _opened(path: str | os.PathLike[str]) -> Iterator[Image.Image]:
     """A picture that Pillow has opened; its faults become InputErrors."""
+    require_file(path)
     try:
         # By an open file: of a name, Pillow maps TIFF into memory, and garbles what is to be turned.
         with _without_pillow_limit(), Path(path).open("rb") as file, Image.open(file) as picture:
             yield picture
-    except FileNotFoundError as error:
-        raise InputError(f"{path} does not exist.") from error
-    except IsADirectoryError as error:
-        raise InputError(f"{path} is a folder; give the name of a picture.") from error
+    except PermissionError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror}.") from error
     except MemoryError as error:
         raise InputError(f"{path} has more pixels than there is memory for.") from error
     except (UnidentifiedImageError, OSError, ValueError, SyntaxError) as error:

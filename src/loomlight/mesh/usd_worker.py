@@ -84,7 +84,7 @@ class _Worker:
             timer.daemon = True
             timer.start()
             try:
-                kind, result, told = _asked(process, (what, file, *more))
+                kind, result, told = _asked(process, (_current_folder(), what, file, *more))
             except (OSError, EOFError, pickle.UnpicklingError) as error:
                 self._stop()
                 if is_late.is_set():
@@ -149,6 +149,14 @@ def _worker() -> _Worker:
     return _current
 
 
+def _current_folder() -> str | None:
+    """The folder that relative names start from, which may have changed since the other process began."""
+    try:
+        return os.getcwd()
+    except OSError:  # it is gone
+        return None
+
+
 def _asked(process: subprocess.Popen[bytes], question: tuple[object, ...]) -> tuple[str, Any, list[str]]:
     assert process.stdin is not None
     assert process.stdout is not None
@@ -187,13 +195,15 @@ def _limit_memory(file: Path) -> None:
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def _answer(what: str, *arguments: Any) -> tuple[str, Any, list[str]]:
+def _answer(folder: str | None, what: str, *arguments: Any) -> tuple[str, Any, list[str]]:
     from loomlight.core.errors import LoomlightError
     from loomlight.mesh import usd
 
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         try:
+            if folder is not None:
+                os.chdir(folder)
             _limit_memory(arguments[0])
             kind, result = "done", getattr(usd, what)(*arguments)
         except LoomlightError as error:

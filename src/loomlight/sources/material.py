@@ -125,6 +125,7 @@ def load_material(path: str | os.PathLike[str]) -> Material:
     with speaking_of(str(file)):
         size = (DEFAULT_SIZE_MM, DEFAULT_SIZE_MM)
         if file.suffix.lower() == RGL_SUFFIX:
+            require_file(file)
             return material_from_xml(measured_xml(file), file.parent, file.stem, size)
         if file.suffix.lower() == _SUFFIX:
             return material_from_xml(read_text(file), file.parent, file.stem, size)
