@@ -13,7 +13,7 @@ from PIL import ExifTags, Image
 
 from loomlight.core.colour import srgb_to_linear
 from loomlight.core.errors import InputError
-from loomlight.core.images import is_turned, read_map, read_picture, write_channels, write_image, write_pixels
+from loomlight.core.images import is_turned, read_map, read_picture, write_channels, write_image
 from tests.limits import HANG
 
 
@@ -112,20 +112,6 @@ def test_other_suffixes_are_refused(tmp_path: Path, name: str) -> None:
     with pytest.raises(InputError, match=r"written as \.png or \.jpg or \.jpeg or \.exr"):
         write_image(tmp_path / name, np.zeros((2, 2, 3)))
     assert list(tmp_path.iterdir()) == []
-
-
-def test_what_is_no_picture_is_refused(tmp_path: Path) -> None:
-    write_pixels(tmp_path / "whole.png", np.zeros((30, 30, 3), dtype=np.uint8))
-    whole = (tmp_path / "whole.png").read_bytes()
-    for number, content in enumerate([b"", b"no picture", whole[:40], whole[:20] + b"\xff" * 30]):
-        path = tmp_path / f"{number}.png"
-        path.write_bytes(content)
-        with pytest.raises(InputError, match=f"{number}.png is no picture"):
-            read_picture(path)
-    with pytest.raises(InputError, match="does not exist"):
-        read_picture(tmp_path / "none.png")
-    with pytest.raises(InputError, match="is a folder"):
-        read_picture(tmp_path)
 
 
 def test_drawings_of_uint8_keep_every_colour(tmp_path: Path) -> None:

@@ -78,8 +78,3 @@ def test_faults_are_one_sentence(tmp_path: Path, name: str, text: str, sentence:
     with pytest.raises(InputError, match=r"weft\.color") as fault:
         read_spectrum(name, tmp_path, "weft.color")
     assert sentence in str(fault.value)
-
-
-def test_a_missing_file_is_named(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"navy\.csv"):
-        read_spectrum("navy.csv", tmp_path, "warp.color")

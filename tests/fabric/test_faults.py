@@ -5,7 +5,6 @@ Covers: fabric/read.py
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import pytest
@@ -97,38 +96,6 @@ def test_a_fault_names_the_file_the_field_and_the_remedy(tmp_path: Path, text: s
     sentence = one_sentence(caught.value)
     assert FAULTS[text] in sentence
     assert str(tmp_path) in sentence
-
-
-def test_what_is_no_file(tmp_path: Path) -> None:
-    for path in (
-        tmp_path / "none.toml",
-        tmp_path / "none.wif",
-        tmp_path / "none.png",
-        tmp_path / ("a" * 400 + ".toml"),
-    ):
-        with pytest.raises(InputError) as caught:
-            load_fabric(path)
-        assert path.name in one_sentence(caught.value)
-    (tmp_path / "folder.toml").mkdir()
-    with pytest.raises(InputError, match="is a folder"):
-        load_fabric(tmp_path / "folder.toml")
-    with pytest.raises(InputError, match="does not exist"):
-        load_fabric("a\0b.toml")
-
-
-def test_a_device_is_not_read_forever(tmp_path: Path) -> None:
-    os.mkfifo(tmp_path / "pipe.toml")
-    with pytest.raises(InputError, match="no ordinary file"):
-        load_fabric(tmp_path / "pipe.toml")
-
-
-def test_what_is_no_text(tmp_path: Path) -> None:
-    (tmp_path / "a.toml").write_bytes(b"weave = \xff\xfe")
-    with pytest.raises(InputError, match="UTF-8"):
-        load_fabric(tmp_path / "a.toml")
-    (tmp_path / "a.toml").write_bytes(b"#" * (4 * 2**20 + 1))
-    with pytest.raises(InputError, match="larger than 4 MiB"):
-        load_fabric(tmp_path / "a.toml")
 
 
 def test_a_byte_order_mark_is_no_fault(tmp_path: Path) -> None:

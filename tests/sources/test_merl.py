@@ -107,22 +107,17 @@ def test_a_loom_keeps_few_and_names_many(file: Path, tmp_path: Path) -> None:
         named.evaluate(np.zeros(1, np.intp), directions(1, 0), directions(1, 1))
 
 
-def test_faults_are_one_sentence(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_damaged_file_is_known_by_its_name_and_not_baked(
+    file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     short = tmp_path / "short.binary"
     with file.open("rb") as stream:
         short.write_bytes(stream.read(1000))
     assert is_merl_file(short)
     assert is_merl_file(tmp_path)
     assert run(["bake", str(short), "--model", "latent", "-o", str(tmp_path / "a.loom")]) == 2
-    error = capsys.readouterr().err
-    assert "it is truncated: a MERL file has 34992012 bytes, it has 1000." in error
+    assert "it is truncated: a MERL file has 34992012 bytes, it has 1000." in capsys.readouterr().err
     assert not (tmp_path / "a.loom").exists()
-    short.write_bytes(b"\0" * 40)
-    with pytest.raises(InputError, match="no MERL file: one begins with the dimensions"):
-        read_merl(short)
-    short.write_bytes(b"\x5a\0\0\0\x5a")
-    with pytest.raises(InputError, match="no MERL file"):
-        read_merl(short)
 
 
 @pytest.mark.filterwarnings("error")

@@ -46,7 +46,6 @@ def damaged(old: bytes, new: bytes) -> bytes:
 @pytest.mark.parametrize(
     ("content", "says"),
     [
-        (b"tensor", "is no measured BSDF of RGL"),
         (rgl_file()[:20], "its header cannot be read"),
         (rgl_file()[:-300], "the field rgb is not within the file"),
         (damaged(b"rgb", b"rgc"), "lacks the field rgb: take the file whose name ends in _rgb"),

@@ -45,11 +45,3 @@ def test_other_contents_are_refused_in_a_sentence(tmp_path: Path, suffix: str, c
     with pytest.raises(InputError, match=rf"is no \{suffix} draft that can be read") as caught:
         load_draft(path)
     assert "\n" not in str(caught.value)
-
-
-def test_missing_files(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="does not exist"):
-        load_draft(tmp_path / "none.dtx")
-    (tmp_path / "folder.wpo").mkdir()
-    with pytest.raises(InputError, match="is a folder"):
-        load_draft(tmp_path / "folder.wpo")

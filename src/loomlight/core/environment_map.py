@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.files import require_file
-from loomlight.core.images import read_linear
+from loomlight.core.images import opened_exr, read_linear
 
 # Of the ratio of width to height; rounding of sides makes small pictures differ more.
 _RATIO_TOLERANCE = 0.02
@@ -88,7 +88,7 @@ def checked_environment_map(
 
 def _read_exr(path: str | os.PathLike[str]) -> NDArray[np.float32]:
     try:
-        with OpenEXR.File(str(path), separate_channels=True) as file:
+        with opened_exr(path) as file:
             _check_header(file.header(), len(file.parts), path)
             planes = {name: np.asarray(channel.pixels) for name, channel in file.channels().items()}
     except (RuntimeError, ValueError, TypeError, MemoryError) as error:

@@ -37,19 +37,22 @@ def cache_folder(kind: str) -> Path:
 
 
 def require_file(path: str | os.PathLike[str]) -> None:
-    """Raises InputError unless `path` is an ordinary file or a link to one.
+    """Raises InputError unless `path` is an ordinary file or a link to one, and may be read.
 
     Pipes and devices are refused, as reading them might never end.
     """
     file = Path(path)
     try:
         if file.is_file():
+            file.open("rb").close()
             return
         if file.is_dir():
             raise InputError(f"{file} is a folder; give the name of a file.")
         if file.exists():
             raise InputError(f"{file} is no ordinary file; give the name of one.")
-    except (OSError, ValueError) as error:  # too long a name, a NUL, no permission
+    except PermissionError as error:
+        raise InputError(f"{file} cannot be read: {error.strerror}.") from error
+    except (OSError, ValueError) as error:  # too long a name, a NUL
         raise InputError(f"{_short(file)!r} is no path of a file that can be read.") from error
     raise InputError(f"{file} does not exist.")
 
@@ -67,22 +70,15 @@ def read_text(path: str | os.PathLike[str]) -> str:
         InputError: no such file, no file but a folder or device, unreadable, too large, not UTF-8.
     """
     file = Path(path)
+    require_file(file)
     try:
-        if file.is_dir():
-            raise InputError(f"{file} is a folder; give the name of a fabric file.")
-        if not file.exists():
-            raise InputError(f"{file} does not exist.")
-        if not file.is_file():
-            raise InputError(f"{file} is no ordinary file; give the name of a fabric file.")
         if file.stat().st_size > MAX_TEXT:
-            raise InputError(f"{file} is larger than {MAX_TEXT >> 20} MiB; it is no fabric file.")
+            raise InputError(f"{file} is larger than {MAX_TEXT >> 20} MiB: no text of that size is read.")
         return file.read_bytes().decode("utf-8-sig")
     except OSError as error:
         raise InputError(f"{file} cannot be read: {error.strerror or error}.") from error
     except UnicodeDecodeError as error:
-        raise InputError(f"{file} is no fabric file: it is not UTF-8 text.") from error
-    except ValueError as error:  # a NUL inside the path
-        raise InputError(f"{str(file)!r} is no path of a file.") from error
+        raise InputError(f"{file} is not UTF-8 text: save it as UTF-8.") from error
 
 
 @contextmanager

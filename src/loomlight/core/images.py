@@ -5,9 +5,10 @@ from __future__ import annotations
 import io
 import os
 import re
+import threading
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -32,6 +33,8 @@ _PIXELS_AT_ONCE = 1 << 20
 # Pillow's modes of grey of more than 8 bits: whole numbers of 16 or 32, and floats.
 _WIDE_MODES = ("I;16", "I;16B", "I;16L", "I;16N", "I", "F")
 _MAX_16_BITS = 65535
+# Of the streams of output, which all threads share.
+_SILENCE = threading.Lock()
 _EXR_CHANNELS = {1: "Y", 3: "RGB", 4: "RGBA"}
 
 
@@ -169,11 +172,43 @@ def read_linear(path: str | os.PathLike[str]) -> NDArray[np.float32]:
     return linear
 
 
+@contextmanager
+def opened_exr(path: str | os.PathLike[str]) -> Iterator[OpenEXR.File]:
+    """An .exr that is read; its parts have at most 16384 pixels a side.
+
+    Raises:
+        InputError: it has more.
+        RuntimeError, ValueError, TypeError: what OpenEXR raises of a damaged one.
+    """
+    with _silenced(), OpenEXR.File(str(path), header_only=True) as head:
+        windows = [part.header["dataWindow"] for part in head.parts]
+    for first, last in windows:
+        width, height = (int(b) - int(a) + 1 for a, b in zip(first, last, strict=True))
+        _require_size(path, width, height)
+    with _silenced():
+        opened = OpenEXR.File(str(path), separate_channels=True)
+    with opened as file:
+        yield file
+
+
+@contextmanager
+def _silenced() -> Iterator[None]:
+    """Leaves out what OpenEXR prints of damage, beside the error that it raises."""
+    with _SILENCE, redirect_stdout(io.StringIO()), Path(os.devnull).open("w") as nowhere:
+        kept = os.dup(2)
+        os.dup2(nowhere.fileno(), 2)
+        try:
+            yield
+        finally:
+            os.dup2(kept, 2)
+            os.close(kept)
+
+
 def _read_exr(path: str | os.PathLike[str], any_channel: bool = False) -> NDArray[np.float32]:
     """Channels R, G, B of an .exr [height, width, 3], else Y three times; else any one where that will do."""
     require_file(path)
     try:
-        with OpenEXR.File(str(path), separate_channels=True) as file:
+        with opened_exr(path) as file:
             planes = {name: np.array(channel.pixels) for name, channel in file.channels().items()}
     except (RuntimeError, ValueError, TypeError) as error:
         raise InputError(f"{path} is no EXR file that can be read.") from error
