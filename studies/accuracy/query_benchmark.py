@@ -31,7 +31,7 @@ from loomlight.models.neural.weights import LAYOUT_RANGES, PARAMETER_RANGES, rea
 from loomlight.models.registry import MODELS, make_model, model_class
 from studies.harness.study import Figures, Found, Run, Study, listed, names
 from studies.instruments.held_out import held_out_fabrics
-from studies.papers.setting import neural_predictor
+from studies.papers.chen2024.stage import neural_predictor
 
 
 def predictors(models: list[str], files: list[Path], quality: str = "") -> dict[str, Predictor]:

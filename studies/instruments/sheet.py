@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from studies.papers.figure import Pixels
+from loomlight.evaluation.metrics import PictureError
+from studies.harness.study import Pixels
 
 _PAPER, _INK, _FAINT = (255, 255, 255), (20, 20, 20), (110, 110, 110)
 _GAP, _MARGIN = 6, 14
@@ -67,6 +68,11 @@ def contact_sheet(title: str, columns: Sequence[str], rows: Sequence[Row], note:
             _write(draw, (left, top + heights[number] + 2), tile.caption, _CAPTION, _FAINT)
         top += heights[number] + captions[number] + _GAP
     return np.asarray(sheet)
+
+
+def error_caption(error: PictureError) -> str:
+    """What stands below a picture of its error."""
+    return f"MSE {error.mse:.1e}, FLIP {error.flip:.3f}"
 
 
 def in_two_rows(tiles: Sequence[Tile]) -> list[Row]:

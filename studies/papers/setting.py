@@ -1,79 +1,38 @@
-"""Settings of all figures: sizes, samples, the network, and progress."""
+"""Settings that studies of papers share, each declared once; a study has those that it reads."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import os
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
 
-from loomlight.core.llvm import llvm_float
-from loomlight.evaluation.query_benchmark import Predictor, model_predictor
-from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba import material_bsdf
-from loomlight.mitsuba.scenes import BsdfFactory
-from loomlight.models.neural.encoding import encode
-from loomlight.models.neural.model import NeuralModel
-from loomlight.models.neural.weights import Weights, read_weights, shipped_weights
-
-SIZE, SAMPLES = (384, 216), 256
-RUNS = Path("runs")
-POINT, LOBES, NEURAL, CLUSTERED, LATENT = "point", "lobes", "neural", "clustered", "latent"
-NEUMIP = "neumip"
-
-# Called with (steps done, steps in all).
-Progress = Callable[[int, int], None]
+from loomlight.core.picture_settings import MAX_SIDE
+from loomlight.core.settings import Settings, same_setting, setting
+from loomlight.models.options import TrainingOptions
 
 
 @dataclass(frozen=True)
-class Setting:
-    """Settings of a figure.
+class PictureSettings(Settings):
+    """Of figures of pictures."""
 
-    Attributes:
-        size: width and height of each picture, pixels.
-        samples: samples a pixel of references.
-        weights: a weights file; None is the package's.
-        runs: the folder of trainings, by the names of their configurations.
-        progress: called after every step of a figure.
-        model: of figures that show one model beside the point model.
-        quality: of trainings that a figure makes, such as "preview".
-        steps: of these trainings; by default as the quality says.
-        resolution: texels a side of the textures of `neumip`; by default as the quality says.
-        environment: a latitude-longitude picture for scenes that an environment lights; None is the studio.
-    """
-
-    size: tuple[int, int] = SIZE
-    samples: int = SAMPLES
-    weights: Path | None = None
-    runs: Path = RUNS
-    progress: Progress | None = None
-    model: str = NEURAL
-    environment: Path | None = None
-    quality: str = "preview"
-    steps: int | None = None
-    resolution: int | None = None
-
-    def network(self) -> Weights:
-        """The network of the figure.
-
-        Raises:
-            InputError: no weights file, or a damaged one.
-        """
-        return shipped_weights() if self.weights is None else read_weights(self.weights)
-
-    def step(self, done: int, total: int) -> None:
-        """Reports progress."""
-        if self.progress is not None:
-            self.progress(done, total)
+    size: tuple[int, int] = setting(
+        (384, 216), "Pixels of each picture.", low=1, high=MAX_SIDE, metavar="WxH"
+    )
+    spp: int = setting(256, "Samples a pixel of references.", low=1, high=1_000_000)
 
 
-def cloth_bsdf(fabric: Fabric, model: str, weights: Path | None = None, **options: Any) -> BsdfFactory:
-    """`material_bsdf` with the network of a weights file, and with other options of the model."""
-    if weights is not None and model == NEURAL:
-        options["weights"] = str(weights)
-    return material_bsdf(fabric, model, **options)
+@dataclass(frozen=True)
+class LitSettings(PictureSettings):
+    """Of scenes that an environment lights."""
+
+    environment: os.PathLike[str] | None = setting(
+        None, "A latitude-longitude picture that lights the scene.", otherwise="the studio", metavar="FILE"
+    )
 
 
-def neural_predictor(weights: Weights) -> Predictor:
-    """A predictor with the network of these weights, which encodes each fabric."""
-    return model_predictor(lambda fabric: NeuralModel(fabric, encode(fabric, weights, llvm_float()), weights))
+@dataclass(frozen=True)
+class TrainedSettings(PictureSettings):
+    """Of figures that train models; trainings are kept in the folder of runs, and used again."""
+
+    quality: str = setting("preview", "How long is trained.", choices=("preview", "full", "published"))
+    steps: int | None = same_setting(TrainingOptions, "steps", help="Of each training.")
+    resolution: int | None = same_setting(TrainingOptions, "resolution", help="Texels a side of textures.")

@@ -105,7 +105,7 @@ RECIPES: dict[str, Recipe] = {
     "yarn-fibres.jpg": Recipe(("studies.look.yarn_sheet --fibres -o {out}/picture.png",)),
     "yarn-flanks.jpg": Recipe(("studies accuracy/flanks -o {out}",), picture="accuracy/flanks.png"),
     "which-model.jpg": Recipe(("tools.generate.model_sheet {out}/picture.png",)),
-    "neural.jpg": Recipe(("studies.papers chen2024/fig5 -o {out}/papers",), picture="papers/fig5.png"),
+    "neural.jpg": Recipe(("studies papers/chen2024/fig5 -o {out}",), picture="papers/chen2024/fig5.png"),
     "editor.png": Recipe(("tools.generate.editor_picture {out}/picture.png",), ("page",)),
     "realtime.png": Recipe(("tools.generate.frame_picture {out}/picture.png",), ("shaders",)),
     "realtime_play.png": Recipe(

@@ -35,8 +35,13 @@ from loomlight.sources.material import Material
 from loomlight.sources.merl import MerlLibrary
 from studies.instruments.altered_models import AlteredModel, UniformDirections
 from studies.papers.kuznetsov2021.stage import Shot, plane_shot
-from studies.papers.setting import Setting
-from studies.papers.zeltner2024.stage import model_factory, reference_factory, stage_picture, stage_scene
+from studies.papers.zeltner2024.stage import (
+    StageSettings,
+    model_factory,
+    reference_factory,
+    stage_picture,
+    stage_scene,
+)
 
 # Share of the sun's light, its width, and where it stands.
 _SUN, _SUN_WIDTH = 0.6, 0.15
@@ -147,8 +152,8 @@ def _picture(file: Path, options: Namespace) -> NDArray[np.float64]:
     else:
         learned = next(model_from_loom(other) for other in options.files if other.suffix == ".loom")
         factory = model_factory(_measured(learned, source))
-    setting = Setting(size=(side, side), samples=options.samples)
-    picture = stage_picture(stage_scene(factory, "whole", setting), setting)
+    settings = StageSettings(size=(side, side), spp=options.samples)
+    picture = stage_picture(stage_scene(factory, "whole", settings), settings)
     return linear_to_srgb(options.exposure * picture)
 
 

@@ -13,50 +13,68 @@ from loomlight.evaluation.metrics import PictureError, picture_error
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredShot
-from studies.instruments.renders import Rendered, Stage
-from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.papers.chen2024.fabrics import Look, paper_fabric, seen_fabrics, unseen_fabrics
+from studies.harness.study import Found, Run, Study, listed, names, on_display
+from studies.instruments.renders import Rendered
+from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
+from studies.papers.chen2024.fabrics import (
+    SEEN,
+    UNSEEN,
+    Look,
+    paper_fabric,
+    pattern_fabric,
+    seen_fabrics,
+    unseen_fabrics,
+)
 from studies.papers.chen2024.shots import BACKLIT, DRAPE, NINE
-from studies.papers.figure import Evidence, error_caption, on_display
-from studies.papers.setting import Setting
+from studies.papers.chen2024.stage import NetworkSettings, Stage
 
 _COLUMNS = ("point, 1 spp", "point, 3 spp", "point, equal time", "neural, 1 spp", "reference")
 _METRICS = ("MSE", "FLIP", "seconds", "samples")
 _TRANSLUCENT = Look(("#f0d9a8", "#f6efe0"), (0.35, 0.35), (0.6, 0.6), translucency=0.6)
 
 
-def many(setting: Setting) -> Evidence:
+@dataclass(frozen=True)
+class PatternSettings(NetworkSettings):
+    """Of figures of one pattern after another."""
+
+    patterns: str = names(",".join(SEEN), "Patterns that are shown.", (*SEEN, *UNSEEN))
+
+
+def many(settings: NetworkSettings, run: Run) -> Found:
     """Figure 1: many fabrics in one picture."""
     fabrics = [*seen_fabrics(), *unseen_fabrics()]
     return compared(
         "chen2024 figure 1: nine fabrics, one network",
-        setting,
+        settings,
+        run,
         NINE,
         [(", ".join(fabric.name for fabric in fabrics), fabrics)],
     )
 
 
-def training_patterns(setting: Setting) -> Evidence:
+def training_patterns(settings: PatternSettings, run: Run) -> Found:
     """Figure 4: the seven patterns of the training set."""
-    return _one_by_one("chen2024 figure 4: patterns of the training set", setting, seen_fabrics())
+    return _one_by_one("chen2024 figure 4: patterns of the training set", settings, run)
 
 
-def unseen_patterns(setting: Setting) -> Evidence:
+def unseen_patterns(settings: PatternSettings, run: Run) -> Found:
     """Figure 5: a twill that is in no training set."""
-    return _one_by_one("chen2024 figure 5: a pattern that no training has seen", setting, unseen_fabrics())
+    return _one_by_one("chen2024 figure 5: a pattern that no training has seen", settings, run)
 
 
-def _one_by_one(title: str, setting: Setting, fabrics: Sequence[Fabric]) -> Evidence:
+def _one_by_one(title: str, settings: PatternSettings, run: Run) -> Found:
     """Each fabric draped, one picture each."""
-    return compared(title, setting, DRAPE, [(fabric.name, [fabric]) for fabric in fabrics])
+    fabrics = [pattern_fabric(name) for name in listed(settings.patterns)]
+    return compared(title, settings, run, DRAPE, [(fabric.name, [fabric]) for fabric in fabrics])
 
 
-def backlit(setting: Setting) -> Evidence:
+def backlit(settings: NetworkSettings, run: Run) -> Found:
     """Figure 6: plain cloth against the light, with the BTDF, and without it."""
     opaque = replace(_TRANSLUCENT, translucency=0.0)
     return compared(
         "chen2024 figure 6: transmission, the light behind the cloth",
-        setting,
+        settings,
+        run,
         BACKLIT,
         [
             ("plain, BRDF and BTDF", [paper_fabric("plain", _TRANSLUCENT)]),
@@ -72,13 +90,17 @@ class _Measured:
 
 
 def compared(
-    title: str, setting: Setting, shot: MeasuredShot, cloths: Sequence[tuple[str, Sequence[Fabric]]]
-) -> Evidence:
+    title: str,
+    settings: NetworkSettings,
+    run: Run,
+    shot: MeasuredShot,
+    cloths: Sequence[tuple[str, Sequence[Fabric]]],
+) -> Found:
     """Two rows for each picture, by its label and its fabrics: the picture and its FLIP map."""
     rows, pictures = [], {}
     tables = {metric: Table(metric, list(_COLUMNS[:-1])) for metric in _METRICS}
     for number, (label, fabrics) in enumerate(cloths):
-        by_column = _measure(Stage(setting, shot, *fabrics))
+        by_column = _measure(settings.stage(shot, *fabrics))
         shown, maps = [], []
         for column, measured in by_column.items():
             file = f"{label}-{column}" if len(cloths) > 1 else column
@@ -96,13 +118,14 @@ def compared(
         tables["FLIP"].rows[label] = [error.flip for _, error in errors]
         tables["seconds"].rows[label] = [picture.seconds for picture, _ in errors]
         tables["samples"].rows[label] = [picture.samples for picture, _ in errors]
-        setting.step(number + 1, len(cloths))
+        run.report(number + 1, len(cloths))
     note = (
         f"{shot.yarns:g} yarns a pixel, one directional light, direct light only, box filter; reference: the "
-        f"point model with {setting.samples} samples a pixel. MSE of linear RGB and mean LDR-FLIP over the "
+        f"point model with {settings.spp} samples a pixel. MSE of linear RGB and mean LDR-FLIP over the "
         "cloth; seconds of a second picture. Below each picture its FLIP map: dark is alike."
     )
-    return Evidence(contact_sheet(title, _COLUMNS, rows, note), pictures, list(tables.values()))
+    sheet = contact_sheet(title, _COLUMNS, rows, note)
+    return Found(settings.figures(*tables.values()), sheet, pictures)
 
 
 def _measure(stage: Stage) -> dict[str, _Measured]:
@@ -126,3 +149,41 @@ def _caption(measured: _Measured) -> str:
     if measured.error is None:
         return cost
     return f"{error_caption(measured.error)}, {cost}"
+
+
+_STANDS_ON = ("point", "neural", "picture")
+_SMALL = {"size": (24, 16), "spp": 4}
+STUDIES = (
+    Study(
+        "papers/chen2024/fig1",
+        "nine fabrics in one picture, one network",
+        NetworkSettings(),
+        many,
+        stands_on=_STANDS_ON,
+        small=_SMALL,
+    ),
+    Study(
+        "papers/chen2024/fig4",
+        "seven seen patterns: 1 and 3 samples, equal time, the network",
+        PatternSettings(),
+        training_patterns,
+        stands_on=_STANDS_ON,
+        small={**_SMALL, "patterns": "plain"},
+    ),
+    Study(
+        "papers/chen2024/fig5",
+        "twills that no training has seen, the same columns",
+        PatternSettings(patterns=",".join(UNSEEN)),
+        unseen_patterns,
+        stands_on=_STANDS_ON,
+        small={**_SMALL, "patterns": "twill 4×4"},
+    ),
+    Study(
+        "papers/chen2024/fig6",
+        "plain cloth against the light, with and without the BTDF",
+        NetworkSettings(),
+        backlit,
+        stands_on=_STANDS_ON,
+        small=_SMALL,
+    ),
+)

@@ -15,10 +15,10 @@ from loomlight.evaluation.metrics import error_sums
 from loomlight.evaluation.query_benchmark import Prediction, monte_carlo_predictor
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
+from studies.harness.study import Found, Pixels, Run, Study, on_display
 from studies.instruments.sheet import Row, Tile, contact_sheet
 from studies.papers.chen2024.fabrics import Look, paper_fabric
-from studies.papers.figure import Evidence, Pixels, on_display
-from studies.papers.setting import Setting, neural_predictor
+from studies.papers.chen2024.stage import NetworkSettings, neural_predictor
 
 _WHITE = Look(roughness=(0.3, 0.3), height_scale=(0.6, 0.6), translucency=0.5)
 _PATCH = 0.4
@@ -29,12 +29,12 @@ _SIDES = {"reflection": 1.0, "transmission": -1.0}
 _COLUMNS = ("BSDF", "diffuse, warp", "diffuse, weft", "specular, warp", "specular, weft")
 
 
-def separated(setting: Setting) -> Evidence:
+def separated(settings: NetworkSettings, run: Run) -> Found:
     """Figure 2: the BSDF of plain white cloth and its four components, reflection and transmission."""
     fabric = paper_fabric("plain", _WHITE)
-    truth = monte_carlo_predictor(setting.samples)
-    neural = neural_predictor(setting.network())
-    grid = max(4, round(setting.size[1] * _SIDE_OF_HEIGHT))
+    truth = monte_carlo_predictor(settings.spp)
+    neural = neural_predictor(settings.network())
+    grid = max(4, round(settings.size[1] * _SIDE_OF_HEIGHT))
     rows: list[Row] = []
     pictures: dict[str, Pixels] = {}
     table = Table("nMAE of the network by component", list(_COLUMNS))
@@ -50,14 +50,14 @@ def separated(setting: Setting) -> Evidence:
                 f"{side}-{name}-{column}": pixels for column, pixels in zip(_COLUMNS, shown, strict=True)
             }
         table.rows[side] = [error_sums(p, t).nmae for p, t in zip(guess, right, strict=True)]
-        setting.step(number + 1, len(_SIDES))
+        run.report(number + 1, len(_SIDES))
     note = (
         "Light directions across, view directions down, row by row over the disc of their x and y; each "
         f"column of a side is white at its 99th percentile, sampled. A patch of {_PATCH:g} of the repeat, "
-        f"{setting.samples} samples."
+        f"{settings.spp} samples."
     )
     title = "chen2024 figure 2: components of plain white cloth"
-    return Evidence(contact_sheet(title, _COLUMNS, rows, note), pictures, [table])
+    return Found(settings.figures(table), contact_sheet(title, _COLUMNS, rows, note), pictures)
 
 
 def direction_grid(fabric: Fabric, grid: int, side: float) -> QuerySet:
@@ -85,3 +85,13 @@ def _matrices(prediction: Prediction, count: int) -> NDArray[np.float64]:
 
 def _picture(values: NDArray[np.float64], white: float) -> NDArray[np.uint8]:
     return on_display(np.repeat((values / white)[..., None], 3, axis=2).astype(np.float32))
+
+
+STUDY = Study(
+    "papers/chen2024/fig2",
+    "the BSDF of a patch taken apart: R and T, diffuse and specular",
+    NetworkSettings(),
+    separated,
+    stands_on=("point", "neural"),
+    small={"size": (32, 40), "spp": 4},
+)

@@ -18,14 +18,14 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredShot
 from loomlight.models.neural.decoder import CompiledDecoder
 from loomlight.models.neural.encoding import encode
-from studies.instruments.renders import Stage, one_picture
+from studies.harness.study import Found, Run, Study, on_display
+from studies.instruments.renders import one_picture
 from studies.instruments.sheet import Tile, contact_sheet, in_two_rows
 from studies.instruments.timing import launched_kernels, timed
 from studies.papers.chen2024.cache import without_cached_latents
 from studies.papers.chen2024.fabrics import Look, paper_fabric, unseen_fabrics
 from studies.papers.chen2024.shots import BACKLIT, BALL, CYLINDER, DRAPE
-from studies.papers.figure import Evidence, on_display
-from studies.papers.setting import Setting
+from studies.papers.chen2024.stage import NetworkSettings
 
 _TIMES = 3
 
@@ -62,24 +62,24 @@ def network_time(run: Callable[[], object]) -> NetworkTime:
     return NetworkTime(seconds, CompiledDecoder.seconds - before, others)
 
 
-def split(setting: Setting) -> Evidence:
+def split(settings: NetworkSettings, run: Run) -> Found:
     """Table 3: milliseconds of network and others in each scene."""
     table = Table(
         "Milliseconds of a picture",
         ["network", "other kernels", "host", "sum", "network's share", "encoder, once"],
-        note=f"{setting.size[0]} × {setting.size[1]} pixels, one sample, direct light; the fastest of "
+        note=f"{settings.size[0]} × {settings.size[1]} pixels, one sample, direct light; the fastest of "
         f"{_TIMES} pictures after a first one. The encoder's are both faces and stand outside of the sum.",
     )
     tiles, pictures = [], {}
     scenes = _scenes()
     for number, (name, (shot, fabric)) in enumerate(scenes.items()):
-        scene = Stage(setting, shot, fabric).neural_scene()
+        scene = settings.stage(shot, fabric).neural_scene()
         picture = on_display(one_picture(scene, 1))
         spent = min(
             (network_time(partial(one_picture, scene, 1)) for _ in range(_TIMES)),
             key=lambda split: split.seconds,
         )
-        encoder = _encoder_seconds(setting, fabric)
+        encoder = _encoder_seconds(settings, fabric)
         seconds_by_part = [spent.network, spent.others, spent.host, spent.seconds]
         table.rows[name] = [
             *(1e3 * seconds for seconds in seconds_by_part),
@@ -89,9 +89,9 @@ def split(setting: Setting) -> Evidence:
         caption = f"network {1e3 * spent.network:.0f} of {1e3 * spent.seconds:.0f} ms"
         tiles.append(Tile(picture, f"{name}: {caption}"))
         pictures[name] = picture
-        setting.step(number + 1, len(scenes))
+        run.report(number + 1, len(scenes))
     sheet = contact_sheet("chen2024 table 3: where the time goes", [], in_two_rows(tiles), table.note)
-    return Evidence(sheet, pictures, [table])
+    return Found(settings.figures(table), sheet, pictures)
 
 
 def _scenes() -> dict[str, tuple[MeasuredShot, Fabric]]:
@@ -104,10 +104,20 @@ def _scenes() -> dict[str, tuple[MeasuredShot, Fabric]]:
     }
 
 
-def _encoder_seconds(setting: Setting, fabric: Fabric) -> float:
+def _encoder_seconds(settings: NetworkSettings, fabric: Fabric) -> float:
     """Seconds of both faces, the fastest of some runs, the first of which compiles."""
-    network, seconds = setting.network(), []
+    network, seconds = settings.network(), []
     for _ in range(_TIMES):
         with without_cached_latents():
             seconds.append(timed(lambda: encode(fabric, network, llvm_float()))[1])
     return min(seconds)
+
+
+STUDY = Study(
+    "papers/chen2024/table3",
+    "the time of a picture: network, others, encoder",
+    NetworkSettings(),
+    split,
+    stands_on=("neural", "picture"),
+    small={"size": (24, 16)},
+)

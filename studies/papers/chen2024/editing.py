@@ -16,15 +16,15 @@ from numpy.typing import NDArray
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredScene
-from studies.instruments.renders import Stage, fastest_picture, one_picture
+from studies.harness.study import Found, Pixels, Run, Study, on_display
+from studies.instruments.renders import fastest_picture, one_picture
 from studies.instruments.scene_edits import SceneEdits, bitmap_texture
 from studies.instruments.sheet import Tile, contact_sheet, in_two_rows
 from studies.instruments.timing import timed
 from studies.papers.chen2024.cache import without_cached_latents
 from studies.papers.chen2024.fabrics import Look, paper_fabric
 from studies.papers.chen2024.shots import DRAPE
-from studies.papers.figure import Evidence, Pixels, on_display
-from studies.papers.setting import NEURAL, Setting, cloth_bsdf
+from studies.papers.chen2024.stage import NetworkSettings, neural_bsdf
 
 _LOOK = Look(("#2f6f7f", "#b0a888"), (0.3, 0.3), (0.6, 0.6), specular=0.7)
 _PATTERN, _OTHER_PATTERN = "twill 5×5", "satin 8×8"
@@ -69,13 +69,13 @@ class _Shown:
     following: float
 
 
-def edited(setting: Setting) -> Evidence:
+def edited(settings: NetworkSettings, run: Run) -> Found:
     """Figure 9: the strip of edits."""
     shown: list[_Shown] = []
     with without_cached_latents():
-        for edited in _strip(setting):
+        for edited in _strip(settings):
             shown.append(edited)
-            setting.step(len(shown), len(EDITS) + 3)
+            run.report(len(shown), len(EDITS) + 3)
     table = Table("Seconds of an edit", ["edit", "first picture", "following picture"])
     for edited in shown:
         table.rows[edited.label] = [edited.edit, edited.first, edited.following]
@@ -88,29 +88,29 @@ def edited(setting: Setting) -> Evidence:
         "needed; seconds of a picture after the first one. A new fabric or map is a new BSDF."
     )
     sheet = contact_sheet("chen2024 figure 9: editing", [], in_two_rows(tiles), note)
-    return Evidence(sheet, {edited.label: edited.picture for edited in shown}, [table])
+    return Found(settings.figures(table), sheet, {edited.label: edited.picture for edited in shown})
 
 
-def _strip(setting: Setting) -> Iterator[_Shown]:
+def _strip(settings: NetworkSettings) -> Iterator[_Shown]:
     fabric, other = paper_fabric(_PATTERN, _LOOK), paper_fabric(_OTHER_PATTERN, _LOOK)
-    scene, seconds = timed(lambda: Stage(setting, DRAPE, fabric).neural_scene())
+    scene, seconds = timed(lambda: settings.stage(DRAPE, fabric).neural_scene())
     yield _pictured("the fabric, encoded", scene, seconds)
     edits = SceneEdits(scene.scene)
     for edit in EDITS:
         before, seconds = timed(partial(edits.apply, edit.values))
         yield _pictured(edit.label, scene, seconds)
         edits.apply(before)
-    scene, seconds = timed(lambda: Stage(setting, DRAPE, other).neural_scene())
+    scene, seconds = timed(lambda: settings.stage(DRAPE, other).neural_scene())
     yield _pictured(f"pattern {_OTHER_PATTERN}", scene, seconds)
-    scene, seconds = timed(lambda: _mapped_scene(setting, fabric))
+    scene, seconds = timed(lambda: _mapped_scene(settings, fabric))
     yield _pictured("albedo map", scene, seconds)
 
 
-def _mapped_scene(setting: Setting, fabric: Fabric) -> MeasuredScene:
+def _mapped_scene(settings: NetworkSettings, fabric: Fabric) -> MeasuredScene:
     """The fabric with the colours of a map."""
     albedo = bitmap_texture(albedo_map(_MAP_SIDE))
-    bsdf = cloth_bsdf(fabric, NEURAL, setting.weights, albedo=albedo)
-    return Stage(setting, DRAPE, fabric).neural_scene(bsdf)
+    bsdf = neural_bsdf(fabric, settings.weights, albedo=albedo)
+    return settings.stage(DRAPE, fabric).neural_scene(bsdf)
 
 
 def _pictured(label: str, scene: MeasuredScene, edit: float) -> _Shown:
@@ -129,3 +129,13 @@ def albedo_map(side: int) -> NDArray[np.float32]:
     pattern[radius < petals] = (0.75, 0.2, 0.12)
     pattern[radius < 0.5 * petals] = (0.95, 0.7, 0.2)
     return pattern.astype(np.float32)
+
+
+STUDY = Study(
+    "papers/chen2024/fig9",
+    "a strip of edits and what each costs",
+    NetworkSettings(),
+    edited,
+    stands_on=("neural", "picture"),
+    small={"size": (24, 16)},
+)

@@ -37,7 +37,7 @@ class Look:
     specular: float = 0.4
 
 
-_SEEN = {
+SEEN = {
     "plain": Look(("#b5452f", "#e6d9bd"), (0.35, 0.5), (0.7, 0.7)),
     "twill 3×3": Look(("#2b4a86", "#e8e4d8"), (0.3, 0.4), (0.6, 0.8)),
     "twill 5×5": Look(("#3f6b3a", "#cfc38a"), (0.25, 0.35), (0.6, 0.6)),
@@ -48,7 +48,7 @@ _SEEN = {
 }
 # In the paper's notation, twill 4×4 has a repeat of 4 × 4 threads; in weavers' notation, 4/4 is over four,
 # under four. Both are excluded from every training.
-_UNSEEN = {
+UNSEEN = {
     "twill 4×4": ("twill 2/2", Look(("#2b4a86", "#e8e4d8"), (0.3, 0.4), (0.6, 0.8))),
     "twill 4/4": ("twill 4/4", Look(("#6b3a3a", "#d9cdb8"), (0.25, 0.35), (0.6, 0.6))),
 }
@@ -56,17 +56,22 @@ _UNSEEN = {
 
 def seen_fabrics() -> list[Fabric]:
     """The paper's seven patterns, which are in the training set with other parameters."""
-    return [paper_fabric(name) for name in _SEEN]
+    return [pattern_fabric(name) for name in SEEN]
 
 
 def unseen_fabrics() -> list[Fabric]:
     """Twills that are in no training set."""
-    return [fabric_of(name, weave, look) for name, (weave, look) in _UNSEEN.items()]
+    return [pattern_fabric(name) for name in UNSEEN]
+
+
+def pattern_fabric(name: str) -> Fabric:
+    """A fabric of `SEEN` or `UNSEEN`, in its own colours."""
+    return fabric_of(name, *UNSEEN[name]) if name in UNSEEN else paper_fabric(name)
 
 
 def paper_fabric(name: str, look: Look | None = None) -> Fabric:
     """One of the paper's seven patterns, in its own colours unless a look is given."""
-    return fabric_of(name, PAPER_WEAVES[name], _SEEN[name] if look is None else look)
+    return fabric_of(name, PAPER_WEAVES[name], SEEN[name] if look is None else look)
 
 
 def fabric_of(name: str, weave: str, look: Look) -> Fabric:

@@ -15,13 +15,13 @@ from numpy.typing import NDArray
 from loomlight.evaluation.metrics import picture_error
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
-from studies.instruments.renders import Stage, one_picture
+from studies.harness.study import Found, Pixels, Run, Study, on_display
+from studies.instruments.renders import one_picture
 from studies.instruments.scene_edits import SceneEdits
 from studies.instruments.sheet import Row, Tile, contact_sheet
 from studies.papers.chen2024.fabrics import Look, paper_fabric
 from studies.papers.chen2024.shots import BALL
-from studies.papers.figure import Evidence, Pixels, on_display
-from studies.papers.setting import NEURAL, Setting, cloth_bsdf
+from studies.papers.chen2024.stage import NetworkSettings, Stage, neural_bsdf
 
 _PATTERN = "satin 5×5"
 _FIRST, _SECOND = 0.2, 0.8
@@ -53,7 +53,7 @@ _PARAMETERS = (
 )
 
 
-def interpolated(setting: Setting) -> Evidence:
+def interpolated(settings: NetworkSettings, run: Run) -> Found:
     """Figure 8: roughness and height field scaling by mixed latents."""
     rows: list[Row] = []
     pictures: dict[str, Pixels] = {}
@@ -61,7 +61,7 @@ def interpolated(setting: Setting) -> Evidence:
     tables = {kind: Table(f"FLIP of {kind}", columns) for kind in _COMPARED}
     apart = Table("FLIP between 0.2 and 0.8", ["reference", "encoded"])
     for number, parameter in enumerate(_PARAMETERS):
-        stages = [Stage(setting, BALL, parameter.fabric(value)) for value in _VALUES]
+        stages = [settings.stage(BALL, parameter.fabric(value)) for value in _VALUES]
         pictures_of = {
             "reference": [stage.reference().linear for stage in stages],
             "encoded": [one_picture(stage.neural_scene(), 1) for stage in stages],
@@ -87,7 +87,7 @@ def interpolated(setting: Setting) -> Evidence:
                 f"{parameter.name}-{column}-{kind}": picture
                 for column, picture in zip(columns, pixels, strict=True)
             }
-        setting.step(number + 1, len(_PARAMETERS))
+        run.report(number + 1, len(_PARAMETERS))
     differ = ", ".join(
         f"{name}: {reference:.3f} in the reference, {encoded:.3f} as encoded"
         for name, (reference, encoded) in apart.rows.items()
@@ -97,7 +97,9 @@ def interpolated(setting: Setting) -> Evidence:
         f"by the parameter; 0.9 is extrapolated. FLIP between {_FIRST:g} and {_SECOND:g}: {differ}."
     )
     title = "chen2024 figure 8: latents interpolated and extrapolated"
-    return Evidence(contact_sheet(title, columns, rows, note), pictures, [*tables.values(), apart])
+    return Found(
+        settings.figures(*tables.values(), apart), contact_sheet(title, columns, rows, note), pictures
+    )
 
 
 def _captions(kind: str, tables: dict[str, Table], name: str) -> list[str]:
@@ -113,10 +115,20 @@ def _captions(kind: str, tables: dict[str, Table], name: str) -> list[str]:
 def _mixed(stage: Stage, parameter: _Parameter) -> list[NDArray[np.float32]]:
     """Pictures of one scene over values of its parameter `blend`."""
     (first,), second = stage.fabrics, parameter.fabric(_SECOND)
-    scene = stage.neural_scene(cloth_bsdf(first, NEURAL, stage.setting.weights, other=second, blend=0.0))
+    scene = stage.neural_scene(neural_bsdf(first, stage.weights, other=second, blend=0.0))
     edits = SceneEdits(scene.scene)
     pictures = []
     for value in _VALUES:
         edits.apply({"blend": (value - _FIRST) / (_SECOND - _FIRST)})
         pictures.append(one_picture(scene, 1))
     return pictures
+
+
+STUDY = Study(
+    "papers/chen2024/fig8",
+    "latents interpolated and extrapolated against encoded ones",
+    NetworkSettings(),
+    interpolated,
+    stands_on=("point", "neural", "picture"),
+    small={"size": (24, 16), "spp": 4},
+)

@@ -21,7 +21,7 @@ import numpy as np
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.files import replacing
-from loomlight.core.sentences import closest
+from loomlight.core.settings import same_setting, setting
 from loomlight.evaluation.metrics import PictureError
 from loomlight.evaluation.table import Cell, Table
 from loomlight.models.registry import btf_of
@@ -29,30 +29,27 @@ from loomlight.models.texture.neumip import NeumipModel
 from loomlight.models.texture.queries import draw_directions
 from loomlight.models.texture.settings import NeumipOptions, NeumipSettings
 from loomlight.sources.heightfield import Heightfield
-from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.papers.figure import Evidence, Pixels, error_caption, on_display
+from studies.harness.study import Found, Pixels, Run, Study, on_display, with_tables
+from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
 from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
-from studies.papers.kuznetsov2021.materials import RECIPES
 from studies.papers.kuznetsov2021.stage import (
     PREVIEW,
+    MaterialsSettings,
     Predict,
     Shot,
     model_picture,
     model_predictor,
     network_predictor,
     plane_shot,
-    squared_error,
     stage_error,
-    stage_material,
     traced,
 )
-from studies.papers.setting import Setting
+from studies.papers.setting import TrainedSettings
 
 FORMER = "ours, published recipe"
 COLUMNS = (WITHOUT, OURS, FORMER, RAINER19, RAINER20)
-# Levels of the queries that errors by level are of, how many there are of each, and rays of one.
-LEVELS = range(6)
-PROBES, PROBE_RAYS = 2000, 64
+# Rays of a query of those that errors by level are of.
+PROBE_RAYS = 64
 # Steps that are timed; those before have what is done once.
 _TIMED, _BEFORE = 24, 8
 # Trainings of 2020 have so many times the seconds of the others, for all materials together.
@@ -104,20 +101,23 @@ class Trained:
     cost: dict[str, float]
 
 
-def budget_of(setting: Setting) -> Budget:
-    """The budget that a quality names, with the steps and the resolution of the setting.
-
-    Raises:
-        InputError: an unknown quality.
-    """
-    if setting.quality not in BUDGETS:
-        raise InputError(f"--quality {setting.quality} does not exist: {closest(setting.quality, BUDGETS)}")
-    budget = replace(BUDGETS[setting.quality], steps=setting.steps)
-    if setting.resolution is None:
+def budget_of(settings: MaterialsSettings) -> Budget:
+    """The budget that a quality names, with the steps and the resolution of the settings."""
+    budget = replace(BUDGETS[settings.quality], steps=settings.steps)
+    if settings.resolution is None:
         return budget
-    rays = budget.rays * setting.resolution**2 // budget.resolution**2
-    former = min(budget.former_resolution, setting.resolution)
-    return replace(budget, resolution=setting.resolution, rays=rays, former_resolution=former)
+    rays = budget.rays * settings.resolution**2 // budget.resolution**2
+    former = min(budget.former_resolution, settings.resolution)
+    return replace(budget, resolution=settings.resolution, rays=rays, former_resolution=former)
+
+
+@dataclass(frozen=True)
+class CostSettings(MaterialsSettings):
+    """Of the table at equal cost."""
+
+    quality: str = same_setting(TrainedSettings, "quality", choices=tuple(BUDGETS))
+    levels: int = setting(6, "Sizes of footprints of random queries, from a texel.", low=1, high=8)
+    probes: int = setting(2000, "Random queries of each size.", low=1, high=10**6)
 
 
 class EqualCost:
@@ -267,24 +267,27 @@ class EqualCost:
         return max(1, round(times * self._budget.seconds / _mean_step(marks[_BEFORE:])))
 
 
-def probe_shot(source: Heightfield, side_mm: float, level: int) -> Shot:
-    """Random queries of footprints of one size, with lights and views as those of trainings."""
+def probe_shot(source: Heightfield, side_mm: float, level: int, count: int) -> Shot:
+    """So many random queries of footprints of one size, with lights and views as those of trainings."""
     rng = np.random.default_rng([_SEED, level])
-    positions = (rng.random((PROBES, 2)) * np.array(source.repeat_mm)).astype(np.float32)
-    lights, views = draw_directions(rng, PROBES), draw_directions(rng, PROBES)
-    return Shot((PROBES, 1), positions, np.full(PROBES, side_mm, np.float32), views, lights)
+    positions = (rng.random((count, 2)) * np.array(source.repeat_mm)).astype(np.float32)
+    lights, views = draw_directions(rng, count), draw_directions(rng, count)
+    return Shot((count, 1), positions, np.full(count, side_mm, np.float32), views, lights)
 
 
-def comparison(setting: Setting, materials: Sequence[str] | None = None) -> Evidence:
+def comparison(settings: CostSettings, run: Run) -> Found:
     """Table 2 and Fig. 6 at equal cost.
 
-    Args:
-        materials: some of `RECIPES`; all by default. Those of Rainer et al. 2020 need two.
+    Raises:
+        InputError: one material alone, as the networks of Rainer et al. 2020 are trained for others.
     """
-    names = list(materials or RECIPES)
-    budget, columns = budget_of(setting), list(COLUMNS)
-    sources = [stage_material(name) for name in names]
-    trainings = EqualCost(sources, budget, setting.runs)
+    budget, columns = budget_of(settings), list(COLUMNS)
+    sources = settings.sources()
+    if len(sources) < 2:
+        raise InputError(
+            f"--materials {settings.materials} are too few: Rainer et al. 2020 need two or more."
+        )
+    trainings = EqualCost(sources, budget, run.runs)
     squared, flip = Table("MSE × 1000, of π f·cos", columns), Table("FLIP", columns)
     by_level = Table("MSE × 1000 of random queries by level", columns)
     cost = Table("Steps; processor seconds of training", columns)
@@ -297,26 +300,26 @@ def comparison(setting: Setting, materials: Sequence[str] | None = None) -> Evid
         cost.rows[name] = [int(one.cost["steps"]) for one in designs.values()]
         cost.rows[f"{name}, seconds"] = [one.cost["cpu_seconds"] for one in designs.values()]
         cost.rows[f"{name}, rays"] = [int(one.cost["rays"]) for one in designs.values()]
-        shot = plane_shot(source, texel_mm, 0, setting.size)
-        truth = traced(source, shot, setting.samples)
+        shot = plane_shot(source, texel_mm, 0, settings.size)
+        truth = traced(source, shot, settings.spp)
         errors: dict[str, PictureError] = {}
         for column, one in designs.items():
             picture = model_picture(one.predict, shot)
             errors[column] = stage_error(picture, truth)
             pictures[f"{name}-{column}"] = on_display(picture)
-        pictures[f"{name}-reference"] = on_display(truth.mean)
+        pictures[f"{name}-reference"] = on_display(truth.picture)
         squared.rows[name] = [1e3 * error.mse for error in errors.values()]
         flip.rows[name] = [error.flip for error in errors.values()]
         tiles = [Tile(pictures[f"{name}-{column}"], error_caption(errors[column])) for column in columns]
         rows.append(Row(name, [*tiles, Tile(pictures[f"{name}-reference"])]))
-        for level in LEVELS:
-            probes = probe_shot(source, texel_mm * 2**level, level)
+        for level in range(settings.levels):
+            probes = probe_shot(source, texel_mm * 2**level, level, settings.probes)
             known = traced(source, probes, PROBE_RAYS)
             by_level.rows[f"{name}, {level}"] = [
-                1e3 * squared_error(model_picture(one.predict, probes), known) for one in designs.values()
+                1e3 * known.squared_error(model_picture(one.predict, probes)) for one in designs.values()
             ]
-        setting.step(number + 1, len(names))
-    note = squared.note = _note(budget, setting)
+        run.report(number + 1, len(sources))
+    note = squared.note = _note(budget, settings)
     paper = Table("MSE × 1000 in the paper", list(DESIGNS), {name: [*row] for name, row in PAPER.items()})
     tables = [
         squared,
@@ -329,7 +332,7 @@ def comparison(setting: Setting, materials: Sequence[str] | None = None) -> Evid
         ratios("Ratios in the paper", paper),
     ]
     sheet = contact_sheet("kuznetsov2021 table 2 and figure 6", [*columns, "reference"], rows, note)
-    return Evidence(sheet, pictures, tables)
+    return Found(with_tables(*tables), sheet, pictures)
 
 
 def ratios(title: str, squared: Table) -> Table:
@@ -343,12 +346,12 @@ def ratios(title: str, squared: Table) -> Table:
     return Table(title, [squared.columns[k] for k in others], rows)
 
 
-def _note(budget: Budget, setting: Setting) -> str:
+def _note(budget: Budget, settings: MaterialsSettings) -> str:
     length = f"{budget.seconds:g} processor seconds" if budget.steps is None else f"{budget.steps} steps"
     return (
         f"Each design has {budget.rays} rays of a material, and {length} of training; textures of "
         f"{budget.resolution} texels a side, of the published recipe {budget.former_resolution}. "
-        f"References of {setting.samples} paths a pixel. Level 0 is a texel of {budget.resolution}."
+        f"References of {settings.spp} paths a pixel. Level 0 is a texel of {budget.resolution}."
     )
 
 
@@ -360,3 +363,21 @@ def _mean_step(marks: Sequence[float]) -> float:
 def _write(file: Path, cost: dict[str, float]) -> None:
     with replacing(file) as temporary:
         temporary.write_text(json.dumps(cost))
+
+
+STUDY = Study(
+    "papers/kuznetsov2021/table2",
+    "five height fields at equal cost: ours, without offset, by the published recipe, and Rainer et al.",
+    CostSettings(),
+    comparison,
+    stands_on=("neumip",),
+    small={
+        "size": (16, 9),
+        "spp": 4,
+        "steps": 3,
+        "resolution": 8,
+        "materials": "turtle shell,straight wool",
+        "levels": 2,
+        "probes": 32,
+    },
+)

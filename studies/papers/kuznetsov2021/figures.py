@@ -3,46 +3,54 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from drjit.llvm.ad import Float, UInt
 from numpy.typing import NDArray
 
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import same_setting, setting
 from loomlight.evaluation.table import Table
 from loomlight.models.texture.neumip import MIN_COSINE, NeumipModel
 from loomlight.models.texture.pyramid import PyramidShape
+from studies.harness.study import Found, Pixels, Run, Study, listed_numbers, with_tables
 from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.papers.figure import Evidence, Pixels
 from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, Design
+from studies.papers.kuznetsov2021.materials import paper_heightfield
 from studies.papers.kuznetsov2021.stage import (
+    StageSettings,
     model_picture,
     plane_shot,
     predictor,
     stage_error,
-    stage_material,
     stage_settings,
     traced,
     trained_model,
 )
-from studies.papers.setting import Setting
+from studies.papers.setting import TrainedSettings
 
 OFFSET_MATERIAL, ABLATION_MATERIAL = "turtle shell", "twisted wool"
-# Texels a side of the trainings of Fig. 10, eight of them.
-ABLATION_RESOLUTION = 64
-# Channels of both textures, and layers of both networks; the published are 7 and 4.
-CHANNELS, LAYERS = (3, 5, 7, 9), (2, 3, 4, 5)
 _HIDDEN = 25
 # Views of Fig. 5: x and y.
 _VIEWS = ((-0.7, 0.0), (0.7, 0.0), (0.0, -0.7), (0.0, 0.7))
 _SIDE = 256  # pixels of a map
 
 
-def offsets(setting: Setting) -> Evidence:
+@dataclass(frozen=True)
+class AblationSettings(StageSettings):
+    """Of Fig. 10; trainings are of 64 texels a side."""
+
+    resolution: int | None = same_setting(TrainedSettings, "resolution", default=64, otherwise="")
+    channels: str = setting("3,5,7,9", "Of both textures; the published are 7.", metavar="N,…")
+    layers: str = setting("2,3,4,5", "Of both networks; the published are 4.", metavar="N,…")
+
+
+def offsets(settings: StageSettings, run: Run) -> Found:
     """Fig. 5: the offset texture of the turtle shell, and the offsets of four views in red and green."""
     require_llvm()
-    source = stage_material(OFFSET_MATERIAL)
-    model = trained_model(source, setting, OURS)
+    source = paper_heightfield(OFFSET_MATERIAL)
+    model = trained_model(source, settings, run.runs)
     maps = {view: offset_map(model, view) for view in _VIEWS}
     largest = max(float(np.abs(part).max()) for part in maps.values()) or 1.0
     pictures: dict[str, Pixels] = {"height": _grey(source.height), "texture": _texture_picture(model)}
@@ -60,13 +68,12 @@ def offsets(setting: Setting) -> Evidence:
             float(np.corrcoef(along.ravel(), height.ravel())[0, 1]),
         ]
     tiles = [Tile(picture) for picture in pictures.values()]
-    setting.step(1, 1)
     note = table.note = (
-        f"{OFFSET_MATERIAL}, {_trained_as(setting)}. Red and green are x and y of the offset, half of "
+        f"{OFFSET_MATERIAL}, {_trained_as(settings)}. Red and green are x and y of the offset, half of "
         f"each is none, all is {largest * source.repeat_mm[0]:.2f} mm. No height was shown to the training."
     )
     sheet = contact_sheet("kuznetsov2021 figure 5: learned offsets", list(pictures), [Row("", tiles)], note)
-    return Evidence(sheet, pictures, [table])
+    return Found(with_tables(table), sheet, pictures)
 
 
 def offset_map(model: NeumipModel, view: tuple[float, float]) -> NDArray[np.float64]:
@@ -80,40 +87,41 @@ def offset_map(model: NeumipModel, view: tuple[float, float]) -> NDArray[np.floa
     return found / cosine * np.array(view) * np.array(model.weights.shape.unit)
 
 
-def ablation(setting: Setting) -> Evidence:
+def ablation(settings: AblationSettings, run: Run) -> Found:
     """Fig. 10: the MSE of other numbers of channels and layers over that of the published ones."""
-    source = stage_material(ABLATION_MATERIAL)
-    texel = PyramidShape.of(source.repeat_mm, ABLATION_RESOLUTION, 1).texel_mm
-    shots = [plane_shot(source, texel, level, setting.size) for level in (0, 1)]
-    truths = [traced(source, shot, setting.samples) for shot in shots]
+    source = paper_heightfield(ABLATION_MATERIAL)
+    resolution = settings.resolution
+    assert resolution is not None
+    texel = PyramidShape.of(source.repeat_mm, resolution, 1).texel_mm
+    shots = [plane_shot(source, texel, level, settings.size) for level in (0, 1)]
+    truths = [traced(source, shot, settings.spp) for shot in shots]
     published = DESIGNS[OURS]
-    by_channels = {f"{n} channels": Design(n, published.hidden, offset=True) for n in CHANNELS}
-    by_layers = {f"{n} layers": Design(7, (_HIDDEN,) * (n - 1), offset=True) for n in LAYERS}
+    channels = listed_numbers("--channels", settings.channels)
+    layers = listed_numbers("--layers", settings.layers)
+    by_channels = {f"{n:g} channels": Design(int(n), published.hidden, offset=True) for n in channels}
+    by_layers = {f"{n:g} layers": Design(7, (_HIDDEN,) * (int(n) - 1), offset=True) for n in layers}
     errors: dict[Design, float] = {}
-    designs = [*by_channels.values(), *by_layers.values()]
+    designs = dict.fromkeys([*by_channels.values(), *by_layers.values(), published])
     for number, design in enumerate(designs):
-        if design not in errors:
-            name = f"{design.latent}-channels-{len(design.hidden) + 1}-layers"
-            predict = predictor(source, setting, name, design, ABLATION_RESOLUTION)
-            found = [
-                stage_error(model_picture(predict, shot), truth).mse
-                for shot, truth in zip(shots, truths, strict=True)
-            ]
-            errors[design] = float(np.mean(found))
-        setting.step(number + 1, len(designs))
+        name = f"{design.latent}-channels-{len(design.hidden) + 1}-layers"
+        predict = predictor(source, settings, run.runs, name, design)
+        found = [
+            stage_error(model_picture(predict, shot), truth).mse
+            for shot, truth in zip(shots, truths, strict=True)
+        ]
+        errors[design] = float(np.mean(found))
+        run.report(number + 1, len(designs))
     base = errors[published]
     table = Table("MSE over that of 7 channels and 4 layers", ["ratio", "MSE × 1000", "weights"])
     for name, design in {**by_channels, **by_layers}.items():
         table.rows[name] = [errors[design] / base, 1e3 * errors[design], design.weights]
-    note = table.note = (
-        f"{ABLATION_MATERIAL}, {_trained_as(setting, ABLATION_RESOLUTION)}; mean of levels 0 and 1."
-    )
+    note = table.note = f"{ABLATION_MATERIAL}, {_trained_as(settings)}; mean of levels 0 and 1."
     rows = [Row("", [Tile(_bars(table))])]
-    return Evidence(contact_sheet("kuznetsov2021 figure 10: ablation", [], rows, note), {}, [table])
+    return Found(with_tables(table), contact_sheet("kuznetsov2021 figure 10: ablation", [], rows, note))
 
 
-def _trained_as(setting: Setting, resolution: int | None = None) -> str:
-    used = stage_settings(setting, resolution)
+def _trained_as(settings: StageSettings) -> str:
+    used = stage_settings(settings)
     return f"{used.resolution} texels a side, {used.steps} steps of {used.batch} queries"
 
 
@@ -159,3 +167,23 @@ def _coloured(offset: NDArray[np.float64]) -> Pixels:
     """x in red and y in green, −1 to 1."""
     blue = np.zeros((*offset.shape[:2], 1))
     return np.rint(127.5 * (1 + np.concatenate([offset, blue], axis=2))).astype(np.uint8)
+
+
+STUDIES = (
+    Study(
+        "papers/kuznetsov2021/fig5",
+        "learned offsets of the turtle shell for four views",
+        StageSettings(),
+        offsets,
+        stands_on=("neumip",),
+        small={"steps": 3, "resolution": 8},
+    ),
+    Study(
+        "papers/kuznetsov2021/fig10",
+        "ablation: channels of the textures, layers of the networks",
+        AblationSettings(),
+        ablation,
+        stands_on=("neumip",),
+        small={"size": (16, 9), "spp": 4, "steps": 3, "resolution": 8, "channels": "3,7", "layers": "2"},
+    ),
+)

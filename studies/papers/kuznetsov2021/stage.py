@@ -18,21 +18,21 @@ import numpy as np
 from drjit.llvm.ad import Array2f, Array3f
 from numpy.typing import NDArray
 
-from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.footprint import Box, box_footprint
-from loomlight.core.sentences import closest
+from loomlight.core.settings import same_setting
 from loomlight.evaluation.metrics import PictureError, picture_error
-from loomlight.models.options import TrainingOptions
 from loomlight.models.registry import btf_of, model_from_loom
 from loomlight.models.texture.neumip import NeumipModel
 from loomlight.models.texture.pyramid import SIZE_OF_SIGMA, PyramidShape
 from loomlight.models.texture.settings import NeumipSettings
 from loomlight.sources.heightfield import Heightfield
 from loomlight.sources.loom_file import write_loom
+from studies.harness.study import listed, names
+from studies.instruments.halved_truth import HalvedTruth
 from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, WITHOUT, Design
-from studies.papers.kuznetsov2021.materials import paper_heightfield
-from studies.papers.setting import Setting
+from studies.papers.kuznetsov2021.materials import RECIPES, paper_heightfield
+from studies.papers.setting import PictureSettings, TrainedSettings
 
 _Floats = NDArray[np.float32]
 # The paper's schedule, for GPUs.
@@ -92,39 +92,31 @@ class Shot:
         return np.ascontiguousarray(np.broadcast_to(self.light, self.views.shape))
 
 
-@dataclass(frozen=True, eq=False)
-class Truth:
-    """Two independent estimates of π f·cos of a picture [height, width, 3]."""
+@dataclass(frozen=True)
+class StageSettings(TrainedSettings):
+    """Of figures of height fields."""
 
-    first: _Floats
-    second: _Floats
-
-    @property
-    def mean(self) -> _Floats:
-        """Of both."""
-        return 0.5 * (self.first + self.second)
+    spp: int = same_setting(PictureSettings, "spp", default=64)
 
 
-def stage_material(name: str) -> Heightfield:
-    """A material of Table 2, with 256 texels a side."""
-    return paper_heightfield(name)
+@dataclass(frozen=True)
+class MaterialsSettings(StageSettings):
+    """Of figures of all height fields."""
+
+    materials: str = names(",".join(RECIPES), "Height fields that are shown.", tuple(RECIPES))
+
+    def sources(self) -> list[Heightfield]:
+        """The height fields that are shown, with 256 texels a side."""
+        return [paper_heightfield(name) for name in listed(self.materials)]
 
 
-def stage_settings(setting: Setting, resolution: int | None = None) -> NeumipSettings:
-    """Settings of the trainings of a figure, with as many queries a texel at any resolution.
-
-    Raises:
-        InputError: an unknown quality.
-    """
-    known = {"preview": PREVIEW, "full": FULL, "published": PUBLISHED}
-    TrainingOptions(steps=setting.steps)  # whether there may be so many
-    if setting.quality not in known:
-        raise InputError(f"--quality {setting.quality} does not exist: {closest(setting.quality, known)}")
-    chosen = known[setting.quality]
+def stage_settings(settings: StageSettings, resolution: int | None = None) -> NeumipSettings:
+    """Settings of the trainings of a figure, with as many queries a texel at any resolution."""
+    chosen = {"preview": PREVIEW, "full": FULL, "published": PUBLISHED}[settings.quality]
     usual = chosen.resolution or chosen.max_resolution
-    resolution = resolution or setting.resolution or usual
+    resolution = resolution or settings.resolution or usual
     queries = chosen.queries // usual**2 * resolution**2
-    return replace(chosen, resolution=resolution, queries=queries, steps=setting.steps or chosen.steps)
+    return replace(chosen, resolution=resolution, queries=queries, steps=settings.steps or chosen.steps)
 
 
 def plane_shot(source: Heightfield, texel_mm: float, level: float, size: tuple[int, int]) -> Shot:
@@ -161,8 +153,8 @@ def plane_shot(source: Heightfield, texel_mm: float, level: float, size: tuple[i
     )
 
 
-def traced(source: Heightfield, shot: Shot, samples: int) -> Truth:
-    """The truth of a picture.
+def traced(source: Heightfield, shot: Shot, samples: int) -> HalvedTruth:
+    """The truth of a picture: π f·cos [height, width, 3].
 
     Args:
         samples: paths a pixel, half of them for each estimate.
@@ -183,7 +175,7 @@ def traced(source: Heightfield, shot: Shot, samples: int) -> Truth:
             found = btf.values(points.astype(np.float32), lights, views, (_SEED, half, first))
             parts.append(found.reshape(number, each, 3).mean(axis=1))
         halves.append(_as_picture(np.concatenate(parts), shot))
-    return Truth(*halves)
+    return HalvedTruth((halves[0], halves[1]))
 
 
 def model_picture(predict: Predict, shot: Shot) -> _Floats:
@@ -191,21 +183,16 @@ def model_picture(predict: Predict, shot: Shot) -> _Floats:
     return _as_picture(predict(shot), shot)
 
 
-def stage_error(picture: _Floats, truth: Truth) -> PictureError:
+def stage_error(picture: _Floats, truth: HalvedTruth) -> PictureError:
     """MSE of linear RGB without the noise of the truth, which two estimates cancel, and FLIP with it."""
-    found = picture_error(picture, truth.mean, np.ones(picture.shape[:2], bool))
-    return replace(found, mse=squared_error(picture, truth))
-
-
-def squared_error(picture: _Floats, truth: Truth) -> float:
-    """MSE without the noise of the truth, which two estimates cancel."""
-    first, second = (picture.astype(np.float64) - half for half in (truth.first, truth.second))
-    return float((first * second).mean())
+    found = picture_error(picture, truth.picture, np.ones(picture.shape[:2], bool))
+    return replace(found, mse=truth.squared_error(picture))
 
 
 def trained_model(
     source: Heightfield,
-    setting: Setting,
+    settings: StageSettings,
+    runs: Path,
     name: str = OURS,
     report: Callable[[int, int], None] | None = None,
 ) -> NeumipModel:
@@ -215,11 +202,11 @@ def trained_model(
         name: `OURS` or `WITHOUT`.
 
     Raises:
-        InputError: an unknown quality, or a folder that cannot be written to.
+        InputError: a folder that cannot be written to.
         MissingDependencyError: PyTorch is missing, where there is a training to do.
     """
-    settings = stage_settings(setting)
-    place = _place(source, settings, setting, name)
+    training = stage_settings(settings)
+    place = _place(source, training, runs, name)
     file = place / "model.loom"
     if file.exists():
         model = model_from_loom(file)
@@ -228,8 +215,7 @@ def trained_model(
     import_extra("torch", "train", "Training neumip")
     from studies.papers.kuznetsov2021.neural_textures import trained_textures
 
-    queries = _queries(setting.runs)
-    textures = trained_textures(DESIGNS[name], source, settings, place, queries, report)
+    textures = trained_textures(DESIGNS[name], source, training, place, _queries(runs), report)
     model = NeumipModel(source, textures.weights())
     write_loom(file, model.to_loom())
     return model
@@ -237,7 +223,8 @@ def trained_model(
 
 def predictor(
     source: Heightfield,
-    setting: Setting,
+    settings: StageSettings,
+    runs: Path,
     name: str,
     design: Design | None = None,
     resolution: int | None = None,
@@ -253,13 +240,13 @@ def predictor(
         InputError: as of `trained_model`.
     """
     if design is None and name in (OURS, WITHOUT):
-        return model_predictor(trained_model(source, setting, name))
+        return model_predictor(trained_model(source, settings, runs, name))
     import_extra("torch", "train", "Training a design")
     from studies.papers.kuznetsov2021.neural_textures import trained_textures
 
-    settings = stage_settings(setting, resolution)
-    place = _place(source, settings, setting, name)
-    network = trained_textures(design or DESIGNS[name], source, settings, place, _queries(setting.runs))
+    training = stage_settings(settings, resolution)
+    place = _place(source, training, runs, name)
+    network = trained_textures(design or DESIGNS[name], source, training, place, _queries(runs))
     return network_predictor(network, source)
 
 
@@ -294,12 +281,12 @@ def _as_picture(values: _Floats, shot: Shot) -> _Floats:
     return np.asarray(np.pi * values.reshape(height, width, 3), np.float32)
 
 
-def _place(source: Heightfield, settings: NeumipSettings, setting: Setting, name: str) -> Path:
+def _place(source: Heightfield, settings: NeumipSettings, runs: Path, name: str) -> Path:
     identity = settings.identity(source)[:12]
-    return Path(setting.runs) / "kuznetsov2021" / f"{source.name}-{name}-{identity}".replace(" ", "-").lower()
+    return runs / "kuznetsov2021" / f"{source.name}-{name}-{identity}".replace(" ", "-").lower()
 
 
 def _queries(runs: Path) -> Path:
-    folder = Path(runs) / "kuznetsov2021" / "queries"
+    folder = runs / "kuznetsov2021" / "queries"
     folder.mkdir(parents=True, exist_ok=True)
     return folder

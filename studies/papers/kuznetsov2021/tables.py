@@ -2,27 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 
+from loomlight.core.settings import setting
 from loomlight.evaluation.metrics import PictureError
-from loomlight.evaluation.table import Table
-from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.papers.figure import Evidence, Pixels, error_caption, on_display
+from loomlight.evaluation.table import Cell, Table
+from studies.harness.study import Found, NoSettings, Pixels, Run, Study, on_display, with_tables
+from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
 from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
-from studies.papers.kuznetsov2021.materials import RECIPES
 from studies.papers.kuznetsov2021.stage import (
+    MaterialsSettings,
     model_picture,
     plane_shot,
     predictor,
     stage_error,
-    stage_material,
     stage_settings,
     traced,
 )
-from studies.papers.setting import Setting
 
-# Levels of Table 3.
-LEVELS = range(8)
 # MSE times 1000 of Table 3 by level.
 _PAPER_TABLE3 = {
     "twisted wool": (3.98, 2.10, 1.47, 1.07, 0.74, 1.16, 1.17, 1.08),
@@ -35,54 +32,62 @@ _PAPER_TABLE3 = {
 _PAPER_TABLE4 = {OURS: (3332, 14), RAINER19: (35725, 14), RAINER20: (38269, 38)}
 
 
-def by_level(setting: Setting, materials: Sequence[str] | None = None) -> Evidence:
-    """Table 3: the error of ours over levels of detail.
+@dataclass(frozen=True)
+class LevelsSettings(MaterialsSettings):
+    """Of figures over levels of detail."""
 
-    Args:
-        materials: some of `RECIPES`; all by default.
-    """
-    return _zooms(setting, "kuznetsov2021 table 3: error by level", False, list(materials or RECIPES))
+    levels: int = setting(8, "Levels of detail, from the finest.", low=1, high=8)
 
 
-def zooms(setting: Setting) -> Evidence:
+def by_level(settings: LevelsSettings, run: Run) -> Found:
+    """Table 3: the error of ours over levels of detail."""
+    return _zooms(settings, run, "kuznetsov2021 table 3: error by level", False)
+
+
+def zooms(settings: LevelsSettings, run: Run) -> Found:
     """Fig. 11: the materials at eight levels of detail, ours above the reference."""
-    return _zooms(setting, "kuznetsov2021 figure 11: levels of detail", True, list(RECIPES))
+    return _zooms(settings, run, "kuznetsov2021 figure 11: levels of detail", True)
 
 
-def _zooms(setting: Setting, title: str, with_reference: bool, names: list[str]) -> Evidence:
+def _zooms(settings: LevelsSettings, run: Run, title: str, with_reference: bool) -> Found:
     """Pictures of ours at all levels, over those of the reference if asked."""
-    columns = [str(level) for level in LEVELS]
+    sources, levels = settings.sources(), range(settings.levels)
+    columns = [str(level) for level in levels]
+    texel_mm = stage_settings(settings).shape(sources[0], faces=1).texel_mm
     squared, flip = Table("MSE × 1000 by level", columns), Table("FLIP by level", columns)
     rows: list[Row] = []
     pictures: dict[str, Pixels] = {}
-    done, total = 0, len(names) * len(LEVELS)
-    for name in names:
-        source = stage_material(name)
-        predict = predictor(source, setting, OURS)
+    done, total = 0, len(sources) * len(levels)
+    for source in sources:
+        name = source.name
+        predict = predictor(source, settings, run.runs, OURS)
         tiles: list[Tile] = []
         below: list[Tile] = []
         errors: list[PictureError] = []
-        for level in LEVELS:
-            shot = plane_shot(source, _texel_mm(setting), level, setting.size)
-            picture, truth = model_picture(predict, shot), traced(source, shot, setting.samples)
+        for level in levels:
+            shot = plane_shot(source, texel_mm, level, settings.size)
+            picture, truth = model_picture(predict, shot), traced(source, shot, settings.spp)
             errors.append(stage_error(picture, truth))
             tiles.append(Tile(on_display(picture), error_caption(errors[-1])))
-            below.append(Tile(on_display(truth.mean)))
+            below.append(Tile(on_display(truth.picture)))
             pictures[f"{name}-{level}"] = on_display(picture)
-            pictures[f"{name}-{level}-reference"] = on_display(truth.mean)
+            pictures[f"{name}-{level}-reference"] = on_display(truth.picture)
             done += 1
-            setting.step(done, total)
+            run.report(done, total)
         squared.rows[name] = [1e3 * error.mse for error in errors]
         flip.rows[name] = [error.flip for error in errors]
         rows.append(Row(name, tiles))
         if with_reference:
             rows.append(Row(f"{name}, reference", below))
-    note = squared.note = _note(setting)
-    paper = Table("MSE × 1000 in the paper", columns, {name: [*row] for name, row in _PAPER_TABLE3.items()})
-    return Evidence(contact_sheet(title, columns, rows, note), pictures, [squared, flip, paper])
+    note = squared.note = _note(settings)
+    rows_of_paper: dict[str, list[Cell]] = {
+        name: [*row[: len(levels)]] for name, row in _PAPER_TABLE3.items()
+    }
+    paper = Table("MSE × 1000 in the paper", columns, rows_of_paper)
+    return Found(with_tables(squared, flip, paper), contact_sheet(title, columns, rows, note), pictures)
 
 
-def sizes(setting: Setting) -> Evidence:
+def sizes(settings: NoSettings, run: Run) -> Found:
     """Table 4: weights of the networks and numbers of a texel; nothing is trained."""
     columns = [name for name in DESIGNS if name != WITHOUT]
     table = Table("Sizes", columns)
@@ -95,21 +100,48 @@ def sizes(setting: Setting) -> Evidence:
         Row(f"{name}: {', '.join(table.shown(cell) for cell in cells)}", [Tile(None)])
         for name, cells in table.rows.items()
     ]
-    setting.step(1, 1)
-    return Evidence(contact_sheet("kuznetsov2021 table 4", [], lines, ", ".join(columns)), {}, [table])
+    return Found(with_tables(table), contact_sheet("kuznetsov2021 table 4", [], lines, ", ".join(columns)))
 
 
-def _texel_mm(setting: Setting) -> float:
-    """Side of a texel of level 0 of the trainings, millimetres."""
-    source = stage_material(next(iter(RECIPES)))
-    return stage_settings(setting).shape(source, faces=1).texel_mm
-
-
-def _note(setting: Setting) -> str:
-    used = stage_settings(setting)
+def _note(settings: LevelsSettings) -> str:
+    used = stage_settings(settings)
     a_texel = used.queries // (used.resolution or used.max_resolution) ** 2
     return (
         f"Textures of {used.resolution} texels a side, {a_texel} queries a texel of {used.samples} "
         f"paths, {used.steps} steps of {used.batch} queries (the paper: 512, 200 to 400 of 64, 30000 of "
-        f"2^20); references of {setting.samples} paths a pixel."
+        f"2^20); references of {settings.spp} paths a pixel."
     )
+
+
+_SMALL = {
+    "size": (16, 9),
+    "spp": 4,
+    "steps": 3,
+    "resolution": 8,
+    "materials": "turtle shell",
+    "levels": 2,
+}
+STUDIES = (
+    Study(
+        "papers/kuznetsov2021/table3",
+        "the error of ours over eight levels of detail",
+        LevelsSettings(),
+        by_level,
+        stands_on=("neumip",),
+        small=_SMALL,
+    ),
+    Study(
+        "papers/kuznetsov2021/table4",
+        "weights of the networks and channels of the textures",
+        NoSettings(),
+        sizes,
+    ),
+    Study(
+        "papers/kuznetsov2021/fig11",
+        "five height fields at eight levels of detail, over the reference",
+        LevelsSettings(),
+        zooms,
+        stands_on=("neumip",),
+        small=_SMALL,
+    ),
+)

@@ -1,8 +1,6 @@
 """One network of `latent` for a library of MERL files: how exact is it of each BRDF?
 
-    python -m studies.papers.zeltner2024.merl --count 100 --output FILE.json
-
-Without `--library FOLDER`, `.binary` files of analytic BRDFs over the whole range of roughness are written to
+Without a library, `.binary` files of analytic BRDFs over the whole range of roughness are written to
 a temporary folder (35 MB each) and read again: they stand for measurements and are none. Every BRDF is asked
 at the middle of its cell, about pairs of directions that no training saw; the truth is the file's own value.
 
@@ -14,8 +12,10 @@ at the middle of its cell, about pairs of directions that no training saw; the t
 
 from __future__ import annotations
 
+import os
 import time
-from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -25,43 +25,61 @@ from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
 from loomlight.models.texture.latent import LatentModel
 from loomlight.models.texture.queries import draw_directions, draw_lights
-from loomlight.models.texture.settings import LatentOptions
+from loomlight.models.texture.settings import DECODERS, LatentOptions
 from loomlight.sources.merl import SUFFIX, MerlLibrary, load_merl
-from studies.instruments.harness import Figures, run
+from studies.harness.study import Figures, Found, Run, Study, listed, names
 from studies.papers.zeltner2024.analytic_brdfs import write_analytic_library
 
 _SEED = 999  # of no training
 _FLOOR = 1e-4
 
 
-def measure(options: Namespace) -> Figures:
+@dataclass(frozen=True)
+class Library(Settings):
+    """Which BRDFs are learned, and how."""
+
+    library: os.PathLike[str] | None = setting(
+        None, "A folder of .binary files.", otherwise="analytic BRDFs", metavar="FOLDER"
+    )
+    count: int = setting(100, "Analytic BRDFs.", low=1, high=1000)
+    decoders: str = names("2x32", "Hidden layers of each network.", tuple(DECODERS))
+    steps: int = setting(2500, "Of a training, of 4096 queries.", low=1, high=10**7)
+    pairs: int = setting(2000, "Of directions for each BRDF.", low=1, high=10**6)
+
+
+def measure(settings: Library, run: Run) -> Found:
+    """The errors of each decoder's network."""
     require_llvm()
-    if options.library is not None:
-        return _figures(Path(options.library), options)
+    if settings.library is not None:
+        return Found(_figures(Path(settings.library), settings, run))
     with TemporaryDirectory() as folder:
-        write_analytic_library(folder, options.count)
-        return _figures(Path(folder), options)
+        write_analytic_library(folder, settings.count)
+        return Found(_figures(Path(folder), settings, run))
 
 
-def _figures(folder: Path, options: Namespace) -> Figures:
+def _figures(folder: Path, settings: Library, run: Run) -> Figures:
     library = load_merl(folder)
     return {
-        "source": "analytic" if options.library is None else folder.name,
+        "source": "analytic" if settings.library is None else folder.name,
         "brdfs": len(library.names),
-        "steps": options.steps,
+        "steps": settings.steps,
         "file_bytes": sum(file.stat().st_size for file in folder.glob(f"*{SUFFIX}")),
-        **{decoder: _of_decoder(library, decoder, options) for decoder in options.decoders},
+        **run.each(
+            {name: partial(_of_decoder, library, name, settings) for name in listed(settings.decoders)}
+        ),
     }
 
 
-def _of_decoder(library: MerlLibrary, decoder: str, options: Namespace) -> Figures:
+def _of_decoder(library: MerlLibrary, decoder: str, settings: Library) -> Figures:
     """Figures of a network that is trained for a library."""
     start = time.process_time()
-    model = LatentModel.for_source(library, LatentOptions(decoder=decoder, steps=options.steps))
+    model = LatentModel.for_source(library, LatentOptions(decoder=decoder, steps=settings.steps))
     spent = time.process_time() - start
-    each = [_errors(model, library, number, options.pairs) for number in range(len(library.names))]
+    each = [_errors(model, library, number, settings.pairs) for number in range(len(library.names))]
     overall = np.array([errors["nmae"] for errors in each])
     weights = model.weights
     parts = [weights.latents, *([] if weights.frames is None else [weights.frames])]
@@ -71,7 +89,7 @@ def _of_decoder(library: MerlLibrary, decoder: str, options: Namespace) -> Figur
         "means": {name: _short(np.mean([errors[name] for errors in each])) for name in each[0]},
         "quartiles": [_short(value) for value in np.percentile(overall, (25, 50, 75))],
         "worst": {"name": library.names[int(overall.argmax())], "nmae": _short(overall.max())},
-        **({"by_roughness": _by_roughness(library, overall)} if options.library is None else {}),
+        **({"by_roughness": _by_roughness(library, overall)} if settings.library is None else {}),
         "bytes": 4 * sum(part.size for part in parts),
         "nmae": {name: _short(value) for name, value in zip(library.names, overall, strict=True)},
     }
@@ -114,13 +132,31 @@ def _short(value: float | np.floating) -> float:
     return float(f"{float(value):.4g}")
 
 
-def _add_options(parser: ArgumentParser) -> None:
-    parser.add_argument("--library", help="a folder of .binary files; analytic ones by default")
-    parser.add_argument("--count", type=int, default=100, help="of analytic BRDFs")
-    parser.add_argument("--decoders", nargs="+", default=["2x32"])
-    parser.add_argument("--steps", type=int, default=2500)
-    parser.add_argument("--pairs", type=int, default=2000, help="of directions for each BRDF")
+def tables(figures: Figures) -> list[Table]:
+    """A row a decoder."""
+    columns = ["mean nMAE", "quartiles", "worst", "mean bias", "mean SMAPE", "kB", "seconds of training"]
+    table = Table(f"{figures['brdfs']} BRDFs in one network", columns)
+    for decoder, found in figures.items():
+        if decoder in DECODERS:
+            means = found["means"]
+            table.rows[decoder] = [
+                means["nmae"],
+                ", ".join(f"{quartile:.3f}" for quartile in found["quartiles"]),
+                found["worst"]["nmae"],
+                means["bias"],
+                means["smape"],
+                found["bytes"] / 1000,
+                found["train_s"],
+            ]
+    return [table]
 
 
-if __name__ == "__main__":
-    run(measure, _add_options)
+STUDY = Study(
+    "papers/zeltner2024/merl",
+    "a library of BRDFs in one network",
+    Library(),
+    measure,
+    tables,
+    stands_on=("latent",),
+    small={"count": 4, "steps": 4, "pairs": 50},
+)

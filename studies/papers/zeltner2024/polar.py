@@ -21,11 +21,9 @@ from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.material_btf import MaterialBtf
 from loomlight.models.interface import Model
 from loomlight.models.texture.queries import footprint_values
+from studies.harness.study import Found, Pixels, Run, Study, with_tables
 from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.papers.figure import Evidence, Pixels
-from studies.papers.setting import Setting
-from studies.papers.zeltner2024.layered_materials import LAYERED
-from studies.papers.zeltner2024.stage import RESOLUTION, stage_material, trained
+from studies.papers.zeltner2024.stage import StageSettings, trained
 
 # Texels of uv, and angles of the view from the normal, degrees.
 PLACES = ((0.3, 0.4), (0.55, 0.6), (0.7, 0.3))
@@ -33,7 +31,6 @@ VIEWS = (15.0, 60.0)
 _DIRECTIONS = 361
 _SIDE, _DECADES = 200, 3.0
 _INK, _MODEL, _DENSITY, _FAINT = (20, 20, 20), (40, 90, 220), (230, 130, 20), (205, 205, 205)
-_REFERENCE_SAMPLES = 64
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,23 +51,35 @@ class Profile:
     density: NDArray[np.float64]
 
 
-def profile(model: Model, btf: MaterialBtf, place: tuple[float, float], view_degrees: float) -> Profile:
-    """The profile at a texel; the reference is filtered over it."""
+def profile(
+    model: Model,
+    btf: MaterialBtf,
+    resolution: int,
+    place: tuple[float, float],
+    view_degrees: float,
+    samples: int,
+) -> Profile:
+    """The profile at a texel; the reference is filtered over it.
+
+    Args:
+        resolution: texels a side.
+        samples: of the reference.
+    """
     angles = np.linspace(-0.5, 0.5, _DIRECTIONS) * np.radians(178)
     light = np.stack([np.sin(angles), 0 * angles, np.cos(angles)], axis=1).astype(np.float32)
     view_angle = math.radians(view_degrees)
     view = np.array([math.sin(view_angle), 0, math.cos(view_angle)], np.float32)
     count = len(light)
     uv = np.tile(np.array(place, np.float32), (count, 1))
-    texels = btf.texels(RESOLUTION)
-    samples = [
+    texels = btf.texels(resolution)
+    values = [
         footprint_values(
             btf, texels, uv, np.zeros(count, np.float32), light, np.tile(view, (count, 1)), (seed,)
         )
-        for seed in range(_REFERENCE_SAMPLES)
+        for seed in range(samples)
     ]
     size = model.source.repeat_mm
-    texel = min(size) / RESOLUTION
+    texel = min(size) / resolution
     centre = Array2f((uv * np.array(size, np.float32)).T.copy())
     footprint = Footprint(centre, Array2f(texel, 0), Array2f(0, texel))
     at = model.at(Array3f(np.tile(view, (count, 1)).T.copy()), footprint)
@@ -78,7 +87,7 @@ def profile(model: Model, btf: MaterialBtf, place: tuple[float, float], view_deg
     return Profile(
         angles,
         view_angle,
-        np.mean(samples, axis=0).mean(axis=1).astype(np.float64),
+        np.mean(values, axis=0).mean(axis=1).astype(np.float64),
         np.array(value, np.float64).mean(axis=0),
         np.array(density, np.float64),
     )
@@ -107,34 +116,34 @@ def polar_plot(shown: Profile) -> Pixels:
     return np.asarray(image)
 
 
-def polar_plots(setting: Setting) -> Evidence:
+def polar_plots(settings: StageSettings, run: Run) -> Found:
     """Plots of all materials, and their errors in the plane of incidence."""
     choose_variant()
     columns = [f"{u:g}, {v:g} at {view:g}°" for u, v in PLACES for view in VIEWS]
     table = Table("Mean |log10(model / reference)| above a thousandth of the largest value", columns)
     rows: list[Row] = []
     pictures: dict[str, Pixels] = {}
-    for number, name in enumerate(LAYERED):
-        source = stage_material(name)
-        model, btf = trained(source, setting), MaterialBtf(source)
+    sources = settings.sources()
+    for number, source in enumerate(sources):
+        model, btf = trained(source, settings, run.runs), MaterialBtf(source)
         tiles, errors = [], []
         for place in PLACES:
             for view in VIEWS:
-                shown = profile(model, btf, place, view)
+                shown = profile(model, btf, settings.resolution, place, view, settings.spp)
                 errors.append(_log_error(shown))
                 tiles.append(Tile(polar_plot(shown), f"{errors[-1]:.3f}"))
         for column, tile in zip(columns, tiles, strict=True):
             if tile.picture is not None:
-                pictures[f"{name}-{column}"] = tile.picture
-        table.rows[name] = [*errors]
-        rows.append(Row(name, tiles))
-        setting.step(number + 1, len(LAYERED))
+                pictures[f"{source.name}-{column}"] = tile.picture
+        table.rows[source.name] = [*errors]
+        rows.append(Row(source.name, tiles))
+        run.report(number + 1, len(sources))
     note = (
         "The plane of incidence at a place of uv and an angle of view: f·cos of the reference (black) and of "
         "2×32 (blue), the sampler's density (orange), logarithmic over three decades."
     )
     title = "zeltner2024 supplemental, figures 8 to 37: polar plots"
-    return Evidence(contact_sheet(title, columns, rows, note), pictures, [table])
+    return Found(with_tables(table), contact_sheet(title, columns, rows, note), pictures)
 
 
 def _log_error(shown: Profile) -> float:
@@ -142,3 +151,13 @@ def _log_error(shown: Profile) -> float:
     bright = shown.reference > 1e-3 * shown.reference.max()
     ratio = np.maximum(shown.model[bright], 1e-9) / shown.reference[bright]
     return float(np.abs(np.log10(ratio)).mean())
+
+
+STUDY = Study(
+    "papers/zeltner2024/polar",
+    "polar plots of values and of the sampler's density",
+    StageSettings(spp=64),
+    polar_plots,
+    stands_on=("latent",),
+    small={"spp": 2, "steps": 6, "resolution": 16, "materials": "rough-plastic"},
+)

@@ -25,17 +25,15 @@ from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.scattering.point import DirectionSample, to_face_frame
+from studies.harness.study import Found, Pixels, Run, Study, on_display, with_tables
 from studies.instruments.altered_models import AlteredModel, UniformDirections
 from studies.instruments.halved_truth import HalvedTruth
 from studies.instruments.renders import one_picture
 from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.papers.figure import Evidence, Pixels, on_display
-from studies.papers.setting import Setting
-from studies.papers.zeltner2024.layered_materials import LAYERED
 from studies.papers.zeltner2024.stage import (
+    StageSettings,
     model_factory,
     reference_factory,
-    stage_material,
     stage_scene,
     trained,
 )
@@ -74,7 +72,7 @@ def cosine_sampled(model: Model) -> AlteredModel:
     return AlteredModel(model, at)
 
 
-def sampler_variance(setting: Setting) -> Evidence:
+def sampler_variance(settings: StageSettings, run: Run) -> Found:
     """Noise at equal samples and at equal time, of three samplers."""
     choose_variant()
     noise = {way: Table(f"MSE of {SAMPLES} samples, {way}", [*_COLUMNS, "gain"], digits=3) for way in _WAYS}
@@ -83,18 +81,19 @@ def sampler_variance(setting: Setting) -> Evidence:
     )
     rows: list[Row] = []
     pictures: dict[str, Pixels] = {}
-    for number, name in enumerate(LAYERED):
-        source = stage_material(name)
-        model = trained(source, setting)
+    sources = settings.sources()
+    for number, source in enumerate(sources):
+        name = source.name
+        model = trained(source, settings, run.runs)
         factories = {
             _COLUMNS[0]: model_factory(cosine_sampled(model)),
             _COLUMNS[1]: model_factory(model),
             _COLUMNS[2]: reference_factory(source),
         }
         scenes = {
-            column: stage_scene(factory, "whole", setting, _DEPTH) for column, factory in factories.items()
+            column: stage_scene(factory, "whole", settings, _DEPTH) for column, factory in factories.items()
         }
-        truths = {column: _truth(scenes[column], setting) for column in _COLUMNS[1:]}
+        truths = {column: _truth(scenes[column], settings) for column in _COLUMNS[1:]}
         truths[_COLUMNS[0]] = truths[_COLUMNS[1]]
         tiles: dict[str, list[Tile]] = {}
         spent: dict[str, float] = {}
@@ -113,17 +112,17 @@ def sampler_variance(setting: Setting) -> Evidence:
                 products = [errors[column] * spent[column] for column in _COLUMNS[:2]]
                 cost.rows[name] = [*products, products[0] / products[1]]
             rows.append(Row(f"{name}, {way}", tiles[way]))
-        setting.step(number + 1, len(LAYERED))
+        run.report(number + 1, len(sources))
     note = (
-        f"{SAMPLES} samples a pixel, direct light of an environment; truths: {setting.samples} samples of "
-        f"the same BSDF, in two halves; 2×32, quality {setting.quality}."
+        f"{SAMPLES} samples a pixel, direct light of an environment; truths: {settings.spp} samples of "
+        f"the same BSDF, in two halves; 2×32, quality {settings.quality}."
     )
     title = "zeltner2024: the importance sampler"
-    return Evidence(contact_sheet(title, _COLUMNS, rows, note), pictures, [*noise.values(), cost])
+    return Found(with_tables(*noise.values(), cost), contact_sheet(title, _COLUMNS, rows, note), pictures)
 
 
-def _truth(scene: MeasuredScene, setting: Setting) -> HalvedTruth:
-    half = max(setting.samples // 2, 1)
+def _truth(scene: MeasuredScene, settings: StageSettings) -> HalvedTruth:
+    half = max(settings.spp // 2, 1)
     return HalvedTruth((one_picture(scene, half, 11), one_picture(scene, half, 12)))
 
 
@@ -145,3 +144,13 @@ def _noisy(scene: MeasuredScene, way: str) -> tuple[NDArray[np.float32], float]:
 def _directions_alone() -> Any:
     """Direct light that only the BSDF's directions find."""
     return mi.load_dict({"type": "direct", "emitter_samples": 0, "bsdf_samples": 1})
+
+
+STUDY = Study(
+    "papers/zeltner2024/sampler",
+    "noise of the importance sampler, at equal samples and time",
+    StageSettings(),
+    sampler_variance,
+    stands_on=("latent", "picture"),
+    small={"size": (24, 16), "spp": 4, "steps": 6, "resolution": 16, "materials": "rough-plastic"},
+)

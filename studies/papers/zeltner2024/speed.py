@@ -1,23 +1,21 @@
 """Is `latent` faster than the layered material that it stands for? CPU seconds of the same picture.
 
-    python -m studies.papers.zeltner2024.speed [--output FILE.json]
-
 The stage of zeltner2024's tables: the same sphere, light, samples and length of paths, rendered in turns with
 Mitsuba's own layers, by `footprint_path` as models are and by Mitsuba's `path`, and with `latent` of each
 decoder. Each has a process of its own that finds no compiled kernels: Dr.Jit traces all BSDFs of a process,
 whichever scene they are of. `first` is the picture in which kernels are traced and compiled, `following` are
-those after it. Weights change no time, so that trainings are of a few steps, unless `--pictures` asks for
-pictures and their errors. A row has CPU seconds, the least of each, and `speedup`.
+those after it. Weights change no time, so that trainings are of a few steps, unless pictures and their errors
+are asked for. A row has CPU seconds, the least of each, and `speedup`.
 """
 
 from __future__ import annotations
 
 import os
 import time
-from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -25,16 +23,17 @@ from unittest.mock import patch
 
 import mitsuba as mi
 import numpy as np
-from PIL import Image
 
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
 from loomlight.mitsuba.measured_scenes import MeasuredScene
-from studies.instruments.harness import Figures, run
-from studies.papers.figure import on_display
-from studies.papers.setting import Setting
-from studies.papers.zeltner2024.layered_materials import LAYERED
+from loomlight.models.texture.settings import DECODERS
+from studies.harness.study import Figures, Found, Pixels, Run, Study, listed, names, on_display
 from studies.papers.zeltner2024.six_layers import SIX_LAYERS
 from studies.papers.zeltner2024.stage import (
     DEPTH,
+    MATERIALS,
+    StageSettings,
     model_factory,
     reference_factory,
     six_errors,
@@ -52,69 +51,109 @@ _FEW_STEPS = 30
 _COMPARED_SAMPLES = 256
 
 
-def measure(options: Namespace) -> Figures:
-    setting = Setting(
-        size=(options.width, options.width * 9 // 16),
-        samples=options.samples,
-        model="latent",
-        steps=_FEW_STEPS if options.pictures is None else None,
-        runs=options.runs,
-    )
-    rows = {name: _row(name, setting, options) for name in options.materials}
-    return {"samples": options.samples, "width": options.width, "rows": rows}
+@dataclass(frozen=True)
+class Speed(Settings):
+    """What is timed, and how often."""
+
+    materials: str = names("rough-plastic,glazed-ceramic", "Materials that are timed.", MATERIALS)
+    decoders: str = names("2x32", "Hidden layers of `latent`.", tuple(DECODERS))
+    samples: int = setting(32, "A pixel.", low=1, high=1_000_000)
+    width: int = setting(256, "Of pictures, pixels.", low=16, high=8192)
+    turns: int = setting(3, "Pictures after the first one of a process.", low=1, high=100)
+    processes: int = setting(2, "Of each way.", low=1, high=100)
+    pictures: bool = setting(False, "Whole previews are trained; their pictures and errors are shown too.")
+
+    def stage(self) -> StageSettings:
+        """The settings of the stage."""
+        steps = None if self.pictures else _FEW_STEPS
+        return StageSettings(size=(self.width, self.width * 9 // 16), spp=self.samples, steps=steps)
 
 
-def _row(name: str, setting: Setting, options: Namespace) -> Figures:
-    """The figures of a material."""
-    ways = (_REFERENCE, _PATH, *options.decoders)
-    # Trainings are kept, and read by the processes that are timed.
-    for decoder in options.decoders:
-        trained(stage_material(name), setting, decoder)
-    seconds: dict[str, list[list[float]]] = {way: [] for way in ways}
-    for _ in range(options.processes):
+def measure(settings: Speed, run: Run) -> Found:
+    """The times of each material, and, if they are asked for, errors and pictures."""
+    materials = listed(settings.materials)
+    rows = run.each({name: partial(_row, name, settings, run.runs) for name in materials})
+    pictures = {}
+    if settings.pictures:
+        for name in materials:
+            rows[name]["errors"], pictures[name] = _errors(
+                name, listed(settings.decoders), settings.stage(), run.runs
+            )
+    return Found({"samples": settings.samples, "width": settings.width, "rows": rows}, pictures=pictures)
+
+
+def tables(figures: Figures) -> list[Table]:
+    """CPU seconds by way, and errors of pictures."""
+    found = []
+    for name, row in figures["rows"].items():
+        ways = [way for way in row["first"] if not way.startswith("speedup")]
+        table = Table(
+            f"{name}: CPU seconds of a picture", ["first", "following", "times as fast, first", "following"]
+        )
         for way in ways:
-            seconds[way].append(_in_a_new_process(name, way, setting, options.turns))
-    row = {
+            seconds = [row[which][way] for which in ("first", "following")]
+            table.rows[way] = [
+                *seconds,
+                *(row[which].get(f"speedup {way}") for which in ("first", "following")),
+            ]
+        found.append(table)
+        if "errors" in row:
+            errors = {way: cells for way, cells in row["errors"].items() if isinstance(cells, dict)}
+            columns = list(next(iter(errors.values())))
+            rows = {way: [cells[column] for column in columns] for way, cells in errors.items()}
+            found.append(Table(f"{name}: errors of a picture", columns, rows))
+    return found
+
+
+def _row(name: str, settings: Speed, runs: Path) -> Figures:
+    """The times of a material."""
+    decoders, stage = listed(settings.decoders), settings.stage()
+    ways = (_REFERENCE, _PATH, *decoders)
+    # Trainings are kept, and read by the processes that are timed.
+    for decoder in decoders:
+        trained(stage_material(name, stage.resolution), stage, runs, decoder)
+    seconds: dict[str, list[list[float]]] = {way: [] for way in ways}
+    for _ in range(settings.processes):
+        for way in ways:
+            seconds[way].append(_in_a_new_process(name, way, stage, runs, settings.turns))
+    return {
         "first": _speedups({way: min(times[0] for times in found) for way, found in seconds.items()}),
         "following": _speedups(
             {way: min(min(times[1:]) for times in found) for way, found in seconds.items()}
         ),
     }
-    if options.pictures is not None:
-        row["errors"] = _errors(name, options.decoders, setting, options.pictures / f"{name}.png")
-    return row
 
 
-def _scene(name: str, way: str, setting: Setting) -> MeasuredScene:
+def _scene(name: str, way: str, settings: StageSettings, runs: Path) -> MeasuredScene:
     """The stage with a material: its own layers, or a model with the decoder of this name."""
-    source = stage_material(name)
+    source = stage_material(name, settings.resolution)
     if way not in (_REFERENCE, _PATH):
-        return stage_scene(model_factory(trained(source, setting, way)), "whole", setting)
-    scene = stage_scene(reference_factory(source), "whole", setting)
+        return stage_scene(model_factory(trained(source, settings, runs, way)), "whole", settings)
+    scene = stage_scene(reference_factory(source), "whole", settings)
     if way == _REFERENCE:
         return scene
     return replace(scene, integrator=mi.load_dict({"type": "path", "max_depth": DEPTH}))
 
 
-def _timed(name: str, way: str, setting: Setting, turns: int) -> list[float]:
+def _timed(name: str, way: str, settings: StageSettings, runs: Path, turns: int) -> list[float]:
     """CPU seconds of a picture and of `turns` that follow it."""
-    scene = _scene(name, way, setting)
+    scene = _scene(name, way, settings, runs)
     seconds = []
     for turn in range(turns + 1):
         start = time.process_time()
-        stage_picture(scene, setting, seed=turn)
+        stage_picture(scene, settings, seed=turn)
         seconds.append(time.process_time() - start)
     return seconds
 
 
-def _in_a_new_process(name: str, way: str, setting: Setting, turns: int) -> list[float]:
+def _in_a_new_process(name: str, way: str, settings: StageSettings, runs: Path, turns: int) -> list[float]:
     """`_timed` in a process that finds no kernels on disk."""
     with (
         TemporaryDirectory() as kernels,
         patch.dict(os.environ, {"DRJIT_CACHE_DIR": kernels}),
         ProcessPoolExecutor(1, get_context("spawn")) as pool,
     ):
-        return pool.submit(_timed, name, way, setting, turns).result()
+        return pool.submit(_timed, name, way, settings, runs, turns).result()
 
 
 def _speedups(least: dict[str, float]) -> Figures:
@@ -126,38 +165,50 @@ def _speedups(least: dict[str, float]) -> Figures:
     }
 
 
-def _errors(name: str, decoders: Sequence[str], setting: Setting, file: Path) -> Figures:
-    """Errors of whole pictures on the sphere, and of noise alone; the pictures side by side in a file."""
-    setting = replace(setting, samples=_COMPARED_SAMPLES)
-    scene = _scene(name, _REFERENCE, setting)
-    truth, other = (stage_picture(scene, setting, seed) for seed in (2, 3))
+def _errors(
+    name: str, decoders: Sequence[str], settings: StageSettings, runs: Path
+) -> tuple[Figures, Pixels]:
+    """Errors of whole pictures on the sphere, and of noise alone; the pictures side by side."""
+    settings = replace(settings, spp=_COMPARED_SAMPLES)
+    scene = _scene(name, _REFERENCE, settings, runs)
+    truth, other = (stage_picture(scene, settings, seed) for seed in (2, 3))
     shown = {"noise alone": other}
     for decoder in decoders:
-        shown[decoder] = stage_picture(_scene(name, decoder, setting), setting, seed=3)
-    file.parent.mkdir(parents=True, exist_ok=True)
-    Image.fromarray(np.concatenate([on_display(picture) for picture in shown.values()], axis=1)).save(file)
+        shown[decoder] = stage_picture(_scene(name, decoder, settings, runs), settings, seed=3)
+    beside = np.concatenate([on_display(picture) for picture in shown.values()], axis=1)
     mean = float(truth[scene.counted].mean(dtype=np.float64))
-    found: Figures = {"samples": setting.samples}
+    found: Figures = {"samples": settings.spp}
     for way, picture in shown.items():
         flip, absolute = six_errors(picture, truth, scene.counted).metrics[:2]
         bias = float(picture[scene.counted].mean(dtype=np.float64)) / mean - 1
         found[way] = {"FLIP": round(flip, 4), "nMAE": round(absolute / mean, 4), "bias": round(bias, 4)}
-    return found
+    return found, beside
 
 
-def _add_options(parser: ArgumentParser) -> None:
-    known = (*LAYERED, SIX_LAYERS)
-    parser.add_argument("--materials", nargs="+", default=LAYERED, choices=known)
-    parser.add_argument("--decoders", nargs="+", default=["2x32"])
-    parser.add_argument("--samples", type=int, default=32)
-    parser.add_argument("--width", type=int, default=256)
-    parser.add_argument("--turns", type=int, default=3, help="pictures after the first one of a process")
-    parser.add_argument("--processes", type=int, default=2, help="of each way")
-    parser.add_argument("--runs", type=Path, default=Path("out/runs"), help="keeps trainings")
-    parser.add_argument(
-        "--pictures", type=Path, help="train whole previews, write their pictures here, and give errors"
-    )
-
-
-if __name__ == "__main__":
-    run(measure, _add_options)
+STUDIES = (
+    Study(
+        "papers/zeltner2024/speed",
+        "CPU seconds of `latent` and of the layers that it stands for",
+        Speed(),
+        measure,
+        tables,
+        stands_on=("latent", "picture"),
+        small={"materials": "rough-plastic", "samples": 1, "width": 16, "turns": 1, "processes": 1},
+    ),
+    Study(
+        "papers/zeltner2024/speed_six_layers",
+        "the same of six layers, with errors of pictures",
+        Speed(materials=SIX_LAYERS, pictures=True),
+        measure,
+        tables,
+        stands_on=("latent", "picture"),
+        small={
+            "materials": "rough-plastic",
+            "samples": 1,
+            "width": 16,
+            "turns": 1,
+            "processes": 1,
+            "pictures": False,
+        },
+    ),
+)

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.settings import same_setting
 from loomlight.evaluation.metrics import PictureError, picture_error
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant, shapes
@@ -28,21 +29,21 @@ from loomlight.models.registry import make_model, model_from_loom
 from loomlight.models.texture.settings import LatentOptions
 from loomlight.sources.loom_file import write_loom
 from loomlight.sources.material import Material
+from studies.harness.study import listed, names
 from studies.instruments.composed_scenes import Composition, composed_scene
 from studies.instruments.renders import one_picture
-from studies.papers.setting import LATENT, Setting
-from studies.papers.zeltner2024.layered_materials import layered_material
+from studies.papers.setting import LitSettings, TrainedSettings
+from studies.papers.zeltner2024.layered_materials import LAYERED, layered_material
 from studies.papers.zeltner2024.six_layers import SIX_LAYERS, six_layer_material
 from studies.papers.zeltner2024.two_normals import TWO_NORMALS, two_normal_material
 
-# Texels a side, of textures and latents.
-RESOLUTION = 128
 VIEWS = {"whole": 1.0, "close": 3.5, "far": 0.25}
 _TOWARDS_CAMERA, _TOWARDS_LIGHT = (0.0, 0.25, 1.0), np.array([-0.6, 0.75, 0.6])
 # Camera to sphere, to ground or sphere, to light.
 DEPTH = 3
 # Where the close view looks: the middle of the sphere's front, a little above.
 _FOCUS = (-0.02, 0.04, 0.09)
+MATERIALS = (*LAYERED, *TWO_NORMALS, SIX_LAYERS)
 METRICS = (
     "Mean FLIP",
     "Mean abs. error",
@@ -61,6 +62,24 @@ class ShownError:
 
     metrics: tuple[float, ...]
     picture: PictureError
+
+
+@dataclass(frozen=True)
+class StageSettings(TrainedSettings, LitSettings):
+    """Of figures of materials on the stage."""
+
+    resolution: int = same_setting(
+        TrainedSettings,
+        "resolution",
+        default=128,
+        otherwise="",
+        help="Texels a side of textures and latents.",
+    )
+    materials: str = names(",".join(LAYERED), "What is shown.", MATERIALS)
+
+    def sources(self) -> list[Material]:
+        """The materials that are shown."""
+        return [stage_material(name, self.resolution) for name in listed(self.materials)]
 
 
 def six_errors(
@@ -90,40 +109,49 @@ def metric_table(title: str, errors: dict[str, ShownError], note: str = "") -> T
     return table
 
 
-def stage_material(name: str) -> Material:
-    """A material of the stage, of `LAYERED` or `TWO_NORMALS`, or `SIX_LAYERS`."""
+def stage_material(name: str, side: int) -> Material:
+    """One of `MATERIALS`.
+
+    Args:
+        side: texels of its textures.
+    """
     if name == SIX_LAYERS:
-        return six_layer_material(RESOLUTION)
+        return six_layer_material(side)
     make = two_normal_material if name in TWO_NORMALS else layered_material
-    return make(name, RESOLUTION)
+    return make(name, side)
 
 
 def trained(
-    source: Material, setting: Setting, decoder: str = "2x32", rung: str = "frames", **others: Any
+    source: Material,
+    settings: StageSettings,
+    runs: Path,
+    decoder: str = "2x32",
+    rung: str = "frames",
+    **others: Any,
 ) -> Model:
-    """The model of a material; a training is kept in the setting's folder of runs, and read if it is there.
+    """The model of a material; a training is kept in the folder of runs, and read if it is there.
 
     Args:
         others: further ones of `LatentOptions`.
 
     Raises:
-        InputError: an unknown quality, or a folder that cannot be written to.
+        InputError: a folder that cannot be written to.
         MissingDependencyError: PyTorch is missing, where there is a training to do.
     """
     options: dict[str, Any] = {
-        "quality": setting.quality,
-        "resolution": RESOLUTION,
+        "quality": settings.quality,
+        "resolution": settings.resolution,
         "decoder": decoder,
         "rung": rung,
         **others,
     }
-    if setting.steps is not None:
-        options["steps"] = setting.steps
+    if settings.steps is not None:
+        options["steps"] = settings.steps
     identity = LatentOptions(**options).settings().identity(source)[:12]
-    file = Path(setting.runs) / "zeltner2024" / f"{source.name}-{decoder}-{rung}-{identity}.loom"
+    file = runs / "zeltner2024" / f"{source.name}-{decoder}-{rung}-{identity}.loom"
     if file.exists():
         return model_from_loom(file)
-    model = make_model(LATENT, source, **options)
+    model = make_model("latent", source, **options)
     file.parent.mkdir(parents=True, exist_ok=True)
     write_loom(file, model.to_loom())
     return model
@@ -140,7 +168,7 @@ def model_factory(model: Model) -> Callable[[tuple[float, float]], Any]:
 
 
 def stage_scene(
-    factory: Callable[[tuple[float, float]], Any], view: str, setting: Setting, depth: int = DEPTH
+    factory: Callable[[tuple[float, float]], Any], view: str, settings: StageSettings, depth: int = DEPTH
 ) -> MeasuredScene:
     """The sphere in one of `VIEWS`.
 
@@ -153,16 +181,16 @@ def stage_scene(
     radius = shapes.SPHERE_RADIUS
     light: dict[str, Any] = (
         light_dicts("studio", centre, radius, _TOWARDS_LIGHT)
-        if setting.environment is None
-        else {"environment": environment_dict(setting.environment)}
+        if settings.environment is None
+        else {"environment": environment_dict(settings.environment)}
     )
     props = {**light, "ground": ground(centre, radius, -radius)}
     zoom = VIEWS[view]
     focus = _FOCUS if zoom > 1 else None
     shown = Composition([sphere], _TOWARDS_CAMERA, props, depth, zoom, focus)
-    return composed_scene(shown, [factory], setting.size)
+    return composed_scene(shown, [factory], settings.size)
 
 
-def stage_picture(scene: MeasuredScene, setting: Setting, seed: int = 1) -> NDArray[np.float32]:
-    """Linear RGB [height, width, 3] with the samples of the setting."""
-    return one_picture(scene, setting.samples, seed)
+def stage_picture(scene: MeasuredScene, settings: StageSettings, seed: int = 1) -> NDArray[np.float32]:
+    """Linear RGB [height, width, 3] with the samples of the settings."""
+    return one_picture(scene, settings.spp, seed)

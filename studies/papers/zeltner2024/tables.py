@@ -17,19 +17,16 @@ from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.models.texture.settings import DECODERS, FEATURES, RUNGS
 from loomlight.sources.material import Material
+from studies.harness.study import Found, Pixels, Run, Study, on_display, with_tables
 from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.papers.figure import Evidence, Pixels, on_display
-from studies.papers.setting import Setting
 from studies.papers.zeltner2024.analytic_baseline import analytic_factory
-from studies.papers.zeltner2024.layered_materials import LAYERED
 from studies.papers.zeltner2024.stage import (
-    RESOLUTION,
     ShownError,
+    StageSettings,
     metric_table,
     model_factory,
     reference_factory,
     six_errors,
-    stage_material,
     stage_picture,
     stage_scene,
     trained,
@@ -51,23 +48,24 @@ _ANALYTIC = "8-channel BRDF"
 _Factory = Callable[[tuple[float, float]], Any]
 
 
-def ablation(setting: Setting) -> Evidence:
+def ablation(settings: StageSettings, run: Run) -> Found:
     """Tables 1 to 4: a plain network, with the encoder, and with learned frames."""
     columns = [_RUNG_NAMES[rung] for rung in RUNGS]
     return _compared(
-        setting,
+        settings,
+        run,
         "zeltner2024 tables 1 to 4: ablation",
         ("whole",),
         columns,
         lambda source: {
-            _RUNG_NAMES[rung]: model_factory(trained(source, setting, rung=rung, features="none"))
+            _RUNG_NAMES[rung]: model_factory(trained(source, settings, run.runs, rung=rung, features="none"))
             for rung in RUNGS
         },
         Table("Mean FLIP in the paper", columns, {name: [*row] for name, row in _PAPER_RUNGS.items()}),
     )
 
 
-def frames(setting: Setting) -> Evidence:
+def frames(settings: StageSettings, run: Run) -> Found:
     """What learned frames gain of two materials of two normal maps each, with and without features."""
     columns = {
         f"{_RUNG_NAMES[rung]}, {'features' if features == FEATURES[0] else 'none'}": (rung, features)
@@ -75,90 +73,91 @@ def frames(setting: Setting) -> Evidence:
         for rung in RUNGS[1:]
     }
     return _compared(
-        setting,
+        settings,
+        run,
         "frames of materials of two normal maps",
         ("whole",),
         list(columns),
         lambda source: {
-            column: model_factory(trained(source, setting, rung=rung, features=features))
+            column: model_factory(trained(source, settings, run.runs, rung=rung, features=features))
             for column, (rung, features) in columns.items()
         },
-        names=TWO_NORMALS,
     )
 
 
-def quality(setting: Setting) -> Evidence:
+def quality(settings: StageSettings, run: Run) -> Found:
     """Tables 5 to 11: three decoders in a close and a far view."""
     columns = [decoder.replace("x", "×") for decoder in DECODERS]
     return _compared(
-        setting,
+        settings,
+        run,
         "zeltner2024 tables 5 to 11: three decoders",
         ("close", "far"),
         columns,
         lambda source: {
-            decoder.replace("x", "×"): model_factory(trained(source, setting, decoder))
+            decoder.replace("x", "×"): model_factory(trained(source, settings, run.runs, decoder))
             for decoder in DECODERS
         },
         Table("Mean FLIP in the paper", columns, {"mean of its views": [*_PAPER_FLIP]}),
     )
 
 
-def whole(setting: Setting) -> Evidence:
+def whole(settings: StageSettings, run: Run) -> Found:
     """The default network alone, as it is baked: whole spheres."""
     return _compared(
-        setting,
+        settings,
+        run,
         "whole spheres by the default network",
         ("whole",),
         ["2×32"],
-        lambda source: {"2×32": model_factory(trained(source, setting))},
+        lambda source: {"2×32": model_factory(trained(source, settings, run.runs))},
     )
 
 
-def eight_channels(setting: Setting) -> Evidence:
+def eight_channels(settings: StageSettings, run: Run) -> Found:
     """Figure 5: the model beside a simple analytic BRDF with as many channels."""
     return _compared(
-        setting,
+        settings,
+        run,
         "zeltner2024 supplemental figure 5: an analytic BRDF of 8 channels",
         ("whole",),
         [_ANALYTIC, "2×32"],
         lambda source: {
-            _ANALYTIC: analytic_factory(source, RESOLUTION, setting.steps),
-            "2×32": model_factory(trained(source, setting)),
+            _ANALYTIC: analytic_factory(source, settings.resolution, settings.steps),
+            "2×32": model_factory(trained(source, settings, run.runs)),
         },
     )
 
 
 def _compared(
-    setting: Setting,
+    settings: StageSettings,
+    run: Run,
     title: str,
     views: tuple[str, ...],
     columns: list[str],
     factories: Callable[[Material], dict[str, _Factory]],
     paper: Table | None = None,
-    names: tuple[str, ...] | None = None,
-) -> Evidence:
+) -> Found:
     """Pictures and tables of materials in some views.
 
     Args:
         factories: from a material to functions that make its BSDFs, by the heading of their column.
-        names: of materials, by default `LAYERED`.
     """
     choose_variant()
     pictures: dict[str, Pixels] = {}
     rows: list[Row] = []
     tables: list[Table] = []
     means: dict[str, list[tuple[float, ...]]] = {column: [] for column in columns}
-    names = LAYERED if names is None else names
-    done, total = 0, len(names) * len(views)
-    for name in names:
-        source = stage_material(name)
+    sources = settings.sources()
+    done, total = 0, len(sources) * len(views)
+    for source in sources:
         made = factories(source)
         for view in views:
-            label = f"{name}, {view}"
-            reference_scene = stage_scene(reference_factory(source), view, setting)
-            reference = stage_picture(reference_scene, setting, 2)
+            label = f"{source.name}, {view}"
+            reference_scene = stage_scene(reference_factory(source), view, settings)
+            reference = stage_picture(reference_scene, settings, 2)
             shown = {
-                column: stage_picture(stage_scene(factory, view, setting), setting)
+                column: stage_picture(stage_scene(factory, view, settings), settings)
                 for column, factory in made.items()
             }
             errors = {
@@ -171,24 +170,24 @@ def _compared(
             pictures |= _pictures(label, reference, shown)
             rows += _rows(label, reference, shown, errors)
             done += 1
-            setting.step(done, total)
-    floor = _noise_floor(reference_scene, setting)
+            run.report(done, total)
+    floor = _noise_floor(reference_scene, settings)
     summary = Table("Means over all", columns, digits=3)
     for number, metric in enumerate(tables[0].rows):
         summary.rows[metric] = [float(np.mean([row[number] for row in means[c]])) for c in columns]
+    steps = "" if settings.steps is None else f", {settings.steps} steps"
     note = (
-        f"{setting.samples} samples a pixel of model and reference, textures of {RESOLUTION} texels, quality "
-        f"{setting.quality}{'' if setting.steps is None else f', {setting.steps} steps'}. Noise alone has a "
-        f"FLIP of {floor:.3f} (last material and view)."
+        f"{settings.spp} samples a pixel of model and reference, textures of {settings.resolution} texels, "
+        f"quality {settings.quality}{steps}. Noise alone has a FLIP of {floor:.3f} (last material and view)."
     )
     summary.note = note
     sheet = contact_sheet(title, [*columns, "reference"], rows, note)
-    return Evidence(sheet, pictures, [summary, *([paper] if paper is not None else []), *tables])
+    return Found(with_tables(summary, *([] if paper is None else [paper]), *tables), sheet, pictures)
 
 
-def _noise_floor(scene: MeasuredScene, setting: Setting) -> float:
+def _noise_floor(scene: MeasuredScene, settings: StageSettings) -> float:
     """FLIP between two references."""
-    one, other = (stage_picture(scene, setting, seed) for seed in (2, 3))
+    one, other = (stage_picture(scene, settings, seed) for seed in (2, 3))
     return six_errors(one, other, scene.counted).metrics[0]
 
 
@@ -213,3 +212,49 @@ def _rows(
     tiles = [Tile(on_display(picture), _caption(errors[column])) for column, picture in shown.items()]
     maps = [Tile(error.picture.flip_picture) for error in errors.values()]
     return [Row(label, [*tiles, Tile(on_display(reference))]), Row("", maps)]
+
+
+_STANDS_ON = ("latent", "picture")
+_SMALL = {"size": (24, 16), "spp": 4, "steps": 6, "resolution": 16, "materials": "rough-plastic"}
+STUDIES = (
+    Study(
+        "papers/zeltner2024/tables1-4",
+        "four layered materials: a plain network, with encoder, with frames",
+        StageSettings(),
+        ablation,
+        stands_on=_STANDS_ON,
+        small=_SMALL,
+    ),
+    Study(
+        "papers/zeltner2024/frames",
+        "what frames gain of two normal maps, with half-vector features and without",
+        StageSettings(materials=",".join(TWO_NORMALS)),
+        frames,
+        stands_on=_STANDS_ON,
+        small={**_SMALL, "materials": TWO_NORMALS[0]},
+    ),
+    Study(
+        "papers/zeltner2024/tables5-11",
+        "2×16, 2×32 and 3×64, close and from far",
+        StageSettings(),
+        quality,
+        stands_on=_STANDS_ON,
+        small=_SMALL,
+    ),
+    Study(
+        "papers/zeltner2024/whole",
+        "whole spheres by the default network",
+        StageSettings(),
+        whole,
+        stands_on=_STANDS_ON,
+        small=_SMALL,
+    ),
+    Study(
+        "papers/zeltner2024/fig5",
+        "beside a simple analytic BRDF with 8 channels",
+        StageSettings(),
+        eight_channels,
+        stands_on=_STANDS_ON,
+        small=_SMALL,
+    ),
+)

@@ -34,11 +34,11 @@ from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.models.point import PointModel
 from loomlight.scattering.point import DirectionSample, YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
+from studies.harness.study import Found, Pixels, Run, Study, on_display, with_tables
 from studies.instruments.altered_models import AlteredModel
 from studies.instruments.renders import one_picture
-from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.papers.figure import Evidence, Pixels, error_caption, on_display
-from studies.papers.setting import POINT, Setting
+from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
+from studies.papers.setting import PictureSettings
 from studies.papers.zhu2024.scenes import table_fabric
 
 CLUSTERS = 8
@@ -178,7 +178,7 @@ def _bsdf(fabric: Fabric, alphas: Alphas, residual: bool) -> BsdfFactory:
     return lambda millimetres: make_bsdf(AlteredModel(PointModel(fabric), at), millimetres)
 
 
-def choice_of_alpha(setting: Setting) -> Evidence:
+def choice_of_alpha(settings: PictureSettings, run: Run) -> Found:
     """Figure 11: base, residual and their sum for three choices of α, two fabrics."""
     choose_variant()
     rows: list[Row] = []
@@ -186,8 +186,8 @@ def choice_of_alpha(setting: Setting) -> Evidence:
     table = Table("MSE of two samples", ["base + residual", "f·v alone", "times less"])
     for number, name in enumerate(_FABRICS):
         fabric = table_fabric(name)
-        point = shot_scene(_SHOT, [(fabric, material_bsdf(fabric, POINT))], setting.size)
-        truth = one_picture(point, setting.samples, 1)
+        point = shot_scene(_SHOT, [(fabric, material_bsdf(fabric, "point"))], settings.size)
+        truth = one_picture(point, settings.spp, 1)
         plain = one_picture(point, _RESIDUAL_SAMPLES, 3)
         error = picture_error(plain, truth, point.counted)
         choices = {
@@ -198,11 +198,11 @@ def choice_of_alpha(setting: Setting) -> Evidence:
         for label, alphas in choices.items():
             base, residual = (
                 one_picture(
-                    shot_scene(_SHOT, [(fabric, _bsdf(fabric, alphas, is_residual))], setting.size),
+                    shot_scene(_SHOT, [(fabric, _bsdf(fabric, alphas, is_residual))], settings.size),
                     samples,
                     seed,
                 )
-                for is_residual, samples, seed in ((False, setting.samples, 2), (True, _RESIDUAL_SAMPLES, 3))
+                for is_residual, samples, seed in ((False, settings.spp, 2), (True, _RESIDUAL_SAMPLES, 3))
             )
             full = base + residual
             found = picture_error(full, truth, point.counted)
@@ -213,7 +213,7 @@ def choice_of_alpha(setting: Setting) -> Evidence:
                 Tile(on_display(np.abs(residual)), "its absolute value"),
                 Tile(on_display(full), error_caption(found)),
                 Tile(on_display(plain), error_caption(error)),
-                Tile(on_display(truth), f"{setting.samples} spp"),
+                Tile(on_display(truth), f"{settings.spp} spp"),
             ]
             rows.append(Row(row, tiles))
             pictures |= {
@@ -221,10 +221,20 @@ def choice_of_alpha(setting: Setting) -> Evidence:
                 for column, tile in zip(_COLUMNS[:3], tiles, strict=False)
                 if tile.picture is not None
             }
-        setting.step(number + 1, len(_FABRICS))
+        run.report(number + 1, len(_FABRICS))
     note = (
-        f"{_SHOT.yarns:g} yarns a pixel, one directional light, direct light. The base has {setting.samples} "
+        f"{_SHOT.yarns:g} yarns a pixel, one directional light, direct light. The base has {settings.spp} "
         "samples. Residuals may be negative: what a base above the picture has too much."
     )
     sheet = contact_sheet("zhu2024 figure 11: the choice of alpha", _COLUMNS, rows, note)
-    return Evidence(sheet, pictures, [table])
+    return Found(with_tables(table), sheet, pictures)
+
+
+STUDY = Study(
+    "papers/zhu2024/fig11",
+    "the choice of α: base, residual and their sum",
+    PictureSettings(),
+    choice_of_alpha,
+    stands_on=("point", "picture"),
+    small={"size": (24, 16), "spp": 4},
+)

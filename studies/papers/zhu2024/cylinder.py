@@ -26,13 +26,13 @@ from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.models.point import PointModel
+from studies.harness.study import Found, Pixels, Run, Study, on_display, with_tables
 from studies.instruments.altered_models import without_parallax
 from studies.instruments.composed_scenes import Composition, composed_scene, scene_of_shapes
 from studies.instruments.renders import one_picture
-from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.papers.figure import Evidence, Pixels, error_caption, on_display
-from studies.papers.setting import POINT, Setting
+from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
 from studies.papers.zhu2024.height_field import height_field_shape
+from studies.papers.zhu2024.scenes import ClothSettings
 
 RADIUS, LENGTH = 0.03, 0.05
 # Of the cylinder, what the camera sees of it and a little more, degrees on either side.
@@ -85,27 +85,27 @@ def cylinder_fabric(sheen: float) -> Fabric:
     )
 
 
-def parallax(setting: Setting) -> Evidence:
+def parallax(settings: ClothSettings, run: Run) -> Found:
     """Figure 6: near and far, without and with parallax, beside the height field."""
     fabric = cylinder_fabric(0.0)
     columns = {
         "without parallax": _flat(fabric),
-        "point": material_bsdf(fabric, POINT),
-        setting.model: material_bsdf(fabric, setting.model),
+        "point": material_bsdf(fabric, "point"),
+        settings.model: material_bsdf(fabric, settings.model),
     }
-    return _compared(_FIG6, setting, fabric, columns, _VIEWS)
+    return _compared(_FIG6, settings, run, fabric, columns, _VIEWS)
 
 
-def cylinder(setting: Setting) -> Evidence:
+def cylinder(settings: ClothSettings, run: Run) -> Found:
     """Figure 8: without parallax and sheen, and with both, beside the height field under sheen."""
     fabric = cylinder_fabric(0.35)
     columns = {
         "without parallax, sheen": _flat(cylinder_fabric(0.0)),
-        "point": material_bsdf(fabric, POINT),
-        setting.model: material_bsdf(fabric, setting.model),
+        "point": material_bsdf(fabric, "point"),
+        settings.model: material_bsdf(fabric, settings.model),
     }
     views = (_View("whole", 0.95), _View("close-up at the upper outline", 4.0))
-    return _compared(_FIG8, setting, fabric, columns, views)
+    return _compared(_FIG8, settings, run, fabric, columns, views)
 
 
 def _flat(fabric: Fabric) -> BsdfFactory:
@@ -113,20 +113,25 @@ def _flat(fabric: Fabric) -> BsdfFactory:
 
 
 def _compared(
-    title: str, setting: Setting, fabric: Fabric, columns: dict[str, BsdfFactory], views: Sequence[_View]
-) -> Evidence:
+    title: str,
+    settings: ClothSettings,
+    run: Run,
+    fabric: Fabric,
+    columns: dict[str, BsdfFactory],
+    views: Sequence[_View],
+) -> Found:
     choose_variant()
     table = Table("MSE", list(columns))
     bias = Table("Mean light over the height field's", list(columns))
     pictures: dict[str, Pixels] = {}
     rows = []
     for number, view in enumerate(views):
-        field = _height_field_scene(setting, view, fabric)
-        truth = one_picture(field, setting.samples, 1)
+        field = _height_field_scene(settings, view, fabric)
+        truth = one_picture(field, settings.spp, 1)
         tiles, errors, ratios = [], [], []
         for name, bsdf in columns.items():
-            scene = composed_scene(_composition(view, arc()), [bsdf], setting.size)
-            samples = _MODEL_SAMPLES if name == setting.model else setting.samples
+            scene = composed_scene(_composition(view, arc()), [bsdf], settings.size)
+            samples = _MODEL_SAMPLES if name == settings.model else settings.spp
             picture = one_picture(scene, samples, 2)
             counted = scene.counted & field.counted
             error = picture_error(picture, truth, counted)
@@ -136,14 +141,16 @@ def _compared(
             pictures[f"{view.label}-{name}"] = on_display(picture)
         pictures[f"{view.label}-height field"] = on_display(truth)
         table.rows[view.label], bias.rows[view.label] = [*errors], [*ratios]
-        rows.append(Row(view.label, [*tiles, Tile(_part(truth, view), f"{setting.samples} spp")]))
-        setting.step(number + 1, len(views))
+        rows.append(Row(view.label, [*tiles, Tile(_part(truth, view), f"{settings.spp} spp")]))
+        run.report(number + 1, len(views))
     note = (
         f"{fabric.name}, {_THREADS_PER_CM:g} threads/cm on a cylinder of {200 * RADIUS:g} cm, one "
         f"directional light, direct light. Height field: {_VERTICES_A_THREAD} vertices a thread, shadows and "
         "parallax ray-traced."
     )
-    return Evidence(contact_sheet(title, [*columns, "height field"], rows, note), pictures, [table, bias])
+    return Found(
+        with_tables(table, bias), contact_sheet(title, [*columns, "height field"], rows, note), pictures
+    )
 
 
 def _caption(samples: int, error: PictureError) -> str:
@@ -156,11 +163,11 @@ def _composition(view: _View, piece: ClothMesh) -> Composition:
     return Composition([piece], (0.0, 0.0, 1.0), lights, 2, view.zoom, focus)
 
 
-def _height_field_scene(setting: Setting, view: _View, fabric: Fabric) -> MeasuredScene:
+def _height_field_scene(settings: ClothSettings, view: _View, fabric: Fabric) -> MeasuredScene:
     along = round(LENGTH * 100 * _THREADS_PER_CM * _VERTICES_A_THREAD)
     around = round(2 * np.radians(_HALF_ARC) * RADIUS * 100 * _THREADS_PER_CM * _VERTICES_A_THREAD)
     shapes: list[Any] = [height_field_shape(arc(along + 1, around + 1), fabric)]
-    return scene_of_shapes(_composition(view, arc()), shapes, setting.size)
+    return scene_of_shapes(_composition(view, arc()), shapes, settings.size)
 
 
 def _part(picture: NDArray[np.float32], view: _View) -> Pixels:
@@ -172,3 +179,25 @@ def _part(picture: NDArray[np.float32], view: _View) -> Pixels:
     top, left = (picture.shape[0] - height) // 2, (picture.shape[1] - width) // 2
     middle = picture[top : top + height, left : left + width]
     return on_display(np.repeat(np.repeat(middle, factor, axis=0), factor, axis=1))
+
+
+_STANDS_ON = ("point", "clustered", "picture")
+_SMALL = {"size": (24, 16), "spp": 4, "model": "lobes"}
+STUDIES = (
+    Study(
+        "papers/zhu2024/fig6",
+        "parallax near and far, against a ray-traced height field",
+        ClothSettings(),
+        parallax,
+        stands_on=_STANDS_ON,
+        small=_SMALL,
+    ),
+    Study(
+        "papers/zhu2024/fig8",
+        "a cylinder of cloth: parallax and sheen, against a height field",
+        ClothSettings(),
+        cylinder,
+        stands_on=_STANDS_ON,
+        small=_SMALL,
+    ),
+)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 import mitsuba as mi
 
@@ -21,13 +22,12 @@ from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model
+from studies.harness.study import Found, Run, Study, on_display, with_tables
 from studies.instruments.altered_models import uniformly_sampled
 from studies.instruments.composed_scenes import composed_scene
 from studies.instruments.renders import one_picture
-from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.papers.figure import Evidence, error_caption, on_display
-from studies.papers.setting import POINT, Setting
-from studies.papers.zhu2024.scenes import SCENES, table_composition, table_fabric, table_scene
+from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
+from studies.papers.zhu2024.scenes import SCENES, SceneSettings, table_composition, table_fabric, table_scene
 
 SAMPLES = 32
 _COLUMNS = ("uniform directions", "importance sampling", "reference")
@@ -37,15 +37,15 @@ _DEPTH = 2
 _SCENE = replace(SCENES["blouse"], max_depth=_DEPTH)
 
 
-def importance_sampling(setting: Setting) -> Evidence:
+def importance_sampling(settings: SceneSettings, run: Run) -> Found:
     """Figure 5."""
     choose_variant()
-    truth_scene = table_scene(_SCENE, setting, POINT)
-    truth = one_picture(truth_scene, setting.samples, 1)
+    truth_scene = table_scene(_SCENE, settings, "point")
+    truth = one_picture(truth_scene, settings.spp, 1)
     shown = on_display(truth)
     ways = {
-        _COLUMNS[0]: _scene(setting, uniformly_sampled),
-        _COLUMNS[1]: _scene(setting, lambda model: model),
+        _COLUMNS[0]: _scene(settings, uniformly_sampled),
+        _COLUMNS[1]: _scene(settings, lambda model: model),
     }
     table = Table("MSE", list(_COLUMNS[:2]))
     pictures, rows = {"reference": shown}, []
@@ -60,34 +60,44 @@ def importance_sampling(setting: Setting) -> Evidence:
             pictures[f"{column}-{row}"] = pixels
             tiles.append(Tile(pixels, error_caption(error)))
         table.rows[row] = [*errors]
-        rows.append(Row(row, [*tiles, Tile(shown, f"{setting.samples} spp")]))
-        setting.step(number + 1, len(_ROWS))
-    light = "the studio" if setting.environment is None else setting.environment.name
+        rows.append(Row(row, [*tiles, Tile(shown, f"{settings.spp} spp")]))
+        run.report(number + 1, len(_ROWS))
+    light = "the studio" if settings.environment is None else Path(settings.environment).name
     note = (
-        f"{setting.model}, {SAMPLES} samples a pixel, direct light of an environment ({light}); reference: "
-        f"the point model with {setting.samples} samples."
+        f"{settings.model}, {SAMPLES} samples a pixel, direct light of an environment ({light}); reference: "
+        f"the point model with {settings.spp} samples."
     )
     title = "zhu2024 figure 5: importance sampling under an environment"
-    return Evidence(contact_sheet(title, _COLUMNS, rows, note), pictures, [table])
+    return Found(with_tables(table), contact_sheet(title, _COLUMNS, rows, note), pictures)
 
 
-def _scene(setting: Setting, altered: Callable[[Model], Model]) -> MeasuredScene:
-    composition = table_composition(_SCENE, setting.environment)
-    shorter = min(setting.size)
+def _scene(settings: SceneSettings, altered: Callable[[Model], Model]) -> MeasuredScene:
+    composition = table_composition(_SCENE, settings.environment)
+    shorter = min(settings.size)
     angle = math.radians(FIELD_OF_VIEW) / shorter
 
     def factory(fabric: str) -> Callable[[tuple[float, float]], mi.BSDF]:
         def made(millimetres: tuple[float, float]) -> mi.BSDF:
-            bsdf = make_bsdf(altered(make_model(setting.model, table_fabric(fabric))), millimetres)
+            bsdf = make_bsdf(altered(make_model(settings.model, table_fabric(fabric))), millimetres)
             # Mitsuba's integrators set no footprints.
             bsdf.pixel_angle = angle
             return bsdf
 
         return made
 
-    return composed_scene(composition, [factory(fabric) for _, fabric in _SCENE.pieces], setting.size)
+    return composed_scene(composition, [factory(fabric) for _, fabric in _SCENE.pieces], settings.size)
 
 
 def _directions_alone() -> mi.Integrator:
     """Direct light that only the BSDF's directions find."""
     return mi.load_dict({"type": "direct", "emitter_samples": 0, "bsdf_samples": 1})
+
+
+STUDY = Study(
+    "papers/zhu2024/fig5",
+    "importance sampling under an environment map, 32 samples",
+    SceneSettings(spp=1024),
+    importance_sampling,
+    stands_on=("point", "clustered", "picture"),
+    small={"size": (24, 16), "spp": 8, "model": "lobes"},
+)

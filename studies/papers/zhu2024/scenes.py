@@ -9,15 +9,16 @@ once by other cloth is part of blouse and gown, the others show direct light.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.settings import same_setting, setting
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import ClothMesh, material_bsdf, shapes
@@ -26,8 +27,10 @@ from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.mitsuba.shapes import ball, ground
 from loomlight.models.clustered.model import ClusteredModel, ClusteredOptions
+from loomlight.models.registry import MODELS
+from studies.harness.study import names
 from studies.instruments.composed_scenes import Composition, composed_scene
-from studies.papers.setting import CLUSTERED, POINT, Setting
+from studies.papers.setting import LitSettings, PictureSettings
 from studies.papers.zhu2024 import cloth_pieces
 
 Vector = tuple[float, float, float]
@@ -56,7 +59,7 @@ class TableScene:
         name: as the paper calls it.
         pieces: makes each piece, with the name of its fabric in `FABRICS`.
         towards_camera, towards_light: directions of any length.
-        light: of `light_dicts`; "environment" is the setting's picture, or the studio without one.
+        light: of `light_dicts`; "environment" is the settings' picture, or the studio without one.
         max_depth: longest path in segments.
         paper: the paper's row.
         grounded: stands on a grey ground.
@@ -151,6 +154,26 @@ SCENES: dict[str, TableScene] = {
 }
 
 
+@dataclass(frozen=True)
+class ClothSettings(PictureSettings):
+    """Of figures that show one model beside the point model."""
+
+    model: str = setting("clustered", "The model of the figure.", choices=tuple(MODELS))
+
+
+@dataclass(frozen=True)
+class SceneSettings(ClothSettings, LitSettings):
+    """Of the table's scenes; an environment lights the blouse."""
+
+
+@dataclass(frozen=True)
+class TableSettings(SceneSettings):
+    """Of the table."""
+
+    spp: int = same_setting(PictureSettings, "spp", default=1024)
+    scenes: str = names(",".join(SCENES), "Rows of the table.", tuple(SCENES))
+
+
 def _cloth(weave: str, sett: tuple[int, int], gap: float, warp: str, weft: str, rest: str = "") -> str:
     return (
         f'weave = "{weave}"\ninterreflection = false\n'
@@ -198,7 +221,7 @@ def table_fabric(name: str) -> Fabric:
     return fabric_from_text(f'name = "{name}"\n{_TEXTS[name]}')
 
 
-def table_composition(scene: TableScene, environment: Path | None = None) -> Composition:
+def table_composition(scene: TableScene, environment: os.PathLike[str] | None = None) -> Composition:
     """The pieces and lights of a scene; a Mitsuba variant must be set.
 
     Raises:
@@ -230,7 +253,7 @@ def _lamp(scene: TableScene, centre: NDArray[np.float64], radius: float) -> dict
 
 def table_scene(
     scene: TableScene,
-    setting: Setting,
+    settings: SceneSettings,
     model: str,
     pixel_centres: bool = False,
     controlled: bool = True,
@@ -246,10 +269,10 @@ def table_scene(
     """
     make = material_bsdf if controlled else _independent_points
     bsdfs = [make(table_fabric(fabric), model) for _, fabric in scene.pieces]
-    return composed_scene(table_composition(scene, setting.environment), bsdfs, setting.size, pixel_centres)
+    return composed_scene(table_composition(scene, settings.environment), bsdfs, settings.size, pixel_centres)
 
 
 def _independent_points(fabric: Fabric, model: str) -> BsdfFactory:
-    if model != CLUSTERED:
-        return material_bsdf(fabric, POINT)
+    if model != "clustered":
+        return material_bsdf(fabric, "point")
     return material_bsdf(ClusteredModel.for_source(fabric, ClusteredOptions(samples=1)).without_control())

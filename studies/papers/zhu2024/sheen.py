@@ -18,10 +18,10 @@ from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, material_bsdf, shapes
 from loomlight.mitsuba.measured_scenes import MeasuredShot, shot_scene
+from studies.harness.study import Found, Pixels, Run, Study, on_display, with_tables
 from studies.instruments.renders import one_picture
-from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.papers.figure import Evidence, Pixels, error_caption, on_display
-from studies.papers.setting import POINT, Setting
+from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
+from studies.papers.zhu2024.scenes import ClothSettings
 
 _STRENGTHS = (0.0, 0.3, 1.0)
 _MODEL_SAMPLES = 2
@@ -42,7 +42,7 @@ def black_fabric(sheen: float) -> Fabric:
     )
 
 
-def sheen(setting: Setting) -> Evidence:
+def sheen(settings: ClothSettings, run: Run) -> Found:
     """Figure 7: the model above, the point model below, with more and more sheen."""
     choose_variant()
     columns = [f"sheen {strength:g}" if strength else "without sheen" for strength in _STRENGTHS]
@@ -52,28 +52,37 @@ def sheen(setting: Setting) -> Evidence:
     for number, (strength, column) in enumerate(zip(_STRENGTHS, columns, strict=True)):
         fabric = black_fabric(strength)
         scenes = [
-            shot_scene(_SHOT, [(fabric, material_bsdf(fabric, name))], setting.size)
-            for name in (setting.model, POINT)
+            shot_scene(_SHOT, [(fabric, material_bsdf(fabric, name))], settings.size)
+            for name in (settings.model, "point")
         ]
-        model, truth = one_picture(scenes[0], _MODEL_SAMPLES, 2), one_picture(scenes[1], setting.samples, 1)
+        model, truth = one_picture(scenes[0], _MODEL_SAMPLES, 2), one_picture(scenes[1], settings.spp, 1)
         error = picture_error(model, truth, scenes[1].counted)
         errors.append(error.mse)
         light.append(float(truth[scenes[1].counted].mean()))
-        pictures |= {f"{column}-{setting.model}": _bright(model), f"{column}-point": _bright(truth)}
+        pictures |= {f"{column}-{settings.model}": _bright(model), f"{column}-point": _bright(truth)}
         above.append(Tile(_bright(model), f"{_MODEL_SAMPLES} spp, {error_caption(error)}"))
-        below.append(Tile(_bright(truth), f"{setting.samples} spp"))
-        setting.step(number + 1, len(columns))
-    table.rows[setting.model] = [*errors]
+        below.append(Tile(_bright(truth), f"{settings.spp} spp"))
+        run.report(number + 1, len(columns))
+    table.rows[settings.model] = [*errors]
     table.rows["mean of the reference"] = [*light]
     note = (
         f"Black wool, {_SHOT.yarns:g} yarns a pixel, one directional light from above, direct light; shown "
         f"{_EXPOSURE:g} stops brighter."
     )
-    rows = [Row(setting.model, above), Row("point, the reference", below)]
-    return Evidence(
-        contact_sheet("zhu2024 figure 7: sheen on black cloth", columns, rows, note), pictures, [table]
-    )
+    rows = [Row(settings.model, above), Row("point, the reference", below)]
+    sheet = contact_sheet("zhu2024 figure 7: sheen on black cloth", columns, rows, note)
+    return Found(with_tables(table), sheet, pictures)
 
 
 def _bright(linear: NDArray[np.float32]) -> Pixels:
     return on_display((linear * np.float32(2.0**_EXPOSURE)).astype(np.float32))
+
+
+STUDY = Study(
+    "papers/zhu2024/fig7",
+    "sheen on black cloth",
+    ClothSettings(),
+    sheen,
+    stands_on=("point", "clustered", "picture"),
+    small={"size": (16, 12), "spp": 4, "model": "lobes"},
+)

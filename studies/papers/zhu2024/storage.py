@@ -1,9 +1,7 @@
 """Size and error of compressed fibre densities by clusters and rank, and what taking out the mean does.
 
-    python -m studies.papers.zhu2024.storage [--output papers/zhu2024/results/storage.json]
-
 The error is the mean squared difference of D from its compressed form over the mean of D², over texels of
-both faces and half vectors, of maps of 128 texels along the repeat. "without mean" spends one more
+both faces and half vectors. "without mean" spends one more
 component instead of the mean (the effect of zhu2024's normalisation, Fig. 4). Bytes are those of tables of
 256 texels: uncompressed, one summed-area table of floats for each cluster and half-vector bin; in a file,
 labels, coefficients and basis; on a device, summed-area tables of coefficients.
@@ -11,12 +9,15 @@ labels, coefficients and basis; on a device, summed-area tables of coefficients.
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from drjit.llvm.ad import Float
 
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
 from loomlight.fabric import load_fabric
 from loomlight.models.clustered.gaussians import fitted_gaussians
 from loomlight.models.clustered.square_map import BINS, bin_centres
@@ -29,11 +30,21 @@ from loomlight.models.clustered.tables import (
     texel_counts,
 )
 from loomlight.yarn.geometry import YarnGeometry
-from studies.instruments.harness import REPOSITORY, Figures, run
+from studies.harness.study import Figures, Found, Run, Study, example, listed, listed_numbers, names
 
 FABRICS = ("denim", "silk-satin", "linen", "organza", "wool-houndstooth", "damask")
-_TEXELS, _STORED = 128, 256
+_STORED = 256
 _MEASURED = 96
+
+
+@dataclass(frozen=True)
+class Storage(Settings):
+    """What is compressed, and how."""
+
+    fabrics: str = names(",".join(FABRICS), "Examples whose densities are compressed.")
+    clusters: str = setting("4,8,16", "Of a face.", metavar="N,…")
+    texels: int = setting(128, "Of maps, along the repeat.", low=8, high=1024)
+    ranks: str = setting("0,1,2,4", "Components beside the mean.", metavar="N,…")
 
 
 def without_mean(maps: FeatureMaps, labels: np.ndarray, roughness: tuple[float, float], rank: int) -> float:
@@ -51,18 +62,18 @@ def without_mean(maps: FeatureMaps, labels: np.ndarray, roughness: tuple[float, 
     return rest / whole
 
 
-def of_fabric(name: str, options: Namespace) -> Figures:
+def of_fabric(name: str, settings: Storage) -> Figures:
     """All clusters and ranks of one fabric."""
-    fabric = load_fabric(REPOSITORY / f"examples/{name}.toml")
+    fabric = load_fabric(example(name))
     geometry, appearance = YarnGeometry(fabric.layout()), fabric.appearance()
     roughness = appearance.warp.roughness, appearance.weft.roughness
-    maps = feature_maps(geometry, texel_counts(geometry, _TEXELS), Float)
+    maps = feature_maps(geometry, texel_counts(geometry, settings.texels), Float)
     lobes = fitted_gaussians(maps.horizon, Float).lobes
     columns, rows = texel_counts(geometry, _STORED)
     found: Figures = {}
-    for clusters in map(int, options.clusters.split(",")):
+    for clusters in map(int, listed_numbers("--clusters", settings.clusters)):
         labels = label_texels(maps, lobes, clusters)
-        for rank in map(int, options.ranks.split(",")):
+        for rank in map(int, listed_numbers("--ranks", settings.ranks)):
             tables = density_tables(labels, maps.tangent, roughness, clusters, rank)
             texels = 2 * columns * rows
             found[f"{clusters} clusters, rank {rank}"] = {
@@ -75,16 +86,33 @@ def of_fabric(name: str, options: Namespace) -> Figures:
     return found
 
 
-def add_options(parser: ArgumentParser) -> None:
-    parser.add_argument("--clusters", default="4,8,16", help="of a face")
-    parser.add_argument("--ranks", default="0,1,2,4")
-
-
-def measure(options: Namespace) -> Figures:
+def measure(settings: Storage, run: Run) -> Found:
     """The table of each fabric."""
     require_llvm()
-    return {"fabrics": {name: of_fabric(name, options) for name in FABRICS}}
+    return Found(
+        {"fabrics": run.each({name: partial(of_fabric, name, settings) for name in listed(settings.fabrics)})}
+    )
 
 
-if __name__ == "__main__":
-    run(measure, add_options)
+def tables(figures: Figures) -> list[Table]:
+    """A table a fabric."""
+    columns = ("relative squared error", "without mean", "uncompressed bytes", "file bytes", "device bytes")
+    return [
+        Table(
+            name,
+            list(columns),
+            {row: [cells[c.replace(" ", "_")] for c in columns] for row, cells in rows.items()},
+        )
+        for name, rows in figures["fabrics"].items()
+    ]
+
+
+STUDY = Study(
+    "papers/zhu2024/storage",
+    "bytes and errors of compressed fibre densities by clusters and rank",
+    Storage(),
+    measure,
+    tables,
+    stands_on=("clustered",),
+    small={"fabrics": "denim", "clusters": "4", "ranks": "0,1", "texels": 32},
+)

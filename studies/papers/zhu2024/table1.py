@@ -24,15 +24,13 @@ from loomlight.evaluation.table import Cell, Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.measured_scenes import MeasuredScene
+from studies.harness.study import Found, Pixels, Run, Study, listed, on_display, with_tables
 from studies.instruments.halved_truth import HalvedTruth
 from studies.instruments.renders import one_picture
 from studies.instruments.sheet import Row, Tile, contact_sheet
 from studies.instruments.timing import Spent, least_times
-from studies.papers.figure import Evidence, Pixels, on_display
-from studies.papers.setting import CLUSTERED, LOBES, POINT, Setting
-from studies.papers.zhu2024.scenes import SCENES, TableScene, table_scene
+from studies.papers.zhu2024.scenes import SCENES, SceneSettings, TableScene, TableSettings, table_scene
 
-TRUTH_SAMPLES = 1024
 _POINT_SAMPLES = (1, 4, 16, 64, 256)
 _MODEL_SEED, _TRUTH_SEED = 7, 1000
 # Samples of the picture that a sample's cost is read off, and turns of each timed picture.
@@ -95,17 +93,18 @@ class SceneResult:
         return self.seconds / self.model.spent.seconds
 
 
-def speed_up(setting: Setting) -> Evidence:
-    """Table 1: every scene."""
+def speed_up(settings: TableSettings, run: Run) -> Found:
+    """Table 1: every scene that is asked for."""
     choose_variant()
     results = []
-    for number, scene in enumerate(SCENES.values()):
-        results.append(measured(scene, setting))
-        setting.step(number + 1, len(SCENES))
-    return _evidence(results, setting)
+    names = listed(settings.scenes)
+    for number, name in enumerate(names):
+        results.append(measured(SCENES[name], settings))
+        run.report(number + 1, len(names))
+    return _found(results, settings)
 
 
-def measured(scene: TableScene, setting: Setting, samples: int | None = None) -> SceneResult:
+def measured(scene: TableScene, settings: SceneSettings, samples: int | None = None) -> SceneResult:
     """One scene of the table.
 
     Args:
@@ -114,29 +113,29 @@ def measured(scene: TableScene, setting: Setting, samples: int | None = None) ->
     Raises:
         InputError: an unknown model, or one that does not take a fabric of the scene.
     """
-    point = table_scene(scene, setting, setting.model, controlled=False)
-    model = table_scene(scene, setting, setting.model)
-    lobes = table_scene(scene, setting, LOBES, pixel_centres=True)
+    point = table_scene(scene, settings, settings.model, controlled=False)
+    model = table_scene(scene, settings, settings.model)
+    lobes = table_scene(scene, settings, "lobes", pixel_centres=True)
     counted = point.counted
     if not counted.any():
         raise InputError(
-            f"size = {setting.size} is too small: no pixel of the {scene.name} is wholly on cloth."
+            f"size = {settings.size} is too small: no pixel of the {scene.name} is wholly on cloth."
         )
-    half = max(setting.samples, 2) // 2
+    half = max(settings.spp, 2) // 2
     # Both have one mean; with control variates it has less noise.
-    exact = model if setting.model == CLUSTERED else point
+    exact = model if settings.model == "clustered" else point
     truth = HalvedTruth((one_picture(exact, half, _TRUTH_SEED), one_picture(exact, half, _TRUTH_SEED + 1)))
     ours = samples or scene.paper.samples[0]
     pictures = {
-        POINT: one_picture(point, ours, _MODEL_SEED),
+        "point": one_picture(point, ours, _MODEL_SEED),
         "model": one_picture(model, ours, _MODEL_SEED),
-        LOBES: one_picture(lobes, 1, _MODEL_SEED),
+        "lobes": one_picture(lobes, 1, _MODEL_SEED),
     }
     errors = {name: truth.squared_error(picture, counted) for name, picture in pictures.items()}
     theirs = {
         count: truth.squared_error(one_picture(point, count, _MODEL_SEED), counted)
         for count in _POINT_SAMPLES
-        if count <= setting.samples
+        if count <= settings.spp
     }
     # Where an error is no more than noise about 0, the smallest of the point model bounds it.
     floor = 1e-3 * min(abs(error) for error in theirs.values())
@@ -147,12 +146,12 @@ def measured(scene: TableScene, setting: Setting, samples: int | None = None) ->
         scene,
         truth,
         _Shown(pictures["model"], ours, errors["model"], model_time),
-        _Shown(pictures[LOBES], 1, errors[LOBES], lobes_time),
+        _Shown(pictures["lobes"], 1, errors["lobes"], lobes_time),
         theirs,
         needed,
         seconds,
         cpu,
-        pictures[POINT],
+        pictures["point"],
     )
 
 
@@ -189,15 +188,16 @@ def _times(
     return of_model, of_lobes, point_times
 
 
-def _evidence(results: Sequence[SceneResult], setting: Setting) -> Evidence:
+def _found(results: Sequence[SceneResult], settings: SceneSettings) -> Found:
     rows: list[Row] = []
     pictures: dict[str, Pixels] = {}
+    width, height = settings.size
     table = Table(
         "Equal quality",
         list(_COLUMNS),
-        note=f"With: {setting.model} with the paper's samples a pixel; without: the same surface at "
-        f"independent points. MSE of linear RGB against {setting.samples} samples, whose own noise is taken "
-        f"out; {setting.size[0]} × {setting.size[1]} pixels. Seconds of pictures whose kernels are compiled.",
+        note=f"With: {settings.model} with the paper's samples a pixel; without: the same surface at "
+        f"independent points. MSE of linear RGB against {settings.spp} samples, whose own noise is taken "
+        f"out; {width} × {height} pixels. Seconds of pictures whose kernels are compiled.",
     )
     processor = Table("Processor seconds of equal quality", ["with", "without", "ratio"])
     biased = Table(
@@ -227,25 +227,35 @@ def _evidence(results: Sequence[SceneResult], setting: Setting) -> Evidence:
             model.spent.seconds,
         ]
         point.rows[name] = [result.point_errors.get(count) for count in _POINT_SAMPLES]
-        shown = _tiles(result, setting)
+        shown = _tiles(result, settings)
         pictures |= {
             f"{name}-{column}": tile.picture for column, tile in shown.items() if tile.picture is not None
         }
         rows.append(Row(name, list(shown.values())))
-    columns = ("without, as many samples", setting.model, "lobes, 1 sample", "truth")
+    columns = ("without, as many samples", settings.model, "lobes, 1 sample", "truth")
     sheet = contact_sheet("zhu2024 table 1: equal quality in five scenes", columns, rows, table.note)
-    return Evidence(sheet, pictures, [table, processor, biased, point])
+    return Found(with_tables(table, processor, biased, point), sheet, pictures)
 
 
-def _tiles(result: SceneResult, setting: Setting) -> dict[str, Tile]:
+def _tiles(result: SceneResult, settings: SceneSettings) -> dict[str, Tile]:
     model, lobes = result.model, result.lobes
     return {
         "point": Tile(on_display(result.point_picture), f"{model.samples} spp"),
-        setting.model: Tile(
+        settings.model: Tile(
             on_display(model.linear),
             f"{model.samples} spp, MSE {model.mse:.1e}, {model.spent.seconds:.2f} s; "
             f"without: {result.samples:.0f} spp, {result.seconds:.2f} s",
         ),
         "lobes": Tile(on_display(lobes.linear), f"MSE {lobes.mse:.1e}, {lobes.spent.seconds:.2f} s"),
-        "truth": Tile(on_display(result.truth.picture), f"{setting.samples} spp"),
+        "truth": Tile(on_display(result.truth.picture), f"{settings.spp} spp"),
     }
+
+
+STUDY = Study(
+    "papers/zhu2024/table1",
+    "five scenes: samples and seconds to equal quality",
+    TableSettings(),
+    speed_up,
+    stands_on=("point", "lobes", "clustered", "picture", "point cost", "lobes cost", "clustered cost"),
+    small={"size": (32, 20), "spp": 8, "scenes": "cylinder"},
+)
