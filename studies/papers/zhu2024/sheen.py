@@ -7,23 +7,24 @@ brighten its outlines.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.settings import setting
 from loomlight.evaluation.metrics import picture_error
 from loomlight.evaluation.table import Table
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, material_bsdf, shapes
 from loomlight.mitsuba.measured_scenes import MeasuredShot, shot_scene
-from studies.harness.study import Found, Pixels, Run, Study, on_display, with_tables
+from studies.harness.study import Found, Pixels, Run, Study, listed_numbers, on_display, with_tables
 from studies.instruments.renders import one_picture
 from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
 from studies.papers.zhu2024.scenes import ClothSettings
 
-_STRENGTHS = (0.0, 0.3, 1.0)
 _MODEL_SAMPLES = 2
 # The light stands above: what faces the camera is lit at grazing angles.
 _SHOT = MeasuredShot((shapes.drape,), (0.35, 0.35, 1.0), (-0.6, 0.9, 0.12), yarns=2.5, zoom=1.25)
@@ -31,7 +32,7 @@ _SHOT = MeasuredShot((shapes.drape,), (0.35, 0.35, 1.0), (-0.6, 0.9, 0.12), yarn
 _EXPOSURE = 3.0
 
 
-@lru_cache(maxsize=len(_STRENGTHS))
+@lru_cache(maxsize=4)
 def black_fabric(sheen: float) -> Fabric:
     """A black woollen twill."""
     yarn = 'color = "#111113"\nspecular = 0.25\nroughness = 0.5\n'
@@ -42,14 +43,22 @@ def black_fabric(sheen: float) -> Fabric:
     )
 
 
-def sheen(settings: ClothSettings, run: Run) -> Found:
+@dataclass(frozen=True)
+class SheenSettings(ClothSettings):
+    """Of the figure."""
+
+    strengths: str = setting("0,0.3,1", "Of the sheen, one a column.", metavar="S,…")
+
+
+def sheen(settings: SheenSettings, run: Run) -> Found:
     """Figure 7: the model above, the point model below, with more and more sheen."""
     choose_variant()
-    columns = [f"sheen {strength:g}" if strength else "without sheen" for strength in _STRENGTHS]
+    strengths = listed_numbers("--strengths", settings.strengths)
+    columns = [f"sheen {strength:g}" if strength else "without sheen" for strength in strengths]
     table = Table("MSE", columns)
     pictures: dict[str, Pixels] = {}
     above, below, errors, light = [], [], [], []
-    for number, (strength, column) in enumerate(zip(_STRENGTHS, columns, strict=True)):
+    for number, (strength, column) in enumerate(zip(strengths, columns, strict=True)):
         fabric = black_fabric(strength)
         scenes = [
             shot_scene(_SHOT, [(fabric, material_bsdf(fabric, name))], settings.size)
@@ -81,8 +90,8 @@ def _bright(linear: NDArray[np.float32]) -> Pixels:
 STUDY = Study(
     "papers/zhu2024/fig7",
     "sheen on black cloth",
-    ClothSettings(),
+    SheenSettings(),
     sheen,
     stands_on=("point", "clustered", "picture"),
-    small={"size": (16, 12), "spp": 4, "model": "lobes"},
+    small={"size": (16, 12), "spp": 4, "model": "lobes", "strengths": "1"},
 )

@@ -13,38 +13,43 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from studies.harness.command import main
+from studies.harness.study import NoSettings, Run, stored_tables
 from studies.papers.kuznetsov2021 import equal_cost, figures, stage, tables
 from studies.papers.kuznetsov2021.designs import DESIGNS
 from studies.papers.kuznetsov2021.materials import paper_heightfield
-from studies.papers.setting import NEUMIP, Setting
 
 MATERIAL = "turtle shell"
 
 
-@pytest.fixture
-def setting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Setting:
-    """One material with few texels, and trainings that learn next to nothing."""
+SMALL = {"size": (16, 9), "spp": 4, "materials": MATERIAL}
+
+
+@pytest.fixture(autouse=True)
+def _tiny(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Maps of few texels, and trainings that learn next to nothing."""
     pytest.importorskip("torch", exc_type=ImportError)
     tiny = replace(stage.PREVIEW, resolution=8, queries=8 * 8**2, samples=1, steps=3, batch=64)
     monkeypatch.setattr(stage, "PREVIEW", tiny)
-    for module in (stage, tables, figures):
-        monkeypatch.setattr(module, "stage_material", lambda name: paper_heightfield(MATERIAL, 16))
-    monkeypatch.setattr(tables, "RECIPES", (MATERIAL,))
-    monkeypatch.setattr(tables, "LEVELS", range(2))
-    return Setting(size=(16, 9), samples=4, runs=tmp_path, model=NEUMIP)
+    for module in (stage, figures):
+        monkeypatch.setattr(module, "paper_heightfield", lambda name: paper_heightfield(name, 16))
+
+
+@pytest.fixture
+def run(tmp_path: Path) -> Run:
+    return Run(runs=tmp_path)
 
 
 @pytest.mark.slow
 def test_table_2_has_every_design_at_equal_rays_and_keeps_its_trainings(
-    setting: Setting, monkeypatch: pytest.MonkeyPatch
+    run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     names = (MATERIAL, "straight wool")
-    monkeypatch.setattr(equal_cost, "stage_material", lambda name: paper_heightfield(name, 16))
-    monkeypatch.setattr(equal_cost, "LEVELS", range(2))
-    monkeypatch.setattr(equal_cost, "PROBES", 32)
     monkeypatch.setattr(equal_cost, "PROBE_RAYS", 2)
-    setting = replace(setting, steps=3, resolution=8)
-    squared, flip, ratios, by_level, _, cost, paper, of_paper = equal_cost.comparison(setting, names).tables
+    sizes = {**SMALL, "materials": ",".join(names), "levels": 2, "probes": 32, "steps": 3, "resolution": 8}
+    settings = equal_cost.CostSettings(**sizes)
+    tables_of = stored_tables(equal_cost.comparison(settings, run).figures)
+    squared, flip, ratios, by_level, _, cost, paper, of_paper = tables_of
     assert squared.columns == flip.columns == by_level.columns == list(equal_cost.COLUMNS)
     assert paper.columns == list(DESIGNS)
     assert set(by_level.rows) == {f"{name}, {level}" for name in names for level in range(2)}
@@ -54,9 +59,9 @@ def test_table_2_has_every_design_at_equal_rays_and_keeps_its_trainings(
     assert {cell for name in names for cell in cost.rows[f"{name}, rays"]} == {16384}
     # 11.31, 12.79 and 19.03 over 3.98.
     assert of_paper.rows["twisted wool"] == pytest.approx([2.842, 3.214, 4.781], abs=0.001)
-    places = list((setting.runs / "kuznetsov2021").iterdir())
+    places = list((run.runs / "kuznetsov2021").iterdir())
     before = {file: file.stat().st_mtime_ns for place in places for file in place.glob("*.json")}
-    again = equal_cost.comparison(setting, names).tables
+    again = stored_tables(equal_cost.comparison(settings, run).figures)
     assert again[0].rows == squared.rows
     assert again[5].rows == cost.rows
     assert before == {file: file.stat().st_mtime_ns for file in before}
@@ -87,28 +92,27 @@ def test_seconds_become_steps(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
 
 
 @pytest.mark.slow
-def test_table_3_has_levels_and_keeps_its_trainings(setting: Setting) -> None:
-    first = tables.by_level(setting).tables[0].rows
-    places = list((setting.runs / "kuznetsov2021").iterdir())
+def test_table_3_has_levels_and_keeps_its_trainings(run: Run) -> None:
+    settings = tables.LevelsSettings(**SMALL, levels=2)
+    first = stored_tables(tables.by_level(settings, run).figures)[0].rows
+    places = list((run.runs / "kuznetsov2021").iterdir())
     before = {file: file.stat().st_mtime_ns for place in places for file in place.iterdir()}
-    assert tables.by_level(setting).tables[0].rows == first
+    assert stored_tables(tables.by_level(settings, run).figures)[0].rows == first
     assert len(first[MATERIAL]) == 2
     assert before == {file: file.stat().st_mtime_ns for file in before}
 
 
-def test_figures_5_and_10(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(figures, "ABLATION_RESOLUTION", 8)
-    monkeypatch.setattr(figures, "CHANNELS", (3, 7))
-    monkeypatch.setattr(figures, "LAYERS", (2,))
-    (table,) = figures.ablation(setting).tables
+def test_figures_5_and_10(run: Run) -> None:
+    settings = figures.AblationSettings(size=(16, 9), spp=4, resolution=8, channels="3,7", layers="2")
+    (table,) = stored_tables(figures.ablation(settings, run).figures)
     assert table.rows["7 channels"][0] == 1
     assert table.rows["2 layers"][2] < table.rows["3 channels"][2]
-    figure = figures.offsets(setting)
-    assert set(figure.pictures) == {"height", "texture", *figure.tables[0].rows}
+    figure = figures.offsets(stage.StageSettings(size=(16, 9)), run)
+    assert set(figure.pictures) == {"height", "texture", *stored_tables(figure.figures)[0].rows}
 
 
-def test_table_4_is_the_papers(setting: Setting) -> None:
-    (table,) = tables.sizes(setting).tables
+def test_table_4_is_the_papers(run: Run) -> None:
+    (table,) = stored_tables(tables.sizes(NoSettings(), run).figures)
     assert table.rows["weights"][1:] == table.rows["weights in the paper"][1:]
     assert table.rows["channels of a texel"] == table.rows["channels in the paper"]
 
@@ -125,3 +129,8 @@ def test_footprints_of_a_shot_tile_the_plane() -> None:
     up = (positions[9, 15] - positions[11, 15] + half) % (2 * half) - half
     # The pixel's area is that of its footprint; differences over two rows are of the second order.
     assert abs(across[0] * up[1] / 2) == pytest.approx(0.4**2, rel=2e-3)
+
+
+def test_networks_of_others_need_others(refused: Callable[..., str]) -> None:
+    refusal = refused(["papers/kuznetsov2021/table2", "--materials", MATERIAL], main)
+    assert "need two" in refusal

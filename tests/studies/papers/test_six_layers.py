@@ -14,7 +14,6 @@ import pytest
 
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.material_btf import MaterialBtf
-from studies.papers.setting import Setting
 from studies.papers.zeltner2024 import six_layers, speed, stage
 from studies.papers.zeltner2024.six_layers import LAYERS, SIX_LAYERS
 
@@ -30,7 +29,7 @@ def layers_of(bsdf: ElementTree.Element) -> list[ElementTree.Element]:
 
 
 def test_six_layers_have_textures_of_their_own() -> None:
-    source = stage.stage_material(SIX_LAYERS)
+    source = stage.stage_material(SIX_LAYERS, 128)
     root = ElementTree.fromstring(source.xml)
     layers = layers_of(root)
     assert len(layers) == len(LAYERS) == 6
@@ -82,7 +81,7 @@ def test_speedups_are_over_the_reference() -> None:
 @pytest.mark.slow
 def test_first_pictures_find_no_kernels(tmp_path: Path) -> None:
     """A process of its own compiles them again, which takes several times as long as a small picture."""
-    setting = Setting(size=(16, 9), samples=1, model="latent", runs=tmp_path)
+    settings = stage.StageSettings(size=(16, 9), spp=1)
     for _ in range(2):
-        first, *following = speed._in_a_new_process("rough-plastic", "reference", setting, turns=2)
+        first, *following = speed._in_a_new_process("rough-plastic", "reference", settings, tmp_path, turns=2)
         assert first > 2 * min(following)

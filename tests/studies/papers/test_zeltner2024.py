@@ -7,6 +7,7 @@ Covers: studies/papers/zeltner2024/tables.py, studies/papers/zeltner2024/two_nor
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -18,12 +19,12 @@ from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.material_btf import MaterialBtf
 from loomlight.models.interface import Model
 from loomlight.models.texture.settings import LATENT_QUALITIES, LatentSettings
-from studies.papers.setting import LATENT, Setting
+from studies.harness.study import Run, stored_tables
 from studies.papers.zeltner2024 import analytic_baseline, polar, sampling, stage, tables, two_normals
 
 
 @pytest.fixture
-def setting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Setting:
+def settings(monkeypatch: pytest.MonkeyPatch) -> stage.StageSettings:
     """One material with few texels, and trainings that learn next to nothing."""
     choose_variant()
     monkeypatch.setitem(
@@ -31,11 +32,12 @@ def setting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Setting:
         "preview",
         LatentSettings(queries=1 << 12, samples=1, steps=4, batch=256, sampler_steps=4),
     )
-    for module in (stage, tables, polar):
-        monkeypatch.setattr(module, "RESOLUTION", 16)
-    for module in (tables, sampling, polar):
-        monkeypatch.setattr(module, "LAYERED", ("rough-plastic",))
-    return Setting(size=(24, 16), samples=4, runs=tmp_path, model=LATENT, quality="preview", steps=6)
+    return stage.StageSettings(size=(24, 16), spp=4, steps=6, resolution=16, materials="rough-plastic")
+
+
+@pytest.fixture
+def run(tmp_path: Path) -> Run:
+    return Run(runs=tmp_path)
 
 
 @pytest.mark.parametrize("name", two_normals.TWO_NORMALS)
@@ -53,27 +55,29 @@ def test_two_normal_maps_lean_by_more_than_lobes_are_wide(name: str) -> None:
     assert btf.values(places, up, up, (0,)).max() > 0.5
 
 
-def tiny_model(setting: Setting) -> Model:
-    return stage.trained(stage.stage_material("rough-plastic"), setting)
+def tiny_model(settings: stage.StageSettings, run: Run) -> Model:
+    return stage.trained(stage.stage_material("rough-plastic", 16), settings, run.runs)
 
 
 @pytest.mark.slow
-def test_ablation_has_six_metrics_of_each_rung(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_ablation_has_six_metrics_of_each_rung(
+    settings: stage.StageSettings, run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
     # Every rung compiles kernels of its own: the rung between is made of the same code.
     monkeypatch.setattr(tables, "RUNGS", ("mlp", "frames"))
-    actual = tables.ablation(setting)
-    summary, paper, one = actual.tables
+    actual = tables.ablation(settings, run)
+    summary, paper, one = stored_tables(actual.figures)
     assert summary.columns == ["Vanilla MLP", "with frame transform"]
     assert paper.rows["teapot ceramic"] == [0.3343, 0.2552, 0.1362]
     assert list(one.rows) == list(stage.METRICS)
     assert all(np.isfinite(cell) for row in one.rows.values() for cell in row)
     # Trainings are kept.
-    assert len(list((setting.runs / "zeltner2024").glob("*.loom"))) == 2
+    assert len(list((run.runs / "zeltner2024").glob("*.loom"))) == 2
 
 
 @pytest.mark.slow
-def test_the_whole_sphere_of_the_default_network(setting: Setting) -> None:
-    summary, one = tables.whole(setting).tables
+def test_the_whole_sphere_of_the_default_network(settings: stage.StageSettings, run: Run) -> None:
+    summary, one = stored_tables(tables.whole(settings, run).figures)
     assert summary.columns == one.columns == ["2×32"]
     assert summary.rows["Mean FLIP"][0] == pytest.approx(one.rows["Mean FLIP"][0])
     assert one.title == "rough-plastic, whole"
@@ -88,16 +92,16 @@ def test_six_errors_are_what_they_are_called() -> None:
 
 
 @pytest.mark.slow
-def test_sampler_is_compared_with_cosine_and_reference(setting: Setting) -> None:
-    actual = sampling.sampler_variance(setting)
-    alone, both, cost = actual.tables
+def test_sampler_is_compared_with_cosine_and_reference(settings: stage.StageSettings, run: Run) -> None:
+    actual = sampling.sampler_variance(settings, run)
+    alone, both, cost = stored_tables(actual.figures)
     assert alone.columns == ["cosine", "learned sampler", "reference's own", "gain"]
     assert set(cost.rows) == set(both.rows) == {"rough-plastic"}
     assert len(actual.pictures) == 6
 
 
-def test_cosine_directions_have_the_density_that_they_say(setting: Setting) -> None:
-    model = sampling.cosine_sampled(tiny_model(setting))
+def test_cosine_directions_have_the_density_that_they_say(settings: stage.StageSettings, run: Run) -> None:
+    model = sampling.cosine_sampled(tiny_model(settings, run))
     rng = np.random.default_rng(2)
     count = 20000
     nothing = Array2f(0)
@@ -111,10 +115,11 @@ def test_cosine_directions_have_the_density_that_they_say(setting: Setting) -> N
     np.testing.assert_allclose(weight * np.array(drawn.pdf), value, rtol=1e-3, atol=1e-6)
 
 
-def test_polar_plots_show_every_place(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_polar_plots_show_every_place(
+    settings: stage.StageSettings, run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(polar, "PLACES", ((0.3, 0.4),))
-    monkeypatch.setattr(polar, "_REFERENCE_SAMPLES", 2)
-    actual = polar.polar_plots(setting)
+    actual = polar.polar_plots(replace(settings, spp=2), run)
     assert set(actual.pictures) == {"rough-plastic-0.3, 0.4 at 15°", "rough-plastic-0.3, 0.4 at 60°"}
     # Black, blue and orange lines on white.
     assert len(np.unique(next(iter(actual.pictures.values())).reshape(-1, 3), axis=0)) >= 4

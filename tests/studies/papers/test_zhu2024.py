@@ -3,14 +3,12 @@
 Covers: studies/instruments/altered_models.py, studies/papers/zhu2024/control.py
 Covers: studies/papers/zhu2024/cylinder.py, studies/papers/zhu2024/sampling.py
 Covers: studies/papers/zhu2024/scenes.py, studies/papers/zhu2024/sheen.py
-Covers: studies/papers/zhu2024/table1.py
+Covers: studies/papers/zhu2024/table1.py, studies/papers/zhu2024/storage.py
 """
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 import drjit as dr
@@ -22,19 +20,20 @@ from loomlight.core.footprint import Footprint
 from loomlight.mitsuba import choose_variant
 from loomlight.models.point import PointModel
 from loomlight.models.registry import make_model
+from studies.harness.command import main
+from studies.harness.record import read_record
+from studies.harness.study import Run, stored_tables
 from studies.instruments.altered_models import uniformly_sampled, without_parallax
-from studies.papers.catalogue import CATALOGUE
-from studies.papers.command import main
-from studies.papers.setting import Setting
-from studies.papers.zhu2024 import control, cylinder, sheen, table1
-from studies.papers.zhu2024.scenes import FABRICS, SCENES, table_composition, table_fabric
-
-
-@pytest.fixture
-def setting() -> Setting:
-    """Small pictures with a model that is quick to compile."""
-    choose_variant()
-    return Setting(size=(24, 16), samples=16, model="lobes")
+from studies.papers.setting import PictureSettings
+from studies.papers.zhu2024 import control, cylinder, storage, table1
+from studies.papers.zhu2024.scenes import (
+    FABRICS,
+    SCENES,
+    ClothSettings,
+    TableSettings,
+    table_composition,
+    table_fabric,
+)
 
 
 def at_random(count: int) -> tuple[Footprint, Array3f, np.random.Generator]:
@@ -109,11 +108,11 @@ def test_errors_that_no_longer_fall_are_noise() -> None:
 
 
 @pytest.mark.slow
-def test_equal_quality_of_a_scene(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_equal_quality_of_a_scene(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(table1, "_TURNS", 1)
     # Every count of samples is a kernel of its own.
     monkeypatch.setattr(table1, "_POINT_SAMPLES", (1, 4, 16))
-    itself = replace(setting, size=(32, 20), samples=32, model="point")
+    itself = TableSettings(size=(32, 20), spp=32, model="point")
     result = table1.measured(SCENES["cylinder"], itself)
     assert result.model.samples == 2
     assert set(result.point_errors) == {1, 4, 16}
@@ -121,31 +120,32 @@ def test_equal_quality_of_a_scene(setting: Setting, monkeypatch: pytest.MonkeyPa
     assert result.samples_ratio == pytest.approx(1, rel=0.35)
     assert result.samples_ratio == pytest.approx(result.samples / 2)
     assert min(result.seconds, result.cpu_seconds, result.model.spent.seconds) > 0
-    evidence = table1._evidence([result], itself)
-    assert evidence.tables[0].rows["Cloth cylinder"][4] == pytest.approx(32.5)
-    assert {"Cloth cylinder-point", "Cloth cylinder-lobes", "Cloth cylinder-truth"} <= set(evidence.pictures)
+    found = table1._found([result], itself)
+    assert stored_tables(found.figures)[0].rows["Cloth cylinder"][4] == pytest.approx(32.5)
+    assert {"Cloth cylinder-point", "Cloth cylinder-lobes", "Cloth cylinder-truth"} <= set(found.pictures)
 
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("height_field_alone")
-def test_parallax_is_the_height_fields(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_parallax_is_the_height_fields(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cylinder, "_VERTICES_A_THREAD", 12)
     monkeypatch.setattr(cylinder, "_VIEWS", cylinder._VIEWS[:1])
-    evidence = cylinder.parallax(setting)
-    ((flat, point, _),) = evidence.tables[0].rows.values()
+    found = cylinder.parallax(ClothSettings(size=(24, 16), spp=16, model="lobes"), Run())
+    errors, light = stored_tables(found.figures)
+    ((flat, point, _),) = errors.rows.values()
     assert 3 * point < flat
-    ((flat_light, point_light, _),) = evidence.tables[1].rows.values()
+    ((flat_light, point_light, _),) = light.rows.values()
     assert flat_light < 0.95
     assert point_light == pytest.approx(1, abs=0.06)
 
 
 @pytest.mark.slow
-def test_the_better_alpha_the_smaller_the_error(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_better_alpha_the_smaller_the_error(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(control, "_FABRICS", control._FABRICS[1:])
     for name, number in (("_TEXELS", 64), ("_RINGS", 4), ("_SECTORS", 8)):
         monkeypatch.setattr(control, name, number)
-    evidence = control.choice_of_alpha(replace(setting, size=(48, 32)))
-    one, mean, clusters = (row[2] for row in evidence.tables[0].rows.values())
+    (table,) = stored_tables(control.choice_of_alpha(PictureSettings(size=(48, 32), spp=16), Run()).figures)
+    one, mean, clusters = (row[2] for row in table.rows.values())
     # Base and residual add up to the picture whatever α is, with less noise than two samples of it.
     assert min(one, mean, clusters) > 1.3
     assert clusters > one
@@ -153,28 +153,30 @@ def test_the_better_alpha_the_smaller_the_error(setting: Setting, monkeypatch: p
 
 @pytest.mark.slow
 def test_sheen_brightens_black_cloth_by_the_command(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    choose_variant()
-    monkeypatch.setattr(sheen, "_STRENGTHS", (0.0, 1.0))
-    out = tmp_path / "out"
-    options = ["-o", str(out), "--size", "16x12", "--spp", "4", "--model", "lobes"]
-    assert main(["zhu2024/fig7", *options]) == 0
-    assert (out / "zhu2024-fig7.png").is_file()
-    figure = json.loads((out / "table.json").read_text())["figures"]["zhu2024/fig7"]
-    assert figure["model"] == "lobes"
-    assert figure["command"] == "python -m studies.papers zhu2024/fig7 --size 16x12 --spp 4 --model lobes"
-    without, with_sheen = figure["tables"][0]["rows"]["mean of the reference"].values()
-    assert with_sheen > 2 * without > 0
+    options = ["-o", str(tmp_path), "--size", "16x12", "--spp", "4", "--model", "lobes", "--strengths", "0,1"]
+    assert main(["papers/zhu2024/fig7", *options]) == 0
+    assert (tmp_path / "papers/zhu2024/fig7.png").is_file()
+    record = read_record(tmp_path / "papers/zhu2024/fig7.json")
+    assert record.command == f"python -m studies papers/zhu2024/fig7 {' '.join(options[2:])}"
+    _, light = stored_tables(record.figures)[0].rows.values()
+    assert light[1] > 2 * light[0] > 0
     assert "MSE" in capsys.readouterr().out
 
 
-def test_an_unknown_model_is_refused(refused: Callable[..., str]) -> None:
-    assert "lobes" in refused(["zhu2024/fig7", "-o", "out", "--model", "loobes"], main)
+def test_what_cannot_be_is_refused(refused: Callable[..., str]) -> None:
+    assert "lobes" in refused(["papers/zhu2024/fig7", "-o", "out", "--model", "loobes"], main)
+    refusal = refused(["papers/zhu2024/fig7", "-o", "out", "--strengths", "0,much"], main)
+    assert "--strengths" in refusal
 
 
-def test_all_figures_are_listed() -> None:
-    names = {"table1", "fig5", "fig6", "fig7", "fig8", "fig11"}
-    assert {f"zhu2024/{name}" for name in names} <= set(CATALOGUE)
-    stems = [item.stem for item in CATALOGUE.values()]
-    assert len(set(stems)) == len(stems)
+def test_densities_need_less_room_and_err_less_with_rank() -> None:
+    settings = storage.Storage(fabrics="denim", clusters="4", ranks="0,2", texels=16)
+    found = storage.measure(settings, Run()).figures
+    (table,) = storage.tables(found)
+    (none, _, whole, *_), (two, without, _, file, device) = table.rows.values()
+    assert 0 < two < none < 1
+    # A component in the mean's place is no better than the mean.
+    assert without > 0.5 * two
+    assert file < device < whole

@@ -1,30 +1,32 @@
-"""The papers' figures: what is drawn where, what is written down, and what is refused.
+"""The figures of chen2024: what is drawn where, what is measured, and what is refused.
 
-Covers: studies/papers/command.py, studies/papers/__main__.py, studies/papers/catalogue.py
-Covers: studies/papers/chen2024/comparison.py, studies/papers/chen2024/components.py
-Covers: studies/papers/figure.py, studies/papers/chen2024/fabrics.py
-Covers: studies/instruments/renders.py, studies/papers/make.py
-Covers: studies/papers/setting.py, studies/instruments/sheet.py, studies/papers/chen2024/shots.py
+Covers: studies/papers/chen2024/ablation.py, studies/papers/chen2024/comparison.py
+Covers: studies/papers/chen2024/components.py, studies/papers/chen2024/cost.py
+Covers: studies/papers/chen2024/editing.py, studies/papers/chen2024/fabrics.py
+Covers: studies/papers/chen2024/latents.py, studies/papers/chen2024/shots.py, studies/papers/chen2024/stage.py
+Covers: studies/instruments/renders.py, studies/instruments/sheet.py, studies/papers/setting.py
 """
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import mitsuba as mi
 import numpy as np
 import pytest
-from PIL import Image
 
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import choose_variant
 from loomlight.weave.named import named_weave
-from studies.instruments.renders import Stage, count_near, one_picture
+from studies.harness.command import main
+from studies.harness.study import Found, Run, stored_tables
+from studies.instruments.renders import one_picture
 from studies.instruments.scene_edits import SceneEdits
 from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.papers.catalogue import CATALOGUE
+from studies.papers.chen2024 import ablation, components, cost, editing, latents
 from studies.papers.chen2024.ablation import NETWORKS, weights_files
 from studies.papers.chen2024.comparison import compared
 from studies.papers.chen2024.components import direction_grid
@@ -32,21 +34,20 @@ from studies.papers.chen2024.cost import network_time
 from studies.papers.chen2024.editing import EDITS, albedo_map
 from studies.papers.chen2024.fabrics import paper_fabric, seen_fabrics, unseen_fabrics
 from studies.papers.chen2024.shots import DRAPE
+from studies.papers.chen2024.stage import NetworkSettings, count_near, neural_bsdf
 from studies.papers.chen2024.training.config import read_config
 from studies.papers.chen2024.training.weaves import HELD_OUT_WEAVES, paper_draft
-from studies.papers.command import main
-from studies.papers.setting import Setting, cloth_bsdf
 from tests.helpers.neural_networks import network, written
 
-CHEN2024 = Path(__file__).parents[2] / "studies" / "papers" / "chen2024"
+CHEN2024 = Path(__file__).parents[3] / "studies" / "papers" / "chen2024"
 
 
 @pytest.fixture(scope="module")
-def setting(tmp_path_factory: pytest.TempPathFactory) -> Setting:
+def settings(tmp_path_factory: pytest.TempPathFactory) -> NetworkSettings:
     """Small pictures by a narrow network with random weights, which compiles quickly."""
     choose_variant()
     file = written(network("field", hidden=16), tmp_path_factory.mktemp("weights") / "narrow.safetensors")
-    return Setting(size=(32, 18), samples=4, weights=file)
+    return NetworkSettings(size=(32, 18), spp=4, weights=file)
 
 
 @pytest.fixture(autouse=True)
@@ -99,9 +100,9 @@ def test_directions_are_all_pairs_of_a_side() -> None:
 
 
 @pytest.mark.slow
-def test_one_comparison(setting: Setting) -> None:
-    actual = compared("title", setting, DRAPE, [("plain", [paper_fabric("plain")])])
-    tables = {table.title: table for table in actual.tables}
+def test_one_comparison(settings: NetworkSettings) -> None:
+    actual = compared("title", settings, Run(), DRAPE, [("plain", [paper_fabric("plain")])])
+    tables = {table.title: table for table in stored_tables(actual.figures)}
     columns = tables["MSE"].columns
     assert columns == ["point, 1 spp", "point, 3 spp", "point, equal time", "neural, 1 spp"]
     (mse,), (samples,) = tables["MSE"].rows.values(), tables["samples"].rows.values()
@@ -116,9 +117,9 @@ def test_one_comparison(setting: Setting) -> None:
 
 
 @pytest.mark.slow
-def test_edits_name_parameters_and_are_taken_back(setting: Setting) -> None:
+def test_edits_name_parameters_and_are_taken_back(settings: NetworkSettings) -> None:
     fabric = paper_fabric("plain")
-    scene = Stage(setting, DRAPE, fabric).neural_scene()
+    scene = settings.stage(DRAPE, fabric).neural_scene()
     edits, parameters = SceneEdits(scene.scene), mi.traverse(scene.scene)
     before = {key: np.array(value) for key, value in parameters.items() if key.startswith("cloth0.bsdf")}
     picture = one_picture(scene, 1)
@@ -136,10 +137,9 @@ def test_edits_name_parameters_and_are_taken_back(setting: Setting) -> None:
 
 
 @pytest.mark.slow
-def test_another_networks_weights_are_used(setting: Setting) -> None:
-    bsdf = cloth_bsdf(paper_fabric("plain"), "neural", setting.weights)((10.0, 10.0))
+def test_another_networks_weights_are_used(settings: NetworkSettings) -> None:
+    bsdf = neural_bsdf(paper_fabric("plain"), settings.weights)((10.0, 10.0))
     assert bsdf.model.weights.tensor("decoder.angular.0.weight").shape[0] == 16
-    assert cloth_bsdf(paper_fabric("plain"), "point", setting.weights)((10.0, 10.0)).model.name == "point"
 
 
 def test_albedos_are_albedos() -> None:
@@ -165,7 +165,7 @@ def test_missing_trainings_are_named_with_their_commands(tmp_path: Path) -> None
     (tmp_path / "ablation_both").mkdir()
     (tmp_path / "ablation_both" / "neural.safetensors").write_bytes(b"")
     with pytest.raises(InputError) as fault:
-        weights_files(tmp_path)
+        weights_files(tmp_path, NETWORKS)
     message = str(fault.value)
     assert (
         "python -m studies.papers.chen2024.training studies/papers/chen2024/ablation_one_blob.toml"
@@ -175,61 +175,96 @@ def test_missing_trainings_are_named_with_their_commands(tmp_path: Path) -> None
     assert all((CHEN2024 / f"{name}.toml").is_file() for name in NETWORKS.values())
 
 
+def test_missing_trainings_are_told_by_the_command(refused: Callable[..., str]) -> None:
+    train = "python -m studies.papers.chen2024.training studies/papers/chen2024/ablation_both.toml"
+    assert train in refused(["papers/chen2024/fig7", "-o", "out", "--runs", "none"], main)
+    assert "no weights" in refused(["papers/chen2024/fig2", "--weights", "none.safetensors"], main)
+
+
 @pytest.mark.slow
-def test_the_command_writes_and_adds(
-    setting: Setting, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+def test_figures_say_which_network_they_show(settings: NetworkSettings) -> None:
+    small = replace(settings, size=(32, 40), spp=4)
+    found = components.separated(small, Run())
+    assert found.figures["weights"] == {"sha256": small.network().sha256, "trained": False}
+    assert found.figures["tables"][0]["rows"]["reflection"]["BSDF"] > 0
+    matrix = found.pictures["reflection-sampled-BSDF"]
+    assert matrix.shape[0] == matrix.shape[1]
+    assert matrix.std() > 5
+
+
+# ------------------------------------------------------------------------------------------- whole figures
+
+
+def rows(actual: Found) -> dict[str, dict[str, list[Any]]]:
+    return {table.title: dict(table.rows) for table in stored_tables(actual.figures)}
+
+
+@pytest.mark.slow
+def test_mixed_latents_are_the_encoded_ones_at_both_ends(
+    settings: NetworkSettings, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    out = tmp_path / "out"
-    options = ["-o", str(out), "--size", "32x40", "--spp", "4", "--weights", str(setting.weights)]
-    assert main(["chen2024/fig2", *options]) == 0
-    with Image.open(out / "fig2.png") as sheet:
-        assert sheet.width >= 640
-    with Image.open(out / "pictures" / "fig2-reflection-sampled-bsdf.png") as matrix:
-        assert matrix.width == matrix.height
-        assert np.asarray(matrix).std() > 5
-    written_down = json.loads((out / "table.json").read_text())
-    figure = written_down["figures"]["chen2024/fig2"]
-    assert set(figure) >= {"command", "sources", "machine", "size", "weights", "tables"}
-    assert figure["command"].startswith("python -m studies.papers chen2024/fig2 --size 32x40 --spp 4")
-    assert figure["tables"][0]["rows"]["reflection"]["BSDF"] > 0
-    assert "nMAE" in capsys.readouterr().out
-    # What was found of other figures stays.
-    written_down["figures"]["chen2024/fig4"] = {"tables": []}
-    (out / "table.json").write_text(json.dumps(written_down))
-    assert main(["chen2024/fig2", *options]) == 0
-    assert set(json.loads((out / "table.json").read_text())["figures"]) == {"chen2024/fig2", "chen2024/fig4"}
+    monkeypatch.setattr(latents, "_VALUES", (0.2, 0.8))
+    monkeypatch.setattr(latents, "_PARAMETERS", latents._PARAMETERS[:1])
+    actual = latents.interpolated(settings, Run())
+    tables = {title: table["roughness"] for title, table in rows(actual).items()}
+    # Half-precision latents are mixed once more.
+    assert tables["FLIP of mixed against encoded"] == pytest.approx([0, 0], abs=2e-3)
+    assert min(tables["FLIP of encoded against reference"]) > 0.01
+    # The network has random weights, so that only the reference knows roughness.
+    assert tables["FLIP between 0.2 and 0.8"][0] > 0.01
+    assert set(actual.pictures) == {
+        f"roughness-{value}-{kind}" for value in ("0.2", "0.8") for kind in ("reference", "encoded", "mixed")
+    }
 
 
-def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main([]) == 0
-    lines = capsys.readouterr().out.splitlines()
-    assert [line.split()[0] for line in lines] == list(CATALOGUE)
-    assert {
-        f"chen2024/{name}" for name in ("fig2", "fig4", "fig5", "fig6", "fig7", "fig8", "fig9", "table3")
-    } <= set(CATALOGUE)
+@pytest.mark.slow
+def test_every_edit_is_timed_and_shown(settings: NetworkSettings, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(editing, "EDITS", editing.EDITS[-1:])
+    actual = editing.edited(settings, Run())
+    table = rows(actual)["Seconds of an edit"]
+    assert list(table) == ["the fabric, encoded", "albedo of the warp", "pattern satin 8×8", "albedo map"]
+    assert set(actual.pictures) == set(table)
+    assert all(seconds > 0 for row in table.values() for seconds in row)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "expected"),
-    [
-        (["chen2024/fig44", "-o", "out"], 'did you mean "chen2024/fig4"'),
-        (["chen2024/fig4"], "-o DIR"),
-        (["chen2024/fig4", "-o", "none/out"], "folder none does not exist"),
-        (["chen2024/fig4", "-o", "out", "--spp", "0"], "--spp 0"),
-        (["chen2024/fig4", "-o", "out", "--size", "big"], "960x540"),
-        (["chen2024/fig4", "-o", "out", "--weights", "none.safetensors"], "none.safetensors does not exist"),
-        (
-            ["chen2024/fig7", "-o", "out", "--runs", "none"],
-            "python -m studies.papers.chen2024.training studies/papers/chen2024/ablation_both.toml",
-        ),
-        (["chen2024/fig4", "-o", "other", "--weights", "other/table.json"], "read by this command"),
-        (["zhu2024/table1", "-o", ".", "--environment", "pictures/room.exr"], "read by this command"),
-        (["chen2024/fig4", "-o", "other"], "not written by `python -m studies.papers`"),
-    ],
-)
-def test_faults(arguments: list[str], expected: str, refused: Callable[..., str]) -> None:
-    Path("other").mkdir()
-    Path("pictures").mkdir()
-    Path("pictures/room.exr").touch()
-    Path("other/table.json").write_text('{"schema": 1, "fabric": "denim"}')
-    assert expected in refused(arguments, main, leaves="other/pictures")
+@pytest.mark.slow
+def test_the_parts_of_a_pictures_time_are_its_sum(
+    settings: NetworkSettings, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scenes = cost._scenes()
+    monkeypatch.setattr(cost, "_scenes", lambda: dict(list(scenes.items())[:2]))
+    actual = cost.split(settings, Run())
+    table = rows(actual)["Milliseconds of a picture"]
+    assert list(table) == list(scenes)[:2] == list(actual.pictures)
+    for network_ms, others, host, whole, share, encoder in table.values():
+        assert min(network_ms, others, encoder) > 0
+        assert share == pytest.approx(network_ms / whole)
+        assert network_ms + others + host >= 0.999 * whole
+
+
+@pytest.mark.slow
+def test_networks_without_a_part_stand_beside_each_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for run in ablation.NETWORKS.values():
+        (tmp_path / run).mkdir(parents=True)
+        written(network("field", hidden=16), tmp_path / run / "neural.safetensors")
+    monkeypatch.setattr(ablation, "_SCENES", dict(list(ablation._SCENES.items())[1:2]))
+    sizes = {"fabrics": 1, "pairs": 4, "footprints": 4}
+    kept = Run(runs=tmp_path)
+    actual = ablation.ablated(ablation.FigureSettings(size=(24, 16), spp=4, **sizes), kept)
+    tables = rows(actual)
+    (errors,) = tables["FLIP"].values()
+    # All three are the same network here.
+    assert errors == pytest.approx([errors[0]] * 3, abs=1e-3)
+    assert errors[0] > 0.01
+    assert len(actual.pictures) == len(ablation.NETWORKS) + 1
+    reflection = next(table for title, table in tables.items() if "reflection" in title)
+    assert set(reflection) >= set(ablation.NETWORKS)
+    # The benchmark alone, of any of the trainings.
+    some = ablation.AllSettings(networks="both,no one-blob", **sizes)
+    found = ablation.compared(some, kept).figures
+    (table,) = ablation.tables(found)
+    assert table.rows["both"] == table.rows["no one-blob"]
+    assert table.rows["both"][0] == pytest.approx(reflection["both"][0])
+    assert found["queries_per_fabric"] == 16
