@@ -376,6 +376,7 @@ STUDY = Study(
         "spp": 4,
         "steps": 3,
         "resolution": 8,
+        "side": 16,
         "materials": "turtle shell,straight wool",
         "levels": 2,
         "probes": 32,

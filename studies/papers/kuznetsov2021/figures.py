@@ -17,7 +17,6 @@ from loomlight.models.texture.pyramid import PyramidShape
 from studies.harness.study import Found, Pixels, Run, Study, listed_numbers, with_tables
 from studies.instruments.sheet import Row, Tile, contact_sheet
 from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, Design
-from studies.papers.kuznetsov2021.materials import paper_heightfield
 from studies.papers.kuznetsov2021.stage import (
     StageSettings,
     model_picture,
@@ -49,7 +48,7 @@ class AblationSettings(StageSettings):
 def offsets(settings: StageSettings, run: Run) -> Found:
     """Fig. 5: the offset texture of the turtle shell, and the offsets of four views in red and green."""
     require_llvm()
-    source = paper_heightfield(OFFSET_MATERIAL)
+    source = settings.heightfield(OFFSET_MATERIAL)
     model = trained_model(source, settings, run.runs)
     maps = {view: offset_map(model, view) for view in _VIEWS}
     largest = max(float(np.abs(part).max()) for part in maps.values()) or 1.0
@@ -89,7 +88,7 @@ def offset_map(model: NeumipModel, view: tuple[float, float]) -> NDArray[np.floa
 
 def ablation(settings: AblationSettings, run: Run) -> Found:
     """Fig. 10: the MSE of other numbers of channels and layers over that of the published ones."""
-    source = paper_heightfield(ABLATION_MATERIAL)
+    source = settings.heightfield(ABLATION_MATERIAL)
     resolution = settings.resolution
     assert resolution is not None
     texel = PyramidShape.of(source.repeat_mm, resolution, 1).texel_mm
@@ -176,7 +175,7 @@ STUDIES = (
         StageSettings(),
         offsets,
         stands_on=("neumip",),
-        small={"steps": 3, "resolution": 8},
+        small={"steps": 3, "resolution": 8, "side": 16},
     ),
     Study(
         "papers/kuznetsov2021/fig10",
@@ -184,6 +183,14 @@ STUDIES = (
         AblationSettings(),
         ablation,
         stands_on=("neumip",),
-        small={"size": (16, 9), "spp": 4, "steps": 3, "resolution": 8, "channels": "3,7", "layers": "2"},
+        small={
+            "size": (16, 9),
+            "spp": 4,
+            "steps": 3,
+            "resolution": 8,
+            "side": 16,
+            "channels": "3,7",
+            "layers": "2",
+        },
     ),
 )

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.extras import import_extra
 from loomlight.core.footprint import Box, box_footprint
-from loomlight.core.settings import same_setting
+from loomlight.core.settings import same_setting, setting
 from loomlight.evaluation.metrics import PictureError, picture_error
 from loomlight.models.registry import btf_of, model_from_loom
 from loomlight.models.texture.neumip import NeumipModel
@@ -31,7 +31,7 @@ from loomlight.sources.loom_file import write_loom
 from studies.harness.study import listed, names
 from studies.instruments.halved_truth import HalvedTruth
 from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, WITHOUT, Design
-from studies.papers.kuznetsov2021.materials import RECIPES, paper_heightfield
+from studies.papers.kuznetsov2021.materials import RECIPES, SIDE, paper_heightfield
 from studies.papers.setting import PictureSettings, TrainedSettings
 
 _Floats = NDArray[np.float32]
@@ -97,6 +97,11 @@ class StageSettings(TrainedSettings):
     """Of figures of height fields."""
 
     spp: int = same_setting(PictureSettings, "spp", default=64)
+    side: int = setting(SIDE, "Texels a side of the maps of height fields.", low=8, high=1024)
+
+    def heightfield(self, name: str) -> Heightfield:
+        """A material of Table 2."""
+        return paper_heightfield(name, self.side)
 
 
 @dataclass(frozen=True)
@@ -106,8 +111,8 @@ class MaterialsSettings(StageSettings):
     materials: str = names(",".join(RECIPES), "Height fields that are shown.", tuple(RECIPES))
 
     def sources(self) -> list[Heightfield]:
-        """The height fields that are shown, with 256 texels a side."""
-        return [paper_heightfield(name) for name in listed(self.materials)]
+        """The height fields that are shown."""
+        return [self.heightfield(name) for name in listed(self.materials)]
 
 
 def stage_settings(settings: StageSettings, resolution: int | None = None) -> NeumipSettings:

@@ -118,6 +118,7 @@ _SMALL = {
     "spp": 4,
     "steps": 3,
     "resolution": 8,
+    "side": 16,
     "materials": "turtle shell",
     "levels": 2,
 }

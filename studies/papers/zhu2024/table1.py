@@ -257,5 +257,5 @@ STUDY = Study(
     TableSettings(),
     speed_up,
     stands_on=("point", "lobes", "clustered", "picture", "point cost", "lobes cost", "clustered cost"),
-    small={"size": (32, 20), "spp": 8, "scenes": "cylinder"},
+    small={"size": (24, 16), "spp": 4, "scenes": "cylinder", "model": "lobes"},
 )

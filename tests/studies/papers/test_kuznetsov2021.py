@@ -22,17 +22,15 @@ from studies.papers.kuznetsov2021.materials import paper_heightfield
 MATERIAL = "turtle shell"
 
 
-SMALL = {"size": (16, 9), "spp": 4, "materials": MATERIAL}
+SMALL = {"size": (16, 9), "spp": 4, "side": 16, "materials": MATERIAL}
 
 
 @pytest.fixture(autouse=True)
 def _tiny(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Maps of few texels, and trainings that learn next to nothing."""
+    """Trainings that learn next to nothing."""
     pytest.importorskip("torch", exc_type=ImportError)
     tiny = replace(stage.PREVIEW, resolution=8, queries=8 * 8**2, samples=1, steps=3, batch=64)
     monkeypatch.setattr(stage, "PREVIEW", tiny)
-    for module in (stage, figures):
-        monkeypatch.setattr(module, "paper_heightfield", lambda name: paper_heightfield(name, 16))
 
 
 @pytest.fixture
@@ -103,11 +101,13 @@ def test_table_3_has_levels_and_keeps_its_trainings(run: Run) -> None:
 
 
 def test_figures_5_and_10(run: Run) -> None:
-    settings = figures.AblationSettings(size=(16, 9), spp=4, resolution=8, channels="3,7", layers="2")
+    settings = figures.AblationSettings(
+        size=(16, 9), spp=4, side=16, resolution=8, channels="3,7", layers="2"
+    )
     (table,) = stored_tables(figures.ablation(settings, run).figures)
     assert table.rows["7 channels"][0] == 1
     assert table.rows["2 layers"][2] < table.rows["3 channels"][2]
-    figure = figures.offsets(stage.StageSettings(size=(16, 9)), run)
+    figure = figures.offsets(stage.StageSettings(size=(16, 9), side=16), run)
     assert set(figure.pictures) == {"height", "texture", *stored_tables(figure.figures)[0].rows}
 
 
