@@ -9,7 +9,6 @@ Covers: studies/instruments/renders.py, studies/instruments/sheet.py, studies/pa
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -21,7 +20,6 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import choose_variant
 from loomlight.weave.named import named_weave
-from studies.harness.command import main
 from studies.harness.study import Found, Run, stored_tables
 from studies.instruments.renders import one_picture
 from studies.instruments.scene_edits import SceneEdits
@@ -175,10 +173,11 @@ def test_missing_trainings_are_named_with_their_commands(tmp_path: Path) -> None
     assert all((CHEN2024 / f"{name}.toml").is_file() for name in NETWORKS.values())
 
 
-def test_missing_trainings_are_told_by_the_command(refused: Callable[..., str]) -> None:
-    train = "python -m studies.papers.chen2024.training studies/papers/chen2024/ablation_both.toml"
-    assert train in refused(["papers/chen2024/fig7", "-o", "out", "--runs", "none"], main)
-    assert "no weights" in refused(["papers/chen2024/fig2", "--weights", "none.safetensors"], main)
+def test_trainings_and_weights_that_are_missing_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"training studies/papers/chen2024/ablation_fibres\.toml"):
+        ablation.compared(ablation.AllSettings(), Run(runs=tmp_path))
+    with pytest.raises(InputError, match=r"none\.safetensors does not exist"):
+        NetworkSettings(weights=tmp_path / "none.safetensors").network()
 
 
 @pytest.mark.slow
