@@ -25,9 +25,8 @@ def _reason(record: Record, now: dict[str, list[float]]) -> str:
     if record.study not in catalogue():
         return "no study has this name"
     wanted = find_study(record.study).stands_on
-    if missing := [name for name in wanted if name not in record.stands_on]:
-        return f"made before records kept {' and '.join(missing)}"
-    parts = []
+    missing = [name for name in wanted if name not in record.stands_on]
+    parts = [f"made before records kept {', '.join(missing)}"] if missing else []
     for name, before in record.stands_on.items():
         most = moved(name, before, now.get(name, []))
         if most is not None:
