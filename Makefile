@@ -32,7 +32,7 @@ lint: $(VENV)/.test
 	$(RUN)/lint-imports
 
 benchmark: $(VENV)/.test
-	$(RUN)/python -m studies.speed.point
+	$(RUN)/python -m studies speed/point
 
 # What a picture needs, and what tests need beside it.
 $(VENV)/.demo: pyproject.toml constraints.txt scripts/setup.sh

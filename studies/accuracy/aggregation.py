@@ -158,9 +158,9 @@ def boxes(count: int) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Aggregation(Settings):
-    pairs: int = setting(40, "Pairs of directions of each weave's z-scores.", low=1)
+    pairs: int = setting(40, "Pairs of directions of each weave's z-scores.", low=4)
     footprints: int = setting(50, "Footprints of each pair.", low=1)
-    grid_pairs: int = setting(32, "Pairs of directions of each weave's grids.", low=1)
+    grid_pairs: int = setting(32, "Pairs of directions of each weave's grids.", low=4)
     boxes: int = setting(1500, "Parallelograms.", low=1)
 
 
@@ -205,5 +205,5 @@ STUDY = Study(
     measure,
     tables,
     stands_on=("point",),
-    small={"pairs": 2, "footprints": 4, "grid_pairs": 1, "boxes": 20},
+    small={"pairs": 4, "footprints": 4, "grid_pairs": 4, "boxes": 20},
 )

@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
+from itertools import islice
 from typing import Any
 
 import drjit as dr
@@ -96,12 +97,12 @@ class Directions:
     view: Floats
 
 
-def pairs_of(side: str) -> dict[str, Directions]:
-    """`PAIRS` as vectors, on one of `SIDES`."""
+def pairs_of(side: str, count: int) -> dict[str, Directions]:
+    """The first `PAIRS` as vectors, on one of `SIDES`."""
     of_light, of_view = (np.array([1, 1, sign]) for sign in SIDES[side])
     return {
         name: Directions(direction(*light) * of_light, direction(*view) * of_view)
-        for name, (light, view) in PAIRS.items()
+        for name, (light, view) in islice(PAIRS.items(), count)
     }
 
 
@@ -163,7 +164,7 @@ def errors(fabric: Fabric, settings: Brightness) -> dict[str, dict[str, list[flo
     return {
         side: {
             name: [seen(model, pair, threads, settings.positions) / exact - 1 for threads in THREADS]
-            for name, pair in pairs_of(side).items()
+            for name, pair in pairs_of(side, settings.directions).items()
             for exact in (truth(fabric, pair, settings.truth_positions),)
         }
         for side in SIDES
@@ -199,6 +200,9 @@ def irregular(count: int, pairs: int, footprints: int) -> dict[str, Any]:
 class Brightness(Settings):
     weaves: str = names(",".join(WEAVES), "At the defaults of fabric files.", WEAVES)
     varied: str = names(",".join(VARIED_WEAVES), "With other gaps and heights too.")
+    directions: int = setting(
+        len(PAIRS), "Pairs of light and view, the first so many.", low=1, high=len(PAIRS)
+    )
     positions: int = setting(1 << 13, "Over the repeat, of the model at each size.", low=1)
     truth_positions: int = setting(1 << 15, "Of the truth.", low=1)
     irregular: int = setting(8, "Random irregular weaves.", low=0)
@@ -263,5 +267,12 @@ STUDY = Study(
     measure,
     tables,
     stands_on=("lobes", "point"),
-    small={"weaves": "plain", "varied": "", "positions": 256, "truth_positions": 256, "irregular": 0},
+    small={
+        "weaves": "plain",
+        "varied": "",
+        "positions": 64,
+        "truth_positions": 64,
+        "irregular": 0,
+        "directions": 1,
+    },
 )

@@ -35,10 +35,12 @@ def measure(settings: Compared, run: Run) -> Found:
 
 
 def _of_fabric(name: str, settings: Compared, run: Run) -> Figures:
+    folder = Path(run.runs, "compared", name)
+    folder.parent.mkdir(parents=True, exist_ok=True)
     found = compare(
         example(name),
         listed(settings.models),
-        Path(run.runs, "compared", name),
+        folder,
         scenes=listed(settings.scenes),
         size=settings.size,
         reference_samples=settings.spp,

@@ -35,6 +35,7 @@ Numbers = NDArray[np.float64]
 @dataclass(frozen=True)
 class ExportFit(Settings):
     fabrics: str = names(",".join(FABRICS), "Example fabrics.")
+    distances: str = names(",".join(DISTANCES), "Pixels a thread.", tuple(DISTANCES))
     side: int = setting(192, "Pixels of a picture.", low=8)
 
 
@@ -46,8 +47,8 @@ def measure(settings: ExportFit, run: Run) -> Found:
         model = make_model("lobes", fabric)
         layout = fabric.layout()
         pitch = float(np.sqrt(np.prod(layout.size) / layout.warp_on_top.size))
-        for distance, pixels in DISTANCES.items():
-            texel = pitch / pixels
+        for distance in listed(settings.distances):
+            texel = pitch / DISTANCES[distance]
             material = fit_material(fabric, model, *texture_grid(fabric, texel))
             sphere = _Sphere(texel, settings.side)
             truth, found = (
@@ -179,5 +180,5 @@ STUDY = Study(
     measure,
     tables,
     stands_on=("lobes",),
-    small={"fabrics": "denim", "side": 24},
+    small={"fabrics": "denim", "distances": "far", "side": 24},
 )

@@ -20,7 +20,7 @@ CLOTHS = {
     "viscose": ("twill 2/1", "#4d6f4b", "#4d6f4b"),
 }
 # What fibres absorb over what deep hair of the yarn's albedo does, linear RGB: their cloth shows our colour.
-# `python -m studies.accuracy.fibre_truth --fit` finds it.
+# `python -m studies accuracy/fibre_truth --fit` finds it.
 ABSORPTION = {
     "cotton": (1.28, 3.42, 2.75),
     "linen": (3.42, 2.63, 1.91),

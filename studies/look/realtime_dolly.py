@@ -1,8 +1,5 @@
 """Zoom without shimmer: how much frames of `lobes` change from one to the next while the camera moves away.
 
-    python -m studies.look.realtime_dolly [--size 256] [--pairs 59]
-        [--output FILE.json]
-
 Eight fabrics, a dolly of 60 frames from 0.05 to 0.5 m under one directional light. FLIP between neighbouring
 frames is compared with that of a reference, the model `point` with 256 samples a pixel. What changes more
 than the reference shimmers: the bar is the reference's own plus a tenth. Smaller sizes show the middle of the
@@ -12,26 +9,27 @@ frames of 256 pixels; fewer pairs are spread evenly over the dolly.
 from __future__ import annotations
 
 import math
-from argparse import ArgumentParser, Namespace
-from typing import Any
+from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.metrics import flip_mean
+from loomlight.evaluation.table import Table
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
-from studies.instruments.harness import REPOSITORY, Figures, run
+from studies.harness.study import Figures, Found, Run, Study, example, listed, names
 
-EXAMPLES = REPOSITORY / "examples"
 FABRICS = ("denim", "wool-houndstooth", "silk-satin", "linen", "organza", "damask")
 WEAVES = ("plain", "twill 3/1")
 FRAMES, WHOLE_SIZE, FIELD_OF_VIEW = 60, 256, 26.0
 NEAREST, FARTHEST = 0.05, 0.5  # metres
 SIDE = 0.5
 LIGHTS = [DirectionalLight((0.5, 0.3, 0.8))]
-REFERENCE_SAMPLES, PASSES = 256, 4
+PASSES = 4
 BAR = 1.1
 
 
@@ -43,10 +41,11 @@ def camera_of(frame: int, size: int) -> Camera:
     return Camera((0, -0.6 * distance, 0.8 * distance), field_of_view=angle)
 
 
-def changes(fabric: Fabric, model: str, size: int, firsts: NDArray[np.int64]) -> list[float]:
+def changes(fabric: Fabric, model: str, settings: RealtimeDolly, firsts: NDArray[np.int64]) -> list[float]:
     """FLIP between each frame of `firsts` and the next."""
+    size = settings.size
     renderer = Renderer([Cloth(rectangle(SIDE, SIDE), fabric)], (size, size), model)
-    samples = REFERENCE_SAMPLES // PASSES if model == "point" else 1
+    samples = settings.samples // PASSES if model == "point" else 1
     whole = np.ones((size, size), bool)
 
     def frame(number: int) -> NDArray[np.float32]:
@@ -56,29 +55,50 @@ def changes(fabric: Fabric, model: str, size: int, firsts: NDArray[np.int64]) ->
     return [float(flip_mean(frame(k), frame(k + 1), whole)) for k in firsts]
 
 
-def measure(options: Namespace) -> Figures:
+@dataclass(frozen=True)
+class RealtimeDolly(Settings):
+    size: int = setting(WHOLE_SIZE, "Pixels each way.", low=8)
+    pairs: int = setting(FRAMES - 1, "Pairs of neighbouring frames.", low=1, high=FRAMES - 1)
+    cloths: str = names(",".join((*FABRICS, *WEAVES)), "Example fabrics and weaves.")
+    samples: int = setting(256, "A pixel of the reference.", low=4)
+
+
+def measure(settings: RealtimeDolly, run: Run) -> Found:
     """Changes of every fabric, and those that miss the bar."""
-    firsts = np.unique(np.linspace(0, FRAMES - 2, options.pairs).round().astype(int))
-    fabrics = {name: load_fabric(EXAMPLES / f"{name}.toml") for name in FABRICS}
-    fabrics |= {name: fabric_from_text(f'weave = "{name}"\n') for name in WEAVES}
-    rows: list[dict[str, Any]] = []
-    for name, fabric in fabrics.items():
-        found, expected = (
-            float(np.mean(changes(fabric, m, options.size, firsts))) for m in ("lobes", "point")
-        )
-        rows.append({"fabric": name, "lobes": found, "reference": expected, "ratio": found / expected})
-    return {
-        "size": options.size,
-        "pairs": len(firsts),
-        "rows": rows,
-        "above_the_bar": [row["fabric"] for row in rows if row["ratio"] > BAR],
-    }
+    firsts = np.unique(np.linspace(0, FRAMES - 2, settings.pairs).round().astype(int))
+    cases = {name: partial(_row, name, settings, firsts) for name in listed(settings.cloths)}
+    rows = list(run.each(cases).values())
+    return Found(
+        {
+            "size": settings.size,
+            "pairs": len(firsts),
+            "rows": rows,
+            "above_the_bar": [row["fabric"] for row in rows if row["ratio"] > BAR],
+        }
+    )
 
 
-def _add_options(parser: ArgumentParser) -> None:
-    parser.add_argument("--size", type=int, default=WHOLE_SIZE, help="pixels each way; 256")
-    parser.add_argument("--pairs", type=int, default=FRAMES - 1, help="pairs of neighbouring frames; 59")
+def _row(name: str, settings: RealtimeDolly, firsts: NDArray[np.int64]) -> Figures:
+    fabric = fabric_from_text(f'weave = "{name}"\n') if name in WEAVES else load_fabric(example(name))
+    found, expected = (
+        float(np.mean(changes(fabric, model, settings, firsts))) for model in ("lobes", "point")
+    )
+    return {"fabric": name, "lobes": found, "reference": expected, "ratio": found / expected}
 
 
-if __name__ == "__main__":
-    run(measure, _add_options)
+def tables(figures: Figures) -> list[Table]:
+    """Changes by fabric."""
+    rows = {row["fabric"]: [row["lobes"], row["reference"], row["ratio"]] for row in figures["rows"]}
+    note = f"{figures['pairs']} pairs of frames of {figures['size']}² pixels; the bar is {BAR}."
+    return [Table("FLIP from frame to frame", ["`lobes`", "reference", "ratio"], rows, note)]
+
+
+STUDY = Study(
+    "look/realtime_dolly",
+    "zoom without shimmer: how much frames of `lobes` change while the camera moves away",
+    RealtimeDolly(),
+    measure,
+    tables,
+    stands_on=("shaders", "lobes"),
+    small={"size": 8, "pairs": 1, "cloths": "denim", "samples": 4},
+)

@@ -1,7 +1,5 @@
 """Tables of lobes baked by compute kernels beside those of the Python bake: error, equal bytes, time.
 
-    python -m studies.speed.bake [FABRIC.toml …] [--fabrics 18 --pairs 128] [--output FILE.json]
-
 Error is the query benchmark's nMAE of grey f·cos against its truth. Times are of bakes after the first,
 which compiles kernels: seconds until the tables are read back, and CPU seconds, in which a software adapter
 computes.
@@ -10,12 +8,20 @@ computes.
 from __future__ import annotations
 
 import time
-from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from loomlight.evaluation.query_benchmark import HeldOut, Predictor, model_predictor, run_query_benchmark
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.query_benchmark import (
+    FOOTPRINTS,
+    HeldOut,
+    Predictor,
+    model_predictor,
+    run_query_benchmark,
+)
+from loomlight.evaluation.table import Table
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.hemisphere import NODES
@@ -24,7 +30,7 @@ from loomlight.models.lobes.tables import MOMENTS, LobeTables
 from loomlight.models.lobes.visibility import JOINT_FACTORS, JOINT_NODES
 from loomlight.realtime.bake import FabricBuffers
 from loomlight.realtime.device import default_adapter
-from studies.instruments.harness import Figures, run
+from studies.harness.study import Figures, Found, Run, Study, listed, names
 from studies.instruments.held_out import held_out_fabrics
 
 _BYTES = ("coverage", "projected_area", "light_visibility", "irradiance")
@@ -90,33 +96,54 @@ def _read_tables(buffers: FabricBuffers) -> LobeTables:
     )
 
 
-def measure(options: Namespace) -> Figures:
+@dataclass(frozen=True)
+class BakeSpeed(Settings):
+    files: str = names("", "Fabric files in the place of held-out fabrics.")
+    fabrics: int = setting(18, "Held-out fabrics.", low=1, high=24)
+    pairs: int = setting(128, "Pairs of directions of each.", low=1)
+    footprints: int = setting(FOOTPRINTS, "Footprints of a pair.", low=1)
+
+
+def measure(settings: BakeSpeed, run: Run) -> Found:
     """Errors by fabric of both bakes."""
     bench = Bench()
     predictors: dict[str, Predictor] = {
         "python": model_predictor(bench.by_python),
         "kernels": model_predictor(bench.by_kernels),
     }
-    fabrics = [HeldOut(Path(file).stem, load_fabric(file), False, False) for file in options.files]
-    fabrics = fabrics or held_out_fabrics(options.fabrics)
-    result = run_query_benchmark(predictors, fabrics, pairs=options.pairs, monte_carlo=())
+    fabrics = [HeldOut(Path(file).stem, load_fabric(file), False, False) for file in listed(settings.files)]
+    fabrics = fabrics or held_out_fabrics(settings.fabrics)
+    result = run_query_benchmark(
+        predictors, fabrics, pairs=settings.pairs, footprints=settings.footprints, monte_carlo=()
+    )
     wall, cpu = np.median(np.array(bench.seconds[1:] or bench.seconds), axis=0)
-    return {
-        "adapter": default_adapter().name,
-        "nmae": {name: row.metric("reflection") for name, row in result.rows.items()},
-        "nmae_by_fabric": {name: row.fabrics for name, row in result.rows.items()},
-        "equal_bytes": bench.equal,
-        "kernels": bench.kernels,
-        "bake_seconds": float(wall),
-        "bake_cpu_seconds": float(cpu),
-    }
+    return Found(
+        {
+            "adapter": default_adapter().name,
+            "nmae": {name: row.metric("reflection") for name, row in result.rows.items()},
+            "nmae_by_fabric": {name: row.fabrics for name, row in result.rows.items()},
+            "equal_bytes": bench.equal,
+            "kernels": bench.kernels,
+            "bake_seconds": float(wall),
+            "bake_cpu_seconds": float(cpu),
+        }
+    )
 
 
-def _add_options(parser: ArgumentParser) -> None:
-    parser.add_argument("files", nargs="*", help="fabric files in place of held-out fabrics")
-    parser.add_argument("--fabrics", type=int, default=18, help="held-out fabrics")
-    parser.add_argument("--pairs", type=int, default=128, help="pairs of directions of each")
+def tables(figures: Figures) -> list[Table]:
+    """Errors of both bakes, and what the one by kernels takes."""
+    equal, nmae = figures["equal_bytes"], figures["nmae"]
+    row = [nmae["python"], nmae["kernels"], min(equal), figures["bake_seconds"], figures["bake_cpu_seconds"]]
+    columns = ["nMAE, Python", "nMAE, kernels", "equal bytes, at least", "s", "processor s"]
+    return [Table("Bakes by kernels", columns, {figures["adapter"]: row})]
 
 
-if __name__ == "__main__":
-    run(measure, _add_options)
+STUDY = Study(
+    "speed/bake",
+    "tables of lobes baked by compute kernels beside those of the Python bake",
+    BakeSpeed(),
+    measure,
+    tables,
+    stands_on=("lobes", "shaders"),
+    small={"fabrics": 1, "pairs": 4, "footprints": 4},
+)

@@ -1,9 +1,7 @@
 """How much less noise `samples` has than `point` from afar, by MSE × processor time.
 
-    python -m studies.speed.cell_places [--output FILE.json]
-
 Drape and cylinder of the image benchmark at ten yarns a pixel: one directional light, direct light only, box
-filter, pixels wholly on cloth; `--light studio` is an environment. Against `point` at 64 samples a pixel
+filter, pixels wholly on cloth. Against `point` at 64 samples a pixel
 stand paths of several points each, spread over the primitive cell of the weave. The reference is `point` with
 1024 samples. Every picture of a comparison is taken in one process; an efficiency of 5 is a fifth of the MSE
 in equal processor time.
@@ -11,19 +9,21 @@ in equal processor time.
 
 from __future__ import annotations
 
-import time
-from argparse import ArgumentParser, Namespace
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.mitsuba import LIGHTS, choose_variant, render, shapes
 from loomlight.mitsuba.measured_scenes import MeasuredShot, shot_scene
 from loomlight.mitsuba.plugins import material_bsdf
-from studies.instruments.harness import Figures, run
+from studies.harness.study import Figures, Found, Run, Study, listed, names
+from studies.instruments.timing import spent
 
 _YARNS = 10.0
 SHOTS = {
@@ -34,7 +34,7 @@ SHOTS = {
 BARS = {"drape": 5.0, "cylinder": 3.0}
 # Paths a pixel and points a path; `point` itself has 0.
 ROWS = ((64, 0), (4, 16), (4, 64), (16, 16), (64, 16))
-REFERENCE_PATHS, SEEDS = 1024, 3
+SEEDS = 3
 
 
 def picture(shot: MeasuredShot, fabric: Fabric, size: tuple[int, int], points: int) -> Any:
@@ -50,47 +50,84 @@ def picture(shot: MeasuredShot, fabric: Fabric, size: tuple[int, int], points: i
     return take
 
 
-def compared(shot: MeasuredShot, fabric: Fabric, size: tuple[int, int]) -> list[dict[str, Any]]:
+def compared(shot: MeasuredShot, weave: str, settings: CellPlaces) -> list[dict[str, Any]]:
     """A row for each number of paths and points, `point` itself first."""
-    reference = picture(shot, fabric, size, 0)(REFERENCE_PATHS, 1)
+    fabric, size = fabric_from_text(weave), settings.size
+    reference = picture(shot, fabric, size, 0)(settings.reference, 1)
     rows: list[dict[str, Any]] = []
-    for paths, points in ROWS:
+    for paths, points in ((min(n, settings.most), min(m, settings.most)) for n, m in ROWS):
         take = picture(shot, fabric, size, points)
         take(paths, 2)
-        start = time.process_time()
-        films = [take(paths, 3 + seed) for seed in range(SEEDS)]
-        seconds = (time.process_time() - start) / SEEDS
+        films, taken = spent(lambda: [take(paths, 3 + seed) for seed in range(SEEDS)])  # noqa: B023
+        seconds = taken.cpu_seconds / SEEDS
         mse = float(np.mean([np.square(film - reference).mean() for film in films]))
         row: dict[str, Any] = {"paths": paths, "points": points, "mse": mse, "cpu_seconds": seconds}
         row["relative_bias"] = float(np.mean([film.mean() for film in films]) / reference.mean() - 1)
         first = rows[0] if rows else row
         row["efficiency"] = first["mse"] * first["cpu_seconds"] / (mse * seconds)
         rows.append(row)
-        print(row, flush=True)
     return rows
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """Which weaves, and the size of pictures."""
-    parser.add_argument("--size", default="160x120")
-    parser.add_argument("--weaves", default="satin 8/3")
-    parser.add_argument("--light", default="directional", choices=LIGHTS)
+@dataclass(frozen=True)
+class CellPlaces(Settings):
+    size: tuple[int, int] = setting((100, 75), "Pixels.", low=8)
+    weaves: str = names("satin 8/3", "Weaves.")
+    light: str = setting("directional", "Of the scene.", choices=LIGHTS)
+    reference: int = setting(1024, "Samples of the reference.", low=1)
+    most: int = setting(64, "Samples and points of a path, at most.", low=4)
 
 
-def measure(options: Namespace) -> Figures:
+def measure(settings: CellPlaces, run: Run) -> Found:
     """Every scene and weave, and those whose best row misses its bar."""
     choose_variant()
-    width, height = (int(side) for side in options.size.split("x"))
-    shots = {name: replace(shot, light=options.light) for name, shot in SHOTS.items()}
-    runs = {
-        f"{name}, {weave}": compared(shot, fabric_from_text(weave), (width, height))
-        for name, shot in shots.items()
-        for weave in options.weaves.split(",")
-    }
+    shots = {name: replace(shot, light=settings.light) for name, shot in SHOTS.items()}
+    runs = run.each(
+        {
+            f"{name}, {weave}": partial(compared, shot, weave, settings)
+            for name, shot in shots.items()
+            for weave in listed(settings.weaves)
+        }
+    )
     best = {name: max(row["efficiency"] for row in rows) for name, rows in runs.items()}
     missed = [name for name, found in best.items() if found < BARS[name.split(",")[0]]]
-    return {"size": options.size, "yarns_per_pixel": _YARNS, "missed": missed, "runs": runs}
+    return Found({"size": list(settings.size), "yarns_per_pixel": _YARNS, "missed": missed, "runs": runs})
 
 
-if __name__ == "__main__":
-    run(measure, add_options, prints=False)
+def tables(figures: Figures) -> list[Table]:
+    """Efficiency over `point` by scene, paths and points of a path."""
+    rows = {
+        f"{name}, {row['paths']} × {row['points'] or '`point`'}": [
+            row["mse"],
+            row["cpu_seconds"],
+            row["relative_bias"],
+            row["efficiency"],
+        ]
+        for name, found in figures["runs"].items()
+        for row in found
+    }
+    columns = ["MSE", "processor s", "relative bias", "efficiency"]
+    return [Table("Paths of several points", columns, rows)]
+
+
+_SMALL = {"size": (24, 18), "reference": 16, "most": 4}
+STUDIES = (
+    Study(
+        "speed/cell_places",
+        "how much less noise `samples` has than `point` from afar in equal processor time",
+        CellPlaces(),
+        measure,
+        tables,
+        stands_on=("point", "samples", "point cost"),
+        small=_SMALL,
+    ),
+    Study(
+        "speed/cell_places_studio",
+        "the same under an environment",
+        CellPlaces(light="studio"),
+        measure,
+        tables,
+        stands_on=("point", "samples", "point cost"),
+        small=_SMALL,
+    ),
+)

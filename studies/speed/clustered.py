@@ -1,7 +1,5 @@
 """What clustered control variates cost: by footprint, to bake and to store.
 
-    python -m studies.speed.clustered [--model clustered] [--output FILE.json]
-
 - Footprints: processor seconds of a million answers whose footprints are one texel (1/256 of the repeat),
   one repeat and 64 repeats wide, in turns; the dearest over the cheapest has to be at most 1.15.
 - Baking: seconds, processor seconds and the growth of memory, a fabric in a process of its own; bars: 60 s,
@@ -14,15 +12,13 @@ Any model of the registry can be measured; clusters and rank are options of `clu
 
 from __future__ import annotations
 
-import json
 import os
 import resource
-import subprocess
-import sys
 import tempfile
 import time
-from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
@@ -33,38 +29,31 @@ from drjit.llvm.ad import Array2f, Array3f, Float
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.core.settings import declared
+from loomlight.core.settings import Settings, declared, setting
+from loomlight.evaluation.table import Table
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.read import edited_fabric
 from loomlight.models.interface import Model
-from loomlight.models.registry import make_model, model_class, options_of
+from loomlight.models.registry import MODELS, make_model, model_class, options_of
 from loomlight.sources.loom_file import write_loom
 from studies.accuracy.unbiased import Cases, Means, model_means, random_cases, reference_means
-from studies.instruments.harness import REPOSITORY, Figures, run
+from studies.harness.study import Figures, Found, Run, Study, example, listed, listed_numbers, names
+from studies.instruments.directions import above
+from studies.instruments.processes import in_own_process
 from studies.instruments.timing import least_times
 
-EXAMPLES = REPOSITORY / "examples"
-FABRICS = ("denim", "silk-satin", "linen", "organza", "wool-houndstooth", "damask")
 WIDTHS = {"1 texel": 1 / 256, "1 tile": 1.0, "64 tiles": 64.0}
-QUERIES, TURNS = 1 << 20, 5
+TURNS = 5
 BAR_FOOTPRINT, BAR_BAKE, BAR_MEMORY = 1.15, 60.0, 4e9
 _SEED = 5
 
 
-def directions(rng: np.random.Generator, count: int) -> Array3f:
-    """Unit vectors above the cloth."""
-    z = rng.uniform(0.1, 1, count)
-    azimuth = rng.uniform(0, 2 * np.pi, count)
-    radius = np.sqrt(1 - z * z)
-    return Array3f(np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z]).astype(np.float32))
-
-
-def cost_by_footprint(model: Model, queries: int = QUERIES) -> dict[str, float]:
+def cost_by_footprint(model: Model, queries: int) -> dict[str, float]:
     """Processor nanoseconds of an answer by the width of footprints in repeats, least of turns."""
     rng = np.random.default_rng(_SEED)
     repeat = np.asarray(model.source.repeat_mm)
-    view, light = directions(rng, queries), directions(rng, queries)
+    view, light = (Array3f(above(rng, queries, 0.1).astype(np.float32)) for _ in range(2))
     # From every corner of the repeat: positions are read at random, as bytes of far tables are.
     centre = Array2f((rng.random((2, queries)) * repeat[:, None]).astype(np.float32))
     widths = {name: dr.opaque(Float, width) for name, width in WIDTHS.items()}
@@ -82,17 +71,9 @@ def cost_by_footprint(model: Model, queries: int = QUERIES) -> dict[str, float]:
     return {name: 1e9 * spent.cpu_seconds / queries for name, spent in zip(widths, times, strict=True)}
 
 
-def bake_cost(fabric: str, model: str) -> dict[str, float]:
-    """Seconds and growth of memory of a bake, in a process of its own."""
-    command = [sys.executable, "-m", "studies.speed.clustered", "--bake", fabric, "--model", model]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, cwd=REPOSITORY)
-    found: dict[str, float] = json.loads(done.stdout.splitlines()[-1])
-    return found
-
-
 def bake(fabric: str, model: str) -> dict[str, float]:
     """Bakes, and measures this process: kernels are compiled within, as for a user's first bake."""
-    cloth = load_fabric(EXAMPLES / f"{fabric}.toml")
+    cloth = load_fabric(example(fabric))
     require_llvm()
     model_class(model)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
@@ -129,87 +110,122 @@ def storage(
     }
 
 
-def storage_curve(options: Namespace) -> dict[str, dict[str, dict[str, float]]]:
-    """Every fabric by clusters and rank; what a model has no option for, or refuses, is left out."""
-    names = set(declared(model_class(options.model).options_class))
+def storage_curve(fabric: str, settings: ClusteredSpeed) -> dict[str, dict[str, float]]:
+    """A fabric by clusters and rank; what a model has no option for, or refuses, is left out."""
+    names = set(declared(model_class(settings.model).options_class))
     grid: list[dict[str, int]] = [{}]
     if {"clusters", "rank"} <= names:
         grid += [
             {"clusters": int(clusters), "rank": int(rank)}
-            for clusters in options.clusters.split(",")
-            for rank in options.ranks.split(",")
+            for clusters in listed_numbers("clusters", settings.clusters)
+            for rank in listed_numbers("ranks", settings.ranks)
         ]
-    found: dict[str, dict[str, dict[str, float]]] = {}
-    for fabric in options.fabrics.split(","):
-        # The reference has neither sheen nor variation.
-        plain = {"sheen.strength": 0.0, "variation.fibre_noise": 0.0, "variation.colour_noise": 0.0}
-        cloth = edited_fabric(load_fabric(EXAMPLES / f"{fabric}.toml"), plain)
-        cases = random_cases(cloth, options.cases, _SEED)
-        truth = reference_means(cloth, cases, options.samples, _SEED)
-        found[fabric] = {}
-        for chosen in grid:
-            label = ", ".join(f"{key} {value}" for key, value in chosen.items()) or "default"
-            try:
-                found[fabric][label] = storage(cloth, options.model, chosen, cases, truth, options.repeats)
-            except InputError as error:
-                print(f"{fabric}, {label}: {error}", flush=True)
-                continue
-            print(fabric, label, found[fabric][label], flush=True)
+    # The reference has neither sheen nor variation.
+    plain = {"sheen.strength": 0.0, "variation.fibre_noise": 0.0, "variation.colour_noise": 0.0}
+    cloth = edited_fabric(load_fabric(example(fabric)), plain)
+    cases = random_cases(cloth, settings.cases, _SEED)
+    truth = reference_means(cloth, cases, settings.samples, _SEED)
+    found = {}
+    for chosen in grid:
+        label = ", ".join(f"{key} {value}" for key, value in chosen.items()) or "default"
+        with suppress(InputError):
+            found[label] = storage(cloth, settings.model, chosen, cases, truth, settings.repeats)
     return found
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """Which model, which fabrics, which tables."""
-    parser.add_argument("--model", default="clustered")
-    parser.add_argument("--fabrics", default=",".join(FABRICS), help="names of examples")
-    parser.add_argument("--clusters", default="4,8,16", help="of the storage curve")
-    parser.add_argument("--ranks", default="1,2,4", help="of the storage curve")
-    parser.add_argument("--cases", type=int, default=16, help="of each fabric's error")
-    parser.add_argument("--samples", type=int, default=1 << 15, help="of the reference, a case")
-    parser.add_argument("--repeats", type=int, default=256, help="answers a case")
-    parser.add_argument("--bake", default=None, metavar="FABRIC", help="bakes one and prints what it cost")
+@dataclass(frozen=True)
+class ClusteredSpeed(Settings):
+    model: str = setting("clustered", "That is measured.", choices=tuple(MODELS))
+    fabrics: str = names("denim,silk-satin,linen", "Example fabrics.")
+    clusters: str = setting("4,8", "Of the storage curve.", metavar="N,…")
+    ranks: str = setting("1,4", "Of the storage curve.", metavar="N,…")
+    cases: int = setting(16, "Of each fabric's error.", low=1)
+    samples: int = setting(1 << 15, "Of the reference, a case.", low=2)
+    repeats: int = setting(256, "Answers of a case.", low=2)
+    queries: int = setting(1 << 20, "Answers that are timed.", low=1)
 
 
-def measure(options: Namespace) -> Figures:
+def measure(settings: ClusteredSpeed, run: Run) -> Found:
     """All of it, and the bars that are missed."""
     require_llvm()
     costs, bakes, missed = {}, {}, []
-    for fabric in options.fabrics.split(","):
-        try:
-            bakes[fabric] = bake_cost(fabric, options.model)
-        except subprocess.CalledProcessError as error:
-            print(f"{fabric}: {error.stderr.splitlines()[-1]}", flush=True)
-            continue
-        costs[fabric] = cost_by_footprint(make_model(options.model, load_fabric(EXAMPLES / f"{fabric}.toml")))
-        ratio = max(costs[fabric].values()) / min(costs[fabric].values())
-        costs[fabric]["ratio"] = ratio
-        print(fabric, bakes[fabric], costs[fabric], flush=True)
+    found = run.each({name: partial(of_fabric, name, settings) for name in listed(settings.fabrics)})
+    for fabric, figures in found.items():
+        bakes[fabric], costs[fabric] = figures["bake"], figures["cost"]
+        ratio = costs[fabric]["ratio"]
         missed += [f"{fabric}: footprints {ratio:.3g}"] if ratio > BAR_FOOTPRINT else []
         # By processor seconds over two cores: other programs run beside this one.
         missed += [f"{fabric}: bake"] if bakes[fabric]["cpu_seconds"] > 2 * BAR_BAKE else []
         missed += [f"{fabric}: memory"] if bakes[fabric]["bytes_more"] > BAR_MEMORY else []
-    return {
-        "model": options.model,
-        "nanoseconds_by_footprint": costs,
-        "bar_footprint": BAR_FOOTPRINT,
-        "bakes": bakes,
-        "bar_bake_seconds": BAR_BAKE,
-        "bar_bytes": BAR_MEMORY,
-        "storage": storage_curve(options),
-        "missed": missed,
+    return Found(
+        {
+            "model": settings.model,
+            "nanoseconds_by_footprint": costs,
+            "bar_footprint": BAR_FOOTPRINT,
+            "bakes": bakes,
+            "bar_bake_seconds": BAR_BAKE,
+            "bar_bytes": BAR_MEMORY,
+            "storage": {fabric: figures["storage"] for fabric, figures in found.items()},
+            "missed": missed,
+        }
+    )
+
+
+def of_fabric(fabric: str, settings: ClusteredSpeed) -> Figures:
+    """What a fabric costs to bake, by footprint, and to store."""
+    baked = in_own_process(bake, fabric, settings.model)
+    cost = cost_by_footprint(make_model(settings.model, load_fabric(example(fabric))), settings.queries)
+    cost["ratio"] = max(cost.values()) / min(cost.values())
+    return {"bake": baked, "cost": cost, "storage": storage_curve(fabric, settings)}
+
+
+def tables(figures: Figures) -> list[Table]:
+    """Costs and bakes by fabric, and files by clusters and rank."""
+    costs = figures["nanoseconds_by_footprint"]
+    rows = {
+        fabric: [
+            figures["bakes"][fabric]["cpu_seconds"],
+            figures["bakes"][fabric]["bytes_more"] / 1e6,
+            *(cost[width] for width in WIDTHS),
+            cost["ratio"],
+        ]
+        for fabric, cost in costs.items()
     }
+    columns = [
+        "bake, processor s",
+        "memory, MB",
+        *(f"ns, {width}" for width in WIDTHS),
+        "dearest over cheapest",
+    ]
+    files = {
+        f"{fabric}, {label}": [
+            found["loom_bytes"] / 1e6,
+            found["squared_error_of_mean"],
+            found["variance_of_an_answer"],
+        ]
+        for fabric, curve in figures["storage"].items()
+        for label, found in curve.items()
+    }
+    kept = ["`.loom`, MB", "squared error of the mean", "variance of an answer"]
+    return [
+        Table(f"What `{figures['model']}` costs", columns, rows),
+        Table("Files, and errors of answers", kept, files),
+    ]
 
 
-def main() -> None:
-    """Runs everything, or one bake within this process."""
-    if "--bake" in sys.argv:
-        parser = ArgumentParser()
-        add_options(parser)
-        options = parser.parse_args()
-        print(json.dumps(bake(options.bake, options.model)))
-    else:
-        run(measure, add_options)
-
-
-if __name__ == "__main__":
-    main()
+STUDY = Study(
+    "speed/clustered",
+    "what clustered control variates cost: by footprint, to bake and to store",
+    ClusteredSpeed(),
+    measure,
+    tables,
+    stands_on=("clustered", "clustered cost"),
+    small={
+        "model": "samples",
+        "fabrics": "denim",
+        "cases": 2,
+        "samples": 1 << 8,
+        "repeats": 4,
+        "queries": 1 << 10,
+    },
+)

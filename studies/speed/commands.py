@@ -1,23 +1,20 @@
 """Processor seconds of the commands of the README's table, each as a user types it, in a process of its own.
 
-    python -m studies.speed.commands [--output FILE.json]
-
 Kernels are compiled in each process but for those that Dr.Jit keeps on disk: one command of each kind runs
 beforehand. Processor seconds of all cores stand beside seconds by the clock, which other programs lengthen.
 """
 
 from __future__ import annotations
 
-import os
-import resource
 import shlex
-import subprocess
-import sys
 import tempfile
-import time
-from argparse import Namespace
+from dataclasses import dataclass
+from functools import partial
 
-from studies.instruments.harness import REPOSITORY, Figures, run
+from loomlight.core.settings import Settings
+from loomlight.evaluation.table import Table
+from studies.harness.study import Figures, Found, Run, Study, listed, names
+from studies.instruments.processes import Cost, cost_of, loomlight
 
 DENIM = "examples/denim.toml"
 COMMANDS = {
@@ -36,38 +33,49 @@ COMMANDS = {
 PARTS = {"render --turntable": 12}
 
 
-def spent(command: str) -> tuple[float, float]:
-    """Processor seconds and seconds by the clock of a command, with all that it starts."""
+def spent(command: str) -> Cost:
+    """What a command costs, with all that it starts."""
     with tempfile.TemporaryDirectory() as folder:
-        words = shlex.split(command.replace("{out}", folder))
-        before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-        subprocess.run(
-            [sys.executable, "-m", "loomlight", *words],
-            cwd=REPOSITORY,
-            check=True,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            env=os.environ | {"PYTHONPATH": str(REPOSITORY / "src")},
-        )
-        seconds, after = time.perf_counter() - begun, resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, seconds
+        return cost_of(loomlight(*shlex.split(command.replace("{out}", folder))))
 
 
-def measure(options: Namespace) -> Figures:
+@dataclass(frozen=True)
+class Commands(Settings):
+    commands: str = names(",".join(COMMANDS), "Commands.", tuple(COMMANDS))
+
+
+def measure(settings: Commands, run: Run) -> Found:
     """Every command once."""
-    del options
-    found = {}
-    for name, command in COMMANDS.items():
-        spent(command)
-        processor, clock = (seconds / PARTS.get(name, 1) for seconds in spent(command))
-        found[name] = {
-            "command": command,
-            "processor_seconds": round(processor, 1),
-            "seconds": round(clock, 1),
-        }
-        print(f"{name:20} {processor:6.1f} {clock:6.1f}", flush=True)
-    return {"commands": found}
+    return Found({"commands": run.each({name: partial(_warm, name) for name in listed(settings.commands)})})
 
 
-if __name__ == "__main__":
-    run(measure, prints=False)
+def _warm(name: str) -> Figures:
+    """Of a command that has run before."""
+    command = COMMANDS[name]
+    spent(command)
+    cost, parts = spent(command), PARTS.get(name, 1)
+    return {
+        "command": command,
+        "processor_seconds": round(cost["cpu_seconds"] / parts, 1),
+        "seconds": round(cost["seconds"] / parts, 1),
+    }
+
+
+def tables(figures: Figures) -> list[Table]:
+    """Seconds by command."""
+    rows = {
+        f"`{name}`": [found["processor_seconds"], found["seconds"]]
+        for name, found in figures["commands"].items()
+    }
+    return [Table("Commands of the README", ["processor s", "s"], rows, digits=2)]
+
+
+STUDY = Study(
+    "speed/commands",
+    "processor seconds of the commands of the README's table, each as a user types it",
+    Commands(),
+    measure,
+    tables,
+    stands_on=("lobes cost", "point cost"),
+    small={"commands": "weave show"},
+)

@@ -1,7 +1,5 @@
 """Seconds a material of chen2024: 3.2 million queries, from the material's number to their answers.
 
-    python -m studies.speed.data_rate [--output FILE.json]
-
 One material of each of the paper's seven weaves, of a seed of its own, with the queries of one side (BRDF):
 50 × 50 pairs of directions over 1 280 footprints; visibility and compiling are in the figures. The mean
 weighs weaves as the 465 materials do. Processor seconds are those of all threads, half of which is what two
@@ -15,9 +13,8 @@ from __future__ import annotations
 
 import statistics
 import time
-from argparse import ArgumentParser, Namespace
 from collections import Counter
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 
 import drjit as dr
@@ -27,10 +24,12 @@ from drjit.llvm.ad import Float
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
 from loomlight.fabric import Fabric
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-from studies.instruments.harness import Figures, run
+from studies.harness.study import Figures, Found, Run, Study
 from studies.instruments.machine import fma_peak, operations_of
 from studies.instruments.timing import launched_kernels, timed
 from studies.papers.chen2024.materials import MATERIALS, paper_material
@@ -39,6 +38,8 @@ from studies.papers.chen2024.queries import material_queries, slice_means
 FULL = 3.2e6
 TEXELS = 128  # a side of the repeat, in the small case
 SMALL_PAIRS, SMALL_FOOTPRINTS, SMALL_DIRECTIONS = 256, 256, 32
+# Weaves of which one more material is split into what it takes.
+SPLIT = ("plain", "twill 8×8")
 
 
 def material(number: int, seed: int) -> tuple[float, float]:
@@ -101,41 +102,75 @@ def stages(number: int, seed: int) -> dict[str, float]:
     return {name: round(value, 2) for name, value in {"total": total, **seconds}.items()}
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """Materials of its own in every run, though kernels that Dr.Jit keeps on disk serve them all."""
-    parser.add_argument("--seed", type=int, default=int(time.time()))
+@dataclass(frozen=True)
+class DataRate(Settings):
+    seed: int | None = setting(None, "Of the materials.", low=0, otherwise="of the time: new materials")
+    few: int = setting(12, "Fabrics of the small case.", low=2)
+    full: bool = setting(True, "Answers the queries of whole materials.")
 
 
-def measure(options: Namespace) -> Figures:
+def measure(settings: DataRate, run: Run) -> Found:
     """Seconds of all weaves, of the small case, and where they go."""
     require_llvm()
-    seed = options.seed
-    counts = Counter(material.weave for material in MATERIALS)
-    numbers = {weave: [m.weave for m in MATERIALS].index(weave) for weave in counts}
+    seed = int(time.time()) if settings.seed is None else settings.seed
+    counts = Counter(each.weave for each in MATERIALS)
+    numbers = {weave: [each.weave for each in MATERIALS].index(weave) for weave in counts}
     peaks = [fma_peak()]
-    few = [paper_material(37 * index, seed) for index in range(12)]
+    few = [paper_material(37 * index, seed) for index in range(settings.few)]
     small = [timed(partial(answer_few, fabric, seed))[1] for fabric in few]
-    timings = {weave: material(number, seed) for weave, number in numbers.items()}
+    timings = {weave: material(number, seed) for weave, number in numbers.items() if settings.full}
     peaks.append(fma_peak())
-    mean, processor = (
-        sum(timings[weave][kind] * count for weave, count in counts.items()) / len(MATERIALS)
-        for kind in (0, 1)
-    )
-    return {
+    figures: Figures = {
         "fma_peak_gflops_before_and_after": [round(peak / 1e9, 1) for peak in peaks],
         "seed": seed,
         "queries": int(FULL),
         "seconds_a_material": {weave: round(wall, 2) for weave, (wall, _) in timings.items()},
         "processor_seconds_a_material": {weave: round(used, 2) for weave, (_, used) in timings.items()},
-        "seconds_mean_of_465": round(mean, 2),
-        "processor_seconds_mean_of_465": round(processor, 2),
-        "stages": {weave: stages(numbers[weave] + 1, seed) for weave in ("plain", "twill 8×8")},
+        "stages": {weave: stages(numbers[weave] + 1, seed) for weave in SPLIT if settings.full},
         "small_queries": SMALL_PAIRS * SMALL_FOOTPRINTS,
         "small_seconds_first": round(small[0], 3),
         "small_seconds_following": round(statistics.median(small[1:]), 3),
         "operations_a_texel": operations(),
     }
+    if timings:
+        mean, processor = (
+            sum(timings[weave][kind] * count for weave, count in counts.items()) / len(MATERIALS)
+            for kind in (0, 1)
+        )
+        figures |= {
+            "seconds_mean_of_465": round(mean, 2),
+            "processor_seconds_mean_of_465": round(processor, 2),
+        }
+    return Found(figures)
 
 
-if __name__ == "__main__":
-    run(measure, add_options)
+def tables(figures: Figures) -> list[Table]:
+    """Seconds by weave, and of stages."""
+    walls, used = figures["seconds_a_material"], figures["processor_seconds_a_material"]
+    rows = {weave: [walls[weave], used[weave]] for weave in walls}
+    if "seconds_mean_of_465" in figures:
+        rows["mean of the 465"] = [figures["seconds_mean_of_465"], figures["processor_seconds_mean_of_465"]]
+    made = [Table("A material of 3.2 million queries", ["s", "processor s"], rows)]
+    if figures["stages"]:
+        stages = {weave: list(found.values()) for weave, found in figures["stages"].items()}
+        made.append(Table("Where seconds go", list(next(iter(figures["stages"].values()))), stages))
+    small = [
+        figures["small_seconds_first"],
+        figures["small_seconds_following"],
+        figures["operations_a_texel"],
+    ]
+    note = f"{figures['small_queries']} queries of a fabric that is new."
+    columns = ["first, s", "following, s", "operations a texel"]
+    made.append(Table("The small case", columns, {"a fabric": small}, note))
+    return [table for table in made if table.rows]
+
+
+STUDY = Study(
+    "speed/data_rate",
+    "seconds a material of chen2024: 3.2 million queries, from its number to their answers",
+    DataRate(),
+    measure,
+    tables,
+    stands_on=("point cost",),
+    small={"few": 2, "full": False},
+)

@@ -1,7 +1,5 @@
 """How long the editor's page takes to its first picture in a browser that computes in software.
 
-    python -m studies.speed.first_light [--rounds 3] [--output FILE.json]
-
 Headless Chromium with SwiftShader opens the page on a fresh profile, with the draped cloth and light between
 yarns. Seconds, and CPU seconds of the browser's processes, until the cloth is there flat, until a first lit
 frame (points, without shadows) and until it is drawn as asked for (`lobes`, with shadows): the visit of the
@@ -12,16 +10,21 @@ from __future__ import annotations
 
 import os
 import time
-from argparse import ArgumentParser, Namespace
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
 from playwright.sync_api import sync_playwright
 
+from loomlight.core.errors import InputError
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
 from loomlight.viewer.app import Access
 from loomlight.viewer.client import client_folder
-from studies.instruments.browser import SWIFTSHADER, launched, serving, wait_until
-from studies.instruments.harness import Figures, run
+from studies.harness.study import Figures, Found, Run, Study
+from studies.instruments.browser import SWIFTSHADER, chromium, launched, serving, wait_until
 
 FABRIC, SIZE = "twill 3/1", (1280, 800)
 PATIENCE = 600  # seconds for a step
@@ -49,7 +52,7 @@ def browser_cpu_seconds() -> float:
     return sum(ticks[process] for process in below - {os.getpid()}) / os.sysconf("SC_CLK_TCK")
 
 
-def first_picture(playwright: Any, port: int) -> dict[str, dict[str, float]]:
+def first_picture(playwright: Any, port: int, steps: Mapping[str, str]) -> dict[str, dict[str, float]]:
     """Seconds and CPU seconds to each step of one visit."""
     with launched(playwright, SWIFTSHADER) as browser:
         page = browser.new_context(viewport={"width": SIZE[0], "height": SIZE[1]}).new_page()
@@ -57,29 +60,55 @@ def first_picture(playwright: Any, port: int) -> dict[str, dict[str, float]]:
         begun, cpu = time.perf_counter(), browser_cpu_seconds()
         page.goto(f"http://127.0.0.1:{port}/")
         found = {}
-        for step, condition in STEPS.items():
+        for step, condition in steps.items():
             wait_until(page, condition, PATIENCE)
             seconds, cpu_seconds = time.perf_counter() - begun, browser_cpu_seconds() - cpu
             found[step] = {"seconds": round(seconds, 1), "cpu_seconds": round(cpu_seconds, 1)}
         return found
 
 
-def measure(options: Namespace) -> Figures:
-    """The best of some visits."""
+@dataclass(frozen=True)
+class FirstLight(Settings):
+    rounds: int = setting(3, "Visits.", low=1)
+    full: bool = setting(True, "Waits for the full picture, and not for the flat cloth alone.")
+
+
+def measure(settings: FirstLight, run: Run) -> Found:
+    """The best of some visits.
+
+    Raises:
+        InputError: the browser is missing.
+    """
+    if chromium() is None:
+        raise InputError("Chromium is missing (Debian, Ubuntu: apt install chromium).")
+    steps = dict(islice(STEPS.items(), None if settings.full else 1))
     access = Access.for_host("127.0.0.1")
     with serving(client_folder(), access, FABRIC) as port, sync_playwright() as playwright:
-        visits = [first_picture(playwright, port) for _ in range(options.rounds)]
-    return {
-        "fabric": FABRIC,
-        "window": f"{SIZE[0]}x{SIZE[1]}",
-        **min(visits, key=lambda visit: visit["full picture"]["cpu_seconds"]),
-    }
+        visits = [first_picture(playwright, port, steps) for _ in range(settings.rounds)]
+    last = list(steps)[-1]
+    return Found(
+        {
+            "fabric": FABRIC,
+            "window": f"{SIZE[0]}x{SIZE[1]}",
+            **min(visits, key=lambda visit: visit[last]["cpu_seconds"]),
+        }
+    )
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """How often."""
-    parser.add_argument("--rounds", type=int, default=3, help="visits")
+def tables(figures: Figures) -> list[Table]:
+    """Seconds to each step."""
+    steps = [step for step in STEPS if step in figures]
+    rows = {step: [figures[step]["cpu_seconds"], figures[step]["seconds"]] for step in steps}
+    note = f"{figures['fabric']}, a window of {figures['window']}."
+    return [Table("The editor's page in a browser", ["processor s", "s"], rows, note)]
 
 
-if __name__ == "__main__":
-    run(measure, add_options)
+STUDY = Study(
+    "speed/first_light",
+    "how long the editor's page takes to its first picture in a browser that computes in software",
+    FirstLight(),
+    measure,
+    tables,
+    stands_on=("shaders",),
+    small={"rounds": 1, "full": False},
+)

@@ -1,7 +1,5 @@
 """A first picture as a user meets it: on a new machine, with what that left in its caches, and in stages.
 
-    python -m studies.speed.first_picture [--output FILE.json]
-
 A new machine is a home without caches: of Dr.Jit's kernels, of loomlight, of LLVM. Costs are those of the
 whole command `loomlight render`, its start included; `first_*` until a picture can be looked at. Warm ones
 are the least of three. Stages are CPU seconds of the same steps in a process that takes them one by one.
@@ -9,22 +7,16 @@ are the least of three. Stages are CPU seconds of the same steps in a process th
 
 from __future__ import annotations
 
-import json
-import os
-import subprocess
-import sys
 import tempfile
 import time
-from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from studies.instruments.harness import REPOSITORY, Figures, run
-from studies.instruments.processes import Cost, cost_of, loomlight
-
-SIZES = ("320x240", "640x480")
-_WARM_RUNS = 3
-_STAGES = "import sys; from studies.speed.first_picture import take_stages; take_stages(*sys.argv[1:])"
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Cell, Table
+from studies.harness.study import Figures, Found, Run, Study, listed
+from studies.instruments.processes import Cost, cost_of, in_own_process, loomlight
 
 
 class Home:
@@ -43,21 +35,11 @@ class Home:
 
     def stages(self, fabric: str, size: str) -> dict[str, float]:
         """CPU seconds of every stage."""
-        command = [sys.executable, "-c", _STAGES, fabric, size]
-        done = subprocess.run(
-            command,
-            env={**os.environ, **self.environment},
-            cwd=REPOSITORY,
-            capture_output=True,
-            text=True,
-            check=True,
-        )
-        found: dict[str, float] = json.loads(done.stdout.splitlines()[-1])
-        return found
+        return in_own_process(take_stages, fabric, size, environment=self.environment)
 
 
-def take_stages(fabric: str, size: str) -> None:
-    """Renders a picture stage by stage and prints the CPU seconds of each as JSON."""
+def take_stages(fabric: str, size: str) -> dict[str, float]:
+    """Renders a picture stage by stage; the CPU seconds of each."""
     stages: dict[str, float] = {}
     last = 0.0
 
@@ -90,33 +72,70 @@ def take_stages(fabric: str, size: str) -> None:
     with tempfile.TemporaryDirectory() as folder:
         write_image(Path(folder, "picture.png"), picture)
     ended("writing")
-    print(json.dumps(stages))
+    return stages
 
 
-def measure(options: Namespace) -> Figures:
+@dataclass(frozen=True)
+class FirstPicture(Settings):
+    fabric: str = setting("twill 3/1", "A fabric file, or a weave's name.")
+    sizes: str = setting("320x240,640x480", "Of pictures.", metavar="WxH,…")
+    rounds: int = setting(3, "Warm pictures.", low=1)
+
+
+def measure(settings: FirstPicture, run: Run) -> Found:
     """Costs of pictures of every size, on a new machine and after."""
     pictures: dict[str, Any] = {}
-    for size in SIZES:
+    for size in listed(settings.sizes):
         with tempfile.TemporaryDirectory() as folder:
             home = Home(Path(folder))
-            new = home.render(options.fabric, size)
-            warm = [home.render(options.fabric, size) for _ in range(_WARM_RUNS)]
-            staged = home.stages(options.fabric, size)
+            new = home.render(settings.fabric, size)
+            warm = [home.render(settings.fabric, size) for _ in range(settings.rounds)]
+            staged = home.stages(settings.fabric, size)
         with tempfile.TemporaryDirectory() as folder:
-            staged_new = Home(Path(folder)).stages(options.fabric, size)
+            staged_new = Home(Path(folder)).stages(settings.fabric, size)
         pictures[size] = {
             "new machine": new,
             "warm": min(warm, key=lambda cost: cost["cpu_seconds"]),
             "stages, new machine": staged_new,
             "stages, warm": staged,
         }
-    return {"fabric": options.fabric, "pictures": pictures}
+    return Found({"fabric": settings.fabric, "pictures": pictures})
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """The fabric."""
-    parser.add_argument("--fabric", default="twill 3/1", help="a fabric file, or a weave's name")
+def tables(figures: Figures) -> list[Table]:
+    """Costs by size and machine, and stages."""
+    kinds = ("new machine", "warm")
+    costs: dict[str, list[Cell]] = {
+        f"{size}, {kind}": [
+            found[kind].get(key)
+            for key in ("cpu_seconds", "seconds", "first_cpu_seconds", "first_seconds", "peak_megabytes")
+        ]
+        for size, found in figures["pictures"].items()
+        for kind in kinds
+    }
+    staged = {
+        f"{size}, {kind}": found[f"stages, {kind}"]
+        for size, found in figures["pictures"].items()
+        for kind in kinds
+    }
+    # Only some pictures have a coarse one first.
+    names = max((list(found) for found in staged.values()), key=len)
+    stages: dict[str, list[Cell]] = {
+        case: [found.get(name) for name in names] for case, found in staged.items()
+    }
+    columns = ["processor s", "s", "until a picture: processor s", "s until a picture", "peak, MB"]
+    return [
+        Table("A first picture", columns, costs, f"{figures['fabric']}."),
+        Table("Processor seconds of its stages", names, stages),
+    ]
 
 
-if __name__ == "__main__":
-    run(measure, add_options)
+STUDY = Study(
+    "speed/first_picture",
+    "a first picture as a user meets it: on a new machine, with caches, and in stages",
+    FirstPicture(),
+    measure,
+    tables,
+    stands_on=("lobes cost",),
+    small={"sizes": "32x24", "rounds": 1},
+)

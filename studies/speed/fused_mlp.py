@@ -1,24 +1,23 @@
 """Queries a second of fused networks of the shapes in use, against the machine.
 
-    python -m studies.speed.fused_mlp [--output FILE.json]
-
 Operations are two for each weight. Each share is of the FMA peak measured right before and after, with
 independent chains of multiply-adds on all cores, so that shares hold on busy machines.
 """
 
 from __future__ import annotations
 
-from argparse import Namespace
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
 from loomlight.core.parallel_map import core_count
+from loomlight.core.settings import Settings, setting
 from loomlight.core.simd import DenseLayer, FusedMlp
-from studies.instruments.harness import Figures, run
+from loomlight.evaluation.table import Table
+from studies.harness.study import Figures, Found, Run, Study
 from studies.instruments.machine import fma_peak, median_seconds
 
-COUNT = 1 << 17
 # Widths of all layers, and whether the third layer adds the first one's sums.
 SHAPES = {
     "4x25": ([10, 25, 25, 25, 25, 3], False),
@@ -44,28 +43,46 @@ def network(widths: list[int], skip: bool) -> FusedMlp:
     return FusedMlp(layers)
 
 
-def measure(_: Namespace) -> Figures:
+@dataclass(frozen=True)
+class FusedMlpSpeed(Settings):
+    count: int = setting(1 << 17, "Queries.", low=64)
+
+
+def measure(settings: FusedMlpSpeed, run: Run) -> Found:
     """Rates of all shapes."""
     figures: Figures = {"cores": core_count(), "networks": {}}
     for name, (widths, skip) in SHAPES.items():
         mlp = network(widths, skip)
         rng = np.random.default_rng(1)
-        inputs = [*rng.normal(size=(mlp.inputs, COUNT)).astype(np.float32)]
-        outputs = [*np.empty((mlp.outputs, COUNT), np.float32)]
+        inputs = [*rng.normal(size=(mlp.inputs, settings.count)).astype(np.float32)]
+        outputs = [*np.empty((mlp.outputs, settings.count), np.float32)]
 
         def launch(mlp: FusedMlp = mlp, inputs: list = inputs, outputs: list = outputs) -> None:
             mlp.launch(inputs, outputs)
 
         before = fma_peak()
-        rate = COUNT / median_seconds(launch)
+        rate = settings.count / median_seconds(launch)
         peak = 0.5 * (before + fma_peak())
         figures["networks"][name] = {
             "millions_per_second": round(rate / 1e6, 2),
             "gflops": round(rate * mlp.flops / 1e9, 1),
             "share_of_fma_peak": round(rate * mlp.flops / peak, 3),
         }
-    return figures
+    return Found(figures)
 
 
-if __name__ == "__main__":
-    run(measure)
+def tables(figures: Figures) -> list[Table]:
+    """Rates by network."""
+    keys = ("millions_per_second", "gflops", "share_of_fma_peak")
+    rows = {name: [found[key] for key in keys] for name, found in figures["networks"].items()}
+    return [Table("Fused networks", ["million queries/s", "GFLOP/s", "of the FMA peak"], rows)]
+
+
+STUDY = Study(
+    "speed/fused_mlp",
+    "queries a second of fused networks of the shapes in use, against the machine",
+    FusedMlpSpeed(),
+    measure,
+    tables,
+    small={"count": 1 << 10},
+)

@@ -1,9 +1,5 @@
 """How costs grow: with a draft's threads, with fabrics, pixels, samples and workers.
 
-    python -m studies.speed.growth size workers [--output FILE.json]
-    python -m studies.speed.growth fabrics spp [--output FILE.json]
-    python -m studies.speed.growth threads steps drape [--output FILE.json]
-
 Each figure is of a whole process, its start included: CPU seconds of all threads, seconds, peak memory.
 Caches are warm: what each line compiles has been compiled before. "threads" are the sides of figured drafts,
 rings of twill and satin. "drape" is the time of rendering alone, of 4096 × 4096 threads against a plain weave
@@ -16,32 +12,38 @@ from __future__ import annotations
 import statistics
 import sys
 import tempfile
-from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from loomlight.core.images import write_pixels
-from studies.instruments.harness import REPOSITORY, Figures, run
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Cell, Table
+from studies.harness.study import REPOSITORY, Figures, Found, Run, Study, listed, listed_numbers, names
 from studies.instruments.processes import Cost, cost_of, loomlight
 from studies.instruments.timing import timed
 
 if TYPE_CHECKING:
     from loomlight.fabric import Fabric
 
-THREADS = (4, 64, 641, 4096)
-FABRICS = (1, 4)
-SIZES = ("160x120", "320x240", "640x480")
-SAMPLES = (1, 8, 64)
-WORKERS = (1, 2)
 MAX_TIMES, TURNS, SIDE = 1.3, 7, 256
 # Ends, picks, shafts and colours.
 LARGEST = {"scarf": (641, 8208, 24, 6), "cloth": (4096, 16384, 32, 8), "square": (16384, 16384, 32, 8)}
 # Crossings that `weave info` and `weave show` take and pictures do not.
 _RENDERED = 1 << 26
 _DRAPE = ("--size", f"{SIDE}x{SIDE}", "--spp", 16)
+TITLES = {
+    "threads": "Costs by a figured draft's sides",
+    "fabrics": "Sheets by the number of fabrics",
+    "size": "Pictures by their pixels",
+    "spp": "Pictures by samples a pixel",
+    "workers": "A catalogue of 24 fabrics by workers",
+    "steps": "The largest WIF files",
+}
 _BAKE = "import sys; from loomlight.models.bake import bake; bake(sys.argv[1], sys.argv[2])"
 _READ = "import sys; from loomlight.weave import load_draft; load_draft(sys.argv[1])"
 
@@ -50,10 +52,10 @@ def _catalogue() -> list[str]:
     return [str(path) for path in sorted((REPOSITORY / "examples").glob("*.toml"))]
 
 
-def threads(folder: Path) -> Figures:
+def threads(folder: Path, settings: Growth) -> Figures:
     """What baking and a picture of a figured draft cost, by its sides."""
     found = {}
-    for side in THREADS:
+    for side in _counts("sides", settings.sides):
         picture = folder / f"{side}.png"
         figured_draft(picture, side)
         found[f"{side} × {side}"] = {
@@ -62,38 +64,38 @@ def threads(folder: Path) -> Figures:
             "point": _warm(loomlight("render", picture, "--model", "point", *_DRAPE, "-o", folder / "a.png")),
             "lobes": _warm(loomlight("render", picture, "--model", "lobes", *_DRAPE, "-o", folder / "a.png")),
         }
-        print(side, found[f"{side} × {side}"], file=sys.stderr, flush=True)
     return found
 
 
-def fabrics(folder: Path) -> Figures:
+def fabrics(folder: Path, settings: Growth) -> Figures:
     """Sheets of swatches, by the number of fabrics."""
     sheet = folder / "sheet.png"
     return {
         str(count): _warm(
             loomlight("swatches", *_catalogue()[:count], "--size", 160, "--spp", 4, "-o", sheet)
         )
-        for count in FABRICS
+        for count in _counts("fabrics", settings.fabrics)
     }
 
 
-def size(folder: Path) -> Figures:
+def size(folder: Path, settings: Growth) -> Figures:
     """Pictures by their pixels, 8 samples a pixel."""
     return {
         each: _warm(loomlight("render", "twill 3/1", "--size", each, "-o", folder / "a.png"))
-        for each in SIZES
+        for each in listed(settings.sizes)
     }
 
 
-def spp(folder: Path) -> Figures:
+def spp(folder: Path, settings: Growth) -> Figures:
     """Pictures by samples a pixel, not denoised."""
     command = loomlight("render", "twill 3/1", "--size", "320x240", "--denoise", "off")
     return {
-        str(count): _warm([*command, "--spp", str(count), "-o", str(folder / "a.png")]) for count in SAMPLES
+        str(count): _warm([*command, "--spp", str(count), "-o", str(folder / "a.png")])
+        for count in _counts("samples", settings.samples)
     }
 
 
-def workers(folder: Path) -> Figures:
+def workers(folder: Path, settings: Growth) -> Figures:
     """A catalogue of 24 fabrics, baked by so many processes."""
     sources = []
     for number in range(24):
@@ -101,7 +103,7 @@ def workers(folder: Path) -> Figures:
         file.write_text(f'weave = "twill {number % 3 + 1}/{number % 5 + 1}"\nends_per_cm = {10 + number}\n')
         sources.append(str(file))
     found = {}
-    for count in WORKERS:
+    for count in _counts("workers", settings.workers):
         baked = folder / f"by{count}"
         command = loomlight("bake", *sources, "--model", "lobes", "--workers", count, "-o", baked)
         cost = cost_of(command)
@@ -111,13 +113,17 @@ def workers(folder: Path) -> Figures:
     return found
 
 
+def _counts(option: str, text: str) -> list[int]:
+    return [int(number) for number in listed_numbers(option, text)]
+
+
 def _warm(command: list[str]) -> Cost:
     """The cost of a command that has run before."""
     cost_of(command)
     return cost_of(command)
 
 
-def drape(folder: Path) -> Figures:
+def drape(folder: Path, settings: Growth) -> Figures:
     """Seconds of rendering alone: a figured draft of 4096 × 4096 against a plain weave of its sett."""
     from loomlight.fabric import load_fabric
     from loomlight.mitsuba import choose_variant
@@ -157,7 +163,7 @@ def _plain_like(fabric: Fabric) -> Fabric:
     return fabric_from_text(text)
 
 
-def steps(folder: Path) -> Figures:
+def steps(folder: Path, settings: Growth) -> Figures:
     """What each step with the largest WIF files costs."""
     found: Figures = {}
     for name, (ends, picks, shafts, colours) in LARGEST.items():
@@ -174,7 +180,6 @@ def steps(folder: Path) -> Figures:
         found[name] = {"threads": f"{ends} × {picks}", "megabytes": round(file.stat().st_size / 1e6, 2)}
         for step, command in commands.items():
             found[name][step] = cost_of(command)
-            print(name, step, found[name][step], file=sys.stderr, flush=True)
     return found
 
 
@@ -221,27 +226,91 @@ def _numbered(values: Iterable[object]) -> list[str]:
     return [f"{number}={value}" for number, value in enumerate(values, 1)]
 
 
-PARTS: dict[str, Callable[[Path], Figures]] = {
+PARTS: dict[str, Callable[[Path, Growth], Figures]] = {
     part.__name__: part for part in (threads, fabrics, size, spp, workers, steps, drape)
 }
 
 
-def measure(options: Namespace) -> Figures:
+@dataclass(frozen=True)
+class Growth(Settings):
+    parts: str = names("size,workers", "What grows.", tuple(PARTS))
+    sides: str = setting("4,64,641,4096", "Threads of figured drafts.", metavar="N,…")
+    fabrics: str = setting("1,4", "Fabrics of sheets.", metavar="N,…")
+    sizes: str = setting("160x120,320x240,640x480", "Pixels.", metavar="WxH,…")
+    samples: str = setting("1,8,64", "Samples a pixel.", metavar="N,…")
+    workers: str = setting("1,2", "Processes that bake.", metavar="N,…")
+
+
+def measure(settings: Growth, run: Run) -> Found:
     """The figures of the parts asked for; those that load no renderer here come first."""
-    found: dict[str, Any] = {}
-    for name, part in PARTS.items():
-        if name in options.parts:
-            with tempfile.TemporaryDirectory() as folder:
-                found[name] = part(Path(folder))
-            print(name, found[name], file=sys.stderr, flush=True)
+    found = run.each(
+        {name: partial(_part, name, settings) for name in PARTS if name in listed(settings.parts)}
+    )
     slow = "drape" in found and found["drape"]["ratio"] > MAX_TIMES
-    return {**found, "missed": ["drape"] if slow else []}
+    return Found({**found, "missed": ["drape"] if slow else []})
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """Which parts."""
-    parser.add_argument("parts", nargs="+", metavar="PART", choices=list(PARTS), help=", ".join(PARTS))
+def _part(name: str, settings: Growth) -> Figures:
+    with tempfile.TemporaryDirectory() as folder:
+        return PARTS[name](Path(folder), settings)
 
 
-if __name__ == "__main__":
-    run(measure, add_options, prints=False)
+def tables(figures: Figures) -> list[Table]:
+    """A table a part: of whole processes, and of their steps."""
+    made = []
+    for name, title in TITLES.items():
+        if name in figures:
+            rows: dict[str, list[Cell]] = {}
+            for case, found in figures[name].items():
+                if not isinstance(found, dict):
+                    continue
+                if "cpu_seconds" in found:
+                    rows[case] = _cells(found)
+                else:
+                    rows |= {
+                        f"{case}, {step}": _cells(cost)
+                        for step, cost in found.items()
+                        if isinstance(cost, dict)
+                    }
+            made.append(Table(title, ["processor s", "s", "peak, MB"], rows))
+    if "drape" in figures:
+        found = figures["drape"]
+        row = [found[key] for key in ("seconds", "plain_seconds", "ratio")]
+        columns = ["s", "s of plain weave", "ratio"]
+        made.append(Table("A drape of 4096 × 4096 threads", columns, {"by `point`": row}))
+    return made
+
+
+def _cells(cost: Figures) -> list[Cell]:
+    return [cost.get(key) for key in ("cpu_seconds", "seconds", "peak_megabytes")]
+
+
+STUDIES = (
+    Study(
+        "speed/growth",
+        "how costs grow with pixels, and what workers save",
+        Growth(),
+        measure,
+        tables,
+        stands_on=("lobes cost",),
+        small={"parts": "size", "sizes": "16x12"},
+    ),
+    Study(
+        "speed/growth_samples",
+        "how costs grow with fabrics of a sheet and samples",
+        Growth(parts="fabrics,spp"),
+        measure,
+        tables,
+        stands_on=("lobes cost",),
+        small={"parts": "spp", "samples": "1"},
+    ),
+    Study(
+        "speed/growth_drafts",
+        "how costs grow with a draft's threads, and what the largest WIF files cost",
+        Growth(parts="threads,steps,drape"),
+        measure,
+        tables,
+        stands_on=("lobes cost", "point cost"),
+        small={"parts": "threads", "sides": "4"},
+    ),
+)

@@ -1,7 +1,5 @@
 """Seconds from an edit of a fabric to a picture that shows it, with lobes, in a live picture.
 
-    python -m studies.speed.lobes_edit [--output FILE.json]
-
 A flat piece is shown with one sample a pixel, at 16 × 16 pixels, what a first pixel takes, and at 256 × 256.
 An edit is a scene parameter set and updated, or for the weave another fabric given to the BSDF; then the
 picture is taken. Figures are of several edits to values never seen before; the share of baking stands beside,
@@ -11,11 +9,10 @@ is traced anew. Bars, to the first pixel: 30 ms for colour, roughness and height
 
 from __future__ import annotations
 
-import json
 import statistics
-from argparse import Namespace
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 from unittest.mock import patch
@@ -23,17 +20,17 @@ from unittest.mock import patch
 import mitsuba as mi
 import numpy as np
 
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf
 from loomlight.mitsuba.bsdf import model_bsdfs
 from loomlight.mitsuba.live import LivePicture
 from loomlight.models.lobes import model as lobes_model
-from studies.instruments.harness import Figures, run
+from studies.harness.study import Figures, Found, Run, Study, listed_numbers
 from studies.instruments.scene_edits import SceneEdits
 from studies.instruments.timing import timed
 
-SIDES = (16, 256)
-EDITS = 9
 WEAVES = ("satin 5/2", "twill 2/1", "houndstooth", "basket 2/2", "satin 8/3", "twill 3/1", "plain")
 BARS_MS = {"colour": 30.0, "roughness": 30.0, "height scale": 30.0, "weave": 150.0}
 
@@ -41,7 +38,7 @@ BARS_MS = {"colour": 30.0, "roughness": 30.0, "height scale": 30.0, "weave": 150
 class Bench:
     """One live picture of a fabric, edits of it, and what they took."""
 
-    def __init__(self, side: int) -> None:
+    def __init__(self, side: int, edits: int) -> None:
         """Shows a twill, and takes its first pictures."""
         self.shown = build_scene(
             "flat",
@@ -51,11 +48,12 @@ class Bench:
             max_depth=2,
         )
         self.live = LivePicture(self.shown.scene, integrator=self.shown.integrator)
+        self.count = edits
         self.edits = SceneEdits(self.shown.scene)
 
     def edit(self, name: str, number: int) -> None:
         """Edits what `name` says to a value of its own for each number."""
-        value = (number + 1) / (EDITS + 3)
+        value = (number + 1) / (self.count + 3)
         if name == "weave":
             self._weave(WEAVES[number % len(WEAVES)])
         elif name == "colour":
@@ -98,7 +96,7 @@ def milliseconds(bench: Bench, name: str) -> dict[str, float]:
     """What edits of one kind take, milliseconds."""
     whole: list[float] = []
     with baking_times() as bakings:
-        for number in range(EDITS + 2):
+        for number in range(bench.count + 2):
             # The first two are those of kernels that no earlier edit compiled.
             if number == 2:
                 bakings.clear()
@@ -113,18 +111,45 @@ def milliseconds(bench: Bench, name: str) -> dict[str, float]:
     }
 
 
-def measure(_: Namespace) -> Figures:
+@dataclass(frozen=True)
+class LobesEdit(Settings):
+    sides: str = setting("16,256", "Pixels of pictures, the first against the bars.", metavar="N,…")
+    edits: int = setting(9, "Of each kind.", low=1)
+
+
+def measure(settings: LobesEdit, run: Run) -> Found:
     """Milliseconds of every kind of edit at both sizes, and which bars they miss."""
     choose_variant()
     runs: dict[str, dict[str, Any]] = {}
-    for side in SIDES:
-        bench = Bench(side)
+    sides = [int(side) for side in listed_numbers("sides", settings.sides)]
+    for side in sides:
+        bench = Bench(side, settings.edits)
         runs[f"{side} × {side}"] = {name: milliseconds(bench, name) for name in BARS_MS}
-        print(side, json.dumps(runs[f"{side} × {side}"]), flush=True)
-    first = runs[f"{SIDES[0]} × {SIDES[0]}"]
+    first = runs[f"{sides[0]} × {sides[0]}"]
     missed = [name for name, bar in BARS_MS.items() if first[name]["median_ms"] > bar]
-    return {"bars_ms": BARS_MS, "missed": missed, "runs": runs}
+    return Found({"bars_ms": BARS_MS, "missed": missed, "runs": runs})
 
 
-if __name__ == "__main__":
-    run(measure, prints=False)
+def tables(figures: Figures) -> list[Table]:
+    """Milliseconds by kind of edit, a table a size."""
+    keys = ("median_ms", "of_it_baking_ms", "first_ms")
+    return [
+        Table(
+            f"Edits, {size} pixels",
+            ["ms", "of it baking", "the first, ms"],
+            {name: [found[key] for key in keys] for name, found in kinds.items()},
+            digits=2,
+        )
+        for size, kinds in figures["runs"].items()
+    ]
+
+
+STUDY = Study(
+    "speed/lobes_edit",
+    "seconds from an edit of a fabric to a picture that shows it, with `lobes`",
+    LobesEdit(),
+    measure,
+    tables,
+    stands_on=("lobes cost",),
+    small={"sides": "16", "edits": 1},
+)

@@ -1,7 +1,5 @@
 """How long a material takes by quality, extrapolated from a few steps and queries of a fabric.
 
-    python -m studies.speed.neumip_time [--fabric TEXT] [--steps N] [--output FILE]
-
 Processor seconds of both cores together, which other programs lengthen little; on two idle cores a training
 takes a little more than half of them by the clock, as queries and large batches use both.
 """
@@ -9,31 +7,38 @@ takes a little more than half of them by the clock, as queries and large batches
 from __future__ import annotations
 
 import time
-from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
 from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import btf_of
 from loomlight.models.texture.neumip_training import taken_queries, train_neumip
 from loomlight.models.texture.settings import NEUMIP_QUALITIES
-from studies.instruments.harness import Figures, run
-
-# Queries that are taken to extrapolate from.
-_QUERIES = 1 << 18
+from studies.harness.study import Figures, Found, Run, Study, listed, names
 
 
-def measure(options: Namespace) -> Figures:
+@dataclass(frozen=True)
+class NeumipTime(Settings):
+    fabric: str = setting("twill 2/2", "A fabric file, or a weave's name.")
+    steps: int = setting(8, "Steps that are measured.", low=3)
+    queries: int = setting(1 << 18, "Queries that are measured.", low=1 << 8)
+    qualities: str = names(",".join(NEUMIP_QUALITIES), "Qualities.", tuple(NEUMIP_QUALITIES))
+
+
+def measure(settings: NeumipTime, run: Run) -> Found:
     """Processor seconds of queries, steps and whole trainings."""
     require_llvm()
-    source = fabric_from_text(options.fabric)
+    source = fabric_from_text(settings.fabric)
     btf = btf_of(source, "neumip")
     rows: Figures = {}
-    for quality, whole in NEUMIP_QUALITIES.items():
-        few = replace(whole, queries=_QUERIES, steps=options.steps)
+    for quality in listed(settings.qualities):
+        whole = NEUMIP_QUALITIES[quality]
+        few = replace(whole, queries=settings.queries, steps=settings.steps)
         shape = whole.shape(source, btf.faces)
         marks: list[float] = []
         with TemporaryDirectory() as place:
@@ -41,11 +46,11 @@ def measure(options: Namespace) -> Figures:
             taken_queries(source, btf, replace(few, seed=1), folder)
             begun = time.process_time()
             taken_queries(source, btf, few, folder)
-            queries = (time.process_time() - begun) / _QUERIES * whole.queries
+            queries = (time.process_time() - begun) / settings.queries * whole.queries
             train_neumip(source, few, folder, _marker(marks))
             fit = time.process_time() - marks[-1]
         # Reports of the queries come first; the first step compiles and allocates.
-        step = (marks[-1] - marks[-options.steps + 1]) / (options.steps - 2)
+        step = (marks[-1] - marks[-settings.steps + 1]) / (settings.steps - 2)
         rows[quality] = {
             "texels": f"{shape.columns} × {shape.rows}",
             "queries": whole.queries,
@@ -55,7 +60,7 @@ def measure(options: Namespace) -> Figures:
             "cpu_seconds_of_proposal": fit / few.sampler_steps * whole.sampler_steps,
             "cpu_minutes": (queries + step * whole.steps) / 60,
         }
-    return {"fabric": options.fabric, "steps_measured": options.steps, "rows": rows}
+    return Found({"fabric": settings.fabric, "steps_measured": settings.steps, "rows": rows})
 
 
 def _marker(marks: list[float]) -> Callable[[int, int], None]:
@@ -63,10 +68,20 @@ def _marker(marks: list[float]) -> Callable[[int, int], None]:
     return lambda done, total: marks.append(time.process_time())
 
 
-def _add_options(parser: ArgumentParser) -> None:
-    parser.add_argument("--fabric", default="twill 2/2")
-    parser.add_argument("--steps", type=int, default=8)
+def tables(figures: Figures) -> list[Table]:
+    """Processor time by quality."""
+    keys = ("texels", "queries", "steps", "cpu_seconds_of_queries", "cpu_seconds_of_a_step", "cpu_minutes")
+    rows = {quality: [row[key] for key in keys] for quality, row in figures["rows"].items()}
+    columns = ["texels", "queries", "steps", "queries, s", "a step, s", "minutes"]
+    return [Table("Processor time of a training", columns, rows, f"{figures['fabric']}.")]
 
 
-if __name__ == "__main__":
-    run(measure, _add_options)
+STUDY = Study(
+    "speed/neumip_time",
+    "how long a training of `neumip` takes by quality, extrapolated from a few steps",
+    NeumipTime(),
+    measure,
+    tables,
+    stands_on=("neumip",),
+    small={"steps": 3, "queries": 1 << 14, "qualities": "preview"},
+)

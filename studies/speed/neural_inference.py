@@ -1,7 +1,5 @@
 """Evaluations of the universal network a second, fetches and codings included, against the machine.
 
-    python -m studies.speed.neural_inference [--output FILE.json]
-
 Floating-point operations are those of the layers as they are computed (a multiply-add is two) and of eight
 bilinear fetches; codings and activations are not counted. "in batch" is `NeuralModel.evaluate` of many
 queries, fetch, coding and layers; "by cooperative vectors" is the same without SIMD kernels; "in numpy" is
@@ -12,9 +10,8 @@ with independent chains of multiply-adds, so that shares hold on busy machines.
 
 from __future__ import annotations
 
-import time
-from argparse import Namespace
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any, TypeVar
 from unittest.mock import patch
 
@@ -24,6 +21,8 @@ from drjit.llvm.ad import Array2f, Array3f, Float
 
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 from loomlight.models.neural.decoder import Decoder, decode, decoder_cost
@@ -37,13 +36,11 @@ from loomlight.models.neural.encoding import (
 )
 from loomlight.models.neural.model import NeuralModel
 from loomlight.yarn.geometry import YarnGeometry
-from studies.instruments.harness import Figures, run
+from studies.harness.study import Figures, Found, Run, Study
 from studies.instruments.machine import fma_peak, median_seconds
 from studies.papers.chen2024.cost import network_time
 
 FABRIC = "satin 8/3"
-COUNT = 1 << 18
-PICTURE = 512
 
 
 def queries(model: NeuralModel, count: int) -> tuple[Any, ...]:
@@ -60,27 +57,27 @@ def queries(model: NeuralModel, count: int) -> tuple[Any, ...]:
     return directions(), directions(), centres, sides
 
 
-def in_batch(model: NeuralModel) -> float:
+def in_batch(model: NeuralModel, count: int) -> float:
     """Queries a second of many at once."""
-    lights, views, centres, sides = queries(model, COUNT)
+    lights, views, centres, sides = queries(model, count)
     light, view, side = Array3f(lights), Array3f(views), Float(sides)
     footprint = Footprint(Array2f(centres), Array2f(side, 0), Array2f(0, side))
     dr.eval(light, view, footprint)
-    return COUNT / median_seconds(lambda: dr.eval(model.at(view, footprint).components(light)))
+    return count / median_seconds(lambda: dr.eval(model.at(view, footprint).components(light)))
 
 
-def by_cooperative_vectors(model: NeuralModel) -> float:
+def by_cooperative_vectors(model: NeuralModel, count: int) -> float:
     """The same without SIMD kernels."""
     with patch.object(Decoder, "uses_kernel", lambda decoder, inputs: False):
-        return in_batch(model)
+        return in_batch(model, count)
 
 
-def in_numpy(model: NeuralModel) -> float:
+def in_numpy(model: NeuralModel, count: int) -> float:
     """Queries a second of numpy arrays, turned and copied included."""
-    lights, views, centres, sides = queries(model, COUNT)
+    lights, views, centres, sides = queries(model, count)
     footprints = footprints_in_threads(model.fabric.layout(), centres.T, sides)
     directions = np.ascontiguousarray(lights.T), np.ascontiguousarray(views.T)
-    return COUNT / median_seconds(lambda: decode(model.weights, model.encoded, *directions, footprints))
+    return count / median_seconds(lambda: decode(model.weights, model.encoded, *directions, footprints))
 
 
 Measured = TypeVar("Measured")
@@ -93,19 +90,17 @@ def beside_peak(rate: Callable[[], Measured]) -> tuple[Measured, float]:
     return found, 0.5 * (before + fma_peak())
 
 
-def in_renderer(operations_a_pixel: int) -> tuple[float, float, float]:
+def in_renderer(operations_a_pixel: int, side: int) -> tuple[float, float, float]:
     """Seconds of a picture, share of them in the network, and operations a second in it."""
     choose_variant("llvm_ad_rgb")
-    shown = build_scene(
-        "flat", material_bsdf(FABRIC, "neural"), size=(PICTURE, PICTURE), max_depth=2, zoom=2.4
-    )
+    shown = build_scene("flat", material_bsdf(FABRIC, "neural"), size=(side, side), max_depth=2, zoom=2.4)
 
     def picture() -> None:
         render(shown.scene, spp=1, integrator=shown.integrator)
 
     picture()
     found = min((network_time(picture) for _ in range(3)), key=lambda found: found.seconds)
-    rate = PICTURE**2 * operations_a_pixel / found.network
+    rate = side**2 * operations_a_pixel / found.network
     return found.seconds, found.network / found.seconds, rate
 
 
@@ -126,37 +121,43 @@ def correction_seconds(model: NeuralModel) -> float:
     )
 
 
-def measure(_: Namespace) -> Figures:
+@dataclass(frozen=True)
+class NeuralInference(Settings):
+    count: int = setting(1 << 18, "Queries of a batch.", low=64)
+    picture: int = setting(512, "Pixels a side of the picture.", low=8)
+
+
+def measure(settings: NeuralInference, run: Run) -> Found:
     """Every way of running the network, each against the peak beside it."""
     require_llvm()
     model = NeuralModel.for_source(fabric_from_text(FABRIC))
     corrected = model.encoded.correction is not None
     cost = decoder_cost(model.weights, corrected)
     seen, light = 2 * cost.per_view, 2 * cost.per_light
-    start = time.perf_counter()
-    batch, batch_peak = beside_peak(lambda: in_batch(model))
-    vectors, vectors_peak = beside_peak(lambda: by_cooperative_vectors(model))
-    numpy, numpy_peak = beside_peak(lambda: in_numpy(model))
-    (seconds, fraction, rate), peak = beside_peak(lambda: in_renderer(seen + 2 * light))
+    batch, batch_peak = beside_peak(lambda: in_batch(model, settings.count))
+    vectors, vectors_peak = beside_peak(lambda: by_cooperative_vectors(model, settings.count))
+    numpy, numpy_peak = beside_peak(lambda: in_numpy(model, settings.count))
+    (seconds, fraction, rate), peak = beside_peak(lambda: in_renderer(seen + 2 * light, settings.picture))
     encoder = encoder_seconds(model)
-    return {
-        "fabric": FABRIC,
-        "fma_peak_gflops": round(peak / 1e9, 1),
-        "operations_seen": seen,
-        "operations_light": light,
-        "in_batch": entry(batch, seen + light, batch_peak),
-        "by_cooperative_vectors": entry(vectors, seen + light, vectors_peak),
-        "in_numpy": entry(numpy, seen + light, numpy_peak),
-        "in_renderer": {
-            "picture": f"flat, {PICTURE}², 1 sample, direct light",
-            "seconds": round(seconds, 3),
-            "share_of_time_in_network": round(fraction, 2),
-            "share_of_fma_peak": round(rate / peak, 3),
-        },
-        "encoder_milliseconds_a_face": round(1e3 * encoder, 1),
-        "correction_seconds": round(correction_seconds(model), 2),
-        "seconds": round(time.perf_counter() - start, 1),
-    }
+    return Found(
+        {
+            "fabric": FABRIC,
+            "fma_peak_gflops": round(peak / 1e9, 1),
+            "operations_seen": seen,
+            "operations_light": light,
+            "in_batch": entry(batch, seen + light, batch_peak),
+            "by_cooperative_vectors": entry(vectors, seen + light, vectors_peak),
+            "in_numpy": entry(numpy, seen + light, numpy_peak),
+            "in_renderer": {
+                "picture": f"flat, {settings.picture}², 1 sample, direct light",
+                "seconds": round(seconds, 3),
+                "share_of_time_in_network": round(fraction, 2),
+                "share_of_fma_peak": round(rate / peak, 3),
+            },
+            "encoder_milliseconds_a_face": round(1e3 * encoder, 1),
+            "correction_seconds": round(correction_seconds(model), 2),
+        }
+    )
 
 
 def entry(rate: float, count: int, peak: float) -> dict[str, float]:
@@ -167,5 +168,26 @@ def entry(rate: float, count: int, peak: float) -> dict[str, float]:
     }
 
 
-if __name__ == "__main__":
-    run(measure)
+def tables(figures: Figures) -> list[Table]:
+    """Rates of batches, and what a picture takes."""
+    ways = ("in_batch", "by_cooperative_vectors", "in_numpy", "in_onnx_runtime")
+    keys = ("millions_per_second", "share_of_fma_peak")
+    rows = {way.replace("_", " "): [figures[way][key] for key in keys] for way in ways if way in figures}
+    drawn = figures["in_renderer"]
+    picture = [drawn[key] for key in ("seconds", "share_of_time_in_network", "share_of_fma_peak")]
+    note = f"{figures['fabric']}, FMA peak {figures['fma_peak_gflops']} GFLOP/s."
+    return [
+        Table("Queries of `neural`", ["million/s", "of the FMA peak"], rows, note),
+        Table("In a picture", ["s", "of it in the network", "of the FMA peak"], {drawn["picture"]: picture}),
+    ]
+
+
+STUDY = Study(
+    "speed/neural_inference",
+    "evaluations of the universal network a second, fetches and codings included",
+    NeuralInference(),
+    measure,
+    tables,
+    stands_on=("neural", "network"),
+    small={"count": 1 << 10, "picture": 16},
+)

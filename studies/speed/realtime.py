@@ -1,17 +1,15 @@
 """What a frame costs on a graphics adapter: measured milliseconds, and operations and bytes counted a pixel.
 
-    python -m studies.speed.realtime [--size 64x64] [--output FILE.json]
-
 Times are of frames in which all pixels are cloth under one directional light, one pass, split into the raster
 pass, the layers of what it saw, shading, and the rest (tone mapping and reading back); the first frame, in
-which the driver compiles, is left out. They are scaled from `--size` to 1920 × 1080 by the number of
+which the driver compiles, is left out. They are scaled from their size to 1920 × 1080 by the number of
 pixels. On a software adapter they say little.
 
 Counts are of the exported CUDA library, which slangc makes of the same Slang: it is compiled for the CPU
 with numbers that count every operation that is executed (`realtime_counts.cpp`), and runs the footprints
 and directions of such frames. Networks that are trained for one source have random weights, of which counts
 do not depend: `neumip` with textures of 64 texels and all of its networks, `latent` with 128 texels and each
-decoder. `clustered, 2 texels` is `cloth_estimate`. Integer operations are not counted. Bytes are those of
+decoder. `clustered 2 texels` is `cloth_estimate`. Integer operations are not counted. Bytes are those of
 tables: loaded, and of the 32-byte sectors that a workgroup of 8 × 8 pixels touches, which caches deliver;
 memory delivers each table once a frame, as all tables fit into a cache of some megabytes, and 24 bytes a
 pixel. From the counts follow what 60 frames a second take, and the time on an RTX 4090's published peaks
@@ -21,26 +19,27 @@ pixel. From the counts follow what 60 frames a second take, and the time on an R
 from __future__ import annotations
 
 import time
-from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
+from functools import cache, partial
 from unittest.mock import patch
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.cli.options import parse_size
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.model import ClusteredModel
+from loomlight.models.registry import MODELS
 from loomlight.models.texture.settings import DECODERS
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.materials import Material
+from studies.harness.study import Figures, Found, Run, Study, example, listed, names
 from studies.instruments.counted_library import CountedLibrary, Counts, queries_of
-from studies.instruments.harness import Figures, run
 from studies.instruments.random_networks import random_latent, random_neumip
 
-FABRICS = ("examples/denim.toml", "examples/silk-satin.toml")
 # Pixels a thread.
 DISTANCES = {"near": 20.0, "middle": 2.0, "far": 0.2}
 PIXELS = 1920 * 1080
@@ -62,37 +61,54 @@ _KERNELS = {"raster": "raster", "layers": "first_layer", "shading": "shade_"}
 _PIXEL_BYTES = 24
 
 
-def measure(options: Namespace) -> Figures:
+@dataclass(frozen=True)
+class RealtimeSpeed(Settings):
+    size: tuple[int, int] = setting((64, 64), "Pixels of frames that are timed.", low=8)
+    models: str = names("lobes,point,clustered,neural", "Models whose frames are timed.", tuple(MODELS))
+    fabrics: str = names("denim,silk-satin", "Example fabrics.")
+    rows: str = names("", "Rows that are counted; by default all.")
+    counts_only: bool = setting(False, "No frames: no adapter is needed.")
+
+
+def measure(settings: RealtimeSpeed, run: Run) -> Found:
     """Counts by fabric, model and distance, and times of the adapter."""
-    width, height = parse_size(options.size)
+    width, height = settings.size
+    fabrics = [load_fabric(example(name)) for name in listed(settings.fabrics)]
     rows = []
-    for path in FABRICS:
-        fabric = load_fabric(path)
-        for name, (model, material, estimates) in _materials(fabric).items():
+    for fabric in fabrics:
+        for name, make in _materials(fabric).items():
+            if settings.rows and name not in listed(settings.rows):
+                continue
+            model, material, estimates = make()
             library = CountedLibrary(material, model, estimates)
             for distance, pixels in DISTANCES.items():
                 counts = library.answers(_queries(fabric, pixels))[1]
                 row = {"fabric": fabric.name, "model": name, "distance": distance}
                 rows.append(row | _budget(counts, library.table_bytes))
     figures: Figures = {"counts": rows, "published_ms": PUBLISHED}
-    if not options.counts_only:
+    if not settings.counts_only:
         figures["frames"] = [
-            _frame_times(load_fabric(FABRICS[0]), model, width, height) for model in options.models.split(",")
+            _frame_times(fabrics[0], model, width, height) for model in listed(settings.models)
         ]
-    return figures
+    return Found(figures)
 
 
-def _materials(fabric: Fabric) -> dict[str, tuple[str, Material, bool]]:
-    """Model, what is exported, and whether estimates are counted, by the name of a row."""
-    clustered = ClusteredModel.for_source(fabric)
+def _materials(fabric: Fabric) -> dict[str, Callable[[], tuple[str, Material, bool]]]:
+    """Functions to the model, what is exported, and whether estimates are counted, by the name of a row."""
+    clustered = cache(partial(ClusteredModel.for_source, fabric))
+
+    def of_fabric(name: str) -> tuple[str, Material, bool]:
+        return name, fabric, False
+
+    def of_decoder(name: str) -> tuple[str, Material, bool]:
+        return "latent", random_latent(fabric, name), False
+
     return {
-        "lobes": ("lobes", fabric, False),
-        "point": ("point", fabric, False),
-        "neural": ("neural", fabric, False),
-        "clustered": ("clustered", clustered, False),
-        "clustered, 2 texels": ("clustered", clustered, True),
-        "neumip": ("neumip", random_neumip(fabric), False),
-        **{f"latent {name}": ("latent", random_latent(fabric, name), False) for name in DECODERS},
+        **{name: partial(of_fabric, name) for name in ("lobes", "point", "neural")},
+        "clustered": lambda: ("clustered", clustered(), False),
+        "clustered 2 texels": lambda: ("clustered", clustered(), True),
+        "neumip": lambda: ("neumip", random_neumip(fabric), False),
+        **{f"latent {name}": partial(of_decoder, name) for name in DECODERS},
     }
 
 
@@ -170,13 +186,45 @@ def _frame_times(fabric: Fabric, model: str, width: int, height: int) -> Figures
     }
 
 
-def _options(parser: ArgumentParser) -> None:
-    parser.add_argument("--size", default="64x64", help="pixels of measured frames")
-    parser.add_argument(
-        "--models", default="lobes,point,clustered,neural", help="models whose frames are measured"
+def tables(figures: Figures) -> list[Table]:
+    """Counts of the first fabric by model, near, middle and far; milliseconds of frames."""
+    counts = figures["counts"]
+    first = counts[0]["fabric"]
+    keys = (
+        "operations",
+        "tflops_at_60",
+        "cache_gb_per_s_at_60",
+        "memory_gb_per_s_at_60",
+        "ms_by_arithmetic_of_4090",
     )
-    parser.add_argument("--counts-only", action="store_true", help="no frames: no adapter is needed")
+    rows: dict[str, list[Cell]] = {}
+    for name in dict.fromkeys(row["model"] for row in counts):
+        own = [row for row in counts if (row["fabric"], row["model"]) == (first, name)]
+        rows[f"`{name}`"] = [", ".join(_two_digits(row[key]) for row in own) for key in keys]
+    columns = ["operations", "TFLOP/s", "GB/s of caches", "GB/s of memory", "ms on an RTX 4090's peak"]
+    note = f"{first}; near, middle, far; rates at 60 frames a second of 1080p."
+    made = [Table("What a pixel costs", columns, rows, note)]
+    if "frames" in figures:
+        parts = [*_KERNELS, "rest"]
+        frames: dict[str, list[Cell]] = {
+            f"`{frame['model']}`": [frame["ms"][part] for part in parts] for frame in figures["frames"]
+        }
+        made.append(Table(f"Milliseconds of a frame on {figures['frames'][0]['adapter']}", parts, frames))
+    return made
 
 
-if __name__ == "__main__":
-    run(measure, _options)
+def _two_digits(number: float) -> str:
+    if number < 1000:
+        return f"{number:.2g}" if number < 10 else f"{number:.0f}"
+    return f"{round(number, -2):.0f}"
+
+
+STUDY = Study(
+    "speed/realtime",
+    "what a frame costs on a graphics adapter: operations and bytes a pixel, and milliseconds",
+    RealtimeSpeed(),
+    measure,
+    tables,
+    stands_on=("shaders", "lobes cost", "point cost"),
+    small={"fabrics": "denim", "rows": "point", "counts_only": True},
+)

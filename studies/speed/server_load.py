@@ -1,7 +1,5 @@
 """The editor's server while many read drafts: latency, errors and memory.
 
-    python -m studies.speed.server_load [--clients 64] [--seconds 60] [--output FILE.json]
-
 Clients post drafts of 641 ends, each another one, as fast as they are answered, while one more posts a draft
 of 16,384 ends again and again. Bars: no error, a 99th percentile below 2 s, and resident memory of the server
 within 50 MiB between request 200 and the end.
@@ -9,18 +7,20 @@ within 50 MiB between request 200 and the end.
 
 from __future__ import annotations
 
-import argparse
 import http.client
 import subprocess
 import sys
 import tempfile
 import threading
 import time
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from studies.instruments.harness import Figures, run
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Table
+from studies.harness.study import Figures, Found, Run, Study
 
 _MIB = 1 << 20
 
@@ -72,7 +72,15 @@ class _Load:
             self.post(draft, self.large)
 
 
-def measure(options: argparse.Namespace) -> Figures:
+@dataclass(frozen=True)
+class ServerLoad(Settings):
+    clients: int = setting(64, "Clients that post drafts.", low=1)
+    seconds: float = setting(60.0, "Of the load.", low=0.1)
+    warm: int = setting(200, "Requests before it.", low=1)
+    port: int = setting(8799, "Of the server.", low=1024, high=65535)
+
+
+def measure(settings: ServerLoad, run: Run) -> Found:
     """Percentiles of latency in seconds, errors, and resident MiB."""
     with tempfile.TemporaryDirectory() as page:
         Path(page, "index.html").write_text("page")
@@ -80,12 +88,12 @@ def measure(options: argparse.Namespace) -> Figures:
             "import uvicorn; from pathlib import Path; from loomlight.viewer.app import Access; "
             "from loomlight.viewer.app import editor_app; "
             f"app = editor_app(Path({page!r}), 'twill 3/1', Access(True, None)); "
-            f"uvicorn.run(app, port={options.port}, log_level='error')"
+            f"uvicorn.run(app, port={settings.port}, log_level='error')"
         )
         server = subprocess.Popen([sys.executable, "-c", code])
         try:
-            _await_server(options.port, server)
-            return _figures(options, server.pid)
+            _await_server(settings.port, server)
+            return Found(_figures(settings, server.pid))
         finally:
             server.terminate()
             server.wait()
@@ -102,13 +110,13 @@ def _await_server(port: int, server: subprocess.Popen[bytes]) -> None:
     raise RuntimeError("The server ended.")
 
 
-def _figures(options: argparse.Namespace, server: int) -> Figures:
-    warm = _Load(options.port, 0)
-    for number in range(200):
+def _figures(settings: ServerLoad, server: int) -> Figures:
+    warm = _Load(settings.port, 0)
+    for number in range(settings.warm):
         warm.post(draft_of(641, 641, number), warm.seconds)
     before = _resident_mib(server)
-    load = _Load(options.port, time.monotonic() + options.seconds)
-    threads = [threading.Thread(target=load.client, args=(number,)) for number in range(options.clients)]
+    load = _Load(settings.port, time.monotonic() + settings.seconds)
+    threads = [threading.Thread(target=load.client, args=(number,)) for number in range(settings.clients)]
     threads.append(threading.Thread(target=load.large_client))
     for thread in threads:
         thread.start()
@@ -124,7 +132,7 @@ def _figures(options: argparse.Namespace, server: int) -> Figures:
     if after["server"] - before["server"] > 50:
         missed.append(f"the server grew by {after['server'] - before['server']:.0f} MiB")
     return {
-        "clients": options.clients,
+        "clients": settings.clients,
         "requests": len(load.seconds),
         "errors": len(load.errors),
         "p50_s": float(np.median(load.seconds)),
@@ -147,12 +155,29 @@ def _rss(process: int) -> float:
     return int(Path(f"/proc/{process}/statm").read_text().split()[1]) * 4096 / _MIB
 
 
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """The load."""
-    parser.add_argument("--clients", type=int, default=64)
-    parser.add_argument("--seconds", type=float, default=60.0)
-    parser.add_argument("--port", type=int, default=8799)
+def tables(figures: Figures) -> list[Table]:
+    """Latency, errors and growth."""
+    keys = ("clients", "requests", "errors", "p50_s", "p99_s", "large_p50_s")
+    before, after = (figures["resident_mib"][when]["server"] for when in ("after_200", "at_the_end"))
+    columns = [
+        "clients",
+        "requests",
+        "errors",
+        "median, s",
+        "99th percentile, s",
+        "large, median, s",
+        "grew by, MiB",
+    ]
+    return [
+        Table("Drafts read by a server", columns, {"load": [*(figures[key] for key in keys), after - before]})
+    ]
 
 
-if __name__ == "__main__":
-    run(measure, add_options)
+STUDY = Study(
+    "speed/server_load",
+    "the editor's server while many read drafts: latency, errors and memory",
+    ServerLoad(),
+    measure,
+    tables,
+    small={"clients": 2, "seconds": 1.0, "warm": 4},
+)
