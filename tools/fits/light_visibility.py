@@ -8,9 +8,11 @@ benchmark whose light and view are on one side.
 
 from __future__ import annotations
 
+import json
 from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +24,6 @@ from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.evaluation.query_benchmark import reference_model
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.codings import FACING
-from studies.instruments.harness import Figures, run
 from studies.instruments.held_out import held_out_fabrics
 
 PAIRS, FOOTPRINTS, TEXELS_PER_THREAD = 48, 24, 24
@@ -89,12 +90,7 @@ def errors(queries: Queries, constants: Sequence[float] = FACING) -> tuple[float
     return float(np.abs(off).sum() / total), float(off.sum() / total)
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """How many fabrics."""
-    parser.add_argument("--fabrics", type=int, default=12, help="held-out fabrics, 1 to 24")
-
-
-def measure(options: Namespace) -> Figures:
+def measure(options: Namespace) -> dict[str, Any]:
     """Errors of the shipped constants, and constants fitted anew."""
     require_llvm()
     rows = {
@@ -114,5 +110,12 @@ def measure(options: Namespace) -> Figures:
     }
 
 
+def main() -> None:
+    """Prints the figures as JSON."""
+    parser = ArgumentParser(description=__doc__)
+    parser.add_argument("--fabrics", type=int, default=12, help="held-out fabrics, 1 to 24")
+    print(json.dumps(measure(parser.parse_args()), indent=2))
+
+
 if __name__ == "__main__":
-    run(measure, add_options)
+    main()

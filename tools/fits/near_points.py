@@ -10,14 +10,14 @@ are slightly soft, so that the objective has gradients. The best of many starts 
 
 from __future__ import annotations
 
+import json
 import time
 from argparse import ArgumentParser, Namespace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
-
-from studies.instruments.harness import Figures, run
 
 COUNT, LINES, SOFTNESS = 8, 1500, 0.04
 NUMBERS = np.arange(1, COUNT + 0.01, 0.25)
@@ -57,13 +57,7 @@ def plastic() -> Floats:
     return (fractions + 0.5) % 1 - 0.5
 
 
-def add_options(parser: ArgumentParser) -> None:
-    """Time limit and seed."""
-    parser.add_argument("--seconds", type=float, default=100.0)
-    parser.add_argument("--seed", type=int, default=1)
-
-
-def measure(options: Namespace) -> Figures:
+def measure(options: Namespace) -> dict[str, Any]:
     """The best points, and their errors by the number of points."""
     lines, rng = Lines(np.random.default_rng(0)), np.random.default_rng(options.seed)
     plastic_errors = lines.errors(plastic())
@@ -92,5 +86,13 @@ def measure(options: Namespace) -> Figures:
     }
 
 
+def main() -> None:
+    """Prints the figures as JSON."""
+    parser = ArgumentParser(description=__doc__)
+    parser.add_argument("--seconds", type=float, default=100.0)
+    parser.add_argument("--seed", type=int, default=1)
+    print(json.dumps(measure(parser.parse_args()), indent=2))
+
+
 if __name__ == "__main__":
-    run(measure, add_options)
+    main()

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from loomlight.scattering import sheen_coefficients
-from studies.instruments.harness import REPOSITORY, outside_data
+from studies.harness.study import REPOSITORY, outside_data
 
 Array = NDArray[np.float64]
 
