@@ -89,6 +89,11 @@ def scene_of_shapes(
     return MeasuredScene(scene, integrator, cloth_pixels(scene, size), float("nan"))
 
 
+def directions_alone() -> mi.Integrator:
+    """Direct light that only the BSDF's directions find."""
+    return mi.load_dict({"type": "direct", "emitter_samples": 0, "bsdf_samples": 1})
+
+
 def cloth_pixels(scene: Any, size: tuple[int, int]) -> NDArray[np.bool_]:
     """Pixels that lie wholly on one piece of cloth of a composed scene [height, width]."""
     width, height = size

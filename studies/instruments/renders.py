@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from loomlight.mitsuba import render
 from loomlight.mitsuba.measured_scenes import MeasuredScene
+from studies.instruments.halved_truth import HalvedTruth
 from studies.instruments.timing import timed
 
 _TIMES = 3
@@ -39,3 +40,9 @@ def fastest_picture(scene: MeasuredScene, samples: int) -> Rendered:
 def one_picture(scene: MeasuredScene, samples: int, seed: int = 1) -> NDArray[np.float32]:
     """Linear RGB [height, width, 3] of a scene."""
     return render(scene.scene, spp=samples, seed=seed, integrator=scene.integrator)
+
+
+def halved_truth(scene: MeasuredScene, samples: int, seed: int) -> HalvedTruth:
+    """A picture of so many samples a pixel in two halves, of this seed and the next one."""
+    half = max(samples // 2, 1)
+    return HalvedTruth((one_picture(scene, half, seed), one_picture(scene, half, seed + 1)))

@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from loomlight.evaluation.metrics import PictureError
-from studies.harness.study import Pixels
+from studies.harness.study import Figures, Found, Pixels
 
 _PAPER, _INK, _FAINT = (255, 255, 255), (20, 20, 20), (110, 110, 110)
 _GAP, _MARGIN = 6, 14
@@ -68,6 +68,33 @@ def contact_sheet(title: str, columns: Sequence[str], rows: Sequence[Row], note:
             _write(draw, (left, top + heights[number] + 2), tile.caption, _CAPTION, _FAINT)
         top += heights[number] + captions[number] + _GAP
     return np.asarray(sheet)
+
+
+class PictureTable:
+    """Pictures in rows and columns: a sheet shows them, and single ones are kept as "ROW-COLUMN"."""
+
+    def __init__(self, title: str, columns: Sequence[str]) -> None:
+        self.title, self.columns = title, list(columns)
+        self.rows: list[Row] = []
+        self.pictures: dict[str, Pixels] = {}
+
+    def add(self, label: str, tiles: Sequence[Tile], errors: Sequence[PictureError] = ()) -> None:
+        """Adds a row.
+
+        Args:
+            tiles: one a column.
+            errors: of the first columns, whose FLIP maps stand below.
+        """
+        self.rows.append(Row(label, tiles))
+        for column, tile in zip(self.columns, tiles, strict=True):
+            if tile.picture is not None:
+                self.pictures[f"{label}-{column}"] = tile.picture
+        if errors:
+            self.rows.append(Row("", [Tile(error.flip_picture) for error in errors]))
+
+    def found(self, figures: Figures, note: str) -> Found:
+        """Figures, and all pictures with a note on their sheet."""
+        return Found(figures, contact_sheet(self.title, self.columns, self.rows, note), self.pictures)
 
 
 def error_caption(error: PictureError) -> str:

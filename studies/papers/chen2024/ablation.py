@@ -19,7 +19,7 @@ from loomlight.models.neural.weights import Weights, read_weights
 from studies.harness.study import Figures, Found, Run, Study, listed, names, on_display, with_tables
 from studies.instruments.held_out import held_out_fabrics
 from studies.instruments.renders import one_picture
-from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
+from studies.instruments.sheet import PictureTable, Tile, error_caption
 from studies.papers.chen2024.fabrics import paper_fabric
 from studies.papers.chen2024.shots import CLOSE, CYLINDER, DRAPE
 from studies.papers.chen2024.stage import Stage, neural_bsdf, neural_predictor
@@ -73,26 +73,25 @@ def ablated(settings: FigureSettings, run: Run) -> Found:
     """
     files = weights_files(run.runs, NETWORKS)
     networks = {name: read_weights(file) for name, file in files.items()}
-    columns = [*NETWORKS, "reference"]
-    rows, pictures = [], {}
+    title = "chen2024 figure 7: one-blob coding and spatial fusion"
+    shown = PictureTable(title, [*NETWORKS, "reference"])
     tables = [Table(metric, list(NETWORKS)) for metric in ("MSE", "FLIP")]
     for number, (label, (shot, weave)) in enumerate(_SCENES.items()):
         fabric = paper_fabric(weave)
         stage = Stage(settings, shot, fabric)
         reference = stage.reference().linear
-        shown = {
+        pictures = {
             name: one_picture(stage.neural_scene(neural_bsdf(fabric, file)), 1)
             for name, file in files.items()
         }
-        errors = {name: picture_error(picture, reference, stage.counted) for name, picture in shown.items()}
-        tiles = [Tile(on_display(picture), error_caption(errors[name])) for name, picture in shown.items()]
-        tiles.append(Tile(on_display(reference), f"{settings.spp} spp"))
-        rows += [Row(label, tiles), Row("", [Tile(error.flip_picture) for error in errors.values()])]
-        for column, tile in zip(columns, tiles, strict=True):
-            if tile.picture is not None:
-                pictures[f"{label}-{column}"] = tile.picture
-        tables[0].rows[label] = [error.mse for error in errors.values()]
-        tables[1].rows[label] = [error.flip for error in errors.values()]
+        errors = [picture_error(picture, reference, stage.counted) for picture in pictures.values()]
+        tiles = [
+            Tile(on_display(picture), error_caption(error))
+            for picture, error in zip(pictures.values(), errors, strict=True)
+        ]
+        shown.add(label, [*tiles, Tile(on_display(reference), f"{settings.spp} spp")], errors)
+        tables[0].rows[label] = [error.mse for error in errors]
+        tables[1].rows[label] = [error.flip for error in errors]
         run.report(number + 1, len(_SCENES) + 1)
     test = _benchmark(settings, networks)
     run.report(len(_SCENES) + 1, len(_SCENES) + 1)
@@ -105,10 +104,7 @@ def ablated(settings: FigureSettings, run: Run) -> Found:
         )
         + f". Trained for {_budget(networks)}. Below each picture its FLIP map."
     )
-    title = "chen2024 figure 7: one-blob coding and spatial fusion"
-    return Found(
-        with_tables(*tables, *test.tables()[:3]), contact_sheet(title, columns, rows, note), pictures
-    )
+    return shown.found(with_tables(*tables, *test.tables()[:3]), note)
 
 
 def compared(settings: AllSettings, run: Run) -> Found:

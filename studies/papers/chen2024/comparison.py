@@ -15,7 +15,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredShot
 from studies.harness.study import Found, Run, Study, listed, names, on_display
 from studies.instruments.renders import Rendered
-from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
+from studies.instruments.sheet import PictureTable, Tile, error_caption
 from studies.papers.chen2024.fabrics import (
     SEEN,
     UNSEEN,
@@ -86,7 +86,7 @@ def backlit(settings: NetworkSettings, run: Run) -> Found:
 @dataclass(frozen=True, eq=False)
 class _Measured:
     picture: Rendered
-    error: PictureError | None
+    error: PictureError
 
 
 def compared(
@@ -97,58 +97,46 @@ def compared(
     cloths: Sequence[tuple[str, Sequence[Fabric]]],
 ) -> Found:
     """Two rows for each picture, by its label and its fabrics: the picture and its FLIP map."""
-    rows, pictures = [], {}
+    shown = PictureTable(title, _COLUMNS)
     tables = {metric: Table(metric, list(_COLUMNS[:-1])) for metric in _METRICS}
     for number, (label, fabrics) in enumerate(cloths):
-        by_column = _measure(settings.stage(shot, *fabrics))
-        shown, maps = [], []
-        for column, measured in by_column.items():
-            file = f"{label}-{column}" if len(cloths) > 1 else column
-            pixels = on_display(measured.picture.linear)
-            pictures[file] = pixels
-            shown.append(Tile(pixels, _caption(measured)))
-            if measured.error is None:
-                maps.append(Tile(None))
-                continue
-            pictures[f"{file}-flip"] = measured.error.flip_picture
-            maps.append(Tile(measured.error.flip_picture))
-        rows += [Row(label, shown), Row("", maps)]
-        errors = [(part.picture, part.error) for part in by_column.values() if part.error is not None]
-        tables["MSE"].rows[label] = [error.mse for _, error in errors]
-        tables["FLIP"].rows[label] = [error.flip for _, error in errors]
-        tables["seconds"].rows[label] = [picture.seconds for picture, _ in errors]
-        tables["samples"].rows[label] = [picture.samples for picture, _ in errors]
+        reference, measured = _measure(settings.stage(shot, *fabrics))
+        pictures = [*(each.picture for each in measured), reference]
+        captions = [*(_caption(each) for each in measured), _cost(reference)]
+        tiles = [
+            Tile(on_display(each.linear), caption) for each, caption in zip(pictures, captions, strict=True)
+        ]
+        shown.add(label, tiles, [each.error for each in measured])
+        tables["MSE"].rows[label] = [each.error.mse for each in measured]
+        tables["FLIP"].rows[label] = [each.error.flip for each in measured]
+        tables["seconds"].rows[label] = [each.picture.seconds for each in measured]
+        tables["samples"].rows[label] = [each.picture.samples for each in measured]
         run.report(number + 1, len(cloths))
     note = (
         f"{shot.yarns:g} yarns a pixel, one directional light, direct light only, box filter; reference: the "
         f"point model with {settings.spp} samples a pixel. MSE of linear RGB and mean LDR-FLIP over the "
         "cloth; seconds of a second picture. Below each picture its FLIP map: dark is alike."
     )
-    sheet = contact_sheet(title, _COLUMNS, rows, note)
-    return Found(settings.figures(*tables.values()), sheet, pictures)
+    return shown.found(settings.figures(*tables.values()), note)
 
 
-def _measure(stage: Stage) -> dict[str, _Measured]:
+def _measure(stage: Stage) -> tuple[Rendered, list[_Measured]]:
+    """The reference, and the pictures of the other columns."""
     reference = stage.reference()
     neural, as_long = stage.equal_time()
-    pictures = {
-        "point, 1 spp": stage.point(1),
-        "point, 3 spp": stage.point(3),
-        "point, equal time": as_long,
-        "neural, 1 spp": neural,
-    }
-    measured = {
-        name: _Measured(picture, picture_error(picture.linear, reference.linear, stage.counted))
-        for name, picture in pictures.items()
-    }
-    return measured | {"reference": _Measured(reference, None)}
+    pictures = (stage.point(1), stage.point(3), as_long, neural)
+    return reference, [
+        _Measured(picture, picture_error(picture.linear, reference.linear, stage.counted))
+        for picture in pictures
+    ]
+
+
+def _cost(picture: Rendered) -> str:
+    return f"{picture.samples} spp, {picture.seconds:.2f} s"
 
 
 def _caption(measured: _Measured) -> str:
-    cost = f"{measured.picture.samples} spp, {measured.picture.seconds:.2f} s"
-    if measured.error is None:
-        return cost
-    return f"{error_caption(measured.error)}, {cost}"
+    return f"{error_caption(measured.error)}, {_cost(measured.picture)}"
 
 
 _STANDS_ON = ("point", "neural", "picture")

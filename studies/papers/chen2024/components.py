@@ -15,8 +15,8 @@ from loomlight.evaluation.metrics import error_sums
 from loomlight.evaluation.query_benchmark import Prediction, monte_carlo_predictor
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
-from studies.harness.study import Found, Pixels, Run, Study, on_display
-from studies.instruments.sheet import Row, Tile, contact_sheet
+from studies.harness.study import Found, Run, Study, on_display
+from studies.instruments.sheet import PictureTable, Tile
 from studies.papers.chen2024.fabrics import Look, paper_fabric
 from studies.papers.chen2024.stage import NetworkSettings, neural_predictor
 
@@ -35,8 +35,7 @@ def separated(settings: NetworkSettings, run: Run) -> Found:
     truth = monte_carlo_predictor(settings.spp)
     neural = neural_predictor(settings.network())
     grid = max(4, round(settings.size[1] * _SIDE_OF_HEIGHT))
-    rows: list[Row] = []
-    pictures: dict[str, Pixels] = {}
+    pictures = PictureTable("chen2024 figure 2: components of plain white cloth", _COLUMNS)
     table = Table("nMAE of the network by component", list(_COLUMNS))
     for number, (side, sign) in enumerate(_SIDES.items()):
         queries = direction_grid(fabric, grid, sign)
@@ -45,10 +44,7 @@ def separated(settings: NetworkSettings, run: Run) -> Found:
         whites = np.quantile(right, 0.99, axis=(1, 2))
         for name, prediction in (("sampled", right), ("neural", guess)):
             shown = [_picture(values, white) for values, white in zip(prediction, whites, strict=True)]
-            rows.append(Row(f"{side}, {name}", [Tile(pixels) for pixels in shown]))
-            pictures |= {
-                f"{side}-{name}-{column}": pixels for column, pixels in zip(_COLUMNS, shown, strict=True)
-            }
+            pictures.add(f"{side}, {name}", [Tile(pixels) for pixels in shown])
         table.rows[side] = [error_sums(p, t).nmae for p, t in zip(guess, right, strict=True)]
         run.report(number + 1, len(_SIDES))
     note = (
@@ -56,8 +52,7 @@ def separated(settings: NetworkSettings, run: Run) -> Found:
         f"column of a side is white at its 99th percentile, sampled. A patch of {_PATCH:g} of the repeat, "
         f"{settings.spp} samples."
     )
-    title = "chen2024 figure 2: components of plain white cloth"
-    return Found(settings.figures(table), contact_sheet(title, _COLUMNS, rows, note), pictures)
+    return pictures.found(settings.figures(table), note)
 
 
 def direction_grid(fabric: Fabric, grid: int, side: float) -> QuerySet:

@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from loomlight.evaluation.metrics import picture_error
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
-from studies.harness.study import Found, Pixels, Run, Study, on_display
+from studies.harness.study import Found, Run, Study, on_display
 from studies.instruments.renders import one_picture
 from studies.instruments.scene_edits import SceneEdits
-from studies.instruments.sheet import Row, Tile, contact_sheet
+from studies.instruments.sheet import PictureTable, Tile
 from studies.papers.chen2024.fabrics import Look, paper_fabric
 from studies.papers.chen2024.shots import BALL
 from studies.papers.chen2024.stage import NetworkSettings, Stage, neural_bsdf
@@ -55,14 +55,13 @@ _PARAMETERS = (
 
 def interpolated(settings: NetworkSettings, run: Run) -> Found:
     """Figure 8: roughness and height field scaling by mixed latents."""
-    rows: list[Row] = []
-    pictures: dict[str, Pixels] = {}
     columns = [f"{value:g}" for value in _VALUES]
+    pictures = PictureTable("chen2024 figure 8: latents interpolated and extrapolated", columns)
     tables = {kind: Table(f"FLIP of {kind}", columns) for kind in _COMPARED}
     apart = Table("FLIP between 0.2 and 0.8", ["reference", "encoded"])
     for number, parameter in enumerate(_PARAMETERS):
         stages = [settings.stage(BALL, parameter.fabric(value)) for value in _VALUES]
-        pictures_of = {
+        linear = {
             "reference": [stage.reference().linear for stage in stages],
             "encoded": [one_picture(stage.neural_scene(), 1) for stage in stages],
             "mixed": _mixed(stages[0], parameter),
@@ -71,22 +70,16 @@ def interpolated(settings: NetworkSettings, run: Run) -> Found:
         for kind, table in tables.items():
             one, other = kind.split(" against ")
             table.rows[parameter.name] = [
-                picture_error(p, q, counted).flip
-                for p, q in zip(pictures_of[one], pictures_of[other], strict=True)
+                picture_error(p, q, counted).flip for p, q in zip(linear[one], linear[other], strict=True)
             ]
         apart.rows[parameter.name] = [
             picture_error(shown[_VALUES.index(_SECOND)], shown[_VALUES.index(_FIRST)], counted).flip
-            for shown in (pictures_of["reference"], pictures_of["encoded"])
+            for shown in (linear["reference"], linear["encoded"])
         ]
-        for kind, shown in pictures_of.items():
+        for kind, shown in linear.items():
             captions = _captions(kind, tables, parameter.name)
-            pixels = [on_display(picture) for picture in shown]
-            tiles = [Tile(picture, caption) for picture, caption in zip(pixels, captions, strict=True)]
-            rows.append(Row(f"{parameter.symbol}, {kind}", tiles))
-            pictures |= {
-                f"{parameter.name}-{column}-{kind}": picture
-                for column, picture in zip(columns, pixels, strict=True)
-            }
+            tiles = [Tile(on_display(each), caption) for each, caption in zip(shown, captions, strict=True)]
+            pictures.add(f"{parameter.name} {parameter.symbol}, {kind}", tiles)
         run.report(number + 1, len(_PARAMETERS))
     differ = ", ".join(
         f"{name}: {reference:.3f} in the reference, {encoded:.3f} as encoded"
@@ -96,10 +89,7 @@ def interpolated(settings: NetworkSettings, run: Run) -> Found:
         f"{_PATTERN}, both families alike. Mixed latents are those of {_FIRST:g} and {_SECOND:g}, weighted "
         f"by the parameter; 0.9 is extrapolated. FLIP between {_FIRST:g} and {_SECOND:g}: {differ}."
     )
-    title = "chen2024 figure 8: latents interpolated and extrapolated"
-    return Found(
-        settings.figures(*tables.values(), apart), contact_sheet(title, columns, rows, note), pictures
-    )
+    return pictures.found(settings.figures(*tables.values(), apart), note)
 
 
 def _captions(kind: str, tables: dict[str, Table], name: str) -> list[str]:

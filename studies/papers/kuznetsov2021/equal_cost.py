@@ -22,15 +22,14 @@ from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.files import replacing
 from loomlight.core.settings import same_setting, setting
-from loomlight.evaluation.metrics import PictureError
 from loomlight.evaluation.table import Cell, Table
 from loomlight.models.registry import btf_of
 from loomlight.models.texture.neumip import NeumipModel
 from loomlight.models.texture.queries import draw_directions
 from loomlight.models.texture.settings import NeumipOptions, NeumipSettings
 from loomlight.sources.heightfield import Heightfield
-from studies.harness.study import Found, Pixels, Run, Study, on_display, with_tables
-from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
+from studies.harness.study import Found, Run, Study, on_display, with_tables
+from studies.instruments.sheet import PictureTable, Tile, error_caption
 from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
 from studies.papers.kuznetsov2021.stage import (
     PREVIEW,
@@ -292,8 +291,7 @@ def comparison(settings: CostSettings, run: Run) -> Found:
     by_level = Table("MSE × 1000 of random queries by level", columns)
     cost = Table("Steps; processor seconds of training", columns)
     texel_mm = trainings.settings.shape(sources[0], faces=1).texel_mm
-    rows: list[Row] = []
-    pictures: dict[str, Pixels] = {}
+    shown = PictureTable("kuznetsov2021 table 2 and figure 6", [*columns, "reference"])
     for number, source in enumerate(sources):
         name = source.name
         designs = {column: trainings.trained(column, source) for column in columns}
@@ -302,16 +300,14 @@ def comparison(settings: CostSettings, run: Run) -> Found:
         cost.rows[f"{name}, rays"] = [int(one.cost["rays"]) for one in designs.values()]
         shot = plane_shot(source, texel_mm, 0, settings.size)
         truth = traced(source, shot, settings.spp)
-        errors: dict[str, PictureError] = {}
-        for column, one in designs.items():
-            picture = model_picture(one.predict, shot)
-            errors[column] = stage_error(picture, truth)
-            pictures[f"{name}-{column}"] = on_display(picture)
-        pictures[f"{name}-reference"] = on_display(truth.picture)
-        squared.rows[name] = [1e3 * error.mse for error in errors.values()]
-        flip.rows[name] = [error.flip for error in errors.values()]
-        tiles = [Tile(pictures[f"{name}-{column}"], error_caption(errors[column])) for column in columns]
-        rows.append(Row(name, [*tiles, Tile(pictures[f"{name}-reference"])]))
+        pictures = [model_picture(one.predict, shot) for one in designs.values()]
+        errors = [stage_error(picture, truth) for picture in pictures]
+        squared.rows[name] = [1e3 * error.mse for error in errors]
+        flip.rows[name] = [error.flip for error in errors]
+        tiles = [
+            Tile(on_display(each), error_caption(error)) for each, error in zip(pictures, errors, strict=True)
+        ]
+        shown.add(name, [*tiles, Tile(on_display(truth.picture))])
         for level in range(settings.levels):
             probes = probe_shot(source, texel_mm * 2**level, level, settings.probes)
             known = traced(source, probes, PROBE_RAYS)
@@ -331,8 +327,7 @@ def comparison(settings: CostSettings, run: Run) -> Found:
         paper,
         ratios("Ratios in the paper", paper),
     ]
-    sheet = contact_sheet("kuznetsov2021 table 2 and figure 6", [*columns, "reference"], rows, note)
-    return Found(with_tables(*tables), sheet, pictures)
+    return shown.found(with_tables(*tables), note)
 
 
 def ratios(title: str, squared: Table) -> Table:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from loomlight.core.settings import setting
 from loomlight.evaluation.metrics import PictureError
 from loomlight.evaluation.table import Cell, Table
-from studies.harness.study import Found, NoSettings, Pixels, Run, Study, on_display, with_tables
-from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
+from studies.harness.study import Found, NoSettings, Run, Study, on_display, with_tables
+from studies.instruments.sheet import PictureTable, Row, Tile, contact_sheet, error_caption
 from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
 from studies.papers.kuznetsov2021.stage import (
     MaterialsSettings,
@@ -55,8 +55,7 @@ def _zooms(settings: LevelsSettings, run: Run, title: str, with_reference: bool)
     columns = [str(level) for level in levels]
     texel_mm = stage_settings(settings).shape(sources[0], faces=1).texel_mm
     squared, flip = Table("MSE × 1000 by level", columns), Table("FLIP by level", columns)
-    rows: list[Row] = []
-    pictures: dict[str, Pixels] = {}
+    shown = PictureTable(title, columns)
     done, total = 0, len(sources) * len(levels)
     for source in sources:
         name = source.name
@@ -70,21 +69,19 @@ def _zooms(settings: LevelsSettings, run: Run, title: str, with_reference: bool)
             errors.append(stage_error(picture, truth))
             tiles.append(Tile(on_display(picture), error_caption(errors[-1])))
             below.append(Tile(on_display(truth.picture)))
-            pictures[f"{name}-{level}"] = on_display(picture)
-            pictures[f"{name}-{level}-reference"] = on_display(truth.picture)
             done += 1
             run.report(done, total)
         squared.rows[name] = [1e3 * error.mse for error in errors]
         flip.rows[name] = [error.flip for error in errors]
-        rows.append(Row(name, tiles))
+        shown.add(name, tiles)
         if with_reference:
-            rows.append(Row(f"{name}, reference", below))
+            shown.add(f"{name}, reference", below)
     note = squared.note = _note(settings)
     rows_of_paper: dict[str, list[Cell]] = {
         name: [*row[: len(levels)]] for name, row in _PAPER_TABLE3.items()
     }
     paper = Table("MSE × 1000 in the paper", columns, rows_of_paper)
-    return Found(with_tables(squared, flip, paper), contact_sheet(title, columns, rows, note), pictures)
+    return shown.found(with_tables(squared, flip, paper), note)
 
 
 def sizes(settings: NoSettings, run: Run) -> Found:

@@ -22,7 +22,7 @@ from loomlight.mitsuba.material_btf import MaterialBtf
 from loomlight.models.interface import Model
 from loomlight.models.texture.queries import footprint_values
 from studies.harness.study import Found, Pixels, Run, Study, with_tables
-from studies.instruments.sheet import Row, Tile, contact_sheet
+from studies.instruments.sheet import PictureTable, Tile
 from studies.papers.zeltner2024.stage import StageSettings, trained
 
 # Texels of uv, and angles of the view from the normal, degrees.
@@ -121,8 +121,7 @@ def polar_plots(settings: StageSettings, run: Run) -> Found:
     choose_variant()
     columns = [f"{u:g}, {v:g} at {view:g}°" for u, v in PLACES for view in VIEWS]
     table = Table("Mean |log10(model / reference)| above a thousandth of the largest value", columns)
-    rows: list[Row] = []
-    pictures: dict[str, Pixels] = {}
+    pictures = PictureTable("zeltner2024 supplemental, figures 8 to 37: polar plots", columns)
     sources = settings.sources()
     for number, source in enumerate(sources):
         model, btf = trained(source, settings, run.runs), MaterialBtf(source)
@@ -132,18 +131,14 @@ def polar_plots(settings: StageSettings, run: Run) -> Found:
                 shown = profile(model, btf, settings.resolution, place, view, settings.spp)
                 errors.append(_log_error(shown))
                 tiles.append(Tile(polar_plot(shown), f"{errors[-1]:.3f}"))
-        for column, tile in zip(columns, tiles, strict=True):
-            if tile.picture is not None:
-                pictures[f"{source.name}-{column}"] = tile.picture
         table.rows[source.name] = [*errors]
-        rows.append(Row(source.name, tiles))
+        pictures.add(source.name, tiles)
         run.report(number + 1, len(sources))
     note = (
         "The plane of incidence at a place of uv and an angle of view: f·cos of the reference (black) and of "
         "2×32 (blue), the sampler's density (orange), logarithmic over three decades."
     )
-    title = "zeltner2024 supplemental, figures 8 to 37: polar plots"
-    return Found(with_tables(table), contact_sheet(title, columns, rows, note), pictures)
+    return pictures.found(with_tables(table), note)
 
 
 def _log_error(shown: Profile) -> float:

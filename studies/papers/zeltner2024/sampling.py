@@ -9,11 +9,9 @@ they stay as they are when samples are traded for time.
 from __future__ import annotations
 
 import math
-import time
 from typing import Any
 
 import drjit as dr
-import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
@@ -25,11 +23,12 @@ from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.scattering.point import DirectionSample, to_face_frame
-from studies.harness.study import Found, Pixels, Run, Study, on_display, with_tables
+from studies.harness.study import Found, Run, Study, on_display, with_tables
 from studies.instruments.altered_models import AlteredModel, UniformDirections
-from studies.instruments.halved_truth import HalvedTruth
-from studies.instruments.renders import one_picture
-from studies.instruments.sheet import Row, Tile, contact_sheet
+from studies.instruments.composed_scenes import directions_alone
+from studies.instruments.renders import halved_truth, one_picture
+from studies.instruments.sheet import PictureTable, Tile
+from studies.instruments.timing import Spent, spent
 from studies.papers.zeltner2024.stage import (
     StageSettings,
     model_factory,
@@ -79,8 +78,7 @@ def sampler_variance(settings: StageSettings, run: Run) -> Found:
     cost = Table(
         "MSE times processor seconds, directions alone", ["cosine", "learned sampler", "gain"], digits=3
     )
-    rows: list[Row] = []
-    pictures: dict[str, Pixels] = {}
+    shown = PictureTable("zeltner2024: the importance sampler", _COLUMNS)
     sources = settings.sources()
     for number, source in enumerate(sources):
         name = source.name
@@ -93,42 +91,34 @@ def sampler_variance(settings: StageSettings, run: Run) -> Found:
         scenes = {
             column: stage_scene(factory, "whole", settings, _DEPTH) for column, factory in factories.items()
         }
-        truths = {column: _truth(scenes[column], settings) for column in _COLUMNS[1:]}
+        truths = {column: halved_truth(scenes[column], settings.spp, 11) for column in _COLUMNS[1:]}
         truths[_COLUMNS[0]] = truths[_COLUMNS[1]]
-        tiles: dict[str, list[Tile]] = {}
-        spent: dict[str, float] = {}
+        seconds: dict[str, float] = {}
         for way in _WAYS:
             errors: dict[str, float] = {}
+            tiles = []
             for column, scene in scenes.items():
-                picture, seconds = _noisy(scene, way)
+                picture, times = _noisy(scene, way)
                 errors[column] = truths[column].squared_error(picture, scene.counted)
-                pixels = on_display(picture)
-                pictures[f"{name}-{way}-{column}"] = pixels
-                tiles.setdefault(way, []).append(Tile(pixels, f"MSE {errors[column]:.2e}"))
-                spent.setdefault(column, seconds)
+                tiles.append(Tile(on_display(picture), f"MSE {errors[column]:.2e}"))
+                seconds.setdefault(column, times.cpu_seconds)
             gain = errors[_COLUMNS[0]] / errors[_COLUMNS[1]]
             noise[way].rows[name] = [*errors.values(), gain]
             if way == _WAYS[0]:
-                products = [errors[column] * spent[column] for column in _COLUMNS[:2]]
+                products = [errors[column] * seconds[column] for column in _COLUMNS[:2]]
                 cost.rows[name] = [*products, products[0] / products[1]]
-            rows.append(Row(f"{name}, {way}", tiles[way]))
+            shown.add(f"{name}, {way}", tiles)
         run.report(number + 1, len(sources))
     note = (
         f"{SAMPLES} samples a pixel, direct light of an environment; truths: {settings.spp} samples of "
         f"the same BSDF, in two halves; 2×32, quality {settings.quality}."
     )
-    title = "zeltner2024: the importance sampler"
-    return Found(with_tables(*noise.values(), cost), contact_sheet(title, _COLUMNS, rows, note), pictures)
+    return shown.found(with_tables(*noise.values(), cost), note)
 
 
-def _truth(scene: MeasuredScene, settings: StageSettings) -> HalvedTruth:
-    half = max(settings.spp // 2, 1)
-    return HalvedTruth((one_picture(scene, half, 11), one_picture(scene, half, 12)))
-
-
-def _noisy(scene: MeasuredScene, way: str) -> tuple[NDArray[np.float32], float]:
-    """A picture of a few samples, and the processor seconds of a second one like it."""
-    integrator = scene.integrator if way == _WAYS[1] else _directions_alone()
+def _noisy(scene: MeasuredScene, way: str) -> tuple[NDArray[np.float32], Spent]:
+    """A picture of a few samples, and its time; one before it compiled."""
+    integrator = scene.integrator if way == _WAYS[1] else directions_alone()
     noisy = MeasuredScene(scene.scene, integrator, scene.counted, scene.yarns_per_pixel)
     # Networks are many times slower in symbolic calls, which Mitsuba's own integrators would make.
     with (
@@ -136,14 +126,7 @@ def _noisy(scene: MeasuredScene, way: str) -> tuple[NDArray[np.float32], float]:
         dr.scoped_set_flag(dr.JitFlag.SymbolicLoops, False),
     ):
         one_picture(noisy, SAMPLES, 3)
-        start = time.process_time()
-        picture = one_picture(noisy, SAMPLES, 4)
-    return picture, time.process_time() - start
-
-
-def _directions_alone() -> Any:
-    """Direct light that only the BSDF's directions find."""
-    return mi.load_dict({"type": "direct", "emitter_samples": 0, "bsdf_samples": 1})
+        return spent(lambda: one_picture(noisy, SAMPLES, 4))
 
 
 STUDY = Study(

@@ -11,7 +11,6 @@ are asked for. A row has CPU seconds, the least of each, and `speedup`.
 from __future__ import annotations
 
 import os
-import time
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
@@ -29,6 +28,7 @@ from loomlight.evaluation.table import Table
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.models.texture.settings import DECODERS
 from studies.harness.study import Figures, Found, Pixels, Run, Study, listed, names, on_display
+from studies.instruments.timing import spent
 from studies.papers.zeltner2024.six_layers import SIX_LAYERS
 from studies.papers.zeltner2024.stage import (
     DEPTH,
@@ -140,9 +140,8 @@ def _timed(name: str, way: str, settings: StageSettings, runs: Path, turns: int)
     scene = _scene(name, way, settings, runs)
     seconds = []
     for turn in range(turns + 1):
-        start = time.process_time()
-        stage_picture(scene, settings, seed=turn)
-        seconds.append(time.process_time() - start)
+        _, times = spent(partial(stage_picture, scene, settings, seed=turn))
+        seconds.append(times.cpu_seconds)
     return seconds
 
 

@@ -6,19 +6,18 @@ them by default. A table of our own says what frames gain with these features an
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.models.texture.settings import DECODERS, FEATURES, RUNGS
 from loomlight.sources.material import Material
-from studies.harness.study import Found, Pixels, Run, Study, on_display, with_tables
-from studies.instruments.sheet import Row, Tile, contact_sheet
+from studies.harness.study import Found, Run, Study, on_display, with_tables
+from studies.instruments.sheet import PictureTable, Tile
 from studies.papers.zeltner2024.analytic_baseline import analytic_factory
 from studies.papers.zeltner2024.stage import (
     ShownError,
@@ -144,8 +143,7 @@ def _compared(
         factories: from a material to functions that make its BSDFs, by the heading of their column.
     """
     choose_variant()
-    pictures: dict[str, Pixels] = {}
-    rows: list[Row] = []
+    shown = PictureTable(title, [*columns, "reference"])
     tables: list[Table] = []
     means: dict[str, list[tuple[float, ...]]] = {column: [] for column in columns}
     sources = settings.sources()
@@ -156,19 +154,20 @@ def _compared(
             label = f"{source.name}, {view}"
             reference_scene = stage_scene(reference_factory(source), view, settings)
             reference = stage_picture(reference_scene, settings, 2)
-            shown = {
+            pictures = {
                 column: stage_picture(stage_scene(factory, view, settings), settings)
                 for column, factory in made.items()
             }
             errors = {
                 column: six_errors(picture, reference, reference_scene.counted)
-                for column, picture in shown.items()
+                for column, picture in pictures.items()
             }
             tables.append(metric_table(label, errors))
             for column, error in errors.items():
                 means[column].append(error.metrics)
-            pictures |= _pictures(label, reference, shown)
-            rows += _rows(label, reference, shown, errors)
+            tiles = [Tile(on_display(each), _caption(errors[column])) for column, each in pictures.items()]
+            maps = [error.picture for error in errors.values()]
+            shown.add(label, [*tiles, Tile(on_display(reference))], maps)
             done += 1
             run.report(done, total)
     floor = _noise_floor(reference_scene, settings)
@@ -181,8 +180,7 @@ def _compared(
         f"quality {settings.quality}{steps}. Noise alone has a FLIP of {floor:.3f} (last material and view)."
     )
     summary.note = note
-    sheet = contact_sheet(title, [*columns, "reference"], rows, note)
-    return Found(with_tables(summary, *([] if paper is None else [paper]), *tables), sheet, pictures)
+    return shown.found(with_tables(summary, *([] if paper is None else [paper]), *tables), note)
 
 
 def _noise_floor(scene: MeasuredScene, settings: StageSettings) -> float:
@@ -191,27 +189,8 @@ def _noise_floor(scene: MeasuredScene, settings: StageSettings) -> float:
     return six_errors(one, other, scene.counted).metrics[0]
 
 
-def _pictures(
-    label: str, reference: NDArray[np.float32], shown: Mapping[str, NDArray[np.float32]]
-) -> dict[str, Pixels]:
-    named = {f"{label}-{column}": on_display(picture) for column, picture in shown.items()}
-    return {**named, f"{label}-reference": on_display(reference)}
-
-
 def _caption(error: ShownError) -> str:
     return f"FLIP {error.metrics[0]:.4f}, MAE {error.metrics[1]:.4f}"
-
-
-def _rows(
-    label: str,
-    reference: NDArray[np.float32],
-    shown: Mapping[str, NDArray[np.float32]],
-    errors: Mapping[str, ShownError],
-) -> list[Row]:
-    """Pictures, and the maps of their FLIP below them."""
-    tiles = [Tile(on_display(picture), _caption(errors[column])) for column, picture in shown.items()]
-    maps = [Tile(error.picture.flip_picture) for error in errors.values()]
-    return [Row(label, [*tiles, Tile(on_display(reference))]), Row("", maps)]
 
 
 _STANDS_ON = ("latent", "picture")

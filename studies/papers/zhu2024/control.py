@@ -34,10 +34,10 @@ from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.models.point import PointModel
 from loomlight.scattering.point import DirectionSample, YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-from studies.harness.study import Found, Pixels, Run, Study, on_display, with_tables
+from studies.harness.study import Found, Run, Study, on_display, with_tables
 from studies.instruments.altered_models import AlteredModel
 from studies.instruments.renders import one_picture
-from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
+from studies.instruments.sheet import PictureTable, Tile, error_caption
 from studies.papers.setting import PictureSettings
 from studies.papers.zhu2024.scenes import table_fabric
 
@@ -181,8 +181,7 @@ def _bsdf(fabric: Fabric, alphas: Alphas, residual: bool) -> BsdfFactory:
 def choice_of_alpha(settings: PictureSettings, run: Run) -> Found:
     """Figure 11: base, residual and their sum for three choices of α, two fabrics."""
     choose_variant()
-    rows: list[Row] = []
-    pictures: dict[str, Pixels] = {}
+    shown = PictureTable("zhu2024 figure 11: the choice of alpha", _COLUMNS)
     table = Table("MSE of two samples", ["base + residual", "f·v alone", "times less"])
     for number, name in enumerate(_FABRICS):
         fabric = table_fabric(name)
@@ -215,19 +214,13 @@ def choice_of_alpha(settings: PictureSettings, run: Run) -> Found:
                 Tile(on_display(plain), error_caption(error)),
                 Tile(on_display(truth), f"{settings.spp} spp"),
             ]
-            rows.append(Row(row, tiles))
-            pictures |= {
-                f"{row}-{column}": tile.picture
-                for column, tile in zip(_COLUMNS[:3], tiles, strict=False)
-                if tile.picture is not None
-            }
+            shown.add(row, tiles)
         run.report(number + 1, len(_FABRICS))
     note = (
         f"{_SHOT.yarns:g} yarns a pixel, one directional light, direct light. The base has {settings.spp} "
         "samples. Residuals may be negative: what a base above the picture has too much."
     )
-    sheet = contact_sheet("zhu2024 figure 11: the choice of alpha", _COLUMNS, rows, note)
-    return Found(with_tables(table), sheet, pictures)
+    return shown.found(with_tables(table), note)
 
 
 STUDY = Study(

@@ -30,7 +30,7 @@ from studies.harness.study import Found, Pixels, Run, Study, on_display, with_ta
 from studies.instruments.altered_models import without_parallax
 from studies.instruments.composed_scenes import Composition, composed_scene, scene_of_shapes
 from studies.instruments.renders import one_picture
-from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
+from studies.instruments.sheet import PictureTable, Tile, error_caption
 from studies.papers.zhu2024.height_field import height_field_shape
 from studies.papers.zhu2024.scenes import ClothSettings
 
@@ -123,8 +123,7 @@ def _compared(
     choose_variant()
     table = Table("MSE", list(columns))
     bias = Table("Mean light over the height field's", list(columns))
-    pictures: dict[str, Pixels] = {}
-    rows = []
+    shown = PictureTable(title, [*columns, "height field"])
     for number, view in enumerate(views):
         field = _height_field_scene(settings, view, fabric)
         truth = one_picture(field, settings.spp, 1)
@@ -138,19 +137,15 @@ def _compared(
             errors.append(error.mse)
             ratios.append(float(picture[counted].mean() / truth[counted].mean()))
             tiles.append(Tile(_part(picture, view), _caption(samples, error)))
-            pictures[f"{view.label}-{name}"] = on_display(picture)
-        pictures[f"{view.label}-height field"] = on_display(truth)
         table.rows[view.label], bias.rows[view.label] = [*errors], [*ratios]
-        rows.append(Row(view.label, [*tiles, Tile(_part(truth, view), f"{settings.spp} spp")]))
+        shown.add(view.label, [*tiles, Tile(_part(truth, view), f"{settings.spp} spp")])
         run.report(number + 1, len(views))
     note = (
         f"{fabric.name}, {_THREADS_PER_CM:g} threads/cm on a cylinder of {200 * RADIUS:g} cm, one "
         f"directional light, direct light. Height field: {_VERTICES_A_THREAD} vertices a thread, shadows and "
         "parallax ray-traced."
     )
-    return Found(
-        with_tables(table, bias), contact_sheet(title, [*columns, "height field"], rows, note), pictures
-    )
+    return shown.found(with_tables(table, bias), note)
 
 
 def _caption(samples: int, error: PictureError) -> str:

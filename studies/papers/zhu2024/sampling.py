@@ -24,9 +24,9 @@ from loomlight.models.interface import Model
 from loomlight.models.registry import make_model
 from studies.harness.study import Found, Run, Study, on_display, with_tables
 from studies.instruments.altered_models import uniformly_sampled
-from studies.instruments.composed_scenes import composed_scene
+from studies.instruments.composed_scenes import composed_scene, directions_alone
 from studies.instruments.renders import one_picture
-from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
+from studies.instruments.sheet import PictureTable, Tile, error_caption
 from studies.papers.zhu2024.scenes import SCENES, SceneSettings, table_composition, table_fabric, table_scene
 
 SAMPLES = 32
@@ -43,32 +43,27 @@ def importance_sampling(settings: SceneSettings, run: Run) -> Found:
     truth_scene = table_scene(_SCENE, settings, "point")
     truth = one_picture(truth_scene, settings.spp, 1)
     shown = on_display(truth)
-    ways = {
-        _COLUMNS[0]: _scene(settings, uniformly_sampled),
-        _COLUMNS[1]: _scene(settings, lambda model: model),
-    }
+    ways = [_scene(settings, uniformly_sampled), _scene(settings, lambda model: model)]
     table = Table("MSE", list(_COLUMNS[:2]))
-    pictures, rows = {"reference": shown}, []
+    title = "zhu2024 figure 5: importance sampling under an environment"
+    pictures = PictureTable(title, _COLUMNS)
     for number, row in enumerate(_ROWS):
         tiles, errors = [], []
-        for column, scene in ways.items():
-            integrator = scene.integrator if number == 0 else _directions_alone()
+        for scene in ways:
+            integrator = scene.integrator if number == 0 else directions_alone()
             picture = one_picture(replace(scene, integrator=integrator), SAMPLES, 2)
             error = picture_error(picture, truth, scene.counted)
             errors.append(error.mse)
-            pixels = on_display(picture)
-            pictures[f"{column}-{row}"] = pixels
-            tiles.append(Tile(pixels, error_caption(error)))
+            tiles.append(Tile(on_display(picture), error_caption(error)))
         table.rows[row] = [*errors]
-        rows.append(Row(row, [*tiles, Tile(shown, f"{settings.spp} spp")]))
+        pictures.add(row, [*tiles, Tile(shown, f"{settings.spp} spp")])
         run.report(number + 1, len(_ROWS))
     light = "the studio" if settings.environment is None else Path(settings.environment).name
     note = (
         f"{settings.model}, {SAMPLES} samples a pixel, direct light of an environment ({light}); reference: "
         f"the point model with {settings.spp} samples."
     )
-    title = "zhu2024 figure 5: importance sampling under an environment"
-    return Found(with_tables(table), contact_sheet(title, _COLUMNS, rows, note), pictures)
+    return pictures.found(with_tables(table), note)
 
 
 def _scene(settings: SceneSettings, altered: Callable[[Model], Model]) -> MeasuredScene:
@@ -86,11 +81,6 @@ def _scene(settings: SceneSettings, altered: Callable[[Model], Model]) -> Measur
         return made
 
     return composed_scene(composition, [factory(fabric) for _, fabric in _SCENE.pieces], settings.size)
-
-
-def _directions_alone() -> mi.Integrator:
-    """Direct light that only the BSDF's directions find."""
-    return mi.load_dict({"type": "direct", "emitter_samples": 0, "bsdf_samples": 1})
 
 
 STUDY = Study(

@@ -22,7 +22,7 @@ from loomlight.mitsuba import choose_variant, material_bsdf, shapes
 from loomlight.mitsuba.measured_scenes import MeasuredShot, shot_scene
 from studies.harness.study import Found, Pixels, Run, Study, listed_numbers, on_display, with_tables
 from studies.instruments.renders import one_picture
-from studies.instruments.sheet import Row, Tile, contact_sheet, error_caption
+from studies.instruments.sheet import PictureTable, Tile, error_caption
 from studies.papers.zhu2024.scenes import ClothSettings
 
 _MODEL_SAMPLES = 2
@@ -56,9 +56,8 @@ def sheen(settings: SheenSettings, run: Run) -> Found:
     strengths = listed_numbers("--strengths", settings.strengths)
     columns = [f"sheen {strength:g}" if strength else "without sheen" for strength in strengths]
     table = Table("MSE", columns)
-    pictures: dict[str, Pixels] = {}
     above, below, errors, light = [], [], [], []
-    for number, (strength, column) in enumerate(zip(strengths, columns, strict=True)):
+    for number, strength in enumerate(strengths):
         fabric = black_fabric(strength)
         scenes = [
             shot_scene(_SHOT, [(fabric, material_bsdf(fabric, name))], settings.size)
@@ -68,7 +67,6 @@ def sheen(settings: SheenSettings, run: Run) -> Found:
         error = picture_error(model, truth, scenes[1].counted)
         errors.append(error.mse)
         light.append(float(truth[scenes[1].counted].mean()))
-        pictures |= {f"{column}-{settings.model}": _bright(model), f"{column}-point": _bright(truth)}
         above.append(Tile(_bright(model), f"{_MODEL_SAMPLES} spp, {error_caption(error)}"))
         below.append(Tile(_bright(truth), f"{settings.spp} spp"))
         run.report(number + 1, len(columns))
@@ -78,9 +76,10 @@ def sheen(settings: SheenSettings, run: Run) -> Found:
         f"Black wool, {_SHOT.yarns:g} yarns a pixel, one directional light from above, direct light; shown "
         f"{_EXPOSURE:g} stops brighter."
     )
-    rows = [Row(settings.model, above), Row("point, the reference", below)]
-    sheet = contact_sheet("zhu2024 figure 7: sheen on black cloth", columns, rows, note)
-    return Found(with_tables(table), sheet, pictures)
+    shown = PictureTable("zhu2024 figure 7: sheen on black cloth", columns)
+    shown.add(settings.model, above)
+    shown.add("point, the reference", below)
+    return shown.found(with_tables(table), note)
 
 
 def _bright(linear: NDArray[np.float32]) -> Pixels:

@@ -24,10 +24,10 @@ from loomlight.evaluation.table import Cell, Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.measured_scenes import MeasuredScene
-from studies.harness.study import Found, Pixels, Run, Study, listed, on_display, with_tables
+from studies.harness.study import Found, Run, Study, listed, on_display, with_tables
 from studies.instruments.halved_truth import HalvedTruth
-from studies.instruments.renders import one_picture
-from studies.instruments.sheet import Row, Tile, contact_sheet
+from studies.instruments.renders import halved_truth, one_picture
+from studies.instruments.sheet import PictureTable, Tile
 from studies.instruments.timing import Spent, least_times
 from studies.papers.zhu2024.scenes import SCENES, SceneSettings, TableScene, TableSettings, table_scene
 
@@ -121,10 +121,9 @@ def measured(scene: TableScene, settings: SceneSettings, samples: int | None = N
         raise InputError(
             f"size = {settings.size} is too small: no pixel of the {scene.name} is wholly on cloth."
         )
-    half = max(settings.spp, 2) // 2
     # Both have one mean; with control variates it has less noise.
     exact = model if settings.model == "clustered" else point
-    truth = HalvedTruth((one_picture(exact, half, _TRUTH_SEED), one_picture(exact, half, _TRUTH_SEED + 1)))
+    truth = halved_truth(exact, settings.spp, _TRUTH_SEED)
     ours = samples or scene.paper.samples[0]
     pictures = {
         "point": one_picture(point, ours, _MODEL_SEED),
@@ -189,8 +188,8 @@ def _times(
 
 
 def _found(results: Sequence[SceneResult], settings: SceneSettings) -> Found:
-    rows: list[Row] = []
-    pictures: dict[str, Pixels] = {}
+    columns = ("without, as many samples", settings.model, "lobes, 1 sample", "truth")
+    shown = PictureTable("zhu2024 table 1: equal quality in five scenes", columns)
     width, height = settings.size
     table = Table(
         "Equal quality",
@@ -227,28 +226,22 @@ def _found(results: Sequence[SceneResult], settings: SceneSettings) -> Found:
             model.spent.seconds,
         ]
         point.rows[name] = [result.point_errors.get(count) for count in _POINT_SAMPLES]
-        shown = _tiles(result, settings)
-        pictures |= {
-            f"{name}-{column}": tile.picture for column, tile in shown.items() if tile.picture is not None
-        }
-        rows.append(Row(name, list(shown.values())))
-    columns = ("without, as many samples", settings.model, "lobes, 1 sample", "truth")
-    sheet = contact_sheet("zhu2024 table 1: equal quality in five scenes", columns, rows, table.note)
-    return Found(with_tables(table, processor, biased, point), sheet, pictures)
+        shown.add(name, _tiles(result, settings))
+    return shown.found(with_tables(table, processor, biased, point), table.note)
 
 
-def _tiles(result: SceneResult, settings: SceneSettings) -> dict[str, Tile]:
+def _tiles(result: SceneResult, settings: SceneSettings) -> list[Tile]:
     model, lobes = result.model, result.lobes
-    return {
-        "point": Tile(on_display(result.point_picture), f"{model.samples} spp"),
-        settings.model: Tile(
+    return [
+        Tile(on_display(result.point_picture), f"{model.samples} spp"),
+        Tile(
             on_display(model.linear),
             f"{model.samples} spp, MSE {model.mse:.1e}, {model.spent.seconds:.2f} s; "
             f"without: {result.samples:.0f} spp, {result.seconds:.2f} s",
         ),
-        "lobes": Tile(on_display(lobes.linear), f"MSE {lobes.mse:.1e}, {lobes.spent.seconds:.2f} s"),
-        "truth": Tile(on_display(result.truth.picture), f"{settings.spp} spp"),
-    }
+        Tile(on_display(lobes.linear), f"MSE {lobes.mse:.1e}, {lobes.spent.seconds:.2f} s"),
+        Tile(on_display(result.truth.picture), f"{settings.spp} spp"),
+    ]
 
 
 STUDY = Study(

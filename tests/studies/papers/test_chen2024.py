@@ -109,9 +109,9 @@ def test_one_comparison(settings: NetworkSettings) -> None:
     assert samples[3] == 1
     # Of the same noise a third, but for the reference's own.
     assert 0 < mse[1] < mse[0]
-    assert {*columns, "reference"} <= set(actual.pictures)
-    assert actual.pictures["reference"].shape == (18, 32, 3)
-    assert actual.pictures["reference"].max() > 50
+    assert set(actual.pictures) == {f"plain-{column}" for column in (*columns, "reference")}
+    assert actual.pictures["plain-reference"].shape == (18, 32, 3)
+    assert actual.pictures["plain-reference"].max() > 50
 
 
 @pytest.mark.slow
@@ -186,7 +186,7 @@ def test_figures_say_which_network_they_show(settings: NetworkSettings) -> None:
     found = components.separated(small, Run())
     assert found.figures["weights"] == {"sha256": small.network().sha256, "trained": False}
     assert found.figures["tables"][0]["rows"]["reflection"]["BSDF"] > 0
-    matrix = found.pictures["reflection-sampled-BSDF"]
+    matrix = found.pictures["reflection, sampled-BSDF"]
     assert matrix.shape[0] == matrix.shape[1]
     assert matrix.std() > 5
 
@@ -212,7 +212,9 @@ def test_mixed_latents_are_the_encoded_ones_at_both_ends(
     # The network has random weights, so that only the reference knows roughness.
     assert tables["FLIP between 0.2 and 0.8"][0] > 0.01
     assert set(actual.pictures) == {
-        f"roughness-{value}-{kind}" for value in ("0.2", "0.8") for kind in ("reference", "encoded", "mixed")
+        f"roughness α, {kind}-{value}"
+        for value in ("0.2", "0.8")
+        for kind in ("reference", "encoded", "mixed")
     }
 
 

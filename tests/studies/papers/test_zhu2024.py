@@ -122,7 +122,9 @@ def test_equal_quality_of_a_scene(monkeypatch: pytest.MonkeyPatch) -> None:
     assert min(result.seconds, result.cpu_seconds, result.model.spent.seconds) > 0
     found = table1._found([result], itself)
     assert stored_tables(found.figures)[0].rows["Cloth cylinder"][4] == pytest.approx(32.5)
-    assert {"Cloth cylinder-point", "Cloth cylinder-lobes", "Cloth cylinder-truth"} <= set(found.pictures)
+    assert {f"Cloth cylinder-{column}" for column in ("point", "lobes, 1 sample", "truth")} <= set(
+        found.pictures
+    )
 
 
 @pytest.mark.slow
