@@ -7,7 +7,7 @@ by gradient descent to queries as the neural model learns from, with its loss, a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import drjit as dr
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Color3, Float, Vec3
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.material_btf import MaterialBtf
+from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.models.texture.queries import draw_directions, draw_lights, footprint_values
 from loomlight.sources.material import Material
 from studies.instruments.cosine_bsdf import cosine_bsdf
@@ -97,9 +98,7 @@ def fitted_channels(source: Material, resolution: int, steps: int | None = None)
     return np.array(optimiser["textures"], np.float32).reshape(rows, columns, CHANNELS)
 
 
-def analytic_factory(
-    source: Material, resolution: int, steps: int | None = None
-) -> Callable[[tuple[float, float]], Any]:
+def analytic_factory(source: Material, resolution: int, steps: int | None = None) -> BsdfFactory:
     """The BSDF of the fit; arguments as of `fitted_channels`."""
     texture_type: Any = mi.Texture2f
     channels = mi.TensorXf(fitted_channels(source, resolution, steps))

@@ -166,7 +166,11 @@ def layered_parts(name: str, side: int = SIDE) -> tuple[str, dict[str, Bytes]]:
 
 def layered_material(name: str, side: int = SIDE) -> Material:
     """One of `LAYERED` as a source; arguments as of `layered_parts`."""
-    xml, pictures = layered_parts(name, side)
+    return material_of(name, *layered_parts(name, side))
+
+
+def material_of(name: str, xml: str, pictures: Mapping[str, Bytes]) -> Material:
+    """The material of an XML and the bytes of its pictures by their file's name."""
     with TemporaryDirectory() as folder:
         for file, content in pictures.items():
             (Path(folder) / file).write_bytes(content.tobytes())

@@ -20,10 +20,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
-from drjit.llvm.ad import Array2f, Array3f
+from drjit.llvm.ad import Array3f
 from numpy.typing import NDArray
 
-from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.table import Table
@@ -33,6 +32,7 @@ from loomlight.models.texture.settings import DECODERS, LatentOptions
 from loomlight.sources.merl import SUFFIX, MerlLibrary, load_merl
 from studies.harness.study import Figures, Found, Run, Study, listed, names
 from studies.papers.zeltner2024.analytic_brdfs import write_analytic_library
+from studies.papers.zeltner2024.stage import at_texel
 
 _SEED = 999  # of no training
 _FLOOR = 1e-4
@@ -111,10 +111,8 @@ def _errors(model: LatentModel, library: MerlLibrary, number: int, pairs: int) -
     width, height = library.repeat_mm
     cell = np.array([width / columns, height / rows], np.float32)
     middle = (np.array([number % columns, number // columns]) + 0.5) * cell
-    centre = Array2f(_columns(np.tile(middle.astype(np.float32), (pairs, 1))))
-    texel = model.weights.shape.texel_mm
-    footprint = Footprint(centre, Array2f(texel, 0), Array2f(0, texel))
-    value = model.at(Array3f(_columns(views)), footprint).value(Array3f(_columns(lights)))
+    at = at_texel(model, middle.astype(np.float32), model.weights.shape.texel_mm, views)
+    value = at.value(Array3f(np.ascontiguousarray(lights.T, np.float32)))
     difference = np.array(value, np.float64).T - truth
     size = np.abs(difference)
     return {
@@ -122,10 +120,6 @@ def _errors(model: LatentModel, library: MerlLibrary, number: int, pairs: int) -
         "bias": difference.sum() / truth.sum(),
         "smape": (2 * size / (np.abs(difference + truth) + truth + _FLOOR)).mean(),
     }
-
-
-def _columns(values: NDArray[np.float32]) -> NDArray[np.float32]:
-    return np.ascontiguousarray(values.T, np.float32)
 
 
 def _short(value: float | np.floating) -> float:

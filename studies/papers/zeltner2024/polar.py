@@ -11,11 +11,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from drjit.llvm.ad import Array2f, Array3f
+from drjit.llvm.ad import Array3f
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-from loomlight.core.footprint import Footprint
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.material_btf import MaterialBtf
@@ -23,7 +22,7 @@ from loomlight.models.interface import Model
 from loomlight.models.texture.queries import footprint_values
 from studies.harness.study import Found, Pixels, Run, Study, with_tables
 from studies.instruments.sheet import PictureTable, Tile
-from studies.papers.zeltner2024.stage import StageSettings, trained
+from studies.papers.zeltner2024.stage import StageSettings, at_texel, trained
 
 # Texels of uv, and angles of the view from the normal, degrees.
 PLACES = ((0.3, 0.4), (0.55, 0.6), (0.7, 0.3))
@@ -78,11 +77,8 @@ def profile(
         )
         for seed in range(samples)
     ]
-    size = model.source.repeat_mm
-    texel = min(size) / resolution
-    centre = Array2f((uv * np.array(size, np.float32)).T.copy())
-    footprint = Footprint(centre, Array2f(texel, 0), Array2f(0, texel))
-    at = model.at(Array3f(np.tile(view, (count, 1)).T.copy()), footprint)
+    size = np.array(model.source.repeat_mm, np.float32)
+    at = at_texel(model, uv[0] * size, min(model.source.repeat_mm) / resolution, np.tile(view, (count, 1)))
     value, density = at.value_and_pdf(Array3f(light.T.copy()))
     return Profile(
         angles,

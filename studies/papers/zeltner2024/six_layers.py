@@ -14,14 +14,11 @@ of a texture:
 
 from __future__ import annotations
 
-from pathlib import Path
-from tempfile import TemporaryDirectory
-
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.sources.material import Material, material_from_xml
-from studies.papers.zeltner2024.layered_materials import SIDE, SIZE_MM, png_of
+from loomlight.sources.material import Material
+from studies.papers.zeltner2024.layered_materials import SIDE, material_of, png_of
 from studies.papers.zeltner2024.layered_textures import (
     fingerprint,
     grid,
@@ -43,10 +40,8 @@ def six_layer_material(side: int = SIDE) -> Material:
     Args:
         side: texels of its textures.
     """
-    with TemporaryDirectory() as folder:
-        for file, values in _textures(side).items():
-            (Path(folder) / f"{file}.png").write_bytes(png_of(file, values).tobytes())
-        return material_from_xml(_tree(), folder, SIX_LAYERS, SIZE_MM)
+    pictures = {f"{file}.png": png_of(file, values) for file, values in _textures(side).items()}
+    return material_of(SIX_LAYERS, _tree(), pictures)
 
 
 def _textures(side: int) -> dict[str, NDArray[np.float64]]:

@@ -7,14 +7,15 @@ references are rendered with as many samples, all of them with light that other 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from drjit.llvm.ad import Array2f, Array3f
 from numpy.typing import NDArray
 
+from loomlight.core.footprint import Footprint
 from loomlight.core.settings import same_setting
 from loomlight.evaluation.metrics import PictureError, picture_error
 from loomlight.evaluation.table import Table
@@ -23,8 +24,9 @@ from loomlight.mitsuba.lights import environment_dict, light_dicts
 from loomlight.mitsuba.material_btf import material_bsdf_of
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.plugins import make_bsdf
+from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.mitsuba.shapes import ground
-from loomlight.models.interface import Model
+from loomlight.models.interface import FootprintBsdf, Model
 from loomlight.models.registry import make_model, model_from_loom
 from loomlight.models.texture.settings import LatentOptions
 from loomlight.sources.loom_file import write_loom
@@ -157,18 +159,27 @@ def trained(
     return model
 
 
-def reference_factory(source: Material) -> Callable[[tuple[float, float]], Any]:
+def reference_factory(source: Material) -> BsdfFactory:
     """The material's own BSDF."""
     return lambda _size: material_bsdf_of(source)
 
 
-def model_factory(model: Model) -> Callable[[tuple[float, float]], Any]:
+def model_factory(model: Model) -> BsdfFactory:
     """The BSDF of a model, whose repeat is a unit of uv as it is the material's."""
     return lambda _size: make_bsdf(model, model.source.default_uv_size_mm)
 
 
+def at_texel(
+    model: Model, place_mm: NDArray[np.float32], texel_mm: float, views: NDArray[np.float32]
+) -> FootprintBsdf:
+    """The model over the footprint of a texel [2], seen from some views [n, 3]."""
+    centre = np.tile(np.asarray(place_mm, np.float32)[:, None], len(views))
+    footprint = Footprint(Array2f(centre), Array2f(texel_mm, 0), Array2f(0, texel_mm))
+    return model.at(Array3f(np.ascontiguousarray(views.T)), footprint)
+
+
 def stage_scene(
-    factory: Callable[[tuple[float, float]], Any], view: str, settings: StageSettings, depth: int = DEPTH
+    factory: BsdfFactory, view: str, settings: StageSettings, depth: int = DEPTH
 ) -> MeasuredScene:
     """The sphere in one of `VIEWS`.
 

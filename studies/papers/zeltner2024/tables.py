@@ -7,13 +7,13 @@ them by default. A table of our own says what frames gain with these features an
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
 from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.measured_scenes import MeasuredScene
+from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.models.texture.settings import DECODERS, FEATURES, RUNGS
 from loomlight.sources.material import Material
 from studies.harness.study import Found, Run, Study, on_display, with_tables
@@ -44,7 +44,6 @@ _PAPER_RUNGS = {
 # Means over Tables 5 to 11 of mean FLIP, in the order of the decoders.
 _PAPER_FLIP = (0.1087, 0.0551, 0.0444)
 _ANALYTIC = "8-channel BRDF"
-_Factory = Callable[[tuple[float, float]], Any]
 
 
 def ablation(settings: StageSettings, run: Run) -> Found:
@@ -134,7 +133,7 @@ def _compared(
     title: str,
     views: tuple[str, ...],
     columns: list[str],
-    factories: Callable[[Material], dict[str, _Factory]],
+    factories: Callable[[Material], dict[str, BsdfFactory]],
     paper: Table | None = None,
 ) -> Found:
     """Pictures and tables of materials in some views.

@@ -11,14 +11,12 @@ many times their width, as under the paper's coats.
 from __future__ import annotations
 
 import math
-from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.sources.material import Material, material_from_xml
-from studies.papers.zeltner2024.layered_materials import SIDE, SIZE_MM, png_of
+from loomlight.sources.material import Material
+from studies.papers.zeltner2024.layered_materials import SIDE, material_of, png_of
 from studies.papers.zeltner2024.layered_textures import Map, noise, normal_map
 
 _Layer = tuple[float, tuple[float, float, float]]
@@ -57,10 +55,8 @@ def two_normal_material(name: str, side: int = SIDE) -> Material:
         f'<bsdf type="blendbsdf"><float name="weight" value="{share}"/>'
         f"{_lobe('first', *first)}{_lobe('second', *second)}</bsdf>"
     )
-    with TemporaryDirectory() as folder:
-        for file, values in zip(("first", "second"), two_normal_maps(name, side), strict=True):
-            (Path(folder) / f"{file}.png").write_bytes(png_of(file, values).tobytes())
-        return material_from_xml(xml, folder, name, SIZE_MM)
+    maps = zip(("first", "second"), two_normal_maps(name, side), strict=True)
+    return material_of(name, xml, {f"{file}.png": png_of(file, values) for file, values in maps})
 
 
 def _lobe(file: str, alpha: float, colour: tuple[float, float, float]) -> str:
