@@ -28,7 +28,7 @@ from loomlight.models.texture.neumip import NeumipModel
 from loomlight.models.texture.queries import draw_directions
 from loomlight.models.texture.settings import NeumipOptions, NeumipSettings
 from loomlight.sources.heightfield import Heightfield
-from studies.harness.study import Found, Run, Study, on_display, with_tables
+from studies.harness.study import Figures, Found, Run, Study, on_display, stored_tables, with_tables
 from studies.instruments.sheet import PictureTable, Tile, error_caption
 from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
 from studies.papers.kuznetsov2021.stage import (
@@ -49,6 +49,7 @@ FORMER = "ours, published recipe"
 COLUMNS = (WITHOUT, OURS, FORMER, RAINER19, RAINER20)
 # Rays of a query of those that errors by level are of.
 PROBE_RAYS = 64
+_RATIOS_BY_LEVEL = "Ratios of MSE to ours by level"
 # Steps that are timed; those before have what is done once.
 _TIMED, _BEFORE = 24, 8
 # Trainings of 2020 have so many times the seconds of the others, for all materials together.
@@ -322,7 +323,7 @@ def comparison(settings: CostSettings, run: Run) -> Found:
         flip,
         ratios("Ratios of MSE to ours", squared),
         by_level,
-        ratios("Ratios of MSE to ours by level", by_level),
+        ratios(_RATIOS_BY_LEVEL, by_level),
         cost,
         paper,
         ratios("Ratios in the paper", paper),
@@ -339,6 +340,23 @@ def ratios(title: str, squared: Table) -> Table:
     found["geometric mean"] = np.exp(np.mean([np.log(row) for row in found.values()], axis=0))
     rows: dict[str, list[Cell]] = {name: [*map(float, row)] for name, row in found.items()}
     return Table(title, [squared.columns[k] for k in others], rows)
+
+
+def tables_with_levels(figures: Figures) -> list[Table]:
+    """The stored tables, and ratios by the size of the footprint: geometric means of all materials."""
+    stored = stored_tables(figures)
+    by_level = next(table for table in stored if table.title == _RATIOS_BY_LEVEL)
+    rows = {name: np.array(row, float) for name, row in by_level.rows.items() if ", " in name}
+    levels = sorted({int(name.rpartition(", ")[2]) for name in rows})
+    means = [
+        np.exp(np.mean([np.log(row) for name, row in rows.items() if name.endswith(f", {level}")], axis=0))
+        for level in levels
+    ]
+    found = np.array([*means, np.exp(np.mean(np.log(list(rows.values())), axis=0))])
+    table = Table("Ratios to ours by side of the footprint in texels", [*(f"{2**k}" for k in levels), "all"])
+    for number, name in enumerate(by_level.columns):
+        table.rows[name] = [*map(float, found[:, number])]
+    return [*stored, table]
 
 
 def _note(budget: Budget, settings: MaterialsSettings) -> str:
@@ -365,6 +383,7 @@ STUDY = Study(
     "five height fields at equal cost: ours, without offset, by the published recipe, and Rainer et al.",
     CostSettings(),
     comparison,
+    tables_with_levels,
     stands_on=("neumip",),
     small={
         "size": (16, 9),

@@ -84,24 +84,20 @@ def measure(settings: Speed, run: Run) -> Found:
 
 def tables(figures: Figures) -> list[Table]:
     """CPU seconds by way, and errors of pictures."""
-    found = []
+    found, timed = [], ("first", "following")
+    columns = [*timed, *(f"times as fast, {which}" for which in timed)]
     for name, row in figures["rows"].items():
         ways = [way for way in row["first"] if not way.startswith("speedup")]
-        table = Table(
-            f"{name}: CPU seconds of a picture", ["first", "following", "times as fast, first", "following"]
-        )
+        table = Table(f"{name}: CPU seconds of a picture", columns)
         for way in ways:
-            seconds = [row[which][way] for which in ("first", "following")]
-            table.rows[way] = [
-                *seconds,
-                *(row[which].get(f"speedup {way}") for which in ("first", "following")),
-            ]
+            seconds = [row[which][way] for which in timed]
+            table.rows[way] = [*seconds, *(row[which].get(f"speedup {way}") for which in timed)]
         found.append(table)
         if "errors" in row:
             errors = {way: cells for way, cells in row["errors"].items() if isinstance(cells, dict)}
-            columns = list(next(iter(errors.values())))
-            rows = {way: [cells[column] for column in columns] for way, cells in errors.items()}
-            found.append(Table(f"{name}: errors of a picture", columns, rows))
+            kinds = list(next(iter(errors.values())))
+            rows = {way: [cells[kind] for kind in kinds] for way, cells in errors.items()}
+            found.append(Table(f"{name}: errors of a picture", kinds, rows))
     return found
 
 

@@ -16,10 +16,11 @@ from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.models.texture.settings import DECODERS, FEATURES, RUNGS
 from loomlight.sources.material import Material
-from studies.harness.study import Found, Run, Study, on_display, with_tables
+from studies.harness.study import Figures, Found, Run, Study, on_display, stored_tables, with_tables
 from studies.instruments.sheet import PictureTable, Tile
 from studies.papers.zeltner2024.analytic_baseline import analytic_factory
 from studies.papers.zeltner2024.stage import (
+    METRICS,
     ShownError,
     StageSettings,
     metric_table,
@@ -182,6 +183,20 @@ def _compared(
     return shown.found(with_tables(summary, *([] if paper is None else [paper]), *tables), note)
 
 
+def tables_of_materials(figures: Figures) -> list[Table]:
+    """FLIP by material and view, and means, before the tables that are stored."""
+    stored = stored_tables(figures)
+    means = stored[0]
+    flip = Table(METRICS[0], means.columns, note=means.note)
+    for table in stored[1:]:
+        # The paper's has its own materials.
+        if METRICS[0] in table.rows:
+            flip.rows[table.title] = table.rows[METRICS[0]]
+    flip.rows["mean"] = means.rows[METRICS[0]]
+    flip.rows["mean absolute error"] = means.rows[METRICS[1]]
+    return [flip, *stored]
+
+
 def _noise_floor(scene: MeasuredScene, settings: StageSettings) -> float:
     """FLIP between two references."""
     one, other = (stage_picture(scene, settings, seed) for seed in (2, 3))
@@ -200,6 +215,7 @@ STUDIES = (
         "four layered materials: a plain network, with encoder, with frames",
         StageSettings(),
         ablation,
+        tables_of_materials,
         stands_on=_STANDS_ON,
         small=_SMALL,
     ),
@@ -208,6 +224,7 @@ STUDIES = (
         "what frames gain of two normal maps, with half-vector features and without",
         StageSettings(materials=",".join(TWO_NORMALS)),
         frames,
+        tables_of_materials,
         stands_on=_STANDS_ON,
         small={**_SMALL, "materials": TWO_NORMALS[0]},
     ),
@@ -216,6 +233,7 @@ STUDIES = (
         "2×16, 2×32 and 3×64, close and from far",
         StageSettings(),
         quality,
+        tables_of_materials,
         stands_on=_STANDS_ON,
         small=_SMALL,
     ),
@@ -224,6 +242,7 @@ STUDIES = (
         "whole spheres by the default network",
         StageSettings(),
         whole,
+        tables_of_materials,
         stands_on=_STANDS_ON,
         small=_SMALL,
     ),
@@ -232,6 +251,7 @@ STUDIES = (
         "beside a simple analytic BRDF with 8 channels",
         StageSettings(),
         eight_channels,
+        tables_of_materials,
         stands_on=_STANDS_ON,
         small=_SMALL,
     ),
