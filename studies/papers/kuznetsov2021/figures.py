@@ -1,4 +1,10 @@
-"""kuznetsov2021: Fig. 5, learned offsets, and Fig. 10, the ablation of channels and layers."""
+"""kuznetsov2021: Fig. 5, learned offsets, and Fig. 10, the ablation of channels and layers.
+
+Do learned offsets follow the relief, which no training sees? Their means along four views, in millimetres,
+deviations, and correlations with the height are of all texels. How much do channels and layers matter? MSE of
+π f·cos, the mean of levels 0 and 1, over that of the published 7 channels and 4 layers, and weights of both
+networks.
+"""
 
 from __future__ import annotations
 
