@@ -16,17 +16,21 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from loomlight.aggregate.queries import BANDS
 from loomlight.core.settings import Settings, declared, setting
 from loomlight.evaluation.metrics import OVERALL
 from loomlight.evaluation.query_benchmark import (
+    ELEVATION,
     FOOTPRINTS,
     PAIRS,
+    ROUGHNESS,
     SEED,
+    WEAVES,
     Predictor,
     model_predictor,
     run_query_benchmark,
 )
-from loomlight.evaluation.table import Table
+from loomlight.evaluation.table import Cell, Table
 from loomlight.models.neural.weights import LAYOUT_RANGES, PARAMETER_RANGES, read_weights
 from loomlight.models.registry import MODELS, make_model, model_class
 from studies.harness.study import Figures, Found, Run, Study, listed, names
@@ -79,25 +83,34 @@ def measure(settings: QueryQuestions, run: Run) -> Found:
 
 
 def tables(figures: Figures) -> list[Table]:
-    """Errors by class, errors of other quantities and costs, and errors by fabric."""
+    """Errors by class, other figures, and errors by fabric."""
     note = f"{len(figures['fabrics'])} fabrics, {figures['queries_per_fabric']} queries each."
-    rows = figures["rows"]
-    parts = list(dict.fromkeys(part for row in rows.values() for part in row["metrics"]["reflection"]))
-    classes = Table("nMAE of grey reflection", parts, note=note)
-    columns = ["transmission", "colour", "MSE", "bias", "queries/s", "multiply-adds", "bytes fetched"]
-    others = Table("Other figures", columns, note="Errors are nMAE; MSE and bias are of grey reflection.")
+    rows = {f"`{name}`" if name in MODELS else name: row for name, row in figures["rows"].items()}
+
+    def nmae(row: Figures, quantity: str, part: str = OVERALL) -> Cell:
+        return row["metrics"].get(quantity, {}).get(part, {}).get("nmae")
+
+    parts = [OVERALL, *BANDS, ROUGHNESS[0], *ELEVATION]
+    quantities = ("transmission", "colour")
+    errors = Table("Errors of models", [*parts, *quantities], note=f"nMAE of grey reflection; {note}")
+    columns = [*ROUGHNESS[1:], *WEAVES, "MSE", "bias", "queries/s", "multiply-adds", "bytes fetched"]
+    others = Table("Other figures", columns, note=f"Of grey reflection, {note}")
     by_fabric = Table("nMAE of grey f·cos by fabric", list(rows))
     for name, row in rows.items():
-        metrics = row["metrics"]
-        reflection = metrics["reflection"]
-        classes.rows[name] = [reflection.get(part, {}).get("nmae") for part in parts]
-        kinds = [metrics.get(kind, {}).get(OVERALL, {}).get("nmae") for kind in ("transmission", "colour")]
-        means = [reflection[OVERALL][metric] for metric in ("mse", "bias")]
+        means = row["metrics"]["reflection"][OVERALL]
         costs = [row[key] for key in ("queries_per_second", "multiply_adds", "bytes_fetched")]
-        others.rows[name] = [*kinds, *means, *costs]
+        errors.rows[name] = [
+            *(nmae(row, "reflection", part) for part in parts),
+            *(nmae(row, quantity) for quantity in quantities),
+        ]
+        others.rows[name] = [
+            *(nmae(row, "reflection", part) for part in (*ROUGHNESS[1:], *WEAVES)),
+            *(means[metric] for metric in ("mse", "bias")),
+            *costs,
+        ]
     for fabric in figures["fabrics"]:
         by_fabric.rows[fabric] = [row["nmae_by_fabric"].get(fabric) for row in rows.values()]
-    return [classes, others, by_fabric]
+    return [errors, others, by_fabric]
 
 
 _FEW = {"fabrics": 1, "pairs": 4, "footprints": 4}
