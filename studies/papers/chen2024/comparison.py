@@ -1,6 +1,6 @@
 """Figures 1, 4, 5 and 6: the network against the point model at 1 and 3 samples and at equal time.
 
-The paper's columns, without NeuMIP's, which joins when that model exists, and with 3 samples everywhere. The
+The paper's columns without NeuMIP's, and with 3 samples everywhere. The
 reference has 256 samples a pixel as the paper's has; its own noise is part of every error.
 """
 

@@ -1,9 +1,9 @@
 """kuznetsov2021: Table 3 with Fig. 11, and Table 4.
 
-How does the error of ours fall with the level of detail? Each material is trained once by the published recipe
-and seen at levels 0 to 7, whose middle pixel has a footprint of 2^level texels; MSE × 1000 of π f·cos without
-the reference's noise, and FLIP with it. Table 4 counts weights of networks and numbers of a texel; nothing is
-trained for it.
+How does the error of ours fall with the level of detail? Each material is trained once by the published
+recipe and seen at levels 0 to 7, whose middle pixel has a footprint of 2^level texels; MSE × 1000 of π f·cos
+without the reference's noise, and FLIP with it. Table 4 counts weights of networks and numbers of a texel;
+nothing is trained for it.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """zhu2024, figures 6 and 8: parallax and sheen on a cylinder, against a ray-traced height field.
 
 The reference is cloth of triangles: yarns stand out from the cylinder as far as they do, and Mitsuba traces
-what hides what (`mitsuba/height_field.py`). The paper compares figure 8 with a photograph; there is none
+what hides what (`height_field.py`). The paper compares figure 8 with a photograph; there is none
 here, and the height field under sheen takes its place. Yarns are thick, as on the paper's cylinder, so that
 parallax shows.
 """

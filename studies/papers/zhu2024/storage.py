@@ -1,10 +1,10 @@
 """Size and error of compressed fibre densities by clusters and rank, and what taking out the mean does.
 
 The error is the mean squared difference of D from its compressed form over the mean of D², over texels of
-both faces and half vectors. "without mean" spends one more
-component instead of the mean (the effect of zhu2024's normalisation, Fig. 4). Bytes are those of tables of
-256 texels: uncompressed, one summed-area table of floats for each cluster and half-vector bin; in a file,
-labels, coefficients and basis; on a device, summed-area tables of coefficients.
+both faces and half vectors. "without mean" spends one more component instead of the mean (the effect of
+zhu2024's normalisation, Fig. 4). Bytes are those of tables of 256 texels: uncompressed, one summed-area table
+of floats for each cluster and half-vector bin; in a file, labels, coefficients and basis; on a device,
+summed-area tables of coefficients.
 """
 
 from __future__ import annotations
