@@ -83,14 +83,17 @@ class PictureTable:
 
         Args:
             tiles: one a column.
-            errors: of the first columns, whose FLIP maps stand below.
+            errors: of the first columns, whose FLIP maps stand below, and are kept as "ROW-COLUMN-FLIP".
         """
         self.rows.append(Row(label, tiles))
         for column, tile in zip(self.columns, tiles, strict=True):
             if tile.picture is not None:
                 self.pictures[f"{label}-{column}"] = tile.picture
-        if errors:
-            self.rows.append(Row("", [Tile(error.flip_picture) for error in errors]))
+        maps = [error.flip_picture for error in errors]
+        for column, picture in zip(self.columns, maps, strict=False):
+            self.pictures[f"{label}-{column}-FLIP"] = picture
+        if maps:
+            self.rows.append(Row("", [Tile(picture) for picture in maps]))
 
     def found(self, figures: Figures, note: str) -> Found:
         """Figures, and all pictures with a note on their sheet."""

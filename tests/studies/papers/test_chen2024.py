@@ -109,7 +109,8 @@ def test_one_comparison(settings: NetworkSettings) -> None:
     assert samples[3] == 1
     # Of the same noise a third, but for the reference's own.
     assert 0 < mse[1] < mse[0]
-    assert set(actual.pictures) == {f"plain-{column}" for column in (*columns, "reference")}
+    maps = {f"plain-{column}-FLIP" for column in columns}
+    assert set(actual.pictures) == {f"plain-{column}" for column in (*columns, "reference")} | maps
     assert actual.pictures["plain-reference"].shape == (18, 32, 3)
     assert actual.pictures["plain-reference"].max() > 50
 
@@ -260,7 +261,7 @@ def test_networks_without_a_part_stand_beside_each_other(
     # All three are the same network here.
     assert errors == pytest.approx([errors[0]] * 3, abs=1e-3)
     assert errors[0] > 0.01
-    assert len(actual.pictures) == len(ablation.NETWORKS) + 1
+    assert len(actual.pictures) == 2 * len(ablation.NETWORKS) + 1
     reflection = next(table for title, table in tables.items() if "reflection" in title)
     assert set(reflection) >= set(ablation.NETWORKS)
     # The benchmark alone, of any of the trainings.
