@@ -153,7 +153,7 @@ POINT = ((1.0, 0.0), (0.0, 1.0))
 CLOSE = Seen(13.0, 297.0, 0.01, edges=POINT), Seen(65.0, 36.0, 0.01, edges=POINT)
 SCANS = {
     "a view": Scan(THREE[:1], 20_000, 1e-3, shorter_side),
-    "three views": Scan(THREE, 20_000, 1e-3, shorter_side),
+    "three views": Scan(THREE, 20_000, 2e-4, shorter_side),
     "all regimes": Scan(GROUPED, 8_000, 1e-4, smallest_square, 0),
     "close up": Scan(CLOSE, 100_000, 1e-4, lambda model: 1.0),
 }

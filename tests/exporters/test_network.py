@@ -27,12 +27,12 @@ from loomlight.models.neural.encoded_fabric import Level, taps
 from loomlight.models.neural.weights import shipped_decoder, shipped_weights
 from loomlight.models.registry import make_model
 from studies.papers.chen2024.training.decoder import decoder_model
-from tests.helpers.arrays import pairs
+from tests.helpers.arrays import vectors
 from tests.helpers.directions import clear_of_the_plane
 from tests.helpers.parity import share_beyond
+from tests.helpers.shader_cases import bsdf_of, footprint_rows
 from tests.helpers.untrained import random_latent
 from tests.marks import slow
-from tests.realtime import test_latent
 
 require_llvm()
 FABRIC = fabric_from_text('weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n')
@@ -196,17 +196,15 @@ def test_the_decoder_computes_what_latent_computes(frames: bool, features: bool,
     """On the query set of the shaders' parity, whose bar this is too."""
     model = random_latent(frames=frames, features=features)
     folder = export(model, "onnx", tmp_path / "onnx")
-    rows = test_latent.queries()
-    footprint = Footprint(*(pairs(rows[name]) for name in ("centre", "dx", "dy")))
-    light, view = (Array3f(*np.ascontiguousarray(rows[name].T)) for name in ("light", "view"))
-    at = model.at(view, footprint)
+    rows = footprint_rows(4096, 2)
+    at = bsdf_of(model, rows)
     facing = {
         name: rows[name] * np.where(rows["view"][:, 2:] < 0, [1, 1, -1], 1) for name in ("light", "view")
     }
     session = onnxruntime.InferenceSession(folder / "decoder.onnx")
     asked = {"latent": np.array(at._latent).T, **facing}
     (found,) = session.run(None, {name: np.float32(values) for name, values in asked.items()})
-    assert share_beyond(found, np.array(at.value(light)).T) == 0
+    assert share_beyond(found, np.array(at.value(vectors(rows["light"]))).T) == 0
     latents = load_file(folder / "latents.safetensors")["latents"]
     manifest = json.loads((folder / "manifest.json").read_text())
     assert manifest["model"] == "latent"

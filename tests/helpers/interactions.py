@@ -13,6 +13,7 @@ from loomlight.mitsuba.props import _field
 from loomlight.models.bake import bake, save
 from loomlight.models.registry import MODELS, model_class
 from tests.helpers.directions import unit_vectors
+from tests.helpers.fabrics import CHEAPEST as FABRIC_CHEAPEST
 
 
 def vectors(values: np.ndarray) -> Any:
@@ -83,3 +84,28 @@ def pretrained(cloth: dict[str, Any], folder: Path) -> dict[str, Any]:
     file = folder / f"{len(list(folder.iterdir()))}.loom"
     save(bake(fabric, name), file)
     return {key: value for key, value in cloth.items() if key not in inline} | {"fabric": str(file)}
+
+
+# Options of the cheapest bakes: what holds for any holds for these.
+CHEAPEST = {MODELS[name].plugin: options for name, options in FABRIC_CHEAPEST.items()}
+CHEAPEST["woven_samples"] = {"points": 2}
+# Open cloth of translucent yarns, 4 mm a unit of uv.
+TWILL = {
+    "weave": "twill 2/1",
+    "warp_color": "#c08040",
+    "weft_color": "#4060c0",
+    "warp_translucency": 0.3,
+    "gap": 0.2,
+    "uv_size": "4,4",
+}
+
+
+def woven(plugin: str, folder: Path | None = None, **parameters: Any) -> Any:
+    """The BSDF of a cloth.
+
+    Args:
+        folder: of the `.loom` of a model that is trained.
+        parameters: beside those of `TWILL`, or in their place.
+    """
+    cloth = {"type": plugin, **CHEAPEST.get(plugin, {}), **TWILL, **parameters}
+    return mi.load_dict(cloth if folder is None else pretrained(cloth, folder))

@@ -13,20 +13,17 @@ import drjit as dr
 import mitsuba as mi
 import numpy as np
 import pytest
-from drjit.llvm.ad import Array2f, Array3f, Float
 
 from loomlight.core.errors import InputError
-from loomlight.core.footprint import Footprint
 from loomlight.core.frozen import named_leaves
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, material_bsdf, render
 from loomlight.models.bake import bake, save
 from loomlight.models.lobes import model as lobes_model
-from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel, LobesOptions
+from loomlight.models.lobes.model import DEFAULT_GROUPS
 from loomlight.models.registry import make_model
 from loomlight.sources.loom_file import write_loom
-from tests.helpers.directions import unit_vectors
-from tests.helpers.interactions import mean_value, random_interactions, vectors
+from tests.helpers.interactions import mean_value
 from tests.marks import slow
 
 GROUPS = 4
@@ -61,32 +58,6 @@ def woven(**parameters: Any) -> Any:
 
 
 @pytest.mark.slow
-def test_values_and_densities_are_those_of_the_model() -> None:
-    bsdf, count = woven(), 2000
-    si, uv, views, sides = random_interactions(count)
-    lights = unit_vectors(np.random.default_rng(1), count)
-    value, pdf = bsdf.eval_pdf(mi.BSDFContext(), si, vectors(lights))
-    through = bsdf.eval_null_transmission(si)
-    dr.eval(value, pdf, through)
-
-    model = LobesModel.for_source(bsdf.model.fabric, LobesOptions(groups=GROUPS))
-    light, view = (Array3f(np.ascontiguousarray(part.T)) for part in (lights, views))
-    side = Float((4 * sides).astype(np.float32))
-    centre = Array2f(np.ascontiguousarray(4 * uv.T, np.float32))
-    footprint = Footprint(centre, Array2f(side, 0), Array2f(0, side))
-    # The same arithmetic, in kernels that are put together differently.
-    close = {"rtol": 2e-3, "atol": 1e-5}
-    at = model.at(view, footprint)
-    wanted, density = at.value_and_pdf(light)
-    hole = at.null_transmission
-    dr.eval(hole, wanted, density)
-    np.testing.assert_allclose(value, wanted, **close)
-    np.testing.assert_allclose(pdf, density, **close)
-    np.testing.assert_allclose(np.array(through)[0], np.array(hole), **close)
-    assert np.array(hole).max() > 0.01
-
-
-@pytest.mark.slow
 def test_nothing_is_uploaded_at_first_use() -> None:
     """Calls are symbolic, where nothing can be: neither at first nor after an edit or another weave."""
     bsdf = woven(sheen_strength=0.4, gap=0.3)
@@ -113,20 +84,6 @@ def edited(bsdf: Any, name: str, value: float) -> None:
     parameters = mi.traverse(bsdf)
     parameters[name] = value
     parameters.update()
-
-
-@pytest.mark.slow
-def test_roughness_bakes_nothing(baked: list[int]) -> None:
-    # With light between yarns albedos follow from the roughness, and an edit leaves albedos alone.
-    rough = woven(interreflection=False)
-    params = mi.traverse(rough)
-    params["warp.roughness"] = 0.7
-    params.update()
-    assert baked == [GROUPS]
-    np.testing.assert_allclose(
-        mean_value(rough), mean_value(woven(warp_roughness=0.7, interreflection=False)), rtol=1e-4
-    )
-    assert np.abs(mean_value(rough) / mean_value(woven(interreflection=False)) - 1).max() > 5e-3
 
 
 def test_groups_are_checked_and_can_be_few(baked: list[int]) -> None:

@@ -198,45 +198,10 @@ def test_albedo_texture_multiplies_the_dye() -> None:
     np.testing.assert_allclose(value, plain * np.array([[0.5], [1.0], [0.25]]), rtol=1e-5)
 
 
-@pytest.mark.slow
-def test_parameters_are_shown_set_and_differentiable() -> None:
-    bsdf = woven(sheen_strength=0.5, sheen_roughness=0.3)
-    params = mi.traverse(bsdf)
-    text = str(bsdf)
+def test_a_bsdf_says_what_it_is() -> None:
+    text = str(woven(sheen_strength=0.5))
     assert "twill 3/1" in text
     assert "4 ends × 4 picks" in text
-    si, wo = interactions(2000, (0.2, 0.1, 1)), dr.normalize(mi.Vector3f(-0.3, 0.4, 0.8))
-
-    def mean(key: str, value: float) -> float:
-        before = type(params[key])(params[key])
-        params[key] = before * 0 + value
-        params.update()
-        result = float(np.array(bsdf.eval(mi.BSDFContext(), si, wo)).mean())
-        params[key] = before
-        params.update()
-        return result
-
-    for key in (
-        "warp.roughness",
-        "warp.twist",
-        "weft.specular_reflect",
-        "warp.diffuse_reflect",
-        "sheen.strength",
-        "sheen.roughness",
-    ):
-        start, step = 0.4, 2e-3
-        difference = (mean(key, start + step) - mean(key, start - step)) / (2 * step)
-        before = type(params[key])(params[key])
-        value = before * 0 + start
-        dr.enable_grad(value)
-        params[key] = value
-        params.update()
-        dr.backward(dr.mean(bsdf.eval(mi.BSDFContext(), si, wo), axis=None))
-        gradient = float(np.array(dr.grad(params[key])).sum())
-        params[key] = before
-        params.update()
-        # float32 differences of means over 2000 points.
-        np.testing.assert_allclose(gradient, difference, rtol=0.02, atol=2e-4, err_msg=key)
 
 
 @pytest.mark.slow

@@ -14,8 +14,10 @@ import pytest
 from numpy.typing import NDArray
 
 from loomlight.core.llvm import llvm_float
+from loomlight.fabric import load_fabric
 from loomlight.models.interface import ShaderTables
 from loomlight.models.lobes.tables import LobeTables, bake_tables, given_numbers
+from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.bake import (
     BUFFER_BYTES,
     DISPATCHES,
@@ -36,6 +38,7 @@ from loomlight.yarn.layout import ClothLayout
 from tests.helpers.directions import clear_of_the_plane
 from tests.helpers.layouts import even_layout
 from tests.helpers.parity import appearance, places, share_beyond
+from tests.helpers.shader_cases import EXAMPLES
 from tests.helpers.slang import mapped
 
 GROUPS = 8
@@ -177,3 +180,16 @@ def test_the_manifest_is_in_step() -> None:
     text = (SHADERS / "bake.json").read_text(encoding="utf-8")
     assert text == manifest()
     assert [one["entry"] for one in json.loads(text)["dispatches"]] == [one.entry for one in DISPATCHES]
+
+
+@pytest.mark.slow
+def test_a_frame_of_tables_baked_on_the_adapter_is_that_of_python() -> None:
+    cloth = Cloth(rectangle(0.5, 0.5), load_fabric(EXAMPLES / "silk-satin.toml"))
+    light = [DirectionalLight((0.5, 0.3, 0.8), (1, 1, 1))]
+    camera = Camera((0, -0.4, 0.5))
+    frames = [
+        Renderer([cloth], (16, 16), "lobes", bake=place).render(camera, light, passes=1).linear
+        for place in ("cpu", "gpu")
+    ]
+    assert frames[0].max() > 0.1
+    assert share_beyond(frames[1], frames[0]) <= 1e-3

@@ -1,6 +1,6 @@
 """Light between yarns in Slang against its Python twin, for `point` and `lobes`, with tints and sheen.
 
-The bar is that of `queries.py`; a footprint or ray that meets the edge of a yarn may take the other side,
+The bar is that of `parity.py`; a footprint or ray that meets the edge of a yarn may take the other side,
 which rounding decides, so a few of the queries may differ.
 """
 
@@ -16,9 +16,11 @@ from loomlight.models.registry import make_model
 from loomlight.scattering.point import Tint
 from tests.helpers.arrays import vectors
 from tests.helpers.parity import share_beyond
-from tests.helpers.whole_queries import lobes_values, point_values
-from tests.realtime.test_lobes import MAX_FLIPS, Queries
+from tests.helpers.shader_cases import footprint_of, footprint_rows, packed
+from tests.realtime.whole_queries import lobes_values, point_values
 
+# Of queries.
+MAX_FLIPS = 3e-3
 TINT = (0.9, 0.5, 0.2)
 FABRIC = """
 weave = "satin 5"
@@ -41,22 +43,13 @@ def tint() -> Tint:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["lobes", "point"])
 def test_values_with_light_between_yarns(name: str) -> None:
-    model = make_model("lobes", fabric_from_text(FABRIC))
-    queries = Queries(model)
-    if name == "lobes":
-        found = lobes_values(queries.arguments, queries.looks, TINT)
-    else:
-        model = make_model("point", model.fabric)
-        found = point_values(queries.arguments, queries.looks, TINT)[:, :3]
-    at = model.at(vectors(queries.view), queries.footprint, tint=tint())
-    value = np.array(at.value(vectors(queries.light)))
-    assert share_beyond(found.T, value) <= 3 * MAX_FLIPS
+    model = make_model(name, fabric_from_text(FABRIC))
+    rows = footprint_rows(20_000, 5, seed=23)
+    view, light, footprint = vectors(rows["view"]), vectors(rows["light"]), footprint_of(rows)
+    rows |= {"x": rows["centre"][:, 0], "y": rows["centre"][:, 1]}
+    found = (lobes_values if name == "lobes" else point_values)(rows, packed(model), TINT)
+    value = np.array(model.at(view, footprint, tint=tint()).value(light))
+    assert share_beyond(found[:, :3].T, value) <= MAX_FLIPS
     # It is there to be seen: the same without it is darker by far more than the bar.
     dark = make_model(name, fabric_from_text(FABRIC.replace("= true", "= false")))
-    assert (
-        value.mean()
-        > 1.02
-        * np.array(
-            dark.at(vectors(queries.view), queries.footprint, tint=tint()).value(vectors(queries.light))
-        ).mean()
-    )
+    assert value.mean() > 1.02 * np.array(dark.at(view, footprint, tint=tint()).value(light)).mean()

@@ -1,6 +1,6 @@
 """Irregular yarns in Slang against Dr.Jit: means over boxes, shares, and where thick and thin yarns lie.
 
-The bar is that of `queries.py`; whole queries of models are in the tests of each.
+The bar is that of `parity.py`; whole queries of models are in tests/contract.
 """
 
 from __future__ import annotations

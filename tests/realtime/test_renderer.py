@@ -20,6 +20,7 @@ from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Mesh, Picture, PointLight, Renderer, rectangle
 from studies.accuracy.realtime_frames import mitsuba_frame
+from tests.helpers.untrained import random_neumip
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SIZE, SAMPLES = 40, 1024
@@ -185,3 +186,12 @@ def test_errors_are_sentences() -> None:
         Camera((0, 0, 0)).axes(4, 4)
     with pytest.raises(InputError, match="samples = 0"):
         Renderer([Cloth(flat, plain())], (4, 4), "point").render(Camera((0, 0, 1)), [], samples=0)
+
+
+def test_a_model_to_train_is_one_sentence() -> None:
+    cloth = Cloth(rectangle(1, 1), plain())
+    with pytest.raises(InputError, match=r"neumip is trained for .* which takes minutes: bake it"):
+        Renderer([cloth], (4, 4), "neumip")
+    alone = Cloth(rectangle(1, 1), random_neumip(faces=1, offset=False))
+    with pytest.raises(InputError, match='"tile" is no fabric: lobes shows fabrics alone'):
+        Renderer([alone], (4, 4), "lobes")

@@ -1,6 +1,6 @@
 """Slang functions against their Python twins on one set of arguments, then whole queries of the point model.
 
-The bar is |a − b| ≤ 1e-5 + 1e-3·|b| (`queries.py`). Searches along rays decide by comparisons, so a few
+The bar is |a − b| ≤ 1e-5 + 1e-3·|b| (`parity.py`). Searches along rays decide by comparisons, so a few
 queries in ten thousand fall on the other side of an edge; they are counted.
 """
 
@@ -24,7 +24,7 @@ from tests.helpers.directions import clear_of_the_plane
 from tests.helpers.layouts import PLAIN, SATIN, TWILL, even_layout, random_layout
 from tests.helpers.parity import appearance, irregular, places, share_beyond
 from tests.helpers.slang import mapped
-from tests.helpers.whole_queries import point_values
+from tests.realtime.whole_queries import point_values
 
 COUNT = 20_000
 # Share of queries whose ray meets another edge, which rounding decides: most on a dense satin of 60°.

@@ -1,5 +1,4 @@
-"""Derivatives of albedos through every model that has them, against finite differences; see also
-test_woven_point.py.
+"""Derivatives of scene parameters: against finite differences, and refused where a model has none.
 
 Covers: models/live_albedos.py, core/backend.py
 """
@@ -13,7 +12,8 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
-from tests.helpers.interactions import random_interactions
+from loomlight.core.errors import InputError
+from tests.helpers.interactions import interactions, random_interactions
 from tests.marks import slow
 
 CLOTH = {
@@ -27,6 +27,10 @@ CLOTH = {
 }
 # Light that yarns send to each other scatters more than once.
 ONCE = {"interreflection": False}
+# Unvaried, one thread an albedo.
+GREY = {"weave": "twill 3/1", "warp_color": "#888888", "weft_color": "#888888"}
+GREY |= {"sheen_strength": 0.5, "sheen_roughness": 0.3}  # type: ignore[dict-item]
+SHEEN = {"weave": "twill 2/1", "uv_size": "4,4", "sheen_strength": 0.3, "id": "mine"}
 VARIED = {"variation_fibre_noise": 0.5, "variation_colour_noise": 0.2, "sheen_strength": 0.3}
 ALBEDOS = [
     f"{family}.{term}_{side}"
@@ -34,7 +38,7 @@ ALBEDOS = [
     for term in ("diffuse", "specular")
     for side in ("reflect", "transmit")
 ]
-pytestmark = pytest.mark.usefixtures("narrow_network")
+pytestmark = pytest.mark.usefixtures("variant", "narrow_network")
 
 
 @pytest.mark.quick("plain-woven_neural")
@@ -130,3 +134,64 @@ def test_point_through_path_prints_nothing(capfd: pytest.CaptureFixture[str]) ->
     assert np.isfinite(np.array(dr.grad(params[key]))).all()
     printed = capfd.readouterr()
     assert printed.out + printed.err == ""
+
+
+@pytest.mark.slow
+def test_every_number_of_point_has_derivatives() -> None:
+    bsdf = mi.load_dict({"type": "woven_point", **GREY})
+    params = mi.traverse(bsdf)
+    view = np.array([[0.2, 0.1, 1]]) / np.sqrt(1.05)
+    si = interactions(np.random.default_rng(0).random((2000, 2)), np.tile(view, (2000, 1)), np.zeros(2000))
+    wo = dr.normalize(mi.Vector3f(-0.3, 0.4, 0.8))
+
+    def mean(key: str, value: float) -> float:
+        before = type(params[key])(params[key])
+        params[key] = before * 0 + value
+        params.update()
+        result = float(np.array(bsdf.eval(mi.BSDFContext(), si, wo)).mean())
+        params[key] = before
+        params.update()
+        return result
+
+    for key in (
+        "warp.roughness",
+        "warp.twist",
+        "weft.specular_reflect",
+        "warp.diffuse_reflect",
+        "sheen.strength",
+        "sheen.roughness",
+    ):
+        start, step = 0.4, 2e-3
+        difference = (mean(key, start + step) - mean(key, start - step)) / (2 * step)
+        before = type(params[key])(params[key])
+        value = before * 0 + start
+        dr.enable_grad(value)
+        params[key] = value
+        params.update()
+        dr.backward(dr.mean(bsdf.eval(mi.BSDFContext(), si, wo), axis=None))
+        gradient = float(np.array(dr.grad(params[key])).sum())
+        params[key] = before
+        params.update()
+        # float32 differences of means over 2000 points.
+        np.testing.assert_allclose(gradient, difference, rtol=0.02, atol=2e-4, err_msg=key)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("plugin", ["woven_lobes", "woven_neural"])
+def test_derivatives_that_there_are_none_of_are_refused(plugin: str) -> None:
+    params = mi.traverse(mi.load_dict({"type": plugin, **SHEEN, "warp_color": "#c08040,#4060c0"}))
+    for name in ("warp.roughness", "warp.albedos", "sheen.strength", "uv_size"):
+        key = next(key for key in params.keys() if key.endswith(name))  # noqa: SIM118
+        dr.enable_grad(params[key])
+        with pytest.raises(InputError, match=r"has no derivatives: .*diffuse_reflect.* woven_point"):
+            params.update()
+        assert not dr.grad_enabled(params[key])
+        params.update()
+
+
+def test_textures_of_models_that_filter_have_no_derivatives() -> None:
+    texture = {"type": "bitmap", "bitmap": mi.Bitmap(np.full((4, 4, 3), 0.5, np.float32)), "raw": True}
+    params = mi.traverse(mi.load_dict({"type": "woven_lobes", **SHEEN, "albedo": texture}))
+    dr.enable_grad(params["albedo.data"])
+    with pytest.raises(InputError, match=r"mine\.albedo has no derivatives"):
+        params.update()

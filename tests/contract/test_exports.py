@@ -1,6 +1,7 @@
-"""Exported shader code compiles by compilers of its languages, computes what the models compute, and draws.
+"""Libraries for engines: they compile by compilers of their languages, compute what the models do, and draw.
 
-Covers: exporters/shaders.py
+Decoders and materials are in tests/exporters.
+
 Covers: exporters/shaders.py, exporters/languages/sample.py
 """
 
@@ -16,9 +17,7 @@ from unittest.mock import patch
 
 import numpy as np
 import pytest
-from drjit.llvm.ad import Array2f, Array3f, Float, UInt32
 
-from loomlight.core.footprint import Footprint
 from loomlight.core.images import read_picture
 from loomlight.core.llvm import require_llvm
 from loomlight.exporters import export, shaders
@@ -32,13 +31,15 @@ from loomlight.realtime.materials import Material
 from loomlight.realtime.records import numpy_type
 from loomlight.realtime.slangc import compile_shader
 from studies.instruments.counted_library import CountedLibrary, queries_of
-from tests.helpers.directions import clear_of_the_plane
+from tests.helpers.arrays import vectors
 from tests.helpers.parity import share_beyond
+from tests.helpers.shader_cases import bsdf_of, footprint_rows
 from tests.helpers.untrained import random_latent, random_neumip, small_clustered, with_samples
 from tests.limits import HANG
 from tests.marks import slow_among
 
 require_llvm()
+pytestmark = pytest.mark.usefixtures("graphics")
 # Of yarns that wander, and vary along themselves.
 FABRIC = fabric_from_text(
     'weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n[warp]\ncolor = "#2a4680"\nwidth_mm = 0.5\n'
@@ -130,22 +131,12 @@ def test_header_compiles_as_c(exported: Exported, tmp_path: Path) -> None:
 @pytest.mark.parametrize("model", QUICK)
 def test_cuda_text_computes_what_the_model_computes(model: str) -> None:
     """On a CPU: the export's prelude stands in for CUDA there. Bars as for WGSL, see docs/realtime.md."""
-    rng = np.random.default_rng(5)
-    count = 2000
-    centre = np.float32(rng.uniform(-3, 3, (count, 2)))
-    side = np.float32(10 ** rng.uniform(-2, 0.6, count))
-    zero = np.zeros_like(side)
-    dx, dy = np.stack([side, 0.3 * side], axis=-1), np.stack([zero, 0.7 * side], axis=-1)
-    light, view = clear_of_the_plane(rng, count), clear_of_the_plane(rng, count)
-    library = CountedLibrary(material_of(model), model)
-    found, counts = library.answers(queries_of(centre, dx, dy, light, view))
-    footprint = Footprint(*(Array2f(*np.ascontiguousarray(rows.T)) for rows in (centre, dx, dy)))
-    directions_of = [Array3f(*np.ascontiguousarray(rows.T)) for rows in (light, view)]
-    material = material_of(model)
-    made = material if isinstance(material, Model) else make_model(model, material)
-    at = made.at(directions_of[1], made.on_cloth(footprint))
-    value = np.stack([part.numpy() for part in at.value(directions_of[0])], axis=-1)
-    through = Float(at.null_transmission).numpy()
+    material, rows = material_of(model), footprint_rows(2000, 3)
+    library = CountedLibrary(material, model)
+    found, counts = library.answers(queries_of(*rows.values()))
+    at = bsdf_of(material if isinstance(material, Model) else make_model(model, material), rows)
+    value = np.array(at.value(vectors(rows["light"]))).T
+    through = np.array(at.null_transmission)
     # Rays of a few queries meet another edge, as rounding decides there; g++ rounds unlike LLVM.
     assert share_beyond(found[:, :3], value) <= 2e-3
     assert share_beyond(found[:, 3], through) <= 2e-3
@@ -156,23 +147,21 @@ def test_cuda_text_computes_what_the_model_computes(model: str) -> None:
 @pytest.mark.slow
 def test_estimates_of_clustered_are_unbiased() -> None:
     """Means of exported estimates of a few footprints, against those of texels alone in Python."""
-    model = small_clustered(1)
+    model, count, seeds = small_clustered(1), 6, 4000
     rng = np.random.default_rng(6)
-    count, seeds = 6, 4000
-    centre, side = np.float32(rng.uniform(-3, 3, (count, 2))), np.float32(10 ** rng.uniform(-1, 0.5, count))
-    zero = np.zeros_like(side)
+    few = footprint_rows(count, 3, seed=6)
     # Along the threads the footprint of the model is the pixel's.
-    dx, dy = np.stack([side, zero], axis=-1), np.stack([zero, 0.7 * side], axis=-1)
-    light, view = clear_of_the_plane(rng, count), clear_of_the_plane(rng, count)
-    rows = [np.repeat(part, seeds, axis=0) for part in (centre, dx, dy, light, view)]
-    asked = queries_of(*rows)
+    side, zero = np.float32(10 ** rng.uniform(-1, 0.5, count)), np.zeros(count, np.float32)
+    few |= {"dx": np.stack([side, zero], axis=-1), "dy": np.stack([zero, 0.7 * side], axis=-1)}
+    rows = {name: np.repeat(part, seeds, axis=0) for name, part in few.items()}
+    asked = queries_of(*rows.values())
     asked["seed"] = rng.integers(1, 2**32, len(asked), dtype=np.uint32)
     library = CountedLibrary(model, "clustered", estimates=True)
     found = library.answers(asked)[0].reshape(count, seeds, 4)
-    footprint = Footprint(*(Array2f(*np.ascontiguousarray(part.T)) for part in rows[:3]))
-    seed = UInt32(rng.integers(0, 2**32, len(asked), dtype=np.uint32))
-    at = model.without_control().at(Array3f(*np.ascontiguousarray(rows[4].T)), footprint, seed=seed)
-    exact = np.array(at.value(Array3f(*np.ascontiguousarray(rows[3].T)))).T.reshape(count, seeds, 3)
+    at = bsdf_of(
+        model.without_control(), rows | {"seed": rng.integers(0, 2**32, len(asked), dtype=np.uint32)}
+    )
+    exact = np.array(at.value(vectors(rows["light"]))).T.reshape(count, seeds, 3)
     error = np.sqrt(exact.var(axis=1) + found[..., :3].var(axis=1)) / np.sqrt(seeds)
     # Where texels hardly differ, g++ and LLVM round differently.
     error = np.maximum(error, 1e-4 * exact.mean(axis=1) + 1e-7)

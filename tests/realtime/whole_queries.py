@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.helpers.parity import FOOTPRINT
+from loomlight.realtime.words import Packed
 from tests.helpers.slang import mapped
 
 _WHITE = (1.0, 1.0, 1.0)
@@ -17,32 +17,33 @@ _NO_DETAIL = -1.0
 
 
 def lobes_values(
-    arguments: Mapping[str, NDArray[Any]], looks: tuple[Any, ...], tint: tuple[float, ...] = _WHITE
+    arguments: Mapping[str, NDArray[Any]], looks: tuple[Any, ...] | Packed, tint: tuple[float, ...] = _WHITE
 ) -> NDArray[np.float32]:
     """f·cos [n, 3] of footprints.
 
     Args:
-        arguments: x, y, light, view, dx and dy.
-        looks: layout, appearance, and tables of lobes.
+        arguments: centre, light, view, dx and dy.
+        looks: layout, appearance, and tables of lobes, or all of it packed.
         tint: multiplies the diffuse albedos.
     """
     body = (
-        FOOTPRINT + "let e = lobes_estimate(fabric, p, 1.0, light, view);"
+        "Footprint p; p.centre = centre; p.dx = dx; p.dy = dy;"
+        "let e = lobes_estimate(fabric, p, 1.0, light, view);"
         "let v = composed(fabric, e.components, e.close, e.albedos, tint, light, view);"
     )
-    names = ("x", "y", "light", "view", "dx", "dy")
+    names = ("centre", "light", "view", "dx", "dy")
     rows = {name: arguments[name] for name in names} | {"tint": _rows(tint, arguments)}
     return mapped("lobes footprint separable", body, "v.x; v.y; v.z", rows, looks)
 
 
 def point_values(
-    arguments: Mapping[str, NDArray[Any]], looks: tuple[Any, ...], tint: tuple[float, ...] = _WHITE
+    arguments: Mapping[str, NDArray[Any]], looks: tuple[Any, ...] | Packed, tint: tuple[float, ...] = _WHITE
 ) -> NDArray[np.float32]:
     """f·cos, delta transmission, n_x, n_y, t_x and the red diffuse albedo of points [n, 8].
 
     Args:
         arguments: x, y, light, view, and perhaps side: of a footprint, millimetres; yarns are smooth without.
-        looks: layout and appearance, and tables of lobes or none.
+        looks: layout and appearance, or all of it packed.
         tint: multiplies the diffuse albedos.
     """
     body = (
@@ -59,4 +60,4 @@ def point_values(
 
 
 def _rows(tint: tuple[float, ...], arguments: Mapping[str, NDArray[Any]]) -> NDArray[np.float32]:
-    return np.tile(np.float32(tint), (len(arguments["x"]), 1))
+    return np.tile(np.float32(tint), (len(arguments["light"]), 1))

@@ -1,4 +1,9 @@
-"""Wrong edits of scene parameters are refused in a sentence, and leave nothing behind."""
+"""Edits of scene parameters: they show as cloth of what is edited, and bake no more than they must.
+
+Wrong ones are refused in a sentence and leave nothing behind.
+
+Covers: mitsuba/props.py, models/fabric_model.py, models/live_albedos.py
+"""
 
 from __future__ import annotations
 
@@ -14,19 +19,21 @@ from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.read import edited_fabric
+from loomlight.models.clustered import model as clustered_model
 from loomlight.models.fabric_model import parameter_of
+from loomlight.models.lobes import model as lobes_model
+from loomlight.models.neural import encoding
 from loomlight.models.registry import MODELS
-from tests.helpers.interactions import mean_value, pretrained, side_by_side
+from tests.helpers.interactions import CHEAPEST, mean_value, pretrained, side_by_side, woven
 from tests.marks import slow, slow_among
 
 # Refused by the same code for all: those that bake for seconds are slow.
 SLOW = ("woven_clustered", "woven_neural", "woven_samples", "neumip", "latent")
 PLUGINS = slow_among((entry.plugin for entry in MODELS.values()), SLOW)
-CHEAPEST = {"woven_samples": {"points": 2}, "woven_clustered": {"clusters": 4, "texels": 32}}
 CLOTH = {"weave": "twill 2/1", "uv_size": "4,4", "sheen_strength": 0.3, "id": "mine"}
 # Two colours in the warp: its albedos are one table.
 OTHER = {"weave": "plain", "uv_size": "4,4", "warp_color": "#c08040,#4060c0", "id": "other"}
-pytestmark = pytest.mark.usefixtures("narrow_network")
+pytestmark = pytest.mark.usefixtures("variant", "narrow_network")
 
 
 def scene_of(plugin: str, folder: Path) -> Any:
@@ -140,27 +147,6 @@ def test_ranges_are_those_of_the_fabric_file(name: str) -> None:
             edited_fabric(cloth, {field: value + 1e-3 * outwards})
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("plugin", ["woven_lobes", "woven_neural"])
-def test_derivatives_that_there_are_none_of_are_refused(plugin: str, tmp_path: Path) -> None:
-    params = mi.traverse(scene_of(plugin, tmp_path))
-    for name in ("warp.roughness", "warp.albedos", "sheen.strength", "uv_size"):
-        key = next(key for key in params.keys() if key.endswith(name))  # noqa: SIM118
-        dr.enable_grad(params[key])
-        with pytest.raises(InputError, match=r"has no derivatives: .*diffuse_reflect.* woven_point"):
-            params.update()
-        assert not dr.grad_enabled(params[key])
-        params.update()
-
-
-def test_textures_of_models_that_filter_have_no_derivatives() -> None:
-    texture = {"type": "bitmap", "bitmap": mi.Bitmap(np.full((4, 4, 3), 0.5, np.float32)), "raw": True}
-    params = mi.traverse(mi.load_dict({"type": "woven_lobes", **CLOTH, "albedo": texture}))
-    dr.enable_grad(params["albedo.data"])
-    with pytest.raises(InputError, match=r"mine\.albedo has no derivatives"):
-        params.update()
-
-
 def of_colours(plugin: str, warp: str, interreflection: bool) -> Any:
     colours = {"warp_color": warp, "weft_color": "#dfd7c5", "interreflection": interreflection}
     return mi.load_dict({"type": plugin, "weave": "twill 2/1", "uv_size": "4,4", "id": "mine", **colours})
@@ -213,3 +199,93 @@ def test_errors_of_the_fabric_name_the_bsdf(monkeypatch: pytest.MonkeyPatch) -> 
     params["warp.roughness"] = 0.5
     with pytest.raises(InputError, match=r"^mine: the fabric: no\.$"):
         params.update()
+
+
+@pytest.fixture
+def bakings(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Names of what was baked or encoded, in order."""
+    found: list[str] = []
+
+    def count(module: Any, name: str) -> None:
+        bake = getattr(module, name)
+        monkeypatch.setattr(module, name, lambda *arguments: (found.append(name), bake(*arguments))[1])
+
+    count(lobes_model, "bake_tables")
+    count(clustered_model, "bake_tables")
+    count(encoding, "run_encoder")
+    return found
+
+
+# Models whose yarns are edited live; those that bake for seconds are slow.
+edited_plugins = pytest.mark.parametrize(
+    "plugin", ["woven_point", slow("woven_lobes"), "woven_neural", slow("woven_clustered")]
+)
+
+
+@edited_plugins
+def test_colours_and_sheen_bake_nothing(plugin: str, bakings: list[str]) -> None:
+    # Light between yarns is no multiple of albedos, and is left out.
+    bsdf = woven(plugin, sheen_strength=0.3, interreflection=False)
+    before, made = mean_value(bsdf), len(bakings)
+    params = mi.traverse(bsdf)
+    for family in ("warp", "weft"):
+        for term in ("diffuse", "specular"):
+            params[f"{family}.{term}_reflect"] *= 0.5
+            params[f"{family}.{term}_transmit"] *= 0.5
+    params["sheen.strength"] = 1e-3
+    params.update()
+    halved = mean_value(bsdf)
+    assert len(bakings) == made
+    assert (halved < before).all()
+    # What is left of the sheen takes and adds a thousandth.
+    np.testing.assert_allclose(halved, 0.5 * mean_value(woven(plugin, interreflection=False)), rtol=5e-3)
+
+
+@pytest.mark.slow
+@edited_plugins
+def test_editing_yarns_is_the_fabric_of_those_yarns(plugin: str, bakings: list[str]) -> None:
+    # With light between yarns the albedos of a colour depend on the yarns, and edits of yarns keep albedos.
+    single = {"interreflection": False}
+    bsdf = woven(plugin, **single)
+    params, made = mi.traverse(bsdf), len(bakings)
+    params["warp.roughness"] = 0.7
+    params["weft.twist"] = float(np.radians(20))
+    params["weft.height_scale"] = 0.5
+    params.update()
+    assert len(bakings) == 2 * made
+    wanted = woven(plugin, warp_roughness=0.7, weft_twist_deg=20.0, weft_height_scale=0.5, **single)
+    np.testing.assert_allclose(mean_value(bsdf), mean_value(wanted), rtol=1e-4)
+    assert np.abs(mean_value(bsdf) / mean_value(woven(plugin, **single)) - 1).max() > 5e-4
+    params["warp.roughness"] = 7.0
+    with pytest.raises(InputError, match=r"warp\.roughness"):
+        params.update()
+
+
+@edited_plugins
+def test_colours_thread_by_thread(plugin: str, bakings: list[str]) -> None:
+    bsdf = woven(plugin, warp_color="#ff0000,#00ff00,#0000ff")
+    params, made = mi.traverse(bsdf), len(bakings)
+    # Four albedos a thread, of three numbers or of four, the last of which fills an aligned load.
+    table = np.array(params["warp.albedos"])
+    albedos = table.reshape(3, 4, -1)[..., :3]
+    np.testing.assert_allclose(albedos[:, 0], bsdf.model.fabric.appearance().warp.diffuse_reflect, atol=1e-6)
+    before = mean_value(bsdf)
+    params["warp.albedos"] = mi.Float(np.zeros(len(table), np.float32))
+    params.update()
+    assert (mean_value(bsdf) < before).all()
+    assert len(bakings) == made
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("plugin", ["woven_point", "woven_lobes"])
+def test_roughness_bakes_nothing(plugin: str, bakings: list[str]) -> None:
+    # With light between yarns albedos follow from the roughness, and an edit leaves albedos alone.
+    rough = woven(plugin, interreflection=False)
+    params, made = mi.traverse(rough), len(bakings)
+    params["warp.roughness"] = 0.7
+    params.update()
+    assert len(bakings) == made
+    np.testing.assert_allclose(
+        mean_value(rough), mean_value(woven(plugin, warp_roughness=0.7, interreflection=False)), rtol=1e-4
+    )
+    assert np.abs(mean_value(rough) / mean_value(woven(plugin, interreflection=False)) - 1).max() > 5e-3
