@@ -23,7 +23,7 @@ from loomlight.models.registry import REALTIME_MODELS, make_model
 from tests.helpers.arrays import pairs, vectors
 from tests.helpers.chi_square import cell_counts, cell_shares, p_value
 from tests.helpers.parity import share_beyond
-from tests.helpers.shader_cases import EXAMPLES, Rows, bsdf_of, footprint_rows, model_of, packed
+from tests.helpers.shader_cases import EXAMPLES, Rows, footprint_of, footprint_rows, model_of, packed
 from tests.helpers.slang import mapped
 
 require_llvm()
@@ -32,7 +32,6 @@ pytestmark = pytest.mark.usefixtures("graphics")
 COUNT = 10_000
 # Of draws in which rounding decides between two lobes, of which there are sixteen a footprint.
 MAX_FLIPS = 2e-3
-# Even yarns, so that cloth is where its draft is.
 OPEN = 'weave = "plain"\n[warp]\ngap = 0.3\n[weft]\ngap = 0.2\n[sheen]\nstrength = 0.4\nroughness = 0.3\n'
 FOOTPRINT = "Footprint p; p.centre = centre; p.dx = dx; p.dy = dy; let back = view.z < 0.0;"
 
@@ -86,9 +85,14 @@ def numbers_of(rows: Rows) -> tuple[Float, Any]:
     return Float(rows["choice"]), pairs(rows["u"])
 
 
+def at_of(model: Any, rows: Rows) -> Any:
+    """What Python answers of footprints on the draft, where these lines of Slang take them."""
+    return model.at(vectors(rows["view"]), footprint_of(rows))
+
+
 def of_footprints(model: Any, rows: Rows) -> Drawn:
     """What the model draws of footprints."""
-    at = bsdf_of(model, rows)
+    at = at_of(model, rows)
     sample = at.sample(*numbers_of(rows))
     null = np.broadcast_to(np.array(sample.is_null), COUNT)
     value = np.array(sample.weight * sample.pdf).T
@@ -110,7 +114,7 @@ def of_points(model: Any, rows: Rows) -> Drawn:
 
 def of_latents(model: Any, rows: Rows) -> Drawn:
     """What `latent` draws in the frame of the face that is seen; it says no density of what it draws."""
-    at = bsdf_of(model, rows)
+    at = at_of(model, rows)
     light = np.array(at.sample(*numbers_of(rows)).light).T
     light[:, 2] *= np.sign(rows["view"][:, 2])
     density = np.array(at.pdf(vectors(rows["light"])))
@@ -156,7 +160,7 @@ SAMPLERS: dict[str, Sampler] = {
         open_cloth("neural", refined=False, sampler="lobes"),
         of_footprints,
         sizes=(3.0, 3.0),
-        further=lambda model, rows: {"hole": np.array(bsdf_of(model, rows).hole)},
+        further=lambda model, rows: {"hole": np.array(at_of(model, rows).hole)},
     ),
     "latent": Sampler(
         "latent latent_sampling point random_numbers",
