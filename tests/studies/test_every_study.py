@@ -1,4 +1,4 @@
-"""Every study runs when it is small."""
+"""Every study runs when it is small, and every record is one of a study and shown by a page."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.settings import declared
 from studies.harness.catalogue import catalogue, find_study
 from studies.harness.probes import PROBES
-from studies.harness.record import read_record
+from studies.harness.record import RECORDS, REPOSITORY, read_record, records
 from studies.harness.run import run_study
 
 # They compare trainings that only whoever has made them has.
@@ -49,3 +49,19 @@ def test_studies_say_what_they_are(name: str) -> None:
     assert set(study.stands_on) <= set(PROBES)
     assert set(study.small) <= set(declared(type(study.settings)))
     study.settings.changed(**study.small)
+
+
+def test_every_record_is_one_of_a_study() -> None:
+    for name, record in records(RECORDS).items():
+        study = find_study(name)
+        assert set(record.settings) <= set(declared(type(study.settings))), name
+        for table in study.tables(record.figures):
+            assert table.to_markdown()
+
+
+def test_every_record_is_named_by_a_page() -> None:
+    folders = [REPOSITORY / "docs", REPOSITORY / "studies" / "papers", REPOSITORY / "README.md"]
+    files = [file for folder in folders for file in ([folder] if folder.is_file() else folder.rglob("*.md"))]
+    text = "\n".join(file.read_text(encoding="utf-8") for file in files)
+    unnamed = [name for name in records(RECORDS) if name not in text]
+    assert unnamed == [], "no page names them"

@@ -54,7 +54,16 @@ _FIRST = {
         "comparison",
     ),
     HOW: ("notation", "scattering", "light-between-yarns", "aggregation"),
-    FIGURES: ("figures", "figures-baked", "figures-sampling", "evaluation"),
+    FIGURES: (
+        "figures",
+        "figures-speed",
+        "figures-realtime",
+        "figures-baked",
+        "figures-sampling",
+        "figures-light",
+        "studies",
+        "evaluation",
+    ),
     PAPERS: ("papers",),
     TRIED: (),
 }
