@@ -39,6 +39,7 @@ from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.rays import SearchQuality
 from studies.harness.study import Figures, Found, Run, Study, listed, names
 from studies.instruments.directions import direction
+from studies.instruments.luminance import LUMINANCE
 from studies.papers.chen2024.training.random_fabrics import random_fabric
 
 WEAVES = (
@@ -84,7 +85,6 @@ THREADS = 1 / 300, 1 / 30, 0.1, 0.3, 0.6, 1.0, 1.6, 2.4, 4.0, 8.0, 16.0, 30.0
 BAR, VARIED_BAR, IRREGULAR_BAR = 0.03, 0.05, 0.075
 IRREGULAR_RANGES = ParameterRanges(gap=(0.0, 0.6))
 _TRUTH_QUALITY = SearchQuality(24, 24, refinements=6, steps=8192)
-_LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 
 Floats = NDArray[np.float64]
 
@@ -131,7 +131,7 @@ def positions(fabric: Fabric, count: int) -> Array2f:
 
 
 def _luminance(value: Any) -> float:
-    return float(value.numpy().astype(np.float64).mean(axis=1) @ _LUMINANCE)
+    return float(value.numpy().astype(np.float64).mean(axis=1) @ LUMINANCE)
 
 
 def truth(fabric: Fabric, pair: Directions, count: int) -> float:

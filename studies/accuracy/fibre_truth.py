@@ -26,6 +26,7 @@ from loomlight.mitsuba.denoising import gaussian_blur
 from loomlight.yarn.geometry import YarnGeometry
 from studies.harness.study import Figures, Found, Run, Study, listed, names
 from studies.instruments.fibre_scene import Shown, fibre_picture, fibre_scene
+from studies.instruments.luminance import LUMINANCE
 from studies.instruments.yarn_cloths import ABSORPTION, OF_GAPS, cloth, flat_scene
 
 Picture = NDArray[np.float64]
@@ -34,7 +35,6 @@ FAR = 10
 OURS_SAMPLES = 64
 # Sizes of detail, in threads: what a Gaussian of the first deviation keeps and one of the second does not.
 BANDS = {"fibres": (0.0, 0.04), "yarns": (0.04, 0.25), "weave": (0.25, 1.0)}
-LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 # Of the fit: steps, samples of a pixel, and how log colour follows log absorption at first.
 STEPS, FIT_SAMPLES, FIRST_SLOPE = 4, 64, -0.3
 LARGEST_FACTOR = 50.0

@@ -42,8 +42,8 @@ from loomlight.sources.load import load_source
 from loomlight.sources.material import Material
 from studies.accuracy.learned_sources import SOURCES, baked, source_of
 from studies.harness.study import REPOSITORY, Figures, Found, Run, Study, example, listed, names
+from studies.instruments.luminance import LUMINANCE
 
-_LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 _THREADS = 0.05, 5.0
 _TEXELS = 64  # across sources without threads
 _SEED = 999
@@ -63,7 +63,7 @@ class _Sky:
             import mitsuba as mi
 
             mi.set_variant("scalar_rgb")
-            picture = np.array(mi.Bitmap(str(file)), np.float64)[..., :3] @ _LUMINANCE
+            picture = np.array(mi.Bitmap(str(file)), np.float64)[..., :3] @ LUMINANCE
             # What is brighter, light samples find: a few texels would decide everything.
             picture = np.minimum(picture, _BRIGHTEST * picture.mean())
             rows = np.sin((np.arange(len(picture)) + 0.5) / len(picture) * math.pi)[:, None]
@@ -138,7 +138,7 @@ def _row(model: Model, settings: Sampling, skies: dict[str, _Sky]) -> Figures:
     is_null = np.array(drawn.is_null)
     scatters = ~is_null.reshape(places, samples)
     own_light = np.array(drawn.light, np.float64)
-    own = np.where(is_null, 0, _LUMINANCE @ np.array(drawn.weight, np.float64))
+    own = np.where(is_null, 0, LUMINANCE @ np.array(drawn.weight, np.float64))
     sides = [_by_cosine(at, rng, side) for side in (1, -1)]
     by_cosine = Array3f(sides[0][1].astype(np.float32))
     cosine_seconds = _timed(lambda: model.at(view, footprint).value(by_cosine))[1]
@@ -231,7 +231,7 @@ def _by_source(source: Material, view: Array3f, footprint: Footprint, numbers: S
     (light, weight), seconds = _timed(sample)
     toward = np.array(light, np.float64)
     toward[2] *= np.sign(np.array(view.z))
-    return _OfSource(_LUMINANCE @ np.nan_to_num(np.array(weight, np.float64)), toward, seconds)
+    return _OfSource(LUMINANCE @ np.nan_to_num(np.array(weight, np.float64)), toward, seconds)
 
 
 def _places(model: Model, rng: np.random.Generator, places: int, samples: int) -> tuple[Array3f, Footprint]:
@@ -256,7 +256,7 @@ def _by_cosine(at: FootprintBsdf, rng: np.random.Generator, side: int) -> tuple[
     light = np.stack([np.sqrt(u) * np.cos(azimuth), np.sqrt(u) * np.sin(azimuth), height])
     light[2] *= side * np.where(view[2] < 0, -1, 1)
     value = np.array(at.value(Array3f(light.astype(np.float32))), np.float64)
-    return (_LUMINANCE @ value) * math.pi / height, light
+    return (LUMINANCE @ value) * math.pi / height, light
 
 
 def tables(figures: Figures) -> list[Table]:

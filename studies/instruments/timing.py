@@ -7,8 +7,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
-import drjit as dr
-
 Made = TypeVar("Made")
 
 
@@ -56,6 +54,9 @@ def launched_kernels(run: Callable[[], object]) -> list[dict[str, Any]]:
 
     Times in them are milliseconds; `entry["ir"].read()` is the kernel's text in LLVM IR or PTX.
     """
+    # Studies of whole processes, whose memory counts from this one's, use the rest.
+    import drjit as dr
+
     with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
         dr.kernel_history_clear()
         run()
