@@ -13,7 +13,6 @@ at the middle of its cell, about pairs of directions that no training saw; the t
 from __future__ import annotations
 
 import os
-import time
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -31,6 +30,7 @@ from loomlight.models.texture.queries import draw_directions, draw_lights
 from loomlight.models.texture.settings import DECODERS, LatentOptions
 from loomlight.sources.merl import SUFFIX, MerlLibrary, load_merl
 from studies.harness.study import Figures, Found, Run, Study, listed, names
+from studies.instruments.timing import spent
 from studies.papers.zeltner2024.analytic_brdfs import write_analytic_library
 from studies.papers.zeltner2024.stage import at_texel
 
@@ -76,16 +76,15 @@ def _figures(folder: Path, settings: Library, run: Run) -> Figures:
 
 def _of_decoder(library: MerlLibrary, decoder: str, settings: Library) -> Figures:
     """Figures of a network that is trained for a library."""
-    start = time.process_time()
-    model = LatentModel.for_source(library, LatentOptions(decoder=decoder, steps=settings.steps))
-    spent = time.process_time() - start
+    options = LatentOptions(decoder=decoder, steps=settings.steps)
+    model, times = spent(partial(LatentModel.for_source, library, options))
     each = [_errors(model, library, number, settings.pairs) for number in range(len(library.names))]
     overall = np.array([errors["nmae"] for errors in each])
     weights = model.weights
     parts = [weights.latents, *([] if weights.frames is None else [weights.frames])]
     parts += [array for layers in weights.layers.values() for layer in layers for array in layer]
     return {
-        "train_s": round(spent, 1),
+        "train_s": round(times.cpu_seconds, 1),
         "means": {name: _short(np.mean([errors[name] for errors in each])) for name in each[0]},
         "quartiles": [_short(value) for value in np.percentile(overall, (25, 50, 75))],
         "worst": {"name": library.names[int(overall.argmax())], "nmae": _short(overall.max())},

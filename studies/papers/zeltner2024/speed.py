@@ -10,15 +10,12 @@ are asked for. A row has CPU seconds, the least of each, and `speedup`.
 
 from __future__ import annotations
 
-import os
-from collections.abc import Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from multiprocessing import get_context
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from unittest.mock import patch
+from typing import Any
 
 import mitsuba as mi
 import numpy as np
@@ -28,6 +25,7 @@ from loomlight.evaluation.table import Table
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.models.texture.settings import DECODERS
 from studies.harness.study import Figures, Found, Pixels, Run, Study, listed, names, on_display
+from studies.instruments.processes import in_own_process
 from studies.instruments.timing import spent
 from studies.papers.zeltner2024.six_layers import SIX_LAYERS
 from studies.papers.zeltner2024.stage import (
@@ -131,9 +129,16 @@ def _scene(name: str, way: str, settings: StageSettings, runs: Path) -> Measured
     return replace(scene, integrator=mi.load_dict({"type": "path", "max_depth": DEPTH}))
 
 
-def _timed(name: str, way: str, settings: StageSettings, runs: Path, turns: int) -> list[float]:
-    """CPU seconds of a picture and of `turns` that follow it."""
-    scene = _scene(name, way, settings, runs)
+def _timed(name: str, way: str, chosen: Mapping[str, Any], runs: str, turns: int) -> list[float]:
+    """CPU seconds of a picture and of `turns` that follow it.
+
+    Args:
+        chosen: settings of the stage by name.
+    """
+    settings = StageSettings.of(
+        {key: tuple(value) if isinstance(value, list) else value for key, value in chosen.items()}
+    )
+    scene = _scene(name, way, settings, Path(runs))
     seconds = []
     for turn in range(turns + 1):
         _, times = spent(partial(stage_picture, scene, settings, seed=turn))
@@ -143,12 +148,9 @@ def _timed(name: str, way: str, settings: StageSettings, runs: Path, turns: int)
 
 def _in_a_new_process(name: str, way: str, settings: StageSettings, runs: Path, turns: int) -> list[float]:
     """`_timed` in a process that finds no kernels on disk."""
-    with (
-        TemporaryDirectory() as kernels,
-        patch.dict(os.environ, {"DRJIT_CACHE_DIR": kernels}),
-        ProcessPoolExecutor(1, get_context("spawn")) as pool,
-    ):
-        return pool.submit(_timed, name, way, settings, runs, turns).result()
+    with TemporaryDirectory() as kernels:
+        arguments = name, way, settings.chosen(), str(runs.resolve()), turns
+        return in_own_process(_timed, *arguments, environment={"DRJIT_CACHE_DIR": kernels})
 
 
 def _speedups(least: dict[str, float]) -> Figures:
