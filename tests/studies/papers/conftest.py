@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from loomlight.core.arrays import Float, Mask
 from loomlight.mitsuba import choose_variant
 from loomlight.yarn.flanks import SurfacePoint
 from loomlight.yarn.geometry import YarnGeometry
+from studies.harness.study import Run
 
 
 @pytest.fixture(autouse=True, scope="session")
 def _variant() -> None:
     choose_variant("llvm_ad_rgb")
+
+
+@pytest.fixture
+def run(tmp_path: Path) -> Run:
+    """A run whose trainings go into a folder of its own."""
+    return Run(runs=tmp_path)
 
 
 @pytest.fixture

@@ -33,11 +33,6 @@ def _tiny(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(stage, "PREVIEW", tiny)
 
 
-@pytest.fixture
-def run(tmp_path: Path) -> Run:
-    return Run(runs=tmp_path)
-
-
 @pytest.mark.slow
 def test_table_2_has_every_design_at_equal_rays_and_keeps_its_trainings(
     run: Run, monkeypatch: pytest.MonkeyPatch

@@ -8,7 +8,6 @@ Covers: studies/papers/zeltner2024/tables.py, studies/papers/zeltner2024/two_nor
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -33,11 +32,6 @@ def settings(monkeypatch: pytest.MonkeyPatch) -> stage.StageSettings:
         LatentSettings(queries=1 << 12, samples=1, steps=4, batch=256, sampler_steps=4),
     )
     return stage.StageSettings(size=(24, 16), spp=4, steps=6, resolution=16, materials="rough-plastic")
-
-
-@pytest.fixture
-def run(tmp_path: Path) -> Run:
-    return Run(runs=tmp_path)
 
 
 @pytest.mark.parametrize("name", two_normals.TWO_NORMALS)
