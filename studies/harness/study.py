@@ -127,7 +127,7 @@ def names(default: str, help: str, among: Sequence[str] = ()) -> Any:
     """
 
     def exist(text: str) -> bool:
-        return all(name in among for name in listed(text))
+        return all(name in among for name in listed(text) or [""])
 
     expected = f"names with commas, of {', '.join(among)}" if among else "names with commas"
     return setting(default, help, fits=exist if among else None, expected=expected, metavar="NAME,…")
@@ -148,6 +148,20 @@ def listed_numbers(option: str, text: str) -> list[float]:
         return [float(part) for part in listed(text)]
     except ValueError as error:
         raise InputError(f'{option} = "{text}" is wrong: write numbers with commas.') from error
+
+
+def listed_counts(option: str, text: str, low: int, high: int) -> list[int]:
+    """The whole numbers of a list with commas.
+
+    Raises:
+        InputError: a part is none, or out of bounds, or there is none at all.
+    """
+    parts = listed(text)
+    if not parts or not all(part.isdigit() and low <= int(part) <= high for part in parts):
+        raise InputError(
+            f'{option} = "{text}" is wrong: write whole numbers from {low} to {high} with commas.'
+        )
+    return [int(part) for part in parts]
 
 
 # --------------------------------------------------------------------------------------------- data, pictures

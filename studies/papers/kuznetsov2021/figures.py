@@ -20,7 +20,7 @@ from loomlight.core.settings import same_setting, setting
 from loomlight.evaluation.table import Table
 from loomlight.models.texture.neumip import MIN_COSINE, NeumipModel
 from loomlight.models.texture.pyramid import PyramidShape
-from studies.harness.study import Found, Pixels, Run, Study, listed_numbers, with_tables
+from studies.harness.study import Found, Pixels, Run, Study, listed_counts, with_tables
 from studies.instruments.sheet import Row, Tile, contact_sheet
 from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, Design
 from studies.papers.kuznetsov2021.stage import (
@@ -101,10 +101,10 @@ def ablation(settings: AblationSettings, run: Run) -> Found:
     shots = [plane_shot(source, texel, level, settings.size) for level in (0, 1)]
     truths = [traced(source, shot, settings.spp) for shot in shots]
     published = DESIGNS[OURS]
-    channels = listed_numbers("--channels", settings.channels)
-    layers = listed_numbers("--layers", settings.layers)
-    by_channels = {f"{n:g} channels": Design(int(n), published.hidden, offset=True) for n in channels}
-    by_layers = {f"{n:g} layers": Design(7, (_HIDDEN,) * (int(n) - 1), offset=True) for n in layers}
+    channels = listed_counts("--channels", settings.channels, 1, 64)
+    layers = listed_counts("--layers", settings.layers, 2, 16)
+    by_channels = {f"{n} channels": Design(n, published.hidden, offset=True) for n in channels}
+    by_layers = {f"{n} layers": Design(7, (_HIDDEN,) * (n - 1), offset=True) for n in layers}
     errors: dict[Design, float] = {}
     designs = dict.fromkeys([*by_channels.values(), *by_layers.values(), published])
     for number, design in enumerate(designs):

@@ -30,7 +30,7 @@ from loomlight.models.clustered.tables import (
     texel_counts,
 )
 from loomlight.yarn.geometry import YarnGeometry
-from studies.harness.study import Figures, Found, Run, Study, example, listed, listed_numbers, names
+from studies.harness.study import Figures, Found, Run, Study, example, listed, listed_counts, names
 
 FABRICS = ("denim", "silk-satin", "linen", "organza", "wool-houndstooth", "damask")
 _STORED = 256
@@ -64,6 +64,8 @@ def without_mean(maps: FeatureMaps, labels: np.ndarray, roughness: tuple[float, 
 
 def of_fabric(name: str, settings: Storage) -> Figures:
     """All clusters and ranks of one fabric."""
+    all_clusters = listed_counts("--clusters", settings.clusters, 1, 64)
+    ranks = listed_counts("--ranks", settings.ranks, 0, 16)
     fabric = load_fabric(example(name))
     geometry, appearance = YarnGeometry(fabric.layout()), fabric.appearance()
     roughness = appearance.warp.roughness, appearance.weft.roughness
@@ -71,9 +73,9 @@ def of_fabric(name: str, settings: Storage) -> Figures:
     lobes = fitted_gaussians(maps.horizon, Float).lobes
     columns, rows = texel_counts(geometry, _STORED)
     found: Figures = {}
-    for clusters in map(int, listed_numbers("--clusters", settings.clusters)):
+    for clusters in all_clusters:
         labels = label_texels(maps, lobes, clusters)
-        for rank in map(int, listed_numbers("--ranks", settings.ranks)):
+        for rank in ranks:
             tables = density_tables(labels, maps.tangent, roughness, clusters, rank)
             texels = 2 * columns * rows
             found[f"{clusters} clusters, rank {rank}"] = {

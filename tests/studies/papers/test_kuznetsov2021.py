@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from studies.harness.command import main
+from loomlight.core.errors import InputError
 from studies.harness.study import NoSettings, Run, stored_tables
 from studies.papers.kuznetsov2021 import equal_cost, figures, stage, tables
 from studies.papers.kuznetsov2021.designs import DESIGNS
@@ -126,6 +126,10 @@ def test_footprints_of_a_shot_tile_the_plane() -> None:
     assert abs(across[0] * up[1] / 2) == pytest.approx(0.4**2, rel=2e-3)
 
 
-def test_networks_of_others_need_others(refused: Callable[..., str]) -> None:
-    refusal = refused(["papers/kuznetsov2021/table2", "--materials", MATERIAL], main)
-    assert "need two" in refusal
+def test_what_cannot_be_is_refused(run: Run) -> None:
+    with pytest.raises(InputError, match="need two"):
+        equal_cost.comparison(equal_cost.CostSettings(materials=MATERIAL), run)
+    with pytest.raises(InputError, match=r"--layers = .* from 2 to 16"):
+        figures.ablation(figures.AblationSettings(size=(16, 9), spp=2, side=16, layers="1"), run)
+    with pytest.raises(InputError, match="names with commas"):
+        equal_cost.CostSettings(materials="")
