@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ast
 import importlib
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
@@ -36,7 +37,7 @@ class Declared:
 
 @cache
 def catalogue() -> dict[str, Declared]:
-    """Every study by name: those of papers first, each folder in order."""
+    """Every study by name: those of papers first, each folder in the order of people, fig9 before fig10."""
     found: dict[str, Declared] = {}
     for folder in FOLDERS:
         for file in sorted((REPOSITORY / "studies" / folder).rglob("*.py")):
@@ -46,7 +47,14 @@ def catalogue() -> dict[str, Declared]:
                         f"{each.name} is declared in {found[each.name].module} and {each.module}"
                     )
                 found[each.name] = each
-    return found
+    return {name: found[name] for name in sorted(found, key=_place)}
+
+
+def _place(name: str) -> tuple[int, list[tuple[bool, int, str]]]:
+    """What names are sorted by: their folder, then words and numbers."""
+    words = re.findall(r"\d+|\D+", name)
+    parts = [(word.isdigit(), int(word) if word.isdigit() else 0, word) for word in words]
+    return FOLDERS.index(name.split("/")[0]), parts
 
 
 def find_study(name: str) -> Study[Any]:

@@ -47,9 +47,9 @@ def run_study(
         InputError: settings that cannot be, or a folder that cannot be written.
     """
     chosen = study.settings if settings is None else settings
-    outputs = probed(study.stands_on)
     if folder is None:
-        return _measured(study, chosen, outputs, Run(Parts(), runs, report))[0]
+        return _measured(study, chosen, {}, Run(Parts(), runs, report))[0]
+    outputs = probed(study.stands_on)
     file = record_file(folder, study.name)
     asked = {
         "settings": changed_settings(chosen, study.settings),
