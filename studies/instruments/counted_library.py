@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.errors import InputError
 from loomlight.exporters import export
 from loomlight.realtime.materials import Material
 from loomlight.realtime.records import numpy_type
@@ -54,13 +55,13 @@ class CountedLibrary:
         table_bytes: of all buffers.
 
     Raises:
-        RuntimeError: g++ is missing.
+        InputError: g++ is missing.
     """
 
     def __init__(self, material: Material, model: str, estimates: bool = False) -> None:
         compiler = shutil.which("g++")
         if compiler is None:
-            raise RuntimeError("Counting needs g++ (Debian, Ubuntu: apt install g++).")
+            raise InputError("Counting needs g++ (Debian, Ubuntu: apt install g++).")
         with TemporaryDirectory() as name:
             folder = Path(name) / "cuda"
             export(material, "cuda", folder, model)

@@ -18,6 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
+from loomlight.core.errors import InputError
 from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.table import Table
 from studies.harness.study import Figures, Found, Run, Study
@@ -107,7 +108,7 @@ def _await_server(port: int, server: subprocess.Popen[bytes]) -> None:
             time.sleep(0.1)
         else:
             return
-    raise RuntimeError("The server ended.")
+    raise InputError(f"The server ended; if something else listens at {port}, choose another --port.")
 
 
 def _figures(settings: ServerLoad, server: int) -> Figures:
