@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import runpy
-import subprocess
 from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
@@ -32,10 +31,10 @@ from loomlight.realtime.records import numpy_type
 from loomlight.realtime.slangc import compile_shader
 from studies.instruments.counted_library import CountedLibrary, queries_of
 from tests.helpers.arrays import vectors
+from tests.helpers.commands import run_compiler
 from tests.helpers.parity import share_beyond
 from tests.helpers.shader_cases import bsdf_of, footprint_rows
 from tests.helpers.untrained import random_latent, random_neumip, small_clustered, with_samples
-from tests.limits import HANG
 from tests.marks import slow_among
 
 require_llvm()
@@ -63,13 +62,6 @@ def material_of(model: str) -> Material:
     return random_latent() if model == "latent" else FABRIC
 
 
-def run(*command: str | Path, cwd: Path) -> None:
-    done = subprocess.run(
-        [str(part) for part in command], capture_output=True, text=True, cwd=cwd, timeout=HANG
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-
-
 @pytest.fixture(scope="module")
 def exported(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Exported]:
     """Gives the folder of a language and a model, exported once; tables are baked once for all languages."""
@@ -89,9 +81,11 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Exported]:
 def test_glslang_compiles_glsl_and_hlsl(exported: Exported, model: str, tmp_path: Path) -> None:
     out = tmp_path / "out.spv"
     kernel = "cloth_queries"
-    run("glslangValidator", "-V", "-S", "comp", "-o", out, f"{kernel}.glsl", cwd=exported("glsl", model))
+    run_compiler(
+        "glslangValidator", "-V", "-S", "comp", "-o", out, f"{kernel}.glsl", cwd=exported("glsl", model)
+    )
     options = ("-D", "-V", "-S", "comp", "-e", kernel, "-o", out)
-    run("glslangValidator", *options, f"{kernel}.hlsl", cwd=exported("hlsl", model))
+    run_compiler("glslangValidator", *options, f"{kernel}.hlsl", cwd=exported("hlsl", model))
 
 
 @pytest.mark.parametrize("model", QUICK)
@@ -125,7 +119,9 @@ def test_header_compiles_as_c(exported: Exported, tmp_path: Path) -> None:
         source.write_text('#include "cloth.h"\n')
         compiler = "gcc" if language == "c" else "g++"
         header = exported("hlsl", "lobes")
-        run(compiler, f"-std={standard}", "-x", language, "-fsyntax-only", "-I", header, source, cwd=tmp_path)
+        run_compiler(
+            compiler, f"-std={standard}", "-x", language, "-fsyntax-only", "-I", header, source, cwd=tmp_path
+        )
 
 
 @pytest.mark.parametrize("model", QUICK)

@@ -15,15 +15,9 @@ from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neural.encoding import encode, encode_pair
-from tests.helpers.neural_networks import counted_runs, network, weights_of
+from tests.helpers.neural_networks import network, weights_of
 
 require_llvm()
-
-
-@pytest.fixture
-def runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
-    """Names of the fabrics that the encoder was run for, with empty caches."""
-    return counted_runs(monkeypatch, tmp_path / "cache", "run_encoder")
 
 
 def test_large_repeats_are_refused(tmp_path: Path) -> None:

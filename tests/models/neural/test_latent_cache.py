@@ -12,15 +12,9 @@ from loomlight.core.files import cache_folder
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neural.encoding import clear_encodings, encode
-from tests.helpers.neural_networks import counted_runs, network, weights_of
+from tests.helpers.neural_networks import network, weights_of
 
 require_llvm()
-
-
-@pytest.fixture
-def runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
-    """Names of the fabrics that the encoder was run for, with empty caches."""
-    return counted_runs(monkeypatch, tmp_path / "cache", "run_encoder")
 
 
 def test_a_fabric_is_encoded_once(runs: list[str], tmp_path: Path) -> None:

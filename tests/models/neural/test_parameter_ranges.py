@@ -13,15 +13,9 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neural.encoding import encode
 from loomlight.models.neural.weights import read_weights
-from tests.helpers.neural_networks import counted_runs, network, weights_of, written
+from tests.helpers.neural_networks import network, weights_of, written
 
 require_llvm()
-
-
-@pytest.fixture
-def runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
-    """Names of the fabrics that the encoder was run for, with empty caches."""
-    return counted_runs(monkeypatch, tmp_path / "cache", "run_encoder")
 
 
 def test_fabrics_outside_the_box_warn(runs: list[str], tmp_path: Path) -> None:

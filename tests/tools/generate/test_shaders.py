@@ -7,8 +7,6 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
-import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +16,7 @@ from loomlight.models.lobes import prefiltered, rays
 from loomlight.models.registry import REALTIME_MODELS
 from loomlight.realtime.device import STORAGE_BUFFERS, default_adapter
 from loomlight.realtime.slangc import SHADERS, TARGETS, compile_shader, library_code, library_models
-from tests.limits import HANG
+from tests.helpers.commands import run_compiler
 from tools.generate.shaders import build
 from tools.generate.shaders.build import DIGESTS, WGSL, digests, generated_files, generated_slang
 from tools.generate.shaders.constants import number_text, prefixed_numbers, shader_constants
@@ -69,19 +67,11 @@ def test_every_model_has_a_library() -> None:
     assert library_models() == sorted(REALTIME_MODELS)
 
 
-def run(*command: str | Path) -> None:
-    name = str(command[0])
-    if shutil.which(name) is None:
-        pytest.fail(f"{name} is missing: apt install glslang-tools spirv-tools", pytrace=False)
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=HANG)
-    assert done.returncode == 0, done.stdout + done.stderr
-
-
 @pytest.mark.quick("point")
 @pytest.mark.parametrize("model", REALTIME_MODELS)
 def test_spirv_is_valid(model: str, tmp_path: Path) -> None:
     (tmp_path / "library.spv").write_bytes(library_code("spirv", model))
-    run("spirv-val", "--target-env", "vulkan1.1", tmp_path / "library.spv")
+    run_compiler("spirv-val", "--target-env", "vulkan1.1", tmp_path / "library.spv")
 
 
 @pytest.mark.slow
