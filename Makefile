@@ -6,12 +6,13 @@ RUN := $(VENV)/bin
 # Neighbours share fixtures, so a process keeps a run of them. It grows with every kernel that it compiles, so
 # each part of the tests has processes of its own: 2 GB do.
 PYTEST := $(RUN)/python -m pytest -n 2 --dist worksteal
-MODELS := tests/contract tests/models tests/studies tests/training tests/evaluation
+CONTRACT := tests/contract
+MODELS := tests/models tests/studies tests/training tests/evaluation
 PICTURES := tests/mitsuba tests/cli tests/docs tests/exporters
 PAGE := tests/viewer tests/web
-OTHERS := $(filter-out $(MODELS) $(PICTURES) $(PAGE) tests/helpers tests/__pycache__,$(patsubst %/,%,$(wildcard tests/*/))) tests/test_layout.py
+OTHERS := $(filter-out $(CONTRACT) $(MODELS) $(PICTURES) $(PAGE) tests/helpers tests/__pycache__,$(patsubst %/,%,$(wildcard tests/*/))) tests/test_layout.py
 define run_tests
-	@failed=; for part in "$(MODELS)" "$(PICTURES)" "$(PAGE)" "$(OTHERS)"; do $(PYTEST) $(1) $$part || failed=1; done; test -z "$$failed"
+	@failed=; for part in "$(CONTRACT)" "$(MODELS)" "$(PICTURES)" "$(PAGE)" "$(OTHERS)"; do $(PYTEST) $(1) $$part || failed=1; done; test -z "$$failed"
 endef
 
 .PHONY: demo test test-all lint benchmark clean
