@@ -21,25 +21,6 @@ from loomlight.weave.named import named_weave, weave_names
 from loomlight.weave.wif_reader import read_wif
 from tests.limits import HANG
 
-COMMANDS = [
-    ["weave", "show"],
-    ["weave", "convert"],
-    ["weave", "info"],
-    ["weave", "names"],
-    ["render"],
-    ["demo"],
-    ["bake-maps"],
-    ["doctor"],
-]
-
-
-@pytest.mark.parametrize("command", COMMANDS, ids=" ".join)
-def test_every_command_helps_with_an_example(command: list[str], capsys: pytest.CaptureFixture[str]) -> None:
-    assert run([*command, "--help"]) == 0
-    text = capsys.readouterr().out
-    assert "Example:" in text
-    assert f"loomlight {' '.join(command)}" in " ".join(text.split())
-
 
 def test_show(tmp_path: Path) -> None:
     front, back = tmp_path / "front.png", tmp_path / "back.png"

@@ -145,15 +145,10 @@ def test_trained_models_are_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
         (["plain", "--models", "point", "--scenes", "moon"], 'scene = "moon"'),
         (["plain", "--models", "point", "--size", "big"], "960x540"),
         (["plain", "--models", "point", "--spp", "0"], "--spp 0"),
-        (["plian", "--models", "point"], 'did you mean "plain"'),
-        (["plain", "--models", "point", "-o", "none/report"], "folder none does not exist"),
-        (["plain", "--models", "point", "-o", "file"], "holds a file"),
     ],
 )
 def test_faults(options: list[str], expected: str, refused: Callable[..., str]) -> None:
-    Path("file").write_text("")
-    output = [] if "-o" in options else ["-o", "report"]
-    assert expected in refused(["compare", *options, *output])
+    assert expected in refused(["compare", *options, "-o", "report"])
 
 
 def test_no_empty_folder_is_left_on_a_full_disk(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -18,7 +19,7 @@ from loomlight.cli.options import (
 )
 from loomlight.cli.terminal import done, note_left, progress
 from loomlight.core.errors import InputError
-from loomlight.core.outputs import check_output, require_not_read
+from loomlight.core.outputs import check_output, is_folder, require_not_read
 from loomlight.core.picture_settings import MapSettings
 
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ def bake(
     Several sources go into a folder. Run again, the same command bakes what is missing or has changed.
     """
     chosen_executor = executor_of(executor, workers, slurm)
-    if len(sources) > 1 or output.is_dir():
+    if len(sources) > 1 or (is_folder(output) and not output.suffix):
         _bake_into_folder(sources, model, output, options or [], chosen_executor)
         return
     fabric = sources[0]
@@ -78,7 +79,7 @@ def bake(
 def _bake_into_folder(
     sources: list[str], model: str, folder: Path, options: list[str], executor: Executor
 ) -> None:
-    if folder.suffix or not folder.parent.is_dir() or (folder.exists() and not folder.is_dir()):
+    if folder.suffix or not is_folder(folder.parent) or (os.path.lexists(folder) and not is_folder(folder)):
         raise InputError(f"{folder}: several sources are baked into a folder; give the name of one.")
     from loomlight.models.bake import bake_catalogue
     from loomlight.models.registry import model_class, parse_options

@@ -53,11 +53,11 @@ def require_file(path: str | os.PathLike[str]) -> None:
     except PermissionError as error:
         raise InputError(f"{file} cannot be read: {error.strerror}.") from error
     except (OSError, ValueError) as error:  # too long a name, a NUL
-        raise InputError(f"{_short(file)!r} is no path of a file that can be read.") from error
+        raise InputError(f"{short_path(file)!r} is no path of a file that can be read.") from error
     raise InputError(f"{file} does not exist.")
 
 
-def _short(path: Path) -> str:
+def short_path(path: Path) -> str:
     """The beginning of a path, and its end, by which a user knows it."""
     text = str(path)
     return text if len(text) <= 160 else f"{text[:60]}…{text[-99:]}"

@@ -9,6 +9,7 @@ from itertools import chain
 from pathlib import Path
 
 from loomlight.core.errors import InputError
+from loomlight.core.files import short_path
 
 # Files whose quoted texts may be paths of further files: fabrics, scenes, meshes.
 _NAMES_FILES = (".toml", ".xml", ".gltf", ".json")
@@ -42,7 +43,7 @@ def check_output(
         if not folder.is_dir():
             raise InputError(f"{path}: the folder {folder} does not exist; make it first.")
     except (OSError, ValueError) as error:
-        raise InputError(f"{str(path)[:80]!r} is no path of a file that can be written: {error}.") from error
+        raise InputError(f"{short_path(path)!r} is no path of a file that can be written.") from error
     if not os.access(folder, os.W_OK):
         raise InputError(f"{path}: the folder {folder} cannot be written to.")
     require_not_read([path], reads)
@@ -98,3 +99,8 @@ def _exists(path: Path) -> bool:
 
 def _is_file(path: Path) -> bool:
     return _exists(path) and path.is_file()
+
+
+def is_folder(path: Path) -> bool:
+    """Whether a folder is there by that name, which may be no possible one."""
+    return _exists(path) and path.is_dir()

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from loomlight.core.errors import InputError
+from loomlight.core.files import short_path
 
 MANIFEST = "manifest.json"
 _MARK = "loomlight_export"
@@ -20,7 +21,7 @@ def check_folder(folder: str | os.PathLike[str]) -> None:
     """Raises InputError unless `folder` can be written and is new, empty, or an earlier export."""
     path = Path(folder)
     try:
-        exists = os.path.lexists(path)
+        exists = path.exists() or path.is_symlink()
         if exists and not path.is_dir():
             raise InputError(f"{path} is a file; name a folder that is new or holds an earlier export.")
         if exists and any(path.iterdir()) and not _is_export(path):
@@ -31,9 +32,7 @@ def check_folder(folder: str | os.PathLike[str]) -> None:
         if not parent.is_dir():
             raise InputError(f"{path}: the folder {parent} does not exist; make it first.")
     except (OSError, ValueError) as error:
-        raise InputError(
-            f"{str(path)[:80]!r} is no path of a folder that can be written: {error}."
-        ) from error
+        raise InputError(f"{short_path(path)!r} is no path of a folder that can be written.") from error
     if not os.access(parent, os.W_OK):
         raise InputError(f"{path}: the folder {parent} cannot be written to.")
 
@@ -55,7 +54,10 @@ def replacing_folder(folder: str | os.PathLike[str]) -> Iterator[Path]:
     target = Path(folder)
     check_folder(target)
     parent = target.resolve().parent
-    temporary = Path(tempfile.mkdtemp(dir=parent, prefix=".loomlight-"))
+    try:
+        temporary = Path(tempfile.mkdtemp(dir=parent, prefix=".loomlight-"))
+    except OSError as error:
+        raise InputError(f"{target} cannot be written: {error.strerror or error}.") from error
     try:
         yield temporary
         umask = os.umask(0)
