@@ -8,7 +8,6 @@ from __future__ import annotations
 import os
 import tempfile
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,6 +15,7 @@ import pytest
 import typer
 
 from loomlight.cli.main import app, run
+from tests.helpers.users import as_nobody
 from tests.marks import slow_among
 
 pytestmark = pytest.mark.filterwarnings("ignore::loomlight.core.errors.LoomlightWarning")
@@ -201,19 +201,6 @@ def test_other_suffixes_are_refused(name: str, suffix: str, refused: Callable[..
 )
 def test_what_is_no_path_is_refused(name: str, output: str, refused: Callable[..., str]) -> None:
     refused(COMMANDS[name].line(name, output=output.format(COMMANDS[name].output)))
-
-
-@contextmanager
-def as_nobody() -> Iterator[None]:
-    """As a user whom permissions bind; the administrator is none."""
-    administrator = os.getuid() == 0
-    if administrator:
-        os.setresuid(65534, 65534, 0)
-    try:
-        yield
-    finally:
-        if administrator:
-            os.setresuid(0, 0, 0)
 
 
 @pytest.mark.parametrize("name", WRITING)

@@ -10,7 +10,7 @@ import re
 import struct
 import tempfile
 import zipfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass
 from functools import cache
 from importlib.resources import files
@@ -39,6 +39,7 @@ from loomlight.weave import load_draft, named_weave
 from loomlight.weave.wif_writer import wif_text_of
 from tests.fuzz import btf, merl, meshes
 from tests.helpers.pictures import png_head
+from tests.helpers.users import as_nobody
 from tests.work import allocates_at_most
 
 CASES = Path(__file__).parents[1] / "cases" / "drafts"
@@ -321,19 +322,6 @@ def test_what_is_no_file_is_refused(name: str, tmp_path: Path, monkeypatch: pyte
     refusal(read, tmp_path / f"link{suffix}", f"link{suffix}")
     refusal(read, tmp_path / f"a\0b{suffix}", f"b{suffix}")
     refusal(read, tmp_path / f"{'x' * 400}{suffix}", f"{'x' * 40}{suffix}")
-
-
-@contextlib.contextmanager
-def as_nobody() -> Iterator[None]:
-    """As a user whom permissions bind; the administrator is none."""
-    administrator = os.geteuid() == 0
-    if administrator:
-        os.seteuid(65534)
-    try:
-        yield
-    finally:
-        if administrator:
-            os.seteuid(0)
 
 
 @every_reader
