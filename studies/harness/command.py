@@ -16,7 +16,7 @@ from loomlight.core.outputs import require_not_read
 from loomlight.core.settings import Settings, default_text, range_text
 from studies.harness.catalogue import catalogue, find_study
 from studies.harness.changes import changes_text
-from studies.harness.record import RECORDS, Record, changed_settings, read_record, record_file
+from studies.harness.record import RECORDS, Record, changed_settings, read_record, record_file, records
 from studies.harness.run import run_study
 from studies.harness.stale import stale
 from studies.harness.study import Study
@@ -109,8 +109,10 @@ def _earlier(study: Study[Any], settings: Settings, folder: Path) -> Record:
 
 
 def _print_stale(folder: Path) -> int:
-    for name, reason in stale(folder).items():
+    reasons = stale(folder)
+    for name, reason in reasons.items():
         print(f"{name:36}{reason}")
+    print(f"{len(reasons)} of {len(records(folder))} records are older than what they stand on.")
     return 0
 
 

@@ -293,7 +293,9 @@ def test_records_are_old_when_what_they_stand_on_has_moved(
     assert stale(tmp_path) == {NAME: "what there is now changed, by up to 4.8 %"}
     # The command says so and fails nothing.
     assert main(["--stale", "-o", str(tmp_path)]) == 0
-    assert capsys.readouterr().out.split() == [NAME, *stale(tmp_path)[NAME].split()]
+    line, count = capsys.readouterr().out.splitlines()
+    assert line.split() == [NAME, *stale(tmp_path)[NAME].split()]
+    assert count == "1 of 1 records are older than what they stand on."
 
 
 def test_records_without_outputs_of_probes_are_old(study: Study[Thirds], tmp_path: Path) -> None:
