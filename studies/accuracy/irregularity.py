@@ -16,8 +16,8 @@
 from __future__ import annotations
 
 import math
-import time
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import drjit as dr
@@ -41,6 +41,8 @@ from loomlight.models.interface import Model
 from loomlight.models.registry import make_model
 from loomlight.scattering import irregularity
 from studies.harness.study import Figures, Found, Run, Study, example, listed, names
+from studies.instruments.directions import above
+from studies.instruments.timing import least_times
 
 EXAMPLES = ("linen", "denim")
 # The warp alone reflects, and its shade alone varies.
@@ -75,6 +77,8 @@ PIXELS = 256
 # Of the film's Gaussian, half a pixel wide: what splats samples, and the side of footprints, pixels.
 SPLAT, FOOTPRINT_SIDE = 0.4, math.sqrt(12 * (0.5**2 - 0.4**2))
 LAGS = 6
+# Queries lie within 70 degrees of the normal.
+LEAST_COSINE = math.cos(math.radians(70))
 
 
 def even(fabric: Fabric) -> Fabric:
@@ -200,7 +204,7 @@ def queries(count: int = 2000, points: int = 2048) -> list[dict[str, Any]]:
     rng = np.random.default_rng(5)
     types = array_types(llvm_float())
     lights, views = (
-        types.Vector3(*(types.Float(part.astype(np.float32)) for part in upper(rng, count).T))
+        types.Vector3(*(types.Float(part.astype(np.float32)) for part in above(rng, count, LEAST_COSINE)))
         for _ in range(2)
     )
     centre = types.Vector2(
@@ -225,13 +229,6 @@ def queries(count: int = 2000, points: int = 2048) -> list[dict[str, Any]]:
                 }
                 rows.append({"fabric": name, "yarns": kind, "threads": threads, "errors": errors})
     return rows
-
-
-def upper(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
-    """Unit vectors [count, 3] within 70 degrees of the normal."""
-    cosine, turn = rng.uniform(math.cos(math.radians(70)), 1, count), rng.uniform(0, 2 * math.pi, count)
-    sine = np.sqrt(1 - cosine**2)
-    return np.stack([sine * np.cos(turn), sine * np.sin(turn), cosine], axis=1)
 
 
 # ------------------------------------------------------------------------------------------------- repeats
@@ -336,14 +333,12 @@ def times(rounds: int = 5) -> list[dict[str, Any]]:
         fabric = load_fabric(example(name))
         models = [make_model("lobes", one) for one in (fabric, even(fabric))]
         for zoom in (1.0, 30.0):
-            spent: list[list[float]] = [[], []]
-            for _ in range(rounds + 1):
-                for model, measured in zip(models, spent, strict=True):
-                    start = time.process_time()
-                    picture_of(model, scene="drape", size=(480, 360), spp=32, zoom=zoom, inset=False)
-                    measured.append(time.process_time() - start)
-            # The first one compiles.
-            best = [min(measured[1:]) for measured in spent]
+            pictures = [
+                partial(picture_of, model, scene="drape", size=(480, 360), spp=32, zoom=zoom, inset=False)
+                for model in models
+            ]
+            # Of these the first one compiles.
+            best = [each.cpu_seconds for each in least_times(pictures, rounds + 1)]
             rows.append({"fabric": name, "zoom": zoom, "seconds": best, "ratio": best[0] / best[1]})
     return rows
 
