@@ -121,8 +121,8 @@ def of_latents(model: Any, rows: Rows) -> Drawn:
     return Drawn(light, np.zeros(COUNT), np.zeros(COUNT, bool), density)
 
 
-def open_cloth(name: str, **options: Any) -> Callable[[], Model]:
-    return lambda: make_model(name, fabric_from_text(OPEN), **options)
+def open_cloth(name: str, before: str = "", **options: Any) -> Callable[[], Model]:
+    return lambda: make_model(name, fabric_from_text(before + OPEN), **options)
 
 
 SAMPLERS: dict[str, Sampler] = {
@@ -132,7 +132,8 @@ SAMPLERS: dict[str, Sampler] = {
         "let at = surface_at(fabric, centre.x, centre.y, back);"
         "let p = yarn_point_of(fabric, at, view, back, at.hole, NO_DETAIL);"
         "let s = sample_point(fabric, q, p, view, choice, u); let d = point_pdf(fabric, p, light, view);",
-        open_cloth("point"),
+        # Light between yarns is drawn by a lobe of its own in Python alone; shaders add its value.
+        open_cloth("point", "interreflection = false\n"),
         of_points,
         value="s.weight * s.pdf",
     ),
