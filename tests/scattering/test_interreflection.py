@@ -115,7 +115,9 @@ def test_white_cloth_is_white_and_makes_no_light(specular: float, least: float) 
     yarn = f'albedo = "#fff"\nspecular = {specular}\n'
     fabric = fabric_from_text(f'weave = "satin 5"\ninterreflection = true\n[warp]\n{yarn}[weft]\n{yarn}')
     model = YarnScattering(YarnGeometry(fabric.layout()), fabric.appearance())
-    above, grazing = (returned(model, fabric.repeat_mm, direction(angle, 25), 6) for angle in (0, 75))
+    above, grazing = (
+        returned(model, fabric.repeat_mm, direction(angle, 25), 6, 1 << 15) for angle in (0, 75)
+    )
     # 0.01: four standard errors of 2^15 samples, and the fit of openness (docs/research/figures-light.md).
     assert least < above < 1.01
     assert grazing < 1.02
