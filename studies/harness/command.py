@@ -149,8 +149,9 @@ def _parser(studies: Sequence[Study[Any]]) -> argparse.ArgumentParser:
         kind = option.setting.kind
         words = f"{option.setting.help}{default_text(option.setting, '  [{}]')}".replace("%", "%%")
         name = option.setting.metavar or range_text(option.setting).replace(" ", "") or option.key.upper()
-        given = {"nargs": "?", "const": "true"} if kind is bool else {}
-        parser.add_argument(flag, dest=f"set_{option.key}", metavar=name, help=words, **given)  # type: ignore[arg-type]
+        action = parser.add_argument(flag, dest=f"set_{option.key}", metavar=name, help=words)
+        if kind is bool:
+            action.nargs, action.const = "?", "true"
     return parser
 
 

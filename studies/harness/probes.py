@@ -137,13 +137,15 @@ def _cost(name: str, fabrics: slice = slice(None), **options: Any) -> Numbers:
 
     types = array_types(llvm_float())
     light, view, footprint = _asked(types)
+
+    def answer(model: Any) -> None:
+        dr.eval(model.at(view, model.on_cloth(footprint)).value(light))
+
     found = []
     for fabric in _fabrics()[fabrics]:
         model = make_model(name, fabric, **options)
         model.upload(types)
-        kernels = launched_kernels(
-            lambda model=model: dr.eval(model.at(view, model.on_cloth(footprint)).value(light))  # type: ignore[misc]
-        )
+        kernels = launched_kernels(partial(answer, model))
         found.append(sum(operations_of(kernel["ir"].read()) for kernel in kernels))
     return np.array(found, np.float64)
 

@@ -9,6 +9,7 @@ in equal processor time.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -50,6 +51,11 @@ def picture(shot: MeasuredShot, fabric: Fabric, size: tuple[int, int], points: i
     return take
 
 
+def films_of(take: Callable[[int, int], NDArray[np.float32]], paths: int) -> list[NDArray[np.float32]]:
+    """A picture a seed."""
+    return [take(paths, 3 + seed) for seed in range(SEEDS)]
+
+
 def compared(shot: MeasuredShot, weave: str, settings: CellPlaces) -> list[dict[str, Any]]:
     """A row for each number of paths and points, `point` itself first."""
     fabric, size = fabric_from_text(weave), settings.size
@@ -58,7 +64,7 @@ def compared(shot: MeasuredShot, weave: str, settings: CellPlaces) -> list[dict[
     for paths, points in ((min(n, settings.most), min(m, settings.most)) for n, m in ROWS):
         take = picture(shot, fabric, size, points)
         take(paths, 2)
-        films, taken = spent(lambda: [take(paths, 3 + seed) for seed in range(SEEDS)])  # noqa: B023
+        films, taken = spent(partial(films_of, take, paths))
         seconds = taken.cpu_seconds / SEEDS
         mse = float(np.mean([np.square(film - reference).mean() for film in films]))
         row: dict[str, Any] = {"paths": paths, "points": points, "mse": mse, "cpu_seconds": seconds}

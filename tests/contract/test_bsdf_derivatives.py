@@ -28,8 +28,13 @@ CLOTH = {
 # Light that yarns send to each other scatters more than once.
 ONCE = {"interreflection": False}
 # Unvaried, one thread an albedo.
-GREY = {"weave": "twill 3/1", "warp_color": "#888888", "weft_color": "#888888"}
-GREY |= {"sheen_strength": 0.5, "sheen_roughness": 0.3}  # type: ignore[dict-item]
+GREY = {
+    "weave": "twill 3/1",
+    "warp_color": "#888888",
+    "weft_color": "#888888",
+    "sheen_strength": 0.5,
+    "sheen_roughness": 0.3,
+}
 SHEEN = {"weave": "twill 2/1", "uv_size": "4,4", "sheen_strength": 0.3, "id": "mine"}
 VARIED = {"variation_fibre_noise": 0.5, "variation_colour_noise": 0.2, "sheen_strength": 0.3}
 ALBEDOS = [
@@ -181,7 +186,7 @@ def test_every_number_of_point_has_derivatives() -> None:
 def test_derivatives_that_there_are_none_of_are_refused(plugin: str) -> None:
     params = mi.traverse(mi.load_dict({"type": plugin, **SHEEN, "warp_color": "#c08040,#4060c0"}))
     for name in ("warp.roughness", "warp.albedos", "sheen.strength", "uv_size"):
-        key = next(key for key in params.keys() if key.endswith(name))  # noqa: SIM118
+        key = next(key for key in params.keys() if key.endswith(name))  # noqa: SIM118 (no mapping)
         dr.enable_grad(params[key])
         with pytest.raises(InputError, match=r"has no derivatives: .*diffuse_reflect.* woven_point"):
             params.update()

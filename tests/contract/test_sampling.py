@@ -221,7 +221,7 @@ def test_the_density_of_another_footprint_is_detected(
 def test_no_light_is_made(name: str, between_yarns: bool) -> None:
     model = built(name, "white", between_yarns)
     if not model.conserves_energy:
-        pytest.skip("does not claim it")
+        pytest.skip("a learned model may return more than it gets, and says so")
     rng = np.random.default_rng(10)
     places, each = 64, 512
     queried = queries(model.source, places, seed=11)[np.repeat(np.arange(places), each)]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -102,7 +102,7 @@ _LIT_TWICE = 3e-3
 _HASHED = 1e-3
 CASES: dict[str, ShaderCase] = {
     **{
-        f"lobes, {name}": ShaderCase("lobes", _of("lobes", lambda name=name: _fabric_of(name)), _SEARCHES)  # type: ignore[misc]
+        f"lobes, {name}": ShaderCase("lobes", _of("lobes", partial(_fabric_of, name)), _SEARCHES)
         for name in ("denim", "even denim", "damask", "silk-satin")
     },
     # Of threads of two colours more shows.
