@@ -15,8 +15,10 @@ import torch
 from torch import distributed
 
 from loomlight.core.errors import InputError
+from loomlight.core.files import replacing
 from loomlight.core.provenance import provenance
 from loomlight.models.neural.architecture import FIELD_MAP, VECTOR_MAP
+from loomlight.models.neural.learned_truth import ENTRY, moved_since, truth_numbers
 from loomlight.training.loop import Report, Schedule, train
 from loomlight.training.parallel import process_count, process_number, wait_for_all
 from loomlight.training.soap import Soap
@@ -33,6 +35,7 @@ DatasetReport = Callable[[int, int], None]
 _WARM_UP = 0.01
 # Of what the dataset's files hold: a folder of another version is left alone.
 _DATASET_VERSION = 5
+_TRUTH = "truth.json"
 
 
 @contextmanager
@@ -73,11 +76,8 @@ def train_neural(
             f"[training] fabrics = {config.training.fabrics} is fewer than the {process_count()} processes, "
             "which share the fabrics of each step: start fewer processes."
         )
-    faces = make_dataset(
-        config,
-        folder / f"pool-{_identity(_DATASET_VERSION, config.data, config.network.latent)[:8]}",
-        dataset_report,
-    )
+    pool = folder / f"pool-{_identity(_DATASET_VERSION, config.data, config.network.latent)[:8]}"
+    faces = make_dataset(config, pool, dataset_report)
     torch.manual_seed(config.training.seed)
     network = ClothNetwork(config.network).to(device)
     training = config.training
@@ -125,6 +125,7 @@ def train_neural(
         provenance={
             **provenance("python -m studies.papers.chen2024.training", Path(__file__).parent),
             "steps": steps,
+            ENTRY: read_truth(pool),
         },
     )
     export_encoder(weights)
@@ -152,6 +153,7 @@ def make_dataset(config: TrainingConfig, folder: Path, report: DatasetReport | N
 
     require_llvm()
     folder.mkdir(parents=True, exist_ok=True)
+    _require_same_truth(folder, truth_numbers(Float))
     per_thread = config.network.latent == "field"
     side = FIELD_MAP if per_thread else VECTOR_MAP
     faces: list[Face] = []
@@ -165,6 +167,29 @@ def make_dataset(config: TrainingConfig, folder: Path, report: DatasetReport | N
     for number in range(config.data.fabrics):
         faces += read_faces(folder / f"{number:06d}.safetensors")
     return faces
+
+
+def read_truth(folder: Path) -> list[float]:
+    """What the dataset's fabrics looked like when it was begun: `truth_numbers` of that day."""
+    return [float(number) for number in json.loads((folder / _TRUTH).read_text())]
+
+
+def _require_same_truth(folder: Path, now: list[float]) -> None:
+    """Keeps the truth of the first data beside them, and refuses to add others to them.
+
+    Raises:
+        InputError: the folder has data of other yarns.
+    """
+    file = folder / _TRUTH
+    if not file.exists() and process_number() == 0:
+        with replacing(file) as temporary:
+            temporary.write_text(json.dumps(now))
+    wait_for_all()
+    if moved_since({ENTRY: read_truth(folder)}, now) is not None:
+        raise InputError(
+            f"{folder} has data of yarns that this version computes otherwise: remove it, and its "
+            "checkpoints, to train on today's."
+        )
 
 
 def rate_factor(training: TrainingTable, progress: float) -> float:

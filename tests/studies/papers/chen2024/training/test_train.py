@@ -20,7 +20,10 @@ from tests.marks import slow
 torch = pytest.importorskip("torch")
 
 from loomlight.core.errors import InputError  # noqa: E402
+from loomlight.core.llvm import llvm_float  # noqa: E402
+from loomlight.models.neural.learned_truth import moved_since, truth_numbers  # noqa: E402
 from loomlight.models.neural.weights import read_weights  # noqa: E402
+from studies.papers.chen2024.training import train  # noqa: E402
 from studies.papers.chen2024.training.batches import Batches, _draw  # noqa: E402
 from studies.papers.chen2024.training.config import TrainingConfig, read_config  # noqa: E402
 from studies.papers.chen2024.training.dataset import read_faces  # noqa: E402
@@ -281,3 +284,20 @@ def test_schedules() -> None:
     assert rate_factor(cosine, 0) < 1e-6
     assert rate_factor(cosine, 0.01) == pytest.approx(1, abs=1e-3)
     assert rate_factor(cosine, 1) == pytest.approx(0, abs=1e-6)
+
+
+def test_weights_say_what_their_yarns_gave(dataset: Path, tmp_path: Path) -> None:
+    folder = _with_dataset(dataset, tmp_path / "run")
+    weights = read_weights(train_neural(_config(tmp_path, 1), folder))
+    assert moved_since(weights.provenance, truth_numbers(llvm_float())) is None
+
+
+def test_data_of_other_yarns_are_not_added_to(
+    dataset: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = _with_dataset(dataset, tmp_path / "run")
+    monkeypatch.setattr(
+        train, "truth_numbers", lambda _: [2 * number for number in truth_numbers(llvm_float())]
+    )
+    with pytest.raises(InputError, match=r"pool-.* has data of yarns that this version computes otherwise"):
+        train_neural(_config(tmp_path, 1), folder)
