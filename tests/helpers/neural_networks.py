@@ -20,6 +20,7 @@ from studies.papers.chen2024.training.weights_file import write_weights
 # The shapes that are trained: what ships, what was published, and the ablations.
 TABLES: dict[str, dict[str, Any]] = {
     "field": {"bundles": True},
+    "field, parallax": {"bundles": True, "parallax": True},
     "field, no bundles": {},
     "vector, published": {"latent": "vector", "fibres": False},
     "plain, not fused": {"position": "plain", "fusion": False},

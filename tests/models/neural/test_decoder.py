@@ -51,7 +51,8 @@ def either_way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) 
 
 
 @pytest.mark.quick("compiled-field")
-@pytest.mark.parametrize("name", [*TABLES, "field, corrected"])
+# Where small footprints are read is asked in test_parallax.py.
+@pytest.mark.parametrize("name", [*(name for name in TABLES if "parallax" not in name), "field, corrected"])
 def test_the_decoder_is_torchs(
     name: str, either_way: bool, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

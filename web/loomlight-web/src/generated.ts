@@ -691,6 +691,7 @@ export const NEURAL_MAX_COMPACTNESS = 5.5;
 export const NEURAL_WHOLE_REPEATS = 4;
 export const NEURAL_FIELD_SIZES = [0.015625, 80.0] as const;
 export const NEURAL_CORRECTED_SIZES = [1.0, 4.0] as const;
+export const NEURAL_NEAR_SIZES = [0.25, 2.0] as const;
 
 // models.neural.proposal
 export const NEURAL_UNIFORM_PROBABILITY = 0.1;

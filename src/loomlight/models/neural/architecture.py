@@ -66,6 +66,8 @@ class NetworkTable(ConfigTable):
         fibres: directions along the fibres are inputs too; the published decoder has none.
         bundles: specular components are mixtures of a lobe basis, whose weights the decoder outputs; the
             published decoder outputs the components themselves.
+        parallax: small footprints are read where their view ray meets yarn; the published decoder reads
+            them where it crosses the plane of the cloth.
         hidden: width of the decoder's layers.
     """
 
@@ -76,6 +78,7 @@ class NetworkTable(ConfigTable):
     fusion: bool = True
     fibres: bool = True
     bundles: bool = False
+    parallax: bool = False
     hidden: Count = 64
 
     @property

@@ -292,6 +292,9 @@ _REPEATS = 1 / 128, 5.0
 # Sizes in threads at which the weight of a fabric's correction begins to rise from 0, and at which it is 1.
 CORRECTED_SIZES = 1.0, 4.0
 _MAX = 8.0
+# Sizes in threads up to which footprints are read where their view ray meets yarn, and from which on they are
+# read where it crosses the plane of the cloth, as rays of larger ones meet many heights.
+NEAR_SIZES = 0.25, 2.0
 
 
 @dataclass
@@ -390,6 +393,15 @@ def footprint_coordinates(
     smallest, largest = min(repeat, _MAX) * _REPEATS[0], repeat * _REPEATS[1]
     u, v = x / ends, y / picks
     return u - arrays.floor(u), v - arrays.floor(v), log_fraction(size, smallest, largest, arrays)
+
+
+def near_weight(size: Float, arrays: Any = np) -> Float:
+    """Weight, 0 to 1, of the place where the view ray meets yarn against that where it crosses the plane.
+
+    Args:
+        size: side of footprints, in threads.
+    """
+    return 1 - log_fraction(arrays.maximum(size, 1e-6), *NEAR_SIZES, arrays)
 
 
 def fine_tuning_weight(size: Float, arrays: Any = np) -> Float:

@@ -27,6 +27,7 @@ from loomlight.models.neural.encoded_fabric import (
     AnisotropicTaps,
     EncodedFabric,
     mean_pitch,
+    near_weight,
     sizes_of,
     taps_of_footprint,
 )
@@ -45,6 +46,9 @@ from loomlight.models.separable import Components, Evaluation, FilteredBsdf
 from loomlight.scattering.point import DirectionSample, Tint, to_face_frame
 from loomlight.sources.kinds import Source
 from loomlight.sources.loom_file import LoomFile
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.rays import upload_extent
+from loomlight.yarn.visibility import first_hit
 
 _NETWORK = "neural"
 # By one network for all fabrics, or by lobes about the fibres.
@@ -225,6 +229,7 @@ class NeuralModel(FilteredFabricModel):
         width, height = layout.size
         self._threads_per_mm = count / width, picks / height
         self._pitch = mean_pitch(layout)
+        self._surface = YarnGeometry(layout)
         self._tables: dict[type, LatentTable] = {}
         cost = decoder_cost(weights, encoded.correction is not None)
         self.multiply_adds = cost.per_view + cost.per_light
@@ -284,6 +289,8 @@ class NeuralModel(FilteredFabricModel):
     def upload(self, types: ArrayTypes) -> None:
         """Uploads albedos and latents to a backend."""
         super().upload(types)
+        self._surface.upload(types)
+        upload_extent(self._surface, types)
         self.table(types.Float)
 
     def to_loom(self) -> LoomFile:
@@ -328,7 +335,29 @@ class NeuralModel(FilteredFabricModel):
         side, first, second = taps_of_footprint(footprint, self._pitch)
         steps = first.x * across, first.y * along, second.x * across, second.y * along
         taps = AnisotropicTaps(x, y, side * (1 / self._pitch), *steps)
-        return taps, to_face_frame(view, back), back
+        seen = to_face_frame(view, back)
+        if self.weights.table.parallax:
+            taps = self._at_yarns(taps, footprint.centre, seen, back)
+        return taps, seen, back
+
+    def _at_yarns(self, taps: AnisotropicTaps, centre: Vec2, view: Vec3, back: Mask) -> AnisotropicTaps:
+        """Taps of small footprints moved to where their view ray meets yarn.
+
+        Args:
+            centre: of the footprints, where rays cross the plane of the cloth, millimetres.
+            view: in the frame of the face that is seen.
+        """
+        near = near_weight(taps.size(dr), dr)
+        # Derivatives of where a ray meets yarn would be wrong as well as dear.
+        with dr.suspend_grad():
+            hit = first_hit(self._surface, centre.x, centre.y, view, back, near > 0)
+        near = dr.select(hit.hole, 0, near)
+        across, along = self._threads_per_mm
+        return replace(
+            taps,
+            x=dr.fma(near * across, hit.x - centre.x, taps.x),
+            y=dr.fma(near * along, hit.y - centre.y, taps.y),
+        )
 
     def decoder(self, float_type: type) -> Decoder:
         """The network on one backend; all fabrics share it."""

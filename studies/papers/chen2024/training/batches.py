@@ -14,7 +14,7 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from loomlight.models.neural.architecture import NetworkTable
-from loomlight.models.neural.encoded_fabric import footprint_coordinates, levels_of, taps
+from loomlight.models.neural.encoded_fabric import footprint_coordinates, levels_of, near_weight, taps
 from loomlight.training.parallel import SideBySide, process_count
 from studies.papers.chen2024.training.config import TrainingConfig
 from studies.papers.chen2024.training.dataset import Face
@@ -98,7 +98,8 @@ class Batches:
 
     def _loss_of(self, loss: str, part: _Part, latents: list[Tensor], queries: int) -> Tensor:
         small, chosen = self._config.training.small_footprints, [self._faces[k] for k in part.numbers]
-        drawn = [_draw(face, part.rng, queries, small) for face in chosen]
+        parallax = self._config.network.parallax
+        drawn = [_draw(face, part.rng, queries, small, parallax) for face in chosen]
         coordinate_arrays = [
             coordinate_rows(self._config.network, face.threads[0], face.threads[1], sample[0])
             for face, sample in zip(chosen, drawn, strict=True)
@@ -183,11 +184,14 @@ def coordinate_rows(table: NetworkTable, picks: int, ends: int, footprints: _Flo
     return np.stack(footprint_coordinates(table, picks, ends, *footprints.T), -1).astype(np.float32)
 
 
-def _draw(face: Face, rng: np.random.Generator, count: int, small: float) -> tuple[_Floats, ...]:
+def _draw(
+    face: Face, rng: np.random.Generator, count: int, small: float, parallax: bool
+) -> tuple[_Floats, ...]:
     """Footprints, lights, views and truths of random queries of a face.
 
     Args:
         small: probability of accepting the smallest footprints.
+        parallax: small footprints are where their view ray meets yarn.
     """
     pairs, footprints, _ = face.places.shape
     all_footprints = face.places.reshape(-1, 3)
@@ -198,8 +202,12 @@ def _draw(face: Face, rng: np.random.Generator, count: int, small: float) -> tup
         index = np.concatenate([index, drawn[accepted]])
     index = index[:count]
     pair = index // footprints
+    drawn_footprints = all_footprints[index]
+    if parallax:
+        to_yarn = face.seen.reshape(-1, 2)[index] - drawn_footprints[:, :2]
+        drawn_footprints[:, :2] += near_weight(drawn_footprints[:, 2:]) * to_yarn
     return (
-        all_footprints[index],
+        drawn_footprints,
         face.lights[pair],
         face.views[pair],
         face.truth.reshape(-1, 5)[index].astype(np.float32),

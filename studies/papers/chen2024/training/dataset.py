@@ -9,19 +9,22 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 from safetensors.numpy import load_file, save_file
 
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
+from loomlight.core.backend import array_types
 from loomlight.core.files import replacing
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.encoded_fabric import Fibres, footprints_in_threads
 from loomlight.models.neural.encoding import fabric_parameters, face_maps
 from loomlight.models.neural.weights import PARAMETER_RANGES, TRAINING_RANGES
-from loomlight.scattering.point import YarnScattering
+from loomlight.scattering.point import YarnScattering, to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.visibility import first_hit
 from studies.papers.chen2024.training.config import DataTable
 from studies.papers.chen2024.training.random_fabrics import random_fabric
 from studies.papers.chen2024.training.weaves import training_draft
@@ -32,7 +35,7 @@ _MIN_PAIRS = 64
 # Fraction of fabrics with random layouts, if layouts vary.
 _VARIED_FRACTION = 2 / 3
 # Arrays of a face in a file, beside its threads.
-_ARRAYS = ("maps", "parameters", "fibres", "bundles", "lights", "views", "places", "truth")
+_ARRAYS = ("maps", "parameters", "fibres", "bundles", "lights", "views", "places", "seen", "truth")
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,6 +50,7 @@ class Face:
         threads: picks and ends of the repeat.
         lights, views: unit vectors [p, 3].
         places: position x and y and side of the footprint [p, m, 3], in threads.
+        seen: where the view ray through that position meets yarn, x and y [p, m, 2], in threads.
         truth: components, 1/sr, and hole fraction [p, m, 5].
     """
 
@@ -58,6 +62,7 @@ class Face:
     lights: NDArray[np.float32]
     views: NDArray[np.float32]
     places: NDArray[np.float32]
+    seen: NDArray[np.float32]
     truth: NDArray[np.float16]
 
 
@@ -97,6 +102,8 @@ def dataset_faces(
     truth = slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, queries.boxes)
     lights, views = queries.lights[queries.pairs[:, 0]], queries.views[queries.pairs[:, 1]]
     places = footprints_in_threads(layout, queries.centres, queries.sizes)
+    seen = _seen(model, views, queries.centres, float_type)
+    seen *= np.array(layout.warp_on_top.shape[::-1]) / layout.size
     faces = []
     picks, ends = layout.warp_on_top.shape
     rows, columns = (map_side * picks, map_side * ends) if per_thread else (map_side, map_side)
@@ -113,10 +120,27 @@ def dataset_faces(
                 lights=(lights[chosen] * turn).astype(np.float32),
                 views=(views[chosen] * turn).astype(np.float32),
                 places=places[chosen],
+                seen=seen[chosen].astype(np.float32),
                 truth=truth[chosen].astype(np.float16),
             )
         )
     return faces
+
+
+def _seen(
+    model: YarnScattering, views: NDArray[np.float64], centres: NDArray[np.float64], float_type: type
+) -> NDArray[np.float64]:
+    """Where view rays [p, 3] through points of the plane [p, m, 2] meet yarn [p, m, 2], millimetres.
+
+    Rays that pass through stay where they cross the plane.
+    """
+    types = array_types(float_type)
+    view = types.Vector3(*np.repeat(views, centres.shape[1], axis=0).astype(np.float32).T)
+    x, y = (types.Float(np.ascontiguousarray(centres[..., axis].ravel(), np.float32)) for axis in (0, 1))
+    back = view.z < 0
+    hit = first_hit(model.surface, x, y, to_face_frame(view, back), back, quality=model.quality)
+    x, y = dr.select(hit.hole, x, hit.x), dr.select(hit.hole, y, hit.y)
+    return np.stack([x.numpy(), y.numpy()], -1).reshape(centres.shape).astype(np.float64)
 
 
 def write_faces(path: Path, faces: list[Face]) -> None:

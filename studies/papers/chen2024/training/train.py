@@ -34,7 +34,7 @@ from studies.papers.chen2024.training.weights_file import write_weights
 DatasetReport = Callable[[int, int], None]
 _WARM_UP = 0.01
 # Of what the dataset's files hold: a folder of another version is left alone.
-_DATASET_VERSION = 5
+_DATASET_VERSION = 6
 _TRUTH = "truth.json"
 
 

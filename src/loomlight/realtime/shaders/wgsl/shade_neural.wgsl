@@ -1633,26 +1633,32 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
 }
 
+fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
+{
+    var _S191 : f32 = direction_1.z;
+    return vec3<f32>(direction_1.xy, select(_S191, - _S191, back_2));
+}
+
 fn row_of_taps_0( footprint_0 : Footprint_0) -> vec3<f32>
 {
-    var _S191 : f32 = footprint_0.dx_0.x;
-    var _S192 : f32 = footprint_0.dy_0.x;
-    var _S193 : f32 = _S191 * _S191 + _S192 * _S192;
-    var _S194 : f32 = footprint_0.dx_0.y;
-    var _S195 : f32 = footprint_0.dy_0.y;
-    var _S196 : f32 = _S194 * _S194 + _S195 * _S195;
-    var _S197 : f32 = _S191 * _S194 + _S192 * _S195;
-    var _S198 : f32 = 0.5f * (_S193 - _S196);
-    var _S199 : f32 = 0.5f * (_S193 + _S196);
-    var _S200 : f32 = sqrt(_S198 * _S198 + _S197 * _S197);
-    var _S201 : f32 = _S199 + _S200;
-    var _S202 : f32 = max(_S201 - 1.5f * max(_S199 - _S200, 0.0f), 0.0f);
-    var _S203 : f32 = square_1(4.0f);
-    var _S204 : f32 = max(_S199 - 0.5f * _S202, _S201 / _S203);
-    var _S205 : f32 = sqrt(max(min(_S202, _S201 - _S204), 0.0f) / (_S203 - 1.0f));
-    var _S206 : f32 = _S198 / max(_S200, 1.00000000317107685e-30f);
-    var _S207 : f32 = sqrt(max(0.5f * (1.0f - _S206), 0.0f));
-    return vec3<f32>(sqrt(_S204), _S205 * sqrt(max(0.5f * (1.0f + _S206), 0.0f)), select(_S205 * _S207, - _S205 * _S207, _S197 < 0.0f));
+    var _S192 : f32 = footprint_0.dx_0.x;
+    var _S193 : f32 = footprint_0.dy_0.x;
+    var _S194 : f32 = _S192 * _S192 + _S193 * _S193;
+    var _S195 : f32 = footprint_0.dx_0.y;
+    var _S196 : f32 = footprint_0.dy_0.y;
+    var _S197 : f32 = _S195 * _S195 + _S196 * _S196;
+    var _S198 : f32 = _S192 * _S195 + _S193 * _S196;
+    var _S199 : f32 = 0.5f * (_S194 - _S197);
+    var _S200 : f32 = 0.5f * (_S194 + _S197);
+    var _S201 : f32 = sqrt(_S199 * _S199 + _S198 * _S198);
+    var _S202 : f32 = _S200 + _S201;
+    var _S203 : f32 = max(_S202 - 1.5f * max(_S200 - _S201, 0.0f), 0.0f);
+    var _S204 : f32 = square_1(4.0f);
+    var _S205 : f32 = max(_S200 - 0.5f * _S203, _S202 / _S204);
+    var _S206 : f32 = sqrt(max(min(_S203, _S202 - _S205), 0.0f) / (_S204 - 1.0f));
+    var _S207 : f32 = _S199 / max(_S201, 1.00000000317107685e-30f);
+    var _S208 : f32 = sqrt(max(0.5f * (1.0f - _S207), 0.0f));
+    return vec3<f32>(sqrt(_S205), _S206 * sqrt(max(0.5f * (1.0f + _S207), 0.0f)), select(_S206 * _S208, - _S206 * _S208, _S198 < 0.0f));
 }
 
 struct AnisotropicTaps_0
@@ -1665,25 +1671,19 @@ struct AnisotropicTaps_0
 
 fn AnisotropicTaps_size_0( this_3 : AnisotropicTaps_0) -> f32
 {
-    var _S208 : f32 = this_3.first_21.x;
-    var _S209 : f32 = this_3.second_0.x;
-    var _S210 : f32 = this_3.side_2;
-    var _S211 : f32 = _S210 * _S210;
-    var _S212 : f32 = this_3.first_21.y;
-    var _S213 : f32 = this_3.second_0.y;
-    var _S214 : f32 = 12.0f * (_S208 * _S212 + _S209 * _S213);
-    return sqrt(sqrt(max((12.0f * (_S208 * _S208 + _S209 * _S209) + _S211) * (12.0f * (_S212 * _S212 + _S213 * _S213) + _S211) - _S214 * _S214, square_1(_S211))));
+    var _S209 : f32 = this_3.first_21.x;
+    var _S210 : f32 = this_3.second_0.x;
+    var _S211 : f32 = this_3.side_2;
+    var _S212 : f32 = _S211 * _S211;
+    var _S213 : f32 = this_3.first_21.y;
+    var _S214 : f32 = this_3.second_0.y;
+    var _S215 : f32 = 12.0f * (_S209 * _S213 + _S210 * _S214);
+    return sqrt(sqrt(max((12.0f * (_S209 * _S209 + _S210 * _S210) + _S212) * (12.0f * (_S213 * _S213 + _S214 * _S214) + _S212) - _S215 * _S215, square_1(_S212))));
 }
 
 fn footprint_coordinates_0( taps_0 : AnisotropicTaps_0) -> vec3<f32>
 {
     return vec3<f32>(taps_0.centre_1 - floor(taps_0.centre_1), clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(taps_0), 9.99999997475242708e-07f) / 0.015625f) * 0.11708354949951172f, 0.0f, 1.0f));
-}
-
-fn to_face_frame_0( direction_1 : vec3<f32>,  back_2 : bool) -> vec3<f32>
-{
-    var _S215 : f32 = direction_1.z;
-    return vec3<f32>(direction_1.xy, select(_S215, - _S215, back_2));
 }
 
 fn wrapped_0( index_3 : f32,  count_1 : f32) -> f32
@@ -2523,9 +2523,14 @@ fn anisotropic_taps_0( _S436 : u32,  _S437 : Footprint_0) -> AnisotropicTaps_0
     return taps_1;
 }
 
-fn add_texel_0( _S448 : u32,  _S449 : u32,  _S450 : f32,  _S451 : ptr<function, array<f32, i32(88)>>)
+fn taps_at_yarns_0( _S448 : u32,  _S449 : Footprint_0,  _S450 : AnisotropicTaps_0,  _S451 : vec3<f32>,  _S452 : bool) -> AnisotropicTaps_0
 {
-    var _S452 : u32 = fabrics_0[_S448].neural_0.latents_0 + _S449 * u32(8);
+    return _S450;
+}
+
+fn add_texel_0( _S453 : u32,  _S454 : u32,  _S455 : f32,  _S456 : ptr<function, array<f32, i32(88)>>)
+{
+    var _S457 : u32 = fabrics_0[_S453].neural_0.latents_0 + _S454 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -2536,34 +2541,34 @@ fn add_texel_0( _S448 : u32,  _S449 : u32,  _S450 : f32,  _S451 : ptr<function, 
         {
             break;
         }
-        var _S453 : Eight_0 = eight_halves_0(packed_numbers_0[_S452 + part_0]);
-        var _S454 : i32 = i32(u32(8) * part_0);
-        (*_S451)[_S454] = (*_S451)[_S454] + _S450 * _S453.low_0[i32(0)];
-        (*_S451)[_S454 + i32(4)] = (*_S451)[_S454 + i32(4)] + _S450 * _S453.high_0[i32(0)];
-        var _S455 : i32 = _S454 + i32(1);
-        (*_S451)[_S455] = (*_S451)[_S455] + _S450 * _S453.low_0[i32(1)];
-        (*_S451)[_S455 + i32(4)] = (*_S451)[_S455 + i32(4)] + _S450 * _S453.high_0[i32(1)];
-        var _S456 : i32 = _S454 + i32(2);
-        (*_S451)[_S456] = (*_S451)[_S456] + _S450 * _S453.low_0[i32(2)];
-        (*_S451)[_S456 + i32(4)] = (*_S451)[_S456 + i32(4)] + _S450 * _S453.high_0[i32(2)];
-        var _S457 : i32 = _S454 + i32(3);
-        (*_S451)[_S457] = (*_S451)[_S457] + _S450 * _S453.low_0[i32(3)];
-        (*_S451)[_S457 + i32(4)] = (*_S451)[_S457 + i32(4)] + _S450 * _S453.high_0[i32(3)];
+        var _S458 : Eight_0 = eight_halves_0(packed_numbers_0[_S457 + part_0]);
+        var _S459 : i32 = i32(u32(8) * part_0);
+        (*_S456)[_S459] = (*_S456)[_S459] + _S455 * _S458.low_0[i32(0)];
+        (*_S456)[_S459 + i32(4)] = (*_S456)[_S459 + i32(4)] + _S455 * _S458.high_0[i32(0)];
+        var _S460 : i32 = _S459 + i32(1);
+        (*_S456)[_S460] = (*_S456)[_S460] + _S455 * _S458.low_0[i32(1)];
+        (*_S456)[_S460 + i32(4)] = (*_S456)[_S460 + i32(4)] + _S455 * _S458.high_0[i32(1)];
+        var _S461 : i32 = _S459 + i32(2);
+        (*_S456)[_S461] = (*_S456)[_S461] + _S455 * _S458.low_0[i32(2)];
+        (*_S456)[_S461 + i32(4)] = (*_S456)[_S461 + i32(4)] + _S455 * _S458.high_0[i32(2)];
+        var _S462 : i32 = _S459 + i32(3);
+        (*_S456)[_S462] = (*_S456)[_S462] + _S455 * _S458.low_0[i32(3)];
+        (*_S456)[_S462 + i32(4)] = (*_S456)[_S462 + i32(4)] + _S455 * _S458.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S458 : u32,  _S459 : u32,  _S460 : bool,  _S461 : vec2<f32>,  _S462 : f32,  _S463 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S463 : u32,  _S464 : u32,  _S465 : bool,  _S466 : vec2<f32>,  _S467 : f32,  _S468 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S464 : Neural_std430_0 = fabrics_0[_S458].neural_0;
-    var _S465 : u32 = fabrics_0[_S458].neural_0.levels_1 + u32(4) * _S459;
-    var _S466 : f32 = table_number_0(_S465);
-    var _S467 : f32 = table_number_0(_S465 + u32(1));
-    var _S468 : f32 = table_number_0(_S465 + u32(2));
-    var _S469 : vec2<f32> = _S461 * vec2<f32>(table_number_0(_S465 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S459 > u32(3)) & ((_S459 < (fabrics_0[_S458].neural_0.top_level_0))))));
-    var _S470 : vec2<f32> = floor(_S469);
-    var _S471 : vec2<f32> = _S469 - _S470;
+    var _S469 : Neural_std430_0 = fabrics_0[_S463].neural_0;
+    var _S470 : u32 = fabrics_0[_S463].neural_0.levels_1 + u32(4) * _S464;
+    var _S471 : f32 = table_number_0(_S470);
+    var _S472 : f32 = table_number_0(_S470 + u32(1));
+    var _S473 : f32 = table_number_0(_S470 + u32(2));
+    var _S474 : vec2<f32> = _S466 * vec2<f32>(table_number_0(_S470 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S464 > u32(3)) & ((_S464 < (fabrics_0[_S463].neural_0.top_level_0))))));
+    var _S475 : vec2<f32> = floor(_S474);
+    var _S476 : vec2<f32> = _S474 - _S475;
     var corner_1 : u32 = u32(0);
     for(;;)
     {
@@ -2574,16 +2579,16 @@ fn add_level_0( _S458 : u32,  _S459 : u32,  _S460 : bool,  _S461 : vec2<f32>,  _
         {
             break;
         }
-        var _S472 : f32 = f32((corner_1 & (u32(1))));
-        var _S473 : f32 = f32((corner_1 >> (u32(1))));
-        var _S474 : vec2<f32> = mix(vec2<f32>(1.0f) - _S471, _S471, vec2<f32>(_S472, _S473));
-        add_texel_0(_S458, u32(_S466 + wrapped_0(_S470.y + _S473, _S468) * _S467 + wrapped_0(_S470.x + _S472, _S467)) + select(u32(0), _S464.texels_0, _S460), _S462 * _S474.x * _S474.y, &((*_S463)));
+        var _S477 : f32 = f32((corner_1 & (u32(1))));
+        var _S478 : f32 = f32((corner_1 >> (u32(1))));
+        var _S479 : vec2<f32> = mix(vec2<f32>(1.0f) - _S476, _S476, vec2<f32>(_S477, _S478));
+        add_texel_0(_S463, u32(_S471 + wrapped_0(_S475.y + _S478, _S473) * _S472 + wrapped_0(_S475.x + _S477, _S472)) + select(u32(0), _S469.texels_0, _S465), _S467 * _S479.x * _S479.y, &((*_S468)));
         corner_1 = corner_1 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S475 : u32,  _S476 : AnisotropicTaps_0,  _S477 : vec3<f32>,  _S478 : bool,  _S479 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S480 : u32,  _S481 : AnisotropicTaps_0,  _S482 : vec3<f32>,  _S483 : bool,  _S484 : ptr<function, array<f32, i32(88)>>)
 {
     var k_0 : i32 = i32(0);
     for(;;)
@@ -2595,28 +2600,28 @@ fn code_footprint_0( _S475 : u32,  _S476 : AnisotropicTaps_0,  _S477 : vec3<f32>
         {
             break;
         }
-        (*_S479)[k_0] = 0.0f;
+        (*_S484)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S480 : vec2<f32> = vec2<f32>(fabrics_0[_S475].neural_0.ends_0, fabrics_0[_S475].neural_0.picks_0);
-    var _S481 : f32 = f32(fabrics_0[_S475].neural_0.top_level_0);
-    var _S482 : f32 = clamp(binary_logarithm_0(max(_S476.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S481);
-    var _S483 : f32 = min(floor(_S482), _S481 - 1.0f);
-    var _S484 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S476));
+    var _S485 : vec2<f32> = vec2<f32>(fabrics_0[_S480].neural_0.ends_0, fabrics_0[_S480].neural_0.picks_0);
+    var _S486 : f32 = f32(fabrics_0[_S480].neural_0.top_level_0);
+    var _S487 : f32 = clamp(binary_logarithm_0(max(_S481.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S486);
+    var _S488 : f32 = min(floor(_S487), _S486 - 1.0f);
+    var _S489 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S481));
     var number_5 : u32 = u32(0);
     for(;;)
     {
-        if(number_5 < (u32(2) * _S484))
+        if(number_5 < (u32(2) * _S489))
         {
         }
         else
         {
             break;
         }
-        var _S485 : vec2<f32> = AnisotropicTaps_place_0(_S476, (number_5 >> (u32(1))));
-        var _S486 : bool = ((number_5 & (u32(1)))) != u32(0);
-        var _S487 : f32 = _S482 - _S483;
-        add_level_0(_S475, u32(_S483) + select(u32(0), u32(1), _S486), _S478, clamp(_S485 - _S480 * floor(_S485 / _S480), vec2<f32>(0.0f), _S480), select(1.0f - _S487, _S487, _S486) / f32(_S484), &((*_S479)));
+        var _S490 : vec2<f32> = AnisotropicTaps_place_0(_S481, (number_5 >> (u32(1))));
+        var _S491 : bool = ((number_5 & (u32(1)))) != u32(0);
+        var _S492 : f32 = _S487 - _S488;
+        add_level_0(_S480, u32(_S488) + select(u32(0), u32(1), _S491), _S483, clamp(_S490 - _S485 * floor(_S490 / _S485), vec2<f32>(0.0f), _S485), select(1.0f - _S492, _S492, _S491) / f32(_S489), &((*_S484)));
         number_5 = number_5 + u32(1);
     }
     var number_6 : i32 = i32(0);
@@ -2639,7 +2644,7 @@ fn code_footprint_0( _S475 : u32,  _S476 : AnisotropicTaps_0,  _S477 : vec3<f32>
             {
                 break;
             }
-            var offset_1 : f32 = _S477[number_6] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_1 : f32 = _S482[number_6] - (f32(bin_0) + 0.5f) / 8.0f;
             var offset_2 : f32;
             if(number_6 < i32(2))
             {
@@ -2649,7 +2654,7 @@ fn code_footprint_0( _S475 : u32,  _S476 : AnisotropicTaps_0,  _S477 : vec3<f32>
             {
                 offset_2 = offset_1;
             }
-            (*_S479)[i32(64) + number_6 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
+            (*_S484)[i32(64) + number_6 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_6 = number_6 + i32(1);
@@ -2657,88 +2662,88 @@ fn code_footprint_0( _S475 : u32,  _S476 : AnisotropicTaps_0,  _S477 : vec3<f32>
     return;
 }
 
-fn crown_fibres_0( _S488 : u32,  _S489 : bool,  _S490 : bool) -> vec3<f32>
+fn crown_fibres_0( _S493 : u32,  _S494 : bool,  _S495 : bool) -> vec3<f32>
 {
-    if(_S489)
+    if(_S494)
     {
-        return vec3<f32>(select(1.0f, -1.0f, _S490) * fabrics_0[_S488].neural_0.warp_x_0, fabrics_0[_S488].neural_0.warp_y_0, fabrics_0[_S488].neural_0.warp_roughness_0);
+        return vec3<f32>(select(1.0f, -1.0f, _S495) * fabrics_0[_S493].neural_0.warp_x_0, fabrics_0[_S493].neural_0.warp_y_0, fabrics_0[_S493].neural_0.warp_roughness_0);
     }
-    return vec3<f32>(fabrics_0[_S488].neural_0.weft_x_0, select(1.0f, -1.0f, _S490) * fabrics_0[_S488].neural_0.weft_y_0, fabrics_0[_S488].neural_0.weft_roughness_0);
+    return vec3<f32>(fabrics_0[_S493].neural_0.weft_x_0, select(1.0f, -1.0f, _S495) * fabrics_0[_S493].neural_0.weft_y_0, fabrics_0[_S493].neural_0.weft_roughness_0);
 }
 
-fn yarns_over_0( _S491 : u32,  _S492 : Footprint_0,  _S493 : bool) -> Yarns_0
+fn yarns_over_0( _S496 : u32,  _S497 : Footprint_0,  _S498 : bool) -> Yarns_0
 {
-    var _S494 : vec2<f32> = _S492.dx_0;
-    var _S495 : vec2<f32> = _S492.dy_0;
-    var _S496 : vec2<f32> = sqrt(_S494 * _S494 + _S495 * _S495);
-    var _S497 : f32 = Footprint_spread_side_0(_S492);
-    var _S498 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S498, _S498, vec3<f32>(0.0f));
-    var _S499 : bool = (fabrics_0[_S491].is_irregular_0) != u32(0);
+    var _S499 : vec2<f32> = _S497.dx_0;
+    var _S500 : vec2<f32> = _S497.dy_0;
+    var _S501 : vec2<f32> = sqrt(_S499 * _S499 + _S500 * _S500);
+    var _S502 : f32 = Footprint_spread_side_0(_S497);
+    var _S503 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S503, _S503, vec3<f32>(0.0f));
+    var _S504 : bool = (fabrics_0[_S496].is_irregular_0) != u32(0);
     var number_7 : u32 = u32(0);
     for(;;)
     {
-        if(number_7 < select(u32(0), u32(2), _S499))
+        if(number_7 < select(u32(0), u32(2), _S504))
         {
         }
         else
         {
             break;
         }
-        var _S500 : bool = number_7 == u32(0);
-        var _S501 : u32 = select(fabrics_0[_S491].weft_0, fabrics_0[_S491].warp_0, _S500);
-        var _S502 : vec2<f32> = select_vector_1(_S500, _S492.centre_0, _S492.centre_0.yx);
-        var _S503 : vec2<f32> = select_vector_1(_S500, _S496, _S496.yx);
-        var _S504 : f32 = _S502.x;
-        var _S505 : Cell_0 = locate_0(_S501, _S504);
-        var yarn_1 : vec4<f32> = irregular_over_0(_S501, irregular_key_0(_S491, number_7), irregular_thread_0(_S501, _S504, _S505) + _S505.below_0 / (_S505.below_0 + _S505.above_0), _S503.x * (families_0[_S501].count_0 / families_0[_S501].period_0), _S502.y, _S503.y);
-        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S501, _S497));
+        var _S505 : bool = number_7 == u32(0);
+        var _S506 : u32 = select(fabrics_0[_S496].weft_0, fabrics_0[_S496].warp_0, _S505);
+        var _S507 : vec2<f32> = select_vector_1(_S505, _S497.centre_0, _S497.centre_0.yx);
+        var _S508 : vec2<f32> = select_vector_1(_S505, _S501, _S501.yx);
+        var _S509 : f32 = _S507.x;
+        var _S510 : Cell_0 = locate_0(_S506, _S509);
+        var yarn_1 : vec4<f32> = irregular_over_0(_S506, irregular_key_0(_S496, number_7), irregular_thread_0(_S506, _S509, _S510) + _S510.below_0 / (_S510.below_0 + _S510.above_0), _S508.x * (families_0[_S506].count_0 / families_0[_S506].period_0), _S507.y, _S508.y);
+        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S506, _S502));
         yarns_1.warp_1 = yarns_1.weft_1;
         yarns_1.weft_1 = yarn_1;
         number_7 = number_7 + u32(1);
     }
-    var _S506 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S491].warp_0].cover_0, families_0[fabrics_0[_S491].weft_0].cover_0);
-    var _S507 : f32 = select(fabrics_0[_S491].warp_on_top_0, 1.0f - fabrics_0[_S491].warp_on_top_0, _S493);
-    var _S508 : vec3<f32> = shown_of_covers_0(_S506, _S507);
-    var _S509 : vec3<f32> = select_vector_2(_S499, shown_of_covers_0(saturate(_S506 + _S506 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S507) / max(_S508, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_1.shares_0 = _S509;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S509.z, (_S508.z) > 0.00009999999747379f);
+    var _S511 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S496].warp_0].cover_0, families_0[fabrics_0[_S496].weft_0].cover_0);
+    var _S512 : f32 = select(fabrics_0[_S496].warp_on_top_0, 1.0f - fabrics_0[_S496].warp_on_top_0, _S498);
+    var _S513 : vec3<f32> = shown_of_covers_0(_S511, _S512);
+    var _S514 : vec3<f32> = select_vector_2(_S504, shown_of_covers_0(saturate(_S511 + _S511 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S512) / max(_S513, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_1.shares_0 = _S514;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S514.z, (_S513.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn neural_view_0( _S510 : u32,  _S511 : Footprint_0,  _S512 : vec3<f32>,  _S513 : ptr<function, NeuralView_0>)
+fn neural_view_0( _S515 : u32,  _S516 : Footprint_0,  _S517 : vec3<f32>,  _S518 : ptr<function, NeuralView_0>)
 {
-    var _S514 : bool = (_S512.z) < 0.0f;
-    var _S515 : AnisotropicTaps_0 = anisotropic_taps_0(_S510, _S511);
-    var _S516 : vec3<f32> = footprint_coordinates_0(_S515);
-    var _S517 : vec3<f32> = to_face_frame_0(_S512, _S514);
+    var _S519 : bool = (_S517.z) < 0.0f;
+    var _S520 : vec3<f32> = to_face_frame_0(_S517, _S519);
+    var _S521 : AnisotropicTaps_0 = taps_at_yarns_0(_S515, _S516, anisotropic_taps_0(_S515, _S516), _S520, _S519);
+    var _S522 : vec3<f32> = footprint_coordinates_0(_S521);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S510].neural_0.network_0;
+    weights_23.first_2 = fabrics_0[_S515].neural_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S510, _S515, _S516, _S514, &(inputs_23));
+    code_footprint_0(_S515, _S521, _S522, _S519, &(inputs_23));
     var hidden_1 : array<f32, i32(96)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(100)>;
     dense_part_8(weights_23, u32(1068), false, &(hidden_1), &(fused_0));
-    fused_0[i32(96)] = _S517.x;
-    fused_0[i32(97)] = _S517.y;
-    var _S518 : vec2<f32> = _S517.xy;
-    fused_0[i32(98)] = dot(crown_fibres_0(_S510, true, _S514).xy, _S518);
-    fused_0[i32(99)] = dot(crown_fibres_0(_S510, false, _S514).xy, _S518);
+    fused_0[i32(96)] = _S520.x;
+    fused_0[i32(97)] = _S520.y;
+    var _S523 : vec2<f32> = _S520.xy;
+    fused_0[i32(98)] = dot(crown_fibres_0(_S515, true, _S519).xy, _S523);
+    fused_0[i32(99)] = dot(crown_fibres_0(_S515, false, _S519).xy, _S523);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
     var hole_1 : array<f32, i32(1)>;
     dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
-    var _S519 : array<f32, i32(96)> = (*_S513).sums_9;
-    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S519));
-    (*_S513).sums_9 = _S519;
-    var _S520 : f32 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
-    (*_S513).even_hole_0 = _S520;
-    (*_S513).yarns_0 = yarns_over_0(_S510, _S511, _S514);
-    (*_S513).hole_0 = min(_S520 * (*_S513).yarns_0.shares_0.z, 1.0f);
-    (*_S513).correction_weight_0 = correction_weight_of_0(_S516.z);
-    (*_S513).view_7 = _S517;
-    (*_S513).back_5 = _S514;
+    var _S524 : array<f32, i32(96)> = (*_S518).sums_9;
+    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S524));
+    (*_S518).sums_9 = _S524;
+    var _S525 : f32 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
+    (*_S518).even_hole_0 = _S525;
+    (*_S518).yarns_0 = yarns_over_0(_S515, _S516, _S519);
+    (*_S518).hole_0 = min(_S525 * (*_S518).yarns_0.shares_0.z, 1.0f);
+    (*_S518).correction_weight_0 = correction_weight_of_0(_S522.z);
+    (*_S518).view_7 = _S520;
+    (*_S518).back_5 = _S519;
     return;
 }
 
@@ -2748,47 +2753,47 @@ struct FamilyAlbedos_0
      weft_6 : Albedos_0,
 };
 
-fn albedos_over_0( _S521 : u32,  _S522 : Footprint_0,  _S523 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S526 : u32,  _S527 : Footprint_0,  _S528 : bool) -> FamilyAlbedos_0
 {
-    var _S524 : vec2<f32> = _S522.dx_0;
-    var _S525 : vec2<f32> = _S522.dy_0;
-    var _S526 : vec2<f32> = sqrt(_S524 * _S524 + _S525 * _S525);
-    var _S527 : Stretch_0 = stretch_of_0(fabrics_0[_S521].warp_0, _S522.centre_0.x, _S526.x);
-    var _S528 : Stretch_0 = stretch_of_0(fabrics_0[_S521].weft_0, _S522.centre_0.y, _S526.y);
+    var _S529 : vec2<f32> = _S527.dx_0;
+    var _S530 : vec2<f32> = _S527.dy_0;
+    var _S531 : vec2<f32> = sqrt(_S529 * _S529 + _S530 * _S530);
+    var _S532 : Stretch_0 = stretch_of_0(fabrics_0[_S526].warp_0, _S527.centre_0.x, _S531.x);
+    var _S533 : Stretch_0 = stretch_of_0(fabrics_0[_S526].weft_0, _S527.centre_0.y, _S531.y);
     var albedos_4 : FamilyAlbedos_0;
-    albedos_4.warp_6 = mean_albedos_0(fabrics_0[_S521].warp_0, fabrics_0[_S521].weft_0, _S527, _S528, _S523);
-    albedos_4.weft_6 = mean_albedos_0(fabrics_0[_S521].weft_0, fabrics_0[_S521].warp_0, _S528, _S527, _S523);
+    albedos_4.warp_6 = mean_albedos_0(fabrics_0[_S526].warp_0, fabrics_0[_S526].weft_0, _S532, _S533, _S528);
+    albedos_4.weft_6 = mean_albedos_0(fabrics_0[_S526].weft_0, fabrics_0[_S526].warp_0, _S533, _S532, _S528);
     return albedos_4;
 }
 
-fn toned_0( _S529 : u32,  _S530 : u32,  _S531 : Albedos_0,  _S532 : vec4<f32>) -> Albedos_0
+fn toned_0( _S534 : u32,  _S535 : u32,  _S536 : Albedos_0,  _S537 : vec4<f32>) -> Albedos_0
 {
-    var _S533 : vec3<f32> = _S531.diffuse_reflect_0 + _S531.diffuse_transmit_0;
-    var _S534 : vec3<f32> = vec3<f32>(1.0f);
-    var _S535 : vec3<f32> = _S534 - vec3<f32>(fabrics_0[_S529].layer_bound_0) * max(_S531.specular_reflect_0, _S531.specular_transmit_0);
-    var _S536 : vec3<f32> = vec3<f32>(0.0f);
-    var _S537 : vec3<f32> = max(_S534 - _S533, _S536) / (_S534 + _S533);
-    var _S538 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S539 : vec3<f32> = (_S535 / max(_S533, _S538) - _S534) / max(vec3<f32>(0.89999997615814209f) * _S537, _S538);
-    var _S540 : vec3<f32> = _S534 - vec3<f32>((saturate(min(min(_S539.x, _S539.y), _S539.z)) * _S532.z)) * _S537;
-    var _S541 : vec3<f32> = min(vec3<f32>(families_0[_S530].nep_red_0, families_0[_S530].nep_green_0, families_0[_S530].nep_blue_0), _S535);
-    var found_1 : Albedos_0 = _S531;
-    var _S542 : f32 = _S532.w;
-    var _S543 : vec3<f32> = _S540 * _S531.diffuse_transmit_0 * vec3<f32>((1.0f - _S542));
-    found_1.diffuse_transmit_0 = _S543;
-    found_1.diffuse_reflect_0 = clamp(mix(_S540 * _S531.diffuse_reflect_0, _S541, vec3<f32>(_S542)), _S536, max(_S535 - _S543, _S536));
+    var _S538 : vec3<f32> = _S536.diffuse_reflect_0 + _S536.diffuse_transmit_0;
+    var _S539 : vec3<f32> = vec3<f32>(1.0f);
+    var _S540 : vec3<f32> = _S539 - vec3<f32>(fabrics_0[_S534].layer_bound_0) * max(_S536.specular_reflect_0, _S536.specular_transmit_0);
+    var _S541 : vec3<f32> = vec3<f32>(0.0f);
+    var _S542 : vec3<f32> = max(_S539 - _S538, _S541) / (_S539 + _S538);
+    var _S543 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S544 : vec3<f32> = (_S540 / max(_S538, _S543) - _S539) / max(vec3<f32>(0.89999997615814209f) * _S542, _S543);
+    var _S545 : vec3<f32> = _S539 - vec3<f32>((saturate(min(min(_S544.x, _S544.y), _S544.z)) * _S537.z)) * _S542;
+    var _S546 : vec3<f32> = min(vec3<f32>(families_0[_S535].nep_red_0, families_0[_S535].nep_green_0, families_0[_S535].nep_blue_0), _S540);
+    var found_1 : Albedos_0 = _S536;
+    var _S547 : f32 = _S537.w;
+    var _S548 : vec3<f32> = _S545 * _S536.diffuse_transmit_0 * vec3<f32>((1.0f - _S547));
+    found_1.diffuse_transmit_0 = _S548;
+    found_1.diffuse_reflect_0 = clamp(mix(_S545 * _S536.diffuse_reflect_0, _S546, vec3<f32>(_S547)), _S541, max(_S540 - _S548, _S541));
     return found_1;
 }
 
-fn with_tones_0( _S544 : u32,  _S545 : FamilyAlbedos_0,  _S546 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S549 : u32,  _S550 : FamilyAlbedos_0,  _S551 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S544].is_irregular_0) == u32(0))
+    if((fabrics_0[_S549].is_irregular_0) == u32(0))
     {
-        return _S545;
+        return _S550;
     }
     var result_2 : FamilyAlbedos_0;
-    result_2.warp_6 = toned_0(_S544, fabrics_0[_S544].warp_0, _S545.warp_6, _S546.warp_1);
-    result_2.weft_6 = toned_0(_S544, fabrics_0[_S544].weft_0, _S545.weft_6, _S546.weft_1);
+    result_2.warp_6 = toned_0(_S549, fabrics_0[_S549].warp_0, _S550.warp_6, _S551.warp_1);
+    result_2.weft_6 = toned_0(_S549, fabrics_0[_S549].weft_0, _S550.weft_6, _S551.weft_1);
     return result_2;
 }
 
@@ -2797,13 +2802,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S547 : u32,  _S548 : vec2<u32>) -> f32
+fn visibility_at_0( _S552 : u32,  _S553 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S547 * frame_record_0.height_0 + _S548.y) * frame_record_0.width_0 + _S548.x];
+    return visibilities_0[(_S552 * frame_record_0.height_0 + _S553.y) * frame_record_0.width_0 + _S553.x];
 }
 
 struct LightSample_0
@@ -2813,52 +2818,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S549 : u32,  _S550 : u32) -> vec3<f32>
+fn environment_texel_0( _S554 : u32,  _S555 : u32) -> vec3<f32>
 {
-    var _S551 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S549 * frame_record_0.environment_columns_0 + _S550);
-    return vec3<f32>(scene_number_0(_S551), scene_number_0(_S551 + u32(1)), scene_number_0(_S551 + u32(2)));
+    var _S556 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S554 * frame_record_0.environment_columns_0 + _S555);
+    return vec3<f32>(scene_number_0(_S556), scene_number_0(_S556 + u32(1)), scene_number_0(_S556 + u32(2)));
 }
 
-fn sample_environment_0( _S552 : vec2<f32>,  _S553 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S557 : vec2<f32>,  _S558 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S554 : u32 = frame_record_0.environment_rows_0;
-    var _S555 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S552.y);
-    var _S556 : u32 = frame_record_0.environment_columns_0;
-    var _S557 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S555.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S552.x);
-    var _S558 : vec3<f32> = environment_texel_0(_S555.index_7, _S557.index_7);
-    (*_S553) = _S558 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S558), 9.99999968265522539e-21f)));
-    var _S559 : f32 = 3.14159274101257324f / f32(_S554);
-    var _S560 : f32 = mix(sine_cosine_0(f32(_S555.index_7) * _S559).y, sine_cosine_0(f32(_S555.index_7 + u32(1)) * _S559).y, _S555.remainder_0);
-    var _S561 : f32 = sqrt(max(1.0f - _S560 * _S560, 0.0f));
-    var _S562 : vec2<f32> = sine_cosine_0((f32(_S557.index_7) + _S557.remainder_0) * (6.28318548202514648f / f32(_S556)));
-    var _S563 : f32 = _S561 * _S562.x;
-    var _S564 : f32 = - _S561 * _S562.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S563 + frame_record_0.environment_sine_0 * _S564, _S560, frame_record_0.environment_cosine_0 * _S564 - frame_record_0.environment_sine_0 * _S563);
+    var _S559 : u32 = frame_record_0.environment_rows_0;
+    var _S560 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S557.y);
+    var _S561 : u32 = frame_record_0.environment_columns_0;
+    var _S562 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S560.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S557.x);
+    var _S563 : vec3<f32> = environment_texel_0(_S560.index_7, _S562.index_7);
+    (*_S558) = _S563 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S563), 9.99999968265522539e-21f)));
+    var _S564 : f32 = 3.14159274101257324f / f32(_S559);
+    var _S565 : f32 = mix(sine_cosine_0(f32(_S560.index_7) * _S564).y, sine_cosine_0(f32(_S560.index_7 + u32(1)) * _S564).y, _S560.remainder_0);
+    var _S566 : f32 = sqrt(max(1.0f - _S565 * _S565, 0.0f));
+    var _S567 : vec2<f32> = sine_cosine_0((f32(_S562.index_7) + _S562.remainder_0) * (6.28318548202514648f / f32(_S561)));
+    var _S568 : f32 = _S566 * _S567.x;
+    var _S569 : f32 = - _S566 * _S567.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S568 + frame_record_0.environment_sine_0 * _S569, _S565, frame_record_0.environment_cosine_0 * _S569 - frame_record_0.environment_sine_0 * _S568);
 }
 
-fn light_sample_0( _S565 : u32,  _S566 : vec2<u32>,  _S567 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S570 : u32,  _S571 : vec2<u32>,  _S572 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S568 : u32 = frame_record_0.lights_0;
-    if(_S565 >= (frame_record_0.lights_0))
+    var _S573 : u32 = frame_record_0.lights_0;
+    if(_S570 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S569 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S566, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S565 - _S568), u32(3)), &(weight_3));
-        sample_0.towards_0 = _S569;
+        var _S574 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S571, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S570 - _S573), u32(3)), &(weight_3));
+        sample_0.towards_0 = _S574;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S570 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S565);
-    sample_0.irradiance_1 = vec3<f32>(_S570.red_0, _S570.green_0, _S570.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S570.x_9, _S570.y_1, _S570.z_1);
-    if((_S570.is_point_0) != u32(0))
+    var _S575 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S570);
+    sample_0.irradiance_1 = vec3<f32>(_S575.red_0, _S575.green_0, _S575.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S575.x_9, _S575.y_1, _S575.z_1);
+    if((_S575.is_point_0) != u32(0))
     {
-        var _S571 : vec3<f32> = sample_0.towards_0 - _S567;
-        var _S572 : f32 = max(square_0(_S571), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S572);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S572);
-        sample_0.towards_0 = normalize(_S571);
+        var _S576 : vec3<f32> = sample_0.towards_0 - _S572;
+        var _S577 : f32 = max(square_0(_S576), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S577);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S577);
+        sample_0.towards_0 = normalize(_S576);
     }
     return sample_0;
 }
@@ -2873,16 +2878,16 @@ struct Components_0
      hole_2 : f32,
 };
 
-fn code_light_0( _S573 : u32,  _S574 : vec3<f32>,  _S575 : vec3<f32>,  _S576 : bool,  _S577 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S578 : u32,  _S579 : vec3<f32>,  _S580 : vec3<f32>,  _S581 : bool,  _S582 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S577)[i32(0)] = _S574.x;
-    (*_S577)[i32(1)] = _S574.y;
-    (*_S577)[i32(2)] = _S574.z;
-    var _S578 : vec3<f32> = _S574 + _S575;
-    var _S579 : f32 = _S578.z;
-    var _S580 : f32 = _S579 * _S579 + 0.00009999999747379f;
-    var _S581 : vec2<f32> = _S578.xy;
-    var _S582 : f32 = 1.0f / (dot(_S581, _S581) + _S580);
+    (*_S582)[i32(0)] = _S579.x;
+    (*_S582)[i32(1)] = _S579.y;
+    (*_S582)[i32(2)] = _S579.z;
+    var _S583 : vec3<f32> = _S579 + _S580;
+    var _S584 : f32 = _S583.z;
+    var _S585 : f32 = _S584 * _S584 + 0.00009999999747379f;
+    var _S586 : vec2<f32> = _S583.xy;
+    var _S587 : f32 = 1.0f / (dot(_S586, _S586) + _S585);
     var family_16 : i32 = i32(0);
     for(;;)
     {
@@ -2893,12 +2898,12 @@ fn code_light_0( _S573 : u32,  _S574 : vec3<f32>,  _S575 : vec3<f32>,  _S576 : b
         {
             break;
         }
-        var _S583 : vec3<f32> = crown_fibres_0(_S573, family_16 == i32(0), _S576);
-        var _S584 : vec2<f32> = _S583.xy;
-        (*_S577)[i32(3) + family_16] = dot(_S584, _S574.xy);
-        var _S585 : f32 = dot(_S584, _S581);
-        var _S586 : f32 = _S585 * _S585;
-        var _S587 : f32 = (0.75f * _S585 / (0.5f * sqrt(_S586 + _S580) + abs(_S585)) + 0.5f) * 8.0f;
+        var _S588 : vec3<f32> = crown_fibres_0(_S578, family_16 == i32(0), _S581);
+        var _S589 : vec2<f32> = _S588.xy;
+        (*_S582)[i32(3) + family_16] = dot(_S589, _S579.xy);
+        var _S590 : f32 = dot(_S589, _S586);
+        var _S591 : f32 = _S590 * _S590;
+        var _S592 : f32 = (0.75f * _S590 / (0.5f * sqrt(_S591 + _S585) + abs(_S590)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -2909,26 +2914,26 @@ fn code_light_0( _S573 : u32,  _S574 : vec3<f32>,  _S575 : vec3<f32>,  _S576 : b
             {
                 break;
             }
-            (*_S577)[i32(5) + family_16 * i32(16) + bin_1] = bump_0(_S587 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S582)[i32(5) + family_16 * i32(16) + bin_1] = bump_0(_S592 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S588 : f32 = _S583.z;
-        var _S589 : f32 = _S588 * _S588;
-        var _S590 : f32 = _S586 * _S582 * (1.0f - _S589) + _S589;
-        (*_S577)[i32(37) + family_16] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S589 * _S588 / (_S590 * _S590));
+        var _S593 : f32 = _S588.z;
+        var _S594 : f32 = _S593 * _S593;
+        var _S595 : f32 = _S591 * _S587 * (1.0f - _S594) + _S594;
+        (*_S582)[i32(37) + family_16] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S594 * _S593 / (_S595 * _S595));
         family_16 = family_16 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S591 : u32,  _S592 : u32,  _S593 : u32,  _S594 : vec3<f32>,  _S595 : vec3<f32>,  _S596 : bool,  _S597 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S596 : u32,  _S597 : u32,  _S598 : u32,  _S599 : vec3<f32>,  _S600 : vec3<f32>,  _S601 : bool,  _S602 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S598 : vec3<f32> = _S594 + _S595;
-    var _S599 : f32 = 1.0f / (square_0(_S598) + 0.00009999999747379f);
-    var _S600 : f32 = _S598.x;
-    var _S601 : f32 = select(_S600, - _S600, ((_S592 == u32(0)) & (_S596)));
-    var _S602 : f32 = _S598.y;
-    var _S603 : f32 = select(_S602, - _S602, ((_S592 == u32(1)) & (_S596)));
+    var _S603 : vec3<f32> = _S599 + _S600;
+    var _S604 : f32 = 1.0f / (square_0(_S603) + 0.00009999999747379f);
+    var _S605 : f32 = _S603.x;
+    var _S606 : f32 = select(_S605, - _S605, ((_S597 == u32(0)) & (_S601)));
+    var _S607 : f32 = _S603.y;
+    var _S608 : f32 = select(_S607, - _S607, ((_S597 == u32(1)) & (_S601)));
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
     for(;;)
@@ -2940,42 +2945,42 @@ fn mixed_bundles_0( _S591 : u32,  _S592 : u32,  _S593 : u32,  _S594 : vec3<f32>,
         {
             break;
         }
-        var _S604 : u32 = _S592 * u32(25);
-        var _S605 : u32 = fabrics_0[_S591].neural_0.bundles_0 + u32(4) * (_S604 + bundle_1);
-        var _S606 : f32 = dot(vec3<f32>(table_number_0(_S605), table_number_0(_S605 + u32(1)), table_number_0(_S605 + u32(2))), vec3<f32>(_S601, _S603, _S598.z));
-        var _S607 : f32 = _S606 * _S606 * _S599 + table_number_0(_S605 + u32(3));
-        var sum_3 : f32 = sum_2 + max((*_S597)[_S593 + _S604 + select(bundle_1, mirrored_bundle_0(bundle_1), _S596)], (*_S597)[_S593 + _S604 + select(bundle_1, mirrored_bundle_0(bundle_1), _S596)] * 0.00999999977648258f) / (_S607 * _S607);
+        var _S609 : u32 = _S597 * u32(25);
+        var _S610 : u32 = fabrics_0[_S596].neural_0.bundles_0 + u32(4) * (_S609 + bundle_1);
+        var _S611 : f32 = dot(vec3<f32>(table_number_0(_S610), table_number_0(_S610 + u32(1)), table_number_0(_S610 + u32(2))), vec3<f32>(_S606, _S608, _S603.z));
+        var _S612 : f32 = _S611 * _S611 * _S604 + table_number_0(_S610 + u32(3));
+        var sum_3 : f32 = sum_2 + max((*_S602)[_S598 + _S609 + select(bundle_1, mirrored_bundle_0(bundle_1), _S601)], (*_S602)[_S598 + _S609 + select(bundle_1, mirrored_bundle_0(bundle_1), _S601)] * 0.00999999977648258f) / (_S612 * _S612);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn with_shares_0( _S608 : u32,  _S609 : Components_0,  _S610 : Yarns_0) -> Components_0
+fn with_shares_0( _S613 : u32,  _S614 : Components_0,  _S615 : Yarns_0) -> Components_0
 {
     var result_3 : Components_0;
-    var _S611 : f32 = min(_S609.hole_2 * _S610.shares_0.z, 1.0f);
-    result_3.hole_2 = _S611;
-    var _S612 : f32 = _S610.shares_0.x;
-    result_3.diffuse_warp_0 = _S609.diffuse_warp_0 * _S612;
-    var _S613 : f32 = _S610.shares_0.y;
-    result_3.diffuse_weft_0 = _S609.diffuse_weft_0 * _S613;
-    result_3.specular_warp_0 = _S609.specular_warp_0 * _S612;
-    result_3.specular_weft_0 = _S609.specular_weft_0 * _S613;
-    result_3.light_visibility_1 = _S609.light_visibility_1 * select(1.0f, (1.0f - _S611) / max(1.0f - _S609.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S608].is_irregular_0) != u32(0));
+    var _S616 : f32 = min(_S614.hole_2 * _S615.shares_0.z, 1.0f);
+    result_3.hole_2 = _S616;
+    var _S617 : f32 = _S615.shares_0.x;
+    result_3.diffuse_warp_0 = _S614.diffuse_warp_0 * _S617;
+    var _S618 : f32 = _S615.shares_0.y;
+    result_3.diffuse_weft_0 = _S614.diffuse_weft_0 * _S618;
+    result_3.specular_warp_0 = _S614.specular_warp_0 * _S617;
+    result_3.specular_weft_0 = _S614.specular_weft_0 * _S618;
+    result_3.light_visibility_1 = _S614.light_visibility_1 * select(1.0f, (1.0f - _S616) / max(1.0f - _S614.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S613].is_irregular_0) != u32(0));
     return result_3;
 }
 
-fn neural_components_0( _S614 : u32,  _S615 : ptr<function, NeuralView_0>,  _S616 : vec3<f32>) -> Components_0
+fn neural_components_0( _S619 : u32,  _S620 : ptr<function, NeuralView_0>,  _S621 : vec3<f32>) -> Components_0
 {
-    var _S617 : bool = (*_S615).back_5;
-    var _S618 : vec3<f32> = to_face_frame_0(_S616, (*_S615).back_5);
-    var _S619 : vec3<f32> = (*_S615).view_7;
+    var _S622 : bool = (*_S620).back_5;
+    var _S623 : vec3<f32> = to_face_frame_0(_S621, (*_S620).back_5);
+    var _S624 : vec3<f32> = (*_S620).view_7;
     var weights_24 : HalfWeights_0;
-    var _S620 : Neural_std430_0 = fabrics_0[_S614].neural_0;
-    weights_24.first_2 = fabrics_0[_S614].neural_0.network_0;
+    var _S625 : Neural_std430_0 = fabrics_0[_S619].neural_0;
+    weights_24.first_2 = fabrics_0[_S619].neural_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S614, _S618, (*_S615).view_7, (*_S615).back_5, &(directions_0));
+    code_light_0(_S619, _S623, (*_S620).view_7, (*_S620).back_5, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -2987,7 +2992,7 @@ fn neural_components_0( _S614 : u32,  _S615 : ptr<function, NeuralView_0>,  _S61
         {
             break;
         }
-        skip_0[k_1] = (*_S615).sums_9[k_1];
+        skip_0[k_1] = (*_S620).sums_9[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
@@ -3047,27 +3052,27 @@ fn neural_components_0( _S614 : u32,  _S615 : ptr<function, NeuralView_0>,  _S61
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(7700), false, &(hidden_2), &(outputs_17));
-    var _S621 : bool;
-    if((_S620.is_corrected_0) != u32(0))
+    var _S626 : bool;
+    if((_S625.is_corrected_0) != u32(0))
     {
-        _S621 = (_S618.z) > 0.0f;
+        _S626 = (_S623.z) > 0.0f;
     }
     else
     {
-        _S621 = false;
+        _S626 = false;
     }
-    if(_S621)
+    if(_S626)
     {
-        _S621 = ((*_S615).correction_weight_0) > 0.0f;
+        _S626 = ((*_S620).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S621 = false;
+        _S626 = false;
     }
-    if(_S621)
+    if(_S626)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S620.correction_0;
+        fitted_0.first_0 = _S625.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -3080,114 +3085,114 @@ fn neural_components_0( _S614 : u32,  _S615 : ptr<function, NeuralView_0>,  _S61
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S615).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S620).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    var _S622 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S618.z) > 0.0f);
+    var _S627 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S623.z) > 0.0f);
     var result_4 : Components_0;
-    var _S623 : f32 = unmapped_0(outputs_17[i32(0)], _S622);
-    result_4.diffuse_warp_0 = _S623;
-    var _S624 : f32 = unmapped_0(outputs_17[i32(1)], _S622);
-    result_4.diffuse_weft_0 = _S624;
-    var _S625 : f32 = 2979.9580078125f * _S622;
-    var _S626 : f32 = mixed_bundles_0(_S614, u32(0), u32(2), _S618, _S619, _S617, &(outputs_17));
-    result_4.specular_warp_0 = clamp(_S626, 0.0f, _S625);
-    var _S627 : f32 = mixed_bundles_0(_S614, u32(1), u32(2), _S618, _S619, _S617, &(outputs_17));
-    result_4.specular_weft_0 = clamp(_S627, 0.0f, _S625);
-    result_4.hole_2 = (*_S615).even_hole_0;
-    result_4.light_visibility_1 = min(light_visibility_of_0(_S623 + _S624, _S618, _S619, fabrics_0[_S614].diffuse_blend_0), 1.0f - (*_S615).even_hole_0);
-    return with_shares_0(_S614, result_4, (*_S615).yarns_0);
+    var _S628 : f32 = unmapped_0(outputs_17[i32(0)], _S627);
+    result_4.diffuse_warp_0 = _S628;
+    var _S629 : f32 = unmapped_0(outputs_17[i32(1)], _S627);
+    result_4.diffuse_weft_0 = _S629;
+    var _S630 : f32 = 2979.9580078125f * _S627;
+    var _S631 : f32 = mixed_bundles_0(_S619, u32(0), u32(2), _S623, _S624, _S622, &(outputs_17));
+    result_4.specular_warp_0 = clamp(_S631, 0.0f, _S630);
+    var _S632 : f32 = mixed_bundles_0(_S619, u32(1), u32(2), _S623, _S624, _S622, &(outputs_17));
+    result_4.specular_weft_0 = clamp(_S632, 0.0f, _S630);
+    result_4.hole_2 = (*_S620).even_hole_0;
+    result_4.light_visibility_1 = min(light_visibility_of_0(_S628 + _S629, _S623, _S624, fabrics_0[_S619].diffuse_blend_0), 1.0f - (*_S620).even_hole_0);
+    return with_shares_0(_S619, result_4, (*_S620).yarns_0);
 }
 
-fn openness_number_0( _S628 : u32,  _S629 : u32) -> f32
+fn openness_number_0( _S633 : u32,  _S634 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S628].openness_0 + _S629);
+    return table_number_0(fabrics_0[_S633].openness_0 + _S634);
 }
 
-fn scattered_by_0( _S630 : u32,  _S631 : Albedos_0,  _S632 : u32,  _S633 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S635 : u32,  _S636 : Albedos_0,  _S637 : u32,  _S638 : vec3<f32>) -> Scattered_0
 {
-    var _S634 : u32 = u32(159) + u32(2) * _S632;
+    var _S639 : u32 = u32(159) + u32(2) * _S637;
     var yarn_2 : Scattered_0;
-    yarn_2.back_4 = _S633 * _S631.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S630, _S634)) * _S631.specular_reflect_0;
-    yarn_2.through_0 = _S633 * _S631.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S630, _S634 + u32(1))) * _S631.specular_transmit_0;
+    yarn_2.back_4 = _S638 * _S636.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S635, _S639)) * _S636.specular_reflect_0;
+    yarn_2.through_0 = _S638 * _S636.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S635, _S639 + u32(1))) * _S636.specular_transmit_0;
     return yarn_2;
 }
 
-fn sent_0( _S635 : u32,  _S636 : u32,  _S637 : vec3<f32>,  _S638 : vec3<f32>,  _S639 : vec3<f32>,  _S640 : vec3<f32>,  _S641 : ptr<function, vec3<f32>>,  _S642 : ptr<function, vec3<f32>>)
+fn sent_0( _S640 : u32,  _S641 : u32,  _S642 : vec3<f32>,  _S643 : vec3<f32>,  _S644 : vec3<f32>,  _S645 : vec3<f32>,  _S646 : ptr<function, vec3<f32>>,  _S647 : ptr<function, vec3<f32>>)
 {
-    var _S643 : u32 = u32(146) + u32(4) * _S636;
-    var _S644 : f32 = openness_number_0(_S635, _S643 + u32(1));
-    var _S645 : f32 = openness_number_0(_S635, _S643 + u32(2));
-    var _S646 : vec3<f32> = vec3<f32>(1.0f);
-    var _S647 : vec3<f32> = _S646 - _S639 * vec3<f32>(openness_number_0(_S635, _S643));
-    var _S648 : vec3<f32> = _S646 - _S640 * vec3<f32>(openness_number_0(_S635, _S643 + u32(3)));
-    var _S649 : vec3<f32> = _S646 / (_S647 * _S648 - _S639 * _S640 * vec3<f32>((_S644 * _S645)));
-    (*_S641) = (_S637 * _S648 + _S639 * vec3<f32>(_S644) * _S638) * _S649;
-    (*_S642) = (_S638 * _S647 + _S640 * vec3<f32>(_S645) * _S637) * _S649;
+    var _S648 : u32 = u32(146) + u32(4) * _S641;
+    var _S649 : f32 = openness_number_0(_S640, _S648 + u32(1));
+    var _S650 : f32 = openness_number_0(_S640, _S648 + u32(2));
+    var _S651 : vec3<f32> = vec3<f32>(1.0f);
+    var _S652 : vec3<f32> = _S651 - _S644 * vec3<f32>(openness_number_0(_S640, _S648));
+    var _S653 : vec3<f32> = _S651 - _S645 * vec3<f32>(openness_number_0(_S640, _S648 + u32(3)));
+    var _S654 : vec3<f32> = _S651 / (_S652 * _S653 - _S644 * _S645 * vec3<f32>((_S649 * _S650)));
+    (*_S646) = (_S642 * _S653 + _S644 * vec3<f32>(_S649) * _S643) * _S654;
+    (*_S647) = (_S643 * _S652 + _S645 * vec3<f32>(_S650) * _S642) * _S654;
     return;
 }
 
-fn face_sends_0( _S650 : u32,  _S651 : u32,  _S652 : Scattered_0,  _S653 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S655 : u32,  _S656 : u32,  _S657 : Scattered_0,  _S658 : Scattered_0) -> FaceSends_0
 {
-    var _S654 : u32 = u32(2) * _S651;
-    var _S655 : u32 = u32(142) + _S654;
-    var _S656 : f32 = openness_number_0(_S650, _S655);
-    var _S657 : f32 = openness_number_0(_S650, _S655 + u32(1));
-    var _S658 : vec3<f32> = vec3<f32>((1.0f - _S656)) * _S652.back_4;
-    var _S659 : vec3<f32> = vec3<f32>((1.0f - _S657)) * _S653.back_4;
+    var _S659 : u32 = u32(2) * _S656;
+    var _S660 : u32 = u32(142) + _S659;
+    var _S661 : f32 = openness_number_0(_S655, _S660);
+    var _S662 : f32 = openness_number_0(_S655, _S660 + u32(1));
+    var _S663 : vec3<f32> = vec3<f32>((1.0f - _S661)) * _S657.back_4;
+    var _S664 : vec3<f32> = vec3<f32>((1.0f - _S662)) * _S658.back_4;
     var sends_1 : FaceSends_0;
-    var _S660 : u32 = u32(154) + _S654;
-    var _S661 : f32 = openness_number_0(_S650, _S660);
-    sends_1.blocks_warp_0 = _S661;
-    var _S662 : f32 = openness_number_0(_S650, _S660 + u32(1));
-    sends_1.blocks_weft_0 = _S662;
-    sends_1.open_0 = _S661 * _S656 + _S662 * _S657;
-    var _S663 : vec3<f32> = vec3<f32>(_S656) * _S652.back_4;
-    var _S664 : vec3<f32> = vec3<f32>(_S657) * _S653.back_4;
-    var _S665 : vec3<f32> = sends_1.sky_warp_0;
-    var _S666 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S650, _S651, _S663, _S664, _S658, _S659, &(_S665), &(_S666));
-    sends_1.sky_warp_0 = _S665;
-    sends_1.sky_weft_0 = _S666;
-    var _S667 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S668 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S650, _S651, _S652.through_0, _S653.through_0, _S658, _S659, &(_S667), &(_S668));
-    sends_1.crossing_warp_0 = _S667;
-    sends_1.crossing_weft_0 = _S668;
+    var _S665 : u32 = u32(154) + _S659;
+    var _S666 : f32 = openness_number_0(_S655, _S665);
+    sends_1.blocks_warp_0 = _S666;
+    var _S667 : f32 = openness_number_0(_S655, _S665 + u32(1));
+    sends_1.blocks_weft_0 = _S667;
+    sends_1.open_0 = _S666 * _S661 + _S667 * _S662;
+    var _S668 : vec3<f32> = vec3<f32>(_S661) * _S657.back_4;
+    var _S669 : vec3<f32> = vec3<f32>(_S662) * _S658.back_4;
+    var _S670 : vec3<f32> = sends_1.sky_warp_0;
+    var _S671 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S655, _S656, _S668, _S669, _S663, _S664, &(_S670), &(_S671));
+    sends_1.sky_warp_0 = _S670;
+    sends_1.sky_weft_0 = _S671;
+    var _S672 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S673 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S655, _S656, _S657.through_0, _S658.through_0, _S663, _S664, &(_S672), &(_S673));
+    sends_1.crossing_warp_0 = _S672;
+    sends_1.crossing_weft_0 = _S673;
     return sends_1;
 }
 
-fn interior_of_0( _S669 : u32,  _S670 : vec3<f32>,  _S671 : bool) -> Interior_0
+fn interior_of_0( _S674 : u32,  _S675 : vec3<f32>,  _S676 : bool) -> Interior_0
 {
-    var _S672 : Scattered_0 = scattered_by_0(_S669, table_albedos_0(families_0[fabrics_0[_S669].warp_0].colour_mean_0), u32(0), _S670);
-    var _S673 : Scattered_0 = scattered_by_0(_S669, table_albedos_0(families_0[fabrics_0[_S669].weft_0].colour_mean_0), u32(1), _S670);
-    var _S674 : FaceSends_0 = face_sends_0(_S669, select(u32(0), u32(1), _S671), _S672, _S673);
-    var _S675 : FaceSends_0 = face_sends_0(_S669, select(u32(1), u32(0), _S671), _S672, _S673);
-    var _S676 : vec3<f32> = vec3<f32>(_S674.blocks_warp_0);
-    var _S677 : vec3<f32> = vec3<f32>(_S674.blocks_weft_0);
-    var _S678 : vec3<f32> = _S676 * _S674.crossing_warp_0 + _S677 * _S674.crossing_weft_0;
-    var _S679 : vec3<f32> = vec3<f32>(_S675.blocks_warp_0);
-    var _S680 : vec3<f32> = vec3<f32>(_S675.blocks_weft_0);
-    var _S681 : vec3<f32> = _S679 * _S675.crossing_warp_0 + _S680 * _S675.crossing_weft_0;
-    var _S682 : f32 = 1.0f - _S674.open_0;
-    var _S683 : f32 = 1.0f - _S675.open_0;
-    var _S684 : vec3<f32> = vec3<f32>(1.0f);
-    var _S685 : vec3<f32> = _S684 / (_S684 - _S678 * _S681 * vec3<f32>((_S682 * _S683)));
-    var _S686 : vec3<f32> = _S681 * (vec3<f32>(_S674.open_0) + vec3<f32>(_S682) * (_S676 * _S674.sky_warp_0 + _S677 * _S674.sky_weft_0)) * _S685;
-    var _S687 : vec3<f32> = _S678 * (vec3<f32>(_S675.open_0) + vec3<f32>(_S683) * (_S679 * _S675.sky_warp_0 + _S680 * _S675.sky_weft_0)) * _S685;
-    var _S688 : FaceRadiance_0 = face_radiance_0(_S674, _S675.open_0, _S686, _S687);
-    var _S689 : FaceRadiance_0 = face_radiance_0(_S675, _S674.open_0, _S687, _S686);
+    var _S677 : Scattered_0 = scattered_by_0(_S674, table_albedos_0(families_0[fabrics_0[_S674].warp_0].colour_mean_0), u32(0), _S675);
+    var _S678 : Scattered_0 = scattered_by_0(_S674, table_albedos_0(families_0[fabrics_0[_S674].weft_0].colour_mean_0), u32(1), _S675);
+    var _S679 : FaceSends_0 = face_sends_0(_S674, select(u32(0), u32(1), _S676), _S677, _S678);
+    var _S680 : FaceSends_0 = face_sends_0(_S674, select(u32(1), u32(0), _S676), _S677, _S678);
+    var _S681 : vec3<f32> = vec3<f32>(_S679.blocks_warp_0);
+    var _S682 : vec3<f32> = vec3<f32>(_S679.blocks_weft_0);
+    var _S683 : vec3<f32> = _S681 * _S679.crossing_warp_0 + _S682 * _S679.crossing_weft_0;
+    var _S684 : vec3<f32> = vec3<f32>(_S680.blocks_warp_0);
+    var _S685 : vec3<f32> = vec3<f32>(_S680.blocks_weft_0);
+    var _S686 : vec3<f32> = _S684 * _S680.crossing_warp_0 + _S685 * _S680.crossing_weft_0;
+    var _S687 : f32 = 1.0f - _S679.open_0;
+    var _S688 : f32 = 1.0f - _S680.open_0;
+    var _S689 : vec3<f32> = vec3<f32>(1.0f);
+    var _S690 : vec3<f32> = _S689 / (_S689 - _S683 * _S686 * vec3<f32>((_S687 * _S688)));
+    var _S691 : vec3<f32> = _S686 * (vec3<f32>(_S679.open_0) + vec3<f32>(_S687) * (_S681 * _S679.sky_warp_0 + _S682 * _S679.sky_weft_0)) * _S690;
+    var _S692 : vec3<f32> = _S683 * (vec3<f32>(_S680.open_0) + vec3<f32>(_S688) * (_S684 * _S680.sky_warp_0 + _S685 * _S680.sky_weft_0)) * _S690;
+    var _S693 : FaceRadiance_0 = face_radiance_0(_S679, _S680.open_0, _S691, _S692);
+    var _S694 : FaceRadiance_0 = face_radiance_0(_S680, _S679.open_0, _S692, _S691);
     var interior_1 : Interior_0;
-    interior_1.warp_5 = _S688.warp_4;
-    interior_1.weft_5 = _S688.weft_4;
-    interior_1.leaked_1 = _S688.leaked_0;
-    interior_1.far_1 = _S689.mean_1;
-    interior_1.far_leaked_0 = _S689.leaked_0;
+    interior_1.warp_5 = _S693.warp_4;
+    interior_1.weft_5 = _S693.weft_4;
+    interior_1.leaked_1 = _S693.leaked_0;
+    interior_1.far_1 = _S694.mean_1;
+    interior_1.far_leaked_0 = _S694.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S690 : u32,  _S691 : u32,  _S692 : array<f32, i32(6)>,  _S693 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S695 : u32,  _S696 : u32,  _S697 : array<f32, i32(6)>,  _S698 : u32) -> Blocked_0
 {
     var shares_2 : array<f32, i32(3)>;
     var share_2 : u32 = u32(0);
@@ -3204,14 +3209,14 @@ fn blocked_of_terms_0( _S690 : u32,  _S691 : u32,  _S692 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S693)
+            if(term_0 < _S698)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_2] = shares_2[share_2] + openness_number_0(_S690, _S691 + share_2 * _S693 + term_0) * _S692[term_0];
+            shares_2[share_2] = shares_2[share_2] + openness_number_0(_S695, _S696 + share_2 * _S698 + term_0) * _S697[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_2[share_2] = saturate(shares_2[share_2]);
@@ -3224,17 +3229,17 @@ fn blocked_of_terms_0( _S690 : u32,  _S691 : u32,  _S692 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_from_0( _S694 : u32,  _S695 : vec3<f32>,  _S696 : bool,  _S697 : bool) -> Blocked_0
+fn blocked_from_0( _S699 : u32,  _S700 : vec3<f32>,  _S701 : bool,  _S702 : bool) -> Blocked_0
 {
     var terms_2 : array<f32, i32(6)>;
-    view_terms_0(_S695, &(terms_2));
-    return blocked_of_terms_0(_S694, (select(u32(0), u32(2), _S697) + select(u32(1), u32(0), _S696)) * u32(15), terms_2, u32(5));
+    view_terms_0(_S700, &(terms_2));
+    return blocked_of_terms_0(_S699, (select(u32(0), u32(2), _S702) + select(u32(1), u32(0), _S701)) * u32(15), terms_2, u32(5));
 }
 
-fn warp_seen_from_0( _S698 : u32,  _S699 : vec3<f32>,  _S700 : bool) -> f32
+fn warp_seen_from_0( _S703 : u32,  _S704 : vec3<f32>,  _S705 : bool) -> f32
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_1(_S699, &(terms_3));
+    view_terms_1(_S704, &(terms_3));
     var term_1 : u32 = u32(0);
     var share_3 : f32 = 0.0f;
     for(;;)
@@ -3246,90 +3251,90 @@ fn warp_seen_from_0( _S698 : u32,  _S699 : vec3<f32>,  _S700 : bool) -> f32
         {
             break;
         }
-        var share_4 : f32 = share_3 + openness_number_0(_S698, u32(132) + select(u32(0), u32(5), _S700) + term_1) * terms_3[term_1];
+        var share_4 : f32 = share_3 + openness_number_0(_S703, u32(132) + select(u32(0), u32(5), _S705) + term_1) * terms_3[term_1];
         term_1 = term_1 + u32(1);
         share_3 = share_4;
     }
     return saturate(share_3);
 }
 
-fn bounced_of_families_0( _S701 : u32,  _S702 : FamilyAlbedos_0,  _S703 : vec3<f32>,  _S704 : Interior_0,  _S705 : Blocked_0,  _S706 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S706 : u32,  _S707 : FamilyAlbedos_0,  _S708 : vec3<f32>,  _S709 : Interior_0,  _S710 : Blocked_0,  _S711 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S705, scattered_by_0(_S701, _S702.warp_6, u32(0), _S703), _S704), bounced_by_0(_S706, scattered_by_0(_S701, _S702.weft_6, u32(1), _S703), _S704));
+    return sum_of_0(bounced_by_0(_S710, scattered_by_0(_S706, _S707.warp_6, u32(0), _S708), _S709), bounced_by_0(_S711, scattered_by_0(_S706, _S707.weft_6, u32(1), _S708), _S709));
 }
 
-fn bounced_far_0( _S707 : u32,  _S708 : FamilyAlbedos_0,  _S709 : vec3<f32>,  _S710 : Interior_0,  _S711 : vec3<f32>,  _S712 : bool,  _S713 : f32,  _S714 : f32,  _S715 : f32) -> Bounced_0
+fn bounced_far_0( _S712 : u32,  _S713 : FamilyAlbedos_0,  _S714 : vec3<f32>,  _S715 : Interior_0,  _S716 : vec3<f32>,  _S717 : bool,  _S718 : f32,  _S719 : f32,  _S720 : f32) -> Bounced_0
 {
-    var _S716 : Blocked_0 = blocked_from_0(_S707, _S711, true, _S712);
-    var _S717 : Blocked_0 = blocked_from_0(_S707, _S711, false, _S712);
-    var _S718 : f32 = _S713 / max(1.0f - _S716.by_warp_0 - _S716.by_weft_0, 0.10000000149011612f);
-    var _S719 : f32 = (0.0020000000949949f * warp_seen_from_0(_S707, _S711, _S712) + _S718) / (_S718 + _S714 / max(1.0f - _S717.by_warp_0 - _S717.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S720 : f32 = 1.0f - _S715;
-    return bounced_of_families_0(_S707, _S708, _S709, _S710, scaled_0(_S716, _S719 * _S720), scaled_0(_S717, (1.0f - _S719) * _S720));
+    var _S721 : Blocked_0 = blocked_from_0(_S712, _S716, true, _S717);
+    var _S722 : Blocked_0 = blocked_from_0(_S712, _S716, false, _S717);
+    var _S723 : f32 = _S718 / max(1.0f - _S721.by_warp_0 - _S721.by_weft_0, 0.10000000149011612f);
+    var _S724 : f32 = (0.0020000000949949f * warp_seen_from_0(_S712, _S716, _S717) + _S723) / (_S723 + _S719 / max(1.0f - _S722.by_warp_0 - _S722.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S725 : f32 = 1.0f - _S720;
+    return bounced_of_families_0(_S712, _S713, _S714, _S715, scaled_0(_S721, _S724 * _S725), scaled_0(_S722, (1.0f - _S724) * _S725));
 }
 
-fn bounced_over_0( _S721 : u32,  _S722 : Components_0,  _S723 : CloseUp_0,  _S724 : FamilyAlbedos_0,  _S725 : vec3<f32>,  _S726 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S726 : u32,  _S727 : Components_0,  _S728 : CloseUp_0,  _S729 : FamilyAlbedos_0,  _S730 : vec3<f32>,  _S731 : vec3<f32>) -> Bounced_0
 {
-    var _S727 : bool = (_S726.z) < 0.0f;
-    var _S728 : Interior_0 = interior_of_0(_S721, _S725, _S727);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S721, _S724, _S725, _S728, to_face_frame_0(_S726, _S727), _S727, _S722.diffuse_warp_0, _S722.diffuse_weft_0, _S722.hole_2);
-    if((_S723.weight_2) > 0.0f)
+    var _S732 : bool = (_S731.z) < 0.0f;
+    var _S733 : Interior_0 = interior_of_0(_S726, _S730, _S732);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S726, _S729, _S730, _S733, to_face_frame_0(_S731, _S732), _S732, _S727.diffuse_warp_0, _S727.diffuse_weft_0, _S727.hole_2);
+    if((_S728.weight_2) > 0.0f)
     {
-        var _S729 : Bounced_0 = bounced_of_families_0(_S721, _S724, _S725, _S728, _S723.warp_3, _S723.weft_3);
-        var _S730 : vec3<f32> = vec3<f32>(_S723.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S729.reflected_0, _S730);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S729.transmitted_0, _S730);
+        var _S734 : Bounced_0 = bounced_of_families_0(_S726, _S729, _S730, _S733, _S728.warp_3, _S728.weft_3);
+        var _S735 : vec3<f32> = vec3<f32>(_S728.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S734.reflected_0, _S735);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S734.transmitted_0, _S735);
     }
     return bounced_2;
 }
 
-fn composed_0( _S731 : u32,  _S732 : Components_0,  _S733 : CloseUp_0,  _S734 : FamilyAlbedos_0,  _S735 : vec3<f32>,  _S736 : vec3<f32>,  _S737 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S736 : u32,  _S737 : Components_0,  _S738 : CloseUp_0,  _S739 : FamilyAlbedos_0,  _S740 : vec3<f32>,  _S741 : vec3<f32>,  _S742 : vec3<f32>) -> vec3<f32>
 {
-    var _S738 : Albedos_0 = tinted_0(_S734.warp_6, _S735);
-    var _S739 : Albedos_0 = tinted_0(_S734.weft_6, _S735);
-    var _S740 : vec3<f32> = vec3<f32>(_S732.diffuse_warp_0);
-    var _S741 : vec3<f32> = vec3<f32>(_S732.diffuse_weft_0);
-    var _S742 : vec3<f32> = vec3<f32>(_S732.specular_warp_0);
-    var _S743 : vec3<f32> = vec3<f32>(_S732.specular_weft_0);
-    var _S744 : vec3<f32> = _S738.diffuse_reflect_0 * _S740 + _S739.diffuse_reflect_0 * _S741 + _S738.specular_reflect_0 * _S742 + _S739.specular_reflect_0 * _S743;
-    var _S745 : f32 = _S737.z;
+    var _S743 : Albedos_0 = tinted_0(_S739.warp_6, _S740);
+    var _S744 : Albedos_0 = tinted_0(_S739.weft_6, _S740);
+    var _S745 : vec3<f32> = vec3<f32>(_S737.diffuse_warp_0);
+    var _S746 : vec3<f32> = vec3<f32>(_S737.diffuse_weft_0);
+    var _S747 : vec3<f32> = vec3<f32>(_S737.specular_warp_0);
+    var _S748 : vec3<f32> = vec3<f32>(_S737.specular_weft_0);
+    var _S749 : vec3<f32> = _S743.diffuse_reflect_0 * _S745 + _S744.diffuse_reflect_0 * _S746 + _S743.specular_reflect_0 * _S747 + _S744.specular_reflect_0 * _S748;
+    var _S750 : f32 = _S742.z;
     var body_0 : vec3<f32>;
-    if((_S736.z * _S745) < 0.0f)
+    if((_S741.z * _S750) < 0.0f)
     {
-        body_0 = _S738.diffuse_transmit_0 * _S740 + _S739.diffuse_transmit_0 * _S741 + _S738.specular_transmit_0 * _S742 + _S739.specular_transmit_0 * _S743;
+        body_0 = _S743.diffuse_transmit_0 * _S745 + _S744.diffuse_transmit_0 * _S746 + _S743.specular_transmit_0 * _S747 + _S744.specular_transmit_0 * _S748;
     }
     else
     {
-        body_0 = _S744;
+        body_0 = _S749;
     }
-    if((fabrics_0[_S731].openness_0) != u32(4294967295))
+    if((fabrics_0[_S736].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S731, _S732, _S733, _S734, _S735, _S737), _S736, _S737);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S736, _S737, _S738, _S739, _S740, _S742), _S741, _S742);
     }
-    var _S746 : f32 = fabrics_0[_S731].sheen_strength_0;
-    if((fabrics_0[_S731].sheen_strength_0) <= 0.0f)
+    var _S751 : f32 = fabrics_0[_S736].sheen_strength_0;
+    if((fabrics_0[_S736].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S747 : bool = _S745 < 0.0f;
-    var _S748 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S736, _S747), to_face_frame_0(_S737, _S747), _S746, fabrics_0[_S731].sheen_roughness_0);
-    return vec3<f32>(_S748.y) * body_0 + vec3<f32>(((_S732.light_visibility_1 + _S732.hole_2) * _S748.x));
+    var _S752 : bool = _S750 < 0.0f;
+    var _S753 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S741, _S752), to_face_frame_0(_S742, _S752), _S751, fabrics_0[_S736].sheen_roughness_0);
+    return vec3<f32>(_S753.y) * body_0 + vec3<f32>(((_S737.light_visibility_1 + _S737.hole_2) * _S753.x));
 }
 
-fn light_of_neural_0( _S749 : u32,  _S750 : VisiblePoint_0,  _S751 : vec2<u32>,  _S752 : vec3<f32>) -> vec4<f32>
+fn light_of_neural_0( _S754 : u32,  _S755 : VisiblePoint_0,  _S756 : vec2<u32>,  _S757 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S750.draft_dx_0;
-    footprint_1.dy_0 = _S750.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S749, _S750.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S753 : vec3<f32> = to_local_0(_S750, _S750.view_0);
+    footprint_1.dx_0 = _S755.draft_dx_0;
+    footprint_1.dy_0 = _S755.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S754, _S755.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S758 : vec3<f32> = to_local_0(_S755, _S755.view_0);
     var activations_0 : NeuralView_0;
-    neural_view_0(_S749, footprint_1, _S753, &(activations_0));
-    var _S754 : f32 = _S753.z;
-    var _S755 : FamilyAlbedos_0 = with_tones_0(_S749, albedos_over_0(_S749, footprint_1, _S754 < 0.0f), activations_0.yarns_0);
-    var _S756 : vec3<f32> = vec3<f32>(0.0f);
+    neural_view_0(_S754, footprint_1, _S758, &(activations_0));
+    var _S759 : f32 = _S758.z;
+    var _S760 : FamilyAlbedos_0 = with_tones_0(_S754, albedos_over_0(_S754, footprint_1, _S759 < 0.0f), activations_0.yarns_0);
+    var _S761 : vec3<f32> = vec3<f32>(0.0f);
     var number_8 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S756;
+    var radiance_1 : vec3<f32> = _S761;
     for(;;)
     {
         if(number_8 < (light_sample_count_0()))
@@ -3339,24 +3344,24 @@ fn light_of_neural_0( _S749 : u32,  _S750 : VisiblePoint_0,  _S751 : vec2<u32>, 
         {
             break;
         }
-        var _S757 : f32 = visibility_at_0(number_8, _S751);
-        if(_S757 <= 0.0f)
+        var _S762 : f32 = visibility_at_0(number_8, _S756);
+        if(_S762 <= 0.0f)
         {
             number_8 = number_8 + u32(1);
             continue;
         }
-        var _S758 : LightSample_0 = light_sample_0(number_8, _S751, _S750.position_4);
-        var _S759 : vec3<f32> = to_local_0(_S750, _S758.towards_0);
-        var _S760 : Components_0 = neural_components_0(_S749, &(activations_0), _S759);
-        radiance_1 = radiance_1 + vec3<f32>(_S757) * _S758.irradiance_1 * composed_0(_S749, _S760, no_close_up_0(), _S755, _S752, _S759, _S753);
+        var _S763 : LightSample_0 = light_sample_0(number_8, _S756, _S755.position_4);
+        var _S764 : vec3<f32> = to_local_0(_S755, _S763.towards_0);
+        var _S765 : Components_0 = neural_components_0(_S754, &(activations_0), _S764);
+        radiance_1 = radiance_1 + vec3<f32>(_S762) * _S763.irradiance_1 * composed_0(_S754, _S765, no_close_up_0(), _S760, _S757, _S764, _S758);
         number_8 = number_8 + u32(1);
     }
     var hole_3 : f32 = activations_0.hole_0;
-    var _S761 : f32 = fabrics_0[_S749].sheen_strength_0;
+    var _S766 : f32 = fabrics_0[_S754].sheen_strength_0;
     var hole_4 : f32;
-    if((fabrics_0[_S749].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S754].sheen_strength_0) > 0.0f)
     {
-        hole_4 = hole_3 * (1.0f - _S761 * sheen_lobe_0(abs(_S754), fabrics_0[_S749].sheen_roughness_0).z);
+        hole_4 = hole_3 * (1.0f - _S766 * sheen_lobe_0(abs(_S759), fabrics_0[_S754].sheen_roughness_0).z);
     }
     else
     {
@@ -3369,31 +3374,31 @@ fn light_of_neural_0( _S749 : u32,  _S750 : VisiblePoint_0,  _S751 : vec2<u32>, 
 @workgroup_size(8, 8, 1)
 fn shade_neural(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S762 : u32 = id_0.x;
-    var _S763 : bool;
-    if(_S762 >= (frame_record_0.width_0))
+    var _S767 : u32 = id_0.x;
+    var _S768 : bool;
+    if(_S767 >= (frame_record_0.width_0))
     {
-        _S763 = true;
+        _S768 = true;
     }
     else
     {
-        _S763 = (id_0.y) >= (frame_record_0.height_0);
+        _S768 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S763)
+    if(_S768)
     {
         return;
     }
-    var _S764 : u32 = id_0.y * frame_record_0.width_0 + _S762;
-    var _S765 : u32 = layers_0[_S764].face_0;
-    if((layers_0[_S764].face_0) == u32(0))
+    var _S769 : u32 = id_0.y * frame_record_0.width_0 + _S767;
+    var _S770 : u32 = layers_0[_S769].face_0;
+    if((layers_0[_S769].face_0) == u32(0))
     {
         return;
     }
-    var _S766 : u32 = _S765 - u32(1);
-    var _S767 : u32 = fabric_of_0(_S766);
-    var _S768 : vec2<u32> = id_0.xy;
-    var _S769 : VisiblePoint_0 = visible_point_0(_S767, _S766, _S768);
-    accumulate_0(_S764, light_of_neural_0(_S767, _S769, _S768, filtered_albedo_0(_S767, _S769)));
+    var _S771 : u32 = _S770 - u32(1);
+    var _S772 : u32 = fabric_of_0(_S771);
+    var _S773 : vec2<u32> = id_0.xy;
+    var _S774 : VisiblePoint_0 = visible_point_0(_S772, _S771, _S773);
+    accumulate_0(_S769, light_of_neural_0(_S772, _S774, _S773, filtered_albedo_0(_S772, _S774)));
     return;
 }
 

@@ -259,7 +259,7 @@ def test_faint_highlights_count_by_shares() -> None:
 def test_small_footprints_are_drawn_less_often(dataset: Path) -> None:
     face = read_faces(next(dataset.glob("pool-*/*.safetensors")))[0]
     count, small = 40000, 0.25
-    places, lights, views, truth = _draw(face, np.random.default_rng(3), count, small)
+    places, lights, views, truth = _draw(face, np.random.default_rng(3), count, small, False)
     assert len(places) == len(lights) == len(views) == len(truth) == count
     sizes = face.places[..., 2].ravel()
     kept = np.clip(np.sqrt(sizes / 2), small, 1)
@@ -275,6 +275,21 @@ def test_small_footprints_are_drawn_less_often(dataset: Path) -> None:
         np.testing.assert_array_equal(lights[k], face.lights[pair])
         np.testing.assert_array_equal(views[k], face.views[pair])
         np.testing.assert_array_equal(truth[k], face.truth.reshape(-1, 5)[actual])
+
+
+def test_small_footprints_are_where_their_rays_meet_yarn(dataset: Path) -> None:
+    face = read_faces(next(dataset.glob("pool-*/*.safetensors")))[0]
+    plane, seen = (_draw(face, np.random.default_rng(3), 4000, 1.0, parallax) for parallax in (False, True))
+    moved = np.linalg.norm((seen[0] - plane[0])[:, :2], axis=1)
+    size, cosine = plane[0][:, 2], plane[2][:, 2]
+    assert (moved[size > 2] == 0).all()
+    # Where rays come in low, they meet yarn farther away.
+    small = size < 0.25
+    middle = np.median(cosine[small])
+    low, high = (moved[small & chosen].mean() for chosen in (cosine < middle, cosine > middle))
+    assert low > 1.5 * high > 0
+    for part in (1, 2, 3):
+        np.testing.assert_array_equal(plane[part], seen[part])
 
 
 def test_schedules() -> None:
