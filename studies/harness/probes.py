@@ -197,6 +197,14 @@ def _network() -> Numbers:
     return np.array([_hash(shipped_weights().sha256.encode())])
 
 
+def _truth() -> Numbers:
+    """What the network of `neural` learns from, as yarns are today."""
+    from loomlight.core.llvm import llvm_float
+    from loomlight.models.neural.learned_truth import truth_numbers
+
+    return np.array(truth_numbers(llvm_float()), np.float64)
+
+
 def _hash(content: bytes) -> float:
     return float(int(hashlib.sha256(content).hexdigest()[:6], 16))
 
@@ -221,6 +229,7 @@ PROBES: dict[str, Probe] = {
     "picture": Probe("a picture of the drape", _picture),
     "mesh": Probe("a garment laid flat", _mesh),
     "shaders": Probe("shaders as slangc makes them", _shaders, 0),
+    "truth": Probe("means over footprints that networks are trained on", _truth),
     "network": Probe("the network of `neural`", _network, 0),
 }
 

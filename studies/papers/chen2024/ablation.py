@@ -35,7 +35,9 @@ ALL_NETWORKS = {
     "published recipe": "ablation_published",
     "one latent a face": "ablation_vector",
     **NETWORKS,
-    "no half vector": "ablation_fibres",
+    "no fibre features": "ablation_fibres",
+    "no lobe basis": "ablation_bundles",
+    "no parallax": "ablation_parallax",
 }
 _SCENES = {
     "twill 5×5, close": (CLOSE, "twill 5×5"),
