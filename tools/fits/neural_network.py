@@ -2,9 +2,9 @@
 
     python -m tools.fits.neural_network [CONFIG] [--folder DIR]
 
-For the night after yarns have changed (`loomlight doctor` says so): training with its data, the encoder and the
-decoder as ONNX, the sampler that draws directions for it, and the shaders that hold its shape. Run again, it
-goes on where it was stopped. Records and pictures of it are made by the studies: `python -m studies --stale`.
+For the night after yarns have changed (`loomlight doctor` says so): training with its data, the encoder and
+the decoder as ONNX, the sampler that draws directions for it, and the shaders that hold its shape. Run again,
+it goes on where it was stopped. Studies make records and pictures of it: `python -m studies --stale`.
 """
 
 from __future__ import annotations
