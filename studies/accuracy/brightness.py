@@ -33,12 +33,12 @@ from loomlight.fabric.fields import FabricFile, YarnTable
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.neural.weights import ParameterRanges
 from loomlight.scattering.point import YarnScattering
-from loomlight.weave.draft import Draft
 from loomlight.weave.named import named_weave
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.rays import SearchQuality
 from studies.harness.study import Figures, Found, Run, Study, listed, names
 from studies.instruments.directions import direction
+from studies.instruments.held_out import irregular_draft
 from studies.instruments.luminance import LUMINANCE
 from studies.papers.chen2024.training.random_fabrics import random_fabric
 
@@ -106,18 +106,9 @@ def pairs_of(side: str, count: int) -> dict[str, Directions]:
     }
 
 
-def irregular_draft(seed: int) -> Draft:
-    """Random crossings; every thread interlaces."""
-    rng = np.random.default_rng(seed)
-    while True:
-        drawdown = rng.random((SIDE, SIDE)) < 0.5
-        if all(0 < mean < 1 for axis in (0, 1) for mean in drawdown.mean(axis=axis)):
-            return Draft(drawdown, title=f"irregular {seed}")
-
-
 def fabric_of(weave: str, fields: Mapping[str, Any] | None = None) -> Fabric:
     """A weave at the defaults of fabric files but for some fields, without light between yarns."""
-    draft = irregular_draft(IRREGULAR_SEED) if weave == "irregular" else named_weave(weave)
+    draft = irregular_draft(IRREGULAR_SEED, SIDE) if weave == "irregular" else named_weave(weave)
     return make_fabric(FabricFile(interreflection=False, **(fields or {})), draft, weave, ".")
 
 
@@ -176,7 +167,7 @@ def irregular(count: int, pairs: int, footprints: int) -> dict[str, Any]:
     cloths = [
         HeldOut(
             f"irregular {seed}",
-            random_fabric(np.random.default_rng(seed), irregular_draft(seed), ranges=IRREGULAR_RANGES),
+            random_fabric(np.random.default_rng(seed), irregular_draft(seed, SIDE), ranges=IRREGULAR_RANGES),
             True,
             False,
         )

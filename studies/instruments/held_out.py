@@ -18,7 +18,8 @@ from loomlight.core.errors import InputError
 from loomlight.evaluation.query_benchmark import HeldOut
 from loomlight.fabric.fabric import make_fabric
 from loomlight.fabric.fields import YarnTable
-from loomlight.models.neural.weights import PARAMETER_RANGES, ParameterRanges
+from loomlight.models.neural.weights import LAYOUT_RANGES, PARAMETER_RANGES, ParameterRanges
+from loomlight.weave.draft import Draft
 from loomlight.weave.named import named_weave
 from studies.papers.chen2024.training.random_fabrics import random_fabric
 from studies.papers.chen2024.training.weaves import PAPER_WEAVES, paper_draft
@@ -125,3 +126,27 @@ def _colours(rng: np.random.Generator, count: int) -> list[str]:
     palette = rng.integers(20, 236, (min(count, 4), 3))
     number = np.arange(count) if count <= 4 else np.sort(rng.integers(0, 4, count))
     return ["#" + "".join(f"{part:02x}" for part in palette[k]) for k in number]
+
+
+# Odd fabrics: an irregular draft, or a name, with gaps and setts of `LAYOUT_RANGES`.
+_ODD_SIDES, _ODD_WEAVES = (12, 12, 24, 24), ("crepe", "waffle 8")
+
+
+def odd_fabrics() -> list[HeldOut]:
+    """Six fabrics of irregular weaves and layouts: four random drafts of 12 and 24 threads, crepe, waffle."""
+    drafts = [irregular_draft(seed, side) for seed, side in enumerate(_ODD_SIDES)]
+    drafts += [named_weave(name) for name in _ODD_WEAVES]
+    found = []
+    for number, draft in enumerate(drafts):
+        fabric = random_fabric(np.random.default_rng([_SEED, 100 + number]), draft, 0.3, LAYOUT_RANGES)
+        found.append(HeldOut(f"odd {number + 1} {draft.title}", fabric, True, False))
+    return found
+
+
+def irregular_draft(seed: int, side: int) -> Draft:
+    """Random crossings of so many ends and picks; every thread interlaces."""
+    rng = np.random.default_rng(seed)
+    while True:
+        drawdown = rng.random((side, side)) < 0.5
+        if all(0 < mean < 1 for axis in (0, 1) for mean in drawdown.mean(axis=axis)):
+            return Draft(drawdown, title=f"irregular {seed}")

@@ -468,6 +468,7 @@ export const MOMENTS = 12;
 
 // models.lobes.point_sampled
 export const MAX_POINTS = 8;
+export const MAX_POINTS_BESIDE_GROUPS = 4;
 export const POINTS_PER_THREAD = 12.0;
 export const POINT_OFFSETS = [[0.0, 0.0] as const, [-0.2301, 0.3567] as const, [0.3681, -0.2294] as const, [-0.2804, -0.344] as const, [0.3466, 0.2886] as const, [-0.3635, 0.0511] as const, [0.0993, -0.357] as const, [0.1071, 0.3288] as const] as const;
 export const FINEST_FOOTPRINT = 0.03125;
@@ -477,7 +478,7 @@ export const COARSE_STEPS_PER_RELIEF = 8.0;
 export const COARSE_SHADOW_SHARE = 1.6;
 export const COARSE_REFINEMENTS = 1;
 export const COARSE_STEPS = 1024;
-export const BLEND_RANGE = [0.6, 1.6] as const;
+export const BLEND_RANGE = [0.7, 2.0] as const;
 export const SQUARE_SCALE = 0.8;
 export const MIN_FOOTPRINT_SIDE = 1e-09;
 
@@ -737,7 +738,7 @@ export const HALVINGS = 20;
 export const MIN_GAP = 0.005;
 
 // models.lobes.model
-export const DEFAULT_GROUPS = 8;
+export const DEFAULT_GROUPS = 12;
 export const MAX_GROUPS = 64;
 
 // realtime.renderer

@@ -26,7 +26,7 @@ from loomlight.sources.loom_file import LoomFile
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.rays import upload_extent
 
-DEFAULT_GROUPS = 8
+DEFAULT_GROUPS = 12
 MAX_GROUPS = 64
 # Of one group: 24 for interpolation, 27 for variances, 21 for cosines, 8 for areas, 25 for the density, 15
 # for attenuation.

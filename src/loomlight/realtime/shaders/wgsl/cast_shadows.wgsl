@@ -1599,13 +1599,13 @@ struct Regime_0
 fn regime_of_0( _S319 : u32,  _S320 : Footprint_0,  _S321 : f32) -> Regime_0
 {
     var _S322 : f32 = Footprint_spread_side_0(_S320);
-    var _S323 : f32 = clamp((binary_logarithm_0(max(_S322, 9.99999971718068537e-10f)) - fabrics_0[_S319].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S323 : f32 = clamp((binary_logarithm_0(max(_S322, 9.99999971718068537e-10f)) - fabrics_0[_S319].lobes_0.unit_level_0 - -0.51457315683364868f) / 1.51457309722900391f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
     var _S324 : f32 = _S323 * _S323 * (3.0f - 2.0f * _S323);
     regime_0.prefiltered_0 = _S324;
     var _S325 : f32 = _S322 * fabrics_0[_S319].lobes_0.threads_per_mm_0;
     regime_0.threads_1 = _S325;
-    regime_0.points_0 = select(0.0f, clamp(_S325 * 12.0f, 1.0f, mix(max(8.0f / _S321, 1.0f), 1.0f, _S324)), _S324 < 1.0f);
+    regime_0.points_0 = select(0.0f, clamp(_S325 * 12.0f, 1.0f, max(mix(8.0f, 4.0f, _S324) / _S321, 1.0f)), _S324 < 1.0f);
     return regime_0;
 }
 

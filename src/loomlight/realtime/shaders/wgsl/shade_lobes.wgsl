@@ -2366,13 +2366,13 @@ struct Regime_0
 fn regime_of_0( _S456 : u32,  _S457 : Footprint_0,  _S458 : f32) -> Regime_0
 {
     var _S459 : f32 = Footprint_spread_side_0(_S457);
-    var _S460 : f32 = clamp((binary_logarithm_0(max(_S459, 9.99999971718068537e-10f)) - fabrics_0[_S456].lobes_0.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    var _S460 : f32 = clamp((binary_logarithm_0(max(_S459, 9.99999971718068537e-10f)) - fabrics_0[_S456].lobes_0.unit_level_0 - -0.51457315683364868f) / 1.51457309722900391f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
     var _S461 : f32 = _S460 * _S460 * (3.0f - 2.0f * _S460);
     regime_0.prefiltered_0 = _S461;
     var _S462 : f32 = _S459 * fabrics_0[_S456].lobes_0.threads_per_mm_0;
     regime_0.threads_2 = _S462;
-    regime_0.points_0 = select(0.0f, clamp(_S462 * 12.0f, 1.0f, mix(max(8.0f / _S458, 1.0f), 1.0f, _S461)), _S461 < 1.0f);
+    regime_0.points_0 = select(0.0f, clamp(_S462 * 12.0f, 1.0f, max(mix(8.0f, 4.0f, _S461) / _S458, 1.0f)), _S461 < 1.0f);
     return regime_0;
 }
 
