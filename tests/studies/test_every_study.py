@@ -14,7 +14,7 @@ from studies.harness.record import RECORDS, REPOSITORY, read_record, records
 from studies.harness.run import run_study
 
 # They compare trainings that only whoever has made them has.
-OF_TRAININGS = ("papers/chen2024/fig7", "papers/chen2024/ablations")
+OF_TRAININGS = ("papers/chen2024/fig7", "papers/chen2024/ablations", "papers/chen2024/learning_curve")
 
 
 @pytest.mark.slow

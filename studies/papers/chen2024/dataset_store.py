@@ -25,7 +25,7 @@ import shutil
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -38,6 +38,7 @@ from loomlight.core.extras import import_extra
 from loomlight.core.files import discarding_empty
 from loomlight.core.fleet import Executor, Shard, ShardFolder, require_results, work_map
 from loomlight.core.provenance import provenance
+from loomlight.models.neural.learned_truth import ENTRY, moved_since, truth_numbers
 from loomlight.models.neural.weights import PARAMETER_RANGES
 from studies.papers.chen2024.materials import MATERIALS, paper_material
 from studies.papers.chen2024.queries import (
@@ -191,9 +192,11 @@ def make_store(
             raise InputError(f"material {number} does not exist: numbers go from 0 to {len(MATERIALS) - 1}.")
     try:
         with discarding_empty(store):
-            _prepare(store, settings, command)
+            _prepare(store, settings, command, float_type)
         done = set(finished(store))
         missing = [number for number in numbers if number not in done]
+        if missing:
+            _require_same_truth(store, float_type)
         _warn_of_space(store, len(missing), settings)
         if executor is None or executor == Executor():
             for index, number in enumerate(missing):
@@ -270,7 +273,7 @@ def _folder(store: Path, number: int) -> Path:
     return store / f"material_{number:04d}"
 
 
-def _prepare(store: Path, settings: StoreSettings, command: str) -> None:
+def _prepare(store: Path, settings: StoreSettings, command: str, float_type: type) -> None:
     """Makes the store's folder and root, or checks that what is there has the same settings."""
     if store.exists() and not store.is_dir():
         raise InputError(f"{store} is a file; give the name of a folder that ends in .zarr.")
@@ -280,7 +283,8 @@ def _prepare(store: Path, settings: StoreSettings, command: str) -> None:
         if any(not entry.name.startswith(".partial") for entry in store.iterdir()):
             raise InputError(f"{store} is a folder with other files in it; give the name of a new one.")
         partial = store / ".partial-root"
-        attributes = settings.attributes() | {"made_with": provenance(command, Path(__file__).parent)}
+        made_with = {**provenance(command, Path(__file__).parent), ENTRY: _truth_now(float_type)}
+        attributes = settings.attributes() | {"made_with": made_with}
         try:
             _zarr().open_group(str(partial), mode="w", zarr_format=3, attributes=attributes)
             (partial / "zarr.json").replace(root)
@@ -294,6 +298,21 @@ def _prepare(store: Path, settings: StoreSettings, command: str) -> None:
                 f"{store} was made with {name} = {there[name]}, not {expected}: "
                 "give the same settings, or the name of a new store."
             )
+
+
+@cache
+def _truth_now(float_type: type) -> list[float]:
+    return truth_numbers(float_type)
+
+
+def _require_same_truth(store: Path, float_type: type) -> None:
+    """Raises InputError if the store has materials of yarns that this version computes otherwise."""
+    made_with = _read_attributes(store)["made_with"]
+    if moved_since(made_with, _truth_now(float_type)) is not None:
+        raise InputError(
+            f"{store} has materials of yarns that this version computes otherwise: "
+            "give the name of a new store."
+        )
 
 
 def _read_attributes(store: Path) -> dict[str, Any]:
@@ -318,7 +337,7 @@ def _read_attributes(store: Path) -> dict[str, Any]:
             f"{store} has version {attributes.get('version')} of its format, and this program reads "
             f"{VERSION}: make it again with `python -m studies.papers.chen2024.data`."
         )
-    expected = StoreSettings().attributes()
+    expected = StoreSettings().attributes() | {"made_with": {}}
     for name, value in expected.items():
         if not isinstance(attributes.get(name), type(value)):
             raise InputError(f'{store}: "{name}" in its zarr.json is missing or damaged.')

@@ -3,6 +3,7 @@
 Covers: studies/papers/chen2024/dataset_store.py
 """
 
+import contextlib
 import json
 import os
 import resource
@@ -28,6 +29,7 @@ from studies.papers.chen2024.dataset_store import (
 )
 from studies.papers.chen2024.materials import paper_material
 from studies.papers.chen2024.queries import material_queries, slice_means
+from tests.limits import HANG
 
 SETTINGS = StoreSettings(seed=3, queries=4096)
 NUMBERS = (79, 80, 81)
@@ -134,6 +136,34 @@ def test_killed_at_any_moment_and_run_again_the_bytes_are_the_same(made, tmp_pat
             QueryStore(path).material(number)
     make_store(path, NUMBERS, SETTINGS, Float, "test")
     assert contents(path) == contents(made)
+
+
+@pytest.mark.slow
+def test_with_two_workers_one_of_them_killed_the_bytes_are_the_same(made, tmp_path):
+    """kill −9 of the worker that has claimed the first material, while the other works."""
+    path = tmp_path / "crew.zarr"
+    process = subprocess.Popen([sys.executable, "-c", _CREW, str(path)])
+    killed = 0
+    while not killed and process.poll() is None:
+        for claim in tmp_path.glob(".loomlight-crew.zarr.parts/*.claim"):
+            with contextlib.suppress(ValueError, OSError):  # it is being written, or done with
+                killed = killed or json.loads(claim.read_text())["process"]
+        time.sleep(0.002)
+    assert killed not in (0, process.pid)
+    os.kill(killed, signal.SIGKILL)
+    assert process.wait(HANG) == 0
+    assert contents(path) == contents(made)
+    assert [entry.name for entry in tmp_path.iterdir()] == ["crew.zarr"]
+
+
+_CREW = f"""
+import sys
+from drjit.llvm.ad import Float
+from loomlight.core.fleet import Executor
+from studies.papers.chen2024.dataset_store import StoreSettings, make_store
+if __name__ == "__main__":
+    make_store(sys.argv[1], {NUMBERS}, StoreSettings(3, 4096), Float, "crew", executor=Executor(workers=2))
+"""
 
 
 @pytest.mark.skipif(os.name != "posix", reason="limits of file sizes are POSIX")

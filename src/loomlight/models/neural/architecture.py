@@ -59,6 +59,7 @@ class NetworkTable(ConfigTable):
     Attributes:
         latent: "vector" is one vector a fabric, as published; "field" is one vector a position and size.
         width: channels of the encoder's first stage; ResNet-18 has 64.
+        heights: the encoder reads heights too; the published one reads normals and fibre directions alone.
         latent_size: channels of the latent.
         position: "one_blob", as published, or "plain" numbers (the ablation).
         fusion: latent and footprint are fused before directions are added, as published; without it the
@@ -73,6 +74,7 @@ class NetworkTable(ConfigTable):
 
     latent: Literal["vector", "field"] = "field"
     width: Count = 32
+    heights: bool = True
     latent_size: Count = 64
     position: Literal["one_blob", "plain"] = "one_blob"
     fusion: bool = True

@@ -27,6 +27,11 @@ class DataTable(ConfigTable):
         lights, views: distinct directions that the pairs share.
         texels_per_thread: of the slices.
         seed: of everything that is drawn.
+        store: of queries, made by `python -m studies.papers.chen2024.data`, to train on in place of drawn
+            fabrics; a path that begins where the command runs, and of the paper's weaves and layouts alone.
+            The fabrics are spread over the paper's 465 materials then.
+        store_queries: of the store, so many are trained on, drawn once among all; the paper took 160 million.
+            Each takes 12 bytes of memory.
     """
 
     fabrics: Count = 400
@@ -38,6 +43,8 @@ class DataTable(ConfigTable):
     views: Count = 64
     texels_per_thread: Count = 32
     seed: Annotated[int, Field(ge=0, le=2**31)] = 0
+    store: str = ""
+    store_queries: Count = 160_000_000
 
 
 class TrainingTable(ConfigTable):
@@ -66,6 +73,7 @@ class TrainingTable(ConfigTable):
         small_footprints: fraction of the queries of footprints far below a thread that are used; all from
             two threads on. A small network cannot fit their sharp edges, so they are mostly noise.
         seed: of initial weights and batches.
+        curve: keeps `curve.csv` beside the checkpoint; see `studies.papers.chen2024.training.curve`.
     """
 
     steps: Count = 20000
@@ -85,6 +93,7 @@ class TrainingTable(ConfigTable):
     loss: Literal["published", "balanced"] = "balanced"
     small_footprints: Annotated[float, Field(gt=0, le=1)] = 0.25
     seed: Annotated[int, Field(ge=0, le=2**31)] = 0
+    curve: bool = False
 
 
 class TrainingConfig(ConfigTable):

@@ -24,6 +24,7 @@ from loomlight.models.neural.encoding import fabric_parameters, face_maps
 from loomlight.models.neural.weights import PARAMETER_RANGES, TRAINING_RANGES
 from loomlight.scattering.point import YarnScattering, to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.visibility import first_hit
 from studies.papers.chen2024.training.config import DataTable
 from studies.papers.chen2024.training.random_fabrics import random_fabric
@@ -65,6 +66,26 @@ class Face:
     seen: NDArray[np.float32]
     truth: NDArray[np.float16]
 
+    @property
+    def count(self) -> int:
+        """Number of queries."""
+        return self.places.shape[0] * self.places.shape[1]
+
+    def footprints_of(self, index: NDArray[np.int64]) -> NDArray[np.float32]:
+        """Position and side of queries by their numbers [n, 3], in threads."""
+        return self.places.reshape(-1, 3)[index]
+
+    def seen_of(self, index: NDArray[np.int64]) -> NDArray[np.float32]:
+        """Where the view rays of queries meet yarn [n, 2], in threads."""
+        return self.seen.reshape(-1, 2)[index]
+
+    def answers_of(
+        self, index: NDArray[np.int64]
+    ) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
+        """Lights, views and truths of queries [n, 3], [n, 3], [n, 5]."""
+        pair = index // self.places.shape[1]
+        return self.lights[pair], self.views[pair], self.truth.reshape(-1, 5)[index].astype(np.float32)
+
 
 def dataset_fabric(table: DataTable, number: int) -> Fabric:
     """Fabric `number` of the dataset."""
@@ -102,8 +123,7 @@ def dataset_faces(
     truth = slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, queries.boxes)
     lights, views = queries.lights[queries.pairs[:, 0]], queries.views[queries.pairs[:, 1]]
     places = footprints_in_threads(layout, queries.centres, queries.sizes)
-    seen = _seen(model, views, queries.centres, float_type)
-    seen *= np.array(layout.warp_on_top.shape[::-1]) / layout.size
+    seen = seen_in_threads(model, layout, views, queries.centres, float_type)
     faces = []
     picks, ends = layout.warp_on_top.shape
     rows, columns = (map_side * picks, map_side * ends) if per_thread else (map_side, map_side)
@@ -127,10 +147,14 @@ def dataset_faces(
     return faces
 
 
-def _seen(
-    model: YarnScattering, views: NDArray[np.float64], centres: NDArray[np.float64], float_type: type
+def seen_in_threads(
+    model: YarnScattering,
+    layout: ClothLayout,
+    views: NDArray[Any],
+    centres: NDArray[Any],
+    float_type: type,
 ) -> NDArray[np.float64]:
-    """Where view rays [p, 3] through points of the plane [p, m, 2] meet yarn [p, m, 2], millimetres.
+    """Where view rays [p, 3] through points of the plane [p, m, 2], millimetres, meet yarn: in threads.
 
     Rays that pass through stay where they cross the plane.
     """
@@ -140,7 +164,8 @@ def _seen(
     back = view.z < 0
     hit = first_hit(model.surface, x, y, to_face_frame(view, back), back, quality=model.quality)
     x, y = dr.select(hit.hole, x, hit.x), dr.select(hit.hole, y, hit.y)
-    return np.stack([x.numpy(), y.numpy()], -1).reshape(centres.shape).astype(np.float64)
+    seen = np.stack([x.numpy(), y.numpy()], -1).reshape(centres.shape).astype(np.float64)
+    return seen * (np.array(layout.warp_on_top.shape[::-1]) / layout.size)
 
 
 def write_faces(path: Path, faces: list[Face]) -> None:

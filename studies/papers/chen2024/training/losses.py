@@ -17,7 +17,7 @@ _MEAN_VALUE = 0.06
 _LOGARITHMIC_WEIGHT = 0.1
 # Holes are a few per cent of the area: with less weight, open cloths are confused with dense ones.
 _HOLE_WEIGHT = 3.0
-_GROUP, _GROUP_WEIGHT = 256, 2.0
+GROUP, _GROUP_WEIGHT = 256, 2.0
 # Faint specular terms are compared as ln(10 k x + 1): relative errors down to 1/1000 per sr.
 _FAINT_GAIN, _FAINT_WEIGHT = 10.0, 0.7
 _BELOW = 0.1  # slope for outputs below 0, which keeps a gradient
@@ -88,7 +88,7 @@ def faint_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) -> Te
 
 def _group_means(error: Tensor) -> Tensor:
     """Means over groups of consecutive queries [groups, k] of errors [n, k]."""
-    size = min(_GROUP, len(error))
+    size = min(GROUP, len(error))
     return error[: len(error) // size * size].reshape(-1, size, error.shape[1]).mean(1)
 
 

@@ -91,9 +91,12 @@ def _convolution(inputs: int, outputs: int, size: int, stride: int) -> nn.Conv2d
 class _Trunk(nn.Module):
     """ResNet-18 without its last stage: maps at 1/2, 1/4, 1/8 and 1/16 of the input's side."""
 
-    def __init__(self, width: int) -> None:
+    def __init__(self, table: NetworkTable) -> None:
         super().__init__()
-        self.stem = _convolution(CHANNELS, width, 7, 2)
+        width = table.width
+        # Heights are the last channel of the maps.
+        self.channels = CHANNELS if table.heights else CHANNELS - 1
+        self.stem = _convolution(self.channels, width, 7, 2)
         self.stages = nn.ModuleList(
             nn.Sequential(_Block(inputs, outputs, stride), _Block(outputs, outputs, 1))
             for inputs, outputs, stride in (
@@ -104,7 +107,7 @@ class _Trunk(nn.Module):
         )
 
     def forward(self, maps: Tensor) -> list[Tensor]:
-        maps = functional.relu(self.stem(maps))
+        maps = functional.relu(self.stem(maps[:, : self.channels]))
         found = [maps]
         # A periodic map's mean of 2×2 in place of the largest of 3×3, which needs padding.
         maps = functional.avg_pool2d(maps, 2)
@@ -140,7 +143,7 @@ class VectorEncoder(nn.Module):
 
     def __init__(self, table: NetworkTable) -> None:
         super().__init__()
-        self.trunk = _Trunk(table.width)
+        self.trunk = _Trunk(table)
         self.squeeze = _convolution(4 * table.width, 16, 1, 1)
         self.join = _Join(16 * (VECTOR_MAP // 16) ** 2, 128, table.latent_size)
 
@@ -156,7 +159,7 @@ class FieldEncoder(nn.Module):
     def __init__(self, table: NetworkTable) -> None:
         super().__init__()
         width, features = table.width, table.latent_size
-        self.trunk = _Trunk(width)
+        self.trunk = _Trunk(table)
         self.sideways = nn.ModuleList(
             _convolution(channels, features, 1, 1) for channels in (width, width, 2 * width, 4 * width)
         )

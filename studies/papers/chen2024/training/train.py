@@ -6,7 +6,7 @@ import hashlib
 import json
 import math
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -16,18 +16,23 @@ from torch import distributed
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing
+from loomlight.core.llvm import llvm_float
 from loomlight.core.provenance import provenance
 from loomlight.models.neural.architecture import FIELD_MAP, VECTOR_MAP
 from loomlight.models.neural.learned_truth import ENTRY, moved_since, truth_numbers
-from loomlight.training.loop import Report, Schedule, train
+from loomlight.training.loop import Report, Schedule, read_checkpoint, train, write_checkpoint
 from loomlight.training.parallel import process_count, process_number, wait_for_all
 from loomlight.training.soap import Soap
-from studies.papers.chen2024.training.batches import Batches
+from studies.papers.chen2024.dataset_store import QueryStore
+from studies.papers.chen2024.training.batches import AnyFace, Batches, portion_size
 from studies.papers.chen2024.training.config import TrainingConfig, TrainingTable
+from studies.papers.chen2024.training.curve import NAME as CURVE
+from studies.papers.chen2024.training.curve import LearningCurve
 from studies.papers.chen2024.training.dataset import Face, dataset_faces, read_faces, write_faces
 from studies.papers.chen2024.training.export import export_encoder
 from studies.papers.chen2024.training.losses import is_published
 from studies.papers.chen2024.training.network import ClothNetwork, Decoder
+from studies.papers.chen2024.training.stored import StoredFaces, held_out_faces
 from studies.papers.chen2024.training.weights_file import write_weights
 
 # Called with (fabrics made, fabrics in all).
@@ -71,13 +76,8 @@ def train_neural(
     Raises:
         InputError: the folder belongs to another configuration, or a file in it is damaged.
     """
-    if config.training.fabrics < process_count():
-        raise InputError(
-            f"[training] fabrics = {config.training.fabrics} is fewer than the {process_count()} processes, "
-            "which share the fabrics of each step: start fewer processes."
-        )
-    pool = folder / f"pool-{_identity(_DATASET_VERSION, config.data, config.network.latent)[:8]}"
-    faces = make_dataset(config, pool, dataset_report)
+    _require_work_for_all(config)
+    faces, truth = _faces_and_truth(config, folder, dataset_report)
     torch.manual_seed(config.training.seed)
     network = ClothNetwork(config.network).to(device)
     training = config.training
@@ -88,14 +88,17 @@ def train_neural(
         keep_every=keep_every,
     )
     batches = Batches(config, faces, network, torch.device(device))
+    checkpoint = folder / "checkpoint.safetensors"
+    identity = first_stage_identity(config)
+    _rename_checkpoint(checkpoint, training_identity(config), identity)
     steps = train(
         network,
         _optimiser(network, training),
         batches.losses,
         schedule,
-        folder / "checkpoint.safetensors",
-        _identity(config),
-        report,
+        checkpoint,
+        identity,
+        _with_curve(config, folder, batches, report),
     )
     if training.decoder_steps:
         batches.keep_latents()
@@ -110,7 +113,7 @@ def train_neural(
                 keep_every=keep_every,
             ),
             folder / "decoder.safetensors",
-            _identity(config),
+            training_identity(config),
             report,
         )
     weights = folder / "neural.safetensors"
@@ -125,11 +128,59 @@ def train_neural(
         provenance={
             **provenance("python -m studies.papers.chen2024.training", Path(__file__).parent),
             "steps": steps,
-            ENTRY: read_truth(pool),
+            ENTRY: truth,
         },
     )
     export_encoder(weights)
     return weights
+
+
+def _require_work_for_all(config: TrainingConfig) -> None:
+    """Raises InputError if steps have less work than there are processes, or a curve has no steps."""
+    training = config.training
+    shares = training.fabrics
+    if config.data.store:
+        shares *= training.queries // portion_size(training.queries)
+    if shares < process_count():
+        raise InputError(
+            f"[training] fabrics = {training.fabrics} gives {shares} shares a step, fewer than the "
+            f"{process_count()} processes: start fewer processes."
+        )
+    if training.curve and training.minutes:
+        raise InputError(
+            f"[training] curve = true and minutes = {training.minutes:g}: a curve is of steps; leave one out."
+        )
+
+
+def _faces_and_truth(
+    config: TrainingConfig, folder: Path, report: DatasetReport | None
+) -> tuple[Sequence[AnyFace], list[float]]:
+    """The faces that a training draws from, and `truth_numbers` of when their data were begun."""
+    folder.mkdir(parents=True, exist_ok=True)
+    if not config.data.store:
+        parts = (_DATASET_VERSION, _facts(config)["data"], config.network.latent)
+        pool = folder / f"pool-{_digest(*parts)[:8]}"
+        return make_dataset(config, pool, report), read_truth(pool)
+    Float = llvm_float()
+    stored = StoredFaces(config, truth_numbers(Float), Float)
+    return stored, [float(number) for number in stored.store.attributes["made_with"][ENTRY]]
+
+
+def _with_curve(
+    config: TrainingConfig, folder: Path, batches: Batches, report: Report | None
+) -> Report | None:
+    """`report`, and the learning curve if the configuration asks for one."""
+    if not config.training.curve or process_number() != 0:
+        return report
+    held_out = held_out_faces(config.network, config.data.seed, llvm_float())
+    curve = LearningCurve(folder / CURVE, lambda: batches.reflection_nmae(held_out))
+
+    def both(done: int, total: int, loss: float) -> None:
+        curve(done, total, loss)
+        if report is not None:
+            report(done, total, loss)
+
+    return both
 
 
 def last_decoder(config: TrainingConfig, before: Decoder) -> Decoder:
@@ -147,11 +198,7 @@ def last_decoder(config: TrainingConfig, before: Decoder) -> Decoder:
 
 def make_dataset(config: TrainingConfig, folder: Path, report: DatasetReport | None = None) -> list[Face]:
     """The faces of all fabrics of the dataset; fabrics already in the folder are read."""
-    from drjit.llvm.ad import Float
-
-    from loomlight.core.llvm import require_llvm
-
-    require_llvm()
+    Float = llvm_float()
     folder.mkdir(parents=True, exist_ok=True)
     _require_same_truth(folder, truth_numbers(Float))
     per_thread = config.network.latent == "field"
@@ -210,7 +257,53 @@ def _optimiser(network: torch.nn.Module, training: TrainingTable) -> torch.optim
     )
 
 
-def _identity(*parts: Any) -> str:
-    """A hash of tables of a configuration."""
-    dumped = [part.model_dump() if hasattr(part, "model_dump") else part for part in parts]
-    return hashlib.sha256(json.dumps(dumped, sort_keys=True).encode()).hexdigest()
+# Fields that came after trainings had checkpoints: at these values they are no part of identities.
+_LATER: dict[str, dict[str, Any]] = {"network": {"heights": True}, "data": {"store": ""}}
+
+
+def _facts(config: TrainingConfig) -> dict[str, dict[str, Any]]:
+    """All that weights depend on: tables of the configuration; of a store, what it is and not where."""
+    facts = config.model_dump()
+    for table, fields in _LATER.items():
+        for name, value in fields.items():
+            if facts[table][name] == value:
+                del facts[table][name]
+    if config.data.store:
+        settings = QueryStore(config.data.store).settings
+        facts["data"]["store"] = settings.attributes()
+    else:
+        del facts["data"]["store_queries"]
+    del facts["training"]["curve"]
+    return facts
+
+
+def training_identity(config: TrainingConfig) -> str:
+    """Of all that the weights in the end depend on."""
+    return _digest(_facts(config))
+
+
+def first_stage_identity(config: TrainingConfig) -> str:
+    """Of all that the weights depend on before the last decoder is trained: decoders may share them."""
+    facts = _facts(config)
+    facts["training"] = {
+        name: value for name, value in facts["training"].items() if not name.startswith("decoder_")
+    }
+    return _digest(facts)
+
+
+def _rename_checkpoint(checkpoint: Path, before: str, identity: str) -> None:
+    """Gives a checkpoint that names the whole configuration, as all did once, the first stage's identity.
+
+    Raises:
+        InputError: the checkpoint is damaged.
+    """
+    if checkpoint.exists() and process_number() == 0:
+        tensors, facts = read_checkpoint(checkpoint)
+        if facts.get("identity") == before:
+            kept = {name: facts[name] for name in ("step", "seconds", "loss")}
+            write_checkpoint(checkpoint, tensors, {"identity": identity, **kept})
+    wait_for_all()
+
+
+def _digest(*parts: Any) -> str:
+    return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
