@@ -22,7 +22,7 @@ TABLES: dict[str, dict[str, Any]] = {
     "field": {"bundles": True},
     "field, parallax": {"bundles": True, "parallax": True},
     "field, no bundles": {},
-    "vector, published": {"latent": "vector", "fibres": False},
+    "vector, published": {"latent": "vector", "fibres": False, "heights": False},
     "plain, not fused": {"position": "plain", "fusion": False},
 }
 
