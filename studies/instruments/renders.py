@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +12,7 @@ from numpy.typing import NDArray
 from loomlight.mitsuba import render
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from studies.instruments.halved_truth import HalvedTruth
-from studies.instruments.timing import timed
+from studies.instruments.timing import least_times, one_thread
 
 _TIMES = 3
 
@@ -22,19 +24,27 @@ class Rendered:
     Attributes:
         linear: linear RGB [height, width, 3].
         samples: a pixel.
-        seconds: of a picture, the fastest of three after compiling; of a reference, of its single rendering.
+        cpu_seconds: processor seconds of a picture whose kernels are compiled, on one thread.
     """
 
     linear: NDArray[np.float32]
     samples: int
-    seconds: float
+    cpu_seconds: float
 
 
-def fastest_picture(scene: MeasuredScene, samples: int) -> Rendered:
-    """A picture and its seconds: the fastest of three, after one that compiles."""
-    one_picture(scene, samples, 2)
-    taken = [timed(lambda: one_picture(scene, samples, 1)) for _ in range(_TIMES)]
-    return Rendered(taken[-1][0], samples, min(seconds for _, seconds in taken))
+def timed_pictures(shots: Sequence[tuple[MeasuredScene, int]]) -> list[Rendered]:
+    """Pictures of scenes with so many samples a pixel, which take turns; the least time of each of three.
+
+    Other programs lengthen a picture's processor time, by caches and cores that they share, and shorten none.
+    """
+    runs = [partial(one_picture, scene, samples) for scene, samples in shots]
+    with one_thread():
+        pictures = [run() for run in runs]  # compiles
+        times = least_times(runs, _TIMES)
+    return [
+        Rendered(picture, samples, spent.cpu_seconds)
+        for picture, (_, samples), spent in zip(pictures, shots, times, strict=True)
+    ]
 
 
 def one_picture(scene: MeasuredScene, samples: int, seed: int = 1) -> NDArray[np.float32]:

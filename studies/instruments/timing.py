@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, TypeVar
 
 Made = TypeVar("Made")
@@ -47,6 +49,80 @@ def least_times(runs: Sequence[Callable[[], object]], turns: int) -> list[Spent]
         Spent(min(turn[number].seconds for turn in taken), min(turn[number].cpu_seconds for turn in taken))
         for number in range(len(runs))
     ]
+
+
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """Dr.Jit works with one thread: others spin before they sleep, which counts as processor time."""
+    # As in `launched_kernels`.
+    import drjit as dr
+
+    before = dr.thread_count()
+    dr.set_thread_count(1)
+    try:
+        yield
+    finally:
+        dr.set_thread_count(before)
+
+
+@dataclass(frozen=True)
+class EqualTime:
+    """How much of one thing takes as long as another, by processor seconds.
+
+    Attributes:
+        count: of it, 1 or more.
+        seconds: that so many took when they were measured, not as they were predicted.
+        goal: seconds of the other.
+    """
+
+    count: int
+    seconds: float
+    goal: float
+
+
+# Counts between which the time of one more is measured: their distance is far above noise.
+_FEW, _MANY = 2, 24
+_CORRECTIONS = 2
+
+
+def equal_time(
+    other: Callable[[], object],
+    counted: Callable[[int], object],
+    *,
+    most: int,
+    turns: int = 3,
+    possible: Callable[[int], int] = lambda count: count,
+) -> EqualTime:
+    """The count of which `counted` takes about the processor seconds of `other`.
+
+    A line through two counts, each the least of some turns, predicts it; it is then measured in turns with
+    `other`, and corrected where another count is nearer.
+
+    Args:
+        counted: works with a count, whose time grows with it.
+        most: bounds counts.
+        turns: of each measurement. The least is taken, as other programs lengthen times and shorten none.
+        possible: the count that `counted` really works with where another is asked for.
+    """
+
+    def measure(*counts: int) -> list[EqualTime]:
+        runs: list[Callable[[], object]] = [other, *(partial(counted, count) for count in counts)]
+        for run in runs:  # compiles
+            run()
+        goal, *seconds = (each.cpu_seconds for each in least_times(runs, turns))
+        return [EqualTime(count, taken, goal) for count, taken in zip(counts, seconds, strict=True)]
+
+    few, many = measure(possible(_FEW), possible(_MANY))
+    one_more = max((many.seconds - few.seconds) / (many.count - few.count), 1e-9)
+    measured = {each.count: each for each in (few, many)}
+    latest = few
+    for _ in range(1 + _CORRECTIONS):
+        better = latest.count + (latest.goal - latest.seconds) / one_more
+        count = possible(min(max(round(better), 1), most))
+        if count not in measured:
+            (measured[count],) = measure(count)
+        latest = measured[count]
+    return min(measured.values(), key=lambda each: abs(each.seconds - each.goal))
 
 
 def launched_kernels(run: Callable[[], object]) -> list[dict[str, Any]]:

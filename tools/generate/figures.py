@@ -6,7 +6,11 @@
     <!-- end -->
 
 is all tables of that study's record, and the command and machine that they come from; a comment
-`<!-- study accuracy/brightness: Title -->` asks for one of them.
+`<!-- study accuracy/brightness: Title -->` asks for one of them. Within a line, what stands between
+
+    <!-- cell accuracy/brightness: Title / row / column --><!-- end -->
+
+is one cell; a table of one column needs no name of it.
 """
 
 from __future__ import annotations
@@ -20,11 +24,17 @@ from studies.harness.record import RECORDS, command_of, read_record, record_file
 ROOT = Path(__file__).resolve().parents[2]
 _PLACE = re.compile(r"^(<!-- study ([\w/.-]+)(?:: (.+?))? -->\n).*?(<!-- end -->)", re.DOTALL | re.MULTILINE)
 
+_CELL = re.compile(r"(<!-- cell ([\w/.-]+): (.+?) -->).*?(<!-- end -->)")
+
 
 def pages() -> list[Path]:
     """The Markdown files that have places for figures."""
     found = [file for folder in ("docs", "studies/papers") for file in sorted((ROOT / folder).rglob("*.md"))]
-    return [file for file in found if _PLACE.search(file.read_text(encoding="utf-8"))]
+    return [file for file in found if _has_places(file.read_text(encoding="utf-8"))]
+
+
+def _has_places(text: str) -> bool:
+    return bool(_PLACE.search(text) or _CELL.search(text))
 
 
 def with_figures(text: str) -> str:
@@ -32,9 +42,21 @@ def with_figures(text: str) -> str:
 
     Raises:
         InputError: a study or a record that does not exist.
-        ValueError: a table that the study does not have.
+        ValueError: a table, row or column that the study does not have.
     """
+    text = _CELL.sub(lambda place: f"{place[1]}{_cell(place[2], place[3])}{place[4]}", text)
     return _PLACE.sub(lambda place: f"{place[1]}{_figures(place[2], place[3])}{place[4]}", text)
+
+
+def _cell(name: str, path: str) -> str:
+    title, *where = path.split(" / ")
+    study, record = find_study(name), read_record(record_file(RECORDS, name))
+    for table in study.tables(record.figures):
+        if table.title == title and where and where[0] in table.rows:
+            column = where[1] if len(where) == 2 else table.columns[0]
+            if column in table.columns and (len(where) == 2 or len(table.columns) == 1):
+                return table.shown(table.rows[where[0]][table.columns.index(column)])
+    raise ValueError(f"{name} has no cell {path}")
 
 
 def _figures(name: str, title: str | None) -> str:

@@ -147,5 +147,11 @@ def _passes(spp: int, pixels: int, symbolic: bool) -> list[int]:
     return [-(-spp // count)] * count
 
 
+def samples_rendered(scene: mi.Scene, spp: int, sensor: int = 0) -> int:
+    """Samples a pixel that `render` takes where `spp` are asked for: passes are all alike."""
+    width, height = (int(value) for value in scene.sensors()[sensor].film().crop_size())
+    return sum(_passes(spp, width * height, SceneTraits.of(scene).symbolic))
+
+
 def _pass_seed(seed: int, number: int) -> int:
     return (seed * 0x9E3779B1 + number) % 2**32

@@ -81,7 +81,7 @@ def ablated(settings: FigureSettings, run: Run) -> Found:
     for number, (label, (shot, weave)) in enumerate(_SCENES.items()):
         fabric = paper_fabric(weave)
         stage = Stage(settings, shot, fabric)
-        reference = stage.reference().linear
+        reference = stage.reference()
         pictures = {
             name: one_picture(stage.neural_scene(neural_bsdf(fabric, file)), 1)
             for name, file in files.items()

@@ -2,22 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from loomlight.core.llvm import llvm_float
 from loomlight.evaluation.table import Cell, Table
 from loomlight.models.neural.decoder import decoder_cost
 from loomlight.models.neural.learned_truth import moved_since, truth_numbers
 from studies.harness.study import Found, Run, Study
-from studies.papers.chen2024.stage import NetworkSettings
+from studies.papers.chen2024.stage import WeightsSettings
 
 
-@dataclass(frozen=True)
-class CardSettings(NetworkSettings):
-    """Of the card."""
-
-
-def card(settings: CardSettings, run: Run) -> Found:
+def card(settings: WeightsSettings, run: Run) -> Found:
     """Facts of the network, from its weights file."""
     weights = settings.network()
     table, recipe, made = weights.table, dict(weights.recipe), dict(weights.provenance)
@@ -66,7 +59,7 @@ STUDIES = (
     Study(
         "papers/chen2024/card",
         "the network that ships: what it is, what made it, whether its yarns are today's",
-        CardSettings(),
+        WeightsSettings(),
         card,
         stands_on=("network", "truth"),
     ),

@@ -1,12 +1,13 @@
 """Figure 9: live edits of one fabric, and the time of each.
 
 Roughness, height, inclination and twist need one run of the encoder; albedos and an albedo map none; another
-pattern is another fabric. The cache of latents is empty, so that every run is a run.
+pattern is another fabric. The cache of latents is empty, so that every run is a run. Times are processor
+seconds.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
 
@@ -16,11 +17,11 @@ from numpy.typing import NDArray
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredScene
-from studies.harness.study import Found, Pixels, Run, Study, on_display
-from studies.instruments.renders import fastest_picture, one_picture
+from studies.harness.study import Found, Made, Pixels, Run, Study, on_display
+from studies.instruments.renders import one_picture, timed_pictures
 from studies.instruments.scene_edits import SceneEdits, bitmap_texture
 from studies.instruments.sheet import Tile, contact_sheet, in_two_rows
-from studies.instruments.timing import timed
+from studies.instruments.timing import one_thread, spent
 from studies.papers.chen2024.cache import without_cached_latents
 from studies.papers.chen2024.fabrics import Look, paper_fabric
 from studies.papers.chen2024.shots import DRAPE
@@ -59,7 +60,7 @@ class _Shown:
     """A picture after an edit.
 
     Attributes:
-        edit, first, following: seconds of the edit, of the first picture after it, and of later ones.
+        edit, first, following: processor seconds of the edit, of the first picture after it, of later ones.
     """
 
     label: str
@@ -76,7 +77,7 @@ def edited(settings: NetworkSettings, run: Run) -> Found:
         for edited in _strip(settings):
             shown.append(edited)
             run.report(len(shown), len(EDITS) + 3)
-    table = Table("Seconds of an edit", ["edit", "first picture", "following picture"])
+    table = Table("Processor seconds of an edit", ["edit", "first picture", "following picture"])
     for edited in shown:
         table.rows[edited.label] = [edited.edit, edited.first, edited.following]
     tiles = [
@@ -84,8 +85,8 @@ def edited(settings: NetworkSettings, run: Run) -> Found:
         for edited in shown
     ]
     note = (
-        "Each from the first by one edit. Milliseconds are of the edit itself, with the encoder where it is "
-        "needed; seconds of a picture after the first one. A new fabric or map is a new BSDF."
+        "Each from the first by one edit. Processor time: milliseconds of the edit itself, with the encoder "
+        "where it is needed; seconds of a picture after the first one. A new fabric or map is a new BSDF."
     )
     sheet = contact_sheet("chen2024 figure 9: editing", [], in_two_rows(tiles), note)
     return Found(settings.figures(table), sheet, {edited.label: edited.picture for edited in shown})
@@ -93,16 +94,16 @@ def edited(settings: NetworkSettings, run: Run) -> Found:
 
 def _strip(settings: NetworkSettings) -> Iterator[_Shown]:
     fabric, other = paper_fabric(_PATTERN, _LOOK), paper_fabric(_OTHER_PATTERN, _LOOK)
-    scene, seconds = timed(lambda: settings.stage(DRAPE, fabric).neural_scene())
+    scene, seconds = _cpu_timed(lambda: settings.stage(DRAPE, fabric).neural_scene())
     yield _pictured("the fabric, encoded", scene, seconds)
     edits = SceneEdits(scene.scene)
     for edit in EDITS:
-        before, seconds = timed(partial(edits.apply, edit.values))
+        before, seconds = _cpu_timed(partial(edits.apply, edit.values))
         yield _pictured(edit.label, scene, seconds)
         edits.apply(before)
-    scene, seconds = timed(lambda: settings.stage(DRAPE, other).neural_scene())
+    scene, seconds = _cpu_timed(lambda: settings.stage(DRAPE, other).neural_scene())
     yield _pictured(f"pattern {_OTHER_PATTERN}", scene, seconds)
-    scene, seconds = timed(lambda: _mapped_scene(settings, fabric))
+    scene, seconds = _cpu_timed(lambda: _mapped_scene(settings, fabric))
     yield _pictured("albedo map", scene, seconds)
 
 
@@ -114,9 +115,16 @@ def _mapped_scene(settings: NetworkSettings, fabric: Fabric) -> MeasuredScene:
 
 
 def _pictured(label: str, scene: MeasuredScene, edit: float) -> _Shown:
-    _, first = timed(lambda: one_picture(scene, 1))
-    following = fastest_picture(scene, 1)
-    return _Shown(label, on_display(following.linear), edit, first, following.seconds)
+    _, first = _cpu_timed(lambda: one_picture(scene, 1))
+    (following,) = timed_pictures([(scene, 1)])
+    return _Shown(label, on_display(following.linear), edit, first, following.cpu_seconds)
+
+
+def _cpu_timed(run: Callable[[], Made]) -> tuple[Made, float]:
+    """The result of `run`, and its processor seconds on one thread."""
+    with one_thread():
+        made, taken = spent(run)
+    return made, taken.cpu_seconds
 
 
 def albedo_map(side: int) -> NDArray[np.float32]:

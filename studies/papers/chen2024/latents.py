@@ -62,7 +62,7 @@ def interpolated(settings: NetworkSettings, run: Run) -> Found:
     for number, parameter in enumerate(_PARAMETERS):
         stages = [settings.stage(BALL, parameter.fabric(value)) for value in _VALUES]
         linear = {
-            "reference": [stage.reference().linear for stage in stages],
+            "reference": [stage.reference() for stage in stages],
             "encoded": [one_picture(stage.neural_scene(), 1) for stage in stages],
             "mixed": _mixed(stages[0], parameter),
         }

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
@@ -14,30 +13,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.llvm import llvm_float
-from loomlight.core.settings import setting
+from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.query_benchmark import Predictor, model_predictor
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, material_bsdf
 from loomlight.mitsuba.measured_scenes import MeasuredScene, MeasuredShot, shot_counted, shot_scene
+from loomlight.mitsuba.rendering import samples_rendered
 from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.models.neural.encoding import encode
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.weights import Weights, read_weights, shipped_weights
 from studies.harness.study import Figures, with_tables
-from studies.instruments.renders import Rendered, fastest_picture, one_picture
-from studies.instruments.timing import timed
+from studies.instruments.renders import Rendered, one_picture, timed_pictures
+from studies.instruments.timing import equal_time, one_thread
 from studies.papers.setting import PictureSettings
 
 _MAX_EQUAL = 64
-_CORRECTIONS = 2
-# Sample counts between which the time of a sample is measured.
-_FEW, _SOME = 1, 9
 
 
 @dataclass(frozen=True)
-class NetworkSettings(PictureSettings):
-    """Of figures that show the network."""
+class WeightsSettings(Settings):
+    """Of what is measured of the network."""
 
     weights: os.PathLike[str] | None = setting(
         None, "Weights of the network.", otherwise="the package's", metavar="FILE"
@@ -51,14 +48,19 @@ class NetworkSettings(PictureSettings):
         """
         return shipped_weights() if self.weights is None else read_weights(Path(self.weights))
 
-    def stage(self, shot: MeasuredShot, *fabrics: Fabric) -> Stage:
-        """A shot of fabrics."""
-        return Stage(self, shot, *fabrics, weights=self.weights)
-
     def figures(self, *tables: Table) -> Figures:
         """Tables, and which network they are of."""
         network = self.network()
         return with_tables(*tables, weights={"sha256": network.sha256, "trained": network.trained})
+
+
+@dataclass(frozen=True)
+class NetworkSettings(WeightsSettings, PictureSettings):
+    """Of figures of pictures by the network."""
+
+    def stage(self, shot: MeasuredShot, *fabrics: Fabric) -> Stage:
+        """A shot of fabrics."""
+        return Stage(self, shot, *fabrics, weights=self.weights)
 
 
 def neural_bsdf(fabric: Fabric, weights: os.PathLike[str] | None = None, **options: Any) -> BsdfFactory:
@@ -103,35 +105,34 @@ class Stage:
         """Pixels that lie wholly on one piece [height, width]."""
         return shot_counted(self.shot, self.settings.size)
 
-    def reference(self) -> Rendered:
-        """The point model with many samples a pixel."""
-        scene = self._point_scene
-        samples = self.settings.spp
-        linear, seconds = timed(lambda: one_picture(scene, samples, 0))
-        return Rendered(linear, samples, seconds)
+    def reference(self) -> NDArray[np.float32]:
+        """Linear RGB of the point model with many samples a pixel."""
+        return one_picture(self._point_scene, self.settings.spp, 0)
 
-    def point(self, samples: int) -> Rendered:
-        """The point model with a few samples a pixel."""
-        return fastest_picture(self._point_scene, samples)
+    def pictures(self, few: Sequence[int], *others: Sequence[BsdfFactory]) -> list[Rendered]:
+        """The point model with each of a few sample counts, and at equal time; the network; and others.
 
-    def equal_time(self) -> tuple[Rendered, Rendered]:
-        """The network, and the point model with 1 to 64 samples at equal time.
+        Times are processor seconds of one thread, of kernels that are compiled.
 
-        Both are timed one after the other and again with a better count, since other work on the machine
-        comes and goes.
+        Args:
+            others: BSDFs for all fabrics, shown with one sample as the network is.
         """
-        network, scene = self.neural_scene(), self._point_scene
-        few, some = (fastest_picture(scene, samples).seconds for samples in (_FEW, _SOME))
-        slope = max((some - few) / (_SOME - _FEW), 1e-6)
-        neural = fastest_picture(network, 1)
-        pairs = [(neural, fastest_picture(scene, count_near(_FEW + (neural.seconds - few) / slope)))]
-        for _ in range(_CORRECTIONS):
-            neural, point = pairs[-1]
-            better = count_near(point.samples * neural.seconds / point.seconds)
-            if better == point.samples:
-                break
-            pairs.append((fastest_picture(network, 1), fastest_picture(scene, better)))
-        return min(pairs, key=lambda pair: abs(math.log(pair[0].seconds / pair[1].seconds)))
+        point, network = self._point_scene, self.neural_scene()
+        with one_thread():
+            equal = equal_time(
+                partial(one_picture, network, 1),
+                partial(one_picture, point),
+                most=_MAX_EQUAL,
+                possible=partial(samples_rendered, point.scene),
+            )
+        scenes = [(self.neural_scene(*bsdfs), 1) for bsdfs in others]
+        timed = timed_pictures([*((point, count) for count in few), *scenes])
+        return [
+            *timed[: len(few)],
+            Rendered(one_picture(point, equal.count), equal.count, equal.seconds),
+            Rendered(one_picture(network, 1), 1, equal.goal),
+            *timed[len(few) :],
+        ]
 
     def neural_scene(self, *bsdfs: BsdfFactory) -> MeasuredScene:
         """The scene of the network, for one sample a pixel; `bsdfs` replace the fabrics'."""
@@ -144,8 +145,3 @@ class Stage:
     def _scene(self, bsdfs: Sequence[BsdfFactory], centred: bool) -> MeasuredScene:
         cloths = list(zip(self.fabrics, bsdfs, strict=True))
         return shot_scene(self.shot, cloths, self.settings.size, centred)
-
-
-def count_near(samples: float) -> int:
-    """The whole number nearest to `samples`, from 1 to 64."""
-    return min(max(round(samples), 1), _MAX_EQUAL)

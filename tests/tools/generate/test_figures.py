@@ -56,6 +56,21 @@ def test_one_table_is_asked_for_by_its_title(study: Study[Settings]) -> None:
         with_figures(f"<!-- study {NAME}: Heights -->\n<!-- end -->")
 
 
+def test_one_cell_stands_within_a_line(study: Study[Settings]) -> None:
+    places = (
+        f"<!-- cell {NAME}: {where} -->old<!-- end -->" for where in ("Errors / lobes", "Times / lobes / s")
+    )
+    text = with_figures(f"| {' | '.join(places)} |\n")
+    assert text == (
+        f"| <!-- cell {NAME}: Errors / lobes -->0.0531<!-- end --> "
+        f"| <!-- cell {NAME}: Times / lobes / s -->1.25<!-- end --> |\n"
+    )
+    assert with_figures(text) == text
+    for where in ("Errors / point", "Heights / lobes", "Times / lobes / m", "Errors"):
+        with pytest.raises(ValueError, match="has no cell"):
+            with_figures(f"<!-- cell {NAME}: {where} --><!-- end -->")
+
+
 def test_tables_of_figures_are_read_from_them(
     study: Study[Settings], monkeypatch: pytest.MonkeyPatch
 ) -> None:
