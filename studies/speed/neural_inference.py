@@ -99,9 +99,9 @@ def in_renderer(operations_a_pixel: int, side: int) -> tuple[float, float, float
         render(shown.scene, spp=1, integrator=shown.integrator)
 
     picture()
-    found = min((network_time(picture) for _ in range(3)), key=lambda found: found.seconds)
-    rate = side**2 * operations_a_pixel / found.network
-    return found.seconds, found.network / found.seconds, rate
+    found = min((network_time(picture) for _ in range(3)), key=lambda found: found.picture.seconds)
+    seconds, network = found.picture.seconds, found.network.seconds
+    return seconds, network / seconds, side**2 * operations_a_pixel / network
 
 
 def encoder_seconds(model: NeuralModel) -> float:

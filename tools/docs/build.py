@@ -139,7 +139,8 @@ def _target(root: Path, file: Path) -> str:
 
 def _page(root: Path, file: Path, target: str, reader: str) -> Page:
     # Comments say where figures of studies stand (`tools/generate/figures.py`).
-    text = re.sub(r"^<!--.*?-->\n|<!--.*?-->", "", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    text = re.sub(r"^<!--.*?-->\n", "", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    text = re.sub(r"(?<!`)<!-- cell .*?-->(.*?)<!-- end -->", r"\1", text)
     heading = re.search(r"^# (.+)$", text, re.MULTILINE)
     if heading is None:
         raise ValueError(f"{file} has no heading")

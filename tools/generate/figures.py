@@ -24,7 +24,8 @@ from studies.harness.record import RECORDS, command_of, read_record, record_file
 ROOT = Path(__file__).resolve().parents[2]
 _PLACE = re.compile(r"^(<!-- study ([\w/.-]+)(?:: (.+?))? -->\n).*?(<!-- end -->)", re.DOTALL | re.MULTILINE)
 
-_CELL = re.compile(r"(<!-- cell ([\w/.-]+): (.+?) -->).*?(<!-- end -->)")
+# Not in code, which explains it.
+_CELL = re.compile(r"(?<!`)(<!-- cell ([\w/.-]+): (.+?) -->).*?(<!-- end -->)")
 
 
 def pages() -> list[Path]:

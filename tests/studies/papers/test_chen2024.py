@@ -151,10 +151,9 @@ def test_edits_name_parameters_and_are_taken_back(settings: NetworkSettings) -> 
     after = mi.traverse(scene.scene)
     for key, value in before.items():
         assert np.array_equal(np.array(after[key]), value), key
-    # Kernels lie within the picture's time; those of two threads may overlap on a busy machine.
-    spent = network_time(lambda: one_picture(scene, 1))
-    assert 0 < spent.network + spent.others < 2 * spent.seconds
-    assert min(spent.network, spent.others) > 0
+    taken = network_time(lambda: one_picture(scene, 1))
+    assert 0 < taken.network.seconds < taken.picture.seconds
+    assert 0 < taken.network.cpu_seconds < taken.picture.cpu_seconds
 
 
 @pytest.mark.slow
@@ -259,12 +258,12 @@ def test_the_parts_of_a_pictures_time_are_its_sum(
     scenes = cost._scenes()
     monkeypatch.setattr(cost, "_scenes", lambda: dict(list(scenes.items())[:2]))
     actual = cost.split(settings, Run())
-    table = rows(actual)["Milliseconds of a picture"]
+    table = rows(actual)["Processor milliseconds of a picture"]
     assert list(table) == list(scenes)[:2] == list(actual.pictures)
-    for network_ms, others, host, whole, share, encoder in table.values():
+    for network_ms, others, whole, share, encoder in table.values():
         assert min(network_ms, others, encoder) > 0
         assert share == pytest.approx(network_ms / whole, rel=1e-5)  # of six digits
-        assert network_ms + others + host >= 0.999 * whole
+        assert network_ms + others == pytest.approx(whole, rel=1e-4)
 
 
 @pytest.mark.slow

@@ -88,6 +88,18 @@ def test_each_page_ends_with_one_live_cloth(site: Path) -> None:
         assert all((site / "live" / "gallery" / f"{name}.webp").is_file() for name in found)
 
 
+def test_cells_of_records_are_plain_text(tmp_path: Path) -> None:
+    """Comments that say where a figure comes from are for GitHub's readers of the source."""
+    (tmp_path / "docs").mkdir()
+    cell = "<!-- cell a/b: T / r -->0.5<!-- end -->"
+    (tmp_path / "README.md").write_text(f"# Name\n\n{cell} in all, written `{cell}`\n")
+    (tmp_path / "ARCHITECTURE.md").write_text("# Architecture\n")
+    pages = read_pages(tmp_path)
+    body = Translator(pages, tmp_path).body(pages[0])
+    assert "<p>0.5 in all" in body
+    assert body.count("&lt;!-- cell") == 1
+
+
 def test_links_that_lead_nowhere_are_told(tmp_path: Path) -> None:
     (tmp_path / "docs").mkdir()
     (tmp_path / "README.md").write_text("# Name\n\n[a](docs/missing.md)\n")

@@ -88,10 +88,12 @@ class CompiledDecoder:
     """The decoder of some weights on this processor; all fabrics share its code.
 
     Attributes:
-        seconds: time that all decoders have spent on queries so far, without compiling.
+        seconds, cpu_seconds: time that all decoders have spent on queries so far, without compiling, by the
+            wall clock and of all threads of the process.
     """
 
     seconds: ClassVar[float] = 0.0
+    cpu_seconds: ClassVar[float] = 0.0
 
     def __init__(self, weights: Weights) -> None:
         self._weights = weights
@@ -114,9 +116,10 @@ class CompiledDecoder:
             fabric.repeat,
             _Shape(weights),
         )
-        start = time.perf_counter()
+        start, cpu_start = time.perf_counter(), time.process_time()
         kernel.launch(len(outputs[0]), inputs, outputs, [self._layers, *fabric.uniforms])
         CompiledDecoder.seconds += time.perf_counter() - start
+        CompiledDecoder.cpu_seconds += time.process_time() - cpu_start
 
 
 class _Shape:
