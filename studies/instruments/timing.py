@@ -82,7 +82,7 @@ class EqualTime:
 
 # Counts between which the time of one more is measured: their distance is far above noise.
 _FEW, _MANY = 2, 24
-_CORRECTIONS = 2
+_CORRECTIONS = 3
 
 
 def equal_time(

@@ -57,7 +57,7 @@ def split(settings: NetworkSettings, run: Run) -> Found:
         "Processor milliseconds of a picture",
         ["network", "others", "sum", "network's share", "encoder, once"],
         note=f"{settings.size[0]} × {settings.size[1]} pixels, one sample, direct light, one thread; the "
-        f"least of {_TIMES} pictures after a first one. The encoder's are both faces and stand outside of the sum.",
+        f"least of {_TIMES} pictures after a first one. The encoder's are of both faces and not in the sum.",
     )
     tiles, pictures = [], {}
     scenes = _scenes()
