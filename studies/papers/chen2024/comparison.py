@@ -242,7 +242,7 @@ def _claim(found: dict[str, dict[str, _Measured]], columns: Sequence[str]) -> Ta
 
     samples = [row[_EQUAL].picture.samples for row in found.values()]
     ours = (
-        f"against `point` at equal processor time ({_span(samples, '{:d}')} samples) "
+        f"against `point` at equal processor time ({_span(samples, '{:d}')} sample{'s' if max(samples) > 1 else ''}) "
         f"nearer by MSE {_of(ratios(_EQUAL, mse))}, by FLIP {_of(ratios(_EQUAL, flip))}; "
         f"`point` / `neural`: MSE {_span(ratios(_EQUAL, mse))}, FLIP {_span(ratios(_EQUAL, flip))}"
     )

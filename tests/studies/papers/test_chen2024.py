@@ -196,7 +196,7 @@ def test_missing_trainings_are_named_with_their_commands(tmp_path: Path) -> None
 
 
 def test_trainings_and_weights_that_are_missing_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"training studies/papers/chen2024/ablation_fibres\.toml"):
+    with pytest.raises(InputError, match=r"training studies/papers/chen2024/ablation_published\.toml"):
         ablation.compared(ablation.AllSettings(), Run(runs=tmp_path))
     with pytest.raises(InputError, match=r"none\.safetensors does not exist"):
         NetworkSettings(weights=tmp_path / "none.safetensors").network()
