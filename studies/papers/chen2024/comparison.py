@@ -242,7 +242,7 @@ def _claim(found: dict[str, dict[str, _Measured]], columns: Sequence[str]) -> Ta
 
     samples = [row[_EQUAL].picture.samples for row in found.values()]
     ours = (
-        f"against `point` at equal processor time ({_span(samples, '{:d}')} sample{'s' if max(samples) > 1 else ''}) "
+        f"against `point` at equal processor time ({_samples(_span(samples, '{:d}'))}) "
         f"nearer by MSE {_of(ratios(_EQUAL, mse))}, by FLIP {_of(ratios(_EQUAL, flip))}; "
         f"`point` / `neural`: MSE {_span(ratios(_EQUAL, mse))}, FLIP {_span(ratios(_EQUAL, flip))}"
     )
@@ -252,7 +252,7 @@ def _claim(found: dict[str, dict[str, _Measured]], columns: Sequence[str]) -> Ta
             f"by FLIP {_of(ratios(_NEUMIP, flip))}"
         )
     terms = ", ".join(
-        f"than {count} sample{'s' if count > 1 else ''} {_of(ratios(column, mse))}"
+        f"than {_samples(str(count))} {_of(ratios(column, mse))}"
         for count, column in zip(_FEW, _POINTS, strict=True)
     )
     return Table("Claim", ["found"], {"ours": [ours], "by the paper's terms": [f"MSE lower {terms}"]})
@@ -261,6 +261,10 @@ def _claim(found: dict[str, dict[str, _Measured]], columns: Sequence[str]) -> Ta
 def _of(ratios: Sequence[float]) -> str:
     """How many ratios of errors are above 1."""
     return f"in {sum(ratio > 1 for ratio in ratios)} of {len(ratios)}"
+
+
+def _samples(count: str) -> str:
+    return "1 sample" if count == "1" else f"{count} samples"
 
 
 def _span(values: Sequence[float], form: str = "{:.2g}") -> str:
