@@ -67,17 +67,15 @@ def one_thread() -> Iterator[None]:
 
 @dataclass(frozen=True)
 class EqualTime:
-    """How much of one thing takes as long as another, by processor seconds.
+    """How much of something takes as long as is asked for.
 
     Attributes:
         count: of it, 1 or more.
-        seconds: that so many took when they were measured, not as they were predicted.
-        goal: seconds of the other.
+        seconds: processor seconds that so many took when they were measured, not as they were predicted.
     """
 
     count: int
     seconds: float
-    goal: float
 
 
 # Counts between which the time of one more is measured: their distance is far above noise.
@@ -86,17 +84,17 @@ _CORRECTIONS = 3
 
 
 def equal_time(
-    other: Callable[[], object],
+    goal: float,
     counted: Callable[[int], object],
     *,
     most: int,
     turns: int = 3,
     possible: Callable[[int], int] = lambda count: count,
 ) -> EqualTime:
-    """The count of which `counted` takes about the processor seconds of `other`.
+    """The count of which `counted` takes about `goal` processor seconds.
 
-    A line through two counts, each the least of some turns, predicts it; it is then measured in turns with
-    `other`, and corrected where another count is nearer.
+    A line through two counts, each the least of some turns, predicts it; it is measured then, and corrected
+    where another count is nearer.
 
     Args:
         counted: works with a count, whose time grows with it.
@@ -106,23 +104,23 @@ def equal_time(
     """
 
     def measure(*counts: int) -> list[EqualTime]:
-        runs: list[Callable[[], object]] = [other, *(partial(counted, count) for count in counts)]
+        runs = [partial(counted, count) for count in counts]
         for run in runs:  # compiles
             run()
-        goal, *seconds = (each.cpu_seconds for each in least_times(runs, turns))
-        return [EqualTime(count, taken, goal) for count, taken in zip(counts, seconds, strict=True)]
+        times = least_times(runs, turns)
+        return [EqualTime(count, taken.cpu_seconds) for count, taken in zip(counts, times, strict=True)]
 
     few, many = measure(possible(_FEW), possible(_MANY))
     one_more = max((many.seconds - few.seconds) / (many.count - few.count), 1e-9)
     measured = {each.count: each for each in (few, many)}
     latest = few
     for _ in range(1 + _CORRECTIONS):
-        better = latest.count + (latest.goal - latest.seconds) / one_more
+        better = latest.count + (goal - latest.seconds) / one_more
         count = possible(min(max(round(better), 1), most))
         if count not in measured:
             (measured[count],) = measure(count)
         latest = measured[count]
-    return min(measured.values(), key=lambda each: abs(each.seconds - each.goal))
+    return min(measured.values(), key=lambda each: abs(each.seconds - goal))
 
 
 def launched_kernels(run: Callable[[], object]) -> list[dict[str, Any]]:

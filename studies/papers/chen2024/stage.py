@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
@@ -112,27 +113,26 @@ class Stage:
     def pictures(self, few: Sequence[int], *others: Sequence[BsdfFactory]) -> list[Rendered]:
         """The point model with each of a few sample counts, and at equal time; the network; and others.
 
-        Times are processor seconds of one thread, of kernels that are compiled.
+        Times are processor seconds of one thread, of kernels that are compiled. Networks are gone when the
+        point model is timed: its kernels would be traced through every BSDF of the process.
 
         Args:
             others: BSDFs for all fabrics, shown with one sample as the network is.
         """
-        point, network = self._point_scene, self.neural_scene()
+        neural, *beside = [
+            _alone(partial(self.neural_scene, *bsdfs)) for bsdfs in ((), *(tuple(each) for each in others))
+        ]
+        point = self._point_scene
+        timed = timed_pictures([(point, count) for count in few])
         with one_thread():
             equal = equal_time(
-                partial(one_picture, network, 1),
+                neural.cpu_seconds,
                 partial(one_picture, point),
                 most=_MAX_EQUAL,
                 possible=partial(samples_rendered, point.scene),
             )
-        scenes = [(self.neural_scene(*bsdfs), 1) for bsdfs in others]
-        timed = timed_pictures([*((point, count) for count in few), *scenes])
-        return [
-            *timed[: len(few)],
-            Rendered(one_picture(point, equal.count), equal.count, equal.seconds),
-            Rendered(one_picture(network, 1), 1, equal.goal),
-            *timed[len(few) :],
-        ]
+        as_long = Rendered(one_picture(point, equal.count), equal.count, equal.seconds)
+        return [*timed, as_long, neural, *beside]
 
     def neural_scene(self, *bsdfs: BsdfFactory) -> MeasuredScene:
         """The scene of the network, for one sample a pixel; `bsdfs` replace the fabrics'."""
@@ -145,3 +145,10 @@ class Stage:
     def _scene(self, bsdfs: Sequence[BsdfFactory], centred: bool) -> MeasuredScene:
         cloths = list(zip(self.fabrics, bsdfs, strict=True))
         return shot_scene(self.shot, cloths, self.settings.size, centred)
+
+
+def _alone(scene: Callable[[], MeasuredScene]) -> Rendered:
+    """A picture of a scene with one sample; its BSDFs are gone afterwards."""
+    (picture,) = timed_pictures([(scene(), 1)])
+    gc.collect()
+    return picture
