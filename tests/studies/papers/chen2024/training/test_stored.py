@@ -234,6 +234,16 @@ def test_faults_of_configurations_are_one_sentence(fault: str, store: Path, tmp_
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize(("device", "sentence"), [("gpu", '--device "gpu" is none'), ("cuda", "NVIDIA card")])
+def test_devices_that_are_not_there_are_refused(
+    device: str, sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(torch.cuda, "is_available", lambda: False)
+    with pytest.raises(InputError, match=sentence):
+        train_neural(_config(), tmp_path / "run", device=device)
+    assert not (tmp_path / "run").exists()
+
+
 def _edited(store: Path, change: Callable[[dict[str, Any]], None]) -> None:
     root = json.loads((store / "zarr.json").read_text())
     change(root["attributes"])
