@@ -348,6 +348,9 @@ class NeuralModel(FilteredFabricModel):
             view: in the frame of the face that is seen.
         """
         near = near_weight(taps.size(dr), dr)
+        if not dr.flag(dr.JitFlag.SymbolicScope) and dr.none(near > 0):
+            # Tracing the search would take longer than all else of a picture from afar.
+            return taps
         # Derivatives of where a ray meets yarn would be wrong as well as dear.
         with dr.suspend_grad():
             hit = first_hit(self._surface, centre.x, centre.y, view, back, near > 0)
