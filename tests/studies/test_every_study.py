@@ -27,7 +27,7 @@ def test_every_study_runs_when_it_is_small(
     monkeypatch.setattr("studies.harness.run.probed", lambda names: {})
     study = find_study(name)
     if name in OF_TRAININGS:
-        with pytest.raises(InputError, match=r"make them with python -m studies\.papers"):
+        with pytest.raises(InputError, match=r"make (them|the training) with python -m studies\.papers"):
             run_study(study, study.settings.changed(**study.small), tmp_path, tmp_path / "runs")
         return
     record = run_study(study, study.settings.changed(**study.small), tmp_path, tmp_path / "runs")

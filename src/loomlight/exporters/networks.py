@@ -13,9 +13,10 @@ from safetensors.numpy import save
 
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
+from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.neural.architecture import BUNDLES
 from loomlight.models.neural.encoded_fabric import mean_pitch
+from loomlight.models.neural.encoding import face_maps, shortest_repeat
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.weights import shipped_decoder
 from loomlight.models.registry import make_model
@@ -43,6 +44,19 @@ _NEURAL_PAGE, _PROGRAM = _LANGUAGES / "network.md", _LANGUAGES / "colour.py"
 _OF_FACES = ("front", "back")
 
 
+# Texels a thread of the heights, in which programs search where a view meets yarn; and the height of a hole.
+_TEXELS, _NOTHING = 16, -6e4
+
+
+def _heights(model: NeuralModel, back: bool) -> NDArray[np.float16]:
+    """Heights of a face over the weave's repeat, millimetres."""
+    layout = shortest_repeat(model.fabric.layout())
+    picks, ends = layout.warp_on_top.shape
+    maps = face_maps(YarnGeometry(layout), back, _TEXELS * picks, _TEXELS * ends, llvm_float())
+    is_yarn = np.square(maps[:3]).sum(0) > 0.5
+    return np.where(is_yarn, maps[6] * mean_pitch(layout), _NOTHING).astype(np.float16)
+
+
 def write_onnx(folder: Path, fabric: Fabric, model: str, _distance: float | None = None) -> dict[str, object]:
     """Writes decoder.onnx, tensors, colour.py and README.md, and returns what the manifest says.
 
@@ -61,12 +75,15 @@ def write_onnx(folder: Path, fabric: Fabric, model: str, _distance: float | None
     hidden = made.weights.table.hidden
     correction = encoded.correction
     tensors: dict[str, NDArray[Any]] = {
-        "correction": np.zeros((2 * BUNDLES, hidden + 1), np.float32) if correction is None else correction
+        "correction": np.zeros(made.weights.table.corrected_shape, np.float32)
+        if correction is None
+        else correction
     }
     for number, face in enumerate(_OF_FACES):
         tensors[f"{face}.latents"] = encoded.faces[number]
         tensors[f"{face}.fibres"] = encoded.fibres.face(bool(number))
         tensors[f"{face}.bundles"] = encoded.fibres.bundles(bool(number))
+        tensors[f"{face}.heights"] = _heights(made, bool(number))
     content = save({name: np.ascontiguousarray(values) for name, values in tensors.items()})
     (folder / "latents.safetensors").write_bytes(content)
     (folder / "cloth.safetensors").write_bytes(save(_cloth_tensors(made)))

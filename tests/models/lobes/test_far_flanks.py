@@ -87,7 +87,7 @@ def test_far_cloth_is_as_bright_as_its_points(text: str, degrees: float) -> None
         values.append((dr.sum(found) / Array3f(light).z).numpy().astype(np.float64))
     near, far = values
     noise = near.std() / math.sqrt(RAYS)
-    # Groups are 1.3 % off at most on such cloth. With no coverage of hidden groups, or shadows from where
-    # rays end, satin and linen are 2 to 7 % off.
-    assert far.mean() == pytest.approx(near.mean(), abs=0.015 * near.mean() + 3 * noise)
+    # Twelve groups are 2 % off at most on such cloth, eight 1.6 %. With no coverage of hidden groups, or
+    # shadows from where rays end, satin and linen are up to 7 % off.
+    assert far.mean() == pytest.approx(near.mean(), abs=0.02 * near.mean() + 3 * noise)
     assert noise < 0.006 * near.mean()

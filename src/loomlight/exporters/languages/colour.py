@@ -81,6 +81,9 @@ class Cloth:
         step = np.where(is_large, side / 4, 0)
         tap = np.where(is_large, side / 2, side) / pitch
         centre = place * per_mm
+        spread = 12 * (step[:, None] * per_mm) ** 2 + tap[:, None] ** 2
+        size = np.sqrt(np.sqrt(spread[:, 0] * spread[:, 1]))
+        centre = self._seen(name, centre, size, view, per_mm)
         latent = np.mean(
             [
                 self._latents(name, centre + step[:, None] * per_mm * [i, j], tap)
@@ -89,8 +92,6 @@ class Cloth:
             ],
             axis=0,
         )
-        spread = 12 * (step[:, None] * per_mm) ** 2 + tap[:, None] ** 2
-        size = np.sqrt(np.sqrt(spread[:, 0] * spread[:, 1]))
         logarithm = np.clip(np.log(64 * size) / np.log(5120), 0, 1)
         inputs = {
             "latent": latent,
@@ -105,6 +106,25 @@ class Cloth:
             None, {key: np.ascontiguousarray(each, np.float32) for key, each in inputs.items()}
         )
         return components, hole
+
+    def _seen(self, name: str, centre: Floats, size: Floats, view: Floats, per_mm: Floats) -> Floats:
+        """Places [n, 2] in threads, of small footprints moved along the view to where it meets yarn."""
+        heights = self.tensors[f"{name}.heights"].astype(float)
+        rows, columns = heights.shape
+        slope = view[:, :2] / np.maximum(view[:, 2:], 1e-4) * per_mm
+        levels = np.linspace(heights.max(), heights[heights > -1e3].min(), 129)
+        met, above = np.full(len(centre), np.nan), np.zeros(len(centre))
+        for level in levels:
+            column, row = np.floor(16 * (centre + level * slope)).astype(int).T
+            depth = heights[row % rows, column % columns] - level
+            # Between the last level above the yarn and the first below it.
+            share = np.clip(depth / np.maximum(depth + above, 1e-9), 0, 1)
+            first = np.isnan(met) & (depth >= 0)
+            met = np.where(first, level + share * (levels[0] - levels[1]), met)
+            above = np.maximum(-depth, 0)
+        # Rays that pass through stay where they cross the plane.
+        near = 1 - np.clip(np.log(np.maximum(size, 1e-6) / 0.25) / np.log(8), 0, 1)
+        return centre + (near * np.nan_to_num(met))[:, None] * slope
 
     def _latents(self, name: str, centre: Floats, size: Floats) -> Floats:
         """Latents [n, 64] at places [n, 2] of a side [n], in threads: two levels, bilinearly each."""
