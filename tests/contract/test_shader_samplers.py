@@ -68,6 +68,7 @@ class Sampler:
         value: expression of f·cos of the light that was drawn.
         passes: whether some light passes straight on.
         pdf: expression of the density of what was drawn.
+        flips: share of draws that may be others, as rounding chooses another lobe.
     """
 
     modules: str
@@ -79,6 +80,7 @@ class Sampler:
     value: str = "float3(0.0)"
     passes: bool = True
     pdf: str = "s.pdf"
+    flips: float = MAX_FLIPS
 
 
 def numbers_of(rows: Rows) -> tuple[Float, Any]:
@@ -150,6 +152,8 @@ SAMPLERS: dict[str, Sampler] = {
         open_cloth("lobes"),
         of_footprints,
         sizes=(7.0, 20.0),
+        # Each of 24 groups rescales the number that chooses, which takes some ten of its 24 bits: .009 differ.
+        flips=0.02,
         value="composed(fabric, c, no_close_up(), a, float3(1.0), s.light, view)",
     ),
     # Hole and albedos are given: test_shaders.py asks of the network.
@@ -217,15 +221,15 @@ def test_draws_are_those_of_python(name: str) -> None:
     found, expected = asked(sampler, model, rows), sampler.python(model, rows)
     assert (0 < expected.is_null.mean() < 0.5) == sampler.passes
     assert np.mean((found[:, 4] > 0) != expected.is_null) <= MAX_FLIPS
-    assert share_beyond(found[:, :3], expected.light) <= MAX_FLIPS
-    assert share_beyond(found[:, 3], expected.pdf) <= MAX_FLIPS
+    assert share_beyond(found[:, :3], expected.light) <= sampler.flips
+    assert share_beyond(found[:, 3], expected.pdf) <= sampler.flips
     assert share_beyond(found[:, 5], expected.density) <= MAX_FLIPS
     if sampler.value != Sampler.value:
         # Where the direction is not null, weight times density is the value.
         assert expected.value is not None
         drawn = ~expected.is_null & (found[:, 4] == 0)
         assert expected.value[drawn].max() > 0.1
-        assert share_beyond(found[drawn, 6:9], expected.value[drawn]) <= 2 * MAX_FLIPS
+        assert share_beyond(found[drawn, 6:9], expected.value[drawn]) <= 2 * sampler.flips
 
 
 @pytest.mark.slow
