@@ -152,7 +152,7 @@ SAMPLERS: dict[str, Sampler] = {
         open_cloth("lobes"),
         of_footprints,
         sizes=(7.0, 20.0),
-        # Each of 24 groups rescales the number that chooses, which takes some ten of its 24 bits: .009 differ.
+        # Each of 24 groups rescales the number that chooses and takes some ten of its 24 bits: .009 differ.
         flips=0.02,
         value="composed(fabric, c, no_close_up(), a, float3(1.0), s.light, view)",
     ),
