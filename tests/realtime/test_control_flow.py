@@ -31,7 +31,7 @@ BOUNDS = {
     "shade_latent": 7,
     "shade_lobes": 61,
     "shade_neumip": 7,
-    "shade_neural": 10,
+    "shade_neural": 12,
     "shade_points": 40,
     "tone_map": 0,
 }

@@ -86,7 +86,7 @@ def findings() -> Iterator[Finding]:
     yield _adapter()
     if llvm.remedy is None:
         yield _variant()
-        yield _network()
+        yield from _network()
     yield _page()
     yield from _shaders()
 
@@ -178,20 +178,24 @@ def _variant() -> Finding:
         return Finding("variant", str(error), "python -m pip install --force-reinstall mitsuba")
 
 
-def _network() -> Finding:
+def _network() -> Iterator[Finding]:
+    if find_spec("llvmlite") is None:
+        # No network runs without.
+        return
     from loomlight.core.llvm import llvm_float
     from loomlight.models.neural.learned_truth import moved_since, truth_numbers
     from loomlight.models.neural.weights import shipped_weights
 
     change = moved_since(shipped_weights().provenance, truth_numbers(llvm_float()))
     if change is None:
-        return Finding("network", "trained on the yarns of this version")
+        yield Finding("network", "trained on the yarns of this version")
+        return
     by = "" if change == float("inf") else f", by up to {change:.0%}"
     remedy = (
         "`--model neural` shows cloth as it was then, other models as it is; in a checkout, `python -m "
         "studies.papers.chen2024.training studies/papers/chen2024/neural.toml` trains anew."
     )
-    return Finding("network", f"trained before yarns changed{by}", remedy, needed=False)
+    yield Finding("network", f"trained before yarns changed{by}", remedy, needed=False)
 
 
 def _page() -> Finding:

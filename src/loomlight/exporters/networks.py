@@ -16,7 +16,8 @@ from loomlight.core.extras import import_extra
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.encoded_fabric import mean_pitch
-from loomlight.models.neural.encoding import face_maps, shortest_repeat
+from loomlight.models.neural.encoding import shortest_repeat
+from loomlight.models.neural.face_maps import face_maps
 from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.weights import shipped_decoder
 from loomlight.models.registry import make_model

@@ -11,7 +11,6 @@ from dataclasses import replace
 from functools import cache
 from typing import Any
 
-import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 from safetensors import SafetensorError
@@ -20,7 +19,6 @@ from threadpoolctl import threadpool_limits
 
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
-from loomlight.core.backend import array_types
 from loomlight.core.errors import InputError, LoomlightError
 from loomlight.core.extras import import_extra
 from loomlight.core.files import cache_folder, replacing
@@ -39,9 +37,9 @@ from loomlight.models.neural.encoded_fabric import (
     EncodedFabric,
     Fibres,
     footprints_in_threads,
-    mean_pitch,
     sizes_of,
 )
+from loomlight.models.neural.face_maps import face_maps
 from loomlight.models.neural.weights import Weights, trained_ranges, warn_outside_ranges
 from loomlight.scattering.point import YarnScattering
 from loomlight.sources.loom_file import LoomFile
@@ -96,34 +94,6 @@ def encoder_session(weights: Weights) -> Any:
     # The exceptions of ONNX Runtime on unreadable models have no public base.
     except Exception as error:
         raise InputError(f"{weights.source}: ONNX Runtime cannot read the encoder beside it.") from error
-
-
-CHANNELS = 7
-
-
-def face_maps(
-    geometry: YarnGeometry, back: bool, rows: int, columns: int, float_type: type
-) -> NDArray[np.float32]:
-    """Normal, fibre direction and height of one face [7, rows, columns], row 0 at the repeat's lower edge.
-
-    All are of yarns scaled by β; heights are in pitches (the geometric mean of both families' spacings).
-    Holes are 0 in every channel.
-
-    Args:
-        back: the face behind, in its own mirrored frame.
-        float_type: the Dr.Jit Float type to compute with.
-    """
-    types = array_types(float_type)
-    width, height = geometry.size
-    texel = np.arange(rows * columns, dtype=np.int64)
-    x = (texel % columns + 0.5) * (width / columns)
-    y = (texel // columns + 0.5) * (height / rows)
-    point = geometry.surface(types.Float(x), types.Float(y), types.Bool(back))
-    pitch = mean_pitch(geometry.layout)
-    channels = [*point.normal, *point.tangent, point.height / pitch]
-    planes = [dr.select(point.hole, 0, plane) + dr.zeros(types.Float, rows * columns) for plane in channels]
-    dr.eval(planes)
-    return np.stack([plane.numpy() for plane in planes]).astype(np.float32).reshape(CHANNELS, rows, columns)
 
 
 def fabric_parameters(fabric: Fabric) -> NDArray[np.float32]:

@@ -18,7 +18,7 @@ from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.fabric.fabric import make_fabric
 from loomlight.fabric.fields import FabricFile, YarnTable
-from loomlight.models.neural.encoding import face_maps
+from loomlight.models.neural.face_maps import face_maps
 from loomlight.scattering.point import YarnScattering
 from loomlight.weave.named import named_weave
 from loomlight.yarn.geometry import YarnGeometry

@@ -20,7 +20,8 @@ from loomlight.core.backend import array_types
 from loomlight.core.files import replacing
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.encoded_fabric import Fibres, footprints_in_threads
-from loomlight.models.neural.encoding import fabric_parameters, face_maps
+from loomlight.models.neural.encoding import fabric_parameters
+from loomlight.models.neural.face_maps import face_maps
 from loomlight.models.neural.weights import PARAMETER_RANGES, TRAINING_RANGES
 from loomlight.scattering.point import YarnScattering, to_face_frame
 from loomlight.yarn.geometry import YarnGeometry

@@ -25,7 +25,7 @@ from torch.nn.utils import parametrize
 
 from loomlight.models.neural.architecture import FIELD_MAP, LEAKY_SLOPE, MAX_THREADS, VECTOR_MAP
 from loomlight.models.neural.encoded_fabric import FINEST_LEVEL, WHOLE_REPEATS
-from loomlight.models.neural.encoding import CHANNELS
+from loomlight.models.neural.face_maps import CHANNELS
 from loomlight.models.neural.weights import Weights, read_weights_alone
 from studies.papers.chen2024.training.network import (
     PARAMETERS,

@@ -42,7 +42,7 @@ from loomlight.models.neural.architecture import (
     NetworkTable,
 )
 from loomlight.models.neural.encoded_fabric import FINEST_LEVEL, Level, fine_tuning_weight, levels_of
-from loomlight.models.neural.encoding import CHANNELS
+from loomlight.models.neural.face_maps import CHANNELS
 from studies.papers.chen2024.training.losses import gain
 
 PARAMETERS = 4

@@ -19,7 +19,8 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.architecture import FIELD_MAP, VECTOR_MAP, NetworkTable
 from loomlight.models.neural.encoded_fabric import Fibres, footprints_in_threads
-from loomlight.models.neural.encoding import fabric_parameters, face_maps
+from loomlight.models.neural.encoding import fabric_parameters
+from loomlight.models.neural.face_maps import face_maps
 from loomlight.models.neural.learned_truth import moved_since
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
