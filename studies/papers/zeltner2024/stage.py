@@ -57,6 +57,16 @@ METRICS = (
 # Added to denominators of relative errors; the brightest white of these pictures is about 1.
 _FLOOR = 0.01
 
+# The paper's recipe at a tenth of its steps, a 32nd of its batches, and textures of a quarter of the side.
+SHORT_RECIPE: dict[str, Any] = {
+    "quality": "published",
+    "steps": 30_000,
+    "batch": 1 << 12,
+    "queries": 1 << 22,
+    "size": (256, 144),
+    "spp": 64,
+}
+
 
 @dataclass(frozen=True, eq=False)
 class ShownError:
@@ -78,6 +88,8 @@ class StageSettings(TrainedSettings, LitSettings):
         help="Texels a side of textures and latents.",
     )
     materials: str = names(",".join(LAYERED), "What is shown.", MATERIALS)
+    queries: int | None = same_setting(LatentOptions, "queries", help="Of the material, of each training.")
+    batch: int | None = same_setting(LatentOptions, "batch", help="Queries of a step of each training.")
 
     def sources(self) -> list[Material]:
         """The materials that are shown."""
@@ -147,8 +159,8 @@ def trained(
         "rung": rung,
         **others,
     }
-    if settings.steps is not None:
-        options["steps"] = settings.steps
+    given = {name: getattr(settings, name) for name in ("steps", "queries", "batch")}
+    options = {name: value for name, value in given.items() if value is not None} | options
     identity = LatentOptions(**options).settings().identity(source)[:12]
     file = runs / "zeltner2024" / f"{source.name}-{decoder}-{rung}-{identity}.loom"
     if file.exists():

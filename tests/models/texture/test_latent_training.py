@@ -20,9 +20,17 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import btf_of
 from loomlight.models.texture import training
 from loomlight.models.texture.btfs import FabricBtf
-from loomlight.models.texture.latent_training import rate_factor, train_latent
-from loomlight.models.texture.queries import LatentStream, draw_lights, footprint_values
-from loomlight.models.texture.settings import LATENT_QUALITIES, LatentSettings
+from loomlight.models.texture.latent_training import LatentBatches, loss_of, rate_factor, train_latent
+from loomlight.models.texture.queries import (
+    EncodedBtf,
+    LatentStream,
+    Texels,
+    cone_angles,
+    draw_lights,
+    footprint_values,
+    spread_over_cones,
+)
+from loomlight.models.texture.settings import LATENT_QUALITIES, LatentOptions, LatentSettings
 from loomlight.models.texture.training import folder_queries
 from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density
 from loomlight.sources.merl import BINS, library_of
@@ -34,7 +42,7 @@ require_llvm()
 TWILL = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]\ncolor = "#2040c0"')
 
 
-def short(**changes: int | str) -> LatentSettings:
+def short(**changes: float | str) -> LatentSettings:
     base = replace(
         LATENT_QUALITIES["preview"],
         resolution=8,
@@ -113,7 +121,9 @@ def test_lights_lie_about_the_normals_of_texels() -> None:
     """Mirror directions about a normal that leans by 20°, and by none, of two maps."""
     views = np.tile(np.array([[0.0, 0.0, 1.0]], np.float32), (20_000, 1))
     lean = math.tan(math.radians(20))
-    lights = draw_lights(np.random.default_rng(0), views, np.tile(np.float32([-lean, 0]), (20_000, 1)))
+    lights = draw_lights(
+        np.random.default_rng(0), views, np.tile(np.array([-lean, 0], np.float32), (20_000, 1))
+    )
     mirrored = np.array([math.sin(math.radians(40)), 0, math.cos(math.radians(40))])
     near = math.cos(math.radians(5))
     assert (lights @ mirrored > near).mean() > 0.1
@@ -165,6 +175,134 @@ def test_the_rate_follows_the_supplemental_and_damaged_queries_are_taken_anew(tm
     file.write_bytes(file.read_bytes()[:-100])
     again = folder_queries(stream, tmp_path, "some", 4000)
     assert np.array_equal(first.values, again.values)
+
+
+def test_published_is_the_papers() -> None:
+    """Section 1 of the supplemental, and listing 2, whose decoder is given no features."""
+    published = LatentOptions(quality="published").settings()
+    assert (published.loss, published.optimiser, published.features) == ("log", "adam", "none")
+    assert (published.steps, published.mollified_steps) == (300_000, 20_000)
+    assert (published.rate, published.rate * rate_factor(1)) == pytest.approx((1e-3, 1e-4))
+    # What is chosen stands above the quality; shorter trainings keep the shares of their phases.
+    shorter = LatentOptions(
+        quality="published", steps=30_000, batch=4096, queries=1 << 20, loss="cube-root", mollified=False
+    ).settings()
+    assert (shorter.steps, shorter.batch, shorter.queries) == (30_000, 4096, 1 << 20)
+    assert (shorter.loss, shorter.mollified_queries) == ("cube-root", 0)
+    assert LatentOptions(quality="published", steps=30_000).settings().mollified_steps == 2000
+
+
+def test_the_loss_of_the_paper_is_of_logarithms() -> None:
+    predicted, truth = torch.tensor([[0.0, 1.0, 3.0]]), torch.tensor([[1.0, 1.0, 0.0]])
+    wanted = (math.log(2) + 0 + math.log(4)) / 3
+    assert float(loss_of(predicted, truth, "log")) == pytest.approx(wanted, rel=1e-6)
+
+
+def test_cones_narrow_as_the_supplemental_says() -> None:
+    """Equation 2: half of 10° · (1 + cos(π i / M))."""
+    angles = np.degrees(cone_angles(np.arange(1200), 1000))
+    wanted = [0.5 * 10 * (1 + math.cos(math.pi * (i + 0.5) / 1000)) for i in (0, 250, 500, 999)]
+    assert angles[[0, 250, 500, 999]] == pytest.approx(wanted, rel=1e-5, abs=1e-5)
+    assert not angles[1000:].any()
+    assert not cone_angles(np.arange(10), 0).any()
+
+
+def test_directions_of_cones_are_uniform_in_them() -> None:
+    axis = np.array([0.48, -0.36, 0.8], np.float32)
+    count, angle = 20_000, math.radians(10)
+    rng = np.random.default_rng(0)
+    drawn = spread_over_cones(rng, np.tile(axis, (count, 1)), np.full(count, angle, np.float32))
+    np.testing.assert_allclose(np.linalg.norm(drawn, axis=1), 1, atol=1e-5)
+    cosines = drawn.astype(np.float64) @ axis
+    assert cosines.min() > math.cos(angle) - 1e-6
+    # Uniform in solid angle is uniform in the cosine; 0.01 is five standard errors of the mean.
+    done = (1 - cosines) / (1 - math.cos(angle))
+    assert done.mean() == pytest.approx(0.5, abs=0.01)
+    assert (done < 0.1).mean() == pytest.approx(0.1, abs=0.01)
+    # To all sides alike: the mean lies on the axis.
+    np.testing.assert_allclose(drawn.mean(axis=0), axis * cosines.mean(), atol=0.005)
+    # None of a light at the horizon gets below.
+    low = np.tile(np.array([1, 0, 0.03], np.float32) / np.float32(math.hypot(1, 0.03)), (count, 1))
+    assert (spread_over_cones(rng, low, np.full(count, angle, np.float32))[:, 2] > 0).all()
+
+
+class _Lobe(EncodedBtf):
+    """f·cos of one sharp lobe about the normal's mirror direction, on a grey base, alike everywhere."""
+
+    extent = (1.0, 1.0)
+
+    def values(self, points: Any, lights: Any, views: Any, seed: Any) -> Any:
+        mirror = views * np.array([-1, -1, 1], np.float32)
+        lobe = np.exp(-400 * (1 - (lights * mirror).sum(axis=1)))
+        return np.repeat((lights[:, 2] / math.pi + 4 * lobe)[:, None], 3, axis=1).astype(np.float32)
+
+    def texels(self, resolution: int) -> Texels:
+        return _FlatTexels()
+
+
+class _FlatTexels(Texels):
+    inputs, resolution, sigma = ("constant",), (8, 8), np.zeros(2, np.float32)
+    slopes = np.zeros((1, 1, 1, 1, 2), np.float32)
+
+    def encoder_inputs(self, level: int, face: int = 0) -> Any:
+        return np.ones((8 >> level, 8 >> level, 1), np.float32)
+
+
+def test_mollified_values_are_means_over_cones() -> None:
+    """The first query has nearly 10°: against means over another draw, with 20 times as many lights."""
+    btf, count = _Lobe(), 200
+    part = LatentStream(btf, btf.texels(8), 4, 1, seed=1, mollified=1 << 20).part(0, count)
+    rng, many = np.random.default_rng(5), 20 * 256
+    lights = np.repeat(part.lights, many, axis=0)
+    lights = spread_over_cones(rng, lights, np.full(len(lights), math.radians(10), np.float32))
+    wanted = btf.values(None, lights, np.repeat(part.views, many, axis=0), None)
+    wanted = wanted.reshape(count, many, 3).mean(axis=1)
+    # 256 lights of a value leave noise of 4 % on average, of 200 values 0.3 %.
+    assert np.abs(part.values - wanted).sum() < 0.08 * wanted.sum()
+    assert part.values.sum() == pytest.approx(wanted.sum(), rel=0.015)
+    sharp = LatentStream(btf, btf.texels(8), 4, 1, seed=1).part(0, count)
+    np.testing.assert_array_equal(part.lights, sharp.lights)
+    assert np.abs(sharp.values - wanted).sum() > 0.2 * wanted.sum()
+
+
+def test_mollified_values_become_the_sources_as_cones_narrow() -> None:
+    btf, rng, count = _Lobe(), np.random.default_rng(3), 400
+    views = np.repeat(draw_lights(rng, np.tile(np.array([0, 0, 1], np.float32), (count, 1))), 256, axis=0)
+    lights = np.repeat(draw_lights(rng, views[::256]), 256, axis=0)
+    truth = btf.values(None, lights[::256], views[::256], None)
+    errors = []
+    for degrees in (10.0, 3.0, 1.0, 0.1):
+        spread = spread_over_cones(rng, lights, np.full(len(lights), math.radians(degrees), np.float32))
+        means = btf.values(None, spread, views, None).reshape(count, 256, 3).mean(axis=1)
+        errors.append(np.abs(means - truth).sum() / truth.sum())
+    # The mean over a cone is off by its squared half-angle, until noise is left: a tenth of it a hundredth.
+    assert errors[0] > 2 * errors[1] > 8 * errors[2] > 40 * errors[3]
+    assert errors[3] < 1e-3
+    still = spread_over_cones(rng, lights, np.zeros(len(lights), np.float32))
+    np.testing.assert_allclose(still, lights, atol=1e-6)
+
+
+def test_steps_learn_from_cones_first_and_from_the_others_afterwards() -> None:
+    queries = LatentStream(_Lobe(), _FlatTexels(), 4, 1, seed=0).part(0, 3000)
+    settings = short(queries=3000, steps=30, batch=100, mollified=1 / 3)
+    network = torch.nn.Linear(1, 1)
+    batches = LatentBatches(network, queries, settings, "cpu", first=4)
+    chosen = [batches._chosen(step) for step in range(26)]
+    assert all(len(each) == 100 for each in chosen)
+    # Steps 4 to 9 of 10 go along the thousand mollified queries.
+    middles = [each.mean() for each in chosen[:6]]
+    assert middles == sorted(middles)
+    assert max(each.max() for each in chosen[:6]) < 1000
+    # Then a pass over the other two thousand.
+    assert sorted(np.concatenate(chosen[6:])) == list(range(1000, 3000))
+
+
+def test_a_mollified_training_goes_on_where_it_stopped(tmp_path: Path) -> None:
+    settings = short(mollified=0.5, queries=600, batch=64)
+    whole = train_latent(TWILL, settings, tmp_path / "whole")
+    plain = train_latent(TWILL, short(queries=600, batch=64), tmp_path / "plain")
+    assert not np.array_equal(whole.latents, plain.latents)
+    assert np.array_equal(train_latent(TWILL, settings, tmp_path / "whole").latents, whole.latents)
 
 
 def test_a_sampler_finds_an_off_centre_lobe() -> None:

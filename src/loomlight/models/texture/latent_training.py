@@ -69,8 +69,9 @@ _LIGHTS = 16
 # Of libraries, steps are so many times as many, with batches so many times as small: in equal time their
 # error is three quarters. Of others a step costs too much, whose textures have thousands of texels.
 _SMALL = 4
-# Keys that separate the random numbers of the sampler and of albedos from those of queries and batches.
-_SAMPLER, _ALBEDOS = 6, 7
+# Keys that separate the random numbers of the sampler, of albedos and of batches of mollified queries from
+# those of queries and other batches.
+_SAMPLER, _ALBEDOS, _CONES = 6, 7, 9
 # Thousandths of the progress after textures.
 _TEXTURES_DONE = 850
 # Views and places of which a face's mean albedo is taken.
@@ -100,7 +101,9 @@ def train_latent(
     texels = btf.texels(settings.resolution)
     shape = PyramidShape(*texels.resolution, *source.repeat_mm, btf.faces, texels.is_apart)
     run = TrainingFolder(folder, settings.identity(source), progress, keep_every)
-    stream = LatentStream(btf, texels, shape.levels, settings.samples, settings.seed)
+    stream = LatentStream(
+        btf, texels, shape.levels, settings.samples, settings.seed, settings.mollified_queries
+    )
     queries = folder_queries(stream, folder, run.identity, settings.queries, progress)
     torch.manual_seed(settings.seed)
     network = LatentNetwork(
@@ -167,7 +170,7 @@ def rate_factor(progress: float) -> float:
 
 
 class LatentBatches(Batches):
-    """Batches whose loss is that of the settings."""
+    """Batches whose loss is that of the settings: of mollified queries first, then passes over the others."""
 
     def __init__(
         self,
@@ -185,9 +188,18 @@ class LatentBatches(Batches):
         """
         super().__init__(network, queries, settings, device)
         self._kind, self._encoded, self._first = settings.loss, encoded, first
+        self._mollified, self._mollified_steps = settings.mollified_queries, settings.mollified_steps
+        self._order_passes(range(self._mollified, len(queries)))
 
     def _chosen(self, step: int) -> NDArray[np.intp]:
-        return super()._chosen(self._first + step)
+        number = self._first + step
+        if number >= self._mollified_steps:
+            return super()._chosen(number - self._mollified_steps)
+        # Cones narrow along these queries, so steps go along them too, a sixteenth of them at a time.
+        span = min(self._mollified, max(self._batch, self._mollified // 16))
+        start = round((self._mollified - span) * number / max(1, self._mollified_steps - 1))
+        rng = np.random.default_rng([self._seed, _CONES, number])
+        return start + rng.integers(span, size=min(self._batch, self._mollified))
 
     def _loss(self, batch: Queries, step: int) -> Tensor:
         del step

@@ -29,8 +29,10 @@ _Floats = NDArray[np.float32]
 PART = 1 << 16
 # More grazing directions see crests alone.
 MIN_COSINE = 0.02
-# Key that separates the random numbers of queries from those of batches.
-_STREAM = 3
+# Keys that separate the random numbers of queries from those of batches, and those of cones from estimates'.
+_STREAM, _CONES = 3, 8
+# Points of queries that are answered at once: they take 200 MB.
+_POINTS = 1 << 22
 # Turns of an offset in a footprint at which an estimate takes points: itself alone, or two opposite pairs at
 # right angles to one another, which leave no linear error.
 ONE_POINT = ((1, 0),)
@@ -221,10 +223,13 @@ class Points:
         counts: points of each query [n].
         offsets: of all points from the centres of footprints [m, 2], in the unit of the BTF's points; those
             of a query follow one another, and further ones may follow them all.
+        cones: half-angles of the cones that lights of the points of each query are spread over, radians [n];
+            None where all points have the query's own light.
     """
 
     counts: NDArray[np.intp]
     offsets: _Floats
+    cones: _Floats | None = None
 
 
 class QueryStream(ABC):
@@ -251,21 +256,36 @@ class QueryStream(ABC):
         key, btf = (self._seed, _STREAM, number), self._btf
         inputs, points = self._drawn(key, count)
         # Directions as the source knows them: of its front.
-        is_back, mirror = (inputs.faces == 1)[:, None], np.array([1, 1, -1], np.float32)
-        views = np.where(is_back, mirror * inputs.views, inputs.views)
-        is_below = is_back ^ (inputs.is_transmission == 1)[:, None]
-        lights = np.where(is_below, mirror * inputs.lights, inputs.lights)
+        is_back = inputs.faces == 1
+        is_below = is_back ^ (inputs.is_transmission == 1)
         # Means over the points of each query.
         query = _queries_of_points(points.counts)
-        centres, lights, views = (
-            np.take(columns, query, axis=0)
-            for columns in (inputs.positions * np.array(btf.extent, np.float32), lights, views)
-        )
-        found = _estimates(btf, centres, points.offsets, lights, views, key, self.turns)
-        values, holes = _means(found, points.counts), np.zeros(count, np.float32)
-        if self.asks_holes and btf.has_holes:
-            holes = _means(btf.holes(centres + points.offsets, views), points.counts)
-        return Queries(**vars(inputs), values=values, holes=holes)
+        extent = np.array(btf.extent, np.float32)
+        asks_holes = self.asks_holes and btf.has_holes
+        found = np.empty((len(query), 3), np.float32)
+        passing = np.zeros(len(query) if asks_holes else 0, np.float32)
+        for number, first in enumerate(range(0, len(query), _POINTS)):
+            part = slice(first, first + _POINTS)
+            chosen, offsets = query[part], points.offsets[part]
+            seed = key if number == 0 else (*key, number)
+            centres = np.take(inputs.positions * extent, chosen, axis=0)
+            lights = np.take(inputs.lights, chosen, axis=0)
+            if points.cones is not None:
+                rng = np.random.default_rng((*seed, _CONES))
+                lights = spread_over_cones(rng, lights, np.take(points.cones, chosen))
+            lights = _mirrored(lights, np.take(is_below, chosen))
+            views = _mirrored(np.take(inputs.views, chosen, axis=0), np.take(is_back, chosen))
+            found[part] = _estimates(btf, centres, offsets, lights, views, seed, self.turns)
+            if asks_holes:
+                passing[part] = btf.holes(centres + offsets, views)
+        holes = _means(passing, points.counts) if asks_holes else np.zeros(count, np.float32)
+        return Queries(**vars(inputs), values=_means(found, points.counts), holes=holes)
+
+
+def _mirrored(directions: _Floats, chosen: NDArray[np.bool_]) -> _Floats:
+    """Directions [n, 3] with those that are chosen on the other side."""
+    mirror = np.array([1, 1, -1], np.float32)
+    return np.where(chosen[:, None], mirror * directions, directions)
 
 
 def _queries_of_points(counts: NDArray[np.intp]) -> NDArray[np.intp]:
@@ -336,14 +356,17 @@ class LatentStream(QueryStream):
 
     asks_holes = False
 
-    def __init__(self, btf: Btf, texels: Texels, levels: int, samples: int, seed: int) -> None:
+    def __init__(
+        self, btf: Btf, texels: Texels, levels: int, samples: int, seed: int, mollified: int = 0
+    ) -> None:
         """
         Args:
             levels: of the pyramid.
             samples: estimates of which a value is the mean.
+            mollified: queries whose lights are cones, the first ones; see `cone_angles`.
         """
         super().__init__(btf, seed)
-        self._texels, self._levels = texels, levels
+        self._texels, self._levels, self._mollified = texels, levels, mollified
         self.turns = texels.turns
         # Of exact values one estimate is enough.
         self._samples = 1 if texels.is_apart else samples
@@ -355,14 +378,15 @@ class LatentStream(QueryStream):
         views = draw_directions(rng, count)
         faces = rng.integers(self._btf.faces, size=count, dtype=np.uint8)
         lights = draw_lights(rng, views, self._slopes(rng, positions, levels, faces))
-        counts = np.full(count, self._samples)
+        cones = cone_angles(key[-1] * PART + np.arange(count), self._mollified)
+        counts = np.where(cones > 0, max(self._samples, CONE_LIGHTS), self._samples)
         query = _queries_of_points(counts)
         # By a generator of their own, as in `footprint_values`.
         spread = np.random.default_rng(key).standard_normal((len(query), 2), np.float32)
         offsets = np.take(self._texels.sigma * np.exp2(levels)[:, None], query, axis=0) * spread
         is_transmission = np.zeros(count, np.uint8)
         inputs = QueryInputs(positions, levels, lights, views, faces, is_transmission)
-        return inputs, Points(counts, offsets)
+        return inputs, Points(counts, offsets, cones if cones.any() else None)
 
     def _slopes(
         self, rng: np.random.Generator, positions: _Floats, levels: _Floats, faces: NDArray[np.uint8]
@@ -444,6 +468,44 @@ def draw_lights(rng: np.random.Generator, views: _Floats, slopes: _Floats | floa
     mirrored = 2 * (views * halves).sum(axis=1, keepdims=True) * halves - views
     chosen = (rng.random(count) < _BY_HALF_VECTOR) & (mirrored[:, 2] > MIN_COSINE)
     return np.where(chosen[:, None], mirrored, lights).astype(np.float32)
+
+
+# Half-angle of the first cone that lights are mollified over (zeltner2024, eq. 2 of the supplemental), and
+# directions in a cone of which a value is the mean.
+FIRST_CONE, CONE_LIGHTS = math.radians(10), 256
+
+
+def cone_angles(numbers: NDArray[np.intp], mollified: int) -> _Floats:
+    """Half-angles of the cones of lights of queries [n], radians: from `FIRST_CONE` to 0 by a half cosine.
+
+    Args:
+        numbers: of the queries in the whole training, from 0.
+        mollified: queries that have cones.
+    """
+    done = (numbers + 0.5) / max(1, mollified)
+    angles = 0.5 * FIRST_CONE * (1 + np.cos(np.pi * done))
+    return np.where(numbers < mollified, angles, 0).astype(np.float32)
+
+
+def spread_over_cones(rng: np.random.Generator, directions: _Floats, angles: _Floats) -> _Floats:
+    """Directions [n, 3] drawn uniformly from cones about others, of which none gets below the surface.
+
+    Args:
+        directions: unit vectors with z > 0; one that would get below stays as it is.
+        angles: half-angles of the cones, radians [n].
+    """
+    count = len(directions)
+    # 1 − cos θ of the angle from the axis: exact for narrow cones too.
+    below = rng.random(count) * 2 * np.square(np.sin(0.5 * angles.astype(np.float64)))
+    sine, azimuth = np.sqrt(below * (2 - below)), 2 * math.pi * rng.random(count)
+    # A frame about each direction (Duff et al. 2017), whose z is above 0.
+    x, y, z = directions.T.astype(np.float64)
+    scale = 1 / (1 + z)
+    tangent = np.stack([1 - x * x * scale, -x * y * scale, -x])
+    bitangent = np.stack([-x * y * scale, 1 - y * y * scale, -y])
+    along = sine * np.cos(azimuth) * tangent + sine * np.sin(azimuth) * bitangent
+    spread = along.T + (1 - below)[:, None] * directions
+    return np.where(spread[:, 2:] > MIN_COSINE, spread, directions).astype(np.float32)
 
 
 # ---------------------------------------------------------------------------------------------- parts on disk

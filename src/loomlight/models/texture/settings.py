@@ -176,6 +176,8 @@ FEATURES = ("half-vector", "none")
 # "auto" is `loss_of_kind`.
 AUTO = "auto"
 LOSSES = (AUTO, "log", "cube-root", "relative")
+# Share of the steps whose lights are cones, where they are: 20 000 of 300 000.
+_MOLLIFIED = 1 / 15
 # How levels of textures are chosen.
 MIPS = ("stochastic", "trilinear")
 # Of the numbers in a file; they are computed with in float32.
@@ -203,11 +205,13 @@ class LatentSettings(TrainingSettings):
         optimiser: of encoder, textures and decoder, "soap" or the paper's "adam".
         steps: updates of encoder, textures and decoder.
         encoder_share: share of the steps that train the encoder; the others train its textures.
+        mollified: share of the steps, from the first one, and of the queries whose lights are cones; see
+            `queries.cone_angles`.
         rate: its smallest is a tenth of it.
         sampler_steps, sampler_batch: of the importance sampler and the albedo network.
     """
 
-    version: ClassVar[int] = 8
+    version: ClassVar[int] = 9
     resolution: int = 128
     queries: int = 1 << 20
     samples: int = 8
@@ -222,8 +226,19 @@ class LatentSettings(TrainingSettings):
     loss: str = AUTO
     optimiser: str = "soap"
     encoder_share: float = 0.3
+    mollified: float = 0.0
     sampler_steps: int = 300
     sampler_batch: int = 1 << 10
+
+    @property
+    def mollified_queries(self) -> int:
+        """Queries whose lights are cones, the first ones."""
+        return round(self.mollified * self.queries)
+
+    @property
+    def mollified_steps(self) -> int:
+        """Steps that learn from them, the first ones."""
+        return round(self.mollified * self.steps)
 
 
 # The paper's schedule is 300 000 steps of 2 · 65 536 queries, of which it stores none: "published" reads its
@@ -240,7 +255,9 @@ LATENT_QUALITIES: dict[str, LatentSettings] = {
         steps=300_000,
         batch=1 << 17,
         features="none",
+        loss="log",
         optimiser="adam",
+        mollified=_MOLLIFIED,
         rate=1e-3,
         texture_rate=1e-3,
         sampler_steps=20_000,
@@ -274,14 +291,31 @@ class LatentOptions(TrainingOptions):
     )
     loss: str = setting(
         AUTO,
-        "What is minimised: auto is relative for fabrics, else cube-root; the paper's is log.",
+        "What is minimised: auto is log of published, else relative of fabrics and cube-root of others.",
         choices=LOSSES,
     )
+    mollified: bool | None = setting(
+        None,
+        "Whether lights of the first fifteenth of the steps are cones that narrow from 10°, as in the paper.",
+        otherwise="by quality",
+    )
+    queries: int | None = setting(None, "Of the source, in all.", low=1, high=1 << 30, otherwise="by quality")
+    batch: int | None = setting(None, "Queries of a step.", low=1, high=1 << 22, otherwise="by quality")
 
     def settings(self) -> LatentSettings:
-        """The settings of the quality with those that are chosen; of steps the sampler has a third."""
+        """The settings of the quality with those that are chosen; the sampler has a third of the steps.
+
+        Its batch changes as that of the others does.
+        """
         chosen = _chosen(LATENT_QUALITIES[self.quality], self)
-        chosen = replace(chosen, decoder=self.decoder, rung=self.rung, loss=self.loss)
-        if self.features is not None:
-            chosen = replace(chosen, features=self.features)
+        chosen = replace(chosen, decoder=self.decoder, rung=self.rung)
+        if self.loss != AUTO:
+            chosen = replace(chosen, loss=self.loss)
+        if self.mollified is not None:
+            chosen = replace(chosen, mollified=_MOLLIFIED if self.mollified else 0.0)
+        given = {name: getattr(self, name) for name in ("features", "queries", "batch")}
+        chosen = replace(chosen, **{name: value for name, value in given.items() if value is not None})
+        if self.batch is not None:
+            share = self.batch / LATENT_QUALITIES[self.quality].batch
+            chosen = replace(chosen, sampler_batch=max(1, round(share * chosen.sampler_batch)))
         return chosen if self.steps is None else replace(chosen, sampler_steps=max(1, self.steps // 3))

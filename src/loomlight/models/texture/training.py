@@ -117,8 +117,13 @@ class Batches(ABC):
             device: of torch, "cpu" or "cuda".
         """
         self._network, self._queries, self._seed, self._device = network, queries, settings.seed, device
-        self._batch, self._per_pass = settings.batch, max(1, len(queries) // settings.batch)
+        self._batch = settings.batch
         self._side_by_side = SideBySide.for_batch(device, settings.batch)
+        self._order_passes(range(len(queries)))
+
+    def _order_passes(self, over: range) -> None:
+        """Makes passes go over some of the queries alone."""
+        self._over, self._per_pass = over, max(1, len(over) // self._batch)
         self._order: tuple[int, NDArray[np.intp]] | None = None
 
     def losses(self, step: int) -> Iterator[Tensor]:
@@ -143,5 +148,5 @@ class Batches(ABC):
         number, place = divmod(step, self._per_pass)
         if self._order is None or self._order[0] != number:
             rng = np.random.default_rng([self._seed, _BATCHES, number])
-            self._order = number, rng.permutation(len(self._queries))
+            self._order = number, self._over.start + rng.permutation(len(self._over))
         return self._order[1][place * self._batch : (place + 1) * self._batch]
