@@ -1,6 +1,7 @@
 """The figures of zeltner2024, small: trainings of a few steps, three materials of four left out.
 
 Covers: studies/papers/zeltner2024/analytic_baseline.py, studies/papers/zeltner2024/polar.py
+Covers: studies/papers/zeltner2024/learning_curve.py
 Covers: studies/papers/zeltner2024/sampling.py, studies/papers/zeltner2024/stage.py
 Covers: studies/papers/zeltner2024/tables.py, studies/papers/zeltner2024/two_normals.py
 """
@@ -19,7 +20,15 @@ from loomlight.mitsuba.material_btf import MaterialBtf
 from loomlight.models.interface import Model
 from loomlight.models.texture.settings import LATENT_QUALITIES, LatentSettings
 from studies.harness.study import Run, stored_tables
-from studies.papers.zeltner2024 import analytic_baseline, polar, sampling, stage, tables, two_normals
+from studies.papers.zeltner2024 import (
+    analytic_baseline,
+    learning_curve,
+    polar,
+    sampling,
+    stage,
+    tables,
+    two_normals,
+)
 
 
 @pytest.fixture
@@ -63,6 +72,22 @@ def test_ablation_has_six_metrics_of_each_rung(settings: stage.StageSettings, ru
     assert all(np.isfinite(cell) for row in one.rows.values() for cell in row)
     # Trainings are kept.
     assert len(list((run.runs / "zeltner2024").glob("*.loom"))) == 3
+
+
+def test_gains_of_frames_are_carried_on_by_a_power_of_the_steps(monkeypatch: pytest.MonkeyPatch) -> None:
+    def errors(_source: object, shown: stage.StageSettings, _run: Run, rung: str) -> list[float]:
+        assert shown.steps is not None
+        return [2.0 if rung == "encoder" else shown.steps**-0.5] * 6
+
+    monkeypatch.setattr(learning_curve, "_errors", errors)
+    chosen = replace(learning_curve.STUDY.settings, steps=10_000, materials="rough-plastic")
+    gain, flip, _ = stored_tables(learning_curve.learning_curve(chosen, Run()).figures)
+    columns = ["1000 steps", "3000 steps", "10000 steps", "300000 steps, extrapolated"]
+    assert gain.columns == columns
+    assert flip.rows["rough-plastic, with encoder"] == pytest.approx([2, 2, 2, 2], rel=1e-5)
+    wanted = [steps**0.5 * 2 for steps in (1000, 3000, 10_000, 300_000)]
+    # Records keep six digits.
+    assert gain.rows["rough-plastic, Mean FLIP"] == pytest.approx(wanted, rel=1e-5)
 
 
 @pytest.mark.slow
