@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import drjit as dr
 import numpy as np
 import pytest
 
@@ -66,3 +67,40 @@ def test_taps_lie_on_the_yarn_that_is_seen(side: int, tmp_path: Path) -> None:
     thread = 1 / per_mm.min()
     assert np.mean(np.abs(along - heights) < 0.02 * thread) > 0.8
     assert np.mean(np.abs(along) > 0.05 * thread) > 0.5
+
+
+@pytest.mark.parametrize("symbolic", [False, True], ids=["evaluated", "symbolic"])
+def test_small_footprints_among_large_ones_move_as_they_do_alone(symbolic: bool, tmp_path: Path) -> None:
+    """On either face: from afar the search runs for the few lanes that are near."""
+    fabric, weights = fabric_from_text(FABRIC), weights_of(network("field, parallax"), tmp_path)
+    model = NeuralModel.for_source(fabric, NeuralOptions(weights=weights, refined=False))
+    types = array_types(llvm_float())
+    model.upload(types)
+    rng, count = np.random.default_rng(2), 500
+    x, y = rng.uniform(0, 5, (2, count)).astype(np.float32)
+    z = rng.uniform(0.4, 0.9, count) * rng.choice([-1, 1], count)
+    is_near = rng.random(count) < 0.1
+
+    def places(side: np.ndarray, lanes: np.ndarray) -> np.ndarray:
+        numbers = [np.sqrt(1 - z * z), 0 * z, z, side, x, y]
+        inputs = [types.Float(row[lanes].astype(np.float32)) for row in numbers]
+
+        def read(*rows: object) -> tuple[object, object]:
+            view, zero = types.Vector3(*rows[:3]), types.Float(0)
+            edges = types.Vector2(rows[3], zero), types.Vector2(zero, rows[3])
+            taps, _, _ = model.query(view, Footprint(types.Vector2(*rows[4:]), *edges))
+            return taps.x, taps.y
+
+        if symbolic:
+            # A switch between one function and itself.
+            chosen = dr.zeros(types.UInt32, len(inputs[0]))
+            return np.array(dr.switch(chosen, [read, lambda *rows: read(*rows)], *inputs, mode="symbolic"))
+        return np.array(read(*inputs))
+
+    every = np.full(count, True)
+    mixed = places(np.where(is_near, 0.001, 10.0), every)
+    alone, far = places(np.full(count, 0.001), is_near), places(np.full(count, 10.0), every)
+    np.testing.assert_array_equal(mixed[:, ~is_near], far[:, ~is_near])
+    # Threads; kernels of other widths may round otherwise.
+    np.testing.assert_allclose(mixed[:, is_near], alone, atol=1e-5)
+    assert np.abs(mixed - far)[:, is_near].max() > 0.05

@@ -348,19 +348,32 @@ class NeuralModel(FilteredFabricModel):
             view: in the frame of the face that is seen.
         """
         near = near_weight(taps.size(dr), dr)
-        if not dr.flag(dr.JitFlag.SymbolicScope) and dr.none(near > 0):
-            # Tracing the search would take longer than all else of a picture from afar.
+        is_symbolic = dr.flag(dr.JitFlag.SymbolicScope)
+        if not is_symbolic and dr.none(near > 0):
             return taps
+        number_type = dr.uint32_array_t(near)
+        # Of all lanes, where the footprints of all are of one size.
+        is_near = dr.select(near > 0, number_type(1), dr.zeros(number_type, dr.width(centre, view)))
+        # From afar few lanes are near, and the search of all would take longer than the network.
         # Derivatives of where a ray meets yarn would be wrong as well as dear.
         with dr.suspend_grad():
-            hit = first_hit(self._surface, centre.x, centre.y, view, back, near > 0)
-        near = dr.select(hit.hole, 0, near)
+            x, y = dr.switch(
+                is_near,
+                [lambda *_: (type(near)(0), type(near)(0)), self._yarn_met],
+                # The last one is none of truth values, which Dr.Jit would take for active lanes.
+                *(back, centre, view),
+                mode="symbolic" if is_symbolic else "evaluated",
+            )
         across, along = self._threads_per_mm
-        return replace(
-            taps,
-            x=dr.fma(near * across, hit.x - centre.x, taps.x),
-            y=dr.fma(near * along, hit.y - centre.y, taps.y),
-        )
+        return replace(taps, x=dr.fma(near * across, x, taps.x), y=dr.fma(near * along, y, taps.y))
+
+    def _yarn_met(self, back: Mask, centre: Vec2, view: Vec3) -> tuple[Float, Float]:
+        """From where view rays cross the plane of the cloth to where they meet yarn, millimetres.
+
+        It is 0 where they pass through holes.
+        """
+        hit = first_hit(self._surface, centre.x, centre.y, view, back)
+        return tuple(dr.select(hit.hole, 0, met - at) for met, at in ((hit.x, centre.x), (hit.y, centre.y)))
 
     def decoder(self, float_type: type) -> Decoder:
         """The network on one backend; all fabrics share it."""
