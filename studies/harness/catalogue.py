@@ -37,10 +37,14 @@ class Declared:
 
 @cache
 def catalogue() -> dict[str, Declared]:
-    """Every study by name: those of papers first, each folder in the order of people, fig9 before fig10."""
+    """Every study by name: those of papers first, each folder in the order of people, fig9 before fig10.
+
+    Those of no folder come last.
+    """
     found: dict[str, Declared] = {}
-    for folder in FOLDERS:
-        for file in sorted((REPOSITORY / "studies" / folder).rglob("*.py")):
+    root = REPOSITORY / "studies"
+    for files in (*((root / folder).rglob("*.py") for folder in FOLDERS), root.glob("*.py")):
+        for file in sorted(files):
             for each in _declared(file):
                 if each.name in found:
                     raise ValueError(
@@ -54,7 +58,8 @@ def _place(name: str) -> tuple[int, list[tuple[bool, int, str]]]:
     """What names are sorted by: their folder, then words and numbers."""
     words = re.findall(r"\d+|\D+", name)
     parts = [(word.isdigit(), int(word) if word.isdigit() else 0, word) for word in words]
-    return FOLDERS.index(name.split("/")[0]), parts
+    folder = name.split("/")[0]
+    return FOLDERS.index(folder) if folder in FOLDERS else len(FOLDERS), parts
 
 
 def find_study(name: str) -> Study[Any]:

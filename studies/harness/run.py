@@ -59,7 +59,7 @@ def run_study(
     with discarding_empty(folder):
         make_folder(file.parent)
         parts = Parts(file.with_suffix(".parts"), asked)
-        record, found = _measured(study, chosen, outputs, Run(parts, runs, report))
+        record, found = _measured(study, chosen, outputs, Run(parts, runs, report, folder))
         _write(study, record, found, folder)
         parts.forget()
     return record

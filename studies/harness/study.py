@@ -63,11 +63,13 @@ class Run:
         parts: what an interrupted run of the same settings has made already.
         runs: the folder of trainings, which later runs and other studies use again.
         report: called with (steps done, steps in all).
+        folder: of records; None if none is written.
     """
 
     parts: Parts = field(default_factory=Parts)
     runs: Path = Path("runs")
     report: Callable[[int, int], None] = lambda done, total: None
+    folder: Path | None = None
 
     def each(self, cases: Mapping[str, Callable[[], Made]]) -> dict[str, Made]:
         """What each function returns, by name: values of JSON, kept as soon as they are there."""

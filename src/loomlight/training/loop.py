@@ -43,6 +43,18 @@ class Schedule:
     keep_every: float = 60.0
 
 
+def require_device(device: str) -> None:
+    """Raises InputError if this PyTorch has no such device here.
+
+    Args:
+        device: "cpu" or "cuda".
+    """
+    if device == "cuda" and not torch.cuda.is_available():
+        raise InputError(
+            'device = "cuda" needs an NVIDIA card and PyTorch with CUDA, and one is missing: leave it out.'
+        )
+
+
 @contextmanager
 def _subnormals_flushed() -> Iterator[None]:
     """Flushes denormal numbers to 0 on this thread.

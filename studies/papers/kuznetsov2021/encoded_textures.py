@@ -99,8 +99,10 @@ class EncodedTextures(NeuralTextures):
 class TiledBatches(NeumipBatches):
     """Batches of one tile of the repeat each, in random order: their queries share encoded texels."""
 
-    def __init__(self, network: EncodedTextures, queries: Queries, settings: NeumipSettings) -> None:
-        super().__init__(network, network.gains, queries, settings, "cpu")
+    def __init__(
+        self, network: EncodedTextures, queries: Queries, settings: NeumipSettings, device: str
+    ) -> None:
+        super().__init__(network, network.gains, queries, settings, device)
         column, row = np.minimum(_TILES * queries.positions, _TILES - 1).astype(np.intp).T
         self._tiles, self._tiled = _TILES * row + column, (-1, np.zeros((0, 0), np.intp))
 
@@ -123,6 +125,7 @@ def trained_encodings(
     folder: Path,
     identity: str,
     report: Callable[[int, int], None] | None = None,
+    device: str = "cpu",
 ) -> None:
     """Trains the encoder and the decoder that textures share, by the optimiser and the loss of `neumip`.
 
@@ -134,12 +137,15 @@ def trained_encodings(
         folder: holds the checkpoint.
         identity: of all that the weights depend on.
         report: called with (steps done, steps in all).
+        device: of torch, "cpu" or "cuda"; afterwards the textures are on the CPU again.
 
     Raises:
         InputError: a damaged checkpoint, or one of another training.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    batches = [TiledBatches(*each, settings) for each in zip(textures, queries, strict=True)]
+    for each in textures:
+        each.to(device)
+    batches = [TiledBatches(*each, settings, device) for each in zip(textures, queries, strict=True)]
     shared = nn.ModuleList([textures[0].encoder, textures[0].decoder])
 
     def losses(step: int) -> Iterator[Any]:
@@ -155,6 +161,8 @@ def trained_encodings(
             f"encoded {design} {identity}",
             None if report is None else lambda step, steps, _: report(step, steps),
         )
+    for each in textures:
+        each.to("cpu")
 
 
 def apparent_brdfs(source: Source, settings: NeumipSettings, folder: Path, samples: int) -> _Floats:

@@ -23,10 +23,11 @@ from loomlight.core.extras import import_extra
 from loomlight.core.files import replacing
 from loomlight.core.settings import same_setting, setting
 from loomlight.evaluation.table import Cell, Table
+from loomlight.models.options import TrainingOptions
 from loomlight.models.registry import btf_of
 from loomlight.models.texture.neumip import NeumipModel
 from loomlight.models.texture.queries import draw_directions
-from loomlight.models.texture.settings import NeumipOptions, NeumipSettings
+from loomlight.models.texture.settings import LatentOptions, NeumipOptions, NeumipSettings
 from loomlight.sources.heightfield import Heightfield
 from studies.harness.study import Figures, Found, Run, Study, on_display, stored_tables, with_tables
 from studies.instruments.sheet import PictureTable, Tile, error_caption
@@ -118,28 +119,49 @@ class CostSettings(MaterialsSettings):
     quality: str = same_setting(TrainedSettings, "quality", choices=tuple(BUDGETS))
     levels: int = setting(6, "Sizes of footprints of random queries, from a texel.", low=1, high=8)
     probes: int = setting(2000, "Random queries of each size.", low=1, high=10**6)
+    batch: int | None = same_setting(
+        LatentOptions, "batch", help="Queries of a step of each training.", otherwise="those of the recipes"
+    )
+    device: str = same_setting(TrainingOptions, "device")
 
 
 class EqualCost:
     """The trainings of some materials at one budget; a folder keeps them, and what they learn from."""
 
-    def __init__(self, sources: Sequence[Heightfield], budget: Budget, runs: Path) -> None:
-        self._sources, self._budget = list(sources), budget
+    def __init__(
+        self,
+        sources: Sequence[Heightfield],
+        budget: Budget,
+        runs: Path,
+        batch: int | None = None,
+        device: str = "cpu",
+    ) -> None:
+        """
+        Args:
+            batch: queries of a step; None for those of the recipes.
+            device: of torch, "cpu" or "cuda".
+        """
+        self._sources, self._budget, self._batch, self._device = list(sources), budget, batch, device
+        # The clock of what trainings cost: with a card a processor's time is not theirs.
+        self._clock = time.process_time if device == "cpu" else time.perf_counter
         self._folder = Path(runs) / "kuznetsov2021"
         self._queries_folder = self._folder / "queries"
         self._queries_folder.mkdir(parents=True, exist_ok=True)
         # One ray a query: rays are then queries.
         recipe = NeumipOptions(resolution=budget.resolution).settings(is_fabric=False)
-        self.settings = replace(recipe, queries=budget.rays)
+        self.settings = replace(recipe, queries=budget.rays, batch=batch or recipe.batch)
 
     def trained(self, name: str, source: Heightfield) -> Trained:
         """A design of `COLUMNS` for a material.
 
         Raises:
-            InputError: the folder cannot be written to, or holds a damaged training.
+            InputError: the folder cannot be written to, or holds a damaged training; no such device.
             MissingDependencyError: PyTorch is missing.
         """
         import_extra("torch", "train", "Training")
+        from loomlight.training.loop import require_device
+
+        require_device(self._device)
         if name == FORMER:
             return self._former(source)
         if name in (OURS, WITHOUT):
@@ -159,7 +181,11 @@ class EqualCost:
                     (folder / file.name).hardlink_to(file)
             # Reports up to 300 of 1000 are of queries.
             return train_neumip(
-                source, used, folder, lambda done, total: report(done, total) if done > 300 else None
+                source,
+                used,
+                folder,
+                lambda done, total: report(done, total) if done > 300 else None,
+                self._device,
             )
 
         weights, cost = self._run(name, settings.identity(source), run)
@@ -172,13 +198,13 @@ class EqualCost:
             PREVIEW,
             resolution=self._budget.former_resolution,
             queries=self._budget.rays // PREVIEW.samples,
-            batch=min(2 * PREVIEW.batch, self._budget.rays // PREVIEW.samples),
+            batch=min(self._batch or 2 * PREVIEW.batch, self._budget.rays // PREVIEW.samples),
         )
         self._taken(source, settings)
 
         def run(steps: int, folder: Path, report: Callable[[int, int], None]) -> Any:
             used, design = replace(settings, steps=steps), DESIGNS[OURS]
-            return trained_textures(design, source, used, folder, self._queries_folder, report)
+            return trained_textures(design, source, used, folder, self._queries_folder, report, self._device)
 
         network, cost = self._run(FORMER, settings.identity(source), run)
         return Trained(network_predictor(network, source), cost | {"rays": self._budget.rays})
@@ -218,7 +244,9 @@ class EqualCost:
 
         def run(steps: int, folder: Path, report: Callable[[int, int], None]) -> Any:
             made, used = textures(), replace(self.settings, steps=steps)
-            trained_encodings(design, made, queries, used, folder, f"{steps} {identity}", report)
+            trained_encodings(
+                design, made, queries, used, folder, f"{steps} {identity}", report, self._device
+            )
             return made
 
         made, cost = self._run(name, identity, run, _UNIVERSAL if design.together else 1)
@@ -252,7 +280,7 @@ class EqualCost:
             cost["steps"] = self._budget.steps or self._steps(run, times)
             _write(file, cost)
         marks: list[float] = []
-        found = run(int(cost["steps"]), folder, lambda done, total: marks.append(time.process_time()))
+        found = run(int(cost["steps"]), folder, lambda done, total: marks.append(self._clock()))
         if "cpu_seconds" not in cost:
             # Of all steps by those of this run, less what comes before and after them.
             cost["cpu_seconds"] = cost["steps"] * _mean_step(marks)
@@ -263,7 +291,7 @@ class EqualCost:
         """Steps that take the seconds of the budget."""
         marks: list[float] = []
         with TemporaryDirectory() as folder:
-            run(_BEFORE + _TIMED, Path(folder), lambda done, total: marks.append(time.process_time()))
+            run(_BEFORE + _TIMED, Path(folder), lambda done, total: marks.append(self._clock()))
         return max(1, round(times * self._budget.seconds / _mean_step(marks[_BEFORE:])))
 
 
@@ -287,7 +315,7 @@ def comparison(settings: CostSettings, run: Run) -> Found:
         raise InputError(
             f"--materials {settings.materials} are too few: Rainer et al. 2020 need two or more."
         )
-    trainings = EqualCost(sources, budget, run.runs)
+    trainings = EqualCost(sources, budget, run.runs, settings.batch, settings.device)
     squared, flip = Table("MSE × 1000, of π f·cos", columns), Table("FLIP", columns)
     by_level = Table("MSE × 1000 of random queries by level", columns)
     cost = Table("Steps; processor seconds of training", columns)

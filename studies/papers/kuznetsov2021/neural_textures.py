@@ -181,6 +181,7 @@ def trained_textures(
     folder: Path,
     queries_folder: Path,
     report: Report | None = None,
+    device: str = "cpu",
 ) -> NeuralTextures:
     """A design trained for a source of one opaque face. A training that was stopped goes on.
 
@@ -188,6 +189,7 @@ def trained_textures(
         settings: of queries and schedule; `settings.offset` is not read.
         folder: holds the checkpoint.
         queries_folder: holds the queries, which designs share.
+        device: of torch, "cpu" or "cuda"; what is returned is on the CPU.
 
     Raises:
         InputError: a damaged checkpoint, or one of another training.
@@ -197,8 +199,8 @@ def trained_textures(
     queries = taken_queries(source, btf, settings, queries_folder)
     torch.manual_seed(settings.seed)
     scale = settings.texture_rate / settings.rate
-    network = NeuralTextures(design, settings.shape(source, btf.faces), scale, gains_of(queries))
-    batches = NeumipBatches(network, network.gains, queries, settings, "cpu", published_error)
+    network = NeuralTextures(design, settings.shape(source, btf.faces), scale, gains_of(queries)).to(device)
+    batches = NeumipBatches(network, network.gains, queries, settings, device, published_error)
 
     def losses(step: int) -> Iterator[Tensor]:
         network.blur = blur_of(network.shape, step / settings.steps)
@@ -216,7 +218,7 @@ def trained_textures(
             None if report is None else lambda step, steps, _: report(step, steps),
         )
     network.blur = 0.0
-    return network
+    return network.to("cpu")
 
 
 def published_error(predicted: Tensor, truth: Tensor) -> Tensor:

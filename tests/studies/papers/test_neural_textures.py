@@ -117,7 +117,7 @@ def test_a_batch_is_of_one_tile_and_a_pass_has_every_query_once() -> None:
         "holes": np.zeros(count, np.float32),
     }
     network = EncodedTextures(DESIGNS[RAINER19], SHAPE, np.ones((8, 8, PAIRS, 3), np.float32))
-    batches = TiledBatches(network, Queries(**columns), replace(NeumipSettings(), batch=batch))
+    batches = TiledBatches(network, Queries(**columns), replace(NeumipSettings(), batch=batch), "cpu")
     order, second = (
         np.concatenate([batches._chosen(first + step) for step in range(count // batch)])
         for first in (0, count // batch)

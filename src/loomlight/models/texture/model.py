@@ -164,13 +164,14 @@ def run_training(
         options: without a folder, queries and checkpoints stay in the cache until the end.
 
     Raises:
-        InputError: a source of which no queries can be taken.
+        InputError: a source of which no queries can be taken, or a device that is missing.
         MissingDependencyError: PyTorch is missing.
     """
     # On shared cores threads that spin while they wait make small batches many times slower.
     os.environ.setdefault("OMP_WAIT_POLICY", "passive")
     import_extra("torch", "train", f"Training {model}")
     # By name: only trainings need torch.
+    import_module("loomlight.training.loop").require_device(options.device)
     train = getattr(import_module(f"loomlight.models.texture.{model}_training"), f"train_{model}")
     if options.folder is not None:
         return train(source, settings, Path(options.folder), report, options.device)

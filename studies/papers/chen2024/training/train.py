@@ -21,7 +21,7 @@ from loomlight.core.provenance import provenance
 from loomlight.models.neural.architecture import FIELD_MAP, VECTOR_MAP
 from loomlight.models.neural.learned_truth import ENTRY, moved_since, truth_numbers
 from loomlight.models.options import DEVICES
-from loomlight.training.loop import Report, Schedule, read_checkpoint, train, write_checkpoint
+from loomlight.training.loop import Report, Schedule, read_checkpoint, require_device, train, write_checkpoint
 from loomlight.training.parallel import process_count, process_number, wait_for_all
 from loomlight.training.soap import Soap
 from studies.papers.chen2024.dataset_store import QueryStore
@@ -77,7 +77,9 @@ def train_neural(
     Raises:
         InputError: the folder belongs to another configuration, or a file in it is damaged.
     """
-    _require_device(device)
+    if device not in DEVICES:
+        raise InputError(f'--device "{device}" is none: write {" or ".join(DEVICES)}.')
+    require_device(device)
     _require_work_for_all(config)
     faces, truth = _faces_and_truth(config, folder, dataset_report)
     torch.manual_seed(config.training.seed)
@@ -135,16 +137,6 @@ def train_neural(
     )
     export_encoder(weights)
     return weights
-
-
-def _require_device(device: str) -> None:
-    """Raises InputError if this PyTorch has no such device here."""
-    if device not in DEVICES:
-        raise InputError(f'--device "{device}" is none: write {" or ".join(DEVICES)}.')
-    if device == "cuda" and not torch.cuda.is_available():
-        raise InputError(
-            "--device cuda needs an NVIDIA card and PyTorch with CUDA, and one is missing here: leave it out."
-        )
 
 
 def _require_work_for_all(config: TrainingConfig) -> None:
