@@ -7,6 +7,7 @@ references are rendered with as many samples, all of them with light that other 
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -27,7 +28,9 @@ from loomlight.mitsuba.plugins import make_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.mitsuba.shapes import ground
 from loomlight.models.interface import FootprintBsdf, Model
-from loomlight.models.registry import make_model, model_from_loom
+from loomlight.models.registry import model_from_loom
+from loomlight.models.texture.latent import LatentModel
+from loomlight.models.texture.model import run_training
 from loomlight.models.texture.settings import LatentOptions
 from loomlight.sources.loom_file import write_loom
 from loomlight.sources.material import Material
@@ -145,6 +148,8 @@ def trained(
 ) -> Model:
     """The model of a material; a training is kept in the folder of runs, and read if it is there.
 
+    One that was stopped goes on. Queries stay in a folder that all trainings share.
+
     Args:
         others: further ones of `LatentOptions`.
 
@@ -161,13 +166,17 @@ def trained(
     }
     given = {name: getattr(settings, name) for name in ("steps", "queries", "batch")}
     options = {name: value for name, value in given.items() if value is not None} | options
-    identity = LatentOptions(**options).settings().identity(source)[:12]
-    file = runs / "zeltner2024" / f"{source.name}-{decoder}-{rung}-{identity}.loom"
+    recipe, folder = LatentOptions(**options).settings(), runs / "zeltner2024"
+    name = f"{source.name}-{decoder}-{rung}-{recipe.identity(source)[:12]}"
+    file = folder / f"{name}.loom"
     if file.exists():
         return model_from_loom(file)
-    model = make_model("latent", source, **options)
-    file.parent.mkdir(parents=True, exist_ok=True)
+    chosen = LatentOptions(**options, folder=folder / name)
+    weights = run_training("latent", source, recipe, chosen, None, shared=folder / "queries")
+    model = LatentModel(source, weights)
     write_loom(file, model.to_loom())
+    # Nobody goes on from these checkpoints any more.
+    shutil.rmtree(folder / name)
     return model
 
 

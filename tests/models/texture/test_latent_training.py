@@ -340,3 +340,13 @@ def test_a_sampler_finds_an_off_centre_lobe() -> None:
 def test_a_source_without_queries_is_refused() -> None:
     with pytest.raises(TypeError, match="is no kind of source"):
         btf_of(Path("a"), "latent")  # type: ignore[arg-type]  # no source: that is what is refused
+
+
+def test_trainings_that_differ_in_networks_alone_share_queries(tmp_path: Path) -> None:
+    shared = tmp_path / "queries"
+    for number, settings in enumerate(
+        (short(), short(decoder="2x16", rung="encoder", steps=4), short(seed=1))
+    ):
+        train_latent(TWILL, settings, tmp_path / str(number), shared=shared)
+        assert len(list(shared.iterdir())) == (1 if number < 2 else 2)
+        assert not list((tmp_path / str(number)).glob("queries*"))

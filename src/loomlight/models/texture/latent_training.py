@@ -85,6 +85,7 @@ def train_latent(
     progress: Progress | None = None,
     device: str = "cpu",
     keep_every: float = 30.0,
+    shared: Path | None = None,
 ) -> Weights:
     """The weights of a material.
 
@@ -92,6 +93,8 @@ def train_latent(
         folder: holds queries and checkpoints; made if need be, and used again to go on.
         device: of torch, "cpu" or "cuda".
         keep_every: seconds between checkpoints.
+        shared: folder of the queries, which trainings share that differ in nothing that they depend on; by
+            default `folder`.
 
     Raises:
         InputError: a source of which no queries can be taken, or a damaged checkpoint.
@@ -104,7 +107,9 @@ def train_latent(
     stream = LatentStream(
         btf, texels, shape.levels, settings.samples, settings.seed, settings.mollified_queries
     )
-    queries = folder_queries(stream, folder, run.identity, settings.queries, progress)
+    folder.mkdir(parents=True, exist_ok=True)
+    asked = settings.query_identity(source)
+    queries = folder_queries(stream, shared or folder, asked, settings.queries, progress)
     torch.manual_seed(settings.seed)
     network = LatentNetwork(
         shape,

@@ -157,11 +157,13 @@ def run_training(
     settings: TrainingSettings,
     options: TrainingOptions,
     report: Report | None,
+    **others: Any,
 ) -> Any:
     """The weights that the training of a model gives; one that was stopped goes on.
 
     Args:
         options: without a folder, queries and checkpoints stay in the cache until the end.
+        others: arguments of the model's own training.
 
     Raises:
         InputError: a source of which no queries can be taken, or a device that is missing.
@@ -174,9 +176,9 @@ def run_training(
     import_module("loomlight.training.loop").require_device(options.device)
     train = getattr(import_module(f"loomlight.models.texture.{model}_training"), f"train_{model}")
     if options.folder is not None:
-        return train(source, settings, Path(options.folder), report, options.device)
+        return train(source, settings, Path(options.folder), report, options.device, **others)
     place = cache_folder(model) / settings.identity(source)[:16]
-    weights = train(source, settings, place, report, options.device)
+    weights = train(source, settings, place, report, options.device, **others)
     # A temporary folder copes at its end with files of other processes.
     with TemporaryDirectory(dir=place.parent) as temporary:
         place.rename(Path(temporary) / place.name)

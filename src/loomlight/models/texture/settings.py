@@ -230,6 +230,13 @@ class LatentSettings(TrainingSettings):
     sampler_steps: int = 300
     sampler_batch: int = 1 << 10
 
+    def query_identity(self, source: Source) -> str:
+        """A hash of all that the queries depend on: trainings that differ in the rest share them."""
+        taken = {
+            name: getattr(self, name) for name in ("resolution", "queries", "samples", "seed", "mollified")
+        }
+        return LatentSettings(**taken).identity(source)
+
     @property
     def mollified_queries(self) -> int:
         """Queries whose lights are cones, the first ones."""
