@@ -35,7 +35,7 @@ SUFFIX = ".binary"
 BINS = (90, 90, 180)
 _COUNT = math.prod(BINS)
 SCALES = np.array([1 / 1500, 1.15 / 1500, 1.66 / 1500])
-_BYTES = 12 + 3 * 8 * _COUNT
+FILE_BYTES = 12 + 3 * 8 * _COUNT
 MAX_BRDFS = 100
 # A `.loom` holds the values of so many; of a larger library, a gigabyte, the names and checksums alone.
 MAX_STORED = 8
@@ -165,9 +165,9 @@ def read_merl(path: str | os.PathLike[str]) -> _Floats:
             if stream.read(12) != np.array(BINS, "<i4").tobytes():
                 raise InputError(f"it is no MERL file: one begins with the dimensions {BINS}.")
             size = file.stat().st_size
-            if size != _BYTES:
-                fault = "truncated" if size < _BYTES else "too long"
-                raise InputError(f"it is {fault}: a MERL file has {_BYTES} bytes, it has {size}.")
+            if size != FILE_BYTES:
+                fault = "truncated" if size < FILE_BYTES else "too long"
+                raise InputError(f"it is {fault}: a MERL file has {FILE_BYTES} bytes, it has {size}.")
             stored = np.fromfile(stream, np.dtype("<f8"))
         # NaN compares as false.
         if not (np.abs(stored) <= _MAX_STORED).all():

@@ -13,6 +13,8 @@ at the middle of its cell, about pairs of directions that no training saw; the t
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -28,7 +30,7 @@ from loomlight.evaluation.table import Table
 from loomlight.models.texture.latent import LatentModel
 from loomlight.models.texture.queries import draw_directions, draw_lights
 from loomlight.models.texture.settings import DECODERS, LatentOptions
-from loomlight.sources.merl import SUFFIX, MerlLibrary, load_merl
+from loomlight.sources.merl import FILE_BYTES, MerlLibrary, load_merl
 from studies.harness.study import Figures, Found, Run, Study, listed, names
 from studies.instruments.timing import spent
 from studies.papers.zeltner2024.analytic_brdfs import write_analytic_library
@@ -54,20 +56,35 @@ class Library(Settings):
 def measure(settings: Library, run: Run) -> Found:
     """The errors of each decoder's network."""
     require_llvm()
+    with library_of_settings(settings) as library:
+        return Found(_figures(library, settings, run))
+
+
+@contextmanager
+def library_of_settings(settings: Library) -> Iterator[MerlLibrary]:
+    """The library that is asked for: that of a folder, or analytic BRDFs, written as files and read again."""
     if settings.library is not None:
-        return Found(_figures(Path(settings.library), settings, run))
+        yield load_merl(settings.library)
+        return
     with TemporaryDirectory() as folder:
         write_analytic_library(folder, settings.count)
-        return Found(_figures(Path(folder), settings, run))
+        yield load_merl(folder)
 
 
-def _figures(folder: Path, settings: Library, run: Run) -> Figures:
-    library = load_merl(folder)
+def middle_of(library: MerlLibrary, number: int) -> NDArray[np.float32]:
+    """The middle of a BRDF's cell [2], millimetres."""
+    columns, rows = library.grid
+    width, height = library.repeat_mm
+    cell = np.array([width / columns, height / rows], np.float32)
+    return ((np.array([number % columns, number // columns]) + 0.5) * cell).astype(np.float32)
+
+
+def _figures(library: MerlLibrary, settings: Library, run: Run) -> Figures:
     return {
-        "source": "analytic" if settings.library is None else folder.name,
+        "source": "analytic" if settings.library is None else Path(settings.library).name,
         "brdfs": len(library.names),
         "steps": settings.steps,
-        "file_bytes": sum(file.stat().st_size for file in folder.glob(f"*{SUFFIX}")),
+        "file_bytes": FILE_BYTES * len(library.names),
         **run.each(
             {name: partial(_of_decoder, library, name, settings) for name in listed(settings.decoders)}
         ),
@@ -106,11 +123,7 @@ def _errors(model: LatentModel, library: MerlLibrary, number: int, pairs: int) -
     views = draw_directions(rng, pairs)
     lights = draw_lights(rng, views)
     truth = library.evaluate(np.full(pairs, number), lights, views).astype(np.float64)
-    columns, rows = library.grid
-    width, height = library.repeat_mm
-    cell = np.array([width / columns, height / rows], np.float32)
-    middle = (np.array([number % columns, number // columns]) + 0.5) * cell
-    at = at_texel(model, middle.astype(np.float32), model.weights.shape.texel_mm, views)
+    at = at_texel(model, middle_of(library, number), model.weights.shape.texel_mm, views)
     value = at.value(Array3f(np.ascontiguousarray(lights.T, np.float32)))
     difference = np.array(value, np.float64).T - truth
     size = np.abs(difference)

@@ -8,17 +8,21 @@ Covers: studies/papers/zeltner2024/tables.py, studies/papers/zeltner2024/two_nor
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f, Array3f, Float
+from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.material_btf import MaterialBtf
 from loomlight.models.interface import Model
 from loomlight.models.texture.settings import LATENT_QUALITIES, LatentSettings
+from loomlight.sources.merl import MerlLibrary
 from studies.harness.study import Run, stored_tables
 from studies.papers.zeltner2024 import (
     analytic_baseline,
@@ -29,6 +33,7 @@ from studies.papers.zeltner2024 import (
     tables,
     two_normals,
 )
+from studies.papers.zeltner2024.analytic_brdfs import analytic_library
 
 
 @pytest.fixture
@@ -135,9 +140,43 @@ def test_polar_plots_show_every_place(
 ) -> None:
     monkeypatch.setattr(polar, "PLACES", ((0.3, 0.4),))
     actual = polar.polar_plots(replace(settings, spp=2), run)
-    assert set(actual.pictures) == {"rough-plastic-0.3, 0.4 at 15°", "rough-plastic-0.3, 0.4 at 60°"}
+    places = {"0.3, 0.4 at 15°", "0.3, 0.4 at 60°"}
+    decoders = {"2×16", "2×32", "3×64"}
+    assert set(actual.pictures) == {f"rough-plastic, {size}-{at}" for size in decoders for at in places}
     # Black, blue and orange lines on white.
     assert len(np.unique(next(iter(actual.pictures.values())).reshape(-1, 3), axis=0)) >= 4
+
+
+@pytest.mark.slow
+def test_libraries_have_a_plot_of_each_brdf(
+    settings: stage.StageSettings, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    del settings  # its trainings alone
+    library = analytic_library(3)
+    monkeypatch.setattr(polar, "library_of_settings", lambda _settings: nullcontext(library))
+    monkeypatch.setattr(polar, "profile_of", exact_profile(library))
+    actual = polar.library_plots(replace(polar.STUDIES[0].settings, steps=1), Run())
+    (table,) = stored_tables(actual.figures)
+    assert (actual.figures["brdfs"], actual.figures["decoder"]) == (3, "3x64")
+    # Networks are replaced by a tenth of the truth, densities by the truth.
+    assert table.rows["network / BRDF"] == pytest.approx([1, 1, 1, 1], abs=1e-6)
+    assert table.rows["density / network"] == pytest.approx([0, 0, 0, 0], abs=1e-6)
+    assert actual.sheet is not None
+    assert actual.sheet.shape[1] >= 3 * 200
+
+
+def exact_profile(library: MerlLibrary) -> Callable[..., polar.Profile]:
+    count = iter(range(len(library.names)))
+
+    def profile(_at: object, reference: NDArray[np.float32], view_degrees: float) -> polar.Profile:
+        # The BRDF of the cell that is asked for, and no other.
+        lights, views = polar.plane_of_incidence(view_degrees)
+        truth = library.evaluate(np.full(len(lights), next(count)), lights, views)
+        np.testing.assert_array_equal(reference, truth)
+        mean = truth.mean(axis=1).astype(np.float64)
+        return polar.Profile(np.linspace(-1.5, 1.5, len(mean)), 0.7, mean, 0.1 * mean, 3 * mean)
+
+    return profile
 
 
 def test_eight_channels_learn_a_diffuse_material(monkeypatch: pytest.MonkeyPatch) -> None:
