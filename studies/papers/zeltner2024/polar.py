@@ -1,6 +1,7 @@
 """zeltner2024's supplemental, figures 6 to 37: polar plots of values and of the sampler's density.
 
-Figures 6 and 7 are of a library of BRDFs in one network of 3×64, a plot of each; 8 to 37 of materials, by decoders of all sizes, at several texels from two views. Each plot is a plane of incidence: f·cos of the
+Figures 6 and 7 are of a library of BRDFs in one network of 3×64, a plot of each; 8 to 37 of materials, by
+decoders of all sizes, at several texels from two views. Each plot is a plane of incidence: f·cos of the
 reference (black) and of the model (blue), and the sampler's density (orange), scaled to the model's mean,
 over the light's angle. The radius is logarithmic and spans three decades below the largest value.
 
