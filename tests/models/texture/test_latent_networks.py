@@ -106,7 +106,7 @@ def test_features_of_a_half_vector() -> None:
     found = half_vector_features([(view, light)], view, light, SCALARS)
     rest = 1 - math.cos(math.radians(45))
     wanted = [
-        0.25 * math.log(math.tan(math.radians(15)) ** 2 + 3e-4),
+        0.25 * math.log(math.tan(math.radians(15)) ** 2 + 1e-5),
         rest**5,
         math.log(math.cos(math.radians(30))),
     ]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -20,8 +21,10 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.registry import btf_of
 from loomlight.models.texture import training
 from loomlight.models.texture.btfs import FabricBtf
+from loomlight.models.texture.latent import half_vector_features
 from loomlight.models.texture.latent_training import LatentBatches, loss_of, rate_factor, train_latent
 from loomlight.models.texture.queries import (
+    FOUR_POINTS,
     EncodedBtf,
     LatentStream,
     Texels,
@@ -38,6 +41,8 @@ from loomlight.training.direction_sampler import sampler_loss
 from loomlight.training.layers import TORCH, relu_layers
 
 require_llvm()
+
+SCALARS = SimpleNamespace(log=math.log, sqrt=math.sqrt, maximum=max)
 
 TWILL = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]\ncolor = "#2040c0"')
 
@@ -280,6 +285,53 @@ def test_mollified_values_become_the_sources_as_cones_narrow() -> None:
     assert errors[3] < 1e-3
     still = spread_over_cones(rng, lights, np.zeros(len(lights), np.float32))
     np.testing.assert_allclose(still, lights, atol=1e-6)
+
+
+class _Glints(EncodedBtf):
+    """Flakes, a hundredth of all points, that shine as bright as makes 1 of the mean."""
+
+    extent = (1.0, 1.0)
+
+    def values(self, points: Any, lights: Any, views: Any, seed: Any) -> Any:
+        cells = np.floor(points * 10_000).astype(np.int64)
+        flake = (cells[:, 0] * 7919 + cells[:, 1] * 104_729) % 100 == 0
+        return np.repeat(np.where(flake, 100.0, 0.0)[:, None], 3, axis=1).astype(np.float32)
+
+    def texels(self, resolution: int) -> Texels:
+        return _CheapTexels()
+
+
+class _CheapTexels(_FlatTexels):
+    sigma, turns = np.full(2, 0.02, np.float32), FOUR_POINTS
+
+
+def test_most_values_of_coarse_footprints_are_near_the_mean() -> None:
+    """Losses of logarithms and of cube roots learn medians: of footprints of many glints that is the mean."""
+    queries = LatentStream(_Glints(), _CheapTexels(), 4, 8, seed=0).part(0, 4000)
+    coarse = queries.values[queries.levels >= 2, 0]
+    # 256 points show 2.6 glints, whose median is 2 of them; of 32 points most show none.
+    assert np.median(coarse) > 0.7 * coarse.mean()
+    assert coarse.mean() == pytest.approx(1, abs=0.1)
+
+
+def test_fine_footprints_and_dear_points_have_the_estimates_of_the_settings() -> None:
+    cheap = LatentStream(_Glints(), _CheapTexels(), 4, 8, seed=0)._samples
+    assert list(cheap) == [8, 32, 64, 64]
+    assert list(LatentStream(_Lobe(), _FlatTexels(), 4, 8, seed=0)._samples) == [8] * 4
+    assert list(LatentStream(_Glints(), _CheapTexels(), 3, 100, seed=0)._samples) == [100] * 3
+
+
+def test_features_resolve_a_polished_glaze() -> None:
+    """Half vectors at the width of a lobe of roughness 0.0036, the median of the glaze, and at its middle."""
+
+    def feature(tangent: float) -> float:
+        half = np.array([tangent, 0.0, 1.0]) / math.hypot(tangent, 1)
+        view = half
+        (first, *_) = half_vector_features([(view, half)], view, half, SCALARS)
+        return float(first)
+
+    # A quarter of the logarithm of what the distance grows by: double there, and nearly nothing before.
+    assert feature(0.0036) - feature(0.0) > 0.25 * math.log(2)
 
 
 def test_steps_learn_from_cones_first_and_from_the_others_afterwards() -> None:

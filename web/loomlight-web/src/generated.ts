@@ -632,7 +632,7 @@ export const LATENT_ALBEDO_WIDTHS = [11, 16, 3] as const;
 export const LATENT_VALUE_OFFSET = 3.0;
 export const LATENT_ALBEDO_OFFSET = 1.0;
 export const LATENT_MAX_EXPONENT = 12.0;
-export const LATENT_SLOPE_FLOOR = 0.0003;
+export const LATENT_SLOPE_FLOOR = 1e-05;
 export const LATENT_MIN_HALF = 0.02;
 export const LATENT_MIN_LIGHT = 0.01;
 

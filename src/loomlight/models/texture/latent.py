@@ -71,9 +71,9 @@ ALBEDO_WIDTHS = (3 + CHANNELS, 16, 3)
 VALUE_OFFSET, ALBEDO_OFFSET = 3.0, 1.0
 # Bound of an exponent: values stay finite, and no training reaches it.
 MAX_EXPONENT = 12.0
-# Added to tan² of the half vector's angle: a lobe of a roughness of 0.017 is the sharpest that the feature
-# resolves. Below, the least cosines of half vectors and lights.
-SLOPE_FLOOR, MIN_HALF, MIN_LIGHT = 3e-4, 0.02, 0.01
+# Added to tan² of the half vector's angle: a lobe of a roughness of 0.003 is the sharpest that the feature
+# resolves, that of a polished glaze. Below, the least cosines of half vectors and lights.
+SLOPE_FLOOR, MIN_HALF, MIN_LIGHT = 1e-5, 0.02, 0.01
 
 
 def decoder_widths(hidden: tuple[int, ...], with_frames: bool, with_features: bool) -> tuple[int, ...]:
@@ -90,7 +90,7 @@ def half_vector_features(
 ) -> list[Any]:
     """What highlights, Fresnel's rise and the horizon depend on: small networks hardly find it by products.
 
-    ¼ log(tan² θ_h + 3e-4) for each frame, (1 - cos θ_d)^5 and log cos θ_light (θ_h, θ_d: Rusinkiewicz 1998).
+    ¼ log(tan² θ_h + 1e-5) for each frame, (1 - cos θ_d)^5 and log cos θ_light (θ_h, θ_d: Rusinkiewicz 1998).
     In frames whose tangent is not at right angles to the normal, θ_h is 0 where the half vector is at right
     angles to tangent and bitangent.
 
@@ -248,7 +248,7 @@ def _exponential(exponent: Float) -> Float:
 # -------------------------------------------------------------------------------------------------- the model
 
 # Of files: to be raised when the same tensors mean something else.
-_FILE_VERSION = 2
+_FILE_VERSION = 3
 
 
 @final

@@ -32,6 +32,8 @@ from loomlight.models.texture.latent import (
 )
 from loomlight.models.texture.pyramid import PyramidShape, level_taps
 from loomlight.models.texture.queries import (
+    ALPHAS,
+    RESOLVED_ALPHA,
     EncodedBtf,
     LatentStream,
     Progress,
@@ -104,8 +106,15 @@ def train_latent(
     texels = btf.texels(settings.resolution)
     shape = PyramidShape(*texels.resolution, *source.repeat_mm, btf.faces, texels.is_apart)
     run = TrainingFolder(folder, settings.identity(source), progress, keep_every)
+    finest_alpha = RESOLVED_ALPHA if settings.features == FEATURES[0] else ALPHAS[0]
     stream = LatentStream(
-        btf, texels, shape.levels, settings.samples, settings.seed, settings.mollified_queries
+        btf,
+        texels,
+        shape.levels,
+        settings.samples,
+        settings.seed,
+        settings.mollified_queries,
+        finest_alpha,
     )
     folder.mkdir(parents=True, exist_ok=True)
     asked = settings.query_identity(source)

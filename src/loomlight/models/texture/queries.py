@@ -29,6 +29,12 @@ _Floats = NDArray[np.float32]
 PART = 1 << 16
 # More grazing directions see crests alone.
 MIN_COSINE = 0.02
+# Bounds of the roughnesses of the Trowbridge–Reitz distributions that half vectors of lights are drawn by,
+# uniform in the logarithm; and the lower one for networks that resolve as much.
+ALPHAS, RESOLVED_ALPHA = (0.02, 0.7), 0.003
+# Estimates of a footprint that is larger than a texel, of cheap points. With fewer most of a rough mirror's
+# footprints show no highlight at all, and losses that learn medians learn that there is none.
+_MAX_SAMPLES = 64
 # Keys that separate the random numbers of queries from those of batches, and those of cones from estimates'.
 _STREAM, _CONES = 3, 8
 # Points of queries that are answered at once: they take 200 MB.
@@ -357,19 +363,30 @@ class LatentStream(QueryStream):
     asks_holes = False
 
     def __init__(
-        self, btf: Btf, texels: Texels, levels: int, samples: int, seed: int, mollified: int = 0
+        self,
+        btf: Btf,
+        texels: Texels,
+        levels: int,
+        samples: int,
+        seed: int,
+        mollified: int = 0,
+        finest_alpha: float = ALPHAS[0],
     ) -> None:
         """
         Args:
             levels: of the pyramid.
-            samples: estimates of which a value is the mean.
+            samples: estimates of which a value is the mean: of a footprint of a texel, and of larger ones as
+                many more as their area, up to 64, where points are cheap.
             mollified: queries whose lights are cones, the first ones; see `cone_angles`.
+            finest_alpha: least roughness of the half vectors by which lights are drawn.
         """
         super().__init__(btf, seed)
         self._texels, self._levels, self._mollified = texels, levels, mollified
-        self.turns = texels.turns
+        self.turns, self._finest_alpha = texels.turns, finest_alpha
         # Of exact values one estimate is enough.
-        self._samples = 1 if texels.is_apart else samples
+        samples = 1 if texels.is_apart else samples
+        most = samples if texels.turns == ONE_POINT else max(samples, _MAX_SAMPLES)
+        self._samples = np.minimum(samples * 4 ** np.arange(levels), most)
 
     def _drawn(self, key: tuple[int, ...], count: int) -> tuple[QueryInputs, Points]:
         rng = np.random.default_rng(key)
@@ -377,9 +394,11 @@ class LatentStream(QueryStream):
         levels = draw_whole_levels(rng, count, self._levels).astype(np.float32)
         views = draw_directions(rng, count)
         faces = rng.integers(self._btf.faces, size=count, dtype=np.uint8)
-        lights = draw_lights(rng, views, self._slopes(rng, positions, levels, faces))
+        slopes = self._slopes(rng, positions, levels, faces)
+        lights = draw_lights(rng, views, slopes, self._finest_alpha)
         cones = cone_angles(key[-1] * PART + np.arange(count), self._mollified)
-        counts = np.where(cones > 0, max(self._samples, CONE_LIGHTS), self._samples)
+        counts = self._samples[levels.astype(np.intp)]
+        counts = np.where(cones > 0, np.maximum(counts, CONE_LIGHTS), counts)
         query = _queries_of_points(counts)
         # By a generator of their own, as in `footprint_values`.
         spread = np.random.default_rng(key).standard_normal((len(query), 2), np.float32)
@@ -410,9 +429,8 @@ _UNIFORM_LEVELS, _UNIFORM_WHOLE_LEVELS = 0.4, 0.5
 _LEVELS_BEYOND = 1.0
 # Share of queries whose light is on the other side, where light passes.
 TRANSMISSION_SHARE = 0.4
-# Share of lights drawn by half vectors, and the bounds of the roughnesses of their Trowbridge–Reitz
-# distributions, which are uniform in the logarithm.
-_BY_HALF_VECTOR, _ALPHAS = 0.5, (0.02, 0.7)
+# Share of lights drawn by half vectors.
+_BY_HALF_VECTOR = 0.5
 
 
 def draw_levels(rng: np.random.Generator, count: int, coarsest: float) -> _Floats:
@@ -453,11 +471,20 @@ def light_density(queries: Queries, measured: bool) -> _Floats:
     return np.asarray(0.5 * (1 / (2 * np.pi) + cosines / np.pi), np.float32)
 
 
-def draw_lights(rng: np.random.Generator, views: _Floats, slopes: _Floats | float = 0.0) -> _Floats:
-    """Lights [n, 3] with z > 0, half of them mirrored about normals close to (-slopes, 1) [n, 2]."""
+def draw_lights(
+    rng: np.random.Generator,
+    views: _Floats,
+    slopes: _Floats | float = 0.0,
+    finest_alpha: float = ALPHAS[0],
+) -> _Floats:
+    """Lights [n, 3] with z > 0, half of them mirrored about normals close to (-slopes, 1) [n, 2].
+
+    Args:
+        finest_alpha: least roughness of the distributions of these normals, instead of that of `ALPHAS`.
+    """
     count = len(views)
     lights = draw_directions(rng, count)
-    low, high = np.log(_ALPHAS)
+    low, high = np.log((finest_alpha, ALPHAS[1]))
     alpha = np.exp(rng.uniform(low, high, count))
     u, azimuth = rng.random(count), 2 * math.pi * rng.random(count)
     # Slopes of a Trowbridge–Reitz distribution: tan² = α² u / (1 − u).

@@ -232,9 +232,8 @@ class LatentSettings(TrainingSettings):
 
     def query_identity(self, source: Source) -> str:
         """A hash of all that the queries depend on: trainings that differ in the rest share them."""
-        taken = {
-            name: getattr(self, name) for name in ("resolution", "queries", "samples", "seed", "mollified")
-        }
+        names = ("resolution", "queries", "samples", "seed", "mollified", "features")
+        taken = {name: getattr(self, name) for name in names}
         return LatentSettings(**taken).identity(source)
 
     @property

@@ -1848,7 +1848,7 @@ fn half_vector_feature_0( view_1 : vec3<f32>,  light_1 : vec3<f32>) -> f32
     var _S201 : f32 = max(_S200.z, 0.01999999955296516f);
     var _S202 : f32 = _S200.x;
     var _S203 : f32 = _S200.y;
-    return 0.25f * natural_logarithm_0((_S202 * _S202 + _S203 * _S203) / (_S201 * _S201) + 0.00030000001424924f);
+    return 0.25f * natural_logarithm_0((_S202 * _S202 + _S203 * _S203) / (_S201 * _S201) + 0.00000999999974738f);
 }
 
 fn exponential_0( x_7 : f32) -> f32
