@@ -14,6 +14,7 @@ import pytest
 from loomlight.cli.main import run
 from loomlight.exporters import TARGETS
 from loomlight.mitsuba import read_mesh
+from loomlight.sources.loom_file import read_loom
 
 
 def export(*arguments: str) -> int:
@@ -37,6 +38,19 @@ def test_a_gltf_file_is_read_again(tmp_path: Path) -> None:
     mesh = read_mesh(tmp_path / "cloth" / "cloth.glb")
     assert np.ptp(mesh.positions, axis=0)[:2] == pytest.approx([0.1, 0.1], rel=1e-5)
     assert (tmp_path / "cloth" / "textures" / "normal.png").is_file()
+
+
+@pytest.mark.slow
+def test_a_material_of_fewer_groups_is_exported_as_it_is(tmp_path: Path) -> None:
+    """Such as one baked when 8 groups of a family were the default."""
+    assert run(["bake", "plain", "--model", "lobes", "--set", "groups=8", "-o", str(tmp_path / "cloth.loom")]) == 0
+    baked = read_loom(tmp_path / "cloth.loom").tensors
+    assert baked["moments"].shape[1] == 16
+    folder = tmp_path / "cloth"
+    assert run(["export", str(tmp_path / "cloth.loom"), "--to", "wgsl", "-o", str(folder)]) == 0
+    words = b"".join(file.read_bytes() for file in sorted(folder.glob("*.bin")))
+    for name in ("moments", "irradiance", "joint"):
+        assert baked[name].tobytes() in words, name
 
 
 @pytest.mark.parametrize(

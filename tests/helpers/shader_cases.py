@@ -20,7 +20,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.fabric.read import edited_fabric
 from loomlight.models.interface import Model
-from loomlight.models.registry import REALTIME_MODELS, make_model
+from loomlight.models.registry import REALTIME_MODELS, make_model, model_of_loom
 from loomlight.realtime.words import Packed, pack_fabrics
 from tests.helpers.arrays import pairs, vectors
 from tests.helpers.directions import clear_of_the_plane
@@ -77,6 +77,11 @@ def _of(name: str, fabric: Callable[[], Fabric], **options: Any) -> Callable[[],
     return lambda: make_model(name, fabric(), **options)
 
 
+def _of_earlier_file() -> Model:
+    """A material baked when 8 groups of a family were the default."""
+    return model_of_loom(make_model("lobes", fabric_from_text(OPEN), groups=8).to_loom())
+
+
 def _seeds(samples: int) -> Callable[[np.random.Generator, int], Rows]:
     """Of the residual of `clustered`, and how many texels of it."""
 
@@ -109,6 +114,7 @@ CASES: dict[str, ShaderCase] = {
     "lobes, wool-houndstooth": ShaderCase(
         "lobes", _of("lobes", lambda: _fabric_of("wool-houndstooth")), 5e-3
     ),
+    "lobes, earlier file": ShaderCase("lobes", _of_earlier_file, _SEARCHES),
     "lobes, slubby": ShaderCase("lobes", _of("lobes", lambda: fabric_from_text(SLUBBY)), _SEARCHES),
     "lobes, everything": ShaderCase("lobes", _of("lobes", lambda: fabric_from_text(EVERYTHING)), _LIT_TWICE),
     "point, slubby": ShaderCase("point", _of("point", lambda: fabric_from_text(SLUBBY)), _SEARCHES),
