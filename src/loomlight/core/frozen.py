@@ -11,6 +11,7 @@ import functools
 import gc
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from types import SimpleNamespace
 from typing import Any, Generic, TypeVar
 
 import drjit as dr
@@ -136,8 +137,10 @@ _OURS = "loomlight."
 
 
 def is_ours(value: object) -> bool:
-    """Whether an object is of a class of this project that has attributes."""
-    return type(value).__module__.startswith(_OURS) and hasattr(value, "__dict__")
+    """Whether an object is of a class of this project that has attributes, or holds tables of a device."""
+    ours = type(value).__module__.startswith(_OURS) and hasattr(value, "__dict__")
+    # `Tables.upload` returns one.
+    return ours or isinstance(value, SimpleNamespace)
 
 
 def leaves(holder: object) -> list[Array]:

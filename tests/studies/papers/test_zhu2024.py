@@ -57,6 +57,8 @@ def test_scenes_are_those_of_the_table() -> None:
         "Evening gown",
         "Cloth cylinder",
         "Draping fabric",
+        "Blouse, point light",
+        "Evening gown, point light",
     ]
     used = {fabric for scene in SCENES.values() for _, fabric in scene.pieces}
     assert used == set(FABRICS)
@@ -115,17 +117,50 @@ def test_equal_quality_of_a_scene(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(table1, "_POINT_SAMPLES", (1, 4, 16))
     itself = TableSettings(size=(32, 20), spp=32, model="point")
     result = table1.measured(SCENES["cylinder"], itself)
-    assert result.model.samples == 2
-    assert set(result.point_errors) == {1, 4, 16}
+    (surface,) = result.surfaces
+    (way,) = surface.ways
+    assert way.model.samples == 2
+    assert set(surface.point_errors) == {1, 4, 16}
     # The point model needs as many samples as it has; 600 pixels tell that to a third.
-    assert result.samples_ratio == pytest.approx(1, rel=0.35)
-    assert result.samples_ratio == pytest.approx(result.samples / 2)
-    assert min(result.seconds, result.cpu_seconds, result.model.spent.seconds) > 0
+    assert way.samples_ratio == pytest.approx(1, rel=0.35)
+    assert way.samples_ratio == pytest.approx(way.samples / 2)
+    assert min(way.seconds, way.model.seconds, result.lobes.seconds) > 0
     found = table1._found([result], itself)
-    assert stored_tables(found.figures)[0].rows["Cloth cylinder"][4] == pytest.approx(32.5)
+    assert stored_tables(found.figures)[0].rows["Cloth cylinder, point"][4] == pytest.approx(32.5)
     assert {f"Cloth cylinder-{column}" for column in ("point", "lobes, 1 sample", "truth")} <= set(
         found.pictures
     )
+
+
+@pytest.mark.slow
+def test_both_ways_are_of_one_surface(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of each surface, with and without: fewer samples by two texels than by one, and bytes of the tables."""
+    monkeypatch.setattr(table1, "_TURNS", 1)
+    monkeypatch.setattr(table1, "_POINT_SAMPLES", (1, 4, 16))
+    settings = TableSettings(size=(48, 27), spp=16)
+    result = table1.measured(SCENES["cylinder"], settings)
+    assert [[way.label for way in surface.ways] for surface in result.surfaces] == [
+        ["2 texels", "1 texel"],
+        ["2 texels, unsaturated", "1 texel, unsaturated"],
+    ]
+    for surface in result.surfaces:
+        two, one = surface.ways
+        assert two.samples_ratio > one.samples_ratio > 3
+        assert one.scene_share is not None
+        assert one.own_ratio is not None
+        assert 0 < one.scene_share < 1
+        assert one.own_ratio > one.samples_ratio
+    saturating, other = (table1.baked("cylinder twill", kind).tables.texels for kind in (True, False))
+    # The first three numbers are the axis times the amplitude.
+    amplitude = np.linalg.norm(other[..., :3].astype(float), axis=-1)
+    assert amplitude.max() < 1.001
+    assert np.linalg.norm(saturating[..., :3].astype(float), axis=-1).max() > 2
+    (storage,) = [
+        table
+        for table in stored_tables(table1._found([result], settings).figures)
+        if table.title == "Storage"
+    ]
+    assert storage.rows["Cloth cylinder"][1] < storage.rows["Cloth cylinder"][4]
 
 
 @pytest.mark.slow

@@ -3,7 +3,8 @@
     V(ν) = min(1, max(ν·c, 0) exp(−(ν·p)² − (ν·q)²))
 
 with orthogonal vectors c, p and q: the axis times the amplitude, the others times the root of a bandwidth.
-The minimum matters: horizons are steps, and a lobe that may not saturate is three times as far from them.
+The minimum matters: horizons are steps, and a lobe that may not saturate, of an amplitude of at most 1, is
+four times as far from them.
 Lobes are fitted to horizons by gradient descent on the squared difference over the hemisphere.
 """
 
@@ -39,10 +40,14 @@ class Gaussians:
     error: tuple[float, float]
 
 
-def fitted_gaussians(horizon: NDArray[np.uint8], float_type: FloatType) -> Gaussians:
-    """The lobes of horizons [2, rows, columns, 16], sines of elevation in steps of 1/255."""
+def fitted_gaussians(horizon: NDArray[np.uint8], float_type: FloatType, saturating: bool = True) -> Gaussians:
+    """The lobes of horizons [2, rows, columns, 16], sines of elevation in steps of 1/255.
+
+    Args:
+        saturating: amplitudes may be above 1.
+    """
     types = array_types(float_type)
-    found = [_fit(types, face.reshape(-1, AZIMUTHS)) for face in horizon]
+    found = [_fit(types, face.reshape(-1, AZIMUTHS), saturating) for face in horizon]
     lobes = np.stack([lobes for lobes, _ in found]).reshape(*horizon.shape[:3], LOBE_NUMBERS)
     return Gaussians(lobes, (found[0][1], found[1][1]))
 
@@ -62,7 +67,7 @@ def lobe_values(lobes: NDArray[np.float32], direction: NDArray[np.float64]) -> N
     return found
 
 
-def _fit(types: ArrayTypes, sines: NDArray[np.uint8]) -> tuple[NDArray[np.float32], float]:
+def _fit(types: ArrayTypes, sines: NDArray[np.uint8], saturating: bool) -> tuple[NDArray[np.float32], float]:
     rng = np.random.default_rng(0)
     horizon = [types.Float(sines[:, a].astype(np.float32) / 255) for a in range(AZIMUTHS)]
     values = _start(types, sines)
@@ -71,7 +76,7 @@ def _fit(types: ArrayTypes, sines: NDArray[np.uint8]) -> tuple[NDArray[np.float3
     for step in range(1, _STEPS + 1):
         for value in values:
             dr.enable_grad(value)
-        difference = _difference(types, values, horizon, _stratified(rng))
+        difference = _difference(_lobe_of(types, values, saturating), horizon, _stratified(rng))
         dr.backward(sum(part * part for part in difference))
         # Adam, its rate falling to a tenth; literals would make every step a kernel of its own.
         rate = dr.opaque(types.Float, _RATE * 0.1 ** (step / _STEPS) * math.sqrt(1 - 0.999**step))
@@ -85,17 +90,18 @@ def _fit(types: ArrayTypes, sines: NDArray[np.uint8]) -> tuple[NDArray[np.float3
         dr.eval(values, first, second)
     error = 0.0
     for _ in range(8):
-        total: Float = sum(dr.abs(part) for part in _difference(types, values, horizon, _stratified(rng)))
+        lobe = _lobe_of(types, values, saturating)
+        total: Float = sum(dr.abs(part) for part in _difference(lobe, horizon, _stratified(rng)))
         error += float(dr.mean(total).numpy().item())
-    vectors = [part.numpy() for vector in _lobe_of(types, values) for part in vector]
+    vectors = [part.numpy() for vector in _lobe_of(types, values, saturating) for part in vector]
     return np.stack(vectors, axis=1).astype(np.float32), error / (8 * _DIRECTIONS)
 
 
 def _difference(
-    types: ArrayTypes, values: list[Float], horizon: list[Float], lights: NDArray[np.float64]
+    lobe: tuple[Vec3, Vec3, Vec3], horizon: list[Float], lights: NDArray[np.float64]
 ) -> list[Float]:
+    types = array_types(lobe[0].x)
     parts = []
-    lobe = _lobe_of(types, values)
     for index, light in enumerate(lights):
         before = _azimuth_bin(index)
         turns = math.atan2(light[1], light[0]) / (2 * math.pi) * AZIMUTHS
@@ -107,9 +113,11 @@ def _difference(
     return parts
 
 
-def _lobe_of(types: ArrayTypes, values: list[Float]) -> tuple[Vec3, Vec3, Vec3]:
+def _lobe_of(types: ArrayTypes, values: list[Float], saturating: bool) -> tuple[Vec3, Vec3, Vec3]:
     """c, p and q of tilt and turn about the axis, two numbers each, and ln of bandwidths and amplitude."""
     tilt_x, tilt_y, turn_x, turn_y, log_first, log_second, log_amplitude = values
+    if not saturating:
+        log_amplitude = minimum(log_amplitude, 0)
     axis = dr.normalize(types.Vector3(tilt_x, tilt_y, 1))
     # A vector in the plane of the axis, turned by the two rotation parameters.
     side = dr.normalize(types.Vector3(axis.z, 0, -axis.x))

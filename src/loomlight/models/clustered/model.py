@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar, Self, final
 
 from loomlight.core.arrays import Mask, UInt, Vec3
@@ -122,6 +122,12 @@ class ClusteredModel(FilteredFabricModel):
         """The same surface estimated from the texels alone: what control variates are compared with."""
         model = copy(self)
         model.controlled = False
+        return model
+
+    def with_samples(self, count: int) -> Self:
+        """The same tables, and residuals of so many texels, 0 to `MAX_SAMPLES`."""
+        model = copy(self)
+        model.options = replace(self.options, samples=count)
         return model
 
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:

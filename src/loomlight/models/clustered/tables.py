@@ -457,6 +457,7 @@ def bake_tables(
     rank: int,
     float_type: FloatType,
     texels: int = DEFAULT_TEXELS,
+    saturating: bool = True,
 ) -> ClusterTables:
     """Bakes the tables of a fabric: the same bytes every time.
 
@@ -465,13 +466,14 @@ def bake_tables(
         clusters: of a face, a multiple of 4.
         rank: principal components of the densities of a cluster.
         texels: along the longer side of the repeat.
+        saturating: see `fitted_gaussians`; False for comparisons alone.
 
     Raises:
         InputError: a repeat that is too large.
     """
     counts = texel_counts(geometry, texels)
     maps = feature_maps(geometry, counts, float_type)
-    lobes = fitted_gaussians(maps.horizon, float_type).lobes
+    lobes = fitted_gaussians(maps.horizon, float_type, saturating).lobes
     labels = label_texels(maps, lobes, clusters)
     densities = density_tables(labels, maps.tangent, roughness, clusters, rank)
     parallax, heights = parallax_tables(geometry, counts, float_type)
