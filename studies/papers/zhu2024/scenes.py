@@ -178,8 +178,11 @@ class SceneSettings(ClothSettings, LitSettings):
 class TableSettings(SceneSettings):
     """Of the table."""
 
-    size: tuple[int, int] = same_setting(PictureSettings, "size", default=(480, 270))
+    size: tuple[int, int] = same_setting(PictureSettings, "size", default=(192, 108))
     spp: int = same_setting(PictureSettings, "spp", default=32)
+    visibility: str = names(
+        "saturating", "Gaussians of texels, of `clustered`.", ("saturating", "unsaturated")
+    )
     scenes: str = names(",".join(SCENES), "Rows of the table.", tuple(SCENES))
 
 

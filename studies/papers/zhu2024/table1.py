@@ -46,7 +46,6 @@ from studies.instruments.sheet import PictureTable, Tile
 from studies.instruments.timing import least_times, one_thread
 from studies.papers.zhu2024.scenes import (
     SCENES,
-    SceneSettings,
     TableScene,
     TableSettings,
     table_fabric,
@@ -56,7 +55,7 @@ from studies.papers.zhu2024.scenes import (
 _POINT_SAMPLES = (1, 4, 16, 64, 256)
 _MODEL_SEED, _TRUTH_SEED, _SCENE_SEED = 7, 1000, 2000
 # Samples of the picture that a sample's cost is read off, and turns of each timed picture.
-_MAX_TIMED, _TURNS = 16, 3
+_MAX_TIMED, _TURNS = 16, 2
 _COLUMNS = (
     "MSE",
     "samples, with",
@@ -197,7 +196,7 @@ def baked(fabric: str, saturating: bool) -> ClusteredModel:
     return ClusteredModel(cloth, tables, options)
 
 
-def measured(scene: TableScene, settings: SceneSettings) -> SceneResult:
+def measured(scene: TableScene, settings: TableSettings) -> SceneResult:
     """One scene of the table.
 
     Raises:
@@ -205,7 +204,8 @@ def measured(scene: TableScene, settings: SceneSettings) -> SceneResult:
     """
     surfaces = []
     if settings.model == "clustered":
-        for saturating in (True, False):
+        for kind in listed(settings.visibility):
+            saturating = kind == "saturating"
             ways = [way for way in WAYS if way.saturating == saturating]
             surfaces.append(_clustered(scene, settings, ways, "" if saturating else "unsaturated"))
     else:
@@ -219,7 +219,7 @@ def measured(scene: TableScene, settings: SceneSettings) -> SceneResult:
     return SceneResult(scene, surfaces, Shown(picture, 1, error, seconds))
 
 
-def _clustered(scene: TableScene, settings: SceneSettings, ways: Sequence[Way], label: str) -> SurfaceResult:
+def _clustered(scene: TableScene, settings: TableSettings, ways: Sequence[Way], label: str) -> SurfaceResult:
     """A surface of `clustered`, with and without."""
 
     def shown(texels: int, controlled: bool = True) -> MeasuredScene:
@@ -237,7 +237,7 @@ def _clustered(scene: TableScene, settings: SceneSettings, ways: Sequence[Way], 
 
 def _surface(
     scene: TableScene,
-    settings: SceneSettings,
+    settings: TableSettings,
     label: str,
     exact: MeasuredScene,
     point: MeasuredScene,
@@ -330,7 +330,7 @@ def _times(shots: Sequence[tuple[MeasuredScene, int]]) -> list[float]:
 # ----------------------------------------------------------------------------------------------------- tables
 
 
-def _found(results: Sequence[SceneResult], settings: SceneSettings) -> Found:
+def _found(results: Sequence[SceneResult], settings: TableSettings) -> Found:
     width, height = settings.size
     table = Table(
         "Equal quality",
@@ -403,7 +403,7 @@ def _storage(scenes: Sequence[TableScene]) -> Table:
     return table
 
 
-def _pictures(results: Sequence[SceneResult], settings: SceneSettings) -> PictureTable:
+def _pictures(results: Sequence[SceneResult], settings: TableSettings) -> PictureTable:
     columns = ("without, as many samples", settings.model, "lobes, 1 sample", "truth")
     shown = PictureTable("zhu2024 table 1: equal quality in five scenes", columns)
     for result in results:
@@ -427,11 +427,23 @@ def _pictures(results: Sequence[SceneResult], settings: SceneSettings) -> Pictur
     return shown
 
 
-STUDY = Study(
-    "papers/zhu2024/table1",
-    "five scenes: samples and seconds to equal quality",
-    TableSettings(),
-    speed_up,
-    stands_on=("point", "lobes", "clustered", "picture", "point cost", "lobes cost", "clustered cost"),
-    small={"size": (24, 16), "spp": 4, "scenes": "cylinder", "model": "lobes"},
+_STANDS_ON = ("point", "lobes", "clustered", "picture", "point cost", "lobes cost", "clustered cost")
+_SMALL = {"size": (24, 16), "spp": 4, "scenes": "cylinder", "model": "lobes"}
+STUDIES = (
+    Study(
+        "papers/zhu2024/table1",
+        "five scenes: samples and seconds to equal quality",
+        TableSettings(),
+        speed_up,
+        stands_on=_STANDS_ON,
+        small=_SMALL,
+    ),
+    Study(
+        "papers/zhu2024/table1_large",
+        "the same of drape and cylinder in larger pictures, with the paper's Gaussians too",
+        TableSettings(size=(480, 270), scenes="drape,cylinder", visibility="saturating,unsaturated"),
+        speed_up,
+        stands_on=_STANDS_ON,
+        small=_SMALL,
+    ),
 )

@@ -137,7 +137,7 @@ def test_both_ways_are_of_one_surface(monkeypatch: pytest.MonkeyPatch) -> None:
     """Of each surface, with and without: fewer samples by two texels than by one, and bytes of the tables."""
     monkeypatch.setattr(table1, "_TURNS", 1)
     monkeypatch.setattr(table1, "_POINT_SAMPLES", (1, 4, 16))
-    settings = TableSettings(size=(48, 27), spp=16)
+    settings = TableSettings(size=(48, 27), spp=16, visibility="saturating,unsaturated")
     result = table1.measured(SCENES["cylinder"], settings)
     assert [[way.label for way in surface.ways] for surface in result.surfaces] == [
         ["2 texels", "1 texel"],
