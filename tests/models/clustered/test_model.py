@@ -8,6 +8,7 @@ Covers: models/clustered/square_map.py, models/random_numbers.py, models/cluster
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import fields, replace
 from functools import cache
 
@@ -24,7 +25,6 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.clustered.model import ClusteredModel
 from loomlight.models.clustered.square_map import BINS, bin_centres, bin_taps
 from loomlight.models.clustered.tables import (
-    MAX_TEXELS,
     NO_CLUSTER,
     NORMAL_UNIT,
     THREAD_BASE,
@@ -263,11 +263,23 @@ def test_random_numbers_are_uniform_and_repeat_with_the_cloth() -> None:
 
 
 def test_a_large_repeat_has_fewer_texels_a_thread_and_says_what_it_takes() -> None:
-    geometry = YarnGeometry(fabric_from_text('weave = "satin 401/150"').layout())
-    with pytest.warns(LoomlightWarning, match=r"across the finest thread instead of 6, take .* GB and"):
+    geometry = YarnGeometry(fabric_from_text('weave = "satin 201/80"').layout())
+    with pytest.warns(LoomlightWarning, match=r"across the finest thread instead of 6, take 15 MB in a file"):
         columns, rows = texel_counts(geometry, 256)
     assert 2 <= columns * geometry.finest[0] / geometry.size[0] < 6
-    assert 0.98 * MAX_TEXELS < columns * rows <= MAX_TEXELS
-    too_large = YarnGeometry(fabric_from_text('weave = "satin 1001/300"').layout())
-    with pytest.raises(InputError, match=r"texels, .* GB and about .* s to bake"):
+    assert 0.98 * 208_000 < columns * rows <= 208_000
+    too_large = YarnGeometry(fabric_from_text('weave = "satin 401/150"').layout())
+    with pytest.raises(InputError, match=r"texels, 46 MB in a file: clustered takes up to 15 MB; use lobes"):
         texel_counts(too_large, 256)
+
+
+def test_cloth_that_its_yarns_close_from_the_side_is_warned_of() -> None:
+    """A net of thick yarns is as open as its gaps from above, and less from aside; dense cloth is not."""
+    text = 'weave = "plain"\nends_per_cm = 10\npicks_per_cm = 10\ngap = {}\n'
+    for gap, open_cloth in ((0.4, True), (0.02, False)):
+        geometry = YarnGeometry(fabric_from_text(text.format(gap)).layout())
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            bake_tables(geometry, (0.3, 0.3), clusters=4, rank=0, float_type=Float, texels=16)
+        found = [str(each.message) for each in caught if "too dark from the side" in str(each.message)]
+        assert bool(found) == open_cloth

@@ -120,6 +120,21 @@ def parallax_tables(
     return coefficients.reshape(2, rows, columns, PARALLAX_RANK), basis
 
 
+# Rays that the open share is counted of.
+_RAYS = 1 << 14
+
+
+def open_from_aside(geometry: YarnGeometry, float_type: FloatType) -> float:
+    """The share of view rays that pass through the front, 0 to 1: mean over views with o.z = 0.6 to 1."""
+    types = array_types(float_type)
+    rng = np.random.default_rng(0)
+    x, y = (types.Float((rng.random(_RAYS) * extent).astype(np.float32)) for extent in geometry.size)
+    views = np.resize(_directions(), (_RAYS, 3)).T
+    towards = types.Vector3(np.ascontiguousarray(views, np.float32))
+    hit = first_hit(geometry, x, y, towards, dr.opaque(types.Bool, False))
+    return float(np.mean(hit.hole.numpy()))
+
+
 def _directions() -> NDArray[np.float64]:
     """Directions of the middles of the bins [bins, 3]: those of the hemisphere, drawn up to the cap."""
     directions = bin_centres(PARALLAX_BINS)

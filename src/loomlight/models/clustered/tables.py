@@ -22,7 +22,13 @@ from loomlight.core.parallel_map import parallel_map
 from loomlight.core.tables import Tables, computed, derived, flag, given, size, table
 from loomlight.models.clustered.footprint_sums import summed_areas
 from loomlight.models.clustered.gaussians import LOBE_NUMBERS, fitted_gaussians, lobe_values
-from loomlight.models.clustered.parallax import PARALLAX_BINS, PARALLAX_RANK, compressed, parallax_tables
+from loomlight.models.clustered.parallax import (
+    PARALLAX_BINS,
+    PARALLAX_RANK,
+    compressed,
+    open_from_aside,
+    parallax_tables,
+)
 from loomlight.models.clustered.square_map import BINS, bin_centres
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import HorizonMap
@@ -35,9 +41,12 @@ _Number = TypeVar("_Number", bound=np.generic)
 # Texels along the longer side of small repeats (zhu2024 6), and texels across the finest thread.
 DEFAULT_TEXELS = 256
 _PER_THREAD, _MIN_PER_THREAD = 6, 2
-# Of one face: the bake stays under two minutes and 4 GB, summed-area tables on a device included.
+# Of one face, whatever `texels` asks for: the bake stays under two minutes and 4 GB.
 MAX_TEXELS = 1 << 21
-_BYTES_A_TEXEL, _SECONDS_A_TEXEL = 1000, 5e-5
+# Of one face, for the sake of threads: files stay below 15 MB, at 36 bytes a texel of a face.
+_MAX_FOR_THREADS, _FILE_BYTES = 208_000, 2 * 36
+# Warns where cloth is so much too dark from the side, as its holes look open from there too.
+_MAX_DARKER = 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,10 +71,10 @@ class FeatureMaps:
 def texel_counts(geometry: YarnGeometry, longest: int) -> tuple[int, int]:
     """Columns and rows: `longest` along the longer side, or more where threads would have under 6 texels.
 
-    Threads of large repeats have fewer, at least 2: a warning says so, and what the bake takes.
+    Threads of large repeats have fewer, at least 2: a warning says so.
 
     Raises:
-        InputError: the repeat is too large; the message says what its bake would take.
+        InputError: the repeat is too large; the message says how large its file would be.
     """
     width, height = geometry.size
     side = max(width, height) / longest
@@ -77,32 +86,31 @@ def texel_counts(geometry: YarnGeometry, longest: int) -> tuple[int, int]:
         )
         return columns, rows
 
-    found = counts(_PER_THREAD)
-    if found[0] * found[1] <= MAX_TEXELS:
+    found, asked, least = (counts(per_thread) for per_thread in (_PER_THREAD, 0, _MIN_PER_THREAD))
+    most = min(max(_MAX_FOR_THREADS, asked[0] * asked[1]), MAX_TEXELS)
+    if found[0] * found[1] <= most:
         return found
-    least = counts(_MIN_PER_THREAD)
-    if least[0] * least[1] > MAX_TEXELS:
+    if least[0] * least[1] > most:
         raise InputError(
             f"The repeat of {width:.4g} × {height:.4g} mm needs {least[0]} × {least[1]} texels, "
-            f"{_cost(least)} to bake: clustered takes up to {MAX_TEXELS / 1e6:.1f} million texels; "
-            "use lobes for this draft."
+            f"{_file_megabytes(least):.0f} MB in a file: clustered takes up to "
+            f"{_MAX_FOR_THREADS * _FILE_BYTES / 1e6:.0f} MB; use lobes for this draft."
         )
     # Rounding up adds a column and a row.
-    per_thread = _PER_THREAD * math.sqrt(MAX_TEXELS / ((found[0] + 2) * (found[1] + 2)))
+    per_thread = _PER_THREAD * math.sqrt(most / ((found[0] + 2) * (found[1] + 2)))
     fewer = counts(max(per_thread, _MIN_PER_THREAD))
     warnings.warn(
         f"The repeat of {width:.4g} × {height:.4g} mm is large: {fewer[0]} × {fewer[1]} texels, "
         f"{max(per_thread, _MIN_PER_THREAD):.1f} across the finest thread instead of {_PER_THREAD}, take "
-        f"{_cost(fewer)} to bake; fewer texels mean more noise, not bias.",
+        f"{_file_megabytes(fewer):.0f} MB in a file; use lobes where yarns are seen close up.",
         LoomlightWarning,
         stacklevel=2,
     )
     return fewer
 
 
-def _cost(counts: tuple[int, int]) -> str:
-    texels = counts[0] * counts[1]
-    return f"{texels * _BYTES_A_TEXEL / 1e9:.2g} GB and about {texels * _SECONDS_A_TEXEL:.0f} s"
+def _file_megabytes(counts: tuple[int, int]) -> float:
+    return counts[0] * counts[1] * _FILE_BYTES / 1e6
 
 
 def feature_maps(geometry: YarnGeometry, counts: tuple[int, int], float_type: FloatType) -> FeatureMaps:
@@ -473,6 +481,7 @@ def bake_tables(
     """
     counts = texel_counts(geometry, texels)
     maps = feature_maps(geometry, counts, float_type)
+    _warn_of_holes(float(maps.hole[0].mean()), open_from_aside(geometry, float_type))
     lobes = fitted_gaussians(maps.horizon, float_type, saturating).lobes
     labels = label_texels(maps, lobes, clusters)
     densities = density_tables(labels, maps.tangent, roughness, clusters, rank)
@@ -487,6 +496,18 @@ def bake_tables(
         parallax=parallax,
         heights=heights,
     )
+
+
+def _warn_of_holes(above: float, aside: float) -> None:
+    """Warns of cloth whose yarns close its holes to views from the side, by the open shares."""
+    darker = 1 - (1 - above) / max(1 - aside, 1e-6)
+    if darker > _MAX_DARKER:
+        warnings.warn(
+            f"{above:.0%} of this cloth is open from above and {aside:.0%} from the side: clustered shows it "
+            f"as open from everywhere, {darker:.0%} too dark from the side; use lobes or point for it.",
+            LoomlightWarning,
+            stacklevel=3,
+        )
 
 
 def _texels(maps: FeatureMaps, lobes: NDArray[np.float32]) -> NDArray[np.float16]:
