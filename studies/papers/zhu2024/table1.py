@@ -446,4 +446,12 @@ STUDIES = (
         stands_on=_STANDS_ON,
         small=_SMALL,
     ),
+    Study(
+        "papers/zhu2024/table1_cylinder",
+        "the same of the cylinder from afar, with the paper's Gaussians too",
+        TableSettings(size=(160, 90), scenes="cylinder", visibility="saturating,unsaturated"),
+        speed_up,
+        stands_on=_STANDS_ON,
+        small=_SMALL,
+    ),
 )
