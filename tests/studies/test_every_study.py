@@ -14,7 +14,9 @@ from studies.harness.record import RECORDS, REPOSITORY, read_record, records
 from studies.harness.run import run_study
 
 # They compare trainings that only whoever has made them has.
-OF_TRAININGS = ("papers/chen2024/fig7", "papers/chen2024/ablations", "papers/chen2024/learning_curve")
+OF_TRAININGS = tuple(
+    f"papers/chen2024/{name}" for name in ("fig7", "ablations", "error_against_cost", "learning_curve")
+)
 
 
 @pytest.mark.slow
