@@ -211,8 +211,8 @@ def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None
             boxes = exact.box_means(centres[:200], np.tile(size, (200, 1)))[:, :4]
             assert np.abs(actual[:200, :4] - boxes).sum() < 2 * MAX_ERROR * boxes.sum()
     assert np.sum(errors) < MAX_ERROR * np.sum(truths), (errors, truths)
-    # Of all rays. Slices are of even yarns, and irregular ones leave 0.04 more open, of which the network that
-    # ships makes 0.06; of even cloth it misses up to a fifth of the holes.
+    # Of all rays. Slices are of even yarns, and irregular ones leave 0.04 more open, of which the network
+    # that ships makes 0.06; of even cloth it misses up to a fifth of the holes.
     bound = 0.06 if cloth == "irregular" else 0.04
     assert np.mean(holes) < (OWN_SURFACE if model.estimates else 1) * bound
 

@@ -43,8 +43,9 @@ def test_a_gltf_file_is_read_again(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_a_material_of_fewer_groups_is_exported_as_it_is(tmp_path: Path) -> None:
     """Such as one baked when 8 groups of a family were the default."""
-    assert run(["bake", "plain", "--model", "lobes", "--set", "groups=8", "-o", str(tmp_path / "cloth.loom")]) == 0
-    baked = read_loom(tmp_path / "cloth.loom").tensors
+    material = tmp_path / "cloth.loom"
+    assert run(["bake", "plain", "--model", "lobes", "--set", "groups=8", "-o", str(material)]) == 0
+    baked = read_loom(material).tensors
     assert baked["moments"].shape[1] == 16
     folder = tmp_path / "cloth"
     assert run(["export", str(tmp_path / "cloth.loom"), "--to", "wgsl", "-o", str(folder)]) == 0
