@@ -1,9 +1,9 @@
 """What learned frames gain in trainings of several lengths by the paper's recipe, carried on to its own.
 
 Trainings of 1000, 3000, 10 000 … steps up to `--steps`, each with its whole schedule: encoder, textures and
-cones take the same shares of all. Errors are of pictures, as in Tables 1 to 4. A line through the logarithms
-of the last two lengths is carried on to the paper's 300 000 steps: an extrapolation, which noise of the
-pictures bends and which is no measurement.
+cones take the same shares of all. Errors are of pictures, as in Tables 1 to 4. A line fitted to
+the logarithms of all lengths is carried on to the paper's 300 000 steps: an extrapolation of one seed, which
+noise of the pictures bends and which is no measurement.
 
 A training that is stopped goes on from its last checkpoint when the same command runs again; trainings are
 those of `tables1-4`, where these have as many steps.
@@ -84,11 +84,11 @@ def _errors(source: Material, settings: StageSettings, run: Run, rung: str) -> l
 
 
 def _carried_on(lengths: list[int], curve: list[float]) -> float:
-    """The last two points of a curve carried on to the paper's steps, by a line of logarithms."""
+    """A curve at the paper's steps, by the line that fits the logarithms best."""
     if len(lengths) < 2:
         return curve[-1]
-    (a, b), (x, y) = np.log(lengths[-2:]), np.log(curve[-2:])
-    return math.exp(y + (y - x) / (b - a) * (math.log(_PAPER_STEPS) - b))
+    slope, start = np.polyfit(np.log(lengths), np.log(curve), 1)
+    return math.exp(start + slope * math.log(_PAPER_STEPS))
 
 
 STUDY = Study(
