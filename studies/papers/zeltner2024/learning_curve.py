@@ -21,7 +21,7 @@ from loomlight.evaluation.table import Table
 from loomlight.mitsuba import choose_variant
 from loomlight.models.texture.settings import RUNGS
 from loomlight.sources.material import Material
-from studies.harness.study import Found, Run, Study, with_tables
+from studies.harness.study import Figures, Found, Run, Study, stored_tables, with_tables
 from studies.papers.zeltner2024.stage import (
     METRICS,
     SHORT_RECIPE,
@@ -39,6 +39,8 @@ from studies.papers.zeltner2024.two_normals import TWO_NORMALS
 _LENGTHS, _PAPER_STEPS = (1000, 3000, 10_000, 30_000, 100_000), 300_000
 # Of `METRICS`, those that are followed.
 _SHOWN = {METRICS[0]: 0, METRICS[2]: 2}
+_NAMES = ("with encoder", "with frames")
+_EXTRAPOLATED = f"{_PAPER_STEPS} steps, extrapolated"
 
 
 def learning_curve(settings: StageSettings, run: Run) -> Found:
@@ -57,22 +59,37 @@ def learning_curve(settings: StageSettings, run: Run) -> Found:
     }
     found = run.each({" ".join(map(str, case)): make for case, make in cases.items()})
     errors = dict(zip(cases, found.values(), strict=True))
-    columns = [*(f"{steps} steps" for steps in lengths), f"{_PAPER_STEPS} steps, extrapolated"]
-    tables = [Table("Gain of frames", columns)]
+    columns = [f"{steps} steps" for steps in lengths]
+    tables = []
     for metric, place in _SHOWN.items():
         table = Table(metric, columns)
         for source in sources:
-            gains = []
-            for rung in rungs:
-                curve = [errors[source.name, steps, rung][place] for steps in lengths]
-                curve.append(_carried_on(lengths, curve))
-                table.rows[f"{source.name}, {'with frames' if rung == RUNGS[2] else 'with encoder'}"] = [
-                    *curve
-                ]
-                gains.append(curve)
-            tables[0].rows[f"{source.name}, {metric}"] = [a / b for a, b in zip(*gains, strict=True)]
+            for rung, name in zip(rungs, _NAMES, strict=True):
+                label = f"{source.name}, {name}"
+                table.rows[label] = [errors[source.name, steps, rung][place] for steps in lengths]
         tables.append(table)
     return Found(with_tables(*tables))
+
+
+def curve_tables(figures: Figures) -> list[Table]:
+    """Gains of frames, and the errors, each carried on to the paper's steps."""
+    gain, shown = Table("Gain of frames", []), []
+    for stored in stored_tables(figures):
+        if stored.title in _SHOWN:
+            lengths = [int(column.split()[0]) for column in stored.columns if "extrapolated" not in column]
+            table = Table(stored.title, [*(f"{steps} steps" for steps in lengths), _EXTRAPOLATED])
+            for label, row in stored.rows.items():
+                curve = [float(cell or 0) for cell in row[: len(lengths)]]
+                table.rows[label] = [*curve, _carried_on(lengths, curve)]
+            gain.columns = table.columns
+            for label, encoder in table.rows.items():
+                source, name = label.rsplit(", ", 1)
+                if name == _NAMES[0]:
+                    frames = table.rows[f"{source}, {_NAMES[1]}"]
+                    pairs = zip(encoder, frames, strict=True)
+                    gain.rows[f"{source}, {table.title}"] = [float(a or 0) / float(b or 1) for a, b in pairs]
+            shown.append(table)
+    return [gain, *shown]
 
 
 def _errors(source: Material, settings: StageSettings, run: Run, rung: str) -> list[float]:
@@ -96,6 +113,7 @@ STUDY = Study(
     "what frames gain by steps of the paper's recipe",
     StageSettings(**SHORT_RECIPE, materials=",".join(TWO_NORMALS)),
     learning_curve,
+    curve_tables,
     stands_on=("latent", "picture"),
     small={
         "size": (24, 16),

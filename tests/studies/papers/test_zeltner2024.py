@@ -86,7 +86,8 @@ def test_gains_of_frames_are_carried_on_by_a_power_of_the_steps(monkeypatch: pyt
 
     monkeypatch.setattr(learning_curve, "_errors", errors)
     chosen = replace(learning_curve.STUDY.settings, steps=10_000, materials="rough-plastic")
-    gain, flip, _ = stored_tables(learning_curve.learning_curve(chosen, Run()).figures)
+    found = learning_curve.learning_curve(chosen, Run())
+    gain, flip, _ = learning_curve.STUDY.tables(found.figures)
     columns = ["1000 steps", "3000 steps", "10000 steps", "300000 steps, extrapolated"]
     assert gain.columns == columns
     assert flip.rows["rough-plastic, with encoder"] == pytest.approx([2, 2, 2, 2], rel=1e-5)
