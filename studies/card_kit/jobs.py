@@ -95,9 +95,30 @@ _CUDA = ("--device", "cuda")
 _QUERIES = "queries of chen2024"
 _STORE = ("studies.papers.chen2024.data", "-o", "{work}/queries.zarr")
 
-_TABLE2 = "papers/kuznetsov2021/table2"
+_FRAMES, _BACKENDS = "speed/frames", "speed/backends"
+_TABLE2, _RUNGS = "papers/kuznetsov2021/table2", "papers/zeltner2024/tables1-4"
 
 JOBS: Sequence[Job] = (
+    Job(
+        "frames",
+        "milliseconds of frames of all models at 1080p and 4K, beside the card's limits",
+        _study(_FRAMES, "--sizes", "1920x1080,3840x2160"),
+        5,
+        "eight models twice, of which baking `clustered` and `neural` takes most; frames take no minute",
+        _study(_FRAMES, "--sizes", "32x18,64x36"),
+        needs=("graphics card",),
+        resumes=True,
+    ),
+    Job(
+        "Dr.Jit on CUDA",
+        "queries and pictures a second of all models by cuda_ad_rgb, and how far they are from LLVM",
+        _study(_BACKENDS, "--variant", "cuda_ad_rgb"),
+        6,
+        "eight models, 40 s each for kernels of PTX and of LLVM",
+        _study(_BACKENDS, "--small"),
+        needs=("CUDA for Dr.Jit",),
+        resumes=True,
+    ),
     Job(
         "designs of kuznetsov2021",
         "table 2 at equal steps, those of the paper: with and without the offset, and Rainer et al.",
@@ -156,5 +177,19 @@ JOBS: Sequence[Job] = (
             "queries = 4096": "queries = 256",
             "decoder_steps = 12000": "decoder_steps = 2",
         },
+    ),
+    Job(
+        "rungs of zeltner2024",
+        "tables 1 to 4 at the paper's 300 000 steps of 131 072 queries, on varnished wood",
+        _study(
+            _RUNGS,
+            *("--materials", "varnished-wood", "--steps", "300000"),
+            *("--batch", "131072", "--queries", "16777216", *_CUDA),
+        ),
+        320,
+        "three trainings of 300 000 steps at 20 ms, bound by gathering queries; 20 for the queries",
+        _study(_RUNGS, "--small"),
+        needs=("CUDA for PyTorch",),
+        resumes=True,
     ),
 )

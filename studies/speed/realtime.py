@@ -1,40 +1,31 @@
-"""What a frame costs on a graphics adapter: measured milliseconds, and operations and bytes counted a pixel.
+"""What a pixel costs on a graphics adapter: operations and bytes counted, and what cards allow at most.
 
-Times are of frames in which all pixels are cloth under one directional light, one pass, split into the raster
-pass, the layers of what it saw, shading, and the rest (tone mapping and reading back); the first frame, in
-which the driver compiles, is left out. They are scaled from their size to 1920 × 1080 by the number of
-pixels. On a software adapter they say little.
-
-Counts are of the exported CUDA library, which slangc makes of the same Slang: it is compiled for the CPU
-with numbers that count every operation that is executed (`realtime_counts.cpp`), and runs the footprints
-and directions of such frames. Networks that are trained for one source have random weights, of which counts
-do not depend: `neumip` with textures of 64 texels and all of its networks, `latent` with 128 texels and each
-decoder. `clustered 2 texels` is `cloth_estimate`. Integer operations are not counted. Bytes are those of
-tables: loaded, and of the 32-byte sectors that a workgroup of 8 × 8 pixels touches, which caches deliver;
-memory delivers each table once a frame, as all tables fit into a cache of some megabytes, and 24 bytes a
-pixel. From the counts follow what 60 frames a second take, and the time on an RTX 4090's published peaks
-(82.6 TFLOP/s, 1008 GB/s), a bound from below that no program reaches.
+What frames take is `speed/frames`. Counts are of the exported CUDA library, which slangc makes of the same
+Slang: it is compiled for the CPU with numbers that count every operation that is executed
+(`realtime_counts.cpp`), and runs the footprints and directions of frames. Networks that are trained for one
+source have random weights, of which counts do not depend: `neumip` with textures of 64 texels and all of its
+networks, `latent` with 128 texels and each decoder. `clustered 2 texels` is `cloth_estimate`. Integer
+operations are not counted. Bytes are those of tables: loaded, and of the 32-byte sectors that a workgroup of
+8 × 8 pixels touches, which caches deliver; memory delivers each table once a frame, as all tables fit into a
+cache of some megabytes, and 24 bytes a pixel. From the counts follow what 60 frames a second take, and the
+time on an RTX 4090's published peaks (82.6 TFLOP/s, 1008 GB/s), a bound from below that no program reaches.
 """
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from functools import cache, partial
-from unittest.mock import patch
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.settings import Settings, setting
+from loomlight.core.settings import Settings
 from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric import load_fabric
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.model import ClusteredModel
-from loomlight.models.registry import MODELS
 from loomlight.models.texture.settings import DECODERS
-from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.materials import Material
 from studies.harness.study import Figures, Found, Run, Study, example, listed, names
 from studies.instruments.counted_library import CountedLibrary, Counts, queries_of
@@ -54,29 +45,22 @@ PUBLISHED = {
     "chen2024 frame": 16.7,
 }
 _GROUPS = 24
-_ROUNDS = 5
-# Parts of a frame, and how the names of their kernels begin.
-_KERNELS = {"raster": "raster", "layers": "first_layer", "shading": "shade_"}
 # A pixel reads the number of its face, and writes 16 bytes of radiance and 4 of colour.
 _PIXEL_BYTES = 24
 
 
 @dataclass(frozen=True)
 class RealtimeSpeed(Settings):
-    size: tuple[int, int] = setting((64, 64), "Pixels of frames that are timed.", low=8)
-    models: str = names("lobes,point,clustered,neural", "Models whose frames are timed.", tuple(MODELS))
     fabrics: str = names("denim,silk-satin", "Example fabrics.")
     rows: str = names("", "Rows that are counted; by default all.")
-    counts_only: bool = setting(False, "No frames: no adapter is needed.")
 
 
 def measure(settings: RealtimeSpeed, run: Run) -> Found:
-    """Counts by fabric, model and distance, and times of the adapter."""
-    width, height = settings.size
+    """Counts by fabric, model and distance."""
     fabrics = [load_fabric(example(name)) for name in listed(settings.fabrics)]
     rows = []
     for fabric in fabrics:
-        for name, make in _materials(fabric).items():
+        for name, make in materials_of(fabric).items():
             if settings.rows and name not in listed(settings.rows):
                 continue
             model, material, estimates = make()
@@ -85,15 +69,10 @@ def measure(settings: RealtimeSpeed, run: Run) -> Found:
                 counts = library.answers(_queries(fabric, pixels))[1]
                 row = {"fabric": fabric.name, "model": name, "distance": distance}
                 rows.append(row | _budget(counts, library.table_bytes))
-    figures: Figures = {"counts": rows, "published_ms": PUBLISHED}
-    if not settings.counts_only:
-        figures["frames"] = [
-            _frame_times(fabrics[0], model, width, height) for model in listed(settings.models)
-        ]
-    return Found(figures)
+    return Found({"counts": rows, "published_ms": PUBLISHED})
 
 
-def _materials(fabric: Fabric) -> dict[str, Callable[[], tuple[str, Material, bool]]]:
+def materials_of(fabric: Fabric) -> dict[str, Callable[[], tuple[str, Material, bool]]]:
     """Functions to the model, what is exported, and whether estimates are counted, by the name of a row."""
     clustered = cache(partial(ClusteredModel.for_source, fabric))
 
@@ -146,48 +125,8 @@ def _budget(counts: Counts, table_bytes: int) -> Figures:
     }
 
 
-def _frame_times(fabric: Fabric, model: str, width: int, height: int) -> Figures:
-    renderer = Renderer(
-        [Cloth(rectangle(1.0, 1.0), fabric, (1000.0, 1000.0))], size=(width, height), model=model
-    )
-    camera, lights = Camera(origin=(0, -0.1, 0.17)), [DirectionalLight(towards=(0.5, 0.3, 0.8))]
-    renderer.render(camera, lights, samples=1, passes=1)
-    spent = dict.fromkeys(_KERNELS, 0.0)
-
-    def timed(launch: Callable[..., None]) -> Callable[..., None]:
-        def launch_and_wait(entry: str = "raster", *arguments: object) -> None:
-            start = time.perf_counter()
-            launch(*(() if entry == "raster" else (entry, *arguments)))
-            # Reading waits for the work.
-            renderer.adapter.read(renderer._resources["pixels"], np.uint32, 1)
-            part = next((name for name, prefix in _KERNELS.items() if entry.startswith(prefix)), None)
-            if part is not None:
-                spent[part] += 1e3 * (time.perf_counter() - start) / _ROUNDS
-
-        return launch_and_wait
-
-    start = time.perf_counter()
-    with (
-        patch.object(renderer, "_draw", timed(renderer._draw)),
-        patch.object(renderer, "_compute", timed(renderer._compute)),
-    ):
-        for _ in range(_ROUNDS):
-            renderer.render(camera, lights, samples=1, passes=1)
-    total = 1e3 * (time.perf_counter() - start) / _ROUNDS
-    parts = spent | {"rest": total - sum(spent.values())}
-    scale = PIXELS / (width * height)
-    return {
-        "adapter": renderer.adapter.name,
-        "is_software": renderer.adapter.is_software,
-        "model": model,
-        "size": [width, height],
-        "ms": parts,
-        "ms_scaled_to_1920x1080": {name: value * scale for name, value in parts.items()},
-    }
-
-
 def tables(figures: Figures) -> list[Table]:
-    """Counts of the first fabric by model, near, middle and far; milliseconds of frames."""
+    """Counts of the first fabric by model, near, middle and far."""
     counts = figures["counts"]
     first = counts[0]["fabric"]
     keys = (
@@ -203,14 +142,7 @@ def tables(figures: Figures) -> list[Table]:
         rows[f"`{name}`"] = [", ".join(_two_digits(row[key]) for row in own) for key in keys]
     columns = ["operations", "TFLOP/s", "GB/s of caches", "GB/s of memory", "ms on an RTX 4090's peak"]
     note = f"{first}; near, middle, far; rates at 60 frames a second of 1080p."
-    made = [Table("What a pixel costs", columns, rows, note)]
-    if "frames" in figures:
-        parts = [*_KERNELS, "rest"]
-        frames: dict[str, list[Cell]] = {
-            f"`{frame['model']}`": [frame["ms"][part] for part in parts] for frame in figures["frames"]
-        }
-        made.append(Table(f"Milliseconds of a frame on {figures['frames'][0]['adapter']}", parts, frames))
-    return made
+    return [Table("What a pixel costs", columns, rows, note)]
 
 
 def _two_digits(number: float) -> str:
@@ -221,10 +153,10 @@ def _two_digits(number: float) -> str:
 
 STUDY = Study(
     "speed/realtime",
-    "what a frame costs on a graphics adapter: operations and bytes a pixel, and milliseconds",
+    "what a pixel costs on a graphics adapter: operations and bytes",
     RealtimeSpeed(),
     measure,
     tables,
     stands_on=("shaders", "lobes cost", "point cost"),
-    small={"fabrics": "denim", "rows": "point", "counts_only": True},
+    small={"fabrics": "denim", "rows": "point"},
 )

@@ -27,6 +27,8 @@ NO_ADAPTER = (
     "Real-time rendering needs a graphics adapter with Vulkan, Metal or DX12, and none was found: install a "
     "driver, or the software driver (Debian, Ubuntu: apt install mesa-vulkan-drivers libvulkan1)."
 )
+# The feature of adapters that tell how long passes take.
+TIMESTAMPS = "timestamp-query"
 # Storage buffers that the largest shader binds.
 STORAGE_BUFFERS = 8
 _RAISED_LIMITS = (
@@ -192,5 +194,6 @@ def default_adapter() -> Adapter:
             f"{adapter.info['device']} binds at most {buffers} storage buffers to a shader, but "
             f"{STORAGE_BUFFERS} are needed: choose another adapter."
         )
-    device = adapter.request_device_sync(required_limits=limits)
+    features = [TIMESTAMPS] if TIMESTAMPS in adapter.features else []
+    device = adapter.request_device_sync(required_features=features, required_limits=limits)
     return Adapter(adapter.info["device"], adapter.info["adapter_type"] == "CPU", device)

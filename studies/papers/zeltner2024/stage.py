@@ -93,6 +93,7 @@ class StageSettings(TrainedSettings, LitSettings):
     materials: str = names(",".join(LAYERED), "What is shown.", MATERIALS)
     queries: int | None = same_setting(LatentOptions, "queries", help="Of the material, of each training.")
     batch: int | None = same_setting(LatentOptions, "batch", help="Queries of a step of each training.")
+    device: str = same_setting(LatentOptions, "device")
 
     def sources(self) -> list[Material]:
         """The materials that are shown."""
@@ -164,7 +165,7 @@ def trained(
         "rung": rung,
         **others,
     }
-    given = {name: getattr(settings, name) for name in ("steps", "queries", "batch")}
+    given = {name: getattr(settings, name) for name in ("steps", "queries", "batch", "device")}
     options = {name: value for name, value in given.items() if value is not None} | options
     recipe, folder = LatentOptions(**options).settings(), runs / "zeltner2024"
     name = f"{source.name}-{decoder}-{rung}-{recipe.identity(source)[:12]}"
