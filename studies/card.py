@@ -13,6 +13,7 @@ again, and ends no other.
 from __future__ import annotations
 
 import os
+import re
 from dataclasses import asdict, dataclass
 from functools import cache, partial
 from pathlib import Path
@@ -20,6 +21,7 @@ from pathlib import Path
 from loomlight.core.errors import InputError
 from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.table import Cell, Table
+from studies.card_kit.carry import carry
 from studies.card_kit.jobs import JOBS, Job, Places
 from studies.card_kit.machine import NEEDS, look_for
 from studies.card_kit.plan import Plan, Standing, run_words
@@ -40,15 +42,31 @@ class CardSettings(Settings):
     minutes: float = setting(0.0, "Minutes of the card; with 0 the plan is shown.", low=0, high=1e5)
     jobs: str = names(",".join(_NAMES), "Jobs that are run, in the order of the plan.", _NAMES)
     rehearse: bool = setting(False, "Jobs at tiny sizes, on whatever driver there is.")
+    carry: os.PathLike[str] | None = setting(
+        None, "Gathers there what a machine without a network needs.", otherwise="none", metavar="DIR"
+    )
+    python: str = setting(
+        "3.11",
+        "Version of Python on that machine.",
+        fits=lambda text: re.fullmatch(r"3\.\d\d", text) is not None,
+        expected="a version such as 3.11",
+    )
 
 
 def spend(settings: CardSettings, run: Run) -> Found:
-    """Runs what fits into the minutes.
+    """Runs what fits into the minutes, or gathers what is carried.
 
     Raises:
-        InputError: minutes without a folder of records.
+        InputError: minutes without a folder of records, or something that cannot be gathered.
     """
     jobs = [job for job in JOBS if job.name in listed(settings.jobs)]
+    if settings.carry is not None:
+        return Found(
+            {
+                "plan": [_facts(job) for job in jobs],
+                "carried": carry(Path(settings.carry), run.runs, settings.python, run.report),
+            }
+        )
     if not settings.minutes:
         return Found({"plan": [_facts(job) for job in jobs]})
     if run.folder is None:
@@ -109,6 +127,12 @@ def tables(figures: Figures) -> list[Table]:
         for job in figures["plan"]
     }
     plan = Table("The plan of a card", columns, rows, "In order of worth; minutes are estimates.")
+    if "carried" in figures:
+        carried: dict[str, Cell] = {
+            name: ", ".join(value) or "none" if isinstance(value, list) else value
+            for name, value in figures["carried"].items()
+        }
+        return [plan, Table("What is carried", [""], {name: [cell] for name, cell in carried.items()})]
     if "jobs" not in figures:
         return [plan]
     on = ", ".join(f"{need}: {found['name'] or 'none'}" for need, found in figures["machine"].items())

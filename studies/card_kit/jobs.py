@@ -105,7 +105,7 @@ JOBS: Sequence[Job] = (
         _study(_FRAMES, "--sizes", "1920x1080,3840x2160"),
         5,
         "eight models twice, of which baking `clustered` and `neural` takes most; frames take no minute",
-        _study(_FRAMES, "--sizes", "32x18,64x36"),
+        _study(_FRAMES, "--small"),
         needs=("graphics card",),
         resumes=True,
     ),

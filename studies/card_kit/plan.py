@@ -134,7 +134,7 @@ class Plan:
         assert allowed is not None
         try:
             ended = runner(words, self._places.work / f"{job.name.replace(' ', '-')}.log", allowed)
-        except KeyboardInterrupt:
+        except (KeyboardInterrupt, SystemExit):
             taken = spent + (clock() - begun) / 60
             self._keep(job, Standing(STOPPED, "It was interrupted.", taken, " ".join(words)))
             raise
@@ -200,15 +200,18 @@ def run_words(words: Sequence[str], log: Path, minutes: float, work: Path) -> En
             stderr=subprocess.STDOUT,
             start_new_session=True,
         )
+        before = signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
         try:
             code: int | None = process.wait(60 * minutes)
         except subprocess.TimeoutExpired:
             code = None
             _stop(process)
-        except KeyboardInterrupt:
-            # It hears nothing of the terminal, and ends by itself within a second.
-            _ask(process, signal.SIGINT)
+        except (KeyboardInterrupt, SystemExit):
+            # It hears nothing of who ends this process, which has no time to wait for it.
+            _ask(process, signal.SIGTERM)
             raise
+        finally:
+            signal.signal(signal.SIGTERM, before)
     return Ended(code, _last_line(log))
 
 

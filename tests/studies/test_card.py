@@ -9,8 +9,10 @@ from __future__ import annotations
 import importlib.util
 import json
 import os
+import select
 import signal
 import subprocess
+import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -26,6 +28,7 @@ from studies.card_kit.plan import DONE, FAILED, SKIPPED, STOPPED, WAITING, Ended
 from studies.harness import command
 from studies.harness.catalogue import find_study
 from studies.harness.run import run_study
+from studies.harness.study import REPOSITORY
 
 
 def _job(name: str, minutes: float, **others: object) -> Job:
@@ -152,14 +155,15 @@ def test_a_job_whose_command_changed_is_done_anew(spend: Spend) -> None:
     assert on.ran == ["a", "a"]
 
 
-def test_an_interruption_is_kept_as_such(tmp_path: Path) -> None:
+@pytest.mark.parametrize("ends", [KeyboardInterrupt, SystemExit])
+def test_an_interruption_is_kept_as_such(ends: type[BaseException], tmp_path: Path) -> None:
     def interrupted(words: Sequence[str], log: Path, minutes: float) -> Ended:
         running = json.loads((tmp_path / "state.json").read_text())["jobs"]["a"]
         assert (running["state"], running["says"]) == (STOPPED, "It was running.")
-        raise KeyboardInterrupt
+        raise ends
 
     made = Plan([_job("a", 1)], Places(tmp_path, tmp_path, tmp_path), False)
-    with pytest.raises(KeyboardInterrupt):
+    with pytest.raises(ends):
         made.run(10, lambda need: Has(), interrupted)
     assert _says(tmp_path, "a") == "It was interrupted."
 
@@ -218,6 +222,27 @@ def test_a_command_is_stopped_and_its_last_line_kept(
     assert waited[0] == 60 * _MINUTES
     ended = plan.run_words(["counts"], tmp_path / "log", _MINUTES, tmp_path)
     assert ended == Ended(1, "studies: done before.")
+
+
+def test_a_job_ends_with_the_kit(tmp_path: Path) -> None:
+    """Who ends the kit, as a machine that is taken away, ends what it runs."""
+    (tmp_path / "counts.py").write_text(_COUNTS.format(ignores="import os; print(os.getpid(), flush=True)"))
+    os.mkfifo(tmp_path / "ready")
+    words = [["counts"], str(tmp_path / "log"), _MINUTES, str(tmp_path)]
+    kit = (
+        "import json, sys; from pathlib import Path; from studies.card_kit.plan import run_words;"
+        "words, log, minutes, work = json.loads(sys.argv[1]);"
+        "run_words(words, Path(log), minutes, Path(work))"
+    )
+    process = subprocess.Popen([sys.executable, "-c", kit, json.dumps(words)], cwd=REPOSITORY)
+    (tmp_path / "ready").read_bytes()
+    (job,) = (int(word) for word in (tmp_path / "log").read_text().split())
+    watched = os.pidfd_open(job)
+    process.terminate()
+    assert process.wait(60) == 128 + signal.SIGTERM
+    # Readable when the job has ended.
+    assert select.select([watched], [], [], 60)[0] == [watched]
+    os.close(watched)
 
 
 # --------------------------------------------------------------------------------------------- the kit's jobs
