@@ -90,6 +90,7 @@ def carry(
     return {
         "commit": _git(REPOSITORY, "rev-parse", "--short=12", "HEAD"),
         "wheels": len(list((folder / WHEELS).glob("*.whl"))),
+        "PyTorch": _torch_of(folder / WHEELS),
         "data": data,
         "megabytes": round(sum(file.stat().st_size for file in files) / 1e6, 1),
     }
@@ -128,6 +129,14 @@ def _download(place: Path, python: str, wanted: Sequence[str]) -> None:
         raise InputError(
             f"Wheels for Python {python} cannot be downloaded, which needs a network: {_last(done.stderr)}"
         )
+
+
+def _torch_of(wheels: Path) -> str:
+    """The version of PyTorch among wheels, and whether it can use a card."""
+    version = next((wheel.name.split("-")[1] for wheel in wheels.glob("torch-*.whl")), "none")
+    if version.endswith("cpu"):
+        return f"{version}, a build without CUDA: trainings on a card will be skipped; give pip another index"
+    return version
 
 
 def _copy_data(runs: Path, place: Path) -> None:

@@ -100,6 +100,19 @@ def test_changes_that_are_not_committed_are_not_carried(checkout: Path, tmp_path
         carry(tmp_path / "file", tmp_path / "runs", "3.11", wanted=[])
 
 
+@pytest.mark.parametrize(
+    ("wheel", "says"),
+    [
+        ("torch-2.13.0+cpu-cp311-cp311-linux_x86_64.whl", "without CUDA"),
+        ("torch-2.13.0-cp311-cp311-manylinux_2_28_x86_64.whl", "2.13.0"),
+        ("torchless-1.0-py3-none-any.whl", "none"),
+    ],
+)
+def test_a_build_without_cuda_is_said(wheel: str, says: str, tmp_path: Path) -> None:
+    (tmp_path / wheel).touch()
+    assert says in carrying._torch_of(tmp_path)
+
+
 def test_what_jobs_import_is_required() -> None:
     names = {word.split(">")[0].split("=")[0].split("<")[0] for word in requirements()}
     assert names >= {"mitsuba", "drjit", "torch", "wgpu", "zarr", "onnx", "llvmlite", "hatchling"}
