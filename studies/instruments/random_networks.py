@@ -43,6 +43,7 @@ def random_latent(fabric: Fabric, decoder: str) -> LatentModel:
         "decoder": latent.decoder_widths(DECODERS[decoder], True, True),
         "sampler": latent.SAMPLER_WIDTHS,
         "albedo": latent.ALBEDO_WIDTHS,
+        "auxiliary": latent.AUXILIARY_WIDTHS,
     }
     weights = latent.Weights(
         shape,

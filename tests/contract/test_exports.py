@@ -172,6 +172,7 @@ def test_libraries_have_no_kernel() -> None:
         assert "cloth_value(" in text
         assert "queries" not in text
         assert "cloth_estimate(" in library(language, "clustered")
+        assert "cloth_auxiliary(" in library(language, "latent")
 
 
 def test_manifest_describes_the_buffers(exported: Exported) -> None:

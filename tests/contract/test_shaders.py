@@ -88,6 +88,11 @@ def parts_of_neural(model: Any, at: Any, rows: Rows) -> Columns:
     return [np.array(getattr(parts, name)) for name in (*NAMES, "light_visibility")]
 
 
+def guides_of(at: Any) -> Columns:
+    found = at.auxiliary
+    return [*np.array(found.albedo), np.array(found.roughness), *np.array(found.normal)]
+
+
 SHADERS: dict[str, Shader] = {
     "point": Shader(),
     "lobes": Shader(
@@ -123,9 +128,10 @@ SHADERS: dict[str, Shader] = {
         modules="latent random_numbers",
         body=FOOTPRINT + "p.centre = centre; let size = float2(fabric.latent.width, fabric.latent.height);"
         "LatentView seen; latent_view(fabric, p, view, uniform_of(hashed(p, view, size), 0), seen);"
-        "let a = latent_albedo(fabric, seen);",
-        parts="a.x; a.y; a.z",
-        python=lambda model, at, rows: [*np.array(at.directional_albedo)],
+        "let a = latent_albedo(fabric, seen); let g = latent_auxiliary(fabric, seen);",
+        parts="a.x; a.y; a.z; g.albedo.x; g.albedo.y; g.albedo.z; g.roughness;"
+        "g.normal.x; g.normal.y; g.normal.z",
+        python=lambda model, at, rows: [*np.array(at.directional_albedo), *guides_of(at)],
     ),
 }
 

@@ -210,9 +210,17 @@ def test_the_decoder_computes_what_latent_computes(frames: bool, features: bool,
         name: rows[name] * np.where(rows["view"][:, 2:] < 0, [1, 1, -1], 1) for name in ("light", "view")
     }
     session = onnxruntime.InferenceSession(folder / "decoder.onnx")
-    asked = {"latent": np.array(at._latent).T, **facing}
-    (found,) = session.run(None, {name: np.float32(values) for name, values in asked.items()})
+    given = {"latent": np.array(at._latent).T, **facing}
+    asked = {name: np.float32(values) for name, values in given.items()}
+    (found,) = session.run(None, asked)
     assert share_beyond(found, np.array(at.value(vectors(rows["light"]))).T) == 0
+    session = onnxruntime.InferenceSession(folder / "auxiliary.onnx")
+    albedo, roughness, normal = session.run(["albedo", "roughness", "normal"], {"latent": asked["latent"]})
+    guides = at.auxiliary
+    assert share_beyond(albedo, np.array(guides.albedo).T) == 0
+    assert share_beyond(roughness[:, 0], np.array(guides.roughness)) == 0
+    mirror = np.where(rows["view"][:, 2:] < 0, [1, 1, -1], 1)
+    np.testing.assert_allclose(mirror * normal, np.array(guides.normal).T, atol=1e-5)
     latents = load_file(folder / "latents.safetensors")["latents"]
     manifest = json.loads((folder / "manifest.json").read_text())
     assert manifest["model"] == "latent"

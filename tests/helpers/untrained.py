@@ -60,6 +60,7 @@ def random_latent(
         "decoder": decoder_widths(DECODERS[decoder], frames, features),
         "sampler": latent.SAMPLER_WIDTHS,
         "albedo": latent.ALBEDO_WIDTHS,
+        "auxiliary": latent.AUXILIARY_WIDTHS,
     }
     layers = {name: _random_layers(rng, of, 1) for name, of in widths.items()}
     layers["decoder"][-1][1][:] = [2.5, 2, 1.5]

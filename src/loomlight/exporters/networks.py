@@ -15,6 +15,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.networks import Layers
 from loomlight.models.neural.encoded_fabric import mean_pitch
 from loomlight.models.neural.encoding import shortest_repeat
 from loomlight.models.neural.face_maps import face_maps
@@ -22,8 +23,10 @@ from loomlight.models.neural.model import NeuralModel
 from loomlight.models.neural.weights import shipped_decoder
 from loomlight.models.registry import make_model
 from loomlight.models.texture.latent import (
+    ALBEDO_OFFSET,
     CHANNELS,
     FRAMES,
+    MAX_AUXILIARY_SLOPE,
     MAX_EXPONENT,
     MIN_HALF,
     MIN_LIGHT,
@@ -36,6 +39,7 @@ from loomlight.realtime.materials import Material, model_for, source_of
 from loomlight.scattering import sheen
 from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance, FamilyAppearance
 from loomlight.scattering.interreflection import Scattered, scattered, solved_interior
+from loomlight.scattering.lobe_mixture import MAX_OUTPUT, MIN_ALPHA
 from loomlight.scattering.openness import Openness
 from loomlight.scattering.sheen_coefficients import REFLECTANCE, SCALE, SHEAR
 from loomlight.yarn.geometry import YarnGeometry
@@ -182,6 +186,7 @@ def write_latent_onnx(
     assert isinstance(made, LatentModel)  # what `latent` needs
     shape = made.weights.shape
     (folder / "decoder.onnx").write_bytes(latent_decoder(made.weights))
+    (folder / "auxiliary.onnx").write_bytes(latent_auxiliary(made.weights))
     texels = made.weights.latents.reshape(shape.faces, shape.texels, CHANNELS)
     (folder / "latents.safetensors").write_bytes(save({"latents": np.ascontiguousarray(texels)}))
     source = source_of(material)
@@ -194,7 +199,7 @@ def write_latent_onnx(
         for first, (columns, rows) in zip(shape.starts, shape.sizes, strict=False)
     ]
     return {
-        "files": ["decoder.onnx", "latents.safetensors"],
+        "files": ["decoder.onnx", "auxiliary.onnx", "latents.safetensors"],
         "repeat_mm": [shape.width_mm, shape.height_mm],
         "texel_mm": shape.texel_mm,
         "levels": levels,
@@ -232,17 +237,38 @@ def latent_decoder(weights: Weights) -> bytes:
         inputs += [graph.half_vector_feature(total) for total in totals]
         inputs += graph.light_features(*directions)
     values = graph.add("Concat", *inputs, "latent", axis=1)
-    layers = weights.layers["decoder"]
-    for number, (matrix, bias) in enumerate(layers):
-        values = graph.add("Gemm", values, graph.constant(matrix), graph.constant(bias), transB=1)
-        if number + 1 < len(layers):
-            values = graph.add("Relu", values)
+    values = graph.layers(values, weights.layers["decoder"])
     exponent = graph.add("Sub", values, graph.constant(np.float32(VALUE_OFFSET)))
     bounded = graph.add("Min", exponent, graph.constant(np.float32(MAX_EXPONENT)))
     height = graph.add("Gather", "light", graph.constant(np.array([2])), axis=1)
     above = graph.add("Greater", height, graph.constant(np.float32(0)))
     graph.add("Where", above, graph.add("Exp", bounded), graph.constant(np.float32(0)), output="value")
-    return graph.serialised({"latent": CHANNELS, "light": 3, "view": 3}, "value")
+    return graph.serialised({"latent": CHANNELS, "light": 3, "view": 3}, {"value": 3})
+
+
+def latent_auxiliary(weights: Weights) -> bytes:
+    """The graph: latent [n, 8] → albedo [n, 3], roughness [n, 1], normal [n, 3] in the frame of the face.
+
+    Raises:
+        MissingDependencyError: the package onnx is missing.
+    """
+    graph = _Graph()
+    outputs = graph.layers("latent", weights.layers["auxiliary"])
+    one = graph.constant(np.float32(1))
+    exponent = graph.add("Sub", graph.columns(outputs, range(3)), graph.constant(np.float32(ALBEDO_OFFSET)))
+    zero = graph.constant(np.float32(0))
+    graph.add("Clip", graph.add("Exp", graph.add("Min", exponent, one)), zero, one, output="albedo")
+    x = graph.clipped(graph.columns(outputs, [3]), MAX_OUTPUT)
+    root = graph.add("Sqrt", graph.add("Add", graph.add("Mul", x, x), one))
+    half = graph.add("Mul", graph.add("Div", x, root), graph.constant(np.float32(0.5)))
+    alpha = graph.add("Add", half, graph.constant(np.float32(0.5 + MIN_ALPHA)))
+    graph.add("Min", alpha, one, output="roughness")
+    slopes = graph.clipped(graph.columns(outputs, [4, 5]), MAX_AUXILIARY_SLOPE)
+    # (−slopes, 1): the third column is 1.
+    level = graph.add("MatMul", slopes, graph.constant(np.array([[-1, 0, 0], [0, -1, 0]], np.float32)))
+    up = graph.add("Add", level, graph.constant(np.array([[0, 0, 1]], np.float32)))
+    graph.add("Div", up, graph.add("ReduceL2", up, axes=[1], keepdims=1), output="normal")
+    return graph.serialised({"latent": CHANNELS}, {"albedo": 3, "roughness": 1, "normal": 3})
 
 
 class _Graph:
@@ -263,6 +289,18 @@ class _Graph:
         name = output or f"result_{len(self._nodes)}"
         self._nodes.append(self._onnx.helper.make_node(kind, list(inputs), [name], **attributes))
         return name
+
+    def layers(self, values: str, layers: Layers) -> str:
+        """Dense layers with ReLU between them."""
+        for number, (matrix, bias) in enumerate(layers):
+            values = self.add("Gemm", values, self.constant(matrix), self.constant(bias), transB=1)
+            if number + 1 < len(layers):
+                values = self.add("Relu", values)
+        return values
+
+    def clipped(self, values: str, most: float) -> str:
+        low, high = (self.constant(np.float32(bound)) for bound in (-most, most))
+        return self.add("Clip", values, low, high)
 
     def columns(self, values: str, chosen: Sequence[int]) -> str:
         return self.add("Gather", values, self.constant(np.array(chosen)), axis=1)
@@ -305,14 +343,14 @@ class _Graph:
         )
         return self.add("Sub", following, preceding)
 
-    def serialised(self, inputs: dict[str, int], output: str) -> bytes:
-        """The model as bytes, checked; inputs by their number of columns."""
+    def serialised(self, inputs: dict[str, int], outputs: dict[str, int]) -> bytes:
+        """The model as bytes, checked; inputs and outputs with their numbers of columns."""
         helper, kind = self._onnx.helper, self._onnx.TensorProto.FLOAT
         graph = helper.make_graph(
             self._nodes,
             "latent",
             [helper.make_tensor_value_info(name, kind, ["n", width]) for name, width in inputs.items()],
-            [helper.make_tensor_value_info(output, kind, ["n", 3])],
+            [helper.make_tensor_value_info(name, kind, ["n", width]) for name, width in outputs.items()],
             self._constants,
         )
         model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", _OPSET)])

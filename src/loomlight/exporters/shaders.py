@@ -115,7 +115,7 @@ _ARGUMENTS = (
 
 
 def _answer(model: Shaders, answer: str, two: str, three: str, last: str = "") -> str:
-    """The statements that store an answer: of `cloth_value`, or with a seed of `cloth_estimate`.
+    """The statements that store an answer: of `cloth_value`, or with a seed of the library's second one.
 
     Args:
         answer: where it is stored.
@@ -124,14 +124,16 @@ def _answer(model: Shaders, answer: str, two: str, three: str, last: str = "") -
     """
     parts = [part.replace("{2}", two).replace("{3}", three) for part in _ARGUMENTS]
 
-    def call(function: str, *more: str) -> str:
-        arguments = (",\n" + " " * 8).join([*parts, *more, *([last] if last else [])])
-        return f"{answer} = {function}(\n        {arguments});"
+    def call(function: str, *arguments: str) -> str:
+        listed = (",\n" + " " * 8).join([*arguments, *([last] if last else [])])
+        return f"{answer} = {function}(\n        {listed});"
 
-    if not model.has_estimate:
-        return call("cloth_value")
-    estimate = call("cloth_estimate", "query.seed")
-    return f"{call('cloth_value')}\n    if (query.seed != 0u) {{\n        {estimate}\n    }}"
+    value = call("cloth_value", *parts)
+    if model.second is None:
+        return value
+    given = [part for part in parts if model.second != "cloth_auxiliary" or "light" not in part]
+    second = call(model.second, *given, "query.seed")
+    return f"{value}\n    if (query.seed != 0u) {{\n        {second}\n    }}"
 
 
 def c_struct(name: str, fields: Fields) -> str:
@@ -211,7 +213,15 @@ def size_of(kind: str) -> int:
 
 
 # What an engine calls and binds.
-_PUBLIC = ("cloth_value", "cloth_estimate", "fabrics", "families", "words", "packed_numbers")
+_PUBLIC = (
+    "cloth_value",
+    "cloth_estimate",
+    "cloth_auxiliary",
+    "fabrics",
+    "families",
+    "words",
+    "packed_numbers",
+)
 _QUERY_BUFFERS = "queries|query_count|answers"
 
 

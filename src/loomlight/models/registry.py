@@ -42,7 +42,8 @@ class Shaders:
         buffers: that the library reads, of `realtime.records.BUFFERS`.
         reads_yarns: whether shaders read yarns and colours of a fabric.
         bakes_on_adapter: whether kernels can bake its tables.
-        has_estimate: whether the library has `cloth_estimate` beside `cloth_value`, which takes a seed too.
+        second: a further function of the library, if there is one: `cloth_estimate` takes a seed too,
+            `cloth_auxiliary` a part in place of the light.
     """
 
     kernel: str
@@ -52,7 +53,7 @@ class Shaders:
     buffers: tuple[str, ...] = ("fabrics", "families", "words")
     reads_yarns: bool = True
     bakes_on_adapter: bool = False
-    has_estimate: bool = False
+    second: str | None = None
 
     def declared_tables(self) -> type[Tables] | None:
         """The class that declares what shaders read; None for a model without tables."""
@@ -148,7 +149,7 @@ MODELS: dict[str, ModelEntry] = {
             "For the base of a pixel and light 1,600 to 3,600 floating-point operations, more where a pixel "
             "shows more clusters; with two texels 2,400 to 4,400.",
             "loomlight.models.clustered.tables:ClusterTables",
-            has_estimate=True,
+            second="cloth_estimate",
         ),
     ),
     "neumip": ModelEntry(
@@ -176,12 +177,14 @@ MODELS: dict[str, ModelEntry] = {
         baking_extra="train",
         shaders=Shaders(
             "shade_latent",
-            _FOOTPRINT,
+            f"{_FOOTPRINT}; `cloth_auxiliary`, without the light and with a `part` as its last argument, "
+            "gives what guides a denoiser: part 1 the mean albedo and, fourth, the roughness α, 2 the normal",
             "About 5,000 floating-point operations a pixel and light with the decoder 2x32, 2,300 with 2x16, "
             "24,000 with 3x64.",
             "loomlight.models.texture.tables:LatentTables",
             _NETWORKS,
             reads_yarns=False,
+            second="cloth_auxiliary",
         ),
     ),
 }

@@ -236,7 +236,12 @@ QUERY: Fields = (
     ("dy_y", "float", ""),
     *_vector("light", "unit vector towards the light, in the frame of the cloth"),
     *_vector("view", "unit vector towards the eye"),
-    ("seed", "uint", "random number of an unbiased estimate, where the model has one; 0 asks for its value"),
+    (
+        "seed",
+        "uint",
+        "0 asks for the value; else the random number of an unbiased estimate, where the model has one, or "
+        "the part of what guides denoisers of latent, 1 or 2",
+    ),
 )
 
 

@@ -55,26 +55,32 @@ def lobe_mixture(outputs: Sequence[Float], math: Any = DRJIT) -> LobeMixture:
         weights.
     """
 
-    def bounded(x: Float) -> Float:
-        """An approximation of tanh."""
-        x = math.clip(x, -MAX_OUTPUT, MAX_OUTPUT)
-        return x / math.sqrt(1 + x * x)
-
     def slope(x: Float) -> Float:
         """An approximation of sinh."""
         x = math.clip(x, -MAX_SLOPE_OUTPUT, MAX_SLOPE_OUTPUT)
         return x * math.sqrt(1 + x * x)
 
-    alpha_x, alpha_y = (MIN_ALPHA + 0.5 * (1 + bounded(x)) for x in outputs[:2])
+    alpha_x, alpha_y = (output_roughness(x, math) for x in outputs[:2])
     specular_x, specular_y, diffuse_x, diffuse_y = map(slope, outputs[3:7])
     ratio = math.clip(outputs[8] - outputs[7], -MAX_LOG_RATIO, MAX_LOG_RATIO)
     return LobeMixture(
         (alpha_x, alpha_y),
-        bounded(outputs[2]),
+        _bounded(outputs[2], math),
         (specular_x, specular_y),
         (diffuse_x, diffuse_y),
         1 / (1 + math.exp(ratio)),
     )
+
+
+def output_roughness(output: Float, math: Any = DRJIT) -> Float:
+    """The roughness α that an output of a network stands for, 1e-4 to 1.0001."""
+    return MIN_ALPHA + 0.5 * (1 + _bounded(output, math))
+
+
+def _bounded(x: Float, math: Any) -> Float:
+    """An approximation of tanh."""
+    x = math.clip(x, -MAX_OUTPUT, MAX_OUTPUT)
+    return x / math.sqrt(1 + x * x)
 
 
 def mixture_density(

@@ -15,11 +15,17 @@ import torch
 from drjit.llvm.ad import Array3f, Float, Int32, UInt32
 
 from loomlight.core.llvm import require_llvm
-from loomlight.models.texture.latent import DeviceWeights, decoder_widths, half_vector_features
-from loomlight.models.texture.latent_training import LatentNetwork, loss_of
+from loomlight.models.texture.latent import (
+    AUXILIARY_WIDTHS,
+    DeviceWeights,
+    decoder_widths,
+    half_vector_features,
+)
+from loomlight.models.texture.latent_training import LatentNetwork, auxiliary_numbers, loss_of
 from loomlight.models.texture.pyramid import PyramidShape
 from loomlight.models.texture.settings import DECODERS
 from loomlight.scattering.lobe_mixture import lobe_mixture
+from loomlight.training.layers import relu_layers
 from tests.helpers.directions import upper_directions
 
 require_llvm()
@@ -66,7 +72,11 @@ def test_values_and_lobes_are_those_of_torch(
     with torch.no_grad():
         wanted = made(latent, light, view).numpy()
         outputs, log_albedo = (part.numpy() for part in made.sampler_outputs(latent, view))
-    device = DeviceWeights(made.weights(np.zeros((2, 3), np.float32)), Float)
+    auxiliary = relu_layers(AUXILIARY_WIDTHS)
+    with torch.no_grad():
+        auxiliary[-1].weight.mul_(3)
+        guides = auxiliary_numbers(auxiliary(latent)).numpy()
+    device = DeviceWeights(made.weights(np.zeros((2, 3), np.float32), auxiliary), Float)
     u, v = (Float(np.ascontiguousarray(column)) for column in positions.T)
     if derivatives:
         dr.enable_grad(u)
@@ -78,6 +88,13 @@ def test_values_and_lobes_are_those_of_torch(
     facing, seen = (Array3f(np.ascontiguousarray(rows.T)) for rows in (lights, views))
     actual = device.value(fetched, frames, facing, seen).numpy().T
     np.testing.assert_allclose(actual, wanted, rtol=2e-4, atol=1e-6)
+    found = device.auxiliary(fetched)
+    np.testing.assert_allclose(found.albedo.numpy().T, guides[:, :3].clip(0, 1), rtol=2e-4)
+    np.testing.assert_allclose(found.roughness.numpy(), guides[:, 3].clip(0, 1), rtol=2e-4)
+    normals = np.concatenate([-guides[:, 4:], np.ones((COUNT, 1))], axis=1)
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    np.testing.assert_allclose(found.normal.numpy().T, normals, atol=1e-5)
+    assert guides.std(axis=0).min() > 0.01
     np.testing.assert_allclose(device.albedo(fetched, seen).numpy().T, np.exp(log_albedo), rtol=2e-4)
     mixture = device.mixture(fetched, seen)
     expected = lobe_mixture([Float(np.ascontiguousarray(column)) for column in outputs.T])
@@ -88,7 +105,7 @@ def test_values_and_lobes_are_those_of_torch(
 def test_the_networks_have_the_papers_inputs() -> None:
     assert decoder_widths((32, 32), with_frames=True, with_features=False) == (20, 32, 32, 3)
     assert decoder_widths((32, 32), with_frames=False, with_features=False) == (14, 32, 32, 3)
-    weights = network().weights(np.zeros((2, 3), np.float32))
+    weights = network().weights(np.zeros((2, 3), np.float32), relu_layers(AUXILIARY_WIDTHS))
     assert [matrix.shape for matrix, _ in weights.layers["sampler"]] == [
         (32, 11),
         (32, 32),

@@ -22,7 +22,16 @@ from loomlight.models.registry import btf_of
 from loomlight.models.texture import training
 from loomlight.models.texture.btfs import FabricBtf
 from loomlight.models.texture.latent import half_vector_features
-from loomlight.models.texture.latent_training import LatentBatches, loss_of, rate_factor, train_latent
+from loomlight.models.texture.latent_training import (
+    LatentBatches,
+    LatentNetwork,
+    auxiliary_numbers,
+    loss_of,
+    rate_factor,
+    train_auxiliary,
+    train_latent,
+)
+from loomlight.models.texture.pyramid import PyramidShape
 from loomlight.models.texture.queries import (
     FOUR_POINTS,
     EncodedBtf,
@@ -34,7 +43,7 @@ from loomlight.models.texture.queries import (
     spread_over_cones,
 )
 from loomlight.models.texture.settings import LATENT_QUALITIES, LatentOptions, LatentSettings
-from loomlight.models.texture.training import folder_queries
+from loomlight.models.texture.training import TrainingFolder, folder_queries
 from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density
 from loomlight.sources.merl import BINS, library_of
 from loomlight.training.direction_sampler import sampler_loss
@@ -57,7 +66,7 @@ def short(**changes: float | str) -> LatentSettings:
         batch=256,
         sampler_steps=8,
     )
-    return replace(base, sampler_batch=64, **changes)  # type: ignore[arg-type]
+    return replace(base, **{"sampler_batch": 64, **changes})  # type: ignore[arg-type]
 
 
 def test_the_rungs_of_the_ablation(tmp_path: Path) -> None:
@@ -152,7 +161,7 @@ def test_one_cosine_leads_through_encoder_and_textures(
     monkeypatch.setattr(training, "train", kept)
     settings = short()
     train_latent(TWILL, settings, tmp_path)
-    encoder, textures, sampler = rates
+    encoder, textures, sampler, _ = rates
     share = settings.encoder_share
     assert encoder == pytest.approx((settings.rate, settings.rate * rate_factor(share)))
     assert textures == pytest.approx((encoder[1], 0.1 * settings.rate))
@@ -392,6 +401,36 @@ def test_a_sampler_finds_an_off_centre_lobe() -> None:
 def test_a_source_without_queries_is_refused() -> None:
     with pytest.raises(TypeError, match="is no kind of source"):
         btf_of(Path("a"), "latent")  # type: ignore[arg-type]  # no source: that is what is refused
+
+
+def test_guides_of_denoisers_are_learned_from_lobes_and_albedos(tmp_path: Path) -> None:
+    """Roughness and normal of the lobes that the sampler has where it is seen from above."""
+    torch.manual_seed(4)
+    shape = PyramidShape(8, 8, 1.0, 1.0, 1)
+    network = LatentNetwork(shape, np.ones((shape.texels, 1), np.float32), (16, 16), True, True, 1.0)
+    with torch.no_grad():
+        network.latents.normal_()
+        # Rough texels and smooth ones, that lean.
+        network.sampler[-1].weight.mul_(3)
+        network.albedo[-1].weight.mul_(3)
+    run = TrainingFolder(tmp_path, "none")
+    settings = short(sampler_steps=400, sampler_batch=256)
+    auxiliary = train_auxiliary(network, settings, run)
+    latent = network.latents[:64]
+    with torch.no_grad():
+        found = auxiliary_numbers(auxiliary(latent))
+        outputs, _ = network.sampler_outputs(latent, torch.tensor([[0.0, 0.0, 1.0]]).expand(64, 3))
+        lobes = lobe_mixture(outputs.unbind(1), TORCH)
+        alpha = (lobes.alpha[0] * lobes.alpha[1]).sqrt() * (1 - lobes.correlation**2) ** 0.25
+        wanted = 1 - lobes.specular_share * (1 - alpha)
+        lean = lobes.specular_share * lobes.specular_slope[0]
+        lean += (1 - lobes.specular_share) * lobes.diffuse_slope[0]
+    assert float(wanted.std()) > 0.05
+    # What is learned explains four fifths of the deviations.
+    for actual, expected in ((found[:, 3], wanted), (found[:, 4], lean)):
+        assert float((actual - expected).std()) < 0.45 * float(expected.std())
+        assert float(actual.mean()) == pytest.approx(float(expected.mean()), abs=0.1)
+    assert (train_auxiliary(network, settings, run)[0].weight == auxiliary[0].weight).all()
 
 
 def test_trainings_that_differ_in_networks_alone_share_queries(tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ A pyramid of latents is read, of which networks make the answers:
                                         log f·cos + 3
     sampler  11 → 32 → 32 → 32 → 9      view, latent → lobes (`scattering/lobe_mixture.py`)
     albedo   11 → 16 → 3                view, latent → log of the share of light that is scattered, + 1
+    auxiliary 8 → 16 → 6                latent → log of the mean albedo, + 1; roughness; slopes of the normal
 
 The order of inputs and outputs is that of listings 2 and 3 of the supplemental of zeltner2024, whose decoder
 has 20 inputs: no features. Without learned frames both directions are in the frame of the face, 6 inputs in
@@ -56,6 +57,7 @@ from loomlight.scattering.lobe_mixture import (
     LobeMixture,
     lobe_mixture,
     mixture_density,
+    output_roughness,
     sample_mixture,
 )
 from loomlight.scattering.point import DirectionSample, to_face_frame
@@ -67,6 +69,10 @@ CHANNELS = 8
 FRAMES = 2
 SAMPLER_WIDTHS = (3 + CHANNELS, 32, 32, 32, LOBE_OUTPUTS)
 ALBEDO_WIDTHS = (3 + CHANNELS, 16, 3)
+# Outputs: albedo [3], roughness, slopes of the normal [2].
+AUXILIARY_WIDTHS = (CHANNELS, 16, 6)
+# Bound of these slopes.
+MAX_AUXILIARY_SLOPE = 4.0
 # Offsets of the exponential outputs: of networks that begin near 0.
 VALUE_OFFSET, ALBEDO_OFFSET = 3.0, 1.0
 # Bound of an exponent: values stay finite, and no training reaches it.
@@ -119,7 +125,7 @@ class Weights:
         shape: of the textures.
         latents: texels of the pyramid [faces · shape.texels, 8], a face after another, fine levels first.
         frames: weights [12, 8] of normal and tangent of each frame; None without learned frames.
-        layers: weights [outputs, inputs] and biases of "decoder", "sampler" and "albedo".
+        layers: weights [outputs, inputs] and biases of "decoder", "sampler", "albedo" and "auxiliary".
         reflectance: mean albedo of each face [faces, 3].
     """
 
@@ -162,6 +168,22 @@ class Weights:
             layers=layers,
             reflectance=rounded(self.reflectance),
         )
+
+
+@dataclass(frozen=True)
+class Auxiliary:
+    """What guides denoisers: of a footprint, free of noise, and alike from everywhere.
+
+    Attributes:
+        albedo: mean share of light that is scattered, 0 to 1.
+        roughness: α of the specular lobe seen from above, mixed with the 1 of a diffuse surface by its share
+            of the light, 1e-4 to 1.
+        normal: unit vector, in the middle of what both lobes lie about, on the side of the view.
+    """
+
+    albedo: Color3
+    roughness: Float
+    normal: Vec3
 
 
 # Tangent, bitangent and normal, which need not be orthogonal.
@@ -224,6 +246,14 @@ class DeviceWeights:
         outputs = self._networks["albedo"]([*view, *latent])
         return self._types.Color3(*(_exponential(output - ALBEDO_OFFSET) for output in outputs))
 
+    def auxiliary(self, latent: Sequence[Float]) -> Auxiliary:
+        """What guides denoisers; the normal is in the frame of the face that is seen."""
+        outputs = self._networks["auxiliary"](latent)
+        albedo = (clip(_exponential(output - ALBEDO_OFFSET), 0, 1) for output in outputs[:3])
+        slopes = (clip(output, -MAX_AUXILIARY_SLOPE, MAX_AUXILIARY_SLOPE) for output in outputs[4:])
+        normal = dr.normalize(self._types.Vector3(*(-slope for slope in slopes), 1))
+        return Auxiliary(self._types.Color3(*albedo), minimum(output_roughness(outputs[3]), 1), normal)
+
     def _place(self, level: Any, face: UInt) -> tuple[Any, Int, DrjitFunctions]:
         return level, self._types.Int32(face) * self._shape.texels, self._functions
 
@@ -248,7 +278,7 @@ def _exponential(exponent: Float) -> Float:
 # -------------------------------------------------------------------------------------------------- the model
 
 # Of files: to be raised when the same tensors mean something else.
-_FILE_VERSION = 3
+_FILE_VERSION = 4
 
 
 @final
@@ -260,6 +290,12 @@ class LatentBsdf(TexturedBsdf):
         """The learned share of light that this view sees, for the termination of paths, 0 to 1."""
         albedo = self._device.albedo(self._latent, self._facing)
         return array_types(self.view.x).Color3(*(clip(channel, 0, 1) for channel in albedo))
+
+    @property
+    def auxiliary(self) -> Auxiliary:
+        """What guides denoisers; the normal is in the frame of the surface, z < 0 of its back."""
+        found = self._device.auxiliary(self._latent)
+        return replace(found, normal=to_face_frame(found.normal, self._back))
 
     @cached_property
     def _latent(self) -> list[Float]:
@@ -383,6 +419,7 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
             "frames": [(frames, None)],
             "sampler": network_layers(weights.layers["sampler"]),
             "albedo": network_layers(weights.layers["albedo"]),
+            "auxiliary": network_layers(weights.layers["auxiliary"]),
             "texels": texel_numbers(weights.latents, is_half),
             "texel_elements": 1 if is_half else 2,
             "width": shape.width_mm,
@@ -423,6 +460,7 @@ class LatentModel(TexturedModel[Weights, DeviceWeights]):
             "decoder": decoder_widths(DECODERS[decoder], frames is not None, features == FEATURES[0]),
             "sampler": SAMPLER_WIDTHS,
             "albedo": ALBEDO_WIDTHS,
+            "auxiliary": AUXILIARY_WIDTHS,
         }
         layers = {name: layers_of_loom(loom, name, each, kind) for name, each in widths.items()}
         return cls(loom.source, Weights(shape, latents, frames, layers, reflectance), mips, precision)

@@ -1,8 +1,9 @@
 """Training of `latent` for one source: queries of it, then encoder, textures and sampler, one after another.
 
-Section 1 of the supplemental of zeltner2024, in three phases that each have a checkpoint: encoder and
-decoder; textures, which begin as what the encoder gives, and decoder; sampler and albedo, which change
-nothing of the others. The torch modules below are also the reference that tests compare the evaluation with.
+Section 1 of the supplemental of zeltner2024, in phases that each have a checkpoint: encoder and decoder;
+textures, which begin as what the encoder gives, and decoder; sampler and albedo, which change nothing of the
+others; what guides denoisers, which learns from sampler and albedo. The torch modules below are also the
+reference that tests compare the evaluation with.
 """
 
 from __future__ import annotations
@@ -21,8 +22,10 @@ from loomlight.models.registry import btf_of
 from loomlight.models.texture.latent import (
     ALBEDO_OFFSET,
     ALBEDO_WIDTHS,
+    AUXILIARY_WIDTHS,
     CHANNELS,
     FRAMES,
+    MAX_AUXILIARY_SLOPE,
     MAX_EXPONENT,
     SAMPLER_WIDTHS,
     VALUE_OFFSET,
@@ -51,6 +54,7 @@ from loomlight.models.texture.training import (
     folder_queries,
     half_cosine,
 )
+from loomlight.scattering.lobe_mixture import lobe_mixture, output_roughness
 from loomlight.sources.kinds import Source, kind_of_source
 from loomlight.training.direction_sampler import sampler_loss
 from loomlight.training.layers import (
@@ -73,7 +77,9 @@ _LIGHTS = 16
 _SMALL = 4
 # Keys that separate the random numbers of the sampler, of albedos and of batches of mollified queries from
 # those of queries and other batches.
-_SAMPLER, _ALBEDOS, _CONES = 6, 7, 9
+_SAMPLER, _ALBEDOS, _CONES, _AUXILIARY = 6, 7, 9, 10
+# Largest rate of the network of what guides denoisers.
+_AUXILIARY_RATE = 1e-2
 # Thousandths of the progress after textures.
 _TEXTURES_DONE = 850
 # Views and places of which a face's mean albedo is taken.
@@ -135,7 +141,8 @@ def train_latent(
         settings = replace(settings, steps=_SMALL * settings.steps, batch=max(1, settings.batch // _SMALL))
     with one_thread():
         _train_phases(network, queries, settings, run, device)
-        return network.weights(_face_albedos(network, settings.seed))
+        auxiliary = train_auxiliary(network, settings, run)
+        return network.weights(_face_albedos(network, settings.seed), auxiliary)
 
 
 def _train_phases(
@@ -176,6 +183,51 @@ def _train_phases(
     trained = optimiser("adam", parameters(network.sampler, network.albedo))
     schedule = settings.sampler_steps, rate(0.0, 1.0)
     run.train("sampler", network, trained, sampler.losses, schedule, (_TEXTURES_DONE, WHOLE))
+
+
+def train_auxiliary(network: LatentNetwork, settings: LatentSettings, run: TrainingFolder) -> nn.Sequential:
+    """The network of what guides denoisers: albedo, roughness and normal of a latent; see `Auxiliary`.
+
+    Its teachers are the networks of lobes and albedos, so that any source has it, whatever its textures are.
+    """
+    auxiliary = relu_layers(AUXILIARY_WIDTHS).to(network.latents.device)
+    trained = torch.optim.Adam(auxiliary.parameters(), _AUXILIARY_RATE)
+
+    def losses(step: int) -> Iterator[Tensor]:
+        rng = np.random.default_rng([settings.seed, _AUXILIARY, step])
+        latent, _ = _places(network, rng, settings.sampler_batch)
+        yield functional.mse_loss(auxiliary_numbers(auxiliary(latent)), _taught(network, latent, rng))
+
+    schedule = settings.sampler_steps, lambda done: _AUXILIARY_RATE * rate_factor(done)
+    run.train("auxiliary", auxiliary, trained, losses, schedule)
+    return auxiliary
+
+
+def auxiliary_numbers(outputs: Tensor) -> Tensor:
+    """Albedo, roughness and slopes [n, 6] of outputs of the auxiliary network [n, 6]."""
+    albedo = torch.exp((outputs[:, :3] - ALBEDO_OFFSET).clamp(max=MAX_EXPONENT))
+    roughness = output_roughness(outputs[:, 3:4], TORCH)
+    return torch.cat([albedo, roughness, outputs[:, 4:]], dim=1)
+
+
+@torch.no_grad()
+def _taught(network: LatentNetwork, latent: Tensor, rng: np.random.Generator) -> Tensor:
+    """What the auxiliary network learns of latents [n, 6]."""
+    above = latent.new_tensor([0.0, 0.0, 1.0]).expand(len(latent), 3)
+    outputs, _ = network.sampler_outputs(latent, above)
+    lobes = lobe_mixture(outputs.unbind(1), TORCH)
+    share = lobes.specular_share
+    area = lobes.alpha[0] * lobes.alpha[1] * torch.sqrt(1 - lobes.correlation.square())
+    roughness = share * torch.sqrt(area) + (1 - share)
+    slopes = [
+        (share * specular + (1 - share) * diffuse).clamp(-MAX_AUXILIARY_SLOPE, MAX_AUXILIARY_SLOPE)
+        for specular, diffuse in zip(lobes.specular_slope, lobes.diffuse_slope, strict=True)
+    ]
+    # Squared errors make the mean over views the optimum.
+    views = torch.from_numpy(draw_directions(rng, len(latent))).to(latent.device)
+    _, log_albedo = network.sampler_outputs(latent, views)
+    albedo = torch.exp(log_albedo).clamp(max=1)
+    return torch.cat([albedo, torch.stack([roughness, *slopes], dim=1)], dim=1)
 
 
 def rate_factor(progress: float) -> float:
@@ -360,14 +412,16 @@ class LatentNetwork(nn.Module):
         inputs = torch.cat([views, latent], dim=-1)
         return self.sampler(inputs), (self.albedo(inputs) - ALBEDO_OFFSET).clamp(max=MAX_EXPONENT)
 
-    def weights(self, reflectance: NDArray[np.float32]) -> Weights:
+    def weights(self, reflectance: NDArray[np.float32], auxiliary: nn.Sequential) -> Weights:
         """The trained numbers, for the renderer.
 
         Args:
             reflectance: mean albedo of each face [faces, 3].
+            auxiliary: see `train_auxiliary`.
         """
         frames = None if self.frames is None else numbers_of(self.frames.weight)
         layers = {name: numbers_of_layers(getattr(self, name)) for name in ("decoder", "sampler", "albedo")}
+        layers["auxiliary"] = numbers_of_layers(auxiliary)
         return Weights(self.shape, numbers_of(self.scale * self.latents), frames, layers, reflectance)
 
 

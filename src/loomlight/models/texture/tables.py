@@ -58,6 +58,7 @@ class LatentTables(Tables):
     frames = given("uint", "first element of the layer of frames, singles", "layers")
     sampler = given("uint", "first element of the network that describes the density of directions", "layers")
     albedo = given("uint", "first element of the network of albedos", "layers")
+    auxiliary = given("uint", "first element of the network of what guides denoisers", "layers")
     texels = given("uint", "first element of the latents [faces, texels, 8]", "elements")
     texel_elements = given("uint", "of a texel: 1 for halves, 2 for singles")
     levels = given("uint", "first texel, columns, rows of each level, three words each", "words")

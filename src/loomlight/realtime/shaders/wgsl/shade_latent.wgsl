@@ -139,6 +139,7 @@ struct Latent_std430_0
     @align(4) frames_0 : u32,
     @align(4) sampler_0 : u32,
     @align(4) albedo_0 : u32,
+    @align(4) auxiliary_0 : u32,
     @align(4) texels_1 : u32,
     @align(4) texel_elements_1 : u32,
     @align(4) levels_3 : u32,
