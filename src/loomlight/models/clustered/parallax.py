@@ -63,7 +63,7 @@ def compressed(
     """
     training = rows_of(rng.permutation(count)[:_TRAINING])
     mean = training.mean(axis=0)
-    axes = _principal_axes(training - mean, rank, rng)
+    axes = principal_axes(training - mean, rank, rng)
     numbers = np.arange(count)
     parts = [(rows_of(numbers[first : first + _BATCH]) - mean) @ axes.T for first in range(0, count, _BATCH)]
     values = np.concatenate(parts)
@@ -72,7 +72,7 @@ def compressed(
     return Compressed(basis, np.rint(values / unit).astype(np.int8))
 
 
-def _principal_axes(rows: NDArray[np.float32], rank: int, rng: np.random.Generator) -> NDArray[np.float32]:
+def principal_axes(rows: NDArray[np.float32], rank: int, rng: np.random.Generator) -> NDArray[np.float32]:
     """The first principal axes of rows [n, d], orthonormal [rank, d], by subspace iteration."""
     space = rng.standard_normal((rows.shape[1], rank + 4)).astype(np.float32)
     for _ in range(_POWERS):
