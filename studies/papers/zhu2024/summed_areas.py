@@ -214,8 +214,8 @@ def normalisation(settings: Compression, run: Run) -> Found:
     table = Table(
         "Relative squared error of means over boxes",
         list(boxes((2, 2))),
-        note=f"{_CLUSTERS} clusters of {_RANK} components of summed areas, with coefficients of floats or of 8 "
-        f"bits; {_OWN_RANK} components of D whose coefficients are summed. {settings.texels} texels.",
+        note=f"{_CLUSTERS} clusters of {_RANK} components of summed areas, with coefficients of floats or of "
+        f"8 bits; {_OWN_RANK} components of D whose coefficients are summed. {settings.texels} texels.",
     )
     for number, name in enumerate(chosen):
         families = family_densities(name, settings.texels)

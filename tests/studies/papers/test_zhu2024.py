@@ -4,6 +4,7 @@ Covers: studies/instruments/altered_models.py, studies/papers/zhu2024/control.py
 Covers: studies/papers/zhu2024/cylinder.py, studies/papers/zhu2024/sampling.py
 Covers: studies/papers/zhu2024/scenes.py, studies/papers/zhu2024/sheen.py
 Covers: studies/papers/zhu2024/table1.py, studies/papers/zhu2024/storage.py
+Covers: studies/papers/zhu2024/summed_areas.py
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from studies.harness.record import read_record
 from studies.harness.study import Run, stored_tables
 from studies.instruments.altered_models import uniformly_sampled, without_parallax
 from studies.papers.setting import PictureSettings
-from studies.papers.zhu2024 import control, cylinder, sheen, storage, table1
+from studies.papers.zhu2024 import control, cylinder, sheen, storage, summed_areas, table1
 from studies.papers.zhu2024.scenes import (
     FABRICS,
     SCENES,
@@ -221,3 +222,23 @@ def test_densities_need_less_room_and_err_less_with_rank() -> None:
     # A component in the mean's place is no better than the mean.
     assert without > 0.5 * two
     assert file < device < whole
+
+
+def test_summed_areas_are_exact_with_all_components() -> None:
+    """Boxes of uncompressed tables are plain means; all components give the table, normalised or not."""
+    rng = np.random.default_rng(0)
+    values = rng.random((5, 4, 12)).astype(np.float32)
+    truth = summed_areas.summed(values)
+    means = summed_areas.box_means(truth, 2, 3)
+    np.testing.assert_allclose(means[1, 0], values[1:3, :3].mean(axis=(0, 1)), rtol=1e-6)
+    pair = summed_areas.Compressed.of(values, 1)
+    for normalised in (False, True):
+        errors = [
+            summed_areas.relative_error(pair.table(normalised, rank), truth, (1, 1)) for rank in (0, 2, 12)
+        ]
+        # Single precision, of sums 20 times as large as what is summed.
+        assert errors[0] > errors[1] > errors[2]
+        assert errors[2] < 1e-6
+        coarse = summed_areas.relative_error(pair.table(normalised, 12, whole=True), truth, (1, 1))
+        assert coarse > errors[2]
+    assert summed_areas.relative_error(summed_areas.own_table(values), truth, (5, 4)) < 1e-3
