@@ -149,5 +149,5 @@ STUDY = Study(
     CardSettings(),
     spend,
     tables,
-    small={"rehearse": True, "minutes": 30.0},
+    small={"rehearse": True},
 )

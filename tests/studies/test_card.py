@@ -29,6 +29,7 @@ from studies.harness import command
 from studies.harness.catalogue import find_study
 from studies.harness.run import run_study
 from studies.harness.study import REPOSITORY
+from tests.helpers.graphics import require_graphics
 
 
 def _job(name: str, minutes: float, **others: object) -> Job:
@@ -274,6 +275,18 @@ def test_the_plan_is_shown_without_minutes(capsys: pytest.CaptureFixture[str]) -
     shown = capsys.readouterr().out
     assert all(f"| {job.name} | {job.minutes:g} |" in shown for job in JOBS)
     assert "state" not in shown
+
+
+@pytest.mark.slow
+def test_a_rehearsal_does_every_job(tmp_path: Path) -> None:
+    """On whatever driver there is, by the processes that a card would run, at tiny sizes."""
+    require_graphics()
+    settings = card.CardSettings(rehearse=True, minutes=600)
+    record = run_study(card.STUDY, settings, tmp_path / "out", tmp_path / "runs")
+    states = {name: (each["state"], each["says"]) for name, each in record.figures["jobs"].items()}
+    assert states == {job.name: (DONE, "") for job in JOBS}
+    made = {file.stem for file in (tmp_path / "runs" / "small" / "records").rglob("*.json")}
+    assert made == {"frames", "backends", "table2", "tables1-4"}
 
 
 @pytest.mark.parametrize(
