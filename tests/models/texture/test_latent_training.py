@@ -411,10 +411,10 @@ def test_guides_of_denoisers_are_learned_from_lobes_and_albedos(tmp_path: Path) 
     with torch.no_grad():
         network.latents.normal_()
         # Rough texels and smooth ones, that lean.
-        network.sampler[-1].weight.mul_(3)
+        network.sampler[-1].weight.mul_(15)
         network.albedo[-1].weight.mul_(3)
     run = TrainingFolder(tmp_path, "none")
-    settings = short(sampler_steps=400, sampler_batch=256)
+    settings = short(sampler_steps=1000, sampler_batch=256)
     auxiliary = train_auxiliary(network, settings, run)
     latent = network.latents[:64]
     with torch.no_grad():
