@@ -109,6 +109,7 @@ def _constructor(plugin: Callable[[Any], Any]) -> Callable[[Any], Any]:
 # A material as a BSDF for `build_scene`.
 
 
+@in_turn  # it bakes, and Dr.Jit's recordings serve one thread at a time
 def material_bsdf(
     material: Material,
     model: str | None = None,
@@ -138,6 +139,7 @@ def material_bsdf(
     # Painted cloth is not edited: its BSDFs share their models.
     first = [spec.model()] if painted is None else []
 
+    @in_turn
     def to_scale(uv_size_mm: tuple[float, float]) -> Any:
         if painted is not None:
             return make_bsdf(painted.variants[0], uv_size_mm, albedo, painted)
