@@ -55,6 +55,8 @@ class TrainingTable(ConfigTable):
         minutes: time limit in place of `steps`, for comparisons at equal budget; 0 is none.
         fabrics: faces of fabrics in one step.
         queries: of each of them in one step.
+        encoder: "trained", or "shipped": that of the network that ships, to which `decoder_steps` fit a new
+            decoder. `steps`, `rate` and `updates` have no meaning then.
         updates: of the decoder in one step, each with its own queries; the first updates the encoder too,
             which costs five times as much as the decoder.
         decoder_steps: further steps of the decoder alone, on the final latents of the encoder; those are
@@ -80,6 +82,7 @@ class TrainingTable(ConfigTable):
     minutes: Annotated[float, Field(ge=0)] = 0.0
     fabrics: Count = 8
     queries: Count = 4096
+    encoder: Literal["trained", "shipped"] = "trained"
     updates: Count = 4
     decoder_steps: Annotated[int, Field(ge=0)] = 0
     decoder_hidden: Annotated[int, Field(ge=0)] = 0

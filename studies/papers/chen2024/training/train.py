@@ -20,6 +20,7 @@ from loomlight.core.llvm import llvm_float
 from loomlight.core.provenance import provenance
 from loomlight.models.neural.architecture import FIELD_MAP, VECTOR_MAP
 from loomlight.models.neural.learned_truth import ENTRY, moved_since, truth_numbers
+from loomlight.models.neural.weights import shipped_weights
 from loomlight.models.options import DEVICES
 from loomlight.training.loop import Report, Schedule, read_checkpoint, require_device, train, write_checkpoint
 from loomlight.training.parallel import process_count, process_number, wait_for_all
@@ -42,6 +43,7 @@ _WARM_UP = 0.01
 # Of what the dataset's files hold: a folder of another version is left alone.
 _DATASET_VERSION = 6
 _TRUTH = "truth.json"
+_ENCODER = "encoder."
 
 
 @contextmanager
@@ -85,25 +87,12 @@ def train_neural(
     torch.manual_seed(config.training.seed)
     network = ClothNetwork(config.network).to(device)
     training = config.training
-    schedule = Schedule(
-        steps=training.steps,
-        rate=lambda progress: training.rate * rate_factor(training, progress),
-        seconds=60 * training.minutes,
-        keep_every=keep_every,
-    )
     batches = Batches(config, faces, network, torch.device(device))
-    checkpoint = folder / "checkpoint.safetensors"
-    identity = first_stage_identity(config)
-    _rename_checkpoint(checkpoint, training_identity(config), identity)
-    steps = train(
-        network,
-        _optimiser(network, training),
-        batches.losses,
-        schedule,
-        checkpoint,
-        identity,
-        _with_curve(config, folder, batches, report),
-    )
+    if training.encoder == "shipped":
+        take_shipped_encoder(network)
+        steps = 0
+    else:
+        steps = _train_both(config, folder, batches, network, report, keep_every)
     if training.decoder_steps:
         batches.keep_latents()
         network.decoder = last_decoder(config, network.decoder).to(device)
@@ -139,9 +128,66 @@ def train_neural(
     return weights
 
 
+def take_shipped_encoder(network: ClothNetwork) -> None:
+    """Gives a network the encoder of the one that ships.
+
+    Raises:
+        InputError: the encoders differ in shape.
+    """
+    ours = network.encoder.state_dict()
+    shipped = {
+        name.removeprefix(_ENCODER): torch.from_numpy(values)
+        for name, values in shipped_weights().tensors.items()
+        if name.startswith(_ENCODER)
+    }
+    # A weights file keeps scalars as arrays of one number.
+    if {name: values.squeeze().shape for name, values in ours.items()} != {
+        name: values.squeeze().shape for name, values in shipped.items()
+    }:
+        raise InputError(
+            '[training] encoder = "shipped" is of another shape than [network] describes: write what '
+            "[network] in neural.toml has."
+        )
+    network.encoder.load_state_dict({name: shipped[name].reshape(ours[name].shape) for name in ours})
+
+
+def _train_both(
+    config: TrainingConfig,
+    folder: Path,
+    batches: Batches,
+    network: ClothNetwork,
+    report: Report | None,
+    keep_every: float,
+) -> int:
+    """The first stage, encoder and decoder together; returns its steps."""
+    training = config.training
+    schedule = Schedule(
+        steps=training.steps,
+        rate=lambda progress: training.rate * rate_factor(training, progress),
+        seconds=60 * training.minutes,
+        keep_every=keep_every,
+    )
+    checkpoint = folder / "checkpoint.safetensors"
+    identity = first_stage_identity(config)
+    _rename_checkpoint(checkpoint, training_identity(config), identity)
+    return train(
+        network,
+        _optimiser(network, training),
+        batches.losses,
+        schedule,
+        checkpoint,
+        identity,
+        _with_curve(config, folder, batches, report),
+    )
+
+
 def _require_work_for_all(config: TrainingConfig) -> None:
     """Raises InputError if steps have less work than there are processes, or a curve has no steps."""
     training = config.training
+    if training.encoder == "shipped" and not training.decoder_steps:
+        raise InputError(
+            '[training] encoder = "shipped" leaves nothing to train: give decoder_steps, such as 4000.'
+        )
     shares = training.fabrics
     if config.data.store:
         shares *= training.queries // portion_size(training.queries)
@@ -262,7 +308,11 @@ def _optimiser(network: torch.nn.Module, training: TrainingTable) -> torch.optim
 
 
 # Fields that came after trainings had checkpoints: at these values they are no part of identities.
-_LATER: dict[str, dict[str, Any]] = {"network": {"heights": True}, "data": {"store": ""}}
+_LATER: dict[str, dict[str, Any]] = {
+    "network": {"heights": True},
+    "data": {"store": ""},
+    "training": {"encoder": "trained"},
+}
 
 
 def _facts(config: TrainingConfig) -> dict[str, dict[str, Any]]:
@@ -278,6 +328,8 @@ def _facts(config: TrainingConfig) -> dict[str, dict[str, Any]]:
     else:
         del facts["data"]["store_queries"]
     del facts["training"]["curve"]
+    if config.training.encoder == "shipped":
+        facts["training"]["encoder"] = shipped_weights().sha256
     return facts
 
 

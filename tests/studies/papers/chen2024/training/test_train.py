@@ -21,14 +21,15 @@ torch = pytest.importorskip("torch")
 
 from loomlight.core.errors import InputError  # noqa: E402
 from loomlight.core.llvm import llvm_float  # noqa: E402
+from loomlight.models.neural.architecture import NetworkTable  # noqa: E402
 from loomlight.models.neural.learned_truth import moved_since, truth_numbers  # noqa: E402
-from loomlight.models.neural.weights import read_weights  # noqa: E402
+from loomlight.models.neural.weights import read_weights, shipped_weights  # noqa: E402
 from studies.papers.chen2024.training import train  # noqa: E402
 from studies.papers.chen2024.training.batches import Batches, _draw  # noqa: E402
 from studies.papers.chen2024.training.config import TrainingConfig, read_config  # noqa: E402
 from studies.papers.chen2024.training.dataset import read_faces  # noqa: E402
 from studies.papers.chen2024.training.losses import LOSSES, mapped, unmapped  # noqa: E402
-from studies.papers.chen2024.training.train import rate_factor, train_neural  # noqa: E402
+from studies.papers.chen2024.training.train import rate_factor, take_shipped_encoder, train_neural  # noqa: E402
 from tests.helpers.neural_networks import network  # noqa: E402
 
 TINY = """
@@ -111,6 +112,43 @@ def test_a_decoder_made_anew_is_written_as_such(dataset: Path, tmp_path: Path) -
     assert not weights.recipe["network"]["bundles"]
     assert weights.tensor("decoder.angular.1.weight").shape == (24, 24)
     assert weights.recipe["network"]["hidden"] == 16
+
+
+def _on_the_shipped_encoder(table: NetworkTable, decoder_steps: int) -> TrainingConfig:
+    config = TrainingConfig(network=table)
+    data = config.data.model_copy(
+        update={
+            "fabrics": 1,
+            "pairs": 64,
+            "footprints": 16,
+            "lights": 16,
+            "views": 16,
+            "texels_per_thread": 8,
+        }
+    )
+    training = config.training.model_copy(
+        update={"encoder": "shipped", "fabrics": 1, "queries": 64, "decoder_steps": decoder_steps}
+    )
+    return config.model_copy(update={"data": data, "training": training})
+
+
+def test_a_decoder_is_trained_on_the_encoder_that_ships(tmp_path: Path) -> None:
+    """The encoder stays as it is, and the decoder begins anew."""
+    shipped = shipped_weights()
+    trained = read_weights(train_neural(_on_the_shipped_encoder(shipped.table, 1), tmp_path))
+    for name, values in shipped.tensors.items():
+        same = np.array_equal(values, trained.tensor(name))
+        assert same if name.startswith("encoder.") else not (same and values.any()), name
+
+
+def test_a_training_without_work_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="give decoder_steps"):
+        train_neural(_on_the_shipped_encoder(shipped_weights().table, 0), tmp_path)
+
+
+def test_a_shipped_encoder_of_another_shape_is_refused() -> None:
+    with pytest.raises(InputError, match="is of another shape than"):
+        take_shipped_encoder(network("field"))
 
 
 @pytest.mark.parametrize("computed", [False, True])
