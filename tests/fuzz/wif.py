@@ -1,4 +1,4 @@
-"""Feeds mutilated drafts to their readers: weaving information files, and pictures of drawdowns.
+"""Feeds mutilated drafts to their readers: WIF, Fiberworks files, pictures of drawdowns, bitmaps of looms.
 
     python -m tests.fuzz.wif [--seconds 60] [--count 2000] [--faults FOLDER]
 
@@ -20,7 +20,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from loomlight.weave import Draft, load_draft
+from loomlight.weave import Draft, load_draft, read_bitmap
+from loomlight.weave.dtx import dtx_text_of
 from loomlight.weave.wif_reader import draft_of
 from loomlight.weave.wif_text import decode_wif, parse_wif_text
 from loomlight.weave.wif_writer import wif_text_of
@@ -98,8 +99,25 @@ def pictures() -> list[tuple[str, bytes]]:
     return found
 
 
+def fiberworks() -> list[bytes]:
+    """Files of ours: a treadling, a liftplan, a sinking shed, thread colours and spacings, notes."""
+    found = [file.read_bytes() for file in sorted(FIXTURES.glob("*.dtx"))]
+    return [*found, *(dtx_text_of(load_draft(file))[0].encode() for file in sorted(FIXTURES.glob("*.wif")))]
+
+
+def bitmaps() -> list[bytes]:
+    """Bitmaps of 1 bit of each format that looms take."""
+    up = np.random.default_rng(1).random((9, 21)) < 0.5
+    found = []
+    for suffix in ("png", "bmp", "tiff"):
+        held = BytesIO()
+        Image.fromarray(np.where(up, 0, 255).astype(np.uint8)).convert("1").save(held, suffix)
+        found.append(held.getvalue())
+    return found
+
+
 def targets() -> list[Target]:
-    """Weaving information files, and pictures by their format."""
+    """Weaving information files, Fiberworks files, and pictures and bitmaps by their format."""
     data = os.environ.get("LOOMLIGHT_DATA")
     folders = [FIXTURES, *([Path(data, "wif")] if data else [])]
     folder = Path(tempfile.mkdtemp())
@@ -110,10 +128,24 @@ def targets() -> list[Target]:
         file.write_bytes(content)
         load_draft(file)
 
+    def read_dtx_twice(content: bytes) -> None:
+        file = folder / "draft.dtx"
+        file.write_bytes(content)
+        draft = load_draft(file)
+        file.write_text(dtx_text_of(draft)[0], encoding="utf-8", errors="replace", newline="")
+        assert np.array_equal(draft.drawdown, load_draft(file).drawdown)
+
+    def bitmap(content: bytes) -> None:
+        file = folder / "bitmap.bmp"
+        file.write_bytes(content)
+        read_bitmap(file)
+
     held = [content for _, content in pictures()]
     return [
         Target("wif", originals_in(*folders), MUTATIONS, read_twice),
+        Target("dtx", fiberworks(), TEXT, read_dtx_twice),
         Target("pictures", held, BYTES, subject, max_seconds=20),
+        Target("bitmaps", bitmaps(), BYTES, bitmap, max_seconds=20),
     ]
 
 

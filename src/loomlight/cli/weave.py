@@ -9,9 +9,12 @@ import typer
 
 from loomlight.cli.options import WholeSentences
 from loomlight.cli.terminal import done
+from loomlight.core.colour import to_hex
 from loomlight.core.errors import InputError
 from loomlight.core.files import PIXEL_SUFFIXES
-from loomlight.core.outputs import check_output
+from loomlight.core.images import PICTURE_SUFFIXES
+from loomlight.core.outputs import check_output, require_not_read
+from loomlight.weave.bitmaps import BitmapLayout
 from loomlight.weave.draft import Draft
 
 app = typer.Typer(
@@ -68,15 +71,90 @@ def show(
 
 @app.command(epilog='Example: loomlight weave convert "herringbone 2/2 8" -o herringbone.wif')
 def convert(
-    draft: DraftArgument,
-    output: Annotated[Path, typer.Option("--output", "-o", help="The .wif file to write.")],
+    drafts: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="DRAFT...",
+            help="A draft of any kind; or the bitmaps of several wefts, one each.",
+        ),
+    ],
+    output: Annotated[
+        Path,
+        typer.Option(
+            "--output", "-o", help="The file to write: .wif, .dtx, or a bitmap: .png, .bmp, .tif or .tiff."
+        ),
+    ],
+    each_weft: Annotated[
+        bool, typer.Option("--each-weft", help="Write a bitmap a weft: cloth-1.bmp, cloth-2.bmp and so on.")
+    ] = False,
+    order: Annotated[
+        str | None,
+        typer.Option(
+            help='The order of several wefts that are read, such as "1 1 2" or "40x1 2"; by default in turn.'
+        ),
+    ] = None,
+    lifted: Annotated[
+        Literal["black", "white"], typer.Option(help="Where a written bitmap lifts the warp.")
+    ] = "black",
+    first_pick: Annotated[
+        Literal["bottom", "top"], typer.Option(help="Where a written bitmap has its first pick.")
+    ] = "bottom",
+    first_end: Annotated[
+        Literal["left", "right"], typer.Option(help="Where a written bitmap has its first end.")
+    ] = "left",
+    read_lifted: Annotated[
+        Literal["black", "white"] | None,
+        typer.Option(help="Where the bitmaps that are read lift the warp: black if nothing is said."),
+    ] = None,
+    read_first_pick: Annotated[
+        Literal["bottom", "top"] | None,
+        typer.Option(help="Where they have their first pick: at the bottom if nothing is said."),
+    ] = None,
+    read_first_end: Annotated[
+        Literal["left", "right"] | None,
+        typer.Option(help="Where they have their first end: on the left if nothing is said."),
+    ] = None,
 ) -> None:
-    """Writes a draft as a weaving information file (WIF 1.1)."""
-    from loomlight.weave.wif_writer import write_wif
+    """Writes a draft as a weaving information file (WIF 1.1), a Fiberworks file or a loom's bitmaps."""
+    from loomlight.weave.bitmaps import BITMAP_SUFFIXES, BitmapLayout, order_text, split_wefts, write_bitmaps
+    from loomlight.weave.save import SAVED_SUFFIXES, save_draft
 
-    check_output(output, (".wif",), [draft])
-    write_wif(draft_from(draft), output)
-    done(output)
+    check_output(output, BITMAP_SUFFIXES if each_weft else SAVED_SUFFIXES, drafts)
+    layout = BitmapLayout(lifted, first_pick, first_end)
+    read_as = BitmapLayout(read_lifted or "black", read_first_pick or "bottom", read_first_end or "left")
+    is_bitmap = len(drafts) > 1 or order is not None or any((read_lifted, read_first_pick, read_first_end))
+    draft = draft_of_bitmaps(drafts, order, read_as) if is_bitmap else draft_from(drafts[0])
+    if not each_weft:
+        save_draft(draft, output, layout)
+        done(output)
+        return
+    wefts, cycle = split_wefts(draft)
+    paths = [output.with_stem(f"{output.stem}-{number}") for number in range(1, len(wefts) + 1)]
+    require_not_read(paths, drafts)
+    write_bitmaps(list(zip(paths, (weft.warp_up for weft in wefts), strict=True)), layout)
+    for path, weft in zip(paths, wefts, strict=True):
+        colour = "" if weft.color is None else f" of {to_hex(weft.color)}"
+        print(f"{path}: {len(weft.warp_up)} picks{colour}")
+    if len(wefts) > 1:
+        print(f"order of the wefts: {order_text(cycle)}")
+
+
+def draft_of_bitmaps(paths: list[str], order: str | None, layout: BitmapLayout) -> Draft:
+    """The draft of the bitmaps of its wefts, one each.
+
+    Raises:
+        InputError: files that are no bitmaps, or do not go together.
+    """
+    from loomlight.weave.bitmaps import draft_of_wefts, parse_order, read_bitmap
+
+    for path in paths:
+        if Path(path).suffix.lower() not in PICTURE_SUFFIXES:
+            raise InputError(
+                f"{path} is no bitmap: several wefts, and the options for reading, need pictures."
+            )
+    wefts = [read_bitmap(path, layout) for path in paths]
+    numbers = [] if order is None else parse_order(order, "--order")
+    return draft_of_wefts(wefts, numbers, title=Path(paths[0]).stem)
 
 
 @app.command(epilog="Example: loomlight weave info examples/denim.toml")

@@ -1,13 +1,16 @@
 """Drafts: named weaves, weaving information files, pictures of drawdowns; drawing and textile units."""
 
+from loomlight.weave.bitmaps import BitmapLayout, draft_of_wefts, read_bitmap, split_wefts, write_bitmaps
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, FamilyDefaults, LoomPlan, Threads, WifSource
 from loomlight.weave.drawing import MAXIMUM_PICTURE_SIDE_PX, draw_draft, draw_drawdown
+from loomlight.weave.dtx import write_dtx
 from loomlight.weave.figured import bind_floats, figured_structure
 from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
 from loomlight.weave.loom import derive_loom_plan, plan_drawdown, with_loom_plan
 from loomlight.weave.named import named_weave, weave_names
 from loomlight.weave.palette import repeat_draft, with_palette
 from loomlight.weave.picture import drawdown_from_picture
+from loomlight.weave.save import save_draft
 from loomlight.weave.textile import (
     DEFAULT_SETT_PER_CM,
     FloatLengths,
@@ -30,6 +33,7 @@ __all__ = [
     "DRAFT_SUFFIXES",
     "MAXIMUM_PICTURE_SIDE_PX",
     "MAXIMUM_THREADS",
+    "BitmapLayout",
     "Draft",
     "FamilyDefaults",
     "FloatLengths",
@@ -38,6 +42,7 @@ __all__ = [
     "WifSource",
     "bind_floats",
     "derive_loom_plan",
+    "draft_of_wefts",
     "draw_draft",
     "draw_drawdown",
     "drawdown_from_picture",
@@ -48,16 +53,21 @@ __all__ = [
     "per_cm",
     "per_inch",
     "plan_drawdown",
+    "read_bitmap",
     "read_wif",
     "repeat_draft",
     "repeat_size_cm",
+    "save_draft",
     "sett_per_cm",
+    "split_wefts",
     "summary",
     "unbound_threads",
     "warp_cover",
     "weave_names",
     "with_loom_plan",
     "with_palette",
+    "write_bitmaps",
+    "write_dtx",
     "write_wif",
     "yarn_diameter_mm",
     "yarn_tex",

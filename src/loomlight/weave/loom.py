@@ -129,3 +129,16 @@ def with_loom_plan(draft: Draft, shaft_limit: int | None = None) -> Draft:
         InputError: more shafts are needed than `shaft_limit`.
     """
     return draft if draft.loom is not None else replace(draft, loom=derive_loom_plan(draft, shaft_limit))
+
+
+def plan_that_weaves(draft: Draft) -> LoomPlan:
+    """The draft's own loom plan if that weaves its drawdown, else a derived one.
+
+    Raises:
+        InputError: a derived one has more lifts than a file of a draft holds.
+    """
+    if draft.loom is not None:
+        woven = plan_drawdown(draft.loom)
+        if woven.shape == draft.drawdown.shape and np.array_equal(woven, draft.drawdown):
+            return draft.loom
+    return derive_loom_plan(draft)

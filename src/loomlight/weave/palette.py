@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import lcm
 
 import numpy as np
@@ -131,3 +131,47 @@ def _coloured(name: str, threads: Threads, colors: NDArray[np.float64], count: i
 def runs(*lengths: Sequence[int]) -> NDArray[np.intp]:
     """A colour order from (index, count) pairs: ``runs((0, 4), (1, 4))`` is four dark, four light."""
     return np.concatenate([np.full(count, index, dtype=np.intp) for index, count in lengths])
+
+
+# ------------------------------------------------------------------------ colours as a table and an index
+
+
+@dataclass(frozen=True, eq=False)
+class ThreadPalette:
+    """Colours of a draft as a table and an index per thread, as files of drafts hold them.
+
+    Attributes:
+        colors: linear RGB [k, 3]; k may be 0.
+        warp: row per end, None if the warp has no colours.
+        weft: row per pick.
+        original: whether it is the table that the draft came with.
+    """
+
+    colors: NDArray[np.float64]
+    warp: NDArray[np.intp] | None
+    weft: NDArray[np.intp] | None
+    original: bool
+
+
+def thread_palette(draft: Draft) -> ThreadPalette:
+    """The draft's own palette if its threads still have those colours, else one in order of appearance."""
+    if draft.palette is not None and all(
+        _follows(threads, draft.palette) for threads in (draft.warp, draft.weft)
+    ):
+        return ThreadPalette(draft.palette, draft.warp.color_index, draft.weft.color_index, original=True)
+    rows: dict[tuple[float, ...], int] = {}
+
+    def index_of(threads: Threads) -> NDArray[np.intp] | None:
+        if threads.colors is None:
+            return None
+        return np.array([rows.setdefault(tuple(color), len(rows)) for color in threads.colors.tolist()])
+
+    warp, weft = index_of(draft.warp), index_of(draft.weft)
+    colors = np.array(list(rows), dtype=np.float64).reshape(-1, 3)
+    return ThreadPalette(colors, warp, weft, original=False)
+
+
+def _follows(threads: Threads, palette: NDArray[np.float64]) -> bool:
+    if threads.color_index is None:
+        return threads.colors is None
+    return threads.colors is None or np.array_equal(threads.colors, palette[threads.color_index])

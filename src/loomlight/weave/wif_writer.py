@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 from loomlight.core.colour import linear_to_srgb, srgb_to_linear
 from loomlight.core.files import replacing
-from loomlight.weave.draft import Draft, FamilyDefaults, LoomPlan, Threads, WifSource
-from loomlight.weave.loom import derive_loom_plan, plan_drawdown
+from loomlight.weave.draft import Draft, FamilyDefaults, Threads, WifSource
+from loomlight.weave.loom import plan_that_weaves
+from loomlight.weave.palette import ThreadPalette, thread_palette
 from loomlight.weave.wif_text import UNIT_MM, unit_name
 
 Sections = dict[str, list[tuple[str, str | None]]]
@@ -38,8 +39,8 @@ def write_wif(draft: Draft, path: str | os.PathLike[str]) -> None:
 def wif_text_of(draft: Draft) -> str:
     """The text that `write_wif` writes."""
     source = draft.source or WifSource()
-    loom = _plan_of(draft)
-    palette = _palette_of(draft)
+    loom = plan_that_weaves(draft)
+    palette = thread_palette(draft)
     sections: Sections = {
         "WEAVING": [
             ("Shafts", str(loom.shafts)),
@@ -101,14 +102,6 @@ def _one_line(text: str) -> str:
     return " ".join(text.replace("\r", "\n").split("\n")).strip()
 
 
-def _plan_of(draft: Draft) -> LoomPlan:
-    if draft.loom is not None:
-        woven = plan_drawdown(draft.loom)
-        if woven.shape == draft.drawdown.shape and np.array_equal(woven, draft.drawdown):
-            return draft.loom
-    return derive_loom_plan(draft)
-
-
 def _sets(members: Iterable[frozenset[int]]) -> list[tuple[str, str | None]]:
     return [
         (str(number), ",".join(map(str, sorted(chosen))) or "0")
@@ -116,49 +109,7 @@ def _sets(members: Iterable[frozenset[int]]) -> list[tuple[str, str | None]]:
     ]
 
 
-class _Palette:
-    """Colours of a draft as a table and an index per thread.
-
-    Attributes:
-        colors: linear RGB [k, 3]; k may be 0.
-        warp: row per end, None if the warp has no colours.
-        weft: row per pick.
-        original: whether it is the table that the draft came with.
-    """
-
-    def __init__(
-        self,
-        colors: NDArray[np.float64],
-        warp: NDArray[np.intp] | None,
-        weft: NDArray[np.intp] | None,
-        original: bool,
-    ) -> None:
-        self.colors, self.warp, self.weft, self.original = colors, warp, weft, original
-
-
-def _palette_of(draft: Draft) -> _Palette:
-    if draft.palette is not None and all(
-        _follows(threads, draft.palette) for threads in (draft.warp, draft.weft)
-    ):
-        return _Palette(draft.palette, draft.warp.color_index, draft.weft.color_index, original=True)
-    rows: dict[tuple[float, ...], int] = {}
-
-    def index_of(threads: Threads) -> NDArray[np.intp] | None:
-        if threads.colors is None:
-            return None
-        return np.array([rows.setdefault(tuple(color), len(rows)) for color in threads.colors.tolist()])
-
-    warp, weft = index_of(draft.warp), index_of(draft.weft)
-    return _Palette(np.array(list(rows), dtype=np.float64).reshape(-1, 3), warp, weft, original=False)
-
-
-def _follows(threads: Threads, palette: NDArray[np.float64]) -> bool:
-    if threads.color_index is None:
-        return threads.colors is None
-    return threads.colors is None or np.array_equal(threads.colors, palette[threads.color_index])
-
-
-def _color_sections(palette: _Palette, source: WifSource) -> Sections:
+def _color_sections(palette: ThreadPalette, source: WifSource) -> Sections:
     if not len(palette.colors):
         return {}
     low, high = _exact_range(palette.colors, source.color_range)
