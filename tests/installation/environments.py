@@ -113,6 +113,8 @@ CASES = (
     Case("weave info plain"),
     Case("weave show plain -o draft.png"),
     Case("weave convert plain -o plain.wif"),
+    Case("weave threading plain"),
+    Case("weave print plain -o plain.pdf", ("reportlab",), ("print",)),
     Case("render plain -o flat.png --scene flat --size 32x24 --spp 1"),
     Case("swatches plain -o sheet.png --size 32 --spp 1"),
     Case("bake plain --model lobes -o lobes.loom"),

@@ -42,6 +42,7 @@ _FIRST = {
         "moving-cloth",
         "fabric-files",
         "drafts",
+        "looms",
         "large-drafts",
         "editor",
         "editor-draft",

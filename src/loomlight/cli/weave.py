@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Literal
 
 import typer
 
-from loomlight.cli.options import WholeSentences
+from loomlight.cli.options import WholeSentences, require_within
 from loomlight.cli.terminal import done
 from loomlight.core.colour import to_hex
 from loomlight.core.errors import InputError
-from loomlight.core.files import PIXEL_SUFFIXES
+from loomlight.core.files import PIXEL_SUFFIXES, replacing
 from loomlight.core.images import PICTURE_SUFFIXES
 from loomlight.core.outputs import check_output, require_not_read
 from loomlight.weave.bitmaps import BitmapLayout
@@ -170,6 +172,138 @@ def info(draft: DraftArgument) -> None:
 
     fabric = fabric_of_path(draft)
     print(f"{summary(fabric.draft, with_sett=False)}\n{facts_text(fabric)}")
+
+
+EndsOption = Annotated[
+    int | None, typer.Option("--ends", help="Ends of the warp, over which the draft repeats.")
+]
+PicksOption = Annotated[int | None, typer.Option("--picks", help="Picks, over which the draft repeats.")]
+GroupOption = Annotated[int, typer.Option("--group", metavar="THREADS", help="Threads a line.")]
+ListOutput = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", help="A .txt file to write the list to, in place of the terminal."),
+]
+
+
+@app.command(epilog='Example: loomlight weave heddles "herringbone 2/2 8" --ends 480')
+def heddles(draft: DraftArgument, ends: EndsOption = None, output: ListOutput = None) -> None:
+    """Counts the heddles that each shaft needs."""
+    from loomlight.weave.bench import heddle_text
+    from loomlight.weave.loom import warped
+
+    _listed(lambda: heddle_text(warped(draft_from(draft), ends)), output, draft)
+
+
+@app.command(epilog='Example: loomlight weave threading "herringbone 2/2 8" --ends 480 -o threading.txt')
+def threading(
+    draft: DraftArgument, ends: EndsOption = None, group: GroupOption = 8, output: ListOutput = None
+) -> None:
+    """Lists the shaft of every end, from end 1, as a plain text to thread by."""
+    from loomlight.weave.bench import threading_text
+    from loomlight.weave.loom import warped
+
+    _listed(lambda: threading_text(warped(draft_from(draft), ends), group), output, draft)
+
+
+@app.command(epilog='Example: loomlight weave treadling "waffle 8" --picks 64')
+def treadling(
+    draft: DraftArgument, picks: PicksOption = None, group: GroupOption = 8, output: ListOutput = None
+) -> None:
+    """Lists the tie-up and the treadles of every pick, or the shafts that each pick lifts."""
+    from loomlight.weave.bench import treadling_text
+    from loomlight.weave.loom import warped
+
+    _listed(lambda: treadling_text(warped(draft_from(draft), None, picks), group), output, draft)
+
+
+def _listed(make: Callable[[], str], output: Path | None, draft: str) -> None:
+    """Prints a list, or writes it to a file."""
+    if output is None:
+        print(make())
+        return
+    check_output(output, (".txt",), [draft])
+    text = make()
+    with replacing(output) as temporary:
+        temporary.write_text(f"{text}\n", encoding="utf-8")
+    done(output)
+
+
+@app.command(
+    "print", epilog='Example: loomlight weave print "waffle 8" --epi 20 --ends 80 --picks 80 -o waffle.pdf'
+)
+def print_(
+    draft: DraftArgument,
+    output: Annotated[Path, typer.Option("--output", "-o", help="The .pdf file to write.")],
+    ends: EndsOption = None,
+    picks: PicksOption = None,
+    ends_per_cm: Annotated[float | None, typer.Option(help="Sett, in place of the draft's.")] = None,
+    picks_per_cm: Annotated[float | None, typer.Option(help="Picks per cm, likewise.")] = None,
+    epi: Annotated[float | None, typer.Option(help="Sett per inch, in place of --ends-per-cm.")] = None,
+    ppi: Annotated[float | None, typer.Option(help="Picks per inch, likewise.")] = None,
+    scale: Annotated[float, typer.Option(help="Times the cloth's size; 4 is easier to read.")] = 1.0,
+    paper: Annotated[
+        Literal["a4", "a3", "a2", "a1", "a0", "letter", "legal", "tabloid"],
+        typer.Option(help="Of a sheet; a large draft goes over several."),
+    ] = "a4",
+    face: Annotated[Literal["front", "back"], typer.Option(help="Which side is seen.")] = "front",
+    origin: Annotated[
+        Literal["top-right", "top-left", "bottom-right", "bottom-left"],
+        typer.Option(help="The corner of end 1 and pick 1."),
+    ] = "top-right",
+    drawdown: Annotated[
+        bool, typer.Option("--drawdown", help="The interlacement alone, without threading and tie-up.")
+    ] = False,
+) -> None:
+    """Draws a draft as PDF, as large as the cloth, with rulers in centimetres and inches."""
+    from loomlight.weave.loom import warped
+    from loomlight.weave.printed import write_draft_pdf
+    from loomlight.weave.textile import with_setts
+
+    check_output(output, (".pdf",), [draft])
+    shown = with_setts(
+        _measured(draft),
+        _one_sett(("--ends-per-cm", ends_per_cm), ("--epi", epi)),
+        _one_sett(("--picks-per-cm", picks_per_cm), ("--ppi", ppi)),
+    )
+    shown = warped(shown, ends, picks)
+    write_draft_pdf(shown, output, scale=scale, paper=paper, face=face, origin=origin, drawdown=drawdown)
+    done(output)
+
+
+def _measured(argument: str) -> Draft:
+    """The draft of an argument; that of a fabric with the spacings that its file gives."""
+    if Path(argument).suffix.lower() not in FABRIC_SUFFIXES:
+        return draft_from(argument)
+    from loomlight.sources.load import fabric_of_path
+
+    resolved = fabric_of_path(argument).resolved
+    warp, weft = resolved.draft.warp, resolved.draft.weft
+    return replace(
+        resolved.draft,
+        warp=replace(warp, spacing_mm=resolved.warp.layout.spacing),
+        weft=replace(weft, spacing_mm=resolved.weft.layout.spacing),
+    )
+
+
+def _one_sett(in_cm: tuple[str, float | None], in_inches: tuple[str, float | None]) -> float | None:
+    """Threads/cm of two options, of which at most one is given.
+
+    Raises:
+        InputError: both, or one that is out of range.
+    """
+    from loomlight.weave.textile import per_cm
+
+    (cm_option, cm), (inch_option, inches) = in_cm, in_inches
+    if cm is not None and inches is not None:
+        raise InputError(
+            f"{cm_option} {cm:g} and {inch_option} {inches:g} say the same thing twice: keep one."
+        )
+    if cm is not None:
+        require_within(cm_option, cm, 0.1, 1000)
+    if inches is not None:
+        require_within(inch_option, inches, 0.254, 2540)
+        return per_cm(inches)
+    return cm
 
 
 @app.command("names", epilog="Example: loomlight weave names")

@@ -14,6 +14,7 @@ EXTRAS = {
     "networks": ".looms of neumip and latent",
     "neural": "the model neural, the network",
     "materialx": "export to MaterialX",
+    "print": "drafts as PDF",
     "meshopt": "glTF meshes that meshopt compresses",
     "usd": "meshes in USD",
     "realtime": "frames on a graphics adapter, loomlight play",

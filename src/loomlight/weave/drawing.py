@@ -79,7 +79,7 @@ def draw_drawdown(
     Warns:
         LoomlightWarning: pixels are means of several crossings.
     """
-    view = _view(draft, face, origin, (repeats, repeats))
+    view = draft_view(draft, face, origin, (repeats, repeats))
     if cell_px is None and not _fits(view.warp_up.shape):
         return _reduced(view)
     return _interlacement(view, _cell(cell_px, view.warp_up.shape))
@@ -119,9 +119,9 @@ def draw_draft(
         across, along = (max(1, -(-_LEGIBLE_THREADS // count)) for count in (draft.ends, draft.picks))
     else:
         across = along = repeats
-    view = _view(draft, face, origin, (along, across))
-    plan = _plan(draft)
-    parts = None if plan is None else _loom_parts(plan, view)
+    view = draft_view(draft, face, origin, (along, across))
+    plan = drawn_plan(draft)
+    parts = None if plan is None else loom_parts(plan, view)
     cells = _framed_cells(view, parts)
     if parts is not None and not _fits(cells) and cell_px is None:
         parts, cells = None, _framed_cells(view, None)
@@ -134,7 +134,7 @@ def draw_draft(
 
 
 @dataclass(frozen=True)
-class _View:
+class DraftView:
     """The cloth as it is seen, row 0 at the top.
 
     Attributes:
@@ -155,7 +155,7 @@ class _View:
 
 
 @dataclass(frozen=True)
-class _LoomParts:
+class LoomParts:
     """The loom's tables in the order they are drawn, row 0 at the top; True is a filled cell."""
 
     threading: NDArray[np.bool_]
@@ -163,7 +163,15 @@ class _LoomParts:
     treadling: NDArray[np.bool_]
 
 
-def _view(draft: Draft, face: str, origin: str, times: tuple[int, int]) -> _View:
+def draft_view(draft: Draft, face: str, origin: str, times: tuple[int, int]) -> DraftView:
+    """The cloth of a draft as it is seen from a face, with end 1 and pick 1 in a corner.
+
+    Args:
+        times: how often the repeat is shown, along the warp and across it.
+
+    Raises:
+        InputError: another face or origin, no repeats, or more than 16384 threads.
+    """
     if face not in ("front", "back"):
         raise InputError(f'The face "{face}" is not known; it is "front" or "back".')
     if origin not in get_args(Origin):
@@ -183,7 +191,7 @@ def _view(draft: Draft, face: str, origin: str, times: tuple[int, int]) -> _View
     warp_up = np.tile(draft.drawdown, times)[rows, columns]
     warp = np.tile(_encoded(draft.warp, ends, _WARP), (times[1], 1))[columns]
     weft = np.tile(_encoded(draft.weft, picks, _WEFT), (times[0], 1))[rows]
-    return _View(~warp_up if back else warp_up, warp, weft, (picks, ends), top, right)
+    return DraftView(~warp_up if back else warp_up, warp, weft, (picks, ends), top, right)
 
 
 def _encoded(threads: Threads, count: int, default: NDArray[np.float64]) -> NDArray[np.float32]:
@@ -191,7 +199,8 @@ def _encoded(threads: Threads, count: int, default: NDArray[np.float64]) -> NDAr
     return linear_to_srgb(colors).astype(np.float32)
 
 
-def _plan(draft: Draft) -> LoomPlan | None:
+def drawn_plan(draft: Draft) -> LoomPlan | None:
+    """The plan that is drawn around a drawdown, the draft's or a derived one; None of too many shafts."""
     plan = draft.loom
     if plan is None:
         try:
@@ -201,17 +210,18 @@ def _plan(draft: Draft) -> LoomPlan | None:
     return plan if max(plan.shafts, plan.treadles) <= MAXIMUM_DRAWN_SHAFTS else None
 
 
-def _loom_parts(plan: LoomPlan, view: _View) -> _LoomParts:
+def loom_parts(plan: LoomPlan, view: DraftView) -> LoomParts:
+    """The tables of a plan, turned as the view is."""
     picks, ends = view.warp_up.shape
     rows = slice(None, None, 1 if view.first_on_top else -1)
     columns = slice(None, None, -1 if view.first_on_right else 1)
     threading = _fill(membership(plan.threading, plan.shafts), ends).T[::-1, columns]
     if plan.tieup is None or plan.treadling is None:
         lifts = moved_shafts(replace(plan, tieup=None, treadling=None))
-        return _LoomParts(threading, None, _fill(lifts, picks)[rows])
+        return LoomParts(threading, None, _fill(lifts, picks)[rows])
     tieup = membership(plan.tieup, plan.shafts).T[::-1]
     pressed = membership(plan.treadling, len(plan.tieup))
-    return _LoomParts(threading, tieup, _fill(pressed, picks)[rows])
+    return LoomParts(threading, tieup, _fill(pressed, picks)[rows])
 
 
 def _fill(rows: NDArray[np.bool_], count: int) -> NDArray[np.bool_]:
@@ -224,7 +234,7 @@ def _fill(rows: NDArray[np.bool_], count: int) -> NDArray[np.bool_]:
 _MARGIN, _SPACE, _BAR = 1, 1, 1
 
 
-def _framed_cells(view: _View, parts: _LoomParts | None) -> tuple[int, int]:
+def _framed_cells(view: DraftView, parts: LoomParts | None) -> tuple[int, int]:
     """Height and width of the whole picture in cells."""
     picks, ends = view.warp_up.shape
     above = _BAR + _SPACE + (0 if parts is None else parts.threading.shape[0] + _SPACE)
@@ -260,7 +270,7 @@ def _fits(cells: tuple[int, ...], cell: int = 1) -> bool:
 # ------------------------------------------------------------------------------------------------- threads
 
 
-def _interlacement(view: _View, cell: int) -> Pixels:
+def _interlacement(view: DraftView, cell: int) -> Pixels:
     """The drawdown in thread colours, `cell` pixels a crossing."""
     picks, ends = view.warp_up.shape
     pixels = np.empty((picks * cell, ends * cell, 3), dtype=np.uint8)
@@ -274,7 +284,7 @@ def _interlacement(view: _View, cell: int) -> Pixels:
     return pixels
 
 
-def _reduced(view: _View) -> Pixels:
+def _reduced(view: DraftView) -> Pixels:
     """The drawdown with as few crossings a pixel as are allowed: means of linear colours."""
     picks, ends = view.warp_up.shape
     step = next(step for step in range(2, ends + picks) if _fits((-(-picks // step), -(-ends // step))))
@@ -297,7 +307,7 @@ def _reduced(view: _View) -> Pixels:
     return np.stack(rows)
 
 
-def _one_pick(view: _View, pick: int, cell: int) -> Pixels:
+def _one_pick(view: DraftView, pick: int, cell: int) -> Pixels:
     """The row of crossings of one pick, [cell, ends·cell, 3]."""
     picks, ends = view.warp_up.shape
     up = view.warp_up[pick]
@@ -344,7 +354,7 @@ def _quantised(encoded: NDArray[np.float32]) -> Pixels:
 # --------------------------------------------------------------------------------------------------- frame
 
 
-def _framed(view: _View, parts: _LoomParts | None, cell: int, *, outline: bool) -> Pixels:
+def _framed(view: DraftView, parts: LoomParts | None, cell: int, *, outline: bool) -> Pixels:
     picks, ends = view.warp_up.shape
     height, width = _framed_cells(view, parts)
     # Lines close the grids on the right and at the bottom, where cells are large enough to have lines.
@@ -407,7 +417,7 @@ def _rule(pixels: Pixels, cell: int, right: bool, top: bool) -> None:
     pixels[:, [0, -1]] = _GROUP_LINE
 
 
-def _outline(canvas: Pixels, view: _View, top: int, left: int, cell: int) -> None:
+def _outline(canvas: Pixels, view: DraftView, top: int, left: int, cell: int) -> None:
     """A frame around the first repeat, in the corner of end 1 and pick 1."""
     (picks, ends), (all_picks, all_ends) = view.repeat, view.warp_up.shape
     first_row = top + (0 if view.first_on_top else all_picks - picks)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.weave.draft import Draft, LoomPlan
+from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan, Threads
 
 
 def membership(sets: Sequence[frozenset[int]], count: int) -> NDArray[np.bool_]:
@@ -142,3 +142,46 @@ def plan_that_weaves(draft: Draft) -> LoomPlan:
         if woven.shape == draft.drawdown.shape and np.array_equal(woven, draft.drawdown):
             return draft.loom
     return derive_loom_plan(draft)
+
+
+def warped(draft: Draft, ends: int | None = None, picks: int | None = None) -> Draft:
+    """The draft over so many ends and picks: its repeat over and over, the last time cut off.
+
+    Args:
+        ends: of the warp, 1 to 16384; None for one repeat.
+        picks: of the cloth, likewise.
+
+    Raises:
+        InputError: a number out of range.
+    """
+    for name, count in (("ends", ends), ("picks", picks)):
+        if count is not None and not 1 <= count <= MAXIMUM_THREADS:
+            raise InputError(f"{count} {name} are out of range: write 1 to {MAXIMUM_THREADS}.")
+    if (ends or draft.ends, picks or draft.picks) == (draft.ends, draft.picks):
+        return draft
+    end = np.arange(ends or draft.ends) % draft.ends
+    pick = np.arange(picks or draft.picks) % draft.picks
+    loom = draft.loom
+
+    def chosen(sets: tuple[frozenset[int], ...] | None) -> tuple[frozenset[int], ...] | None:
+        return None if sets is None else tuple(sets[at] for at in pick.tolist())
+
+    if loom is not None:
+        loom = replace(
+            loom,
+            threading=tuple(loom.threading[at] for at in end.tolist()),
+            treadling=chosen(loom.treadling),
+            liftplan=chosen(loom.liftplan),
+        )
+    return replace(
+        draft,
+        drawdown=draft.drawdown[np.ix_(pick, end)],
+        warp=_of_order(draft.warp, end),
+        weft=_of_order(draft.weft, pick),
+        loom=loom,
+    )
+
+
+def _of_order(threads: Threads, order: NDArray[np.intp]) -> Threads:
+    values = {field.name: getattr(threads, field.name) for field in fields(threads)}
+    return Threads(**{name: None if value is None else value[order] for name, value in values.items()})

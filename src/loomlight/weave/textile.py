@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -156,6 +156,27 @@ def repeat_size_cm(
         size(draft.ends, draft.warp, "ends_per_cm", ends_per_cm),
         size(draft.picks, draft.weft, "picks_per_cm", picks_per_cm),
     )
+
+
+def with_setts(draft: Draft, ends_per_cm: float | None, picks_per_cm: float | None) -> Draft:
+    """The draft with other setts, where one is given; spacings that differ keep their proportions.
+
+    Args:
+        ends_per_cm: mean threads per centimetre, > 0; None leaves the draft's.
+        picks_per_cm: likewise.
+    """
+    return replace(
+        draft,
+        warp=_with_sett(draft.warp, draft.ends, ends_per_cm),
+        weft=_with_sett(draft.weft, draft.picks, picks_per_cm),
+    )
+
+
+def _with_sett(threads: Threads, count: int, per_cm: float | None) -> Threads:
+    if per_cm is None:
+        return threads
+    each = np.ones(count) if threads.spacing_mm is None else threads.spacing_mm
+    return replace(threads, spacing_mm=each * (10.0 / per_cm / float(each.mean())))
 
 
 def summary(draft: Draft, with_sett: bool = True) -> str:
