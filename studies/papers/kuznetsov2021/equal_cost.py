@@ -31,7 +31,7 @@ from loomlight.models.texture.settings import LatentOptions, NeumipOptions, Neum
 from loomlight.sources.heightfield import Heightfield
 from studies.harness.study import Figures, Found, Run, Study, on_display, stored_tables, with_tables
 from studies.instruments.sheet import PictureTable, Tile, error_caption
-from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
+from studies.papers.kuznetsov2021.designs import ALL_DESIGNS, DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
 from studies.papers.kuznetsov2021.stage import (
     PREVIEW,
     MaterialsSettings,
@@ -152,7 +152,7 @@ class EqualCost:
         self.settings = replace(recipe, queries=budget.rays, batch=batch or recipe.batch)
 
     def trained(self, name: str, source: Heightfield) -> Trained:
-        """A design of `COLUMNS` for a material.
+        """A design of `ALL_DESIGNS`, or `FORMER`, for a material.
 
         Raises:
             InputError: the folder cannot be written to, or holds a damaged training; no such device.
@@ -169,7 +169,7 @@ class EqualCost:
         return self._encoded(name, source)
 
     def _ours(self, name: str, source: Heightfield) -> Trained:
-        from loomlight.models.texture.neumip_training import train_neumip
+        from loomlight.models.texture.neumip_training import trained_network
 
         settings = replace(self.settings, offset=name == OURS)
         self._taken(source, settings)
@@ -179,14 +179,15 @@ class EqualCost:
             for file in self._queries_folder.glob(f"queries-{settings.query_identity(source)[:12]}-*"):
                 if not (folder / file.name).exists():
                     (folder / file.name).hardlink_to(file)
-            # Reports up to 300 of 1000 are of queries.
-            return train_neumip(
+            # Reports up to 300 of 1000 are of queries. No directions are drawn here.
+            network, _, _ = trained_network(
                 source,
                 used,
                 folder,
                 lambda done, total: report(done, total) if done > 300 else None,
                 self._device,
             )
+            return network.to("cpu").weights(np.zeros((1, 3), np.float32))
 
         weights, cost = self._run(name, settings.identity(source), run)
         return Trained(model_predictor(NeumipModel(source, weights)), cost | {"rays": self._budget.rays})
@@ -217,14 +218,14 @@ class EqualCost:
             trained_encodings,
         )
 
-        shape, design = self.settings.shape(source, faces=1), DESIGNS[name]
+        shape, design = self.settings.shape(source, faces=1), ALL_DESIGNS[name]
         of_pairs = shape.columns * shape.rows * PAIRS
-        samples = 1 if name == RAINER19 else self._budget.rays // of_pairs
+        samples = self._budget.rays // of_pairs if design.together else 1
         learned = [source]
         if design.together:
             learned = [other for other in self._sources if other.name != source.name]
         # Of the tested material 2019 has the rays that its apparent BRDFs leave.
-        count = self._budget.rays - samples * of_pairs if name == RAINER19 else self._budget.rays
+        count = self._budget.rays if design.together else self._budget.rays - samples * of_pairs
         queries = [self._taken(other, self.settings)[:count] for other in learned]
 
         def textures() -> list[EncodedTextures]:
@@ -254,7 +255,7 @@ class EqualCost:
         if design.together:
             apparent = apparent_brdfs(source, self.settings, self._queries_folder, samples)
             network = EncodedTextures(design, shape, apparent, networks=(network.encoder, network.decoder))
-        rays = samples * of_pairs + (count if name == RAINER19 else 0)
+        rays = samples * of_pairs + (0 if design.together else count)
         return Trained(network_predictor(network, source), cost | {"rays": rays})
 
     def _taken(self, source: Heightfield, settings: NeumipSettings) -> Any:

@@ -88,6 +88,26 @@ def train_neumip(
     Raises:
         InputError: a source of which no queries can be taken, or a damaged checkpoint.
     """
+    network, queries, run = trained_network(source, settings, folder, progress, device, keep_every)
+    density = light_density(queries, btf_of(source, "neumip").measured is not None)
+    weights = network.weights(reflectances(queries, network.shape.faces, density))
+    with one_thread():
+        sampler = trained_sampler(network, settings, run)
+    return replace(weights, open_area=float(queries.holes.mean()), sampler=sampler)
+
+
+def trained_network(
+    source: Source,
+    settings: NeumipSettings,
+    folder: Path,
+    progress: Progress | None = None,
+    device: str = "cpu",
+    keep_every: float = 30.0,
+) -> tuple[NeumipNetwork, Queries, TrainingFolder]:
+    """Textures and networks that colours come of, the queries that they learned from, and their folder.
+
+    Arguments and errors as of `train_neumip`, which trains directions too.
+    """
     btf = btf_of(source, "neumip")
     shape = settings.shape(source, btf.faces)
     run = TrainingFolder(folder, settings.identity(source), progress, keep_every)
@@ -105,10 +125,7 @@ def train_neumip(
     schedule = settings.steps, lambda done: settings.rate * rate_factor(done)
     with one_thread():
         run.train("checkpoint", network, optimiser, batches.losses, schedule, (QUERIES_DONE, WHOLE))
-        density = light_density(queries, btf.measured is not None)
-        weights = network.weights(reflectances(queries, shape.faces, density))
-        sampler = trained_sampler(network, settings, run)
-    return replace(weights, open_area=float(queries.holes.mean()), sampler=sampler)
+    return network, queries, run
 
 
 def taken_queries(
