@@ -63,6 +63,6 @@ DESIGNS = {
     RAINER19: Design(8, (106,) * 4, whitened=True, encoded=True),
     RAINER20: Design(32, (106,) * 4, whitened=True, encoded=True, together=True),
 }
-# Rainer et al. 2019 with about as many weights as ours, 3273 beside 3254: a comparison that the paper has not.
+# Rainer et al. 2019 with about as many weights as ours, 3273 beside 3254: the paper compares no such thing.
 RAINER19_SMALL = "Rainer19 of 3273 weights"
 ALL_DESIGNS = DESIGNS | {RAINER19_SMALL: Design(8, (30,) * 4, whitened=True, encoded=True)}
