@@ -93,7 +93,7 @@ class Shot:
 
 
 @dataclass(frozen=True)
-class StageSettings(TrainedSettings):
+class HeightfieldSettings(PictureSettings):
     """Of figures of height fields."""
 
     spp: int = same_setting(PictureSettings, "spp", default=64)
@@ -105,7 +105,7 @@ class StageSettings(TrainedSettings):
 
 
 @dataclass(frozen=True)
-class MaterialsSettings(StageSettings):
+class HeightfieldsSettings(HeightfieldSettings):
     """Of figures of all height fields."""
 
     materials: str = names(",".join(RECIPES), "Height fields that are shown.", tuple(RECIPES))
@@ -113,6 +113,16 @@ class MaterialsSettings(StageSettings):
     def sources(self) -> list[Heightfield]:
         """The height fields that are shown."""
         return [self.heightfield(name) for name in listed(self.materials)]
+
+
+@dataclass(frozen=True)
+class StageSettings(HeightfieldSettings, TrainedSettings):
+    """Of figures that train a height field by the published recipe."""
+
+
+@dataclass(frozen=True)
+class MaterialsSettings(HeightfieldsSettings, StageSettings):
+    """Of figures that train all height fields."""
 
 
 def stage_settings(settings: StageSettings, resolution: int | None = None) -> NeumipSettings:
@@ -181,6 +191,12 @@ def traced(source: Heightfield, shot: Shot, samples: int) -> HalvedTruth:
             parts.append(found.reshape(number, each, 3).mean(axis=1))
         halves.append(_as_picture(np.concatenate(parts), shot))
     return HalvedTruth((halves[0], halves[1]))
+
+
+def clamped(truth: HalvedTruth) -> HalvedTruth:
+    """A truth whose values are at most 1, as of white cloth; of noisy highlights it is a little too dark."""
+    one, other = (np.minimum(half, np.float32(1)) for half in truth.halves)
+    return HalvedTruth((one, other))
 
 
 def model_picture(predict: Predict, shot: Shot) -> _Floats:
