@@ -26,9 +26,10 @@ def random_neumip(fabric: Fabric) -> NeumipModel:
     """With both faces, offset, transmission and holes: all that a fabric has."""
     rng = np.random.default_rng(0)
     shape = NeumipShape.of(fabric.repeat_mm, _NEUMIP_TEXELS, 2)
-    layers = {name: _layers(widths, rng) for name, widths in neumip.NETWORKS.items()}
+    layers = {name: random_layers(widths, rng) for name, widths in neumip.NETWORKS.items()}
     features, offset = (
-        _normal(rng, 0.5, (2 * count, CHANNELS)) for count in (shape.texels, shape.columns * shape.rows)
+        random_numbers(rng, 0.5, (2 * count, CHANNELS))
+        for count in (shape.texels, shape.columns * shape.rows)
     )
     return NeumipModel(
         fabric, neumip.Weights(shape, features, offset, layers, np.full((2, 3), 0.5, np.float32))
@@ -47,20 +48,26 @@ def random_latent(fabric: Fabric, decoder: str) -> LatentModel:
     }
     weights = latent.Weights(
         shape,
-        _normal(rng, 0.5, (2 * shape.texels, latent.CHANNELS)),
-        _normal(rng, 0.3, (6 * latent.FRAMES, latent.CHANNELS)),
-        {name: _layers(each, rng) for name, each in widths.items()},
+        random_numbers(rng, 0.5, (2 * shape.texels, latent.CHANNELS)),
+        random_numbers(rng, 0.3, (6 * latent.FRAMES, latent.CHANNELS)),
+        {name: random_layers(each, rng) for name, each in widths.items()},
         np.full((2, 3), 0.5, np.float32),
     )
     return LatentModel(fabric, weights)
 
 
-def _layers(widths: Sequence[int], rng: np.random.Generator) -> Layers:
+def random_layers(widths: Sequence[int], rng: np.random.Generator) -> Layers:
+    """A network whose outputs are of the size of its inputs.
+
+    Args:
+        widths: of all layers, inputs first.
+    """
     return [
-        (_normal(rng, before**-0.5, (after, before)), np.zeros(after, np.float32))
+        (random_numbers(rng, before**-0.5, (after, before)), np.zeros(after, np.float32))
         for before, after in pairwise(widths)
     ]
 
 
-def _normal(rng: np.random.Generator, scale: float, shape: tuple[int, ...]) -> NDArray[np.float32]:
+def random_numbers(rng: np.random.Generator, scale: float, shape: tuple[int, ...]) -> NDArray[np.float32]:
+    """Gaussian numbers of mean 0 and a deviation of `scale`."""
     return rng.normal(0, scale, shape).astype(np.float32)
