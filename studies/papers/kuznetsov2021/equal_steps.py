@@ -75,10 +75,12 @@ class StepsSettings(HeightfieldsSettings):
     lengths: str = setting(
         "32,64,128,256,512,1024,2048", "Steps of trainings with the offset and without.", metavar="N,…"
     )
-    further: str = setting("4096,8192", "Steps of further ones of the first material.", metavar="N,…")
+    further: str = setting(
+        "4096,8192", "Steps of further ones of the first material, or none.", metavar="N,…"
+    )
     baselines: str = setting("256,1024", "Steps of trainings of Rainer et al. 2019.", metavar="N,…")
-    queries: int = setting(512, "Rays a texel that each training learns from.", low=64, high=1 << 14)
-    probes: int = setting(4000, "Random queries of each size of footprints.", low=1, high=10**6)
+    queries: int = setting(256, "Rays a texel that each training learns from.", low=64, high=1 << 14)
+    probes: int = setting(2000, "Random queries of each size of footprints.", low=1, high=10**6)
     batch: int | None = same_setting(
         LatentOptions, "batch", help="Queries of a step of each training.", otherwise="that of the recipe"
     )
@@ -111,8 +113,12 @@ class Trials:
         """All trainings, short ones first."""
         settings = self._settings
         lengths, baselines, further = (
-            listed_counts(f"--{name}", getattr(settings, name), 1, _MAX_STEPS)
-            for name in ("lengths", "baselines", "further")
+            listed_counts(f"--{name}", text, 1, _MAX_STEPS) if text else []
+            for name, text in (
+                ("lengths", settings.lengths),
+                ("baselines", settings.baselines),
+                ("further", settings.further),
+            )
         )
         found = [
             *(Case(each, name, n) for n in lengths for each in self._sources for name in (WITHOUT, OURS)),
