@@ -79,7 +79,7 @@ class StepsSettings(HeightfieldsSettings):
         "4096,8192", "Steps of further ones of the first material, or none.", metavar="N,…"
     )
     baselines: str = setting("256,1024", "Steps of trainings of Rainer et al. 2019.", metavar="N,…")
-    queries: int = setting(256, "Rays a texel that each training learns from.", low=64, high=1 << 14)
+    queries: int = setting(256, "Rays a texel that each training learns from.", low=128, high=1 << 14)
     probes: int = setting(2000, "Random queries of each size of footprints.", low=1, high=10**6)
     batch: int | None = same_setting(
         LatentOptions, "batch", help="Queries of a step of each training.", otherwise="that of the recipe"
