@@ -8,16 +8,24 @@ nothing is trained for it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cache, partial
+
+import numpy as np
+from numpy.typing import NDArray
 
 from loomlight.core.settings import setting
-from loomlight.evaluation.metrics import PictureError
 from loomlight.evaluation.table import Cell, Table
-from studies.harness.study import Found, NoSettings, Run, Study, on_display, with_tables
+from loomlight.sources.heightfield import Heightfield
+from studies.harness.parts import Parts
+from studies.harness.study import Figures, Found, NoSettings, Run, Study, on_display, with_tables
+from studies.instruments.halved_truth import HalvedTruth
 from studies.instruments.sheet import PictureTable, Row, Tile, contact_sheet, error_caption
 from studies.papers.kuznetsov2021.designs import DESIGNS, OURS, RAINER19, RAINER20, WITHOUT
 from studies.papers.kuznetsov2021.stage import (
     MaterialsSettings,
+    Predict,
     model_picture,
     plane_shot,
     predictor,
@@ -47,47 +55,82 @@ class LevelsSettings(MaterialsSettings):
 
 def by_level(settings: LevelsSettings, run: Run) -> Found:
     """Table 3: the error of ours over levels of detail."""
-    return _zooms(settings, run, "kuznetsov2021 table 3: error by level", False)
+    return Found(_errors_by_level(settings, run, lambda case: case.errors()))
 
 
 def zooms(settings: LevelsSettings, run: Run) -> Found:
     """Fig. 11: the materials at eight levels of detail, ours above the reference."""
-    return _zooms(settings, run, "kuznetsov2021 figure 11: levels of detail", True)
+    sources = settings.sources()
+    shown = PictureTable("kuznetsov2021 figure 11: levels of detail", _columns(settings))
+    tiles: dict[str, tuple[list[Tile], list[Tile]]] = {source.name: ([], []) for source in sources}
+
+    def shot(case: Zoom) -> list[float]:
+        picture, truth = case.pictures()
+        error = stage_error(picture, truth)
+        above, below = tiles[case.source.name]
+        above.append(Tile(on_display(picture), error_caption(error)))
+        below.append(Tile(on_display(truth.picture)))
+        return [1e3 * error.mse, error.flip]
+
+    # Pictures are not kept with numbers: a run that is stopped begins anew, with its trainings.
+    figures = _errors_by_level(settings, replace(run, parts=Parts()), shot)
+    for name, (above, below) in tiles.items():
+        shown.add(name, above)
+        shown.add(f"{name}, reference", below)
+    return shown.found(figures, _note(settings))
 
 
-def _zooms(settings: LevelsSettings, run: Run, title: str, with_reference: bool) -> Found:
-    """Pictures of ours at all levels, over those of the reference if asked."""
-    sources, levels = settings.sources(), range(settings.levels)
-    columns = [str(level) for level in levels]
+@dataclass(frozen=True, eq=False)
+class Zoom:
+    """A material at a level of detail.
+
+    Attributes:
+        predict: values of the training of the material, which is made when it is first asked for.
+        texel_mm: side of a texel of level 0.
+    """
+
+    source: Heightfield
+    level: int
+    predict: Callable[[], Predict]
+    texel_mm: float
+    settings: LevelsSettings
+
+    def pictures(self) -> tuple[NDArray[np.float32], HalvedTruth]:
+        """Of ours, and of the reference."""
+        shot = plane_shot(self.source, self.texel_mm, self.level, self.settings.size)
+        return model_picture(self.predict(), shot), traced(self.source, shot, self.settings.spp)
+
+    def errors(self) -> list[float]:
+        """MSE × 1000 and FLIP."""
+        error = stage_error(*self.pictures())
+        return [1e3 * error.mse, error.flip]
+
+
+def _errors_by_level(settings: LevelsSettings, run: Run, errors_of: Callable[[Zoom], list[float]]) -> Figures:
+    """Tables of MSE and FLIP by material and level, beside the paper's."""
+    sources, columns = settings.sources(), _columns(settings)
     texel_mm = stage_settings(settings).shape(sources[0], faces=1).texel_mm
-    squared, flip = Table("MSE × 1000 by level", columns), Table("FLIP by level", columns)
-    shown = PictureTable(title, columns)
-    done, total = 0, len(sources) * len(levels)
+    cases = {}
     for source in sources:
-        name = source.name
-        predict = predictor(source, settings, run.runs, OURS)
-        tiles: list[Tile] = []
-        below: list[Tile] = []
-        errors: list[PictureError] = []
-        for level in levels:
-            shot = plane_shot(source, texel_mm, level, settings.size)
-            picture, truth = model_picture(predict, shot), traced(source, shot, settings.spp)
-            errors.append(stage_error(picture, truth))
-            tiles.append(Tile(on_display(picture), error_caption(errors[-1])))
-            below.append(Tile(on_display(truth.picture)))
-            done += 1
-            run.report(done, total)
-        squared.rows[name] = [1e3 * error.mse for error in errors]
-        flip.rows[name] = [error.flip for error in errors]
-        shown.add(name, tiles)
-        if with_reference:
-            shown.add(f"{name}, reference", below)
-    note = squared.note = _note(settings)
+        predict = cache(partial(predictor, source, settings, run.runs, OURS))
+        for level in range(settings.levels):
+            cases[f"{source.name}, {level}"] = Zoom(source, level, predict, texel_mm, settings)
+    found = run.each({name: partial(errors_of, case) for name, case in cases.items()})
+    squared, flip = (
+        Table("MSE × 1000 by level", columns, note=_note(settings)),
+        Table("FLIP by level", columns),
+    )
+    for place, table in enumerate((squared, flip)):
+        for source in sources:
+            table.rows[source.name] = [found[f"{source.name}, {level}"][place] for level in columns]
     rows_of_paper: dict[str, list[Cell]] = {
-        name: [*row[: len(levels)]] for name, row in _PAPER_TABLE3.items()
+        name: [*row[: len(columns)]] for name, row in _PAPER_TABLE3.items()
     }
-    paper = Table("MSE × 1000 in the paper", columns, rows_of_paper)
-    return shown.found(with_tables(squared, flip, paper), note)
+    return with_tables(squared, flip, Table("MSE × 1000 in the paper", columns, rows_of_paper))
+
+
+def _columns(settings: LevelsSettings) -> list[str]:
+    return [str(level) for level in range(settings.levels)]
 
 
 def sizes(settings: NoSettings, run: Run) -> Found:

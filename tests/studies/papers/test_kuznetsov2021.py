@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
+from studies.harness.parts import Parts
 from studies.harness.study import NoSettings, Run, stored_tables
 from studies.papers.kuznetsov2021 import equal_cost, figures, stage, tables
 from studies.papers.kuznetsov2021.designs import DESIGNS
@@ -90,7 +91,8 @@ def test_table_3_has_levels_and_keeps_its_trainings(run: Run) -> None:
     first = stored_tables(tables.by_level(settings, run).figures)[0].rows
     places = list((run.runs / "kuznetsov2021").iterdir())
     before = {file: file.stat().st_mtime_ns for place in places for file in place.iterdir()}
-    assert stored_tables(tables.by_level(settings, run).figures)[0].rows == first
+    assert stored_tables(tables.by_level(settings, replace(run, parts=Parts())).figures)[0].rows == first
+    assert stored_tables(tables.zooms(settings, run).figures)[0].rows == first
     assert len(first[MATERIAL]) == 2
     assert before == {file: file.stat().st_mtime_ns for file in before}
 
