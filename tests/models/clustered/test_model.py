@@ -23,6 +23,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.clustered.model import ClusteredModel
+from loomlight.models.clustered.parallax import seen_lit_by_viewer
 from loomlight.models.clustered.square_map import BINS, bin_centres, bin_taps
 from loomlight.models.clustered.tables import (
     NO_CLUSTER,
@@ -273,13 +274,20 @@ def test_a_large_repeat_has_fewer_texels_a_thread_and_says_what_it_takes() -> No
         texel_counts(too_large, 256)
 
 
-def test_cloth_that_its_yarns_close_from_the_side_is_warned_of() -> None:
-    """A net of thick yarns is as open as its gaps from above, and less from aside; dense cloth is not."""
-    text = 'weave = "plain"\nends_per_cm = 10\npicks_per_cm = 10\ngap = {}\n'
-    for gap, open_cloth in ((0.4, True), (0.02, False)):
-        geometry = YarnGeometry(fabric_from_text(text.format(gap)).layout())
+def test_cloth_whose_yarns_hide_one_another_is_warned_of() -> None:
+    """From the side the thick yarns of a loose twill hide their shadows; a dense plain weave has few."""
+    text = 'weave = "{}"\nends_per_cm = 20\npicks_per_cm = 20\ngap = {}\n'
+    for weave, gap, hides in (("twill 2/2", 0.2, True), ("plain", 0.02, False)):
+        geometry = YarnGeometry(fabric_from_text(text.format(weave, gap)).layout())
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             bake_tables(geometry, (0.3, 0.3), clusters=4, rank=0, float_type=Float, texels=16)
-        found = [str(each.message) for each in caught if "too dark from the side" in str(each.message)]
-        assert bool(found) == open_cloth
+        found = [str(each.message) for each in caught if "hide shadows" in str(each.message)]
+        assert bool(found) == hides
+
+
+def test_white_cloth_in_its_viewers_light_is_as_bright_as_it_faces() -> None:
+    """All that a flat dense cloth shows is lit: (o.z + n·o) / 2 is at most 1, and at least half of o.z."""
+    dense = YarnGeometry(fabric_from_text('weave = "plain"\ngap = 0\n').layout())
+    # The mean of o.z over 0.6 to 1 is 0.8.
+    assert 0.6 < seen_lit_by_viewer(dense, Float) < 0.8
