@@ -487,7 +487,7 @@ def bake_tables(
     maps = feature_maps(geometry, counts, float_type)
     lobes = fitted_gaussians(maps.horizon, float_type, saturating).lobes
     if saturating:
-        _warn_of_hidden(_texels_lit_by_viewer(maps, lobes), seen_lit_by_viewer(geometry, float_type))
+        _warn_of_hidden(darker_by_viewer(geometry, maps, lobes, float_type))
     labels = label_texels(maps, lobes, clusters)
     densities = density_tables(labels, maps.tangent, roughness, clusters, rank)
     parallax, heights = parallax_tables(geometry, counts, float_type)
@@ -503,22 +503,26 @@ def bake_tables(
     )
 
 
-def _texels_lit_by_viewer(maps: FeatureMaps, lobes: NDArray[np.float32]) -> float:
-    """What `seen_lit_by_viewer` is of texels, which are seen from everywhere, lit or not."""
+def darker_by_viewer(
+    geometry: YarnGeometry, maps: FeatureMaps, lobes: NDArray[np.float32], float_type: FloatType
+) -> float:
+    """How much darker texels are than what rays meet, in a viewer's own light: a share, 0 to 1.
+
+    Of white diffuse cloth, over views with o.z = 0.6 to 1: texels are seen from everywhere, lit or not.
+    """
     chosen = np.random.default_rng(0).permutation(maps.hole[0].size)[:_COUNTED]
-    solid = ~maps.hole[0].ravel()[chosen]
-    normals = maps.normal[0].reshape(-1, 3)[chosen[solid]]
-    of_solid = lobes[0].reshape(-1, LOBE_NUMBERS)[chosen[solid]]
+    solid = chosen[~maps.hole[0].ravel()[chosen]]
+    normals, of_solid = maps.normal[0].reshape(-1, 3)[solid], lobes[0].reshape(-1, LOBE_NUMBERS)[solid]
     seen = [
         float((lobe_values(of_solid, view) * (view[2] + np.maximum(normals @ view, 0)) / 2).sum())
         for view in side_views()
     ]
-    return float(np.mean(seen)) / len(chosen)
+    by_rays = seen_lit_by_viewer(geometry, float_type)
+    return 1 - float(np.mean(seen)) / len(chosen) / max(by_rays, 1e-6)
 
 
-def _warn_of_hidden(texels: float, rays: float) -> None:
+def _warn_of_hidden(darker: float) -> None:
     """Warns of cloth much of which is hidden from the side, by its brightness in a viewer's own light."""
-    darker = 1 - texels / max(rays, 1e-6)
     if darker > _MAX_DARKER:
         warnings.warn(
             f"From the side, yarns of this cloth hide shadows that clustered shows: its diffuse light is "
