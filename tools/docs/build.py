@@ -42,6 +42,7 @@ _FIRST = {
         "moving-cloth",
         "fabric-files",
         "drafts",
+        "artwork",
         "looms",
         "large-drafts",
         "editor",

@@ -16,6 +16,8 @@ from pydantic_core import PydanticCustomError
 from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
 from loomlight.core.spectra import is_spectrum
+from loomlight.weave.artwork import MAX_COLOURS
+from loomlight.weave.bitmaps import MAX_WEFTS, parse_order
 from loomlight.weave.draft import MAXIMUM_THREADS
 
 # Stands in a message for the field's name, which only the translation into a sentence knows.
@@ -188,6 +190,70 @@ def _maps_by_name(value: object) -> object:
 
 
 Maps = Annotated[dict[str, MapTable], BeforeValidator(_maps_by_name), WithJsonSchema({"type": "maps"})]
+# Of [weaves], for a weft that lies free on the back of the cloth.
+BACK_WEAVE = "back"
+_HEX_COLOUR = re.compile(r"#(?:[0-9a-f]{3}|[0-9a-f]{6})")
+
+
+def plain_hex(colour: str) -> str:
+    """The colour "#rrggbb" in small letters of one that is written with three digits or in capitals."""
+    text = colour.strip().lower()
+    return "#" + "".join(2 * digit for digit in text[1:]) if len(text) == 4 else text
+
+
+def _weaves(value: object) -> object:
+    """Weaves by colour, each a text or a list of as many texts as there are wefts."""
+
+    def fault(text: str) -> PydanticCustomError:
+        return PydanticCustomError("sentence", "{text}", {"text": text})
+
+    if not isinstance(value, dict):
+        raise fault(f'{FIELD} is no table: write a weave a colour, "#c00000" = "satin 8/3".')
+    if len(value) > MAX_COLOURS:
+        raise fault(f"{FIELD} has {len(value)} colours; an artwork has at most {MAX_COLOURS}.")
+    wefts: dict[str, int] = {}
+    for colour, given in value.items():
+        name = f'{FIELD}."{str(colour)[:40]}"'
+        if not isinstance(colour, str) or _HEX_COLOUR.fullmatch(colour.strip().lower()) is None:
+            raise fault(f'{name} is no colour of a picture: write it as "#c00000".')
+        if plain_hex(colour) in wefts:
+            raise fault(f"{name} is there twice: keep one of them.")
+        listed = given if isinstance(given, list) else [given]
+        if not 1 <= len(listed) <= MAX_WEFTS:
+            raise fault(
+                f"{name} lists {len(listed)} weaves, one a weft; 1 to {MAX_WEFTS} wefts can be woven."
+            )
+        if not all(isinstance(weave, str) and weave.strip() for weave in listed):
+            raise fault(f'{name} names no weave: write one in quotes, "satin 8/3", or a list of one a weft.')
+        first = next(iter(wefts.items()), (plain_hex(colour), len(listed)))
+        if len(listed) != first[1]:
+            raise fault(
+                f'{name} has {len(listed)} weaves and "{first[0]}" {first[1]}: each colour has one a weft.'
+            )
+        wefts[plain_hex(colour)] = len(listed)
+    return value
+
+
+def _weft_order(value: str) -> str:
+    try:
+        parse_order(value, FIELD)
+    except InputError as error:
+        raise PydanticCustomError("sentence", "{text}", {"text": str(error)}) from error
+    return value
+
+
+Weaves = Annotated[dict[str, str | list[str]], BeforeValidator(_weaves), WithJsonSchema({"type": "weaves"})]
+
+
+class ArtworkTable(Table):
+    """[artwork]: how an image is woven whose colours are [weaves]."""
+
+    longest_float: Annotated[int, Field(ge=2, le=MAXIMUM_THREADS)] | None = None
+    order: Annotated[str, Field(min_length=1), AfterValidator(_weft_order)] | None = None
+    regulator: Annotated[int, Field(ge=2, le=MAX_WEFTS)] | None = None
+    nearest: bool | None = None
+
+
 Density = Annotated[float, Field(ge=0.1, le=1000)]
 DensityPerInch = Annotated[float, Field(ge=0.254, le=2540)]
 
@@ -215,14 +281,16 @@ class FabricFile(Table):
     sheen: SheenTable = SheenTable()
     variation: VariationTable = VariationTable()
     maps: Maps = Field(default_factory=dict)
+    weaves: Weaves = Field(default_factory=dict)
+    artwork: ArtworkTable = ArtworkTable()
 
 
 @cache
 def field_schemas(table: type[Table]) -> dict[str, dict[str, Any]]:
     """JSON schemas of a table's fields by their names, in the order of the file.
 
-    "type" may be "colour", "colours", "yarn" or "maps" too; numbers have "minimum" and "maximum", texts that
-    may not be empty "minLength"; a table has "$ref", which ends in the name of its class.
+    "type" may be "colour", "colours", "yarn", "maps" or "weaves" too; numbers have "minimum" and "maximum",
+    texts that may not be empty "minLength"; a table has "$ref", which ends in the name of its class.
     """
     properties = table.model_json_schema()["properties"]
     return {name: schema.get("anyOf", [schema])[0] for name, schema in properties.items()}

@@ -15,6 +15,7 @@ from typing import Any, get_args
 
 import numpy as np
 from annotated_types import Ge, Le
+from numpy.typing import NDArray
 from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 
@@ -23,18 +24,32 @@ from loomlight.core.files import read_text, require_file
 from loomlight.core.sentences import closest, one_line, shown, speaking_of
 from loomlight.core.spectra import is_spectrum, read_spectrum
 from loomlight.fabric.fabric import Fabric, make_fabric
-from loomlight.fabric.fields import FIELD, FabricFile, MapTable, YarnTable, is_one_colour
+from loomlight.fabric.fields import (
+    BACK_WEAVE,
+    FIELD,
+    ArtworkTable,
+    FabricFile,
+    MapTable,
+    YarnTable,
+    is_one_colour,
+    plain_hex,
+)
 from loomlight.fabric.map_fields import require_maps
+from loomlight.fabric.resolve import threads_per_cm
 from loomlight.scattering.albedo import Albedos
+from loomlight.weave.artwork import BACK, Artwork, weave_artwork
+from loomlight.weave.bitmaps import parse_order
 from loomlight.weave.draft import Draft
 from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
 from loomlight.weave.named import named_weave
-from loomlight.weave.textile import unbound_threads
+from loomlight.weave.textile import DEFAULT_SETT_PER_CM, unbound_threads
 from loomlight.yarn.layout import MIN_GAP, ClothLayout
 
 FABRIC_SUFFIX = ".toml"
 # A fabric has one of these, so a new one replaces what there was; the same holds for a density's two units.
 _DRAFTS = ("weave", "draft", "image")
+# What says how an image is woven, which goes with it.
+_ARTWORK = ("weaves", "artwork")
 _SAME_DENSITY = {"ends_per_cm": "epi", "epi": "ends_per_cm", "picks_per_cm": "ppi", "ppi": "picks_per_cm"}
 
 
@@ -107,14 +122,14 @@ def fabric_from_fields(fields: Mapping[str, Any], folder: str | os.PathLike[str]
 def edited_fabric(fabric: Fabric, fields: Mapping[str, Any]) -> Fabric:
     """The fabric with other values of some fields, by their dotted names; see `fabric_from_fields`.
 
-    No draft is read again unless another weave, draft or image is among the fields.
+    No draft is read again unless another weave, draft, image or artwork is among the fields.
 
     Raises:
         InputError: an unknown field, or values that contradict the draft; the message names the field.
     """
     with speaking_of("the fabric"):
         valid = validate_fields(_merged(fabric.fields.model_dump(exclude_none=True), fields))
-        if any(name in fields for name in _DRAFTS):
+        if any(name.partition(".")[0] in (*_DRAFTS, *_ARTWORK) for name in fields):
             return _made(valid, fabric.folder, "fabric", "the fabric")
         valid = with_measured_colours(valid, fabric.folder)
         return make_fabric(valid, fabric.named_draft, valid.name or fabric.name, fabric.folder)
@@ -124,7 +139,7 @@ def _merged(values: Mapping[str, Any], fields: Mapping[str, Any]) -> dict[str, A
     """Values of a fabric file, tables as dictionaries, with fields by dotted name put in."""
     merged = dict(values)
     if any(name in fields for name in _DRAFTS):
-        merged = {name: value for name, value in merged.items() if name not in _DRAFTS}
+        merged = {name: value for name, value in merged.items() if name not in (*_DRAFTS, *_ARTWORK)}
     for name, value in fields.items():
         merged.pop(_SAME_DENSITY.get(name, ""), None)
         table, _, field = name.rpartition(".")
@@ -163,13 +178,65 @@ def _draft_of(fields: FabricFile, folder: str) -> Draft:
     if fields.weave is not None:
         return named_weave(fields.weave)
     name = "draft" if fields.draft is not None else "image"
-    given = str(getattr(fields, name))
+    path = _file_of(str(getattr(fields, name)), folder, name)
+    return (
+        weave_artwork(path, _artwork_of(fields, folder), _rows_per_cm(fields))
+        if fields.weaves
+        else load_draft(path)
+    )
+
+
+def _file_of(given: str, folder: str, name: str) -> Path:
+    """The file that a field names, relative to `folder`.
+
+    Raises:
+        InputError: no such file; the message names the field.
+    """
     path = Path(folder) / given
     try:
         require_file(path)
     except InputError as error:
         raise InputError(f'{name} = "{given[:80]}" names no draft: {error}') from error
-    return load_draft(path)
+    return path
+
+
+def _rows_per_cm(fields: FabricFile) -> float:
+    """Rows of an artwork per centimetre: the picks that take up cloth, square where the file does not say."""
+    return threads_per_cm(fields, "weft") or threads_per_cm(fields, "warp") or DEFAULT_SETT_PER_CM
+
+
+def _artwork_of(fields: FabricFile, folder: str) -> Artwork:
+    """The structures that `weaves` names: a weave, a draft's file, or "back".
+
+    Raises:
+        InputError: one that is none of these; the message names its colour.
+    """
+    table = fields.artwork
+    names = {
+        plain_hex(colour): [given] if isinstance(given, str) else given
+        for colour, given in fields.weaves.items()
+    }
+    structures = {
+        name: _structure(name, folder, colour) for colour, listed in names.items() for name in listed
+    }
+    return Artwork(
+        weaves={colour: [structures[name] for name in listed] for colour, listed in names.items()},
+        names=names,
+        order=parse_order(table.order) if table.order is not None else (),
+        extra_from=table.regulator,
+        longest_float=table.longest_float,
+        nearest=table.nearest or False,
+    )
+
+
+def _structure(name: str, folder: str, colour: str) -> NDArray[np.bool_] | None:
+    """The drawdown of one of `weaves`; None of a weft on the back."""
+    if name.strip().lower() == BACK_WEAVE:
+        return BACK
+    if Path(name).suffix.lower() in DRAFT_SUFFIXES:
+        return load_draft(_file_of(name, folder, f'weaves."{colour}"')).drawdown
+    with speaking_of(f'weaves."{colour}"'):
+        return named_weave(name).drawdown
 
 
 # ------------------------------------------------------------------------------------------- text into fields
@@ -220,6 +287,14 @@ def _require_consistent(fields: FabricFile) -> None:
             'it has no weave: write weave = "twill 3/1", draft = "file.wif" or image = "file.png".'
         )
     _refuse_together(fields, sources[:2])
+    if fields.weaves and fields.image is None:
+        raise InputError(
+            'weaves say what the colours of an artwork are: write image = "artwork.png" with them.'
+        )
+    if fields.artwork != ArtworkTable() and not fields.weaves:
+        raise InputError(
+            '[artwork] says how [weaves] are woven, and there are none: write "#c00000" = "satin 8/3" there.'
+        )
     _refuse_together(fields, ["ends_per_cm", "epi"])
     _refuse_together(fields, ["picks_per_cm", "ppi"])
     for family in ("warp", "weft"):
@@ -256,6 +331,8 @@ def sentence_of(error: ValidationError) -> str:
         return f'{name} = "" is empty: write a value, or leave the field out.'
     if fault["type"] == "string_unicode":
         return f"{name} holds bytes that are no text in UTF-8: rename the file, or write the value anew."
+    if path[0] == "weaves":
+        return f"{name} cannot be used: write a weave in quotes for each colour, or a list of one a weft."
     if path[0] == "maps":
         return _fault_of_map(path, fault["input"])
     field = _field_at(path)

@@ -128,7 +128,9 @@ def resolve(fields: FabricFile, draft: Draft) -> ResolvedFabric:
         )
     warp_bend, weft_bend = bends_of(coloured.drawdown)
     warp_spacing = family_spacing(fields, "warp", coloured.warp, coloured.weft, coloured.ends)
-    weft_spacing = family_spacing(fields, "weft", coloured.weft, coloured.warp, coloured.picks)
+    weft_spacing = family_spacing(
+        fields, "weft", coloured.weft, coloured.warp, coloured.picks, _take_up(fields, draft.weft)
+    )
     wear, on_face = _or(fields.wear, 0.0), float(coloured.drawdown.mean())
     # What lies on the face most is rubbed first, the other family in proportion to how much of it does.
     most = max(on_face, 1 - on_face)
@@ -288,16 +290,17 @@ def bends_of(drawdown: NDArray[np.bool_]) -> tuple[Bend, Bend]:
 
 
 def family_spacing(
-    fields: FabricFile, name: str, threads: Threads, other: Threads, count: int
+    fields: FabricFile, name: str, threads: Threads, other: Threads, count: int, take_up: float = 1.0
 ) -> NDArray[np.float64]:
     """Distance that each thread of family `name` ("warp" or "weft") takes up [count], millimetres.
 
     The file's threads/cm come first; the draft's spacing, where there is one, keeps its proportions
     and is scaled to them. Without either, the other family's density is used, so that the cloth is square.
+    Of an artwork with a regulator the file's density counts the share `take_up` of the threads.
     """
     density = threads_per_cm(fields, name)
     if threads.spacing_mm is not None:
-        scale = 1.0 if density is None else _MM_PER_CM / density / float(threads.spacing_mm.mean())
+        scale = 1.0 if density is None else take_up * _MM_PER_CM / density / float(threads.spacing_mm.mean())
         return threads.spacing_mm * scale
     if density is None:
         density = threads_per_cm(fields, "weft" if name == "warp" else "warp")
@@ -306,6 +309,15 @@ def family_spacing(
     if other.spacing_mm is not None:
         return np.full(count, float(other.spacing_mm.mean()))
     return np.full(count, _MM_PER_CM / DEFAULT_SETT_PER_CM)
+
+
+def _take_up(fields: FabricFile, weft: Threads) -> float:
+    """Share of the picks that take up cloth: all but those while an artwork's regulator stands still."""
+    first = fields.artwork.regulator
+    if first is None or weft.color_index is None:
+        return 1.0
+    # Wefts are rows 1, 2 … of the palette of an artwork.
+    return float((weft.color_index < first).mean())
 
 
 def threads_per_cm(fields: FabricFile, name: str) -> float | None:

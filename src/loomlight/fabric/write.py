@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
+from pathlib import Path
 
 from loomlight.fabric.fields import FabricFile
+from loomlight.weave.load import DRAFT_SUFFIXES
 
 _PATHS = ("draft", "image")
+_BARE = re.compile(r"[A-Za-z0-9_.-]+")
 
 
 def fabric_toml(fields: FabricFile, read_from: str, written_to: str | os.PathLike[str]) -> str:
@@ -15,6 +19,12 @@ def fabric_toml(fields: FabricFile, read_from: str, written_to: str | os.PathLik
     for key in _PATHS:
         if key in values:
             values[key] = _moved(values[key], read_from, written_to)
+    values["weaves"] = {
+        colour: [_moved_weave(weave, read_from, written_to) for weave in given]
+        if isinstance(given, list)
+        else _moved_weave(given, read_from, written_to)
+        for colour, given in values["weaves"].items()
+    }
     for table in values["maps"].values():
         table["picture"] = _moved(table["picture"], read_from, written_to)
         if "fabrics" in table:
@@ -23,8 +33,13 @@ def fabric_toml(fields: FabricFile, read_from: str, written_to: str | os.PathLik
     lines = [f"{key} = {_literal(value)}" for key, value in values.items() if key not in tables]
     for name, table in tables.items():
         if table:
-            lines += ["", f"[{name}]", *(f"{key} = {_literal(value)}" for key, value in table.items())]
+            lines += ["", f"[{name}]", *(f"{_key(key)} = {_literal(value)}" for key, value in table.items())]
     return "\n".join(lines) + "\n"
+
+
+def _moved_weave(weave: str, read_from: str, written_to: str | os.PathLike[str]) -> str:
+    """A weave of an artwork: a draft's file, or a name, which stays."""
+    return _moved(weave, read_from, written_to) if Path(weave).suffix.lower() in DRAFT_SUFFIXES else weave
 
 
 def _moved(path: str, read_from: str, written_to: str | os.PathLike[str]) -> str:
@@ -37,6 +52,11 @@ def _moved(path: str, read_from: str, written_to: str | os.PathLike[str]) -> str
     return relative.replace(os.sep, "/")
 
 
+def _key(key: str) -> str:
+    """A key as TOML has it: without quotes where it may be, and dotted names of maps as they are."""
+    return key if _BARE.fullmatch(key) else _quoted(key)
+
+
 def _literal(value: object) -> str:
     if isinstance(value, str):
         return _quoted(value)
@@ -45,7 +65,7 @@ def _literal(value: object) -> str:
     if isinstance(value, list | tuple):
         return "[" + ", ".join(_literal(part) for part in value) + "]"
     if isinstance(value, dict):
-        return "{ " + ", ".join(f"{key} = {_literal(part)}" for key, part in value.items()) + " }"
+        return "{ " + ", ".join(f"{_key(key)} = {_literal(part)}" for key, part in value.items()) + " }"
     return repr(value)
 
 

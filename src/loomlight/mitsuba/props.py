@@ -39,8 +39,9 @@ from loomlight.sources.load import load_source
 from loomlight.sources.loom_file import is_loom, read_loom
 
 _TABLES = ("warp", "weft", "sheen", "variation")
-# Maps are left to fabric files: they are tables of tables.
-_TOP = tuple(name for name in FabricFile.model_fields if name not in (*_TABLES, "maps"))
+# Maps and artwork are left to fabric files: they are tables of tables, and of colours.
+_IN_FILES = ("maps", "weaves", "artwork")
+_TOP = tuple(name for name in FabricFile.model_fields if name not in (*_TABLES, *_IN_FILES))
 _SOURCES = ("fabric", "source")
 _DRAFT_FILES = ("draft", "image")
 _DRAFTS = ("weave", *_DRAFT_FILES)

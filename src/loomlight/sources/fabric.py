@@ -23,6 +23,7 @@ from loomlight.fabric.resolve import yarn_diameter
 from loomlight.fabric.write import fabric_toml
 from loomlight.fabric.yarns import GAP, with_yarns
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, Threads
+from loomlight.weave.load import DRAFT_SUFFIXES
 
 Tensor: TypeAlias = NDArray[Any]
 """An array of any type that a `.loom` can hold."""
@@ -70,7 +71,19 @@ def _without_folders(fields: FabricFile) -> FabricFile:
     """The fields with bare names of the draft's files, as folders are private, and without maps' pictures."""
     paths = {name: getattr(fields, name) for name in ("draft", "image") if getattr(fields, name)}
     names = {name: PurePath(path).name for name, path in paths.items()}
-    return fields.model_copy(update={**names, "maps": {}})
+    weaves = {
+        colour: [PurePath(weave).name if _is_file(weave) else weave for weave in given]
+        if isinstance(given, list)
+        else PurePath(given).name
+        if _is_file(given)
+        else given
+        for colour, given in fields.weaves.items()
+    }
+    return fields.model_copy(update={**names, "maps": {}, "weaves": weaves})
+
+
+def _is_file(weave: str) -> bool:
+    return PurePath(weave).suffix.lower() in DRAFT_SUFFIXES
 
 
 def fabric_from_record(record: Mapping[str, Any], tensors: Mapping[str, Tensor], folder: str) -> Fabric:

@@ -1,10 +1,11 @@
 """Drafts: named weaves, weaving information files, pictures of drawdowns; drawing and textile units."""
 
+from loomlight.weave.binding import bind_floats
 from loomlight.weave.bitmaps import BitmapLayout, draft_of_wefts, read_bitmap, split_wefts, write_bitmaps
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, FamilyDefaults, LoomPlan, Threads, WifSource
 from loomlight.weave.drawing import MAXIMUM_PICTURE_SIDE_PX, draw_draft, draw_drawdown
 from loomlight.weave.dtx import write_dtx
-from loomlight.weave.figured import bind_floats, figured_structure
+from loomlight.weave.figured import figured_structure
 from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
 from loomlight.weave.loom import derive_loom_plan, plan_drawdown, with_loom_plan
 from loomlight.weave.named import named_weave, weave_names

@@ -203,9 +203,7 @@ def draft_of_wefts(wefts: Sequence[NDArray[np.bool_]], order: Sequence[int] = ()
     drawdown = np.empty((len(weft), widths[0]), bool)
     for number, bitmap in enumerate(wefts):
         drawdown[weft == number] = bitmap
-    palette = np.array(
-        [parse_colour(colour, "weft") for colour in (WARP_COLOUR, *_WEFT_COLOURS[: len(wefts)])]
-    )
+    palette = weft_palette(len(wefts))
     return Draft(
         drawdown,
         Threads(palette[[0] * widths[0]], color_index=np.zeros(widths[0], np.intp)),
@@ -213,6 +211,11 @@ def draft_of_wefts(wefts: Sequence[NDArray[np.bool_]], order: Sequence[int] = ()
         title=title,
         palette=palette,
     )
+
+
+def weft_palette(wefts: int) -> NDArray[np.float64]:
+    """A colour for the warp and one for each weft, linear RGB [wefts + 1, 3], to tell them apart."""
+    return np.array([parse_colour(colour, "weft") for colour in (WARP_COLOUR, *_WEFT_COLOURS[:wefts])])
 
 
 def order_text(order: Sequence[int]) -> str:

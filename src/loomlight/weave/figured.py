@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
+from loomlight.weave.binding import bind_floats
 from loomlight.weave.draft import Draft
 from loomlight.weave.palette import from_palette
 from loomlight.weave.structures import MAXIMUM_NAMED_THREADS, Structure, sateen, satin, twill
-from loomlight.weave.textile import longest_runs
 
 _IVORY_AND_GOLD = ("#e9dfc6", "#8c6a2f")
 _SLATE_AND_CREAM = ("#39465c", "#e8e0cf")
@@ -45,71 +45,6 @@ def figured_structure(mask: Mask, figure: Structure, ground: Structure, *, float
     ]
     warp_up = np.where(mask, *tiled)
     return bind_floats(warp_up, float_limit)
-
-
-def bind_floats(warp_up: Structure, limit: int) -> Structure:
-    """The structure with extra binding points in the floats longer than `limit`, on either face.
-
-    Each is put as near the middle of its float as it can be without making a float of the other family
-    too long.
-
-    Raises:
-        InputError: a float that no binding point can shorten.
-    """
-    bound = warp_up.copy()
-    for _ in range(_ROUNDS):
-        long_ends = _long_rows(bound.T, limit)
-        for end in long_ends:
-            _bind_thread(bound[:, end], bound, limit, along_warp=True, thread=int(end))
-        long_picks = _long_rows(bound, limit)
-        for pick in long_picks:
-            _bind_thread(bound[pick], bound, limit, along_warp=False, thread=int(pick))
-        if not long_ends.size and not long_picks.size:
-            return bound
-    raise InputError(f"No binding keeps every float of the figure to {limit} threads; allow longer ones.")
-
-
-_ROUNDS = 8
-
-
-def _long_rows(rows: NDArray[np.bool_], limit: int) -> NDArray[np.intp]:
-    return np.flatnonzero(np.maximum(longest_runs(rows), longest_runs(~rows)) > limit)
-
-
-def _bind_thread(
-    row: NDArray[np.bool_], cloth: Structure, limit: int, *, along_warp: bool, thread: int
-) -> None:
-    """Flips one crossing in each long float of a thread; `row` is a view of `cloth`."""
-    for start, length in _runs(row):
-        if length <= limit:
-            continue
-        middle = start + length // 2
-        by_distance = sorted(range(start + 1, start + length - 1), key=lambda at: abs(at - middle))
-        for at in by_distance:
-            crossing = at % row.size
-            row[crossing] = not row[crossing]
-            across = cloth[crossing] if along_warp else cloth[:, crossing]
-            if _run_through(across, thread) <= limit:
-                break
-            row[crossing] = not row[crossing]
-
-
-def _runs(row: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Start and length of each run of equal values in a row that repeats."""
-    starts = np.flatnonzero(row != np.roll(row, 1))
-    if not starts.size:
-        return [(0, int(row.size))]
-    lengths = np.diff(np.append(starts, starts[0] + row.size))
-    return list(zip(starts.tolist(), lengths.tolist(), strict=True))
-
-
-def _run_through(row: NDArray[np.bool_], at: int) -> int:
-    """The length of the run that holds position `at` in a row that repeats."""
-    turned = np.roll(row, -at)
-    different = np.flatnonzero(turned != turned[0])
-    if not different.size:
-        return int(row.size)
-    return int(different[0] + row.size - 1 - different[-1])
 
 
 def damask(ends: int) -> Draft:

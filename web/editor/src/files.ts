@@ -64,6 +64,8 @@ export async function openFabric(files: readonly File[], server: Server | null, 
     const maps = Object.keys(fields.maps ?? {}).join(", ");
     if (maps !== "") warn(`${toml.name} has maps of ${maps}: the page keeps them, and loomlight render shows them.`);
     if (fields.weave !== undefined) return { fabric: { fields, draft: speakingOf(toml.name, () => loadDraft(fields)) }, warnings };
+    if (Object.keys(fields.weaves ?? {}).length > 0)
+      throw new InputError(`${toml.name} weaves an artwork, which the page does not read yet: \`loomlight view ${toml.name}\` shows it.`);
     const named = fields.draft ?? fields.image ?? "";
     if (draft === undefined)
       throw new InputError(`${toml.name} needs its draft, ${named}: open both files together.`);

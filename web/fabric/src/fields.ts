@@ -6,12 +6,17 @@
 export type FieldKind =
   | { readonly kind: "number" | "integer"; readonly low: number; readonly high: number }
   | { readonly kind: "text"; readonly mayBeEmpty: boolean }
-  | { readonly kind: "colour" | "colours" | "boolean" | "yarn" | "maps" }
+  | { readonly kind: "colour" | "colours" | "boolean" | "yarn" | "maps" | "weaves" }
   | { readonly kind: "table"; readonly fields: FieldTable };
 
 /** [maps] as the file has it: pictures over the surface, which Python reads; pages keep it. */
 export interface SurfaceMaps {
   readonly [name: string]: string | SurfaceMaps | number | boolean | readonly (string | number)[];
+}
+
+/** [weaves] as the file has it: what the colours of an artwork are, one weave a weft; Python weaves it, pages keep it. */
+export interface ArtworkWeaves {
+  readonly [colour: string]: string | readonly string[];
 }
 
 /** Fields of a table by their keys, in the order in which a file is written. */

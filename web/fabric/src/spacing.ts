@@ -17,20 +17,31 @@ export function threadsPerCm(fields: FabricFields, family: FamilyName): number |
  * Distance that each thread of a family takes up, millimetres.
  *
  * The fields' threads/cm come first; the draft's spacing, where there is one, keeps its proportions and is scaled to
- * them. Without either, the other family's density is used, so that the cloth is square.
+ * them. Without either, the other family's density is used, so that the cloth is square. Of an artwork with a regulator
+ * the fields' density counts the picks that take up cloth.
  */
 export function familySpacing(fields: FabricFields, family: FamilyName, draft: Draft): Float64Array {
   const [threads, other, count] =
     family === "warp" ? [draft.warp, draft.weft, draft.ends] : [draft.weft, draft.warp, draft.picks];
   const own = threadsPerCm(fields, family);
   if (threads.spacingMm !== null) {
-    const scale = own === null ? 1 : MM_PER_CM / own / mean(threads.spacingMm);
+    const takeUp = family === "weft" ? takeUpOf(fields, draft) : 1;
+    const scale = own === null ? 1 : (takeUp * MM_PER_CM) / own / mean(threads.spacingMm);
     return threads.spacingMm.map((spacing) => spacing * scale);
   }
   const density = own ?? threadsPerCm(fields, family === "warp" ? "weft" : "warp");
   if (density !== null) return new Float64Array(count).fill(MM_PER_CM / density);
   if (other.spacingMm !== null) return new Float64Array(count).fill(mean(other.spacingMm));
   return new Float64Array(count).fill(MM_PER_CM / DEFAULT_SETT_PER_CM);
+}
+
+/** Share of the picks that take up cloth: all but those while the regulator of an artwork stands still. */
+function takeUpOf(fields: FabricFields, draft: Draft): number {
+  const first = fields.artwork?.regulator;
+  const wefts = draft.weft.colorIndex;
+  if (first === undefined || wefts === null) return 1;
+  // Wefts are rows 1, 2 … of the palette of an artwork.
+  return wefts.filter((weft) => weft < first).length / wefts.length;
 }
 
 /**

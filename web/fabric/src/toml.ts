@@ -2,7 +2,7 @@
 import { parse, TomlError } from "smol-toml";
 
 import { InputError } from "./errors.ts";
-import type { SurfaceMaps } from "./fields.ts";
+import type { ArtworkWeaves, SurfaceMaps } from "./fields.ts";
 import { FABRIC, type FabricFields } from "./generated.ts";
 import { validateFields } from "./validate.ts";
 
@@ -41,6 +41,9 @@ export function writeToml(fields: FabricFields): string {
     if (value === undefined) continue;
     if (kind.kind === "maps") {
       const inner = Object.entries(value as SurfaceMaps).map(([name, each]) => `${name} = ${literal(each)}`);
+      if (inner.length > 0) tables.push(["", `[${key}]`, ...inner].join("\n"));
+    } else if (kind.kind === "weaves") {
+      const inner = Object.entries(value as ArtworkWeaves).map(([colour, each]) => `${quoted(colour)} = ${literal(each)}`);
       if (inner.length > 0) tables.push(["", `[${key}]`, ...inner].join("\n"));
     } else if (kind.kind !== "table") lines.push(`${key} = ${literal(value)}`);
     else {

@@ -2,7 +2,7 @@
 import { closeMatch } from "./close_match.ts";
 import { coloursInOrder, isOneColour, parseColour } from "./colour.ts";
 import { InputError } from "./errors.ts";
-import { FAMILIES, type FamilyName, type FieldKind, type FieldTable, type SurfaceMaps } from "./fields.ts";
+import { FAMILIES, type ArtworkWeaves, type FamilyName, type FieldKind, type FieldTable, type SurfaceMaps } from "./fields.ts";
 import { FABRIC, type FabricFields, YARN_PRESETS } from "./generated.ts";
 import { general } from "./numbers.ts";
 import { yarnTex } from "./yarn_count.ts";
@@ -65,6 +65,8 @@ function validValue(value: unknown, kind: FieldKind, name: string, isWhole: IsWh
       return value;
     case "maps":
       return validMaps(value, name);
+    case "weaves":
+      return validWeaves(value, name);
     case "boolean":
       if (typeof value !== "boolean") throw cannotBeUsed(name, value, kind);
       return value;
@@ -100,6 +102,20 @@ function validMap(value: unknown, name: string): SurfaceMaps[string] {
   if (Array.isArray(value)) return value.map((part) => (typeof part === "bigint" ? Number(part) : (part as string | number)));
   if (typeof value === "string" || typeof value === "number" || typeof value === "boolean") return value;
   throw new InputError(`${name} = ${shown(value)} cannot be used: write the path of a picture, "FILE.png", or a table.`);
+}
+
+/** Weaves of an artwork as they are; Python says more of what they name. */
+function validWeaves(value: unknown, name: string): ArtworkWeaves {
+  if (!isTable(value))
+    throw new InputError(`${name} is no table: write a weave a colour, "#c00000" = "satin 8/3".`);
+  for (const [colour, given] of Object.entries(value)) {
+    const listed: readonly unknown[] = Array.isArray(given) ? given : [given];
+    if (listed.length === 0 || !listed.every((weave) => typeof weave === "string" && weave.trim() !== ""))
+      throw new InputError(
+        `${name}."${colour.slice(0, 40)}" names no weave: write one in quotes, "satin 8/3", or a list of one a weft.`,
+      );
+  }
+  return value as ArtworkWeaves;
 }
 
 function validYarn(value: unknown, name: string): string {
