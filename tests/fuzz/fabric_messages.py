@@ -9,13 +9,28 @@ from __future__ import annotations
 
 import json
 import sys
+import tempfile
 from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
 
 from loomlight.core.errors import InputError
+from loomlight.core.images import write_pixels
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.viewer.messages import draft_of_json, fabric_json, fabric_of_json
 from loomlight.viewer.session import gallery_files
 from tests.fuzz.fuzzing import BYTES, TEXT, Target, change_json, main
+
+_ARTWORK = """
+image = "art.png"
+[weaves]
+"#000000" = ["plain", "back"]
+"#ffffff" = ["plain", "twill 2/2"]
+[artwork]
+order = "1 1 2"
+regulator = 2
+"""
 
 
 def read_fabric(content: bytes) -> None:
@@ -39,9 +54,12 @@ def _values(content: bytes) -> dict[str, object]:
 
 
 def targets() -> Sequence[Target]:
-    """Fabrics of the gallery, one of a name, and their drafts."""
+    """Fabrics of the gallery, one of a name, one of an artwork, and their drafts."""
     fabrics = [fabric_json(load_fabric(gallery_files()[name])) for name in ("gingham", "chambray", "sateen")]
     fabrics.append(fabric_json(fabric_from_text('weave = "houndstooth 4"\nwarp.color = "#203040"')))
+    with tempfile.TemporaryDirectory() as name:
+        write_pixels(Path(name) / "art.png", np.tile(np.uint8([[0, 0, 0, 0, 255, 255, 255, 255]]), (8, 1)))
+        fabrics.append(fabric_json(fabric_from_text(_ARTWORK, name)))
     mutations = (*[change_json] * 20, *BYTES, *TEXT)
     drafts = [json.dumps(fabric["draft"]).encode() for fabric in fabrics]
     return (

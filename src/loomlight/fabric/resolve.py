@@ -316,8 +316,8 @@ def _take_up(fields: FabricFile, weft: Threads) -> float:
     first = fields.artwork.regulator
     if first is None or weft.color_index is None:
         return 1.0
-    # Wefts are rows 1, 2 … of the palette of an artwork.
-    return float((weft.color_index < first).mean())
+    # Wefts are rows 1, 2 … of the palette of an artwork; a draft of another origin may have no such wefts.
+    return float((weft.color_index < first).mean()) or 1.0
 
 
 def threads_per_cm(fields: FabricFile, name: str) -> float | None:

@@ -8,6 +8,7 @@ import {
   readToml,
   readWif,
   requireInterlacing,
+  withoutArtwork,
   writeToml,
   writeWif,
   type Draft,
@@ -142,7 +143,7 @@ export function stemOf(fabric: Fabric): string {
 export function fabricFiles(fabric: Fabric): { name: string; content: string }[] {
   const stem = stemOf(fabric);
   if (isNamed(fabric)) return [{ name: `${stem}.toml`, content: writeToml(fabric.fields) }];
-  const { image: _, ...fields } = fabric.fields;
+  const fields = withoutArtwork(fabric.fields, fabric.draft);
   return [
     { name: `${stem}.toml`, content: writeToml({ ...fields, draft: `${stem}.wif` }) },
     { name: `${stem}.wif`, content: writeWif(fabric.draft) },

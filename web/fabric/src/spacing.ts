@@ -41,7 +41,20 @@ function takeUpOf(fields: FabricFields, draft: Draft): number {
   const wefts = draft.weft.colorIndex;
   if (first === undefined || wefts === null) return 1;
   // Wefts are rows 1, 2 … of the palette of an artwork.
-  return wefts.filter((weft) => weft < first).length / wefts.length;
+  // A draft of another origin may have no such wefts.
+  return wefts.filter((weft) => weft < first).length / wefts.length || 1;
+}
+
+/**
+ * The fields without the artwork that the draft was woven of, for a draft that stands by itself: the same cloth, whose
+ * densities count every pick.
+ */
+export function withoutArtwork(fields: FabricFields, draft: Draft): FabricFields {
+  const { weaves: _weaves, artwork: _artwork, image: _image, ...kept } = fields;
+  const takeUp = takeUpOf(fields, draft);
+  if (takeUp === 1) return kept;
+  if (kept.picks_per_cm !== undefined) return { ...kept, picks_per_cm: kept.picks_per_cm / takeUp };
+  return kept.ppi === undefined ? kept : { ...kept, ppi: kept.ppi / takeUp };
 }
 
 /**

@@ -21,6 +21,7 @@ import {
   withRepeat,
   withShafts,
   withSize,
+  withoutArtwork,
   type Draft,
   type Region,
   type Structure,
@@ -44,7 +45,7 @@ export function withDraftEdit(fabric: Fabric, action: DraftAction): Fabric {
   const before = own.draft.loom === null ? { ...own.draft, loom: loomOf(own.draft) } : own.draft;
   const draft = { ...edited(before, action), name };
   requireInterlacing(draft);
-  const { weave: _weave, image: _image, ...kept } = own.fields;
+  const { weave: _weave, ...kept } = withoutArtwork(own.fields, fabric.draft);
   return { fields: validateFields({ ...kept, name, draft: draftFile(name) }), draft };
 }
 

@@ -53,7 +53,8 @@ function replaced(fields: Plain, field: string, value: unknown): Plain {
  */
 export function withWeave(fabric: Fabric, weave: string): Fabric {
   if (typeof weave !== "string") throw new InputError('The weave has no name: write "twill 3/1".');
-  const { draft: _draft, image: _image, name: _name, description: _description, ...kept } = fabric.fields;
+  const { draft: _draft, image: _image, weaves: _weaves, artwork: _artwork, ...named } = fabric.fields;
+  const { name: _name, description: _description, ...kept } = named;
   const draft = loadDraft({ weave });
   const hasOrder = draft.palette !== null;
   const fields: FabricFields = hasOrder
