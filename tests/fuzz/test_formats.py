@@ -17,7 +17,7 @@ TARGETS: dict[ModuleType, dict[str, int]] = {
     meshes: dict.fromkeys(
         ("obj", "ply-ascii", "ply-binary", "gltf", "gltf-motion", "glb", "draco", "usda", "usdc", "usdz"), 60
     ),
-    wif: {"wif": 200, "dtx": 200, "pictures": 200, "bitmaps": 200},
+    wif: {"wif": 200, "dtx": 200, "pictures": 200, "bitmaps": 200, "artworks": 200},
     btf: {"ubo2003": 100, "ubo2014": 100},
     loom: {"material": 100, "tile": 100},
     fabric_messages: {"fabric": 100, "draft": 100},

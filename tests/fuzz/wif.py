@@ -1,4 +1,4 @@
-"""Feeds mutilated drafts to their readers: WIF, Fiberworks files, pictures of drawdowns, bitmaps of looms.
+"""Feeds mutilated drafts to their readers: WIF, Fiberworks, drawdowns, bitmaps of looms, artwork.
 
     python -m tests.fuzz.wif [--seconds 60] [--count 2000] [--faults FOLDER]
 
@@ -21,7 +21,9 @@ import numpy as np
 from PIL import Image
 
 from loomlight.weave import Draft, load_draft, read_bitmap
+from loomlight.weave.artwork import BACK, Artwork, weave_artwork
 from loomlight.weave.dtx import dtx_text_of
+from loomlight.weave.structures import plain, satin
 from loomlight.weave.wif_reader import draft_of
 from loomlight.weave.wif_text import decode_wif, parse_wif_text
 from loomlight.weave.wif_writer import wif_text_of
@@ -140,12 +142,20 @@ def targets() -> list[Target]:
         file.write_bytes(content)
         read_bitmap(file)
 
+    def artwork(content: bytes) -> None:
+        file = folder / "artwork.png"
+        file.write_bytes(content)
+        weaves = {"#000000": [satin(5, 2), BACK], "#ffffff": [plain(), plain()]}
+        names = {"#000000": ["satin", "back"], "#ffffff": ["plain", "plain"]}
+        weave_artwork(file, Artwork(weaves, names, extra_from=2, nearest=True))
+
     held = [content for _, content in pictures()]
     return [
         Target("wif", originals_in(*folders), MUTATIONS, read_twice),
         Target("dtx", fiberworks(), TEXT, read_dtx_twice),
         Target("pictures", held, BYTES, subject, max_seconds=20),
         Target("bitmaps", bitmaps(), BYTES, bitmap, max_seconds=20),
+        Target("artworks", held, BYTES, artwork, max_seconds=20),
     ]
 
 
