@@ -22,7 +22,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from copy import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import drjit as dr
@@ -33,14 +33,15 @@ from loomlight.aggregate.tables import Entries, PairedEntries, SingleEntries
 from loomlight.core.arrays import Float, Mask, UInt, Vec2
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, move, opaque, upload
 from loomlight.core.footprint import Footprint
-from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance, FamilyAppearance
 from loomlight.scattering.interreflection import Interreflection
 from loomlight.scattering.point import Albedos
 from loomlight.yarn.geometry import Cell, YarnGeometry, upload_family
+from loomlight.yarn.layout import Layer
+from loomlight.yarn.stack import ClothGeometry
 from loomlight.yarn.threads import FamilyTables
 
-_ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
-_NUMBERS = 3 * len(_ALBEDOS)
+_NUMBERS = 3 * len(ALBEDO_NAMES)
 # Entries of one family's table: 256 MB. Drafts of 4096 by 4096 threads keep three principal axes.
 # Four colours need no more; 4096 random ones are then up to 0.01 off at default shine, 0.03 at the most.
 MAX_ENTRIES = 1 << 26
@@ -70,20 +71,22 @@ NOISE_FRACTION = 1e-5
 class FootprintAlbedos:
     """Mean albedos of warp and weft over footprints of one fabric, for any backend.
 
+    In layered cloth those of all layers, as much of each as a face shows through the gaps before it.
+
     Attributes:
-        tables: colours of the warp and of the weft.
+        tables: colours of the warp and of the weft, of the front layer.
     """
 
-    def __init__(self, geometry: YarnGeometry, appearance: Appearance) -> None:
+    def __init__(self, geometry: ClothGeometry, appearance: Appearance) -> None:
         """Computes the tables; families whose threads are all the same need none."""
-        warp, weft = geometry.families
-        on_top = geometry.layout.warp_on_top
-        self.tables = (
-            _family_tables(appearance.warp, warp, weft, on_top),
-            _family_tables(appearance.weft, weft, warp, ~on_top.T),
-        )
-        self._families = (warp, weft)
-        self._uploaded: dict[type, _Uploaded] = {}
+        if isinstance(geometry, YarnGeometry):
+            self._planes = [_Plane.of(geometry, appearance)]
+        else:
+            layers = zip(geometry.layers, geometry.layout.layers, strict=True)
+            self._planes = [_Plane.of(own, appearance, layer) for own, layer in layers]
+            _share_faces(self._planes, [layer.layout.open_area for layer in geometry.layout.layers])
+        self.tables = self._planes[0].tables
+        self._uploaded: dict[type, list[_Uploaded]] = {}
         self.appearance = appearance
         self._between: dict[type, Interreflection] = {}
 
@@ -98,17 +101,18 @@ class FootprintAlbedos:
     @property
     def varied(self) -> bool:
         """Whether threads of a family differ, so that means depend on the position."""
-        return any(len(tables.axes) > 0 for tables in self.tables)
+        return any(len(tables.axes) > 0 for plane in self._planes for tables in plane.tables)
 
     @property
     def bytes(self) -> int:
         """Size of the tables on a device."""
-        return sum(tables.areas.nbytes + tables.threads.nbytes for tables in self.tables)
+        tables = (tables for plane in self._planes for tables in plane.tables)
+        return sum(of_family.areas.nbytes + of_family.threads.nbytes for of_family in tables)
 
     @property
     def truncation(self) -> float:
         """Largest error of a thread's albedo, from principal axes that were dropped."""
-        return max(tables.truncation for tables in self.tables)
+        return max(tables.truncation for plane in self._planes for tables in plane.tables)
 
     def over(self, footprint: Footprint, back: Mask) -> tuple[Albedos, Albedos]:
         """Mean albedos of (warp, weft) over footprints, as their axis-aligned boxes: Color3 each, 0 to 1.
@@ -118,24 +122,97 @@ class FootprintAlbedos:
         """
         types = array_types(footprint.centre)
         self.upload(types)
-        return self._uploaded[types.Float].over(footprint, types.Bool(back))
+        back = types.Bool(back)
+        planes = [(plane, plane.over(footprint, back)) for plane in self._uploaded[types.Float]]
+        if len(planes) == 1:
+            return planes[0][1]
+        warp, weft = (
+            _weighed([(plane.share(family, back), means[family]) for plane, means in planes])
+            for family in (0, 1)
+        )
+        return warp, weft
 
     def upload(self, types: ArrayTypes) -> None:
         """Uploads the tables to a backend, which otherwise happens at first use."""
         if types.Float not in self._uploaded:
-            self._uploaded[types.Float] = _Uploaded(self._families, self.tables, types)
+            self._uploaded[types.Float] = [_Uploaded(plane, types) for plane in self._planes]
             if self.appearance.openness is not None:
                 self._between[types.Float] = Interreflection(self.appearance, types)
 
     def of_cloth(self, types: ArrayTypes) -> tuple[Albedos, Albedos]:
         """Mean albedos of (warp, weft) over all threads."""
         self.upload(types)
-        return self._uploaded[types.Float].means
+        planes = self._uploaded[types.Float]
+        if len(planes) == 1:
+            return planes[0].means
+        warp, weft = (
+            _weighed([(plane.share(family, None), plane.means[family]) for plane in planes])
+            for family in (0, 1)
+        )
+        return warp, weft
 
     def between_yarns(self, types: ArrayTypes) -> Interreflection | None:
         """Light between yarns on one backend; None without."""
         self.upload(types)
         return self._between.get(types.Float)
+
+
+def _weighed(parts: Sequence[tuple[Float, Albedos]]) -> Albedos:
+    """The sum of albedos times shares."""
+    terms = ([share * getattr(albedos, name) for share, albedos in parts] for name in ALBEDO_NAMES)
+    return Albedos(*(sum(of_name[1:], of_name[0]) for of_name in terms))
+
+
+@dataclass(eq=False)
+class _Plane:
+    """Colours of threads that lie in one plane.
+
+    Attributes:
+        families: where threads of warp and weft lie.
+        tables: colours of the warp and of the weft.
+        start: where the first of their cells begins, x and y, millimetres.
+        shares: of what the cloth shows of each family, as much is in this plane [2 faces, 2 families].
+    """
+
+    families: tuple[FamilyTables, FamilyTables]
+    tables: tuple[FamilyColours, FamilyColours]
+    start: tuple[float, float]
+    shares: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, geometry: YarnGeometry, appearance: Appearance, layer: Layer | None = None) -> Self:
+        """Of the whole cloth, or of a layer of it by itself."""
+        warp, weft = geometry.families
+        on_top = geometry.layout.warp_on_top
+        of_warp, of_weft, start = appearance.warp, appearance.weft, (0.0, 0.0)
+        if layer is not None:
+            of_warp, of_weft = _of_threads(of_warp, layer.ends), _of_threads(of_weft, layer.picks)
+            start = layer.start
+        tables = (
+            _family_tables(of_warp, warp, weft, on_top),
+            _family_tables(of_weft, weft, warp, ~on_top.T),
+        )
+        across, along = 1 - geometry.layout.warp.open_share, 1 - geometry.layout.weft.open_share
+        up = float(on_top.mean())
+        shares = [
+            [across * (1 - along + along * warps), along * (1 - across + across * (1 - warps))]
+            for warps in (up, 1 - up)
+        ]
+        return cls((warp, weft), tables, start, np.array(shares))
+
+
+def _share_faces(planes: Sequence[_Plane], open_areas: Sequence[float]) -> None:
+    """Turns the shares of planes by themselves into those of a cloth of them, from the front to the back."""
+    before = np.cumprod([1.0, *open_areas[:-1]]), np.cumprod([1.0, *open_areas[:0:-1]])[::-1]
+    seen = np.stack([plane.shares for plane in planes]) * np.stack(before, axis=1)[..., None]
+    for plane, shares in zip(planes, seen / np.maximum(seen.sum(axis=0), 1e-20), strict=True):
+        plane.shares = shares
+
+
+def _of_threads(family: FamilyAppearance, threads: NDArray[np.intp]) -> FamilyAppearance:
+    """The appearance of some threads of a family."""
+    rows: dict[str, Any] = {name: np.asarray(getattr(family, name))[threads] for name in ALBEDO_NAMES}
+    return replace(family, **rows)
 
 
 @dataclass(eq=False)
@@ -165,7 +242,9 @@ class FamilyColours:
 def _family_tables(
     appearance: FamilyAppearance, own: FamilyTables, other: FamilyTables, on_top: NDArray[np.bool_]
 ) -> FamilyColours:
-    rows = np.concatenate([np.asarray(getattr(appearance, name), np.float64) for name in _ALBEDOS], axis=1)
+    rows = np.concatenate(
+        [np.asarray(getattr(appearance, name), np.float64) for name in ALBEDO_NAMES], axis=1
+    )
     entries = (own.lower.size + 1) * (other.lower.size + 1)
     most = max(MAX_ENTRIES // entries, MIN_QUANTITIES) - 1
     mean, coordinates, axes, truncation = _principal(rows, most)
@@ -298,14 +377,16 @@ class _Axis:
 class _Uploaded:
     """Both families on one backend."""
 
-    def __init__(
-        self,
-        families: tuple[FamilyTables, FamilyTables],
-        tables: tuple[FamilyColours, FamilyColours],
-        types: ArrayTypes,
-    ) -> None:
-        self._axes = tuple(_Axis(family, types) for family in families)
-        self._colours = tuple(_Colours(table, types) for table in tables)
+    def __init__(self, plane: _Plane, types: ArrayTypes) -> None:
+        self._axes = tuple(_Axis(family, types) for family in plane.families)
+        self._colours = tuple(_Colours(table, types) for table in plane.tables)
+        self._start = None if plane.start == (0.0, 0.0) else opaque(types.Float, plane.start)
+        self._shares = [opaque(types.Float, shares) for shares in plane.shares.T]
+
+    def share(self, family: int, back: Mask | None) -> Float:
+        """Share of what a face shows of a family that lies in this plane; of both faces for None."""
+        front, behind = self._shares[family]
+        return 0.5 * (front + behind) if back is None else dr.select(back, behind, front)
 
     @property
     def means(self) -> tuple[Albedos, Albedos]:
@@ -318,8 +399,11 @@ class _Uploaded:
             return warp.uniform, weft.uniform
         box = footprint.box()
         across, along = self._axes
-        columns = across.bounds(box.centre.x, box.size.x)
-        rows = along.bounds(box.centre.y, box.size.y)
+        x, y = box.centre.x, box.centre.y
+        if self._start is not None:
+            x, y = x - self._start[0], y - self._start[1]
+        columns = across.bounds(x, box.size.x)
+        rows = along.bounds(y, box.size.y)
         return (
             warp.mean_over((across, *columns), (along, *rows), back),
             weft.mean_over((along, *rows), (across, *columns), back),
@@ -452,5 +536,5 @@ class _Steps:
 
 
 def _albedos(types: ArrayTypes, numbers: list[Float]) -> Albedos:
-    """Twelve numbers in the order of `_ALBEDOS`."""
+    """Twelve numbers in the order of `ALBEDO_NAMES`."""
     return Albedos(*(types.Color3(*numbers[first : first + 3]) for first in range(0, _NUMBERS, 3)))

@@ -24,10 +24,10 @@ from loomlight.fabric.fields import FabricFile, YarnTable, colours_in_order
 from loomlight.fabric.yarns import Yarn, kind_of, with_yarns
 from loomlight.scattering.albedo import Albedos
 from loomlight.scattering.appearance import Irregularity, Sheen, Variation, YarnDetail
-from loomlight.weave.draft import Draft, Threads
+from loomlight.weave.draft import Draft, Threads, layer_threads
 from loomlight.weave.palette import WARP_COLOUR, WEFT_COLOUR, with_palette
 from loomlight.weave.textile import CM_PER_INCH, DEFAULT_SETT_PER_CM, yarn_diameter_mm
-from loomlight.yarn.layout import ClothLayout, FamilyLayout
+from loomlight.yarn.layout import ClothLayout, FamilyLayout, Layer, shared_spacing
 
 SPECULAR = 0.4
 TRANSLUCENCY = 0.1
@@ -93,6 +93,7 @@ class ResolvedFabric:
         diffuse_blend: share of the cloth's normal in diffuse light, 0 to 1.
         optical_depth: Tρ of the fibre layer, > 0.
         interreflection: whether there is light between the yarns.
+        layers: cloths that lie upon one another, the front one first; none of a single one.
     """
 
     draft: Draft
@@ -104,11 +105,12 @@ class ResolvedFabric:
     diffuse_blend: float
     optical_depth: float
     interreflection: bool
+    layers: tuple[Layer, ...]
 
     @property
     def layout(self) -> ClothLayout:
         """Where the threads of one repeat lie."""
-        return ClothLayout(self.draft.drawdown, self.warp.layout, self.weft.layout)
+        return ClothLayout(self.draft.drawdown, self.warp.layout, self.weft.layout, self.layers)
 
 
 def resolve(fields: FabricFile, draft: Draft) -> ResolvedFabric:
@@ -126,7 +128,9 @@ def resolve(fields: FabricFile, draft: Draft) -> ResolvedFabric:
             f"{coloured.drawdown.size / 1e6:.0f} million crossings, and at most "
             f"{MAXIMUM_CROSSINGS / 1e6:.0f} million can be rendered: render a part of it."
         )
-    warp_bend, weft_bend = bends_of(coloured.drawdown)
+    threads = layer_threads(coloured.drawdown)
+    # In layered cloth the whole drawdown resembles none of its weaves: the front one's bends are meant.
+    warp_bend, weft_bend = bends_of(_interlaced(coloured.drawdown, *threads[0]))
     warp_spacing = family_spacing(fields, "warp", coloured.warp, coloured.weft, coloured.ends)
     weft_spacing = family_spacing(
         fields, "weft", coloured.weft, coloured.warp, coloured.picks, _take_up(fields, draft.weft)
@@ -134,17 +138,56 @@ def resolve(fields: FabricFile, draft: Draft) -> ResolvedFabric:
     wear, on_face = _or(fields.wear, 0.0), float(coloured.drawdown.mean())
     # What lies on the face most is rubbed first, the other family in proportion to how much of it does.
     most = max(on_face, 1 - on_face)
+    warp = _family(fields, "warp", coloured.warp, warp_spacing, warp_bend, wear * on_face / most)
+    weft = _family(fields, "weft", coloured.weft, weft_spacing, weft_bend, wear * (1 - on_face) / most)
+    layers = (_layer(fields, coloured, warp, weft, *of_layer) for of_layer in threads)
     return ResolvedFabric(
         draft=coloured,
-        warp=_family(fields, "warp", coloured.warp, warp_spacing, warp_bend, wear * on_face / most),
-        weft=_family(fields, "weft", coloured.weft, weft_spacing, weft_bend, wear * (1 - on_face) / most),
+        warp=warp,
+        weft=weft,
         wear=wear,
         sheen=Sheen(**fields.sheen.model_dump(exclude_none=True)),
         variation=Variation(**fields.variation.model_dump(exclude_none=True)),
         diffuse_blend=_or(fields.diffuse_blend, DIFFUSE_BLEND),
         optical_depth=_or(fields.optical_depth, OPTICAL_DEPTH),
         interreflection=fields.interreflection is not False,
+        layers=tuple(layers) if len(threads) > 1 else (),
     )
+
+
+def _interlaced(
+    drawdown: NDArray[np.bool_], ends: NDArray[np.intp], picks: NDArray[np.intp]
+) -> NDArray[np.bool_]:
+    """The drawdown of some ends and picks alone."""
+    return drawdown if (len(picks), len(ends)) == drawdown.shape else drawdown[np.ix_(picks, ends)]
+
+
+def _layer(
+    fields: FabricFile,
+    draft: Draft,
+    warp: ResolvedFamily,
+    weft: ResolvedFamily,
+    ends: NDArray[np.intp],
+    picks: NDArray[np.intp],
+) -> Layer:
+    """The layer of some ends and picks; gaps that are shares of the spacing grow with the room they have.
+
+    So does the thickness of a draft whose threads leave no gaps to each other in one plane: such files say
+    that cloth is dense, and of yarn that thick its layers would be nets.
+    """
+    layouts, starts = [], []
+    for name, family, threads, own in (("warp", warp, draft.warp, ends), ("weft", weft, draft.weft, picks)):
+        spacing, start = shared_spacing(family.layout.spacing, own)
+        thickness = threads.thickness_mm
+        if thickness is not None:
+            room = family.layout.spacing[own]
+            fills = (thickness[own] >= 0.95 * room) & (thickness[own] <= room)
+            thickness = thickness[own] * np.where(fills, spacing / room, 1)
+        width = family_width(fields, name, Threads(thickness_mm=thickness), spacing)
+        layouts.append(dataclasses.replace(family.layout, spacing=spacing, width=width))
+        starts.append(start)
+    layout = ClothLayout(_interlaced(draft.drawdown, ends, picks), layouts[0], layouts[1])
+    return Layer(layout, ends, picks, (starts[0], starts[1]))
 
 
 def _family(

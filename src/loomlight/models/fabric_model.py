@@ -30,6 +30,7 @@ from loomlight.sources.kinds import Source
 from loomlight.sources.loom_file import LoomFile
 from loomlight.weave.draft import Threads
 from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.stack import cloth_geometry
 
 FAMILIES = ("warp", "weft")
 ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
@@ -120,7 +121,7 @@ class FilteredFabricModel(FabricModel):
     @cached_property
     def means(self) -> FootprintAlbedos:
         """Mean albedos of threads over footprints."""
-        return FootprintAlbedos(YarnGeometry(self.fabric.layout()), self.fabric.appearance())
+        return FootprintAlbedos(cloth_geometry(self.fabric.layout()), self.fabric.appearance())
 
     @abstractmethod
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
@@ -303,7 +304,7 @@ def _is_albedo(name: str) -> bool:
 def _means_of(fabric: Fabric, appearance: Appearance, values: Values) -> FootprintAlbedos:
     """Mean albedos of a fabric; those of families whose threads are alike are the scene's arrays."""
     shared = [_shared_albedos(family, values) for family in FAMILIES]
-    return LiveAlbedos(YarnGeometry(fabric.layout()), appearance, *shared)
+    return LiveAlbedos(cloth_geometry(fabric.layout()), appearance, *shared)
 
 
 def appearance_of(fabric: Fabric, values: Values) -> Appearance:

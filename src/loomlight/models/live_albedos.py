@@ -10,7 +10,7 @@ from loomlight.core.backend import ArrayTypes
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.point import Albedos
-from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.stack import ClothGeometry
 
 
 @final
@@ -22,7 +22,11 @@ class LiveAlbedos(FootprintAlbedos):
     """
 
     def __init__(
-        self, geometry: YarnGeometry, appearance: Appearance, warp: Albedos | None, weft: Albedos | None
+        self,
+        geometry: ClothGeometry,
+        appearance: Appearance,
+        warp: Albedos | None,
+        weft: Albedos | None,
     ) -> None:
         """
         Args:

@@ -50,9 +50,10 @@ from loomlight.scattering.point import (
 )
 from loomlight.sources.kinds import Source
 from loomlight.sources.loom_file import LoomFile
-from loomlight.yarn.geometry import DetachedSurface, YarnGeometry
+from loomlight.yarn.geometry import DetachedSurface
 from loomlight.yarn.layout import ClothLayout, primitive_cell
 from loomlight.yarn.rays import upload_extent
+from loomlight.yarn.stack import cloth_geometry
 from loomlight.yarn.visibility import first_hit
 
 _BENDS = ("height_scale", "twist")
@@ -242,7 +243,7 @@ class YarnPointModel(FabricModel):
     def __init__(self, fabric: Fabric, options: Options | None = None) -> None:
         super().__init__(fabric)
         self.options = options or self.options_class()
-        self._geometry = YarnGeometry(fabric.layout())
+        self._geometry = cloth_geometry(fabric.layout())
         self.point_model = YarnScattering(
             DetachedSurface(self._geometry), fabric.appearance(), irregular=self.irregular
         )

@@ -89,6 +89,15 @@ def scattered(
     )
 
 
+def beneath(upper: Scattered, lower: Scattered) -> Scattered:
+    """R and T of two sheets that lie upon one another, with light to and fro between them.
+
+    The lower one is alike from both sides.
+    """
+    between = upper.through * dr.rcp(1 - dr.minimum(upper.back * lower.back, 0.999))
+    return Scattered(upper.back + between * lower.back * upper.through, between * lower.through)
+
+
 class FaceRadiance(NamedTuple):
     """Radiances between the yarns of one face: see `Interior`."""
 

@@ -439,6 +439,7 @@ class IrregularYarns:
         self._yarns = appearance.warp, appearance.weft
         self._appearance = appearance
         self._warp_on_top = float(geometry.layout.warp_on_top.mean())
+        self._is_layered = bool(geometry.layout.layers)
         self._uploaded: dict[type, Process] = {}
 
     @property
@@ -496,8 +497,10 @@ class IrregularYarns:
         Args:
             size: side of the footprint, millimetres. From a quarter of a thread on it moves less, as
                 footprints show shares (`Yarns.shares`) in its place; None is a point.
+
+        In layered cloth places stay: one move cannot suit the threads of all layers.
         """
-        if not self.is_on:
+        if not self.is_on or self._is_layered:
             return centre
         return self.on(array_types(centre.x)).place(centre, size)
 

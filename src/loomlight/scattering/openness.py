@@ -118,6 +118,9 @@ def openness_of(
     Raises:
         MissingDependencyError: no usable LLVM library.
     """
+    if layout.layers:
+        # Light is between the yarns of one layer; the front one stands for all.
+        layout = layout.layers[0].layout
     key = (*_layout_key(layout), diffuse_blend, *roughness, optical_depth)
     if key in _kept:
         _kept.move_to_end(key)

@@ -30,11 +30,11 @@ from loomlight.scattering.fibre import (
     transmission,
 )
 from loomlight.scattering.hairs import Hair, Hairs, under_hair
-from loomlight.scattering.interreflection import Interreflection, Scattered, bounced, scattered
+from loomlight.scattering.interreflection import Interreflection, Scattered, beneath, bounced, scattered
 from loomlight.scattering.irregularity import IrregularYarns
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance, sheen_with_transmittance
 from loomlight.scattering.variation import FIBRES_ACROSS, vary_albedos
-from loomlight.yarn.flanks import SurfacePoint
+from loomlight.yarn.flanks import Sheet, SurfacePoint
 from loomlight.yarn.rays import DEFAULT_QUALITY, SearchQuality, Surface, extent_of
 from loomlight.yarn.visibility import first_hit, unoccluded
 
@@ -64,7 +64,8 @@ class YarnPoint:
         surface_normal: of the yarn's surface [3], which hides light; None is `normal`.
         diffuse_gain: what turned normals gain (`detail.diffuse_gain`); None is 1.
         hairs: those over it, and the share of the footprint that one covers; None without.
-        bounced: albedos of light between yarns, reflected and transmitted, Color3 each; None without.
+        bounced: albedos of light between yarns and layers, reflected and transmitted, Color3 each; None
+            without.
     """
 
     back: Mask
@@ -381,7 +382,54 @@ class YarnScattering:
             diffuse_gain=None if frame is None else diffuse_gain(frame, self.appearance.diffuse_blend),
         )
         found.bounced = self._bounced(found, tint)
-        return found
+        sheets = self.surface.sheets(x, y, back)
+        return self._upon(found, sheets, tint) if sheets else found
+
+    def _upon(self, point: YarnPoint, sheets: list[Sheet], tint: Tint | None) -> YarnPoint:
+        """A point with the layers of cloth behind it, next to it first: they meet light that it lets through.
+
+        What they send back leaves the point again, and what they let through too, spread evenly by either:
+        sheets of R and T under one another, light to and fro between two of them included.
+        """
+        types = array_types(point.x)
+        depth = types.Float(self.appearance.optical_depth)
+        behind = Scattered(types.Color3(0), types.Color3(1))
+        covered = types.Bool(False)
+        for sheet in sheets[::-1]:
+            of_sheet = scattered_by(*self._sheet(sheet, tint, types), depth)
+            both = beneath(of_sheet, behind)
+            behind = Scattered(*(dr.select(sheet.covered, *pair) for pair in zip(both, behind, strict=True)))
+            covered |= sheet.covered
+        own = scattered_by(point.albedos, point.roughness, depth)
+        reflected, transmitted = (types.Color3(0),) * 2 if point.bounced is None else point.bounced
+        own = Scattered(own.back, own.through + transmitted)
+        both = beneath(own, behind)
+        covered &= ~point.hole
+        point.bounced = (
+            dr.select(covered, reflected + both.back - own.back, reflected),
+            dr.select(covered, both.through, transmitted),
+        )
+        point.albedos.diffuse_transmit = dr.select(covered, 0, point.albedos.diffuse_transmit)
+        point.albedos.specular_transmit = dr.select(covered, 0, point.albedos.specular_transmit)
+        return point
+
+    def _sheet(self, sheet: Sheet, tint: Tint | None, types: ArrayTypes) -> tuple[Albedos, Float]:
+        """Albedos and roughness of yarn in a layer behind."""
+        warp, weft = self.parameters(types)
+        of_warp, of_weft = (
+            tinted(Albedos(*(family.albedo(n, thread) for n in range(len(ALBEDO_NAMES)))), colour)
+            for family, thread, colour in (
+                (warp, sheet.warp_thread, colours_of(tint)[0]),
+                (weft, sheet.weft_thread, colours_of(tint)[1]),
+            )
+        )
+        albedos = Albedos(
+            *(
+                dr.select(sheet.is_warp, getattr(of_warp, name), getattr(of_weft, name))
+                for name in ALBEDO_NAMES
+            )
+        )
+        return albedos, dr.select(sheet.is_warp, warp.roughness, weft.roughness)
 
     def _bounced(self, point: YarnPoint, tint: Tint | None) -> tuple[Color3, Color3] | None:
         """Albedos of light between yarns at a point, reflected and transmitted; 0 in holes."""

@@ -64,6 +64,21 @@ class SurfacePoint:
 
 
 @dataclass
+class Sheet:
+    """Yarn behind the one that shows, in another layer of the cloth.
+
+    Attributes:
+        covered: whether the layer lies behind, and has yarn there.
+        is_warp, warp_thread, weft_thread: see `SurfacePoint`.
+    """
+
+    covered: Mask
+    is_warp: Mask
+    warp_thread: UInt
+    weft_thread: UInt
+
+
+@dataclass
 class Tube:
     """The yarn around a point of its surface, straight along its centre line, heights before the scale β.
 

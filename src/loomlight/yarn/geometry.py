@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, FloatType, Int, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, move, upload
-from loomlight.yarn.flanks import SurfacePoint, Tube, filled_share, meet_tube
+from loomlight.yarn.flanks import Sheet, SurfacePoint, Tube, filled_share, meet_tube
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.threads import CELL_MAX_LEVELS, SECTION_ANGLE, FamilyTables, pack_runs, prepare_family
 
@@ -577,12 +577,23 @@ class YarnGeometry:
             ray: unit vector [3] towards the eye, z > 0, and the height where a ray from there has ended; the
                 point is where it meets the yarn's tube (`flanks.py`), which walls and dives cut off.
         """
-        point, _, _, _, tube = self._surface(x, y, back)
+        point, tube = self.surface_and_tube(x, y, back)
         if ray is not None:
-            meet_tube(point, tube, self._twist(point.is_warp, back, array_types(x)), ray)
+            meet_tube(point, tube, self.twist_of(point.is_warp, back, array_types(x)), ray)
         return point
 
-    def _twist(self, is_warp: Mask, back: Mask, types: ArrayTypes) -> Float:
+    def surface_and_tube(self, x: Float, y: Float, back: Mask) -> tuple[SurfacePoint, Tube]:
+        """The point of the cloth above draft coordinates x, y (millimetres), and its yarn around it."""
+        point, _, _, _, tube = self._surface(x, y, back)
+        return point, tube
+
+    def sheets(self, x: Float, y: Float, back: Mask) -> list[Sheet]:
+        """What lies behind the yarn that shows: nothing, in one plane."""
+        del x, y, back
+        return []
+
+    def twist_of(self, is_warp: Mask, back: Mask, types: ArrayTypes) -> Float:
+        """ψ of a family as a face shows it, radians."""
         numbers = self._numbers(self._tables(types))
         twist = dr.select(is_warp, numbers["warp twist"], numbers["weft twist"])
         return dr.select(back, -twist, twist)
@@ -599,7 +610,7 @@ class YarnGeometry:
         warp_beta, weft_beta = numbers["warp scale"], numbers["weft scale"]
         beta = dr.select(is_warp, warp_beta, weft_beta)
         other_beta = dr.select(is_warp, weft_beta, warp_beta)
-        twist = self._twist(is_warp, back, types)
+        twist = self.twist_of(is_warp, back, types)
 
         # The thread's own cell gives its cross-section, the cell of the thread it crosses the way along.
         own = select_cell(is_warp, shown.crossing.warp, shown.crossing.weft)
@@ -840,9 +851,13 @@ def _fibre_direction(across_slope: Float, along_slope: Float, twist: Float) -> t
 
 
 class DetachedSurface:
-    """Analytic geometry as a `Surface` whose heights carry no derivatives."""
+    """Analytic geometry as a `Surface` whose heights carry no derivatives.
 
-    def __init__(self, geometry: YarnGeometry) -> None:
+    Attributes:
+        geometry: a `YarnGeometry`, or that of layered cloth (`yarn/stack.py`).
+    """
+
+    def __init__(self, geometry: Any) -> None:
         self.geometry = geometry
         self.size = geometry.size
         self.extents: dict[type, Any] = {}
@@ -854,6 +869,10 @@ class DetachedSurface:
     @property
     def height_bounds(self) -> tuple[float, float]:
         return self.geometry.height_bounds
+
+    def sheets(self, x: Any, y: Any, back: Any) -> list[Sheet]:
+        with dr.suspend_grad():
+            return list(self.geometry.sheets(x, y, back))
 
     def height(self, x: Any, y: Any, back: Any) -> tuple[Any, Any]:
         with dr.suspend_grad():

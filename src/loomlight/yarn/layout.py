@@ -55,11 +55,18 @@ class FamilyLayout:
 
 @dataclass(frozen=True, eq=False)
 class ClothLayout:
-    """One repeat of cloth: `warp_on_top` is bool [picks, ends]."""
+    """One repeat of cloth.
+
+    Attributes:
+        warp_on_top: the drawdown, bool [picks, ends].
+        warp, weft: its threads, as if all lay in one plane.
+        layers: cloths that lie upon one another, the front one first; none where one plane is all there is.
+    """
 
     warp_on_top: NDArray[np.bool_]
     warp: FamilyLayout
     weft: FamilyLayout
+    layers: tuple[Layer, ...] = ()
 
     def __post_init__(self) -> None:
         expected = (self.weft.spacing.size, self.warp.spacing.size)
@@ -74,7 +81,43 @@ class ClothLayout:
     @property
     def open_area(self) -> float:
         """Share of the plan where neither family lies: at most this goes straight through, from anywhere."""
+        if self.layers:
+            return math.prod(layer.layout.open_area for layer in self.layers)
         return self.warp.open_share * self.weft.open_share
+
+
+@dataclass(frozen=True, eq=False)
+class Layer:
+    """One layer of cloth that has several: threads that interlace with each other alone.
+
+    Attributes:
+        layout: of its threads alone, which lie in one plane and share the whole repeat.
+        ends, picks: their numbers in the draft, ascending.
+        start: where the first of their cells begins, x and y, millimetres in the draft's coordinates.
+    """
+
+    layout: ClothLayout
+    ends: NDArray[np.intp]
+    picks: NDArray[np.intp]
+    start: tuple[float, float]
+
+
+def shared_spacing(
+    spacing: NDArray[np.float64], threads: NDArray[np.intp]
+) -> tuple[NDArray[np.float64], float]:
+    """The room of some threads of a family where they alone fill its plane: half the way to their neighbours.
+
+    Args:
+        spacing: of all threads of the family [n], millimetres.
+        threads: the numbers of some of them [k], ascending.
+
+    Returns:
+        spacing [k] of these, and where the room of the first begins, millimetres.
+    """
+    centres = (np.cumsum(spacing) - spacing / 2)[threads]
+    before = np.concatenate([[centres[-1] - spacing.sum()], centres[:-1]])
+    lower = (before + centres) / 2
+    return np.diff(lower, append=lower[0] + spacing.sum()), float(lower[0])
 
 
 def _require_within(name: str, value: NDArray[np.float64] | float, low: float, high: float) -> None:

@@ -16,7 +16,7 @@ import drjit as dr
 
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, masked_branch, maximum, minimum
-from loomlight.yarn.flanks import SurfacePoint
+from loomlight.yarn.flanks import Sheet, SurfacePoint
 from loomlight.yarn.geometry import CellBounds, Probe
 
 # Rays start above the surface by this fraction of the finest thread, so that rounding does not shadow it.
@@ -63,6 +63,9 @@ class Surface(Protocol):
 
     def surface(self, x: Float, y: Float, back: Mask, ray: tuple[Vec3, Float] | None = None) -> SurfacePoint:
         """The point at draft coordinates, millimetres; for `ray` see `YarnGeometry.surface`."""
+
+    def sheets(self, x: Float, y: Float, back: Mask) -> list[Sheet]:
+        """What lies behind the yarn that shows at draft coordinates, millimetres, next to it first."""
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,7 @@ from loomlight.models.lobes.groups import Groups, NearestGroup, stand_ins
 from loomlight.models.lobes.hemisphere import byte_of_group, mean_of_packs, pack_count
 from loomlight.models.lobes.rays import GOLDEN_FRACTION, LATTICE_SHIFT, UploadedCloth
 from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.stack import ClothGeometry
 from loomlight.yarn.threads import MAX_TABLE, DistinctWords, distinct_numbers, row_blocks
 
 # -------------------------------------------------------------------------------------------- coverage lookup
@@ -197,8 +198,10 @@ class CrossingKinds:
     places: NDArray[np.intp]
 
     @classmethod
-    def find(cls, geometry: YarnGeometry) -> CrossingKinds | None:
-        """The kinds of crossings; None where threads differ, or crossings too much."""
+    def find(cls, geometry: ClothGeometry) -> CrossingKinds | None:
+        """The kinds of crossings; None where threads differ, or crossings too much, and in layered cloth."""
+        if not isinstance(geometry, YarnGeometry):
+            return None
         warp, weft = geometry.families
         if warp.distinct is None or weft.distinct is None or not (warp.uniform and weft.uniform):
             return None
@@ -367,7 +370,7 @@ class Spacing:
         return ((self.nodes**2 - 2) / 4 - 1 / 4) / 2
 
 
-def spacing_of(geometry: YarnGeometry, per_family: int) -> Spacing:
+def spacing_of(geometry: ClothGeometry, per_family: int) -> Spacing:
     """Squares of one thread, or as small as the bound on memory allows."""
     width, height = geometry.size
     picks, ends = geometry.layout.warp_on_top.shape

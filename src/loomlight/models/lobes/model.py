@@ -23,8 +23,8 @@ from loomlight.models.options import Options
 from loomlight.scattering.point import Tint, YarnScattering
 from loomlight.sources.kinds import Source
 from loomlight.sources.loom_file import LoomFile
-from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.rays import upload_extent
+from loomlight.yarn.stack import cloth_geometry
 
 DEFAULT_GROUPS = 12
 MAX_GROUPS = 64
@@ -74,7 +74,7 @@ class LobesModel(FilteredFabricModel):
         super().__init__(fabric)
         self.tables = tables
         self.options = options or LobesOptions()
-        self._geometry = YarnGeometry(fabric.layout())
+        self._geometry = cloth_geometry(fabric.layout())
         self.point_model = YarnScattering(self._geometry, fabric.appearance())
         self._uploaded: dict[type, tuple[PrefilteredLobes, RegimeScale]] = {}
         packs = tables.packs
@@ -160,5 +160,5 @@ class LobesModel(FilteredFabricModel):
 
 def tables_of(fabric: Fabric, groups: int) -> LobeTables:
     """Bakes the tables of a fabric with so many groups of each family, 1 to 64, on average."""
-    geometry = YarnGeometry(fabric.layout())
+    geometry = cloth_geometry(fabric.layout())
     return bake_tables(geometry, fabric.appearance().diffuse_blend, groups, llvm_float())

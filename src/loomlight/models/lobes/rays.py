@@ -13,8 +13,9 @@ from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, InvariantDivider, array_types, upload
 from loomlight.core.frozen import FrozenArg, FrozenFunction
 from loomlight.models.lobes.hemisphere import NODES, node_directions
-from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
+from loomlight.yarn.flanks import SurfacePoint
 from loomlight.yarn.rays import SearchQuality, upload_extent
+from loomlight.yarn.stack import ClothGeometry
 from loomlight.yarn.visibility import first_hit, passes_through, unoccluded
 
 # ---------------------------------------------------------------------------------------------- cloth samples
@@ -101,7 +102,7 @@ class TopDownSamples(FaceSamples):
 class SamplePositions:
     """Low-discrepancy point sets over the repeat, the same every time."""
 
-    def __init__(self, geometry: YarnGeometry, types: ArrayTypes) -> None:
+    def __init__(self, geometry: ClothGeometry, types: ArrayTypes) -> None:
         self._types = types
         picks, ends = geometry.layout.warp_on_top.shape
         # Of either axis: how many threads there are, and millimetres a thread.
@@ -160,7 +161,7 @@ class UploadedCloth:
         types: of the backend.
     """
 
-    def __init__(self, geometry: YarnGeometry, types: ArrayTypes) -> None:
+    def __init__(self, geometry: ClothGeometry, types: ArrayTypes) -> None:
         geometry.upload(types)
         upload_extent(geometry, types)
         self.geometry = geometry
@@ -168,7 +169,7 @@ class UploadedCloth:
         self.types = types
 
 
-def upload_cloth(geometry: YarnGeometry, float_type: FloatType) -> FrozenArg[UploadedCloth]:
+def upload_cloth(geometry: ClothGeometry, float_type: FloatType) -> FrozenArg[UploadedCloth]:
     """The yarns on the backend of a Dr.Jit Float type, as an argument of frozen functions."""
     return FrozenArg(UploadedCloth(geometry, array_types(float_type)))
 

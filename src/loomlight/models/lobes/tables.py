@@ -32,8 +32,8 @@ from loomlight.models.lobes.visibility import (
     launch_joint,
     tabulate_visibility,
 )
-from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.stack import ClothGeometry
 
 _MAX = 255.0
 # Numbers of a group; see `LobeTables.moments`.
@@ -168,7 +168,7 @@ def given_numbers(layout: ClothLayout, base_size: float) -> dict[str, float]:
 
 
 def bake_tables(
-    geometry: YarnGeometry, diffuse_blend: float, per_family: int, float_type: FloatType
+    geometry: ClothGeometry, diffuse_blend: float, per_family: int, float_type: FloatType
 ) -> LobeTables:
     """Bakes the tables of a fabric: the same bytes every time.
 
@@ -204,7 +204,7 @@ def bake_tables(
 
 
 def bake_joint(
-    geometry: YarnGeometry, diffuse_blend: float, per_family: int, float_type: FloatType
+    geometry: ClothGeometry, diffuse_blend: float, per_family: int, float_type: FloatType
 ) -> NDArray[np.int16]:
     """`LobeTables.joint` alone; see `bake_tables`."""
     cloth = upload_cloth(geometry, float_type)
