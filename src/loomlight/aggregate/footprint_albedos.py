@@ -37,9 +37,9 @@ from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance, FamilyAppe
 from loomlight.scattering.interreflection import Interreflection
 from loomlight.scattering.point import Albedos
 from loomlight.yarn.geometry import Cell, YarnGeometry, upload_family
-from loomlight.yarn.layout import Layer
+from loomlight.yarn.layout import ClothLayout, Layer
 from loomlight.yarn.stack import ClothGeometry
-from loomlight.yarn.threads import FamilyTables
+from loomlight.yarn.threads import FamilyTables, place_family
 
 _NUMBERS = 3 * len(ALBEDO_NAMES)
 # Entries of one family's table: 256 MB. Drafts of 4096 by 4096 threads keep three principal axes.
@@ -84,9 +84,10 @@ class FootprintAlbedos:
         else:
             layers = zip(geometry.layers, geometry.layout.layers, strict=True)
             self._planes = [_Plane.of(own, appearance, layer) for own, layer in layers]
-            _share_faces(self._planes, [layer.layout.open_area for layer in geometry.layout.layers])
+            self._seen = _Seen.of(geometry.layout, np.stack([plane.shares for plane in self._planes]))
         self.tables = self._planes[0].tables
         self._uploaded: dict[type, list[_Uploaded]] = {}
+        self._shares: dict[type, _Shares] = {}
         self.appearance = appearance
         self._between: dict[type, Interreflection] = {}
 
@@ -123,19 +124,19 @@ class FootprintAlbedos:
         types = array_types(footprint.centre)
         self.upload(types)
         back = types.Bool(back)
-        planes = [(plane, plane.over(footprint, back)) for plane in self._uploaded[types.Float]]
+        planes = [plane.over(footprint, back) for plane in self._uploaded[types.Float]]
         if len(planes) == 1:
-            return planes[0][1]
-        warp, weft = (
-            _weighed([(plane.share(family, back), means[family]) for plane, means in planes])
-            for family in (0, 1)
-        )
+            return planes[0]
+        shares = self._shares[types.Float].over(footprint, back)
+        warp, weft = (_weighed(*pair) for pair in zip(shares, zip(*planes, strict=True), strict=True))
         return warp, weft
 
     def upload(self, types: ArrayTypes) -> None:
         """Uploads the tables to a backend, which otherwise happens at first use."""
         if types.Float not in self._uploaded:
             self._uploaded[types.Float] = [_Uploaded(plane, types) for plane in self._planes]
+            if len(self._planes) > 1:
+                self._shares[types.Float] = _Shares(self._seen, types)
             if self.appearance.openness is not None:
                 self._between[types.Float] = Interreflection(self.appearance, types)
 
@@ -145,10 +146,8 @@ class FootprintAlbedos:
         planes = self._uploaded[types.Float]
         if len(planes) == 1:
             return planes[0].means
-        warp, weft = (
-            _weighed([(plane.share(family, None), plane.means[family]) for plane in planes])
-            for family in (0, 1)
-        )
+        means = zip(*(plane.means for plane in planes), strict=True)
+        warp, weft = (_weighed(*pair) for pair in zip(self._shares[types.Float].of_cloth, means, strict=True))
         return warp, weft
 
     def between_yarns(self, types: ArrayTypes) -> Interreflection | None:
@@ -157,9 +156,12 @@ class FootprintAlbedos:
         return self._between.get(types.Float)
 
 
-def _weighed(parts: Sequence[tuple[Float, Albedos]]) -> Albedos:
+def _weighed(shares: Sequence[Float], albedos: Sequence[Albedos]) -> Albedos:
     """The sum of albedos times shares."""
-    terms = ([share * getattr(albedos, name) for share, albedos in parts] for name in ALBEDO_NAMES)
+    terms = (
+        [share * getattr(one, name) for share, one in zip(shares, albedos, strict=True)]
+        for name in ALBEDO_NAMES
+    )
     return Albedos(*(sum(of_name[1:], of_name[0]) for of_name in terms))
 
 
@@ -171,7 +173,7 @@ class _Plane:
         families: where threads of warp and weft lie.
         tables: colours of the warp and of the weft.
         start: where the first of their cells begins, x and y, millimetres.
-        shares: of what the cloth shows of each family, as much is in this plane [2 faces, 2 families].
+        shares: of its area, as much shows each family [2 faces, 2 families].
     """
 
     families: tuple[FamilyTables, FamilyTables]
@@ -201,12 +203,93 @@ class _Plane:
         return cls((warp, weft), tables, start, np.array(shares))
 
 
-def _share_faces(planes: Sequence[_Plane], open_areas: Sequence[float]) -> None:
-    """Turns the shares of planes by themselves into those of a cloth of them, from the front to the back."""
-    before = np.cumprod([1.0, *open_areas[:-1]]), np.cumprod([1.0, *open_areas[:0:-1]])[::-1]
-    seen = np.stack([plane.shares for plane in planes]) * np.stack(before, axis=1)[..., None]
-    for plane, shares in zip(planes, seen / np.maximum(seen.sum(axis=0), 1e-20), strict=True):
-        plane.shares = shares
+@dataclass(eq=False)
+class _Seen:
+    """How much of layered cloth each layer shows.
+
+    Attributes:
+        areas: shares of the area, in each stack of layers [stacks, layers, 2 faces, 2 families].
+        shares: of the cloth that each stack takes up [stacks].
+        axes: where threads of the whole draft lie, without gaps.
+        regions: summed areas of each stack, units of `unit` square millimetres [picks + 1, ends + 1, padded];
+            none where there is one stack.
+    """
+
+    areas: NDArray[np.float64]
+    shares: NDArray[np.float64]
+    axes: tuple[FamilyTables, FamilyTables]
+    regions: NDArray[np.uint32] | None
+    unit: float
+
+    @classmethod
+    def of(cls, layout: ClothLayout, shown: NDArray[np.float64]) -> Self:
+        """From what each layer shows by itself [layers, 2 faces, 2 families]."""
+        stacking, count = layout.stacking, len(layout.layers)
+        ranks = np.arange(count)[None] if stacking is None else stacking.ranks
+        open_areas = np.array([layer.layout.open_area for layer in layout.layers])
+        areas = np.zeros((len(ranks), *shown.shape))
+        for stack, of_stack in enumerate(ranks):
+            order = [int(np.flatnonzero(of_stack == rank)[0]) for rank in range(of_stack.max() + 1)]
+            for face, through in ((0, order), (1, order[::-1])):
+                before = np.cumprod([1.0, *open_areas[through[:-1]]])
+                areas[stack, through, face] = shown[through, face] * before[:, None]
+        axes = tuple(
+            replace(place_family(family), half_width=family.spacing / 2)
+            for family in (layout.warp, layout.weft)
+        )
+        across, along = layout.warp.spacing, layout.weft.spacing
+        unit = float(across.sum() * along.sum()) / AREA_UNITS
+        if stacking is None:
+            return cls(areas, np.ones(1), (axes[0], axes[1]), None, unit)
+        regions = np.zeros((along.size + 1, across.size + 1, _padded(max(2, len(ranks)))), np.uint32)
+        for stack in range(len(ranks)):
+            for part, sums in _prefix_sums(stacking.regions == stack, along, across):
+                regions[1:, 1:, stack][part] = np.rint(sums / unit).astype(np.int64).astype(np.uint32)
+        return cls(areas, stacking.shares(), (axes[0], axes[1]), regions, unit)
+
+
+class _Shares:
+    """How much of each family a face shows of each layer, on one backend; layers add up to 1."""
+
+    def __init__(self, seen: _Seen, types: ArrayTypes) -> None:
+        self._types = types
+        self._areas = opaque(types.Float, seen.areas)
+        self._axes = [_Axis(family, types) for family in seen.axes]
+        self._regions = None if seen.regions is None else PairedEntries(seen.regions, types)
+        self._unit = dr.opaque(types.Float, seen.unit)
+        whole = np.einsum("s,slfy->yl", seen.shares, seen.areas)
+        shares = whole / np.maximum(whole.sum(axis=1, keepdims=True), 1e-20)
+        self.of_cloth = opaque(types.Float, shares)
+
+    def over(self, footprint: Footprint, back: Mask) -> list[list[Float]]:
+        """Of each family, the shares of the layers over footprints."""
+        stacks = self._stacks(footprint)
+        found = []
+        for family in (0, 1):
+            areas = [
+                sum(
+                    share * dr.select(back, layer[1][family], layer[0][family])
+                    for share, layer in zip(stacks, of_layer, strict=True)
+                )
+                for of_layer in zip(*self._areas, strict=True)
+            ]
+            inverse = dr.rcp(maximum(sum(areas[1:], areas[0]), 1e-6))
+            found.append([area * inverse for area in areas])
+        return found
+
+    def _stacks(self, footprint: Footprint) -> list[Float]:
+        """The area of each stack in footprints, in any unit."""
+        types = self._types
+        if self._regions is None:
+            return [types.Float(1)]
+        box = footprint.box()
+        own, other = (
+            (axis, *axis.bounds(centre, size))
+            for axis, centre, size in zip(self._axes, box.centre, box.size, strict=True)
+        )
+        areas = _integrals(self._regions, own, other, types)
+        area = own[0].lengths(*own[1:])[0] * other[0].lengths(*other[1:])[0]
+        return [clip(part * self._unit / area, 0, 1) for part in areas[: len(self._areas)]]
 
 
 def _of_threads(family: FamilyAppearance, threads: NDArray[np.intp]) -> FamilyAppearance:
@@ -381,12 +464,6 @@ class _Uploaded:
         self._axes = tuple(_Axis(family, types) for family in plane.families)
         self._colours = tuple(_Colours(table, types) for table in plane.tables)
         self._start = None if plane.start == (0.0, 0.0) else opaque(types.Float, plane.start)
-        self._shares = [opaque(types.Float, shares) for shares in plane.shares.T]
-
-    def share(self, family: int, back: Mask | None) -> Float:
-        """Share of what a face shows of a family that lies in this plane; of both faces for None."""
-        front, behind = self._shares[family]
-        return 0.5 * (front + behind) if back is None else dr.select(back, behind, front)
 
     @property
     def means(self) -> tuple[Albedos, Albedos]:
@@ -491,19 +568,24 @@ class _Colours:
 
     def _on_top(self, own: _Stretch, other: _Stretch) -> list[Float]:
         """Integrals of each quantity over crossings where the family is on top, square millimetres."""
-        types = self._types
-        columns, rows = _Steps.of(types, own), _Steps.of(types, other)
-        values = []
-        for entries in self._areas.read(rows.entries, columns.entries):
-            grid = [rows.differences(column) for column in entries]
-            total = types.Float(0)
-            for row_weight, line in zip(rows.weights, zip(*grid, strict=True), strict=True):
-                # Integer differences are exact; only they are converted to floats.
-                parts = [types.Float(types.Int32(part)) for part in columns.differences(line)]
-                across = sum(weight * part for weight, part in zip(columns.weights, parts, strict=True))
-                total = dr.fma(row_weight, across, total)
-            values.append(total * self._unit)
-        return values[: self._quantities]
+        found = _integrals(self._areas, own, other, self._types)
+        return [value * self._unit for value in found[: self._quantities]]
+
+
+def _integrals(areas: Entries, own: _Stretch, other: _Stretch, types: ArrayTypes) -> list[Float]:
+    """Of each quantity of a summed-area table over a box, in its units."""
+    columns, rows = _Steps.of(types, own), _Steps.of(types, other)
+    values = []
+    for entries in areas.read(rows.entries, columns.entries):
+        grid = [rows.differences(column) for column in entries]
+        total = types.Float(0)
+        for row_weight, line in zip(rows.weights, zip(*grid, strict=True), strict=True):
+            # Integer differences are exact; only they are converted to floats.
+            parts = [types.Float(types.Int32(part)) for part in columns.differences(line)]
+            across = sum(weight * part for weight, part in zip(columns.weights, parts, strict=True))
+            total = dr.fma(row_weight, across, total)
+        values.append(total)
+    return values
 
 
 @dataclass

@@ -12,6 +12,7 @@ import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
+from functools import partial
 from math import radians
 from typing import Any
 
@@ -21,13 +22,15 @@ from numpy.typing import NDArray
 from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
 from loomlight.fabric.fields import FabricFile, YarnTable, colours_in_order
+from loomlight.fabric.layering import front_drawdown, stacked_layers
 from loomlight.fabric.yarns import Yarn, kind_of, with_yarns
 from loomlight.scattering.albedo import Albedos
 from loomlight.scattering.appearance import Irregularity, Sheen, Variation, YarnDetail
-from loomlight.weave.draft import Draft, Threads, layer_threads
+from loomlight.weave.draft import Draft, Threads
+from loomlight.weave.layers import find_layers
 from loomlight.weave.palette import WARP_COLOUR, WEFT_COLOUR, with_palette
 from loomlight.weave.textile import CM_PER_INCH, DEFAULT_SETT_PER_CM, yarn_diameter_mm
-from loomlight.yarn.layout import ClothLayout, FamilyLayout, Layer, shared_spacing
+from loomlight.yarn.layout import ClothLayout, FamilyLayout, Layer, Stacking
 
 SPECULAR = 0.4
 TRANSLUCENCY = 0.1
@@ -93,7 +96,7 @@ class ResolvedFabric:
         diffuse_blend: share of the cloth's normal in diffuse light, 0 to 1.
         optical_depth: Tρ of the fibre layer, > 0.
         interreflection: whether there is light between the yarns.
-        layers: cloths that lie upon one another, the front one first; none of a single one.
+        layers, stacking: cloths that lie upon one another, see `ClothLayout`; none of a single one.
     """
 
     draft: Draft
@@ -106,11 +109,14 @@ class ResolvedFabric:
     optical_depth: float
     interreflection: bool
     layers: tuple[Layer, ...]
+    stacking: Stacking | None
 
     @property
     def layout(self) -> ClothLayout:
         """Where the threads of one repeat lie."""
-        return ClothLayout(self.draft.drawdown, self.warp.layout, self.weft.layout, self.layers)
+        return ClothLayout(
+            self.draft.drawdown, self.warp.layout, self.weft.layout, self.layers, self.stacking
+        )
 
 
 def resolve(fields: FabricFile, draft: Draft) -> ResolvedFabric:
@@ -128,9 +134,9 @@ def resolve(fields: FabricFile, draft: Draft) -> ResolvedFabric:
             f"{coloured.drawdown.size / 1e6:.0f} million crossings, and at most "
             f"{MAXIMUM_CROSSINGS / 1e6:.0f} million can be rendered: render a part of it."
         )
-    threads = layer_threads(coloured.drawdown)
+    found = find_layers(coloured.drawdown)
     # In layered cloth the whole drawdown resembles none of its weaves: the front one's bends are meant.
-    warp_bend, weft_bend = bends_of(_interlaced(coloured.drawdown, *threads[0]))
+    warp_bend, weft_bend = bends_of(front_drawdown(coloured.drawdown, found))
     warp_spacing = family_spacing(fields, "warp", coloured.warp, coloured.weft, coloured.ends)
     weft_spacing = family_spacing(
         fields, "weft", coloured.weft, coloured.warp, coloured.picks, _take_up(fields, draft.weft)
@@ -140,7 +146,10 @@ def resolve(fields: FabricFile, draft: Draft) -> ResolvedFabric:
     most = max(on_face, 1 - on_face)
     warp = _family(fields, "warp", coloured.warp, warp_spacing, warp_bend, wear * on_face / most)
     weft = _family(fields, "weft", coloured.weft, weft_spacing, weft_bend, wear * (1 - on_face) / most)
-    layers = (_layer(fields, coloured, warp, weft, *of_layer) for of_layer in threads)
+    families = warp.layout, weft.layout
+    layers, stacking = stacked_layers(
+        coloured.drawdown, found, families, partial(_width_in_room, fields, coloured, families)
+    )
     return ResolvedFabric(
         draft=coloured,
         warp=warp,
@@ -151,43 +160,32 @@ def resolve(fields: FabricFile, draft: Draft) -> ResolvedFabric:
         diffuse_blend=_or(fields.diffuse_blend, DIFFUSE_BLEND),
         optical_depth=_or(fields.optical_depth, OPTICAL_DEPTH),
         interreflection=fields.interreflection is not False,
-        layers=tuple(layers) if len(threads) > 1 else (),
+        layers=layers,
+        stacking=stacking,
     )
 
 
-def _interlaced(
-    drawdown: NDArray[np.bool_], ends: NDArray[np.intp], picks: NDArray[np.intp]
-) -> NDArray[np.bool_]:
-    """The drawdown of some ends and picks alone."""
-    return drawdown if (len(picks), len(ends)) == drawdown.shape else drawdown[np.ix_(picks, ends)]
-
-
-def _layer(
+def _width_in_room(
     fields: FabricFile,
     draft: Draft,
-    warp: ResolvedFamily,
-    weft: ResolvedFamily,
-    ends: NDArray[np.intp],
-    picks: NDArray[np.intp],
-) -> Layer:
-    """The layer of some ends and picks; gaps that are shares of the spacing grow with the room they have.
+    families: tuple[FamilyLayout, FamilyLayout],
+    name: str,
+    threads: NDArray[np.intp],
+    spacing: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Widths of some threads of a family where each has another room than in one plane, millimetres.
 
-    So does the thickness of a draft whose threads leave no gaps to each other in one plane: such files say
-    that cloth is dense, and of yarn that thick its layers would be nets.
+    Gaps that are shares of the spacing grow with it. So does the thickness of a draft whose threads leave no
+    gaps to each other in one plane: such files say that cloth is dense, and of yarn that thick its layers
+    would be nets.
     """
-    layouts, starts = [], []
-    for name, family, threads, own in (("warp", warp, draft.warp, ends), ("weft", weft, draft.weft, picks)):
-        spacing, start = shared_spacing(family.layout.spacing, own)
-        thickness = threads.thickness_mm
-        if thickness is not None:
-            room = family.layout.spacing[own]
-            fills = (thickness[own] >= 0.95 * room) & (thickness[own] <= room)
-            thickness = thickness[own] * np.where(fills, spacing / room, 1)
-        width = family_width(fields, name, Threads(thickness_mm=thickness), spacing)
-        layouts.append(dataclasses.replace(family.layout, spacing=spacing, width=width))
-        starts.append(start)
-    layout = ClothLayout(_interlaced(draft.drawdown, ends, picks), layouts[0], layouts[1])
-    return Layer(layout, ends, picks, (starts[0], starts[1]))
+    family, of_draft = (families[0], draft.warp) if name == "warp" else (families[1], draft.weft)
+    thickness = of_draft.thickness_mm
+    if thickness is not None:
+        room = family.spacing[threads]
+        fills = (thickness[threads] >= 0.95 * room) & (thickness[threads] <= room)
+        thickness = thickness[threads] * np.where(fills, spacing / room, 1)
+    return family_width(fields, name, Threads(thickness_mm=thickness), spacing)
 
 
 def _family(

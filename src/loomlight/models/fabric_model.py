@@ -192,6 +192,22 @@ def fabric_source(source: Source, model: str) -> Fabric:
     return source
 
 
+def plane_source(source: Source, model: str) -> Fabric:
+    """The source as a fabric whose threads lie in one plane.
+
+    Raises:
+        InputError: it is none, or layered cloth.
+    """
+    fabric = fabric_source(source, model)
+    layers = len(fabric.layout().layers)
+    if layers:
+        raise InputError(
+            f"{fabric.name} has {layers} layers of cloth, and the model {model} shows a single one: "
+            "use lobes, samples, point, neumip or latent."
+        )
+    return fabric
+
+
 def fabric_in_loom(loom: LoomFile, model: str) -> Fabric:
     """The fabric of a `.loom` of a model.
 

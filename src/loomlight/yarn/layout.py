@@ -60,13 +60,15 @@ class ClothLayout:
     Attributes:
         warp_on_top: the drawdown, bool [picks, ends].
         warp, weft: its threads, as if all lay in one plane.
-        layers: cloths that lie upon one another, the front one first; none where one plane is all there is.
+        layers: cloths that lie upon one another; none where one plane is all there is.
+        stacking: which lies upon which where that changes; None where the first lies in front everywhere.
     """
 
     warp_on_top: NDArray[np.bool_]
     warp: FamilyLayout
     weft: FamilyLayout
     layers: tuple[Layer, ...] = ()
+    stacking: Stacking | None = None
 
     def __post_init__(self) -> None:
         expected = (self.weft.spacing.size, self.warp.spacing.size)
@@ -81,6 +83,8 @@ class ClothLayout:
     @property
     def open_area(self) -> float:
         """Share of the plan where neither family lies: at most this goes straight through, from anywhere."""
+        if self.stacking is not None:
+            return min(layer.layout.open_area for layer in self.layers)
         if self.layers:
             return math.prod(layer.layout.open_area for layer in self.layers)
         return self.warp.open_share * self.weft.open_share
@@ -100,6 +104,23 @@ class Layer:
     ends: NDArray[np.intp]
     picks: NDArray[np.intp]
     start: tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Stacking:
+    """Which layer lies upon which, where layers change places.
+
+    Attributes:
+        ranks: of each layer in each stack, 0 in front, −1 where it is none of it [stacks, layers].
+        regions: the stack at each crossing of the draft, uint8 [picks, ends].
+    """
+
+    ranks: NDArray[np.int8]
+    regions: NDArray[np.uint8]
+
+    def shares(self) -> NDArray[np.float64]:
+        """Share of the crossings that each stack has [stacks]."""
+        return np.bincount(self.regions.ravel(), minlength=len(self.ranks)) / self.regions.size
 
 
 def shared_spacing(

@@ -8,45 +8,90 @@ parallax are those of `rays.py`. As everywhere in height fields, yarns are walls
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from copy import copy
-from dataclasses import fields, replace
+from dataclasses import dataclass, fields, replace
 from functools import reduce
 from typing import Any, TypeVar
 
 import drjit as dr
 import numpy as np
+from numpy.typing import NDArray
 
-from loomlight.core.arrays import Float, FloatType, Mask, Vec3
+from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, minimum, upload
 from loomlight.yarn.flanks import Sheet, SurfacePoint, Tube, meet_tube
-from loomlight.yarn.geometry import CellBounds, Probe, YarnGeometry
-from loomlight.yarn.layout import ClothLayout, Layer
+from loomlight.yarn.geometry import CellBounds, Probe, YarnGeometry, upload_family
+from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.threads import place_family
 
 _Record = TypeVar("_Record", SurfacePoint, Tube, Probe)
 
 
-class _Placed:
-    """What places one layer among the others, on one backend.
+@dataclass
+class _Order:
+    """Which layer lies upon which at some places, as a face shows them.
 
     Attributes:
-        level: z of its plane, millimetres.
-        gain, front, behind: a share s of the layer's own largest height is s·gain plus one of the others, as
-            either face is seen, of the largest height of the cloth.
-        start: see `Layer`.
-        ends, picks: numbers in the draft of its threads.
+        ranks: of each layer, 0 first; more than there are layers where it is absent.
+        levels: height of its plane, millimetres.
+    """
+
+    ranks: list[UInt]
+    levels: list[Float]
+
+
+class _Placed:
+    """What places the layers of one cloth on one backend.
+
+    Attributes:
+        starts: x and y where each layer's cells begin.
+        threads: numbers in the draft of each layer's ends and picks.
+        gains: largest height of each layer above its plane, as a share of that of the whole cloth.
+        high, per_high: the latter and its inverse.
     """
 
     def __init__(
-        self, layer: Layer, level: float, highest: float, of_cloth: float, types: ArrayTypes
+        self, layout: ClothLayout, levels: NDArray[np.float64], highest: list[float], types: ArrayTypes
     ) -> None:
-        self.level, self.gain, self.front, self.behind = (
-            dr.opaque(types.Float, number)
-            for number in (level, highest / of_cloth, level / of_cloth, -level / of_cloth)
-        )
-        self.start = [dr.opaque(types.Float, start) for start in layer.start]
-        self.ends, self.picks = (
-            upload(types.UInt32, np.asarray(threads, np.uint32)) for threads in (layer.ends, layer.picks)
+        self._types = types
+        high = highest[-1]
+        self.starts = [[dr.opaque(types.Float, start) for start in layer.start] for layer in layout.layers]
+        self.threads = [
+            [upload(types.UInt32, np.asarray(part, np.uint32)) for part in (layer.ends, layer.picks)]
+            for layer in layout.layers
+        ]
+        self.gains = [dr.opaque(types.Float, own / high) for own in highest[:-1]]
+        self.high = dr.opaque(types.Float, high)
+        self.per_high = dr.opaque(types.Float, 1 / high)
+        self._levels = upload(types.Float, levels.ravel().astype(np.float32))
+        self._count = len(layout.layers)
+        self._level = [dr.opaque(types.Float, float(level)) for level in levels[0]]
+        self.stacking = layout.stacking
+        if self.stacking is None:
+            return
+        ranks = self.stacking.ranks
+        last = ranks.max(axis=1, keepdims=True)
+        of_faces = [np.where(ranks < 0, 255, side) for side in (ranks, last - ranks)]
+        self._ranks = upload(types.UInt32, np.stack(of_faces).astype(np.uint32).ravel())
+        self._stacks = dr.opaque(types.UInt32, len(ranks))
+        self.cells = [upload_family(place_family(family), types) for family in (layout.warp, layout.weft)]
+        self._ends = dr.opaque(types.UInt32, layout.warp_on_top.shape[1])
+        self._regions = upload(types.UInt32, self.stacking.regions.ravel().astype(np.uint32))
+
+    def order(self, x: Float, y: Float, back: Mask) -> _Order:
+        """The order of layers at draft coordinates x, y (millimetres)."""
+        types, count = self._types, self._count
+        side = dr.select(back, types.Float(-1), types.Float(1))
+        if self.stacking is None:
+            ranks = [dr.select(back, types.UInt32(count - 1 - k), types.UInt32(k)) for k in range(count)]
+            return _Order(ranks, [side * level for level in self._level])
+        across, along = self.cells[0].locate(x), self.cells[1].locate(y)
+        stack = dr.gather(types.UInt32, self._regions, along.thread * self._ends + across.thread)
+        face = dr.select(back, self._stacks, types.UInt32(0))
+        return _Order(
+            [dr.gather(types.UInt32, self._ranks, (stack + face) * count + k) for k in range(count)],
+            [side * dr.gather(types.Float, self._levels, stack * count + k) for k in range(count)],
         )
 
 
@@ -56,14 +101,14 @@ class StackedGeometry:
     Attributes:
         layout: what it was made from; it has layers.
         size: width and height of the repeat, millimetres.
-        layers: the geometry of each, the front one first.
+        layers: the geometry of each.
     """
 
     def __init__(self, layout: ClothLayout) -> None:
         self.layout = layout
         self.size = layout.size
         self.layers = [YarnGeometry(layer.layout) for layer in layout.layers]
-        self._placed: dict[type, tuple[tuple[float, ...], list[_Placed]]] = {}
+        self._placed: dict[type, tuple[bytes, _Placed]] = {}
         self.extents: dict[FloatType, Any] = {}
 
     @property
@@ -97,19 +142,33 @@ class StackedGeometry:
         return min(warp), min(weft)
 
     @property
-    def levels(self) -> list[float]:
-        """z of the plane of each layer, millimetres, descending."""
-        highest = [layer.height_bounds[1] for layer in self.layers]
-        below_top = np.cumsum(highest) + np.concatenate([[0], np.cumsum(highest)[:-1]])
-        return [float(sum(highest) - depth) for depth in below_top]
+    def ranks(self) -> NDArray[np.int8]:
+        """Of each layer in each stack, see `Stacking` [stacks, layers]."""
+        if self.layout.stacking is not None:
+            return self.layout.stacking.ranks
+        return np.arange(len(self.layers), dtype=np.int8)[None]
+
+    @property
+    def levels(self) -> NDArray[np.float64]:
+        """z of the plane of each layer in each stack [stacks, layers], mm; 0 where it is none of it."""
+        highest = np.array([layer.height_bounds[1] for layer in self.layers])
+        levels = np.zeros(self.ranks.shape)
+        for stack, ranks in enumerate(self.ranks):
+            order = np.argsort(np.where(ranks < 0, 127, ranks), kind="stable")[: np.count_nonzero(ranks >= 0)]
+            # Each plane is as far below the one before as both reach.
+            reach = highest[order]
+            depth = 2 * np.cumsum(reach) - reach
+            levels[stack, order] = reach.sum() - depth
+        return levels
 
     @property
     def height_bounds(self) -> tuple[float, float]:
         """No thread is ever lower or higher than this, millimetres, on either face."""
-        bounds, levels = [layer.height_bounds for layer in self.layers], self.levels
+        low, high = np.array([layer.height_bounds for layer in self.layers]).T
+        levels, present = self.levels, self.ranks >= 0
         return (
-            min(levels[-1] + bounds[-1][0], -levels[0] + bounds[0][0]),
-            max(levels[0] + bounds[0][1], -levels[-1] + bounds[-1][1]),
+            min(float((side * levels + low)[present].min()) for side in (1, -1)),
+            max(float((side * levels + high)[present].max()) for side in (1, -1)),
         )
 
     def upload(self, types: ArrayTypes) -> None:
@@ -118,20 +177,13 @@ class StackedGeometry:
             layer.upload(types)
         self._on(types)
 
-    def _on(self, types: ArrayTypes) -> list[_Placed]:
-        levels = tuple(self.levels)
+    def _on(self, types: ArrayTypes) -> _Placed:
+        levels = self.levels
         kept = self._placed.get(types.Float)
-        if kept is None or kept[0] != levels:
+        if kept is None or kept[0] != levels.tobytes():
             highest = [layer.height_bounds[1] for layer in self.layers]
-            of_cloth = self.height_bounds[1]
-            kept = (
-                levels,
-                [
-                    _Placed(layer, level, own, of_cloth, types)
-                    for layer, level, own in zip(self.layout.layers, levels, highest, strict=True)
-                ],
-            )
-            self._placed[types.Float] = kept
+            placed = _Placed(self.layout, levels, [*highest, self.height_bounds[1]], types)
+            kept = self._placed[types.Float] = levels.tobytes(), placed
         return kept[1]
 
     def height(self, x: Float, y: Float, back: Mask) -> tuple[Float, Mask]:
@@ -140,13 +192,20 @@ class StackedGeometry:
         return point.height, point.hole
 
     def max_heights(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> list[tuple[float, Float]]:
-        """Bounds of heights ahead of draft coordinates x, y (mm): those of the first layer of the face."""
+        """Bounds of heights ahead of draft coordinates x, y (mm): those of the first layer of the face.
+
+        Where layers change places there are none but those of the whole cloth.
+        """
+        placed = self._on(array_types(x))
+        if placed.stacking is not None:
+            return []
+        order = placed.order(x, y, back)
 
         def bounds(number: int) -> list[tuple[float, Float]]:
-            placed, layer = self._on(array_types(x))[number], self.layers[number]
-            own = layer.max_heights(x - placed.start[0], y - placed.start[1], back, right, up)
-            offset = placed.front if number == 0 else placed.behind
-            return [(radius, dr.fma(share, placed.gain, offset)) for radius, share in own]
+            start, layer = placed.starts[number], self.layers[number]
+            own = layer.max_heights(x - start[0], y - start[1], back, right, up)
+            level = order.levels[number] * placed.per_high
+            return [(radius, dr.fma(share, placed.gains[number], level)) for radius, share in own]
 
         return [
             (radius, dr.select(back, behind, front))
@@ -155,109 +214,153 @@ class StackedGeometry:
 
     def probe(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> Probe:
         """The surface at draft coordinates x, y (millimetres) for a search."""
-
-        def probe(number: int, layer: YarnGeometry, placed: _Placed) -> Probe:
-            here = layer.probe(x - placed.start[0], y - placed.start[1], back, right, up)
-            level = dr.select(back, -placed.level, placed.level)
-            bounds = replace(here.cell_bounds, cell_max=here.cell_bounds.cell_max + level)
+        types = array_types(x)
+        placed = self._on(types)
+        order = placed.order(x, y, back)
+        probes = [
+            layer.probe(x - start[0], y - start[1], back, right, up)
+            for layer, start in zip(self.layers, placed.starts, strict=True)
+        ]
+        found = _Found.of(probes, order)
+        for number, (here, level) in enumerate(zip(probes, order.levels, strict=True)):
+            here.height = here.height + level
             # Among the numbers of yarns in one layer there is room for those of the others.
-            yarn = here.yarn * len(self.layers) + number
-            return replace(here, height=here.height + level, yarn=yarn, cell_bounds=bounds)
-
-        probes = self._each(array_types(x), probe)
-        holes = [here.hole for here in probes]
-        before = _are_before(holes, back)
-        shown = _first(probes, holes, before)
-        far = array_types(x).Float(1e6)
-        for axis in ("edge_x", "edge_y"):
+            here.yarn = here.yarn * len(self.layers) + number
+        shown = found.shown(probes)
+        bounds = self._cell_bounds(placed, order, x, y, back, right, up, probes)
+        for axis, side in (("edge_x", bounds.side_x), ("edge_y", bounds.side_y)):
             # A layer before the one that shows is a hole here, and may begin ahead.
+            far = types.Float(1e6) if placed.stacking is None else side
             edges = [
-                dr.select(seen, getattr(here, axis), far) for here, seen in zip(probes, before, strict=True)
+                dr.select(seen, getattr(here, axis), far)
+                for here, seen in zip(probes, found.before, strict=True)
             ]
-            setattr(shown, axis, reduce(minimum, edges))
-        shown.hole = _all(holes)
-        shown.cell_bounds = _select(back, probes[-1].cell_bounds, probes[0].cell_bounds)
-        return shown
+            setattr(shown, axis, reduce(minimum, edges, far))
+        return replace(shown, hole=found.nothing, cell_bounds=bounds)
 
     def cell_bounds(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> CellBounds:
         """The part of `probe` that rays above the cell need: of the face's first layer, which is highest."""
+        placed = self._on(array_types(x))
+        return self._cell_bounds(placed, placed.order(x, y, back), x, y, back, right, up, None)
 
-        def bounds(number: int, sign: int) -> CellBounds:
-            placed = self._on(array_types(x))[number]
-            here = self.layers[number].cell_bounds(x - placed.start[0], y - placed.start[1], back, right, up)
-            return replace(here, cell_max=here.cell_max + sign * placed.level)
+    def _cell_bounds(
+        self,
+        placed: _Placed,
+        order: _Order,
+        x: Float,
+        y: Float,
+        back: Mask,
+        right: Mask,
+        up: Mask,
+        probes: Sequence[Probe] | None,
+    ) -> CellBounds:
+        if placed.stacking is not None:
+            across, along = placed.cells[0].locate(x), placed.cells[1].locate(y)
+            return CellBounds(
+                placed.high,
+                dr.select(right, across.above, across.below),
+                dr.select(up, along.above, along.below),
+            )
 
-        return _select(back, bounds(-1, -1), bounds(0, 1))
+        def bounds(number: int) -> CellBounds:
+            start = placed.starts[number]
+            own = (
+                self.layers[number].cell_bounds(x - start[0], y - start[1], back, right, up)
+                if probes is None
+                else probes[number].cell_bounds
+            )
+            return replace(own, cell_max=own.cell_max + order.levels[number])
+
+        return _select(back, bounds(-1), bounds(0))
 
     def surface(self, x: Float, y: Float, back: Mask, ray: tuple[Vec3, Float] | None = None) -> SurfacePoint:
         """The first yarn at draft coordinates x, y (millimetres); for `ray` see `YarnGeometry.surface`."""
         types = array_types(x)
-        found = self._found(x, y, back)
-        holes = [point.hole for point, _ in found]
-        before = _are_before(holes, back)
-        point = _first([point for point, _ in found], holes, before)
-        point.hole = _all(holes)
+        points, tubes, order = self._points(x, y, back)
+        found = _Found.of(points, order)
+        point = found.shown(points)
+        point.hole = found.nothing
         if ray is not None:
-            tube = _first([tube for _, tube in found], holes, before)
-            meet_tube(point, tube, self.layers[0].twist_of(point.is_warp, back, types), ray)
+            meet_tube(point, found.shown(tubes), self.layers[0].twist_of(point.is_warp, back, types), ray)
         return point
 
     def sheets(self, x: Float, y: Float, back: Mask) -> list[Sheet]:
-        """The layers behind what shows at draft coordinates x, y (millimetres), those next to it first.
+        """The layers behind what shows at draft coordinates x, y (millimetres), those next to it first."""
+        points, _, order = self._points(x, y, back)
+        found = _Found.of(points, order)
+        layers = [
+            Sheet(
+                ~point.hole & (rank > found.rank) & (rank < _ABSENT),
+                point.is_warp,
+                point.warp_thread,
+                point.weft_thread,
+            )
+            for point, rank in zip(points, order.ranks, strict=True)
+        ]
+        sheets = []
+        for place in range(1, len(layers)):
+            sheet = replace(layers[0], covered=layers[0].covered & (order.ranks[0] == place))
+            for layer, rank in zip(layers[1:], order.ranks[1:], strict=True):
+                sheet = _select(rank == place, layer, sheet)
+            sheets.append(sheet)
+        return sheets
 
-        From behind the order is the other way round, so each layer is there twice, once for either face.
-        """
-        points = [point for point, _ in self._found(x, y, back)]
-        before = _are_before([point.hole for point in points], back)
-
-        def sheet(point: SurfacePoint, seen: Mask, face: Mask) -> Sheet:
-            covered = ~point.hole & ~seen & face
-            return Sheet(covered, point.is_warp, point.warp_thread, point.weft_thread)
-
-        pairs = list(zip(points, before, strict=True))
-        return [sheet(*pair, ~back) for pair in pairs[1:]] + [sheet(*pair, back) for pair in pairs[-2::-1]]
-
-    def _found(self, x: Float, y: Float, back: Mask) -> list[tuple[SurfacePoint, Tube]]:
+    def _points(self, x: Float, y: Float, back: Mask) -> tuple[list[SurfacePoint], list[Tube], _Order]:
         types = array_types(x)
-
-        def look(number: int, layer: YarnGeometry, placed: _Placed) -> tuple[SurfacePoint, Tube]:
-            point, tube = layer.surface_and_tube(x - placed.start[0], y - placed.start[1], back)
-            level = dr.select(back, -placed.level, placed.level)
-            point.height, tube.height = point.height + level, tube.height + level
-            point.warp_thread = dr.gather(types.UInt32, placed.ends, point.warp_thread)
-            point.weft_thread = dr.gather(types.UInt32, placed.picks, point.weft_thread)
-            point.x, point.y = x, y
-            return point, tube
-
-        return self._each(types, look)
-
-    def _each(self, types: ArrayTypes, look: Callable[[int, YarnGeometry, _Placed], Any]) -> list[Any]:
         placed = self._on(types)
-        return [look(number, layer, placed[number]) for number, layer in enumerate(self.layers)]
+        order = placed.order(x, y, back)
+        points, tubes = [], []
+        for layer, start, (ends, picks), level in zip(
+            self.layers, placed.starts, placed.threads, order.levels, strict=True
+        ):
+            point, tube = layer.surface_and_tube(x - start[0], y - start[1], back)
+            point.height, tube.height = point.height + level, tube.height + level
+            point.warp_thread = dr.gather(types.UInt32, ends, point.warp_thread)
+            point.weft_thread = dr.gather(types.UInt32, picks, point.weft_thread)
+            point.x, point.y = x, y
+            points.append(point)
+            tubes.append(tube)
+        return points, tubes, order
 
 
-def _are_before(holes: Sequence[Mask], back: Mask) -> list[Mask]:
-    """Of each layer whether all layers that the face shows before it have holes there."""
-    count = len(holes)
-    from_front = [_all(holes[:number]) for number in range(count)]
-    from_back = [_all(holes[number + 1 :]) for number in range(count)]
-    return [(~back & front) | (back & behind) for front, behind in zip(from_front, from_back, strict=True)]
+# More than the rank of any layer: of those that are absent, and where none shows.
+_ABSENT = 255
 
 
-def _all(masks: Sequence[Mask]) -> Any:
-    """Whether all are true; true of none."""
-    found: Any = True
-    for mask in masks:
-        found = mask if found is True else found & mask
-    return found
+@dataclass
+class _Found:
+    """Which of the layers shows.
 
+    Attributes:
+        rank: of the layer that shows; `_ABSENT` where none does.
+        before: of each layer whether it is the one that shows, or one before it, which has a hole there.
+        nothing: no layer shows.
+        is_shown: of each layer but the first, whether it is nearer than all that stand before it in the list.
+    """
 
-def _first(records: Sequence[_Record], holes: Sequence[Mask], before: Sequence[Mask]) -> _Record:
-    """The record of the layer that shows: it is no hole, and those before it are."""
-    found = records[0]
-    for record, hole, seen in zip(records[1:], holes[1:], before[1:], strict=True):
-        found = _select(seen & ~hole, record, found)
-    return found
+    rank: UInt
+    before: list[Mask]
+    nothing: Mask
+    is_shown: list[Mask]
+
+    @classmethod
+    def of(cls, records: Sequence[Any], order: _Order) -> _Found:
+        """From the holes of all layers at some places."""
+        ranks = [
+            dr.select(record.hole, _ABSENT, rank) for record, rank in zip(records, order.ranks, strict=True)
+        ]
+        best, is_shown = ranks[0], []
+        for rank in ranks[1:]:
+            is_shown.append(rank < best)
+            best = dr.select(rank < best, rank, best)
+        return cls(best, [rank <= best for rank in order.ranks], best == _ABSENT, is_shown)
+
+    def shown(self, records: Sequence[_Record]) -> _Record:
+        """The record of the layer that shows; of the first where none does."""
+        found = records[0]
+        for record, nearer in zip(records[1:], self.is_shown, strict=True):
+            found = _select(nearer, record, found)
+        return found
 
 
 def _select(mask: Mask, first: Any, second: Any) -> Any:

@@ -158,6 +158,14 @@ def _cells(family: FamilyLayout) -> tuple[NDArray[np.float64], ...]:
     return lower, upper, centre, half_width
 
 
+def place_family(family: FamilyLayout) -> FamilyTables:
+    """Where threads lie, without how they bend: those tables are 0."""
+    lower, upper, centre, half_width = _cells(family)
+    flat = np.zeros(lower.size)
+    period = float(family.spacing.sum())
+    return FamilyTables(lower, upper, centre, half_width, flat, flat, flat, period, 0.0, 0.0, None)
+
+
 def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[np.uint32]) -> FamilyTables:
     """Tables of `family`, whose threads cross those of `crossing`.
 

@@ -15,7 +15,7 @@ from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.bsdf import ClusteredBsdf, DeviceTables
 from loomlight.models.clustered.tables import DEFAULT_TEXELS, ClusterTables, bake_tables
-from loomlight.models.fabric_model import FilteredFabricModel, appearance_of, fabric_in_loom, fabric_source
+from loomlight.models.fabric_model import FilteredFabricModel, appearance_of, fabric_in_loom, plane_source
 from loomlight.models.interface import ShaderTables, Values
 from loomlight.models.options import Options
 from loomlight.models.random_numbers import hashed
@@ -111,7 +111,7 @@ class ClusteredModel(FilteredFabricModel):
             InputError: no fabric, or one whose repeat is too large.
         """
         del report
-        fabric, chosen = fabric_source(source, cls.name), options or ClusteredOptions()
+        fabric, chosen = plane_source(source, cls.name), options or ClusteredOptions()
         appearance = fabric.appearance()
         roughness = appearance.warp.roughness, appearance.weft.roughness
         geometry = YarnGeometry(fabric.layout())

@@ -18,7 +18,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.core.settings import setting
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
+from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, number_of, plane_source
 from loomlight.models.interface import Parameter, ShaderTables, Values
 from loomlight.models.networks import LearnedProposal, ReluNetwork
 from loomlight.models.neural.codings import light_visibility_of
@@ -245,12 +245,12 @@ class NeuralModel(FilteredFabricModel):
             InputError: no fabric, a repeat of more than 64 threads a side, or weights that cannot be read.
         """
         del report
-        fabric, chosen = fabric_source(source, cls.name), options or NeuralOptions()
+        fabric, chosen = plane_source(source, cls.name), options or NeuralOptions()
         network = chosen.weights if isinstance(chosen.weights, Weights) else _network(chosen.weights)
         if chosen.other is None:
             encoded = encode(fabric, network, llvm_float(), refined=chosen.refined)
             return cls(fabric, encoded, network, chosen)
-        second = fabric_source(chosen.other, cls.name)
+        second = plane_source(chosen.other, cls.name)
         endpoints = encode_pair(fabric, second, network, llvm_float(), chosen.refined)
         return cls(fabric, endpoints[0].mixed(endpoints[1], chosen.blend), network, chosen, endpoints)
 

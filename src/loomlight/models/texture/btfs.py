@@ -25,7 +25,7 @@ from loomlight.models.texture.queries import Btf, EncodedBtf, Texels
 from loomlight.scattering.point import YarnScattering
 from loomlight.sources.btf import MeasuredBtf
 from loomlight.sources.merl import MerlLibrary
-from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.stack import cloth_geometry
 
 _Floats = NDArray[np.float32]
 
@@ -65,7 +65,7 @@ class FabricBtf(EncodedBtf):
         self.has_holes = layout.open_area > 0
         variation = dataclasses.replace(appearance.variation, fibre_noise=0.0, colour_noise=0.0)
         plain = dataclasses.replace(appearance, variation=variation)
-        self.model = YarnScattering(YarnGeometry(layout), plain)
+        self.model = YarnScattering(cloth_geometry(layout), plain)
         self.types = array_types(llvm_float())
 
     @property

@@ -1,0 +1,93 @@
+"""The planes of layered cloth: the threads of each layer of a drawdown, with the room that they have in it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.weave.layers import Layers
+from loomlight.yarn.layout import ClothLayout, FamilyLayout, Layer, Stacking, shared_spacing
+
+_Threads = NDArray[np.intp]
+# Called with a family, "warp" or "weft", some of its threads and the room of each; returns their widths.
+WidthOf = Callable[[str, _Threads, NDArray[np.float64]], NDArray[np.float64]]
+# Width of the thread that stands for the family which a layer of floating threads has not: none sees it.
+_HAIRLINE_MM = 1e-5
+
+
+def front_drawdown(drawdown: NDArray[np.bool_], found: Layers) -> NDArray[np.bool_]:
+    """The drawdown of the threads in front in most of the cloth; all of it where there is a single layer."""
+    planes = _planes(found)
+    if len(planes) == 1:
+        return drawdown
+    ends, picks = _threads_of(found, found.stacks[0][0])
+    return drawdown[np.ix_(picks, ends)] if ends.size and picks.size else drawdown
+
+
+def stacked_layers(
+    drawdown: NDArray[np.bool_],
+    found: Layers,
+    families: tuple[FamilyLayout, FamilyLayout],
+    width_of: WidthOf,
+) -> tuple[tuple[Layer, ...], Stacking | None]:
+    """Layers of a cloth and where which lies upon which; none of a cloth of one layer.
+
+    What lies in one plane somewhere is a layer: a cloth, threads that float, or several woven as one.
+
+    Args:
+        families: warp and weft as if all their threads lay in one plane.
+    """
+    planes = _planes(found)
+    if len(planes) == 1:
+        return (), None
+    layers = tuple(_layer(drawdown, _threads_of(found, plane), families, width_of) for plane in planes)
+    if len(found.stacks) == 1:
+        return layers, None
+    ranks = np.full((len(found.stacks), len(planes)), -1, np.int8)
+    for number, stack in enumerate(found.stacks):
+        for rank, systems in enumerate(stack):
+            ranks[number, planes.index(systems)] = rank
+    return layers, Stacking(ranks, found.regions)
+
+
+def _planes(found: Layers) -> list[tuple[int, ...]]:
+    """The systems of each plane, as they first come from the front, in the order of stacks."""
+    return list(dict.fromkeys(systems for stack in found.stacks for systems in stack))
+
+
+def _threads_of(found: Layers, systems: tuple[int, ...]) -> tuple[_Threads, _Threads]:
+    """Ends and picks of some systems, ascending."""
+    ends, picks = (
+        np.sort(np.concatenate([getattr(found.systems[number], family) for number in systems]))
+        for family in ("ends", "picks")
+    )
+    return ends, picks
+
+
+def _layer(
+    drawdown: NDArray[np.bool_],
+    threads: tuple[_Threads, _Threads],
+    families: tuple[FamilyLayout, FamilyLayout],
+    width_of: WidthOf,
+) -> Layer:
+    placed = [_in_plane(*each, width_of) for each in zip(("warp", "weft"), threads, families, strict=True)]
+    (warp, ends, left), (weft, picks, bottom) = placed
+    ends_float, picks_float = threads[1].size == 0, threads[0].size == 0
+    # Threads that float lie over the hairline.
+    floating = np.full((picks.size, ends.size), ends_float)
+    own = floating if ends_float or picks_float else drawdown[np.ix_(picks, ends)]
+    return Layer(ClothLayout(own, warp, weft), ends, picks, (left, bottom))
+
+
+def _in_plane(
+    name: str, threads: _Threads, family: FamilyLayout, width_of: WidthOf
+) -> tuple[FamilyLayout, _Threads, float]:
+    """Some threads of a family that fill a plane, their numbers, and where the room of the first begins."""
+    if threads.size == 0:
+        hairline = replace(family, spacing=np.array([family.spacing.sum()]), width=np.array([_HAIRLINE_MM]))
+        return hairline, np.zeros(1, np.intp), 0.0
+    spacing, start = shared_spacing(family.spacing, threads)
+    return replace(family, spacing=spacing, width=width_of(name, threads, spacing)), threads, start
