@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import LoomlightWarning
 from loomlight.weave import load_draft, named_weave, weave_names
-from loomlight.weave.draft import layer_threads
+from loomlight.weave.draft import layer_sizes
 
 from .conftest import cases, corpus
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass, field
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -168,10 +167,8 @@ class WifSource:
 # off all others; since every end of a repeat crosses every pick, one repeat does so as endless cloth does.
 
 
-def layer_threads(warp_up: NDArray[np.bool_]) -> list[tuple[NDArray[np.intp], NDArray[np.intp]]]:
-    """Numbers of the ends and of the picks of each layer of a drawdown, from the top, ascending.
-
-    Threads that never interlace count to the layer above them, the top ones to the layer below.
+def layer_sizes(warp_up: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Ends and picks of each layer of a drawdown, from the top; threads that never interlace are in none.
 
     Let t ends and s of m picks be lifted off. Those ends pass over all m − s other picks, and those picks are
     below no other end, so that Σ (picks below those ends) − Σ (ends above those picks) = t·(m − s), which no
@@ -180,37 +177,28 @@ def layer_threads(warp_up: NDArray[np.bool_]) -> list[tuple[NDArray[np.intp], ND
     Source: C. R. J. Clapham, When a fabric hangs together, Bull. London Math. Soc. 12 (1980).
     """
     picks, ends = warp_up.shape
-    below_end = np.count_nonzero(warp_up, axis=0)
-    above_pick = np.count_nonzero(warp_up, axis=1)
-    end_order = np.argsort(-below_end, kind="stable")
-    pick_order = np.argsort(above_pick, kind="stable")
+    below_end = np.sort(np.count_nonzero(warp_up, axis=0))
+    above_pick = np.sort(np.count_nonzero(warp_up, axis=1))
     lifted = np.arange(picks + 1)
     # Ends that pass over more than the other picks, and over as many: the latter lie upon them, or are loose.
-    ascending = below_end[end_order[::-1]]
-    least = ends - np.searchsorted(ascending, picks - lifted, side="right")
-    most = ends - np.searchsorted(ascending, picks - lifted, side="left")
-    of_ends = np.concatenate([[0], np.cumsum(below_end[end_order])])[least]
-    of_picks = np.concatenate([[0], np.cumsum(above_pick[pick_order])])
-    cuts = np.flatnonzero(of_ends - of_picks == least * (picks - lifted))
-    whole = [cut for cut, after in pairwise(cuts) if least[after] > most[cut]]
-    if not whole:
-        return [(np.arange(ends), np.arange(picks))]
-    begins = [(0, 0), *((int(most[cut]), int(cut)) for cut in whole[1:]), (ends, picks)]
-    return [
-        (np.sort(end_order[first_end:last_end]), np.sort(pick_order[first_pick:last_pick]))
-        for (first_end, first_pick), (last_end, last_pick) in pairwise(begins)
-    ]
+    least = ends - np.searchsorted(below_end, picks - lifted, side="right")
+    most = ends - np.searchsorted(below_end, picks - lifted, side="left")
+    of_ends = np.concatenate([[0], np.cumsum(below_end[::-1])])[least]
+    of_picks = np.concatenate([[0], np.cumsum(above_pick)])
+    apart = np.flatnonzero(of_ends - of_picks == least * (picks - lifted))
+    sizes = zip((least[apart[1:]] - most[apart[:-1]]).tolist(), np.diff(apart).tolist(), strict=True)
+    return [(of_layer, in_layer) for of_layer, in_layer in sizes if of_layer > 0 and in_layer > 0]
 
 
 def warn_of_layers(warp_up: NDArray[np.bool_], file: str) -> None:
     """Warns in a sentence, which begins with the file, of a drawdown that holds layers."""
-    sizes = [(ends.size, picks.size) for ends, picks in layer_threads(warp_up)]
+    sizes = layer_sizes(warp_up)
     if len(sizes) > 1:
         (ends, picks), (under_ends, under_picks) = sizes[:2]
         warnings.warn(
             f"{file} holds {len(sizes)} layers of cloth that no thread binds together ({ends} ends and "
-            f"{picks} picks lie above {under_ends} ends and {under_picks} picks); neural, clustered and "
-            "pictures in real time show a single plane.",
+            f"{picks} picks lie above {under_ends} ends and {under_picks} picks); they are drawn in a single "
+            "plane.",
             LoomlightWarning,
             stacklevel=3,
         )
