@@ -7,9 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from loomlight.cli.main import run
 from loomlight.cli.weave import draft_from
 from loomlight.core.errors import InputError
-from loomlight.core.images import write_pixels
+from loomlight.core.images import read_picture, write_pixels
 from loomlight.weave.named import named_weave
 from loomlight.weave.wif_writer import write_wif
 
@@ -37,3 +38,31 @@ def test_names_and_files_give_the_same_draft(tmp_path: Path) -> None:
 def test_what_is_no_draft_is_refused(argument: str, says: str) -> None:
     with pytest.raises(InputError, match=says):
         draft_from(argument)
+
+
+LAYERED = Path(__file__).parents[2] / "examples" / "layered"
+
+
+@pytest.mark.parametrize("draft", ["matelasse", "pattern-double-weave"])
+@pytest.mark.parametrize("layer", ["front", "back", "2"])
+def test_a_layer_is_shown(draft: str, layer: str, tmp_path: Path) -> None:
+    output = tmp_path / "a.png"
+    assert run(["weave", "show", str(LAYERED / f"{draft}.wif"), "--layer", layer, "-o", str(output)]) == 0
+    assert read_picture(output).shape[2] == 3
+
+
+def test_a_layer_that_is_not_there_writes_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    output = tmp_path / "a.png"
+    assert run(["weave", "show", "plain", "--layer", "2", "-o", str(output)]) != 0
+    assert "the draft has a single layer" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+def test_information_names_layers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    fabric = tmp_path / "a.toml"
+    fabric.write_text(f'draft = "{LAYERED / "pique.wif"}"')
+    for argument in (str(LAYERED / "pique.wif"), str(fabric)):
+        assert run(["weave", "info", argument]) == 0
+        assert "layers: 3, A upon C upon B\n" in capsys.readouterr().out
+    assert run(["weave", "info", "denim"]) == 0
+    assert "layers" not in capsys.readouterr().out

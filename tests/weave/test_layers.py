@@ -1,18 +1,36 @@
-"""Layers of drafts against the definition, strong connection of "lies above"; and the sentence about them."""
+"""Layers of drafts: exact ones against strong connection of "lies above", those of windows against plans.
+
+Covers: weave/layers.py, weave/recognition.py
+"""
 
 import warnings
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as numpy_strategies
 from numpy.typing import NDArray
 
-from loomlight.core.errors import LoomlightWarning
+from examples.makers import layered
+from loomlight.core.colour import linear_to_srgb
+from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.weave import load_draft, named_weave, weave_names
-from loomlight.weave.draft import layer_sizes
+from loomlight.weave.draft import Draft
+from loomlight.weave.drawing import draw_layer
+from loomlight.weave.layers import (
+    Layers,
+    binding_points,
+    find_layers,
+    layer_draft,
+    layer_sizes,
+    layers_text,
+    named_layer,
+    plain_draft,
+)
+from loomlight.weave.recognition import weave_name
 
 from .conftest import cases, corpus
 
@@ -110,3 +128,273 @@ def test_large_layers_are_found_by_sums_of_rows_and_columns() -> None:
     double[1::2, ::2] = True
     double[::4, ::4] = double[2::4, 2::4] = double[1::4, 1::4] = double[3::4, 3::4] = True
     assert layer_sizes(double) == [(2048, 2048), (2048, 2048)]
+
+
+# ------------------------------------------------------------------------ front layers, worked out by hand
+#
+# Rows from the last pick down to the first, "x" where the warp is on top.
+
+PLAIN = """
+.x
+x.
+"""
+TWILL_2_2 = """
+x..x
+..xx
+.xx.
+xx..
+"""
+WEFT_TWILL = """
+...x
+..x.
+.x..
+x...
+"""
+# The pick behind the first of the face binds the third end, and so on.
+BEHIND_WEFT_TWILL = """
+x.xx
+.xxx
+xxx.
+xx.x
+"""
+# Of plain weave on twelve ends, woven from the left, with a weft that comes back behind.
+TUBE_FRONT = """
+.x.x.x.x.x.x
+x.x.x.x.x.x.
+"""
+# The other eleven ends. Behind, the weft goes on over the end after the last one, seen from outside, and
+# under the next; seen from the front these are up and down the other way round.
+TUBE_BACK = """
+x.x.x.x.x.x
+.x.x.x.x.x.
+"""
+
+
+def by_hand(text: str, picks: int, ends: int) -> NDArray[np.bool_]:
+    rows = np.array([[mark == "x" for mark in line] for line in text.split()])[::-1]
+    return np.tile(rows, (picks // rows.shape[0], ends // rows.shape[1]))
+
+
+def every(first: int, step: int, count: int) -> list[int]:
+    return list(range(first, first + step * count, step))
+
+
+FACE_OF_THREE = [end for end in range(48) if end % 3 != 2]
+# Draft, layer, its ends and picks, its drawdown.
+BY_HAND = [
+    (layered.double_plain, "front", [0, 2], [0, 2], PLAIN),
+    (layered.double_plain, "back", [1, 3], [1, 3], PLAIN),
+    (layered.tube, "front", every(0, 2, 12), [0, 2], TUBE_FRONT),
+    (layered.tube, "back", every(1, 2, 11), [1, 3], TUBE_BACK),
+    *((layered.four_layers, str(at + 1), [at, at + 4], [at, at + 4], PLAIN) for at in range(4)),
+    (
+        layered.matelasse,
+        "front",
+        FACE_OF_THREE,
+        [pick for pick in range(96) if pick % 6 not in (2, 5)],
+        PLAIN,
+    ),
+    (layered.matelasse, "2", FACE_OF_THREE, every(2, 6, 16), "x"),
+    (layered.matelasse, "back", every(2, 3, 16), every(5, 6, 16), PLAIN),
+    (layered.backed_twill, "front", [0, 1, 2, 3], [0, 2, 4, 6], WEFT_TWILL),
+    (layered.backed_twill, "back", [0, 1, 2, 3], [1, 3, 5, 7], BEHIND_WEFT_TWILL),
+    (layered.stitched_double_cloth, "front", every(0, 2, 8), every(0, 2, 8), TWILL_2_2),
+    (layered.stitched_double_cloth, "back", every(1, 2, 8), every(1, 2, 8), TWILL_2_2),
+    (layered.pique, "front", FACE_OF_THREE[:16], [pick for pick in range(40) if pick % 5 < 4], PLAIN),
+    (layered.pique, "2", FACE_OF_THREE[:16], every(4, 5, 8), "x"),
+]
+
+
+@pytest.mark.parametrize(("make", "name", "ends", "picks", "text"), BY_HAND)
+def test_a_layer_is_the_one_worked_out_by_hand(
+    make: Callable[[], Draft], name: str, ends: list[int], picks: list[int], text: str
+) -> None:
+    draft = make()
+    layer = named_layer(draft, name)
+    assert layer.end[0].tolist() == ends
+    assert layer.pick[:, 0].tolist() == picks
+    np.testing.assert_array_equal(layer.warp_up, by_hand(text, len(picks), len(ends)))
+    alone = plain_draft(draft, layer)
+    assert alone is not None
+    assert alone.warp.colors is not None
+    assert draft.warp.colors is not None
+    np.testing.assert_array_equal(alone.warp.colors, draft.warp.colors[ends])
+    # Threads of a layer take up the whole width.
+    assert alone.warp.spacing_mm is not None
+    assert alone.warp.spacing_mm.sum() == pytest.approx(draft.ends * layered.SPACING_MM)
+
+
+@pytest.mark.parametrize("case", cases("d1*.wif"))
+def test_the_face_of_a_double_weave_is_solid_plain_weave(case: Path) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", LoomlightWarning)
+        draft = load_draft(case)
+    alone = plain_draft(draft, named_layer(draft, "front"))
+    assert alone is not None
+    assert alone.warp.colors is not None
+    assert alone.weft.colors is not None
+    np.testing.assert_array_equal(alone.drawdown, by_hand(PLAIN, 2, 2))
+    red = alone.warp.colors[0]
+    assert red[0] > 10 * red[2]
+    assert np.all(alone.warp.colors == red)
+    assert np.all(alone.weft.colors == red)
+
+
+# Pick and end, from 1, of the stitches: the end behind the k-th pick of the face stands 5k places along.
+STITCHES = [(1, 2), (3, 12), (5, 6), (7, 16), (9, 10), (11, 4), (13, 14), (15, 8)]
+
+
+def test_stitches_are_where_the_plan_has_them() -> None:
+    drawdown = layered.stitched_double_cloth().drawdown
+    found = np.argwhere(binding_points(drawdown, find_layers(drawdown))) + 1
+    assert [tuple(place) for place in found.tolist()] == STITCHES
+
+
+def in_front(layers: Layers, system: int) -> NDArray[np.bool_]:
+    return np.array([stack[0] == (system,) for stack in layers.stacks])[layers.regions]
+
+
+def test_cloths_change_places_where_the_blocks_do() -> None:
+    layers = find_layers(layered.pattern_double_weave().drawdown)
+    assert [system.ends[:2].tolist() for system in layers.systems] == [[0, 2], [1, 3]]
+    block = np.arange(32) // 16
+    wrong = in_front(layers, 0) != (block[:, None] == block[None])
+    # Where four blocks meet the crossings around are two of each, at four crossings.
+    assert np.count_nonzero(wrong) <= 4
+    assert {*np.argwhere(wrong).ravel().tolist()} <= {0, 15, 16, 31}
+
+
+def test_the_front_of_two_blocks_is_plain_weave_of_either_cloth() -> None:
+    draft = layered.pattern_double_weave()
+    layer = named_layer(draft, "front")
+    half = np.arange(16) // 8
+    is_a = layer.end % 2 == 0
+    assert np.count_nonzero(is_a != (half[:, None] == half[None])) <= 2
+    np.testing.assert_array_equal(is_a, layer.pick % 2 == 0)
+    np.testing.assert_array_equal(layer.warp_up, by_hand(PLAIN, 16, 16))
+    assert plain_draft(draft, layer) is None
+
+
+@pytest.mark.parametrize("origin", ["bottom-left", "top-right"])
+def test_a_layer_of_several_cloths_is_drawn_in_the_colours_of_their_threads(origin: str) -> None:
+    draft = layered.pattern_double_weave()
+    layer = named_layer(draft, "back")
+    assert draft.warp.colors is not None
+    red, blue = (np.rint(255 * linear_to_srgb(colour)) for colour in draft.warp.colors[:2])
+    shown = np.where((layer.end % 2 == 0)[..., None], red, blue)
+    turned = shown[::-1] if origin == "bottom-left" else shown[:, ::-1]
+    np.testing.assert_array_equal(draw_layer(draft, layer, origin=origin, cell_px=1), turned)
+    large = draw_layer(draft, layer, origin=origin, cell_px=8, repeats=2)
+    assert large.shape == (256, 256, 3)
+    # In the middle of a thread the picture has its colour.
+    middle = large[4:128:8, 4:128:8].astype(int)
+    assert np.array_equal(middle[..., 0] > middle[..., 2], turned[..., 0] > turned[..., 2])
+
+
+def test_a_pocket_is_closed_where_all_threads_weave_as_one() -> None:
+    layers = find_layers(layered.pocket().drawdown)
+    assert set(layers.stacks) == {((0,), (1,)), ((0, 1),)}
+    inside = np.arange(32) < 24
+    wrong = in_front(layers, 0) != (inside[:, None] & inside[None])
+    # The border is told to within two threads of either cloth, at 96 crossings along it.
+    near = np.isin(np.arange(32), [*range(22, 26), *range(4), *range(28, 32)])
+    assert not np.any(wrong & ~near[:, None] & ~near[None])
+    assert np.count_nonzero(wrong) < 96
+
+
+def test_an_extra_weft_lies_in_front_in_its_figure() -> None:
+    draft = layered.extra_weft_figure()
+    layers = find_layers(draft.drawdown)
+    assert [system.kind for system in layers.systems] == ["cloth", "extra weft"]
+    assert layers.systems[1].picks.tolist() == every(1, 2, 32)
+    assert layers.systems[1].host == 0
+    away = np.abs(np.arange(32) - 15.5)
+    figure = np.repeat(away[:, None] + away[None] < 12, 2, axis=0)
+    # A row of 12 steps on either side, each to within a crossing or two of four edges.
+    assert np.count_nonzero(in_front(layers, 1) != figure) < 4 * 24
+    assert np.all(in_front(layers, 1)[24:40, 12:20])
+    assert not np.any(in_front(layers, 1)[:6])
+
+
+def test_waved_ends_of_a_pique_are_an_extra_warp_behind_its_wadding() -> None:
+    layers = find_layers(layered.pique().drawdown)
+    kinds = [system.kind for system in layers.systems]
+    assert kinds == ["cloth", "extra warp", "extra weft"]
+    assert layers.stacks == (((0,), (2,), (1,)),)
+    assert layers.systems[1].ends.tolist() == every(2, 3, 8)
+    # Eight ends rise over two picks of two groups each.
+    assert np.count_nonzero(binding_points(layered.pique().drawdown, layers)) == 8 * 2 * 2
+
+
+@pytest.mark.parametrize("name", weave_names())
+def test_named_weaves_lie_in_one_layer(name: str) -> None:
+    draft = named_weave(name)
+    layers = find_layers(draft.drawdown)
+    assert layers.depth == 1
+    assert len(layers.systems) == 1
+    assert layers_text(draft) == ""
+
+
+@settings(max_examples=30)
+@given(numpy_strategies.arrays(bool, st.tuples(st.integers(1, 9), st.integers(1, 9))))
+def test_any_drawdown_has_layers_that_hold_each_thread_once(warp_up: NDArray[np.bool_]) -> None:
+    layers = find_layers(warp_up)
+    picks, ends = warp_up.shape
+    of_ends = np.concatenate([system.ends for system in layers.systems])
+    of_picks = np.concatenate([system.picks for system in layers.systems])
+    assert sorted(of_ends.tolist()) == list(range(ends))
+    assert sorted(of_picks.tolist()) == list(range(picks))
+    for stack in layers.stacks:
+        assert sorted(at for group in stack for at in group) == list(range(len(layers.systems)))
+    for layer in (0, -1):
+        shown = layer_draft(warp_up, layers, layer)
+        np.testing.assert_array_equal(shown.warp_up, warp_up[shown.pick, shown.end])
+    binding_points(warp_up, layers)
+    layers_text(Draft(warp_up))
+
+
+def test_a_large_figured_double_weave_has_its_two_cloths() -> None:
+    """Two plain cloths of 512 ends and picks that change places along waves."""
+    pick, end = np.indices((512, 512))
+    a_in_front = np.sin(pick / 40) + np.sin(end / 35) > 0
+    same = pick % 2 == end % 2
+    drawdown = np.where(same, (pick // 2 + end // 2) % 2 == 0, a_in_front == (end % 2 == 0))
+    layers = find_layers(drawdown)
+    assert set(layers.stacks) == {((0,), (1,)), ((1,), (0,))}
+    assert [system.ends[0] for system in layers.systems] == [0, 1]
+    # Two waves each way have an edge of about 4 × 512 crossings, told to within one.
+    assert np.count_nonzero(in_front(layers, 0) != a_in_front) < 4 * 512
+
+
+@pytest.mark.parametrize(
+    "name", ["plain", "twill 2/1 z", "twill 1/3 s", "twill 3/1/1/2 z", "satin 8/3", "sateen 5/2"]
+)
+def test_a_weave_is_recognised_wherever_its_repeat_begins(name: str) -> None:
+    drawdown = named_weave(name).drawdown
+    for turn in range(len(drawdown)):
+        assert weave_name(np.roll(drawdown, (turn, 2 * turn), axis=(0, 1))) == name
+
+
+@pytest.mark.parametrize("name", ["basket 2/2", "basket 3/2", "warp rib 2/2", "weft rib 3/1"])
+def test_grouped_plain_weaves_are_recognised(name: str) -> None:
+    assert weave_name(named_weave(name).drawdown) == name
+
+
+def test_what_has_no_name_is_not_named() -> None:
+    assert weave_name(named_weave("waffle 8").drawdown) is None
+    assert weave_name(np.ones((3, 3), dtype=bool)) is None
+
+
+def test_the_summary_says_layers_weaves_setts_and_stitches() -> None:
+    assert layers_text(layered.stitched_double_cloth()).splitlines() == [
+        "layers: 2, A upon B",
+        "  A: twill 2/2 z, 8 ends (1, 3, 5 …) and 8 picks (1, 3, 5 …), 12.5 ends/cm and 12.5 picks/cm",
+        "  B: twill 2/2 z, 8 ends (2, 4, 6 …) and 8 picks (2, 4, 6 …), 12.5 ends/cm and 12.5 picks/cm",
+        "  A and B are bound at 8 of 128 crossings",
+    ]
+
+
+@pytest.mark.parametrize("name", ["0", "4", "rear", "-1", "²", "9" * 5000])
+def test_a_layer_that_is_not_there_is_refused(name: str) -> None:
+    with pytest.raises(InputError, match='the draft has 3 layers; "front", "back" and 1 to 3 are'):
+        named_layer(layered.matelasse(), name)

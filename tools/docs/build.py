@@ -43,6 +43,7 @@ _FIRST = {
         "fabric-files",
         "drafts",
         "artwork",
+        "layers",
         "looms",
         "large-drafts",
         "editor",

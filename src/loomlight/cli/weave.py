@@ -55,18 +55,29 @@ def show(
     drawdown: Annotated[
         bool, typer.Option("--drawdown", help="The interlacement alone, without threading and tie-up.")
     ] = False,
+    layer: Annotated[
+        str | None,
+        typer.Option(
+            metavar="front|back|N", help="One of several layers alone; 1 is the front, 2 lies behind it."
+        ),
+    ] = None,
 ) -> None:
     """Draws a draft as weaving software does: drawdown, threading, tie-up, treadling, colours."""
     from loomlight.core.images import write_pixels
-    from loomlight.weave.drawing import draw_draft, draw_drawdown
+    from loomlight.weave.drawing import draw_draft, draw_drawdown, draw_layer
+    from loomlight.weave.layers import named_layer, plain_draft
 
     check_output(output, PIXEL_SUFFIXES, [draft])
     shown = draft_from(draft)
-    if drawdown:
-        times = 1 if repeats is None else repeats
-        pixels = draw_drawdown(shown, face=face, origin=origin, cell_px=cell, repeats=times)
+    times = 1 if repeats is None else repeats
+    part = None if layer is None else named_layer(shown, layer)
+    alone = None if part is None else plain_draft(shown, part)
+    if part is not None and alone is None:
+        pixels = draw_layer(shown, part, face=face, origin=origin, cell_px=cell, repeats=times)
+    elif drawdown:
+        pixels = draw_drawdown(alone or shown, face=face, origin=origin, cell_px=cell, repeats=times)
     else:
-        pixels = draw_draft(shown, face=face, origin=origin, cell_px=cell, repeats=repeats)
+        pixels = draw_draft(alone or shown, face=face, origin=origin, cell_px=cell, repeats=repeats)
     write_pixels(output, pixels)
     done(output)
 
@@ -161,17 +172,20 @@ def draft_of_bitmaps(paths: list[str], order: str | None, layout: BitmapLayout) 
 
 @app.command(epilog="Example: loomlight weave info examples/denim.toml")
 def info(draft: DraftArgument) -> None:
-    """Says what a draft is: its size, setts, floats, shafts and colours; of a fabric also its weight."""
+    """Says what a draft is: size, setts, floats, shafts, colours, layers; of a fabric also its weight."""
+    from loomlight.weave.layers import layers_text
     from loomlight.weave.textile import summary
 
     if Path(draft).suffix.lower() not in FABRIC_SUFFIXES:
-        print(summary(draft_from(draft)))
+        shown = draft_from(draft)
+        print("\n".join(filter(None, (summary(shown), layers_text(shown)))))
         return
     from loomlight.fabric.facts import facts_text
     from loomlight.sources.load import fabric_of_path
 
     fabric = fabric_of_path(draft)
-    print(f"{summary(fabric.draft, with_sett=False)}\n{facts_text(fabric)}")
+    parts = (summary(fabric.draft, with_sett=False), layers_text(fabric.draft), facts_text(fabric))
+    print("\n".join(filter(None, parts)))
 
 
 EndsOption = Annotated[

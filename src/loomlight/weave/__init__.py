@@ -3,9 +3,20 @@
 from loomlight.weave.binding import bind_floats
 from loomlight.weave.bitmaps import BitmapLayout, draft_of_wefts, read_bitmap, split_wefts, write_bitmaps
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, FamilyDefaults, LoomPlan, Threads, WifSource
-from loomlight.weave.drawing import MAXIMUM_PICTURE_SIDE_PX, draw_draft, draw_drawdown
+from loomlight.weave.drawing import MAXIMUM_PICTURE_SIDE_PX, draw_draft, draw_drawdown, draw_layer
 from loomlight.weave.dtx import write_dtx
 from loomlight.weave.figured import figured_structure
+from loomlight.weave.layers import (
+    LayerDraft,
+    Layers,
+    ThreadSystem,
+    binding_points,
+    find_layers,
+    layer_draft,
+    layers_text,
+    named_layer,
+    plain_draft,
+)
 from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
 from loomlight.weave.loom import derive_loom_plan, plan_drawdown, with_loom_plan
 from loomlight.weave.named import named_weave, weave_names
@@ -38,21 +49,31 @@ __all__ = [
     "Draft",
     "FamilyDefaults",
     "FloatLengths",
+    "LayerDraft",
+    "Layers",
     "LoomPlan",
+    "ThreadSystem",
     "Threads",
     "WifSource",
     "bind_floats",
+    "binding_points",
     "derive_loom_plan",
     "draft_of_wefts",
     "draw_draft",
     "draw_drawdown",
+    "draw_layer",
     "drawdown_from_picture",
     "figured_structure",
+    "find_layers",
+    "layer_draft",
+    "layers_text",
     "load_draft",
     "longest_floats",
+    "named_layer",
     "named_weave",
     "per_cm",
     "per_inch",
+    "plain_draft",
     "plan_drawdown",
     "read_bitmap",
     "read_wif",

@@ -19,6 +19,7 @@ from loomlight.core.colour import linear_to_srgb, parse_colour, srgb_to_linear
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.images import draw_by
 from loomlight.weave.draft import Draft, LoomPlan, Threads
+from loomlight.weave.layers import LayerDraft
 from loomlight.weave.loom import derive_loom_plan, membership, moved_shafts
 from loomlight.weave.palette import WARP_COLOUR, WEFT_COLOUR
 
@@ -130,6 +131,47 @@ def draw_draft(
     return _framed(view, parts, _cell(cell_px, cells), outline=across * along > 1)
 
 
+def draw_layer(
+    draft: Draft,
+    layer: LayerDraft,
+    *,
+    face: Face = "front",
+    origin: Origin = "bottom-left",
+    cell_px: int | None = None,
+    repeats: int = 1,
+) -> Pixels:
+    """The interlacement of one layer alone, in which threads of several cloths may show; see `draw_drawdown`.
+
+    Args:
+        draft: the whole draft, whose colours the threads have.
+        layer: the layer.
+        face: as of `draw_drawdown`, as are the others.
+        origin: the corner of end 1 and pick 1.
+        cell_px: pixels a crossing.
+        repeats: how often the repeat is drawn each way.
+
+    Raises:
+        InputError: as `draw_drawdown`.
+    """
+    bare = Draft(layer.warp_up)
+    view = _view(bare, face, origin, (repeats, repeats))
+    if cell_px is None and not _fits(view.warp_up.shape):
+        raise InputError(
+            f"The layer has {bare.ends} ends and {bare.picks} picks where cloths change places, too many to "
+            f"draw one by one: pictures have at most {MAXIMUM_PICTURE_PX / 1e6:.0f} million pixels."
+        )
+    across, along = slice(None, None, -1 if view.first_on_right else 1), slice(None, None, -1)
+    down = slice(None) if view.first_on_top else along
+    shown = replace(
+        view,
+        warp=_encoded(draft.warp, draft.ends, _WARP),
+        weft=_encoded(draft.weft, draft.picks, _WEFT),
+        end=np.tile(layer.end, (repeats, repeats))[down, across],
+        pick=np.tile(layer.pick, (repeats, repeats))[down, across],
+    )
+    return _interlacement(shown, _cell(cell_px, view.warp_up.shape))
+
+
 # ------------------------------------------------------------------------------------------- what is drawn
 
 
@@ -144,6 +186,8 @@ class DraftView:
         repeat: picks and ends of one repeat.
         first_on_top: whether pick 1 is the uppermost, else the lowest.
         first_on_right: whether end 1 is the rightmost, else the leftmost.
+        end: the end of each crossing [picks, ends], where it is not that of its column.
+        pick: the pick of each crossing, likewise.
     """
 
     warp_up: NDArray[np.bool_]
@@ -152,6 +196,14 @@ class DraftView:
     repeat: tuple[int, int]
     first_on_top: bool
     first_on_right: bool
+    end: NDArray[np.uint16] | None = None
+    pick: NDArray[np.uint16] | None = None
+
+    def colours(self, row: int) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Of the ends [ends, 3] and of the pick, [3] or [ends, 3], of one row."""
+        if self.end is None or self.pick is None:
+            return self.warp, self.weft[row]
+        return self.warp[self.end[row]], self.weft[self.pick[row]]
 
 
 @dataclass(frozen=True)
@@ -274,10 +326,10 @@ def _interlacement(view: DraftView, cell: int) -> Pixels:
     """The drawdown in thread colours, `cell` pixels a crossing."""
     picks, ends = view.warp_up.shape
     pixels = np.empty((picks * cell, ends * cell, 3), dtype=np.uint8)
-    warp, weft = _quantised(view.warp), _quantised(view.weft)
     for pick in range(picks):
         if cell < 3:
-            row = np.where(view.warp_up[pick, :, None], warp, weft[pick])
+            warp, weft = view.colours(pick)
+            row = _quantised(np.where(view.warp_up[pick, :, None], warp, weft))
             pixels[pick * cell : (pick + 1) * cell] = np.repeat(row, cell, axis=0)
         else:
             pixels[pick * cell : (pick + 1) * cell] = _one_pick(view, pick, cell)
@@ -316,8 +368,9 @@ def _one_pick(view: DraftView, pick: int, cell: int) -> Pixels:
     warp_light = _dive(up & ~view.warp_up[pick - 1], up & ~view.warp_up[(pick + 1) % picks], cell)
     weft_light = _dive(~up & np.roll(up, 1), ~up & np.roll(up, -1), cell)
     # Axes: row in the cell, end, column in the cell, colour.
-    warp = view.warp[None, :, None] * (profile[None, None] * warp_light.T[:, :, None])[..., None]
-    weft = view.weft[pick] * (profile[:, None, None] * weft_light[None])[..., None]
+    of_ends, of_pick = view.colours(pick)
+    warp = of_ends[None, :, None] * (profile[None, None] * warp_light.T[:, :, None])[..., None]
+    weft = of_pick.reshape(1, -1, 1, 3) * (profile[:, None, None] * weft_light[None])[..., None]
     under = np.float32(0.42)
     warp_here, weft_here = (profile > 0)[None, None, :, None], (profile > 0)[:, None, None, None]
     when_up = np.where(warp_here, warp, under * weft)

@@ -31,8 +31,8 @@ from loomlight.weave.draft import (
     LoomPlan,
     Threads,
     WifSource,
-    warn_of_layers,
 )
+from loomlight.weave.layers import warn_of_layers
 from loomlight.weave.loom import moved_shafts, plan_drawdown
 from loomlight.weave.wif_text import (
     UNIT_MM,

@@ -1,0 +1,955 @@
+"""Layers of a drawdown: cloths that lie upon one another, extra threads, and where they change places.
+
+A drawdown says which of two crossing threads is on top, and never which of two ends, or of two picks, is.
+Yet two picks side by side bar each other's way: some end passes over the one and under the other, some end
+the other way round. Where no end does so, the one can slide over the other, and on the loom it does: the reed
+packs as many picks upon one another as the ends between them allow. Hence
+
+- *levels*: in a small window, threads of a family are sorted by how often they are on top, and split where
+  those above slide over those below (`_levels`);
+- *systems*: threads that are at one level in all windows, ends and picks together where they interlace with
+  each other alone: a cloth, or the extra ends or picks of one (`_thread_systems`);
+- *order*: of two systems, at each crossing, from the crossings around (`_Evidence`): one above the other, or
+  woven as one. Where the order changes, cloths change places, and a region ends.
+
+A single crossing against the order binds one cloth to the other: a stitch. What no thread at all binds
+together is `layer_sizes`, which is exact and needs no window.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.weave.draft import Draft, Threads
+from loomlight.weave.recognition import weave_name
+from loomlight.weave.textile import sett_per_cm
+
+Bits = NDArray[np.bool_]
+Indices = NDArray[np.intp]
+
+# Windows in which levels are looked for, in threads, from the one that is trusted most.
+_WINDOWS = (64, 32, 16, 8)
+# Threads above may be below those that they slide over at this share of the places where they differ, which
+# stitches are. Of the ten layered drafts in examples/makers it is 0.13 at most (wadding of the piqué); of the
+# named weaves, which are single cloths, at least 0.2.
+_MAX_CONTRARY = 0.16
+# Neighbouring levels differ by at least this share of a window in how often their threads are on top. Satin
+# upon sateen differs least: by 1/8 where both repeat over eight threads.
+_MIN_GAP = 1 / 16
+# The largest gap between threads of one level, in mean gaps.
+_MAX_UNEVEN = 2.5
+_MAX_LEVELS = 8
+_MAX_SYSTEMS = 8
+# Threads of the longest turn in which systems follow one another.
+_MAX_TURN = 48
+# Of a system's crossings with another, at least so many tell their order; otherwise the two are woven as one.
+_MIN_ORDERED = 0.05
+# Share of the crossings that a stack has at least.
+_MIN_SHARE = 0.01
+# Rows of crossings that are looked at together.
+_STRIP = 512
+
+
+@dataclass(frozen=True, eq=False)
+class ThreadSystem:
+    """Threads that are at one level wherever they lie side by side.
+
+    Attributes:
+        ends: its ends, 0-based, rising [n]; of extra wefts none.
+        picks: its picks, 0-based, rising [m]; of extra warps none.
+        host: for extra ends or picks, the system that they are bound to; None for a cloth.
+    """
+
+    ends: Indices
+    picks: Indices
+    host: int | None = None
+
+    @property
+    def kind(self) -> Literal["cloth", "extra warp", "extra weft"]:
+        """A cloth has ends and picks; extra threads have those of their host across them."""
+        if self.ends.size and self.picks.size:
+            return "cloth"
+        return "extra warp" if self.ends.size else "extra weft"
+
+
+# The systems of each layer from the front; those of one layer are woven as one cloth.
+Stack = tuple[tuple[int, ...], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Layers:
+    """The layers of a drawdown.
+
+    Attributes:
+        systems: the cloths and extra threads, in the order of their first threads.
+        stacks: which system lies upon which, by region; the first takes up most of the cloth.
+        regions: uint8 [picks, ends], the index of the stack at each crossing.
+    """
+
+    systems: tuple[ThreadSystem, ...]
+    stacks: tuple[Stack, ...]
+    regions: NDArray[np.uint8]
+
+    @property
+    def depth(self) -> int:
+        """Layers where most lie upon one another; 1 for cloth of a single layer."""
+        return max(len(stack) for stack in self.stacks)
+
+    def shares(self) -> NDArray[np.float64]:
+        """Share of the crossings that each stack has, [stacks]."""
+        counts = np.bincount(self.regions.ravel(), minlength=len(self.stacks))
+        return counts / self.regions.size
+
+
+def find_layers(warp_up: Bits) -> Layers:
+    """The layers of a drawdown; cloth of a single layer has one system, in one region.
+
+    Args:
+        warp_up: bool [picks, ends], True where the warp is on top; it repeats.
+    """
+    ends, picks = warp_up.shape[1], warp_up.shape[0]
+    of_end, of_pick = _thread_systems(warp_up)
+    if max(of_end.max(initial=-1), of_pick.max(initial=-1)) < 1:
+        return _single(picks, ends)
+    return _stacked(warp_up, _systems(warp_up, of_end, of_pick))
+
+
+def _single(picks: int, ends: int) -> Layers:
+    whole = np.broadcast_to(np.uint8(0), (picks, ends))
+    return Layers((ThreadSystem(np.arange(ends), np.arange(picks)),), (((0,),),), whole)
+
+
+# ----------------------------------------------------------------------------------------- levels in a window
+
+
+@dataclass(frozen=True, eq=False)
+class _Classes:
+    """Threads of one level in one window; ends are numbered first, then picks.
+
+    Attributes:
+        thread: numbers of threads [k].
+        class_: class of each [k].
+        window: window of each class [classes].
+    """
+
+    thread: Indices
+    class_: Indices
+    window: Indices
+
+
+def _classes(warp_up: Bits, side: int) -> _Classes | None:
+    """The classes of those windows of about `side` threads that hold the levels that most windows hold.
+
+    None if hardly any window holds several.
+    """
+    picks, ends = warp_up.shape
+    pick_starts, height = _window_starts(picks, side)
+    end_starts, width = _window_starts(ends, side)
+    columns = (end_starts[:, None] + np.arange(width)) % ends
+    rows = (pick_starts[:, None] + np.arange(height)) % picks
+    # Levels of the windows that hold several: place, of ends, of picks.
+    found: list[tuple[int, int, Indices, Indices]] = []
+    # Small windows hold by chance what large ones do not.
+    least = 0.05 if side > _WINDOWS[-1] else 0.2
+    # A few rows of windows tell whether it is worth looking at all.
+    trial = range(0, len(rows), max(1, len(rows) // 16))
+    for done, down in enumerate([*trial, *sorted(set(range(len(rows))) - set(trial))]):
+        if done == len(trial) and len(found) < least / 2 * done * len(columns):
+            return None
+        up = warp_up[rows[down]][:, columns].transpose(1, 0, 2).astype(np.float32)
+        of_pick, of_end = _levels(1 - up), _levels(up.transpose(0, 2, 1))
+        several = (of_pick.max(axis=1) > 0) | (of_end.max(axis=1) > 0)
+        found += [(down, int(at), of_end[at], of_pick[at]) for at in np.flatnonzero(several)]
+    if not found:
+        return None
+    kinds = Counter((int(of_end.max()) + 1, int(of_pick.max()) + 1) for _, _, of_end, of_pick in found)
+    most = max(kinds.values())
+    # Levels of both families tell more than those of one; figures and stitches make more here and there.
+    kind = max(kinds, key=lambda kind: (min(kind) > 1 and 4 * kinds[kind] >= most, kinds[kind]))
+    if kinds[kind] < least * len(rows) * len(columns):
+        return None
+    threads, classes, windows = [], [], []
+    count = 0
+    for window, (down, across, of_end, of_pick) in enumerate(found):
+        if (of_end.max() + 1, of_pick.max() + 1) != kind:
+            continue
+        up = warp_up[np.ix_(rows[down], columns[across])]
+        for number, thread in zip(
+            _linked(up, of_end, of_pick), (columns[across], ends + rows[down]), strict=True
+        ):
+            told = number >= 0
+            threads.append(thread[told])
+            classes.append(count + number[told])
+        here = int(max(part.max(initial=-1) for part in classes[-2:])) + 1 - count
+        windows.append(np.full(here, window))
+        count += here
+    return _Classes(np.concatenate(threads), np.concatenate(classes), np.concatenate(windows))
+
+
+def _window_starts(count: int, side: int) -> tuple[Indices, int]:
+    """First threads of windows along one family, and their side: whole repeats where these are small."""
+    if count <= side:
+        return np.zeros(1, np.intp), count * -(-side // count)
+    # Small drafts are seen from more places, as figures of theirs may have few threads.
+    step = max(1, side // 4) if count <= 256 else side // 2 if count <= 1024 else side
+    return np.arange(0, count, step), side
+
+
+def _levels(over: NDArray[np.float32]) -> Indices:
+    """Levels of the threads of one family, 0 in front [windows, threads].
+
+    Args:
+        over: 1 where a thread is on top, else 0 [windows, threads, crossings].
+    """
+    windows, threads, crossings = over.shape
+    level = np.zeros((windows, threads), np.intp)
+    times = over.sum(axis=2)
+    order = np.argsort(-times, axis=1, kind="stable")
+    sorted_times = np.take_along_axis(times, order, axis=1)
+    gap = sorted_times[:, :-1] - sorted_times[:, 1:]
+    window, last = np.nonzero(gap >= max(1, _MIN_GAP * crossings))
+    if window.size == 0:
+        return level
+    behind = times[window] < sorted_times[window, last][:, None]
+    # Levels alternate across the whole window; a figure beside its ground does not.
+    alternates = _alternate(behind)
+    window, behind = window[alternates], behind[alternates]
+    above, below = _near_pairs(over, window, behind)
+    told = (above > 0) & (below <= _MAX_CONTRARY * above)
+    np.add.at(level, window[told], behind[told])
+    level[level.max(axis=1) >= _MAX_LEVELS] = 0
+    return level
+
+
+def _alternate(behind: Bits) -> Bits:
+    """Whether threads of the fewer kind lie among the others all over a window [windows], evenly enough."""
+    threads = behind.shape[1]
+    count = np.count_nonzero(behind, axis=1)
+    few = np.where((2 * count <= threads)[:, None], behind, ~behind)
+    count = np.minimum(count, threads - count)
+    place = np.arange(threads)
+    before = np.maximum.accumulate(np.where(few, place, -1), axis=1)
+    # Threads since the last one, up to the next one or the window's edge.
+    gap = np.max(
+        np.where(few, place - np.roll(before, 1, axis=1), place - before), axis=1, where=place > 0, initial=0
+    )
+    gap = np.maximum(gap, np.where(few[:, 0], 0, np.argmax(few, axis=1) + 1))
+    changes = np.count_nonzero(few[:, 1:] != few[:, :-1], axis=1)
+    return (changes >= 3) & (gap * count <= _MAX_UNEVEN * threads)
+
+
+def _near_pairs(
+    over: NDArray[np.float32], window: Indices, behind: Bits
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """How often threads in front are above, and below, those behind beside them, of each split [splits].
+
+    Each thread of the fewer kind is compared with the nearest of the other kind on either side.
+    """
+    threads = over.shape[1]
+    above, below = np.zeros(len(window)), np.zeros(len(window))
+    place = np.arange(threads)
+    few_behind = 2 * np.count_nonzero(behind, axis=1) <= threads
+    few = np.where(few_behind[:, None], behind, ~behind)
+    for first in range(0, len(window), 4096):
+        part = slice(first, first + 4096)
+        is_few, seen = few[part], over[window[part]]
+        before = np.maximum.accumulate(np.where(is_few, -1, place), axis=1)
+        after = np.minimum.accumulate(np.where(is_few, threads, place)[:, ::-1], axis=1)[:, ::-1]
+        for near in (before, after):
+            known = is_few & (near >= 0) & (near < threads)
+            other = np.take_along_axis(seen, np.clip(near, 0, threads - 1)[:, :, None], axis=1)
+            higher = np.sum((seen * (1 - other)).sum(axis=2) * known, axis=1)
+            lower = np.sum(((1 - seen) * other).sum(axis=2) * known, axis=1)
+            above[part] += np.where(few_behind[part], lower, higher)
+            below[part] += np.where(few_behind[part], higher, lower)
+    return above, below
+
+
+def _linked(up: Bits, of_end: Indices, of_pick: Indices) -> tuple[Indices, Indices]:
+    """Classes of one window's ends and picks, numbered together; −1 for a family of one level.
+
+    A level of ends and one of picks are one cloth if they interlace with each other and hardly with others.
+    """
+    end_levels, pick_levels = int(of_end.max()) + 1, int(of_pick.max()) + 1
+    if end_levels == 1:
+        return np.full(of_end.shape, -1), of_pick
+    if pick_levels == 1:
+        return of_end, np.full(of_pick.shape, -1)
+    ends, picks = np.eye(end_levels)[of_end], np.eye(pick_levels)[of_pick]
+    mean = picks.T @ up @ ends / np.outer(picks.sum(axis=0), ends.sum(axis=0))
+    rarer = np.minimum(mean, 1 - mean)
+    class_of_end = pick_levels + np.arange(end_levels)
+    for end in range(end_levels):
+        pick = int(rarer[:, end].argmax())
+        others = [*np.delete(rarer[pick], end), *np.delete(rarer[:, end], pick)]
+        if rarer[pick, end] >= max(0.04, 3 * max(others)):
+            class_of_end[end] = pick
+    return class_of_end[of_end], of_pick
+
+
+# --------------------------------------------------------------------------------------------------- systems
+
+
+def _thread_systems(warp_up: Bits) -> tuple[Indices, Indices]:
+    """The system of each end and pick, from 0; −1 where no window tells."""
+    picks, ends = warp_up.shape
+    best = np.full(ends + picks, -1, np.intp)
+    for side in _WINDOWS:
+        classes = _classes(warp_up, side)
+        if classes is None:
+            continue
+        found = _propagated(classes, ends + picks)
+        if np.count_nonzero(found >= 0) > np.count_nonzero(best >= 0):
+            best = found
+        if np.all(best >= 0):
+            break
+    return best[:ends], best[ends:]
+
+
+def _propagated(classes: _Classes, threads: int) -> Indices:
+    """Systems of threads [threads] by majority: of its classes for a thread, of its threads for a class."""
+    system = np.full(threads, -1, np.intp)
+    class_count = len(classes.window)
+    size = np.bincount(classes.class_, minlength=class_count)
+    of_class = np.full(class_count, -1, np.intp)
+    count = 0
+    while count < _MAX_SYSTEMS:
+        # A window of the most classes of which nothing is known begins new systems.
+        free = np.bincount(classes.class_, system[classes.thread] < 0, class_count) >= 0.8 * size
+        free &= of_class < 0
+        if not free.any():
+            break
+        window = np.bincount(classes.window, free).argmax()
+        fresh = np.flatnonzero(free & (classes.window == window))[: _MAX_SYSTEMS - count]
+        of_class[fresh] = count + np.arange(len(fresh))
+        count += len(fresh)
+        for _ in range(64):
+            votes = _votes(classes.thread, of_class[classes.class_], (threads, count))
+            top = votes.argmax(axis=1)
+            most, total = votes.max(axis=1), votes.sum(axis=1)
+            found = np.where((total > 0) & (3 * most >= 2 * total), top, -1)
+            votes = _votes(classes.class_, found[classes.thread], (class_count, count))
+            most, total = votes.max(axis=1), votes.sum(axis=1)
+            told = np.where(
+                (total >= np.minimum(3, size)) & (5 * most >= 4 * total), votes.argmax(axis=1), -1
+            )
+            told = np.where((told < 0) & (total == 0), of_class, told)
+            _drop_twins(told, classes.window)
+            if np.array_equal(found, system) and np.array_equal(told, of_class):
+                break
+            system, of_class = found, told
+    return system
+
+
+def _votes(voter: Indices, choice: Indices, shape: tuple[int, int]) -> Indices:
+    told = choice >= 0
+    flat = voter[told] * shape[1] + choice[told]
+    return np.bincount(flat, minlength=shape[0] * shape[1]).reshape(shape)
+
+
+def _drop_twins(of_class: Indices, window: Indices) -> None:
+    """Forgets classes of one window that were taken for the same system."""
+    told = np.flatnonzero(of_class >= 0)
+    key = window[told] * _MAX_SYSTEMS + of_class[told]
+    _, inverse, counts = np.unique(key, return_inverse=True, return_counts=True)
+    of_class[told[counts[inverse] > 1]] = -1
+
+
+def _by_turn(of_thread: Indices) -> Indices:
+    """Systems of one family [threads], joined and completed by the turn in which they follow one another.
+
+    Where figures part the cloth, the same threads may have been found twice. Threads in a fixed turn, one of
+    each system or two of one and one of another, are of one system.
+    """
+    told = np.flatnonzero(of_thread >= 0)
+    names, system = np.unique(of_thread[told], return_inverse=True)
+    threads, count = len(of_thread), len(names)
+    apart = _alternating(system, count)
+    best: tuple[int, Indices, Indices] | None = None
+    for turn in range(2, min(_MAX_TURN, threads // 2) + 1):
+        table = _votes(told % turn, system, (turn, count))
+        shown = table >= np.maximum(1, 0.15 * table.sum(axis=1, keepdims=True))
+        joint = _components(shown.T.astype(np.intp) @ shown.astype(np.intp) > 0)
+        if np.any(apart & (joint[:, None] == joint[None])):
+            continue
+        if best is None or joint.max() < best[1].max():
+            best = turn, joint, table
+    if best is None:
+        return of_thread
+    turn, joint, table = best
+    # The smallest number of each joint stands for it.
+    first = np.array([names[joint == one].min() for one in joint])
+    of_turn = first[table.argmax(axis=1)]
+    of_turn[table.sum(axis=1) == 0] = -1
+    found = of_turn[np.arange(threads) % turn]
+    found[told] = first[system]
+    return found
+
+
+def _alternating(system: Indices, count: int) -> Bits:
+    """Which systems lie among one another, bool [count, count], of the systems of threads in their order."""
+    apart = np.zeros((count, count), bool)
+    for one in range(count):
+        for other in range(one):
+            alone = system[(system == one) | (system == other)]
+            changes = np.count_nonzero(np.diff(alone))
+            fewer = min(np.count_nonzero(alone == one), np.count_nonzero(alone == other))
+            apart[one, other] = apart[other, one] = changes >= fewer
+    return apart
+
+
+def _components(linked: Bits) -> Indices:
+    """The component of each node of a symmetric graph, bool [n, n], from 0."""
+    reach = linked | np.eye(len(linked), dtype=bool)
+    for _ in range(len(linked).bit_length()):
+        reach = reach.astype(np.intp) @ reach.astype(np.intp) > 0
+    return np.unique(reach.argmax(axis=1), return_inverse=True)[1]
+
+
+def _systems(warp_up: Bits, of_end: Indices, of_pick: Indices) -> list[ThreadSystem]:
+    """The systems that have these threads, in the order of their first ones; threads of none go to a host."""
+    of_end, of_pick = of_end.copy(), of_pick.copy()
+    for of_family in (of_end, of_pick):
+        if np.any(of_family >= 0):
+            before = of_family.copy()
+            of_family[:] = _by_turn(of_family)
+            for old in np.unique(before[before >= 0]):
+                new = of_family[before == old][0]
+                of_end[of_end == old] = new
+                of_pick[of_pick == old] = new
+    # Threads that nowhere lie upon others of their family are the host's; without one, the cloth's.
+    for of_family, of_other, up in ((of_end, of_pick, warp_up), (of_pick, of_end, warp_up.T)):
+        untold = np.flatnonzero(of_family < 0)
+        if untold.size == 0:
+            continue
+        known = np.unique(of_other[of_other >= 0])
+        interlaced = []
+        for system in known:
+            mean = float(up[of_other == system][:, untold].mean())
+            interlaced.append((round(min(mean, 1 - mean), 2), np.count_nonzero(of_other == system)))
+        of_family[untold] = known[max(range(len(known)), key=lambda at: interlaced[at])] if known.size else 0
+    found = []
+    for system in sorted(
+        set(of_end.tolist()) | set(of_pick.tolist()),
+        key=lambda system: [np.flatnonzero(np.append(of == system, True))[0] for of in (of_end, of_pick)],
+    ):
+        found.append(ThreadSystem(np.flatnonzero(of_end == system), np.flatnonzero(of_pick == system)))
+    return found
+
+
+# ----------------------------------------------------------------------------------------------------- order
+
+
+def _stacked(warp_up: Bits, systems: list[ThreadSystem]) -> Layers:
+    """Layers of these systems, of which those that are woven as one everywhere are joined."""
+    systems = _joined_where_no_order(warp_up, systems)
+    if len(systems) == 1:
+        return _single(*warp_up.shape)
+    count = len(systems)
+    pairs = [(i, j) for i in range(count) for j in range(i + 1, count)]
+    # Orders of all pairs at each crossing, as a number to base 3 that is kept small.
+    code = np.zeros(warp_up.shape, np.uint16)
+    known: list[tuple[int, ...]] = [()]
+    for i, j in pairs:
+        evidence = _Evidence(warp_up, systems[i], systems[j])
+        joined = sum(int(np.count_nonzero(order == 0)) for _, order in evidence.orders())
+        # What is woven as one at few crossings is the corner of figures that meet there.
+        evidence.can_join = joined >= _MIN_SHARE * warp_up.size
+        here = [(*orders, order) for orders in known for order in (-1, 0, 1)]
+        counts = np.zeros(len(here), np.int64)
+        for rows, order in evidence.orders():
+            code[rows] = 3 * code[rows] + (order + 1)
+            counts += np.bincount(code[rows].ravel(), minlength=len(here))
+        kept = np.flatnonzero(counts)
+        renamed = np.zeros(len(here), np.uint16)
+        renamed[kept] = np.arange(len(kept))
+        code = renamed[code]
+        known = [here[at] for at in kept]
+        shares = counts[kept]
+    stacks = [
+        _stack_of(count, pairs, orders) if share >= _MIN_SHARE * code.size else None
+        for orders, share in zip(known, shares, strict=True)
+    ]
+    ranked = sorted((at for at, stack in enumerate(stacks) if stack), key=lambda at: -int(shares[at]))
+    # An order of few crossings, or that no stack has, is that of an edge: it becomes the one most like it.
+    table = np.zeros(len(known), np.uint8)
+    chosen: list[Stack] = []
+    for at in ranked:
+        stack = stacks[at]
+        assert stack is not None
+        if stack not in chosen:
+            chosen.append(stack)
+        table[at] = chosen.index(stack)
+    for at, stack in enumerate(stacks):
+        if stack is None:
+            like = min(
+                ranked, key=lambda other: sum(a != b for a, b in zip(known[at], known[other], strict=True))
+            )
+            table[at] = table[like]
+    return Layers(tuple(_hosted(warp_up, systems)), tuple(chosen), table[code])
+
+
+def _stack_of(count: int, pairs: list[tuple[int, int]], orders: tuple[int, ...]) -> Stack | None:
+    """The stack of systems whose pairs have these orders; None if there is none."""
+    above = np.zeros((count, count), bool)
+    joined = np.eye(count, dtype=bool)
+    for (i, j), order in zip(pairs, orders, strict=True):
+        joined[i, j] = joined[j, i] = order == 0
+        above[i, j], above[j, i] = order > 0, order < 0
+    group = _components(joined)
+    groups = int(group.max()) + 1
+    member = np.eye(groups, dtype=np.intp)[group]
+    higher = member.T @ above @ member > 0
+    if np.any(higher & higher.T) or np.any(np.diag(higher)):
+        return None
+    rank = np.count_nonzero(higher, axis=0)
+    if len(set(rank.tolist())) < groups:
+        return None
+    return tuple(tuple(np.flatnonzero(group == at).tolist()) for at in np.argsort(rank))
+
+
+def _joined_where_no_order(warp_up: Bits, systems: list[ThreadSystem]) -> list[ThreadSystem]:
+    """The systems, of which two are joined if hardly a crossing of theirs tells an order."""
+    count = len(systems)
+    joined = np.eye(count, dtype=bool)
+    for i in range(count):
+        for j in range(i + 1, count):
+            share = _Evidence(warp_up, systems[i], systems[j]).ordered_share()
+            joined[i, j] = joined[j, i] = share < _MIN_ORDERED
+    group = _components(joined)
+    return [
+        ThreadSystem(
+            np.sort(np.concatenate([systems[at].ends for at in np.flatnonzero(group == one)])),
+            np.sort(np.concatenate([systems[at].picks for at in np.flatnonzero(group == one)])),
+        )
+        for one in dict.fromkeys(group.tolist())
+    ]
+
+
+def _hosted(warp_up: Bits, systems: list[ThreadSystem]) -> list[ThreadSystem]:
+    """The systems; those of one family with the cloth that they interlace with most."""
+    hosted = []
+    cloths = [at for at, system in enumerate(systems) if system.kind == "cloth"]
+    for system in systems:
+        host = None
+        if system.kind != "cloth" and cloths:
+
+            def interlaced(cloth: int, system: ThreadSystem = system) -> float:
+                across = systems[cloth]
+                rows, columns = (
+                    (system.picks, across.ends) if system.picks.size else (across.picks, system.ends)
+                )
+                mean = float(warp_up[np.ix_(rows, columns)].mean())
+                return min(mean, 1 - mean)
+
+            host = max(cloths, key=interlaced)
+        hosted.append(replace(system, host=host))
+    return hosted
+
+
+class _Evidence:
+    """What crossings say of the order of two systems, and the order that follows from those around."""
+
+    def __init__(self, warp_up: Bits, one: ThreadSystem, other: ThreadSystem) -> None:
+        self.warp_up = warp_up
+        self.can_join = True
+        picks, ends = warp_up.shape
+        self.of_end, self.of_pick = np.zeros(ends, np.int8), np.zeros(picks, np.int8)
+        for mark, system in ((1, one), (2, other)):
+            self.of_end[system.ends] = mark
+            self.of_pick[system.picks] = mark
+        kinds = {one.kind, other.kind}
+        # Ends of a host bind extra picks, so that crossings with them say less than picks beside them.
+        self.by_picks = "extra weft" in kinds and bool(one.picks.size and other.picks.size)
+        self.by_ends = "extra warp" in kinds and bool(one.ends.size and other.ends.size) and not self.by_picks
+        self.height = _evidence_side([one.picks, other.picks], picks)
+        self.width = _evidence_side([one.ends, other.ends], ends)
+        self.near = [
+            _nearest(self.of_pick if self.by_picks else self.of_end, step)
+            for step in (1, -1)
+            if self.by_picks or self.by_ends
+        ]
+
+    def orders(self) -> Iterator[tuple[slice, NDArray[np.int8]]]:
+        """By strips of picks: 1 where the first system lies above, −1 below, 0 where they are one cloth."""
+        for first in range(0, len(self.warp_up), _STRIP):
+            rows = slice(first, min(len(self.warp_up), first + _STRIP))
+            yield rows, self._order(rows)
+
+    def _order(self, rows: slice) -> NDArray[np.int8]:
+        height, width = self.height, self.width
+        margin = 2 * height + 2
+        picks = len(self.warp_up)
+        around = np.arange(rows.start - margin, rows.stop + margin) % picks
+        above, below = self._votes(around)
+        for_one, for_other = (_box(votes, height // 2, width // 2) for votes in (above, below))
+        lead, total = for_one - for_other, for_one + for_other
+        unclear = (3 * np.abs(lead) < total) & (total > 0)
+        inner = slice(margin, margin + rows.stop - rows.start)
+        wide_lead = _box(above - below, height, width)[inner]
+        order = np.sign(np.where(lead[inner] != 0, lead[inner], wide_lead)).astype(np.int8)
+        if self.can_join and unclear.any():
+            share = _box(unclear.astype(np.int8), height, width)[inner]
+            among = _box((total > 0).astype(np.int8), height, width)[inner]
+            order[share > 0.55 * among] = 0
+        return order
+
+    def ordered_share(self) -> float:
+        """Share of blocks, of the two systems' picks and ends, that tell an order."""
+        ordered = told = 0
+        picks, ends = self.warp_up.shape
+        strip = max(1, _STRIP // self.height) * self.height
+        for first in range(0, picks, strip):
+            rows = np.arange(first, min(picks, first + strip))
+            above, below = (
+                np.add.reduceat(
+                    np.add.reduceat(votes, np.arange(0, len(rows), self.height), axis=0, dtype=np.int32),
+                    np.arange(0, ends, self.width),
+                    axis=1,
+                )
+                for votes in self._votes(rows)
+            )
+            told += int(np.count_nonzero(above + below))
+            ordered += int(np.count_nonzero(3 * np.abs(above - below) >= np.maximum(1, above + below)))
+        return ordered / max(1, told)
+
+    def _votes(self, around: Indices) -> tuple[NDArray[np.int8], NDArray[np.int8]]:
+        """1 where a crossing says that the first system lies above, and where it says below."""
+        up = self.warp_up[around]
+        if self.by_picks:
+            return self._beside(
+                ~up,
+                ~self.warp_up[self.near[0]][around],
+                ~self.warp_up[self.near[1]][around],
+                (self.of_pick[around] == 1)[:, None],
+            )
+        if self.by_ends:
+            return self._beside(up, up[:, self.near[0]], up[:, self.near[1]], (self.of_end == 1)[None])
+        pick, end = self.of_pick[around][:, None], self.of_end[None]
+        first_end, second_end = (end == 1) & (pick == 2), (end == 2) & (pick == 1)
+        return (
+            ((first_end & up) | (second_end & ~up)).astype(np.int8),
+            ((first_end & ~up) | (second_end & up)).astype(np.int8),
+        )
+
+    @staticmethod
+    def _beside(
+        over: Bits, after: Bits, before: Bits, is_first: Bits
+    ) -> tuple[NDArray[np.int8], NDArray[np.int8]]:
+        above = ((over & ~after).astype(np.int8) + (over & ~before)) * is_first
+        below = ((~over & after).astype(np.int8) + (~over & before)) * is_first
+        return above, below
+
+
+def _nearest(mark: NDArray[np.int8], step: int) -> Indices:
+    """For each thread of the first system the nearest of the second, after it (step 1) or before it (−1)."""
+    threads = len(mark)
+    second = np.flatnonzero(mark == 2)
+    place = np.arange(threads)
+    after = second[np.searchsorted(second, place) % len(second)]
+    return after if step > 0 else second[np.searchsorted(second, place) - 1]
+
+
+def _evidence_side(families: list[Indices], threads: int) -> int:
+    """Threads, an even number, among which two of either system lie."""
+    gaps = [np.median(np.diff(family)) for family in families if family.size > 1]
+    return min(2 * round(max([2.0, *gaps])), 2 * max(1, threads // 2))
+
+
+def _box(values: NDArray[np.int8], down: int, across: int) -> NDArray[np.integer]:
+    """Sums around each value [rows, columns]: `down` and `across` to either side, those at the rim half.
+
+    Columns repeat. Rows do not: the first and last `down` are of no use. Sums are twice as large.
+    """
+    rows, columns = values.shape
+    # Four times the values, of at most 2, in a window.
+    small = 32 * down * across < np.iinfo(np.int16).max
+    padded = np.pad(values, ((down, down), (0, 0))).astype(np.int16 if small else np.int32)
+    of_rows = _running(padded, 2 * down)
+    of_rows = of_rows[:rows] + of_rows[1 : rows + 1]
+    wrapped = of_rows[:, np.arange(-across, columns + across) % columns]
+    of_columns = _running(wrapped.T, 2 * across).T
+    return of_columns[:, :columns] + of_columns[:, 1 : columns + 1]
+
+
+def _running(values: NDArray, length: int) -> NDArray:
+    """Sums of `length` rows from each row on, by sums of 1, 2, 4 … of them."""
+    count = len(values) - length + 1
+    total, power, size, start = None, values, 1, 0
+    while length:
+        if length & 1:
+            part = power[start : start + count]
+            total = part if total is None else total + part
+            start += size
+        length >>= 1
+        if length:
+            power, size = power[:-size] + power[size:], 2 * size
+    assert total is not None
+    return total
+
+
+# ------------------------------------------------------------------------------------------- one layer of all
+
+
+@dataclass(frozen=True, eq=False)
+class LayerDraft:
+    """One layer of a drawdown by itself, as if nothing lay upon it.
+
+    It has a column for each end, and a row for each pick, of the finest cloth that is somewhere in this
+    layer; where another is, the threads next to there.
+
+    Attributes:
+        end: 0-based end of the whole drawdown that each column and row shows, uint16 [rows, columns].
+        pick: its 0-based pick, likewise.
+        warp_up: bool [rows, columns], True where the warp is on top.
+    """
+
+    end: NDArray[np.uint16]
+    pick: NDArray[np.uint16]
+    warp_up: Bits
+
+
+def layer_draft(warp_up: Bits, layers: Layers, layer: int) -> LayerDraft:
+    """One layer by itself.
+
+    Args:
+        warp_up: the whole drawdown, bool [picks, ends].
+        layers: its layers.
+        layer: 0 for the front, 1 for what lies behind it, …; −1 for the back. Where fewer lie upon one
+            another, the one furthest behind.
+    """
+    picks, ends = warp_up.shape
+    groups = [stack[layer if layer < 0 else min(layer, len(stack) - 1)] for stack in layers.stacks]
+    threads = [_threads_of(layers, group) for group in groups]
+    columns = max((of_end for of_end, _ in threads), key=len)
+    rows = max((of_pick for _, of_pick in threads), key=len)
+    end_at = np.stack([_next_to(of_end, columns, ends) for of_end, _ in threads]).astype(np.uint16)
+    pick_at = np.stack([_next_to(of_pick, rows, picks) for _, of_pick in threads]).astype(np.uint16)
+    stack = layers.regions[np.ix_(rows, columns)]
+    end = end_at[stack, np.arange(len(columns))[None]]
+    pick = pick_at[stack, np.arange(len(rows))[:, None]]
+    return LayerDraft(end, pick, warp_up[pick, end])
+
+
+def named_layer(draft: Draft, name: str) -> LayerDraft:
+    """The layer "front", "back", or the one of a number from 1, which is the front.
+
+    Raises:
+        InputError: another name, or more than the layers that the draft has.
+    """
+    layers = find_layers(draft.drawdown)
+    if name == "back":
+        return layer_draft(draft.drawdown, layers, -1)
+    number = 1 if name == "front" else int(name) if name.isascii() and name.isdigit() and len(name) < 4 else 0
+    if not 1 <= number <= layers.depth:
+        single = (
+            "the draft has a single layer" if layers.depth == 1 else f"the draft has {layers.depth} layers"
+        )
+        raise InputError(
+            f'The layer "{name[:20]}" is not there: {single}; "front", "back" and 1 to {layers.depth} are.'
+        )
+    return layer_draft(draft.drawdown, layers, number - 1)
+
+
+def plain_draft(draft: Draft, layer: LayerDraft) -> Draft | None:
+    """The layer as a draft of its own threads; None if cloths change places in it.
+
+    Each thread takes up the room of those that lie above and below it.
+    """
+    end, pick = layer.end[0], layer.pick[:, 0]
+    if np.any(layer.end != end[None]) or np.any(layer.pick != pick[:, None]):
+        return None
+    return Draft(
+        layer.warp_up,
+        _kept(draft.warp, end.astype(np.intp), draft.ends),
+        _kept(draft.weft, pick.astype(np.intp), draft.picks),
+        title=draft.title,
+        palette=draft.palette,
+    )
+
+
+def binding_points(warp_up: Bits, layers: Layers) -> Bits:
+    """Where a thread lies upon one of a layer in front of its own, and binds the two, bool [picks, ends]."""
+    of_end, of_pick = _system_of_threads(layers, warp_up.shape)
+    depth = _depths(layers)
+    binding = np.empty(warp_up.shape, bool)
+    for first in range(0, len(warp_up), _STRIP):
+        rows = slice(first, first + _STRIP)
+        stack = layers.regions[rows]
+        end, pick = depth[stack, of_end[None]], depth[stack, of_pick[rows, None]]
+        binding[rows] = np.where(warp_up[rows], end > pick, end < pick)
+    return binding
+
+
+def _threads_of(layers: Layers, group: tuple[int, ...]) -> tuple[Indices, Indices]:
+    """Ends and picks of a layer's systems; across extra threads lie those of their host."""
+    ends, picks = [], []
+    for at in group:
+        system = layers.systems[at]
+        host = system if system.host is None else layers.systems[system.host]
+        ends.append(system.ends if system.ends.size else host.ends)
+        picks.append(system.picks if system.picks.size else host.picks)
+    return np.unique(np.concatenate(ends)), np.unique(np.concatenate(picks))
+
+
+def _next_to(threads: Indices, places: Indices, count: int) -> Indices:
+    """Of these threads, of `count` that repeat, the one nearest to each place; of two, the later."""
+    around = np.concatenate([threads[-1:] - count, threads, threads[:1] + count])
+    after = np.searchsorted(around, places)
+    before = around[after - 1]
+    return np.where(places - before < around[after] - places, before, around[after]) % count
+
+
+def _kept(threads: Threads, kept: Indices, count: int) -> Threads:
+    def some(values: NDArray | None) -> NDArray | None:
+        return None if values is None else values[kept]
+
+    spacing = threads.spacing_mm
+    if spacing is not None:
+        # Each thread has the room up to the next one that is kept.
+        until = np.concatenate([[0.0], np.cumsum(np.concatenate([spacing, spacing]))])
+        spacing = until[np.append(kept[1:], kept[0] + count)] - until[kept]
+    return Threads(some(threads.colors), spacing, some(threads.thickness_mm), some(threads.color_index))
+
+
+def _system_of_threads(layers: Layers, shape: tuple[int, ...]) -> tuple[Indices, Indices]:
+    of_pick, of_end = np.zeros(shape[0], np.intp), np.zeros(shape[1], np.intp)
+    for at, system in enumerate(layers.systems):
+        of_end[system.ends], of_pick[system.picks] = at, at
+    return of_end, of_pick
+
+
+def _depths(layers: Layers) -> NDArray[np.int8]:
+    """How far behind each system lies in each stack, 0 in front [stacks, systems]."""
+    depth = np.zeros((len(layers.stacks), len(layers.systems)), np.int8)
+    for at, stack in enumerate(layers.stacks):
+        for below, group in enumerate(stack):
+            depth[at, list(group)] = below
+    return depth
+
+
+# --------------------------------------------------------------------------------------------------- in words
+
+
+def layers_text(draft: Draft) -> str:
+    """Order, weaves, setts and stitches of a draft's layers in a few lines for a person; "" for one layer."""
+    layers = find_layers(draft.drawdown)
+    exact = layer_sizes(draft.drawdown)
+    if len(layers.systems) == 1:
+        if len(exact) == 1 or not exact:
+            return ""
+        return (
+            f"layers: {len(exact)} that no thread binds together; as the threads of one do not lie among "
+            "those of another, it cannot be told where each is"
+        )
+    names = [chr(ord("A") + at) for at in range(len(layers.systems))]
+    lines = [f"layers: {layers.depth}, {_stacks_text(layers, names)}"]
+    for name, system in zip(names, layers.systems, strict=True):
+        lines.append(f"  {name}: {_system_text(draft, layers, system, names)}")
+    return "\n".join([*lines, *_binding_text(draft, layers, names)])
+
+
+def _stacks_text(layers: Layers, names: list[str]) -> str:
+    said = [
+        " upon ".join(
+            " and ".join(names[at] for at in group) + (" woven as one" if len(group) > 1 else "")
+            for group in stack
+        )
+        for stack in layers.stacks
+    ]
+    if len(said) == 1:
+        return said[0]
+    shares = layers.shares()
+    order = np.argsort(-shares, kind="stable")
+    return "; ".join(f"{said[at]} in {100 * shares[at]:.3g} % of the cloth" for at in order)
+
+
+def _system_text(draft: Draft, layers: Layers, system: ThreadSystem, names: list[str]) -> str:
+    ends, picks = _counted("end", system.ends), _counted("pick", system.picks)
+    if system.kind != "cloth":
+        host = "" if system.host is None else f" of {names[system.host]}"
+        return f"{system.kind}{host}, {ends or picks}"
+    warp, weft = _kept(draft.warp, system.ends, draft.ends), _kept(draft.weft, system.picks, draft.picks)
+    setts = ""
+    if (across := sett_per_cm(warp)) is not None and (along := sett_per_cm(weft)) is not None:
+        setts = f", {across:.3g} ends/cm and {along:.3g} picks/cm"
+    of_own = np.ix_(system.picks, system.ends)
+    at = layers.systems.index(system)
+    alone = np.array([(at,) in stack for stack in layers.stacks])
+    weave = weave_name(draft.drawdown[of_own], None if alone.all() else alone[layers.regions[of_own]])
+    return f"{weave or 'cloth'}, {ends} and {picks}{setts}"
+
+
+def _counted(word: str, threads: Indices) -> str:
+    """Threads by number and the first of them, "8 ends (1, 3, 5 …)"; "" for none."""
+    if threads.size == 0:
+        return ""
+    first = ", ".join(str(int(thread) + 1) for thread in threads[:3])
+    plural = "" if threads.size == 1 else "s"
+    return f"{threads.size} {word}{plural} ({first}{' …' if threads.size > 3 else ''})"
+
+
+def _binding_text(draft: Draft, layers: Layers, names: list[str]) -> list[str]:
+    """A line for each two systems: at how many of their crossings one binds the other."""
+    binding = binding_points(draft.drawdown, layers)
+    lines = []
+    for one, above in enumerate(layers.systems):
+        for other in range(one + 1, len(layers.systems)):
+            below = layers.systems[other]
+            crossings = [np.ix_(above.picks, below.ends), np.ix_(below.picks, above.ends)]
+            bound = sum(int(np.count_nonzero(binding[part])) for part in crossings)
+            total = sum(binding[part].size for part in crossings)
+            if bound:
+                lines.append(f"  {names[one]} and {names[other]} are bound at {bound} of {total} crossings")
+    return lines or ["  no thread binds one to another"]
+
+
+# ----------------------------------------------------------------------- layers that no thread binds together
+#
+# Lifting a thread lifts every thread above it. A drawdown falls apart where some ends and picks can be lifted
+# off all others; since every end of a repeat crosses every pick, one repeat does so as endless cloth does.
+
+
+def layer_sizes(warp_up: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Ends and picks of each layer of a drawdown, from the top; threads that never interlace are in none.
+
+    Let t ends and s of m picks be lifted off. Those ends pass over all m − s other picks, and those picks are
+    below no other end, so that Σ (picks below those ends) − Σ (ends above those picks) = t·(m − s), which no
+    other choice exceeds. Hence the ends that pass over most picks and the picks below fewest ends tell.
+
+    Source: C. R. J. Clapham, When a fabric hangs together, Bull. London Math. Soc. 12 (1980).
+    """
+    picks, ends = warp_up.shape
+    below_end = np.sort(np.count_nonzero(warp_up, axis=0))
+    above_pick = np.sort(np.count_nonzero(warp_up, axis=1))
+    lifted = np.arange(picks + 1)
+    # Ends that pass over more than the other picks, and over as many: the latter lie upon them, or are loose.
+    least = ends - np.searchsorted(below_end, picks - lifted, side="right")
+    most = ends - np.searchsorted(below_end, picks - lifted, side="left")
+    of_ends = np.concatenate([[0], np.cumsum(below_end[::-1])])[least]
+    of_picks = np.concatenate([[0], np.cumsum(above_pick)])
+    apart = np.flatnonzero(of_ends - of_picks == least * (picks - lifted))
+    sizes = zip((least[apart[1:]] - most[apart[:-1]]).tolist(), np.diff(apart).tolist(), strict=True)
+    return [(of_layer, in_layer) for of_layer, in_layer in sizes if of_layer > 0 and in_layer > 0]
+
+
+def warn_of_layers(warp_up: NDArray[np.bool_], file: str) -> None:
+    """Warns in a sentence, which begins with the file, of a drawdown that holds layers."""
+    sizes = layer_sizes(warp_up)
+    if len(sizes) > 1:
+        (ends, picks), (under_ends, under_picks) = sizes[:2]
+        warnings.warn(
+            f"{file} holds {len(sizes)} layers of cloth that no thread binds together ({ends} ends and "
+            f"{picks} picks lie above {under_ends} ends and {under_picks} picks); they are drawn in a single "
+            "plane.",
+            LoomlightWarning,
+            stacklevel=3,
+        )
