@@ -1,4 +1,4 @@
-"""The planes of layered cloth: the threads of each layer of a drawdown, with the room that they have in it."""
+"""The planes of layered cloth: the threads of each layer of a drawdown, and the room that they have there."""
 
 from __future__ import annotations
 

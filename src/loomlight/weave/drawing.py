@@ -154,7 +154,7 @@ def draw_layer(
         InputError: as `draw_drawdown`.
     """
     bare = Draft(layer.warp_up)
-    view = _view(bare, face, origin, (repeats, repeats))
+    view = draft_view(bare, face, origin, (repeats, repeats))
     if cell_px is None and not _fits(view.warp_up.shape):
         raise InputError(
             f"The layer has {bare.ends} ends and {bare.picks} picks where cloths change places, too many to "
