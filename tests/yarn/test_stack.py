@@ -25,8 +25,8 @@ from tests.helpers.layouts import PLAIN, TWILL, even_layout
 require_llvm()
 mi.set_variant("llvm_ad_rgb")
 
-COUNT = 4000
-STEPS = 1500
+COUNT = 2000
+STEPS = 1000
 
 
 def layered(drawdowns: list[NDArray[np.bool_]], gap: float = 0.3) -> ClothLayout:
@@ -56,7 +56,14 @@ THREE = layered([np.tile(PLAIN, (2, 2)), TWILL, np.tile(PLAIN, (2, 2))], gap=0.4
 BLOCKS = in_blocks(TWO, [[0, 1], [1, 0]])
 SHORT = in_blocks(THREE, [[0, 1, 2], [1, -1, 0]])
 LAYOUTS = pytest.mark.parametrize(
-    "layout", [TWO, THREE, BLOCKS, SHORT], ids=["two", "three", "blocks", "short"]
+    "layout",
+    [
+        TWO,
+        pytest.param(THREE, marks=pytest.mark.slow),
+        BLOCKS,
+        pytest.param(SHORT, marks=pytest.mark.slow),
+    ],
+    ids=["two", "three", "blocks", "short"],
 )
 
 

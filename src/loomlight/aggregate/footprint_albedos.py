@@ -34,6 +34,7 @@ from loomlight.core.arrays import Float, Mask, UInt, Vec2
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, move, opaque, upload
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance, FamilyAppearance
+from loomlight.scattering.fibre import mean_layer_shares
 from loomlight.scattering.interreflection import Interreflection
 from loomlight.scattering.point import Albedos
 from loomlight.yarn.geometry import Cell, YarnGeometry, upload_family
@@ -84,7 +85,7 @@ class FootprintAlbedos:
         else:
             layers = zip(geometry.layers, geometry.layout.layers, strict=True)
             self._planes = [_Plane.of(own, appearance, layer) for own, layer in layers]
-            self._seen = _Seen.of(geometry.layout, np.stack([plane.shares for plane in self._planes]))
+            self._seen = _Seen.of(geometry.layout, self._planes, appearance)
         self.tables = self._planes[0].tables
         self._uploaded: dict[type, list[_Uploaded]] = {}
         self._shares: dict[type, _Shares] = {}
@@ -124,11 +125,11 @@ class FootprintAlbedos:
         types = array_types(footprint.centre)
         self.upload(types)
         back = types.Bool(back)
-        planes = [plane.over(footprint, back) for plane in self._uploaded[types.Float]]
-        if len(planes) == 1:
-            return planes[0]
-        shares = self._shares[types.Float].over(footprint, back)
-        warp, weft = (_weighed(*pair) for pair in zip(shares, zip(*planes, strict=True), strict=True))
+        planes = [self.shown(*plane.over(footprint, back)) for plane in self._uploaded[types.Float]]
+        return planes[0] if len(planes) == 1 else self._shares[types.Float].over(planes, footprint, back)
+
+    def shown(self, warp: Albedos, weft: Albedos) -> tuple[Albedos, Albedos]:
+        """Means of the tables over threads of one plane as a model takes them; derived classes put theirs."""
         return warp, weft
 
     def upload(self, types: ArrayTypes) -> None:
@@ -143,26 +144,13 @@ class FootprintAlbedos:
     def of_cloth(self, types: ArrayTypes) -> tuple[Albedos, Albedos]:
         """Mean albedos of (warp, weft) over all threads."""
         self.upload(types)
-        planes = self._uploaded[types.Float]
-        if len(planes) == 1:
-            return planes[0].means
-        means = zip(*(plane.means for plane in planes), strict=True)
-        warp, weft = (_weighed(*pair) for pair in zip(self._shares[types.Float].of_cloth, means, strict=True))
-        return warp, weft
+        planes = [self.shown(*plane.means) for plane in self._uploaded[types.Float]]
+        return planes[0] if len(planes) == 1 else self._shares[types.Float].of_cloth(planes)
 
     def between_yarns(self, types: ArrayTypes) -> Interreflection | None:
         """Light between yarns on one backend; None without."""
         self.upload(types)
         return self._between.get(types.Float)
-
-
-def _weighed(shares: Sequence[Float], albedos: Sequence[Albedos]) -> Albedos:
-    """The sum of albedos times shares."""
-    terms = (
-        [share * getattr(one, name) for share, one in zip(shares, albedos, strict=True)]
-        for name in ALBEDO_NAMES
-    )
-    return Albedos(*(sum(of_name[1:], of_name[0]) for of_name in terms))
 
 
 @dataclass(eq=False)
@@ -205,10 +193,13 @@ class _Plane:
 
 @dataclass(eq=False)
 class _Seen:
-    """How much of layered cloth each layer shows.
+    """How much of layered cloth each layer shows, and what the layers behind it make of light.
 
     Attributes:
         areas: shares of the area, in each stack of layers [stacks, layers, 2 faces, 2 families].
+        through: share of the light that passes a layer which the others behind it let out [stacks, layers,
+            2 faces, 3].
+        returned: albedo that they add to what is reflected [stacks, layers, 2 faces, 2 families, 3].
         shares: of the cloth that each stack takes up [stacks].
         axes: where threads of the whole draft lie, without gaps.
         regions: summed areas of each stack, units of `unit` square millimetres [picks + 1, ends + 1, padded];
@@ -216,23 +207,40 @@ class _Seen:
     """
 
     areas: NDArray[np.float64]
+    through: NDArray[np.float64]
+    returned: NDArray[np.float64]
     shares: NDArray[np.float64]
     axes: tuple[FamilyTables, FamilyTables]
     regions: NDArray[np.uint32] | None
     unit: float
 
     @classmethod
-    def of(cls, layout: ClothLayout, shown: NDArray[np.float64]) -> Self:
-        """From what each layer shows by itself [layers, 2 faces, 2 families]."""
+    def of(cls, layout: ClothLayout, planes: Sequence[_Plane], appearance: Appearance) -> Self:
+        """From what each layer shows by itself."""
         stacking, count = layout.stacking, len(layout.layers)
         ranks = np.arange(count)[None] if stacking is None else stacking.ranks
-        open_areas = np.array([layer.layout.open_area for layer in layout.layers])
-        areas = np.zeros((len(ranks), *shown.shape))
+        gaps = np.array([layer.layout.open_area for layer in layout.layers])
+        yarns = [_mean_scattered(plane, appearance) for plane in planes]
+        areas = np.zeros((len(ranks), count, 2, 2))
+        through, returned = np.ones((len(ranks), count, 2, 3)), np.zeros((len(ranks), count, 2, 2, 3))
         for stack, of_stack in enumerate(ranks):
             order = [int(np.flatnonzero(of_stack == rank)[0]) for rank in range(of_stack.max() + 1)]
-            for face, through in ((0, order), (1, order[::-1])):
-                before = np.cumprod([1.0, *open_areas[through[:-1]]])
-                areas[stack, through, face] = shown[through, face] * before[:, None]
+            for face, from_face in ((0, order), (1, order[::-1])):
+                before = np.cumprod([1.0, *gaps[from_face[:-1]]])
+                areas[stack, from_face, face] = [
+                    planes[layer].shares[face] * share for layer, share in zip(from_face, before, strict=True)
+                ]
+                back, out = np.zeros(3), np.ones(3)
+                for layer in from_face[::-1]:
+                    # One to and fro with what lies behind, see `interreflection.beneath`.
+                    own_back, own_through = yarns[layer]
+                    between = 1 / (1 - own_back * back)
+                    through[stack, layer, face] = (out * between).mean(axis=0)
+                    returned[stack, layer, face] = own_through**2 * back * between
+                    sheet_back, sheet_out = (part.mean(axis=0) * (1 - gaps[layer]) for part in yarns[layer])
+                    sheet_out = sheet_out + gaps[layer]
+                    between = 1 / (1 - sheet_back * back)
+                    back, out = sheet_back + sheet_out**2 * back * between, sheet_out * out * between
         axes = tuple(
             replace(place_family(family), half_width=family.spacing / 2)
             for family in (layout.warp, layout.weft)
@@ -240,42 +248,81 @@ class _Seen:
         across, along = layout.warp.spacing, layout.weft.spacing
         unit = float(across.sum() * along.sum()) / AREA_UNITS
         if stacking is None:
-            return cls(areas, np.ones(1), (axes[0], axes[1]), None, unit)
+            return cls(areas, through, returned, np.ones(1), (axes[0], axes[1]), None, unit)
         regions = np.zeros((along.size + 1, across.size + 1, _padded(max(2, len(ranks)))), np.uint32)
         for stack in range(len(ranks)):
             for part, sums in _prefix_sums(stacking.regions == stack, along, across):
                 regions[1:, 1:, stack][part] = np.rint(sums / unit).astype(np.int64).astype(np.uint32)
-        return cls(areas, stacking.shares(), (axes[0], axes[1]), regions, unit)
+        return cls(areas, through, returned, stacking.shares(), (axes[0], axes[1]), regions, unit)
+
+
+def _mean_scattered(plane: _Plane, appearance: Appearance) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """R and T of the yarns of warp and weft of a plane at one scattering, of light from all around [2, 3]."""
+    found = []
+    for tables, family in zip(plane.tables, (appearance.warp, appearance.weft), strict=True):
+        rows = tables.mean.reshape(len(ALBEDO_NAMES), 3)
+        turned, onwards = mean_layer_shares(family.roughness, appearance.optical_depth)
+        found.append((rows[0] + float(turned) * rows[2], rows[1] + float(onwards) * rows[3]))
+    back, through = zip(*found, strict=True)
+    return np.array(back), np.array(through)
 
 
 class _Shares:
-    """How much of each family a face shows of each layer, on one backend; layers add up to 1."""
+    """How much of each family a face shows of each layer, and what layers behind add, on one backend."""
 
     def __init__(self, seen: _Seen, types: ArrayTypes) -> None:
         self._types = types
-        self._areas = opaque(types.Float, seen.areas)
+        # Of each number: by stack, layer, face and family.
+        passing = seen.areas[..., None] * seen.through[..., None, :]
+        added = seen.areas[..., None] * seen.returned
+        numbers = np.concatenate([seen.areas[..., None], passing, added], axis=-1)
+        self._numbers = opaque(types.Float, numbers)
         self._axes = [_Axis(family, types) for family in seen.axes]
         self._regions = None if seen.regions is None else PairedEntries(seen.regions, types)
         self._unit = dr.opaque(types.Float, seen.unit)
-        whole = np.einsum("s,slfy->yl", seen.shares, seen.areas)
-        shares = whole / np.maximum(whole.sum(axis=1, keepdims=True), 1e-20)
-        self.of_cloth = opaque(types.Float, shares)
+        self._of_cloth = [types.Float(float(share)) for share in seen.shares]
 
-    def over(self, footprint: Footprint, back: Mask) -> list[list[Float]]:
-        """Of each family, the shares of the layers over footprints."""
+    def over(
+        self, planes: Sequence[tuple[Albedos, Albedos]], footprint: Footprint, back: Mask
+    ) -> tuple[Albedos, Albedos]:
+        """Mean albedos of warp and weft over footprints, of those of each layer by itself."""
         stacks = self._stacks(footprint)
-        found = []
-        for family in (0, 1):
-            areas = [
-                sum(
-                    share * dr.select(back, layer[1][family], layer[0][family])
-                    for share, layer in zip(stacks, of_layer, strict=True)
-                )
-                for of_layer in zip(*self._areas, strict=True)
-            ]
-            inverse = dr.rcp(maximum(sum(areas[1:], areas[0]), 1e-6))
-            found.append([area * inverse for area in areas])
-        return found
+        warp, weft = (
+            self._weighed([plane[family] for plane in planes], stacks, family, back) for family in (0, 1)
+        )
+        return warp, weft
+
+    def of_cloth(self, planes: Sequence[tuple[Albedos, Albedos]]) -> tuple[Albedos, Albedos]:
+        """Mean albedos of warp and weft over all of the front."""
+        back = self._types.Bool(False)
+        warp, weft = (
+            self._weighed([plane[family] for plane in planes], self._of_cloth, family, back)
+            for family in (0, 1)
+        )
+        return warp, weft
+
+    def _weighed(
+        self, albedos: Sequence[Albedos], stacks: Sequence[Float], family: int, back: Mask
+    ) -> Albedos:
+        types = self._types
+        area, sums = types.Float(0), [types.Color3(0) for _ in ALBEDO_NAMES]
+        for layer, of_layer in enumerate(albedos):
+            numbers = [types.Float(0)] * 7
+            for share, of_stack in zip(stacks, self._numbers, strict=True):
+                front, behind = of_stack[layer]
+                pairs = zip(behind[family], front[family], strict=True)
+                numbers = [
+                    dr.fma(share, dr.select(back, *pair), number)
+                    for number, pair in zip(numbers, pairs, strict=True)
+                ]
+            share, through, added = numbers[0], types.Color3(*numbers[1:4]), types.Color3(*numbers[4:])
+            area += share
+            sums[0] += share * of_layer.diffuse_reflect + added
+            sums[1] += through * of_layer.diffuse_transmit
+            sums[2] += share * of_layer.specular_reflect
+            sums[3] += through * of_layer.specular_transmit
+        inverse = dr.rcp(maximum(area, 1e-6))
+        return Albedos(*(total * inverse for total in sums))
 
     def _stacks(self, footprint: Footprint) -> list[Float]:
         """The area of each stack in footprints, in any unit."""
@@ -289,7 +336,7 @@ class _Shares:
         )
         areas = _integrals(self._regions, own, other, types)
         area = own[0].lengths(*own[1:])[0] * other[0].lengths(*other[1:])[0]
-        return [clip(part * self._unit / area, 0, 1) for part in areas[: len(self._areas)]]
+        return [clip(part * self._unit / area, 0, 1) for part in areas[: len(self._numbers)]]
 
 
 def _of_threads(family: FamilyAppearance, threads: NDArray[np.intp]) -> FamilyAppearance:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import hashlib
+from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.weave.layers import Layers
+from loomlight.weave.layers import Layers, find_layers
 from loomlight.yarn.layout import ClothLayout, FamilyLayout, Layer, Stacking, shared_spacing
 
 _Threads = NDArray[np.intp]
@@ -16,6 +18,22 @@ _Threads = NDArray[np.intp]
 WidthOf = Callable[[str, _Threads, NDArray[np.float64]], NDArray[np.float64]]
 # Width of the thread that stands for the family which a layer of floating threads has not: none sees it.
 _HAIRLINE_MM = 1e-5
+
+
+# Drawdowns whose layers are remembered, by their digests: edits of a fabric seldom change the weave.
+_MOST_KEPT = 8
+_kept: OrderedDict[tuple[tuple[int, ...], bytes], Layers] = OrderedDict()
+
+
+def layers_of(drawdown: NDArray[np.bool_]) -> Layers:
+    """The layers of a drawdown [picks, ends], found at the first call for it."""
+    key = drawdown.shape, hashlib.blake2b(np.packbits(drawdown).tobytes()).digest()
+    if key not in _kept:
+        _kept[key] = find_layers(drawdown)
+        if len(_kept) > _MOST_KEPT:
+            _kept.popitem(last=False)
+    _kept.move_to_end(key)
+    return _kept[key]
 
 
 def front_drawdown(drawdown: NDArray[np.bool_], found: Layers) -> NDArray[np.bool_]:

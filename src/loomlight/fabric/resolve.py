@@ -22,12 +22,11 @@ from numpy.typing import NDArray
 from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
 from loomlight.fabric.fields import FabricFile, YarnTable, colours_in_order
-from loomlight.fabric.layering import front_drawdown, stacked_layers
+from loomlight.fabric.layering import front_drawdown, layers_of, stacked_layers
 from loomlight.fabric.yarns import Yarn, kind_of, with_yarns
 from loomlight.scattering.albedo import Albedos
 from loomlight.scattering.appearance import Irregularity, Sheen, Variation, YarnDetail
 from loomlight.weave.draft import Draft, Threads
-from loomlight.weave.layers import find_layers
 from loomlight.weave.palette import WARP_COLOUR, WEFT_COLOUR, with_palette
 from loomlight.weave.textile import CM_PER_INCH, DEFAULT_SETT_PER_CM, yarn_diameter_mm
 from loomlight.yarn.layout import ClothLayout, FamilyLayout, Layer, Stacking
@@ -134,7 +133,7 @@ def resolve(fields: FabricFile, draft: Draft) -> ResolvedFabric:
             f"{coloured.drawdown.size / 1e6:.0f} million crossings, and at most "
             f"{MAXIMUM_CROSSINGS / 1e6:.0f} million can be rendered: render a part of it."
         )
-    found = find_layers(coloured.drawdown)
+    found = layers_of(coloured.drawdown)
     # In layered cloth the whole drawdown resembles none of its weaves: the front one's bends are meant.
     warp_bend, weft_bend = bends_of(front_drawdown(coloured.drawdown, found))
     warp_spacing = family_spacing(fields, "warp", coloured.warp, coloured.weft, coloured.ends)

@@ -5,9 +5,6 @@ from __future__ import annotations
 from typing import final
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
-from loomlight.core.arrays import Mask
-from loomlight.core.backend import ArrayTypes
-from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.point import Albedos
 from loomlight.yarn.stack import ClothGeometry
@@ -35,15 +32,8 @@ class LiveAlbedos(FootprintAlbedos):
         super().__init__(geometry, appearance)
         self._shared = warp, weft
 
-    def over(self, footprint: Footprint, back: Mask) -> tuple[Albedos, Albedos]:
-        """Mean albedos of (warp, weft) over footprints; see `FootprintAlbedos.over`."""
-        return self._with_shared(*super().over(footprint, back))
-
-    def of_cloth(self, types: ArrayTypes) -> tuple[Albedos, Albedos]:
-        """Mean albedos of (warp, weft) over all threads."""
-        return self._with_shared(*super().of_cloth(types))
-
-    def _with_shared(self, warp: Albedos, weft: Albedos) -> tuple[Albedos, Albedos]:
+    def shown(self, warp: Albedos, weft: Albedos) -> tuple[Albedos, Albedos]:
+        """Means over threads of one plane, or the scene's; see `FootprintAlbedos.shown`."""
         own_warp, own_weft = self._shared
         if own_warp is not None and type(own_warp.diffuse_reflect) is type(warp.diffuse_reflect):
             warp = own_warp

@@ -1,0 +1,164 @@
+"""Models on layered cloth: colours where cloths change places, means against points, samplers, and refusals.
+
+Covers: fabric/layering.py
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from pathlib import Path
+
+import drjit as dr
+import numpy as np
+import pytest
+from drjit.llvm.ad import Array2f, Array3f, Float
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+from loomlight.core.footprint import Footprint
+from loomlight.fabric import Fabric, fabric_from_text
+from loomlight.models.interface import Model
+from loomlight.models.registry import make_model
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+DRAFTS = ("double-plain", "pattern-double-weave", "extra-weft-figure", "four-layers")
+# Lights and views of the same side, of either face, and light through the cloth.
+PAIRS = [
+    ((0.3, 0.1, 0.9), (-0.4, 0.2, 0.85)),
+    ((-0.5, 0.4, -0.6), (0.2, 0.3, -0.9)),
+    ((0.2, 0.5, -0.8), (0.1, 0, 1)),
+]
+
+
+@cache
+def _fabric(draft: str, more: str = "") -> Fabric:
+    text = f'draft = "{EXAMPLES}/layered/{draft}.wif"\ninterreflection = false\n{more}'
+    return fabric_from_text(text)
+
+
+@cache
+def _model(name: str, draft: str) -> Model:
+    return make_model(name, _fabric(draft))
+
+
+def _unit(vector: tuple[float, float, float]) -> Array3f:
+    return dr.normalize(Array3f(*vector))
+
+
+def _values(model: Model, side: float, count: int, pair: int, seed: int) -> NDArray[np.float64]:
+    """f·cos of footprints of a side in millimetres, anywhere in the repeat [count, 3]."""
+    rng = np.random.default_rng(seed)
+    width, height = model.fabric.repeat_mm
+    centre = Array2f(Float(rng.uniform(0, width, count)), Float(rng.uniform(0, height, count)))
+    footprint = Footprint(centre, Array2f(side, 0), Array2f(0, side))
+    light, view = (_unit(vector) + 0 * Array3f(centre.x) for vector in PAIRS[pair])
+    return model.at(view, footprint).value(light).numpy().T.astype(np.float64)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("draft", DRAFTS)
+@pytest.mark.parametrize("pair", range(len(PAIRS)))
+def test_means_of_models_are_those_of_points(draft: str, pair: int) -> None:
+    """Over a whole repeat. `samples` has no bias.
+
+    `lobes` has one colour of each family at a place, a mean of the layers that show: it errs by 19 % of the
+    brightest channel where these differ most. Light that comes through is faint, and its colour a product of
+    those of all layers: twice as much or half of it.
+    """
+    point = _values(_model("point", draft), 1e-3, 1 << 15, pair, 1)
+    mean, error = point.mean(axis=0), point.std(axis=0) / math.sqrt(len(point))
+    side = 0.5 * _fabric(draft).repeat_mm[0]
+    samples = _values(_model("samples", draft), side, 1 << 11, pair, 2)
+    both = np.hypot(error, samples.std(axis=0) / math.sqrt(len(samples)))
+    # 4 drafts, 3 pairs and 3 channels: one in 1500 passes 4.5 deviations by chance.
+    assert (np.abs(samples.mean(axis=0) - mean) < 4.5 * both + 1e-6).all()
+    lobes = _values(_model("lobes", draft), 1.5 * side, 1 << 9, pair, 3)
+    through = PAIRS[pair][0][2] * PAIRS[pair][1][2] < 0
+    bound = 2e-3 if through else 0.2 * mean.max()
+    assert (np.abs(lobes.mean(axis=0) - mean) < bound + 4.5 * error).all()
+
+
+def test_blocks_have_the_colours_of_the_cloth_in_front() -> None:
+    """Red lies in front of blue in one half of the repeat, behind it in the other; seen from behind, too."""
+    model = _model("lobes", "pattern-double-weave")
+    stacking = model.fabric.layout().stacking
+    assert stacking is not None
+    width, height = model.fabric.repeat_mm
+    picks, ends = stacking.regions.shape
+    for face in (1.0, -1.0):
+        reds = []
+        for stack in (0, 1):
+            inside = _inside(stacking.regions == stack)
+            row, column = (int(places[len(places) // 2]) for places in np.nonzero(inside))
+            centre = Array2f((column + 0.5) * width / ends, (row + 0.5) * height / picks)
+            footprint = Footprint(centre, Array2f(2 * width / ends, 0), Array2f(0, 2 * height / picks))
+            warp, weft = model.means.over(footprint, face < 0)
+            colour = (warp.diffuse_reflect + weft.diffuse_reflect).numpy().ravel()
+            reds.append(colour[0] > 2 * colour[2])
+            assert reds[-1] or colour[2] > 2 * colour[0]
+        assert sorted(reds) == [False, True]
+    front, behind = (
+        model.means.over(
+            Footprint(Array2f(width / 2, height / 2), Array2f(4 * width, 0), Array2f(0, 4 * height)), back
+        )[0]
+        for back in (False, True)
+    )
+    # Half and half from afar, but for what shows through gaps.
+    assert np.allclose(front.diffuse_reflect.numpy(), behind.diffuse_reflect.numpy(), rtol=2e-2)
+
+
+def _inside(region: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Crossings three or more from the region's rim."""
+    for axis in (0, 1):
+        for step in (1, 2, 3):
+            region = region & np.roll(region, step, axis) & np.roll(region, -step, axis)
+    return region
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["point", "samples", "lobes"])
+def test_sampled_directions_weigh_what_even_ones_do(name: str) -> None:
+    """The albedo by the sampler and by directions spread evenly over the sphere."""
+    model = _model(name, "pattern-double-weave")
+    rng = np.random.default_rng(7)
+    count = 1 << 15
+    width, height = model.fabric.repeat_mm
+    centre = Array2f(Float(rng.uniform(0, width, count)), Float(rng.uniform(0, height, count)))
+    footprint = Footprint(centre, Array2f(1.0, 0), Array2f(0, 1.0))
+    view = _unit((0.3, 0.4, 0.8)) + 0 * Array3f(centre.x)
+    at = model.at(view, footprint)
+    numbers = [Float(rng.random(count)) for _ in range(3)]
+    drawn = at.sample(numbers[0], Array2f(numbers[1], numbers[2]))
+    sampled = np.where(drawn.is_null.numpy(), 0, drawn.weight.numpy()).T
+    z, turn = rng.uniform(-1, 1, count), rng.uniform(0, 2 * math.pi, count)
+    side = np.sqrt(1 - z * z)
+    light = Array3f(Float(side * np.cos(turn)), Float(side * np.sin(turn)), Float(z))
+    even = at.value(light).numpy().T * 4 * math.pi
+    error = np.sqrt((sampled.var(axis=0) + even.var(axis=0)) / count)
+    assert (np.abs(sampled.mean(axis=0) - even.mean(axis=0)) < 4.5 * error).all()
+    assert (sampled.mean(axis=0) < 1).all()
+
+
+@pytest.mark.parametrize("name", ["neural", "clustered"])
+def test_models_of_one_plane_say_so(name: str) -> None:
+    with pytest.raises(InputError, match=f"has 2 layers of cloth, and the model {name} shows a single one"):
+        make_model(name, _fabric("double-plain"))
+
+
+def test_widths_grow_with_the_room_of_a_layer() -> None:
+    """Gaps stay shares of it; a width that is given stays."""
+    layer = _fabric("double-plain", "gap = 0.25").layout().layers[0].layout
+    assert np.allclose(layer.warp.width, 0.75 * layer.warp.spacing)
+    whole = _fabric("double-plain").layout()
+    assert np.allclose(whole.layers[0].layout.warp.spacing, 2 * whole.warp.spacing[0])
+    given = _fabric("double-plain", "[warp]\nwidth_mm = 0.1").layout().layers[1].layout
+    assert np.allclose(given.warp.width, 0.1)
+
+
+def test_floats_behind_are_a_layer_of_their_own() -> None:
+    """The second weft of a backed twill floats: nothing else is in its plane."""
+    layout = _fabric("backed-twill").layout()
+    behind = layout.layers[1].layout
+    assert len(behind.weft.spacing) * 2 == len(layout.weft.spacing)
+    assert behind.warp.open_share > 0.999
