@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.weave.layers import Layers, find_layers
+from loomlight.weave.layers import Layers, find_layers, layer_sizes, single_layer
 from loomlight.yarn.layout import ClothLayout, FamilyLayout, Layer, Stacking, shared_spacing
 
 _Threads = NDArray[np.intp]
@@ -26,14 +26,32 @@ _kept: OrderedDict[tuple[tuple[int, ...], bytes], Layers] = OrderedDict()
 
 
 def layers_of(drawdown: NDArray[np.bool_]) -> Layers:
-    """The layers of a drawdown [picks, ends], found at the first call for it."""
+    """The layers that a drawdown [picks, ends] is shown with, found at the first call for it.
+
+    What no thread binds together lies in layers for sure. All else must have its threads in turns, as every
+    loom's set-up has: among few threads in no order some lie upon others by chance.
+    """
     key = drawdown.shape, hashlib.blake2b(np.packbits(drawdown).tobytes()).digest()
     if key not in _kept:
-        _kept[key] = find_layers(drawdown)
+        found = find_layers(drawdown)
+        if len(layer_sizes(drawdown)) < 2 and not _takes_turns(found, drawdown.shape):
+            found = single_layer(*drawdown.shape)
+        _kept[key] = found
         if len(_kept) > _MOST_KEPT:
             _kept.popitem(last=False)
     _kept.move_to_end(key)
     return _kept[key]
+
+
+def _takes_turns(found: Layers, shape: tuple[int, ...]) -> bool:
+    """Whether the systems of both families follow one another in a turn that repeats within the draft."""
+    turns = []
+    for count, family in zip(shape, ("picks", "ends"), strict=True):
+        system = np.full(count, -1)
+        for number, of_system in enumerate(found.systems):
+            system[getattr(of_system, family)] = number
+        turns.append(any(np.array_equal(np.roll(system, step), system) for step in range(1, count // 2 + 1)))
+    return all(turns)
 
 
 def front_drawdown(drawdown: NDArray[np.bool_], found: Layers) -> NDArray[np.bool_]:

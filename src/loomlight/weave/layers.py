@@ -41,8 +41,11 @@ _WINDOWS = (64, 32, 16, 8)
 # stitches are. Of the ten layered drafts in examples/makers it is 0.13 at most (wadding of the piqué); of the
 # named weaves, which are single cloths, at least 0.2.
 _MAX_CONTRARY = 0.16
-# Neighbouring levels differ by at least this share of a window in how often their threads are on top. Satin
-# upon sateen differs least: by 1/8 where both repeat over eight threads.
+# Where they do not differ, both are on top or both are not: of a rib's threads, which are no layers, never.
+# It is so at this share of all places, and at this many times those where they are below.
+_MIN_EQUAL, _EQUAL_OF_CONTRARY = 1 / 16, 2
+# Neighbouring levels differ by at least this share of a window, and by two places, in how often their threads
+# are on top. Satin upon sateen, of eight ends each, differs least: by a quarter of the share of their ends.
 _MIN_GAP = 1 / 16
 # The largest gap between threads of one level, in mean gaps.
 _MAX_UNEVEN = 2.5
@@ -52,6 +55,12 @@ _MAX_SYSTEMS = 8
 _MAX_TURN = 48
 # Of a system's crossings with another, at least so many tell their order; otherwise the two are woven as one.
 _MIN_ORDERED = 0.05
+# Of places beside one that tells an order, at least so many tell the same.
+_MIN_LIKE = 0.75
+# How many times more must be told by smaller windows, if they are to be believed.
+_MUCH_BETTER = 1.2
+# Share of threads that are set right by the turn of all others.
+_MAX_OUT_OF_TURN = 0.05
 # Share of the crossings that a stack has at least.
 _MIN_SHARE = 0.01
 # Rows of crossings that are looked at together.
@@ -118,11 +127,12 @@ def find_layers(warp_up: Bits) -> Layers:
     ends, picks = warp_up.shape[1], warp_up.shape[0]
     of_end, of_pick = _thread_systems(warp_up)
     if max(of_end.max(initial=-1), of_pick.max(initial=-1)) < 1:
-        return _single(picks, ends)
+        return single_layer(picks, ends)
     return _stacked(warp_up, _systems(warp_up, of_end, of_pick))
 
 
-def _single(picks: int, ends: int) -> Layers:
+def single_layer(picks: int, ends: int) -> Layers:
+    """Cloth of one layer, of so many picks and ends."""
     whole = np.broadcast_to(np.uint8(0), (picks, ends))
     return Layers((ThreadSystem(np.arange(ends), np.arange(picks)),), (((0,),),), whole)
 
@@ -138,11 +148,13 @@ class _Classes:
         thread: numbers of threads [k].
         class_: class of each [k].
         window: window of each class [classes].
+        share: windows that hold these levels, of all.
     """
 
     thread: Indices
     class_: Indices
     window: Indices
+    share: float
 
 
 def _classes(warp_up: Bits, side: int) -> _Classes | None:
@@ -191,7 +203,8 @@ def _classes(warp_up: Bits, side: int) -> _Classes | None:
         here = int(max(part.max(initial=-1) for part in classes[-2:])) + 1 - count
         windows.append(np.full(here, window))
         count += here
-    return _Classes(np.concatenate(threads), np.concatenate(classes), np.concatenate(windows))
+    share = kinds[kind] / (len(rows) * len(columns))
+    return _Classes(np.concatenate(threads), np.concatenate(classes), np.concatenate(windows), share)
 
 
 def _window_starts(count: int, side: int) -> tuple[Indices, int]:
@@ -215,15 +228,16 @@ def _levels(over: NDArray[np.float32]) -> Indices:
     order = np.argsort(-times, axis=1, kind="stable")
     sorted_times = np.take_along_axis(times, order, axis=1)
     gap = sorted_times[:, :-1] - sorted_times[:, 1:]
-    window, last = np.nonzero(gap >= max(1, _MIN_GAP * crossings))
+    window, last = np.nonzero(gap >= max(2, _MIN_GAP * crossings))
     if window.size == 0:
         return level
     behind = times[window] < sorted_times[window, last][:, None]
     # Levels alternate across the whole window; a figure beside its ground does not.
     alternates = _alternate(behind)
     window, behind = window[alternates], behind[alternates]
-    above, below = _near_pairs(over, window, behind)
-    told = (above > 0) & (below <= _MAX_CONTRARY * above)
+    above, below, equal = _near_pairs(over, window, behind)
+    told = (below <= _MAX_CONTRARY * above) & (_EQUAL_OF_CONTRARY * below <= equal)
+    told &= equal >= _MIN_EQUAL * (above + below + equal)
     np.add.at(level, window[told], behind[told])
     level[level.max(axis=1) >= _MAX_LEVELS] = 0
     return level
@@ -248,13 +262,13 @@ def _alternate(behind: Bits) -> Bits:
 
 def _near_pairs(
     over: NDArray[np.float32], window: Indices, behind: Bits
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """How often threads in front are above, and below, those behind beside them, of each split [splits].
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """How often threads in front are above, below and like those behind beside them, of each split [splits].
 
     Each thread of the fewer kind is compared with the nearest of the other kind on either side.
     """
-    threads = over.shape[1]
-    above, below = np.zeros(len(window)), np.zeros(len(window))
+    threads, crossings = over.shape[1:]
+    above, below, compared = (np.zeros(len(window)) for _ in range(3))
     place = np.arange(threads)
     few_behind = 2 * np.count_nonzero(behind, axis=1) <= threads
     few = np.where(few_behind[:, None], behind, ~behind)
@@ -270,7 +284,8 @@ def _near_pairs(
             lower = np.sum(((1 - seen) * other).sum(axis=2) * known, axis=1)
             above[part] += np.where(few_behind[part], lower, higher)
             below[part] += np.where(few_behind[part], higher, lower)
-    return above, below
+            compared[part] += crossings * np.count_nonzero(known, axis=1)
+    return above, below, compared - above - below
 
 
 def _linked(up: Bits, of_end: Indices, of_pick: Indices) -> tuple[Indices, Indices]:
@@ -290,7 +305,7 @@ def _linked(up: Bits, of_end: Indices, of_pick: Indices) -> tuple[Indices, Indic
     for end in range(end_levels):
         pick = int(rarer[:, end].argmax())
         others = [*np.delete(rarer[pick], end), *np.delete(rarer[:, end], pick)]
-        if rarer[pick, end] >= max(0.04, 3 * max(others)):
+        if rarer[pick, end] >= max(0.04, 2 * max(others)):
             class_of_end[end] = pick
     return class_of_end[of_end], of_pick
 
@@ -301,15 +316,17 @@ def _linked(up: Bits, of_end: Indices, of_pick: Indices) -> tuple[Indices, Indic
 def _thread_systems(warp_up: Bits) -> tuple[Indices, Indices]:
     """The system of each end and pick, from 0; −1 where no window tells."""
     picks, ends = warp_up.shape
-    best = np.full(ends + picks, -1, np.intp)
+    best, best_score = np.full(ends + picks, -1, np.intp), 0.0
     for side in _WINDOWS:
         classes = _classes(warp_up, side)
         if classes is None:
             continue
         found = _propagated(classes, ends + picks)
-        if np.count_nonzero(found >= 0) > np.count_nonzero(best >= 0):
-            best = found
-        if np.all(best >= 0):
+        # Larger windows err less, unless figures are smaller than they.
+        score = classes.share * float(np.mean(found >= 0))
+        if score > _MUCH_BETTER * best_score:
+            best, best_score = found, score
+        if best_score > 1 / _MUCH_BETTER:
             break
     return best[:ends], best[ends:]
 
@@ -332,35 +349,52 @@ def _propagated(classes: _Classes, threads: int) -> Indices:
         of_class[fresh] = count + np.arange(len(fresh))
         count += len(fresh)
         for _ in range(64):
-            votes = _votes(classes.thread, of_class[classes.class_], (threads, count))
-            top = votes.argmax(axis=1)
-            most, total = votes.max(axis=1), votes.sum(axis=1)
-            found = np.where((total > 0) & (3 * most >= 2 * total), top, -1)
+            found = _majority_of_threads(classes, of_class, (threads, count))
             votes = _votes(classes.class_, found[classes.thread], (class_count, count))
             most, total = votes.max(axis=1), votes.sum(axis=1)
-            told = np.where(
-                (total >= np.minimum(3, size)) & (5 * most >= 4 * total), votes.argmax(axis=1), -1
-            )
-            told = np.where((told < 0) & (total == 0), of_class, told)
-            _drop_twins(told, classes.window)
+            clear = (total >= np.minimum(3, size)) & (5 * most >= 4 * total)
+            told = np.where(clear, votes.argmax(axis=1), np.where(total == 0, of_class, -1))
+            _drop_twins(told, most, classes.window)
             if np.array_equal(found, system) and np.array_equal(told, of_class):
                 break
             system, of_class = found, told
     return system
 
 
+def _majority_of_threads(classes: _Classes, of_class: Indices, shape: tuple[int, int]) -> Indices:
+    """The system of most classes of each thread [threads], −1 without one; of `shape` threads and systems.
+
+    A class speaks for its system, and against those of the other classes of its window.
+    """
+    threads, count = shape
+    votes = _votes(classes.thread, of_class[classes.class_], shape)
+    in_window = _votes(classes.window, of_class, (int(classes.window.max()) + 1, count))
+    own = of_class[classes.class_]
+    against = np.empty(shape)
+    for system in range(count):
+        others = in_window[classes.window[classes.class_], system] - (own == system)
+        against[:, system] = np.bincount(classes.thread, others, threads)
+    net = votes - against
+    # Half of the classes that speak at all are enough.
+    clear = (net.max(axis=1) > 0) & (2 * net.max(axis=1) >= votes.sum(axis=1))
+    return np.where(clear, net.argmax(axis=1), -1)
+
+
 def _votes(voter: Indices, choice: Indices, shape: tuple[int, int]) -> Indices:
+    """How often each voter chose each system, of `shape`; −1 is no choice."""
     told = choice >= 0
     flat = voter[told] * shape[1] + choice[told]
     return np.bincount(flat, minlength=shape[0] * shape[1]).reshape(shape)
 
 
-def _drop_twins(of_class: Indices, window: Indices) -> None:
-    """Forgets classes of one window that were taken for the same system."""
+def _drop_twins(of_class: Indices, votes: Indices, window: Indices) -> None:
+    """Of classes of one window that were taken for the same system, forgets all but the one of most votes."""
     told = np.flatnonzero(of_class >= 0)
+    told = told[np.argsort(-votes[told], kind="stable")]
     key = window[told] * _MAX_SYSTEMS + of_class[told]
-    _, inverse, counts = np.unique(key, return_inverse=True, return_counts=True)
-    of_class[told[counts[inverse] > 1]] = -1
+    first = np.zeros(len(told), bool)
+    first[np.unique(key, return_index=True)[1]] = True
+    of_class[told[~first]] = -1
 
 
 def _by_turn(of_thread: Indices) -> Indices:
@@ -390,7 +424,9 @@ def _by_turn(of_thread: Indices) -> Indices:
     of_turn = first[table.argmax(axis=1)]
     of_turn[table.sum(axis=1) == 0] = -1
     found = of_turn[np.arange(threads) % turn]
-    found[told] = first[system]
+    # Few threads out of turn are mistakes; many are an order that has no turn.
+    if np.count_nonzero(found[told] != first[system]) > _MAX_OUT_OF_TURN * len(told):
+        found[told] = first[system]
     return found
 
 
@@ -400,9 +436,10 @@ def _alternating(system: Indices, count: int) -> Bits:
     for one in range(count):
         for other in range(one):
             alone = system[(system == one) | (system == other)]
-            changes = np.count_nonzero(np.diff(alone))
+            changes = np.count_nonzero(alone != np.roll(alone, 1))
             fewer = min(np.count_nonzero(alone == one), np.count_nonzero(alone == other))
-            apart[one, other] = apart[other, one] = changes >= fewer
+            # In turns of up to six of each; a figure has more.
+            apart[one, other] = apart[other, one] = 3 * changes >= fewer
     return apart
 
 
@@ -452,7 +489,7 @@ def _stacked(warp_up: Bits, systems: list[ThreadSystem]) -> Layers:
     """Layers of these systems, of which those that are woven as one everywhere are joined."""
     systems = _joined_where_no_order(warp_up, systems)
     if len(systems) == 1:
-        return _single(*warp_up.shape)
+        return single_layer(*warp_up.shape)
     count = len(systems)
     pairs = [(i, j) for i in range(count) for j in range(i + 1, count)]
     # Orders of all pairs at each crossing, as a number to base 3 that is kept small.
@@ -479,6 +516,9 @@ def _stacked(warp_up: Bits, systems: list[ThreadSystem]) -> Layers:
         for orders, share in zip(known, shares, strict=True)
     ]
     ranked = sorted((at for at, stack in enumerate(stacks) if stack), key=lambda at: -int(shares[at]))
+    clear = sum(int(shares[at]) for at in ranked)
+    if 2 * clear < code.size:
+        return single_layer(*warp_up.shape)
     # An order of few crossings, or that no stack has, is that of an edge: it becomes the one most like it.
     table = np.zeros(len(known), np.uint8)
     chosen: list[Stack] = []
@@ -603,10 +643,10 @@ class _Evidence:
         return order
 
     def ordered_share(self) -> float:
-        """Share of blocks, of the two systems' picks and ends, that tell an order."""
-        ordered = told = 0
+        """Share of blocks, of the two systems' picks and ends, that tell an order; 0 if it is a patchwork."""
         picks, ends = self.warp_up.shape
         strip = max(1, _STRIP // self.height) * self.height
+        orders, told = [], 0
         for first in range(0, picks, strip):
             rows = np.arange(first, min(picks, first + strip))
             above, below = (
@@ -617,9 +657,14 @@ class _Evidence:
                 )
                 for votes in self._votes(rows)
             )
+            clear = 3 * np.abs(above - below) >= np.maximum(1, above + below)
+            orders.append(np.sign(above - below) * clear)
             told += int(np.count_nonzero(above + below))
-            ordered += int(np.count_nonzero(3 * np.abs(above - below) >= np.maximum(1, above + below)))
-        return ordered / max(1, told)
+        order = np.concatenate(orders)
+        ordered = np.count_nonzero(order)
+        # Of neighbours of a block with an order, those with the same.
+        same = sum(np.count_nonzero((order == np.roll(order, 1, axis)) & (order != 0)) for axis in (0, 1))
+        return ordered / max(1, told) if same >= _MIN_LIKE * 2 * ordered else 0.0
 
     def _votes(self, around: Indices) -> tuple[NDArray[np.int8], NDArray[np.int8]]:
         """1 where a crossing says that the first system lies above, and where it says below."""
