@@ -26,7 +26,7 @@ SPACING_MM = 0.4
 
 def double_plain() -> Draft:
     """Two plain cloths that nothing binds: red over blue, ends and picks in turn."""
-    return _draft("double plain", "ABAB", "ABAB", _stacked("ABAB", "ABAB", {"A": plain(), "B": plain()}))
+    return _draft("double plain", "ABAB", "ABAB", stacked("ABAB", "ABAB", {"A": plain(), "B": plain()}))
 
 
 def tube(width: int = 12) -> Draft:
@@ -52,7 +52,7 @@ def tube(width: int = 12) -> Draft:
 def pocket(inside: int = 24, border: int = 8) -> Draft:
     """Squares of two plain cloths, which all ends and picks join to one plain cloth between the squares."""
     order = "AB" * ((inside + border) // 2)
-    apart = _stacked(order, order, {"A": plain(), "B": plain()})
+    apart = stacked(order, order, {"A": plain(), "B": plain()})
     joined = np.indices(apart.shape).sum(axis=0) % 2 == 0
     in_square = np.arange(len(order)) < inside
     return _draft("pocket", order, order, np.where(in_square[:, None] & in_square[None], apart, joined))
@@ -67,16 +67,14 @@ def pattern_double_weave(block: int = 16) -> Draft:
         "two-block pattern double weave",
         order,
         order,
-        _stacked(
-            order, order, {"A": plain(), "B": plain()}, front=lambda first: a_in_front == (first == "A")
-        ),
+        stacked(order, order, {"A": plain(), "B": plain()}, front=lambda first: a_in_front == (first == "A")),
     )
 
 
 def four_layers() -> Draft:
     """Four plain cloths that nothing binds."""
     order = "ABCDABCD"
-    return _draft("four layers", order, order, _stacked(order, order, dict.fromkeys("ABCD", plain())))
+    return _draft("four layers", order, order, stacked(order, order, dict.fromkeys("ABCD", plain())))
 
 
 def extra_weft_figure(side: int = 32) -> Draft:
@@ -104,7 +102,7 @@ def matelasse(groups: int = 16) -> Draft:
     one behind, the end behind rises over a pick of the face where the group lies on a line.
     """
     ends, picks = "AAB" * groups, "AACAAB" * groups
-    drawdown = _stacked(ends, picks, {"A": plain(), "C": plain(), "B": plain()})
+    drawdown = stacked(ends, picks, {"A": plain(), "C": plain(), "B": plain()})
     line = np.arange(groups)
     on_line = ((line[:, None] + line[None]) % groups == 0) | ((line[:, None] - line[None]) % groups == 0)
     drawdown[0::6, 2::3] |= on_line
@@ -123,7 +121,7 @@ def backed_twill() -> Draft:
 def stitched_double_cloth() -> Draft:
     """A 2/2 twill over another; each end behind rises over one pick of the face between two raised ends."""
     order = "AB" * 8
-    drawdown = _stacked(order, order, {"A": twill((2, 2)), "B": twill((2, 2))})
+    drawdown = stacked(order, order, {"A": twill((2, 2)), "B": twill((2, 2))})
     pick = np.arange(8)
     drawdown[2 * pick, 2 * (5 * pick % 8) + 1] = True
     return _draft("stitched double cloth", order, order, drawdown)
@@ -132,7 +130,7 @@ def stitched_double_cloth() -> Draft:
 def pique() -> Draft:
     """A plain cloth, wadding behind it, and ends behind all that pull it down along waved lines."""
     ends, picks = "AAB" * 8, "AAAAC" * 8
-    drawdown = _stacked(ends, picks, {"A": plain(), "C": plain(), "B": plain()})
+    drawdown = stacked(ends, picks, {"A": plain(), "C": plain(), "B": plain()})
     stitching = np.arange(8)
     for first in (5 * np.abs(stitching - 4), 5 * ((np.abs(stitching - 4) + 4) % 8)):
         for pick in (first, first + 1):
@@ -160,7 +158,7 @@ def _filled(structure: Structure, side: int) -> NDArray[np.bool_]:
     return np.tile(structure, (-(-side // picks), -(-side // ends)))[:side, :side]
 
 
-def _stacked(
+def stacked(
     ends: str,
     picks: str,
     weaves: Mapping[str, Structure],
@@ -176,16 +174,19 @@ def _stacked(
     """
     drawdown = np.empty((len(picks), len(ends)), dtype=bool)
     order = list(weaves)
-    for pick, of_pick in enumerate(picks):
-        weave = weaves[of_pick]
-        row = weave[picks[:pick].count(of_pick) % len(weave)]
-        for end, of_end in enumerate(ends):
-            if of_end == of_pick:
-                drawdown[pick, end] = row[ends[:end].count(of_end) % len(row)]
-            elif front is None:
-                drawdown[pick, end] = order.index(of_end) < order.index(of_pick)
+    of_end, of_pick = np.array(list(ends)), np.array(list(picks))
+    for one in order:
+        columns = np.flatnonzero(of_end == one)
+        for other in order:
+            rows = np.flatnonzero(of_pick == other)
+            part = np.ix_(rows, columns)
+            if one == other:
+                weave = weaves[one]
+                own_pick, own_end = np.arange(len(rows)), np.arange(len(columns))
+                drawdown[part] = weave[np.ix_(own_pick % weave.shape[0], own_end % weave.shape[1])]
             else:
-                drawdown[pick, end] = front(of_end)[pick, end]
+                in_front = order.index(one) < order.index(other)
+                drawdown[part] = in_front if front is None else front(one)[part]
     return drawdown
 
 

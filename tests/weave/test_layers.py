@@ -398,3 +398,41 @@ def test_the_summary_says_layers_weaves_setts_and_stitches() -> None:
 def test_a_layer_that_is_not_there_is_refused(name: str) -> None:
     with pytest.raises(InputError, match='the draft has 3 layers; "front", "back" and 1 to 3 are'):
         named_layer(layered.matelasse(), name)
+
+
+@pytest.mark.parametrize("picks", ["AB", "AAB", "AABB", "AABAB"])
+@pytest.mark.parametrize("ends", ["AB", "AAB", "AABB", "AAABB"])
+@pytest.mark.parametrize(
+    ("front", "behind"), [("plain", "twill 2/2"), ("satin 8/3", "sateen 8/3"), ("basket 2/2", "satin 5/2")]
+)
+def test_two_cloths_are_found_in_any_turn_of_their_threads(
+    front: str, behind: str, ends: str, picks: str
+) -> None:
+    """Satin upon sateen is the least layered: warp of both is seen much more, or less, than weft."""
+    weaves = {"A": named_weave(front).drawdown, "B": named_weave(behind).drawdown}
+    # Sixteen and ten are whole repeats of the weaves here, of the cloth with one thread in a turn.
+    turns = 40 if "5/2" in behind else 16
+    drawdown = layered.stacked(ends * turns, picks * turns, weaves)
+    layers = find_layers(drawdown)
+    assert layers.stacks == (((0,), (1,)),)
+    is_end, is_pick = (np.array([name == "A" for name in order * turns]) for order in (ends, picks))
+    np.testing.assert_array_equal(layers.systems[0].ends, np.flatnonzero(is_end))
+    np.testing.assert_array_equal(layers.systems[0].picks, np.flatnonzero(is_pick))
+    assert not binding_points(drawdown, layers).any()
+
+
+@pytest.mark.parametrize("name", ["satin 5/2", "satin 8/3", "twill 3/1"])
+def test_figures_of_satin_on_sateen_are_a_single_layer(name: str) -> None:
+    """Where a figure ends, threads of the one lie upon those of the other, for the width of the figure."""
+    satin = named_weave(name).drawdown
+    pick, end = np.indices((160, 120))
+    drawdown = satin[pick % len(satin), end % len(satin)]
+    for radius, middle in ((30, (50, 40)), (14, (120, 90)), (9, (20, 100))):
+        inside = (pick - middle[0]) ** 2 + (end - middle[1]) ** 2 < radius**2
+        drawdown = np.where(inside, ~satin[pick % len(satin), -end % len(satin)], drawdown)
+    assert find_layers(drawdown).depth == 1
+
+
+@pytest.mark.parametrize("name", ["warp rib 9/1", "weft rib 8/8", "basket 8/8", "twill 8/8", "waffle 16"])
+def test_long_floats_are_a_single_layer(name: str) -> None:
+    assert find_layers(named_weave(name).drawdown).depth == 1

@@ -59,6 +59,10 @@ _MIN_ORDERED = 0.05
 _MIN_LIKE = 0.75
 # How many times more must be told by smaller windows, if they are to be believed.
 _MUCH_BETTER = 1.2
+# Share of windows and threads that tell, of windows after which smaller ones are not looked at.
+_GOOD = 0.5
+# Windows that are looked at of one size, and at least of each row of them.
+_MAX_WINDOWS, _MIN_IN_ROW = 4096, 16
 # Share of threads that are set right by the turn of all others.
 _MAX_OUT_OF_TURN = 0.05
 # Share of the crossings that a stack has at least.
@@ -167,6 +171,10 @@ def _classes(warp_up: Bits, side: int) -> _Classes | None:
     end_starts, width = _window_starts(ends, side)
     columns = (end_starts[:, None] + np.arange(width)) % ends
     rows = (pick_starts[:, None] + np.arange(height)) % picks
+    # Of a large draft every few windows, other ones in each row.
+    in_row = max(_MIN_IN_ROW, _MAX_WINDOWS // len(rows))
+    every = -(-len(columns) // in_row)
+    window_count = len(rows) * len(columns[::every])
     # Levels of the windows that hold several: place, of ends, of picks.
     found: list[tuple[int, int, Indices, Indices]] = []
     # Small windows hold by chance what large ones do not.
@@ -174,19 +182,20 @@ def _classes(warp_up: Bits, side: int) -> _Classes | None:
     # A few rows of windows tell whether it is worth looking at all.
     trial = range(0, len(rows), max(1, len(rows) // 16))
     for done, down in enumerate([*trial, *sorted(set(range(len(rows))) - set(trial))]):
-        if done == len(trial) and len(found) < least / 2 * done * len(columns):
+        if done == len(trial) and len(found) < least / 2 * done * len(columns[::every]):
             return None
-        up = warp_up[rows[down]][:, columns].transpose(1, 0, 2).astype(np.float32)
+        chosen = np.arange(down % every, len(columns), every)
+        up = warp_up[rows[down]][:, columns[chosen]].transpose(1, 0, 2).astype(np.float32)
         of_pick, of_end = _levels(1 - up), _levels(up.transpose(0, 2, 1))
         several = (of_pick.max(axis=1) > 0) | (of_end.max(axis=1) > 0)
-        found += [(down, int(at), of_end[at], of_pick[at]) for at in np.flatnonzero(several)]
+        found += [(down, int(chosen[at]), of_end[at], of_pick[at]) for at in np.flatnonzero(several)]
     if not found:
         return None
     kinds = Counter((int(of_end.max()) + 1, int(of_pick.max()) + 1) for _, _, of_end, of_pick in found)
     most = max(kinds.values())
     # Levels of both families tell more than those of one; figures and stitches make more here and there.
     kind = max(kinds, key=lambda kind: (min(kind) > 1 and 4 * kinds[kind] >= most, kinds[kind]))
-    if kinds[kind] < least * len(rows) * len(columns):
+    if kinds[kind] < least * window_count:
         return None
     threads, classes, windows = [], [], []
     count = 0
@@ -203,7 +212,7 @@ def _classes(warp_up: Bits, side: int) -> _Classes | None:
         here = int(max(part.max(initial=-1) for part in classes[-2:])) + 1 - count
         windows.append(np.full(here, window))
         count += here
-    share = kinds[kind] / (len(rows) * len(columns))
+    share = kinds[kind] / window_count
     return _Classes(np.concatenate(threads), np.concatenate(classes), np.concatenate(windows), share)
 
 
@@ -268,23 +277,21 @@ def _near_pairs(
     Each thread of the fewer kind is compared with the nearest of the other kind on either side.
     """
     threads, crossings = over.shape[1:]
-    above, below, compared = (np.zeros(len(window)) for _ in range(3))
+    # How often a thread is on top where another is not [windows, threads, threads].
+    higher = over @ (1 - over).transpose(0, 2, 1)
     place = np.arange(threads)
     few_behind = 2 * np.count_nonzero(behind, axis=1) <= threads
     few = np.where(few_behind[:, None], behind, ~behind)
-    for first in range(0, len(window), 4096):
-        part = slice(first, first + 4096)
-        is_few, seen = few[part], over[window[part]]
-        before = np.maximum.accumulate(np.where(is_few, -1, place), axis=1)
-        after = np.minimum.accumulate(np.where(is_few, threads, place)[:, ::-1], axis=1)[:, ::-1]
-        for near in (before, after):
-            known = is_few & (near >= 0) & (near < threads)
-            other = np.take_along_axis(seen, np.clip(near, 0, threads - 1)[:, :, None], axis=1)
-            higher = np.sum((seen * (1 - other)).sum(axis=2) * known, axis=1)
-            lower = np.sum(((1 - seen) * other).sum(axis=2) * known, axis=1)
-            above[part] += np.where(few_behind[part], lower, higher)
-            below[part] += np.where(few_behind[part], higher, lower)
-            compared[part] += crossings * np.count_nonzero(known, axis=1)
+    before = np.maximum.accumulate(np.where(few, -1, place), axis=1)
+    after = np.minimum.accumulate(np.where(few, threads, place)[:, ::-1], axis=1)[:, ::-1]
+    of_few, of_other, compared = (np.zeros(len(window)) for _ in range(3))
+    for near in (before, after):
+        known = few & (near >= 0) & (near < threads)
+        other = np.clip(near, 0, threads - 1)
+        of_few += np.sum(higher[window[:, None], place, other] * known, axis=1)
+        of_other += np.sum(higher[window[:, None], other, place] * known, axis=1)
+        compared += crossings * np.count_nonzero(known, axis=1)
+    above, below = np.where(few_behind, (of_other, of_few), (of_few, of_other))
     return above, below, compared - above - below
 
 
@@ -326,7 +333,7 @@ def _thread_systems(warp_up: Bits) -> tuple[Indices, Indices]:
         score = classes.share * float(np.mean(found >= 0))
         if score > _MUCH_BETTER * best_score:
             best, best_score = found, score
-        if best_score > 1 / _MUCH_BETTER:
+        if best_score > _GOOD:
             break
     return best[:ends], best[ends:]
 
