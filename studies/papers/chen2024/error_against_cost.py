@@ -1,6 +1,6 @@
 """Error of the network against the cost of a query: decoders of three widths on the encoder that ships.
 
-Decoders are trained for a third of the shipped one's time, by width_*.toml. A query is a footprint, a view
+Decoders are trained for a twelfth of the shipped one's time, by width_*.toml. A query is a footprint, a view
 and a light. Beside them are the network that ships, with its last layer fitted to each fabric and without,
 and `lobes`.
 """
