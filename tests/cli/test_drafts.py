@@ -12,6 +12,7 @@ from loomlight.cli.weave import draft_from
 from loomlight.core.errors import InputError
 from loomlight.core.images import read_picture, write_pixels
 from loomlight.weave.named import named_weave
+from loomlight.weave.wif_reader import read_wif
 from loomlight.weave.wif_writer import write_wif
 
 TWILL = named_weave("twill 3/1")
@@ -56,6 +57,20 @@ def test_a_layer_that_is_not_there_writes_nothing(tmp_path: Path, capsys: pytest
     assert run(["weave", "show", "plain", "--layer", "2", "-o", str(output)]) != 0
     assert "the draft has a single layer" in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+def test_a_layer_is_written_as_a_draft(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    source, output = str(LAYERED / "stitched-double-cloth.wif"), tmp_path / "a.wif"
+    assert run(["weave", "convert", source, "--layer", "back", "-o", str(output)]) == 0
+    back = read_wif(output)
+    np.testing.assert_array_equal(back.drawdown, np.tile(named_weave("twill 2/2").drawdown, (2, 2)))
+    assert back.warp.spacing_mm is not None
+    # Half the ends take up the room of all.
+    np.testing.assert_allclose(back.warp.spacing_mm, 0.8)
+    changing = str(LAYERED / "pattern-double-weave.wif")
+    assert run(["weave", "convert", changing, "--layer", "front", "-o", str(tmp_path / "b.wif")]) != 0
+    assert "as cloths change places in it" in capsys.readouterr().err
+    assert [file.name for file in tmp_path.iterdir()] == ["a.wif"]
 
 
 def test_information_names_layers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

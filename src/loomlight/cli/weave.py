@@ -35,6 +35,12 @@ DraftArgument = Annotated[
         help="A .wif file, a picture of a drawdown, a fabric file, a .loom, or a weave's name.",
     ),
 ]
+LayerOption = Annotated[
+    str | None,
+    typer.Option(
+        metavar="front|back|N", help="One of several layers alone; 1 is the front, 2 lies behind it."
+    ),
+]
 
 
 @app.command(epilog='Example: loomlight weave show "twill 3/1" -o draft.png')
@@ -55,12 +61,7 @@ def show(
     drawdown: Annotated[
         bool, typer.Option("--drawdown", help="The interlacement alone, without threading and tie-up.")
     ] = False,
-    layer: Annotated[
-        str | None,
-        typer.Option(
-            metavar="front|back|N", help="One of several layers alone; 1 is the front, 2 lies behind it."
-        ),
-    ] = None,
+    layer: LayerOption = None,
 ) -> None:
     """Draws a draft as weaving software does: drawdown, threading, tie-up, treadling, colours."""
     from loomlight.core.images import write_pixels
@@ -97,6 +98,7 @@ def convert(
             "--output", "-o", help="The file to write: .wif, .dtx, or a bitmap: .png, .bmp, .tif or .tiff."
         ),
     ],
+    layer: LayerOption = None,
     each_weft: Annotated[
         bool, typer.Option("--each-weft", help="Write a bitmap a weft: cloth-1.bmp, cloth-2.bmp and so on.")
     ] = False,
@@ -128,7 +130,7 @@ def convert(
         typer.Option(help="Where they have their first end: on the left if nothing is said."),
     ] = None,
 ) -> None:
-    """Writes a draft as a weaving information file (WIF 1.1), a Fiberworks file or a loom's bitmaps."""
+    """Writes a draft, or a layer, as a weaving information file (WIF 1.1), a Fiberworks file or bitmaps."""
     from loomlight.weave.bitmaps import BITMAP_SUFFIXES, BitmapLayout, order_text, split_wefts, write_bitmaps
     from loomlight.weave.save import SAVED_SUFFIXES, save_draft
 
@@ -137,6 +139,8 @@ def convert(
     read_as = BitmapLayout(read_lifted or "black", read_first_pick or "bottom", read_first_end or "left")
     is_bitmap = len(drafts) > 1 or order is not None or any((read_lifted, read_first_pick, read_first_end))
     draft = draft_of_bitmaps(drafts, order, read_as) if is_bitmap else draft_from(drafts[0])
+    if layer is not None:
+        draft = _draft_of_layer(draft, layer, drafts[0])
     if not each_weft:
         save_draft(draft, output, layout)
         done(output)
@@ -150,6 +154,23 @@ def convert(
         print(f"{path}: {len(weft.warp_up)} picks{colour}")
     if len(wefts) > 1:
         print(f"order of the wefts: {order_text(cycle)}")
+
+
+def _draft_of_layer(draft: Draft, name: str, source: str) -> Draft:
+    """The threads of one layer as a draft of its own.
+
+    Raises:
+        InputError: no such layer, or one in which cloths change places.
+    """
+    from loomlight.weave.layers import named_layer, plain_draft
+
+    alone = plain_draft(draft, named_layer(draft, name))
+    if alone is None:
+        raise InputError(
+            f'The layer "{name}" of {source} is no draft of its own, as cloths change places in it; '
+            "`loomlight weave show --layer` draws it."
+        )
+    return alone
 
 
 def draft_of_bitmaps(paths: list[str], order: str | None, layout: BitmapLayout) -> Draft:
