@@ -335,8 +335,19 @@ def test_named_weaves_lie_in_one_layer(name: str) -> None:
     assert layers_text(draft) == ""
 
 
+@st.composite
+def repeated_drawdowns(draw: st.DrawFn) -> NDArray[np.bool_]:
+    """A small part repeated, with few crossings that are otherwise."""
+    shape = st.tuples(st.integers(1, 8), st.integers(1, 8))
+    part = draw(numpy_strategies.arrays(bool, shape))
+    picks, ends = draw(st.tuples(st.integers(1, 40), st.integers(1, 40)))
+    drawdown = np.tile(part, (-(-picks // len(part)), -(-ends // part.shape[1])))[:picks, :ends]
+    rng = np.random.default_rng(draw(st.integers(0, 99)))
+    return drawdown ^ (rng.random(drawdown.shape) < draw(st.sampled_from([0, 0.03])))
+
+
 @settings(max_examples=30)
-@given(numpy_strategies.arrays(bool, st.tuples(st.integers(1, 9), st.integers(1, 9))))
+@given(repeated_drawdowns())
 def test_any_drawdown_has_layers_that_hold_each_thread_once(warp_up: NDArray[np.bool_]) -> None:
     layers = find_layers(warp_up)
     picks, ends = warp_up.shape
@@ -348,7 +359,9 @@ def test_any_drawdown_has_layers_that_hold_each_thread_once(warp_up: NDArray[np.
         assert sorted(at for group in stack for at in group) == list(range(len(layers.systems)))
     for layer in (0, -1):
         shown = layer_draft(warp_up, layers, layer)
+        assert shown.warp_up.size > 0
         np.testing.assert_array_equal(shown.warp_up, warp_up[shown.pick, shown.end])
+        plain_draft(Draft(warp_up), shown)
     binding_points(warp_up, layers)
     layers_text(Draft(warp_up))
 

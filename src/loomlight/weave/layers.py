@@ -78,7 +78,7 @@ class ThreadSystem:
     Attributes:
         ends: its ends, 0-based, rising [n]; of extra wefts none.
         picks: its picks, 0-based, rising [m]; of extra warps none.
-        host: for extra ends or picks, the system that they are bound to; None for a cloth.
+        host: for extra ends or picks, the cloth that they are bound to; None for a cloth, and without one.
     """
 
     ends: Indices
@@ -842,13 +842,14 @@ def binding_points(warp_up: Bits, layers: Layers) -> Bits:
 
 
 def _threads_of(layers: Layers, group: tuple[int, ...]) -> tuple[Indices, Indices]:
-    """Ends and picks of a layer's systems; across extra threads lie those of their host."""
+    """Ends and picks of a layer's systems; across extra threads lie those of their host, without one all."""
+    picks_of_all, ends_of_all = (np.arange(count) for count in layers.regions.shape)
     ends, picks = [], []
     for at in group:
         system = layers.systems[at]
-        host = system if system.host is None else layers.systems[system.host]
-        ends.append(system.ends if system.ends.size else host.ends)
-        picks.append(system.picks if system.picks.size else host.picks)
+        host = None if system.host is None else layers.systems[system.host]
+        ends.append(system.ends if system.ends.size else ends_of_all if host is None else host.ends)
+        picks.append(system.picks if system.picks.size else picks_of_all if host is None else host.picks)
     return np.unique(np.concatenate(ends)), np.unique(np.concatenate(picks))
 
 
