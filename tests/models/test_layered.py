@@ -140,10 +140,12 @@ def test_sampled_directions_weigh_what_even_ones_do(name: str) -> None:
     assert (sampled.mean(axis=0) < 1).all()
 
 
+@pytest.mark.parametrize("draft", ["double-plain", "pocket"])
 @pytest.mark.parametrize("name", ["neural", "clustered"])
-def test_models_of_one_plane_say_so(name: str) -> None:
+def test_models_of_one_plane_say_so(name: str, draft: str) -> None:
+    """A pocket has a third plane, where its two layers are woven as one."""
     with pytest.raises(InputError, match=f"has 2 layers of cloth, and the model {name} shows a single one"):
-        make_model(name, _fabric("double-plain"))
+        make_model(name, _fabric(draft))
 
 
 def test_widths_grow_with_the_room_of_a_layer() -> None:

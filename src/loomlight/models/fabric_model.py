@@ -199,8 +199,8 @@ def plane_source(source: Source, model: str) -> Fabric:
         InputError: it is none, or layered cloth.
     """
     fabric = fabric_source(source, model)
-    layers = len(fabric.layout().layers)
-    if layers:
+    layers = fabric.layout().depth
+    if layers > 1:
         raise InputError(
             f"{fabric.name} has {layers} layers of cloth, and the model {model} shows a single one: "
             "use lobes, samples, point, neumip or latent."

@@ -81,6 +81,13 @@ class ClothLayout:
         return float(self.warp.spacing.sum()), float(self.weft.spacing.sum())
 
     @property
+    def depth(self) -> int:
+        """How many layers lie upon one another where most do; 1 of cloth in one plane."""
+        if self.stacking is not None:
+            return int(self.stacking.ranks.max()) + 1
+        return max(1, len(self.layers))
+
+    @property
     def open_area(self) -> float:
         """Share of the plan where neither family lies: at most this goes straight through, from anywhere."""
         if self.stacking is not None:
