@@ -120,7 +120,7 @@ def test_what_is_too_large_or_unknown_is_refused_and_nothing_is_written(tmp_path
         with pytest.raises(InputError, match=r"scale .* out of range"):
             write_draft_pdf(two_ends(), path, scale=scale)
     with pytest.raises(InputError, match='paper "b5" is not known'):
-        write_draft_pdf(two_ends(), path, paper="b5")  # type: ignore[arg-type]
+        write_draft_pdf(two_ends(), path, paper="b5")  # type: ignore[arg-type]  # none of the sizes
     assert list(tmp_path.iterdir()) == []
 
 
