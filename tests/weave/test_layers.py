@@ -1,6 +1,6 @@
 """Layers of drafts: exact ones against strong connection of "lies above", those of windows against plans.
 
-Covers: weave/layers.py, weave/recognition.py
+Covers: weave/layers.py, weave/layer_drafts.py, weave/recognition.py
 """
 
 import warnings
@@ -20,16 +20,14 @@ from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.weave import load_draft, named_weave, weave_names
 from loomlight.weave.draft import Draft
 from loomlight.weave.drawing import draw_layer
-from loomlight.weave.layers import (
-    Layers,
+from loomlight.weave.layer_drafts import (
     binding_points,
-    find_layers,
     layer_draft,
-    layer_sizes,
     layers_text,
     named_layer,
     plain_draft,
 )
+from loomlight.weave.layers import Layers, find_layers, layer_sizes
 from loomlight.weave.recognition import weave_name
 
 from .conftest import cases, corpus

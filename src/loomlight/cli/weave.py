@@ -66,7 +66,7 @@ def show(
     """Draws a draft as weaving software does: drawdown, threading, tie-up, treadling, colours."""
     from loomlight.core.images import write_pixels
     from loomlight.weave.drawing import draw_draft, draw_drawdown, draw_layer
-    from loomlight.weave.layers import named_layer, plain_draft
+    from loomlight.weave.layer_drafts import named_layer, plain_draft
 
     check_output(output, PIXEL_SUFFIXES, [draft])
     shown = draft_from(draft)
@@ -162,7 +162,7 @@ def _draft_of_layer(draft: Draft, name: str, source: str) -> Draft:
     Raises:
         InputError: no such layer, or one in which cloths change places.
     """
-    from loomlight.weave.layers import named_layer, plain_draft
+    from loomlight.weave.layer_drafts import named_layer, plain_draft
 
     alone = plain_draft(draft, named_layer(draft, name))
     if alone is None:
@@ -194,7 +194,7 @@ def draft_of_bitmaps(paths: list[str], order: str | None, layout: BitmapLayout) 
 @app.command(epilog="Example: loomlight weave info examples/denim.toml")
 def info(draft: DraftArgument) -> None:
     """Says what a draft is: size, setts, floats, shafts, colours, layers; of a fabric also its weight."""
-    from loomlight.weave.layers import layers_text
+    from loomlight.weave.layer_drafts import layers_text
     from loomlight.weave.textile import summary
 
     if Path(draft).suffix.lower() not in FABRIC_SUFFIXES:

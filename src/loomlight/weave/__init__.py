@@ -6,17 +6,15 @@ from loomlight.weave.draft import MAXIMUM_THREADS, Draft, FamilyDefaults, LoomPl
 from loomlight.weave.drawing import MAXIMUM_PICTURE_SIDE_PX, draw_draft, draw_drawdown, draw_layer
 from loomlight.weave.dtx import write_dtx
 from loomlight.weave.figured import figured_structure
-from loomlight.weave.layers import (
+from loomlight.weave.layer_drafts import (
     LayerDraft,
-    Layers,
-    ThreadSystem,
     binding_points,
-    find_layers,
     layer_draft,
     layers_text,
     named_layer,
     plain_draft,
 )
+from loomlight.weave.layers import Layers, ThreadSystem, find_layers
 from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
 from loomlight.weave.loom import derive_loom_plan, plan_drawdown, with_loom_plan
 from loomlight.weave.named import named_weave, weave_names

@@ -19,7 +19,7 @@ from loomlight.core.colour import linear_to_srgb, parse_colour, srgb_to_linear
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.images import draw_by
 from loomlight.weave.draft import Draft, LoomPlan, Threads
-from loomlight.weave.layers import LayerDraft
+from loomlight.weave.layer_drafts import LayerDraft
 from loomlight.weave.loom import derive_loom_plan, membership, moved_shafts
 from loomlight.weave.palette import WARP_COLOUR, WEFT_COLOUR
 
