@@ -3,8 +3,7 @@
 A ray from the side meets yarn that is lit wherever light comes from the same direction, as nothing stands in
 its way back. The texels of `clustered` are seen from everywhere, those in the shadow of a yarn too. Values
 are means over places of a repeat and over views with o.z = 0.6 to 1, of light from behind the viewer, from
-the side and from across, as high as the view; ratios of `clustered` to `point`. Beside them stands what the
-bake estimates of white diffuse cloth, above a fifth of which it warns.
+the side and from across, as high as the view; ratios of `clustered` to `point`.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from drjit.llvm.ad import Array2f, Array3f, Float
+from drjit.llvm.ad import Array2f, Array3f
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
@@ -22,13 +21,10 @@ from loomlight.core.llvm import require_llvm
 from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.table import Table
 from loomlight.fabric import load_fabric
-from loomlight.models.clustered.gaussians import fitted_gaussians
 from loomlight.models.clustered.model import ClusteredModel, ClusteredOptions
 from loomlight.models.clustered.parallax import side_views
-from loomlight.models.clustered.tables import darker_by_viewer, feature_maps, texel_counts
 from loomlight.models.interface import Model
 from loomlight.models.point import PointModel
-from loomlight.yarn.geometry import YarnGeometry
 from studies.harness.study import EXAMPLES, Figures, Found, Run, Study, listed, names
 
 FABRICS = ("undulating-twill.wif", "denim.toml", "linen.toml", "silk-satin.toml")
@@ -37,7 +33,6 @@ _LIGHTS: dict[str, Callable[[NDArray[np.float32]], NDArray[np.float32]]] = {
     "from the side": lambda view: np.stack([-view[1], view[0], view[2]]),
     "from across": lambda view: np.stack([-view[0], -view[1], view[2]]),
 }
-_ESTIMATE = "white diffuse cloth, estimated"
 # Every so many views, and the side of a footprint, millimetres: far less than a yarn.
 _VIEWS, _SIDE = 4, 1e-3
 
@@ -61,7 +56,7 @@ def measure(settings: ViewersLight, run: Run) -> Found:
 
 def tables(figures: Figures) -> list[Table]:
     """How much brighter than by rays, a row a fabric."""
-    table = Table("clustered over point, by where light comes from", [*_LIGHTS, _ESTIMATE])
+    table = Table("clustered over point, by where light comes from", list(_LIGHTS))
     for name, found in figures["fabrics"].items():
         table.rows[name.split(".")[0]] = [f"{100 * found[column]:+.1f} %" for column in table.columns]
     return [table]
@@ -78,10 +73,7 @@ def _ratios(name: str, settings: ViewersLight) -> Figures:
     for label, light_of in _LIGHTS.items():
         exact, texels = (_mean(model, views, places, light_of(views)) for model in models)
         found[label] = round(texels / exact - 1, 4)
-    geometry = YarnGeometry(fabric.layout())
-    maps = feature_maps(geometry, texel_counts(geometry, settings.texels), Float)
-    lobes = fitted_gaussians(maps.horizon, Float).lobes
-    return {**found, _ESTIMATE: round(-darker_by_viewer(geometry, maps, lobes, Float), 4)}
+    return found
 
 
 def _mean(

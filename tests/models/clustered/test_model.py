@@ -8,7 +8,6 @@ Covers: models/clustered/square_map.py, models/random_numbers.py, models/cluster
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import fields, replace
 from functools import cache
 
@@ -23,7 +22,6 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.clustered.model import ClusteredModel
-from loomlight.models.clustered.parallax import seen_lit_by_viewer
 from loomlight.models.clustered.square_map import BINS, bin_centres, bin_taps
 from loomlight.models.clustered.tables import (
     NO_CLUSTER,
@@ -272,22 +270,3 @@ def test_a_large_repeat_has_fewer_texels_a_thread_and_says_what_it_takes() -> No
     too_large = YarnGeometry(fabric_from_text('weave = "satin 401/150"').layout())
     with pytest.raises(InputError, match=r"texels, 46 MB in a file: clustered takes up to 15 MB; use lobes"):
         texel_counts(too_large, 256)
-
-
-def test_cloth_whose_yarns_hide_one_another_is_warned_of() -> None:
-    """From the side the thick yarns of a loose twill hide their shadows; a dense plain weave has few."""
-    text = 'weave = "{}"\nends_per_cm = 20\npicks_per_cm = 20\ngap = {}\n'
-    for weave, gap, hides in (("twill 2/2", 0.2, True), ("plain", 0.02, False)):
-        geometry = YarnGeometry(fabric_from_text(text.format(weave, gap)).layout())
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
-            bake_tables(geometry, (0.3, 0.3), clusters=4, rank=0, float_type=Float, texels=16)
-        found = [str(each.message) for each in caught if "hide shadows" in str(each.message)]
-        assert bool(found) == hides
-
-
-def test_white_cloth_in_its_viewers_light_is_as_bright_as_it_faces() -> None:
-    """All that a flat dense cloth shows is lit: (o.z + n·o) / 2 is at most 1, and at least half of o.z."""
-    dense = YarnGeometry(fabric_from_text('weave = "plain"\ngap = 0\n').layout())
-    # The mean of o.z over 0.6 to 1 is 0.8.
-    assert 0.6 < seen_lit_by_viewer(dense, Float) < 0.8

@@ -120,27 +120,6 @@ def parallax_tables(
     return coefficients.reshape(2, rows, columns, PARALLAX_RANK), basis
 
 
-# Rays whose hits are counted.
-_RAYS = 1 << 14
-
-
-def seen_lit_by_viewer(geometry: YarnGeometry, float_type: FloatType) -> float:
-    """How bright white cloth is in a viewer's own light, by rays: mean over views with o.z = 0.6 to 1.
-
-    What such rays meet is lit, as nothing stands in their way back.
-    """
-    types = array_types(float_type)
-    rng = np.random.default_rng(0)
-    x, y = (types.Float((rng.random(_RAYS) * extent).astype(np.float32)) for extent in geometry.size)
-    views = np.resize(side_views(), (_RAYS, 3))
-    towards = types.Vector3(np.ascontiguousarray(views.T, np.float32))
-    front = dr.opaque(types.Bool, False)
-    hit = first_hit(geometry, x, y, towards, front)
-    normals = geometry.surface(hit.x, hit.y, front).normal.numpy().T
-    facing = np.maximum((normals * views).sum(axis=1), 0)
-    return float(np.where(hit.hole.numpy(), 0, (views[:, 2] + facing) / 2).mean())
-
-
 def side_views() -> NDArray[np.float64]:
     """Directions of the middles of the bins [bins, 3]: those of the hemisphere, drawn up to the cap."""
     directions = bin_centres(PARALLAX_BINS)

@@ -27,8 +27,6 @@ from loomlight.models.clustered.parallax import (
     PARALLAX_RANK,
     compressed,
     parallax_tables,
-    seen_lit_by_viewer,
-    side_views,
 )
 from loomlight.models.clustered.square_map import BINS, bin_centres
 from loomlight.yarn.geometry import YarnGeometry
@@ -46,11 +44,6 @@ _PER_THREAD, _MIN_PER_THREAD = 6, 2
 MAX_TEXELS = 1 << 21
 # Of one face, for the sake of threads: files stay below 15 MB, at 36 bytes a texel of a face.
 _MAX_FOR_THREADS, _FILE_BYTES = 208_000, 2 * 36
-# Warns where diffuse cloth is so much too dark in a viewer's own light, as no texel hides another. Dense
-# weaves are 0.1 to 0.19 too dark, which light that passes and highlights halve.
-_MAX_DARKER = 0.2
-# Texels that stand for all.
-_COUNTED = 4096
 
 
 @dataclass(frozen=True, eq=False)
@@ -486,8 +479,6 @@ def bake_tables(
     counts = texel_counts(geometry, texels)
     maps = feature_maps(geometry, counts, float_type)
     lobes = fitted_gaussians(maps.horizon, float_type, saturating).lobes
-    if saturating:
-        _warn_of_hidden(darker_by_viewer(geometry, maps, lobes, float_type))
     labels = label_texels(maps, lobes, clusters)
     densities = density_tables(labels, maps.tangent, roughness, clusters, rank)
     parallax, heights = parallax_tables(geometry, counts, float_type)
@@ -501,35 +492,6 @@ def bake_tables(
         parallax=parallax,
         heights=heights,
     )
-
-
-def darker_by_viewer(
-    geometry: YarnGeometry, maps: FeatureMaps, lobes: NDArray[np.float32], float_type: FloatType
-) -> float:
-    """How much darker texels are than what rays meet, in a viewer's own light: a share, 0 to 1.
-
-    Of white diffuse cloth, over views with o.z = 0.6 to 1: texels are seen from everywhere, lit or not.
-    """
-    chosen = np.random.default_rng(0).permutation(maps.hole[0].size)[:_COUNTED]
-    solid = chosen[~maps.hole[0].ravel()[chosen]]
-    normals, of_solid = maps.normal[0].reshape(-1, 3)[solid], lobes[0].reshape(-1, LOBE_NUMBERS)[solid]
-    seen = [
-        float((lobe_values(of_solid, view) * (view[2] + np.maximum(normals @ view, 0)) / 2).sum())
-        for view in side_views()
-    ]
-    by_rays = seen_lit_by_viewer(geometry, float_type)
-    return 1 - float(np.mean(seen)) / len(chosen) / max(by_rays, 1e-6)
-
-
-def _warn_of_hidden(darker: float) -> None:
-    """Warns of cloth much of which is hidden from the side, by its brightness in a viewer's own light."""
-    if darker > _MAX_DARKER:
-        warnings.warn(
-            f"From the side, yarns of this cloth hide shadows that clustered shows: its diffuse light is "
-            f"{darker:.0%} too dark where light comes from behind the viewer; use lobes or point for it.",
-            LoomlightWarning,
-            stacklevel=3,
-        )
 
 
 def _texels(maps: FeatureMaps, lobes: NDArray[np.float32]) -> NDArray[np.float16]:
