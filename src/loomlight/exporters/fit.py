@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import drjit as dr
 import numpy as np
@@ -18,7 +19,7 @@ from drjit.llvm import Array3f, Float
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
-from loomlight.exporters.texels import MIN_COVER, Texels, frames, texels_of
+from loomlight.exporters.texels import MIN_COVER, TexelGrid, Texels, frames, nearest_covered
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
 
@@ -151,6 +152,7 @@ class FittedMaterial(GltfMaterial):
     Attributes:
         size: of what the textures hold, millimetres.
         cover: opacity.
+        height: of the yarns towards the eye, millimetres; 0 in holes.
         direction: unit vectors [..., 2] of `axis_x`, along which highlights are wide, in the texel's tangent
             plane.
         error: root mean square of the difference of values, relative to the root mean square of the model's.
@@ -159,6 +161,7 @@ class FittedMaterial(GltfMaterial):
 
     size: tuple[float, float]
     cover: Numbers
+    height: Numbers
     direction: Numbers
     error: float
     brightness: float
@@ -171,23 +174,47 @@ class _Queries:
     light: Numbers
     view: Numbers
 
+    def where(self, chosen: NDArray[np.bool_]) -> _Queries:
+        """Some of the queries."""
+        return _Queries(*(values[chosen] for values in vars(self).values()))
+
+
+# Fields of a `FittedMaterial` with an element a texel.
+_MAPS = (
+    "base",
+    "transmission",
+    "transmit",
+    "specular",
+    "alpha_x",
+    "alpha_y",
+    "normal",
+    "axis_x",
+    "axis_y",
+    "direction",
+    "cover",
+    "height",
+)
+
 
 def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> FittedMaterial:
     """The material of glTF nearest to a model, in `columns` × `rows` texels of `tile_repeats`."""
-    texels = texels_of(fabric, columns, rows)
-    queries = _queries(columns, rows)
-    truth = _answers(model, texels, queries)
-    at = texels.cover[queries.row, queries.column] > MIN_COVER
-    queries = _Queries(queries.row[at], queries.column[at], queries.light[at], queries.view[at])
-    truth = truth[at]
-    picked = texels.at(queries.row, queries.column)
+    return fit_texels(fabric, model, TexelGrid(fabric, columns, rows))
+
+
+def fit_texels(fabric: Fabric, model: Model, grid: TexelGrid) -> FittedMaterial:
+    """The material of glTF nearest to what a model shows of a face of the cloth, in texels."""
+    queries = _queries(grid.columns, grid.rows)
+    texels = grid.at(queries.row, queries.column)
+    is_covered = texels.cover > MIN_COVER
+    truth = _answers(model, grid, texels.place, queries)[is_covered]
+    texels, queries = texels.where(is_covered), queries.where(is_covered)
     has_sheen = fabric.appearance().sheen.strength > 0
     # A display shows differences of square roots, roughly; the offset keeps noise in the dark from counting.
     offset = 0.05 * float(truth.mean())
 
     def values(numbers: Numbers) -> Numbers:
-        found = evaluate(_material(picked, numbers, has_sheen), queries.light, queries.view)
-        return found * picked.cover[:, None]
+        found = evaluate(_material(texels, numbers, has_sheen), queries.light, queries.view)
+        return found * texels.cover[:, None]
 
     def residuals(numbers: Numbers) -> Numbers:
         return (np.sqrt(values(numbers) + offset) - np.sqrt(truth + offset)).ravel()
@@ -200,15 +227,32 @@ def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> Fitte
     numbers = _with_mean_kept(values, numbers, truth, queries.light[:, 2] > 0)
     found = values(numbers)
     error = np.sqrt(np.mean((found - truth) ** 2) / np.mean(truth**2))
-    everywhere = _material(texels.dilated(), numbers, has_sheen)
     return FittedMaterial(
-        **vars(everywhere),
-        size=texels.size,
-        cover=texels.cover,
-        direction=_in_plane(everywhere),
+        **_maps(grid, numbers, has_sheen),
+        size=grid.size,
         error=float(error),
         brightness=float(found.mean() / truth.mean()),
     )
+
+
+def _maps(grid: TexelGrid, numbers: Numbers, has_sheen: bool) -> dict[str, Any]:
+    """The fields of a `FittedMaterial` that follow from the numbers that are fitted."""
+    parts: list[dict[str, Any]] = []
+    for texels in grid.bands():
+        material = _material(texels, numbers, has_sheen)
+        found = vars(material) | {
+            "direction": _in_plane(material),
+            "cover": texels.cover,
+            "height": texels.height,
+        }
+        parts.append(
+            {name: value.astype(np.float32) if name in _MAPS else value for name, value in found.items()}
+        )
+    shape = grid.rows, grid.columns
+    maps = {name: np.concatenate([part.pop(name) for part in parts]) for name in _MAPS}
+    nearest = nearest_covered(maps["cover"].reshape(shape))
+    filled = {name: values[nearest] for name, values in maps.items() if name not in ("cover", "height")}
+    return parts[0] | filled | {name: maps[name].reshape(shape) for name in ("cover", "height")}
 
 
 def _in_plane(material: GltfMaterial) -> Numbers:
@@ -242,16 +286,16 @@ def _queries(columns: int, rows: int) -> _Queries:
     return _Queries(rng.integers(0, rows, count), rng.integers(0, columns, count), light, view)
 
 
-def _answers(model: Model, texels: Texels, queries: _Queries) -> Numbers:
-    """Values of the model over the texels of queries [n, 3]."""
-    rows, columns = texels.cover.shape
-    width, height = texels.size
-    step_x, step_y = width / columns, height / rows
-    centre = Vector2(*(Float(part) for part in texels.place[queries.row, queries.column].T))
-    zero = dr.zeros(Float, len(queries.row))
+def _answers(model: Model, grid: TexelGrid, place: Numbers, queries: _Queries) -> Numbers:
+    """Values of the model over texels at places [n, 2] of the draft, for queries in their face's frame."""
+    step_x, step_y = grid.step
+    centre = Vector2(*(Float(part) for part in place.T))
+    zero = dr.zeros(Float, len(place))
     footprint = Footprint(centre, Vector2(zero + step_x, zero), Vector2(zero, zero + step_y))
+    to_front = [1, 1, -1] if grid.back else [1, 1, 1]
     view, light = (
-        Array3f(*(np.float32(part) for part in vectors.T)) for vectors in (queries.view, queries.light)
+        Array3f(*(np.float32(part) for part in (vectors * to_front).T))
+        for vectors in (queries.view, queries.light)
     )
     value = model.at(view, footprint).value(light)
     return np.stack([np.asarray(part.numpy(), np.float64) for part in value], axis=-1)
