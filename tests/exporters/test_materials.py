@@ -26,9 +26,10 @@ from loomlight.core.errors import InputError
 from loomlight.core.images import read_picture
 from loomlight.core.llvm import require_llvm
 from loomlight.exporters import export, materials
-from loomlight.exporters.fit import FittedMaterial, GltfMaterial, evaluate
+from loomlight.exporters.fit import FittedMaterial
 from loomlight.exporters.gltf import glb_of, material_textures, write_textures
 from loomlight.exporters.materialx import document_textures, write_document
+from loomlight.exporters.standards import StandardMaterial, evaluate_gltf
 from loomlight.exporters.texels import TexelGrid, nearest_covered, texture_grid, tile_repeats
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import read_mesh
@@ -153,12 +154,12 @@ def _generated_and_fitted(folder: Path, light: np.ndarray, view: np.ndarray) -> 
     write_document(folder / "cloth.mtlx", "sateen", material)
     light, view = np.broadcast_arrays(light, view)
     row = column = np.zeros(len(light), np.int64)
-    names = (field.name for field in fields(GltfMaterial))
+    names = (field.name for field in fields(StandardMaterial))
     picked = {
         name: value if np.ndim(value) < 2 else value[row, column]
         for name, value in ((name, getattr(material, name)) for name in names)
     }
-    fitted = evaluate(GltfMaterial(**picked), light, view)
+    fitted = evaluate_gltf(StandardMaterial(**picked), light, view)
     return answers(folder / "cloth.mtlx", row, column, light, view), fitted * material.cover[0, 0]
 
 
@@ -269,7 +270,7 @@ def test_the_gltf_brdf_keeps_energy() -> None:
     for sheen in (0.0, 0.5):
         for angle in (0.1, 1.2):
             view = np.tile([np.sin(angle), 0.0, np.cos(angle)], (count, 1))
-            material = GltfMaterial(
+            material = StandardMaterial(
                 base=np.ones((count, 3)),
                 transmission=0 * ones,
                 transmit=np.zeros((count, 3)),
@@ -283,6 +284,6 @@ def test_the_gltf_brdf_keeps_energy() -> None:
                 sheen=np.full(3, sheen),
                 sheen_roughness=0.6,
             )
-            albedo = evaluate(material, light, view).mean() * 2 * np.pi
+            albedo = evaluate_gltf(material, light, view).mean() * 2 * np.pi
             # 0.02 is noise and what the table of the sheen's albedo rounds.
             assert 0.7 < albedo < 1.02
