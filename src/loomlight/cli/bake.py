@@ -130,10 +130,11 @@ def export(
     fabric: FabricArgument,
     to: Annotated[
         str,
-        typer.Option(help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf or materialx."),
+        typer.Option(help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf, materialx, u3m or u3ma."),
     ],
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="The folder to write: new, or of an export.")
+        Path,
+        typer.Option("--output", "-o", help="The folder to write: new, or of an export; of u3ma a file."),
     ],
     model: Annotated[
         str | None,
@@ -145,9 +146,13 @@ def export(
         float | None,
         typer.Option(help="Metres from which textures of gltf and materialx are seen; by default close."),
     ] = None,
+    dpi: Annotated[
+        float | None,
+        typer.Option(help="Texels an inch of the maps of u3m and u3ma, 30 to 2400; 300 by default."),
+    ] = None,
 ) -> None:
     """Writes a fabric for another program: shader code, a network or a textured material; docs/export.md."""
     require_not_read([output], [fabric])
     from loomlight.exporters import export as run
 
-    done(run(fabric, to, output, model, distance))
+    done(run(fabric, to, output, model, distance, dpi))

@@ -8,9 +8,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from loomlight.core.errors import InputError
-from loomlight.exporters.folder import replacing_folder, write_manifest
+from loomlight.core.files import replacing
+from loomlight.exporters.folder import check_file, replacing_folder, write_manifest
 from loomlight.exporters.materials import write_gltf, write_materialx
 from loomlight.exporters.shaders import write_shaders
+from loomlight.exporters.u3m import write_u3m, write_u3m_archive
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.surface_maps import without_maps
 from loomlight.models.registry import REALTIME_MODELS, model_class
@@ -23,7 +25,8 @@ from loomlight.realtime.materials import (
 )
 
 # Writes files of a material and a model into a folder; returns what the manifest says of them.
-# The last argument is the distance in metres, None for close views, where a target has one.
+# The last argument is the distance in metres, None for close views, where a target has one; of targets with a
+# resolution it is that in texels an inch, None for the usual one.
 Writer = Callable[[Path, Material, str, float | None], dict[str, object]]
 
 
@@ -36,12 +39,16 @@ class ExportTarget:
         models: that can be exported, the default first.
         write: the function that writes the files.
         has_distance: whether it is made for a distance.
+        has_dpi: whether its textures have texels of a size in millimetres.
+        suffix: of the one file that it is; "" for a folder.
     """
 
     summary: str
     models: tuple[str, ...]
     write: Writer
     has_distance: bool = False
+    has_dpi: bool = False
+    suffix: str = ""
 
 
 def _shader(language: str) -> Writer:
@@ -85,6 +92,12 @@ TARGETS: dict[str, ExportTarget] = {
     "materialx": ExportTarget(
         "MaterialX with OpenPBR, and textures", ("lobes",), _of_fabric(write_materialx), True
     ),
+    "u3m": ExportTarget(
+        "U3M of both faces, for apparel programs", ("lobes",), _of_fabric(write_u3m), has_dpi=True
+    ),
+    "u3ma": ExportTarget(
+        "the same in one file", ("lobes",), _of_fabric(write_u3m_archive), has_dpi=True, suffix=".u3ma"
+    ),
 }
 
 
@@ -94,8 +107,11 @@ def export(
     folder: str | os.PathLike[str],
     model: str | None = None,
     distance: float | None = None,
+    dpi: float | None = None,
 ) -> Path:
     """Writes a fabric for another program into a folder, which is new, empty, or holds an earlier export.
+
+    A target that is one file (`u3ma`) is written to that file.
 
     Args:
         fabric: a fabric, a model that is made already, or a path: a fabric file, a draft, a `.loom`, the name
@@ -105,9 +121,10 @@ def export(
             takes.
         distance: metres from which textures are seen, 0.01 to 1000; None for close views. Shader code and
             networks serve every distance.
+        dpi: texels an inch of U3M's maps, 30 to 2400; None for 300.
 
     Returns:
-        The folder.
+        The folder, or the file.
 
     Raises:
         InputError: an unknown target, a model that it does not take or that does not take the material, or a
@@ -123,12 +140,25 @@ def export(
         raise InputError(f"--to {to} serves every distance: leave out --distance.")
     if distance is not None and not 0.01 <= distance <= 1000:
         raise InputError(f"--distance {distance:g} is out of range: write metres from 0.01 to 1000.")
+    if dpi is not None and not target.has_dpi:
+        raise InputError(f"--to {to} has no textures of a resolution in millimetres: leave out --dpi.")
+    if target.suffix:
+        check_file(folder, target.suffix)
+        with replacing(folder) as file:
+            target.write(file, *_taken(fabric, to, model), dpi)
+        return Path(folder)
     with replacing_folder(folder) as temporary:
-        material = material_of(fabric)
-        if isinstance(material, Fabric):
-            material = without_maps(material, f"What is written for {to}")
-        own = default_model_of(material)
-        chosen = model or (own if own in target.models else target.models[0])
+        material, chosen = _taken(fabric, to, model)
         facts: dict[str, object] = {"fabric": source_of(material).name, "model": chosen, "target": to}
-        write_manifest(temporary, facts | target.write(temporary, material, chosen, distance))
+        given = dpi if target.has_dpi else distance
+        write_manifest(temporary, facts | target.write(temporary, material, chosen, given))
     return Path(folder)
+
+
+def _taken(fabric: Material | str | os.PathLike[str], to: str, model: str | None) -> tuple[Material, str]:
+    """The material that a target is written of, and the model."""
+    material = material_of(fabric)
+    if isinstance(material, Fabric):
+        material = without_maps(material, f"What is written for {to}")
+    own, models = default_model_of(material), TARGETS[to].models
+    return material, model or (own if own in models else models[0])
