@@ -6,9 +6,12 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Unpack
 
 from loomlight.core.errors import InputError
+from loomlight.core.picture_settings import GarmentKeywords, GarmentSettings
 from loomlight.exporters.folder import replacing_folder, write_manifest
+from loomlight.exporters.garment_gltf import write_garment_gltf
 from loomlight.exporters.materials import write_gltf, write_materialx
 from loomlight.exporters.shaders import write_shaders
 from loomlight.fabric.fabric import Fabric
@@ -25,6 +28,8 @@ from loomlight.realtime.materials import (
 # Writes files of a material and a model into a folder; returns what the manifest says of them.
 # The last argument is the distance in metres, None for close views, where a target has one.
 Writer = Callable[[Path, Material, str, float | None], dict[str, object]]
+# The same of a mesh that the fabric clothes, and others.
+GarmentWriter = Callable[[Path, Fabric, str, float | None, GarmentSettings], dict[str, object]]
 
 
 @dataclass(frozen=True)
@@ -36,12 +41,14 @@ class ExportTarget:
         models: that can be exported, the default first.
         write: the function that writes the files.
         has_distance: whether it is made for a distance.
+        write_garment: the function that writes a mesh in its cloths; None where it takes none.
     """
 
     summary: str
     models: tuple[str, ...]
     write: Writer
     has_distance: bool = False
+    write_garment: GarmentWriter | None = None
 
 
 def _shader(language: str) -> Writer:
@@ -80,7 +87,11 @@ TARGETS: dict[str, ExportTarget] = {
 } | {
     "onnx": ExportTarget("the network's decoder, and latents", ("neural", "latent"), _write_onnx),
     "gltf": ExportTarget(
-        "a glTF file with textures, for any viewer", ("lobes",), _of_fabric(write_gltf), True
+        "a glTF file with textures, for any viewer",
+        ("lobes",),
+        _of_fabric(write_gltf),
+        True,
+        write_garment_gltf,
     ),
     "materialx": ExportTarget(
         "MaterialX with OpenPBR, and textures", ("lobes",), _of_fabric(write_materialx), True
@@ -94,6 +105,8 @@ def export(
     folder: str | os.PathLike[str],
     model: str | None = None,
     distance: float | None = None,
+    settings: GarmentSettings | None = None,
+    **changes: Unpack[GarmentKeywords],
 ) -> Path:
     """Writes a fabric for another program into a folder, which is new, empty, or holds an earlier export.
 
@@ -105,13 +118,15 @@ def export(
             takes.
         distance: metres from which textures are seen, 0.01 to 1000; None for close views. Shader code and
             networks serve every distance.
+        settings: of a mesh that is written in the fabric, and in others; by default there is none.
+        changes: these settings by name, such as `mesh="coat.glb", cloths={"lining": lining}`.
 
     Returns:
         The folder.
 
     Raises:
-        InputError: an unknown target, a model that it does not take or that does not take the material, or a
-            folder that cannot be written.
+        InputError: an unknown target, a model that it does not take or that does not take the material, a
+            mesh that it does not take or that cannot be read, or a folder that cannot be written.
         MissingDependencyError: a package that the target needs is missing.
     """
     if to not in TARGETS:
@@ -123,6 +138,8 @@ def export(
         raise InputError(f"--to {to} serves every distance: leave out --distance.")
     if distance is not None and not 0.01 <= distance <= 1000:
         raise InputError(f"--distance {distance:g} is out of range: write metres from 0.01 to 1000.")
+    garment = (settings or GarmentSettings()).changed(**changes)
+    _require_garment(to, target, garment)
     with replacing_folder(folder) as temporary:
         material = material_of(fabric)
         if isinstance(material, Fabric):
@@ -130,5 +147,20 @@ def export(
         own = default_model_of(material)
         chosen = model or (own if own in target.models else target.models[0])
         facts: dict[str, object] = {"fabric": source_of(material).name, "model": chosen, "target": to}
-        write_manifest(temporary, facts | target.write(temporary, material, chosen, distance))
+        if garment.mesh is not None and target.write_garment is not None:
+            fabric = fabric_for(material, chosen)
+            facts |= target.write_garment(temporary, fabric, chosen, distance, garment)
+        else:
+            facts |= target.write(temporary, material, chosen, distance)
+        write_manifest(temporary, facts)
     return Path(folder)
+
+
+def _require_garment(to: str, target: ExportTarget, garment: GarmentSettings) -> None:
+    """Raises InputError unless the target takes the mesh, and settings of a mesh have one."""
+    if garment.mesh is not None and target.write_garment is None:
+        able = [name for name, each in TARGETS.items() if each.write_garment is not None]
+        raise InputError(f"--to {to} writes no meshes: leave out --mesh, or use {' or '.join(able)}.")
+    if garment.mesh is None:
+        for name in garment.chosen():
+            raise InputError(f"{name} is of a mesh, and there is none: give one, by --mesh.")

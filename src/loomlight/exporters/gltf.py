@@ -167,12 +167,13 @@ def material_entry(
             "specularColorFactor": [peak_of(material.specular) / DIELECTRIC] * 3,
             "specularColorTexture": texture("specular_color"),
         },
-        "KHR_materials_diffuse_transmission": {
+    }
+    if "diffuse_transmission" in names:
+        extensions["KHR_materials_diffuse_transmission"] = {
             "diffuseTransmissionFactor": 1.0,
             "diffuseTransmissionTexture": texture("diffuse_transmission"),
             "diffuseTransmissionColorTexture": texture("diffuse_transmission_color"),
-        },
-    }
+        }
     if "anisotropy" in names:
         extensions["KHR_materials_anisotropy"] = {
             "anisotropyStrength": 1.0,
