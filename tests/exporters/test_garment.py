@@ -198,7 +198,3 @@ def test_maps_that_are_not_written_are_said(tmp_path: Path) -> None:
     Image.new("RGB", (4, 4), (200, 30, 30)).save(tmp_path / "a.png")
     with pytest.warns(LoomlightWarning, match="without its maps of color"):
         fabric_of(made)
-
-
-def write_picture(path: Path) -> None:
-        Image.new("RGB", (4, 4), (200, 30, 30)).save(path)
