@@ -22,7 +22,7 @@ def plain_material(
     """
     vectors = {"normal": [0, 0, 1], "axis_x": [0, 1, 0], "axis_y": [-1, 0, 0], "direction": [0, 1]}
     colours = {"base": [0.3, 0.35, 0.4], "transmit": [0.5, 0.3, 0.1], "specular": [1.0, 0.8, 0.6]}
-    numbers = {"transmission": 0.3, "alpha_x": 0.6, "alpha_y": 0.15, "cover": 1.0}
+    numbers = {"transmission": 0.3, "alpha_x": 0.6, "alpha_y": 0.15, "cover": 1.0, "height": 0.2}
     maps = vectors | colours | numbers
     arrays = {
         name: np.array(np.broadcast_to(value, (*shape, *np.shape(maps[name]))), float)

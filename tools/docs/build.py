@@ -53,6 +53,7 @@ _FIRST = {
         "materials",
         "export",
         "engines",
+        "u3m",
         "maps",
         "models",
         "comparison",

@@ -131,10 +131,11 @@ def export(
     fabric: FabricArgument,
     to: Annotated[
         str,
-        typer.Option(help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf or materialx."),
+        typer.Option(help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf, materialx, u3m or u3ma."),
     ],
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="The folder to write: new, or of an export.")
+        Path,
+        typer.Option("--output", "-o", help="The folder to write: new, or of an export; of u3ma a file."),
     ],
     model: Annotated[
         str | None,
@@ -146,6 +147,10 @@ def export(
         float | None,
         typer.Option(help="Metres from which textures of gltf and materialx are seen; by default close."),
     ] = None,
+    dpi: Annotated[
+        float | None,
+        typer.Option(help="Texels an inch of the maps of u3m and u3ma, 30 to 2400; 300 by default."),
+    ] = None,
     *,
     given: Given,
 ) -> None:
@@ -155,4 +160,4 @@ def export(
     require_not_read([output], [fabric, settings.mesh, *worn])
     from loomlight.exporters import export as run
 
-    done(run(fabric, to, output, model, distance, settings))
+    done(run(fabric, to, output, model, distance, dpi, settings))

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from loomlight.core.colour import linear_to_srgb
-from loomlight.exporters.fit import DIELECTRIC, FittedMaterial
+from loomlight.exporters.fit import FittedMaterial
+from loomlight.exporters.standards import DIELECTRIC
 
 Numbers = NDArray[np.float64]
 # The sample sheet: side and height of its waves, metres, and vertices a side.
