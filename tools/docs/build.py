@@ -52,6 +52,7 @@ _FIRST = {
         "realtime-shaders",
         "materials",
         "export",
+        "engines",
         "u3m",
         "maps",
         "models",

@@ -20,7 +20,7 @@ from loomlight.cli.options import (
 from loomlight.cli.terminal import done, note_left, progress
 from loomlight.core.errors import InputError
 from loomlight.core.outputs import check_output, is_folder, require_not_read
-from loomlight.core.picture_settings import MapSettings
+from loomlight.core.picture_settings import GarmentSettings, MapSettings, Worn
 
 if TYPE_CHECKING:
     from loomlight.core.fleet import Executor
@@ -126,6 +126,7 @@ def bake_maps(
 EXPORT_EXAMPLE = "Example: loomlight export examples/denim.toml --to wgsl -o denim-wgsl"
 
 
+@takes(GarmentSettings)
 def export(
     fabric: FabricArgument,
     to: Annotated[
@@ -150,9 +151,13 @@ def export(
         float | None,
         typer.Option(help="Texels an inch of the maps of u3m and u3ma, 30 to 2400; 300 by default."),
     ] = None,
+    *,
+    given: Given,
 ) -> None:
     """Writes a fabric for another program: shader code, a network or a textured material; docs/export.md."""
-    require_not_read([output], [fabric])
+    settings = GarmentSettings(**given)
+    worn = [each.fabric if isinstance(each, Worn) else each for each in settings.cloths.values()]
+    require_not_read([output], [fabric, settings.mesh, *worn])
     from loomlight.exporters import export as run
 
-    done(run(fabric, to, output, model, distance, dpi))
+    done(run(fabric, to, output, model, distance, dpi, settings))

@@ -6,10 +6,13 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Unpack
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing
+from loomlight.core.picture_settings import GarmentKeywords, GarmentSettings
 from loomlight.exporters.folder import check_file, replacing_folder, write_manifest
+from loomlight.exporters.garment_gltf import write_garment_gltf
 from loomlight.exporters.materials import write_gltf, write_materialx
 from loomlight.exporters.shaders import write_shaders
 from loomlight.exporters.u3m import write_u3m, write_u3m_archive
@@ -28,6 +31,8 @@ from loomlight.realtime.materials import (
 # The last argument is the distance in metres, None for close views, where a target has one; of targets with a
 # resolution it is that in texels an inch, None for the usual one.
 Writer = Callable[[Path, Material, str, float | None], dict[str, object]]
+# The same of a mesh that the fabric clothes, and others.
+GarmentWriter = Callable[[Path, Fabric, str, float | None, GarmentSettings], dict[str, object]]
 
 
 @dataclass(frozen=True)
@@ -41,6 +46,7 @@ class ExportTarget:
         has_distance: whether it is made for a distance.
         has_dpi: whether its textures have texels of a size in millimetres.
         suffix: of the one file that it is; "" for a folder.
+        write_garment: the function that writes a mesh in its cloths; None where it takes none.
     """
 
     summary: str
@@ -49,6 +55,7 @@ class ExportTarget:
     has_distance: bool = False
     has_dpi: bool = False
     suffix: str = ""
+    write_garment: GarmentWriter | None = None
 
 
 def _shader(language: str) -> Writer:
@@ -87,7 +94,11 @@ TARGETS: dict[str, ExportTarget] = {
 } | {
     "onnx": ExportTarget("the network's decoder, and latents", ("neural", "latent"), _write_onnx),
     "gltf": ExportTarget(
-        "a glTF file with textures, for any viewer", ("lobes",), _of_fabric(write_gltf), True
+        "a glTF file with textures, for any viewer",
+        ("lobes",),
+        _of_fabric(write_gltf),
+        True,
+        write_garment=write_garment_gltf,
     ),
     "materialx": ExportTarget(
         "MaterialX with OpenPBR, and textures", ("lobes",), _of_fabric(write_materialx), True
@@ -108,6 +119,8 @@ def export(
     model: str | None = None,
     distance: float | None = None,
     dpi: float | None = None,
+    settings: GarmentSettings | None = None,
+    **changes: Unpack[GarmentKeywords],
 ) -> Path:
     """Writes a fabric for another program into a folder, which is new, empty, or holds an earlier export.
 
@@ -122,13 +135,15 @@ def export(
         distance: metres from which textures are seen, 0.01 to 1000; None for close views. Shader code and
             networks serve every distance.
         dpi: texels an inch of U3M's maps, 30 to 2400; None for 300.
+        settings: of a mesh that is written in the fabric, and in others; by default there is none.
+        changes: these settings by name, such as `mesh="coat.glb", cloths={"lining": lining}`.
 
     Returns:
         The folder, or the file.
 
     Raises:
-        InputError: an unknown target, a model that it does not take or that does not take the material, or a
-            folder that cannot be written.
+        InputError: an unknown target, a model that it does not take or that does not take the material, a
+            mesh that it does not take or that cannot be read, or a folder that cannot be written.
         MissingDependencyError: a package that the target needs is missing.
     """
     if to not in TARGETS:
@@ -142,17 +157,36 @@ def export(
         raise InputError(f"--distance {distance:g} is out of range: write metres from 0.01 to 1000.")
     if dpi is not None and not target.has_dpi:
         raise InputError(f"--to {to} has no textures of a resolution in millimetres: leave out --dpi.")
+    garment = (settings or GarmentSettings()).changed(**changes)
+    _require_garment(to, target, garment)
+    given = dpi if target.has_dpi else distance
+
+    def write(place: Path) -> dict[str, object]:
+        """Writes all files, and returns what the manifest says."""
+        material, chosen = _taken(fabric, to, model)
+        facts: dict[str, object] = {"fabric": source_of(material).name, "model": chosen, "target": to}
+        if garment.mesh is not None and target.write_garment is not None:
+            return facts | target.write_garment(place, fabric_for(material, chosen), chosen, given, garment)
+        return facts | target.write(place, material, chosen, given)
+
     if target.suffix:
         check_file(folder, target.suffix)
         with replacing(folder) as file:
-            target.write(file, *_taken(fabric, to, model), dpi)
+            write(file)
         return Path(folder)
     with replacing_folder(folder) as temporary:
-        material, chosen = _taken(fabric, to, model)
-        facts: dict[str, object] = {"fabric": source_of(material).name, "model": chosen, "target": to}
-        given = dpi if target.has_dpi else distance
-        write_manifest(temporary, facts | target.write(temporary, material, chosen, given))
+        write_manifest(temporary, write(temporary))
     return Path(folder)
+
+
+def _require_garment(to: str, target: ExportTarget, garment: GarmentSettings) -> None:
+    """Raises InputError unless the target takes the mesh, and settings of a mesh have one."""
+    if garment.mesh is not None and target.write_garment is None:
+        able = [name for name, each in TARGETS.items() if each.write_garment is not None]
+        raise InputError(f"--to {to} writes no meshes: leave out --mesh, or use {' or '.join(able)}.")
+    if garment.mesh is None:
+        for name in garment.chosen():
+            raise InputError(f"{name} is of a mesh, and there is none: give one, by --mesh.")
 
 
 def _taken(fabric: Material | str | os.PathLike[str], to: str, model: str | None) -> tuple[Material, str]:
