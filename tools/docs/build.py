@@ -53,6 +53,7 @@ _FIRST = {
         "materials",
         "export",
         "engines",
+        "usd",
         "u3m",
         "maps",
         "models",

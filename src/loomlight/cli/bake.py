@@ -131,11 +131,15 @@ def export(
     fabric: FabricArgument,
     to: Annotated[
         str,
-        typer.Option(help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf, materialx, u3m or u3ma."),
+        typer.Option(
+            help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf, materialx, usd, usdz, u3m or u3ma."
+        ),
     ],
     output: Annotated[
         Path,
-        typer.Option("--output", "-o", help="The folder to write: new, or of an export; of u3ma a file."),
+        typer.Option(
+            "--output", "-o", help="The folder to write: new, or of an export; of usdz and u3ma a file."
+        ),
     ],
     model: Annotated[
         str | None,
@@ -145,7 +149,7 @@ def export(
     ] = None,
     distance: Annotated[
         float | None,
-        typer.Option(help="Metres from which textures of gltf and materialx are seen; by default close."),
+        typer.Option(help="Metres from which textures are seen, but of u3m; by default close."),
     ] = None,
     dpi: Annotated[
         float | None,

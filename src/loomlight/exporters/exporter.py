@@ -16,6 +16,7 @@ from loomlight.exporters.garment_gltf import write_garment_gltf
 from loomlight.exporters.materials import write_gltf, write_materialx
 from loomlight.exporters.shaders import write_shaders
 from loomlight.exporters.u3m import write_u3m, write_u3m_archive
+from loomlight.exporters.usd import write_usd, write_usdz
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.surface_maps import without_maps
 from loomlight.models.registry import REALTIME_MODELS, model_class
@@ -102,6 +103,21 @@ TARGETS: dict[str, ExportTarget] = {
     ),
     "materialx": ExportTarget(
         "MaterialX with OpenPBR, and textures", ("lobes",), _of_fabric(write_materialx), True
+    ),
+    "usd": ExportTarget(
+        "a USD stage with OpenPBR and UsdPreviewSurface",
+        ("lobes",),
+        _of_fabric(write_usd),
+        True,
+        write_garment=write_usd,
+    ),
+    "usdz": ExportTarget(
+        "the same in one file",
+        ("lobes",),
+        _of_fabric(write_usdz),
+        True,
+        suffix=".usdz",
+        write_garment=write_usdz,
     ),
     "u3m": ExportTarget("U3M of both faces, for apparel programs", ("lobes",), write_u3m, has_dpi=True),
     "u3ma": ExportTarget("the same in one file", ("lobes",), write_u3m_archive, has_dpi=True, suffix=".u3ma"),

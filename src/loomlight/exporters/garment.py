@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.picture_settings import GarmentSettings, Worn
 from loomlight.exporters.fit import FittedMaterial
-from loomlight.exporters.gltf import png_bytes
+from loomlight.exporters.gltf import png_bytes, wavy_sheet
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.surface_maps import without_maps
 from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart
@@ -161,6 +161,18 @@ def clothed_garment(fabric: Fabric, settings: GarmentSettings, fit: Fit) -> Clot
         for name, (part, number) in zip(names, parts, strict=True)
     ]
     return ClothedGarment(Path(settings.mesh).stem, made, cloths)
+
+
+def sheet(fabric: Fabric, fit: Fit) -> ClothedGarment:
+    """A sheet of 10 cm with gentle waves, where there is no mesh; its uv begin at its lower left corner."""
+    positions, normals, tangent, uv, faces = wavy_sheet()
+    cloth = GarmentCloth(fabric.name or "Cloth", _file_name(fabric.name) or "cloth", fit(fabric))
+    side = 1000 * np.ptp(positions[:, 0])
+    repeats = np.stack([uv[:, 0], 1 - uv[:, 1]], axis=1) * (side / np.array(cloth.material.size))
+    mesh = ClothMesh(
+        positions.astype(float), normals.astype(float), repeats, faces.reshape(-1, 3).astype(int), "sheet"
+    )
+    return ClothedGarment("sheet", [GarmentPart("sheet", mesh, tangent[:, :3].astype(float), 0)], [cloth])
 
 
 def _fabrics(
