@@ -52,6 +52,7 @@ _FIRST = {
         "realtime-shaders",
         "materials",
         "export",
+        "blender",
         "maps",
         "models",
         "comparison",

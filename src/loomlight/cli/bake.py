@@ -130,7 +130,9 @@ def export(
     fabric: FabricArgument,
     to: Annotated[
         str,
-        typer.Option(help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf or materialx."),
+        typer.Option(
+            help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf, materialx, blender, blender-addon."
+        ),
     ],
     output: Annotated[
         Path, typer.Option("--output", "-o", help="The folder to write: new, or of an export.")

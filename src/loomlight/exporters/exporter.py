@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from loomlight.core.errors import InputError
+from loomlight.exporters.blender import write_maps
+from loomlight.exporters.blender_addon import write_addon
 from loomlight.exporters.folder import replacing_folder, write_manifest
 from loomlight.exporters.materials import write_gltf, write_materialx
 from loomlight.exporters.shaders import write_shaders
@@ -84,6 +86,12 @@ TARGETS: dict[str, ExportTarget] = {
     ),
     "materialx": ExportTarget(
         "MaterialX with OpenPBR, and textures", ("lobes",), _of_fabric(write_materialx), True
+    ),
+    "blender": ExportTarget(
+        "maps in three densities, for the Blender add-on", ("lobes",), _of_fabric(write_maps)
+    ),
+    "blender-addon": ExportTarget(
+        "the Blender add-on, with the fabric ready in it", ("lobes",), _of_fabric(write_addon)
     ),
 }
 
