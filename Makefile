@@ -27,8 +27,8 @@ test-all: lint
 	$(call run_tests,-m "")
 
 lint: $(VENV)/.test
-	$(RUN)/ruff check src studies tests tools examples
-	$(RUN)/ruff format --check src studies tests tools examples
+	$(RUN)/ruff check src studies tests tools examples integrations
+	$(RUN)/ruff format --check src studies tests tools examples integrations
 	$(RUN)/mypy
 	$(RUN)/lint-imports
 

@@ -28,7 +28,16 @@ ROOT = Path(__file__).resolve().parents[2]
 _CONSTRAINTS = ROOT / "constraints.txt"
 _DRIVER = Path(__file__).with_name("driver.py")
 # What a checkout needs for its wheel, beside what hatch and node make.
-_SOURCES = ("src", "web", "examples", "pyproject.toml", "hatch_build.py", "README.md", "LICENSE")
+_SOURCES = (
+    "src",
+    "web",
+    "examples",
+    "integrations",
+    "pyproject.toml",
+    "hatch_build.py",
+    "README.md",
+    "LICENSE",
+)
 BASE, NO_SLANGC = "base", "no slangc"
 
 _SERVE = """

@@ -17,6 +17,8 @@ from studies.harness.run import run_study
 OF_TRAININGS = tuple(
     f"papers/chen2024/{name}" for name in ("fig7", "ablations", "error_against_cost", "learning_curve")
 )
+# They run other programs, which are installed by hand.
+OF_PROGRAMS = ("accuracy/blender",)
 
 
 @pytest.mark.slow
@@ -28,6 +30,10 @@ def test_every_study_runs_when_it_is_small(
     # Probes take longer than small studies; tests of their own ask them.
     monkeypatch.setattr("studies.harness.run.probed", lambda names: {})
     study = find_study(name)
+    if name in OF_PROGRAMS:
+        with pytest.raises(InputError, match="pip install bpy"):
+            run_study(study, study.settings.changed(**study.small, python="nowhere"), tmp_path, tmp_path)
+        return
     if name in OF_TRAININGS:
         with pytest.raises(InputError, match=r"make (them|the training) with python -m studies\.papers"):
             run_study(study, study.settings.changed(**study.small), tmp_path, tmp_path / "runs")

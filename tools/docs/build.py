@@ -55,6 +55,7 @@ _FIRST = {
         "engines",
         "usd",
         "u3m",
+        "blender",
         "maps",
         "models",
         "comparison",

@@ -11,6 +11,8 @@ from typing import Unpack
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing
 from loomlight.core.picture_settings import GarmentKeywords, GarmentSettings
+from loomlight.exporters.blender import write_maps
+from loomlight.exporters.blender_addon import write_addon
 from loomlight.exporters.folder import check_file, replacing_folder, write_manifest
 from loomlight.exporters.garment_gltf import write_garment_gltf
 from loomlight.exporters.materials import write_gltf, write_materialx
@@ -121,6 +123,12 @@ TARGETS: dict[str, ExportTarget] = {
     ),
     "u3m": ExportTarget("U3M of both faces, for apparel programs", ("lobes",), write_u3m, has_dpi=True),
     "u3ma": ExportTarget("the same in one file", ("lobes",), write_u3m_archive, has_dpi=True, suffix=".u3ma"),
+    "blender": ExportTarget(
+        "maps in three densities, for the Blender add-on", ("lobes",), _of_fabric(write_maps)
+    ),
+    "blender-addon": ExportTarget(
+        "the Blender add-on, with the fabric ready in it", ("lobes",), _of_fabric(write_addon)
+    ),
 }
 
 

@@ -185,6 +185,19 @@ class TexelGrid:
             row, column = np.divmod(np.arange(count * self.columns), self.columns)
             yield self.at(row + first, column)
 
+    def filled(self) -> Texels:
+        """All texels [rows, columns, ...]; holes have the yarns of the nearest texel that has any."""
+        parts = list(self.bands())
+        whole = {
+            name: np.concatenate([vars(part)[name] for part in parts])
+            for name in vars(parts[0])
+            if name != "alpha"
+        }
+        nearest = nearest_covered(whole["cover"].reshape(self.rows, self.columns))
+        arrays = {name: values[nearest] for name, values in whole.items()}
+        cover = whole["cover"].reshape(nearest.shape)
+        return Texels(**(arrays | {"cover": cover}), alpha=parts[0].alpha)
+
     def _texels(self, row: NDArray[np.int64], column: NDArray[np.int64]) -> Texels:
         # Look at the points of each texel.
         appearance = self._fabric.appearance()

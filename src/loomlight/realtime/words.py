@@ -297,8 +297,8 @@ def _warn_of_layers(layout: ClothLayout) -> None:
     """Warns of cloth whose layers shaders do not know."""
     if layout.depth > 1:
         warnings.warn(
-            f"Shaders show a single plane, and this cloth has {layout.depth} layers: render, maps and textured "
-            "materials show them.",
+            f"Shaders show a single plane, and this cloth has {layout.depth} layers: render, maps and "
+            "textured materials show them.",
             LoomlightWarning,
             stacklevel=3,
         )

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The material of a folder of maps: a node group whose colours are sockets, and what it needs of an object.
+
+Maps of three densities fade into each other by the width of a pixel on the cloth. The highlight has a node of
+its own, as cloth reflects little at grazing angles, where the principled node reflects all; so has light that
+comes through.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import bpy
+
+from .nodes import NodeTree, Socket
+
+# Sockets of the group, which the panel shows.
+COLOURS = {"warp": "Warp Color", "weft": "Weft Color"}
+SHEEN, RELIEF, WIDTH = "Sheen", "Displacement", "Millimetres"
+# A property of objects: millimetres that a unit of u and of v are on its surface.
+SCALE = "loomlight_mm"
+# A property of materials and groups: what they were made of.
+MARK = "loomlight"
+# A density is gone when a pixel is as wide as a texel of the next one, and alone when it is a third of that.
+_FADE = 3.0
+
+
+class MapsError(Exception):
+    """A folder of maps that cannot be used; the message is one sentence."""
+
+
+def make_material(folder: Path, manifest: dict[str, Any], relief: bool) -> bpy.types.Material:
+    """The material of a folder of maps, whose pictures are packed; if it fails, nothing is left behind.
+
+    Args:
+        relief: whether yarns displace the surface near by; else their normals do it.
+
+    Raises:
+        MapsError: a map is missing or the manifest is not whole.
+    """
+    made: list[bpy.types.ID] = []
+    try:
+        return _material(folder, manifest, relief, made)
+    except (KeyError, TypeError, ValueError, IndexError, RuntimeError, OSError) as error:
+        for block in reversed(made):
+            bpy.data.batch_remove([block])
+        raise MapsError(f"The maps of the fabric cannot be read: {' '.join(str(error).split())}.") from error
+
+
+def _material(
+    folder: Path, manifest: dict[str, Any], relief: bool, made: list[bpy.types.ID]
+) -> bpy.types.Material:
+    name = str(manifest["fabric"])
+    group = bpy.data.node_groups.new(f"Loomlight {name}", "ShaderNodeTree")
+    made.append(group)
+    group[MARK] = name
+    _Cloth(NodeTree(group), folder, manifest, made).build()
+    material = bpy.data.materials.new(name)
+    made.append(material)
+    material[MARK] = name
+    if bpy.app.version < (5, 0):
+        material.use_nodes = True
+    material.displacement_method = "BOTH" if relief else "BUMP"
+    tree = material.node_tree
+    tree.nodes.clear()
+    node = tree.nodes.new("ShaderNodeGroup")
+    node.node_tree, node.name, node.width = group, MARK, 220
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    output.location = (300, 0)
+    tree.links.new(node.outputs["BSDF"], output.inputs["Surface"])
+    if relief:
+        tree.links.new(node.outputs["Displacement"], output.inputs["Displacement"])
+    node.inputs[RELIEF].default_value = float(relief)
+    return material
+
+
+def group_node(material: bpy.types.Material | None) -> bpy.types.Node | None:
+    """The node of a material that this add-on made; None of others."""
+    if material is None or MARK not in material or material.node_tree is None:
+        return None
+    return material.node_tree.nodes.get(MARK)
+
+
+class _Cloth:
+    """Builds the nodes of a group."""
+
+    def __init__(
+        self, tree: NodeTree, folder: Path, manifest: dict[str, Any], made: list[bpy.types.ID]
+    ) -> None:
+        self._tree, self._folder, self._manifest, self._made = tree, folder, manifest, made
+        self._sockets()
+
+    def build(self) -> None:
+        """Makes all nodes."""
+        tree = self._tree
+        self._place = self._place_in_tile()
+        self._fades = self._fades_by_distance()
+        # 1. Diffuse reflection: a weight times a colour, a family each.
+        parts = [self._map(family) for family in COLOURS]
+        own = [tree.colour(self._manifest["colors"][family]) for family in COLOURS]
+        shown = [tree.input(name) for name in COLOURS.values()]
+        base = tree.vector(
+            "ADD", *(tree.vector("MULTIPLY", *pair) for pair in zip(parts, shown, strict=True))
+        )
+        before = tree.vector(
+            "ADD", *(tree.vector("MULTIPLY", *pair) for pair in zip(parts, own, strict=True))
+        )
+        # 2. What comes through is dyed as what comes back is.
+        dye = tree.vector("DIVIDE", base, tree.vector("MAXIMUM", before, (1e-4, 1e-4, 1e-4)))
+        through = tree.vector("MULTIPLY", self._map("through"), dye)
+        # 3. Directions. Displaced yarns have their normals already where they are near.
+        near = tree.math("SUBTRACT", 1.0, self._fades[0])
+        flat = tree.math("MULTIPLY", tree.input(RELIEF), near)
+        normal = tree.node("ShaderNodeNormalMap")
+        tree.feed(normal, Color=self._map("normal"), Strength=tree.math("SUBTRACT", 1.0, flat))
+        normal = normal.outputs["Normal"]
+        fibres = tree.separate(self._map("fibres"))
+        sine, cosine = (tree.math("MULTIPLY_ADD", fibres[k], 2.0, -1.0) for k in (1, 0))
+        # Of half the doubled angle, as a share of a turn.
+        turn = tree.math("MULTIPLY", tree.math("ARCTAN2", sine, cosine), 0.25 / 3.141592653589793)
+        tangent = tree.node("ShaderNodeTangent", direction_type="UV_MAP")
+        # 4. Layers.
+        surface = tree.separate(self._map("surface"))
+        principled = tree.node("ShaderNodeBsdfPrincipled")
+        tree.feed(
+            principled, **{"Base Color": base, "Specular IOR Level": 0.0, "Roughness": 1.0, "Normal": normal}
+        )
+        tree.feed(principled, **{"Sheen Weight": tree.input(SHEEN)})
+        tree.feed(principled, **{"Sheen Roughness": float(self._manifest["sheen"]["roughness"])})
+        glossy = tree.node("ShaderNodeBsdfAnisotropic", distribution="GGX")
+        tree.feed(
+            glossy, Color=self._map("glossy"), Roughness=surface[0], Anisotropy=fibres[2], Rotation=turn
+        )
+        tree.feed(glossy, Normal=normal, Tangent=tangent.outputs["Tangent"])
+        translucent = tree.node("ShaderNodeBsdfTranslucent")
+        tree.feed(translucent, Color=through, Normal=normal)
+        cloth = tree.add(tree.add(principled, glossy), translucent)
+        # 5. Holes.
+        mixed = tree.node("ShaderNodeMixShader")
+        tree.link(surface[1], mixed.inputs[0])
+        tree.link(tree.node("ShaderNodeBsdfTransparent").outputs[0], mixed.inputs[1])
+        tree.link(cloth, mixed.inputs[2])
+        tree.output("BSDF", mixed.outputs[0])
+        tree.output("Displacement", self._displacement(flat))
+        tree.arrange()
+
+    def _sockets(self) -> None:
+        for family, name in COLOURS.items():
+            self._tree.socket(name, "NodeSocketColor", (*map(float, self._manifest["colors"][family]), 1.0))
+        self._tree.socket(SHEEN, "NodeSocketFloat", float(self._manifest["sheen"]["strength"]), 0.0, 1.0)
+        self._tree.socket(RELIEF, "NodeSocketFloat", 0.0, 0.0, 4.0)
+        self._tree.socket(WIDTH, "NodeSocketFloat", 1000.0, 1e-3, 1e6)
+        self._tree.socket("BSDF", "NodeSocketShader", is_input=False)
+        self._tree.socket("Displacement", "NodeSocketVector", is_input=False)
+
+    def _place_in_tile(self) -> Socket:
+        """Where on the maps a place of the surface is, from uv and the object's scale."""
+        tree = self._tree
+        scale = tree.node("ShaderNodeAttribute", attribute_type="OBJECT", attribute_name=SCALE).outputs[
+            "Vector"
+        ]
+        # An object that has none is as wide as the group says.
+        has_none = tree.math("LESS_THAN", tree.separate(scale)[0], 1e-6)
+        width = tree.math("MULTIPLY", has_none, tree.input(WIDTH))
+        scale = tree.vector("ADD", scale, tree.combine(width, width, width))
+        uv = tree.node("ShaderNodeUVMap").outputs["UV"]
+        across, up = map(float, self._manifest["size_mm"])
+        return tree.vector("MULTIPLY", tree.vector("MULTIPLY", uv, scale), (1 / across, 1 / up, 0.0))
+
+    def _fades_by_distance(self) -> list[Socket]:
+        """How far each density has faded into the next, 0 to 1."""
+        tree = self._tree
+        camera = tree.node("ShaderNodeCameraData").outputs["View Distance"]
+        per_unit = tree.driven("Pixel a unit away", _PERSPECTIVE)
+        parallel = tree.driven("Pixel of parallel rays", _ORTHOGRAPHIC)
+        pixel = tree.math("MULTIPLY_ADD", camera, per_unit, parallel)
+        wide = tree.math("LOGARITHM", tree.math("MAXIMUM", pixel, 1e-6), 2.718281828459045)
+        texels = [float(density["texel_mm"]) for density in self._manifest["densities"]]
+        return [tree.smoothstep(wide, texel / _FADE, texel) for texel in texels[1:]]
+
+    def _map(self, key: str) -> Socket:
+        """A map as values, its densities blended."""
+        tree = self._tree
+        values = []
+        for density in self._manifest["densities"]:
+            described = density["maps"][key]
+            node = self._image(described["file"], bool(described["is_color"]))
+            peak = float(described["peak"])
+            colour = node.outputs["Color"]
+            values.append(colour if peak == 1.0 else tree.vector("MULTIPLY", colour, (peak, peak, peak)))
+        found = values[0]
+        for value, fade in zip(values[1:], self._fades, strict=True):
+            found = tree.mix(fade, found, value)
+        return found
+
+    def _image(self, file: str, is_colour: bool) -> bpy.types.Node:
+        image = bpy.data.images.load(str(self._folder / file))
+        self._made.append(image)
+        image.name = f"{self._manifest['fabric']} {Path(file).stem}"
+        image.colorspace_settings.name = "sRGB" if is_colour else "Non-Color"
+        image.alpha_mode = "NONE"
+        image.pack()
+        # The path is of a folder that will be gone.
+        image.filepath = image.filepath_raw = f"//{Path(file).name}"
+        node = self._tree.node("ShaderNodeTexImage", image=image, extension="REPEAT")
+        self._tree.link(self._place, node.inputs["Vector"])
+        return node
+
+    def _displacement(self, amount: Socket) -> Socket:
+        """Heights about their middle in units of the scene, none where yarns are too small to be seen."""
+        tree = self._tree
+        height = tree.separate(self._image(self._manifest["height"]["file"], False).outputs["Color"])[0]
+        relief = float(self._manifest["height"]["relief_mm"])
+        scale = tree.math("MULTIPLY", amount, tree.driven("Units a millimetre", _UNITS))
+        node = tree.node("ShaderNodeDisplacement")
+        tree.feed(node, Height=tree.math("MULTIPLY", height, relief), Midlevel=relief / 2, Scale=scale)
+        return node.outputs["Displacement"]
+
+
+# Drivers: an expression, and what its names are of the active scene. Pixels are square; a lens' angle is of
+# the picture's longer side.
+_PICTURE = {
+    "width": "render.resolution_x",
+    "height": "render.resolution_y",
+    "percent": "render.resolution_percentage",
+    "metres": "unit_settings.scale_length",
+    "kind": "camera.data.type",
+}
+_PERSPECTIVE = (
+    "0 if kind == 1 else 200000 * metres * tan(angle / 2) / (max(width, height) * percent)",
+    _PICTURE | {"angle": "camera.data.angle"},
+)
+_ORTHOGRAPHIC = (
+    "100000 * metres * side / (max(width, height) * percent) if kind == 1 else 0",
+    _PICTURE | {"side": "camera.data.ortho_scale"},
+)
+_UNITS = ("0.001 / metres", {"metres": "unit_settings.scale_length"})

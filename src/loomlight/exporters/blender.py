@@ -1,0 +1,201 @@
+"""A fabric for Blender: maps of its fitted material in three densities, of which the add-on makes nodes.
+
+The add-on (`blender_addon.py`) asks `loomlight export FABRIC --to blender` for this folder, whose form is
+`FORMAT`. Colours are kept apart from weights: of each family there is a map of what a colour is multiplied
+by, so that other colours need no new maps.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+
+import numpy as np
+from drjit.llvm import Float
+from numpy.typing import NDArray
+from PIL import Image
+
+from loomlight.core.colour import linear_to_srgb
+from loomlight.exporters.fit import FittedMaterial, fit_material
+from loomlight.exporters.gltf import eight_bits
+from loomlight.exporters.texels import MIN_COVER, TexelGrid, Texels, texture_grid, tile_repeats
+from loomlight.fabric.colour import faded
+from loomlight.fabric.fabric import Fabric, make_fabric
+from loomlight.fabric.fields import SheenTable
+from loomlight.fabric.maps import ClothSurface
+from loomlight.fabric.resolve import ResolvedFamily
+from loomlight.models.registry import make_model
+
+Numbers = NDArray[np.float64]
+FAMILIES = ("warp", "weft")
+# The form of the folder; the add-on says which it reads.
+FORMAT = 1
+# Texels of a density, in threads: near, eight a thread, is the default of `texture_grid`.
+DENSITIES: dict[str, float | None] = {"near": None, "mid": 1.0, "far": 8.0}
+# A side, of any density: Blender holds some twenty such pictures.
+MAX_TEXELS = 2048
+# Reflectance of a family's colour below which weights would grow without bound.
+_DARKEST = 2e-3
+
+
+def write_maps(folder: Path, fabric: Fabric, model: str, distance: float | None) -> dict[str, object]:
+    """Writes maps/DENSITY-NAME.png of three densities, and returns what the manifest says.
+
+    Raises:
+        InputError: too many texels, or the model does not take the fabric.
+    """
+    from loomlight.core.llvm import require_llvm
+
+    require_llvm()
+    (folder / "maps").mkdir()
+    # Blender has the sheen of `lobes` (Zeltner, Burley and Chiang 2022): what is fitted lies below it.
+    bare = _without_sheen(fabric)
+    fitted = make_model(model, bare)
+    colours = {name: shown_colour(getattr(fabric.resolved, name)) for name in FAMILIES}
+    densities = [_write_density(folder, name, bare, fitted, colours) for name in DENSITIES]
+    heights, relief = _heights(bare)
+    Image.fromarray(heights).save(folder / "maps" / "height.png")
+    across, up = tile_repeats(bare)
+    width, height = bare.layout().size
+    sheen = fabric.appearance().sheen
+    return {
+        "format": FORMAT,
+        "loomlight": version("loomlight"),
+        "size_mm": [across * float(width), up * float(height)],
+        "colors": {name: colour.tolist() for name, colour in colours.items()},
+        "sheen": {"strength": sheen.strength, "roughness": sheen.roughness},
+        "height": {"file": "maps/height.png", "relief_mm": relief},
+        "densities": densities,
+    }
+
+
+def _without_sheen(fabric: Fabric) -> Fabric:
+    bare = fabric.fields.model_copy(update={"sheen": SheenTable()})
+    return make_fabric(bare, fabric.named_draft, fabric.name, fabric.folder)
+
+
+def shown_colour(family: ResolvedFamily) -> Numbers:
+    """The mean colour [3] of a family's threads as a fabric file states it, rubbed, linear RGB."""
+    return np.maximum(faded(family.colours, family.worn).mean(axis=0), _DARKEST)
+
+
+def _write_density(
+    folder: Path, name: str, fabric: Fabric, model: object, colours: dict[str, Numbers]
+) -> dict[str, object]:
+    """The maps of one density, and what the manifest says of them."""
+    columns, rows = _grid(fabric, DENSITIES[name])
+    material = fit_material(fabric, model, columns, rows)  # type: ignore[arg-type]
+    maps = density_maps(material, TexelGrid(fabric, columns, rows).filled(), colours)
+    entry: dict[str, object] = {
+        "name": name,
+        "texel_mm": max(material.size[0] / columns, material.size[1] / rows),
+    }
+    described = {}
+    for key, one in maps.items():
+        file = f"maps/{name}-{key}.png"
+        Image.fromarray(one.pixels).save(folder / file)
+        described[key] = {"file": file, "peak": one.peak, "is_color": one.is_color}
+    facts = {"relative_rms_error": round(material.error, 4), "brightness": round(material.brightness, 4)}
+    return entry | {"texels": [columns, rows], "maps": described} | facts
+
+
+def _grid(fabric: Fabric, threads: float | None) -> tuple[int, int]:
+    """Columns and rows of texels that are so many threads wide, fewer where that are too many."""
+    layout = fabric.layout()
+    width, height = np.multiply(layout.size, tile_repeats(fabric))
+    texel = max(width, height) / MAX_TEXELS
+    if threads is not None:
+        texel = max(texel, threads * math.sqrt(float(np.prod(layout.size)) / layout.warp_on_top.size))
+    columns, rows = texture_grid(fabric, None)
+    if threads is not None or max(columns, rows) > MAX_TEXELS:
+        columns, rows = texture_grid(fabric, texel)
+    return columns, rows
+
+
+@dataclass(frozen=True, eq=False)
+class DensityMap:
+    """A map of one density.
+
+    Attributes:
+        pixels: [rows, columns, 3], 8 bits, row 0 at the upper edge.
+        peak: what values from 0 to 1 are multiplied by.
+        is_color: whether `pixels` are coded as sRGB is.
+    """
+
+    pixels: NDArray[np.uint8]
+    peak: float = 1.0
+    is_color: bool = False
+
+
+def density_maps(
+    material: FittedMaterial, texels: Texels, colours: dict[str, Numbers]
+) -> dict[str, DensityMap]:
+    """The maps of a fitted material by their names.
+
+    "warp", "weft": what the colour of a family is multiplied by; their sum is diffuse reflection. "through":
+    colour of diffuse transmission. "glossy": reflectance of the highlight, the same from everywhere.
+    "normal": in the frame of u and v. "fibres": cosine and sine of twice the angle from u to the axis along
+    which the highlight is narrow, coded as normals are, and its anisotropy 1 − √(α narrow / α wide).
+    "surface": roughness, the root of the geometric mean of both α, and opacity.
+    """
+    glossy = material.weight * material.specular
+    # What the highlight takes is not left for the layer below it.
+    reflected = (
+        material.base * (1 - material.transmission - glossy.max(-1) * (1 - material.transmission))[..., None]
+    )
+    parts = _parts(np.maximum(reflected, 0), texels)
+    wide, narrow = material.alpha_x, material.alpha_y
+    x, y = -material.direction[..., 1], material.direction[..., 0]
+    fibres = [0.5 + 0.5 * (x * x - y * y), 0.5 + x * y, 1 - np.sqrt(narrow / wide)]
+    opacity = material.cover
+    return {
+        name: _coloured(part / colours[name])
+        for name, part in zip(FAMILIES, np.moveaxis(parts, -2, 0), strict=True)
+    } | {
+        "through": _coloured(material.transmit * material.transmission[..., None]),
+        "glossy": _coloured(glossy),
+        "normal": DensityMap(eight_bits(0.5 + 0.5 * material.normal)),
+        "fibres": DensityMap(eight_bits(np.stack(fibres, axis=-1))),
+        "surface": DensityMap(eight_bits(np.stack([(wide * narrow) ** 0.25, opacity, 0 * opacity], axis=-1))),
+    }
+
+
+def _coloured(values: Numbers) -> DensityMap:
+    peak = max(float(values.max()), 1e-6)
+    return DensityMap(eight_bits(linear_to_srgb(values / peak)), peak, is_color=True)
+
+
+def _parts(reflected: Numbers, texels: Texels) -> Numbers:
+    """Diffuse reflection [rows, columns, 3] by family [rows, columns, 2, 3].
+
+    A fit multiplies the albedos of each family by one factor, which least squares find again.
+    """
+    seen = texels.share[..., None] * texels.diffuse
+    known = (texels.cover > MIN_COVER) & (reflected.max(-1) < 1)
+    rows = np.moveaxis(seen[known], -2, -1).reshape(-1, 2)
+    factors = np.linalg.lstsq(rows, reflected[known].ravel(), rcond=None)[0] if known.any() else np.ones(2)
+    factors = np.maximum(factors, 0) if factors.max() > 0 else np.ones(2)
+    weighed = seen * factors[:, None]
+    total = weighed.sum(-2, keepdims=True)
+    share = np.where(total > 1e-9, weighed / np.maximum(total, 1e-9), texels.share[..., None])
+    return np.asarray(share * reflected[..., None, :])
+
+
+def _heights(fabric: Fabric) -> tuple[NDArray[np.uint16], float]:
+    """Heights at the texels of the near density, 16 bits, row 0 at the upper edge, and what 65535 is, in mm.
+
+    Holes lie as low as the lowest yarn.
+    """
+    columns, rows = _grid(fabric, None)
+    repeats = tile_repeats(fabric)
+    width, height = np.multiply(fabric.layout().size, repeats)
+    x, y = np.meshgrid(
+        (np.arange(columns) + 0.5) * (width / columns), (np.arange(rows) + 0.5) * (height / rows)
+    )
+    point = ClothSurface(fabric, Float, repeats).at(x.ravel(), y.ravel(), float(width / columns))
+    low = float(point.height[~point.hole].min(initial=0.0))
+    found = np.where(point.hole, low, point.height).reshape(rows, columns) - low
+    relief = max(float(found.max()), 1e-6)
+    return np.rint(65535 * found[::-1] / relief).astype(np.uint16), relief
