@@ -38,7 +38,7 @@ from loomlight.fabric.resolve import OPTICAL_DEPTH
 from loomlight.scattering.albedo import albedos_from_colour
 from loomlight.scattering.fibre import cloth_layer_bound
 from loomlight.scattering.sheen import sheen_with_transmittance
-from studies.harness.study import Figures, Found, Run, Study, listed, names
+from studies.harness.study import Figures, Found, Pixels, Run, Study, listed, names
 from studies.instruments.directions import above, by_cosine, direction
 from studies.instruments.measured_brdf import measured_brdfs
 from studies.instruments.standard_brdfs import Fitted, lambert, principled
@@ -307,7 +307,42 @@ def measure(settings: MeasuredCloth, run: Run) -> Found:
         label: sum(row[label]["rms"] < row["principled"]["rms"] for row in fabrics)
         for label in ("cloth", "with Fresnel")
     }
-    return Found({"brdfs": rows, "nearer": nearer, "fabrics": len(fabrics)})
+    figures = {"brdfs": rows, "nearer": nearer, "fabrics": len(fabrics)}
+    return Found(figures, curves_sheet(figures))
+
+
+# Labels and keys of the lines of plots.
+_LINES = {
+    "measured": "measured",
+    "cloth": "cloth",
+    "with Fresnel": "with Fresnel",
+    "principled": "principled",
+}
+
+
+def curves_sheet(figures: Figures) -> Pixels:
+    """Albedo, and what the mirror's direction shows, over the view's angle, each over that at 0°."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    shown = [name for name in figures["brdfs"] if not is_felt(name)][::3]
+    figure = Figure(figsize=(12, 5), dpi=100, layout="constrained")
+    canvas = FigureCanvasAgg(figure)
+    axes = figure.subplots(2, len(shown), squeeze=False, sharex=True)
+    for column, name in enumerate(shown):
+        row = figures["brdfs"][name]
+        for axis, curve in zip(axes[:, column], ("albedo", "mirror"), strict=True):
+            for label, key in _LINES.items():
+                values = np.array(row[key][curve])
+                axis.plot(VIEWS, values / values[0], "k" if key == "measured" else "", label=label)
+            axis.set_yscale("linear" if curve == "albedo" else "log")
+        axes[0, column].set_title(name.split("/")[1], fontsize=10)
+        axes[1, column].set_xlabel("view, degrees")
+    for axis, text in zip(axes[:, 0], ("albedo over that at 0°", "mirror over that at 0°"), strict=True):
+        axis.set_ylabel(text)
+    axes[0, 0].legend(fontsize=8)
+    canvas.draw()
+    return np.asarray(canvas.buffer_rgba())[..., :3].copy()
 
 
 def is_felt(name: str) -> bool:

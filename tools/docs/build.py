@@ -68,6 +68,7 @@ _FIRST = {
         "figures-baked",
         "figures-sampling",
         "figures-light",
+        "measured-cloth",
         "studies",
         "evaluation",
     ),
