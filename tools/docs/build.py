@@ -41,6 +41,7 @@ _FIRST = {
         "animation",
         "moving-cloth",
         "fabric-files",
+        "capture",
         "drafts",
         "artwork",
         "layers",
