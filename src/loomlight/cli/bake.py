@@ -132,7 +132,8 @@ def export(
     to: Annotated[
         str,
         typer.Option(
-            help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf, materialx, usd, usdz, u3m or u3ma."
+            help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf, materialx, usd, usdz, unreal, "
+            "unity, godot, threejs, u3m or u3ma."
         ),
     ],
     output: Annotated[

@@ -11,6 +11,7 @@ from typing import Unpack
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing
 from loomlight.core.picture_settings import GarmentKeywords, GarmentSettings
+from loomlight.exporters.engines import ENGINES
 from loomlight.exporters.folder import check_file, replacing_folder, write_manifest
 from loomlight.exporters.garment_gltf import write_garment_gltf
 from loomlight.exporters.materials import write_gltf, write_materialx
@@ -119,6 +120,10 @@ TARGETS: dict[str, ExportTarget] = {
         suffix=".usdz",
         write_garment=write_usdz,
     ),
+    **{
+        name: ExportTarget(summary, ("lobes",), _of_fabric(write), True)
+        for name, (write, summary) in ENGINES.items()
+    },
     "u3m": ExportTarget(
         "U3M of both faces, for apparel programs", ("lobes",), _of_fabric(write_u3m), has_dpi=True
     ),
