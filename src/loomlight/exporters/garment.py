@@ -221,9 +221,12 @@ def _covered_parts(
 
 
 def write_pictures(folder: Path, key: str, textures: Mapping[str, NDArray[np.uint8]]) -> list[str]:
-    """Writes textures/KEY/NAME.png and returns their paths relative to `folder`."""
-    (folder / "textures" / key).mkdir(parents=True)
-    names = [f"textures/{key}/{name}.png" for name in textures]
+    """Writes textures/KEY_NAME.png and returns their paths relative to `folder`.
+
+    Programs that copy textures into one folder, as Blender does with those of packages, must not mix them up.
+    """
+    (folder / "textures").mkdir(exist_ok=True)
+    names = [f"textures/{key}_{name}.png" for name in textures]
     for name, pixels in zip(names, textures.values(), strict=True):
         (folder / name).write_bytes(png_bytes(pixels))
     return names
