@@ -141,7 +141,7 @@ def test_the_file_is_read_again(tmp_path: Path) -> None:
     )
     manifest = json.loads((folder / "manifest.json").read_text())
     assert all((folder / name).is_file() for name in manifest["files"])
-    assert "textures/satin-5-2/normal.png" in manifest["files"]
+    assert "textures/satin-5-2_normal.png" in manifest["files"]
 
 
 @pytest.mark.usefixtures("one_material")

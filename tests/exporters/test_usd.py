@@ -114,6 +114,8 @@ def test_two_surfaces_are_bound_by_paths_beside_the_file(stage: Usd.Stage) -> No
                 assert value.path.startswith("./textures/")
                 named.add(folder / value.path)
     assert named == set(folder.rglob("*.png"))
+    # Blender copies those of a package into one folder.
+    assert len({path.name for path in named}) == len(named) == 16
     back = stage.GetPrimAtPath("/coat/geometry/back")
     material, _ = UsdShade.MaterialBindingAPI(back).ComputeBoundMaterial()
     assert material.ComputeSurfaceSource("")[0].GetIdAttr().Get() == "UsdPreviewSurface"
@@ -135,7 +137,7 @@ def test_nodes_are_those_of_the_valid_document(stage: Usd.Stage) -> None:
     made.setDataLibrary(standard_library())
     valid, message = made.validate()
     assert valid, message
-    document = document_of("plain", plain_material(), "./textures/plain")
+    document = document_of("plain", plain_material(), "./textures/plain_")
     for kind in ("open_pbr_surface", "image", "normalmap", "multiply", "extract"):
         assert numbers(made, kind) == numbers(document, kind)
 
@@ -270,8 +272,8 @@ def test_simple_materials_reflect_as_much_in_the_mean() -> None:
 
 
 def test_the_preview_shows_base_colours_as_srgb(stage: Usd.Stage) -> None:
-    folder = Path(stage.GetRootLayer().realPath).parent / "textures" / "plain"
-    pixels = read_picture(folder / "preview_color.png")
+    folder = Path(stage.GetRootLayer().realPath).parent / "textures"
+    pixels = read_picture(folder / "plain_preview_color.png")
     assert pixels.shape == (4, 6, 3)
 
 

@@ -13,6 +13,7 @@ from loomlight.core.files import replacing
 from loomlight.core.picture_settings import GarmentKeywords, GarmentSettings
 from loomlight.exporters.blender import write_maps
 from loomlight.exporters.blender_addon import write_addon
+from loomlight.exporters.engines import ENGINES
 from loomlight.exporters.folder import check_file, replacing_folder, write_manifest
 from loomlight.exporters.garment_gltf import write_garment_gltf
 from loomlight.exporters.materials import write_gltf, write_materialx
@@ -121,6 +122,10 @@ TARGETS: dict[str, ExportTarget] = {
         suffix=".usdz",
         write_garment=write_usdz,
     ),
+    **{
+        name: ExportTarget(summary, ("lobes",), _of_fabric(write), True)
+        for name, (write, summary) in ENGINES.items()
+    },
     "u3m": ExportTarget("U3M of both faces, for apparel programs", ("lobes",), write_u3m, has_dpi=True),
     "u3ma": ExportTarget("the same in one file", ("lobes",), write_u3m_archive, has_dpi=True, suffix=".u3ma"),
     "blender": ExportTarget(

@@ -147,7 +147,7 @@ def clothed_garment(fabric: Fabric, settings: GarmentSettings, fit: Fit) -> Clot
     # 2. A material for each that is worn.
     worn = sorted({number for _, number in garment.pieces})
     keys = _distinct([fabrics[number].name for number in worn], str, "Cloth")
-    files = _distinct([fabrics[number].name for number in worn], _file_name, "cloth")
+    files = _distinct([fabrics[number].name for number in worn], file_name, "cloth")
     cloths = [
         GarmentCloth(name, key, fit(fabrics[number]))
         for number, name, key in zip(worn, keys, files, strict=True)
@@ -166,7 +166,7 @@ def clothed_garment(fabric: Fabric, settings: GarmentSettings, fit: Fit) -> Clot
 def sheet(fabric: Fabric, fit: Fit) -> ClothedGarment:
     """A sheet of 10 cm with gentle waves, where there is no mesh; its uv begin at its lower left corner."""
     positions, normals, tangent, uv, faces = wavy_sheet()
-    cloth = GarmentCloth(fabric.name or "Cloth", _file_name(fabric.name) or "cloth", fit(fabric))
+    cloth = GarmentCloth(fabric.name or "Cloth", file_name(fabric.name) or "cloth", fit(fabric))
     side = 1000 * np.ptp(positions[:, 0])
     repeats = np.stack([uv[:, 0], 1 - uv[:, 1]], axis=1) * (side / np.array(cloth.material.size))
     mesh = ClothMesh(
@@ -221,9 +221,12 @@ def _covered_parts(
 
 
 def write_pictures(folder: Path, key: str, textures: Mapping[str, NDArray[np.uint8]]) -> list[str]:
-    """Writes textures/KEY/NAME.png and returns their paths relative to `folder`."""
-    (folder / "textures" / key).mkdir(parents=True)
-    names = [f"textures/{key}/{name}.png" for name in textures]
+    """Writes textures/KEY_NAME.png and returns their paths relative to `folder`.
+
+    Programs that copy textures into one folder, as Blender does with those of packages, must not mix them up.
+    """
+    (folder / "textures").mkdir(exist_ok=True)
+    names = [f"textures/{key}_{name}.png" for name in textures]
     for name, pixels in zip(names, textures.values(), strict=True):
         (folder / name).write_bytes(png_bytes(pixels))
     return names
@@ -239,7 +242,7 @@ def _distinct(names: Sequence[str], form: Callable[[str], str], otherwise: str) 
     return found
 
 
-def _file_name(name: str) -> str:
+def file_name(name: str) -> str:
     """A name in lower-case letters, digits and hyphens."""
     plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()
     return re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-")[:40].strip("-")

@@ -11,7 +11,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.registry import make_model
 
 # Radians that a pixel of a picture of 1080 rows sees, with a field of view of 26°.
-_PIXEL = 26 / 180 * 3.141592653589793 / 1080
+PIXEL = 26 / 180 * 3.141592653589793 / 1080
 
 
 def fitted(fabric: Fabric, model: str, distance: float | None) -> FittedMaterial:
@@ -24,7 +24,7 @@ def fitted(fabric: Fabric, model: str, distance: float | None) -> FittedMaterial
     from loomlight.core.llvm import require_llvm
 
     require_llvm()
-    columns, rows = texture_grid(fabric, None if distance is None else 1000 * distance * _PIXEL)
+    columns, rows = texture_grid(fabric, None if distance is None else 1000 * distance * PIXEL)
     return fit_material(fabric, make_model(model, fabric), columns, rows)
 
 

@@ -96,11 +96,11 @@ def write_document(path: Path, name: str, material: FittedMaterial) -> None:
     require_materialx().writeToXmlFile(document_of(name, material), str(path))
 
 
-def document_of(name: str, material: FittedMaterial, folder: str = "textures") -> Any:
+def document_of(name: str, material: FittedMaterial, stem: str = "textures/") -> Any:
     """The document: a node graph `cloth_textures`, the surface `cloth_surface` and the material `cloth`.
 
     Args:
-        folder: that its textures are said to lie in.
+        stem: what paths of its textures begin with, before their names.
 
     Raises:
         LoomlightError: MaterialX finds the document invalid.
@@ -111,7 +111,7 @@ def document_of(name: str, material: FittedMaterial, folder: str = "textures") -
     # What colours of textures are converted to.
     document.setColorSpace("lin_rec709")
     document.setDocString(f"{name}: one repeat of the weave, {width:g} x {height:g} mm, is uv 0 to 1.")
-    _add_textures(document.addNodeGraph("cloth_textures"), 2 * float(_passed(material).max()), folder)
+    _add_textures(document.addNodeGraph("cloth_textures"), 2 * float(_passed(material).max()), stem)
     shader = document.addNode("open_pbr_surface", "cloth_surface", "surfaceshader")
     for target, source, kind in (
         ("base_color", "base_color", "color3"),
@@ -141,12 +141,12 @@ def document_of(name: str, material: FittedMaterial, folder: str = "textures") -
     return document
 
 
-def _add_textures(graph: Any, most_passed: float, folder: str) -> None:
+def _add_textures(graph: Any, most_passed: float, stem: str) -> None:
     """The nodes that read the textures, and the outputs that the surface takes."""
 
     def image(texture: str, kind: str) -> Any:
         node = graph.addNode("image", f"image_{texture}_{kind}", kind)
-        file = node.setInputValue("file", f"{folder}/{texture}.png", "filename")
+        file = node.setInputValue("file", f"{stem}{texture}.png", "filename")
         if kind == "color3":
             file.setColorSpace("srgb_texture")
         return node

@@ -19,7 +19,7 @@ from loomlight.exporters.standards import Numbers, sheen_albedo
 
 # Mean of Schlick's (1 − cos θ)⁵ over the hemisphere.
 _SCHLICK_MEAN = 1 / 21
-# Of glass of an index of 1.5, which engines take for the middle of what a surface may reflect.
+# Engines take half of it, that of glass, for the middle of what a surface may reflect.
 _MAX_REFLECTANCE = 0.08
 
 
@@ -56,13 +56,16 @@ def metal_rough(material: FittedMaterial) -> MetalRough:
     sheen = material.sheen * _mean_sheen(material.sheen_roughness)
     reflected = material.base * (1 - material.transmission)[..., None]
     glossy = material.weight * (material.specular.mean() * (1 - _SCHLICK_MEAN) + _SCHLICK_MEAN)
+    reflectance = float(np.clip((glossy - _SCHLICK_MEAN) / (1 - _SCHLICK_MEAN), 0, _MAX_REFLECTANCE))
+    # What is more than a reflectance may say is in the base; rough gloss of none adds little.
+    missing = max(glossy - reflectance - (1 - reflectance) * _SCHLICK_MEAN, 0.0)
     return MetalRough(
         size=material.size,
-        base=np.clip(reflected * (1 - sheen.max()) + sheen, 0, 1),
+        base=np.clip(reflected * (1 - sheen.max()) + sheen + missing, 0, 1),
         opacity=material.cover,
         normal=material.normal,
         roughness=(material.alpha_x * material.alpha_y) ** 0.25,
-        reflectance=float(np.clip((glossy - _SCHLICK_MEAN) / (1 - _SCHLICK_MEAN), 0, _MAX_REFLECTANCE)),
+        reflectance=reflectance,
     )
 
 

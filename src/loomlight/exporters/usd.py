@@ -110,7 +110,7 @@ def textures_of(cloth: GarmentCloth) -> dict[str, NDArray[np.uint8]]:
 
 
 def write_stage(path: Path, garment: ClothedGarment) -> None:
-    """Writes a stage that names textures/KEY/NAME.png beside it."""
+    """Writes a stage that names textures/KEY_NAME.png beside it."""
     usd, geometry, kinds = (import_module(f"pxr.{name}") for name in ("Usd", "UsdGeom", "Kind"))
     stage = usd.Stage.CreateNew(str(path))
     geometry.SetStageMetersPerUnit(stage, 1.0)
@@ -195,13 +195,13 @@ def _define_material(stage: Any, path: str, cloth: GarmentCloth) -> Any:
     prim.SetDocumentation(f"Textures show {width:g} x {height:g} mm of {cloth.name}; st of 1 is as much.")
     preview = _define_preview(stage, path, cloth)
     material.CreateSurfaceOutput().ConnectToSource(preview.ConnectableAPI(), "surface")
-    _define_document(stage, path, material, document_of(cloth.name, cloth.material, _folder(cloth)))
+    _define_document(stage, path, material, document_of(cloth.name, cloth.material, _stem(cloth)))
     return material
 
 
-def _folder(cloth: GarmentCloth) -> str:
-    """Where the textures of a cloth are, as USD writes paths relative to the file."""
-    return f"./textures/{cloth.key}"
+def _stem(cloth: GarmentCloth) -> str:
+    """What paths of a cloth's textures begin with, as USD writes those that are relative to the file."""
+    return f"./textures/{cloth.key}_"
 
 
 def _define_preview(stage: Any, path: str, cloth: GarmentCloth) -> Any:
@@ -221,7 +221,7 @@ def _define_preview(stage: Any, path: str, cloth: GarmentCloth) -> Any:
 
     def texture(name: str, space: str) -> Any:
         made = shader(name, "UsdUVTexture")
-        made.CreateInput("file", types.Asset).Set(sdf.AssetPath(f"{_folder(cloth)}/{name}.png"))
+        made.CreateInput("file", types.Asset).Set(sdf.AssetPath(f"{_stem(cloth)}{name}.png"))
         made.CreateInput("sourceColorSpace", types.Token).Set(space)
         made.CreateInput("st", types.Float2).ConnectToSource(coordinates)
         for axis in ("wrapS", "wrapT"):

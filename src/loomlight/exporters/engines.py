@@ -1,0 +1,374 @@
+"""Packs of textures as engines want them: Unreal, Unity, Godot and three.js, each with its settings.
+
+A pack has two texel densities, of sides that are powers of two: `near` for close views, `far` for one
+distance. Each is a fit of its own: what far texels average away is in their roughness.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.colour import linear_to_srgb
+from loomlight.core.llvm import require_llvm
+from loomlight.exporters.fit import FittedMaterial, fit_material
+from loomlight.exporters.garment import GarmentCloth, file_name
+from loomlight.exporters.gltf import eight_bits, material_textures, peak_of, png_bytes
+from loomlight.exporters.materials import PIXEL
+from loomlight.exporters.metal_rough import MetalRough, metal_rough
+from loomlight.exporters.standards import DIELECTRIC
+from loomlight.exporters.texels import texture_grid
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.registry import make_model
+
+Picture = NDArray[np.uint8]
+# What `far` textures are made for where nobody says, metres.
+FAR_METRES = 1.0
+_FILES = Path(__file__).parent / "engine_files"
+# Sides of textures.
+_MIN_SIDE, _MAX_SIDE = 16, 4096
+# What Unreal's and Godot's `specular` of 0.5 stands for, and how it grows: F0 is 0.08 s, or 0.16 s².
+_UNREAL_SPECULAR, _GODOT_SPECULAR = 0.08, 0.16
+
+
+@dataclass(frozen=True, eq=False)
+class Density:
+    """A fit of one texel density.
+
+    Attributes:
+        label: near or far.
+        metres: the distance that it is made for; None of close views.
+        cloth: the fabric and the fit.
+        simple: the same as every engine knows it.
+        opaque: whether holes are left out, in both densities of a pack alike.
+    """
+
+    label: str
+    metres: float | None
+    cloth: GarmentCloth
+    simple: MetalRough
+    opaque: bool
+
+    @property
+    def texels(self) -> tuple[int, int]:
+        """Columns and rows."""
+        rows, columns = self.cloth.material.cover.shape
+        return columns, rows
+
+    @property
+    def texel_mm(self) -> tuple[float, float]:
+        """Width and height of a texel."""
+        (width, height), (columns, rows) = self.cloth.material.size, self.texels
+        return width / columns, height / rows
+
+    def orm(self) -> Picture:
+        """Occlusion, roughness and metal, as glTF and Unreal pack them."""
+        rough = self.simple.roughness
+        return eight_bits(np.stack([np.ones_like(rough), rough, np.zeros_like(rough)], axis=-1))
+
+
+@dataclass(frozen=True, eq=False)
+class Pack:
+    """What is written for an engine.
+
+    Attributes:
+        name: of the fabric, without quotes and backslashes.
+        key: the same for files, in lower-case letters, digits and hyphens.
+        densities: near and far.
+    """
+
+    name: str
+    key: str
+    densities: tuple[Density, Density]
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Of what textures hold, millimetres; the same of both densities."""
+        return self.densities[0].cloth.material.size
+
+    @property
+    def switch_metres(self) -> float:
+        """Up to where `near` is the better one: halfway, by ratio, between the distances of both.
+
+        That of `near` is where its texels are pixels of a picture of 1080 rows.
+        """
+        near = max(self.densities[0].texel_mm) / 1000 / PIXEL
+        return math.sqrt(near * (self.densities[1].metres or FAR_METRES))
+
+    @property
+    def words(self) -> dict[str, object]:
+        """What instructions say of it."""
+        near, far = self.densities
+        reflectance = near.simple.reflectance
+        grey = round(255 * float(linear_to_srgb(np.array(reflectance))))
+        return {
+            "name": self.name,
+            "key": self.key,
+            "title": self.title,
+            "width": f"{self.size[0]:.4g}",
+            "height": f"{self.size[1]:.4g}",
+            "across": f"{1000 / self.size[0]:.4f}",
+            "up": f"{1000 / self.size[1]:.4f}",
+            "near_texels": "{} × {}".format(*near.texels),
+            "far_texels": "{} × {}".format(*far.texels),
+            "near_mm": "{:.3g} × {:.3g}".format(*near.texel_mm),
+            "far_mm": "{:.3g} × {:.3g}".format(*far.texel_mm),
+            "far_metres": f"{far.metres:g}",
+            "switch": f"{self.switch_metres:.2g}",
+            "reflectance": f"{100 * reflectance:.1f}",
+            "grey": f"#{grey:02x}{grey:02x}{grey:02x}",
+            "unreal_specular": f"{reflectance / _UNREAL_SPECULAR:.3f}",
+            "godot_specular": f"{math.sqrt(reflectance / _GODOT_SPECULAR):.3f}",
+            "holes": "no visible holes" if near.opaque else "holes, in the alpha of its colour",
+        }
+
+    @property
+    def title(self) -> str:
+        """The name as names of assets are written: HarrisTweed."""
+        return "".join(word[:1].upper() + word[1:] for word in self.key.split("-"))
+
+
+def _pack(fabric: Fabric, model: str, distance: float | None) -> Pack:
+    """The fits of both densities.
+
+    Args:
+        distance: of `far`, metres; None is 1.
+
+    Raises:
+        InputError: the model does not take the fabric, or the textures are too large.
+    """
+    require_llvm()
+    baked, metres = make_model(model, fabric), FAR_METRES if distance is None else distance
+    # Names stand in texts of several languages.
+    name = " ".join(re.sub(r'["\\{}]', " ", fabric.name).split()) or "Cloth"
+    key = file_name(fabric.name) or "cloth"
+    found: list[Density] = []
+    for label, at in (("near", None), ("far", metres)):
+        columns, rows = texture_grid(fabric, None if at is None else 1000 * at * PIXEL)
+        fit = fit_material(fabric, baked, power_of_two(columns), power_of_two(rows))
+        cloth = GarmentCloth(name, key, fit)
+        opaque = found[0].opaque if found else cloth.is_opaque
+        found.append(Density(label, at, cloth, metal_rough(fit), opaque))
+    return Pack(name, key, (found[0], found[1]))
+
+
+def power_of_two(side: int) -> int:
+    """The nearest power of two, by ratio, from 16 to 4096."""
+    nearest = int(2 ** round(math.log2(max(side, 1))))
+    return min(max(nearest, _MIN_SIDE), _MAX_SIDE)
+
+
+def _write_textures(folder: Path, textures: Mapping[str, Picture]) -> list[str]:
+    """Writes NAME.png into a new folder, and returns the paths relative to the folder above."""
+    folder.mkdir(parents=True)
+    for name, pixels in textures.items():
+        (folder / f"{name}.png").write_bytes(png_bytes(pixels))
+    return [f"{folder.name}/{name}.png" for name in textures]
+
+
+def _fill(template: str, words: Mapping[str, object]) -> str:
+    """The text of a file of `engine_files`, with {{words}} filled in."""
+    text = (_FILES / template).read_text(encoding="utf-8")
+    return re.sub(r"\{\{(\w+)\}\}", lambda found: str(words[found[1]]), text)
+
+
+def _facts(pack: Pack, names: list[str]) -> dict[str, object]:
+    return {
+        "files": names,
+        "repeat_mm": [*pack.size],
+        "densities": {
+            each.label: {
+                "distance_m": each.metres,
+                "texels": [*each.texels],
+                "texel_mm": [*each.texel_mm],
+                "relative_rms_error": round(each.cloth.material.error, 4),
+                "brightness": round(each.cloth.material.brightness, 4),
+            }
+            for each in pack.densities
+        },
+    }
+
+
+def _write(folder: Path, name: str, template: str, words: Mapping[str, object]) -> str:
+    (folder / name).write_text(_fill(template, words), encoding="utf-8")
+    return name
+
+
+# ---------------------------------------------------------------------------------------------------- Unreal
+
+
+def write_unreal(folder: Path, fabric: Fabric, model: str, distance: float | None) -> dict[str, object]:
+    """Textures with Y-down normals and ORM, and a script for the editor's Python; returns facts.
+
+    Raises:
+        InputError: what a fit raises.
+    """
+    pack = _pack(fabric, model, distance)
+    names = []
+    for each in pack.densities:
+        stem = f"T_{pack.title}_{each.label.capitalize()}"
+        names += _write_textures(
+            folder / each.label,
+            {
+                f"{stem}_BC": each.simple.base_color(each.opaque),
+                f"{stem}_N": each.simple.normal_map(y_down=True),
+                f"{stem}_ORM": each.orm(),
+            },
+        )
+    words = pack.words | {"masked": not pack.densities[0].opaque}
+    names.append(_write(folder, "import_into_unreal.py", "import_into_unreal.py.in", words))
+    names.append(_write(folder, "README.md", "unreal.md", words))
+    return _facts(pack, names)
+
+
+# ----------------------------------------------------------------------------------------------------- Unity
+
+
+def write_unity(folder: Path, fabric: Fabric, model: str, distance: float | None) -> dict[str, object]:
+    """Textures with Y-up normals and mask maps, and how they are imported; returns facts.
+
+    Raises:
+        InputError: what a fit raises.
+    """
+    pack = _pack(fabric, model, distance)
+    names = []
+    for each in pack.densities:
+        stem = f"{pack.title}_{each.label.capitalize()}"
+        rough = each.simple.roughness
+        zero, one = np.zeros_like(rough), np.ones_like(rough)
+        textures = {
+            f"{stem}_BaseMap": each.simple.base_color(each.opaque),
+            f"{stem}_Normal": each.simple.normal_map(),
+            f"{stem}_MaskMap": eight_bits(np.stack([zero, one, zero, 1 - rough], axis=-1)),
+        }
+        made = _write_textures(folder / each.label, textures)
+        names += made
+        for name in made:
+            kind = "normal" if name.endswith("_Normal.png") else "default"
+            settings = {
+                # Any number will do that no other asset has; the same pack keeps its own.
+                "guid": hashlib.md5(
+                    f"loomlight {pack.name} {name}".encode(), usedforsecurity=False
+                ).hexdigest(),
+                "srgb": int(name.endswith("_BaseMap.png")),
+                "type": {"default": 0, "normal": 1}[kind],
+                "transparent": int(name.endswith("_BaseMap.png") and not each.opaque),
+                "max_size": max(each.texels),
+            }
+            names.append(_write(folder, f"{name}.meta", "unity.meta.in", settings))
+    names.append(_write(folder, "README.md", "unity.md", pack.words))
+    return _facts(pack, names)
+
+
+# ----------------------------------------------------------------------------------------------------- Godot
+
+
+def write_godot(folder: Path, fabric: Fabric, model: str, distance: float | None) -> dict[str, object]:
+    """Textures with Y-up normals, and a StandardMaterial3D of each density as text; returns facts.
+
+    Raises:
+        InputError: what a fit raises.
+    """
+    pack = _pack(fabric, model, distance)
+    names = []
+    for each in pack.densities:
+        textures = {
+            "albedo": each.simple.base_color(each.opaque),
+            "normal": each.simple.normal_map(),
+            "orm": each.orm(),
+        }
+        passed = each.cloth.passed
+        if passed.max() > 0:
+            textures["backlight"] = eight_bits(linear_to_srgb(passed))
+        named = {f"{pack.key}_{each.label}_{name}": pixels for name, pixels in textures.items()}
+        names += _write_textures(folder / each.label, named)
+        path = f"{pack.key}_{each.label}.tres"
+        (folder / path).write_text(_godot_material(pack, each, [*textures]), encoding="utf-8")
+        names.append(path)
+    names.append(_write(folder, "README.md", "godot.md", pack.words))
+    return _facts(pack, names)
+
+
+def _godot_material(pack: Pack, density: Density, textures: list[str]) -> str:
+    """A resource of Godot 4 whose pictures lie beside it, for uv in metres."""
+    lines = [f'[gd_resource type="StandardMaterial3D" load_steps={len(textures) + 1} format=3]', ""]
+    for name in textures:
+        path = f"{density.label}/{pack.key}_{density.label}_{name}.png"
+        lines.append(f'[ext_resource type="Texture2D" path="{path}" id="{name}"]')
+    words = pack.words
+    lines += [
+        "",
+        "[resource]",
+        f'resource_name = "{pack.name} {density.label}"',
+        f"transparency = {0 if density.opaque else 4}",  # opaque, or with depth written first
+        "cull_mode = 2",  # both sides
+        'albedo_texture = ExtResource("albedo")',
+        "metallic = 0.0",
+        f"metallic_specular = {words['godot_specular']}",
+        "roughness = 1.0",
+        'roughness_texture = ExtResource("orm")',
+        "roughness_texture_channel = 1",  # green
+        "normal_enabled = true",
+        'normal_texture = ExtResource("normal")',
+        "texture_filter = 5",  # linear, anisotropic mipmaps
+        f"uv1_scale = Vector3({words['across']}, {words['up']}, 1)",
+    ]
+    if "backlight" in textures:
+        lines += ["backlight_enabled = true", 'backlight_texture = ExtResource("backlight")']
+    return "\n".join([*lines, ""])
+
+
+# -------------------------------------------------------------------------------------------------- three.js
+
+
+def write_threejs(folder: Path, fabric: Fabric, model: str, distance: float | None) -> dict[str, object]:
+    """Textures, and a module that builds a MeshPhysicalMaterial of them; returns facts.
+
+    Raises:
+        InputError: what a fit raises.
+    """
+    pack = _pack(fabric, model, distance)
+    names = []
+    for each in pack.densities:
+        made = material_textures(each.cloth.reflecting())
+        textures = {
+            "base_color": made["base_color"][..., :3] if each.opaque else made["base_color"],
+            "normal": made["normal"],
+            "roughness": made["metallic_roughness"],
+        } | ({"anisotropy": made["anisotropy"]} if "anisotropy" in made else {})
+        names += _write_textures(folder / each.label, textures)
+    numbers = ",\n".join(_three_numbers(each) for each in pack.densities)
+    words = pack.words | {"cloths": numbers, "quoted": json.dumps(pack.name)}
+    names.append(_write(folder, "material.js", "material.js.in", words))
+    names.append(_write(folder, "README.md", "threejs.md", words))
+    return _facts(pack, names)
+
+
+def _three_numbers(density: Density) -> str:
+    """What material.js knows of a density."""
+    fit: FittedMaterial = density.cloth.material
+    has_anisotropy = "anisotropy" in material_textures(density.cloth.reflecting())
+    peak = peak_of(fit.specular) / DIELECTRIC
+    return (
+        f"  {density.label}: {{ opaque: {str(density.opaque).lower()}, "
+        f"anisotropy: {str(has_anisotropy).lower()}, specular: {fit.weight:.5f}, "
+        f"specularColor: {peak:.5f}, sheen: {float(fit.sheen.max()):.5f}, "
+        f"sheenRoughness: {fit.sheen_roughness:.5f} }}"
+    )
+
+
+# From a name of `export --to` to what writes it and what it is.
+ENGINES: dict[str, tuple[Callable[[Path, Fabric, str, float | None], dict[str, object]], str]] = {
+    "unreal": (write_unreal, "textures for Unreal: ORM, Y-down normals, an import script"),
+    "unity": (write_unity, "textures for Unity: mask maps, with their import settings"),
+    "godot": (write_godot, "textures for Godot 4, and a StandardMaterial3D of each density"),
+    "threejs": (write_threejs, "textures for three.js, and a module that makes its material"),
+}
