@@ -133,8 +133,8 @@ def export(
         str,
         typer.Option(
             help=(
-                "slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf, materialx, usd, usdz, unreal, unity, "
-                "godot, threejs, u3m, u3ma, blender or blender-addon."
+                "slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf, materialx, usd, usdz, unreal, "
+                "unity, godot, threejs, u3m, u3ma, blender or blender-addon."
             )
         ),
     ],
