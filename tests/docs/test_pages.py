@@ -30,7 +30,7 @@ NOT_RUN = {
     r"loomlight play(?!.* -o )": "a window waits for its user",
     r"loomlight play .* -o ": "software adapters take minutes",
     r"loomlight compare .*neumip": "six models are baked or trained, and rendered, for minutes",
-    r"loomlight bake .*(jersey|corduroy|leather|brushed-metal|glazed-ceramic|library)": "minutes each",
+    r"loomlight bake .*(jersey|corduroy|leather|brushed-metal|glazed-ceramic|library|u3ma)": "minutes each",
     r"loomlight render (jersey|corduroy|leather|metal|ceramic|library).loom": "nothing baked it",
     r"loomlight bake .*--executor (slurm|joblib:ray|joblib:dask)": "it needs a cluster",
 }

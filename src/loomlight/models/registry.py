@@ -211,6 +211,7 @@ BTFS: dict[str, BtfEntry] = {
     "tile": BtfEntry("loomlight.mitsuba.traced_btf", "TileBtf", ("neumip",)),
     "btf": BtfEntry("loomlight.models.texture.btfs", "PictureBtf", ("neumip",)),
     "material": BtfEntry("loomlight.mitsuba.material_btf", "MaterialBtf", ("latent",)),
+    "u3m": BtfEntry("loomlight.models.standard.btf", "U3mBtf", ("latent",)),
     "merl": BtfEntry("loomlight.models.texture.btfs", "MerlBtf", ("latent",)),
 }
 # Models of one kind of source, which show it as it is, without baking: module and class.

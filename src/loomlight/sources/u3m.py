@@ -84,6 +84,11 @@ class U3mFace:
     transmission: Map
 
     @property
+    def has_pictures(self) -> bool:
+        """Whether anything of it varies from place to place."""
+        return any(each.size_mm is not None for each in vars(self).values())
+
+    @property
     def size_mm(self) -> tuple[float, float]:
         """Width and height after which the face repeats: the largest of a picture, if all others fit into it.
 
@@ -150,8 +155,9 @@ class U3mMaterial(SizedSource):
 
     @property
     def size_mm(self) -> tuple[float, float]:  # type: ignore[override]
-        """Width and height after which its front repeats, millimetres."""
-        return self.faces[0].size_mm
+        """Width and height after which its front repeats, or its back where only that has pictures."""
+        shown = next((face for face in self.faces if face.has_pictures), self.faces[0])
+        return shown.size_mm
 
     @cached_property
     def faces(self) -> tuple[U3mFace, U3mFace]:
