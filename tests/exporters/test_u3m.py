@@ -345,6 +345,15 @@ def test_the_command_writes_an_archive_and_a_folder(tmp_path: Path) -> None:
     assert json.loads((tmp_path / "cloth" / "manifest.json").read_text())["front"] == 1
 
 
+def test_the_command_packs_a_folder_and_keeps_what_others_wrote(tmp_path: Path) -> None:
+    document = {"material": {"name": "x", "front": {"alpha": None}}, "custom": {"Other": "kept"}}
+    (tmp_path / "x.u3m").write_text(json.dumps(document))
+    assert run(["export", str(tmp_path / "x.u3m"), "--to", "u3ma", "-o", str(tmp_path / "y.u3ma")]) == 0
+    assert read_u3m(tmp_path / "y.u3ma").document == document
+    assert run(["export", str(tmp_path / "y.u3ma"), "--to", "u3m", "-o", str(tmp_path / "y")]) == 0
+    assert read_u3m(tmp_path / "y" / "x.u3m").document == document
+
+
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [

@@ -124,12 +124,8 @@ TARGETS: dict[str, ExportTarget] = {
         name: ExportTarget(summary, ("lobes",), _of_fabric(write), True)
         for name, (write, summary) in ENGINES.items()
     },
-    "u3m": ExportTarget(
-        "U3M of both faces, for apparel programs", ("lobes",), _of_fabric(write_u3m), has_dpi=True
-    ),
-    "u3ma": ExportTarget(
-        "the same in one file", ("lobes",), _of_fabric(write_u3m_archive), has_dpi=True, suffix=".u3ma"
-    ),
+    "u3m": ExportTarget("U3M of both faces, for apparel programs", ("lobes",), write_u3m, has_dpi=True),
+    "u3ma": ExportTarget("the same in one file", ("lobes",), write_u3m_archive, has_dpi=True, suffix=".u3ma"),
 }
 
 

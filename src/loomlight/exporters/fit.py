@@ -1,14 +1,15 @@
 """A standard material fitted to a model: textures of whole repeats and the numbers that all texels share.
 
-Geometry comes from the texels themselves (`texels.py`). What is fitted by least squares, over texels,
-lights and views, is how strongly each family reflects and transmits, how rough its fibres are along and
-across, and the sheen.
+Geometry comes from the texels themselves (`texels.py`). What is fitted by least squares, over places, lights,
+views and distances, is how strongly each family reflects and transmits, how rough its fibres are along and
+across, and the sheen. From farther away, where a pixel shows several texels, the material has the means of
+its textures, as mipmaps have them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import drjit as dr
@@ -24,6 +25,12 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
 
 _REFLECTED, _TRANSMITTED = 6000, 1500
+# Sides of footprints in texels: from the distance that textures are made for, and farther away. Of larger
+# ones so many texels a side are averaged.
+SIDES = (1, 4, 16)
+_TAPS = 2
+# Shares of queries by side, the first of all that are fitted.
+_FIRST_SHARE = 0.6
 # Directions flatter than this are left out: a few degrees about the horizon.
 _MIN = 0.12
 _MIN_ALPHA = 0.02
@@ -53,14 +60,35 @@ class FittedMaterial(StandardMaterial):
 
 @dataclass(frozen=True, eq=False)
 class _Queries:
+    """Queries, each of a square of texels [n]; directions are in the frame of the face.
+
+    Attributes:
+        row, column: of its lowest texel at the left; side: in texels.
+        light, view: unit vectors [n, 3].
+    """
+
     row: NDArray[np.int64]
     column: NDArray[np.int64]
+    side: NDArray[np.int64]
     light: Numbers
     view: Numbers
 
     def where(self, chosen: NDArray[np.bool_]) -> _Queries:
         """Some of the queries."""
         return _Queries(*(values[chosen] for values in vars(self).values()))
+
+    def taps(self) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+        """Number of the query, row and column of each texel that is averaged; those of a query together."""
+        count = np.where(self.side > 1, _TAPS**2, 1)
+        owner = np.repeat(np.arange(len(count)), count)
+        tap = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
+        # In the middles of the quarters of a square.
+        step = np.maximum(self.side[owner] // _TAPS, 1)
+        return (
+            owner,
+            self.row[owner] + tap // _TAPS * step + step // 2,
+            self.column[owner] + tap % _TAPS * step + step // 2,
+        )
 
 
 # Fields of a `FittedMaterial` with an element a texel.
@@ -85,29 +113,37 @@ def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> Fitte
     return fit_texels(fabric, model, TexelGrid(fabric, columns, rows), "gltf")
 
 
-def fit_texels(fabric: Fabric, model: Model, grid: TexelGrid, standard: str) -> FittedMaterial:
+def fit_texels(
+    fabric: Fabric, model: Model, grid: TexelGrid, standard: str, sides: Sequence[int] = SIDES
+) -> FittedMaterial:
     """The material nearest to what a model shows of a face of the cloth, in texels.
 
     Args:
         standard: a name of `STANDARDS`, by whose formulas the material is judged.
+        sides: of the footprints from which it is judged, texels.
     """
-    queries = _queries(grid.columns, grid.rows)
-    texels = grid.at(queries.row, queries.column)
-    is_covered = texels.cover > MIN_COVER
-    truth = _answers(model, grid, texels.place, queries)[is_covered]
-    texels, queries = texels.where(is_covered), queries.where(is_covered)
-    has_sheen = fabric.appearance().sheen.strength > 0
+    # Ask the model.
+    queries = _queries(grid.columns, grid.rows, sides)
+    owner, row, column = queries.taps()
+    texels = grid.at(row % grid.rows, column % grid.columns)
+    first = np.flatnonzero(np.diff(owner, prepend=-1))
+    is_covered = np.add.reduceat(texels.cover, first) > MIN_COVER
+    queries, texels = queries.where(is_covered), texels.where(is_covered[owner])
+    first = np.flatnonzero(np.diff(owner[is_covered[owner]], prepend=-1))
+    truth = _answers(model, grid, queries)
+    # Fit.
+    kind, has_sheen = STANDARDS[standard], fabric.appearance().sheen.strength > 0
+    count = np.diff(first, append=len(texels.cover))
+    cover = np.add.reduceat(texels.cover, first) / count
     # A display shows differences of square roots, roughly; the offset keeps noise in the dark from counting.
     offset = 0.05 * float(truth.mean())
-
-    kind = STANDARDS[standard]
 
     def material_of(texels: Texels, numbers: Numbers) -> StandardMaterial:
         return kind.restricted(_material(texels, numbers, has_sheen))
 
     def values(numbers: Numbers) -> Numbers:
-        found = kind.evaluate(material_of(texels, numbers), queries.light, queries.view)
-        return found * texels.cover[:, None]
+        material = _means(material_of(texels, numbers), first, count)
+        return kind.evaluate(material, queries.light, queries.view) * cover[:, None]
 
     def residuals(numbers: Numbers) -> Numbers:
         return (np.sqrt(values(numbers) + offset) - np.sqrt(truth + offset)).ravel()
@@ -125,6 +161,40 @@ def fit_texels(fabric: Fabric, model: Model, grid: TexelGrid, standard: str) -> 
         size=grid.size,
         error=float(error),
         brightness=float(found.mean() / truth.mean()),
+    )
+
+
+def _means(
+    material: StandardMaterial, first: NDArray[np.int64], count: NDArray[np.int64]
+) -> StandardMaterial:
+    """What filters between texels make of runs of them, which begin at `first` and have `count` texels.
+
+    Roughness is filtered, not α; of directions that have no sign the doubled angles are.
+    """
+    if count.max() == 1:
+        return material
+
+    def mean(values: Numbers) -> Numbers:
+        total = np.add.reduceat(values, first, axis=0)
+        return total / count.reshape(-1, *(1 for _ in values.shape[1:]))
+
+    normal = mean(material.normal)
+    normal /= np.maximum(np.linalg.norm(normal, axis=-1, keepdims=True), 1e-6)
+    across, along = ((material.axis_x * axis).sum(-1) for axis in frames(material.normal))
+    angle = 0.5 * np.arctan2(mean(2 * across * along), mean(across**2 - along**2))
+    x, y = frames(normal)
+    axis_x = np.cos(angle)[:, None] * x + np.sin(angle)[:, None] * y
+    return replace(
+        material,
+        base=mean(material.base),
+        transmission=mean(material.transmission),
+        transmit=mean(material.transmit),
+        specular=mean(material.specular),
+        alpha_x=mean(np.sqrt(material.alpha_x)) ** 2,
+        alpha_y=mean(np.sqrt(material.alpha_y)) ** 2,
+        normal=normal,
+        axis_x=axis_x,
+        axis_y=np.cross(normal, axis_x),
     )
 
 
@@ -159,9 +229,11 @@ def _in_plane(material: StandardMaterial) -> Numbers:
     return direction * np.where(larger < 0, -1.0, 1.0)
 
 
-def _queries(columns: int, rows: int) -> _Queries:
+def _queries(columns: int, rows: int, sides: Sequence[int]) -> _Queries:
     rng = np.random.default_rng(7)
     count = _REFLECTED + _TRANSMITTED
+    farther = len(sides) - 1
+    shares = [_FIRST_SHARE, *[(1 - _FIRST_SHARE) / farther] * farther] if farther else [1.0]
 
     def hemisphere() -> Numbers:
         cosine = np.sqrt(rng.uniform(_MIN**2, 1, count))
@@ -176,15 +248,18 @@ def _queries(columns: int, rows: int) -> _Queries:
     mirrored /= np.linalg.norm(mirrored, axis=-1, keepdims=True)
     light = np.where((near & (mirrored[:, 2] > _MIN))[:, None], mirrored, light)
     light[_REFLECTED:, 2] *= -1
-    return _Queries(rng.integers(0, rows, count), rng.integers(0, columns, count), light, view)
+    row, column = rng.integers(0, rows, count), rng.integers(0, columns, count)
+    return _Queries(row, column, rng.choice(sides, count, p=shares), light, view)
 
 
-def _answers(model: Model, grid: TexelGrid, place: Numbers, queries: _Queries) -> Numbers:
-    """Values of the model over texels at places [n, 2] of the draft, for queries in their face's frame."""
+def _answers(model: Model, grid: TexelGrid, queries: _Queries) -> Numbers:
+    """Values of the model over the squares of queries [n, 3]."""
     step_x, step_y = grid.step
-    centre = Vector2(*(Float(part) for part in place.T))
-    zero = dr.zeros(Float, len(place))
-    footprint = Footprint(centre, Vector2(zero + step_x, zero), Vector2(zero, zero + step_y))
+    side = queries.side.astype(np.float64)
+    place = grid.places(queries.row + side / 2, queries.column + side / 2)
+    centre = Vector2(*(Float(part) for part in place.astype(np.float32)))
+    zero, width, height = dr.zeros(Float, len(side)), Float(side * step_x), Float(side * step_y)
+    footprint = Footprint(centre, Vector2(width, zero), Vector2(zero, height))
     to_front = [1, 1, -1] if grid.back else [1, 1, 1]
     view, light = (
         Array3f(*(np.float32(part) for part in (vectors * to_front).T))
@@ -249,12 +324,17 @@ def _roughness(
         for vector, width in ((fibre, alpha), (side, wide)):
             weight = texels.share[..., family, None, None] * (0.5 * width**2)
             total += weight * vector[..., :, None] * vector[..., None, :]
-    variances, vectors = np.linalg.eigh(total)
-    alphas = np.clip(np.sqrt(2 * np.maximum(variances, 0)), _MIN_ALPHA, 1)
+    # The axes of the ellipse, written out for speed.
+    mean, half = (total[..., 0, 0] + total[..., 1, 1]) / 2, (total[..., 0, 0] - total[..., 1, 1]) / 2
+    off = total[..., 0, 1]
+    radius, angle = np.hypot(half, off), 0.5 * np.arctan2(off, half)
+    alpha_x, alpha_y = (
+        np.clip(np.sqrt(2 * np.maximum(variance, 0)), _MIN_ALPHA, 1)
+        for variance in (mean + radius, mean - radius)
+    )
     x, y = frames(texels.normal)
-    widest = vectors[..., 1]
-    axis_x = widest[..., :1] * x + widest[..., 1:] * y
-    return axis_x, np.cross(texels.normal, axis_x), alphas[..., 1], alphas[..., 0]
+    axis_x = np.cos(angle)[..., None] * x + np.sin(angle)[..., None] * y
+    return axis_x, np.cross(texels.normal, axis_x), alpha_x, alpha_y
 
 
 def _with_mean_kept(

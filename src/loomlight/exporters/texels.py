@@ -40,7 +40,6 @@ class Texels:
     """Texels [...] of one face of the cloth, in its frame: x along the weft, y along the warp, z to the eye.
 
     Attributes:
-        place: where in the draft their middles are [..., 2], millimetres, as threads wander.
         cover: share that yarns cover, 0 to 1.
         height: mean of the yarns, towards the eye, millimetres; 0 where there are none.
         share: of the warp and of the weft in what is covered [..., 2].
@@ -51,7 +50,6 @@ class Texels:
         alpha: α of the fibres of each family [2].
     """
 
-    place: Numbers
     cover: Numbers
     height: Numbers
     share: Numbers
@@ -163,6 +161,13 @@ class TexelGrid:
         """Width and height of a texel, millimetres."""
         return self.size[0] / self.columns, self.size[1] / self.rows
 
+    def places(self, row: Numbers, column: Numbers) -> Numbers:
+        """Where in the draft places are that are so many texels from the lower left [2, n], millimetres.
+
+        Threads wander.
+        """
+        return self._surface.place(column * self.step[0], row * self.step[1])
+
     def at(self, row: NDArray[np.int64], column: NDArray[np.int64]) -> Texels:
         """The texels of rows and columns [n]."""
         most = max(1, _MAX_POINTS // math.prod(self._points))
@@ -192,7 +197,6 @@ class TexelGrid:
         v, u = np.divmod(np.arange(nx * ny), nx)
         x = ((column[:, None] + (u + 0.5) / nx) * step_x).ravel()
         y = ((row[:, None] + (v + 0.5) / ny) * step_y).ravel()
-        place = self._surface.place((column + 0.5) * step_x, (row + 0.5) * step_y)
         # Plies and fibres as a footprint of a texel shows them: the model that is fitted has no others.
         side = math.sqrt(0.5 * (step_x**2 + step_y**2))
         point = self._surface.at(x, y, side, self.back)
@@ -233,7 +237,6 @@ class TexelGrid:
                 means.append(sums / np.maximum(weights[..., f].sum(1), 1e-9)[:, None])
             albedos.append(np.stack(means, axis=-2))
         return Texels(
-            place=place.T,
             cover=seen.mean(1),
             height=(of_texels(point.height) * seen).sum(1) / visible,
             share=share,

@@ -36,6 +36,8 @@ from loomlight.exporters.texels import TexelGrid, tile_repeats
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts
 from loomlight.models.registry import make_model
+from loomlight.realtime.materials import Material, fabric_for, source_of
+from loomlight.sources.u3m import U3mMaterial
 from loomlight.sources.u3m_file import U3mFile, write_u3m_folder, write_u3ma
 
 DEFAULT_DPI, MIN_DPI, MAX_DPI = 300.0, 30.0, 2400.0
@@ -139,7 +141,7 @@ class _Maps:
         """`texture_and_color` of linear RGB [rows, columns, 3]."""
         image = self._image(name, linear_to_srgb(np.clip(linear, 0, 1)))
         return {
-            "constant": _rgb(linear.mean((0, 1))),
+            "constant": _rgb(linear_to_srgb(np.clip(linear.mean((0, 1)), 0, 1))),
             "texture": {"mode": "multiply", "factor": _rgb(np.ones(3)), "image": image},
         }
 
@@ -263,7 +265,7 @@ def _visual(maps: _Maps, material: FittedMaterial) -> dict[str, Any]:
         "clearcoat_roughness": _constant(0),
         "subsurface_value": _constant(0),
         "subsurface_radius": _constant(0),
-        "subsurface_color": {"constant": _rgb(material.base.mean((0, 1))), "texture": None},
+        "subsurface_color": {"constant": _rgb(np.ones(3)), "texture": None},
         "preview": maps.preview(material),
     }
 
@@ -338,14 +340,24 @@ def construction(drawdown: NDArray[np.bool_]) -> str:
 # ------------------------------------------------------------------------------------------------------ write
 
 
-def write_u3m(folder: Path, fabric: Fabric, model: str, dpi: float | None) -> dict[str, object]:
+def write_u3m(folder: Path, material: Material, model: str, dpi: float | None) -> dict[str, object]:
     """Writes NAME.u3m and its pictures into a folder, and returns what the manifest says."""
-    made, said = u3m_of(fabric, model, dpi or DEFAULT_DPI)
+    made, said = _made(material, model, dpi)
     return {"files": write_u3m_folder(folder, made)} | said
 
 
-def write_u3m_archive(path: Path, fabric: Fabric, model: str, dpi: float | None) -> dict[str, object]:
+def write_u3m_archive(path: Path, material: Material, model: str, dpi: float | None) -> dict[str, object]:
     """Writes a `.u3ma`, and returns what a manifest would say."""
-    made, said = u3m_of(fabric, model, dpi or DEFAULT_DPI)
+    made, said = _made(material, model, dpi)
     write_u3ma(path, made)
     return said
+
+
+def _made(material: Material, model: str, dpi: float | None) -> tuple[U3mFile, dict[str, object]]:
+    """The U3M of a fabric; one that was read stays as it is, with all that others wrote into it."""
+    source = source_of(material)
+    if not isinstance(source, U3mMaterial):
+        return u3m_of(fabric_for(material, model), model, DEFAULT_DPI if dpi is None else dpi)
+    if dpi is not None:
+        raise InputError(f"{source.name} is a U3M, whose pictures stay as they are: leave out --dpi.")
+    return source.file, {}

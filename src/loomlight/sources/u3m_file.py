@@ -9,6 +9,7 @@ files that nothing names, stay as they are when a material is written again.
 from __future__ import annotations
 
 import json
+import math
 import os
 import re
 import struct
@@ -126,7 +127,7 @@ def _items(value: Any) -> Iterator[tuple[str, Any]]:
 
 def _parsed(text: str) -> dict[str, Any]:
     try:
-        found = json.loads(text, parse_constant=_refuse_constant)
+        found = json.loads(text, parse_constant=_refuse_constant, parse_float=_finite)
     except (ValueError, RecursionError) as error:
         raise InputError(f"it is no U3M, which is JSON: {_first_line(error)}.") from error
     if not isinstance(found, dict) or not isinstance(found.get("material"), dict):
@@ -138,8 +139,17 @@ def _refuse_constant(name: str) -> float:
     raise ValueError(f"{name} is no number")
 
 
+def _finite(text: str) -> float:
+    value = float(text)
+    if not math.isfinite(value):
+        raise ValueError(f"{text[:20]} is too large a number")
+    return value
+
+
 def _first_line(error: BaseException) -> str:
-    return "it lies too deep" if isinstance(error, RecursionError) else str(error).splitlines()[0][:120]
+    if isinstance(error, RecursionError):
+        return "it lies too deep"
+    return (str(error).splitlines() or [type(error).__name__])[0][:120]
 
 
 def _files_beside(folder: Path, document: dict[str, Any]) -> Iterator[tuple[str, bytes]]:
@@ -176,7 +186,7 @@ def _read_archive(path: Path) -> U3mFile:
     # A damaged archive makes `zipfile` raise all of these.
     except (
         zipfile.BadZipFile, zlib.error, struct.error, OSError, EOFError, ValueError, RuntimeError,
-        LookupError, OverflowError,
+        LookupError, OverflowError, MemoryError,
     ) as error:  # fmt: skip
         raise InputError(f"it is no U3M archive that can be read: {_first_line(error)}.") from error
     documents = [name for name in contents if name.lower().endswith(SUFFIX)]
@@ -211,6 +221,8 @@ def _entries(archive: zipfile.ZipFile) -> Iterator[tuple[str, bytes]]:
             raise InputError(f"it holds the file {shown(name)}, whose name no U3M archive may have.")
         if name.casefold() in names:
             raise InputError(f"it holds the file {shown(name)} twice.")
+        if entry.compress_type not in (_STORED, _DEFLATED):
+            raise InputError(f"it holds the file {shown(name)}, which is neither stored nor deflated.")
         names.add(name.casefold())
         _require_small(name, entry.file_size, total + entry.file_size, len(names))
         with archive.open(entry) as stream:
