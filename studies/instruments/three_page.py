@@ -35,6 +35,7 @@ window.draw = async ({ file, eye, target, half, degrees, side, environment }) =>
   renderer.setSize(side, side);
   renderer.toneMapping = THREE.NoToneMapping;
   const scene = new THREE.Scene();
+  scene.background = new THREE.Color(0xd8d8d8);
   let object;
   if (file.endsWith('.glb')) object = (await new GLTFLoader().loadAsync(file)).scene;
   else if (file.endsWith('.js')) {
