@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import LoomlightError
 from loomlight.core.extras import import_extra
 from loomlight.core.picture_settings import GarmentSettings
+from loomlight.exporters.fit import FittedMaterial
 from loomlight.exporters.garment import (
     ClothedGarment,
     GarmentCloth,
@@ -55,17 +56,8 @@ def write_usd(
         InputError: what `clothed_garment` raises.
         MissingDependencyError: usd-core or MaterialX is missing.
     """
-    _require_packages()
-    garment = (
-        sheet(fabric, lambda each: fitted(each, model, distance))
-        if settings.mesh is None
-        else clothed_garment(fabric, settings, lambda each: fitted(each, model, distance))
-    )
-    names = ["cloth.usd"]
-    for cloth in garment.cloths:
-        names += write_pictures(folder, cloth.key, textures_of(cloth))
-    write_stage(folder / "cloth.usd", garment)
-    return {"files": names} | garment.facts()
+    garment = _garment(fabric, model, distance, settings)
+    return {"files": _write_all(folder, garment)} | garment.facts()
 
 
 def write_usdz(
@@ -81,17 +73,45 @@ def write_usdz(
         InputError, MissingDependencyError: what `write_usd` raises.
         LoomlightError: usd-core cannot make the package.
     """
+    garment = _garment(fabric, model, distance, settings)
+    write_package(file, garment)
+    return garment.facts()
+
+
+def _garment(fabric: Fabric, model: str, distance: float | None, settings: GarmentSettings) -> ClothedGarment:
+    """The mesh of the settings, or a sheet."""
     _require_packages()
+
+    def fit(each: Fabric) -> FittedMaterial:
+        return fitted(each, model, distance)
+
+    return sheet(fabric, fit) if settings.mesh is None else clothed_garment(fabric, settings, fit)
+
+
+def _write_all(folder: Path, garment: ClothedGarment) -> list[str]:
+    """Writes cloth.usd and its textures, and returns their paths."""
+    names = ["cloth.usd"]
+    for cloth in garment.cloths:
+        names += write_pictures(folder, cloth.key, textures_of(cloth))
+    write_stage(folder / "cloth.usd", garment)
+    return names
+
+
+def write_package(file: Path, garment: ClothedGarment) -> None:
+    """Writes a stage and its textures as one .usdz file.
+
+    Raises:
+        LoomlightError: usd-core cannot make it.
+    """
     utilities = import_module("pxr.UsdUtils")
     with tempfile.TemporaryDirectory(dir=file.parent, prefix=".loomlight-") as name:
         folder = Path(name)
-        facts = write_usd(folder, fabric, model, distance, settings)
+        _write_all(folder, garment)
         made = folder / "cloth.usdz"
         # Readers of phones look for a crate file by its suffix.
         if not utilities.CreateNewUsdzPackage(str(folder / "cloth.usd"), str(made), "cloth.usdc"):
             raise LoomlightError(f"{file}: usd-core cannot make a package of what was written.")
         made.replace(file)
-    return facts
 
 
 def _require_packages() -> None:
