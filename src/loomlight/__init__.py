@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from loomlight.capture.capture import capture
     from loomlight.core.errors import (
         InputError,
         LoomlightError,
@@ -51,6 +52,7 @@ _HOMES = {
     "RenderSettings": "loomlight.core.picture_settings",
     "bake": "loomlight.models.bake",
     "bake_maps": "loomlight.models.bake",
+    "capture": "loomlight.capture.capture",
     "compare": "loomlight.evaluation.compare",
     "edit": "loomlight.viewer.server",
     "export": "loomlight.exporters.exporter",
@@ -84,6 +86,7 @@ __all__ = [
     "RenderSettings",
     "bake",
     "bake_maps",
+    "capture",
     "compare",
     "edit",
     "export",

@@ -18,7 +18,8 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.metrics import flip_mean
 from loomlight.evaluation.table import Table
-from loomlight.exporters.fit import FittedMaterial, GltfMaterial, evaluate, fit_material
+from loomlight.exporters.fit import FittedMaterial, fit_material
+from loomlight.exporters.standards import StandardMaterial, evaluate_gltf
 from loomlight.exporters.texels import frames, texture_grid
 from loomlight.fabric import load_fabric
 from loomlight.models.interface import Model
@@ -142,7 +143,7 @@ class _Sphere:
         mean = texture(doubled)
         angle = 0.5 * np.arctan2(mean[:, 1], mean[:, 0])
         axis_x = np.cos(angle)[:, None] * x + np.sin(angle)[:, None] * y
-        places = GltfMaterial(
+        places = StandardMaterial(
             base=texture(material.base),
             transmission=texture(material.transmission),
             transmit=texture(material.transmit),
@@ -156,7 +157,7 @@ class _Sphere:
             sheen=material.sheen,
             sheen_roughness=material.sheen_roughness,
         )
-        return evaluate(places, self.light, self.view) * texture(material.cover)[:, None]
+        return evaluate_gltf(places, self.light, self.view) * texture(material.cover)[:, None]
 
 
 def tables(figures: Figures) -> list[Table]:

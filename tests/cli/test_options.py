@@ -17,6 +17,8 @@ from loomlight.cli.main import app
 from loomlight.cli.options import Given, options_of_settings, takes
 from loomlight.core.errors import InputError
 from loomlight.core.picture_settings import (
+    GarmentKeywords,
+    GarmentSettings,
     MapKeywords,
     MapSettings,
     Placement,
@@ -40,6 +42,7 @@ COMMANDS: dict[str, tuple[type[Settings], Any]] = {
     "swatches": (SwatchSettings, SwatchKeywords),
     "play": (PlaySettings, PlayKeywords),
     "bake-maps": (MapSettings, MapKeywords),
+    "export": (GarmentSettings, GarmentKeywords),
 }
 
 

@@ -62,6 +62,7 @@ COMMANDS = {
     "play": Command("--size 16x12 --passes 1 --model point", "a.png", takes="FABRIC", needs=False),
     "view": Command("--no-browser", "site", "--export", is_folder=True, takes="FABRIC", needs=False),
     "compare": Command("--models point --size 16x12 --spp 1", "report", is_folder=True, takes="FABRIC"),
+    "capture": Command("photo.jpg --width-mm 20", "a.toml"),
     "demo": Command("--spp 1", "a.png", needs=False),
     "bake": Command("--model point", "a.loom", takes="SOURCE"),
     "bake-maps": Command("--resolution 8", "a.exr", takes="FABRIC"),

@@ -22,6 +22,7 @@ PUBLIC = {
     "RenderSettings",
     "bake",
     "bake_maps",
+    "capture",
     "compare",
     "edit",
     "export",

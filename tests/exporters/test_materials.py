@@ -26,10 +26,11 @@ from loomlight.core.errors import InputError
 from loomlight.core.images import read_picture
 from loomlight.core.llvm import require_llvm
 from loomlight.exporters import export, materials
-from loomlight.exporters.fit import FittedMaterial, GltfMaterial, evaluate
+from loomlight.exporters.fit import FittedMaterial
 from loomlight.exporters.gltf import glb_of, material_textures, write_textures
 from loomlight.exporters.materialx import document_textures, write_document
-from loomlight.exporters.texels import texels_of, texture_grid, tile_repeats
+from loomlight.exporters.standards import StandardMaterial, evaluate_gltf
+from loomlight.exporters.texels import TexelGrid, nearest_covered, texture_grid, tile_repeats
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import read_mesh
 from tests.limits import HANG
@@ -130,7 +131,7 @@ def _plain(shape: tuple[int, int] = (2, 3), **changes: object) -> FittedMaterial
     """A material of the same values everywhere; highlights are wide along y."""
     vectors = {"normal": [0, 0, 1], "axis_x": [0, 1, 0], "axis_y": [-1, 0, 0], "direction": [0, 1]}
     colours = {"base": [0.3, 0.35, 0.4], "transmit": [0.5, 0.3, 0.1], "specular": [1.0, 0.8, 0.6]}
-    numbers = {"transmission": 0.3, "alpha_x": 0.6, "alpha_y": 0.15, "cover": 0.9}
+    numbers = {"transmission": 0.3, "alpha_x": 0.6, "alpha_y": 0.15, "cover": 0.9, "height": 0.0}
     arrays = {
         name: np.broadcast_to(np.asarray(value, float), (*shape, *np.shape(value)))
         for name, value in (vectors | colours | numbers | changes).items()
@@ -153,12 +154,12 @@ def _generated_and_fitted(folder: Path, light: np.ndarray, view: np.ndarray) -> 
     write_document(folder / "cloth.mtlx", "sateen", material)
     light, view = np.broadcast_arrays(light, view)
     row = column = np.zeros(len(light), np.int64)
-    names = (field.name for field in fields(GltfMaterial))
+    names = (field.name for field in fields(StandardMaterial))
     picked = {
         name: value if np.ndim(value) < 2 else value[row, column]
         for name, value in ((name, getattr(material, name)) for name in names)
     }
-    fitted = evaluate(GltfMaterial(**picked), light, view)
+    fitted = evaluate_gltf(StandardMaterial(**picked), light, view)
     return answers(folder / "cloth.mtlx", row, column, light, view), fitted * material.cover[0, 0]
 
 
@@ -208,13 +209,13 @@ def test_holes_hold_the_colour_beside_them() -> None:
     """Filters between texels mix in what holes hold: never black."""
     yarns = "[warp]\nwidth_mm = 0.3\n[weft]\nwidth_mm = 0.3\n"
     net = fabric_from_text(f'weave = "plain"\nends_per_cm = 10\npicks_per_cm = 10\n{yarns}')
-    texels = texels_of(net, 16, 16)
-    holes = texels.cover < 0.02
+    texels = next(TexelGrid(net, 16, 16).bands())
+    cover = texels.cover.reshape(16, 16)
+    holes = cover < 0.02
     assert holes.any()
-    filled = texels.dilated()
-    assert np.array_equal(filled.cover, texels.cover)
-    assert filled.diffuse[holes].max(-1).max(-1).min() > 0.1
-    assert np.array_equal(filled.normal[~holes], texels.normal[~holes])
+    index = nearest_covered(cover)
+    assert texels.diffuse[index][holes].max(-1).max(-1).min() > 0.1
+    assert (index[~holes] == np.arange(256).reshape(16, 16)[~holes]).all()
 
 
 def test_a_texture_without_anisotropy_is_left_out() -> None:
@@ -226,8 +227,8 @@ def test_a_texture_without_anisotropy_is_left_out() -> None:
 
 
 def test_texels_are_means_of_the_surface() -> None:
-    texels = texels_of(FABRIC, 12, 9)
-    assert np.linalg.norm(texels.normal, axis=-1) == pytest.approx(np.ones((9, 12)))
+    texels = next(TexelGrid(FABRIC, 12, 9).bands())
+    assert np.linalg.norm(texels.normal, axis=-1) == pytest.approx(np.ones(108))
     assert texels.share.sum(-1)[texels.cover > 0] == pytest.approx(1)
     assert 0.7 < texels.cover.mean() < 1
     # Two of three crossings of a 2/1 twill show the warp.
@@ -242,12 +243,13 @@ def test_textures_hold_what_uneven_yarns_show() -> None:
         "[variation]\ncolour_noise = 0.3\n"
     )
     assert (tile_repeats(FABRIC), tile_repeats(wool)) == ((1, 1), (12, 12))
-    texels = texels_of(wool, 48, 48)
-    assert texels.size == pytest.approx((24, 24))
+    grid = TexelGrid(wool, 48, 48)
+    assert grid.size == pytest.approx((24, 24))
+    texels = next(grid.bands())
     warp = texels.diffuse[..., 0, 0][texels.share[..., 0] > 0.9]
     # Uniform in 1 ± 0.3, and slubs and gaps beside.
     assert 0.15 < warp.std() / warp.mean() < 0.3
-    step = texels.place - np.stack(np.meshgrid(*2 * [np.arange(48) / 2 + 0.25]), axis=-1)
+    step = texels.place.reshape(48, 48, 2) - np.stack(np.meshgrid(*2 * [np.arange(48) / 2 + 0.25]), axis=-1)
     assert 0.02 < step.std() < 0.1
     assert np.abs(step[0] - step[-1]).max() < 0.1
 
@@ -268,7 +270,7 @@ def test_the_gltf_brdf_keeps_energy() -> None:
     for sheen in (0.0, 0.5):
         for angle in (0.1, 1.2):
             view = np.tile([np.sin(angle), 0.0, np.cos(angle)], (count, 1))
-            material = GltfMaterial(
+            material = StandardMaterial(
                 base=np.ones((count, 3)),
                 transmission=0 * ones,
                 transmit=np.zeros((count, 3)),
@@ -282,6 +284,6 @@ def test_the_gltf_brdf_keeps_energy() -> None:
                 sheen=np.full(3, sheen),
                 sheen_roughness=0.6,
             )
-            albedo = evaluate(material, light, view).mean() * 2 * np.pi
+            albedo = evaluate_gltf(material, light, view).mean() * 2 * np.pi
             # 0.02 is noise and what the table of the sheen's albedo rounds.
             assert 0.7 < albedo < 1.02

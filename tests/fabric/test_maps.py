@@ -23,8 +23,8 @@ from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.images import read_picture
-from loomlight.fabric import fabric_from_text
-from loomlight.fabric.maps import ClothMaps, map_files, sample_maps, write_maps
+from loomlight.fabric import fabric_from_text, load_fabric
+from loomlight.fabric.maps import ClothMaps, ClothSurface, map_files, sample_maps, write_maps
 from loomlight.models.point import PointModel
 from loomlight.models.registry import make_model
 from loomlight.yarn.geometry import YarnGeometry
@@ -166,6 +166,26 @@ def test_maps_of_uneven_yarns_tile(back: bool) -> None:
         cut, _ = steps(plain, axis)
         assert edge < 1.3 * inner
         assert cut > 1.6 * inner
+
+
+@pytest.mark.parametrize("back", [False, True])
+def test_maps_of_layered_cloth_show_the_layer_in_front(back: bool) -> None:
+    """Two stitched twills, one red, one blue: the other one shows in gaps alone, lower than yarn around."""
+    fabric = load_fabric("examples/layered/stitched-double-cloth.wif")
+    x, y = (np.random.default_rng(3).random((2, 4000)) * np.array(fabric.repeat_mm)[:, None]).astype(
+        np.float32
+    )
+    points = ClothSurface(fabric, Float).at(x, y, 1e-3, back)
+    appearance = fabric.appearance()
+    warp, weft = (
+        np.asarray(family.diffuse_reflect)[threads]
+        for family, threads in zip((appearance.warp, appearance.weft), points.threads, strict=True)
+    )
+    colour = np.where(points.warp[:, None], warp, weft)
+    in_front = (colour[:, 0] > colour[:, 2]) != back
+    # Gaps of a fifth each way leave 1/25 of the plan.
+    assert 0.93 < in_front[~points.hole].mean() < 0.99
+    assert points.height[in_front].mean() > points.height[~in_front & ~points.hole].max()
 
 
 def test_means_stay_what_fabrics_say() -> None:

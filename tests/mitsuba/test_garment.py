@@ -1,6 +1,6 @@
 """Garments: cloths by parts and materials, each at its own scale; what has no uv stays uncovered.
 
-Covers: mitsuba/meshes.py
+Covers: mitsuba/meshes.py, mesh/clothing.py
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ import pytest
 
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import metric, uv_size
+from loomlight.mesh.clothing import read_garment
 from loomlight.mesh.edges import Edges
 from loomlight.mesh.writing import write_mesh
 from loomlight.mitsuba import build_scene
-from loomlight.mitsuba.meshes import read_garment
 from loomlight.mitsuba.pictures import Turntable
 from studies.instruments.garment_shapes import skirt
 from tests.helpers.meshes import coat

@@ -10,8 +10,8 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.core.picture_settings import Placement
 from loomlight.mesh.cloth_mesh import ClothMesh
+from loomlight.mesh.clothing import placed
 from loomlight.mitsuba import build_scene
-from loomlight.mitsuba.meshes import placed
 
 WHITE = {"type": "diffuse"}
 

@@ -6,7 +6,10 @@ Covers: realtime/records.py, realtime/words.py
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
+from loomlight.core.errors import LoomlightWarning
+from loomlight.fabric import load_fabric
 from loomlight.realtime.records import BUFFERS, RECORDS, numpy_type, slang_structs
 from loomlight.realtime.words import WordTable, pack_fabrics
 from loomlight.yarn.geometry import YarnGeometry
@@ -62,3 +65,10 @@ def test_threads_alike_share_one_row() -> None:
     families = pack_fabrics([(layout, appearance(rng, layout, False, False))]).families
     assert families["is_alike"].tolist() == [1, 1]
     assert families["albedo_stride"].tolist() == [0, 0]
+
+
+def test_shaders_say_that_they_show_one_layer() -> None:
+    """Of cloth that has two."""
+    fabric = load_fabric("examples/layered/stitched-double-cloth.wif")
+    with pytest.warns(LoomlightWarning, match="this cloth has 2 layers"):
+        pack_fabrics([(fabric.layout(), fabric.appearance())])

@@ -258,3 +258,30 @@ def test_layers_behind_hold_back_light_and_return_it() -> None:
     assert np.allclose(gained.numpy()[0][~covered], 0, atol=1e-6)
     through = model.evaluate(point, down, up).numpy()[0][covered]
     assert np.allclose(through, 0.3 * 0.3 / (1 - 0.25) / math.pi, rtol=1e-4)
+
+
+def test_planes_lie_as_near_as_what_is_shown_of_them_lets_them() -> None:
+    """Floats count where their layer is one of the cloth, not where its threads are another's."""
+    plain, floats = np.tile(PLAIN, (8, 8)), np.tile(PLAIN, (8, 8))
+    # The other half, without the crossings next to the border, which cells of the layer reach into.
+    floats[:, 10:14] = np.arange(16)[:, None] < 8
+    stacks = [
+        StackedGeometry(in_blocks(layered([front, plain]), [[0, 1], [-1, 0]])) for front in (floats, plain)
+    ]
+    floating = StackedGeometry(layered([floats, plain])).reaches[0]
+    hidden, without = (stack.reaches[0] for stack in stacks)
+    assert floating > 3 * without
+    # Words hold heights in 15ths of the layer's highest, rounded up.
+    assert without <= hidden * (1 + 1e-6) <= without + floating / 15 * (1 + 1e-6)
+
+
+def test_straight_yarn_has_its_thickness() -> None:
+    """Wadding: planes are half of its section's drop and the cloth's crowns apart."""
+    straight = np.ones((4, 4), bool)
+    stack = StackedGeometry(layered([np.tile(PLAIN, (2, 2)), straight]))
+    drop = max(
+        float(family.edge_drop.max()) * scale
+        for family, scale in zip(stack.layers[1].families, stack.height_scale, strict=True)
+    )
+    assert np.isclose(stack.reaches[1], drop / 2)
+    assert np.isclose(-np.diff(stack.levels[0])[0], stack.reaches.sum())

@@ -105,6 +105,9 @@ RECIPES: dict[str, Recipe] = {
     "yarn-gaps.jpg": Recipe(("studies look/yarn_gaps -o {out}",), picture="look/yarn_gaps.png"),
     "yarn-fibres.jpg": Recipe(("studies look/yarn_fibres -o {out}",), picture="look/yarn_fibres.png"),
     "yarn-flanks.jpg": Recipe(("studies accuracy/flanks -o {out}",), picture="accuracy/flanks.png"),
+    "measured-cloth.jpg": Recipe(
+        ("studies accuracy/measured_cloth -o {out}",), picture="accuracy/measured_cloth.png"
+    ),
     "which-model.jpg": Recipe(("tools.generate.model_sheet {out}/picture.png",)),
     "neural.jpg": Recipe(("studies papers/chen2024/fig5 -o {out}",), picture="papers/chen2024/fig5.png"),
     "editor.png": Recipe(("tools.generate.editor_picture {out}/picture.png",), ("page",)),

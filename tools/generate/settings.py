@@ -10,7 +10,13 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from loomlight.cli.options import options_of_settings
-from loomlight.core.picture_settings import MapSettings, PlaySettings, RenderSettings, SwatchSettings
+from loomlight.core.picture_settings import (
+    GarmentSettings,
+    MapSettings,
+    PlaySettings,
+    RenderSettings,
+    SwatchSettings,
+)
 from loomlight.core.settings import Setting, Settings, declared, default_text, range_text
 from loomlight.models.registry import MODELS, model_class
 
@@ -40,6 +46,7 @@ TABLES: dict[str, dict[str, Callable[[], Rows]]] = {
     },
     "docs/maps.md": {"| option of `bake-maps` |": lambda: settings_rows(MapSettings)},
     "docs/realtime.md": {"| option of `play` |": lambda: settings_rows(PlaySettings)},
+    "docs/engines.md": {"| option of `export` |": lambda: settings_rows(GarmentSettings)},
     "docs/mitsuba-parameters.md": {"| BSDF | option |": option_rows},
 }
 

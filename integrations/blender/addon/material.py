@@ -242,10 +242,10 @@ class _Cloth:
         return float(self._manifest["height"]["low_mm"]), float(self._manifest["height"]["high_mm"])
 
     def _seen_place(self, tangent: Socket, heights: bpy.types.Image, amount: Socket) -> Socket:
-        """The place on the maps where the line of sight meets the yarns, that of the surface where `amount` is 0.
+        """The place on the maps where the line of sight meets the yarns; on the surface if `amount` is 0.
 
-        A line is looked at where it crosses planes, from the highest to the lowest; between the last that lies above
-        the yarns and the first that does not, heights are taken to be straight.
+        A line is looked at where it crosses planes, from the highest to the lowest; between the last one that
+        is above the yarns and the first that does not, heights are taken to be straight.
         """
         tree = self._tree
         geometry = tree.node("ShaderNodeNewGeometry")

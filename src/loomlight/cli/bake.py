@@ -20,7 +20,7 @@ from loomlight.cli.options import (
 from loomlight.cli.terminal import done, note_left, progress
 from loomlight.core.errors import InputError
 from loomlight.core.outputs import check_output, is_folder, require_not_read
-from loomlight.core.picture_settings import MapSettings
+from loomlight.core.picture_settings import GarmentSettings, MapSettings, Worn
 
 if TYPE_CHECKING:
     from loomlight.core.fleet import Executor
@@ -126,16 +126,23 @@ def bake_maps(
 EXPORT_EXAMPLE = "Example: loomlight export examples/denim.toml --to wgsl -o denim-wgsl"
 
 
+@takes(GarmentSettings)
 def export(
     fabric: FabricArgument,
     to: Annotated[
         str,
         typer.Option(
-            help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf, materialx, blender, blender-addon."
+            help=(
+                "slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf, materialx, usd, usdz, u3m, u3ma, "
+                "blender or blender-addon."
+            )
         ),
     ],
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="The folder to write: new, or of an export.")
+        Path,
+        typer.Option(
+            "--output", "-o", help="The folder to write: new, or of an export; of usdz and u3ma a file."
+        ),
     ],
     model: Annotated[
         str | None,
@@ -145,11 +152,19 @@ def export(
     ] = None,
     distance: Annotated[
         float | None,
-        typer.Option(help="Metres from which textures of gltf and materialx are seen; by default close."),
+        typer.Option(help="Metres from which textures are seen, but of u3m; by default close."),
     ] = None,
+    dpi: Annotated[
+        float | None,
+        typer.Option(help="Texels an inch of the maps of u3m and u3ma, 30 to 2400; 300 by default."),
+    ] = None,
+    *,
+    given: Given,
 ) -> None:
     """Writes a fabric for another program: shader code, a network or a textured material; docs/export.md."""
-    require_not_read([output], [fabric])
+    settings = GarmentSettings(**given)
+    worn = [each.fabric if isinstance(each, Worn) else each for each in settings.cloths.values()]
+    require_not_read([output], [fabric, settings.mesh, *worn])
     from loomlight.exporters import export as run
 
-    done(run(fabric, to, output, model, distance))
+    done(run(fabric, to, output, model, distance, dpi, settings))

@@ -13,7 +13,7 @@ from typing import Annotated, Any, TextIO
 import typer
 
 from loomlight import __version__
-from loomlight.cli import bake, compare, doctor, live, pictures, weave
+from loomlight.cli import bake, capture, compare, doctor, live, pictures, weave
 from loomlight.cli.options import ListsModels, ListsOptions, WholeSentences
 from loomlight.cli.terminal import INTERRUPTED, note_left, report_interruption, was_interrupted
 from loomlight.core.errors import LoomlightError, LoomlightWarning
@@ -52,6 +52,7 @@ app.command("play", epilog=live.PLAY_EXAMPLE)(live.play)
 app.command("view", epilog=live.VIEW_EXAMPLE)(live.view)
 app.command("compare", cls=ListsModels, epilog=compare.EXAMPLE)(compare.compare)
 app.command("demo", epilog=pictures.DEMO_EXAMPLE)(pictures.demo)
+app.command("capture", epilog=capture.EXAMPLE)(capture.capture)
 app.command("bake", cls=ListsOptions, epilog=bake.BAKE_EXAMPLE)(bake.bake)
 app.command("bake-maps", epilog=bake.BAKE_MAPS_EXAMPLE)(bake.bake_maps)
 app.command("export", epilog=bake.EXPORT_EXAMPLE)(bake.export)

@@ -13,10 +13,10 @@ from loomlight.core.errors import MissingDependencyError
 EXTRAS = {
     "networks": ".looms of neumip and latent",
     "neural": "the model neural, the network",
-    "materialx": "export to MaterialX",
+    "materialx": "export to MaterialX and USD",
     "print": "drafts as PDF",
     "meshopt": "glTF meshes that meshopt compresses",
-    "usd": "meshes in USD",
+    "usd": "meshes in USD, read and written",
     "realtime": "frames on a graphics adapter, loomlight play",
     "viewer": "loomlight view, the live editor",
     "notebook": "the editor in a notebook",

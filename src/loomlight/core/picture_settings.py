@@ -356,6 +356,32 @@ class MapSettings(Settings):
                 raise InputError(f"{one} and {other} both say {what}: give one of them.")
 
 
+@documented
+@dataclass(frozen=True, kw_only=True)
+class GarmentSettings(Settings):
+    """Settings of a mesh that is exported in its cloths; `loomlight.export` takes the same keywords."""
+
+    title: ClassVar[str] = "setting of an export"
+
+    mesh: str | os.PathLike[str] | None = setting(
+        None,
+        "An .obj, .ply, .gltf, .glb, .usd, .usda, .usdc or .usdz file that is written in the fabric; without "
+        "uv it is cut into pieces.",
+        otherwise="a sheet of 10 cm",
+    )
+    cloths: Mapping[str, Any] = same_setting(
+        RenderSettings,
+        "cloths",
+        help="Further fabrics, for parts, pieces or materials NAME of the mesh; turn turns the weave there "
+        "(`Worn` in Python).",
+    )
+    unwrap: bool | None = same_setting(RenderSettings, "unwrap")
+    metres_per_unit: float = same_setting(
+        RenderSettings, "metres_per_unit", help="Length of one unit of the mesh, metres."
+    )
+    placement: Placement = same_setting(RenderSettings, "placement")
+
+
 class _Keywords(TypedDict, total=False):
     """Keywords of all pictures that Mitsuba renders, for editors and type checkers."""
 
@@ -424,3 +450,13 @@ class MapKeywords(TypedDict, total=False):
     window: tuple[float, float, float, float] | None
     tile: float | None
     back: bool
+
+
+class GarmentKeywords(TypedDict, total=False):
+    """Keywords of `loomlight.export`: fields of `GarmentSettings`."""
+
+    mesh: str | os.PathLike[str] | None
+    cloths: Mapping[str, Any]
+    unwrap: bool | None
+    metres_per_unit: float
+    placement: Placement

@@ -13,19 +13,17 @@ from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
-from drjit.llvm import Float
 from numpy.typing import NDArray
 from PIL import Image
 
 from loomlight.core.colour import linear_to_srgb
 from loomlight.exporters.cycles import CyclesLayers, cycles_layers
-from loomlight.exporters.fit import FittedMaterial, fit_material
+from loomlight.exporters.fit import FittedMaterial, fit_texels
 from loomlight.exporters.gltf import eight_bits
-from loomlight.exporters.texels import MIN_COVER, Texels, texels_of, texture_grid, tile_repeats
+from loomlight.exporters.texels import MIN_COVER, TexelGrid, Texels, texture_grid, tile_repeats
 from loomlight.fabric.colour import faded
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.fields import SheenTable
-from loomlight.fabric.maps import ClothSurface
 from loomlight.fabric.resolve import ResolvedFamily
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model
@@ -58,8 +56,8 @@ def write_maps(folder: Path, fabric: Fabric, model: str, distance: float | None)
     bare = _without_sheen(fabric)
     fitted = make_model(model, bare)
     colours = {name: shown_colour(getattr(fabric.resolved, name)) for name in FAMILIES}
-    densities = [_write_density(folder, name, bare, fitted, colours) for name in DENSITIES]
-    heights, (low, high) = _heights(bare)
+    materials = {name: _write_density(folder, name, bare, fitted, colours) for name in DENSITIES}
+    heights, (low, high) = heights_of(materials["near"][0])
     Image.fromarray(heights).save(folder / "maps" / "height.png")
     across, up = tile_repeats(bare)
     width, height = bare.layout().size
@@ -71,7 +69,7 @@ def write_maps(folder: Path, fabric: Fabric, model: str, distance: float | None)
         "colors": {name: colour.tolist() for name, colour in colours.items()},
         "sheen": {"strength": sheen.strength, "roughness": sheen.roughness},
         "height": {"file": "maps/height.png", "low_mm": low, "high_mm": high},
-        "densities": densities,
+        "densities": [described for _, described in materials.values()],
     }
 
 
@@ -87,13 +85,14 @@ def shown_colour(family: ResolvedFamily) -> Numbers:
 
 def _write_density(
     folder: Path, name: str, fabric: Fabric, model: Model, colours: dict[str, Numbers]
-) -> dict[str, object]:
-    """The maps of one density, and what the manifest says of them."""
+) -> tuple[FittedMaterial, dict[str, object]]:
+    """Writes the maps of one density; returns the material, and what the manifest says of them."""
     columns, rows = _grid(fabric, DENSITIES[name])
-    material = fit_material(fabric, model, columns, rows)
-    texels = texels_of(fabric, columns, rows)
+    grid = TexelGrid(fabric, columns, rows)
+    material = fit_texels(fabric, model, grid, "gltf")
+    texels = grid.filled()
     layers = cycles_layers(material, texels, model)
-    maps = density_maps(material, layers, texels.dilated(), colours)
+    maps = density_maps(material, layers, texels, colours)
     entry: dict[str, object] = {
         "name": name,
         "texel_mm": max(material.size[0] / columns, material.size[1] / rows),
@@ -104,7 +103,7 @@ def _write_density(
         Image.fromarray(one.pixels).save(folder / file)
         described[key] = {"file": file, "peak": one.peak, "is_color": one.is_color}
     facts = {"diffuse_roughness": layers.diffuse_roughness, "relative_rms_error": round(layers.error, 4)}
-    return entry | {"texels": [columns, rows], "maps": described} | facts
+    return material, entry | {"texels": [columns, rows], "maps": described} | facts
 
 
 def _grid(fabric: Fabric, threads: float | None) -> tuple[int, int]:
@@ -189,21 +188,14 @@ def _parts(reflected: Numbers, texels: Texels) -> Numbers:
     return np.asarray(share * reflected[..., None, :])
 
 
-def _heights(fabric: Fabric) -> tuple[NDArray[np.uint16], tuple[float, float]]:
-    """Heights above the surface of the mesh at the texels of the near density, 16 bits, row 0 at the upper edge;
-    and what 0 and 65535 are, millimetres.
+def heights_of(material: FittedMaterial) -> tuple[NDArray[np.uint16], tuple[float, float]]:
+    """Heights above the surface of the mesh, 16 bits, row 0 at the upper edge; and what 0 and 65535 are, mm.
 
     What lies deeper than nearly all that is seen, and holes, are as low as the lowest that counts.
     """
-    columns, rows = _grid(fabric, None)
-    repeats = tile_repeats(fabric)
-    width, height = np.multiply(fabric.layout().size, repeats)
-    x, y = np.meshgrid(
-        (np.arange(columns) + 0.5) * (width / columns), (np.arange(rows) + 0.5) * (height / rows)
-    )
-    point = ClothSurface(fabric, Float, repeats).at(x.ravel(), y.ravel(), float(width / columns))
-    seen = point.height[~point.hole]
+    is_seen = material.cover > MIN_COVER
+    seen = material.height[is_seen]
     low, high = (float(np.quantile(seen, share)) for share in (_DEEP, 1)) if seen.size else (0.0, 0.0)
-    found = np.where(point.hole, low, np.maximum(point.height, low)).reshape(rows, columns)
+    found = np.where(is_seen, np.maximum(material.height, low), low)
     scale = 65535 / max(high - low, 1e-6)
     return np.rint(scale * (found[::-1] - low)).astype(np.uint16), (low, max(high, low + 1e-6))

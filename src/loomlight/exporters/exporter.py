@@ -6,13 +6,19 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Unpack
 
 from loomlight.core.errors import InputError
+from loomlight.core.files import replacing
+from loomlight.core.picture_settings import GarmentKeywords, GarmentSettings
 from loomlight.exporters.blender import write_maps
 from loomlight.exporters.blender_addon import write_addon
-from loomlight.exporters.folder import replacing_folder, write_manifest
+from loomlight.exporters.folder import check_file, replacing_folder, write_manifest
+from loomlight.exporters.garment_gltf import write_garment_gltf
 from loomlight.exporters.materials import write_gltf, write_materialx
 from loomlight.exporters.shaders import write_shaders
+from loomlight.exporters.u3m import write_u3m, write_u3m_archive
+from loomlight.exporters.usd import write_usd, write_usdz
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.surface_maps import without_maps
 from loomlight.models.registry import REALTIME_MODELS, model_class
@@ -25,8 +31,11 @@ from loomlight.realtime.materials import (
 )
 
 # Writes files of a material and a model into a folder; returns what the manifest says of them.
-# The last argument is the distance in metres, None for close views, where a target has one.
+# The last argument is the distance in metres, None for close views, where a target has one; of targets with a
+# resolution it is that in texels an inch, None for the usual one.
 Writer = Callable[[Path, Material, str, float | None], dict[str, object]]
+# The same of a mesh that the fabric clothes, and others.
+GarmentWriter = Callable[[Path, Fabric, str, float | None, GarmentSettings], dict[str, object]]
 
 
 @dataclass(frozen=True)
@@ -38,12 +47,18 @@ class ExportTarget:
         models: that can be exported, the default first.
         write: the function that writes the files.
         has_distance: whether it is made for a distance.
+        has_dpi: whether its textures have texels of a size in millimetres.
+        suffix: of the one file that it is; "" for a folder.
+        write_garment: the function that writes a mesh in its cloths; None where it takes none.
     """
 
     summary: str
     models: tuple[str, ...]
     write: Writer
     has_distance: bool = False
+    has_dpi: bool = False
+    suffix: str = ""
+    write_garment: GarmentWriter | None = None
 
 
 def _shader(language: str) -> Writer:
@@ -82,11 +97,32 @@ TARGETS: dict[str, ExportTarget] = {
 } | {
     "onnx": ExportTarget("the network's decoder, and latents", ("neural", "latent"), _write_onnx),
     "gltf": ExportTarget(
-        "a glTF file with textures, for any viewer", ("lobes",), _of_fabric(write_gltf), True
+        "a glTF file with textures, for any viewer",
+        ("lobes",),
+        _of_fabric(write_gltf),
+        True,
+        write_garment=write_garment_gltf,
     ),
     "materialx": ExportTarget(
         "MaterialX with OpenPBR, and textures", ("lobes",), _of_fabric(write_materialx), True
     ),
+    "usd": ExportTarget(
+        "a USD stage with OpenPBR and UsdPreviewSurface",
+        ("lobes",),
+        _of_fabric(write_usd),
+        True,
+        write_garment=write_usd,
+    ),
+    "usdz": ExportTarget(
+        "the same in one file",
+        ("lobes",),
+        _of_fabric(write_usdz),
+        True,
+        suffix=".usdz",
+        write_garment=write_usdz,
+    ),
+    "u3m": ExportTarget("U3M of both faces, for apparel programs", ("lobes",), write_u3m, has_dpi=True),
+    "u3ma": ExportTarget("the same in one file", ("lobes",), write_u3m_archive, has_dpi=True, suffix=".u3ma"),
     "blender": ExportTarget(
         "maps in three densities, for the Blender add-on", ("lobes",), _of_fabric(write_maps)
     ),
@@ -102,8 +138,13 @@ def export(
     folder: str | os.PathLike[str],
     model: str | None = None,
     distance: float | None = None,
+    dpi: float | None = None,
+    settings: GarmentSettings | None = None,
+    **changes: Unpack[GarmentKeywords],
 ) -> Path:
     """Writes a fabric for another program into a folder, which is new, empty, or holds an earlier export.
+
+    A target that is one file (`u3ma`) is written to that file.
 
     Args:
         fabric: a fabric, a model that is made already, or a path: a fabric file, a draft, a `.loom`, the name
@@ -113,13 +154,16 @@ def export(
             takes.
         distance: metres from which textures are seen, 0.01 to 1000; None for close views. Shader code and
             networks serve every distance.
+        dpi: texels an inch of U3M's maps, 30 to 2400; None for 300.
+        settings: of a mesh that is written in the fabric, and in others; by default there is none.
+        changes: these settings by name, such as `mesh="coat.glb", cloths={"lining": lining}`.
 
     Returns:
-        The folder.
+        The folder, or the file.
 
     Raises:
-        InputError: an unknown target, a model that it does not take or that does not take the material, or a
-            folder that cannot be written.
+        InputError: an unknown target, a model that it does not take or that does not take the material, a
+            mesh that it does not take or that cannot be read, or a folder that cannot be written.
         MissingDependencyError: a package that the target needs is missing.
     """
     if to not in TARGETS:
@@ -131,12 +175,44 @@ def export(
         raise InputError(f"--to {to} serves every distance: leave out --distance.")
     if distance is not None and not 0.01 <= distance <= 1000:
         raise InputError(f"--distance {distance:g} is out of range: write metres from 0.01 to 1000.")
-    with replacing_folder(folder) as temporary:
-        material = material_of(fabric)
-        if isinstance(material, Fabric):
-            material = without_maps(material, f"What is written for {to}")
-        own = default_model_of(material)
-        chosen = model or (own if own in target.models else target.models[0])
+    if dpi is not None and not target.has_dpi:
+        raise InputError(f"--to {to} has no textures of a resolution in millimetres: leave out --dpi.")
+    garment = (settings or GarmentSettings()).changed(**changes)
+    _require_garment(to, target, garment)
+    given = dpi if target.has_dpi else distance
+
+    def write(place: Path) -> dict[str, object]:
+        """Writes all files, and returns what the manifest says."""
+        material, chosen = _taken(fabric, to, model)
         facts: dict[str, object] = {"fabric": source_of(material).name, "model": chosen, "target": to}
-        write_manifest(temporary, facts | target.write(temporary, material, chosen, distance))
+        if garment.mesh is not None and target.write_garment is not None:
+            return facts | target.write_garment(place, fabric_for(material, chosen), chosen, given, garment)
+        return facts | target.write(place, material, chosen, given)
+
+    if target.suffix:
+        check_file(folder, target.suffix)
+        with replacing(folder) as file:
+            write(file)
+        return Path(folder)
+    with replacing_folder(folder) as temporary:
+        write_manifest(temporary, write(temporary))
     return Path(folder)
+
+
+def _require_garment(to: str, target: ExportTarget, garment: GarmentSettings) -> None:
+    """Raises InputError unless the target takes the mesh, and settings of a mesh have one."""
+    if garment.mesh is not None and target.write_garment is None:
+        able = [name for name, each in TARGETS.items() if each.write_garment is not None]
+        raise InputError(f"--to {to} writes no meshes: leave out --mesh, or use {' or '.join(able)}.")
+    if garment.mesh is None:
+        for name in garment.chosen():
+            raise InputError(f"{name} is of a mesh, and there is none: give one, by --mesh.")
+
+
+def _taken(fabric: Material | str | os.PathLike[str], to: str, model: str | None) -> tuple[Material, str]:
+    """The material that a target is written of, and the model."""
+    material = material_of(fabric)
+    if isinstance(material, Fabric):
+        material = without_maps(material, f"What is written for {to}")
+    own, models = default_model_of(material), TARGETS[to].models
+    return material, model or (own if own in models else models[0])

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from typing import Any
 
 import drjit as dr
 import numpy as np
@@ -18,125 +18,10 @@ from drjit.llvm import Array3f, Float
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
-from loomlight.exporters.texels import MIN_COVER, Texels, frames, texels_of
+from loomlight.exporters.standards import STANDARDS, Numbers, StandardMaterial
+from loomlight.exporters.texels import MIN_COVER, TexelGrid, Texels, frames, nearest_covered
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
-
-Numbers = NDArray[np.float64]
-DIELECTRIC = 0.04
-
-
-@dataclass(frozen=True, eq=False)
-class GltfMaterial:
-    """Parameters [n, ...] of n places.
-
-    Attributes:
-        base: base colour [n, 3]. transmission: factor of diffuse transmission [n]; transmit: its colour [n,
-        3]. specular: reflectance at normal incidence [n, 3], before `weight`. weight: specularFactor.
-        alpha_x, alpha_y: GGX roughness along `axis_x` and across it [n]; the axes are unit vectors [n, 3].
-        normal: shading normal [n, 3].
-        sheen: sheen colour [3]; sheen_roughness: its roughness, 0 to 1.
-    """
-
-    base: Numbers
-    transmission: Numbers
-    transmit: Numbers
-    specular: Numbers
-    weight: float
-    alpha_x: Numbers
-    alpha_y: Numbers
-    normal: Numbers
-    axis_x: Numbers
-    axis_y: Numbers
-    sheen: Numbers
-    sheen_roughness: float
-
-
-def _dot(a: Numbers, b: Numbers) -> Numbers:
-    return (a * b).sum(-1)
-
-
-def evaluate(material: GltfMaterial, light: Numbers, view: Numbers) -> Numbers:
-    """f·|cos θ_light| [n, 3], 1/sr, of unit vectors [n, 3] away from the surface; the view is above."""
-    n = material.normal
-    n_l, n_v = _dot(n, light), np.maximum(_dot(n, view), 1e-4)
-    half = light + view
-    half /= np.maximum(np.linalg.norm(half, axis=-1, keepdims=True), 1e-9)
-    front = np.maximum(n_l, 0.0)
-    schlick = np.clip(1 - _dot(view, half), 0, 1) ** 5
-    f0 = material.weight * material.specular
-    fresnel = f0 + (material.weight - f0) * schlick[:, None]
-    glossy = fresnel * _ggx(material, light, view, half, front, n_v)[:, None]
-    diffuse = (1 - fresnel.max(-1, keepdims=True)) * material.base / np.pi
-    reflected = diffuse * (1 - material.transmission)[:, None] + glossy
-    scale = 1.0
-    if material.sheen.max() > 0:
-        alpha = max(material.sheen_roughness**2, 1e-3)
-        sheen = material.sheen * _charlie(_dot(n, half), front, n_v, alpha)[:, None]
-        scale = 1 - material.sheen.max() * sheen_albedo(n_v, alpha)[:, None]
-        reflected = sheen + reflected * scale
-    passed = (
-        material.transmit * material.transmission[:, None] / np.pi * np.maximum(-n_l, 0.0)[:, None] * scale
-    )
-    return np.where((light[:, 2] > 0)[:, None], reflected * front[:, None], passed)
-
-
-def _ggx(
-    material: GltfMaterial, light: Numbers, view: Numbers, half: Numbers, n_l: Numbers, n_v: Numbers
-) -> Numbers:
-    """Distribution times visibility of anisotropic GGX, height-correlated."""
-    ax, ay = material.alpha_x, material.alpha_y
-
-    def local(vector: Numbers) -> tuple[Numbers, Numbers, Numbers]:
-        return _dot(vector, material.axis_x), _dot(vector, material.axis_y), _dot(vector, material.normal)
-
-    hx, hy, hz = local(half)
-    square = (hx / ax) ** 2 + (hy / ay) ** 2 + hz**2
-    distribution = 1 / (np.pi * ax * ay * np.maximum(square, 1e-9) ** 2)
-    vx, vy, _ = local(view)
-    lx, ly, _ = local(light)
-    of_view = n_l * np.sqrt((ax * vx) ** 2 + (ay * vy) ** 2 + n_v**2)
-    of_light = n_v * np.sqrt((ax * lx) ** 2 + (ay * ly) ** 2 + n_l**2)
-    return distribution * 0.5 / np.maximum(of_view + of_light, 1e-9)
-
-
-def _charlie(n_h: Numbers, n_l: Numbers, n_v: Numbers, alpha: float) -> Numbers:
-    """Distribution (Estevez and Kulla 2017) times the visibility of Ashikhmin and Premoze 2007."""
-    sine = np.sqrt(np.clip(1 - n_h**2, 1e-8, 1))
-    distribution = (2 + 1 / alpha) * sine ** (1 / alpha) / (2 * np.pi)
-    return distribution / np.maximum(4 * (n_l + n_v - n_l * n_v), 1e-6)
-
-
-_ALPHAS = np.linspace(0.02, 1, 24)
-_COSINES = (np.arange(24) + 0.5) / 24
-
-
-@cache
-def _sheen_table() -> Numbers:
-    """Directional albedo of white sheen [alpha, cos θ_view], by summing over the hemisphere."""
-    cosine, azimuth = np.meshgrid((np.arange(48) + 0.5) / 48, (np.arange(96) + 0.5) * 2 * np.pi / 96)
-    sine = np.sqrt(1 - cosine**2)
-    light = np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=-1).reshape(-1, 3)
-    table = np.zeros((len(_ALPHAS), len(_COSINES)))
-    for column, mu in enumerate(_COSINES):
-        view = np.array([np.sqrt(1 - mu**2), 0, mu])
-        half = light + view
-        half /= np.linalg.norm(half, axis=-1, keepdims=True)
-        for row, alpha in enumerate(_ALPHAS):
-            value = _charlie(half[:, 2], light[:, 2], np.full(len(light), mu), float(alpha)) * light[:, 2]
-            table[row, column] = value.mean() * 2 * np.pi
-    return table
-
-
-def sheen_albedo(n_v: Numbers, alpha: float) -> Numbers:
-    """Directional albedo of white sheen, 0 to 1."""
-    table = _sheen_table()
-    row = [np.interp(alpha, _ALPHAS, table[:, column]) for column in range(len(_COSINES))]
-    return np.minimum(np.interp(n_v, _COSINES, row), 1)
-
-
-# ---------------------------------------------------------------------------------------------------- the fit
-
 
 _REFLECTED, _TRANSMITTED = 6000, 1500
 # Directions flatter than this are left out: a few degrees about the horizon.
@@ -145,12 +30,13 @@ _MIN_ALPHA = 0.02
 
 
 @dataclass(frozen=True, eq=False)
-class FittedMaterial(GltfMaterial):
+class FittedMaterial(StandardMaterial):
     """Textures [rows, columns, ...], linear, row 0 at the lower edge; and numbers for all texels.
 
     Attributes:
         size: of what the textures hold, millimetres.
         cover: opacity.
+        height: of the yarns towards the eye, millimetres; 0 in holes.
         direction: unit vectors [..., 2] of `axis_x`, along which highlights are wide, in the texel's tangent
             plane.
         error: root mean square of the difference of values, relative to the root mean square of the model's.
@@ -159,6 +45,7 @@ class FittedMaterial(GltfMaterial):
 
     size: tuple[float, float]
     cover: Numbers
+    height: Numbers
     direction: Numbers
     error: float
     brightness: float
@@ -171,47 +58,97 @@ class _Queries:
     light: Numbers
     view: Numbers
 
+    def where(self, chosen: NDArray[np.bool_]) -> _Queries:
+        """Some of the queries."""
+        return _Queries(*(values[chosen] for values in vars(self).values()))
+
+
+# Fields of a `FittedMaterial` with an element a texel.
+_MAPS = (
+    "base",
+    "transmission",
+    "transmit",
+    "specular",
+    "alpha_x",
+    "alpha_y",
+    "normal",
+    "axis_x",
+    "axis_y",
+    "direction",
+    "cover",
+    "height",
+)
+
 
 def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> FittedMaterial:
     """The material of glTF nearest to a model, in `columns` × `rows` texels of `tile_repeats`."""
-    texels = texels_of(fabric, columns, rows)
-    queries = _queries(columns, rows)
-    truth = _answers(model, texels, queries)
-    at = texels.cover[queries.row, queries.column] > MIN_COVER
-    queries = _Queries(queries.row[at], queries.column[at], queries.light[at], queries.view[at])
-    truth = truth[at]
-    picked = texels.at(queries.row, queries.column)
+    return fit_texels(fabric, model, TexelGrid(fabric, columns, rows), "gltf")
+
+
+def fit_texels(fabric: Fabric, model: Model, grid: TexelGrid, standard: str) -> FittedMaterial:
+    """The material nearest to what a model shows of a face of the cloth, in texels.
+
+    Args:
+        standard: a name of `STANDARDS`, by whose formulas the material is judged.
+    """
+    queries = _queries(grid.columns, grid.rows)
+    texels = grid.at(queries.row, queries.column)
+    is_covered = texels.cover > MIN_COVER
+    truth = _answers(model, grid, texels.place, queries)[is_covered]
+    texels, queries = texels.where(is_covered), queries.where(is_covered)
     has_sheen = fabric.appearance().sheen.strength > 0
     # A display shows differences of square roots, roughly; the offset keeps noise in the dark from counting.
     offset = 0.05 * float(truth.mean())
 
+    kind = STANDARDS[standard]
+
+    def material_of(texels: Texels, numbers: Numbers) -> StandardMaterial:
+        return kind.restricted(_material(texels, numbers, has_sheen))
+
     def values(numbers: Numbers) -> Numbers:
-        found = evaluate(_material(picked, numbers, has_sheen), queries.light, queries.view)
-        return found * picked.cover[:, None]
+        found = kind.evaluate(material_of(texels, numbers), queries.light, queries.view)
+        return found * texels.cover[:, None]
 
     def residuals(numbers: Numbers) -> Numbers:
         return (np.sqrt(values(numbers) + offset) - np.sqrt(truth + offset)).ravel()
 
     # There are several minima: fibres as rough as the model's, and smoother ones.
-    shared = [0, 0, -3, -3, -3, 0, 0, -1]
+    shared = [0, 0, -3, 0, 0, -1]
     starts = [np.array([0, 0, -1, -1, 0, 0, rough, rough, *shared], float) for rough in (0, -1.5)]
     fits = [_least_squares(residuals, start, has_sheen) for start in starts]
     numbers = min(fits, key=lambda numbers: float(np.square(residuals(numbers)).sum()))
     numbers = _with_mean_kept(values, numbers, truth, queries.light[:, 2] > 0)
     found = values(numbers)
     error = np.sqrt(np.mean((found - truth) ** 2) / np.mean(truth**2))
-    everywhere = _material(texels.dilated(), numbers, has_sheen)
     return FittedMaterial(
-        **vars(everywhere),
-        size=texels.size,
-        cover=texels.cover,
-        direction=_in_plane(everywhere),
+        **_maps(grid, lambda texels: material_of(texels, numbers)),
+        size=grid.size,
         error=float(error),
         brightness=float(found.mean() / truth.mean()),
     )
 
 
-def _in_plane(material: GltfMaterial) -> Numbers:
+def _maps(grid: TexelGrid, material_of: Callable[[Texels], StandardMaterial]) -> dict[str, Any]:
+    """The fields of a `FittedMaterial` whose parameters are a function of texels."""
+    parts: list[dict[str, Any]] = []
+    for texels in grid.bands():
+        material = material_of(texels)
+        found = vars(material) | {
+            "direction": _in_plane(material),
+            "cover": texels.cover,
+            "height": texels.height,
+        }
+        parts.append(
+            {name: value.astype(np.float32) if name in _MAPS else value for name, value in found.items()}
+        )
+    shape = grid.rows, grid.columns
+    maps = {name: np.concatenate([part.pop(name) for part in parts]) for name in _MAPS}
+    nearest = nearest_covered(maps["cover"].reshape(shape))
+    filled = {name: values[nearest] for name, values in maps.items() if name not in ("cover", "height")}
+    return parts[0] | filled | {name: maps[name].reshape(shape) for name in ("cover", "height")}
+
+
+def _in_plane(material: StandardMaterial) -> Numbers:
     """`axis_x` in the texel's tangent plane; of the two opposite vectors, that with the larger part above 0.
 
     Filters between texels would cancel opposite vectors.
@@ -242,26 +179,26 @@ def _queries(columns: int, rows: int) -> _Queries:
     return _Queries(rng.integers(0, rows, count), rng.integers(0, columns, count), light, view)
 
 
-def _answers(model: Model, texels: Texels, queries: _Queries) -> Numbers:
-    """Values of the model over the texels of queries [n, 3]."""
-    rows, columns = texels.cover.shape
-    width, height = texels.size
-    step_x, step_y = width / columns, height / rows
-    centre = Vector2(*(Float(part) for part in texels.place[queries.row, queries.column].T))
-    zero = dr.zeros(Float, len(queries.row))
+def _answers(model: Model, grid: TexelGrid, place: Numbers, queries: _Queries) -> Numbers:
+    """Values of the model over texels at places [n, 2] of the draft, for queries in their face's frame."""
+    step_x, step_y = grid.step
+    centre = Vector2(*(Float(part) for part in place.T))
+    zero = dr.zeros(Float, len(place))
     footprint = Footprint(centre, Vector2(zero + step_x, zero), Vector2(zero, zero + step_y))
+    to_front = [1, 1, -1] if grid.back else [1, 1, 1]
     view, light = (
-        Array3f(*(np.float32(part) for part in vectors.T)) for vectors in (queries.view, queries.light)
+        Array3f(*(np.float32(part) for part in (vectors * to_front).T))
+        for vectors in (queries.view, queries.light)
     )
     value = model.at(view, footprint).value(light)
     return np.stack([np.asarray(part.numpy(), np.float64) for part in value], axis=-1)
 
 
-def _material(texels: Texels, numbers: Numbers, has_sheen: bool) -> GltfMaterial:
+def _material(texels: Texels, numbers: Numbers, has_sheen: bool) -> StandardMaterial:
     """The material of texels for the numbers that are fitted.
 
     They are logarithms of factors of the families' diffuse albedos [2], specular albedos [2], transmission
-    [2], of α along the fibres [2] and across them as a multiple [2]; of the sheen's colour [3]; and the
+    [2], of α along the fibres [2] and across them as a multiple [2]; of the strength of sheen; and the
     logits of its roughness and of specularFactor; and the logarithm of the share of the slopes' covariance
     that widens highlights, at most 1.
     """
@@ -276,22 +213,23 @@ def _material(texels: Texels, numbers: Numbers, has_sheen: bool) -> GltfMaterial
     most = reflected.max(-1) + passed.max(-1)
     transmission = passed.max(-1) / np.maximum(most, 1e-6)
     axis_x, axis_y, alpha_x, alpha_y = _roughness(
-        texels, along, 1 + np.exp(numbers[8:10]), float(np.exp(min(numbers[15], 0.0)))
+        texels, along, 1 + np.exp(numbers[8:10]), float(np.exp(min(numbers[13], 0.0)))
     )
-    sheen = np.exp(numbers[10:13]) if has_sheen else np.zeros(3)
-    return GltfMaterial(
+    # Fly-away fibres reflect white light; of three numbers, the fit made the edges of wool red.
+    sheen = np.full(3, np.exp(min(numbers[10], 0.0)) if has_sheen else 0.0)
+    return StandardMaterial(
         base=np.minimum(reflected / np.maximum(1 - transmission, 1e-3)[..., None], 1),
         transmission=transmission,
         transmit=np.minimum(passed / np.maximum(transmission, 1e-6)[..., None], 1),
         specular=np.minimum(mixed(texels.specular, specular), 1),
-        weight=float(1 / (1 + np.exp(-numbers[14]))),
+        weight=float(1 / (1 + np.exp(-numbers[12]))),
         alpha_x=alpha_x,
         alpha_y=alpha_y,
         normal=texels.normal,
         axis_x=axis_x,
         axis_y=axis_y,
-        sheen=np.minimum(sheen, 1),
-        sheen_roughness=float(1 / (1 + np.exp(-numbers[13]))),
+        sheen=sheen,
+        sheen_roughness=float(1 / (1 + np.exp(-numbers[11]))),
     )
 
 
@@ -326,7 +264,7 @@ def _with_mean_kept(
     scaled = numbers.copy()
     for _ in range(4):
         found = values(scaled)
-        for side, factors in ((is_reflection, [0, 1, 14]), (~is_reflection, [4, 5])):
+        for side, factors in ((is_reflection, [0, 1, 12]), (~is_reflection, [4, 5])):
             ratio = truth[side].mean() / max(float(found[side].mean()), 1e-9)
             scaled[factors] = np.clip(scaled[factors] + np.log(np.clip(ratio, 0.25, 4)), -7, 7)
     return scaled
@@ -336,7 +274,7 @@ def _least_squares(
     residuals: Callable[[Numbers], Numbers], start: Numbers, has_sheen: bool, rounds: int = 25
 ) -> Numbers:
     """Levenberg and Marquardt's method with differences for derivatives."""
-    free = [k for k in range(len(start)) if has_sheen or k not in (10, 11, 12, 13)]
+    free = [k for k in range(len(start)) if has_sheen or k not in (10, 11)]
     numbers, damping = start.copy(), 1e-2
     current = residuals(numbers)
     for _ in range(rounds):

@@ -37,6 +37,12 @@ def check_folder(folder: str | os.PathLike[str]) -> None:
         raise InputError(f"{path}: the folder {parent} cannot be written to.")
 
 
+def check_file(path: str | os.PathLike[str], suffix: str) -> None:
+    """Raises InputError unless a path has the suffix of the one file that an export is."""
+    if Path(path).suffix.lower() != suffix:
+        raise InputError(f"{path}: this export is one file; give it a name that ends in {suffix}.")
+
+
 def _is_export(path: Path) -> bool:
     try:
         return _MARK in json.loads((path / MANIFEST).read_text(encoding="utf-8"))

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from loomlight.core.colour import linear_to_srgb
-from loomlight.exporters.fit import DIELECTRIC, FittedMaterial
+from loomlight.exporters.fit import FittedMaterial
+from loomlight.exporters.standards import DIELECTRIC
 
 Numbers = NDArray[np.float64]
 # The sample sheet: side and height of its waves, metres, and vertices a side.
@@ -60,17 +61,18 @@ def write_textures(folder: Path, textures: dict[str, NDArray[np.uint8]]) -> list
     names = []
     for name, pixels in textures.items():
         names.append(f"textures/{name}.png")
-        (folder / names[-1]).write_bytes(_png(pixels))
+        (folder / names[-1]).write_bytes(png_bytes(pixels))
     return names
 
 
-def _png(pixels: NDArray[np.uint8]) -> bytes:
+def png_bytes(pixels: NDArray[np.uint8]) -> bytes:
+    """A picture as the content of a PNG file."""
     stream = io.BytesIO()
     Image.fromarray(pixels).save(stream, format="png")
     return stream.getvalue()
 
 
-class _Buffer:
+class Buffer:
     """The binary buffer of a file, with its views and accessors."""
 
     def __init__(self) -> None:
@@ -79,6 +81,7 @@ class _Buffer:
         self.accessors: list[dict[str, Any]] = []
 
     def view(self, content: bytes, target: int | None = None) -> int:
+        """Appends content and returns the number of its view."""
         self.content += bytes(-len(self.content) % 4)
         entry = {"buffer": 0, "byteOffset": len(self.content), "byteLength": len(content)}
         if target is not None:
@@ -88,6 +91,7 @@ class _Buffer:
         return len(self.views) - 1
 
     def accessor(self, values: NDArray[Any], kind: str) -> int:
+        """Appends rows of vertices, or indices, and returns the number of their accessor."""
         is_index = values.dtype == np.uint32
         entry: dict[str, Any] = {
             "bufferView": self.view(values.tobytes(), _ELEMENTS if is_index else _ARRAY),
@@ -95,7 +99,7 @@ class _Buffer:
             "count": values.size if is_index else len(values),
             "type": kind,
         }
-        if kind == "VEC3" and not self.accessors:  # positions, the first ones, need bounds
+        if kind == "VEC3":  # positions need bounds
             entry |= {"min": values.min(0).tolist(), "max": values.max(0).tolist()}
         self.accessors.append(entry)
         return len(self.accessors) - 1
@@ -103,8 +107,8 @@ class _Buffer:
 
 def glb_of(name: str, material: FittedMaterial, textures: dict[str, NDArray[np.uint8]]) -> bytes:
     """A .glb file: a sheet of 10 cm with the material, textures within."""
-    buffer = _Buffer()
-    positions, normals, tangents, uv, faces = _sheet()
+    buffer = Buffer()
+    positions, normals, tangents, uv, faces = wavy_sheet()
     attributes = {
         "POSITION": buffer.accessor(positions, "VEC3"),
         "NORMAL": buffer.accessor(normals, "VEC3"),
@@ -113,12 +117,12 @@ def glb_of(name: str, material: FittedMaterial, textures: dict[str, NDArray[np.u
     }
     indices = buffer.accessor(faces, "SCALAR")
     images = [
-        {"name": key, "mimeType": "image/png", "bufferView": buffer.view(_png(pixels))}
+        {"name": key, "mimeType": "image/png", "bufferView": buffer.view(png_bytes(pixels))}
         for key, pixels in textures.items()
     ]
     width, height = material.size
     scale = [1000 * _SIDE / width, 1000 * _SIDE / height]
-    described = _material(name, material, list(textures), scale)
+    described = material_entry(name, material, list(textures), scale)
     tree = {
         "asset": {"version": "2.0", "generator": "loomlight"},
         "extensionsUsed": sorted({*described["extensions"], "KHR_texture_transform"}),
@@ -136,13 +140,25 @@ def glb_of(name: str, material: FittedMaterial, textures: dict[str, NDArray[np.u
         "bufferViews": buffer.views,
         "buffers": [{"byteLength": len(buffer.content)}],
     }
-    return _container(tree, buffer.content)
+    return container(tree, buffer.content)
 
 
-def _material(name: str, material: FittedMaterial, names: list[str], scale: list[float]) -> dict[str, Any]:
+def material_entry(
+    name: str, material: FittedMaterial, names: list[str], scale: list[float] | None, first: int = 0
+) -> dict[str, Any]:
+    """The entry of a material.
+
+    Args:
+        names: of its textures, in their order.
+        scale: repeats of the textures a unit of uv; None where uv count repeats.
+        first: number of the first of its textures.
+    """
+
     def texture(key: str) -> dict[str, Any]:
-        transform = {"scale": scale}
-        return {"index": names.index(key), "extensions": {"KHR_texture_transform": transform}}
+        entry: dict[str, Any] = {"index": first + names.index(key)}
+        if scale is not None:
+            entry["extensions"] = {"KHR_texture_transform": {"scale": scale}}
+        return entry
 
     width, height = material.size
     rows, columns = material.cover.shape
@@ -152,12 +168,13 @@ def _material(name: str, material: FittedMaterial, names: list[str], scale: list
             "specularColorFactor": [peak_of(material.specular) / DIELECTRIC] * 3,
             "specularColorTexture": texture("specular_color"),
         },
-        "KHR_materials_diffuse_transmission": {
+    }
+    if "diffuse_transmission" in names:
+        extensions["KHR_materials_diffuse_transmission"] = {
             "diffuseTransmissionFactor": 1.0,
             "diffuseTransmissionTexture": texture("diffuse_transmission"),
             "diffuseTransmissionColorTexture": texture("diffuse_transmission_color"),
-        },
-    }
+        }
     if "anisotropy" in names:
         extensions["KHR_materials_anisotropy"] = {
             "anisotropyStrength": 1.0,
@@ -183,12 +200,12 @@ def _material(name: str, material: FittedMaterial, names: list[str], scale: list
         "extras": {
             "repeat_mm": [width, height],
             "texel_mm": [width / columns, height / rows],
-            "uv_scale": "repeats of the weave along the sheet of 100 mm",
+            "uv_scale": "repeats of the weave along the sheet of 100 mm" if scale else "uv count repeats",
         },
     }
 
 
-def _sheet() -> tuple[NDArray[Any], ...]:
+def wavy_sheet() -> tuple[NDArray[Any], ...]:
     """Positions, normals, tangents, uv and faces of a sheet with gentle waves, y upwards as glTF has it."""
     v, u = np.meshgrid(np.linspace(0, 1, _VERTICES), np.linspace(0, 1, _VERTICES), indexing="ij")
     x, y = _SIDE * (u - 0.5), _SIDE * (0.5 - v)
@@ -217,8 +234,8 @@ def _sheet() -> tuple[NDArray[Any], ...]:
     )
 
 
-def _container(tree: dict[str, Any], content: bytes) -> bytes:
-    """glTF 2.0, section 4.4."""
+def container(tree: dict[str, Any], content: bytes) -> bytes:
+    """A .glb file of a document and its buffer (glTF 2.0, section 4.4)."""
     text = json.dumps(tree, separators=(",", ":"), ensure_ascii=False).encode()
     text += b" " * (-len(text) % 4)
     content += bytes(-len(content) % 4)

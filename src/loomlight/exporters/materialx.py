@@ -6,6 +6,7 @@ The fit is of glTF's material; roughness, anisotropy and transmission are conver
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -92,13 +93,25 @@ def write_document(path: Path, name: str, material: FittedMaterial) -> None:
     Raises:
         LoomlightError: MaterialX finds the document invalid.
     """
+    require_materialx().writeToXmlFile(document_of(name, material), str(path))
+
+
+def document_of(name: str, material: FittedMaterial, folder: str = "textures") -> Any:
+    """The document: a node graph `cloth_textures`, the surface `cloth_surface` and the material `cloth`.
+
+    Args:
+        folder: that its textures are said to lie in.
+
+    Raises:
+        LoomlightError: MaterialX finds the document invalid.
+    """
     mx = require_materialx()
     document = mx.createDocument()
     width, height = material.size
     # What colours of textures are converted to.
     document.setColorSpace("lin_rec709")
     document.setDocString(f"{name}: one repeat of the weave, {width:g} x {height:g} mm, is uv 0 to 1.")
-    _add_textures(document.addNodeGraph("cloth_textures"), 2 * float(_passed(material).max()))
+    _add_textures(document.addNodeGraph("cloth_textures"), 2 * float(_passed(material).max()), folder)
     shader = document.addNode("open_pbr_surface", "cloth_surface", "surfaceshader")
     for target, source, kind in (
         ("base_color", "base_color", "color3"),
@@ -125,15 +138,15 @@ def write_document(path: Path, name: str, material: FittedMaterial) -> None:
     surface = document.addNode("surfacematerial", "cloth", "material")
     surface.addInput("surfaceshader", "surfaceshader").setConnectedNode(shader)
     _require_valid(mx, document)
-    mx.writeToXmlFile(document, str(path))
+    return document
 
 
-def _add_textures(graph: Any, most_passed: float) -> None:
+def _add_textures(graph: Any, most_passed: float, folder: str) -> None:
     """The nodes that read the textures, and the outputs that the surface takes."""
 
     def image(texture: str, kind: str) -> Any:
         node = graph.addNode("image", f"image_{texture}_{kind}", kind)
-        file = node.setInputValue("file", f"textures/{texture}.png", "filename")
+        file = node.setInputValue("file", f"{folder}/{texture}.png", "filename")
         if kind == "color3":
             file.setColorSpace("srgb_texture")
         return node
@@ -181,13 +194,20 @@ def _add_textures(graph: Any, most_passed: float) -> None:
     output("tangent", node_of("normalize", "tangent_in_world", "vector3", in_=sum_of))
 
 
+@cache
+def standard_library() -> Any:
+    """MaterialX's own definitions of nodes."""
+    mx = require_materialx()
+    library = mx.createDocument()
+    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), mx.getDefaultDataSearchPath(), library)
+    return library
+
+
 def _require_valid(mx: Any, document: Any) -> None:
     """Raises LoomlightError unless the document follows MaterialX's standard library."""
     checked = mx.createDocument()
-    library = mx.createDocument()
-    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), mx.getDefaultDataSearchPath(), library)
     checked.copyContentFrom(document)
-    checked.setDataLibrary(library)
+    checked.setDataLibrary(standard_library())
     valid, message = checked.validate()
     if not valid:
         raise LoomlightError(f"The MaterialX document is invalid: {message.strip().splitlines()[0]}.")

@@ -8,7 +8,8 @@ has the mean normal of its points and the covariance of their slopes about it, b
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 from drjit.llvm import Float
@@ -23,6 +24,8 @@ Numbers = NDArray[np.float64]
 _POINTS_PER_TEXEL, _POINTS_PER_THREAD = 4, 8
 _MAX_POINTS = 1 << 24
 _MAX_TEXTURE = 4096
+# Texels whose means are computed at once: 500 MB.
+_MAX_BAND = 1 << 20
 # Threads across textures of uneven yarns, at least.
 _UNEVEN_THREADS = 24
 # Texels that yarns cover less are holes, which say nothing of the yarns.
@@ -32,29 +35,14 @@ MIN_COVER = 0.02
 _STEEPEST = 3.0
 
 
-# Arrays of `Texels` with an element a texel.
-_OF_TEXELS = (
-    "place",
-    "cover",
-    "share",
-    "normal",
-    "covariance",
-    "direction",
-    "diffuse",
-    "transmit",
-    "specular",
-)
-
-
 @dataclass(frozen=True, eq=False)
 class Texels:
-    """Texels [rows, columns, ...] of the front of whole repeats; row 0 is at the lower edge, column 0 at
-    the left.
+    """Texels [...] of one face of the cloth, in its frame: x along the weft, y along the warp, z to the eye.
 
     Attributes:
-        size: width and height, millimetres.
         place: where in the draft their middles are [..., 2], millimetres, as threads wander.
         cover: share that yarns cover, 0 to 1.
+        height: mean of the yarns, towards the eye, millimetres; 0 where there are none.
         share: of the warp and of the weft in what is covered [..., 2].
         normal: unit mean normal [..., 3].
         covariance: of slopes about it, along its x and y axes [..., 2, 2]; see `frames`.
@@ -63,9 +51,9 @@ class Texels:
         alpha: α of the fibres of each family [2].
     """
 
-    size: tuple[float, float]
     place: Numbers
     cover: Numbers
+    height: Numbers
     share: Numbers
     normal: Numbers
     covariance: Numbers
@@ -75,24 +63,25 @@ class Texels:
     specular: Numbers
     alpha: Numbers
 
-    def at(self, row: NDArray[np.int64], column: NDArray[np.int64]) -> Texels:
-        """Some texels, by their rows and columns [n]: arrays [n, ...]."""
-        chosen = {name: getattr(self, name)[row, column] for name in _OF_TEXELS}
-        return replace(self, **chosen)
+    def where(self, chosen: NDArray[np.bool_]) -> Texels:
+        """Some of the texels."""
+        arrays = {name: values[chosen] for name, values in vars(self).items() if name != "alpha"}
+        return Texels(**arrays, alpha=self.alpha)
 
-    def dilated(self) -> Texels:
-        """The same cover, and in holes what the nearest texel with yarns has.
 
-        Filters between texels would mix in what an empty one holds.
-        """
-        index = np.arange(self.cover.size).reshape(self.cover.shape)
-        known = self.cover > MIN_COVER
-        while known.any() and not known.all():
-            for axis, step in ((0, 1), (0, -1), (1, 1), (1, -1)):
-                reached = np.roll(known, step, axis) & ~known
-                index[reached] = np.roll(index, step, axis)[reached]
-                known |= reached
-        return replace(self.at(*np.unravel_index(index, self.cover.shape)), cover=self.cover)
+def nearest_covered(cover: NDArray[np.floating]) -> NDArray[np.int64]:
+    """Flat indices [rows, columns] of texels whose yarns stand for each: its own, in holes the nearest ones.
+
+    Filters between texels would mix in what an empty one holds.
+    """
+    index = np.arange(cover.size).reshape(cover.shape)
+    known = cover > MIN_COVER
+    while known.any() and not known.all():
+        for axis, step in ((0, 1), (0, -1), (1, 1), (1, -1)):
+            reached = np.roll(known, step, axis) & ~known
+            index[reached] = np.roll(index, step, axis)[reached]
+            known |= reached
+    return index
 
 
 def frames(normal: Numbers) -> tuple[Numbers, Numbers]:
@@ -110,13 +99,14 @@ def texture_grid(fabric: Fabric, texel_mm: float | None) -> tuple[int, int]:
     Raises:
         InputError: more than 4096 a side.
     """
-    picks, ends, width, height = _tile(fabric)
+    (width, height), (across, up) = fabric.layout().size, tile_repeats(fabric)
     if texel_mm is None:
-        columns, rows = 8 * ends, 8 * picks
+        picks, ends = fabric.layout().warp_on_top.shape
+        columns, rows = 8 * across * ends, 8 * up * picks
         factor = max(1.0, max(columns, rows) / _MAX_TEXTURE)
         columns, rows = int(columns / factor), int(rows / factor)
     else:
-        columns, rows = (max(4, round(side / texel_mm)) for side in (width, height))
+        columns, rows = (max(4, round(side / texel_mm)) for side in (across * width, up * height))
     if max(columns, rows) > _MAX_TEXTURE:
         raise InputError(
             f"Textures of {columns} × {rows} texels are too large, at most {_MAX_TEXTURE} a side: "
@@ -138,90 +128,136 @@ def tile_repeats(fabric: Fabric) -> tuple[int, int]:
     return -(-_UNEVEN_THREADS // ends), -(-_UNEVEN_THREADS // picks)
 
 
-def _tile(fabric: Fabric) -> tuple[int, int, float, float]:
-    """Picks, ends, width and height, millimetres, of `tile_repeats`."""
-    layout, (across, up) = fabric.layout(), tile_repeats(fabric)
-    picks, ends = layout.warp_on_top.shape
-    width, height = map(float, layout.size)
-    return up * picks, across * ends, across * width, up * height
+class TexelGrid:
+    """The texels of whole repeats of a fabric: row 0 at the lower edge, column 0 at the left.
 
+    Args:
+        repeats: across and up; by default `tile_repeats`.
+        back: of the face behind, in the same places: its frame is the front's with z turned.
+    """
 
-def texels_of(fabric: Fabric, columns: int, rows: int) -> Texels:
-    """The texels of `tile_repeats`."""
-    appearance = fabric.appearance()
-    picks, ends, width, height = _tile(fabric)
-    surface = ClothSurface(fabric, Float, tile_repeats(fabric))
-    nx, ny = (
-        max(_POINTS_PER_TEXEL, math.ceil(_POINTS_PER_THREAD * threads / texels))
-        for threads, texels in ((ends, columns), (picks, rows))
-    )
-    band = max(1, _MAX_POINTS // (columns * nx * ny))
-    parts = []
-    for first in range(0, rows, band):
-        count = min(band, rows - first)
-        parts.append(_points(fabric, surface, (columns, nx), (first, count, ny), rows))
-    arrays = {name: np.concatenate(of_bands) for name, *of_bands in zip(_OF_TEXELS, *parts, strict=True)}
-    families = (appearance.warp, appearance.weft)
-    alpha = np.array([family.roughness for family in families])
-    return Texels(size=(width, height), alpha=alpha, **arrays)
+    def __init__(
+        self,
+        fabric: Fabric,
+        columns: int,
+        rows: int,
+        repeats: tuple[int, int] | None = None,
+        back: bool = False,
+    ) -> None:
+        self.columns, self.rows, self.back = columns, rows, back
+        across, up = repeats or tile_repeats(fabric)
+        layout = fabric.layout()
+        picks, ends = layout.warp_on_top.shape
+        width, height = map(float, layout.size)
+        self.size = across * width, up * height
+        self._fabric = fabric
+        self._surface = ClothSurface(fabric, Float, (across, up))
+        # Points across and up in a texel.
+        self._points = tuple(
+            max(_POINTS_PER_TEXEL, math.ceil(_POINTS_PER_THREAD * threads / texels))
+            for threads, texels in ((across * ends, columns), (up * picks, rows))
+        )
 
+    @property
+    def step(self) -> tuple[float, float]:
+        """Width and height of a texel, millimetres."""
+        return self.size[0] / self.columns, self.size[1] / self.rows
 
-def _points(
-    fabric: Fabric,
-    surface: ClothSurface,
-    across: tuple[int, int],
-    along: tuple[int, int, int],
-    rows: int,
-) -> tuple[Numbers, ...]:
-    """The arrays `_OF_TEXELS` of some rows."""
-    appearance = fabric.appearance()
-    _, _, width, height = _tile(fabric)
-    (columns, nx), (first, count, ny) = across, along
-    index = np.arange(columns * nx * count * ny)
-    x = (index % (columns * nx) + 0.5) * (width / (columns * nx))
-    y = (index // (columns * nx) + 0.5 + first * ny) * (height / (rows * ny))
-    middles = np.arange(columns * count)
-    place = surface.place(
-        (middles % columns + 0.5) * (width / columns), (middles // columns + first + 0.5) * (height / rows)
-    )
-    # Plies and fibres as a footprint of a texel shows them: the model that is fitted has no others.
-    side = math.sqrt(0.5 * ((width / columns) ** 2 + (height / rows) ** 2))
-    point = surface.at(x, y, side)
+    def at(self, row: NDArray[np.int64], column: NDArray[np.int64]) -> Texels:
+        """The texels of rows and columns [n]."""
+        most = max(1, _MAX_POINTS // math.prod(self._points))
+        parts = [
+            self._texels(row[first : first + most], column[first : first + most])
+            for first in range(0, len(row), most)
+        ]
+        arrays = {
+            name: np.concatenate([vars(part)[name] for part in parts])
+            for name in vars(parts[0])
+            if name != "alpha"
+        }
+        return Texels(**arrays, alpha=parts[0].alpha)
 
-    def texels(values: NDArray[np.generic]) -> Numbers:
-        """Points of each texel: [rows, columns, points, ...]."""
-        shape = values.shape[1:]
-        grid = values.reshape(count, ny, columns, nx, *shape)
-        return np.moveaxis(grid, 1, 2).reshape(count, columns, ny * nx, *shape).astype(np.float64)
+    def bands(self) -> Iterator[Texels]:
+        """All texels, some rows at a time: arrays [rows * columns, ...]."""
+        most = max(1, _MAX_BAND // self.columns)
+        for first in range(0, self.rows, most):
+            count = min(most, self.rows - first)
+            row, column = np.divmod(np.arange(count * self.columns), self.columns)
+            yield self.at(row + first, column)
 
-    seen = texels(~point.hole)
-    weights = seen[..., None] * np.stack([texels(point.warp_share), texels(1 - point.warp_share)], axis=-1)
-    visible = np.maximum(seen.sum(2), 1e-9)
-    share = weights.sum(2) / visible[..., None]
-    normals, tangents = texels(point.normal), texels(point.tangent)
-    mean = (normals * seen[..., None]).sum(2) / visible[..., None]
-    length = np.linalg.norm(mean, axis=-1, keepdims=True)
-    normal = np.where(length > 1e-6, mean / np.maximum(length, 1e-6), [0.0, 0, 1])
-    axis_x, axis_y = (axis[:, :, None] for axis in frames(normal))
-    up = np.maximum((normals * normal[:, :, None]).sum(-1), 0.05)
-    slopes = np.stack([(normals * axis).sum(-1) / -up for axis in (axis_x, axis_y)], axis=-1)
-    slopes = np.clip(slopes, -_STEEPEST, _STEEPEST)
-    covariance = np.einsum("rcp,rcpi,rcpj->rcij", seen, slopes, slopes) / visible[..., None, None]
-    flat = np.stack([(tangents * axis).sum(-1) for axis in (axis_x, axis_y)], axis=-1)
-    direction = np.stack([_mean_axis(flat, weights[..., f]) for f in range(2)], axis=-2)
-    gain, albedos = texels(point.gain), []
-    for name in ("diffuse_reflect", "diffuse_transmit", "specular_reflect"):
-        means = []
-        for f, family in enumerate((appearance.warp, appearance.weft)):
-            table = np.asarray(getattr(family, name), np.float64)
-            colours = texels(table[point.threads[f]])
-            if name != "specular_reflect":
-                colours = colours * gain
-            sums = (colours * weights[..., f, None]).sum(2)
-            means.append(sums / np.maximum(weights[..., f].sum(2), 1e-9)[..., None])
-        albedos.append(np.stack(means, axis=-2))
-    places = place.T.reshape(count, columns, 2)
-    return (places, seen.mean(2), share, normal, covariance, direction, *albedos)
+    def filled(self) -> Texels:
+        """All texels [rows, columns, ...]; holes have the yarns of the nearest texel that has any."""
+        parts = list(self.bands())
+        whole = {
+            name: np.concatenate([vars(part)[name] for part in parts])
+            for name in vars(parts[0])
+            if name != "alpha"
+        }
+        nearest = nearest_covered(whole["cover"].reshape(self.rows, self.columns))
+        arrays = {name: values[nearest] for name, values in whole.items()}
+        cover = whole["cover"].reshape(nearest.shape)
+        return Texels(**(arrays | {"cover": cover}), alpha=parts[0].alpha)
+
+    def _texels(self, row: NDArray[np.int64], column: NDArray[np.int64]) -> Texels:
+        # Look at the points of each texel.
+        appearance = self._fabric.appearance()
+        (nx, ny), (step_x, step_y) = self._points, self.step
+        v, u = np.divmod(np.arange(nx * ny), nx)
+        x = ((column[:, None] + (u + 0.5) / nx) * step_x).ravel()
+        y = ((row[:, None] + (v + 0.5) / ny) * step_y).ravel()
+        place = self._surface.place((column + 0.5) * step_x, (row + 0.5) * step_y)
+        # Plies and fibres as a footprint of a texel shows them: the model that is fitted has no others.
+        side = math.sqrt(0.5 * (step_x**2 + step_y**2))
+        point = self._surface.at(x, y, side, self.back)
+
+        def of_texels(values: NDArray[np.generic]) -> Numbers:
+            """Points of each texel [texels, points, ...]."""
+            return values.reshape(len(row), nx * ny, *values.shape[1:]).astype(np.float64)
+
+        # Take the means of what the yarns show.
+        seen = of_texels(~point.hole)
+        weights = seen[..., None] * np.stack(
+            [of_texels(point.warp_share), of_texels(1 - point.warp_share)], axis=-1
+        )
+        visible = np.maximum(seen.sum(1), 1e-9)
+        share = weights.sum(1) / visible[:, None]
+        normals, tangents = of_texels(point.normal), of_texels(point.tangent)
+        mean = (normals * seen[..., None]).sum(1) / visible[:, None]
+        length = np.linalg.norm(mean, axis=-1, keepdims=True)
+        normal = np.where(length > 1e-6, mean / np.maximum(length, 1e-6), [0.0, 0, 1])
+        # Take the covariance of slopes, and the mean of directions.
+        axis_x, axis_y = (axis[:, None] for axis in frames(normal))
+        up = np.maximum((normals * normal[:, None]).sum(-1), 0.05)
+        slopes = np.stack([(normals * axis).sum(-1) / -up for axis in (axis_x, axis_y)], axis=-1)
+        slopes = np.clip(slopes, -_STEEPEST, _STEEPEST)
+        covariance = np.einsum("tp,tpi,tpj->tij", seen, slopes, slopes) / visible[:, None, None]
+        flat = np.stack([(tangents * axis).sum(-1) for axis in (axis_x, axis_y)], axis=-1)
+        direction = np.stack([_mean_axis(flat, weights[..., f]) for f in range(2)], axis=-2)
+        # Take the means of albedos.
+        gain, albedos = of_texels(point.gain), []
+        for name in ("diffuse_reflect", "diffuse_transmit", "specular_reflect"):
+            means = []
+            for f, family in enumerate((appearance.warp, appearance.weft)):
+                table = np.asarray(getattr(family, name), np.float64)
+                colours = of_texels(table[point.threads[f]])
+                if name != "specular_reflect":
+                    colours = colours * gain
+                sums = (colours * weights[..., f, None]).sum(1)
+                means.append(sums / np.maximum(weights[..., f].sum(1), 1e-9)[:, None])
+            albedos.append(np.stack(means, axis=-2))
+        return Texels(
+            place=place.T,
+            cover=seen.mean(1),
+            height=(of_texels(point.height) * seen).sum(1) / visible,
+            share=share,
+            normal=normal,
+            covariance=covariance,
+            direction=direction,
+            diffuse=albedos[0],
+            transmit=albedos[1],
+            specular=albedos[2],
+            alpha=np.array([family.roughness for family in (appearance.warp, appearance.weft)]),
+        )
 
 
 def _mean_axis(vectors: Numbers, weights: Numbers) -> Numbers:

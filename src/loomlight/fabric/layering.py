@@ -79,14 +79,15 @@ def stacked_layers(
     planes = _planes(found)
     if len(planes) == 1:
         return (), None
-    layers = tuple(_layer(drawdown, _threads_of(found, plane), families, width_of) for plane in planes)
-    if len(found.stacks) == 1:
-        return layers, None
     ranks = np.full((len(found.stacks), len(planes)), -1, np.int8)
     for number, stack in enumerate(found.stacks):
         for rank, systems in enumerate(stack):
             ranks[number, planes.index(systems)] = rank
-    return layers, Stacking(ranks, found.regions)
+    layers = tuple(
+        _layer(drawdown, _threads_of(found, plane), ranks[found.regions, number] >= 0, families, width_of)
+        for number, plane in enumerate(planes)
+    )
+    return layers, Stacking(ranks, found.regions) if len(found.stacks) > 1 else None
 
 
 def _planes(found: Layers) -> list[tuple[int, ...]]:
@@ -106,6 +107,7 @@ def _threads_of(found: Layers, systems: tuple[int, ...]) -> tuple[_Threads, _Thr
 def _layer(
     drawdown: NDArray[np.bool_],
     threads: tuple[_Threads, _Threads],
+    present: NDArray[np.bool_],
     families: tuple[FamilyLayout, FamilyLayout],
     width_of: WidthOf,
 ) -> Layer:
@@ -113,8 +115,13 @@ def _layer(
     (warp, ends, left), (weft, picks, bottom) = placed
     ends_float, picks_float = threads[1].size == 0, threads[0].size == 0
     # Threads that float lie over the hairline.
-    floating = np.full((picks.size, ends.size), ends_float)
-    own = floating if ends_float or picks_float else drawdown[np.ix_(picks, ends)]
+    own = np.full((picks.size, ends.size), ends_float)
+    if not (ends_float or picks_float):
+        # Where it is no layer of the cloth its threads are others', over which they float. None sees it:
+        # plain weave, the flattest, lets planes lie as near as they do.
+        plain = np.add.outer(np.arange(picks.size), np.arange(ends.size)) % 2 == 0
+        crossings = np.ix_(picks, ends)
+        own = np.where(present[crossings], drawdown[crossings], plain)
     return Layer(ClothLayout(own, warp, weft), ends, picks, (left, bottom))
 
 

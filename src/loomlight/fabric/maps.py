@@ -34,6 +34,7 @@ from loomlight.scattering.point import Albedos, YarnScattering
 from loomlight.scattering.variation import UNEVEN_CELL, Unevenness
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.stack import ClothGeometry, cloth_geometry
 
 Numbers = NDArray[np.float32]
 # Spacings over which the ends of a tile fade into each other: of where threads run, whose noise has cells of
@@ -82,9 +83,8 @@ class ClothSurface:
         layout, appearance = fabric.layout(), fabric.appearance()
         spacings = (float(layout.warp.spacing.mean()), float(layout.weft.spacing.mean()))
         self._unevenness = Unevenness(appearance, spacings)
-        geometry = YarnGeometry(layout)
-        self._irregular = IrregularYarns(geometry, appearance)
-        self._scattering = _TiledScattering(geometry, appearance, tile, self._irregular)
+        self._irregular = IrregularYarns(YarnGeometry(layout), appearance)
+        self._scattering = _TiledScattering(cloth_geometry(layout), appearance, tile, self._irregular)
         self._between = _interreflection(layout, appearance, float_type)
         varies = self._scattering.has_detail or self._scattering.varies or self._irregular.is_on
         self._tile = np.multiply(layout.size, tile) if tile is not None and varies else None
@@ -207,7 +207,7 @@ class _TiledScattering(YarnScattering):
 
     def __init__(
         self,
-        surface: YarnGeometry,
+        surface: ClothGeometry,
         appearance: Appearance,
         tile: tuple[int, int] | None,
         irregular: IrregularYarns,

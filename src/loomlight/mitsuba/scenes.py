@@ -16,11 +16,13 @@ from numpy.typing import NDArray
 from loomlight.core.camera_settings import CameraKeywords, CameraSettings
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.files import require_file
+from loomlight.core.picture_settings import Placement
 from loomlight.core.sentences import shown
 from loomlight.core.studio import PAPER, STUDIO_AZIMUTH, STUDIO_ELEVATION, paper_radiance, studio_radiance
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.facts import cloth_facts
 from loomlight.mesh.cloth_mesh import ClothMesh, MeshPart, joined, warn_of_extent, warn_of_scale
+from loomlight.mesh.clothing import Garment, placed, read_garment
 from loomlight.mesh.edges import EDGES, Edges
 from loomlight.mesh.file_camera import FileCamera
 from loomlight.mesh.garments import garment_parts
@@ -39,13 +41,9 @@ from loomlight.mitsuba.camera import (
 )
 from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
 from loomlight.mitsuba.meshes import (
-    Garment,
-    Placement,
     add_attributes,
     check_scene_meshes,
     from_shape,
-    placed,
-    read_garment,
     set_uv,
     to_shape,
 )

@@ -19,6 +19,7 @@ from loomlight.models.registry import (
     model_class,
     model_of_loom,
     options_of,
+    own_model,
     require_model_name,
     untrained,
 )
@@ -134,5 +135,7 @@ def resolve(
 def _spec(
     source: Source, model_name: str | None, options: Options | Mapping[str, Any] | None
 ) -> MaterialSpec:
+    if model_name is None and not options and (shown := own_model(source)) is not None:
+        return MaterialSpec(source, shown.name, held=shown)
     name = model_name or DEFAULT_MODEL
     return MaterialSpec(source, name, options_of(name, options))

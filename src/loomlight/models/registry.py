@@ -213,6 +213,8 @@ BTFS: dict[str, BtfEntry] = {
     "material": BtfEntry("loomlight.mitsuba.material_btf", "MaterialBtf", ("latent",)),
     "merl": BtfEntry("loomlight.models.texture.btfs", "MerlBtf", ("latent",)),
 }
+# Models of one kind of source, which show it as it is, without baking: module and class.
+OWN_MODELS = {"u3m": ("loomlight.models.standard.model", "StandardModel")}
 # Compiles the kernels of networks.
 _KERNELS = "llvmlite"
 DEFAULT_MODEL = "lobes"
@@ -304,6 +306,15 @@ def make_model(name: str, source: Source, options: Options | None = None, **valu
         InputError: there is none of that name, or it cannot handle this source or option.
     """
     return model_class(name, to_bake=True).for_source(source, options_of(name, options, **values))
+
+
+def own_model(source: Source) -> Model | None:
+    """The model that shows a source as it is; None for one that has to be baked."""
+    entry = OWN_MODELS.get(kind_of_source(source))
+    if entry is None:
+        return None
+    found: type[Model] = getattr(import_module(entry[0]), entry[1])
+    return found.for_source(source)
 
 
 def btf_of(source: Source, model: str) -> Btf:

@@ -7,22 +7,24 @@ need not be a fabric. `tables_for` gives what shaders need of a material beside 
 from __future__ import annotations
 
 import os
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, cast
 
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model, ShaderTables
 from loomlight.models.registry import (
     DEFAULT_MODEL,
+    OWN_MODELS,
     REALTIME_MODELS,
     is_installed,
     make_model,
     model_class,
     model_of_loom,
+    own_model,
     untrained,
 )
-from loomlight.sources.kinds import Source
-from loomlight.sources.load import fabric_of_path
+from loomlight.sources.kinds import Source, kind_of_file
+from loomlight.sources.load import fabric_of_path, load_source
 from loomlight.sources.loom_file import is_loom, read_loom
 
 Material: TypeAlias = Fabric | Model
@@ -37,8 +39,10 @@ def require_realtime_model(name: str) -> None:
 def material_of(material: Material | str | os.PathLike[str]) -> Material:
     """The material of a path: the model of a `.loom`, where there is one of it here, else the fabric.
 
+    Of a source that has a model of its own, such as a U3M, it is that model.
+
     Raises:
-        InputError: no such file, or neither.
+        InputError: no such file, or none of these.
     """
     if isinstance(material, Fabric | Model):
         return material
@@ -46,6 +50,8 @@ def material_of(material: Material | str | os.PathLike[str]) -> Material:
         loom = read_loom(material)
         if loom.model in REALTIME_MODELS:
             return model_of_loom(loom)
+    elif kind_of_file(material, "fabric") in OWN_MODELS:
+        return cast(Model, own_model(load_source(material)))
     return fabric_of_path(material)
 
 

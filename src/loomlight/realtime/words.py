@@ -7,6 +7,7 @@ their models into the buffers `fabrics`, `families`, `words` and `packed_numbers
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate import footprint_albedos
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
+from loomlight.core.errors import LoomlightWarning
 from loomlight.core.tables import Layer, Number, Packing, Shared, Size, Table, Tables
 from loomlight.models.fabric_model import ALBEDOS
 from loomlight.models.interface import ShaderTables
@@ -291,9 +293,21 @@ def pack_fabrics(
     return Packed(records, families.ravel(), buffers.words.words(), buffers.numbers.elements())
 
 
+def _warn_of_layers(layout: ClothLayout) -> None:
+    """Warns of cloth whose layers shaders do not know."""
+    if layout.depth > 1:
+        warnings.warn(
+            f"Shaders show a single plane, and this cloth has {layout.depth} layers: render, maps and "
+            "textured materials show them.",
+            LoomlightWarning,
+            stacklevel=3,
+        )
+
+
 def _pack_fabric(
     record: np.void, families: Record, table: WordTable, layout: ClothLayout, appearance: Appearance
 ) -> None:
+    _warn_of_layers(layout)
     geometry = YarnGeometry(layout)
     warp, weft = geometry.families
     means = FootprintAlbedos(geometry, appearance)

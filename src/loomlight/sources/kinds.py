@@ -39,6 +39,8 @@ from loomlight.sources.material import (
 )
 from loomlight.sources.merl import MerlLibrary, is_merl_file, load_merl, merl_from_record, merl_record
 from loomlight.sources.tile import TileScene, is_tile_file, load_tile, tile_from_record, tile_record
+from loomlight.sources.u3m import U3mMaterial, load_u3m, u3m_from_record, u3m_record
+from loomlight.sources.u3m_file import is_u3m_file
 
 Tensors = Mapping[str, NDArray[Any]]
 
@@ -87,6 +89,7 @@ SOURCE_KINDS: dict[str, SourceKind] = {
     "material": SourceKind(Material, material_record, material_from_record, load_material, is_material_file),
     "merl": SourceKind(MerlLibrary, merl_record, merl_from_record, load_merl, is_merl_file),
     "tile": SourceKind(TileScene, tile_record, tile_from_record, load_tile, is_tile_file),
+    "u3m": SourceKind(U3mMaterial, u3m_record, u3m_from_record, load_u3m, is_u3m_file),
     "btf": SourceKind(
         MeasuredBtf, measured_btf_record, measured_btf_from_record, load_measured_btf, is_btf_description
     ),

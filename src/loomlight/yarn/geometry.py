@@ -33,7 +33,14 @@ from loomlight.core.arrays import Float, FloatType, Int, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, move, upload
 from loomlight.yarn.flanks import Sheet, SurfacePoint, Tube, filled_share, meet_tube
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.threads import CELL_MAX_LEVELS, SECTION_ANGLE, FamilyTables, pack_runs, prepare_family
+from loomlight.yarn.threads import (
+    CELL_MAX_LEVELS,
+    CELL_MAX_SHIFT,
+    SECTION_ANGLE,
+    FamilyTables,
+    pack_runs,
+    prepare_family,
+)
 
 # Windows, in threads beyond a tile, on the sides that a ray may reach.
 PYRAMID_RADII = (1, 2, 4, 8)
@@ -563,7 +570,7 @@ class YarnGeometry:
         )
         word = dr.select(crossing.warp_above, crossing.words[0], crossing.words[1])
         return CellBounds(
-            cell_max=types.Float(word >> 28) * levels,
+            cell_max=types.Float(word >> CELL_MAX_SHIFT) * levels,
             side_x=dr.select(right, crossing.warp.above, crossing.warp.below),
             side_y=dr.select(up, crossing.weft.above, crossing.weft.below),
         )

@@ -19,11 +19,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, minimum, upload
+from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, upload
 from loomlight.yarn.flanks import Sheet, SurfacePoint, Tube, meet_tube
 from loomlight.yarn.geometry import CellBounds, Probe, YarnGeometry, upload_family
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.threads import place_family
+from loomlight.yarn.threads import CELL_MAX_LEVELS, CELL_MAX_SHIFT, place_family
 
 _Record = TypeVar("_Record", SurfacePoint, Tube, Probe)
 
@@ -49,6 +49,7 @@ class _Placed:
         threads: numbers in the draft of each layer's ends and picks.
         gains: largest height of each layer above its plane, as a share of that of the whole cloth.
         high, per_high: the latter and its inverse.
+        highest_first: of each layer, front and back: the highest of its planes where it is first.
     """
 
     def __init__(
@@ -78,6 +79,15 @@ class _Placed:
         self.cells = [upload_family(place_family(family), types) for family in (layout.warp, layout.weft)]
         self._ends = dr.opaque(types.UInt32, layout.warp_on_top.shape[1])
         self._regions = upload(types.UInt32, self.stacking.regions.ravel().astype(np.uint32))
+        # Of each layer where it is the first of a face: the highest of its planes, none if it is nowhere.
+        highest_first = [
+            np.where(of_face == 0, side * levels, -np.inf).max(axis=0)
+            for side, of_face in zip((1, -1), of_faces, strict=True)
+        ]
+        self.highest_first = [
+            [dr.opaque(types.Float, float(level)) for level in of_layer]
+            for of_layer in np.stack(highest_first, axis=1)
+        ]
 
     def order(self, x: Float, y: Float, back: Mask) -> _Order:
         """The order of layers at draft coordinates x, y (millimetres)."""
@@ -108,6 +118,7 @@ class StackedGeometry:
         self.layout = layout
         self.size = layout.size
         self.layers = [YarnGeometry(layer.layout) for layer in layout.layers]
+        self._shares = [_highest_shown(self, number) for number in range(len(self.layers))]
         self._placed: dict[type, tuple[bytes, _Placed]] = {}
         self.extents: dict[FloatType, Any] = {}
 
@@ -149,14 +160,32 @@ class StackedGeometry:
         return np.arange(len(self.layers), dtype=np.int8)[None]
 
     @property
+    def reaches(self) -> NDArray[np.float64]:
+        """How high each layer's yarns rise above its plane where it is a layer of the cloth [layers], mm.
+
+        Straight yarns do not rise; they are as thick as their sections drop.
+        """
+        scales = [float(np.max(np.asarray(scale))) for scale in self.height_scale]
+        return np.array(
+            [
+                max(
+                    scale
+                    * (float(family.edge_drop.max()) / 2 if family.is_straight else family.highest * share)
+                    for family, scale, share in zip(layer.families, scales, shares, strict=True)
+                )
+                for layer, shares in zip(self.layers, self._shares, strict=True)
+            ]
+        )
+
+    @property
     def levels(self) -> NDArray[np.float64]:
         """z of the plane of each layer in each stack [stacks, layers], mm; 0 where it is none of it."""
-        highest = np.array([layer.height_bounds[1] for layer in self.layers])
+        reaches = self.reaches
         levels = np.zeros(self.ranks.shape)
         for stack, ranks in enumerate(self.ranks):
             order = np.argsort(np.where(ranks < 0, 127, ranks), kind="stable")[: np.count_nonzero(ranks >= 0)]
             # Each plane is as far below the one before as both reach.
-            reach = highest[order]
+            reach = reaches[order]
             depth = 2 * np.cumsum(reach) - reach
             levels[stack, order] = reach.sum() - depth
         return levels
@@ -164,8 +193,8 @@ class StackedGeometry:
     @property
     def height_bounds(self) -> tuple[float, float]:
         """No thread is ever lower or higher than this, millimetres, on either face."""
-        low, high = np.array([layer.height_bounds for layer in self.layers]).T
-        levels, present = self.levels, self.ranks >= 0
+        low = np.array([layer.height_bounds[0] for layer in self.layers])
+        levels, present, high = self.levels, self.ranks >= 0, self.reaches
         return (
             min(float((side * levels + low)[present].min()) for side in (1, -1)),
             max(float((side * levels + high)[present].max()) for side in (1, -1)),
@@ -194,22 +223,31 @@ class StackedGeometry:
     def max_heights(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> list[tuple[float, Float]]:
         """Bounds of heights ahead of draft coordinates x, y (mm): those of the first layer of the face.
 
-        Where layers change places there are none but those of the whole cloth.
+        Where layers change places they are those of the highest that is first somewhere.
         """
         placed = self._on(array_types(x))
-        if placed.stacking is not None:
-            return []
-        order = placed.order(x, y, back)
 
-        def bounds(number: int) -> list[tuple[float, Float]]:
+        def bounds(number: int, level: Float) -> list[tuple[float, Float]]:
             start, layer = placed.starts[number], self.layers[number]
             own = layer.max_heights(x - start[0], y - start[1], back, right, up)
-            level = order.levels[number] * placed.per_high
+            level = level * placed.per_high
             return [(radius, dr.fma(share, placed.gains[number], level)) for radius, share in own]
 
+        if placed.stacking is not None:
+            layers = [
+                bounds(number, dr.select(back, behind, front))
+                for number, (front, behind) in enumerate(placed.highest_first)
+            ]
+            return [
+                (ring[0][0], reduce(maximum, [share for _, share in ring]))
+                for ring in zip(*layers, strict=True)
+            ]
+        order = placed.order(x, y, back)
         return [
             (radius, dr.select(back, behind, front))
-            for (radius, front), (_, behind) in zip(bounds(0), bounds(-1), strict=True)
+            for (radius, front), (_, behind) in zip(
+                bounds(0, order.levels[0]), bounds(-1, order.levels[-1]), strict=True
+            )
         ]
 
     def probe(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> Probe:
@@ -254,14 +292,6 @@ class StackedGeometry:
         up: Mask,
         probes: Sequence[Probe] | None,
     ) -> CellBounds:
-        if placed.stacking is not None:
-            across, along = placed.cells[0].locate(x), placed.cells[1].locate(y)
-            return CellBounds(
-                placed.high,
-                dr.select(right, across.above, across.below),
-                dr.select(up, along.above, along.below),
-            )
-
         def bounds(number: int) -> CellBounds:
             start = placed.starts[number]
             own = (
@@ -271,7 +301,18 @@ class StackedGeometry:
             )
             return replace(own, cell_max=own.cell_max + order.levels[number])
 
-        return _select(back, bounds(-1), bounds(0))
+        if placed.stacking is None:
+            return _select(back, bounds(-1), bounds(0))
+        first = bounds(0)
+        for number in range(1, len(self.layers)):
+            first = _select(order.ranks[number] == 0, bounds(number), first)
+        # The order is that of one crossing of the draft.
+        across, along = placed.cells[0].locate(x), placed.cells[1].locate(y)
+        return CellBounds(
+            first.cell_max,
+            minimum(first.side_x, dr.select(right, across.above, across.below)),
+            minimum(first.side_y, dr.select(up, along.above, along.below)),
+        )
 
     def surface(self, x: Float, y: Float, back: Mask, ray: tuple[Vec3, Float] | None = None) -> SurfacePoint:
         """The first yarn at draft coordinates x, y (millimetres); for `ray` see `YarnGeometry.surface`."""
@@ -321,6 +362,24 @@ class StackedGeometry:
             points.append(point)
             tubes.append(tube)
         return points, tubes, order
+
+
+def _highest_shown(stack: StackedGeometry, number: int) -> tuple[float, float]:
+    """Highest warp and weft of a layer where it is one of the cloth, as shares of the highest anywhere.
+
+    Elsewhere its threads are others' layers, and float as none of its own do.
+    """
+    layout, layer = stack.layout, stack.layout.layers[number]
+    words = stack.layers[number].words[0].reshape(-1, 2)
+    if layout.stacking is not None:
+        here = layout.stacking.ranks[:, number] >= 0
+        shown = here[layout.stacking.regions[np.ix_(layer.picks, layer.ends)]]
+        # Cells of the layer are wider than those of the draft, and reach into the regions beside.
+        for axis in (0, 1):
+            shown = shown | np.roll(shown, 1, axis) | np.roll(shown, -1, axis)
+        words = words[shown.ravel()]
+    warp, weft = (words.max(axis=0, initial=0) >> CELL_MAX_SHIFT) / CELL_MAX_LEVELS
+    return float(warp), float(weft)
 
 
 # More than the rank of any layer: of those that are absent, and where none shows.

@@ -23,6 +23,10 @@ MAX_NEIGHBOUR = 63
 # Crossings that one bent end of a float may take up at most; see the saturation above.
 MAX_ARC = 28
 CELL_MAX_LEVELS = 15
+# Millimetres: of threads that never interlace, so that shares of the highest crown mean something.
+FLATTEST_CROWN = 1e-5
+# Words hold them in their highest bits.
+CELL_MAX_SHIFT = 28
 
 
 # Words that are processed at once: temporary arrays stay within caches.
@@ -131,6 +135,11 @@ class FamilyTables:
         return bool((np.abs(rows - first) <= 1e-9 * np.abs(first)).all())
 
     @property
+    def is_straight(self) -> bool:
+        """Whether no thread interlaces."""
+        return self.highest <= FLATTEST_CROWN
+
+    @property
     def finest(self) -> float:
         """Size of the smallest cell, millimetres."""
         return float((self.upper - self.lower).min())
@@ -198,13 +207,13 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
 
     # Find how high floats rise, and how deep the edges of runs dive.
     lowest_edge = 1.0  # in units of the section's drop
-    highest = 0.0
+    highest = FLATTEST_CROWN
     gap_below = cross_centre - cross_half - cross_lower
     gap_above = cross_upper - cross_centre - cross_half
     for threads, part in shown.blocks():
         ends = _run_ends(part, cross_lower, cross_upper, cross_period)
         reach = np.minimum(ends.length / 2, arc[threads, None])
-        rise = np.where(np.isfinite(reach), reach * np.tan(inclination[threads, None] / 2), 0.0)
+        rise = np.where(np.isfinite(ends.length), reach * np.tan(inclination[threads, None] / 2), 0.0)
         highest = max(highest, float(rise.max()))
         for is_end, neighbour, distance in (
             (ends.starts, ends.before, gap_below),
@@ -276,10 +285,10 @@ class _ShownWords:
         """Adds to all words their cells' maxima, given those of the words here [n, m]."""
         if self.distinct is None:
             for threads in row_blocks(*maxima.shape):
-                self.words[threads] |= maxima[threads].astype(np.uint32) << np.uint32(28)
+                self.words[threads] |= maxima[threads].astype(np.uint32) << np.uint32(CELL_MAX_SHIFT)
             return
         table = np.zeros(self._met.shape, np.uint32)
-        table[self._met] = maxima[self._filled].astype(np.uint32) << np.uint32(28)
+        table[self._met] = maxima[self._filled].astype(np.uint32) << np.uint32(CELL_MAX_SHIFT)
         for rows in row_blocks(*self._all.shape):
             self._all[rows] |= table.take(self._places(rows))
 

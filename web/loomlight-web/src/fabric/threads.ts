@@ -9,6 +9,7 @@ import { InputError } from "loomlight-fabric";
 import {
   CELL_MAX_LEVELS,
   FINEST_CELL,
+  FLATTEST_CROWN,
   MAX_ARC,
   MAX_NEIGHBOUR,
   MAX_OFFSET,
@@ -148,7 +149,7 @@ interface Bends {
 /** The highest crown, and the lowest visible edge in units of the section's drop, at least 1. */
 function heightsOf(runs: RunLengths, bends: Bends): { highest: number; lowestEdge: number } {
   const { own, other, section, inclination, arc } = bends;
-  let highest = 0;
+  let highest = FLATTEST_CROWN;
   let lowestEdge = 1;
   for (let thread = 0; thread < own.lower.length; thread++) {
     const tilt = inclination[thread]!;
@@ -157,7 +158,7 @@ function heightsOf(runs: RunLengths, bends: Bends): { highest: number; lowestEdg
     for (let at = 0; at < runs.crossings; at++) {
       const run = runs.at(thread, at);
       const reach = Math.min(run.length / 2, arc[thread]!);
-      highest = Math.max(highest, reach * rise);
+      if (Number.isFinite(run.length)) highest = Math.max(highest, reach * rise);
       const edge = (neighbour: number, distance: number): void => {
         const height = edgeHeight(distance, reach, Math.min(neighbour / 2, arc[thread]!), shape);
         lowestEdge = Math.max(lowestEdge, -height / shape.section);

@@ -1,0 +1,1 @@
+"""A fabric file from a photograph of flat cloth."""

@@ -1,0 +1,236 @@
+"""Which weave the crossings of a photograph show: named weaves in all places, told by colour and shading.
+
+Of a structure each end has one colour, each pick has one, and each crossing shows that of the thread on top;
+warp and weft each have a mean of the two numbers of shading. What is left after these means are taken out
+says how well the structure fits, a likelihood whose variances are unknown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.capture.crossings import Crossings
+from loomlight.weave.named import named_weave
+from loomlight.weave.structures import satin_steps
+
+Structure = NDArray[np.bool_]
+
+# Share of a channel's variance that noise has at least: what no photograph is free of.
+_NOISE_FLOOR = 0.02
+# Deviation of encoded colours below which two families look alike.
+_SAME_COLOUR = 0.012
+
+
+@dataclass(frozen=True, eq=False)
+class WeaveFit:
+    """One structure in its best place.
+
+    Attributes:
+        name: as `named_weave` reads it.
+        structure: bool [picks, ends], one repeat, True where the warp is on top.
+        shift: which pick and end of the repeat row 0 and column 0 of the crossings are.
+        score: logarithm of its likelihood, above that of one family alone.
+        unsigned: the same, whichever family the shading says is on top.
+    """
+
+    name: str
+    structure: Structure
+    shift: tuple[int, int]
+    score: float
+    unsigned: float
+
+    def table(self, shape: tuple[int, int]) -> Structure:
+        """The drawdown of all crossings, bool [picks, ends]."""
+        return placed(self.structure, self.shift, shape)
+
+
+def placed(structure: Structure, shift: tuple[int, int], shape: tuple[int, int]) -> Structure:
+    """A repeat over a whole table, begun at a pick and an end of it."""
+    picks, ends = structure.shape
+    rows, columns = (np.arange(shape[0]) + shift[0]) % picks, (np.arange(shape[1]) + shift[1]) % ends
+    return np.asarray(structure[np.ix_(rows, columns)])
+
+
+@cache
+def candidates() -> tuple[tuple[str, bytes, tuple[int, int]], ...]:
+    """Names and structures of all weaves that are tried; no two are the same in other places."""
+    found: dict[tuple[tuple[int, int], bytes], str] = {}
+    for name in _names():
+        structure = named_weave(name).drawdown
+        found.setdefault((structure.shape, _canonical(structure)), name)
+    return tuple(
+        (name, np.packbits(named_weave(name).drawdown).tobytes(), named_weave(name).drawdown.shape)
+        for name in found.values()
+    )
+
+
+def _names() -> Iterator[str]:
+    yield "plain"
+    for over in range(1, 6):
+        for under in range(1, 6):
+            if 3 <= over + under <= 8:
+                yield from (f"twill {over}/{under} {way}" for way in "zs")
+    for parts in ("1/1/2/2", "2/1/1/2", "3/1/1/3", "3/1/1/1", "1/1/1/3", "2/2/1/1", "3/2/1/2", "3/3/1/1"):
+        yield from (f"twill {parts} {way}" for way in "zs")
+    for ends in (5, 6, 7, 8, 10):
+        for step in satin_steps(ends):
+            yield from (f"{kind} {ends}/{step}" for kind in ("satin", "sateen"))
+    for ends, picks in ((2, 2), (3, 3), (4, 4), (2, 1), (1, 2), (3, 2), (2, 3)):
+        yield f"basket {ends}/{picks}"
+    for counts in ("2/2", "3/3", "2/1", "3/1", "4/4"):
+        yield from (f"{kind} rib {counts}" for kind in ("warp", "weft"))
+    for parts in ("2/2", "2/1", "3/1", "1/3", "3/3"):
+        for leg in (4, 6, 8, 9, 10, 12, 16):
+            yield f"herringbone {parts} {leg}"
+    for parts in ("2/2", "3/1", "1/3", "2/1"):
+        for leg in (4, 6, 8):
+            yield f"diamond {parts} {leg}"
+    yield from ("waffle 6", "waffle 8", "waffle 10", "crepe")
+
+
+def _canonical(structure: Structure) -> bytes:
+    """The least of all its shifts."""
+    picks, ends = structure.shape
+    return min(
+        np.roll(structure, (down, right), axis=(0, 1)).tobytes()
+        for down in range(picks)
+        for right in range(ends)
+    )
+
+
+def fit_weaves(crossings: list[Crossings]) -> list[WeaveFit]:
+    """All weaves in their best places, best first.
+
+    Args:
+        crossings: of the face, and where there is a photograph of it, of the back, seen from behind.
+    """
+    evidence = [_Evidence(part) for part in crossings]
+    fits = []
+    for name, packed, shape in candidates():
+        bits = np.unpackbits(np.frombuffer(packed, np.uint8), count=shape[0] * shape[1])
+        structure = bits.reshape(shape).astype(bool)
+        fits.append(_best_place(name, structure, evidence))
+    return sorted(fits, key=lambda fit: -fit.score)
+
+
+def fit_structure(name: str, structure: Structure, crossings: list[Crossings]) -> WeaveFit:
+    """One structure in its best place."""
+    return _best_place(name, structure, [_Evidence(part) for part in crossings])
+
+
+def complement_of(fit: WeaveFit, fits: list[WeaveFit]) -> WeaveFit | None:
+    """Of the fits of all weaves that of the cloth whose families have changed places; None if unnamed."""
+    opposite = ~fit.structure
+    wanted = opposite.shape, _canonical(opposite)
+    for other in fits:
+        if (other.structure.shape, _canonical(other.structure)) == wanted:
+            # In the place where the same crossings are told apart.
+            place = next(
+                (down, right)
+                for down in range(opposite.shape[0])
+                for right in range(opposite.shape[1])
+                if np.array_equal(placed(other.structure, (down, right), opposite.shape), opposite)
+            )
+            shift = (
+                (fit.shift[0] + place[0]) % opposite.shape[0],
+                (fit.shift[1] + place[1]) % opposite.shape[1],
+            )
+            return WeaveFit(other.name, other.structure, shift, other.score, fit.unsigned)
+    return None
+
+
+def _best_place(name: str, structure: Structure, evidence: list[_Evidence]) -> WeaveFit:
+    score, unsigned, shift = evidence[0].best(structure)
+    for behind in evidence[1:]:
+        # From behind, left is right, and the other family is on top.
+        of_back, unsigned_of_back, _ = behind.best(~structure[:, ::-1])
+        score, unsigned = score + of_back, unsigned + unsigned_of_back
+    # A structure of many crossings has as many more places where chance may fit it.
+    chance = float(np.log(structure.size))
+    return WeaveFit(name, structure, shift, score - chance, unsigned - chance)
+
+
+class _Evidence:
+    """The channels of a table of crossings."""
+
+    def __init__(self, crossings: Crossings) -> None:
+        self._colour = crossings.colour - crossings.colour.mean(axis=(0, 1))
+        self._shading = [_bounded(part) for part in (crossings.roundness, crossings.edging)]
+        self.shape = crossings.shape
+        self._votes = crossings.votes
+        self._floor = _SAME_COLOUR**2 * crossings.colour.size
+
+    def best(self, structure: Structure) -> tuple[float, float, tuple[int, int]]:
+        """The score of a structure in its best place, the same unsigned, and that place."""
+        signed, unsigned = self.scores(structure)
+        down, right = np.unravel_index(int(np.argmax(signed)), signed.shape)
+        place = int(down), int(right)
+        return float(signed[place]), float(unsigned[place]), place
+
+    def scores(self, structure: Structure) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Logarithms of the likelihood in all places, against no weave, signed and unsigned [picks, ends]."""
+        turned = _turned(structure)
+        total = float(np.square(self._colour).sum()) + self._floor
+        explained = _explained(turned, self._colour)
+        # Of picks the table is laid on its side, and the weft is what is on top.
+        explained += _explained(~turned.transpose(1, 0, 3, 2), self._colour.transpose(1, 0, 2)).T
+        gain = -0.5 * np.log(np.maximum((total - explained) / total, _NOISE_FLOOR))
+        unsigned = gain.copy()
+        counts = _folded(np.ones(self.shape), structure.shape)
+        over_count = np.einsum("abpq,pq->ab", turned, counts)
+        under_count = counts.sum() - over_count
+        for channel in self._shading:
+            sums = _folded(channel, structure.shape)
+            over = np.einsum("abpq,pq->ab", turned, sums)
+            under = sums.sum() - over
+            apart = over / np.maximum(over_count, 1) - under / np.maximum(under_count, 1)
+            share = over_count / counts.sum()
+            between = share * (1 - share) * np.square(apart) / (float(channel.var()) + 1e-9)
+            part = -0.5 * np.log(np.maximum(1 - between, _NOISE_FLOOR))
+            gain += np.where(apart > 0, part, -part)
+            unsigned += part
+        return self._votes * gain, self._votes * unsigned
+
+
+def _turned(structure: Structure) -> NDArray[np.bool_]:
+    """A repeat begun at each of its picks and ends, bool [picks, ends, picks, ends]."""
+    picks, ends = structure.shape
+    rows = (np.arange(picks)[:, None] + np.arange(picks)[None, :]) % picks
+    columns = (np.arange(ends)[:, None] + np.arange(ends)[None, :]) % ends
+    return structure[rows[:, None, :, None], columns[None, :, None, :]]
+
+
+def _folded(channel: NDArray[np.float64], repeat: tuple[int, int]) -> NDArray[np.float64]:
+    """Sums over all crossings at one place of a repeat [picks, ends]."""
+    return _folded_along(_folded_along(channel, repeat[0]).swapaxes(0, 1), repeat[1]).swapaxes(0, 1)
+
+
+def _folded_along(table: NDArray[np.float64], period: int) -> NDArray[np.float64]:
+    """Sums over rows of one number modulo a period [period, ...]."""
+    missing = -len(table) % period
+    padded = np.concatenate([table, np.zeros((missing, *table.shape[1:]))])
+    return np.asarray(padded.reshape(-1, period, *table.shape[1:]).sum(axis=0))
+
+
+def _explained(turned: NDArray[np.bool_], colour: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Sum of squares of the mean of each end where it is on top, in all places [picks, ends]."""
+    picks, ends = turned.shape[:2]
+    sums = _folded_along(colour, picks)
+    counts = _folded_along(np.ones(colour.shape[:2]), picks)
+    # Which end of the repeat each end of the table is.
+    of_table = turned[..., np.arange(colour.shape[1]) % ends].astype(np.float64)
+    total = np.einsum("abpi,pic->abic", of_table, sums)
+    number = np.einsum("abpi,pi->abi", of_table, counts)
+    return np.asarray((np.square(total).sum(axis=-1) / np.maximum(number, 1)).sum(axis=-1))
+
+
+def _bounded(channel: NDArray[np.float64]) -> NDArray[np.float64]:
+    """A channel whose few wild values count no more than three deviations."""
+    middle = np.median(channel)
+    spread = 1.4826 * np.median(np.abs(channel - middle)) + 1e-9
+    return np.asarray(np.clip(channel - middle, -3 * spread, 3 * spread))

@@ -1,0 +1,72 @@
+"""What every engine knows of a material: base colour, opacity, normal, one roughness, one reflectance.
+
+Of a fitted material the mean reflection is kept: light that the sheen reflects becomes colour, light that
+passes is left out, highlights are as wide as those along and across fibres in the mean, and their reflectance
+at normal incidence is what gives Schlick's rise to 1 the albedo of the fit's to its own weight.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.colour import linear_to_srgb
+from loomlight.exporters.fit import FittedMaterial
+from loomlight.exporters.gltf import eight_bits
+from loomlight.exporters.standards import Numbers, sheen_albedo
+
+# Mean of Schlick's (1 − cos θ)⁵ over the hemisphere.
+_SCHLICK_MEAN = 1 / 21
+# Of glass of an index of 1.5, which engines take for the middle of what a surface may reflect.
+_MAX_REFLECTANCE = 0.08
+
+
+@dataclass(frozen=True, eq=False)
+class MetalRough:
+    """Textures [rows, columns, ...], linear, row 0 at the lower edge; and numbers for all texels.
+
+    Attributes:
+        size: of what the textures hold, millimetres.
+        base: base colour [..., 3]. opacity: 0 to 1. normal: unit vectors [..., 3], z away from the cloth.
+        roughness: the root of GGX's α, 0 to 1.
+        reflectance: at normal incidence, 0 to 0.08; at grazing angles it is 1.
+    """
+
+    size: tuple[float, float]
+    base: Numbers
+    opacity: Numbers
+    normal: Numbers
+    roughness: Numbers
+    reflectance: float
+
+    def base_color(self, opaque: bool = False) -> NDArray[np.uint8]:
+        """sRGB and, unless it is opaque, opacity, row 0 at the upper edge."""
+        colour = linear_to_srgb(self.base)
+        return eight_bits(colour if opaque else np.concatenate([colour, self.opacity[..., None]], axis=-1))
+
+    def normal_map(self, y_down: bool = False) -> NDArray[np.uint8]:
+        """Of OpenGL, whose green is up, or of DirectX, where it is down; row 0 at the upper edge."""
+        return eight_bits(0.5 + 0.5 * self.normal * [1, -1 if y_down else 1, 1])
+
+
+def metal_rough(material: FittedMaterial) -> MetalRough:
+    """The nearest such material."""
+    sheen = material.sheen * _mean_sheen(material.sheen_roughness)
+    reflected = material.base * (1 - material.transmission)[..., None]
+    glossy = material.weight * (material.specular.mean() * (1 - _SCHLICK_MEAN) + _SCHLICK_MEAN)
+    return MetalRough(
+        size=material.size,
+        base=np.clip(reflected * (1 - sheen.max()) + sheen, 0, 1),
+        opacity=material.cover,
+        normal=material.normal,
+        roughness=(material.alpha_x * material.alpha_y) ** 0.25,
+        reflectance=float(np.clip((glossy - _SCHLICK_MEAN) / (1 - _SCHLICK_MEAN), 0, _MAX_REFLECTANCE)),
+    )
+
+
+def _mean_sheen(roughness: float) -> float:
+    """Share of the light that white sheen reflects, in the mean over directions."""
+    cosines = (np.arange(64) + 0.5) / 64
+    return float((2 * cosines * sheen_albedo(cosines, max(roughness**2, 1e-3))).mean())

@@ -1,0 +1,1 @@
+"""Textured standard materials as a model: bought ones beside cloth, in one scene."""

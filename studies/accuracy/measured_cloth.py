@@ -1,0 +1,407 @@
+"""Cloth of ours beside measured BRDFs: how near the nearest plausible fabric comes, and where it is wrong.
+
+Each of 14 measured fabrics and 7 felts (`instruments/measured_brdf.py`) is fitted by cloth of one yarn:
+weave, height and twist out of a few; colour, strength, tint and roughness of the highlight, and sheen by
+least squares. They are isotropic, so ours is the mean over turns of the cloth. The error is the rms of
+ln(f·cos + 0.001) over pairs of light and view to 80°, of the fabric file that the fit writes, by `lobes`.
+Lambert's and Mitsuba's principled BSDF with sheen are fitted alike, the latter with nine numbers where ours
+has eight and a choice of twelve cloths.
+
+*With Fresnel* is the same cloth if fibres reflected more towards grazing, as glass and horn do:
+k + (k₉₀ − k)(1 − o·h)⁵ in the place of the highlight's albedo k (Schlick 1994), with k₉₀ = 3, at which the
+layer of fibres reflects all that it meets. No model has it yet.
+
+Curves tell cloth from paint: albedo at 75° over that at 0°, what returns to the light at 60° over that at 0°,
+and the mirror's direction at 75° over that at 0°.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import product
+from typing import Any
+
+import mitsuba as mi
+import numpy as np
+from drjit.llvm.ad import Array3f, Float
+from scipy.optimize import least_squares
+
+from loomlight.core.colour import to_hex
+from loomlight.core.llvm import require_llvm
+from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.table import Cell, Table
+from loomlight.fabric import fabric_from_text
+from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.resolve import OPTICAL_DEPTH
+from loomlight.scattering.albedo import albedos_from_colour
+from loomlight.scattering.fibre import cloth_layer_bound
+from loomlight.scattering.sheen import sheen_with_transmittance
+from studies.harness.study import Figures, Found, Pixels, Run, Study, listed, names
+from studies.instruments.directions import above, by_cosine, direction
+from studies.instruments.measured_brdf import measured_brdfs
+from studies.instruments.standard_brdfs import Fitted, lambert, principled
+from studies.instruments.turned_cloth import Floats, Pairs, TurnedTerms, turned_terms, turned_value
+
+# Cloth to choose from.
+WEAVES = ("plain", "twill 2/2", "satin 5/2")
+HEIGHTS = (0.4, 0.8)
+TWISTS = (0.0, -25.0)
+# Grids of what is interpolated.
+ROUGHNESSES = (0.1, 0.16, 0.25, 0.4, 0.63, 1.0)
+SHEEN_ROUGHNESSES = (0.05, 0.15, 0.25, 0.4, 0.6, 0.8, 1.0)
+GREYS = (0.02, 0.1, 0.3, 0.6, 0.9)
+TRANSLUCENCY = 0.12
+FLOOR = 1e-3
+# The highlight's albedo at grazing, with Fresnel: one over the share that a layer of fibres reflects at 1.
+GRAZING = 3.0
+# Pairs that fits see.
+FITTED = 1024
+VIEWS = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0)
+_OURS = ("specular", "tint", "roughness", "sheen", "sheen roughness")
+
+
+@dataclass(frozen=True)
+class MeasuredCloth(Settings):
+    """Which BRDFs, and over how many pairs."""
+
+    brdfs: str = names("", "Of the file, as set/name; by default all.")
+    weaves: str = names(",".join(WEAVES), "Weaves to choose from.")
+    heights: int = setting(
+        len(HEIGHTS), "Heights to choose from, the first so many.", low=1, high=len(HEIGHTS)
+    )
+    pairs: int = setting(4096, "Of light and view.", low=64, high=1 << 16)
+    turns: int = setting(12, "Of the cloth.", low=2, high=64)
+
+
+@dataclass(frozen=True)
+class Cloth:
+    """A cloth of one yarn, whatever its colours."""
+
+    weave: str
+    height: float
+    twist: float
+
+    def fabric(self, albedo: str, roughness: float, more: str = "", sheen: str = "") -> Fabric:
+        """The fabric of a colour, both families alike."""
+        yarn = (
+            f'albedo = "{albedo}"\nroughness = {roughness:.4f}\nheight_scale = {self.height}\n'
+            f"twist_deg = {self.twist}\ntranslucency = {TRANSLUCENCY}\n{more}"
+        )
+        return fabric_from_text(f'weave = "{self.weave}"\n[warp]\n{yarn}\n[weft]\n{yarn}\n{sheen}')
+
+
+class ClothFit:
+    """What cloth of one structure answers for pairs, as its colours and highlights are chosen."""
+
+    def __init__(self, cloth: Cloth, pairs: Pairs, turns: int) -> None:
+        self.cloth = cloth
+        half_grey = to_hex(np.full(3, 0.3))
+        self._terms = [turned_terms(cloth.fabric(half_grey, each), pairs, turns) for each in ROUGHNESSES]
+        self._bounced = np.stack(
+            [
+                turned_terms(cloth.fabric(to_hex(np.full(3, grey)), 0.4), pairs, turns).bounced
+                for grey in GREYS
+            ]
+        )
+        light, view = (
+            Array3f(np.ascontiguousarray(part.T, np.float32)) for part in (pairs.light, pairs.view)
+        )
+        lobes = [sheen_with_transmittance(light, view, Float(1), Float(each)) for each in SHEEN_ROUGHNESSES]
+        half = pairs.light + pairs.view
+        meets = (pairs.view * half).sum(axis=1) / np.linalg.norm(half, axis=1)
+        self._grazing = (1 - meets) ** 5
+        self._sheens = np.array([[part.numpy() for part in lobe] for lobe in lobes], float)
+
+    def fitted(self, grazing: float = 0.0) -> Fitted:
+        """Colour, then `_OURS`; roughness by place in its grid. `grazing` is k₉₀; 0 is no Fresnel."""
+        last = len(ROUGHNESSES) - 1, len(SHEEN_ROUGHNESSES) - 1
+        low = np.array([*3 * [1e-4], 0, 0, 0, 0, 0])
+        high = np.array([*3 * [0.999], 1, 1, last[0], 1, last[1]])
+        starts = [np.array([0.2, 0.3, 3.0, sheen, 3.0]) for sheen in (0.02, 0.3)]
+        return Fitted(low, high, partial(self.value, grazing=grazing), starts)
+
+    def value(self, numbers: Floats, grazing: float = 0.0) -> Floats:
+        """f·cos [n, 3]."""
+        colour, (specular, tint, place, strength, sheen) = numbers[:3], numbers[3:]
+        terms = _between(self._terms, place)
+        bound = cloth_layer_bound(float(_roughness(place)), OPTICAL_DEPTH)
+        albedos = albedos_from_colour(colour, specular, TRANSLUCENCY, OPTICAL_DEPTH, bound)
+        highlight = albedos.specular_reflect * specular_tint(colour, tint)
+        highlight = highlight + np.maximum(grazing - highlight, 0) * self._grazing[:, None]
+        bounced = np.stack([_interpolated(self._bounced, GREYS, each) for each in colour], axis=1)
+        body = (
+            terms.diffuse[:, None] * albedos.diffuse_reflect + terms.specular[:, None] * highlight + bounced
+        )
+        lobe, through = _interpolated(self._sheens, range(len(SHEEN_ROUGHNESSES)), sheen)
+        transmittance = 1 - strength * (1 - through)
+        found: Floats = transmittance[:, None] * body + (terms.lit * strength * lobe)[:, None]
+        return found
+
+    def fabric(self, numbers: Floats) -> Fabric:
+        """The fabric file of what was fitted."""
+        colour, (specular, tint, place, strength, sheen) = numbers[:3], numbers[3:]
+        rough = np.interp(sheen, range(len(SHEEN_ROUGHNESSES)), SHEEN_ROUGHNESSES)
+        tinted = to_hex(specular_tint(colour, tint))
+        return self.cloth.fabric(
+            to_hex(colour),
+            _roughness(place),
+            f'specular = {specular:.4f}\nspecular_tint = "{tinted}"\n',
+            f"[sheen]\nstrength = {strength:.4f}\nroughness = {rough:.4f}\n",
+        )
+
+
+def specular_tint(colour: Floats, tint: float) -> Floats:
+    """Of a highlight between white, 0, and the hue of the yarn, 1."""
+    return 1 - tint + tint * colour / colour.max()
+
+
+def _roughness(place: float) -> float:
+    return float(np.exp(np.interp(place, range(len(ROUGHNESSES)), np.log(ROUGHNESSES))))
+
+
+def _between(terms: Sequence[TurnedTerms], place: float) -> TurnedTerms:
+    first = min(int(place), len(terms) - 2)
+    return terms[first].blended(terms[first + 1], place - first)
+
+
+def _interpolated(rows: Floats, places: Sequence[float], place: float) -> Floats:
+    above_it = int(np.clip(np.searchsorted(places, place), 1, len(places) - 1))
+    low, high = places[above_it - 1], places[above_it]
+    share = float(np.clip((place - low) / (high - low), 0, 1))
+    found: Floats = (1 - share) * rows[above_it - 1] + share * rows[above_it]
+    return found
+
+
+# ------------------------------------------------------------------------------------------------------- fits
+
+
+def logarithm(value: Floats) -> Floats:
+    """ln(f·cos + 0.001)."""
+    return np.log(np.maximum(value, 0) + FLOOR)
+
+
+def fit(material: Fitted, measured: Floats) -> tuple[float, Floats]:
+    """The least rms of `logarithm` over the first pairs, and the numbers that have it."""
+    truth = logarithm(measured[:FITTED])
+    colour = np.clip(np.pi * measured[:FITTED].mean(axis=0) * 2, 0.01, 0.9)
+    best: tuple[float, Floats] = (np.inf, material.low)
+    for start in material.starts:
+        found = least_squares(
+            lambda numbers: (logarithm(material.value(numbers)[:FITTED]) - truth).ravel(),
+            np.clip(np.concatenate([colour, start]), material.low + 1e-6, material.high - 1e-6),
+            bounds=(material.low, material.high),
+            x_scale=material.high - material.low,
+            diff_step=1e-3,
+            max_nfev=40,
+        )
+        error = float(np.sqrt(2 * found.cost / truth.size))
+        best = min(best, (error, found.x), key=lambda each: each[0])
+    return best
+
+
+def rms(value: Floats, measured: Floats) -> float:
+    """Of `logarithm`, over pairs and channels."""
+    return float(np.sqrt(np.mean((logarithm(value) - logarithm(measured)) ** 2)))
+
+
+# ----------------------------------------------------------------------------------------------------- curves
+
+
+@dataclass(frozen=True)
+class Angles:
+    """Pairs of the error, then those of the curves, one behind the other.
+
+    Attributes:
+        pairs: all.
+        errors: how many are for the error.
+        lights: of each view of the albedo.
+    """
+
+    pairs: Pairs
+    errors: int
+    lights: int
+
+    @classmethod
+    def drawn(cls, errors: int, lights: int = 512) -> Angles:
+        """Directions to 80° for the error, and those of the curves."""
+        rng = np.random.default_rng(0)
+        light, view = (above(rng, errors, np.cos(np.radians(80))).T for _ in range(2))
+        views = np.stack([direction(angle, 0.0) for angle in VIEWS])
+        mirrored = views * [-1, 1, 1]
+        dome = by_cosine(rng, lights).T
+        return cls(
+            Pairs(
+                np.concatenate([light, np.tile(dome, (len(views), 1)), views, mirrored]),
+                np.concatenate([view, np.repeat(views, lights, axis=0), views, views]),
+            ),
+            errors,
+            lights,
+        )
+
+    def curves(self, value: Floats) -> dict[str, list[float]]:
+        """Mean of channels by view: albedo, and f back to the light and in the mirror's direction."""
+        grey = value.mean(axis=1)[self.errors :]
+        count = len(VIEWS) * self.lights
+        cosines = self.pairs.light[self.errors :, 2]
+        albedo = np.pi * (grey[:count] / cosines[:count]).reshape(len(VIEWS), -1).mean(axis=1)
+        back, mirror = (grey[count:] / cosines[count:]).reshape(2, -1)
+        curves = {"albedo": albedo, "back": back, "mirror": mirror}
+        return {name: [round(float(each), 5) for each in curve] for name, curve in curves.items()}
+
+
+def rise(curve: Sequence[float], angle: float) -> float:
+    """Of a curve at an angle over that at 0°."""
+    return curve[VIEWS.index(angle)] / curve[0]
+
+
+# ---------------------------------------------------------------------------------------------------- running
+
+
+def measure(settings: MeasuredCloth, run: Run) -> Found:
+    """Errors, numbers and curves of each BRDF."""
+    require_llvm()
+    mi.set_variant("llvm_ad_rgb")
+    angles = Angles.drawn(settings.pairs)
+    brdfs = measured_brdfs()
+    chosen = listed(settings.brdfs) or list(brdfs)
+    cloths = [
+        ClothFit(Cloth(*each), angles.pairs, settings.turns)
+        for each in product(listed(settings.weaves), HEIGHTS[: settings.heights], TWISTS)
+    ]
+    others = {"lambert": lambert(angles.pairs), "principled": principled(angles.pairs)}
+
+    def nearest(grazing: float, measured: Floats) -> tuple[tuple[float, Floats], ClothFit]:
+        fits = [(fit(each.fitted(grazing), measured), each) for each in cloths]
+        return min(fits, key=lambda found: found[0][0])
+
+    def scored(value: Floats, measured: Floats) -> Figures:
+        error = rms(value[: angles.errors], measured[: angles.errors])
+        return {"rms": round(error, 4), **angles.curves(value)}
+
+    def one(name: str) -> Figures:
+        pairs = angles.pairs
+        measured = brdfs[name].value(pairs.light, pairs.view) * pairs.light[:, 2:]
+        found: dict[str, Any] = {"measured": angles.curves(measured)}
+        for label, material in others.items():
+            found[label] = scored(material.value(fit(material, measured)[1]), measured)
+        grazing = nearest(GRAZING, measured)
+        found["with Fresnel"] = scored(grazing[1].value(grazing[0][1], GRAZING), measured)
+        (_, numbers), cloth = nearest(0.0, measured)
+        value = turned_value(cloth.fabric(numbers), pairs, settings.turns)
+        found["cloth"] = {
+            **scored(value, measured),
+            "weave": cloth.cloth.weave,
+            "height": cloth.cloth.height,
+            "twist": cloth.cloth.twist,
+            **dict(zip(_OURS, [round(float(each), 3) for each in numbers[3:]], strict=True)),
+            "colour": to_hex(numbers[:3]),
+        }
+        found["cloth"]["roughness"] = round(_roughness(numbers[5]), 3)
+        return found
+
+    rows = run.each({name: partial(one, name) for name in chosen})
+    fabrics = [row for name, row in rows.items() if not is_felt(name)]
+    nearer = {
+        label: sum(row[label]["rms"] < row["principled"]["rms"] for row in fabrics)
+        for label in ("cloth", "with Fresnel")
+    }
+    figures = {"brdfs": rows, "nearer": nearer, "fabrics": len(fabrics)}
+    return Found(figures, curves_sheet(figures))
+
+
+# Labels and keys of the lines of plots.
+_LINES = {
+    "measured": "measured",
+    "cloth": "cloth",
+    "with Fresnel": "with Fresnel",
+    "principled": "principled",
+}
+
+
+def curves_sheet(figures: Figures) -> Pixels:
+    """Albedo, and what the mirror's direction shows, over the view's angle, each over that at 0°."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    shown = [name for name in figures["brdfs"] if not is_felt(name)][::3]
+    figure = Figure(figsize=(12, 5), dpi=100, layout="constrained")
+    canvas = FigureCanvasAgg(figure)
+    axes = figure.subplots(2, len(shown), squeeze=False, sharex=True)
+    for column, name in enumerate(shown):
+        row = figures["brdfs"][name]
+        for axis, curve in zip(axes[:, column], ("albedo", "mirror"), strict=True):
+            for label, key in _LINES.items():
+                values = np.array(row[key][curve])
+                axis.plot(VIEWS, values / values[0], "k" if key == "measured" else "", label=label)
+            axis.set_yscale("linear" if curve == "albedo" else "log")
+        axes[0, column].set_title(name.split("/")[1], fontsize=10)
+        axes[1, column].set_xlabel("view, degrees")
+    for axis, text in zip(axes[:, 0], ("albedo over that at 0°", "mirror over that at 0°"), strict=True):
+        axis.set_ylabel(text)
+    axes[0, 0].legend(fontsize=8)
+    canvas.draw()
+    return np.asarray(canvas.buffer_rgba())[..., :3].copy()
+
+
+def is_felt(name: str) -> bool:
+    """Felts are pressed, not woven."""
+    return "felt" in name
+
+
+def tables(figures: Figures) -> list[Table]:
+    """Errors, then curves."""
+    errors = Table(
+        "Errors: rms of ln(f·cos + 0.001)",
+        [
+            "Lambert",
+            "principled",
+            "cloth",
+            "with Fresnel",
+            "weave",
+            "height",
+            "roughness",
+            "specular",
+            "tint",
+            "sheen",
+        ],
+    )
+    shapes = Table(
+        "Curves, measured / cloth / with Fresnel / principled",
+        ["albedo 75° over 0°", "back at 60° over 0°", "mirror 75° over 0°"],
+    )
+    ratios: list[tuple[str, Callable[[Sequence[float]], float]]] = [
+        ("albedo", lambda curve: rise(curve, 75.0)),
+        ("back", lambda curve: rise(curve, 60.0)),
+        ("mirror", lambda curve: rise(curve, 75.0)),
+    ]
+    for name, row in figures["brdfs"].items():
+        cloth = row["cloth"]
+        numbers: list[Cell] = [
+            row["lambert"]["rms"],
+            row["principled"]["rms"],
+            cloth["rms"],
+            row["with Fresnel"]["rms"],
+        ]
+        chosen = [cloth[key] for key in ("weave", "height", "roughness", "specular", "tint", "sheen")]
+        errors.rows[name] = [*numbers, *chosen]
+        each_of = row["measured"], cloth, row["with Fresnel"], row["principled"]
+        shapes.rows[name] = [
+            " / ".join(f"{ratio(each[curve]):.2f}" for each in each_of) for curve, ratio in ratios
+        ]
+    nearer = Table("Nearer than the principled BSDF", ["of fabrics that are no felt"])
+    for label, count in figures["nearer"].items():
+        nearer.rows[label] = [f"{count} of {figures['fabrics']}"]
+    return [nearer, errors, shapes]
+
+
+STUDY = Study(
+    "accuracy/measured_cloth",
+    "the nearest cloth of ours beside measured fabrics",
+    MeasuredCloth(),
+    measure,
+    tables,
+    stands_on=("lobes",),
+    small={"brdfs": "merl/blue-fabric", "weaves": "plain", "heights": 1, "pairs": 64, "turns": 2},
+)
