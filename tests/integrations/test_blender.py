@@ -121,7 +121,8 @@ def test_what_is_ready_needs_no_loomlight(blender: Callable[..., dict[str, Any]]
         ready()
         material = thing.active_material
         node = material.node_tree.nodes["loomlight"]
-        name, images = material.name, [part for part in node.node_tree.nodes if part.type == "TEX_IMAGE"]
+        name = material.name
+        images = {part.image for part in node.node_tree.nodes if part.type == "TEX_IMAGE"}
         count = len(images)
         bpy.ops.wm.save_as_mainfile(filepath=given["folder"] + "/saved.blend")
         bpy.ops.wm.open_mainfile(filepath=given["folder"] + "/saved.blend")

@@ -24,6 +24,8 @@ SCALE = "loomlight_mm"
 MARK = "loomlight"
 # A density is gone when a pixel is as wide as a texel of the next one, and alone when it is a third of that.
 _FADE = 3.0
+# Planes at which lines of sight are looked at, and the least cosine of these with the normal.
+_PLANES, _MIN_COSINE = 8, 0.25
 
 
 class MapsError(Exception):
@@ -94,8 +96,14 @@ class _Cloth:
     def build(self) -> None:
         """Makes all nodes."""
         tree = self._tree
-        self._place = self._place_in_tile()
         self._fades = self._fades_by_distance()
+        # Displaced yarns have their normals and their places already where they are near.
+        near = tree.math("SUBTRACT", 1.0, self._fades[0])
+        displaced = tree.math("MULTIPLY", tree.math("MINIMUM", tree.input(RELIEF), 1.0), near)
+        tangent = tree.node("ShaderNodeTangent", direction_type="UV_MAP").outputs["Tangent"]
+        self._place_on_surface = self._place = self._place_in_tile()
+        heights = self._heights()
+        self._place = self._seen_place(tangent, heights, tree.math("SUBTRACT", near, displaced))
         # 1. Diffuse reflection: a weight times a colour, a family each.
         parts = [self._map(family) for family in COLOURS]
         own = [tree.colour(self._manifest["colors"][family]) for family in COLOURS]
@@ -109,30 +117,30 @@ class _Cloth:
         # 2. What comes through is dyed as what comes back is.
         dye = tree.vector("DIVIDE", base, tree.vector("MAXIMUM", before, (1e-4, 1e-4, 1e-4)))
         through = tree.vector("MULTIPLY", self._map("through"), dye)
-        # 3. Directions. Displaced yarns have their normals already where they are near.
-        near = tree.math("SUBTRACT", 1.0, self._fades[0])
-        flat = tree.math("MULTIPLY", tree.input(RELIEF), near)
+        # 3. Directions.
         normal = tree.node("ShaderNodeNormalMap")
-        tree.feed(normal, Color=self._map("normal"), Strength=tree.math("SUBTRACT", 1.0, flat))
+        tree.feed(normal, Color=self._map("normal"), Strength=tree.math("SUBTRACT", 1.0, displaced))
         normal = normal.outputs["Normal"]
         fibres = tree.separate(self._map("fibres"))
         sine, cosine = (tree.math("MULTIPLY_ADD", fibres[k], 2.0, -1.0) for k in (1, 0))
         # Of half the doubled angle, as a share of a turn.
         turn = tree.math("MULTIPLY", tree.math("ARCTAN2", sine, cosine), 0.25 / 3.141592653589793)
-        tangent = tree.node("ShaderNodeTangent", direction_type="UV_MAP")
         # 4. Layers.
         surface = tree.separate(self._map("surface"))
         principled = tree.node("ShaderNodeBsdfPrincipled")
         tree.feed(
             principled, **{"Base Color": base, "Specular IOR Level": 0.0, "Roughness": 1.0, "Normal": normal}
         )
+        # Blender before 4.4 has smooth diffuse layers alone.
+        if "Diffuse Roughness" in principled.inputs:
+            tree.feed(principled, **{"Diffuse Roughness": self._blended("diffuse_roughness")})
         tree.feed(principled, **{"Sheen Weight": tree.input(SHEEN)})
         tree.feed(principled, **{"Sheen Roughness": float(self._manifest["sheen"]["roughness"])})
         glossy = tree.node("ShaderNodeBsdfAnisotropic", distribution="GGX")
         tree.feed(
             glossy, Color=self._map("glossy"), Roughness=surface[0], Anisotropy=fibres[2], Rotation=turn
         )
-        tree.feed(glossy, Normal=normal, Tangent=tangent.outputs["Tangent"])
+        tree.feed(glossy, Normal=normal, Tangent=tangent)
         translucent = tree.node("ShaderNodeBsdfTranslucent")
         tree.feed(translucent, Color=through, Normal=normal)
         cloth = tree.add(tree.add(principled, glossy), translucent)
@@ -142,7 +150,7 @@ class _Cloth:
         tree.link(tree.node("ShaderNodeBsdfTransparent").outputs[0], mixed.inputs[1])
         tree.link(cloth, mixed.inputs[2])
         tree.output("BSDF", mixed.outputs[0])
-        tree.output("Displacement", self._displacement(flat))
+        tree.output("Displacement", self._displacement(heights))
         tree.arrange()
 
     def _sockets(self) -> None:
@@ -195,6 +203,13 @@ class _Cloth:
         return found
 
     def _image(self, file: str, is_colour: bool) -> bpy.types.Node:
+        """A picture at the place that is seen."""
+        node = self._tree.node("ShaderNodeTexImage", image=self._load(file, is_colour), extension="REPEAT")
+        self._tree.link(self._place, node.inputs["Vector"])
+        return node
+
+    def _load(self, file: str, is_colour: bool) -> bpy.types.Image:
+        """A picture, packed."""
         image = bpy.data.images.load(str(self._folder / file))
         self._made.append(image)
         image.name = f"{self._manifest['fabric']} {Path(file).stem}"
@@ -203,18 +218,74 @@ class _Cloth:
         image.pack()
         # The path is of a folder that will be gone.
         image.filepath = image.filepath_raw = f"//{Path(file).name}"
-        node = self._tree.node("ShaderNodeTexImage", image=image, extension="REPEAT")
-        self._tree.link(self._place, node.inputs["Vector"])
-        return node
+        return image
 
-    def _displacement(self, amount: Socket) -> Socket:
-        """Heights about their middle in units of the scene, none where yarns are too small to be seen."""
+    def _blended(self, key: str) -> Socket:
+        """A number that each density has."""
+        found: Socket | float = float(self._manifest["densities"][0][key])
+        for density, fade in zip(self._manifest["densities"][1:], self._fades, strict=True):
+            found = self._tree.mix_number(fade, found, float(density[key]))
+        return found
+
+    def _heights(self) -> bpy.types.Image:
+        """The picture of heights, 16 bits."""
+        return self._load(self._manifest["height"]["file"], False)
+
+    def _height(self, heights: bpy.types.Image, place: Socket) -> Socket:
+        """Millimetres above the surface at a place on the maps."""
+        low, high = self._range_of_heights()
+        node = self._tree.node("ShaderNodeTexImage", image=heights, extension="REPEAT")
+        self._tree.link(place, node.inputs["Vector"])
+        return self._tree.math("MULTIPLY_ADD", node.outputs["Color"], high - low, low)
+
+    def _range_of_heights(self) -> tuple[float, float]:
+        return float(self._manifest["height"]["low_mm"]), float(self._manifest["height"]["high_mm"])
+
+    def _seen_place(self, tangent: Socket, heights: bpy.types.Image, amount: Socket) -> Socket:
+        """The place on the maps where the line of sight meets the yarns; on the surface if `amount` is 0.
+
+        A line is looked at where it crosses planes, from the highest to the lowest; between the last one that
+        is above the yarns and the first that does not, heights are taken to be straight.
+        """
         tree = self._tree
-        height = tree.separate(self._image(self._manifest["height"]["file"], False).outputs["Color"])[0]
-        relief = float(self._manifest["height"]["relief_mm"])
-        scale = tree.math("MULTIPLY", amount, tree.driven("Units a millimetre", _UNITS))
+        geometry = tree.node("ShaderNodeNewGeometry")
+        normal, view = geometry.outputs["Normal"], geometry.outputs["Incoming"]
+        up = tree.vector("CROSS_PRODUCT", normal, tangent)
+        along, across, above = (tree.dot(view, axis) for axis in (tangent, up, normal))
+        front = tree.math("MULTIPLY", amount, tree.math("SUBTRACT", 1.0, geometry.outputs["Backfacing"]))
+        # Steeper lines would be looked at too seldom.
+        slope = tree.math("DIVIDE", front, tree.math("MAXIMUM", above, _MIN_COSINE))
+        width, height = map(float, self._manifest["size_mm"])
+        step = tree.combine(
+            tree.math("MULTIPLY", along, tree.math("MULTIPLY", slope, 1 / width)),
+            tree.math("MULTIPLY", across, tree.math("MULTIPLY", slope, 1 / height)),
+            0.0,
+        )
+        low, high = self._range_of_heights()
+        thickness = (high - low) / _PLANES
+        found: Socket | float = 0.0
+        plane: Socket | float = low
+        before: Socket | float = -thickness
+        for number in range(_PLANES):
+            z = high - thickness * (number + 1)
+            place = tree.vector("MULTIPLY_ADD", step, (z, z, z), self._place)
+            depth = tree.math("SUBTRACT", self._height(heights, place), z)
+            meets = tree.math("GREATER_THAN", depth, 0.0)
+            first = tree.math("MULTIPLY", meets, tree.math("SUBTRACT", 1.0, found))
+            share = tree.math("DIVIDE", depth, tree.math("SUBTRACT", depth, before))
+            here = tree.math("MULTIPLY_ADD", share, thickness, z)
+            plane = tree.mix_number(first, plane, here)
+            found, before = tree.math("MAXIMUM", found, meets), depth
+        shift = tree.vector("SCALE", step)
+        tree.link(plane, shift.node.inputs["Scale"])
+        return tree.vector("ADD", self._place, shift)
+
+    def _displacement(self, heights: bpy.types.Image) -> Socket:
+        """Heights above the surface in units of the scene, as much as the group's socket says."""
+        tree = self._tree
+        scale = tree.math("MULTIPLY", tree.input(RELIEF), tree.driven("Units a millimetre", _UNITS))
         node = tree.node("ShaderNodeDisplacement")
-        tree.feed(node, Height=tree.math("MULTIPLY", height, relief), Midlevel=relief / 2, Scale=scale)
+        tree.feed(node, Height=self._height(heights, self._place_on_surface), Midlevel=0.0, Scale=scale)
         return node.outputs["Displacement"]
 
 

@@ -98,6 +98,21 @@ class NodeTree:
             self.link(value, named[name])
         return next(socket for socket in made.outputs if socket.identifier == "Result_Vector")
 
+    def mix_number(self, factor: Value, one: Value, other: Value) -> Socket:
+        """`one` where the factor is 0, `other` where it is 1."""
+        made = self.node("ShaderNodeMix", data_type="FLOAT")
+        named = {socket.identifier: socket for socket in made.inputs}
+        for name, value in {"Factor_Float": factor, "A_Float": one, "B_Float": other}.items():
+            self.link(value, named[name])
+        return next(socket for socket in made.outputs if socket.identifier == "Result_Float")
+
+    def dot(self, one: Value, other: Value) -> Socket:
+        """The dot product of two vectors."""
+        made = self.node("ShaderNodeVectorMath", operation="DOT_PRODUCT")
+        for value, to in zip((one, other), made.inputs, strict=False):
+            self.link(value, to)
+        return made.outputs["Value"]
+
     def colour(self, rgb: list[float]) -> Socket:
         """A constant colour, linear."""
         made = self.node("ShaderNodeCombineXYZ")

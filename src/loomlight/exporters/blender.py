@@ -13,19 +13,19 @@ from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
-from drjit.llvm import Float
 from numpy.typing import NDArray
 from PIL import Image
 
 from loomlight.core.colour import linear_to_srgb
-from loomlight.exporters.fit import FittedMaterial, fit_material
+from loomlight.exporters.cycles import CyclesLayers, cycles_layers
+from loomlight.exporters.fit import FittedMaterial, fit_texels
 from loomlight.exporters.gltf import eight_bits
 from loomlight.exporters.texels import MIN_COVER, TexelGrid, Texels, texture_grid, tile_repeats
 from loomlight.fabric.colour import faded
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.fields import SheenTable
-from loomlight.fabric.maps import ClothSurface
 from loomlight.fabric.resolve import ResolvedFamily
+from loomlight.models.interface import Model
 from loomlight.models.registry import make_model
 
 Numbers = NDArray[np.float64]
@@ -36,6 +36,8 @@ FORMAT = 1
 DENSITIES: dict[str, float | None] = {"near": None, "mid": 1.0, "far": 8.0}
 # A side, of any density: Blender holds some twenty such pictures.
 MAX_TEXELS = 2048
+# Share of what is seen that lies too deep to count for heights.
+_DEEP = 0.02
 # Reflectance of a family's colour below which weights would grow without bound.
 _DARKEST = 2e-3
 
@@ -54,8 +56,8 @@ def write_maps(folder: Path, fabric: Fabric, model: str, distance: float | None)
     bare = _without_sheen(fabric)
     fitted = make_model(model, bare)
     colours = {name: shown_colour(getattr(fabric.resolved, name)) for name in FAMILIES}
-    densities = [_write_density(folder, name, bare, fitted, colours) for name in DENSITIES]
-    heights, relief = _heights(bare)
+    materials = {name: _write_density(folder, name, bare, fitted, colours) for name in DENSITIES}
+    heights, (low, high) = heights_of(materials["near"][0])
     Image.fromarray(heights).save(folder / "maps" / "height.png")
     across, up = tile_repeats(bare)
     width, height = bare.layout().size
@@ -66,8 +68,8 @@ def write_maps(folder: Path, fabric: Fabric, model: str, distance: float | None)
         "size_mm": [across * float(width), up * float(height)],
         "colors": {name: colour.tolist() for name, colour in colours.items()},
         "sheen": {"strength": sheen.strength, "roughness": sheen.roughness},
-        "height": {"file": "maps/height.png", "relief_mm": relief},
-        "densities": densities,
+        "height": {"file": "maps/height.png", "low_mm": low, "high_mm": high},
+        "densities": [described for _, described in materials.values()],
     }
 
 
@@ -82,12 +84,15 @@ def shown_colour(family: ResolvedFamily) -> Numbers:
 
 
 def _write_density(
-    folder: Path, name: str, fabric: Fabric, model: object, colours: dict[str, Numbers]
-) -> dict[str, object]:
-    """The maps of one density, and what the manifest says of them."""
+    folder: Path, name: str, fabric: Fabric, model: Model, colours: dict[str, Numbers]
+) -> tuple[FittedMaterial, dict[str, object]]:
+    """Writes the maps of one density; returns the material, and what the manifest says of them."""
     columns, rows = _grid(fabric, DENSITIES[name])
-    material = fit_material(fabric, model, columns, rows)  # type: ignore[arg-type]
-    maps = density_maps(material, TexelGrid(fabric, columns, rows).filled(), colours)
+    grid = TexelGrid(fabric, columns, rows)
+    material = fit_texels(fabric, model, grid, "gltf")
+    texels = grid.filled()
+    layers = cycles_layers(material, texels, model)
+    maps = density_maps(material, layers, texels, colours)
     entry: dict[str, object] = {
         "name": name,
         "texel_mm": max(material.size[0] / columns, material.size[1] / rows),
@@ -97,8 +102,8 @@ def _write_density(
         file = f"maps/{name}-{key}.png"
         Image.fromarray(one.pixels).save(folder / file)
         described[key] = {"file": file, "peak": one.peak, "is_color": one.is_color}
-    facts = {"relative_rms_error": round(material.error, 4), "brightness": round(material.brightness, 4)}
-    return entry | {"texels": [columns, rows], "maps": described} | facts
+    facts = {"diffuse_roughness": layers.diffuse_roughness, "relative_rms_error": round(layers.error, 4)}
+    return material, entry | {"texels": [columns, rows], "maps": described} | facts
 
 
 def _grid(fabric: Fabric, threads: float | None) -> tuple[int, int]:
@@ -130,7 +135,7 @@ class DensityMap:
 
 
 def density_maps(
-    material: FittedMaterial, texels: Texels, colours: dict[str, Numbers]
+    material: FittedMaterial, layers: CyclesLayers, texels: Texels, colours: dict[str, Numbers]
 ) -> dict[str, DensityMap]:
     """The maps of a fitted material by their names.
 
@@ -145,7 +150,7 @@ def density_maps(
     reflected = (
         material.base * (1 - material.transmission - glossy.max(-1) * (1 - material.transmission))[..., None]
     )
-    parts = _parts(np.maximum(reflected, 0), texels)
+    parts = layers.diffuse * _parts(np.maximum(reflected, 0), texels)
     wide, narrow = material.alpha_x, material.alpha_y
     x, y = -material.direction[..., 1], material.direction[..., 0]
     fibres = [0.5 + 0.5 * (x * x - y * y), 0.5 + x * y, 1 - np.sqrt(narrow / wide)]
@@ -155,7 +160,7 @@ def density_maps(
         for name, part in zip(FAMILIES, np.moveaxis(parts, -2, 0), strict=True)
     } | {
         "through": _coloured(material.transmit * material.transmission[..., None]),
-        "glossy": _coloured(glossy),
+        "glossy": _coloured(layers.glossy * glossy),
         "normal": DensityMap(eight_bits(0.5 + 0.5 * material.normal)),
         "fibres": DensityMap(eight_bits(np.stack(fibres, axis=-1))),
         "surface": DensityMap(eight_bits(np.stack([(wide * narrow) ** 0.25, opacity, 0 * opacity], axis=-1))),
@@ -183,19 +188,14 @@ def _parts(reflected: Numbers, texels: Texels) -> Numbers:
     return np.asarray(share * reflected[..., None, :])
 
 
-def _heights(fabric: Fabric) -> tuple[NDArray[np.uint16], float]:
-    """Heights at the texels of the near density, 16 bits, row 0 at the upper edge, and what 65535 is, in mm.
+def heights_of(material: FittedMaterial) -> tuple[NDArray[np.uint16], tuple[float, float]]:
+    """Heights above the surface of the mesh, 16 bits, row 0 at the upper edge; and what 0 and 65535 are, mm.
 
-    Holes lie as low as the lowest yarn.
+    What lies deeper than nearly all that is seen, and holes, are as low as the lowest that counts.
     """
-    columns, rows = _grid(fabric, None)
-    repeats = tile_repeats(fabric)
-    width, height = np.multiply(fabric.layout().size, repeats)
-    x, y = np.meshgrid(
-        (np.arange(columns) + 0.5) * (width / columns), (np.arange(rows) + 0.5) * (height / rows)
-    )
-    point = ClothSurface(fabric, Float, repeats).at(x.ravel(), y.ravel(), float(width / columns))
-    low = float(point.height[~point.hole].min(initial=0.0))
-    found = np.where(point.hole, low, point.height).reshape(rows, columns) - low
-    relief = max(float(found.max()), 1e-6)
-    return np.rint(65535 * found[::-1] / relief).astype(np.uint16), relief
+    is_seen = material.cover > MIN_COVER
+    seen = material.height[is_seen]
+    low, high = (float(np.quantile(seen, share)) for share in (_DEEP, 1)) if seen.size else (0.0, 0.0)
+    found = np.where(is_seen, np.maximum(material.height, low), low)
+    scale = 65535 / max(high - low, 1e-6)
+    return np.rint(scale * (found[::-1] - low)).astype(np.uint16), (low, max(high, low + 1e-6))

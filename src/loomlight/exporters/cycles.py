@@ -1,0 +1,173 @@
+"""How Cycles shades a fitted material, and the numbers by which it then comes nearest to a model.
+
+Blender's diffuse layer may be rough: it scatters back towards the light, as cloth does whose yarns shade each
+other. And Cycles darkens diffuse light from directions that the surface beneath a map of normals hides. With
+both in the formula, the fit's diffuse and glossy layers are weighed anew.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import drjit as dr
+import numpy as np
+from drjit.llvm import Array2f as Vector2
+from drjit.llvm import Array3f, Float
+from numpy.typing import NDArray
+
+from loomlight.core.footprint import Footprint
+from loomlight.exporters.fit import FittedMaterial
+from loomlight.exporters.standards import StandardMaterial, evaluate_gltf
+from loomlight.exporters.texels import MIN_COVER, Texels
+from loomlight.models.interface import Model
+
+Numbers = NDArray[np.float64]
+_QUERIES = 6000
+# Flatter views and lights are left out.
+_MIN_COSINE = 0.12
+# Most of a picture is seen, and lit, from nearer to the normal: there the mean is kept.
+_FACING = 0.5
+# Diffuse roughnesses that are tried, and bounds of the factors of layers.
+_ROUGHNESSES = np.linspace(0.0, 1.0, 11)
+_MIN_FACTOR, _MAX_FACTOR = 0.25, 4.0
+
+
+@dataclass(frozen=True)
+class CyclesLayers:
+    """The layers of a material in Cycles.
+
+    Attributes:
+        diffuse, glossy: what their colours are multiplied by.
+        diffuse_roughness: of the diffuse layer, 0 to 1.
+        error: root mean square of differences from the model, relative to that of its values; both divided by
+            the values' roots.
+    """
+
+    diffuse: float
+    glossy: float
+    diffuse_roughness: float
+    error: float
+
+
+def cycles_layers(material: FittedMaterial, texels: Texels, model: Model) -> CyclesLayers:
+    """The layers by which Cycles shows the material nearest to a model, over views that pictures have."""
+    rng = np.random.default_rng(11)
+    rows, columns = material.cover.shape
+    row, column = rng.integers(0, rows, _QUERIES), rng.integers(0, columns, _QUERIES)
+    # Views as pictures have them: facing ones are as many as flat ones. Lights as under a white sky.
+    view = _directions(rng, rng.uniform(_MIN_COSINE, 1, _QUERIES))
+    light = _directions(rng, np.sqrt(rng.uniform(_MIN_COSINE**2, 1, _QUERIES)))
+    truth = _values(model, material, texels.place[row, column], view, light)
+    seen = material.cover[row, column] > MIN_COVER
+    row, column, view, light, truth = (part[seen] for part in (row, column, view, light, truth))
+    cover = material.cover[row, column, None]
+    place = _at(material, row, column)
+    lambert = cover * evaluate_gltf(replace(place, weight=0.0), light, view)
+    taken = 1 - place.weight * place.specular.max(-1, keepdims=True)
+    glossy = cover * evaluate_gltf(replace(place, base=0 * place.base), light, view)
+    lambert *= taken * _unhidden(place.normal, light)[:, None]
+    # A display shows differences of square roots, roughly.
+    weight = 1 / (truth.mean(-1, keepdims=True) + 0.05 * float(truth.mean()))
+    facing = (light[:, 2] > _FACING) & (view[:, 2] > _FACING)
+    found = []
+    for roughness in _ROUGHNESSES:
+        diffuse = lambert * rough_over_lambert(place.normal, light, view, place.base, float(roughness))
+        found.append(_weighed(diffuse, glossy, truth, weight, facing, float(roughness)))
+    return min(found, key=lambda layers: layers.error)
+
+
+def _weighed(
+    diffuse: Numbers,
+    glossy: Numbers,
+    truth: Numbers,
+    weight: Numbers,
+    facing: NDArray[np.bool_],
+    roughness: float,
+) -> CyclesLayers:
+    """The best factors of both layers, scaled to keep the mean of queries that are `facing`."""
+    layers = np.stack([diffuse.ravel(), glossy.ravel()], axis=-1)
+    weights = np.broadcast_to(weight, truth.shape).ravel()
+    normal = layers.T @ (weights[:, None] * layers)
+    # A layer that is hardly there keeps its factor.
+    prior = 1e-3 * np.trace(normal) * np.eye(2)
+    factors = np.linalg.solve(normal + prior, layers.T @ (weights * truth.ravel()) + prior @ np.ones(2))
+    factors = np.clip(factors, _MIN_FACTOR, _MAX_FACTOR)
+    mean = (layers @ factors).reshape(truth.shape)[facing].sum()
+    factors *= truth[facing].sum() / max(float(mean), 1e-12)
+    difference = layers @ factors - truth.ravel()
+    error = np.sqrt(np.sum(weights * difference**2) / np.sum(weights * truth.ravel() ** 2))
+    return CyclesLayers(float(factors[0]), float(factors[1]), roughness, float(error))
+
+
+def _directions(rng: np.random.Generator, cosine: Numbers) -> Numbers:
+    azimuth = rng.uniform(0, 2 * np.pi, len(cosine))
+    sine = np.sqrt(1 - cosine**2)
+    return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=-1)
+
+
+def _at(material: FittedMaterial, row: NDArray[np.int64], column: NDArray[np.int64]) -> StandardMaterial:
+    """Some texels of the material, without its sheen."""
+    names = (
+        "base",
+        "transmission",
+        "transmit",
+        "specular",
+        "alpha_x",
+        "alpha_y",
+        "normal",
+        "axis_x",
+        "axis_y",
+    )
+    chosen = {name: getattr(material, name)[row, column] for name in names}
+    return StandardMaterial(**chosen, weight=material.weight, sheen=np.zeros(3), sheen_roughness=1.0)
+
+
+def _values(model: Model, material: FittedMaterial, place: Numbers, view: Numbers, light: Numbers) -> Numbers:
+    """Values of a model over texels [n, 3] whose middles are at `place` [n, 2], millimetres."""
+    rows, columns = material.cover.shape
+    zero = dr.zeros(Float, len(place))
+    across, up = (zero + side / count for side, count in zip(material.size, (columns, rows), strict=True))
+    centre = Vector2(*(Float(part) for part in place.T))
+    to_view, to_light = (Array3f(*(np.float32(part) for part in vectors.T)) for vectors in (view, light))
+    value = model.at(to_view, Footprint(centre, Vector2(across, zero), Vector2(zero, up))).value(to_light)
+    return np.stack([np.asarray(part.numpy(), np.float64) for part in value], axis=-1)
+
+
+def _unhidden(normal: Numbers, light: Numbers) -> Numbers:
+    """What Cycles leaves of diffuse light where a map turns the normal: 1, less where the surface hides it.
+
+    Conty Estevez, Lecocq and Stein 2019, in the smooth form that Cycles has: x + x² − x³ for x in 0 to 1, the
+    cosine of the light at the surface divided by that at the map's normal and by that between the normals.
+    """
+    ratio = light[:, 2] / np.maximum((normal * light).sum(-1) * normal[:, 2], 1e-6)
+    ratio = np.clip(ratio, 0, 1)
+    return np.asarray(ratio + ratio**2 - ratio**3)
+
+
+# ------------------------------------------------------------------------------ rough diffuse reflection
+# Energy-preserving Oren and Nayar (Portsmouth, Kutz and Hill 2025), which Blender has since version 4.4.
+
+
+def rough_over_lambert(
+    normal: Numbers, light: Numbers, view: Numbers, albedo: Numbers, roughness: float
+) -> Numbers:
+    """Rough diffuse reflection divided by that of a smooth surface [n, 3]."""
+    if roughness == 0:
+        return np.ones_like(albedo)
+    n_l, n_v = (np.clip((normal * vectors).sum(-1), 1e-4, 1) for vectors in (light, view))
+    share = 1 / (1 + (0.5 - 2 / (3 * np.pi)) * roughness)
+    s = (light * view).sum(-1) - n_l * n_v
+    single = share * (1 + roughness * np.where(s > 0, s / np.maximum(n_l, n_v), s))
+    of_light, of_view = (_single_albedo(cosine, roughness, share) for cosine in (n_l, n_v))
+    mean = share * (1 + (2 / 3 - 28 / (15 * np.pi)) * roughness)
+    again = albedo * mean / (1 - albedo * (1 - mean))
+    multiple = again * ((1 - of_light) * (1 - of_view) / max(1 - mean, 1e-9))[:, None]
+    return np.asarray(single[:, None] + multiple)
+
+
+def _single_albedo(cosine: Numbers, roughness: float, share: float) -> Numbers:
+    """Directional albedo of what is scattered once, of a white surface."""
+    sine = np.sqrt(1 - cosine**2)
+    angle = np.arccos(cosine)
+    scattered = sine * (angle - sine * cosine) + 2 / 3 * ((sine / cosine) * (1 - sine**3) - sine)
+    return np.asarray(share * (1 + roughness / np.pi * scattered))

@@ -1,0 +1,157 @@
+"""Maps for the Blender add-on, Cycles' layers, and the add-on's zip. In Blender itself: tests/integrations.
+
+Covers: exporters/blender.py, exporters/blender_addon.py, exporters/cycles.py
+"""
+
+from __future__ import annotations
+
+import json
+import tomllib
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from loomlight.core.colour import srgb_to_linear
+from loomlight.core.images import read_picture
+from loomlight.core.llvm import require_llvm
+from loomlight.exporters import export
+from loomlight.exporters.blender import DENSITIES, FAMILIES, density_maps, heights_of
+from loomlight.exporters.cycles import CyclesLayers, rough_over_lambert
+from loomlight.exporters.fit import FittedMaterial
+from loomlight.exporters.texels import Texels
+
+require_llvm()
+WARP, WEFT = np.array([0.4, 0.2, 0.1]), np.array([0.05, 0.1, 0.3])
+
+
+def _texels(share: np.ndarray) -> tuple[FittedMaterial, Texels]:
+    """Texels [1, n] of two families whose albedos the fit has multiplied by 0.9 and 0.6."""
+    shape = share.shape
+    diffuse = np.broadcast_to(np.stack([WARP, WEFT]), (*shape, 2, 3))
+    both = np.stack([share, 1 - share], axis=-1)
+    base = (both[..., None] * np.array([0.9, 0.6])[:, None] * diffuse).sum(-2)
+    up = np.broadcast_to([0.0, 0, 1], (*shape, 3))
+    one = np.ones(shape)
+    material = FittedMaterial(
+        base=base,
+        transmission=0 * one,
+        transmit=np.zeros((*shape, 3)),
+        specular=np.full((*shape, 3), 0.5),
+        weight=0.0,
+        alpha_x=0.8 * one,
+        alpha_y=0.2 * one,
+        normal=up,
+        axis_x=np.broadcast_to([1.0, 0, 0], (*shape, 3)),
+        axis_y=np.broadcast_to([0.0, 1, 0], (*shape, 3)),
+        sheen=np.zeros(3),
+        sheen_roughness=0.5,
+        size=(1.0, 1.0),
+        cover=one,
+        height=share - 0.5,
+        direction=np.broadcast_to([1.0, 0], (*shape, 2)),
+        error=0.0,
+        brightness=1.0,
+    )
+    zero = np.zeros((*shape, 2, 3))
+    texels = Texels(
+        place=np.zeros((*shape, 2)),
+        cover=one,
+        height=share - 0.5,
+        share=both,
+        normal=up,
+        covariance=np.zeros((*shape, 2, 2)),
+        direction=np.zeros((*shape, 2, 2)),
+        diffuse=diffuse,
+        transmit=zero,
+        specular=zero,
+        alpha=np.ones(2),
+    )
+    return material, texels
+
+
+def test_weights_times_colours_are_the_fit_s_base() -> None:
+    """And each family's are its own, so that another colour changes no other."""
+    share = np.linspace(0, 1, 12)[None]
+    material, texels = _texels(share)
+    colours = {"warp": np.array([0.5, 0.3, 0.2]), "weft": np.array([0.1, 0.2, 0.5])}
+    maps = density_maps(material, CyclesLayers(1.0, 1.0, 0.0, 0.0), texels, colours)
+    for family, albedo, factor, part in (("warp", WARP, 0.9, share), ("weft", WEFT, 0.6, 1 - share)):
+        found = maps[family].peak * srgb_to_linear(maps[family].pixels / 255) * colours[family]
+        # Half a step of 8 bits of sRGB, whose slope is at most 2.3, times the largest weight.
+        step = 0.5 / 255 * 2.3 * maps[family].peak
+        assert found == pytest.approx(factor * albedo * part[..., None], abs=step * colours[family].max())
+
+
+def test_the_highlight_is_narrow_along_the_axis_of_the_map() -> None:
+    """It is wide along u, so narrow along v: a quarter turn, whose double points backwards."""
+    material, texels = _texels(np.full((1, 4), 0.5))
+    maps = density_maps(material, CyclesLayers(1.0, 1.0, 0.0, 0.0), texels, {"warp": WARP, "weft": WEFT})
+    cosine, sine, anisotropy = (maps["fibres"].pixels[0, 0] / 255).tolist()
+    # Steps of 8 bits.
+    assert (2 * cosine - 1, 2 * sine - 1) == pytest.approx((-1, 0), abs=0.01)
+    assert anisotropy == pytest.approx(1 - np.sqrt(0.2 / 0.8), abs=0.003)
+    assert maps["surface"].pixels[0, 0, 0] / 255 == pytest.approx((0.2 * 0.8) ** 0.25, abs=0.003)
+
+
+def test_heights_are_millimetres_above_the_surface() -> None:
+    material, _ = _texels(np.linspace(0, 1, 101)[None])
+    pixels, (low, high) = heights_of(material)
+    # The lowest 2 % count as one height.
+    assert (low, high) == pytest.approx((-0.48, 0.5))
+    assert low + pixels[0] / 65535 * (high - low) == pytest.approx(
+        np.maximum(material.height[0], low), abs=1e-4
+    )
+
+
+@pytest.mark.parametrize("roughness", [0.0, 0.3, 1.0])
+def test_rough_reflection_takes_no_light(roughness: float) -> None:
+    """A white surface sends all back, from everywhere; a grey one is brighter towards the light."""
+    cosine, azimuth = np.meshgrid((np.arange(64) + 0.5) / 64, (np.arange(128) + 0.5) / 128 * 2 * np.pi)
+    sine = np.sqrt(1 - cosine**2)
+    light = np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=-1).reshape(-1, 3)
+    normal = np.broadcast_to([0.0, 0, 1], light.shape)
+    for elevation in (0.2, 0.7, 1.0):
+        view = np.broadcast_to([np.sqrt(1 - elevation**2), 0, elevation], light.shape)
+        value = rough_over_lambert(normal, light, view, np.ones(light.shape), roughness)
+        # The published mean albedo is rounded to 1e-3.
+        assert 2 * (value[:, 0] * light[:, 2]).mean() == pytest.approx(1, abs=0.01)
+    lights = np.array([[0.6, 0, 0.8], [-0.6, 0, 0.8]])
+    views = np.array([[0.6, 0, 0.8]] * 2)
+    towards, away = rough_over_lambert(normal[:2], lights, views, np.full((2, 3), 0.2), roughness)[:, 0]
+    assert (towards > away) == (roughness > 0)
+
+
+@pytest.mark.slow
+def test_an_export_says_what_it_holds(tmp_path: Path) -> None:
+    folder = export("plain", "blender", tmp_path / "maps")
+    manifest = json.loads((folder / "manifest.json").read_text())
+    assert [density["name"] for density in manifest["densities"]] == list(DENSITIES)
+    assert set(manifest["colors"]) == set(FAMILIES)
+    for density in manifest["densities"]:
+        columns, rows = density["texels"]
+        for described in density["maps"].values():
+            assert read_picture(folder / described["file"]).shape[:2] == (rows, columns)
+
+
+@pytest.mark.slow
+def test_the_zip_is_the_same_each_time_and_has_what_the_panel_offers(tmp_path: Path) -> None:
+    first, second = (
+        next(export("plain", "blender-addon", tmp_path / name).glob("*.zip")) for name in ("one", "two")
+    )
+    assert first.read_bytes() == second.read_bytes()
+    assert sorted(file.name for file in first.parent.iterdir()) == [first.name, "manifest.json"]
+    with zipfile.ZipFile(first) as packed:
+        held = set(packed.namelist())
+        about = tomllib.loads(packed.read("blender_manifest.toml").decode())
+        weaves = packed.read("weaves/names.txt").decode().splitlines()
+    assert f"loomlight_blender-{about['version']}.zip" == first.name
+    assert {
+        "__init__.py",
+        "LICENSE",
+        "ready/manifest.json",
+        "gallery/denim.toml",
+        "gallery/denim.webp",
+    } <= held
+    assert {f"weaves/{number}.png" for number in range(len(weaves))} <= held
