@@ -56,7 +56,6 @@ def _texels(share: np.ndarray) -> tuple[FittedMaterial, Texels]:
     )
     zero = np.zeros((*shape, 2, 3))
     texels = Texels(
-        place=np.zeros((*shape, 2)),
         cover=one,
         height=share - 0.5,
         share=both,

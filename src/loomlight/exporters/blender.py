@@ -90,9 +90,8 @@ def _write_density(
     columns, rows = _grid(fabric, DENSITIES[name])
     grid = TexelGrid(fabric, columns, rows)
     material = fit_texels(fabric, model, grid, "gltf")
-    texels = grid.filled()
-    layers = cycles_layers(material, texels, model)
-    maps = density_maps(material, layers, texels, colours)
+    layers = cycles_layers(material, grid, model)
+    maps = density_maps(material, layers, grid.filled(), colours)
     entry: dict[str, object] = {
         "name": name,
         "texel_mm": max(material.size[0] / columns, material.size[1] / rows),

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from loomlight.core.footprint import Footprint
 from loomlight.exporters.fit import FittedMaterial
 from loomlight.exporters.standards import StandardMaterial, evaluate_gltf
-from loomlight.exporters.texels import MIN_COVER, Texels
+from loomlight.exporters.texels import MIN_COVER, TexelGrid
 from loomlight.models.interface import Model
 
 Numbers = NDArray[np.float64]
@@ -49,7 +49,7 @@ class CyclesLayers:
     error: float
 
 
-def cycles_layers(material: FittedMaterial, texels: Texels, model: Model) -> CyclesLayers:
+def cycles_layers(material: FittedMaterial, grid: TexelGrid, model: Model) -> CyclesLayers:
     """The layers by which Cycles shows the material nearest to a model, over views that pictures have."""
     rng = np.random.default_rng(11)
     rows, columns = material.cover.shape
@@ -57,9 +57,11 @@ def cycles_layers(material: FittedMaterial, texels: Texels, model: Model) -> Cyc
     # Views as pictures have them: facing ones are as many as flat ones. Lights as under a white sky.
     view = _directions(rng, rng.uniform(_MIN_COSINE, 1, _QUERIES))
     light = _directions(rng, np.sqrt(rng.uniform(_MIN_COSINE**2, 1, _QUERIES)))
-    truth = _values(model, material, texels.place[row, column], view, light)
+    middles = grid.places(np.asarray(row + 0.5, float), np.asarray(column + 0.5, float))
+    truth = _values(model, material, middles.T, view, light)
     seen = material.cover[row, column] > MIN_COVER
-    row, column, view, light, truth = (part[seen] for part in (row, column, view, light, truth))
+    row, column = row[seen], column[seen]
+    view, light, truth = view[seen], light[seen], truth[seen]
     cover = material.cover[row, column, None]
     place = _at(material, row, column)
     lambert = cover * evaluate_gltf(replace(place, weight=0.0), light, view)
