@@ -85,7 +85,6 @@ RECIPES: dict[str, Recipe] = {
     "garment-maps.jpg": Recipe(("tools.generate.garment_sheet maps -o {out}/picture.png",)),
     "views.jpg": Recipe(("tools.generate.view_sheet -o {out}/picture.png",)),
     "layered.jpg": Recipe(("tools.generate.layered_sheet -o {out}/picture.png",)),
-    "exports.jpg": Recipe(("tools.generate.export_sheet -o {out}/picture.png",)),
     "edges.jpg": Recipe(("tools.generate.edge_pictures -o {out}/picture.png",)),
     "daybed.jpg": Recipe(
         (
