@@ -20,6 +20,8 @@ from loomlight.weave.draft import Draft
 _BORDER = 2
 # Deviations of unsharpness that are tried, pixels.
 _BLURS = (0.0, 0.4, 0.6, 0.9, 1.3, 1.9, 2.6)
+# Between two deviations, pixels, lies what sharpness is judged by: above noise and below threads.
+_FINE = 0.8, 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,8 +106,13 @@ def aligned_picture(
     first = crossings.first[0] - _BORDER, crossings.first[1] - _BORDER
     framing = ThreadFraming(grid, first, (10 / per_cm[0], 10 / per_cm[1]), width_mm)
     sharp = photograph(even_fabric(cloth, yarns), framing, light, samples)
-    target = linear_to_srgb(photo)
     pictures = [np.stack([blurred(c, sigma) for c in np.moveaxis(sharp, -1, 0)], axis=-1) for sigma in _BLURS]
-    return min(pictures, key=lambda each: float(np.square(linear_to_srgb(each) - target).mean())).astype(
-        np.float32
-    )
+    # As sharp as the photograph: the likest would be a blur wherever plies and fibres lie in other places.
+    wanted = _fine(photo)
+    return min(pictures, key=lambda each: abs(np.log(_fine(each) / wanted))).astype(np.float32)
+
+
+def _fine(linear: NDArray[np.floating]) -> float:
+    """Deviation of encoded brightness over two or three pixels."""
+    light = linear_to_srgb(linear).mean(axis=-1)
+    return float((blurred(light, _FINE[0]) - blurred(light, _FINE[1])).std()) + 1e-6

@@ -228,7 +228,10 @@ def _chosen(
     tried = [fit for fit in fits[:_RENDERED] if fits[0].score - fit.score < _MARGIN * votes]
     if len(fits) > 1:
         opposite = complement_of(fits[0], fits)
-        if opposite is not None and all(opposite.name != fit.name for fit in tried):
+        # Of plain weave and others it is the same, begun at another thread.
+        if opposite is not None and all(
+            (opposite.name, opposite.shift) != (fit.name, fit.shift) for fit in tried
+        ):
             tried.append(opposite)
     if len(fits) == 1:
         fitter, start, _ = _begun(face, fits[0], light)
@@ -240,7 +243,7 @@ def _chosen(
         report(28 + 20 * (number + 1) // len(tried), _STEPS)
     found.sort(key=lambda each: -each[0])
     scores = np.array([each[0] for each in found])
-    shares = np.exp(np.clip((scores - scores[0]) / 2, -700, 0))
+    shares = np.exp(np.clip(scores - scores[0], -700, 0))
     _, fit, fitter, start = found[0]
     return _choice(face, fit, float(1 / shares.sum())), fitter, start
 

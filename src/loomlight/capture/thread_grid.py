@@ -31,6 +31,10 @@ _STRIP = 0.4
 _MIN_REPEAT = 0.2
 # Deviation of the demodulating window, in threads: wide for the first look, then narrow, as threads wander.
 _WIDE, _NARROW = 3.5, 1.6
+# By how much a highlight is brighter than the thread beside it, as a share, where it is taken for one.
+_CROWN = 0.02
+# Sum of encoded channels below which a hue is mostly noise.
+_DARK = 0.15
 # Bins of a folded profile, over one period.
 _BINS = 48
 # A boundary within a group of threads is fainter than that between groups: the first peak of the
@@ -83,8 +87,9 @@ def find_grid(shade: Plane) -> ThreadGrid:
     # Threads cross at right angles: one turn for both, which rows and columns see in opposite ways.
     turns = np.radians(np.arange(-MAX_TURN, MAX_TURN + _TURN_STEP / 2, _TURN_STEP))
     turn = max(turns, key=lambda each: spectra[0].repeats(each) + spectra[1].repeats(-each))
-    warp = _family(warp_edges, spectra[0], turn)
-    weft = _family(weft_edges, spectra[1], -turn)
+    light = shade.mean(axis=-1)
+    warp = _family(warp_edges, light, spectra[0], turn)
+    weft = _family(weft_edges, light.T, spectra[1], -turn)
     # Of rows that count downwards, picks count upwards.
     number = -weft.number.T
     number = number - np.floor(number.min())
@@ -96,13 +101,19 @@ def find_grid(shade: Plane) -> ThreadGrid:
 
 
 def _edges(shade: Plane, sigma: float, across: bool) -> Plane:
-    """Strength of edges and of grooves across x or y [height, width], all of one order.
+    """Strength of edges and of grooves across x or y [height, width], of brightness and of hue.
 
-    It is the local energy of first and second derivatives, which has one peak at a step as at a groove.
+    Highlights have edges that no thread has, but hardly those of hue.
     """
-    total = np.zeros(shade.shape[:2])
+    hue = shade / (shade.sum(axis=-1, keepdims=True) + _DARK)
+    return _strength(shade, sigma, across) + _strength(hue, sigma, across)
+
+
+def _strength(channels: Plane, sigma: float, across: bool) -> Plane:
+    """Local energy of first and second derivatives, which has one peak at a step as at a groove."""
+    total = np.zeros(channels.shape[:2])
     axis = 1 if across else 0
-    for channel in np.moveaxis(shade, -1, 0):
+    for channel in np.moveaxis(channels, -1, 0):
         slope = np.gradient(blurred(channel, sigma), axis=axis)
         total += np.square(slope) + np.square(sigma * np.gradient(slope, axis=axis))
     strength = np.sqrt(total)
@@ -213,8 +224,8 @@ def _vertex(before: float, here: float, after: float) -> float:
     return float(0.5 * (before - after) / bend) if bend < 0 else 0.0
 
 
-def _family(edges: Plane, spectrum: _Spectrum, turn: float) -> Family:
-    """The family whose boundaries run upwards in a picture of edges.
+def _family(edges: Plane, light: Plane, spectrum: _Spectrum, turn: float) -> Family:
+    """The family whose boundaries run upwards in a picture of edges, and in its brightness.
 
     Raises:
         InputError: nothing repeats, or threads are too fine or too few.
@@ -242,11 +253,32 @@ def _family(edges: Plane, spectrum: _Spectrum, turn: float) -> Family:
         fx, fy = _slope(number)
     # Boundaries are where edges are strongest.
     number = number - _peak_place(_profile(edges, number))
+    crown = _crown(light, number)
+    if crown is not None:
+        number = (number - (1 - crown)) / 2
+        fx, fy = fx / 2, fy / 2
     per_px = float(np.hypot(fx, fy))
     # The mean slope is what both sides of the picture differ by: a tenth of a thread is not known there.
     error = 0.1 / (per_px * width) * np.sqrt(2) / max(coherence, 0.1)
     number = number - np.floor(number.min())
     return Family(number, per_px, float(error), float(-np.arctan2(fy, fx)), sure)
+
+
+def _crown(light: Plane, number: Plane) -> int | None:
+    """Which of even and odd boundaries are crowns of glossy threads, 0 or 1; None if none are.
+
+    A highlight along a thread has edges as boundaries have, but is brighter than both sides of it.
+    """
+    # Bins 0 and 24 of the two periods are boundaries.
+    profile = _around(_profile(light, number / 2))
+    quarter = _BINS // 4
+    rise = [
+        float(profile[place] - 0.5 * (profile[place - quarter] + profile[(place + quarter) % _BINS]))
+        / float(profile.mean())
+        for place in (0, _BINS // 2)
+    ]
+    bright = int(np.argmax(rise))
+    return bright if rise[bright] > _CROWN and rise[1 - bright] < rise[bright] - _CROWN else None
 
 
 def _slope(number: Plane) -> tuple[float, float]:
@@ -302,8 +334,10 @@ def _profile(edges: Plane, number: Plane) -> NDArray[np.float64]:
     """Mean strength of edges over one period [48], from where `number` is whole."""
     part = number - np.floor(number)
     bins = np.minimum((part * _BINS + 0.5).astype(np.intp) % _BINS, _BINS - 1).ravel()
-    total = np.bincount(bins, edges.ravel(), _BINS)
-    return np.asarray(total / np.maximum(np.bincount(bins, minlength=_BINS), 1))
+    total, counts = np.bincount(bins, edges.ravel(), _BINS), np.bincount(bins, minlength=_BINS)
+    # Of a whole number of pixels a thread some bins have next to none.
+    known = np.flatnonzero(counts > 0.2 * counts.mean())
+    return np.interp(np.arange(_BINS), known, total[known] / counts[known], period=_BINS)
 
 
 def _peak_place(profile: NDArray[np.float64]) -> float:
