@@ -277,6 +277,35 @@ def test_too_many_texels_are_refused() -> None:
         texture_grid(FABRIC, 1e-4)
 
 
+def _rough_white(count: int, sheen: float) -> StandardMaterial:
+    ones = np.ones(count)
+    return StandardMaterial(
+        base=np.ones((count, 3)),
+        transmission=0 * ones,
+        transmit=np.zeros((count, 3)),
+        specular=np.full((count, 3), 0.3),
+        weight=0.5,
+        alpha_x=0.6 * ones,
+        alpha_y=0.4 * ones,
+        normal=np.tile([0.0, 0, 1], (count, 1)),
+        axis_x=np.tile([1.0, 0, 0], (count, 1)),
+        axis_y=np.tile([0.0, 1, 0], (count, 1)),
+        sheen=np.full(3, sheen),
+        sheen_roughness=0.6,
+    )
+
+
+def test_sheen_dims_what_lies_below_alike_from_both_directions() -> None:
+    """Khronos and three.js since r182 take the larger of both albedos, so that the material is reciprocal."""
+    rng = np.random.default_rng(2)
+    light, view = (_cosines(500) for _ in range(2))
+    view = view[rng.permutation(500)]
+    material = _rough_white(500, 0.5)
+    there = evaluate_gltf(material, light, view) / light[:, 2:]
+    back = evaluate_gltf(material, view, light) / view[:, 2:]
+    np.testing.assert_allclose(there, back, rtol=1e-9)
+
+
 def test_the_gltf_brdf_keeps_energy() -> None:
     """A white surface reflects at most what it gets; sheen takes from what lies below."""
     rng = np.random.default_rng(1)
@@ -284,24 +313,10 @@ def test_the_gltf_brdf_keeps_energy() -> None:
     cosine, azimuth = rng.uniform(0, 1, count), rng.uniform(0, 2 * np.pi, count)
     sine = np.sqrt(1 - cosine**2)
     light = np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=-1)
-    ones = np.ones(count)
     for sheen in (0.0, 0.5):
         for angle in (0.1, 1.2):
             view = np.tile([np.sin(angle), 0.0, np.cos(angle)], (count, 1))
-            material = StandardMaterial(
-                base=np.ones((count, 3)),
-                transmission=0 * ones,
-                transmit=np.zeros((count, 3)),
-                specular=np.full((count, 3), 0.3),
-                weight=0.5,
-                alpha_x=0.6 * ones,
-                alpha_y=0.4 * ones,
-                normal=np.tile([0.0, 0, 1], (count, 1)),
-                axis_x=np.tile([1.0, 0, 0], (count, 1)),
-                axis_y=np.tile([0.0, 1, 0], (count, 1)),
-                sheen=np.full(3, sheen),
-                sheen_roughness=0.6,
-            )
+            material = _rough_white(count, sheen)
             albedo = evaluate_gltf(material, light, view).mean() * 2 * np.pi
             # 0.02 is noise and what the table of the sheen's albedo rounds.
             assert 0.7 < albedo < 1.02

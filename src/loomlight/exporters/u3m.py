@@ -44,8 +44,8 @@ DEFAULT_DPI, MIN_DPI, MAX_DPI = 300.0, 30.0, 2400.0
 _INCH_MM = 25.4
 # Texels a side: fewer would not hold the chosen resolution, as a repeat is a whole number of them.
 _MIN_SIDE, _MAX_SIDE = 256, 8192
-# Of all texels, which take 100 bytes each while they are made.
-_MAX_TEXELS = 1 << 24
+# Of all texels, which take 200 bytes each while they are made.
+_MAX_TEXELS = 1 << 23
 _PREVIEW = 256
 # Names of U3M for the fibre of each kind of yarn.
 _FIBRES = {
