@@ -52,10 +52,10 @@ Numbers = NDArray[np.float32]
 @dataclass(frozen=True)
 class Blender(Settings):
     fabrics: str = names(",".join(FABRICS), "Example fabrics.")
-    widths: str = names(",".join(WIDTHS), "Widths of cloth in the picture.", tuple(WIDTHS))
-    side: int = setting(256, "Pixels of a picture.", low=8)
-    spp: int = setting(64, "Samples a pixel of `lobes`.", low=1)
-    blender_spp: int = setting(64, "Samples a pixel of Cycles.", low=1)
+    widths: str = names("10 mm,200 mm", "Widths of cloth in the picture.", tuple(WIDTHS))
+    side: int = setting(128, "Pixels of a picture.", low=8)
+    spp: int = setting(32, "Samples a pixel of `lobes`.", low=1)
+    blender_spp: int = setting(32, "Samples a pixel of Cycles.", low=1)
     displacement: bool = setting(False, "Displaces the sheet by the yarns, in place of their normals.")
     python: str = setting(".venv-bpy/bin/python", "The Python that has the package bpy.", metavar="PATH")
 

@@ -28,7 +28,7 @@ _MIN_COSINE = 0.12
 # Most of a picture is seen, and lit, from nearer to the normal: there the mean is kept.
 _FACING = 0.5
 # Diffuse roughnesses that are tried, and bounds of the factors of layers.
-_ROUGHNESSES = np.linspace(0.0, 1.0, 11)
+_ROUGHNESSES = np.linspace(0.0, 1.0, 6)
 _MIN_FACTOR, _MAX_FACTOR = 0.25, 4.0
 
 
@@ -86,7 +86,7 @@ def _weighed(
     facing: NDArray[np.bool_],
     roughness: float,
 ) -> CyclesLayers:
-    """The best factors of both layers, scaled to keep the mean of queries that are `facing`."""
+    """The best factors of both layers, by which queries that are `facing` are as bright as the truth."""
     layers = np.stack([diffuse.ravel(), glossy.ravel()], axis=-1)
     weights = np.broadcast_to(weight, truth.shape).ravel()
     normal = layers.T @ (weights[:, None] * layers)
@@ -94,11 +94,23 @@ def _weighed(
     prior = 1e-3 * np.trace(normal) * np.eye(2)
     factors = np.linalg.solve(normal + prior, layers.T @ (weights * truth.ravel()) + prior @ np.ones(2))
     factors = np.clip(factors, _MIN_FACTOR, _MAX_FACTOR)
-    mean = (layers @ factors).reshape(truth.shape)[facing].sum()
-    factors *= truth[facing].sum() / max(float(mean), 1e-12)
+    factors *= _shown_alike((layers @ factors).reshape(truth.shape)[facing], truth[facing])
     difference = layers @ factors - truth.ravel()
     error = np.sqrt(np.sum(weights * difference**2) / np.sum(weights * truth.ravel() ** 2))
     return CyclesLayers(float(factors[0]), float(factors[1]), roughness, float(error))
+
+
+def _shown_alike(found: Numbers, truth: Numbers) -> float:
+    """The factor of values that makes the mean of their square roots, as displays show, that of the truth.
+
+    The mean itself would make cloth too bright wherever highlights are not: those of single yarns are missed.
+    """
+    low, high = _MIN_FACTOR, _MAX_FACTOR
+    wanted = np.sqrt(truth).mean()
+    for _ in range(24):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if np.sqrt(middle * found).mean() < wanted else (low, middle)
+    return 0.5 * (low + high)
 
 
 def _directions(rng: np.random.Generator, cosine: Numbers) -> Numbers:
