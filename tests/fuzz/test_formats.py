@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tests.fuzz import btf, fabric_messages, loom, merl, meshes, wif
+from tests.fuzz import btf, fabric_messages, loom, merl, meshes, photos, wif
 from tests.fuzz.fuzzing import fuzz, outcome_of
 from tests.marks import slow
 
@@ -22,6 +22,7 @@ TARGETS: dict[ModuleType, dict[str, int]] = {
     loom: {"material": 100, "tile": 100},
     fabric_messages: {"fabric": 100, "draft": 100},
     merl: {"merl": 10, "rgl": 100},
+    photos: {"photo": 20},
 }
 # Pixar's reader runs in a process of its own for each file.
 FEW = {"usdc": 5, "usdz": 5}
