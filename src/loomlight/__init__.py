@@ -10,7 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from loomlight.capture.capture import capture
+    from loomlight.capturing.capture import capture
     from loomlight.core.errors import (
         InputError,
         LoomlightError,
@@ -52,7 +52,7 @@ _HOMES = {
     "RenderSettings": "loomlight.core.picture_settings",
     "bake": "loomlight.models.bake",
     "bake_maps": "loomlight.models.bake",
-    "capture": "loomlight.capture.capture",
+    "capture": "loomlight.capturing.capture",
     "compare": "loomlight.evaluation.compare",
     "edit": "loomlight.viewer.server",
     "export": "loomlight.exporters.exporter",

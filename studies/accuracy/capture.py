@@ -23,10 +23,10 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from loomlight.capture.capture import capture
-from loomlight.capture.captured import Captured
-from loomlight.capture.photo import WHITE_PAPER
-from loomlight.capture.photographer import CAMERA_WIDTHS, Framing, Light, photograph
+from loomlight.capturing.capture import capture
+from loomlight.capturing.captured import Captured
+from loomlight.capturing.photo import WHITE_PAPER
+from loomlight.capturing.photographer import CAMERA_WIDTHS, Framing, Light, photograph
 from loomlight.core.colour import delta_e_2000, lab_of_linear, linear_of_lab, linear_to_srgb, to_hex
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.llvm import require_llvm

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tests.fuzz import btf, fabric_messages, loom, merl, meshes, u3m, wif
+from tests.fuzz import btf, fabric_messages, loom, merl, meshes, photos, u3m, wif
 from tests.fuzz.fuzzing import fuzz, outcome_of
 from tests.marks import slow
 
@@ -23,6 +23,7 @@ TARGETS: dict[ModuleType, dict[str, int]] = {
     fabric_messages: {"fabric": 100, "draft": 100},
     merl: {"merl": 10, "rgl": 100},
     u3m: {"u3m": 100, "u3ma": 60, "u3m-picture": 60},
+    photos: {"photo": 20},
 }
 # Pixar's reader runs in a process of its own for each file.
 FEW = {"usdc": 5, "usdz": 5}

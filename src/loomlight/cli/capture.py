@@ -14,7 +14,7 @@ from loomlight.core.files import PIXEL_SUFFIXES
 from loomlight.core.outputs import check_output
 
 if TYPE_CHECKING:
-    from loomlight.capture.captured import Captured
+    from loomlight.capturing.captured import Captured
 
 EXAMPLE = "Example: loomlight capture photo.jpg --width-mm 20 -o fabric.toml"
 
@@ -63,7 +63,7 @@ def capture(
     if drawn == output:
         raise InputError(f"{drawn} is the fabric file: give another name for the sheet.")
 
-    from loomlight.capture.capture import capture as run
+    from loomlight.capturing.capture import capture as run
 
     def kept(found: Captured) -> None:
         note_left(f"{output} holds {found.weave or 'a draft'} as far as it is fitted.")

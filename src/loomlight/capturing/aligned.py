@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.capture.crossings import Crossings
-from loomlight.capture.photographer import CAMERA_WIDTHS, Light, Linear, photograph
-from loomlight.capture.thread_colours import ColourOrder
-from loomlight.capture.thread_grid import Plane, ThreadGrid, blurred
-from loomlight.capture.weave_match import WeaveFit, placed
-from loomlight.capture.yarn_fit import Cloth, Yarns, even_fabric
+from loomlight.capturing.crossings import Crossings
+from loomlight.capturing.photographer import CAMERA_WIDTHS, Light, Linear, photograph
+from loomlight.capturing.thread_colours import ColourOrder
+from loomlight.capturing.thread_grid import Plane, ThreadGrid, blurred
+from loomlight.capturing.weave_match import WeaveFit, placed
+from loomlight.capturing.yarn_fit import Cloth, Yarns, even_fabric
 from loomlight.core.colour import linear_to_srgb
 from loomlight.weave.draft import Draft
 

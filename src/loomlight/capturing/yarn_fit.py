@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.capture.photographer import Light
-from loomlight.capture.tile import Tile, rendered, unsharp
+from loomlight.capturing.photographer import Light
+from loomlight.capturing.tile import Tile, rendered, unsharp
 from loomlight.core.colour import linear_to_srgb
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.read import validate_fields

@@ -1,6 +1,6 @@
 """Weaves are told from crossings, in any place; and colours in order.
 
-Covers: capture/crossings.py, capture/thread_colours.py, capture/lighting.py
+Covers: capturing/crossings.py, capturing/thread_colours.py, capturing/lighting.py
 """
 
 from __future__ import annotations
@@ -8,14 +8,21 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from loomlight.capture.crossings import Crossings, find_crossings
-from loomlight.capture.lighting import light_over
-from loomlight.capture.thread_colours import colour_orders
-from loomlight.capture.thread_grid import ThreadGrid, find_grid
-from loomlight.capture.weave_match import WeaveFit, candidates, complement_of, fit_structure, fit_weaves
+from loomlight.capturing.crossings import Crossings, find_crossings
+from loomlight.capturing.lighting import light_over
+from loomlight.capturing.thread_colours import colour_orders
+from loomlight.capturing.thread_grid import ThreadGrid, find_grid
+from loomlight.capturing.weave_match import (
+    WeaveFit,
+    candidates,
+    complement_of,
+    fit_drafts,
+    fit_structure,
+    fit_weaves,
+)
 from loomlight.core.colour import delta_e_2000, lab_of_linear, srgb_to_linear
 from loomlight.weave.named import named_weave
-from tests.capture.pictures import BLUE, CREAM, RED, knitted, woven
+from tests.capturing.pictures import BLUE, CREAM, RED, knitted, woven
 
 
 def seen(picture: np.ndarray) -> tuple[ThreadGrid, Crossings]:
@@ -112,3 +119,26 @@ def test_light_that_falls_off_is_found_beside_colours() -> None:
     # The drawing is encoded: 0.8 of it is about 0.8 to the power of 2.2 of the light.
     ratio = light[:, 0].mean() / light[:, -1].mean()
     assert ratio == pytest.approx(0.8**2.2, rel=0.05)
+
+
+def test_a_weave_without_a_name_is_found_by_its_repeat() -> None:
+    """And one that has a name, but is no candidate, by that."""
+    drawn = np.array(
+        [[1, 1, 0, 0, 1], [0, 1, 1, 0, 1], [0, 0, 1, 1, 0], [1, 0, 1, 0, 0], [1, 0, 0, 1, 1]], bool
+    )
+    for drawdown, name in ((drawn, ""), (named_weave("twill 6/3 z").drawdown, "twill 6/3 z")):
+        _, crossings = seen(woven(drawdown, size=(360, 400)))
+        named = fit_weaves([crossings])
+        free = fit_drafts([crossings], named)
+        best = max(free, key=lambda fit: fit.unsigned)
+        assert best.unsigned > named[0].unsigned
+        up = best.table(crossings.shape)
+        assert (best.name in (name, "twill 3/6 z")) if name else best.name == ""
+        # The colours that it parts are those that were drawn, of the one family or the other.
+        means = {round(float(crossings.colour[part].mean()), 1) for part in (up, ~up)}
+        assert len(means) == 2
+
+
+def test_a_candidate_is_no_weave_without_a_name() -> None:
+    _, crossings = seen(woven(named_weave("twill 2/1 z").drawdown))
+    assert fit_drafts([crossings], fit_weaves([crossings])) == []

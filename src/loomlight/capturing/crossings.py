@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.capture.thread_grid import Plane, ThreadGrid, blurred
+from loomlight.capturing.thread_grid import Plane, ThreadGrid, blurred
 
 # Samples along a side of a crossing.
 CELLS = 6

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.capture.crossings import Crossings
+from loomlight.capturing.crossings import Crossings
 from loomlight.core.colour import delta_e_2000, lab_of_linear, srgb_to_linear
 
 # Threads of one dye differ by less (CIEDE2000): shades of uneven yarns, and noise, reach about 4.

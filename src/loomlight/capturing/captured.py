@@ -11,19 +11,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.capture.aligned import aligned_picture
-from loomlight.capture.crossings import Crossings
-from loomlight.capture.photographer import Light, Linear
-from loomlight.capture.sheet import capture_sheet
-from loomlight.capture.thread_colours import ColourOrder
-from loomlight.capture.thread_grid import ThreadGrid
-from loomlight.capture.weave_match import WeaveFit
-from loomlight.capture.yarn_fit import FAMILIES, PARAMETERS, Fit
+from loomlight.capturing.aligned import aligned_picture
+from loomlight.capturing.crossings import Crossings
+from loomlight.capturing.photographer import Light, Linear
+from loomlight.capturing.sheet import capture_sheet
+from loomlight.capturing.thread_colours import ColourOrder
+from loomlight.capturing.thread_grid import ThreadGrid
+from loomlight.capturing.weave_match import WeaveFit
+from loomlight.capturing.yarn_fit import FAMILIES, PARAMETERS, Fit
 from loomlight.core.colour import to_hex
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.files import replacing_all
-from loomlight.fabric.fabric import Fabric
-from loomlight.fabric.read import fabric_from_fields
+from loomlight.fabric.fabric import Fabric, make_fabric
+from loomlight.fabric.read import fabric_from_fields, validate_fields
 from loomlight.fabric.write import fabric_toml
 from loomlight.weave.draft import Draft
 from loomlight.weave.wif_writer import write_wif
@@ -108,7 +108,10 @@ class Captured:
 
     def fabric(self, folder: str | os.PathLike[str] = ".") -> Fabric:
         """The fabric; paths in it are relative to `folder`."""
-        return fabric_from_fields(self._fields(folder, None), folder)
+        fields = validate_fields(self._fields(folder, None))
+        if self.weave or self.draft_file is not None:
+            return fabric_from_fields(fields.model_dump(exclude_none=True), folder)
+        return make_fabric(fields, self.draft, str(fields.name), str(folder))
 
     def toml(self, folder: str | os.PathLike[str] = ".", draft: str | None = None) -> str:
         """The fabric file's text, with what is known of each field beside it.
@@ -116,8 +119,7 @@ class Captured:
         Args:
             draft: name of the file of a weave without a name.
         """
-        fields = fabric_from_fields(self._fields(folder, draft), folder).fields
-        text = fabric_toml(fields, str(folder), str(folder))
+        text = fabric_toml(validate_fields(self._fields(folder, draft)), str(folder), str(folder))
         return _commented(text, self._notes(), self._head())
 
     def save(self, output: str | os.PathLike[str]) -> Path:
@@ -134,8 +136,8 @@ class Captured:
                 temporary.write_text(self.toml(path.parent), encoding="utf-8")
             return path
         wif = path.with_suffix(".wif")
-        write_wif(self.draft, wif)
-        with replacing_all([path]) as (temporary,):
+        with replacing_all([wif, path]) as (draft, temporary):
+            write_wif(self.draft, draft)
             temporary.write_text(self.toml(path.parent, wif.name), encoding="utf-8")
         return path
 
@@ -164,7 +166,7 @@ class Captured:
         """Photograph, render in the same light, difference and draft, 8-bit sRGB [height, width, 3]."""
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", LoomlightWarning)
-            draft = self.fabric().draft if self.weave else self.draft
+            draft = self.fabric().draft
         lines = [self.summary, *(f"Doubtful: {sentence}" for sentence in self.doubts)]
         return capture_sheet(self.linear, self.render(), draft, lines)
 
@@ -183,8 +185,8 @@ class Captured:
         found = []
         if self.choice.confidence < SURE:
             found.append(
-                f"the weave {self.weave} is a guess, {100 * self.choice.confidence:.0f} % sure: check the "
-                "draft, and give --weave or --draft if you know it."
+                f"the weave {self.weave or 'in the draft'} is a guess, {100 * self.choice.confidence:.0f} % "
+                "sure: check the draft, and give --weave or --draft if you know it."
             )
         left = 255 * float(np.sqrt(self.fit.cost))
         if left > GOOD_ROOT:

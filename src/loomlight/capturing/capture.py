@@ -7,29 +7,41 @@ import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import lcm
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.capture.captured import Captured, WeaveChoice
-from loomlight.capture.crossings import Crossings, find_crossings
-from loomlight.capture.lighting import light_over
-from loomlight.capture.photo import FINE_SIDE, WORKING_SIDE, Photo, read_photo
-from loomlight.capture.photographer import Light
-from loomlight.capture.thread_colours import ColourOrder, colour_orders
-from loomlight.capture.thread_grid import ThreadGrid, find_grid
-from loomlight.capture.tile import Tile, folded
-from loomlight.capture.weave_match import WeaveFit, complement_of, fit_structure, fit_weaves, placed
-from loomlight.capture.yarn_fit import KINDS, Cloth, Fit, YarnFitter
+from loomlight.capturing.captured import FABRIC_SUFFIX, Captured, WeaveChoice
+from loomlight.capturing.crossings import Crossings, find_crossings
+from loomlight.capturing.lighting import light_over
+from loomlight.capturing.photo import FINE_SIDE, WORKING_SIDE, Photo, read_photo
+from loomlight.capturing.photographer import Light
+from loomlight.capturing.thread_colours import ColourOrder, colour_orders
+from loomlight.capturing.thread_grid import ThreadGrid, find_grid
+from loomlight.capturing.tile import Tile, folded
+from loomlight.capturing.weave_match import (
+    WeaveFit,
+    complement_of,
+    fit_drafts,
+    fit_structure,
+    fit_weaves,
+    placed,
+)
+from loomlight.capturing.yarn_fit import KINDS, Cloth, Fit, YarnFitter
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.core.files import require_file
+from loomlight.core.files import PIXEL_SUFFIXES, require_file
 from loomlight.core.images import write_pixels
+from loomlight.core.outputs import check_output
 from loomlight.weave.draft import Draft
 from loomlight.weave.load import load_draft
 from loomlight.weave.named import named_weave
+from loomlight.weave.recognition import weave_name
 
 Report = Callable[[int, int], None]
 LIGHTS = ("flash", "window")
+# Sides that a window may be at, degrees from the right, and the kind of yarn that is tried under each.
+_WINDOWS, _MATT = (0.0, 90.0, 180.0, 270.0), "cotton"
 # Below so many pixels a thread the photograph is looked at again in more of its own pixels.
 _FINE_PX = 14.0
 # Weaves that are rendered beside the photograph, and by how much likelier the best may be than another.
@@ -94,12 +106,16 @@ def capture(
 
     Raises:
         InputError: a photograph that shows no weave: blurred, too coarse, clipped, a knit, not flat; a weave
-            or a draft that it contradicts.
+            or a draft that cannot be read; a path that cannot be written.
     """
     if light not in LIGHTS:
         raise InputError(f'light = "{light}" is unknown: write {" or ".join(LIGHTS)}.')
     if weave is not None and draft is not None:
         raise InputError("weave and draft say the same: give one of them.")
+    if output is not None:
+        check_output(Path(output), (FABRIC_SUFFIX,), [photo, back, draft])
+    if sheet is not None:
+        check_output(Path(sheet), PIXEL_SUFFIXES, [photo, back, draft, output])
     given = _given_structure(weave, draft)
     report(1, _STEPS)
     # Read, and find the threads.
@@ -112,12 +128,13 @@ def capture(
     # Find the weave by what crossings show, and by renders of the likeliest ones.
     if given is None:
         fits = fit_weaves(views)
+        fits = sorted([*fits, *fit_drafts(views, fits)], key=lambda fit: -fit.score)
         _require_weave(photo, fits[0], face.crossings)
     else:
         fits = [fit_structure(given[0], given[1], views)]
     report(28, _STEPS)
-    lit = Light(light)
     face = _evenly_lit(face, fits[0])
+    lit = _light(face, fits[0], light)
     choice, fitter, start = _chosen(face, fits, lit, report)
     sketch = Captured(
         photo=str(photo),
@@ -203,7 +220,10 @@ def _given_structure(
 ) -> tuple[str, NDArray[np.bool_]] | None:
     """The name and structure that the user gives."""
     if weave is not None:
-        return " ".join(weave.split()), named_weave(weave).drawdown
+        made = named_weave(weave)
+        name = " ".join(weave.split())
+        # The colours are the photograph's: of colour-and-weave effects the structure is kept.
+        return name if made.palette is None else weave_name(made.drawdown) or name, made.drawdown
     if draft is not None:
         return "", load_draft(draft).drawdown
     return None
@@ -218,6 +238,17 @@ def _require_weave(photo: str | os.PathLike[str], best: WeaveFit, crossings: Cro
 
 
 # ---------------------------------------------------------------------------------------------------- weaving
+
+
+def _light(face: _Seen, fit: WeaveFit, kind: str) -> Light:
+    """The light of a kind; of windows the one at the side from which a matt cloth looks likest."""
+    if kind == "flash":
+        return Light(kind)
+    choice = _choice(face, fit, 1.0)
+    cloth, tile = _cloth_and_tile(face, choice)
+    colours = choice.warp.colours, choice.weft.colours
+    windows = [Light(kind, azimuth) for azimuth in _WINDOWS]
+    return min(windows, key=lambda each: YarnFitter(cloth, tile, each).begun(_MATT, colours, steps=1).cost)
 
 
 def _chosen(

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from loomlight.capture.thread_grid import blurred, find_grid
+from loomlight.capturing.thread_grid import blurred, find_grid
 from loomlight.core.errors import InputError
 from loomlight.weave.named import named_weave
-from tests.capture.pictures import BLUE, CREAM, RED, woven
+from tests.capturing.pictures import BLUE, CREAM, RED, woven
 
 # The mean spacing of some twenty threads, each boundary known to a tenth of a thread: half a per cent.
 TOLERANCE = 0.005

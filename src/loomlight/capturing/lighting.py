@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.capture.crossings import Crossings
-from loomlight.capture.thread_colours import ColourOrder
-from loomlight.capture.thread_grid import ThreadGrid
+from loomlight.capturing.crossings import Crossings
+from loomlight.capturing.thread_colours import ColourOrder
+from loomlight.capturing.thread_grid import ThreadGrid
 from loomlight.core.colour import srgb_to_linear
 from loomlight.core.errors import InputError
 

@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from loomlight.capture.photo import read_photo
+from loomlight.capturing.photo import read_photo
 from loomlight.core.colour import srgb_to_linear
 from loomlight.core.errors import InputError
 from loomlight.weave.named import named_weave
-from tests.capture.pictures import save, woven
+from tests.capturing.pictures import save, woven
 
 CLOTH = woven(named_weave("plain").drawdown, size=(160, 120))
 

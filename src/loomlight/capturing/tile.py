@@ -12,8 +12,8 @@ from math import ceil
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.capture.photographer import Framing, Light, photograph
-from loomlight.capture.thread_grid import ThreadGrid
+from loomlight.capturing.photographer import Framing, Light, photograph
+from loomlight.capturing.thread_grid import ThreadGrid
 from loomlight.core.colour import linear_to_srgb
 from loomlight.fabric.fabric import Fabric
 

@@ -14,14 +14,20 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.capture.crossings import Crossings
+from loomlight.capturing.crossings import Crossings
 from loomlight.weave.named import named_weave
+from loomlight.weave.recognition import weave_name
 from loomlight.weave.structures import satin_steps
 
 Structure = NDArray[np.bool_]
 
 # Share of a channel's variance that noise has at least: what no photograph is free of.
 _NOISE_FLOOR = 0.02
+# Of a weave without a name: threads of its repeat, crossings that may break it, and the share of the variance
+# that two groups of crossings may leave.
+_MAX_FREE, _MAX_BREAKS, _MAX_WITHIN = 24, 0.08, 0.35
+# Rounds in which the edge between two groups settles.
+_ROUNDS = 12
 # Deviation of encoded colours below which two families look alike.
 _SAME_COLOUR = 0.012
 
@@ -31,7 +37,7 @@ class WeaveFit:
     """One structure in its best place.
 
     Attributes:
-        name: as `named_weave` reads it.
+        name: as `named_weave` reads it; "" of a weave without one.
         structure: bool [picks, ends], one repeat, True where the warp is on top.
         shift: which pick and end of the repeat row 0 and column 0 of the crossings are.
         score: logarithm of its likelihood, above that of one family alone.
@@ -116,6 +122,65 @@ def fit_weaves(crossings: list[Crossings]) -> list[WeaveFit]:
         structure = bits.reshape(shape).astype(bool)
         fits.append(_best_place(name, structure, evidence))
     return sorted(fits, key=lambda fit: -fit.score)
+
+
+def fit_drafts(crossings: list[Crossings], fits: list[WeaveFit]) -> list[WeaveFit]:
+    """Weaves that no candidate is: crossings parted by colour, and the repeat that they have; two, or none.
+
+    Args:
+        fits: of the candidates.
+    """
+    up = _parted(crossings[0].colour)
+    sides = None if up is None else [_repeat_of(rows) for rows in (up, up.T)]
+    if up is None or sides is None or None in sides:
+        return []
+    picks, ends = (int(side or 0) for side in sides)
+    # What most crossings at one place of the repeat are.
+    structure = _folded(np.where(up, 0.5, -0.5), (picks, ends)) > 0
+    known = {_canonical(fit.structure) for fit in fits if fit.structure.shape == structure.shape}
+    found = []
+    for each in (structure, ~structure):
+        if not each.any(axis=0).all() or each.all(axis=0).any() or _canonical(each) in known:
+            continue
+        fit = fit_structure(_name_of(each), each, crossings)
+        # Each crossing of the repeat is free: a choice of two that a name has not.
+        cost = float(np.log(2) * each.size)
+        found.append(WeaveFit(fit.name, each, fit.shift, fit.score - cost, fit.unsigned - cost))
+    return found
+
+
+def _name_of(structure: Structure) -> str:
+    """The name of a structure if it has one that is read again as the same, else ""."""
+    name = weave_name(structure)
+    if name is None or name.startswith("mostly"):
+        return ""
+    again = named_weave(name).drawdown
+    return name if again.shape == structure.shape and _canonical(again) == _canonical(structure) else ""
+
+
+def _parted(colour: NDArray[np.float64]) -> Structure | None:
+    """Crossings in two groups by colour, bool [picks, ends]; None where they are no two."""
+    flat = colour.reshape(-1, 3) - colour.mean(axis=(0, 1))
+    _, _, axes = np.linalg.svd(flat, full_matrices=False)
+    along = flat @ axes[0]
+    edge = 0.0
+    for _ in range(_ROUNDS):
+        low, high = along[along <= edge], along[along > edge]
+        if not low.size or not high.size:
+            return None
+        edge = 0.5 * float(low.mean() + high.mean())
+    within = low.size * low.var() + high.size * high.var()
+    if within > _MAX_WITHIN * along.size * along.var():
+        return None
+    return np.asarray((along > edge).reshape(colour.shape[:2]))
+
+
+def _repeat_of(rows: Structure) -> int | None:
+    """After how many rows a table is the same again, but for few crossings; None if it is seen but once."""
+    for period in range(1, min(_MAX_FREE, len(rows) // 2) + 1):
+        if float((rows[period:] != rows[:-period]).mean()) <= _MAX_BREAKS:
+            return period
+    return None
 
 
 def fit_structure(name: str, structure: Structure, crossings: list[Crossings]) -> WeaveFit:
