@@ -59,7 +59,8 @@ def cycles_layers(material: FittedMaterial, texels: Texels, model: Model) -> Cyc
     light = _directions(rng, np.sqrt(rng.uniform(_MIN_COSINE**2, 1, _QUERIES)))
     truth = _values(model, material, texels.place[row, column], view, light)
     seen = material.cover[row, column] > MIN_COVER
-    row, column, view, light, truth = (part[seen] for part in (row, column, view, light, truth))
+    row, column = row[seen], column[seen]
+    view, light, truth = view[seen], light[seen], truth[seen]
     cover = material.cover[row, column, None]
     place = _at(material, row, column)
     lambert = cover * evaluate_gltf(replace(place, weight=0.0), light, view)
