@@ -242,6 +242,23 @@ def test_cancelling_ends_the_process(blender: Callable[..., dict[str, Any]]) -> 
     assert "nothing has changed" in found["message"]
 
 
+def test_displacement_is_linked_where_it_is_chosen(blender: Callable[..., dict[str, Any]]) -> None:
+    found = blender("""
+        states = []
+        for chosen in (False, True):
+            settings.displacement = chosen
+            ready()
+            tree = thing.active_material.node_tree
+            output = next(node for node in tree.nodes if node.type == "OUTPUT_MATERIAL")
+            amount = tree.nodes["loomlight"].inputs["Displacement"].default_value
+            linked = output.inputs["Displacement"].is_linked
+            method = thing.active_material.displacement_method
+            states.append([linked, amount, method])
+        done(states=states)
+    """)
+    assert found["states"] == [[False, 0, "BUMP"], [True, 1, "BOTH"]]
+
+
 def test_a_second_material_takes_the_place_of_the_first(blender: Callable[..., dict[str, Any]]) -> None:
     found = blender("ready()\nready()\ndone(**blocks())")
     assert len(found["materials"]) == len(found["node_groups"]) == 1
