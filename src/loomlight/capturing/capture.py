@@ -28,7 +28,7 @@ from loomlight.capturing.weave_match import (
     fit_weaves,
     placed,
 )
-from loomlight.capturing.yarn_fit import KINDS, Cloth, Fit, YarnFitter
+from loomlight.capturing.yarn_fit import KINDS, MODEL_ERROR, Cloth, Fit, YarnFitter
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.files import PIXEL_SUFFIXES, require_file
 from loomlight.core.images import write_pixels
@@ -270,7 +270,9 @@ def _chosen(
     found = []
     for number, fit in enumerate(tried):
         fitter, start, left = _begun(face, fit, light)
-        found.append((fit.unsigned - votes * 0.5 * np.log(left), fit, fitter, start))
+        # Of the pixels, and of their mean repeat, where families that have changed places differ.
+        off = np.log(left) + np.log(start.cost + MODEL_ERROR**2)
+        found.append((fit.unsigned - 0.5 * votes * off, fit, fitter, start))
         report(28 + 20 * (number + 1) // len(tried), _STEPS)
     found.sort(key=lambda each: -each[0])
     scores = np.array([each[0] for each in found])

@@ -30,6 +30,8 @@ _MAX_FREE, _MAX_BREAKS, _MAX_WITHIN = 24, 0.08, 0.35
 _ROUNDS = 12
 # Deviation of encoded colours below which two families look alike.
 _SAME_COLOUR = 0.012
+# The same of hues, shares of the sum of channels, and the sum below which they are mostly noise.
+_SAME_HUE, _DARK = 0.004, 0.15
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,10 +88,10 @@ def _names() -> Iterator[str]:
     for ends in (5, 6, 7, 8, 10):
         for step in satin_steps(ends):
             yield from (f"{kind} {ends}/{step}" for kind in ("satin", "sateen"))
-    for ends, picks in ((2, 2), (3, 3), (4, 4), (2, 1), (1, 2), (3, 2), (2, 3)):
-        yield f"basket {ends}/{picks}"
     for counts in ("2/2", "3/3", "2/1", "3/1", "4/4"):
         yield from (f"{kind} rib {counts}" for kind in ("warp", "weft"))
+    for ends, picks in ((2, 2), (3, 3), (4, 4), (2, 1), (1, 2), (3, 2), (2, 3)):
+        yield f"basket {ends}/{picks}"
     for parts in ("2/2", "2/1", "3/1", "1/3", "3/3"):
         for leg in (4, 6, 8, 9, 10, 12, 16):
             yield f"herringbone {parts} {leg}"
@@ -224,11 +226,15 @@ class _Evidence:
     """The channels of a table of crossings."""
 
     def __init__(self, crossings: Crossings) -> None:
-        self._colour = crossings.colour - crossings.colour.mean(axis=(0, 1))
+        # Hues beside colours: highlights make crossings of one yarn bright and dark, but of about one hue.
+        hue = crossings.colour / (crossings.colour.sum(axis=-1, keepdims=True) + _DARK)
+        self._colours = [
+            (part - part.mean(axis=(0, 1)), same**2 * part.size)
+            for part, same in ((crossings.colour, _SAME_COLOUR), (hue, _SAME_HUE))
+        ]
         self._shading = [_bounded(part) for part in (crossings.roundness, crossings.edging)]
         self.shape = crossings.shape
         self._votes = crossings.votes
-        self._floor = _SAME_COLOUR**2 * crossings.colour.size
 
     def best(self, structure: Structure) -> tuple[float, float, tuple[int, int]]:
         """The score of a structure in its best place, the same unsigned, and that place."""
@@ -240,11 +246,13 @@ class _Evidence:
     def scores(self, structure: Structure) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Logarithms of the likelihood in all places, against no weave, signed and unsigned [picks, ends]."""
         turned = _turned(structure)
-        total = float(np.square(self._colour).sum()) + self._floor
-        explained = _explained(turned, self._colour)
-        # Of picks the table is laid on its side, and the weft is what is on top.
-        explained += _explained(~turned.transpose(1, 0, 3, 2), self._colour.transpose(1, 0, 2)).T
-        gain = -0.5 * np.log(np.maximum((total - explained) / total, _NOISE_FLOOR))
+        gain = np.zeros(structure.shape)
+        for colour, floor in self._colours:
+            total = float(np.square(colour).sum()) + floor
+            explained = _explained(turned, colour)
+            # Of picks the table is laid on its side, and the weft is what is on top.
+            explained += _explained(~turned.transpose(1, 0, 3, 2), colour.transpose(1, 0, 2)).T
+            gain -= 0.5 * np.log(np.maximum((total - explained) / total, _NOISE_FLOOR))
         unsigned = gain.copy()
         counts = _folded(np.ones(self.shape), structure.shape)
         over_count = np.einsum("abpq,pq->ab", turned, counts)
