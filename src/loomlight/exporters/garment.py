@@ -146,11 +146,11 @@ def clothed_garment(fabric: Fabric, settings: GarmentSettings, fit: Fit) -> Clot
     )
     # 2. A material for each that is worn.
     worn = sorted({number for _, number in garment.pieces})
-    keys = _distinct([fabrics[number].name for number in worn], str, "Cloth")
-    files = _distinct([fabrics[number].name for number in worn], file_name, "cloth")
+    given = [fabrics[number].name for number in worn]
+    names, keys = _distinct(given, str, "Cloth"), _distinct(given, file_name, "cloth")
     cloths = [
         GarmentCloth(name, key, fit(fabrics[number]))
-        for number, name, key in zip(worn, keys, files, strict=True)
+        for number, name, key in zip(worn, names, keys, strict=True)
     ]
     # 3. Parts whose uv count repeats of its textures.
     parts = _covered_parts(garment, [worn.index(number) for _, number in garment.pieces], cloths, settings)
