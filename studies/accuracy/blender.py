@@ -79,7 +79,7 @@ def measure(settings: Blender, run: Run) -> Found:
                 rows.append(row)
                 missed += misses(row)
                 pictures = [on_display(truth), on_display(found)]
-                caption = f"FLIP {row['flip']:.3f}, ΔE {row['colour_difference']:.1f}"
+                caption = f"FLIP {row['flip']:.3f}, dE {row['colour_difference']:.1f}"
                 tiles.append(Row(f"{name}, {width}", [Tile(pictures[0]), Tile(pictures[1], caption)]))
                 run.report(len(rows), len(listed(settings.fabrics)) * len(listed(settings.widths)))
     page = contact_sheet("Cloth in Blender beside lobes", ["lobes", "Blender, Cycles"], tiles)
