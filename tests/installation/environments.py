@@ -135,6 +135,8 @@ CASES = (
     Case("compare plain -o report --models point,lobes --scenes sphere --size 16x9 --spp 1", only=(BASE,)),
     Case("export plain --to gltf -o gltf", only=(BASE,)),
     Case("export plain --to blender-addon -o addon", only=(BASE,)),
+    Case("export plain --to u3m -o u3m", only=(BASE,)),
+    Case("export plain --to godot -o godot", only=(BASE,)),
     *(Case(f"export plain --to {name} -o {name}", only=(BASE,)) for name in _SHADER_LANGUAGES),
     Case("export plain --to materialx -o materialx", ("materialx",), ("materialx",)),
     Case("render plain -o mesh.png --mesh quad.gltf --size 32x24 --spp 1", ("meshopt",), ("meshopt",)),

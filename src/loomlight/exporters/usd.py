@@ -31,7 +31,7 @@ from loomlight.exporters.garment import (
 )
 from loomlight.exporters.gltf import eight_bits
 from loomlight.exporters.materials import fitted
-from loomlight.exporters.materialx import document_of, document_textures, require_materialx, standard_library
+from loomlight.exporters.materialx import document_of, document_textures, standard_library
 from loomlight.exporters.metal_rough import metal_rough
 from loomlight.fabric.fabric import Fabric
 from loomlight.mesh.picture_places import FILE_UV
@@ -116,8 +116,8 @@ def write_package(file: Path, garment: ClothedGarment) -> None:
 
 def _require_packages() -> None:
     """Raises MissingDependencyError unless usd-core and MaterialX are there."""
-    import_extra("pxr.Usd", "usd", "Export to USD")
-    require_materialx()
+    for module in ("pxr.Usd", "MaterialX"):
+        import_extra(module, "usd,materialx", "Export to USD")
 
 
 def textures_of(cloth: GarmentCloth) -> dict[str, NDArray[np.uint8]]:
