@@ -13,10 +13,14 @@ from pathlib import Path
 import pytest
 import typer
 
+from loomlight.capturing.photographer import Light, photograph, straight
 from loomlight.cli.main import app, run
+from loomlight.core.colour import linear_to_srgb
+from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba.pictures import RenderJob
 from loomlight.models.registry import MODELS
 from studies.instruments import towel
+from tests.capturing.pictures import save
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -93,6 +97,10 @@ def clone(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     if "frames/*.obj" in text:
         towel.write(tmp_path / "frames", 48)
+    if "capture photo.jpg" in text:
+        cloth = fabric_from_text('weave = "twill 2/1"\nends_per_cm = 13\npicks_per_cm = 12\n')
+        seen = photograph(cloth, straight((300, 300), 20.0), Light(), 4)
+        save(tmp_path / "photo.jpg", linear_to_srgb(seen), quality=95)
     # A quarter of the pixels, and a few samples of each: the words stay the same, and pages take less time.
     begin = RenderJob.__post_init__
 
