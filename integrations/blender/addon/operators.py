@@ -75,7 +75,7 @@ class LOOMLIGHT_OT_apply(bpy.types.Operator):  # noqa: N801 (Blender's conventio
         return {"FINISHED"}
 
 
-class LOOMLIGHT_OT_cancel(bpy.types.Operator):  # noqa: N801
+class LOOMLIGHT_OT_cancel(bpy.types.Operator):  # noqa: N801 (Blender's convention)
     """Stop making the material; the scene stays as it is"""
 
     bl_idname = "loomlight.cancel"

@@ -73,7 +73,7 @@ def _draw_material(layout: bpy.types.UILayout, thing: bpy.types.Object | None) -
         box.prop(thing, f'["{SCALE}"]', text="mm per UV")
 
 
-class LOOMLIGHT_PT_sidebar(_Panel, bpy.types.Panel):  # noqa: N801
+class LOOMLIGHT_PT_sidebar(_Panel, bpy.types.Panel):  # noqa: N801 (Blender's convention)
     """The panel of the 3D view."""
 
     bl_space_type = "VIEW_3D"
@@ -81,7 +81,7 @@ class LOOMLIGHT_PT_sidebar(_Panel, bpy.types.Panel):  # noqa: N801
     bl_category = "Loomlight"
 
 
-class LOOMLIGHT_PT_material(_Panel, bpy.types.Panel):  # noqa: N801
+class LOOMLIGHT_PT_material(_Panel, bpy.types.Panel):  # noqa: N801 (Blender's convention)
     """The panel of the material properties."""
 
     bl_space_type = "PROPERTIES"

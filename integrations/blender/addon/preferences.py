@@ -10,6 +10,7 @@ from pathlib import Path
 import bpy
 
 
+# Blender makes properties of annotations that are calls, which no type checker takes for types.
 class NotFoundError(Exception):
     """There is no loomlight; the message says what to do."""
 

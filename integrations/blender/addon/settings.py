@@ -41,6 +41,7 @@ def _weaves(settings: LoomlightSettings, context: bpy.types.Context) -> list[pic
     return pictures.weaves()
 
 
+# Blender makes properties of annotations that are calls, which no type checker takes for types.
 class LoomlightSettings(bpy.types.PropertyGroup):
     """The fabric that *Apply* puts onto the selected objects."""
 

@@ -127,7 +127,7 @@ def fit_weaves(crossings: list[Crossings]) -> list[WeaveFit]:
 
 
 def fit_drafts(crossings: list[Crossings], fits: list[WeaveFit]) -> list[WeaveFit]:
-    """Weaves that no candidate is: crossings parted by colour, and the repeat that they have; two, or none.
+    """Weaves that no candidate is: crossings told apart by colour, and their repeat; two, or none.
 
     Args:
         fits: of the candidates.

@@ -16,7 +16,7 @@ from drjit.llvm import Array3f, Float
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
-from loomlight.exporters.fit import FittedMaterial
+from loomlight.exporters.fit import TEXEL_FIELDS, FittedMaterial
 from loomlight.exporters.standards import StandardMaterial, evaluate_gltf
 from loomlight.exporters.texels import MIN_COVER, TexelGrid
 from loomlight.models.interface import Model
@@ -121,18 +121,7 @@ def _directions(rng: np.random.Generator, cosine: Numbers) -> Numbers:
 
 def _at(material: FittedMaterial, row: NDArray[np.int64], column: NDArray[np.int64]) -> StandardMaterial:
     """Some texels of the material, without its sheen."""
-    names = (
-        "base",
-        "transmission",
-        "transmit",
-        "specular",
-        "alpha_x",
-        "alpha_y",
-        "normal",
-        "axis_x",
-        "axis_y",
-    )
-    chosen = {name: getattr(material, name)[row, column] for name in names}
+    chosen = {name: getattr(material, name)[row, column] for name in TEXEL_FIELDS}
     return StandardMaterial(**chosen, weight=material.weight, sheen=np.zeros(3), sheen_roughness=1.0)
 
 

@@ -91,8 +91,8 @@ class _Queries:
         )
 
 
-# Fields of a `FittedMaterial` with an element a texel.
-_MAPS = (
+# Fields of a `StandardMaterial` with an element a texel, and those of a `FittedMaterial`.
+TEXEL_FIELDS = (
     "base",
     "transmission",
     "transmit",
@@ -102,10 +102,8 @@ _MAPS = (
     "normal",
     "axis_x",
     "axis_y",
-    "direction",
-    "cover",
-    "height",
 )
+_MAPS = (*TEXEL_FIELDS, "direction", "cover", "height")
 
 
 def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> FittedMaterial:

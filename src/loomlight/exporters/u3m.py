@@ -22,7 +22,7 @@ from PIL import Image
 
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import InputError
-from loomlight.exporters.fit import FittedMaterial, fit_texels
+from loomlight.exporters.fit import TEXEL_FIELDS, FittedMaterial, fit_texels
 from loomlight.exporters.gltf import eight_bits
 from loomlight.exporters.materials import facts
 from loomlight.exporters.standards import (
@@ -206,20 +206,9 @@ def _rgb(color: Numbers) -> dict[str, float]:
 
 def _lit(material: FittedMaterial, side: int, light_x: float) -> Numbers:
     """sRGB values [side, side, 3] of a corner of the cloth, on white, half lit by the sky."""
-    names = (
-        "base",
-        "transmission",
-        "transmit",
-        "specular",
-        "alpha_x",
-        "alpha_y",
-        "normal",
-        "axis_x",
-        "axis_y",
-    )
     flat = {
         name: getattr(material, name)[:side, :side].reshape(side * side, *getattr(material, name).shape[2:])
-        for name in names
+        for name in TEXEL_FIELDS
     }
     part = StandardMaterial(
         **flat, weight=material.weight, sheen=material.sheen, sheen_roughness=material.sheen_roughness
