@@ -373,7 +373,7 @@ class GarmentSettings(Settings):
         RenderSettings,
         "cloths",
         help="Further fabrics, for parts, pieces or materials NAME of the mesh; turn turns the weave there "
-        "(`Worn` in Python).",
+        "(`Worn` in Python). U3M takes them without a mesh.",
     )
     unwrap: bool | None = same_setting(RenderSettings, "unwrap")
     metres_per_unit: float = same_setting(
