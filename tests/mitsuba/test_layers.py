@@ -1,6 +1,6 @@
 """Layers of pictures: albedo, normal and depth of what the camera sees, through holes too.
 
-Covers: mitsuba/layers.py, `render --aov`
+Covers: mitsuba/layers.py
 """
 
 from __future__ import annotations
