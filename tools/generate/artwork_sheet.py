@@ -15,8 +15,8 @@ from loomlight import load_fabric, make_model, render
 from loomlight.core.images import encoded
 from loomlight.core.picture_settings import Placement
 
-# Each with where its weave lies on flat cloth, millimetres: a flower, and a sun, in the middle.
-ARTWORKS = {"peonies": (-250.0, -175.0), "waves": (-50.0, -175.0)}
+# Each with where its weave lies on flat cloth, millimetres: a flower, and the rim of a sun, in the middle.
+ARTWORKS = {"peonies": (-250.0, -175.0), "waves": (-5.0, -175.0)}
 # Each with its scene and settings.
 VIEWS: dict[str, tuple[str, dict[str, Any]]] = {
     "draped": ("drape", {"inset": False}),
