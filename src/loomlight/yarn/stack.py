@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass, fields, replace
 from functools import reduce
-from typing import Any, TypeVar
+from typing import Any
 
 import drjit as dr
 import numpy as np
@@ -21,11 +21,22 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, upload
 from loomlight.yarn.flanks import Sheet, SurfacePoint, Tube, meet_tube
-from loomlight.yarn.geometry import CellBounds, Probe, YarnGeometry, upload_family
+from loomlight.yarn.geometry import (
+    Cell,
+    CellBounds,
+    Crossing,
+    Probe,
+    Run,
+    Scalars,
+    Shown,
+    YarnGeometry,
+    next_outline,
+    shown_surface,
+    upload_family,
+)
 from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.planes import Choose, PlaneTables, choose_cell, chooser
 from loomlight.yarn.threads import CELL_MAX_LEVELS, CELL_MAX_SHIFT, place_family
-
-_Record = TypeVar("_Record", SurfacePoint, Tube, Probe)
 
 
 @dataclass
@@ -46,7 +57,8 @@ class _Placed:
 
     Attributes:
         starts: x and y where each layer's cells begin.
-        threads: numbers in the draft of each layer's ends and picks.
+        planes, scalar: tables of the layers, and numbers of the fabric.
+        threads: numbers in the draft of all layers' ends, and of picks, with the place of each layer's first.
         gains: largest height of each layer above its plane, as a share of that of the whole cloth.
         high, per_high: the latter and its inverse.
         highest_first: of each layer, front and back: the highest of its planes where it is first.
@@ -56,11 +68,19 @@ class _Placed:
         self, layout: ClothLayout, levels: NDArray[np.float64], highest: list[float], types: ArrayTypes
     ) -> None:
         self._types = types
+        self.planes = PlaneTables([layer.layout for layer in layout.layers], types)
+        self.scalar = Scalars(types)
         high = highest[-1]
         self.starts = [[dr.opaque(types.Float, start) for start in layer.start] for layer in layout.layers]
         self.threads = [
-            [upload(types.UInt32, np.asarray(part, np.uint32)) for part in (layer.ends, layer.picks)]
-            for layer in layout.layers
+            (
+                upload(types.UInt32, np.concatenate(threads).astype(np.uint32)),
+                [
+                    dr.opaque(types.UInt32, sum(len(part) for part in threads[:number]))
+                    for number in range(len(threads))
+                ],
+            )
+            for threads in zip(*((layer.ends, layer.picks) for layer in layout.layers), strict=True)
         ]
         self.gains = [dr.opaque(types.Float, own / high) for own in highest[:-1]]
         self.high = dr.opaque(types.Float, high)
@@ -202,9 +222,9 @@ class StackedGeometry:
 
     def upload(self, types: ArrayTypes) -> None:
         """Puts all that points and probes read on a backend, which otherwise happens at first use."""
-        for layer in self.layers:
-            layer.upload(types)
-        self._on(types)
+        placed = self._on(types)
+        self._scales(placed)
+        self._twists(placed)
 
     def _on(self, types: ArrayTypes) -> _Placed:
         levels = self.levels
@@ -228,8 +248,8 @@ class StackedGeometry:
         placed = self._on(array_types(x))
 
         def bounds(number: int, level: Float) -> list[tuple[float, Float]]:
-            start, layer = placed.starts[number], self.layers[number]
-            own = layer.max_heights(x - start[0], y - start[1], back, right, up)
+            start = placed.starts[number]
+            own = placed.planes.max_heights(number, x - start[0], y - start[1], back, right, up)
             level = level * placed.per_high
             return [(radius, dr.fma(share, placed.gains[number], level)) for radius, share in own]
 
@@ -254,114 +274,189 @@ class StackedGeometry:
         """The surface at draft coordinates x, y (millimetres) for a search."""
         types = array_types(x)
         placed = self._on(types)
-        order = placed.order(x, y, back)
-        probes = [
-            layer.probe(x - start[0], y - start[1], back, right, up)
-            for layer, start in zip(self.layers, placed.starts, strict=True)
-        ]
-        found = _Found.of(probes, order)
-        for number, (here, level) in enumerate(zip(probes, order.levels, strict=True)):
-            here.height = here.height + level
+        here = self._locate(placed, x, y, back)
+        point, run, (slope_x, slope_y), _ = self._evaluate(placed, here, x, y, back)
+        shown, crossing = here.shown, here.shown.crossing
+        bounds = self._cell_bounds(placed, here.order, here.cells, x, y, back, right, up)
+        # A layer before the one that shows is a hole here, and may begin ahead.
+        far_x, far_y = (types.Float(1e6),) * 2 if placed.stacking is None else (bounds.side_x, bounds.side_y)
+        edge_x = next_outline(crossing.warp, shown, run, ~shown.is_warp, right)
+        edge_y = next_outline(crossing.weft, shown, run, shown.is_warp, up)
+        for before, (warp, weft) in zip(here.found.before, here.cells, strict=True):
+            edge_x = minimum(edge_x, dr.select(before, _outline_of_hole(warp, right), far_x))
+            edge_y = minimum(edge_y, dr.select(before, _outline_of_hole(weft, up), far_y))
+        yarn = dr.select(
+            shown.is_warp, types.UInt32(crossing.warp.thread) * 2 + 1, types.UInt32(crossing.weft.thread) * 2
+        )
+        return Probe(
+            height=point.height,
+            hole=here.found.nothing,
+            slope_x=slope_x,
+            slope_y=slope_y,
             # Among the numbers of yarns in one layer there is room for those of the others.
-            here.yarn = here.yarn * len(self.layers) + number
-        shown = found.shown(probes)
-        bounds = self._cell_bounds(placed, order, x, y, back, right, up, probes)
-        for axis, side in (("edge_x", bounds.side_x), ("edge_y", bounds.side_y)):
-            # A layer before the one that shows is a hole here, and may begin ahead.
-            far = types.Float(1e6) if placed.stacking is None else side
-            edges = [
-                dr.select(seen, getattr(here, axis), far)
-                for here, seen in zip(probes, found.before, strict=True)
-            ]
-            setattr(shown, axis, reduce(minimum, edges, far))
-        return replace(shown, hole=found.nothing, cell_bounds=bounds)
+            yarn=yarn * len(self.layers) + here.found.choose(list(range(len(self.layers)))),
+            cell_bounds=bounds,
+            edge_x=minimum(edge_x, far_x),
+            edge_y=minimum(edge_y, far_y),
+        )
 
     def cell_bounds(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> CellBounds:
         """The part of `probe` that rays above the cell need: of the face's first layer, which is highest."""
         placed = self._on(array_types(x))
-        return self._cell_bounds(placed, placed.order(x, y, back), x, y, back, right, up, None)
+        order = placed.order(x, y, back)
+        cells = self._cells(placed, x, y)
+        return self._cell_bounds(placed, order, cells, x, y, back, right, up)
 
     def _cell_bounds(
         self,
         placed: _Placed,
         order: _Order,
+        cells: list[tuple[Cell, Cell]],
         x: Float,
         y: Float,
         back: Mask,
         right: Mask,
         up: Mask,
-        probes: Sequence[Probe] | None,
     ) -> CellBounds:
-        def bounds(number: int) -> CellBounds:
-            start = placed.starts[number]
-            own = (
-                self.layers[number].cell_bounds(x - start[0], y - start[1], back, right, up)
-                if probes is None
-                else probes[number].cell_bounds
-            )
-            return replace(own, cell_max=own.cell_max + order.levels[number])
-
+        types = array_types(x)
         if placed.stacking is None:
-            return _select(back, bounds(-1), bounds(0))
-        first = bounds(0)
-        for number in range(1, len(self.layers)):
-            first = _select(order.ranks[number] == 0, bounds(number), first)
+            numbers, masks = [0, len(cells) - 1], [types.Bool(back)]
+        else:
+            numbers, masks = list(range(len(cells))), [rank == 0 for rank in order.ranks[1:]]
+        choose = chooser(masks)
+        warp, weft = (choose_cell(masks, [cells[number][family] for number in numbers]) for family in (0, 1))
+
+        def chosen(values: Sequence[Any]) -> Any:
+            return choose([values[number] for number in numbers])
+
+        words = placed.planes.words_of(chosen, warp, weft)
+        warp_above = ((words[0] & 1) == 1) ^ back
+        levels = [chosen([of_plane[family] for of_plane in placed.planes.levels]) for family in (0, 1)]
+        level = dr.select(warp_above, *(s * own for s, own in zip(self._scales(placed), levels, strict=True)))
+        word = dr.select(warp_above, words[0], words[1])
+        bounds = CellBounds(
+            cell_max=dr.fma(types.Float(word >> CELL_MAX_SHIFT), level, chosen(order.levels)),
+            side_x=dr.select(right, warp.above, warp.below),
+            side_y=dr.select(up, weft.above, weft.below),
+        )
+        if placed.stacking is None:
+            return bounds
         # The order is that of one crossing of the draft.
         across, along = placed.cells[0].locate(x), placed.cells[1].locate(y)
         return CellBounds(
-            first.cell_max,
-            minimum(first.side_x, dr.select(right, across.above, across.below)),
-            minimum(first.side_y, dr.select(up, along.above, along.below)),
+            bounds.cell_max,
+            minimum(bounds.side_x, dr.select(right, across.above, across.below)),
+            minimum(bounds.side_y, dr.select(up, along.above, along.below)),
         )
 
     def surface(self, x: Float, y: Float, back: Mask, ray: tuple[Vec3, Float] | None = None) -> SurfacePoint:
         """The first yarn at draft coordinates x, y (millimetres); for `ray` see `YarnGeometry.surface`."""
-        types = array_types(x)
-        points, tubes, order = self._points(x, y, back)
-        found = _Found.of(points, order)
-        point = found.shown(points)
-        point.hole = found.nothing
+        placed = self._on(array_types(x))
+        here = self._locate(placed, x, y, back)
+        point, _, _, tube = self._evaluate(placed, here, x, y, back)
         if ray is not None:
-            meet_tube(point, found.shown(tubes), self.layers[0].twist_of(point.is_warp, back, types), ray)
+            meet_tube(point, tube, self._twist_of(placed, point.is_warp, back), ray)
         return point
 
     def sheets(self, x: Float, y: Float, back: Mask) -> list[Sheet]:
         """The layers behind what shows at draft coordinates x, y (millimetres), those next to it first."""
-        points, _, order = self._points(x, y, back)
-        found = _Found.of(points, order)
-        layers = [
-            Sheet(
-                ~point.hole & (rank > found.rank) & (rank < _ABSENT),
-                point.is_warp,
-                point.warp_thread,
-                point.weft_thread,
+        types = array_types(x)
+        placed = self._on(types)
+        here = self._locate(placed, x, y, back)
+        layers = []
+        for number, (warp, weft) in enumerate(here.cells):
+            words = placed.planes.words_at(number, warp, weft)
+            above = ((words[0] & 1) == 1) ^ back
+            rank = here.order.ranks[number]
+            end, pick = (
+                dr.gather(types.UInt32, threads, first[number] + cell.thread)
+                for (threads, first), cell in zip(placed.threads, (warp, weft), strict=True)
             )
-            for point, rank in zip(points, order.ranks, strict=True)
-        ]
+            layers.append(
+                Sheet(
+                    here.covered[number] & (rank > here.found.rank) & (rank < _ABSENT),
+                    _covers(warp) & (~_covers(weft) | above),
+                    end,
+                    pick,
+                )
+            )
         sheets = []
         for place in range(1, len(layers)):
-            sheet = replace(layers[0], covered=layers[0].covered & (order.ranks[0] == place))
-            for layer, rank in zip(layers[1:], order.ranks[1:], strict=True):
+            sheet = replace(layers[0], covered=layers[0].covered & (here.order.ranks[0] == place))
+            for layer, rank in zip(layers[1:], here.order.ranks[1:], strict=True):
                 sheet = _select(rank == place, layer, sheet)
             sheets.append(sheet)
         return sheets
 
-    def _points(self, x: Float, y: Float, back: Mask) -> tuple[list[SurfacePoint], list[Tube], _Order]:
-        types = array_types(x)
-        placed = self._on(types)
+    def _scales(self, placed: _Placed) -> tuple[Float, Float]:
+        warp, weft = self.height_scale
+        return placed.scalar("warp scale", warp), placed.scalar("weft scale", weft)
+
+    def _twists(self, placed: _Placed) -> tuple[Float, Float]:
+        warp, weft = self.twist
+        return placed.scalar("warp twist", warp), placed.scalar("weft twist", weft)
+
+    def _twist_of(self, placed: _Placed, is_warp: Mask, back: Mask) -> Float:
+        """ψ of a family as a face shows it, radians."""
+        twist = dr.select(is_warp, *self._twists(placed))
+        return dr.select(back, -twist, twist)
+
+    def _cells(self, placed: _Placed, x: Float, y: Float) -> list[tuple[Cell, Cell]]:
+        """Cells of warp and weft in each layer."""
+        return [
+            placed.planes.locate(number, x - start[0], y - start[1])
+            for number, start in enumerate(placed.starts)
+        ]
+
+    def _locate(self, placed: _Placed, x: Float, y: Float, back: Mask) -> _Located:
+        """Which layer shows at a place, and which thread of it: the cells of all layers tell."""
         order = placed.order(x, y, back)
-        points, tubes = [], []
-        for layer, start, (ends, picks), level in zip(
-            self.layers, placed.starts, placed.threads, order.levels, strict=True
-        ):
-            point, tube = layer.surface_and_tube(x - start[0], y - start[1], back)
-            point.height, tube.height = point.height + level, tube.height + level
-            point.warp_thread = dr.gather(types.UInt32, ends, point.warp_thread)
-            point.weft_thread = dr.gather(types.UInt32, picks, point.weft_thread)
-            point.x, point.y = x, y
-            points.append(point)
-            tubes.append(tube)
-        return points, tubes, order
+        cells = self._cells(placed, x, y)
+        covered = [_covers(warp) | _covers(weft) for warp, weft in cells]
+        found = _Found.of(covered, order)
+        warp, weft = (
+            choose_cell(found.is_shown, [of_layer[family] for of_layer in cells]) for family in (0, 1)
+        )
+        words = placed.planes.words_of(found.choose, warp, weft)
+        crossing = Crossing(warp, weft, words, ((words[0] & 1) == 1) ^ back)
+        is_warp = _covers(warp) & (~_covers(weft) | crossing.warp_above)
+        word = dr.select(is_warp, words[0], words[1])
+        shown = Shown(is_warp, found.nothing, ((word & 1) == 1) ^ back, word, crossing)
+        return _Located(order, cells, covered, found, shown)
+
+    def _evaluate(
+        self, placed: _Placed, here: _Located, x: Float, y: Float, back: Mask
+    ) -> tuple[SurfacePoint, Run, tuple[Float, Float], Tube]:
+        """The one evaluation of the layer that shows, see `shown_surface`; threads are those of the draft."""
+        types = array_types(x)
+        found, crossing = here.found, here.shown.crossing
+        tables = placed.planes.chosen(found.choose)
+        twist = self._twist_of(placed, here.shown.is_warp, back)
+        starts = [found.choose([start[axis] for start in placed.starts]) for axis in (0, 1)]
+        local = x - starts[0], y - starts[1]
+        point, run, slopes, tube = shown_surface(tables, here.shown, local, self._scales(placed), twist)
+        level = found.choose(here.order.levels)
+        point.height, tube.height = point.height + level, tube.height + level
+        point.x, point.y = x, y
+        point.warp_thread, point.weft_thread = (
+            dr.gather(types.UInt32, threads, found.choose(first) + cell.thread)
+            for (threads, first), cell in zip(placed.threads, (crossing.warp, crossing.weft), strict=True)
+        )
+        return point, run, slopes, tube
+
+
+def _covers(cell: Cell) -> Mask:
+    """Whether the thread covers the place in its cell."""
+    return abs(cell.across) < cell.half_width
+
+
+def _outline_of_hole(cell: Cell, forwards: Mask) -> Float:
+    """Distance along one axis to the next outline of a family that has a gap here."""
+    across = dr.select(forwards, cell.across, -cell.across)
+    ahead = dr.select(forwards, cell.above, cell.below)
+    beyond = 2 * ahead + across - cell.half_width
+    within = dr.select(across < -cell.half_width, -cell.half_width, cell.half_width) - across
+    return dr.select(across >= cell.half_width, beyond, within)
 
 
 def _highest_shown(stack: StackedGeometry, number: int) -> tuple[float, float]:
@@ -392,45 +487,53 @@ class _Found:
 
     Attributes:
         rank: of the layer that shows; `_ABSENT` where none does.
-        before: of each layer whether it is the one that shows, or one before it, which has a hole there.
+        before: of each layer whether it lies before the one that shows, and has a hole there.
         nothing: no layer shows.
         is_shown: of each layer but the first, whether it is nearer than all that stand before it in the list.
+        choose: chooses the number of the layer that shows among those of all.
     """
 
     rank: UInt
     before: list[Mask]
     nothing: Mask
     is_shown: list[Mask]
+    choose: Choose
 
     @classmethod
-    def of(cls, records: Sequence[Any], order: _Order) -> _Found:
-        """From the holes of all layers at some places."""
-        ranks = [
-            dr.select(record.hole, _ABSENT, rank) for record, rank in zip(records, order.ranks, strict=True)
-        ]
+    def of(cls, covered: Sequence[Mask], order: _Order) -> _Found:
+        """From where each layer has yarn."""
+        ranks = [dr.select(yarn, rank, _ABSENT) for yarn, rank in zip(covered, order.ranks, strict=True)]
         best, is_shown = ranks[0], []
         for rank in ranks[1:]:
             is_shown.append(rank < best)
             best = dr.select(rank < best, rank, best)
-        return cls(best, [rank <= best for rank in order.ranks], best == _ABSENT, is_shown)
-
-    def shown(self, records: Sequence[_Record]) -> _Record:
-        """The record of the layer that shows; of the first where none does."""
-        found = records[0]
-        for record, nearer in zip(records[1:], self.is_shown, strict=True):
-            found = _select(nearer, record, found)
-        return found
+        before = [rank < best for rank in order.ranks]
+        return cls(best, before, best == _ABSENT, is_shown, chooser(is_shown))
 
 
-def _select(mask: Mask, first: Any, second: Any) -> Any:
-    """Field by field, of two records of a class."""
-    kind = type(first)
-    chosen = {}
-    for entry in fields(kind):
-        one, other = getattr(first, entry.name), getattr(second, entry.name)
-        nested = isinstance(one, CellBounds)
-        chosen[entry.name] = _select(mask, one, other) if nested else dr.select(mask, one, other)
-    return kind(**chosen)
+@dataclass
+class _Located:
+    """What lies at some places.
+
+    Attributes:
+        order: of the layers.
+        cells: of warp and weft in each layer.
+        covered: whether it has yarn there.
+        found, shown: the layer that shows, and its thread.
+    """
+
+    order: _Order
+    cells: list[tuple[Cell, Cell]]
+    covered: list[Mask]
+    found: _Found
+    shown: Shown
+
+
+def _select(mask: Mask, first: Sheet, second: Sheet) -> Sheet:
+    """Field by field."""
+    return Sheet(
+        *(dr.select(mask, getattr(first, entry.name), getattr(second, entry.name)) for entry in fields(Sheet))
+    )
 
 
 ClothGeometry = YarnGeometry | StackedGeometry
