@@ -269,6 +269,20 @@ def test_no_height_is_above_the_bounds_of_its_cell_or_of_all(layout: ClothLayout
         assert (there.height.numpy() <= share.numpy() * high + 1e-5)[inside].all()
 
 
+def test_planes_are_those_that_heights_are_above() -> None:
+    """What is left above it is the height of the layer by itself, of which light between yarns knows."""
+    stack = StackedGeometry(TWO)
+    rng = np.random.default_rng(14)
+    x, y = (mi.Float(rng.uniform(0, stack.size[0], COUNT)) for _ in range(2))
+    front = dr.full(mi.Bool, False, COUNT)
+    point = stack.surface(x, y, front)
+    start = TWO.layers[0].start
+    alone = stack.layers[0].surface(x - start[0], y - start[1], front)
+    shown = ~alone.hole.numpy()
+    assert np.allclose((point.height - point.plane).numpy()[shown], alone.height.numpy()[shown], atol=1e-6)
+    assert (alone.plane.numpy() == 0).all()
+
+
 def test_ties_show_the_thread_that_ties_and_the_layers_beneath() -> None:
     stack = StackedGeometry(TIED)
     # The middle of the second end of the second layer over the first pick of the first: draft ends and picks.

@@ -605,6 +605,7 @@ class StackedGeometry:
         levels = here.order.levels
         level = found.choose([*levels, *(levels[tie.over] for tie in here.ties)])
         point.height, tube.height = point.height + level, tube.height + level
+        point.plane = level if relief is None else level + relief.height
         point.x, point.y = x, y
         point.warp_thread, point.weft_thread = (
             dr.gather(types.UInt32, threads, found.choose(first) + cell.thread)
