@@ -241,6 +241,7 @@ class _Seen:
                     sheet_out = sheet_out + gaps[layer]
                     between = 1 / (1 - sheet_back * back)
                     back, out = sheet_back + sheet_out**2 * back * between, sheet_out * out * between
+        _add_ties(areas, layout, ranks)
         axes = tuple(
             replace(place_family(family), half_width=family.spacing / 2)
             for family in (layout.warp, layout.weft)
@@ -254,6 +255,22 @@ class _Seen:
             for part, sums in _prefix_sums(stacking.regions == stack, along, across):
                 regions[1:, 1:, stack][part] = np.rint(sums / unit).astype(np.int64).astype(np.uint32)
         return cls(areas, through, returned, stacking.shares(), (axes[0], axes[1]), regions, unit)
+
+
+def _add_ties(areas: NDArray[np.float64], layout: ClothLayout, ranks: NDArray[np.int8]) -> None:
+    """Changes the areas that layers show, see `_Seen`, by those of ties, which cover some of them."""
+    shares = np.ones(1) if layout.stacking is None else layout.stacking.shares()
+    for tied in layout.ties:
+        families = tied.layer.layout.warp, tied.layer.layout.weft
+        own, crossed = families if tied.is_warp else families[::-1]
+        sides = own.visible_width[None], crossed.spacing[:, None]
+        places = tied.places if tied.is_warp else tied.places.T
+        covered = float((places * sides[0] * sides[1]).sum()) / (layout.size[0] * layout.size[1])
+        outermost = ranks[:, tied.over] == (ranks.max(axis=1) if tied.back else 0)
+        share = min(covered / float(shares[outermost].sum()), 1.0)
+        face, family = int(tied.back), 0 if tied.is_warp else 1
+        areas[outermost, :, face] *= 1 - share
+        areas[outermost, tied.own, face, family] += share
 
 
 def _mean_scattered(plane: _Plane, appearance: Appearance) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

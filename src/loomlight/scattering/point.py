@@ -381,7 +381,7 @@ class YarnScattering:
             hairs=None if hair is None else (hairs, hair.cover),
             diffuse_gain=None if frame is None else diffuse_gain(frame, self.appearance.diffuse_blend),
         )
-        found.bounced = self._bounced(found, tint)
+        found.bounced = self._bounced(found, tint, point.plane)
         sheets = self.surface.sheets(x, y, back)
         return self._upon(found, sheets, tint) if sheets else found
 
@@ -431,8 +431,12 @@ class YarnScattering:
         )
         return albedos, dr.select(sheet.is_warp, warp.roughness, weft.roughness)
 
-    def _bounced(self, point: YarnPoint, tint: Tint | None) -> tuple[Color3, Color3] | None:
-        """Albedos of light between yarns at a point, reflected and transmitted; 0 in holes."""
+    def _bounced(self, point: YarnPoint, tint: Tint | None, plane: Float) -> tuple[Color3, Color3] | None:
+        """Albedos of light between yarns at a point, reflected and transmitted; 0 in holes.
+
+        Args:
+            plane: height of the plane that its yarn lies in, millimetres.
+        """
         types = array_types(point.roughness)
         between = self.between_yarns(types)
         if between is None:
@@ -443,7 +447,7 @@ class YarnScattering:
             for family, colour in zip(self.parameters(types), colours_of(tint), strict=True)
         )
         normal = point.normal if point.surface_normal is None else point.surface_normal
-        blocked = between.blocked_at(point.is_warp, point.back, normal.z, point.height)
+        blocked = between.blocked_at(point.is_warp, point.back, normal.z, point.height - plane)
         own = scattered_by(point.albedos, point.roughness, depth)
         reflected, transmitted = bounced(blocked, own, between.interior(warp, weft, point.back))
         return dr.select(point.hole, 0, reflected), dr.select(point.hole, 0, transmitted)

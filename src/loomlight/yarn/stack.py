@@ -26,6 +26,7 @@ from loomlight.yarn.geometry import (
     CellBounds,
     Crossing,
     Probe,
+    Relief,
     Run,
     Scalars,
     Shown,
@@ -36,7 +37,8 @@ from loomlight.yarn.geometry import (
 )
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.planes import Choose, PlaneTables, choose_cell, chooser
-from loomlight.yarn.threads import CELL_MAX_LEVELS, CELL_MAX_SHIFT, place_family
+from loomlight.yarn.quilt import QuiltRelief, quilted, wadding_of
+from loomlight.yarn.threads import CELL_MAX_LEVELS, CELL_MAX_SHIFT, place_family, section_drop
 
 
 @dataclass
@@ -62,16 +64,28 @@ class _Placed:
         gains: largest height of each layer above its plane, as a share of that of the whole cloth.
         high, per_high: the latter and its inverse.
         highest_first: of each layer, front and back: the highest of its planes where it is first.
+        ties: the ties of the cloth, whose planes follow those of the layers.
+        dips: how deep the layer beneath each of them dives.
+        tied: of each face, the highest of its ties as a share of the highest of all; None without any.
+        quilt: the relief of quilted cloth; None without.
+        lifts: by how much it moves each plane, millimetres.
     """
 
     def __init__(
-        self, layout: ClothLayout, levels: NDArray[np.float64], highest: list[float], types: ArrayTypes
+        self,
+        layout: ClothLayout,
+        levels: NDArray[np.float64],
+        highest: list[float],
+        ties: list[_TieHeights],
+        quilt: tuple[NDArray[np.float64], NDArray[np.float64]] | None,
+        types: ArrayTypes,
     ) -> None:
         self._types = types
-        self.planes = PlaneTables([layer.layout for layer in layout.layers], types)
+        planes = [*layout.layers, *(tied.layer for tied in layout.ties)]
+        self.planes = PlaneTables([plane.layout for plane in planes], types)
         self.scalar = Scalars(types)
         high = highest[-1]
-        self.starts = [[dr.opaque(types.Float, start) for start in layer.start] for layer in layout.layers]
+        self.starts = [[dr.opaque(types.Float, start) for start in plane.start] for plane in planes]
         self.threads = [
             (
                 upload(types.UInt32, np.concatenate(threads).astype(np.uint32)),
@@ -80,11 +94,25 @@ class _Placed:
                     for number in range(len(threads))
                 ],
             )
-            for threads in zip(*((layer.ends, layer.picks) for layer in layout.layers), strict=True)
+            for threads in zip(*((plane.ends, plane.picks) for plane in planes), strict=True)
         ]
         self.gains = [dr.opaque(types.Float, own / high) for own in highest[:-1]]
         self.high = dr.opaque(types.Float, high)
         self.per_high = dr.opaque(types.Float, 1 / high)
+        self.ties = layout.ties
+        self.dips = [dr.opaque(types.Float, heights.dip) for heights in ties]
+        self.tied: list[Float | None] = [None, None]
+        for face in (False, True):
+            tops = [heights.top for tied, heights in zip(layout.ties, ties, strict=True) if tied.back == face]
+            self.tied[face] = dr.opaque(types.Float, max(tops) / high) if tops else None
+        self.quilt = None
+        if quilt is not None:
+            heights, lifts = quilt
+            self.quilt = QuiltRelief(heights, layout.size, types)
+            self.lifts = [
+                dr.opaque(types.Float, float(lifts[layer]))
+                for layer in (*range(len(layout.layers)), *(tied.over for tied in layout.ties))
+            ]
         self._levels = upload(types.Float, levels.ravel().astype(np.float32))
         self._count = len(layout.layers)
         self._level = [dr.opaque(types.Float, float(level)) for level in levels[0]]
@@ -138,6 +166,10 @@ class StackedGeometry:
         self.layout = layout
         self.size = layout.size
         self.layers = [YarnGeometry(layer.layout) for layer in layout.layers]
+        self._ties = [YarnGeometry(tied.layer.layout) for tied in layout.ties]
+        straight = [all(family.is_straight for family in layer.families) for layer in self.layers]
+        self._wadding = wadding_of(layout, straight)
+        self._quilt = quilted(layout, self._wadding)
         self._shares = [_highest_shown(self, number) for number in range(len(self.layers))]
         self._placed: dict[type, tuple[bytes, _Placed]] = {}
         self.extents: dict[FloatType, Any] = {}
@@ -211,13 +243,65 @@ class StackedGeometry:
         return levels
 
     @property
+    def _lifts(self) -> NDArray[np.float64]:
+        """How far quilting moves each layer towards the back where stitches hold it [layers], millimetres.
+
+        Wadding is squeezed there: what lies before it moves by all of its thickness, what lies behind stays.
+        """
+        if self._quilt is None:
+            return np.zeros(len(self.layers))
+        thickness = np.where(self._wadding, 2 * self.reaches, 0.0)
+        order = np.argsort(self.ranks[0])
+        behind = np.empty(len(thickness))
+        behind[order] = thickness.sum() - np.cumsum(thickness[order])
+        return behind + thickness / 2
+
+    def _tie_heights(self) -> list[_TieHeights]:
+        """How high each of the ties rises and how low it reaches, and how deep what is beneath it dives."""
+        scales = [float(np.max(np.asarray(scale))) for scale in self.height_scale]
+        levels, ranks = self.levels, self.ranks
+        found = []
+        for tied, geometry in zip(self.layout.ties, self._ties, strict=True):
+            own = 0 if tied.is_warp else 1
+            family, scale = geometry.families[own], scales[own]
+            words = geometry.words[0][..., own][tied.places]
+            rise = scale * family.highest * float(words.max() >> CELL_MAX_SHIFT) / CELL_MAX_LEVELS
+            last = ranks.max(axis=1)
+            outermost = ranks[:, tied.over] == (last if tied.back else 0)
+            side = -1 if tied.back else 1
+            level = side * levels[outermost, tied.over]
+            lift = float(self._lifts[tied.over])
+            dip = scale * float(section_drop(family.half_width, family.half_width).max())
+            drop = scale * float(family.edge_drop.max())
+            found.append(
+                _TieHeights(
+                    float(level.max()) + rise + (lift if tied.back else 0),
+                    float(level.min()) - drop - (0 if tied.back else lift),
+                    dip,
+                )
+            )
+        return found
+
+    @property
     def height_bounds(self) -> tuple[float, float]:
         """No thread is ever lower or higher than this, millimetres, on either face."""
         low = np.array([layer.height_bounds[0] for layer in self.layers])
         levels, present, high = self.levels, self.ranks >= 0, self.reaches
+        ties = self._tie_heights()
+        for tied, heights in zip(self.layout.ties, ties, strict=True):
+            low[tied.over] -= heights.dip
+        lifts = self._lifts
         return (
-            min(float((side * levels + low)[present].min()) for side in (1, -1)),
-            max(float((side * levels + high)[present].max()) for side in (1, -1)),
+            min(
+                float((levels + low - lifts)[present].min()),
+                float((low - levels)[present].min()),
+                *(heights.bottom for heights in ties),
+            ),
+            max(
+                float((levels + high)[present].max()),
+                float((high - levels + lifts)[present].max()),
+                *(heights.top for heights in ties),
+            ),
         )
 
     def upload(self, types: ArrayTypes) -> None:
@@ -231,7 +315,9 @@ class StackedGeometry:
         kept = self._placed.get(types.Float)
         if kept is None or kept[0] != levels.tobytes():
             highest = [layer.height_bounds[1] for layer in self.layers]
-            placed = _Placed(self.layout, levels, [*highest, self.height_bounds[1]], types)
+            highest.append(self.height_bounds[1])
+            quilt = None if self._quilt is None else (self._quilt, self._lifts)
+            placed = _Placed(self.layout, levels, highest, self._tie_heights(), quilt, types)
             kept = self._placed[types.Float] = levels.tobytes(), placed
         return kept[1]
 
@@ -249,7 +335,9 @@ class StackedGeometry:
 
         def bounds(number: int, level: Float) -> list[tuple[float, Float]]:
             start = placed.starts[number]
-            own = placed.planes.max_heights(number, x - start[0], y - start[1], back, right, up)
+            own = placed.planes.max_heights(
+                number % len(self.layers), x - start[0], y - start[1], back, right, up
+            )
             level = level * placed.per_high
             return [(radius, dr.fma(share, placed.gains[number], level)) for radius, share in own]
 
@@ -258,17 +346,22 @@ class StackedGeometry:
                 bounds(number, dr.select(back, behind, front))
                 for number, (front, behind) in enumerate(placed.highest_first)
             ]
-            return [
+            found = [
                 (ring[0][0], reduce(maximum, [share for _, share in ring]))
                 for ring in zip(*layers, strict=True)
             ]
-        order = placed.order(x, y, back)
-        return [
-            (radius, dr.select(back, behind, front))
-            for (radius, front), (_, behind) in zip(
-                bounds(0, order.levels[0]), bounds(-1, order.levels[-1]), strict=True
-            )
-        ]
+        else:
+            order = placed.order(x, y, back)
+            found = [
+                (radius, dr.select(back, behind, front))
+                for (radius, front), (_, behind) in zip(
+                    bounds(0, order.levels[0]), bounds(-1, order.levels[-1]), strict=True
+                )
+            ]
+        for top, is_face in zip(placed.tied, (~back, back), strict=True):
+            if top is not None:
+                found = [(radius, dr.select(is_face, maximum(share, top), share)) for radius, share in found]
+        return found
 
     def probe(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> Probe:
         """The surface at draft coordinates x, y (millimetres) for a search."""
@@ -277,14 +370,28 @@ class StackedGeometry:
         here = self._locate(placed, x, y, back)
         point, run, (slope_x, slope_y), _ = self._evaluate(placed, here, x, y, back)
         shown, crossing = here.shown, here.shown.crossing
-        bounds = self._cell_bounds(placed, here.order, here.cells, x, y, back, right, up)
+        bounds = self._cell_bounds(placed, here.order, here.cells, here.ties, x, y, back, right, up)
         # A layer before the one that shows is a hole here, and may begin ahead.
         far_x, far_y = (types.Float(1e6),) * 2 if placed.stacking is None else (bounds.side_x, bounds.side_y)
         edge_x = next_outline(crossing.warp, shown, run, ~shown.is_warp, right)
         edge_y = next_outline(crossing.weft, shown, run, shown.is_warp, up)
-        for before, (warp, weft) in zip(here.found.before, here.cells, strict=True):
+        for before, (warp, weft) in zip(here.found.before, here.cells, strict=False):
             edge_x = minimum(edge_x, dr.select(before, _outline_of_hole(warp, right), far_x))
             edge_y = minimum(edge_y, dr.select(before, _outline_of_hole(weft, up), far_y))
+        for tie in here.ties:
+            # Where one may begin: beside its thread, or at the next thread that it crosses.
+            lengthwise = (
+                dr.select(up, tie.weft.above, tie.weft.below),
+                dr.select(right, tie.warp.above, tie.warp.below),
+            )
+            next_x, next_y = (
+                (_outline_of_hole(tie.warp, right), lengthwise[0])
+                if tie.is_warp
+                else (lengthwise[1], _outline_of_hole(tie.weft, up))
+            )
+            before = tie.on_face & ~tie.shows
+            edge_x = minimum(edge_x, dr.select(before, next_x, 1e6))
+            edge_y = minimum(edge_y, dr.select(before, next_y, 1e6))
         yarn = dr.select(
             shown.is_warp, types.UInt32(crossing.warp.thread) * 2 + 1, types.UInt32(crossing.weft.thread) * 2
         )
@@ -294,7 +401,7 @@ class StackedGeometry:
             slope_x=slope_x,
             slope_y=slope_y,
             # Among the numbers of yarns in one layer there is room for those of the others.
-            yarn=yarn * len(self.layers) + here.found.choose(list(range(len(self.layers)))),
+            yarn=yarn * len(here.cells) + here.found.number,
             cell_bounds=bounds,
             edge_x=minimum(edge_x, far_x),
             edge_y=minimum(edge_y, far_y),
@@ -305,24 +412,26 @@ class StackedGeometry:
         placed = self._on(array_types(x))
         order = placed.order(x, y, back)
         cells = self._cells(placed, x, y)
-        return self._cell_bounds(placed, order, cells, x, y, back, right, up)
+        ties = self._tied(placed, order, cells, back)
+        return self._cell_bounds(placed, order, cells, ties, x, y, back, right, up)
 
     def _cell_bounds(
         self,
         placed: _Placed,
         order: _Order,
         cells: list[tuple[Cell, Cell]],
+        ties: list[_Tied],
         x: Float,
         y: Float,
         back: Mask,
         right: Mask,
         up: Mask,
     ) -> CellBounds:
-        types = array_types(x)
+        types, layers = array_types(x), len(self.layers)
         if placed.stacking is None:
-            numbers, masks = [0, len(cells) - 1], [types.Bool(back)]
+            numbers, masks = [0, layers - 1], [types.Bool(back)]
         else:
-            numbers, masks = list(range(len(cells))), [rank == 0 for rank in order.ranks[1:]]
+            numbers, masks = list(range(layers)), [rank == 0 for rank in order.ranks[1:]]
         choose = chooser(masks)
         warp, weft = (choose_cell(masks, [cells[number][family] for number in numbers]) for family in (0, 1))
 
@@ -339,6 +448,23 @@ class StackedGeometry:
             side_x=dr.select(right, warp.above, warp.below),
             side_y=dr.select(up, weft.above, weft.below),
         )
+        for number, tie in enumerate(ties, start=layers):
+            own = 0 if tie.is_warp else 1
+            scale = self._scales(placed)[own] * placed.planes.levels[number][own]
+            top = dr.fma(types.Float(tie.word >> CELL_MAX_SHIFT), scale, order.levels[tie.over])
+            bounds = CellBounds(
+                dr.select(tie.here, maximum(bounds.cell_max, top), bounds.cell_max),
+                dr.select(
+                    tie.on_face,
+                    minimum(bounds.side_x, dr.select(right, tie.warp.above, tie.warp.below)),
+                    bounds.side_x,
+                ),
+                dr.select(
+                    tie.on_face,
+                    minimum(bounds.side_y, dr.select(up, tie.weft.above, tie.weft.below)),
+                    bounds.side_y,
+                ),
+            )
         if placed.stacking is None:
             return bounds
         # The order is that of one crossing of the draft.
@@ -364,7 +490,7 @@ class StackedGeometry:
         placed = self._on(types)
         here = self._locate(placed, x, y, back)
         layers = []
-        for number, (warp, weft) in enumerate(here.cells):
+        for number, (warp, weft) in enumerate(here.cells[: len(self.layers)]):
             words = placed.planes.words_at(number, warp, weft)
             above = ((words[0] & 1) == 1) ^ back
             rank = here.order.ranks[number]
@@ -374,7 +500,7 @@ class StackedGeometry:
             )
             layers.append(
                 Sheet(
-                    here.covered[number] & (rank > here.found.rank) & (rank < _ABSENT),
+                    here.covered[number] & (here.found.tied | (rank > here.found.rank)) & (rank < _ABSENT),
                     _covers(warp) & (~_covers(weft) | above),
                     end,
                     pick,
@@ -402,7 +528,7 @@ class StackedGeometry:
         return dr.select(back, -twist, twist)
 
     def _cells(self, placed: _Placed, x: Float, y: Float) -> list[tuple[Cell, Cell]]:
-        """Cells of warp and weft in each layer."""
+        """Cells of warp and weft in each layer, then of ties."""
         return [
             placed.planes.locate(number, x - start[0], y - start[1])
             for number, start in enumerate(placed.starts)
@@ -412,8 +538,9 @@ class StackedGeometry:
         """Which layer shows at a place, and which thread of it: the cells of all layers tell."""
         order = placed.order(x, y, back)
         cells = self._cells(placed, x, y)
-        covered = [_covers(warp) | _covers(weft) for warp, weft in cells]
-        found = _Found.of(covered, order)
+        covered = [_covers(warp) | _covers(weft) for warp, weft in cells[: len(self.layers)]]
+        ties = self._tied(placed, order, cells, back)
+        found = _Found.of(covered, order, [tie.shows for tie in ties])
         warp, weft = (
             choose_cell(found.is_shown, [of_layer[family] for of_layer in cells]) for family in (0, 1)
         )
@@ -422,7 +549,44 @@ class StackedGeometry:
         is_warp = _covers(warp) & (~_covers(weft) | crossing.warp_above)
         word = dr.select(is_warp, words[0], words[1])
         shown = Shown(is_warp, found.nothing, ((word & 1) == 1) ^ back, word, crossing)
-        return _Located(order, cells, covered, found, shown)
+        return _Located(order, cells, covered, ties, found, shown)
+
+    def _tied(
+        self, placed: _Placed, order: _Order, cells: list[tuple[Cell, Cell]], back: Mask
+    ) -> list[_Tied]:
+        """The ties at a place, where their layer is the outermost of the face."""
+        found = []
+        for tied, (number, (warp, weft)) in zip(
+            placed.ties, enumerate(cells[len(self.layers) :], start=len(self.layers)), strict=True
+        ):
+            on_face = back == tied.back
+            if placed.stacking is not None:
+                on_face &= order.ranks[tied.over] == 0
+            word = placed.planes.words_at(number, warp, weft)[0 if tied.is_warp else 1]
+            here = on_face & (((word & 1) == 1) ^ back)
+            shows = here & _covers(warp if tied.is_warp else weft)
+            found.append(_Tied(tied.over, tied.is_warp, warp, weft, word, on_face, here, shows))
+        return found
+
+    def _relief(self, placed: _Placed, here: _Located, x: Float, y: Float, back: Mask) -> Relief | None:
+        """How far the layer that shows is pushed down by what ties and quilts it; None without any ties."""
+        if not here.ties:
+            return None
+        types = array_types(here.shown.crossing.warp.across)
+        relief = Relief(types.Float(0), types.Float(0), types.Float(0))
+        for tie, dip in zip(here.ties, placed.dips, strict=True):
+            dips = tie.here & (here.found.number == tie.over)
+            (across, slope_x), (along, slope_y) = _dimple(tie.warp), _dimple(tie.weft)
+            relief.height -= dr.select(dips, dip * across * along, 0)
+            relief.slope_x -= dr.select(dips, dip * slope_x * along, 0)
+            relief.slope_y -= dr.select(dips, dip * across * slope_y, 0)
+        if placed.quilt is not None:
+            quilt, lift = placed.quilt.at(x, y), here.found.choose(placed.lifts)
+            lift = dr.select(back, -lift, lift)
+            relief.height = dr.fma(lift, quilt.height, relief.height)
+            relief.slope_x = dr.fma(lift, quilt.slope_x, relief.slope_x)
+            relief.slope_y = dr.fma(lift, quilt.slope_y, relief.slope_y)
+        return relief
 
     def _evaluate(
         self, placed: _Placed, here: _Located, x: Float, y: Float, back: Mask
@@ -434,9 +598,14 @@ class StackedGeometry:
         twist = self._twist_of(placed, here.shown.is_warp, back)
         starts = [found.choose([start[axis] for start in placed.starts]) for axis in (0, 1)]
         local = x - starts[0], y - starts[1]
-        point, run, slopes, tube = shown_surface(tables, here.shown, local, self._scales(placed), twist)
-        level = found.choose(here.order.levels)
+        relief = self._relief(placed, here, x, y, back)
+        point, run, slopes, tube = shown_surface(
+            tables, here.shown, local, self._scales(placed), twist, relief
+        )
+        levels = here.order.levels
+        level = found.choose([*levels, *(levels[tie.over] for tie in here.ties)])
         point.height, tube.height = point.height + level, tube.height + level
+        point.plane = level if relief is None else level + relief.height
         point.x, point.y = x, y
         point.warp_thread, point.weft_thread = (
             dr.gather(types.UInt32, threads, found.choose(first) + cell.thread)
@@ -448,6 +617,14 @@ class StackedGeometry:
 def _covers(cell: Cell) -> Mask:
     """Whether the thread covers the place in its cell."""
     return abs(cell.across) < cell.half_width
+
+
+def _dimple(cell: Cell) -> tuple[Float, Float]:
+    """1 in the middle of a cell, smoothly 0 at its ends, and its derivative."""
+    per_size = dr.rcp(cell.below + cell.above)
+    place = (cell.below - cell.above) * per_size
+    rest = 1 - dr.square(place)
+    return dr.square(rest), -8 * place * rest * per_size
 
 
 def _outline_of_hole(cell: Cell, forwards: Mask) -> Float:
@@ -489,8 +666,10 @@ class _Found:
         rank: of the layer that shows; `_ABSENT` where none does.
         before: of each layer whether it lies before the one that shows, and has a hole there.
         nothing: no layer shows.
-        is_shown: of each layer but the first, whether it is nearer than all that stand before it in the list.
-        choose: chooses the number of the layer that shows among those of all.
+        is_shown: of each plane but the first, whether it is nearer than all that stand before it in the list.
+        choose: chooses among the values of all planes that of the one that shows.
+        number: of the plane that shows.
+        tied: it is one of ties, which lie before all layers.
     """
 
     rank: UInt
@@ -498,17 +677,57 @@ class _Found:
     nothing: Mask
     is_shown: list[Mask]
     choose: Choose
+    number: UInt
+    tied: Mask
 
     @classmethod
-    def of(cls, covered: Sequence[Mask], order: _Order) -> _Found:
-        """From where each layer has yarn."""
+    def of(cls, covered: Sequence[Mask], order: _Order, ties: Sequence[Mask]) -> _Found:
+        """From where each layer has yarn, and where ties show."""
         ranks = [dr.select(yarn, rank, _ABSENT) for yarn, rank in zip(covered, order.ranks, strict=True)]
         best, is_shown = ranks[0], []
         for rank in ranks[1:]:
             is_shown.append(rank < best)
             best = dr.select(rank < best, rank, best)
         before = [rank < best for rank in order.ranks]
-        return cls(best, before, best == _ABSENT, is_shown, chooser(is_shown))
+        nothing, types = best == _ABSENT, array_types(best)
+        tied = reduce(lambda first, second: first | second, ties, types.Bool(False))
+        if ties:
+            before, nothing = [mask & ~tied for mask in before], nothing & ~tied
+        choose = chooser([*is_shown, *ties])
+        number = choose([types.UInt32(plane) for plane in range(len(covered) + len(ties))])
+        return cls(best, before, nothing, [*is_shown, *ties], choose, number, tied)
+
+
+@dataclass
+class _Tied:
+    """Ties at some places.
+
+    Attributes:
+        over, is_warp: see `Ties`.
+        warp, weft: cells of their plane.
+        word: of the thread that may tie.
+        on_face: they may be seen on the face.
+        here: this crossing is a tie.
+        shows: its thread covers the place.
+    """
+
+    over: int
+    is_warp: bool
+    warp: Cell
+    weft: Cell
+    word: UInt
+    on_face: Mask
+    here: Mask
+    shows: Mask
+
+
+@dataclass
+class _TieHeights:
+    """Heights of ties in millimetres: their highest and lowest, and how deep what is beneath them dives."""
+
+    top: float
+    bottom: float
+    dip: float
 
 
 @dataclass
@@ -517,14 +736,16 @@ class _Located:
 
     Attributes:
         order: of the layers.
-        cells: of warp and weft in each layer.
-        covered: whether it has yarn there.
+        cells: of warp and weft in each layer, then of ties.
+        covered: whether a layer has yarn there.
+        ties: what may tie there.
         found, shown: the layer that shows, and its thread.
     """
 
     order: _Order
     cells: list[tuple[Cell, Cell]]
     covered: list[Mask]
+    ties: list[_Tied]
     found: _Found
     shown: Shown
 
