@@ -62,6 +62,7 @@ class ResolvedFamily:
         are_albedos: whether `colours` are the yarn's albedos, not what cloth of it shows.
         specular: share of the light that the highlight takes, 0 to 1.
         specular_tint: what the highlight is multiplied by [3], linear RGB.
+        specular_grazing: what its albedo gains towards grazing, 0 to 4.
         translucency: share of the diffuse light that goes through, 0 to 1.
         roughness: α, 0.01 to 1.
         worn: how much its threads are rubbed, 0 to 1.
@@ -78,6 +79,7 @@ class ResolvedFamily:
     are_albedos: bool
     specular: float
     specular_tint: NDArray[np.float64]
+    specular_grazing: float
     translucency: float
     roughness: float
     worn: float
@@ -216,6 +218,7 @@ def _family(
         are_albedos=table.albedo is not None,
         specular=_or(table.specular, SPECULAR),
         specular_tint=parse_colour(tint, f"{name}.specular_tint"),
+        specular_grazing=_or(table.specular_grazing, 0.0),
         translucency=_or(table.translucency, TRANSLUCENCY),
         roughness=_or(table.roughness, ROUGHNESS),
         worn=worn,

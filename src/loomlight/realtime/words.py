@@ -332,6 +332,8 @@ def _pack_fabric(
         "per_relief": 1 / max(high - low, 1e-6),
         "diffuse_blend": appearance.diffuse_blend,
         "optical_depth": appearance.optical_depth,
+        "grazing_gain": appearance.grazing.gain,
+        "grazing_loss": appearance.grazing.loss,
         "sheen_strength": appearance.sheen.strength,
         "sheen_roughness": appearance.sheen.roughness,
         "fibre_noise": variation.fibre_noise,

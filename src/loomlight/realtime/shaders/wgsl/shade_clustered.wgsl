@@ -195,6 +195,8 @@ struct Fabric_std430_0
     @align(4) per_relief_0 : f32,
     @align(4) diffuse_blend_0 : f32,
     @align(4) optical_depth_0 : f32,
+    @align(4) grazing_gain_0 : f32,
+    @align(4) grazing_loss_0 : f32,
     @align(4) sheen_strength_0 : f32,
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
@@ -1465,25 +1467,16 @@ fn with_added_0( sums_3 : Components_0,  more_0 : Components_0,  weight_2 : f32)
     return result_2;
 }
 
-struct FamilyAlbedos_0
+fn fourth_power_0( value_1 : f32) -> f32
 {
-     warp_5 : Albedos_0,
-     weft_5 : Albedos_0,
-};
-
-fn shaded_0( components_0 : Components_0,  albedos_4 : FamilyAlbedos_0,  transmits_2 : bool) -> vec3<f32>
-{
-    if(transmits_2)
-    {
-        return albedos_4.warp_5.diffuse_transmit_0 * vec3<f32>(components_0.diffuse_warp_0) + albedos_4.weft_5.diffuse_transmit_0 * vec3<f32>(components_0.diffuse_weft_0) + albedos_4.warp_5.specular_transmit_0 * vec3<f32>(components_0.specular_warp_0) + albedos_4.weft_5.specular_transmit_0 * vec3<f32>(components_0.specular_weft_0);
-    }
-    return albedos_4.warp_5.diffuse_reflect_0 * vec3<f32>(components_0.diffuse_warp_0) + albedos_4.weft_5.diffuse_reflect_0 * vec3<f32>(components_0.diffuse_weft_0) + albedos_4.warp_5.specular_reflect_0 * vec3<f32>(components_0.specular_warp_0) + albedos_4.weft_5.specular_reflect_0 * vec3<f32>(components_0.specular_weft_0);
+    var _S273 : f32 = value_1 * value_1;
+    return _S273 * _S273;
 }
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S273 : f32 = light_2.z;
-    return select_vector_2((_S273 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S273) * 0.31830987334251404f));
+    var _S274 : f32 = light_2.z;
+    return select_vector_2((_S274 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S274) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_9 : f32,  y_3 : f32) -> f32
@@ -1503,33 +1496,33 @@ fn sheen_reflectance_0( x_11 : f32,  y_5 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_2 : f32) -> vec3<f32>
 {
-    var _S274 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S275 : f32 = 2.0f * sqrt(_S274) - 1.0f;
-    var _S276 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_2, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S275, _S276), 0.00999999977648258f, 1.0f), clamp((1.0f - _S274) * sheen_shear_0(_S275, _S276), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S275, _S276), -60.0f, 60.0f))));
+    var _S275 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S276 : f32 = 2.0f * sqrt(_S275) - 1.0f;
+    var _S277 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_2, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S276, _S277), 0.00999999977648258f, 1.0f), clamp((1.0f - _S275) * sheen_shear_0(_S276, _S277), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S276, _S277), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S277 : f32 = light_3.z;
-    if(((_S277 <= 0.0f) | (((view_5.z) <= 0.0f))))
+    var _S278 : f32 = light_3.z;
+    if(((_S278 <= 0.0f) | (((view_5.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S278 : vec2<f32> = view_5.xy;
-    var _S279 : f32 = dot(_S278, _S278);
-    var _S280 : vec2<f32> = select_vector_1(_S279 > 9.99999968265522539e-21f, _S278 * vec2<f32>(rsqrt_0(max(_S279, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S281 : f32 = scale_0 * dot(light_3.xy, _S280) + shear_0 * _S277;
-    var _S282 : f32 = scale_0 * (light_3.y * _S280.x - light_3.x * _S280.y);
-    var _S283 : f32 = _S281 * _S281 + _S282 * _S282 + _S277 * _S277;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S277 / max(_S283 * _S283, 9.99999968265522539e-21f);
+    var _S279 : vec2<f32> = view_5.xy;
+    var _S280 : f32 = dot(_S279, _S279);
+    var _S281 : vec2<f32> = select_vector_1(_S280 > 9.99999968265522539e-21f, _S279 * vec2<f32>(rsqrt_0(max(_S280, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S282 : f32 = scale_0 * dot(light_3.xy, _S281) + shear_0 * _S278;
+    var _S283 : f32 = scale_0 * (light_3.y * _S281.x - light_3.x * _S281.y);
+    var _S284 : f32 = _S282 * _S282 + _S283 * _S283 + _S278 * _S278;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S278 / max(_S284 * _S284, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_3 : f32) -> vec2<f32>
 {
-    var _S284 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_3);
-    var _S285 : f32 = strength_0 * _S284.z;
-    return vec2<f32>(_S285 * transformed_cosine_0(light_4, view_6, _S284.x, _S284.y), 1.0f - _S285);
+    var _S285 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_3);
+    var _S286 : f32 = strength_0 * _S285.z;
+    return vec2<f32>(_S286 * transformed_cosine_0(light_4, view_6, _S285.x, _S285.y), 1.0f - _S286);
 }
 
 fn table_byte_0( table_2 : u32,  index_7 : u32) -> u32
@@ -1539,16 +1532,16 @@ fn table_byte_0( table_2 : u32,  index_7 : u32) -> u32
 
 fn gaussian_visibility_0( row_5 : u32,  towards_0 : vec3<f32>) -> f32
 {
-    var _S286 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(3)), table_number_0(row_5 + u32(4)), table_number_0(row_5 + u32(5))));
-    var _S287 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(6)), table_number_0(row_5 + u32(7)), table_number_0(row_5 + u32(8))));
-    return min(max(dot(towards_0, vec3<f32>(table_number_0(row_5), table_number_0(row_5 + u32(1)), table_number_0(row_5 + u32(2)))), 0.0f) * exponential_0(- (_S286 * _S286 + _S287 * _S287)), 1.0f);
+    var _S287 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(3)), table_number_0(row_5 + u32(4)), table_number_0(row_5 + u32(5))));
+    var _S288 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(6)), table_number_0(row_5 + u32(7)), table_number_0(row_5 + u32(8))));
+    return min(max(dot(towards_0, vec3<f32>(table_number_0(row_5), table_number_0(row_5 + u32(1)), table_number_0(row_5 + u32(2)))), 0.0f) * exponential_0(- (_S287 * _S287 + _S288 * _S288)), 1.0f);
 }
 
 fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
 {
-    var _S288 : f32 = layers_0[index_8].share_0;
+    var _S289 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_5;
-    layers_0[index_8].share_0 = _S288 * (1.0f - light_5.w);
+    layers_0[index_8].share_0 = _S289 * (1.0f - light_5.w);
     return;
 }
 
@@ -1572,147 +1565,147 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S289 : u32,  _S290 : u32,  _S291 : u32,  _S292 : vec2<f32>) -> f32
+fn uneven_shift_0( _S290 : u32,  _S291 : u32,  _S292 : u32,  _S293 : vec2<f32>) -> f32
 {
-    var _S293 : f32 = families_0[_S291].period_0 / families_0[_S291].count_0;
-    var _S294 : u32 = hash_key_0(_S290, ((fabrics_0[_S289].seed_0) ^ (u32(625341585))));
-    var _S295 : vec2<f32> = vec2<f32>(_S292.x, _S292.y / 4.0f) / vec2<f32>(_S293);
-    return 0.20000000298023224f * sqrt(families_0[_S291].slub_0) * _S293 * (uneven_octave_0(_S294, _S295) * 0.66666668653488159f + uneven_octave_0(_S294 + u32(1), vec2<f32>(2.0f) * _S295 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S294 : f32 = families_0[_S292].period_0 / families_0[_S292].count_0;
+    var _S295 : u32 = hash_key_0(_S291, ((fabrics_0[_S290].seed_0) ^ (u32(625341585))));
+    var _S296 : vec2<f32> = vec2<f32>(_S293.x, _S293.y / 4.0f) / vec2<f32>(_S294);
+    return 0.20000000298023224f * sqrt(families_0[_S292].slub_0) * _S294 * (uneven_octave_0(_S295, _S296) * 0.66666668653488159f + uneven_octave_0(_S295 + u32(1), vec2<f32>(2.0f) * _S296 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S296 : u32,  _S297 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S297 : u32,  _S298 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S296].has_detail_0) == u32(0), _S297, _S297 + vec2<f32>(uneven_shift_0(_S296, u32(0), fabrics_0[_S296].warp_0, _S297), uneven_shift_0(_S296, u32(1), fabrics_0[_S296].weft_0, _S297.yx)));
+    return select_vector_1((fabrics_0[_S297].has_detail_0) == u32(0), _S298, _S298 + vec2<f32>(uneven_shift_0(_S297, u32(0), fabrics_0[_S297].warp_0, _S298), uneven_shift_0(_S297, u32(1), fabrics_0[_S297].weft_0, _S298.yx)));
 }
 
-fn face_point_0( _S298 : u32,  _S299 : u32,  _S300 : f32,  _S301 : f32) -> VisiblePoint_0
+fn face_point_0( _S299 : u32,  _S300 : u32,  _S301 : f32,  _S302 : f32) -> VisiblePoint_0
 {
-    var _S302 : u32 = u32(3) * _S299;
-    var _S303 : Vertex_0 = vertex_at_0(_S302);
-    var _S304 : Vertex_0 = vertex_at_0(_S302 + u32(1));
-    var _S305 : Vertex_0 = vertex_at_0(_S302 + u32(2));
-    var _S306 : vec3<f32> = position_of_0(_S303);
-    var _S307 : vec3<f32> = position_of_0(_S304) - _S306;
-    var _S308 : vec3<f32> = position_of_0(_S305) - _S306;
-    var _S309 : f32 = _S304.u_0 - _S303.u_0;
-    var _S310 : f32 = _S304.v_0 - _S303.v_0;
-    var _S311 : vec2<f32> = vec2<f32>(_S309, _S310);
-    var _S312 : f32 = _S305.u_0 - _S303.u_0;
-    var _S313 : f32 = _S305.v_0 - _S303.v_0;
-    var _S314 : vec2<f32> = vec2<f32>(_S312, _S313);
-    var _S315 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S309 * _S313 - _S310 * _S312) < 0.0f));
-    var _S316 : vec3<f32> = _S315 * (vec3<f32>(_S313) * _S307 - vec3<f32>(_S310) * _S308);
-    var _S317 : vec3<f32> = _S315 * (vec3<f32>(_S309) * _S308 - vec3<f32>(_S312) * _S307);
+    var _S303 : u32 = u32(3) * _S300;
+    var _S304 : Vertex_0 = vertex_at_0(_S303);
+    var _S305 : Vertex_0 = vertex_at_0(_S303 + u32(1));
+    var _S306 : Vertex_0 = vertex_at_0(_S303 + u32(2));
+    var _S307 : vec3<f32> = position_of_0(_S304);
+    var _S308 : vec3<f32> = position_of_0(_S305) - _S307;
+    var _S309 : vec3<f32> = position_of_0(_S306) - _S307;
+    var _S310 : f32 = _S305.u_0 - _S304.u_0;
+    var _S311 : f32 = _S305.v_0 - _S304.v_0;
+    var _S312 : vec2<f32> = vec2<f32>(_S310, _S311);
+    var _S313 : f32 = _S306.u_0 - _S304.u_0;
+    var _S314 : f32 = _S306.v_0 - _S304.v_0;
+    var _S315 : vec2<f32> = vec2<f32>(_S313, _S314);
+    var _S316 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S310 * _S314 - _S311 * _S313) < 0.0f));
+    var _S317 : vec3<f32> = _S316 * (vec3<f32>(_S314) * _S308 - vec3<f32>(_S311) * _S309);
+    var _S318 : vec3<f32> = _S316 * (vec3<f32>(_S310) * _S309 - vec3<f32>(_S313) * _S308);
     var point_1 : VisiblePoint_0;
-    var _S318 : vec3<f32> = vec3<f32>(_S300);
     var _S319 : vec3<f32> = vec3<f32>(_S301);
-    var _S320 : vec3<f32> = normalize(vec3<f32>((1.0f - _S300 - _S301)) * normal_of_0(_S303) + _S318 * normal_of_0(_S304) + _S319 * normal_of_0(_S305));
-    point_1.normal_0 = _S320;
-    var _S321 : vec3<f32> = normalize(_S316 - _S320 * vec3<f32>(dot(_S320, _S316)));
-    point_1.axis_x_0 = _S321;
-    point_1.axis_y_0 = cross(_S320, _S321);
-    var _S322 : vec3<f32> = normalize(cross(_S307, _S308));
-    point_1.face_normal_0 = select_vector_2((dot(_S322, _S320)) < 0.0f, (vec3<f32>(0) - _S322), _S322);
-    point_1.position_4 = _S306 + _S318 * _S307 + _S319 * _S308;
-    point_1.view_0 = _S320;
-    var _S323 : vec2<f32> = vec2<f32>(_S303.u_0, _S303.v_0) + vec2<f32>(_S300) * _S311 + vec2<f32>(_S301) * _S314;
-    point_1.uv_1 = _S323;
-    var _S324 : bool = (dot(cross(_S316, _S317), _S320)) < 0.0f;
-    var _S325 : vec2<f32> = vec2<f32>(fabrics_0[_S298].uv_width_0, select(fabrics_0[_S298].uv_height_0, - fabrics_0[_S298].uv_height_0, _S324));
-    point_1.draft_per_uv_0 = _S325;
-    point_1.draft_0 = uneven_place_0(_S298, _S323 * _S325 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S298].uv_height_0, _S324)));
-    var _S326 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S326;
-    point_1.draft_dy_0 = _S326;
+    var _S320 : vec3<f32> = vec3<f32>(_S302);
+    var _S321 : vec3<f32> = normalize(vec3<f32>((1.0f - _S301 - _S302)) * normal_of_0(_S304) + _S319 * normal_of_0(_S305) + _S320 * normal_of_0(_S306));
+    point_1.normal_0 = _S321;
+    var _S322 : vec3<f32> = normalize(_S317 - _S321 * vec3<f32>(dot(_S321, _S317)));
+    point_1.axis_x_0 = _S322;
+    point_1.axis_y_0 = cross(_S321, _S322);
+    var _S323 : vec3<f32> = normalize(cross(_S308, _S309));
+    point_1.face_normal_0 = select_vector_2((dot(_S323, _S321)) < 0.0f, (vec3<f32>(0) - _S323), _S323);
+    point_1.position_4 = _S307 + _S319 * _S308 + _S320 * _S309;
+    point_1.view_0 = _S321;
+    var _S324 : vec2<f32> = vec2<f32>(_S304.u_0, _S304.v_0) + vec2<f32>(_S301) * _S312 + vec2<f32>(_S302) * _S315;
+    point_1.uv_1 = _S324;
+    var _S325 : bool = (dot(cross(_S317, _S318), _S321)) < 0.0f;
+    var _S326 : vec2<f32> = vec2<f32>(fabrics_0[_S299].uv_width_0, select(fabrics_0[_S299].uv_height_0, - fabrics_0[_S299].uv_height_0, _S325));
+    point_1.draft_per_uv_0 = _S326;
+    point_1.draft_0 = uneven_place_0(_S299, _S324 * _S326 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S299].uv_height_0, _S325)));
+    var _S327 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S327;
+    point_1.draft_dy_0 = _S327;
     return point_1;
 }
 
-fn visible_point_0( _S327 : u32,  _S328 : u32,  _S329 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S328 : u32,  _S329 : u32,  _S330 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S330 : u32 = u32(3) * _S328;
-    var _S331 : Vertex_0 = vertex_at_0(_S330);
-    var _S332 : Vertex_0 = vertex_at_0(_S330 + u32(1));
-    var _S333 : Vertex_0 = vertex_at_0(_S330 + u32(2));
-    var _S334 : vec3<f32> = position_of_0(_S331);
-    var _S335 : vec3<f32> = position_of_0(_S332) - _S334;
-    var _S336 : vec3<f32> = position_of_0(_S333) - _S334;
-    var _S337 : vec3<f32> = cross(_S335, _S336);
-    var _S338 : f32 = f32(frame_record_0.width_0);
-    var _S339 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S338));
-    var _S340 : f32 = f32(frame_record_0.height_0);
-    var _S341 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S340));
-    var _S342 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S329.x) + 0.5f - 0.5f * _S338)) * _S339 + vec3<f32>((f32(_S329.y) + 0.5f - 0.5f * _S340)) * _S341;
-    var _S343 : f32 = dot(_S342, _S337);
-    var _S344 : f32 = 1.0f / select(1.00000000317107685e-30f, _S343, (abs(_S343)) > 1.00000000317107685e-30f);
-    var _S345 : vec3<f32> = _S334 - camera_origin_0();
-    var _S346 : vec3<f32> = vec3<f32>((dot(_S345, _S337) * _S344));
-    var _S347 : vec3<f32> = _S342 * _S346 - _S345;
-    var _S348 : vec3<f32> = _S346 * (_S339 - _S342 * vec3<f32>((dot(_S339, _S337) * _S344)));
-    var _S349 : vec3<f32> = _S346 * (_S341 - _S342 * vec3<f32>((dot(_S341, _S337) * _S344)));
-    var _S350 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S337), 1.00000000317107685e-30f)));
-    var _S351 : vec3<f32> = cross(_S336, _S337) * _S350;
-    var _S352 : vec3<f32> = cross(_S337, _S335) * _S350;
-    var _S353 : vec2<f32> = vec2<f32>(_S332.u_0 - _S331.u_0, _S332.v_0 - _S331.v_0);
-    var _S354 : vec2<f32> = vec2<f32>(_S333.u_0 - _S331.u_0, _S333.v_0 - _S331.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S327, _S328, dot(_S347, _S351), dot(_S347, _S352));
-    point_2.position_4 = _S334 + _S347;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S342));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S348, _S351)) * _S353 + vec2<f32>(dot(_S348, _S352)) * _S354) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S349, _S351)) * _S353 + vec2<f32>(dot(_S349, _S352)) * _S354) * point_2.draft_per_uv_0;
+    var _S331 : u32 = u32(3) * _S329;
+    var _S332 : Vertex_0 = vertex_at_0(_S331);
+    var _S333 : Vertex_0 = vertex_at_0(_S331 + u32(1));
+    var _S334 : Vertex_0 = vertex_at_0(_S331 + u32(2));
+    var _S335 : vec3<f32> = position_of_0(_S332);
+    var _S336 : vec3<f32> = position_of_0(_S333) - _S335;
+    var _S337 : vec3<f32> = position_of_0(_S334) - _S335;
+    var _S338 : vec3<f32> = cross(_S336, _S337);
+    var _S339 : f32 = f32(frame_record_0.width_0);
+    var _S340 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S339));
+    var _S341 : f32 = f32(frame_record_0.height_0);
+    var _S342 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S341));
+    var _S343 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S330.x) + 0.5f - 0.5f * _S339)) * _S340 + vec3<f32>((f32(_S330.y) + 0.5f - 0.5f * _S341)) * _S342;
+    var _S344 : f32 = dot(_S343, _S338);
+    var _S345 : f32 = 1.0f / select(1.00000000317107685e-30f, _S344, (abs(_S344)) > 1.00000000317107685e-30f);
+    var _S346 : vec3<f32> = _S335 - camera_origin_0();
+    var _S347 : vec3<f32> = vec3<f32>((dot(_S346, _S338) * _S345));
+    var _S348 : vec3<f32> = _S343 * _S347 - _S346;
+    var _S349 : vec3<f32> = _S347 * (_S340 - _S343 * vec3<f32>((dot(_S340, _S338) * _S345)));
+    var _S350 : vec3<f32> = _S347 * (_S342 - _S343 * vec3<f32>((dot(_S342, _S338) * _S345)));
+    var _S351 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S338), 1.00000000317107685e-30f)));
+    var _S352 : vec3<f32> = cross(_S337, _S338) * _S351;
+    var _S353 : vec3<f32> = cross(_S338, _S336) * _S351;
+    var _S354 : vec2<f32> = vec2<f32>(_S333.u_0 - _S332.u_0, _S333.v_0 - _S332.v_0);
+    var _S355 : vec2<f32> = vec2<f32>(_S334.u_0 - _S332.u_0, _S334.v_0 - _S332.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S328, _S329, dot(_S348, _S352), dot(_S348, _S353));
+    point_2.position_4 = _S335 + _S348;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S343));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S349, _S352)) * _S354 + vec2<f32>(dot(_S349, _S353)) * _S355) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S350, _S352)) * _S354 + vec2<f32>(dot(_S350, _S353)) * _S355) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S355 : u32,  _S356 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S356 : u32,  _S357 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S357 : u32 = fabrics_0[_S355].albedo_map_levels_0;
-    if((fabrics_0[_S355].albedo_map_levels_0) == u32(0))
+    var _S358 : u32 = fabrics_0[_S356].albedo_map_levels_0;
+    if((fabrics_0[_S356].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S358 : vec2<f32> = vec2<f32>(fabrics_0[_S355].uv_width_0, fabrics_0[_S355].uv_height_0);
-    var _S359 : vec2<f32> = _S356.draft_dx_0 / _S358;
-    var _S360 : vec2<f32> = _S356.draft_dy_0 / _S358;
-    var _S361 : u32 = _S357 - u32(1);
-    var _S362 : u32 = (u32(1) << (_S361));
-    var _S363 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S359.x * _S360.y - _S359.y * _S360.x), 9.99999968265522539e-21f) * (square_1(f32(_S362)) / 3.0f)), 0.0f, f32(_S357) - 1.0f);
-    var _S364 : u32 = min(u32(_S363), max(_S357, u32(2)) - u32(2));
-    var _S365 : u32 = min(_S364 + u32(1), _S361);
-    var _S366 : u32 = (u32(1) << ((u32(2) * _S357)));
-    return mix(map_level_0(fabrics_0[_S355].albedo_map_0 + (_S366 - ((_S366 >> ((u32(2) * _S364))))) / u32(3), (_S362 >> (_S364)), _S356.uv_1), map_level_0(fabrics_0[_S355].albedo_map_0 + (_S366 - ((_S366 >> ((u32(2) * _S365))))) / u32(3), (_S362 >> (_S365)), _S356.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S363 - f32(_S364))) - 1.0f) / 3.0f)));
+    var _S359 : vec2<f32> = vec2<f32>(fabrics_0[_S356].uv_width_0, fabrics_0[_S356].uv_height_0);
+    var _S360 : vec2<f32> = _S357.draft_dx_0 / _S359;
+    var _S361 : vec2<f32> = _S357.draft_dy_0 / _S359;
+    var _S362 : u32 = _S358 - u32(1);
+    var _S363 : u32 = (u32(1) << (_S362));
+    var _S364 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S360.x * _S361.y - _S360.y * _S361.x), 9.99999968265522539e-21f) * (square_1(f32(_S363)) / 3.0f)), 0.0f, f32(_S358) - 1.0f);
+    var _S365 : u32 = min(u32(_S364), max(_S358, u32(2)) - u32(2));
+    var _S366 : u32 = min(_S365 + u32(1), _S362);
+    var _S367 : u32 = (u32(1) << ((u32(2) * _S358)));
+    return mix(map_level_0(fabrics_0[_S356].albedo_map_0 + (_S367 - ((_S367 >> ((u32(2) * _S365))))) / u32(3), (_S363 >> (_S365)), _S357.uv_1), map_level_0(fabrics_0[_S356].albedo_map_0 + (_S367 - ((_S367 >> ((u32(2) * _S366))))) / u32(3), (_S363 >> (_S366)), _S357.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S364 - f32(_S365))) - 1.0f) / 3.0f)));
 }
 
-fn irregular_key_0( _S367 : u32,  _S368 : u32) -> u32
+fn irregular_key_0( _S368 : u32,  _S369 : u32) -> u32
 {
-    return hash_key_0(_S368, ((fabrics_0[_S367].seed_0) ^ (u32(1821285621))));
+    return hash_key_0(_S369, ((fabrics_0[_S368].seed_0) ^ (u32(1821285621))));
 }
 
-fn irregular_place_0( _S369 : u32,  _S370 : vec2<f32>,  _S371 : f32) -> vec2<f32>
+fn irregular_place_0( _S370 : u32,  _S371 : vec2<f32>,  _S372 : f32) -> vec2<f32>
 {
-    var _S372 : u32 = fabrics_0[_S369].warp_0;
-    var _S373 : u32 = fabrics_0[_S369].weft_0;
-    var _S374 : bool = (((fabrics_0[_S369].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S369].warp_0, _S371), moved_share_0(fabrics_0[_S369].weft_0, _S371))) > 0.0f)));
+    var _S373 : u32 = fabrics_0[_S370].warp_0;
+    var _S374 : u32 = fabrics_0[_S370].weft_0;
+    var _S375 : bool = (((fabrics_0[_S370].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S370].warp_0, _S372), moved_share_0(fabrics_0[_S370].weft_0, _S372))) > 0.0f)));
     var number_5 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S370;
+    var moved_0 : vec2<f32> = _S371;
     for(;;)
     {
-        if(number_5 < select(u32(0), u32(2), _S374))
+        if(number_5 < select(u32(0), u32(2), _S375))
         {
         }
         else
         {
             break;
         }
-        var _S375 : bool = number_5 == u32(0);
-        var _S376 : u32 = select(_S373, _S372, _S375);
-        var _S377 : vec2<f32> = select_vector_1(_S375, _S370, _S370.yx);
-        var _S378 : u32 = irregular_key_0(_S369, number_5);
-        var _S379 : f32 = _S377.x;
-        var _S380 : Cell_0 = locate_0(_S376, _S379);
-        var _S381 : f32 = irregular_thread_0(_S376, _S379, _S380);
-        var _S382 : f32 = select(1.0f, -1.0f, (_S380.across_0) < 0.0f);
-        var _S383 : vec2<f32> = vec2<f32>(0.0f);
-        var other_1 : vec2<f32> = _S383;
-        var own_1 : vec2<f32> = _S383;
+        var _S376 : bool = number_5 == u32(0);
+        var _S377 : u32 = select(_S374, _S373, _S376);
+        var _S378 : vec2<f32> = select_vector_1(_S376, _S371, _S371.yx);
+        var _S379 : u32 = irregular_key_0(_S370, number_5);
+        var _S380 : f32 = _S378.x;
+        var _S381 : Cell_0 = locate_0(_S377, _S380);
+        var _S382 : f32 = irregular_thread_0(_S377, _S380, _S381);
+        var _S383 : f32 = select(1.0f, -1.0f, (_S381.across_0) < 0.0f);
+        var _S384 : vec2<f32> = vec2<f32>(0.0f);
+        var other_1 : vec2<f32> = _S384;
+        var own_1 : vec2<f32> = _S384;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -1723,28 +1716,34 @@ fn irregular_place_0( _S369 : u32,  _S370 : vec2<f32>,  _S371 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S384 : vec2<f32> = irregular_at_0(_S376, _S378, _S381 + _S382 * f32(neighbour_0), _S377.y).xy;
-            var _S385 : u32 = neighbour_0 + u32(1);
+            var _S385 : vec2<f32> = irregular_at_0(_S377, _S379, _S382 + _S383 * f32(neighbour_0), _S378.y).xy;
+            var _S386 : u32 = neighbour_0 + u32(1);
             own_1 = other_1;
-            other_1 = _S384;
-            neighbour_0 = _S385;
+            other_1 = _S385;
+            neighbour_0 = _S386;
         }
-        var _S386 : f32 = _S380.below_0 + _S380.above_0;
-        var _S387 : f32 = min(_S380.half_width_1 / _S386, 0.5f);
-        var _S388 : f32 = min(_S387 * (2.0f + own_1.y + other_1.y), 1.0f);
-        var _S389 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
-        var _S390 : f32 = _S389.x;
-        var _S391 : f32 = _S388 * _S390 / (_S390 + _S389.y);
-        var _S392 : f32 = abs(_S380.across_0) / _S386;
-        var _S393 : f32 = 1.0f - _S388;
-        var _S394 : f32 = _S392 - _S391;
-        var _S395 : f32 = moved_share_0(_S376, _S371) * _S382 * _S386 * (select(select((_S394 - _S393) / max(_S388 - _S391, 9.99999997475242708e-07f) * _S387 + (1.0f - _S387), _S394 / max(_S393, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S387) + _S387, _S394 < _S393), _S392 * _S387 / _S391, _S394 < 0.0f) - _S392);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S375, vec2<f32>(_S395, 0.0f), vec2<f32>(0.0f, _S395));
+        var _S387 : f32 = _S381.below_0 + _S381.above_0;
+        var _S388 : f32 = min(_S381.half_width_1 / _S387, 0.5f);
+        var _S389 : f32 = min(_S388 * (2.0f + own_1.y + other_1.y), 1.0f);
+        var _S390 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
+        var _S391 : f32 = _S390.x;
+        var _S392 : f32 = _S389 * _S391 / (_S391 + _S390.y);
+        var _S393 : f32 = abs(_S381.across_0) / _S387;
+        var _S394 : f32 = 1.0f - _S389;
+        var _S395 : f32 = _S393 - _S392;
+        var _S396 : f32 = moved_share_0(_S377, _S372) * _S383 * _S387 * (select(select((_S395 - _S394) / max(_S389 - _S392, 9.99999997475242708e-07f) * _S388 + (1.0f - _S388), _S395 / max(_S394, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S388) + _S388, _S395 < _S394), _S393 * _S388 / _S392, _S395 < 0.0f) - _S393);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S376, vec2<f32>(_S396, 0.0f), vec2<f32>(0.0f, _S396));
         number_5 = number_5 + u32(1);
         moved_0 = moved_1;
     }
     return moved_0;
 }
+
+struct FamilyAlbedos_0
+{
+     warp_5 : Albedos_0,
+     weft_5 : Albedos_0,
+};
 
 struct ClusteredView_0
 {
@@ -1752,223 +1751,223 @@ struct ClusteredView_0
      yarns_0 : Yarns_0,
      even_hole_0 : f32,
      hole_1 : f32,
-     albedos_5 : FamilyAlbedos_0,
+     albedos_4 : FamilyAlbedos_0,
      bounced_2 : Bounced_0,
      view_7 : vec3<f32>,
 };
 
-fn viewed_base_0( _S396 : u32,  _S397 : Footprint_0,  _S398 : vec3<f32>,  _S399 : f32) -> ViewedBase_0
+fn viewed_base_0( _S397 : u32,  _S398 : Footprint_0,  _S399 : vec3<f32>,  _S400 : f32) -> ViewedBase_0
 {
     var seen_1 : ViewedBase_0;
-    var _S400 : bool = (_S398.z) < 0.0f;
-    seen_1.back_5 = _S400;
-    var _S401 : vec3<f32> = to_face_frame_0(_S398, _S400);
-    seen_1.view_3 = _S401;
-    var _S402 : u32 = select(u32(0), u32(1), _S400);
-    seen_1.face_6 = _S402;
-    var _S403 : Clustered_std430_0 = fabrics_0[_S396].clustered_0;
-    var _S404 : f32 = _S399 - 0.5f;
-    var _S405 : TexelBox_0 = texel_box_0(&(_S403), _S397, vec2<f32>(0.0f), _S404);
-    var _S406 : vec2<f32> = parallax_offset_0(&(_S403), _S405, _S402, _S401);
-    var _S407 : TexelBox_0 = texel_box_0(&(_S403), _S397, _S406, _S404);
-    seen_1.box_5 = _S407;
+    var _S401 : bool = (_S399.z) < 0.0f;
+    seen_1.back_5 = _S401;
+    var _S402 : vec3<f32> = to_face_frame_0(_S399, _S401);
+    seen_1.view_3 = _S402;
+    var _S403 : u32 = select(u32(0), u32(1), _S401);
+    seen_1.face_6 = _S403;
+    var _S404 : Clustered_std430_0 = fabrics_0[_S397].clustered_0;
+    var _S405 : f32 = _S400 - 0.5f;
+    var _S406 : TexelBox_0 = texel_box_0(&(_S404), _S398, vec2<f32>(0.0f), _S405);
+    var _S407 : vec2<f32> = parallax_offset_0(&(_S404), _S406, _S403, _S402);
+    var _S408 : TexelBox_0 = texel_box_0(&(_S404), _S398, _S407, _S405);
+    seen_1.box_5 = _S408;
     return seen_1;
 }
 
-fn texel_hole_0( _S408 : u32,  _S409 : ViewedBase_0) -> f32
+fn texel_hole_0( _S409 : u32,  _S410 : ViewedBase_0) -> f32
 {
     var cluster_0 : u32 = u32(0);
     var covered_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S410 : Clustered_std430_0 = fabrics_0[_S408].clustered_0;
-        if(cluster_0 < (_S410.clusters_0))
+        var _S411 : Clustered_std430_0 = fabrics_0[_S409].clustered_0;
+        if(cluster_0 < (_S411.clusters_0))
         {
         }
         else
         {
             break;
         }
-        var _S411 : f32 = box_mean_0(&(_S410), _S409.box_5, _S409.face_6, cluster_0);
-        var covered_1 : f32 = covered_0 + _S411;
+        var _S412 : f32 = box_mean_0(&(_S411), _S410.box_5, _S410.face_6, cluster_0);
+        var covered_1 : f32 = covered_0 + _S412;
         cluster_0 = cluster_0 + u32(1);
         covered_0 = covered_1;
     }
     return clamp(1.0f - covered_0, 0.0f, 1.0f);
 }
 
-fn yarns_over_0( _S412 : u32,  _S413 : Footprint_0,  _S414 : bool) -> Yarns_0
+fn yarns_over_0( _S413 : u32,  _S414 : Footprint_0,  _S415 : bool) -> Yarns_0
 {
-    var _S415 : vec2<f32> = _S413.dx_0;
-    var _S416 : vec2<f32> = _S413.dy_0;
-    var _S417 : vec2<f32> = sqrt(_S415 * _S415 + _S416 * _S416);
-    var _S418 : f32 = Footprint_spread_side_0(_S413);
-    var _S419 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S419, _S419, vec3<f32>(0.0f));
-    var _S420 : bool = (fabrics_0[_S412].is_irregular_0) != u32(0);
+    var _S416 : vec2<f32> = _S414.dx_0;
+    var _S417 : vec2<f32> = _S414.dy_0;
+    var _S418 : vec2<f32> = sqrt(_S416 * _S416 + _S417 * _S417);
+    var _S419 : f32 = Footprint_spread_side_0(_S414);
+    var _S420 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S420, _S420, vec3<f32>(0.0f));
+    var _S421 : bool = (fabrics_0[_S413].is_irregular_0) != u32(0);
     var number_6 : u32 = u32(0);
     for(;;)
     {
-        if(number_6 < select(u32(0), u32(2), _S420))
+        if(number_6 < select(u32(0), u32(2), _S421))
         {
         }
         else
         {
             break;
         }
-        var _S421 : bool = number_6 == u32(0);
-        var _S422 : u32 = select(fabrics_0[_S412].weft_0, fabrics_0[_S412].warp_0, _S421);
-        var _S423 : vec2<f32> = select_vector_1(_S421, _S413.centre_0, _S413.centre_0.yx);
-        var _S424 : vec2<f32> = select_vector_1(_S421, _S417, _S417.yx);
-        var _S425 : f32 = _S423.x;
-        var _S426 : Cell_0 = locate_0(_S422, _S425);
-        var yarn_1 : vec4<f32> = irregular_over_0(_S422, irregular_key_0(_S412, number_6), irregular_thread_0(_S422, _S425, _S426) + _S426.below_0 / (_S426.below_0 + _S426.above_0), _S424.x * (families_0[_S422].count_0 / families_0[_S422].period_0), _S423.y, _S424.y);
-        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S422, _S418));
+        var _S422 : bool = number_6 == u32(0);
+        var _S423 : u32 = select(fabrics_0[_S413].weft_0, fabrics_0[_S413].warp_0, _S422);
+        var _S424 : vec2<f32> = select_vector_1(_S422, _S414.centre_0, _S414.centre_0.yx);
+        var _S425 : vec2<f32> = select_vector_1(_S422, _S418, _S418.yx);
+        var _S426 : f32 = _S424.x;
+        var _S427 : Cell_0 = locate_0(_S423, _S426);
+        var yarn_1 : vec4<f32> = irregular_over_0(_S423, irregular_key_0(_S413, number_6), irregular_thread_0(_S423, _S426, _S427) + _S427.below_0 / (_S427.below_0 + _S427.above_0), _S425.x * (families_0[_S423].count_0 / families_0[_S423].period_0), _S424.y, _S425.y);
+        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S423, _S419));
         yarns_1.warp_1 = yarns_1.weft_1;
         yarns_1.weft_1 = yarn_1;
         number_6 = number_6 + u32(1);
     }
-    var _S427 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S412].warp_0].cover_0, families_0[fabrics_0[_S412].weft_0].cover_0);
-    var _S428 : f32 = select(fabrics_0[_S412].warp_on_top_0, 1.0f - fabrics_0[_S412].warp_on_top_0, _S414);
-    var _S429 : vec3<f32> = shown_of_covers_0(_S427, _S428);
-    var _S430 : vec3<f32> = select_vector_2(_S420, shown_of_covers_0(saturate(_S427 + _S427 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S428) / max(_S429, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_1.shares_0 = _S430;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S430.z, (_S429.z) > 0.00009999999747379f);
+    var _S428 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S413].warp_0].cover_0, families_0[fabrics_0[_S413].weft_0].cover_0);
+    var _S429 : f32 = select(fabrics_0[_S413].warp_on_top_0, 1.0f - fabrics_0[_S413].warp_on_top_0, _S415);
+    var _S430 : vec3<f32> = shown_of_covers_0(_S428, _S429);
+    var _S431 : vec3<f32> = select_vector_2(_S421, shown_of_covers_0(saturate(_S428 + _S428 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S429) / max(_S430, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_1.shares_0 = _S431;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S431.z, (_S430.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn albedos_over_0( _S431 : u32,  _S432 : Footprint_0,  _S433 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S432 : u32,  _S433 : Footprint_0,  _S434 : bool) -> FamilyAlbedos_0
 {
-    var _S434 : vec2<f32> = _S432.dx_0;
-    var _S435 : vec2<f32> = _S432.dy_0;
-    var _S436 : vec2<f32> = sqrt(_S434 * _S434 + _S435 * _S435);
-    var _S437 : Stretch_0 = stretch_of_0(fabrics_0[_S431].warp_0, _S432.centre_0.x, _S436.x);
-    var _S438 : Stretch_0 = stretch_of_0(fabrics_0[_S431].weft_0, _S432.centre_0.y, _S436.y);
-    var albedos_6 : FamilyAlbedos_0;
-    albedos_6.warp_5 = mean_albedos_0(fabrics_0[_S431].warp_0, fabrics_0[_S431].weft_0, _S437, _S438, _S433);
-    albedos_6.weft_5 = mean_albedos_0(fabrics_0[_S431].weft_0, fabrics_0[_S431].warp_0, _S438, _S437, _S433);
-    return albedos_6;
+    var _S435 : vec2<f32> = _S433.dx_0;
+    var _S436 : vec2<f32> = _S433.dy_0;
+    var _S437 : vec2<f32> = sqrt(_S435 * _S435 + _S436 * _S436);
+    var _S438 : Stretch_0 = stretch_of_0(fabrics_0[_S432].warp_0, _S433.centre_0.x, _S437.x);
+    var _S439 : Stretch_0 = stretch_of_0(fabrics_0[_S432].weft_0, _S433.centre_0.y, _S437.y);
+    var albedos_5 : FamilyAlbedos_0;
+    albedos_5.warp_5 = mean_albedos_0(fabrics_0[_S432].warp_0, fabrics_0[_S432].weft_0, _S438, _S439, _S434);
+    albedos_5.weft_5 = mean_albedos_0(fabrics_0[_S432].weft_0, fabrics_0[_S432].warp_0, _S439, _S438, _S434);
+    return albedos_5;
 }
 
-fn toned_0( _S439 : u32,  _S440 : u32,  _S441 : Albedos_0,  _S442 : vec4<f32>) -> Albedos_0
+fn toned_0( _S440 : u32,  _S441 : u32,  _S442 : Albedos_0,  _S443 : vec4<f32>) -> Albedos_0
 {
-    var _S443 : vec3<f32> = _S441.diffuse_reflect_0 + _S441.diffuse_transmit_0;
-    var _S444 : vec3<f32> = vec3<f32>(1.0f);
-    var _S445 : vec3<f32> = _S444 - vec3<f32>(fabrics_0[_S439].layer_bound_0) * max(_S441.specular_reflect_0, _S441.specular_transmit_0);
-    var _S446 : vec3<f32> = vec3<f32>(0.0f);
-    var _S447 : vec3<f32> = max(_S444 - _S443, _S446) / (_S444 + _S443);
-    var _S448 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S449 : vec3<f32> = (_S445 / max(_S443, _S448) - _S444) / max(vec3<f32>(0.89999997615814209f) * _S447, _S448);
-    var _S450 : vec3<f32> = _S444 - vec3<f32>((saturate(min(min(_S449.x, _S449.y), _S449.z)) * _S442.z)) * _S447;
-    var _S451 : vec3<f32> = min(vec3<f32>(families_0[_S440].nep_red_0, families_0[_S440].nep_green_0, families_0[_S440].nep_blue_0), _S445);
-    var found_1 : Albedos_0 = _S441;
-    var _S452 : f32 = _S442.w;
-    var _S453 : vec3<f32> = _S450 * _S441.diffuse_transmit_0 * vec3<f32>((1.0f - _S452));
-    found_1.diffuse_transmit_0 = _S453;
-    found_1.diffuse_reflect_0 = clamp(mix(_S450 * _S441.diffuse_reflect_0, _S451, vec3<f32>(_S452)), _S446, max(_S445 - _S453, _S446));
+    var _S444 : vec3<f32> = _S442.diffuse_reflect_0 + _S442.diffuse_transmit_0;
+    var _S445 : vec3<f32> = vec3<f32>(1.0f);
+    var _S446 : vec3<f32> = _S445 - vec3<f32>(fabrics_0[_S440].layer_bound_0) * max(_S442.specular_reflect_0, _S442.specular_transmit_0);
+    var _S447 : vec3<f32> = vec3<f32>(0.0f);
+    var _S448 : vec3<f32> = max(_S445 - _S444, _S447) / (_S445 + _S444);
+    var _S449 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S450 : vec3<f32> = (_S446 / max(_S444, _S449) - _S445) / max(vec3<f32>(0.89999997615814209f) * _S448, _S449);
+    var _S451 : vec3<f32> = _S445 - vec3<f32>((saturate(min(min(_S450.x, _S450.y), _S450.z)) * _S443.z)) * _S448;
+    var _S452 : vec3<f32> = min(vec3<f32>(families_0[_S441].nep_red_0, families_0[_S441].nep_green_0, families_0[_S441].nep_blue_0), _S446);
+    var found_1 : Albedos_0 = _S442;
+    var _S453 : f32 = _S443.w;
+    var _S454 : vec3<f32> = _S451 * _S442.diffuse_transmit_0 * vec3<f32>((1.0f - _S453));
+    found_1.diffuse_transmit_0 = _S454;
+    found_1.diffuse_reflect_0 = clamp(mix(_S451 * _S442.diffuse_reflect_0, _S452, vec3<f32>(_S453)), _S447, max(_S446 - _S454, _S447));
     return found_1;
 }
 
-fn with_tones_0( _S454 : u32,  _S455 : FamilyAlbedos_0,  _S456 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S455 : u32,  _S456 : FamilyAlbedos_0,  _S457 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S454].is_irregular_0) == u32(0))
+    if((fabrics_0[_S455].is_irregular_0) == u32(0))
     {
-        return _S455;
+        return _S456;
     }
     var result_3 : FamilyAlbedos_0;
-    result_3.warp_5 = toned_0(_S454, fabrics_0[_S454].warp_0, _S455.warp_5, _S456.warp_1);
-    result_3.weft_5 = toned_0(_S454, fabrics_0[_S454].weft_0, _S455.weft_5, _S456.weft_1);
+    result_3.warp_5 = toned_0(_S455, fabrics_0[_S455].warp_0, _S456.warp_5, _S457.warp_1);
+    result_3.weft_5 = toned_0(_S455, fabrics_0[_S455].weft_0, _S456.weft_5, _S457.weft_1);
     return result_3;
 }
 
-fn openness_number_0( _S457 : u32,  _S458 : u32) -> f32
+fn openness_number_0( _S458 : u32,  _S459 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S457].openness_0 + _S458);
+    return table_number_0(fabrics_0[_S458].openness_0 + _S459);
 }
 
-fn scattered_by_0( _S459 : u32,  _S460 : Albedos_0,  _S461 : u32,  _S462 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S460 : u32,  _S461 : Albedos_0,  _S462 : u32,  _S463 : vec3<f32>) -> Scattered_0
 {
-    var _S463 : u32 = u32(159) + u32(2) * _S461;
+    var _S464 : u32 = u32(159) + u32(2) * _S462;
     var yarn_2 : Scattered_0;
-    yarn_2.back_4 = _S462 * _S460.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S459, _S463)) * _S460.specular_reflect_0;
-    yarn_2.through_0 = _S462 * _S460.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S459, _S463 + u32(1))) * _S460.specular_transmit_0;
+    yarn_2.back_4 = _S463 * _S461.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S460, _S464)) * _S461.specular_reflect_0;
+    yarn_2.through_0 = _S463 * _S461.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S460, _S464 + u32(1))) * _S461.specular_transmit_0;
     return yarn_2;
 }
 
-fn sent_0( _S464 : u32,  _S465 : u32,  _S466 : vec3<f32>,  _S467 : vec3<f32>,  _S468 : vec3<f32>,  _S469 : vec3<f32>,  _S470 : ptr<function, vec3<f32>>,  _S471 : ptr<function, vec3<f32>>)
+fn sent_0( _S465 : u32,  _S466 : u32,  _S467 : vec3<f32>,  _S468 : vec3<f32>,  _S469 : vec3<f32>,  _S470 : vec3<f32>,  _S471 : ptr<function, vec3<f32>>,  _S472 : ptr<function, vec3<f32>>)
 {
-    var _S472 : u32 = u32(146) + u32(4) * _S465;
-    var _S473 : f32 = openness_number_0(_S464, _S472 + u32(1));
-    var _S474 : f32 = openness_number_0(_S464, _S472 + u32(2));
-    var _S475 : vec3<f32> = vec3<f32>(1.0f);
-    var _S476 : vec3<f32> = _S475 - _S468 * vec3<f32>(openness_number_0(_S464, _S472));
-    var _S477 : vec3<f32> = _S475 - _S469 * vec3<f32>(openness_number_0(_S464, _S472 + u32(3)));
-    var _S478 : vec3<f32> = _S475 / (_S476 * _S477 - _S468 * _S469 * vec3<f32>((_S473 * _S474)));
-    (*_S470) = (_S466 * _S477 + _S468 * vec3<f32>(_S473) * _S467) * _S478;
-    (*_S471) = (_S467 * _S476 + _S469 * vec3<f32>(_S474) * _S466) * _S478;
+    var _S473 : u32 = u32(146) + u32(4) * _S466;
+    var _S474 : f32 = openness_number_0(_S465, _S473 + u32(1));
+    var _S475 : f32 = openness_number_0(_S465, _S473 + u32(2));
+    var _S476 : vec3<f32> = vec3<f32>(1.0f);
+    var _S477 : vec3<f32> = _S476 - _S469 * vec3<f32>(openness_number_0(_S465, _S473));
+    var _S478 : vec3<f32> = _S476 - _S470 * vec3<f32>(openness_number_0(_S465, _S473 + u32(3)));
+    var _S479 : vec3<f32> = _S476 / (_S477 * _S478 - _S469 * _S470 * vec3<f32>((_S474 * _S475)));
+    (*_S471) = (_S467 * _S478 + _S469 * vec3<f32>(_S474) * _S468) * _S479;
+    (*_S472) = (_S468 * _S477 + _S470 * vec3<f32>(_S475) * _S467) * _S479;
     return;
 }
 
-fn face_sends_0( _S479 : u32,  _S480 : u32,  _S481 : Scattered_0,  _S482 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S480 : u32,  _S481 : u32,  _S482 : Scattered_0,  _S483 : Scattered_0) -> FaceSends_0
 {
-    var _S483 : u32 = u32(2) * _S480;
-    var _S484 : u32 = u32(142) + _S483;
-    var _S485 : f32 = openness_number_0(_S479, _S484);
-    var _S486 : f32 = openness_number_0(_S479, _S484 + u32(1));
-    var _S487 : vec3<f32> = vec3<f32>((1.0f - _S485)) * _S481.back_4;
+    var _S484 : u32 = u32(2) * _S481;
+    var _S485 : u32 = u32(142) + _S484;
+    var _S486 : f32 = openness_number_0(_S480, _S485);
+    var _S487 : f32 = openness_number_0(_S480, _S485 + u32(1));
     var _S488 : vec3<f32> = vec3<f32>((1.0f - _S486)) * _S482.back_4;
+    var _S489 : vec3<f32> = vec3<f32>((1.0f - _S487)) * _S483.back_4;
     var sends_1 : FaceSends_0;
-    var _S489 : u32 = u32(154) + _S483;
-    var _S490 : f32 = openness_number_0(_S479, _S489);
-    sends_1.blocks_warp_0 = _S490;
-    var _S491 : f32 = openness_number_0(_S479, _S489 + u32(1));
-    sends_1.blocks_weft_0 = _S491;
-    sends_1.open_0 = _S490 * _S485 + _S491 * _S486;
-    var _S492 : vec3<f32> = vec3<f32>(_S485) * _S481.back_4;
+    var _S490 : u32 = u32(154) + _S484;
+    var _S491 : f32 = openness_number_0(_S480, _S490);
+    sends_1.blocks_warp_0 = _S491;
+    var _S492 : f32 = openness_number_0(_S480, _S490 + u32(1));
+    sends_1.blocks_weft_0 = _S492;
+    sends_1.open_0 = _S491 * _S486 + _S492 * _S487;
     var _S493 : vec3<f32> = vec3<f32>(_S486) * _S482.back_4;
-    var _S494 : vec3<f32> = sends_1.sky_warp_0;
-    var _S495 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S479, _S480, _S492, _S493, _S487, _S488, &(_S494), &(_S495));
-    sends_1.sky_warp_0 = _S494;
-    sends_1.sky_weft_0 = _S495;
-    var _S496 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S497 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S479, _S480, _S481.through_0, _S482.through_0, _S487, _S488, &(_S496), &(_S497));
-    sends_1.crossing_warp_0 = _S496;
-    sends_1.crossing_weft_0 = _S497;
+    var _S494 : vec3<f32> = vec3<f32>(_S487) * _S483.back_4;
+    var _S495 : vec3<f32> = sends_1.sky_warp_0;
+    var _S496 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S480, _S481, _S493, _S494, _S488, _S489, &(_S495), &(_S496));
+    sends_1.sky_warp_0 = _S495;
+    sends_1.sky_weft_0 = _S496;
+    var _S497 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S498 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S480, _S481, _S482.through_0, _S483.through_0, _S488, _S489, &(_S497), &(_S498));
+    sends_1.crossing_warp_0 = _S497;
+    sends_1.crossing_weft_0 = _S498;
     return sends_1;
 }
 
-fn interior_of_0( _S498 : u32,  _S499 : vec3<f32>,  _S500 : bool) -> Interior_0
+fn interior_of_0( _S499 : u32,  _S500 : vec3<f32>,  _S501 : bool) -> Interior_0
 {
-    var _S501 : Scattered_0 = scattered_by_0(_S498, table_albedos_0(families_0[fabrics_0[_S498].warp_0].colour_mean_0), u32(0), _S499);
-    var _S502 : Scattered_0 = scattered_by_0(_S498, table_albedos_0(families_0[fabrics_0[_S498].weft_0].colour_mean_0), u32(1), _S499);
-    var _S503 : FaceSends_0 = face_sends_0(_S498, select(u32(0), u32(1), _S500), _S501, _S502);
-    var _S504 : FaceSends_0 = face_sends_0(_S498, select(u32(1), u32(0), _S500), _S501, _S502);
-    var _S505 : vec3<f32> = vec3<f32>(_S503.blocks_warp_0);
-    var _S506 : vec3<f32> = vec3<f32>(_S503.blocks_weft_0);
-    var _S507 : vec3<f32> = _S505 * _S503.crossing_warp_0 + _S506 * _S503.crossing_weft_0;
-    var _S508 : vec3<f32> = vec3<f32>(_S504.blocks_warp_0);
-    var _S509 : vec3<f32> = vec3<f32>(_S504.blocks_weft_0);
-    var _S510 : vec3<f32> = _S508 * _S504.crossing_warp_0 + _S509 * _S504.crossing_weft_0;
-    var _S511 : f32 = 1.0f - _S503.open_0;
+    var _S502 : Scattered_0 = scattered_by_0(_S499, table_albedos_0(families_0[fabrics_0[_S499].warp_0].colour_mean_0), u32(0), _S500);
+    var _S503 : Scattered_0 = scattered_by_0(_S499, table_albedos_0(families_0[fabrics_0[_S499].weft_0].colour_mean_0), u32(1), _S500);
+    var _S504 : FaceSends_0 = face_sends_0(_S499, select(u32(0), u32(1), _S501), _S502, _S503);
+    var _S505 : FaceSends_0 = face_sends_0(_S499, select(u32(1), u32(0), _S501), _S502, _S503);
+    var _S506 : vec3<f32> = vec3<f32>(_S504.blocks_warp_0);
+    var _S507 : vec3<f32> = vec3<f32>(_S504.blocks_weft_0);
+    var _S508 : vec3<f32> = _S506 * _S504.crossing_warp_0 + _S507 * _S504.crossing_weft_0;
+    var _S509 : vec3<f32> = vec3<f32>(_S505.blocks_warp_0);
+    var _S510 : vec3<f32> = vec3<f32>(_S505.blocks_weft_0);
+    var _S511 : vec3<f32> = _S509 * _S505.crossing_warp_0 + _S510 * _S505.crossing_weft_0;
     var _S512 : f32 = 1.0f - _S504.open_0;
-    var _S513 : vec3<f32> = vec3<f32>(1.0f);
-    var _S514 : vec3<f32> = _S513 / (_S513 - _S507 * _S510 * vec3<f32>((_S511 * _S512)));
-    var _S515 : vec3<f32> = _S510 * (vec3<f32>(_S503.open_0) + vec3<f32>(_S511) * (_S505 * _S503.sky_warp_0 + _S506 * _S503.sky_weft_0)) * _S514;
-    var _S516 : vec3<f32> = _S507 * (vec3<f32>(_S504.open_0) + vec3<f32>(_S512) * (_S508 * _S504.sky_warp_0 + _S509 * _S504.sky_weft_0)) * _S514;
-    var _S517 : FaceRadiance_0 = face_radiance_0(_S503, _S504.open_0, _S515, _S516);
-    var _S518 : FaceRadiance_0 = face_radiance_0(_S504, _S503.open_0, _S516, _S515);
+    var _S513 : f32 = 1.0f - _S505.open_0;
+    var _S514 : vec3<f32> = vec3<f32>(1.0f);
+    var _S515 : vec3<f32> = _S514 / (_S514 - _S508 * _S511 * vec3<f32>((_S512 * _S513)));
+    var _S516 : vec3<f32> = _S511 * (vec3<f32>(_S504.open_0) + vec3<f32>(_S512) * (_S506 * _S504.sky_warp_0 + _S507 * _S504.sky_weft_0)) * _S515;
+    var _S517 : vec3<f32> = _S508 * (vec3<f32>(_S505.open_0) + vec3<f32>(_S513) * (_S509 * _S505.sky_warp_0 + _S510 * _S505.sky_weft_0)) * _S515;
+    var _S518 : FaceRadiance_0 = face_radiance_0(_S504, _S505.open_0, _S516, _S517);
+    var _S519 : FaceRadiance_0 = face_radiance_0(_S505, _S504.open_0, _S517, _S516);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S517.warp_3;
-    interior_1.weft_4 = _S517.weft_3;
-    interior_1.leaked_1 = _S517.leaked_0;
-    interior_1.far_1 = _S518.mean_0;
-    interior_1.far_leaked_0 = _S518.leaked_0;
+    interior_1.warp_4 = _S518.warp_3;
+    interior_1.weft_4 = _S518.weft_3;
+    interior_1.leaked_1 = _S518.leaked_0;
+    interior_1.far_1 = _S519.mean_0;
+    interior_1.far_leaked_0 = _S519.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S519 : u32,  _S520 : u32,  _S521 : array<f32, i32(6)>,  _S522 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S520 : u32,  _S521 : u32,  _S522 : array<f32, i32(6)>,  _S523 : u32) -> Blocked_0
 {
     var shares_2 : array<f32, i32(3)>;
     var share_3 : u32 = u32(0);
@@ -1985,14 +1984,14 @@ fn blocked_of_terms_0( _S519 : u32,  _S520 : u32,  _S521 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S522)
+            if(term_0 < _S523)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_3] = shares_2[share_3] + openness_number_0(_S519, _S520 + share_3 * _S522 + term_0) * _S521[term_0];
+            shares_2[share_3] = shares_2[share_3] + openness_number_0(_S520, _S521 + share_3 * _S523 + term_0) * _S522[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_2[share_3] = saturate(shares_2[share_3]);
@@ -2005,81 +2004,81 @@ fn blocked_of_terms_0( _S519 : u32,  _S520 : u32,  _S521 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_from_0( _S523 : u32,  _S524 : vec3<f32>,  _S525 : bool,  _S526 : bool) -> Blocked_0
+fn blocked_from_0( _S524 : u32,  _S525 : vec3<f32>,  _S526 : bool,  _S527 : bool) -> Blocked_0
 {
     var terms_1 : array<f32, i32(6)>;
-    view_terms_0(_S524, &(terms_1));
-    return blocked_of_terms_0(_S523, (select(u32(0), u32(2), _S526) + select(u32(1), u32(0), _S525)) * u32(15), terms_1, u32(5));
+    view_terms_0(_S525, &(terms_1));
+    return blocked_of_terms_0(_S524, (select(u32(0), u32(2), _S527) + select(u32(1), u32(0), _S526)) * u32(15), terms_1, u32(5));
 }
 
-fn family_share_0( _S527 : u32,  _S528 : u32,  _S529 : f32) -> vec2<f32>
+fn family_share_0( _S528 : u32,  _S529 : u32,  _S530 : f32) -> vec2<f32>
 {
-    var _S530 : bool = _S528 < (fabrics_0[_S527].clustered_0.clusters_0 / u32(2));
-    return vec2<f32>(select(0.0f, _S529, _S530), select(_S529, 0.0f, _S530));
+    var _S531 : bool = _S529 < (fabrics_0[_S528].clustered_0.clusters_0 / u32(2));
+    return vec2<f32>(select(0.0f, _S530, _S531), select(_S530, 0.0f, _S531));
 }
 
-fn clustered_shown_0( _S531 : u32,  _S532 : ViewedBase_0) -> vec2<f32>
+fn clustered_shown_0( _S532 : u32,  _S533 : ViewedBase_0) -> vec2<f32>
 {
-    var _S533 : Clustered_std430_0 = fabrics_0[_S531].clustered_0;
-    var _S534 : u32 = _S533.clusters_0;
-    var _S535 : vec2<f32> = vec2<f32>(0.0f);
+    var _S534 : Clustered_std430_0 = fabrics_0[_S532].clustered_0;
+    var _S535 : u32 = _S534.clusters_0;
+    var _S536 : vec2<f32> = vec2<f32>(0.0f);
     var cluster_1 : u32 = u32(0);
-    var shown_0 : vec2<f32> = _S535;
+    var shown_0 : vec2<f32> = _S536;
     for(;;)
     {
-        if(cluster_1 < _S534)
+        if(cluster_1 < _S535)
         {
         }
         else
         {
             break;
         }
-        var _S536 : f32 = box_mean_0(&(_S533), _S532.box_5, _S532.face_6, cluster_1);
-        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S531, cluster_1, _S536);
+        var _S537 : f32 = box_mean_0(&(_S534), _S533.box_5, _S533.face_6, cluster_1);
+        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S532, cluster_1, _S537);
         cluster_1 = cluster_1 + u32(1);
         shown_0 = shown_1;
     }
     return shown_0;
 }
 
-fn clustered_view_0( _S537 : u32,  _S538 : Footprint_0,  _S539 : vec3<f32>,  _S540 : vec3<f32>,  _S541 : u32) -> ClusteredView_0
+fn clustered_view_0( _S538 : u32,  _S539 : Footprint_0,  _S540 : vec3<f32>,  _S541 : vec3<f32>,  _S542 : u32) -> ClusteredView_0
 {
     var seen_2 : ClusteredView_0;
-    var _S542 : ViewedBase_0 = viewed_base_0(_S537, _S538, _S539, uniform_of_0(_S541, u32(0)));
-    seen_2.base_0 = _S542;
-    seen_2.view_7 = _S539;
-    var _S543 : f32 = texel_hole_0(_S537, _S542);
-    seen_2.even_hole_0 = _S543;
-    var _S544 : Yarns_0 = yarns_over_0(_S537, _S538, seen_2.base_0.back_5);
-    seen_2.yarns_0 = _S544;
-    seen_2.hole_1 = min(_S543 * seen_2.yarns_0.shares_0.z, 1.0f);
-    var _S545 : FamilyAlbedos_0 = with_tones_0(_S537, albedos_over_0(_S537, _S538, seen_2.base_0.back_5), _S544);
-    seen_2.albedos_5.warp_5 = tinted_0(_S545.warp_5, _S540);
-    seen_2.albedos_5.weft_5 = tinted_0(_S545.weft_5, _S540);
-    var _S546 : vec3<f32> = vec3<f32>(0.0f);
-    seen_2.bounced_2.reflected_0 = _S546;
-    seen_2.bounced_2.transmitted_0 = _S546;
-    if((fabrics_0[_S537].openness_0) == u32(4294967295))
+    var _S543 : ViewedBase_0 = viewed_base_0(_S538, _S539, _S540, uniform_of_0(_S542, u32(0)));
+    seen_2.base_0 = _S543;
+    seen_2.view_7 = _S540;
+    var _S544 : f32 = texel_hole_0(_S538, _S543);
+    seen_2.even_hole_0 = _S544;
+    var _S545 : Yarns_0 = yarns_over_0(_S538, _S539, seen_2.base_0.back_5);
+    seen_2.yarns_0 = _S545;
+    seen_2.hole_1 = min(_S544 * seen_2.yarns_0.shares_0.z, 1.0f);
+    var _S546 : FamilyAlbedos_0 = with_tones_0(_S538, albedos_over_0(_S538, _S539, seen_2.base_0.back_5), _S545);
+    seen_2.albedos_4.warp_5 = tinted_0(_S546.warp_5, _S541);
+    seen_2.albedos_4.weft_5 = tinted_0(_S546.weft_5, _S541);
+    var _S547 : vec3<f32> = vec3<f32>(0.0f);
+    seen_2.bounced_2.reflected_0 = _S547;
+    seen_2.bounced_2.transmitted_0 = _S547;
+    if((fabrics_0[_S538].openness_0) == u32(4294967295))
     {
         return seen_2;
     }
-    var _S547 : Interior_0 = interior_of_0(_S537, _S540, seen_2.base_0.back_5);
-    var _S548 : Bounced_0 = bounced_by_0(blocked_from_0(_S537, seen_2.base_0.view_3, true, seen_2.base_0.back_5), scattered_by_0(_S537, _S545.warp_5, u32(0), _S540), _S547);
-    var _S549 : Bounced_0 = bounced_by_0(blocked_from_0(_S537, seen_2.base_0.view_3, false, seen_2.base_0.back_5), scattered_by_0(_S537, _S545.weft_5, u32(1), _S540), _S547);
-    var _S550 : vec2<f32> = clustered_shown_0(_S537, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
-    var _S551 : vec3<f32> = vec3<f32>(_S550.x);
-    var _S552 : vec3<f32> = vec3<f32>(_S550.y);
-    seen_2.bounced_2.reflected_0 = _S551 * _S548.reflected_0 + _S552 * _S549.reflected_0;
-    seen_2.bounced_2.transmitted_0 = _S551 * _S548.transmitted_0 + _S552 * _S549.transmitted_0;
+    var _S548 : Interior_0 = interior_of_0(_S538, _S541, seen_2.base_0.back_5);
+    var _S549 : Bounced_0 = bounced_by_0(blocked_from_0(_S538, seen_2.base_0.view_3, true, seen_2.base_0.back_5), scattered_by_0(_S538, _S546.warp_5, u32(0), _S541), _S548);
+    var _S550 : Bounced_0 = bounced_by_0(blocked_from_0(_S538, seen_2.base_0.view_3, false, seen_2.base_0.back_5), scattered_by_0(_S538, _S546.weft_5, u32(1), _S541), _S548);
+    var _S551 : vec2<f32> = clustered_shown_0(_S538, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
+    var _S552 : vec3<f32> = vec3<f32>(_S551.x);
+    var _S553 : vec3<f32> = vec3<f32>(_S551.y);
+    seen_2.bounced_2.reflected_0 = _S552 * _S549.reflected_0 + _S553 * _S550.reflected_0;
+    seen_2.bounced_2.transmitted_0 = _S552 * _S549.transmitted_0 + _S553 * _S550.transmitted_0;
     return seen_2;
 }
 
-fn residual_texel_0( _S553 : u32,  _S554 : ClusteredView_0,  _S555 : u32,  _S556 : u32) -> u32
+fn residual_texel_0( _S554 : u32,  _S555 : ClusteredView_0,  _S556 : u32,  _S557 : u32) -> u32
 {
-    var _S557 : u32 = _S555 + _S556 * u32(1663821227);
-    var _S558 : Clustered_std430_0 = fabrics_0[_S553].clustered_0;
-    var _S559 : u32 = texel_of_0(&(_S558), _S554.base_0.box_5, vec2<f32>(uniform_of_0(_S557, u32(1)), uniform_of_0(_S557, u32(2))));
-    return _S559;
+    var _S558 : u32 = _S556 + _S557 * u32(1663821227);
+    var _S559 : Clustered_std430_0 = fabrics_0[_S554].clustered_0;
+    var _S560 : u32 = texel_of_0(&(_S559), _S555.base_0.box_5, vec2<f32>(uniform_of_0(_S558, u32(1)), uniform_of_0(_S558, u32(2))));
+    return _S560;
 }
 
 fn light_sample_count_0() -> u32
@@ -2087,13 +2086,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S560 : u32,  _S561 : vec2<u32>) -> f32
+fn visibility_at_0( _S561 : u32,  _S562 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S560 * frame_record_0.height_0 + _S561.y) * frame_record_0.width_0 + _S561.x];
+    return visibilities_0[(_S561 * frame_record_0.height_0 + _S562.y) * frame_record_0.width_0 + _S562.x];
 }
 
 struct LightSample_0
@@ -2103,178 +2102,211 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S562 : u32,  _S563 : u32) -> vec3<f32>
+fn environment_texel_0( _S563 : u32,  _S564 : u32) -> vec3<f32>
 {
-    var _S564 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S562 * frame_record_0.environment_columns_0 + _S563);
-    return vec3<f32>(scene_number_0(_S564), scene_number_0(_S564 + u32(1)), scene_number_0(_S564 + u32(2)));
+    var _S565 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S563 * frame_record_0.environment_columns_0 + _S564);
+    return vec3<f32>(scene_number_0(_S565), scene_number_0(_S565 + u32(1)), scene_number_0(_S565 + u32(2)));
 }
 
-fn sample_environment_0( _S565 : vec2<f32>,  _S566 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S566 : vec2<f32>,  _S567 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S567 : u32 = frame_record_0.environment_rows_0;
-    var _S568 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S565.y);
-    var _S569 : u32 = frame_record_0.environment_columns_0;
-    var _S570 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S568.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S565.x);
-    var _S571 : vec3<f32> = environment_texel_0(_S568.index_6, _S570.index_6);
-    (*_S566) = _S571 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S571), 9.99999968265522539e-21f)));
-    var _S572 : f32 = 3.14159274101257324f / f32(_S567);
-    var _S573 : f32 = mix(sine_cosine_0(f32(_S568.index_6) * _S572).y, sine_cosine_0(f32(_S568.index_6 + u32(1)) * _S572).y, _S568.remainder_0);
-    var _S574 : f32 = sqrt(max(1.0f - _S573 * _S573, 0.0f));
-    var _S575 : vec2<f32> = sine_cosine_0((f32(_S570.index_6) + _S570.remainder_0) * (6.28318548202514648f / f32(_S569)));
-    var _S576 : f32 = _S574 * _S575.x;
-    var _S577 : f32 = - _S574 * _S575.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S576 + frame_record_0.environment_sine_0 * _S577, _S573, frame_record_0.environment_cosine_0 * _S577 - frame_record_0.environment_sine_0 * _S576);
+    var _S568 : u32 = frame_record_0.environment_rows_0;
+    var _S569 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S566.y);
+    var _S570 : u32 = frame_record_0.environment_columns_0;
+    var _S571 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S569.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S566.x);
+    var _S572 : vec3<f32> = environment_texel_0(_S569.index_6, _S571.index_6);
+    (*_S567) = _S572 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S572), 9.99999968265522539e-21f)));
+    var _S573 : f32 = 3.14159274101257324f / f32(_S568);
+    var _S574 : f32 = mix(sine_cosine_0(f32(_S569.index_6) * _S573).y, sine_cosine_0(f32(_S569.index_6 + u32(1)) * _S573).y, _S569.remainder_0);
+    var _S575 : f32 = sqrt(max(1.0f - _S574 * _S574, 0.0f));
+    var _S576 : vec2<f32> = sine_cosine_0((f32(_S571.index_6) + _S571.remainder_0) * (6.28318548202514648f / f32(_S570)));
+    var _S577 : f32 = _S575 * _S576.x;
+    var _S578 : f32 = - _S575 * _S576.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S577 + frame_record_0.environment_sine_0 * _S578, _S574, frame_record_0.environment_cosine_0 * _S578 - frame_record_0.environment_sine_0 * _S577);
 }
 
-fn light_sample_0( _S578 : u32,  _S579 : vec2<u32>,  _S580 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S579 : u32,  _S580 : vec2<u32>,  _S581 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S581 : u32 = frame_record_0.lights_0;
-    if(_S578 >= (frame_record_0.lights_0))
+    var _S582 : u32 = frame_record_0.lights_0;
+    if(_S579 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S582 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S579, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S578 - _S581), u32(3)), &(weight_3));
-        sample_0.towards_1 = _S582;
+        var _S583 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S580, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S579 - _S582), u32(3)), &(weight_3));
+        sample_0.towards_1 = _S583;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S583 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S578);
-    sample_0.irradiance_1 = vec3<f32>(_S583.red_0, _S583.green_0, _S583.blue_0);
-    sample_0.towards_1 = vec3<f32>(_S583.x_8, _S583.y_2, _S583.z_1);
-    if((_S583.is_point_0) != u32(0))
+    var _S584 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S579);
+    sample_0.irradiance_1 = vec3<f32>(_S584.red_0, _S584.green_0, _S584.blue_0);
+    sample_0.towards_1 = vec3<f32>(_S584.x_8, _S584.y_2, _S584.z_1);
+    if((_S584.is_point_0) != u32(0))
     {
-        var _S584 : vec3<f32> = sample_0.towards_1 - _S580;
-        var _S585 : f32 = max(square_0(_S584), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S585);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S585);
-        sample_0.towards_1 = normalize(_S584);
+        var _S585 : vec3<f32> = sample_0.towards_1 - _S581;
+        var _S586 : f32 = max(square_0(_S585), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S586);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S586);
+        sample_0.towards_1 = normalize(_S585);
     }
     return sample_0;
 }
 
-fn cluster_density_0( _S586 : u32,  _S587 : ViewedBase_0,  _S588 : BaseTaps_0,  _S589 : u32,  _S590 : u32) -> f32
+fn cluster_density_0( _S587 : u32,  _S588 : ViewedBase_0,  _S589 : BaseTaps_0,  _S590 : u32,  _S591 : u32) -> f32
 {
-    return BinTaps_read_0(_S588.half_vector_0, fabrics_0[_S586].clustered_0.basis_0, _S587.face_6 * u32(1024), fabrics_0[_S586].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S586].clustered_0.rank_0), _S590 * fabrics_0[_S586].clustered_0.clusters_0 + _S589);
+    return BinTaps_read_0(_S589.half_vector_0, fabrics_0[_S587].clustered_0.basis_0, _S588.face_6 * u32(1024), fabrics_0[_S587].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S587].clustered_0.rank_0), _S591 * fabrics_0[_S587].clustered_0.clusters_0 + _S590);
 }
 
-fn cluster_visibility_0( _S591 : u32,  _S592 : BaseTaps_0,  _S593 : u32) -> f32
+fn cluster_visibility_0( _S592 : u32,  _S593 : BaseTaps_0,  _S594 : u32) -> f32
 {
-    return BinTaps_read_0(_S592.around_0, fabrics_0[_S591].clustered_0.light_0, _S592.first_7, fabrics_0[_S591].clustered_0.clusters_0, _S593);
+    return BinTaps_read_0(_S593.around_0, fabrics_0[_S592].clustered_0.light_0, _S593.first_7, fabrics_0[_S592].clustered_0.clusters_0, _S594);
 }
 
-fn clustered_diffuse_0( _S594 : u32,  _S595 : BaseTaps_0,  _S596 : f32,  _S597 : vec3<f32>) -> f32
+fn clustered_diffuse_0( _S595 : u32,  _S596 : BaseTaps_0,  _S597 : f32,  _S598 : vec3<f32>) -> f32
 {
-    return 0.31830987334251404f * ((1.0f - fabrics_0[_S594].diffuse_blend_0) * abs(_S595.facing_0.z) * _S596 + fabrics_0[_S594].diffuse_blend_0 * clustered_cosine_0(_S595, _S597));
+    return 0.31830987334251404f * ((1.0f - fabrics_0[_S595].diffuse_blend_0) * abs(_S596.facing_0.z) * _S597 + fabrics_0[_S595].diffuse_blend_0 * clustered_cosine_0(_S596, _S598));
 }
 
-fn cluster_attenuation_0( _S598 : u32,  _S599 : ViewedBase_0,  _S600 : BaseTaps_0,  _S601 : u32) -> f32
+fn cluster_attenuation_0( _S599 : u32,  _S600 : ViewedBase_0,  _S601 : BaseTaps_0,  _S602 : u32) -> f32
 {
-    var _S602 : u32 = fabrics_0[_S598].clustered_0.moments_1 + (_S599.face_6 * fabrics_0[_S598].clustered_0.clusters_0 + _S601) * u32(8);
-    var _S603 : vec3<f32> = vec3<f32>(table_number_0(_S602), table_number_0(_S602 + u32(1)), table_number_0(_S602 + u32(2)));
-    var _S604 : vec3<f32> = vec3<f32>(table_number_0(_S602 + u32(3)), table_number_0(_S602 + u32(4)), table_number_0(_S602 + u32(5)));
-    var _S605 : f32 = table_number_0(_S602 + u32(7));
-    var _S606 : f32 = fabrics_0[_S598].optical_depth_0;
-    var _S607 : f32 = dot(_S600.facing_0, _S603);
-    var _S608 : f32 = max(dot(_S599.view_3, _S603), 0.10000000149011612f);
-    var _S609 : f32 = projected_area_1(_S600.facing_0, _S604, _S605) / max(select(_S607, - _S607, _S600.transmits_1), 0.10000000149011612f);
-    var _S610 : f32 = projected_area_1(_S599.view_3, _S604, _S605) / _S608;
-    if(!_S600.transmits_1)
+    var _S603 : u32 = fabrics_0[_S599].clustered_0.moments_1 + (_S600.face_6 * fabrics_0[_S599].clustered_0.clusters_0 + _S602) * u32(8);
+    var _S604 : vec3<f32> = vec3<f32>(table_number_0(_S603), table_number_0(_S603 + u32(1)), table_number_0(_S603 + u32(2)));
+    var _S605 : vec3<f32> = vec3<f32>(table_number_0(_S603 + u32(3)), table_number_0(_S603 + u32(4)), table_number_0(_S603 + u32(5)));
+    var _S606 : f32 = table_number_0(_S603 + u32(7));
+    var _S607 : f32 = fabrics_0[_S599].optical_depth_0;
+    var _S608 : f32 = dot(_S601.facing_0, _S604);
+    var _S609 : f32 = max(dot(_S600.view_3, _S604), 0.10000000149011612f);
+    var _S610 : f32 = projected_area_1(_S601.facing_0, _S605, _S606) / max(select(_S608, - _S608, _S601.transmits_1), 0.10000000149011612f);
+    var _S611 : f32 = projected_area_1(_S600.view_3, _S605, _S606) / _S609;
+    if(!_S601.transmits_1)
     {
-        var _S611 : f32 = _S609 + _S610;
-        return 0.25f * (1.0f - exponential_0(- _S606 * _S611)) / (_S611 * _S608);
+        var _S612 : f32 = _S610 + _S611;
+        return 0.25f * (1.0f - exponential_0(- _S607 * _S612)) / (_S612 * _S609);
     }
-    var _S612 : f32 = max(_S606 * abs(_S609 - _S610), 0.00100000004749745f);
-    return 0.25f * _S606 * exponential_0(- _S606 * min(_S609, _S610)) * (1.0f - exponential_0(- _S612)) / (_S612 * _S608);
+    var _S613 : f32 = max(_S607 * abs(_S610 - _S611), 0.00100000004749745f);
+    return 0.25f * _S607 * exponential_0(- _S607 * min(_S610, _S611)) * (1.0f - exponential_0(- _S613)) / (_S613 * _S609);
 }
 
-fn clustered_base_0( _S613 : u32,  _S614 : ViewedBase_0,  _S615 : BaseTaps_0) -> Components_0
+fn clustered_base_0( _S614 : u32,  _S615 : ViewedBase_0,  _S616 : BaseTaps_0) -> Components_0
 {
-    var _S616 : Clustered_std430_0 = fabrics_0[_S613].clustered_0;
-    var _S617 : u32 = _S616.clusters_0;
-    var _S618 : u32 = _S616.rank_0;
+    var _S617 : Clustered_std430_0 = fabrics_0[_S614].clustered_0;
+    var _S618 : u32 = _S617.clusters_0;
+    var _S619 : u32 = _S617.rank_0;
     var base_1 : Components_0 = no_components_0();
     var cluster_2 : u32 = u32(0);
     for(;;)
     {
-        if(cluster_2 < _S617)
+        if(cluster_2 < _S618)
         {
         }
         else
         {
             break;
         }
-        var _S619 : f32 = box_mean_1(&(_S616), _S614.box_5, _S614.face_6, cluster_2);
-        if(_S619 <= 0.0f)
+        var _S620 : f32 = box_mean_1(&(_S617), _S615.box_5, _S615.face_6, cluster_2);
+        if(_S620 <= 0.0f)
         {
             cluster_2 = cluster_2 + u32(1);
             continue;
         }
-        var _S620 : f32 = _S619 * cluster_density_0(_S613, _S614, _S615, cluster_2, u32(0));
+        var _S621 : f32 = _S620 * cluster_density_0(_S614, _S615, _S616, cluster_2, u32(0));
         var number_7 : u32 = u32(1);
-        var density_0 : f32 = _S620;
+        var density_0 : f32 = _S621;
         for(;;)
         {
-            if(number_7 <= _S618)
+            if(number_7 <= _S619)
             {
             }
             else
             {
                 break;
             }
-            var _S621 : f32 = box_mean_1(&(_S616), _S614.box_5, _S614.face_6, number_7 * _S617 + cluster_2);
-            var density_1 : f32 = density_0 + _S621 * cluster_density_0(_S613, _S614, _S615, cluster_2, number_7);
+            var _S622 : f32 = box_mean_1(&(_S617), _S615.box_5, _S615.face_6, number_7 * _S618 + cluster_2);
+            var density_1 : f32 = density_0 + _S622 * cluster_density_0(_S614, _S615, _S616, cluster_2, number_7);
             number_7 = number_7 + u32(1);
             density_0 = density_1;
         }
-        var _S622 : f32 = box_mean_1(&(_S616), _S614.box_5, _S614.face_6, (_S618 + u32(1)) * _S617 + cluster_2);
-        var _S623 : f32 = box_mean_1(&(_S616), _S614.box_5, _S614.face_6, (_S618 + u32(2)) * _S617 + cluster_2);
-        var _S624 : f32 = box_mean_1(&(_S616), _S614.box_5, _S614.face_6, (_S618 + u32(3)) * _S617 + cluster_2);
-        var _S625 : f32 = cluster_visibility_0(_S613, _S615, cluster_2);
-        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S617 / u32(2)), _S625 * clustered_diffuse_0(_S613, _S615, _S619, vec3<f32>(_S622, _S623, _S624)), _S625 * cluster_attenuation_0(_S613, _S614, _S615, cluster_2) * density_0, _S619 * _S625), 1.0f);
+        var _S623 : f32 = box_mean_1(&(_S617), _S615.box_5, _S615.face_6, (_S619 + u32(1)) * _S618 + cluster_2);
+        var _S624 : f32 = box_mean_1(&(_S617), _S615.box_5, _S615.face_6, (_S619 + u32(2)) * _S618 + cluster_2);
+        var _S625 : f32 = box_mean_1(&(_S617), _S615.box_5, _S615.face_6, (_S619 + u32(3)) * _S618 + cluster_2);
+        var _S626 : f32 = cluster_visibility_0(_S614, _S616, cluster_2);
+        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S618 / u32(2)), _S626 * clustered_diffuse_0(_S614, _S616, _S620, vec3<f32>(_S623, _S624, _S625)), _S626 * cluster_attenuation_0(_S614, _S615, _S616, cluster_2) * density_0, _S620 * _S626), 1.0f);
         cluster_2 = cluster_2 + u32(1);
     }
     return base_1;
 }
 
-fn with_shares_0( _S626 : u32,  _S627 : Components_0,  _S628 : Yarns_0) -> Components_0
+fn with_shares_0( _S627 : u32,  _S628 : Components_0,  _S629 : Yarns_0) -> Components_0
 {
     var result_4 : Components_0;
-    var _S629 : f32 = min(_S627.hole_0 * _S628.shares_0.z, 1.0f);
-    result_4.hole_0 = _S629;
-    var _S630 : f32 = _S628.shares_0.x;
-    result_4.diffuse_warp_0 = _S627.diffuse_warp_0 * _S630;
-    var _S631 : f32 = _S628.shares_0.y;
-    result_4.diffuse_weft_0 = _S627.diffuse_weft_0 * _S631;
-    result_4.specular_warp_0 = _S627.specular_warp_0 * _S630;
-    result_4.specular_weft_0 = _S627.specular_weft_0 * _S631;
-    result_4.light_visibility_1 = _S627.light_visibility_1 * select(1.0f, (1.0f - _S629) / max(1.0f - _S627.hole_0, 9.99999997475242708e-07f), (fabrics_0[_S626].is_irregular_0) != u32(0));
+    var _S630 : f32 = min(_S628.hole_0 * _S629.shares_0.z, 1.0f);
+    result_4.hole_0 = _S630;
+    var _S631 : f32 = _S629.shares_0.x;
+    result_4.diffuse_warp_0 = _S628.diffuse_warp_0 * _S631;
+    var _S632 : f32 = _S629.shares_0.y;
+    result_4.diffuse_weft_0 = _S628.diffuse_weft_0 * _S632;
+    result_4.specular_warp_0 = _S628.specular_warp_0 * _S631;
+    result_4.specular_weft_0 = _S628.specular_weft_0 * _S632;
+    result_4.light_visibility_1 = _S628.light_visibility_1 * select(1.0f, (1.0f - _S630) / max(1.0f - _S628.hole_0, 9.99999997475242708e-07f), (fabrics_0[_S627].is_irregular_0) != u32(0));
     return result_4;
 }
 
-fn as_seen_0( _S632 : u32,  _S633 : ClusteredView_0,  _S634 : Components_0) -> Components_0
+fn as_seen_0( _S633 : u32,  _S634 : ClusteredView_0,  _S635 : Components_0) -> Components_0
 {
-    var whole_1 : Components_0 = _S634;
-    whole_1.hole_0 = _S633.even_hole_0;
-    return with_shares_0(_S632, whole_1, _S633.yarns_0);
+    var whole_1 : Components_0 = _S635;
+    whole_1.hole_0 = _S634.even_hole_0;
+    return with_shares_0(_S633, whole_1, _S634.yarns_0);
 }
 
-fn under_sheen_0( _S635 : u32,  _S636 : ClusteredView_0,  _S637 : vec3<f32>,  _S638 : f32,  _S639 : vec3<f32>) -> vec3<f32>
+fn diffuse_kept_0( _S636 : u32,  _S637 : vec3<f32>,  _S638 : vec3<f32>) -> f32
 {
-    var _S640 : f32 = fabrics_0[_S635].sheen_strength_0;
-    if((fabrics_0[_S635].sheen_strength_0) <= 0.0f)
+    return (1.0f - fabrics_0[_S636].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S637.z), 0.0f))) * (1.0f - fabrics_0[_S636].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S638.z), 0.0f)));
+}
+
+fn highlight_rise_0( _S639 : u32,  _S640 : vec3<f32>,  _S641 : vec3<f32>) -> f32
+{
+    var _S642 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S640, _S641) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S639].grazing_gain_0 * fourth_power_0(_S642) * _S642;
+}
+
+fn towards_grazing_0( _S643 : u32,  _S644 : Albedos_0,  _S645 : vec3<f32>,  _S646 : vec3<f32>) -> Albedos_0
+{
+    var _S647 : f32 = diffuse_kept_0(_S643, _S645, _S646);
+    var result_5 : Albedos_0 = _S644;
+    var _S648 : vec3<f32> = vec3<f32>(_S647);
+    result_5.diffuse_reflect_0 = result_5.diffuse_reflect_0 * _S648;
+    result_5.diffuse_transmit_0 = result_5.diffuse_transmit_0 * _S648;
+    result_5.specular_reflect_0 = result_5.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S643, _S645, _S646));
+    return result_5;
+}
+
+fn shaded_0( _S649 : u32,  _S650 : Components_0,  _S651 : FamilyAlbedos_0,  _S652 : vec3<f32>,  _S653 : vec3<f32>,  _S654 : bool) -> vec3<f32>
+{
+    var _S655 : Albedos_0 = towards_grazing_0(_S649, _S651.warp_5, _S652, _S653);
+    var _S656 : Albedos_0 = towards_grazing_0(_S649, _S651.weft_5, _S652, _S653);
+    if(_S654)
     {
-        return _S637;
+        return _S655.diffuse_transmit_0 * vec3<f32>(_S650.diffuse_warp_0) + _S656.diffuse_transmit_0 * vec3<f32>(_S650.diffuse_weft_0) + _S655.specular_transmit_0 * vec3<f32>(_S650.specular_warp_0) + _S656.specular_transmit_0 * vec3<f32>(_S650.specular_weft_0);
     }
-    var _S641 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S639, _S636.base_0.back_5), _S636.base_0.view_3, _S640, fabrics_0[_S635].sheen_roughness_0);
-    return vec3<f32>(_S641.y) * _S637 + vec3<f32>((_S638 * _S641.x));
+    return _S655.diffuse_reflect_0 * vec3<f32>(_S650.diffuse_warp_0) + _S656.diffuse_reflect_0 * vec3<f32>(_S650.diffuse_weft_0) + _S655.specular_reflect_0 * vec3<f32>(_S650.specular_warp_0) + _S656.specular_reflect_0 * vec3<f32>(_S650.specular_weft_0);
 }
 
-fn clustered_base_value_0( _S642 : u32,  _S643 : ClusteredView_0,  _S644 : vec3<f32>) -> vec3<f32>
+fn under_sheen_0( _S657 : u32,  _S658 : ClusteredView_0,  _S659 : vec3<f32>,  _S660 : f32,  _S661 : vec3<f32>) -> vec3<f32>
 {
-    var _S645 : BaseTaps_0 = base_taps_0(_S643.base_0, _S644);
-    var _S646 : Components_0 = as_seen_0(_S642, _S643, clustered_base_0(_S642, _S643.base_0, _S645));
-    return under_sheen_0(_S642, _S643, shaded_0(_S646, _S643.albedos_5, _S645.transmits_1) + bounced_value_0(_S643.bounced_2, _S644, _S643.view_7), _S646.light_visibility_1 + _S643.hole_1, _S644);
+    var _S662 : f32 = fabrics_0[_S657].sheen_strength_0;
+    if((fabrics_0[_S657].sheen_strength_0) <= 0.0f)
+    {
+        return _S659;
+    }
+    var _S663 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S661, _S658.base_0.back_5), _S658.base_0.view_3, _S662, fabrics_0[_S657].sheen_roughness_0);
+    return vec3<f32>(_S663.y) * _S659 + vec3<f32>((_S660 * _S663.x));
+}
+
+fn clustered_base_value_0( _S664 : u32,  _S665 : ClusteredView_0,  _S666 : vec3<f32>) -> vec3<f32>
+{
+    var _S667 : BaseTaps_0 = base_taps_0(_S665.base_0, _S666);
+    var _S668 : Components_0 = as_seen_0(_S664, _S665, clustered_base_0(_S664, _S665.base_0, _S667));
+    return under_sheen_0(_S664, _S665, shaded_0(_S664, _S668, _S665.albedos_4, _S666, _S665.view_7, _S667.transmits_1) + bounced_value_0(_S665.bounced_2, _S666, _S665.view_7) * vec3<f32>(diffuse_kept_0(_S664, _S666, _S665.view_7)), _S668.light_visibility_1 + _S665.hole_1, _S666);
 }
 
 struct TexelTerms_0
@@ -2283,108 +2315,108 @@ struct TexelTerms_0
      known_0 : Components_0,
 };
 
-fn coefficient_0( _S647 : u32,  _S648 : u32,  _S649 : u32) -> f32
+fn coefficient_0( _S669 : u32,  _S670 : u32,  _S671 : u32) -> f32
 {
-    var _S650 : i32 = i32(table_byte_0(fabrics_0[_S647].clustered_0.coefficients_0, _S648 * (fabrics_0[_S647].clustered_0.rank_0 + u32(3)) + _S649));
-    return f32(select(_S650, _S650 - i32(256), _S650 > i32(127)));
+    var _S672 : i32 = i32(table_byte_0(fabrics_0[_S669].clustered_0.coefficients_0, _S670 * (fabrics_0[_S669].clustered_0.rank_0 + u32(3)) + _S671));
+    return f32(select(_S672, _S672 - i32(256), _S672 > i32(127)));
 }
 
-fn at_texel_0( _S651 : u32,  _S652 : ViewedBase_0,  _S653 : u32,  _S654 : BaseTaps_0) -> TexelTerms_0
+fn at_texel_0( _S673 : u32,  _S674 : ViewedBase_0,  _S675 : u32,  _S676 : BaseTaps_0) -> TexelTerms_0
 {
-    var _S655 : Clustered_std430_0 = fabrics_0[_S651].clustered_0;
-    var _S656 : u32 = fabrics_0[_S651].clustered_0.columns_0 * fabrics_0[_S651].clustered_0.rows_0;
-    var _S657 : u32 = _S652.face_6 * _S656 + _S653;
-    var _S658 : u32 = table_byte_0(fabrics_0[_S651].clustered_0.labels_0, _S657);
+    var _S677 : Clustered_std430_0 = fabrics_0[_S673].clustered_0;
+    var _S678 : u32 = fabrics_0[_S673].clustered_0.columns_0 * fabrics_0[_S673].clustered_0.rows_0;
+    var _S679 : u32 = _S674.face_6 * _S678 + _S675;
+    var _S680 : u32 = table_byte_0(fabrics_0[_S673].clustered_0.labels_0, _S679);
     var terms_2 : TexelTerms_0;
-    var _S659 : Components_0 = no_components_0();
-    terms_2.own_2 = _S659;
-    terms_2.known_0 = _S659;
-    if(_S658 >= (fabrics_0[_S651].clustered_0.clusters_0))
+    var _S681 : Components_0 = no_components_0();
+    terms_2.own_2 = _S681;
+    terms_2.known_0 = _S681;
+    if(_S680 >= (fabrics_0[_S673].clustered_0.clusters_0))
     {
         return terms_2;
     }
-    var _S660 : f32 = cluster_density_0(_S651, _S652, _S654, _S658, u32(0));
+    var _S682 : f32 = cluster_density_0(_S673, _S674, _S676, _S680, u32(0));
     var number_8 : u32 = u32(1);
-    var density_2 : f32 = _S660;
+    var density_2 : f32 = _S682;
     for(;;)
     {
-        if(number_8 <= (_S655.rank_0))
+        if(number_8 <= (_S677.rank_0))
         {
         }
         else
         {
             break;
         }
-        var density_3 : f32 = density_2 + coefficient_0(_S651, _S657, number_8 - u32(1)) * cluster_density_0(_S651, _S652, _S654, _S658, number_8);
+        var density_3 : f32 = density_2 + coefficient_0(_S673, _S679, number_8 - u32(1)) * cluster_density_0(_S673, _S674, _S676, _S680, number_8);
         number_8 = number_8 + u32(1);
         density_2 = density_3;
     }
-    var _S661 : f32 = cluster_attenuation_0(_S651, _S652, _S654, _S658) * density_2;
-    var _S662 : f32 = clustered_cosine_0(_S654, vec3<f32>(coefficient_0(_S651, _S657, _S655.rank_0), coefficient_0(_S651, _S657, _S655.rank_0 + u32(1)), coefficient_0(_S651, _S657, _S655.rank_0 + u32(2))));
-    var _S663 : f32 = abs(_S654.facing_0.z);
-    var _S664 : f32 = gaussian_visibility_0(_S655.texels_2 + (select(_S652.face_6, u32(1) - _S652.face_6, _S654.transmits_1) * _S656 + _S653) * u32(12), vec3<f32>(_S654.facing_0.xy, _S663));
-    var _S665 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S651].diffuse_blend_0) * _S663;
-    var _S666 : f32 = cluster_visibility_0(_S651, _S654, _S658);
-    var _S667 : bool = _S658 < (_S655.clusters_0 / u32(2));
-    var _S668 : f32 = 0.31830987334251404f * fabrics_0[_S651].diffuse_blend_0;
-    terms_2.own_2 = of_family_0(_S667, _S664 * (_S665 + _S668 * max(_S662, 0.0f)), _S664 * _S661, _S664);
-    terms_2.known_0 = of_family_0(_S667, _S666 * (_S665 + _S668 * _S662), _S666 * _S661, _S666);
+    var _S683 : f32 = cluster_attenuation_0(_S673, _S674, _S676, _S680) * density_2;
+    var _S684 : f32 = clustered_cosine_0(_S676, vec3<f32>(coefficient_0(_S673, _S679, _S677.rank_0), coefficient_0(_S673, _S679, _S677.rank_0 + u32(1)), coefficient_0(_S673, _S679, _S677.rank_0 + u32(2))));
+    var _S685 : f32 = abs(_S676.facing_0.z);
+    var _S686 : f32 = gaussian_visibility_0(_S677.texels_2 + (select(_S674.face_6, u32(1) - _S674.face_6, _S676.transmits_1) * _S678 + _S675) * u32(12), vec3<f32>(_S676.facing_0.xy, _S685));
+    var _S687 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S673].diffuse_blend_0) * _S685;
+    var _S688 : f32 = cluster_visibility_0(_S673, _S676, _S680);
+    var _S689 : bool = _S680 < (_S677.clusters_0 / u32(2));
+    var _S690 : f32 = 0.31830987334251404f * fabrics_0[_S673].diffuse_blend_0;
+    terms_2.own_2 = of_family_0(_S689, _S686 * (_S687 + _S690 * max(_S684, 0.0f)), _S686 * _S683, _S686);
+    terms_2.known_0 = of_family_0(_S689, _S688 * (_S687 + _S690 * _S684), _S688 * _S683, _S688);
     return terms_2;
 }
 
-fn texel_albedos_0( _S669 : u32,  _S670 : ClusteredView_0,  _S671 : u32) -> Albedos_0
+fn texel_albedos_0( _S691 : u32,  _S692 : ClusteredView_0,  _S693 : u32) -> Albedos_0
 {
-    var _S672 : u32 = _S670.base_0.face_6 * fabrics_0[_S669].clustered_0.columns_0 * fabrics_0[_S669].clustered_0.rows_0 + _S671;
-    var _S673 : bool = (table_byte_0(fabrics_0[_S669].clustered_0.labels_0, _S672)) < (fabrics_0[_S669].clustered_0.clusters_0 / u32(2));
-    var _S674 : u32 = select(fabrics_0[_S669].weft_0, fabrics_0[_S669].warp_0, _S673);
-    var _S675 : u32 = fabrics_0[_S669].clustered_0.texels_2 + _S672 * u32(12) + u32(9);
-    var _S676 : Albedos_0 = table_albedos_0(families_0[_S674].albedo_table_0 + min(u32(table_number_0(_S675)) + u32(1024) * u32(table_number_0(_S675 + u32(1))), u32(families_0[_S674].count_0) - u32(1)) * families_0[_S674].albedo_stride_0);
-    if((fabrics_0[_S669].is_irregular_0) == u32(0))
+    var _S694 : u32 = _S692.base_0.face_6 * fabrics_0[_S691].clustered_0.columns_0 * fabrics_0[_S691].clustered_0.rows_0 + _S693;
+    var _S695 : bool = (table_byte_0(fabrics_0[_S691].clustered_0.labels_0, _S694)) < (fabrics_0[_S691].clustered_0.clusters_0 / u32(2));
+    var _S696 : u32 = select(fabrics_0[_S691].weft_0, fabrics_0[_S691].warp_0, _S695);
+    var _S697 : u32 = fabrics_0[_S691].clustered_0.texels_2 + _S694 * u32(12) + u32(9);
+    var _S698 : Albedos_0 = table_albedos_0(families_0[_S696].albedo_table_0 + min(u32(table_number_0(_S697)) + u32(1024) * u32(table_number_0(_S697 + u32(1))), u32(families_0[_S696].count_0) - u32(1)) * families_0[_S696].albedo_stride_0);
+    if((fabrics_0[_S691].is_irregular_0) == u32(0))
     {
-        return _S676;
+        return _S698;
     }
-    return toned_0(_S669, _S674, _S676, select_vector_0(_S673, _S670.yarns_0.warp_1, _S670.yarns_0.weft_1));
+    return toned_0(_S691, _S696, _S698, select_vector_0(_S695, _S692.yarns_0.warp_1, _S692.yarns_0.weft_1));
 }
 
-fn clustered_residual_0( _S677 : u32,  _S678 : ClusteredView_0,  _S679 : u32,  _S680 : vec3<f32>,  _S681 : vec3<f32>) -> vec3<f32>
+fn clustered_residual_0( _S699 : u32,  _S700 : ClusteredView_0,  _S701 : u32,  _S702 : vec3<f32>,  _S703 : vec3<f32>) -> vec3<f32>
 {
-    var _S682 : BaseTaps_0 = base_taps_0(_S678.base_0, _S681);
-    var _S683 : TexelTerms_0 = at_texel_0(_S677, _S678.base_0, _S679, _S682);
+    var _S704 : BaseTaps_0 = base_taps_0(_S700.base_0, _S703);
+    var _S705 : TexelTerms_0 = at_texel_0(_S699, _S700.base_0, _S701, _S704);
     var own_3 : FamilyAlbedos_0;
-    var _S684 : Albedos_0 = tinted_0(texel_albedos_0(_S677, _S678, _S679), _S680);
-    own_3.warp_5 = _S684;
-    own_3.weft_5 = _S684;
-    var _S685 : Components_0 = as_seen_0(_S677, _S678, _S683.own_2);
-    var _S686 : Components_0 = as_seen_0(_S677, _S678, _S683.known_0);
-    return under_sheen_0(_S677, _S678, shaded_0(_S685, own_3, _S682.transmits_1) - shaded_0(_S686, _S678.albedos_5, _S682.transmits_1), _S685.light_visibility_1 - _S686.light_visibility_1, _S681);
+    var _S706 : Albedos_0 = tinted_0(texel_albedos_0(_S699, _S700, _S701), _S702);
+    own_3.warp_5 = _S706;
+    own_3.weft_5 = _S706;
+    var _S707 : Components_0 = as_seen_0(_S699, _S700, _S705.own_2);
+    var _S708 : Components_0 = as_seen_0(_S699, _S700, _S705.known_0);
+    return under_sheen_0(_S699, _S700, shaded_0(_S699, _S707, own_3, _S703, _S700.view_7, _S704.transmits_1) - shaded_0(_S699, _S708, _S700.albedos_4, _S703, _S700.view_7, _S704.transmits_1), _S707.light_visibility_1 - _S708.light_visibility_1, _S703);
 }
 
-fn passed_by_sheen_0( _S687 : u32,  _S688 : f32,  _S689 : vec3<f32>) -> f32
+fn passed_by_sheen_0( _S709 : u32,  _S710 : f32,  _S711 : vec3<f32>) -> f32
 {
-    var _S690 : f32 = fabrics_0[_S687].sheen_strength_0;
-    if((fabrics_0[_S687].sheen_strength_0) <= 0.0f)
+    var _S712 : f32 = fabrics_0[_S709].sheen_strength_0;
+    if((fabrics_0[_S709].sheen_strength_0) <= 0.0f)
     {
-        return _S688;
+        return _S710;
     }
-    return _S688 * (1.0f - _S690 * sheen_lobe_0(abs(_S689.z), fabrics_0[_S687].sheen_roughness_0).z);
+    return _S710 * (1.0f - _S712 * sheen_lobe_0(abs(_S711.z), fabrics_0[_S709].sheen_roughness_0).z);
 }
 
-fn light_of_clustered_0( _S691 : u32,  _S692 : VisiblePoint_0,  _S693 : vec2<u32>,  _S694 : vec3<f32>) -> vec4<f32>
+fn light_of_clustered_0( _S713 : u32,  _S714 : VisiblePoint_0,  _S715 : vec2<u32>,  _S716 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S692.draft_dx_0;
-    footprint_1.dy_0 = _S692.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S691, _S692.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S695 : vec3<f32> = to_local_0(_S692, _S692.view_0);
-    var _S696 : Clustered_std430_0 = fabrics_0[_S691].clustered_0;
-    var _S697 : u32 = mixed_0(mixed_0(_S693.x + u32(65536) * _S693.y) + frame_record_0.pass_number_0 * u32(2654435769));
-    var _S698 : ClusteredView_0 = clustered_view_0(_S691, footprint_1, _S695, _S694, _S697);
-    var _S699 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_1.dx_0 = _S714.draft_dx_0;
+    footprint_1.dy_0 = _S714.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S713, _S714.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S717 : vec3<f32> = to_local_0(_S714, _S714.view_0);
+    var _S718 : Clustered_std430_0 = fabrics_0[_S713].clustered_0;
+    var _S719 : u32 = mixed_0(mixed_0(_S715.x + u32(65536) * _S715.y) + frame_record_0.pass_number_0 * u32(2654435769));
+    var _S720 : ClusteredView_0 = clustered_view_0(_S713, footprint_1, _S717, _S716, _S719);
+    var _S721 : vec3<f32> = vec3<f32>(0.0f);
     var term_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S699;
+    var radiance_1 : vec3<f32> = _S721;
     for(;;)
     {
-        if(term_1 <= (_S696.samples_1))
+        if(term_1 <= (_S718.samples_1))
         {
         }
         else
@@ -2394,7 +2426,7 @@ fn light_of_clustered_0( _S691 : u32,  _S692 : VisiblePoint_0,  _S693 : vec2<u32
         var texel_0 : u32;
         if(term_1 > u32(0))
         {
-            texel_0 = residual_texel_0(_S691, _S698, _S697, term_1 - u32(1));
+            texel_0 = residual_texel_0(_S713, _S720, _S719, term_1 - u32(1));
         }
         else
         {
@@ -2411,61 +2443,61 @@ fn light_of_clustered_0( _S691 : u32,  _S692 : VisiblePoint_0,  _S693 : vec2<u32
             {
                 break;
             }
-            var _S700 : f32 = visibility_at_0(number_9, _S693);
-            if(_S700 <= 0.0f)
+            var _S722 : f32 = visibility_at_0(number_9, _S715);
+            if(_S722 <= 0.0f)
             {
                 number_9 = number_9 + u32(1);
                 continue;
             }
-            var _S701 : LightSample_0 = light_sample_0(number_9, _S693, _S692.position_4);
-            var _S702 : vec3<f32> = to_local_0(_S692, _S701.towards_1);
-            var value_1 : vec3<f32>;
+            var _S723 : LightSample_0 = light_sample_0(number_9, _S715, _S714.position_4);
+            var _S724 : vec3<f32> = to_local_0(_S714, _S723.towards_1);
+            var value_2 : vec3<f32>;
             if(term_1 == u32(0))
             {
-                value_1 = clustered_base_value_0(_S691, _S698, _S702);
+                value_2 = clustered_base_value_0(_S713, _S720, _S724);
             }
             else
             {
-                value_1 = clustered_residual_0(_S691, _S698, texel_0, _S694, _S702) / vec3<f32>(f32(_S696.samples_1));
+                value_2 = clustered_residual_0(_S713, _S720, texel_0, _S716, _S724) / vec3<f32>(f32(_S718.samples_1));
             }
-            radiance_2 = radiance_2 + vec3<f32>(_S700) * _S701.irradiance_1 * value_1;
+            radiance_2 = radiance_2 + vec3<f32>(_S722) * _S723.irradiance_1 * value_2;
             number_9 = number_9 + u32(1);
         }
         term_1 = term_1 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S691, _S698.hole_1, _S695));
+    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S713, _S720.hole_1, _S717));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_clustered(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S703 : u32 = id_0.x;
-    var _S704 : bool;
-    if(_S703 >= (frame_record_0.width_0))
+    var _S725 : u32 = id_0.x;
+    var _S726 : bool;
+    if(_S725 >= (frame_record_0.width_0))
     {
-        _S704 = true;
+        _S726 = true;
     }
     else
     {
-        _S704 = (id_0.y) >= (frame_record_0.height_0);
+        _S726 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S704)
+    if(_S726)
     {
         return;
     }
-    var _S705 : u32 = id_0.y * frame_record_0.width_0 + _S703;
-    var _S706 : u32 = layers_0[_S705].face_0;
-    if((layers_0[_S705].face_0) == u32(0))
+    var _S727 : u32 = id_0.y * frame_record_0.width_0 + _S725;
+    var _S728 : u32 = layers_0[_S727].face_0;
+    if((layers_0[_S727].face_0) == u32(0))
     {
         return;
     }
-    var _S707 : u32 = _S706 - u32(1);
-    var _S708 : u32 = fabric_of_0(_S707);
-    var _S709 : vec2<u32> = id_0.xy;
-    var _S710 : VisiblePoint_0 = visible_point_0(_S708, _S707, _S709);
-    accumulate_0(_S705, light_of_clustered_0(_S708, _S710, _S709, filtered_albedo_0(_S708, _S710)));
+    var _S729 : u32 = _S728 - u32(1);
+    var _S730 : u32 = fabric_of_0(_S729);
+    var _S731 : vec2<u32> = id_0.xy;
+    var _S732 : VisiblePoint_0 = visible_point_0(_S730, _S729, _S731);
+    accumulate_0(_S727, light_of_clustered_0(_S730, _S732, _S731, filtered_albedo_0(_S730, _S732)));
     return;
 }
 

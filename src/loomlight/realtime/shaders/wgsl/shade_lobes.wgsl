@@ -195,6 +195,8 @@ struct Fabric_std430_0
     @align(4) per_relief_0 : f32,
     @align(4) diffuse_blend_0 : f32,
     @align(4) optical_depth_0 : f32,
+    @align(4) grazing_gain_0 : f32,
+    @align(4) grazing_loss_0 : f32,
     @align(4) sheen_strength_0 : f32,
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
@@ -1914,6 +1916,12 @@ fn tinted_0( albedos_6 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
     return result_2;
 }
 
+fn fourth_power_0( value_1 : f32) -> f32
+{
+    var _S292 : f32 = value_1 * value_1;
+    return _S292 * _S292;
+}
+
 struct FaceRadiance_0
 {
      warp_5 : vec3<f32>,
@@ -1935,47 +1943,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S292 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S293 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S293 : vec3<f32> = sends_0.sky_warp_0 + _S292 * sends_0.crossing_warp_0;
-    found_0.warp_5 = _S293;
-    var _S294 : vec3<f32> = sends_0.sky_weft_0 + _S292 * sends_0.crossing_weft_0;
-    found_0.weft_5 = _S294;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S293 + vec3<f32>(sends_0.blocks_weft_0) * _S294;
+    var _S294 : vec3<f32> = sends_0.sky_warp_0 + _S293 * sends_0.crossing_warp_0;
+    found_0.warp_5 = _S294;
+    var _S295 : vec3<f32> = sends_0.sky_weft_0 + _S293 * sends_0.crossing_weft_0;
+    found_0.weft_5 = _S295;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S294 + vec3<f32>(sends_0.blocks_weft_0) * _S295;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_6 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S295 : f32 = 1.0f - view_6.z;
-    var _S296 : f32 = _S295 * _S295;
+    var _S296 : f32 = 1.0f - view_6.z;
+    var _S297 : f32 = _S296 * _S296;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S297 : f32 = view_6.x;
-    var _S298 : f32 = _S297 * _S297;
-    var _S299 : f32 = view_6.y;
-    var _S300 : f32 = _S299 * _S299;
-    (*terms_0)[i32(1)] = sqrt(max(_S298 + _S300, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S296;
-    (*terms_0)[i32(3)] = _S296 * _S296;
-    (*terms_0)[i32(4)] = _S298 - _S300;
+    var _S298 : f32 = view_6.x;
+    var _S299 : f32 = _S298 * _S298;
+    var _S300 : f32 = view_6.y;
+    var _S301 : f32 = _S300 * _S300;
+    (*terms_0)[i32(1)] = sqrt(max(_S299 + _S301, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S297;
+    (*terms_0)[i32(3)] = _S297 * _S297;
+    (*terms_0)[i32(4)] = _S299 - _S301;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_7 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S301 : f32 = 1.0f - view_7.z;
-    var _S302 : f32 = _S301 * _S301;
+    var _S302 : f32 = 1.0f - view_7.z;
+    var _S303 : f32 = _S302 * _S302;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S303 : f32 = view_7.x;
-    var _S304 : f32 = _S303 * _S303;
-    var _S305 : f32 = view_7.y;
-    var _S306 : f32 = _S305 * _S305;
-    (*terms_1)[i32(1)] = sqrt(max(_S304 + _S306, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S302;
-    (*terms_1)[i32(3)] = _S302 * _S302;
-    (*terms_1)[i32(4)] = _S304 - _S306;
+    var _S304 : f32 = view_7.x;
+    var _S305 : f32 = _S304 * _S304;
+    var _S306 : f32 = view_7.y;
+    var _S307 : f32 = _S306 * _S306;
+    (*terms_1)[i32(1)] = sqrt(max(_S305 + _S307, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S303;
+    (*terms_1)[i32(3)] = _S303 * _S303;
+    (*terms_1)[i32(4)] = _S305 - _S307;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -2003,11 +2011,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S307 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S308 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S308 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S309 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_10 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_6 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_6) + _S308 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S308 * interior_0.far_1 + yarn_2.back_10 * _S307;
+    bounced_0.reflected_0 = yarn_2.back_10 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_6 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_6) + _S309 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S309 * interior_0.far_1 + yarn_2.back_10 * _S308;
     return bounced_0;
 }
 
@@ -2021,8 +2029,8 @@ fn sum_of_0( first_6 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_8 : vec3<f32>) -> vec3<f32>
 {
-    var _S309 : f32 = light_7.z;
-    return select_vector_1((_S309 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S309) * 0.31830987334251404f));
+    var _S310 : f32 = light_7.z;
+    return select_vector_1((_S310 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S310) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_15 : f32,  y_8 : f32) -> f32
@@ -2042,40 +2050,40 @@ fn sheen_reflectance_0( x_17 : f32,  y_10 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_10 : f32) -> vec3<f32>
 {
-    var _S310 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S311 : f32 = 2.0f * sqrt(_S310) - 1.0f;
-    var _S312 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_10, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S311, _S312), 0.00999999977648258f, 1.0f), clamp((1.0f - _S310) * sheen_shear_0(_S311, _S312), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S311, _S312), -60.0f, 60.0f))));
+    var _S311 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S312 : f32 = 2.0f * sqrt(_S311) - 1.0f;
+    var _S313 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_10, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S312, _S313), 0.00999999977648258f, 1.0f), clamp((1.0f - _S311) * sheen_shear_0(_S312, _S313), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S312, _S313), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_8 : vec3<f32>,  view_9 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S313 : f32 = light_8.z;
-    if(((_S313 <= 0.0f) | (((view_9.z) <= 0.0f))))
+    var _S314 : f32 = light_8.z;
+    if(((_S314 <= 0.0f) | (((view_9.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S314 : vec2<f32> = view_9.xy;
-    var _S315 : f32 = dot(_S314, _S314);
-    var _S316 : vec2<f32> = select_vector_0(_S315 > 9.99999968265522539e-21f, _S314 * vec2<f32>(rsqrt_0(max(_S315, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S317 : f32 = scale_0 * dot(light_8.xy, _S316) + shear_0 * _S313;
-    var _S318 : f32 = scale_0 * (light_8.y * _S316.x - light_8.x * _S316.y);
-    var _S319 : f32 = _S317 * _S317 + _S318 * _S318 + _S313 * _S313;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S313 / max(_S319 * _S319, 9.99999968265522539e-21f);
+    var _S315 : vec2<f32> = view_9.xy;
+    var _S316 : f32 = dot(_S315, _S315);
+    var _S317 : vec2<f32> = select_vector_0(_S316 > 9.99999968265522539e-21f, _S315 * vec2<f32>(rsqrt_0(max(_S316, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S318 : f32 = scale_0 * dot(light_8.xy, _S317) + shear_0 * _S314;
+    var _S319 : f32 = scale_0 * (light_8.y * _S317.x - light_8.x * _S317.y);
+    var _S320 : f32 = _S318 * _S318 + _S319 * _S319 + _S314 * _S314;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S314 / max(_S320 * _S320, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  strength_0 : f32,  roughness_11 : f32) -> vec2<f32>
 {
-    var _S320 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_11);
-    var _S321 : f32 = strength_0 * _S320.z;
-    return vec2<f32>(_S321 * transformed_cosine_0(light_9, view_10, _S320.x, _S320.y), 1.0f - _S321);
+    var _S321 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_11);
+    var _S322 : f32 = strength_0 * _S321.z;
+    return vec2<f32>(_S322 * transformed_cosine_0(light_9, view_10, _S321.x, _S321.y), 1.0f - _S322);
 }
 
 fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
 {
-    var _S322 : f32 = layers_0[index_7].share_0;
+    var _S323 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_10;
-    layers_0[index_7].share_0 = _S322 * (1.0f - light_10.w);
+    layers_0[index_7].share_0 = _S323 * (1.0f - light_10.w);
     return;
 }
 
@@ -2099,147 +2107,147 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S323 : u32,  _S324 : u32,  _S325 : u32,  _S326 : vec2<f32>) -> f32
+fn uneven_shift_0( _S324 : u32,  _S325 : u32,  _S326 : u32,  _S327 : vec2<f32>) -> f32
 {
-    var _S327 : f32 = families_0[_S325].period_0 / families_0[_S325].count_0;
-    var _S328 : u32 = hash_key_0(_S324, ((fabrics_0[_S323].seed_0) ^ (u32(625341585))));
-    var _S329 : vec2<f32> = vec2<f32>(_S326.x, _S326.y / 4.0f) / vec2<f32>(_S327);
-    return 0.20000000298023224f * sqrt(families_0[_S325].slub_0) * _S327 * (uneven_octave_0(_S328, _S329) * 0.66666668653488159f + uneven_octave_0(_S328 + u32(1), vec2<f32>(2.0f) * _S329 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S328 : f32 = families_0[_S326].period_0 / families_0[_S326].count_0;
+    var _S329 : u32 = hash_key_0(_S325, ((fabrics_0[_S324].seed_0) ^ (u32(625341585))));
+    var _S330 : vec2<f32> = vec2<f32>(_S327.x, _S327.y / 4.0f) / vec2<f32>(_S328);
+    return 0.20000000298023224f * sqrt(families_0[_S326].slub_0) * _S328 * (uneven_octave_0(_S329, _S330) * 0.66666668653488159f + uneven_octave_0(_S329 + u32(1), vec2<f32>(2.0f) * _S330 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S330 : u32,  _S331 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S331 : u32,  _S332 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_0((fabrics_0[_S330].has_detail_0) == u32(0), _S331, _S331 + vec2<f32>(uneven_shift_0(_S330, u32(0), fabrics_0[_S330].warp_0, _S331), uneven_shift_0(_S330, u32(1), fabrics_0[_S330].weft_0, _S331.yx)));
+    return select_vector_0((fabrics_0[_S331].has_detail_0) == u32(0), _S332, _S332 + vec2<f32>(uneven_shift_0(_S331, u32(0), fabrics_0[_S331].warp_0, _S332), uneven_shift_0(_S331, u32(1), fabrics_0[_S331].weft_0, _S332.yx)));
 }
 
-fn face_point_0( _S332 : u32,  _S333 : u32,  _S334 : f32,  _S335 : f32) -> VisiblePoint_0
+fn face_point_0( _S333 : u32,  _S334 : u32,  _S335 : f32,  _S336 : f32) -> VisiblePoint_0
 {
-    var _S336 : u32 = u32(3) * _S333;
-    var _S337 : Vertex_0 = vertex_at_0(_S336);
-    var _S338 : Vertex_0 = vertex_at_0(_S336 + u32(1));
-    var _S339 : Vertex_0 = vertex_at_0(_S336 + u32(2));
-    var _S340 : vec3<f32> = position_of_0(_S337);
-    var _S341 : vec3<f32> = position_of_0(_S338) - _S340;
-    var _S342 : vec3<f32> = position_of_0(_S339) - _S340;
-    var _S343 : f32 = _S338.u_0 - _S337.u_0;
-    var _S344 : f32 = _S338.v_0 - _S337.v_0;
-    var _S345 : vec2<f32> = vec2<f32>(_S343, _S344);
-    var _S346 : f32 = _S339.u_0 - _S337.u_0;
-    var _S347 : f32 = _S339.v_0 - _S337.v_0;
-    var _S348 : vec2<f32> = vec2<f32>(_S346, _S347);
-    var _S349 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S343 * _S347 - _S344 * _S346) < 0.0f));
-    var _S350 : vec3<f32> = _S349 * (vec3<f32>(_S347) * _S341 - vec3<f32>(_S344) * _S342);
-    var _S351 : vec3<f32> = _S349 * (vec3<f32>(_S343) * _S342 - vec3<f32>(_S346) * _S341);
+    var _S337 : u32 = u32(3) * _S334;
+    var _S338 : Vertex_0 = vertex_at_0(_S337);
+    var _S339 : Vertex_0 = vertex_at_0(_S337 + u32(1));
+    var _S340 : Vertex_0 = vertex_at_0(_S337 + u32(2));
+    var _S341 : vec3<f32> = position_of_0(_S338);
+    var _S342 : vec3<f32> = position_of_0(_S339) - _S341;
+    var _S343 : vec3<f32> = position_of_0(_S340) - _S341;
+    var _S344 : f32 = _S339.u_0 - _S338.u_0;
+    var _S345 : f32 = _S339.v_0 - _S338.v_0;
+    var _S346 : vec2<f32> = vec2<f32>(_S344, _S345);
+    var _S347 : f32 = _S340.u_0 - _S338.u_0;
+    var _S348 : f32 = _S340.v_0 - _S338.v_0;
+    var _S349 : vec2<f32> = vec2<f32>(_S347, _S348);
+    var _S350 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S344 * _S348 - _S345 * _S347) < 0.0f));
+    var _S351 : vec3<f32> = _S350 * (vec3<f32>(_S348) * _S342 - vec3<f32>(_S345) * _S343);
+    var _S352 : vec3<f32> = _S350 * (vec3<f32>(_S344) * _S343 - vec3<f32>(_S347) * _S342);
     var point_2 : VisiblePoint_0;
-    var _S352 : vec3<f32> = vec3<f32>(_S334);
     var _S353 : vec3<f32> = vec3<f32>(_S335);
-    var _S354 : vec3<f32> = normalize(vec3<f32>((1.0f - _S334 - _S335)) * normal_of_0(_S337) + _S352 * normal_of_0(_S338) + _S353 * normal_of_0(_S339));
-    point_2.normal_0 = _S354;
-    var _S355 : vec3<f32> = normalize(_S350 - _S354 * vec3<f32>(dot(_S354, _S350)));
-    point_2.axis_x_0 = _S355;
-    point_2.axis_y_0 = cross(_S354, _S355);
-    var _S356 : vec3<f32> = normalize(cross(_S341, _S342));
-    point_2.face_normal_0 = select_vector_1((dot(_S356, _S354)) < 0.0f, (vec3<f32>(0) - _S356), _S356);
-    point_2.position_4 = _S340 + _S352 * _S341 + _S353 * _S342;
-    point_2.view_0 = _S354;
-    var _S357 : vec2<f32> = vec2<f32>(_S337.u_0, _S337.v_0) + vec2<f32>(_S334) * _S345 + vec2<f32>(_S335) * _S348;
-    point_2.uv_1 = _S357;
-    var _S358 : bool = (dot(cross(_S350, _S351), _S354)) < 0.0f;
-    var _S359 : vec2<f32> = vec2<f32>(fabrics_0[_S332].uv_width_0, select(fabrics_0[_S332].uv_height_0, - fabrics_0[_S332].uv_height_0, _S358));
-    point_2.draft_per_uv_0 = _S359;
-    point_2.draft_0 = uneven_place_0(_S332, _S357 * _S359 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S332].uv_height_0, _S358)));
-    var _S360 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S360;
-    point_2.draft_dy_0 = _S360;
+    var _S354 : vec3<f32> = vec3<f32>(_S336);
+    var _S355 : vec3<f32> = normalize(vec3<f32>((1.0f - _S335 - _S336)) * normal_of_0(_S338) + _S353 * normal_of_0(_S339) + _S354 * normal_of_0(_S340));
+    point_2.normal_0 = _S355;
+    var _S356 : vec3<f32> = normalize(_S351 - _S355 * vec3<f32>(dot(_S355, _S351)));
+    point_2.axis_x_0 = _S356;
+    point_2.axis_y_0 = cross(_S355, _S356);
+    var _S357 : vec3<f32> = normalize(cross(_S342, _S343));
+    point_2.face_normal_0 = select_vector_1((dot(_S357, _S355)) < 0.0f, (vec3<f32>(0) - _S357), _S357);
+    point_2.position_4 = _S341 + _S353 * _S342 + _S354 * _S343;
+    point_2.view_0 = _S355;
+    var _S358 : vec2<f32> = vec2<f32>(_S338.u_0, _S338.v_0) + vec2<f32>(_S335) * _S346 + vec2<f32>(_S336) * _S349;
+    point_2.uv_1 = _S358;
+    var _S359 : bool = (dot(cross(_S351, _S352), _S355)) < 0.0f;
+    var _S360 : vec2<f32> = vec2<f32>(fabrics_0[_S333].uv_width_0, select(fabrics_0[_S333].uv_height_0, - fabrics_0[_S333].uv_height_0, _S359));
+    point_2.draft_per_uv_0 = _S360;
+    point_2.draft_0 = uneven_place_0(_S333, _S358 * _S360 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S333].uv_height_0, _S359)));
+    var _S361 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S361;
+    point_2.draft_dy_0 = _S361;
     return point_2;
 }
 
-fn visible_point_0( _S361 : u32,  _S362 : u32,  _S363 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S362 : u32,  _S363 : u32,  _S364 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S364 : u32 = u32(3) * _S362;
-    var _S365 : Vertex_0 = vertex_at_0(_S364);
-    var _S366 : Vertex_0 = vertex_at_0(_S364 + u32(1));
-    var _S367 : Vertex_0 = vertex_at_0(_S364 + u32(2));
-    var _S368 : vec3<f32> = position_of_0(_S365);
-    var _S369 : vec3<f32> = position_of_0(_S366) - _S368;
-    var _S370 : vec3<f32> = position_of_0(_S367) - _S368;
-    var _S371 : vec3<f32> = cross(_S369, _S370);
-    var _S372 : f32 = f32(frame_record_0.width_0);
-    var _S373 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S372));
-    var _S374 : f32 = f32(frame_record_0.height_0);
-    var _S375 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S374));
-    var _S376 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S363.x) + 0.5f - 0.5f * _S372)) * _S373 + vec3<f32>((f32(_S363.y) + 0.5f - 0.5f * _S374)) * _S375;
-    var _S377 : f32 = dot(_S376, _S371);
-    var _S378 : f32 = 1.0f / select(1.00000000317107685e-30f, _S377, (abs(_S377)) > 1.00000000317107685e-30f);
-    var _S379 : vec3<f32> = _S368 - camera_origin_0();
-    var _S380 : vec3<f32> = vec3<f32>((dot(_S379, _S371) * _S378));
-    var _S381 : vec3<f32> = _S376 * _S380 - _S379;
-    var _S382 : vec3<f32> = _S380 * (_S373 - _S376 * vec3<f32>((dot(_S373, _S371) * _S378)));
-    var _S383 : vec3<f32> = _S380 * (_S375 - _S376 * vec3<f32>((dot(_S375, _S371) * _S378)));
-    var _S384 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S371), 1.00000000317107685e-30f)));
-    var _S385 : vec3<f32> = cross(_S370, _S371) * _S384;
-    var _S386 : vec3<f32> = cross(_S371, _S369) * _S384;
-    var _S387 : vec2<f32> = vec2<f32>(_S366.u_0 - _S365.u_0, _S366.v_0 - _S365.v_0);
-    var _S388 : vec2<f32> = vec2<f32>(_S367.u_0 - _S365.u_0, _S367.v_0 - _S365.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S361, _S362, dot(_S381, _S385), dot(_S381, _S386));
-    point_3.position_4 = _S368 + _S381;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S376));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S382, _S385)) * _S387 + vec2<f32>(dot(_S382, _S386)) * _S388) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S383, _S385)) * _S387 + vec2<f32>(dot(_S383, _S386)) * _S388) * point_3.draft_per_uv_0;
+    var _S365 : u32 = u32(3) * _S363;
+    var _S366 : Vertex_0 = vertex_at_0(_S365);
+    var _S367 : Vertex_0 = vertex_at_0(_S365 + u32(1));
+    var _S368 : Vertex_0 = vertex_at_0(_S365 + u32(2));
+    var _S369 : vec3<f32> = position_of_0(_S366);
+    var _S370 : vec3<f32> = position_of_0(_S367) - _S369;
+    var _S371 : vec3<f32> = position_of_0(_S368) - _S369;
+    var _S372 : vec3<f32> = cross(_S370, _S371);
+    var _S373 : f32 = f32(frame_record_0.width_0);
+    var _S374 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S373));
+    var _S375 : f32 = f32(frame_record_0.height_0);
+    var _S376 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S375));
+    var _S377 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S364.x) + 0.5f - 0.5f * _S373)) * _S374 + vec3<f32>((f32(_S364.y) + 0.5f - 0.5f * _S375)) * _S376;
+    var _S378 : f32 = dot(_S377, _S372);
+    var _S379 : f32 = 1.0f / select(1.00000000317107685e-30f, _S378, (abs(_S378)) > 1.00000000317107685e-30f);
+    var _S380 : vec3<f32> = _S369 - camera_origin_0();
+    var _S381 : vec3<f32> = vec3<f32>((dot(_S380, _S372) * _S379));
+    var _S382 : vec3<f32> = _S377 * _S381 - _S380;
+    var _S383 : vec3<f32> = _S381 * (_S374 - _S377 * vec3<f32>((dot(_S374, _S372) * _S379)));
+    var _S384 : vec3<f32> = _S381 * (_S376 - _S377 * vec3<f32>((dot(_S376, _S372) * _S379)));
+    var _S385 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S372), 1.00000000317107685e-30f)));
+    var _S386 : vec3<f32> = cross(_S371, _S372) * _S385;
+    var _S387 : vec3<f32> = cross(_S372, _S370) * _S385;
+    var _S388 : vec2<f32> = vec2<f32>(_S367.u_0 - _S366.u_0, _S367.v_0 - _S366.v_0);
+    var _S389 : vec2<f32> = vec2<f32>(_S368.u_0 - _S366.u_0, _S368.v_0 - _S366.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S362, _S363, dot(_S382, _S386), dot(_S382, _S387));
+    point_3.position_4 = _S369 + _S382;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S377));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S383, _S386)) * _S388 + vec2<f32>(dot(_S383, _S387)) * _S389) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S384, _S386)) * _S388 + vec2<f32>(dot(_S384, _S387)) * _S389) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S389 : u32,  _S390 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S390 : u32,  _S391 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S391 : u32 = fabrics_0[_S389].albedo_map_levels_0;
-    if((fabrics_0[_S389].albedo_map_levels_0) == u32(0))
+    var _S392 : u32 = fabrics_0[_S390].albedo_map_levels_0;
+    if((fabrics_0[_S390].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S392 : vec2<f32> = vec2<f32>(fabrics_0[_S389].uv_width_0, fabrics_0[_S389].uv_height_0);
-    var _S393 : vec2<f32> = _S390.draft_dx_0 / _S392;
-    var _S394 : vec2<f32> = _S390.draft_dy_0 / _S392;
-    var _S395 : u32 = _S391 - u32(1);
-    var _S396 : u32 = (u32(1) << (_S395));
-    var _S397 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S393.x * _S394.y - _S393.y * _S394.x), 9.99999968265522539e-21f) * (square_1(f32(_S396)) / 3.0f)), 0.0f, f32(_S391) - 1.0f);
-    var _S398 : u32 = min(u32(_S397), max(_S391, u32(2)) - u32(2));
-    var _S399 : u32 = min(_S398 + u32(1), _S395);
-    var _S400 : u32 = (u32(1) << ((u32(2) * _S391)));
-    return mix(map_level_0(fabrics_0[_S389].albedo_map_0 + (_S400 - ((_S400 >> ((u32(2) * _S398))))) / u32(3), (_S396 >> (_S398)), _S390.uv_1), map_level_0(fabrics_0[_S389].albedo_map_0 + (_S400 - ((_S400 >> ((u32(2) * _S399))))) / u32(3), (_S396 >> (_S399)), _S390.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S397 - f32(_S398))) - 1.0f) / 3.0f)));
+    var _S393 : vec2<f32> = vec2<f32>(fabrics_0[_S390].uv_width_0, fabrics_0[_S390].uv_height_0);
+    var _S394 : vec2<f32> = _S391.draft_dx_0 / _S393;
+    var _S395 : vec2<f32> = _S391.draft_dy_0 / _S393;
+    var _S396 : u32 = _S392 - u32(1);
+    var _S397 : u32 = (u32(1) << (_S396));
+    var _S398 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S394.x * _S395.y - _S394.y * _S395.x), 9.99999968265522539e-21f) * (square_1(f32(_S397)) / 3.0f)), 0.0f, f32(_S392) - 1.0f);
+    var _S399 : u32 = min(u32(_S398), max(_S392, u32(2)) - u32(2));
+    var _S400 : u32 = min(_S399 + u32(1), _S396);
+    var _S401 : u32 = (u32(1) << ((u32(2) * _S392)));
+    return mix(map_level_0(fabrics_0[_S390].albedo_map_0 + (_S401 - ((_S401 >> ((u32(2) * _S399))))) / u32(3), (_S397 >> (_S399)), _S391.uv_1), map_level_0(fabrics_0[_S390].albedo_map_0 + (_S401 - ((_S401 >> ((u32(2) * _S400))))) / u32(3), (_S397 >> (_S400)), _S391.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S398 - f32(_S399))) - 1.0f) / 3.0f)));
 }
 
-fn irregular_key_0( _S401 : u32,  _S402 : u32) -> u32
+fn irregular_key_0( _S402 : u32,  _S403 : u32) -> u32
 {
-    return hash_key_0(_S402, ((fabrics_0[_S401].seed_0) ^ (u32(1821285621))));
+    return hash_key_0(_S403, ((fabrics_0[_S402].seed_0) ^ (u32(1821285621))));
 }
 
-fn irregular_place_0( _S403 : u32,  _S404 : vec2<f32>,  _S405 : f32) -> vec2<f32>
+fn irregular_place_0( _S404 : u32,  _S405 : vec2<f32>,  _S406 : f32) -> vec2<f32>
 {
-    var _S406 : u32 = fabrics_0[_S403].warp_0;
-    var _S407 : u32 = fabrics_0[_S403].weft_0;
-    var _S408 : bool = (((fabrics_0[_S403].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S403].warp_0, _S405), moved_share_0(fabrics_0[_S403].weft_0, _S405))) > 0.0f)));
+    var _S407 : u32 = fabrics_0[_S404].warp_0;
+    var _S408 : u32 = fabrics_0[_S404].weft_0;
+    var _S409 : bool = (((fabrics_0[_S404].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S404].warp_0, _S406), moved_share_0(fabrics_0[_S404].weft_0, _S406))) > 0.0f)));
     var number_3 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S404;
+    var moved_0 : vec2<f32> = _S405;
     for(;;)
     {
-        if(number_3 < select(u32(0), u32(2), _S408))
+        if(number_3 < select(u32(0), u32(2), _S409))
         {
         }
         else
         {
             break;
         }
-        var _S409 : bool = number_3 == u32(0);
-        var _S410 : u32 = select(_S407, _S406, _S409);
-        var _S411 : vec2<f32> = select_vector_0(_S409, _S404, _S404.yx);
-        var _S412 : u32 = irregular_key_0(_S403, number_3);
-        var _S413 : f32 = _S411.x;
-        var _S414 : Cell_0 = locate_0(_S410, _S413);
-        var _S415 : f32 = irregular_thread_0(_S410, _S413, _S414);
-        var _S416 : f32 = select(1.0f, -1.0f, (_S414.across_0) < 0.0f);
-        var _S417 : vec2<f32> = vec2<f32>(0.0f);
-        var other_3 : vec2<f32> = _S417;
-        var own_2 : vec2<f32> = _S417;
+        var _S410 : bool = number_3 == u32(0);
+        var _S411 : u32 = select(_S408, _S407, _S410);
+        var _S412 : vec2<f32> = select_vector_0(_S410, _S405, _S405.yx);
+        var _S413 : u32 = irregular_key_0(_S404, number_3);
+        var _S414 : f32 = _S412.x;
+        var _S415 : Cell_0 = locate_0(_S411, _S414);
+        var _S416 : f32 = irregular_thread_0(_S411, _S414, _S415);
+        var _S417 : f32 = select(1.0f, -1.0f, (_S415.across_0) < 0.0f);
+        var _S418 : vec2<f32> = vec2<f32>(0.0f);
+        var other_3 : vec2<f32> = _S418;
+        var own_2 : vec2<f32> = _S418;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -2250,23 +2258,23 @@ fn irregular_place_0( _S403 : u32,  _S404 : vec2<f32>,  _S405 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S418 : vec2<f32> = irregular_at_0(_S410, _S412, _S415 + _S416 * f32(neighbour_0), _S411.y).xy;
-            var _S419 : u32 = neighbour_0 + u32(1);
+            var _S419 : vec2<f32> = irregular_at_0(_S411, _S413, _S416 + _S417 * f32(neighbour_0), _S412.y).xy;
+            var _S420 : u32 = neighbour_0 + u32(1);
             own_2 = other_3;
-            other_3 = _S418;
-            neighbour_0 = _S419;
+            other_3 = _S419;
+            neighbour_0 = _S420;
         }
-        var _S420 : f32 = _S414.below_0 + _S414.above_0;
-        var _S421 : f32 = min(_S414.half_width_1 / _S420, 0.5f);
-        var _S422 : f32 = min(_S421 * (2.0f + own_2.y + other_3.y), 1.0f);
-        var _S423 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
-        var _S424 : f32 = _S423.x;
-        var _S425 : f32 = _S422 * _S424 / (_S424 + _S423.y);
-        var _S426 : f32 = abs(_S414.across_0) / _S420;
-        var _S427 : f32 = 1.0f - _S422;
-        var _S428 : f32 = _S426 - _S425;
-        var _S429 : f32 = moved_share_0(_S410, _S405) * _S416 * _S420 * (select(select((_S428 - _S427) / max(_S422 - _S425, 9.99999997475242708e-07f) * _S421 + (1.0f - _S421), _S428 / max(_S427, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S421) + _S421, _S428 < _S427), _S426 * _S421 / _S425, _S428 < 0.0f) - _S426);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_0(_S409, vec2<f32>(_S429, 0.0f), vec2<f32>(0.0f, _S429));
+        var _S421 : f32 = _S415.below_0 + _S415.above_0;
+        var _S422 : f32 = min(_S415.half_width_1 / _S421, 0.5f);
+        var _S423 : f32 = min(_S422 * (2.0f + own_2.y + other_3.y), 1.0f);
+        var _S424 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
+        var _S425 : f32 = _S424.x;
+        var _S426 : f32 = _S423 * _S425 / (_S425 + _S424.y);
+        var _S427 : f32 = abs(_S415.across_0) / _S421;
+        var _S428 : f32 = 1.0f - _S423;
+        var _S429 : f32 = _S427 - _S426;
+        var _S430 : f32 = moved_share_0(_S411, _S406) * _S417 * _S421 * (select(select((_S429 - _S428) / max(_S423 - _S426, 9.99999997475242708e-07f) * _S422 + (1.0f - _S422), _S429 / max(_S428, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S422) + _S422, _S429 < _S428), _S427 * _S422 / _S426, _S429 < 0.0f) - _S427);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_0(_S410, vec2<f32>(_S430, 0.0f), vec2<f32>(0.0f, _S430));
         number_3 = number_3 + u32(1);
         moved_0 = moved_1;
     }
@@ -2278,13 +2286,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S430 : u32,  _S431 : vec2<u32>) -> f32
+fn visibility_at_0( _S431 : u32,  _S432 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S430 * frame_record_0.height_0 + _S431.y) * frame_record_0.width_0 + _S431.x];
+    return visibilities_0[(_S431 * frame_record_0.height_0 + _S432.y) * frame_record_0.width_0 + _S432.x];
 }
 
 struct LightSample_0
@@ -2294,52 +2302,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S432 : u32,  _S433 : u32) -> vec3<f32>
+fn environment_texel_0( _S433 : u32,  _S434 : u32) -> vec3<f32>
 {
-    var _S434 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S432 * frame_record_0.environment_columns_0 + _S433);
-    return vec3<f32>(scene_number_0(_S434), scene_number_0(_S434 + u32(1)), scene_number_0(_S434 + u32(2)));
+    var _S435 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S433 * frame_record_0.environment_columns_0 + _S434);
+    return vec3<f32>(scene_number_0(_S435), scene_number_0(_S435 + u32(1)), scene_number_0(_S435 + u32(2)));
 }
 
-fn sample_environment_0( _S435 : vec2<f32>,  _S436 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S436 : vec2<f32>,  _S437 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S437 : u32 = frame_record_0.environment_rows_0;
-    var _S438 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S435.y);
-    var _S439 : u32 = frame_record_0.environment_columns_0;
-    var _S440 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S438.index_5 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S435.x);
-    var _S441 : vec3<f32> = environment_texel_0(_S438.index_5, _S440.index_5);
-    (*_S436) = _S441 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S441), 9.99999968265522539e-21f)));
-    var _S442 : f32 = 3.14159274101257324f / f32(_S437);
-    var _S443 : f32 = mix(sine_cosine_0(f32(_S438.index_5) * _S442).y, sine_cosine_0(f32(_S438.index_5 + u32(1)) * _S442).y, _S438.remainder_0);
-    var _S444 : f32 = sqrt(max(1.0f - _S443 * _S443, 0.0f));
-    var _S445 : vec2<f32> = sine_cosine_0((f32(_S440.index_5) + _S440.remainder_0) * (6.28318548202514648f / f32(_S439)));
-    var _S446 : f32 = _S444 * _S445.x;
-    var _S447 : f32 = - _S444 * _S445.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S446 + frame_record_0.environment_sine_0 * _S447, _S443, frame_record_0.environment_cosine_0 * _S447 - frame_record_0.environment_sine_0 * _S446);
+    var _S438 : u32 = frame_record_0.environment_rows_0;
+    var _S439 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S436.y);
+    var _S440 : u32 = frame_record_0.environment_columns_0;
+    var _S441 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S439.index_5 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S436.x);
+    var _S442 : vec3<f32> = environment_texel_0(_S439.index_5, _S441.index_5);
+    (*_S437) = _S442 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S442), 9.99999968265522539e-21f)));
+    var _S443 : f32 = 3.14159274101257324f / f32(_S438);
+    var _S444 : f32 = mix(sine_cosine_0(f32(_S439.index_5) * _S443).y, sine_cosine_0(f32(_S439.index_5 + u32(1)) * _S443).y, _S439.remainder_0);
+    var _S445 : f32 = sqrt(max(1.0f - _S444 * _S444, 0.0f));
+    var _S446 : vec2<f32> = sine_cosine_0((f32(_S441.index_5) + _S441.remainder_0) * (6.28318548202514648f / f32(_S440)));
+    var _S447 : f32 = _S445 * _S446.x;
+    var _S448 : f32 = - _S445 * _S446.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S447 + frame_record_0.environment_sine_0 * _S448, _S444, frame_record_0.environment_cosine_0 * _S448 - frame_record_0.environment_sine_0 * _S447);
 }
 
-fn light_sample_0( _S448 : u32,  _S449 : vec2<u32>,  _S450 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S449 : u32,  _S450 : vec2<u32>,  _S451 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S451 : u32 = frame_record_0.lights_0;
-    if(_S448 >= (frame_record_0.lights_0))
+    var _S452 : u32 = frame_record_0.lights_0;
+    if(_S449 >= (frame_record_0.lights_0))
     {
         var weight_6 : vec3<f32>;
-        var _S452 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S449, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S448 - _S451), u32(3)), &(weight_6));
-        sample_0.towards_0 = _S452;
+        var _S453 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S450, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S449 - _S452), u32(3)), &(weight_6));
+        sample_0.towards_0 = _S453;
         sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S453 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S448);
-    sample_0.irradiance_1 = vec3<f32>(_S453.red_0, _S453.green_0, _S453.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S453.x_7, _S453.y_1, _S453.z_1);
-    if((_S453.is_point_0) != u32(0))
+    var _S454 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S449);
+    sample_0.irradiance_1 = vec3<f32>(_S454.red_0, _S454.green_0, _S454.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S454.x_7, _S454.y_1, _S454.z_1);
+    if((_S454.is_point_0) != u32(0))
     {
-        var _S454 : vec3<f32> = sample_0.towards_0 - _S450;
-        var _S455 : f32 = max(square_0(_S454), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S455);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S455);
-        sample_0.towards_0 = normalize(_S454);
+        var _S455 : vec3<f32> = sample_0.towards_0 - _S451;
+        var _S456 : f32 = max(square_0(_S455), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S456);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S456);
+        sample_0.towards_0 = normalize(_S455);
     }
     return sample_0;
 }
@@ -2364,22 +2372,22 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S456 : u32,  _S457 : Footprint_0,  _S458 : f32) -> Regime_0
+fn regime_of_0( _S457 : u32,  _S458 : Footprint_0,  _S459 : f32) -> Regime_0
 {
-    var _S459 : f32 = Footprint_spread_side_0(_S457);
-    var _S460 : f32 = clamp((binary_logarithm_0(max(_S459, 9.99999971718068537e-10f)) - fabrics_0[_S456].lobes_0.unit_level_0 - -0.51457315683364868f) / 1.51457309722900391f, 0.0f, 1.0f);
+    var _S460 : f32 = Footprint_spread_side_0(_S458);
+    var _S461 : f32 = clamp((binary_logarithm_0(max(_S460, 9.99999971718068537e-10f)) - fabrics_0[_S457].lobes_0.unit_level_0 - -0.51457315683364868f) / 1.51457309722900391f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S461 : f32 = _S460 * _S460 * (3.0f - 2.0f * _S460);
-    regime_0.prefiltered_0 = _S461;
-    var _S462 : f32 = _S459 * fabrics_0[_S456].lobes_0.threads_per_mm_0;
-    regime_0.threads_2 = _S462;
-    regime_0.points_0 = select(0.0f, clamp(_S462 * 12.0f, 1.0f, max(mix(8.0f, 4.0f, _S461) / _S458, 1.0f)), _S461 < 1.0f);
+    var _S462 : f32 = _S461 * _S461 * (3.0f - 2.0f * _S461);
+    regime_0.prefiltered_0 = _S462;
+    var _S463 : f32 = _S460 * fabrics_0[_S457].lobes_0.threads_per_mm_0;
+    regime_0.threads_2 = _S463;
+    regime_0.points_0 = select(0.0f, clamp(_S463 * 12.0f, 1.0f, max(mix(8.0f, 4.0f, _S462) / _S459, 1.0f)), _S462 < 1.0f);
     return regime_0;
 }
 
-fn varies_at_0( _S463 : u32,  _S464 : f32) -> bool
+fn varies_at_0( _S464 : u32,  _S465 : f32) -> bool
 {
-    return (((((fabrics_0[_S463].fibre_noise_0) > 0.0f) | (((fabrics_0[_S463].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S463].has_detail_0) != u32(0)) & ((_S464 >= 0.0f))))));
+    return (((((fabrics_0[_S464].fibre_noise_0) > 0.0f) | (((fabrics_0[_S464].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S464].has_detail_0) != u32(0)) & ((_S465 >= 0.0f))))));
 }
 
 struct Hit_0
@@ -2404,131 +2412,131 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S465 : u32,  _S466 : f32,  _S467 : f32,  _S468 : bool) -> Crossing_0
+fn crossing_at_0( _S466 : u32,  _S467 : f32,  _S468 : f32,  _S469 : bool) -> Crossing_0
 {
     var crossing_3 : Crossing_0;
-    crossing_3.warp_2 = locate_0(fabrics_0[_S465].warp_0, _S466);
-    crossing_3.weft_2 = locate_0(fabrics_0[_S465].weft_0, _S467);
-    var _S469 : u32 = fabrics_0[_S465].run_words_0 + u32(2) * (crossing_3.weft_2.thread_1 * fabrics_0[_S465].ends_1 + crossing_3.warp_2.thread_1);
-    var _S470 : u32 = words_0[_S469];
-    crossing_3.warp_word_0 = _S470;
-    crossing_3.weft_word_0 = words_0[_S469 + u32(1)];
-    crossing_3.warp_above_0 = (((_S470 & (u32(1)))) == u32(1)) != _S468;
+    crossing_3.warp_2 = locate_0(fabrics_0[_S466].warp_0, _S467);
+    crossing_3.weft_2 = locate_0(fabrics_0[_S466].weft_0, _S468);
+    var _S470 : u32 = fabrics_0[_S466].run_words_0 + u32(2) * (crossing_3.weft_2.thread_1 * fabrics_0[_S466].ends_1 + crossing_3.warp_2.thread_1);
+    var _S471 : u32 = words_0[_S470];
+    crossing_3.warp_word_0 = _S471;
+    crossing_3.weft_word_0 = words_0[_S470 + u32(1)];
+    crossing_3.warp_above_0 = (((_S471 & (u32(1)))) == u32(1)) != _S469;
     return crossing_3;
 }
 
-fn sample_at_0( _S471 : u32,  _S472 : f32,  _S473 : f32,  _S474 : bool) -> Sample_0
+fn sample_at_0( _S472 : u32,  _S473 : f32,  _S474 : f32,  _S475 : bool) -> Sample_0
 {
     var sample_1 : Sample_0;
-    var _S475 : Crossing_0 = crossing_at_0(_S471, _S472, _S473, _S474);
-    sample_1.crossing_2 = _S475;
-    var _S476 : Shown_0 = shown_at_0(_S475, _S474);
-    sample_1.shown_3 = _S476;
-    var _S477 : u32 = select(fabrics_0[_S471].weft_0, fabrics_0[_S471].warp_0, _S476.is_warp_2);
-    var _S478 : u32 = select(fabrics_0[_S471].warp_0, fabrics_0[_S471].weft_0, _S476.is_warp_2);
-    var _S479 : Cell_0 = select_cell_0(_S476.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
-    var _S480 : Cell_0 = select_cell_0(_S476.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
-    var _S481 : Run_0 = unpack_0(_S477, _S478, _S479.thread_1, _S480, _S476.word_0);
-    var _S482 : Section_0 = section_at_0(_S479);
-    var _S483 : bool = ((_S476.on_top_0) & (((_S481.distance_0) < (_S482.drop_0 * _S481.bend_1.sine_0))));
-    var _S484 : f32 = select(-1.0f, 1.0f, ((_S476.on_top_0) & ((!_S483))));
-    var _S485 : f32 = select(_S481.reach_0, _S481.other_reach_0, _S483);
-    var _S486 : f32 = select(max(_S485 - _S481.distance_0, 0.0f), _S485 + _S481.distance_0, _S483);
-    var _S487 : f32 = _S485 / _S481.bend_1.sine_0 - _S484 * _S482.drop_0;
-    var _S488 : f32 = _S486 * _S486;
-    var _S489 : f32 = max(_S487 * _S487 - _S488, 9.99999968265522539e-21f);
-    var _S490 : f32 = rsqrt_0(_S489);
-    var _S491 : f32 = _S488 / (_S489 * _S490 + _S487);
-    var _S492 : bool = _S486 > 0.0f;
-    var _S493 : f32 = select(-1.0f, 1.0f, _S476.on_top_0) * select(-1.0f, 1.0f, _S481.near_start_0);
-    var _S494 : f32 = _S482.slope_0 * select(1.0f, _S487 * _S490, _S492);
-    sample_1.slope_across_0 = _S494;
-    var _S495 : f32 = select(0.0f, _S493 * _S486 * _S490, _S492);
-    sample_1.slope_along_0 = _S495;
-    var _S496 : vec3<f32> = dive_0(_S478, _S476, _S481, _S480);
-    sample_1.dive_1 = _S496;
-    sample_1.height_9 = select(families_0[_S477].height_scale_0 * _S484, 0.0f, _S481.straight_0) * (_S485 * _S481.bend_1.half_tangent_0 - _S491) - families_0[_S477].height_scale_0 * _S482.drop_0 - _S496.x;
-    var _S497 : f32 = families_0[_S477].height_scale_0 * _S494;
-    var _S498 : f32 = families_0[_S477].height_scale_0 * _S495 - _S496.y;
-    sample_1.slope_x_1 = select(_S498, _S497, _S476.is_warp_2);
-    sample_1.slope_y_1 = select(_S497, _S498, _S476.is_warp_2);
-    sample_1.run_3 = _S481;
-    sample_1.section_1 = _S482;
+    var _S476 : Crossing_0 = crossing_at_0(_S472, _S473, _S474, _S475);
+    sample_1.crossing_2 = _S476;
+    var _S477 : Shown_0 = shown_at_0(_S476, _S475);
+    sample_1.shown_3 = _S477;
+    var _S478 : u32 = select(fabrics_0[_S472].weft_0, fabrics_0[_S472].warp_0, _S477.is_warp_2);
+    var _S479 : u32 = select(fabrics_0[_S472].warp_0, fabrics_0[_S472].weft_0, _S477.is_warp_2);
+    var _S480 : Cell_0 = select_cell_0(_S477.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
+    var _S481 : Cell_0 = select_cell_0(_S477.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
+    var _S482 : Run_0 = unpack_0(_S478, _S479, _S480.thread_1, _S481, _S477.word_0);
+    var _S483 : Section_0 = section_at_0(_S480);
+    var _S484 : bool = ((_S477.on_top_0) & (((_S482.distance_0) < (_S483.drop_0 * _S482.bend_1.sine_0))));
+    var _S485 : f32 = select(-1.0f, 1.0f, ((_S477.on_top_0) & ((!_S484))));
+    var _S486 : f32 = select(_S482.reach_0, _S482.other_reach_0, _S484);
+    var _S487 : f32 = select(max(_S486 - _S482.distance_0, 0.0f), _S486 + _S482.distance_0, _S484);
+    var _S488 : f32 = _S486 / _S482.bend_1.sine_0 - _S485 * _S483.drop_0;
+    var _S489 : f32 = _S487 * _S487;
+    var _S490 : f32 = max(_S488 * _S488 - _S489, 9.99999968265522539e-21f);
+    var _S491 : f32 = rsqrt_0(_S490);
+    var _S492 : f32 = _S489 / (_S490 * _S491 + _S488);
+    var _S493 : bool = _S487 > 0.0f;
+    var _S494 : f32 = select(-1.0f, 1.0f, _S477.on_top_0) * select(-1.0f, 1.0f, _S482.near_start_0);
+    var _S495 : f32 = _S483.slope_0 * select(1.0f, _S488 * _S491, _S493);
+    sample_1.slope_across_0 = _S495;
+    var _S496 : f32 = select(0.0f, _S494 * _S487 * _S491, _S493);
+    sample_1.slope_along_0 = _S496;
+    var _S497 : vec3<f32> = dive_0(_S479, _S477, _S482, _S481);
+    sample_1.dive_1 = _S497;
+    sample_1.height_9 = select(families_0[_S478].height_scale_0 * _S485, 0.0f, _S482.straight_0) * (_S486 * _S482.bend_1.half_tangent_0 - _S492) - families_0[_S478].height_scale_0 * _S483.drop_0 - _S497.x;
+    var _S498 : f32 = families_0[_S478].height_scale_0 * _S495;
+    var _S499 : f32 = families_0[_S478].height_scale_0 * _S496 - _S497.y;
+    sample_1.slope_x_1 = select(_S499, _S498, _S477.is_warp_2);
+    sample_1.slope_y_1 = select(_S498, _S499, _S477.is_warp_2);
+    sample_1.run_3 = _S482;
+    sample_1.section_1 = _S483;
     return sample_1;
 }
 
-fn steps_per_length_0( _S499 : u32,  _S500 : SearchQuality_0,  _S501 : vec3<f32>) -> f32
+fn steps_per_length_0( _S500 : u32,  _S501 : SearchQuality_0,  _S502 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S501.x) * fabrics_0[_S499].threads_per_x_0, abs(_S501.y) * fabrics_0[_S499].threads_per_y_0) * _S500.steps_per_thread_0, abs(_S501.z) * fabrics_0[_S499].per_relief_0 * _S500.steps_per_relief_0);
+    return max(max(abs(_S502.x) * fabrics_0[_S500].threads_per_x_0, abs(_S502.y) * fabrics_0[_S500].threads_per_y_0) * _S501.steps_per_thread_0, abs(_S502.z) * fabrics_0[_S500].per_relief_0 * _S501.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S502 : u32,  _S503 : Crossing_0) -> f32
+fn cell_maximum_0( _S503 : u32,  _S504 : Crossing_0) -> f32
 {
-    var _S504 : u32 = select(fabrics_0[_S502].weft_0, fabrics_0[_S502].warp_0, _S503.warp_above_0);
-    return f32((select(_S503.weft_word_0, _S503.warp_word_0, _S503.warp_above_0) >> (u32(28)))) * families_0[_S504].height_scale_0 * families_0[_S504].level_0;
+    var _S505 : u32 = select(fabrics_0[_S503].weft_0, fabrics_0[_S503].warp_0, _S504.warp_above_0);
+    return f32((select(_S504.weft_word_0, _S504.warp_word_0, _S504.warp_above_0) >> (u32(28)))) * families_0[_S505].height_scale_0 * families_0[_S505].level_0;
 }
 
-fn probe_0( _S505 : u32,  _S506 : f32,  _S507 : f32,  _S508 : bool,  _S509 : bool,  _S510 : bool) -> Probe_0
+fn probe_0( _S506 : u32,  _S507 : f32,  _S508 : f32,  _S509 : bool,  _S510 : bool,  _S511 : bool) -> Probe_0
 {
-    var _S511 : Sample_0 = sample_at_0(_S505, _S506, _S507, _S508);
+    var _S512 : Sample_0 = sample_at_0(_S506, _S507, _S508, _S509);
     var probe_1 : Probe_0;
-    probe_1.height_4 = _S511.height_9;
-    probe_1.hole_4 = _S511.shown_3.hole_3;
-    probe_1.slope_x_0 = _S511.slope_x_1;
-    probe_1.slope_y_0 = _S511.slope_y_1;
-    probe_1.yarn_1 = select(_S511.crossing_2.weft_2.thread_1 * u32(2), _S511.crossing_2.warp_2.thread_1 * u32(2) + u32(1), _S511.shown_3.is_warp_2);
-    probe_1.cell_max_0 = cell_maximum_0(_S505, _S511.crossing_2);
-    probe_1.side_x_0 = select(_S511.crossing_2.warp_2.below_0, _S511.crossing_2.warp_2.above_0, _S509);
-    probe_1.side_y_0 = select(_S511.crossing_2.weft_2.below_0, _S511.crossing_2.weft_2.above_0, _S510);
-    probe_1.edge_x_0 = outline_distance_0(_S511.crossing_2.warp_2, _S511.shown_3, _S511.run_3, !_S511.shown_3.is_warp_2, _S509);
-    probe_1.edge_y_0 = outline_distance_0(_S511.crossing_2.weft_2, _S511.shown_3, _S511.run_3, _S511.shown_3.is_warp_2, _S510);
+    probe_1.height_4 = _S512.height_9;
+    probe_1.hole_4 = _S512.shown_3.hole_3;
+    probe_1.slope_x_0 = _S512.slope_x_1;
+    probe_1.slope_y_0 = _S512.slope_y_1;
+    probe_1.yarn_1 = select(_S512.crossing_2.weft_2.thread_1 * u32(2), _S512.crossing_2.warp_2.thread_1 * u32(2) + u32(1), _S512.shown_3.is_warp_2);
+    probe_1.cell_max_0 = cell_maximum_0(_S506, _S512.crossing_2);
+    probe_1.side_x_0 = select(_S512.crossing_2.warp_2.below_0, _S512.crossing_2.warp_2.above_0, _S510);
+    probe_1.side_y_0 = select(_S512.crossing_2.weft_2.below_0, _S512.crossing_2.weft_2.above_0, _S511);
+    probe_1.edge_x_0 = outline_distance_0(_S512.crossing_2.warp_2, _S512.shown_3, _S512.run_3, !_S512.shown_3.is_warp_2, _S510);
+    probe_1.edge_y_0 = outline_distance_0(_S512.crossing_2.weft_2, _S512.shown_3, _S512.run_3, _S512.shown_3.is_warp_2, _S511);
     return probe_1;
 }
 
-fn is_free_0( _S512 : u32,  _S513 : SearchQuality_0,  _S514 : vec3<f32>,  _S515 : vec3<f32>,  _S516 : bool,  _S517 : f32) -> bool
+fn is_free_0( _S513 : u32,  _S514 : SearchQuality_0,  _S515 : vec3<f32>,  _S516 : vec3<f32>,  _S517 : bool,  _S518 : f32) -> bool
 {
-    var _S518 : f32 = _S515.z;
-    if(_S518 <= 0.0f)
+    var _S519 : f32 = _S516.z;
+    if(_S519 <= 0.0f)
     {
         return false;
     }
-    var _S519 : f32 = 1.0f / max(_S513.shadow_share_0 * steps_per_length_0(_S512, _S513, _S515), 9.99999971718068537e-10f);
-    var _S520 : StepControl_0 = step_control_0(_S515.xy, _S519);
+    var _S520 : f32 = 1.0f / max(_S514.shadow_share_0 * steps_per_length_0(_S513, _S514, _S516), 9.99999971718068537e-10f);
+    var _S521 : StepControl_0 = step_control_0(_S516.xy, _S520);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S514.z + _S518 * distance_2) < _S517))))
+        if(((count_4 < u32(1024)) & (((_S515.z + _S519 * distance_2) < _S518))))
         {
         }
         else
         {
             break;
         }
-        var _S521 : vec3<f32> = _S514 + _S515 * vec3<f32>(distance_2);
-        var _S522 : Probe_0 = probe_0(_S512, _S521.x, _S521.y, _S516, _S520.right_0, _S520.up_0);
-        var _S523 : f32 = _S521.z;
-        var _S524 : f32 = _S523 - _S522.height_4;
-        var _S525 : f32 = _S518 - _S522.slope_x_0 * _S515.x - _S522.slope_y_0 * _S515.y;
-        if(((!_S522.hole_4) & ((_S524 < 0.0f))))
+        var _S522 : vec3<f32> = _S515 + _S516 * vec3<f32>(distance_2);
+        var _S523 : Probe_0 = probe_0(_S513, _S522.x, _S522.y, _S517, _S521.right_0, _S521.up_0);
+        var _S524 : f32 = _S522.z;
+        var _S525 : f32 = _S524 - _S523.height_4;
+        var _S526 : f32 = _S519 - _S523.slope_x_0 * _S516.x - _S523.slope_y_0 * _S516.y;
+        if(((!_S523.hole_4) & ((_S525 < 0.0f))))
         {
             return false;
         }
-        var _S526 : f32 = way_back_to_dip_0(previous_3, _S524, _S525, last_step_0, _S522);
-        if(_S526 >= 0.0f)
+        var _S527 : f32 = way_back_to_dip_0(previous_3, _S525, _S526, last_step_0, _S523);
+        if(_S527 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S526;
-            distance_2 = distance_2 - _S526;
+            var last_step_1 : f32 = last_step_0 - _S527;
+            distance_2 = distance_2 - _S527;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S527 : bool = _S523 > (_S522.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S520, _S522, _S524, _S525), max(StepControl_to_cell_exit_0(_S520, _S522.side_x_0, _S522.side_y_0), _S519), _S527);
+        var _S528 : bool = _S524 > (_S523.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S521, _S523, _S525, _S526), max(StepControl_to_cell_exit_0(_S521, _S523.side_x_0, _S523.side_y_0), _S520), _S528);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S524, _S525, _S522, _S527);
+        previous_3 = after_sample_0(_S525, _S526, _S523, _S528);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2536,13 +2544,13 @@ fn is_free_0( _S512 : u32,  _S513 : SearchQuality_0,  _S514 : vec3<f32>,  _S515 
     return true;
 }
 
-fn passes_through_0( _S528 : u32,  _S529 : SearchQuality_0,  _S530 : f32,  _S531 : f32,  _S532 : vec3<f32>,  _S533 : bool) -> bool
+fn passes_through_0( _S529 : u32,  _S530 : SearchQuality_0,  _S531 : f32,  _S532 : f32,  _S533 : vec3<f32>,  _S534 : bool) -> bool
 {
-    if(!sample_at_0(_S528, _S530, _S531, _S533).shown_3.hole_3)
+    if(!sample_at_0(_S529, _S531, _S532, _S534).shown_3.hole_3)
     {
         return false;
     }
-    var _S534 : vec3<f32> = vec3<f32>(_S530, _S531, 0.0f);
+    var _S535 : vec3<f32> = vec3<f32>(_S531, _S532, 0.0f);
     var passes_0 : bool = true;
     var side_2 : u32 = u32(0);
     for(;;)
@@ -2554,10 +2562,10 @@ fn passes_through_0( _S528 : u32,  _S529 : SearchQuality_0,  _S530 : f32,  _S531
         {
             break;
         }
-        var _S535 : bool = is_free_0(_S528, _S529, _S534, select_vector_1(side_2 == u32(0), _S532, vec3<f32>(- _S532.x, - _S532.y, _S532.z)), _S533 != (side_2 == u32(1)), fabrics_0[_S528].height_high_0);
-        var _S536 : u32 = side_2 + u32(1);
-        passes_0 = _S535;
-        side_2 = _S536;
+        var _S536 : bool = is_free_0(_S529, _S530, _S535, select_vector_1(side_2 == u32(0), _S533, vec3<f32>(- _S533.x, - _S533.y, _S533.z)), _S534 != (side_2 == u32(1)), fabrics_0[_S529].height_high_0);
+        var _S537 : u32 = side_2 + u32(1);
+        passes_0 = _S536;
+        side_2 = _S537;
     }
     return passes_0;
 }
@@ -2572,14 +2580,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S537 : u32,  _S538 : f32,  _S539 : f32,  _S540 : f32,  _S541 : vec3<f32>,  _S542 : bool) -> f32
+fn max_height_along_0( _S538 : u32,  _S539 : f32,  _S540 : f32,  _S541 : f32,  _S542 : vec3<f32>,  _S543 : bool) -> f32
 {
-    var _S543 : f32 = _S541.x;
-    var _S544 : f32 = _S541.y;
-    var _S545 : u32 = (words_0[fabrics_0[_S537].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S537].weft_0, _S539).thread_1 / u32(2) * fabrics_0[_S537].max_height_columns_0 + locate_0(fabrics_0[_S537].warp_0, _S538).thread_1 / u32(2)) + (select(u32(0), u32(1), _S543 > 0.0f) + select(u32(0), u32(2), _S544 > 0.0f))] >> (u32(select(i32(0), i32(4), _S542))));
-    var _S546 : f32 = max(abs(_S543) * fabrics_0[_S537].threads_per_x_0, abs(_S544) * fabrics_0[_S537].threads_per_y_0) / _S541.z;
-    var _S547 : f32 = fabrics_0[_S537].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S537].height_high_0;
+    var _S544 : f32 = _S542.x;
+    var _S545 : f32 = _S542.y;
+    var _S546 : u32 = (words_0[fabrics_0[_S538].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S538].weft_0, _S540).thread_1 / u32(2) * fabrics_0[_S538].max_height_columns_0 + locate_0(fabrics_0[_S538].warp_0, _S539).thread_1 / u32(2)) + (select(u32(0), u32(1), _S544 > 0.0f) + select(u32(0), u32(2), _S545 > 0.0f))] >> (u32(select(i32(0), i32(4), _S543))));
+    var _S547 : f32 = max(abs(_S544) * fabrics_0[_S538].threads_per_x_0, abs(_S545) * fabrics_0[_S538].threads_per_y_0) / _S542.z;
+    var _S548 : f32 = fabrics_0[_S538].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S538].height_high_0;
     var number_4 : i32 = i32(3);
     for(;;)
     {
@@ -2590,26 +2598,26 @@ fn max_height_along_0( _S537 : u32,  _S538 : f32,  _S539 : f32,  _S540 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S540) * _S546) <= (PYRAMID_RADII_0[number_4]))
+        if(((max_height_0 - _S541) * _S547) <= (PYRAMID_RADII_0[number_4]))
         {
-            max_height_0 = min(max_height_0, f32((((_S545 >> (u32(i32(8) * number_4)))) & (u32(15)))) * 0.06666667014360428f * _S547);
+            max_height_0 = min(max_height_0, f32((((_S546 >> (u32(i32(8) * number_4)))) & (u32(15)))) * 0.06666667014360428f * _S548);
         }
         number_4 = number_4 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S548 : u32,  _S549 : f32,  _S550 : f32,  _S551 : bool,  _S552 : bool,  _S553 : bool) -> vec3<f32>
+fn cell_bounds_0( _S549 : u32,  _S550 : f32,  _S551 : f32,  _S552 : bool,  _S553 : bool,  _S554 : bool) -> vec3<f32>
 {
-    var _S554 : Crossing_0 = crossing_at_0(_S548, _S549, _S550, _S551);
-    return vec3<f32>(cell_maximum_0(_S548, _S554), select(_S554.warp_2.below_0, _S554.warp_2.above_0, _S552), select(_S554.weft_2.below_0, _S554.weft_2.above_0, _S553));
+    var _S555 : Crossing_0 = crossing_at_0(_S549, _S550, _S551, _S552);
+    return vec3<f32>(cell_maximum_0(_S549, _S555), select(_S555.warp_2.below_0, _S555.warp_2.above_0, _S553), select(_S555.weft_2.below_0, _S555.weft_2.above_0, _S554));
 }
 
-fn first_sample_height_0( _S555 : u32,  _S556 : ViewRay_0,  _S557 : StepControl_0,  _S558 : bool) -> f32
+fn first_sample_height_0( _S556 : u32,  _S557 : ViewRay_0,  _S558 : StepControl_0,  _S559 : bool) -> f32
 {
-    var _S559 : f32 = max_height_along_0(_S555, _S556.origin_0.x, _S556.origin_0.y, 0.0f, vec3<f32>(_S556.slope_1, 1.0f), _S558);
+    var _S560 : f32 = max_height_along_0(_S556, _S557.origin_0.x, _S557.origin_0.y, 0.0f, vec3<f32>(_S557.slope_1, 1.0f), _S559);
     var count_5 : u32 = u32(0);
-    var height_11 : f32 = _S559;
+    var height_11 : f32 = _S560;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -2619,12 +2627,12 @@ fn first_sample_height_0( _S555 : u32,  _S556 : ViewRay_0,  _S557 : StepControl_
         {
             break;
         }
-        var _S560 : vec2<f32> = ViewRay_at_0(_S556, height_11);
-        var _S561 : vec3<f32> = cell_bounds_0(_S555, _S560.x, _S560.y, _S558, _S557.right_0, _S557.up_0);
-        var _S562 : f32 = height_11 - _S561.x;
-        var _S563 : f32 = StepControl_to_cell_exit_0(_S557, _S561.y, _S561.z);
-        var height_12 : f32 = height_11 - clamp(_S562, 0.0f, _S563);
-        if(_S562 <= _S563)
+        var _S561 : vec2<f32> = ViewRay_at_0(_S557, height_11);
+        var _S562 : vec3<f32> = cell_bounds_0(_S556, _S561.x, _S561.y, _S559, _S558.right_0, _S558.up_0);
+        var _S563 : f32 = height_11 - _S562.x;
+        var _S564 : f32 = StepControl_to_cell_exit_0(_S558, _S562.y, _S562.z);
+        var height_12 : f32 = height_11 - clamp(_S563, 0.0f, _S564);
+        if(_S563 <= _S564)
         {
             height_11 = height_12;
             break;
@@ -2635,12 +2643,12 @@ fn first_sample_height_0( _S555 : u32,  _S556 : ViewRay_0,  _S557 : StepControl_
     return height_11;
 }
 
-fn search_down_0( _S564 : u32,  _S565 : ViewRay_0,  _S566 : StepControl_0,  _S567 : bool) -> ViewRayEnd_0
+fn search_down_0( _S565 : u32,  _S566 : ViewRay_0,  _S567 : StepControl_0,  _S568 : bool) -> ViewRayEnd_0
 {
-    var _S568 : f32 = fabrics_0[_S564].height_low_0 - (fabrics_0[_S564].height_high_0 - fabrics_0[_S564].height_low_0);
+    var _S569 : f32 = fabrics_0[_S565].height_low_0 - (fabrics_0[_S565].height_high_0 - fabrics_0[_S565].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_10 = first_sample_height_0(_S564, _S565, _S566, _S567);
-    end_1.last_step_3 = _S566.epsilon_0;
+    end_1.height_10 = first_sample_height_0(_S565, _S566, _S567, _S568);
+    end_1.last_step_3 = _S567.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_2 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2655,293 +2663,293 @@ fn search_down_0( _S564 : u32,  _S565 : ViewRay_0,  _S566 : StepControl_0,  _S56
         {
             break;
         }
-        var _S569 : vec2<f32> = ViewRay_at_0(_S565, end_1.height_10);
-        var _S570 : Probe_0 = probe_0(_S564, _S569.x, _S569.y, _S567, _S566.right_0, _S566.up_0);
-        var _S571 : f32 = end_1.height_10 - _S570.height_4;
-        var _S572 : f32 = ViewRay_rate_0(_S565, _S570);
-        end_1.depth_2 = - _S571;
-        end_1.rate_4 = _S572;
-        var _S573 : bool = !_S570.hole_4;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S573))) & (((end_1.previous_4.yarn_0) == (_S570.yarn_1))));
-        if((((_S573 & ((_S571 <= 0.0f)))) | (((end_1.height_10) <= _S568))))
+        var _S570 : vec2<f32> = ViewRay_at_0(_S566, end_1.height_10);
+        var _S571 : Probe_0 = probe_0(_S565, _S570.x, _S570.y, _S568, _S567.right_0, _S567.up_0);
+        var _S572 : f32 = end_1.height_10 - _S571.height_4;
+        var _S573 : f32 = ViewRay_rate_0(_S566, _S571);
+        end_1.depth_2 = - _S572;
+        end_1.rate_4 = _S573;
+        var _S574 : bool = !_S571.hole_4;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S574))) & (((end_1.previous_4.yarn_0) == (_S571.yarn_1))));
+        if((((_S574 & ((_S572 <= 0.0f)))) | (((end_1.height_10) <= _S569))))
         {
             break;
         }
-        var _S574 : f32 = way_back_to_dip_0(end_1.previous_4, _S571, _S572, end_1.last_step_3, _S570);
-        if(_S574 >= 0.0f)
+        var _S575 : f32 = way_back_to_dip_0(end_1.previous_4, _S572, _S573, end_1.last_step_3, _S571);
+        if(_S575 >= 0.0f)
         {
-            end_1.height_10 = end_1.height_10 + _S574;
-            end_1.last_step_3 = end_1.last_step_3 - _S574;
+            end_1.height_10 = end_1.height_10 + _S575;
+            end_1.last_step_3 = end_1.last_step_3 - _S575;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S575 : f32 = min(StepControl_to_cell_exit_0(_S566, _S570.side_x_0, _S570.side_y_0), end_1.height_10 - _S570.cell_max_0);
-        var _S576 : f32 = StepControl_to_next_sample_0(_S566, _S570, _S571, _S572);
-        end_1.previous_4 = after_sample_0(_S571, _S572, _S570, _S575 > _S576);
-        var _S577 : f32 = max(_S575, _S576);
-        end_1.last_step_3 = _S577;
-        end_1.height_10 = end_1.height_10 - _S577;
+        var _S576 : f32 = min(StepControl_to_cell_exit_0(_S567, _S571.side_x_0, _S571.side_y_0), end_1.height_10 - _S571.cell_max_0);
+        var _S577 : f32 = StepControl_to_next_sample_0(_S567, _S571, _S572, _S573);
+        end_1.previous_4 = after_sample_0(_S572, _S573, _S571, _S576 > _S577);
+        var _S578 : f32 = max(_S576, _S577);
+        end_1.last_step_3 = _S578;
+        end_1.height_10 = end_1.height_10 - _S578;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S578 : u32,  _S579 : ViewRay_0,  _S580 : StepControl_0,  _S581 : bool,  _S582 : ViewRayEnd_0,  _S583 : u32) -> f32
+fn refined_height_0( _S579 : u32,  _S580 : ViewRay_0,  _S581 : StepControl_0,  _S582 : bool,  _S583 : ViewRayEnd_0,  _S584 : u32) -> f32
 {
-    var _S584 : f32 = fabrics_0[_S578].height_high_0 - fabrics_0[_S578].height_low_0;
-    var above_2 : f32 = _S582.height_10 + _S582.last_step_3;
-    var above_gap_1 : f32 = clamp(_S582.previous_4.clearance_0, 0.0f, _S584);
-    var under_gap_1 : f32 = clamp(_S582.depth_2, 0.0f, _S584);
-    var middle_0 : f32 = select(between_0(above_2, _S582.height_10, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S582.previous_4.rate_0 * _S582.last_step_3, _S582.rate_4 * _S582.last_step_3) * _S582.last_step_3, _S582.smooth_0);
+    var _S585 : f32 = fabrics_0[_S579].height_high_0 - fabrics_0[_S579].height_low_0;
+    var above_2 : f32 = _S583.height_10 + _S583.last_step_3;
+    var above_gap_1 : f32 = clamp(_S583.previous_4.clearance_0, 0.0f, _S585);
+    var under_gap_1 : f32 = clamp(_S583.depth_2, 0.0f, _S585);
+    var middle_0 : f32 = select(between_0(above_2, _S583.height_10, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S583.previous_4.rate_0 * _S583.last_step_3, _S583.rate_4 * _S583.last_step_3) * _S583.last_step_3, _S583.smooth_0);
     var side_3 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S582.height_10;
+    var under_1 : f32 = _S583.height_10;
     var above_3 : f32 = above_2;
     var i_2 : u32 = u32(0);
     for(;;)
     {
-        if(i_2 < _S583)
+        if(i_2 < _S584)
         {
         }
         else
         {
             break;
         }
-        var _S585 : vec2<f32> = ViewRay_at_0(_S579, middle_0);
-        var _S586 : Probe_0 = probe_0(_S578, _S585.x, _S585.y, _S581, _S580.right_0, _S580.up_0);
-        var _S587 : f32 = clamp(middle_0 - select(_S586.height_4, -1.0e+09f, _S586.hole_4), - _S584, _S584);
-        if(_S587 <= 0.0f)
+        var _S586 : vec2<f32> = ViewRay_at_0(_S580, middle_0);
+        var _S587 : Probe_0 = probe_0(_S579, _S586.x, _S586.y, _S582, _S581.right_0, _S581.up_0);
+        var _S588 : f32 = clamp(middle_0 - select(_S587.height_4, -1.0e+09f, _S587.hole_4), - _S585, _S585);
+        if(_S588 <= 0.0f)
         {
-            var _S588 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
-            var _S589 : f32 = - _S587;
+            var _S589 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
+            var _S590 : f32 = - _S588;
             under_1 = middle_0;
-            above_gap_2 = _S588;
-            under_gap_2 = _S589;
+            above_gap_2 = _S589;
+            under_gap_2 = _S590;
             side_3 = 1.0f;
         }
         else
         {
-            var _S590 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
+            var _S591 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S587;
-            under_gap_2 = _S590;
+            above_gap_2 = _S588;
+            under_gap_2 = _S591;
             side_3 = -1.0f;
         }
-        var _S591 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S587 / min(ViewRay_rate_0(_S579, _S586), -9.99999997475242708e-07f), under_1, above_3), _S582.smooth_0);
-        var _S592 : u32 = i_2 + u32(1);
-        middle_0 = _S591;
-        i_2 = _S592;
+        var _S592 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S588 / min(ViewRay_rate_0(_S580, _S587), -9.99999997475242708e-07f), under_1, above_3), _S583.smooth_0);
+        var _S593 : u32 = i_2 + u32(1);
+        middle_0 = _S592;
+        i_2 = _S593;
     }
-    return select(under_1, middle_0, _S582.smooth_0);
+    return select(under_1, middle_0, _S583.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S593 : u32,  _S594 : SearchQuality_0,  _S595 : f32,  _S596 : f32,  _S597 : vec3<f32>,  _S598 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S594 : u32,  _S595 : SearchQuality_0,  _S596 : f32,  _S597 : f32,  _S598 : vec3<f32>,  _S599 : bool) -> Hit_0
 {
-    var _S599 : f32 = max(_S597.z, 0.00009999999747379f);
+    var _S600 : f32 = max(_S598.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S595, _S596);
-    var _S600 : vec2<f32> = _S597.xy / vec2<f32>(_S599);
-    ray_0.slope_1 = _S600;
-    var _S601 : StepControl_0 = step_control_0((vec2<f32>(0) - _S600), 1.0f / max(steps_per_length_0(_S593, _S594, _S597) / _S599, 9.99999971718068537e-10f));
-    var _S602 : ViewRayEnd_0 = search_down_0(_S593, ray_0, _S601, _S598);
+    ray_0.origin_0 = vec2<f32>(_S596, _S597);
+    var _S601 : vec2<f32> = _S598.xy / vec2<f32>(_S600);
+    ray_0.slope_1 = _S601;
+    var _S602 : StepControl_0 = step_control_0((vec2<f32>(0) - _S601), 1.0f / max(steps_per_length_0(_S594, _S595, _S598) / _S600, 9.99999971718068537e-10f));
+    var _S603 : ViewRayEnd_0 = search_down_0(_S594, ray_0, _S602, _S599);
     var hit_0 : Hit_0;
     hit_0.hole_7 = false;
-    var _S603 : f32 = refined_height_0(_S593, ray_0, _S601, _S598, _S602, _S594.refinements_0);
-    hit_0.height_8 = _S603;
-    var _S604 : vec2<f32> = ViewRay_at_0(ray_0, _S603);
-    hit_0.x_18 = _S604.x;
-    hit_0.y_11 = _S604.y;
+    var _S604 : f32 = refined_height_0(_S594, ray_0, _S602, _S599, _S603, _S595.refinements_0);
+    hit_0.height_8 = _S604;
+    var _S605 : vec2<f32> = ViewRay_at_0(ray_0, _S604);
+    hit_0.x_18 = _S605.x;
+    hit_0.y_11 = _S605.y;
     return hit_0;
 }
 
-fn first_hit_0( _S605 : u32,  _S606 : SearchQuality_0,  _S607 : f32,  _S608 : f32,  _S609 : vec3<f32>,  _S610 : bool) -> Hit_0
+fn first_hit_0( _S606 : u32,  _S607 : SearchQuality_0,  _S608 : f32,  _S609 : f32,  _S610 : vec3<f32>,  _S611 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S605, _S606, _S607, _S608, _S609, _S610))
+    if(!passes_through_0(_S606, _S607, _S608, _S609, _S610, _S611))
     {
-        return first_hit_of_yarn_0(_S605, _S606, _S607, _S608, _S609, _S610);
+        return first_hit_of_yarn_0(_S606, _S607, _S608, _S609, _S610, _S611);
     }
     var hit_1 : Hit_0;
-    hit_1.x_18 = _S607;
-    hit_1.y_11 = _S608;
+    hit_1.x_18 = _S608;
+    hit_1.y_11 = _S609;
     hit_1.height_8 = 0.0f;
     hit_1.hole_7 = true;
     return hit_1;
 }
 
-fn surface_of_0( _S611 : u32,  _S612 : Sample_0,  _S613 : f32,  _S614 : f32,  _S615 : bool) -> SurfacePoint_0
+fn surface_of_0( _S612 : u32,  _S613 : Sample_0,  _S614 : f32,  _S615 : f32,  _S616 : bool) -> SurfacePoint_0
 {
-    var _S616 : u32 = select(fabrics_0[_S611].weft_0, fabrics_0[_S611].warp_0, _S612.shown_3.is_warp_2);
-    var _S617 : f32 = families_0[_S616].twist_sine_0 * select(1.0f, -1.0f, _S615);
-    var _S618 : f32 = select(-1.0f, 1.0f, _S612.shown_3.is_warp_2);
-    var _S619 : vec2<f32> = fibre_direction_0(_S612.slope_across_0, _S618 * _S612.slope_along_0, _S617, families_0[_S616].twist_cosine_0);
-    var _S620 : f32 = _S619.x;
-    var _S621 : f32 = _S619.y;
-    var _S622 : f32 = select(_S612.slope_y_1, _S612.slope_x_1, _S612.shown_3.is_warp_2) * _S620 + _S618 * select(_S612.slope_x_1, _S612.slope_y_1, _S612.shown_3.is_warp_2) * _S621;
-    var _S623 : f32 = select(_S612.crossing_2.weft_2.half_width_1, _S612.crossing_2.warp_2.half_width_1, _S612.shown_3.is_warp_2) * 1.0154266357421875f;
-    var _S624 : f32 = _S623 * arc_sine_0(clamp(_S612.section_1.across_3 / _S623, -1.0f, 1.0f));
-    var _S625 : f32 = select(- _S613, _S614, _S612.shown_3.is_warp_2);
+    var _S617 : u32 = select(fabrics_0[_S612].weft_0, fabrics_0[_S612].warp_0, _S613.shown_3.is_warp_2);
+    var _S618 : f32 = families_0[_S617].twist_sine_0 * select(1.0f, -1.0f, _S616);
+    var _S619 : f32 = select(-1.0f, 1.0f, _S613.shown_3.is_warp_2);
+    var _S620 : vec2<f32> = fibre_direction_0(_S613.slope_across_0, _S619 * _S613.slope_along_0, _S618, families_0[_S617].twist_cosine_0);
+    var _S621 : f32 = _S620.x;
+    var _S622 : f32 = _S620.y;
+    var _S623 : f32 = select(_S613.slope_y_1, _S613.slope_x_1, _S613.shown_3.is_warp_2) * _S621 + _S619 * select(_S613.slope_x_1, _S613.slope_y_1, _S613.shown_3.is_warp_2) * _S622;
+    var _S624 : f32 = select(_S613.crossing_2.weft_2.half_width_1, _S613.crossing_2.warp_2.half_width_1, _S613.shown_3.is_warp_2) * 1.0154266357421875f;
+    var _S625 : f32 = _S624 * arc_sine_0(clamp(_S613.section_1.across_3 / _S624, -1.0f, 1.0f));
+    var _S626 : f32 = select(- _S614, _S615, _S613.shown_3.is_warp_2);
     var point_4 : SurfacePoint_0;
-    point_4.hole_0 = _S612.shown_3.hole_3;
-    point_4.is_warp_0 = _S612.shown_3.is_warp_2;
-    point_4.warp_thread_0 = _S612.crossing_2.warp_2.thread_1;
-    point_4.weft_thread_0 = _S612.crossing_2.weft_2.thread_1;
-    point_4.height_2 = _S612.height_9;
-    point_4.normal_1 = normalize(vec3<f32>(- _S612.slope_x_1, - _S612.slope_y_1, 1.0f));
-    point_4.tangent_0 = normalize(select_vector_1(_S612.shown_3.is_warp_2, vec3<f32>(_S620, _S621, _S622), vec3<f32>(- _S621, _S620, _S622)));
-    point_4.across_1 = _S612.section_1.across_3;
-    point_4.fibre_across_0 = _S624 * families_0[_S616].twist_cosine_0 + _S625 * _S617;
-    point_4.fibre_along_0 = _S625 * families_0[_S616].twist_cosine_0 - _S624 * _S617;
-    var _S626 : f32 = run_share_0(_S612.shown_3.word_0);
-    point_4.shown_share_0 = select(1.0f - _S626, _S626, _S612.shown_3.on_top_0);
-    point_4.x_8 = _S613;
-    point_4.y_2 = _S614;
+    point_4.hole_0 = _S613.shown_3.hole_3;
+    point_4.is_warp_0 = _S613.shown_3.is_warp_2;
+    point_4.warp_thread_0 = _S613.crossing_2.warp_2.thread_1;
+    point_4.weft_thread_0 = _S613.crossing_2.weft_2.thread_1;
+    point_4.height_2 = _S613.height_9;
+    point_4.normal_1 = normalize(vec3<f32>(- _S613.slope_x_1, - _S613.slope_y_1, 1.0f));
+    point_4.tangent_0 = normalize(select_vector_1(_S613.shown_3.is_warp_2, vec3<f32>(_S621, _S622, _S623), vec3<f32>(- _S622, _S621, _S623)));
+    point_4.across_1 = _S613.section_1.across_3;
+    point_4.fibre_across_0 = _S625 * families_0[_S617].twist_cosine_0 + _S626 * _S618;
+    point_4.fibre_along_0 = _S626 * families_0[_S617].twist_cosine_0 - _S625 * _S618;
+    var _S627 : f32 = run_share_0(_S613.shown_3.word_0);
+    point_4.shown_share_0 = select(1.0f - _S627, _S627, _S613.shown_3.on_top_0);
+    point_4.x_8 = _S614;
+    point_4.y_2 = _S615;
     return point_4;
 }
 
-fn surface_met_0( _S627 : u32,  _S628 : f32,  _S629 : f32,  _S630 : f32,  _S631 : vec3<f32>,  _S632 : bool) -> SurfacePoint_0
+fn surface_met_0( _S628 : u32,  _S629 : f32,  _S630 : f32,  _S631 : f32,  _S632 : vec3<f32>,  _S633 : bool) -> SurfacePoint_0
 {
-    var _S633 : Sample_0 = sample_at_0(_S627, _S628, _S629, _S632);
-    var point_5 : SurfacePoint_0 = surface_of_0(_S627, _S633, _S628, _S629, _S632);
-    var _S634 : u32 = select(fabrics_0[_S627].weft_0, fabrics_0[_S627].warp_0, point_5.is_warp_0);
-    var _S635 : f32 = select(_S633.crossing_2.weft_2.half_width_1, _S633.crossing_2.warp_2.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
-    var _S636 : f32 = _S633.dive_1.z;
-    var _S637 : f32 = _S633.slope_along_0 - (1.0f - _S636) * _S633.dive_1.y / families_0[_S634].height_scale_0;
-    var _S638 : f32 = rsqrt_0(_S637 * _S637 + 1.0f);
-    var _S639 : f32 = _S631.x;
-    var _S640 : f32 = _S631.y;
-    var _S641 : f32 = select(_S640, _S639, point_5.is_warp_0);
-    var _S642 : f32 = _S631.z;
-    var _S643 : f32 = (_S642 / families_0[_S634].height_scale_0 - _S637 * select(_S639, _S640, point_5.is_warp_0)) * _S638;
-    var _S644 : f32 = square_1(_S635);
-    var _S645 : f32 = sqrt(max(_S644 - square_1(point_5.across_1), 0.0f)) - (_S633.height_9 + _S636 * _S633.dive_1.x - _S630) / families_0[_S634].height_scale_0 * _S638;
-    var _S646 : f32 = square_1(_S641) + square_1(_S643) + 9.999999960041972e-13f;
-    var _S647 : f32 = point_5.across_1 * _S641 + _S645 * _S643;
-    var _S648 : f32 = square_1(point_5.across_1) + square_1(_S645) - _S644;
-    var _S649 : f32 = sqrt(max(square_1(_S647) - _S646 * _S648, 0.0f));
-    var _S650 : f32 = clamp(select((_S649 - _S647) / _S646, - _S648 / max(_S647 + _S649, 9.999999960041972e-13f), _S647 > 0.0f), - _S635, _S635);
-    var _S651 : f32 = point_5.across_1 + _S650 * _S641;
-    point_5.across_1 = _S651;
-    var _S652 : vec2<f32> = normalize(vec2<f32>(_S651, _S645 + _S650 * _S643));
-    var _S653 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
-    var _S654 : f32 = families_0[_S634].twist_sine_0 * select(1.0f, -1.0f, _S632);
-    var _S655 : f32 = _S652.x;
-    var _S656 : f32 = _S654 * _S655 * _S638;
-    var _S657 : f32 = _S652.y;
-    var _S658 : f32 = - _S654 * _S657;
-    var _S659 : f32 = families_0[_S634].twist_cosine_0 * _S638 - _S653 * _S637 * _S656;
-    var _S660 : f32 = families_0[_S634].height_scale_0 * (families_0[_S634].twist_cosine_0 * _S653 * _S637 * _S638 + _S656);
-    var _S661 : f32 = families_0[_S634].height_scale_0 * _S655;
-    var _S662 : f32 = - families_0[_S634].height_scale_0 * _S637 * _S638 * _S657;
-    point_5.normal_1 = normalize(vec3<f32>(select(_S662, _S661, point_5.is_warp_0), select(_S661, _S662, point_5.is_warp_0), _S638 * _S657));
-    point_5.tangent_0 = normalize(vec3<f32>(select(- _S659, _S658, point_5.is_warp_0), select(_S658, _S659, point_5.is_warp_0), _S660));
-    var _S663 : f32 = _S635 * angle_of_0(_S652);
-    var _S664 : f32 = select(- _S628 - _S650 * _S639, _S629 + _S650 * _S640, point_5.is_warp_0);
-    point_5.fibre_across_0 = _S663 * families_0[_S634].twist_cosine_0 + _S664 * _S654;
-    point_5.fibre_along_0 = _S664 * families_0[_S634].twist_cosine_0 - _S663 * _S654;
-    var _S665 : f32 = 0.00999999977648258f * _S635;
-    var _S666 : f32 = - _S665;
-    var _S667 : bool = _S650 < _S666;
-    var _S668 : f32 = select(_S665, _S666, _S641 < 0.0f);
-    var _S669 : f32 = max(_S650, 0.0f);
-    point_5.x_8 = point_5.x_8 + select(_S669 * _S639, select(0.0f, _S668, point_5.is_warp_0), _S667);
-    point_5.y_2 = point_5.y_2 + select(_S669 * _S640, select(_S668, 0.0f, point_5.is_warp_0), _S667);
-    point_5.height_2 = select(_S630 + _S650 * _S642, _S630, _S667);
+    var _S634 : Sample_0 = sample_at_0(_S628, _S629, _S630, _S633);
+    var point_5 : SurfacePoint_0 = surface_of_0(_S628, _S634, _S629, _S630, _S633);
+    var _S635 : u32 = select(fabrics_0[_S628].weft_0, fabrics_0[_S628].warp_0, point_5.is_warp_0);
+    var _S636 : f32 = select(_S634.crossing_2.weft_2.half_width_1, _S634.crossing_2.warp_2.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
+    var _S637 : f32 = _S634.dive_1.z;
+    var _S638 : f32 = _S634.slope_along_0 - (1.0f - _S637) * _S634.dive_1.y / families_0[_S635].height_scale_0;
+    var _S639 : f32 = rsqrt_0(_S638 * _S638 + 1.0f);
+    var _S640 : f32 = _S632.x;
+    var _S641 : f32 = _S632.y;
+    var _S642 : f32 = select(_S641, _S640, point_5.is_warp_0);
+    var _S643 : f32 = _S632.z;
+    var _S644 : f32 = (_S643 / families_0[_S635].height_scale_0 - _S638 * select(_S640, _S641, point_5.is_warp_0)) * _S639;
+    var _S645 : f32 = square_1(_S636);
+    var _S646 : f32 = sqrt(max(_S645 - square_1(point_5.across_1), 0.0f)) - (_S634.height_9 + _S637 * _S634.dive_1.x - _S631) / families_0[_S635].height_scale_0 * _S639;
+    var _S647 : f32 = square_1(_S642) + square_1(_S644) + 9.999999960041972e-13f;
+    var _S648 : f32 = point_5.across_1 * _S642 + _S646 * _S644;
+    var _S649 : f32 = square_1(point_5.across_1) + square_1(_S646) - _S645;
+    var _S650 : f32 = sqrt(max(square_1(_S648) - _S647 * _S649, 0.0f));
+    var _S651 : f32 = clamp(select((_S650 - _S648) / _S647, - _S649 / max(_S648 + _S650, 9.999999960041972e-13f), _S648 > 0.0f), - _S636, _S636);
+    var _S652 : f32 = point_5.across_1 + _S651 * _S642;
+    point_5.across_1 = _S652;
+    var _S653 : vec2<f32> = normalize(vec2<f32>(_S652, _S646 + _S651 * _S644));
+    var _S654 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
+    var _S655 : f32 = families_0[_S635].twist_sine_0 * select(1.0f, -1.0f, _S633);
+    var _S656 : f32 = _S653.x;
+    var _S657 : f32 = _S655 * _S656 * _S639;
+    var _S658 : f32 = _S653.y;
+    var _S659 : f32 = - _S655 * _S658;
+    var _S660 : f32 = families_0[_S635].twist_cosine_0 * _S639 - _S654 * _S638 * _S657;
+    var _S661 : f32 = families_0[_S635].height_scale_0 * (families_0[_S635].twist_cosine_0 * _S654 * _S638 * _S639 + _S657);
+    var _S662 : f32 = families_0[_S635].height_scale_0 * _S656;
+    var _S663 : f32 = - families_0[_S635].height_scale_0 * _S638 * _S639 * _S658;
+    point_5.normal_1 = normalize(vec3<f32>(select(_S663, _S662, point_5.is_warp_0), select(_S662, _S663, point_5.is_warp_0), _S639 * _S658));
+    point_5.tangent_0 = normalize(vec3<f32>(select(- _S660, _S659, point_5.is_warp_0), select(_S659, _S660, point_5.is_warp_0), _S661));
+    var _S664 : f32 = _S636 * angle_of_0(_S653);
+    var _S665 : f32 = select(- _S629 - _S651 * _S640, _S630 + _S651 * _S641, point_5.is_warp_0);
+    point_5.fibre_across_0 = _S664 * families_0[_S635].twist_cosine_0 + _S665 * _S655;
+    point_5.fibre_along_0 = _S665 * families_0[_S635].twist_cosine_0 - _S664 * _S655;
+    var _S666 : f32 = 0.00999999977648258f * _S636;
+    var _S667 : f32 = - _S666;
+    var _S668 : bool = _S651 < _S667;
+    var _S669 : f32 = select(_S666, _S667, _S642 < 0.0f);
+    var _S670 : f32 = max(_S651, 0.0f);
+    point_5.x_8 = point_5.x_8 + select(_S670 * _S640, select(0.0f, _S669, point_5.is_warp_0), _S668);
+    point_5.y_2 = point_5.y_2 + select(_S670 * _S641, select(_S669, 0.0f, point_5.is_warp_0), _S668);
+    point_5.height_2 = select(_S631 + _S651 * _S643, _S631, _S668);
     return point_5;
 }
 
-fn hairs_over_0( _S670 : u32,  _S671 : SurfacePoint_0,  _S672 : bool,  _S673 : f32) -> Hairs_0
+fn hairs_over_0( _S671 : u32,  _S672 : SurfacePoint_0,  _S673 : bool,  _S674 : f32) -> Hairs_0
 {
     var hairs_2 : Hairs_0;
-    hairs_2.place_1 = vec2<f32>(_S671.x_8, _S671.y_2);
-    hairs_2.below_1 = fabrics_0[_S670].height_high_0 - _S671.height_2;
-    hairs_2.back_4 = _S672;
-    hairs_2.size_3 = _S673;
+    hairs_2.place_1 = vec2<f32>(_S672.x_8, _S672.y_2);
+    hairs_2.below_1 = fabrics_0[_S671].height_high_0 - _S672.height_2;
+    hairs_2.back_4 = _S673;
+    hairs_2.size_3 = _S674;
     return hairs_2;
 }
 
-fn has_hairs_0( _S674 : u32) -> bool
+fn has_hairs_0( _S675 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S674].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S674].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S675].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S675].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_towards_0( _S675 : u32,  _S676 : Hairs_0,  _S677 : vec3<f32>,  _S678 : f32) -> Hair_0
+fn hair_towards_0( _S676 : u32,  _S677 : Hairs_0,  _S678 : vec3<f32>,  _S679 : f32) -> Hair_0
 {
-    var _S679 : f32 = fabrics_0[_S675].fibre_size_0;
-    var _S680 : f32 = 17.0f * fabrics_0[_S675].fibre_size_0;
-    var _S681 : f32 = fade_0(_S678, _S680);
-    var _S682 : vec2<f32> = _S677.xy / vec2<f32>(max(_S677.z, 0.3333333432674408f));
-    var _S683 : u32 = hash_key_0(select(u32(0), u32(1), _S676.back_4), ((fabrics_0[_S675].seed_0) ^ (u32(1013904242))));
-    var _S684 : f32 = fabrics_0[_S675].fibre_size_0 / max(_S678, 0.07000000029802322f * fabrics_0[_S675].fibre_size_0);
-    const _S685 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S680 : f32 = fabrics_0[_S676].fibre_size_0;
+    var _S681 : f32 = 17.0f * fabrics_0[_S676].fibre_size_0;
+    var _S682 : f32 = fade_0(_S679, _S681);
+    var _S683 : vec2<f32> = _S678.xy / vec2<f32>(max(_S678.z, 0.3333333432674408f));
+    var _S684 : u32 = hash_key_0(select(u32(0), u32(1), _S677.back_4), ((fabrics_0[_S676].seed_0) ^ (u32(1013904242))));
+    var _S685 : f32 = fabrics_0[_S676].fibre_size_0 / max(_S679, 0.07000000029802322f * fabrics_0[_S676].fibre_size_0);
+    const _S686 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_3 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S685;
+    var hair_across_0 : vec2<f32> = _S686;
     var hair_away_0 : f32 = 0.0f;
     var is_warp_7 : bool = false;
     var number_5 : u32 = u32(0);
     for(;;)
     {
-        if(((_S681 > 0.0f) & ((number_5 < u32(18)))))
+        if(((_S682 > 0.0f) & ((number_5 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S686 : u32 = number_5 / u32(9);
-        var _S687 : u32 = number_5 / u32(3) - u32(3) * _S686;
-        var _S688 : vec2<f32> = (vec2<f32>(((f32(_S686) * 6.0f + 2.0f) * _S679 + _S676.below_1)) * _S682 + _S676.place_1) / vec2<f32>(_S680);
-        var _S689 : vec2<f32> = floor(_S688) + vec2<f32>(f32(number_5 - u32(3) * _S687 - u32(9) * _S686), f32(_S687)) - vec2<f32>(1.0f);
-        var _S690 : u32 = hash_bits_0(_S683 + _S686, u32(i32(_S689.x)) * u32(65536) + u32(i32(_S689.y)));
-        var _S691 : u32 = hash_bits_0(_S683, _S690);
-        var _S692 : vec2<f32> = _S688 - _S689 - vec2<f32>(share_of_0(_S690), share_of_0((_S690 >> (u32(10)))));
-        var _S693 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S690 >> (u32(20)))));
-        var _S694 : f32 = mix(5.0f, 16.0f, share_of_0((_S691 >> (u32(10))))) / 17.0f;
-        var _S695 : f32 = _S692.x;
-        var _S696 : f32 = _S693.y;
-        var _S697 : f32 = _S692.y;
-        var _S698 : f32 = _S693.x;
-        var _S699 : f32 = (_S695 * _S696 + _S697 * _S698) / _S694;
-        var _S700 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S691 >> (u32(20)))) - 1.0f);
-        var _S701 : f32 = 0.5f * (2.0f * share_of_0((_S690 ^ (_S691))) - 1.0f);
-        var _S702 : f32 = _S699 * (3.0f * _S701 * _S699 + 2.0f * _S700);
-        var _S703 : f32 = rsqrt_0(_S702 * _S702 + 1.0f);
-        var _S704 : f32 = (_S697 * _S696 - _S695 * _S698 - _S694 * _S699 * _S699 * (_S701 * _S699 + _S700)) * _S703 * 17.0f;
-        var _S705 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S699)), 0.0f) * _S684;
-        var _S706 : f32 = clamp(_S705 + 0.5f - abs(_S704) * _S684, 0.0f, min(2.0f * _S705, 1.0f));
-        var _S707 : bool = ((((_S691 >> (u32(30)))) & (u32(1)))) == u32(1);
-        var _S708 : bool = (((((share_of_0(_S691)) < (families_0[select(fabrics_0[_S675].weft_0, fabrics_0[_S675].warp_0, _S707)].hairiness_0)) & (((abs(_S699)) < 1.0f)))) & ((_S706 > cover_3)));
-        var _S709 : vec2<f32> = vec2<f32>(- _S698 - _S702 * _S696, _S696 - _S702 * _S698) * vec2<f32>(_S703);
-        var _S710 : f32 = select(cover_3, _S706, _S708);
-        var _S711 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S709.x, _S708), select(hair_across_0.y, _S709.y, _S708));
-        var _S712 : f32 = select(hair_away_0, _S704, _S708);
-        var _S713 : bool = select(is_warp_7, _S707, _S708);
-        var _S714 : u32 = number_5 + u32(1);
-        cover_3 = _S710;
-        hair_across_0 = _S711;
-        hair_away_0 = _S712;
-        is_warp_7 = _S713;
-        number_5 = _S714;
+        var _S687 : u32 = number_5 / u32(9);
+        var _S688 : u32 = number_5 / u32(3) - u32(3) * _S687;
+        var _S689 : vec2<f32> = (vec2<f32>(((f32(_S687) * 6.0f + 2.0f) * _S680 + _S677.below_1)) * _S683 + _S677.place_1) / vec2<f32>(_S681);
+        var _S690 : vec2<f32> = floor(_S689) + vec2<f32>(f32(number_5 - u32(3) * _S688 - u32(9) * _S687), f32(_S688)) - vec2<f32>(1.0f);
+        var _S691 : u32 = hash_bits_0(_S684 + _S687, u32(i32(_S690.x)) * u32(65536) + u32(i32(_S690.y)));
+        var _S692 : u32 = hash_bits_0(_S684, _S691);
+        var _S693 : vec2<f32> = _S689 - _S690 - vec2<f32>(share_of_0(_S691), share_of_0((_S691 >> (u32(10)))));
+        var _S694 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S691 >> (u32(20)))));
+        var _S695 : f32 = mix(5.0f, 16.0f, share_of_0((_S692 >> (u32(10))))) / 17.0f;
+        var _S696 : f32 = _S693.x;
+        var _S697 : f32 = _S694.y;
+        var _S698 : f32 = _S693.y;
+        var _S699 : f32 = _S694.x;
+        var _S700 : f32 = (_S696 * _S697 + _S698 * _S699) / _S695;
+        var _S701 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S692 >> (u32(20)))) - 1.0f);
+        var _S702 : f32 = 0.5f * (2.0f * share_of_0((_S691 ^ (_S692))) - 1.0f);
+        var _S703 : f32 = _S700 * (3.0f * _S702 * _S700 + 2.0f * _S701);
+        var _S704 : f32 = rsqrt_0(_S703 * _S703 + 1.0f);
+        var _S705 : f32 = (_S698 * _S697 - _S696 * _S699 - _S695 * _S700 * _S700 * (_S702 * _S700 + _S701)) * _S704 * 17.0f;
+        var _S706 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S700)), 0.0f) * _S685;
+        var _S707 : f32 = clamp(_S706 + 0.5f - abs(_S705) * _S685, 0.0f, min(2.0f * _S706, 1.0f));
+        var _S708 : bool = ((((_S692 >> (u32(30)))) & (u32(1)))) == u32(1);
+        var _S709 : bool = (((((share_of_0(_S692)) < (families_0[select(fabrics_0[_S676].weft_0, fabrics_0[_S676].warp_0, _S708)].hairiness_0)) & (((abs(_S700)) < 1.0f)))) & ((_S707 > cover_3)));
+        var _S710 : vec2<f32> = vec2<f32>(- _S699 - _S703 * _S697, _S697 - _S703 * _S699) * vec2<f32>(_S704);
+        var _S711 : f32 = select(cover_3, _S707, _S709);
+        var _S712 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S710.x, _S709), select(hair_across_0.y, _S710.y, _S709));
+        var _S713 : f32 = select(hair_away_0, _S705, _S709);
+        var _S714 : bool = select(is_warp_7, _S708, _S709);
+        var _S715 : u32 = number_5 + u32(1);
+        cover_3 = _S711;
+        hair_across_0 = _S712;
+        hair_away_0 = _S713;
+        is_warp_7 = _S714;
+        number_5 = _S715;
     }
-    var _S715 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S716 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_1 = _S681 * cover_3;
-    hair_1.normal_5 = vec3<f32>(vec2<f32>(_S715) * hair_across_0, sqrt(1.0f - _S715 * _S715));
+    hair_1.cover_1 = _S682 * cover_3;
+    hair_1.normal_5 = vec3<f32>(vec2<f32>(_S716) * hair_across_0, sqrt(1.0f - _S716 * _S716));
     hair_1.tangent_4 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     hair_1.is_warp_5 = is_warp_7;
-    hair_1.shade_0 = _S681 * 0.03255363181233406f * (families_0[fabrics_0[_S675].warp_0].hairiness_0 + families_0[fabrics_0[_S675].weft_0].hairiness_0);
+    hair_1.shade_0 = _S682 * 0.03255363181233406f * (families_0[fabrics_0[_S676].warp_0].hairiness_0 + families_0[fabrics_0[_S676].weft_0].hairiness_0);
     return hair_1;
 }
 
-fn thread_of_family_0( _S716 : u32,  _S717 : SurfacePoint_0) -> i32
+fn thread_of_family_0( _S717 : u32,  _S718 : SurfacePoint_0) -> i32
 {
-    var _S718 : u32 = select(fabrics_0[_S716].weft_0, fabrics_0[_S716].warp_0, _S717.is_warp_0);
-    return i32(floor((select(_S717.y_2, _S717.x_8, _S717.is_warp_0) - _S717.across_1) / families_0[_S718].period_0)) * i32(families_0[_S718].count_0) + i32(select(_S717.weft_thread_0, _S717.warp_thread_0, _S717.is_warp_0));
+    var _S719 : u32 = select(fabrics_0[_S717].weft_0, fabrics_0[_S717].warp_0, _S718.is_warp_0);
+    return i32(floor((select(_S718.y_2, _S718.x_8, _S718.is_warp_0) - _S718.across_1) / families_0[_S719].period_0)) * i32(families_0[_S719].count_0) + i32(select(_S718.weft_thread_0, _S718.warp_thread_0, _S718.is_warp_0));
 }
 
-fn thread_number_0( _S719 : u32,  _S720 : SurfacePoint_0) -> u32
+fn thread_number_0( _S720 : u32,  _S721 : SurfacePoint_0) -> u32
 {
-    return u32(thread_of_family_0(_S719, _S720)) * u32(2) + select(u32(0), u32(1), _S720.is_warp_0);
+    return u32(thread_of_family_0(_S720, _S721)) * u32(2) + select(u32(0), u32(1), _S721.is_warp_0);
 }
 
 struct FibreNoise_0
@@ -2955,224 +2963,224 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S721 : u32,  _S722 : u32,  _S723 : SurfacePoint_0,  _S724 : u32,  _S725 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S722 : u32,  _S723 : u32,  _S724 : SurfacePoint_0,  _S725 : u32,  _S726 : f32) -> FibreNoise_0
 {
-    var _S726 : f32 = 5.0f * fabrics_0[_S721].fibre_size_0;
-    var _S727 : vec2<f32> = wave_noise_0(hash_key_0(_S724, ((fabrics_0[_S721].seed_0) ^ (u32(458671337)))), _S723.fibre_along_0 / (25.0f * fabrics_0[_S721].fibre_size_0));
-    var _S728 : f32 = _S723.fibre_across_0 + families_0[_S722].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S721].fibre_size_0 * _S727.x;
-    var _S729 : vec3<f32> = fibre_cell_0(_S728, _S723.fibre_along_0, fabrics_0[_S721].fibre_size_0);
-    var _S730 : vec3<f32> = fibre_cell_0(_S728, _S723.fibre_along_0, _S726);
+    var _S727 : f32 = 5.0f * fabrics_0[_S722].fibre_size_0;
+    var _S728 : vec2<f32> = wave_noise_0(hash_key_0(_S725, ((fabrics_0[_S722].seed_0) ^ (u32(458671337)))), _S724.fibre_along_0 / (25.0f * fabrics_0[_S722].fibre_size_0));
+    var _S729 : f32 = _S724.fibre_across_0 + families_0[_S723].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S722].fibre_size_0 * _S728.x;
+    var _S730 : vec3<f32> = fibre_cell_0(_S729, _S724.fibre_along_0, fabrics_0[_S722].fibre_size_0);
+    var _S731 : vec3<f32> = fibre_cell_0(_S729, _S724.fibre_along_0, _S727);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S724, ((fabrics_0[_S721].seed_0) ^ (u32(1757159915)))), _S730);
-    noise_0.bundle_offset_0 = _S730.z;
-    noise_0.bundle_weight_0 = fade_0(_S725, _S726);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S724, ((fabrics_0[_S721].seed_0) ^ (u32(48610963)))), _S729);
-    noise_0.fibre_weight_0 = fade_0(_S725, fabrics_0[_S721].fibre_size_0);
-    noise_0.offset_2 = _S729.z;
-    noise_0.slope_2 = 0.5f * _S727.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S725, ((fabrics_0[_S722].seed_0) ^ (u32(1757159915)))), _S731);
+    noise_0.bundle_offset_0 = _S731.z;
+    noise_0.bundle_weight_0 = fade_0(_S726, _S727);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S725, ((fabrics_0[_S722].seed_0) ^ (u32(48610963)))), _S730);
+    noise_0.fibre_weight_0 = fade_0(_S726, fabrics_0[_S722].fibre_size_0);
+    noise_0.offset_2 = _S730.z;
+    noise_0.slope_2 = 0.5f * _S728.y;
     return noise_0;
 }
 
-fn turned_frame_0( _S731 : u32,  _S732 : u32,  _S733 : SurfacePoint_0,  _S734 : bool,  _S735 : u32,  _S736 : f32) -> YarnFrame_0
+fn turned_frame_0( _S732 : u32,  _S733 : u32,  _S734 : SurfacePoint_0,  _S735 : bool,  _S736 : u32,  _S737 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_7 = _S733.normal_1;
-    frame_2.tangent_6 = _S733.tangent_0;
+    frame_2.normal_7 = _S734.normal_1;
+    frame_2.tangent_6 = _S734.tangent_0;
     frame_2.loss_0 = 0.0f;
     frame_2.shade_2 = 0.0f;
-    if((families_0[_S732].has_plies_0) > 0.0f)
+    if((families_0[_S733].has_plies_0) > 0.0f)
     {
-        var _S737 : f32 = fade_0(_S736, 1.0f / families_0[_S732].plies_per_mm_0);
-        var _S738 : f32 = _S737 * 0.62000000476837158f * ply_offset_0(_S732, _S733, _S734);
-        var _S739 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
-        var _S740 : vec3<f32> = vec3<f32>(families_0[_S732].ply_cosine_0);
-        var _S741 : vec3<f32> = vec3<f32>(select(families_0[_S732].ply_sine_0, - families_0[_S732].ply_sine_0, _S734));
-        var _S742 : vec3<f32> = _S740 * _S739 + _S741 * frame_2.tangent_6;
-        var _S743 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S738 * _S738));
-        var _S744 : vec3<f32> = vec3<f32>(_S738);
-        frame_2.tangent_6 = _S740 * (_S740 * frame_2.tangent_6 - _S741 * _S739) + _S741 * (_S743 * _S742 - _S744 * frame_2.normal_7);
-        frame_2.normal_7 = _S743 * frame_2.normal_7 + _S744 * _S742;
-        frame_2.loss_0 = _S737 * _S737 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
+        var _S738 : f32 = fade_0(_S737, 1.0f / families_0[_S733].plies_per_mm_0);
+        var _S739 : f32 = _S738 * 0.62000000476837158f * ply_offset_0(_S733, _S734, _S735);
+        var _S740 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
+        var _S741 : vec3<f32> = vec3<f32>(families_0[_S733].ply_cosine_0);
+        var _S742 : vec3<f32> = vec3<f32>(select(families_0[_S733].ply_sine_0, - families_0[_S733].ply_sine_0, _S735));
+        var _S743 : vec3<f32> = _S741 * _S740 + _S742 * frame_2.tangent_6;
+        var _S744 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S739 * _S739));
+        var _S745 : vec3<f32> = vec3<f32>(_S739);
+        frame_2.tangent_6 = _S741 * (_S741 * frame_2.tangent_6 - _S742 * _S740) + _S742 * (_S744 * _S743 - _S745 * frame_2.normal_7);
+        frame_2.normal_7 = _S744 * frame_2.normal_7 + _S745 * _S743;
+        frame_2.loss_0 = _S738 * _S738 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
     }
-    var _S745 : f32 = families_0[_S732].fibre_tilt_0;
-    if((families_0[_S732].fibre_tilt_0) > 0.0f)
+    var _S746 : f32 = families_0[_S733].fibre_tilt_0;
+    if((families_0[_S733].fibre_tilt_0) > 0.0f)
     {
-        var _S746 : FibreNoise_0 = fibre_noise_at_0(_S731, _S732, _S733, _S735, _S736);
-        var _S747 : f32 = 1.09858846664428711f * _S745 * (_S746.bundle_weight_0 * _S746.bundle_0.x + _S746.fibre_weight_0 * (_S746.fibre_0.x + _S746.offset_2));
-        var _S748 : f32 = _S745 * (1.42099642753601074f * (_S746.bundle_weight_0 * _S746.bundle_0.y + _S746.fibre_weight_0 * _S746.fibre_0.y) - _S746.bundle_weight_0 * _S746.slope_2);
-        var _S749 : f32 = square_1(_S746.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S745 * _S745 * ((0.24761904776096344f * (square_1(_S746.bundle_weight_0) + _S749) + _S749 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S750 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
-        var _S751 : vec2<f32> = sine_cosine_0(_S747);
+        var _S747 : FibreNoise_0 = fibre_noise_at_0(_S732, _S733, _S734, _S736, _S737);
+        var _S748 : f32 = 1.09858846664428711f * _S746 * (_S747.bundle_weight_0 * _S747.bundle_0.x + _S747.fibre_weight_0 * (_S747.fibre_0.x + _S747.offset_2));
+        var _S749 : f32 = _S746 * (1.42099642753601074f * (_S747.bundle_weight_0 * _S747.bundle_0.y + _S747.fibre_weight_0 * _S747.fibre_0.y) - _S747.bundle_weight_0 * _S747.slope_2);
+        var _S750 : f32 = square_1(_S747.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S746 * _S746 * ((0.24761904776096344f * (square_1(_S747.bundle_weight_0) + _S750) + _S750 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S751 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
         var _S752 : vec2<f32> = sine_cosine_0(_S748);
-        var _S753 : vec3<f32> = vec3<f32>(_S751.y);
-        var _S754 : vec3<f32> = vec3<f32>(_S751.x);
-        var _S755 : vec3<f32> = _S753 * _S750 - _S754 * frame_2.normal_7;
-        frame_2.normal_7 = _S753 * frame_2.normal_7 + _S754 * _S750;
-        frame_2.tangent_6 = vec3<f32>(_S752.y) * frame_2.tangent_6 + vec3<f32>(_S752.x) * _S755;
+        var _S753 : vec2<f32> = sine_cosine_0(_S749);
+        var _S754 : vec3<f32> = vec3<f32>(_S752.y);
+        var _S755 : vec3<f32> = vec3<f32>(_S752.x);
+        var _S756 : vec3<f32> = _S754 * _S751 - _S755 * frame_2.normal_7;
+        frame_2.normal_7 = _S754 * frame_2.normal_7 + _S755 * _S751;
+        frame_2.tangent_6 = vec3<f32>(_S753.y) * frame_2.tangent_6 + vec3<f32>(_S753.x) * _S756;
     }
     return frame_2;
 }
 
-fn uncoloured_point_0( _S756 : u32,  _S757 : SurfacePoint_0,  _S758 : vec3<f32>,  _S759 : bool,  _S760 : bool,  _S761 : f32) -> YarnPoint_0
+fn uncoloured_point_0( _S757 : u32,  _S758 : SurfacePoint_0,  _S759 : vec3<f32>,  _S760 : bool,  _S761 : bool,  _S762 : f32) -> YarnPoint_0
 {
-    var _S762 : u32 = fabrics_0[_S756].warp_0;
-    var _S763 : u32 = fabrics_0[_S756].weft_0;
-    var _S764 : u32 = select(fabrics_0[_S756].weft_0, fabrics_0[_S756].warp_0, _S757.is_warp_0);
-    var _S765 : bool = (((fabrics_0[_S756].has_detail_0) != u32(0)) & ((_S761 >= 0.0f)));
-    var _S766 : vec3<f32> = vec3<f32>(0.0f);
-    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S766, _S766, _S766, 0.0f, 0.0f, Albedos_x24init_0(_S766, _S766, _S766, _S766), Hairs_x24init_0(vec2<f32>(0.0f), 0.0f, false, 0.0f), 0.0f);
-    point_6.hairs_0 = hairs_over_0(_S756, _S757, _S759, _S761);
+    var _S763 : u32 = fabrics_0[_S757].warp_0;
+    var _S764 : u32 = fabrics_0[_S757].weft_0;
+    var _S765 : u32 = select(fabrics_0[_S757].weft_0, fabrics_0[_S757].warp_0, _S758.is_warp_0);
+    var _S766 : bool = (((fabrics_0[_S757].has_detail_0) != u32(0)) & ((_S762 >= 0.0f)));
+    var _S767 : vec3<f32> = vec3<f32>(0.0f);
+    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S767, _S767, _S767, 0.0f, 0.0f, Albedos_x24init_0(_S767, _S767, _S767, _S767), Hairs_x24init_0(vec2<f32>(0.0f), 0.0f, false, 0.0f), 0.0f);
+    point_6.hairs_0 = hairs_over_0(_S757, _S758, _S760, _S762);
     point_6.hair_cover_0 = 1.0f;
-    var _S767 : Hair_0 = Hair_x24init_0(0.0f, _S766, _S766, false, 0.0f);
-    point_6.is_warp_3 = _S757.is_warp_0;
-    var _S768 : bool = (_S765 & ((has_hairs_0(_S756))));
+    var _S768 : Hair_0 = Hair_x24init_0(0.0f, _S767, _S767, false, 0.0f);
+    point_6.is_warp_3 = _S758.is_warp_0;
+    var _S769 : bool = (_S766 & ((has_hairs_0(_S757))));
     var hair_2 : Hair_0;
-    if(_S768)
+    if(_S769)
     {
-        var _S769 : Hair_0 = hair_towards_0(_S756, point_6.hairs_0, _S758, _S761);
-        point_6.hair_cover_0 = _S769.cover_1;
-        point_6.is_warp_3 = select(_S757.is_warp_0, _S769.is_warp_5, (_S769.cover_1) > 0.5f);
-        hair_2 = _S769;
+        var _S770 : Hair_0 = hair_towards_0(_S757, point_6.hairs_0, _S759, _S762);
+        point_6.hair_cover_0 = _S770.cover_1;
+        point_6.is_warp_3 = select(_S758.is_warp_0, _S770.is_warp_5, (_S770.cover_1) > 0.5f);
+        hair_2 = _S770;
     }
     else
     {
-        hair_2 = _S767;
+        hair_2 = _S768;
     }
-    var _S770 : u32 = select(_S763, _S762, point_6.is_warp_3);
-    point_6.back_6 = _S759;
-    point_6.hole_5 = _S760;
-    point_6.x_11 = _S757.x_8;
-    point_6.y_4 = _S757.y_2;
-    point_6.height_6 = _S757.height_2 + hair_2.cover_1 * point_6.hairs_0.below_1;
-    point_6.normal_3 = _S757.normal_1;
-    point_6.tangent_2 = _S757.tangent_0;
-    point_6.surface_normal_0 = normalize(mix(_S757.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
+    var _S771 : u32 = select(_S764, _S763, point_6.is_warp_3);
+    point_6.back_6 = _S760;
+    point_6.hole_5 = _S761;
+    point_6.x_11 = _S758.x_8;
+    point_6.y_4 = _S758.y_2;
+    point_6.height_6 = _S758.height_2 + hair_2.cover_1 * point_6.hairs_0.below_1;
+    point_6.normal_3 = _S758.normal_1;
+    point_6.tangent_2 = _S758.tangent_0;
+    point_6.surface_normal_0 = normalize(mix(_S758.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
     point_6.diffuse_gain_0 = 1.0f;
-    if(_S765)
+    if(_S766)
     {
-        var _S771 : YarnFrame_0 = turned_frame_0(_S756, _S764, _S757, _S759, thread_number_0(_S756, _S757), _S761);
+        var _S772 : YarnFrame_0 = turned_frame_0(_S757, _S765, _S758, _S760, thread_number_0(_S757, _S758), _S762);
         var frame_3 : YarnFrame_0;
-        if(_S768)
+        if(_S769)
         {
-            frame_3 = under_hair_0(_S771, hair_2);
+            frame_3 = under_hair_0(_S772, hair_2);
         }
         else
         {
-            frame_3 = _S771;
+            frame_3 = _S772;
         }
         point_6.normal_3 = frame_3.normal_7;
         point_6.tangent_2 = frame_3.tangent_6;
-        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S756].diffuse_blend_0);
+        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S757].diffuse_blend_0);
     }
-    point_6.roughness_1 = families_0[_S770].roughness_0;
+    point_6.roughness_1 = families_0[_S771].roughness_0;
     return point_6;
 }
 
-fn surface_at_0( _S772 : u32,  _S773 : f32,  _S774 : f32,  _S775 : bool) -> SurfacePoint_0
+fn surface_at_0( _S773 : u32,  _S774 : f32,  _S775 : f32,  _S776 : bool) -> SurfacePoint_0
 {
-    return surface_of_0(_S772, sample_at_0(_S772, _S773, _S774, _S775), _S773, _S774, _S775);
+    return surface_of_0(_S773, sample_at_0(_S773, _S774, _S775, _S776), _S774, _S775, _S776);
 }
 
-fn unoccluded_0( _S776 : u32,  _S777 : SearchQuality_0,  _S778 : f32,  _S779 : f32,  _S780 : f32,  _S781 : vec3<f32>,  _S782 : bool) -> bool
+fn unoccluded_0( _S777 : u32,  _S778 : SearchQuality_0,  _S779 : f32,  _S780 : f32,  _S781 : f32,  _S782 : vec3<f32>,  _S783 : bool) -> bool
 {
-    if((_S781.z) <= 0.0f)
+    if((_S782.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S776, _S777, vec3<f32>(_S778, _S779, _S780 + fabrics_0[_S776].lift_0), _S781, _S782, max_height_along_0(_S776, _S778, _S779, _S780, _S781, _S782));
+    return is_free_0(_S777, _S778, vec3<f32>(_S779, _S780, _S781 + fabrics_0[_S777].lift_0), _S782, _S783, max_height_along_0(_S777, _S779, _S780, _S781, _S782, _S783));
 }
 
-fn is_lit_0( _S783 : u32,  _S784 : SearchQuality_0,  _S785 : YarnPoint_0,  _S786 : vec3<f32>) -> bool
+fn is_lit_0( _S784 : u32,  _S785 : SearchQuality_0,  _S786 : YarnPoint_0,  _S787 : vec3<f32>) -> bool
 {
-    if(_S785.hole_5)
+    if(_S786.hole_5)
     {
         return true;
     }
-    var _S787 : vec3<f32> = to_face_frame_0(_S786, _S785.back_6);
-    var _S788 : f32 = _S787.z;
-    var _S789 : bool = _S788 < 0.0f;
+    var _S788 : vec3<f32> = to_face_frame_0(_S787, _S786.back_6);
+    var _S789 : f32 = _S788.z;
+    var _S790 : bool = _S789 < 0.0f;
     var normal_12 : vec3<f32>;
     var height_13 : f32;
-    if(_S789)
+    if(_S790)
     {
-        var _S790 : SurfacePoint_0 = surface_at_0(_S783, _S785.x_11, _S785.y_4, !_S785.back_6);
-        normal_12 = _S790.normal_1;
-        height_13 = _S790.height_2;
+        var _S791 : SurfacePoint_0 = surface_at_0(_S784, _S786.x_11, _S786.y_4, !_S786.back_6);
+        normal_12 = _S791.normal_1;
+        height_13 = _S791.height_2;
     }
     else
     {
-        normal_12 = _S785.surface_normal_0;
-        height_13 = _S785.height_6;
+        normal_12 = _S786.surface_normal_0;
+        height_13 = _S786.height_6;
     }
-    var _S791 : vec3<f32> = vec3<f32>(_S787.xy, abs(_S788));
-    if((dot(normal_12, _S791)) <= 0.0f)
+    var _S792 : vec3<f32> = vec3<f32>(_S788.xy, abs(_S789));
+    if((dot(normal_12, _S792)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S783, _S784, _S785.x_11, _S785.y_4, height_13, _S791, (_S785.back_6) != _S789);
+    return unoccluded_0(_S784, _S785, _S786.x_11, _S786.y_4, height_13, _S792, (_S786.back_6) != _S790);
 }
 
-fn hairs_lit_0( _S792 : u32,  _S793 : Hairs_0,  _S794 : vec3<f32>) -> f32
+fn hairs_lit_0( _S793 : u32,  _S794 : Hairs_0,  _S795 : vec3<f32>) -> f32
 {
-    return 1.0f - 0.5f * hair_towards_0(_S792, _S793, _S794, _S793.size_3 + fabrics_0[_S792].fibre_size_0).cover_1;
+    return 1.0f - 0.5f * hair_towards_0(_S793, _S794, _S795, _S794.size_3 + fabrics_0[_S793].fibre_size_0).cover_1;
 }
 
-fn under_hairs_0( _S795 : u32,  _S796 : YarnPoint_0,  _S797 : vec3<f32>) -> f32
+fn under_hairs_0( _S796 : u32,  _S797 : YarnPoint_0,  _S798 : vec3<f32>) -> f32
 {
-    if((((_S796.hair_cover_0) >= 1.0f) | (((_S797.z) <= 0.0f))))
+    if((((_S797.hair_cover_0) >= 1.0f) | (((_S798.z) <= 0.0f))))
     {
         return 1.0f;
     }
-    return mix(hairs_lit_0(_S795, _S796.hairs_0, _S797), 1.0f, _S796.hair_cover_0);
+    return mix(hairs_lit_0(_S796, _S797.hairs_0, _S798), 1.0f, _S797.hair_cover_0);
 }
 
-fn components_of_point_0( _S798 : u32,  _S799 : SearchQuality_0,  _S800 : YarnPoint_0,  _S801 : vec3<f32>,  _S802 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S799 : u32,  _S800 : SearchQuality_0,  _S801 : YarnPoint_0,  _S802 : vec3<f32>,  _S803 : vec3<f32>) -> Components_0
 {
     var result_3 : Components_0 = no_components_0();
-    result_3.hole_2 = select(0.0f, 1.0f, _S800.hole_5);
-    var _S803 : bool;
-    if(_S800.hole_5)
+    result_3.hole_2 = select(0.0f, 1.0f, _S801.hole_5);
+    var _S804 : bool;
+    if(_S801.hole_5)
     {
-        _S803 = true;
+        _S804 = true;
     }
     else
     {
-        _S803 = !is_lit_0(_S798, _S799, _S800, _S801);
+        _S804 = !is_lit_0(_S799, _S800, _S801, _S802);
     }
-    if(_S803)
+    if(_S804)
     {
         return result_3;
     }
-    var _S804 : vec3<f32> = to_face_frame_0(_S801, _S800.back_6);
-    var _S805 : vec3<f32> = to_face_frame_0(_S802, _S800.back_6);
-    var _S806 : bool = (_S804.z) < 0.0f;
-    var _S807 : f32 = under_hairs_0(_S798, _S800, _S804);
-    var _S808 : f32 = _S807 * _S800.diffuse_gain_0 * diffuse_reflection_0(select_vector_1(_S806, (vec3<f32>(0) - _S804), _S804), _S800.normal_3, fabrics_0[_S798].diffuse_blend_0);
-    var _S809 : f32;
-    if(_S806)
+    var _S805 : vec3<f32> = to_face_frame_0(_S802, _S801.back_6);
+    var _S806 : vec3<f32> = to_face_frame_0(_S803, _S801.back_6);
+    var _S807 : bool = (_S805.z) < 0.0f;
+    var _S808 : f32 = under_hairs_0(_S799, _S801, _S805);
+    var _S809 : f32 = _S808 * _S801.diffuse_gain_0 * diffuse_reflection_0(select_vector_1(_S807, (vec3<f32>(0) - _S805), _S805), _S801.normal_3, fabrics_0[_S799].diffuse_blend_0);
+    var _S810 : f32;
+    if(_S807)
     {
-        _S809 = transmission_1(_S804, _S805, _S800.normal_3, _S800.tangent_2, _S800.roughness_1, fabrics_0[_S798].optical_depth_0);
+        _S810 = transmission_1(_S805, _S806, _S801.normal_3, _S801.tangent_2, _S801.roughness_1, fabrics_0[_S799].optical_depth_0);
     }
     else
     {
-        _S809 = reflection_0(_S804, _S805, _S800.normal_3, _S800.tangent_2, _S800.roughness_1, fabrics_0[_S798].optical_depth_0);
+        _S810 = reflection_0(_S805, _S806, _S801.normal_3, _S801.tangent_2, _S801.roughness_1, fabrics_0[_S799].optical_depth_0);
     }
-    var _S810 : f32 = _S807 * _S809;
-    result_3.diffuse_warp_0 = select(0.0f, _S808, _S800.is_warp_3);
-    result_3.diffuse_weft_0 = select(_S808, 0.0f, _S800.is_warp_3);
-    result_3.specular_warp_0 = select(0.0f, _S810, _S800.is_warp_3);
-    result_3.specular_weft_0 = select(_S810, 0.0f, _S800.is_warp_3);
+    var _S811 : f32 = _S808 * _S810;
+    result_3.diffuse_warp_0 = select(0.0f, _S809, _S801.is_warp_3);
+    result_3.diffuse_weft_0 = select(_S809, 0.0f, _S801.is_warp_3);
+    result_3.specular_warp_0 = select(0.0f, _S811, _S801.is_warp_3);
+    result_3.specular_weft_0 = select(_S811, 0.0f, _S801.is_warp_3);
     result_3.light_visibility_1 = 1.0f;
     return result_3;
 }
 
-fn openness_number_0( _S811 : u32,  _S812 : u32) -> f32
+fn openness_number_0( _S812 : u32,  _S813 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S811].openness_0 + _S812);
+    return table_number_0(fabrics_0[_S812].openness_0 + _S813);
 }
 
-fn blocked_of_terms_0( _S813 : u32,  _S814 : u32,  _S815 : array<f32, i32(6)>,  _S816 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S814 : u32,  _S815 : u32,  _S816 : array<f32, i32(6)>,  _S817 : u32) -> Blocked_0
 {
     var shares_2 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
@@ -3189,14 +3197,14 @@ fn blocked_of_terms_0( _S813 : u32,  _S814 : u32,  _S815 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S816)
+            if(term_0 < _S817)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_4] = shares_2[share_4] + openness_number_0(_S813, _S814 + share_4 * _S816 + term_0) * _S815[term_0];
+            shares_2[share_4] = shares_2[share_4] + openness_number_0(_S814, _S815 + share_4 * _S817 + term_0) * _S816[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_2[share_4] = saturate(shares_2[share_4]);
@@ -3209,24 +3217,24 @@ fn blocked_of_terms_0( _S813 : u32,  _S814 : u32,  _S815 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_at_0( _S817 : u32,  _S818 : bool,  _S819 : bool,  _S820 : f32,  _S821 : f32) -> Blocked_0
+fn blocked_at_0( _S818 : u32,  _S819 : bool,  _S820 : bool,  _S821 : f32,  _S822 : f32) -> Blocked_0
 {
-    var _S822 : f32 = _S821 * openness_number_0(_S817, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S820, _S822, _S820 * _S820, _S820 * _S822, _S822 * _S822 );
-    return blocked_of_terms_0(_S817, u32(60) + (select(u32(0), u32(2), _S819) + select(u32(1), u32(0), _S818)) * u32(18), terms_2, u32(6));
+    var _S823 : f32 = _S822 * openness_number_0(_S818, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S821, _S823, _S821 * _S821, _S821 * _S823, _S823 * _S823 );
+    return blocked_of_terms_0(_S818, u32(60) + (select(u32(0), u32(2), _S820) + select(u32(1), u32(0), _S819)) * u32(18), terms_2, u32(6));
 }
 
-fn with_blocked_0( _S823 : u32,  _S824 : Blocked_0,  _S825 : YarnPoint_0,  _S826 : bool,  _S827 : f32) -> Blocked_0
+fn with_blocked_0( _S824 : u32,  _S825 : Blocked_0,  _S826 : YarnPoint_0,  _S827 : bool,  _S828 : f32) -> Blocked_0
 {
-    if(((_S825.hole_5) | (((_S825.is_warp_3) != _S826))))
+    if(((_S826.hole_5) | (((_S826.is_warp_3) != _S827))))
     {
-        return _S824;
+        return _S825;
     }
-    var _S828 : Blocked_0 = blocked_at_0(_S823, _S826, _S825.back_6, _S825.surface_normal_0.z, _S825.height_6);
+    var _S829 : Blocked_0 = blocked_at_0(_S824, _S827, _S826.back_6, _S826.surface_normal_0.z, _S826.height_6);
     var result_4 : Blocked_0;
-    result_4.by_warp_0 = _S824.by_warp_0 + _S827 * _S828.by_warp_0;
-    result_4.by_weft_0 = _S824.by_weft_0 + _S827 * _S828.by_weft_0;
-    result_4.far_0 = _S824.far_0 + _S827 * _S828.far_0;
+    result_4.by_warp_0 = _S825.by_warp_0 + _S828 * _S829.by_warp_0;
+    result_4.by_weft_0 = _S825.by_weft_0 + _S828 * _S829.by_weft_0;
+    result_4.far_0 = _S825.far_0 + _S828 * _S829.far_0;
     return result_4;
 }
 
@@ -3235,23 +3243,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S829 : u32,  _S830 : f32) -> vec3<f32>
+fn pyramid_level_0( _S830 : u32,  _S831 : f32) -> vec3<f32>
 {
-    var _S831 : u32 = fabrics_0[_S829].lobes_0.levels_0 + u32(4) * u32(min(_S830, fabrics_0[_S829].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S831), table_number_0(_S831 + u32(1)), table_number_0(_S831 + u32(2)));
+    var _S832 : u32 = fabrics_0[_S830].lobes_0.levels_0 + u32(4) * u32(min(_S831, fabrics_0[_S830].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S832), table_number_0(_S832 + u32(1)), table_number_0(_S832 + u32(2)));
 }
 
-fn coverage_taps_0( _S832 : u32,  _S833 : Footprint_0,  _S834 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S833 : u32,  _S834 : Footprint_0,  _S835 : bool) -> CoverageTaps_0
 {
-    var _S835 : Lobes_std430_0 = fabrics_0[_S832].lobes_0;
-    var _S836 : f32 = Footprint_spread_side_0(_S833) * fabrics_0[_S832].lobes_0.inverse_base_size_0;
-    var _S837 : vec3<f32> = pyramid_level_0(_S832, floor(binary_logarithm_0(max(0.68000000715255737f * _S836, 1.0f))));
-    var _S838 : f32 = 1.0f / max(_S836, 9.99999997475242708e-07f);
-    var _S839 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S832].warp_0].inverse_period_0, families_0[fabrics_0[_S832].weft_0].inverse_period_0);
-    var _S840 : vec2<f32> = _S833.centre_0 * _S839;
-    var _S841 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S838 * _S838), 0.0f, 1.0f)), 0.3333333432674408f * _S838), 1.0f));
-    var _S842 : vec2<f32> = _S833.dx_0 * _S839 * _S841;
-    var _S843 : vec2<f32> = _S833.dy_0 * _S839 * _S841;
+    var _S836 : Lobes_std430_0 = fabrics_0[_S833].lobes_0;
+    var _S837 : f32 = Footprint_spread_side_0(_S834) * fabrics_0[_S833].lobes_0.inverse_base_size_0;
+    var _S838 : vec3<f32> = pyramid_level_0(_S833, floor(binary_logarithm_0(max(0.68000000715255737f * _S837, 1.0f))));
+    var _S839 : f32 = 1.0f / max(_S837, 9.99999997475242708e-07f);
+    var _S840 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S833].warp_0].inverse_period_0, families_0[fabrics_0[_S833].weft_0].inverse_period_0);
+    var _S841 : vec2<f32> = _S834.centre_0 * _S840;
+    var _S842 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S839 * _S839), 0.0f, 1.0f)), 0.3333333432674408f * _S839), 1.0f));
+    var _S843 : vec2<f32> = _S834.dx_0 * _S840 * _S842;
+    var _S844 : vec2<f32> = _S834.dy_0 * _S840 * _S842;
     var taps_4 : CoverageTaps_0;
     var number_6 : u32 = u32(0);
     for(;;)
@@ -3263,24 +3271,24 @@ fn coverage_taps_0( _S832 : u32,  _S833 : Footprint_0,  _S834 : bool) -> Coverag
         {
             break;
         }
-        var _S844 : vec2<f32> = _S840 + vec2<f32>(TAP_OFFSETS_0[number_6].x) * _S842 + vec2<f32>(TAP_OFFSETS_0[number_6].y) * _S843;
-        var _S845 : f32 = _S837.y;
-        taps_4.nodes_1[number_6] = select(u32(0), _S835.face_nodes_0, _S834) + u32(wrapped_cell_0(_S844.y, _S837.z) * _S845 + wrapped_cell_0(_S844.x, _S845) + _S837.x);
+        var _S845 : vec2<f32> = _S841 + vec2<f32>(TAP_OFFSETS_0[number_6].x) * _S843 + vec2<f32>(TAP_OFFSETS_0[number_6].y) * _S844;
+        var _S846 : f32 = _S838.y;
+        taps_4.nodes_1[number_6] = select(u32(0), _S836.face_nodes_0, _S835) + u32(wrapped_cell_0(_S845.y, _S838.z) * _S846 + wrapped_cell_0(_S845.x, _S846) + _S838.x);
         number_6 = number_6 + u32(1);
     }
     return taps_4;
 }
 
-fn joint_ratios_0( _S846 : u32,  _S847 : vec3<f32>,  _S848 : vec3<f32>,  _S849 : bool) -> vec2<f32>
+fn joint_ratios_0( _S847 : u32,  _S848 : vec3<f32>,  _S849 : vec3<f32>,  _S850 : bool) -> vec2<f32>
 {
-    var _S850 : NodeTaps_0 = node_taps_of_0(_S848, u32(16));
-    var _S851 : NodeTaps_0 = node_taps_of_0(_S847, u32(16));
-    var _S852 : u32 = fabrics_0[_S846].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S849) + select(u32(0), u32(1), (_S847.z) < 0.0f)) * u32(512);
-    var _S853 : u32 = _S852 + u32(512);
-    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S850, _S852, u32(0)), joint_terms_0(_S851, _S853, u32(0))), dot(joint_terms_0(_S850, _S852, u32(1)), joint_terms_0(_S851, _S853, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
+    var _S851 : NodeTaps_0 = node_taps_of_0(_S849, u32(16));
+    var _S852 : NodeTaps_0 = node_taps_of_0(_S848, u32(16));
+    var _S853 : u32 = fabrics_0[_S847].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S850) + select(u32(0), u32(1), (_S848.z) < 0.0f)) * u32(512);
+    var _S854 : u32 = _S853 + u32(512);
+    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S851, _S853, u32(0)), joint_terms_0(_S852, _S854, u32(0))), dot(joint_terms_0(_S851, _S853, u32(1)), joint_terms_0(_S852, _S854, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
 }
 
-fn coverage_of_pack_0( _S854 : u32,  _S855 : CoverageTaps_0,  _S856 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S855 : u32,  _S856 : CoverageTaps_0,  _S857 : u32) -> vec4<f32>
 {
     var number_7 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -3294,9 +3302,9 @@ fn coverage_of_pack_0( _S854 : u32,  _S855 : CoverageTaps_0,  _S856 : u32) -> ve
         {
             break;
         }
-        var _S857 : u32 = words_0[fabrics_0[_S854].lobes_0.coverage_0 + _S855.nodes_1[number_7] * fabrics_0[_S854].lobes_0.packs_0 + _S856];
-        var even_2 : u32 = even_1 + ((_S857 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S857 >> (u32(8)))) & (u32(16711935))));
+        var _S858 : u32 = words_0[fabrics_0[_S855].lobes_0.coverage_0 + _S856.nodes_1[number_7] * fabrics_0[_S855].lobes_0.packs_0 + _S857];
+        var even_2 : u32 = even_1 + ((_S858 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S858 >> (u32(8)))) & (u32(16711935))));
         number_7 = number_7 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3304,7 +3312,7 @@ fn coverage_of_pack_0( _S854 : u32,  _S855 : CoverageTaps_0,  _S856 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S858 : u32,  _S859 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S859 : u32,  _S860 : CoverageTaps_0) -> f32
 {
     var number_8 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -3317,33 +3325,33 @@ fn coverage_of_holes_0( _S858 : u32,  _S859 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S858].lobes_0.coverage_holes_0 + _S859.nodes_1[number_8] / u32(4)] >> ((u32(8) * (_S859.nodes_1[number_8] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S859].lobes_0.coverage_holes_0 + _S860.nodes_1[number_8] / u32(4)] >> ((u32(8) * (_S860.nodes_1[number_8] % u32(4)))))) & (u32(255))));
         number_8 = number_8 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S860 : u32,  _S861 : CoverageTaps_0,  _S862 : NodeTaps_0,  _S863 : bool) -> f32
+fn prefiltered_hole_0( _S861 : u32,  _S862 : CoverageTaps_0,  _S863 : NodeTaps_0,  _S864 : bool) -> f32
 {
-    var _S864 : f32 = interpolate_table_0(_S862, fabrics_0[_S860].lobes_0.projected_area_0 + fabrics_0[_S860].lobes_0.packs_0, fabrics_0[_S860].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S860, _S861) * _S864 * _S864 * select(fabrics_0[_S860].lobes_0.front_hole_weight_0, fabrics_0[_S860].lobes_0.back_hole_weight_0, _S863), 1.0f);
+    var _S865 : f32 = interpolate_table_0(_S863, fabrics_0[_S861].lobes_0.projected_area_0 + fabrics_0[_S861].lobes_0.packs_0, fabrics_0[_S861].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S861, _S862) * _S865 * _S865 * select(fabrics_0[_S861].lobes_0.front_hole_weight_0, fabrics_0[_S861].lobes_0.back_hole_weight_0, _S864), 1.0f);
 }
 
-fn prefiltered_components_0( _S865 : u32,  _S866 : Footprint_0,  _S867 : vec3<f32>,  _S868 : vec3<f32>,  _S869 : bool) -> Components_0
+fn prefiltered_components_0( _S866 : u32,  _S867 : Footprint_0,  _S868 : vec3<f32>,  _S869 : vec3<f32>,  _S870 : bool) -> Components_0
 {
-    var _S870 : CoverageTaps_0 = coverage_taps_0(_S865, _S866, _S869);
-    var _S871 : NodeTaps_0 = node_taps_0(_S868);
-    var view_nodes_0 : NodeTaps_0 = _S871;
-    var _S872 : NodeTaps_0 = node_taps_0(_S867);
-    var light_nodes_0 : NodeTaps_0 = _S872;
-    var _S873 : u32 = select(u32(0), u32(1), _S869);
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S873 * u32(256)));
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S873 + select(u32(0), u32(1), (_S867.z) < 0.0f)) * u32(256)));
-    var _S874 : vec3<f32> = half_vector_0(_S867, _S868);
-    var _S875 : vec2<f32> = joint_ratios_0(_S865, _S867, _S868, _S869);
-    var _S876 : Lobes_std430_0 = fabrics_0[_S865].lobes_0;
-    var _S877 : u32 = select(fabrics_0[_S865].lobes_0.front_warp_packs_0, fabrics_0[_S865].lobes_0.back_warp_packs_0, _S869);
+    var _S871 : CoverageTaps_0 = coverage_taps_0(_S866, _S867, _S870);
+    var _S872 : NodeTaps_0 = node_taps_0(_S869);
+    var view_nodes_0 : NodeTaps_0 = _S872;
+    var _S873 : NodeTaps_0 = node_taps_0(_S868);
+    var light_nodes_0 : NodeTaps_0 = _S873;
+    var _S874 : u32 = select(u32(0), u32(1), _S870);
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S874 * u32(256)));
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S874 + select(u32(0), u32(1), (_S868.z) < 0.0f)) * u32(256)));
+    var _S875 : vec3<f32> = half_vector_0(_S868, _S869);
+    var _S876 : vec2<f32> = joint_ratios_0(_S866, _S868, _S869, _S870);
+    var _S877 : Lobes_std430_0 = fabrics_0[_S866].lobes_0;
+    var _S878 : u32 = select(fabrics_0[_S866].lobes_0.front_warp_packs_0, fabrics_0[_S866].lobes_0.back_warp_packs_0, _S870);
     var sums_6 : Components_0;
     sums_6.diffuse_warp_0 = 0.0f;
     sums_6.diffuse_weft_0 = 0.0f;
@@ -3354,19 +3362,19 @@ fn prefiltered_components_0( _S865 : u32,  _S866 : Footprint_0,  _S867 : vec3<f3
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        if(pack_0 < (_S876.packs_0))
+        if(pack_0 < (_S877.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S878 : vec4<f32> = coverage_of_pack_0(_S865, _S870, pack_0);
-        var _S879 : vec4<f32> = interpolate_table_0(view_nodes_0, _S876.projected_area_0 + pack_0, _S876.packs_0 + u32(1));
-        var _S880 : vec4<f32> = interpolate_table_0(light_nodes_0, _S876.light_visibility_0 + pack_0, _S876.packs_0) / vec4<f32>(255.0f);
-        var _S881 : vec4<f32> = interpolate_table_0(light_nodes_0, _S876.irradiance_0 + pack_0, _S876.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S882 : bool = pack_0 < _S877;
-        var _S883 : f32 = families_0[select(fabrics_0[_S865].weft_0, fabrics_0[_S865].warp_0, _S882)].roughness_0;
+        var _S879 : vec4<f32> = coverage_of_pack_0(_S866, _S871, pack_0);
+        var _S880 : vec4<f32> = interpolate_table_0(view_nodes_0, _S877.projected_area_0 + pack_0, _S877.packs_0 + u32(1));
+        var _S881 : vec4<f32> = interpolate_table_0(light_nodes_0, _S877.light_visibility_0 + pack_0, _S877.packs_0) / vec4<f32>(255.0f);
+        var _S882 : vec4<f32> = interpolate_table_0(light_nodes_0, _S877.irradiance_0 + pack_0, _S877.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S883 : bool = pack_0 < _S878;
+        var _S884 : f32 = families_0[select(fabrics_0[_S866].weft_0, fabrics_0[_S866].warp_0, _S883)].roughness_0;
         var number_9 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
@@ -3380,409 +3388,431 @@ fn prefiltered_components_0( _S865 : u32,  _S866 : Footprint_0,  _S867 : vec3<f3
             {
                 break;
             }
-            var _S884 : Group_0 = group_at_0(_S876.moments_0 + u32(12) * (u32(4) * (_S873 * _S876.packs_0 + pack_0) + number_9), _S883);
-            var _S885 : f32 = _S878[number_9] * _S879[number_9] * _S879[number_9] * _S884.weight_2;
-            var diffuse_1 : f32 = diffuse_0 + _S885 * _S881[number_9];
-            var specular_1 : f32 = specular_0 + _S885 * layer_value_0(_S884, _S874, _S867, _S868, fabrics_0[_S865].optical_depth_0) * _S880[number_9];
-            var lit_1 : f32 = lit_0 + _S885 * _S880[number_9];
-            var total_3 : f32 = total_2 + _S885;
+            var _S885 : Group_0 = group_at_0(_S877.moments_0 + u32(12) * (u32(4) * (_S874 * _S877.packs_0 + pack_0) + number_9), _S884);
+            var _S886 : f32 = _S879[number_9] * _S880[number_9] * _S880[number_9] * _S885.weight_2;
+            var diffuse_1 : f32 = diffuse_0 + _S886 * _S882[number_9];
+            var specular_1 : f32 = specular_0 + _S886 * layer_value_0(_S885, _S875, _S868, _S869, fabrics_0[_S866].optical_depth_0) * _S881[number_9];
+            var lit_1 : f32 = lit_0 + _S886 * _S881[number_9];
+            var total_3 : f32 = total_2 + _S886;
             number_9 = number_9 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             lit_0 = lit_1;
             total_2 = total_3;
         }
-        sums_6.diffuse_warp_0 = sums_6.diffuse_warp_0 + select(0.0f, diffuse_0, _S882);
-        sums_6.diffuse_weft_0 = sums_6.diffuse_weft_0 + select(diffuse_0, 0.0f, _S882);
-        sums_6.specular_warp_0 = sums_6.specular_warp_0 + select(0.0f, specular_0, _S882);
-        sums_6.specular_weft_0 = sums_6.specular_weft_0 + select(specular_0, 0.0f, _S882);
-        sums_6.light_visibility_1 = sums_6.light_visibility_1 + lit_0 * select(_S875.y, _S875.x, _S882);
+        sums_6.diffuse_warp_0 = sums_6.diffuse_warp_0 + select(0.0f, diffuse_0, _S883);
+        sums_6.diffuse_weft_0 = sums_6.diffuse_weft_0 + select(diffuse_0, 0.0f, _S883);
+        sums_6.specular_warp_0 = sums_6.specular_warp_0 + select(0.0f, specular_0, _S883);
+        sums_6.specular_weft_0 = sums_6.specular_weft_0 + select(specular_0, 0.0f, _S883);
+        sums_6.light_visibility_1 = sums_6.light_visibility_1 + lit_0 * select(_S876.y, _S876.x, _S883);
         pack_0 = pack_0 + u32(1);
     }
-    var _S886 : f32 = prefiltered_hole_0(_S865, _S870, view_nodes_0, _S869);
-    sums_6.hole_2 = _S886;
-    var _S887 : f32 = 1.0f - _S886;
-    var _S888 : f32 = _S887 / max(total_2, 9.999999960041972e-13f);
-    var _S889 : f32 = _S888 * _S875.x;
-    sums_6.diffuse_warp_0 = sums_6.diffuse_warp_0 * _S889;
-    var _S890 : f32 = _S888 * _S875.y;
-    sums_6.diffuse_weft_0 = sums_6.diffuse_weft_0 * _S890;
-    sums_6.specular_warp_0 = sums_6.specular_warp_0 * _S889;
-    sums_6.specular_weft_0 = sums_6.specular_weft_0 * _S890;
-    sums_6.light_visibility_1 = min(sums_6.light_visibility_1 * _S888, _S887);
+    var _S887 : f32 = prefiltered_hole_0(_S866, _S871, view_nodes_0, _S870);
+    sums_6.hole_2 = _S887;
+    var _S888 : f32 = 1.0f - _S887;
+    var _S889 : f32 = _S888 / max(total_2, 9.999999960041972e-13f);
+    var _S890 : f32 = _S889 * _S876.x;
+    sums_6.diffuse_warp_0 = sums_6.diffuse_warp_0 * _S890;
+    var _S891 : f32 = _S889 * _S876.y;
+    sums_6.diffuse_weft_0 = sums_6.diffuse_weft_0 * _S891;
+    sums_6.specular_warp_0 = sums_6.specular_warp_0 * _S890;
+    sums_6.specular_weft_0 = sums_6.specular_weft_0 * _S891;
+    sums_6.light_visibility_1 = min(sums_6.light_visibility_1 * _S889, _S888);
     return sums_6;
 }
 
-fn yarns_over_0( _S891 : u32,  _S892 : Footprint_0,  _S893 : bool) -> Yarns_0
+fn yarns_over_0( _S892 : u32,  _S893 : Footprint_0,  _S894 : bool) -> Yarns_0
 {
-    var _S894 : vec2<f32> = _S892.dx_0;
-    var _S895 : vec2<f32> = _S892.dy_0;
-    var _S896 : vec2<f32> = sqrt(_S894 * _S894 + _S895 * _S895);
-    var _S897 : f32 = Footprint_spread_side_0(_S892);
-    var _S898 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S898, _S898, vec3<f32>(0.0f));
-    var _S899 : bool = (fabrics_0[_S891].is_irregular_0) != u32(0);
+    var _S895 : vec2<f32> = _S893.dx_0;
+    var _S896 : vec2<f32> = _S893.dy_0;
+    var _S897 : vec2<f32> = sqrt(_S895 * _S895 + _S896 * _S896);
+    var _S898 : f32 = Footprint_spread_side_0(_S893);
+    var _S899 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S899, _S899, vec3<f32>(0.0f));
+    var _S900 : bool = (fabrics_0[_S892].is_irregular_0) != u32(0);
     var number_10 : u32 = u32(0);
     for(;;)
     {
-        if(number_10 < select(u32(0), u32(2), _S899))
+        if(number_10 < select(u32(0), u32(2), _S900))
         {
         }
         else
         {
             break;
         }
-        var _S900 : bool = number_10 == u32(0);
-        var _S901 : u32 = select(fabrics_0[_S891].weft_0, fabrics_0[_S891].warp_0, _S900);
-        var _S902 : vec2<f32> = select_vector_0(_S900, _S892.centre_0, _S892.centre_0.yx);
-        var _S903 : vec2<f32> = select_vector_0(_S900, _S896, _S896.yx);
-        var _S904 : f32 = _S902.x;
-        var _S905 : Cell_0 = locate_0(_S901, _S904);
-        var yarn_3 : vec4<f32> = irregular_over_0(_S901, irregular_key_0(_S891, number_10), irregular_thread_0(_S901, _S904, _S905) + _S905.below_0 / (_S905.below_0 + _S905.above_0), _S903.x * (families_0[_S901].count_0 / families_0[_S901].period_0), _S902.y, _S903.y);
-        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S901, _S897));
+        var _S901 : bool = number_10 == u32(0);
+        var _S902 : u32 = select(fabrics_0[_S892].weft_0, fabrics_0[_S892].warp_0, _S901);
+        var _S903 : vec2<f32> = select_vector_0(_S901, _S893.centre_0, _S893.centre_0.yx);
+        var _S904 : vec2<f32> = select_vector_0(_S901, _S897, _S897.yx);
+        var _S905 : f32 = _S903.x;
+        var _S906 : Cell_0 = locate_0(_S902, _S905);
+        var yarn_3 : vec4<f32> = irregular_over_0(_S902, irregular_key_0(_S892, number_10), irregular_thread_0(_S902, _S905, _S906) + _S906.below_0 / (_S906.below_0 + _S906.above_0), _S904.x * (families_0[_S902].count_0 / families_0[_S902].period_0), _S903.y, _S904.y);
+        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S902, _S898));
         yarns_0.warp_3 = yarns_0.weft_3;
         yarns_0.weft_3 = yarn_3;
         number_10 = number_10 + u32(1);
     }
-    var _S906 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S891].warp_0].cover_0, families_0[fabrics_0[_S891].weft_0].cover_0);
-    var _S907 : f32 = select(fabrics_0[_S891].warp_on_top_0, 1.0f - fabrics_0[_S891].warp_on_top_0, _S893);
-    var _S908 : vec3<f32> = shown_of_covers_0(_S906, _S907);
-    var _S909 : vec3<f32> = select_vector_1(_S899, shown_of_covers_0(saturate(_S906 + _S906 * vec2<f32>(yarns_0.warp_3.y, yarns_0.weft_3.y)), _S907) / max(_S908, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_0.shares_0 = _S909;
-    yarns_0.shares_0[i32(2)] = select(1.0f, _S909.z, (_S908.z) > 0.00009999999747379f);
+    var _S907 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S892].warp_0].cover_0, families_0[fabrics_0[_S892].weft_0].cover_0);
+    var _S908 : f32 = select(fabrics_0[_S892].warp_on_top_0, 1.0f - fabrics_0[_S892].warp_on_top_0, _S894);
+    var _S909 : vec3<f32> = shown_of_covers_0(_S907, _S908);
+    var _S910 : vec3<f32> = select_vector_1(_S900, shown_of_covers_0(saturate(_S907 + _S907 * vec2<f32>(yarns_0.warp_3.y, yarns_0.weft_3.y)), _S908) / max(_S909, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_0.shares_0 = _S910;
+    yarns_0.shares_0[i32(2)] = select(1.0f, _S910.z, (_S909.z) > 0.00009999999747379f);
     return yarns_0;
 }
 
-fn with_shares_0( _S910 : u32,  _S911 : Components_0,  _S912 : Yarns_0) -> Components_0
+fn with_shares_0( _S911 : u32,  _S912 : Components_0,  _S913 : Yarns_0) -> Components_0
 {
     var result_5 : Components_0;
-    var _S913 : f32 = min(_S911.hole_2 * _S912.shares_0.z, 1.0f);
-    result_5.hole_2 = _S913;
-    var _S914 : f32 = _S912.shares_0.x;
-    result_5.diffuse_warp_0 = _S911.diffuse_warp_0 * _S914;
-    var _S915 : f32 = _S912.shares_0.y;
-    result_5.diffuse_weft_0 = _S911.diffuse_weft_0 * _S915;
-    result_5.specular_warp_0 = _S911.specular_warp_0 * _S914;
-    result_5.specular_weft_0 = _S911.specular_weft_0 * _S915;
-    result_5.light_visibility_1 = _S911.light_visibility_1 * select(1.0f, (1.0f - _S913) / max(1.0f - _S911.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S910].is_irregular_0) != u32(0));
+    var _S914 : f32 = min(_S912.hole_2 * _S913.shares_0.z, 1.0f);
+    result_5.hole_2 = _S914;
+    var _S915 : f32 = _S913.shares_0.x;
+    result_5.diffuse_warp_0 = _S912.diffuse_warp_0 * _S915;
+    var _S916 : f32 = _S913.shares_0.y;
+    result_5.diffuse_weft_0 = _S912.diffuse_weft_0 * _S916;
+    result_5.specular_warp_0 = _S912.specular_warp_0 * _S915;
+    result_5.specular_weft_0 = _S912.specular_weft_0 * _S916;
+    result_5.light_visibility_1 = _S912.light_visibility_1 * select(1.0f, (1.0f - _S914) / max(1.0f - _S912.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S911].is_irregular_0) != u32(0));
     return result_5;
 }
 
-fn albedos_over_0( _S916 : u32,  _S917 : Footprint_0,  _S918 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S917 : u32,  _S918 : Footprint_0,  _S919 : bool) -> FamilyAlbedos_0
 {
-    var _S919 : vec2<f32> = _S917.dx_0;
-    var _S920 : vec2<f32> = _S917.dy_0;
-    var _S921 : vec2<f32> = sqrt(_S919 * _S919 + _S920 * _S920);
-    var _S922 : Stretch_0 = stretch_of_0(fabrics_0[_S916].warp_0, _S917.centre_0.x, _S921.x);
-    var _S923 : Stretch_0 = stretch_of_0(fabrics_0[_S916].weft_0, _S917.centre_0.y, _S921.y);
+    var _S920 : vec2<f32> = _S918.dx_0;
+    var _S921 : vec2<f32> = _S918.dy_0;
+    var _S922 : vec2<f32> = sqrt(_S920 * _S920 + _S921 * _S921);
+    var _S923 : Stretch_0 = stretch_of_0(fabrics_0[_S917].warp_0, _S918.centre_0.x, _S922.x);
+    var _S924 : Stretch_0 = stretch_of_0(fabrics_0[_S917].weft_0, _S918.centre_0.y, _S922.y);
     var albedos_8 : FamilyAlbedos_0;
-    albedos_8.warp_7 = mean_albedos_0(fabrics_0[_S916].warp_0, fabrics_0[_S916].weft_0, _S922, _S923, _S918);
-    albedos_8.weft_7 = mean_albedos_0(fabrics_0[_S916].weft_0, fabrics_0[_S916].warp_0, _S923, _S922, _S918);
+    albedos_8.warp_7 = mean_albedos_0(fabrics_0[_S917].warp_0, fabrics_0[_S917].weft_0, _S923, _S924, _S919);
+    albedos_8.weft_7 = mean_albedos_0(fabrics_0[_S917].weft_0, fabrics_0[_S917].warp_0, _S924, _S923, _S919);
     return albedos_8;
 }
 
-fn toned_0( _S924 : u32,  _S925 : u32,  _S926 : Albedos_0,  _S927 : vec4<f32>) -> Albedos_0
+fn toned_0( _S925 : u32,  _S926 : u32,  _S927 : Albedos_0,  _S928 : vec4<f32>) -> Albedos_0
 {
-    var _S928 : vec3<f32> = _S926.diffuse_reflect_0 + _S926.diffuse_transmit_0;
-    var _S929 : vec3<f32> = vec3<f32>(1.0f);
-    var _S930 : vec3<f32> = _S929 - vec3<f32>(fabrics_0[_S924].layer_bound_0) * max(_S926.specular_reflect_0, _S926.specular_transmit_0);
-    var _S931 : vec3<f32> = vec3<f32>(0.0f);
-    var _S932 : vec3<f32> = max(_S929 - _S928, _S931) / (_S929 + _S928);
-    var _S933 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S934 : vec3<f32> = (_S930 / max(_S928, _S933) - _S929) / max(vec3<f32>(0.89999997615814209f) * _S932, _S933);
-    var _S935 : vec3<f32> = _S929 - vec3<f32>((saturate(min(min(_S934.x, _S934.y), _S934.z)) * _S927.z)) * _S932;
-    var _S936 : vec3<f32> = min(vec3<f32>(families_0[_S925].nep_red_0, families_0[_S925].nep_green_0, families_0[_S925].nep_blue_0), _S930);
-    var found_1 : Albedos_0 = _S926;
-    var _S937 : f32 = _S927.w;
-    var _S938 : vec3<f32> = _S935 * _S926.diffuse_transmit_0 * vec3<f32>((1.0f - _S937));
-    found_1.diffuse_transmit_0 = _S938;
-    found_1.diffuse_reflect_0 = clamp(mix(_S935 * _S926.diffuse_reflect_0, _S936, vec3<f32>(_S937)), _S931, max(_S930 - _S938, _S931));
+    var _S929 : vec3<f32> = _S927.diffuse_reflect_0 + _S927.diffuse_transmit_0;
+    var _S930 : vec3<f32> = vec3<f32>(1.0f);
+    var _S931 : vec3<f32> = _S930 - vec3<f32>(fabrics_0[_S925].layer_bound_0) * max(_S927.specular_reflect_0, _S927.specular_transmit_0);
+    var _S932 : vec3<f32> = vec3<f32>(0.0f);
+    var _S933 : vec3<f32> = max(_S930 - _S929, _S932) / (_S930 + _S929);
+    var _S934 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S935 : vec3<f32> = (_S931 / max(_S929, _S934) - _S930) / max(vec3<f32>(0.89999997615814209f) * _S933, _S934);
+    var _S936 : vec3<f32> = _S930 - vec3<f32>((saturate(min(min(_S935.x, _S935.y), _S935.z)) * _S928.z)) * _S933;
+    var _S937 : vec3<f32> = min(vec3<f32>(families_0[_S926].nep_red_0, families_0[_S926].nep_green_0, families_0[_S926].nep_blue_0), _S931);
+    var found_1 : Albedos_0 = _S927;
+    var _S938 : f32 = _S928.w;
+    var _S939 : vec3<f32> = _S936 * _S927.diffuse_transmit_0 * vec3<f32>((1.0f - _S938));
+    found_1.diffuse_transmit_0 = _S939;
+    found_1.diffuse_reflect_0 = clamp(mix(_S936 * _S927.diffuse_reflect_0, _S937, vec3<f32>(_S938)), _S932, max(_S931 - _S939, _S932));
     return found_1;
 }
 
-fn with_tones_0( _S939 : u32,  _S940 : FamilyAlbedos_0,  _S941 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S940 : u32,  _S941 : FamilyAlbedos_0,  _S942 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S939].is_irregular_0) == u32(0))
+    if((fabrics_0[_S940].is_irregular_0) == u32(0))
     {
-        return _S940;
+        return _S941;
     }
     var result_6 : FamilyAlbedos_0;
-    result_6.warp_7 = toned_0(_S939, fabrics_0[_S939].warp_0, _S940.warp_7, _S941.warp_3);
-    result_6.weft_7 = toned_0(_S939, fabrics_0[_S939].weft_0, _S940.weft_7, _S941.weft_3);
+    result_6.warp_7 = toned_0(_S940, fabrics_0[_S940].warp_0, _S941.warp_7, _S942.warp_3);
+    result_6.weft_7 = toned_0(_S940, fabrics_0[_S940].weft_0, _S941.weft_7, _S942.weft_3);
     return result_6;
 }
 
-fn detail_gain_0( _S942 : u32,  _S943 : u32,  _S944 : SurfacePoint_0,  _S945 : bool,  _S946 : u32,  _S947 : f32) -> vec2<f32>
+fn detail_gain_0( _S943 : u32,  _S944 : u32,  _S945 : SurfacePoint_0,  _S946 : bool,  _S947 : u32,  _S948 : f32) -> vec2<f32>
 {
-    var _S948 : vec2<f32> = vec2<f32>(0.0f);
+    var _S949 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S943].has_plies_0) > 0.0f)
+    if((families_0[_S944].has_plies_0) > 0.0f)
     {
-        gain_2 = groove_0(0.94999998807907104f * fade_0(_S947, 1.0f / families_0[_S943].plies_per_mm_0), ply_offset_0(_S943, _S944, _S945));
+        gain_2 = groove_0(0.94999998807907104f * fade_0(_S948, 1.0f / families_0[_S944].plies_per_mm_0), ply_offset_0(_S944, _S945, _S946));
     }
     else
     {
-        gain_2 = _S948;
+        gain_2 = _S949;
     }
-    if((families_0[_S943].fibre_tone_0) > 0.0f)
+    if((families_0[_S944].fibre_tone_0) > 0.0f)
     {
-        var _S949 : FibreNoise_0 = fibre_noise_at_0(_S942, _S943, _S944, _S946, _S947);
-        var _S950 : f32 = 4.5f * families_0[_S943].fibre_tone_0;
-        gain_2 = gain_2 + vec2<f32>(families_0[_S943].fibre_tone_0) * vec2<f32>(_S949.bundle_weight_0 * _S949.bundle_0.y + _S949.fibre_weight_0 * _S949.fibre_0.y, _S949.bundle_weight_0 + _S949.fibre_weight_0) + (groove_0(_S950 * (_S949.bundle_weight_0 * (0.5f * (_S949.bundle_0.x - 1.0f) + 1.0f)), _S949.bundle_offset_0) + groove_0(_S950 * _S949.fibre_weight_0, _S949.offset_2));
+        var _S950 : FibreNoise_0 = fibre_noise_at_0(_S943, _S944, _S945, _S947, _S948);
+        var _S951 : f32 = 4.5f * families_0[_S944].fibre_tone_0;
+        gain_2 = gain_2 + vec2<f32>(families_0[_S944].fibre_tone_0) * vec2<f32>(_S950.bundle_weight_0 * _S950.bundle_0.y + _S950.fibre_weight_0 * _S950.fibre_0.y, _S950.bundle_weight_0 + _S950.fibre_weight_0) + (groove_0(_S951 * (_S950.bundle_weight_0 * (0.5f * (_S950.bundle_0.x - 1.0f) + 1.0f)), _S950.bundle_offset_0) + groove_0(_S951 * _S950.fibre_weight_0, _S950.offset_2));
     }
-    if((families_0[_S943].slub_0) > 0.0f)
+    if((families_0[_S944].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S943].slub_0 * fade_0(_S947, 1.0f / families_0[_S943].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S946, ((fabrics_0[_S942].seed_0) ^ (u32(1373058189)))), select(- _S944.x_8, _S944.y_2, _S944.is_warp_0) * families_0[_S943].slubs_per_mm_0).x, 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S944].slub_0 * fade_0(_S948, 1.0f / families_0[_S944].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S947, ((fabrics_0[_S943].seed_0) ^ (u32(1373058189)))), select(- _S945.x_8, _S945.y_2, _S945.is_warp_0) * families_0[_S944].slubs_per_mm_0).x, 1.0f);
     }
     return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
 }
 
-fn vary_albedos_0( _S951 : u32,  _S952 : Albedos_0,  _S953 : u32,  _S954 : u32,  _S955 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S952 : u32,  _S953 : Albedos_0,  _S954 : u32,  _S955 : u32,  _S956 : vec2<f32>) -> Albedos_0
 {
-    var _S956 : vec3<f32> = max(_S952.specular_reflect_0, _S952.specular_transmit_0);
-    var _S957 : vec3<f32> = _S952.diffuse_reflect_0 + _S952.diffuse_transmit_0;
-    var _S958 : vec3<f32> = vec3<f32>(fabrics_0[_S951].layer_bound_0);
-    var _S959 : vec3<f32> = vec3<f32>(1.0f);
-    var _S960 : vec3<f32> = _S959 - _S958 * _S956;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S953, fabrics_0[_S951].colour_noise_0, fabrics_0[_S951].seed_0), _S957, _S960);
-    var _S961 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S955.y, vec3<f32>(colour_1) * _S957, _S960) * _S955.x)));
-    var _S962 : f32 = bounded_gain_0(fibre_gain_0(_S953, _S954, fabrics_0[_S951].fibre_noise_0, fabrics_0[_S951].seed_0), _S956, min((_S959 - _S961 * _S957) / _S958, vec3<f32>(1.0f)));
+    var _S957 : vec3<f32> = max(_S953.specular_reflect_0, _S953.specular_transmit_0);
+    var _S958 : vec3<f32> = _S953.diffuse_reflect_0 + _S953.diffuse_transmit_0;
+    var _S959 : vec3<f32> = vec3<f32>(fabrics_0[_S952].layer_bound_0);
+    var _S960 : vec3<f32> = vec3<f32>(1.0f);
+    var _S961 : vec3<f32> = _S960 - _S959 * _S957;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S954, fabrics_0[_S952].colour_noise_0, fabrics_0[_S952].seed_0), _S958, _S961);
+    var _S962 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S956.y, vec3<f32>(colour_1) * _S958, _S961) * _S956.x)));
+    var _S963 : f32 = bounded_gain_0(fibre_gain_0(_S954, _S955, fabrics_0[_S952].fibre_noise_0, fabrics_0[_S952].seed_0), _S957, min((_S960 - _S962 * _S958) / _S959, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S961 * _S952.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S961 * _S952.diffuse_transmit_0;
-    var _S963 : vec3<f32> = vec3<f32>(_S962);
-    varied_0.specular_reflect_0 = _S963 * _S952.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S963 * _S952.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S962 * _S953.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S962 * _S953.diffuse_transmit_0;
+    var _S964 : vec3<f32> = vec3<f32>(_S963);
+    varied_0.specular_reflect_0 = _S964 * _S953.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S964 * _S953.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S964 : u32,  _S965 : SurfacePoint_0,  _S966 : Albedos_0,  _S967 : bool,  _S968 : f32,  _S969 : f32) -> Albedos_0
+fn varied_at_0( _S965 : u32,  _S966 : SurfacePoint_0,  _S967 : Albedos_0,  _S968 : bool,  _S969 : f32,  _S970 : f32) -> Albedos_0
 {
-    var _S970 : u32 = thread_number_0(_S964, _S965);
-    var _S971 : vec3<f32> = fibre_cell_0(_S965.fibre_across_0, _S965.fibre_along_0, fabrics_0[_S964].fibre_size_0);
-    var _S972 : vec2<f32> = vec2<f32>(0.0f);
+    var _S971 : u32 = thread_number_0(_S965, _S966);
+    var _S972 : vec3<f32> = fibre_cell_0(_S966.fibre_across_0, _S966.fibre_along_0, fabrics_0[_S965].fibre_size_0);
+    var _S973 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S964].has_detail_0) != u32(0)) & ((_S968 >= 0.0f))))
+    if((((fabrics_0[_S965].has_detail_0) != u32(0)) & ((_S969 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S964, select(fabrics_0[_S964].weft_0, fabrics_0[_S964].warp_0, _S965.is_warp_0), _S965, _S967, _S970, _S968) * vec2<f32>(1.0f - _S969, 1.0f);
+        gain_3 = detail_gain_0(_S965, select(fabrics_0[_S965].weft_0, fabrics_0[_S965].warp_0, _S966.is_warp_0), _S966, _S968, _S971, _S969) * vec2<f32>(1.0f - _S970, 1.0f);
     }
     else
     {
-        gain_3 = _S972;
+        gain_3 = _S973;
     }
-    return vary_albedos_0(_S964, _S966, _S970, u32(i32(_S971.x)) * u32(65536) + u32(i32(floor(_S971.y))), gain_3);
+    return vary_albedos_0(_S965, _S967, _S971, u32(i32(_S972.x)) * u32(65536) + u32(i32(floor(_S972.y))), gain_3);
 }
 
-fn lobes_estimate_of_pass_0( _S973 : u32,  _S974 : Footprint_0,  _S975 : f32,  _S976 : vec2<f32>,  _S977 : vec3<f32>,  _S978 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S974 : u32,  _S975 : Footprint_0,  _S976 : f32,  _S977 : vec2<f32>,  _S978 : vec3<f32>,  _S979 : vec3<f32>) -> Estimate_0
 {
-    var _S979 : f32;
-    var _S980 : Regime_0 = regime_of_0(_S973, _S974, _S975);
-    var _S981 : bool = (_S978.z) < 0.0f;
-    var _S982 : vec3<f32> = to_face_frame_0(_S978, _S981);
-    var _S983 : f32 = Footprint_spread_side_0(_S974);
-    var _S984 : bool = varies_at_0(_S973, _S983);
-    var _S985 : f32 = 1.0f - _S980.prefiltered_0;
-    var _S986 : bool = ((_S985 > 0.0f) & (((((_S984 | (((((families_0[fabrics_0[_S973].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S973].weft_0].quantities_0) > u32(1)))))))) | (((fabrics_0[_S973].is_irregular_0) != u32(0)))))));
-    var box_0 : Footprint_0 = _S974;
-    var _S987 : vec3<f32> = vec3<f32>(0.0f);
-    var _S988 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S987, _S987, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
-    var _S989 : Components_0 = no_components_0();
+    var _S980 : f32;
+    var _S981 : Regime_0 = regime_of_0(_S974, _S975, _S976);
+    var _S982 : bool = (_S979.z) < 0.0f;
+    var _S983 : vec3<f32> = to_face_frame_0(_S979, _S982);
+    var _S984 : f32 = Footprint_spread_side_0(_S975);
+    var _S985 : bool = varies_at_0(_S974, _S984);
+    var _S986 : f32 = 1.0f - _S981.prefiltered_0;
+    var _S987 : bool = ((_S986 > 0.0f) & (((((_S985 | (((((families_0[fabrics_0[_S974].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S974].weft_0].quantities_0) > u32(1)))))))) | (((fabrics_0[_S974].is_irregular_0) != u32(0)))))));
+    var box_0 : Footprint_0 = _S975;
+    var _S988 : vec3<f32> = vec3<f32>(0.0f);
+    var _S989 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S988, _S988, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
+    var _S990 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S990 : u32 = select(u32(1), u32(0), _S986);
-    var points_1 : Components_0 = _S989;
+    var _S991 : u32 = select(u32(1), u32(0), _S987);
+    var points_1 : Components_0 = _S990;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S988;
-    var number_11 : u32 = _S990;
+    var central_0 : SurfacePoint_0 = _S989;
+    var number_11 : u32 = _S991;
     for(;;)
     {
-        var _S991 : f32 = f32(number_11);
-        _S979 = _S980.points_0;
-        if(_S991 < (_S980.points_0 + 1.0f))
+        var _S992 : f32 = f32(number_11);
+        _S980 = _S981.points_0;
+        if(_S992 < (_S981.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S992 : bool = number_11 == u32(0);
-        var _S993 : u32 = number_11 - u32(1);
-        var _S994 : vec2<f32> = POINT_OFFSETS_0[select(_S993, u32(0), _S992)] + _S976;
-        var _S995 : vec2<f32> = select_vector_0(_S992, vec2<f32>(0.0f), _S994 - round(_S994));
-        var _S996 : vec2<f32> = _S974.centre_0 + vec2<f32>(_S995.x) * _S974.dx_0 + vec2<f32>(_S995.y) * _S974.dy_0;
-        var _S997 : SearchQuality_0 = quality_of_0(select(_S980.threads_2, 0.0f, _S992));
-        var _S998 : Hit_0 = first_hit_0(_S973, _S997, _S996.x, _S996.y, _S982, _S981);
-        var _S999 : SurfacePoint_0 = surface_met_0(_S973, _S998.x_18, _S998.y_11, _S998.height_8, _S982, _S981);
-        if(_S992)
+        var _S993 : bool = number_11 == u32(0);
+        var _S994 : u32 = number_11 - u32(1);
+        var _S995 : vec2<f32> = POINT_OFFSETS_0[select(_S994, u32(0), _S993)] + _S977;
+        var _S996 : vec2<f32> = select_vector_0(_S993, vec2<f32>(0.0f), _S995 - round(_S995));
+        var _S997 : vec2<f32> = _S975.centre_0 + vec2<f32>(_S996.x) * _S975.dx_0 + vec2<f32>(_S996.y) * _S975.dy_0;
+        var _S998 : SearchQuality_0 = quality_of_0(select(_S981.threads_2, 0.0f, _S993));
+        var _S999 : Hit_0 = first_hit_0(_S974, _S998, _S997.x, _S997.y, _S983, _S982);
+        var _S1000 : SurfacePoint_0 = surface_met_0(_S974, _S999.x_18, _S999.y_11, _S999.height_8, _S983, _S982);
+        if(_S993)
         {
-            var central_weight_1 : f32 = select(_S985, 0.0f, _S998.hole_7);
-            box_0.centre_0 = mix(_S974.centre_0, vec2<f32>(_S998.x_18, _S998.y_11), vec2<f32>(central_weight_1));
+            var central_weight_1 : f32 = select(_S986, 0.0f, _S999.hole_7);
+            box_0.centre_0 = mix(_S975.centre_0, vec2<f32>(_S999.x_18, _S999.y_11), vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S999;
+            central_0 = _S1000;
             number_11 = number_11 + u32(1);
             continue;
         }
-        var _S1000 : YarnPoint_0 = uncoloured_point_0(_S973, _S999, _S982, _S981, _S998.hole_7, _S983);
-        var _S1001 : f32 = min(_S980.points_0 - f32(_S993), 1.0f);
-        var _S1002 : Components_0 = with_added_0(points_1, components_of_point_0(_S973, _S997, _S1000, _S977, _S978), _S1001);
-        if((fabrics_0[_S973].openness_0) != u32(4294967295))
+        var _S1001 : YarnPoint_0 = uncoloured_point_0(_S974, _S1000, _S983, _S982, _S999.hole_7, _S984);
+        var _S1002 : f32 = min(_S981.points_0 - f32(_S994), 1.0f);
+        var _S1003 : Components_0 = with_added_0(points_1, components_of_point_0(_S974, _S998, _S1001, _S978, _S979), _S1002);
+        if((fabrics_0[_S974].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S973, close_1.warp_1, _S1000, true, _S1001);
-            close_1.weft_1 = with_blocked_0(_S973, close_1.weft_1, _S1000, false, _S1001);
+            close_1.warp_1 = with_blocked_0(_S974, close_1.warp_1, _S1001, true, _S1002);
+            close_1.weft_1 = with_blocked_0(_S974, close_1.weft_1, _S1001, false, _S1002);
         }
-        points_1 = _S1002;
+        points_1 = _S1003;
         number_11 = number_11 + u32(1);
     }
-    close_1.weight_0 = _S985;
-    var _S1003 : f32 = max(_S979, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1003);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1003);
+    close_1.weight_0 = _S986;
+    var _S1004 : f32 = max(_S980, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1004);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1004);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S989, points_1, _S985 / _S1003);
-    if((_S980.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S990, points_1, _S986 / _S1004);
+    if((_S981.prefiltered_0) > 0.0f)
     {
-        var _S1004 : Components_0 = prefiltered_components_0(_S973, _S974, to_face_frame_0(_S977, _S981), _S982, _S981);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1004, _S980.prefiltered_0);
+        var _S1005 : Components_0 = prefiltered_components_0(_S974, _S975, to_face_frame_0(_S978, _S982), _S983, _S982);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1005, _S981.prefiltered_0);
     }
-    var _S1005 : Yarns_0 = yarns_over_0(_S973, box_0, _S981);
-    estimate_0.components_0 = with_shares_0(_S973, estimate_0.components_0, _S1005);
-    estimate_0.albedos_7 = with_tones_0(_S973, albedos_over_0(_S973, box_0, _S981), _S1005);
-    if((_S984 & ((central_weight_0 > 0.0f))))
+    var _S1006 : Yarns_0 = yarns_over_0(_S974, box_0, _S982);
+    estimate_0.components_0 = with_shares_0(_S974, estimate_0.components_0, _S1006);
+    estimate_0.albedos_7 = with_tones_0(_S974, albedos_over_0(_S974, box_0, _S982), _S1006);
+    if((_S985 & ((central_weight_0 > 0.0f))))
     {
-        var _S1006 : SurfacePoint_0 = central_0;
-        var _S1007 : Albedos_0;
+        var _S1007 : SurfacePoint_0 = central_0;
+        var _S1008 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S1007 = estimate_0.albedos_7.warp_7;
+            _S1008 = estimate_0.albedos_7.warp_7;
         }
         else
         {
-            _S1007 = estimate_0.albedos_7.weft_7;
+            _S1008 = estimate_0.albedos_7.weft_7;
         }
-        var _S1008 : bool;
-        if((fabrics_0[_S973].has_detail_0) != u32(0))
+        var _S1009 : bool;
+        if((fabrics_0[_S974].has_detail_0) != u32(0))
         {
-            _S1008 = has_hairs_0(_S973);
+            _S1009 = has_hairs_0(_S974);
         }
         else
         {
-            _S1008 = false;
+            _S1009 = false;
         }
         var cover_4 : f32;
-        if(_S1008)
+        if(_S1009)
         {
-            cover_4 = hair_towards_0(_S973, hairs_over_0(_S973, central_0, _S981, _S983), _S982, _S983).cover_1;
+            cover_4 = hair_towards_0(_S974, hairs_over_0(_S974, central_0, _S982, _S984), _S983, _S984).cover_1;
         }
         else
         {
             cover_4 = 0.0f;
         }
-        var _S1009 : Albedos_0 = lerp_albedos_0(_S1007, varied_at_0(_S973, central_0, _S1007, _S981, _S983, cover_4), central_weight_0);
-        if(_S1006.is_warp_0)
+        var _S1010 : Albedos_0 = lerp_albedos_0(_S1008, varied_at_0(_S974, central_0, _S1008, _S982, _S984, cover_4), central_weight_0);
+        if(_S1007.is_warp_0)
         {
-            estimate_0.albedos_7.warp_7 = _S1009;
+            estimate_0.albedos_7.warp_7 = _S1010;
         }
         else
         {
-            estimate_0.albedos_7.weft_7 = _S1009;
+            estimate_0.albedos_7.weft_7 = _S1010;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S1010 : u32,  _S1011 : Albedos_0,  _S1012 : u32,  _S1013 : vec3<f32>) -> Scattered_0
+fn diffuse_kept_0( _S1011 : u32,  _S1012 : vec3<f32>,  _S1013 : vec3<f32>) -> f32
 {
-    var _S1014 : u32 = u32(159) + u32(2) * _S1012;
+    return (1.0f - fabrics_0[_S1011].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S1012.z), 0.0f))) * (1.0f - fabrics_0[_S1011].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S1013.z), 0.0f)));
+}
+
+fn highlight_rise_0( _S1014 : u32,  _S1015 : vec3<f32>,  _S1016 : vec3<f32>) -> f32
+{
+    var _S1017 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S1015, _S1016) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S1014].grazing_gain_0 * fourth_power_0(_S1017) * _S1017;
+}
+
+fn towards_grazing_0( _S1018 : u32,  _S1019 : Albedos_0,  _S1020 : vec3<f32>,  _S1021 : vec3<f32>) -> Albedos_0
+{
+    var _S1022 : f32 = diffuse_kept_0(_S1018, _S1020, _S1021);
+    var result_7 : Albedos_0 = _S1019;
+    var _S1023 : vec3<f32> = vec3<f32>(_S1022);
+    result_7.diffuse_reflect_0 = result_7.diffuse_reflect_0 * _S1023;
+    result_7.diffuse_transmit_0 = result_7.diffuse_transmit_0 * _S1023;
+    result_7.specular_reflect_0 = result_7.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S1018, _S1020, _S1021));
+    return result_7;
+}
+
+fn scattered_by_0( _S1024 : u32,  _S1025 : Albedos_0,  _S1026 : u32,  _S1027 : vec3<f32>) -> Scattered_0
+{
+    var _S1028 : u32 = u32(159) + u32(2) * _S1026;
     var yarn_4 : Scattered_0;
-    yarn_4.back_10 = _S1013 * _S1011.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1010, _S1014)) * _S1011.specular_reflect_0;
-    yarn_4.through_0 = _S1013 * _S1011.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1010, _S1014 + u32(1))) * _S1011.specular_transmit_0;
+    yarn_4.back_10 = _S1027 * _S1025.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1024, _S1028)) * _S1025.specular_reflect_0;
+    yarn_4.through_0 = _S1027 * _S1025.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1024, _S1028 + u32(1))) * _S1025.specular_transmit_0;
     return yarn_4;
 }
 
-fn sent_0( _S1015 : u32,  _S1016 : u32,  _S1017 : vec3<f32>,  _S1018 : vec3<f32>,  _S1019 : vec3<f32>,  _S1020 : vec3<f32>,  _S1021 : ptr<function, vec3<f32>>,  _S1022 : ptr<function, vec3<f32>>)
+fn sent_0( _S1029 : u32,  _S1030 : u32,  _S1031 : vec3<f32>,  _S1032 : vec3<f32>,  _S1033 : vec3<f32>,  _S1034 : vec3<f32>,  _S1035 : ptr<function, vec3<f32>>,  _S1036 : ptr<function, vec3<f32>>)
 {
-    var _S1023 : u32 = u32(146) + u32(4) * _S1016;
-    var _S1024 : f32 = openness_number_0(_S1015, _S1023 + u32(1));
-    var _S1025 : f32 = openness_number_0(_S1015, _S1023 + u32(2));
-    var _S1026 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1027 : vec3<f32> = _S1026 - _S1019 * vec3<f32>(openness_number_0(_S1015, _S1023));
-    var _S1028 : vec3<f32> = _S1026 - _S1020 * vec3<f32>(openness_number_0(_S1015, _S1023 + u32(3)));
-    var _S1029 : vec3<f32> = _S1026 / (_S1027 * _S1028 - _S1019 * _S1020 * vec3<f32>((_S1024 * _S1025)));
-    (*_S1021) = (_S1017 * _S1028 + _S1019 * vec3<f32>(_S1024) * _S1018) * _S1029;
-    (*_S1022) = (_S1018 * _S1027 + _S1020 * vec3<f32>(_S1025) * _S1017) * _S1029;
+    var _S1037 : u32 = u32(146) + u32(4) * _S1030;
+    var _S1038 : f32 = openness_number_0(_S1029, _S1037 + u32(1));
+    var _S1039 : f32 = openness_number_0(_S1029, _S1037 + u32(2));
+    var _S1040 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1041 : vec3<f32> = _S1040 - _S1033 * vec3<f32>(openness_number_0(_S1029, _S1037));
+    var _S1042 : vec3<f32> = _S1040 - _S1034 * vec3<f32>(openness_number_0(_S1029, _S1037 + u32(3)));
+    var _S1043 : vec3<f32> = _S1040 / (_S1041 * _S1042 - _S1033 * _S1034 * vec3<f32>((_S1038 * _S1039)));
+    (*_S1035) = (_S1031 * _S1042 + _S1033 * vec3<f32>(_S1038) * _S1032) * _S1043;
+    (*_S1036) = (_S1032 * _S1041 + _S1034 * vec3<f32>(_S1039) * _S1031) * _S1043;
     return;
 }
 
-fn face_sends_0( _S1030 : u32,  _S1031 : u32,  _S1032 : Scattered_0,  _S1033 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S1044 : u32,  _S1045 : u32,  _S1046 : Scattered_0,  _S1047 : Scattered_0) -> FaceSends_0
 {
-    var _S1034 : u32 = u32(2) * _S1031;
-    var _S1035 : u32 = u32(142) + _S1034;
-    var _S1036 : f32 = openness_number_0(_S1030, _S1035);
-    var _S1037 : f32 = openness_number_0(_S1030, _S1035 + u32(1));
-    var _S1038 : vec3<f32> = vec3<f32>((1.0f - _S1036)) * _S1032.back_10;
-    var _S1039 : vec3<f32> = vec3<f32>((1.0f - _S1037)) * _S1033.back_10;
+    var _S1048 : u32 = u32(2) * _S1045;
+    var _S1049 : u32 = u32(142) + _S1048;
+    var _S1050 : f32 = openness_number_0(_S1044, _S1049);
+    var _S1051 : f32 = openness_number_0(_S1044, _S1049 + u32(1));
+    var _S1052 : vec3<f32> = vec3<f32>((1.0f - _S1050)) * _S1046.back_10;
+    var _S1053 : vec3<f32> = vec3<f32>((1.0f - _S1051)) * _S1047.back_10;
     var sends_1 : FaceSends_0;
-    var _S1040 : u32 = u32(154) + _S1034;
-    var _S1041 : f32 = openness_number_0(_S1030, _S1040);
-    sends_1.blocks_warp_0 = _S1041;
-    var _S1042 : f32 = openness_number_0(_S1030, _S1040 + u32(1));
-    sends_1.blocks_weft_0 = _S1042;
-    sends_1.open_0 = _S1041 * _S1036 + _S1042 * _S1037;
-    var _S1043 : vec3<f32> = vec3<f32>(_S1036) * _S1032.back_10;
-    var _S1044 : vec3<f32> = vec3<f32>(_S1037) * _S1033.back_10;
-    var _S1045 : vec3<f32> = sends_1.sky_warp_0;
-    var _S1046 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S1030, _S1031, _S1043, _S1044, _S1038, _S1039, &(_S1045), &(_S1046));
-    sends_1.sky_warp_0 = _S1045;
-    sends_1.sky_weft_0 = _S1046;
-    var _S1047 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S1048 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S1030, _S1031, _S1032.through_0, _S1033.through_0, _S1038, _S1039, &(_S1047), &(_S1048));
-    sends_1.crossing_warp_0 = _S1047;
-    sends_1.crossing_weft_0 = _S1048;
+    var _S1054 : u32 = u32(154) + _S1048;
+    var _S1055 : f32 = openness_number_0(_S1044, _S1054);
+    sends_1.blocks_warp_0 = _S1055;
+    var _S1056 : f32 = openness_number_0(_S1044, _S1054 + u32(1));
+    sends_1.blocks_weft_0 = _S1056;
+    sends_1.open_0 = _S1055 * _S1050 + _S1056 * _S1051;
+    var _S1057 : vec3<f32> = vec3<f32>(_S1050) * _S1046.back_10;
+    var _S1058 : vec3<f32> = vec3<f32>(_S1051) * _S1047.back_10;
+    var _S1059 : vec3<f32> = sends_1.sky_warp_0;
+    var _S1060 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S1044, _S1045, _S1057, _S1058, _S1052, _S1053, &(_S1059), &(_S1060));
+    sends_1.sky_warp_0 = _S1059;
+    sends_1.sky_weft_0 = _S1060;
+    var _S1061 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S1062 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S1044, _S1045, _S1046.through_0, _S1047.through_0, _S1052, _S1053, &(_S1061), &(_S1062));
+    sends_1.crossing_warp_0 = _S1061;
+    sends_1.crossing_weft_0 = _S1062;
     return sends_1;
 }
 
-fn interior_of_0( _S1049 : u32,  _S1050 : vec3<f32>,  _S1051 : bool) -> Interior_0
+fn interior_of_0( _S1063 : u32,  _S1064 : vec3<f32>,  _S1065 : bool) -> Interior_0
 {
-    var _S1052 : Scattered_0 = scattered_by_0(_S1049, table_albedos_0(families_0[fabrics_0[_S1049].warp_0].colour_mean_0), u32(0), _S1050);
-    var _S1053 : Scattered_0 = scattered_by_0(_S1049, table_albedos_0(families_0[fabrics_0[_S1049].weft_0].colour_mean_0), u32(1), _S1050);
-    var _S1054 : FaceSends_0 = face_sends_0(_S1049, select(u32(0), u32(1), _S1051), _S1052, _S1053);
-    var _S1055 : FaceSends_0 = face_sends_0(_S1049, select(u32(1), u32(0), _S1051), _S1052, _S1053);
-    var _S1056 : vec3<f32> = vec3<f32>(_S1054.blocks_warp_0);
-    var _S1057 : vec3<f32> = vec3<f32>(_S1054.blocks_weft_0);
-    var _S1058 : vec3<f32> = _S1056 * _S1054.crossing_warp_0 + _S1057 * _S1054.crossing_weft_0;
-    var _S1059 : vec3<f32> = vec3<f32>(_S1055.blocks_warp_0);
-    var _S1060 : vec3<f32> = vec3<f32>(_S1055.blocks_weft_0);
-    var _S1061 : vec3<f32> = _S1059 * _S1055.crossing_warp_0 + _S1060 * _S1055.crossing_weft_0;
-    var _S1062 : f32 = 1.0f - _S1054.open_0;
-    var _S1063 : f32 = 1.0f - _S1055.open_0;
-    var _S1064 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1065 : vec3<f32> = _S1064 / (_S1064 - _S1058 * _S1061 * vec3<f32>((_S1062 * _S1063)));
-    var _S1066 : vec3<f32> = _S1061 * (vec3<f32>(_S1054.open_0) + vec3<f32>(_S1062) * (_S1056 * _S1054.sky_warp_0 + _S1057 * _S1054.sky_weft_0)) * _S1065;
-    var _S1067 : vec3<f32> = _S1058 * (vec3<f32>(_S1055.open_0) + vec3<f32>(_S1063) * (_S1059 * _S1055.sky_warp_0 + _S1060 * _S1055.sky_weft_0)) * _S1065;
-    var _S1068 : FaceRadiance_0 = face_radiance_0(_S1054, _S1055.open_0, _S1066, _S1067);
-    var _S1069 : FaceRadiance_0 = face_radiance_0(_S1055, _S1054.open_0, _S1067, _S1066);
+    var _S1066 : Scattered_0 = scattered_by_0(_S1063, table_albedos_0(families_0[fabrics_0[_S1063].warp_0].colour_mean_0), u32(0), _S1064);
+    var _S1067 : Scattered_0 = scattered_by_0(_S1063, table_albedos_0(families_0[fabrics_0[_S1063].weft_0].colour_mean_0), u32(1), _S1064);
+    var _S1068 : FaceSends_0 = face_sends_0(_S1063, select(u32(0), u32(1), _S1065), _S1066, _S1067);
+    var _S1069 : FaceSends_0 = face_sends_0(_S1063, select(u32(1), u32(0), _S1065), _S1066, _S1067);
+    var _S1070 : vec3<f32> = vec3<f32>(_S1068.blocks_warp_0);
+    var _S1071 : vec3<f32> = vec3<f32>(_S1068.blocks_weft_0);
+    var _S1072 : vec3<f32> = _S1070 * _S1068.crossing_warp_0 + _S1071 * _S1068.crossing_weft_0;
+    var _S1073 : vec3<f32> = vec3<f32>(_S1069.blocks_warp_0);
+    var _S1074 : vec3<f32> = vec3<f32>(_S1069.blocks_weft_0);
+    var _S1075 : vec3<f32> = _S1073 * _S1069.crossing_warp_0 + _S1074 * _S1069.crossing_weft_0;
+    var _S1076 : f32 = 1.0f - _S1068.open_0;
+    var _S1077 : f32 = 1.0f - _S1069.open_0;
+    var _S1078 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1079 : vec3<f32> = _S1078 / (_S1078 - _S1072 * _S1075 * vec3<f32>((_S1076 * _S1077)));
+    var _S1080 : vec3<f32> = _S1075 * (vec3<f32>(_S1068.open_0) + vec3<f32>(_S1076) * (_S1070 * _S1068.sky_warp_0 + _S1071 * _S1068.sky_weft_0)) * _S1079;
+    var _S1081 : vec3<f32> = _S1072 * (vec3<f32>(_S1069.open_0) + vec3<f32>(_S1077) * (_S1073 * _S1069.sky_warp_0 + _S1074 * _S1069.sky_weft_0)) * _S1079;
+    var _S1082 : FaceRadiance_0 = face_radiance_0(_S1068, _S1069.open_0, _S1080, _S1081);
+    var _S1083 : FaceRadiance_0 = face_radiance_0(_S1069, _S1068.open_0, _S1081, _S1080);
     var interior_1 : Interior_0;
-    interior_1.warp_6 = _S1068.warp_5;
-    interior_1.weft_6 = _S1068.weft_5;
-    interior_1.leaked_1 = _S1068.leaked_0;
-    interior_1.far_1 = _S1069.mean_1;
-    interior_1.far_leaked_0 = _S1069.leaked_0;
+    interior_1.warp_6 = _S1082.warp_5;
+    interior_1.weft_6 = _S1082.weft_5;
+    interior_1.leaked_1 = _S1082.leaked_0;
+    interior_1.far_1 = _S1083.mean_1;
+    interior_1.far_leaked_0 = _S1083.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S1070 : u32,  _S1071 : vec3<f32>,  _S1072 : bool,  _S1073 : bool) -> Blocked_0
+fn blocked_from_0( _S1084 : u32,  _S1085 : vec3<f32>,  _S1086 : bool,  _S1087 : bool) -> Blocked_0
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S1071, &(terms_3));
-    return blocked_of_terms_0(_S1070, (select(u32(0), u32(2), _S1073) + select(u32(1), u32(0), _S1072)) * u32(15), terms_3, u32(5));
+    view_terms_0(_S1085, &(terms_3));
+    return blocked_of_terms_0(_S1084, (select(u32(0), u32(2), _S1087) + select(u32(1), u32(0), _S1086)) * u32(15), terms_3, u32(5));
 }
 
-fn warp_seen_from_0( _S1074 : u32,  _S1075 : vec3<f32>,  _S1076 : bool) -> f32
+fn warp_seen_from_0( _S1088 : u32,  _S1089 : vec3<f32>,  _S1090 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S1075, &(terms_4));
+    view_terms_1(_S1089, &(terms_4));
     var term_1 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -3794,132 +3824,132 @@ fn warp_seen_from_0( _S1074 : u32,  _S1075 : vec3<f32>,  _S1076 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S1074, u32(132) + select(u32(0), u32(5), _S1076) + term_1) * terms_4[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S1088, u32(132) + select(u32(0), u32(5), _S1090) + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S1077 : u32,  _S1078 : FamilyAlbedos_0,  _S1079 : vec3<f32>,  _S1080 : Interior_0,  _S1081 : Blocked_0,  _S1082 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S1091 : u32,  _S1092 : FamilyAlbedos_0,  _S1093 : vec3<f32>,  _S1094 : Interior_0,  _S1095 : Blocked_0,  _S1096 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S1081, scattered_by_0(_S1077, _S1078.warp_7, u32(0), _S1079), _S1080), bounced_by_0(_S1082, scattered_by_0(_S1077, _S1078.weft_7, u32(1), _S1079), _S1080));
+    return sum_of_0(bounced_by_0(_S1095, scattered_by_0(_S1091, _S1092.warp_7, u32(0), _S1093), _S1094), bounced_by_0(_S1096, scattered_by_0(_S1091, _S1092.weft_7, u32(1), _S1093), _S1094));
 }
 
-fn bounced_far_0( _S1083 : u32,  _S1084 : FamilyAlbedos_0,  _S1085 : vec3<f32>,  _S1086 : Interior_0,  _S1087 : vec3<f32>,  _S1088 : bool,  _S1089 : f32,  _S1090 : f32,  _S1091 : f32) -> Bounced_0
+fn bounced_far_0( _S1097 : u32,  _S1098 : FamilyAlbedos_0,  _S1099 : vec3<f32>,  _S1100 : Interior_0,  _S1101 : vec3<f32>,  _S1102 : bool,  _S1103 : f32,  _S1104 : f32,  _S1105 : f32) -> Bounced_0
 {
-    var _S1092 : Blocked_0 = blocked_from_0(_S1083, _S1087, true, _S1088);
-    var _S1093 : Blocked_0 = blocked_from_0(_S1083, _S1087, false, _S1088);
-    var _S1094 : f32 = _S1089 / max(1.0f - _S1092.by_warp_0 - _S1092.by_weft_0, 0.10000000149011612f);
-    var _S1095 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1083, _S1087, _S1088) + _S1094) / (_S1094 + _S1090 / max(1.0f - _S1093.by_warp_0 - _S1093.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S1096 : f32 = 1.0f - _S1091;
-    return bounced_of_families_0(_S1083, _S1084, _S1085, _S1086, scaled_0(_S1092, _S1095 * _S1096), scaled_0(_S1093, (1.0f - _S1095) * _S1096));
+    var _S1106 : Blocked_0 = blocked_from_0(_S1097, _S1101, true, _S1102);
+    var _S1107 : Blocked_0 = blocked_from_0(_S1097, _S1101, false, _S1102);
+    var _S1108 : f32 = _S1103 / max(1.0f - _S1106.by_warp_0 - _S1106.by_weft_0, 0.10000000149011612f);
+    var _S1109 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1097, _S1101, _S1102) + _S1108) / (_S1108 + _S1104 / max(1.0f - _S1107.by_warp_0 - _S1107.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S1110 : f32 = 1.0f - _S1105;
+    return bounced_of_families_0(_S1097, _S1098, _S1099, _S1100, scaled_0(_S1106, _S1109 * _S1110), scaled_0(_S1107, (1.0f - _S1109) * _S1110));
 }
 
-fn bounced_over_0( _S1097 : u32,  _S1098 : Components_0,  _S1099 : CloseUp_0,  _S1100 : FamilyAlbedos_0,  _S1101 : vec3<f32>,  _S1102 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S1111 : u32,  _S1112 : Components_0,  _S1113 : CloseUp_0,  _S1114 : FamilyAlbedos_0,  _S1115 : vec3<f32>,  _S1116 : vec3<f32>) -> Bounced_0
 {
-    var _S1103 : bool = (_S1102.z) < 0.0f;
-    var _S1104 : Interior_0 = interior_of_0(_S1097, _S1101, _S1103);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S1097, _S1100, _S1101, _S1104, to_face_frame_0(_S1102, _S1103), _S1103, _S1098.diffuse_warp_0, _S1098.diffuse_weft_0, _S1098.hole_2);
-    if((_S1099.weight_0) > 0.0f)
+    var _S1117 : bool = (_S1116.z) < 0.0f;
+    var _S1118 : Interior_0 = interior_of_0(_S1111, _S1115, _S1117);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S1111, _S1114, _S1115, _S1118, to_face_frame_0(_S1116, _S1117), _S1117, _S1112.diffuse_warp_0, _S1112.diffuse_weft_0, _S1112.hole_2);
+    if((_S1113.weight_0) > 0.0f)
     {
-        var _S1105 : Bounced_0 = bounced_of_families_0(_S1097, _S1100, _S1101, _S1104, _S1099.warp_1, _S1099.weft_1);
-        var _S1106 : vec3<f32> = vec3<f32>(_S1099.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1105.reflected_0, _S1106);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1105.transmitted_0, _S1106);
+        var _S1119 : Bounced_0 = bounced_of_families_0(_S1111, _S1114, _S1115, _S1118, _S1113.warp_1, _S1113.weft_1);
+        var _S1120 : vec3<f32> = vec3<f32>(_S1113.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1119.reflected_0, _S1120);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1119.transmitted_0, _S1120);
     }
     return bounced_2;
 }
 
-fn composed_0( _S1107 : u32,  _S1108 : Components_0,  _S1109 : CloseUp_0,  _S1110 : FamilyAlbedos_0,  _S1111 : vec3<f32>,  _S1112 : vec3<f32>,  _S1113 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S1121 : u32,  _S1122 : Components_0,  _S1123 : CloseUp_0,  _S1124 : FamilyAlbedos_0,  _S1125 : vec3<f32>,  _S1126 : vec3<f32>,  _S1127 : vec3<f32>) -> vec3<f32>
 {
-    var _S1114 : Albedos_0 = tinted_0(_S1110.warp_7, _S1111);
-    var _S1115 : Albedos_0 = tinted_0(_S1110.weft_7, _S1111);
-    var _S1116 : vec3<f32> = vec3<f32>(_S1108.diffuse_warp_0);
-    var _S1117 : vec3<f32> = vec3<f32>(_S1108.diffuse_weft_0);
-    var _S1118 : vec3<f32> = vec3<f32>(_S1108.specular_warp_0);
-    var _S1119 : vec3<f32> = vec3<f32>(_S1108.specular_weft_0);
-    var _S1120 : vec3<f32> = _S1114.diffuse_reflect_0 * _S1116 + _S1115.diffuse_reflect_0 * _S1117 + _S1114.specular_reflect_0 * _S1118 + _S1115.specular_reflect_0 * _S1119;
-    var _S1121 : f32 = _S1113.z;
+    var _S1128 : Albedos_0 = towards_grazing_0(_S1121, tinted_0(_S1124.warp_7, _S1125), _S1126, _S1127);
+    var _S1129 : Albedos_0 = towards_grazing_0(_S1121, tinted_0(_S1124.weft_7, _S1125), _S1126, _S1127);
+    var _S1130 : vec3<f32> = vec3<f32>(_S1122.diffuse_warp_0);
+    var _S1131 : vec3<f32> = vec3<f32>(_S1122.diffuse_weft_0);
+    var _S1132 : vec3<f32> = vec3<f32>(_S1122.specular_warp_0);
+    var _S1133 : vec3<f32> = vec3<f32>(_S1122.specular_weft_0);
+    var _S1134 : vec3<f32> = _S1128.diffuse_reflect_0 * _S1130 + _S1129.diffuse_reflect_0 * _S1131 + _S1128.specular_reflect_0 * _S1132 + _S1129.specular_reflect_0 * _S1133;
+    var _S1135 : f32 = _S1127.z;
     var body_0 : vec3<f32>;
-    if((_S1112.z * _S1121) < 0.0f)
+    if((_S1126.z * _S1135) < 0.0f)
     {
-        body_0 = _S1114.diffuse_transmit_0 * _S1116 + _S1115.diffuse_transmit_0 * _S1117 + _S1114.specular_transmit_0 * _S1118 + _S1115.specular_transmit_0 * _S1119;
+        body_0 = _S1128.diffuse_transmit_0 * _S1130 + _S1129.diffuse_transmit_0 * _S1131 + _S1128.specular_transmit_0 * _S1132 + _S1129.specular_transmit_0 * _S1133;
     }
     else
     {
-        body_0 = _S1120;
+        body_0 = _S1134;
     }
-    if((fabrics_0[_S1107].openness_0) != u32(4294967295))
+    if((fabrics_0[_S1121].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1107, _S1108, _S1109, _S1110, _S1111, _S1113), _S1112, _S1113);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1121, _S1122, _S1123, _S1124, _S1125, _S1127), _S1126, _S1127) * vec3<f32>(diffuse_kept_0(_S1121, _S1126, _S1127));
     }
-    var _S1122 : f32 = fabrics_0[_S1107].sheen_strength_0;
-    if((fabrics_0[_S1107].sheen_strength_0) <= 0.0f)
+    var _S1136 : f32 = fabrics_0[_S1121].sheen_strength_0;
+    if((fabrics_0[_S1121].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S1123 : bool = _S1121 < 0.0f;
-    var _S1124 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1112, _S1123), to_face_frame_0(_S1113, _S1123), _S1122, fabrics_0[_S1107].sheen_roughness_0);
-    return vec3<f32>(_S1124.y) * body_0 + vec3<f32>(((_S1108.light_visibility_1 + _S1108.hole_2) * _S1124.x));
+    var _S1137 : bool = _S1135 < 0.0f;
+    var _S1138 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1126, _S1137), to_face_frame_0(_S1127, _S1137), _S1136, fabrics_0[_S1121].sheen_roughness_0);
+    return vec3<f32>(_S1138.y) * body_0 + vec3<f32>(((_S1122.light_visibility_1 + _S1122.hole_2) * _S1138.x));
 }
 
-fn light_of_footprint_0( _S1125 : u32,  _S1126 : VisiblePoint_0,  _S1127 : vec2<u32>,  _S1128 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S1139 : u32,  _S1140 : VisiblePoint_0,  _S1141 : vec2<u32>,  _S1142 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.dx_0 = _S1126.draft_dx_0;
-    footprint_0.dy_0 = _S1126.draft_dy_0;
-    footprint_0.centre_0 = irregular_place_0(_S1125, _S1126.draft_0, Footprint_spread_side_0(footprint_0));
-    var _S1129 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S1130 : vec3<f32> = to_local_0(_S1126, _S1126.view_0);
-    var _S1131 : u32 = light_sample_count_0();
-    var _S1132 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.dx_0 = _S1140.draft_dx_0;
+    footprint_0.dy_0 = _S1140.draft_dy_0;
+    footprint_0.centre_0 = irregular_place_0(_S1139, _S1140.draft_0, Footprint_spread_side_0(footprint_0));
+    var _S1143 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S1144 : vec3<f32> = to_local_0(_S1140, _S1140.view_0);
+    var _S1145 : u32 = light_sample_count_0();
+    var _S1146 : vec3<f32> = vec3<f32>(0.0f);
     var number_12 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S1132;
+    var radiance_1 : vec3<f32> = _S1146;
     var hole_8 : f32 = 0.0f;
     for(;;)
     {
-        if(number_12 < (max(_S1131, u32(1))))
+        if(number_12 < (max(_S1145, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S1133 : f32;
-        if(number_12 < _S1131)
+        var _S1147 : f32;
+        if(number_12 < _S1145)
         {
-            _S1133 = visibility_at_0(number_12, _S1127);
+            _S1147 = visibility_at_0(number_12, _S1141);
         }
         else
         {
-            _S1133 = 0.0f;
+            _S1147 = 0.0f;
         }
-        var _S1134 : bool;
-        if(_S1133 <= 0.0f)
+        var _S1148 : bool;
+        if(_S1147 <= 0.0f)
         {
-            _S1134 = number_12 > u32(0);
+            _S1148 = number_12 > u32(0);
         }
         else
         {
-            _S1134 = false;
+            _S1148 = false;
         }
-        if(_S1134)
+        if(_S1148)
         {
             number_12 = number_12 + u32(1);
             continue;
         }
-        var _S1135 : LightSample_0 = light_sample_0(number_12, _S1127, _S1126.position_4);
-        var _S1136 : vec3<f32> = to_local_0(_S1126, _S1135.towards_0);
-        var _S1137 : Estimate_0 = lobes_estimate_of_pass_0(_S1125, footprint_0, 1.0f, _S1129, _S1136, _S1130);
-        radiance_1 = radiance_1 + vec3<f32>(_S1133) * _S1135.irradiance_1 * composed_0(_S1125, _S1137.components_0, _S1137.close_0, _S1137.albedos_7, _S1128, _S1136, _S1130);
-        hole_8 = _S1137.components_0.hole_2;
+        var _S1149 : LightSample_0 = light_sample_0(number_12, _S1141, _S1140.position_4);
+        var _S1150 : vec3<f32> = to_local_0(_S1140, _S1149.towards_0);
+        var _S1151 : Estimate_0 = lobes_estimate_of_pass_0(_S1139, footprint_0, 1.0f, _S1143, _S1150, _S1144);
+        radiance_1 = radiance_1 + vec3<f32>(_S1147) * _S1149.irradiance_1 * composed_0(_S1139, _S1151.components_0, _S1151.close_0, _S1151.albedos_7, _S1142, _S1150, _S1144);
+        hole_8 = _S1151.components_0.hole_2;
         number_12 = number_12 + u32(1);
     }
-    var _S1138 : f32 = fabrics_0[_S1125].sheen_strength_0;
-    if((fabrics_0[_S1125].sheen_strength_0) > 0.0f)
+    var _S1152 : f32 = fabrics_0[_S1139].sheen_strength_0;
+    if((fabrics_0[_S1139].sheen_strength_0) > 0.0f)
     {
-        hole_8 = hole_8 * (1.0f - _S1138 * sheen_lobe_0(abs(_S1130.z), fabrics_0[_S1125].sheen_roughness_0).z);
+        hole_8 = hole_8 * (1.0f - _S1152 * sheen_lobe_0(abs(_S1144.z), fabrics_0[_S1139].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_8);
 }
@@ -3928,32 +3958,32 @@ fn light_of_footprint_0( _S1125 : u32,  _S1126 : VisiblePoint_0,  _S1127 : vec2<
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S1139 : u32 = id_0.x;
-    var _S1140 : bool;
-    if(_S1139 >= (frame_record_0.width_0))
+    var _S1153 : u32 = id_0.x;
+    var _S1154 : bool;
+    if(_S1153 >= (frame_record_0.width_0))
     {
-        _S1140 = true;
+        _S1154 = true;
     }
     else
     {
-        _S1140 = (id_0.y) >= (frame_record_0.height_0);
+        _S1154 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S1140)
+    if(_S1154)
     {
         return;
     }
-    var _S1141 : u32 = id_0.y * frame_record_0.width_0 + _S1139;
-    var _S1142 : u32 = layers_0[_S1141].face_0;
-    if((layers_0[_S1141].face_0) == u32(0))
+    var _S1155 : u32 = id_0.y * frame_record_0.width_0 + _S1153;
+    var _S1156 : u32 = layers_0[_S1155].face_0;
+    if((layers_0[_S1155].face_0) == u32(0))
     {
         return;
     }
-    var _S1143 : u32 = _S1142 - u32(1);
-    var _S1144 : u32 = fabric_of_0(_S1143);
-    var _S1145 : vec2<u32> = id_0.xy;
-    var _S1146 : VisiblePoint_0 = visible_point_0(_S1144, _S1143, _S1145);
-    var _S1147 : vec4<f32> = light_of_footprint_0(_S1144, _S1146, _S1145, filtered_albedo_0(_S1144, _S1146));
-    accumulate_0(_S1141, _S1147);
+    var _S1157 : u32 = _S1156 - u32(1);
+    var _S1158 : u32 = fabric_of_0(_S1157);
+    var _S1159 : vec2<u32> = id_0.xy;
+    var _S1160 : VisiblePoint_0 = visible_point_0(_S1158, _S1157, _S1159);
+    var _S1161 : vec4<f32> = light_of_footprint_0(_S1158, _S1160, _S1159, filtered_albedo_0(_S1158, _S1160));
+    accumulate_0(_S1155, _S1161);
     return;
 }
 

@@ -195,6 +195,8 @@ struct Fabric_std430_0
     @align(4) per_relief_0 : f32,
     @align(4) diffuse_blend_0 : f32,
     @align(4) optical_depth_0 : f32,
+    @align(4) grazing_gain_0 : f32,
+    @align(4) grazing_loss_0 : f32,
     @align(4) sheen_strength_0 : f32,
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
@@ -2474,6 +2476,12 @@ fn tinted_0( albedos_3 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
     return result_0;
 }
 
+fn fourth_power_0( value_1 : f32) -> f32
+{
+    var _S352 : f32 = value_1 * value_1;
+    return _S352 * _S352;
+}
+
 struct FaceRadiance_0
 {
      warp_5 : vec3<f32>,
@@ -2495,47 +2503,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S352 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S353 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
     var found_0 : FaceRadiance_0;
-    var _S353 : vec3<f32> = sends_0.sky_warp_0 + _S352 * sends_0.crossing_warp_0;
-    found_0.warp_5 = _S353;
-    var _S354 : vec3<f32> = sends_0.sky_weft_0 + _S352 * sends_0.crossing_weft_0;
-    found_0.weft_5 = _S354;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S353 + vec3<f32>(sends_0.blocks_weft_0) * _S354;
+    var _S354 : vec3<f32> = sends_0.sky_warp_0 + _S353 * sends_0.crossing_warp_0;
+    found_0.warp_5 = _S354;
+    var _S355 : vec3<f32> = sends_0.sky_weft_0 + _S353 * sends_0.crossing_weft_0;
+    found_0.weft_5 = _S355;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S354 + vec3<f32>(sends_0.blocks_weft_0) * _S355;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S355 : f32 = 1.0f - view_2.z;
-    var _S356 : f32 = _S355 * _S355;
+    var _S356 : f32 = 1.0f - view_2.z;
+    var _S357 : f32 = _S356 * _S356;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S357 : f32 = view_2.x;
-    var _S358 : f32 = _S357 * _S357;
-    var _S359 : f32 = view_2.y;
-    var _S360 : f32 = _S359 * _S359;
-    (*terms_0)[i32(1)] = sqrt(max(_S358 + _S360, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S356;
-    (*terms_0)[i32(3)] = _S356 * _S356;
-    (*terms_0)[i32(4)] = _S358 - _S360;
+    var _S358 : f32 = view_2.x;
+    var _S359 : f32 = _S358 * _S358;
+    var _S360 : f32 = view_2.y;
+    var _S361 : f32 = _S360 * _S360;
+    (*terms_0)[i32(1)] = sqrt(max(_S359 + _S361, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S357;
+    (*terms_0)[i32(3)] = _S357 * _S357;
+    (*terms_0)[i32(4)] = _S359 - _S361;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_3 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S361 : f32 = 1.0f - view_3.z;
-    var _S362 : f32 = _S361 * _S361;
+    var _S362 : f32 = 1.0f - view_3.z;
+    var _S363 : f32 = _S362 * _S362;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S363 : f32 = view_3.x;
-    var _S364 : f32 = _S363 * _S363;
-    var _S365 : f32 = view_3.y;
-    var _S366 : f32 = _S365 * _S365;
-    (*terms_1)[i32(1)] = sqrt(max(_S364 + _S366, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S362;
-    (*terms_1)[i32(3)] = _S362 * _S362;
-    (*terms_1)[i32(4)] = _S364 - _S366;
+    var _S364 : f32 = view_3.x;
+    var _S365 : f32 = _S364 * _S364;
+    var _S366 : f32 = view_3.y;
+    var _S367 : f32 = _S366 * _S366;
+    (*terms_1)[i32(1)] = sqrt(max(_S365 + _S367, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S363;
+    (*terms_1)[i32(3)] = _S363 * _S363;
+    (*terms_1)[i32(4)] = _S365 - _S367;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -2572,11 +2580,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S367 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S368 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S368 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S369 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_5 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_6 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_6) + _S368 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S368 * interior_0.far_1 + yarn_2.back_5 * _S367;
+    bounced_0.reflected_0 = yarn_2.back_5 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_6 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_6) + _S369 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S369 * interior_0.far_1 + yarn_2.back_5 * _S368;
     return bounced_0;
 }
 
@@ -2590,8 +2598,8 @@ fn sum_of_0( first_25 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S369 : f32 = light_2.z;
-    return select_vector_2((_S369 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S369) * 0.31830987334251404f));
+    var _S370 : f32 = light_2.z;
+    return select_vector_2((_S370 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S370) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_10 : f32,  y_2 : f32) -> f32
@@ -2611,40 +2619,40 @@ fn sheen_reflectance_0( x_12 : f32,  y_4 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S370 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S371 : f32 = 2.0f * sqrt(_S370) - 1.0f;
-    var _S372 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S371, _S372), 0.00999999977648258f, 1.0f), clamp((1.0f - _S370) * sheen_shear_0(_S371, _S372), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S371, _S372), -60.0f, 60.0f))));
+    var _S371 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S372 : f32 = 2.0f * sqrt(_S371) - 1.0f;
+    var _S373 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S372, _S373), 0.00999999977648258f, 1.0f), clamp((1.0f - _S371) * sheen_shear_0(_S372, _S373), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S372, _S373), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S373 : f32 = light_3.z;
-    if(((_S373 <= 0.0f) | (((view_5.z) <= 0.0f))))
+    var _S374 : f32 = light_3.z;
+    if(((_S374 <= 0.0f) | (((view_5.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S374 : vec2<f32> = view_5.xy;
-    var _S375 : f32 = dot(_S374, _S374);
-    var _S376 : vec2<f32> = select_vector_1(_S375 > 9.99999968265522539e-21f, _S374 * vec2<f32>(rsqrt_0(max(_S375, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S377 : f32 = scale_1 * dot(light_3.xy, _S376) + shear_0 * _S373;
-    var _S378 : f32 = scale_1 * (light_3.y * _S376.x - light_3.x * _S376.y);
-    var _S379 : f32 = _S377 * _S377 + _S378 * _S378 + _S373 * _S373;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S373 / max(_S379 * _S379, 9.99999968265522539e-21f);
+    var _S375 : vec2<f32> = view_5.xy;
+    var _S376 : f32 = dot(_S375, _S375);
+    var _S377 : vec2<f32> = select_vector_1(_S376 > 9.99999968265522539e-21f, _S375 * vec2<f32>(rsqrt_0(max(_S376, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S378 : f32 = scale_1 * dot(light_3.xy, _S377) + shear_0 * _S374;
+    var _S379 : f32 = scale_1 * (light_3.y * _S377.x - light_3.x * _S377.y);
+    var _S380 : f32 = _S378 * _S378 + _S379 * _S379 + _S374 * _S374;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S374 / max(_S380 * _S380, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S380 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
-    var _S381 : f32 = strength_0 * _S380.z;
-    return vec2<f32>(_S381 * transformed_cosine_0(light_4, view_6, _S380.x, _S380.y), 1.0f - _S381);
+    var _S381 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
+    var _S382 : f32 = strength_0 * _S381.z;
+    return vec2<f32>(_S382 * transformed_cosine_0(light_4, view_6, _S381.x, _S381.y), 1.0f - _S382);
 }
 
 fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
 {
-    var _S382 : f32 = layers_0[index_8].share_0;
+    var _S383 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_5;
-    layers_0[index_8].share_0 = _S382 * (1.0f - light_5.w);
+    layers_0[index_8].share_0 = _S383 * (1.0f - light_5.w);
     return;
 }
 
@@ -2668,147 +2676,147 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S383 : u32,  _S384 : u32,  _S385 : u32,  _S386 : vec2<f32>) -> f32
+fn uneven_shift_0( _S384 : u32,  _S385 : u32,  _S386 : u32,  _S387 : vec2<f32>) -> f32
 {
-    var _S387 : f32 = families_0[_S385].period_0 / families_0[_S385].count_0;
-    var _S388 : u32 = hash_key_0(_S384, ((fabrics_0[_S383].seed_0) ^ (u32(625341585))));
-    var _S389 : vec2<f32> = vec2<f32>(_S386.x, _S386.y / 4.0f) / vec2<f32>(_S387);
-    return 0.20000000298023224f * sqrt(families_0[_S385].slub_0) * _S387 * (uneven_octave_0(_S388, _S389) * 0.66666668653488159f + uneven_octave_0(_S388 + u32(1), vec2<f32>(2.0f) * _S389 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S388 : f32 = families_0[_S386].period_0 / families_0[_S386].count_0;
+    var _S389 : u32 = hash_key_0(_S385, ((fabrics_0[_S384].seed_0) ^ (u32(625341585))));
+    var _S390 : vec2<f32> = vec2<f32>(_S387.x, _S387.y / 4.0f) / vec2<f32>(_S388);
+    return 0.20000000298023224f * sqrt(families_0[_S386].slub_0) * _S388 * (uneven_octave_0(_S389, _S390) * 0.66666668653488159f + uneven_octave_0(_S389 + u32(1), vec2<f32>(2.0f) * _S390 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S390 : u32,  _S391 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S391 : u32,  _S392 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S390].has_detail_0) == u32(0), _S391, _S391 + vec2<f32>(uneven_shift_0(_S390, u32(0), fabrics_0[_S390].warp_0, _S391), uneven_shift_0(_S390, u32(1), fabrics_0[_S390].weft_0, _S391.yx)));
+    return select_vector_1((fabrics_0[_S391].has_detail_0) == u32(0), _S392, _S392 + vec2<f32>(uneven_shift_0(_S391, u32(0), fabrics_0[_S391].warp_0, _S392), uneven_shift_0(_S391, u32(1), fabrics_0[_S391].weft_0, _S392.yx)));
 }
 
-fn face_point_0( _S392 : u32,  _S393 : u32,  _S394 : f32,  _S395 : f32) -> VisiblePoint_0
+fn face_point_0( _S393 : u32,  _S394 : u32,  _S395 : f32,  _S396 : f32) -> VisiblePoint_0
 {
-    var _S396 : u32 = u32(3) * _S393;
-    var _S397 : Vertex_0 = vertex_at_0(_S396);
-    var _S398 : Vertex_0 = vertex_at_0(_S396 + u32(1));
-    var _S399 : Vertex_0 = vertex_at_0(_S396 + u32(2));
-    var _S400 : vec3<f32> = position_of_0(_S397);
-    var _S401 : vec3<f32> = position_of_0(_S398) - _S400;
-    var _S402 : vec3<f32> = position_of_0(_S399) - _S400;
-    var _S403 : f32 = _S398.u_0 - _S397.u_0;
-    var _S404 : f32 = _S398.v_0 - _S397.v_0;
-    var _S405 : vec2<f32> = vec2<f32>(_S403, _S404);
-    var _S406 : f32 = _S399.u_0 - _S397.u_0;
-    var _S407 : f32 = _S399.v_0 - _S397.v_0;
-    var _S408 : vec2<f32> = vec2<f32>(_S406, _S407);
-    var _S409 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S403 * _S407 - _S404 * _S406) < 0.0f));
-    var _S410 : vec3<f32> = _S409 * (vec3<f32>(_S407) * _S401 - vec3<f32>(_S404) * _S402);
-    var _S411 : vec3<f32> = _S409 * (vec3<f32>(_S403) * _S402 - vec3<f32>(_S406) * _S401);
+    var _S397 : u32 = u32(3) * _S394;
+    var _S398 : Vertex_0 = vertex_at_0(_S397);
+    var _S399 : Vertex_0 = vertex_at_0(_S397 + u32(1));
+    var _S400 : Vertex_0 = vertex_at_0(_S397 + u32(2));
+    var _S401 : vec3<f32> = position_of_0(_S398);
+    var _S402 : vec3<f32> = position_of_0(_S399) - _S401;
+    var _S403 : vec3<f32> = position_of_0(_S400) - _S401;
+    var _S404 : f32 = _S399.u_0 - _S398.u_0;
+    var _S405 : f32 = _S399.v_0 - _S398.v_0;
+    var _S406 : vec2<f32> = vec2<f32>(_S404, _S405);
+    var _S407 : f32 = _S400.u_0 - _S398.u_0;
+    var _S408 : f32 = _S400.v_0 - _S398.v_0;
+    var _S409 : vec2<f32> = vec2<f32>(_S407, _S408);
+    var _S410 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S404 * _S408 - _S405 * _S407) < 0.0f));
+    var _S411 : vec3<f32> = _S410 * (vec3<f32>(_S408) * _S402 - vec3<f32>(_S405) * _S403);
+    var _S412 : vec3<f32> = _S410 * (vec3<f32>(_S404) * _S403 - vec3<f32>(_S407) * _S402);
     var point_1 : VisiblePoint_0;
-    var _S412 : vec3<f32> = vec3<f32>(_S394);
     var _S413 : vec3<f32> = vec3<f32>(_S395);
-    var _S414 : vec3<f32> = normalize(vec3<f32>((1.0f - _S394 - _S395)) * normal_of_0(_S397) + _S412 * normal_of_0(_S398) + _S413 * normal_of_0(_S399));
-    point_1.normal_0 = _S414;
-    var _S415 : vec3<f32> = normalize(_S410 - _S414 * vec3<f32>(dot(_S414, _S410)));
-    point_1.axis_x_0 = _S415;
-    point_1.axis_y_0 = cross(_S414, _S415);
-    var _S416 : vec3<f32> = normalize(cross(_S401, _S402));
-    point_1.face_normal_0 = select_vector_2((dot(_S416, _S414)) < 0.0f, (vec3<f32>(0) - _S416), _S416);
-    point_1.position_4 = _S400 + _S412 * _S401 + _S413 * _S402;
-    point_1.view_0 = _S414;
-    var _S417 : vec2<f32> = vec2<f32>(_S397.u_0, _S397.v_0) + vec2<f32>(_S394) * _S405 + vec2<f32>(_S395) * _S408;
-    point_1.uv_1 = _S417;
-    var _S418 : bool = (dot(cross(_S410, _S411), _S414)) < 0.0f;
-    var _S419 : vec2<f32> = vec2<f32>(fabrics_0[_S392].uv_width_0, select(fabrics_0[_S392].uv_height_0, - fabrics_0[_S392].uv_height_0, _S418));
-    point_1.draft_per_uv_0 = _S419;
-    point_1.draft_0 = uneven_place_0(_S392, _S417 * _S419 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S392].uv_height_0, _S418)));
-    var _S420 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S420;
-    point_1.draft_dy_0 = _S420;
+    var _S414 : vec3<f32> = vec3<f32>(_S396);
+    var _S415 : vec3<f32> = normalize(vec3<f32>((1.0f - _S395 - _S396)) * normal_of_0(_S398) + _S413 * normal_of_0(_S399) + _S414 * normal_of_0(_S400));
+    point_1.normal_0 = _S415;
+    var _S416 : vec3<f32> = normalize(_S411 - _S415 * vec3<f32>(dot(_S415, _S411)));
+    point_1.axis_x_0 = _S416;
+    point_1.axis_y_0 = cross(_S415, _S416);
+    var _S417 : vec3<f32> = normalize(cross(_S402, _S403));
+    point_1.face_normal_0 = select_vector_2((dot(_S417, _S415)) < 0.0f, (vec3<f32>(0) - _S417), _S417);
+    point_1.position_4 = _S401 + _S413 * _S402 + _S414 * _S403;
+    point_1.view_0 = _S415;
+    var _S418 : vec2<f32> = vec2<f32>(_S398.u_0, _S398.v_0) + vec2<f32>(_S395) * _S406 + vec2<f32>(_S396) * _S409;
+    point_1.uv_1 = _S418;
+    var _S419 : bool = (dot(cross(_S411, _S412), _S415)) < 0.0f;
+    var _S420 : vec2<f32> = vec2<f32>(fabrics_0[_S393].uv_width_0, select(fabrics_0[_S393].uv_height_0, - fabrics_0[_S393].uv_height_0, _S419));
+    point_1.draft_per_uv_0 = _S420;
+    point_1.draft_0 = uneven_place_0(_S393, _S418 * _S420 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S393].uv_height_0, _S419)));
+    var _S421 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S421;
+    point_1.draft_dy_0 = _S421;
     return point_1;
 }
 
-fn visible_point_0( _S421 : u32,  _S422 : u32,  _S423 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S422 : u32,  _S423 : u32,  _S424 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S424 : u32 = u32(3) * _S422;
-    var _S425 : Vertex_0 = vertex_at_0(_S424);
-    var _S426 : Vertex_0 = vertex_at_0(_S424 + u32(1));
-    var _S427 : Vertex_0 = vertex_at_0(_S424 + u32(2));
-    var _S428 : vec3<f32> = position_of_0(_S425);
-    var _S429 : vec3<f32> = position_of_0(_S426) - _S428;
-    var _S430 : vec3<f32> = position_of_0(_S427) - _S428;
-    var _S431 : vec3<f32> = cross(_S429, _S430);
-    var _S432 : f32 = f32(frame_record_0.width_0);
-    var _S433 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S432));
-    var _S434 : f32 = f32(frame_record_0.height_0);
-    var _S435 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S434));
-    var _S436 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S423.x) + 0.5f - 0.5f * _S432)) * _S433 + vec3<f32>((f32(_S423.y) + 0.5f - 0.5f * _S434)) * _S435;
-    var _S437 : f32 = dot(_S436, _S431);
-    var _S438 : f32 = 1.0f / select(1.00000000317107685e-30f, _S437, (abs(_S437)) > 1.00000000317107685e-30f);
-    var _S439 : vec3<f32> = _S428 - camera_origin_0();
-    var _S440 : vec3<f32> = vec3<f32>((dot(_S439, _S431) * _S438));
-    var _S441 : vec3<f32> = _S436 * _S440 - _S439;
-    var _S442 : vec3<f32> = _S440 * (_S433 - _S436 * vec3<f32>((dot(_S433, _S431) * _S438)));
-    var _S443 : vec3<f32> = _S440 * (_S435 - _S436 * vec3<f32>((dot(_S435, _S431) * _S438)));
-    var _S444 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S431), 1.00000000317107685e-30f)));
-    var _S445 : vec3<f32> = cross(_S430, _S431) * _S444;
-    var _S446 : vec3<f32> = cross(_S431, _S429) * _S444;
-    var _S447 : vec2<f32> = vec2<f32>(_S426.u_0 - _S425.u_0, _S426.v_0 - _S425.v_0);
-    var _S448 : vec2<f32> = vec2<f32>(_S427.u_0 - _S425.u_0, _S427.v_0 - _S425.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S421, _S422, dot(_S441, _S445), dot(_S441, _S446));
-    point_2.position_4 = _S428 + _S441;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S436));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S442, _S445)) * _S447 + vec2<f32>(dot(_S442, _S446)) * _S448) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S443, _S445)) * _S447 + vec2<f32>(dot(_S443, _S446)) * _S448) * point_2.draft_per_uv_0;
+    var _S425 : u32 = u32(3) * _S423;
+    var _S426 : Vertex_0 = vertex_at_0(_S425);
+    var _S427 : Vertex_0 = vertex_at_0(_S425 + u32(1));
+    var _S428 : Vertex_0 = vertex_at_0(_S425 + u32(2));
+    var _S429 : vec3<f32> = position_of_0(_S426);
+    var _S430 : vec3<f32> = position_of_0(_S427) - _S429;
+    var _S431 : vec3<f32> = position_of_0(_S428) - _S429;
+    var _S432 : vec3<f32> = cross(_S430, _S431);
+    var _S433 : f32 = f32(frame_record_0.width_0);
+    var _S434 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S433));
+    var _S435 : f32 = f32(frame_record_0.height_0);
+    var _S436 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S435));
+    var _S437 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S424.x) + 0.5f - 0.5f * _S433)) * _S434 + vec3<f32>((f32(_S424.y) + 0.5f - 0.5f * _S435)) * _S436;
+    var _S438 : f32 = dot(_S437, _S432);
+    var _S439 : f32 = 1.0f / select(1.00000000317107685e-30f, _S438, (abs(_S438)) > 1.00000000317107685e-30f);
+    var _S440 : vec3<f32> = _S429 - camera_origin_0();
+    var _S441 : vec3<f32> = vec3<f32>((dot(_S440, _S432) * _S439));
+    var _S442 : vec3<f32> = _S437 * _S441 - _S440;
+    var _S443 : vec3<f32> = _S441 * (_S434 - _S437 * vec3<f32>((dot(_S434, _S432) * _S439)));
+    var _S444 : vec3<f32> = _S441 * (_S436 - _S437 * vec3<f32>((dot(_S436, _S432) * _S439)));
+    var _S445 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S432), 1.00000000317107685e-30f)));
+    var _S446 : vec3<f32> = cross(_S431, _S432) * _S445;
+    var _S447 : vec3<f32> = cross(_S432, _S430) * _S445;
+    var _S448 : vec2<f32> = vec2<f32>(_S427.u_0 - _S426.u_0, _S427.v_0 - _S426.v_0);
+    var _S449 : vec2<f32> = vec2<f32>(_S428.u_0 - _S426.u_0, _S428.v_0 - _S426.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S422, _S423, dot(_S442, _S446), dot(_S442, _S447));
+    point_2.position_4 = _S429 + _S442;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S437));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S443, _S446)) * _S448 + vec2<f32>(dot(_S443, _S447)) * _S449) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S444, _S446)) * _S448 + vec2<f32>(dot(_S444, _S447)) * _S449) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S449 : u32,  _S450 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S450 : u32,  _S451 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S451 : u32 = fabrics_0[_S449].albedo_map_levels_0;
-    if((fabrics_0[_S449].albedo_map_levels_0) == u32(0))
+    var _S452 : u32 = fabrics_0[_S450].albedo_map_levels_0;
+    if((fabrics_0[_S450].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S452 : vec2<f32> = vec2<f32>(fabrics_0[_S449].uv_width_0, fabrics_0[_S449].uv_height_0);
-    var _S453 : vec2<f32> = _S450.draft_dx_0 / _S452;
-    var _S454 : vec2<f32> = _S450.draft_dy_0 / _S452;
-    var _S455 : u32 = _S451 - u32(1);
-    var _S456 : u32 = (u32(1) << (_S455));
-    var _S457 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S453.x * _S454.y - _S453.y * _S454.x), 9.99999968265522539e-21f) * (square_1(f32(_S456)) / 3.0f)), 0.0f, f32(_S451) - 1.0f);
-    var _S458 : u32 = min(u32(_S457), max(_S451, u32(2)) - u32(2));
-    var _S459 : u32 = min(_S458 + u32(1), _S455);
-    var _S460 : u32 = (u32(1) << ((u32(2) * _S451)));
-    return mix(map_level_0(fabrics_0[_S449].albedo_map_0 + (_S460 - ((_S460 >> ((u32(2) * _S458))))) / u32(3), (_S456 >> (_S458)), _S450.uv_1), map_level_0(fabrics_0[_S449].albedo_map_0 + (_S460 - ((_S460 >> ((u32(2) * _S459))))) / u32(3), (_S456 >> (_S459)), _S450.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S457 - f32(_S458))) - 1.0f) / 3.0f)));
+    var _S453 : vec2<f32> = vec2<f32>(fabrics_0[_S450].uv_width_0, fabrics_0[_S450].uv_height_0);
+    var _S454 : vec2<f32> = _S451.draft_dx_0 / _S453;
+    var _S455 : vec2<f32> = _S451.draft_dy_0 / _S453;
+    var _S456 : u32 = _S452 - u32(1);
+    var _S457 : u32 = (u32(1) << (_S456));
+    var _S458 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S454.x * _S455.y - _S454.y * _S455.x), 9.99999968265522539e-21f) * (square_1(f32(_S457)) / 3.0f)), 0.0f, f32(_S452) - 1.0f);
+    var _S459 : u32 = min(u32(_S458), max(_S452, u32(2)) - u32(2));
+    var _S460 : u32 = min(_S459 + u32(1), _S456);
+    var _S461 : u32 = (u32(1) << ((u32(2) * _S452)));
+    return mix(map_level_0(fabrics_0[_S450].albedo_map_0 + (_S461 - ((_S461 >> ((u32(2) * _S459))))) / u32(3), (_S457 >> (_S459)), _S451.uv_1), map_level_0(fabrics_0[_S450].albedo_map_0 + (_S461 - ((_S461 >> ((u32(2) * _S460))))) / u32(3), (_S457 >> (_S460)), _S451.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S458 - f32(_S459))) - 1.0f) / 3.0f)));
 }
 
-fn irregular_key_0( _S461 : u32,  _S462 : u32) -> u32
+fn irregular_key_0( _S462 : u32,  _S463 : u32) -> u32
 {
-    return hash_key_0(_S462, ((fabrics_0[_S461].seed_0) ^ (u32(1821285621))));
+    return hash_key_0(_S463, ((fabrics_0[_S462].seed_0) ^ (u32(1821285621))));
 }
 
-fn irregular_place_0( _S463 : u32,  _S464 : vec2<f32>,  _S465 : f32) -> vec2<f32>
+fn irregular_place_0( _S464 : u32,  _S465 : vec2<f32>,  _S466 : f32) -> vec2<f32>
 {
-    var _S466 : u32 = fabrics_0[_S463].warp_0;
-    var _S467 : u32 = fabrics_0[_S463].weft_0;
-    var _S468 : bool = (((fabrics_0[_S463].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S463].warp_0, _S465), moved_share_0(fabrics_0[_S463].weft_0, _S465))) > 0.0f)));
+    var _S467 : u32 = fabrics_0[_S464].warp_0;
+    var _S468 : u32 = fabrics_0[_S464].weft_0;
+    var _S469 : bool = (((fabrics_0[_S464].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S464].warp_0, _S466), moved_share_0(fabrics_0[_S464].weft_0, _S466))) > 0.0f)));
     var number_4 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S464;
+    var moved_0 : vec2<f32> = _S465;
     for(;;)
     {
-        if(number_4 < select(u32(0), u32(2), _S468))
+        if(number_4 < select(u32(0), u32(2), _S469))
         {
         }
         else
         {
             break;
         }
-        var _S469 : bool = number_4 == u32(0);
-        var _S470 : u32 = select(_S467, _S466, _S469);
-        var _S471 : vec2<f32> = select_vector_1(_S469, _S464, _S464.yx);
-        var _S472 : u32 = irregular_key_0(_S463, number_4);
-        var _S473 : f32 = _S471.x;
-        var _S474 : Cell_0 = locate_0(_S470, _S473);
-        var _S475 : f32 = irregular_thread_0(_S470, _S473, _S474);
-        var _S476 : f32 = select(1.0f, -1.0f, (_S474.across_0) < 0.0f);
-        var _S477 : vec2<f32> = vec2<f32>(0.0f);
-        var other_3 : vec2<f32> = _S477;
-        var own_2 : vec2<f32> = _S477;
+        var _S470 : bool = number_4 == u32(0);
+        var _S471 : u32 = select(_S468, _S467, _S470);
+        var _S472 : vec2<f32> = select_vector_1(_S470, _S465, _S465.yx);
+        var _S473 : u32 = irregular_key_0(_S464, number_4);
+        var _S474 : f32 = _S472.x;
+        var _S475 : Cell_0 = locate_0(_S471, _S474);
+        var _S476 : f32 = irregular_thread_0(_S471, _S474, _S475);
+        var _S477 : f32 = select(1.0f, -1.0f, (_S475.across_0) < 0.0f);
+        var _S478 : vec2<f32> = vec2<f32>(0.0f);
+        var other_3 : vec2<f32> = _S478;
+        var own_2 : vec2<f32> = _S478;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -2819,23 +2827,23 @@ fn irregular_place_0( _S463 : u32,  _S464 : vec2<f32>,  _S465 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S478 : vec2<f32> = irregular_at_0(_S470, _S472, _S475 + _S476 * f32(neighbour_0), _S471.y).xy;
-            var _S479 : u32 = neighbour_0 + u32(1);
+            var _S479 : vec2<f32> = irregular_at_0(_S471, _S473, _S476 + _S477 * f32(neighbour_0), _S472.y).xy;
+            var _S480 : u32 = neighbour_0 + u32(1);
             own_2 = other_3;
-            other_3 = _S478;
-            neighbour_0 = _S479;
+            other_3 = _S479;
+            neighbour_0 = _S480;
         }
-        var _S480 : f32 = _S474.below_0 + _S474.above_0;
-        var _S481 : f32 = min(_S474.half_width_1 / _S480, 0.5f);
-        var _S482 : f32 = min(_S481 * (2.0f + own_2.y + other_3.y), 1.0f);
-        var _S483 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
-        var _S484 : f32 = _S483.x;
-        var _S485 : f32 = _S482 * _S484 / (_S484 + _S483.y);
-        var _S486 : f32 = abs(_S474.across_0) / _S480;
-        var _S487 : f32 = 1.0f - _S482;
-        var _S488 : f32 = _S486 - _S485;
-        var _S489 : f32 = moved_share_0(_S470, _S465) * _S476 * _S480 * (select(select((_S488 - _S487) / max(_S482 - _S485, 9.99999997475242708e-07f) * _S481 + (1.0f - _S481), _S488 / max(_S487, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S481) + _S481, _S488 < _S487), _S486 * _S481 / _S485, _S488 < 0.0f) - _S486);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S469, vec2<f32>(_S489, 0.0f), vec2<f32>(0.0f, _S489));
+        var _S481 : f32 = _S475.below_0 + _S475.above_0;
+        var _S482 : f32 = min(_S475.half_width_1 / _S481, 0.5f);
+        var _S483 : f32 = min(_S482 * (2.0f + own_2.y + other_3.y), 1.0f);
+        var _S484 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
+        var _S485 : f32 = _S484.x;
+        var _S486 : f32 = _S483 * _S485 / (_S485 + _S484.y);
+        var _S487 : f32 = abs(_S475.across_0) / _S481;
+        var _S488 : f32 = 1.0f - _S483;
+        var _S489 : f32 = _S487 - _S486;
+        var _S490 : f32 = moved_share_0(_S471, _S466) * _S477 * _S481 * (select(select((_S489 - _S488) / max(_S483 - _S486, 9.99999997475242708e-07f) * _S482 + (1.0f - _S482), _S489 / max(_S488, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S482) + _S482, _S489 < _S488), _S487 * _S482 / _S486, _S489 < 0.0f) - _S487);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S470, vec2<f32>(_S490, 0.0f), vec2<f32>(0.0f, _S490));
         number_4 = number_4 + u32(1);
         moved_0 = moved_1;
     }
@@ -2853,23 +2861,23 @@ struct NeuralView_0
      back_6 : bool,
 };
 
-fn anisotropic_taps_0( _S490 : u32,  _S491 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S491 : u32,  _S492 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S492 : vec3<f32> = row_of_taps_0(_S491);
-    var _S493 : vec2<f32> = _S491.dx_0;
-    var _S494 : vec2<f32> = _S491.dy_0;
-    var _S495 : f32 = dot(_S493, _S493) + dot(_S494, _S494);
-    var _S496 : f32 = _S491.dx_0.x * _S491.dy_0.y - _S491.dx_0.y * _S491.dy_0.x;
-    var _S497 : f32 = 0.5f * (_S495 + sqrt(max(_S495 * _S495 - 4.0f * _S496 * _S496, 0.0f)));
-    var _S498 : bool = ((_S497 < (5.5f * (_S495 - _S497))) & ((_S495 > (8.0f * fabrics_0[_S490].neural_0.pitch_0 * fabrics_0[_S490].neural_0.pitch_0))));
-    var _S499 : vec2<f32> = vec2<f32>(fabrics_0[_S490].neural_0.ends_per_mm_0, fabrics_0[_S490].neural_0.picks_per_mm_0);
+    var _S493 : vec3<f32> = row_of_taps_0(_S492);
+    var _S494 : vec2<f32> = _S492.dx_0;
+    var _S495 : vec2<f32> = _S492.dy_0;
+    var _S496 : f32 = dot(_S494, _S494) + dot(_S495, _S495);
+    var _S497 : f32 = _S492.dx_0.x * _S492.dy_0.y - _S492.dx_0.y * _S492.dy_0.x;
+    var _S498 : f32 = 0.5f * (_S496 + sqrt(max(_S496 * _S496 - 4.0f * _S497 * _S497, 0.0f)));
+    var _S499 : bool = ((_S498 < (5.5f * (_S496 - _S498))) & ((_S496 > (8.0f * fabrics_0[_S491].neural_0.pitch_0 * fabrics_0[_S491].neural_0.pitch_0))));
+    var _S500 : vec2<f32> = vec2<f32>(fabrics_0[_S491].neural_0.ends_per_mm_0, fabrics_0[_S491].neural_0.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S491.centre_0 * _S499;
-    taps_1.side_2 = select(_S492.x, sqrt(0.125f * _S495), _S498) / fabrics_0[_S490].neural_0.pitch_0;
-    var _S500 : vec2<f32> = vec2<f32>(0.25f);
-    var _S501 : vec2<f32> = _S492.yz;
-    taps_1.first_21 = select_vector_1(_S498, _S500 * _S491.dx_0, _S501) * _S499;
-    taps_1.second_0 = select_vector_1(_S498, _S500 * _S491.dy_0, vec2<f32>(0.5f) * _S501) * _S499;
+    taps_1.centre_1 = _S492.centre_0 * _S500;
+    taps_1.side_2 = select(_S493.x, sqrt(0.125f * _S496), _S499) / fabrics_0[_S491].neural_0.pitch_0;
+    var _S501 : vec2<f32> = vec2<f32>(0.25f);
+    var _S502 : vec2<f32> = _S493.yz;
+    taps_1.first_21 = select_vector_1(_S499, _S501 * _S492.dx_0, _S502) * _S500;
+    taps_1.second_0 = select_vector_1(_S499, _S501 * _S492.dy_0, vec2<f32>(0.5f) * _S502) * _S500;
     return taps_1;
 }
 
@@ -2895,131 +2903,131 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S502 : u32,  _S503 : f32,  _S504 : f32,  _S505 : bool) -> Crossing_0
+fn crossing_at_0( _S503 : u32,  _S504 : f32,  _S505 : f32,  _S506 : bool) -> Crossing_0
 {
     var crossing_3 : Crossing_0;
-    crossing_3.warp_1 = locate_0(fabrics_0[_S502].warp_0, _S503);
-    crossing_3.weft_1 = locate_0(fabrics_0[_S502].weft_0, _S504);
-    var _S506 : u32 = fabrics_0[_S502].run_words_0 + u32(2) * (crossing_3.weft_1.thread_1 * fabrics_0[_S502].ends_1 + crossing_3.warp_1.thread_1);
-    var _S507 : u32 = words_0[_S506];
-    crossing_3.warp_word_0 = _S507;
-    crossing_3.weft_word_0 = words_0[_S506 + u32(1)];
-    crossing_3.warp_above_0 = (((_S507 & (u32(1)))) == u32(1)) != _S505;
+    crossing_3.warp_1 = locate_0(fabrics_0[_S503].warp_0, _S504);
+    crossing_3.weft_1 = locate_0(fabrics_0[_S503].weft_0, _S505);
+    var _S507 : u32 = fabrics_0[_S503].run_words_0 + u32(2) * (crossing_3.weft_1.thread_1 * fabrics_0[_S503].ends_1 + crossing_3.warp_1.thread_1);
+    var _S508 : u32 = words_0[_S507];
+    crossing_3.warp_word_0 = _S508;
+    crossing_3.weft_word_0 = words_0[_S507 + u32(1)];
+    crossing_3.warp_above_0 = (((_S508 & (u32(1)))) == u32(1)) != _S506;
     return crossing_3;
 }
 
-fn sample_at_0( _S508 : u32,  _S509 : f32,  _S510 : f32,  _S511 : bool) -> Sample_0
+fn sample_at_0( _S509 : u32,  _S510 : f32,  _S511 : f32,  _S512 : bool) -> Sample_0
 {
     var sample_0 : Sample_0;
-    var _S512 : Crossing_0 = crossing_at_0(_S508, _S509, _S510, _S511);
-    sample_0.crossing_2 = _S512;
-    var _S513 : Shown_0 = shown_at_0(_S512, _S511);
-    sample_0.shown_3 = _S513;
-    var _S514 : u32 = select(fabrics_0[_S508].weft_0, fabrics_0[_S508].warp_0, _S513.is_warp_0);
-    var _S515 : u32 = select(fabrics_0[_S508].warp_0, fabrics_0[_S508].weft_0, _S513.is_warp_0);
-    var _S516 : Cell_0 = select_cell_0(_S513.is_warp_0, sample_0.crossing_2.warp_1, sample_0.crossing_2.weft_1);
-    var _S517 : Cell_0 = select_cell_0(_S513.is_warp_0, sample_0.crossing_2.weft_1, sample_0.crossing_2.warp_1);
-    var _S518 : Run_0 = unpack_0(_S514, _S515, _S516.thread_1, _S517, _S513.word_0);
-    var _S519 : Section_0 = section_at_0(_S516);
-    var _S520 : bool = ((_S513.on_top_0) & (((_S518.distance_0) < (_S519.drop_0 * _S518.bend_1.sine_0))));
-    var _S521 : f32 = select(-1.0f, 1.0f, ((_S513.on_top_0) & ((!_S520))));
-    var _S522 : f32 = select(_S518.reach_0, _S518.other_reach_0, _S520);
-    var _S523 : f32 = select(max(_S522 - _S518.distance_0, 0.0f), _S522 + _S518.distance_0, _S520);
-    var _S524 : f32 = _S522 / _S518.bend_1.sine_0 - _S521 * _S519.drop_0;
-    var _S525 : f32 = _S523 * _S523;
-    var _S526 : f32 = max(_S524 * _S524 - _S525, 9.99999968265522539e-21f);
-    var _S527 : f32 = rsqrt_0(_S526);
-    var _S528 : f32 = _S525 / (_S526 * _S527 + _S524);
-    var _S529 : bool = _S523 > 0.0f;
-    var _S530 : f32 = select(-1.0f, 1.0f, _S513.on_top_0) * select(-1.0f, 1.0f, _S518.near_start_0);
-    var _S531 : f32 = _S519.slope_0 * select(1.0f, _S524 * _S527, _S529);
-    sample_0.slope_across_0 = _S531;
-    var _S532 : f32 = select(0.0f, _S530 * _S523 * _S527, _S529);
-    sample_0.slope_along_0 = _S532;
-    var _S533 : vec3<f32> = dive_0(_S515, _S513, _S518, _S517);
-    sample_0.dive_1 = _S533;
-    sample_0.height_5 = select(families_0[_S514].height_scale_0 * _S521, 0.0f, _S518.straight_0) * (_S522 * _S518.bend_1.half_tangent_0 - _S528) - families_0[_S514].height_scale_0 * _S519.drop_0 - _S533.x;
-    var _S534 : f32 = families_0[_S514].height_scale_0 * _S531;
-    var _S535 : f32 = families_0[_S514].height_scale_0 * _S532 - _S533.y;
-    sample_0.slope_x_1 = select(_S535, _S534, _S513.is_warp_0);
-    sample_0.slope_y_1 = select(_S534, _S535, _S513.is_warp_0);
-    sample_0.run_3 = _S518;
-    sample_0.section_1 = _S519;
+    var _S513 : Crossing_0 = crossing_at_0(_S509, _S510, _S511, _S512);
+    sample_0.crossing_2 = _S513;
+    var _S514 : Shown_0 = shown_at_0(_S513, _S512);
+    sample_0.shown_3 = _S514;
+    var _S515 : u32 = select(fabrics_0[_S509].weft_0, fabrics_0[_S509].warp_0, _S514.is_warp_0);
+    var _S516 : u32 = select(fabrics_0[_S509].warp_0, fabrics_0[_S509].weft_0, _S514.is_warp_0);
+    var _S517 : Cell_0 = select_cell_0(_S514.is_warp_0, sample_0.crossing_2.warp_1, sample_0.crossing_2.weft_1);
+    var _S518 : Cell_0 = select_cell_0(_S514.is_warp_0, sample_0.crossing_2.weft_1, sample_0.crossing_2.warp_1);
+    var _S519 : Run_0 = unpack_0(_S515, _S516, _S517.thread_1, _S518, _S514.word_0);
+    var _S520 : Section_0 = section_at_0(_S517);
+    var _S521 : bool = ((_S514.on_top_0) & (((_S519.distance_0) < (_S520.drop_0 * _S519.bend_1.sine_0))));
+    var _S522 : f32 = select(-1.0f, 1.0f, ((_S514.on_top_0) & ((!_S521))));
+    var _S523 : f32 = select(_S519.reach_0, _S519.other_reach_0, _S521);
+    var _S524 : f32 = select(max(_S523 - _S519.distance_0, 0.0f), _S523 + _S519.distance_0, _S521);
+    var _S525 : f32 = _S523 / _S519.bend_1.sine_0 - _S522 * _S520.drop_0;
+    var _S526 : f32 = _S524 * _S524;
+    var _S527 : f32 = max(_S525 * _S525 - _S526, 9.99999968265522539e-21f);
+    var _S528 : f32 = rsqrt_0(_S527);
+    var _S529 : f32 = _S526 / (_S527 * _S528 + _S525);
+    var _S530 : bool = _S524 > 0.0f;
+    var _S531 : f32 = select(-1.0f, 1.0f, _S514.on_top_0) * select(-1.0f, 1.0f, _S519.near_start_0);
+    var _S532 : f32 = _S520.slope_0 * select(1.0f, _S525 * _S528, _S530);
+    sample_0.slope_across_0 = _S532;
+    var _S533 : f32 = select(0.0f, _S531 * _S524 * _S528, _S530);
+    sample_0.slope_along_0 = _S533;
+    var _S534 : vec3<f32> = dive_0(_S516, _S514, _S519, _S518);
+    sample_0.dive_1 = _S534;
+    sample_0.height_5 = select(families_0[_S515].height_scale_0 * _S522, 0.0f, _S519.straight_0) * (_S523 * _S519.bend_1.half_tangent_0 - _S529) - families_0[_S515].height_scale_0 * _S520.drop_0 - _S534.x;
+    var _S535 : f32 = families_0[_S515].height_scale_0 * _S532;
+    var _S536 : f32 = families_0[_S515].height_scale_0 * _S533 - _S534.y;
+    sample_0.slope_x_1 = select(_S536, _S535, _S514.is_warp_0);
+    sample_0.slope_y_1 = select(_S535, _S536, _S514.is_warp_0);
+    sample_0.run_3 = _S519;
+    sample_0.section_1 = _S520;
     return sample_0;
 }
 
-fn steps_per_length_0( _S536 : u32,  _S537 : SearchQuality_0,  _S538 : vec3<f32>) -> f32
+fn steps_per_length_0( _S537 : u32,  _S538 : SearchQuality_0,  _S539 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S538.x) * fabrics_0[_S536].threads_per_x_0, abs(_S538.y) * fabrics_0[_S536].threads_per_y_0) * _S537.steps_per_thread_0, abs(_S538.z) * fabrics_0[_S536].per_relief_0 * _S537.steps_per_relief_0);
+    return max(max(abs(_S539.x) * fabrics_0[_S537].threads_per_x_0, abs(_S539.y) * fabrics_0[_S537].threads_per_y_0) * _S538.steps_per_thread_0, abs(_S539.z) * fabrics_0[_S537].per_relief_0 * _S538.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S539 : u32,  _S540 : Crossing_0) -> f32
+fn cell_maximum_0( _S540 : u32,  _S541 : Crossing_0) -> f32
 {
-    var _S541 : u32 = select(fabrics_0[_S539].weft_0, fabrics_0[_S539].warp_0, _S540.warp_above_0);
-    return f32((select(_S540.weft_word_0, _S540.warp_word_0, _S540.warp_above_0) >> (u32(28)))) * families_0[_S541].height_scale_0 * families_0[_S541].level_0;
+    var _S542 : u32 = select(fabrics_0[_S540].weft_0, fabrics_0[_S540].warp_0, _S541.warp_above_0);
+    return f32((select(_S541.weft_word_0, _S541.warp_word_0, _S541.warp_above_0) >> (u32(28)))) * families_0[_S542].height_scale_0 * families_0[_S542].level_0;
 }
 
-fn probe_0( _S542 : u32,  _S543 : f32,  _S544 : f32,  _S545 : bool,  _S546 : bool,  _S547 : bool) -> Probe_0
+fn probe_0( _S543 : u32,  _S544 : f32,  _S545 : f32,  _S546 : bool,  _S547 : bool,  _S548 : bool) -> Probe_0
 {
-    var _S548 : Sample_0 = sample_at_0(_S542, _S543, _S544, _S545);
+    var _S549 : Sample_0 = sample_at_0(_S543, _S544, _S545, _S546);
     var probe_1 : Probe_0;
-    probe_1.height_2 = _S548.height_5;
-    probe_1.hole_1 = _S548.shown_3.hole_0;
-    probe_1.slope_x_0 = _S548.slope_x_1;
-    probe_1.slope_y_0 = _S548.slope_y_1;
-    probe_1.yarn_1 = select(_S548.crossing_2.weft_1.thread_1 * u32(2), _S548.crossing_2.warp_1.thread_1 * u32(2) + u32(1), _S548.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S542, _S548.crossing_2);
-    probe_1.side_x_0 = select(_S548.crossing_2.warp_1.below_0, _S548.crossing_2.warp_1.above_0, _S546);
-    probe_1.side_y_0 = select(_S548.crossing_2.weft_1.below_0, _S548.crossing_2.weft_1.above_0, _S547);
-    probe_1.edge_x_0 = outline_distance_0(_S548.crossing_2.warp_1, _S548.shown_3, _S548.run_3, !_S548.shown_3.is_warp_0, _S546);
-    probe_1.edge_y_0 = outline_distance_0(_S548.crossing_2.weft_1, _S548.shown_3, _S548.run_3, _S548.shown_3.is_warp_0, _S547);
+    probe_1.height_2 = _S549.height_5;
+    probe_1.hole_1 = _S549.shown_3.hole_0;
+    probe_1.slope_x_0 = _S549.slope_x_1;
+    probe_1.slope_y_0 = _S549.slope_y_1;
+    probe_1.yarn_1 = select(_S549.crossing_2.weft_1.thread_1 * u32(2), _S549.crossing_2.warp_1.thread_1 * u32(2) + u32(1), _S549.shown_3.is_warp_0);
+    probe_1.cell_max_0 = cell_maximum_0(_S543, _S549.crossing_2);
+    probe_1.side_x_0 = select(_S549.crossing_2.warp_1.below_0, _S549.crossing_2.warp_1.above_0, _S547);
+    probe_1.side_y_0 = select(_S549.crossing_2.weft_1.below_0, _S549.crossing_2.weft_1.above_0, _S548);
+    probe_1.edge_x_0 = outline_distance_0(_S549.crossing_2.warp_1, _S549.shown_3, _S549.run_3, !_S549.shown_3.is_warp_0, _S547);
+    probe_1.edge_y_0 = outline_distance_0(_S549.crossing_2.weft_1, _S549.shown_3, _S549.run_3, _S549.shown_3.is_warp_0, _S548);
     return probe_1;
 }
 
-fn is_free_0( _S549 : u32,  _S550 : SearchQuality_0,  _S551 : vec3<f32>,  _S552 : vec3<f32>,  _S553 : bool,  _S554 : f32) -> bool
+fn is_free_0( _S550 : u32,  _S551 : SearchQuality_0,  _S552 : vec3<f32>,  _S553 : vec3<f32>,  _S554 : bool,  _S555 : f32) -> bool
 {
-    var _S555 : f32 = _S552.z;
-    if(_S555 <= 0.0f)
+    var _S556 : f32 = _S553.z;
+    if(_S556 <= 0.0f)
     {
         return false;
     }
-    var _S556 : f32 = 1.0f / max(_S550.shadow_share_0 * steps_per_length_0(_S549, _S550, _S552), 9.99999971718068537e-10f);
-    var _S557 : StepControl_0 = step_control_0(_S552.xy, _S556);
+    var _S557 : f32 = 1.0f / max(_S551.shadow_share_0 * steps_per_length_0(_S550, _S551, _S553), 9.99999971718068537e-10f);
+    var _S558 : StepControl_0 = step_control_0(_S553.xy, _S557);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S551.z + _S555 * distance_2) < _S554))))
+        if(((count_4 < u32(1024)) & (((_S552.z + _S556 * distance_2) < _S555))))
         {
         }
         else
         {
             break;
         }
-        var _S558 : vec3<f32> = _S551 + _S552 * vec3<f32>(distance_2);
-        var _S559 : Probe_0 = probe_0(_S549, _S558.x, _S558.y, _S553, _S557.right_0, _S557.up_0);
-        var _S560 : f32 = _S558.z;
-        var _S561 : f32 = _S560 - _S559.height_2;
-        var _S562 : f32 = _S555 - _S559.slope_x_0 * _S552.x - _S559.slope_y_0 * _S552.y;
-        if(((!_S559.hole_1) & ((_S561 < 0.0f))))
+        var _S559 : vec3<f32> = _S552 + _S553 * vec3<f32>(distance_2);
+        var _S560 : Probe_0 = probe_0(_S550, _S559.x, _S559.y, _S554, _S558.right_0, _S558.up_0);
+        var _S561 : f32 = _S559.z;
+        var _S562 : f32 = _S561 - _S560.height_2;
+        var _S563 : f32 = _S556 - _S560.slope_x_0 * _S553.x - _S560.slope_y_0 * _S553.y;
+        if(((!_S560.hole_1) & ((_S562 < 0.0f))))
         {
             return false;
         }
-        var _S563 : f32 = way_back_to_dip_0(previous_3, _S561, _S562, last_step_0, _S559);
-        if(_S563 >= 0.0f)
+        var _S564 : f32 = way_back_to_dip_0(previous_3, _S562, _S563, last_step_0, _S560);
+        if(_S564 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S563;
-            distance_2 = distance_2 - _S563;
+            var last_step_1 : f32 = last_step_0 - _S564;
+            distance_2 = distance_2 - _S564;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S564 : bool = _S560 > (_S559.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S557, _S559, _S561, _S562), max(StepControl_to_cell_exit_0(_S557, _S559.side_x_0, _S559.side_y_0), _S556), _S564);
+        var _S565 : bool = _S561 > (_S560.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S558, _S560, _S562, _S563), max(StepControl_to_cell_exit_0(_S558, _S560.side_x_0, _S560.side_y_0), _S557), _S565);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S561, _S562, _S559, _S564);
+        previous_3 = after_sample_0(_S562, _S563, _S560, _S565);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -3027,13 +3035,13 @@ fn is_free_0( _S549 : u32,  _S550 : SearchQuality_0,  _S551 : vec3<f32>,  _S552 
     return true;
 }
 
-fn passes_through_0( _S565 : u32,  _S566 : SearchQuality_0,  _S567 : f32,  _S568 : f32,  _S569 : vec3<f32>,  _S570 : bool) -> bool
+fn passes_through_0( _S566 : u32,  _S567 : SearchQuality_0,  _S568 : f32,  _S569 : f32,  _S570 : vec3<f32>,  _S571 : bool) -> bool
 {
-    if(!sample_at_0(_S565, _S567, _S568, _S570).shown_3.hole_0)
+    if(!sample_at_0(_S566, _S568, _S569, _S571).shown_3.hole_0)
     {
         return false;
     }
-    var _S571 : vec3<f32> = vec3<f32>(_S567, _S568, 0.0f);
+    var _S572 : vec3<f32> = vec3<f32>(_S568, _S569, 0.0f);
     var passes_0 : bool = true;
     var side_3 : u32 = u32(0);
     for(;;)
@@ -3045,10 +3053,10 @@ fn passes_through_0( _S565 : u32,  _S566 : SearchQuality_0,  _S567 : f32,  _S568
         {
             break;
         }
-        var _S572 : bool = is_free_0(_S565, _S566, _S571, select_vector_2(side_3 == u32(0), _S569, vec3<f32>(- _S569.x, - _S569.y, _S569.z)), _S570 != (side_3 == u32(1)), fabrics_0[_S565].height_high_0);
-        var _S573 : u32 = side_3 + u32(1);
-        passes_0 = _S572;
-        side_3 = _S573;
+        var _S573 : bool = is_free_0(_S566, _S567, _S572, select_vector_2(side_3 == u32(0), _S570, vec3<f32>(- _S570.x, - _S570.y, _S570.z)), _S571 != (side_3 == u32(1)), fabrics_0[_S566].height_high_0);
+        var _S574 : u32 = side_3 + u32(1);
+        passes_0 = _S573;
+        side_3 = _S574;
     }
     return passes_0;
 }
@@ -3063,14 +3071,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S574 : u32,  _S575 : f32,  _S576 : f32,  _S577 : f32,  _S578 : vec3<f32>,  _S579 : bool) -> f32
+fn max_height_along_0( _S575 : u32,  _S576 : f32,  _S577 : f32,  _S578 : f32,  _S579 : vec3<f32>,  _S580 : bool) -> f32
 {
-    var _S580 : f32 = _S578.x;
-    var _S581 : f32 = _S578.y;
-    var _S582 : u32 = (words_0[fabrics_0[_S574].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S574].weft_0, _S576).thread_1 / u32(2) * fabrics_0[_S574].max_height_columns_0 + locate_0(fabrics_0[_S574].warp_0, _S575).thread_1 / u32(2)) + (select(u32(0), u32(1), _S580 > 0.0f) + select(u32(0), u32(2), _S581 > 0.0f))] >> (u32(select(i32(0), i32(4), _S579))));
-    var _S583 : f32 = max(abs(_S580) * fabrics_0[_S574].threads_per_x_0, abs(_S581) * fabrics_0[_S574].threads_per_y_0) / _S578.z;
-    var _S584 : f32 = fabrics_0[_S574].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S574].height_high_0;
+    var _S581 : f32 = _S579.x;
+    var _S582 : f32 = _S579.y;
+    var _S583 : u32 = (words_0[fabrics_0[_S575].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S575].weft_0, _S577).thread_1 / u32(2) * fabrics_0[_S575].max_height_columns_0 + locate_0(fabrics_0[_S575].warp_0, _S576).thread_1 / u32(2)) + (select(u32(0), u32(1), _S581 > 0.0f) + select(u32(0), u32(2), _S582 > 0.0f))] >> (u32(select(i32(0), i32(4), _S580))));
+    var _S584 : f32 = max(abs(_S581) * fabrics_0[_S575].threads_per_x_0, abs(_S582) * fabrics_0[_S575].threads_per_y_0) / _S579.z;
+    var _S585 : f32 = fabrics_0[_S575].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S575].height_high_0;
     var number_5 : i32 = i32(3);
     for(;;)
     {
@@ -3081,26 +3089,26 @@ fn max_height_along_0( _S574 : u32,  _S575 : f32,  _S576 : f32,  _S577 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S577) * _S583) <= (PYRAMID_RADII_0[number_5]))
+        if(((max_height_0 - _S578) * _S584) <= (PYRAMID_RADII_0[number_5]))
         {
-            max_height_0 = min(max_height_0, f32((((_S582 >> (u32(i32(8) * number_5)))) & (u32(15)))) * 0.06666667014360428f * _S584);
+            max_height_0 = min(max_height_0, f32((((_S583 >> (u32(i32(8) * number_5)))) & (u32(15)))) * 0.06666667014360428f * _S585);
         }
         number_5 = number_5 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S585 : u32,  _S586 : f32,  _S587 : f32,  _S588 : bool,  _S589 : bool,  _S590 : bool) -> vec3<f32>
+fn cell_bounds_0( _S586 : u32,  _S587 : f32,  _S588 : f32,  _S589 : bool,  _S590 : bool,  _S591 : bool) -> vec3<f32>
 {
-    var _S591 : Crossing_0 = crossing_at_0(_S585, _S586, _S587, _S588);
-    return vec3<f32>(cell_maximum_0(_S585, _S591), select(_S591.warp_1.below_0, _S591.warp_1.above_0, _S589), select(_S591.weft_1.below_0, _S591.weft_1.above_0, _S590));
+    var _S592 : Crossing_0 = crossing_at_0(_S586, _S587, _S588, _S589);
+    return vec3<f32>(cell_maximum_0(_S586, _S592), select(_S592.warp_1.below_0, _S592.warp_1.above_0, _S590), select(_S592.weft_1.below_0, _S592.weft_1.above_0, _S591));
 }
 
-fn first_sample_height_0( _S592 : u32,  _S593 : ViewRay_0,  _S594 : StepControl_0,  _S595 : bool) -> f32
+fn first_sample_height_0( _S593 : u32,  _S594 : ViewRay_0,  _S595 : StepControl_0,  _S596 : bool) -> f32
 {
-    var _S596 : f32 = max_height_along_0(_S592, _S593.origin_0.x, _S593.origin_0.y, 0.0f, vec3<f32>(_S593.slope_1, 1.0f), _S595);
+    var _S597 : f32 = max_height_along_0(_S593, _S594.origin_0.x, _S594.origin_0.y, 0.0f, vec3<f32>(_S594.slope_1, 1.0f), _S596);
     var count_5 : u32 = u32(0);
-    var height_7 : f32 = _S596;
+    var height_7 : f32 = _S597;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -3110,12 +3118,12 @@ fn first_sample_height_0( _S592 : u32,  _S593 : ViewRay_0,  _S594 : StepControl_
         {
             break;
         }
-        var _S597 : vec2<f32> = ViewRay_at_0(_S593, height_7);
-        var _S598 : vec3<f32> = cell_bounds_0(_S592, _S597.x, _S597.y, _S595, _S594.right_0, _S594.up_0);
-        var _S599 : f32 = height_7 - _S598.x;
-        var _S600 : f32 = StepControl_to_cell_exit_0(_S594, _S598.y, _S598.z);
-        var height_8 : f32 = height_7 - clamp(_S599, 0.0f, _S600);
-        if(_S599 <= _S600)
+        var _S598 : vec2<f32> = ViewRay_at_0(_S594, height_7);
+        var _S599 : vec3<f32> = cell_bounds_0(_S593, _S598.x, _S598.y, _S596, _S595.right_0, _S595.up_0);
+        var _S600 : f32 = height_7 - _S599.x;
+        var _S601 : f32 = StepControl_to_cell_exit_0(_S595, _S599.y, _S599.z);
+        var height_8 : f32 = height_7 - clamp(_S600, 0.0f, _S601);
+        if(_S600 <= _S601)
         {
             height_7 = height_8;
             break;
@@ -3126,12 +3134,12 @@ fn first_sample_height_0( _S592 : u32,  _S593 : ViewRay_0,  _S594 : StepControl_
     return height_7;
 }
 
-fn search_down_0( _S601 : u32,  _S602 : ViewRay_0,  _S603 : StepControl_0,  _S604 : bool) -> ViewRayEnd_0
+fn search_down_0( _S602 : u32,  _S603 : ViewRay_0,  _S604 : StepControl_0,  _S605 : bool) -> ViewRayEnd_0
 {
-    var _S605 : f32 = fabrics_0[_S601].height_low_0 - (fabrics_0[_S601].height_high_0 - fabrics_0[_S601].height_low_0);
+    var _S606 : f32 = fabrics_0[_S602].height_low_0 - (fabrics_0[_S602].height_high_0 - fabrics_0[_S602].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S601, _S602, _S603, _S604);
-    end_1.last_step_3 = _S603.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S602, _S603, _S604, _S605);
+    end_1.last_step_3 = _S604.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -3146,140 +3154,140 @@ fn search_down_0( _S601 : u32,  _S602 : ViewRay_0,  _S603 : StepControl_0,  _S60
         {
             break;
         }
-        var _S606 : vec2<f32> = ViewRay_at_0(_S602, end_1.height_6);
-        var _S607 : Probe_0 = probe_0(_S601, _S606.x, _S606.y, _S604, _S603.right_0, _S603.up_0);
-        var _S608 : f32 = end_1.height_6 - _S607.height_2;
-        var _S609 : f32 = ViewRay_rate_0(_S602, _S607);
-        end_1.depth_0 = - _S608;
-        end_1.rate_4 = _S609;
-        var _S610 : bool = !_S607.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S610))) & (((end_1.previous_4.yarn_0) == (_S607.yarn_1))));
-        if((((_S610 & ((_S608 <= 0.0f)))) | (((end_1.height_6) <= _S605))))
+        var _S607 : vec2<f32> = ViewRay_at_0(_S603, end_1.height_6);
+        var _S608 : Probe_0 = probe_0(_S602, _S607.x, _S607.y, _S605, _S604.right_0, _S604.up_0);
+        var _S609 : f32 = end_1.height_6 - _S608.height_2;
+        var _S610 : f32 = ViewRay_rate_0(_S603, _S608);
+        end_1.depth_0 = - _S609;
+        end_1.rate_4 = _S610;
+        var _S611 : bool = !_S608.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S611))) & (((end_1.previous_4.yarn_0) == (_S608.yarn_1))));
+        if((((_S611 & ((_S609 <= 0.0f)))) | (((end_1.height_6) <= _S606))))
         {
             break;
         }
-        var _S611 : f32 = way_back_to_dip_0(end_1.previous_4, _S608, _S609, end_1.last_step_3, _S607);
-        if(_S611 >= 0.0f)
+        var _S612 : f32 = way_back_to_dip_0(end_1.previous_4, _S609, _S610, end_1.last_step_3, _S608);
+        if(_S612 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S611;
-            end_1.last_step_3 = end_1.last_step_3 - _S611;
+            end_1.height_6 = end_1.height_6 + _S612;
+            end_1.last_step_3 = end_1.last_step_3 - _S612;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S612 : f32 = min(StepControl_to_cell_exit_0(_S603, _S607.side_x_0, _S607.side_y_0), end_1.height_6 - _S607.cell_max_0);
-        var _S613 : f32 = StepControl_to_next_sample_0(_S603, _S607, _S608, _S609);
-        end_1.previous_4 = after_sample_0(_S608, _S609, _S607, _S612 > _S613);
-        var _S614 : f32 = max(_S612, _S613);
-        end_1.last_step_3 = _S614;
-        end_1.height_6 = end_1.height_6 - _S614;
+        var _S613 : f32 = min(StepControl_to_cell_exit_0(_S604, _S608.side_x_0, _S608.side_y_0), end_1.height_6 - _S608.cell_max_0);
+        var _S614 : f32 = StepControl_to_next_sample_0(_S604, _S608, _S609, _S610);
+        end_1.previous_4 = after_sample_0(_S609, _S610, _S608, _S613 > _S614);
+        var _S615 : f32 = max(_S613, _S614);
+        end_1.last_step_3 = _S615;
+        end_1.height_6 = end_1.height_6 - _S615;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S615 : u32,  _S616 : ViewRay_0,  _S617 : StepControl_0,  _S618 : bool,  _S619 : ViewRayEnd_0,  _S620 : u32) -> f32
+fn refined_height_0( _S616 : u32,  _S617 : ViewRay_0,  _S618 : StepControl_0,  _S619 : bool,  _S620 : ViewRayEnd_0,  _S621 : u32) -> f32
 {
-    var _S621 : f32 = fabrics_0[_S615].height_high_0 - fabrics_0[_S615].height_low_0;
-    var above_2 : f32 = _S619.height_6 + _S619.last_step_3;
-    var above_gap_1 : f32 = clamp(_S619.previous_4.clearance_0, 0.0f, _S621);
-    var under_gap_1 : f32 = clamp(_S619.depth_0, 0.0f, _S621);
-    var middle_0 : f32 = select(between_0(above_2, _S619.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S619.previous_4.rate_0 * _S619.last_step_3, _S619.rate_4 * _S619.last_step_3) * _S619.last_step_3, _S619.smooth_0);
+    var _S622 : f32 = fabrics_0[_S616].height_high_0 - fabrics_0[_S616].height_low_0;
+    var above_2 : f32 = _S620.height_6 + _S620.last_step_3;
+    var above_gap_1 : f32 = clamp(_S620.previous_4.clearance_0, 0.0f, _S622);
+    var under_gap_1 : f32 = clamp(_S620.depth_0, 0.0f, _S622);
+    var middle_0 : f32 = select(between_0(above_2, _S620.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S620.previous_4.rate_0 * _S620.last_step_3, _S620.rate_4 * _S620.last_step_3) * _S620.last_step_3, _S620.smooth_0);
     var side_4 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S619.height_6;
+    var under_1 : f32 = _S620.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S620)
+        if(i_1 < _S621)
         {
         }
         else
         {
             break;
         }
-        var _S622 : vec2<f32> = ViewRay_at_0(_S616, middle_0);
-        var _S623 : Probe_0 = probe_0(_S615, _S622.x, _S622.y, _S618, _S617.right_0, _S617.up_0);
-        var _S624 : f32 = clamp(middle_0 - select(_S623.height_2, -1.0e+09f, _S623.hole_1), - _S621, _S621);
-        if(_S624 <= 0.0f)
+        var _S623 : vec2<f32> = ViewRay_at_0(_S617, middle_0);
+        var _S624 : Probe_0 = probe_0(_S616, _S623.x, _S623.y, _S619, _S618.right_0, _S618.up_0);
+        var _S625 : f32 = clamp(middle_0 - select(_S624.height_2, -1.0e+09f, _S624.hole_1), - _S622, _S622);
+        if(_S625 <= 0.0f)
         {
-            var _S625 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_4 > 0.0f);
-            var _S626 : f32 = - _S624;
+            var _S626 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_4 > 0.0f);
+            var _S627 : f32 = - _S625;
             under_1 = middle_0;
-            above_gap_2 = _S625;
-            under_gap_2 = _S626;
+            above_gap_2 = _S626;
+            under_gap_2 = _S627;
             side_4 = 1.0f;
         }
         else
         {
-            var _S627 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_4 < 0.0f);
+            var _S628 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_4 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S624;
-            under_gap_2 = _S627;
+            above_gap_2 = _S625;
+            under_gap_2 = _S628;
             side_4 = -1.0f;
         }
-        var _S628 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S624 / min(ViewRay_rate_0(_S616, _S623), -9.99999997475242708e-07f), under_1, above_3), _S619.smooth_0);
-        var _S629 : u32 = i_1 + u32(1);
-        middle_0 = _S628;
-        i_1 = _S629;
+        var _S629 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S625 / min(ViewRay_rate_0(_S617, _S624), -9.99999997475242708e-07f), under_1, above_3), _S620.smooth_0);
+        var _S630 : u32 = i_1 + u32(1);
+        middle_0 = _S629;
+        i_1 = _S630;
     }
-    return select(under_1, middle_0, _S619.smooth_0);
+    return select(under_1, middle_0, _S620.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S630 : u32,  _S631 : SearchQuality_0,  _S632 : f32,  _S633 : f32,  _S634 : vec3<f32>,  _S635 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S631 : u32,  _S632 : SearchQuality_0,  _S633 : f32,  _S634 : f32,  _S635 : vec3<f32>,  _S636 : bool) -> Hit_0
 {
-    var _S636 : f32 = max(_S634.z, 0.00009999999747379f);
+    var _S637 : f32 = max(_S635.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S632, _S633);
-    var _S637 : vec2<f32> = _S634.xy / vec2<f32>(_S636);
-    ray_0.slope_1 = _S637;
-    var _S638 : StepControl_0 = step_control_0((vec2<f32>(0) - _S637), 1.0f / max(steps_per_length_0(_S630, _S631, _S634) / _S636, 9.99999971718068537e-10f));
-    var _S639 : ViewRayEnd_0 = search_down_0(_S630, ray_0, _S638, _S635);
+    ray_0.origin_0 = vec2<f32>(_S633, _S634);
+    var _S638 : vec2<f32> = _S635.xy / vec2<f32>(_S637);
+    ray_0.slope_1 = _S638;
+    var _S639 : StepControl_0 = step_control_0((vec2<f32>(0) - _S638), 1.0f / max(steps_per_length_0(_S631, _S632, _S635) / _S637, 9.99999971718068537e-10f));
+    var _S640 : ViewRayEnd_0 = search_down_0(_S631, ray_0, _S639, _S636);
     var hit_0 : Hit_0;
     hit_0.hole_3 = false;
-    var _S640 : f32 = refined_height_0(_S630, ray_0, _S638, _S635, _S639, _S631.refinements_0);
-    hit_0.height_4 = _S640;
-    var _S641 : vec2<f32> = ViewRay_at_0(ray_0, _S640);
-    hit_0.x_13 = _S641.x;
-    hit_0.y_5 = _S641.y;
+    var _S641 : f32 = refined_height_0(_S631, ray_0, _S639, _S636, _S640, _S632.refinements_0);
+    hit_0.height_4 = _S641;
+    var _S642 : vec2<f32> = ViewRay_at_0(ray_0, _S641);
+    hit_0.x_13 = _S642.x;
+    hit_0.y_5 = _S642.y;
     return hit_0;
 }
 
-fn first_hit_0( _S642 : u32,  _S643 : SearchQuality_0,  _S644 : f32,  _S645 : f32,  _S646 : vec3<f32>,  _S647 : bool) -> Hit_0
+fn first_hit_0( _S643 : u32,  _S644 : SearchQuality_0,  _S645 : f32,  _S646 : f32,  _S647 : vec3<f32>,  _S648 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S642, _S643, _S644, _S645, _S646, _S647))
+    if(!passes_through_0(_S643, _S644, _S645, _S646, _S647, _S648))
     {
-        return first_hit_of_yarn_0(_S642, _S643, _S644, _S645, _S646, _S647);
+        return first_hit_of_yarn_0(_S643, _S644, _S645, _S646, _S647, _S648);
     }
     var hit_1 : Hit_0;
-    hit_1.x_13 = _S644;
-    hit_1.y_5 = _S645;
+    hit_1.x_13 = _S645;
+    hit_1.y_5 = _S646;
     hit_1.height_4 = 0.0f;
     hit_1.hole_3 = true;
     return hit_1;
 }
 
-fn taps_at_yarns_0( _S648 : u32,  _S649 : Footprint_0,  _S650 : AnisotropicTaps_0,  _S651 : vec3<f32>,  _S652 : bool) -> AnisotropicTaps_0
+fn taps_at_yarns_0( _S649 : u32,  _S650 : Footprint_0,  _S651 : AnisotropicTaps_0,  _S652 : vec3<f32>,  _S653 : bool) -> AnisotropicTaps_0
 {
-    var _S653 : f32 = 1.0f - clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(_S650), 9.99999997475242708e-07f) / 0.25f) * 0.48089835047721863f, 0.0f, 1.0f);
-    if(_S653 <= 0.0f)
+    var _S654 : f32 = 1.0f - clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(_S651), 9.99999997475242708e-07f) / 0.25f) * 0.48089835047721863f, 0.0f, 1.0f);
+    if(_S654 <= 0.0f)
     {
-        return _S650;
+        return _S651;
     }
-    var _S654 : Hit_0 = first_hit_0(_S648, default_quality_0(), _S649.centre_0.x, _S649.centre_0.y, _S651, _S652);
-    if(_S654.hole_3)
+    var _S655 : Hit_0 = first_hit_0(_S649, default_quality_0(), _S650.centre_0.x, _S650.centre_0.y, _S652, _S653);
+    if(_S655.hole_3)
     {
-        return _S650;
+        return _S651;
     }
-    var moved_2 : AnisotropicTaps_0 = _S650;
-    moved_2.centre_1 = moved_2.centre_1 + vec2<f32>(_S653) * vec2<f32>(fabrics_0[_S648].neural_0.ends_per_mm_0, fabrics_0[_S648].neural_0.picks_per_mm_0) * (vec2<f32>(_S654.x_13, _S654.y_5) - _S649.centre_0);
+    var moved_2 : AnisotropicTaps_0 = _S651;
+    moved_2.centre_1 = moved_2.centre_1 + vec2<f32>(_S654) * vec2<f32>(fabrics_0[_S649].neural_0.ends_per_mm_0, fabrics_0[_S649].neural_0.picks_per_mm_0) * (vec2<f32>(_S655.x_13, _S655.y_5) - _S650.centre_0);
     return moved_2;
 }
 
-fn add_texel_0( _S655 : u32,  _S656 : u32,  _S657 : f32,  _S658 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S656 : u32,  _S657 : u32,  _S658 : f32,  _S659 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S659 : u32 = fabrics_0[_S655].neural_0.latents_0 + _S656 * u32(8);
+    var _S660 : u32 = fabrics_0[_S656].neural_0.latents_0 + _S657 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -3290,34 +3298,34 @@ fn add_texel_0( _S655 : u32,  _S656 : u32,  _S657 : f32,  _S658 : ptr<function, 
         {
             break;
         }
-        var _S660 : Eight_0 = eight_halves_0(packed_numbers_0[_S659 + part_0]);
-        var _S661 : i32 = i32(u32(8) * part_0);
-        (*_S658)[_S661] = (*_S658)[_S661] + _S657 * _S660.low_0[i32(0)];
-        (*_S658)[_S661 + i32(4)] = (*_S658)[_S661 + i32(4)] + _S657 * _S660.high_0[i32(0)];
-        var _S662 : i32 = _S661 + i32(1);
-        (*_S658)[_S662] = (*_S658)[_S662] + _S657 * _S660.low_0[i32(1)];
-        (*_S658)[_S662 + i32(4)] = (*_S658)[_S662 + i32(4)] + _S657 * _S660.high_0[i32(1)];
-        var _S663 : i32 = _S661 + i32(2);
-        (*_S658)[_S663] = (*_S658)[_S663] + _S657 * _S660.low_0[i32(2)];
-        (*_S658)[_S663 + i32(4)] = (*_S658)[_S663 + i32(4)] + _S657 * _S660.high_0[i32(2)];
-        var _S664 : i32 = _S661 + i32(3);
-        (*_S658)[_S664] = (*_S658)[_S664] + _S657 * _S660.low_0[i32(3)];
-        (*_S658)[_S664 + i32(4)] = (*_S658)[_S664 + i32(4)] + _S657 * _S660.high_0[i32(3)];
+        var _S661 : Eight_0 = eight_halves_0(packed_numbers_0[_S660 + part_0]);
+        var _S662 : i32 = i32(u32(8) * part_0);
+        (*_S659)[_S662] = (*_S659)[_S662] + _S658 * _S661.low_0[i32(0)];
+        (*_S659)[_S662 + i32(4)] = (*_S659)[_S662 + i32(4)] + _S658 * _S661.high_0[i32(0)];
+        var _S663 : i32 = _S662 + i32(1);
+        (*_S659)[_S663] = (*_S659)[_S663] + _S658 * _S661.low_0[i32(1)];
+        (*_S659)[_S663 + i32(4)] = (*_S659)[_S663 + i32(4)] + _S658 * _S661.high_0[i32(1)];
+        var _S664 : i32 = _S662 + i32(2);
+        (*_S659)[_S664] = (*_S659)[_S664] + _S658 * _S661.low_0[i32(2)];
+        (*_S659)[_S664 + i32(4)] = (*_S659)[_S664 + i32(4)] + _S658 * _S661.high_0[i32(2)];
+        var _S665 : i32 = _S662 + i32(3);
+        (*_S659)[_S665] = (*_S659)[_S665] + _S658 * _S661.low_0[i32(3)];
+        (*_S659)[_S665 + i32(4)] = (*_S659)[_S665 + i32(4)] + _S658 * _S661.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S665 : u32,  _S666 : u32,  _S667 : bool,  _S668 : vec2<f32>,  _S669 : f32,  _S670 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S666 : u32,  _S667 : u32,  _S668 : bool,  _S669 : vec2<f32>,  _S670 : f32,  _S671 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S671 : Neural_std430_0 = fabrics_0[_S665].neural_0;
-    var _S672 : u32 = fabrics_0[_S665].neural_0.levels_1 + u32(4) * _S666;
-    var _S673 : f32 = table_number_0(_S672);
-    var _S674 : f32 = table_number_0(_S672 + u32(1));
-    var _S675 : f32 = table_number_0(_S672 + u32(2));
-    var _S676 : vec2<f32> = _S668 * vec2<f32>(table_number_0(_S672 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S666 > u32(3)) & ((_S666 < (fabrics_0[_S665].neural_0.top_level_0))))));
-    var _S677 : vec2<f32> = floor(_S676);
-    var _S678 : vec2<f32> = _S676 - _S677;
+    var _S672 : Neural_std430_0 = fabrics_0[_S666].neural_0;
+    var _S673 : u32 = fabrics_0[_S666].neural_0.levels_1 + u32(4) * _S667;
+    var _S674 : f32 = table_number_0(_S673);
+    var _S675 : f32 = table_number_0(_S673 + u32(1));
+    var _S676 : f32 = table_number_0(_S673 + u32(2));
+    var _S677 : vec2<f32> = _S669 * vec2<f32>(table_number_0(_S673 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S667 > u32(3)) & ((_S667 < (fabrics_0[_S666].neural_0.top_level_0))))));
+    var _S678 : vec2<f32> = floor(_S677);
+    var _S679 : vec2<f32> = _S677 - _S678;
     var corner_1 : u32 = u32(0);
     for(;;)
     {
@@ -3328,16 +3336,16 @@ fn add_level_0( _S665 : u32,  _S666 : u32,  _S667 : bool,  _S668 : vec2<f32>,  _
         {
             break;
         }
-        var _S679 : f32 = f32((corner_1 & (u32(1))));
-        var _S680 : f32 = f32((corner_1 >> (u32(1))));
-        var _S681 : vec2<f32> = mix(vec2<f32>(1.0f) - _S678, _S678, vec2<f32>(_S679, _S680));
-        add_texel_0(_S665, u32(_S673 + wrapped_0(_S677.y + _S680, _S675) * _S674 + wrapped_0(_S677.x + _S679, _S674)) + select(u32(0), _S671.texels_0, _S667), _S669 * _S681.x * _S681.y, &((*_S670)));
+        var _S680 : f32 = f32((corner_1 & (u32(1))));
+        var _S681 : f32 = f32((corner_1 >> (u32(1))));
+        var _S682 : vec2<f32> = mix(vec2<f32>(1.0f) - _S679, _S679, vec2<f32>(_S680, _S681));
+        add_texel_0(_S666, u32(_S674 + wrapped_0(_S678.y + _S681, _S676) * _S675 + wrapped_0(_S678.x + _S680, _S675)) + select(u32(0), _S672.texels_0, _S668), _S670 * _S682.x * _S682.y, &((*_S671)));
         corner_1 = corner_1 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S682 : u32,  _S683 : AnisotropicTaps_0,  _S684 : vec3<f32>,  _S685 : bool,  _S686 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S683 : u32,  _S684 : AnisotropicTaps_0,  _S685 : vec3<f32>,  _S686 : bool,  _S687 : ptr<function, array<f32, i32(88)>>)
 {
     var k_0 : i32 = i32(0);
     for(;;)
@@ -3349,28 +3357,28 @@ fn code_footprint_0( _S682 : u32,  _S683 : AnisotropicTaps_0,  _S684 : vec3<f32>
         {
             break;
         }
-        (*_S686)[k_0] = 0.0f;
+        (*_S687)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S687 : vec2<f32> = vec2<f32>(fabrics_0[_S682].neural_0.ends_0, fabrics_0[_S682].neural_0.picks_0);
-    var _S688 : f32 = f32(fabrics_0[_S682].neural_0.top_level_0);
-    var _S689 : f32 = clamp(binary_logarithm_0(max(_S683.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S688);
-    var _S690 : f32 = min(floor(_S689), _S688 - 1.0f);
-    var _S691 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S683));
+    var _S688 : vec2<f32> = vec2<f32>(fabrics_0[_S683].neural_0.ends_0, fabrics_0[_S683].neural_0.picks_0);
+    var _S689 : f32 = f32(fabrics_0[_S683].neural_0.top_level_0);
+    var _S690 : f32 = clamp(binary_logarithm_0(max(_S684.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S689);
+    var _S691 : f32 = min(floor(_S690), _S689 - 1.0f);
+    var _S692 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S684));
     var number_6 : u32 = u32(0);
     for(;;)
     {
-        if(number_6 < (u32(2) * _S691))
+        if(number_6 < (u32(2) * _S692))
         {
         }
         else
         {
             break;
         }
-        var _S692 : vec2<f32> = AnisotropicTaps_place_0(_S683, (number_6 >> (u32(1))));
-        var _S693 : bool = ((number_6 & (u32(1)))) != u32(0);
-        var _S694 : f32 = _S689 - _S690;
-        add_level_0(_S682, u32(_S690) + select(u32(0), u32(1), _S693), _S685, clamp(_S692 - _S687 * floor(_S692 / _S687), vec2<f32>(0.0f), _S687), select(1.0f - _S694, _S694, _S693) / f32(_S691), &((*_S686)));
+        var _S693 : vec2<f32> = AnisotropicTaps_place_0(_S684, (number_6 >> (u32(1))));
+        var _S694 : bool = ((number_6 & (u32(1)))) != u32(0);
+        var _S695 : f32 = _S690 - _S691;
+        add_level_0(_S683, u32(_S691) + select(u32(0), u32(1), _S694), _S686, clamp(_S693 - _S688 * floor(_S693 / _S688), vec2<f32>(0.0f), _S688), select(1.0f - _S695, _S695, _S694) / f32(_S692), &((*_S687)));
         number_6 = number_6 + u32(1);
     }
     var number_7 : i32 = i32(0);
@@ -3393,7 +3401,7 @@ fn code_footprint_0( _S682 : u32,  _S683 : AnisotropicTaps_0,  _S684 : vec3<f32>
             {
                 break;
             }
-            var offset_1 : f32 = _S684[number_7] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_1 : f32 = _S685[number_7] - (f32(bin_0) + 0.5f) / 8.0f;
             var offset_2 : f32;
             if(number_7 < i32(2))
             {
@@ -3403,7 +3411,7 @@ fn code_footprint_0( _S682 : u32,  _S683 : AnisotropicTaps_0,  _S684 : vec3<f32>
             {
                 offset_2 = offset_1;
             }
-            (*_S686)[i32(64) + number_7 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
+            (*_S687)[i32(64) + number_7 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_7 = number_7 + i32(1);
@@ -3411,88 +3419,88 @@ fn code_footprint_0( _S682 : u32,  _S683 : AnisotropicTaps_0,  _S684 : vec3<f32>
     return;
 }
 
-fn crown_fibres_0( _S695 : u32,  _S696 : bool,  _S697 : bool) -> vec3<f32>
+fn crown_fibres_0( _S696 : u32,  _S697 : bool,  _S698 : bool) -> vec3<f32>
 {
-    if(_S696)
+    if(_S697)
     {
-        return vec3<f32>(select(1.0f, -1.0f, _S697) * fabrics_0[_S695].neural_0.warp_x_0, fabrics_0[_S695].neural_0.warp_y_0, fabrics_0[_S695].neural_0.warp_roughness_0);
+        return vec3<f32>(select(1.0f, -1.0f, _S698) * fabrics_0[_S696].neural_0.warp_x_0, fabrics_0[_S696].neural_0.warp_y_0, fabrics_0[_S696].neural_0.warp_roughness_0);
     }
-    return vec3<f32>(fabrics_0[_S695].neural_0.weft_x_0, select(1.0f, -1.0f, _S697) * fabrics_0[_S695].neural_0.weft_y_0, fabrics_0[_S695].neural_0.weft_roughness_0);
+    return vec3<f32>(fabrics_0[_S696].neural_0.weft_x_0, select(1.0f, -1.0f, _S698) * fabrics_0[_S696].neural_0.weft_y_0, fabrics_0[_S696].neural_0.weft_roughness_0);
 }
 
-fn yarns_over_0( _S698 : u32,  _S699 : Footprint_0,  _S700 : bool) -> Yarns_0
+fn yarns_over_0( _S699 : u32,  _S700 : Footprint_0,  _S701 : bool) -> Yarns_0
 {
-    var _S701 : vec2<f32> = _S699.dx_0;
-    var _S702 : vec2<f32> = _S699.dy_0;
-    var _S703 : vec2<f32> = sqrt(_S701 * _S701 + _S702 * _S702);
-    var _S704 : f32 = Footprint_spread_side_0(_S699);
-    var _S705 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S705, _S705, vec3<f32>(0.0f));
-    var _S706 : bool = (fabrics_0[_S698].is_irregular_0) != u32(0);
+    var _S702 : vec2<f32> = _S700.dx_0;
+    var _S703 : vec2<f32> = _S700.dy_0;
+    var _S704 : vec2<f32> = sqrt(_S702 * _S702 + _S703 * _S703);
+    var _S705 : f32 = Footprint_spread_side_0(_S700);
+    var _S706 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S706, _S706, vec3<f32>(0.0f));
+    var _S707 : bool = (fabrics_0[_S699].is_irregular_0) != u32(0);
     var number_8 : u32 = u32(0);
     for(;;)
     {
-        if(number_8 < select(u32(0), u32(2), _S706))
+        if(number_8 < select(u32(0), u32(2), _S707))
         {
         }
         else
         {
             break;
         }
-        var _S707 : bool = number_8 == u32(0);
-        var _S708 : u32 = select(fabrics_0[_S698].weft_0, fabrics_0[_S698].warp_0, _S707);
-        var _S709 : vec2<f32> = select_vector_1(_S707, _S699.centre_0, _S699.centre_0.yx);
-        var _S710 : vec2<f32> = select_vector_1(_S707, _S703, _S703.yx);
-        var _S711 : f32 = _S709.x;
-        var _S712 : Cell_0 = locate_0(_S708, _S711);
-        var yarn_3 : vec4<f32> = irregular_over_0(_S708, irregular_key_0(_S698, number_8), irregular_thread_0(_S708, _S711, _S712) + _S712.below_0 / (_S712.below_0 + _S712.above_0), _S710.x * (families_0[_S708].count_0 / families_0[_S708].period_0), _S709.y, _S710.y);
-        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S708, _S704));
+        var _S708 : bool = number_8 == u32(0);
+        var _S709 : u32 = select(fabrics_0[_S699].weft_0, fabrics_0[_S699].warp_0, _S708);
+        var _S710 : vec2<f32> = select_vector_1(_S708, _S700.centre_0, _S700.centre_0.yx);
+        var _S711 : vec2<f32> = select_vector_1(_S708, _S704, _S704.yx);
+        var _S712 : f32 = _S710.x;
+        var _S713 : Cell_0 = locate_0(_S709, _S712);
+        var yarn_3 : vec4<f32> = irregular_over_0(_S709, irregular_key_0(_S699, number_8), irregular_thread_0(_S709, _S712, _S713) + _S713.below_0 / (_S713.below_0 + _S713.above_0), _S711.x * (families_0[_S709].count_0 / families_0[_S709].period_0), _S710.y, _S711.y);
+        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S709, _S705));
         yarns_1.warp_2 = yarns_1.weft_2;
         yarns_1.weft_2 = yarn_3;
         number_8 = number_8 + u32(1);
     }
-    var _S713 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S698].warp_0].cover_0, families_0[fabrics_0[_S698].weft_0].cover_0);
-    var _S714 : f32 = select(fabrics_0[_S698].warp_on_top_0, 1.0f - fabrics_0[_S698].warp_on_top_0, _S700);
-    var _S715 : vec3<f32> = shown_of_covers_0(_S713, _S714);
-    var _S716 : vec3<f32> = select_vector_2(_S706, shown_of_covers_0(saturate(_S713 + _S713 * vec2<f32>(yarns_1.warp_2.y, yarns_1.weft_2.y)), _S714) / max(_S715, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_1.shares_0 = _S716;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S716.z, (_S715.z) > 0.00009999999747379f);
+    var _S714 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S699].warp_0].cover_0, families_0[fabrics_0[_S699].weft_0].cover_0);
+    var _S715 : f32 = select(fabrics_0[_S699].warp_on_top_0, 1.0f - fabrics_0[_S699].warp_on_top_0, _S701);
+    var _S716 : vec3<f32> = shown_of_covers_0(_S714, _S715);
+    var _S717 : vec3<f32> = select_vector_2(_S707, shown_of_covers_0(saturate(_S714 + _S714 * vec2<f32>(yarns_1.warp_2.y, yarns_1.weft_2.y)), _S715) / max(_S716, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_1.shares_0 = _S717;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S717.z, (_S716.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn neural_view_0( _S717 : u32,  _S718 : Footprint_0,  _S719 : vec3<f32>,  _S720 : ptr<function, NeuralView_0>)
+fn neural_view_0( _S718 : u32,  _S719 : Footprint_0,  _S720 : vec3<f32>,  _S721 : ptr<function, NeuralView_0>)
 {
-    var _S721 : bool = (_S719.z) < 0.0f;
-    var _S722 : vec3<f32> = to_face_frame_0(_S719, _S721);
-    var _S723 : AnisotropicTaps_0 = taps_at_yarns_0(_S717, _S718, anisotropic_taps_0(_S717, _S718), _S722, _S721);
-    var _S724 : vec3<f32> = footprint_coordinates_0(_S723);
+    var _S722 : bool = (_S720.z) < 0.0f;
+    var _S723 : vec3<f32> = to_face_frame_0(_S720, _S722);
+    var _S724 : AnisotropicTaps_0 = taps_at_yarns_0(_S718, _S719, anisotropic_taps_0(_S718, _S719), _S723, _S722);
+    var _S725 : vec3<f32> = footprint_coordinates_0(_S724);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S717].neural_0.network_0;
+    weights_23.first_2 = fabrics_0[_S718].neural_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S717, _S723, _S724, _S721, &(inputs_23));
+    code_footprint_0(_S718, _S724, _S725, _S722, &(inputs_23));
     var hidden_1 : array<f32, i32(64)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(68)>;
     dense_part_8(weights_23, u32(712), false, &(hidden_1), &(fused_0));
-    fused_0[i32(64)] = _S722.x;
-    fused_0[i32(65)] = _S722.y;
-    var _S725 : vec2<f32> = _S722.xy;
-    fused_0[i32(66)] = dot(crown_fibres_0(_S717, true, _S721).xy, _S725);
-    fused_0[i32(67)] = dot(crown_fibres_0(_S717, false, _S721).xy, _S725);
+    fused_0[i32(64)] = _S723.x;
+    fused_0[i32(65)] = _S723.y;
+    var _S726 : vec2<f32> = _S723.xy;
+    fused_0[i32(66)] = dot(crown_fibres_0(_S718, true, _S722).xy, _S726);
+    fused_0[i32(67)] = dot(crown_fibres_0(_S718, false, _S722).xy, _S726);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(1232), false, &(fused_0), &(of_hole_0));
     var hole_4 : array<f32, i32(1)>;
     dense_5(weights_23, u32(1380), false, &(of_hole_0), &(hole_4));
-    var _S726 : array<f32, i32(64)> = (*_S720).sums_9;
-    dense_4(weights_23, u32(1392), false, &(fused_0), &(_S726));
-    (*_S720).sums_9 = _S726;
-    var _S727 : f32 = clamp(hole_4[i32(0)], 0.0f, 1.0f);
-    (*_S720).even_hole_0 = _S727;
-    (*_S720).yarns_0 = yarns_over_0(_S717, _S718, _S721);
-    (*_S720).hole_2 = min(_S727 * (*_S720).yarns_0.shares_0.z, 1.0f);
-    (*_S720).correction_weight_0 = correction_weight_of_0(_S724.z);
-    (*_S720).view_7 = _S722;
-    (*_S720).back_6 = _S721;
+    var _S727 : array<f32, i32(64)> = (*_S721).sums_9;
+    dense_4(weights_23, u32(1392), false, &(fused_0), &(_S727));
+    (*_S721).sums_9 = _S727;
+    var _S728 : f32 = clamp(hole_4[i32(0)], 0.0f, 1.0f);
+    (*_S721).even_hole_0 = _S728;
+    (*_S721).yarns_0 = yarns_over_0(_S718, _S719, _S722);
+    (*_S721).hole_2 = min(_S728 * (*_S721).yarns_0.shares_0.z, 1.0f);
+    (*_S721).correction_weight_0 = correction_weight_of_0(_S725.z);
+    (*_S721).view_7 = _S723;
+    (*_S721).back_6 = _S722;
     return;
 }
 
@@ -3502,47 +3510,47 @@ struct FamilyAlbedos_0
      weft_7 : Albedos_0,
 };
 
-fn albedos_over_0( _S728 : u32,  _S729 : Footprint_0,  _S730 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S729 : u32,  _S730 : Footprint_0,  _S731 : bool) -> FamilyAlbedos_0
 {
-    var _S731 : vec2<f32> = _S729.dx_0;
-    var _S732 : vec2<f32> = _S729.dy_0;
-    var _S733 : vec2<f32> = sqrt(_S731 * _S731 + _S732 * _S732);
-    var _S734 : Stretch_0 = stretch_of_0(fabrics_0[_S728].warp_0, _S729.centre_0.x, _S733.x);
-    var _S735 : Stretch_0 = stretch_of_0(fabrics_0[_S728].weft_0, _S729.centre_0.y, _S733.y);
+    var _S732 : vec2<f32> = _S730.dx_0;
+    var _S733 : vec2<f32> = _S730.dy_0;
+    var _S734 : vec2<f32> = sqrt(_S732 * _S732 + _S733 * _S733);
+    var _S735 : Stretch_0 = stretch_of_0(fabrics_0[_S729].warp_0, _S730.centre_0.x, _S734.x);
+    var _S736 : Stretch_0 = stretch_of_0(fabrics_0[_S729].weft_0, _S730.centre_0.y, _S734.y);
     var albedos_4 : FamilyAlbedos_0;
-    albedos_4.warp_7 = mean_albedos_0(fabrics_0[_S728].warp_0, fabrics_0[_S728].weft_0, _S734, _S735, _S730);
-    albedos_4.weft_7 = mean_albedos_0(fabrics_0[_S728].weft_0, fabrics_0[_S728].warp_0, _S735, _S734, _S730);
+    albedos_4.warp_7 = mean_albedos_0(fabrics_0[_S729].warp_0, fabrics_0[_S729].weft_0, _S735, _S736, _S731);
+    albedos_4.weft_7 = mean_albedos_0(fabrics_0[_S729].weft_0, fabrics_0[_S729].warp_0, _S736, _S735, _S731);
     return albedos_4;
 }
 
-fn toned_0( _S736 : u32,  _S737 : u32,  _S738 : Albedos_0,  _S739 : vec4<f32>) -> Albedos_0
+fn toned_0( _S737 : u32,  _S738 : u32,  _S739 : Albedos_0,  _S740 : vec4<f32>) -> Albedos_0
 {
-    var _S740 : vec3<f32> = _S738.diffuse_reflect_0 + _S738.diffuse_transmit_0;
-    var _S741 : vec3<f32> = vec3<f32>(1.0f);
-    var _S742 : vec3<f32> = _S741 - vec3<f32>(fabrics_0[_S736].layer_bound_0) * max(_S738.specular_reflect_0, _S738.specular_transmit_0);
-    var _S743 : vec3<f32> = vec3<f32>(0.0f);
-    var _S744 : vec3<f32> = max(_S741 - _S740, _S743) / (_S741 + _S740);
-    var _S745 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S746 : vec3<f32> = (_S742 / max(_S740, _S745) - _S741) / max(vec3<f32>(0.89999997615814209f) * _S744, _S745);
-    var _S747 : vec3<f32> = _S741 - vec3<f32>((saturate(min(min(_S746.x, _S746.y), _S746.z)) * _S739.z)) * _S744;
-    var _S748 : vec3<f32> = min(vec3<f32>(families_0[_S737].nep_red_0, families_0[_S737].nep_green_0, families_0[_S737].nep_blue_0), _S742);
-    var found_1 : Albedos_0 = _S738;
-    var _S749 : f32 = _S739.w;
-    var _S750 : vec3<f32> = _S747 * _S738.diffuse_transmit_0 * vec3<f32>((1.0f - _S749));
-    found_1.diffuse_transmit_0 = _S750;
-    found_1.diffuse_reflect_0 = clamp(mix(_S747 * _S738.diffuse_reflect_0, _S748, vec3<f32>(_S749)), _S743, max(_S742 - _S750, _S743));
+    var _S741 : vec3<f32> = _S739.diffuse_reflect_0 + _S739.diffuse_transmit_0;
+    var _S742 : vec3<f32> = vec3<f32>(1.0f);
+    var _S743 : vec3<f32> = _S742 - vec3<f32>(fabrics_0[_S737].layer_bound_0) * max(_S739.specular_reflect_0, _S739.specular_transmit_0);
+    var _S744 : vec3<f32> = vec3<f32>(0.0f);
+    var _S745 : vec3<f32> = max(_S742 - _S741, _S744) / (_S742 + _S741);
+    var _S746 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S747 : vec3<f32> = (_S743 / max(_S741, _S746) - _S742) / max(vec3<f32>(0.89999997615814209f) * _S745, _S746);
+    var _S748 : vec3<f32> = _S742 - vec3<f32>((saturate(min(min(_S747.x, _S747.y), _S747.z)) * _S740.z)) * _S745;
+    var _S749 : vec3<f32> = min(vec3<f32>(families_0[_S738].nep_red_0, families_0[_S738].nep_green_0, families_0[_S738].nep_blue_0), _S743);
+    var found_1 : Albedos_0 = _S739;
+    var _S750 : f32 = _S740.w;
+    var _S751 : vec3<f32> = _S748 * _S739.diffuse_transmit_0 * vec3<f32>((1.0f - _S750));
+    found_1.diffuse_transmit_0 = _S751;
+    found_1.diffuse_reflect_0 = clamp(mix(_S748 * _S739.diffuse_reflect_0, _S749, vec3<f32>(_S750)), _S744, max(_S743 - _S751, _S744));
     return found_1;
 }
 
-fn with_tones_0( _S751 : u32,  _S752 : FamilyAlbedos_0,  _S753 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S752 : u32,  _S753 : FamilyAlbedos_0,  _S754 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S751].is_irregular_0) == u32(0))
+    if((fabrics_0[_S752].is_irregular_0) == u32(0))
     {
-        return _S752;
+        return _S753;
     }
     var result_2 : FamilyAlbedos_0;
-    result_2.warp_7 = toned_0(_S751, fabrics_0[_S751].warp_0, _S752.warp_7, _S753.warp_2);
-    result_2.weft_7 = toned_0(_S751, fabrics_0[_S751].weft_0, _S752.weft_7, _S753.weft_2);
+    result_2.warp_7 = toned_0(_S752, fabrics_0[_S752].warp_0, _S753.warp_7, _S754.warp_2);
+    result_2.weft_7 = toned_0(_S752, fabrics_0[_S752].weft_0, _S753.weft_7, _S754.weft_2);
     return result_2;
 }
 
@@ -3551,13 +3559,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S754 : u32,  _S755 : vec2<u32>) -> f32
+fn visibility_at_0( _S755 : u32,  _S756 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S754 * frame_record_0.height_0 + _S755.y) * frame_record_0.width_0 + _S755.x];
+    return visibilities_0[(_S755 * frame_record_0.height_0 + _S756.y) * frame_record_0.width_0 + _S756.x];
 }
 
 struct LightSample_0
@@ -3567,52 +3575,52 @@ struct LightSample_0
      distance_4 : f32,
 };
 
-fn environment_texel_0( _S756 : u32,  _S757 : u32) -> vec3<f32>
+fn environment_texel_0( _S757 : u32,  _S758 : u32) -> vec3<f32>
 {
-    var _S758 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S756 * frame_record_0.environment_columns_0 + _S757);
-    return vec3<f32>(scene_number_0(_S758), scene_number_0(_S758 + u32(1)), scene_number_0(_S758 + u32(2)));
+    var _S759 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S757 * frame_record_0.environment_columns_0 + _S758);
+    return vec3<f32>(scene_number_0(_S759), scene_number_0(_S759 + u32(1)), scene_number_0(_S759 + u32(2)));
 }
 
-fn sample_environment_0( _S759 : vec2<f32>,  _S760 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S760 : vec2<f32>,  _S761 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S761 : u32 = frame_record_0.environment_rows_0;
-    var _S762 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S759.y);
-    var _S763 : u32 = frame_record_0.environment_columns_0;
-    var _S764 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S762.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S759.x);
-    var _S765 : vec3<f32> = environment_texel_0(_S762.index_7, _S764.index_7);
-    (*_S760) = _S765 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S765), 9.99999968265522539e-21f)));
-    var _S766 : f32 = 3.14159274101257324f / f32(_S761);
-    var _S767 : f32 = mix(sine_cosine_0(f32(_S762.index_7) * _S766).y, sine_cosine_0(f32(_S762.index_7 + u32(1)) * _S766).y, _S762.remainder_0);
-    var _S768 : f32 = sqrt(max(1.0f - _S767 * _S767, 0.0f));
-    var _S769 : vec2<f32> = sine_cosine_0((f32(_S764.index_7) + _S764.remainder_0) * (6.28318548202514648f / f32(_S763)));
-    var _S770 : f32 = _S768 * _S769.x;
-    var _S771 : f32 = - _S768 * _S769.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S770 + frame_record_0.environment_sine_0 * _S771, _S767, frame_record_0.environment_cosine_0 * _S771 - frame_record_0.environment_sine_0 * _S770);
+    var _S762 : u32 = frame_record_0.environment_rows_0;
+    var _S763 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S760.y);
+    var _S764 : u32 = frame_record_0.environment_columns_0;
+    var _S765 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S763.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S760.x);
+    var _S766 : vec3<f32> = environment_texel_0(_S763.index_7, _S765.index_7);
+    (*_S761) = _S766 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S766), 9.99999968265522539e-21f)));
+    var _S767 : f32 = 3.14159274101257324f / f32(_S762);
+    var _S768 : f32 = mix(sine_cosine_0(f32(_S763.index_7) * _S767).y, sine_cosine_0(f32(_S763.index_7 + u32(1)) * _S767).y, _S763.remainder_0);
+    var _S769 : f32 = sqrt(max(1.0f - _S768 * _S768, 0.0f));
+    var _S770 : vec2<f32> = sine_cosine_0((f32(_S765.index_7) + _S765.remainder_0) * (6.28318548202514648f / f32(_S764)));
+    var _S771 : f32 = _S769 * _S770.x;
+    var _S772 : f32 = - _S769 * _S770.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S771 + frame_record_0.environment_sine_0 * _S772, _S768, frame_record_0.environment_cosine_0 * _S772 - frame_record_0.environment_sine_0 * _S771);
 }
 
-fn light_sample_0( _S772 : u32,  _S773 : vec2<u32>,  _S774 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S773 : u32,  _S774 : vec2<u32>,  _S775 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_4 = 1.00000001504746622e+30f;
-    var _S775 : u32 = frame_record_0.lights_0;
-    if(_S772 >= (frame_record_0.lights_0))
+    var _S776 : u32 = frame_record_0.lights_0;
+    if(_S773 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S776 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S773, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S772 - _S775), u32(3)), &(weight_3));
-        sample_1.towards_0 = _S776;
+        var _S777 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S774, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S773 - _S776), u32(3)), &(weight_3));
+        sample_1.towards_0 = _S777;
         sample_1.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S777 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S772);
-    sample_1.irradiance_1 = vec3<f32>(_S777.red_0, _S777.green_0, _S777.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S777.x_9, _S777.y_1, _S777.z_1);
-    if((_S777.is_point_0) != u32(0))
+    var _S778 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S773);
+    sample_1.irradiance_1 = vec3<f32>(_S778.red_0, _S778.green_0, _S778.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S778.x_9, _S778.y_1, _S778.z_1);
+    if((_S778.is_point_0) != u32(0))
     {
-        var _S778 : vec3<f32> = sample_1.towards_0 - _S774;
-        var _S779 : f32 = max(square_0(_S778), 9.999999960041972e-13f);
-        sample_1.distance_4 = sqrt(_S779);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S779);
-        sample_1.towards_0 = normalize(_S778);
+        var _S779 : vec3<f32> = sample_1.towards_0 - _S775;
+        var _S780 : f32 = max(square_0(_S779), 9.999999960041972e-13f);
+        sample_1.distance_4 = sqrt(_S780);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S780);
+        sample_1.towards_0 = normalize(_S779);
     }
     return sample_1;
 }
@@ -3627,16 +3635,16 @@ struct Components_0
      hole_5 : f32,
 };
 
-fn code_light_0( _S780 : u32,  _S781 : vec3<f32>,  _S782 : vec3<f32>,  _S783 : bool,  _S784 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S781 : u32,  _S782 : vec3<f32>,  _S783 : vec3<f32>,  _S784 : bool,  _S785 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S784)[i32(0)] = _S781.x;
-    (*_S784)[i32(1)] = _S781.y;
-    (*_S784)[i32(2)] = _S781.z;
-    var _S785 : vec3<f32> = _S781 + _S782;
-    var _S786 : f32 = _S785.z;
-    var _S787 : f32 = _S786 * _S786 + 0.00009999999747379f;
-    var _S788 : vec2<f32> = _S785.xy;
-    var _S789 : f32 = 1.0f / (dot(_S788, _S788) + _S787);
+    (*_S785)[i32(0)] = _S782.x;
+    (*_S785)[i32(1)] = _S782.y;
+    (*_S785)[i32(2)] = _S782.z;
+    var _S786 : vec3<f32> = _S782 + _S783;
+    var _S787 : f32 = _S786.z;
+    var _S788 : f32 = _S787 * _S787 + 0.00009999999747379f;
+    var _S789 : vec2<f32> = _S786.xy;
+    var _S790 : f32 = 1.0f / (dot(_S789, _S789) + _S788);
     var family_20 : i32 = i32(0);
     for(;;)
     {
@@ -3647,12 +3655,12 @@ fn code_light_0( _S780 : u32,  _S781 : vec3<f32>,  _S782 : vec3<f32>,  _S783 : b
         {
             break;
         }
-        var _S790 : vec3<f32> = crown_fibres_0(_S780, family_20 == i32(0), _S783);
-        var _S791 : vec2<f32> = _S790.xy;
-        (*_S784)[i32(3) + family_20] = dot(_S791, _S781.xy);
-        var _S792 : f32 = dot(_S791, _S788);
-        var _S793 : f32 = _S792 * _S792;
-        var _S794 : f32 = (0.75f * _S792 / (0.5f * sqrt(_S793 + _S787) + abs(_S792)) + 0.5f) * 8.0f;
+        var _S791 : vec3<f32> = crown_fibres_0(_S781, family_20 == i32(0), _S784);
+        var _S792 : vec2<f32> = _S791.xy;
+        (*_S785)[i32(3) + family_20] = dot(_S792, _S782.xy);
+        var _S793 : f32 = dot(_S792, _S789);
+        var _S794 : f32 = _S793 * _S793;
+        var _S795 : f32 = (0.75f * _S793 / (0.5f * sqrt(_S794 + _S788) + abs(_S793)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -3663,26 +3671,26 @@ fn code_light_0( _S780 : u32,  _S781 : vec3<f32>,  _S782 : vec3<f32>,  _S783 : b
             {
                 break;
             }
-            (*_S784)[i32(5) + family_20 * i32(16) + bin_1] = bump_0(_S794 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S785)[i32(5) + family_20 * i32(16) + bin_1] = bump_0(_S795 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S795 : f32 = _S790.z;
-        var _S796 : f32 = _S795 * _S795;
-        var _S797 : f32 = _S793 * _S789 * (1.0f - _S796) + _S796;
-        (*_S784)[i32(37) + family_20] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S796 * _S795 / (_S797 * _S797));
+        var _S796 : f32 = _S791.z;
+        var _S797 : f32 = _S796 * _S796;
+        var _S798 : f32 = _S794 * _S790 * (1.0f - _S797) + _S797;
+        (*_S785)[i32(37) + family_20] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S797 * _S796 / (_S798 * _S798));
         family_20 = family_20 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S798 : u32,  _S799 : u32,  _S800 : u32,  _S801 : vec3<f32>,  _S802 : vec3<f32>,  _S803 : bool,  _S804 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S799 : u32,  _S800 : u32,  _S801 : u32,  _S802 : vec3<f32>,  _S803 : vec3<f32>,  _S804 : bool,  _S805 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S805 : vec3<f32> = _S801 + _S802;
-    var _S806 : f32 = 1.0f / (square_0(_S805) + 0.00009999999747379f);
-    var _S807 : f32 = _S805.x;
-    var _S808 : f32 = select(_S807, - _S807, ((_S799 == u32(0)) & (_S803)));
-    var _S809 : f32 = _S805.y;
-    var _S810 : f32 = select(_S809, - _S809, ((_S799 == u32(1)) & (_S803)));
+    var _S806 : vec3<f32> = _S802 + _S803;
+    var _S807 : f32 = 1.0f / (square_0(_S806) + 0.00009999999747379f);
+    var _S808 : f32 = _S806.x;
+    var _S809 : f32 = select(_S808, - _S808, ((_S800 == u32(0)) & (_S804)));
+    var _S810 : f32 = _S806.y;
+    var _S811 : f32 = select(_S810, - _S810, ((_S800 == u32(1)) & (_S804)));
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
     for(;;)
@@ -3694,42 +3702,42 @@ fn mixed_bundles_0( _S798 : u32,  _S799 : u32,  _S800 : u32,  _S801 : vec3<f32>,
         {
             break;
         }
-        var _S811 : u32 = _S799 * u32(25);
-        var _S812 : u32 = fabrics_0[_S798].neural_0.bundles_0 + u32(4) * (_S811 + bundle_1);
-        var _S813 : f32 = dot(vec3<f32>(table_number_0(_S812), table_number_0(_S812 + u32(1)), table_number_0(_S812 + u32(2))), vec3<f32>(_S808, _S810, _S805.z));
-        var _S814 : f32 = _S813 * _S813 * _S806 + table_number_0(_S812 + u32(3));
-        var sum_3 : f32 = sum_2 + max((*_S804)[_S800 + _S811 + select(bundle_1, mirrored_bundle_0(bundle_1), _S803)], (*_S804)[_S800 + _S811 + select(bundle_1, mirrored_bundle_0(bundle_1), _S803)] * 0.00999999977648258f) / (_S814 * _S814);
+        var _S812 : u32 = _S800 * u32(25);
+        var _S813 : u32 = fabrics_0[_S799].neural_0.bundles_0 + u32(4) * (_S812 + bundle_1);
+        var _S814 : f32 = dot(vec3<f32>(table_number_0(_S813), table_number_0(_S813 + u32(1)), table_number_0(_S813 + u32(2))), vec3<f32>(_S809, _S811, _S806.z));
+        var _S815 : f32 = _S814 * _S814 * _S807 + table_number_0(_S813 + u32(3));
+        var sum_3 : f32 = sum_2 + max((*_S805)[_S801 + _S812 + select(bundle_1, mirrored_bundle_0(bundle_1), _S804)], (*_S805)[_S801 + _S812 + select(bundle_1, mirrored_bundle_0(bundle_1), _S804)] * 0.00999999977648258f) / (_S815 * _S815);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn with_shares_0( _S815 : u32,  _S816 : Components_0,  _S817 : Yarns_0) -> Components_0
+fn with_shares_0( _S816 : u32,  _S817 : Components_0,  _S818 : Yarns_0) -> Components_0
 {
     var result_3 : Components_0;
-    var _S818 : f32 = min(_S816.hole_5 * _S817.shares_0.z, 1.0f);
-    result_3.hole_5 = _S818;
-    var _S819 : f32 = _S817.shares_0.x;
-    result_3.diffuse_warp_0 = _S816.diffuse_warp_0 * _S819;
-    var _S820 : f32 = _S817.shares_0.y;
-    result_3.diffuse_weft_0 = _S816.diffuse_weft_0 * _S820;
-    result_3.specular_warp_0 = _S816.specular_warp_0 * _S819;
-    result_3.specular_weft_0 = _S816.specular_weft_0 * _S820;
-    result_3.light_visibility_1 = _S816.light_visibility_1 * select(1.0f, (1.0f - _S818) / max(1.0f - _S816.hole_5, 9.99999997475242708e-07f), (fabrics_0[_S815].is_irregular_0) != u32(0));
+    var _S819 : f32 = min(_S817.hole_5 * _S818.shares_0.z, 1.0f);
+    result_3.hole_5 = _S819;
+    var _S820 : f32 = _S818.shares_0.x;
+    result_3.diffuse_warp_0 = _S817.diffuse_warp_0 * _S820;
+    var _S821 : f32 = _S818.shares_0.y;
+    result_3.diffuse_weft_0 = _S817.diffuse_weft_0 * _S821;
+    result_3.specular_warp_0 = _S817.specular_warp_0 * _S820;
+    result_3.specular_weft_0 = _S817.specular_weft_0 * _S821;
+    result_3.light_visibility_1 = _S817.light_visibility_1 * select(1.0f, (1.0f - _S819) / max(1.0f - _S817.hole_5, 9.99999997475242708e-07f), (fabrics_0[_S816].is_irregular_0) != u32(0));
     return result_3;
 }
 
-fn neural_components_0( _S821 : u32,  _S822 : ptr<function, NeuralView_0>,  _S823 : vec3<f32>) -> Components_0
+fn neural_components_0( _S822 : u32,  _S823 : ptr<function, NeuralView_0>,  _S824 : vec3<f32>) -> Components_0
 {
-    var _S824 : bool = (*_S822).back_6;
-    var _S825 : vec3<f32> = to_face_frame_0(_S823, (*_S822).back_6);
-    var _S826 : vec3<f32> = (*_S822).view_7;
+    var _S825 : bool = (*_S823).back_6;
+    var _S826 : vec3<f32> = to_face_frame_0(_S824, (*_S823).back_6);
+    var _S827 : vec3<f32> = (*_S823).view_7;
     var weights_24 : HalfWeights_0;
-    var _S827 : Neural_std430_0 = fabrics_0[_S821].neural_0;
-    weights_24.first_2 = fabrics_0[_S821].neural_0.network_0;
+    var _S828 : Neural_std430_0 = fabrics_0[_S822].neural_0;
+    weights_24.first_2 = fabrics_0[_S822].neural_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S821, _S825, (*_S822).view_7, (*_S822).back_6, &(directions_0));
+    code_light_0(_S822, _S826, (*_S823).view_7, (*_S823).back_6, &(directions_0));
     var skip_0 : array<f32, i32(64)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -3741,7 +3749,7 @@ fn neural_components_0( _S821 : u32,  _S822 : ptr<function, NeuralView_0>,  _S82
         {
             break;
         }
-        skip_0[k_1] = (*_S822).sums_9[k_1];
+        skip_0[k_1] = (*_S823).sums_9[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(1976), true, &(directions_0), &(skip_0));
@@ -3801,27 +3809,27 @@ fn neural_components_0( _S821 : u32,  _S822 : ptr<function, NeuralView_0>,  _S82
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(3864), false, &(hidden_2), &(outputs_17));
-    var _S828 : bool;
-    if((_S827.is_corrected_0) != u32(0))
+    var _S829 : bool;
+    if((_S828.is_corrected_0) != u32(0))
     {
-        _S828 = (_S825.z) > 0.0f;
+        _S829 = (_S826.z) > 0.0f;
     }
     else
     {
-        _S828 = false;
+        _S829 = false;
     }
-    if(_S828)
+    if(_S829)
     {
-        _S828 = ((*_S822).correction_weight_0) > 0.0f;
+        _S829 = ((*_S823).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S828 = false;
+        _S829 = false;
     }
-    if(_S828)
+    if(_S829)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S827.correction_0;
+        fitted_0.first_0 = _S828.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -3834,114 +3842,136 @@ fn neural_components_0( _S821 : u32,  _S822 : ptr<function, NeuralView_0>,  _S82
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S822).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S823).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    var _S829 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S825.z) > 0.0f);
+    var _S830 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S826.z) > 0.0f);
     var result_4 : Components_0;
-    var _S830 : f32 = unmapped_0(outputs_17[i32(0)], _S829);
-    result_4.diffuse_warp_0 = _S830;
-    var _S831 : f32 = unmapped_0(outputs_17[i32(1)], _S829);
-    result_4.diffuse_weft_0 = _S831;
-    var _S832 : f32 = 2979.9580078125f * _S829;
-    var _S833 : f32 = mixed_bundles_0(_S821, u32(0), u32(2), _S825, _S826, _S824, &(outputs_17));
-    result_4.specular_warp_0 = clamp(_S833, 0.0f, _S832);
-    var _S834 : f32 = mixed_bundles_0(_S821, u32(1), u32(2), _S825, _S826, _S824, &(outputs_17));
-    result_4.specular_weft_0 = clamp(_S834, 0.0f, _S832);
-    result_4.hole_5 = (*_S822).even_hole_0;
-    result_4.light_visibility_1 = min(light_visibility_of_0(_S830 + _S831, _S825, _S826, fabrics_0[_S821].diffuse_blend_0), 1.0f - (*_S822).even_hole_0);
-    return with_shares_0(_S821, result_4, (*_S822).yarns_0);
+    var _S831 : f32 = unmapped_0(outputs_17[i32(0)], _S830);
+    result_4.diffuse_warp_0 = _S831;
+    var _S832 : f32 = unmapped_0(outputs_17[i32(1)], _S830);
+    result_4.diffuse_weft_0 = _S832;
+    var _S833 : f32 = 2979.9580078125f * _S830;
+    var _S834 : f32 = mixed_bundles_0(_S822, u32(0), u32(2), _S826, _S827, _S825, &(outputs_17));
+    result_4.specular_warp_0 = clamp(_S834, 0.0f, _S833);
+    var _S835 : f32 = mixed_bundles_0(_S822, u32(1), u32(2), _S826, _S827, _S825, &(outputs_17));
+    result_4.specular_weft_0 = clamp(_S835, 0.0f, _S833);
+    result_4.hole_5 = (*_S823).even_hole_0;
+    result_4.light_visibility_1 = min(light_visibility_of_0(_S831 + _S832, _S826, _S827, fabrics_0[_S822].diffuse_blend_0), 1.0f - (*_S823).even_hole_0);
+    return with_shares_0(_S822, result_4, (*_S823).yarns_0);
 }
 
-fn openness_number_0( _S835 : u32,  _S836 : u32) -> f32
+fn diffuse_kept_0( _S836 : u32,  _S837 : vec3<f32>,  _S838 : vec3<f32>) -> f32
 {
-    return table_number_0(fabrics_0[_S835].openness_0 + _S836);
+    return (1.0f - fabrics_0[_S836].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S837.z), 0.0f))) * (1.0f - fabrics_0[_S836].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S838.z), 0.0f)));
 }
 
-fn scattered_by_0( _S837 : u32,  _S838 : Albedos_0,  _S839 : u32,  _S840 : vec3<f32>) -> Scattered_0
+fn highlight_rise_0( _S839 : u32,  _S840 : vec3<f32>,  _S841 : vec3<f32>) -> f32
 {
-    var _S841 : u32 = u32(159) + u32(2) * _S839;
+    var _S842 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S840, _S841) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S839].grazing_gain_0 * fourth_power_0(_S842) * _S842;
+}
+
+fn towards_grazing_0( _S843 : u32,  _S844 : Albedos_0,  _S845 : vec3<f32>,  _S846 : vec3<f32>) -> Albedos_0
+{
+    var _S847 : f32 = diffuse_kept_0(_S843, _S845, _S846);
+    var result_5 : Albedos_0 = _S844;
+    var _S848 : vec3<f32> = vec3<f32>(_S847);
+    result_5.diffuse_reflect_0 = result_5.diffuse_reflect_0 * _S848;
+    result_5.diffuse_transmit_0 = result_5.diffuse_transmit_0 * _S848;
+    result_5.specular_reflect_0 = result_5.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S843, _S845, _S846));
+    return result_5;
+}
+
+fn openness_number_0( _S849 : u32,  _S850 : u32) -> f32
+{
+    return table_number_0(fabrics_0[_S849].openness_0 + _S850);
+}
+
+fn scattered_by_0( _S851 : u32,  _S852 : Albedos_0,  _S853 : u32,  _S854 : vec3<f32>) -> Scattered_0
+{
+    var _S855 : u32 = u32(159) + u32(2) * _S853;
     var yarn_4 : Scattered_0;
-    yarn_4.back_5 = _S840 * _S838.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S837, _S841)) * _S838.specular_reflect_0;
-    yarn_4.through_0 = _S840 * _S838.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S837, _S841 + u32(1))) * _S838.specular_transmit_0;
+    yarn_4.back_5 = _S854 * _S852.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S851, _S855)) * _S852.specular_reflect_0;
+    yarn_4.through_0 = _S854 * _S852.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S851, _S855 + u32(1))) * _S852.specular_transmit_0;
     return yarn_4;
 }
 
-fn sent_0( _S842 : u32,  _S843 : u32,  _S844 : vec3<f32>,  _S845 : vec3<f32>,  _S846 : vec3<f32>,  _S847 : vec3<f32>,  _S848 : ptr<function, vec3<f32>>,  _S849 : ptr<function, vec3<f32>>)
+fn sent_0( _S856 : u32,  _S857 : u32,  _S858 : vec3<f32>,  _S859 : vec3<f32>,  _S860 : vec3<f32>,  _S861 : vec3<f32>,  _S862 : ptr<function, vec3<f32>>,  _S863 : ptr<function, vec3<f32>>)
 {
-    var _S850 : u32 = u32(146) + u32(4) * _S843;
-    var _S851 : f32 = openness_number_0(_S842, _S850 + u32(1));
-    var _S852 : f32 = openness_number_0(_S842, _S850 + u32(2));
-    var _S853 : vec3<f32> = vec3<f32>(1.0f);
-    var _S854 : vec3<f32> = _S853 - _S846 * vec3<f32>(openness_number_0(_S842, _S850));
-    var _S855 : vec3<f32> = _S853 - _S847 * vec3<f32>(openness_number_0(_S842, _S850 + u32(3)));
-    var _S856 : vec3<f32> = _S853 / (_S854 * _S855 - _S846 * _S847 * vec3<f32>((_S851 * _S852)));
-    (*_S848) = (_S844 * _S855 + _S846 * vec3<f32>(_S851) * _S845) * _S856;
-    (*_S849) = (_S845 * _S854 + _S847 * vec3<f32>(_S852) * _S844) * _S856;
+    var _S864 : u32 = u32(146) + u32(4) * _S857;
+    var _S865 : f32 = openness_number_0(_S856, _S864 + u32(1));
+    var _S866 : f32 = openness_number_0(_S856, _S864 + u32(2));
+    var _S867 : vec3<f32> = vec3<f32>(1.0f);
+    var _S868 : vec3<f32> = _S867 - _S860 * vec3<f32>(openness_number_0(_S856, _S864));
+    var _S869 : vec3<f32> = _S867 - _S861 * vec3<f32>(openness_number_0(_S856, _S864 + u32(3)));
+    var _S870 : vec3<f32> = _S867 / (_S868 * _S869 - _S860 * _S861 * vec3<f32>((_S865 * _S866)));
+    (*_S862) = (_S858 * _S869 + _S860 * vec3<f32>(_S865) * _S859) * _S870;
+    (*_S863) = (_S859 * _S868 + _S861 * vec3<f32>(_S866) * _S858) * _S870;
     return;
 }
 
-fn face_sends_0( _S857 : u32,  _S858 : u32,  _S859 : Scattered_0,  _S860 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S871 : u32,  _S872 : u32,  _S873 : Scattered_0,  _S874 : Scattered_0) -> FaceSends_0
 {
-    var _S861 : u32 = u32(2) * _S858;
-    var _S862 : u32 = u32(142) + _S861;
-    var _S863 : f32 = openness_number_0(_S857, _S862);
-    var _S864 : f32 = openness_number_0(_S857, _S862 + u32(1));
-    var _S865 : vec3<f32> = vec3<f32>((1.0f - _S863)) * _S859.back_5;
-    var _S866 : vec3<f32> = vec3<f32>((1.0f - _S864)) * _S860.back_5;
+    var _S875 : u32 = u32(2) * _S872;
+    var _S876 : u32 = u32(142) + _S875;
+    var _S877 : f32 = openness_number_0(_S871, _S876);
+    var _S878 : f32 = openness_number_0(_S871, _S876 + u32(1));
+    var _S879 : vec3<f32> = vec3<f32>((1.0f - _S877)) * _S873.back_5;
+    var _S880 : vec3<f32> = vec3<f32>((1.0f - _S878)) * _S874.back_5;
     var sends_1 : FaceSends_0;
-    var _S867 : u32 = u32(154) + _S861;
-    var _S868 : f32 = openness_number_0(_S857, _S867);
-    sends_1.blocks_warp_0 = _S868;
-    var _S869 : f32 = openness_number_0(_S857, _S867 + u32(1));
-    sends_1.blocks_weft_0 = _S869;
-    sends_1.open_0 = _S868 * _S863 + _S869 * _S864;
-    var _S870 : vec3<f32> = vec3<f32>(_S863) * _S859.back_5;
-    var _S871 : vec3<f32> = vec3<f32>(_S864) * _S860.back_5;
-    var _S872 : vec3<f32> = sends_1.sky_warp_0;
-    var _S873 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S857, _S858, _S870, _S871, _S865, _S866, &(_S872), &(_S873));
-    sends_1.sky_warp_0 = _S872;
-    sends_1.sky_weft_0 = _S873;
-    var _S874 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S875 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S857, _S858, _S859.through_0, _S860.through_0, _S865, _S866, &(_S874), &(_S875));
-    sends_1.crossing_warp_0 = _S874;
-    sends_1.crossing_weft_0 = _S875;
+    var _S881 : u32 = u32(154) + _S875;
+    var _S882 : f32 = openness_number_0(_S871, _S881);
+    sends_1.blocks_warp_0 = _S882;
+    var _S883 : f32 = openness_number_0(_S871, _S881 + u32(1));
+    sends_1.blocks_weft_0 = _S883;
+    sends_1.open_0 = _S882 * _S877 + _S883 * _S878;
+    var _S884 : vec3<f32> = vec3<f32>(_S877) * _S873.back_5;
+    var _S885 : vec3<f32> = vec3<f32>(_S878) * _S874.back_5;
+    var _S886 : vec3<f32> = sends_1.sky_warp_0;
+    var _S887 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S871, _S872, _S884, _S885, _S879, _S880, &(_S886), &(_S887));
+    sends_1.sky_warp_0 = _S886;
+    sends_1.sky_weft_0 = _S887;
+    var _S888 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S889 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S871, _S872, _S873.through_0, _S874.through_0, _S879, _S880, &(_S888), &(_S889));
+    sends_1.crossing_warp_0 = _S888;
+    sends_1.crossing_weft_0 = _S889;
     return sends_1;
 }
 
-fn interior_of_0( _S876 : u32,  _S877 : vec3<f32>,  _S878 : bool) -> Interior_0
+fn interior_of_0( _S890 : u32,  _S891 : vec3<f32>,  _S892 : bool) -> Interior_0
 {
-    var _S879 : Scattered_0 = scattered_by_0(_S876, table_albedos_0(families_0[fabrics_0[_S876].warp_0].colour_mean_0), u32(0), _S877);
-    var _S880 : Scattered_0 = scattered_by_0(_S876, table_albedos_0(families_0[fabrics_0[_S876].weft_0].colour_mean_0), u32(1), _S877);
-    var _S881 : FaceSends_0 = face_sends_0(_S876, select(u32(0), u32(1), _S878), _S879, _S880);
-    var _S882 : FaceSends_0 = face_sends_0(_S876, select(u32(1), u32(0), _S878), _S879, _S880);
-    var _S883 : vec3<f32> = vec3<f32>(_S881.blocks_warp_0);
-    var _S884 : vec3<f32> = vec3<f32>(_S881.blocks_weft_0);
-    var _S885 : vec3<f32> = _S883 * _S881.crossing_warp_0 + _S884 * _S881.crossing_weft_0;
-    var _S886 : vec3<f32> = vec3<f32>(_S882.blocks_warp_0);
-    var _S887 : vec3<f32> = vec3<f32>(_S882.blocks_weft_0);
-    var _S888 : vec3<f32> = _S886 * _S882.crossing_warp_0 + _S887 * _S882.crossing_weft_0;
-    var _S889 : f32 = 1.0f - _S881.open_0;
-    var _S890 : f32 = 1.0f - _S882.open_0;
-    var _S891 : vec3<f32> = vec3<f32>(1.0f);
-    var _S892 : vec3<f32> = _S891 / (_S891 - _S885 * _S888 * vec3<f32>((_S889 * _S890)));
-    var _S893 : vec3<f32> = _S888 * (vec3<f32>(_S881.open_0) + vec3<f32>(_S889) * (_S883 * _S881.sky_warp_0 + _S884 * _S881.sky_weft_0)) * _S892;
-    var _S894 : vec3<f32> = _S885 * (vec3<f32>(_S882.open_0) + vec3<f32>(_S890) * (_S886 * _S882.sky_warp_0 + _S887 * _S882.sky_weft_0)) * _S892;
-    var _S895 : FaceRadiance_0 = face_radiance_0(_S881, _S882.open_0, _S893, _S894);
-    var _S896 : FaceRadiance_0 = face_radiance_0(_S882, _S881.open_0, _S894, _S893);
+    var _S893 : Scattered_0 = scattered_by_0(_S890, table_albedos_0(families_0[fabrics_0[_S890].warp_0].colour_mean_0), u32(0), _S891);
+    var _S894 : Scattered_0 = scattered_by_0(_S890, table_albedos_0(families_0[fabrics_0[_S890].weft_0].colour_mean_0), u32(1), _S891);
+    var _S895 : FaceSends_0 = face_sends_0(_S890, select(u32(0), u32(1), _S892), _S893, _S894);
+    var _S896 : FaceSends_0 = face_sends_0(_S890, select(u32(1), u32(0), _S892), _S893, _S894);
+    var _S897 : vec3<f32> = vec3<f32>(_S895.blocks_warp_0);
+    var _S898 : vec3<f32> = vec3<f32>(_S895.blocks_weft_0);
+    var _S899 : vec3<f32> = _S897 * _S895.crossing_warp_0 + _S898 * _S895.crossing_weft_0;
+    var _S900 : vec3<f32> = vec3<f32>(_S896.blocks_warp_0);
+    var _S901 : vec3<f32> = vec3<f32>(_S896.blocks_weft_0);
+    var _S902 : vec3<f32> = _S900 * _S896.crossing_warp_0 + _S901 * _S896.crossing_weft_0;
+    var _S903 : f32 = 1.0f - _S895.open_0;
+    var _S904 : f32 = 1.0f - _S896.open_0;
+    var _S905 : vec3<f32> = vec3<f32>(1.0f);
+    var _S906 : vec3<f32> = _S905 / (_S905 - _S899 * _S902 * vec3<f32>((_S903 * _S904)));
+    var _S907 : vec3<f32> = _S902 * (vec3<f32>(_S895.open_0) + vec3<f32>(_S903) * (_S897 * _S895.sky_warp_0 + _S898 * _S895.sky_weft_0)) * _S906;
+    var _S908 : vec3<f32> = _S899 * (vec3<f32>(_S896.open_0) + vec3<f32>(_S904) * (_S900 * _S896.sky_warp_0 + _S901 * _S896.sky_weft_0)) * _S906;
+    var _S909 : FaceRadiance_0 = face_radiance_0(_S895, _S896.open_0, _S907, _S908);
+    var _S910 : FaceRadiance_0 = face_radiance_0(_S896, _S895.open_0, _S908, _S907);
     var interior_1 : Interior_0;
-    interior_1.warp_6 = _S895.warp_5;
-    interior_1.weft_6 = _S895.weft_5;
-    interior_1.leaked_1 = _S895.leaked_0;
-    interior_1.far_1 = _S896.mean_1;
-    interior_1.far_leaked_0 = _S896.leaked_0;
+    interior_1.warp_6 = _S909.warp_5;
+    interior_1.weft_6 = _S909.weft_5;
+    interior_1.leaked_1 = _S909.leaked_0;
+    interior_1.far_1 = _S910.mean_1;
+    interior_1.far_leaked_0 = _S910.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S897 : u32,  _S898 : u32,  _S899 : array<f32, i32(6)>,  _S900 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S911 : u32,  _S912 : u32,  _S913 : array<f32, i32(6)>,  _S914 : u32) -> Blocked_0
 {
     var shares_2 : array<f32, i32(3)>;
     var share_3 : u32 = u32(0);
@@ -3958,14 +3988,14 @@ fn blocked_of_terms_0( _S897 : u32,  _S898 : u32,  _S899 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S900)
+            if(term_0 < _S914)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_3] = shares_2[share_3] + openness_number_0(_S897, _S898 + share_3 * _S900 + term_0) * _S899[term_0];
+            shares_2[share_3] = shares_2[share_3] + openness_number_0(_S911, _S912 + share_3 * _S914 + term_0) * _S913[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_2[share_3] = saturate(shares_2[share_3]);
@@ -3978,17 +4008,17 @@ fn blocked_of_terms_0( _S897 : u32,  _S898 : u32,  _S899 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_from_0( _S901 : u32,  _S902 : vec3<f32>,  _S903 : bool,  _S904 : bool) -> Blocked_0
+fn blocked_from_0( _S915 : u32,  _S916 : vec3<f32>,  _S917 : bool,  _S918 : bool) -> Blocked_0
 {
     var terms_2 : array<f32, i32(6)>;
-    view_terms_0(_S902, &(terms_2));
-    return blocked_of_terms_0(_S901, (select(u32(0), u32(2), _S904) + select(u32(1), u32(0), _S903)) * u32(15), terms_2, u32(5));
+    view_terms_0(_S916, &(terms_2));
+    return blocked_of_terms_0(_S915, (select(u32(0), u32(2), _S918) + select(u32(1), u32(0), _S917)) * u32(15), terms_2, u32(5));
 }
 
-fn warp_seen_from_0( _S905 : u32,  _S906 : vec3<f32>,  _S907 : bool) -> f32
+fn warp_seen_from_0( _S919 : u32,  _S920 : vec3<f32>,  _S921 : bool) -> f32
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_1(_S906, &(terms_3));
+    view_terms_1(_S920, &(terms_3));
     var term_1 : u32 = u32(0);
     var share_4 : f32 = 0.0f;
     for(;;)
@@ -4000,90 +4030,90 @@ fn warp_seen_from_0( _S905 : u32,  _S906 : vec3<f32>,  _S907 : bool) -> f32
         {
             break;
         }
-        var share_5 : f32 = share_4 + openness_number_0(_S905, u32(132) + select(u32(0), u32(5), _S907) + term_1) * terms_3[term_1];
+        var share_5 : f32 = share_4 + openness_number_0(_S919, u32(132) + select(u32(0), u32(5), _S921) + term_1) * terms_3[term_1];
         term_1 = term_1 + u32(1);
         share_4 = share_5;
     }
     return saturate(share_4);
 }
 
-fn bounced_of_families_0( _S908 : u32,  _S909 : FamilyAlbedos_0,  _S910 : vec3<f32>,  _S911 : Interior_0,  _S912 : Blocked_0,  _S913 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S922 : u32,  _S923 : FamilyAlbedos_0,  _S924 : vec3<f32>,  _S925 : Interior_0,  _S926 : Blocked_0,  _S927 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S912, scattered_by_0(_S908, _S909.warp_7, u32(0), _S910), _S911), bounced_by_0(_S913, scattered_by_0(_S908, _S909.weft_7, u32(1), _S910), _S911));
+    return sum_of_0(bounced_by_0(_S926, scattered_by_0(_S922, _S923.warp_7, u32(0), _S924), _S925), bounced_by_0(_S927, scattered_by_0(_S922, _S923.weft_7, u32(1), _S924), _S925));
 }
 
-fn bounced_far_0( _S914 : u32,  _S915 : FamilyAlbedos_0,  _S916 : vec3<f32>,  _S917 : Interior_0,  _S918 : vec3<f32>,  _S919 : bool,  _S920 : f32,  _S921 : f32,  _S922 : f32) -> Bounced_0
+fn bounced_far_0( _S928 : u32,  _S929 : FamilyAlbedos_0,  _S930 : vec3<f32>,  _S931 : Interior_0,  _S932 : vec3<f32>,  _S933 : bool,  _S934 : f32,  _S935 : f32,  _S936 : f32) -> Bounced_0
 {
-    var _S923 : Blocked_0 = blocked_from_0(_S914, _S918, true, _S919);
-    var _S924 : Blocked_0 = blocked_from_0(_S914, _S918, false, _S919);
-    var _S925 : f32 = _S920 / max(1.0f - _S923.by_warp_0 - _S923.by_weft_0, 0.10000000149011612f);
-    var _S926 : f32 = (0.0020000000949949f * warp_seen_from_0(_S914, _S918, _S919) + _S925) / (_S925 + _S921 / max(1.0f - _S924.by_warp_0 - _S924.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S927 : f32 = 1.0f - _S922;
-    return bounced_of_families_0(_S914, _S915, _S916, _S917, scaled_0(_S923, _S926 * _S927), scaled_0(_S924, (1.0f - _S926) * _S927));
+    var _S937 : Blocked_0 = blocked_from_0(_S928, _S932, true, _S933);
+    var _S938 : Blocked_0 = blocked_from_0(_S928, _S932, false, _S933);
+    var _S939 : f32 = _S934 / max(1.0f - _S937.by_warp_0 - _S937.by_weft_0, 0.10000000149011612f);
+    var _S940 : f32 = (0.0020000000949949f * warp_seen_from_0(_S928, _S932, _S933) + _S939) / (_S939 + _S935 / max(1.0f - _S938.by_warp_0 - _S938.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S941 : f32 = 1.0f - _S936;
+    return bounced_of_families_0(_S928, _S929, _S930, _S931, scaled_0(_S937, _S940 * _S941), scaled_0(_S938, (1.0f - _S940) * _S941));
 }
 
-fn bounced_over_0( _S928 : u32,  _S929 : Components_0,  _S930 : CloseUp_0,  _S931 : FamilyAlbedos_0,  _S932 : vec3<f32>,  _S933 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S942 : u32,  _S943 : Components_0,  _S944 : CloseUp_0,  _S945 : FamilyAlbedos_0,  _S946 : vec3<f32>,  _S947 : vec3<f32>) -> Bounced_0
 {
-    var _S934 : bool = (_S933.z) < 0.0f;
-    var _S935 : Interior_0 = interior_of_0(_S928, _S932, _S934);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S928, _S931, _S932, _S935, to_face_frame_0(_S933, _S934), _S934, _S929.diffuse_warp_0, _S929.diffuse_weft_0, _S929.hole_5);
-    if((_S930.weight_2) > 0.0f)
+    var _S948 : bool = (_S947.z) < 0.0f;
+    var _S949 : Interior_0 = interior_of_0(_S942, _S946, _S948);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S942, _S945, _S946, _S949, to_face_frame_0(_S947, _S948), _S948, _S943.diffuse_warp_0, _S943.diffuse_weft_0, _S943.hole_5);
+    if((_S944.weight_2) > 0.0f)
     {
-        var _S936 : Bounced_0 = bounced_of_families_0(_S928, _S931, _S932, _S935, _S930.warp_4, _S930.weft_4);
-        var _S937 : vec3<f32> = vec3<f32>(_S930.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S936.reflected_0, _S937);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S936.transmitted_0, _S937);
+        var _S950 : Bounced_0 = bounced_of_families_0(_S942, _S945, _S946, _S949, _S944.warp_4, _S944.weft_4);
+        var _S951 : vec3<f32> = vec3<f32>(_S944.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S950.reflected_0, _S951);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S950.transmitted_0, _S951);
     }
     return bounced_2;
 }
 
-fn composed_0( _S938 : u32,  _S939 : Components_0,  _S940 : CloseUp_0,  _S941 : FamilyAlbedos_0,  _S942 : vec3<f32>,  _S943 : vec3<f32>,  _S944 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S952 : u32,  _S953 : Components_0,  _S954 : CloseUp_0,  _S955 : FamilyAlbedos_0,  _S956 : vec3<f32>,  _S957 : vec3<f32>,  _S958 : vec3<f32>) -> vec3<f32>
 {
-    var _S945 : Albedos_0 = tinted_0(_S941.warp_7, _S942);
-    var _S946 : Albedos_0 = tinted_0(_S941.weft_7, _S942);
-    var _S947 : vec3<f32> = vec3<f32>(_S939.diffuse_warp_0);
-    var _S948 : vec3<f32> = vec3<f32>(_S939.diffuse_weft_0);
-    var _S949 : vec3<f32> = vec3<f32>(_S939.specular_warp_0);
-    var _S950 : vec3<f32> = vec3<f32>(_S939.specular_weft_0);
-    var _S951 : vec3<f32> = _S945.diffuse_reflect_0 * _S947 + _S946.diffuse_reflect_0 * _S948 + _S945.specular_reflect_0 * _S949 + _S946.specular_reflect_0 * _S950;
-    var _S952 : f32 = _S944.z;
+    var _S959 : Albedos_0 = towards_grazing_0(_S952, tinted_0(_S955.warp_7, _S956), _S957, _S958);
+    var _S960 : Albedos_0 = towards_grazing_0(_S952, tinted_0(_S955.weft_7, _S956), _S957, _S958);
+    var _S961 : vec3<f32> = vec3<f32>(_S953.diffuse_warp_0);
+    var _S962 : vec3<f32> = vec3<f32>(_S953.diffuse_weft_0);
+    var _S963 : vec3<f32> = vec3<f32>(_S953.specular_warp_0);
+    var _S964 : vec3<f32> = vec3<f32>(_S953.specular_weft_0);
+    var _S965 : vec3<f32> = _S959.diffuse_reflect_0 * _S961 + _S960.diffuse_reflect_0 * _S962 + _S959.specular_reflect_0 * _S963 + _S960.specular_reflect_0 * _S964;
+    var _S966 : f32 = _S958.z;
     var body_0 : vec3<f32>;
-    if((_S943.z * _S952) < 0.0f)
+    if((_S957.z * _S966) < 0.0f)
     {
-        body_0 = _S945.diffuse_transmit_0 * _S947 + _S946.diffuse_transmit_0 * _S948 + _S945.specular_transmit_0 * _S949 + _S946.specular_transmit_0 * _S950;
+        body_0 = _S959.diffuse_transmit_0 * _S961 + _S960.diffuse_transmit_0 * _S962 + _S959.specular_transmit_0 * _S963 + _S960.specular_transmit_0 * _S964;
     }
     else
     {
-        body_0 = _S951;
+        body_0 = _S965;
     }
-    if((fabrics_0[_S938].openness_0) != u32(4294967295))
+    if((fabrics_0[_S952].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S938, _S939, _S940, _S941, _S942, _S944), _S943, _S944);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S952, _S953, _S954, _S955, _S956, _S958), _S957, _S958) * vec3<f32>(diffuse_kept_0(_S952, _S957, _S958));
     }
-    var _S953 : f32 = fabrics_0[_S938].sheen_strength_0;
-    if((fabrics_0[_S938].sheen_strength_0) <= 0.0f)
+    var _S967 : f32 = fabrics_0[_S952].sheen_strength_0;
+    if((fabrics_0[_S952].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S954 : bool = _S952 < 0.0f;
-    var _S955 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S943, _S954), to_face_frame_0(_S944, _S954), _S953, fabrics_0[_S938].sheen_roughness_0);
-    return vec3<f32>(_S955.y) * body_0 + vec3<f32>(((_S939.light_visibility_1 + _S939.hole_5) * _S955.x));
+    var _S968 : bool = _S966 < 0.0f;
+    var _S969 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S957, _S968), to_face_frame_0(_S958, _S968), _S967, fabrics_0[_S952].sheen_roughness_0);
+    return vec3<f32>(_S969.y) * body_0 + vec3<f32>(((_S953.light_visibility_1 + _S953.hole_5) * _S969.x));
 }
 
-fn light_of_neural_0( _S956 : u32,  _S957 : VisiblePoint_0,  _S958 : vec2<u32>,  _S959 : vec3<f32>) -> vec4<f32>
+fn light_of_neural_0( _S970 : u32,  _S971 : VisiblePoint_0,  _S972 : vec2<u32>,  _S973 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S957.draft_dx_0;
-    footprint_1.dy_0 = _S957.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S956, _S957.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S960 : vec3<f32> = to_local_0(_S957, _S957.view_0);
+    footprint_1.dx_0 = _S971.draft_dx_0;
+    footprint_1.dy_0 = _S971.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S970, _S971.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S974 : vec3<f32> = to_local_0(_S971, _S971.view_0);
     var activations_0 : NeuralView_0;
-    neural_view_0(_S956, footprint_1, _S960, &(activations_0));
-    var _S961 : f32 = _S960.z;
-    var _S962 : FamilyAlbedos_0 = with_tones_0(_S956, albedos_over_0(_S956, footprint_1, _S961 < 0.0f), activations_0.yarns_0);
-    var _S963 : vec3<f32> = vec3<f32>(0.0f);
+    neural_view_0(_S970, footprint_1, _S974, &(activations_0));
+    var _S975 : f32 = _S974.z;
+    var _S976 : FamilyAlbedos_0 = with_tones_0(_S970, albedos_over_0(_S970, footprint_1, _S975 < 0.0f), activations_0.yarns_0);
+    var _S977 : vec3<f32> = vec3<f32>(0.0f);
     var number_9 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S963;
+    var radiance_1 : vec3<f32> = _S977;
     for(;;)
     {
         if(number_9 < (light_sample_count_0()))
@@ -4093,24 +4123,24 @@ fn light_of_neural_0( _S956 : u32,  _S957 : VisiblePoint_0,  _S958 : vec2<u32>, 
         {
             break;
         }
-        var _S964 : f32 = visibility_at_0(number_9, _S958);
-        if(_S964 <= 0.0f)
+        var _S978 : f32 = visibility_at_0(number_9, _S972);
+        if(_S978 <= 0.0f)
         {
             number_9 = number_9 + u32(1);
             continue;
         }
-        var _S965 : LightSample_0 = light_sample_0(number_9, _S958, _S957.position_4);
-        var _S966 : vec3<f32> = to_local_0(_S957, _S965.towards_0);
-        var _S967 : Components_0 = neural_components_0(_S956, &(activations_0), _S966);
-        radiance_1 = radiance_1 + vec3<f32>(_S964) * _S965.irradiance_1 * composed_0(_S956, _S967, no_close_up_0(), _S962, _S959, _S966, _S960);
+        var _S979 : LightSample_0 = light_sample_0(number_9, _S972, _S971.position_4);
+        var _S980 : vec3<f32> = to_local_0(_S971, _S979.towards_0);
+        var _S981 : Components_0 = neural_components_0(_S970, &(activations_0), _S980);
+        radiance_1 = radiance_1 + vec3<f32>(_S978) * _S979.irradiance_1 * composed_0(_S970, _S981, no_close_up_0(), _S976, _S973, _S980, _S974);
         number_9 = number_9 + u32(1);
     }
     var hole_6 : f32 = activations_0.hole_2;
-    var _S968 : f32 = fabrics_0[_S956].sheen_strength_0;
+    var _S982 : f32 = fabrics_0[_S970].sheen_strength_0;
     var hole_7 : f32;
-    if((fabrics_0[_S956].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S970].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_6 * (1.0f - _S968 * sheen_lobe_0(abs(_S961), fabrics_0[_S956].sheen_roughness_0).z);
+        hole_7 = hole_6 * (1.0f - _S982 * sheen_lobe_0(abs(_S975), fabrics_0[_S970].sheen_roughness_0).z);
     }
     else
     {
@@ -4123,31 +4153,31 @@ fn light_of_neural_0( _S956 : u32,  _S957 : VisiblePoint_0,  _S958 : vec2<u32>, 
 @workgroup_size(8, 8, 1)
 fn shade_neural(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S969 : u32 = id_0.x;
-    var _S970 : bool;
-    if(_S969 >= (frame_record_0.width_0))
+    var _S983 : u32 = id_0.x;
+    var _S984 : bool;
+    if(_S983 >= (frame_record_0.width_0))
     {
-        _S970 = true;
+        _S984 = true;
     }
     else
     {
-        _S970 = (id_0.y) >= (frame_record_0.height_0);
+        _S984 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S970)
+    if(_S984)
     {
         return;
     }
-    var _S971 : u32 = id_0.y * frame_record_0.width_0 + _S969;
-    var _S972 : u32 = layers_0[_S971].face_0;
-    if((layers_0[_S971].face_0) == u32(0))
+    var _S985 : u32 = id_0.y * frame_record_0.width_0 + _S983;
+    var _S986 : u32 = layers_0[_S985].face_0;
+    if((layers_0[_S985].face_0) == u32(0))
     {
         return;
     }
-    var _S973 : u32 = _S972 - u32(1);
-    var _S974 : u32 = fabric_of_0(_S973);
-    var _S975 : vec2<u32> = id_0.xy;
-    var _S976 : VisiblePoint_0 = visible_point_0(_S974, _S973, _S975);
-    accumulate_0(_S971, light_of_neural_0(_S974, _S976, _S975, filtered_albedo_0(_S974, _S976)));
+    var _S987 : u32 = _S986 - u32(1);
+    var _S988 : u32 = fabric_of_0(_S987);
+    var _S989 : vec2<u32> = id_0.xy;
+    var _S990 : VisiblePoint_0 = visible_point_0(_S988, _S987, _S989);
+    accumulate_0(_S985, light_of_neural_0(_S988, _S990, _S989, filtered_albedo_0(_S988, _S990)));
     return;
 }
 

@@ -195,6 +195,8 @@ struct Fabric_std430_0
     @align(4) per_relief_0 : f32,
     @align(4) diffuse_blend_0 : f32,
     @align(4) optical_depth_0 : f32,
+    @align(4) grazing_gain_0 : f32,
+    @align(4) grazing_loss_0 : f32,
     @align(4) sheen_strength_0 : f32,
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
@@ -1395,20 +1397,26 @@ fn scene_light_0( first_4 : u32) -> Light_0
     return record_1;
 }
 
+fn fourth_power_0( value_1 : f32) -> f32
+{
+    var _S165 : f32 = value_1 * value_1;
+    return _S165 * _S165;
+}
+
 fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_7 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S165 : f32 = light_1.z;
-    if(_S165 <= 0.0f)
+    var _S166 : f32 = light_1.z;
+    if(_S166 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S165, 0.0f), max(dot(light_1, normal_7), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S166, 0.0f), max(dot(light_1, normal_7), 0.0f), blend_1);
 }
 
 fn projected_area_1( direction_4 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S166 : f32 = dot(direction_4, tangent_6);
-    return sqrt(max((roughness_3 + 1.0f) * (roughness_3 - 1.0f) * _S166 * _S166 + 1.0f, roughness_3 * roughness_3));
+    var _S167 : f32 = dot(direction_4, tangent_6);
+    return sqrt(max((roughness_3 + 1.0f) * (roughness_3 - 1.0f) * _S167 * _S167 + 1.0f, roughness_3 * roughness_3));
 }
 
 fn mean_attenuation_0( depth_1 : f32) -> f32
@@ -1422,45 +1430,45 @@ fn mean_attenuation_0( depth_1 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_4 : f32) -> f32
 {
-    var _S167 : f32 = roughness_4 * roughness_4;
-    var _S168 : f32 = squared_along_0 * (1.0f - _S167) + _S167;
-    return 0.31830987334251404f * _S167 * roughness_4 / (_S168 * _S168);
+    var _S168 : f32 = roughness_4 * roughness_4;
+    var _S169 : f32 = squared_along_0 * (1.0f - _S168) + _S168;
+    return 0.31830987334251404f * _S168 * roughness_4 / (_S169 * _S169);
 }
 
 fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_5 : f32) -> f32
 {
-    var _S169 : vec3<f32> = light_2 + view_1;
-    var _S170 : f32 = dot(_S169, tangent_7);
-    return flake_density_0(min(_S170 * _S170 / max(square_0(_S169), 9.999999960041972e-13f), 1.0f), roughness_5);
+    var _S170 : vec3<f32> = light_2 + view_1;
+    var _S171 : f32 = dot(_S170, tangent_7);
+    return flake_density_0(min(_S171 * _S171 / max(square_0(_S170), 9.999999960041972e-13f), 1.0f), roughness_5);
 }
 
 fn reflection_0( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_6 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S171 : f32 = dot(light_3, normal_8);
-    var _S172 : f32 = dot(view_2, normal_8);
-    if(((_S171 <= 0.0f) | ((_S172 <= 0.0f))))
+    var _S172 : f32 = dot(light_3, normal_8);
+    var _S173 : f32 = dot(view_2, normal_8);
+    if(((_S172 <= 0.0f) | ((_S173 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S173 : f32 = max(_S171, 9.99999997475242708e-07f);
     var _S174 : f32 = max(_S172, 9.99999997475242708e-07f);
-    var _S175 : f32 = projected_area_1(light_3, tangent_8, roughness_6) * _S174 + projected_area_1(view_2, tangent_8, roughness_6) * _S173;
-    var _S176 : f32 = optical_depth_1 * _S175 / (_S173 * _S174);
-    return 0.25f * density_between_0(light_3, view_2, tangent_8, roughness_6) * (_S176 * mean_attenuation_0(_S176)) * _S173 / _S175;
+    var _S175 : f32 = max(_S173, 9.99999997475242708e-07f);
+    var _S176 : f32 = projected_area_1(light_3, tangent_8, roughness_6) * _S175 + projected_area_1(view_2, tangent_8, roughness_6) * _S174;
+    var _S177 : f32 = optical_depth_1 * _S176 / (_S174 * _S175);
+    return 0.25f * density_between_0(light_3, view_2, tangent_8, roughness_6) * (_S177 * mean_attenuation_0(_S177)) * _S174 / _S176;
 }
 
 fn transmission_1( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_9 : vec3<f32>,  tangent_9 : vec3<f32>,  roughness_7 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S177 : f32 = - dot(light_4, normal_9);
-    var _S178 : f32 = dot(view_3, normal_9);
-    if(((_S177 <= 0.0f) | ((_S178 <= 0.0f))))
+    var _S178 : f32 = - dot(light_4, normal_9);
+    var _S179 : f32 = dot(view_3, normal_9);
+    if(((_S178 <= 0.0f) | ((_S179 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S179 : f32 = 1.0f / max(_S178, 9.99999997475242708e-07f);
-    var _S180 : f32 = projected_area_1(light_4, tangent_9, roughness_7) / max(_S177, 9.99999997475242708e-07f);
-    var _S181 : f32 = projected_area_1(view_3, tangent_9, roughness_7) * _S179;
-    return density_between_0(light_4, view_3, tangent_9, roughness_7) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S180, _S181)) * mean_attenuation_0(optical_depth_2 * abs(_S180 - _S181)) * _S179;
+    var _S180 : f32 = 1.0f / max(_S179, 9.99999997475242708e-07f);
+    var _S181 : f32 = projected_area_1(light_4, tangent_9, roughness_7) / max(_S178, 9.99999997475242708e-07f);
+    var _S182 : f32 = projected_area_1(view_3, tangent_9, roughness_7) * _S180;
+    return density_between_0(light_4, view_3, tangent_9, roughness_7) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S181, _S182)) * mean_attenuation_0(optical_depth_2 * abs(_S181 - _S182)) * _S180;
 }
 
 fn sheen_scale_0( x_12 : f32,  y_5 : f32) -> f32
@@ -1480,46 +1488,46 @@ fn sheen_reflectance_0( x_14 : f32,  y_7 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_8 : f32) -> vec3<f32>
 {
-    var _S182 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S183 : f32 = 2.0f * sqrt(_S182) - 1.0f;
-    var _S184 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S183, _S184), 0.00999999977648258f, 1.0f), clamp((1.0f - _S182) * sheen_shear_0(_S183, _S184), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S183, _S184), -60.0f, 60.0f))));
+    var _S183 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S184 : f32 = 2.0f * sqrt(_S183) - 1.0f;
+    var _S185 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S184, _S185), 0.00999999977648258f, 1.0f), clamp((1.0f - _S183) * sheen_shear_0(_S184, _S185), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S184, _S185), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_5 : vec3<f32>,  view_4 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S185 : f32 = light_5.z;
-    if(((_S185 <= 0.0f) | (((view_4.z) <= 0.0f))))
+    var _S186 : f32 = light_5.z;
+    if(((_S186 <= 0.0f) | (((view_4.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S186 : vec2<f32> = view_4.xy;
-    var _S187 : f32 = dot(_S186, _S186);
-    var _S188 : vec2<f32> = select_vector_1(_S187 > 9.99999968265522539e-21f, _S186 * vec2<f32>(rsqrt_0(max(_S187, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S189 : f32 = scale_0 * dot(light_5.xy, _S188) + shear_0 * _S185;
-    var _S190 : f32 = scale_0 * (light_5.y * _S188.x - light_5.x * _S188.y);
-    var _S191 : f32 = _S189 * _S189 + _S190 * _S190 + _S185 * _S185;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S185 / max(_S191 * _S191, 9.99999968265522539e-21f);
+    var _S187 : vec2<f32> = view_4.xy;
+    var _S188 : f32 = dot(_S187, _S187);
+    var _S189 : vec2<f32> = select_vector_1(_S188 > 9.99999968265522539e-21f, _S187 * vec2<f32>(rsqrt_0(max(_S188, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S190 : f32 = scale_0 * dot(light_5.xy, _S189) + shear_0 * _S186;
+    var _S191 : f32 = scale_0 * (light_5.y * _S189.x - light_5.x * _S189.y);
+    var _S192 : f32 = _S190 * _S190 + _S191 * _S191 + _S186 * _S186;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S186 / max(_S192 * _S192, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_6 : vec3<f32>,  view_5 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
 {
-    var _S192 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_9);
-    var _S193 : f32 = strength_0 * _S192.z;
-    return vec2<f32>(_S193 * transformed_cosine_0(light_6, view_5, _S192.x, _S192.y), 1.0f - _S193);
+    var _S193 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_9);
+    var _S194 : f32 = strength_0 * _S193.z;
+    return vec2<f32>(_S194 * transformed_cosine_0(light_6, view_5, _S193.x, _S193.y), 1.0f - _S194);
 }
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_6 : vec3<f32>) -> vec3<f32>
 {
-    var _S194 : f32 = light_7.z;
-    return select_vector_0((_S194 * view_6.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S194) * 0.31830987334251404f));
+    var _S195 : f32 = light_7.z;
+    return select_vector_0((_S195 * view_6.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S195) * 0.31830987334251404f));
 }
 
 fn accumulate_0( index_7 : u32,  light_8 : vec4<f32>)
 {
-    var _S195 : f32 = layers_0[index_7].share_0;
+    var _S196 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_8;
-    layers_0[index_7].share_0 = _S195 * (1.0f - light_8.w);
+    layers_0[index_7].share_0 = _S196 * (1.0f - light_8.w);
     return;
 }
 
@@ -1543,147 +1551,147 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S196 : u32,  _S197 : u32,  _S198 : u32,  _S199 : vec2<f32>) -> f32
+fn uneven_shift_0( _S197 : u32,  _S198 : u32,  _S199 : u32,  _S200 : vec2<f32>) -> f32
 {
-    var _S200 : f32 = families_0[_S198].period_0 / families_0[_S198].count_0;
-    var _S201 : u32 = hash_key_0(_S197, ((fabrics_0[_S196].seed_0) ^ (u32(625341585))));
-    var _S202 : vec2<f32> = vec2<f32>(_S199.x, _S199.y / 4.0f) / vec2<f32>(_S200);
-    return 0.20000000298023224f * sqrt(families_0[_S198].slub_0) * _S200 * (uneven_octave_0(_S201, _S202) * 0.66666668653488159f + uneven_octave_0(_S201 + u32(1), vec2<f32>(2.0f) * _S202 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S201 : f32 = families_0[_S199].period_0 / families_0[_S199].count_0;
+    var _S202 : u32 = hash_key_0(_S198, ((fabrics_0[_S197].seed_0) ^ (u32(625341585))));
+    var _S203 : vec2<f32> = vec2<f32>(_S200.x, _S200.y / 4.0f) / vec2<f32>(_S201);
+    return 0.20000000298023224f * sqrt(families_0[_S199].slub_0) * _S201 * (uneven_octave_0(_S202, _S203) * 0.66666668653488159f + uneven_octave_0(_S202 + u32(1), vec2<f32>(2.0f) * _S203 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S203 : u32,  _S204 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S204 : u32,  _S205 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S203].has_detail_0) == u32(0), _S204, _S204 + vec2<f32>(uneven_shift_0(_S203, u32(0), fabrics_0[_S203].warp_0, _S204), uneven_shift_0(_S203, u32(1), fabrics_0[_S203].weft_0, _S204.yx)));
+    return select_vector_1((fabrics_0[_S204].has_detail_0) == u32(0), _S205, _S205 + vec2<f32>(uneven_shift_0(_S204, u32(0), fabrics_0[_S204].warp_0, _S205), uneven_shift_0(_S204, u32(1), fabrics_0[_S204].weft_0, _S205.yx)));
 }
 
-fn face_point_0( _S205 : u32,  _S206 : u32,  _S207 : f32,  _S208 : f32) -> VisiblePoint_0
+fn face_point_0( _S206 : u32,  _S207 : u32,  _S208 : f32,  _S209 : f32) -> VisiblePoint_0
 {
-    var _S209 : u32 = u32(3) * _S206;
-    var _S210 : Vertex_0 = vertex_at_0(_S209);
-    var _S211 : Vertex_0 = vertex_at_0(_S209 + u32(1));
-    var _S212 : Vertex_0 = vertex_at_0(_S209 + u32(2));
-    var _S213 : vec3<f32> = position_of_0(_S210);
-    var _S214 : vec3<f32> = position_of_0(_S211) - _S213;
-    var _S215 : vec3<f32> = position_of_0(_S212) - _S213;
-    var _S216 : f32 = _S211.u_0 - _S210.u_0;
-    var _S217 : f32 = _S211.v_0 - _S210.v_0;
-    var _S218 : vec2<f32> = vec2<f32>(_S216, _S217);
-    var _S219 : f32 = _S212.u_0 - _S210.u_0;
-    var _S220 : f32 = _S212.v_0 - _S210.v_0;
-    var _S221 : vec2<f32> = vec2<f32>(_S219, _S220);
-    var _S222 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S216 * _S220 - _S217 * _S219) < 0.0f));
-    var _S223 : vec3<f32> = _S222 * (vec3<f32>(_S220) * _S214 - vec3<f32>(_S217) * _S215);
-    var _S224 : vec3<f32> = _S222 * (vec3<f32>(_S216) * _S215 - vec3<f32>(_S219) * _S214);
+    var _S210 : u32 = u32(3) * _S207;
+    var _S211 : Vertex_0 = vertex_at_0(_S210);
+    var _S212 : Vertex_0 = vertex_at_0(_S210 + u32(1));
+    var _S213 : Vertex_0 = vertex_at_0(_S210 + u32(2));
+    var _S214 : vec3<f32> = position_of_0(_S211);
+    var _S215 : vec3<f32> = position_of_0(_S212) - _S214;
+    var _S216 : vec3<f32> = position_of_0(_S213) - _S214;
+    var _S217 : f32 = _S212.u_0 - _S211.u_0;
+    var _S218 : f32 = _S212.v_0 - _S211.v_0;
+    var _S219 : vec2<f32> = vec2<f32>(_S217, _S218);
+    var _S220 : f32 = _S213.u_0 - _S211.u_0;
+    var _S221 : f32 = _S213.v_0 - _S211.v_0;
+    var _S222 : vec2<f32> = vec2<f32>(_S220, _S221);
+    var _S223 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S217 * _S221 - _S218 * _S220) < 0.0f));
+    var _S224 : vec3<f32> = _S223 * (vec3<f32>(_S221) * _S215 - vec3<f32>(_S218) * _S216);
+    var _S225 : vec3<f32> = _S223 * (vec3<f32>(_S217) * _S216 - vec3<f32>(_S220) * _S215);
     var point_2 : VisiblePoint_0;
-    var _S225 : vec3<f32> = vec3<f32>(_S207);
     var _S226 : vec3<f32> = vec3<f32>(_S208);
-    var _S227 : vec3<f32> = normalize(vec3<f32>((1.0f - _S207 - _S208)) * normal_of_0(_S210) + _S225 * normal_of_0(_S211) + _S226 * normal_of_0(_S212));
-    point_2.normal_0 = _S227;
-    var _S228 : vec3<f32> = normalize(_S223 - _S227 * vec3<f32>(dot(_S227, _S223)));
-    point_2.axis_x_0 = _S228;
-    point_2.axis_y_0 = cross(_S227, _S228);
-    var _S229 : vec3<f32> = normalize(cross(_S214, _S215));
-    point_2.face_normal_0 = select_vector_0((dot(_S229, _S227)) < 0.0f, (vec3<f32>(0) - _S229), _S229);
-    point_2.position_4 = _S213 + _S225 * _S214 + _S226 * _S215;
-    point_2.view_0 = _S227;
-    var _S230 : vec2<f32> = vec2<f32>(_S210.u_0, _S210.v_0) + vec2<f32>(_S207) * _S218 + vec2<f32>(_S208) * _S221;
-    point_2.uv_1 = _S230;
-    var _S231 : bool = (dot(cross(_S223, _S224), _S227)) < 0.0f;
-    var _S232 : vec2<f32> = vec2<f32>(fabrics_0[_S205].uv_width_0, select(fabrics_0[_S205].uv_height_0, - fabrics_0[_S205].uv_height_0, _S231));
-    point_2.draft_per_uv_0 = _S232;
-    point_2.draft_0 = uneven_place_0(_S205, _S230 * _S232 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S205].uv_height_0, _S231)));
-    var _S233 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S233;
-    point_2.draft_dy_0 = _S233;
+    var _S227 : vec3<f32> = vec3<f32>(_S209);
+    var _S228 : vec3<f32> = normalize(vec3<f32>((1.0f - _S208 - _S209)) * normal_of_0(_S211) + _S226 * normal_of_0(_S212) + _S227 * normal_of_0(_S213));
+    point_2.normal_0 = _S228;
+    var _S229 : vec3<f32> = normalize(_S224 - _S228 * vec3<f32>(dot(_S228, _S224)));
+    point_2.axis_x_0 = _S229;
+    point_2.axis_y_0 = cross(_S228, _S229);
+    var _S230 : vec3<f32> = normalize(cross(_S215, _S216));
+    point_2.face_normal_0 = select_vector_0((dot(_S230, _S228)) < 0.0f, (vec3<f32>(0) - _S230), _S230);
+    point_2.position_4 = _S214 + _S226 * _S215 + _S227 * _S216;
+    point_2.view_0 = _S228;
+    var _S231 : vec2<f32> = vec2<f32>(_S211.u_0, _S211.v_0) + vec2<f32>(_S208) * _S219 + vec2<f32>(_S209) * _S222;
+    point_2.uv_1 = _S231;
+    var _S232 : bool = (dot(cross(_S224, _S225), _S228)) < 0.0f;
+    var _S233 : vec2<f32> = vec2<f32>(fabrics_0[_S206].uv_width_0, select(fabrics_0[_S206].uv_height_0, - fabrics_0[_S206].uv_height_0, _S232));
+    point_2.draft_per_uv_0 = _S233;
+    point_2.draft_0 = uneven_place_0(_S206, _S231 * _S233 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S206].uv_height_0, _S232)));
+    var _S234 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S234;
+    point_2.draft_dy_0 = _S234;
     return point_2;
 }
 
-fn visible_point_0( _S234 : u32,  _S235 : u32,  _S236 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S235 : u32,  _S236 : u32,  _S237 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S237 : u32 = u32(3) * _S235;
-    var _S238 : Vertex_0 = vertex_at_0(_S237);
-    var _S239 : Vertex_0 = vertex_at_0(_S237 + u32(1));
-    var _S240 : Vertex_0 = vertex_at_0(_S237 + u32(2));
-    var _S241 : vec3<f32> = position_of_0(_S238);
-    var _S242 : vec3<f32> = position_of_0(_S239) - _S241;
-    var _S243 : vec3<f32> = position_of_0(_S240) - _S241;
-    var _S244 : vec3<f32> = cross(_S242, _S243);
-    var _S245 : f32 = f32(frame_record_0.width_0);
-    var _S246 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S245));
-    var _S247 : f32 = f32(frame_record_0.height_0);
-    var _S248 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S247));
-    var _S249 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S236.x) + 0.5f - 0.5f * _S245)) * _S246 + vec3<f32>((f32(_S236.y) + 0.5f - 0.5f * _S247)) * _S248;
-    var _S250 : f32 = dot(_S249, _S244);
-    var _S251 : f32 = 1.0f / select(1.00000000317107685e-30f, _S250, (abs(_S250)) > 1.00000000317107685e-30f);
-    var _S252 : vec3<f32> = _S241 - camera_origin_0();
-    var _S253 : vec3<f32> = vec3<f32>((dot(_S252, _S244) * _S251));
-    var _S254 : vec3<f32> = _S249 * _S253 - _S252;
-    var _S255 : vec3<f32> = _S253 * (_S246 - _S249 * vec3<f32>((dot(_S246, _S244) * _S251)));
-    var _S256 : vec3<f32> = _S253 * (_S248 - _S249 * vec3<f32>((dot(_S248, _S244) * _S251)));
-    var _S257 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S244), 1.00000000317107685e-30f)));
-    var _S258 : vec3<f32> = cross(_S243, _S244) * _S257;
-    var _S259 : vec3<f32> = cross(_S244, _S242) * _S257;
-    var _S260 : vec2<f32> = vec2<f32>(_S239.u_0 - _S238.u_0, _S239.v_0 - _S238.v_0);
-    var _S261 : vec2<f32> = vec2<f32>(_S240.u_0 - _S238.u_0, _S240.v_0 - _S238.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S234, _S235, dot(_S254, _S258), dot(_S254, _S259));
-    point_3.position_4 = _S241 + _S254;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S249));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S255, _S258)) * _S260 + vec2<f32>(dot(_S255, _S259)) * _S261) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S256, _S258)) * _S260 + vec2<f32>(dot(_S256, _S259)) * _S261) * point_3.draft_per_uv_0;
+    var _S238 : u32 = u32(3) * _S236;
+    var _S239 : Vertex_0 = vertex_at_0(_S238);
+    var _S240 : Vertex_0 = vertex_at_0(_S238 + u32(1));
+    var _S241 : Vertex_0 = vertex_at_0(_S238 + u32(2));
+    var _S242 : vec3<f32> = position_of_0(_S239);
+    var _S243 : vec3<f32> = position_of_0(_S240) - _S242;
+    var _S244 : vec3<f32> = position_of_0(_S241) - _S242;
+    var _S245 : vec3<f32> = cross(_S243, _S244);
+    var _S246 : f32 = f32(frame_record_0.width_0);
+    var _S247 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S246));
+    var _S248 : f32 = f32(frame_record_0.height_0);
+    var _S249 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S248));
+    var _S250 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S237.x) + 0.5f - 0.5f * _S246)) * _S247 + vec3<f32>((f32(_S237.y) + 0.5f - 0.5f * _S248)) * _S249;
+    var _S251 : f32 = dot(_S250, _S245);
+    var _S252 : f32 = 1.0f / select(1.00000000317107685e-30f, _S251, (abs(_S251)) > 1.00000000317107685e-30f);
+    var _S253 : vec3<f32> = _S242 - camera_origin_0();
+    var _S254 : vec3<f32> = vec3<f32>((dot(_S253, _S245) * _S252));
+    var _S255 : vec3<f32> = _S250 * _S254 - _S253;
+    var _S256 : vec3<f32> = _S254 * (_S247 - _S250 * vec3<f32>((dot(_S247, _S245) * _S252)));
+    var _S257 : vec3<f32> = _S254 * (_S249 - _S250 * vec3<f32>((dot(_S249, _S245) * _S252)));
+    var _S258 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S245), 1.00000000317107685e-30f)));
+    var _S259 : vec3<f32> = cross(_S244, _S245) * _S258;
+    var _S260 : vec3<f32> = cross(_S245, _S243) * _S258;
+    var _S261 : vec2<f32> = vec2<f32>(_S240.u_0 - _S239.u_0, _S240.v_0 - _S239.v_0);
+    var _S262 : vec2<f32> = vec2<f32>(_S241.u_0 - _S239.u_0, _S241.v_0 - _S239.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S235, _S236, dot(_S255, _S259), dot(_S255, _S260));
+    point_3.position_4 = _S242 + _S255;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S250));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S256, _S259)) * _S261 + vec2<f32>(dot(_S256, _S260)) * _S262) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S257, _S259)) * _S261 + vec2<f32>(dot(_S257, _S260)) * _S262) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S262 : u32,  _S263 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S263 : u32,  _S264 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S264 : u32 = fabrics_0[_S262].albedo_map_levels_0;
-    if((fabrics_0[_S262].albedo_map_levels_0) == u32(0))
+    var _S265 : u32 = fabrics_0[_S263].albedo_map_levels_0;
+    if((fabrics_0[_S263].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S265 : vec2<f32> = vec2<f32>(fabrics_0[_S262].uv_width_0, fabrics_0[_S262].uv_height_0);
-    var _S266 : vec2<f32> = _S263.draft_dx_0 / _S265;
-    var _S267 : vec2<f32> = _S263.draft_dy_0 / _S265;
-    var _S268 : u32 = _S264 - u32(1);
-    var _S269 : u32 = (u32(1) << (_S268));
-    var _S270 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S266.x * _S267.y - _S266.y * _S267.x), 9.99999968265522539e-21f) * (square_1(f32(_S269)) / 3.0f)), 0.0f, f32(_S264) - 1.0f);
-    var _S271 : u32 = min(u32(_S270), max(_S264, u32(2)) - u32(2));
-    var _S272 : u32 = min(_S271 + u32(1), _S268);
-    var _S273 : u32 = (u32(1) << ((u32(2) * _S264)));
-    return mix(map_level_0(fabrics_0[_S262].albedo_map_0 + (_S273 - ((_S273 >> ((u32(2) * _S271))))) / u32(3), (_S269 >> (_S271)), _S263.uv_1), map_level_0(fabrics_0[_S262].albedo_map_0 + (_S273 - ((_S273 >> ((u32(2) * _S272))))) / u32(3), (_S269 >> (_S272)), _S263.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S270 - f32(_S271))) - 1.0f) / 3.0f)));
+    var _S266 : vec2<f32> = vec2<f32>(fabrics_0[_S263].uv_width_0, fabrics_0[_S263].uv_height_0);
+    var _S267 : vec2<f32> = _S264.draft_dx_0 / _S266;
+    var _S268 : vec2<f32> = _S264.draft_dy_0 / _S266;
+    var _S269 : u32 = _S265 - u32(1);
+    var _S270 : u32 = (u32(1) << (_S269));
+    var _S271 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S267.x * _S268.y - _S267.y * _S268.x), 9.99999968265522539e-21f) * (square_1(f32(_S270)) / 3.0f)), 0.0f, f32(_S265) - 1.0f);
+    var _S272 : u32 = min(u32(_S271), max(_S265, u32(2)) - u32(2));
+    var _S273 : u32 = min(_S272 + u32(1), _S269);
+    var _S274 : u32 = (u32(1) << ((u32(2) * _S265)));
+    return mix(map_level_0(fabrics_0[_S263].albedo_map_0 + (_S274 - ((_S274 >> ((u32(2) * _S272))))) / u32(3), (_S270 >> (_S272)), _S264.uv_1), map_level_0(fabrics_0[_S263].albedo_map_0 + (_S274 - ((_S274 >> ((u32(2) * _S273))))) / u32(3), (_S270 >> (_S273)), _S264.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S271 - f32(_S272))) - 1.0f) / 3.0f)));
 }
 
-fn irregular_key_0( _S274 : u32,  _S275 : u32) -> u32
+fn irregular_key_0( _S275 : u32,  _S276 : u32) -> u32
 {
-    return hash_key_0(_S275, ((fabrics_0[_S274].seed_0) ^ (u32(1821285621))));
+    return hash_key_0(_S276, ((fabrics_0[_S275].seed_0) ^ (u32(1821285621))));
 }
 
-fn irregular_place_0( _S276 : u32,  _S277 : vec2<f32>,  _S278 : f32) -> vec2<f32>
+fn irregular_place_0( _S277 : u32,  _S278 : vec2<f32>,  _S279 : f32) -> vec2<f32>
 {
-    var _S279 : u32 = fabrics_0[_S276].warp_0;
-    var _S280 : u32 = fabrics_0[_S276].weft_0;
-    var _S281 : bool = (((fabrics_0[_S276].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S276].warp_0, _S278), moved_share_0(fabrics_0[_S276].weft_0, _S278))) > 0.0f)));
+    var _S280 : u32 = fabrics_0[_S277].warp_0;
+    var _S281 : u32 = fabrics_0[_S277].weft_0;
+    var _S282 : bool = (((fabrics_0[_S277].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S277].warp_0, _S279), moved_share_0(fabrics_0[_S277].weft_0, _S279))) > 0.0f)));
     var number_2 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S277;
+    var moved_0 : vec2<f32> = _S278;
     for(;;)
     {
-        if(number_2 < select(u32(0), u32(2), _S281))
+        if(number_2 < select(u32(0), u32(2), _S282))
         {
         }
         else
         {
             break;
         }
-        var _S282 : bool = number_2 == u32(0);
-        var _S283 : u32 = select(_S280, _S279, _S282);
-        var _S284 : vec2<f32> = select_vector_1(_S282, _S277, _S277.yx);
-        var _S285 : u32 = irregular_key_0(_S276, number_2);
-        var _S286 : f32 = _S284.x;
-        var _S287 : Cell_0 = locate_0(_S283, _S286);
-        var _S288 : f32 = irregular_thread_0(_S283, _S286, _S287);
-        var _S289 : f32 = select(1.0f, -1.0f, (_S287.across_0) < 0.0f);
-        var _S290 : vec2<f32> = vec2<f32>(0.0f);
-        var other_2 : vec2<f32> = _S290;
-        var own_1 : vec2<f32> = _S290;
+        var _S283 : bool = number_2 == u32(0);
+        var _S284 : u32 = select(_S281, _S280, _S283);
+        var _S285 : vec2<f32> = select_vector_1(_S283, _S278, _S278.yx);
+        var _S286 : u32 = irregular_key_0(_S277, number_2);
+        var _S287 : f32 = _S285.x;
+        var _S288 : Cell_0 = locate_0(_S284, _S287);
+        var _S289 : f32 = irregular_thread_0(_S284, _S287, _S288);
+        var _S290 : f32 = select(1.0f, -1.0f, (_S288.across_0) < 0.0f);
+        var _S291 : vec2<f32> = vec2<f32>(0.0f);
+        var other_2 : vec2<f32> = _S291;
+        var own_1 : vec2<f32> = _S291;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -1694,23 +1702,23 @@ fn irregular_place_0( _S276 : u32,  _S277 : vec2<f32>,  _S278 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S291 : vec2<f32> = irregular_at_0(_S283, _S285, _S288 + _S289 * f32(neighbour_0), _S284.y).xy;
-            var _S292 : u32 = neighbour_0 + u32(1);
+            var _S292 : vec2<f32> = irregular_at_0(_S284, _S286, _S289 + _S290 * f32(neighbour_0), _S285.y).xy;
+            var _S293 : u32 = neighbour_0 + u32(1);
             own_1 = other_2;
-            other_2 = _S291;
-            neighbour_0 = _S292;
+            other_2 = _S292;
+            neighbour_0 = _S293;
         }
-        var _S293 : f32 = _S287.below_0 + _S287.above_0;
-        var _S294 : f32 = min(_S287.half_width_1 / _S293, 0.5f);
-        var _S295 : f32 = min(_S294 * (2.0f + own_1.y + other_2.y), 1.0f);
-        var _S296 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_2.x), vec2<f32>(0.25f)));
-        var _S297 : f32 = _S296.x;
-        var _S298 : f32 = _S295 * _S297 / (_S297 + _S296.y);
-        var _S299 : f32 = abs(_S287.across_0) / _S293;
-        var _S300 : f32 = 1.0f - _S295;
-        var _S301 : f32 = _S299 - _S298;
-        var _S302 : f32 = moved_share_0(_S283, _S278) * _S289 * _S293 * (select(select((_S301 - _S300) / max(_S295 - _S298, 9.99999997475242708e-07f) * _S294 + (1.0f - _S294), _S301 / max(_S300, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S294) + _S294, _S301 < _S300), _S299 * _S294 / _S298, _S301 < 0.0f) - _S299);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S282, vec2<f32>(_S302, 0.0f), vec2<f32>(0.0f, _S302));
+        var _S294 : f32 = _S288.below_0 + _S288.above_0;
+        var _S295 : f32 = min(_S288.half_width_1 / _S294, 0.5f);
+        var _S296 : f32 = min(_S295 * (2.0f + own_1.y + other_2.y), 1.0f);
+        var _S297 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_2.x), vec2<f32>(0.25f)));
+        var _S298 : f32 = _S297.x;
+        var _S299 : f32 = _S296 * _S298 / (_S298 + _S297.y);
+        var _S300 : f32 = abs(_S288.across_0) / _S294;
+        var _S301 : f32 = 1.0f - _S296;
+        var _S302 : f32 = _S300 - _S299;
+        var _S303 : f32 = moved_share_0(_S284, _S279) * _S290 * _S294 * (select(select((_S302 - _S301) / max(_S296 - _S299, 9.99999997475242708e-07f) * _S295 + (1.0f - _S295), _S302 / max(_S301, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S295) + _S295, _S302 < _S301), _S300 * _S295 / _S299, _S302 < 0.0f) - _S300);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S283, vec2<f32>(_S303, 0.0f), vec2<f32>(0.0f, _S303));
         number_2 = number_2 + u32(1);
         moved_0 = moved_1;
     }
@@ -1739,131 +1747,131 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S303 : u32,  _S304 : f32,  _S305 : f32,  _S306 : bool) -> Crossing_0
+fn crossing_at_0( _S304 : u32,  _S305 : f32,  _S306 : f32,  _S307 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S303].warp_0, _S304);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S303].weft_0, _S305);
-    var _S307 : u32 = fabrics_0[_S303].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S303].ends_1 + crossing_2.warp_1.thread_2);
-    var _S308 : u32 = words_0[_S307];
-    crossing_2.warp_word_0 = _S308;
-    crossing_2.weft_word_0 = words_0[_S307 + u32(1)];
-    crossing_2.warp_above_0 = (((_S308 & (u32(1)))) == u32(1)) != _S306;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S304].warp_0, _S305);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S304].weft_0, _S306);
+    var _S308 : u32 = fabrics_0[_S304].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S304].ends_1 + crossing_2.warp_1.thread_2);
+    var _S309 : u32 = words_0[_S308];
+    crossing_2.warp_word_0 = _S309;
+    crossing_2.weft_word_0 = words_0[_S308 + u32(1)];
+    crossing_2.warp_above_0 = (((_S309 & (u32(1)))) == u32(1)) != _S307;
     return crossing_2;
 }
 
-fn sample_at_0( _S309 : u32,  _S310 : f32,  _S311 : f32,  _S312 : bool) -> Sample_0
+fn sample_at_0( _S310 : u32,  _S311 : f32,  _S312 : f32,  _S313 : bool) -> Sample_0
 {
     var sample_0 : Sample_0;
-    var _S313 : Crossing_0 = crossing_at_0(_S309, _S310, _S311, _S312);
-    sample_0.crossing_1 = _S313;
-    var _S314 : Shown_0 = shown_at_0(_S313, _S312);
-    sample_0.shown_3 = _S314;
-    var _S315 : u32 = select(fabrics_0[_S309].weft_0, fabrics_0[_S309].warp_0, _S314.is_warp_0);
-    var _S316 : u32 = select(fabrics_0[_S309].warp_0, fabrics_0[_S309].weft_0, _S314.is_warp_0);
-    var _S317 : Cell_0 = select_cell_0(_S314.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
-    var _S318 : Cell_0 = select_cell_0(_S314.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
-    var _S319 : Run_0 = unpack_0(_S315, _S316, _S317.thread_2, _S318, _S314.word_0);
-    var _S320 : Section_0 = section_at_0(_S317);
-    var _S321 : bool = ((_S314.on_top_0) & (((_S319.distance_0) < (_S320.drop_0 * _S319.bend_1.sine_0))));
-    var _S322 : f32 = select(-1.0f, 1.0f, ((_S314.on_top_0) & ((!_S321))));
-    var _S323 : f32 = select(_S319.reach_0, _S319.other_reach_0, _S321);
-    var _S324 : f32 = select(max(_S323 - _S319.distance_0, 0.0f), _S323 + _S319.distance_0, _S321);
-    var _S325 : f32 = _S323 / _S319.bend_1.sine_0 - _S322 * _S320.drop_0;
-    var _S326 : f32 = _S324 * _S324;
-    var _S327 : f32 = max(_S325 * _S325 - _S326, 9.99999968265522539e-21f);
-    var _S328 : f32 = rsqrt_0(_S327);
-    var _S329 : f32 = _S326 / (_S327 * _S328 + _S325);
-    var _S330 : bool = _S324 > 0.0f;
-    var _S331 : f32 = select(-1.0f, 1.0f, _S314.on_top_0) * select(-1.0f, 1.0f, _S319.near_start_0);
-    var _S332 : f32 = _S320.slope_0 * select(1.0f, _S325 * _S328, _S330);
-    sample_0.slope_across_0 = _S332;
-    var _S333 : f32 = select(0.0f, _S331 * _S324 * _S328, _S330);
-    sample_0.slope_along_0 = _S333;
-    var _S334 : vec3<f32> = dive_0(_S316, _S314, _S319, _S318);
-    sample_0.dive_1 = _S334;
-    sample_0.height_8 = select(families_0[_S315].height_scale_0 * _S322, 0.0f, _S319.straight_0) * (_S323 * _S319.bend_1.half_tangent_0 - _S329) - families_0[_S315].height_scale_0 * _S320.drop_0 - _S334.x;
-    var _S335 : f32 = families_0[_S315].height_scale_0 * _S332;
-    var _S336 : f32 = families_0[_S315].height_scale_0 * _S333 - _S334.y;
-    sample_0.slope_x_1 = select(_S336, _S335, _S314.is_warp_0);
-    sample_0.slope_y_1 = select(_S335, _S336, _S314.is_warp_0);
-    sample_0.run_3 = _S319;
-    sample_0.section_1 = _S320;
+    var _S314 : Crossing_0 = crossing_at_0(_S310, _S311, _S312, _S313);
+    sample_0.crossing_1 = _S314;
+    var _S315 : Shown_0 = shown_at_0(_S314, _S313);
+    sample_0.shown_3 = _S315;
+    var _S316 : u32 = select(fabrics_0[_S310].weft_0, fabrics_0[_S310].warp_0, _S315.is_warp_0);
+    var _S317 : u32 = select(fabrics_0[_S310].warp_0, fabrics_0[_S310].weft_0, _S315.is_warp_0);
+    var _S318 : Cell_0 = select_cell_0(_S315.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    var _S319 : Cell_0 = select_cell_0(_S315.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    var _S320 : Run_0 = unpack_0(_S316, _S317, _S318.thread_2, _S319, _S315.word_0);
+    var _S321 : Section_0 = section_at_0(_S318);
+    var _S322 : bool = ((_S315.on_top_0) & (((_S320.distance_0) < (_S321.drop_0 * _S320.bend_1.sine_0))));
+    var _S323 : f32 = select(-1.0f, 1.0f, ((_S315.on_top_0) & ((!_S322))));
+    var _S324 : f32 = select(_S320.reach_0, _S320.other_reach_0, _S322);
+    var _S325 : f32 = select(max(_S324 - _S320.distance_0, 0.0f), _S324 + _S320.distance_0, _S322);
+    var _S326 : f32 = _S324 / _S320.bend_1.sine_0 - _S323 * _S321.drop_0;
+    var _S327 : f32 = _S325 * _S325;
+    var _S328 : f32 = max(_S326 * _S326 - _S327, 9.99999968265522539e-21f);
+    var _S329 : f32 = rsqrt_0(_S328);
+    var _S330 : f32 = _S327 / (_S328 * _S329 + _S326);
+    var _S331 : bool = _S325 > 0.0f;
+    var _S332 : f32 = select(-1.0f, 1.0f, _S315.on_top_0) * select(-1.0f, 1.0f, _S320.near_start_0);
+    var _S333 : f32 = _S321.slope_0 * select(1.0f, _S326 * _S329, _S331);
+    sample_0.slope_across_0 = _S333;
+    var _S334 : f32 = select(0.0f, _S332 * _S325 * _S329, _S331);
+    sample_0.slope_along_0 = _S334;
+    var _S335 : vec3<f32> = dive_0(_S317, _S315, _S320, _S319);
+    sample_0.dive_1 = _S335;
+    sample_0.height_8 = select(families_0[_S316].height_scale_0 * _S323, 0.0f, _S320.straight_0) * (_S324 * _S320.bend_1.half_tangent_0 - _S330) - families_0[_S316].height_scale_0 * _S321.drop_0 - _S335.x;
+    var _S336 : f32 = families_0[_S316].height_scale_0 * _S333;
+    var _S337 : f32 = families_0[_S316].height_scale_0 * _S334 - _S335.y;
+    sample_0.slope_x_1 = select(_S337, _S336, _S315.is_warp_0);
+    sample_0.slope_y_1 = select(_S336, _S337, _S315.is_warp_0);
+    sample_0.run_3 = _S320;
+    sample_0.section_1 = _S321;
     return sample_0;
 }
 
-fn steps_per_length_0( _S337 : u32,  _S338 : SearchQuality_0,  _S339 : vec3<f32>) -> f32
+fn steps_per_length_0( _S338 : u32,  _S339 : SearchQuality_0,  _S340 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S339.x) * fabrics_0[_S337].threads_per_x_0, abs(_S339.y) * fabrics_0[_S337].threads_per_y_0) * _S338.steps_per_thread_0, abs(_S339.z) * fabrics_0[_S337].per_relief_0 * _S338.steps_per_relief_0);
+    return max(max(abs(_S340.x) * fabrics_0[_S338].threads_per_x_0, abs(_S340.y) * fabrics_0[_S338].threads_per_y_0) * _S339.steps_per_thread_0, abs(_S340.z) * fabrics_0[_S338].per_relief_0 * _S339.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S340 : u32,  _S341 : Crossing_0) -> f32
+fn cell_maximum_0( _S341 : u32,  _S342 : Crossing_0) -> f32
 {
-    var _S342 : u32 = select(fabrics_0[_S340].weft_0, fabrics_0[_S340].warp_0, _S341.warp_above_0);
-    return f32((select(_S341.weft_word_0, _S341.warp_word_0, _S341.warp_above_0) >> (u32(28)))) * families_0[_S342].height_scale_0 * families_0[_S342].level_0;
+    var _S343 : u32 = select(fabrics_0[_S341].weft_0, fabrics_0[_S341].warp_0, _S342.warp_above_0);
+    return f32((select(_S342.weft_word_0, _S342.warp_word_0, _S342.warp_above_0) >> (u32(28)))) * families_0[_S343].height_scale_0 * families_0[_S343].level_0;
 }
 
-fn probe_0( _S343 : u32,  _S344 : f32,  _S345 : f32,  _S346 : bool,  _S347 : bool,  _S348 : bool) -> Probe_0
+fn probe_0( _S344 : u32,  _S345 : f32,  _S346 : f32,  _S347 : bool,  _S348 : bool,  _S349 : bool) -> Probe_0
 {
-    var _S349 : Sample_0 = sample_at_0(_S343, _S344, _S345, _S346);
+    var _S350 : Sample_0 = sample_at_0(_S344, _S345, _S346, _S347);
     var probe_1 : Probe_0;
-    probe_1.height_2 = _S349.height_8;
-    probe_1.hole_1 = _S349.shown_3.hole_0;
-    probe_1.slope_x_0 = _S349.slope_x_1;
-    probe_1.slope_y_0 = _S349.slope_y_1;
-    probe_1.yarn_1 = select(_S349.crossing_1.weft_1.thread_2 * u32(2), _S349.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S349.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S343, _S349.crossing_1);
-    probe_1.side_x_0 = select(_S349.crossing_1.warp_1.below_0, _S349.crossing_1.warp_1.above_0, _S347);
-    probe_1.side_y_0 = select(_S349.crossing_1.weft_1.below_0, _S349.crossing_1.weft_1.above_0, _S348);
-    probe_1.edge_x_0 = outline_distance_0(_S349.crossing_1.warp_1, _S349.shown_3, _S349.run_3, !_S349.shown_3.is_warp_0, _S347);
-    probe_1.edge_y_0 = outline_distance_0(_S349.crossing_1.weft_1, _S349.shown_3, _S349.run_3, _S349.shown_3.is_warp_0, _S348);
+    probe_1.height_2 = _S350.height_8;
+    probe_1.hole_1 = _S350.shown_3.hole_0;
+    probe_1.slope_x_0 = _S350.slope_x_1;
+    probe_1.slope_y_0 = _S350.slope_y_1;
+    probe_1.yarn_1 = select(_S350.crossing_1.weft_1.thread_2 * u32(2), _S350.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S350.shown_3.is_warp_0);
+    probe_1.cell_max_0 = cell_maximum_0(_S344, _S350.crossing_1);
+    probe_1.side_x_0 = select(_S350.crossing_1.warp_1.below_0, _S350.crossing_1.warp_1.above_0, _S348);
+    probe_1.side_y_0 = select(_S350.crossing_1.weft_1.below_0, _S350.crossing_1.weft_1.above_0, _S349);
+    probe_1.edge_x_0 = outline_distance_0(_S350.crossing_1.warp_1, _S350.shown_3, _S350.run_3, !_S350.shown_3.is_warp_0, _S348);
+    probe_1.edge_y_0 = outline_distance_0(_S350.crossing_1.weft_1, _S350.shown_3, _S350.run_3, _S350.shown_3.is_warp_0, _S349);
     return probe_1;
 }
 
-fn is_free_0( _S350 : u32,  _S351 : SearchQuality_0,  _S352 : vec3<f32>,  _S353 : vec3<f32>,  _S354 : bool,  _S355 : f32) -> bool
+fn is_free_0( _S351 : u32,  _S352 : SearchQuality_0,  _S353 : vec3<f32>,  _S354 : vec3<f32>,  _S355 : bool,  _S356 : f32) -> bool
 {
-    var _S356 : f32 = _S353.z;
-    if(_S356 <= 0.0f)
+    var _S357 : f32 = _S354.z;
+    if(_S357 <= 0.0f)
     {
         return false;
     }
-    var _S357 : f32 = 1.0f / max(_S351.shadow_share_0 * steps_per_length_0(_S350, _S351, _S353), 9.99999971718068537e-10f);
-    var _S358 : StepControl_0 = step_control_0(_S353.xy, _S357);
+    var _S358 : f32 = 1.0f / max(_S352.shadow_share_0 * steps_per_length_0(_S351, _S352, _S354), 9.99999971718068537e-10f);
+    var _S359 : StepControl_0 = step_control_0(_S354.xy, _S358);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_2 : u32 = u32(0);
     var distance_1 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_2 < u32(1024)) & (((_S352.z + _S356 * distance_1) < _S355))))
+        if(((count_2 < u32(1024)) & (((_S353.z + _S357 * distance_1) < _S356))))
         {
         }
         else
         {
             break;
         }
-        var _S359 : vec3<f32> = _S352 + _S353 * vec3<f32>(distance_1);
-        var _S360 : Probe_0 = probe_0(_S350, _S359.x, _S359.y, _S354, _S358.right_0, _S358.up_0);
-        var _S361 : f32 = _S359.z;
-        var _S362 : f32 = _S361 - _S360.height_2;
-        var _S363 : f32 = _S356 - _S360.slope_x_0 * _S353.x - _S360.slope_y_0 * _S353.y;
-        if(((!_S360.hole_1) & ((_S362 < 0.0f))))
+        var _S360 : vec3<f32> = _S353 + _S354 * vec3<f32>(distance_1);
+        var _S361 : Probe_0 = probe_0(_S351, _S360.x, _S360.y, _S355, _S359.right_0, _S359.up_0);
+        var _S362 : f32 = _S360.z;
+        var _S363 : f32 = _S362 - _S361.height_2;
+        var _S364 : f32 = _S357 - _S361.slope_x_0 * _S354.x - _S361.slope_y_0 * _S354.y;
+        if(((!_S361.hole_1) & ((_S363 < 0.0f))))
         {
             return false;
         }
-        var _S364 : f32 = way_back_to_dip_0(previous_3, _S362, _S363, last_step_0, _S360);
-        if(_S364 >= 0.0f)
+        var _S365 : f32 = way_back_to_dip_0(previous_3, _S363, _S364, last_step_0, _S361);
+        if(_S365 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S364;
-            distance_1 = distance_1 - _S364;
+            var last_step_1 : f32 = last_step_0 - _S365;
+            distance_1 = distance_1 - _S365;
             last_step_0 = last_step_1;
             count_2 = count_2 + u32(1);
             continue;
         }
-        var _S365 : bool = _S361 > (_S360.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S358, _S360, _S362, _S363), max(StepControl_to_cell_exit_0(_S358, _S360.side_x_0, _S360.side_y_0), _S357), _S365);
+        var _S366 : bool = _S362 > (_S361.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S359, _S361, _S363, _S364), max(StepControl_to_cell_exit_0(_S359, _S361.side_x_0, _S361.side_y_0), _S358), _S366);
         var distance_2 : f32 = distance_1 + last_step_2;
-        previous_3 = after_sample_0(_S362, _S363, _S360, _S365);
+        previous_3 = after_sample_0(_S363, _S364, _S361, _S366);
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_2 = count_2 + u32(1);
@@ -1871,13 +1879,13 @@ fn is_free_0( _S350 : u32,  _S351 : SearchQuality_0,  _S352 : vec3<f32>,  _S353 
     return true;
 }
 
-fn passes_through_0( _S366 : u32,  _S367 : SearchQuality_0,  _S368 : f32,  _S369 : f32,  _S370 : vec3<f32>,  _S371 : bool) -> bool
+fn passes_through_0( _S367 : u32,  _S368 : SearchQuality_0,  _S369 : f32,  _S370 : f32,  _S371 : vec3<f32>,  _S372 : bool) -> bool
 {
-    if(!sample_at_0(_S366, _S368, _S369, _S371).shown_3.hole_0)
+    if(!sample_at_0(_S367, _S369, _S370, _S372).shown_3.hole_0)
     {
         return false;
     }
-    var _S372 : vec3<f32> = vec3<f32>(_S368, _S369, 0.0f);
+    var _S373 : vec3<f32> = vec3<f32>(_S369, _S370, 0.0f);
     var passes_0 : bool = true;
     var side_2 : u32 = u32(0);
     for(;;)
@@ -1889,10 +1897,10 @@ fn passes_through_0( _S366 : u32,  _S367 : SearchQuality_0,  _S368 : f32,  _S369
         {
             break;
         }
-        var _S373 : bool = is_free_0(_S366, _S367, _S372, select_vector_0(side_2 == u32(0), _S370, vec3<f32>(- _S370.x, - _S370.y, _S370.z)), _S371 != (side_2 == u32(1)), fabrics_0[_S366].height_high_0);
-        var _S374 : u32 = side_2 + u32(1);
-        passes_0 = _S373;
-        side_2 = _S374;
+        var _S374 : bool = is_free_0(_S367, _S368, _S373, select_vector_0(side_2 == u32(0), _S371, vec3<f32>(- _S371.x, - _S371.y, _S371.z)), _S372 != (side_2 == u32(1)), fabrics_0[_S367].height_high_0);
+        var _S375 : u32 = side_2 + u32(1);
+        passes_0 = _S374;
+        side_2 = _S375;
     }
     return passes_0;
 }
@@ -1907,14 +1915,14 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S375 : u32,  _S376 : f32,  _S377 : f32,  _S378 : f32,  _S379 : vec3<f32>,  _S380 : bool) -> f32
+fn max_height_along_0( _S376 : u32,  _S377 : f32,  _S378 : f32,  _S379 : f32,  _S380 : vec3<f32>,  _S381 : bool) -> f32
 {
-    var _S381 : f32 = _S379.x;
-    var _S382 : f32 = _S379.y;
-    var _S383 : u32 = (words_0[fabrics_0[_S375].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S375].weft_0, _S377).thread_2 / u32(2) * fabrics_0[_S375].max_height_columns_0 + locate_0(fabrics_0[_S375].warp_0, _S376).thread_2 / u32(2)) + (select(u32(0), u32(1), _S381 > 0.0f) + select(u32(0), u32(2), _S382 > 0.0f))] >> (u32(select(i32(0), i32(4), _S380))));
-    var _S384 : f32 = max(abs(_S381) * fabrics_0[_S375].threads_per_x_0, abs(_S382) * fabrics_0[_S375].threads_per_y_0) / _S379.z;
-    var _S385 : f32 = fabrics_0[_S375].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S375].height_high_0;
+    var _S382 : f32 = _S380.x;
+    var _S383 : f32 = _S380.y;
+    var _S384 : u32 = (words_0[fabrics_0[_S376].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S376].weft_0, _S378).thread_2 / u32(2) * fabrics_0[_S376].max_height_columns_0 + locate_0(fabrics_0[_S376].warp_0, _S377).thread_2 / u32(2)) + (select(u32(0), u32(1), _S382 > 0.0f) + select(u32(0), u32(2), _S383 > 0.0f))] >> (u32(select(i32(0), i32(4), _S381))));
+    var _S385 : f32 = max(abs(_S382) * fabrics_0[_S376].threads_per_x_0, abs(_S383) * fabrics_0[_S376].threads_per_y_0) / _S380.z;
+    var _S386 : f32 = fabrics_0[_S376].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S376].height_high_0;
     var number_3 : i32 = i32(3);
     for(;;)
     {
@@ -1925,26 +1933,26 @@ fn max_height_along_0( _S375 : u32,  _S376 : f32,  _S377 : f32,  _S378 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S378) * _S384) <= (PYRAMID_RADII_0[number_3]))
+        if(((max_height_0 - _S379) * _S385) <= (PYRAMID_RADII_0[number_3]))
         {
-            max_height_0 = min(max_height_0, f32((((_S383 >> (u32(i32(8) * number_3)))) & (u32(15)))) * 0.06666667014360428f * _S385);
+            max_height_0 = min(max_height_0, f32((((_S384 >> (u32(i32(8) * number_3)))) & (u32(15)))) * 0.06666667014360428f * _S386);
         }
         number_3 = number_3 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S386 : u32,  _S387 : f32,  _S388 : f32,  _S389 : bool,  _S390 : bool,  _S391 : bool) -> vec3<f32>
+fn cell_bounds_0( _S387 : u32,  _S388 : f32,  _S389 : f32,  _S390 : bool,  _S391 : bool,  _S392 : bool) -> vec3<f32>
 {
-    var _S392 : Crossing_0 = crossing_at_0(_S386, _S387, _S388, _S389);
-    return vec3<f32>(cell_maximum_0(_S386, _S392), select(_S392.warp_1.below_0, _S392.warp_1.above_0, _S390), select(_S392.weft_1.below_0, _S392.weft_1.above_0, _S391));
+    var _S393 : Crossing_0 = crossing_at_0(_S387, _S388, _S389, _S390);
+    return vec3<f32>(cell_maximum_0(_S387, _S393), select(_S393.warp_1.below_0, _S393.warp_1.above_0, _S391), select(_S393.weft_1.below_0, _S393.weft_1.above_0, _S392));
 }
 
-fn first_sample_height_0( _S393 : u32,  _S394 : ViewRay_0,  _S395 : StepControl_0,  _S396 : bool) -> f32
+fn first_sample_height_0( _S394 : u32,  _S395 : ViewRay_0,  _S396 : StepControl_0,  _S397 : bool) -> f32
 {
-    var _S397 : f32 = max_height_along_0(_S393, _S394.origin_0.x, _S394.origin_0.y, 0.0f, vec3<f32>(_S394.slope_1, 1.0f), _S396);
+    var _S398 : f32 = max_height_along_0(_S394, _S395.origin_0.x, _S395.origin_0.y, 0.0f, vec3<f32>(_S395.slope_1, 1.0f), _S397);
     var count_3 : u32 = u32(0);
-    var height_10 : f32 = _S397;
+    var height_10 : f32 = _S398;
     for(;;)
     {
         if(count_3 < u32(1024))
@@ -1954,12 +1962,12 @@ fn first_sample_height_0( _S393 : u32,  _S394 : ViewRay_0,  _S395 : StepControl_
         {
             break;
         }
-        var _S398 : vec2<f32> = ViewRay_at_0(_S394, height_10);
-        var _S399 : vec3<f32> = cell_bounds_0(_S393, _S398.x, _S398.y, _S396, _S395.right_0, _S395.up_0);
-        var _S400 : f32 = height_10 - _S399.x;
-        var _S401 : f32 = StepControl_to_cell_exit_0(_S395, _S399.y, _S399.z);
-        var height_11 : f32 = height_10 - clamp(_S400, 0.0f, _S401);
-        if(_S400 <= _S401)
+        var _S399 : vec2<f32> = ViewRay_at_0(_S395, height_10);
+        var _S400 : vec3<f32> = cell_bounds_0(_S394, _S399.x, _S399.y, _S397, _S396.right_0, _S396.up_0);
+        var _S401 : f32 = height_10 - _S400.x;
+        var _S402 : f32 = StepControl_to_cell_exit_0(_S396, _S400.y, _S400.z);
+        var height_11 : f32 = height_10 - clamp(_S401, 0.0f, _S402);
+        if(_S401 <= _S402)
         {
             height_10 = height_11;
             break;
@@ -1970,12 +1978,12 @@ fn first_sample_height_0( _S393 : u32,  _S394 : ViewRay_0,  _S395 : StepControl_
     return height_10;
 }
 
-fn search_down_0( _S402 : u32,  _S403 : ViewRay_0,  _S404 : StepControl_0,  _S405 : bool) -> ViewRayEnd_0
+fn search_down_0( _S403 : u32,  _S404 : ViewRay_0,  _S405 : StepControl_0,  _S406 : bool) -> ViewRayEnd_0
 {
-    var _S406 : f32 = fabrics_0[_S402].height_low_0 - (fabrics_0[_S402].height_high_0 - fabrics_0[_S402].height_low_0);
+    var _S407 : f32 = fabrics_0[_S403].height_low_0 - (fabrics_0[_S403].height_high_0 - fabrics_0[_S403].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_9 = first_sample_height_0(_S402, _S403, _S404, _S405);
-    end_1.last_step_3 = _S404.epsilon_0;
+    end_1.height_9 = first_sample_height_0(_S403, _S404, _S405, _S406);
+    end_1.last_step_3 = _S405.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_2 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -1990,293 +1998,293 @@ fn search_down_0( _S402 : u32,  _S403 : ViewRay_0,  _S404 : StepControl_0,  _S40
         {
             break;
         }
-        var _S407 : vec2<f32> = ViewRay_at_0(_S403, end_1.height_9);
-        var _S408 : Probe_0 = probe_0(_S402, _S407.x, _S407.y, _S405, _S404.right_0, _S404.up_0);
-        var _S409 : f32 = end_1.height_9 - _S408.height_2;
-        var _S410 : f32 = ViewRay_rate_0(_S403, _S408);
-        end_1.depth_2 = - _S409;
-        end_1.rate_4 = _S410;
-        var _S411 : bool = !_S408.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S411))) & (((end_1.previous_4.yarn_0) == (_S408.yarn_1))));
-        if((((_S411 & ((_S409 <= 0.0f)))) | (((end_1.height_9) <= _S406))))
+        var _S408 : vec2<f32> = ViewRay_at_0(_S404, end_1.height_9);
+        var _S409 : Probe_0 = probe_0(_S403, _S408.x, _S408.y, _S406, _S405.right_0, _S405.up_0);
+        var _S410 : f32 = end_1.height_9 - _S409.height_2;
+        var _S411 : f32 = ViewRay_rate_0(_S404, _S409);
+        end_1.depth_2 = - _S410;
+        end_1.rate_4 = _S411;
+        var _S412 : bool = !_S409.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S412))) & (((end_1.previous_4.yarn_0) == (_S409.yarn_1))));
+        if((((_S412 & ((_S410 <= 0.0f)))) | (((end_1.height_9) <= _S407))))
         {
             break;
         }
-        var _S412 : f32 = way_back_to_dip_0(end_1.previous_4, _S409, _S410, end_1.last_step_3, _S408);
-        if(_S412 >= 0.0f)
+        var _S413 : f32 = way_back_to_dip_0(end_1.previous_4, _S410, _S411, end_1.last_step_3, _S409);
+        if(_S413 >= 0.0f)
         {
-            end_1.height_9 = end_1.height_9 + _S412;
-            end_1.last_step_3 = end_1.last_step_3 - _S412;
+            end_1.height_9 = end_1.height_9 + _S413;
+            end_1.last_step_3 = end_1.last_step_3 - _S413;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S413 : f32 = min(StepControl_to_cell_exit_0(_S404, _S408.side_x_0, _S408.side_y_0), end_1.height_9 - _S408.cell_max_0);
-        var _S414 : f32 = StepControl_to_next_sample_0(_S404, _S408, _S409, _S410);
-        end_1.previous_4 = after_sample_0(_S409, _S410, _S408, _S413 > _S414);
-        var _S415 : f32 = max(_S413, _S414);
-        end_1.last_step_3 = _S415;
-        end_1.height_9 = end_1.height_9 - _S415;
+        var _S414 : f32 = min(StepControl_to_cell_exit_0(_S405, _S409.side_x_0, _S409.side_y_0), end_1.height_9 - _S409.cell_max_0);
+        var _S415 : f32 = StepControl_to_next_sample_0(_S405, _S409, _S410, _S411);
+        end_1.previous_4 = after_sample_0(_S410, _S411, _S409, _S414 > _S415);
+        var _S416 : f32 = max(_S414, _S415);
+        end_1.last_step_3 = _S416;
+        end_1.height_9 = end_1.height_9 - _S416;
         count_4 = count_4 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S416 : u32,  _S417 : ViewRay_0,  _S418 : StepControl_0,  _S419 : bool,  _S420 : ViewRayEnd_0,  _S421 : u32) -> f32
+fn refined_height_0( _S417 : u32,  _S418 : ViewRay_0,  _S419 : StepControl_0,  _S420 : bool,  _S421 : ViewRayEnd_0,  _S422 : u32) -> f32
 {
-    var _S422 : f32 = fabrics_0[_S416].height_high_0 - fabrics_0[_S416].height_low_0;
-    var above_2 : f32 = _S420.height_9 + _S420.last_step_3;
-    var above_gap_1 : f32 = clamp(_S420.previous_4.clearance_0, 0.0f, _S422);
-    var under_gap_1 : f32 = clamp(_S420.depth_2, 0.0f, _S422);
-    var middle_0 : f32 = select(between_0(above_2, _S420.height_9, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S420.previous_4.rate_0 * _S420.last_step_3, _S420.rate_4 * _S420.last_step_3) * _S420.last_step_3, _S420.smooth_0);
+    var _S423 : f32 = fabrics_0[_S417].height_high_0 - fabrics_0[_S417].height_low_0;
+    var above_2 : f32 = _S421.height_9 + _S421.last_step_3;
+    var above_gap_1 : f32 = clamp(_S421.previous_4.clearance_0, 0.0f, _S423);
+    var under_gap_1 : f32 = clamp(_S421.depth_2, 0.0f, _S423);
+    var middle_0 : f32 = select(between_0(above_2, _S421.height_9, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S421.previous_4.rate_0 * _S421.last_step_3, _S421.rate_4 * _S421.last_step_3) * _S421.last_step_3, _S421.smooth_0);
     var side_3 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S420.height_9;
+    var under_1 : f32 = _S421.height_9;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S421)
+        if(i_1 < _S422)
         {
         }
         else
         {
             break;
         }
-        var _S423 : vec2<f32> = ViewRay_at_0(_S417, middle_0);
-        var _S424 : Probe_0 = probe_0(_S416, _S423.x, _S423.y, _S419, _S418.right_0, _S418.up_0);
-        var _S425 : f32 = clamp(middle_0 - select(_S424.height_2, -1.0e+09f, _S424.hole_1), - _S422, _S422);
-        if(_S425 <= 0.0f)
+        var _S424 : vec2<f32> = ViewRay_at_0(_S418, middle_0);
+        var _S425 : Probe_0 = probe_0(_S417, _S424.x, _S424.y, _S420, _S419.right_0, _S419.up_0);
+        var _S426 : f32 = clamp(middle_0 - select(_S425.height_2, -1.0e+09f, _S425.hole_1), - _S423, _S423);
+        if(_S426 <= 0.0f)
         {
-            var _S426 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
-            var _S427 : f32 = - _S425;
+            var _S427 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
+            var _S428 : f32 = - _S426;
             under_1 = middle_0;
-            above_gap_2 = _S426;
-            under_gap_2 = _S427;
+            above_gap_2 = _S427;
+            under_gap_2 = _S428;
             side_3 = 1.0f;
         }
         else
         {
-            var _S428 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
+            var _S429 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S425;
-            under_gap_2 = _S428;
+            above_gap_2 = _S426;
+            under_gap_2 = _S429;
             side_3 = -1.0f;
         }
-        var _S429 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S425 / min(ViewRay_rate_0(_S417, _S424), -9.99999997475242708e-07f), under_1, above_3), _S420.smooth_0);
-        var _S430 : u32 = i_1 + u32(1);
-        middle_0 = _S429;
-        i_1 = _S430;
+        var _S430 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S426 / min(ViewRay_rate_0(_S418, _S425), -9.99999997475242708e-07f), under_1, above_3), _S421.smooth_0);
+        var _S431 : u32 = i_1 + u32(1);
+        middle_0 = _S430;
+        i_1 = _S431;
     }
-    return select(under_1, middle_0, _S420.smooth_0);
+    return select(under_1, middle_0, _S421.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S431 : u32,  _S432 : SearchQuality_0,  _S433 : f32,  _S434 : f32,  _S435 : vec3<f32>,  _S436 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S432 : u32,  _S433 : SearchQuality_0,  _S434 : f32,  _S435 : f32,  _S436 : vec3<f32>,  _S437 : bool) -> Hit_0
 {
-    var _S437 : f32 = max(_S435.z, 0.00009999999747379f);
+    var _S438 : f32 = max(_S436.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S433, _S434);
-    var _S438 : vec2<f32> = _S435.xy / vec2<f32>(_S437);
-    ray_0.slope_1 = _S438;
-    var _S439 : StepControl_0 = step_control_0((vec2<f32>(0) - _S438), 1.0f / max(steps_per_length_0(_S431, _S432, _S435) / _S437, 9.99999971718068537e-10f));
-    var _S440 : ViewRayEnd_0 = search_down_0(_S431, ray_0, _S439, _S436);
+    ray_0.origin_0 = vec2<f32>(_S434, _S435);
+    var _S439 : vec2<f32> = _S436.xy / vec2<f32>(_S438);
+    ray_0.slope_1 = _S439;
+    var _S440 : StepControl_0 = step_control_0((vec2<f32>(0) - _S439), 1.0f / max(steps_per_length_0(_S432, _S433, _S436) / _S438, 9.99999971718068537e-10f));
+    var _S441 : ViewRayEnd_0 = search_down_0(_S432, ray_0, _S440, _S437);
     var hit_0 : Hit_0;
     hit_0.hole_5 = false;
-    var _S441 : f32 = refined_height_0(_S431, ray_0, _S439, _S436, _S440, _S432.refinements_0);
-    hit_0.height_7 = _S441;
-    var _S442 : vec2<f32> = ViewRay_at_0(ray_0, _S441);
-    hit_0.x_15 = _S442.x;
-    hit_0.y_8 = _S442.y;
+    var _S442 : f32 = refined_height_0(_S432, ray_0, _S440, _S437, _S441, _S433.refinements_0);
+    hit_0.height_7 = _S442;
+    var _S443 : vec2<f32> = ViewRay_at_0(ray_0, _S442);
+    hit_0.x_15 = _S443.x;
+    hit_0.y_8 = _S443.y;
     return hit_0;
 }
 
-fn first_hit_0( _S443 : u32,  _S444 : SearchQuality_0,  _S445 : f32,  _S446 : f32,  _S447 : vec3<f32>,  _S448 : bool) -> Hit_0
+fn first_hit_0( _S444 : u32,  _S445 : SearchQuality_0,  _S446 : f32,  _S447 : f32,  _S448 : vec3<f32>,  _S449 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S443, _S444, _S445, _S446, _S447, _S448))
+    if(!passes_through_0(_S444, _S445, _S446, _S447, _S448, _S449))
     {
-        return first_hit_of_yarn_0(_S443, _S444, _S445, _S446, _S447, _S448);
+        return first_hit_of_yarn_0(_S444, _S445, _S446, _S447, _S448, _S449);
     }
     var hit_1 : Hit_0;
-    hit_1.x_15 = _S445;
-    hit_1.y_8 = _S446;
+    hit_1.x_15 = _S446;
+    hit_1.y_8 = _S447;
     hit_1.height_7 = 0.0f;
     hit_1.hole_5 = true;
     return hit_1;
 }
 
-fn surface_of_0( _S449 : u32,  _S450 : Sample_0,  _S451 : f32,  _S452 : f32,  _S453 : bool) -> SurfacePoint_0
+fn surface_of_0( _S450 : u32,  _S451 : Sample_0,  _S452 : f32,  _S453 : f32,  _S454 : bool) -> SurfacePoint_0
 {
-    var _S454 : u32 = select(fabrics_0[_S449].weft_0, fabrics_0[_S449].warp_0, _S450.shown_3.is_warp_0);
-    var _S455 : f32 = families_0[_S454].twist_sine_0 * select(1.0f, -1.0f, _S453);
-    var _S456 : f32 = select(-1.0f, 1.0f, _S450.shown_3.is_warp_0);
-    var _S457 : vec2<f32> = fibre_direction_0(_S450.slope_across_0, _S456 * _S450.slope_along_0, _S455, families_0[_S454].twist_cosine_0);
-    var _S458 : f32 = _S457.x;
-    var _S459 : f32 = _S457.y;
-    var _S460 : f32 = select(_S450.slope_y_1, _S450.slope_x_1, _S450.shown_3.is_warp_0) * _S458 + _S456 * select(_S450.slope_x_1, _S450.slope_y_1, _S450.shown_3.is_warp_0) * _S459;
-    var _S461 : f32 = select(_S450.crossing_1.weft_1.half_width_1, _S450.crossing_1.warp_1.half_width_1, _S450.shown_3.is_warp_0) * 1.0154266357421875f;
-    var _S462 : f32 = _S461 * arc_sine_0(clamp(_S450.section_1.across_1 / _S461, -1.0f, 1.0f));
-    var _S463 : f32 = select(- _S451, _S452, _S450.shown_3.is_warp_0);
+    var _S455 : u32 = select(fabrics_0[_S450].weft_0, fabrics_0[_S450].warp_0, _S451.shown_3.is_warp_0);
+    var _S456 : f32 = families_0[_S455].twist_sine_0 * select(1.0f, -1.0f, _S454);
+    var _S457 : f32 = select(-1.0f, 1.0f, _S451.shown_3.is_warp_0);
+    var _S458 : vec2<f32> = fibre_direction_0(_S451.slope_across_0, _S457 * _S451.slope_along_0, _S456, families_0[_S455].twist_cosine_0);
+    var _S459 : f32 = _S458.x;
+    var _S460 : f32 = _S458.y;
+    var _S461 : f32 = select(_S451.slope_y_1, _S451.slope_x_1, _S451.shown_3.is_warp_0) * _S459 + _S457 * select(_S451.slope_x_1, _S451.slope_y_1, _S451.shown_3.is_warp_0) * _S460;
+    var _S462 : f32 = select(_S451.crossing_1.weft_1.half_width_1, _S451.crossing_1.warp_1.half_width_1, _S451.shown_3.is_warp_0) * 1.0154266357421875f;
+    var _S463 : f32 = _S462 * arc_sine_0(clamp(_S451.section_1.across_1 / _S462, -1.0f, 1.0f));
+    var _S464 : f32 = select(- _S452, _S453, _S451.shown_3.is_warp_0);
     var point_4 : SurfacePoint_0;
-    point_4.hole_4 = _S450.shown_3.hole_0;
-    point_4.is_warp_5 = _S450.shown_3.is_warp_0;
-    point_4.warp_thread_0 = _S450.crossing_1.warp_1.thread_2;
-    point_4.weft_thread_0 = _S450.crossing_1.weft_1.thread_2;
-    point_4.height_6 = _S450.height_8;
-    point_4.normal_5 = normalize(vec3<f32>(- _S450.slope_x_1, - _S450.slope_y_1, 1.0f));
-    point_4.tangent_4 = normalize(select_vector_0(_S450.shown_3.is_warp_0, vec3<f32>(_S458, _S459, _S460), vec3<f32>(- _S459, _S458, _S460)));
-    point_4.across_2 = _S450.section_1.across_1;
-    point_4.fibre_across_0 = _S462 * families_0[_S454].twist_cosine_0 + _S463 * _S455;
-    point_4.fibre_along_0 = _S463 * families_0[_S454].twist_cosine_0 - _S462 * _S455;
-    var _S464 : f32 = run_share_0(_S450.shown_3.word_0);
-    point_4.shown_share_0 = select(1.0f - _S464, _S464, _S450.shown_3.on_top_0);
-    point_4.x_10 = _S451;
-    point_4.y_3 = _S452;
+    point_4.hole_4 = _S451.shown_3.hole_0;
+    point_4.is_warp_5 = _S451.shown_3.is_warp_0;
+    point_4.warp_thread_0 = _S451.crossing_1.warp_1.thread_2;
+    point_4.weft_thread_0 = _S451.crossing_1.weft_1.thread_2;
+    point_4.height_6 = _S451.height_8;
+    point_4.normal_5 = normalize(vec3<f32>(- _S451.slope_x_1, - _S451.slope_y_1, 1.0f));
+    point_4.tangent_4 = normalize(select_vector_0(_S451.shown_3.is_warp_0, vec3<f32>(_S459, _S460, _S461), vec3<f32>(- _S460, _S459, _S461)));
+    point_4.across_2 = _S451.section_1.across_1;
+    point_4.fibre_across_0 = _S463 * families_0[_S455].twist_cosine_0 + _S464 * _S456;
+    point_4.fibre_along_0 = _S464 * families_0[_S455].twist_cosine_0 - _S463 * _S456;
+    var _S465 : f32 = run_share_0(_S451.shown_3.word_0);
+    point_4.shown_share_0 = select(1.0f - _S465, _S465, _S451.shown_3.on_top_0);
+    point_4.x_10 = _S452;
+    point_4.y_3 = _S453;
     return point_4;
 }
 
-fn surface_met_0( _S465 : u32,  _S466 : f32,  _S467 : f32,  _S468 : f32,  _S469 : vec3<f32>,  _S470 : bool) -> SurfacePoint_0
+fn surface_met_0( _S466 : u32,  _S467 : f32,  _S468 : f32,  _S469 : f32,  _S470 : vec3<f32>,  _S471 : bool) -> SurfacePoint_0
 {
-    var _S471 : Sample_0 = sample_at_0(_S465, _S466, _S467, _S470);
-    var point_5 : SurfacePoint_0 = surface_of_0(_S465, _S471, _S466, _S467, _S470);
-    var _S472 : u32 = select(fabrics_0[_S465].weft_0, fabrics_0[_S465].warp_0, point_5.is_warp_5);
-    var _S473 : f32 = select(_S471.crossing_1.weft_1.half_width_1, _S471.crossing_1.warp_1.half_width_1, point_5.is_warp_5) * 1.0154266357421875f;
-    var _S474 : f32 = _S471.dive_1.z;
-    var _S475 : f32 = _S471.slope_along_0 - (1.0f - _S474) * _S471.dive_1.y / families_0[_S472].height_scale_0;
-    var _S476 : f32 = rsqrt_0(_S475 * _S475 + 1.0f);
-    var _S477 : f32 = _S469.x;
-    var _S478 : f32 = _S469.y;
-    var _S479 : f32 = select(_S478, _S477, point_5.is_warp_5);
-    var _S480 : f32 = _S469.z;
-    var _S481 : f32 = (_S480 / families_0[_S472].height_scale_0 - _S475 * select(_S477, _S478, point_5.is_warp_5)) * _S476;
-    var _S482 : f32 = square_1(_S473);
-    var _S483 : f32 = sqrt(max(_S482 - square_1(point_5.across_2), 0.0f)) - (_S471.height_8 + _S474 * _S471.dive_1.x - _S468) / families_0[_S472].height_scale_0 * _S476;
-    var _S484 : f32 = square_1(_S479) + square_1(_S481) + 9.999999960041972e-13f;
-    var _S485 : f32 = point_5.across_2 * _S479 + _S483 * _S481;
-    var _S486 : f32 = square_1(point_5.across_2) + square_1(_S483) - _S482;
-    var _S487 : f32 = sqrt(max(square_1(_S485) - _S484 * _S486, 0.0f));
-    var _S488 : f32 = clamp(select((_S487 - _S485) / _S484, - _S486 / max(_S485 + _S487, 9.999999960041972e-13f), _S485 > 0.0f), - _S473, _S473);
-    var _S489 : f32 = point_5.across_2 + _S488 * _S479;
-    point_5.across_2 = _S489;
-    var _S490 : vec2<f32> = normalize(vec2<f32>(_S489, _S483 + _S488 * _S481));
-    var _S491 : f32 = select(-1.0f, 1.0f, point_5.is_warp_5);
-    var _S492 : f32 = families_0[_S472].twist_sine_0 * select(1.0f, -1.0f, _S470);
-    var _S493 : f32 = _S490.x;
-    var _S494 : f32 = _S492 * _S493 * _S476;
-    var _S495 : f32 = _S490.y;
-    var _S496 : f32 = - _S492 * _S495;
-    var _S497 : f32 = families_0[_S472].twist_cosine_0 * _S476 - _S491 * _S475 * _S494;
-    var _S498 : f32 = families_0[_S472].height_scale_0 * (families_0[_S472].twist_cosine_0 * _S491 * _S475 * _S476 + _S494);
-    var _S499 : f32 = families_0[_S472].height_scale_0 * _S493;
-    var _S500 : f32 = - families_0[_S472].height_scale_0 * _S475 * _S476 * _S495;
-    point_5.normal_5 = normalize(vec3<f32>(select(_S500, _S499, point_5.is_warp_5), select(_S499, _S500, point_5.is_warp_5), _S476 * _S495));
-    point_5.tangent_4 = normalize(vec3<f32>(select(- _S497, _S496, point_5.is_warp_5), select(_S496, _S497, point_5.is_warp_5), _S498));
-    var _S501 : f32 = _S473 * angle_of_0(_S490);
-    var _S502 : f32 = select(- _S466 - _S488 * _S477, _S467 + _S488 * _S478, point_5.is_warp_5);
-    point_5.fibre_across_0 = _S501 * families_0[_S472].twist_cosine_0 + _S502 * _S492;
-    point_5.fibre_along_0 = _S502 * families_0[_S472].twist_cosine_0 - _S501 * _S492;
-    var _S503 : f32 = 0.00999999977648258f * _S473;
-    var _S504 : f32 = - _S503;
-    var _S505 : bool = _S488 < _S504;
-    var _S506 : f32 = select(_S503, _S504, _S479 < 0.0f);
-    var _S507 : f32 = max(_S488, 0.0f);
-    point_5.x_10 = point_5.x_10 + select(_S507 * _S477, select(0.0f, _S506, point_5.is_warp_5), _S505);
-    point_5.y_3 = point_5.y_3 + select(_S507 * _S478, select(_S506, 0.0f, point_5.is_warp_5), _S505);
-    point_5.height_6 = select(_S468 + _S488 * _S480, _S468, _S505);
+    var _S472 : Sample_0 = sample_at_0(_S466, _S467, _S468, _S471);
+    var point_5 : SurfacePoint_0 = surface_of_0(_S466, _S472, _S467, _S468, _S471);
+    var _S473 : u32 = select(fabrics_0[_S466].weft_0, fabrics_0[_S466].warp_0, point_5.is_warp_5);
+    var _S474 : f32 = select(_S472.crossing_1.weft_1.half_width_1, _S472.crossing_1.warp_1.half_width_1, point_5.is_warp_5) * 1.0154266357421875f;
+    var _S475 : f32 = _S472.dive_1.z;
+    var _S476 : f32 = _S472.slope_along_0 - (1.0f - _S475) * _S472.dive_1.y / families_0[_S473].height_scale_0;
+    var _S477 : f32 = rsqrt_0(_S476 * _S476 + 1.0f);
+    var _S478 : f32 = _S470.x;
+    var _S479 : f32 = _S470.y;
+    var _S480 : f32 = select(_S479, _S478, point_5.is_warp_5);
+    var _S481 : f32 = _S470.z;
+    var _S482 : f32 = (_S481 / families_0[_S473].height_scale_0 - _S476 * select(_S478, _S479, point_5.is_warp_5)) * _S477;
+    var _S483 : f32 = square_1(_S474);
+    var _S484 : f32 = sqrt(max(_S483 - square_1(point_5.across_2), 0.0f)) - (_S472.height_8 + _S475 * _S472.dive_1.x - _S469) / families_0[_S473].height_scale_0 * _S477;
+    var _S485 : f32 = square_1(_S480) + square_1(_S482) + 9.999999960041972e-13f;
+    var _S486 : f32 = point_5.across_2 * _S480 + _S484 * _S482;
+    var _S487 : f32 = square_1(point_5.across_2) + square_1(_S484) - _S483;
+    var _S488 : f32 = sqrt(max(square_1(_S486) - _S485 * _S487, 0.0f));
+    var _S489 : f32 = clamp(select((_S488 - _S486) / _S485, - _S487 / max(_S486 + _S488, 9.999999960041972e-13f), _S486 > 0.0f), - _S474, _S474);
+    var _S490 : f32 = point_5.across_2 + _S489 * _S480;
+    point_5.across_2 = _S490;
+    var _S491 : vec2<f32> = normalize(vec2<f32>(_S490, _S484 + _S489 * _S482));
+    var _S492 : f32 = select(-1.0f, 1.0f, point_5.is_warp_5);
+    var _S493 : f32 = families_0[_S473].twist_sine_0 * select(1.0f, -1.0f, _S471);
+    var _S494 : f32 = _S491.x;
+    var _S495 : f32 = _S493 * _S494 * _S477;
+    var _S496 : f32 = _S491.y;
+    var _S497 : f32 = - _S493 * _S496;
+    var _S498 : f32 = families_0[_S473].twist_cosine_0 * _S477 - _S492 * _S476 * _S495;
+    var _S499 : f32 = families_0[_S473].height_scale_0 * (families_0[_S473].twist_cosine_0 * _S492 * _S476 * _S477 + _S495);
+    var _S500 : f32 = families_0[_S473].height_scale_0 * _S494;
+    var _S501 : f32 = - families_0[_S473].height_scale_0 * _S476 * _S477 * _S496;
+    point_5.normal_5 = normalize(vec3<f32>(select(_S501, _S500, point_5.is_warp_5), select(_S500, _S501, point_5.is_warp_5), _S477 * _S496));
+    point_5.tangent_4 = normalize(vec3<f32>(select(- _S498, _S497, point_5.is_warp_5), select(_S497, _S498, point_5.is_warp_5), _S499));
+    var _S502 : f32 = _S474 * angle_of_0(_S491);
+    var _S503 : f32 = select(- _S467 - _S489 * _S478, _S468 + _S489 * _S479, point_5.is_warp_5);
+    point_5.fibre_across_0 = _S502 * families_0[_S473].twist_cosine_0 + _S503 * _S493;
+    point_5.fibre_along_0 = _S503 * families_0[_S473].twist_cosine_0 - _S502 * _S493;
+    var _S504 : f32 = 0.00999999977648258f * _S474;
+    var _S505 : f32 = - _S504;
+    var _S506 : bool = _S489 < _S505;
+    var _S507 : f32 = select(_S504, _S505, _S480 < 0.0f);
+    var _S508 : f32 = max(_S489, 0.0f);
+    point_5.x_10 = point_5.x_10 + select(_S508 * _S478, select(0.0f, _S507, point_5.is_warp_5), _S506);
+    point_5.y_3 = point_5.y_3 + select(_S508 * _S479, select(_S507, 0.0f, point_5.is_warp_5), _S506);
+    point_5.height_6 = select(_S469 + _S489 * _S481, _S469, _S506);
     return point_5;
 }
 
-fn hairs_over_0( _S508 : u32,  _S509 : SurfacePoint_0,  _S510 : bool,  _S511 : f32) -> Hairs_0
+fn hairs_over_0( _S509 : u32,  _S510 : SurfacePoint_0,  _S511 : bool,  _S512 : f32) -> Hairs_0
 {
     var hairs_2 : Hairs_0;
-    hairs_2.place_1 = vec2<f32>(_S509.x_10, _S509.y_3);
-    hairs_2.below_1 = fabrics_0[_S508].height_high_0 - _S509.height_6;
-    hairs_2.back_4 = _S510;
-    hairs_2.size_3 = _S511;
+    hairs_2.place_1 = vec2<f32>(_S510.x_10, _S510.y_3);
+    hairs_2.below_1 = fabrics_0[_S509].height_high_0 - _S510.height_6;
+    hairs_2.back_4 = _S511;
+    hairs_2.size_3 = _S512;
     return hairs_2;
 }
 
-fn has_hairs_0( _S512 : u32) -> bool
+fn has_hairs_0( _S513 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S512].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S512].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S513].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S513].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_towards_0( _S513 : u32,  _S514 : Hairs_0,  _S515 : vec3<f32>,  _S516 : f32) -> Hair_0
+fn hair_towards_0( _S514 : u32,  _S515 : Hairs_0,  _S516 : vec3<f32>,  _S517 : f32) -> Hair_0
 {
-    var _S517 : f32 = fabrics_0[_S513].fibre_size_0;
-    var _S518 : f32 = 17.0f * fabrics_0[_S513].fibre_size_0;
-    var _S519 : f32 = fade_0(_S516, _S518);
-    var _S520 : vec2<f32> = _S515.xy / vec2<f32>(max(_S515.z, 0.3333333432674408f));
-    var _S521 : u32 = hash_key_0(select(u32(0), u32(1), _S514.back_4), ((fabrics_0[_S513].seed_0) ^ (u32(1013904242))));
-    var _S522 : f32 = fabrics_0[_S513].fibre_size_0 / max(_S516, 0.07000000029802322f * fabrics_0[_S513].fibre_size_0);
-    const _S523 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S518 : f32 = fabrics_0[_S514].fibre_size_0;
+    var _S519 : f32 = 17.0f * fabrics_0[_S514].fibre_size_0;
+    var _S520 : f32 = fade_0(_S517, _S519);
+    var _S521 : vec2<f32> = _S516.xy / vec2<f32>(max(_S516.z, 0.3333333432674408f));
+    var _S522 : u32 = hash_key_0(select(u32(0), u32(1), _S515.back_4), ((fabrics_0[_S514].seed_0) ^ (u32(1013904242))));
+    var _S523 : f32 = fabrics_0[_S514].fibre_size_0 / max(_S517, 0.07000000029802322f * fabrics_0[_S514].fibre_size_0);
+    const _S524 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_3 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S523;
+    var hair_across_0 : vec2<f32> = _S524;
     var hair_away_0 : f32 = 0.0f;
     var is_warp_6 : bool = false;
     var number_4 : u32 = u32(0);
     for(;;)
     {
-        if(((_S519 > 0.0f) & ((number_4 < u32(18)))))
+        if(((_S520 > 0.0f) & ((number_4 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S524 : u32 = number_4 / u32(9);
-        var _S525 : u32 = number_4 / u32(3) - u32(3) * _S524;
-        var _S526 : vec2<f32> = (vec2<f32>(((f32(_S524) * 6.0f + 2.0f) * _S517 + _S514.below_1)) * _S520 + _S514.place_1) / vec2<f32>(_S518);
-        var _S527 : vec2<f32> = floor(_S526) + vec2<f32>(f32(number_4 - u32(3) * _S525 - u32(9) * _S524), f32(_S525)) - vec2<f32>(1.0f);
-        var _S528 : u32 = hash_bits_0(_S521 + _S524, u32(i32(_S527.x)) * u32(65536) + u32(i32(_S527.y)));
-        var _S529 : u32 = hash_bits_0(_S521, _S528);
-        var _S530 : vec2<f32> = _S526 - _S527 - vec2<f32>(share_of_0(_S528), share_of_0((_S528 >> (u32(10)))));
-        var _S531 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S528 >> (u32(20)))));
-        var _S532 : f32 = mix(5.0f, 16.0f, share_of_0((_S529 >> (u32(10))))) / 17.0f;
-        var _S533 : f32 = _S530.x;
-        var _S534 : f32 = _S531.y;
-        var _S535 : f32 = _S530.y;
-        var _S536 : f32 = _S531.x;
-        var _S537 : f32 = (_S533 * _S534 + _S535 * _S536) / _S532;
-        var _S538 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S529 >> (u32(20)))) - 1.0f);
-        var _S539 : f32 = 0.5f * (2.0f * share_of_0((_S528 ^ (_S529))) - 1.0f);
-        var _S540 : f32 = _S537 * (3.0f * _S539 * _S537 + 2.0f * _S538);
-        var _S541 : f32 = rsqrt_0(_S540 * _S540 + 1.0f);
-        var _S542 : f32 = (_S535 * _S534 - _S533 * _S536 - _S532 * _S537 * _S537 * (_S539 * _S537 + _S538)) * _S541 * 17.0f;
-        var _S543 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S537)), 0.0f) * _S522;
-        var _S544 : f32 = clamp(_S543 + 0.5f - abs(_S542) * _S522, 0.0f, min(2.0f * _S543, 1.0f));
-        var _S545 : bool = ((((_S529 >> (u32(30)))) & (u32(1)))) == u32(1);
-        var _S546 : bool = (((((share_of_0(_S529)) < (families_0[select(fabrics_0[_S513].weft_0, fabrics_0[_S513].warp_0, _S545)].hairiness_0)) & (((abs(_S537)) < 1.0f)))) & ((_S544 > cover_3)));
-        var _S547 : vec2<f32> = vec2<f32>(- _S536 - _S540 * _S534, _S534 - _S540 * _S536) * vec2<f32>(_S541);
-        var _S548 : f32 = select(cover_3, _S544, _S546);
-        var _S549 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S547.x, _S546), select(hair_across_0.y, _S547.y, _S546));
-        var _S550 : f32 = select(hair_away_0, _S542, _S546);
-        var _S551 : bool = select(is_warp_6, _S545, _S546);
-        var _S552 : u32 = number_4 + u32(1);
-        cover_3 = _S548;
-        hair_across_0 = _S549;
-        hair_away_0 = _S550;
-        is_warp_6 = _S551;
-        number_4 = _S552;
+        var _S525 : u32 = number_4 / u32(9);
+        var _S526 : u32 = number_4 / u32(3) - u32(3) * _S525;
+        var _S527 : vec2<f32> = (vec2<f32>(((f32(_S525) * 6.0f + 2.0f) * _S518 + _S515.below_1)) * _S521 + _S515.place_1) / vec2<f32>(_S519);
+        var _S528 : vec2<f32> = floor(_S527) + vec2<f32>(f32(number_4 - u32(3) * _S526 - u32(9) * _S525), f32(_S526)) - vec2<f32>(1.0f);
+        var _S529 : u32 = hash_bits_0(_S522 + _S525, u32(i32(_S528.x)) * u32(65536) + u32(i32(_S528.y)));
+        var _S530 : u32 = hash_bits_0(_S522, _S529);
+        var _S531 : vec2<f32> = _S527 - _S528 - vec2<f32>(share_of_0(_S529), share_of_0((_S529 >> (u32(10)))));
+        var _S532 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S529 >> (u32(20)))));
+        var _S533 : f32 = mix(5.0f, 16.0f, share_of_0((_S530 >> (u32(10))))) / 17.0f;
+        var _S534 : f32 = _S531.x;
+        var _S535 : f32 = _S532.y;
+        var _S536 : f32 = _S531.y;
+        var _S537 : f32 = _S532.x;
+        var _S538 : f32 = (_S534 * _S535 + _S536 * _S537) / _S533;
+        var _S539 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S530 >> (u32(20)))) - 1.0f);
+        var _S540 : f32 = 0.5f * (2.0f * share_of_0((_S529 ^ (_S530))) - 1.0f);
+        var _S541 : f32 = _S538 * (3.0f * _S540 * _S538 + 2.0f * _S539);
+        var _S542 : f32 = rsqrt_0(_S541 * _S541 + 1.0f);
+        var _S543 : f32 = (_S536 * _S535 - _S534 * _S537 - _S533 * _S538 * _S538 * (_S540 * _S538 + _S539)) * _S542 * 17.0f;
+        var _S544 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S538)), 0.0f) * _S523;
+        var _S545 : f32 = clamp(_S544 + 0.5f - abs(_S543) * _S523, 0.0f, min(2.0f * _S544, 1.0f));
+        var _S546 : bool = ((((_S530 >> (u32(30)))) & (u32(1)))) == u32(1);
+        var _S547 : bool = (((((share_of_0(_S530)) < (families_0[select(fabrics_0[_S514].weft_0, fabrics_0[_S514].warp_0, _S546)].hairiness_0)) & (((abs(_S538)) < 1.0f)))) & ((_S545 > cover_3)));
+        var _S548 : vec2<f32> = vec2<f32>(- _S537 - _S541 * _S535, _S535 - _S541 * _S537) * vec2<f32>(_S542);
+        var _S549 : f32 = select(cover_3, _S545, _S547);
+        var _S550 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S548.x, _S547), select(hair_across_0.y, _S548.y, _S547));
+        var _S551 : f32 = select(hair_away_0, _S543, _S547);
+        var _S552 : bool = select(is_warp_6, _S546, _S547);
+        var _S553 : u32 = number_4 + u32(1);
+        cover_3 = _S549;
+        hair_across_0 = _S550;
+        hair_away_0 = _S551;
+        is_warp_6 = _S552;
+        number_4 = _S553;
     }
-    var _S553 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S554 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_1 = _S519 * cover_3;
-    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S553) * hair_across_0, sqrt(1.0f - _S553 * _S553));
+    hair_1.cover_1 = _S520 * cover_3;
+    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S554) * hair_across_0, sqrt(1.0f - _S554 * _S554));
     hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     hair_1.is_warp_3 = is_warp_6;
-    hair_1.shade_0 = _S519 * 0.03255363181233406f * (families_0[fabrics_0[_S513].warp_0].hairiness_0 + families_0[fabrics_0[_S513].weft_0].hairiness_0);
+    hair_1.shade_0 = _S520 * 0.03255363181233406f * (families_0[fabrics_0[_S514].warp_0].hairiness_0 + families_0[fabrics_0[_S514].weft_0].hairiness_0);
     return hair_1;
 }
 
-fn thread_of_family_0( _S554 : u32,  _S555 : SurfacePoint_0) -> i32
+fn thread_of_family_0( _S555 : u32,  _S556 : SurfacePoint_0) -> i32
 {
-    var _S556 : u32 = select(fabrics_0[_S554].weft_0, fabrics_0[_S554].warp_0, _S555.is_warp_5);
-    return i32(floor((select(_S555.y_3, _S555.x_10, _S555.is_warp_5) - _S555.across_2) / families_0[_S556].period_0)) * i32(families_0[_S556].count_0) + i32(select(_S555.weft_thread_0, _S555.warp_thread_0, _S555.is_warp_5));
+    var _S557 : u32 = select(fabrics_0[_S555].weft_0, fabrics_0[_S555].warp_0, _S556.is_warp_5);
+    return i32(floor((select(_S556.y_3, _S556.x_10, _S556.is_warp_5) - _S556.across_2) / families_0[_S557].period_0)) * i32(families_0[_S557].count_0) + i32(select(_S556.weft_thread_0, _S556.warp_thread_0, _S556.is_warp_5));
 }
 
-fn thread_number_0( _S557 : u32,  _S558 : SurfacePoint_0) -> u32
+fn thread_number_0( _S558 : u32,  _S559 : SurfacePoint_0) -> u32
 {
-    return u32(thread_of_family_0(_S557, _S558)) * u32(2) + select(u32(0), u32(1), _S558.is_warp_5);
+    return u32(thread_of_family_0(_S558, _S559)) * u32(2) + select(u32(0), u32(1), _S559.is_warp_5);
 }
 
 struct FibreNoise_0
@@ -2290,241 +2298,241 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S559 : u32,  _S560 : u32,  _S561 : SurfacePoint_0,  _S562 : u32,  _S563 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S560 : u32,  _S561 : u32,  _S562 : SurfacePoint_0,  _S563 : u32,  _S564 : f32) -> FibreNoise_0
 {
-    var _S564 : f32 = 5.0f * fabrics_0[_S559].fibre_size_0;
-    var _S565 : vec2<f32> = wave_noise_0(hash_key_0(_S562, ((fabrics_0[_S559].seed_0) ^ (u32(458671337)))), _S561.fibre_along_0 / (25.0f * fabrics_0[_S559].fibre_size_0));
-    var _S566 : f32 = _S561.fibre_across_0 + families_0[_S560].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S559].fibre_size_0 * _S565.x;
-    var _S567 : vec3<f32> = fibre_cell_0(_S566, _S561.fibre_along_0, fabrics_0[_S559].fibre_size_0);
-    var _S568 : vec3<f32> = fibre_cell_0(_S566, _S561.fibre_along_0, _S564);
+    var _S565 : f32 = 5.0f * fabrics_0[_S560].fibre_size_0;
+    var _S566 : vec2<f32> = wave_noise_0(hash_key_0(_S563, ((fabrics_0[_S560].seed_0) ^ (u32(458671337)))), _S562.fibre_along_0 / (25.0f * fabrics_0[_S560].fibre_size_0));
+    var _S567 : f32 = _S562.fibre_across_0 + families_0[_S561].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S560].fibre_size_0 * _S566.x;
+    var _S568 : vec3<f32> = fibre_cell_0(_S567, _S562.fibre_along_0, fabrics_0[_S560].fibre_size_0);
+    var _S569 : vec3<f32> = fibre_cell_0(_S567, _S562.fibre_along_0, _S565);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S562, ((fabrics_0[_S559].seed_0) ^ (u32(1757159915)))), _S568);
-    noise_0.bundle_offset_0 = _S568.z;
-    noise_0.bundle_weight_0 = fade_0(_S563, _S564);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S562, ((fabrics_0[_S559].seed_0) ^ (u32(48610963)))), _S567);
-    noise_0.fibre_weight_0 = fade_0(_S563, fabrics_0[_S559].fibre_size_0);
-    noise_0.offset_2 = _S567.z;
-    noise_0.slope_2 = 0.5f * _S565.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S563, ((fabrics_0[_S560].seed_0) ^ (u32(1757159915)))), _S569);
+    noise_0.bundle_offset_0 = _S569.z;
+    noise_0.bundle_weight_0 = fade_0(_S564, _S565);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S563, ((fabrics_0[_S560].seed_0) ^ (u32(48610963)))), _S568);
+    noise_0.fibre_weight_0 = fade_0(_S564, fabrics_0[_S560].fibre_size_0);
+    noise_0.offset_2 = _S568.z;
+    noise_0.slope_2 = 0.5f * _S566.y;
     return noise_0;
 }
 
-fn turned_frame_0( _S569 : u32,  _S570 : u32,  _S571 : SurfacePoint_0,  _S572 : bool,  _S573 : u32,  _S574 : f32) -> YarnFrame_0
+fn turned_frame_0( _S570 : u32,  _S571 : u32,  _S572 : SurfacePoint_0,  _S573 : bool,  _S574 : u32,  _S575 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_6 = _S571.normal_5;
-    frame_2.tangent_5 = _S571.tangent_4;
+    frame_2.normal_6 = _S572.normal_5;
+    frame_2.tangent_5 = _S572.tangent_4;
     frame_2.loss_0 = 0.0f;
     frame_2.shade_2 = 0.0f;
-    if((families_0[_S570].has_plies_0) > 0.0f)
+    if((families_0[_S571].has_plies_0) > 0.0f)
     {
-        var _S575 : f32 = fade_0(_S574, 1.0f / families_0[_S570].plies_per_mm_0);
-        var _S576 : f32 = _S575 * 0.62000000476837158f * ply_offset_0(_S570, _S571, _S572);
-        var _S577 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
-        var _S578 : vec3<f32> = vec3<f32>(families_0[_S570].ply_cosine_0);
-        var _S579 : vec3<f32> = vec3<f32>(select(families_0[_S570].ply_sine_0, - families_0[_S570].ply_sine_0, _S572));
-        var _S580 : vec3<f32> = _S578 * _S577 + _S579 * frame_2.tangent_5;
-        var _S581 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S576 * _S576));
-        var _S582 : vec3<f32> = vec3<f32>(_S576);
-        frame_2.tangent_5 = _S578 * (_S578 * frame_2.tangent_5 - _S579 * _S577) + _S579 * (_S581 * _S580 - _S582 * frame_2.normal_6);
-        frame_2.normal_6 = _S581 * frame_2.normal_6 + _S582 * _S580;
-        frame_2.loss_0 = _S575 * _S575 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
+        var _S576 : f32 = fade_0(_S575, 1.0f / families_0[_S571].plies_per_mm_0);
+        var _S577 : f32 = _S576 * 0.62000000476837158f * ply_offset_0(_S571, _S572, _S573);
+        var _S578 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
+        var _S579 : vec3<f32> = vec3<f32>(families_0[_S571].ply_cosine_0);
+        var _S580 : vec3<f32> = vec3<f32>(select(families_0[_S571].ply_sine_0, - families_0[_S571].ply_sine_0, _S573));
+        var _S581 : vec3<f32> = _S579 * _S578 + _S580 * frame_2.tangent_5;
+        var _S582 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S577 * _S577));
+        var _S583 : vec3<f32> = vec3<f32>(_S577);
+        frame_2.tangent_5 = _S579 * (_S579 * frame_2.tangent_5 - _S580 * _S578) + _S580 * (_S582 * _S581 - _S583 * frame_2.normal_6);
+        frame_2.normal_6 = _S582 * frame_2.normal_6 + _S583 * _S581;
+        frame_2.loss_0 = _S576 * _S576 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
     }
-    var _S583 : f32 = families_0[_S570].fibre_tilt_0;
-    if((families_0[_S570].fibre_tilt_0) > 0.0f)
+    var _S584 : f32 = families_0[_S571].fibre_tilt_0;
+    if((families_0[_S571].fibre_tilt_0) > 0.0f)
     {
-        var _S584 : FibreNoise_0 = fibre_noise_at_0(_S569, _S570, _S571, _S573, _S574);
-        var _S585 : f32 = 1.09858846664428711f * _S583 * (_S584.bundle_weight_0 * _S584.bundle_0.x + _S584.fibre_weight_0 * (_S584.fibre_0.x + _S584.offset_2));
-        var _S586 : f32 = _S583 * (1.42099642753601074f * (_S584.bundle_weight_0 * _S584.bundle_0.y + _S584.fibre_weight_0 * _S584.fibre_0.y) - _S584.bundle_weight_0 * _S584.slope_2);
-        var _S587 : f32 = square_1(_S584.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S583 * _S583 * ((0.24761904776096344f * (square_1(_S584.bundle_weight_0) + _S587) + _S587 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S588 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
-        var _S589 : vec2<f32> = sine_cosine_0(_S585);
+        var _S585 : FibreNoise_0 = fibre_noise_at_0(_S570, _S571, _S572, _S574, _S575);
+        var _S586 : f32 = 1.09858846664428711f * _S584 * (_S585.bundle_weight_0 * _S585.bundle_0.x + _S585.fibre_weight_0 * (_S585.fibre_0.x + _S585.offset_2));
+        var _S587 : f32 = _S584 * (1.42099642753601074f * (_S585.bundle_weight_0 * _S585.bundle_0.y + _S585.fibre_weight_0 * _S585.fibre_0.y) - _S585.bundle_weight_0 * _S585.slope_2);
+        var _S588 : f32 = square_1(_S585.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S584 * _S584 * ((0.24761904776096344f * (square_1(_S585.bundle_weight_0) + _S588) + _S588 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S589 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
         var _S590 : vec2<f32> = sine_cosine_0(_S586);
-        var _S591 : vec3<f32> = vec3<f32>(_S589.y);
-        var _S592 : vec3<f32> = vec3<f32>(_S589.x);
-        var _S593 : vec3<f32> = _S591 * _S588 - _S592 * frame_2.normal_6;
-        frame_2.normal_6 = _S591 * frame_2.normal_6 + _S592 * _S588;
-        frame_2.tangent_5 = vec3<f32>(_S590.y) * frame_2.tangent_5 + vec3<f32>(_S590.x) * _S593;
+        var _S591 : vec2<f32> = sine_cosine_0(_S587);
+        var _S592 : vec3<f32> = vec3<f32>(_S590.y);
+        var _S593 : vec3<f32> = vec3<f32>(_S590.x);
+        var _S594 : vec3<f32> = _S592 * _S589 - _S593 * frame_2.normal_6;
+        frame_2.normal_6 = _S592 * frame_2.normal_6 + _S593 * _S589;
+        frame_2.tangent_5 = vec3<f32>(_S591.y) * frame_2.tangent_5 + vec3<f32>(_S591.x) * _S594;
     }
     return frame_2;
 }
 
-fn uncoloured_point_0( _S594 : u32,  _S595 : SurfacePoint_0,  _S596 : vec3<f32>,  _S597 : bool,  _S598 : bool,  _S599 : f32) -> YarnPoint_0
+fn uncoloured_point_0( _S595 : u32,  _S596 : SurfacePoint_0,  _S597 : vec3<f32>,  _S598 : bool,  _S599 : bool,  _S600 : f32) -> YarnPoint_0
 {
-    var _S600 : u32 = fabrics_0[_S594].warp_0;
-    var _S601 : u32 = fabrics_0[_S594].weft_0;
-    var _S602 : u32 = select(fabrics_0[_S594].weft_0, fabrics_0[_S594].warp_0, _S595.is_warp_5);
-    var _S603 : bool = (((fabrics_0[_S594].has_detail_0) != u32(0)) & ((_S599 >= 0.0f)));
-    var _S604 : vec3<f32> = vec3<f32>(0.0f);
-    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S604, _S604, _S604, 0.0f, 0.0f, Albedos_x24init_0(_S604, _S604, _S604, _S604), Hairs_x24init_0(vec2<f32>(0.0f), 0.0f, false, 0.0f), 0.0f);
-    point_6.hairs_0 = hairs_over_0(_S594, _S595, _S597, _S599);
+    var _S601 : u32 = fabrics_0[_S595].warp_0;
+    var _S602 : u32 = fabrics_0[_S595].weft_0;
+    var _S603 : u32 = select(fabrics_0[_S595].weft_0, fabrics_0[_S595].warp_0, _S596.is_warp_5);
+    var _S604 : bool = (((fabrics_0[_S595].has_detail_0) != u32(0)) & ((_S600 >= 0.0f)));
+    var _S605 : vec3<f32> = vec3<f32>(0.0f);
+    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S605, _S605, _S605, 0.0f, 0.0f, Albedos_x24init_0(_S605, _S605, _S605, _S605), Hairs_x24init_0(vec2<f32>(0.0f), 0.0f, false, 0.0f), 0.0f);
+    point_6.hairs_0 = hairs_over_0(_S595, _S596, _S598, _S600);
     point_6.hair_cover_0 = 1.0f;
-    var _S605 : Hair_0 = Hair_x24init_0(0.0f, _S604, _S604, false, 0.0f);
-    point_6.is_warp_1 = _S595.is_warp_5;
-    var _S606 : bool = (_S603 & ((has_hairs_0(_S594))));
+    var _S606 : Hair_0 = Hair_x24init_0(0.0f, _S605, _S605, false, 0.0f);
+    point_6.is_warp_1 = _S596.is_warp_5;
+    var _S607 : bool = (_S604 & ((has_hairs_0(_S595))));
     var hair_2 : Hair_0;
-    if(_S606)
+    if(_S607)
     {
-        var _S607 : Hair_0 = hair_towards_0(_S594, point_6.hairs_0, _S596, _S599);
-        point_6.hair_cover_0 = _S607.cover_1;
-        point_6.is_warp_1 = select(_S595.is_warp_5, _S607.is_warp_3, (_S607.cover_1) > 0.5f);
-        hair_2 = _S607;
+        var _S608 : Hair_0 = hair_towards_0(_S595, point_6.hairs_0, _S597, _S600);
+        point_6.hair_cover_0 = _S608.cover_1;
+        point_6.is_warp_1 = select(_S596.is_warp_5, _S608.is_warp_3, (_S608.cover_1) > 0.5f);
+        hair_2 = _S608;
     }
     else
     {
-        hair_2 = _S605;
+        hair_2 = _S606;
     }
-    var _S608 : u32 = select(_S601, _S600, point_6.is_warp_1);
-    point_6.back_6 = _S597;
-    point_6.hole_2 = _S598;
-    point_6.x_7 = _S595.x_10;
-    point_6.y_1 = _S595.y_3;
-    point_6.height_4 = _S595.height_6 + hair_2.cover_1 * point_6.hairs_0.below_1;
-    point_6.normal_1 = _S595.normal_5;
-    point_6.tangent_0 = _S595.tangent_4;
-    point_6.surface_normal_0 = normalize(mix(_S595.normal_5, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
+    var _S609 : u32 = select(_S602, _S601, point_6.is_warp_1);
+    point_6.back_6 = _S598;
+    point_6.hole_2 = _S599;
+    point_6.x_7 = _S596.x_10;
+    point_6.y_1 = _S596.y_3;
+    point_6.height_4 = _S596.height_6 + hair_2.cover_1 * point_6.hairs_0.below_1;
+    point_6.normal_1 = _S596.normal_5;
+    point_6.tangent_0 = _S596.tangent_4;
+    point_6.surface_normal_0 = normalize(mix(_S596.normal_5, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
     point_6.diffuse_gain_0 = 1.0f;
-    if(_S603)
+    if(_S604)
     {
-        var _S609 : YarnFrame_0 = turned_frame_0(_S594, _S602, _S595, _S597, thread_number_0(_S594, _S595), _S599);
+        var _S610 : YarnFrame_0 = turned_frame_0(_S595, _S603, _S596, _S598, thread_number_0(_S595, _S596), _S600);
         var frame_3 : YarnFrame_0;
-        if(_S606)
+        if(_S607)
         {
-            frame_3 = under_hair_0(_S609, hair_2);
+            frame_3 = under_hair_0(_S610, hair_2);
         }
         else
         {
-            frame_3 = _S609;
+            frame_3 = _S610;
         }
         point_6.normal_1 = frame_3.normal_6;
         point_6.tangent_0 = frame_3.tangent_5;
-        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S594].diffuse_blend_0);
+        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S595].diffuse_blend_0);
     }
-    point_6.roughness_1 = families_0[_S608].roughness_0;
+    point_6.roughness_1 = families_0[_S609].roughness_0;
     return point_6;
 }
 
-fn toned_0( _S610 : u32,  _S611 : u32,  _S612 : Albedos_0,  _S613 : vec4<f32>) -> Albedos_0
+fn toned_0( _S611 : u32,  _S612 : u32,  _S613 : Albedos_0,  _S614 : vec4<f32>) -> Albedos_0
 {
-    var _S614 : vec3<f32> = _S612.diffuse_reflect_0 + _S612.diffuse_transmit_0;
-    var _S615 : vec3<f32> = vec3<f32>(1.0f);
-    var _S616 : vec3<f32> = _S615 - vec3<f32>(fabrics_0[_S610].layer_bound_0) * max(_S612.specular_reflect_0, _S612.specular_transmit_0);
-    var _S617 : vec3<f32> = vec3<f32>(0.0f);
-    var _S618 : vec3<f32> = max(_S615 - _S614, _S617) / (_S615 + _S614);
-    var _S619 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S620 : vec3<f32> = (_S616 / max(_S614, _S619) - _S615) / max(vec3<f32>(0.89999997615814209f) * _S618, _S619);
-    var _S621 : vec3<f32> = _S615 - vec3<f32>((saturate(min(min(_S620.x, _S620.y), _S620.z)) * _S613.z)) * _S618;
-    var _S622 : vec3<f32> = min(vec3<f32>(families_0[_S611].nep_red_0, families_0[_S611].nep_green_0, families_0[_S611].nep_blue_0), _S616);
-    var found_1 : Albedos_0 = _S612;
-    var _S623 : f32 = _S613.w;
-    var _S624 : vec3<f32> = _S621 * _S612.diffuse_transmit_0 * vec3<f32>((1.0f - _S623));
-    found_1.diffuse_transmit_0 = _S624;
-    found_1.diffuse_reflect_0 = clamp(mix(_S621 * _S612.diffuse_reflect_0, _S622, vec3<f32>(_S623)), _S617, max(_S616 - _S624, _S617));
+    var _S615 : vec3<f32> = _S613.diffuse_reflect_0 + _S613.diffuse_transmit_0;
+    var _S616 : vec3<f32> = vec3<f32>(1.0f);
+    var _S617 : vec3<f32> = _S616 - vec3<f32>(fabrics_0[_S611].layer_bound_0) * max(_S613.specular_reflect_0, _S613.specular_transmit_0);
+    var _S618 : vec3<f32> = vec3<f32>(0.0f);
+    var _S619 : vec3<f32> = max(_S616 - _S615, _S618) / (_S616 + _S615);
+    var _S620 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S621 : vec3<f32> = (_S617 / max(_S615, _S620) - _S616) / max(vec3<f32>(0.89999997615814209f) * _S619, _S620);
+    var _S622 : vec3<f32> = _S616 - vec3<f32>((saturate(min(min(_S621.x, _S621.y), _S621.z)) * _S614.z)) * _S619;
+    var _S623 : vec3<f32> = min(vec3<f32>(families_0[_S612].nep_red_0, families_0[_S612].nep_green_0, families_0[_S612].nep_blue_0), _S617);
+    var found_1 : Albedos_0 = _S613;
+    var _S624 : f32 = _S614.w;
+    var _S625 : vec3<f32> = _S622 * _S613.diffuse_transmit_0 * vec3<f32>((1.0f - _S624));
+    found_1.diffuse_transmit_0 = _S625;
+    found_1.diffuse_reflect_0 = clamp(mix(_S622 * _S613.diffuse_reflect_0, _S623, vec3<f32>(_S624)), _S618, max(_S617 - _S625, _S618));
     return found_1;
 }
 
-fn toned_at_0( _S625 : u32,  _S626 : bool,  _S627 : Albedos_0,  _S628 : f32,  _S629 : vec2<f32>) -> Albedos_0
+fn toned_at_0( _S626 : u32,  _S627 : bool,  _S628 : Albedos_0,  _S629 : f32,  _S630 : vec2<f32>) -> Albedos_0
 {
-    var _S630 : u32 = select(fabrics_0[_S625].weft_0, fabrics_0[_S625].warp_0, _S626);
-    return toned_0(_S625, _S630, _S627, irregular_at_0(_S630, irregular_key_0(_S625, select(u32(1), u32(0), _S626)), _S628, select(_S629.x, _S629.y, _S626)));
+    var _S631 : u32 = select(fabrics_0[_S626].weft_0, fabrics_0[_S626].warp_0, _S627);
+    return toned_0(_S626, _S631, _S628, irregular_at_0(_S631, irregular_key_0(_S626, select(u32(1), u32(0), _S627)), _S629, select(_S630.x, _S630.y, _S627)));
 }
 
-fn varies_at_0( _S631 : u32,  _S632 : f32) -> bool
+fn varies_at_0( _S632 : u32,  _S633 : f32) -> bool
 {
-    return (((((fabrics_0[_S631].fibre_noise_0) > 0.0f) | (((fabrics_0[_S631].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S631].has_detail_0) != u32(0)) & ((_S632 >= 0.0f))))));
+    return (((((fabrics_0[_S632].fibre_noise_0) > 0.0f) | (((fabrics_0[_S632].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S632].has_detail_0) != u32(0)) & ((_S633 >= 0.0f))))));
 }
 
-fn detail_gain_0( _S633 : u32,  _S634 : u32,  _S635 : SurfacePoint_0,  _S636 : bool,  _S637 : u32,  _S638 : f32) -> vec2<f32>
+fn detail_gain_0( _S634 : u32,  _S635 : u32,  _S636 : SurfacePoint_0,  _S637 : bool,  _S638 : u32,  _S639 : f32) -> vec2<f32>
 {
-    var _S639 : vec2<f32> = vec2<f32>(0.0f);
+    var _S640 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S634].has_plies_0) > 0.0f)
+    if((families_0[_S635].has_plies_0) > 0.0f)
     {
-        gain_2 = groove_0(0.94999998807907104f * fade_0(_S638, 1.0f / families_0[_S634].plies_per_mm_0), ply_offset_0(_S634, _S635, _S636));
+        gain_2 = groove_0(0.94999998807907104f * fade_0(_S639, 1.0f / families_0[_S635].plies_per_mm_0), ply_offset_0(_S635, _S636, _S637));
     }
     else
     {
-        gain_2 = _S639;
+        gain_2 = _S640;
     }
-    if((families_0[_S634].fibre_tone_0) > 0.0f)
+    if((families_0[_S635].fibre_tone_0) > 0.0f)
     {
-        var _S640 : FibreNoise_0 = fibre_noise_at_0(_S633, _S634, _S635, _S637, _S638);
-        var _S641 : f32 = 4.5f * families_0[_S634].fibre_tone_0;
-        gain_2 = gain_2 + vec2<f32>(families_0[_S634].fibre_tone_0) * vec2<f32>(_S640.bundle_weight_0 * _S640.bundle_0.y + _S640.fibre_weight_0 * _S640.fibre_0.y, _S640.bundle_weight_0 + _S640.fibre_weight_0) + (groove_0(_S641 * (_S640.bundle_weight_0 * (0.5f * (_S640.bundle_0.x - 1.0f) + 1.0f)), _S640.bundle_offset_0) + groove_0(_S641 * _S640.fibre_weight_0, _S640.offset_2));
+        var _S641 : FibreNoise_0 = fibre_noise_at_0(_S634, _S635, _S636, _S638, _S639);
+        var _S642 : f32 = 4.5f * families_0[_S635].fibre_tone_0;
+        gain_2 = gain_2 + vec2<f32>(families_0[_S635].fibre_tone_0) * vec2<f32>(_S641.bundle_weight_0 * _S641.bundle_0.y + _S641.fibre_weight_0 * _S641.fibre_0.y, _S641.bundle_weight_0 + _S641.fibre_weight_0) + (groove_0(_S642 * (_S641.bundle_weight_0 * (0.5f * (_S641.bundle_0.x - 1.0f) + 1.0f)), _S641.bundle_offset_0) + groove_0(_S642 * _S641.fibre_weight_0, _S641.offset_2));
     }
-    if((families_0[_S634].slub_0) > 0.0f)
+    if((families_0[_S635].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S634].slub_0 * fade_0(_S638, 1.0f / families_0[_S634].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S637, ((fabrics_0[_S633].seed_0) ^ (u32(1373058189)))), select(- _S635.x_10, _S635.y_3, _S635.is_warp_5) * families_0[_S634].slubs_per_mm_0).x, 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S635].slub_0 * fade_0(_S639, 1.0f / families_0[_S635].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S638, ((fabrics_0[_S634].seed_0) ^ (u32(1373058189)))), select(- _S636.x_10, _S636.y_3, _S636.is_warp_5) * families_0[_S635].slubs_per_mm_0).x, 1.0f);
     }
     return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
 }
 
-fn vary_albedos_0( _S642 : u32,  _S643 : Albedos_0,  _S644 : u32,  _S645 : u32,  _S646 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S643 : u32,  _S644 : Albedos_0,  _S645 : u32,  _S646 : u32,  _S647 : vec2<f32>) -> Albedos_0
 {
-    var _S647 : vec3<f32> = max(_S643.specular_reflect_0, _S643.specular_transmit_0);
-    var _S648 : vec3<f32> = _S643.diffuse_reflect_0 + _S643.diffuse_transmit_0;
-    var _S649 : vec3<f32> = vec3<f32>(fabrics_0[_S642].layer_bound_0);
-    var _S650 : vec3<f32> = vec3<f32>(1.0f);
-    var _S651 : vec3<f32> = _S650 - _S649 * _S647;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S644, fabrics_0[_S642].colour_noise_0, fabrics_0[_S642].seed_0), _S648, _S651);
-    var _S652 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S646.y, vec3<f32>(colour_1) * _S648, _S651) * _S646.x)));
-    var _S653 : f32 = bounded_gain_0(fibre_gain_0(_S644, _S645, fabrics_0[_S642].fibre_noise_0, fabrics_0[_S642].seed_0), _S647, min((_S650 - _S652 * _S648) / _S649, vec3<f32>(1.0f)));
+    var _S648 : vec3<f32> = max(_S644.specular_reflect_0, _S644.specular_transmit_0);
+    var _S649 : vec3<f32> = _S644.diffuse_reflect_0 + _S644.diffuse_transmit_0;
+    var _S650 : vec3<f32> = vec3<f32>(fabrics_0[_S643].layer_bound_0);
+    var _S651 : vec3<f32> = vec3<f32>(1.0f);
+    var _S652 : vec3<f32> = _S651 - _S650 * _S648;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S645, fabrics_0[_S643].colour_noise_0, fabrics_0[_S643].seed_0), _S649, _S652);
+    var _S653 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S647.y, vec3<f32>(colour_1) * _S649, _S652) * _S647.x)));
+    var _S654 : f32 = bounded_gain_0(fibre_gain_0(_S645, _S646, fabrics_0[_S643].fibre_noise_0, fabrics_0[_S643].seed_0), _S648, min((_S651 - _S653 * _S649) / _S650, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S652 * _S643.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S652 * _S643.diffuse_transmit_0;
-    var _S654 : vec3<f32> = vec3<f32>(_S653);
-    varied_0.specular_reflect_0 = _S654 * _S643.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S654 * _S643.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S653 * _S644.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S653 * _S644.diffuse_transmit_0;
+    var _S655 : vec3<f32> = vec3<f32>(_S654);
+    varied_0.specular_reflect_0 = _S655 * _S644.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S655 * _S644.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S655 : u32,  _S656 : SurfacePoint_0,  _S657 : Albedos_0,  _S658 : bool,  _S659 : f32,  _S660 : f32) -> Albedos_0
+fn varied_at_0( _S656 : u32,  _S657 : SurfacePoint_0,  _S658 : Albedos_0,  _S659 : bool,  _S660 : f32,  _S661 : f32) -> Albedos_0
 {
-    var _S661 : u32 = thread_number_0(_S655, _S656);
-    var _S662 : vec3<f32> = fibre_cell_0(_S656.fibre_across_0, _S656.fibre_along_0, fabrics_0[_S655].fibre_size_0);
-    var _S663 : vec2<f32> = vec2<f32>(0.0f);
+    var _S662 : u32 = thread_number_0(_S656, _S657);
+    var _S663 : vec3<f32> = fibre_cell_0(_S657.fibre_across_0, _S657.fibre_along_0, fabrics_0[_S656].fibre_size_0);
+    var _S664 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S655].has_detail_0) != u32(0)) & ((_S659 >= 0.0f))))
+    if((((fabrics_0[_S656].has_detail_0) != u32(0)) & ((_S660 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S655, select(fabrics_0[_S655].weft_0, fabrics_0[_S655].warp_0, _S656.is_warp_5), _S656, _S658, _S661, _S659) * vec2<f32>(1.0f - _S660, 1.0f);
+        gain_3 = detail_gain_0(_S656, select(fabrics_0[_S656].weft_0, fabrics_0[_S656].warp_0, _S657.is_warp_5), _S657, _S659, _S662, _S660) * vec2<f32>(1.0f - _S661, 1.0f);
     }
     else
     {
-        gain_3 = _S663;
+        gain_3 = _S664;
     }
-    return vary_albedos_0(_S655, _S657, _S661, u32(i32(_S662.x)) * u32(65536) + u32(i32(floor(_S662.y))), gain_3);
+    return vary_albedos_0(_S656, _S658, _S662, u32(i32(_S663.x)) * u32(65536) + u32(i32(floor(_S663.y))), gain_3);
 }
 
-fn yarn_point_of_0( _S664 : u32,  _S665 : SurfacePoint_0,  _S666 : vec3<f32>,  _S667 : bool,  _S668 : bool,  _S669 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S665 : u32,  _S666 : SurfacePoint_0,  _S667 : vec3<f32>,  _S668 : bool,  _S669 : bool,  _S670 : f32) -> YarnPoint_0
 {
-    var point_7 : YarnPoint_0 = uncoloured_point_0(_S664, _S665, _S666, _S667, _S668, _S669);
-    point_7.albedos_0 = albedos_of_0(select(fabrics_0[_S664].weft_0, fabrics_0[_S664].warp_0, point_7.is_warp_1), select(_S665.weft_thread_0, _S665.warp_thread_0, point_7.is_warp_1));
-    if((fabrics_0[_S664].is_irregular_0) != u32(0))
+    var point_7 : YarnPoint_0 = uncoloured_point_0(_S665, _S666, _S667, _S668, _S669, _S670);
+    point_7.albedos_0 = albedos_of_0(select(fabrics_0[_S665].weft_0, fabrics_0[_S665].warp_0, point_7.is_warp_1), select(_S666.weft_thread_0, _S666.warp_thread_0, point_7.is_warp_1));
+    if((fabrics_0[_S665].is_irregular_0) != u32(0))
     {
-        point_7.albedos_0 = toned_at_0(_S664, point_7.is_warp_1, point_7.albedos_0, f32(thread_of_family_0(_S664, _S665)), vec2<f32>(_S665.x_10, _S665.y_3));
+        point_7.albedos_0 = toned_at_0(_S665, point_7.is_warp_1, point_7.albedos_0, f32(thread_of_family_0(_S665, _S666)), vec2<f32>(_S666.x_10, _S666.y_3));
     }
-    var _S670 : bool = (((((fabrics_0[_S664].has_detail_0) != u32(0)) & ((_S669 >= 0.0f)))) & ((has_hairs_0(_S664))));
-    if(varies_at_0(_S664, _S669))
+    var _S671 : bool = (((((fabrics_0[_S665].has_detail_0) != u32(0)) & ((_S670 >= 0.0f)))) & ((has_hairs_0(_S665))));
+    if(varies_at_0(_S665, _S670))
     {
-        point_7.albedos_0 = varied_at_0(_S664, _S665, point_7.albedos_0, _S667, _S669, select(0.0f, point_7.hair_cover_0, _S670));
+        point_7.albedos_0 = varied_at_0(_S665, _S666, point_7.albedos_0, _S668, _S670, select(0.0f, point_7.hair_cover_0, _S671));
     }
     return point_7;
 }
 
-fn locate_yarn_0( _S671 : u32,  _S672 : SearchQuality_0,  _S673 : f32,  _S674 : f32,  _S675 : vec3<f32>,  _S676 : f32) -> YarnPoint_0
+fn locate_yarn_0( _S672 : u32,  _S673 : SearchQuality_0,  _S674 : f32,  _S675 : f32,  _S676 : vec3<f32>,  _S677 : f32) -> YarnPoint_0
 {
-    var _S677 : bool = (_S675.z) < 0.0f;
-    var _S678 : vec3<f32> = to_face_frame_0(_S675, _S677);
-    var _S679 : Hit_0 = first_hit_0(_S671, _S672, _S673, _S674, _S678, _S677);
-    return yarn_point_of_0(_S671, surface_met_0(_S671, _S679.x_15, _S679.y_8, _S679.height_7, _S678, _S677), _S678, _S677, _S679.hole_5, _S676);
+    var _S678 : bool = (_S676.z) < 0.0f;
+    var _S679 : vec3<f32> = to_face_frame_0(_S676, _S678);
+    var _S680 : Hit_0 = first_hit_0(_S672, _S673, _S674, _S675, _S679, _S678);
+    return yarn_point_of_0(_S672, surface_met_0(_S672, _S680.x_15, _S680.y_8, _S680.height_7, _S679, _S678), _S679, _S678, _S680.hole_5, _S677);
 }
 
-fn openness_number_0( _S680 : u32,  _S681 : u32) -> f32
+fn openness_number_0( _S681 : u32,  _S682 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S680].openness_0 + _S681);
+    return table_number_0(fabrics_0[_S681].openness_0 + _S682);
 }
 
-fn blocked_of_terms_0( _S682 : u32,  _S683 : u32,  _S684 : array<f32, i32(6)>,  _S685 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S683 : u32,  _S684 : u32,  _S685 : array<f32, i32(6)>,  _S686 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_3 : u32 = u32(0);
@@ -2541,14 +2549,14 @@ fn blocked_of_terms_0( _S682 : u32,  _S683 : u32,  _S684 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S685)
+            if(term_0 < _S686)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S682, _S683 + share_3 * _S685 + term_0) * _S684[term_0];
+            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S683, _S684 + share_3 * _S686 + term_0) * _S685[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_3] = saturate(shares_0[share_3]);
@@ -2561,106 +2569,106 @@ fn blocked_of_terms_0( _S682 : u32,  _S683 : u32,  _S684 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_at_0( _S686 : u32,  _S687 : bool,  _S688 : bool,  _S689 : f32,  _S690 : f32) -> Blocked_0
+fn blocked_at_0( _S687 : u32,  _S688 : bool,  _S689 : bool,  _S690 : f32,  _S691 : f32) -> Blocked_0
 {
-    var _S691 : f32 = _S690 * openness_number_0(_S686, u32(158));
-    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S689, _S691, _S689 * _S689, _S689 * _S691, _S691 * _S691 );
-    return blocked_of_terms_0(_S686, u32(60) + (select(u32(0), u32(2), _S688) + select(u32(1), u32(0), _S687)) * u32(18), terms_0, u32(6));
+    var _S692 : f32 = _S691 * openness_number_0(_S687, u32(158));
+    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S690, _S692, _S690 * _S690, _S690 * _S692, _S692 * _S692 );
+    return blocked_of_terms_0(_S687, u32(60) + (select(u32(0), u32(2), _S689) + select(u32(1), u32(0), _S688)) * u32(18), terms_0, u32(6));
 }
 
-fn scattered_by_0( _S692 : u32,  _S693 : Albedos_0,  _S694 : u32,  _S695 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S693 : u32,  _S694 : Albedos_0,  _S695 : u32,  _S696 : vec3<f32>) -> Scattered_0
 {
-    var _S696 : u32 = u32(159) + u32(2) * _S694;
+    var _S697 : u32 = u32(159) + u32(2) * _S695;
     var yarn_3 : Scattered_0;
-    yarn_3.back_9 = _S695 * _S693.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S692, _S696)) * _S693.specular_reflect_0;
-    yarn_3.through_0 = _S695 * _S693.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S692, _S696 + u32(1))) * _S693.specular_transmit_0;
+    yarn_3.back_9 = _S696 * _S694.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S693, _S697)) * _S694.specular_reflect_0;
+    yarn_3.through_0 = _S696 * _S694.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S693, _S697 + u32(1))) * _S694.specular_transmit_0;
     return yarn_3;
 }
 
-fn sent_0( _S697 : u32,  _S698 : u32,  _S699 : vec3<f32>,  _S700 : vec3<f32>,  _S701 : vec3<f32>,  _S702 : vec3<f32>,  _S703 : ptr<function, vec3<f32>>,  _S704 : ptr<function, vec3<f32>>)
+fn sent_0( _S698 : u32,  _S699 : u32,  _S700 : vec3<f32>,  _S701 : vec3<f32>,  _S702 : vec3<f32>,  _S703 : vec3<f32>,  _S704 : ptr<function, vec3<f32>>,  _S705 : ptr<function, vec3<f32>>)
 {
-    var _S705 : u32 = u32(146) + u32(4) * _S698;
-    var _S706 : f32 = openness_number_0(_S697, _S705 + u32(1));
-    var _S707 : f32 = openness_number_0(_S697, _S705 + u32(2));
-    var _S708 : vec3<f32> = vec3<f32>(1.0f);
-    var _S709 : vec3<f32> = _S708 - _S701 * vec3<f32>(openness_number_0(_S697, _S705));
-    var _S710 : vec3<f32> = _S708 - _S702 * vec3<f32>(openness_number_0(_S697, _S705 + u32(3)));
-    var _S711 : vec3<f32> = _S708 / (_S709 * _S710 - _S701 * _S702 * vec3<f32>((_S706 * _S707)));
-    (*_S703) = (_S699 * _S710 + _S701 * vec3<f32>(_S706) * _S700) * _S711;
-    (*_S704) = (_S700 * _S709 + _S702 * vec3<f32>(_S707) * _S699) * _S711;
+    var _S706 : u32 = u32(146) + u32(4) * _S699;
+    var _S707 : f32 = openness_number_0(_S698, _S706 + u32(1));
+    var _S708 : f32 = openness_number_0(_S698, _S706 + u32(2));
+    var _S709 : vec3<f32> = vec3<f32>(1.0f);
+    var _S710 : vec3<f32> = _S709 - _S702 * vec3<f32>(openness_number_0(_S698, _S706));
+    var _S711 : vec3<f32> = _S709 - _S703 * vec3<f32>(openness_number_0(_S698, _S706 + u32(3)));
+    var _S712 : vec3<f32> = _S709 / (_S710 * _S711 - _S702 * _S703 * vec3<f32>((_S707 * _S708)));
+    (*_S704) = (_S700 * _S711 + _S702 * vec3<f32>(_S707) * _S701) * _S712;
+    (*_S705) = (_S701 * _S710 + _S703 * vec3<f32>(_S708) * _S700) * _S712;
     return;
 }
 
-fn face_sends_0( _S712 : u32,  _S713 : u32,  _S714 : Scattered_0,  _S715 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S713 : u32,  _S714 : u32,  _S715 : Scattered_0,  _S716 : Scattered_0) -> FaceSends_0
 {
-    var _S716 : u32 = u32(2) * _S713;
-    var _S717 : u32 = u32(142) + _S716;
-    var _S718 : f32 = openness_number_0(_S712, _S717);
-    var _S719 : f32 = openness_number_0(_S712, _S717 + u32(1));
-    var _S720 : vec3<f32> = vec3<f32>((1.0f - _S718)) * _S714.back_9;
+    var _S717 : u32 = u32(2) * _S714;
+    var _S718 : u32 = u32(142) + _S717;
+    var _S719 : f32 = openness_number_0(_S713, _S718);
+    var _S720 : f32 = openness_number_0(_S713, _S718 + u32(1));
     var _S721 : vec3<f32> = vec3<f32>((1.0f - _S719)) * _S715.back_9;
+    var _S722 : vec3<f32> = vec3<f32>((1.0f - _S720)) * _S716.back_9;
     var sends_1 : FaceSends_0;
-    var _S722 : u32 = u32(154) + _S716;
-    var _S723 : f32 = openness_number_0(_S712, _S722);
-    sends_1.blocks_warp_0 = _S723;
-    var _S724 : f32 = openness_number_0(_S712, _S722 + u32(1));
-    sends_1.blocks_weft_0 = _S724;
-    sends_1.open_0 = _S723 * _S718 + _S724 * _S719;
-    var _S725 : vec3<f32> = vec3<f32>(_S718) * _S714.back_9;
+    var _S723 : u32 = u32(154) + _S717;
+    var _S724 : f32 = openness_number_0(_S713, _S723);
+    sends_1.blocks_warp_0 = _S724;
+    var _S725 : f32 = openness_number_0(_S713, _S723 + u32(1));
+    sends_1.blocks_weft_0 = _S725;
+    sends_1.open_0 = _S724 * _S719 + _S725 * _S720;
     var _S726 : vec3<f32> = vec3<f32>(_S719) * _S715.back_9;
-    var _S727 : vec3<f32> = sends_1.sky_warp_0;
-    var _S728 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S712, _S713, _S725, _S726, _S720, _S721, &(_S727), &(_S728));
-    sends_1.sky_warp_0 = _S727;
-    sends_1.sky_weft_0 = _S728;
-    var _S729 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S730 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S712, _S713, _S714.through_0, _S715.through_0, _S720, _S721, &(_S729), &(_S730));
-    sends_1.crossing_warp_0 = _S729;
-    sends_1.crossing_weft_0 = _S730;
+    var _S727 : vec3<f32> = vec3<f32>(_S720) * _S716.back_9;
+    var _S728 : vec3<f32> = sends_1.sky_warp_0;
+    var _S729 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S713, _S714, _S726, _S727, _S721, _S722, &(_S728), &(_S729));
+    sends_1.sky_warp_0 = _S728;
+    sends_1.sky_weft_0 = _S729;
+    var _S730 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S731 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S713, _S714, _S715.through_0, _S716.through_0, _S721, _S722, &(_S730), &(_S731));
+    sends_1.crossing_warp_0 = _S730;
+    sends_1.crossing_weft_0 = _S731;
     return sends_1;
 }
 
-fn interior_of_0( _S731 : u32,  _S732 : vec3<f32>,  _S733 : bool) -> Interior_0
+fn interior_of_0( _S732 : u32,  _S733 : vec3<f32>,  _S734 : bool) -> Interior_0
 {
-    var _S734 : Scattered_0 = scattered_by_0(_S731, table_albedos_0(families_0[fabrics_0[_S731].warp_0].colour_mean_0), u32(0), _S732);
-    var _S735 : Scattered_0 = scattered_by_0(_S731, table_albedos_0(families_0[fabrics_0[_S731].weft_0].colour_mean_0), u32(1), _S732);
-    var _S736 : FaceSends_0 = face_sends_0(_S731, select(u32(0), u32(1), _S733), _S734, _S735);
-    var _S737 : FaceSends_0 = face_sends_0(_S731, select(u32(1), u32(0), _S733), _S734, _S735);
-    var _S738 : vec3<f32> = vec3<f32>(_S736.blocks_warp_0);
-    var _S739 : vec3<f32> = vec3<f32>(_S736.blocks_weft_0);
-    var _S740 : vec3<f32> = _S738 * _S736.crossing_warp_0 + _S739 * _S736.crossing_weft_0;
-    var _S741 : vec3<f32> = vec3<f32>(_S737.blocks_warp_0);
-    var _S742 : vec3<f32> = vec3<f32>(_S737.blocks_weft_0);
-    var _S743 : vec3<f32> = _S741 * _S737.crossing_warp_0 + _S742 * _S737.crossing_weft_0;
-    var _S744 : f32 = 1.0f - _S736.open_0;
+    var _S735 : Scattered_0 = scattered_by_0(_S732, table_albedos_0(families_0[fabrics_0[_S732].warp_0].colour_mean_0), u32(0), _S733);
+    var _S736 : Scattered_0 = scattered_by_0(_S732, table_albedos_0(families_0[fabrics_0[_S732].weft_0].colour_mean_0), u32(1), _S733);
+    var _S737 : FaceSends_0 = face_sends_0(_S732, select(u32(0), u32(1), _S734), _S735, _S736);
+    var _S738 : FaceSends_0 = face_sends_0(_S732, select(u32(1), u32(0), _S734), _S735, _S736);
+    var _S739 : vec3<f32> = vec3<f32>(_S737.blocks_warp_0);
+    var _S740 : vec3<f32> = vec3<f32>(_S737.blocks_weft_0);
+    var _S741 : vec3<f32> = _S739 * _S737.crossing_warp_0 + _S740 * _S737.crossing_weft_0;
+    var _S742 : vec3<f32> = vec3<f32>(_S738.blocks_warp_0);
+    var _S743 : vec3<f32> = vec3<f32>(_S738.blocks_weft_0);
+    var _S744 : vec3<f32> = _S742 * _S738.crossing_warp_0 + _S743 * _S738.crossing_weft_0;
     var _S745 : f32 = 1.0f - _S737.open_0;
-    var _S746 : vec3<f32> = vec3<f32>(1.0f);
-    var _S747 : vec3<f32> = _S746 / (_S746 - _S740 * _S743 * vec3<f32>((_S744 * _S745)));
-    var _S748 : vec3<f32> = _S743 * (vec3<f32>(_S736.open_0) + vec3<f32>(_S744) * (_S738 * _S736.sky_warp_0 + _S739 * _S736.sky_weft_0)) * _S747;
-    var _S749 : vec3<f32> = _S740 * (vec3<f32>(_S737.open_0) + vec3<f32>(_S745) * (_S741 * _S737.sky_warp_0 + _S742 * _S737.sky_weft_0)) * _S747;
-    var _S750 : FaceRadiance_0 = face_radiance_0(_S736, _S737.open_0, _S748, _S749);
-    var _S751 : FaceRadiance_0 = face_radiance_0(_S737, _S736.open_0, _S749, _S748);
+    var _S746 : f32 = 1.0f - _S738.open_0;
+    var _S747 : vec3<f32> = vec3<f32>(1.0f);
+    var _S748 : vec3<f32> = _S747 / (_S747 - _S741 * _S744 * vec3<f32>((_S745 * _S746)));
+    var _S749 : vec3<f32> = _S744 * (vec3<f32>(_S737.open_0) + vec3<f32>(_S745) * (_S739 * _S737.sky_warp_0 + _S740 * _S737.sky_weft_0)) * _S748;
+    var _S750 : vec3<f32> = _S741 * (vec3<f32>(_S738.open_0) + vec3<f32>(_S746) * (_S742 * _S738.sky_warp_0 + _S743 * _S738.sky_weft_0)) * _S748;
+    var _S751 : FaceRadiance_0 = face_radiance_0(_S737, _S738.open_0, _S749, _S750);
+    var _S752 : FaceRadiance_0 = face_radiance_0(_S738, _S737.open_0, _S750, _S749);
     var interior_1 : Interior_0;
-    interior_1.warp_3 = _S750.warp_2;
-    interior_1.weft_3 = _S750.weft_2;
-    interior_1.leaked_1 = _S750.leaked_0;
-    interior_1.far_1 = _S751.mean_0;
-    interior_1.far_leaked_0 = _S751.leaked_0;
+    interior_1.warp_3 = _S751.warp_2;
+    interior_1.weft_3 = _S751.weft_2;
+    interior_1.leaked_1 = _S751.leaked_0;
+    interior_1.far_1 = _S752.mean_0;
+    interior_1.far_leaked_0 = _S752.leaked_0;
     return interior_1;
 }
 
-fn bounced_at_0( _S752 : u32,  _S753 : YarnPoint_0,  _S754 : vec3<f32>) -> Bounced_0
+fn bounced_at_0( _S753 : u32,  _S754 : YarnPoint_0,  _S755 : vec3<f32>) -> Bounced_0
 {
     var nothing_0 : Bounced_0;
-    var _S755 : vec3<f32> = vec3<f32>(0.0f);
-    nothing_0.reflected_0 = _S755;
-    nothing_0.transmitted_0 = _S755;
-    if((((fabrics_0[_S752].openness_0) == u32(4294967295)) | ((_S753.hole_2))))
+    var _S756 : vec3<f32> = vec3<f32>(0.0f);
+    nothing_0.reflected_0 = _S756;
+    nothing_0.transmitted_0 = _S756;
+    if((((fabrics_0[_S753].openness_0) == u32(4294967295)) | ((_S754.hole_2))))
     {
         return nothing_0;
     }
-    return bounced_by_0(blocked_at_0(_S752, _S753.is_warp_1, _S753.back_6, _S753.surface_normal_0.z, _S753.height_4), scattered_by_0(_S752, _S753.albedos_0, select(u32(1), u32(0), _S753.is_warp_1), _S754), interior_of_0(_S752, _S754, _S753.back_6));
+    return bounced_by_0(blocked_at_0(_S753, _S754.is_warp_1, _S754.back_6, _S754.surface_normal_0.z, _S754.height_4), scattered_by_0(_S753, _S754.albedos_0, select(u32(1), u32(0), _S754.is_warp_1), _S755), interior_of_0(_S753, _S755, _S754.back_6));
 }
 
 fn light_sample_count_0() -> u32
@@ -2668,13 +2676,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S756 : u32,  _S757 : vec2<u32>) -> f32
+fn visibility_at_0( _S757 : u32,  _S758 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S756 * frame_record_0.height_0 + _S757.y) * frame_record_0.width_0 + _S757.x];
+    return visibilities_0[(_S757 * frame_record_0.height_0 + _S758.y) * frame_record_0.width_0 + _S758.x];
 }
 
 struct LightSample_0
@@ -2684,209 +2692,232 @@ struct LightSample_0
      distance_3 : f32,
 };
 
-fn environment_texel_0( _S758 : u32,  _S759 : u32) -> vec3<f32>
+fn environment_texel_0( _S759 : u32,  _S760 : u32) -> vec3<f32>
 {
-    var _S760 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S758 * frame_record_0.environment_columns_0 + _S759);
-    return vec3<f32>(scene_number_0(_S760), scene_number_0(_S760 + u32(1)), scene_number_0(_S760 + u32(2)));
+    var _S761 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S759 * frame_record_0.environment_columns_0 + _S760);
+    return vec3<f32>(scene_number_0(_S761), scene_number_0(_S761 + u32(1)), scene_number_0(_S761 + u32(2)));
 }
 
-fn sample_environment_0( _S761 : vec2<f32>,  _S762 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S762 : vec2<f32>,  _S763 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S763 : u32 = frame_record_0.environment_rows_0;
-    var _S764 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S761.y);
-    var _S765 : u32 = frame_record_0.environment_columns_0;
-    var _S766 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S764.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S761.x);
-    var _S767 : vec3<f32> = environment_texel_0(_S764.index_6, _S766.index_6);
-    (*_S762) = _S767 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S767), 9.99999968265522539e-21f)));
-    var _S768 : f32 = 3.14159274101257324f / f32(_S763);
-    var _S769 : f32 = mix(sine_cosine_0(f32(_S764.index_6) * _S768).y, sine_cosine_0(f32(_S764.index_6 + u32(1)) * _S768).y, _S764.remainder_0);
-    var _S770 : f32 = sqrt(max(1.0f - _S769 * _S769, 0.0f));
-    var _S771 : vec2<f32> = sine_cosine_0((f32(_S766.index_6) + _S766.remainder_0) * (6.28318548202514648f / f32(_S765)));
-    var _S772 : f32 = _S770 * _S771.x;
-    var _S773 : f32 = - _S770 * _S771.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S772 + frame_record_0.environment_sine_0 * _S773, _S769, frame_record_0.environment_cosine_0 * _S773 - frame_record_0.environment_sine_0 * _S772);
+    var _S764 : u32 = frame_record_0.environment_rows_0;
+    var _S765 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S762.y);
+    var _S766 : u32 = frame_record_0.environment_columns_0;
+    var _S767 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S765.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S762.x);
+    var _S768 : vec3<f32> = environment_texel_0(_S765.index_6, _S767.index_6);
+    (*_S763) = _S768 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S768), 9.99999968265522539e-21f)));
+    var _S769 : f32 = 3.14159274101257324f / f32(_S764);
+    var _S770 : f32 = mix(sine_cosine_0(f32(_S765.index_6) * _S769).y, sine_cosine_0(f32(_S765.index_6 + u32(1)) * _S769).y, _S765.remainder_0);
+    var _S771 : f32 = sqrt(max(1.0f - _S770 * _S770, 0.0f));
+    var _S772 : vec2<f32> = sine_cosine_0((f32(_S767.index_6) + _S767.remainder_0) * (6.28318548202514648f / f32(_S766)));
+    var _S773 : f32 = _S771 * _S772.x;
+    var _S774 : f32 = - _S771 * _S772.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S773 + frame_record_0.environment_sine_0 * _S774, _S770, frame_record_0.environment_cosine_0 * _S774 - frame_record_0.environment_sine_0 * _S773);
 }
 
-fn light_sample_0( _S774 : u32,  _S775 : vec2<u32>,  _S776 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S775 : u32,  _S776 : vec2<u32>,  _S777 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_3 = 1.00000001504746622e+30f;
-    var _S777 : u32 = frame_record_0.lights_0;
-    if(_S774 >= (frame_record_0.lights_0))
+    var _S778 : u32 = frame_record_0.lights_0;
+    if(_S775 >= (frame_record_0.lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S778 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S775, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S774 - _S777), u32(3)), &(weight_0));
-        sample_1.towards_0 = _S778;
+        var _S779 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S776, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S775 - _S778), u32(3)), &(weight_0));
+        sample_1.towards_0 = _S779;
         sample_1.irradiance_1 = weight_0 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S779 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S774);
-    sample_1.irradiance_1 = vec3<f32>(_S779.red_0, _S779.green_0, _S779.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S779.x_11, _S779.y_4, _S779.z_1);
-    if((_S779.is_point_0) != u32(0))
+    var _S780 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S775);
+    sample_1.irradiance_1 = vec3<f32>(_S780.red_0, _S780.green_0, _S780.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S780.x_11, _S780.y_4, _S780.z_1);
+    if((_S780.is_point_0) != u32(0))
     {
-        var _S780 : vec3<f32> = sample_1.towards_0 - _S776;
-        var _S781 : f32 = max(square_0(_S780), 9.999999960041972e-13f);
-        sample_1.distance_3 = sqrt(_S781);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S781);
-        sample_1.towards_0 = normalize(_S780);
+        var _S781 : vec3<f32> = sample_1.towards_0 - _S777;
+        var _S782 : f32 = max(square_0(_S781), 9.999999960041972e-13f);
+        sample_1.distance_3 = sqrt(_S782);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S782);
+        sample_1.towards_0 = normalize(_S781);
     }
     return sample_1;
 }
 
-fn hairs_lit_0( _S782 : u32,  _S783 : Hairs_0,  _S784 : vec3<f32>) -> f32
+fn diffuse_kept_0( _S783 : u32,  _S784 : vec3<f32>,  _S785 : vec3<f32>) -> f32
 {
-    return 1.0f - 0.5f * hair_towards_0(_S782, _S783, _S784, _S783.size_3 + fabrics_0[_S782].fibre_size_0).cover_1;
+    return (1.0f - fabrics_0[_S783].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S784.z), 0.0f))) * (1.0f - fabrics_0[_S783].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S785.z), 0.0f)));
 }
 
-fn under_hairs_0( _S785 : u32,  _S786 : YarnPoint_0,  _S787 : vec3<f32>) -> f32
+fn highlight_rise_0( _S786 : u32,  _S787 : vec3<f32>,  _S788 : vec3<f32>) -> f32
 {
-    if((((_S786.hair_cover_0) >= 1.0f) | (((_S787.z) <= 0.0f))))
+    var _S789 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S787, _S788) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S786].grazing_gain_0 * fourth_power_0(_S789) * _S789;
+}
+
+fn towards_grazing_0( _S790 : u32,  _S791 : Albedos_0,  _S792 : vec3<f32>,  _S793 : vec3<f32>) -> Albedos_0
+{
+    var _S794 : f32 = diffuse_kept_0(_S790, _S792, _S793);
+    var result_1 : Albedos_0 = _S791;
+    var _S795 : vec3<f32> = vec3<f32>(_S794);
+    result_1.diffuse_reflect_0 = result_1.diffuse_reflect_0 * _S795;
+    result_1.diffuse_transmit_0 = result_1.diffuse_transmit_0 * _S795;
+    result_1.specular_reflect_0 = result_1.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S790, _S792, _S793));
+    return result_1;
+}
+
+fn hairs_lit_0( _S796 : u32,  _S797 : Hairs_0,  _S798 : vec3<f32>) -> f32
+{
+    return 1.0f - 0.5f * hair_towards_0(_S796, _S797, _S798, _S797.size_3 + fabrics_0[_S796].fibre_size_0).cover_1;
+}
+
+fn under_hairs_0( _S799 : u32,  _S800 : YarnPoint_0,  _S801 : vec3<f32>) -> f32
+{
+    if((((_S800.hair_cover_0) >= 1.0f) | (((_S801.z) <= 0.0f))))
     {
         return 1.0f;
     }
-    return mix(hairs_lit_0(_S785, _S786.hairs_0, _S787), 1.0f, _S786.hair_cover_0);
+    return mix(hairs_lit_0(_S799, _S800.hairs_0, _S801), 1.0f, _S800.hair_cover_0);
 }
 
-fn scattered_0( _S788 : u32,  _S789 : YarnPoint_0,  _S790 : vec3<f32>,  _S791 : vec3<f32>) -> vec3<f32>
+fn scattered_0( _S802 : u32,  _S803 : YarnPoint_0,  _S804 : vec3<f32>,  _S805 : vec3<f32>) -> vec3<f32>
 {
-    var _S792 : vec3<f32> = vec3<f32>(0.0f);
-    var _S793 : bool = !_S789.hole_2;
-    var _S794 : f32 = _S790.z;
-    var value_1 : vec3<f32>;
-    if((_S793 & ((_S794 > 0.0f))))
+    var _S806 : vec3<f32> = vec3<f32>(0.0f);
+    var _S807 : Albedos_0 = towards_grazing_0(_S802, _S803.albedos_0, _S804, _S805);
+    var _S808 : bool = !_S803.hole_2;
+    var _S809 : f32 = _S804.z;
+    var value_2 : vec3<f32>;
+    if((_S808 & ((_S809 > 0.0f))))
     {
-        value_1 = (_S789.albedos_0.diffuse_reflect_0 * vec3<f32>(_S789.diffuse_gain_0) * vec3<f32>(diffuse_reflection_0(_S790, _S789.normal_1, fabrics_0[_S788].diffuse_blend_0)) + _S789.albedos_0.specular_reflect_0 * vec3<f32>(reflection_0(_S790, _S791, _S789.normal_1, _S789.tangent_0, _S789.roughness_1, fabrics_0[_S788].optical_depth_0))) * vec3<f32>(under_hairs_0(_S788, _S789, _S790));
+        value_2 = (_S807.diffuse_reflect_0 * vec3<f32>(_S803.diffuse_gain_0) * vec3<f32>(diffuse_reflection_0(_S804, _S803.normal_1, fabrics_0[_S802].diffuse_blend_0)) + _S807.specular_reflect_0 * vec3<f32>(reflection_0(_S804, _S805, _S803.normal_1, _S803.tangent_0, _S803.roughness_1, fabrics_0[_S802].optical_depth_0))) * vec3<f32>(under_hairs_0(_S802, _S803, _S804));
     }
     else
     {
-        if((_S793 & ((_S794 < 0.0f))))
+        if((_S808 & ((_S809 < 0.0f))))
         {
-            value_1 = _S789.albedos_0.diffuse_transmit_0 * vec3<f32>(_S789.diffuse_gain_0) * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S790), _S789.normal_1, fabrics_0[_S788].diffuse_blend_0)) + _S789.albedos_0.specular_transmit_0 * vec3<f32>(transmission_1(_S790, _S791, _S789.normal_1, _S789.tangent_0, _S789.roughness_1, fabrics_0[_S788].optical_depth_0));
+            value_2 = _S807.diffuse_transmit_0 * vec3<f32>(_S803.diffuse_gain_0) * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S804), _S803.normal_1, fabrics_0[_S802].diffuse_blend_0)) + _S807.specular_transmit_0 * vec3<f32>(transmission_1(_S804, _S805, _S803.normal_1, _S803.tangent_0, _S803.roughness_1, fabrics_0[_S802].optical_depth_0));
         }
         else
         {
-            value_1 = _S792;
+            value_2 = _S806;
         }
     }
-    var _S795 : f32 = fabrics_0[_S788].sheen_strength_0;
-    if((fabrics_0[_S788].sheen_strength_0) <= 0.0f)
+    var _S810 : f32 = fabrics_0[_S802].sheen_strength_0;
+    if((fabrics_0[_S802].sheen_strength_0) <= 0.0f)
     {
-        return value_1;
+        return value_2;
     }
-    var _S796 : vec2<f32> = sheen_with_transmittance_0(_S790, _S791, _S795, fabrics_0[_S788].sheen_roughness_0);
-    return vec3<f32>(_S796.y) * value_1 + vec3<f32>(_S796.x);
+    var _S811 : vec2<f32> = sheen_with_transmittance_0(_S804, _S805, _S810, fabrics_0[_S802].sheen_roughness_0);
+    return vec3<f32>(_S811.y) * value_2 + vec3<f32>(_S811.x);
 }
 
-fn surface_at_0( _S797 : u32,  _S798 : f32,  _S799 : f32,  _S800 : bool) -> SurfacePoint_0
+fn surface_at_0( _S812 : u32,  _S813 : f32,  _S814 : f32,  _S815 : bool) -> SurfacePoint_0
 {
-    return surface_of_0(_S797, sample_at_0(_S797, _S798, _S799, _S800), _S798, _S799, _S800);
+    return surface_of_0(_S812, sample_at_0(_S812, _S813, _S814, _S815), _S813, _S814, _S815);
 }
 
-fn unoccluded_0( _S801 : u32,  _S802 : SearchQuality_0,  _S803 : f32,  _S804 : f32,  _S805 : f32,  _S806 : vec3<f32>,  _S807 : bool) -> bool
+fn unoccluded_0( _S816 : u32,  _S817 : SearchQuality_0,  _S818 : f32,  _S819 : f32,  _S820 : f32,  _S821 : vec3<f32>,  _S822 : bool) -> bool
 {
-    if((_S806.z) <= 0.0f)
+    if((_S821.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S801, _S802, vec3<f32>(_S803, _S804, _S805 + fabrics_0[_S801].lift_0), _S806, _S807, max_height_along_0(_S801, _S803, _S804, _S805, _S806, _S807));
+    return is_free_0(_S816, _S817, vec3<f32>(_S818, _S819, _S820 + fabrics_0[_S816].lift_0), _S821, _S822, max_height_along_0(_S816, _S818, _S819, _S820, _S821, _S822));
 }
 
-fn is_lit_0( _S808 : u32,  _S809 : SearchQuality_0,  _S810 : YarnPoint_0,  _S811 : vec3<f32>) -> bool
+fn is_lit_0( _S823 : u32,  _S824 : SearchQuality_0,  _S825 : YarnPoint_0,  _S826 : vec3<f32>) -> bool
 {
-    if(_S810.hole_2)
+    if(_S825.hole_2)
     {
         return true;
     }
-    var _S812 : vec3<f32> = to_face_frame_0(_S811, _S810.back_6);
-    var _S813 : f32 = _S812.z;
-    var _S814 : bool = _S813 < 0.0f;
+    var _S827 : vec3<f32> = to_face_frame_0(_S826, _S825.back_6);
+    var _S828 : f32 = _S827.z;
+    var _S829 : bool = _S828 < 0.0f;
     var normal_10 : vec3<f32>;
     var height_12 : f32;
-    if(_S814)
+    if(_S829)
     {
-        var _S815 : SurfacePoint_0 = surface_at_0(_S808, _S810.x_7, _S810.y_1, !_S810.back_6);
-        normal_10 = _S815.normal_5;
-        height_12 = _S815.height_6;
+        var _S830 : SurfacePoint_0 = surface_at_0(_S823, _S825.x_7, _S825.y_1, !_S825.back_6);
+        normal_10 = _S830.normal_5;
+        height_12 = _S830.height_6;
     }
     else
     {
-        normal_10 = _S810.surface_normal_0;
-        height_12 = _S810.height_4;
+        normal_10 = _S825.surface_normal_0;
+        height_12 = _S825.height_4;
     }
-    var _S816 : vec3<f32> = vec3<f32>(_S812.xy, abs(_S813));
-    if((dot(normal_10, _S816)) <= 0.0f)
+    var _S831 : vec3<f32> = vec3<f32>(_S827.xy, abs(_S828));
+    if((dot(normal_10, _S831)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S808, _S809, _S810.x_7, _S810.y_1, height_12, _S816, (_S810.back_6) != _S814);
+    return unoccluded_0(_S823, _S824, _S825.x_7, _S825.y_1, height_12, _S831, (_S825.back_6) != _S829);
 }
 
-fn evaluate_with_0( _S817 : u32,  _S818 : SearchQuality_0,  _S819 : YarnPoint_0,  _S820 : Bounced_0,  _S821 : vec3<f32>,  _S822 : vec3<f32>) -> vec3<f32>
+fn evaluate_with_0( _S832 : u32,  _S833 : SearchQuality_0,  _S834 : YarnPoint_0,  _S835 : Bounced_0,  _S836 : vec3<f32>,  _S837 : vec3<f32>) -> vec3<f32>
 {
-    var _S823 : vec3<f32> = to_face_frame_0(_S822, _S819.back_6);
-    var _S824 : vec3<f32> = scattered_0(_S817, _S819, to_face_frame_0(_S821, _S819.back_6), _S823);
-    var _S825 : bool;
-    if((max(_S824.x, max(_S824.y, _S824.z))) <= 0.0f)
+    var _S838 : vec3<f32> = to_face_frame_0(_S837, _S834.back_6);
+    var _S839 : vec3<f32> = scattered_0(_S832, _S834, to_face_frame_0(_S836, _S834.back_6), _S838);
+    var _S840 : bool;
+    if((max(_S839.x, max(_S839.y, _S839.z))) <= 0.0f)
     {
-        _S825 = true;
+        _S840 = true;
     }
     else
     {
-        _S825 = !is_lit_0(_S817, _S818, _S819, _S821);
+        _S840 = !is_lit_0(_S832, _S833, _S834, _S836);
     }
-    var value_2 : vec3<f32>;
-    if(_S825)
+    var value_3 : vec3<f32>;
+    if(_S840)
     {
-        value_2 = vec3<f32>(0.0f);
+        value_3 = vec3<f32>(0.0f);
     }
     else
     {
-        value_2 = _S824;
+        value_3 = _S839;
     }
-    var between_1 : vec3<f32> = bounced_value_0(_S820, _S821, _S822);
-    var _S826 : f32 = fabrics_0[_S817].sheen_strength_0;
+    var between_1 : vec3<f32> = bounced_value_0(_S835, _S836, _S837) * vec3<f32>(diffuse_kept_0(_S832, _S836, _S837));
+    var _S841 : f32 = fabrics_0[_S832].sheen_strength_0;
     var between_2 : vec3<f32>;
-    if((fabrics_0[_S817].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S832].sheen_strength_0) > 0.0f)
     {
-        between_2 = between_1 * vec3<f32>((1.0f - _S826 * sheen_lobe_0(abs(_S823.z), fabrics_0[_S817].sheen_roughness_0).z));
+        between_2 = between_1 * vec3<f32>((1.0f - _S841 * sheen_lobe_0(abs(_S838.z), fabrics_0[_S832].sheen_roughness_0).z));
     }
     else
     {
         between_2 = between_1;
     }
-    return value_2 + between_2;
+    return value_3 + between_2;
 }
 
-fn straight_through_0( _S827 : u32,  _S828 : YarnPoint_0,  _S829 : vec3<f32>) -> f32
+fn straight_through_0( _S842 : u32,  _S843 : YarnPoint_0,  _S844 : vec3<f32>) -> f32
 {
-    if(!_S828.hole_2)
+    if(!_S843.hole_2)
     {
         return 0.0f;
     }
-    var _S830 : f32 = fabrics_0[_S827].sheen_strength_0;
-    if((fabrics_0[_S827].sheen_strength_0) <= 0.0f)
+    var _S845 : f32 = fabrics_0[_S842].sheen_strength_0;
+    if((fabrics_0[_S842].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S830 * sheen_lobe_0(abs(_S829.z), fabrics_0[_S827].sheen_roughness_0).z;
+    return 1.0f - _S845 * sheen_lobe_0(abs(_S844.z), fabrics_0[_S842].sheen_roughness_0).z;
 }
 
-fn light_of_point_0( _S831 : u32,  _S832 : VisiblePoint_0,  _S833 : vec2<u32>,  _S834 : vec3<f32>,  _S835 : vec2<f32>) -> vec4<f32>
+fn light_of_point_0( _S846 : u32,  _S847 : VisiblePoint_0,  _S848 : vec2<u32>,  _S849 : vec3<f32>,  _S850 : vec2<f32>) -> vec4<f32>
 {
-    var _S836 : SearchQuality_0 = default_quality_0();
-    var _S837 : vec3<f32> = to_local_0(_S832, _S832.view_0);
+    var _S851 : SearchQuality_0 = default_quality_0();
+    var _S852 : vec3<f32> = to_local_0(_S847, _S847.view_0);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S835;
-    footprint_0.dx_0 = _S832.draft_dx_0;
-    footprint_0.dy_0 = _S832.draft_dy_0;
-    var _S838 : YarnPoint_0 = locate_yarn_0(_S831, _S836, _S835.x, _S835.y, _S837, Footprint_spread_side_0(footprint_0));
-    var point_8 : YarnPoint_0 = _S838;
-    var _S839 : Bounced_0 = bounced_at_0(_S831, _S838, _S834);
-    point_8.albedos_0 = tinted_0(point_8.albedos_0, _S834);
-    var _S840 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S850;
+    footprint_0.dx_0 = _S847.draft_dx_0;
+    footprint_0.dy_0 = _S847.draft_dy_0;
+    var _S853 : YarnPoint_0 = locate_yarn_0(_S846, _S851, _S850.x, _S850.y, _S852, Footprint_spread_side_0(footprint_0));
+    var point_8 : YarnPoint_0 = _S853;
+    var _S854 : Bounced_0 = bounced_at_0(_S846, _S853, _S849);
+    point_8.albedos_0 = tinted_0(point_8.albedos_0, _S849);
+    var _S855 : vec3<f32> = vec3<f32>(0.0f);
     var number_5 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S840;
+    var radiance_1 : vec3<f32> = _S855;
     for(;;)
     {
         if(number_5 < (light_sample_count_0()))
@@ -2896,51 +2927,51 @@ fn light_of_point_0( _S831 : u32,  _S832 : VisiblePoint_0,  _S833 : vec2<u32>,  
         {
             break;
         }
-        var _S841 : f32 = visibility_at_0(number_5, _S833);
-        if(_S841 <= 0.0f)
+        var _S856 : f32 = visibility_at_0(number_5, _S848);
+        if(_S856 <= 0.0f)
         {
             number_5 = number_5 + u32(1);
             continue;
         }
-        var _S842 : LightSample_0 = light_sample_0(number_5, _S833, _S832.position_4);
-        radiance_1 = radiance_1 + vec3<f32>(_S841) * _S842.irradiance_1 * evaluate_with_0(_S831, _S836, point_8, _S839, to_local_0(_S832, _S842.towards_0), _S837);
+        var _S857 : LightSample_0 = light_sample_0(number_5, _S848, _S847.position_4);
+        radiance_1 = radiance_1 + vec3<f32>(_S856) * _S857.irradiance_1 * evaluate_with_0(_S846, _S851, point_8, _S854, to_local_0(_S847, _S857.towards_0), _S852);
         number_5 = number_5 + u32(1);
     }
-    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S831, point_8, _S837));
+    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S846, point_8, _S852));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S843 : u32 = id_0.x;
-    var _S844 : bool;
-    if(_S843 >= (frame_record_0.width_0))
+    var _S858 : u32 = id_0.x;
+    var _S859 : bool;
+    if(_S858 >= (frame_record_0.width_0))
     {
-        _S844 = true;
+        _S859 = true;
     }
     else
     {
-        _S844 = (id_0.y) >= (frame_record_0.height_0);
+        _S859 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S844)
+    if(_S859)
     {
         return;
     }
-    var _S845 : vec2<u32> = id_0.xy;
-    var _S846 : u32 = id_0.y * frame_record_0.width_0 + _S843;
-    var _S847 : u32 = layers_0[_S846].face_0;
-    if((layers_0[_S846].face_0) == u32(0))
+    var _S860 : vec2<u32> = id_0.xy;
+    var _S861 : u32 = id_0.y * frame_record_0.width_0 + _S858;
+    var _S862 : u32 = layers_0[_S861].face_0;
+    if((layers_0[_S861].face_0) == u32(0))
     {
         return;
     }
-    var _S848 : u32 = _S847 - u32(1);
-    var _S849 : u32 = fabric_of_0(_S848);
-    var _S850 : VisiblePoint_0 = visible_point_0(_S849, _S848, _S845);
-    var _S851 : vec3<f32> = filtered_albedo_0(_S849, _S850);
-    var _S852 : vec4<f32> = vec4<f32>(0.0f);
+    var _S863 : u32 = _S862 - u32(1);
+    var _S864 : u32 = fabric_of_0(_S863);
+    var _S865 : VisiblePoint_0 = visible_point_0(_S864, _S863, _S860);
+    var _S866 : vec3<f32> = filtered_albedo_0(_S864, _S865);
+    var _S867 : vec4<f32> = vec4<f32>(0.0f);
     var k_0 : u32 = u32(0);
-    var sum_0 : vec4<f32> = _S852;
+    var sum_0 : vec4<f32> = _S867;
     for(;;)
     {
         if(k_0 < (frame_record_0.samples_0))
@@ -2950,12 +2981,12 @@ fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        var _S853 : vec2<f32> = pixel_sequence_0(_S845, frame_record_0.pass_number_0 * frame_record_0.samples_0 + k_0, u32(1)) - vec2<f32>(0.5f);
-        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(_S849, _S850, _S845, _S851, irregular_place_0(_S849, _S850.draft_0 + vec2<f32>(_S853.x) * _S850.draft_dx_0 + vec2<f32>(_S853.y) * _S850.draft_dy_0, 0.0f));
+        var _S868 : vec2<f32> = pixel_sequence_0(_S860, frame_record_0.pass_number_0 * frame_record_0.samples_0 + k_0, u32(1)) - vec2<f32>(0.5f);
+        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(_S864, _S865, _S860, _S866, irregular_place_0(_S864, _S865.draft_0 + vec2<f32>(_S868.x) * _S865.draft_dx_0 + vec2<f32>(_S868.y) * _S865.draft_dy_0, 0.0f));
         k_0 = k_0 + u32(1);
         sum_0 = sum_1;
     }
-    accumulate_0(_S846, sum_0 / vec4<f32>(f32(frame_record_0.samples_0)));
+    accumulate_0(_S861, sum_0 / vec4<f32>(f32(frame_record_0.samples_0)));
     return;
 }
 
