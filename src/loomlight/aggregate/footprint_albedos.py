@@ -218,7 +218,7 @@ class _Seen:
     def of(cls, layout: ClothLayout, planes: Sequence[_Plane], appearance: Appearance) -> Self:
         """From what each layer shows by itself."""
         stacking, count = layout.stacking, len(layout.layers)
-        ranks = np.arange(count)[None] if stacking is None else stacking.ranks
+        ranks = np.arange(count, dtype=np.int8)[None] if stacking is None else stacking.ranks
         gaps = np.array([layer.layout.open_area for layer in layout.layers])
         yarns = [_mean_scattered(plane, appearance) for plane in planes]
         areas = np.zeros((len(ranks), count, 2, 2))
