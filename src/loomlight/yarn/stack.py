@@ -65,6 +65,7 @@ class _Placed:
         high, per_high: the latter and its inverse.
         highest_first: of each layer, front and back: the highest of its planes where it is first.
         ties: the ties of the cloth, whose planes follow those of the layers.
+        finest_of_ties: smallest cell of the threads that tie, of each.
         dips: how deep the layer beneath each of them dives.
         tied: of each face, the highest of its ties as a share of the highest of all; None without any.
         quilt: the relief of quilted cloth; None without.
@@ -77,7 +78,7 @@ class _Placed:
         levels: NDArray[np.float64],
         highest: list[float],
         ties: list[_TieHeights],
-        quilt: tuple[NDArray[np.float64], NDArray[np.float64]] | None,
+        quilt: tuple[NDArray[np.float64], NDArray[np.float64], tuple[float, float]] | None,
         types: ArrayTypes,
     ) -> None:
         self._types = types
@@ -100,6 +101,10 @@ class _Placed:
         self.high = dr.opaque(types.Float, high)
         self.per_high = dr.opaque(types.Float, 1 / high)
         self.ties = layout.ties
+        self.finest_of_ties = []
+        for tied in layout.ties:
+            family = tied.layer.layout.warp if tied.is_warp else tied.layer.layout.weft
+            self.finest_of_ties.append(dr.opaque(types.Float, place_family(family).finest))
         self.dips = [dr.opaque(types.Float, heights.dip) for heights in ties]
         self.tied: list[Float | None] = [None, None]
         for face in (False, True):
@@ -107,8 +112,8 @@ class _Placed:
             self.tied[face] = dr.opaque(types.Float, max(tops) / high) if tops else None
         self.quilt = None
         if quilt is not None:
-            heights, lifts = quilt
-            self.quilt = QuiltRelief(heights, layout.size, types)
+            heights, lifts, finest = quilt
+            self.quilt = QuiltRelief(heights, layout.size, finest, types)
             self.lifts = [
                 dr.opaque(types.Float, float(lifts[layer]))
                 for layer in (*range(len(layout.layers)), *(tied.over for tied in layout.ties))
@@ -316,7 +321,7 @@ class StackedGeometry:
         if kept is None or kept[0] != levels.tobytes():
             highest = [layer.height_bounds[1] for layer in self.layers]
             highest.append(self.height_bounds[1])
-            quilt = None if self._quilt is None else (self._quilt, self._lifts)
+            quilt = None if self._quilt is None else (self._quilt, self._lifts, self.finest)
             placed = _Placed(self.layout, levels, highest, self._tie_heights(), quilt, types)
             kept = self._placed[types.Float] = levels.tobytes(), placed
         return kept[1]
@@ -361,6 +366,14 @@ class StackedGeometry:
         for top, is_face in zip(placed.tied, (~back, back), strict=True):
             if top is not None:
                 found = [(radius, dr.select(is_face, maximum(share, top), share)) for radius, share in found]
+        if placed.quilt is not None:
+            # What lies before the wadding moves with the relief, on the front.
+            lift = dr.select(back, 0, placed.lifts[0] * placed.per_high)
+            windows = placed.quilt.windows(x, y)
+            found = [
+                (radius, dr.fma(lift, highest, share))
+                for (radius, share), highest in zip(found, windows, strict=True)
+            ]
         return found
 
     def probe(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> Probe:
@@ -379,15 +392,12 @@ class StackedGeometry:
             edge_x = minimum(edge_x, dr.select(before, _outline_of_hole(warp, right), far_x))
             edge_y = minimum(edge_y, dr.select(before, _outline_of_hole(weft, up), far_y))
         for tie in here.ties:
-            # Where one may begin: beside its thread, or at the next thread that it crosses.
-            lengthwise = (
-                dr.select(up, tie.weft.above, tie.weft.below),
-                dr.select(right, tie.warp.above, tie.warp.below),
-            )
+            side_x, side_y = tie.sides(right, up)
+            # Within its crossing a tie may begin beside its thread.
             next_x, next_y = (
-                (_outline_of_hole(tie.warp, right), lengthwise[0])
+                (dr.select(tie.here, _outline_of_hole(tie.warp, right), side_x), side_y)
                 if tie.is_warp
-                else (lengthwise[1], _outline_of_hole(tie.weft, up))
+                else (side_x, dr.select(tie.here, _outline_of_hole(tie.weft, up), side_y))
             )
             before = tie.on_face & ~tie.shows
             edge_x = minimum(edge_x, dr.select(before, next_x, 1e6))
@@ -452,18 +462,19 @@ class StackedGeometry:
             own = 0 if tie.is_warp else 1
             scale = self._scales(placed)[own] * placed.planes.levels[number][own]
             top = dr.fma(types.Float(tie.word >> CELL_MAX_SHIFT), scale, order.levels[tie.over])
+            side_x, side_y = tie.sides(right, up)
             bounds = CellBounds(
                 dr.select(tie.here, maximum(bounds.cell_max, top), bounds.cell_max),
-                dr.select(
-                    tie.on_face,
-                    minimum(bounds.side_x, dr.select(right, tie.warp.above, tie.warp.below)),
-                    bounds.side_x,
-                ),
-                dr.select(
-                    tie.on_face,
-                    minimum(bounds.side_y, dr.select(up, tie.weft.above, tie.weft.below)),
-                    bounds.side_y,
-                ),
+                dr.select(tie.on_face, minimum(bounds.side_x, side_x), bounds.side_x),
+                dr.select(tie.on_face, minimum(bounds.side_y, side_y), bounds.side_y),
+            )
+        if placed.quilt is not None:
+            relief = placed.quilt.bounds(x, y, right, up)
+            lift = dr.select(back, 0, placed.lifts[0])
+            return CellBounds(
+                dr.fma(lift, relief.cell_max, bounds.cell_max),
+                minimum(bounds.side_x, relief.side_x),
+                minimum(bounds.side_y, relief.side_y),
             )
         if placed.stacking is None:
             return bounds
@@ -559,13 +570,17 @@ class StackedGeometry:
         for tied, (number, (warp, weft)) in zip(
             placed.ties, enumerate(cells[len(self.layers) :], start=len(self.layers)), strict=True
         ):
+            finest = placed.finest_of_ties[number - len(self.layers)]
             on_face = back == tied.back
             if placed.stacking is not None:
                 on_face &= order.ranks[tied.over] == 0
-            word = placed.planes.words_at(number, warp, weft)[0 if tied.is_warp else 1]
+            words = placed.planes.words_at(number, warp, weft)
+            word, crossed = (words[0], words[1]) if tied.is_warp else (words[1], words[0])
             here = on_face & (((word & 1) == 1) ^ back)
             shows = here & _covers(warp if tied.is_warp else weft)
-            found.append(_Tied(tied.over, tied.is_warp, warp, weft, word, on_face, here, shows))
+            found.append(
+                _Tied(tied.over, tied.is_warp, warp, weft, word, crossed, finest, on_face, here, shows)
+            )
         return found
 
     def _relief(self, placed: _Placed, here: _Located, x: Float, y: Float, back: Mask) -> Relief | None:
@@ -705,7 +720,9 @@ class _Tied:
     Attributes:
         over, is_warp: see `Ties`.
         warp, weft: cells of their plane.
-        word: of the thread that may tie.
+        word: run word of the thread that may tie.
+        crossed: that of the thread which it would lie upon, whose runs end at ties.
+        finest: smallest cell of the family that ties, millimetres.
         on_face: they may be seen on the face.
         here: this crossing is a tie.
         shows: its thread covers the place.
@@ -716,9 +733,25 @@ class _Tied:
     warp: Cell
     weft: Cell
     word: UInt
+    crossed: UInt
+    finest: Float
     on_face: Mask
     here: Mask
     shows: Mask
+
+    def sides(self, right: Mask, up: Mask) -> tuple[Float, Float]:
+        """Distances along x and y up to which there is a tie all the way, or none.
+
+        Along its thread up to the end of the cell; along those that it crosses to where the run ends.
+        """
+        types = array_types(self.finest)
+        forwards = right if self.is_warp else up
+        # Of cells that are not there, and of the tie's own, only the rest of the cell counts.
+        ahead = (self.crossed >> dr.select(forwards, types.UInt32(8), types.UInt32(1))) & 127
+        beyond = self.finest * dr.select(self.here, 0, types.Float(ahead))
+        side_x = dr.select(right, self.warp.above, self.warp.below)
+        side_y = dr.select(up, self.weft.above, self.weft.below)
+        return (side_x + beyond, side_y) if self.is_warp else (side_x, side_y + beyond)
 
 
 @dataclass
