@@ -8,7 +8,7 @@ parallax are those of `rays.py`. As everywhere in height fields, yarns are walls
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass, fields, replace
 from functools import reduce
@@ -36,9 +36,13 @@ from loomlight.yarn.geometry import (
     upload_family,
 )
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.planes import Choose, PlaneTables, choose_cell, chooser
+from loomlight.yarn.planes import Choose, PlaneTables, choose_cell, chooser, first_of
 from loomlight.yarn.quilt import QuiltRelief, quilted, wadding_of
 from loomlight.yarn.threads import CELL_MAX_LEVELS, CELL_MAX_SHIFT, place_family, section_drop
+
+# Ranks in a word, and bits of each: the largest is of layers that are absent, and where none shows.
+_RANKS, _RANK_BITS = 8, 4
+_ABSENT = (1 << _RANK_BITS) - 1
 
 
 @dataclass
@@ -46,12 +50,12 @@ class _Order:
     """Which layer lies upon which at some places, as a face shows them.
 
     Attributes:
-        ranks: of each layer, 0 first; more than there are layers where it is absent.
-        levels: height of its plane, millimetres.
+        ranks: of each layer, 0 first; `_ABSENT` where it is none of them.
+        level: height of the plane, millimetres, of the layer chosen among those of some numbers.
     """
 
     ranks: list[UInt]
-    levels: list[Float]
+    level: Callable[[Choose, Sequence[int]], Float]
 
 
 class _Placed:
@@ -126,8 +130,12 @@ class _Placed:
             return
         ranks = self.stacking.ranks
         last = ranks.max(axis=1, keepdims=True)
-        of_faces = [np.where(ranks < 0, 255, side) for side in (ranks, last - ranks)]
-        self._ranks = upload(types.UInt32, np.stack(of_faces).astype(np.uint32).ravel())
+        of_faces = [np.where(ranks < 0, _ABSENT, side) for side in (ranks, last - ranks)]
+        # Words of eight ranks each.
+        words = np.pad(np.concatenate(of_faces).astype(np.uint32), ((0, 0), (0, -self._count % _RANKS)))
+        words = words.reshape(2 * len(ranks), -1, _RANKS) << (_RANK_BITS * np.arange(_RANKS, dtype=np.uint32))
+        self._words = words.shape[1]
+        self._ranks = upload(types.UInt32, np.bitwise_or.reduce(words, axis=-1).ravel())
         self._stacks = dr.opaque(types.UInt32, len(ranks))
         self.cells = [upload_family(place_family(family), types) for family in (layout.warp, layout.weft)]
         self._ends = dr.opaque(types.UInt32, layout.warp_on_top.shape[1])
@@ -148,14 +156,22 @@ class _Placed:
         side = dr.select(back, types.Float(-1), types.Float(1))
         if self.stacking is None:
             ranks = [dr.select(back, types.UInt32(count - 1 - k), types.UInt32(k)) for k in range(count)]
-            return _Order(ranks, [side * level for level in self._level])
+            levels = [side * level for level in self._level]
+            return _Order(ranks, lambda choose, numbers: choose([levels[number] for number in numbers]))
         across, along = self.cells[0].locate(x), self.cells[1].locate(y)
         stack = dr.gather(types.UInt32, self._regions, along.thread * self._ends + across.thread)
         face = dr.select(back, self._stacks, types.UInt32(0))
-        return _Order(
-            [dr.gather(types.UInt32, self._ranks, (stack + face) * count + k) for k in range(count)],
-            [side * dr.gather(types.Float, self._levels, stack * count + k) for k in range(count)],
-        )
+        words = [
+            dr.gather(types.UInt32, self._ranks, (stack + face) * self._words + word)
+            for word in range(self._words)
+        ]
+        ranks = [(words[k // _RANKS] >> (_RANK_BITS * (k % _RANKS))) & _ABSENT for k in range(count)]
+
+        def level(choose: Choose, numbers: Sequence[int]) -> Float:
+            number = choose([types.UInt32(number) for number in numbers])
+            return side * dr.gather(types.Float, self._levels, stack * count + number)
+
+        return _Order(ranks, level)
 
 
 class StackedGeometry:
@@ -316,14 +332,15 @@ class StackedGeometry:
         self._twists(placed)
 
     def _on(self, types: ArrayTypes) -> _Placed:
-        levels = self.levels
+        levels, ties = self.levels, self._tie_heights()
+        key = levels.tobytes() + repr(ties).encode()
         kept = self._placed.get(types.Float)
-        if kept is None or kept[0] != levels.tobytes():
+        if kept is None or kept[0] != key:
             highest = [layer.height_bounds[1] for layer in self.layers]
             highest.append(self.height_bounds[1])
             quilt = None if self._quilt is None else (self._quilt, self._lifts, self.finest)
-            placed = _Placed(self.layout, levels, highest, self._tie_heights(), quilt, types)
-            kept = self._placed[types.Float] = levels.tobytes(), placed
+            placed = _Placed(self.layout, levels, highest, ties, quilt, types)
+            kept = self._placed[types.Float] = key, placed
         return kept[1]
 
     def height(self, x: Float, y: Float, back: Mask) -> tuple[Float, Mask]:
@@ -360,7 +377,9 @@ class StackedGeometry:
             found = [
                 (radius, dr.select(back, behind, front))
                 for (radius, front), (_, behind) in zip(
-                    bounds(0, order.levels[0]), bounds(-1, order.levels[-1]), strict=True
+                    bounds(0, order.level(first_of, [0])),
+                    bounds(-1, order.level(first_of, [len(self.layers) - 1])),
+                    strict=True,
                 )
             ]
         for top, is_face in zip(placed.tied, (~back, back), strict=True):
@@ -454,14 +473,14 @@ class StackedGeometry:
         level = dr.select(warp_above, *(s * own for s, own in zip(self._scales(placed), levels, strict=True)))
         word = dr.select(warp_above, words[0], words[1])
         bounds = CellBounds(
-            cell_max=dr.fma(types.Float(word >> CELL_MAX_SHIFT), level, chosen(order.levels)),
+            cell_max=dr.fma(types.Float(word >> CELL_MAX_SHIFT), level, order.level(choose, numbers)),
             side_x=dr.select(right, warp.above, warp.below),
             side_y=dr.select(up, weft.above, weft.below),
         )
         for number, tie in enumerate(ties, start=layers):
             own = 0 if tie.is_warp else 1
             scale = self._scales(placed)[own] * placed.planes.levels[number][own]
-            top = dr.fma(types.Float(tie.word >> CELL_MAX_SHIFT), scale, order.levels[tie.over])
+            top = dr.fma(types.Float(tie.word >> CELL_MAX_SHIFT), scale, order.level(first_of, [tie.over]))
             side_x, side_y = tie.sides(right, up)
             bounds = CellBounds(
                 dr.select(tie.here, maximum(bounds.cell_max, top), bounds.cell_max),
@@ -617,8 +636,8 @@ class StackedGeometry:
         point, run, slopes, tube = shown_surface(
             tables, here.shown, local, self._scales(placed), twist, relief
         )
-        levels = here.order.levels
-        level = found.choose([*levels, *(levels[tie.over] for tie in here.ties)])
+        numbers = [*range(len(self.layers)), *(tie.over for tie in here.ties)]
+        level = here.order.level(found.choose, numbers)
         point.height, tube.height = point.height + level, tube.height + level
         point.plane = level if relief is None else level + relief.height
         point.x, point.y = x, y
@@ -667,10 +686,6 @@ def _highest_shown(stack: StackedGeometry, number: int) -> tuple[float, float]:
         words = words[shown.ravel()]
     warp, weft = (words.max(axis=0, initial=0) >> CELL_MAX_SHIFT) / CELL_MAX_LEVELS
     return float(warp), float(weft)
-
-
-# More than the rank of any layer: of those that are absent, and where none shows.
-_ABSENT = 255
 
 
 @dataclass
