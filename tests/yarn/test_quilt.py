@@ -104,7 +104,7 @@ def test_close_stitches_and_cloth_without_wadding_stay_flat() -> None:
 def test_interpolation_meets_nodes_and_its_slopes() -> None:
     rng = np.random.default_rng(1)
     nodes = rng.random((6, 9))
-    relief = QuiltRelief(nodes, (4.5, 4.2), array_types(Float(0)))
+    relief = QuiltRelief(nodes, (4.5, 4.2), (0.25, 0.3), array_types(Float(0)))
     rows, columns = np.indices(nodes.shape)
     x, y = columns.ravel() * 0.5 - 9.0, rows.ravel() * 0.7 + 8.4
     # A little off the nodes, so that rounding takes none for the cell before.
@@ -115,6 +115,24 @@ def test_interpolation_meets_nodes_and_its_slopes() -> None:
         before, after = (relief.at(Float(x + s * right), Float(y + s * up)).height for s in (-1, 1))
         # Slopes of up to 3 are continuous, with a curvature of up to 20 per mm that jumps at nodes.
         assert np.abs(((after - before) / (2 * step) - slope).numpy()).max() < 20 * step
+
+
+def test_bounds_hold_in_cells_and_windows() -> None:
+    rng = np.random.default_rng(4)
+    relief = QuiltRelief(rng.random((12, 18)), (9.0, 8.4), (0.25, 0.3), array_types(Float(0)))
+    count = 20000
+    x, y = (Float(rng.uniform(0, 9, count)) for _ in range(2))
+    yes = dr.full(Bool, True, count)
+    bounds = relief.bounds(x, y, yes, yes)
+    for share in rng.random((8, 2)):
+        there = relief.at(x + 0.999 * share[0] * bounds.side_x, y + 0.999 * share[1] * bounds.side_y)
+        assert (there.height <= bounds.cell_max + 1e-5).numpy().all()
+    tight = (bounds.cell_max - relief.at(x, y).height).numpy()
+    assert np.median(tight) < 0.5
+    for radius, highest in zip((8, 4, 2, 1), relief.windows(x, y), strict=True):
+        for side in rng.uniform(-1, 1, (8, 2)):
+            there = relief.at(x + 0.25 * radius * side[0], y + 0.3 * radius * side[1])
+            assert (there.height <= highest + 1e-5).numpy().all()
 
 
 @pytest.mark.parametrize("back", [False, True])

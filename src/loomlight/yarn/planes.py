@@ -46,6 +46,11 @@ def chooser(masks: Sequence[Mask]) -> Choose:
     return choose
 
 
+def first_of(values: Sequence[Any]) -> Any:
+    """Chooses the first of some values everywhere."""
+    return values[0]
+
+
 def choose_cell(masks: Sequence[Mask], cells: Sequence[Cell]) -> Cell:
     """The cell of the plane of each lane; see `chooser`."""
     found = cells[0]

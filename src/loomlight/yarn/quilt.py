@@ -13,9 +13,9 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.arrays import Float
-from loomlight.core.backend import ArrayTypes, upload
-from loomlight.yarn.geometry import Count, Relief
+from loomlight.core.arrays import Float, Mask, UInt
+from loomlight.core.backend import ArrayTypes, clip, upload
+from loomlight.yarn.geometry import PYRAMID_RADII, CellBounds, Count, Relief
 from loomlight.yarn.layout import ClothLayout
 
 # Most nodes of the grid along either side.
@@ -125,17 +125,54 @@ def _plate(shape: tuple[int, int], pins: bytes, steps: tuple[float, float]) -> N
     return (height + 0.5) * (1 - 2 * _OVERSHOOT) - 0.5
 
 
+def _highest_in_cells(nodes: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Bounds of the interpolant in the cells after nodes [rows, columns]: the highest of its control points.
+
+    Args:
+        nodes: value, slopes along x and y, and the slope of the slope [rows, columns, 4].
+    """
+    value, of_x, of_y, of_both = np.moveaxis(nodes, -1, 0)
+    highest = np.full(value.shape, -np.inf)
+    # Control points stand a third of a cell from its nodes, on its side.
+    for row, along in ((0, 1 / 3), (1, -1 / 3)):
+        for column, across in ((0, 1 / 3), (1, -1 / 3)):
+            for points in (
+                value,
+                value + across * of_x,
+                value + along * of_y,
+                value + across * of_x + along * of_y + across * along * of_both,
+            ):
+                highest = np.maximum(highest, np.roll(points, (-row, -column), (0, 1)))
+    return highest
+
+
+def _highest_around(values: NDArray[np.float64], reach: list[int]) -> NDArray[np.float64]:
+    """The highest up to so many columns and rows away [rows, columns], which repeat."""
+    for axis, steps in ((1, reach[0]), (0, reach[1])):
+        steps = min(steps, values.shape[axis] // 2)
+        values = np.max([np.roll(values, step, axis) for step in range(-steps, steps + 1)], axis=0)
+    return values
+
+
 class QuiltRelief:
     """A grid of heights over the repeat on one backend.
 
     Args:
         heights: of its nodes, the first at x = y = 0 [rows, columns], which repeat.
         size: of the repeat, millimetres.
+        finest: extents along x and y that windows are counted in, see `rays.Surface.max_heights`.
     """
 
-    def __init__(self, heights: NDArray[np.float64], size: tuple[float, float], types: ArrayTypes) -> None:
+    def __init__(
+        self,
+        heights: NDArray[np.float64],
+        size: tuple[float, float],
+        finest: tuple[float, float],
+        types: ArrayTypes,
+    ) -> None:
         self._types = types
         rows, columns = heights.shape
+        steps = size[0] / columns, size[1] / rows
 
         def slope(values: NDArray[np.float64], axis: int) -> NDArray[np.float64]:
             return (np.roll(values, -1, axis) - np.roll(values, 1, axis)) / 2
@@ -143,10 +180,17 @@ class QuiltRelief:
         along = slope(heights, 0)
         nodes = np.stack([heights, slope(heights, 1), along, slope(along, 1)], axis=-1)
         self._nodes = upload(types.Float, nodes.astype(np.float32))
-        self._per_length = [
-            dr.opaque(types.Float, count / length)
-            for count, length in zip((columns, rows), size, strict=True)
+        highest = _highest_in_cells(nodes)
+        self._highest = upload(types.Float, highest.astype(np.float32))
+        windows = [
+            _highest_around(
+                highest, [int(radius * fine / step) + 1 for fine, step in zip(finest, steps, strict=True)]
+            )
+            for radius in PYRAMID_RADII
         ]
+        self._windows = upload(types.Float, np.stack(windows, axis=-1).astype(np.float32))
+        self._steps = [dr.opaque(types.Float, step) for step in steps]
+        self._per_length = [dr.opaque(types.Float, 1 / step) for step in steps]
         self._counts = [Count.of(count, types) for count in (columns, rows)]
         self._last = [dr.opaque(types.Float, count - 1) for count in (columns, rows)]
         self._columns = dr.opaque(types.UInt32, columns)
@@ -170,13 +214,35 @@ class QuiltRelief:
                     slope_y = dr.fma(weight, rate_y, slope_y)
         return Relief(height, slope_x * self._per_length[0], slope_y * self._per_length[1])
 
+    def bounds(self, x: Float, y: Float, right: Mask, up: Mask) -> CellBounds:
+        """The highest of the cell of the grid at draft coordinates, and distances to its sides."""
+        (column, of_column), (row, of_row) = (self._place(axis, place) for axis, place in enumerate((x, y)))
+        index = self._index(row, column)
+        return CellBounds(
+            dr.gather(self._types.Float, self._highest, index),
+            self._steps[0] * dr.select(right, 1 - of_column, of_column),
+            self._steps[1] * dr.select(up, 1 - of_row, of_row),
+        )
+
+    def windows(self, x: Float, y: Float) -> list[Float]:
+        """The highest in windows around draft coordinates, the widest first; see `Surface.max_heights`."""
+        column, row = (self._place(axis, place)[0] for axis, place in enumerate((x, y)))
+        found = dr.gather(self._types.Vector4, self._windows, self._index(row, column))
+        return [found[number] for number in reversed(range(len(PYRAMID_RADII)))]
+
+    def _index(self, row: Float, column: Float) -> UInt:
+        return dr.fma(self._types.UInt32(row), self._columns, self._types.UInt32(column))
+
+    def _place(self, axis: int, place: Float) -> tuple[Float, Float]:
+        """The node before a place along an axis, and how far beyond it lies, in steps."""
+        local = place * self._per_length[axis]
+        whole = dr.floor(local)
+        return clip(self._counts[axis].divide(whole)[1], 0, self._last[axis]), local - whole
+
     def _cell(self, axis: int, place: Float) -> tuple[list[Float], list[list[Float]], list[list[Float]]]:
         """Nodes before and after a place; weights of their values and slopes; derivatives of these."""
         types = self._types
-        local = place * self._per_length[axis]
-        whole = dr.floor(local)
-        share = local - whole
-        before = dr.minimum(dr.maximum(self._counts[axis].divide(whole)[1], 0), self._last[axis])
+        before, share = self._place(axis, place)
         after = dr.select(before < self._last[axis], before + 1, 0)
         rest = 1 - share
         weights = [

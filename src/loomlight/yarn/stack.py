@@ -8,7 +8,7 @@ parallax are those of `rays.py`. As everywhere in height fields, yarns are walls
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass, fields, replace
 from functools import reduce
@@ -36,9 +36,13 @@ from loomlight.yarn.geometry import (
     upload_family,
 )
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.planes import Choose, PlaneTables, choose_cell, chooser
+from loomlight.yarn.planes import Choose, PlaneTables, choose_cell, chooser, first_of
 from loomlight.yarn.quilt import QuiltRelief, quilted, wadding_of
 from loomlight.yarn.threads import CELL_MAX_LEVELS, CELL_MAX_SHIFT, place_family, section_drop
+
+# Ranks in a word, and bits of each: the largest is of layers that are absent, and where none shows.
+_RANKS, _RANK_BITS = 8, 4
+_ABSENT = (1 << _RANK_BITS) - 1
 
 
 @dataclass
@@ -46,12 +50,12 @@ class _Order:
     """Which layer lies upon which at some places, as a face shows them.
 
     Attributes:
-        ranks: of each layer, 0 first; more than there are layers where it is absent.
-        levels: height of its plane, millimetres.
+        ranks: of each layer, 0 first; `_ABSENT` where it is none of them.
+        level: height of the plane, millimetres, of the layer chosen among those of some numbers.
     """
 
     ranks: list[UInt]
-    levels: list[Float]
+    level: Callable[[Choose, Sequence[int]], Float]
 
 
 class _Placed:
@@ -65,6 +69,7 @@ class _Placed:
         high, per_high: the latter and its inverse.
         highest_first: of each layer, front and back: the highest of its planes where it is first.
         ties: the ties of the cloth, whose planes follow those of the layers.
+        finest_of_ties: smallest cell of the threads that tie, of each.
         dips: how deep the layer beneath each of them dives.
         tied: of each face, the highest of its ties as a share of the highest of all; None without any.
         quilt: the relief of quilted cloth; None without.
@@ -77,7 +82,7 @@ class _Placed:
         levels: NDArray[np.float64],
         highest: list[float],
         ties: list[_TieHeights],
-        quilt: tuple[NDArray[np.float64], NDArray[np.float64]] | None,
+        quilt: tuple[NDArray[np.float64], NDArray[np.float64], tuple[float, float]] | None,
         types: ArrayTypes,
     ) -> None:
         self._types = types
@@ -100,6 +105,10 @@ class _Placed:
         self.high = dr.opaque(types.Float, high)
         self.per_high = dr.opaque(types.Float, 1 / high)
         self.ties = layout.ties
+        self.finest_of_ties = []
+        for tied in layout.ties:
+            family = tied.layer.layout.warp if tied.is_warp else tied.layer.layout.weft
+            self.finest_of_ties.append(dr.opaque(types.Float, place_family(family).finest))
         self.dips = [dr.opaque(types.Float, heights.dip) for heights in ties]
         self.tied: list[Float | None] = [None, None]
         for face in (False, True):
@@ -107,8 +116,8 @@ class _Placed:
             self.tied[face] = dr.opaque(types.Float, max(tops) / high) if tops else None
         self.quilt = None
         if quilt is not None:
-            heights, lifts = quilt
-            self.quilt = QuiltRelief(heights, layout.size, types)
+            heights, lifts, finest = quilt
+            self.quilt = QuiltRelief(heights, layout.size, finest, types)
             self.lifts = [
                 dr.opaque(types.Float, float(lifts[layer]))
                 for layer in (*range(len(layout.layers)), *(tied.over for tied in layout.ties))
@@ -121,8 +130,12 @@ class _Placed:
             return
         ranks = self.stacking.ranks
         last = ranks.max(axis=1, keepdims=True)
-        of_faces = [np.where(ranks < 0, 255, side) for side in (ranks, last - ranks)]
-        self._ranks = upload(types.UInt32, np.stack(of_faces).astype(np.uint32).ravel())
+        of_faces = [np.where(ranks < 0, _ABSENT, side) for side in (ranks, last - ranks)]
+        # Words of eight ranks each.
+        words = np.pad(np.concatenate(of_faces).astype(np.uint32), ((0, 0), (0, -self._count % _RANKS)))
+        words = words.reshape(2 * len(ranks), -1, _RANKS) << (_RANK_BITS * np.arange(_RANKS, dtype=np.uint32))
+        self._words = words.shape[1]
+        self._ranks = upload(types.UInt32, np.bitwise_or.reduce(words, axis=-1).ravel())
         self._stacks = dr.opaque(types.UInt32, len(ranks))
         self.cells = [upload_family(place_family(family), types) for family in (layout.warp, layout.weft)]
         self._ends = dr.opaque(types.UInt32, layout.warp_on_top.shape[1])
@@ -143,14 +156,22 @@ class _Placed:
         side = dr.select(back, types.Float(-1), types.Float(1))
         if self.stacking is None:
             ranks = [dr.select(back, types.UInt32(count - 1 - k), types.UInt32(k)) for k in range(count)]
-            return _Order(ranks, [side * level for level in self._level])
+            levels = [side * level for level in self._level]
+            return _Order(ranks, lambda choose, numbers: choose([levels[number] for number in numbers]))
         across, along = self.cells[0].locate(x), self.cells[1].locate(y)
         stack = dr.gather(types.UInt32, self._regions, along.thread * self._ends + across.thread)
         face = dr.select(back, self._stacks, types.UInt32(0))
-        return _Order(
-            [dr.gather(types.UInt32, self._ranks, (stack + face) * count + k) for k in range(count)],
-            [side * dr.gather(types.Float, self._levels, stack * count + k) for k in range(count)],
-        )
+        words = [
+            dr.gather(types.UInt32, self._ranks, (stack + face) * self._words + word)
+            for word in range(self._words)
+        ]
+        ranks = [(words[k // _RANKS] >> (_RANK_BITS * (k % _RANKS))) & _ABSENT for k in range(count)]
+
+        def level(choose: Choose, numbers: Sequence[int]) -> Float:
+            number = choose([types.UInt32(number) for number in numbers])
+            return side * dr.gather(types.Float, self._levels, stack * count + number)
+
+        return _Order(ranks, level)
 
 
 class StackedGeometry:
@@ -311,14 +332,15 @@ class StackedGeometry:
         self._twists(placed)
 
     def _on(self, types: ArrayTypes) -> _Placed:
-        levels = self.levels
+        levels, ties = self.levels, self._tie_heights()
+        key = levels.tobytes() + repr(ties).encode()
         kept = self._placed.get(types.Float)
-        if kept is None or kept[0] != levels.tobytes():
+        if kept is None or kept[0] != key:
             highest = [layer.height_bounds[1] for layer in self.layers]
             highest.append(self.height_bounds[1])
-            quilt = None if self._quilt is None else (self._quilt, self._lifts)
-            placed = _Placed(self.layout, levels, highest, self._tie_heights(), quilt, types)
-            kept = self._placed[types.Float] = levels.tobytes(), placed
+            quilt = None if self._quilt is None else (self._quilt, self._lifts, self.finest)
+            placed = _Placed(self.layout, levels, highest, ties, quilt, types)
+            kept = self._placed[types.Float] = key, placed
         return kept[1]
 
     def height(self, x: Float, y: Float, back: Mask) -> tuple[Float, Mask]:
@@ -355,12 +377,22 @@ class StackedGeometry:
             found = [
                 (radius, dr.select(back, behind, front))
                 for (radius, front), (_, behind) in zip(
-                    bounds(0, order.levels[0]), bounds(-1, order.levels[-1]), strict=True
+                    bounds(0, order.level(first_of, [0])),
+                    bounds(-1, order.level(first_of, [len(self.layers) - 1])),
+                    strict=True,
                 )
             ]
         for top, is_face in zip(placed.tied, (~back, back), strict=True):
             if top is not None:
                 found = [(radius, dr.select(is_face, maximum(share, top), share)) for radius, share in found]
+        if placed.quilt is not None:
+            # What lies before the wadding moves with the relief, on the front.
+            lift = dr.select(back, 0, placed.lifts[0] * placed.per_high)
+            windows = placed.quilt.windows(x, y)
+            found = [
+                (radius, dr.fma(lift, highest, share))
+                for (radius, share), highest in zip(found, windows, strict=True)
+            ]
         return found
 
     def probe(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> Probe:
@@ -379,15 +411,12 @@ class StackedGeometry:
             edge_x = minimum(edge_x, dr.select(before, _outline_of_hole(warp, right), far_x))
             edge_y = minimum(edge_y, dr.select(before, _outline_of_hole(weft, up), far_y))
         for tie in here.ties:
-            # Where one may begin: beside its thread, or at the next thread that it crosses.
-            lengthwise = (
-                dr.select(up, tie.weft.above, tie.weft.below),
-                dr.select(right, tie.warp.above, tie.warp.below),
-            )
+            side_x, side_y = tie.sides(right, up)
+            # Within its crossing a tie may begin beside its thread.
             next_x, next_y = (
-                (_outline_of_hole(tie.warp, right), lengthwise[0])
+                (dr.select(tie.here, _outline_of_hole(tie.warp, right), side_x), side_y)
                 if tie.is_warp
-                else (lengthwise[1], _outline_of_hole(tie.weft, up))
+                else (side_x, dr.select(tie.here, _outline_of_hole(tie.weft, up), side_y))
             )
             before = tie.on_face & ~tie.shows
             edge_x = minimum(edge_x, dr.select(before, next_x, 1e6))
@@ -444,26 +473,27 @@ class StackedGeometry:
         level = dr.select(warp_above, *(s * own for s, own in zip(self._scales(placed), levels, strict=True)))
         word = dr.select(warp_above, words[0], words[1])
         bounds = CellBounds(
-            cell_max=dr.fma(types.Float(word >> CELL_MAX_SHIFT), level, chosen(order.levels)),
+            cell_max=dr.fma(types.Float(word >> CELL_MAX_SHIFT), level, order.level(choose, numbers)),
             side_x=dr.select(right, warp.above, warp.below),
             side_y=dr.select(up, weft.above, weft.below),
         )
         for number, tie in enumerate(ties, start=layers):
             own = 0 if tie.is_warp else 1
             scale = self._scales(placed)[own] * placed.planes.levels[number][own]
-            top = dr.fma(types.Float(tie.word >> CELL_MAX_SHIFT), scale, order.levels[tie.over])
+            top = dr.fma(types.Float(tie.word >> CELL_MAX_SHIFT), scale, order.level(first_of, [tie.over]))
+            side_x, side_y = tie.sides(right, up)
             bounds = CellBounds(
                 dr.select(tie.here, maximum(bounds.cell_max, top), bounds.cell_max),
-                dr.select(
-                    tie.on_face,
-                    minimum(bounds.side_x, dr.select(right, tie.warp.above, tie.warp.below)),
-                    bounds.side_x,
-                ),
-                dr.select(
-                    tie.on_face,
-                    minimum(bounds.side_y, dr.select(up, tie.weft.above, tie.weft.below)),
-                    bounds.side_y,
-                ),
+                dr.select(tie.on_face, minimum(bounds.side_x, side_x), bounds.side_x),
+                dr.select(tie.on_face, minimum(bounds.side_y, side_y), bounds.side_y),
+            )
+        if placed.quilt is not None:
+            relief = placed.quilt.bounds(x, y, right, up)
+            lift = dr.select(back, 0, placed.lifts[0])
+            return CellBounds(
+                dr.fma(lift, relief.cell_max, bounds.cell_max),
+                minimum(bounds.side_x, relief.side_x),
+                minimum(bounds.side_y, relief.side_y),
             )
         if placed.stacking is None:
             return bounds
@@ -559,13 +589,17 @@ class StackedGeometry:
         for tied, (number, (warp, weft)) in zip(
             placed.ties, enumerate(cells[len(self.layers) :], start=len(self.layers)), strict=True
         ):
+            finest = placed.finest_of_ties[number - len(self.layers)]
             on_face = back == tied.back
             if placed.stacking is not None:
                 on_face &= order.ranks[tied.over] == 0
-            word = placed.planes.words_at(number, warp, weft)[0 if tied.is_warp else 1]
+            words = placed.planes.words_at(number, warp, weft)
+            word, crossed = (words[0], words[1]) if tied.is_warp else (words[1], words[0])
             here = on_face & (((word & 1) == 1) ^ back)
             shows = here & _covers(warp if tied.is_warp else weft)
-            found.append(_Tied(tied.over, tied.is_warp, warp, weft, word, on_face, here, shows))
+            found.append(
+                _Tied(tied.over, tied.is_warp, warp, weft, word, crossed, finest, on_face, here, shows)
+            )
         return found
 
     def _relief(self, placed: _Placed, here: _Located, x: Float, y: Float, back: Mask) -> Relief | None:
@@ -602,8 +636,8 @@ class StackedGeometry:
         point, run, slopes, tube = shown_surface(
             tables, here.shown, local, self._scales(placed), twist, relief
         )
-        levels = here.order.levels
-        level = found.choose([*levels, *(levels[tie.over] for tie in here.ties)])
+        numbers = [*range(len(self.layers)), *(tie.over for tie in here.ties)]
+        level = here.order.level(found.choose, numbers)
         point.height, tube.height = point.height + level, tube.height + level
         point.plane = level if relief is None else level + relief.height
         point.x, point.y = x, y
@@ -654,10 +688,6 @@ def _highest_shown(stack: StackedGeometry, number: int) -> tuple[float, float]:
     return float(warp), float(weft)
 
 
-# More than the rank of any layer: of those that are absent, and where none shows.
-_ABSENT = 255
-
-
 @dataclass
 class _Found:
     """Which of the layers shows.
@@ -705,7 +735,9 @@ class _Tied:
     Attributes:
         over, is_warp: see `Ties`.
         warp, weft: cells of their plane.
-        word: of the thread that may tie.
+        word: run word of the thread that may tie.
+        crossed: that of the thread which it would lie upon, whose runs end at ties.
+        finest: smallest cell of the family that ties, millimetres.
         on_face: they may be seen on the face.
         here: this crossing is a tie.
         shows: its thread covers the place.
@@ -716,9 +748,25 @@ class _Tied:
     warp: Cell
     weft: Cell
     word: UInt
+    crossed: UInt
+    finest: Float
     on_face: Mask
     here: Mask
     shows: Mask
+
+    def sides(self, right: Mask, up: Mask) -> tuple[Float, Float]:
+        """Distances along x and y up to which there is a tie all the way, or none.
+
+        Along its thread up to the end of the cell; along those that it crosses to where the run ends.
+        """
+        types = array_types(self.finest)
+        forwards = right if self.is_warp else up
+        # Of cells that are not there, and of the tie's own, only the rest of the cell counts.
+        ahead = (self.crossed >> dr.select(forwards, types.UInt32(8), types.UInt32(1))) & 127
+        beyond = self.finest * dr.select(self.here, 0, types.Float(ahead))
+        side_x = dr.select(right, self.warp.above, self.warp.below)
+        side_y = dr.select(up, self.weft.above, self.weft.below)
+        return (side_x + beyond, side_y) if self.is_warp else (side_x, side_y + beyond)
 
 
 @dataclass
