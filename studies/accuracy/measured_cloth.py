@@ -30,6 +30,7 @@ from scipy.optimize import least_squares
 from loomlight.core.colour import to_hex
 from loomlight.core.llvm import require_llvm
 from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.isotropic import VIEWS, Angles, Floats, Pairs, logarithm, rise, rms, turned_value
 from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
@@ -39,10 +40,9 @@ from loomlight.scattering.fibre import cloth_layer_bound
 from loomlight.scattering.grazing import Grazing
 from loomlight.scattering.sheen import sheen_with_transmittance
 from studies.harness.study import Figures, Found, Pixels, Run, Study, listed, names
-from studies.instruments.directions import above, by_cosine, direction
 from studies.instruments.measured_brdf import measured_brdfs
 from studies.instruments.standard_brdfs import Fitted, lambert, openpbr, principled
-from studies.instruments.turned_cloth import Floats, Pairs, TurnedTerms, turned_terms, turned_value
+from studies.instruments.turned_cloth import TurnedTerms, turned_terms
 
 # Cloth to choose from.
 WEAVES = ("plain", "twill 2/2")
@@ -53,12 +53,10 @@ ROUGHNESSES = (0.1, 0.18, 0.3, 0.42, 0.55, 0.75, 1.0)
 SHEEN_ROUGHNESSES = (0.05, 0.15, 0.25, 0.4, 0.6, 0.8, 1.0)
 GREYS = (0.02, 0.1, 0.3, 0.6, 0.9)
 TRANSLUCENCY = 0.12
-FLOOR = 1e-3
 # Largest rise of the highlight that a fabric file may state.
 MAX_GRAZING = 4.0
-# Pairs that fits see, and the cosine of the most grazing directions.
+# Pairs that fits see.
 FITTED = 256
-MIN_COSINE = float(np.cos(np.radians(80)))
 # Materials that others have.
 OTHERS: dict[str, Callable[[Pairs], Fitted]] = {
     "Lambert": lambert,
@@ -66,7 +64,6 @@ OTHERS: dict[str, Callable[[Pairs], Fitted]] = {
     "with coat": partial(principled, coat=True),
     "OpenPBR": openpbr,
 }
-VIEWS = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0)
 _OURS = ("specular", "tint", "roughness", "sheen", "sheen roughness", "grazing")
 
 
@@ -198,11 +195,6 @@ def _interpolated(rows: Floats, places: Sequence[float], place: float) -> Floats
 # ------------------------------------------------------------------------------------------------------- fits
 
 
-def logarithm(value: Floats) -> Floats:
-    """ln(f·cos + 0.001)."""
-    return np.log(np.maximum(value, 0) + FLOOR)
-
-
 def fit(material: Fitted, measured: Floats) -> tuple[float, Floats]:
     """The least rms of `logarithm`, and the numbers that have it."""
     truth = logarithm(measured)
@@ -222,61 +214,6 @@ def fit(material: Fitted, measured: Floats) -> tuple[float, Floats]:
     return best
 
 
-def rms(value: Floats, measured: Floats) -> float:
-    """Of `logarithm`, over pairs and channels."""
-    return float(np.sqrt(np.mean((logarithm(value) - logarithm(measured)) ** 2)))
-
-
-# ----------------------------------------------------------------------------------------------------- curves
-
-
-@dataclass(frozen=True)
-class Angles:
-    """Pairs of the error, then those of the curves, one behind the other.
-
-    Attributes:
-        pairs: all.
-        errors: how many are for the error.
-        lights: of each view of the albedo.
-    """
-
-    pairs: Pairs
-    errors: int
-    lights: int
-
-    @classmethod
-    def drawn(cls, errors: int, lights: int = 512) -> Angles:
-        """Directions to 80° for the error, and those of the curves."""
-        rng = np.random.default_rng(0)
-        light, view = (above(rng, errors, MIN_COSINE).T for _ in range(2))
-        views = np.stack([direction(angle, 0.0) for angle in VIEWS])
-        mirrored = views * [-1, 1, 1]
-        dome = by_cosine(rng, lights).T
-        return cls(
-            Pairs(
-                np.concatenate([light, np.tile(dome, (len(views), 1)), views, mirrored]),
-                np.concatenate([view, np.repeat(views, lights, axis=0), views, views]),
-            ),
-            errors,
-            lights,
-        )
-
-    def curves(self, value: Floats) -> dict[str, list[float]]:
-        """Mean of channels by view: albedo, and f back to the light and in the mirror's direction."""
-        grey = value.mean(axis=1)[self.errors :]
-        count = len(VIEWS) * self.lights
-        cosines = self.pairs.light[self.errors :, 2]
-        albedo = np.pi * (grey[:count] / cosines[:count]).reshape(len(VIEWS), -1).mean(axis=1)
-        back, mirror = (grey[count:] / cosines[count:]).reshape(2, -1)
-        curves = {"albedo": albedo, "back": back, "mirror": mirror}
-        return {name: [round(float(each), 5) for each in curve] for name, curve in curves.items()}
-
-
-def rise(curve: Sequence[float], angle: float) -> float:
-    """Of a curve at an angle over that at 0°."""
-    return curve[VIEWS.index(angle)] / curve[0]
-
-
 # ---------------------------------------------------------------------------------------------------- running
 
 
@@ -285,8 +222,7 @@ def measure(settings: MeasuredCloth, run: Run) -> Found:
     require_llvm()
     mi.set_variant("llvm_ad_rgb")
     angles = Angles.drawn(settings.pairs)
-    rng = np.random.default_rng(1)
-    fitted = Pairs(*(above(rng, min(FITTED, settings.pairs), MIN_COSINE).T for _ in range(2)))
+    fitted = Pairs.drawn(np.random.default_rng(1), min(FITTED, settings.pairs))
     brdfs = measured_brdfs()
     chosen = listed(settings.brdfs) or list(brdfs)
     cloths = [

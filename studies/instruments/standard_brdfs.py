@@ -10,9 +10,9 @@ import mitsuba as mi
 import numpy as np
 from drjit.llvm import Array3f, Float
 
+from loomlight.evaluation.isotropic import Floats, Pairs
 from loomlight.exporters.cycles import rough_over_lambert
 from loomlight.scattering.sheen import sheen_with_transmittance
-from studies.instruments.turned_cloth import Floats, Pairs
 
 
 @dataclass(frozen=True)
