@@ -1,12 +1,12 @@
 """Cloth of ours beside measured BRDFs: how near the nearest plausible fabric comes, and where it is wrong.
 
 Each of 14 measured fabrics and 7 felts (`instruments/measured_brdf.py`) is fitted by cloth of one yarn:
-weave, height and twist out of a few; colour, strength, tint, roughness and grazing rise of the highlight, and
+height and twist out of a few; colour, strength, tint, roughness and grazing rise of the highlight, and
 sheen by least squares. They are isotropic, so ours is the mean over turns of the cloth. The error is the rms
 of ln(f·cos + 0.001) over pairs of light and view to 80°, of the fabric file that the fit writes, by `lobes`.
 Fits see other pairs than errors do. Fitted alike: Lambert's law, Mitsuba's principled BSDF with sheen, of as
 many numbers as ours, nine, the same with clear coat, eleven, and OpenPBR with fuzz, ten. Ours chooses one of
-twelve cloths beside.
+six cloths beside.
 
 *Without rise* is the same cloth with `specular_grazing = 0`.
 
@@ -45,7 +45,7 @@ from studies.instruments.standard_brdfs import Fitted, lambert, openpbr, princip
 from studies.instruments.turned_cloth import TurnedTerms, turned_terms
 
 # Cloth to choose from.
-WEAVES = ("plain", "twill 2/2")
+WEAVES = ("plain",)
 HEIGHTS = (0.05, 0.2, 0.4)
 TWISTS = (0.0, -25.0)
 # Grids of what is interpolated.
