@@ -10,6 +10,7 @@ import pytest
 from drjit.llvm.ad import Array2f, Array3f, Float
 
 from loomlight.core.llvm import require_llvm
+from loomlight.evaluation.isotropic import Pairs, turned_value
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.scattering.fibre import pdf_specular, reflection, sample_specular
 from loomlight.scattering.grazing import Grazing
@@ -17,7 +18,7 @@ from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
 from studies.accuracy.interreflection import direction
 from studies.accuracy.interreflection_furnace import returned
-from studies.instruments.turned_cloth import Pairs, turned_terms, turned_value
+from studies.instruments.turned_cloth import turned_terms
 from tests.helpers.arrays import vectors
 from tests.helpers.directions import directions
 from tests.marks import slow
