@@ -170,7 +170,7 @@ def test_maps_of_uneven_yarns_tile(back: bool) -> None:
 
 @pytest.mark.parametrize("back", [False, True])
 def test_maps_of_layered_cloth_show_the_layer_in_front(back: bool) -> None:
-    """Two stitched twills, one red, one blue: the other shows in gaps, lower than yarn around, and in dots."""
+    """Two stitched twills, one red, one blue: the other shows in gaps, lower than yarn, and in dots."""
     fabric = load_fabric("examples/layered/stitched-double-cloth.wif")
     x, y = (np.random.default_rng(3).random((2, 4000)) * np.array(fabric.repeat_mm)[:, None]).astype(
         np.float32
