@@ -170,7 +170,7 @@ def test_maps_of_uneven_yarns_tile(back: bool) -> None:
 
 @pytest.mark.parametrize("back", [False, True])
 def test_maps_of_layered_cloth_show_the_layer_in_front(back: bool) -> None:
-    """Two stitched twills, one red, one blue: the other one shows in gaps alone, lower than yarn around."""
+    """Two stitched twills, one red, one blue: the other shows in gaps, lower than yarn, and in dots."""
     fabric = load_fabric("examples/layered/stitched-double-cloth.wif")
     x, y = (np.random.default_rng(3).random((2, 4000)) * np.array(fabric.repeat_mm)[:, None]).astype(
         np.float32
@@ -183,9 +183,11 @@ def test_maps_of_layered_cloth_show_the_layer_in_front(back: bool) -> None:
     )
     colour = np.where(points.warp[:, None], warp, weft)
     in_front = (colour[:, 0] > colour[:, 2]) != back
-    # Gaps of a fifth each way leave 1/25 of the plan.
-    assert 0.93 < in_front[~points.hole].mean() < 0.99
-    assert points.height[in_front].mean() > points.height[~in_front & ~points.hole].max()
+    # Gaps of a fifth each way leave 1/25 of the plan; on the face 8 ends rise over 0.8 mm, each 0.64 mm wide.
+    dots = 0 if back else 8 * 0.8 * 0.64 / np.prod(fabric.repeat_mm)
+    assert 0.93 < in_front[~points.hole].mean() + dots < 0.99
+    if back:
+        assert points.height[in_front].mean() > points.height[~in_front & ~points.hole].max()
 
 
 def test_means_stay_what_fabrics_say() -> None:

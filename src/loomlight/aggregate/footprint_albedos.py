@@ -257,7 +257,7 @@ class _Seen:
         return cls(areas, through, returned, stacking.shares(), (axes[0], axes[1]), regions, unit)
 
 
-def _add_ties(areas: NDArray[np.float64], layout: ClothLayout, ranks: NDArray[np.int8]) -> None:
+def _add_ties(areas: NDArray[np.float64], layout: ClothLayout, ranks: NDArray[Any]) -> None:
     """Changes the areas that layers show, see `_Seen`, by those of ties, which cover some of them."""
     shares = np.ones(1) if layout.stacking is None else layout.stacking.shares()
     for tied in layout.ties:

@@ -181,7 +181,7 @@ class QuiltRelief:
         nodes = np.stack([heights, slope(heights, 1), along, slope(along, 1)], axis=-1)
         self._nodes = upload(types.Float, nodes.astype(np.float32))
         highest = _highest_in_cells(nodes)
-        self._highest = upload(types.Float, highest.astype(np.float32))
+        self._highest = upload(types.Float, _highest_around(highest, [1, 1]).astype(np.float32))
         windows = [
             _highest_around(
                 highest, [int(radius * fine / step) + 1 for fine, step in zip(finest, steps, strict=True)]
@@ -215,13 +215,16 @@ class QuiltRelief:
         return Relief(height, slope_x * self._per_length[0], slope_y * self._per_length[1])
 
     def bounds(self, x: Float, y: Float, right: Mask, up: Mask) -> CellBounds:
-        """The highest of the cell of the grid at draft coordinates, and distances to its sides."""
+        """The highest of the cell of the grid at draft coordinates and of those around, and how far these go.
+
+        A single cell would end soon, and rays that pass it by would be asked again.
+        """
         (column, of_column), (row, of_row) = (self._place(axis, place) for axis, place in enumerate((x, y)))
         index = self._index(row, column)
         return CellBounds(
             dr.gather(self._types.Float, self._highest, index),
-            self._steps[0] * dr.select(right, 1 - of_column, of_column),
-            self._steps[1] * dr.select(up, 1 - of_row, of_row),
+            self._steps[0] * dr.select(right, 2 - of_column, 1 + of_column),
+            self._steps[1] * dr.select(up, 2 - of_row, 1 + of_row),
         )
 
     def windows(self, x: Float, y: Float) -> list[Float]:
