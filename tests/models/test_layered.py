@@ -18,9 +18,12 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import Fabric, fabric_from_text
+from loomlight.fabric.layering import stacked_layers, ties_between
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model
 from loomlight.scattering.point import YarnScattering
+from loomlight.weave import binding_points, find_layers
+from loomlight.yarn.layout import FamilyLayout
 from loomlight.yarn.stack import cloth_geometry
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -208,3 +211,19 @@ def test_means_of_colours_count_the_dots_of_ties() -> None:
     # Blue of 0.03 without dots becomes 0.1; that they hide warp and weft unevenly is not told, nor is chance.
     assert np.allclose(means.ravel(), shown.mean(axis=1), atol=7e-3)
     assert shown.mean(axis=1)[2] > 0.08
+
+
+def test_cloths_that_change_places_are_not_tied_along_their_borders() -> None:
+    """Two plain cloths that nothing binds, in waves: crossings that break the order are borders' alone."""
+    pick, end = np.indices((256, 256))
+    a_in_front = np.sin(pick / 20) + np.sin(end / 17) > 0
+    same = pick % 2 == end % 2
+    drawdown = np.where(same, (pick // 2 + end // 2) % 2 == 0, a_in_front == (end % 2 == 0))
+    found = find_layers(drawdown)
+    broken = int(binding_points(drawdown, found).sum())
+    side = FamilyLayout(np.full(256, 0.2), np.full(256, 0.16), 0.4, 0.0, 1.0)
+    layers, stacking = stacked_layers(drawdown, found, (side, side), lambda name, threads, room: 0.8 * room)
+    assert stacking is not None
+    ties = sum(int(tied.places.sum()) for tied in ties_between(drawdown, found, layers))
+    assert broken > 10
+    assert ties < broken / 3

@@ -98,12 +98,18 @@ def ties_between(drawdown: NDArray[np.bool_], found: Layers, layers: tuple[Layer
 
     A drawdown says that two threads of unlike layers cross the other way round, not which of them leaves its
     layer. It is taken to be the end: one from behind rises to the front, one of the front dives to the back.
-    Ends that float are tied down by the picks across them.
+    Ends that float are tied down by the picks across them. Beside another region nothing ties: borders are
+    told to within a crossing or two, and what breaks the order there belongs to the region beyond.
     """
     planes = _planes(found)
     if len(planes) == 1:
         return ()
     pick, end = np.nonzero(binding_points(drawdown, found))
+    inside = np.ones(pick.size, bool)
+    for down, across in ((0, 1), (0, -1), (1, 0), (-1, 0)):
+        beside = (pick + down) % drawdown.shape[0], (end + across) % drawdown.shape[1]
+        inside &= found.regions[beside] == found.regions[pick, end]
+    pick, end = pick[inside], end[inside]
     if pick.size == 0:
         return ()
     stack, up = found.regions[pick, end].astype(np.intp), drawdown[pick, end]
