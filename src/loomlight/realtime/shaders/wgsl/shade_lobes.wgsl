@@ -215,6 +215,14 @@ struct Fabric_std430_0
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
     @align(4) clustered_0 : Clustered_std430_0,
+    @align(4) planes_0 : u32,
+    @align(4) plane_records_0 : u32,
+    @align(4) plane_axes_0 : u32,
+    @align(4) stacks_0 : u32,
+    @align(4) plane_orders_0 : u32,
+    @align(4) regions_0 : u32,
+    @align(4) plane_shares_0 : u32,
+    @align(4) is_coloured_0 : u32,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -240,6 +248,8 @@ struct Family_std430_0
     @align(4) twist_cosine_0 : f32,
     @align(4) level_0 : f32,
     @align(4) roughness_0 : f32,
+    @align(4) layer_turned_0 : f32,
+    @align(4) layer_through_0 : f32,
     @align(4) albedo_table_0 : u32,
     @align(4) albedo_stride_0 : u32,
     @align(4) before_0 : u32,
@@ -247,6 +257,7 @@ struct Family_std430_0
     @align(4) smallest_box_0 : f32,
     @align(4) quantities_0 : u32,
     @align(4) colour_mean_0 : u32,
+    @align(4) cloth_mean_0 : u32,
     @align(4) colour_axes_0 : u32,
     @align(4) colour_threads_0 : u32,
     @align(4) colour_areas_0 : u32,
@@ -467,6 +478,8 @@ fn Footprint_spread_side_0( this_0 : Footprint_0) -> f32
     var _S32 : vec2<f32> = this_0.dy_0;
     return sqrt(0.5f * (dot(_S31, _S31) + dot(_S32, _S32)));
 }
+
+@id(0) override HAS_LAYERS_0 : bool = true;
 
 fn fade_0( size_1 : f32,  period_1 : f32) -> f32
 {
@@ -824,6 +837,89 @@ fn quality_of_0( threads_1 : f32) -> SearchQuality_0
     return quality_0;
 }
 
+struct Plane_0
+{
+     warp_2 : u32,
+     weft_2 : u32,
+     run_words_1 : u32,
+     ends_2 : u32,
+     end_numbers_0 : u32,
+     pick_numbers_0 : u32,
+     max_heights_1 : u32,
+     max_height_columns_1 : u32,
+     height_low_1 : f32,
+     height_high_1 : f32,
+     front_level_0 : f32,
+     back_level_0 : f32,
+     start_x_0 : f32,
+     start_y_0 : f32,
+     fine_x_0 : f32,
+     fine_y_0 : f32,
+};
+
+fn plane_at_0( first_3 : u32) -> Plane_0
+{
+    var record_2 : Plane_0;
+    record_2.warp_2 = words_0[first_3];
+    record_2.weft_2 = words_0[first_3 + u32(1)];
+    record_2.run_words_1 = words_0[first_3 + u32(2)];
+    record_2.ends_2 = words_0[first_3 + u32(3)];
+    record_2.end_numbers_0 = words_0[first_3 + u32(4)];
+    record_2.pick_numbers_0 = words_0[first_3 + u32(5)];
+    record_2.max_heights_1 = words_0[first_3 + u32(6)];
+    record_2.max_height_columns_1 = words_0[first_3 + u32(7)];
+    record_2.height_low_1 = (bitcast<f32>((words_0[first_3 + u32(8)])));
+    record_2.height_high_1 = (bitcast<f32>((words_0[first_3 + u32(9)])));
+    record_2.front_level_0 = (bitcast<f32>((words_0[first_3 + u32(10)])));
+    record_2.back_level_0 = (bitcast<f32>((words_0[first_3 + u32(11)])));
+    record_2.start_x_0 = (bitcast<f32>((words_0[first_3 + u32(12)])));
+    record_2.start_y_0 = (bitcast<f32>((words_0[first_3 + u32(13)])));
+    record_2.fine_x_0 = (bitcast<f32>((words_0[first_3 + u32(14)])));
+    record_2.fine_y_0 = (bitcast<f32>((words_0[first_3 + u32(15)])));
+    return record_2;
+}
+
+struct Crossing_0
+{
+     warp_3 : Cell_0,
+     weft_3 : Cell_0,
+     warp_word_0 : u32,
+     weft_word_0 : u32,
+     warp_above_0 : bool,
+};
+
+fn crossing_at_0( plane_0 : Plane_0,  x_10 : f32,  y_4 : f32,  back_3 : bool) -> Crossing_0
+{
+    var crossing_0 : Crossing_0;
+    crossing_0.warp_3 = locate_0(plane_0.warp_2, x_10 - plane_0.start_x_0);
+    crossing_0.weft_3 = locate_0(plane_0.weft_2, y_4 - plane_0.start_y_0);
+    var _S72 : u32 = plane_0.run_words_1 + u32(2) * (crossing_0.weft_3.thread_1 * plane_0.ends_2 + crossing_0.warp_3.thread_1);
+    var _S73 : u32 = words_0[_S72];
+    crossing_0.warp_word_0 = _S73;
+    crossing_0.weft_word_0 = words_0[_S72 + u32(1)];
+    crossing_0.warp_above_0 = (((_S73 & (u32(1)))) == u32(1)) != back_3;
+    return crossing_0;
+}
+
+fn cell_maximum_0( plane_1 : Plane_0,  crossing_1 : Crossing_0) -> f32
+{
+    var _S74 : u32 = select(plane_1.weft_2, plane_1.warp_2, crossing_1.warp_above_0);
+    return f32((select(crossing_1.weft_word_0, crossing_1.warp_word_0, crossing_1.warp_above_0) >> (u32(28)))) * families_0[_S74].height_scale_0 * families_0[_S74].level_0;
+}
+
+fn bounds_in_0( plane_2 : Plane_0,  x_11 : f32,  y_5 : f32,  back_4 : bool,  right_0 : bool,  up_0 : bool) -> vec3<f32>
+{
+    var _S75 : Crossing_0 = crossing_at_0(plane_2, x_11, y_5, back_4);
+    return vec3<f32>(cell_maximum_0(plane_2, _S75), select(_S75.warp_3.below_0, _S75.warp_3.above_0, right_0), select(_S75.weft_3.below_0, _S75.weft_3.above_0, up_0));
+}
+
+fn hole_edge_0( cell_6 : Cell_0,  forwards_0 : bool) -> f32
+{
+    var _S76 : f32 = select(- cell_6.across_0, cell_6.across_0, forwards_0);
+    var _S77 : f32 = - cell_6.half_width_1;
+    return select(select(cell_6.half_width_1, _S77, _S76 < _S77) - _S76, 2.0f * select(cell_6.below_0, cell_6.above_0, forwards_0) + _S76 - cell_6.half_width_1, _S76 >= (cell_6.half_width_1));
+}
+
 struct Shown_0
 {
      is_warp_2 : bool,
@@ -832,53 +928,44 @@ struct Shown_0
      word_0 : u32,
 };
 
-struct Crossing_0
+fn shown_at_0( crossing_2 : Crossing_0,  back_5 : bool) -> Shown_0
 {
-     warp_2 : Cell_0,
-     weft_2 : Cell_0,
-     warp_word_0 : u32,
-     weft_word_0 : u32,
-     warp_above_0 : bool,
-};
-
-fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
-{
-    var _S72 : bool = (abs(crossing_0.warp_2.across_0)) < (crossing_0.warp_2.half_width_1);
+    var _S78 : bool = (abs(crossing_2.warp_3.across_0)) < (crossing_2.warp_3.half_width_1);
     var shown_0 : Shown_0;
-    var _S73 : bool = !((abs(crossing_0.weft_2.across_0)) < (crossing_0.weft_2.half_width_1));
-    var _S74 : bool = (_S72 & (((_S73 | ((crossing_0.warp_above_0))))));
-    shown_0.is_warp_2 = _S74;
-    shown_0.hole_3 = ((!_S72) & (_S73));
-    var _S75 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S74);
-    shown_0.word_0 = _S75;
-    shown_0.on_top_0 = (((_S75 & (u32(1)))) == u32(1)) != back_3;
+    var _S79 : bool = !((abs(crossing_2.weft_3.across_0)) < (crossing_2.weft_3.half_width_1));
+    var _S80 : bool = (_S78 & (((_S79 | ((crossing_2.warp_above_0))))));
+    shown_0.is_warp_2 = _S80;
+    shown_0.hole_3 = ((!_S78) & (_S79));
+    var _S81 : u32 = select(crossing_2.weft_word_0, crossing_2.warp_word_0, _S80);
+    shown_0.word_0 = _S81;
+    shown_0.on_top_0 = (((_S81 & (u32(1)))) == u32(1)) != back_5;
     return shown_0;
 }
 
-fn select_cell_0( is_first_0 : bool,  first_3 : Cell_0,  second_0 : Cell_0) -> Cell_0
+fn select_cell_0( is_first_0 : bool,  first_4 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
-    var cell_6 : Cell_0;
-    cell_6.thread_1 = select(second_0.thread_1, first_3.thread_1, is_first_0);
-    cell_6.across_0 = select(second_0.across_0, first_3.across_0, is_first_0);
-    cell_6.half_width_1 = select(second_0.half_width_1, first_3.half_width_1, is_first_0);
-    cell_6.below_0 = select(second_0.below_0, first_3.below_0, is_first_0);
-    cell_6.above_0 = select(second_0.above_0, first_3.above_0, is_first_0);
-    return cell_6;
+    var cell_7 : Cell_0;
+    cell_7.thread_1 = select(second_0.thread_1, first_4.thread_1, is_first_0);
+    cell_7.across_0 = select(second_0.across_0, first_4.across_0, is_first_0);
+    cell_7.half_width_1 = select(second_0.half_width_1, first_4.half_width_1, is_first_0);
+    cell_7.below_0 = select(second_0.below_0, first_4.below_0, is_first_0);
+    cell_7.above_0 = select(second_0.above_0, first_4.above_0, is_first_0);
+    return cell_7;
 }
 
 fn boundary_0( family_9 : u32,  thread_4 : u32,  step_0 : i32) -> f32
 {
-    var _S76 : vec2<f32> = turns_and_remainder_0(family_9, f32(i32(thread_4) + step_0));
-    return fma(_S76.x, families_0[family_9].period_0, table_number_0(families_0[family_9].place_table_0 + u32(_S76.y) * u32(4)));
+    var _S82 : vec2<f32> = turns_and_remainder_0(family_9, f32(i32(thread_4) + step_0));
+    return fma(_S82.x, families_0[family_9].period_0, table_number_0(families_0[family_9].place_table_0 + u32(_S82.y) * u32(4)));
 }
 
-fn span_0( family_10 : u32,  thread_5 : u32,  first_4 : i32,  last_0 : i32) -> f32
+fn span_0( family_10 : u32,  thread_5 : u32,  first_5 : i32,  last_0 : i32) -> f32
 {
     if((families_0[family_10].is_alike_0) != u32(0))
     {
-        return f32(last_0 - first_4) * families_0[family_10].size_0;
+        return f32(last_0 - first_5) * families_0[family_10].size_0;
     }
-    return boundary_0(family_10, thread_5, last_0) - boundary_0(family_10, thread_5, first_4);
+    return boundary_0(family_10, thread_5, last_0) - boundary_0(family_10, thread_5, first_5);
 }
 
 struct Bend_0
@@ -890,11 +977,11 @@ struct Bend_0
 
 fn bend_of_0( family_11 : u32,  thread_6 : u32) -> Bend_0
 {
-    var _S77 : u32 = families_0[family_11].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_11].is_alike_0) != u32(0));
+    var _S83 : u32 = families_0[family_11].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_11].is_alike_0) != u32(0));
     var bend_0 : Bend_0;
-    bend_0.sine_0 = table_number_0(_S77);
-    bend_0.half_tangent_0 = table_number_0(_S77 + u32(1));
-    bend_0.arc_0 = table_number_0(_S77 + u32(2));
+    bend_0.sine_0 = table_number_0(_S83);
+    bend_0.half_tangent_0 = table_number_0(_S83 + u32(1));
+    bend_0.arc_0 = table_number_0(_S83 + u32(2));
     return bend_0;
 }
 
@@ -914,29 +1001,29 @@ struct Run_0
 
 fn unpack_0( own_0 : u32,  other_0 : u32,  thread_7 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
-    var _S78 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
-    var _S79 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
-    var _S80 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
-    var _S81 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
+    var _S84 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
+    var _S85 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
+    var _S86 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
+    var _S87 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
     var run_0 : Run_0;
-    var _S82 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
-    run_0.straight_0 = _S82;
-    var _S83 : i32 = - _S78;
-    var _S84 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S83, i32(0));
-    run_0.from_start_0 = _S84;
-    var _S85 : i32 = _S79 + i32(1);
-    var _S86 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, i32(1), _S85);
-    run_0.to_end_0 = _S86;
-    var _S87 : bool = _S84 < _S86;
-    run_0.near_start_0 = _S87;
-    var _S88 : i32 = select(_S85, _S83 - _S80, _S87);
-    var _S89 : i32 = select(_S85 + _S81, _S83, _S87);
+    var _S88 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
+    run_0.straight_0 = _S88;
+    var _S89 : i32 = - _S84;
+    var _S90 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S89, i32(0));
+    run_0.from_start_0 = _S90;
+    var _S91 : i32 = _S85 + i32(1);
+    var _S92 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, i32(1), _S91);
+    run_0.to_end_0 = _S92;
+    var _S93 : bool = _S90 < _S92;
+    run_0.near_start_0 = _S93;
+    var _S94 : i32 = select(_S91, _S89 - _S86, _S93);
+    var _S95 : i32 = select(_S91 + _S87, _S89, _S93);
     run_0.bend_1 = bend_of_0(own_0, thread_7);
-    run_0.distance_0 = select(min(_S84, _S86), 1.0e+06f, _S82);
-    run_0.reach_0 = min(0.5f * (_S84 + _S86), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S88, _S89), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S78 == i32(0);
-    run_0.last_crossing_0 = _S79 == i32(0);
+    run_0.distance_0 = select(min(_S90, _S92), 1.0e+06f, _S88);
+    run_0.reach_0 = min(0.5f * (_S90 + _S92), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S94, _S95), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S84 == i32(0);
+    run_0.last_crossing_0 = _S85 == i32(0);
     return run_0;
 }
 
@@ -947,16 +1034,16 @@ struct Section_0
      slope_0 : f32,
 };
 
-fn section_at_0( cell_7 : Cell_0) -> Section_0
+fn section_at_0( cell_8 : Cell_0) -> Section_0
 {
-    var _S90 : f32 = cell_7.half_width_1 * 1.0154266357421875f;
+    var _S96 : f32 = cell_8.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S91 : f32 = clamp(cell_7.across_0, - cell_7.half_width_1, cell_7.half_width_1);
-    section_0.across_3 = _S91;
-    var _S92 : f32 = _S90 * _S90 - square_1(_S91);
-    var _S93 : f32 = rsqrt_0(_S92);
-    section_0.drop_0 = _S90 - _S92 * _S93;
-    section_0.slope_0 = - _S91 * _S93;
+    var _S97 : f32 = clamp(cell_8.across_0, - cell_8.half_width_1, cell_8.half_width_1);
+    section_0.across_3 = _S97;
+    var _S98 : f32 = _S96 * _S96 - square_1(_S97);
+    var _S99 : f32 = rsqrt_0(_S98);
+    section_0.drop_0 = _S96 - _S98 * _S99;
+    section_0.slope_0 = - _S97 * _S99;
     return section_0;
 }
 
@@ -967,33 +1054,99 @@ fn edge_drop_0( family_12 : u32,  thread_8 : u32,  step_1 : i32) -> f32
 
 fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec3<f32>
 {
-    var _S94 : bool = (crossed_1.below_0) < (crossed_1.above_0);
-    var _S95 : f32 = min(crossed_1.below_0, crossed_1.above_0);
-    var _S96 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S94) - crossed_1.half_width_1;
-    var _S97 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S94);
-    var _S98 : f32;
+    var _S100 : bool = (crossed_1.below_0) < (crossed_1.above_0);
+    var _S101 : f32 = min(crossed_1.below_0, crossed_1.above_0);
+    var _S102 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S100) - crossed_1.half_width_1;
+    var _S103 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S100);
+    var _S104 : f32;
     if(shown_1.on_top_0)
     {
-        _S98 = 0.0f;
+        _S104 = 0.0f;
     }
     else
     {
-        _S98 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, i32(0));
+        _S104 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, i32(0));
     }
-    var _S99 : f32;
-    if((shown_1.on_top_0) != _S97)
+    var _S105 : f32;
+    if((shown_1.on_top_0) != _S103)
     {
-        _S99 = 0.0f;
+        _S105 = 0.0f;
     }
     else
     {
-        _S99 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, select(i32(1), i32(-1), _S94));
+        _S105 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, select(i32(1), i32(-1), _S100));
     }
-    var _S100 : f32 = 2.0f * _S96;
-    var _S101 : f32 = 1.0f / max(_S100, 9.999999960041972e-13f);
-    var _S102 : f32 = clamp((_S96 - _S95) * _S101, 0.0f, 1.0f);
-    var _S103 : f32 = clamp((0.44999998807907104f - _S100 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
-    return vec3<f32>(_S98 + (_S99 - _S98) * (_S102 * _S102 * (3.0f - 2.0f * _S102)), (_S98 - _S99) * (6.0f * _S102 * (1.0f - _S102) * _S101) * select(-1.0f, 1.0f, _S94), _S103 * _S103 * (3.0f - 2.0f * _S103));
+    var _S106 : f32 = 2.0f * _S102;
+    var _S107 : f32 = 1.0f / max(_S106, 9.999999960041972e-13f);
+    var _S108 : f32 = clamp((_S102 - _S101) * _S107, 0.0f, 1.0f);
+    var _S109 : f32 = clamp((0.44999998807907104f - _S106 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
+    return vec3<f32>(_S104 + (_S105 - _S104) * (_S108 * _S108 * (3.0f - 2.0f * _S108)), (_S104 - _S105) * (6.0f * _S108 * (1.0f - _S108) * _S107) * select(-1.0f, 1.0f, _S100), _S109 * _S109 * (3.0f - 2.0f * _S109));
+}
+
+struct PlaneHere_0
+{
+     plane_3 : Plane_0,
+     number_2 : u32,
+     level_1 : f32,
+     edge_x_0 : f32,
+     edge_y_0 : f32,
+     bounds_0 : vec3<f32>,
+};
+
+struct Sample_0
+{
+     here_0 : PlaneHere_0,
+     crossing_3 : Crossing_0,
+     shown_2 : Shown_0,
+     run_2 : Run_0,
+     section_1 : Section_0,
+     height_4 : f32,
+     slope_across_0 : f32,
+     slope_along_0 : f32,
+     dive_1 : vec3<f32>,
+     slope_x_0 : f32,
+     slope_y_0 : f32,
+};
+
+fn sample_in_0( here_1 : PlaneHere_0,  x_12 : f32,  y_6 : f32,  back_6 : bool) -> Sample_0
+{
+    var sample_0 : Sample_0;
+    sample_0.here_0 = here_1;
+    var _S110 : Crossing_0 = crossing_at_0(here_1.plane_3, x_12, y_6, back_6);
+    sample_0.crossing_3 = _S110;
+    var _S111 : Shown_0 = shown_at_0(_S110, back_6);
+    sample_0.shown_2 = _S111;
+    var _S112 : u32 = select(here_1.plane_3.weft_2, here_1.plane_3.warp_2, _S111.is_warp_2);
+    var _S113 : u32 = select(here_1.plane_3.warp_2, here_1.plane_3.weft_2, _S111.is_warp_2);
+    var _S114 : Cell_0 = select_cell_0(_S111.is_warp_2, sample_0.crossing_3.warp_3, sample_0.crossing_3.weft_3);
+    var _S115 : Cell_0 = select_cell_0(_S111.is_warp_2, sample_0.crossing_3.weft_3, sample_0.crossing_3.warp_3);
+    var _S116 : Run_0 = unpack_0(_S112, _S113, _S114.thread_1, _S115, _S111.word_0);
+    var _S117 : Section_0 = section_at_0(_S114);
+    var _S118 : bool = ((_S111.on_top_0) & (((_S116.distance_0) < (_S117.drop_0 * _S116.bend_1.sine_0))));
+    var _S119 : f32 = select(-1.0f, 1.0f, ((_S111.on_top_0) & ((!_S118))));
+    var _S120 : f32 = select(_S116.reach_0, _S116.other_reach_0, _S118);
+    var _S121 : f32 = select(max(_S120 - _S116.distance_0, 0.0f), _S120 + _S116.distance_0, _S118);
+    var _S122 : f32 = _S120 / _S116.bend_1.sine_0 - _S119 * _S117.drop_0;
+    var _S123 : f32 = _S121 * _S121;
+    var _S124 : f32 = max(_S122 * _S122 - _S123, 9.99999968265522539e-21f);
+    var _S125 : f32 = rsqrt_0(_S124);
+    var _S126 : f32 = _S123 / (_S124 * _S125 + _S122);
+    var _S127 : bool = _S121 > 0.0f;
+    var _S128 : f32 = select(-1.0f, 1.0f, _S111.on_top_0) * select(-1.0f, 1.0f, _S116.near_start_0);
+    var _S129 : f32 = _S117.slope_0 * select(1.0f, _S122 * _S125, _S127);
+    sample_0.slope_across_0 = _S129;
+    var _S130 : f32 = select(0.0f, _S128 * _S121 * _S125, _S127);
+    sample_0.slope_along_0 = _S130;
+    var _S131 : vec3<f32> = dive_0(_S113, _S111, _S116, _S115);
+    sample_0.dive_1 = _S131;
+    sample_0.height_4 = select(families_0[_S112].height_scale_0 * _S119, 0.0f, _S116.straight_0) * (_S120 * _S116.bend_1.half_tangent_0 - _S126) - families_0[_S112].height_scale_0 * _S117.drop_0 - _S131.x + here_1.level_1;
+    var _S132 : f32 = families_0[_S112].height_scale_0 * _S129;
+    var _S133 : f32 = families_0[_S112].height_scale_0 * _S130 - _S131.y;
+    sample_0.slope_x_0 = select(_S133, _S132, _S111.is_warp_2);
+    sample_0.slope_y_0 = select(_S132, _S133, _S111.is_warp_2);
+    sample_0.run_2 = _S116;
+    sample_0.section_1 = _S117;
+    return sample_0;
 }
 
 struct StepControl_0
@@ -1002,8 +1155,8 @@ struct StepControl_0
      epsilon_0 : f32,
      per_x_0 : f32,
      per_y_0 : f32,
-     right_0 : bool,
-     up_0 : bool,
+     right_1 : bool,
+     up_1 : bool,
 };
 
 fn step_control_0( direction_2 : vec2<f32>,  step_3 : f32) -> StepControl_0
@@ -1011,12 +1164,12 @@ fn step_control_0( direction_2 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S104 : f32 = direction_2.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S104), 9.99999971718068537e-10f);
-    var _S105 : f32 = direction_2.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S105), 9.99999971718068537e-10f);
-    control_0.right_0 = _S104 > 0.0f;
-    control_0.up_0 = _S105 > 0.0f;
+    var _S134 : f32 = direction_2.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S134), 9.99999971718068537e-10f);
+    var _S135 : f32 = direction_2.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S135), 9.99999971718068537e-10f);
+    control_0.right_1 = _S134 > 0.0f;
+    control_0.up_1 = _S135 > 0.0f;
     return control_0;
 }
 
@@ -1038,63 +1191,63 @@ fn no_previous_sample_0() -> PreviousSample_0
     return previous_0;
 }
 
-fn outline_distance_0( cell_8 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
+fn outline_distance_0( cell_9 : Cell_0,  shown_3 : Shown_0,  run_3 : Run_0,  lengthwise_0 : bool,  forwards_1 : bool) -> f32
 {
-    var _S106 : f32 = select(- cell_8.across_0, cell_8.across_0, forwards_0);
-    var _S107 : f32 = select(cell_8.below_0, cell_8.above_0, forwards_0);
-    var _S108 : f32 = - cell_8.half_width_1;
-    var _S109 : bool = _S106 < _S108;
-    var _S110 : bool = _S106 >= (cell_8.half_width_1);
-    var _S111 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_3)));
-    var _S112 : f32 = select(cell_8.half_width_1, _S108, _S109) - _S106;
-    var _S113 : f32 = select(_S107, 2.0f * _S107 + _S106 - cell_8.half_width_1, ((shown_2.hole_3) | (((_S111 & ((!shown_2.on_top_0)))))));
-    if((((_S111 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S109)))))))
+    var _S136 : f32 = select(- cell_9.across_0, cell_9.across_0, forwards_1);
+    var _S137 : f32 = select(cell_9.below_0, cell_9.above_0, forwards_1);
+    var _S138 : f32 = - cell_9.half_width_1;
+    var _S139 : bool = _S136 < _S138;
+    var _S140 : bool = _S136 >= (cell_9.half_width_1);
+    var _S141 : bool = (((lengthwise_0 & ((!select(run_3.first_crossing_0, run_3.last_crossing_0, forwards_1))))) & ((!shown_3.hole_3)));
+    var _S142 : f32 = select(cell_9.half_width_1, _S138, _S139) - _S136;
+    var _S143 : f32 = select(_S137, 2.0f * _S137 + _S136 - cell_9.half_width_1, ((shown_3.hole_3) | (((_S141 & ((!shown_3.on_top_0)))))));
+    if((((_S141 & ((shown_3.on_top_0)))) & ((!((select(run_3.last_crossing_0, run_3.first_crossing_0, forwards_1) & (_S139)))))))
     {
-        return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
+        return select(run_3.from_start_0, run_3.to_end_0, forwards_1);
     }
-    return select(_S112, _S113, _S110);
+    return select(_S142, _S143, _S140);
 }
 
 struct Probe_0
 {
-     height_4 : f32,
+     height_5 : f32,
      hole_4 : bool,
-     slope_x_0 : f32,
-     slope_y_0 : f32,
+     slope_x_1 : f32,
+     slope_y_1 : f32,
      yarn_1 : u32,
      cell_max_0 : f32,
      side_x_0 : f32,
      side_y_0 : f32,
-     edge_x_0 : f32,
-     edge_y_0 : f32,
+     edge_x_1 : f32,
+     edge_y_1 : f32,
 };
 
-fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
+fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_2 : Probe_0) -> f32
 {
-    var _S114 : f32 = previous_1.rate_0 * step_4;
-    var _S115 : f32 = rate_1 * step_4;
-    if(((((((((!previous_1.known_0) | ((here_0.hole_4)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
+    var _S144 : f32 = previous_1.rate_0 * step_4;
+    var _S145 : f32 = rate_1 * step_4;
+    if(((((((((!previous_1.known_0) | ((here_2.hole_4)))) | (((previous_1.yarn_0) != (here_2.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((((3.0f * previous_1.clearance_0 + _S114) >= 0.0f) & (((3.0f * clearance_1 - _S115) >= 0.0f))))
+    if((((3.0f * previous_1.clearance_0 + _S144) >= 0.0f) & (((3.0f * clearance_1 - _S145) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S116 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S117 : f32 = 6.0f * _S116 - 4.0f * _S114 - 2.0f * _S115;
-    var _S118 : f32 = -2.0f * _S114 / max(_S117 + sqrt(max(_S117 * _S117 - 4.0f * (3.0f * (_S114 + _S115 - 2.0f * _S116)) * _S114, 0.0f)), 9.99999968265522539e-21f);
-    var _S119 : f32 = 1.0f - _S118;
-    return select(-1.0f, _S119 * step_4, ((((_S118 > 0.01999999955296516f) & ((_S119 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S118 + 1.0f) + _S114 * _S118) * _S119 * _S119 + (clearance_1 * (2.0f * _S119 + 1.0f) - _S115 * _S119) * _S118 * _S118) < 0.0f))));
+    var _S146 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S147 : f32 = 6.0f * _S146 - 4.0f * _S144 - 2.0f * _S145;
+    var _S148 : f32 = -2.0f * _S144 / max(_S147 + sqrt(max(_S147 * _S147 - 4.0f * (3.0f * (_S144 + _S145 - 2.0f * _S146)) * _S144, 0.0f)), 9.99999968265522539e-21f);
+    var _S149 : f32 = 1.0f - _S148;
+    return select(-1.0f, _S149 * step_4, ((((_S148 > 0.01999999955296516f) & ((_S149 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S148 + 1.0f) + _S144 * _S148) * _S149 * _S149 + (clearance_1 * (2.0f * _S149 + 1.0f) - _S145 * _S149) * _S148 * _S148) < 0.0f))));
 }
 
-fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
+fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_3 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
 {
     var previous_2 : PreviousSample_0;
-    previous_2.clearance_0 = select(clearance_2, 1.0e+09f, here_1.hole_4);
+    previous_2.clearance_0 = select(clearance_2, 1.0e+09f, here_3.hole_4);
     previous_2.rate_0 = rate_2;
-    previous_2.yarn_0 = here_1.yarn_1;
-    previous_2.known_0 = ((!here_1.hole_4) & ((!is_cell_exit_0)));
+    previous_2.yarn_0 = here_3.yarn_1;
+    previous_2.known_0 = ((!here_3.hole_4) & ((!is_cell_exit_0)));
     return previous_2;
 }
 
@@ -1103,10 +1256,10 @@ fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_1 : f32,  side_y_
     return max(min(side_x_1 * this_1.per_x_0, side_y_1 * this_1.per_y_0), 0.0f) + this_1.epsilon_0;
 }
 
-fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
+fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_4 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S120 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
-    return min(this_2.step_2, select(max(_S120, 0.0f) + this_2.epsilon_0, _S120 - this_2.epsilon_0, ((((!here_2.hole_4) & (((rate_3 * _S120 + clearance_3) < 0.0f)))) & ((_S120 > (2.0f * this_2.epsilon_0))))));
+    var _S150 : f32 = min(here_4.edge_x_1 * this_2.per_x_0, here_4.edge_y_1 * this_2.per_y_0);
+    return min(this_2.step_2, select(max(_S150, 0.0f) + this_2.epsilon_0, _S150 - this_2.epsilon_0, ((((!here_4.hole_4) & (((rate_3 * _S150 + clearance_3) < 0.0f)))) & ((_S150 > (2.0f * this_2.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -1115,22 +1268,22 @@ struct ViewRay_0
      slope_1 : vec2<f32>,
 };
 
-fn ViewRay_at_0( this_3 : ViewRay_0,  height_5 : f32) -> vec2<f32>
+fn ViewRay_at_0( this_3 : ViewRay_0,  height_6 : f32) -> vec2<f32>
 {
-    return this_3.origin_0 + this_3.slope_1 * vec2<f32>(height_5);
+    return this_3.origin_0 + this_3.slope_1 * vec2<f32>(height_6);
 }
 
-fn ViewRay_rate_0( this_4 : ViewRay_0,  here_3 : Probe_0) -> f32
+fn ViewRay_rate_0( this_4 : ViewRay_0,  here_5 : Probe_0) -> f32
 {
-    return here_3.slope_x_0 * this_4.slope_1.x + here_3.slope_y_0 * this_4.slope_1.y - 1.0f;
+    return here_5.slope_x_1 * this_4.slope_1.x + here_5.slope_y_1 * this_4.slope_1.y - 1.0f;
 }
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S121 : f32 = end_0 - start_1;
-    var _S122 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S121;
-    var _S123 : f32 = 3.0f * _S121 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S121, 9.99999968265522539e-21f);
+    var _S151 : f32 = end_0 - start_1;
+    var _S152 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S151;
+    var _S153 : f32 = 3.0f * _S151 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S151, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -1141,10 +1294,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S124 : f32 = clamp(share_1 - (((_S122 * share_1 + _S123) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S122 * share_1 + 2.0f * _S123) * share_1 + start_rate_0, 0.10000000149011612f * _S121 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S125 : i32 = i_0 + i32(1);
-        share_1 = _S124;
-        i_0 = _S125;
+        var _S154 : f32 = clamp(share_1 - (((_S152 * share_1 + _S153) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S152 * share_1 + 2.0f * _S153) * share_1 + start_rate_0, 0.10000000149011612f * _S151 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S155 : i32 = i_0 + i32(1);
+        share_1 = _S154;
+        i_0 = _S155;
     }
     return share_1;
 }
@@ -1156,37 +1309,37 @@ fn between_0( above_1 : f32,  under_0 : f32,  above_gap_0 : f32,  under_gap_0 : 
 
 fn fibre_direction_0( across_slope_0 : f32,  along_slope_0 : f32,  sine_1 : f32,  cosine_0 : f32) -> vec2<f32>
 {
-    var _S126 : f32 = along_slope_0 * along_slope_0 + 1.0f;
-    var _S127 : f32 = rsqrt_0(_S126);
-    var _S128 : f32 = sine_1 * _S127 * rsqrt_0(_S126 + across_slope_0 * across_slope_0);
-    return vec2<f32>(- _S128 * _S126, _S128 * across_slope_0 * along_slope_0 + cosine_0 * _S127);
+    var _S156 : f32 = along_slope_0 * along_slope_0 + 1.0f;
+    var _S157 : f32 = rsqrt_0(_S156);
+    var _S158 : f32 = sine_1 * _S157 * rsqrt_0(_S156 + across_slope_0 * across_slope_0);
+    return vec2<f32>(- _S158 * _S156, _S158 * across_slope_0 * along_slope_0 + cosine_0 * _S157);
 }
 
-fn arc_sine_0( x_10 : f32) -> f32
+fn arc_sine_0( x_13 : f32) -> f32
 {
-    var _S129 : f32 = abs(x_10);
-    var _S130 : bool = _S129 > 0.5f;
-    var _S131 : f32 = select(_S129 * _S129, 0.5f * (1.0f - _S129), _S130);
-    var _S132 : f32 = select(_S129, sqrt(max(_S131, 0.0f)), _S130);
-    var _S133 : f32 = ((((0.04216320067644119f * _S131 + 0.02418131195008755f) * _S131 + 0.04547002539038658f) * _S131 + 0.07495300471782684f) * _S131 + 0.16666752099990845f) * _S131 * _S132 + _S132;
-    var _S134 : f32 = select(_S133, 1.57079637050628662f - 2.0f * _S133, _S130);
-    return select(_S134, - _S134, x_10 < 0.0f);
+    var _S159 : f32 = abs(x_13);
+    var _S160 : bool = _S159 > 0.5f;
+    var _S161 : f32 = select(_S159 * _S159, 0.5f * (1.0f - _S159), _S160);
+    var _S162 : f32 = select(_S159, sqrt(max(_S161, 0.0f)), _S160);
+    var _S163 : f32 = ((((0.04216320067644119f * _S161 + 0.02418131195008755f) * _S161 + 0.04547002539038658f) * _S161 + 0.07495300471782684f) * _S161 + 0.16666752099990845f) * _S161 * _S162 + _S162;
+    var _S164 : f32 = select(_S163, 1.57079637050628662f - 2.0f * _S163, _S160);
+    return select(_S164, - _S164, x_13 < 0.0f);
 }
 
 fn run_share_0( word_2 : u32) -> f32
 {
-    var _S135 : f32 = f32(((((word_2 >> (u32(1)))) & (u32(127)))) + ((((word_2 >> (u32(8)))) & (u32(127)))) + u32(1));
-    return _S135 / (_S135 + 0.5f * f32(((((word_2 >> (u32(15)))) & (u32(63)))) + ((((word_2 >> (u32(21)))) & (u32(63))))));
+    var _S165 : f32 = f32(((((word_2 >> (u32(1)))) & (u32(127)))) + ((((word_2 >> (u32(8)))) & (u32(127)))) + u32(1));
+    return _S165 / (_S165 + 0.5f * f32(((((word_2 >> (u32(15)))) & (u32(63)))) + ((((word_2 >> (u32(21)))) & (u32(63))))));
 }
 
 fn angle_of_0( direction_3 : vec2<f32>) -> f32
 {
-    var _S136 : f32 = direction_3.x;
-    var _S137 : f32 = arc_sine_0(_S136);
-    var _S138 : bool = _S136 < 0.0f;
-    var _S139 : f32 = select(3.14159274101257324f, -3.14159274101257324f, _S138);
-    var _S140 : f32 = direction_3.y;
-    return select(0.5f * _S139 - select(1.0f, -1.0f, _S138) * arc_sine_0(_S140), select(_S137, _S139 - _S137, _S140 < 0.0f), (abs(_S136)) < 0.69999998807907104f);
+    var _S166 : f32 = direction_3.x;
+    var _S167 : f32 = arc_sine_0(_S166);
+    var _S168 : bool = _S166 < 0.0f;
+    var _S169 : f32 = select(3.14159274101257324f, -3.14159274101257324f, _S168);
+    var _S170 : f32 = direction_3.y;
+    return select(0.5f * _S169 - select(1.0f, -1.0f, _S168) * arc_sine_0(_S170), select(_S167, _S169 - _S167, _S170 < 0.0f), (abs(_S166)) < 0.69999998807907104f);
 }
 
 struct Albedos_0
@@ -1199,40 +1352,40 @@ struct Albedos_0
 
 fn Albedos_x24init_0( diffuse_reflect_1 : vec3<f32>,  diffuse_transmit_1 : vec3<f32>,  specular_reflect_1 : vec3<f32>,  specular_transmit_1 : vec3<f32>) -> Albedos_0
 {
-    var _S141 : Albedos_0;
-    _S141.diffuse_reflect_0 = diffuse_reflect_1;
-    _S141.diffuse_transmit_0 = diffuse_transmit_1;
-    _S141.specular_reflect_0 = specular_reflect_1;
-    _S141.specular_transmit_0 = specular_transmit_1;
-    return _S141;
+    var _S171 : Albedos_0;
+    _S171.diffuse_reflect_0 = diffuse_reflect_1;
+    _S171.diffuse_transmit_0 = diffuse_transmit_1;
+    _S171.specular_reflect_0 = specular_reflect_1;
+    _S171.specular_transmit_0 = specular_transmit_1;
+    return _S171;
 }
 
 struct Hairs_0
 {
      place_1 : vec2<f32>,
      below_1 : f32,
-     back_4 : bool,
+     back_7 : bool,
      size_3 : f32,
 };
 
-fn Hairs_x24init_0( place_2 : vec2<f32>,  below_2 : f32,  back_5 : bool,  size_4 : f32) -> Hairs_0
+fn Hairs_x24init_0( place_2 : vec2<f32>,  below_2 : f32,  back_8 : bool,  size_4 : f32) -> Hairs_0
 {
-    var _S142 : Hairs_0;
-    _S142.place_1 = place_2;
-    _S142.below_1 = below_2;
-    _S142.back_4 = back_5;
-    _S142.size_3 = size_4;
-    return _S142;
+    var _S172 : Hairs_0;
+    _S172.place_1 = place_2;
+    _S172.below_1 = below_2;
+    _S172.back_7 = back_8;
+    _S172.size_3 = size_4;
+    return _S172;
 }
 
 struct YarnPoint_0
 {
-     back_6 : bool,
+     back_9 : bool,
      hole_5 : bool,
      is_warp_3 : bool,
-     x_11 : f32,
-     y_4 : f32,
-     height_6 : f32,
+     x_14 : f32,
+     y_7 : f32,
+     height_7 : f32,
      normal_3 : vec3<f32>,
      tangent_2 : vec3<f32>,
      surface_normal_0 : vec3<f32>,
@@ -1241,26 +1394,28 @@ struct YarnPoint_0
      albedos_0 : Albedos_0,
      hairs_0 : Hairs_0,
      hair_cover_0 : f32,
+     place_3 : vec2<f32>,
 };
 
-fn YarnPoint_x24init_0( back_7 : bool,  hole_6 : bool,  is_warp_4 : bool,  x_12 : f32,  y_5 : f32,  height_7 : f32,  normal_4 : vec3<f32>,  tangent_3 : vec3<f32>,  surface_normal_1 : vec3<f32>,  diffuse_gain_1 : f32,  roughness_2 : f32,  albedos_1 : Albedos_0,  hairs_1 : Hairs_0,  hair_cover_1 : f32) -> YarnPoint_0
+fn YarnPoint_x24init_0( back_10 : bool,  hole_6 : bool,  is_warp_4 : bool,  x_15 : f32,  y_8 : f32,  height_8 : f32,  normal_4 : vec3<f32>,  tangent_3 : vec3<f32>,  surface_normal_1 : vec3<f32>,  diffuse_gain_1 : f32,  roughness_2 : f32,  albedos_1 : Albedos_0,  hairs_1 : Hairs_0,  hair_cover_1 : f32,  place_4 : vec2<f32>) -> YarnPoint_0
 {
-    var _S143 : YarnPoint_0;
-    _S143.back_6 = back_7;
-    _S143.hole_5 = hole_6;
-    _S143.is_warp_3 = is_warp_4;
-    _S143.x_11 = x_12;
-    _S143.y_4 = y_5;
-    _S143.height_6 = height_7;
-    _S143.normal_3 = normal_4;
-    _S143.tangent_2 = tangent_3;
-    _S143.surface_normal_0 = surface_normal_1;
-    _S143.diffuse_gain_0 = diffuse_gain_1;
-    _S143.roughness_1 = roughness_2;
-    _S143.albedos_0 = albedos_1;
-    _S143.hairs_0 = hairs_1;
-    _S143.hair_cover_0 = hair_cover_1;
-    return _S143;
+    var _S173 : YarnPoint_0;
+    _S173.back_9 = back_10;
+    _S173.hole_5 = hole_6;
+    _S173.is_warp_3 = is_warp_4;
+    _S173.x_14 = x_15;
+    _S173.y_7 = y_8;
+    _S173.height_7 = height_8;
+    _S173.normal_3 = normal_4;
+    _S173.tangent_2 = tangent_3;
+    _S173.surface_normal_0 = surface_normal_1;
+    _S173.diffuse_gain_0 = diffuse_gain_1;
+    _S173.roughness_1 = roughness_2;
+    _S173.albedos_0 = albedos_1;
+    _S173.hairs_0 = hairs_1;
+    _S173.hair_cover_0 = hair_cover_1;
+    _S173.place_3 = place_4;
+    return _S173;
 }
 
 struct Hair_0
@@ -1274,13 +1429,13 @@ struct Hair_0
 
 fn Hair_x24init_0( cover_2 : f32,  normal_6 : vec3<f32>,  tangent_5 : vec3<f32>,  is_warp_6 : bool,  shade_1 : f32) -> Hair_0
 {
-    var _S144 : Hair_0;
-    _S144.cover_1 = cover_2;
-    _S144.normal_5 = normal_6;
-    _S144.tangent_4 = tangent_5;
-    _S144.is_warp_5 = is_warp_6;
-    _S144.shade_0 = shade_1;
-    return _S144;
+    var _S174 : Hair_0;
+    _S174.cover_1 = cover_2;
+    _S174.normal_5 = normal_6;
+    _S174.tangent_4 = tangent_5;
+    _S174.is_warp_5 = is_warp_6;
+    _S174.shade_0 = shade_1;
+    return _S174;
 }
 
 fn share_of_0( bits_0 : u32) -> f32
@@ -1288,10 +1443,10 @@ fn share_of_0( bits_0 : u32) -> f32
     return (f32((bits_0 & (u32(1023)))) + 0.5f) * 0.0009765625f;
 }
 
-fn ply_offset_0( family_13 : u32,  point_1 : SurfacePoint_0,  back_8 : bool) -> f32
+fn ply_offset_0( family_13 : u32,  point_1 : SurfacePoint_0,  back_11 : bool) -> f32
 {
-    var _S145 : f32 = (point_1.fibre_across_0 * families_0[family_13].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_13].ply_sine_0, - families_0[family_13].ply_sine_0, back_8)) * families_0[family_13].plies_per_mm_0;
-    return 2.0f * (_S145 - floor(_S145)) - 1.0f;
+    var _S175 : f32 = (point_1.fibre_across_0 * families_0[family_13].ply_cosine_0 + point_1.fibre_along_0 * select(families_0[family_13].ply_sine_0, - families_0[family_13].ply_sine_0, back_11)) * families_0[family_13].plies_per_mm_0;
+    return 2.0f * (_S175 - floor(_S175)) - 1.0f;
 }
 
 fn signed_noise_0( bits_1 : u32) -> f32
@@ -1306,28 +1461,28 @@ fn smooth_share_0( share_2 : f32) -> f32
 
 fn wave_noise_0( key_4 : u32,  position_5 : f32) -> vec2<f32>
 {
-    var _S146 : f32 = floor(position_5);
-    var _S147 : f32 = position_5 - _S146;
-    var _S148 : u32 = u32(i32(_S146));
-    var _S149 : f32 = signed_noise_0(hash_bits_0(key_4, _S148));
-    var _S150 : f32 = signed_noise_0(hash_bits_0(key_4, _S148 + u32(1)));
-    return vec2<f32>(mix(_S149, _S150, smooth_share_0(_S147)), 6.0f * _S147 * (1.0f - _S147) * (_S150 - _S149));
+    var _S176 : f32 = floor(position_5);
+    var _S177 : f32 = position_5 - _S176;
+    var _S178 : u32 = u32(i32(_S176));
+    var _S179 : f32 = signed_noise_0(hash_bits_0(key_4, _S178));
+    var _S180 : f32 = signed_noise_0(hash_bits_0(key_4, _S178 + u32(1)));
+    return vec2<f32>(mix(_S179, _S180, smooth_share_0(_S177)), 6.0f * _S177 * (1.0f - _S177) * (_S180 - _S179));
 }
 
 fn fibre_cell_0( across_4 : f32,  along_1 : f32,  width_2 : f32) -> vec3<f32>
 {
-    var _S151 : f32 = floor(across_4 / width_2);
-    return vec3<f32>(_S151, along_1 / (width_2 * 40.0f) + 0.61799997091293335f * _S151, 2.0f * (across_4 / width_2 - _S151) - 1.0f);
+    var _S181 : f32 = floor(across_4 / width_2);
+    return vec3<f32>(_S181, along_1 / (width_2 * 40.0f) + 0.61799997091293335f * _S181, 2.0f * (across_4 / width_2 - _S181) - 1.0f);
 }
 
-fn cell_noise_0( key_5 : u32,  cell_9 : vec3<f32>) -> vec2<f32>
+fn cell_noise_0( key_5 : u32,  cell_10 : vec3<f32>) -> vec2<f32>
 {
-    var _S152 : f32 = cell_9.y;
-    var _S153 : f32 = floor(_S152);
-    var _S154 : u32 = u32(i32(cell_9.x)) * u32(65536) + u32(i32(_S153));
-    var _S155 : u32 = hash_bits_0(key_5, _S154);
-    var _S156 : u32 = hash_bits_0(key_5, _S154 + u32(1));
-    return mix(vec2<f32>(signed_noise_0(_S155), signed_noise_0((_S155 >> (u32(16))))), vec2<f32>(signed_noise_0(_S156), signed_noise_0((_S156 >> (u32(16))))), vec2<f32>(smooth_share_0(_S152 - _S153)));
+    var _S182 : f32 = cell_10.y;
+    var _S183 : f32 = floor(_S182);
+    var _S184 : u32 = u32(i32(cell_10.x)) * u32(65536) + u32(i32(_S183));
+    var _S185 : u32 = hash_bits_0(key_5, _S184);
+    var _S186 : u32 = hash_bits_0(key_5, _S184 + u32(1));
+    return mix(vec2<f32>(signed_noise_0(_S185), signed_noise_0((_S185 >> (u32(16))))), vec2<f32>(signed_noise_0(_S186), signed_noise_0((_S186 >> (u32(16))))), vec2<f32>(smooth_share_0(_S182 - _S183)));
 }
 
 struct YarnFrame_0
@@ -1340,14 +1495,14 @@ struct YarnFrame_0
 
 fn under_hair_0( frame_0 : YarnFrame_0,  hair_0 : Hair_0) -> YarnFrame_0
 {
-    var _S157 : vec3<f32> = select_vector_1((dot(frame_0.tangent_6, hair_0.tangent_4)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_4), hair_0.tangent_4);
+    var _S187 : vec3<f32> = select_vector_1((dot(frame_0.tangent_6, hair_0.tangent_4)) < 0.0f, (vec3<f32>(0) - hair_0.tangent_4), hair_0.tangent_4);
     var blended_0 : YarnFrame_0;
-    var _S158 : vec3<f32> = vec3<f32>(hair_0.cover_1);
-    var _S159 : vec3<f32> = normalize(mix(frame_0.normal_7, hair_0.normal_5, _S158));
-    blended_0.normal_7 = _S159;
-    var _S160 : vec3<f32> = mix(frame_0.tangent_6, _S157, _S158);
-    var _S161 : vec3<f32> = _S160 - vec3<f32>(dot(_S160, _S159)) * _S159;
-    blended_0.tangent_6 = _S161 * vec3<f32>(rsqrt_0(max(dot(_S161, _S161), 9.999999960041972e-13f)));
+    var _S188 : vec3<f32> = vec3<f32>(hair_0.cover_1);
+    var _S189 : vec3<f32> = normalize(mix(frame_0.normal_7, hair_0.normal_5, _S188));
+    blended_0.normal_7 = _S189;
+    var _S190 : vec3<f32> = mix(frame_0.tangent_6, _S187, _S188);
+    var _S191 : vec3<f32> = _S190 - vec3<f32>(dot(_S190, _S189)) * _S189;
+    blended_0.tangent_6 = _S191 * vec3<f32>(rsqrt_0(max(dot(_S191, _S191), 9.999999960041972e-13f)));
     blended_0.loss_0 = frame_0.loss_0 * (1.0f - hair_0.cover_1);
     blended_0.shade_2 = hair_0.shade_0;
     return blended_0;
@@ -1360,18 +1515,18 @@ fn diffuse_gain_2( frame_1 : YarnFrame_0,  blend_0 : f32) -> f32
 
 fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_8 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S162 : f32 = light_1.z;
-    if(_S162 <= 0.0f)
+    var _S192 : f32 = light_1.z;
+    if(_S192 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S162, 0.0f), max(dot(light_1, normal_8), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S192, 0.0f), max(dot(light_1, normal_8), 0.0f), blend_1);
 }
 
 fn projected_area_1( direction_4 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S163 : f32 = dot(direction_4, tangent_7);
-    return sqrt(max((roughness_3 + 1.0f) * (roughness_3 - 1.0f) * _S163 * _S163 + 1.0f, roughness_3 * roughness_3));
+    var _S193 : f32 = dot(direction_4, tangent_7);
+    return sqrt(max((roughness_3 + 1.0f) * (roughness_3 - 1.0f) * _S193 * _S193 + 1.0f, roughness_3 * roughness_3));
 }
 
 fn mean_attenuation_0( depth_0 : f32) -> f32
@@ -1385,45 +1540,45 @@ fn mean_attenuation_0( depth_0 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_4 : f32) -> f32
 {
-    var _S164 : f32 = roughness_4 * roughness_4;
-    var _S165 : f32 = squared_along_0 * (1.0f - _S164) + _S164;
-    return 0.31830987334251404f * _S164 * roughness_4 / (_S165 * _S165);
+    var _S194 : f32 = roughness_4 * roughness_4;
+    var _S195 : f32 = squared_along_0 * (1.0f - _S194) + _S194;
+    return 0.31830987334251404f * _S194 * roughness_4 / (_S195 * _S195);
 }
 
 fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_5 : f32) -> f32
 {
-    var _S166 : vec3<f32> = light_2 + view_1;
-    var _S167 : f32 = dot(_S166, tangent_8);
-    return flake_density_0(min(_S167 * _S167 / max(square_0(_S166), 9.999999960041972e-13f), 1.0f), roughness_5);
+    var _S196 : vec3<f32> = light_2 + view_1;
+    var _S197 : f32 = dot(_S196, tangent_8);
+    return flake_density_0(min(_S197 * _S197 / max(square_0(_S196), 9.999999960041972e-13f), 1.0f), roughness_5);
 }
 
 fn transmission_1( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_9 : vec3<f32>,  tangent_9 : vec3<f32>,  roughness_6 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S168 : f32 = - dot(light_3, normal_9);
-    var _S169 : f32 = dot(view_2, normal_9);
-    if(((_S168 <= 0.0f) | ((_S169 <= 0.0f))))
+    var _S198 : f32 = - dot(light_3, normal_9);
+    var _S199 : f32 = dot(view_2, normal_9);
+    if(((_S198 <= 0.0f) | ((_S199 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S170 : f32 = 1.0f / max(_S169, 9.99999997475242708e-07f);
-    var _S171 : f32 = projected_area_1(light_3, tangent_9, roughness_6) / max(_S168, 9.99999997475242708e-07f);
-    var _S172 : f32 = projected_area_1(view_2, tangent_9, roughness_6) * _S170;
-    return density_between_0(light_3, view_2, tangent_9, roughness_6) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S171, _S172)) * mean_attenuation_0(optical_depth_1 * abs(_S171 - _S172)) * _S170;
+    var _S200 : f32 = 1.0f / max(_S199, 9.99999997475242708e-07f);
+    var _S201 : f32 = projected_area_1(light_3, tangent_9, roughness_6) / max(_S198, 9.99999997475242708e-07f);
+    var _S202 : f32 = projected_area_1(view_2, tangent_9, roughness_6) * _S200;
+    return density_between_0(light_3, view_2, tangent_9, roughness_6) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S201, _S202)) * mean_attenuation_0(optical_depth_1 * abs(_S201 - _S202)) * _S200;
 }
 
 fn reflection_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_10 : vec3<f32>,  tangent_10 : vec3<f32>,  roughness_7 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S173 : f32 = dot(light_4, normal_10);
-    var _S174 : f32 = dot(view_3, normal_10);
-    if(((_S173 <= 0.0f) | ((_S174 <= 0.0f))))
+    var _S203 : f32 = dot(light_4, normal_10);
+    var _S204 : f32 = dot(view_3, normal_10);
+    if(((_S203 <= 0.0f) | ((_S204 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S175 : f32 = max(_S173, 9.99999997475242708e-07f);
-    var _S176 : f32 = max(_S174, 9.99999997475242708e-07f);
-    var _S177 : f32 = projected_area_1(light_4, tangent_10, roughness_7) * _S176 + projected_area_1(view_3, tangent_10, roughness_7) * _S175;
-    var _S178 : f32 = optical_depth_2 * _S177 / (_S175 * _S176);
-    return 0.25f * density_between_0(light_4, view_3, tangent_10, roughness_7) * (_S178 * mean_attenuation_0(_S178)) * _S175 / _S177;
+    var _S205 : f32 = max(_S203, 9.99999997475242708e-07f);
+    var _S206 : f32 = max(_S204, 9.99999997475242708e-07f);
+    var _S207 : f32 = projected_area_1(light_4, tangent_10, roughness_7) * _S206 + projected_area_1(view_3, tangent_10, roughness_7) * _S205;
+    var _S208 : f32 = optical_depth_2 * _S207 / (_S205 * _S206);
+    return 0.25f * density_between_0(light_4, view_3, tangent_10, roughness_7) * (_S208 * mean_attenuation_0(_S208)) * _S205 / _S207;
 }
 
 fn with_added_0( sums_2 : Components_0,  more_0 : Components_0,  weight_1 : f32) -> Components_0
@@ -1452,9 +1607,9 @@ fn wrapped_cell_0( position_6 : f32,  count_2 : f32) -> f32
     return min(floor((position_6 - floor(position_6)) * count_2), count_2 - 1.0f);
 }
 
-fn arc_tangent_quotient_0( x_13 : f32,  y_6 : f32) -> f32
+fn arc_tangent_quotient_0( x_16 : f32,  y_9 : f32) -> f32
 {
-    return ((((((0.0f * x_13 + 0.00809729471802711f) * x_13 + -0.0377517081797123f) * x_13 + 0.08475969731807709f) * x_13 + -0.13537675142288208f) * x_13 + 0.19895026087760925f) * x_13 + -0.33327975869178772f) * x_13 + 0.99999970197677612f;
+    return ((((((0.0f * x_16 + 0.00809729471802711f) * x_16 + -0.0377517081797123f) * x_16 + 0.08475969731807709f) * x_16 + -0.13537675142288208f) * x_16 + 0.19895026087760925f) * x_16 + -0.33327975869178772f) * x_16 + 0.99999970197677612f;
 }
 
 fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
@@ -1462,14 +1617,14 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
 }
 
-fn arc_tangent_0( y_7 : f32,  x_14 : f32) -> f32
+fn arc_tangent_0( y_10 : f32,  x_17 : f32) -> f32
 {
-    var _S179 : f32 = abs(x_14);
-    var _S180 : f32 = abs(y_7);
-    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S179, _S180) / max(max(_S179, _S180), 1.00000000317107685e-30f));
-    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S180 > _S179);
-    var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_14 < 0.0f);
-    return select(angle_2, - angle_2, y_7 < 0.0f);
+    var _S209 : f32 = abs(x_17);
+    var _S210 : f32 = abs(y_10);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S209, _S210) / max(max(_S209, _S210), 1.00000000317107685e-30f));
+    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S210 > _S209);
+    var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_17 < 0.0f);
+    return select(angle_2, - angle_2, y_10 < 0.0f);
 }
 
 struct NodeTaps_0
@@ -1481,45 +1636,45 @@ struct NodeTaps_0
 
 fn node_taps_of_0( direction_5 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
 {
-    var _S181 : f32 = arc_tangent_0(direction_5.y, direction_5.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
-    var _S182 : f32 = floor(_S181);
-    var _S183 : f32 = _S181 - _S182;
-    var _S184 : f32 = sqrt(clamp((1.0f - abs(direction_5.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    var _S185 : f32 = 7.0f * _S184 * sqrt(_S184);
-    var _S186 : f32 = min(floor(_S185), 6.0f);
-    var _S187 : f32 = _S185 - _S186;
-    var _S188 : u32 = u32(i32(_S182) + i32(azimuths_0)) % azimuths_0;
-    var _S189 : u32 = u32(_S186);
-    var _S190 : u32 = _S188 * u32(8) + _S189;
-    var _S191 : u32 = (_S188 + u32(1)) % azimuths_0;
-    var _S192 : u32 = _S191 * u32(8) + _S189;
+    var _S211 : f32 = arc_tangent_0(direction_5.y, direction_5.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
+    var _S212 : f32 = floor(_S211);
+    var _S213 : f32 = _S211 - _S212;
+    var _S214 : f32 = sqrt(clamp((1.0f - abs(direction_5.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    var _S215 : f32 = 7.0f * _S214 * sqrt(_S214);
+    var _S216 : f32 = min(floor(_S215), 6.0f);
+    var _S217 : f32 = _S215 - _S216;
+    var _S218 : u32 = u32(i32(_S212) + i32(azimuths_0)) % azimuths_0;
+    var _S219 : u32 = u32(_S216);
+    var _S220 : u32 = _S218 * u32(8) + _S219;
+    var _S221 : u32 = (_S218 + u32(1)) % azimuths_0;
+    var _S222 : u32 = _S221 * u32(8) + _S219;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S190, _S190 + u32(1), _S192, _S192 + u32(1));
-    var _S193 : f32 = 1.0f - _S183;
-    var _S194 : f32 = 1.0f - _S187;
-    var _S195 : vec4<u32> = vec4<u32>(vec4<f32>(_S193 * _S194, _S193 * _S187, _S183 * _S194, _S183 * _S187) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S195;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S195.x + _S195.y + _S195.z + _S195.w);
+    taps_0.nodes_0 = vec4<u32>(_S220, _S220 + u32(1), _S222, _S222 + u32(1));
+    var _S223 : f32 = 1.0f - _S213;
+    var _S224 : f32 = 1.0f - _S217;
+    var _S225 : vec4<u32> = vec4<u32>(vec4<f32>(_S223 * _S224, _S223 * _S217, _S213 * _S224, _S213 * _S217) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S225;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S225.x + _S225.y + _S225.z + _S225.w);
     return taps_0;
 }
 
 fn node_taps_0( direction_6 : vec3<f32>) -> NodeTaps_0
 {
-    var _S196 : NodeTaps_0 = node_taps_of_0(direction_6, u32(32));
-    return _S196;
+    var _S226 : NodeTaps_0 = node_taps_of_0(direction_6, u32(32));
+    return _S226;
 }
 
 fn half_vector_0( light_5 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S197 : vec3<f32> = light_5 + view_4;
-    return _S197 * vec3<f32>(rsqrt_0(max(square_0(_S197), 9.999999960041972e-13f)));
+    var _S227 : vec3<f32> = light_5 + view_4;
+    return _S227 * vec3<f32>(rsqrt_0(max(square_0(_S227), 9.999999960041972e-13f)));
 }
 
 fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f32>
 {
-    var _S198 : vec4<f32> = vec4<f32>(0.0f);
+    var _S228 : vec4<f32> = vec4<f32>(0.0f);
     var i_1 : u32 = u32(0);
-    var sums_3 : vec4<f32> = _S198;
+    var sums_3 : vec4<f32> = _S228;
     for(;;)
     {
         if(i_1 < u32(4))
@@ -1529,9 +1684,9 @@ fn joint_terms_0( taps_1 : NodeTaps_0,  table_1 : u32,  ratio_1 : u32) -> vec4<f
         {
             break;
         }
-        var _S199 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
-        var _S200 : vec2<u32> = vec2<u32>(words_0[_S199], words_0[_S199 + u32(1)]);
-        var sums_4 : vec4<f32> = sums_3 + vec4<f32>(((vec4<i32>(vec2<i32>((_S200 << (vec2<u32>(u32(16))))), vec2<i32>(_S200)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
+        var _S229 : u32 = table_1 + u32(4) * taps_1.nodes_0[i_1] + u32(2) * ratio_1;
+        var _S230 : vec2<u32> = vec2<u32>(words_0[_S229], words_0[_S229 + u32(1)]);
+        var sums_4 : vec4<f32> = sums_3 + vec4<f32>(((vec4<i32>(vec2<i32>((_S230 << (vec2<u32>(u32(16))))), vec2<i32>(_S230)).xzyw) >> (vec4<u32>(u32(16))))) * vec4<f32>(f32(taps_1.weights_0[i_1]));
         i_1 = i_1 + u32(1);
         sums_3 = sums_4;
     }
@@ -1545,16 +1700,16 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_2 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S201 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S202 : vec4<u32> = ((packs_1 & (_S201))) * taps_2.weights_0;
-    var _S203 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S201))) * taps_2.weights_0;
-    return bytes_of_sums_0(_S202.x + _S202.y + _S202.z + _S202.w, _S203.x + _S203.y + _S203.z + _S203.w) * vec4<f32>(taps_2.inverse_sum_0);
+    var _S231 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S232 : vec4<u32> = ((packs_1 & (_S231))) * taps_2.weights_0;
+    var _S233 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S231))) * taps_2.weights_0;
+    return bytes_of_sums_0(_S232.x + _S232.y + _S232.z + _S232.w, _S233.x + _S233.y + _S233.z + _S233.w) * vec4<f32>(taps_2.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_3 : NodeTaps_0,  table_2 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S204 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_3, vec4<u32>(words_0[_S204.x], words_0[_S204.y], words_0[_S204.z], words_0[_S204.w]));
+    var _S234 : vec4<u32> = vec4<u32>(table_2) + taps_3.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_3, vec4<u32>(words_0[_S234.x], words_0[_S234.y], words_0[_S234.z], words_0[_S234.w]));
 }
 
 struct Group_0
@@ -1572,11 +1727,11 @@ fn group_at_0( row_1 : u32,  roughness_9 : f32) -> Group_0
     var group_0 : Group_0;
     group_0.normal_11 = vec3<f32>(table_number_0(row_1), table_number_0(row_1 + u32(1)), table_number_0(row_1 + u32(2)));
     group_0.weight_2 = table_number_0(row_1 + u32(3));
-    var _S205 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
-    group_0.tangent_11 = _S205;
-    var _S206 : f32 = table_number_0(row_1 + u32(7));
-    var _S207 : f32 = table_number_0(row_1 + u32(8));
-    group_0.variance_0 = vec3<f32>(_S206, _S207, 1.0f - square_0(_S205) - _S206 - _S207);
+    var _S235 : vec3<f32> = vec3<f32>(table_number_0(row_1 + u32(4)), table_number_0(row_1 + u32(5)), table_number_0(row_1 + u32(6)));
+    group_0.tangent_11 = _S235;
+    var _S236 : f32 = table_number_0(row_1 + u32(7));
+    var _S237 : f32 = table_number_0(row_1 + u32(8));
+    group_0.variance_0 = vec3<f32>(_S236, _S237, 1.0f - square_0(_S235) - _S236 - _S237);
     group_0.covariance_0 = vec3<f32>(table_number_0(row_1 + u32(9)), table_number_0(row_1 + u32(10)), table_number_0(row_1 + u32(11)));
     group_0.roughness_8 = roughness_9;
     return group_0;
@@ -1584,115 +1739,129 @@ fn group_at_0( row_1 : u32,  roughness_9 : f32) -> Group_0
 
 fn Group_variance_along_0( this_5 : Group_0,  direction_7 : vec3<f32>) -> f32
 {
-    var _S208 : f32 = direction_7.x;
-    var _S209 : f32 = direction_7.y;
-    var _S210 : f32 = direction_7.z;
-    return max(dot(this_5.variance_0, direction_7 * direction_7) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S208 * _S209, _S208 * _S210, _S209 * _S210)), 0.0f);
+    var _S238 : f32 = direction_7.x;
+    var _S239 : f32 = direction_7.y;
+    var _S240 : f32 = direction_7.z;
+    return max(dot(this_5.variance_0, direction_7 * direction_7) + 2.0f * dot(this_5.covariance_0, vec3<f32>(_S238 * _S239, _S238 * _S240, _S239 * _S240)), 0.0f);
 }
 
 fn mean_area_0( group_1 : Group_0,  direction_8 : vec3<f32>) -> f32
 {
-    var _S211 : f32 = dot(direction_8, group_1.tangent_11);
-    var _S212 : f32 = group_1.roughness_8;
-    var _S213 : f32 = _S212 * _S212;
-    return sqrt(max((_S213 - 1.0f) * (_S211 * _S211 + Group_variance_along_0(group_1, direction_8)) + 1.0f, _S213));
+    var _S241 : f32 = dot(direction_8, group_1.tangent_11);
+    var _S242 : f32 = group_1.roughness_8;
+    var _S243 : f32 = _S242 * _S242;
+    return sqrt(max((_S243 - 1.0f) * (_S241 * _S241 + Group_variance_along_0(group_1, direction_8)) + 1.0f, _S243));
 }
 
 fn mean_density_0( group_2 : Group_0,  half_0 : vec3<f32>) -> f32
 {
-    var _S214 : f32 = group_2.roughness_8;
-    var _S215 : f32 = max(sqrt(max(1.0f - _S214 * _S214, 0.0f)) / group_2.roughness_8, 0.00100000004749745f);
-    var _S216 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_8 * 0.01999999955296516f + 0.00009999999747379f);
-    var _S217 : f32 = dot(half_0, group_2.tangent_11);
-    var _S218 : f32 = _S215 * (_S217 - _S216);
-    var _S219 : f32 = _S215 * (_S217 + _S216);
-    var _S220 : f32 = _S218 * _S219;
-    var _S221 : f32 = 2.0f * _S216 * _S215;
-    return 0.15915493667125702f / group_2.roughness_8 * ((1.0f - _S220) / ((_S218 * _S218 + 1.0f) * (_S219 * _S219 + 1.0f)) + arc_tangent_0(_S221, 1.0f + _S220) / _S221);
+    var _S244 : f32 = group_2.roughness_8;
+    var _S245 : f32 = max(sqrt(max(1.0f - _S244 * _S244, 0.0f)) / group_2.roughness_8, 0.00100000004749745f);
+    var _S246 : f32 = max(sqrt(3.0f * Group_variance_along_0(group_2, half_0)), group_2.roughness_8 * 0.01999999955296516f + 0.00009999999747379f);
+    var _S247 : f32 = dot(half_0, group_2.tangent_11);
+    var _S248 : f32 = _S245 * (_S247 - _S246);
+    var _S249 : f32 = _S245 * (_S247 + _S246);
+    var _S250 : f32 = _S248 * _S249;
+    var _S251 : f32 = 2.0f * _S246 * _S245;
+    return 0.15915493667125702f / group_2.roughness_8 * ((1.0f - _S250) / ((_S248 * _S248 + 1.0f) * (_S249 * _S249 + 1.0f)) + arc_tangent_0(_S251, 1.0f + _S250) / _S251);
 }
 
 fn layer_value_0( group_3 : Group_0,  half_1 : vec3<f32>,  light_6 : vec3<f32>,  view_5 : vec3<f32>,  optical_depth_3 : f32) -> f32
 {
-    var _S222 : bool = (light_6.z) < 0.0f;
-    var _S223 : f32 = dot(light_6, group_3.normal_11);
-    var _S224 : f32 = max(dot(view_5, group_3.normal_11), 0.01999999955296516f);
-    var _S225 : f32 = mean_area_0(group_3, light_6) / max(select(_S223, - _S223, _S222), 0.01999999955296516f);
-    var _S226 : f32 = mean_area_0(group_3, view_5) / _S224;
-    var _S227 : f32 = optical_depth_3 * max(select(_S225 + _S226, abs(_S225 - _S226), _S222), 0.00100000004749745f);
-    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_11)), 1.0f, _S222) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S225, _S226)), _S222) * (1.0f - exponential_0(- _S227)) / _S227 / _S224);
+    var _S252 : bool = (light_6.z) < 0.0f;
+    var _S253 : f32 = dot(light_6, group_3.normal_11);
+    var _S254 : f32 = max(dot(view_5, group_3.normal_11), 0.01999999955296516f);
+    var _S255 : f32 = mean_area_0(group_3, light_6) / max(select(_S253, - _S253, _S252), 0.01999999955296516f);
+    var _S256 : f32 = mean_area_0(group_3, view_5) / _S254;
+    var _S257 : f32 = optical_depth_3 * max(select(_S255 + _S256, abs(_S255 - _S256), _S252), 0.00100000004749745f);
+    return 0.25f * mean_density_0(group_3, half_1) * select(1.0f - 0.34999999403953552f * (1.0f - square_0(group_3.normal_11)), 1.0f, _S252) * (optical_depth_3 * select(1.0f, exponential_0(- optical_depth_3 * min(_S255, _S256)), _S252) * (1.0f - exponential_0(- _S257)) / _S257 / _S254);
 }
 
 struct Yarns_0
 {
-     warp_3 : vec4<f32>,
-     weft_3 : vec4<f32>,
+     warp_4 : vec4<f32>,
+     weft_4 : vec4<f32>,
      shares_0 : vec3<f32>,
 };
 
-fn Yarns_x24init_0( warp_4 : vec4<f32>,  weft_4 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
+fn Yarns_x24init_0( warp_5 : vec4<f32>,  weft_5 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
 {
-    var _S228 : Yarns_0;
-    _S228.warp_3 = warp_4;
-    _S228.weft_3 = weft_4;
-    _S228.shares_0 = shares_1;
-    return _S228;
+    var _S258 : Yarns_0;
+    _S258.warp_4 = warp_5;
+    _S258.weft_4 = weft_5;
+    _S258.shares_0 = shares_1;
+    return _S258;
 }
 
-fn irregular_over_0( family_14 : u32,  key_6 : u32,  place_3 : f32,  width_3 : f32,  along_2 : f32,  length_0 : f32) -> vec4<f32>
+fn irregular_over_0( family_14 : u32,  key_6 : u32,  place_5 : f32,  width_3 : f32,  along_2 : f32,  length_0 : f32) -> vec4<f32>
 {
-    var _S229 : f32 = max(width_3, 0.0625f);
-    var _S230 : f32 = min(_S229, 64.0f);
-    var _S231 : f32 = max(length_0 / 2.0f, 1.0f);
-    var _S232 : f32 = along_2 / 2.0f - 0.5f * _S231;
-    var _S233 : f32 = 0.5f * _S230;
-    var _S234 : vec2<f32> = floor(vec2<f32>(place_3 - _S233, place_3 + _S233) / vec2<f32>(64.0f));
-    var _S235 : vec4<f32> = vec4<f32>(0.0f);
-    var number_2 : u32 = u32(0);
-    var sums_5 : vec4<f32> = _S235;
+    var _S259 : f32 = max(width_3, 0.0625f);
+    var _S260 : f32 = min(_S259, 64.0f);
+    var _S261 : f32 = max(length_0 / 2.0f, 1.0f);
+    var _S262 : f32 = along_2 / 2.0f - 0.5f * _S261;
+    var _S263 : f32 = 0.5f * _S260;
+    var _S264 : vec2<f32> = floor(vec2<f32>(place_5 - _S263, place_5 + _S263) / vec2<f32>(64.0f));
+    var _S265 : vec4<f32> = vec4<f32>(0.0f);
+    var number_3 : u32 = u32(0);
+    var sums_5 : vec4<f32> = _S265;
     for(;;)
     {
-        if(number_2 < u32(6))
+        if(number_3 < u32(6))
         {
         }
         else
         {
             break;
         }
-        var _S236 : bool = number_2 >= u32(3);
-        var _S237 : u32 = select(number_2, number_2 - u32(3), _S236);
-        var _S238 : f32 = select(-1.0f, 1.0f, _S236);
-        var _S239 : f32 = _S234.y;
-        var _S240 : f32 = _S234.x;
-        var _S241 : f32 = select(_S240, _S239, _S236);
-        var _S242 : f32 = place_3 + _S238 * 0.5f * _S230 - 64.0f * _S241;
-        var _S243 : f32 = clamp(floor(_S242), 0.0f, 63.0f);
-        var _S244 : f32 = _S242 - _S243;
-        var _S245 : f32 = select(select(64.0f, 0.0f, _S236), _S243 + f32(_S237), _S237 < u32(2));
-        var _S246 : f32 = _S238 * select(select(select(0.0f, -1.0f, _S240 != _S239), _S244, _S237 == u32(1)), 1.0f - _S244, _S237 == u32(0));
-        if(_S246 == 0.0f)
+        var _S266 : bool = number_3 >= u32(3);
+        var _S267 : u32 = select(number_3, number_3 - u32(3), _S266);
+        var _S268 : f32 = select(-1.0f, 1.0f, _S266);
+        var _S269 : f32 = _S264.y;
+        var _S270 : f32 = _S264.x;
+        var _S271 : f32 = select(_S270, _S269, _S266);
+        var _S272 : f32 = place_5 + _S268 * 0.5f * _S260 - 64.0f * _S271;
+        var _S273 : f32 = clamp(floor(_S272), 0.0f, 63.0f);
+        var _S274 : f32 = _S272 - _S273;
+        var _S275 : f32 = select(select(64.0f, 0.0f, _S266), _S273 + f32(_S267), _S267 < u32(2));
+        var _S276 : f32 = _S268 * select(select(select(0.0f, -1.0f, _S270 != _S269), _S274, _S267 == u32(1)), 1.0f - _S274, _S267 == u32(0));
+        if(_S276 == 0.0f)
         {
-            number_2 = number_2 + u32(1);
+            number_3 = number_3 + u32(1);
             continue;
         }
-        var _S247 : u32 = hash_bits_0(key_6, u32(i32(_S241)));
-        sums_5 = sums_5 + vec4<f32>(_S246) * irregular_integral_0(family_14, ((_S247 & (u32(127)))) + u32(_S245), _S232 + f32((_S247 >> (u32(22)))), _S231);
-        number_2 = number_2 + u32(1);
+        var _S277 : u32 = hash_bits_0(key_6, u32(i32(_S271)));
+        sums_5 = sums_5 + vec4<f32>(_S276) * irregular_integral_0(family_14, ((_S277 & (u32(127)))) + u32(_S275), _S262 + f32((_S277 >> (u32(22)))), _S261);
+        number_3 = number_3 + u32(1);
     }
-    return sums_5 * irregular_units_0(family_14) * vec4<f32>((sqrt(_S230 / _S229) / (_S230 * _S231)));
+    return sums_5 * irregular_units_0(family_14) * vec4<f32>((sqrt(_S260 / _S259) / (_S260 * _S261)));
 }
 
 fn shown_of_covers_0( covers_0 : vec2<f32>,  warp_on_top_1 : f32) -> vec3<f32>
 {
-    var _S248 : f32 = covers_0.x;
-    var _S249 : f32 = covers_0.y;
-    return vec3<f32>(_S248 * (1.0f - _S249 * (1.0f - warp_on_top_1)), _S249 * (1.0f - _S248 * warp_on_top_1), (1.0f - _S248) * (1.0f - _S249));
+    var _S278 : f32 = covers_0.x;
+    var _S279 : f32 = covers_0.y;
+    return vec3<f32>(_S278 * (1.0f - _S279 * (1.0f - warp_on_top_1)), _S279 * (1.0f - _S278 * warp_on_top_1), (1.0f - _S278) * (1.0f - _S279));
+}
+
+struct FamilyAlbedos_0
+{
+     warp_6 : Albedos_0,
+     weft_6 : Albedos_0,
+};
+
+fn FamilyAlbedos_x24init_0( warp_7 : Albedos_0,  weft_7 : Albedos_0) -> FamilyAlbedos_0
+{
+    var _S280 : FamilyAlbedos_0;
+    _S280.warp_6 = warp_7;
+    _S280.weft_6 = weft_7;
+    return _S280;
 }
 
 struct Bound_0
 {
      thread_9 : u32,
      turns_2 : f32,
-     cell_10 : f32,
+     cell_11 : f32,
      visible_0 : f32,
      width_4 : f32,
      gap_0 : f32,
@@ -1700,16 +1869,16 @@ struct Bound_0
 
 fn bound_at_0( family_15 : u32,  position_7 : f32) -> Bound_0
 {
-    var _S250 : Cell_0 = locate_0(family_15, position_7);
-    var _S251 : f32 = table_number_0(families_0[family_15].before_0 + u32(2) * _S250.thread_1 + u32(1));
+    var _S281 : Cell_0 = locate_0(family_15, position_7);
+    var _S282 : f32 = table_number_0(families_0[family_15].before_0 + u32(2) * _S281.thread_1 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_9 = _S250.thread_1;
-    bound_0.turns_2 = round((position_7 - families_0[family_15].start_0 - _S251 - _S250.below_0) * families_0[family_15].inverse_period_0);
-    bound_0.cell_10 = _S250.below_0;
-    var _S252 : f32 = 2.0f * _S250.half_width_1;
-    bound_0.width_4 = _S252;
-    bound_0.visible_0 = clamp((_S250.across_0 + _S250.half_width_1) / _S252, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S250.below_0, _S250.below_0 - _S250.across_0 - _S250.half_width_1) + max(_S250.across_0 - _S250.half_width_1, 0.0f);
+    bound_0.thread_9 = _S281.thread_1;
+    bound_0.turns_2 = round((position_7 - families_0[family_15].start_0 - _S282 - _S281.below_0) * families_0[family_15].inverse_period_0);
+    bound_0.cell_11 = _S281.below_0;
+    var _S283 : f32 = 2.0f * _S281.half_width_1;
+    bound_0.width_4 = _S283;
+    bound_0.visible_0 = clamp((_S281.across_0 + _S281.half_width_1) / _S283, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S281.below_0, _S281.below_0 - _S281.across_0 - _S281.half_width_1) + max(_S281.across_0 - _S281.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1721,11 +1890,11 @@ struct Stretch_0
 
 fn stretch_of_0( family_16 : u32,  centre_1 : f32,  size_5 : f32) -> Stretch_0
 {
-    var _S253 : f32 = centre_1 - floor((centre_1 - families_0[family_16].start_0) * families_0[family_16].inverse_period_0) * families_0[family_16].period_0;
-    var _S254 : f32 = 0.5f * max(size_5, families_0[family_16].smallest_box_0);
+    var _S284 : f32 = centre_1 - floor((centre_1 - families_0[family_16].start_0) * families_0[family_16].inverse_period_0) * families_0[family_16].period_0;
+    var _S285 : f32 = 0.5f * max(size_5, families_0[family_16].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_1 = bound_at_0(family_16, _S253 - _S254);
-    stretch_0.high_1 = bound_at_0(family_16, _S253 + _S254);
+    stretch_0.low_1 = bound_at_0(family_16, _S284 - _S285);
+    stretch_0.high_1 = bound_at_0(family_16, _S284 + _S285);
     return stretch_0;
 }
 
@@ -1751,25 +1920,25 @@ fn Stretch_turns_0( this_6 : Stretch_0) -> f32
 
 fn lengths_0( family_17 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S255 : f32 = Stretch_turns_0(stretch_1);
-    var _S256 : u32 = families_0[family_17].before_0 + u32(2) * stretch_1.low_1.thread_9;
-    var _S257 : u32 = families_0[family_17].before_0 + u32(2) * stretch_1.high_1.thread_9;
-    var _S258 : f32 = table_number_0(_S257) - table_number_0(_S256);
-    var _S259 : f32 = table_number_0(_S257 + u32(1)) - table_number_0(_S256 + u32(1));
-    return vec3<f32>(_S258 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_4 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_4 + _S255 * families_0[family_17].visible_total_0, _S259 - _S258 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S255 * (families_0[family_17].period_0 - families_0[family_17].visible_total_0), _S259 + stretch_1.high_1.cell_10 - stretch_1.low_1.cell_10 + _S255 * families_0[family_17].period_0);
+    var _S286 : f32 = Stretch_turns_0(stretch_1);
+    var _S287 : u32 = families_0[family_17].before_0 + u32(2) * stretch_1.low_1.thread_9;
+    var _S288 : u32 = families_0[family_17].before_0 + u32(2) * stretch_1.high_1.thread_9;
+    var _S289 : f32 = table_number_0(_S288) - table_number_0(_S287);
+    var _S290 : f32 = table_number_0(_S288 + u32(1)) - table_number_0(_S287 + u32(1));
+    return vec3<f32>(_S289 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_4 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_4 + _S286 * families_0[family_17].visible_total_0, _S290 - _S289 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S286 * (families_0[family_17].period_0 - families_0[family_17].visible_total_0), _S290 + stretch_1.high_1.cell_11 - stretch_1.low_1.cell_11 + _S286 * families_0[family_17].period_0);
 }
 
 fn integrals_along_0( family_18 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S260 : u32 = u32(3) * families_0[family_18].quantities_0;
-    var _S261 : u32 = families_0[family_18].colour_threads_0 + _S260 * stretch_2.low_1.thread_9 + quantity_0;
-    var _S262 : u32 = families_0[family_18].colour_threads_0 + _S260 * stretch_2.high_1.thread_9 + quantity_0;
-    var _S263 : u32 = families_0[family_18].colour_threads_0 + _S260 * u32(families_0[family_18].count_0) + quantity_0;
-    var _S264 : f32 = table_number_0(_S261);
-    var _S265 : f32 = table_number_0(_S262);
-    var _S266 : f32 = Stretch_turns_0(stretch_2);
-    var _S267 : u32 = u32(2) * families_0[family_18].quantities_0;
-    return vec2<f32>(table_number_0(_S262 + families_0[family_18].quantities_0) - table_number_0(_S261 + families_0[family_18].quantities_0) + _S265 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_4 - _S264 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_4 + _S266 * table_number_0(_S263 + families_0[family_18].quantities_0), table_number_0(_S262 + _S267) - table_number_0(_S261 + _S267) + _S265 * stretch_2.high_1.cell_10 - _S264 * stretch_2.low_1.cell_10 + _S266 * table_number_0(_S263 + _S267));
+    var _S291 : u32 = u32(3) * families_0[family_18].quantities_0;
+    var _S292 : u32 = families_0[family_18].colour_threads_0 + _S291 * stretch_2.low_1.thread_9 + quantity_0;
+    var _S293 : u32 = families_0[family_18].colour_threads_0 + _S291 * stretch_2.high_1.thread_9 + quantity_0;
+    var _S294 : u32 = families_0[family_18].colour_threads_0 + _S291 * u32(families_0[family_18].count_0) + quantity_0;
+    var _S295 : f32 = table_number_0(_S292);
+    var _S296 : f32 = table_number_0(_S293);
+    var _S297 : f32 = Stretch_turns_0(stretch_2);
+    var _S298 : u32 = u32(2) * families_0[family_18].quantities_0;
+    return vec2<f32>(table_number_0(_S293 + families_0[family_18].quantities_0) - table_number_0(_S292 + families_0[family_18].quantities_0) + _S296 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_4 - _S295 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_4 + _S297 * table_number_0(_S294 + families_0[family_18].quantities_0), table_number_0(_S293 + _S298) - table_number_0(_S292 + _S298) + _S296 * stretch_2.high_1.cell_11 - _S295 * stretch_2.low_1.cell_11 + _S297 * table_number_0(_S294 + _S298));
 }
 
 fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
@@ -1779,16 +1948,16 @@ fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_8 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S268 : u32 = entries_0.z;
-    var _S269 : u32 = entries_0.x;
-    return vec4<u32>(_S268 - _S269 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S268, entries_0.y - _S269, whole_0);
+    var _S299 : u32 = entries_0.z;
+    var _S300 : u32 = entries_0.x;
+    return vec4<u32>(_S299 - _S300 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S299, entries_0.y - _S300, whole_0);
 }
 
 fn row_differences_0( across_5 : Stretch_0,  row_3 : u32,  count_3 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S270 : u32 = row_3 + across_5.low_1.thread_9 * quantities_1;
-    var _S271 : u32 = row_3 + across_5.high_1.thread_9 * quantities_1;
-    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S270], words_0[_S270 + quantities_1], words_0[_S271], words_0[_S271 + quantities_1]), words_0[row_3 + count_3 * quantities_1]);
+    var _S301 : u32 = row_3 + across_5.low_1.thread_9 * quantities_1;
+    var _S302 : u32 = row_3 + across_5.high_1.thread_9 * quantities_1;
+    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S301], words_0[_S301 + quantities_1], words_0[_S302], words_0[_S302 + quantities_1]), words_0[row_3 + count_3 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
@@ -1798,36 +1967,36 @@ fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
 
 fn integral_on_top_0( family_19 : u32,  across_6 : Stretch_0,  along_3 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S272 : u32 = u32(families_0[family_19].count_0);
-    var _S273 : u32 = (_S272 + u32(1)) * families_0[family_19].quantities_0;
-    var _S274 : u32 = families_0[family_19].colour_areas_0 + quantity_1;
-    var _S275 : vec4<u32> = row_differences_0(across_6, _S274 + along_3.low_1.thread_9 * _S273, _S272, families_0[family_19].quantities_0);
-    var _S276 : vec4<u32> = row_differences_0(across_6, _S274 + along_3.high_1.thread_9 * _S273, _S272, families_0[family_19].quantities_0);
-    var _S277 : vec4<u32> = row_differences_0(across_6, _S274 + crossing_count_0 * _S273, _S272, families_0[family_19].quantities_0);
-    var _S278 : vec4<f32> = Stretch_weights_0(across_6);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S276 - _S275 + select_vector_2(Stretch_wraps_0(along_3), _S277, vec4<u32>(vec4<i32>(i32(0)))))), _S278), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S274 + (along_3.high_1.thread_9 + u32(1)) * _S273, _S272, families_0[family_19].quantities_0) - _S276)), _S278), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S274 + (along_3.low_1.thread_9 + u32(1)) * _S273, _S272, families_0[family_19].quantities_0) - _S275)), _S278), dot(vec4<f32>(vec4<i32>(_S277)), _S278)), Stretch_weights_0(along_3)) * families_0[family_19].area_unit_0;
+    var _S303 : u32 = u32(families_0[family_19].count_0);
+    var _S304 : u32 = (_S303 + u32(1)) * families_0[family_19].quantities_0;
+    var _S305 : u32 = families_0[family_19].colour_areas_0 + quantity_1;
+    var _S306 : vec4<u32> = row_differences_0(across_6, _S305 + along_3.low_1.thread_9 * _S304, _S303, families_0[family_19].quantities_0);
+    var _S307 : vec4<u32> = row_differences_0(across_6, _S305 + along_3.high_1.thread_9 * _S304, _S303, families_0[family_19].quantities_0);
+    var _S308 : vec4<u32> = row_differences_0(across_6, _S305 + crossing_count_0 * _S304, _S303, families_0[family_19].quantities_0);
+    var _S309 : vec4<f32> = Stretch_weights_0(across_6);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S307 - _S306 + select_vector_2(Stretch_wraps_0(along_3), _S308, vec4<u32>(vec4<i32>(i32(0)))))), _S309), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S305 + (along_3.high_1.thread_9 + u32(1)) * _S304, _S303, families_0[family_19].quantities_0) - _S307)), _S309), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S305 + (along_3.low_1.thread_9 + u32(1)) * _S304, _S303, families_0[family_19].quantities_0) - _S306)), _S309), dot(vec4<f32>(vec4<i32>(_S308)), _S309)), Stretch_weights_0(along_3)) * families_0[family_19].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_3 : Albedos_0,  weight_3 : f32,  row_4 : u32) -> Albedos_0
 {
-    var _S279 : Albedos_0 = table_albedos_0(row_4);
+    var _S310 : Albedos_0 = table_albedos_0(row_4);
     var sum_0 : Albedos_0;
-    var _S280 : vec3<f32> = vec3<f32>(weight_3);
-    sum_0.diffuse_reflect_0 = albedos_3.diffuse_reflect_0 + _S280 * _S279.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_3.diffuse_transmit_0 + _S280 * _S279.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_3.specular_reflect_0 + _S280 * _S279.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_3.specular_transmit_0 + _S280 * _S279.specular_transmit_0;
+    var _S311 : vec3<f32> = vec3<f32>(weight_3);
+    sum_0.diffuse_reflect_0 = albedos_3.diffuse_reflect_0 + _S311 * _S310.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_3.diffuse_transmit_0 + _S311 * _S310.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_3.specular_reflect_0 + _S311 * _S310.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_3.specular_transmit_0 + _S311 * _S310.specular_transmit_0;
     return sum_0;
 }
 
-fn mean_albedos_0( family_20 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_9 : bool) -> Albedos_0
+fn mean_albedos_0( family_20 : u32,  crossing_4 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_12 : bool) -> Albedos_0
 {
     var albedos_4 : Albedos_0 = table_albedos_0(families_0[family_20].colour_mean_0);
     if((families_0[family_20].quantities_0) == u32(1))
     {
         return albedos_4;
     }
-    var _S281 : vec3<f32> = lengths_0(crossing_1, other_2);
+    var _S312 : vec3<f32> = lengths_0(crossing_4, other_2);
     var is_exposed_0 : bool = false;
     var weight_4 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -1840,24 +2009,24 @@ fn mean_albedos_0( family_20 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
         {
             break;
         }
-        var _S282 : vec2<f32> = integrals_along_0(family_20, own_1, quantity_2);
-        var _S283 : f32 = integral_on_top_0(family_20, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
-        var _S284 : f32 = _S282.x;
-        var _S285 : f32 = _S284 * _S281.x;
-        var _S286 : f32 = select(_S283, _S285 - _S283, back_9);
-        var _S287 : bool = quantity_2 == u32(0);
-        if(_S287)
+        var _S313 : vec2<f32> = integrals_along_0(family_20, own_1, quantity_2);
+        var _S314 : f32 = integral_on_top_0(family_20, own_1, other_2, u32(families_0[crossing_4].count_0), quantity_2);
+        var _S315 : f32 = _S313.x;
+        var _S316 : f32 = _S315 * _S312.x;
+        var _S317 : f32 = select(_S314, _S316 - _S314, back_12);
+        var _S318 : bool = quantity_2 == u32(0);
+        if(_S318)
         {
-            is_exposed_0 = _S286 > (16.0f * families_0[family_20].area_unit_0 * min(_S285 / families_0[family_20].crossing_area_0, 1.0f) + 0.00000999999974738f * _S285);
+            is_exposed_0 = _S317 > (16.0f * families_0[family_20].area_unit_0 * min(_S316 / families_0[family_20].crossing_area_0, 1.0f) + 0.00000999999974738f * _S316);
         }
-        var _S288 : f32 = _S284 * _S281.y + select(0.0f, _S286, is_exposed_0) + 0.000244140625f * _S281.z * _S282.y;
-        if(_S287)
+        var _S319 : f32 = _S315 * _S312.y + select(0.0f, _S317, is_exposed_0) + 0.000244140625f * _S312.z * _S313.y;
+        if(_S318)
         {
-            weight_4 = 1.0f / max(_S288, 9.99999968265522539e-21f);
+            weight_4 = 1.0f / max(_S319, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_4 = with_added_albedos_0(albedos_4, _S288 * weight_4, families_0[family_20].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_4 = with_added_albedos_0(albedos_4, _S319 * weight_4, families_0[family_20].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1866,6 +2035,64 @@ fn mean_albedos_0( family_20 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
     albedos_4.specular_reflect_0 = saturate(albedos_4.specular_reflect_0);
     albedos_4.specular_transmit_0 = saturate(albedos_4.specular_transmit_0);
     return albedos_4;
+}
+
+fn albedos_in_0( plane_4 : Plane_0,  centre_2 : vec2<f32>,  size_6 : vec2<f32>,  back_13 : bool) -> FamilyAlbedos_0
+{
+    var _S320 : Stretch_0 = stretch_of_0(plane_4.warp_2, centre_2.x - plane_4.start_x_0, size_6.x);
+    var _S321 : Stretch_0 = stretch_of_0(plane_4.weft_2, centre_2.y - plane_4.start_y_0, size_6.y);
+    var albedos_5 : FamilyAlbedos_0;
+    albedos_5.warp_6 = mean_albedos_0(plane_4.warp_2, plane_4.weft_2, _S320, _S321, back_13);
+    albedos_5.weft_6 = mean_albedos_0(plane_4.weft_2, plane_4.warp_2, _S321, _S320, back_13);
+    return albedos_5;
+}
+
+struct PlaneShares_0
+{
+     area_0 : f32,
+     passed_0 : vec3<f32>,
+     added_0 : vec3<f32>,
+};
+
+fn PlaneShares_x24init_0( area_1 : f32,  passed_1 : vec3<f32>,  added_1 : vec3<f32>) -> PlaneShares_0
+{
+    var _S322 : PlaneShares_0;
+    _S322.area_0 = area_1;
+    _S322.passed_0 = passed_1;
+    _S322.added_0 = added_1;
+    return _S322;
+}
+
+fn with_shares_at_0( sums_6 : PlaneShares_0,  share_4 : f32,  first_6 : u32) -> PlaneShares_0
+{
+    var result_2 : PlaneShares_0;
+    result_2.area_0 = sums_6.area_0 + share_4 * table_number_0(first_6);
+    var _S323 : vec3<f32> = vec3<f32>(share_4);
+    result_2.passed_0 = sums_6.passed_0 + _S323 * vec3<f32>(table_number_0(first_6 + u32(1)), table_number_0(first_6 + u32(2)), table_number_0(first_6 + u32(3)));
+    result_2.added_0 = sums_6.added_0 + _S323 * vec3<f32>(table_number_0(first_6 + u32(4)), table_number_0(first_6 + u32(5)), table_number_0(first_6 + u32(6)));
+    return result_2;
+}
+
+fn with_plane_0( sums_7 : Albedos_0,  albedos_6 : Albedos_0,  shares_2 : PlaneShares_0) -> Albedos_0
+{
+    var result_3 : Albedos_0;
+    var _S324 : vec3<f32> = vec3<f32>(shares_2.area_0);
+    result_3.diffuse_reflect_0 = sums_7.diffuse_reflect_0 + _S324 * albedos_6.diffuse_reflect_0 + shares_2.added_0;
+    result_3.diffuse_transmit_0 = sums_7.diffuse_transmit_0 + shares_2.passed_0 * albedos_6.diffuse_transmit_0;
+    result_3.specular_reflect_0 = sums_7.specular_reflect_0 + _S324 * albedos_6.specular_reflect_0;
+    result_3.specular_transmit_0 = sums_7.specular_transmit_0 + shares_2.passed_0 * albedos_6.specular_transmit_0;
+    return result_3;
+}
+
+fn divided_0( sums_8 : Albedos_0,  area_2 : f32) -> Albedos_0
+{
+    var result_4 : Albedos_0;
+    var _S325 : vec3<f32> = vec3<f32>((1.0f / max(area_2, 9.99999997475242708e-07f)));
+    result_4.diffuse_reflect_0 = sums_8.diffuse_reflect_0 * _S325;
+    result_4.diffuse_transmit_0 = sums_8.diffuse_transmit_0 * _S325;
+    result_4.specular_reflect_0 = sums_8.specular_reflect_0 * _S325;
+    result_4.specular_transmit_0 = sums_8.specular_transmit_0 * _S325;
+    return result_4;
 }
 
 fn groove_0( depth_1 : f32,  offset_1 : f32) -> vec2<f32>
@@ -1880,44 +2107,44 @@ fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
 
 fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S289 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S289.x, _S289.y), _S289.z), 0.0f));
+    var _S326 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S326.x, _S326.y), _S326.z), 0.0f));
 }
 
 fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
 {
-    var _S290 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
-    return min(max(min(min(_S290.x, _S290.y), _S290.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
+    var _S327 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
+    return min(max(min(min(_S327.x, _S327.y), _S327.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
-fn fibre_gain_0( thread_11 : u32,  cell_11 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
+fn fibre_gain_0( thread_11 : u32,  cell_12 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_11, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_12, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
 }
 
-fn lerp_albedos_0( first_5 : Albedos_0,  second_1 : Albedos_0,  weight_5 : f32) -> Albedos_0
+fn lerp_albedos_0( first_7 : Albedos_0,  second_1 : Albedos_0,  weight_5 : f32) -> Albedos_0
 {
-    var albedos_5 : Albedos_0;
-    var _S291 : vec3<f32> = vec3<f32>(weight_5);
-    albedos_5.diffuse_reflect_0 = mix(first_5.diffuse_reflect_0, second_1.diffuse_reflect_0, _S291);
-    albedos_5.diffuse_transmit_0 = mix(first_5.diffuse_transmit_0, second_1.diffuse_transmit_0, _S291);
-    albedos_5.specular_reflect_0 = mix(first_5.specular_reflect_0, second_1.specular_reflect_0, _S291);
-    albedos_5.specular_transmit_0 = mix(first_5.specular_transmit_0, second_1.specular_transmit_0, _S291);
-    return albedos_5;
+    var albedos_7 : Albedos_0;
+    var _S328 : vec3<f32> = vec3<f32>(weight_5);
+    albedos_7.diffuse_reflect_0 = mix(first_7.diffuse_reflect_0, second_1.diffuse_reflect_0, _S328);
+    albedos_7.diffuse_transmit_0 = mix(first_7.diffuse_transmit_0, second_1.diffuse_transmit_0, _S328);
+    albedos_7.specular_reflect_0 = mix(first_7.specular_reflect_0, second_1.specular_reflect_0, _S328);
+    albedos_7.specular_transmit_0 = mix(first_7.specular_transmit_0, second_1.specular_transmit_0, _S328);
+    return albedos_7;
 }
 
-fn tinted_0( albedos_6 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
+fn tinted_0( albedos_8 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
 {
-    var result_2 : Albedos_0 = albedos_6;
-    result_2.diffuse_reflect_0 = result_2.diffuse_reflect_0 * tint_0;
-    result_2.diffuse_transmit_0 = result_2.diffuse_transmit_0 * tint_0;
-    return result_2;
+    var result_5 : Albedos_0 = albedos_8;
+    result_5.diffuse_reflect_0 = result_5.diffuse_reflect_0 * tint_0;
+    result_5.diffuse_transmit_0 = result_5.diffuse_transmit_0 * tint_0;
+    return result_5;
 }
 
 struct FaceRadiance_0
 {
-     warp_5 : vec3<f32>,
-     weft_5 : vec3<f32>,
+     warp_8 : vec3<f32>,
+     weft_8 : vec3<f32>,
      mean_1 : vec3<f32>,
      leaked_0 : vec3<f32>,
 };
@@ -1933,49 +2160,49 @@ struct FaceSends_0
      blocks_weft_0 : f32,
 };
 
-fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
+fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_2 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S292 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S329 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_2;
     var found_0 : FaceRadiance_0;
-    var _S293 : vec3<f32> = sends_0.sky_warp_0 + _S292 * sends_0.crossing_warp_0;
-    found_0.warp_5 = _S293;
-    var _S294 : vec3<f32> = sends_0.sky_weft_0 + _S292 * sends_0.crossing_weft_0;
-    found_0.weft_5 = _S294;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S293 + vec3<f32>(sends_0.blocks_weft_0) * _S294;
+    var _S330 : vec3<f32> = sends_0.sky_warp_0 + _S329 * sends_0.crossing_warp_0;
+    found_0.warp_8 = _S330;
+    var _S331 : vec3<f32> = sends_0.sky_weft_0 + _S329 * sends_0.crossing_weft_0;
+    found_0.weft_8 = _S331;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S330 + vec3<f32>(sends_0.blocks_weft_0) * _S331;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_6 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S295 : f32 = 1.0f - view_6.z;
-    var _S296 : f32 = _S295 * _S295;
+    var _S332 : f32 = 1.0f - view_6.z;
+    var _S333 : f32 = _S332 * _S332;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S297 : f32 = view_6.x;
-    var _S298 : f32 = _S297 * _S297;
-    var _S299 : f32 = view_6.y;
-    var _S300 : f32 = _S299 * _S299;
-    (*terms_0)[i32(1)] = sqrt(max(_S298 + _S300, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S296;
-    (*terms_0)[i32(3)] = _S296 * _S296;
-    (*terms_0)[i32(4)] = _S298 - _S300;
+    var _S334 : f32 = view_6.x;
+    var _S335 : f32 = _S334 * _S334;
+    var _S336 : f32 = view_6.y;
+    var _S337 : f32 = _S336 * _S336;
+    (*terms_0)[i32(1)] = sqrt(max(_S335 + _S337, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S333;
+    (*terms_0)[i32(3)] = _S333 * _S333;
+    (*terms_0)[i32(4)] = _S335 - _S337;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_7 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S301 : f32 = 1.0f - view_7.z;
-    var _S302 : f32 = _S301 * _S301;
+    var _S338 : f32 = 1.0f - view_7.z;
+    var _S339 : f32 = _S338 * _S338;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S303 : f32 = view_7.x;
-    var _S304 : f32 = _S303 * _S303;
-    var _S305 : f32 = view_7.y;
-    var _S306 : f32 = _S305 * _S305;
-    (*terms_1)[i32(1)] = sqrt(max(_S304 + _S306, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S302;
-    (*terms_1)[i32(3)] = _S302 * _S302;
-    (*terms_1)[i32(4)] = _S304 - _S306;
+    var _S340 : f32 = view_7.x;
+    var _S341 : f32 = _S340 * _S340;
+    var _S342 : f32 = view_7.y;
+    var _S343 : f32 = _S342 * _S342;
+    (*terms_1)[i32(1)] = sqrt(max(_S341 + _S343, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S339;
+    (*terms_1)[i32(3)] = _S339 * _S339;
+    (*terms_1)[i32(4)] = _S341 - _S343;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -1984,18 +2211,19 @@ struct Bounced_0
 {
      reflected_0 : vec3<f32>,
      transmitted_0 : vec3<f32>,
+     is_covered_0 : bool,
 };
 
 struct Scattered_0
 {
-     back_10 : vec3<f32>,
+     back_14 : vec3<f32>,
      through_0 : vec3<f32>,
 };
 
 struct Interior_0
 {
-     warp_6 : vec3<f32>,
-     weft_6 : vec3<f32>,
+     warp_9 : vec3<f32>,
+     weft_9 : vec3<f32>,
      leaked_1 : vec3<f32>,
      far_1 : vec3<f32>,
      far_leaked_0 : vec3<f32>,
@@ -2003,79 +2231,81 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S307 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S308 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S344 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S345 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_10 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_6 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_6) + _S308 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S308 * interior_0.far_1 + yarn_2.back_10 * _S307;
+    bounced_0.reflected_0 = yarn_2.back_14 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_9 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_9) + _S345 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S345 * interior_0.far_1 + yarn_2.back_14 * _S344;
+    bounced_0.is_covered_0 = false;
     return bounced_0;
 }
 
-fn sum_of_0( first_6 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
+fn sum_of_0( first_8 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 {
     var sum_1 : Bounced_0;
-    sum_1.reflected_0 = first_6.reflected_0 + second_2.reflected_0;
-    sum_1.transmitted_0 = first_6.transmitted_0 + second_2.transmitted_0;
+    sum_1.reflected_0 = first_8.reflected_0 + second_2.reflected_0;
+    sum_1.transmitted_0 = first_8.transmitted_0 + second_2.transmitted_0;
+    sum_1.is_covered_0 = false;
     return sum_1;
 }
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_8 : vec3<f32>) -> vec3<f32>
 {
-    var _S309 : f32 = light_7.z;
-    return select_vector_1((_S309 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S309) * 0.31830987334251404f));
+    var _S346 : f32 = light_7.z;
+    return select_vector_1((_S346 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S346) * 0.31830987334251404f));
 }
 
-fn sheen_scale_0( x_15 : f32,  y_8 : f32) -> f32
+fn sheen_scale_0( x_18 : f32,  y_11 : f32) -> f32
 {
-    return (((((0.0f * x_15 + (((((-1.1402510404586792f * y_8 + 0.40672621130943298f) * y_8 + 1.65398800373077393f) * y_8 + -1.29730904102325439f) * y_8 + 0.30570998787879944f) * y_8 + -0.0220868494361639f)) * x_15 + (((((-0.21142719686031342f * y_8 + 1.05947399139404297f) * y_8 + -0.41116121411323547f) * y_8 + -0.93859231472015381f) * y_8 + 0.51606941223144531f) * y_8 + 0.05409301072359085f)) * x_15 + (((((1.22944498062133789f * y_8 + -0.45962560176849365f) * y_8 + -1.63861405849456787f) * y_8 + 1.33565104007720947f) * y_8 + -0.45725581049919128f) * y_8 + 0.08243165910243988f)) * x_15 + (((((0.39779931306838989f * y_8 + -1.18879103660583496f) * y_8 + 0.28251591324806213f) * y_8 + 1.168984055519104f) * y_8 + -0.76864629983901978f) * y_8 + 0.0091691892594099f)) * x_15 + (((((-0.26563560962677002f * y_8 + -0.19379159808158875f) * y_8 + 0.2677634060382843f) * y_8 + 0.00270519289188087f) * y_8 + 0.14349560439586639f) * y_8 + 0.10290180146694183f)) * x_15 + (((((-0.20701569318771362f * y_8 + 0.24526430666446686f) * y_8 + 0.19551840424537659f) * y_8 + 0.07586126774549484f) * y_8 + 0.38894739747047424f) * y_8 + 0.15043120086193085f);
+    return (((((0.0f * x_18 + (((((-1.1402510404586792f * y_11 + 0.40672621130943298f) * y_11 + 1.65398800373077393f) * y_11 + -1.29730904102325439f) * y_11 + 0.30570998787879944f) * y_11 + -0.0220868494361639f)) * x_18 + (((((-0.21142719686031342f * y_11 + 1.05947399139404297f) * y_11 + -0.41116121411323547f) * y_11 + -0.93859231472015381f) * y_11 + 0.51606941223144531f) * y_11 + 0.05409301072359085f)) * x_18 + (((((1.22944498062133789f * y_11 + -0.45962560176849365f) * y_11 + -1.63861405849456787f) * y_11 + 1.33565104007720947f) * y_11 + -0.45725581049919128f) * y_11 + 0.08243165910243988f)) * x_18 + (((((0.39779931306838989f * y_11 + -1.18879103660583496f) * y_11 + 0.28251591324806213f) * y_11 + 1.168984055519104f) * y_11 + -0.76864629983901978f) * y_11 + 0.0091691892594099f)) * x_18 + (((((-0.26563560962677002f * y_11 + -0.19379159808158875f) * y_11 + 0.2677634060382843f) * y_11 + 0.00270519289188087f) * y_11 + 0.14349560439586639f) * y_11 + 0.10290180146694183f)) * x_18 + (((((-0.20701569318771362f * y_11 + 0.24526430666446686f) * y_11 + 0.19551840424537659f) * y_11 + 0.07586126774549484f) * y_11 + 0.38894739747047424f) * y_11 + 0.15043120086193085f);
 }
 
-fn sheen_shear_0( x_16 : f32,  y_9 : f32) -> f32
+fn sheen_shear_0( x_19 : f32,  y_12 : f32) -> f32
 {
-    return ((((0.0f * x_16 + (((((-0.10608240216970444f * y_9 + 1.99214303493499756f) * y_9 + -1.42255294322967529f) * y_9 + -1.09495604038238525f) * y_9 + 0.59180057048797607f) * y_9 + 0.06902855634689331f)) * x_16 + (((((-0.46220690011978149f * y_9 + -0.29113379120826721f) * y_9 + 1.39025199413299561f) * y_9 + 0.35589990019798279f) * y_9 + -1.17120099067687988f) * y_9 + 0.15940259397029877f)) * x_16 + (((((2.26068711280822754f * y_9 + -3.64728999137878418f) * y_9 + -0.72173482179641724f) * y_9 + 3.07659196853637695f) * y_9 + -0.6827620267868042f) * y_9 + -0.3039557933807373f)) * x_16 + (((((0.81201767921447754f * y_9 + 0.36014080047607422f) * y_9 + -1.72646903991699219f) * y_9 + -0.22630110383033752f) * y_9 + 0.89514690637588501f) * y_9 + -0.10397960245609283f)) * x_16 + (((((-0.37648698687553406f * y_9 + 1.10974001884460449f) * y_9 + 0.17824520170688629f) * y_9 + -1.04968702793121338f) * y_9 + 0.1461234986782074f) * y_9 + -0.00475129019469023f);
+    return ((((0.0f * x_19 + (((((-0.10608240216970444f * y_12 + 1.99214303493499756f) * y_12 + -1.42255294322967529f) * y_12 + -1.09495604038238525f) * y_12 + 0.59180057048797607f) * y_12 + 0.06902855634689331f)) * x_19 + (((((-0.46220690011978149f * y_12 + -0.29113379120826721f) * y_12 + 1.39025199413299561f) * y_12 + 0.35589990019798279f) * y_12 + -1.17120099067687988f) * y_12 + 0.15940259397029877f)) * x_19 + (((((2.26068711280822754f * y_12 + -3.64728999137878418f) * y_12 + -0.72173482179641724f) * y_12 + 3.07659196853637695f) * y_12 + -0.6827620267868042f) * y_12 + -0.3039557933807373f)) * x_19 + (((((0.81201767921447754f * y_12 + 0.36014080047607422f) * y_12 + -1.72646903991699219f) * y_12 + -0.22630110383033752f) * y_12 + 0.89514690637588501f) * y_12 + -0.10397960245609283f)) * x_19 + (((((-0.37648698687553406f * y_12 + 1.10974001884460449f) * y_12 + 0.17824520170688629f) * y_12 + -1.04968702793121338f) * y_12 + 0.1461234986782074f) * y_12 + -0.00475129019469023f);
 }
 
-fn sheen_reflectance_0( x_17 : f32,  y_10 : f32) -> f32
+fn sheen_reflectance_0( x_20 : f32,  y_13 : f32) -> f32
 {
-    return ((((0.0f * x_17 + (((((12.95646953582763672f * y_10 + -21.38032913208007812f) * y_10 + -7.37853097915649414f) * y_10 + 34.55607986450195312f) * y_10 + -23.61347007751464844f) * y_10 + 5.00126314163208008f)) * x_17 + (((((10.91487026214599609f * y_10 + -6.08202791213989258f) * y_10 + -38.2036285400390625f) * y_10 + 53.3440399169921875f) * y_10 + -21.91996002197265625f) * y_10 + 2.01606011390686035f)) * x_17 + (((((-14.52206039428710938f * y_10 + 36.803619384765625f) * y_10 + -22.94047927856445312f) * y_10 + -10.07973003387451172f) * y_10 + 15.77003955841064453f) * y_10 + -4.92722177505493164f)) * x_17 + (((((-7.62505722045898438f * y_10 + 1.27310299873352051f) * y_10 + 31.19523048400878906f) * y_10 + -44.39989852905273438f) * y_10 + 26.44947052001953125f) * y_10 + -8.73507976531982422f)) * x_17 + (((((5.65633487701416016f * y_10 + -17.66820907592773438f) * y_10 + 24.65356063842773438f) * y_10 + -19.38941001892089844f) * y_10 + 11.06159019470214844f) * y_10 + -3.06573700904846191f);
+    return ((((0.0f * x_20 + (((((12.95646953582763672f * y_13 + -21.38032913208007812f) * y_13 + -7.37853097915649414f) * y_13 + 34.55607986450195312f) * y_13 + -23.61347007751464844f) * y_13 + 5.00126314163208008f)) * x_20 + (((((10.91487026214599609f * y_13 + -6.08202791213989258f) * y_13 + -38.2036285400390625f) * y_13 + 53.3440399169921875f) * y_13 + -21.91996002197265625f) * y_13 + 2.01606011390686035f)) * x_20 + (((((-14.52206039428710938f * y_13 + 36.803619384765625f) * y_13 + -22.94047927856445312f) * y_13 + -10.07973003387451172f) * y_13 + 15.77003955841064453f) * y_13 + -4.92722177505493164f)) * x_20 + (((((-7.62505722045898438f * y_13 + 1.27310299873352051f) * y_13 + 31.19523048400878906f) * y_13 + -44.39989852905273438f) * y_13 + 26.44947052001953125f) * y_13 + -8.73507976531982422f)) * x_20 + (((((5.65633487701416016f * y_13 + -17.66820907592773438f) * y_13 + 24.65356063842773438f) * y_13 + -19.38941001892089844f) * y_13 + 11.06159019470214844f) * y_13 + -3.06573700904846191f);
 }
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_10 : f32) -> vec3<f32>
 {
-    var _S310 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S311 : f32 = 2.0f * sqrt(_S310) - 1.0f;
-    var _S312 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_10, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S311, _S312), 0.00999999977648258f, 1.0f), clamp((1.0f - _S310) * sheen_shear_0(_S311, _S312), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S311, _S312), -60.0f, 60.0f))));
+    var _S347 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S348 : f32 = 2.0f * sqrt(_S347) - 1.0f;
+    var _S349 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_10, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S348, _S349), 0.00999999977648258f, 1.0f), clamp((1.0f - _S347) * sheen_shear_0(_S348, _S349), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S348, _S349), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_8 : vec3<f32>,  view_9 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S313 : f32 = light_8.z;
-    if(((_S313 <= 0.0f) | (((view_9.z) <= 0.0f))))
+    var _S350 : f32 = light_8.z;
+    if(((_S350 <= 0.0f) | (((view_9.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S314 : vec2<f32> = view_9.xy;
-    var _S315 : f32 = dot(_S314, _S314);
-    var _S316 : vec2<f32> = select_vector_0(_S315 > 9.99999968265522539e-21f, _S314 * vec2<f32>(rsqrt_0(max(_S315, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S317 : f32 = scale_0 * dot(light_8.xy, _S316) + shear_0 * _S313;
-    var _S318 : f32 = scale_0 * (light_8.y * _S316.x - light_8.x * _S316.y);
-    var _S319 : f32 = _S317 * _S317 + _S318 * _S318 + _S313 * _S313;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S313 / max(_S319 * _S319, 9.99999968265522539e-21f);
+    var _S351 : vec2<f32> = view_9.xy;
+    var _S352 : f32 = dot(_S351, _S351);
+    var _S353 : vec2<f32> = select_vector_0(_S352 > 9.99999968265522539e-21f, _S351 * vec2<f32>(rsqrt_0(max(_S352, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S354 : f32 = scale_0 * dot(light_8.xy, _S353) + shear_0 * _S350;
+    var _S355 : f32 = scale_0 * (light_8.y * _S353.x - light_8.x * _S353.y);
+    var _S356 : f32 = _S354 * _S354 + _S355 * _S355 + _S350 * _S350;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S350 / max(_S356 * _S356, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  strength_0 : f32,  roughness_11 : f32) -> vec2<f32>
 {
-    var _S320 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_11);
-    var _S321 : f32 = strength_0 * _S320.z;
-    return vec2<f32>(_S321 * transformed_cosine_0(light_9, view_10, _S320.x, _S320.y), 1.0f - _S321);
+    var _S357 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_11);
+    var _S358 : f32 = strength_0 * _S357.z;
+    return vec2<f32>(_S358 * transformed_cosine_0(light_9, view_10, _S357.x, _S357.y), 1.0f - _S358);
 }
 
 fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
 {
-    var _S322 : f32 = layers_0[index_7].share_0;
+    var _S359 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_10;
-    layers_0[index_7].share_0 = _S322 * (1.0f - light_10.w);
+    layers_0[index_7].share_0 = _S359 * (1.0f - light_10.w);
     return;
 }
 
@@ -2099,147 +2329,152 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S323 : u32,  _S324 : u32,  _S325 : u32,  _S326 : vec2<f32>) -> f32
+fn uneven_shift_0( _S360 : u32,  _S361 : u32,  _S362 : u32,  _S363 : vec2<f32>) -> f32
 {
-    var _S327 : f32 = families_0[_S325].period_0 / families_0[_S325].count_0;
-    var _S328 : u32 = hash_key_0(_S324, ((fabrics_0[_S323].seed_0) ^ (u32(625341585))));
-    var _S329 : vec2<f32> = vec2<f32>(_S326.x, _S326.y / 4.0f) / vec2<f32>(_S327);
-    return 0.20000000298023224f * sqrt(families_0[_S325].slub_0) * _S327 * (uneven_octave_0(_S328, _S329) * 0.66666668653488159f + uneven_octave_0(_S328 + u32(1), vec2<f32>(2.0f) * _S329 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S364 : f32 = families_0[_S362].period_0 / families_0[_S362].count_0;
+    var _S365 : u32 = hash_key_0(_S361, ((fabrics_0[_S360].seed_0) ^ (u32(625341585))));
+    var _S366 : vec2<f32> = vec2<f32>(_S363.x, _S363.y / 4.0f) / vec2<f32>(_S364);
+    return 0.20000000298023224f * sqrt(families_0[_S362].slub_0) * _S364 * (uneven_octave_0(_S365, _S366) * 0.66666668653488159f + uneven_octave_0(_S365 + u32(1), vec2<f32>(2.0f) * _S366 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S330 : u32,  _S331 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S367 : u32,  _S368 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_0((fabrics_0[_S330].has_detail_0) == u32(0), _S331, _S331 + vec2<f32>(uneven_shift_0(_S330, u32(0), fabrics_0[_S330].warp_0, _S331), uneven_shift_0(_S330, u32(1), fabrics_0[_S330].weft_0, _S331.yx)));
+    return select_vector_0((fabrics_0[_S367].has_detail_0) == u32(0), _S368, _S368 + vec2<f32>(uneven_shift_0(_S367, u32(0), fabrics_0[_S367].warp_0, _S368), uneven_shift_0(_S367, u32(1), fabrics_0[_S367].weft_0, _S368.yx)));
 }
 
-fn face_point_0( _S332 : u32,  _S333 : u32,  _S334 : f32,  _S335 : f32) -> VisiblePoint_0
+fn face_point_0( _S369 : u32,  _S370 : u32,  _S371 : f32,  _S372 : f32) -> VisiblePoint_0
 {
-    var _S336 : u32 = u32(3) * _S333;
-    var _S337 : Vertex_0 = vertex_at_0(_S336);
-    var _S338 : Vertex_0 = vertex_at_0(_S336 + u32(1));
-    var _S339 : Vertex_0 = vertex_at_0(_S336 + u32(2));
-    var _S340 : vec3<f32> = position_of_0(_S337);
-    var _S341 : vec3<f32> = position_of_0(_S338) - _S340;
-    var _S342 : vec3<f32> = position_of_0(_S339) - _S340;
-    var _S343 : f32 = _S338.u_0 - _S337.u_0;
-    var _S344 : f32 = _S338.v_0 - _S337.v_0;
-    var _S345 : vec2<f32> = vec2<f32>(_S343, _S344);
-    var _S346 : f32 = _S339.u_0 - _S337.u_0;
-    var _S347 : f32 = _S339.v_0 - _S337.v_0;
-    var _S348 : vec2<f32> = vec2<f32>(_S346, _S347);
-    var _S349 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S343 * _S347 - _S344 * _S346) < 0.0f));
-    var _S350 : vec3<f32> = _S349 * (vec3<f32>(_S347) * _S341 - vec3<f32>(_S344) * _S342);
-    var _S351 : vec3<f32> = _S349 * (vec3<f32>(_S343) * _S342 - vec3<f32>(_S346) * _S341);
+    var _S373 : u32 = u32(3) * _S370;
+    var _S374 : Vertex_0 = vertex_at_0(_S373);
+    var _S375 : Vertex_0 = vertex_at_0(_S373 + u32(1));
+    var _S376 : Vertex_0 = vertex_at_0(_S373 + u32(2));
+    var _S377 : vec3<f32> = position_of_0(_S374);
+    var _S378 : vec3<f32> = position_of_0(_S375) - _S377;
+    var _S379 : vec3<f32> = position_of_0(_S376) - _S377;
+    var _S380 : f32 = _S375.u_0 - _S374.u_0;
+    var _S381 : f32 = _S375.v_0 - _S374.v_0;
+    var _S382 : vec2<f32> = vec2<f32>(_S380, _S381);
+    var _S383 : f32 = _S376.u_0 - _S374.u_0;
+    var _S384 : f32 = _S376.v_0 - _S374.v_0;
+    var _S385 : vec2<f32> = vec2<f32>(_S383, _S384);
+    var _S386 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S380 * _S384 - _S381 * _S383) < 0.0f));
+    var _S387 : vec3<f32> = _S386 * (vec3<f32>(_S384) * _S378 - vec3<f32>(_S381) * _S379);
+    var _S388 : vec3<f32> = _S386 * (vec3<f32>(_S380) * _S379 - vec3<f32>(_S383) * _S378);
     var point_2 : VisiblePoint_0;
-    var _S352 : vec3<f32> = vec3<f32>(_S334);
-    var _S353 : vec3<f32> = vec3<f32>(_S335);
-    var _S354 : vec3<f32> = normalize(vec3<f32>((1.0f - _S334 - _S335)) * normal_of_0(_S337) + _S352 * normal_of_0(_S338) + _S353 * normal_of_0(_S339));
-    point_2.normal_0 = _S354;
-    var _S355 : vec3<f32> = normalize(_S350 - _S354 * vec3<f32>(dot(_S354, _S350)));
-    point_2.axis_x_0 = _S355;
-    point_2.axis_y_0 = cross(_S354, _S355);
-    var _S356 : vec3<f32> = normalize(cross(_S341, _S342));
-    point_2.face_normal_0 = select_vector_1((dot(_S356, _S354)) < 0.0f, (vec3<f32>(0) - _S356), _S356);
-    point_2.position_4 = _S340 + _S352 * _S341 + _S353 * _S342;
-    point_2.view_0 = _S354;
-    var _S357 : vec2<f32> = vec2<f32>(_S337.u_0, _S337.v_0) + vec2<f32>(_S334) * _S345 + vec2<f32>(_S335) * _S348;
-    point_2.uv_1 = _S357;
-    var _S358 : bool = (dot(cross(_S350, _S351), _S354)) < 0.0f;
-    var _S359 : vec2<f32> = vec2<f32>(fabrics_0[_S332].uv_width_0, select(fabrics_0[_S332].uv_height_0, - fabrics_0[_S332].uv_height_0, _S358));
-    point_2.draft_per_uv_0 = _S359;
-    point_2.draft_0 = uneven_place_0(_S332, _S357 * _S359 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S332].uv_height_0, _S358)));
-    var _S360 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S360;
-    point_2.draft_dy_0 = _S360;
+    var _S389 : vec3<f32> = vec3<f32>(_S371);
+    var _S390 : vec3<f32> = vec3<f32>(_S372);
+    var _S391 : vec3<f32> = normalize(vec3<f32>((1.0f - _S371 - _S372)) * normal_of_0(_S374) + _S389 * normal_of_0(_S375) + _S390 * normal_of_0(_S376));
+    point_2.normal_0 = _S391;
+    var _S392 : vec3<f32> = normalize(_S387 - _S391 * vec3<f32>(dot(_S391, _S387)));
+    point_2.axis_x_0 = _S392;
+    point_2.axis_y_0 = cross(_S391, _S392);
+    var _S393 : vec3<f32> = normalize(cross(_S378, _S379));
+    point_2.face_normal_0 = select_vector_1((dot(_S393, _S391)) < 0.0f, (vec3<f32>(0) - _S393), _S393);
+    point_2.position_4 = _S377 + _S389 * _S378 + _S390 * _S379;
+    point_2.view_0 = _S391;
+    var _S394 : vec2<f32> = vec2<f32>(_S374.u_0, _S374.v_0) + vec2<f32>(_S371) * _S382 + vec2<f32>(_S372) * _S385;
+    point_2.uv_1 = _S394;
+    var _S395 : bool = (dot(cross(_S387, _S388), _S391)) < 0.0f;
+    var _S396 : vec2<f32> = vec2<f32>(fabrics_0[_S369].uv_width_0, select(fabrics_0[_S369].uv_height_0, - fabrics_0[_S369].uv_height_0, _S395));
+    point_2.draft_per_uv_0 = _S396;
+    point_2.draft_0 = uneven_place_0(_S369, _S394 * _S396 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S369].uv_height_0, _S395)));
+    var _S397 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S397;
+    point_2.draft_dy_0 = _S397;
     return point_2;
 }
 
-fn visible_point_0( _S361 : u32,  _S362 : u32,  _S363 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S398 : u32,  _S399 : u32,  _S400 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S364 : u32 = u32(3) * _S362;
-    var _S365 : Vertex_0 = vertex_at_0(_S364);
-    var _S366 : Vertex_0 = vertex_at_0(_S364 + u32(1));
-    var _S367 : Vertex_0 = vertex_at_0(_S364 + u32(2));
-    var _S368 : vec3<f32> = position_of_0(_S365);
-    var _S369 : vec3<f32> = position_of_0(_S366) - _S368;
-    var _S370 : vec3<f32> = position_of_0(_S367) - _S368;
-    var _S371 : vec3<f32> = cross(_S369, _S370);
-    var _S372 : f32 = f32(frame_record_0.width_0);
-    var _S373 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S372));
-    var _S374 : f32 = f32(frame_record_0.height_0);
-    var _S375 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S374));
-    var _S376 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S363.x) + 0.5f - 0.5f * _S372)) * _S373 + vec3<f32>((f32(_S363.y) + 0.5f - 0.5f * _S374)) * _S375;
-    var _S377 : f32 = dot(_S376, _S371);
-    var _S378 : f32 = 1.0f / select(1.00000000317107685e-30f, _S377, (abs(_S377)) > 1.00000000317107685e-30f);
-    var _S379 : vec3<f32> = _S368 - camera_origin_0();
-    var _S380 : vec3<f32> = vec3<f32>((dot(_S379, _S371) * _S378));
-    var _S381 : vec3<f32> = _S376 * _S380 - _S379;
-    var _S382 : vec3<f32> = _S380 * (_S373 - _S376 * vec3<f32>((dot(_S373, _S371) * _S378)));
-    var _S383 : vec3<f32> = _S380 * (_S375 - _S376 * vec3<f32>((dot(_S375, _S371) * _S378)));
-    var _S384 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S371), 1.00000000317107685e-30f)));
-    var _S385 : vec3<f32> = cross(_S370, _S371) * _S384;
-    var _S386 : vec3<f32> = cross(_S371, _S369) * _S384;
-    var _S387 : vec2<f32> = vec2<f32>(_S366.u_0 - _S365.u_0, _S366.v_0 - _S365.v_0);
-    var _S388 : vec2<f32> = vec2<f32>(_S367.u_0 - _S365.u_0, _S367.v_0 - _S365.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S361, _S362, dot(_S381, _S385), dot(_S381, _S386));
-    point_3.position_4 = _S368 + _S381;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S376));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S382, _S385)) * _S387 + vec2<f32>(dot(_S382, _S386)) * _S388) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S383, _S385)) * _S387 + vec2<f32>(dot(_S383, _S386)) * _S388) * point_3.draft_per_uv_0;
+    var _S401 : u32 = u32(3) * _S399;
+    var _S402 : Vertex_0 = vertex_at_0(_S401);
+    var _S403 : Vertex_0 = vertex_at_0(_S401 + u32(1));
+    var _S404 : Vertex_0 = vertex_at_0(_S401 + u32(2));
+    var _S405 : vec3<f32> = position_of_0(_S402);
+    var _S406 : vec3<f32> = position_of_0(_S403) - _S405;
+    var _S407 : vec3<f32> = position_of_0(_S404) - _S405;
+    var _S408 : vec3<f32> = cross(_S406, _S407);
+    var _S409 : f32 = f32(frame_record_0.width_0);
+    var _S410 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S409));
+    var _S411 : f32 = f32(frame_record_0.height_0);
+    var _S412 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S411));
+    var _S413 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S400.x) + 0.5f - 0.5f * _S409)) * _S410 + vec3<f32>((f32(_S400.y) + 0.5f - 0.5f * _S411)) * _S412;
+    var _S414 : f32 = dot(_S413, _S408);
+    var _S415 : f32 = 1.0f / select(1.00000000317107685e-30f, _S414, (abs(_S414)) > 1.00000000317107685e-30f);
+    var _S416 : vec3<f32> = _S405 - camera_origin_0();
+    var _S417 : vec3<f32> = vec3<f32>((dot(_S416, _S408) * _S415));
+    var _S418 : vec3<f32> = _S413 * _S417 - _S416;
+    var _S419 : vec3<f32> = _S417 * (_S410 - _S413 * vec3<f32>((dot(_S410, _S408) * _S415)));
+    var _S420 : vec3<f32> = _S417 * (_S412 - _S413 * vec3<f32>((dot(_S412, _S408) * _S415)));
+    var _S421 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S408), 1.00000000317107685e-30f)));
+    var _S422 : vec3<f32> = cross(_S407, _S408) * _S421;
+    var _S423 : vec3<f32> = cross(_S408, _S406) * _S421;
+    var _S424 : vec2<f32> = vec2<f32>(_S403.u_0 - _S402.u_0, _S403.v_0 - _S402.v_0);
+    var _S425 : vec2<f32> = vec2<f32>(_S404.u_0 - _S402.u_0, _S404.v_0 - _S402.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S398, _S399, dot(_S418, _S422), dot(_S418, _S423));
+    point_3.position_4 = _S405 + _S418;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S413));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S419, _S422)) * _S424 + vec2<f32>(dot(_S419, _S423)) * _S425) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S420, _S422)) * _S424 + vec2<f32>(dot(_S420, _S423)) * _S425) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S389 : u32,  _S390 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S426 : u32,  _S427 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S391 : u32 = fabrics_0[_S389].albedo_map_levels_0;
-    if((fabrics_0[_S389].albedo_map_levels_0) == u32(0))
+    var _S428 : u32 = fabrics_0[_S426].albedo_map_levels_0;
+    if((fabrics_0[_S426].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S392 : vec2<f32> = vec2<f32>(fabrics_0[_S389].uv_width_0, fabrics_0[_S389].uv_height_0);
-    var _S393 : vec2<f32> = _S390.draft_dx_0 / _S392;
-    var _S394 : vec2<f32> = _S390.draft_dy_0 / _S392;
-    var _S395 : u32 = _S391 - u32(1);
-    var _S396 : u32 = (u32(1) << (_S395));
-    var _S397 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S393.x * _S394.y - _S393.y * _S394.x), 9.99999968265522539e-21f) * (square_1(f32(_S396)) / 3.0f)), 0.0f, f32(_S391) - 1.0f);
-    var _S398 : u32 = min(u32(_S397), max(_S391, u32(2)) - u32(2));
-    var _S399 : u32 = min(_S398 + u32(1), _S395);
-    var _S400 : u32 = (u32(1) << ((u32(2) * _S391)));
-    return mix(map_level_0(fabrics_0[_S389].albedo_map_0 + (_S400 - ((_S400 >> ((u32(2) * _S398))))) / u32(3), (_S396 >> (_S398)), _S390.uv_1), map_level_0(fabrics_0[_S389].albedo_map_0 + (_S400 - ((_S400 >> ((u32(2) * _S399))))) / u32(3), (_S396 >> (_S399)), _S390.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S397 - f32(_S398))) - 1.0f) / 3.0f)));
+    var _S429 : vec2<f32> = vec2<f32>(fabrics_0[_S426].uv_width_0, fabrics_0[_S426].uv_height_0);
+    var _S430 : vec2<f32> = _S427.draft_dx_0 / _S429;
+    var _S431 : vec2<f32> = _S427.draft_dy_0 / _S429;
+    var _S432 : u32 = _S428 - u32(1);
+    var _S433 : u32 = (u32(1) << (_S432));
+    var _S434 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S430.x * _S431.y - _S430.y * _S431.x), 9.99999968265522539e-21f) * (square_1(f32(_S433)) / 3.0f)), 0.0f, f32(_S428) - 1.0f);
+    var _S435 : u32 = min(u32(_S434), max(_S428, u32(2)) - u32(2));
+    var _S436 : u32 = min(_S435 + u32(1), _S432);
+    var _S437 : u32 = (u32(1) << ((u32(2) * _S428)));
+    return mix(map_level_0(fabrics_0[_S426].albedo_map_0 + (_S437 - ((_S437 >> ((u32(2) * _S435))))) / u32(3), (_S433 >> (_S435)), _S427.uv_1), map_level_0(fabrics_0[_S426].albedo_map_0 + (_S437 - ((_S437 >> ((u32(2) * _S436))))) / u32(3), (_S433 >> (_S436)), _S427.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S434 - f32(_S435))) - 1.0f) / 3.0f)));
 }
 
-fn irregular_key_0( _S401 : u32,  _S402 : u32) -> u32
+fn is_layered_0( _S438 : u32) -> bool
 {
-    return hash_key_0(_S402, ((fabrics_0[_S401].seed_0) ^ (u32(1821285621))));
+    return (HAS_LAYERS_0 & (((fabrics_0[_S438].planes_0) != u32(0))));
 }
 
-fn irregular_place_0( _S403 : u32,  _S404 : vec2<f32>,  _S405 : f32) -> vec2<f32>
+fn irregular_key_0( _S439 : u32,  _S440 : u32) -> u32
 {
-    var _S406 : u32 = fabrics_0[_S403].warp_0;
-    var _S407 : u32 = fabrics_0[_S403].weft_0;
-    var _S408 : bool = (((fabrics_0[_S403].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S403].warp_0, _S405), moved_share_0(fabrics_0[_S403].weft_0, _S405))) > 0.0f)));
-    var number_3 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S404;
+    return hash_key_0(_S440, ((fabrics_0[_S439].seed_0) ^ (u32(1821285621))));
+}
+
+fn irregular_place_0( _S441 : u32,  _S442 : vec2<f32>,  _S443 : f32) -> vec2<f32>
+{
+    var _S444 : u32 = fabrics_0[_S441].warp_0;
+    var _S445 : u32 = fabrics_0[_S441].weft_0;
+    var _S446 : bool = (((((fabrics_0[_S441].is_irregular_0) != u32(0)) & ((!is_layered_0(_S441))))) & (((max(moved_share_0(fabrics_0[_S441].warp_0, _S443), moved_share_0(fabrics_0[_S441].weft_0, _S443))) > 0.0f)));
+    var number_4 : u32 = u32(0);
+    var moved_0 : vec2<f32> = _S442;
     for(;;)
     {
-        if(number_3 < select(u32(0), u32(2), _S408))
+        if(number_4 < select(u32(0), u32(2), _S446))
         {
         }
         else
         {
             break;
         }
-        var _S409 : bool = number_3 == u32(0);
-        var _S410 : u32 = select(_S407, _S406, _S409);
-        var _S411 : vec2<f32> = select_vector_0(_S409, _S404, _S404.yx);
-        var _S412 : u32 = irregular_key_0(_S403, number_3);
-        var _S413 : f32 = _S411.x;
-        var _S414 : Cell_0 = locate_0(_S410, _S413);
-        var _S415 : f32 = irregular_thread_0(_S410, _S413, _S414);
-        var _S416 : f32 = select(1.0f, -1.0f, (_S414.across_0) < 0.0f);
-        var _S417 : vec2<f32> = vec2<f32>(0.0f);
-        var other_3 : vec2<f32> = _S417;
-        var own_2 : vec2<f32> = _S417;
+        var _S447 : bool = number_4 == u32(0);
+        var _S448 : u32 = select(_S445, _S444, _S447);
+        var _S449 : vec2<f32> = select_vector_0(_S447, _S442, _S442.yx);
+        var _S450 : u32 = irregular_key_0(_S441, number_4);
+        var _S451 : f32 = _S449.x;
+        var _S452 : Cell_0 = locate_0(_S448, _S451);
+        var _S453 : f32 = irregular_thread_0(_S448, _S451, _S452);
+        var _S454 : f32 = select(1.0f, -1.0f, (_S452.across_0) < 0.0f);
+        var _S455 : vec2<f32> = vec2<f32>(0.0f);
+        var other_3 : vec2<f32> = _S455;
+        var own_2 : vec2<f32> = _S455;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -2250,24 +2485,24 @@ fn irregular_place_0( _S403 : u32,  _S404 : vec2<f32>,  _S405 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S418 : vec2<f32> = irregular_at_0(_S410, _S412, _S415 + _S416 * f32(neighbour_0), _S411.y).xy;
-            var _S419 : u32 = neighbour_0 + u32(1);
+            var _S456 : vec2<f32> = irregular_at_0(_S448, _S450, _S453 + _S454 * f32(neighbour_0), _S449.y).xy;
+            var _S457 : u32 = neighbour_0 + u32(1);
             own_2 = other_3;
-            other_3 = _S418;
-            neighbour_0 = _S419;
+            other_3 = _S456;
+            neighbour_0 = _S457;
         }
-        var _S420 : f32 = _S414.below_0 + _S414.above_0;
-        var _S421 : f32 = min(_S414.half_width_1 / _S420, 0.5f);
-        var _S422 : f32 = min(_S421 * (2.0f + own_2.y + other_3.y), 1.0f);
-        var _S423 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
-        var _S424 : f32 = _S423.x;
-        var _S425 : f32 = _S422 * _S424 / (_S424 + _S423.y);
-        var _S426 : f32 = abs(_S414.across_0) / _S420;
-        var _S427 : f32 = 1.0f - _S422;
-        var _S428 : f32 = _S426 - _S425;
-        var _S429 : f32 = moved_share_0(_S410, _S405) * _S416 * _S420 * (select(select((_S428 - _S427) / max(_S422 - _S425, 9.99999997475242708e-07f) * _S421 + (1.0f - _S421), _S428 / max(_S427, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S421) + _S421, _S428 < _S427), _S426 * _S421 / _S425, _S428 < 0.0f) - _S426);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_0(_S409, vec2<f32>(_S429, 0.0f), vec2<f32>(0.0f, _S429));
-        number_3 = number_3 + u32(1);
+        var _S458 : f32 = _S452.below_0 + _S452.above_0;
+        var _S459 : f32 = min(_S452.half_width_1 / _S458, 0.5f);
+        var _S460 : f32 = min(_S459 * (2.0f + own_2.y + other_3.y), 1.0f);
+        var _S461 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
+        var _S462 : f32 = _S461.x;
+        var _S463 : f32 = _S460 * _S462 / (_S462 + _S461.y);
+        var _S464 : f32 = abs(_S452.across_0) / _S458;
+        var _S465 : f32 = 1.0f - _S460;
+        var _S466 : f32 = _S464 - _S463;
+        var _S467 : f32 = moved_share_0(_S448, _S443) * _S454 * _S458 * (select(select((_S466 - _S465) / max(_S460 - _S463, 9.99999997475242708e-07f) * _S459 + (1.0f - _S459), _S466 / max(_S465, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S459) + _S459, _S466 < _S465), _S464 * _S459 / _S463, _S466 < 0.0f) - _S464);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_0(_S447, vec2<f32>(_S467, 0.0f), vec2<f32>(0.0f, _S467));
+        number_4 = number_4 + u32(1);
         moved_0 = moved_1;
     }
     return moved_0;
@@ -2278,13 +2513,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S430 : u32,  _S431 : vec2<u32>) -> f32
+fn visibility_at_0( _S468 : u32,  _S469 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S430 * frame_record_0.height_0 + _S431.y) * frame_record_0.width_0 + _S431.x];
+    return visibilities_0[(_S468 * frame_record_0.height_0 + _S469.y) * frame_record_0.width_0 + _S469.x];
 }
 
 struct LightSample_0
@@ -2294,67 +2529,61 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S432 : u32,  _S433 : u32) -> vec3<f32>
+fn environment_texel_0( _S470 : u32,  _S471 : u32) -> vec3<f32>
 {
-    var _S434 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S432 * frame_record_0.environment_columns_0 + _S433);
-    return vec3<f32>(scene_number_0(_S434), scene_number_0(_S434 + u32(1)), scene_number_0(_S434 + u32(2)));
+    var _S472 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S470 * frame_record_0.environment_columns_0 + _S471);
+    return vec3<f32>(scene_number_0(_S472), scene_number_0(_S472 + u32(1)), scene_number_0(_S472 + u32(2)));
 }
 
-fn sample_environment_0( _S435 : vec2<f32>,  _S436 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S473 : vec2<f32>,  _S474 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S437 : u32 = frame_record_0.environment_rows_0;
-    var _S438 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S435.y);
-    var _S439 : u32 = frame_record_0.environment_columns_0;
-    var _S440 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S438.index_5 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S435.x);
-    var _S441 : vec3<f32> = environment_texel_0(_S438.index_5, _S440.index_5);
-    (*_S436) = _S441 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S441), 9.99999968265522539e-21f)));
-    var _S442 : f32 = 3.14159274101257324f / f32(_S437);
-    var _S443 : f32 = mix(sine_cosine_0(f32(_S438.index_5) * _S442).y, sine_cosine_0(f32(_S438.index_5 + u32(1)) * _S442).y, _S438.remainder_0);
-    var _S444 : f32 = sqrt(max(1.0f - _S443 * _S443, 0.0f));
-    var _S445 : vec2<f32> = sine_cosine_0((f32(_S440.index_5) + _S440.remainder_0) * (6.28318548202514648f / f32(_S439)));
-    var _S446 : f32 = _S444 * _S445.x;
-    var _S447 : f32 = - _S444 * _S445.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S446 + frame_record_0.environment_sine_0 * _S447, _S443, frame_record_0.environment_cosine_0 * _S447 - frame_record_0.environment_sine_0 * _S446);
+    var _S475 : u32 = frame_record_0.environment_rows_0;
+    var _S476 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S473.y);
+    var _S477 : u32 = frame_record_0.environment_columns_0;
+    var _S478 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S476.index_5 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S473.x);
+    var _S479 : vec3<f32> = environment_texel_0(_S476.index_5, _S478.index_5);
+    (*_S474) = _S479 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S479), 9.99999968265522539e-21f)));
+    var _S480 : f32 = 3.14159274101257324f / f32(_S475);
+    var _S481 : f32 = mix(sine_cosine_0(f32(_S476.index_5) * _S480).y, sine_cosine_0(f32(_S476.index_5 + u32(1)) * _S480).y, _S476.remainder_0);
+    var _S482 : f32 = sqrt(max(1.0f - _S481 * _S481, 0.0f));
+    var _S483 : vec2<f32> = sine_cosine_0((f32(_S478.index_5) + _S478.remainder_0) * (6.28318548202514648f / f32(_S477)));
+    var _S484 : f32 = _S482 * _S483.x;
+    var _S485 : f32 = - _S482 * _S483.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S484 + frame_record_0.environment_sine_0 * _S485, _S481, frame_record_0.environment_cosine_0 * _S485 - frame_record_0.environment_sine_0 * _S484);
 }
 
-fn light_sample_0( _S448 : u32,  _S449 : vec2<u32>,  _S450 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S486 : u32,  _S487 : vec2<u32>,  _S488 : vec3<f32>) -> LightSample_0
 {
-    var sample_0 : LightSample_0;
-    sample_0.distance_1 = 1.00000001504746622e+30f;
-    var _S451 : u32 = frame_record_0.lights_0;
-    if(_S448 >= (frame_record_0.lights_0))
+    var sample_1 : LightSample_0;
+    sample_1.distance_1 = 1.00000001504746622e+30f;
+    var _S489 : u32 = frame_record_0.lights_0;
+    if(_S486 >= (frame_record_0.lights_0))
     {
         var weight_6 : vec3<f32>;
-        var _S452 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S449, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S448 - _S451), u32(3)), &(weight_6));
-        sample_0.towards_0 = _S452;
-        sample_0.irradiance_1 = weight_6 / vec3<f32>(f32(frame_record_0.environment_samples_0));
-        return sample_0;
+        var _S490 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S487, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S486 - _S489), u32(3)), &(weight_6));
+        sample_1.towards_0 = _S490;
+        sample_1.irradiance_1 = weight_6 / vec3<f32>(f32(frame_record_0.environment_samples_0));
+        return sample_1;
     }
-    var _S453 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S448);
-    sample_0.irradiance_1 = vec3<f32>(_S453.red_0, _S453.green_0, _S453.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S453.x_7, _S453.y_1, _S453.z_1);
-    if((_S453.is_point_0) != u32(0))
+    var _S491 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S486);
+    sample_1.irradiance_1 = vec3<f32>(_S491.red_0, _S491.green_0, _S491.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S491.x_7, _S491.y_1, _S491.z_1);
+    if((_S491.is_point_0) != u32(0))
     {
-        var _S454 : vec3<f32> = sample_0.towards_0 - _S450;
-        var _S455 : f32 = max(square_0(_S454), 9.999999960041972e-13f);
-        sample_0.distance_1 = sqrt(_S455);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S455);
-        sample_0.towards_0 = normalize(_S454);
+        var _S492 : vec3<f32> = sample_1.towards_0 - _S488;
+        var _S493 : f32 = max(square_0(_S492), 9.999999960041972e-13f);
+        sample_1.distance_1 = sqrt(_S493);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S493);
+        sample_1.towards_0 = normalize(_S492);
     }
-    return sample_0;
+    return sample_1;
 }
-
-struct FamilyAlbedos_0
-{
-     warp_7 : Albedos_0,
-     weft_7 : Albedos_0,
-};
 
 struct Estimate_0
 {
      components_0 : Components_0,
      close_0 : CloseUp_0,
-     albedos_7 : FamilyAlbedos_0,
+     albedos_9 : FamilyAlbedos_0,
 };
 
 struct Regime_0
@@ -2364,171 +2593,194 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S456 : u32,  _S457 : Footprint_0,  _S458 : f32) -> Regime_0
+fn regime_of_0( _S494 : u32,  _S495 : Footprint_0,  _S496 : f32) -> Regime_0
 {
-    var _S459 : f32 = Footprint_spread_side_0(_S457);
-    var _S460 : f32 = clamp((binary_logarithm_0(max(_S459, 9.99999971718068537e-10f)) - fabrics_0[_S456].lobes_0.unit_level_0 - -0.51457315683364868f) / 1.51457309722900391f, 0.0f, 1.0f);
+    var _S497 : f32 = Footprint_spread_side_0(_S495);
+    var _S498 : f32 = clamp((binary_logarithm_0(max(_S497, 9.99999971718068537e-10f)) - fabrics_0[_S494].lobes_0.unit_level_0 - -0.51457315683364868f) / 1.51457309722900391f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S461 : f32 = _S460 * _S460 * (3.0f - 2.0f * _S460);
-    regime_0.prefiltered_0 = _S461;
-    var _S462 : f32 = _S459 * fabrics_0[_S456].lobes_0.threads_per_mm_0;
-    regime_0.threads_2 = _S462;
-    regime_0.points_0 = select(0.0f, clamp(_S462 * 12.0f, 1.0f, max(mix(8.0f, 4.0f, _S461) / _S458, 1.0f)), _S461 < 1.0f);
+    var _S499 : f32 = _S498 * _S498 * (3.0f - 2.0f * _S498);
+    regime_0.prefiltered_0 = _S499;
+    var _S500 : f32 = _S497 * fabrics_0[_S494].lobes_0.threads_per_mm_0;
+    regime_0.threads_2 = _S500;
+    regime_0.points_0 = select(0.0f, clamp(_S500 * 12.0f, 1.0f, max(mix(8.0f, 4.0f, _S499) / _S496, 1.0f)), _S499 < 1.0f);
     return regime_0;
 }
 
-fn varies_at_0( _S463 : u32,  _S464 : f32) -> bool
+fn varies_at_0( _S501 : u32,  _S502 : f32) -> bool
 {
-    return (((((fabrics_0[_S463].fibre_noise_0) > 0.0f) | (((fabrics_0[_S463].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S463].has_detail_0) != u32(0)) & ((_S464 >= 0.0f))))));
+    return (((((fabrics_0[_S501].fibre_noise_0) > 0.0f) | (((fabrics_0[_S501].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S501].has_detail_0) != u32(0)) & ((_S502 >= 0.0f))))));
 }
 
 struct Hit_0
 {
-     x_18 : f32,
-     y_11 : f32,
+     x_21 : f32,
+     y_14 : f32,
      hole_7 : bool,
-     height_8 : f32,
-};
-
-struct Sample_0
-{
-     crossing_2 : Crossing_0,
-     shown_3 : Shown_0,
-     run_3 : Run_0,
-     section_1 : Section_0,
      height_9 : f32,
-     slope_across_0 : f32,
-     slope_along_0 : f32,
-     dive_1 : vec3<f32>,
-     slope_x_1 : f32,
-     slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S465 : u32,  _S466 : f32,  _S467 : f32,  _S468 : bool) -> Crossing_0
+fn whole_plane_0( _S503 : u32) -> Plane_0
 {
-    var crossing_3 : Crossing_0;
-    crossing_3.warp_2 = locate_0(fabrics_0[_S465].warp_0, _S466);
-    crossing_3.weft_2 = locate_0(fabrics_0[_S465].weft_0, _S467);
-    var _S469 : u32 = fabrics_0[_S465].run_words_0 + u32(2) * (crossing_3.weft_2.thread_1 * fabrics_0[_S465].ends_1 + crossing_3.warp_2.thread_1);
-    var _S470 : u32 = words_0[_S469];
-    crossing_3.warp_word_0 = _S470;
-    crossing_3.weft_word_0 = words_0[_S469 + u32(1)];
-    crossing_3.warp_above_0 = (((_S470 & (u32(1)))) == u32(1)) != _S468;
-    return crossing_3;
+    var plane_5 : Plane_0;
+    plane_5.warp_2 = fabrics_0[_S503].warp_0;
+    plane_5.weft_2 = fabrics_0[_S503].weft_0;
+    plane_5.run_words_1 = fabrics_0[_S503].run_words_0;
+    plane_5.ends_2 = fabrics_0[_S503].ends_1;
+    plane_5.end_numbers_0 = u32(0);
+    plane_5.pick_numbers_0 = u32(0);
+    plane_5.max_heights_1 = fabrics_0[_S503].max_heights_0;
+    plane_5.max_height_columns_1 = fabrics_0[_S503].max_height_columns_0;
+    plane_5.height_low_1 = fabrics_0[_S503].height_low_0;
+    plane_5.height_high_1 = fabrics_0[_S503].height_high_0;
+    plane_5.front_level_0 = 0.0f;
+    plane_5.back_level_0 = 0.0f;
+    plane_5.start_x_0 = 0.0f;
+    plane_5.start_y_0 = 0.0f;
+    plane_5.fine_x_0 = 0.0f;
+    plane_5.fine_y_0 = 0.0f;
+    return plane_5;
 }
 
-fn sample_at_0( _S471 : u32,  _S472 : f32,  _S473 : f32,  _S474 : bool) -> Sample_0
+fn plane_order_0( _S504 : u32,  _S505 : f32,  _S506 : f32,  _S507 : bool) -> u32
 {
-    var sample_1 : Sample_0;
-    var _S475 : Crossing_0 = crossing_at_0(_S471, _S472, _S473, _S474);
-    sample_1.crossing_2 = _S475;
-    var _S476 : Shown_0 = shown_at_0(_S475, _S474);
-    sample_1.shown_3 = _S476;
-    var _S477 : u32 = select(fabrics_0[_S471].weft_0, fabrics_0[_S471].warp_0, _S476.is_warp_2);
-    var _S478 : u32 = select(fabrics_0[_S471].warp_0, fabrics_0[_S471].weft_0, _S476.is_warp_2);
-    var _S479 : Cell_0 = select_cell_0(_S476.is_warp_2, sample_1.crossing_2.warp_2, sample_1.crossing_2.weft_2);
-    var _S480 : Cell_0 = select_cell_0(_S476.is_warp_2, sample_1.crossing_2.weft_2, sample_1.crossing_2.warp_2);
-    var _S481 : Run_0 = unpack_0(_S477, _S478, _S479.thread_1, _S480, _S476.word_0);
-    var _S482 : Section_0 = section_at_0(_S479);
-    var _S483 : bool = ((_S476.on_top_0) & (((_S481.distance_0) < (_S482.drop_0 * _S481.bend_1.sine_0))));
-    var _S484 : f32 = select(-1.0f, 1.0f, ((_S476.on_top_0) & ((!_S483))));
-    var _S485 : f32 = select(_S481.reach_0, _S481.other_reach_0, _S483);
-    var _S486 : f32 = select(max(_S485 - _S481.distance_0, 0.0f), _S485 + _S481.distance_0, _S483);
-    var _S487 : f32 = _S485 / _S481.bend_1.sine_0 - _S484 * _S482.drop_0;
-    var _S488 : f32 = _S486 * _S486;
-    var _S489 : f32 = max(_S487 * _S487 - _S488, 9.99999968265522539e-21f);
-    var _S490 : f32 = rsqrt_0(_S489);
-    var _S491 : f32 = _S488 / (_S489 * _S490 + _S487);
-    var _S492 : bool = _S486 > 0.0f;
-    var _S493 : f32 = select(-1.0f, 1.0f, _S476.on_top_0) * select(-1.0f, 1.0f, _S481.near_start_0);
-    var _S494 : f32 = _S482.slope_0 * select(1.0f, _S487 * _S490, _S492);
-    sample_1.slope_across_0 = _S494;
-    var _S495 : f32 = select(0.0f, _S493 * _S486 * _S490, _S492);
-    sample_1.slope_along_0 = _S495;
-    var _S496 : vec3<f32> = dive_0(_S478, _S476, _S481, _S480);
-    sample_1.dive_1 = _S496;
-    sample_1.height_9 = select(families_0[_S477].height_scale_0 * _S484, 0.0f, _S481.straight_0) * (_S485 * _S481.bend_1.half_tangent_0 - _S491) - families_0[_S477].height_scale_0 * _S482.drop_0 - _S496.x;
-    var _S497 : f32 = families_0[_S477].height_scale_0 * _S494;
-    var _S498 : f32 = families_0[_S477].height_scale_0 * _S495 - _S496.y;
-    sample_1.slope_x_1 = select(_S498, _S497, _S476.is_warp_2);
-    sample_1.slope_y_1 = select(_S497, _S498, _S476.is_warp_2);
-    sample_1.run_3 = _S481;
-    sample_1.section_1 = _S482;
-    return sample_1;
+    var _S508 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S504].plane_axes_0 + u32(1), _S506).thread_1 * fabrics_0[_S504].ends_1 + locate_varied_0(fabrics_0[_S504].plane_axes_0, _S505).thread_1, (fabrics_0[_S504].stacks_0) > u32(1));
+    return fabrics_0[_S504].plane_orders_0 + u32(2) * fabrics_0[_S504].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S504].regions_0 + _S508 / u32(4)] >> ((u32(8) * (_S508 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S507));
 }
 
-fn steps_per_length_0( _S499 : u32,  _S500 : SearchQuality_0,  _S501 : vec3<f32>) -> f32
+fn first_bounds_0( _S509 : u32,  _S510 : u32,  _S511 : f32,  _S512 : f32,  _S513 : bool,  _S514 : bool,  _S515 : bool) -> vec3<f32>
 {
-    return max(max(abs(_S501.x) * fabrics_0[_S499].threads_per_x_0, abs(_S501.y) * fabrics_0[_S499].threads_per_y_0) * _S500.steps_per_thread_0, abs(_S501.z) * fabrics_0[_S499].per_relief_0 * _S500.steps_per_relief_0);
+    var _S516 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S509].plane_records_0 + words_0[_S510] * u32(16)), _S511, _S512, _S513, _S514, _S515);
+    var _S517 : Cell_0 = locate_varied_0(fabrics_0[_S509].plane_axes_0, _S511);
+    var _S518 : Cell_0 = locate_varied_0(fabrics_0[_S509].plane_axes_0 + u32(1), _S512);
+    var _S519 : bool = (fabrics_0[_S509].stacks_0) == u32(1);
+    return vec3<f32>(_S516.x + table_number_0(_S510 + u32(1)), min(_S516.y, select(select(_S517.below_0, _S517.above_0, _S514), 1.0e+06f, _S519)), min(_S516.z, select(select(_S518.below_0, _S518.above_0, _S515), 1.0e+06f, _S519)));
 }
 
-fn cell_maximum_0( _S502 : u32,  _S503 : Crossing_0) -> f32
+fn plane_shown_0( _S520 : u32,  _S521 : f32,  _S522 : f32,  _S523 : bool,  _S524 : bool,  _S525 : bool) -> PlaneHere_0
 {
-    var _S504 : u32 = select(fabrics_0[_S502].weft_0, fabrics_0[_S502].warp_0, _S503.warp_above_0);
-    return f32((select(_S503.weft_word_0, _S503.warp_word_0, _S503.warp_above_0) >> (u32(28)))) * families_0[_S504].height_scale_0 * families_0[_S504].level_0;
-}
-
-fn probe_0( _S505 : u32,  _S506 : f32,  _S507 : f32,  _S508 : bool,  _S509 : bool,  _S510 : bool) -> Probe_0
-{
-    var _S511 : Sample_0 = sample_at_0(_S505, _S506, _S507, _S508);
-    var probe_1 : Probe_0;
-    probe_1.height_4 = _S511.height_9;
-    probe_1.hole_4 = _S511.shown_3.hole_3;
-    probe_1.slope_x_0 = _S511.slope_x_1;
-    probe_1.slope_y_0 = _S511.slope_y_1;
-    probe_1.yarn_1 = select(_S511.crossing_2.weft_2.thread_1 * u32(2), _S511.crossing_2.warp_2.thread_1 * u32(2) + u32(1), _S511.shown_3.is_warp_2);
-    probe_1.cell_max_0 = cell_maximum_0(_S505, _S511.crossing_2);
-    probe_1.side_x_0 = select(_S511.crossing_2.warp_2.below_0, _S511.crossing_2.warp_2.above_0, _S509);
-    probe_1.side_y_0 = select(_S511.crossing_2.weft_2.below_0, _S511.crossing_2.weft_2.above_0, _S510);
-    probe_1.edge_x_0 = outline_distance_0(_S511.crossing_2.warp_2, _S511.shown_3, _S511.run_3, !_S511.shown_3.is_warp_2, _S509);
-    probe_1.edge_y_0 = outline_distance_0(_S511.crossing_2.weft_2, _S511.shown_3, _S511.run_3, _S511.shown_3.is_warp_2, _S510);
-    return probe_1;
-}
-
-fn is_free_0( _S512 : u32,  _S513 : SearchQuality_0,  _S514 : vec3<f32>,  _S515 : vec3<f32>,  _S516 : bool,  _S517 : f32) -> bool
-{
-    var _S518 : f32 = _S515.z;
-    if(_S518 <= 0.0f)
+    var here_6 : PlaneHere_0;
+    here_6.plane_3 = whole_plane_0(_S520);
+    here_6.number_2 = u32(0);
+    here_6.level_1 = 0.0f;
+    here_6.edge_x_0 = 1.0e+06f;
+    here_6.edge_y_0 = 1.0e+06f;
+    here_6.bounds_0 = vec3<f32>(0.0f);
+    if(!is_layered_0(_S520))
     {
-        return false;
+        return here_6;
     }
-    var _S519 : f32 = 1.0f / max(_S513.shadow_share_0 * steps_per_length_0(_S512, _S513, _S515), 9.99999971718068537e-10f);
-    var _S520 : StepControl_0 = step_control_0(_S515.xy, _S519);
-    var previous_3 : PreviousSample_0 = no_previous_sample_0();
-    var count_4 : u32 = u32(0);
-    var distance_2 : f32 = 0.0f;
-    var last_step_0 : f32 = 0.0f;
+    var _S526 : u32 = plane_order_0(_S520, _S521, _S522, _S523);
+    var _S527 : vec3<f32> = first_bounds_0(_S520, _S526, _S521, _S522, _S523, _S524, _S525);
+    here_6.bounds_0 = _S527;
+    var _S528 : bool = (fabrics_0[_S520].stacks_0) == u32(1);
+    here_6.edge_x_0 = select(_S527.y, 1.0e+06f, _S528);
+    here_6.edge_y_0 = select(_S527.z, 1.0e+06f, _S528);
+    var is_hole_0 : bool = true;
+    var rank_1 : u32 = u32(0);
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S514.z + _S518 * distance_2) < _S517))))
+        if(((rank_1 < (fabrics_0[_S520].planes_0)) & (is_hole_0)))
         {
         }
         else
         {
             break;
         }
-        var _S521 : vec3<f32> = _S514 + _S515 * vec3<f32>(distance_2);
-        var _S522 : Probe_0 = probe_0(_S512, _S521.x, _S521.y, _S516, _S520.right_0, _S520.up_0);
-        var _S523 : f32 = _S521.z;
-        var _S524 : f32 = _S523 - _S522.height_4;
-        var _S525 : f32 = _S518 - _S522.slope_x_0 * _S515.x - _S522.slope_y_0 * _S515.y;
-        if(((!_S522.hole_4) & ((_S524 < 0.0f))))
+        var _S529 : u32 = _S526 + u32(2) * rank_1;
+        var _S530 : u32 = words_0[_S529];
+        here_6.number_2 = _S530;
+        here_6.level_1 = table_number_0(_S529 + u32(1));
+        here_6.plane_3 = plane_at_0(fabrics_0[_S520].plane_records_0 + _S530 * u32(16));
+        var _S531 : Cell_0 = locate_varied_0(here_6.plane_3.warp_2, _S521 - here_6.plane_3.start_x_0);
+        var _S532 : Cell_0 = locate_varied_0(here_6.plane_3.weft_2, _S522 - here_6.plane_3.start_y_0);
+        var is_hole_1 : bool = !((((abs(_S531.across_0)) < (_S531.half_width_1)) | (((abs(_S532.across_0)) < (_S532.half_width_1)))));
+        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S531, _S524), is_hole_1));
+        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S532, _S525), is_hole_1));
+        var _S533 : u32 = rank_1 + u32(1);
+        is_hole_0 = is_hole_1;
+        rank_1 = _S533;
+    }
+    return here_6;
+}
+
+fn sample_at_0( _S534 : u32,  _S535 : f32,  _S536 : f32,  _S537 : bool) -> Sample_0
+{
+    return sample_in_0(plane_shown_0(_S534, _S535, _S536, _S537, true, true), _S535, _S536, _S537);
+}
+
+fn steps_per_length_0( _S538 : u32,  _S539 : SearchQuality_0,  _S540 : vec3<f32>) -> f32
+{
+    return max(max(abs(_S540.x) * fabrics_0[_S538].threads_per_x_0, abs(_S540.y) * fabrics_0[_S538].threads_per_y_0) * _S539.steps_per_thread_0, abs(_S540.z) * fabrics_0[_S538].per_relief_0 * _S539.steps_per_relief_0);
+}
+
+fn plane_count_0( _S541 : u32) -> u32
+{
+    return select(u32(1), fabrics_0[_S541].planes_0, is_layered_0(_S541));
+}
+
+fn probe_0( _S542 : u32,  _S543 : f32,  _S544 : f32,  _S545 : bool,  _S546 : bool,  _S547 : bool) -> Probe_0
+{
+    var _S548 : PlaneHere_0 = plane_shown_0(_S542, _S543, _S544, _S545, _S546, _S547);
+    var _S549 : Sample_0 = sample_in_0(_S548, _S543, _S544, _S545);
+    var probe_1 : Probe_0;
+    probe_1.height_5 = _S549.height_4;
+    probe_1.hole_4 = _S549.shown_2.hole_3;
+    probe_1.slope_x_1 = _S549.slope_x_0;
+    probe_1.slope_y_1 = _S549.slope_y_0;
+    var _S550 : bool = !is_layered_0(_S542);
+    probe_1.yarn_1 = select(_S549.crossing_3.weft_3.thread_1 * u32(2), _S549.crossing_3.warp_3.thread_1 * u32(2) + u32(1), _S549.shown_2.is_warp_2) * plane_count_0(_S542) + _S548.number_2;
+    probe_1.cell_max_0 = select(_S548.bounds_0.x, cell_maximum_0(_S548.plane_3, _S549.crossing_3), _S550);
+    probe_1.side_x_0 = select(_S548.bounds_0.y, select(_S549.crossing_3.warp_3.below_0, _S549.crossing_3.warp_3.above_0, _S546), _S550);
+    probe_1.side_y_0 = select(_S548.bounds_0.z, select(_S549.crossing_3.weft_3.below_0, _S549.crossing_3.weft_3.above_0, _S547), _S550);
+    probe_1.edge_x_1 = min(_S548.edge_x_0, outline_distance_0(_S549.crossing_3.warp_3, _S549.shown_2, _S549.run_2, !_S549.shown_2.is_warp_2, _S546));
+    probe_1.edge_y_1 = min(_S548.edge_y_0, outline_distance_0(_S549.crossing_3.weft_3, _S549.shown_2, _S549.run_2, _S549.shown_2.is_warp_2, _S547));
+    return probe_1;
+}
+
+fn is_free_0( _S551 : u32,  _S552 : SearchQuality_0,  _S553 : vec3<f32>,  _S554 : vec3<f32>,  _S555 : bool,  _S556 : f32) -> bool
+{
+    var _S557 : f32 = _S554.z;
+    if(_S557 <= 0.0f)
+    {
+        return false;
+    }
+    var _S558 : f32 = 1.0f / max(_S552.shadow_share_0 * steps_per_length_0(_S551, _S552, _S554), 9.99999971718068537e-10f);
+    var _S559 : StepControl_0 = step_control_0(_S554.xy, _S558);
+    var previous_3 : PreviousSample_0 = no_previous_sample_0();
+    var count_4 : u32 = u32(0);
+    var distance_2 : f32 = 0.0f;
+    var last_step_0 : f32 = 0.0f;
+    for(;;)
+    {
+        if(((count_4 < u32(1024)) & (((_S553.z + _S557 * distance_2) < _S556))))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S560 : vec3<f32> = _S553 + _S554 * vec3<f32>(distance_2);
+        var _S561 : Probe_0 = probe_0(_S551, _S560.x, _S560.y, _S555, _S559.right_1, _S559.up_1);
+        var _S562 : f32 = _S560.z;
+        var _S563 : f32 = _S562 - _S561.height_5;
+        var _S564 : f32 = _S557 - _S561.slope_x_1 * _S554.x - _S561.slope_y_1 * _S554.y;
+        if(((!_S561.hole_4) & ((_S563 < 0.0f))))
         {
             return false;
         }
-        var _S526 : f32 = way_back_to_dip_0(previous_3, _S524, _S525, last_step_0, _S522);
-        if(_S526 >= 0.0f)
+        var _S565 : f32 = way_back_to_dip_0(previous_3, _S563, _S564, last_step_0, _S561);
+        if(_S565 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S526;
-            distance_2 = distance_2 - _S526;
+            var last_step_1 : f32 = last_step_0 - _S565;
+            distance_2 = distance_2 - _S565;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S527 : bool = _S523 > (_S522.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S520, _S522, _S524, _S525), max(StepControl_to_cell_exit_0(_S520, _S522.side_x_0, _S522.side_y_0), _S519), _S527);
+        var _S566 : bool = _S562 > (_S561.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S559, _S561, _S563, _S564), max(StepControl_to_cell_exit_0(_S559, _S561.side_x_0, _S561.side_y_0), _S558), _S566);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S524, _S525, _S522, _S527);
+        previous_3 = after_sample_0(_S563, _S564, _S561, _S566);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2536,13 +2788,13 @@ fn is_free_0( _S512 : u32,  _S513 : SearchQuality_0,  _S514 : vec3<f32>,  _S515 
     return true;
 }
 
-fn passes_through_0( _S528 : u32,  _S529 : SearchQuality_0,  _S530 : f32,  _S531 : f32,  _S532 : vec3<f32>,  _S533 : bool) -> bool
+fn passes_through_0( _S567 : u32,  _S568 : SearchQuality_0,  _S569 : f32,  _S570 : f32,  _S571 : vec3<f32>,  _S572 : bool) -> bool
 {
-    if(!sample_at_0(_S528, _S530, _S531, _S533).shown_3.hole_3)
+    if(!sample_at_0(_S567, _S569, _S570, _S572).shown_2.hole_3)
     {
         return false;
     }
-    var _S534 : vec3<f32> = vec3<f32>(_S530, _S531, 0.0f);
+    var _S573 : vec3<f32> = vec3<f32>(_S569, _S570, 0.0f);
     var passes_0 : bool = true;
     var side_2 : u32 = u32(0);
     for(;;)
@@ -2554,10 +2806,10 @@ fn passes_through_0( _S528 : u32,  _S529 : SearchQuality_0,  _S530 : f32,  _S531
         {
             break;
         }
-        var _S535 : bool = is_free_0(_S528, _S529, _S534, select_vector_1(side_2 == u32(0), _S532, vec3<f32>(- _S532.x, - _S532.y, _S532.z)), _S533 != (side_2 == u32(1)), fabrics_0[_S528].height_high_0);
-        var _S536 : u32 = side_2 + u32(1);
-        passes_0 = _S535;
-        side_2 = _S536;
+        var _S574 : bool = is_free_0(_S567, _S568, _S573, select_vector_1(side_2 == u32(0), _S571, vec3<f32>(- _S571.x, - _S571.y, _S571.z)), _S572 != (side_2 == u32(1)), fabrics_0[_S567].height_high_0);
+        var _S575 : u32 = side_2 + u32(1);
+        passes_0 = _S574;
+        side_2 = _S575;
     }
     return passes_0;
 }
@@ -2572,44 +2824,73 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S537 : u32,  _S538 : f32,  _S539 : f32,  _S540 : f32,  _S541 : vec3<f32>,  _S542 : bool) -> f32
+fn plane_of_0( _S576 : u32,  _S577 : u32) -> Plane_0
 {
-    var _S543 : f32 = _S541.x;
-    var _S544 : f32 = _S541.y;
-    var _S545 : u32 = (words_0[fabrics_0[_S537].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S537].weft_0, _S539).thread_1 / u32(2) * fabrics_0[_S537].max_height_columns_0 + locate_0(fabrics_0[_S537].warp_0, _S538).thread_1 / u32(2)) + (select(u32(0), u32(1), _S543 > 0.0f) + select(u32(0), u32(2), _S544 > 0.0f))] >> (u32(select(i32(0), i32(4), _S542))));
-    var _S546 : f32 = max(abs(_S543) * fabrics_0[_S537].threads_per_x_0, abs(_S544) * fabrics_0[_S537].threads_per_y_0) / _S541.z;
-    var _S547 : f32 = fabrics_0[_S537].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S537].height_high_0;
-    var number_4 : i32 = i32(3);
+    if(!is_layered_0(_S576))
+    {
+        return whole_plane_0(_S576);
+    }
+    return plane_at_0(fabrics_0[_S576].plane_records_0 + _S577 * u32(16));
+}
+
+fn max_height_along_0( _S578 : u32,  _S579 : f32,  _S580 : f32,  _S581 : f32,  _S582 : vec3<f32>,  _S583 : bool) -> f32
+{
+    var _S584 : f32 = _S582.x;
+    var _S585 : f32 = _S582.y;
+    var _S586 : u32 = select(u32(0), u32(1), _S584 > 0.0f) + select(u32(0), u32(2), _S585 > 0.0f);
+    var _S587 : f32 = max(abs(_S584) * fabrics_0[_S578].threads_per_x_0, abs(_S585) * fabrics_0[_S578].threads_per_y_0) / _S582.z;
+    var levels_4 : vec4<f32> = vec4<f32>(-1.00000001504746622e+30f);
+    var number_5 : u32 = u32(0);
     for(;;)
     {
-        if(number_4 >= i32(0))
+        if(number_5 < (plane_count_0(_S578)))
         {
         }
         else
         {
             break;
         }
-        if(((max_height_0 - _S540) * _S546) <= (PYRAMID_RADII_0[number_4]))
+        var _S588 : Plane_0 = plane_of_0(_S578, number_5);
+        var _S589 : u32 = (words_0[_S588.max_heights_1 + u32(4) * (locate_0(_S588.weft_2, _S580 - _S588.start_y_0).thread_1 / u32(2) * _S588.max_height_columns_1 + locate_0(_S588.warp_2, _S579 - _S588.start_x_0).thread_1 / u32(2)) + _S586] >> (u32(select(i32(0), i32(4), _S583))));
+        var _S590 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S589 & (u32(15)))), f32((((_S589 >> (u32(8)))) & (u32(15)))), f32((((_S589 >> (u32(16)))) & (u32(15)))), f32((((_S589 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S588.height_high_1) + vec4<f32>(select(_S588.front_level_0, _S588.back_level_0, _S583)));
+        var _S591 : u32 = number_5 + u32(1);
+        levels_4 = _S590;
+        number_5 = _S591;
+    }
+    var max_height_0 : f32 = fabrics_0[_S578].height_high_0;
+    var number_6 : i32 = i32(3);
+    for(;;)
+    {
+        if(number_6 >= i32(0))
         {
-            max_height_0 = min(max_height_0, f32((((_S545 >> (u32(i32(8) * number_4)))) & (u32(15)))) * 0.06666667014360428f * _S547);
         }
-        number_4 = number_4 - i32(1);
+        else
+        {
+            break;
+        }
+        if(((max_height_0 - _S581) * _S587) <= (PYRAMID_RADII_0[number_6]))
+        {
+            max_height_0 = min(max_height_0, levels_4[number_6]);
+        }
+        number_6 = number_6 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S548 : u32,  _S549 : f32,  _S550 : f32,  _S551 : bool,  _S552 : bool,  _S553 : bool) -> vec3<f32>
+fn cell_bounds_0( _S592 : u32,  _S593 : f32,  _S594 : f32,  _S595 : bool,  _S596 : bool,  _S597 : bool) -> vec3<f32>
 {
-    var _S554 : Crossing_0 = crossing_at_0(_S548, _S549, _S550, _S551);
-    return vec3<f32>(cell_maximum_0(_S548, _S554), select(_S554.warp_2.below_0, _S554.warp_2.above_0, _S552), select(_S554.weft_2.below_0, _S554.weft_2.above_0, _S553));
+    if(is_layered_0(_S592))
+    {
+        return first_bounds_0(_S592, plane_order_0(_S592, _S593, _S594, _S595), _S593, _S594, _S595, _S596, _S597);
+    }
+    return bounds_in_0(whole_plane_0(_S592), _S593, _S594, _S595, _S596, _S597);
 }
 
-fn first_sample_height_0( _S555 : u32,  _S556 : ViewRay_0,  _S557 : StepControl_0,  _S558 : bool) -> f32
+fn first_sample_height_0( _S598 : u32,  _S599 : ViewRay_0,  _S600 : StepControl_0,  _S601 : bool) -> f32
 {
-    var _S559 : f32 = max_height_along_0(_S555, _S556.origin_0.x, _S556.origin_0.y, 0.0f, vec3<f32>(_S556.slope_1, 1.0f), _S558);
+    var _S602 : f32 = max_height_along_0(_S598, _S599.origin_0.x, _S599.origin_0.y, 0.0f, vec3<f32>(_S599.slope_1, 1.0f), _S601);
     var count_5 : u32 = u32(0);
-    var height_11 : f32 = _S559;
+    var height_11 : f32 = _S602;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -2619,12 +2900,12 @@ fn first_sample_height_0( _S555 : u32,  _S556 : ViewRay_0,  _S557 : StepControl_
         {
             break;
         }
-        var _S560 : vec2<f32> = ViewRay_at_0(_S556, height_11);
-        var _S561 : vec3<f32> = cell_bounds_0(_S555, _S560.x, _S560.y, _S558, _S557.right_0, _S557.up_0);
-        var _S562 : f32 = height_11 - _S561.x;
-        var _S563 : f32 = StepControl_to_cell_exit_0(_S557, _S561.y, _S561.z);
-        var height_12 : f32 = height_11 - clamp(_S562, 0.0f, _S563);
-        if(_S562 <= _S563)
+        var _S603 : vec2<f32> = ViewRay_at_0(_S599, height_11);
+        var _S604 : vec3<f32> = cell_bounds_0(_S598, _S603.x, _S603.y, _S601, _S600.right_1, _S600.up_1);
+        var _S605 : f32 = height_11 - _S604.x;
+        var _S606 : f32 = StepControl_to_cell_exit_0(_S600, _S604.y, _S604.z);
+        var height_12 : f32 = height_11 - clamp(_S605, 0.0f, _S606);
+        if(_S605 <= _S606)
         {
             height_11 = height_12;
             break;
@@ -2635,12 +2916,12 @@ fn first_sample_height_0( _S555 : u32,  _S556 : ViewRay_0,  _S557 : StepControl_
     return height_11;
 }
 
-fn search_down_0( _S564 : u32,  _S565 : ViewRay_0,  _S566 : StepControl_0,  _S567 : bool) -> ViewRayEnd_0
+fn search_down_0( _S607 : u32,  _S608 : ViewRay_0,  _S609 : StepControl_0,  _S610 : bool) -> ViewRayEnd_0
 {
-    var _S568 : f32 = fabrics_0[_S564].height_low_0 - (fabrics_0[_S564].height_high_0 - fabrics_0[_S564].height_low_0);
+    var _S611 : f32 = fabrics_0[_S607].height_low_0 - (fabrics_0[_S607].height_high_0 - fabrics_0[_S607].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_10 = first_sample_height_0(_S564, _S565, _S566, _S567);
-    end_1.last_step_3 = _S566.epsilon_0;
+    end_1.height_10 = first_sample_height_0(_S607, _S608, _S609, _S610);
+    end_1.last_step_3 = _S609.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_2 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2655,293 +2936,299 @@ fn search_down_0( _S564 : u32,  _S565 : ViewRay_0,  _S566 : StepControl_0,  _S56
         {
             break;
         }
-        var _S569 : vec2<f32> = ViewRay_at_0(_S565, end_1.height_10);
-        var _S570 : Probe_0 = probe_0(_S564, _S569.x, _S569.y, _S567, _S566.right_0, _S566.up_0);
-        var _S571 : f32 = end_1.height_10 - _S570.height_4;
-        var _S572 : f32 = ViewRay_rate_0(_S565, _S570);
-        end_1.depth_2 = - _S571;
-        end_1.rate_4 = _S572;
-        var _S573 : bool = !_S570.hole_4;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S573))) & (((end_1.previous_4.yarn_0) == (_S570.yarn_1))));
-        if((((_S573 & ((_S571 <= 0.0f)))) | (((end_1.height_10) <= _S568))))
+        var _S612 : vec2<f32> = ViewRay_at_0(_S608, end_1.height_10);
+        var _S613 : Probe_0 = probe_0(_S607, _S612.x, _S612.y, _S610, _S609.right_1, _S609.up_1);
+        var _S614 : f32 = end_1.height_10 - _S613.height_5;
+        var _S615 : f32 = ViewRay_rate_0(_S608, _S613);
+        end_1.depth_2 = - _S614;
+        end_1.rate_4 = _S615;
+        var _S616 : bool = !_S613.hole_4;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S616))) & (((end_1.previous_4.yarn_0) == (_S613.yarn_1))));
+        if((((_S616 & ((_S614 <= 0.0f)))) | (((end_1.height_10) <= _S611))))
         {
             break;
         }
-        var _S574 : f32 = way_back_to_dip_0(end_1.previous_4, _S571, _S572, end_1.last_step_3, _S570);
-        if(_S574 >= 0.0f)
+        var _S617 : f32 = way_back_to_dip_0(end_1.previous_4, _S614, _S615, end_1.last_step_3, _S613);
+        if(_S617 >= 0.0f)
         {
-            end_1.height_10 = end_1.height_10 + _S574;
-            end_1.last_step_3 = end_1.last_step_3 - _S574;
+            end_1.height_10 = end_1.height_10 + _S617;
+            end_1.last_step_3 = end_1.last_step_3 - _S617;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S575 : f32 = min(StepControl_to_cell_exit_0(_S566, _S570.side_x_0, _S570.side_y_0), end_1.height_10 - _S570.cell_max_0);
-        var _S576 : f32 = StepControl_to_next_sample_0(_S566, _S570, _S571, _S572);
-        end_1.previous_4 = after_sample_0(_S571, _S572, _S570, _S575 > _S576);
-        var _S577 : f32 = max(_S575, _S576);
-        end_1.last_step_3 = _S577;
-        end_1.height_10 = end_1.height_10 - _S577;
+        var _S618 : f32 = min(StepControl_to_cell_exit_0(_S609, _S613.side_x_0, _S613.side_y_0), end_1.height_10 - _S613.cell_max_0);
+        var _S619 : f32 = StepControl_to_next_sample_0(_S609, _S613, _S614, _S615);
+        end_1.previous_4 = after_sample_0(_S614, _S615, _S613, _S618 > _S619);
+        var _S620 : f32 = max(_S618, _S619);
+        end_1.last_step_3 = _S620;
+        end_1.height_10 = end_1.height_10 - _S620;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S578 : u32,  _S579 : ViewRay_0,  _S580 : StepControl_0,  _S581 : bool,  _S582 : ViewRayEnd_0,  _S583 : u32) -> f32
+fn refined_height_0( _S621 : u32,  _S622 : ViewRay_0,  _S623 : StepControl_0,  _S624 : bool,  _S625 : ViewRayEnd_0,  _S626 : u32) -> f32
 {
-    var _S584 : f32 = fabrics_0[_S578].height_high_0 - fabrics_0[_S578].height_low_0;
-    var above_2 : f32 = _S582.height_10 + _S582.last_step_3;
-    var above_gap_1 : f32 = clamp(_S582.previous_4.clearance_0, 0.0f, _S584);
-    var under_gap_1 : f32 = clamp(_S582.depth_2, 0.0f, _S584);
-    var middle_0 : f32 = select(between_0(above_2, _S582.height_10, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S582.previous_4.rate_0 * _S582.last_step_3, _S582.rate_4 * _S582.last_step_3) * _S582.last_step_3, _S582.smooth_0);
+    var _S627 : f32 = fabrics_0[_S621].height_high_0 - fabrics_0[_S621].height_low_0;
+    var above_2 : f32 = _S625.height_10 + _S625.last_step_3;
+    var above_gap_1 : f32 = clamp(_S625.previous_4.clearance_0, 0.0f, _S627);
+    var under_gap_1 : f32 = clamp(_S625.depth_2, 0.0f, _S627);
+    var middle_0 : f32 = select(between_0(above_2, _S625.height_10, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S625.previous_4.rate_0 * _S625.last_step_3, _S625.rate_4 * _S625.last_step_3) * _S625.last_step_3, _S625.smooth_0);
     var side_3 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S582.height_10;
+    var under_1 : f32 = _S625.height_10;
     var above_3 : f32 = above_2;
     var i_2 : u32 = u32(0);
     for(;;)
     {
-        if(i_2 < _S583)
+        if(i_2 < _S626)
         {
         }
         else
         {
             break;
         }
-        var _S585 : vec2<f32> = ViewRay_at_0(_S579, middle_0);
-        var _S586 : Probe_0 = probe_0(_S578, _S585.x, _S585.y, _S581, _S580.right_0, _S580.up_0);
-        var _S587 : f32 = clamp(middle_0 - select(_S586.height_4, -1.0e+09f, _S586.hole_4), - _S584, _S584);
-        if(_S587 <= 0.0f)
+        var _S628 : vec2<f32> = ViewRay_at_0(_S622, middle_0);
+        var _S629 : Probe_0 = probe_0(_S621, _S628.x, _S628.y, _S624, _S623.right_1, _S623.up_1);
+        var _S630 : f32 = clamp(middle_0 - select(_S629.height_5, -1.0e+09f, _S629.hole_4), - _S627, _S627);
+        if(_S630 <= 0.0f)
         {
-            var _S588 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
-            var _S589 : f32 = - _S587;
+            var _S631 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
+            var _S632 : f32 = - _S630;
             under_1 = middle_0;
-            above_gap_2 = _S588;
-            under_gap_2 = _S589;
+            above_gap_2 = _S631;
+            under_gap_2 = _S632;
             side_3 = 1.0f;
         }
         else
         {
-            var _S590 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
+            var _S633 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S587;
-            under_gap_2 = _S590;
+            above_gap_2 = _S630;
+            under_gap_2 = _S633;
             side_3 = -1.0f;
         }
-        var _S591 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S587 / min(ViewRay_rate_0(_S579, _S586), -9.99999997475242708e-07f), under_1, above_3), _S582.smooth_0);
-        var _S592 : u32 = i_2 + u32(1);
-        middle_0 = _S591;
-        i_2 = _S592;
+        var _S634 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S630 / min(ViewRay_rate_0(_S622, _S629), -9.99999997475242708e-07f), under_1, above_3), _S625.smooth_0);
+        var _S635 : u32 = i_2 + u32(1);
+        middle_0 = _S634;
+        i_2 = _S635;
     }
-    return select(under_1, middle_0, _S582.smooth_0);
+    return select(under_1, middle_0, _S625.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S593 : u32,  _S594 : SearchQuality_0,  _S595 : f32,  _S596 : f32,  _S597 : vec3<f32>,  _S598 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S636 : u32,  _S637 : SearchQuality_0,  _S638 : f32,  _S639 : f32,  _S640 : vec3<f32>,  _S641 : bool) -> Hit_0
 {
-    var _S599 : f32 = max(_S597.z, 0.00009999999747379f);
+    var _S642 : f32 = max(_S640.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S595, _S596);
-    var _S600 : vec2<f32> = _S597.xy / vec2<f32>(_S599);
-    ray_0.slope_1 = _S600;
-    var _S601 : StepControl_0 = step_control_0((vec2<f32>(0) - _S600), 1.0f / max(steps_per_length_0(_S593, _S594, _S597) / _S599, 9.99999971718068537e-10f));
-    var _S602 : ViewRayEnd_0 = search_down_0(_S593, ray_0, _S601, _S598);
+    ray_0.origin_0 = vec2<f32>(_S638, _S639);
+    var _S643 : vec2<f32> = _S640.xy / vec2<f32>(_S642);
+    ray_0.slope_1 = _S643;
+    var _S644 : StepControl_0 = step_control_0((vec2<f32>(0) - _S643), 1.0f / max(steps_per_length_0(_S636, _S637, _S640) / _S642, 9.99999971718068537e-10f));
+    var _S645 : ViewRayEnd_0 = search_down_0(_S636, ray_0, _S644, _S641);
     var hit_0 : Hit_0;
     hit_0.hole_7 = false;
-    var _S603 : f32 = refined_height_0(_S593, ray_0, _S601, _S598, _S602, _S594.refinements_0);
-    hit_0.height_8 = _S603;
-    var _S604 : vec2<f32> = ViewRay_at_0(ray_0, _S603);
-    hit_0.x_18 = _S604.x;
-    hit_0.y_11 = _S604.y;
+    var _S646 : f32 = refined_height_0(_S636, ray_0, _S644, _S641, _S645, _S637.refinements_0);
+    hit_0.height_9 = _S646;
+    var _S647 : vec2<f32> = ViewRay_at_0(ray_0, _S646);
+    hit_0.x_21 = _S647.x;
+    hit_0.y_14 = _S647.y;
     return hit_0;
 }
 
-fn first_hit_0( _S605 : u32,  _S606 : SearchQuality_0,  _S607 : f32,  _S608 : f32,  _S609 : vec3<f32>,  _S610 : bool) -> Hit_0
+fn first_hit_0( _S648 : u32,  _S649 : SearchQuality_0,  _S650 : f32,  _S651 : f32,  _S652 : vec3<f32>,  _S653 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S605, _S606, _S607, _S608, _S609, _S610))
+    if(!passes_through_0(_S648, _S649, _S650, _S651, _S652, _S653))
     {
-        return first_hit_of_yarn_0(_S605, _S606, _S607, _S608, _S609, _S610);
+        return first_hit_of_yarn_0(_S648, _S649, _S650, _S651, _S652, _S653);
     }
     var hit_1 : Hit_0;
-    hit_1.x_18 = _S607;
-    hit_1.y_11 = _S608;
-    hit_1.height_8 = 0.0f;
+    hit_1.x_21 = _S650;
+    hit_1.y_14 = _S651;
+    hit_1.height_9 = 0.0f;
     hit_1.hole_7 = true;
     return hit_1;
 }
 
-fn surface_of_0( _S611 : u32,  _S612 : Sample_0,  _S613 : f32,  _S614 : f32,  _S615 : bool) -> SurfacePoint_0
+fn surface_of_0( _S654 : u32,  _S655 : Sample_0,  _S656 : f32,  _S657 : f32,  _S658 : bool) -> SurfacePoint_0
 {
-    var _S616 : u32 = select(fabrics_0[_S611].weft_0, fabrics_0[_S611].warp_0, _S612.shown_3.is_warp_2);
-    var _S617 : f32 = families_0[_S616].twist_sine_0 * select(1.0f, -1.0f, _S615);
-    var _S618 : f32 = select(-1.0f, 1.0f, _S612.shown_3.is_warp_2);
-    var _S619 : vec2<f32> = fibre_direction_0(_S612.slope_across_0, _S618 * _S612.slope_along_0, _S617, families_0[_S616].twist_cosine_0);
-    var _S620 : f32 = _S619.x;
-    var _S621 : f32 = _S619.y;
-    var _S622 : f32 = select(_S612.slope_y_1, _S612.slope_x_1, _S612.shown_3.is_warp_2) * _S620 + _S618 * select(_S612.slope_x_1, _S612.slope_y_1, _S612.shown_3.is_warp_2) * _S621;
-    var _S623 : f32 = select(_S612.crossing_2.weft_2.half_width_1, _S612.crossing_2.warp_2.half_width_1, _S612.shown_3.is_warp_2) * 1.0154266357421875f;
-    var _S624 : f32 = _S623 * arc_sine_0(clamp(_S612.section_1.across_3 / _S623, -1.0f, 1.0f));
-    var _S625 : f32 = select(- _S613, _S614, _S612.shown_3.is_warp_2);
+    var _S659 : u32 = select(fabrics_0[_S654].weft_0, fabrics_0[_S654].warp_0, _S655.shown_2.is_warp_2);
+    var _S660 : f32 = families_0[_S659].twist_sine_0 * select(1.0f, -1.0f, _S658);
+    var _S661 : f32 = families_0[_S659].twist_cosine_0;
+    var _S662 : f32 = select(-1.0f, 1.0f, _S655.shown_2.is_warp_2);
+    var _S663 : vec2<f32> = fibre_direction_0(_S655.slope_across_0, _S662 * _S655.slope_along_0, _S660, families_0[_S659].twist_cosine_0);
+    var _S664 : f32 = _S663.x;
+    var _S665 : f32 = _S663.y;
+    var _S666 : f32 = select(_S655.slope_y_0, _S655.slope_x_0, _S655.shown_2.is_warp_2) * _S664 + _S662 * select(_S655.slope_x_0, _S655.slope_y_0, _S655.shown_2.is_warp_2) * _S665;
+    var _S667 : f32 = select(_S655.crossing_3.weft_3.half_width_1, _S655.crossing_3.warp_3.half_width_1, _S655.shown_2.is_warp_2) * 1.0154266357421875f;
+    var _S668 : f32 = _S667 * arc_sine_0(clamp(_S655.section_1.across_3 / _S667, -1.0f, 1.0f));
+    var _S669 : f32 = select(_S655.here_0.plane_3.start_x_0 - _S656, _S657 - _S655.here_0.plane_3.start_y_0, _S655.shown_2.is_warp_2);
     var point_4 : SurfacePoint_0;
-    point_4.hole_0 = _S612.shown_3.hole_3;
-    point_4.is_warp_0 = _S612.shown_3.is_warp_2;
-    point_4.warp_thread_0 = _S612.crossing_2.warp_2.thread_1;
-    point_4.weft_thread_0 = _S612.crossing_2.weft_2.thread_1;
-    point_4.height_2 = _S612.height_9;
-    point_4.normal_1 = normalize(vec3<f32>(- _S612.slope_x_1, - _S612.slope_y_1, 1.0f));
-    point_4.tangent_0 = normalize(select_vector_1(_S612.shown_3.is_warp_2, vec3<f32>(_S620, _S621, _S622), vec3<f32>(- _S621, _S620, _S622)));
-    point_4.across_1 = _S612.section_1.across_3;
-    point_4.fibre_across_0 = _S624 * families_0[_S616].twist_cosine_0 + _S625 * _S617;
-    point_4.fibre_along_0 = _S625 * families_0[_S616].twist_cosine_0 - _S624 * _S617;
-    var _S626 : f32 = run_share_0(_S612.shown_3.word_0);
-    point_4.shown_share_0 = select(1.0f - _S626, _S626, _S612.shown_3.on_top_0);
-    point_4.x_8 = _S613;
-    point_4.y_2 = _S614;
+    point_4.hole_0 = _S655.shown_2.hole_3;
+    point_4.is_warp_0 = _S655.shown_2.is_warp_2;
+    point_4.warp_thread_0 = _S655.crossing_3.warp_3.thread_1;
+    point_4.weft_thread_0 = _S655.crossing_3.weft_3.thread_1;
+    if(is_layered_0(_S654))
+    {
+        point_4.warp_thread_0 = words_0[_S655.here_0.plane_3.end_numbers_0 + point_4.warp_thread_0];
+        point_4.weft_thread_0 = words_0[_S655.here_0.plane_3.pick_numbers_0 + point_4.weft_thread_0];
+    }
+    point_4.height_2 = _S655.height_4;
+    point_4.normal_1 = normalize(vec3<f32>(- _S655.slope_x_0, - _S655.slope_y_0, 1.0f));
+    point_4.tangent_0 = normalize(select_vector_1(_S655.shown_2.is_warp_2, vec3<f32>(_S664, _S665, _S666), vec3<f32>(- _S665, _S664, _S666)));
+    point_4.across_1 = _S655.section_1.across_3;
+    point_4.fibre_across_0 = _S668 * _S661 + _S669 * _S660;
+    point_4.fibre_along_0 = _S669 * _S661 - _S668 * _S660;
+    var _S670 : f32 = run_share_0(_S655.shown_2.word_0);
+    point_4.shown_share_0 = select(1.0f - _S670, _S670, _S655.shown_2.on_top_0);
+    point_4.x_8 = _S656;
+    point_4.y_2 = _S657;
     return point_4;
 }
 
-fn surface_met_0( _S627 : u32,  _S628 : f32,  _S629 : f32,  _S630 : f32,  _S631 : vec3<f32>,  _S632 : bool) -> SurfacePoint_0
+fn surface_met_0( _S671 : u32,  _S672 : f32,  _S673 : f32,  _S674 : f32,  _S675 : vec3<f32>,  _S676 : bool) -> SurfacePoint_0
 {
-    var _S633 : Sample_0 = sample_at_0(_S627, _S628, _S629, _S632);
-    var point_5 : SurfacePoint_0 = surface_of_0(_S627, _S633, _S628, _S629, _S632);
-    var _S634 : u32 = select(fabrics_0[_S627].weft_0, fabrics_0[_S627].warp_0, point_5.is_warp_0);
-    var _S635 : f32 = select(_S633.crossing_2.weft_2.half_width_1, _S633.crossing_2.warp_2.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
-    var _S636 : f32 = _S633.dive_1.z;
-    var _S637 : f32 = _S633.slope_along_0 - (1.0f - _S636) * _S633.dive_1.y / families_0[_S634].height_scale_0;
-    var _S638 : f32 = rsqrt_0(_S637 * _S637 + 1.0f);
-    var _S639 : f32 = _S631.x;
-    var _S640 : f32 = _S631.y;
-    var _S641 : f32 = select(_S640, _S639, point_5.is_warp_0);
-    var _S642 : f32 = _S631.z;
-    var _S643 : f32 = (_S642 / families_0[_S634].height_scale_0 - _S637 * select(_S639, _S640, point_5.is_warp_0)) * _S638;
-    var _S644 : f32 = square_1(_S635);
-    var _S645 : f32 = sqrt(max(_S644 - square_1(point_5.across_1), 0.0f)) - (_S633.height_9 + _S636 * _S633.dive_1.x - _S630) / families_0[_S634].height_scale_0 * _S638;
-    var _S646 : f32 = square_1(_S641) + square_1(_S643) + 9.999999960041972e-13f;
-    var _S647 : f32 = point_5.across_1 * _S641 + _S645 * _S643;
-    var _S648 : f32 = square_1(point_5.across_1) + square_1(_S645) - _S644;
-    var _S649 : f32 = sqrt(max(square_1(_S647) - _S646 * _S648, 0.0f));
-    var _S650 : f32 = clamp(select((_S649 - _S647) / _S646, - _S648 / max(_S647 + _S649, 9.999999960041972e-13f), _S647 > 0.0f), - _S635, _S635);
-    var _S651 : f32 = point_5.across_1 + _S650 * _S641;
-    point_5.across_1 = _S651;
-    var _S652 : vec2<f32> = normalize(vec2<f32>(_S651, _S645 + _S650 * _S643));
-    var _S653 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
-    var _S654 : f32 = families_0[_S634].twist_sine_0 * select(1.0f, -1.0f, _S632);
-    var _S655 : f32 = _S652.x;
-    var _S656 : f32 = _S654 * _S655 * _S638;
-    var _S657 : f32 = _S652.y;
-    var _S658 : f32 = - _S654 * _S657;
-    var _S659 : f32 = families_0[_S634].twist_cosine_0 * _S638 - _S653 * _S637 * _S656;
-    var _S660 : f32 = families_0[_S634].height_scale_0 * (families_0[_S634].twist_cosine_0 * _S653 * _S637 * _S638 + _S656);
-    var _S661 : f32 = families_0[_S634].height_scale_0 * _S655;
-    var _S662 : f32 = - families_0[_S634].height_scale_0 * _S637 * _S638 * _S657;
-    point_5.normal_1 = normalize(vec3<f32>(select(_S662, _S661, point_5.is_warp_0), select(_S661, _S662, point_5.is_warp_0), _S638 * _S657));
-    point_5.tangent_0 = normalize(vec3<f32>(select(- _S659, _S658, point_5.is_warp_0), select(_S658, _S659, point_5.is_warp_0), _S660));
-    var _S663 : f32 = _S635 * angle_of_0(_S652);
-    var _S664 : f32 = select(- _S628 - _S650 * _S639, _S629 + _S650 * _S640, point_5.is_warp_0);
-    point_5.fibre_across_0 = _S663 * families_0[_S634].twist_cosine_0 + _S664 * _S654;
-    point_5.fibre_along_0 = _S664 * families_0[_S634].twist_cosine_0 - _S663 * _S654;
-    var _S665 : f32 = 0.00999999977648258f * _S635;
-    var _S666 : f32 = - _S665;
-    var _S667 : bool = _S650 < _S666;
-    var _S668 : f32 = select(_S665, _S666, _S641 < 0.0f);
-    var _S669 : f32 = max(_S650, 0.0f);
-    point_5.x_8 = point_5.x_8 + select(_S669 * _S639, select(0.0f, _S668, point_5.is_warp_0), _S667);
-    point_5.y_2 = point_5.y_2 + select(_S669 * _S640, select(_S668, 0.0f, point_5.is_warp_0), _S667);
-    point_5.height_2 = select(_S630 + _S650 * _S642, _S630, _S667);
+    var _S677 : Sample_0 = sample_at_0(_S671, _S672, _S673, _S676);
+    var point_5 : SurfacePoint_0 = surface_of_0(_S671, _S677, _S672, _S673, _S676);
+    var _S678 : u32 = select(fabrics_0[_S671].weft_0, fabrics_0[_S671].warp_0, point_5.is_warp_0);
+    var _S679 : f32 = select(_S677.crossing_3.weft_3.half_width_1, _S677.crossing_3.warp_3.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
+    var _S680 : f32 = _S677.dive_1.z;
+    var _S681 : f32 = _S677.slope_along_0 - (1.0f - _S680) * _S677.dive_1.y / families_0[_S678].height_scale_0;
+    var _S682 : f32 = rsqrt_0(_S681 * _S681 + 1.0f);
+    var _S683 : f32 = _S675.x;
+    var _S684 : f32 = _S675.y;
+    var _S685 : f32 = select(_S684, _S683, point_5.is_warp_0);
+    var _S686 : f32 = _S675.z;
+    var _S687 : f32 = (_S686 / families_0[_S678].height_scale_0 - _S681 * select(_S683, _S684, point_5.is_warp_0)) * _S682;
+    var _S688 : f32 = square_1(_S679);
+    var _S689 : f32 = sqrt(max(_S688 - square_1(point_5.across_1), 0.0f)) - (_S677.height_4 + _S680 * _S677.dive_1.x - _S674) / families_0[_S678].height_scale_0 * _S682;
+    var _S690 : f32 = square_1(_S685) + square_1(_S687) + 9.999999960041972e-13f;
+    var _S691 : f32 = point_5.across_1 * _S685 + _S689 * _S687;
+    var _S692 : f32 = square_1(point_5.across_1) + square_1(_S689) - _S688;
+    var _S693 : f32 = sqrt(max(square_1(_S691) - _S690 * _S692, 0.0f));
+    var _S694 : f32 = clamp(select((_S693 - _S691) / _S690, - _S692 / max(_S691 + _S693, 9.999999960041972e-13f), _S691 > 0.0f), - _S679, _S679);
+    var _S695 : f32 = point_5.across_1 + _S694 * _S685;
+    point_5.across_1 = _S695;
+    var _S696 : vec2<f32> = normalize(vec2<f32>(_S695, _S689 + _S694 * _S687));
+    var _S697 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
+    var _S698 : f32 = families_0[_S678].twist_sine_0 * select(1.0f, -1.0f, _S676);
+    var _S699 : f32 = _S696.x;
+    var _S700 : f32 = _S698 * _S699 * _S682;
+    var _S701 : f32 = _S696.y;
+    var _S702 : f32 = - _S698 * _S701;
+    var _S703 : f32 = families_0[_S678].twist_cosine_0 * _S682 - _S697 * _S681 * _S700;
+    var _S704 : f32 = families_0[_S678].height_scale_0 * (families_0[_S678].twist_cosine_0 * _S697 * _S681 * _S682 + _S700);
+    var _S705 : f32 = families_0[_S678].height_scale_0 * _S699;
+    var _S706 : f32 = - families_0[_S678].height_scale_0 * _S681 * _S682 * _S701;
+    point_5.normal_1 = normalize(vec3<f32>(select(_S706, _S705, point_5.is_warp_0), select(_S705, _S706, point_5.is_warp_0), _S682 * _S701));
+    point_5.tangent_0 = normalize(vec3<f32>(select(- _S703, _S702, point_5.is_warp_0), select(_S702, _S703, point_5.is_warp_0), _S704));
+    var _S707 : f32 = _S679 * angle_of_0(_S696);
+    var _S708 : f32 = select(- _S672 - _S694 * _S683, _S673 + _S694 * _S684, point_5.is_warp_0);
+    point_5.fibre_across_0 = _S707 * families_0[_S678].twist_cosine_0 + _S708 * _S698;
+    point_5.fibre_along_0 = _S708 * families_0[_S678].twist_cosine_0 - _S707 * _S698;
+    var _S709 : f32 = 0.00999999977648258f * _S679;
+    var _S710 : f32 = - _S709;
+    var _S711 : bool = _S694 < _S710;
+    var _S712 : f32 = select(_S709, _S710, _S685 < 0.0f);
+    var _S713 : f32 = max(_S694, 0.0f);
+    point_5.x_8 = point_5.x_8 + select(_S713 * _S683, select(0.0f, _S712, point_5.is_warp_0), _S711);
+    point_5.y_2 = point_5.y_2 + select(_S713 * _S684, select(_S712, 0.0f, point_5.is_warp_0), _S711);
+    point_5.height_2 = select(_S674 + _S694 * _S686, _S674, _S711);
     return point_5;
 }
 
-fn hairs_over_0( _S670 : u32,  _S671 : SurfacePoint_0,  _S672 : bool,  _S673 : f32) -> Hairs_0
+fn hairs_over_0( _S714 : u32,  _S715 : SurfacePoint_0,  _S716 : bool,  _S717 : f32) -> Hairs_0
 {
     var hairs_2 : Hairs_0;
-    hairs_2.place_1 = vec2<f32>(_S671.x_8, _S671.y_2);
-    hairs_2.below_1 = fabrics_0[_S670].height_high_0 - _S671.height_2;
-    hairs_2.back_4 = _S672;
-    hairs_2.size_3 = _S673;
+    hairs_2.place_1 = vec2<f32>(_S715.x_8, _S715.y_2);
+    hairs_2.below_1 = fabrics_0[_S714].height_high_0 - _S715.height_2;
+    hairs_2.back_7 = _S716;
+    hairs_2.size_3 = _S717;
     return hairs_2;
 }
 
-fn has_hairs_0( _S674 : u32) -> bool
+fn has_hairs_0( _S718 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S674].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S674].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S718].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S718].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_towards_0( _S675 : u32,  _S676 : Hairs_0,  _S677 : vec3<f32>,  _S678 : f32) -> Hair_0
+fn hair_towards_0( _S719 : u32,  _S720 : Hairs_0,  _S721 : vec3<f32>,  _S722 : f32) -> Hair_0
 {
-    var _S679 : f32 = fabrics_0[_S675].fibre_size_0;
-    var _S680 : f32 = 17.0f * fabrics_0[_S675].fibre_size_0;
-    var _S681 : f32 = fade_0(_S678, _S680);
-    var _S682 : vec2<f32> = _S677.xy / vec2<f32>(max(_S677.z, 0.3333333432674408f));
-    var _S683 : u32 = hash_key_0(select(u32(0), u32(1), _S676.back_4), ((fabrics_0[_S675].seed_0) ^ (u32(1013904242))));
-    var _S684 : f32 = fabrics_0[_S675].fibre_size_0 / max(_S678, 0.07000000029802322f * fabrics_0[_S675].fibre_size_0);
-    const _S685 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S723 : f32 = fabrics_0[_S719].fibre_size_0;
+    var _S724 : f32 = 17.0f * fabrics_0[_S719].fibre_size_0;
+    var _S725 : f32 = fade_0(_S722, _S724);
+    var _S726 : vec2<f32> = _S721.xy / vec2<f32>(max(_S721.z, 0.3333333432674408f));
+    var _S727 : u32 = hash_key_0(select(u32(0), u32(1), _S720.back_7), ((fabrics_0[_S719].seed_0) ^ (u32(1013904242))));
+    var _S728 : f32 = fabrics_0[_S719].fibre_size_0 / max(_S722, 0.07000000029802322f * fabrics_0[_S719].fibre_size_0);
+    const _S729 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_3 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S685;
+    var hair_across_0 : vec2<f32> = _S729;
     var hair_away_0 : f32 = 0.0f;
     var is_warp_7 : bool = false;
-    var number_5 : u32 = u32(0);
+    var number_7 : u32 = u32(0);
     for(;;)
     {
-        if(((_S681 > 0.0f) & ((number_5 < u32(18)))))
+        if(((_S725 > 0.0f) & ((number_7 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S686 : u32 = number_5 / u32(9);
-        var _S687 : u32 = number_5 / u32(3) - u32(3) * _S686;
-        var _S688 : vec2<f32> = (vec2<f32>(((f32(_S686) * 6.0f + 2.0f) * _S679 + _S676.below_1)) * _S682 + _S676.place_1) / vec2<f32>(_S680);
-        var _S689 : vec2<f32> = floor(_S688) + vec2<f32>(f32(number_5 - u32(3) * _S687 - u32(9) * _S686), f32(_S687)) - vec2<f32>(1.0f);
-        var _S690 : u32 = hash_bits_0(_S683 + _S686, u32(i32(_S689.x)) * u32(65536) + u32(i32(_S689.y)));
-        var _S691 : u32 = hash_bits_0(_S683, _S690);
-        var _S692 : vec2<f32> = _S688 - _S689 - vec2<f32>(share_of_0(_S690), share_of_0((_S690 >> (u32(10)))));
-        var _S693 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S690 >> (u32(20)))));
-        var _S694 : f32 = mix(5.0f, 16.0f, share_of_0((_S691 >> (u32(10))))) / 17.0f;
-        var _S695 : f32 = _S692.x;
-        var _S696 : f32 = _S693.y;
-        var _S697 : f32 = _S692.y;
-        var _S698 : f32 = _S693.x;
-        var _S699 : f32 = (_S695 * _S696 + _S697 * _S698) / _S694;
-        var _S700 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S691 >> (u32(20)))) - 1.0f);
-        var _S701 : f32 = 0.5f * (2.0f * share_of_0((_S690 ^ (_S691))) - 1.0f);
-        var _S702 : f32 = _S699 * (3.0f * _S701 * _S699 + 2.0f * _S700);
-        var _S703 : f32 = rsqrt_0(_S702 * _S702 + 1.0f);
-        var _S704 : f32 = (_S697 * _S696 - _S695 * _S698 - _S694 * _S699 * _S699 * (_S701 * _S699 + _S700)) * _S703 * 17.0f;
-        var _S705 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S699)), 0.0f) * _S684;
-        var _S706 : f32 = clamp(_S705 + 0.5f - abs(_S704) * _S684, 0.0f, min(2.0f * _S705, 1.0f));
-        var _S707 : bool = ((((_S691 >> (u32(30)))) & (u32(1)))) == u32(1);
-        var _S708 : bool = (((((share_of_0(_S691)) < (families_0[select(fabrics_0[_S675].weft_0, fabrics_0[_S675].warp_0, _S707)].hairiness_0)) & (((abs(_S699)) < 1.0f)))) & ((_S706 > cover_3)));
-        var _S709 : vec2<f32> = vec2<f32>(- _S698 - _S702 * _S696, _S696 - _S702 * _S698) * vec2<f32>(_S703);
-        var _S710 : f32 = select(cover_3, _S706, _S708);
-        var _S711 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S709.x, _S708), select(hair_across_0.y, _S709.y, _S708));
-        var _S712 : f32 = select(hair_away_0, _S704, _S708);
-        var _S713 : bool = select(is_warp_7, _S707, _S708);
-        var _S714 : u32 = number_5 + u32(1);
-        cover_3 = _S710;
-        hair_across_0 = _S711;
-        hair_away_0 = _S712;
-        is_warp_7 = _S713;
-        number_5 = _S714;
+        var _S730 : u32 = number_7 / u32(9);
+        var _S731 : u32 = number_7 / u32(3) - u32(3) * _S730;
+        var _S732 : vec2<f32> = (vec2<f32>(((f32(_S730) * 6.0f + 2.0f) * _S723 + _S720.below_1)) * _S726 + _S720.place_1) / vec2<f32>(_S724);
+        var _S733 : vec2<f32> = floor(_S732) + vec2<f32>(f32(number_7 - u32(3) * _S731 - u32(9) * _S730), f32(_S731)) - vec2<f32>(1.0f);
+        var _S734 : u32 = hash_bits_0(_S727 + _S730, u32(i32(_S733.x)) * u32(65536) + u32(i32(_S733.y)));
+        var _S735 : u32 = hash_bits_0(_S727, _S734);
+        var _S736 : vec2<f32> = _S732 - _S733 - vec2<f32>(share_of_0(_S734), share_of_0((_S734 >> (u32(10)))));
+        var _S737 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S734 >> (u32(20)))));
+        var _S738 : f32 = mix(5.0f, 16.0f, share_of_0((_S735 >> (u32(10))))) / 17.0f;
+        var _S739 : f32 = _S736.x;
+        var _S740 : f32 = _S737.y;
+        var _S741 : f32 = _S736.y;
+        var _S742 : f32 = _S737.x;
+        var _S743 : f32 = (_S739 * _S740 + _S741 * _S742) / _S738;
+        var _S744 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S735 >> (u32(20)))) - 1.0f);
+        var _S745 : f32 = 0.5f * (2.0f * share_of_0((_S734 ^ (_S735))) - 1.0f);
+        var _S746 : f32 = _S743 * (3.0f * _S745 * _S743 + 2.0f * _S744);
+        var _S747 : f32 = rsqrt_0(_S746 * _S746 + 1.0f);
+        var _S748 : f32 = (_S741 * _S740 - _S739 * _S742 - _S738 * _S743 * _S743 * (_S745 * _S743 + _S744)) * _S747 * 17.0f;
+        var _S749 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S743)), 0.0f) * _S728;
+        var _S750 : f32 = clamp(_S749 + 0.5f - abs(_S748) * _S728, 0.0f, min(2.0f * _S749, 1.0f));
+        var _S751 : bool = ((((_S735 >> (u32(30)))) & (u32(1)))) == u32(1);
+        var _S752 : bool = (((((share_of_0(_S735)) < (families_0[select(fabrics_0[_S719].weft_0, fabrics_0[_S719].warp_0, _S751)].hairiness_0)) & (((abs(_S743)) < 1.0f)))) & ((_S750 > cover_3)));
+        var _S753 : vec2<f32> = vec2<f32>(- _S742 - _S746 * _S740, _S740 - _S746 * _S742) * vec2<f32>(_S747);
+        var _S754 : f32 = select(cover_3, _S750, _S752);
+        var _S755 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S753.x, _S752), select(hair_across_0.y, _S753.y, _S752));
+        var _S756 : f32 = select(hair_away_0, _S748, _S752);
+        var _S757 : bool = select(is_warp_7, _S751, _S752);
+        var _S758 : u32 = number_7 + u32(1);
+        cover_3 = _S754;
+        hair_across_0 = _S755;
+        hair_away_0 = _S756;
+        is_warp_7 = _S757;
+        number_7 = _S758;
     }
-    var _S715 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S759 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_1 = _S681 * cover_3;
-    hair_1.normal_5 = vec3<f32>(vec2<f32>(_S715) * hair_across_0, sqrt(1.0f - _S715 * _S715));
+    hair_1.cover_1 = _S725 * cover_3;
+    hair_1.normal_5 = vec3<f32>(vec2<f32>(_S759) * hair_across_0, sqrt(1.0f - _S759 * _S759));
     hair_1.tangent_4 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     hair_1.is_warp_5 = is_warp_7;
-    hair_1.shade_0 = _S681 * 0.03255363181233406f * (families_0[fabrics_0[_S675].warp_0].hairiness_0 + families_0[fabrics_0[_S675].weft_0].hairiness_0);
+    hair_1.shade_0 = _S725 * 0.03255363181233406f * (families_0[fabrics_0[_S719].warp_0].hairiness_0 + families_0[fabrics_0[_S719].weft_0].hairiness_0);
     return hair_1;
 }
 
-fn thread_of_family_0( _S716 : u32,  _S717 : SurfacePoint_0) -> i32
+fn thread_of_family_0( _S760 : u32,  _S761 : SurfacePoint_0) -> i32
 {
-    var _S718 : u32 = select(fabrics_0[_S716].weft_0, fabrics_0[_S716].warp_0, _S717.is_warp_0);
-    return i32(floor((select(_S717.y_2, _S717.x_8, _S717.is_warp_0) - _S717.across_1) / families_0[_S718].period_0)) * i32(families_0[_S718].count_0) + i32(select(_S717.weft_thread_0, _S717.warp_thread_0, _S717.is_warp_0));
+    var _S762 : u32 = select(fabrics_0[_S760].weft_0, fabrics_0[_S760].warp_0, _S761.is_warp_0);
+    return i32(floor((select(_S761.y_2, _S761.x_8, _S761.is_warp_0) - _S761.across_1) / families_0[_S762].period_0)) * i32(families_0[_S762].count_0) + i32(select(_S761.weft_thread_0, _S761.warp_thread_0, _S761.is_warp_0));
 }
 
-fn thread_number_0( _S719 : u32,  _S720 : SurfacePoint_0) -> u32
+fn thread_number_0( _S763 : u32,  _S764 : SurfacePoint_0) -> u32
 {
-    return u32(thread_of_family_0(_S719, _S720)) * u32(2) + select(u32(0), u32(1), _S720.is_warp_0);
+    return u32(thread_of_family_0(_S763, _S764)) * u32(2) + select(u32(0), u32(1), _S764.is_warp_0);
 }
 
 struct FibreNoise_0
@@ -2955,279 +3242,281 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S721 : u32,  _S722 : u32,  _S723 : SurfacePoint_0,  _S724 : u32,  _S725 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S765 : u32,  _S766 : u32,  _S767 : SurfacePoint_0,  _S768 : u32,  _S769 : f32) -> FibreNoise_0
 {
-    var _S726 : f32 = 5.0f * fabrics_0[_S721].fibre_size_0;
-    var _S727 : vec2<f32> = wave_noise_0(hash_key_0(_S724, ((fabrics_0[_S721].seed_0) ^ (u32(458671337)))), _S723.fibre_along_0 / (25.0f * fabrics_0[_S721].fibre_size_0));
-    var _S728 : f32 = _S723.fibre_across_0 + families_0[_S722].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S721].fibre_size_0 * _S727.x;
-    var _S729 : vec3<f32> = fibre_cell_0(_S728, _S723.fibre_along_0, fabrics_0[_S721].fibre_size_0);
-    var _S730 : vec3<f32> = fibre_cell_0(_S728, _S723.fibre_along_0, _S726);
+    var _S770 : f32 = 5.0f * fabrics_0[_S765].fibre_size_0;
+    var _S771 : vec2<f32> = wave_noise_0(hash_key_0(_S768, ((fabrics_0[_S765].seed_0) ^ (u32(458671337)))), _S767.fibre_along_0 / (25.0f * fabrics_0[_S765].fibre_size_0));
+    var _S772 : f32 = _S767.fibre_across_0 + families_0[_S766].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S765].fibre_size_0 * _S771.x;
+    var _S773 : vec3<f32> = fibre_cell_0(_S772, _S767.fibre_along_0, fabrics_0[_S765].fibre_size_0);
+    var _S774 : vec3<f32> = fibre_cell_0(_S772, _S767.fibre_along_0, _S770);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S724, ((fabrics_0[_S721].seed_0) ^ (u32(1757159915)))), _S730);
-    noise_0.bundle_offset_0 = _S730.z;
-    noise_0.bundle_weight_0 = fade_0(_S725, _S726);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S724, ((fabrics_0[_S721].seed_0) ^ (u32(48610963)))), _S729);
-    noise_0.fibre_weight_0 = fade_0(_S725, fabrics_0[_S721].fibre_size_0);
-    noise_0.offset_2 = _S729.z;
-    noise_0.slope_2 = 0.5f * _S727.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S768, ((fabrics_0[_S765].seed_0) ^ (u32(1757159915)))), _S774);
+    noise_0.bundle_offset_0 = _S774.z;
+    noise_0.bundle_weight_0 = fade_0(_S769, _S770);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S768, ((fabrics_0[_S765].seed_0) ^ (u32(48610963)))), _S773);
+    noise_0.fibre_weight_0 = fade_0(_S769, fabrics_0[_S765].fibre_size_0);
+    noise_0.offset_2 = _S773.z;
+    noise_0.slope_2 = 0.5f * _S771.y;
     return noise_0;
 }
 
-fn turned_frame_0( _S731 : u32,  _S732 : u32,  _S733 : SurfacePoint_0,  _S734 : bool,  _S735 : u32,  _S736 : f32) -> YarnFrame_0
+fn turned_frame_0( _S775 : u32,  _S776 : u32,  _S777 : SurfacePoint_0,  _S778 : bool,  _S779 : u32,  _S780 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_7 = _S733.normal_1;
-    frame_2.tangent_6 = _S733.tangent_0;
+    frame_2.normal_7 = _S777.normal_1;
+    frame_2.tangent_6 = _S777.tangent_0;
     frame_2.loss_0 = 0.0f;
     frame_2.shade_2 = 0.0f;
-    if((families_0[_S732].has_plies_0) > 0.0f)
+    if((families_0[_S776].has_plies_0) > 0.0f)
     {
-        var _S737 : f32 = fade_0(_S736, 1.0f / families_0[_S732].plies_per_mm_0);
-        var _S738 : f32 = _S737 * 0.62000000476837158f * ply_offset_0(_S732, _S733, _S734);
-        var _S739 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
-        var _S740 : vec3<f32> = vec3<f32>(families_0[_S732].ply_cosine_0);
-        var _S741 : vec3<f32> = vec3<f32>(select(families_0[_S732].ply_sine_0, - families_0[_S732].ply_sine_0, _S734));
-        var _S742 : vec3<f32> = _S740 * _S739 + _S741 * frame_2.tangent_6;
-        var _S743 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S738 * _S738));
-        var _S744 : vec3<f32> = vec3<f32>(_S738);
-        frame_2.tangent_6 = _S740 * (_S740 * frame_2.tangent_6 - _S741 * _S739) + _S741 * (_S743 * _S742 - _S744 * frame_2.normal_7);
-        frame_2.normal_7 = _S743 * frame_2.normal_7 + _S744 * _S742;
-        frame_2.loss_0 = _S737 * _S737 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
+        var _S781 : f32 = fade_0(_S780, 1.0f / families_0[_S776].plies_per_mm_0);
+        var _S782 : f32 = _S781 * 0.62000000476837158f * ply_offset_0(_S776, _S777, _S778);
+        var _S783 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
+        var _S784 : vec3<f32> = vec3<f32>(families_0[_S776].ply_cosine_0);
+        var _S785 : vec3<f32> = vec3<f32>(select(families_0[_S776].ply_sine_0, - families_0[_S776].ply_sine_0, _S778));
+        var _S786 : vec3<f32> = _S784 * _S783 + _S785 * frame_2.tangent_6;
+        var _S787 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S782 * _S782));
+        var _S788 : vec3<f32> = vec3<f32>(_S782);
+        frame_2.tangent_6 = _S784 * (_S784 * frame_2.tangent_6 - _S785 * _S783) + _S785 * (_S787 * _S786 - _S788 * frame_2.normal_7);
+        frame_2.normal_7 = _S787 * frame_2.normal_7 + _S788 * _S786;
+        frame_2.loss_0 = _S781 * _S781 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
     }
-    var _S745 : f32 = families_0[_S732].fibre_tilt_0;
-    if((families_0[_S732].fibre_tilt_0) > 0.0f)
+    var _S789 : f32 = families_0[_S776].fibre_tilt_0;
+    if((families_0[_S776].fibre_tilt_0) > 0.0f)
     {
-        var _S746 : FibreNoise_0 = fibre_noise_at_0(_S731, _S732, _S733, _S735, _S736);
-        var _S747 : f32 = 1.09858846664428711f * _S745 * (_S746.bundle_weight_0 * _S746.bundle_0.x + _S746.fibre_weight_0 * (_S746.fibre_0.x + _S746.offset_2));
-        var _S748 : f32 = _S745 * (1.42099642753601074f * (_S746.bundle_weight_0 * _S746.bundle_0.y + _S746.fibre_weight_0 * _S746.fibre_0.y) - _S746.bundle_weight_0 * _S746.slope_2);
-        var _S749 : f32 = square_1(_S746.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S745 * _S745 * ((0.24761904776096344f * (square_1(_S746.bundle_weight_0) + _S749) + _S749 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S750 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
-        var _S751 : vec2<f32> = sine_cosine_0(_S747);
-        var _S752 : vec2<f32> = sine_cosine_0(_S748);
-        var _S753 : vec3<f32> = vec3<f32>(_S751.y);
-        var _S754 : vec3<f32> = vec3<f32>(_S751.x);
-        var _S755 : vec3<f32> = _S753 * _S750 - _S754 * frame_2.normal_7;
-        frame_2.normal_7 = _S753 * frame_2.normal_7 + _S754 * _S750;
-        frame_2.tangent_6 = vec3<f32>(_S752.y) * frame_2.tangent_6 + vec3<f32>(_S752.x) * _S755;
+        var _S790 : FibreNoise_0 = fibre_noise_at_0(_S775, _S776, _S777, _S779, _S780);
+        var _S791 : f32 = 1.09858846664428711f * _S789 * (_S790.bundle_weight_0 * _S790.bundle_0.x + _S790.fibre_weight_0 * (_S790.fibre_0.x + _S790.offset_2));
+        var _S792 : f32 = _S789 * (1.42099642753601074f * (_S790.bundle_weight_0 * _S790.bundle_0.y + _S790.fibre_weight_0 * _S790.fibre_0.y) - _S790.bundle_weight_0 * _S790.slope_2);
+        var _S793 : f32 = square_1(_S790.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S789 * _S789 * ((0.24761904776096344f * (square_1(_S790.bundle_weight_0) + _S793) + _S793 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S794 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
+        var _S795 : vec2<f32> = sine_cosine_0(_S791);
+        var _S796 : vec2<f32> = sine_cosine_0(_S792);
+        var _S797 : vec3<f32> = vec3<f32>(_S795.y);
+        var _S798 : vec3<f32> = vec3<f32>(_S795.x);
+        var _S799 : vec3<f32> = _S797 * _S794 - _S798 * frame_2.normal_7;
+        frame_2.normal_7 = _S797 * frame_2.normal_7 + _S798 * _S794;
+        frame_2.tangent_6 = vec3<f32>(_S796.y) * frame_2.tangent_6 + vec3<f32>(_S796.x) * _S799;
     }
     return frame_2;
 }
 
-fn uncoloured_point_0( _S756 : u32,  _S757 : SurfacePoint_0,  _S758 : vec3<f32>,  _S759 : bool,  _S760 : bool,  _S761 : f32) -> YarnPoint_0
+fn uncoloured_point_0( _S800 : u32,  _S801 : SurfacePoint_0,  _S802 : vec3<f32>,  _S803 : bool,  _S804 : bool,  _S805 : f32) -> YarnPoint_0
 {
-    var _S762 : u32 = fabrics_0[_S756].warp_0;
-    var _S763 : u32 = fabrics_0[_S756].weft_0;
-    var _S764 : u32 = select(fabrics_0[_S756].weft_0, fabrics_0[_S756].warp_0, _S757.is_warp_0);
-    var _S765 : bool = (((fabrics_0[_S756].has_detail_0) != u32(0)) & ((_S761 >= 0.0f)));
-    var _S766 : vec3<f32> = vec3<f32>(0.0f);
-    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S766, _S766, _S766, 0.0f, 0.0f, Albedos_x24init_0(_S766, _S766, _S766, _S766), Hairs_x24init_0(vec2<f32>(0.0f), 0.0f, false, 0.0f), 0.0f);
-    point_6.hairs_0 = hairs_over_0(_S756, _S757, _S759, _S761);
+    var _S806 : u32 = fabrics_0[_S800].warp_0;
+    var _S807 : u32 = fabrics_0[_S800].weft_0;
+    var _S808 : u32 = select(fabrics_0[_S800].weft_0, fabrics_0[_S800].warp_0, _S801.is_warp_0);
+    var _S809 : bool = (((fabrics_0[_S800].has_detail_0) != u32(0)) & ((_S805 >= 0.0f)));
+    var _S810 : vec3<f32> = vec3<f32>(0.0f);
+    var _S811 : vec2<f32> = vec2<f32>(0.0f);
+    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S810, _S810, _S810, 0.0f, 0.0f, Albedos_x24init_0(_S810, _S810, _S810, _S810), Hairs_x24init_0(_S811, 0.0f, false, 0.0f), 0.0f, _S811);
+    point_6.hairs_0 = hairs_over_0(_S800, _S801, _S803, _S805);
     point_6.hair_cover_0 = 1.0f;
-    var _S767 : Hair_0 = Hair_x24init_0(0.0f, _S766, _S766, false, 0.0f);
-    point_6.is_warp_3 = _S757.is_warp_0;
-    var _S768 : bool = (_S765 & ((has_hairs_0(_S756))));
+    var _S812 : Hair_0 = Hair_x24init_0(0.0f, _S810, _S810, false, 0.0f);
+    point_6.is_warp_3 = _S801.is_warp_0;
+    var _S813 : bool = (_S809 & ((has_hairs_0(_S800))));
     var hair_2 : Hair_0;
-    if(_S768)
+    if(_S813)
     {
-        var _S769 : Hair_0 = hair_towards_0(_S756, point_6.hairs_0, _S758, _S761);
-        point_6.hair_cover_0 = _S769.cover_1;
-        point_6.is_warp_3 = select(_S757.is_warp_0, _S769.is_warp_5, (_S769.cover_1) > 0.5f);
-        hair_2 = _S769;
+        var _S814 : Hair_0 = hair_towards_0(_S800, point_6.hairs_0, _S802, _S805);
+        point_6.hair_cover_0 = _S814.cover_1;
+        point_6.is_warp_3 = select(_S801.is_warp_0, _S814.is_warp_5, (_S814.cover_1) > 0.5f);
+        hair_2 = _S814;
     }
     else
     {
-        hair_2 = _S767;
+        hair_2 = _S812;
     }
-    var _S770 : u32 = select(_S763, _S762, point_6.is_warp_3);
-    point_6.back_6 = _S759;
-    point_6.hole_5 = _S760;
-    point_6.x_11 = _S757.x_8;
-    point_6.y_4 = _S757.y_2;
-    point_6.height_6 = _S757.height_2 + hair_2.cover_1 * point_6.hairs_0.below_1;
-    point_6.normal_3 = _S757.normal_1;
-    point_6.tangent_2 = _S757.tangent_0;
-    point_6.surface_normal_0 = normalize(mix(_S757.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
+    var _S815 : u32 = select(_S807, _S806, point_6.is_warp_3);
+    point_6.back_9 = _S803;
+    point_6.hole_5 = _S804;
+    point_6.x_14 = _S801.x_8;
+    point_6.y_7 = _S801.y_2;
+    point_6.place_3 = vec2<f32>(_S801.x_8, _S801.y_2);
+    point_6.height_7 = _S801.height_2 + hair_2.cover_1 * point_6.hairs_0.below_1;
+    point_6.normal_3 = _S801.normal_1;
+    point_6.tangent_2 = _S801.tangent_0;
+    point_6.surface_normal_0 = normalize(mix(_S801.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
     point_6.diffuse_gain_0 = 1.0f;
-    if(_S765)
+    if(_S809)
     {
-        var _S771 : YarnFrame_0 = turned_frame_0(_S756, _S764, _S757, _S759, thread_number_0(_S756, _S757), _S761);
+        var _S816 : YarnFrame_0 = turned_frame_0(_S800, _S808, _S801, _S803, thread_number_0(_S800, _S801), _S805);
         var frame_3 : YarnFrame_0;
-        if(_S768)
+        if(_S813)
         {
-            frame_3 = under_hair_0(_S771, hair_2);
+            frame_3 = under_hair_0(_S816, hair_2);
         }
         else
         {
-            frame_3 = _S771;
+            frame_3 = _S816;
         }
         point_6.normal_3 = frame_3.normal_7;
         point_6.tangent_2 = frame_3.tangent_6;
-        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S756].diffuse_blend_0);
+        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S800].diffuse_blend_0);
     }
-    point_6.roughness_1 = families_0[_S770].roughness_0;
+    point_6.roughness_1 = families_0[_S815].roughness_0;
     return point_6;
 }
 
-fn surface_at_0( _S772 : u32,  _S773 : f32,  _S774 : f32,  _S775 : bool) -> SurfacePoint_0
+fn surface_at_0( _S817 : u32,  _S818 : f32,  _S819 : f32,  _S820 : bool) -> SurfacePoint_0
 {
-    return surface_of_0(_S772, sample_at_0(_S772, _S773, _S774, _S775), _S773, _S774, _S775);
+    return surface_of_0(_S817, sample_at_0(_S817, _S818, _S819, _S820), _S818, _S819, _S820);
 }
 
-fn unoccluded_0( _S776 : u32,  _S777 : SearchQuality_0,  _S778 : f32,  _S779 : f32,  _S780 : f32,  _S781 : vec3<f32>,  _S782 : bool) -> bool
+fn unoccluded_0( _S821 : u32,  _S822 : SearchQuality_0,  _S823 : f32,  _S824 : f32,  _S825 : f32,  _S826 : vec3<f32>,  _S827 : bool) -> bool
 {
-    if((_S781.z) <= 0.0f)
+    if((_S826.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S776, _S777, vec3<f32>(_S778, _S779, _S780 + fabrics_0[_S776].lift_0), _S781, _S782, max_height_along_0(_S776, _S778, _S779, _S780, _S781, _S782));
+    return is_free_0(_S821, _S822, vec3<f32>(_S823, _S824, _S825 + fabrics_0[_S821].lift_0), _S826, _S827, max_height_along_0(_S821, _S823, _S824, _S825, _S826, _S827));
 }
 
-fn is_lit_0( _S783 : u32,  _S784 : SearchQuality_0,  _S785 : YarnPoint_0,  _S786 : vec3<f32>) -> bool
+fn is_lit_0( _S828 : u32,  _S829 : SearchQuality_0,  _S830 : YarnPoint_0,  _S831 : vec3<f32>) -> bool
 {
-    if(_S785.hole_5)
+    if(_S830.hole_5)
     {
         return true;
     }
-    var _S787 : vec3<f32> = to_face_frame_0(_S786, _S785.back_6);
-    var _S788 : f32 = _S787.z;
-    var _S789 : bool = _S788 < 0.0f;
+    var _S832 : vec3<f32> = to_face_frame_0(_S831, _S830.back_9);
+    var _S833 : f32 = _S832.z;
+    var _S834 : bool = _S833 < 0.0f;
     var normal_12 : vec3<f32>;
     var height_13 : f32;
-    if(_S789)
+    if(_S834)
     {
-        var _S790 : SurfacePoint_0 = surface_at_0(_S783, _S785.x_11, _S785.y_4, !_S785.back_6);
-        normal_12 = _S790.normal_1;
-        height_13 = _S790.height_2;
+        var _S835 : SurfacePoint_0 = surface_at_0(_S828, _S830.x_14, _S830.y_7, !_S830.back_9);
+        normal_12 = _S835.normal_1;
+        height_13 = _S835.height_2;
     }
     else
     {
-        normal_12 = _S785.surface_normal_0;
-        height_13 = _S785.height_6;
+        normal_12 = _S830.surface_normal_0;
+        height_13 = _S830.height_7;
     }
-    var _S791 : vec3<f32> = vec3<f32>(_S787.xy, abs(_S788));
-    if((dot(normal_12, _S791)) <= 0.0f)
+    var _S836 : vec3<f32> = vec3<f32>(_S832.xy, abs(_S833));
+    if((dot(normal_12, _S836)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S783, _S784, _S785.x_11, _S785.y_4, height_13, _S791, (_S785.back_6) != _S789);
+    return unoccluded_0(_S828, _S829, _S830.x_14, _S830.y_7, height_13, _S836, (_S830.back_9) != _S834);
 }
 
-fn hairs_lit_0( _S792 : u32,  _S793 : Hairs_0,  _S794 : vec3<f32>) -> f32
+fn hairs_lit_0( _S837 : u32,  _S838 : Hairs_0,  _S839 : vec3<f32>) -> f32
 {
-    return 1.0f - 0.5f * hair_towards_0(_S792, _S793, _S794, _S793.size_3 + fabrics_0[_S792].fibre_size_0).cover_1;
+    return 1.0f - 0.5f * hair_towards_0(_S837, _S838, _S839, _S838.size_3 + fabrics_0[_S837].fibre_size_0).cover_1;
 }
 
-fn under_hairs_0( _S795 : u32,  _S796 : YarnPoint_0,  _S797 : vec3<f32>) -> f32
+fn under_hairs_0( _S840 : u32,  _S841 : YarnPoint_0,  _S842 : vec3<f32>) -> f32
 {
-    if((((_S796.hair_cover_0) >= 1.0f) | (((_S797.z) <= 0.0f))))
+    if((((_S841.hair_cover_0) >= 1.0f) | (((_S842.z) <= 0.0f))))
     {
         return 1.0f;
     }
-    return mix(hairs_lit_0(_S795, _S796.hairs_0, _S797), 1.0f, _S796.hair_cover_0);
+    return mix(hairs_lit_0(_S840, _S841.hairs_0, _S842), 1.0f, _S841.hair_cover_0);
 }
 
-fn components_of_point_0( _S798 : u32,  _S799 : SearchQuality_0,  _S800 : YarnPoint_0,  _S801 : vec3<f32>,  _S802 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S843 : u32,  _S844 : SearchQuality_0,  _S845 : YarnPoint_0,  _S846 : vec3<f32>,  _S847 : vec3<f32>) -> Components_0
 {
-    var result_3 : Components_0 = no_components_0();
-    result_3.hole_2 = select(0.0f, 1.0f, _S800.hole_5);
-    var _S803 : bool;
-    if(_S800.hole_5)
+    var result_6 : Components_0 = no_components_0();
+    result_6.hole_2 = select(0.0f, 1.0f, _S845.hole_5);
+    var _S848 : bool;
+    if(_S845.hole_5)
     {
-        _S803 = true;
+        _S848 = true;
     }
     else
     {
-        _S803 = !is_lit_0(_S798, _S799, _S800, _S801);
+        _S848 = !is_lit_0(_S843, _S844, _S845, _S846);
     }
-    if(_S803)
+    if(_S848)
     {
-        return result_3;
+        return result_6;
     }
-    var _S804 : vec3<f32> = to_face_frame_0(_S801, _S800.back_6);
-    var _S805 : vec3<f32> = to_face_frame_0(_S802, _S800.back_6);
-    var _S806 : bool = (_S804.z) < 0.0f;
-    var _S807 : f32 = under_hairs_0(_S798, _S800, _S804);
-    var _S808 : f32 = _S807 * _S800.diffuse_gain_0 * diffuse_reflection_0(select_vector_1(_S806, (vec3<f32>(0) - _S804), _S804), _S800.normal_3, fabrics_0[_S798].diffuse_blend_0);
-    var _S809 : f32;
-    if(_S806)
+    var _S849 : vec3<f32> = to_face_frame_0(_S846, _S845.back_9);
+    var _S850 : vec3<f32> = to_face_frame_0(_S847, _S845.back_9);
+    var _S851 : bool = (_S849.z) < 0.0f;
+    var _S852 : f32 = under_hairs_0(_S843, _S845, _S849);
+    var _S853 : f32 = _S852 * _S845.diffuse_gain_0 * diffuse_reflection_0(select_vector_1(_S851, (vec3<f32>(0) - _S849), _S849), _S845.normal_3, fabrics_0[_S843].diffuse_blend_0);
+    var _S854 : f32;
+    if(_S851)
     {
-        _S809 = transmission_1(_S804, _S805, _S800.normal_3, _S800.tangent_2, _S800.roughness_1, fabrics_0[_S798].optical_depth_0);
+        _S854 = transmission_1(_S849, _S850, _S845.normal_3, _S845.tangent_2, _S845.roughness_1, fabrics_0[_S843].optical_depth_0);
     }
     else
     {
-        _S809 = reflection_0(_S804, _S805, _S800.normal_3, _S800.tangent_2, _S800.roughness_1, fabrics_0[_S798].optical_depth_0);
+        _S854 = reflection_0(_S849, _S850, _S845.normal_3, _S845.tangent_2, _S845.roughness_1, fabrics_0[_S843].optical_depth_0);
     }
-    var _S810 : f32 = _S807 * _S809;
-    result_3.diffuse_warp_0 = select(0.0f, _S808, _S800.is_warp_3);
-    result_3.diffuse_weft_0 = select(_S808, 0.0f, _S800.is_warp_3);
-    result_3.specular_warp_0 = select(0.0f, _S810, _S800.is_warp_3);
-    result_3.specular_weft_0 = select(_S810, 0.0f, _S800.is_warp_3);
-    result_3.light_visibility_1 = 1.0f;
-    return result_3;
+    var _S855 : f32 = _S852 * _S854;
+    result_6.diffuse_warp_0 = select(0.0f, _S853, _S845.is_warp_3);
+    result_6.diffuse_weft_0 = select(_S853, 0.0f, _S845.is_warp_3);
+    result_6.specular_warp_0 = select(0.0f, _S855, _S845.is_warp_3);
+    result_6.specular_weft_0 = select(_S855, 0.0f, _S845.is_warp_3);
+    result_6.light_visibility_1 = 1.0f;
+    return result_6;
 }
 
-fn openness_number_0( _S811 : u32,  _S812 : u32) -> f32
+fn openness_number_0( _S856 : u32,  _S857 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S811].openness_0 + _S812);
+    return table_number_0(fabrics_0[_S856].openness_0 + _S857);
 }
 
-fn blocked_of_terms_0( _S813 : u32,  _S814 : u32,  _S815 : array<f32, i32(6)>,  _S816 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S858 : u32,  _S859 : u32,  _S860 : array<f32, i32(6)>,  _S861 : u32) -> Blocked_0
 {
-    var shares_2 : array<f32, i32(3)>;
-    var share_4 : u32 = u32(0);
+    var shares_3 : array<f32, i32(3)>;
+    var share_5 : u32 = u32(0);
     for(;;)
     {
-        if(share_4 < u32(3))
+        if(share_5 < u32(3))
         {
         }
         else
         {
             break;
         }
-        shares_2[share_4] = 0.0f;
+        shares_3[share_5] = 0.0f;
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S816)
+            if(term_0 < _S861)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_4] = shares_2[share_4] + openness_number_0(_S813, _S814 + share_4 * _S816 + term_0) * _S815[term_0];
+            shares_3[share_5] = shares_3[share_5] + openness_number_0(_S858, _S859 + share_5 * _S861 + term_0) * _S860[term_0];
             term_0 = term_0 + u32(1);
         }
-        shares_2[share_4] = saturate(shares_2[share_4]);
-        share_4 = share_4 + u32(1);
+        shares_3[share_5] = saturate(shares_3[share_5]);
+        share_5 = share_5 + u32(1);
     }
     var blocked_2 : Blocked_0;
-    blocked_2.by_warp_0 = shares_2[i32(0)] * shares_2[i32(2)];
-    blocked_2.by_weft_0 = shares_2[i32(0)] * (1.0f - shares_2[i32(2)]);
-    blocked_2.far_0 = shares_2[i32(1)];
+    blocked_2.by_warp_0 = shares_3[i32(0)] * shares_3[i32(2)];
+    blocked_2.by_weft_0 = shares_3[i32(0)] * (1.0f - shares_3[i32(2)]);
+    blocked_2.far_0 = shares_3[i32(1)];
     return blocked_2;
 }
 
-fn blocked_at_0( _S817 : u32,  _S818 : bool,  _S819 : bool,  _S820 : f32,  _S821 : f32) -> Blocked_0
+fn blocked_at_0( _S862 : u32,  _S863 : bool,  _S864 : bool,  _S865 : f32,  _S866 : f32) -> Blocked_0
 {
-    var _S822 : f32 = _S821 * openness_number_0(_S817, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S820, _S822, _S820 * _S820, _S820 * _S822, _S822 * _S822 );
-    return blocked_of_terms_0(_S817, u32(60) + (select(u32(0), u32(2), _S819) + select(u32(1), u32(0), _S818)) * u32(18), terms_2, u32(6));
+    var _S867 : f32 = _S866 * openness_number_0(_S862, u32(158));
+    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S865, _S867, _S865 * _S865, _S865 * _S867, _S867 * _S867 );
+    return blocked_of_terms_0(_S862, u32(60) + (select(u32(0), u32(2), _S864) + select(u32(1), u32(0), _S863)) * u32(18), terms_2, u32(6));
 }
 
-fn with_blocked_0( _S823 : u32,  _S824 : Blocked_0,  _S825 : YarnPoint_0,  _S826 : bool,  _S827 : f32) -> Blocked_0
+fn with_blocked_0( _S868 : u32,  _S869 : Blocked_0,  _S870 : YarnPoint_0,  _S871 : bool,  _S872 : f32) -> Blocked_0
 {
-    if(((_S825.hole_5) | (((_S825.is_warp_3) != _S826))))
+    if(((_S870.hole_5) | (((_S870.is_warp_3) != _S871))))
     {
-        return _S824;
+        return _S869;
     }
-    var _S828 : Blocked_0 = blocked_at_0(_S823, _S826, _S825.back_6, _S825.surface_normal_0.z, _S825.height_6);
-    var result_4 : Blocked_0;
-    result_4.by_warp_0 = _S824.by_warp_0 + _S827 * _S828.by_warp_0;
-    result_4.by_weft_0 = _S824.by_weft_0 + _S827 * _S828.by_weft_0;
-    result_4.far_0 = _S824.far_0 + _S827 * _S828.far_0;
-    return result_4;
+    var _S873 : Blocked_0 = blocked_at_0(_S868, _S871, _S870.back_9, _S870.surface_normal_0.z, _S870.height_7);
+    var result_7 : Blocked_0;
+    result_7.by_warp_0 = _S869.by_warp_0 + _S872 * _S873.by_warp_0;
+    result_7.by_weft_0 = _S869.by_weft_0 + _S872 * _S873.by_weft_0;
+    result_7.far_0 = _S869.far_0 + _S872 * _S873.far_0;
+    return result_7;
 }
 
 struct CoverageTaps_0
@@ -3235,79 +3524,25 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S829 : u32,  _S830 : f32) -> vec3<f32>
+fn pyramid_level_0( _S874 : u32,  _S875 : f32) -> vec3<f32>
 {
-    var _S831 : u32 = fabrics_0[_S829].lobes_0.levels_0 + u32(4) * u32(min(_S830, fabrics_0[_S829].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S831), table_number_0(_S831 + u32(1)), table_number_0(_S831 + u32(2)));
+    var _S876 : u32 = fabrics_0[_S874].lobes_0.levels_0 + u32(4) * u32(min(_S875, fabrics_0[_S874].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S876), table_number_0(_S876 + u32(1)), table_number_0(_S876 + u32(2)));
 }
 
-fn coverage_taps_0( _S832 : u32,  _S833 : Footprint_0,  _S834 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S877 : u32,  _S878 : Footprint_0,  _S879 : bool) -> CoverageTaps_0
 {
-    var _S835 : Lobes_std430_0 = fabrics_0[_S832].lobes_0;
-    var _S836 : f32 = Footprint_spread_side_0(_S833) * fabrics_0[_S832].lobes_0.inverse_base_size_0;
-    var _S837 : vec3<f32> = pyramid_level_0(_S832, floor(binary_logarithm_0(max(0.68000000715255737f * _S836, 1.0f))));
-    var _S838 : f32 = 1.0f / max(_S836, 9.99999997475242708e-07f);
-    var _S839 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S832].warp_0].inverse_period_0, families_0[fabrics_0[_S832].weft_0].inverse_period_0);
-    var _S840 : vec2<f32> = _S833.centre_0 * _S839;
-    var _S841 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S838 * _S838), 0.0f, 1.0f)), 0.3333333432674408f * _S838), 1.0f));
-    var _S842 : vec2<f32> = _S833.dx_0 * _S839 * _S841;
-    var _S843 : vec2<f32> = _S833.dy_0 * _S839 * _S841;
+    var _S880 : Lobes_std430_0 = fabrics_0[_S877].lobes_0;
+    var _S881 : f32 = Footprint_spread_side_0(_S878) * fabrics_0[_S877].lobes_0.inverse_base_size_0;
+    var _S882 : vec3<f32> = pyramid_level_0(_S877, floor(binary_logarithm_0(max(0.68000000715255737f * _S881, 1.0f))));
+    var _S883 : f32 = 1.0f / max(_S881, 9.99999997475242708e-07f);
+    var _S884 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S877].warp_0].inverse_period_0, families_0[fabrics_0[_S877].weft_0].inverse_period_0);
+    var _S885 : vec2<f32> = _S878.centre_0 * _S884;
+    var _S886 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S883 * _S883), 0.0f, 1.0f)), 0.3333333432674408f * _S883), 1.0f));
+    var _S887 : vec2<f32> = _S878.dx_0 * _S884 * _S886;
+    var _S888 : vec2<f32> = _S878.dy_0 * _S884 * _S886;
     var taps_4 : CoverageTaps_0;
-    var number_6 : u32 = u32(0);
-    for(;;)
-    {
-        if(number_6 < u32(9))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S844 : vec2<f32> = _S840 + vec2<f32>(TAP_OFFSETS_0[number_6].x) * _S842 + vec2<f32>(TAP_OFFSETS_0[number_6].y) * _S843;
-        var _S845 : f32 = _S837.y;
-        taps_4.nodes_1[number_6] = select(u32(0), _S835.face_nodes_0, _S834) + u32(wrapped_cell_0(_S844.y, _S837.z) * _S845 + wrapped_cell_0(_S844.x, _S845) + _S837.x);
-        number_6 = number_6 + u32(1);
-    }
-    return taps_4;
-}
-
-fn joint_ratios_0( _S846 : u32,  _S847 : vec3<f32>,  _S848 : vec3<f32>,  _S849 : bool) -> vec2<f32>
-{
-    var _S850 : NodeTaps_0 = node_taps_of_0(_S848, u32(16));
-    var _S851 : NodeTaps_0 = node_taps_of_0(_S847, u32(16));
-    var _S852 : u32 = fabrics_0[_S846].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S849) + select(u32(0), u32(1), (_S847.z) < 0.0f)) * u32(512);
-    var _S853 : u32 = _S852 + u32(512);
-    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S850, _S852, u32(0)), joint_terms_0(_S851, _S853, u32(0))), dot(joint_terms_0(_S850, _S852, u32(1)), joint_terms_0(_S851, _S853, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
-}
-
-fn coverage_of_pack_0( _S854 : u32,  _S855 : CoverageTaps_0,  _S856 : u32) -> vec4<f32>
-{
-    var number_7 : u32 = u32(0);
-    var even_1 : u32 = u32(0);
-    var odd_1 : u32 = u32(0);
-    for(;;)
-    {
-        if(number_7 < u32(9))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S857 : u32 = words_0[fabrics_0[_S854].lobes_0.coverage_0 + _S855.nodes_1[number_7] * fabrics_0[_S854].lobes_0.packs_0 + _S856];
-        var even_2 : u32 = even_1 + ((_S857 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S857 >> (u32(8)))) & (u32(16711935))));
-        number_7 = number_7 + u32(1);
-        even_1 = even_2;
-        odd_1 = odd_2;
-    }
-    return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
-}
-
-fn coverage_of_holes_0( _S858 : u32,  _S859 : CoverageTaps_0) -> f32
-{
     var number_8 : u32 = u32(0);
-    var total_0 : u32 = u32(0);
     for(;;)
     {
         if(number_8 < u32(9))
@@ -3317,474 +3552,591 @@ fn coverage_of_holes_0( _S858 : u32,  _S859 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S858].lobes_0.coverage_holes_0 + _S859.nodes_1[number_8] / u32(4)] >> ((u32(8) * (_S859.nodes_1[number_8] % u32(4)))))) & (u32(255))));
+        var _S889 : vec2<f32> = _S885 + vec2<f32>(TAP_OFFSETS_0[number_8].x) * _S887 + vec2<f32>(TAP_OFFSETS_0[number_8].y) * _S888;
+        var _S890 : f32 = _S882.y;
+        taps_4.nodes_1[number_8] = select(u32(0), _S880.face_nodes_0, _S879) + u32(wrapped_cell_0(_S889.y, _S882.z) * _S890 + wrapped_cell_0(_S889.x, _S890) + _S882.x);
         number_8 = number_8 + u32(1);
-        total_0 = total_1;
     }
-    return f32(total_0) / 9.0f;
+    return taps_4;
 }
 
-fn prefiltered_hole_0( _S860 : u32,  _S861 : CoverageTaps_0,  _S862 : NodeTaps_0,  _S863 : bool) -> f32
+fn joint_ratios_0( _S891 : u32,  _S892 : vec3<f32>,  _S893 : vec3<f32>,  _S894 : bool) -> vec2<f32>
 {
-    var _S864 : f32 = interpolate_table_0(_S862, fabrics_0[_S860].lobes_0.projected_area_0 + fabrics_0[_S860].lobes_0.packs_0, fabrics_0[_S860].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S860, _S861) * _S864 * _S864 * select(fabrics_0[_S860].lobes_0.front_hole_weight_0, fabrics_0[_S860].lobes_0.back_hole_weight_0, _S863), 1.0f);
+    var _S895 : NodeTaps_0 = node_taps_of_0(_S893, u32(16));
+    var _S896 : NodeTaps_0 = node_taps_of_0(_S892, u32(16));
+    var _S897 : u32 = fabrics_0[_S891].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S894) + select(u32(0), u32(1), (_S892.z) < 0.0f)) * u32(512);
+    var _S898 : u32 = _S897 + u32(512);
+    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S895, _S897, u32(0)), joint_terms_0(_S896, _S898, u32(0))), dot(joint_terms_0(_S895, _S897, u32(1)), joint_terms_0(_S896, _S898, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
 }
 
-fn prefiltered_components_0( _S865 : u32,  _S866 : Footprint_0,  _S867 : vec3<f32>,  _S868 : vec3<f32>,  _S869 : bool) -> Components_0
+fn coverage_of_pack_0( _S899 : u32,  _S900 : CoverageTaps_0,  _S901 : u32) -> vec4<f32>
 {
-    var _S870 : CoverageTaps_0 = coverage_taps_0(_S865, _S866, _S869);
-    var _S871 : NodeTaps_0 = node_taps_0(_S868);
-    var view_nodes_0 : NodeTaps_0 = _S871;
-    var _S872 : NodeTaps_0 = node_taps_0(_S867);
-    var light_nodes_0 : NodeTaps_0 = _S872;
-    var _S873 : u32 = select(u32(0), u32(1), _S869);
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S873 * u32(256)));
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S873 + select(u32(0), u32(1), (_S867.z) < 0.0f)) * u32(256)));
-    var _S874 : vec3<f32> = half_vector_0(_S867, _S868);
-    var _S875 : vec2<f32> = joint_ratios_0(_S865, _S867, _S868, _S869);
-    var _S876 : Lobes_std430_0 = fabrics_0[_S865].lobes_0;
-    var _S877 : u32 = select(fabrics_0[_S865].lobes_0.front_warp_packs_0, fabrics_0[_S865].lobes_0.back_warp_packs_0, _S869);
-    var sums_6 : Components_0;
-    sums_6.diffuse_warp_0 = 0.0f;
-    sums_6.diffuse_weft_0 = 0.0f;
-    sums_6.specular_warp_0 = 0.0f;
-    sums_6.specular_weft_0 = 0.0f;
-    sums_6.light_visibility_1 = 0.0f;
-    var pack_0 : u32 = u32(0);
-    var total_2 : f32 = 0.0f;
+    var number_9 : u32 = u32(0);
+    var even_1 : u32 = u32(0);
+    var odd_1 : u32 = u32(0);
     for(;;)
     {
-        if(pack_0 < (_S876.packs_0))
+        if(number_9 < u32(9))
         {
         }
         else
         {
             break;
         }
-        var _S878 : vec4<f32> = coverage_of_pack_0(_S865, _S870, pack_0);
-        var _S879 : vec4<f32> = interpolate_table_0(view_nodes_0, _S876.projected_area_0 + pack_0, _S876.packs_0 + u32(1));
-        var _S880 : vec4<f32> = interpolate_table_0(light_nodes_0, _S876.light_visibility_0 + pack_0, _S876.packs_0) / vec4<f32>(255.0f);
-        var _S881 : vec4<f32> = interpolate_table_0(light_nodes_0, _S876.irradiance_0 + pack_0, _S876.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S882 : bool = pack_0 < _S877;
-        var _S883 : f32 = families_0[select(fabrics_0[_S865].weft_0, fabrics_0[_S865].warp_0, _S882)].roughness_0;
-        var number_9 : u32 = u32(0);
+        var _S902 : u32 = words_0[fabrics_0[_S899].lobes_0.coverage_0 + _S900.nodes_1[number_9] * fabrics_0[_S899].lobes_0.packs_0 + _S901];
+        var even_2 : u32 = even_1 + ((_S902 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S902 >> (u32(8)))) & (u32(16711935))));
+        number_9 = number_9 + u32(1);
+        even_1 = even_2;
+        odd_1 = odd_2;
+    }
+    return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
+}
+
+fn coverage_of_holes_0( _S903 : u32,  _S904 : CoverageTaps_0) -> f32
+{
+    var number_10 : u32 = u32(0);
+    var total_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(number_10 < u32(9))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S903].lobes_0.coverage_holes_0 + _S904.nodes_1[number_10] / u32(4)] >> ((u32(8) * (_S904.nodes_1[number_10] % u32(4)))))) & (u32(255))));
+        number_10 = number_10 + u32(1);
+        total_0 = total_1;
+    }
+    return f32(total_0) / 9.0f;
+}
+
+fn prefiltered_hole_0( _S905 : u32,  _S906 : CoverageTaps_0,  _S907 : NodeTaps_0,  _S908 : bool) -> f32
+{
+    var _S909 : f32 = interpolate_table_0(_S907, fabrics_0[_S905].lobes_0.projected_area_0 + fabrics_0[_S905].lobes_0.packs_0, fabrics_0[_S905].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S905, _S906) * _S909 * _S909 * select(fabrics_0[_S905].lobes_0.front_hole_weight_0, fabrics_0[_S905].lobes_0.back_hole_weight_0, _S908), 1.0f);
+}
+
+fn prefiltered_components_0( _S910 : u32,  _S911 : Footprint_0,  _S912 : vec3<f32>,  _S913 : vec3<f32>,  _S914 : bool) -> Components_0
+{
+    var _S915 : CoverageTaps_0 = coverage_taps_0(_S910, _S911, _S914);
+    var _S916 : NodeTaps_0 = node_taps_0(_S913);
+    var view_nodes_0 : NodeTaps_0 = _S916;
+    var _S917 : NodeTaps_0 = node_taps_0(_S912);
+    var light_nodes_0 : NodeTaps_0 = _S917;
+    var _S918 : u32 = select(u32(0), u32(1), _S914);
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S918 * u32(256)));
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S918 + select(u32(0), u32(1), (_S912.z) < 0.0f)) * u32(256)));
+    var _S919 : vec3<f32> = half_vector_0(_S912, _S913);
+    var _S920 : vec2<f32> = joint_ratios_0(_S910, _S912, _S913, _S914);
+    var _S921 : Lobes_std430_0 = fabrics_0[_S910].lobes_0;
+    var _S922 : u32 = select(fabrics_0[_S910].lobes_0.front_warp_packs_0, fabrics_0[_S910].lobes_0.back_warp_packs_0, _S914);
+    var sums_9 : Components_0;
+    sums_9.diffuse_warp_0 = 0.0f;
+    sums_9.diffuse_weft_0 = 0.0f;
+    sums_9.specular_warp_0 = 0.0f;
+    sums_9.specular_weft_0 = 0.0f;
+    sums_9.light_visibility_1 = 0.0f;
+    var pack_0 : u32 = u32(0);
+    var total_2 : f32 = 0.0f;
+    for(;;)
+    {
+        if(pack_0 < (_S921.packs_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S923 : vec4<f32> = coverage_of_pack_0(_S910, _S915, pack_0);
+        var _S924 : vec4<f32> = interpolate_table_0(view_nodes_0, _S921.projected_area_0 + pack_0, _S921.packs_0 + u32(1));
+        var _S925 : vec4<f32> = interpolate_table_0(light_nodes_0, _S921.light_visibility_0 + pack_0, _S921.packs_0) / vec4<f32>(255.0f);
+        var _S926 : vec4<f32> = interpolate_table_0(light_nodes_0, _S921.irradiance_0 + pack_0, _S921.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S927 : bool = pack_0 < _S922;
+        var _S928 : f32 = families_0[select(fabrics_0[_S910].weft_0, fabrics_0[_S910].warp_0, _S927)].roughness_0;
+        var number_11 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
         var lit_0 : f32 = 0.0f;
         for(;;)
         {
-            if(number_9 < u32(4))
+            if(number_11 < u32(4))
             {
             }
             else
             {
                 break;
             }
-            var _S884 : Group_0 = group_at_0(_S876.moments_0 + u32(12) * (u32(4) * (_S873 * _S876.packs_0 + pack_0) + number_9), _S883);
-            var _S885 : f32 = _S878[number_9] * _S879[number_9] * _S879[number_9] * _S884.weight_2;
-            var diffuse_1 : f32 = diffuse_0 + _S885 * _S881[number_9];
-            var specular_1 : f32 = specular_0 + _S885 * layer_value_0(_S884, _S874, _S867, _S868, fabrics_0[_S865].optical_depth_0) * _S880[number_9];
-            var lit_1 : f32 = lit_0 + _S885 * _S880[number_9];
-            var total_3 : f32 = total_2 + _S885;
-            number_9 = number_9 + u32(1);
+            var _S929 : Group_0 = group_at_0(_S921.moments_0 + u32(12) * (u32(4) * (_S918 * _S921.packs_0 + pack_0) + number_11), _S928);
+            var _S930 : f32 = _S923[number_11] * _S924[number_11] * _S924[number_11] * _S929.weight_2;
+            var diffuse_1 : f32 = diffuse_0 + _S930 * _S926[number_11];
+            var specular_1 : f32 = specular_0 + _S930 * layer_value_0(_S929, _S919, _S912, _S913, fabrics_0[_S910].optical_depth_0) * _S925[number_11];
+            var lit_1 : f32 = lit_0 + _S930 * _S925[number_11];
+            var total_3 : f32 = total_2 + _S930;
+            number_11 = number_11 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             lit_0 = lit_1;
             total_2 = total_3;
         }
-        sums_6.diffuse_warp_0 = sums_6.diffuse_warp_0 + select(0.0f, diffuse_0, _S882);
-        sums_6.diffuse_weft_0 = sums_6.diffuse_weft_0 + select(diffuse_0, 0.0f, _S882);
-        sums_6.specular_warp_0 = sums_6.specular_warp_0 + select(0.0f, specular_0, _S882);
-        sums_6.specular_weft_0 = sums_6.specular_weft_0 + select(specular_0, 0.0f, _S882);
-        sums_6.light_visibility_1 = sums_6.light_visibility_1 + lit_0 * select(_S875.y, _S875.x, _S882);
+        sums_9.diffuse_warp_0 = sums_9.diffuse_warp_0 + select(0.0f, diffuse_0, _S927);
+        sums_9.diffuse_weft_0 = sums_9.diffuse_weft_0 + select(diffuse_0, 0.0f, _S927);
+        sums_9.specular_warp_0 = sums_9.specular_warp_0 + select(0.0f, specular_0, _S927);
+        sums_9.specular_weft_0 = sums_9.specular_weft_0 + select(specular_0, 0.0f, _S927);
+        sums_9.light_visibility_1 = sums_9.light_visibility_1 + lit_0 * select(_S920.y, _S920.x, _S927);
         pack_0 = pack_0 + u32(1);
     }
-    var _S886 : f32 = prefiltered_hole_0(_S865, _S870, view_nodes_0, _S869);
-    sums_6.hole_2 = _S886;
-    var _S887 : f32 = 1.0f - _S886;
-    var _S888 : f32 = _S887 / max(total_2, 9.999999960041972e-13f);
-    var _S889 : f32 = _S888 * _S875.x;
-    sums_6.diffuse_warp_0 = sums_6.diffuse_warp_0 * _S889;
-    var _S890 : f32 = _S888 * _S875.y;
-    sums_6.diffuse_weft_0 = sums_6.diffuse_weft_0 * _S890;
-    sums_6.specular_warp_0 = sums_6.specular_warp_0 * _S889;
-    sums_6.specular_weft_0 = sums_6.specular_weft_0 * _S890;
-    sums_6.light_visibility_1 = min(sums_6.light_visibility_1 * _S888, _S887);
-    return sums_6;
+    var _S931 : f32 = prefiltered_hole_0(_S910, _S915, view_nodes_0, _S914);
+    sums_9.hole_2 = _S931;
+    var _S932 : f32 = 1.0f - _S931;
+    var _S933 : f32 = _S932 / max(total_2, 9.999999960041972e-13f);
+    var _S934 : f32 = _S933 * _S920.x;
+    sums_9.diffuse_warp_0 = sums_9.diffuse_warp_0 * _S934;
+    var _S935 : f32 = _S933 * _S920.y;
+    sums_9.diffuse_weft_0 = sums_9.diffuse_weft_0 * _S935;
+    sums_9.specular_warp_0 = sums_9.specular_warp_0 * _S934;
+    sums_9.specular_weft_0 = sums_9.specular_weft_0 * _S935;
+    sums_9.light_visibility_1 = min(sums_9.light_visibility_1 * _S933, _S932);
+    return sums_9;
 }
 
-fn yarns_over_0( _S891 : u32,  _S892 : Footprint_0,  _S893 : bool) -> Yarns_0
+fn yarns_over_0( _S936 : u32,  _S937 : Footprint_0,  _S938 : bool) -> Yarns_0
 {
-    var _S894 : vec2<f32> = _S892.dx_0;
-    var _S895 : vec2<f32> = _S892.dy_0;
-    var _S896 : vec2<f32> = sqrt(_S894 * _S894 + _S895 * _S895);
-    var _S897 : f32 = Footprint_spread_side_0(_S892);
-    var _S898 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S898, _S898, vec3<f32>(0.0f));
-    var _S899 : bool = (fabrics_0[_S891].is_irregular_0) != u32(0);
-    var number_10 : u32 = u32(0);
+    var _S939 : vec2<f32> = _S937.dx_0;
+    var _S940 : vec2<f32> = _S937.dy_0;
+    var _S941 : vec2<f32> = sqrt(_S939 * _S939 + _S940 * _S940);
+    var _S942 : f32 = Footprint_spread_side_0(_S937);
+    var _S943 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S943, _S943, vec3<f32>(0.0f));
+    var _S944 : bool = (fabrics_0[_S936].is_irregular_0) != u32(0);
+    var number_12 : u32 = u32(0);
     for(;;)
     {
-        if(number_10 < select(u32(0), u32(2), _S899))
+        if(number_12 < select(u32(0), u32(2), _S944))
         {
         }
         else
         {
             break;
         }
-        var _S900 : bool = number_10 == u32(0);
-        var _S901 : u32 = select(fabrics_0[_S891].weft_0, fabrics_0[_S891].warp_0, _S900);
-        var _S902 : vec2<f32> = select_vector_0(_S900, _S892.centre_0, _S892.centre_0.yx);
-        var _S903 : vec2<f32> = select_vector_0(_S900, _S896, _S896.yx);
-        var _S904 : f32 = _S902.x;
-        var _S905 : Cell_0 = locate_0(_S901, _S904);
-        var yarn_3 : vec4<f32> = irregular_over_0(_S901, irregular_key_0(_S891, number_10), irregular_thread_0(_S901, _S904, _S905) + _S905.below_0 / (_S905.below_0 + _S905.above_0), _S903.x * (families_0[_S901].count_0 / families_0[_S901].period_0), _S902.y, _S903.y);
-        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S901, _S897));
-        yarns_0.warp_3 = yarns_0.weft_3;
-        yarns_0.weft_3 = yarn_3;
-        number_10 = number_10 + u32(1);
+        var _S945 : bool = number_12 == u32(0);
+        var _S946 : u32 = select(fabrics_0[_S936].weft_0, fabrics_0[_S936].warp_0, _S945);
+        var _S947 : vec2<f32> = select_vector_0(_S945, _S937.centre_0, _S937.centre_0.yx);
+        var _S948 : vec2<f32> = select_vector_0(_S945, _S941, _S941.yx);
+        var _S949 : f32 = _S947.x;
+        var _S950 : Cell_0 = locate_0(_S946, _S949);
+        var yarn_3 : vec4<f32> = irregular_over_0(_S946, irregular_key_0(_S936, number_12), irregular_thread_0(_S946, _S949, _S950) + _S950.below_0 / (_S950.below_0 + _S950.above_0), _S948.x * (families_0[_S946].count_0 / families_0[_S946].period_0), _S947.y, _S948.y);
+        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S946, _S942));
+        yarns_0.warp_4 = yarns_0.weft_4;
+        yarns_0.weft_4 = yarn_3;
+        number_12 = number_12 + u32(1);
     }
-    var _S906 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S891].warp_0].cover_0, families_0[fabrics_0[_S891].weft_0].cover_0);
-    var _S907 : f32 = select(fabrics_0[_S891].warp_on_top_0, 1.0f - fabrics_0[_S891].warp_on_top_0, _S893);
-    var _S908 : vec3<f32> = shown_of_covers_0(_S906, _S907);
-    var _S909 : vec3<f32> = select_vector_1(_S899, shown_of_covers_0(saturate(_S906 + _S906 * vec2<f32>(yarns_0.warp_3.y, yarns_0.weft_3.y)), _S907) / max(_S908, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_0.shares_0 = _S909;
-    yarns_0.shares_0[i32(2)] = select(1.0f, _S909.z, (_S908.z) > 0.00009999999747379f);
+    var _S951 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S936].warp_0].cover_0, families_0[fabrics_0[_S936].weft_0].cover_0);
+    var _S952 : f32 = select(fabrics_0[_S936].warp_on_top_0, 1.0f - fabrics_0[_S936].warp_on_top_0, _S938);
+    var _S953 : vec3<f32> = shown_of_covers_0(_S951, _S952);
+    var _S954 : vec3<f32> = select_vector_1(_S944, shown_of_covers_0(saturate(_S951 + _S951 * vec2<f32>(yarns_0.warp_4.y, yarns_0.weft_4.y)), _S952) / max(_S953, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_0.shares_0 = _S954;
+    yarns_0.shares_0[i32(2)] = select(1.0f, _S954.z, (_S953.z) > 0.00009999999747379f);
     return yarns_0;
 }
 
-fn with_shares_0( _S910 : u32,  _S911 : Components_0,  _S912 : Yarns_0) -> Components_0
+fn with_shares_0( _S955 : u32,  _S956 : Components_0,  _S957 : Yarns_0) -> Components_0
 {
-    var result_5 : Components_0;
-    var _S913 : f32 = min(_S911.hole_2 * _S912.shares_0.z, 1.0f);
-    result_5.hole_2 = _S913;
-    var _S914 : f32 = _S912.shares_0.x;
-    result_5.diffuse_warp_0 = _S911.diffuse_warp_0 * _S914;
-    var _S915 : f32 = _S912.shares_0.y;
-    result_5.diffuse_weft_0 = _S911.diffuse_weft_0 * _S915;
-    result_5.specular_warp_0 = _S911.specular_warp_0 * _S914;
-    result_5.specular_weft_0 = _S911.specular_weft_0 * _S915;
-    result_5.light_visibility_1 = _S911.light_visibility_1 * select(1.0f, (1.0f - _S913) / max(1.0f - _S911.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S910].is_irregular_0) != u32(0));
-    return result_5;
+    var result_8 : Components_0;
+    var _S958 : f32 = min(_S956.hole_2 * _S957.shares_0.z, 1.0f);
+    result_8.hole_2 = _S958;
+    var _S959 : f32 = _S957.shares_0.x;
+    result_8.diffuse_warp_0 = _S956.diffuse_warp_0 * _S959;
+    var _S960 : f32 = _S957.shares_0.y;
+    result_8.diffuse_weft_0 = _S956.diffuse_weft_0 * _S960;
+    result_8.specular_warp_0 = _S956.specular_warp_0 * _S959;
+    result_8.specular_weft_0 = _S956.specular_weft_0 * _S960;
+    result_8.light_visibility_1 = _S956.light_visibility_1 * select(1.0f, (1.0f - _S958) / max(1.0f - _S956.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S955].is_irregular_0) != u32(0));
+    return result_8;
 }
 
-fn albedos_over_0( _S916 : u32,  _S917 : Footprint_0,  _S918 : bool) -> FamilyAlbedos_0
+fn stack_share_0( _S961 : u32,  _S962 : vec2<f32>,  _S963 : vec2<f32>,  _S964 : u32) -> f32
 {
-    var _S919 : vec2<f32> = _S917.dx_0;
-    var _S920 : vec2<f32> = _S917.dy_0;
-    var _S921 : vec2<f32> = sqrt(_S919 * _S919 + _S920 * _S920);
-    var _S922 : Stretch_0 = stretch_of_0(fabrics_0[_S916].warp_0, _S917.centre_0.x, _S921.x);
-    var _S923 : Stretch_0 = stretch_of_0(fabrics_0[_S916].weft_0, _S917.centre_0.y, _S921.y);
-    var albedos_8 : FamilyAlbedos_0;
-    albedos_8.warp_7 = mean_albedos_0(fabrics_0[_S916].warp_0, fabrics_0[_S916].weft_0, _S922, _S923, _S918);
-    albedos_8.weft_7 = mean_albedos_0(fabrics_0[_S916].weft_0, fabrics_0[_S916].warp_0, _S923, _S922, _S918);
-    return albedos_8;
+    if((fabrics_0[_S961].stacks_0) == u32(1))
+    {
+        return 1.0f;
+    }
+    var _S965 : u32 = fabrics_0[_S961].plane_axes_0 + u32(1);
+    var _S966 : Stretch_0 = stretch_of_0(fabrics_0[_S961].plane_axes_0, _S962.x, _S963.x);
+    var _S967 : Stretch_0 = stretch_of_0(_S965, _S962.y, _S963.y);
+    return clamp(integral_on_top_0(fabrics_0[_S961].plane_axes_0, _S966, _S967, u32(families_0[_S965].count_0), _S964) / (lengths_0(fabrics_0[_S961].plane_axes_0, _S966).x * lengths_0(_S965, _S967).x), 0.0f, 1.0f);
 }
 
-fn toned_0( _S924 : u32,  _S925 : u32,  _S926 : Albedos_0,  _S927 : vec4<f32>) -> Albedos_0
+fn albedos_over_0( _S968 : u32,  _S969 : Footprint_0,  _S970 : bool) -> FamilyAlbedos_0
 {
-    var _S928 : vec3<f32> = _S926.diffuse_reflect_0 + _S926.diffuse_transmit_0;
-    var _S929 : vec3<f32> = vec3<f32>(1.0f);
-    var _S930 : vec3<f32> = _S929 - vec3<f32>(fabrics_0[_S924].layer_bound_0) * max(_S926.specular_reflect_0, _S926.specular_transmit_0);
-    var _S931 : vec3<f32> = vec3<f32>(0.0f);
-    var _S932 : vec3<f32> = max(_S929 - _S928, _S931) / (_S929 + _S928);
-    var _S933 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S934 : vec3<f32> = (_S930 / max(_S928, _S933) - _S929) / max(vec3<f32>(0.89999997615814209f) * _S932, _S933);
-    var _S935 : vec3<f32> = _S929 - vec3<f32>((saturate(min(min(_S934.x, _S934.y), _S934.z)) * _S927.z)) * _S932;
-    var _S936 : vec3<f32> = min(vec3<f32>(families_0[_S925].nep_red_0, families_0[_S925].nep_green_0, families_0[_S925].nep_blue_0), _S930);
-    var found_1 : Albedos_0 = _S926;
-    var _S937 : f32 = _S927.w;
-    var _S938 : vec3<f32> = _S935 * _S926.diffuse_transmit_0 * vec3<f32>((1.0f - _S937));
-    found_1.diffuse_transmit_0 = _S938;
-    found_1.diffuse_reflect_0 = clamp(mix(_S935 * _S926.diffuse_reflect_0, _S936, vec3<f32>(_S937)), _S931, max(_S930 - _S938, _S931));
+    var _S971 : vec2<f32> = _S969.dx_0;
+    var _S972 : vec2<f32> = _S969.dy_0;
+    var _S973 : vec2<f32> = sqrt(_S971 * _S971 + _S972 * _S972);
+    var _S974 : vec3<f32> = vec3<f32>(0.0f);
+    var _S975 : Albedos_0 = Albedos_x24init_0(_S974, _S974, _S974, _S974);
+    var sums_10 : FamilyAlbedos_0 = FamilyAlbedos_x24init_0(_S975, _S975);
+    var _S976 : vec2<f32> = vec2<f32>(0.0f);
+    var number_13 : u32 = u32(0);
+    var areas_0 : vec2<f32> = _S976;
+    for(;;)
+    {
+        if(number_13 < (plane_count_0(_S968)))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S977 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S968, number_13), _S969.centre_0, _S973, _S970);
+        if(!is_layered_0(_S968))
+        {
+            return _S977;
+        }
+        var _S978 : PlaneShares_0 = PlaneShares_x24init_0(0.0f, _S974, _S974);
+        var warp_10 : PlaneShares_0 = _S978;
+        var weft_10 : PlaneShares_0 = _S978;
+        var stack_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(stack_0 < (fabrics_0[_S968].stacks_0))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var _S979 : f32 = stack_share_0(_S968, _S969.centre_0, _S973, stack_0);
+            var _S980 : u32 = fabrics_0[_S968].plane_shares_0 + u32(14) * (u32(2) * (stack_0 * fabrics_0[_S968].planes_0 + number_13) + select(u32(0), u32(1), _S970));
+            var _S981 : PlaneShares_0 = with_shares_at_0(warp_10, _S979, _S980);
+            var _S982 : PlaneShares_0 = with_shares_at_0(weft_10, _S979, _S980 + u32(7));
+            var _S983 : u32 = stack_0 + u32(1);
+            warp_10 = _S981;
+            weft_10 = _S982;
+            stack_0 = _S983;
+        }
+        sums_10.warp_6 = with_plane_0(sums_10.warp_6, _S977.warp_6, warp_10);
+        sums_10.weft_6 = with_plane_0(sums_10.weft_6, _S977.weft_6, weft_10);
+        var areas_1 : vec2<f32> = areas_0 + vec2<f32>(warp_10.area_0, weft_10.area_0);
+        number_13 = number_13 + u32(1);
+        areas_0 = areas_1;
+    }
+    var means_0 : FamilyAlbedos_0;
+    means_0.warp_6 = divided_0(sums_10.warp_6, areas_0.x);
+    means_0.weft_6 = divided_0(sums_10.weft_6, areas_0.y);
+    return means_0;
+}
+
+fn toned_0( _S984 : u32,  _S985 : u32,  _S986 : Albedos_0,  _S987 : vec4<f32>) -> Albedos_0
+{
+    var _S988 : vec3<f32> = _S986.diffuse_reflect_0 + _S986.diffuse_transmit_0;
+    var _S989 : vec3<f32> = vec3<f32>(1.0f);
+    var _S990 : vec3<f32> = _S989 - vec3<f32>(fabrics_0[_S984].layer_bound_0) * max(_S986.specular_reflect_0, _S986.specular_transmit_0);
+    var _S991 : vec3<f32> = vec3<f32>(0.0f);
+    var _S992 : vec3<f32> = max(_S989 - _S988, _S991) / (_S989 + _S988);
+    var _S993 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S994 : vec3<f32> = (_S990 / max(_S988, _S993) - _S989) / max(vec3<f32>(0.89999997615814209f) * _S992, _S993);
+    var _S995 : vec3<f32> = _S989 - vec3<f32>((saturate(min(min(_S994.x, _S994.y), _S994.z)) * _S987.z)) * _S992;
+    var _S996 : vec3<f32> = min(vec3<f32>(families_0[_S985].nep_red_0, families_0[_S985].nep_green_0, families_0[_S985].nep_blue_0), _S990);
+    var found_1 : Albedos_0 = _S986;
+    var _S997 : f32 = _S987.w;
+    var _S998 : vec3<f32> = _S995 * _S986.diffuse_transmit_0 * vec3<f32>((1.0f - _S997));
+    found_1.diffuse_transmit_0 = _S998;
+    found_1.diffuse_reflect_0 = clamp(mix(_S995 * _S986.diffuse_reflect_0, _S996, vec3<f32>(_S997)), _S991, max(_S990 - _S998, _S991));
     return found_1;
 }
 
-fn with_tones_0( _S939 : u32,  _S940 : FamilyAlbedos_0,  _S941 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S999 : u32,  _S1000 : FamilyAlbedos_0,  _S1001 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S939].is_irregular_0) == u32(0))
+    if((fabrics_0[_S999].is_irregular_0) == u32(0))
     {
-        return _S940;
+        return _S1000;
     }
-    var result_6 : FamilyAlbedos_0;
-    result_6.warp_7 = toned_0(_S939, fabrics_0[_S939].warp_0, _S940.warp_7, _S941.warp_3);
-    result_6.weft_7 = toned_0(_S939, fabrics_0[_S939].weft_0, _S940.weft_7, _S941.weft_3);
-    return result_6;
+    var result_9 : FamilyAlbedos_0;
+    result_9.warp_6 = toned_0(_S999, fabrics_0[_S999].warp_0, _S1000.warp_6, _S1001.warp_4);
+    result_9.weft_6 = toned_0(_S999, fabrics_0[_S999].weft_0, _S1000.weft_6, _S1001.weft_4);
+    return result_9;
 }
 
-fn detail_gain_0( _S942 : u32,  _S943 : u32,  _S944 : SurfacePoint_0,  _S945 : bool,  _S946 : u32,  _S947 : f32) -> vec2<f32>
+fn detail_gain_0( _S1002 : u32,  _S1003 : u32,  _S1004 : SurfacePoint_0,  _S1005 : bool,  _S1006 : u32,  _S1007 : f32) -> vec2<f32>
 {
-    var _S948 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1008 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S943].has_plies_0) > 0.0f)
+    if((families_0[_S1003].has_plies_0) > 0.0f)
     {
-        gain_2 = groove_0(0.94999998807907104f * fade_0(_S947, 1.0f / families_0[_S943].plies_per_mm_0), ply_offset_0(_S943, _S944, _S945));
+        gain_2 = groove_0(0.94999998807907104f * fade_0(_S1007, 1.0f / families_0[_S1003].plies_per_mm_0), ply_offset_0(_S1003, _S1004, _S1005));
     }
     else
     {
-        gain_2 = _S948;
+        gain_2 = _S1008;
     }
-    if((families_0[_S943].fibre_tone_0) > 0.0f)
+    if((families_0[_S1003].fibre_tone_0) > 0.0f)
     {
-        var _S949 : FibreNoise_0 = fibre_noise_at_0(_S942, _S943, _S944, _S946, _S947);
-        var _S950 : f32 = 4.5f * families_0[_S943].fibre_tone_0;
-        gain_2 = gain_2 + vec2<f32>(families_0[_S943].fibre_tone_0) * vec2<f32>(_S949.bundle_weight_0 * _S949.bundle_0.y + _S949.fibre_weight_0 * _S949.fibre_0.y, _S949.bundle_weight_0 + _S949.fibre_weight_0) + (groove_0(_S950 * (_S949.bundle_weight_0 * (0.5f * (_S949.bundle_0.x - 1.0f) + 1.0f)), _S949.bundle_offset_0) + groove_0(_S950 * _S949.fibre_weight_0, _S949.offset_2));
+        var _S1009 : FibreNoise_0 = fibre_noise_at_0(_S1002, _S1003, _S1004, _S1006, _S1007);
+        var _S1010 : f32 = 4.5f * families_0[_S1003].fibre_tone_0;
+        gain_2 = gain_2 + vec2<f32>(families_0[_S1003].fibre_tone_0) * vec2<f32>(_S1009.bundle_weight_0 * _S1009.bundle_0.y + _S1009.fibre_weight_0 * _S1009.fibre_0.y, _S1009.bundle_weight_0 + _S1009.fibre_weight_0) + (groove_0(_S1010 * (_S1009.bundle_weight_0 * (0.5f * (_S1009.bundle_0.x - 1.0f) + 1.0f)), _S1009.bundle_offset_0) + groove_0(_S1010 * _S1009.fibre_weight_0, _S1009.offset_2));
     }
-    if((families_0[_S943].slub_0) > 0.0f)
+    if((families_0[_S1003].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S943].slub_0 * fade_0(_S947, 1.0f / families_0[_S943].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S946, ((fabrics_0[_S942].seed_0) ^ (u32(1373058189)))), select(- _S944.x_8, _S944.y_2, _S944.is_warp_0) * families_0[_S943].slubs_per_mm_0).x, 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S1003].slub_0 * fade_0(_S1007, 1.0f / families_0[_S1003].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S1006, ((fabrics_0[_S1002].seed_0) ^ (u32(1373058189)))), select(- _S1004.x_8, _S1004.y_2, _S1004.is_warp_0) * families_0[_S1003].slubs_per_mm_0).x, 1.0f);
     }
     return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
 }
 
-fn vary_albedos_0( _S951 : u32,  _S952 : Albedos_0,  _S953 : u32,  _S954 : u32,  _S955 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S1011 : u32,  _S1012 : Albedos_0,  _S1013 : u32,  _S1014 : u32,  _S1015 : vec2<f32>) -> Albedos_0
 {
-    var _S956 : vec3<f32> = max(_S952.specular_reflect_0, _S952.specular_transmit_0);
-    var _S957 : vec3<f32> = _S952.diffuse_reflect_0 + _S952.diffuse_transmit_0;
-    var _S958 : vec3<f32> = vec3<f32>(fabrics_0[_S951].layer_bound_0);
-    var _S959 : vec3<f32> = vec3<f32>(1.0f);
-    var _S960 : vec3<f32> = _S959 - _S958 * _S956;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S953, fabrics_0[_S951].colour_noise_0, fabrics_0[_S951].seed_0), _S957, _S960);
-    var _S961 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S955.y, vec3<f32>(colour_1) * _S957, _S960) * _S955.x)));
-    var _S962 : f32 = bounded_gain_0(fibre_gain_0(_S953, _S954, fabrics_0[_S951].fibre_noise_0, fabrics_0[_S951].seed_0), _S956, min((_S959 - _S961 * _S957) / _S958, vec3<f32>(1.0f)));
+    var _S1016 : vec3<f32> = max(_S1012.specular_reflect_0, _S1012.specular_transmit_0);
+    var _S1017 : vec3<f32> = _S1012.diffuse_reflect_0 + _S1012.diffuse_transmit_0;
+    var _S1018 : vec3<f32> = vec3<f32>(fabrics_0[_S1011].layer_bound_0);
+    var _S1019 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1020 : vec3<f32> = _S1019 - _S1018 * _S1016;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S1013, fabrics_0[_S1011].colour_noise_0, fabrics_0[_S1011].seed_0), _S1017, _S1020);
+    var _S1021 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S1015.y, vec3<f32>(colour_1) * _S1017, _S1020) * _S1015.x)));
+    var _S1022 : f32 = bounded_gain_0(fibre_gain_0(_S1013, _S1014, fabrics_0[_S1011].fibre_noise_0, fabrics_0[_S1011].seed_0), _S1016, min((_S1019 - _S1021 * _S1017) / _S1018, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S961 * _S952.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S961 * _S952.diffuse_transmit_0;
-    var _S963 : vec3<f32> = vec3<f32>(_S962);
-    varied_0.specular_reflect_0 = _S963 * _S952.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S963 * _S952.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S1021 * _S1012.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S1021 * _S1012.diffuse_transmit_0;
+    var _S1023 : vec3<f32> = vec3<f32>(_S1022);
+    varied_0.specular_reflect_0 = _S1023 * _S1012.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S1023 * _S1012.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S964 : u32,  _S965 : SurfacePoint_0,  _S966 : Albedos_0,  _S967 : bool,  _S968 : f32,  _S969 : f32) -> Albedos_0
+fn varied_at_0( _S1024 : u32,  _S1025 : SurfacePoint_0,  _S1026 : Albedos_0,  _S1027 : bool,  _S1028 : f32,  _S1029 : f32) -> Albedos_0
 {
-    var _S970 : u32 = thread_number_0(_S964, _S965);
-    var _S971 : vec3<f32> = fibre_cell_0(_S965.fibre_across_0, _S965.fibre_along_0, fabrics_0[_S964].fibre_size_0);
-    var _S972 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1030 : u32 = thread_number_0(_S1024, _S1025);
+    var _S1031 : vec3<f32> = fibre_cell_0(_S1025.fibre_across_0, _S1025.fibre_along_0, fabrics_0[_S1024].fibre_size_0);
+    var _S1032 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S964].has_detail_0) != u32(0)) & ((_S968 >= 0.0f))))
+    if((((fabrics_0[_S1024].has_detail_0) != u32(0)) & ((_S1028 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S964, select(fabrics_0[_S964].weft_0, fabrics_0[_S964].warp_0, _S965.is_warp_0), _S965, _S967, _S970, _S968) * vec2<f32>(1.0f - _S969, 1.0f);
+        gain_3 = detail_gain_0(_S1024, select(fabrics_0[_S1024].weft_0, fabrics_0[_S1024].warp_0, _S1025.is_warp_0), _S1025, _S1027, _S1030, _S1028) * vec2<f32>(1.0f - _S1029, 1.0f);
     }
     else
     {
-        gain_3 = _S972;
+        gain_3 = _S1032;
     }
-    return vary_albedos_0(_S964, _S966, _S970, u32(i32(_S971.x)) * u32(65536) + u32(i32(floor(_S971.y))), gain_3);
+    return vary_albedos_0(_S1024, _S1026, _S1030, u32(i32(_S1031.x)) * u32(65536) + u32(i32(floor(_S1031.y))), gain_3);
 }
 
-fn lobes_estimate_of_pass_0( _S973 : u32,  _S974 : Footprint_0,  _S975 : f32,  _S976 : vec2<f32>,  _S977 : vec3<f32>,  _S978 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S1033 : u32,  _S1034 : Footprint_0,  _S1035 : f32,  _S1036 : vec2<f32>,  _S1037 : vec3<f32>,  _S1038 : vec3<f32>) -> Estimate_0
 {
-    var _S979 : f32;
-    var _S980 : Regime_0 = regime_of_0(_S973, _S974, _S975);
-    var _S981 : bool = (_S978.z) < 0.0f;
-    var _S982 : vec3<f32> = to_face_frame_0(_S978, _S981);
-    var _S983 : f32 = Footprint_spread_side_0(_S974);
-    var _S984 : bool = varies_at_0(_S973, _S983);
-    var _S985 : f32 = 1.0f - _S980.prefiltered_0;
-    var _S986 : bool = ((_S985 > 0.0f) & (((((_S984 | (((((families_0[fabrics_0[_S973].warp_0].quantities_0) > u32(1)) | (((families_0[fabrics_0[_S973].weft_0].quantities_0) > u32(1)))))))) | (((fabrics_0[_S973].is_irregular_0) != u32(0)))))));
-    var box_0 : Footprint_0 = _S974;
-    var _S987 : vec3<f32> = vec3<f32>(0.0f);
-    var _S988 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S987, _S987, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
-    var _S989 : Components_0 = no_components_0();
+    var _S1039 : f32;
+    var _S1040 : Regime_0 = regime_of_0(_S1033, _S1034, _S1035);
+    var _S1041 : bool = (_S1038.z) < 0.0f;
+    var _S1042 : vec3<f32> = to_face_frame_0(_S1038, _S1041);
+    var _S1043 : f32 = Footprint_spread_side_0(_S1034);
+    var _S1044 : bool = varies_at_0(_S1033, _S1043);
+    var _S1045 : f32 = 1.0f - _S1040.prefiltered_0;
+    var _S1046 : bool = ((_S1045 > 0.0f) & (((((_S1044 | (((fabrics_0[_S1033].is_coloured_0) != u32(0))))) | (((fabrics_0[_S1033].is_irregular_0) != u32(0)))))));
+    var box_0 : Footprint_0 = _S1034;
+    var _S1047 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1048 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S1047, _S1047, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
+    var _S1049 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S990 : u32 = select(u32(1), u32(0), _S986);
-    var points_1 : Components_0 = _S989;
+    var _S1050 : u32 = select(u32(1), u32(0), _S1046);
+    var points_1 : Components_0 = _S1049;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S988;
-    var number_11 : u32 = _S990;
+    var central_0 : SurfacePoint_0 = _S1048;
+    var number_14 : u32 = _S1050;
     for(;;)
     {
-        var _S991 : f32 = f32(number_11);
-        _S979 = _S980.points_0;
-        if(_S991 < (_S980.points_0 + 1.0f))
+        var _S1051 : f32 = f32(number_14);
+        _S1039 = _S1040.points_0;
+        if(_S1051 < (_S1040.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S992 : bool = number_11 == u32(0);
-        var _S993 : u32 = number_11 - u32(1);
-        var _S994 : vec2<f32> = POINT_OFFSETS_0[select(_S993, u32(0), _S992)] + _S976;
-        var _S995 : vec2<f32> = select_vector_0(_S992, vec2<f32>(0.0f), _S994 - round(_S994));
-        var _S996 : vec2<f32> = _S974.centre_0 + vec2<f32>(_S995.x) * _S974.dx_0 + vec2<f32>(_S995.y) * _S974.dy_0;
-        var _S997 : SearchQuality_0 = quality_of_0(select(_S980.threads_2, 0.0f, _S992));
-        var _S998 : Hit_0 = first_hit_0(_S973, _S997, _S996.x, _S996.y, _S982, _S981);
-        var _S999 : SurfacePoint_0 = surface_met_0(_S973, _S998.x_18, _S998.y_11, _S998.height_8, _S982, _S981);
-        if(_S992)
+        var _S1052 : bool = number_14 == u32(0);
+        var _S1053 : u32 = number_14 - u32(1);
+        var _S1054 : vec2<f32> = POINT_OFFSETS_0[select(_S1053, u32(0), _S1052)] + _S1036;
+        var _S1055 : vec2<f32> = select_vector_0(_S1052, vec2<f32>(0.0f), _S1054 - round(_S1054));
+        var _S1056 : vec2<f32> = _S1034.centre_0 + vec2<f32>(_S1055.x) * _S1034.dx_0 + vec2<f32>(_S1055.y) * _S1034.dy_0;
+        var _S1057 : SearchQuality_0 = quality_of_0(select(_S1040.threads_2, 0.0f, _S1052));
+        var _S1058 : Hit_0 = first_hit_0(_S1033, _S1057, _S1056.x, _S1056.y, _S1042, _S1041);
+        var _S1059 : SurfacePoint_0 = surface_met_0(_S1033, _S1058.x_21, _S1058.y_14, _S1058.height_9, _S1042, _S1041);
+        if(_S1052)
         {
-            var central_weight_1 : f32 = select(_S985, 0.0f, _S998.hole_7);
-            box_0.centre_0 = mix(_S974.centre_0, vec2<f32>(_S998.x_18, _S998.y_11), vec2<f32>(central_weight_1));
+            var central_weight_1 : f32 = select(_S1045, 0.0f, _S1058.hole_7);
+            box_0.centre_0 = mix(_S1034.centre_0, vec2<f32>(_S1058.x_21, _S1058.y_14), vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S999;
-            number_11 = number_11 + u32(1);
+            central_0 = _S1059;
+            number_14 = number_14 + u32(1);
             continue;
         }
-        var _S1000 : YarnPoint_0 = uncoloured_point_0(_S973, _S999, _S982, _S981, _S998.hole_7, _S983);
-        var _S1001 : f32 = min(_S980.points_0 - f32(_S993), 1.0f);
-        var _S1002 : Components_0 = with_added_0(points_1, components_of_point_0(_S973, _S997, _S1000, _S977, _S978), _S1001);
-        if((fabrics_0[_S973].openness_0) != u32(4294967295))
+        var _S1060 : YarnPoint_0 = uncoloured_point_0(_S1033, _S1059, _S1042, _S1041, _S1058.hole_7, _S1043);
+        var _S1061 : f32 = min(_S1040.points_0 - f32(_S1053), 1.0f);
+        var _S1062 : Components_0 = with_added_0(points_1, components_of_point_0(_S1033, _S1057, _S1060, _S1037, _S1038), _S1061);
+        if((fabrics_0[_S1033].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S973, close_1.warp_1, _S1000, true, _S1001);
-            close_1.weft_1 = with_blocked_0(_S973, close_1.weft_1, _S1000, false, _S1001);
+            close_1.warp_1 = with_blocked_0(_S1033, close_1.warp_1, _S1060, true, _S1061);
+            close_1.weft_1 = with_blocked_0(_S1033, close_1.weft_1, _S1060, false, _S1061);
         }
-        points_1 = _S1002;
-        number_11 = number_11 + u32(1);
+        points_1 = _S1062;
+        number_14 = number_14 + u32(1);
     }
-    close_1.weight_0 = _S985;
-    var _S1003 : f32 = max(_S979, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1003);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1003);
+    close_1.weight_0 = _S1045;
+    var _S1063 : f32 = max(_S1039, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1063);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1063);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S989, points_1, _S985 / _S1003);
-    if((_S980.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S1049, points_1, _S1045 / _S1063);
+    if((_S1040.prefiltered_0) > 0.0f)
     {
-        var _S1004 : Components_0 = prefiltered_components_0(_S973, _S974, to_face_frame_0(_S977, _S981), _S982, _S981);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1004, _S980.prefiltered_0);
+        var _S1064 : Components_0 = prefiltered_components_0(_S1033, _S1034, to_face_frame_0(_S1037, _S1041), _S1042, _S1041);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1064, _S1040.prefiltered_0);
     }
-    var _S1005 : Yarns_0 = yarns_over_0(_S973, box_0, _S981);
-    estimate_0.components_0 = with_shares_0(_S973, estimate_0.components_0, _S1005);
-    estimate_0.albedos_7 = with_tones_0(_S973, albedos_over_0(_S973, box_0, _S981), _S1005);
-    if((_S984 & ((central_weight_0 > 0.0f))))
+    var _S1065 : Yarns_0 = yarns_over_0(_S1033, box_0, _S1041);
+    estimate_0.components_0 = with_shares_0(_S1033, estimate_0.components_0, _S1065);
+    estimate_0.albedos_9 = with_tones_0(_S1033, albedos_over_0(_S1033, box_0, _S1041), _S1065);
+    if((_S1044 & ((central_weight_0 > 0.0f))))
     {
-        var _S1006 : SurfacePoint_0 = central_0;
-        var _S1007 : Albedos_0;
+        var _S1066 : SurfacePoint_0 = central_0;
+        var _S1067 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S1007 = estimate_0.albedos_7.warp_7;
+            _S1067 = estimate_0.albedos_9.warp_6;
         }
         else
         {
-            _S1007 = estimate_0.albedos_7.weft_7;
+            _S1067 = estimate_0.albedos_9.weft_6;
         }
-        var _S1008 : bool;
-        if((fabrics_0[_S973].has_detail_0) != u32(0))
+        var _S1068 : bool;
+        if((fabrics_0[_S1033].has_detail_0) != u32(0))
         {
-            _S1008 = has_hairs_0(_S973);
+            _S1068 = has_hairs_0(_S1033);
         }
         else
         {
-            _S1008 = false;
+            _S1068 = false;
         }
         var cover_4 : f32;
-        if(_S1008)
+        if(_S1068)
         {
-            cover_4 = hair_towards_0(_S973, hairs_over_0(_S973, central_0, _S981, _S983), _S982, _S983).cover_1;
+            cover_4 = hair_towards_0(_S1033, hairs_over_0(_S1033, central_0, _S1041, _S1043), _S1042, _S1043).cover_1;
         }
         else
         {
             cover_4 = 0.0f;
         }
-        var _S1009 : Albedos_0 = lerp_albedos_0(_S1007, varied_at_0(_S973, central_0, _S1007, _S981, _S983, cover_4), central_weight_0);
-        if(_S1006.is_warp_0)
+        var _S1069 : Albedos_0 = lerp_albedos_0(_S1067, varied_at_0(_S1033, central_0, _S1067, _S1041, _S1043, cover_4), central_weight_0);
+        if(_S1066.is_warp_0)
         {
-            estimate_0.albedos_7.warp_7 = _S1009;
+            estimate_0.albedos_9.warp_6 = _S1069;
         }
         else
         {
-            estimate_0.albedos_7.weft_7 = _S1009;
+            estimate_0.albedos_9.weft_6 = _S1069;
         }
     }
     return estimate_0;
 }
 
-fn scattered_by_0( _S1010 : u32,  _S1011 : Albedos_0,  _S1012 : u32,  _S1013 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S1070 : u32,  _S1071 : Albedos_0,  _S1072 : u32,  _S1073 : vec3<f32>) -> Scattered_0
 {
-    var _S1014 : u32 = u32(159) + u32(2) * _S1012;
+    var _S1074 : u32 = u32(159) + u32(2) * _S1072;
     var yarn_4 : Scattered_0;
-    yarn_4.back_10 = _S1013 * _S1011.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1010, _S1014)) * _S1011.specular_reflect_0;
-    yarn_4.through_0 = _S1013 * _S1011.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1010, _S1014 + u32(1))) * _S1011.specular_transmit_0;
+    yarn_4.back_14 = _S1073 * _S1071.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1070, _S1074)) * _S1071.specular_reflect_0;
+    yarn_4.through_0 = _S1073 * _S1071.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1070, _S1074 + u32(1))) * _S1071.specular_transmit_0;
     return yarn_4;
 }
 
-fn sent_0( _S1015 : u32,  _S1016 : u32,  _S1017 : vec3<f32>,  _S1018 : vec3<f32>,  _S1019 : vec3<f32>,  _S1020 : vec3<f32>,  _S1021 : ptr<function, vec3<f32>>,  _S1022 : ptr<function, vec3<f32>>)
+fn sent_0( _S1075 : u32,  _S1076 : u32,  _S1077 : vec3<f32>,  _S1078 : vec3<f32>,  _S1079 : vec3<f32>,  _S1080 : vec3<f32>,  _S1081 : ptr<function, vec3<f32>>,  _S1082 : ptr<function, vec3<f32>>)
 {
-    var _S1023 : u32 = u32(146) + u32(4) * _S1016;
-    var _S1024 : f32 = openness_number_0(_S1015, _S1023 + u32(1));
-    var _S1025 : f32 = openness_number_0(_S1015, _S1023 + u32(2));
-    var _S1026 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1027 : vec3<f32> = _S1026 - _S1019 * vec3<f32>(openness_number_0(_S1015, _S1023));
-    var _S1028 : vec3<f32> = _S1026 - _S1020 * vec3<f32>(openness_number_0(_S1015, _S1023 + u32(3)));
-    var _S1029 : vec3<f32> = _S1026 / (_S1027 * _S1028 - _S1019 * _S1020 * vec3<f32>((_S1024 * _S1025)));
-    (*_S1021) = (_S1017 * _S1028 + _S1019 * vec3<f32>(_S1024) * _S1018) * _S1029;
-    (*_S1022) = (_S1018 * _S1027 + _S1020 * vec3<f32>(_S1025) * _S1017) * _S1029;
+    var _S1083 : u32 = u32(146) + u32(4) * _S1076;
+    var _S1084 : f32 = openness_number_0(_S1075, _S1083 + u32(1));
+    var _S1085 : f32 = openness_number_0(_S1075, _S1083 + u32(2));
+    var _S1086 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1087 : vec3<f32> = _S1086 - _S1079 * vec3<f32>(openness_number_0(_S1075, _S1083));
+    var _S1088 : vec3<f32> = _S1086 - _S1080 * vec3<f32>(openness_number_0(_S1075, _S1083 + u32(3)));
+    var _S1089 : vec3<f32> = _S1086 / (_S1087 * _S1088 - _S1079 * _S1080 * vec3<f32>((_S1084 * _S1085)));
+    (*_S1081) = (_S1077 * _S1088 + _S1079 * vec3<f32>(_S1084) * _S1078) * _S1089;
+    (*_S1082) = (_S1078 * _S1087 + _S1080 * vec3<f32>(_S1085) * _S1077) * _S1089;
     return;
 }
 
-fn face_sends_0( _S1030 : u32,  _S1031 : u32,  _S1032 : Scattered_0,  _S1033 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S1090 : u32,  _S1091 : u32,  _S1092 : Scattered_0,  _S1093 : Scattered_0) -> FaceSends_0
 {
-    var _S1034 : u32 = u32(2) * _S1031;
-    var _S1035 : u32 = u32(142) + _S1034;
-    var _S1036 : f32 = openness_number_0(_S1030, _S1035);
-    var _S1037 : f32 = openness_number_0(_S1030, _S1035 + u32(1));
-    var _S1038 : vec3<f32> = vec3<f32>((1.0f - _S1036)) * _S1032.back_10;
-    var _S1039 : vec3<f32> = vec3<f32>((1.0f - _S1037)) * _S1033.back_10;
+    var _S1094 : u32 = u32(2) * _S1091;
+    var _S1095 : u32 = u32(142) + _S1094;
+    var _S1096 : f32 = openness_number_0(_S1090, _S1095);
+    var _S1097 : f32 = openness_number_0(_S1090, _S1095 + u32(1));
+    var _S1098 : vec3<f32> = vec3<f32>((1.0f - _S1096)) * _S1092.back_14;
+    var _S1099 : vec3<f32> = vec3<f32>((1.0f - _S1097)) * _S1093.back_14;
     var sends_1 : FaceSends_0;
-    var _S1040 : u32 = u32(154) + _S1034;
-    var _S1041 : f32 = openness_number_0(_S1030, _S1040);
-    sends_1.blocks_warp_0 = _S1041;
-    var _S1042 : f32 = openness_number_0(_S1030, _S1040 + u32(1));
-    sends_1.blocks_weft_0 = _S1042;
-    sends_1.open_0 = _S1041 * _S1036 + _S1042 * _S1037;
-    var _S1043 : vec3<f32> = vec3<f32>(_S1036) * _S1032.back_10;
-    var _S1044 : vec3<f32> = vec3<f32>(_S1037) * _S1033.back_10;
-    var _S1045 : vec3<f32> = sends_1.sky_warp_0;
-    var _S1046 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S1030, _S1031, _S1043, _S1044, _S1038, _S1039, &(_S1045), &(_S1046));
-    sends_1.sky_warp_0 = _S1045;
-    sends_1.sky_weft_0 = _S1046;
-    var _S1047 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S1048 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S1030, _S1031, _S1032.through_0, _S1033.through_0, _S1038, _S1039, &(_S1047), &(_S1048));
-    sends_1.crossing_warp_0 = _S1047;
-    sends_1.crossing_weft_0 = _S1048;
+    var _S1100 : u32 = u32(154) + _S1094;
+    var _S1101 : f32 = openness_number_0(_S1090, _S1100);
+    sends_1.blocks_warp_0 = _S1101;
+    var _S1102 : f32 = openness_number_0(_S1090, _S1100 + u32(1));
+    sends_1.blocks_weft_0 = _S1102;
+    sends_1.open_0 = _S1101 * _S1096 + _S1102 * _S1097;
+    var _S1103 : vec3<f32> = vec3<f32>(_S1096) * _S1092.back_14;
+    var _S1104 : vec3<f32> = vec3<f32>(_S1097) * _S1093.back_14;
+    var _S1105 : vec3<f32> = sends_1.sky_warp_0;
+    var _S1106 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S1090, _S1091, _S1103, _S1104, _S1098, _S1099, &(_S1105), &(_S1106));
+    sends_1.sky_warp_0 = _S1105;
+    sends_1.sky_weft_0 = _S1106;
+    var _S1107 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S1108 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S1090, _S1091, _S1092.through_0, _S1093.through_0, _S1098, _S1099, &(_S1107), &(_S1108));
+    sends_1.crossing_warp_0 = _S1107;
+    sends_1.crossing_weft_0 = _S1108;
     return sends_1;
 }
 
-fn interior_of_0( _S1049 : u32,  _S1050 : vec3<f32>,  _S1051 : bool) -> Interior_0
+fn interior_between_0( _S1109 : u32,  _S1110 : u32,  _S1111 : u32,  _S1112 : vec3<f32>,  _S1113 : bool) -> Interior_0
 {
-    var _S1052 : Scattered_0 = scattered_by_0(_S1049, table_albedos_0(families_0[fabrics_0[_S1049].warp_0].colour_mean_0), u32(0), _S1050);
-    var _S1053 : Scattered_0 = scattered_by_0(_S1049, table_albedos_0(families_0[fabrics_0[_S1049].weft_0].colour_mean_0), u32(1), _S1050);
-    var _S1054 : FaceSends_0 = face_sends_0(_S1049, select(u32(0), u32(1), _S1051), _S1052, _S1053);
-    var _S1055 : FaceSends_0 = face_sends_0(_S1049, select(u32(1), u32(0), _S1051), _S1052, _S1053);
-    var _S1056 : vec3<f32> = vec3<f32>(_S1054.blocks_warp_0);
-    var _S1057 : vec3<f32> = vec3<f32>(_S1054.blocks_weft_0);
-    var _S1058 : vec3<f32> = _S1056 * _S1054.crossing_warp_0 + _S1057 * _S1054.crossing_weft_0;
-    var _S1059 : vec3<f32> = vec3<f32>(_S1055.blocks_warp_0);
-    var _S1060 : vec3<f32> = vec3<f32>(_S1055.blocks_weft_0);
-    var _S1061 : vec3<f32> = _S1059 * _S1055.crossing_warp_0 + _S1060 * _S1055.crossing_weft_0;
-    var _S1062 : f32 = 1.0f - _S1054.open_0;
-    var _S1063 : f32 = 1.0f - _S1055.open_0;
-    var _S1064 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1065 : vec3<f32> = _S1064 / (_S1064 - _S1058 * _S1061 * vec3<f32>((_S1062 * _S1063)));
-    var _S1066 : vec3<f32> = _S1061 * (vec3<f32>(_S1054.open_0) + vec3<f32>(_S1062) * (_S1056 * _S1054.sky_warp_0 + _S1057 * _S1054.sky_weft_0)) * _S1065;
-    var _S1067 : vec3<f32> = _S1058 * (vec3<f32>(_S1055.open_0) + vec3<f32>(_S1063) * (_S1059 * _S1055.sky_warp_0 + _S1060 * _S1055.sky_weft_0)) * _S1065;
-    var _S1068 : FaceRadiance_0 = face_radiance_0(_S1054, _S1055.open_0, _S1066, _S1067);
-    var _S1069 : FaceRadiance_0 = face_radiance_0(_S1055, _S1054.open_0, _S1067, _S1066);
+    var _S1114 : Scattered_0 = scattered_by_0(_S1109, table_albedos_0(_S1110), u32(0), _S1112);
+    var _S1115 : Scattered_0 = scattered_by_0(_S1109, table_albedos_0(_S1111), u32(1), _S1112);
+    var _S1116 : FaceSends_0 = face_sends_0(_S1109, select(u32(0), u32(1), _S1113), _S1114, _S1115);
+    var _S1117 : FaceSends_0 = face_sends_0(_S1109, select(u32(1), u32(0), _S1113), _S1114, _S1115);
+    var _S1118 : vec3<f32> = vec3<f32>(_S1116.blocks_warp_0);
+    var _S1119 : vec3<f32> = vec3<f32>(_S1116.blocks_weft_0);
+    var _S1120 : vec3<f32> = _S1118 * _S1116.crossing_warp_0 + _S1119 * _S1116.crossing_weft_0;
+    var _S1121 : vec3<f32> = vec3<f32>(_S1117.blocks_warp_0);
+    var _S1122 : vec3<f32> = vec3<f32>(_S1117.blocks_weft_0);
+    var _S1123 : vec3<f32> = _S1121 * _S1117.crossing_warp_0 + _S1122 * _S1117.crossing_weft_0;
+    var _S1124 : f32 = 1.0f - _S1116.open_0;
+    var _S1125 : f32 = 1.0f - _S1117.open_0;
+    var _S1126 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1127 : vec3<f32> = _S1126 / (_S1126 - _S1120 * _S1123 * vec3<f32>((_S1124 * _S1125)));
+    var _S1128 : vec3<f32> = _S1123 * (vec3<f32>(_S1116.open_0) + vec3<f32>(_S1124) * (_S1118 * _S1116.sky_warp_0 + _S1119 * _S1116.sky_weft_0)) * _S1127;
+    var _S1129 : vec3<f32> = _S1120 * (vec3<f32>(_S1117.open_0) + vec3<f32>(_S1125) * (_S1121 * _S1117.sky_warp_0 + _S1122 * _S1117.sky_weft_0)) * _S1127;
+    var _S1130 : FaceRadiance_0 = face_radiance_0(_S1116, _S1117.open_0, _S1128, _S1129);
+    var _S1131 : FaceRadiance_0 = face_radiance_0(_S1117, _S1116.open_0, _S1129, _S1128);
     var interior_1 : Interior_0;
-    interior_1.warp_6 = _S1068.warp_5;
-    interior_1.weft_6 = _S1068.weft_5;
-    interior_1.leaked_1 = _S1068.leaked_0;
-    interior_1.far_1 = _S1069.mean_1;
-    interior_1.far_leaked_0 = _S1069.leaked_0;
+    interior_1.warp_9 = _S1130.warp_8;
+    interior_1.weft_9 = _S1130.weft_8;
+    interior_1.leaked_1 = _S1130.leaked_0;
+    interior_1.far_1 = _S1131.mean_1;
+    interior_1.far_leaked_0 = _S1131.leaked_0;
     return interior_1;
 }
 
-fn blocked_from_0( _S1070 : u32,  _S1071 : vec3<f32>,  _S1072 : bool,  _S1073 : bool) -> Blocked_0
+fn interior_of_0( _S1132 : u32,  _S1133 : vec3<f32>,  _S1134 : bool) -> Interior_0
 {
-    var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S1071, &(terms_3));
-    return blocked_of_terms_0(_S1070, (select(u32(0), u32(2), _S1073) + select(u32(1), u32(0), _S1072)) * u32(15), terms_3, u32(5));
+    return interior_between_0(_S1132, families_0[fabrics_0[_S1132].warp_0].cloth_mean_0, families_0[fabrics_0[_S1132].weft_0].cloth_mean_0, _S1133, _S1134);
 }
 
-fn warp_seen_from_0( _S1074 : u32,  _S1075 : vec3<f32>,  _S1076 : bool) -> f32
+fn blocked_from_0( _S1135 : u32,  _S1136 : vec3<f32>,  _S1137 : bool,  _S1138 : bool) -> Blocked_0
+{
+    var terms_3 : array<f32, i32(6)>;
+    view_terms_0(_S1136, &(terms_3));
+    return blocked_of_terms_0(_S1135, (select(u32(0), u32(2), _S1138) + select(u32(1), u32(0), _S1137)) * u32(15), terms_3, u32(5));
+}
+
+fn warp_seen_from_0( _S1139 : u32,  _S1140 : vec3<f32>,  _S1141 : bool) -> f32
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S1075, &(terms_4));
+    view_terms_1(_S1140, &(terms_4));
     var term_1 : u32 = u32(0);
-    var share_5 : f32 = 0.0f;
+    var share_6 : f32 = 0.0f;
     for(;;)
     {
         if(term_1 < u32(5))
@@ -3794,132 +4146,132 @@ fn warp_seen_from_0( _S1074 : u32,  _S1075 : vec3<f32>,  _S1076 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S1074, u32(132) + select(u32(0), u32(5), _S1076) + term_1) * terms_4[term_1];
+        var share_7 : f32 = share_6 + openness_number_0(_S1139, u32(132) + select(u32(0), u32(5), _S1141) + term_1) * terms_4[term_1];
         term_1 = term_1 + u32(1);
-        share_5 = share_6;
+        share_6 = share_7;
     }
-    return saturate(share_5);
+    return saturate(share_6);
 }
 
-fn bounced_of_families_0( _S1077 : u32,  _S1078 : FamilyAlbedos_0,  _S1079 : vec3<f32>,  _S1080 : Interior_0,  _S1081 : Blocked_0,  _S1082 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S1142 : u32,  _S1143 : FamilyAlbedos_0,  _S1144 : vec3<f32>,  _S1145 : Interior_0,  _S1146 : Blocked_0,  _S1147 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S1081, scattered_by_0(_S1077, _S1078.warp_7, u32(0), _S1079), _S1080), bounced_by_0(_S1082, scattered_by_0(_S1077, _S1078.weft_7, u32(1), _S1079), _S1080));
+    return sum_of_0(bounced_by_0(_S1146, scattered_by_0(_S1142, _S1143.warp_6, u32(0), _S1144), _S1145), bounced_by_0(_S1147, scattered_by_0(_S1142, _S1143.weft_6, u32(1), _S1144), _S1145));
 }
 
-fn bounced_far_0( _S1083 : u32,  _S1084 : FamilyAlbedos_0,  _S1085 : vec3<f32>,  _S1086 : Interior_0,  _S1087 : vec3<f32>,  _S1088 : bool,  _S1089 : f32,  _S1090 : f32,  _S1091 : f32) -> Bounced_0
+fn bounced_far_0( _S1148 : u32,  _S1149 : FamilyAlbedos_0,  _S1150 : vec3<f32>,  _S1151 : Interior_0,  _S1152 : vec3<f32>,  _S1153 : bool,  _S1154 : f32,  _S1155 : f32,  _S1156 : f32) -> Bounced_0
 {
-    var _S1092 : Blocked_0 = blocked_from_0(_S1083, _S1087, true, _S1088);
-    var _S1093 : Blocked_0 = blocked_from_0(_S1083, _S1087, false, _S1088);
-    var _S1094 : f32 = _S1089 / max(1.0f - _S1092.by_warp_0 - _S1092.by_weft_0, 0.10000000149011612f);
-    var _S1095 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1083, _S1087, _S1088) + _S1094) / (_S1094 + _S1090 / max(1.0f - _S1093.by_warp_0 - _S1093.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S1096 : f32 = 1.0f - _S1091;
-    return bounced_of_families_0(_S1083, _S1084, _S1085, _S1086, scaled_0(_S1092, _S1095 * _S1096), scaled_0(_S1093, (1.0f - _S1095) * _S1096));
+    var _S1157 : Blocked_0 = blocked_from_0(_S1148, _S1152, true, _S1153);
+    var _S1158 : Blocked_0 = blocked_from_0(_S1148, _S1152, false, _S1153);
+    var _S1159 : f32 = _S1154 / max(1.0f - _S1157.by_warp_0 - _S1157.by_weft_0, 0.10000000149011612f);
+    var _S1160 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1148, _S1152, _S1153) + _S1159) / (_S1159 + _S1155 / max(1.0f - _S1158.by_warp_0 - _S1158.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S1161 : f32 = 1.0f - _S1156;
+    return bounced_of_families_0(_S1148, _S1149, _S1150, _S1151, scaled_0(_S1157, _S1160 * _S1161), scaled_0(_S1158, (1.0f - _S1160) * _S1161));
 }
 
-fn bounced_over_0( _S1097 : u32,  _S1098 : Components_0,  _S1099 : CloseUp_0,  _S1100 : FamilyAlbedos_0,  _S1101 : vec3<f32>,  _S1102 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S1162 : u32,  _S1163 : Components_0,  _S1164 : CloseUp_0,  _S1165 : FamilyAlbedos_0,  _S1166 : vec3<f32>,  _S1167 : vec3<f32>) -> Bounced_0
 {
-    var _S1103 : bool = (_S1102.z) < 0.0f;
-    var _S1104 : Interior_0 = interior_of_0(_S1097, _S1101, _S1103);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S1097, _S1100, _S1101, _S1104, to_face_frame_0(_S1102, _S1103), _S1103, _S1098.diffuse_warp_0, _S1098.diffuse_weft_0, _S1098.hole_2);
-    if((_S1099.weight_0) > 0.0f)
+    var _S1168 : bool = (_S1167.z) < 0.0f;
+    var _S1169 : Interior_0 = interior_of_0(_S1162, _S1166, _S1168);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S1162, _S1165, _S1166, _S1169, to_face_frame_0(_S1167, _S1168), _S1168, _S1163.diffuse_warp_0, _S1163.diffuse_weft_0, _S1163.hole_2);
+    if((_S1164.weight_0) > 0.0f)
     {
-        var _S1105 : Bounced_0 = bounced_of_families_0(_S1097, _S1100, _S1101, _S1104, _S1099.warp_1, _S1099.weft_1);
-        var _S1106 : vec3<f32> = vec3<f32>(_S1099.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1105.reflected_0, _S1106);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1105.transmitted_0, _S1106);
+        var _S1170 : Bounced_0 = bounced_of_families_0(_S1162, _S1165, _S1166, _S1169, _S1164.warp_1, _S1164.weft_1);
+        var _S1171 : vec3<f32> = vec3<f32>(_S1164.weight_0);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1170.reflected_0, _S1171);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1170.transmitted_0, _S1171);
     }
     return bounced_2;
 }
 
-fn composed_0( _S1107 : u32,  _S1108 : Components_0,  _S1109 : CloseUp_0,  _S1110 : FamilyAlbedos_0,  _S1111 : vec3<f32>,  _S1112 : vec3<f32>,  _S1113 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S1172 : u32,  _S1173 : Components_0,  _S1174 : CloseUp_0,  _S1175 : FamilyAlbedos_0,  _S1176 : vec3<f32>,  _S1177 : vec3<f32>,  _S1178 : vec3<f32>) -> vec3<f32>
 {
-    var _S1114 : Albedos_0 = tinted_0(_S1110.warp_7, _S1111);
-    var _S1115 : Albedos_0 = tinted_0(_S1110.weft_7, _S1111);
-    var _S1116 : vec3<f32> = vec3<f32>(_S1108.diffuse_warp_0);
-    var _S1117 : vec3<f32> = vec3<f32>(_S1108.diffuse_weft_0);
-    var _S1118 : vec3<f32> = vec3<f32>(_S1108.specular_warp_0);
-    var _S1119 : vec3<f32> = vec3<f32>(_S1108.specular_weft_0);
-    var _S1120 : vec3<f32> = _S1114.diffuse_reflect_0 * _S1116 + _S1115.diffuse_reflect_0 * _S1117 + _S1114.specular_reflect_0 * _S1118 + _S1115.specular_reflect_0 * _S1119;
-    var _S1121 : f32 = _S1113.z;
+    var _S1179 : Albedos_0 = tinted_0(_S1175.warp_6, _S1176);
+    var _S1180 : Albedos_0 = tinted_0(_S1175.weft_6, _S1176);
+    var _S1181 : vec3<f32> = vec3<f32>(_S1173.diffuse_warp_0);
+    var _S1182 : vec3<f32> = vec3<f32>(_S1173.diffuse_weft_0);
+    var _S1183 : vec3<f32> = vec3<f32>(_S1173.specular_warp_0);
+    var _S1184 : vec3<f32> = vec3<f32>(_S1173.specular_weft_0);
+    var _S1185 : vec3<f32> = _S1179.diffuse_reflect_0 * _S1181 + _S1180.diffuse_reflect_0 * _S1182 + _S1179.specular_reflect_0 * _S1183 + _S1180.specular_reflect_0 * _S1184;
+    var _S1186 : f32 = _S1178.z;
     var body_0 : vec3<f32>;
-    if((_S1112.z * _S1121) < 0.0f)
+    if((_S1177.z * _S1186) < 0.0f)
     {
-        body_0 = _S1114.diffuse_transmit_0 * _S1116 + _S1115.diffuse_transmit_0 * _S1117 + _S1114.specular_transmit_0 * _S1118 + _S1115.specular_transmit_0 * _S1119;
+        body_0 = _S1179.diffuse_transmit_0 * _S1181 + _S1180.diffuse_transmit_0 * _S1182 + _S1179.specular_transmit_0 * _S1183 + _S1180.specular_transmit_0 * _S1184;
     }
     else
     {
-        body_0 = _S1120;
+        body_0 = _S1185;
     }
-    if((fabrics_0[_S1107].openness_0) != u32(4294967295))
+    if((fabrics_0[_S1172].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1107, _S1108, _S1109, _S1110, _S1111, _S1113), _S1112, _S1113);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1172, _S1173, _S1174, _S1175, _S1176, _S1178), _S1177, _S1178);
     }
-    var _S1122 : f32 = fabrics_0[_S1107].sheen_strength_0;
-    if((fabrics_0[_S1107].sheen_strength_0) <= 0.0f)
+    var _S1187 : f32 = fabrics_0[_S1172].sheen_strength_0;
+    if((fabrics_0[_S1172].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S1123 : bool = _S1121 < 0.0f;
-    var _S1124 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1112, _S1123), to_face_frame_0(_S1113, _S1123), _S1122, fabrics_0[_S1107].sheen_roughness_0);
-    return vec3<f32>(_S1124.y) * body_0 + vec3<f32>(((_S1108.light_visibility_1 + _S1108.hole_2) * _S1124.x));
+    var _S1188 : bool = _S1186 < 0.0f;
+    var _S1189 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1177, _S1188), to_face_frame_0(_S1178, _S1188), _S1187, fabrics_0[_S1172].sheen_roughness_0);
+    return vec3<f32>(_S1189.y) * body_0 + vec3<f32>(((_S1173.light_visibility_1 + _S1173.hole_2) * _S1189.x));
 }
 
-fn light_of_footprint_0( _S1125 : u32,  _S1126 : VisiblePoint_0,  _S1127 : vec2<u32>,  _S1128 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S1190 : u32,  _S1191 : VisiblePoint_0,  _S1192 : vec2<u32>,  _S1193 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.dx_0 = _S1126.draft_dx_0;
-    footprint_0.dy_0 = _S1126.draft_dy_0;
-    footprint_0.centre_0 = irregular_place_0(_S1125, _S1126.draft_0, Footprint_spread_side_0(footprint_0));
-    var _S1129 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S1130 : vec3<f32> = to_local_0(_S1126, _S1126.view_0);
-    var _S1131 : u32 = light_sample_count_0();
-    var _S1132 : vec3<f32> = vec3<f32>(0.0f);
-    var number_12 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S1132;
+    footprint_0.dx_0 = _S1191.draft_dx_0;
+    footprint_0.dy_0 = _S1191.draft_dy_0;
+    footprint_0.centre_0 = irregular_place_0(_S1190, _S1191.draft_0, Footprint_spread_side_0(footprint_0));
+    var _S1194 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S1195 : vec3<f32> = to_local_0(_S1191, _S1191.view_0);
+    var _S1196 : u32 = light_sample_count_0();
+    var _S1197 : vec3<f32> = vec3<f32>(0.0f);
+    var number_15 : u32 = u32(0);
+    var radiance_1 : vec3<f32> = _S1197;
     var hole_8 : f32 = 0.0f;
     for(;;)
     {
-        if(number_12 < (max(_S1131, u32(1))))
+        if(number_15 < (max(_S1196, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S1133 : f32;
-        if(number_12 < _S1131)
+        var _S1198 : f32;
+        if(number_15 < _S1196)
         {
-            _S1133 = visibility_at_0(number_12, _S1127);
+            _S1198 = visibility_at_0(number_15, _S1192);
         }
         else
         {
-            _S1133 = 0.0f;
+            _S1198 = 0.0f;
         }
-        var _S1134 : bool;
-        if(_S1133 <= 0.0f)
+        var _S1199 : bool;
+        if(_S1198 <= 0.0f)
         {
-            _S1134 = number_12 > u32(0);
+            _S1199 = number_15 > u32(0);
         }
         else
         {
-            _S1134 = false;
+            _S1199 = false;
         }
-        if(_S1134)
+        if(_S1199)
         {
-            number_12 = number_12 + u32(1);
+            number_15 = number_15 + u32(1);
             continue;
         }
-        var _S1135 : LightSample_0 = light_sample_0(number_12, _S1127, _S1126.position_4);
-        var _S1136 : vec3<f32> = to_local_0(_S1126, _S1135.towards_0);
-        var _S1137 : Estimate_0 = lobes_estimate_of_pass_0(_S1125, footprint_0, 1.0f, _S1129, _S1136, _S1130);
-        radiance_1 = radiance_1 + vec3<f32>(_S1133) * _S1135.irradiance_1 * composed_0(_S1125, _S1137.components_0, _S1137.close_0, _S1137.albedos_7, _S1128, _S1136, _S1130);
-        hole_8 = _S1137.components_0.hole_2;
-        number_12 = number_12 + u32(1);
+        var _S1200 : LightSample_0 = light_sample_0(number_15, _S1192, _S1191.position_4);
+        var _S1201 : vec3<f32> = to_local_0(_S1191, _S1200.towards_0);
+        var _S1202 : Estimate_0 = lobes_estimate_of_pass_0(_S1190, footprint_0, 1.0f, _S1194, _S1201, _S1195);
+        radiance_1 = radiance_1 + vec3<f32>(_S1198) * _S1200.irradiance_1 * composed_0(_S1190, _S1202.components_0, _S1202.close_0, _S1202.albedos_9, _S1193, _S1201, _S1195);
+        hole_8 = _S1202.components_0.hole_2;
+        number_15 = number_15 + u32(1);
     }
-    var _S1138 : f32 = fabrics_0[_S1125].sheen_strength_0;
-    if((fabrics_0[_S1125].sheen_strength_0) > 0.0f)
+    var _S1203 : f32 = fabrics_0[_S1190].sheen_strength_0;
+    if((fabrics_0[_S1190].sheen_strength_0) > 0.0f)
     {
-        hole_8 = hole_8 * (1.0f - _S1138 * sheen_lobe_0(abs(_S1130.z), fabrics_0[_S1125].sheen_roughness_0).z);
+        hole_8 = hole_8 * (1.0f - _S1203 * sheen_lobe_0(abs(_S1195.z), fabrics_0[_S1190].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_8);
 }
@@ -3928,32 +4280,32 @@ fn light_of_footprint_0( _S1125 : u32,  _S1126 : VisiblePoint_0,  _S1127 : vec2<
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S1139 : u32 = id_0.x;
-    var _S1140 : bool;
-    if(_S1139 >= (frame_record_0.width_0))
+    var _S1204 : u32 = id_0.x;
+    var _S1205 : bool;
+    if(_S1204 >= (frame_record_0.width_0))
     {
-        _S1140 = true;
+        _S1205 = true;
     }
     else
     {
-        _S1140 = (id_0.y) >= (frame_record_0.height_0);
+        _S1205 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S1140)
+    if(_S1205)
     {
         return;
     }
-    var _S1141 : u32 = id_0.y * frame_record_0.width_0 + _S1139;
-    var _S1142 : u32 = layers_0[_S1141].face_0;
-    if((layers_0[_S1141].face_0) == u32(0))
+    var _S1206 : u32 = id_0.y * frame_record_0.width_0 + _S1204;
+    var _S1207 : u32 = layers_0[_S1206].face_0;
+    if((layers_0[_S1206].face_0) == u32(0))
     {
         return;
     }
-    var _S1143 : u32 = _S1142 - u32(1);
-    var _S1144 : u32 = fabric_of_0(_S1143);
-    var _S1145 : vec2<u32> = id_0.xy;
-    var _S1146 : VisiblePoint_0 = visible_point_0(_S1144, _S1143, _S1145);
-    var _S1147 : vec4<f32> = light_of_footprint_0(_S1144, _S1146, _S1145, filtered_albedo_0(_S1144, _S1146));
-    accumulate_0(_S1141, _S1147);
+    var _S1208 : u32 = _S1207 - u32(1);
+    var _S1209 : u32 = fabric_of_0(_S1208);
+    var _S1210 : vec2<u32> = id_0.xy;
+    var _S1211 : VisiblePoint_0 = visible_point_0(_S1209, _S1208, _S1210);
+    var _S1212 : vec4<f32> = light_of_footprint_0(_S1209, _S1211, _S1210, filtered_albedo_0(_S1209, _S1211));
+    accumulate_0(_S1206, _S1212);
     return;
 }
 

@@ -215,6 +215,14 @@ struct Fabric_std430_0
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
     @align(4) clustered_0 : Clustered_std430_0,
+    @align(4) planes_0 : u32,
+    @align(4) plane_records_0 : u32,
+    @align(4) plane_axes_0 : u32,
+    @align(4) stacks_0 : u32,
+    @align(4) plane_orders_0 : u32,
+    @align(4) regions_0 : u32,
+    @align(4) plane_shares_0 : u32,
+    @align(4) is_coloured_0 : u32,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -240,6 +248,8 @@ struct Family_std430_0
     @align(4) twist_cosine_0 : f32,
     @align(4) level_0 : f32,
     @align(4) roughness_0 : f32,
+    @align(4) layer_turned_0 : f32,
+    @align(4) layer_through_0 : f32,
     @align(4) albedo_table_0 : u32,
     @align(4) albedo_stride_0 : u32,
     @align(4) before_0 : u32,
@@ -247,6 +257,7 @@ struct Family_std430_0
     @align(4) smallest_box_0 : f32,
     @align(4) quantities_0 : u32,
     @align(4) colour_mean_0 : u32,
+    @align(4) cloth_mean_0 : u32,
     @align(4) colour_axes_0 : u32,
     @align(4) colour_threads_0 : u32,
     @align(4) colour_areas_0 : u32,
@@ -1494,6 +1505,8 @@ fn Footprint_spread_side_0( this_2 : Footprint_0) -> f32
     return sqrt(0.5f * (dot(_S170, _S170) + dot(_S171, _S171)));
 }
 
+@id(0) override HAS_LAYERS_0 : bool = true;
+
 fn fade_0( size_1 : f32,  period_1 : f32) -> f32
 {
     return clamp((1.0f - size_1 / period_1) * 1.33333337306976318f, 0.0f, 1.0f);
@@ -1701,6 +1714,89 @@ fn default_quality_0() -> SearchQuality_0
     return quality_0;
 }
 
+struct Plane_0
+{
+     warp_1 : u32,
+     weft_1 : u32,
+     run_words_1 : u32,
+     ends_2 : u32,
+     end_numbers_0 : u32,
+     pick_numbers_0 : u32,
+     max_heights_1 : u32,
+     max_height_columns_1 : u32,
+     height_low_1 : f32,
+     height_high_1 : f32,
+     front_level_0 : f32,
+     back_level_0 : f32,
+     start_x_0 : f32,
+     start_y_0 : f32,
+     fine_x_0 : f32,
+     fine_y_0 : f32,
+};
+
+fn plane_at_0( first_22 : u32) -> Plane_0
+{
+    var record_1 : Plane_0;
+    record_1.warp_1 = words_0[first_22];
+    record_1.weft_1 = words_0[first_22 + u32(1)];
+    record_1.run_words_1 = words_0[first_22 + u32(2)];
+    record_1.ends_2 = words_0[first_22 + u32(3)];
+    record_1.end_numbers_0 = words_0[first_22 + u32(4)];
+    record_1.pick_numbers_0 = words_0[first_22 + u32(5)];
+    record_1.max_heights_1 = words_0[first_22 + u32(6)];
+    record_1.max_height_columns_1 = words_0[first_22 + u32(7)];
+    record_1.height_low_1 = (bitcast<f32>((words_0[first_22 + u32(8)])));
+    record_1.height_high_1 = (bitcast<f32>((words_0[first_22 + u32(9)])));
+    record_1.front_level_0 = (bitcast<f32>((words_0[first_22 + u32(10)])));
+    record_1.back_level_0 = (bitcast<f32>((words_0[first_22 + u32(11)])));
+    record_1.start_x_0 = (bitcast<f32>((words_0[first_22 + u32(12)])));
+    record_1.start_y_0 = (bitcast<f32>((words_0[first_22 + u32(13)])));
+    record_1.fine_x_0 = (bitcast<f32>((words_0[first_22 + u32(14)])));
+    record_1.fine_y_0 = (bitcast<f32>((words_0[first_22 + u32(15)])));
+    return record_1;
+}
+
+struct Crossing_0
+{
+     warp_2 : Cell_0,
+     weft_2 : Cell_0,
+     warp_word_0 : u32,
+     weft_word_0 : u32,
+     warp_above_0 : bool,
+};
+
+fn crossing_at_0( plane_0 : Plane_0,  x_8 : f32,  y_1 : f32,  back_3 : bool) -> Crossing_0
+{
+    var crossing_0 : Crossing_0;
+    crossing_0.warp_2 = locate_0(plane_0.warp_1, x_8 - plane_0.start_x_0);
+    crossing_0.weft_2 = locate_0(plane_0.weft_1, y_1 - plane_0.start_y_0);
+    var _S216 : u32 = plane_0.run_words_1 + u32(2) * (crossing_0.weft_2.thread_1 * plane_0.ends_2 + crossing_0.warp_2.thread_1);
+    var _S217 : u32 = words_0[_S216];
+    crossing_0.warp_word_0 = _S217;
+    crossing_0.weft_word_0 = words_0[_S216 + u32(1)];
+    crossing_0.warp_above_0 = (((_S217 & (u32(1)))) == u32(1)) != back_3;
+    return crossing_0;
+}
+
+fn cell_maximum_0( plane_1 : Plane_0,  crossing_1 : Crossing_0) -> f32
+{
+    var _S218 : u32 = select(plane_1.weft_1, plane_1.warp_1, crossing_1.warp_above_0);
+    return f32((select(crossing_1.weft_word_0, crossing_1.warp_word_0, crossing_1.warp_above_0) >> (u32(28)))) * families_0[_S218].height_scale_0 * families_0[_S218].level_0;
+}
+
+fn bounds_in_0( plane_2 : Plane_0,  x_9 : f32,  y_2 : f32,  back_4 : bool,  right_0 : bool,  up_0 : bool) -> vec3<f32>
+{
+    var _S219 : Crossing_0 = crossing_at_0(plane_2, x_9, y_2, back_4);
+    return vec3<f32>(cell_maximum_0(plane_2, _S219), select(_S219.warp_2.below_0, _S219.warp_2.above_0, right_0), select(_S219.weft_2.below_0, _S219.weft_2.above_0, up_0));
+}
+
+fn hole_edge_0( cell_5 : Cell_0,  forwards_0 : bool) -> f32
+{
+    var _S220 : f32 = select(- cell_5.across_0, cell_5.across_0, forwards_0);
+    var _S221 : f32 = - cell_5.half_width_1;
+    return select(select(cell_5.half_width_1, _S221, _S220 < _S221) - _S220, 2.0f * select(cell_5.below_0, cell_5.above_0, forwards_0) + _S220 - cell_5.half_width_1, _S220 >= (cell_5.half_width_1));
+}
+
 struct Shown_0
 {
      is_warp_0 : bool,
@@ -1709,53 +1805,44 @@ struct Shown_0
      word_0 : u32,
 };
 
-struct Crossing_0
+fn shown_at_0( crossing_2 : Crossing_0,  back_5 : bool) -> Shown_0
 {
-     warp_1 : Cell_0,
-     weft_1 : Cell_0,
-     warp_word_0 : u32,
-     weft_word_0 : u32,
-     warp_above_0 : bool,
-};
-
-fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
-{
-    var _S216 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
+    var _S222 : bool = (abs(crossing_2.warp_2.across_0)) < (crossing_2.warp_2.half_width_1);
     var shown_0 : Shown_0;
-    var _S217 : bool = !((abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1));
-    var _S218 : bool = (_S216 & (((_S217 | ((crossing_0.warp_above_0))))));
-    shown_0.is_warp_0 = _S218;
-    shown_0.hole_0 = ((!_S216) & (_S217));
-    var _S219 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S218);
-    shown_0.word_0 = _S219;
-    shown_0.on_top_0 = (((_S219 & (u32(1)))) == u32(1)) != back_3;
+    var _S223 : bool = !((abs(crossing_2.weft_2.across_0)) < (crossing_2.weft_2.half_width_1));
+    var _S224 : bool = (_S222 & (((_S223 | ((crossing_2.warp_above_0))))));
+    shown_0.is_warp_0 = _S224;
+    shown_0.hole_0 = ((!_S222) & (_S223));
+    var _S225 : u32 = select(crossing_2.weft_word_0, crossing_2.warp_word_0, _S224);
+    shown_0.word_0 = _S225;
+    shown_0.on_top_0 = (((_S225 & (u32(1)))) == u32(1)) != back_5;
     return shown_0;
 }
 
-fn select_cell_0( is_first_0 : bool,  first_22 : Cell_0,  second_1 : Cell_0) -> Cell_0
+fn select_cell_0( is_first_0 : bool,  first_23 : Cell_0,  second_1 : Cell_0) -> Cell_0
 {
-    var cell_5 : Cell_0;
-    cell_5.thread_1 = select(second_1.thread_1, first_22.thread_1, is_first_0);
-    cell_5.across_0 = select(second_1.across_0, first_22.across_0, is_first_0);
-    cell_5.half_width_1 = select(second_1.half_width_1, first_22.half_width_1, is_first_0);
-    cell_5.below_0 = select(second_1.below_0, first_22.below_0, is_first_0);
-    cell_5.above_0 = select(second_1.above_0, first_22.above_0, is_first_0);
-    return cell_5;
+    var cell_6 : Cell_0;
+    cell_6.thread_1 = select(second_1.thread_1, first_23.thread_1, is_first_0);
+    cell_6.across_0 = select(second_1.across_0, first_23.across_0, is_first_0);
+    cell_6.half_width_1 = select(second_1.half_width_1, first_23.half_width_1, is_first_0);
+    cell_6.below_0 = select(second_1.below_0, first_23.below_0, is_first_0);
+    cell_6.above_0 = select(second_1.above_0, first_23.above_0, is_first_0);
+    return cell_6;
 }
 
 fn boundary_0( family_9 : u32,  thread_3 : u32,  step_0 : i32) -> f32
 {
-    var _S220 : vec2<f32> = turns_and_remainder_0(family_9, f32(i32(thread_3) + step_0));
-    return fma(_S220.x, families_0[family_9].period_0, table_number_0(families_0[family_9].place_table_0 + u32(_S220.y) * u32(4)));
+    var _S226 : vec2<f32> = turns_and_remainder_0(family_9, f32(i32(thread_3) + step_0));
+    return fma(_S226.x, families_0[family_9].period_0, table_number_0(families_0[family_9].place_table_0 + u32(_S226.y) * u32(4)));
 }
 
-fn span_0( family_10 : u32,  thread_4 : u32,  first_23 : i32,  last_0 : i32) -> f32
+fn span_0( family_10 : u32,  thread_4 : u32,  first_24 : i32,  last_0 : i32) -> f32
 {
     if((families_0[family_10].is_alike_0) != u32(0))
     {
-        return f32(last_0 - first_23) * families_0[family_10].size_0;
+        return f32(last_0 - first_24) * families_0[family_10].size_0;
     }
-    return boundary_0(family_10, thread_4, last_0) - boundary_0(family_10, thread_4, first_23);
+    return boundary_0(family_10, thread_4, last_0) - boundary_0(family_10, thread_4, first_24);
 }
 
 struct Bend_0
@@ -1767,11 +1854,11 @@ struct Bend_0
 
 fn bend_of_0( family_11 : u32,  thread_5 : u32) -> Bend_0
 {
-    var _S221 : u32 = families_0[family_11].bend_table_0 + select(thread_5 * u32(4), u32(0), (families_0[family_11].is_alike_0) != u32(0));
+    var _S227 : u32 = families_0[family_11].bend_table_0 + select(thread_5 * u32(4), u32(0), (families_0[family_11].is_alike_0) != u32(0));
     var bend_0 : Bend_0;
-    bend_0.sine_0 = table_number_0(_S221);
-    bend_0.half_tangent_0 = table_number_0(_S221 + u32(1));
-    bend_0.arc_0 = table_number_0(_S221 + u32(2));
+    bend_0.sine_0 = table_number_0(_S227);
+    bend_0.half_tangent_0 = table_number_0(_S227 + u32(1));
+    bend_0.arc_0 = table_number_0(_S227 + u32(2));
     return bend_0;
 }
 
@@ -1791,29 +1878,29 @@ struct Run_0
 
 fn unpack_0( own_0 : u32,  other_0 : u32,  thread_6 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
-    var _S222 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
-    var _S223 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
-    var _S224 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
-    var _S225 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
+    var _S228 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
+    var _S229 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
+    var _S230 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
+    var _S231 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
     var run_0 : Run_0;
-    var _S226 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
-    run_0.straight_0 = _S226;
-    var _S227 : i32 = - _S222;
-    var _S228 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S227, i32(0));
-    run_0.from_start_0 = _S228;
-    var _S229 : i32 = _S223 + i32(1);
-    var _S230 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, i32(1), _S229);
-    run_0.to_end_0 = _S230;
-    var _S231 : bool = _S228 < _S230;
-    run_0.near_start_0 = _S231;
-    var _S232 : i32 = select(_S229, _S227 - _S224, _S231);
-    var _S233 : i32 = select(_S229 + _S225, _S227, _S231);
+    var _S232 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
+    run_0.straight_0 = _S232;
+    var _S233 : i32 = - _S228;
+    var _S234 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S233, i32(0));
+    run_0.from_start_0 = _S234;
+    var _S235 : i32 = _S229 + i32(1);
+    var _S236 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, i32(1), _S235);
+    run_0.to_end_0 = _S236;
+    var _S237 : bool = _S234 < _S236;
+    run_0.near_start_0 = _S237;
+    var _S238 : i32 = select(_S235, _S233 - _S230, _S237);
+    var _S239 : i32 = select(_S235 + _S231, _S233, _S237);
     run_0.bend_1 = bend_of_0(own_0, thread_6);
-    run_0.distance_0 = select(min(_S228, _S230), 1.0e+06f, _S226);
-    run_0.reach_0 = min(0.5f * (_S228 + _S230), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S232, _S233), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S222 == i32(0);
-    run_0.last_crossing_0 = _S223 == i32(0);
+    run_0.distance_0 = select(min(_S234, _S236), 1.0e+06f, _S232);
+    run_0.reach_0 = min(0.5f * (_S234 + _S236), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S238, _S239), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S228 == i32(0);
+    run_0.last_crossing_0 = _S229 == i32(0);
     return run_0;
 }
 
@@ -1824,16 +1911,16 @@ struct Section_0
      slope_0 : f32,
 };
 
-fn section_at_0( cell_6 : Cell_0) -> Section_0
+fn section_at_0( cell_7 : Cell_0) -> Section_0
 {
-    var _S234 : f32 = cell_6.half_width_1 * 1.0154266357421875f;
+    var _S240 : f32 = cell_7.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S235 : f32 = clamp(cell_6.across_0, - cell_6.half_width_1, cell_6.half_width_1);
-    section_0.across_1 = _S235;
-    var _S236 : f32 = _S234 * _S234 - square_1(_S235);
-    var _S237 : f32 = rsqrt_0(_S236);
-    section_0.drop_0 = _S234 - _S236 * _S237;
-    section_0.slope_0 = - _S235 * _S237;
+    var _S241 : f32 = clamp(cell_7.across_0, - cell_7.half_width_1, cell_7.half_width_1);
+    section_0.across_1 = _S241;
+    var _S242 : f32 = _S240 * _S240 - square_1(_S241);
+    var _S243 : f32 = rsqrt_0(_S242);
+    section_0.drop_0 = _S240 - _S242 * _S243;
+    section_0.slope_0 = - _S241 * _S243;
     return section_0;
 }
 
@@ -1844,33 +1931,99 @@ fn edge_drop_0( family_12 : u32,  thread_7 : u32,  step_1 : i32) -> f32
 
 fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec3<f32>
 {
-    var _S238 : bool = (crossed_1.below_0) < (crossed_1.above_0);
-    var _S239 : f32 = min(crossed_1.below_0, crossed_1.above_0);
-    var _S240 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S238) - crossed_1.half_width_1;
-    var _S241 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S238);
-    var _S242 : f32;
+    var _S244 : bool = (crossed_1.below_0) < (crossed_1.above_0);
+    var _S245 : f32 = min(crossed_1.below_0, crossed_1.above_0);
+    var _S246 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S244) - crossed_1.half_width_1;
+    var _S247 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S244);
+    var _S248 : f32;
     if(shown_1.on_top_0)
     {
-        _S242 = 0.0f;
+        _S248 = 0.0f;
     }
     else
     {
-        _S242 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, i32(0));
+        _S248 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, i32(0));
     }
-    var _S243 : f32;
-    if((shown_1.on_top_0) != _S241)
+    var _S249 : f32;
+    if((shown_1.on_top_0) != _S247)
     {
-        _S243 = 0.0f;
+        _S249 = 0.0f;
     }
     else
     {
-        _S243 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, select(i32(1), i32(-1), _S238));
+        _S249 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, select(i32(1), i32(-1), _S244));
     }
-    var _S244 : f32 = 2.0f * _S240;
-    var _S245 : f32 = 1.0f / max(_S244, 9.999999960041972e-13f);
-    var _S246 : f32 = clamp((_S240 - _S239) * _S245, 0.0f, 1.0f);
-    var _S247 : f32 = clamp((0.44999998807907104f - _S244 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
-    return vec3<f32>(_S242 + (_S243 - _S242) * (_S246 * _S246 * (3.0f - 2.0f * _S246)), (_S242 - _S243) * (6.0f * _S246 * (1.0f - _S246) * _S245) * select(-1.0f, 1.0f, _S238), _S247 * _S247 * (3.0f - 2.0f * _S247));
+    var _S250 : f32 = 2.0f * _S246;
+    var _S251 : f32 = 1.0f / max(_S250, 9.999999960041972e-13f);
+    var _S252 : f32 = clamp((_S246 - _S245) * _S251, 0.0f, 1.0f);
+    var _S253 : f32 = clamp((0.44999998807907104f - _S250 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
+    return vec3<f32>(_S248 + (_S249 - _S248) * (_S252 * _S252 * (3.0f - 2.0f * _S252)), (_S248 - _S249) * (6.0f * _S252 * (1.0f - _S252) * _S251) * select(-1.0f, 1.0f, _S244), _S253 * _S253 * (3.0f - 2.0f * _S253));
+}
+
+struct PlaneHere_0
+{
+     plane_3 : Plane_0,
+     number_1 : u32,
+     level_1 : f32,
+     edge_x_0 : f32,
+     edge_y_0 : f32,
+     bounds_0 : vec3<f32>,
+};
+
+struct Sample_0
+{
+     here_0 : PlaneHere_0,
+     crossing_3 : Crossing_0,
+     shown_2 : Shown_0,
+     run_2 : Run_0,
+     section_1 : Section_0,
+     height_2 : f32,
+     slope_across_0 : f32,
+     slope_along_0 : f32,
+     dive_1 : vec3<f32>,
+     slope_x_0 : f32,
+     slope_y_0 : f32,
+};
+
+fn sample_in_0( here_1 : PlaneHere_0,  x_10 : f32,  y_3 : f32,  back_6 : bool) -> Sample_0
+{
+    var sample_0 : Sample_0;
+    sample_0.here_0 = here_1;
+    var _S254 : Crossing_0 = crossing_at_0(here_1.plane_3, x_10, y_3, back_6);
+    sample_0.crossing_3 = _S254;
+    var _S255 : Shown_0 = shown_at_0(_S254, back_6);
+    sample_0.shown_2 = _S255;
+    var _S256 : u32 = select(here_1.plane_3.weft_1, here_1.plane_3.warp_1, _S255.is_warp_0);
+    var _S257 : u32 = select(here_1.plane_3.warp_1, here_1.plane_3.weft_1, _S255.is_warp_0);
+    var _S258 : Cell_0 = select_cell_0(_S255.is_warp_0, sample_0.crossing_3.warp_2, sample_0.crossing_3.weft_2);
+    var _S259 : Cell_0 = select_cell_0(_S255.is_warp_0, sample_0.crossing_3.weft_2, sample_0.crossing_3.warp_2);
+    var _S260 : Run_0 = unpack_0(_S256, _S257, _S258.thread_1, _S259, _S255.word_0);
+    var _S261 : Section_0 = section_at_0(_S258);
+    var _S262 : bool = ((_S255.on_top_0) & (((_S260.distance_0) < (_S261.drop_0 * _S260.bend_1.sine_0))));
+    var _S263 : f32 = select(-1.0f, 1.0f, ((_S255.on_top_0) & ((!_S262))));
+    var _S264 : f32 = select(_S260.reach_0, _S260.other_reach_0, _S262);
+    var _S265 : f32 = select(max(_S264 - _S260.distance_0, 0.0f), _S264 + _S260.distance_0, _S262);
+    var _S266 : f32 = _S264 / _S260.bend_1.sine_0 - _S263 * _S261.drop_0;
+    var _S267 : f32 = _S265 * _S265;
+    var _S268 : f32 = max(_S266 * _S266 - _S267, 9.99999968265522539e-21f);
+    var _S269 : f32 = rsqrt_0(_S268);
+    var _S270 : f32 = _S267 / (_S268 * _S269 + _S266);
+    var _S271 : bool = _S265 > 0.0f;
+    var _S272 : f32 = select(-1.0f, 1.0f, _S255.on_top_0) * select(-1.0f, 1.0f, _S260.near_start_0);
+    var _S273 : f32 = _S261.slope_0 * select(1.0f, _S266 * _S269, _S271);
+    sample_0.slope_across_0 = _S273;
+    var _S274 : f32 = select(0.0f, _S272 * _S265 * _S269, _S271);
+    sample_0.slope_along_0 = _S274;
+    var _S275 : vec3<f32> = dive_0(_S257, _S255, _S260, _S259);
+    sample_0.dive_1 = _S275;
+    sample_0.height_2 = select(families_0[_S256].height_scale_0 * _S263, 0.0f, _S260.straight_0) * (_S264 * _S260.bend_1.half_tangent_0 - _S270) - families_0[_S256].height_scale_0 * _S261.drop_0 - _S275.x + here_1.level_1;
+    var _S276 : f32 = families_0[_S256].height_scale_0 * _S273;
+    var _S277 : f32 = families_0[_S256].height_scale_0 * _S274 - _S275.y;
+    sample_0.slope_x_0 = select(_S277, _S276, _S255.is_warp_0);
+    sample_0.slope_y_0 = select(_S276, _S277, _S255.is_warp_0);
+    sample_0.run_2 = _S260;
+    sample_0.section_1 = _S261;
+    return sample_0;
 }
 
 struct StepControl_0
@@ -1879,8 +2032,8 @@ struct StepControl_0
      epsilon_0 : f32,
      per_x_0 : f32,
      per_y_0 : f32,
-     right_0 : bool,
-     up_0 : bool,
+     right_1 : bool,
+     up_1 : bool,
 };
 
 fn step_control_0( direction_2 : vec2<f32>,  step_3 : f32) -> StepControl_0
@@ -1888,12 +2041,12 @@ fn step_control_0( direction_2 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S248 : f32 = direction_2.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S248), 9.99999971718068537e-10f);
-    var _S249 : f32 = direction_2.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S249), 9.99999971718068537e-10f);
-    control_0.right_0 = _S248 > 0.0f;
-    control_0.up_0 = _S249 > 0.0f;
+    var _S278 : f32 = direction_2.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S278), 9.99999971718068537e-10f);
+    var _S279 : f32 = direction_2.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S279), 9.99999971718068537e-10f);
+    control_0.right_1 = _S278 > 0.0f;
+    control_0.up_1 = _S279 > 0.0f;
     return control_0;
 }
 
@@ -1915,63 +2068,63 @@ fn no_previous_sample_0() -> PreviousSample_0
     return previous_0;
 }
 
-fn outline_distance_0( cell_7 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
+fn outline_distance_0( cell_8 : Cell_0,  shown_3 : Shown_0,  run_3 : Run_0,  lengthwise_0 : bool,  forwards_1 : bool) -> f32
 {
-    var _S250 : f32 = select(- cell_7.across_0, cell_7.across_0, forwards_0);
-    var _S251 : f32 = select(cell_7.below_0, cell_7.above_0, forwards_0);
-    var _S252 : f32 = - cell_7.half_width_1;
-    var _S253 : bool = _S250 < _S252;
-    var _S254 : bool = _S250 >= (cell_7.half_width_1);
-    var _S255 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
-    var _S256 : f32 = select(cell_7.half_width_1, _S252, _S253) - _S250;
-    var _S257 : f32 = select(_S251, 2.0f * _S251 + _S250 - cell_7.half_width_1, ((shown_2.hole_0) | (((_S255 & ((!shown_2.on_top_0)))))));
-    if((((_S255 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S253)))))))
+    var _S280 : f32 = select(- cell_8.across_0, cell_8.across_0, forwards_1);
+    var _S281 : f32 = select(cell_8.below_0, cell_8.above_0, forwards_1);
+    var _S282 : f32 = - cell_8.half_width_1;
+    var _S283 : bool = _S280 < _S282;
+    var _S284 : bool = _S280 >= (cell_8.half_width_1);
+    var _S285 : bool = (((lengthwise_0 & ((!select(run_3.first_crossing_0, run_3.last_crossing_0, forwards_1))))) & ((!shown_3.hole_0)));
+    var _S286 : f32 = select(cell_8.half_width_1, _S282, _S283) - _S280;
+    var _S287 : f32 = select(_S281, 2.0f * _S281 + _S280 - cell_8.half_width_1, ((shown_3.hole_0) | (((_S285 & ((!shown_3.on_top_0)))))));
+    if((((_S285 & ((shown_3.on_top_0)))) & ((!((select(run_3.last_crossing_0, run_3.first_crossing_0, forwards_1) & (_S283)))))))
     {
-        return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
+        return select(run_3.from_start_0, run_3.to_end_0, forwards_1);
     }
-    return select(_S256, _S257, _S254);
+    return select(_S286, _S287, _S284);
 }
 
 struct Probe_0
 {
-     height_2 : f32,
+     height_3 : f32,
      hole_1 : bool,
-     slope_x_0 : f32,
-     slope_y_0 : f32,
+     slope_x_1 : f32,
+     slope_y_1 : f32,
      yarn_1 : u32,
      cell_max_0 : f32,
      side_x_0 : f32,
      side_y_0 : f32,
-     edge_x_0 : f32,
-     edge_y_0 : f32,
+     edge_x_1 : f32,
+     edge_y_1 : f32,
 };
 
-fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
+fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_2 : Probe_0) -> f32
 {
-    var _S258 : f32 = previous_1.rate_0 * step_4;
-    var _S259 : f32 = rate_1 * step_4;
-    if(((((((((!previous_1.known_0) | ((here_0.hole_1)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
+    var _S288 : f32 = previous_1.rate_0 * step_4;
+    var _S289 : f32 = rate_1 * step_4;
+    if(((((((((!previous_1.known_0) | ((here_2.hole_1)))) | (((previous_1.yarn_0) != (here_2.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((((3.0f * previous_1.clearance_0 + _S258) >= 0.0f) & (((3.0f * clearance_1 - _S259) >= 0.0f))))
+    if((((3.0f * previous_1.clearance_0 + _S288) >= 0.0f) & (((3.0f * clearance_1 - _S289) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S260 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S261 : f32 = 6.0f * _S260 - 4.0f * _S258 - 2.0f * _S259;
-    var _S262 : f32 = -2.0f * _S258 / max(_S261 + sqrt(max(_S261 * _S261 - 4.0f * (3.0f * (_S258 + _S259 - 2.0f * _S260)) * _S258, 0.0f)), 9.99999968265522539e-21f);
-    var _S263 : f32 = 1.0f - _S262;
-    return select(-1.0f, _S263 * step_4, ((((_S262 > 0.01999999955296516f) & ((_S263 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S262 + 1.0f) + _S258 * _S262) * _S263 * _S263 + (clearance_1 * (2.0f * _S263 + 1.0f) - _S259 * _S263) * _S262 * _S262) < 0.0f))));
+    var _S290 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S291 : f32 = 6.0f * _S290 - 4.0f * _S288 - 2.0f * _S289;
+    var _S292 : f32 = -2.0f * _S288 / max(_S291 + sqrt(max(_S291 * _S291 - 4.0f * (3.0f * (_S288 + _S289 - 2.0f * _S290)) * _S288, 0.0f)), 9.99999968265522539e-21f);
+    var _S293 : f32 = 1.0f - _S292;
+    return select(-1.0f, _S293 * step_4, ((((_S292 > 0.01999999955296516f) & ((_S293 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S292 + 1.0f) + _S288 * _S292) * _S293 * _S293 + (clearance_1 * (2.0f * _S293 + 1.0f) - _S289 * _S293) * _S292 * _S292) < 0.0f))));
 }
 
-fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
+fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_3 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
 {
     var previous_2 : PreviousSample_0;
-    previous_2.clearance_0 = select(clearance_2, 1.0e+09f, here_1.hole_1);
+    previous_2.clearance_0 = select(clearance_2, 1.0e+09f, here_3.hole_1);
     previous_2.rate_0 = rate_2;
-    previous_2.yarn_0 = here_1.yarn_1;
-    previous_2.known_0 = ((!here_1.hole_1) & ((!is_cell_exit_0)));
+    previous_2.yarn_0 = here_3.yarn_1;
+    previous_2.known_0 = ((!here_3.hole_1) & ((!is_cell_exit_0)));
     return previous_2;
 }
 
@@ -1980,10 +2133,10 @@ fn StepControl_to_cell_exit_0( this_4 : StepControl_0,  side_x_1 : f32,  side_y_
     return max(min(side_x_1 * this_4.per_x_0, side_y_1 * this_4.per_y_0), 0.0f) + this_4.epsilon_0;
 }
 
-fn StepControl_to_next_sample_0( this_5 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
+fn StepControl_to_next_sample_0( this_5 : StepControl_0,  here_4 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S264 : f32 = min(here_2.edge_x_0 * this_5.per_x_0, here_2.edge_y_0 * this_5.per_y_0);
-    return min(this_5.step_2, select(max(_S264, 0.0f) + this_5.epsilon_0, _S264 - this_5.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S264 + clearance_3) < 0.0f)))) & ((_S264 > (2.0f * this_5.epsilon_0))))));
+    var _S294 : f32 = min(here_4.edge_x_1 * this_5.per_x_0, here_4.edge_y_1 * this_5.per_y_0);
+    return min(this_5.step_2, select(max(_S294, 0.0f) + this_5.epsilon_0, _S294 - this_5.epsilon_0, ((((!here_4.hole_1) & (((rate_3 * _S294 + clearance_3) < 0.0f)))) & ((_S294 > (2.0f * this_5.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -1992,22 +2145,22 @@ struct ViewRay_0
      slope_1 : vec2<f32>,
 };
 
-fn ViewRay_at_0( this_6 : ViewRay_0,  height_3 : f32) -> vec2<f32>
+fn ViewRay_at_0( this_6 : ViewRay_0,  height_4 : f32) -> vec2<f32>
 {
-    return this_6.origin_0 + this_6.slope_1 * vec2<f32>(height_3);
+    return this_6.origin_0 + this_6.slope_1 * vec2<f32>(height_4);
 }
 
-fn ViewRay_rate_0( this_7 : ViewRay_0,  here_3 : Probe_0) -> f32
+fn ViewRay_rate_0( this_7 : ViewRay_0,  here_5 : Probe_0) -> f32
 {
-    return here_3.slope_x_0 * this_7.slope_1.x + here_3.slope_y_0 * this_7.slope_1.y - 1.0f;
+    return here_5.slope_x_1 * this_7.slope_1.x + here_5.slope_y_1 * this_7.slope_1.y - 1.0f;
 }
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S265 : f32 = end_0 - start_1;
-    var _S266 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S265;
-    var _S267 : f32 = 3.0f * _S265 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S265, 9.99999968265522539e-21f);
+    var _S295 : f32 = end_0 - start_1;
+    var _S296 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S295;
+    var _S297 : f32 = 3.0f * _S295 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S295, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -2018,10 +2171,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S268 : f32 = clamp(share_1 - (((_S266 * share_1 + _S267) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S266 * share_1 + 2.0f * _S267) * share_1 + start_rate_0, 0.10000000149011612f * _S265 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S269 : i32 = i_0 + i32(1);
-        share_1 = _S268;
-        i_0 = _S269;
+        var _S298 : f32 = clamp(share_1 - (((_S296 * share_1 + _S297) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S296 * share_1 + 2.0f * _S297) * share_1 + start_rate_0, 0.10000000149011612f * _S295 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S299 : i32 = i_0 + i32(1);
+        share_1 = _S298;
+        i_0 = _S299;
     }
     return share_1;
 }
@@ -2043,86 +2196,86 @@ fn wrapped_0( index_3 : f32,  count_1 : f32) -> f32
 
 fn AnisotropicTaps_has_steps_0( this_8 : AnisotropicTaps_0) -> bool
 {
-    var _S270 : vec2<f32> = this_8.first_21;
-    var _S271 : vec2<f32> = this_8.second_0;
-    return (max(dot(_S270, _S270), dot(_S271, _S271))) > 0.0f;
+    var _S300 : vec2<f32> = this_8.first_21;
+    var _S301 : vec2<f32> = this_8.second_0;
+    return (max(dot(_S300, _S300), dot(_S301, _S301))) > 0.0f;
 }
 
-fn AnisotropicTaps_place_0( this_9 : AnisotropicTaps_0,  number_1 : u32) -> vec2<f32>
+fn AnisotropicTaps_place_0( this_9 : AnisotropicTaps_0,  number_2 : u32) -> vec2<f32>
 {
-    return this_9.centre_1 + vec2<f32>(select(-1.0f, 1.0f, number_1 >= u32(2))) * this_9.first_21 + vec2<f32>(select(-1.0f, 1.0f, ((number_1 & (u32(1)))) != u32(0))) * this_9.second_0;
+    return this_9.centre_1 + vec2<f32>(select(-1.0f, 1.0f, number_2 >= u32(2))) * this_9.first_21 + vec2<f32>(select(-1.0f, 1.0f, ((number_2 & (u32(1)))) != u32(0))) * this_9.second_0;
 }
 
 fn bump_0( distance_1 : f32) -> f32
 {
-    var _S272 : f32 = max(1.0f - distance_1 * distance_1, 0.0f);
-    return _S272 * _S272;
+    var _S302 : f32 = max(1.0f - distance_1 * distance_1, 0.0f);
+    return _S302 * _S302;
 }
 
 struct Yarns_0
 {
-     warp_2 : vec4<f32>,
-     weft_2 : vec4<f32>,
+     warp_3 : vec4<f32>,
+     weft_3 : vec4<f32>,
      shares_0 : vec3<f32>,
 };
 
-fn Yarns_x24init_0( warp_3 : vec4<f32>,  weft_3 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
+fn Yarns_x24init_0( warp_4 : vec4<f32>,  weft_4 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
 {
-    var _S273 : Yarns_0;
-    _S273.warp_2 = warp_3;
-    _S273.weft_2 = weft_3;
-    _S273.shares_0 = shares_1;
-    return _S273;
+    var _S303 : Yarns_0;
+    _S303.warp_3 = warp_4;
+    _S303.weft_3 = weft_4;
+    _S303.shares_0 = shares_1;
+    return _S303;
 }
 
 fn irregular_over_0( family_13 : u32,  key_4 : u32,  place_1 : f32,  width_2 : f32,  along_1 : f32,  length_0 : f32) -> vec4<f32>
 {
-    var _S274 : f32 = max(width_2, 0.0625f);
-    var _S275 : f32 = min(_S274, 64.0f);
-    var _S276 : f32 = max(length_0 / 2.0f, 1.0f);
-    var _S277 : f32 = along_1 / 2.0f - 0.5f * _S276;
-    var _S278 : f32 = 0.5f * _S275;
-    var _S279 : vec2<f32> = floor(vec2<f32>(place_1 - _S278, place_1 + _S278) / vec2<f32>(64.0f));
-    var _S280 : vec4<f32> = vec4<f32>(0.0f);
-    var number_2 : u32 = u32(0);
-    var sums_8 : vec4<f32> = _S280;
+    var _S304 : f32 = max(width_2, 0.0625f);
+    var _S305 : f32 = min(_S304, 64.0f);
+    var _S306 : f32 = max(length_0 / 2.0f, 1.0f);
+    var _S307 : f32 = along_1 / 2.0f - 0.5f * _S306;
+    var _S308 : f32 = 0.5f * _S305;
+    var _S309 : vec2<f32> = floor(vec2<f32>(place_1 - _S308, place_1 + _S308) / vec2<f32>(64.0f));
+    var _S310 : vec4<f32> = vec4<f32>(0.0f);
+    var number_3 : u32 = u32(0);
+    var sums_8 : vec4<f32> = _S310;
     for(;;)
     {
-        if(number_2 < u32(6))
+        if(number_3 < u32(6))
         {
         }
         else
         {
             break;
         }
-        var _S281 : bool = number_2 >= u32(3);
-        var _S282 : u32 = select(number_2, number_2 - u32(3), _S281);
-        var _S283 : f32 = select(-1.0f, 1.0f, _S281);
-        var _S284 : f32 = _S279.y;
-        var _S285 : f32 = _S279.x;
-        var _S286 : f32 = select(_S285, _S284, _S281);
-        var _S287 : f32 = place_1 + _S283 * 0.5f * _S275 - 64.0f * _S286;
-        var _S288 : f32 = clamp(floor(_S287), 0.0f, 63.0f);
-        var _S289 : f32 = _S287 - _S288;
-        var _S290 : f32 = select(select(64.0f, 0.0f, _S281), _S288 + f32(_S282), _S282 < u32(2));
-        var _S291 : f32 = _S283 * select(select(select(0.0f, -1.0f, _S285 != _S284), _S289, _S282 == u32(1)), 1.0f - _S289, _S282 == u32(0));
-        if(_S291 == 0.0f)
+        var _S311 : bool = number_3 >= u32(3);
+        var _S312 : u32 = select(number_3, number_3 - u32(3), _S311);
+        var _S313 : f32 = select(-1.0f, 1.0f, _S311);
+        var _S314 : f32 = _S309.y;
+        var _S315 : f32 = _S309.x;
+        var _S316 : f32 = select(_S315, _S314, _S311);
+        var _S317 : f32 = place_1 + _S313 * 0.5f * _S305 - 64.0f * _S316;
+        var _S318 : f32 = clamp(floor(_S317), 0.0f, 63.0f);
+        var _S319 : f32 = _S317 - _S318;
+        var _S320 : f32 = select(select(64.0f, 0.0f, _S311), _S318 + f32(_S312), _S312 < u32(2));
+        var _S321 : f32 = _S313 * select(select(select(0.0f, -1.0f, _S315 != _S314), _S319, _S312 == u32(1)), 1.0f - _S319, _S312 == u32(0));
+        if(_S321 == 0.0f)
         {
-            number_2 = number_2 + u32(1);
+            number_3 = number_3 + u32(1);
             continue;
         }
-        var _S292 : u32 = hash_bits_0(key_4, u32(i32(_S286)));
-        sums_8 = sums_8 + vec4<f32>(_S291) * irregular_integral_0(family_13, ((_S292 & (u32(127)))) + u32(_S290), _S277 + f32((_S292 >> (u32(22)))), _S276);
-        number_2 = number_2 + u32(1);
+        var _S322 : u32 = hash_bits_0(key_4, u32(i32(_S316)));
+        sums_8 = sums_8 + vec4<f32>(_S321) * irregular_integral_0(family_13, ((_S322 & (u32(127)))) + u32(_S320), _S307 + f32((_S322 >> (u32(22)))), _S306);
+        number_3 = number_3 + u32(1);
     }
-    return sums_8 * irregular_units_0(family_13) * vec4<f32>((sqrt(_S275 / _S274) / (_S275 * _S276)));
+    return sums_8 * irregular_units_0(family_13) * vec4<f32>((sqrt(_S305 / _S304) / (_S305 * _S306)));
 }
 
 fn shown_of_covers_0( covers_0 : vec2<f32>,  warp_on_top_1 : f32) -> vec3<f32>
 {
-    var _S293 : f32 = covers_0.x;
-    var _S294 : f32 = covers_0.y;
-    return vec3<f32>(_S293 * (1.0f - _S294 * (1.0f - warp_on_top_1)), _S294 * (1.0f - _S293 * warp_on_top_1), (1.0f - _S293) * (1.0f - _S294));
+    var _S323 : f32 = covers_0.x;
+    var _S324 : f32 = covers_0.y;
+    return vec3<f32>(_S323 * (1.0f - _S324 * (1.0f - warp_on_top_1)), _S324 * (1.0f - _S323 * warp_on_top_1), (1.0f - _S323) * (1.0f - _S324));
 }
 
 fn correction_weight_of_0( coded_size_0 : f32) -> f32
@@ -2130,11 +2283,43 @@ fn correction_weight_of_0( coded_size_0 : f32) -> f32
     return clamp((coded_size_0 - 0.4869367778301239f) * 6.16096401214599609f, 0.0f, 1.0f);
 }
 
+struct Albedos_0
+{
+     diffuse_reflect_0 : vec3<f32>,
+     diffuse_transmit_0 : vec3<f32>,
+     specular_reflect_0 : vec3<f32>,
+     specular_transmit_0 : vec3<f32>,
+};
+
+fn Albedos_x24init_0( diffuse_reflect_1 : vec3<f32>,  diffuse_transmit_1 : vec3<f32>,  specular_reflect_1 : vec3<f32>,  specular_transmit_1 : vec3<f32>) -> Albedos_0
+{
+    var _S325 : Albedos_0;
+    _S325.diffuse_reflect_0 = diffuse_reflect_1;
+    _S325.diffuse_transmit_0 = diffuse_transmit_1;
+    _S325.specular_reflect_0 = specular_reflect_1;
+    _S325.specular_transmit_0 = specular_transmit_1;
+    return _S325;
+}
+
+struct FamilyAlbedos_0
+{
+     warp_5 : Albedos_0,
+     weft_5 : Albedos_0,
+};
+
+fn FamilyAlbedos_x24init_0( warp_6 : Albedos_0,  weft_6 : Albedos_0) -> FamilyAlbedos_0
+{
+    var _S326 : FamilyAlbedos_0;
+    _S326.warp_5 = warp_6;
+    _S326.weft_5 = weft_6;
+    return _S326;
+}
+
 struct Bound_0
 {
      thread_8 : u32,
      turns_2 : f32,
-     cell_8 : f32,
+     cell_9 : f32,
      visible_0 : f32,
      width_3 : f32,
      gap_0 : f32,
@@ -2142,16 +2327,16 @@ struct Bound_0
 
 fn bound_at_0( family_14 : u32,  position_5 : f32) -> Bound_0
 {
-    var _S295 : Cell_0 = locate_0(family_14, position_5);
-    var _S296 : f32 = table_number_0(families_0[family_14].before_0 + u32(2) * _S295.thread_1 + u32(1));
+    var _S327 : Cell_0 = locate_0(family_14, position_5);
+    var _S328 : f32 = table_number_0(families_0[family_14].before_0 + u32(2) * _S327.thread_1 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_8 = _S295.thread_1;
-    bound_0.turns_2 = round((position_5 - families_0[family_14].start_0 - _S296 - _S295.below_0) * families_0[family_14].inverse_period_0);
-    bound_0.cell_8 = _S295.below_0;
-    var _S297 : f32 = 2.0f * _S295.half_width_1;
-    bound_0.width_3 = _S297;
-    bound_0.visible_0 = clamp((_S295.across_0 + _S295.half_width_1) / _S297, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S295.below_0, _S295.below_0 - _S295.across_0 - _S295.half_width_1) + max(_S295.across_0 - _S295.half_width_1, 0.0f);
+    bound_0.thread_8 = _S327.thread_1;
+    bound_0.turns_2 = round((position_5 - families_0[family_14].start_0 - _S328 - _S327.below_0) * families_0[family_14].inverse_period_0);
+    bound_0.cell_9 = _S327.below_0;
+    var _S329 : f32 = 2.0f * _S327.half_width_1;
+    bound_0.width_3 = _S329;
+    bound_0.visible_0 = clamp((_S327.across_0 + _S327.half_width_1) / _S329, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S327.below_0, _S327.below_0 - _S327.across_0 - _S327.half_width_1) + max(_S327.across_0 - _S327.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -2163,11 +2348,11 @@ struct Stretch_0
 
 fn stretch_of_0( family_15 : u32,  centre_2 : f32,  size_3 : f32) -> Stretch_0
 {
-    var _S298 : f32 = centre_2 - floor((centre_2 - families_0[family_15].start_0) * families_0[family_15].inverse_period_0) * families_0[family_15].period_0;
-    var _S299 : f32 = 0.5f * max(size_3, families_0[family_15].smallest_box_0);
+    var _S330 : f32 = centre_2 - floor((centre_2 - families_0[family_15].start_0) * families_0[family_15].inverse_period_0) * families_0[family_15].period_0;
+    var _S331 : f32 = 0.5f * max(size_3, families_0[family_15].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_7 = bound_at_0(family_15, _S298 - _S299);
-    stretch_0.high_7 = bound_at_0(family_15, _S298 + _S299);
+    stretch_0.low_7 = bound_at_0(family_15, _S330 - _S331);
+    stretch_0.high_7 = bound_at_0(family_15, _S330 + _S331);
     return stretch_0;
 }
 
@@ -2175,14 +2360,6 @@ fn table_colour_0( index_4 : u32) -> vec3<f32>
 {
     return vec3<f32>(table_number_0(index_4), table_number_0(index_4 + u32(1)), table_number_0(index_4 + u32(2)));
 }
-
-struct Albedos_0
-{
-     diffuse_reflect_0 : vec3<f32>,
-     diffuse_transmit_0 : vec3<f32>,
-     specular_reflect_0 : vec3<f32>,
-     specular_transmit_0 : vec3<f32>,
-};
 
 fn table_albedos_0( row_7 : u32) -> Albedos_0
 {
@@ -2201,25 +2378,25 @@ fn Stretch_turns_0( this_10 : Stretch_0) -> f32
 
 fn lengths_0( family_16 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S300 : f32 = Stretch_turns_0(stretch_1);
-    var _S301 : u32 = families_0[family_16].before_0 + u32(2) * stretch_1.low_7.thread_8;
-    var _S302 : u32 = families_0[family_16].before_0 + u32(2) * stretch_1.high_7.thread_8;
-    var _S303 : f32 = table_number_0(_S302) - table_number_0(_S301);
-    var _S304 : f32 = table_number_0(_S302 + u32(1)) - table_number_0(_S301 + u32(1));
-    return vec3<f32>(_S303 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_3 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_3 + _S300 * families_0[family_16].visible_total_0, _S304 - _S303 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S300 * (families_0[family_16].period_0 - families_0[family_16].visible_total_0), _S304 + stretch_1.high_7.cell_8 - stretch_1.low_7.cell_8 + _S300 * families_0[family_16].period_0);
+    var _S332 : f32 = Stretch_turns_0(stretch_1);
+    var _S333 : u32 = families_0[family_16].before_0 + u32(2) * stretch_1.low_7.thread_8;
+    var _S334 : u32 = families_0[family_16].before_0 + u32(2) * stretch_1.high_7.thread_8;
+    var _S335 : f32 = table_number_0(_S334) - table_number_0(_S333);
+    var _S336 : f32 = table_number_0(_S334 + u32(1)) - table_number_0(_S333 + u32(1));
+    return vec3<f32>(_S335 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_3 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_3 + _S332 * families_0[family_16].visible_total_0, _S336 - _S335 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S332 * (families_0[family_16].period_0 - families_0[family_16].visible_total_0), _S336 + stretch_1.high_7.cell_9 - stretch_1.low_7.cell_9 + _S332 * families_0[family_16].period_0);
 }
 
 fn integrals_along_0( family_17 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S305 : u32 = u32(3) * families_0[family_17].quantities_0;
-    var _S306 : u32 = families_0[family_17].colour_threads_0 + _S305 * stretch_2.low_7.thread_8 + quantity_0;
-    var _S307 : u32 = families_0[family_17].colour_threads_0 + _S305 * stretch_2.high_7.thread_8 + quantity_0;
-    var _S308 : u32 = families_0[family_17].colour_threads_0 + _S305 * u32(families_0[family_17].count_0) + quantity_0;
-    var _S309 : f32 = table_number_0(_S306);
-    var _S310 : f32 = table_number_0(_S307);
-    var _S311 : f32 = Stretch_turns_0(stretch_2);
-    var _S312 : u32 = u32(2) * families_0[family_17].quantities_0;
-    return vec2<f32>(table_number_0(_S307 + families_0[family_17].quantities_0) - table_number_0(_S306 + families_0[family_17].quantities_0) + _S310 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_3 - _S309 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_3 + _S311 * table_number_0(_S308 + families_0[family_17].quantities_0), table_number_0(_S307 + _S312) - table_number_0(_S306 + _S312) + _S310 * stretch_2.high_7.cell_8 - _S309 * stretch_2.low_7.cell_8 + _S311 * table_number_0(_S308 + _S312));
+    var _S337 : u32 = u32(3) * families_0[family_17].quantities_0;
+    var _S338 : u32 = families_0[family_17].colour_threads_0 + _S337 * stretch_2.low_7.thread_8 + quantity_0;
+    var _S339 : u32 = families_0[family_17].colour_threads_0 + _S337 * stretch_2.high_7.thread_8 + quantity_0;
+    var _S340 : u32 = families_0[family_17].colour_threads_0 + _S337 * u32(families_0[family_17].count_0) + quantity_0;
+    var _S341 : f32 = table_number_0(_S338);
+    var _S342 : f32 = table_number_0(_S339);
+    var _S343 : f32 = Stretch_turns_0(stretch_2);
+    var _S344 : u32 = u32(2) * families_0[family_17].quantities_0;
+    return vec2<f32>(table_number_0(_S339 + families_0[family_17].quantities_0) - table_number_0(_S338 + families_0[family_17].quantities_0) + _S342 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_3 - _S341 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_3 + _S343 * table_number_0(_S340 + families_0[family_17].quantities_0), table_number_0(_S339 + _S344) - table_number_0(_S338 + _S344) + _S342 * stretch_2.high_7.cell_9 - _S341 * stretch_2.low_7.cell_9 + _S343 * table_number_0(_S340 + _S344));
 }
 
 fn Stretch_wraps_0( this_11 : Stretch_0) -> bool
@@ -2229,16 +2406,16 @@ fn Stretch_wraps_0( this_11 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_12 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S313 : u32 = entries_0.z;
-    var _S314 : u32 = entries_0.x;
-    return vec4<u32>(_S313 - _S314 + select(u32(0), whole_0, Stretch_wraps_0(this_12)), entries_0.w - _S313, entries_0.y - _S314, whole_0);
+    var _S345 : u32 = entries_0.z;
+    var _S346 : u32 = entries_0.x;
+    return vec4<u32>(_S345 - _S346 + select(u32(0), whole_0, Stretch_wraps_0(this_12)), entries_0.w - _S345, entries_0.y - _S346, whole_0);
 }
 
 fn row_differences_0( across_2 : Stretch_0,  row_8 : u32,  count_2 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S315 : u32 = row_8 + across_2.low_7.thread_8 * quantities_1;
-    var _S316 : u32 = row_8 + across_2.high_7.thread_8 * quantities_1;
-    return Stretch_differences_0(across_2, vec4<u32>(words_0[_S315], words_0[_S315 + quantities_1], words_0[_S316], words_0[_S316 + quantities_1]), words_0[row_8 + count_2 * quantities_1]);
+    var _S347 : u32 = row_8 + across_2.low_7.thread_8 * quantities_1;
+    var _S348 : u32 = row_8 + across_2.high_7.thread_8 * quantities_1;
+    return Stretch_differences_0(across_2, vec4<u32>(words_0[_S347], words_0[_S347 + quantities_1], words_0[_S348], words_0[_S348 + quantities_1]), words_0[row_8 + count_2 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_13 : Stretch_0) -> vec4<f32>
@@ -2248,36 +2425,36 @@ fn Stretch_weights_0( this_13 : Stretch_0) -> vec4<f32>
 
 fn integral_on_top_0( family_18 : u32,  across_3 : Stretch_0,  along_2 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S317 : u32 = u32(families_0[family_18].count_0);
-    var _S318 : u32 = (_S317 + u32(1)) * families_0[family_18].quantities_0;
-    var _S319 : u32 = families_0[family_18].colour_areas_0 + quantity_1;
-    var _S320 : vec4<u32> = row_differences_0(across_3, _S319 + along_2.low_7.thread_8 * _S318, _S317, families_0[family_18].quantities_0);
-    var _S321 : vec4<u32> = row_differences_0(across_3, _S319 + along_2.high_7.thread_8 * _S318, _S317, families_0[family_18].quantities_0);
-    var _S322 : vec4<u32> = row_differences_0(across_3, _S319 + crossing_count_0 * _S318, _S317, families_0[family_18].quantities_0);
-    var _S323 : vec4<f32> = Stretch_weights_0(across_3);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S321 - _S320 + select_vector_3(Stretch_wraps_0(along_2), _S322, vec4<u32>(vec4<i32>(i32(0)))))), _S323), dot(vec4<f32>(vec4<i32>(row_differences_0(across_3, _S319 + (along_2.high_7.thread_8 + u32(1)) * _S318, _S317, families_0[family_18].quantities_0) - _S321)), _S323), dot(vec4<f32>(vec4<i32>(row_differences_0(across_3, _S319 + (along_2.low_7.thread_8 + u32(1)) * _S318, _S317, families_0[family_18].quantities_0) - _S320)), _S323), dot(vec4<f32>(vec4<i32>(_S322)), _S323)), Stretch_weights_0(along_2)) * families_0[family_18].area_unit_0;
+    var _S349 : u32 = u32(families_0[family_18].count_0);
+    var _S350 : u32 = (_S349 + u32(1)) * families_0[family_18].quantities_0;
+    var _S351 : u32 = families_0[family_18].colour_areas_0 + quantity_1;
+    var _S352 : vec4<u32> = row_differences_0(across_3, _S351 + along_2.low_7.thread_8 * _S350, _S349, families_0[family_18].quantities_0);
+    var _S353 : vec4<u32> = row_differences_0(across_3, _S351 + along_2.high_7.thread_8 * _S350, _S349, families_0[family_18].quantities_0);
+    var _S354 : vec4<u32> = row_differences_0(across_3, _S351 + crossing_count_0 * _S350, _S349, families_0[family_18].quantities_0);
+    var _S355 : vec4<f32> = Stretch_weights_0(across_3);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S353 - _S352 + select_vector_3(Stretch_wraps_0(along_2), _S354, vec4<u32>(vec4<i32>(i32(0)))))), _S355), dot(vec4<f32>(vec4<i32>(row_differences_0(across_3, _S351 + (along_2.high_7.thread_8 + u32(1)) * _S350, _S349, families_0[family_18].quantities_0) - _S353)), _S355), dot(vec4<f32>(vec4<i32>(row_differences_0(across_3, _S351 + (along_2.low_7.thread_8 + u32(1)) * _S350, _S349, families_0[family_18].quantities_0) - _S352)), _S355), dot(vec4<f32>(vec4<i32>(_S354)), _S355)), Stretch_weights_0(along_2)) * families_0[family_18].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_9 : u32) -> Albedos_0
 {
-    var _S324 : Albedos_0 = table_albedos_0(row_9);
+    var _S356 : Albedos_0 = table_albedos_0(row_9);
     var sum_0 : Albedos_0;
-    var _S325 : vec3<f32> = vec3<f32>(weight_0);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S325 * _S324.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S325 * _S324.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S325 * _S324.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S325 * _S324.specular_transmit_0;
+    var _S357 : vec3<f32> = vec3<f32>(weight_0);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S357 * _S356.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S357 * _S356.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S357 * _S356.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S357 * _S356.specular_transmit_0;
     return sum_0;
 }
 
-fn mean_albedos_0( family_19 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_4 : bool) -> Albedos_0
+fn mean_albedos_0( family_19 : u32,  crossing_4 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_7 : bool) -> Albedos_0
 {
     var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_19].colour_mean_0);
     if((families_0[family_19].quantities_0) == u32(1))
     {
         return albedos_2;
     }
-    var _S326 : vec3<f32> = lengths_0(crossing_1, other_2);
+    var _S358 : vec3<f32> = lengths_0(crossing_4, other_2);
     var is_exposed_0 : bool = false;
     var weight_1 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -2290,24 +2467,24 @@ fn mean_albedos_0( family_19 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
         {
             break;
         }
-        var _S327 : vec2<f32> = integrals_along_0(family_19, own_1, quantity_2);
-        var _S328 : f32 = integral_on_top_0(family_19, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
-        var _S329 : f32 = _S327.x;
-        var _S330 : f32 = _S329 * _S326.x;
-        var _S331 : f32 = select(_S328, _S330 - _S328, back_4);
-        var _S332 : bool = quantity_2 == u32(0);
-        if(_S332)
+        var _S359 : vec2<f32> = integrals_along_0(family_19, own_1, quantity_2);
+        var _S360 : f32 = integral_on_top_0(family_19, own_1, other_2, u32(families_0[crossing_4].count_0), quantity_2);
+        var _S361 : f32 = _S359.x;
+        var _S362 : f32 = _S361 * _S358.x;
+        var _S363 : f32 = select(_S360, _S362 - _S360, back_7);
+        var _S364 : bool = quantity_2 == u32(0);
+        if(_S364)
         {
-            is_exposed_0 = _S331 > (16.0f * families_0[family_19].area_unit_0 * min(_S330 / families_0[family_19].crossing_area_0, 1.0f) + 0.00000999999974738f * _S330);
+            is_exposed_0 = _S363 > (16.0f * families_0[family_19].area_unit_0 * min(_S362 / families_0[family_19].crossing_area_0, 1.0f) + 0.00000999999974738f * _S362);
         }
-        var _S333 : f32 = _S329 * _S326.y + select(0.0f, _S331, is_exposed_0) + 0.000244140625f * _S326.z * _S327.y;
-        if(_S332)
+        var _S365 : f32 = _S361 * _S358.y + select(0.0f, _S363, is_exposed_0) + 0.000244140625f * _S358.z * _S359.y;
+        if(_S364)
         {
-            weight_1 = 1.0f / max(_S333, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S365, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S333 * weight_1, families_0[family_19].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S365 * weight_1, families_0[family_19].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -2318,16 +2495,74 @@ fn mean_albedos_0( family_19 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
     return albedos_2;
 }
 
-fn uniform_hash_0( thread_9 : u32,  cell_9 : u32,  stream_1 : u32) -> f32
+fn albedos_in_0( plane_4 : Plane_0,  centre_3 : vec2<f32>,  size_4 : vec2<f32>,  back_8 : bool) -> FamilyAlbedos_0
 {
-    return (f32(((hash_bits_0(hash_key_0(thread_9, stream_1), cell_9)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    var _S366 : Stretch_0 = stretch_of_0(plane_4.warp_1, centre_3.x - plane_4.start_x_0, size_4.x);
+    var _S367 : Stretch_0 = stretch_of_0(plane_4.weft_1, centre_3.y - plane_4.start_y_0, size_4.y);
+    var albedos_3 : FamilyAlbedos_0;
+    albedos_3.warp_5 = mean_albedos_0(plane_4.warp_1, plane_4.weft_1, _S366, _S367, back_8);
+    albedos_3.weft_5 = mean_albedos_0(plane_4.weft_1, plane_4.warp_1, _S367, _S366, back_8);
+    return albedos_3;
+}
+
+struct PlaneShares_0
+{
+     area_0 : f32,
+     passed_0 : vec3<f32>,
+     added_0 : vec3<f32>,
+};
+
+fn PlaneShares_x24init_0( area_1 : f32,  passed_1 : vec3<f32>,  added_1 : vec3<f32>) -> PlaneShares_0
+{
+    var _S368 : PlaneShares_0;
+    _S368.area_0 = area_1;
+    _S368.passed_0 = passed_1;
+    _S368.added_0 = added_1;
+    return _S368;
+}
+
+fn with_shares_at_0( sums_9 : PlaneShares_0,  share_2 : f32,  first_25 : u32) -> PlaneShares_0
+{
+    var result_0 : PlaneShares_0;
+    result_0.area_0 = sums_9.area_0 + share_2 * table_number_0(first_25);
+    var _S369 : vec3<f32> = vec3<f32>(share_2);
+    result_0.passed_0 = sums_9.passed_0 + _S369 * vec3<f32>(table_number_0(first_25 + u32(1)), table_number_0(first_25 + u32(2)), table_number_0(first_25 + u32(3)));
+    result_0.added_0 = sums_9.added_0 + _S369 * vec3<f32>(table_number_0(first_25 + u32(4)), table_number_0(first_25 + u32(5)), table_number_0(first_25 + u32(6)));
+    return result_0;
+}
+
+fn with_plane_0( sums_10 : Albedos_0,  albedos_4 : Albedos_0,  shares_2 : PlaneShares_0) -> Albedos_0
+{
+    var result_1 : Albedos_0;
+    var _S370 : vec3<f32> = vec3<f32>(shares_2.area_0);
+    result_1.diffuse_reflect_0 = sums_10.diffuse_reflect_0 + _S370 * albedos_4.diffuse_reflect_0 + shares_2.added_0;
+    result_1.diffuse_transmit_0 = sums_10.diffuse_transmit_0 + shares_2.passed_0 * albedos_4.diffuse_transmit_0;
+    result_1.specular_reflect_0 = sums_10.specular_reflect_0 + _S370 * albedos_4.specular_reflect_0;
+    result_1.specular_transmit_0 = sums_10.specular_transmit_0 + shares_2.passed_0 * albedos_4.specular_transmit_0;
+    return result_1;
+}
+
+fn divided_0( sums_11 : Albedos_0,  area_2 : f32) -> Albedos_0
+{
+    var result_2 : Albedos_0;
+    var _S371 : vec3<f32> = vec3<f32>((1.0f / max(area_2, 9.99999997475242708e-07f)));
+    result_2.diffuse_reflect_0 = sums_11.diffuse_reflect_0 * _S371;
+    result_2.diffuse_transmit_0 = sums_11.diffuse_transmit_0 * _S371;
+    result_2.specular_reflect_0 = sums_11.specular_reflect_0 * _S371;
+    result_2.specular_transmit_0 = sums_11.specular_transmit_0 * _S371;
+    return result_2;
+}
+
+fn uniform_hash_0( thread_9 : u32,  cell_10 : u32,  stream_1 : u32) -> f32
+{
+    return (f32(((hash_bits_0(hash_key_0(thread_9, stream_1), cell_10)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
 }
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_5 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S334 : u32 = pixel_0.x;
-    var _S335 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S334, _S335, stream_2), uniform_hash_0(_S334, _S335, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S372 : u32 = pixel_0.x;
+    var _S373 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S372, _S373, stream_2), uniform_hash_0(_S372, _S373, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_6 : u32) -> f32
@@ -2341,7 +2576,7 @@ struct Choice_0
      remainder_0 : f32,
 };
 
-fn choose_0( table_0 : u32,  count_3 : u32,  number_3 : f32) -> Choice_0
+fn choose_0( table_0 : u32,  count_3 : u32,  number_4 : f32) -> Choice_0
 {
     var high_8 : u32 = count_3;
     var low_8 : u32 = u32(0);
@@ -2354,22 +2589,22 @@ fn choose_0( table_0 : u32,  count_3 : u32,  number_3 : f32) -> Choice_0
         {
             break;
         }
-        var _S336 : u32 = (low_8 + high_8) / u32(2);
-        if((scene_number_0(table_0 + _S336)) <= number_3)
+        var _S374 : u32 = (low_8 + high_8) / u32(2);
+        if((scene_number_0(table_0 + _S374)) <= number_4)
         {
-            low_8 = _S336;
+            low_8 = _S374;
         }
         else
         {
-            high_8 = _S336;
+            high_8 = _S374;
         }
     }
-    var _S337 : u32 = table_0 + low_8;
-    var _S338 : f32 = scene_number_0(_S337);
-    var _S339 : f32 = scene_number_0(_S337 + u32(1));
+    var _S375 : u32 = table_0 + low_8;
+    var _S376 : f32 = scene_number_0(_S375);
+    var _S377 : f32 = scene_number_0(_S375 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_7 = low_8;
-    choice_0.remainder_0 = saturate((number_3 - _S338) / max(_S339 - _S338, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_4 - _S376) / max(_S377 - _S376, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -2378,42 +2613,42 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
-fn sine_cosine_0( x_8 : f32) -> vec2<f32>
+fn sine_cosine_0( x_11 : f32) -> vec2<f32>
 {
-    var _S340 : f32 = floor(x_8 * 0.63661974668502808f + 0.5f);
-    var _S341 : f32 = x_8 - _S340 * 1.5703125f - _S340 * 0.00048375129699707f - _S340 * 7.54979012640433211e-08f;
-    var _S342 : f32 = _S341 * _S341;
-    var _S343 : f32 = ((-0.00019515295571182f * _S342 + 0.00833216123282909f) * _S342 - 0.16666655242443085f) * _S342 * _S341 + _S341;
-    var _S344 : f32 = ((0.00002443315679557f * _S342 - 0.00138873164542019f) * _S342 + 0.04166664555668831f) * _S342 * _S342 - 0.5f * _S342 + 1.0f;
-    var _S345 : u32 = (u32(i32(_S340)) & (u32(3)));
-    var _S346 : vec2<f32> = select_vector_1(((_S345 & (u32(1)))) != u32(0), vec2<f32>(_S344, _S343), vec2<f32>(_S343, _S344));
-    var _S347 : f32 = _S346.x;
-    var _S348 : f32 = _S346.y;
-    return vec2<f32>(select(_S347, - _S347, ((_S345 & (u32(2)))) != u32(0)), select(_S348, - _S348, (((_S345 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S378 : f32 = floor(x_11 * 0.63661974668502808f + 0.5f);
+    var _S379 : f32 = x_11 - _S378 * 1.5703125f - _S378 * 0.00048375129699707f - _S378 * 7.54979012640433211e-08f;
+    var _S380 : f32 = _S379 * _S379;
+    var _S381 : f32 = ((-0.00019515295571182f * _S380 + 0.00833216123282909f) * _S380 - 0.16666655242443085f) * _S380 * _S379 + _S379;
+    var _S382 : f32 = ((0.00002443315679557f * _S380 - 0.00138873164542019f) * _S380 + 0.04166664555668831f) * _S380 * _S380 - 0.5f * _S380 + 1.0f;
+    var _S383 : u32 = (u32(i32(_S378)) & (u32(3)));
+    var _S384 : vec2<f32> = select_vector_1(((_S383 & (u32(1)))) != u32(0), vec2<f32>(_S382, _S381), vec2<f32>(_S381, _S382));
+    var _S385 : f32 = _S384.x;
+    var _S386 : f32 = _S384.y;
+    return vec2<f32>(select(_S385, - _S385, ((_S383 & (u32(2)))) != u32(0)), select(_S386, - _S386, (((_S383 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
 {
      is_point_0 : u32,
-     x_9 : f32,
-     y_1 : f32,
+     x_12 : f32,
+     y_4 : f32,
      z_1 : f32,
      red_0 : f32,
      green_0 : f32,
      blue_0 : f32,
 };
 
-fn scene_light_0( first_24 : u32) -> Light_0
+fn scene_light_0( first_26 : u32) -> Light_0
 {
-    var record_1 : Light_0;
-    record_1.is_point_0 = scene_words_0[first_24];
-    record_1.x_9 = (bitcast<f32>((scene_words_0[first_24 + u32(1)])));
-    record_1.y_1 = (bitcast<f32>((scene_words_0[first_24 + u32(2)])));
-    record_1.z_1 = (bitcast<f32>((scene_words_0[first_24 + u32(3)])));
-    record_1.red_0 = (bitcast<f32>((scene_words_0[first_24 + u32(4)])));
-    record_1.green_0 = (bitcast<f32>((scene_words_0[first_24 + u32(5)])));
-    record_1.blue_0 = (bitcast<f32>((scene_words_0[first_24 + u32(6)])));
-    return record_1;
+    var record_2 : Light_0;
+    record_2.is_point_0 = scene_words_0[first_26];
+    record_2.x_12 = (bitcast<f32>((scene_words_0[first_26 + u32(1)])));
+    record_2.y_4 = (bitcast<f32>((scene_words_0[first_26 + u32(2)])));
+    record_2.z_1 = (bitcast<f32>((scene_words_0[first_26 + u32(3)])));
+    record_2.red_0 = (bitcast<f32>((scene_words_0[first_26 + u32(4)])));
+    record_2.green_0 = (bitcast<f32>((scene_words_0[first_26 + u32(5)])));
+    record_2.blue_0 = (bitcast<f32>((scene_words_0[first_26 + u32(6)])));
+    return record_2;
 }
 
 fn unmapped_0( output_9 : f32,  scale_0 : f32) -> f32
@@ -2428,9 +2663,9 @@ fn mirrored_bundle_0( bundle_0 : u32) -> u32
 
 fn light_visibility_of_0( diffuse_0 : f32,  light_1 : vec3<f32>,  view_1 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S349 : f32 = max(abs(light_1.z), 0.00100000004749745f);
-    var _S350 : vec2<f32> = light_1.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S349, (0.59700000286102295f * _S349 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S350, view_1.xy) * rsqrt_0(max(dot(_S350, _S350), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    var _S387 : f32 = max(abs(light_1.z), 0.00100000004749745f);
+    var _S388 : vec2<f32> = light_1.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S387, (0.59700000286102295f * _S387 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S388, view_1.xy) * rsqrt_0(max(dot(_S388, _S388), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
 struct Blocked_0
@@ -2452,32 +2687,32 @@ fn no_blocked_0() -> Blocked_0
 struct CloseUp_0
 {
      weight_2 : f32,
-     warp_4 : Blocked_0,
-     weft_4 : Blocked_0,
+     warp_7 : Blocked_0,
+     weft_7 : Blocked_0,
 };
 
 fn no_close_up_0() -> CloseUp_0
 {
     var nothing_1 : CloseUp_0;
     nothing_1.weight_2 = 0.0f;
-    var _S351 : Blocked_0 = no_blocked_0();
-    nothing_1.warp_4 = _S351;
-    nothing_1.weft_4 = _S351;
+    var _S389 : Blocked_0 = no_blocked_0();
+    nothing_1.warp_7 = _S389;
+    nothing_1.weft_7 = _S389;
     return nothing_1;
 }
 
-fn tinted_0( albedos_3 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
+fn tinted_0( albedos_5 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
 {
-    var result_0 : Albedos_0 = albedos_3;
-    result_0.diffuse_reflect_0 = result_0.diffuse_reflect_0 * tint_0;
-    result_0.diffuse_transmit_0 = result_0.diffuse_transmit_0 * tint_0;
-    return result_0;
+    var result_3 : Albedos_0 = albedos_5;
+    result_3.diffuse_reflect_0 = result_3.diffuse_reflect_0 * tint_0;
+    result_3.diffuse_transmit_0 = result_3.diffuse_transmit_0 * tint_0;
+    return result_3;
 }
 
 struct FaceRadiance_0
 {
-     warp_5 : vec3<f32>,
-     weft_5 : vec3<f32>,
+     warp_8 : vec3<f32>,
+     weft_8 : vec3<f32>,
      mean_1 : vec3<f32>,
      leaked_0 : vec3<f32>,
 };
@@ -2493,78 +2728,79 @@ struct FaceSends_0
      blocks_weft_0 : f32,
 };
 
-fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
+fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_2 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S352 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S390 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_2;
     var found_0 : FaceRadiance_0;
-    var _S353 : vec3<f32> = sends_0.sky_warp_0 + _S352 * sends_0.crossing_warp_0;
-    found_0.warp_5 = _S353;
-    var _S354 : vec3<f32> = sends_0.sky_weft_0 + _S352 * sends_0.crossing_weft_0;
-    found_0.weft_5 = _S354;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S353 + vec3<f32>(sends_0.blocks_weft_0) * _S354;
+    var _S391 : vec3<f32> = sends_0.sky_warp_0 + _S390 * sends_0.crossing_warp_0;
+    found_0.warp_8 = _S391;
+    var _S392 : vec3<f32> = sends_0.sky_weft_0 + _S390 * sends_0.crossing_weft_0;
+    found_0.weft_8 = _S392;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S391 + vec3<f32>(sends_0.blocks_weft_0) * _S392;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S355 : f32 = 1.0f - view_2.z;
-    var _S356 : f32 = _S355 * _S355;
+    var _S393 : f32 = 1.0f - view_2.z;
+    var _S394 : f32 = _S393 * _S393;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S357 : f32 = view_2.x;
-    var _S358 : f32 = _S357 * _S357;
-    var _S359 : f32 = view_2.y;
-    var _S360 : f32 = _S359 * _S359;
-    (*terms_0)[i32(1)] = sqrt(max(_S358 + _S360, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S356;
-    (*terms_0)[i32(3)] = _S356 * _S356;
-    (*terms_0)[i32(4)] = _S358 - _S360;
+    var _S395 : f32 = view_2.x;
+    var _S396 : f32 = _S395 * _S395;
+    var _S397 : f32 = view_2.y;
+    var _S398 : f32 = _S397 * _S397;
+    (*terms_0)[i32(1)] = sqrt(max(_S396 + _S398, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S394;
+    (*terms_0)[i32(3)] = _S394 * _S394;
+    (*terms_0)[i32(4)] = _S396 - _S398;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_3 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S361 : f32 = 1.0f - view_3.z;
-    var _S362 : f32 = _S361 * _S361;
+    var _S399 : f32 = 1.0f - view_3.z;
+    var _S400 : f32 = _S399 * _S399;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S363 : f32 = view_3.x;
-    var _S364 : f32 = _S363 * _S363;
-    var _S365 : f32 = view_3.y;
-    var _S366 : f32 = _S365 * _S365;
-    (*terms_1)[i32(1)] = sqrt(max(_S364 + _S366, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S362;
-    (*terms_1)[i32(3)] = _S362 * _S362;
-    (*terms_1)[i32(4)] = _S364 - _S366;
+    var _S401 : f32 = view_3.x;
+    var _S402 : f32 = _S401 * _S401;
+    var _S403 : f32 = view_3.y;
+    var _S404 : f32 = _S403 * _S403;
+    (*terms_1)[i32(1)] = sqrt(max(_S402 + _S404, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S400;
+    (*terms_1)[i32(3)] = _S400 * _S400;
+    (*terms_1)[i32(4)] = _S402 - _S404;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
 
-fn scaled_0( blocked_0 : Blocked_0,  share_2 : f32) -> Blocked_0
+fn scaled_0( blocked_0 : Blocked_0,  share_3 : f32) -> Blocked_0
 {
-    var result_1 : Blocked_0;
-    result_1.by_warp_0 = share_2 * blocked_0.by_warp_0;
-    result_1.by_weft_0 = share_2 * blocked_0.by_weft_0;
-    result_1.far_0 = share_2 * blocked_0.far_0;
-    return result_1;
+    var result_4 : Blocked_0;
+    result_4.by_warp_0 = share_3 * blocked_0.by_warp_0;
+    result_4.by_weft_0 = share_3 * blocked_0.by_weft_0;
+    result_4.far_0 = share_3 * blocked_0.far_0;
+    return result_4;
 }
 
 struct Bounced_0
 {
      reflected_0 : vec3<f32>,
      transmitted_0 : vec3<f32>,
+     is_covered_0 : bool,
 };
 
 struct Scattered_0
 {
-     back_5 : vec3<f32>,
+     back_9 : vec3<f32>,
      through_0 : vec3<f32>,
 };
 
 struct Interior_0
 {
-     warp_6 : vec3<f32>,
-     weft_6 : vec3<f32>,
+     warp_9 : vec3<f32>,
+     weft_9 : vec3<f32>,
      leaked_1 : vec3<f32>,
      far_1 : vec3<f32>,
      far_leaked_0 : vec3<f32>,
@@ -2572,79 +2808,81 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S367 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S368 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S405 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S406 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_5 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_6 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_6) + _S368 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S368 * interior_0.far_1 + yarn_2.back_5 * _S367;
+    bounced_0.reflected_0 = yarn_2.back_9 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_9 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_9) + _S406 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S406 * interior_0.far_1 + yarn_2.back_9 * _S405;
+    bounced_0.is_covered_0 = false;
     return bounced_0;
 }
 
-fn sum_of_0( first_25 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
+fn sum_of_0( first_27 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 {
     var sum_1 : Bounced_0;
-    sum_1.reflected_0 = first_25.reflected_0 + second_2.reflected_0;
-    sum_1.transmitted_0 = first_25.transmitted_0 + second_2.transmitted_0;
+    sum_1.reflected_0 = first_27.reflected_0 + second_2.reflected_0;
+    sum_1.transmitted_0 = first_27.transmitted_0 + second_2.transmitted_0;
+    sum_1.is_covered_0 = false;
     return sum_1;
 }
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S369 : f32 = light_2.z;
-    return select_vector_2((_S369 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S369) * 0.31830987334251404f));
+    var _S407 : f32 = light_2.z;
+    return select_vector_2((_S407 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S407) * 0.31830987334251404f));
 }
 
-fn sheen_scale_0( x_10 : f32,  y_2 : f32) -> f32
+fn sheen_scale_0( x_13 : f32,  y_5 : f32) -> f32
 {
-    return (((((0.0f * x_10 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_10 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_10 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_10 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_10 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_10 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
+    return (((((0.0f * x_13 + (((((-1.1402510404586792f * y_5 + 0.40672621130943298f) * y_5 + 1.65398800373077393f) * y_5 + -1.29730904102325439f) * y_5 + 0.30570998787879944f) * y_5 + -0.0220868494361639f)) * x_13 + (((((-0.21142719686031342f * y_5 + 1.05947399139404297f) * y_5 + -0.41116121411323547f) * y_5 + -0.93859231472015381f) * y_5 + 0.51606941223144531f) * y_5 + 0.05409301072359085f)) * x_13 + (((((1.22944498062133789f * y_5 + -0.45962560176849365f) * y_5 + -1.63861405849456787f) * y_5 + 1.33565104007720947f) * y_5 + -0.45725581049919128f) * y_5 + 0.08243165910243988f)) * x_13 + (((((0.39779931306838989f * y_5 + -1.18879103660583496f) * y_5 + 0.28251591324806213f) * y_5 + 1.168984055519104f) * y_5 + -0.76864629983901978f) * y_5 + 0.0091691892594099f)) * x_13 + (((((-0.26563560962677002f * y_5 + -0.19379159808158875f) * y_5 + 0.2677634060382843f) * y_5 + 0.00270519289188087f) * y_5 + 0.14349560439586639f) * y_5 + 0.10290180146694183f)) * x_13 + (((((-0.20701569318771362f * y_5 + 0.24526430666446686f) * y_5 + 0.19551840424537659f) * y_5 + 0.07586126774549484f) * y_5 + 0.38894739747047424f) * y_5 + 0.15043120086193085f);
 }
 
-fn sheen_shear_0( x_11 : f32,  y_3 : f32) -> f32
+fn sheen_shear_0( x_14 : f32,  y_6 : f32) -> f32
 {
-    return ((((0.0f * x_11 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_11 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_11 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_11 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_11 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
+    return ((((0.0f * x_14 + (((((-0.10608240216970444f * y_6 + 1.99214303493499756f) * y_6 + -1.42255294322967529f) * y_6 + -1.09495604038238525f) * y_6 + 0.59180057048797607f) * y_6 + 0.06902855634689331f)) * x_14 + (((((-0.46220690011978149f * y_6 + -0.29113379120826721f) * y_6 + 1.39025199413299561f) * y_6 + 0.35589990019798279f) * y_6 + -1.17120099067687988f) * y_6 + 0.15940259397029877f)) * x_14 + (((((2.26068711280822754f * y_6 + -3.64728999137878418f) * y_6 + -0.72173482179641724f) * y_6 + 3.07659196853637695f) * y_6 + -0.6827620267868042f) * y_6 + -0.3039557933807373f)) * x_14 + (((((0.81201767921447754f * y_6 + 0.36014080047607422f) * y_6 + -1.72646903991699219f) * y_6 + -0.22630110383033752f) * y_6 + 0.89514690637588501f) * y_6 + -0.10397960245609283f)) * x_14 + (((((-0.37648698687553406f * y_6 + 1.10974001884460449f) * y_6 + 0.17824520170688629f) * y_6 + -1.04968702793121338f) * y_6 + 0.1461234986782074f) * y_6 + -0.00475129019469023f);
 }
 
-fn sheen_reflectance_0( x_12 : f32,  y_4 : f32) -> f32
+fn sheen_reflectance_0( x_15 : f32,  y_7 : f32) -> f32
 {
-    return ((((0.0f * x_12 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_12 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_12 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_12 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_12 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
+    return ((((0.0f * x_15 + (((((12.95646953582763672f * y_7 + -21.38032913208007812f) * y_7 + -7.37853097915649414f) * y_7 + 34.55607986450195312f) * y_7 + -23.61347007751464844f) * y_7 + 5.00126314163208008f)) * x_15 + (((((10.91487026214599609f * y_7 + -6.08202791213989258f) * y_7 + -38.2036285400390625f) * y_7 + 53.3440399169921875f) * y_7 + -21.91996002197265625f) * y_7 + 2.01606011390686035f)) * x_15 + (((((-14.52206039428710938f * y_7 + 36.803619384765625f) * y_7 + -22.94047927856445312f) * y_7 + -10.07973003387451172f) * y_7 + 15.77003955841064453f) * y_7 + -4.92722177505493164f)) * x_15 + (((((-7.62505722045898438f * y_7 + 1.27310299873352051f) * y_7 + 31.19523048400878906f) * y_7 + -44.39989852905273438f) * y_7 + 26.44947052001953125f) * y_7 + -8.73507976531982422f)) * x_15 + (((((5.65633487701416016f * y_7 + -17.66820907592773438f) * y_7 + 24.65356063842773438f) * y_7 + -19.38941001892089844f) * y_7 + 11.06159019470214844f) * y_7 + -3.06573700904846191f);
 }
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S370 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S371 : f32 = 2.0f * sqrt(_S370) - 1.0f;
-    var _S372 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S371, _S372), 0.00999999977648258f, 1.0f), clamp((1.0f - _S370) * sheen_shear_0(_S371, _S372), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S371, _S372), -60.0f, 60.0f))));
+    var _S408 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S409 : f32 = 2.0f * sqrt(_S408) - 1.0f;
+    var _S410 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S409, _S410), 0.00999999977648258f, 1.0f), clamp((1.0f - _S408) * sheen_shear_0(_S409, _S410), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S409, _S410), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S373 : f32 = light_3.z;
-    if(((_S373 <= 0.0f) | (((view_5.z) <= 0.0f))))
+    var _S411 : f32 = light_3.z;
+    if(((_S411 <= 0.0f) | (((view_5.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S374 : vec2<f32> = view_5.xy;
-    var _S375 : f32 = dot(_S374, _S374);
-    var _S376 : vec2<f32> = select_vector_1(_S375 > 9.99999968265522539e-21f, _S374 * vec2<f32>(rsqrt_0(max(_S375, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S377 : f32 = scale_1 * dot(light_3.xy, _S376) + shear_0 * _S373;
-    var _S378 : f32 = scale_1 * (light_3.y * _S376.x - light_3.x * _S376.y);
-    var _S379 : f32 = _S377 * _S377 + _S378 * _S378 + _S373 * _S373;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S373 / max(_S379 * _S379, 9.99999968265522539e-21f);
+    var _S412 : vec2<f32> = view_5.xy;
+    var _S413 : f32 = dot(_S412, _S412);
+    var _S414 : vec2<f32> = select_vector_1(_S413 > 9.99999968265522539e-21f, _S412 * vec2<f32>(rsqrt_0(max(_S413, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S415 : f32 = scale_1 * dot(light_3.xy, _S414) + shear_0 * _S411;
+    var _S416 : f32 = scale_1 * (light_3.y * _S414.x - light_3.x * _S414.y);
+    var _S417 : f32 = _S415 * _S415 + _S416 * _S416 + _S411 * _S411;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S411 / max(_S417 * _S417, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S380 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
-    var _S381 : f32 = strength_0 * _S380.z;
-    return vec2<f32>(_S381 * transformed_cosine_0(light_4, view_6, _S380.x, _S380.y), 1.0f - _S381);
+    var _S418 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
+    var _S419 : f32 = strength_0 * _S418.z;
+    return vec2<f32>(_S419 * transformed_cosine_0(light_4, view_6, _S418.x, _S418.y), 1.0f - _S419);
 }
 
 fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
 {
-    var _S382 : f32 = layers_0[index_8].share_0;
+    var _S420 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_5;
-    layers_0[index_8].share_0 = _S382 * (1.0f - light_5.w);
+    layers_0[index_8].share_0 = _S420 * (1.0f - light_5.w);
     return;
 }
 
@@ -2668,147 +2906,152 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S383 : u32,  _S384 : u32,  _S385 : u32,  _S386 : vec2<f32>) -> f32
+fn uneven_shift_0( _S421 : u32,  _S422 : u32,  _S423 : u32,  _S424 : vec2<f32>) -> f32
 {
-    var _S387 : f32 = families_0[_S385].period_0 / families_0[_S385].count_0;
-    var _S388 : u32 = hash_key_0(_S384, ((fabrics_0[_S383].seed_0) ^ (u32(625341585))));
-    var _S389 : vec2<f32> = vec2<f32>(_S386.x, _S386.y / 4.0f) / vec2<f32>(_S387);
-    return 0.20000000298023224f * sqrt(families_0[_S385].slub_0) * _S387 * (uneven_octave_0(_S388, _S389) * 0.66666668653488159f + uneven_octave_0(_S388 + u32(1), vec2<f32>(2.0f) * _S389 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S425 : f32 = families_0[_S423].period_0 / families_0[_S423].count_0;
+    var _S426 : u32 = hash_key_0(_S422, ((fabrics_0[_S421].seed_0) ^ (u32(625341585))));
+    var _S427 : vec2<f32> = vec2<f32>(_S424.x, _S424.y / 4.0f) / vec2<f32>(_S425);
+    return 0.20000000298023224f * sqrt(families_0[_S423].slub_0) * _S425 * (uneven_octave_0(_S426, _S427) * 0.66666668653488159f + uneven_octave_0(_S426 + u32(1), vec2<f32>(2.0f) * _S427 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S390 : u32,  _S391 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S428 : u32,  _S429 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S390].has_detail_0) == u32(0), _S391, _S391 + vec2<f32>(uneven_shift_0(_S390, u32(0), fabrics_0[_S390].warp_0, _S391), uneven_shift_0(_S390, u32(1), fabrics_0[_S390].weft_0, _S391.yx)));
+    return select_vector_1((fabrics_0[_S428].has_detail_0) == u32(0), _S429, _S429 + vec2<f32>(uneven_shift_0(_S428, u32(0), fabrics_0[_S428].warp_0, _S429), uneven_shift_0(_S428, u32(1), fabrics_0[_S428].weft_0, _S429.yx)));
 }
 
-fn face_point_0( _S392 : u32,  _S393 : u32,  _S394 : f32,  _S395 : f32) -> VisiblePoint_0
+fn face_point_0( _S430 : u32,  _S431 : u32,  _S432 : f32,  _S433 : f32) -> VisiblePoint_0
 {
-    var _S396 : u32 = u32(3) * _S393;
-    var _S397 : Vertex_0 = vertex_at_0(_S396);
-    var _S398 : Vertex_0 = vertex_at_0(_S396 + u32(1));
-    var _S399 : Vertex_0 = vertex_at_0(_S396 + u32(2));
-    var _S400 : vec3<f32> = position_of_0(_S397);
-    var _S401 : vec3<f32> = position_of_0(_S398) - _S400;
-    var _S402 : vec3<f32> = position_of_0(_S399) - _S400;
-    var _S403 : f32 = _S398.u_0 - _S397.u_0;
-    var _S404 : f32 = _S398.v_0 - _S397.v_0;
-    var _S405 : vec2<f32> = vec2<f32>(_S403, _S404);
-    var _S406 : f32 = _S399.u_0 - _S397.u_0;
-    var _S407 : f32 = _S399.v_0 - _S397.v_0;
-    var _S408 : vec2<f32> = vec2<f32>(_S406, _S407);
-    var _S409 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S403 * _S407 - _S404 * _S406) < 0.0f));
-    var _S410 : vec3<f32> = _S409 * (vec3<f32>(_S407) * _S401 - vec3<f32>(_S404) * _S402);
-    var _S411 : vec3<f32> = _S409 * (vec3<f32>(_S403) * _S402 - vec3<f32>(_S406) * _S401);
+    var _S434 : u32 = u32(3) * _S431;
+    var _S435 : Vertex_0 = vertex_at_0(_S434);
+    var _S436 : Vertex_0 = vertex_at_0(_S434 + u32(1));
+    var _S437 : Vertex_0 = vertex_at_0(_S434 + u32(2));
+    var _S438 : vec3<f32> = position_of_0(_S435);
+    var _S439 : vec3<f32> = position_of_0(_S436) - _S438;
+    var _S440 : vec3<f32> = position_of_0(_S437) - _S438;
+    var _S441 : f32 = _S436.u_0 - _S435.u_0;
+    var _S442 : f32 = _S436.v_0 - _S435.v_0;
+    var _S443 : vec2<f32> = vec2<f32>(_S441, _S442);
+    var _S444 : f32 = _S437.u_0 - _S435.u_0;
+    var _S445 : f32 = _S437.v_0 - _S435.v_0;
+    var _S446 : vec2<f32> = vec2<f32>(_S444, _S445);
+    var _S447 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S441 * _S445 - _S442 * _S444) < 0.0f));
+    var _S448 : vec3<f32> = _S447 * (vec3<f32>(_S445) * _S439 - vec3<f32>(_S442) * _S440);
+    var _S449 : vec3<f32> = _S447 * (vec3<f32>(_S441) * _S440 - vec3<f32>(_S444) * _S439);
     var point_1 : VisiblePoint_0;
-    var _S412 : vec3<f32> = vec3<f32>(_S394);
-    var _S413 : vec3<f32> = vec3<f32>(_S395);
-    var _S414 : vec3<f32> = normalize(vec3<f32>((1.0f - _S394 - _S395)) * normal_of_0(_S397) + _S412 * normal_of_0(_S398) + _S413 * normal_of_0(_S399));
-    point_1.normal_0 = _S414;
-    var _S415 : vec3<f32> = normalize(_S410 - _S414 * vec3<f32>(dot(_S414, _S410)));
-    point_1.axis_x_0 = _S415;
-    point_1.axis_y_0 = cross(_S414, _S415);
-    var _S416 : vec3<f32> = normalize(cross(_S401, _S402));
-    point_1.face_normal_0 = select_vector_2((dot(_S416, _S414)) < 0.0f, (vec3<f32>(0) - _S416), _S416);
-    point_1.position_4 = _S400 + _S412 * _S401 + _S413 * _S402;
-    point_1.view_0 = _S414;
-    var _S417 : vec2<f32> = vec2<f32>(_S397.u_0, _S397.v_0) + vec2<f32>(_S394) * _S405 + vec2<f32>(_S395) * _S408;
-    point_1.uv_1 = _S417;
-    var _S418 : bool = (dot(cross(_S410, _S411), _S414)) < 0.0f;
-    var _S419 : vec2<f32> = vec2<f32>(fabrics_0[_S392].uv_width_0, select(fabrics_0[_S392].uv_height_0, - fabrics_0[_S392].uv_height_0, _S418));
-    point_1.draft_per_uv_0 = _S419;
-    point_1.draft_0 = uneven_place_0(_S392, _S417 * _S419 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S392].uv_height_0, _S418)));
-    var _S420 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S420;
-    point_1.draft_dy_0 = _S420;
+    var _S450 : vec3<f32> = vec3<f32>(_S432);
+    var _S451 : vec3<f32> = vec3<f32>(_S433);
+    var _S452 : vec3<f32> = normalize(vec3<f32>((1.0f - _S432 - _S433)) * normal_of_0(_S435) + _S450 * normal_of_0(_S436) + _S451 * normal_of_0(_S437));
+    point_1.normal_0 = _S452;
+    var _S453 : vec3<f32> = normalize(_S448 - _S452 * vec3<f32>(dot(_S452, _S448)));
+    point_1.axis_x_0 = _S453;
+    point_1.axis_y_0 = cross(_S452, _S453);
+    var _S454 : vec3<f32> = normalize(cross(_S439, _S440));
+    point_1.face_normal_0 = select_vector_2((dot(_S454, _S452)) < 0.0f, (vec3<f32>(0) - _S454), _S454);
+    point_1.position_4 = _S438 + _S450 * _S439 + _S451 * _S440;
+    point_1.view_0 = _S452;
+    var _S455 : vec2<f32> = vec2<f32>(_S435.u_0, _S435.v_0) + vec2<f32>(_S432) * _S443 + vec2<f32>(_S433) * _S446;
+    point_1.uv_1 = _S455;
+    var _S456 : bool = (dot(cross(_S448, _S449), _S452)) < 0.0f;
+    var _S457 : vec2<f32> = vec2<f32>(fabrics_0[_S430].uv_width_0, select(fabrics_0[_S430].uv_height_0, - fabrics_0[_S430].uv_height_0, _S456));
+    point_1.draft_per_uv_0 = _S457;
+    point_1.draft_0 = uneven_place_0(_S430, _S455 * _S457 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S430].uv_height_0, _S456)));
+    var _S458 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S458;
+    point_1.draft_dy_0 = _S458;
     return point_1;
 }
 
-fn visible_point_0( _S421 : u32,  _S422 : u32,  _S423 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S459 : u32,  _S460 : u32,  _S461 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S424 : u32 = u32(3) * _S422;
-    var _S425 : Vertex_0 = vertex_at_0(_S424);
-    var _S426 : Vertex_0 = vertex_at_0(_S424 + u32(1));
-    var _S427 : Vertex_0 = vertex_at_0(_S424 + u32(2));
-    var _S428 : vec3<f32> = position_of_0(_S425);
-    var _S429 : vec3<f32> = position_of_0(_S426) - _S428;
-    var _S430 : vec3<f32> = position_of_0(_S427) - _S428;
-    var _S431 : vec3<f32> = cross(_S429, _S430);
-    var _S432 : f32 = f32(frame_record_0.width_0);
-    var _S433 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S432));
-    var _S434 : f32 = f32(frame_record_0.height_0);
-    var _S435 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S434));
-    var _S436 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S423.x) + 0.5f - 0.5f * _S432)) * _S433 + vec3<f32>((f32(_S423.y) + 0.5f - 0.5f * _S434)) * _S435;
-    var _S437 : f32 = dot(_S436, _S431);
-    var _S438 : f32 = 1.0f / select(1.00000000317107685e-30f, _S437, (abs(_S437)) > 1.00000000317107685e-30f);
-    var _S439 : vec3<f32> = _S428 - camera_origin_0();
-    var _S440 : vec3<f32> = vec3<f32>((dot(_S439, _S431) * _S438));
-    var _S441 : vec3<f32> = _S436 * _S440 - _S439;
-    var _S442 : vec3<f32> = _S440 * (_S433 - _S436 * vec3<f32>((dot(_S433, _S431) * _S438)));
-    var _S443 : vec3<f32> = _S440 * (_S435 - _S436 * vec3<f32>((dot(_S435, _S431) * _S438)));
-    var _S444 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S431), 1.00000000317107685e-30f)));
-    var _S445 : vec3<f32> = cross(_S430, _S431) * _S444;
-    var _S446 : vec3<f32> = cross(_S431, _S429) * _S444;
-    var _S447 : vec2<f32> = vec2<f32>(_S426.u_0 - _S425.u_0, _S426.v_0 - _S425.v_0);
-    var _S448 : vec2<f32> = vec2<f32>(_S427.u_0 - _S425.u_0, _S427.v_0 - _S425.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S421, _S422, dot(_S441, _S445), dot(_S441, _S446));
-    point_2.position_4 = _S428 + _S441;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S436));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S442, _S445)) * _S447 + vec2<f32>(dot(_S442, _S446)) * _S448) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S443, _S445)) * _S447 + vec2<f32>(dot(_S443, _S446)) * _S448) * point_2.draft_per_uv_0;
+    var _S462 : u32 = u32(3) * _S460;
+    var _S463 : Vertex_0 = vertex_at_0(_S462);
+    var _S464 : Vertex_0 = vertex_at_0(_S462 + u32(1));
+    var _S465 : Vertex_0 = vertex_at_0(_S462 + u32(2));
+    var _S466 : vec3<f32> = position_of_0(_S463);
+    var _S467 : vec3<f32> = position_of_0(_S464) - _S466;
+    var _S468 : vec3<f32> = position_of_0(_S465) - _S466;
+    var _S469 : vec3<f32> = cross(_S467, _S468);
+    var _S470 : f32 = f32(frame_record_0.width_0);
+    var _S471 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S470));
+    var _S472 : f32 = f32(frame_record_0.height_0);
+    var _S473 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S472));
+    var _S474 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S461.x) + 0.5f - 0.5f * _S470)) * _S471 + vec3<f32>((f32(_S461.y) + 0.5f - 0.5f * _S472)) * _S473;
+    var _S475 : f32 = dot(_S474, _S469);
+    var _S476 : f32 = 1.0f / select(1.00000000317107685e-30f, _S475, (abs(_S475)) > 1.00000000317107685e-30f);
+    var _S477 : vec3<f32> = _S466 - camera_origin_0();
+    var _S478 : vec3<f32> = vec3<f32>((dot(_S477, _S469) * _S476));
+    var _S479 : vec3<f32> = _S474 * _S478 - _S477;
+    var _S480 : vec3<f32> = _S478 * (_S471 - _S474 * vec3<f32>((dot(_S471, _S469) * _S476)));
+    var _S481 : vec3<f32> = _S478 * (_S473 - _S474 * vec3<f32>((dot(_S473, _S469) * _S476)));
+    var _S482 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S469), 1.00000000317107685e-30f)));
+    var _S483 : vec3<f32> = cross(_S468, _S469) * _S482;
+    var _S484 : vec3<f32> = cross(_S469, _S467) * _S482;
+    var _S485 : vec2<f32> = vec2<f32>(_S464.u_0 - _S463.u_0, _S464.v_0 - _S463.v_0);
+    var _S486 : vec2<f32> = vec2<f32>(_S465.u_0 - _S463.u_0, _S465.v_0 - _S463.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S459, _S460, dot(_S479, _S483), dot(_S479, _S484));
+    point_2.position_4 = _S466 + _S479;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S474));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S480, _S483)) * _S485 + vec2<f32>(dot(_S480, _S484)) * _S486) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S481, _S483)) * _S485 + vec2<f32>(dot(_S481, _S484)) * _S486) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S449 : u32,  _S450 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S487 : u32,  _S488 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S451 : u32 = fabrics_0[_S449].albedo_map_levels_0;
-    if((fabrics_0[_S449].albedo_map_levels_0) == u32(0))
+    var _S489 : u32 = fabrics_0[_S487].albedo_map_levels_0;
+    if((fabrics_0[_S487].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S452 : vec2<f32> = vec2<f32>(fabrics_0[_S449].uv_width_0, fabrics_0[_S449].uv_height_0);
-    var _S453 : vec2<f32> = _S450.draft_dx_0 / _S452;
-    var _S454 : vec2<f32> = _S450.draft_dy_0 / _S452;
-    var _S455 : u32 = _S451 - u32(1);
-    var _S456 : u32 = (u32(1) << (_S455));
-    var _S457 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S453.x * _S454.y - _S453.y * _S454.x), 9.99999968265522539e-21f) * (square_1(f32(_S456)) / 3.0f)), 0.0f, f32(_S451) - 1.0f);
-    var _S458 : u32 = min(u32(_S457), max(_S451, u32(2)) - u32(2));
-    var _S459 : u32 = min(_S458 + u32(1), _S455);
-    var _S460 : u32 = (u32(1) << ((u32(2) * _S451)));
-    return mix(map_level_0(fabrics_0[_S449].albedo_map_0 + (_S460 - ((_S460 >> ((u32(2) * _S458))))) / u32(3), (_S456 >> (_S458)), _S450.uv_1), map_level_0(fabrics_0[_S449].albedo_map_0 + (_S460 - ((_S460 >> ((u32(2) * _S459))))) / u32(3), (_S456 >> (_S459)), _S450.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S457 - f32(_S458))) - 1.0f) / 3.0f)));
+    var _S490 : vec2<f32> = vec2<f32>(fabrics_0[_S487].uv_width_0, fabrics_0[_S487].uv_height_0);
+    var _S491 : vec2<f32> = _S488.draft_dx_0 / _S490;
+    var _S492 : vec2<f32> = _S488.draft_dy_0 / _S490;
+    var _S493 : u32 = _S489 - u32(1);
+    var _S494 : u32 = (u32(1) << (_S493));
+    var _S495 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S491.x * _S492.y - _S491.y * _S492.x), 9.99999968265522539e-21f) * (square_1(f32(_S494)) / 3.0f)), 0.0f, f32(_S489) - 1.0f);
+    var _S496 : u32 = min(u32(_S495), max(_S489, u32(2)) - u32(2));
+    var _S497 : u32 = min(_S496 + u32(1), _S493);
+    var _S498 : u32 = (u32(1) << ((u32(2) * _S489)));
+    return mix(map_level_0(fabrics_0[_S487].albedo_map_0 + (_S498 - ((_S498 >> ((u32(2) * _S496))))) / u32(3), (_S494 >> (_S496)), _S488.uv_1), map_level_0(fabrics_0[_S487].albedo_map_0 + (_S498 - ((_S498 >> ((u32(2) * _S497))))) / u32(3), (_S494 >> (_S497)), _S488.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S495 - f32(_S496))) - 1.0f) / 3.0f)));
 }
 
-fn irregular_key_0( _S461 : u32,  _S462 : u32) -> u32
+fn is_layered_0( _S499 : u32) -> bool
 {
-    return hash_key_0(_S462, ((fabrics_0[_S461].seed_0) ^ (u32(1821285621))));
+    return (HAS_LAYERS_0 & (((fabrics_0[_S499].planes_0) != u32(0))));
 }
 
-fn irregular_place_0( _S463 : u32,  _S464 : vec2<f32>,  _S465 : f32) -> vec2<f32>
+fn irregular_key_0( _S500 : u32,  _S501 : u32) -> u32
 {
-    var _S466 : u32 = fabrics_0[_S463].warp_0;
-    var _S467 : u32 = fabrics_0[_S463].weft_0;
-    var _S468 : bool = (((fabrics_0[_S463].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S463].warp_0, _S465), moved_share_0(fabrics_0[_S463].weft_0, _S465))) > 0.0f)));
-    var number_4 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S464;
+    return hash_key_0(_S501, ((fabrics_0[_S500].seed_0) ^ (u32(1821285621))));
+}
+
+fn irregular_place_0( _S502 : u32,  _S503 : vec2<f32>,  _S504 : f32) -> vec2<f32>
+{
+    var _S505 : u32 = fabrics_0[_S502].warp_0;
+    var _S506 : u32 = fabrics_0[_S502].weft_0;
+    var _S507 : bool = (((((fabrics_0[_S502].is_irregular_0) != u32(0)) & ((!is_layered_0(_S502))))) & (((max(moved_share_0(fabrics_0[_S502].warp_0, _S504), moved_share_0(fabrics_0[_S502].weft_0, _S504))) > 0.0f)));
+    var number_5 : u32 = u32(0);
+    var moved_0 : vec2<f32> = _S503;
     for(;;)
     {
-        if(number_4 < select(u32(0), u32(2), _S468))
+        if(number_5 < select(u32(0), u32(2), _S507))
         {
         }
         else
         {
             break;
         }
-        var _S469 : bool = number_4 == u32(0);
-        var _S470 : u32 = select(_S467, _S466, _S469);
-        var _S471 : vec2<f32> = select_vector_1(_S469, _S464, _S464.yx);
-        var _S472 : u32 = irregular_key_0(_S463, number_4);
-        var _S473 : f32 = _S471.x;
-        var _S474 : Cell_0 = locate_0(_S470, _S473);
-        var _S475 : f32 = irregular_thread_0(_S470, _S473, _S474);
-        var _S476 : f32 = select(1.0f, -1.0f, (_S474.across_0) < 0.0f);
-        var _S477 : vec2<f32> = vec2<f32>(0.0f);
-        var other_3 : vec2<f32> = _S477;
-        var own_2 : vec2<f32> = _S477;
+        var _S508 : bool = number_5 == u32(0);
+        var _S509 : u32 = select(_S506, _S505, _S508);
+        var _S510 : vec2<f32> = select_vector_1(_S508, _S503, _S503.yx);
+        var _S511 : u32 = irregular_key_0(_S502, number_5);
+        var _S512 : f32 = _S510.x;
+        var _S513 : Cell_0 = locate_0(_S509, _S512);
+        var _S514 : f32 = irregular_thread_0(_S509, _S512, _S513);
+        var _S515 : f32 = select(1.0f, -1.0f, (_S513.across_0) < 0.0f);
+        var _S516 : vec2<f32> = vec2<f32>(0.0f);
+        var other_3 : vec2<f32> = _S516;
+        var own_2 : vec2<f32> = _S516;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -2819,24 +3062,24 @@ fn irregular_place_0( _S463 : u32,  _S464 : vec2<f32>,  _S465 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S478 : vec2<f32> = irregular_at_0(_S470, _S472, _S475 + _S476 * f32(neighbour_0), _S471.y).xy;
-            var _S479 : u32 = neighbour_0 + u32(1);
+            var _S517 : vec2<f32> = irregular_at_0(_S509, _S511, _S514 + _S515 * f32(neighbour_0), _S510.y).xy;
+            var _S518 : u32 = neighbour_0 + u32(1);
             own_2 = other_3;
-            other_3 = _S478;
-            neighbour_0 = _S479;
+            other_3 = _S517;
+            neighbour_0 = _S518;
         }
-        var _S480 : f32 = _S474.below_0 + _S474.above_0;
-        var _S481 : f32 = min(_S474.half_width_1 / _S480, 0.5f);
-        var _S482 : f32 = min(_S481 * (2.0f + own_2.y + other_3.y), 1.0f);
-        var _S483 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
-        var _S484 : f32 = _S483.x;
-        var _S485 : f32 = _S482 * _S484 / (_S484 + _S483.y);
-        var _S486 : f32 = abs(_S474.across_0) / _S480;
-        var _S487 : f32 = 1.0f - _S482;
-        var _S488 : f32 = _S486 - _S485;
-        var _S489 : f32 = moved_share_0(_S470, _S465) * _S476 * _S480 * (select(select((_S488 - _S487) / max(_S482 - _S485, 9.99999997475242708e-07f) * _S481 + (1.0f - _S481), _S488 / max(_S487, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S481) + _S481, _S488 < _S487), _S486 * _S481 / _S485, _S488 < 0.0f) - _S486);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S469, vec2<f32>(_S489, 0.0f), vec2<f32>(0.0f, _S489));
-        number_4 = number_4 + u32(1);
+        var _S519 : f32 = _S513.below_0 + _S513.above_0;
+        var _S520 : f32 = min(_S513.half_width_1 / _S519, 0.5f);
+        var _S521 : f32 = min(_S520 * (2.0f + own_2.y + other_3.y), 1.0f);
+        var _S522 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
+        var _S523 : f32 = _S522.x;
+        var _S524 : f32 = _S521 * _S523 / (_S523 + _S522.y);
+        var _S525 : f32 = abs(_S513.across_0) / _S519;
+        var _S526 : f32 = 1.0f - _S521;
+        var _S527 : f32 = _S525 - _S524;
+        var _S528 : f32 = moved_share_0(_S509, _S504) * _S515 * _S519 * (select(select((_S527 - _S526) / max(_S521 - _S524, 9.99999997475242708e-07f) * _S520 + (1.0f - _S520), _S527 / max(_S526, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S520) + _S520, _S527 < _S526), _S525 * _S520 / _S524, _S527 < 0.0f) - _S525);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S508, vec2<f32>(_S528, 0.0f), vec2<f32>(0.0f, _S528));
+        number_5 = number_5 + u32(1);
         moved_0 = moved_1;
     }
     return moved_0;
@@ -2844,182 +3087,205 @@ fn irregular_place_0( _S463 : u32,  _S464 : vec2<f32>,  _S465 : f32) -> vec2<f32
 
 struct NeuralView_0
 {
-     sums_9 : array<f32, i32(64)>,
+     sums_12 : array<f32, i32(64)>,
      even_hole_0 : f32,
      hole_2 : f32,
      yarns_0 : Yarns_0,
      correction_weight_0 : f32,
      view_7 : vec3<f32>,
-     back_6 : bool,
+     back_10 : bool,
 };
 
-fn anisotropic_taps_0( _S490 : u32,  _S491 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S529 : u32,  _S530 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S492 : vec3<f32> = row_of_taps_0(_S491);
-    var _S493 : vec2<f32> = _S491.dx_0;
-    var _S494 : vec2<f32> = _S491.dy_0;
-    var _S495 : f32 = dot(_S493, _S493) + dot(_S494, _S494);
-    var _S496 : f32 = _S491.dx_0.x * _S491.dy_0.y - _S491.dx_0.y * _S491.dy_0.x;
-    var _S497 : f32 = 0.5f * (_S495 + sqrt(max(_S495 * _S495 - 4.0f * _S496 * _S496, 0.0f)));
-    var _S498 : bool = ((_S497 < (5.5f * (_S495 - _S497))) & ((_S495 > (8.0f * fabrics_0[_S490].neural_0.pitch_0 * fabrics_0[_S490].neural_0.pitch_0))));
-    var _S499 : vec2<f32> = vec2<f32>(fabrics_0[_S490].neural_0.ends_per_mm_0, fabrics_0[_S490].neural_0.picks_per_mm_0);
+    var _S531 : vec3<f32> = row_of_taps_0(_S530);
+    var _S532 : vec2<f32> = _S530.dx_0;
+    var _S533 : vec2<f32> = _S530.dy_0;
+    var _S534 : f32 = dot(_S532, _S532) + dot(_S533, _S533);
+    var _S535 : f32 = _S530.dx_0.x * _S530.dy_0.y - _S530.dx_0.y * _S530.dy_0.x;
+    var _S536 : f32 = 0.5f * (_S534 + sqrt(max(_S534 * _S534 - 4.0f * _S535 * _S535, 0.0f)));
+    var _S537 : bool = ((_S536 < (5.5f * (_S534 - _S536))) & ((_S534 > (8.0f * fabrics_0[_S529].neural_0.pitch_0 * fabrics_0[_S529].neural_0.pitch_0))));
+    var _S538 : vec2<f32> = vec2<f32>(fabrics_0[_S529].neural_0.ends_per_mm_0, fabrics_0[_S529].neural_0.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S491.centre_0 * _S499;
-    taps_1.side_2 = select(_S492.x, sqrt(0.125f * _S495), _S498) / fabrics_0[_S490].neural_0.pitch_0;
-    var _S500 : vec2<f32> = vec2<f32>(0.25f);
-    var _S501 : vec2<f32> = _S492.yz;
-    taps_1.first_21 = select_vector_1(_S498, _S500 * _S491.dx_0, _S501) * _S499;
-    taps_1.second_0 = select_vector_1(_S498, _S500 * _S491.dy_0, vec2<f32>(0.5f) * _S501) * _S499;
+    taps_1.centre_1 = _S530.centre_0 * _S538;
+    taps_1.side_2 = select(_S531.x, sqrt(0.125f * _S534), _S537) / fabrics_0[_S529].neural_0.pitch_0;
+    var _S539 : vec2<f32> = vec2<f32>(0.25f);
+    var _S540 : vec2<f32> = _S531.yz;
+    taps_1.first_21 = select_vector_1(_S537, _S539 * _S530.dx_0, _S540) * _S538;
+    taps_1.second_0 = select_vector_1(_S537, _S539 * _S530.dy_0, vec2<f32>(0.5f) * _S540) * _S538;
     return taps_1;
 }
 
 struct Hit_0
 {
-     x_13 : f32,
-     y_5 : f32,
+     x_16 : f32,
+     y_8 : f32,
      hole_3 : bool,
-     height_4 : f32,
-};
-
-struct Sample_0
-{
-     crossing_2 : Crossing_0,
-     shown_3 : Shown_0,
-     run_3 : Run_0,
-     section_1 : Section_0,
      height_5 : f32,
-     slope_across_0 : f32,
-     slope_along_0 : f32,
-     dive_1 : vec3<f32>,
-     slope_x_1 : f32,
-     slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S502 : u32,  _S503 : f32,  _S504 : f32,  _S505 : bool) -> Crossing_0
+fn whole_plane_0( _S541 : u32) -> Plane_0
 {
-    var crossing_3 : Crossing_0;
-    crossing_3.warp_1 = locate_0(fabrics_0[_S502].warp_0, _S503);
-    crossing_3.weft_1 = locate_0(fabrics_0[_S502].weft_0, _S504);
-    var _S506 : u32 = fabrics_0[_S502].run_words_0 + u32(2) * (crossing_3.weft_1.thread_1 * fabrics_0[_S502].ends_1 + crossing_3.warp_1.thread_1);
-    var _S507 : u32 = words_0[_S506];
-    crossing_3.warp_word_0 = _S507;
-    crossing_3.weft_word_0 = words_0[_S506 + u32(1)];
-    crossing_3.warp_above_0 = (((_S507 & (u32(1)))) == u32(1)) != _S505;
-    return crossing_3;
+    var plane_5 : Plane_0;
+    plane_5.warp_1 = fabrics_0[_S541].warp_0;
+    plane_5.weft_1 = fabrics_0[_S541].weft_0;
+    plane_5.run_words_1 = fabrics_0[_S541].run_words_0;
+    plane_5.ends_2 = fabrics_0[_S541].ends_1;
+    plane_5.end_numbers_0 = u32(0);
+    plane_5.pick_numbers_0 = u32(0);
+    plane_5.max_heights_1 = fabrics_0[_S541].max_heights_0;
+    plane_5.max_height_columns_1 = fabrics_0[_S541].max_height_columns_0;
+    plane_5.height_low_1 = fabrics_0[_S541].height_low_0;
+    plane_5.height_high_1 = fabrics_0[_S541].height_high_0;
+    plane_5.front_level_0 = 0.0f;
+    plane_5.back_level_0 = 0.0f;
+    plane_5.start_x_0 = 0.0f;
+    plane_5.start_y_0 = 0.0f;
+    plane_5.fine_x_0 = 0.0f;
+    plane_5.fine_y_0 = 0.0f;
+    return plane_5;
 }
 
-fn sample_at_0( _S508 : u32,  _S509 : f32,  _S510 : f32,  _S511 : bool) -> Sample_0
+fn plane_order_0( _S542 : u32,  _S543 : f32,  _S544 : f32,  _S545 : bool) -> u32
 {
-    var sample_0 : Sample_0;
-    var _S512 : Crossing_0 = crossing_at_0(_S508, _S509, _S510, _S511);
-    sample_0.crossing_2 = _S512;
-    var _S513 : Shown_0 = shown_at_0(_S512, _S511);
-    sample_0.shown_3 = _S513;
-    var _S514 : u32 = select(fabrics_0[_S508].weft_0, fabrics_0[_S508].warp_0, _S513.is_warp_0);
-    var _S515 : u32 = select(fabrics_0[_S508].warp_0, fabrics_0[_S508].weft_0, _S513.is_warp_0);
-    var _S516 : Cell_0 = select_cell_0(_S513.is_warp_0, sample_0.crossing_2.warp_1, sample_0.crossing_2.weft_1);
-    var _S517 : Cell_0 = select_cell_0(_S513.is_warp_0, sample_0.crossing_2.weft_1, sample_0.crossing_2.warp_1);
-    var _S518 : Run_0 = unpack_0(_S514, _S515, _S516.thread_1, _S517, _S513.word_0);
-    var _S519 : Section_0 = section_at_0(_S516);
-    var _S520 : bool = ((_S513.on_top_0) & (((_S518.distance_0) < (_S519.drop_0 * _S518.bend_1.sine_0))));
-    var _S521 : f32 = select(-1.0f, 1.0f, ((_S513.on_top_0) & ((!_S520))));
-    var _S522 : f32 = select(_S518.reach_0, _S518.other_reach_0, _S520);
-    var _S523 : f32 = select(max(_S522 - _S518.distance_0, 0.0f), _S522 + _S518.distance_0, _S520);
-    var _S524 : f32 = _S522 / _S518.bend_1.sine_0 - _S521 * _S519.drop_0;
-    var _S525 : f32 = _S523 * _S523;
-    var _S526 : f32 = max(_S524 * _S524 - _S525, 9.99999968265522539e-21f);
-    var _S527 : f32 = rsqrt_0(_S526);
-    var _S528 : f32 = _S525 / (_S526 * _S527 + _S524);
-    var _S529 : bool = _S523 > 0.0f;
-    var _S530 : f32 = select(-1.0f, 1.0f, _S513.on_top_0) * select(-1.0f, 1.0f, _S518.near_start_0);
-    var _S531 : f32 = _S519.slope_0 * select(1.0f, _S524 * _S527, _S529);
-    sample_0.slope_across_0 = _S531;
-    var _S532 : f32 = select(0.0f, _S530 * _S523 * _S527, _S529);
-    sample_0.slope_along_0 = _S532;
-    var _S533 : vec3<f32> = dive_0(_S515, _S513, _S518, _S517);
-    sample_0.dive_1 = _S533;
-    sample_0.height_5 = select(families_0[_S514].height_scale_0 * _S521, 0.0f, _S518.straight_0) * (_S522 * _S518.bend_1.half_tangent_0 - _S528) - families_0[_S514].height_scale_0 * _S519.drop_0 - _S533.x;
-    var _S534 : f32 = families_0[_S514].height_scale_0 * _S531;
-    var _S535 : f32 = families_0[_S514].height_scale_0 * _S532 - _S533.y;
-    sample_0.slope_x_1 = select(_S535, _S534, _S513.is_warp_0);
-    sample_0.slope_y_1 = select(_S534, _S535, _S513.is_warp_0);
-    sample_0.run_3 = _S518;
-    sample_0.section_1 = _S519;
-    return sample_0;
+    var _S546 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S542].plane_axes_0 + u32(1), _S544).thread_1 * fabrics_0[_S542].ends_1 + locate_varied_0(fabrics_0[_S542].plane_axes_0, _S543).thread_1, (fabrics_0[_S542].stacks_0) > u32(1));
+    return fabrics_0[_S542].plane_orders_0 + u32(2) * fabrics_0[_S542].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S542].regions_0 + _S546 / u32(4)] >> ((u32(8) * (_S546 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S545));
 }
 
-fn steps_per_length_0( _S536 : u32,  _S537 : SearchQuality_0,  _S538 : vec3<f32>) -> f32
+fn first_bounds_0( _S547 : u32,  _S548 : u32,  _S549 : f32,  _S550 : f32,  _S551 : bool,  _S552 : bool,  _S553 : bool) -> vec3<f32>
 {
-    return max(max(abs(_S538.x) * fabrics_0[_S536].threads_per_x_0, abs(_S538.y) * fabrics_0[_S536].threads_per_y_0) * _S537.steps_per_thread_0, abs(_S538.z) * fabrics_0[_S536].per_relief_0 * _S537.steps_per_relief_0);
+    var _S554 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S547].plane_records_0 + words_0[_S548] * u32(16)), _S549, _S550, _S551, _S552, _S553);
+    var _S555 : Cell_0 = locate_varied_0(fabrics_0[_S547].plane_axes_0, _S549);
+    var _S556 : Cell_0 = locate_varied_0(fabrics_0[_S547].plane_axes_0 + u32(1), _S550);
+    var _S557 : bool = (fabrics_0[_S547].stacks_0) == u32(1);
+    return vec3<f32>(_S554.x + table_number_0(_S548 + u32(1)), min(_S554.y, select(select(_S555.below_0, _S555.above_0, _S552), 1.0e+06f, _S557)), min(_S554.z, select(select(_S556.below_0, _S556.above_0, _S553), 1.0e+06f, _S557)));
 }
 
-fn cell_maximum_0( _S539 : u32,  _S540 : Crossing_0) -> f32
+fn plane_shown_0( _S558 : u32,  _S559 : f32,  _S560 : f32,  _S561 : bool,  _S562 : bool,  _S563 : bool) -> PlaneHere_0
 {
-    var _S541 : u32 = select(fabrics_0[_S539].weft_0, fabrics_0[_S539].warp_0, _S540.warp_above_0);
-    return f32((select(_S540.weft_word_0, _S540.warp_word_0, _S540.warp_above_0) >> (u32(28)))) * families_0[_S541].height_scale_0 * families_0[_S541].level_0;
-}
-
-fn probe_0( _S542 : u32,  _S543 : f32,  _S544 : f32,  _S545 : bool,  _S546 : bool,  _S547 : bool) -> Probe_0
-{
-    var _S548 : Sample_0 = sample_at_0(_S542, _S543, _S544, _S545);
-    var probe_1 : Probe_0;
-    probe_1.height_2 = _S548.height_5;
-    probe_1.hole_1 = _S548.shown_3.hole_0;
-    probe_1.slope_x_0 = _S548.slope_x_1;
-    probe_1.slope_y_0 = _S548.slope_y_1;
-    probe_1.yarn_1 = select(_S548.crossing_2.weft_1.thread_1 * u32(2), _S548.crossing_2.warp_1.thread_1 * u32(2) + u32(1), _S548.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S542, _S548.crossing_2);
-    probe_1.side_x_0 = select(_S548.crossing_2.warp_1.below_0, _S548.crossing_2.warp_1.above_0, _S546);
-    probe_1.side_y_0 = select(_S548.crossing_2.weft_1.below_0, _S548.crossing_2.weft_1.above_0, _S547);
-    probe_1.edge_x_0 = outline_distance_0(_S548.crossing_2.warp_1, _S548.shown_3, _S548.run_3, !_S548.shown_3.is_warp_0, _S546);
-    probe_1.edge_y_0 = outline_distance_0(_S548.crossing_2.weft_1, _S548.shown_3, _S548.run_3, _S548.shown_3.is_warp_0, _S547);
-    return probe_1;
-}
-
-fn is_free_0( _S549 : u32,  _S550 : SearchQuality_0,  _S551 : vec3<f32>,  _S552 : vec3<f32>,  _S553 : bool,  _S554 : f32) -> bool
-{
-    var _S555 : f32 = _S552.z;
-    if(_S555 <= 0.0f)
+    var here_6 : PlaneHere_0;
+    here_6.plane_3 = whole_plane_0(_S558);
+    here_6.number_1 = u32(0);
+    here_6.level_1 = 0.0f;
+    here_6.edge_x_0 = 1.0e+06f;
+    here_6.edge_y_0 = 1.0e+06f;
+    here_6.bounds_0 = vec3<f32>(0.0f);
+    if(!is_layered_0(_S558))
     {
-        return false;
+        return here_6;
     }
-    var _S556 : f32 = 1.0f / max(_S550.shadow_share_0 * steps_per_length_0(_S549, _S550, _S552), 9.99999971718068537e-10f);
-    var _S557 : StepControl_0 = step_control_0(_S552.xy, _S556);
-    var previous_3 : PreviousSample_0 = no_previous_sample_0();
-    var count_4 : u32 = u32(0);
-    var distance_2 : f32 = 0.0f;
-    var last_step_0 : f32 = 0.0f;
+    var _S564 : u32 = plane_order_0(_S558, _S559, _S560, _S561);
+    var _S565 : vec3<f32> = first_bounds_0(_S558, _S564, _S559, _S560, _S561, _S562, _S563);
+    here_6.bounds_0 = _S565;
+    var _S566 : bool = (fabrics_0[_S558].stacks_0) == u32(1);
+    here_6.edge_x_0 = select(_S565.y, 1.0e+06f, _S566);
+    here_6.edge_y_0 = select(_S565.z, 1.0e+06f, _S566);
+    var is_hole_0 : bool = true;
+    var rank_1 : u32 = u32(0);
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S551.z + _S555 * distance_2) < _S554))))
+        if(((rank_1 < (fabrics_0[_S558].planes_0)) & (is_hole_0)))
         {
         }
         else
         {
             break;
         }
-        var _S558 : vec3<f32> = _S551 + _S552 * vec3<f32>(distance_2);
-        var _S559 : Probe_0 = probe_0(_S549, _S558.x, _S558.y, _S553, _S557.right_0, _S557.up_0);
-        var _S560 : f32 = _S558.z;
-        var _S561 : f32 = _S560 - _S559.height_2;
-        var _S562 : f32 = _S555 - _S559.slope_x_0 * _S552.x - _S559.slope_y_0 * _S552.y;
-        if(((!_S559.hole_1) & ((_S561 < 0.0f))))
+        var _S567 : u32 = _S564 + u32(2) * rank_1;
+        var _S568 : u32 = words_0[_S567];
+        here_6.number_1 = _S568;
+        here_6.level_1 = table_number_0(_S567 + u32(1));
+        here_6.plane_3 = plane_at_0(fabrics_0[_S558].plane_records_0 + _S568 * u32(16));
+        var _S569 : Cell_0 = locate_varied_0(here_6.plane_3.warp_1, _S559 - here_6.plane_3.start_x_0);
+        var _S570 : Cell_0 = locate_varied_0(here_6.plane_3.weft_1, _S560 - here_6.plane_3.start_y_0);
+        var is_hole_1 : bool = !((((abs(_S569.across_0)) < (_S569.half_width_1)) | (((abs(_S570.across_0)) < (_S570.half_width_1)))));
+        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S569, _S562), is_hole_1));
+        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S570, _S563), is_hole_1));
+        var _S571 : u32 = rank_1 + u32(1);
+        is_hole_0 = is_hole_1;
+        rank_1 = _S571;
+    }
+    return here_6;
+}
+
+fn sample_at_0( _S572 : u32,  _S573 : f32,  _S574 : f32,  _S575 : bool) -> Sample_0
+{
+    return sample_in_0(plane_shown_0(_S572, _S573, _S574, _S575, true, true), _S573, _S574, _S575);
+}
+
+fn steps_per_length_0( _S576 : u32,  _S577 : SearchQuality_0,  _S578 : vec3<f32>) -> f32
+{
+    return max(max(abs(_S578.x) * fabrics_0[_S576].threads_per_x_0, abs(_S578.y) * fabrics_0[_S576].threads_per_y_0) * _S577.steps_per_thread_0, abs(_S578.z) * fabrics_0[_S576].per_relief_0 * _S577.steps_per_relief_0);
+}
+
+fn plane_count_0( _S579 : u32) -> u32
+{
+    return select(u32(1), fabrics_0[_S579].planes_0, is_layered_0(_S579));
+}
+
+fn probe_0( _S580 : u32,  _S581 : f32,  _S582 : f32,  _S583 : bool,  _S584 : bool,  _S585 : bool) -> Probe_0
+{
+    var _S586 : PlaneHere_0 = plane_shown_0(_S580, _S581, _S582, _S583, _S584, _S585);
+    var _S587 : Sample_0 = sample_in_0(_S586, _S581, _S582, _S583);
+    var probe_1 : Probe_0;
+    probe_1.height_3 = _S587.height_2;
+    probe_1.hole_1 = _S587.shown_2.hole_0;
+    probe_1.slope_x_1 = _S587.slope_x_0;
+    probe_1.slope_y_1 = _S587.slope_y_0;
+    var _S588 : bool = !is_layered_0(_S580);
+    probe_1.yarn_1 = select(_S587.crossing_3.weft_2.thread_1 * u32(2), _S587.crossing_3.warp_2.thread_1 * u32(2) + u32(1), _S587.shown_2.is_warp_0) * plane_count_0(_S580) + _S586.number_1;
+    probe_1.cell_max_0 = select(_S586.bounds_0.x, cell_maximum_0(_S586.plane_3, _S587.crossing_3), _S588);
+    probe_1.side_x_0 = select(_S586.bounds_0.y, select(_S587.crossing_3.warp_2.below_0, _S587.crossing_3.warp_2.above_0, _S584), _S588);
+    probe_1.side_y_0 = select(_S586.bounds_0.z, select(_S587.crossing_3.weft_2.below_0, _S587.crossing_3.weft_2.above_0, _S585), _S588);
+    probe_1.edge_x_1 = min(_S586.edge_x_0, outline_distance_0(_S587.crossing_3.warp_2, _S587.shown_2, _S587.run_2, !_S587.shown_2.is_warp_0, _S584));
+    probe_1.edge_y_1 = min(_S586.edge_y_0, outline_distance_0(_S587.crossing_3.weft_2, _S587.shown_2, _S587.run_2, _S587.shown_2.is_warp_0, _S585));
+    return probe_1;
+}
+
+fn is_free_0( _S589 : u32,  _S590 : SearchQuality_0,  _S591 : vec3<f32>,  _S592 : vec3<f32>,  _S593 : bool,  _S594 : f32) -> bool
+{
+    var _S595 : f32 = _S592.z;
+    if(_S595 <= 0.0f)
+    {
+        return false;
+    }
+    var _S596 : f32 = 1.0f / max(_S590.shadow_share_0 * steps_per_length_0(_S589, _S590, _S592), 9.99999971718068537e-10f);
+    var _S597 : StepControl_0 = step_control_0(_S592.xy, _S596);
+    var previous_3 : PreviousSample_0 = no_previous_sample_0();
+    var count_4 : u32 = u32(0);
+    var distance_2 : f32 = 0.0f;
+    var last_step_0 : f32 = 0.0f;
+    for(;;)
+    {
+        if(((count_4 < u32(1024)) & (((_S591.z + _S595 * distance_2) < _S594))))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S598 : vec3<f32> = _S591 + _S592 * vec3<f32>(distance_2);
+        var _S599 : Probe_0 = probe_0(_S589, _S598.x, _S598.y, _S593, _S597.right_1, _S597.up_1);
+        var _S600 : f32 = _S598.z;
+        var _S601 : f32 = _S600 - _S599.height_3;
+        var _S602 : f32 = _S595 - _S599.slope_x_1 * _S592.x - _S599.slope_y_1 * _S592.y;
+        if(((!_S599.hole_1) & ((_S601 < 0.0f))))
         {
             return false;
         }
-        var _S563 : f32 = way_back_to_dip_0(previous_3, _S561, _S562, last_step_0, _S559);
-        if(_S563 >= 0.0f)
+        var _S603 : f32 = way_back_to_dip_0(previous_3, _S601, _S602, last_step_0, _S599);
+        if(_S603 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S563;
-            distance_2 = distance_2 - _S563;
+            var last_step_1 : f32 = last_step_0 - _S603;
+            distance_2 = distance_2 - _S603;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S564 : bool = _S560 > (_S559.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S557, _S559, _S561, _S562), max(StepControl_to_cell_exit_0(_S557, _S559.side_x_0, _S559.side_y_0), _S556), _S564);
+        var _S604 : bool = _S600 > (_S599.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S597, _S599, _S601, _S602), max(StepControl_to_cell_exit_0(_S597, _S599.side_x_0, _S599.side_y_0), _S596), _S604);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S561, _S562, _S559, _S564);
+        previous_3 = after_sample_0(_S601, _S602, _S599, _S604);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -3027,13 +3293,13 @@ fn is_free_0( _S549 : u32,  _S550 : SearchQuality_0,  _S551 : vec3<f32>,  _S552 
     return true;
 }
 
-fn passes_through_0( _S565 : u32,  _S566 : SearchQuality_0,  _S567 : f32,  _S568 : f32,  _S569 : vec3<f32>,  _S570 : bool) -> bool
+fn passes_through_0( _S605 : u32,  _S606 : SearchQuality_0,  _S607 : f32,  _S608 : f32,  _S609 : vec3<f32>,  _S610 : bool) -> bool
 {
-    if(!sample_at_0(_S565, _S567, _S568, _S570).shown_3.hole_0)
+    if(!sample_at_0(_S605, _S607, _S608, _S610).shown_2.hole_0)
     {
         return false;
     }
-    var _S571 : vec3<f32> = vec3<f32>(_S567, _S568, 0.0f);
+    var _S611 : vec3<f32> = vec3<f32>(_S607, _S608, 0.0f);
     var passes_0 : bool = true;
     var side_3 : u32 = u32(0);
     for(;;)
@@ -3045,10 +3311,10 @@ fn passes_through_0( _S565 : u32,  _S566 : SearchQuality_0,  _S567 : f32,  _S568
         {
             break;
         }
-        var _S572 : bool = is_free_0(_S565, _S566, _S571, select_vector_2(side_3 == u32(0), _S569, vec3<f32>(- _S569.x, - _S569.y, _S569.z)), _S570 != (side_3 == u32(1)), fabrics_0[_S565].height_high_0);
-        var _S573 : u32 = side_3 + u32(1);
-        passes_0 = _S572;
-        side_3 = _S573;
+        var _S612 : bool = is_free_0(_S605, _S606, _S611, select_vector_2(side_3 == u32(0), _S609, vec3<f32>(- _S609.x, - _S609.y, _S609.z)), _S610 != (side_3 == u32(1)), fabrics_0[_S605].height_high_0);
+        var _S613 : u32 = side_3 + u32(1);
+        passes_0 = _S612;
+        side_3 = _S613;
     }
     return passes_0;
 }
@@ -3063,44 +3329,73 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S574 : u32,  _S575 : f32,  _S576 : f32,  _S577 : f32,  _S578 : vec3<f32>,  _S579 : bool) -> f32
+fn plane_of_0( _S614 : u32,  _S615 : u32) -> Plane_0
 {
-    var _S580 : f32 = _S578.x;
-    var _S581 : f32 = _S578.y;
-    var _S582 : u32 = (words_0[fabrics_0[_S574].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S574].weft_0, _S576).thread_1 / u32(2) * fabrics_0[_S574].max_height_columns_0 + locate_0(fabrics_0[_S574].warp_0, _S575).thread_1 / u32(2)) + (select(u32(0), u32(1), _S580 > 0.0f) + select(u32(0), u32(2), _S581 > 0.0f))] >> (u32(select(i32(0), i32(4), _S579))));
-    var _S583 : f32 = max(abs(_S580) * fabrics_0[_S574].threads_per_x_0, abs(_S581) * fabrics_0[_S574].threads_per_y_0) / _S578.z;
-    var _S584 : f32 = fabrics_0[_S574].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S574].height_high_0;
-    var number_5 : i32 = i32(3);
+    if(!is_layered_0(_S614))
+    {
+        return whole_plane_0(_S614);
+    }
+    return plane_at_0(fabrics_0[_S614].plane_records_0 + _S615 * u32(16));
+}
+
+fn max_height_along_0( _S616 : u32,  _S617 : f32,  _S618 : f32,  _S619 : f32,  _S620 : vec3<f32>,  _S621 : bool) -> f32
+{
+    var _S622 : f32 = _S620.x;
+    var _S623 : f32 = _S620.y;
+    var _S624 : u32 = select(u32(0), u32(1), _S622 > 0.0f) + select(u32(0), u32(2), _S623 > 0.0f);
+    var _S625 : f32 = max(abs(_S622) * fabrics_0[_S616].threads_per_x_0, abs(_S623) * fabrics_0[_S616].threads_per_y_0) / _S620.z;
+    var levels_4 : vec4<f32> = vec4<f32>(-1.00000001504746622e+30f);
+    var number_6 : u32 = u32(0);
     for(;;)
     {
-        if(number_5 >= i32(0))
+        if(number_6 < (plane_count_0(_S616)))
         {
         }
         else
         {
             break;
         }
-        if(((max_height_0 - _S577) * _S583) <= (PYRAMID_RADII_0[number_5]))
+        var _S626 : Plane_0 = plane_of_0(_S616, number_6);
+        var _S627 : u32 = (words_0[_S626.max_heights_1 + u32(4) * (locate_0(_S626.weft_1, _S618 - _S626.start_y_0).thread_1 / u32(2) * _S626.max_height_columns_1 + locate_0(_S626.warp_1, _S617 - _S626.start_x_0).thread_1 / u32(2)) + _S624] >> (u32(select(i32(0), i32(4), _S621))));
+        var _S628 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S627 & (u32(15)))), f32((((_S627 >> (u32(8)))) & (u32(15)))), f32((((_S627 >> (u32(16)))) & (u32(15)))), f32((((_S627 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S626.height_high_1) + vec4<f32>(select(_S626.front_level_0, _S626.back_level_0, _S621)));
+        var _S629 : u32 = number_6 + u32(1);
+        levels_4 = _S628;
+        number_6 = _S629;
+    }
+    var max_height_0 : f32 = fabrics_0[_S616].height_high_0;
+    var number_7 : i32 = i32(3);
+    for(;;)
+    {
+        if(number_7 >= i32(0))
         {
-            max_height_0 = min(max_height_0, f32((((_S582 >> (u32(i32(8) * number_5)))) & (u32(15)))) * 0.06666667014360428f * _S584);
         }
-        number_5 = number_5 - i32(1);
+        else
+        {
+            break;
+        }
+        if(((max_height_0 - _S619) * _S625) <= (PYRAMID_RADII_0[number_7]))
+        {
+            max_height_0 = min(max_height_0, levels_4[number_7]);
+        }
+        number_7 = number_7 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S585 : u32,  _S586 : f32,  _S587 : f32,  _S588 : bool,  _S589 : bool,  _S590 : bool) -> vec3<f32>
+fn cell_bounds_0( _S630 : u32,  _S631 : f32,  _S632 : f32,  _S633 : bool,  _S634 : bool,  _S635 : bool) -> vec3<f32>
 {
-    var _S591 : Crossing_0 = crossing_at_0(_S585, _S586, _S587, _S588);
-    return vec3<f32>(cell_maximum_0(_S585, _S591), select(_S591.warp_1.below_0, _S591.warp_1.above_0, _S589), select(_S591.weft_1.below_0, _S591.weft_1.above_0, _S590));
+    if(is_layered_0(_S630))
+    {
+        return first_bounds_0(_S630, plane_order_0(_S630, _S631, _S632, _S633), _S631, _S632, _S633, _S634, _S635);
+    }
+    return bounds_in_0(whole_plane_0(_S630), _S631, _S632, _S633, _S634, _S635);
 }
 
-fn first_sample_height_0( _S592 : u32,  _S593 : ViewRay_0,  _S594 : StepControl_0,  _S595 : bool) -> f32
+fn first_sample_height_0( _S636 : u32,  _S637 : ViewRay_0,  _S638 : StepControl_0,  _S639 : bool) -> f32
 {
-    var _S596 : f32 = max_height_along_0(_S592, _S593.origin_0.x, _S593.origin_0.y, 0.0f, vec3<f32>(_S593.slope_1, 1.0f), _S595);
+    var _S640 : f32 = max_height_along_0(_S636, _S637.origin_0.x, _S637.origin_0.y, 0.0f, vec3<f32>(_S637.slope_1, 1.0f), _S639);
     var count_5 : u32 = u32(0);
-    var height_7 : f32 = _S596;
+    var height_7 : f32 = _S640;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -3110,12 +3405,12 @@ fn first_sample_height_0( _S592 : u32,  _S593 : ViewRay_0,  _S594 : StepControl_
         {
             break;
         }
-        var _S597 : vec2<f32> = ViewRay_at_0(_S593, height_7);
-        var _S598 : vec3<f32> = cell_bounds_0(_S592, _S597.x, _S597.y, _S595, _S594.right_0, _S594.up_0);
-        var _S599 : f32 = height_7 - _S598.x;
-        var _S600 : f32 = StepControl_to_cell_exit_0(_S594, _S598.y, _S598.z);
-        var height_8 : f32 = height_7 - clamp(_S599, 0.0f, _S600);
-        if(_S599 <= _S600)
+        var _S641 : vec2<f32> = ViewRay_at_0(_S637, height_7);
+        var _S642 : vec3<f32> = cell_bounds_0(_S636, _S641.x, _S641.y, _S639, _S638.right_1, _S638.up_1);
+        var _S643 : f32 = height_7 - _S642.x;
+        var _S644 : f32 = StepControl_to_cell_exit_0(_S638, _S642.y, _S642.z);
+        var height_8 : f32 = height_7 - clamp(_S643, 0.0f, _S644);
+        if(_S643 <= _S644)
         {
             height_7 = height_8;
             break;
@@ -3126,12 +3421,12 @@ fn first_sample_height_0( _S592 : u32,  _S593 : ViewRay_0,  _S594 : StepControl_
     return height_7;
 }
 
-fn search_down_0( _S601 : u32,  _S602 : ViewRay_0,  _S603 : StepControl_0,  _S604 : bool) -> ViewRayEnd_0
+fn search_down_0( _S645 : u32,  _S646 : ViewRay_0,  _S647 : StepControl_0,  _S648 : bool) -> ViewRayEnd_0
 {
-    var _S605 : f32 = fabrics_0[_S601].height_low_0 - (fabrics_0[_S601].height_high_0 - fabrics_0[_S601].height_low_0);
+    var _S649 : f32 = fabrics_0[_S645].height_low_0 - (fabrics_0[_S645].height_high_0 - fabrics_0[_S645].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S601, _S602, _S603, _S604);
-    end_1.last_step_3 = _S603.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S645, _S646, _S647, _S648);
+    end_1.last_step_3 = _S647.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -3146,140 +3441,140 @@ fn search_down_0( _S601 : u32,  _S602 : ViewRay_0,  _S603 : StepControl_0,  _S60
         {
             break;
         }
-        var _S606 : vec2<f32> = ViewRay_at_0(_S602, end_1.height_6);
-        var _S607 : Probe_0 = probe_0(_S601, _S606.x, _S606.y, _S604, _S603.right_0, _S603.up_0);
-        var _S608 : f32 = end_1.height_6 - _S607.height_2;
-        var _S609 : f32 = ViewRay_rate_0(_S602, _S607);
-        end_1.depth_0 = - _S608;
-        end_1.rate_4 = _S609;
-        var _S610 : bool = !_S607.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S610))) & (((end_1.previous_4.yarn_0) == (_S607.yarn_1))));
-        if((((_S610 & ((_S608 <= 0.0f)))) | (((end_1.height_6) <= _S605))))
+        var _S650 : vec2<f32> = ViewRay_at_0(_S646, end_1.height_6);
+        var _S651 : Probe_0 = probe_0(_S645, _S650.x, _S650.y, _S648, _S647.right_1, _S647.up_1);
+        var _S652 : f32 = end_1.height_6 - _S651.height_3;
+        var _S653 : f32 = ViewRay_rate_0(_S646, _S651);
+        end_1.depth_0 = - _S652;
+        end_1.rate_4 = _S653;
+        var _S654 : bool = !_S651.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S654))) & (((end_1.previous_4.yarn_0) == (_S651.yarn_1))));
+        if((((_S654 & ((_S652 <= 0.0f)))) | (((end_1.height_6) <= _S649))))
         {
             break;
         }
-        var _S611 : f32 = way_back_to_dip_0(end_1.previous_4, _S608, _S609, end_1.last_step_3, _S607);
-        if(_S611 >= 0.0f)
+        var _S655 : f32 = way_back_to_dip_0(end_1.previous_4, _S652, _S653, end_1.last_step_3, _S651);
+        if(_S655 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S611;
-            end_1.last_step_3 = end_1.last_step_3 - _S611;
+            end_1.height_6 = end_1.height_6 + _S655;
+            end_1.last_step_3 = end_1.last_step_3 - _S655;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S612 : f32 = min(StepControl_to_cell_exit_0(_S603, _S607.side_x_0, _S607.side_y_0), end_1.height_6 - _S607.cell_max_0);
-        var _S613 : f32 = StepControl_to_next_sample_0(_S603, _S607, _S608, _S609);
-        end_1.previous_4 = after_sample_0(_S608, _S609, _S607, _S612 > _S613);
-        var _S614 : f32 = max(_S612, _S613);
-        end_1.last_step_3 = _S614;
-        end_1.height_6 = end_1.height_6 - _S614;
+        var _S656 : f32 = min(StepControl_to_cell_exit_0(_S647, _S651.side_x_0, _S651.side_y_0), end_1.height_6 - _S651.cell_max_0);
+        var _S657 : f32 = StepControl_to_next_sample_0(_S647, _S651, _S652, _S653);
+        end_1.previous_4 = after_sample_0(_S652, _S653, _S651, _S656 > _S657);
+        var _S658 : f32 = max(_S656, _S657);
+        end_1.last_step_3 = _S658;
+        end_1.height_6 = end_1.height_6 - _S658;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S615 : u32,  _S616 : ViewRay_0,  _S617 : StepControl_0,  _S618 : bool,  _S619 : ViewRayEnd_0,  _S620 : u32) -> f32
+fn refined_height_0( _S659 : u32,  _S660 : ViewRay_0,  _S661 : StepControl_0,  _S662 : bool,  _S663 : ViewRayEnd_0,  _S664 : u32) -> f32
 {
-    var _S621 : f32 = fabrics_0[_S615].height_high_0 - fabrics_0[_S615].height_low_0;
-    var above_2 : f32 = _S619.height_6 + _S619.last_step_3;
-    var above_gap_1 : f32 = clamp(_S619.previous_4.clearance_0, 0.0f, _S621);
-    var under_gap_1 : f32 = clamp(_S619.depth_0, 0.0f, _S621);
-    var middle_0 : f32 = select(between_0(above_2, _S619.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S619.previous_4.rate_0 * _S619.last_step_3, _S619.rate_4 * _S619.last_step_3) * _S619.last_step_3, _S619.smooth_0);
+    var _S665 : f32 = fabrics_0[_S659].height_high_0 - fabrics_0[_S659].height_low_0;
+    var above_2 : f32 = _S663.height_6 + _S663.last_step_3;
+    var above_gap_1 : f32 = clamp(_S663.previous_4.clearance_0, 0.0f, _S665);
+    var under_gap_1 : f32 = clamp(_S663.depth_0, 0.0f, _S665);
+    var middle_0 : f32 = select(between_0(above_2, _S663.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S663.previous_4.rate_0 * _S663.last_step_3, _S663.rate_4 * _S663.last_step_3) * _S663.last_step_3, _S663.smooth_0);
     var side_4 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S619.height_6;
+    var under_1 : f32 = _S663.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S620)
+        if(i_1 < _S664)
         {
         }
         else
         {
             break;
         }
-        var _S622 : vec2<f32> = ViewRay_at_0(_S616, middle_0);
-        var _S623 : Probe_0 = probe_0(_S615, _S622.x, _S622.y, _S618, _S617.right_0, _S617.up_0);
-        var _S624 : f32 = clamp(middle_0 - select(_S623.height_2, -1.0e+09f, _S623.hole_1), - _S621, _S621);
-        if(_S624 <= 0.0f)
+        var _S666 : vec2<f32> = ViewRay_at_0(_S660, middle_0);
+        var _S667 : Probe_0 = probe_0(_S659, _S666.x, _S666.y, _S662, _S661.right_1, _S661.up_1);
+        var _S668 : f32 = clamp(middle_0 - select(_S667.height_3, -1.0e+09f, _S667.hole_1), - _S665, _S665);
+        if(_S668 <= 0.0f)
         {
-            var _S625 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_4 > 0.0f);
-            var _S626 : f32 = - _S624;
+            var _S669 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_4 > 0.0f);
+            var _S670 : f32 = - _S668;
             under_1 = middle_0;
-            above_gap_2 = _S625;
-            under_gap_2 = _S626;
+            above_gap_2 = _S669;
+            under_gap_2 = _S670;
             side_4 = 1.0f;
         }
         else
         {
-            var _S627 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_4 < 0.0f);
+            var _S671 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_4 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S624;
-            under_gap_2 = _S627;
+            above_gap_2 = _S668;
+            under_gap_2 = _S671;
             side_4 = -1.0f;
         }
-        var _S628 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S624 / min(ViewRay_rate_0(_S616, _S623), -9.99999997475242708e-07f), under_1, above_3), _S619.smooth_0);
-        var _S629 : u32 = i_1 + u32(1);
-        middle_0 = _S628;
-        i_1 = _S629;
+        var _S672 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S668 / min(ViewRay_rate_0(_S660, _S667), -9.99999997475242708e-07f), under_1, above_3), _S663.smooth_0);
+        var _S673 : u32 = i_1 + u32(1);
+        middle_0 = _S672;
+        i_1 = _S673;
     }
-    return select(under_1, middle_0, _S619.smooth_0);
+    return select(under_1, middle_0, _S663.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S630 : u32,  _S631 : SearchQuality_0,  _S632 : f32,  _S633 : f32,  _S634 : vec3<f32>,  _S635 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S674 : u32,  _S675 : SearchQuality_0,  _S676 : f32,  _S677 : f32,  _S678 : vec3<f32>,  _S679 : bool) -> Hit_0
 {
-    var _S636 : f32 = max(_S634.z, 0.00009999999747379f);
+    var _S680 : f32 = max(_S678.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S632, _S633);
-    var _S637 : vec2<f32> = _S634.xy / vec2<f32>(_S636);
-    ray_0.slope_1 = _S637;
-    var _S638 : StepControl_0 = step_control_0((vec2<f32>(0) - _S637), 1.0f / max(steps_per_length_0(_S630, _S631, _S634) / _S636, 9.99999971718068537e-10f));
-    var _S639 : ViewRayEnd_0 = search_down_0(_S630, ray_0, _S638, _S635);
+    ray_0.origin_0 = vec2<f32>(_S676, _S677);
+    var _S681 : vec2<f32> = _S678.xy / vec2<f32>(_S680);
+    ray_0.slope_1 = _S681;
+    var _S682 : StepControl_0 = step_control_0((vec2<f32>(0) - _S681), 1.0f / max(steps_per_length_0(_S674, _S675, _S678) / _S680, 9.99999971718068537e-10f));
+    var _S683 : ViewRayEnd_0 = search_down_0(_S674, ray_0, _S682, _S679);
     var hit_0 : Hit_0;
     hit_0.hole_3 = false;
-    var _S640 : f32 = refined_height_0(_S630, ray_0, _S638, _S635, _S639, _S631.refinements_0);
-    hit_0.height_4 = _S640;
-    var _S641 : vec2<f32> = ViewRay_at_0(ray_0, _S640);
-    hit_0.x_13 = _S641.x;
-    hit_0.y_5 = _S641.y;
+    var _S684 : f32 = refined_height_0(_S674, ray_0, _S682, _S679, _S683, _S675.refinements_0);
+    hit_0.height_5 = _S684;
+    var _S685 : vec2<f32> = ViewRay_at_0(ray_0, _S684);
+    hit_0.x_16 = _S685.x;
+    hit_0.y_8 = _S685.y;
     return hit_0;
 }
 
-fn first_hit_0( _S642 : u32,  _S643 : SearchQuality_0,  _S644 : f32,  _S645 : f32,  _S646 : vec3<f32>,  _S647 : bool) -> Hit_0
+fn first_hit_0( _S686 : u32,  _S687 : SearchQuality_0,  _S688 : f32,  _S689 : f32,  _S690 : vec3<f32>,  _S691 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S642, _S643, _S644, _S645, _S646, _S647))
+    if(!passes_through_0(_S686, _S687, _S688, _S689, _S690, _S691))
     {
-        return first_hit_of_yarn_0(_S642, _S643, _S644, _S645, _S646, _S647);
+        return first_hit_of_yarn_0(_S686, _S687, _S688, _S689, _S690, _S691);
     }
     var hit_1 : Hit_0;
-    hit_1.x_13 = _S644;
-    hit_1.y_5 = _S645;
-    hit_1.height_4 = 0.0f;
+    hit_1.x_16 = _S688;
+    hit_1.y_8 = _S689;
+    hit_1.height_5 = 0.0f;
     hit_1.hole_3 = true;
     return hit_1;
 }
 
-fn taps_at_yarns_0( _S648 : u32,  _S649 : Footprint_0,  _S650 : AnisotropicTaps_0,  _S651 : vec3<f32>,  _S652 : bool) -> AnisotropicTaps_0
+fn taps_at_yarns_0( _S692 : u32,  _S693 : Footprint_0,  _S694 : AnisotropicTaps_0,  _S695 : vec3<f32>,  _S696 : bool) -> AnisotropicTaps_0
 {
-    var _S653 : f32 = 1.0f - clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(_S650), 9.99999997475242708e-07f) / 0.25f) * 0.48089835047721863f, 0.0f, 1.0f);
-    if(_S653 <= 0.0f)
+    var _S697 : f32 = 1.0f - clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(_S694), 9.99999997475242708e-07f) / 0.25f) * 0.48089835047721863f, 0.0f, 1.0f);
+    if(_S697 <= 0.0f)
     {
-        return _S650;
+        return _S694;
     }
-    var _S654 : Hit_0 = first_hit_0(_S648, default_quality_0(), _S649.centre_0.x, _S649.centre_0.y, _S651, _S652);
-    if(_S654.hole_3)
+    var _S698 : Hit_0 = first_hit_0(_S692, default_quality_0(), _S693.centre_0.x, _S693.centre_0.y, _S695, _S696);
+    if(_S698.hole_3)
     {
-        return _S650;
+        return _S694;
     }
-    var moved_2 : AnisotropicTaps_0 = _S650;
-    moved_2.centre_1 = moved_2.centre_1 + vec2<f32>(_S653) * vec2<f32>(fabrics_0[_S648].neural_0.ends_per_mm_0, fabrics_0[_S648].neural_0.picks_per_mm_0) * (vec2<f32>(_S654.x_13, _S654.y_5) - _S649.centre_0);
+    var moved_2 : AnisotropicTaps_0 = _S694;
+    moved_2.centre_1 = moved_2.centre_1 + vec2<f32>(_S697) * vec2<f32>(fabrics_0[_S692].neural_0.ends_per_mm_0, fabrics_0[_S692].neural_0.picks_per_mm_0) * (vec2<f32>(_S698.x_16, _S698.y_8) - _S693.centre_0);
     return moved_2;
 }
 
-fn add_texel_0( _S655 : u32,  _S656 : u32,  _S657 : f32,  _S658 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S699 : u32,  _S700 : u32,  _S701 : f32,  _S702 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S659 : u32 = fabrics_0[_S655].neural_0.latents_0 + _S656 * u32(8);
+    var _S703 : u32 = fabrics_0[_S699].neural_0.latents_0 + _S700 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -3290,34 +3585,34 @@ fn add_texel_0( _S655 : u32,  _S656 : u32,  _S657 : f32,  _S658 : ptr<function, 
         {
             break;
         }
-        var _S660 : Eight_0 = eight_halves_0(packed_numbers_0[_S659 + part_0]);
-        var _S661 : i32 = i32(u32(8) * part_0);
-        (*_S658)[_S661] = (*_S658)[_S661] + _S657 * _S660.low_0[i32(0)];
-        (*_S658)[_S661 + i32(4)] = (*_S658)[_S661 + i32(4)] + _S657 * _S660.high_0[i32(0)];
-        var _S662 : i32 = _S661 + i32(1);
-        (*_S658)[_S662] = (*_S658)[_S662] + _S657 * _S660.low_0[i32(1)];
-        (*_S658)[_S662 + i32(4)] = (*_S658)[_S662 + i32(4)] + _S657 * _S660.high_0[i32(1)];
-        var _S663 : i32 = _S661 + i32(2);
-        (*_S658)[_S663] = (*_S658)[_S663] + _S657 * _S660.low_0[i32(2)];
-        (*_S658)[_S663 + i32(4)] = (*_S658)[_S663 + i32(4)] + _S657 * _S660.high_0[i32(2)];
-        var _S664 : i32 = _S661 + i32(3);
-        (*_S658)[_S664] = (*_S658)[_S664] + _S657 * _S660.low_0[i32(3)];
-        (*_S658)[_S664 + i32(4)] = (*_S658)[_S664 + i32(4)] + _S657 * _S660.high_0[i32(3)];
+        var _S704 : Eight_0 = eight_halves_0(packed_numbers_0[_S703 + part_0]);
+        var _S705 : i32 = i32(u32(8) * part_0);
+        (*_S702)[_S705] = (*_S702)[_S705] + _S701 * _S704.low_0[i32(0)];
+        (*_S702)[_S705 + i32(4)] = (*_S702)[_S705 + i32(4)] + _S701 * _S704.high_0[i32(0)];
+        var _S706 : i32 = _S705 + i32(1);
+        (*_S702)[_S706] = (*_S702)[_S706] + _S701 * _S704.low_0[i32(1)];
+        (*_S702)[_S706 + i32(4)] = (*_S702)[_S706 + i32(4)] + _S701 * _S704.high_0[i32(1)];
+        var _S707 : i32 = _S705 + i32(2);
+        (*_S702)[_S707] = (*_S702)[_S707] + _S701 * _S704.low_0[i32(2)];
+        (*_S702)[_S707 + i32(4)] = (*_S702)[_S707 + i32(4)] + _S701 * _S704.high_0[i32(2)];
+        var _S708 : i32 = _S705 + i32(3);
+        (*_S702)[_S708] = (*_S702)[_S708] + _S701 * _S704.low_0[i32(3)];
+        (*_S702)[_S708 + i32(4)] = (*_S702)[_S708 + i32(4)] + _S701 * _S704.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S665 : u32,  _S666 : u32,  _S667 : bool,  _S668 : vec2<f32>,  _S669 : f32,  _S670 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S709 : u32,  _S710 : u32,  _S711 : bool,  _S712 : vec2<f32>,  _S713 : f32,  _S714 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S671 : Neural_std430_0 = fabrics_0[_S665].neural_0;
-    var _S672 : u32 = fabrics_0[_S665].neural_0.levels_1 + u32(4) * _S666;
-    var _S673 : f32 = table_number_0(_S672);
-    var _S674 : f32 = table_number_0(_S672 + u32(1));
-    var _S675 : f32 = table_number_0(_S672 + u32(2));
-    var _S676 : vec2<f32> = _S668 * vec2<f32>(table_number_0(_S672 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S666 > u32(3)) & ((_S666 < (fabrics_0[_S665].neural_0.top_level_0))))));
-    var _S677 : vec2<f32> = floor(_S676);
-    var _S678 : vec2<f32> = _S676 - _S677;
+    var _S715 : Neural_std430_0 = fabrics_0[_S709].neural_0;
+    var _S716 : u32 = fabrics_0[_S709].neural_0.levels_1 + u32(4) * _S710;
+    var _S717 : f32 = table_number_0(_S716);
+    var _S718 : f32 = table_number_0(_S716 + u32(1));
+    var _S719 : f32 = table_number_0(_S716 + u32(2));
+    var _S720 : vec2<f32> = _S712 * vec2<f32>(table_number_0(_S716 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S710 > u32(3)) & ((_S710 < (fabrics_0[_S709].neural_0.top_level_0))))));
+    var _S721 : vec2<f32> = floor(_S720);
+    var _S722 : vec2<f32> = _S720 - _S721;
     var corner_1 : u32 = u32(0);
     for(;;)
     {
@@ -3328,16 +3623,16 @@ fn add_level_0( _S665 : u32,  _S666 : u32,  _S667 : bool,  _S668 : vec2<f32>,  _
         {
             break;
         }
-        var _S679 : f32 = f32((corner_1 & (u32(1))));
-        var _S680 : f32 = f32((corner_1 >> (u32(1))));
-        var _S681 : vec2<f32> = mix(vec2<f32>(1.0f) - _S678, _S678, vec2<f32>(_S679, _S680));
-        add_texel_0(_S665, u32(_S673 + wrapped_0(_S677.y + _S680, _S675) * _S674 + wrapped_0(_S677.x + _S679, _S674)) + select(u32(0), _S671.texels_0, _S667), _S669 * _S681.x * _S681.y, &((*_S670)));
+        var _S723 : f32 = f32((corner_1 & (u32(1))));
+        var _S724 : f32 = f32((corner_1 >> (u32(1))));
+        var _S725 : vec2<f32> = mix(vec2<f32>(1.0f) - _S722, _S722, vec2<f32>(_S723, _S724));
+        add_texel_0(_S709, u32(_S717 + wrapped_0(_S721.y + _S724, _S719) * _S718 + wrapped_0(_S721.x + _S723, _S718)) + select(u32(0), _S715.texels_0, _S711), _S713 * _S725.x * _S725.y, &((*_S714)));
         corner_1 = corner_1 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S682 : u32,  _S683 : AnisotropicTaps_0,  _S684 : vec3<f32>,  _S685 : bool,  _S686 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S726 : u32,  _S727 : AnisotropicTaps_0,  _S728 : vec3<f32>,  _S729 : bool,  _S730 : ptr<function, array<f32, i32(88)>>)
 {
     var k_0 : i32 = i32(0);
     for(;;)
@@ -3349,34 +3644,34 @@ fn code_footprint_0( _S682 : u32,  _S683 : AnisotropicTaps_0,  _S684 : vec3<f32>
         {
             break;
         }
-        (*_S686)[k_0] = 0.0f;
+        (*_S730)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S687 : vec2<f32> = vec2<f32>(fabrics_0[_S682].neural_0.ends_0, fabrics_0[_S682].neural_0.picks_0);
-    var _S688 : f32 = f32(fabrics_0[_S682].neural_0.top_level_0);
-    var _S689 : f32 = clamp(binary_logarithm_0(max(_S683.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S688);
-    var _S690 : f32 = min(floor(_S689), _S688 - 1.0f);
-    var _S691 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S683));
-    var number_6 : u32 = u32(0);
+    var _S731 : vec2<f32> = vec2<f32>(fabrics_0[_S726].neural_0.ends_0, fabrics_0[_S726].neural_0.picks_0);
+    var _S732 : f32 = f32(fabrics_0[_S726].neural_0.top_level_0);
+    var _S733 : f32 = clamp(binary_logarithm_0(max(_S727.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S732);
+    var _S734 : f32 = min(floor(_S733), _S732 - 1.0f);
+    var _S735 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S727));
+    var number_8 : u32 = u32(0);
     for(;;)
     {
-        if(number_6 < (u32(2) * _S691))
+        if(number_8 < (u32(2) * _S735))
         {
         }
         else
         {
             break;
         }
-        var _S692 : vec2<f32> = AnisotropicTaps_place_0(_S683, (number_6 >> (u32(1))));
-        var _S693 : bool = ((number_6 & (u32(1)))) != u32(0);
-        var _S694 : f32 = _S689 - _S690;
-        add_level_0(_S682, u32(_S690) + select(u32(0), u32(1), _S693), _S685, clamp(_S692 - _S687 * floor(_S692 / _S687), vec2<f32>(0.0f), _S687), select(1.0f - _S694, _S694, _S693) / f32(_S691), &((*_S686)));
-        number_6 = number_6 + u32(1);
+        var _S736 : vec2<f32> = AnisotropicTaps_place_0(_S727, (number_8 >> (u32(1))));
+        var _S737 : bool = ((number_8 & (u32(1)))) != u32(0);
+        var _S738 : f32 = _S733 - _S734;
+        add_level_0(_S726, u32(_S734) + select(u32(0), u32(1), _S737), _S729, clamp(_S736 - _S731 * floor(_S736 / _S731), vec2<f32>(0.0f), _S731), select(1.0f - _S738, _S738, _S737) / f32(_S735), &((*_S730)));
+        number_8 = number_8 + u32(1);
     }
-    var number_7 : i32 = i32(0);
+    var number_9 : i32 = i32(0);
     for(;;)
     {
-        if(number_7 < i32(3))
+        if(number_9 < i32(3))
         {
         }
         else
@@ -3393,9 +3688,9 @@ fn code_footprint_0( _S682 : u32,  _S683 : AnisotropicTaps_0,  _S684 : vec3<f32>
             {
                 break;
             }
-            var offset_1 : f32 = _S684[number_7] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_1 : f32 = _S728[number_9] - (f32(bin_0) + 0.5f) / 8.0f;
             var offset_2 : f32;
-            if(number_7 < i32(2))
+            if(number_9 < i32(2))
             {
                 offset_2 = offset_1 - round(offset_1);
             }
@@ -3403,147 +3698,199 @@ fn code_footprint_0( _S682 : u32,  _S683 : AnisotropicTaps_0,  _S684 : vec3<f32>
             {
                 offset_2 = offset_1;
             }
-            (*_S686)[i32(64) + number_7 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
+            (*_S730)[i32(64) + number_9 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
-        number_7 = number_7 + i32(1);
+        number_9 = number_9 + i32(1);
     }
     return;
 }
 
-fn crown_fibres_0( _S695 : u32,  _S696 : bool,  _S697 : bool) -> vec3<f32>
+fn crown_fibres_0( _S739 : u32,  _S740 : bool,  _S741 : bool) -> vec3<f32>
 {
-    if(_S696)
+    if(_S740)
     {
-        return vec3<f32>(select(1.0f, -1.0f, _S697) * fabrics_0[_S695].neural_0.warp_x_0, fabrics_0[_S695].neural_0.warp_y_0, fabrics_0[_S695].neural_0.warp_roughness_0);
+        return vec3<f32>(select(1.0f, -1.0f, _S741) * fabrics_0[_S739].neural_0.warp_x_0, fabrics_0[_S739].neural_0.warp_y_0, fabrics_0[_S739].neural_0.warp_roughness_0);
     }
-    return vec3<f32>(fabrics_0[_S695].neural_0.weft_x_0, select(1.0f, -1.0f, _S697) * fabrics_0[_S695].neural_0.weft_y_0, fabrics_0[_S695].neural_0.weft_roughness_0);
+    return vec3<f32>(fabrics_0[_S739].neural_0.weft_x_0, select(1.0f, -1.0f, _S741) * fabrics_0[_S739].neural_0.weft_y_0, fabrics_0[_S739].neural_0.weft_roughness_0);
 }
 
-fn yarns_over_0( _S698 : u32,  _S699 : Footprint_0,  _S700 : bool) -> Yarns_0
+fn yarns_over_0( _S742 : u32,  _S743 : Footprint_0,  _S744 : bool) -> Yarns_0
 {
-    var _S701 : vec2<f32> = _S699.dx_0;
-    var _S702 : vec2<f32> = _S699.dy_0;
-    var _S703 : vec2<f32> = sqrt(_S701 * _S701 + _S702 * _S702);
-    var _S704 : f32 = Footprint_spread_side_0(_S699);
-    var _S705 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S705, _S705, vec3<f32>(0.0f));
-    var _S706 : bool = (fabrics_0[_S698].is_irregular_0) != u32(0);
-    var number_8 : u32 = u32(0);
+    var _S745 : vec2<f32> = _S743.dx_0;
+    var _S746 : vec2<f32> = _S743.dy_0;
+    var _S747 : vec2<f32> = sqrt(_S745 * _S745 + _S746 * _S746);
+    var _S748 : f32 = Footprint_spread_side_0(_S743);
+    var _S749 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S749, _S749, vec3<f32>(0.0f));
+    var _S750 : bool = (fabrics_0[_S742].is_irregular_0) != u32(0);
+    var number_10 : u32 = u32(0);
     for(;;)
     {
-        if(number_8 < select(u32(0), u32(2), _S706))
+        if(number_10 < select(u32(0), u32(2), _S750))
         {
         }
         else
         {
             break;
         }
-        var _S707 : bool = number_8 == u32(0);
-        var _S708 : u32 = select(fabrics_0[_S698].weft_0, fabrics_0[_S698].warp_0, _S707);
-        var _S709 : vec2<f32> = select_vector_1(_S707, _S699.centre_0, _S699.centre_0.yx);
-        var _S710 : vec2<f32> = select_vector_1(_S707, _S703, _S703.yx);
-        var _S711 : f32 = _S709.x;
-        var _S712 : Cell_0 = locate_0(_S708, _S711);
-        var yarn_3 : vec4<f32> = irregular_over_0(_S708, irregular_key_0(_S698, number_8), irregular_thread_0(_S708, _S711, _S712) + _S712.below_0 / (_S712.below_0 + _S712.above_0), _S710.x * (families_0[_S708].count_0 / families_0[_S708].period_0), _S709.y, _S710.y);
-        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S708, _S704));
-        yarns_1.warp_2 = yarns_1.weft_2;
-        yarns_1.weft_2 = yarn_3;
-        number_8 = number_8 + u32(1);
+        var _S751 : bool = number_10 == u32(0);
+        var _S752 : u32 = select(fabrics_0[_S742].weft_0, fabrics_0[_S742].warp_0, _S751);
+        var _S753 : vec2<f32> = select_vector_1(_S751, _S743.centre_0, _S743.centre_0.yx);
+        var _S754 : vec2<f32> = select_vector_1(_S751, _S747, _S747.yx);
+        var _S755 : f32 = _S753.x;
+        var _S756 : Cell_0 = locate_0(_S752, _S755);
+        var yarn_3 : vec4<f32> = irregular_over_0(_S752, irregular_key_0(_S742, number_10), irregular_thread_0(_S752, _S755, _S756) + _S756.below_0 / (_S756.below_0 + _S756.above_0), _S754.x * (families_0[_S752].count_0 / families_0[_S752].period_0), _S753.y, _S754.y);
+        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S752, _S748));
+        yarns_1.warp_3 = yarns_1.weft_3;
+        yarns_1.weft_3 = yarn_3;
+        number_10 = number_10 + u32(1);
     }
-    var _S713 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S698].warp_0].cover_0, families_0[fabrics_0[_S698].weft_0].cover_0);
-    var _S714 : f32 = select(fabrics_0[_S698].warp_on_top_0, 1.0f - fabrics_0[_S698].warp_on_top_0, _S700);
-    var _S715 : vec3<f32> = shown_of_covers_0(_S713, _S714);
-    var _S716 : vec3<f32> = select_vector_2(_S706, shown_of_covers_0(saturate(_S713 + _S713 * vec2<f32>(yarns_1.warp_2.y, yarns_1.weft_2.y)), _S714) / max(_S715, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_1.shares_0 = _S716;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S716.z, (_S715.z) > 0.00009999999747379f);
+    var _S757 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S742].warp_0].cover_0, families_0[fabrics_0[_S742].weft_0].cover_0);
+    var _S758 : f32 = select(fabrics_0[_S742].warp_on_top_0, 1.0f - fabrics_0[_S742].warp_on_top_0, _S744);
+    var _S759 : vec3<f32> = shown_of_covers_0(_S757, _S758);
+    var _S760 : vec3<f32> = select_vector_2(_S750, shown_of_covers_0(saturate(_S757 + _S757 * vec2<f32>(yarns_1.warp_3.y, yarns_1.weft_3.y)), _S758) / max(_S759, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_1.shares_0 = _S760;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S760.z, (_S759.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn neural_view_0( _S717 : u32,  _S718 : Footprint_0,  _S719 : vec3<f32>,  _S720 : ptr<function, NeuralView_0>)
+fn neural_view_0( _S761 : u32,  _S762 : Footprint_0,  _S763 : vec3<f32>,  _S764 : ptr<function, NeuralView_0>)
 {
-    var _S721 : bool = (_S719.z) < 0.0f;
-    var _S722 : vec3<f32> = to_face_frame_0(_S719, _S721);
-    var _S723 : AnisotropicTaps_0 = taps_at_yarns_0(_S717, _S718, anisotropic_taps_0(_S717, _S718), _S722, _S721);
-    var _S724 : vec3<f32> = footprint_coordinates_0(_S723);
+    var _S765 : bool = (_S763.z) < 0.0f;
+    var _S766 : vec3<f32> = to_face_frame_0(_S763, _S765);
+    var _S767 : AnisotropicTaps_0 = taps_at_yarns_0(_S761, _S762, anisotropic_taps_0(_S761, _S762), _S766, _S765);
+    var _S768 : vec3<f32> = footprint_coordinates_0(_S767);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S717].neural_0.network_0;
+    weights_23.first_2 = fabrics_0[_S761].neural_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S717, _S723, _S724, _S721, &(inputs_23));
+    code_footprint_0(_S761, _S767, _S768, _S765, &(inputs_23));
     var hidden_1 : array<f32, i32(64)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(68)>;
     dense_part_8(weights_23, u32(712), false, &(hidden_1), &(fused_0));
-    fused_0[i32(64)] = _S722.x;
-    fused_0[i32(65)] = _S722.y;
-    var _S725 : vec2<f32> = _S722.xy;
-    fused_0[i32(66)] = dot(crown_fibres_0(_S717, true, _S721).xy, _S725);
-    fused_0[i32(67)] = dot(crown_fibres_0(_S717, false, _S721).xy, _S725);
+    fused_0[i32(64)] = _S766.x;
+    fused_0[i32(65)] = _S766.y;
+    var _S769 : vec2<f32> = _S766.xy;
+    fused_0[i32(66)] = dot(crown_fibres_0(_S761, true, _S765).xy, _S769);
+    fused_0[i32(67)] = dot(crown_fibres_0(_S761, false, _S765).xy, _S769);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(1232), false, &(fused_0), &(of_hole_0));
     var hole_4 : array<f32, i32(1)>;
     dense_5(weights_23, u32(1380), false, &(of_hole_0), &(hole_4));
-    var _S726 : array<f32, i32(64)> = (*_S720).sums_9;
-    dense_4(weights_23, u32(1392), false, &(fused_0), &(_S726));
-    (*_S720).sums_9 = _S726;
-    var _S727 : f32 = clamp(hole_4[i32(0)], 0.0f, 1.0f);
-    (*_S720).even_hole_0 = _S727;
-    (*_S720).yarns_0 = yarns_over_0(_S717, _S718, _S721);
-    (*_S720).hole_2 = min(_S727 * (*_S720).yarns_0.shares_0.z, 1.0f);
-    (*_S720).correction_weight_0 = correction_weight_of_0(_S724.z);
-    (*_S720).view_7 = _S722;
-    (*_S720).back_6 = _S721;
+    var _S770 : array<f32, i32(64)> = (*_S764).sums_12;
+    dense_4(weights_23, u32(1392), false, &(fused_0), &(_S770));
+    (*_S764).sums_12 = _S770;
+    var _S771 : f32 = clamp(hole_4[i32(0)], 0.0f, 1.0f);
+    (*_S764).even_hole_0 = _S771;
+    (*_S764).yarns_0 = yarns_over_0(_S761, _S762, _S765);
+    (*_S764).hole_2 = min(_S771 * (*_S764).yarns_0.shares_0.z, 1.0f);
+    (*_S764).correction_weight_0 = correction_weight_of_0(_S768.z);
+    (*_S764).view_7 = _S766;
+    (*_S764).back_10 = _S765;
     return;
 }
 
-struct FamilyAlbedos_0
+fn stack_share_0( _S772 : u32,  _S773 : vec2<f32>,  _S774 : vec2<f32>,  _S775 : u32) -> f32
 {
-     warp_7 : Albedos_0,
-     weft_7 : Albedos_0,
-};
-
-fn albedos_over_0( _S728 : u32,  _S729 : Footprint_0,  _S730 : bool) -> FamilyAlbedos_0
-{
-    var _S731 : vec2<f32> = _S729.dx_0;
-    var _S732 : vec2<f32> = _S729.dy_0;
-    var _S733 : vec2<f32> = sqrt(_S731 * _S731 + _S732 * _S732);
-    var _S734 : Stretch_0 = stretch_of_0(fabrics_0[_S728].warp_0, _S729.centre_0.x, _S733.x);
-    var _S735 : Stretch_0 = stretch_of_0(fabrics_0[_S728].weft_0, _S729.centre_0.y, _S733.y);
-    var albedos_4 : FamilyAlbedos_0;
-    albedos_4.warp_7 = mean_albedos_0(fabrics_0[_S728].warp_0, fabrics_0[_S728].weft_0, _S734, _S735, _S730);
-    albedos_4.weft_7 = mean_albedos_0(fabrics_0[_S728].weft_0, fabrics_0[_S728].warp_0, _S735, _S734, _S730);
-    return albedos_4;
+    if((fabrics_0[_S772].stacks_0) == u32(1))
+    {
+        return 1.0f;
+    }
+    var _S776 : u32 = fabrics_0[_S772].plane_axes_0 + u32(1);
+    var _S777 : Stretch_0 = stretch_of_0(fabrics_0[_S772].plane_axes_0, _S773.x, _S774.x);
+    var _S778 : Stretch_0 = stretch_of_0(_S776, _S773.y, _S774.y);
+    return clamp(integral_on_top_0(fabrics_0[_S772].plane_axes_0, _S777, _S778, u32(families_0[_S776].count_0), _S775) / (lengths_0(fabrics_0[_S772].plane_axes_0, _S777).x * lengths_0(_S776, _S778).x), 0.0f, 1.0f);
 }
 
-fn toned_0( _S736 : u32,  _S737 : u32,  _S738 : Albedos_0,  _S739 : vec4<f32>) -> Albedos_0
+fn albedos_over_0( _S779 : u32,  _S780 : Footprint_0,  _S781 : bool) -> FamilyAlbedos_0
 {
-    var _S740 : vec3<f32> = _S738.diffuse_reflect_0 + _S738.diffuse_transmit_0;
-    var _S741 : vec3<f32> = vec3<f32>(1.0f);
-    var _S742 : vec3<f32> = _S741 - vec3<f32>(fabrics_0[_S736].layer_bound_0) * max(_S738.specular_reflect_0, _S738.specular_transmit_0);
-    var _S743 : vec3<f32> = vec3<f32>(0.0f);
-    var _S744 : vec3<f32> = max(_S741 - _S740, _S743) / (_S741 + _S740);
-    var _S745 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S746 : vec3<f32> = (_S742 / max(_S740, _S745) - _S741) / max(vec3<f32>(0.89999997615814209f) * _S744, _S745);
-    var _S747 : vec3<f32> = _S741 - vec3<f32>((saturate(min(min(_S746.x, _S746.y), _S746.z)) * _S739.z)) * _S744;
-    var _S748 : vec3<f32> = min(vec3<f32>(families_0[_S737].nep_red_0, families_0[_S737].nep_green_0, families_0[_S737].nep_blue_0), _S742);
-    var found_1 : Albedos_0 = _S738;
-    var _S749 : f32 = _S739.w;
-    var _S750 : vec3<f32> = _S747 * _S738.diffuse_transmit_0 * vec3<f32>((1.0f - _S749));
-    found_1.diffuse_transmit_0 = _S750;
-    found_1.diffuse_reflect_0 = clamp(mix(_S747 * _S738.diffuse_reflect_0, _S748, vec3<f32>(_S749)), _S743, max(_S742 - _S750, _S743));
+    var _S782 : vec2<f32> = _S780.dx_0;
+    var _S783 : vec2<f32> = _S780.dy_0;
+    var _S784 : vec2<f32> = sqrt(_S782 * _S782 + _S783 * _S783);
+    var _S785 : vec3<f32> = vec3<f32>(0.0f);
+    var _S786 : Albedos_0 = Albedos_x24init_0(_S785, _S785, _S785, _S785);
+    var sums_13 : FamilyAlbedos_0 = FamilyAlbedos_x24init_0(_S786, _S786);
+    var _S787 : vec2<f32> = vec2<f32>(0.0f);
+    var number_11 : u32 = u32(0);
+    var areas_0 : vec2<f32> = _S787;
+    for(;;)
+    {
+        if(number_11 < (plane_count_0(_S779)))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S788 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S779, number_11), _S780.centre_0, _S784, _S781);
+        if(!is_layered_0(_S779))
+        {
+            return _S788;
+        }
+        var _S789 : PlaneShares_0 = PlaneShares_x24init_0(0.0f, _S785, _S785);
+        var warp_10 : PlaneShares_0 = _S789;
+        var weft_10 : PlaneShares_0 = _S789;
+        var stack_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(stack_0 < (fabrics_0[_S779].stacks_0))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var _S790 : f32 = stack_share_0(_S779, _S780.centre_0, _S784, stack_0);
+            var _S791 : u32 = fabrics_0[_S779].plane_shares_0 + u32(14) * (u32(2) * (stack_0 * fabrics_0[_S779].planes_0 + number_11) + select(u32(0), u32(1), _S781));
+            var _S792 : PlaneShares_0 = with_shares_at_0(warp_10, _S790, _S791);
+            var _S793 : PlaneShares_0 = with_shares_at_0(weft_10, _S790, _S791 + u32(7));
+            var _S794 : u32 = stack_0 + u32(1);
+            warp_10 = _S792;
+            weft_10 = _S793;
+            stack_0 = _S794;
+        }
+        sums_13.warp_5 = with_plane_0(sums_13.warp_5, _S788.warp_5, warp_10);
+        sums_13.weft_5 = with_plane_0(sums_13.weft_5, _S788.weft_5, weft_10);
+        var areas_1 : vec2<f32> = areas_0 + vec2<f32>(warp_10.area_0, weft_10.area_0);
+        number_11 = number_11 + u32(1);
+        areas_0 = areas_1;
+    }
+    var means_0 : FamilyAlbedos_0;
+    means_0.warp_5 = divided_0(sums_13.warp_5, areas_0.x);
+    means_0.weft_5 = divided_0(sums_13.weft_5, areas_0.y);
+    return means_0;
+}
+
+fn toned_0( _S795 : u32,  _S796 : u32,  _S797 : Albedos_0,  _S798 : vec4<f32>) -> Albedos_0
+{
+    var _S799 : vec3<f32> = _S797.diffuse_reflect_0 + _S797.diffuse_transmit_0;
+    var _S800 : vec3<f32> = vec3<f32>(1.0f);
+    var _S801 : vec3<f32> = _S800 - vec3<f32>(fabrics_0[_S795].layer_bound_0) * max(_S797.specular_reflect_0, _S797.specular_transmit_0);
+    var _S802 : vec3<f32> = vec3<f32>(0.0f);
+    var _S803 : vec3<f32> = max(_S800 - _S799, _S802) / (_S800 + _S799);
+    var _S804 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S805 : vec3<f32> = (_S801 / max(_S799, _S804) - _S800) / max(vec3<f32>(0.89999997615814209f) * _S803, _S804);
+    var _S806 : vec3<f32> = _S800 - vec3<f32>((saturate(min(min(_S805.x, _S805.y), _S805.z)) * _S798.z)) * _S803;
+    var _S807 : vec3<f32> = min(vec3<f32>(families_0[_S796].nep_red_0, families_0[_S796].nep_green_0, families_0[_S796].nep_blue_0), _S801);
+    var found_1 : Albedos_0 = _S797;
+    var _S808 : f32 = _S798.w;
+    var _S809 : vec3<f32> = _S806 * _S797.diffuse_transmit_0 * vec3<f32>((1.0f - _S808));
+    found_1.diffuse_transmit_0 = _S809;
+    found_1.diffuse_reflect_0 = clamp(mix(_S806 * _S797.diffuse_reflect_0, _S807, vec3<f32>(_S808)), _S802, max(_S801 - _S809, _S802));
     return found_1;
 }
 
-fn with_tones_0( _S751 : u32,  _S752 : FamilyAlbedos_0,  _S753 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S810 : u32,  _S811 : FamilyAlbedos_0,  _S812 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S751].is_irregular_0) == u32(0))
+    if((fabrics_0[_S810].is_irregular_0) == u32(0))
     {
-        return _S752;
+        return _S811;
     }
-    var result_2 : FamilyAlbedos_0;
-    result_2.warp_7 = toned_0(_S751, fabrics_0[_S751].warp_0, _S752.warp_7, _S753.warp_2);
-    result_2.weft_7 = toned_0(_S751, fabrics_0[_S751].weft_0, _S752.weft_7, _S753.weft_2);
-    return result_2;
+    var result_5 : FamilyAlbedos_0;
+    result_5.warp_5 = toned_0(_S810, fabrics_0[_S810].warp_0, _S811.warp_5, _S812.warp_3);
+    result_5.weft_5 = toned_0(_S810, fabrics_0[_S810].weft_0, _S811.weft_5, _S812.weft_3);
+    return result_5;
 }
 
 fn light_sample_count_0() -> u32
@@ -3551,13 +3898,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S754 : u32,  _S755 : vec2<u32>) -> f32
+fn visibility_at_0( _S813 : u32,  _S814 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S754 * frame_record_0.height_0 + _S755.y) * frame_record_0.width_0 + _S755.x];
+    return visibilities_0[(_S813 * frame_record_0.height_0 + _S814.y) * frame_record_0.width_0 + _S814.x];
 }
 
 struct LightSample_0
@@ -3567,52 +3914,52 @@ struct LightSample_0
      distance_4 : f32,
 };
 
-fn environment_texel_0( _S756 : u32,  _S757 : u32) -> vec3<f32>
+fn environment_texel_0( _S815 : u32,  _S816 : u32) -> vec3<f32>
 {
-    var _S758 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S756 * frame_record_0.environment_columns_0 + _S757);
-    return vec3<f32>(scene_number_0(_S758), scene_number_0(_S758 + u32(1)), scene_number_0(_S758 + u32(2)));
+    var _S817 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S815 * frame_record_0.environment_columns_0 + _S816);
+    return vec3<f32>(scene_number_0(_S817), scene_number_0(_S817 + u32(1)), scene_number_0(_S817 + u32(2)));
 }
 
-fn sample_environment_0( _S759 : vec2<f32>,  _S760 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S818 : vec2<f32>,  _S819 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S761 : u32 = frame_record_0.environment_rows_0;
-    var _S762 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S759.y);
-    var _S763 : u32 = frame_record_0.environment_columns_0;
-    var _S764 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S762.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S759.x);
-    var _S765 : vec3<f32> = environment_texel_0(_S762.index_7, _S764.index_7);
-    (*_S760) = _S765 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S765), 9.99999968265522539e-21f)));
-    var _S766 : f32 = 3.14159274101257324f / f32(_S761);
-    var _S767 : f32 = mix(sine_cosine_0(f32(_S762.index_7) * _S766).y, sine_cosine_0(f32(_S762.index_7 + u32(1)) * _S766).y, _S762.remainder_0);
-    var _S768 : f32 = sqrt(max(1.0f - _S767 * _S767, 0.0f));
-    var _S769 : vec2<f32> = sine_cosine_0((f32(_S764.index_7) + _S764.remainder_0) * (6.28318548202514648f / f32(_S763)));
-    var _S770 : f32 = _S768 * _S769.x;
-    var _S771 : f32 = - _S768 * _S769.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S770 + frame_record_0.environment_sine_0 * _S771, _S767, frame_record_0.environment_cosine_0 * _S771 - frame_record_0.environment_sine_0 * _S770);
+    var _S820 : u32 = frame_record_0.environment_rows_0;
+    var _S821 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S818.y);
+    var _S822 : u32 = frame_record_0.environment_columns_0;
+    var _S823 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S821.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S818.x);
+    var _S824 : vec3<f32> = environment_texel_0(_S821.index_7, _S823.index_7);
+    (*_S819) = _S824 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S824), 9.99999968265522539e-21f)));
+    var _S825 : f32 = 3.14159274101257324f / f32(_S820);
+    var _S826 : f32 = mix(sine_cosine_0(f32(_S821.index_7) * _S825).y, sine_cosine_0(f32(_S821.index_7 + u32(1)) * _S825).y, _S821.remainder_0);
+    var _S827 : f32 = sqrt(max(1.0f - _S826 * _S826, 0.0f));
+    var _S828 : vec2<f32> = sine_cosine_0((f32(_S823.index_7) + _S823.remainder_0) * (6.28318548202514648f / f32(_S822)));
+    var _S829 : f32 = _S827 * _S828.x;
+    var _S830 : f32 = - _S827 * _S828.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S829 + frame_record_0.environment_sine_0 * _S830, _S826, frame_record_0.environment_cosine_0 * _S830 - frame_record_0.environment_sine_0 * _S829);
 }
 
-fn light_sample_0( _S772 : u32,  _S773 : vec2<u32>,  _S774 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S831 : u32,  _S832 : vec2<u32>,  _S833 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_4 = 1.00000001504746622e+30f;
-    var _S775 : u32 = frame_record_0.lights_0;
-    if(_S772 >= (frame_record_0.lights_0))
+    var _S834 : u32 = frame_record_0.lights_0;
+    if(_S831 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S776 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S773, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S772 - _S775), u32(3)), &(weight_3));
-        sample_1.towards_0 = _S776;
+        var _S835 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S832, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S831 - _S834), u32(3)), &(weight_3));
+        sample_1.towards_0 = _S835;
         sample_1.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S777 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S772);
-    sample_1.irradiance_1 = vec3<f32>(_S777.red_0, _S777.green_0, _S777.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S777.x_9, _S777.y_1, _S777.z_1);
-    if((_S777.is_point_0) != u32(0))
+    var _S836 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S831);
+    sample_1.irradiance_1 = vec3<f32>(_S836.red_0, _S836.green_0, _S836.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S836.x_12, _S836.y_4, _S836.z_1);
+    if((_S836.is_point_0) != u32(0))
     {
-        var _S778 : vec3<f32> = sample_1.towards_0 - _S774;
-        var _S779 : f32 = max(square_0(_S778), 9.999999960041972e-13f);
-        sample_1.distance_4 = sqrt(_S779);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S779);
-        sample_1.towards_0 = normalize(_S778);
+        var _S837 : vec3<f32> = sample_1.towards_0 - _S833;
+        var _S838 : f32 = max(square_0(_S837), 9.999999960041972e-13f);
+        sample_1.distance_4 = sqrt(_S838);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S838);
+        sample_1.towards_0 = normalize(_S837);
     }
     return sample_1;
 }
@@ -3627,16 +3974,16 @@ struct Components_0
      hole_5 : f32,
 };
 
-fn code_light_0( _S780 : u32,  _S781 : vec3<f32>,  _S782 : vec3<f32>,  _S783 : bool,  _S784 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S839 : u32,  _S840 : vec3<f32>,  _S841 : vec3<f32>,  _S842 : bool,  _S843 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S784)[i32(0)] = _S781.x;
-    (*_S784)[i32(1)] = _S781.y;
-    (*_S784)[i32(2)] = _S781.z;
-    var _S785 : vec3<f32> = _S781 + _S782;
-    var _S786 : f32 = _S785.z;
-    var _S787 : f32 = _S786 * _S786 + 0.00009999999747379f;
-    var _S788 : vec2<f32> = _S785.xy;
-    var _S789 : f32 = 1.0f / (dot(_S788, _S788) + _S787);
+    (*_S843)[i32(0)] = _S840.x;
+    (*_S843)[i32(1)] = _S840.y;
+    (*_S843)[i32(2)] = _S840.z;
+    var _S844 : vec3<f32> = _S840 + _S841;
+    var _S845 : f32 = _S844.z;
+    var _S846 : f32 = _S845 * _S845 + 0.00009999999747379f;
+    var _S847 : vec2<f32> = _S844.xy;
+    var _S848 : f32 = 1.0f / (dot(_S847, _S847) + _S846);
     var family_20 : i32 = i32(0);
     for(;;)
     {
@@ -3647,12 +3994,12 @@ fn code_light_0( _S780 : u32,  _S781 : vec3<f32>,  _S782 : vec3<f32>,  _S783 : b
         {
             break;
         }
-        var _S790 : vec3<f32> = crown_fibres_0(_S780, family_20 == i32(0), _S783);
-        var _S791 : vec2<f32> = _S790.xy;
-        (*_S784)[i32(3) + family_20] = dot(_S791, _S781.xy);
-        var _S792 : f32 = dot(_S791, _S788);
-        var _S793 : f32 = _S792 * _S792;
-        var _S794 : f32 = (0.75f * _S792 / (0.5f * sqrt(_S793 + _S787) + abs(_S792)) + 0.5f) * 8.0f;
+        var _S849 : vec3<f32> = crown_fibres_0(_S839, family_20 == i32(0), _S842);
+        var _S850 : vec2<f32> = _S849.xy;
+        (*_S843)[i32(3) + family_20] = dot(_S850, _S840.xy);
+        var _S851 : f32 = dot(_S850, _S847);
+        var _S852 : f32 = _S851 * _S851;
+        var _S853 : f32 = (0.75f * _S851 / (0.5f * sqrt(_S852 + _S846) + abs(_S851)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -3663,26 +4010,26 @@ fn code_light_0( _S780 : u32,  _S781 : vec3<f32>,  _S782 : vec3<f32>,  _S783 : b
             {
                 break;
             }
-            (*_S784)[i32(5) + family_20 * i32(16) + bin_1] = bump_0(_S794 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S843)[i32(5) + family_20 * i32(16) + bin_1] = bump_0(_S853 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S795 : f32 = _S790.z;
-        var _S796 : f32 = _S795 * _S795;
-        var _S797 : f32 = _S793 * _S789 * (1.0f - _S796) + _S796;
-        (*_S784)[i32(37) + family_20] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S796 * _S795 / (_S797 * _S797));
+        var _S854 : f32 = _S849.z;
+        var _S855 : f32 = _S854 * _S854;
+        var _S856 : f32 = _S852 * _S848 * (1.0f - _S855) + _S855;
+        (*_S843)[i32(37) + family_20] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S855 * _S854 / (_S856 * _S856));
         family_20 = family_20 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S798 : u32,  _S799 : u32,  _S800 : u32,  _S801 : vec3<f32>,  _S802 : vec3<f32>,  _S803 : bool,  _S804 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S857 : u32,  _S858 : u32,  _S859 : u32,  _S860 : vec3<f32>,  _S861 : vec3<f32>,  _S862 : bool,  _S863 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S805 : vec3<f32> = _S801 + _S802;
-    var _S806 : f32 = 1.0f / (square_0(_S805) + 0.00009999999747379f);
-    var _S807 : f32 = _S805.x;
-    var _S808 : f32 = select(_S807, - _S807, ((_S799 == u32(0)) & (_S803)));
-    var _S809 : f32 = _S805.y;
-    var _S810 : f32 = select(_S809, - _S809, ((_S799 == u32(1)) & (_S803)));
+    var _S864 : vec3<f32> = _S860 + _S861;
+    var _S865 : f32 = 1.0f / (square_0(_S864) + 0.00009999999747379f);
+    var _S866 : f32 = _S864.x;
+    var _S867 : f32 = select(_S866, - _S866, ((_S858 == u32(0)) & (_S862)));
+    var _S868 : f32 = _S864.y;
+    var _S869 : f32 = select(_S868, - _S868, ((_S858 == u32(1)) & (_S862)));
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
     for(;;)
@@ -3694,42 +4041,42 @@ fn mixed_bundles_0( _S798 : u32,  _S799 : u32,  _S800 : u32,  _S801 : vec3<f32>,
         {
             break;
         }
-        var _S811 : u32 = _S799 * u32(25);
-        var _S812 : u32 = fabrics_0[_S798].neural_0.bundles_0 + u32(4) * (_S811 + bundle_1);
-        var _S813 : f32 = dot(vec3<f32>(table_number_0(_S812), table_number_0(_S812 + u32(1)), table_number_0(_S812 + u32(2))), vec3<f32>(_S808, _S810, _S805.z));
-        var _S814 : f32 = _S813 * _S813 * _S806 + table_number_0(_S812 + u32(3));
-        var sum_3 : f32 = sum_2 + max((*_S804)[_S800 + _S811 + select(bundle_1, mirrored_bundle_0(bundle_1), _S803)], (*_S804)[_S800 + _S811 + select(bundle_1, mirrored_bundle_0(bundle_1), _S803)] * 0.00999999977648258f) / (_S814 * _S814);
+        var _S870 : u32 = _S858 * u32(25);
+        var _S871 : u32 = fabrics_0[_S857].neural_0.bundles_0 + u32(4) * (_S870 + bundle_1);
+        var _S872 : f32 = dot(vec3<f32>(table_number_0(_S871), table_number_0(_S871 + u32(1)), table_number_0(_S871 + u32(2))), vec3<f32>(_S867, _S869, _S864.z));
+        var _S873 : f32 = _S872 * _S872 * _S865 + table_number_0(_S871 + u32(3));
+        var sum_3 : f32 = sum_2 + max((*_S863)[_S859 + _S870 + select(bundle_1, mirrored_bundle_0(bundle_1), _S862)], (*_S863)[_S859 + _S870 + select(bundle_1, mirrored_bundle_0(bundle_1), _S862)] * 0.00999999977648258f) / (_S873 * _S873);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn with_shares_0( _S815 : u32,  _S816 : Components_0,  _S817 : Yarns_0) -> Components_0
+fn with_shares_0( _S874 : u32,  _S875 : Components_0,  _S876 : Yarns_0) -> Components_0
 {
-    var result_3 : Components_0;
-    var _S818 : f32 = min(_S816.hole_5 * _S817.shares_0.z, 1.0f);
-    result_3.hole_5 = _S818;
-    var _S819 : f32 = _S817.shares_0.x;
-    result_3.diffuse_warp_0 = _S816.diffuse_warp_0 * _S819;
-    var _S820 : f32 = _S817.shares_0.y;
-    result_3.diffuse_weft_0 = _S816.diffuse_weft_0 * _S820;
-    result_3.specular_warp_0 = _S816.specular_warp_0 * _S819;
-    result_3.specular_weft_0 = _S816.specular_weft_0 * _S820;
-    result_3.light_visibility_1 = _S816.light_visibility_1 * select(1.0f, (1.0f - _S818) / max(1.0f - _S816.hole_5, 9.99999997475242708e-07f), (fabrics_0[_S815].is_irregular_0) != u32(0));
-    return result_3;
+    var result_6 : Components_0;
+    var _S877 : f32 = min(_S875.hole_5 * _S876.shares_0.z, 1.0f);
+    result_6.hole_5 = _S877;
+    var _S878 : f32 = _S876.shares_0.x;
+    result_6.diffuse_warp_0 = _S875.diffuse_warp_0 * _S878;
+    var _S879 : f32 = _S876.shares_0.y;
+    result_6.diffuse_weft_0 = _S875.diffuse_weft_0 * _S879;
+    result_6.specular_warp_0 = _S875.specular_warp_0 * _S878;
+    result_6.specular_weft_0 = _S875.specular_weft_0 * _S879;
+    result_6.light_visibility_1 = _S875.light_visibility_1 * select(1.0f, (1.0f - _S877) / max(1.0f - _S875.hole_5, 9.99999997475242708e-07f), (fabrics_0[_S874].is_irregular_0) != u32(0));
+    return result_6;
 }
 
-fn neural_components_0( _S821 : u32,  _S822 : ptr<function, NeuralView_0>,  _S823 : vec3<f32>) -> Components_0
+fn neural_components_0( _S880 : u32,  _S881 : ptr<function, NeuralView_0>,  _S882 : vec3<f32>) -> Components_0
 {
-    var _S824 : bool = (*_S822).back_6;
-    var _S825 : vec3<f32> = to_face_frame_0(_S823, (*_S822).back_6);
-    var _S826 : vec3<f32> = (*_S822).view_7;
+    var _S883 : bool = (*_S881).back_10;
+    var _S884 : vec3<f32> = to_face_frame_0(_S882, (*_S881).back_10);
+    var _S885 : vec3<f32> = (*_S881).view_7;
     var weights_24 : HalfWeights_0;
-    var _S827 : Neural_std430_0 = fabrics_0[_S821].neural_0;
-    weights_24.first_2 = fabrics_0[_S821].neural_0.network_0;
+    var _S886 : Neural_std430_0 = fabrics_0[_S880].neural_0;
+    weights_24.first_2 = fabrics_0[_S880].neural_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S821, _S825, (*_S822).view_7, (*_S822).back_6, &(directions_0));
+    code_light_0(_S880, _S884, (*_S881).view_7, (*_S881).back_10, &(directions_0));
     var skip_0 : array<f32, i32(64)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -3741,7 +4088,7 @@ fn neural_components_0( _S821 : u32,  _S822 : ptr<function, NeuralView_0>,  _S82
         {
             break;
         }
-        skip_0[k_1] = (*_S822).sums_9[k_1];
+        skip_0[k_1] = (*_S881).sums_12[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(1976), true, &(directions_0), &(skip_0));
@@ -3801,27 +4148,27 @@ fn neural_components_0( _S821 : u32,  _S822 : ptr<function, NeuralView_0>,  _S82
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(3864), false, &(hidden_2), &(outputs_17));
-    var _S828 : bool;
-    if((_S827.is_corrected_0) != u32(0))
+    var _S887 : bool;
+    if((_S886.is_corrected_0) != u32(0))
     {
-        _S828 = (_S825.z) > 0.0f;
+        _S887 = (_S884.z) > 0.0f;
     }
     else
     {
-        _S828 = false;
+        _S887 = false;
     }
-    if(_S828)
+    if(_S887)
     {
-        _S828 = ((*_S822).correction_weight_0) > 0.0f;
+        _S887 = ((*_S881).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S828 = false;
+        _S887 = false;
     }
-    if(_S828)
+    if(_S887)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S827.correction_0;
+        fitted_0.first_0 = _S886.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -3834,163 +4181,168 @@ fn neural_components_0( _S821 : u32,  _S822 : ptr<function, NeuralView_0>,  _S82
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S822).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S881).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    var _S829 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S825.z) > 0.0f);
-    var result_4 : Components_0;
-    var _S830 : f32 = unmapped_0(outputs_17[i32(0)], _S829);
-    result_4.diffuse_warp_0 = _S830;
-    var _S831 : f32 = unmapped_0(outputs_17[i32(1)], _S829);
-    result_4.diffuse_weft_0 = _S831;
-    var _S832 : f32 = 2979.9580078125f * _S829;
-    var _S833 : f32 = mixed_bundles_0(_S821, u32(0), u32(2), _S825, _S826, _S824, &(outputs_17));
-    result_4.specular_warp_0 = clamp(_S833, 0.0f, _S832);
-    var _S834 : f32 = mixed_bundles_0(_S821, u32(1), u32(2), _S825, _S826, _S824, &(outputs_17));
-    result_4.specular_weft_0 = clamp(_S834, 0.0f, _S832);
-    result_4.hole_5 = (*_S822).even_hole_0;
-    result_4.light_visibility_1 = min(light_visibility_of_0(_S830 + _S831, _S825, _S826, fabrics_0[_S821].diffuse_blend_0), 1.0f - (*_S822).even_hole_0);
-    return with_shares_0(_S821, result_4, (*_S822).yarns_0);
+    var _S888 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S884.z) > 0.0f);
+    var result_7 : Components_0;
+    var _S889 : f32 = unmapped_0(outputs_17[i32(0)], _S888);
+    result_7.diffuse_warp_0 = _S889;
+    var _S890 : f32 = unmapped_0(outputs_17[i32(1)], _S888);
+    result_7.diffuse_weft_0 = _S890;
+    var _S891 : f32 = 2979.9580078125f * _S888;
+    var _S892 : f32 = mixed_bundles_0(_S880, u32(0), u32(2), _S884, _S885, _S883, &(outputs_17));
+    result_7.specular_warp_0 = clamp(_S892, 0.0f, _S891);
+    var _S893 : f32 = mixed_bundles_0(_S880, u32(1), u32(2), _S884, _S885, _S883, &(outputs_17));
+    result_7.specular_weft_0 = clamp(_S893, 0.0f, _S891);
+    result_7.hole_5 = (*_S881).even_hole_0;
+    result_7.light_visibility_1 = min(light_visibility_of_0(_S889 + _S890, _S884, _S885, fabrics_0[_S880].diffuse_blend_0), 1.0f - (*_S881).even_hole_0);
+    return with_shares_0(_S880, result_7, (*_S881).yarns_0);
 }
 
-fn openness_number_0( _S835 : u32,  _S836 : u32) -> f32
+fn openness_number_0( _S894 : u32,  _S895 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S835].openness_0 + _S836);
+    return table_number_0(fabrics_0[_S894].openness_0 + _S895);
 }
 
-fn scattered_by_0( _S837 : u32,  _S838 : Albedos_0,  _S839 : u32,  _S840 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S896 : u32,  _S897 : Albedos_0,  _S898 : u32,  _S899 : vec3<f32>) -> Scattered_0
 {
-    var _S841 : u32 = u32(159) + u32(2) * _S839;
+    var _S900 : u32 = u32(159) + u32(2) * _S898;
     var yarn_4 : Scattered_0;
-    yarn_4.back_5 = _S840 * _S838.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S837, _S841)) * _S838.specular_reflect_0;
-    yarn_4.through_0 = _S840 * _S838.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S837, _S841 + u32(1))) * _S838.specular_transmit_0;
+    yarn_4.back_9 = _S899 * _S897.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S896, _S900)) * _S897.specular_reflect_0;
+    yarn_4.through_0 = _S899 * _S897.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S896, _S900 + u32(1))) * _S897.specular_transmit_0;
     return yarn_4;
 }
 
-fn sent_0( _S842 : u32,  _S843 : u32,  _S844 : vec3<f32>,  _S845 : vec3<f32>,  _S846 : vec3<f32>,  _S847 : vec3<f32>,  _S848 : ptr<function, vec3<f32>>,  _S849 : ptr<function, vec3<f32>>)
+fn sent_0( _S901 : u32,  _S902 : u32,  _S903 : vec3<f32>,  _S904 : vec3<f32>,  _S905 : vec3<f32>,  _S906 : vec3<f32>,  _S907 : ptr<function, vec3<f32>>,  _S908 : ptr<function, vec3<f32>>)
 {
-    var _S850 : u32 = u32(146) + u32(4) * _S843;
-    var _S851 : f32 = openness_number_0(_S842, _S850 + u32(1));
-    var _S852 : f32 = openness_number_0(_S842, _S850 + u32(2));
-    var _S853 : vec3<f32> = vec3<f32>(1.0f);
-    var _S854 : vec3<f32> = _S853 - _S846 * vec3<f32>(openness_number_0(_S842, _S850));
-    var _S855 : vec3<f32> = _S853 - _S847 * vec3<f32>(openness_number_0(_S842, _S850 + u32(3)));
-    var _S856 : vec3<f32> = _S853 / (_S854 * _S855 - _S846 * _S847 * vec3<f32>((_S851 * _S852)));
-    (*_S848) = (_S844 * _S855 + _S846 * vec3<f32>(_S851) * _S845) * _S856;
-    (*_S849) = (_S845 * _S854 + _S847 * vec3<f32>(_S852) * _S844) * _S856;
+    var _S909 : u32 = u32(146) + u32(4) * _S902;
+    var _S910 : f32 = openness_number_0(_S901, _S909 + u32(1));
+    var _S911 : f32 = openness_number_0(_S901, _S909 + u32(2));
+    var _S912 : vec3<f32> = vec3<f32>(1.0f);
+    var _S913 : vec3<f32> = _S912 - _S905 * vec3<f32>(openness_number_0(_S901, _S909));
+    var _S914 : vec3<f32> = _S912 - _S906 * vec3<f32>(openness_number_0(_S901, _S909 + u32(3)));
+    var _S915 : vec3<f32> = _S912 / (_S913 * _S914 - _S905 * _S906 * vec3<f32>((_S910 * _S911)));
+    (*_S907) = (_S903 * _S914 + _S905 * vec3<f32>(_S910) * _S904) * _S915;
+    (*_S908) = (_S904 * _S913 + _S906 * vec3<f32>(_S911) * _S903) * _S915;
     return;
 }
 
-fn face_sends_0( _S857 : u32,  _S858 : u32,  _S859 : Scattered_0,  _S860 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S916 : u32,  _S917 : u32,  _S918 : Scattered_0,  _S919 : Scattered_0) -> FaceSends_0
 {
-    var _S861 : u32 = u32(2) * _S858;
-    var _S862 : u32 = u32(142) + _S861;
-    var _S863 : f32 = openness_number_0(_S857, _S862);
-    var _S864 : f32 = openness_number_0(_S857, _S862 + u32(1));
-    var _S865 : vec3<f32> = vec3<f32>((1.0f - _S863)) * _S859.back_5;
-    var _S866 : vec3<f32> = vec3<f32>((1.0f - _S864)) * _S860.back_5;
+    var _S920 : u32 = u32(2) * _S917;
+    var _S921 : u32 = u32(142) + _S920;
+    var _S922 : f32 = openness_number_0(_S916, _S921);
+    var _S923 : f32 = openness_number_0(_S916, _S921 + u32(1));
+    var _S924 : vec3<f32> = vec3<f32>((1.0f - _S922)) * _S918.back_9;
+    var _S925 : vec3<f32> = vec3<f32>((1.0f - _S923)) * _S919.back_9;
     var sends_1 : FaceSends_0;
-    var _S867 : u32 = u32(154) + _S861;
-    var _S868 : f32 = openness_number_0(_S857, _S867);
-    sends_1.blocks_warp_0 = _S868;
-    var _S869 : f32 = openness_number_0(_S857, _S867 + u32(1));
-    sends_1.blocks_weft_0 = _S869;
-    sends_1.open_0 = _S868 * _S863 + _S869 * _S864;
-    var _S870 : vec3<f32> = vec3<f32>(_S863) * _S859.back_5;
-    var _S871 : vec3<f32> = vec3<f32>(_S864) * _S860.back_5;
-    var _S872 : vec3<f32> = sends_1.sky_warp_0;
-    var _S873 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S857, _S858, _S870, _S871, _S865, _S866, &(_S872), &(_S873));
-    sends_1.sky_warp_0 = _S872;
-    sends_1.sky_weft_0 = _S873;
-    var _S874 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S875 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S857, _S858, _S859.through_0, _S860.through_0, _S865, _S866, &(_S874), &(_S875));
-    sends_1.crossing_warp_0 = _S874;
-    sends_1.crossing_weft_0 = _S875;
+    var _S926 : u32 = u32(154) + _S920;
+    var _S927 : f32 = openness_number_0(_S916, _S926);
+    sends_1.blocks_warp_0 = _S927;
+    var _S928 : f32 = openness_number_0(_S916, _S926 + u32(1));
+    sends_1.blocks_weft_0 = _S928;
+    sends_1.open_0 = _S927 * _S922 + _S928 * _S923;
+    var _S929 : vec3<f32> = vec3<f32>(_S922) * _S918.back_9;
+    var _S930 : vec3<f32> = vec3<f32>(_S923) * _S919.back_9;
+    var _S931 : vec3<f32> = sends_1.sky_warp_0;
+    var _S932 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S916, _S917, _S929, _S930, _S924, _S925, &(_S931), &(_S932));
+    sends_1.sky_warp_0 = _S931;
+    sends_1.sky_weft_0 = _S932;
+    var _S933 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S934 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S916, _S917, _S918.through_0, _S919.through_0, _S924, _S925, &(_S933), &(_S934));
+    sends_1.crossing_warp_0 = _S933;
+    sends_1.crossing_weft_0 = _S934;
     return sends_1;
 }
 
-fn interior_of_0( _S876 : u32,  _S877 : vec3<f32>,  _S878 : bool) -> Interior_0
+fn interior_between_0( _S935 : u32,  _S936 : u32,  _S937 : u32,  _S938 : vec3<f32>,  _S939 : bool) -> Interior_0
 {
-    var _S879 : Scattered_0 = scattered_by_0(_S876, table_albedos_0(families_0[fabrics_0[_S876].warp_0].colour_mean_0), u32(0), _S877);
-    var _S880 : Scattered_0 = scattered_by_0(_S876, table_albedos_0(families_0[fabrics_0[_S876].weft_0].colour_mean_0), u32(1), _S877);
-    var _S881 : FaceSends_0 = face_sends_0(_S876, select(u32(0), u32(1), _S878), _S879, _S880);
-    var _S882 : FaceSends_0 = face_sends_0(_S876, select(u32(1), u32(0), _S878), _S879, _S880);
-    var _S883 : vec3<f32> = vec3<f32>(_S881.blocks_warp_0);
-    var _S884 : vec3<f32> = vec3<f32>(_S881.blocks_weft_0);
-    var _S885 : vec3<f32> = _S883 * _S881.crossing_warp_0 + _S884 * _S881.crossing_weft_0;
-    var _S886 : vec3<f32> = vec3<f32>(_S882.blocks_warp_0);
-    var _S887 : vec3<f32> = vec3<f32>(_S882.blocks_weft_0);
-    var _S888 : vec3<f32> = _S886 * _S882.crossing_warp_0 + _S887 * _S882.crossing_weft_0;
-    var _S889 : f32 = 1.0f - _S881.open_0;
-    var _S890 : f32 = 1.0f - _S882.open_0;
-    var _S891 : vec3<f32> = vec3<f32>(1.0f);
-    var _S892 : vec3<f32> = _S891 / (_S891 - _S885 * _S888 * vec3<f32>((_S889 * _S890)));
-    var _S893 : vec3<f32> = _S888 * (vec3<f32>(_S881.open_0) + vec3<f32>(_S889) * (_S883 * _S881.sky_warp_0 + _S884 * _S881.sky_weft_0)) * _S892;
-    var _S894 : vec3<f32> = _S885 * (vec3<f32>(_S882.open_0) + vec3<f32>(_S890) * (_S886 * _S882.sky_warp_0 + _S887 * _S882.sky_weft_0)) * _S892;
-    var _S895 : FaceRadiance_0 = face_radiance_0(_S881, _S882.open_0, _S893, _S894);
-    var _S896 : FaceRadiance_0 = face_radiance_0(_S882, _S881.open_0, _S894, _S893);
+    var _S940 : Scattered_0 = scattered_by_0(_S935, table_albedos_0(_S936), u32(0), _S938);
+    var _S941 : Scattered_0 = scattered_by_0(_S935, table_albedos_0(_S937), u32(1), _S938);
+    var _S942 : FaceSends_0 = face_sends_0(_S935, select(u32(0), u32(1), _S939), _S940, _S941);
+    var _S943 : FaceSends_0 = face_sends_0(_S935, select(u32(1), u32(0), _S939), _S940, _S941);
+    var _S944 : vec3<f32> = vec3<f32>(_S942.blocks_warp_0);
+    var _S945 : vec3<f32> = vec3<f32>(_S942.blocks_weft_0);
+    var _S946 : vec3<f32> = _S944 * _S942.crossing_warp_0 + _S945 * _S942.crossing_weft_0;
+    var _S947 : vec3<f32> = vec3<f32>(_S943.blocks_warp_0);
+    var _S948 : vec3<f32> = vec3<f32>(_S943.blocks_weft_0);
+    var _S949 : vec3<f32> = _S947 * _S943.crossing_warp_0 + _S948 * _S943.crossing_weft_0;
+    var _S950 : f32 = 1.0f - _S942.open_0;
+    var _S951 : f32 = 1.0f - _S943.open_0;
+    var _S952 : vec3<f32> = vec3<f32>(1.0f);
+    var _S953 : vec3<f32> = _S952 / (_S952 - _S946 * _S949 * vec3<f32>((_S950 * _S951)));
+    var _S954 : vec3<f32> = _S949 * (vec3<f32>(_S942.open_0) + vec3<f32>(_S950) * (_S944 * _S942.sky_warp_0 + _S945 * _S942.sky_weft_0)) * _S953;
+    var _S955 : vec3<f32> = _S946 * (vec3<f32>(_S943.open_0) + vec3<f32>(_S951) * (_S947 * _S943.sky_warp_0 + _S948 * _S943.sky_weft_0)) * _S953;
+    var _S956 : FaceRadiance_0 = face_radiance_0(_S942, _S943.open_0, _S954, _S955);
+    var _S957 : FaceRadiance_0 = face_radiance_0(_S943, _S942.open_0, _S955, _S954);
     var interior_1 : Interior_0;
-    interior_1.warp_6 = _S895.warp_5;
-    interior_1.weft_6 = _S895.weft_5;
-    interior_1.leaked_1 = _S895.leaked_0;
-    interior_1.far_1 = _S896.mean_1;
-    interior_1.far_leaked_0 = _S896.leaked_0;
+    interior_1.warp_9 = _S956.warp_8;
+    interior_1.weft_9 = _S956.weft_8;
+    interior_1.leaked_1 = _S956.leaked_0;
+    interior_1.far_1 = _S957.mean_1;
+    interior_1.far_leaked_0 = _S957.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S897 : u32,  _S898 : u32,  _S899 : array<f32, i32(6)>,  _S900 : u32) -> Blocked_0
+fn interior_of_0( _S958 : u32,  _S959 : vec3<f32>,  _S960 : bool) -> Interior_0
 {
-    var shares_2 : array<f32, i32(3)>;
-    var share_3 : u32 = u32(0);
+    return interior_between_0(_S958, families_0[fabrics_0[_S958].warp_0].cloth_mean_0, families_0[fabrics_0[_S958].weft_0].cloth_mean_0, _S959, _S960);
+}
+
+fn blocked_of_terms_0( _S961 : u32,  _S962 : u32,  _S963 : array<f32, i32(6)>,  _S964 : u32) -> Blocked_0
+{
+    var shares_3 : array<f32, i32(3)>;
+    var share_4 : u32 = u32(0);
     for(;;)
     {
-        if(share_3 < u32(3))
+        if(share_4 < u32(3))
         {
         }
         else
         {
             break;
         }
-        shares_2[share_3] = 0.0f;
+        shares_3[share_4] = 0.0f;
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S900)
+            if(term_0 < _S964)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_3] = shares_2[share_3] + openness_number_0(_S897, _S898 + share_3 * _S900 + term_0) * _S899[term_0];
+            shares_3[share_4] = shares_3[share_4] + openness_number_0(_S961, _S962 + share_4 * _S964 + term_0) * _S963[term_0];
             term_0 = term_0 + u32(1);
         }
-        shares_2[share_3] = saturate(shares_2[share_3]);
-        share_3 = share_3 + u32(1);
+        shares_3[share_4] = saturate(shares_3[share_4]);
+        share_4 = share_4 + u32(1);
     }
     var blocked_2 : Blocked_0;
-    blocked_2.by_warp_0 = shares_2[i32(0)] * shares_2[i32(2)];
-    blocked_2.by_weft_0 = shares_2[i32(0)] * (1.0f - shares_2[i32(2)]);
-    blocked_2.far_0 = shares_2[i32(1)];
+    blocked_2.by_warp_0 = shares_3[i32(0)] * shares_3[i32(2)];
+    blocked_2.by_weft_0 = shares_3[i32(0)] * (1.0f - shares_3[i32(2)]);
+    blocked_2.far_0 = shares_3[i32(1)];
     return blocked_2;
 }
 
-fn blocked_from_0( _S901 : u32,  _S902 : vec3<f32>,  _S903 : bool,  _S904 : bool) -> Blocked_0
+fn blocked_from_0( _S965 : u32,  _S966 : vec3<f32>,  _S967 : bool,  _S968 : bool) -> Blocked_0
 {
     var terms_2 : array<f32, i32(6)>;
-    view_terms_0(_S902, &(terms_2));
-    return blocked_of_terms_0(_S901, (select(u32(0), u32(2), _S904) + select(u32(1), u32(0), _S903)) * u32(15), terms_2, u32(5));
+    view_terms_0(_S966, &(terms_2));
+    return blocked_of_terms_0(_S965, (select(u32(0), u32(2), _S968) + select(u32(1), u32(0), _S967)) * u32(15), terms_2, u32(5));
 }
 
-fn warp_seen_from_0( _S905 : u32,  _S906 : vec3<f32>,  _S907 : bool) -> f32
+fn warp_seen_from_0( _S969 : u32,  _S970 : vec3<f32>,  _S971 : bool) -> f32
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_1(_S906, &(terms_3));
+    view_terms_1(_S970, &(terms_3));
     var term_1 : u32 = u32(0);
-    var share_4 : f32 = 0.0f;
+    var share_5 : f32 = 0.0f;
     for(;;)
     {
         if(term_1 < u32(5))
@@ -4000,117 +4352,117 @@ fn warp_seen_from_0( _S905 : u32,  _S906 : vec3<f32>,  _S907 : bool) -> f32
         {
             break;
         }
-        var share_5 : f32 = share_4 + openness_number_0(_S905, u32(132) + select(u32(0), u32(5), _S907) + term_1) * terms_3[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S969, u32(132) + select(u32(0), u32(5), _S971) + term_1) * terms_3[term_1];
         term_1 = term_1 + u32(1);
-        share_4 = share_5;
+        share_5 = share_6;
     }
-    return saturate(share_4);
+    return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S908 : u32,  _S909 : FamilyAlbedos_0,  _S910 : vec3<f32>,  _S911 : Interior_0,  _S912 : Blocked_0,  _S913 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S972 : u32,  _S973 : FamilyAlbedos_0,  _S974 : vec3<f32>,  _S975 : Interior_0,  _S976 : Blocked_0,  _S977 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S912, scattered_by_0(_S908, _S909.warp_7, u32(0), _S910), _S911), bounced_by_0(_S913, scattered_by_0(_S908, _S909.weft_7, u32(1), _S910), _S911));
+    return sum_of_0(bounced_by_0(_S976, scattered_by_0(_S972, _S973.warp_5, u32(0), _S974), _S975), bounced_by_0(_S977, scattered_by_0(_S972, _S973.weft_5, u32(1), _S974), _S975));
 }
 
-fn bounced_far_0( _S914 : u32,  _S915 : FamilyAlbedos_0,  _S916 : vec3<f32>,  _S917 : Interior_0,  _S918 : vec3<f32>,  _S919 : bool,  _S920 : f32,  _S921 : f32,  _S922 : f32) -> Bounced_0
+fn bounced_far_0( _S978 : u32,  _S979 : FamilyAlbedos_0,  _S980 : vec3<f32>,  _S981 : Interior_0,  _S982 : vec3<f32>,  _S983 : bool,  _S984 : f32,  _S985 : f32,  _S986 : f32) -> Bounced_0
 {
-    var _S923 : Blocked_0 = blocked_from_0(_S914, _S918, true, _S919);
-    var _S924 : Blocked_0 = blocked_from_0(_S914, _S918, false, _S919);
-    var _S925 : f32 = _S920 / max(1.0f - _S923.by_warp_0 - _S923.by_weft_0, 0.10000000149011612f);
-    var _S926 : f32 = (0.0020000000949949f * warp_seen_from_0(_S914, _S918, _S919) + _S925) / (_S925 + _S921 / max(1.0f - _S924.by_warp_0 - _S924.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S927 : f32 = 1.0f - _S922;
-    return bounced_of_families_0(_S914, _S915, _S916, _S917, scaled_0(_S923, _S926 * _S927), scaled_0(_S924, (1.0f - _S926) * _S927));
+    var _S987 : Blocked_0 = blocked_from_0(_S978, _S982, true, _S983);
+    var _S988 : Blocked_0 = blocked_from_0(_S978, _S982, false, _S983);
+    var _S989 : f32 = _S984 / max(1.0f - _S987.by_warp_0 - _S987.by_weft_0, 0.10000000149011612f);
+    var _S990 : f32 = (0.0020000000949949f * warp_seen_from_0(_S978, _S982, _S983) + _S989) / (_S989 + _S985 / max(1.0f - _S988.by_warp_0 - _S988.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S991 : f32 = 1.0f - _S986;
+    return bounced_of_families_0(_S978, _S979, _S980, _S981, scaled_0(_S987, _S990 * _S991), scaled_0(_S988, (1.0f - _S990) * _S991));
 }
 
-fn bounced_over_0( _S928 : u32,  _S929 : Components_0,  _S930 : CloseUp_0,  _S931 : FamilyAlbedos_0,  _S932 : vec3<f32>,  _S933 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S992 : u32,  _S993 : Components_0,  _S994 : CloseUp_0,  _S995 : FamilyAlbedos_0,  _S996 : vec3<f32>,  _S997 : vec3<f32>) -> Bounced_0
 {
-    var _S934 : bool = (_S933.z) < 0.0f;
-    var _S935 : Interior_0 = interior_of_0(_S928, _S932, _S934);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S928, _S931, _S932, _S935, to_face_frame_0(_S933, _S934), _S934, _S929.diffuse_warp_0, _S929.diffuse_weft_0, _S929.hole_5);
-    if((_S930.weight_2) > 0.0f)
+    var _S998 : bool = (_S997.z) < 0.0f;
+    var _S999 : Interior_0 = interior_of_0(_S992, _S996, _S998);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S992, _S995, _S996, _S999, to_face_frame_0(_S997, _S998), _S998, _S993.diffuse_warp_0, _S993.diffuse_weft_0, _S993.hole_5);
+    if((_S994.weight_2) > 0.0f)
     {
-        var _S936 : Bounced_0 = bounced_of_families_0(_S928, _S931, _S932, _S935, _S930.warp_4, _S930.weft_4);
-        var _S937 : vec3<f32> = vec3<f32>(_S930.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S936.reflected_0, _S937);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S936.transmitted_0, _S937);
+        var _S1000 : Bounced_0 = bounced_of_families_0(_S992, _S995, _S996, _S999, _S994.warp_7, _S994.weft_7);
+        var _S1001 : vec3<f32> = vec3<f32>(_S994.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1000.reflected_0, _S1001);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1000.transmitted_0, _S1001);
     }
     return bounced_2;
 }
 
-fn composed_0( _S938 : u32,  _S939 : Components_0,  _S940 : CloseUp_0,  _S941 : FamilyAlbedos_0,  _S942 : vec3<f32>,  _S943 : vec3<f32>,  _S944 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S1002 : u32,  _S1003 : Components_0,  _S1004 : CloseUp_0,  _S1005 : FamilyAlbedos_0,  _S1006 : vec3<f32>,  _S1007 : vec3<f32>,  _S1008 : vec3<f32>) -> vec3<f32>
 {
-    var _S945 : Albedos_0 = tinted_0(_S941.warp_7, _S942);
-    var _S946 : Albedos_0 = tinted_0(_S941.weft_7, _S942);
-    var _S947 : vec3<f32> = vec3<f32>(_S939.diffuse_warp_0);
-    var _S948 : vec3<f32> = vec3<f32>(_S939.diffuse_weft_0);
-    var _S949 : vec3<f32> = vec3<f32>(_S939.specular_warp_0);
-    var _S950 : vec3<f32> = vec3<f32>(_S939.specular_weft_0);
-    var _S951 : vec3<f32> = _S945.diffuse_reflect_0 * _S947 + _S946.diffuse_reflect_0 * _S948 + _S945.specular_reflect_0 * _S949 + _S946.specular_reflect_0 * _S950;
-    var _S952 : f32 = _S944.z;
+    var _S1009 : Albedos_0 = tinted_0(_S1005.warp_5, _S1006);
+    var _S1010 : Albedos_0 = tinted_0(_S1005.weft_5, _S1006);
+    var _S1011 : vec3<f32> = vec3<f32>(_S1003.diffuse_warp_0);
+    var _S1012 : vec3<f32> = vec3<f32>(_S1003.diffuse_weft_0);
+    var _S1013 : vec3<f32> = vec3<f32>(_S1003.specular_warp_0);
+    var _S1014 : vec3<f32> = vec3<f32>(_S1003.specular_weft_0);
+    var _S1015 : vec3<f32> = _S1009.diffuse_reflect_0 * _S1011 + _S1010.diffuse_reflect_0 * _S1012 + _S1009.specular_reflect_0 * _S1013 + _S1010.specular_reflect_0 * _S1014;
+    var _S1016 : f32 = _S1008.z;
     var body_0 : vec3<f32>;
-    if((_S943.z * _S952) < 0.0f)
+    if((_S1007.z * _S1016) < 0.0f)
     {
-        body_0 = _S945.diffuse_transmit_0 * _S947 + _S946.diffuse_transmit_0 * _S948 + _S945.specular_transmit_0 * _S949 + _S946.specular_transmit_0 * _S950;
+        body_0 = _S1009.diffuse_transmit_0 * _S1011 + _S1010.diffuse_transmit_0 * _S1012 + _S1009.specular_transmit_0 * _S1013 + _S1010.specular_transmit_0 * _S1014;
     }
     else
     {
-        body_0 = _S951;
+        body_0 = _S1015;
     }
-    if((fabrics_0[_S938].openness_0) != u32(4294967295))
+    if((fabrics_0[_S1002].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S938, _S939, _S940, _S941, _S942, _S944), _S943, _S944);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1002, _S1003, _S1004, _S1005, _S1006, _S1008), _S1007, _S1008);
     }
-    var _S953 : f32 = fabrics_0[_S938].sheen_strength_0;
-    if((fabrics_0[_S938].sheen_strength_0) <= 0.0f)
+    var _S1017 : f32 = fabrics_0[_S1002].sheen_strength_0;
+    if((fabrics_0[_S1002].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S954 : bool = _S952 < 0.0f;
-    var _S955 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S943, _S954), to_face_frame_0(_S944, _S954), _S953, fabrics_0[_S938].sheen_roughness_0);
-    return vec3<f32>(_S955.y) * body_0 + vec3<f32>(((_S939.light_visibility_1 + _S939.hole_5) * _S955.x));
+    var _S1018 : bool = _S1016 < 0.0f;
+    var _S1019 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1007, _S1018), to_face_frame_0(_S1008, _S1018), _S1017, fabrics_0[_S1002].sheen_roughness_0);
+    return vec3<f32>(_S1019.y) * body_0 + vec3<f32>(((_S1003.light_visibility_1 + _S1003.hole_5) * _S1019.x));
 }
 
-fn light_of_neural_0( _S956 : u32,  _S957 : VisiblePoint_0,  _S958 : vec2<u32>,  _S959 : vec3<f32>) -> vec4<f32>
+fn light_of_neural_0( _S1020 : u32,  _S1021 : VisiblePoint_0,  _S1022 : vec2<u32>,  _S1023 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S957.draft_dx_0;
-    footprint_1.dy_0 = _S957.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S956, _S957.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S960 : vec3<f32> = to_local_0(_S957, _S957.view_0);
+    footprint_1.dx_0 = _S1021.draft_dx_0;
+    footprint_1.dy_0 = _S1021.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S1020, _S1021.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S1024 : vec3<f32> = to_local_0(_S1021, _S1021.view_0);
     var activations_0 : NeuralView_0;
-    neural_view_0(_S956, footprint_1, _S960, &(activations_0));
-    var _S961 : f32 = _S960.z;
-    var _S962 : FamilyAlbedos_0 = with_tones_0(_S956, albedos_over_0(_S956, footprint_1, _S961 < 0.0f), activations_0.yarns_0);
-    var _S963 : vec3<f32> = vec3<f32>(0.0f);
-    var number_9 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S963;
+    neural_view_0(_S1020, footprint_1, _S1024, &(activations_0));
+    var _S1025 : f32 = _S1024.z;
+    var _S1026 : FamilyAlbedos_0 = with_tones_0(_S1020, albedos_over_0(_S1020, footprint_1, _S1025 < 0.0f), activations_0.yarns_0);
+    var _S1027 : vec3<f32> = vec3<f32>(0.0f);
+    var number_12 : u32 = u32(0);
+    var radiance_1 : vec3<f32> = _S1027;
     for(;;)
     {
-        if(number_9 < (light_sample_count_0()))
+        if(number_12 < (light_sample_count_0()))
         {
         }
         else
         {
             break;
         }
-        var _S964 : f32 = visibility_at_0(number_9, _S958);
-        if(_S964 <= 0.0f)
+        var _S1028 : f32 = visibility_at_0(number_12, _S1022);
+        if(_S1028 <= 0.0f)
         {
-            number_9 = number_9 + u32(1);
+            number_12 = number_12 + u32(1);
             continue;
         }
-        var _S965 : LightSample_0 = light_sample_0(number_9, _S958, _S957.position_4);
-        var _S966 : vec3<f32> = to_local_0(_S957, _S965.towards_0);
-        var _S967 : Components_0 = neural_components_0(_S956, &(activations_0), _S966);
-        radiance_1 = radiance_1 + vec3<f32>(_S964) * _S965.irradiance_1 * composed_0(_S956, _S967, no_close_up_0(), _S962, _S959, _S966, _S960);
-        number_9 = number_9 + u32(1);
+        var _S1029 : LightSample_0 = light_sample_0(number_12, _S1022, _S1021.position_4);
+        var _S1030 : vec3<f32> = to_local_0(_S1021, _S1029.towards_0);
+        var _S1031 : Components_0 = neural_components_0(_S1020, &(activations_0), _S1030);
+        radiance_1 = radiance_1 + vec3<f32>(_S1028) * _S1029.irradiance_1 * composed_0(_S1020, _S1031, no_close_up_0(), _S1026, _S1023, _S1030, _S1024);
+        number_12 = number_12 + u32(1);
     }
     var hole_6 : f32 = activations_0.hole_2;
-    var _S968 : f32 = fabrics_0[_S956].sheen_strength_0;
+    var _S1032 : f32 = fabrics_0[_S1020].sheen_strength_0;
     var hole_7 : f32;
-    if((fabrics_0[_S956].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S1020].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_6 * (1.0f - _S968 * sheen_lobe_0(abs(_S961), fabrics_0[_S956].sheen_roughness_0).z);
+        hole_7 = hole_6 * (1.0f - _S1032 * sheen_lobe_0(abs(_S1025), fabrics_0[_S1020].sheen_roughness_0).z);
     }
     else
     {
@@ -4123,31 +4475,31 @@ fn light_of_neural_0( _S956 : u32,  _S957 : VisiblePoint_0,  _S958 : vec2<u32>, 
 @workgroup_size(8, 8, 1)
 fn shade_neural(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S969 : u32 = id_0.x;
-    var _S970 : bool;
-    if(_S969 >= (frame_record_0.width_0))
+    var _S1033 : u32 = id_0.x;
+    var _S1034 : bool;
+    if(_S1033 >= (frame_record_0.width_0))
     {
-        _S970 = true;
+        _S1034 = true;
     }
     else
     {
-        _S970 = (id_0.y) >= (frame_record_0.height_0);
+        _S1034 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S970)
+    if(_S1034)
     {
         return;
     }
-    var _S971 : u32 = id_0.y * frame_record_0.width_0 + _S969;
-    var _S972 : u32 = layers_0[_S971].face_0;
-    if((layers_0[_S971].face_0) == u32(0))
+    var _S1035 : u32 = id_0.y * frame_record_0.width_0 + _S1033;
+    var _S1036 : u32 = layers_0[_S1035].face_0;
+    if((layers_0[_S1035].face_0) == u32(0))
     {
         return;
     }
-    var _S973 : u32 = _S972 - u32(1);
-    var _S974 : u32 = fabric_of_0(_S973);
-    var _S975 : vec2<u32> = id_0.xy;
-    var _S976 : VisiblePoint_0 = visible_point_0(_S974, _S973, _S975);
-    accumulate_0(_S971, light_of_neural_0(_S974, _S976, _S975, filtered_albedo_0(_S974, _S976)));
+    var _S1037 : u32 = _S1036 - u32(1);
+    var _S1038 : u32 = fabric_of_0(_S1037);
+    var _S1039 : vec2<u32> = id_0.xy;
+    var _S1040 : VisiblePoint_0 = visible_point_0(_S1038, _S1037, _S1039);
+    accumulate_0(_S1035, light_of_neural_0(_S1038, _S1040, _S1039, filtered_albedo_0(_S1038, _S1040)));
     return;
 }
 
