@@ -66,6 +66,7 @@ class Capture(Settings):
     count: int = setting(40, "Swatches.", low=1)
     pixels: int = setting(640, "Of a side of a photograph.", low=200)
     spp: int = setting(9, "Samples a pixel of it.", low=1)
+    seed: int = setting(68, "Of fabrics and photographs; capture was mended on 67.", low=0)
 
 
 def measure(settings: Capture, run: Run) -> Found:
@@ -112,7 +113,7 @@ def measure(settings: Capture, run: Run) -> Found:
 
 def _swatch(number: int, settings: Capture) -> tuple[dict[str, Any], Pixels | None]:
     """A swatch captured: what is right, and the sheet."""
-    rng = np.random.default_rng([67, number])
+    rng = np.random.default_rng([settings.seed, number])
     weave, kind = WEAVES[number % len(WEAVES)], str(rng.choice(KINDS))
     fabric = fabric_from_text(random_fabric(rng, weave, kind))
     row: dict[str, Any] = {"weave": weave, "kind": kind, "refused": "", "doubts": 0, "weave_right": False}

@@ -1,15 +1,14 @@
 """Cloth of ours beside measured BRDFs: how near the nearest plausible fabric comes, and where it is wrong.
 
 Each of 14 measured fabrics and 7 felts (`instruments/measured_brdf.py`) is fitted by cloth of one yarn:
-weave, height and twist out of a few; colour, strength, tint and roughness of the highlight, and sheen by
-least squares. They are isotropic, so ours is the mean over turns of the cloth. The error is the rms of
-ln(f·cos + 0.001) over pairs of light and view to 80°, of the fabric file that the fit writes, by `lobes`.
-Lambert's and Mitsuba's principled BSDF with sheen are fitted alike, the latter with nine numbers where ours
-has eight and a choice of twelve cloths.
+height and twist out of a few; colour, strength, tint, roughness and grazing rise of the highlight, and
+sheen by least squares. They are isotropic, so ours is the mean over turns of the cloth. The error is the rms
+of ln(f·cos + 0.001) over pairs of light and view to 80°, of the fabric file that the fit writes, by `lobes`.
+Fits see other pairs than errors do. Fitted alike: Lambert's law, Mitsuba's principled BSDF with sheen, of as
+many numbers as ours, nine, the same with clear coat, eleven, and OpenPBR with fuzz, ten. Ours chooses one of
+six cloths beside.
 
-*With Fresnel* is the same cloth if fibres reflected more towards grazing, as glass and horn do:
-k + (k₉₀ − k)(1 − o·h)⁵ in the place of the highlight's albedo k (Schlick 1994), with k₉₀ = 3, at which the
-layer of fibres reflects all that it meets. No model has it yet.
+*Without rise* is the same cloth with `specular_grazing = 0`.
 
 Curves tell cloth from paint: albedo at 75° over that at 0°, what returns to the light at 60° over that at 0°,
 and the mirror's direction at 75° over that at 0°.
@@ -31,35 +30,41 @@ from scipy.optimize import least_squares
 from loomlight.core.colour import to_hex
 from loomlight.core.llvm import require_llvm
 from loomlight.core.settings import Settings, setting
+from loomlight.evaluation.isotropic import VIEWS, Angles, Floats, Pairs, logarithm, rise, rms, turned_value
 from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.resolve import OPTICAL_DEPTH
 from loomlight.scattering.albedo import albedos_from_colour
 from loomlight.scattering.fibre import cloth_layer_bound
+from loomlight.scattering.grazing import Grazing
 from loomlight.scattering.sheen import sheen_with_transmittance
 from studies.harness.study import Figures, Found, Pixels, Run, Study, listed, names
-from studies.instruments.directions import above, by_cosine, direction
 from studies.instruments.measured_brdf import measured_brdfs
-from studies.instruments.standard_brdfs import Fitted, lambert, principled
-from studies.instruments.turned_cloth import Floats, Pairs, TurnedTerms, turned_terms, turned_value
+from studies.instruments.standard_brdfs import Fitted, lambert, openpbr, principled
+from studies.instruments.turned_cloth import TurnedTerms, turned_terms
 
 # Cloth to choose from.
-WEAVES = ("plain", "twill 2/2", "satin 5/2")
-HEIGHTS = (0.4, 0.8)
+WEAVES = ("plain",)
+HEIGHTS = (0.05, 0.2, 0.4)
 TWISTS = (0.0, -25.0)
 # Grids of what is interpolated.
-ROUGHNESSES = (0.1, 0.16, 0.25, 0.4, 0.63, 1.0)
+ROUGHNESSES = (0.1, 0.18, 0.3, 0.42, 0.55, 0.75, 1.0)
 SHEEN_ROUGHNESSES = (0.05, 0.15, 0.25, 0.4, 0.6, 0.8, 1.0)
 GREYS = (0.02, 0.1, 0.3, 0.6, 0.9)
 TRANSLUCENCY = 0.12
-FLOOR = 1e-3
-# The highlight's albedo at grazing, with Fresnel: one over the share that a layer of fibres reflects at 1.
-GRAZING = 3.0
+# Largest rise of the highlight that a fabric file may state.
+MAX_GRAZING = 4.0
 # Pairs that fits see.
-FITTED = 1024
-VIEWS = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0)
-_OURS = ("specular", "tint", "roughness", "sheen", "sheen roughness")
+FITTED = 256
+# Materials that others have.
+OTHERS: dict[str, Callable[[Pairs], Fitted]] = {
+    "Lambert": lambert,
+    "principled": principled,
+    "with coat": partial(principled, coat=True),
+    "OpenPBR": openpbr,
+}
+_OURS = ("specular", "tint", "roughness", "sheen", "sheen roughness", "grazing")
 
 
 @dataclass(frozen=True)
@@ -83,10 +88,10 @@ class Cloth:
     height: float
     twist: float
 
-    def fabric(self, albedo: str, roughness: float, more: str = "", sheen: str = "") -> Fabric:
-        """The fabric of a colour, both families alike."""
+    def fabric(self, albedo: Floats, roughness: float, more: str = "", sheen: str = "") -> Fabric:
+        """The fabric of a colour [3], both families alike."""
         yarn = (
-            f'albedo = "{albedo}"\nroughness = {roughness:.4f}\nheight_scale = {self.height}\n'
+            f"albedo = {_triple(albedo)}\nroughness = {roughness:.4f}\nheight_scale = {self.height}\n"
             f"twist_deg = {self.twist}\ntranslucency = {TRANSLUCENCY}\n{more}"
         )
         return fabric_from_text(f'weave = "{self.weave}"\n[warp]\n{yarn}\n[weft]\n{yarn}\n{sheen}')
@@ -97,43 +102,45 @@ class ClothFit:
 
     def __init__(self, cloth: Cloth, pairs: Pairs, turns: int) -> None:
         self.cloth = cloth
-        half_grey = to_hex(np.full(3, 0.3))
+        half_grey = np.full(3, 0.3)
         self._terms = [turned_terms(cloth.fabric(half_grey, each), pairs, turns) for each in ROUGHNESSES]
         self._bounced = np.stack(
-            [
-                turned_terms(cloth.fabric(to_hex(np.full(3, grey)), 0.4), pairs, turns).bounced
-                for grey in GREYS
-            ]
+            [turned_terms(cloth.fabric(np.full(3, grey), 0.4), pairs, turns).bounced for grey in GREYS]
         )
         light, view = (
             Array3f(np.ascontiguousarray(part.T, np.float32)) for part in (pairs.light, pairs.view)
         )
         lobes = [sheen_with_transmittance(light, view, Float(1), Float(each)) for each in SHEEN_ROUGHNESSES]
-        half = pairs.light + pairs.view
-        meets = (pairs.view * half).sum(axis=1) / np.linalg.norm(half, axis=1)
-        self._grazing = (1 - meets) ** 5
+        # Of a rise of 1, and what diffuse light loses at a loss of 1 for the light and for the view.
+        whole, up = Grazing(1.0, 1.0), Array3f(0, 0, 1)
+        self._rise = whole.rise(light, view).numpy()[:, None]
+        self._losses = [1 - whole.kept(each, up).numpy()[:, None] for each in (light, view)]
         self._sheens = np.array([[part.numpy() for part in lobe] for lobe in lobes], float)
 
-    def fitted(self, grazing: float = 0.0) -> Fitted:
-        """Colour, then `_OURS`; roughness by place in its grid. `grazing` is k₉₀; 0 is no Fresnel."""
-        last = len(ROUGHNESSES) - 1, len(SHEEN_ROUGHNESSES) - 1
-        low = np.array([*3 * [1e-4], 0, 0, 0, 0, 0])
-        high = np.array([*3 * [0.999], 1, 1, last[0], 1, last[1]])
-        starts = [np.array([0.2, 0.3, 3.0, sheen, 3.0]) for sheen in (0.02, 0.3)]
-        return Fitted(low, high, partial(self.value, grazing=grazing), starts)
+    def fitted(self, rises: bool) -> Fitted:
+        """Colour, then `_OURS`; roughness by place in its grid.
 
-    def value(self, numbers: Floats, grazing: float = 0.0) -> Floats:
-        """f·cos [n, 3]."""
-        colour, (specular, tint, place, strength, sheen) = numbers[:3], numbers[3:]
+        Args:
+            rises: False leaves out the last number, 0.
+        """
+        last = len(ROUGHNESSES) - 1, len(SHEEN_ROUGHNESSES) - 1
+        low = np.array([*3 * [1e-4], 0, 0, 0, 0, 0, 0])
+        high = np.array([*3 * [0.999], 1, 1, last[0], 1, last[1], MAX_GRAZING])
+        starts = [np.array([0.2, 0.3, 4.0, sheen, 3.0, 1.0]) for sheen in (0.02, 0.3)]
+        count = len(low) if rises else len(low) - 1
+        return Fitted(low[:count], high[:count], self.value, [start[: count - 3] for start in starts])
+
+    def value(self, numbers: Floats) -> Floats:
+        """f·cos [n, 3]; without the last number there is no rise."""
+        colour, specular, tint, place, strength, sheen, gain = _named(numbers)
         terms = _between(self._terms, place)
         bound = cloth_layer_bound(float(_roughness(place)), OPTICAL_DEPTH)
         albedos = albedos_from_colour(colour, specular, TRANSLUCENCY, OPTICAL_DEPTH, bound)
-        highlight = albedos.specular_reflect * specular_tint(colour, tint)
-        highlight = highlight + np.maximum(grazing - highlight, 0) * self._grazing[:, None]
+        grazing = Grazing.of(gain, _roughness(place))
+        kept = (1 - grazing.loss * self._losses[0]) * (1 - grazing.loss * self._losses[1])
         bounced = np.stack([_interpolated(self._bounced, GREYS, each) for each in colour], axis=1)
-        body = (
-            terms.diffuse[:, None] * albedos.diffuse_reflect + terms.specular[:, None] * highlight + bounced
-        )
+        body = terms.specular[:, None] * (highlight_of(colour, specular, tint) + gain * self._rise)
+        body = body + kept * (terms.diffuse[:, None] * albedos.diffuse_reflect + bounced)
         lobe, through = _interpolated(self._sheens, range(len(SHEEN_ROUGHNESSES)), sheen)
         transmittance = 1 - strength * (1 - through)
         found: Floats = transmittance[:, None] * body + (terms.lit * strength * lobe)[:, None]
@@ -141,20 +148,31 @@ class ClothFit:
 
     def fabric(self, numbers: Floats) -> Fabric:
         """The fabric file of what was fitted."""
-        colour, (specular, tint, place, strength, sheen) = numbers[:3], numbers[3:]
+        colour, specular, tint, place, strength, sheen, gain = _named(numbers)
         rough = np.interp(sheen, range(len(SHEEN_ROUGHNESSES)), SHEEN_ROUGHNESSES)
-        tinted = to_hex(specular_tint(colour, tint))
         return self.cloth.fabric(
-            to_hex(colour),
+            colour,
             _roughness(place),
-            f'specular = {specular:.4f}\nspecular_tint = "{tinted}"\n',
+            f"specular = {specular:.4f}\nspecular_grazing = {gain:.4f}\n"
+            f"specular_reflect = {_triple(highlight_of(colour, specular, tint))}\n",
             f"[sheen]\nstrength = {strength:.4f}\nroughness = {rough:.4f}\n",
         )
 
 
-def specular_tint(colour: Floats, tint: float) -> Floats:
-    """Of a highlight between white, 0, and the hue of the yarn, 1."""
-    return 1 - tint + tint * colour / colour.max()
+def highlight_of(colour: Floats, specular: float, tint: float) -> Floats:
+    """The albedo of a highlight between white, 0, and the hue of the yarn, 1."""
+    return specular * (1 - tint + tint * colour / colour.max())
+
+
+def _named(numbers: Floats) -> tuple[Floats, float, float, float, float, float, float]:
+    """Colour, then `_OURS`; the last one may be missing."""
+    specular, tint, place, strength, sheen, *rest = (float(number) for number in numbers[3:])
+    return numbers[:3], specular, tint, place, strength, sheen, rest[0] if rest else 0.0
+
+
+def _triple(colour: Floats) -> str:
+    """Linear RGB as fabric files have it: hexadecimal digits of dark colours are off by a tenth."""
+    return "[" + ", ".join(f"{part:.6f}" for part in colour) + "]"
 
 
 def _roughness(place: float) -> float:
@@ -177,83 +195,23 @@ def _interpolated(rows: Floats, places: Sequence[float], place: float) -> Floats
 # ------------------------------------------------------------------------------------------------------- fits
 
 
-def logarithm(value: Floats) -> Floats:
-    """ln(f·cos + 0.001)."""
-    return np.log(np.maximum(value, 0) + FLOOR)
-
-
 def fit(material: Fitted, measured: Floats) -> tuple[float, Floats]:
-    """The least rms of `logarithm` over the first pairs, and the numbers that have it."""
-    truth = logarithm(measured[:FITTED])
-    colour = np.clip(np.pi * measured[:FITTED].mean(axis=0) * 2, 0.01, 0.9)
+    """The least rms of `logarithm`, and the numbers that have it."""
+    truth = logarithm(measured)
+    colour = np.clip(np.pi * measured.mean(axis=0) * 2, 0.01, 0.9)
     best: tuple[float, Floats] = (np.inf, material.low)
     for start in material.starts:
         found = least_squares(
-            lambda numbers: (logarithm(material.value(numbers)[:FITTED]) - truth).ravel(),
+            lambda numbers: (logarithm(material.value(numbers)) - truth).ravel(),
             np.clip(np.concatenate([colour, start]), material.low + 1e-6, material.high - 1e-6),
             bounds=(material.low, material.high),
             x_scale=material.high - material.low,
             diff_step=1e-3,
-            max_nfev=40,
+            max_nfev=25,
         )
         error = float(np.sqrt(2 * found.cost / truth.size))
         best = min(best, (error, found.x), key=lambda each: each[0])
     return best
-
-
-def rms(value: Floats, measured: Floats) -> float:
-    """Of `logarithm`, over pairs and channels."""
-    return float(np.sqrt(np.mean((logarithm(value) - logarithm(measured)) ** 2)))
-
-
-# ----------------------------------------------------------------------------------------------------- curves
-
-
-@dataclass(frozen=True)
-class Angles:
-    """Pairs of the error, then those of the curves, one behind the other.
-
-    Attributes:
-        pairs: all.
-        errors: how many are for the error.
-        lights: of each view of the albedo.
-    """
-
-    pairs: Pairs
-    errors: int
-    lights: int
-
-    @classmethod
-    def drawn(cls, errors: int, lights: int = 512) -> Angles:
-        """Directions to 80° for the error, and those of the curves."""
-        rng = np.random.default_rng(0)
-        light, view = (above(rng, errors, np.cos(np.radians(80))).T for _ in range(2))
-        views = np.stack([direction(angle, 0.0) for angle in VIEWS])
-        mirrored = views * [-1, 1, 1]
-        dome = by_cosine(rng, lights).T
-        return cls(
-            Pairs(
-                np.concatenate([light, np.tile(dome, (len(views), 1)), views, mirrored]),
-                np.concatenate([view, np.repeat(views, lights, axis=0), views, views]),
-            ),
-            errors,
-            lights,
-        )
-
-    def curves(self, value: Floats) -> dict[str, list[float]]:
-        """Mean of channels by view: albedo, and f back to the light and in the mirror's direction."""
-        grey = value.mean(axis=1)[self.errors :]
-        count = len(VIEWS) * self.lights
-        cosines = self.pairs.light[self.errors :, 2]
-        albedo = np.pi * (grey[:count] / cosines[:count]).reshape(len(VIEWS), -1).mean(axis=1)
-        back, mirror = (grey[count:] / cosines[count:]).reshape(2, -1)
-        curves = {"albedo": albedo, "back": back, "mirror": mirror}
-        return {name: [round(float(each), 5) for each in curve] for name, curve in curves.items()}
-
-
-def rise(curve: Sequence[float], angle: float) -> float:
-    """Of a curve at an angle over that at 0°."""
-    return curve[VIEWS.index(angle)] / curve[0]
 
 
 # ---------------------------------------------------------------------------------------------------- running
@@ -264,17 +222,20 @@ def measure(settings: MeasuredCloth, run: Run) -> Found:
     require_llvm()
     mi.set_variant("llvm_ad_rgb")
     angles = Angles.drawn(settings.pairs)
+    fitted = Pairs.drawn(np.random.default_rng(1), min(FITTED, settings.pairs))
     brdfs = measured_brdfs()
     chosen = listed(settings.brdfs) or list(brdfs)
     cloths = [
-        ClothFit(Cloth(*each), angles.pairs, settings.turns)
+        ClothFit(Cloth(*each), fitted, settings.turns)
         for each in product(listed(settings.weaves), HEIGHTS[: settings.heights], TWISTS)
     ]
-    others = {"lambert": lambert(angles.pairs), "principled": principled(angles.pairs)}
+    fits = {name: of(fitted) for name, of in OTHERS.items()}
+    shown = {name: of(angles.pairs) for name, of in OTHERS.items()}
 
-    def nearest(grazing: float, measured: Floats) -> tuple[tuple[float, Floats], ClothFit]:
-        fits = [(fit(each.fitted(grazing), measured), each) for each in cloths]
-        return min(fits, key=lambda found: found[0][0])
+    def nearest(rises: bool, measured: Floats) -> tuple[Floats, ClothFit]:
+        found = [(fit(each.fitted(rises), measured), each) for each in cloths]
+        (_, numbers), cloth = min(found, key=lambda each: each[0][0])
+        return numbers, cloth
 
     def scored(value: Floats, measured: Floats) -> Figures:
         error = rms(value[: angles.errors], measured[: angles.errors])
@@ -282,16 +243,16 @@ def measure(settings: MeasuredCloth, run: Run) -> Found:
 
     def one(name: str) -> Figures:
         pairs = angles.pairs
+        truth = brdfs[name].value(fitted.light, fitted.view) * fitted.light[:, 2:]
         measured = brdfs[name].value(pairs.light, pairs.view) * pairs.light[:, 2:]
         found: dict[str, Any] = {"measured": angles.curves(measured)}
-        for label, material in others.items():
-            found[label] = scored(material.value(fit(material, measured)[1]), measured)
-        grazing = nearest(GRAZING, measured)
-        found["with Fresnel"] = scored(grazing[1].value(grazing[0][1], GRAZING), measured)
-        (_, numbers), cloth = nearest(0.0, measured)
-        value = turned_value(cloth.fabric(numbers), pairs, settings.turns)
+        for label, material in fits.items():
+            found[label] = scored(shown[label].value(fit(material, truth)[1]), measured)
+        for label, rises in (("without rise", False), ("cloth", True)):
+            numbers, cloth = nearest(rises, truth)
+            found[label] = scored(turned_value(cloth.fabric(numbers), pairs, settings.turns), measured)
         found["cloth"] = {
-            **scored(value, measured),
+            **found["cloth"],
             "weave": cloth.cloth.weave,
             "height": cloth.cloth.height,
             "twist": cloth.cloth.twist,
@@ -304,19 +265,26 @@ def measure(settings: MeasuredCloth, run: Run) -> Found:
     rows = run.each({name: partial(one, name) for name in chosen})
     fabrics = [row for name, row in rows.items() if not is_felt(name)]
     nearer = {
-        label: sum(row[label]["rms"] < row["principled"]["rms"] for row in fabrics)
-        for label in ("cloth", "with Fresnel")
+        label: {
+            other: sum(row[label]["rms"] < row[other]["rms"] for row in fabrics)
+            for other in OTHERS
+            if other != "Lambert"
+        }
+        for label in ("without rise", "cloth")
     }
     figures = {"brdfs": rows, "nearer": nearer, "fabrics": len(fabrics)}
     return Found(figures, curves_sheet(figures))
 
 
+# Of the cloth that is nearest, in the table.
+_CHOSEN = ("weave", "height", "twist", "roughness", "specular", "tint", "grazing", "sheen")
 # Labels and keys of the lines of plots.
 _LINES = {
     "measured": "measured",
     "cloth": "cloth",
-    "with Fresnel": "with Fresnel",
+    "without rise": "without rise",
     "principled": "principled",
+    "OpenPBR": "OpenPBR",
 }
 
 
@@ -354,21 +322,10 @@ def tables(figures: Figures) -> list[Table]:
     """Errors, then curves."""
     errors = Table(
         "Errors: rms of ln(f·cos + 0.001)",
-        [
-            "Lambert",
-            "principled",
-            "cloth",
-            "with Fresnel",
-            "weave",
-            "height",
-            "roughness",
-            "specular",
-            "tint",
-            "sheen",
-        ],
+        [*OTHERS, "without rise", "cloth", *_CHOSEN],
     )
     shapes = Table(
-        "Curves, measured / cloth / with Fresnel / principled",
+        "Curves, measured / cloth / without rise / principled / OpenPBR",
         ["albedo 75° over 0°", "back at 60° over 0°", "mirror 75° over 0°"],
     )
     ratios: list[tuple[str, Callable[[Sequence[float]], float]]] = [
@@ -378,21 +335,17 @@ def tables(figures: Figures) -> list[Table]:
     ]
     for name, row in figures["brdfs"].items():
         cloth = row["cloth"]
-        numbers: list[Cell] = [
-            row["lambert"]["rms"],
-            row["principled"]["rms"],
-            cloth["rms"],
-            row["with Fresnel"]["rms"],
-        ]
-        chosen = [cloth[key] for key in ("weave", "height", "roughness", "specular", "tint", "sheen")]
-        errors.rows[name] = [*numbers, *chosen]
-        each_of = row["measured"], cloth, row["with Fresnel"], row["principled"]
+        numbers: list[Cell] = [row[key]["rms"] for key in (*OTHERS, "without rise", "cloth")]
+        errors.rows[name] = [*numbers, *(cloth[key] for key in _CHOSEN)]
+        each_of = [row[key] for key in ("measured", "cloth", "without rise", "principled", "OpenPBR")]
         shapes.rows[name] = [
             " / ".join(f"{ratio(each[curve]):.2f}" for each in each_of) for curve, ratio in ratios
         ]
-    nearer = Table("Nearer than the principled BSDF", ["of fabrics that are no felt"])
-    for label, count in figures["nearer"].items():
-        nearer.rows[label] = [f"{count} of {figures['fabrics']}"]
+    nearer = Table(
+        f"Nearer, of {figures['fabrics']} fabrics that are no felt, than", list(figures["nearer"]["cloth"])
+    )
+    for label, counts in figures["nearer"].items():
+        nearer.rows[label] = list(counts.values())
     return [nearer, errors, shapes]
 
 

@@ -7,11 +7,7 @@ Covers: exporters/materialx.py
 from __future__ import annotations
 
 import json
-import os
-import shutil
 import struct
-import subprocess
-import sys
 from collections.abc import Iterator
 from dataclasses import fields, replace
 from functools import cache
@@ -33,7 +29,7 @@ from loomlight.exporters.standards import StandardMaterial, evaluate_gltf
 from loomlight.exporters.texels import TexelGrid, nearest_covered, texture_grid, tile_repeats
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import read_mesh
-from tests.limits import HANG
+from tests.helpers.validators import khronos_issues
 
 from .generated_glsl import answers
 
@@ -42,12 +38,6 @@ FABRIC = fabric_from_text(
     'weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n[warp]\ncolor = "#2a4680"\nwidth_mm = 0.6\n'
     "[sheen]\nstrength = 0.3\n"
 )
-# Khronos' validator, which scripts/setup.sh installs beside Python's packages where there is npm.
-_VALIDATE = """
-const validator = require('gltf-validator');
-const content = new Uint8Array(require('fs').readFileSync(process.argv[1]));
-validator.validateBytes(content).then(report => console.log(JSON.stringify(report.issues)));
-"""
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -104,14 +94,7 @@ def test_holes_are_transparent(exported: Path) -> None:
 
 @pytest.mark.slow
 def test_khronos_validator_finds_no_fault(exported: Path) -> None:
-    command = ["node", "-e", _VALIDATE, str(exported / "cloth.glb")]
-    if shutil.which("node") is None:
-        pytest.skip("node is not installed; docs/research/notes/export.md has the validator's report.")
-    search = os.environ | {"NODE_PATH": str(Path(sys.prefix) / "node_modules")}
-    done = subprocess.run(command, capture_output=True, text=True, timeout=HANG, env=search)
-    if "Cannot find module" in done.stderr:
-        pytest.skip("npm install gltf-validator is missing; docs/research/notes/export.md has its report.")
-    issues = json.loads(done.stdout)
+    issues = khronos_issues(exported / "cloth.glb")
     assert (issues["numErrors"], issues["numWarnings"]) == (0, 0), issues["messages"]
 
 

@@ -79,7 +79,7 @@ def test_the_decoder_computes_what_neural_computes(folder: Path, monkeypatch: py
     assert components.max() > 0.1
 
 
-# Threads of several colours, sheen, and light between yarns or none.
+# Threads of several colours, highlights that rise, sheen, and light between yarns or none.
 STRIPES = """weave = "twill 2/1"
 ends_per_cm = 14
 picks_per_cm = 11
@@ -87,6 +87,7 @@ gap = 0.3
 [warp]
 color = ["#b03020", "#203060", "#e0e0c0"]
 specular = 0.8
+specular_grazing = 4
 [weft]
 color = ["#104020", "#f0f0f0"]
 translucency = 0.3

@@ -14,6 +14,7 @@ import time
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 from unittest.mock import patch
 
 import jsonschema
@@ -24,7 +25,8 @@ from PIL import Image
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
-from loomlight.exporters import u3m
+from loomlight.core.picture_settings import Worn
+from loomlight.exporters import export, u3m
 from loomlight.exporters.u3m import composition, construction, file_name, u3m_grid, u3m_of
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.facts import cloth_facts
@@ -366,3 +368,33 @@ def test_the_command_packs_a_folder_and_keeps_what_others_wrote(tmp_path: Path) 
 )
 def test_faults_leave_nothing(arguments: list[str], says: str, refused: Callable[..., str]) -> None:
     assert says in refused(arguments, lambda given: run(["export", "twill 2/1", *given]))
+
+
+@pytest.mark.parametrize("to", ["u3m", "u3ma"])
+def test_a_garment_is_a_material_for_each_of_its_fabrics(tmp_path: Path, to: str) -> None:
+    with patch.object(u3m, "_MIN_SIDE", 16):
+        folder = export(
+            FABRIC, to, tmp_path / "coat", dpi=60, cloths={"lining": "plain", "cuffs": Worn("twill 2/1")}
+        )
+    found = {"twill-3-1": FABRIC.name, "lining": "plain", "cuffs": "twill 2/1"}
+    materials = json.loads((folder / "manifest.json").read_text())["materials"]
+    assert {part: said["fabric"] for part, said in materials.items()} == found
+    for part, name in found.items():
+        place = folder / f"{part}.u3ma" if to == "u3ma" else next((folder / part).glob("*.u3m"))
+        assert read_u3m(place).document["material"]["name"] == name
+
+
+@pytest.mark.parametrize(
+    ("cloths", "words"),
+    [
+        ({"lining": Worn("plain", turn=30)}, "--cloth lining: turn is of a mesh"),
+        ({"twill-3-1": "plain"}, 'Two cloths would be written as "twill-3-1"'),
+        ({"lining": "no such weave"}, "no such weave"),
+    ],
+)
+def test_cloths_that_cannot_be_written_leave_nothing(
+    tmp_path: Path, cloths: dict[str, Any], words: str
+) -> None:
+    with patch.object(u3m, "_MIN_SIDE", 16), pytest.raises(InputError, match=re.escape(words)):
+        export(FABRIC, "u3m", tmp_path / "coat", dpi=60, cloths=cloths)
+    assert list(tmp_path.iterdir()) == []

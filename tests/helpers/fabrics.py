@@ -20,6 +20,7 @@ TEXTS = {
         [warp]
         translucency = 0.6
         roughness = 0.5
+        specular_grazing = 3.0
         [weft]
         translucency = 0.4
         """,
@@ -55,7 +56,8 @@ WHITE = """
     [sheen]
     strength = 0.5
     """
-# With all that answers of a BSDF share: holes, sheen, light between yarns, threads of several colours.
+# With all that answers of a BSDF share: holes, sheen, light between yarns, threads of several colours, and
+# highlights that rise towards grazing.
 EVERYTHING = """
     weave = "satin 5/2"
     gap = 0.2
@@ -63,6 +65,7 @@ EVERYTHING = """
     [warp]
     color = ["#e0c060", "#80a0c0"]
     translucency = 0.2
+    specular_grazing = 4.0
     [weft]
     color = "#f0f0f0"
     [sheen]

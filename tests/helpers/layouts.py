@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -43,10 +44,10 @@ def even_layout(
 
 
 def layered_layout(name: str) -> ClothLayout:
-    """The layout of one of the examples of layered cloth."""
+    """The layout of one of the examples of layered cloth, without ties, which shaders do not draw."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", LoomlightWarning)  # that it has layers
-        return load_fabric(_LAYERED / f"{name}.wif").layout()
+        return replace(load_fabric(_LAYERED / f"{name}.wif").layout(), ties=())
 
 
 def random_layout(rng: np.random.Generator, uneven: bool) -> ClothLayout:

@@ -45,10 +45,10 @@ SLUBBY = (
     '[weft]\ngap = 0.3\nshade = 0.1\nmelange = 0.2\nneps = 9\nnep_color = "#301008"\n'
     "[variation]\ncolour_noise = 0.3\n"
 )
-# Holes, sheen, coloured threads, twist, and a repeat that is no power of two.
+# Holes, sheen, coloured threads, twist, highlights that rise, and a repeat that is no power of two.
 OPEN = (
     'weave = "twill 2/1"\nends_per_cm = 30\npicks_per_cm = 20\n[warp]\ngap = 0.3\ntwist_deg = 20\n'
-    "[weft]\ngap = 0.2\n[sheen]\nstrength = 0.4\nroughness = 0.3\n"
+    "specular_grazing = 3\n[weft]\ngap = 0.2\n[sheen]\nstrength = 0.4\nroughness = 0.3\n"
 )
 
 
@@ -123,7 +123,7 @@ CASES: dict[str, ShaderCase] = {
     **{
         f"{model}, {name}": ShaderCase(model, _of(model, partial(_layered, name)), _SEARCHES)
         for model in ("lobes", "point")
-        for name in ("double-plain", "pattern-double-weave", "extra-weft-figure")
+        for name in ("double-plain", "pattern-double-weave")
     },
     # Of threads of two colours more shows.
     "lobes, wool-houndstooth": ShaderCase(

@@ -139,6 +139,7 @@ CASES = (
     Case("export plain --to godot -o godot", only=(BASE,)),
     *(Case(f"export plain --to {name} -o {name}", only=(BASE,)) for name in _SHADER_LANGUAGES),
     Case("export plain --to materialx -o materialx", ("materialx",), ("materialx",)),
+    Case("export plain --to usd -o usd", ("usd-core", "materialx"), ("usd,materialx",)),
     Case("render plain -o mesh.png --mesh quad.gltf --size 32x24 --spp 1", ("meshopt",), ("meshopt",)),
     Case("render plain -o stage.png --mesh quad.usda --size 32x24 --spp 1", ("usd-core",), ("usd",)),
     Case("play plain -o frame.png --size 32x24 --passes 1", ("wgpu",), ("realtime",), _NO_ADAPTER),

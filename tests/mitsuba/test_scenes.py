@@ -117,6 +117,19 @@ def test_the_edges_of_tall_frames_are_lit(light: str) -> None:
     assert rows.max(axis=2).min() > (1e-5 if light == "point" else 0.2)
 
 
+@pytest.mark.parametrize("light", ["studio", "directional"])
+def test_light_from_behind_comes_through_flat_cloth(light: str) -> None:
+    """The paper stands aside, and what is around the cloth is as dark everywhere."""
+    sheer = material_bsdf(fabric_from_text('weave = "plain"\n[warp]\ncolor = "#ffffff"\n'))
+    shown = build_scene("flat", sheer, size=(24, 24), zoom=0.6, light=light, light_from=(180, 40))
+    picture = render(shown.scene, integrator=shown.integrator, spp=16)
+    corners = picture[[0, 0, -1, -1], [0, -1, 0, -1]]
+    # A quarter of the way down, where the pinked edge is not.
+    assert picture[9:15, 9:15].min() > 0.02
+    np.testing.assert_allclose(corners, corners[0, 0], rtol=1e-5, atol=1e-7)
+    assert (corners.max() > 0) == (light == "studio")
+
+
 def test_zoom_comes_so_many_times_closer() -> None:
     def origin(zoom: float) -> np.ndarray:
         shown = build_scene("drape", WHITE, zoom=zoom, size=(8, 8))

@@ -36,7 +36,7 @@ EXAMPLES = [
 # Beyond the examples: long floats, thin layers, wide gaps, colours in an order of their own.
 TEXTS = [
     'weave = "houndstooth 4"\nwarp.color = ["#222222", "#c02040", "#ffffff"]\noptical_depth = 0.5',
-    'weave = "satin 16/5"\nepi = 90\nppi = 60\nwarp.specular = 1\nweft.count = "Ne 30/2"',
+    'weave = "satin 16/5"\nepi = 90\nppi = 60\nwarp.specular_grazing = 3\nweft.count = "Ne 30/2"',
     'weave = "basket 3"\ngap = 0.6\nwarp.inclination_deg = 70\nwarp.height_scale = 1.7\nweft.gap = 0',
     'weave = "plain"\nyarn = "wool"\nweft.plies = 3\nweft.ply_twist_deg = -20\nweft.hairiness = 0.2',
     'weave = "satin 5"\ninterreflection = true\nwarp.color = "#e0c060"\nweft.albedo = "#405060"',

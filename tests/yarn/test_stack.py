@@ -16,7 +16,7 @@ from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.interreflection import Scattered, beneath
 from loomlight.scattering.point import YarnScattering
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.layout import ClothLayout, Layer, Stacking, shared_spacing
+from loomlight.yarn.layout import ClothLayout, Layer, Stacking, Ties, shared_spacing
 from loomlight.yarn.rays import REFERENCE_QUALITY
 from loomlight.yarn.stack import StackedGeometry, cloth_geometry
 from loomlight.yarn.visibility import first_hit, unoccluded
@@ -55,15 +55,35 @@ THREE = layered([np.tile(PLAIN, (2, 2)), TWILL, np.tile(PLAIN, (2, 2))], gap=0.4
 # The layers change places, and one of three ends.
 BLOCKS = in_blocks(TWO, [[0, 1], [1, 0]])
 SHORT = in_blocks(THREE, [[0, 1, 2], [1, -1, 0]])
+
+
+def tied(layout: ClothLayout) -> ClothLayout:
+    """The first two layers, tied thrice on either face: by ends of the second in front, the first behind."""
+    ties = []
+    for own, over, back in ((1, 0, False), (0, 1, True)):
+        across, along = layout.layers[own], layout.layers[over]
+        places = np.zeros((along.picks.size, across.ends.size), bool)
+        places[0, 1] = places[2, 2] = places[3, 2] = True
+        warp = replace(across.layout.warp, width=0.7 * across.layout.warp.width)
+        plane = ClothLayout(places ^ back, warp, along.layout.weft)
+        layer = Layer(plane, across.ends, along.picks, (across.start[0], along.start[1]))
+        ties.append(Ties(layer, own, over, True, back))
+    return replace(layout, ties=tuple(ties))
+
+
+TIED = tied(TWO)
+TIED_BLOCKS = tied(BLOCKS)
 LAYOUTS = pytest.mark.parametrize(
     "layout",
     [
-        TWO,
+        pytest.param(TWO, marks=pytest.mark.slow),
         pytest.param(THREE, marks=pytest.mark.slow),
         BLOCKS,
         pytest.param(SHORT, marks=pytest.mark.slow),
+        TIED,
+        pytest.param(TIED_BLOCKS, marks=pytest.mark.slow),
     ],
-    ids=["two", "three", "blocks", "short"],
+    ids=["two", "three", "blocks", "short", "tied", "tied blocks"],
 )
 
 
@@ -105,8 +125,15 @@ def _marched(
             here = region == stack_number
             depth, covered = 0.0, np.zeros(len(start), bool)
             middle = sum(highest[layer] for _, layer in order)
-            for _, layer in order[::-1] if back else order:
+            for place_in_order, (_, layer) in enumerate(order[::-1] if back else order):
                 height, hole = heights[layer]
+                if place_in_order == 0:
+                    plane = middle - highest[layer]
+                    for tie, dip, covers in _ties_at(stack, place, layer, back):
+                        there = here & covers & ~covered
+                        below |= there & (place[:, 2] < tie + plane)
+                        covered |= there
+                        height = height - dip
                 # Down by what this layer reaches up to its plane, then by as much below.
                 plane = middle - depth - highest[layer]
                 depth += 2 * highest[layer]
@@ -115,6 +142,32 @@ def _marched(
                 covered |= there
         hit[below & np.isinf(hit)] = distance
     return hit
+
+
+def _ties_at(
+    stack: StackedGeometry, place: NDArray[np.float64], layer: int, back: bool
+) -> list[tuple[NDArray[np.float64], ...]]:
+    """Of the ties over a layer their height, by how much the layer dives, and whether they cover it."""
+    found = []
+    for tie in stack.layout.ties:
+        if tie.over != layer or tie.back != back:
+            continue
+        x, y = (place[:, axis] - tie.layer.start[axis] for axis in (0, 1))
+        alone = YarnGeometry(tie.layer.layout)
+        point = alone.surface(mi.Float(x), mi.Float(y), dr.full(mi.Bool, back, len(place)))
+        warp, weft = tie.layer.layout.warp, tie.layer.layout.weft
+        (column, u), (row, v) = (
+            (np.floor(at / family.spacing[0]).astype(int) % family.spacing.size, at / family.spacing[0] % 1)
+            for at, family in ((x, warp), (y, weft))
+        )
+        here = tie.places[row, column]
+        half = warp.width[0] / 2
+        covers = here & (np.abs(u - 0.5) * warp.spacing[0] < half)
+        # Circles of 80° have dropped by half their chord times tan 40° at its ends.
+        dip = warp.height_scale * half * math.tan(math.radians(40))
+        dip = dip * here * (4 * u * (1 - u)) ** 2 * (4 * v * (1 - v)) ** 2
+        found.append((point.height.numpy(), dip, covers))
+    return found
 
 
 @pytest.mark.parametrize("back", [False, True])
@@ -166,6 +219,81 @@ def test_light_reaches_what_dense_marching_leaves_free() -> None:
     assert 0.2 < free[kept].mean() < 0.95
     # As above; a step of the marching may also jump over a corner of yarn.
     assert np.mean(free[kept] == np.isinf(found[kept])) > 0.985
+
+
+@pytest.mark.parametrize("back", [False, True])
+@pytest.mark.parametrize("layout", [TIED, TIED_BLOCKS], ids=["tied", "tied blocks"])
+def test_slopes_are_those_of_heights(layout: ClothLayout, back: bool) -> None:
+    """By differences over 2 µm, of which single precision leaves 1e-3; and normals are those of slopes."""
+    stack = StackedGeometry(layout)
+    rng = np.random.default_rng(12)
+    count, step = 20000, 1e-3
+    x, y = (mi.Float(rng.uniform(0, stack.size[0], count)) for _ in range(2))
+    face, ahead = dr.full(mi.Bool, back, count), dr.full(mi.Bool, True, count)
+    here = stack.probe(x, y, face, ahead, ahead)
+    for slope, (right, up) in ((here.slope_x, (step, 0)), (here.slope_y, (0, step))):
+        before, after = (stack.probe(x + side * right, y + side * up, face, ahead, ahead) for side in (-1, 1))
+        one_yarn = (before.yarn == here.yarn) & (after.yarn == here.yarn) & ~here.hole
+        error = dr.abs((after.height - before.height) / (2 * step) - slope).numpy()[one_yarn.numpy()]
+        assert one_yarn.numpy().mean() > 0.8
+        # Curvature jumps where arcs begin and end, at a share of places in proportion to the step.
+        assert np.mean(error > 0.02) < 0.01
+    point = stack.surface(x, y, face)
+    normal = dr.normalize(mi.Vector3f(-here.slope_x, -here.slope_y, 1))
+    assert np.allclose((point.normal - normal).numpy()[:, ~here.hole.numpy()], 0, atol=1e-5)
+    # Fibres lie in the surface.
+    along = dr.dot(point.tangent, point.normal).numpy()[~here.hole.numpy()]
+    assert np.abs(along).max() < 1e-4
+
+
+@pytest.mark.parametrize("back", [False, True])
+@pytest.mark.parametrize("layout", [TIED, TIED_BLOCKS], ids=["tied", "tied blocks"])
+def test_no_height_is_above_the_bounds_of_its_cell_or_of_all(layout: ClothLayout, back: bool) -> None:
+    stack = StackedGeometry(layout)
+    rng = np.random.default_rng(13)
+    count = 20000
+    x, y = (mi.Float(rng.uniform(0, stack.size[0], count)) for _ in range(2))
+    face, ahead = dr.full(mi.Bool, back, count), dr.full(mi.Bool, True, count)
+    here = stack.probe(x, y, face, ahead, ahead)
+    low, high = stack.height_bounds
+    kept = ~here.hole.numpy()
+    height = here.height.numpy()[kept]
+    assert (height <= here.cell_bounds.cell_max.numpy()[kept] + 1e-5).all()
+    assert (height >= low).all()
+    assert (height <= high + 1e-5).all()
+    for radius, share in stack.max_heights(x, y, face, ahead, ahead):
+        # Within the window, to its middle.
+        reach = 0.5 * radius * stack.finest[0]
+        there = stack.probe(x + reach, y + reach, face, ahead, ahead)
+        inside = ~there.hole.numpy()
+        assert (there.height.numpy() <= share.numpy() * high + 1e-5)[inside].all()
+
+
+def test_planes_are_those_that_heights_are_above() -> None:
+    """What is left above it is the height of the layer by itself, of which light between yarns knows."""
+    stack = StackedGeometry(TWO)
+    rng = np.random.default_rng(14)
+    x, y = (mi.Float(rng.uniform(0, stack.size[0], COUNT)) for _ in range(2))
+    front = dr.full(mi.Bool, False, COUNT)
+    point = stack.surface(x, y, front)
+    start = TWO.layers[0].start
+    alone = stack.layers[0].surface(x - start[0], y - start[1], front)
+    shown = ~alone.hole.numpy()
+    assert np.allclose((point.height - point.plane).numpy()[shown], alone.height.numpy()[shown], atol=1e-6)
+    assert (alone.plane.numpy() == 0).all()
+
+
+def test_ties_show_the_thread_that_ties_and_the_layers_beneath() -> None:
+    stack = StackedGeometry(TIED)
+    # The middle of the second end of the second layer over the first pick of the first: draft ends and picks.
+    x, y = mi.Float((3 + 0.5) * 0.2), mi.Float(0.5 * 0.2)
+    front = dr.full(mi.Bool, False, 1)
+    point = stack.surface(x, y, front)
+    assert (bool(point.is_warp[0]), point.warp_thread[0]) == (True, 3)
+    assert [bool(sheet.covered[0]) for sheet in stack.sheets(x, y, front)] == [True]
+    # It is a whole crossing of plain weave high above the plane, which is 0 at both ends of its cell.
+    assert point.height[0] > stack.levels[0, 0] + 0.01
+    assert not bool(StackedGeometry(TWO).surface(x, y, front).warp_thread[0] == 3)
 
 
 def test_each_face_shows_its_own_threads() -> None:

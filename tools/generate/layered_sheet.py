@@ -13,7 +13,7 @@ from PIL import Image, ImageDraw, ImageFont
 from loomlight.core.images import encoded
 from loomlight.mitsuba.pictures import render
 
-DRAFTS = ("pattern-double-weave", "pocket", "extra-weft-figure", "stitched-double-cloth")
+DRAFTS = ("pattern-double-weave", "pocket", "extra-weft-figure", "stitched-double-cloth", "matelasse")
 _SIZE, _GAP, _LINE = (300, 225), 6, 20
 
 

@@ -85,6 +85,7 @@ RECIPES: dict[str, Recipe] = {
     "garment-maps.jpg": Recipe(("tools.generate.garment_sheet maps -o {out}/picture.png",)),
     "views.jpg": Recipe(("tools.generate.view_sheet -o {out}/picture.png",)),
     "u3m.jpg": Recipe(("tools.generate.u3m_sheet -o {out}/picture.png",)),
+    "artwork.jpg": Recipe(("tools.generate.artwork_sheet -o {out}/picture.png",)),
     "layered.jpg": Recipe(("tools.generate.layered_sheet -o {out}/picture.png",)),
     "edges.jpg": Recipe(("tools.generate.edge_pictures -o {out}/picture.png",)),
     "daybed.jpg": Recipe(

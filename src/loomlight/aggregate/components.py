@@ -29,7 +29,7 @@ from loomlight.core.backend import array_types
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.diffuse import diffuse_reflection
 from loomlight.scattering.fibre import reflection, transmission
-from loomlight.scattering.point import YarnPoint, YarnScattering, to_face_frame
+from loomlight.scattering.point import YarnPoint, YarnScattering, to_face_frame, towards_grazing
 from loomlight.yarn.visibility import first_hit
 
 CHANNELS = ("diffuse_warp", "diffuse_weft", "specular_warp", "specular_weft", "hole")
@@ -184,7 +184,8 @@ def colours(
     between yarns alone.
     """
     diffuse, specular = lobes(appearance, point, light, view, transmits)
-    albedos = point.albedos
+    grazing = appearance.grazing
+    albedos = towards_grazing(point.albedos, grazing, light, view)
     through = to_face_frame(light, point.back).z < 0 if transmits is None else transmits
     reflected = albedos.diffuse_reflect * diffuse + albedos.specular_reflect * specular
     transmitted = albedos.diffuse_transmit * diffuse + albedos.specular_transmit * specular
@@ -192,4 +193,7 @@ def colours(
     if point.bounced is None:
         return value
     reflected, transmitted = point.bounced
-    return value + dr.select(through, transmitted, reflected) * (abs(light.z) * dr.inv_pi)
+    between = dr.select(through, transmitted, reflected) * (abs(light.z) * dr.inv_pi)
+    if grazing.gain > 0:
+        between *= grazing.kept(light, view)
+    return value + between

@@ -221,7 +221,7 @@ class Seen:
     def of(cls, layout: ClothLayout, planes: Sequence[Plane], appearance: Appearance) -> Self:
         """From what each layer shows by itself."""
         stacking, count = layout.stacking, len(layout.layers)
-        ranks = np.arange(count)[None] if stacking is None else stacking.ranks
+        ranks = np.arange(count, dtype=np.int8)[None] if stacking is None else stacking.ranks
         gaps = np.array([layer.layout.open_area for layer in layout.layers])
         yarns = [_mean_scattered(plane, appearance) for plane in planes]
         areas = np.zeros((len(ranks), count, 2, 2))
@@ -244,6 +244,7 @@ class Seen:
                     sheet_out = sheet_out + gaps[layer]
                     between = 1 / (1 - sheet_back * back)
                     back, out = sheet_back + sheet_out**2 * back * between, sheet_out * out * between
+        _add_ties(areas, layout, ranks)
         axes = tuple(
             replace(place_family(family), half_width=family.spacing / 2)
             for family in (layout.warp, layout.weft)
@@ -274,6 +275,22 @@ class Seen:
         sums = (albedos * weights).sum(axis=0)
         sums[:, 0] += added.sum(axis=0)
         return (sums / np.maximum(area.sum(axis=0), 1e-6)[:, None]).reshape(2, -1)
+
+
+def _add_ties(areas: NDArray[np.float64], layout: ClothLayout, ranks: NDArray[np.int8]) -> None:
+    """Changes the areas that layers show, see `Seen`, by those of ties, which cover some of them."""
+    shares = np.ones(1) if layout.stacking is None else layout.stacking.shares()
+    for tied in layout.ties:
+        families = tied.layer.layout.warp, tied.layer.layout.weft
+        own, crossed = families if tied.is_warp else families[::-1]
+        sides = own.visible_width[None], crossed.spacing[:, None]
+        places = tied.places if tied.is_warp else tied.places.T
+        covered = float((places * sides[0] * sides[1]).sum()) / (layout.size[0] * layout.size[1])
+        outermost = ranks[:, tied.over] == (ranks.max(axis=1) if tied.back else 0)
+        share = min(covered / float(shares[outermost].sum()), 1.0)
+        face, family = int(tied.back), 0 if tied.is_warp else 1
+        areas[outermost, :, face] *= 1 - share
+        areas[outermost, tied.own, face, family] += share
 
 
 def _mean_scattered(plane: Plane, appearance: Appearance) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

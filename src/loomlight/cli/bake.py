@@ -141,7 +141,9 @@ def export(
     output: Annotated[
         Path,
         typer.Option(
-            "--output", "-o", help="The folder to write: new, or of an export; of usdz and u3ma a file."
+            "--output",
+            "-o",
+            help="The folder to write: new, or of an export; of usdz, and of u3ma without --cloth, a file.",
         ),
     ],
     model: Annotated[

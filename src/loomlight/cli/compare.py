@@ -1,4 +1,4 @@
-"""`loomlight compare`: models against the reference, as pictures and as figures."""
+"""`loomlight compare`: models against the reference, or a fabric beside a measured BRDF."""
 
 from __future__ import annotations
 
@@ -28,8 +28,18 @@ def compare(
     ] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Pixels of each picture.")] = "320x180",
     samples: Annotated[int, typer.Option("--spp", help="Samples a pixel of the reference.")] = 49,
+    measured: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="In their place a measured BRDF beside the fabric: of MERL (.binary) or RGL (.bsdf).",
+        ),
+    ] = None,
 ) -> None:
     """Compares models with the reference: pictures, difference maps, FLIP, MSE and time."""
+    if measured is not None:
+        _beside(fabric, measured, output)
+        return
     pixels = parse_size(size)
     require_within("--spp", samples, 1, 1_000_000)
     names = _listed(models)
@@ -66,6 +76,22 @@ def compare(
     print(found.tables[0].to_markdown())
     for name, why in found.refused.items():
         print(f"{name} does not take this fabric: {why}")
+    done(output / "index.html")
+
+
+def _beside(fabric: str, measured: Path, output: Path) -> None:
+    """A measured BRDF beside the fabric: its error, curves and their plots."""
+    names = ("index.html", "table.json", "pictures")
+    require_not_read([output / name for name in names], [fabric, measured])
+
+    from loomlight.evaluation.measured import compare_measured
+    from loomlight.sources.load import fabric_of_path
+
+    cloth = fabric_of_path(fabric)
+    options = ["--measured", str(measured), "--output", str(output)]
+    command = shlex.join(["loomlight", "compare", fabric, *options])
+    found = compare_measured(cloth, measured, output, command=command)
+    print(found.table.to_markdown())
     done(output / "index.html")
 
 

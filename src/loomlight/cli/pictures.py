@@ -100,6 +100,8 @@ def render(
             "out."
         )
     settings = RenderSettings(**given)
+    if settings.aov is not None:
+        _require_layers_fit(settings.aov, outputs, one=numbered is None)
     cloths = [cloth.fabric if isinstance(cloth, Worn) else cloth for cloth in settings.cloths.values()]
     read = [*fabrics, settings.scene, settings.mesh, settings.environment, *cloths]
     read += [] if moving is None else {frame.path for frame in moving.frames}
@@ -116,6 +118,19 @@ def render(
             _write_picture(what, fabric, path, settings)
 
 
+def _require_layers_fit(aov: str, outputs: list[Path], one: bool) -> None:
+    """Raises InputError unless outputs are single pictures that hold layers.
+
+    Args:
+        one: each output is one picture.
+    """
+    if not one:
+        raise InputError(f"--aov {aov} goes with single pictures: leave it out, or --turntable and --frames.")
+    for path in outputs:
+        if path.suffix.lower() != ".exr":
+            raise InputError(f"--aov {aov} are layers of an .exr, and {path} is none: name the output .exr.")
+
+
 def _check_save_mesh(settings: RenderSettings, read: list[str | os.PathLike[str] | None]) -> None:
     from loomlight.mesh.writing import WRITTEN_MESHES
 
@@ -126,13 +141,16 @@ def _check_save_mesh(settings: RenderSettings, read: list[str | os.PathLike[str]
 
 
 def _write_picture(what: str, fabric: str, path: Path, settings: RenderSettings) -> None:
-    from loomlight.core.images import write_image
+    from loomlight.core.images import write_image, write_layers
     from loomlight.mitsuba import pictures
 
     written = _Written(path)
     with progress(what, milliseconds=True) as report, written.restored_on_faults():
         picture = pictures.render(fabric, settings=settings, progress=report, partial=written.refine)
-        write_image(path, picture)
+        if picture.layers:
+            write_layers(path, picture, picture.layers)
+        else:
+            write_image(path, picture)
     done(path)
 
 

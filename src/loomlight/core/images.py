@@ -36,6 +36,7 @@ _MAX_16_BITS = 65535
 # Of the streams of output, which all threads share.
 _SILENCE = threading.Lock()
 _EXR_CHANNELS = {1: "Y", 3: "RGB", 4: "RGBA"}
+_LAYER_CHANNELS = {"albedo": "RGB", "normal": "XYZ", "depth": "Z"}
 
 
 def write_image(path: str | os.PathLike[str], linear: ArrayLike) -> None:
@@ -63,6 +64,24 @@ def write_channels(path: str | os.PathLike[str], channels: dict[str, NDArray[np.
         InputError: a path that cannot be written.
     """
     _write_exr(path, channels)
+
+
+def write_layers(
+    path: str | os.PathLike[str], picture: ArrayLike, layers: Mapping[str, NDArray[np.float32]]
+) -> None:
+    """Writes linear RGB [height, width, 3] and layers as one EXR file of float32.
+
+    Channels of a layer are named as others name them: albedo.R, normal.X, depth.Z.
+
+    Raises:
+        InputError: a path that cannot be written.
+    """
+    planes = {
+        f"{name}.{channel}": plane
+        for name, layer in layers.items()
+        for channel, plane in zip(_LAYER_CHANNELS[name], np.moveaxis(layer, 2, 0), strict=True)
+    }
+    write_channels(path, {"RGB": np.asarray(picture, np.float32), **planes})
 
 
 def _write_exr(path: str | os.PathLike[str], channels: dict[str, NDArray[np.float32]]) -> None:
@@ -470,7 +489,18 @@ _DRAWINGS: dict[type, Callable[[Any], NDArray[np.uint8]]] = {}
 
 
 class Picture(np.ndarray[Any, np.dtype[np.float32]]):
-    """Linear RGB [height, width, 3], float32: a NumPy array that notebooks display."""
+    """Linear RGB [height, width, 3], float32: a NumPy array that notebooks display.
+
+    Attributes:
+        layers: what else the camera saw, by the names of the setting `aov`: [height, width, 3], of the depth
+            [height, width, 1].
+    """
+
+    layers: dict[str, NDArray[np.float32]]
+
+    def __array_finalize__(self, _: object) -> None:
+        """Without layers at first, as what is computed from a picture."""
+        self.layers = {}
 
     def _repr_png_(self) -> bytes | None:
         """The picture in sRGB as PNG; None of what is sliced out of one and is no picture any more."""

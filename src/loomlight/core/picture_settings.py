@@ -23,6 +23,8 @@ MAX_SIDE = 16384
 # Millimetres; farther away single precision does not resolve neighbouring fibres.
 MAX_WINDOW = 1e5
 DENOISING = ("auto", "off")
+# Layers of a picture.
+LAYERS = ("albedo", "normal", "depth")
 
 
 @documented
@@ -65,6 +67,11 @@ class Worn:
         """Raises InputError unless the angle is a finite number."""
         if not isinstance(self.turn, Real) or not math.isfinite(self.turn):
             raise InputError(f"turn = {shown(self.turn)} is wrong: give a number of degrees.")
+
+
+def layer_names(aov: str) -> list[str]:
+    """Names of layers in the setting `aov`."""
+    return [name.strip() for name in aov.split(",")]
 
 
 @documented
@@ -172,6 +179,16 @@ class RenderSettings(Settings):
         "auto",
         "auto takes noise out by Open Image Denoise, where it is installed, and leaves yarns sharp.",
         choices=DENOISING,
+    )
+    aov: str | None = setting(
+        None,
+        "Layers of an .exr beside the picture, for denoisers and compositing: some of albedo, normal and "
+        "depth, with commas between.",
+        otherwise="none",
+        fits=lambda names: set(layer_names(names)) <= set(LAYERS),
+        expected=f"names of {', '.join(LAYERS)}, with commas between",
+        metavar="NAMES",
+        example="albedo,normal",
     )
     inset: bool | None = setting(
         None,
@@ -373,7 +390,7 @@ class GarmentSettings(Settings):
         RenderSettings,
         "cloths",
         help="Further fabrics, for parts, pieces or materials NAME of the mesh; turn turns the weave there "
-        "(`Worn` in Python).",
+        "(`Worn` in Python). U3M takes them without a mesh.",
     )
     unwrap: bool | None = same_setting(RenderSettings, "unwrap")
     metres_per_unit: float = same_setting(
@@ -407,6 +424,7 @@ class RenderKeywords(_Keywords, CameraKeywords, total=False):
     zoom: float
     max_depth: int | None
     exposure: float
+    aov: str | None
     inset: bool | None
     colors: Mapping[str, Any]
     cloths: Mapping[str, Any]

@@ -595,7 +595,7 @@ def _channels(at: FootprintBsdf, light: Any) -> list[Any]:
     if not isinstance(at, SeparableBsdf):
         return list(at.value(light))
     parts = at.components(light)
-    colour = shade(parts, at.albedos, light.z * at.view.z < 0)
+    colour = shade(parts, at.albedos_towards(light), light.z * at.view.z < 0)
     return [*colour, *(getattr(parts, name) for name in COMPONENTS), at.hole, parts.light_visibility]
 
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Unpack
+from typing import Any, Unpack
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing
-from loomlight.core.picture_settings import GarmentKeywords, GarmentSettings
+from loomlight.core.picture_settings import GarmentKeywords, GarmentSettings, Worn
 from loomlight.exporters.blender import write_maps
 from loomlight.exporters.blender_addon import write_addon
 from loomlight.exporters.engines import ENGINES
@@ -18,7 +18,7 @@ from loomlight.exporters.folder import check_file, replacing_folder, write_manif
 from loomlight.exporters.garment_gltf import write_garment_gltf
 from loomlight.exporters.materials import write_gltf, write_materialx
 from loomlight.exporters.shaders import write_shaders
-from loomlight.exporters.u3m import write_u3m, write_u3m_archive
+from loomlight.exporters.u3m import file_name, write_u3m, write_u3m_archive
 from loomlight.exporters.usd import write_usd, write_usdz
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.surface_maps import without_maps
@@ -51,6 +51,7 @@ class ExportTarget:
         has_dpi: whether its textures have texels of a size in millimetres.
         suffix: of the one file that it is; "" for a folder.
         write_garment: the function that writes a mesh in its cloths; None where it takes none.
+        holds_cloths: whether all fabrics of a garment are written without its mesh, a material each.
     """
 
     summary: str
@@ -60,6 +61,7 @@ class ExportTarget:
     has_dpi: bool = False
     suffix: str = ""
     write_garment: GarmentWriter | None = None
+    holds_cloths: bool = False
 
 
 def _shader(language: str) -> Writer:
@@ -126,8 +128,17 @@ TARGETS: dict[str, ExportTarget] = {
         name: ExportTarget(summary, ("lobes",), _of_fabric(write), True)
         for name, (write, summary) in ENGINES.items()
     },
-    "u3m": ExportTarget("U3M of both faces, for apparel programs", ("lobes",), write_u3m, has_dpi=True),
-    "u3ma": ExportTarget("the same in one file", ("lobes",), write_u3m_archive, has_dpi=True, suffix=".u3ma"),
+    "u3m": ExportTarget(
+        "U3M of both faces, for apparel programs", ("lobes",), write_u3m, has_dpi=True, holds_cloths=True
+    ),
+    "u3ma": ExportTarget(
+        "the same in one file",
+        ("lobes",),
+        write_u3m_archive,
+        has_dpi=True,
+        suffix=".u3ma",
+        holds_cloths=True,
+    ),
     "blender": ExportTarget(
         "maps in three densities, for the Blender add-on", ("lobes",), _of_fabric(write_maps)
     ),
@@ -149,7 +160,7 @@ def export(
 ) -> Path:
     """Writes a fabric for another program into a folder, which is new, empty, or holds an earlier export.
 
-    A target that is one file (`u3ma`) is written to that file.
+    A target that is one file (`u3ma`) is written to that file, and those of several cloths into a folder.
 
     Args:
         fabric: a fabric, a model that is made already, or a path: a fabric file, a draft, a `.loom`, the name
@@ -160,7 +171,8 @@ def export(
         distance: metres from which textures are seen, 0.01 to 1000; None for close views. Shader code and
             networks serve every distance.
         dpi: texels an inch of U3M's maps, 30 to 2400; None for 300.
-        settings: of a mesh that is written in the fabric, and in others; by default there is none.
+        settings: of a mesh that is written in the fabric, and in others; by default there is none. U3M has no
+            mesh: of `cloths` each is a material of its name, beside that of `fabric`.
         changes: these settings by name, such as `mesh="coat.glb", cloths={"lining": lining}`.
 
     Returns:
@@ -194,6 +206,12 @@ def export(
             return facts | target.write_garment(place, fabric_for(material, chosen), chosen, given, garment)
         return facts | target.write(place, material, chosen, given)
 
+    if garment.mesh is None and garment.cloths:
+        cloths = {name: _fabric_of(name, worn) for name, worn in garment.cloths.items()}
+        with replacing_folder(folder) as temporary:
+            found = _write_each(temporary, {"": fabric} | cloths, to, model, given)
+            write_manifest(temporary, {"target": to, "materials": found})
+        return Path(folder)
     if target.suffix:
         check_file(folder, target.suffix)
         with replacing(folder) as file:
@@ -211,7 +229,40 @@ def _require_garment(to: str, target: ExportTarget, garment: GarmentSettings) ->
         raise InputError(f"--to {to} writes no meshes: leave out --mesh, or use {' or '.join(able)}.")
     if garment.mesh is None:
         for name in garment.chosen():
+            if name == "cloths" and target.holds_cloths:
+                continue
             raise InputError(f"{name} is of a mesh, and there is none: give one, by --mesh.")
+
+
+def _fabric_of(name: str, worn: Any) -> Any:
+    """The fabric of a cloth without a mesh, which has no turn."""
+    if isinstance(worn, Worn) and worn.turn:
+        raise InputError(f"--cloth {name}: turn is of a mesh, and there is none: leave out turn.")
+    return worn.fabric if isinstance(worn, Worn) else worn
+
+
+def _write_each(
+    folder: Path, cloths: Mapping[str, Any], to: str, model: str | None, given: float | None
+) -> dict[str, object]:
+    """Writes a material for each cloth, a file or a folder of its name; returns what the manifest says.
+
+    The first has the name of its fabric, the others those of the garment's parts.
+    """
+    target = TARGETS[to]
+    found: dict[str, object] = {}
+    for part, fabric in cloths.items():
+        material, chosen = _taken(fabric, to, model)
+        name = file_name(part or source_of(material).name)
+        if name in found:
+            raise InputError(
+                f'Two cloths would be written as "{name}": give the part another name by --cloth.'
+            )
+        place = folder / f"{name}{target.suffix}"
+        if not target.suffix:
+            place.mkdir()
+        said = target.write(place, material, chosen, given)
+        found[name] = {"fabric": source_of(material).name, "model": chosen} | said
+    return found
 
 
 def _taken(fabric: Material | str | os.PathLike[str], to: str, model: str | None) -> tuple[Material, str]:

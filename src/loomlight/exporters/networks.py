@@ -112,6 +112,8 @@ def write_onnx(folder: Path, fabric: Fabric, model: str, _distance: float | None
         "mean_pitch_mm": float(mean_pitch(layout)),
         "levels": levels,
         "diffuse_blend": appearance.diffuse_blend,
+        "grazing_gain": appearance.grazing.gain,
+        "grazing_loss": appearance.grazing.loss,
         "sheen_strength": appearance.sheen.strength,
         "multiply_adds": made.multiply_adds,
     }

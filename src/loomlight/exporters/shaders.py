@@ -328,7 +328,7 @@ def write_buffers(
             LoomlightWarning,
             stacklevel=3,
         )
-        look = replace(look[0], layers=(), stacking=None), look[1]
+        look = replace(look[0], layers=(), stacking=None, ties=()), look[1]
     packed = pack_fabrics([look], [repeat_mm], [tables_for(material, model)])
     described = []
     for binding, (name, (kind, _)) in enumerate(BUFFERS.items()):

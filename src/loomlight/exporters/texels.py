@@ -22,9 +22,10 @@ from loomlight.fabric.maps import ClothSurface
 Numbers = NDArray[np.float64]
 # Points across a texel, at least, and across the finest thread.
 _POINTS_PER_TEXEL, _POINTS_PER_THREAD = 4, 8
-_MAX_POINTS = 1 << 24
+# Points that are looked at at once: their arrays stay near the processor, and take 100 MB.
+_MAX_POINTS = 1 << 19
 _MAX_TEXTURE = 4096
-# Texels whose means are computed at once: 500 MB.
+# Texels whose means are gathered at once: 500 MB.
 _MAX_BAND = 1 << 20
 # Threads across textures of uneven yarns, at least.
 _UNEVEN_THREADS = 24

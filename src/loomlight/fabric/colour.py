@@ -54,6 +54,7 @@ def family_appearance(
     return FamilyAppearance(
         **albedos._asdict(),
         roughness=family.roughness,
+        specular_grazing=family.specular_grazing,
         detail=family.detail,
         irregularity=_irregularity(family, name, optical_depth, openness, bound),
     )

@@ -97,6 +97,7 @@ class YarnTable(Table):
     albedo: Colours | None = None
     specular: Fraction | None = None
     specular_tint: Colour | None = None
+    specular_grazing: Annotated[float, Field(ge=0, le=4)] | None = None
     translucency: Fraction | None = None
     roughness: Annotated[float, Field(ge=0.01, le=1)] | None = None
     height_scale: Annotated[float, Field(ge=0.01, le=2)] | None = None

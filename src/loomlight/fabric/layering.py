@@ -10,14 +10,17 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.weave.layer_drafts import binding_points
 from loomlight.weave.layers import Layers, find_layers, layer_sizes, single_layer
-from loomlight.yarn.layout import ClothLayout, FamilyLayout, Layer, Stacking, shared_spacing
+from loomlight.yarn.layout import ClothLayout, FamilyLayout, Layer, Stacking, Ties, shared_spacing
 
 _Threads = NDArray[np.intp]
 # Called with a family, "warp" or "weft", some of its threads and the room of each; returns their widths.
 WidthOf = Callable[[str, _Threads, NDArray[np.float64]], NDArray[np.float64]]
 # Width of the thread that stands for the family which a layer of floating threads has not: none sees it.
 _HAIRLINE_MM = 1e-5
+# A thread that ties is squeezed between those of the layer that it ties, to this share of their spacings.
+_TIE_WIDTH = 0.8
 
 
 # Drawdowns whose layers are remembered, by their digests: edits of a fabric seldom change the weave.
@@ -88,6 +91,63 @@ def stacked_layers(
         for number, plane in enumerate(planes)
     )
     return layers, Stacking(ranks, found.regions) if len(found.stacks) > 1 else None
+
+
+def ties_between(drawdown: NDArray[np.bool_], found: Layers, layers: tuple[Layer, ...]) -> tuple[Ties, ...]:
+    """Where threads of a cloth's layers, see `stacked_layers`, tie into the outermost ones, and are seen.
+
+    A drawdown says that two threads of unlike layers cross the other way round, not which of them leaves its
+    layer. It is taken to be the end: one from behind rises to the front, one of the front dives to the back.
+    Ends that float are tied down by the picks across them.
+    """
+    planes = _planes(found)
+    if len(planes) == 1:
+        return ()
+    pick, end = np.nonzero(binding_points(drawdown, found))
+    if pick.size == 0:
+        return ()
+    stack, up = found.regions[pick, end].astype(np.intp), drawdown[pick, end]
+    plane_of = np.zeros((len(found.stacks), len(found.systems)), np.intp)
+    rank_of = np.zeros_like(plane_of)
+    for number, groups in enumerate(found.stacks):
+        for rank, systems in enumerate(groups):
+            plane_of[number, list(systems)], rank_of[number, list(systems)] = planes.index(systems), rank
+    of_end, of_pick = (np.zeros(count, np.intp) for count in drawdown.shape[::-1])
+    for number, system in enumerate(found.systems):
+        of_end[system.ends], of_pick[system.picks] = number, number
+    floats = np.array([system.kind == "extra warp" for system in found.systems])[of_end[end]]
+    is_warp, back = up | ~floats, ~up & ~floats
+    over = np.where(is_warp, of_pick[pick], of_end[end])
+    last = rank_of.max(axis=1)[stack]
+    seen = rank_of[stack, over] == np.where(back, last, 0)
+    own = np.where(is_warp, of_end[end], of_pick[pick])
+    kinds = np.stack([plane_of[stack, own], plane_of[stack, over], is_warp, back], axis=1)
+    ties = []
+    for kind in np.unique(kinds[seen], axis=0):
+        here = seen & (kinds == kind).all(axis=1)
+        ties.append(_ties(layers, kind.tolist(), pick[here], end[here]))
+    return tuple(ties)
+
+
+def _ties(layers: tuple[Layer, ...], kind: list[int], pick: _Threads, end: _Threads) -> Ties:
+    """Ties at crossings, of a kind: number of their layer, of the one tied, whether ends tie, on the back."""
+    own, over, is_warp, back = layers[kind[0]], layers[kind[1]], bool(kind[2]), bool(kind[3])
+    across, along = (own, over) if is_warp else (over, own)
+    places = np.zeros((along.picks.size, across.ends.size), bool)
+    places[np.searchsorted(along.picks, pick), np.searchsorted(across.ends, end)] = True
+    # One thread that stands for a family which floats take none of leaves all room.
+    rooms = [
+        family.spacing.mean() for family in (over.layout.warp, over.layout.weft) if family.spacing.size > 1
+    ]
+
+    def squeezed(family: FamilyLayout) -> FamilyLayout:
+        return replace(family, width=np.minimum(family.width, _TIE_WIDTH * min(rooms)))
+
+    warp, weft = across.layout.warp, along.layout.weft
+    warp, weft = (squeezed(warp), weft) if is_warp else (warp, squeezed(weft))
+    layout = ClothLayout(places if is_warp != back else ~places, warp, weft)
+    layer = Layer(layout, across.ends, along.picks, (across.start[0], along.start[1]))
+    return Ties(layer, kind[0], kind[1], is_warp, back)
 
 
 def _planes(found: Layers) -> list[tuple[int, ...]]:

@@ -22,14 +22,14 @@ from numpy.typing import NDArray
 from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
 from loomlight.fabric.fields import FabricFile, YarnTable, colours_in_order
-from loomlight.fabric.layering import front_drawdown, layers_of, stacked_layers
+from loomlight.fabric.layering import front_drawdown, layers_of, stacked_layers, ties_between
 from loomlight.fabric.yarns import Yarn, kind_of, with_yarns
 from loomlight.scattering.albedo import Albedos
 from loomlight.scattering.appearance import Irregularity, Sheen, Variation, YarnDetail
 from loomlight.weave.draft import Draft, Threads
 from loomlight.weave.palette import WARP_COLOUR, WEFT_COLOUR, with_palette
 from loomlight.weave.textile import CM_PER_INCH, DEFAULT_SETT_PER_CM, yarn_diameter_mm
-from loomlight.yarn.layout import ClothLayout, FamilyLayout, Layer, Stacking
+from loomlight.yarn.layout import ClothLayout, FamilyLayout, Layer, Stacking, Ties
 
 SPECULAR = 0.4
 TRANSLUCENCY = 0.1
@@ -62,6 +62,7 @@ class ResolvedFamily:
         are_albedos: whether `colours` are the yarn's albedos, not what cloth of it shows.
         specular: share of the light that the highlight takes, 0 to 1.
         specular_tint: what the highlight is multiplied by [3], linear RGB.
+        specular_grazing: what its albedo gains towards grazing, 0 to 4.
         translucency: share of the diffuse light that goes through, 0 to 1.
         roughness: α, 0.01 to 1.
         worn: how much its threads are rubbed, 0 to 1.
@@ -78,6 +79,7 @@ class ResolvedFamily:
     are_albedos: bool
     specular: float
     specular_tint: NDArray[np.float64]
+    specular_grazing: float
     translucency: float
     roughness: float
     worn: float
@@ -95,7 +97,7 @@ class ResolvedFabric:
         diffuse_blend: share of the cloth's normal in diffuse light, 0 to 1.
         optical_depth: Tρ of the fibre layer, > 0.
         interreflection: whether there is light between the yarns.
-        layers, stacking: cloths that lie upon one another, see `ClothLayout`; none of a single one.
+        layers, stacking, ties: cloths that lie upon one another, see `ClothLayout`; none of a single one.
     """
 
     draft: Draft
@@ -109,12 +111,13 @@ class ResolvedFabric:
     interreflection: bool
     layers: tuple[Layer, ...]
     stacking: Stacking | None
+    ties: tuple[Ties, ...]
 
     @property
     def layout(self) -> ClothLayout:
         """Where the threads of one repeat lie."""
         return ClothLayout(
-            self.draft.drawdown, self.warp.layout, self.weft.layout, self.layers, self.stacking
+            self.draft.drawdown, self.warp.layout, self.weft.layout, self.layers, self.stacking, self.ties
         )
 
 
@@ -161,6 +164,7 @@ def resolve(fields: FabricFile, draft: Draft) -> ResolvedFabric:
         interreflection=fields.interreflection is not False,
         layers=layers,
         stacking=stacking,
+        ties=ties_between(coloured.drawdown, found, layers),
     )
 
 
@@ -214,6 +218,7 @@ def _family(
         are_albedos=table.albedo is not None,
         specular=_or(table.specular, SPECULAR),
         specular_tint=parse_colour(tint, f"{name}.specular_tint"),
+        specular_grazing=_or(table.specular_grazing, 0.0),
         translucency=_or(table.translucency, TRANSLUCENCY),
         roughness=_or(table.roughness, ROUGHNESS),
         worn=worn,

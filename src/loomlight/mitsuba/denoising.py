@@ -201,11 +201,15 @@ def _lit_without_shadow(
     scene: Any, traits: SceneTraits, si: Any, number: Any, active: Mask
 ) -> tuple[Color3, Color3]:
     """Reflected light and what passes straight through of a surface [3 each]."""
-    # Of a plane's lattice of so many points: every pixel takes the same lights.
-    numbers = mi.Point2f((mi.Float(number) + 0.5) * (1 / _GUIDE_LIGHTS), _radical_inverse(number))
+    numbers = lattice_point(number)
     ds, weight = scene.sample_emitter_direction(si, numbers, False, active)
     lit, through = traits.eval_and_null_transmission(mi.BSDFContext(), si, si.to_local(ds.d), active, active)
     return lit * weight, through
+
+
+def lattice_point(number: Any) -> Any:
+    """One of eight points spread over a square [2]: every pixel takes the same ones."""
+    return mi.Point2f((mi.Float(number) + 0.5) * (1 / _GUIDE_LIGHTS), _radical_inverse(number))
 
 
 def _radical_inverse(number: Any) -> Any:

@@ -40,6 +40,7 @@ from loomlight.core.frozen import gc_paused
 from loomlight.mitsuba.bsdf import FILTERS, SceneTraits, sharing_pixels, symbolic_mode, variant_types
 from loomlight.mitsuba.camera import Corner, Pinhole
 from loomlight.mitsuba.denoising import camera_guides
+from loomlight.mitsuba.layers import camera_layers
 from loomlight.mitsuba.pixels import (
     FirstFootprint,
     PixelFilter,
@@ -211,6 +212,33 @@ def _class_of(_variant: str) -> type:
             Returns:
                 a tensor [height, width, 6].
             """
+
+            def look(render: _Render, first: FirstFootprint, ray: Any, number: Any) -> Any:
+                shows = not self.hide_emitters
+                return camera_guides(
+                    scene, render.traits, first, ray, number, shows, MAX_PASSES, self.background
+                )
+
+            return self._seen(scene, sensor, seed, spp, start, look)
+
+        def layers(self, scene: Any, sensor: Any, seed: Any, spp: int, start: int = 0) -> Any:
+            """Albedo, normal and distance of what the camera sees; see `camera_layers`.
+
+            Args:
+                spp: samples a pixel.
+                start: number of the first of them, where others were taken before.
+
+            Returns:
+                a tensor [height, width, 8].
+            """
+
+            def look(render: _Render, first: FirstFootprint, ray: Any, number: Any) -> Any:
+                return camera_layers(scene, render.traits, first, ray, number, MAX_PASSES)
+
+            return self._seen(scene, sensor, seed, spp, start, look)
+
+        def _seen(self, scene: Any, sensor: Any, seed: Any, spp: int, start: int, look: Any) -> Any:
+            """Means over pixels of what `look` finds along camera rays."""
             with self._prepared(scene, sensor) as camera, dr.suspend_grad():
                 render = self._of(scene)
                 sampler, spp = self.prepare(camera, seed, spp, [])
@@ -218,11 +246,8 @@ def _class_of(_variant: str) -> type:
                 samples = dr.opaque(mi.Float, spp)
                 first = FirstFootprint.of(render.pixel_filter, render.offset, ray, samples)
                 number = samples_of(camera.film(), spp)[1] + dr.opaque(mi.UInt32, start)
-                shows = not self.hide_emitters
                 with sharing_pixels(render.shared_by(samples)):
-                    found = camera_guides(
-                        scene, render.traits, first, ray, number, shows, MAX_PASSES, self.background
-                    )
+                    found = look(render, first, ray, number)
                 return means_of_pixels(found, spp, camera.film())
 
         def prepare(self, sensor: Any, seed: Any = 0, spp: int = 0, aovs: Any = ()) -> tuple[Any, int]:

@@ -22,11 +22,11 @@ from loomlight.core.backend import upload
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.images import Picture
 from loomlight.core.parallel_map import core_count
-from loomlight.core.picture_settings import RenderKeywords, RenderSettings, Worn
+from loomlight.core.picture_settings import RenderKeywords, RenderSettings, Worn, layer_names
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.camera import MAX_ZOOM, Corner, View, framing
 from loomlight.mitsuba.plugins import material_bsdf
-from loomlight.mitsuba.rendering import PartialPicture, Progress
+from loomlight.mitsuba.rendering import PartialPicture, Progress, render_layers
 from loomlight.mitsuba.rendering import render as render_scene
 from loomlight.mitsuba.scenes import (
     CLOTH_NAME,
@@ -72,6 +72,9 @@ def render(
 ) -> Picture:
     """Linear RGB [height, width, 3] of a material on a piece of cloth, a mesh, or marked shapes of a scene.
 
+    Its `layers` are those of the setting `aov`: arrays [height, width, 3] by their names, of the depth
+    [height, width, 1].
+
     Args:
         material: a fabric or another source; a model; or the path of a fabric file, a draft or a `.loom`; or
             a weave's name, such as "twill 3/1".
@@ -101,7 +104,11 @@ def render(
             partial(job.coarse_picture(job.coarse_size))
     with estimate.step("bake"):
         shown, close_up = job.scene_and_inset()
-    return job.refined_picture(shown, close_up, estimate, partial).view(Picture)
+    picture = job.refined_picture(shown, close_up, estimate, partial).view(Picture)
+    if chosen.aov is not None:
+        names = layer_names(chosen.aov)
+        picture.layers = render_layers(shown.scene, names, seed=chosen.seed, integrator=shown.integrator)
+    return picture
 
 
 def shown_material(material: Material, settings: RenderSettings) -> MaterialSpec:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -14,6 +14,7 @@ from loomlight.core.colour import white_balance as white_balance_gains
 from loomlight.core.errors import InputError
 from loomlight.mitsuba.bsdf import SceneTraits
 from loomlight.mitsuba.denoising import denoised, wants_denoising
+from loomlight.mitsuba.layers import layers_of
 from loomlight.mitsuba.path import footprint_integrator, is_footprint_path, with_settings
 from loomlight.mitsuba.pixels import has_pixel_sampler, is_plain
 from loomlight.mitsuba.variants import choose_variant, in_turn
@@ -99,11 +100,27 @@ def render(
     means = [total / len(passes) for total in totals]
     if not denoises:
         return _exposed(np.mean(means, axis=0), gains)
-    return _exposed(denoised(means, _guides(integrator, scene, sensor, seed)), gains)
+    return _exposed(denoised(means, _seen(integrator.guides, integrator, scene, sensor, seed)), gains)
 
 
-def _guides(integrator: Any, scene: mi.Scene, sensor: Any, seed: int) -> NDArray[np.float32]:
-    """Pictures that guide the denoiser [height, width, 6]; see `camera_guides`."""
+@in_turn
+def render_layers(
+    scene: mi.Scene, names: Sequence[str], *, seed: int = 0, integrator: Any = None
+) -> dict[str, NDArray[np.float32]]:
+    """Layers of what the scene's first sensor sees, [height, width, 3] or [height, width, 1] each.
+
+    Args:
+        scene: a Mitsuba scene.
+        names: of `LAYERS`.
+        seed: as of `render`.
+        integrator: a `footprint_path`; by default the scene's own if it is one, otherwise a new one.
+    """
+    integrator = integrator or footprint_integrator(scene)
+    return layers_of(_seen(integrator.layers, integrator, scene, scene.sensors()[0], seed), names)
+
+
+def _seen(look: Any, integrator: Any, scene: mi.Scene, sensor: Any, seed: int) -> NDArray[np.float32]:
+    """What a method of `footprint_path` sees without noise of light [height, width, planes]."""
     width, height = (int(value) for value in sensor.film().crop_size())
     passes = _passes(_GUIDE_SAMPLES, width * height, SceneTraits.of(scene).symbolic)
     found = []
@@ -111,8 +128,8 @@ def _guides(integrator: Any, scene: mi.Scene, sensor: Any, seed: int) -> NDArray
         with _one_of(integrator, sensor, _GUIDE_SAMPLES, number, True) as alone:
             # Numbers of their own: noise that guides share with the picture would not be taken out.
             of_pass = _pass_seed(seed, 2 * _MAX_PASSES + (number if alone else 0))
-            of_lights = integrator.guides(scene, sensor, of_pass, samples, number * samples)
-            found.append(np.array(of_lights, dtype=np.float32))
+            planes = look(scene, sensor, of_pass, samples, number * samples)
+            found.append(np.array(planes, dtype=np.float32))
     return np.mean(found, axis=0)
 
 

@@ -365,8 +365,10 @@ def build_scene(
         if light_from is None:
             light_from = setup.light_from if kind == "sunsky" else setup.lamp(seen, view)
         towards = direction_of(*light_from)
+        if not setup.ground:
+            paper = paper.unless_before(towards)
         parts |= light_dicts(kind, centre, radius, towards, paper=not paper.is_there)
-        if seen.chosen():
+        if seen.chosen() or paper.stands_aside:
             integrator.background = paper.radiance(kind, towards)
     # 5. What stands around: paper below or behind, as far as a camera farther away sees, and the ball.
     distance = float(np.linalg.norm(farther.origin - centre)) * (_TO_HORIZON if seen.chosen() else 1)
@@ -504,10 +506,12 @@ class _Paper:
     Attributes:
         normal: unit vector towards the cloth.
         is_there: the camera stands on its upper side; it is left out of pictures from below.
+        stands_aside: it is left out too, as it would stand before the light.
     """
 
     normal: NDArray[np.float64]
     is_there: bool
+    stands_aside: bool = False
 
     @classmethod
     def under(cls, cloth: ClothMesh, radius: float, view: View) -> _Paper:
@@ -522,13 +526,24 @@ class _Paper:
         side = _backdrop_side(view)
         return cls(np.array([0.0, 0.0, side]), bool(side * view.origin[2] > -gap))
 
+    def unless_before(self, towards: NDArray[np.float64]) -> _Paper:
+        """A backdrop, which stands aside where light from that direction comes through the cloth."""
+        is_before = bool(towards @ self.normal < 0)
+        return replace(self, is_there=self.is_there and not is_before, stands_aside=is_before)
+
     @property
     def side(self) -> float:
         """Of a backdrop; see `_backdrop_side`."""
         return float(self.normal[2])
 
     def radiance(self, light: str, towards: NDArray[np.float64]) -> float | None:
-        """Of what is seen past the paper's horizon: the paper goes on; None where the light has a sky."""
+        """Of what is seen past the paper's horizon: the paper goes on; None where the light has a sky.
+
+        Where it stands aside, the studio is as dark all around as its dome is at the horizon.
+        """
+        if light == "studio" and self.stands_aside:
+            horizon = studio_radiance(towards)
+            return float(np.median(horizon[horizon.shape[0] // 2 - 1]))
         if light == "studio":
             return paper_radiance(studio_radiance(towards, paper=not self.is_there), self.normal)
         if light == "directional":

@@ -133,9 +133,10 @@ class FilteredFabricModel(FabricModel):
         self.means.upload(types)
 
     def literals(self) -> tuple[float, ...]:
-        """Sheen and the share of the yarn normal in diffuse terms."""
+        """Sheen, the share of the yarn normal in diffuse terms, and the rise of highlights."""
         appearance = self.fabric.appearance()
-        return appearance.sheen.strength, appearance.sheen.roughness, appearance.diffuse_blend
+        sheen, grazing = appearance.sheen, appearance.grazing
+        return sheen.strength, sheen.roughness, appearance.diffuse_blend, grazing.gain, grazing.loss
 
     def parameters(self, types: ArrayTypes) -> Values:
         """Numbers and albedos of the fabric."""
@@ -349,7 +350,13 @@ def _with_albedos(family: FamilyAppearance, name: str, values: Values) -> Family
         rows = np.tile(np.stack(shared), (threads, 1, 1))
     reflect, transmit, specular, specular_transmit = (rows[:, number] for number in range(len(ALBEDOS)))
     return FamilyAppearance(
-        reflect, transmit, specular, specular_transmit, roughness=family.roughness, detail=family.detail
+        reflect,
+        transmit,
+        specular,
+        specular_transmit,
+        roughness=family.roughness,
+        detail=family.detail,
+        specular_grazing=family.specular_grazing,
     )
 
 

@@ -69,7 +69,7 @@ class PointBsdf(SeparableBsdf):
     def __init__(
         self, model: YarnScattering, view: Vec3, footprint: Footprint, tint: Tint | None, active: Mask
     ) -> None:
-        super().__init__(view, footprint, model.appearance.sheen)
+        super().__init__(view, footprint, model.appearance.sheen, model.appearance.grazing)
         self._model = model
         centre, back = footprint.centre, array_types(view.x).Bool(view.z < 0)
         # Derivatives of where a ray meets yarn would be wrong as well as dear.

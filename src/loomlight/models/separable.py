@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import final
 
@@ -16,10 +16,11 @@ from loomlight.core.backend import array_types, maximum, minimum
 from loomlight.core.footprint import Footprint
 from loomlight.models.between_yarns import BetweenYarns, Bounced
 from loomlight.models.interface import FootprintBsdf
-from loomlight.scattering.appearance import Sheen
+from loomlight.scattering.appearance import Appearance, Sheen
+from loomlight.scattering.grazing import NO_RISE, Grazing
 from loomlight.scattering.interreflection import Blocked
 from loomlight.scattering.irregularity import IrregularYarns, Yarns
-from loomlight.scattering.point import Albedos, Tint
+from loomlight.scattering.point import Albedos, Tint, towards_grazing
 from loomlight.scattering.point import tinted as tinted_family
 from loomlight.scattering.sheen import sheen_transmittance, sheen_with_transmittance
 
@@ -78,11 +79,12 @@ class SeparableBsdf(FootprintBsdf):
 
     Attributes:
         sheen: of the fabric; strength 0 is none.
+        grazing: how its highlights rise.
     """
 
-    def __init__(self, view: Vec3, footprint: Footprint, sheen: Sheen) -> None:
+    def __init__(self, view: Vec3, footprint: Footprint, sheen: Sheen, grazing: Grazing = NO_RISE) -> None:
         super().__init__(view, footprint)
-        self.sheen = sheen
+        self.sheen, self.grazing = sheen, grazing
 
     @property
     @abstractmethod
@@ -145,8 +147,31 @@ class SeparableBsdf(FootprintBsdf):
     @final
     def composed(self, evaluation: Evaluation, light: Vec3) -> Color3:
         """`value` of an evaluation that is at hand, 1/sr."""
-        body = shade(evaluation.components, self.albedos, light.z * self.view.z < 0)
+        body = shade(evaluation.components, self.albedos_towards(light), light.z * self.view.z < 0)
         return self.under_sheen(body + self.bounced_value(evaluation, light), evaluation, light)
+
+    @final
+    def albedos_towards(self, light: Vec3) -> FamilyAlbedos:
+        """`albedos` as they count for a light, whose highlights rise towards grazing."""
+        return FamilyAlbedos(
+            *(
+                towards_grazing(family, self.grazing, light, self.view)
+                for family in (self.albedos.warp, self.albedos.weft)
+            )
+        )
+
+    @property
+    def albedos_in_mirror(self) -> FamilyAlbedos:
+        """`albedos` with the rise of the mirror's direction, by which samplers choose lobes."""
+        if self.grazing.gain <= 0:
+            return self.albedos
+        rise = self.grazing.rise_towards(self.view)
+        return FamilyAlbedos(
+            *(
+                replace(family, specular_reflect=family.specular_reflect + rise)
+                for family in (self.albedos.warp, self.albedos.weft)
+            )
+        )
 
     @final
     def bounced_value(self, evaluation: Evaluation, light: Vec3) -> Color3:
@@ -155,7 +180,10 @@ class SeparableBsdf(FootprintBsdf):
         if bounced is None:
             return array_types(light.x).Color3(0)
         reflected, transmitted = bounced
-        return dr.select(light.z * self.view.z < 0, transmitted, reflected) * (abs(light.z) * dr.inv_pi)
+        cosine = abs(light.z) * dr.inv_pi
+        if self.grazing.gain > 0:
+            cosine *= self.grazing.kept(light, self.view)
+        return dr.select(light.z * self.view.z < 0, transmitted, reflected) * cosine
 
     @final
     def under_sheen(self, body: Color3, evaluation: Evaluation, light: Vec3) -> Color3:
@@ -178,7 +206,7 @@ class FilteredBsdf(SeparableBsdf):
         self,
         means: FootprintAlbedos,
         irregular: IrregularYarns,
-        sheen: Sheen,
+        appearance: Appearance,
         view: Vec3,
         footprint: Footprint,
         tint: Tint | None,
@@ -187,9 +215,10 @@ class FilteredBsdf(SeparableBsdf):
         Args:
             means: albedos of threads over footprints.
             irregular: how yarns vary along themselves.
+            appearance: of the fabric, whose sheen and rise of highlights count.
             tint: see `Model.at`.
         """
-        super().__init__(view, footprint, sheen)
+        super().__init__(view, footprint, appearance.sheen, appearance.grazing)
         self._means, self._irregular, self._tint = means, irregular, tint
         self._back = array_types(view.x).Bool(view.z < 0)
 

@@ -89,6 +89,8 @@ FABRIC: Fields = (
     ("per_relief", "float", "1 / (height_high − height_low)"),
     ("diffuse_blend", "float", "w, weight of the yarn normal in the diffuse term"),
     ("optical_depth", "float", "Tρ of the fibre layer"),
+    ("grazing_gain", "float", "what albedos of highlights gain at grazing"),
+    ("grazing_loss", "float", "what diffuse light loses there, 0 to 1"),
     ("sheen_strength", "float", "C, 0 to 1"),
     ("sheen_roughness", "float", "0 to 1"),
     ("fibre_noise", "float", "spread of the specular strength from fibre to fibre, 0 to 1"),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any, TypeAlias
 
@@ -316,6 +316,8 @@ def _pack_fabric(
     appearance: Appearance,
 ) -> None:
     """Writes the record of a fabric, those of its families, and from `first` on those of its layers."""
+    # Shaders draw layers without ties, and without the relief that these quilt.
+    layout = replace(layout, ties=())
     geometry = cloth_geometry(layout)
     means = FootprintAlbedos(geometry, appearance)
     if isinstance(geometry, YarnGeometry):
@@ -348,6 +350,8 @@ def _pack_fabric(
         "per_relief": 1 / max(high - low, 1e-6),
         "diffuse_blend": appearance.diffuse_blend,
         "optical_depth": appearance.optical_depth,
+        "grazing_gain": appearance.grazing.gain,
+        "grazing_loss": appearance.grazing.loss,
         "sheen_strength": appearance.sheen.strength,
         "sheen_roughness": appearance.sheen.roughness,
         "fibre_noise": variation.fibre_noise,

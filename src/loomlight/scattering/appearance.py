@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from loomlight.scattering.albedo import layer_albedo_bound
 
 if TYPE_CHECKING:
+    from loomlight.scattering.grazing import Grazing
     from loomlight.scattering.openness import Openness
 
 # Of a family's albedos, in the order of their tables.
@@ -91,6 +92,7 @@ class FamilyAppearance:
         specular_reflect: single-scattering albedo k_s of the fibre layer in reflection [n, 3].
         specular_transmit: the same in transmission [n, 3].
         roughness: α of the fibre SGGX distribution, 0.01 to 1.
+        specular_grazing: what specular_reflect gains towards grazing, 0 to 4.
         detail: what the yarn shows close up.
         irregularity: how it varies over millimetres to metres.
 
@@ -105,6 +107,7 @@ class FamilyAppearance:
     roughness: float
     detail: YarnDetail = YarnDetail()
     irregularity: Irregularity = Irregularity()
+    specular_grazing: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -159,6 +162,19 @@ class Appearance:
     def thread_noise(self) -> float:
         """Relative spread of the albedo from thread to thread that no process of irregular yarns has."""
         return 0.0 if self.is_irregular else self.variation.colour_noise
+
+    @property
+    def grazing(self) -> Grazing:
+        """How highlights rise towards grazing: the mean of both families, as yarns of a place rise alike."""
+        # It needs Dr.Jit, and appearances do not.
+        from loomlight.scattering.grazing import Grazing
+
+        families = (self.warp, self.weft)
+        gain, roughness = (
+            sum(getattr(family, name) for family in families) / 2
+            for name in ("specular_grazing", "roughness")
+        )
+        return Grazing.of(gain, roughness)
 
     @property
     def layer_bound(self) -> float:

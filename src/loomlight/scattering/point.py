@@ -29,6 +29,7 @@ from loomlight.scattering.fibre import (
     sample_specular,
     transmission,
 )
+from loomlight.scattering.grazing import Grazing
 from loomlight.scattering.hairs import Hair, Hairs, under_hair
 from loomlight.scattering.interreflection import Interreflection, Scattered, beneath, bounced, scattered
 from loomlight.scattering.irregularity import IrregularYarns
@@ -165,6 +166,19 @@ class Tint:
         return cls(colour, colour)
 
 
+def towards_grazing(albedos: Albedos, grazing: Grazing, light: Vec3, view: Vec3) -> Albedos:
+    """Albedos as they count for unit vectors [3] of light and view, in the frame of the cloth."""
+    if grazing.gain <= 0:
+        return albedos
+    kept = grazing.kept(light, view)
+    return Albedos(
+        albedos.diffuse_reflect * kept,
+        albedos.diffuse_transmit * kept,
+        albedos.specular_reflect + grazing.rise(light, view),
+        albedos.specular_transmit,
+    )
+
+
 def tinted(albedos: Albedos, colour: Color3 | None) -> Albedos:
     """Albedos whose diffuse terms are multiplied with a colour; None leaves them."""
     if colour is None:
@@ -250,6 +264,7 @@ class YarnScattering:
         self.appearance = appearance
         self.quality = quality
         self.irregular = irregular if irregular is not None and irregular.is_on else None
+        self._grazing = appearance.grazing
         sheen = appearance.sheen
         # None without sheen, so that it costs nothing then.
         self.sheen: tuple[Float, Float] | None = (
@@ -381,7 +396,7 @@ class YarnScattering:
             hairs=None if hair is None else (hairs, hair.cover),
             diffuse_gain=None if frame is None else diffuse_gain(frame, self.appearance.diffuse_blend),
         )
-        found.bounced = self._bounced(found, tint)
+        found.bounced = self._bounced(found, tint, point.plane)
         sheets = self.surface.sheets(x, y, back)
         return self._upon(found, sheets, tint) if sheets else found
 
@@ -431,8 +446,12 @@ class YarnScattering:
         )
         return albedos, dr.select(sheet.is_warp, warp.roughness, weft.roughness)
 
-    def _bounced(self, point: YarnPoint, tint: Tint | None) -> tuple[Color3, Color3] | None:
-        """Albedos of light between yarns at a point, reflected and transmitted; 0 in holes."""
+    def _bounced(self, point: YarnPoint, tint: Tint | None, plane: Float) -> tuple[Color3, Color3] | None:
+        """Albedos of light between yarns at a point, reflected and transmitted; 0 in holes.
+
+        Args:
+            plane: height of the plane that its yarn lies in, millimetres.
+        """
         types = array_types(point.roughness)
         between = self.between_yarns(types)
         if between is None:
@@ -443,7 +462,7 @@ class YarnScattering:
             for family, colour in zip(self.parameters(types), colours_of(tint), strict=True)
         )
         normal = point.normal if point.surface_normal is None else point.surface_normal
-        blocked = between.blocked_at(point.is_warp, point.back, normal.z, point.height)
+        blocked = between.blocked_at(point.is_warp, point.back, normal.z, point.height - plane)
         own = scattered_by(point.albedos, point.roughness, depth)
         reflected, transmitted = bounced(blocked, own, between.interior(warp, weft, point.back))
         return dr.select(point.hole, 0, reflected), dr.select(point.hole, 0, transmitted)
@@ -617,7 +636,7 @@ class YarnScattering:
         depth = types.Float(self.appearance.optical_depth)
         frame = (point.normal, point.tangent, point.roughness, depth)
         above, below = light.z > 0, light.z < 0
-        albedos = point.albedos
+        albedos = towards_grazing(point.albedos, self._grazing, light, view)
         near = albedos.diffuse_reflect * point.diffuse(diffuse_reflection(light, point.normal, blend))
         near += albedos.specular_reflect * reflection(light, view, *frame)
         near *= point.under_hairs(light)
@@ -635,6 +654,8 @@ class YarnScattering:
         """f·cos of light between yarns, directions in the frame of the face, 1/sr; no shadow falls on it."""
         reflected, transmitted = point.bounced
         value = dr.select(light.z > 0, reflected, transmitted) * (abs(light.z) * dr.inv_pi)
+        if self._grazing.gain > 0:
+            value *= self._grazing.kept(light, view)
         if self.sheen is not None:
             value *= sheen_transmittance(view, *self.sheen)
         return value
@@ -668,10 +689,10 @@ class YarnScattering:
         depth = types.Float(self.appearance.optical_depth)
         turned, through = layer_albedo_estimate(view, point.normal, point.tangent, point.roughness, depth)
         albedos = point.albedos
-        specular = (
-            channel_mean(albedos.specular_reflect) * turned
-            + channel_mean(albedos.specular_transmit) * through
-        )
+        reflected = channel_mean(albedos.specular_reflect)
+        if self._grazing.gain > 0:
+            reflected += self._grazing.rise_towards(view)
+        specular = reflected * turned + channel_mean(albedos.specular_transmit) * through
         reflect, transmit, more_reflect, more_transmit = self._diffuse_albedos(point)
         reflect, transmit = reflect + more_reflect, transmit + more_transmit
         if self.sheen is None:

@@ -64,6 +64,9 @@ _MAX_WINDOWS, _MIN_IN_ROW = 4096, 16
 _MAX_OUT_OF_TURN = 0.05
 # Share of the crossings that a stack has at least.
 _MIN_SHARE = 0.01
+# Threads at the rim of a region that belong to the one beside it, so many at most: a float over so many
+# threads says so, if it is more than so many times the longest one that the thread would have there.
+_MAX_RIM, _LONG_FLOAT, _MUCH_LONGER = 2, 4, 2
 # Rows of crossings that are looked at together.
 ROWS_AT_ONCE = 512
 
@@ -538,7 +541,79 @@ def _stacked(warp_up: Bits, systems: list[ThreadSystem]) -> Layers:
                 ranked, key=lambda other: sum(a != b for a, b in zip(known[at], known[other], strict=True))
             )
             table[at] = table[like]
-    return Layers(tuple(_hosted(warp_up, systems)), tuple(chosen), table[code])
+    regions = _by_floats(warp_up, systems, chosen, table[code])
+    return Layers(tuple(_hosted(warp_up, systems)), tuple(chosen), regions)
+
+
+def _by_floats(
+    warp_up: Bits, systems: list[ThreadSystem], stacks: list[Stack], regions: NDArray[np.uint8]
+) -> NDArray[np.uint8]:
+    """The regions, without threads at their rims that float there and interlace in the layers beside.
+
+    Where all threads weave as one, a pick of one of the cloths may lie over all ends of the other, as it does
+    where that lies behind: only its own cloth, in which it would float from rim to rim, tells.
+    """
+    group = np.zeros((len(stacks), len(systems)), np.int8)
+    for stack, groups in enumerate(stacks):
+        for number, members in enumerate(groups):
+            group[stack, list(members)] = number
+    # Where cloths but change places, threads interlace with the same ones.
+    same = group[:, :, None] == group[:, None]
+    if (same == same[0]).all():
+        return regions
+    of_end, of_pick = (np.zeros(count, np.intp) for count in warp_up.shape[::-1])
+    for number, system in enumerate(systems):
+        of_end[system.ends], of_pick[system.picks] = number, number
+    for _ in range(_MAX_RIM):
+        mended = _mended_rims(warp_up, group[:, of_pick], group[:, of_end], regions)
+        mended = _mended_rims(warp_up.T, group[:, of_end], group[:, of_pick], mended.T).T
+        if np.array_equal(mended, regions):
+            break
+        regions = mended
+    return np.ascontiguousarray(regions)
+
+
+def _mended_rims(
+    up: Bits, of_row: NDArray[np.int8], of_column: NDArray[np.int8], regions: NDArray[np.uint8]
+) -> NDArray[np.uint8]:
+    """Regions without rows of crossings at their rims in which a row's thread only floats.
+
+    Args:
+        up: crossings, with the threads that may float along the second axis.
+        of_row, of_column: layer of each thread in each stack [stacks, threads].
+    """
+    mended = regions.copy()
+    for step in (1, -1):
+        beside = np.roll(regions, step, axis=0)
+        row, column = np.nonzero(regions != beside)
+        if row.size == 0:
+            continue
+        here, there = regions[row, column], beside[row, column]
+        apart = (np.diff(row) != 0) | (np.diff(column) != 1) | (np.diff(here) != 0) | (np.diff(there) != 0)
+        part = np.concatenate([[0], np.cumsum(apart)])
+        longest = [
+            _longest_floats(part, up[row, column], of_row[stack, row] == of_column[stack, column])
+            for stack in (here, there)
+        ]
+        floats = (longest[0] >= _LONG_FLOAT) & (longest[0] > _MUCH_LONGER * longest[1]) & (longest[1] > 0)
+        moved = floats[part]
+        mended[row[moved], column[moved]] = there[moved]
+    return mended
+
+
+def _longest_floats(part: Indices, up: Bits, own: Bits) -> Indices:
+    """Threads under the longest float of each part [parts], of crossings in order, by those of its own layer.
+
+    Args:
+        part: of each crossing, rising from 0.
+        own: whether both threads lie in one layer.
+    """
+    of_part, value = part[own], up[own]
+    begins = np.flatnonzero(np.concatenate([[True], (np.diff(of_part) != 0) | (value[1:] != value[:-1])]))
+    longest = np.zeros(int(part[-1]) + 1, np.intp)
+    if of_part.size:
+        np.maximum.at(longest, of_part[begins], np.diff(np.append(begins, of_part.size)))
+    return longest
 
 
 def _stack_of(count: int, pairs: list[tuple[int, int]], orders: tuple[int, ...]) -> Stack | None:

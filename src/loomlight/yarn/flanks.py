@@ -45,6 +45,7 @@ class SurfacePoint:
         shown_share: part of its thread that is on this face around here, 0 to 1.
         x, y: draft coordinates, millimetres; of rays that end on walls, right beside them.
         depth: how far below its yarn's tube the ray has ended, millimetres; 0 without a ray.
+        plane: height of the plane that its yarn lies in, millimetres; 0 in cloth of one.
     """
 
     hole: Mask
@@ -61,6 +62,7 @@ class SurfacePoint:
     x: Float
     y: Float
     depth: Float
+    plane: Float
 
 
 @dataclass

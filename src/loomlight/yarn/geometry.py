@@ -22,7 +22,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import product
-from typing import Any
+from typing import Any, Self
 from weakref import WeakKeyDictionary
 
 import drjit as dr
@@ -135,10 +135,17 @@ class Cell:
 class Count:
     """A number of threads or texels to count around with: opaque, so that kernels do not depend on it."""
 
-    def __init__(self, number: int, types: ArrayTypes) -> None:
-        self._number = dr.opaque(types.Float, number)
-        self._inverse = dr.opaque(types.Float, 1 / number)
-        self._half_inverse = dr.opaque(types.Float, 0.5 / number)
+    def __init__(self, number: Float, inverse: Float, half_inverse: Float) -> None:
+        self.numbers = number, inverse, half_inverse
+        self._number, self._inverse, self._half_inverse = self.numbers
+
+    @classmethod
+    def of(cls, number: int, types: ArrayTypes) -> Self:
+        """Of a number on one backend."""
+        number_, inverse, half = (
+            dr.opaque(types.Float, value) for value in (number, 1 / number, 0.5 / number)
+        )
+        return cls(number_, inverse, half)
 
     def divide(self, index: UInt) -> tuple[Float, Float]:
         """Whole turns, rounded down, and the remainder ≥ 0 of whole numbers of any sign: Float each.
@@ -164,8 +171,10 @@ def select_cell(first_one: Mask, first: Cell, second: Cell) -> Cell:
 class UniformFamily:
     """Threads that are all alike: arithmetic instead of tables."""
 
+    is_uniform = True
+
     def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
-        self.count = Count(tables.lower.size, types)
+        self.count = Count.of(tables.lower.size, types)
         self._last = dr.opaque(types.Float, tables.lower.size - 1)
         size = float(tables.upper[0] - tables.lower[0])
         self.size = dr.opaque(types.Float, size)
@@ -213,26 +222,23 @@ class UniformFamily:
 class VariedFamily:
     """Threads that differ: a table by position finds the thread, tables by thread tell what it is."""
 
+    is_uniform = False
+
     def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
-        self.count = Count(tables.lower.size, types)
+        self.count = Count.of(tables.lower.size, types)
         self._last = dr.opaque(types.UInt32, tables.lower.size - 1)
         self._types = types
         self.start = dr.opaque(types.Float, float(tables.lower[0]))
         self.period = dr.opaque(types.Float, tables.period)
         self.inverse_period = dr.opaque(types.Float, 1 / tables.period)
         lower = tables.lower - tables.lower[0]
-        upper = tables.upper - tables.lower[0]
         bins = math.ceil(tables.period / tables.finest) + 1
         edges = np.arange(bins) * (tables.period / bins)
         first = np.searchsorted(lower, edges, side="right") - 1
         self.bins = dr.opaque(types.Float, bins)
         self._last_bin = dr.opaque(types.UInt32, bins - 1)
         self._first = upload(types.UInt32, first.astype(np.uint32))
-        centre = tables.centre - tables.lower[0]
-        place = np.stack([lower, upper, centre, tables.half_width], axis=1)
-        self._place = upload(types.Float, place)
-        bend = [np.sin(tables.inclination), np.tan(tables.inclination / 2), tables.arc, tables.edge_drop]
-        self._bend = upload(types.Float, np.stack(bend, axis=1))
+        self._place, self._bend = (upload(types.Float, rows) for rows in thread_rows(tables))
 
     def _row(self, table: Float, thread: UInt) -> Any:
         return dr.gather(self._types.Vector4, table, thread)
@@ -272,13 +278,22 @@ class VariedFamily:
 Family = UniformFamily | VariedFamily
 
 
-def span_along(is_warp: Mask, thread: UInt, warp: Family, weft: Family) -> Callable[[Float, Int, Int], Float]:
+def thread_rows(tables: FamilyTables) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Numbers of each thread: where it lies, and how it bends [n, 4]."""
+    first = tables.lower[0]
+    place = [tables.lower - first, tables.upper - first, tables.centre - first, tables.half_width]
+    bend = [np.sin(tables.inclination), np.tan(tables.inclination / 2), tables.arc, tables.edge_drop]
+    return np.stack(place, axis=1), np.stack(bend, axis=1)
+
+
+def span_along(is_warp: Mask, thread: UInt, warp: Any, weft: Any) -> Callable[[Float, Int, Int], Float]:
     """A length (millimetres) plus `span` of the family that a thread of warp (else weft) crosses.
 
     Args:
         thread: the crossing that is counted from.
+        warp, weft: families, or what takes their place (`planes.py`).
     """
-    if isinstance(warp, UniformFamily) and isinstance(weft, UniformFamily):
+    if warp.is_uniform and weft.is_uniform:
         size = dr.select(is_warp, weft.size, warp.size)
         return lambda length, first, last: dr.fma(array_types(size).Float(last - first), size, length)
     return lambda length, first, last: (
@@ -373,17 +388,23 @@ class DeviceTables:
         exact = types.Float if layout.warp_on_top.size <= _MAX_EXACT else types.UInt32
         self.ends: Any = dr.opaque(exact, tables.words.shape[1])
         self.max_height_columns = dr.opaque(types.UInt32, tables.max_heights.shape[1])
-        self._float = types.Float
-        self._scalars: dict[str, tuple[float, Float]] = {}
+        self.scalar = Scalars(types)
 
-    def scalar(self, name: str, value: Float) -> Float:
-        """A number of the fabric, by name, as an opaque Float; a Dr.Jit scalar as it is."""
+
+class Scalars:
+    """Numbers of a fabric by name, as opaque Floats of one backend; Dr.Jit scalars as they are."""
+
+    def __init__(self, types: ArrayTypes) -> None:
+        self._float = types.Float
+        self._kept: dict[str, tuple[float, Float]] = {}
+
+    def __call__(self, name: str, value: Float) -> Float:
         if not isinstance(value, int | float):
             return self._float(value)
         # By name: two equal numbers under one name would be one variable, and kernels would differ.
-        if name not in self._scalars or self._scalars[name][0] != value:
-            self._scalars[name] = value, dr.opaque(self._float, value)
-        return self._scalars[name][1]
+        if name not in self._kept or self._kept[name][0] != value:
+            self._kept[name] = value, dr.opaque(self._float, value)
+        return self._kept[name][1]
 
 
 # ------------------------------------------------------------------------------------------------ the surface
@@ -427,24 +448,39 @@ class Probe:
 
 
 @dataclass
-class _Shown:
+class Shown:
     """The thread that shows at a point, and the facts of its run that shape it there."""
 
     is_warp: Mask
     hole: Mask
     on_top: Mask
     word: UInt
-    crossing: _Crossing
+    crossing: Crossing
 
 
 @dataclass
-class _Crossing:
+class Crossing:
     """Where two threads cross, and the cells of both around a point."""
 
     warp: Cell
     weft: Cell
     words: UInt
     warp_above: Mask  # the warp is on top here, whether or not its yarn covers the point
+
+
+def read_max_heights(
+    max_heights: UInt, tile: UInt, back: Mask, right: Mask, up: Mask
+) -> list[tuple[float, Float]]:
+    """Distances and bounds of heights ahead of a tile of a pyramid; see `rays.Surface.max_heights`."""
+    types = array_types(tile)
+    # All four at once: Dr.Jit fetches 16 bytes in a row sooner than 4 by themselves.
+    words = dr.gather(types.Index4, max_heights, tile)
+    word = dr.select(up, dr.select(right, words[3], words[2]), dr.select(right, words[1], words[0]))
+    word = word >> dr.select(back, types.UInt32(4), types.UInt32(0))
+    return [
+        (float(radius), types.Float((word >> 8 * number) & 15) * (1 / CELL_MAX_LEVELS))
+        for number, radius in reversed(list(enumerate(PYRAMID_RADII)))
+    ]
 
 
 class YarnGeometry:
@@ -503,7 +539,7 @@ class YarnGeometry:
         self._numbers(self._tables(types))
 
     def _numbers(self, tables: DeviceTables) -> dict[str, Float]:
-        """Numbers of the fabric by name, as `DeviceTables.scalar` has them."""
+        """Numbers of the fabric by name, as `Scalars` has them."""
         numbers = {
             "warp scale": self.height_scale[0],
             "weft scale": self.height_scale[1],
@@ -525,18 +561,10 @@ class YarnGeometry:
 
     def max_heights(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> list[tuple[float, Float]]:
         """Bounds of heights ahead of draft coordinates x, y (millimetres); see `search.Surface`."""
-        types = array_types(x)
-        tables = self._tables(types)
-        column, row = (family.locate(place).thread for family, place in ((tables.warp, x), (tables.weft, y)))
+        tables = self._tables(array_types(x))
+        column, row = tables.warp.locate(x).thread, tables.weft.locate(y).thread
         tile = row // TILE_CELLS * tables.max_height_columns + column // TILE_CELLS
-        # All four at once: Dr.Jit fetches 16 bytes in a row sooner than 4 by themselves.
-        words = dr.gather(types.Index4, tables.max_heights, tile)
-        word = dr.select(up, dr.select(right, words[3], words[2]), dr.select(right, words[1], words[0]))
-        word = word >> dr.select(back, types.UInt32(4), types.UInt32(0))
-        return [
-            (float(radius), types.Float((word >> 8 * number) & 15) * (1 / CELL_MAX_LEVELS))
-            for number, radius in reversed(list(enumerate(PYRAMID_RADII)))
-        ]
+        return read_max_heights(tables.max_heights, tile, back, right, up)
 
     def probe(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> Probe:
         """The surface at draft coordinates x, y (millimetres) for a search; see `search.Surface.probe`."""
@@ -552,8 +580,8 @@ class YarnGeometry:
                 point.is_warp, types.UInt32(point.warp_thread) * 2 + 1, types.UInt32(point.weft_thread) * 2
             ),
             cell_bounds=self._cell_bounds(crossing, types, right, up),
-            edge_x=_edge(crossing.warp, shown, run, ~shown.is_warp, right),
-            edge_y=_edge(crossing.weft, shown, run, shown.is_warp, up),
+            edge_x=next_outline(crossing.warp, shown, run, ~shown.is_warp, right),
+            edge_y=next_outline(crossing.weft, shown, run, shown.is_warp, up),
         )
 
     def cell_bounds(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> CellBounds:
@@ -561,7 +589,7 @@ class YarnGeometry:
         types = array_types(x)
         return self._cell_bounds(_cross(self._tables(types), types, x, y, back), types, right, up)
 
-    def _cell_bounds(self, crossing: _Crossing, types: ArrayTypes, right: Mask, up: Mask) -> CellBounds:
+    def _cell_bounds(self, crossing: Crossing, types: ArrayTypes, right: Mask, up: Mask) -> CellBounds:
         numbers = self._numbers(self._tables(types))
         levels = dr.select(
             crossing.warp_above,
@@ -607,91 +635,134 @@ class YarnGeometry:
 
     def _surface(
         self, x: Float, y: Float, back: Mask
-    ) -> tuple[SurfacePoint, _Shown, _Run, tuple[Float, Float], Tube]:
+    ) -> tuple[SurfacePoint, Shown, Run, tuple[Float, Float], Tube]:
         # Find the thread on top, the run that it is in, and the numbers of its family.
         types = array_types(x)
         tables = self._tables(types)
         shown = _show(tables, types, x, y, back)
-        is_warp = shown.is_warp
         numbers = self._numbers(tables)
-        warp_beta, weft_beta = numbers["warp scale"], numbers["weft scale"]
-        beta = dr.select(is_warp, warp_beta, weft_beta)
-        other_beta = dr.select(is_warp, weft_beta, warp_beta)
-        twist = self.twist_of(is_warp, back, types)
+        scales = numbers["warp scale"], numbers["weft scale"]
+        twist = self.twist_of(shown.is_warp, back, types)
+        point, run, slopes, tube = shown_surface(tables, shown, (x, y), scales, twist)
+        return point, shown, run, slopes, tube
 
-        # The thread's own cell gives its cross-section, the cell of the thread it crosses the way along.
-        own = select_cell(is_warp, shown.crossing.warp, shown.crossing.weft)
-        crossed = select_cell(is_warp, shown.crossing.weft, shown.crossing.warp)
-        run = _unpack(types, tables, shown, own, crossed)
 
-        # Find the drop of its cross-section. Searches wait for each sample: sections of both threads are
-        # worked out while the words are fetched that tell which of them shows.
-        warp_section, weft_section = (_section(cell) for cell in (shown.crossing.warp, shown.crossing.weft))
-        section = dr.select(is_warp, warp_section.drop, weft_section.drop)
-        section_slope = dr.select(is_warp, warp_section.slope, weft_section.slope)
+@dataclass
+class Relief:
+    """A height on which the cloth lies at a place.
 
-        # Find how far its centre line has fallen along the arc, and both slopes. A float's flank close to its
-        # end lies on the arc of the run that follows underneath.
-        flank = shown.on_top & (run.distance < section * run.sine)
-        over = shown.on_top & ~flank
-        arc = dr.select(flank, run.other_reach, run.reach)
-        along = dr.select(flank, arc + run.distance, maximum(arc - run.distance, 0))
-        sign = dr.select(over, types.Float(1), types.Float(-1))
-        bow = arc * dr.rcp(run.sine) - sign * section
-        root_square = maximum(dr.fma(bow, bow, -dr.square(along)), 1e-20)
-        inverse_root = dr.rsqrt(root_square)
-        bent = along > 0
-        fall = dr.square(along) / dr.fma(root_square, inverse_root, bow)
-        slope_across = section_slope * dr.select(bent, bow * inverse_root, 1)
-        outwards = dr.select(shown.on_top, types.Float(1), types.Float(-1)) * along * inverse_root
-        slope_along = dr.select(bent, outwards, 0) * dr.select(
-            run.near_start, types.Float(1), types.Float(-1)
-        )
+    Attributes:
+        height: millimetres.
+        slope_x, slope_y: its derivatives.
+    """
 
-        # Let a thread underneath dive below the ones that cover it, and add up heights and slopes.
-        dive, dive_slope, filled = _dive(types, tables, shown, run, crossed, other_beta)
-        bend = dr.select(run.straight, 0, beta * sign)
-        level = dr.fma(bend, arc * run.half_tangent, dr.fma(-beta, section, -dive))
-        height = dr.fma(-bend, fall, level)
-        p = beta * slope_across
-        q = dr.fma(beta, slope_along, -dive_slope)
+    height: Float
+    slope_x: Float
+    slope_y: Float
 
-        # Turn the fibres by the twist. Weft local frame: its y runs along −x, a proper rotation, so the twist
-        # keeps its sign.
-        turn = dr.select(is_warp, types.Float(1), types.Float(-1))
-        horizontal_across, horizontal_along = _fibre_direction(slope_across, turn * slope_along, twist)
-        lifted = dr.fma(p, horizontal_across, turn * q * horizontal_along)
-        tangent = types.Vector3(
-            dr.select(is_warp, horizontal_across, -horizontal_along),
-            dr.select(is_warp, horizontal_along, horizontal_across),
-            lifted,
-        )
-        slope_x, slope_y = dr.select(is_warp, p, q), dr.select(is_warp, q, p)
-        # Unroll the section, for coordinates that fibres and plies run along.
-        radius = own.half_width / math.sin(SECTION_ANGLE)
-        across = dr.select(is_warp, warp_section.across, weft_section.across)
-        unrolled = radius * dr.asin(clip(across / radius, -1, 1))
-        lengthwise = dr.select(is_warp, y, -x)
-        sine, cosine = dr.sincos(twist)
-        point = SurfacePoint(
-            hole=shown.hole,
-            is_warp=is_warp,
-            warp_thread=shown.crossing.warp.thread,
-            weft_thread=shown.crossing.weft.thread,
-            height=height,
-            normal=dr.normalize(types.Vector3(-slope_x, -slope_y, 1)),
-            tangent=dr.normalize(tangent),
-            across=across,
-            fibre_across=dr.fma(unrolled, cosine, lengthwise * sine),
-            fibre_along=dr.fma(lengthwise, cosine, -unrolled * sine),
-            x=x,
-            y=y,
-            depth=types.Float(0),
-            shown_share=dr.select(shown.on_top, run.share, 1 - run.share),
-        )
-        slope = dr.fma(-(1 - filled) * dr.rcp(beta), dive_slope, slope_along)
-        tube = Tube(radius, across, slope, beta, dr.fma(filled, dive, height))
-        return point, shown, run, (slope_x, slope_y), tube
+
+def shown_surface(
+    tables: Any,
+    shown: Shown,
+    place: tuple[Float, Float],
+    scales: tuple[Float, Float],
+    twist: Float,
+    relief: Relief | None = None,
+) -> tuple[SurfacePoint, Run, tuple[Float, Float], Tube]:
+    """The surface of the thread that shows at a place, its run there, slopes along x and y, and its yarn.
+
+    Args:
+        tables: families `warp` and `weft`.
+        place: draft coordinates x, y, millimetres.
+        scales: β of warp and weft.
+        twist: ψ of the thread, radians.
+        relief: what it lies on; None for the plane.
+    """
+    x, y = place
+    types = array_types(x)
+    is_warp = shown.is_warp
+    warp_beta, weft_beta = scales
+    beta = dr.select(is_warp, warp_beta, weft_beta)
+    other_beta = dr.select(is_warp, weft_beta, warp_beta)
+
+    # The thread's own cell gives its cross-section, the cell of the thread it crosses the way along.
+    own = select_cell(is_warp, shown.crossing.warp, shown.crossing.weft)
+    crossed = select_cell(is_warp, shown.crossing.weft, shown.crossing.warp)
+    run = _unpack(types, tables, shown, own, crossed)
+
+    # Find the drop of its cross-section. Searches wait for each sample: sections of both threads are
+    # worked out while the words are fetched that tell which of them shows.
+    warp_section, weft_section = (_section(cell) for cell in (shown.crossing.warp, shown.crossing.weft))
+    section = dr.select(is_warp, warp_section.drop, weft_section.drop)
+    section_slope = dr.select(is_warp, warp_section.slope, weft_section.slope)
+
+    # Find how far its centre line has fallen along the arc, and both slopes. A float's flank close to its
+    # end lies on the arc of the run that follows underneath.
+    flank = shown.on_top & (run.distance < section * run.sine)
+    over = shown.on_top & ~flank
+    arc = dr.select(flank, run.other_reach, run.reach)
+    along = dr.select(flank, arc + run.distance, maximum(arc - run.distance, 0))
+    sign = dr.select(over, types.Float(1), types.Float(-1))
+    bow = arc * dr.rcp(run.sine) - sign * section
+    root_square = maximum(dr.fma(bow, bow, -dr.square(along)), 1e-20)
+    inverse_root = dr.rsqrt(root_square)
+    bent = along > 0
+    fall = dr.square(along) / dr.fma(root_square, inverse_root, bow)
+    slope_across = section_slope * dr.select(bent, bow * inverse_root, 1)
+    outwards = dr.select(shown.on_top, types.Float(1), types.Float(-1)) * along * inverse_root
+    slope_along = dr.select(bent, outwards, 0) * dr.select(run.near_start, types.Float(1), types.Float(-1))
+
+    # Let a thread underneath dive below the ones that cover it, and add up heights and slopes.
+    dive, dive_slope, filled = _dive(types, tables, shown, run, crossed, other_beta)
+    bend = dr.select(run.straight, 0, beta * sign)
+    level = dr.fma(bend, arc * run.half_tangent, dr.fma(-beta, section, -dive))
+    height = dr.fma(-bend, fall, level)
+    p = beta * slope_across
+    q = dr.fma(beta, slope_along, -dive_slope)
+    if relief is not None:
+        height += relief.height
+        p += dr.select(is_warp, relief.slope_x, relief.slope_y)
+        q += dr.select(is_warp, relief.slope_y, relief.slope_x)
+
+    # Turn the fibres by the twist. Weft local frame: its y runs along −x, a proper rotation, so the twist
+    # keeps its sign.
+    turn = dr.select(is_warp, types.Float(1), types.Float(-1))
+    horizontal_across, horizontal_along = _fibre_direction(slope_across, turn * slope_along, twist)
+    lifted = dr.fma(p, horizontal_across, turn * q * horizontal_along)
+    tangent = types.Vector3(
+        dr.select(is_warp, horizontal_across, -horizontal_along),
+        dr.select(is_warp, horizontal_along, horizontal_across),
+        lifted,
+    )
+    slope_x, slope_y = dr.select(is_warp, p, q), dr.select(is_warp, q, p)
+    # Unroll the section, for coordinates that fibres and plies run along.
+    radius = own.half_width / math.sin(SECTION_ANGLE)
+    across = dr.select(is_warp, warp_section.across, weft_section.across)
+    unrolled = radius * dr.asin(clip(across / radius, -1, 1))
+    lengthwise = dr.select(is_warp, y, -x)
+    sine, cosine = dr.sincos(twist)
+    point = SurfacePoint(
+        hole=shown.hole,
+        is_warp=is_warp,
+        warp_thread=shown.crossing.warp.thread,
+        weft_thread=shown.crossing.weft.thread,
+        height=height,
+        normal=dr.normalize(types.Vector3(-slope_x, -slope_y, 1)),
+        tangent=dr.normalize(tangent),
+        across=across,
+        fibre_across=dr.fma(unrolled, cosine, lengthwise * sine),
+        fibre_along=dr.fma(lengthwise, cosine, -unrolled * sine),
+        x=x,
+        y=y,
+        depth=types.Float(0),
+        plane=types.Float(0),
+        shown_share=dr.select(shown.on_top, run.share, 1 - run.share),
+    )
+    slope = dr.fma(-(1 - filled) * dr.rcp(beta), dive_slope, slope_along)
+    if relief is not None:
+        slope += dr.rcp(beta) * dr.select(is_warp, relief.slope_y, relief.slope_x)
+    tube = Tube(radius, across, slope, beta, dr.fma(filled, dive, height))
+    return point, run, (slope_x, slope_y), tube
 
 
 @dataclass
@@ -712,7 +783,7 @@ def _section(cell: Cell) -> _Section:
 
 
 @dataclass
-class _Run:
+class Run:
     """The run of the shown thread, unpacked."""
 
     distance: Float  # from the nearer end of the run
@@ -729,7 +800,7 @@ class _Run:
     last_crossing: UInt
 
 
-def _show(tables: DeviceTables, types: ArrayTypes, x: Float, y: Float, back: Mask) -> _Shown:
+def _show(tables: DeviceTables, types: ArrayTypes, x: Float, y: Float, back: Mask) -> Shown:
     crossing = _cross(tables, types, x, y, back)
     warp, weft = crossing.warp, crossing.weft
     in_warp = abs(warp.across) < warp.half_width
@@ -737,20 +808,20 @@ def _show(tables: DeviceTables, types: ArrayTypes, x: Float, y: Float, back: Mas
     is_warp = in_warp & (~in_weft | crossing.warp_above)
     word = dr.select(is_warp, crossing.words[0], crossing.words[1])
     on_top = ((word & 1) == 1) ^ back
-    return _Shown(is_warp, ~in_warp & ~in_weft, on_top, word, crossing)
+    return Shown(is_warp, ~in_warp & ~in_weft, on_top, word, crossing)
 
 
-def _cross(tables: DeviceTables, types: ArrayTypes, x: Float, y: Float, back: Mask) -> _Crossing:
+def _cross(tables: DeviceTables, types: ArrayTypes, x: Float, y: Float, back: Mask) -> Crossing:
     warp, weft = tables.warp.locate(x), tables.weft.locate(y)
     if dr.is_integral_v(tables.ends):
         word = dr.fma(weft.thread, tables.ends, warp.thread)
     else:
         word = types.UInt32(dr.fma(weft.number, tables.ends, warp.number))
     words = dr.gather(types.Index2, tables.words, word)
-    return _Crossing(warp, weft, words, ((words[0] & 1) == 1) ^ back)
+    return Crossing(warp, weft, words, ((words[0] & 1) == 1) ^ back)
 
 
-def _unpack(types: ArrayTypes, tables: DeviceTables, shown: _Shown, own: Cell, crossed: Cell) -> _Run:
+def _unpack(types: ArrayTypes, tables: DeviceTables, shown: Shown, own: Cell, crossed: Cell) -> Run:
     word = shown.word
     behind = types.Int32((word >> 1) & 127)
     ahead = types.Int32((word >> 8) & 127)
@@ -768,7 +839,7 @@ def _unpack(types: ArrayTypes, tables: DeviceTables, shown: _Shown, own: Cell, c
     sine, half_tangent, arc = (dr.select(shown.is_warp, a, b) for a, b in zip(*bends, strict=True))
     far = types.Float(1e6)
     crossings, beside = types.Float(behind + ahead + 1), types.Float(before + after)
-    return _Run(
+    return Run(
         distance=dr.select(straight, far, minimum(from_start, to_end)),
         near_start=near_start,
         from_start=from_start,
@@ -784,7 +855,7 @@ def _unpack(types: ArrayTypes, tables: DeviceTables, shown: _Shown, own: Cell, c
     )
 
 
-def _edge(cell: Cell, shown: _Shown, run: _Run, lengthwise: Mask, forwards: Mask) -> Float:
+def next_outline(cell: Cell, shown: Shown, run: Run, lengthwise: Mask, forwards: Mask) -> Float:
     """Distance along one axis to where another thread may show, or the shown one begins or ceases to dive.
 
     Args:
@@ -810,7 +881,7 @@ def _edge(cell: Cell, shown: _Shown, run: _Run, lengthwise: Mask, forwards: Mask
 
 
 def _dive(
-    types: ArrayTypes, tables: DeviceTables, shown: _Shown, run: _Run, crossed: Cell, other_beta: Float
+    types: ArrayTypes, tables: DeviceTables, shown: Shown, run: Run, crossed: Cell, other_beta: Float
 ) -> tuple[Float, Float, Float]:
     """Depth by which the thread is pushed down here, its slope along the axis, and `filled_share`."""
     low_side = crossed.below < crossed.above

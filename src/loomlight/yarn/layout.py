@@ -62,6 +62,7 @@ class ClothLayout:
         warp, weft: its threads, as if all lay in one plane.
         layers: cloths that lie upon one another; none where one plane is all there is.
         stacking: which lies upon which where that changes; None where the first lies in front everywhere.
+        ties: where threads of one layer rise over another, and are seen on it.
     """
 
     warp_on_top: NDArray[np.bool_]
@@ -69,6 +70,7 @@ class ClothLayout:
     weft: FamilyLayout
     layers: tuple[Layer, ...] = ()
     stacking: Stacking | None = None
+    ties: tuple[Ties, ...] = ()
 
     def __post_init__(self) -> None:
         expected = (self.weft.spacing.size, self.warp.spacing.size)
@@ -111,6 +113,32 @@ class Layer:
     ends: NDArray[np.intp]
     picks: NDArray[np.intp]
     start: tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Ties:
+    """Threads of one layer that rise over threads of another, the outermost of a face, and are seen there.
+
+    Attributes:
+        layer: the threads that tie and those that they cross, as a layer in which the former are on top at
+            ties alone, seen from that face. Nothing but the ties is drawn of it.
+        own: number of the layer whose threads tie.
+        over: number of the layer that they rise over.
+        is_warp: ends tie; else picks.
+        back: the face is the back.
+    """
+
+    layer: Layer
+    own: int
+    over: int
+    is_warp: bool
+    back: bool
+
+    @property
+    def places(self) -> NDArray[np.bool_]:
+        """Where a thread ties, among those of the layer [picks, ends]."""
+        on_top = self.layer.layout.warp_on_top
+        return on_top if self.is_warp != self.back else ~on_top
 
 
 @dataclass(frozen=True, eq=False)

@@ -102,6 +102,7 @@ def test_normals_are_those_of_the_yarns() -> None:
     )
 
 
+@pytest.mark.slow
 def test_threads_beyond_those_of_half_precision_keep_their_numbers() -> None:
     made = model()
     columns, rows = made.tables.counts

@@ -403,6 +403,7 @@ def test_a_source_without_queries_is_refused() -> None:
         btf_of(Path("a"), "latent")  # type: ignore[arg-type]  # no source: that is what is refused
 
 
+@pytest.mark.slow
 def test_guides_of_denoisers_are_learned_from_lobes_and_albedos(tmp_path: Path) -> None:
     """Roughness and normal of the lobes that the sampler has where it is seen from above."""
     torch.manual_seed(4)

@@ -19,6 +19,7 @@ const OTHERS = new Set(["name", "description", "interreflection", "sheen", "vari
 const OTHERS_OF_YARNS = new Set([
   "specular",
   "specular_tint",
+  "specular_grazing",
   "translucency",
   "diffuse_reflect",
   "diffuse_transmit",

@@ -10,6 +10,7 @@ export interface YarnFields {
   readonly albedo?: Colour | readonly Colour[];
   readonly specular?: number;
   readonly specular_tint?: Colour;
+  readonly specular_grazing?: number;
   readonly translucency?: number;
   readonly roughness?: number;
   readonly height_scale?: number;
@@ -45,6 +46,7 @@ export const YARN: FieldTable = {
   albedo: { kind: "colours" },
   specular: { kind: "number", low: 0, high: 1 },
   specular_tint: { kind: "colour" },
+  specular_grazing: { kind: "number", low: 0, high: 4 },
   translucency: { kind: "number", low: 0, high: 1 },
   roughness: { kind: "number", low: 0.01, high: 1 },
   height_scale: { kind: "number", low: 0.01, high: 2 },

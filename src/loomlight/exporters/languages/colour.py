@@ -55,17 +55,30 @@ class Cloth:
         albedos = self._mean_albedos(face, place, side)
         passes = (light[:, 2] < 0)[:, None]
         # Diffuse warp, diffuse weft, specular warp, specular weft; reflected and transmitted.
-        reflected, transmitted = (
-            sum(
-                components[:, family + 2 * kind, None] * albedos[family][:, 2 * kind + far]
-                for family in (0, 1)
-                for kind in (0, 1)
-            )
-            for far in (0, 1)
+        diffuse, specular = (
+            [
+                sum(
+                    components[:, family + 2 * kind, None] * albedos[family][:, 2 * kind + far]
+                    for family in (0, 1)
+                )
+                for far in (0, 1)
+            ]
+            for kind in (0, 1)
         )
-        body = np.where(passes, transmitted, reflected)
+        rise, kept = self._towards_grazing(light, view)
+        specular[0] = specular[0] + rise * components[:, 2:].sum(axis=1, keepdims=True)
+        body = np.where(passes, diffuse[1], diffuse[0])
         body = body + self._between_yarns(face, components, hole, albedos, light, view)
+        body = kept * body + np.where(passes, specular[1], specular[0])
         return self._under_sheen(body, components, hole, light, view)
+
+    def _towards_grazing(self, light: Floats, view: Floats) -> tuple[Floats, Floats]:
+        """What albedos of highlights gain, and the share of diffuse light that is left [n, 1]."""
+        cosine = np.sqrt(np.clip(0.5 + 0.5 * (light * view).sum(axis=1, keepdims=True), 0, 1))
+        of_light, of_view = (
+            1 - self.manifest["grazing_loss"] * (1 - np.abs(each[:, 2:])) ** 4 for each in (light, view)
+        )
+        return self.manifest["grazing_gain"] * (1 - cosine) ** 5, of_light * of_view
 
     def _decoded(
         self, name: str, place: Floats, side: Floats, light: Floats, view: Floats

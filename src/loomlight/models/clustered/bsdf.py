@@ -39,6 +39,7 @@ from loomlight.scattering.point import (
     YarnScattering,
     colours_of,
     to_face_frame,
+    towards_grazing,
 )
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance
 
@@ -495,7 +496,7 @@ class ClusteredBsdf(FilteredBsdf):
             controlled: False leaves out the base and estimates everything from the texels.
             seed: a random number a lane.
         """
-        super().__init__(means, irregular, model.appearance.sheen, view, footprint, tint)
+        super().__init__(means, irregular, model.appearance, view, footprint, tint)
         self._tables, self._model, self._samples, self._seed = tables, model, samples, seed
         self._controlled = controlled
         self._active = active
@@ -570,7 +571,8 @@ class ClusteredBsdf(FilteredBsdf):
         )
         evaluation = self._evaluation(own)
         known = self._evaluation(known).components
-        body = found.colour + shade(known, self.albedos, through) + self.bounced_value(evaluation, light)
+        body = found.colour + shade(known, self.albedos_towards(light), through)
+        body += self.bounced_value(evaluation, light)
         return self.under_sheen(body, evaluation, light), self.null_transmission
 
     def _estimate(self, light: Vec3) -> Estimate:
@@ -586,7 +588,7 @@ class ClusteredBsdf(FilteredBsdf):
             share = 1 / self._samples
             total.rest = _combined(total.rest, known, -share)
             total.components = _combined(_combined(total.components, terms.own, share), known, -share)
-            total.colour += self._colour(terms, taps.transmits) * share
+            total.colour += self._colour(terms, taps.transmits, light) * share
         return total
 
     @cached_property
@@ -595,7 +597,7 @@ class ClusteredBsdf(FilteredBsdf):
         warp, weft = self._model.parameters(array_types(self.view.x))
         return warp.alike, weft.alike
 
-    def _colour(self, terms: TexelTerms, transmits: Mask) -> Color3:
+    def _colour(self, terms: TexelTerms, transmits: Mask, light: Vec3) -> Color3:
         """f·cos of a texel of a family whose threads differ, with the albedos of its thread."""
         types = array_types(self.view.x)
         total = types.Color3(0)
@@ -617,6 +619,7 @@ class ClusteredBsdf(FilteredBsdf):
             own = Albedos(*(family.albedo(number, thread) for number in range(len(ALBEDO_NAMES))))
             shown = self.irregular_albedos(FamilyAlbedos(own, own))
             own = shown.warp if family is families[0] else shown.weft
+            own = towards_grazing(own, self.grazing, light, self.view)
             of_diffuse = dr.select(transmits, own.diffuse_transmit, own.diffuse_reflect)
             of_specular = dr.select(transmits, own.specular_transmit, own.specular_reflect)
             of_diffuse = of_diffuse if tint is None else of_diffuse * tint
@@ -638,7 +641,9 @@ class ClusteredBsdf(FilteredBsdf):
 
     @cached_property
     def _sampler(self) -> LobeSampler:
-        return LobeSampler(self._tables, self._base, self._cluster_means, self.albedos, self.sheen, self.hole)
+        return LobeSampler(
+            self._tables, self._base, self._cluster_means, self.albedos_in_mirror, self.sheen, self.hole
+        )
 
 
 def _combined(first: Components, second: Components, scale: float) -> Components:

@@ -310,7 +310,7 @@ class LobesBsdf(FilteredBsdf):
         tint: Tint | None,
     ) -> None:
         """See `FilteredBsdf`."""
-        super().__init__(means, irregular, point_model.appearance.sheen, view, footprint, tint)
+        super().__init__(means, irregular, point_model.appearance, view, footprint, tint)
         self._lobes = lobes
         self._point_model = point_model
         self._regime = regime
@@ -328,7 +328,8 @@ class LobesBsdf(FilteredBsdf):
         """Probabilities of the lobes that do not depend on the group."""
         blend = self._point_model.appearance.diffuse_blend
         # Densities carry no derivatives: sums over groups are loops.
-        return mixture_of(dr.detach(self.albedos), self.null_transmission, self._at.view, self.sheen, blend)
+        albedos = dr.detach(self.albedos_in_mirror)
+        return mixture_of(albedos, self.null_transmission, self._at.view, self.sheen, blend)
 
     @cached_property
     def hole(self) -> Float:

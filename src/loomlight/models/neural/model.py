@@ -62,7 +62,7 @@ class NeuralBsdf(FilteredBsdf):
     """The BSDF of footprints for one view: the decoder's activations that do not depend on the light."""
 
     def __init__(self, model: NeuralModel, view: Vec3, footprint: Footprint, tint: Tint | None) -> None:
-        super().__init__(model.means, model.irregular, model.fabric.appearance().sheen, view, footprint, tint)
+        super().__init__(model.means, model.irregular, model.fabric.appearance(), view, footprint, tint)
         self._model = model
         self._decoder = decoder_of(model.weights, array_types(view.x).Float)
         self._query = model.query(view, footprint)
@@ -132,7 +132,7 @@ class NeuralBsdf(FilteredBsdf):
     def _proposal(self) -> Proposal | LearnedProposal:
         """The mixture that directions are drawn from; densities carry no derivatives."""
         null = dr.detach(self.null_transmission_of(self.irregular_hole(self._activations.hole)))
-        albedos = dr.detach(self.albedos)
+        albedos = dr.detach(self.albedos_in_mirror)
         view, fibres = to_face_frame(self.view, self._back), self._table.fibres(self._back)
         if self._sampler is not None:
             angular = dr.detach(self._activations.angular)

@@ -9,6 +9,7 @@ import {
   InputError,
   isIrregular,
   OPTICAL_DEPTH,
+  ROUGHNESS,
   SHEEN_ROUGHNESS,
   SHEEN_STRENGTH,
   withYarns,
@@ -18,7 +19,7 @@ import {
   type FamilyName,
 } from "loomlight-fabric";
 
-import { MAXIMUM_CROSSINGS, MIN_GAP } from "../generated.ts";
+import { GRAZING_RISE_LOSS, MAXIMUM_CROSSINGS, MIN_GAP } from "../generated.ts";
 import { familyAppearance, type FamilyAppearance } from "./albedos.ts";
 import { requireOpenness, type Openness } from "./between_yarns.ts";
 import { pairwiseSum } from "./sums.ts";
@@ -60,6 +61,10 @@ export interface Appearance {
   readonly diffuseBlend: number;
   /** Tρ of the fibre layer. */
   readonly opticalDepth: number;
+  /** What albedos of highlights gain towards grazing, the mean of both families, 0 to 4. */
+  readonly grazingGain: number;
+  /** What diffuse light loses there, 0 to 1. */
+  readonly grazingLoss: number;
   /** What light between yarns follows from; null for direct light alone. */
   readonly openness: Openness | null;
 }
@@ -113,10 +118,19 @@ export function lookOf(given: FabricFields, draft: Draft, known: Openness | null
       seed: fields.variation?.seed ?? 0,
       diffuseBlend: fields.diffuse_blend ?? DIFFUSE_BLEND,
       opticalDepth,
+      ...grazingOf(fields),
       openness,
     },
     joint: known?.joint ?? null,
   };
+}
+
+/** How highlights rise towards grazing (`scattering/grazing.py`). */
+function grazingOf({ warp, weft }: FabricFields): Pick<Appearance, "grazingGain" | "grazingLoss"> {
+  const grazingGain = ((warp?.specular_grazing ?? 0) + (weft?.specular_grazing ?? 0)) / 2;
+  const roughness = ((warp?.roughness ?? ROUGHNESS) + (weft?.roughness ?? ROUGHNESS)) / 2;
+  const share = GRAZING_RISE_LOSS[0] * (1 - roughness) ** 3 + GRAZING_RISE_LOSS[1];
+  return { grazingGain, grazingLoss: Math.min(share * grazingGain, 1) };
 }
 
 /** Whether yarns vary along themselves, and from thread to thread by the same process. */

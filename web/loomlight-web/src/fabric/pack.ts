@@ -140,6 +140,8 @@ function packFabric(
     per_relief: 1 / Math.max(high - low, 1e-6),
     diffuse_blend: appearance.diffuseBlend,
     optical_depth: appearance.opticalDepth,
+    grazing_gain: appearance.grazingGain,
+    grazing_loss: appearance.grazingLoss,
     sheen_strength: appearance.sheenStrength,
     sheen_roughness: appearance.sheenRoughness,
     fibre_noise: appearance.fibreNoise,

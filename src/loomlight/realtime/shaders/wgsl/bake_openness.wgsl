@@ -137,6 +137,8 @@ struct Fabric_std430_0
     @align(4) per_relief_0 : f32,
     @align(4) diffuse_blend_0 : f32,
     @align(4) optical_depth_0 : f32,
+    @align(4) grazing_gain_0 : f32,
+    @align(4) grazing_loss_0 : f32,
     @align(4) sheen_strength_0 : f32,
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
@@ -398,6 +400,8 @@ struct Fabric_0
      per_relief_0 : f32,
      diffuse_blend_0 : f32,
      optical_depth_0 : f32,
+     grazing_gain_0 : f32,
+     grazing_loss_0 : f32,
      sheen_strength_0 : f32,
      sheen_roughness_0 : f32,
      fibre_noise_0 : f32,
@@ -1469,6 +1473,7 @@ struct SurfacePoint_0
      x_17 : f32,
      y_14 : f32,
      shown_share_0 : f32,
+     plane_5 : f32,
 };
 
 fn surface_of_0( fabric_19 : Fabric_0,  sample_1 : Sample_0,  x_18 : f32,  y_15 : f32,  back_20 : bool) -> SurfacePoint_0
@@ -1495,6 +1500,7 @@ fn surface_of_0( fabric_19 : Fabric_0,  sample_1 : Sample_0,  x_18 : f32,  y_15 
         point_0.weft_thread_0 = words_0[sample_1.here_1.plane_4.pick_numbers_0 + point_0.weft_thread_0];
     }
     point_0.height_9 = sample_1.height_1;
+    point_0.plane_5 = sample_1.here_1.level_1;
     point_0.normal_0 = normalize(vec3<f32>(- sample_1.slope_x_0, - sample_1.slope_y_0, 1.0f));
     point_0.tangent_0 = normalize(select_vector_1(sample_1.shown_2.is_warp_0, vec3<f32>(_S173, _S174, _S175), vec3<f32>(- _S174, _S173, _S175)));
     point_0.across_2 = sample_1.section_1.across_1;
@@ -1744,24 +1750,24 @@ fn is_layered_1( _S262 : u32) -> bool
 
 fn whole_plane_1( _S263 : u32) -> Plane_0
 {
-    var plane_5 : Plane_0;
-    plane_5.warp_1 = fabrics_0[_S263].warp_0;
-    plane_5.weft_1 = fabrics_0[_S263].weft_0;
-    plane_5.run_words_1 = fabrics_0[_S263].run_words_0;
-    plane_5.ends_2 = fabrics_0[_S263].ends_1;
-    plane_5.end_numbers_0 = u32(0);
-    plane_5.pick_numbers_0 = u32(0);
-    plane_5.max_heights_1 = fabrics_0[_S263].max_heights_0;
-    plane_5.max_height_columns_1 = fabrics_0[_S263].max_height_columns_0;
-    plane_5.height_low_1 = fabrics_0[_S263].height_low_0;
-    plane_5.height_high_1 = fabrics_0[_S263].height_high_0;
-    plane_5.front_level_0 = 0.0f;
-    plane_5.back_level_0 = 0.0f;
-    plane_5.start_x_0 = 0.0f;
-    plane_5.start_y_0 = 0.0f;
-    plane_5.fine_x_0 = 0.0f;
-    plane_5.fine_y_0 = 0.0f;
-    return plane_5;
+    var plane_6 : Plane_0;
+    plane_6.warp_1 = fabrics_0[_S263].warp_0;
+    plane_6.weft_1 = fabrics_0[_S263].weft_0;
+    plane_6.run_words_1 = fabrics_0[_S263].run_words_0;
+    plane_6.ends_2 = fabrics_0[_S263].ends_1;
+    plane_6.end_numbers_0 = u32(0);
+    plane_6.pick_numbers_0 = u32(0);
+    plane_6.max_heights_1 = fabrics_0[_S263].max_heights_0;
+    plane_6.max_height_columns_1 = fabrics_0[_S263].max_height_columns_0;
+    plane_6.height_low_1 = fabrics_0[_S263].height_low_0;
+    plane_6.height_high_1 = fabrics_0[_S263].height_high_0;
+    plane_6.front_level_0 = 0.0f;
+    plane_6.back_level_0 = 0.0f;
+    plane_6.start_x_0 = 0.0f;
+    plane_6.start_y_0 = 0.0f;
+    plane_6.fine_x_0 = 0.0f;
+    plane_6.fine_y_0 = 0.0f;
+    return plane_6;
 }
 
 fn plane_of_1( _S264 : u32,  _S265 : u32) -> Plane_0
@@ -1781,7 +1787,7 @@ fn front_layer_0( _S266 : u32) -> Fabric_0
     var _S270 : Neumip_0 = Neumip_0( _S267.neumip_0.is_trained_0, _S267.neumip_0.decoder_0, _S267.neumip_0.has_offset_0, _S267.neumip_0.offset_0, _S267.neumip_0.offset_texels_0, _S267.neumip_0.features_0, _S267.neumip_0.texel_elements_0, _S267.neumip_0.levels_2, _S267.neumip_0.last_level_1, _S267.neumip_0.face_texels_0, _S267.neumip_0.back_0, _S267.neumip_0.repeats_per_x_0, _S267.neumip_0.repeats_per_y_0, _S267.neumip_0.texels_per_mm_0, _S267.neumip_0.unit_x_0, _S267.neumip_0.unit_y_0, _S267.neumip_0.transmits_0, _S267.neumip_0.transmission_0, _S267.neumip_0.has_holes_0, _S267.neumip_0.opacity_0 );
     var _S271 : Latent_0 = Latent_0( _S267.latent_0.is_trained_1, _S267.latent_0.decoder_1, _S267.latent_0.hidden_0, _S267.latent_0.frames_0, _S267.latent_0.sampler_0, _S267.latent_0.albedo_0, _S267.latent_0.auxiliary_0, _S267.latent_0.texels_1, _S267.latent_0.texel_elements_1, _S267.latent_0.levels_3, _S267.latent_0.last_level_2, _S267.latent_0.face_texels_1, _S267.latent_0.back_1, _S267.latent_0.repeats_per_x_1, _S267.latent_0.repeats_per_y_1, _S267.latent_0.texels_per_mm_1, _S267.latent_0.width_0, _S267.latent_0.height_0, _S267.latent_0.is_trilinear_0, _S267.latent_0.is_apart_0 );
     var _S272 : Clustered_0 = Clustered_0( _S267.clustered_0.is_baked_1, _S267.clustered_0.clusters_0, _S267.clustered_0.rank_0, _S267.clustered_0.channels_0, _S267.clustered_0.columns_0, _S267.clustered_0.rows_0, _S267.clustered_0.texel_width_0, _S267.clustered_0.texel_height_0, _S267.clustered_0.samples_0, _S267.clustered_0.sums_0, _S267.clustered_0.labels_0, _S267.clustered_0.coefficients_0, _S267.clustered_0.basis_0, _S267.clustered_0.moments_1, _S267.clustered_0.texels_2, _S267.clustered_0.light_0, _S267.clustered_0.heights_0 );
-    var _S273 : Fabric_0 = Fabric_0( _S267.warp_0, _S267.weft_0, _S268, _S269, _S270, _S267.run_words_0, _S267.ends_1, _S267.max_heights_0, _S267.max_height_columns_0, _S267.height_low_0, _S267.height_high_0, _S267.lift_0, _S267.threads_per_x_0, _S267.threads_per_y_0, _S267.per_relief_0, _S267.diffuse_blend_0, _S267.optical_depth_0, _S267.sheen_strength_0, _S267.sheen_roughness_0, _S267.fibre_noise_0, _S267.colour_noise_0, _S267.seed_0, _S267.layer_bound_0, _S267.fibre_size_0, _S267.is_irregular_0, _S267.warp_on_top_0, _S267.has_detail_0, _S267.uv_width_0, _S267.uv_height_0, _S267.is_open_0, _S267.openness_0, _S267.albedo_map_0, _S267.albedo_map_levels_0, _S267.has_yarns_0, _S267.mean_hole_0, _S271, _S272, _S267.planes_0, _S267.plane_records_0, _S267.plane_axes_0, _S267.stacks_0, _S267.plane_orders_0, _S267.regions_0, _S267.plane_shares_0, _S267.is_coloured_0 );
+    var _S273 : Fabric_0 = Fabric_0( _S267.warp_0, _S267.weft_0, _S268, _S269, _S270, _S267.run_words_0, _S267.ends_1, _S267.max_heights_0, _S267.max_height_columns_0, _S267.height_low_0, _S267.height_high_0, _S267.lift_0, _S267.threads_per_x_0, _S267.threads_per_y_0, _S267.per_relief_0, _S267.diffuse_blend_0, _S267.optical_depth_0, _S267.grazing_gain_0, _S267.grazing_loss_0, _S267.sheen_strength_0, _S267.sheen_roughness_0, _S267.fibre_noise_0, _S267.colour_noise_0, _S267.seed_0, _S267.layer_bound_0, _S267.fibre_size_0, _S267.is_irregular_0, _S267.warp_on_top_0, _S267.has_detail_0, _S267.uv_width_0, _S267.uv_height_0, _S267.is_open_0, _S267.openness_0, _S267.albedo_map_0, _S267.albedo_map_levels_0, _S267.has_yarns_0, _S267.mean_hole_0, _S271, _S272, _S267.planes_0, _S267.plane_records_0, _S267.plane_axes_0, _S267.stacks_0, _S267.plane_orders_0, _S267.regions_0, _S267.plane_shares_0, _S267.is_coloured_0 );
     if(!is_layered_1(_S266))
     {
         return _S273;
@@ -1805,6 +1811,8 @@ fn front_layer_0( _S266 : u32) -> Fabric_0
     front_0.per_relief_0 = _S267.per_relief_0;
     front_0.diffuse_blend_0 = _S267.diffuse_blend_0;
     front_0.optical_depth_0 = _S267.optical_depth_0;
+    front_0.grazing_gain_0 = _S267.grazing_gain_0;
+    front_0.grazing_loss_0 = _S267.grazing_loss_0;
     front_0.sheen_strength_0 = _S267.sheen_strength_0;
     front_0.sheen_roughness_0 = _S267.sheen_roughness_0;
     front_0.fibre_noise_0 = _S267.fibre_noise_0;

@@ -182,6 +182,8 @@ struct Fabric_std430_0
     @align(4) per_relief_0 : f32,
     @align(4) diffuse_blend_0 : f32,
     @align(4) optical_depth_0 : f32,
+    @align(4) grazing_gain_0 : f32,
+    @align(4) grazing_loss_0 : f32,
     @align(4) sheen_strength_0 : f32,
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
@@ -764,6 +766,7 @@ struct SurfacePoint_0
      x_6 : f32,
      y_3 : f32,
      shown_share_1 : f32,
+     plane_4 : f32,
 };
 
 fn hit_of_0( point_0 : SurfacePoint_0) -> SurfaceHit_0
@@ -790,24 +793,24 @@ fn sample_position_0( _S79 : i32,  _S80 : u32,  _S81 : u32) -> vec2<f32>
 
 fn whole_plane_0( _S82 : u32) -> Plane_0
 {
-    var plane_4 : Plane_0;
-    plane_4.warp_1 = fabrics_0[_S82].warp_0;
-    plane_4.weft_1 = fabrics_0[_S82].weft_0;
-    plane_4.run_words_1 = fabrics_0[_S82].run_words_0;
-    plane_4.ends_3 = fabrics_0[_S82].ends_2;
-    plane_4.end_numbers_0 = u32(0);
-    plane_4.pick_numbers_0 = u32(0);
-    plane_4.max_heights_1 = fabrics_0[_S82].max_heights_0;
-    plane_4.max_height_columns_1 = fabrics_0[_S82].max_height_columns_0;
-    plane_4.height_low_1 = fabrics_0[_S82].height_low_0;
-    plane_4.height_high_1 = fabrics_0[_S82].height_high_0;
-    plane_4.front_level_0 = 0.0f;
-    plane_4.back_level_0 = 0.0f;
-    plane_4.start_x_0 = 0.0f;
-    plane_4.start_y_0 = 0.0f;
-    plane_4.fine_x_0 = 0.0f;
-    plane_4.fine_y_0 = 0.0f;
-    return plane_4;
+    var plane_5 : Plane_0;
+    plane_5.warp_1 = fabrics_0[_S82].warp_0;
+    plane_5.weft_1 = fabrics_0[_S82].weft_0;
+    plane_5.run_words_1 = fabrics_0[_S82].run_words_0;
+    plane_5.ends_3 = fabrics_0[_S82].ends_2;
+    plane_5.end_numbers_0 = u32(0);
+    plane_5.pick_numbers_0 = u32(0);
+    plane_5.max_heights_1 = fabrics_0[_S82].max_heights_0;
+    plane_5.max_height_columns_1 = fabrics_0[_S82].max_height_columns_0;
+    plane_5.height_low_1 = fabrics_0[_S82].height_low_0;
+    plane_5.height_high_1 = fabrics_0[_S82].height_high_0;
+    plane_5.front_level_0 = 0.0f;
+    plane_5.back_level_0 = 0.0f;
+    plane_5.start_x_0 = 0.0f;
+    plane_5.start_y_0 = 0.0f;
+    plane_5.fine_x_0 = 0.0f;
+    plane_5.fine_y_0 = 0.0f;
+    return plane_5;
 }
 
 fn is_layered_0( _S83 : u32) -> bool
@@ -906,6 +909,7 @@ fn surface_of_0( _S118 : u32,  _S119 : Sample_0,  _S120 : f32,  _S121 : f32,  _S
         point_1.weft_thread_0 = words_0[_S119.here_0.plane_3.pick_numbers_0 + point_1.weft_thread_0];
     }
     point_1.height_2 = _S119.height_1;
+    point_1.plane_4 = _S119.here_0.level_1;
     point_1.normal_0 = normalize(vec3<f32>(- _S119.slope_x_0, - _S119.slope_y_0, 1.0f));
     point_1.tangent_0 = normalize(select_vector_0(_S119.shown_2.is_warp_0, vec3<f32>(_S128, _S129, _S130), vec3<f32>(- _S129, _S128, _S130)));
     point_1.across_2 = _S119.section_1.across_1;

@@ -195,6 +195,8 @@ struct Fabric_std430_0
     @align(4) per_relief_0 : f32,
     @align(4) diffuse_blend_0 : f32,
     @align(4) optical_depth_0 : f32,
+    @align(4) grazing_gain_0 : f32,
+    @align(4) grazing_loss_0 : f32,
     @align(4) sheen_strength_0 : f32,
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
@@ -1604,19 +1606,16 @@ fn with_added_0( sums_6 : Components_0,  more_0 : Components_0,  weight_2 : f32)
     return result_5;
 }
 
-fn shaded_0( components_0 : Components_0,  albedos_6 : FamilyAlbedos_0,  transmits_2 : bool) -> vec3<f32>
+fn fourth_power_0( value_1 : f32) -> f32
 {
-    if(transmits_2)
-    {
-        return albedos_6.warp_3.diffuse_transmit_0 * vec3<f32>(components_0.diffuse_warp_0) + albedos_6.weft_3.diffuse_transmit_0 * vec3<f32>(components_0.diffuse_weft_0) + albedos_6.warp_3.specular_transmit_0 * vec3<f32>(components_0.specular_warp_0) + albedos_6.weft_3.specular_transmit_0 * vec3<f32>(components_0.specular_weft_0);
-    }
-    return albedos_6.warp_3.diffuse_reflect_0 * vec3<f32>(components_0.diffuse_warp_0) + albedos_6.weft_3.diffuse_reflect_0 * vec3<f32>(components_0.diffuse_weft_0) + albedos_6.warp_3.specular_reflect_0 * vec3<f32>(components_0.specular_warp_0) + albedos_6.weft_3.specular_reflect_0 * vec3<f32>(components_0.specular_weft_0);
+    var _S281 : f32 = value_1 * value_1;
+    return _S281 * _S281;
 }
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S281 : f32 = light_2.z;
-    return select_vector_2((_S281 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S281) * 0.31830987334251404f));
+    var _S282 : f32 = light_2.z;
+    return select_vector_2((_S282 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S282) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_9 : f32,  y_3 : f32) -> f32
@@ -1636,33 +1635,33 @@ fn sheen_reflectance_0( x_11 : f32,  y_5 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_2 : f32) -> vec3<f32>
 {
-    var _S282 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S283 : f32 = 2.0f * sqrt(_S282) - 1.0f;
-    var _S284 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_2, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S283, _S284), 0.00999999977648258f, 1.0f), clamp((1.0f - _S282) * sheen_shear_0(_S283, _S284), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S283, _S284), -60.0f, 60.0f))));
+    var _S283 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S284 : f32 = 2.0f * sqrt(_S283) - 1.0f;
+    var _S285 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_2, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S284, _S285), 0.00999999977648258f, 1.0f), clamp((1.0f - _S283) * sheen_shear_0(_S284, _S285), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S284, _S285), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S285 : f32 = light_3.z;
-    if(((_S285 <= 0.0f) | (((view_5.z) <= 0.0f))))
+    var _S286 : f32 = light_3.z;
+    if(((_S286 <= 0.0f) | (((view_5.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S286 : vec2<f32> = view_5.xy;
-    var _S287 : f32 = dot(_S286, _S286);
-    var _S288 : vec2<f32> = select_vector_1(_S287 > 9.99999968265522539e-21f, _S286 * vec2<f32>(rsqrt_0(max(_S287, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S289 : f32 = scale_0 * dot(light_3.xy, _S288) + shear_0 * _S285;
-    var _S290 : f32 = scale_0 * (light_3.y * _S288.x - light_3.x * _S288.y);
-    var _S291 : f32 = _S289 * _S289 + _S290 * _S290 + _S285 * _S285;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S285 / max(_S291 * _S291, 9.99999968265522539e-21f);
+    var _S287 : vec2<f32> = view_5.xy;
+    var _S288 : f32 = dot(_S287, _S287);
+    var _S289 : vec2<f32> = select_vector_1(_S288 > 9.99999968265522539e-21f, _S287 * vec2<f32>(rsqrt_0(max(_S288, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S290 : f32 = scale_0 * dot(light_3.xy, _S289) + shear_0 * _S286;
+    var _S291 : f32 = scale_0 * (light_3.y * _S289.x - light_3.x * _S289.y);
+    var _S292 : f32 = _S290 * _S290 + _S291 * _S291 + _S286 * _S286;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S286 / max(_S292 * _S292, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_3 : f32) -> vec2<f32>
 {
-    var _S292 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_3);
-    var _S293 : f32 = strength_0 * _S292.z;
-    return vec2<f32>(_S293 * transformed_cosine_0(light_4, view_6, _S292.x, _S292.y), 1.0f - _S293);
+    var _S293 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_3);
+    var _S294 : f32 = strength_0 * _S293.z;
+    return vec2<f32>(_S294 * transformed_cosine_0(light_4, view_6, _S293.x, _S293.y), 1.0f - _S294);
 }
 
 fn table_byte_0( table_2 : u32,  index_7 : u32) -> u32
@@ -1672,16 +1671,16 @@ fn table_byte_0( table_2 : u32,  index_7 : u32) -> u32
 
 fn gaussian_visibility_0( row_5 : u32,  towards_0 : vec3<f32>) -> f32
 {
-    var _S294 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(3)), table_number_0(row_5 + u32(4)), table_number_0(row_5 + u32(5))));
-    var _S295 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(6)), table_number_0(row_5 + u32(7)), table_number_0(row_5 + u32(8))));
-    return min(max(dot(towards_0, vec3<f32>(table_number_0(row_5), table_number_0(row_5 + u32(1)), table_number_0(row_5 + u32(2)))), 0.0f) * exponential_0(- (_S294 * _S294 + _S295 * _S295)), 1.0f);
+    var _S295 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(3)), table_number_0(row_5 + u32(4)), table_number_0(row_5 + u32(5))));
+    var _S296 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(6)), table_number_0(row_5 + u32(7)), table_number_0(row_5 + u32(8))));
+    return min(max(dot(towards_0, vec3<f32>(table_number_0(row_5), table_number_0(row_5 + u32(1)), table_number_0(row_5 + u32(2)))), 0.0f) * exponential_0(- (_S295 * _S295 + _S296 * _S296)), 1.0f);
 }
 
 fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
 {
-    var _S296 : f32 = layers_0[index_8].share_0;
+    var _S297 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_5;
-    layers_0[index_8].share_0 = _S296 * (1.0f - light_5.w);
+    layers_0[index_8].share_0 = _S297 * (1.0f - light_5.w);
     return;
 }
 
@@ -1705,152 +1704,152 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S297 : u32,  _S298 : u32,  _S299 : u32,  _S300 : vec2<f32>) -> f32
+fn uneven_shift_0( _S298 : u32,  _S299 : u32,  _S300 : u32,  _S301 : vec2<f32>) -> f32
 {
-    var _S301 : f32 = families_0[_S299].period_0 / families_0[_S299].count_0;
-    var _S302 : u32 = hash_key_0(_S298, ((fabrics_0[_S297].seed_0) ^ (u32(625341585))));
-    var _S303 : vec2<f32> = vec2<f32>(_S300.x, _S300.y / 4.0f) / vec2<f32>(_S301);
-    return 0.20000000298023224f * sqrt(families_0[_S299].slub_0) * _S301 * (uneven_octave_0(_S302, _S303) * 0.66666668653488159f + uneven_octave_0(_S302 + u32(1), vec2<f32>(2.0f) * _S303 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S302 : f32 = families_0[_S300].period_0 / families_0[_S300].count_0;
+    var _S303 : u32 = hash_key_0(_S299, ((fabrics_0[_S298].seed_0) ^ (u32(625341585))));
+    var _S304 : vec2<f32> = vec2<f32>(_S301.x, _S301.y / 4.0f) / vec2<f32>(_S302);
+    return 0.20000000298023224f * sqrt(families_0[_S300].slub_0) * _S302 * (uneven_octave_0(_S303, _S304) * 0.66666668653488159f + uneven_octave_0(_S303 + u32(1), vec2<f32>(2.0f) * _S304 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S304 : u32,  _S305 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S305 : u32,  _S306 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S304].has_detail_0) == u32(0), _S305, _S305 + vec2<f32>(uneven_shift_0(_S304, u32(0), fabrics_0[_S304].warp_0, _S305), uneven_shift_0(_S304, u32(1), fabrics_0[_S304].weft_0, _S305.yx)));
+    return select_vector_1((fabrics_0[_S305].has_detail_0) == u32(0), _S306, _S306 + vec2<f32>(uneven_shift_0(_S305, u32(0), fabrics_0[_S305].warp_0, _S306), uneven_shift_0(_S305, u32(1), fabrics_0[_S305].weft_0, _S306.yx)));
 }
 
-fn face_point_0( _S306 : u32,  _S307 : u32,  _S308 : f32,  _S309 : f32) -> VisiblePoint_0
+fn face_point_0( _S307 : u32,  _S308 : u32,  _S309 : f32,  _S310 : f32) -> VisiblePoint_0
 {
-    var _S310 : u32 = u32(3) * _S307;
-    var _S311 : Vertex_0 = vertex_at_0(_S310);
-    var _S312 : Vertex_0 = vertex_at_0(_S310 + u32(1));
-    var _S313 : Vertex_0 = vertex_at_0(_S310 + u32(2));
-    var _S314 : vec3<f32> = position_of_0(_S311);
-    var _S315 : vec3<f32> = position_of_0(_S312) - _S314;
-    var _S316 : vec3<f32> = position_of_0(_S313) - _S314;
-    var _S317 : f32 = _S312.u_0 - _S311.u_0;
-    var _S318 : f32 = _S312.v_0 - _S311.v_0;
-    var _S319 : vec2<f32> = vec2<f32>(_S317, _S318);
-    var _S320 : f32 = _S313.u_0 - _S311.u_0;
-    var _S321 : f32 = _S313.v_0 - _S311.v_0;
-    var _S322 : vec2<f32> = vec2<f32>(_S320, _S321);
-    var _S323 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S317 * _S321 - _S318 * _S320) < 0.0f));
-    var _S324 : vec3<f32> = _S323 * (vec3<f32>(_S321) * _S315 - vec3<f32>(_S318) * _S316);
-    var _S325 : vec3<f32> = _S323 * (vec3<f32>(_S317) * _S316 - vec3<f32>(_S320) * _S315);
+    var _S311 : u32 = u32(3) * _S308;
+    var _S312 : Vertex_0 = vertex_at_0(_S311);
+    var _S313 : Vertex_0 = vertex_at_0(_S311 + u32(1));
+    var _S314 : Vertex_0 = vertex_at_0(_S311 + u32(2));
+    var _S315 : vec3<f32> = position_of_0(_S312);
+    var _S316 : vec3<f32> = position_of_0(_S313) - _S315;
+    var _S317 : vec3<f32> = position_of_0(_S314) - _S315;
+    var _S318 : f32 = _S313.u_0 - _S312.u_0;
+    var _S319 : f32 = _S313.v_0 - _S312.v_0;
+    var _S320 : vec2<f32> = vec2<f32>(_S318, _S319);
+    var _S321 : f32 = _S314.u_0 - _S312.u_0;
+    var _S322 : f32 = _S314.v_0 - _S312.v_0;
+    var _S323 : vec2<f32> = vec2<f32>(_S321, _S322);
+    var _S324 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S318 * _S322 - _S319 * _S321) < 0.0f));
+    var _S325 : vec3<f32> = _S324 * (vec3<f32>(_S322) * _S316 - vec3<f32>(_S319) * _S317);
+    var _S326 : vec3<f32> = _S324 * (vec3<f32>(_S318) * _S317 - vec3<f32>(_S321) * _S316);
     var point_1 : VisiblePoint_0;
-    var _S326 : vec3<f32> = vec3<f32>(_S308);
     var _S327 : vec3<f32> = vec3<f32>(_S309);
-    var _S328 : vec3<f32> = normalize(vec3<f32>((1.0f - _S308 - _S309)) * normal_of_0(_S311) + _S326 * normal_of_0(_S312) + _S327 * normal_of_0(_S313));
-    point_1.normal_0 = _S328;
-    var _S329 : vec3<f32> = normalize(_S324 - _S328 * vec3<f32>(dot(_S328, _S324)));
-    point_1.axis_x_0 = _S329;
-    point_1.axis_y_0 = cross(_S328, _S329);
-    var _S330 : vec3<f32> = normalize(cross(_S315, _S316));
-    point_1.face_normal_0 = select_vector_2((dot(_S330, _S328)) < 0.0f, (vec3<f32>(0) - _S330), _S330);
-    point_1.position_4 = _S314 + _S326 * _S315 + _S327 * _S316;
-    point_1.view_0 = _S328;
-    var _S331 : vec2<f32> = vec2<f32>(_S311.u_0, _S311.v_0) + vec2<f32>(_S308) * _S319 + vec2<f32>(_S309) * _S322;
-    point_1.uv_1 = _S331;
-    var _S332 : bool = (dot(cross(_S324, _S325), _S328)) < 0.0f;
-    var _S333 : vec2<f32> = vec2<f32>(fabrics_0[_S306].uv_width_0, select(fabrics_0[_S306].uv_height_0, - fabrics_0[_S306].uv_height_0, _S332));
-    point_1.draft_per_uv_0 = _S333;
-    point_1.draft_0 = uneven_place_0(_S306, _S331 * _S333 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S306].uv_height_0, _S332)));
-    var _S334 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S334;
-    point_1.draft_dy_0 = _S334;
+    var _S328 : vec3<f32> = vec3<f32>(_S310);
+    var _S329 : vec3<f32> = normalize(vec3<f32>((1.0f - _S309 - _S310)) * normal_of_0(_S312) + _S327 * normal_of_0(_S313) + _S328 * normal_of_0(_S314));
+    point_1.normal_0 = _S329;
+    var _S330 : vec3<f32> = normalize(_S325 - _S329 * vec3<f32>(dot(_S329, _S325)));
+    point_1.axis_x_0 = _S330;
+    point_1.axis_y_0 = cross(_S329, _S330);
+    var _S331 : vec3<f32> = normalize(cross(_S316, _S317));
+    point_1.face_normal_0 = select_vector_2((dot(_S331, _S329)) < 0.0f, (vec3<f32>(0) - _S331), _S331);
+    point_1.position_4 = _S315 + _S327 * _S316 + _S328 * _S317;
+    point_1.view_0 = _S329;
+    var _S332 : vec2<f32> = vec2<f32>(_S312.u_0, _S312.v_0) + vec2<f32>(_S309) * _S320 + vec2<f32>(_S310) * _S323;
+    point_1.uv_1 = _S332;
+    var _S333 : bool = (dot(cross(_S325, _S326), _S329)) < 0.0f;
+    var _S334 : vec2<f32> = vec2<f32>(fabrics_0[_S307].uv_width_0, select(fabrics_0[_S307].uv_height_0, - fabrics_0[_S307].uv_height_0, _S333));
+    point_1.draft_per_uv_0 = _S334;
+    point_1.draft_0 = uneven_place_0(_S307, _S332 * _S334 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S307].uv_height_0, _S333)));
+    var _S335 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S335;
+    point_1.draft_dy_0 = _S335;
     return point_1;
 }
 
-fn visible_point_0( _S335 : u32,  _S336 : u32,  _S337 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S336 : u32,  _S337 : u32,  _S338 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S338 : u32 = u32(3) * _S336;
-    var _S339 : Vertex_0 = vertex_at_0(_S338);
-    var _S340 : Vertex_0 = vertex_at_0(_S338 + u32(1));
-    var _S341 : Vertex_0 = vertex_at_0(_S338 + u32(2));
-    var _S342 : vec3<f32> = position_of_0(_S339);
-    var _S343 : vec3<f32> = position_of_0(_S340) - _S342;
-    var _S344 : vec3<f32> = position_of_0(_S341) - _S342;
-    var _S345 : vec3<f32> = cross(_S343, _S344);
-    var _S346 : f32 = f32(frame_record_0.width_0);
-    var _S347 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S346));
-    var _S348 : f32 = f32(frame_record_0.height_0);
-    var _S349 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S348));
-    var _S350 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S337.x) + 0.5f - 0.5f * _S346)) * _S347 + vec3<f32>((f32(_S337.y) + 0.5f - 0.5f * _S348)) * _S349;
-    var _S351 : f32 = dot(_S350, _S345);
-    var _S352 : f32 = 1.0f / select(1.00000000317107685e-30f, _S351, (abs(_S351)) > 1.00000000317107685e-30f);
-    var _S353 : vec3<f32> = _S342 - camera_origin_0();
-    var _S354 : vec3<f32> = vec3<f32>((dot(_S353, _S345) * _S352));
-    var _S355 : vec3<f32> = _S350 * _S354 - _S353;
-    var _S356 : vec3<f32> = _S354 * (_S347 - _S350 * vec3<f32>((dot(_S347, _S345) * _S352)));
-    var _S357 : vec3<f32> = _S354 * (_S349 - _S350 * vec3<f32>((dot(_S349, _S345) * _S352)));
-    var _S358 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S345), 1.00000000317107685e-30f)));
-    var _S359 : vec3<f32> = cross(_S344, _S345) * _S358;
-    var _S360 : vec3<f32> = cross(_S345, _S343) * _S358;
-    var _S361 : vec2<f32> = vec2<f32>(_S340.u_0 - _S339.u_0, _S340.v_0 - _S339.v_0);
-    var _S362 : vec2<f32> = vec2<f32>(_S341.u_0 - _S339.u_0, _S341.v_0 - _S339.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S335, _S336, dot(_S355, _S359), dot(_S355, _S360));
-    point_2.position_4 = _S342 + _S355;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S350));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S356, _S359)) * _S361 + vec2<f32>(dot(_S356, _S360)) * _S362) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S357, _S359)) * _S361 + vec2<f32>(dot(_S357, _S360)) * _S362) * point_2.draft_per_uv_0;
+    var _S339 : u32 = u32(3) * _S337;
+    var _S340 : Vertex_0 = vertex_at_0(_S339);
+    var _S341 : Vertex_0 = vertex_at_0(_S339 + u32(1));
+    var _S342 : Vertex_0 = vertex_at_0(_S339 + u32(2));
+    var _S343 : vec3<f32> = position_of_0(_S340);
+    var _S344 : vec3<f32> = position_of_0(_S341) - _S343;
+    var _S345 : vec3<f32> = position_of_0(_S342) - _S343;
+    var _S346 : vec3<f32> = cross(_S344, _S345);
+    var _S347 : f32 = f32(frame_record_0.width_0);
+    var _S348 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S347));
+    var _S349 : f32 = f32(frame_record_0.height_0);
+    var _S350 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S349));
+    var _S351 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S338.x) + 0.5f - 0.5f * _S347)) * _S348 + vec3<f32>((f32(_S338.y) + 0.5f - 0.5f * _S349)) * _S350;
+    var _S352 : f32 = dot(_S351, _S346);
+    var _S353 : f32 = 1.0f / select(1.00000000317107685e-30f, _S352, (abs(_S352)) > 1.00000000317107685e-30f);
+    var _S354 : vec3<f32> = _S343 - camera_origin_0();
+    var _S355 : vec3<f32> = vec3<f32>((dot(_S354, _S346) * _S353));
+    var _S356 : vec3<f32> = _S351 * _S355 - _S354;
+    var _S357 : vec3<f32> = _S355 * (_S348 - _S351 * vec3<f32>((dot(_S348, _S346) * _S353)));
+    var _S358 : vec3<f32> = _S355 * (_S350 - _S351 * vec3<f32>((dot(_S350, _S346) * _S353)));
+    var _S359 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S346), 1.00000000317107685e-30f)));
+    var _S360 : vec3<f32> = cross(_S345, _S346) * _S359;
+    var _S361 : vec3<f32> = cross(_S346, _S344) * _S359;
+    var _S362 : vec2<f32> = vec2<f32>(_S341.u_0 - _S340.u_0, _S341.v_0 - _S340.v_0);
+    var _S363 : vec2<f32> = vec2<f32>(_S342.u_0 - _S340.u_0, _S342.v_0 - _S340.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S336, _S337, dot(_S356, _S360), dot(_S356, _S361));
+    point_2.position_4 = _S343 + _S356;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S351));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S357, _S360)) * _S362 + vec2<f32>(dot(_S357, _S361)) * _S363) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S358, _S360)) * _S362 + vec2<f32>(dot(_S358, _S361)) * _S363) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S363 : u32,  _S364 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S364 : u32,  _S365 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S365 : u32 = fabrics_0[_S363].albedo_map_levels_0;
-    if((fabrics_0[_S363].albedo_map_levels_0) == u32(0))
+    var _S366 : u32 = fabrics_0[_S364].albedo_map_levels_0;
+    if((fabrics_0[_S364].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S366 : vec2<f32> = vec2<f32>(fabrics_0[_S363].uv_width_0, fabrics_0[_S363].uv_height_0);
-    var _S367 : vec2<f32> = _S364.draft_dx_0 / _S366;
-    var _S368 : vec2<f32> = _S364.draft_dy_0 / _S366;
-    var _S369 : u32 = _S365 - u32(1);
-    var _S370 : u32 = (u32(1) << (_S369));
-    var _S371 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S367.x * _S368.y - _S367.y * _S368.x), 9.99999968265522539e-21f) * (square_1(f32(_S370)) / 3.0f)), 0.0f, f32(_S365) - 1.0f);
-    var _S372 : u32 = min(u32(_S371), max(_S365, u32(2)) - u32(2));
-    var _S373 : u32 = min(_S372 + u32(1), _S369);
-    var _S374 : u32 = (u32(1) << ((u32(2) * _S365)));
-    return mix(map_level_0(fabrics_0[_S363].albedo_map_0 + (_S374 - ((_S374 >> ((u32(2) * _S372))))) / u32(3), (_S370 >> (_S372)), _S364.uv_1), map_level_0(fabrics_0[_S363].albedo_map_0 + (_S374 - ((_S374 >> ((u32(2) * _S373))))) / u32(3), (_S370 >> (_S373)), _S364.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S371 - f32(_S372))) - 1.0f) / 3.0f)));
+    var _S367 : vec2<f32> = vec2<f32>(fabrics_0[_S364].uv_width_0, fabrics_0[_S364].uv_height_0);
+    var _S368 : vec2<f32> = _S365.draft_dx_0 / _S367;
+    var _S369 : vec2<f32> = _S365.draft_dy_0 / _S367;
+    var _S370 : u32 = _S366 - u32(1);
+    var _S371 : u32 = (u32(1) << (_S370));
+    var _S372 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S368.x * _S369.y - _S368.y * _S369.x), 9.99999968265522539e-21f) * (square_1(f32(_S371)) / 3.0f)), 0.0f, f32(_S366) - 1.0f);
+    var _S373 : u32 = min(u32(_S372), max(_S366, u32(2)) - u32(2));
+    var _S374 : u32 = min(_S373 + u32(1), _S370);
+    var _S375 : u32 = (u32(1) << ((u32(2) * _S366)));
+    return mix(map_level_0(fabrics_0[_S364].albedo_map_0 + (_S375 - ((_S375 >> ((u32(2) * _S373))))) / u32(3), (_S371 >> (_S373)), _S365.uv_1), map_level_0(fabrics_0[_S364].albedo_map_0 + (_S375 - ((_S375 >> ((u32(2) * _S374))))) / u32(3), (_S371 >> (_S374)), _S365.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S372 - f32(_S373))) - 1.0f) / 3.0f)));
 }
 
-fn is_layered_0( _S375 : u32) -> bool
+fn is_layered_0( _S376 : u32) -> bool
 {
-    return (HAS_LAYERS_0 & (((fabrics_0[_S375].planes_0) != u32(0))));
+    return (HAS_LAYERS_0 & (((fabrics_0[_S376].planes_0) != u32(0))));
 }
 
-fn irregular_key_0( _S376 : u32,  _S377 : u32) -> u32
+fn irregular_key_0( _S377 : u32,  _S378 : u32) -> u32
 {
-    return hash_key_0(_S377, ((fabrics_0[_S376].seed_0) ^ (u32(1821285621))));
+    return hash_key_0(_S378, ((fabrics_0[_S377].seed_0) ^ (u32(1821285621))));
 }
 
-fn irregular_place_0( _S378 : u32,  _S379 : vec2<f32>,  _S380 : f32) -> vec2<f32>
+fn irregular_place_0( _S379 : u32,  _S380 : vec2<f32>,  _S381 : f32) -> vec2<f32>
 {
-    var _S381 : u32 = fabrics_0[_S378].warp_0;
-    var _S382 : u32 = fabrics_0[_S378].weft_0;
-    var _S383 : bool = (((((fabrics_0[_S378].is_irregular_0) != u32(0)) & ((!is_layered_0(_S378))))) & (((max(moved_share_0(fabrics_0[_S378].warp_0, _S380), moved_share_0(fabrics_0[_S378].weft_0, _S380))) > 0.0f)));
+    var _S382 : u32 = fabrics_0[_S379].warp_0;
+    var _S383 : u32 = fabrics_0[_S379].weft_0;
+    var _S384 : bool = (((((fabrics_0[_S379].is_irregular_0) != u32(0)) & ((!is_layered_0(_S379))))) & (((max(moved_share_0(fabrics_0[_S379].warp_0, _S381), moved_share_0(fabrics_0[_S379].weft_0, _S381))) > 0.0f)));
     var number_5 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S379;
+    var moved_0 : vec2<f32> = _S380;
     for(;;)
     {
-        if(number_5 < select(u32(0), u32(2), _S383))
+        if(number_5 < select(u32(0), u32(2), _S384))
         {
         }
         else
         {
             break;
         }
-        var _S384 : bool = number_5 == u32(0);
-        var _S385 : u32 = select(_S382, _S381, _S384);
-        var _S386 : vec2<f32> = select_vector_1(_S384, _S379, _S379.yx);
-        var _S387 : u32 = irregular_key_0(_S378, number_5);
-        var _S388 : f32 = _S386.x;
-        var _S389 : Cell_0 = locate_0(_S385, _S388);
-        var _S390 : f32 = irregular_thread_0(_S385, _S388, _S389);
-        var _S391 : f32 = select(1.0f, -1.0f, (_S389.across_0) < 0.0f);
-        var _S392 : vec2<f32> = vec2<f32>(0.0f);
-        var other_1 : vec2<f32> = _S392;
-        var own_1 : vec2<f32> = _S392;
+        var _S385 : bool = number_5 == u32(0);
+        var _S386 : u32 = select(_S383, _S382, _S385);
+        var _S387 : vec2<f32> = select_vector_1(_S385, _S380, _S380.yx);
+        var _S388 : u32 = irregular_key_0(_S379, number_5);
+        var _S389 : f32 = _S387.x;
+        var _S390 : Cell_0 = locate_0(_S386, _S389);
+        var _S391 : f32 = irregular_thread_0(_S386, _S389, _S390);
+        var _S392 : f32 = select(1.0f, -1.0f, (_S390.across_0) < 0.0f);
+        var _S393 : vec2<f32> = vec2<f32>(0.0f);
+        var other_1 : vec2<f32> = _S393;
+        var own_1 : vec2<f32> = _S393;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -1861,23 +1860,23 @@ fn irregular_place_0( _S378 : u32,  _S379 : vec2<f32>,  _S380 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S393 : vec2<f32> = irregular_at_0(_S385, _S387, _S390 + _S391 * f32(neighbour_0), _S386.y).xy;
-            var _S394 : u32 = neighbour_0 + u32(1);
+            var _S394 : vec2<f32> = irregular_at_0(_S386, _S388, _S391 + _S392 * f32(neighbour_0), _S387.y).xy;
+            var _S395 : u32 = neighbour_0 + u32(1);
             own_1 = other_1;
-            other_1 = _S393;
-            neighbour_0 = _S394;
+            other_1 = _S394;
+            neighbour_0 = _S395;
         }
-        var _S395 : f32 = _S389.below_0 + _S389.above_0;
-        var _S396 : f32 = min(_S389.half_width_1 / _S395, 0.5f);
-        var _S397 : f32 = min(_S396 * (2.0f + own_1.y + other_1.y), 1.0f);
-        var _S398 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
-        var _S399 : f32 = _S398.x;
-        var _S400 : f32 = _S397 * _S399 / (_S399 + _S398.y);
-        var _S401 : f32 = abs(_S389.across_0) / _S395;
-        var _S402 : f32 = 1.0f - _S397;
-        var _S403 : f32 = _S401 - _S400;
-        var _S404 : f32 = moved_share_0(_S385, _S380) * _S391 * _S395 * (select(select((_S403 - _S402) / max(_S397 - _S400, 9.99999997475242708e-07f) * _S396 + (1.0f - _S396), _S403 / max(_S402, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S396) + _S396, _S403 < _S402), _S401 * _S396 / _S400, _S403 < 0.0f) - _S401);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S384, vec2<f32>(_S404, 0.0f), vec2<f32>(0.0f, _S404));
+        var _S396 : f32 = _S390.below_0 + _S390.above_0;
+        var _S397 : f32 = min(_S390.half_width_1 / _S396, 0.5f);
+        var _S398 : f32 = min(_S397 * (2.0f + own_1.y + other_1.y), 1.0f);
+        var _S399 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
+        var _S400 : f32 = _S399.x;
+        var _S401 : f32 = _S398 * _S400 / (_S400 + _S399.y);
+        var _S402 : f32 = abs(_S390.across_0) / _S396;
+        var _S403 : f32 = 1.0f - _S398;
+        var _S404 : f32 = _S402 - _S401;
+        var _S405 : f32 = moved_share_0(_S386, _S381) * _S392 * _S396 * (select(select((_S404 - _S403) / max(_S398 - _S401, 9.99999997475242708e-07f) * _S397 + (1.0f - _S397), _S404 / max(_S403, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S397) + _S397, _S404 < _S403), _S402 * _S397 / _S401, _S404 < 0.0f) - _S402);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S385, vec2<f32>(_S405, 0.0f), vec2<f32>(0.0f, _S405));
         number_5 = number_5 + u32(1);
         moved_0 = moved_1;
     }
@@ -1890,109 +1889,109 @@ struct ClusteredView_0
      yarns_0 : Yarns_0,
      even_hole_0 : f32,
      hole_1 : f32,
-     albedos_7 : FamilyAlbedos_0,
+     albedos_6 : FamilyAlbedos_0,
      bounced_2 : Bounced_0,
      view_7 : vec3<f32>,
 };
 
-fn viewed_base_0( _S405 : u32,  _S406 : Footprint_0,  _S407 : vec3<f32>,  _S408 : f32) -> ViewedBase_0
+fn viewed_base_0( _S406 : u32,  _S407 : Footprint_0,  _S408 : vec3<f32>,  _S409 : f32) -> ViewedBase_0
 {
     var seen_1 : ViewedBase_0;
-    var _S409 : bool = (_S407.z) < 0.0f;
-    seen_1.back_6 = _S409;
-    var _S410 : vec3<f32> = to_face_frame_0(_S407, _S409);
-    seen_1.view_3 = _S410;
-    var _S411 : u32 = select(u32(0), u32(1), _S409);
-    seen_1.face_6 = _S411;
-    var _S412 : Clustered_std430_0 = fabrics_0[_S405].clustered_0;
-    var _S413 : f32 = _S408 - 0.5f;
-    var _S414 : TexelBox_0 = texel_box_0(&(_S412), _S406, vec2<f32>(0.0f), _S413);
-    var _S415 : vec2<f32> = parallax_offset_0(&(_S412), _S414, _S411, _S410);
-    var _S416 : TexelBox_0 = texel_box_0(&(_S412), _S406, _S415, _S413);
-    seen_1.box_5 = _S416;
+    var _S410 : bool = (_S408.z) < 0.0f;
+    seen_1.back_6 = _S410;
+    var _S411 : vec3<f32> = to_face_frame_0(_S408, _S410);
+    seen_1.view_3 = _S411;
+    var _S412 : u32 = select(u32(0), u32(1), _S410);
+    seen_1.face_6 = _S412;
+    var _S413 : Clustered_std430_0 = fabrics_0[_S406].clustered_0;
+    var _S414 : f32 = _S409 - 0.5f;
+    var _S415 : TexelBox_0 = texel_box_0(&(_S413), _S407, vec2<f32>(0.0f), _S414);
+    var _S416 : vec2<f32> = parallax_offset_0(&(_S413), _S415, _S412, _S411);
+    var _S417 : TexelBox_0 = texel_box_0(&(_S413), _S407, _S416, _S414);
+    seen_1.box_5 = _S417;
     return seen_1;
 }
 
-fn texel_hole_0( _S417 : u32,  _S418 : ViewedBase_0) -> f32
+fn texel_hole_0( _S418 : u32,  _S419 : ViewedBase_0) -> f32
 {
     var cluster_0 : u32 = u32(0);
     var covered_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S419 : Clustered_std430_0 = fabrics_0[_S417].clustered_0;
-        if(cluster_0 < (_S419.clusters_0))
+        var _S420 : Clustered_std430_0 = fabrics_0[_S418].clustered_0;
+        if(cluster_0 < (_S420.clusters_0))
         {
         }
         else
         {
             break;
         }
-        var _S420 : f32 = box_mean_0(&(_S419), _S418.box_5, _S418.face_6, cluster_0);
-        var covered_1 : f32 = covered_0 + _S420;
+        var _S421 : f32 = box_mean_0(&(_S420), _S419.box_5, _S419.face_6, cluster_0);
+        var covered_1 : f32 = covered_0 + _S421;
         cluster_0 = cluster_0 + u32(1);
         covered_0 = covered_1;
     }
     return clamp(1.0f - covered_0, 0.0f, 1.0f);
 }
 
-fn yarns_over_0( _S421 : u32,  _S422 : Footprint_0,  _S423 : bool) -> Yarns_0
+fn yarns_over_0( _S422 : u32,  _S423 : Footprint_0,  _S424 : bool) -> Yarns_0
 {
-    var _S424 : vec2<f32> = _S422.dx_0;
-    var _S425 : vec2<f32> = _S422.dy_0;
-    var _S426 : vec2<f32> = sqrt(_S424 * _S424 + _S425 * _S425);
-    var _S427 : f32 = Footprint_spread_side_0(_S422);
-    var _S428 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S428, _S428, vec3<f32>(0.0f));
-    var _S429 : bool = (fabrics_0[_S421].is_irregular_0) != u32(0);
+    var _S425 : vec2<f32> = _S423.dx_0;
+    var _S426 : vec2<f32> = _S423.dy_0;
+    var _S427 : vec2<f32> = sqrt(_S425 * _S425 + _S426 * _S426);
+    var _S428 : f32 = Footprint_spread_side_0(_S423);
+    var _S429 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S429, _S429, vec3<f32>(0.0f));
+    var _S430 : bool = (fabrics_0[_S422].is_irregular_0) != u32(0);
     var number_6 : u32 = u32(0);
     for(;;)
     {
-        if(number_6 < select(u32(0), u32(2), _S429))
+        if(number_6 < select(u32(0), u32(2), _S430))
         {
         }
         else
         {
             break;
         }
-        var _S430 : bool = number_6 == u32(0);
-        var _S431 : u32 = select(fabrics_0[_S421].weft_0, fabrics_0[_S421].warp_0, _S430);
-        var _S432 : vec2<f32> = select_vector_1(_S430, _S422.centre_0, _S422.centre_0.yx);
-        var _S433 : vec2<f32> = select_vector_1(_S430, _S426, _S426.yx);
-        var _S434 : f32 = _S432.x;
-        var _S435 : Cell_0 = locate_0(_S431, _S434);
-        var yarn_1 : vec4<f32> = irregular_over_0(_S431, irregular_key_0(_S421, number_6), irregular_thread_0(_S431, _S434, _S435) + _S435.below_0 / (_S435.below_0 + _S435.above_0), _S433.x * (families_0[_S431].count_0 / families_0[_S431].period_0), _S432.y, _S433.y);
-        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S431, _S427));
+        var _S431 : bool = number_6 == u32(0);
+        var _S432 : u32 = select(fabrics_0[_S422].weft_0, fabrics_0[_S422].warp_0, _S431);
+        var _S433 : vec2<f32> = select_vector_1(_S431, _S423.centre_0, _S423.centre_0.yx);
+        var _S434 : vec2<f32> = select_vector_1(_S431, _S427, _S427.yx);
+        var _S435 : f32 = _S433.x;
+        var _S436 : Cell_0 = locate_0(_S432, _S435);
+        var yarn_1 : vec4<f32> = irregular_over_0(_S432, irregular_key_0(_S422, number_6), irregular_thread_0(_S432, _S435, _S436) + _S436.below_0 / (_S436.below_0 + _S436.above_0), _S434.x * (families_0[_S432].count_0 / families_0[_S432].period_0), _S433.y, _S434.y);
+        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S432, _S428));
         yarns_1.warp_1 = yarns_1.weft_1;
         yarns_1.weft_1 = yarn_1;
         number_6 = number_6 + u32(1);
     }
-    var _S436 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S421].warp_0].cover_0, families_0[fabrics_0[_S421].weft_0].cover_0);
-    var _S437 : f32 = select(fabrics_0[_S421].warp_on_top_0, 1.0f - fabrics_0[_S421].warp_on_top_0, _S423);
-    var _S438 : vec3<f32> = shown_of_covers_0(_S436, _S437);
-    var _S439 : vec3<f32> = select_vector_2(_S429, shown_of_covers_0(saturate(_S436 + _S436 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S437) / max(_S438, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_1.shares_0 = _S439;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S439.z, (_S438.z) > 0.00009999999747379f);
+    var _S437 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S422].warp_0].cover_0, families_0[fabrics_0[_S422].weft_0].cover_0);
+    var _S438 : f32 = select(fabrics_0[_S422].warp_on_top_0, 1.0f - fabrics_0[_S422].warp_on_top_0, _S424);
+    var _S439 : vec3<f32> = shown_of_covers_0(_S437, _S438);
+    var _S440 : vec3<f32> = select_vector_2(_S430, shown_of_covers_0(saturate(_S437 + _S437 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S438) / max(_S439, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_1.shares_0 = _S440;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S440.z, (_S439.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn plane_count_0( _S440 : u32) -> u32
+fn plane_count_0( _S441 : u32) -> u32
 {
-    return select(u32(1), fabrics_0[_S440].planes_0, is_layered_0(_S440));
+    return select(u32(1), fabrics_0[_S441].planes_0, is_layered_0(_S441));
 }
 
-fn whole_plane_0( _S441 : u32) -> Plane_0
+fn whole_plane_0( _S442 : u32) -> Plane_0
 {
     var plane_1 : Plane_0;
-    plane_1.warp_5 = fabrics_0[_S441].warp_0;
-    plane_1.weft_5 = fabrics_0[_S441].weft_0;
-    plane_1.run_words_1 = fabrics_0[_S441].run_words_0;
-    plane_1.ends_2 = fabrics_0[_S441].ends_1;
+    plane_1.warp_5 = fabrics_0[_S442].warp_0;
+    plane_1.weft_5 = fabrics_0[_S442].weft_0;
+    plane_1.run_words_1 = fabrics_0[_S442].run_words_0;
+    plane_1.ends_2 = fabrics_0[_S442].ends_1;
     plane_1.end_numbers_0 = u32(0);
     plane_1.pick_numbers_0 = u32(0);
-    plane_1.max_heights_1 = fabrics_0[_S441].max_heights_0;
-    plane_1.max_height_columns_1 = fabrics_0[_S441].max_height_columns_0;
-    plane_1.height_low_1 = fabrics_0[_S441].height_low_0;
-    plane_1.height_high_1 = fabrics_0[_S441].height_high_0;
+    plane_1.max_heights_1 = fabrics_0[_S442].max_heights_0;
+    plane_1.max_height_columns_1 = fabrics_0[_S442].max_height_columns_0;
+    plane_1.height_low_1 = fabrics_0[_S442].height_low_0;
+    plane_1.height_high_1 = fabrics_0[_S442].height_high_0;
     plane_1.front_level_0 = 0.0f;
     plane_1.back_level_0 = 0.0f;
     plane_1.start_x_0 = 0.0f;
@@ -2002,76 +2001,76 @@ fn whole_plane_0( _S441 : u32) -> Plane_0
     return plane_1;
 }
 
-fn plane_of_0( _S442 : u32,  _S443 : u32) -> Plane_0
+fn plane_of_0( _S443 : u32,  _S444 : u32) -> Plane_0
 {
-    if(!is_layered_0(_S442))
+    if(!is_layered_0(_S443))
     {
-        return whole_plane_0(_S442);
+        return whole_plane_0(_S443);
     }
-    return plane_at_0(fabrics_0[_S442].plane_records_0 + _S443 * u32(16));
+    return plane_at_0(fabrics_0[_S443].plane_records_0 + _S444 * u32(16));
 }
 
-fn stack_share_0( _S444 : u32,  _S445 : vec2<f32>,  _S446 : vec2<f32>,  _S447 : u32) -> f32
+fn stack_share_0( _S445 : u32,  _S446 : vec2<f32>,  _S447 : vec2<f32>,  _S448 : u32) -> f32
 {
-    if((fabrics_0[_S444].stacks_0) == u32(1))
+    if((fabrics_0[_S445].stacks_0) == u32(1))
     {
         return 1.0f;
     }
-    var _S448 : u32 = fabrics_0[_S444].plane_axes_0 + u32(1);
-    var _S449 : Stretch_0 = stretch_of_0(fabrics_0[_S444].plane_axes_0, _S445.x, _S446.x);
-    var _S450 : Stretch_0 = stretch_of_0(_S448, _S445.y, _S446.y);
-    return clamp(integral_on_top_0(fabrics_0[_S444].plane_axes_0, _S449, _S450, u32(families_0[_S448].count_0), _S447) / (lengths_0(fabrics_0[_S444].plane_axes_0, _S449).x * lengths_0(_S448, _S450).x), 0.0f, 1.0f);
+    var _S449 : u32 = fabrics_0[_S445].plane_axes_0 + u32(1);
+    var _S450 : Stretch_0 = stretch_of_0(fabrics_0[_S445].plane_axes_0, _S446.x, _S447.x);
+    var _S451 : Stretch_0 = stretch_of_0(_S449, _S446.y, _S447.y);
+    return clamp(integral_on_top_0(fabrics_0[_S445].plane_axes_0, _S450, _S451, u32(families_0[_S449].count_0), _S448) / (lengths_0(fabrics_0[_S445].plane_axes_0, _S450).x * lengths_0(_S449, _S451).x), 0.0f, 1.0f);
 }
 
-fn albedos_over_0( _S451 : u32,  _S452 : Footprint_0,  _S453 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S452 : u32,  _S453 : Footprint_0,  _S454 : bool) -> FamilyAlbedos_0
 {
-    var _S454 : vec2<f32> = _S452.dx_0;
-    var _S455 : vec2<f32> = _S452.dy_0;
-    var _S456 : vec2<f32> = sqrt(_S454 * _S454 + _S455 * _S455);
-    var _S457 : vec3<f32> = vec3<f32>(0.0f);
-    var _S458 : Albedos_0 = Albedos_x24init_0(_S457, _S457, _S457, _S457);
-    var sums_7 : FamilyAlbedos_0 = FamilyAlbedos_x24init_0(_S458, _S458);
-    var _S459 : vec2<f32> = vec2<f32>(0.0f);
+    var _S455 : vec2<f32> = _S453.dx_0;
+    var _S456 : vec2<f32> = _S453.dy_0;
+    var _S457 : vec2<f32> = sqrt(_S455 * _S455 + _S456 * _S456);
+    var _S458 : vec3<f32> = vec3<f32>(0.0f);
+    var _S459 : Albedos_0 = Albedos_x24init_0(_S458, _S458, _S458, _S458);
+    var sums_7 : FamilyAlbedos_0 = FamilyAlbedos_x24init_0(_S459, _S459);
+    var _S460 : vec2<f32> = vec2<f32>(0.0f);
     var number_7 : u32 = u32(0);
-    var areas_0 : vec2<f32> = _S459;
+    var areas_0 : vec2<f32> = _S460;
     for(;;)
     {
-        if(number_7 < (plane_count_0(_S451)))
+        if(number_7 < (plane_count_0(_S452)))
         {
         }
         else
         {
             break;
         }
-        var _S460 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S451, number_7), _S452.centre_0, _S456, _S453);
-        if(!is_layered_0(_S451))
+        var _S461 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S452, number_7), _S453.centre_0, _S457, _S454);
+        if(!is_layered_0(_S452))
         {
-            return _S460;
+            return _S461;
         }
-        var _S461 : PlaneShares_0 = PlaneShares_x24init_0(0.0f, _S457, _S457);
-        var warp_8 : PlaneShares_0 = _S461;
-        var weft_8 : PlaneShares_0 = _S461;
+        var _S462 : PlaneShares_0 = PlaneShares_x24init_0(0.0f, _S458, _S458);
+        var warp_8 : PlaneShares_0 = _S462;
+        var weft_8 : PlaneShares_0 = _S462;
         var stack_0 : u32 = u32(0);
         for(;;)
         {
-            if(stack_0 < (fabrics_0[_S451].stacks_0))
+            if(stack_0 < (fabrics_0[_S452].stacks_0))
             {
             }
             else
             {
                 break;
             }
-            var _S462 : f32 = stack_share_0(_S451, _S452.centre_0, _S456, stack_0);
-            var _S463 : u32 = fabrics_0[_S451].plane_shares_0 + u32(14) * (u32(2) * (stack_0 * fabrics_0[_S451].planes_0 + number_7) + select(u32(0), u32(1), _S453));
-            var _S464 : PlaneShares_0 = with_shares_at_0(warp_8, _S462, _S463);
-            var _S465 : PlaneShares_0 = with_shares_at_0(weft_8, _S462, _S463 + u32(7));
-            var _S466 : u32 = stack_0 + u32(1);
-            warp_8 = _S464;
-            weft_8 = _S465;
-            stack_0 = _S466;
+            var _S463 : f32 = stack_share_0(_S452, _S453.centre_0, _S457, stack_0);
+            var _S464 : u32 = fabrics_0[_S452].plane_shares_0 + u32(14) * (u32(2) * (stack_0 * fabrics_0[_S452].planes_0 + number_7) + select(u32(0), u32(1), _S454));
+            var _S465 : PlaneShares_0 = with_shares_at_0(warp_8, _S463, _S464);
+            var _S466 : PlaneShares_0 = with_shares_at_0(weft_8, _S463, _S464 + u32(7));
+            var _S467 : u32 = stack_0 + u32(1);
+            warp_8 = _S465;
+            weft_8 = _S466;
+            stack_0 = _S467;
         }
-        sums_7.warp_3 = with_plane_0(sums_7.warp_3, _S460.warp_3, warp_8);
-        sums_7.weft_3 = with_plane_0(sums_7.weft_3, _S460.weft_3, weft_8);
+        sums_7.warp_3 = with_plane_0(sums_7.warp_3, _S461.warp_3, warp_8);
+        sums_7.weft_3 = with_plane_0(sums_7.weft_3, _S461.weft_3, weft_8);
         var areas_1 : vec2<f32> = areas_0 + vec2<f32>(warp_8.area_0, weft_8.area_0);
         number_7 = number_7 + u32(1);
         areas_0 = areas_1;
@@ -2082,130 +2081,130 @@ fn albedos_over_0( _S451 : u32,  _S452 : Footprint_0,  _S453 : bool) -> FamilyAl
     return means_0;
 }
 
-fn toned_0( _S467 : u32,  _S468 : u32,  _S469 : Albedos_0,  _S470 : vec4<f32>) -> Albedos_0
+fn toned_0( _S468 : u32,  _S469 : u32,  _S470 : Albedos_0,  _S471 : vec4<f32>) -> Albedos_0
 {
-    var _S471 : vec3<f32> = _S469.diffuse_reflect_0 + _S469.diffuse_transmit_0;
-    var _S472 : vec3<f32> = vec3<f32>(1.0f);
-    var _S473 : vec3<f32> = _S472 - vec3<f32>(fabrics_0[_S467].layer_bound_0) * max(_S469.specular_reflect_0, _S469.specular_transmit_0);
-    var _S474 : vec3<f32> = vec3<f32>(0.0f);
-    var _S475 : vec3<f32> = max(_S472 - _S471, _S474) / (_S472 + _S471);
-    var _S476 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S477 : vec3<f32> = (_S473 / max(_S471, _S476) - _S472) / max(vec3<f32>(0.89999997615814209f) * _S475, _S476);
-    var _S478 : vec3<f32> = _S472 - vec3<f32>((saturate(min(min(_S477.x, _S477.y), _S477.z)) * _S470.z)) * _S475;
-    var _S479 : vec3<f32> = min(vec3<f32>(families_0[_S468].nep_red_0, families_0[_S468].nep_green_0, families_0[_S468].nep_blue_0), _S473);
-    var found_1 : Albedos_0 = _S469;
-    var _S480 : f32 = _S470.w;
-    var _S481 : vec3<f32> = _S478 * _S469.diffuse_transmit_0 * vec3<f32>((1.0f - _S480));
-    found_1.diffuse_transmit_0 = _S481;
-    found_1.diffuse_reflect_0 = clamp(mix(_S478 * _S469.diffuse_reflect_0, _S479, vec3<f32>(_S480)), _S474, max(_S473 - _S481, _S474));
+    var _S472 : vec3<f32> = _S470.diffuse_reflect_0 + _S470.diffuse_transmit_0;
+    var _S473 : vec3<f32> = vec3<f32>(1.0f);
+    var _S474 : vec3<f32> = _S473 - vec3<f32>(fabrics_0[_S468].layer_bound_0) * max(_S470.specular_reflect_0, _S470.specular_transmit_0);
+    var _S475 : vec3<f32> = vec3<f32>(0.0f);
+    var _S476 : vec3<f32> = max(_S473 - _S472, _S475) / (_S473 + _S472);
+    var _S477 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S478 : vec3<f32> = (_S474 / max(_S472, _S477) - _S473) / max(vec3<f32>(0.89999997615814209f) * _S476, _S477);
+    var _S479 : vec3<f32> = _S473 - vec3<f32>((saturate(min(min(_S478.x, _S478.y), _S478.z)) * _S471.z)) * _S476;
+    var _S480 : vec3<f32> = min(vec3<f32>(families_0[_S469].nep_red_0, families_0[_S469].nep_green_0, families_0[_S469].nep_blue_0), _S474);
+    var found_1 : Albedos_0 = _S470;
+    var _S481 : f32 = _S471.w;
+    var _S482 : vec3<f32> = _S479 * _S470.diffuse_transmit_0 * vec3<f32>((1.0f - _S481));
+    found_1.diffuse_transmit_0 = _S482;
+    found_1.diffuse_reflect_0 = clamp(mix(_S479 * _S470.diffuse_reflect_0, _S480, vec3<f32>(_S481)), _S475, max(_S474 - _S482, _S475));
     return found_1;
 }
 
-fn with_tones_0( _S482 : u32,  _S483 : FamilyAlbedos_0,  _S484 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S483 : u32,  _S484 : FamilyAlbedos_0,  _S485 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S482].is_irregular_0) == u32(0))
+    if((fabrics_0[_S483].is_irregular_0) == u32(0))
     {
-        return _S483;
+        return _S484;
     }
     var result_6 : FamilyAlbedos_0;
-    result_6.warp_3 = toned_0(_S482, fabrics_0[_S482].warp_0, _S483.warp_3, _S484.warp_1);
-    result_6.weft_3 = toned_0(_S482, fabrics_0[_S482].weft_0, _S483.weft_3, _S484.weft_1);
+    result_6.warp_3 = toned_0(_S483, fabrics_0[_S483].warp_0, _S484.warp_3, _S485.warp_1);
+    result_6.weft_3 = toned_0(_S483, fabrics_0[_S483].weft_0, _S484.weft_3, _S485.weft_1);
     return result_6;
 }
 
-fn openness_number_0( _S485 : u32,  _S486 : u32) -> f32
+fn openness_number_0( _S486 : u32,  _S487 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S485].openness_0 + _S486);
+    return table_number_0(fabrics_0[_S486].openness_0 + _S487);
 }
 
-fn scattered_by_0( _S487 : u32,  _S488 : Albedos_0,  _S489 : u32,  _S490 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S488 : u32,  _S489 : Albedos_0,  _S490 : u32,  _S491 : vec3<f32>) -> Scattered_0
 {
-    var _S491 : u32 = u32(159) + u32(2) * _S489;
+    var _S492 : u32 = u32(159) + u32(2) * _S490;
     var yarn_2 : Scattered_0;
-    yarn_2.back_5 = _S490 * _S488.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S487, _S491)) * _S488.specular_reflect_0;
-    yarn_2.through_0 = _S490 * _S488.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S487, _S491 + u32(1))) * _S488.specular_transmit_0;
+    yarn_2.back_5 = _S491 * _S489.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S488, _S492)) * _S489.specular_reflect_0;
+    yarn_2.through_0 = _S491 * _S489.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S488, _S492 + u32(1))) * _S489.specular_transmit_0;
     return yarn_2;
 }
 
-fn sent_0( _S492 : u32,  _S493 : u32,  _S494 : vec3<f32>,  _S495 : vec3<f32>,  _S496 : vec3<f32>,  _S497 : vec3<f32>,  _S498 : ptr<function, vec3<f32>>,  _S499 : ptr<function, vec3<f32>>)
+fn sent_0( _S493 : u32,  _S494 : u32,  _S495 : vec3<f32>,  _S496 : vec3<f32>,  _S497 : vec3<f32>,  _S498 : vec3<f32>,  _S499 : ptr<function, vec3<f32>>,  _S500 : ptr<function, vec3<f32>>)
 {
-    var _S500 : u32 = u32(146) + u32(4) * _S493;
-    var _S501 : f32 = openness_number_0(_S492, _S500 + u32(1));
-    var _S502 : f32 = openness_number_0(_S492, _S500 + u32(2));
-    var _S503 : vec3<f32> = vec3<f32>(1.0f);
-    var _S504 : vec3<f32> = _S503 - _S496 * vec3<f32>(openness_number_0(_S492, _S500));
-    var _S505 : vec3<f32> = _S503 - _S497 * vec3<f32>(openness_number_0(_S492, _S500 + u32(3)));
-    var _S506 : vec3<f32> = _S503 / (_S504 * _S505 - _S496 * _S497 * vec3<f32>((_S501 * _S502)));
-    (*_S498) = (_S494 * _S505 + _S496 * vec3<f32>(_S501) * _S495) * _S506;
-    (*_S499) = (_S495 * _S504 + _S497 * vec3<f32>(_S502) * _S494) * _S506;
+    var _S501 : u32 = u32(146) + u32(4) * _S494;
+    var _S502 : f32 = openness_number_0(_S493, _S501 + u32(1));
+    var _S503 : f32 = openness_number_0(_S493, _S501 + u32(2));
+    var _S504 : vec3<f32> = vec3<f32>(1.0f);
+    var _S505 : vec3<f32> = _S504 - _S497 * vec3<f32>(openness_number_0(_S493, _S501));
+    var _S506 : vec3<f32> = _S504 - _S498 * vec3<f32>(openness_number_0(_S493, _S501 + u32(3)));
+    var _S507 : vec3<f32> = _S504 / (_S505 * _S506 - _S497 * _S498 * vec3<f32>((_S502 * _S503)));
+    (*_S499) = (_S495 * _S506 + _S497 * vec3<f32>(_S502) * _S496) * _S507;
+    (*_S500) = (_S496 * _S505 + _S498 * vec3<f32>(_S503) * _S495) * _S507;
     return;
 }
 
-fn face_sends_0( _S507 : u32,  _S508 : u32,  _S509 : Scattered_0,  _S510 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S508 : u32,  _S509 : u32,  _S510 : Scattered_0,  _S511 : Scattered_0) -> FaceSends_0
 {
-    var _S511 : u32 = u32(2) * _S508;
-    var _S512 : u32 = u32(142) + _S511;
-    var _S513 : f32 = openness_number_0(_S507, _S512);
-    var _S514 : f32 = openness_number_0(_S507, _S512 + u32(1));
-    var _S515 : vec3<f32> = vec3<f32>((1.0f - _S513)) * _S509.back_5;
+    var _S512 : u32 = u32(2) * _S509;
+    var _S513 : u32 = u32(142) + _S512;
+    var _S514 : f32 = openness_number_0(_S508, _S513);
+    var _S515 : f32 = openness_number_0(_S508, _S513 + u32(1));
     var _S516 : vec3<f32> = vec3<f32>((1.0f - _S514)) * _S510.back_5;
+    var _S517 : vec3<f32> = vec3<f32>((1.0f - _S515)) * _S511.back_5;
     var sends_1 : FaceSends_0;
-    var _S517 : u32 = u32(154) + _S511;
-    var _S518 : f32 = openness_number_0(_S507, _S517);
-    sends_1.blocks_warp_0 = _S518;
-    var _S519 : f32 = openness_number_0(_S507, _S517 + u32(1));
-    sends_1.blocks_weft_0 = _S519;
-    sends_1.open_0 = _S518 * _S513 + _S519 * _S514;
-    var _S520 : vec3<f32> = vec3<f32>(_S513) * _S509.back_5;
+    var _S518 : u32 = u32(154) + _S512;
+    var _S519 : f32 = openness_number_0(_S508, _S518);
+    sends_1.blocks_warp_0 = _S519;
+    var _S520 : f32 = openness_number_0(_S508, _S518 + u32(1));
+    sends_1.blocks_weft_0 = _S520;
+    sends_1.open_0 = _S519 * _S514 + _S520 * _S515;
     var _S521 : vec3<f32> = vec3<f32>(_S514) * _S510.back_5;
-    var _S522 : vec3<f32> = sends_1.sky_warp_0;
-    var _S523 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S507, _S508, _S520, _S521, _S515, _S516, &(_S522), &(_S523));
-    sends_1.sky_warp_0 = _S522;
-    sends_1.sky_weft_0 = _S523;
-    var _S524 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S525 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S507, _S508, _S509.through_0, _S510.through_0, _S515, _S516, &(_S524), &(_S525));
-    sends_1.crossing_warp_0 = _S524;
-    sends_1.crossing_weft_0 = _S525;
+    var _S522 : vec3<f32> = vec3<f32>(_S515) * _S511.back_5;
+    var _S523 : vec3<f32> = sends_1.sky_warp_0;
+    var _S524 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S508, _S509, _S521, _S522, _S516, _S517, &(_S523), &(_S524));
+    sends_1.sky_warp_0 = _S523;
+    sends_1.sky_weft_0 = _S524;
+    var _S525 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S526 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S508, _S509, _S510.through_0, _S511.through_0, _S516, _S517, &(_S525), &(_S526));
+    sends_1.crossing_warp_0 = _S525;
+    sends_1.crossing_weft_0 = _S526;
     return sends_1;
 }
 
-fn interior_between_0( _S526 : u32,  _S527 : u32,  _S528 : u32,  _S529 : vec3<f32>,  _S530 : bool) -> Interior_0
+fn interior_between_0( _S527 : u32,  _S528 : u32,  _S529 : u32,  _S530 : vec3<f32>,  _S531 : bool) -> Interior_0
 {
-    var _S531 : Scattered_0 = scattered_by_0(_S526, table_albedos_0(_S527), u32(0), _S529);
-    var _S532 : Scattered_0 = scattered_by_0(_S526, table_albedos_0(_S528), u32(1), _S529);
-    var _S533 : FaceSends_0 = face_sends_0(_S526, select(u32(0), u32(1), _S530), _S531, _S532);
-    var _S534 : FaceSends_0 = face_sends_0(_S526, select(u32(1), u32(0), _S530), _S531, _S532);
-    var _S535 : vec3<f32> = vec3<f32>(_S533.blocks_warp_0);
-    var _S536 : vec3<f32> = vec3<f32>(_S533.blocks_weft_0);
-    var _S537 : vec3<f32> = _S535 * _S533.crossing_warp_0 + _S536 * _S533.crossing_weft_0;
-    var _S538 : vec3<f32> = vec3<f32>(_S534.blocks_warp_0);
-    var _S539 : vec3<f32> = vec3<f32>(_S534.blocks_weft_0);
-    var _S540 : vec3<f32> = _S538 * _S534.crossing_warp_0 + _S539 * _S534.crossing_weft_0;
-    var _S541 : f32 = 1.0f - _S533.open_0;
+    var _S532 : Scattered_0 = scattered_by_0(_S527, table_albedos_0(_S528), u32(0), _S530);
+    var _S533 : Scattered_0 = scattered_by_0(_S527, table_albedos_0(_S529), u32(1), _S530);
+    var _S534 : FaceSends_0 = face_sends_0(_S527, select(u32(0), u32(1), _S531), _S532, _S533);
+    var _S535 : FaceSends_0 = face_sends_0(_S527, select(u32(1), u32(0), _S531), _S532, _S533);
+    var _S536 : vec3<f32> = vec3<f32>(_S534.blocks_warp_0);
+    var _S537 : vec3<f32> = vec3<f32>(_S534.blocks_weft_0);
+    var _S538 : vec3<f32> = _S536 * _S534.crossing_warp_0 + _S537 * _S534.crossing_weft_0;
+    var _S539 : vec3<f32> = vec3<f32>(_S535.blocks_warp_0);
+    var _S540 : vec3<f32> = vec3<f32>(_S535.blocks_weft_0);
+    var _S541 : vec3<f32> = _S539 * _S535.crossing_warp_0 + _S540 * _S535.crossing_weft_0;
     var _S542 : f32 = 1.0f - _S534.open_0;
-    var _S543 : vec3<f32> = vec3<f32>(1.0f);
-    var _S544 : vec3<f32> = _S543 / (_S543 - _S537 * _S540 * vec3<f32>((_S541 * _S542)));
-    var _S545 : vec3<f32> = _S540 * (vec3<f32>(_S533.open_0) + vec3<f32>(_S541) * (_S535 * _S533.sky_warp_0 + _S536 * _S533.sky_weft_0)) * _S544;
-    var _S546 : vec3<f32> = _S537 * (vec3<f32>(_S534.open_0) + vec3<f32>(_S542) * (_S538 * _S534.sky_warp_0 + _S539 * _S534.sky_weft_0)) * _S544;
-    var _S547 : FaceRadiance_0 = face_radiance_0(_S533, _S534.open_0, _S545, _S546);
-    var _S548 : FaceRadiance_0 = face_radiance_0(_S534, _S533.open_0, _S546, _S545);
+    var _S543 : f32 = 1.0f - _S535.open_0;
+    var _S544 : vec3<f32> = vec3<f32>(1.0f);
+    var _S545 : vec3<f32> = _S544 / (_S544 - _S538 * _S541 * vec3<f32>((_S542 * _S543)));
+    var _S546 : vec3<f32> = _S541 * (vec3<f32>(_S534.open_0) + vec3<f32>(_S542) * (_S536 * _S534.sky_warp_0 + _S537 * _S534.sky_weft_0)) * _S545;
+    var _S547 : vec3<f32> = _S538 * (vec3<f32>(_S535.open_0) + vec3<f32>(_S543) * (_S539 * _S535.sky_warp_0 + _S540 * _S535.sky_weft_0)) * _S545;
+    var _S548 : FaceRadiance_0 = face_radiance_0(_S534, _S535.open_0, _S546, _S547);
+    var _S549 : FaceRadiance_0 = face_radiance_0(_S535, _S534.open_0, _S547, _S546);
     var interior_1 : Interior_0;
-    interior_1.warp_7 = _S547.warp_6;
-    interior_1.weft_7 = _S547.weft_6;
-    interior_1.leaked_1 = _S547.leaked_0;
-    interior_1.far_1 = _S548.mean_0;
-    interior_1.far_leaked_0 = _S548.leaked_0;
+    interior_1.warp_7 = _S548.warp_6;
+    interior_1.weft_7 = _S548.weft_6;
+    interior_1.leaked_1 = _S548.leaked_0;
+    interior_1.far_1 = _S549.mean_0;
+    interior_1.far_leaked_0 = _S549.leaked_0;
     return interior_1;
 }
 
-fn interior_of_0( _S549 : u32,  _S550 : vec3<f32>,  _S551 : bool) -> Interior_0
+fn interior_of_0( _S550 : u32,  _S551 : vec3<f32>,  _S552 : bool) -> Interior_0
 {
-    return interior_between_0(_S549, families_0[fabrics_0[_S549].warp_0].cloth_mean_0, families_0[fabrics_0[_S549].weft_0].cloth_mean_0, _S550, _S551);
+    return interior_between_0(_S550, families_0[fabrics_0[_S550].warp_0].cloth_mean_0, families_0[fabrics_0[_S550].weft_0].cloth_mean_0, _S551, _S552);
 }
 
-fn blocked_of_terms_0( _S552 : u32,  _S553 : u32,  _S554 : array<f32, i32(6)>,  _S555 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S553 : u32,  _S554 : u32,  _S555 : array<f32, i32(6)>,  _S556 : u32) -> Blocked_0
 {
     var shares_3 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
@@ -2222,14 +2221,14 @@ fn blocked_of_terms_0( _S552 : u32,  _S553 : u32,  _S554 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S555)
+            if(term_0 < _S556)
             {
             }
             else
             {
                 break;
             }
-            shares_3[share_4] = shares_3[share_4] + openness_number_0(_S552, _S553 + share_4 * _S555 + term_0) * _S554[term_0];
+            shares_3[share_4] = shares_3[share_4] + openness_number_0(_S553, _S554 + share_4 * _S556 + term_0) * _S555[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_3[share_4] = saturate(shares_3[share_4]);
@@ -2242,81 +2241,81 @@ fn blocked_of_terms_0( _S552 : u32,  _S553 : u32,  _S554 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_from_0( _S556 : u32,  _S557 : vec3<f32>,  _S558 : bool,  _S559 : bool) -> Blocked_0
+fn blocked_from_0( _S557 : u32,  _S558 : vec3<f32>,  _S559 : bool,  _S560 : bool) -> Blocked_0
 {
     var terms_1 : array<f32, i32(6)>;
-    view_terms_0(_S557, &(terms_1));
-    return blocked_of_terms_0(_S556, (select(u32(0), u32(2), _S559) + select(u32(1), u32(0), _S558)) * u32(15), terms_1, u32(5));
+    view_terms_0(_S558, &(terms_1));
+    return blocked_of_terms_0(_S557, (select(u32(0), u32(2), _S560) + select(u32(1), u32(0), _S559)) * u32(15), terms_1, u32(5));
 }
 
-fn family_share_0( _S560 : u32,  _S561 : u32,  _S562 : f32) -> vec2<f32>
+fn family_share_0( _S561 : u32,  _S562 : u32,  _S563 : f32) -> vec2<f32>
 {
-    var _S563 : bool = _S561 < (fabrics_0[_S560].clustered_0.clusters_0 / u32(2));
-    return vec2<f32>(select(0.0f, _S562, _S563), select(_S562, 0.0f, _S563));
+    var _S564 : bool = _S562 < (fabrics_0[_S561].clustered_0.clusters_0 / u32(2));
+    return vec2<f32>(select(0.0f, _S563, _S564), select(_S563, 0.0f, _S564));
 }
 
-fn clustered_shown_0( _S564 : u32,  _S565 : ViewedBase_0) -> vec2<f32>
+fn clustered_shown_0( _S565 : u32,  _S566 : ViewedBase_0) -> vec2<f32>
 {
-    var _S566 : Clustered_std430_0 = fabrics_0[_S564].clustered_0;
-    var _S567 : u32 = _S566.clusters_0;
-    var _S568 : vec2<f32> = vec2<f32>(0.0f);
+    var _S567 : Clustered_std430_0 = fabrics_0[_S565].clustered_0;
+    var _S568 : u32 = _S567.clusters_0;
+    var _S569 : vec2<f32> = vec2<f32>(0.0f);
     var cluster_1 : u32 = u32(0);
-    var shown_0 : vec2<f32> = _S568;
+    var shown_0 : vec2<f32> = _S569;
     for(;;)
     {
-        if(cluster_1 < _S567)
+        if(cluster_1 < _S568)
         {
         }
         else
         {
             break;
         }
-        var _S569 : f32 = box_mean_0(&(_S566), _S565.box_5, _S565.face_6, cluster_1);
-        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S564, cluster_1, _S569);
+        var _S570 : f32 = box_mean_0(&(_S567), _S566.box_5, _S566.face_6, cluster_1);
+        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S565, cluster_1, _S570);
         cluster_1 = cluster_1 + u32(1);
         shown_0 = shown_1;
     }
     return shown_0;
 }
 
-fn clustered_view_0( _S570 : u32,  _S571 : Footprint_0,  _S572 : vec3<f32>,  _S573 : vec3<f32>,  _S574 : u32) -> ClusteredView_0
+fn clustered_view_0( _S571 : u32,  _S572 : Footprint_0,  _S573 : vec3<f32>,  _S574 : vec3<f32>,  _S575 : u32) -> ClusteredView_0
 {
     var seen_2 : ClusteredView_0;
-    var _S575 : ViewedBase_0 = viewed_base_0(_S570, _S571, _S572, uniform_of_0(_S574, u32(0)));
-    seen_2.base_0 = _S575;
-    seen_2.view_7 = _S572;
-    var _S576 : f32 = texel_hole_0(_S570, _S575);
-    seen_2.even_hole_0 = _S576;
-    var _S577 : Yarns_0 = yarns_over_0(_S570, _S571, seen_2.base_0.back_6);
-    seen_2.yarns_0 = _S577;
-    seen_2.hole_1 = min(_S576 * seen_2.yarns_0.shares_0.z, 1.0f);
-    var _S578 : FamilyAlbedos_0 = with_tones_0(_S570, albedos_over_0(_S570, _S571, seen_2.base_0.back_6), _S577);
-    seen_2.albedos_7.warp_3 = tinted_0(_S578.warp_3, _S573);
-    seen_2.albedos_7.weft_3 = tinted_0(_S578.weft_3, _S573);
-    var _S579 : vec3<f32> = vec3<f32>(0.0f);
-    seen_2.bounced_2.reflected_0 = _S579;
-    seen_2.bounced_2.transmitted_0 = _S579;
-    if((fabrics_0[_S570].openness_0) == u32(4294967295))
+    var _S576 : ViewedBase_0 = viewed_base_0(_S571, _S572, _S573, uniform_of_0(_S575, u32(0)));
+    seen_2.base_0 = _S576;
+    seen_2.view_7 = _S573;
+    var _S577 : f32 = texel_hole_0(_S571, _S576);
+    seen_2.even_hole_0 = _S577;
+    var _S578 : Yarns_0 = yarns_over_0(_S571, _S572, seen_2.base_0.back_6);
+    seen_2.yarns_0 = _S578;
+    seen_2.hole_1 = min(_S577 * seen_2.yarns_0.shares_0.z, 1.0f);
+    var _S579 : FamilyAlbedos_0 = with_tones_0(_S571, albedos_over_0(_S571, _S572, seen_2.base_0.back_6), _S578);
+    seen_2.albedos_6.warp_3 = tinted_0(_S579.warp_3, _S574);
+    seen_2.albedos_6.weft_3 = tinted_0(_S579.weft_3, _S574);
+    var _S580 : vec3<f32> = vec3<f32>(0.0f);
+    seen_2.bounced_2.reflected_0 = _S580;
+    seen_2.bounced_2.transmitted_0 = _S580;
+    if((fabrics_0[_S571].openness_0) == u32(4294967295))
     {
         return seen_2;
     }
-    var _S580 : Interior_0 = interior_of_0(_S570, _S573, seen_2.base_0.back_6);
-    var _S581 : Bounced_0 = bounced_by_0(blocked_from_0(_S570, seen_2.base_0.view_3, true, seen_2.base_0.back_6), scattered_by_0(_S570, _S578.warp_3, u32(0), _S573), _S580);
-    var _S582 : Bounced_0 = bounced_by_0(blocked_from_0(_S570, seen_2.base_0.view_3, false, seen_2.base_0.back_6), scattered_by_0(_S570, _S578.weft_3, u32(1), _S573), _S580);
-    var _S583 : vec2<f32> = clustered_shown_0(_S570, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
-    var _S584 : vec3<f32> = vec3<f32>(_S583.x);
-    var _S585 : vec3<f32> = vec3<f32>(_S583.y);
-    seen_2.bounced_2.reflected_0 = _S584 * _S581.reflected_0 + _S585 * _S582.reflected_0;
-    seen_2.bounced_2.transmitted_0 = _S584 * _S581.transmitted_0 + _S585 * _S582.transmitted_0;
+    var _S581 : Interior_0 = interior_of_0(_S571, _S574, seen_2.base_0.back_6);
+    var _S582 : Bounced_0 = bounced_by_0(blocked_from_0(_S571, seen_2.base_0.view_3, true, seen_2.base_0.back_6), scattered_by_0(_S571, _S579.warp_3, u32(0), _S574), _S581);
+    var _S583 : Bounced_0 = bounced_by_0(blocked_from_0(_S571, seen_2.base_0.view_3, false, seen_2.base_0.back_6), scattered_by_0(_S571, _S579.weft_3, u32(1), _S574), _S581);
+    var _S584 : vec2<f32> = clustered_shown_0(_S571, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
+    var _S585 : vec3<f32> = vec3<f32>(_S584.x);
+    var _S586 : vec3<f32> = vec3<f32>(_S584.y);
+    seen_2.bounced_2.reflected_0 = _S585 * _S582.reflected_0 + _S586 * _S583.reflected_0;
+    seen_2.bounced_2.transmitted_0 = _S585 * _S582.transmitted_0 + _S586 * _S583.transmitted_0;
     return seen_2;
 }
 
-fn residual_texel_0( _S586 : u32,  _S587 : ClusteredView_0,  _S588 : u32,  _S589 : u32) -> u32
+fn residual_texel_0( _S587 : u32,  _S588 : ClusteredView_0,  _S589 : u32,  _S590 : u32) -> u32
 {
-    var _S590 : u32 = _S588 + _S589 * u32(1663821227);
-    var _S591 : Clustered_std430_0 = fabrics_0[_S586].clustered_0;
-    var _S592 : u32 = texel_of_0(&(_S591), _S587.base_0.box_5, vec2<f32>(uniform_of_0(_S590, u32(1)), uniform_of_0(_S590, u32(2))));
-    return _S592;
+    var _S591 : u32 = _S589 + _S590 * u32(1663821227);
+    var _S592 : Clustered_std430_0 = fabrics_0[_S587].clustered_0;
+    var _S593 : u32 = texel_of_0(&(_S592), _S588.base_0.box_5, vec2<f32>(uniform_of_0(_S591, u32(1)), uniform_of_0(_S591, u32(2))));
+    return _S593;
 }
 
 fn light_sample_count_0() -> u32
@@ -2324,13 +2323,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S593 : u32,  _S594 : vec2<u32>) -> f32
+fn visibility_at_0( _S594 : u32,  _S595 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S593 * frame_record_0.height_0 + _S594.y) * frame_record_0.width_0 + _S594.x];
+    return visibilities_0[(_S594 * frame_record_0.height_0 + _S595.y) * frame_record_0.width_0 + _S595.x];
 }
 
 struct LightSample_0
@@ -2340,178 +2339,211 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S595 : u32,  _S596 : u32) -> vec3<f32>
+fn environment_texel_0( _S596 : u32,  _S597 : u32) -> vec3<f32>
 {
-    var _S597 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S595 * frame_record_0.environment_columns_0 + _S596);
-    return vec3<f32>(scene_number_0(_S597), scene_number_0(_S597 + u32(1)), scene_number_0(_S597 + u32(2)));
+    var _S598 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S596 * frame_record_0.environment_columns_0 + _S597);
+    return vec3<f32>(scene_number_0(_S598), scene_number_0(_S598 + u32(1)), scene_number_0(_S598 + u32(2)));
 }
 
-fn sample_environment_0( _S598 : vec2<f32>,  _S599 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S599 : vec2<f32>,  _S600 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S600 : u32 = frame_record_0.environment_rows_0;
-    var _S601 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S598.y);
-    var _S602 : u32 = frame_record_0.environment_columns_0;
-    var _S603 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S601.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S598.x);
-    var _S604 : vec3<f32> = environment_texel_0(_S601.index_6, _S603.index_6);
-    (*_S599) = _S604 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S604), 9.99999968265522539e-21f)));
-    var _S605 : f32 = 3.14159274101257324f / f32(_S600);
-    var _S606 : f32 = mix(sine_cosine_0(f32(_S601.index_6) * _S605).y, sine_cosine_0(f32(_S601.index_6 + u32(1)) * _S605).y, _S601.remainder_0);
-    var _S607 : f32 = sqrt(max(1.0f - _S606 * _S606, 0.0f));
-    var _S608 : vec2<f32> = sine_cosine_0((f32(_S603.index_6) + _S603.remainder_0) * (6.28318548202514648f / f32(_S602)));
-    var _S609 : f32 = _S607 * _S608.x;
-    var _S610 : f32 = - _S607 * _S608.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S609 + frame_record_0.environment_sine_0 * _S610, _S606, frame_record_0.environment_cosine_0 * _S610 - frame_record_0.environment_sine_0 * _S609);
+    var _S601 : u32 = frame_record_0.environment_rows_0;
+    var _S602 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S599.y);
+    var _S603 : u32 = frame_record_0.environment_columns_0;
+    var _S604 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S602.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S599.x);
+    var _S605 : vec3<f32> = environment_texel_0(_S602.index_6, _S604.index_6);
+    (*_S600) = _S605 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S605), 9.99999968265522539e-21f)));
+    var _S606 : f32 = 3.14159274101257324f / f32(_S601);
+    var _S607 : f32 = mix(sine_cosine_0(f32(_S602.index_6) * _S606).y, sine_cosine_0(f32(_S602.index_6 + u32(1)) * _S606).y, _S602.remainder_0);
+    var _S608 : f32 = sqrt(max(1.0f - _S607 * _S607, 0.0f));
+    var _S609 : vec2<f32> = sine_cosine_0((f32(_S604.index_6) + _S604.remainder_0) * (6.28318548202514648f / f32(_S603)));
+    var _S610 : f32 = _S608 * _S609.x;
+    var _S611 : f32 = - _S608 * _S609.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S610 + frame_record_0.environment_sine_0 * _S611, _S607, frame_record_0.environment_cosine_0 * _S611 - frame_record_0.environment_sine_0 * _S610);
 }
 
-fn light_sample_0( _S611 : u32,  _S612 : vec2<u32>,  _S613 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S612 : u32,  _S613 : vec2<u32>,  _S614 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S614 : u32 = frame_record_0.lights_0;
-    if(_S611 >= (frame_record_0.lights_0))
+    var _S615 : u32 = frame_record_0.lights_0;
+    if(_S612 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S615 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S612, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S611 - _S614), u32(3)), &(weight_3));
-        sample_0.towards_1 = _S615;
+        var _S616 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S613, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S612 - _S615), u32(3)), &(weight_3));
+        sample_0.towards_1 = _S616;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S616 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S611);
-    sample_0.irradiance_1 = vec3<f32>(_S616.red_0, _S616.green_0, _S616.blue_0);
-    sample_0.towards_1 = vec3<f32>(_S616.x_8, _S616.y_2, _S616.z_1);
-    if((_S616.is_point_0) != u32(0))
+    var _S617 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S612);
+    sample_0.irradiance_1 = vec3<f32>(_S617.red_0, _S617.green_0, _S617.blue_0);
+    sample_0.towards_1 = vec3<f32>(_S617.x_8, _S617.y_2, _S617.z_1);
+    if((_S617.is_point_0) != u32(0))
     {
-        var _S617 : vec3<f32> = sample_0.towards_1 - _S613;
-        var _S618 : f32 = max(square_0(_S617), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S618);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S618);
-        sample_0.towards_1 = normalize(_S617);
+        var _S618 : vec3<f32> = sample_0.towards_1 - _S614;
+        var _S619 : f32 = max(square_0(_S618), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S619);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S619);
+        sample_0.towards_1 = normalize(_S618);
     }
     return sample_0;
 }
 
-fn cluster_density_0( _S619 : u32,  _S620 : ViewedBase_0,  _S621 : BaseTaps_0,  _S622 : u32,  _S623 : u32) -> f32
+fn cluster_density_0( _S620 : u32,  _S621 : ViewedBase_0,  _S622 : BaseTaps_0,  _S623 : u32,  _S624 : u32) -> f32
 {
-    return BinTaps_read_0(_S621.half_vector_0, fabrics_0[_S619].clustered_0.basis_0, _S620.face_6 * u32(1024), fabrics_0[_S619].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S619].clustered_0.rank_0), _S623 * fabrics_0[_S619].clustered_0.clusters_0 + _S622);
+    return BinTaps_read_0(_S622.half_vector_0, fabrics_0[_S620].clustered_0.basis_0, _S621.face_6 * u32(1024), fabrics_0[_S620].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S620].clustered_0.rank_0), _S624 * fabrics_0[_S620].clustered_0.clusters_0 + _S623);
 }
 
-fn cluster_visibility_0( _S624 : u32,  _S625 : BaseTaps_0,  _S626 : u32) -> f32
+fn cluster_visibility_0( _S625 : u32,  _S626 : BaseTaps_0,  _S627 : u32) -> f32
 {
-    return BinTaps_read_0(_S625.around_0, fabrics_0[_S624].clustered_0.light_0, _S625.first_9, fabrics_0[_S624].clustered_0.clusters_0, _S626);
+    return BinTaps_read_0(_S626.around_0, fabrics_0[_S625].clustered_0.light_0, _S626.first_9, fabrics_0[_S625].clustered_0.clusters_0, _S627);
 }
 
-fn clustered_diffuse_0( _S627 : u32,  _S628 : BaseTaps_0,  _S629 : f32,  _S630 : vec3<f32>) -> f32
+fn clustered_diffuse_0( _S628 : u32,  _S629 : BaseTaps_0,  _S630 : f32,  _S631 : vec3<f32>) -> f32
 {
-    return 0.31830987334251404f * ((1.0f - fabrics_0[_S627].diffuse_blend_0) * abs(_S628.facing_0.z) * _S629 + fabrics_0[_S627].diffuse_blend_0 * clustered_cosine_0(_S628, _S630));
+    return 0.31830987334251404f * ((1.0f - fabrics_0[_S628].diffuse_blend_0) * abs(_S629.facing_0.z) * _S630 + fabrics_0[_S628].diffuse_blend_0 * clustered_cosine_0(_S629, _S631));
 }
 
-fn cluster_attenuation_0( _S631 : u32,  _S632 : ViewedBase_0,  _S633 : BaseTaps_0,  _S634 : u32) -> f32
+fn cluster_attenuation_0( _S632 : u32,  _S633 : ViewedBase_0,  _S634 : BaseTaps_0,  _S635 : u32) -> f32
 {
-    var _S635 : u32 = fabrics_0[_S631].clustered_0.moments_1 + (_S632.face_6 * fabrics_0[_S631].clustered_0.clusters_0 + _S634) * u32(8);
-    var _S636 : vec3<f32> = vec3<f32>(table_number_0(_S635), table_number_0(_S635 + u32(1)), table_number_0(_S635 + u32(2)));
-    var _S637 : vec3<f32> = vec3<f32>(table_number_0(_S635 + u32(3)), table_number_0(_S635 + u32(4)), table_number_0(_S635 + u32(5)));
-    var _S638 : f32 = table_number_0(_S635 + u32(7));
-    var _S639 : f32 = fabrics_0[_S631].optical_depth_0;
-    var _S640 : f32 = dot(_S633.facing_0, _S636);
-    var _S641 : f32 = max(dot(_S632.view_3, _S636), 0.10000000149011612f);
-    var _S642 : f32 = projected_area_1(_S633.facing_0, _S637, _S638) / max(select(_S640, - _S640, _S633.transmits_1), 0.10000000149011612f);
-    var _S643 : f32 = projected_area_1(_S632.view_3, _S637, _S638) / _S641;
-    if(!_S633.transmits_1)
+    var _S636 : u32 = fabrics_0[_S632].clustered_0.moments_1 + (_S633.face_6 * fabrics_0[_S632].clustered_0.clusters_0 + _S635) * u32(8);
+    var _S637 : vec3<f32> = vec3<f32>(table_number_0(_S636), table_number_0(_S636 + u32(1)), table_number_0(_S636 + u32(2)));
+    var _S638 : vec3<f32> = vec3<f32>(table_number_0(_S636 + u32(3)), table_number_0(_S636 + u32(4)), table_number_0(_S636 + u32(5)));
+    var _S639 : f32 = table_number_0(_S636 + u32(7));
+    var _S640 : f32 = fabrics_0[_S632].optical_depth_0;
+    var _S641 : f32 = dot(_S634.facing_0, _S637);
+    var _S642 : f32 = max(dot(_S633.view_3, _S637), 0.10000000149011612f);
+    var _S643 : f32 = projected_area_1(_S634.facing_0, _S638, _S639) / max(select(_S641, - _S641, _S634.transmits_1), 0.10000000149011612f);
+    var _S644 : f32 = projected_area_1(_S633.view_3, _S638, _S639) / _S642;
+    if(!_S634.transmits_1)
     {
-        var _S644 : f32 = _S642 + _S643;
-        return 0.25f * (1.0f - exponential_0(- _S639 * _S644)) / (_S644 * _S641);
+        var _S645 : f32 = _S643 + _S644;
+        return 0.25f * (1.0f - exponential_0(- _S640 * _S645)) / (_S645 * _S642);
     }
-    var _S645 : f32 = max(_S639 * abs(_S642 - _S643), 0.00100000004749745f);
-    return 0.25f * _S639 * exponential_0(- _S639 * min(_S642, _S643)) * (1.0f - exponential_0(- _S645)) / (_S645 * _S641);
+    var _S646 : f32 = max(_S640 * abs(_S643 - _S644), 0.00100000004749745f);
+    return 0.25f * _S640 * exponential_0(- _S640 * min(_S643, _S644)) * (1.0f - exponential_0(- _S646)) / (_S646 * _S642);
 }
 
-fn clustered_base_0( _S646 : u32,  _S647 : ViewedBase_0,  _S648 : BaseTaps_0) -> Components_0
+fn clustered_base_0( _S647 : u32,  _S648 : ViewedBase_0,  _S649 : BaseTaps_0) -> Components_0
 {
-    var _S649 : Clustered_std430_0 = fabrics_0[_S646].clustered_0;
-    var _S650 : u32 = _S649.clusters_0;
-    var _S651 : u32 = _S649.rank_0;
+    var _S650 : Clustered_std430_0 = fabrics_0[_S647].clustered_0;
+    var _S651 : u32 = _S650.clusters_0;
+    var _S652 : u32 = _S650.rank_0;
     var base_1 : Components_0 = no_components_0();
     var cluster_2 : u32 = u32(0);
     for(;;)
     {
-        if(cluster_2 < _S650)
+        if(cluster_2 < _S651)
         {
         }
         else
         {
             break;
         }
-        var _S652 : f32 = box_mean_1(&(_S649), _S647.box_5, _S647.face_6, cluster_2);
-        if(_S652 <= 0.0f)
+        var _S653 : f32 = box_mean_1(&(_S650), _S648.box_5, _S648.face_6, cluster_2);
+        if(_S653 <= 0.0f)
         {
             cluster_2 = cluster_2 + u32(1);
             continue;
         }
-        var _S653 : f32 = _S652 * cluster_density_0(_S646, _S647, _S648, cluster_2, u32(0));
+        var _S654 : f32 = _S653 * cluster_density_0(_S647, _S648, _S649, cluster_2, u32(0));
         var number_8 : u32 = u32(1);
-        var density_0 : f32 = _S653;
+        var density_0 : f32 = _S654;
         for(;;)
         {
-            if(number_8 <= _S651)
+            if(number_8 <= _S652)
             {
             }
             else
             {
                 break;
             }
-            var _S654 : f32 = box_mean_1(&(_S649), _S647.box_5, _S647.face_6, number_8 * _S650 + cluster_2);
-            var density_1 : f32 = density_0 + _S654 * cluster_density_0(_S646, _S647, _S648, cluster_2, number_8);
+            var _S655 : f32 = box_mean_1(&(_S650), _S648.box_5, _S648.face_6, number_8 * _S651 + cluster_2);
+            var density_1 : f32 = density_0 + _S655 * cluster_density_0(_S647, _S648, _S649, cluster_2, number_8);
             number_8 = number_8 + u32(1);
             density_0 = density_1;
         }
-        var _S655 : f32 = box_mean_1(&(_S649), _S647.box_5, _S647.face_6, (_S651 + u32(1)) * _S650 + cluster_2);
-        var _S656 : f32 = box_mean_1(&(_S649), _S647.box_5, _S647.face_6, (_S651 + u32(2)) * _S650 + cluster_2);
-        var _S657 : f32 = box_mean_1(&(_S649), _S647.box_5, _S647.face_6, (_S651 + u32(3)) * _S650 + cluster_2);
-        var _S658 : f32 = cluster_visibility_0(_S646, _S648, cluster_2);
-        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S650 / u32(2)), _S658 * clustered_diffuse_0(_S646, _S648, _S652, vec3<f32>(_S655, _S656, _S657)), _S658 * cluster_attenuation_0(_S646, _S647, _S648, cluster_2) * density_0, _S652 * _S658), 1.0f);
+        var _S656 : f32 = box_mean_1(&(_S650), _S648.box_5, _S648.face_6, (_S652 + u32(1)) * _S651 + cluster_2);
+        var _S657 : f32 = box_mean_1(&(_S650), _S648.box_5, _S648.face_6, (_S652 + u32(2)) * _S651 + cluster_2);
+        var _S658 : f32 = box_mean_1(&(_S650), _S648.box_5, _S648.face_6, (_S652 + u32(3)) * _S651 + cluster_2);
+        var _S659 : f32 = cluster_visibility_0(_S647, _S649, cluster_2);
+        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S651 / u32(2)), _S659 * clustered_diffuse_0(_S647, _S649, _S653, vec3<f32>(_S656, _S657, _S658)), _S659 * cluster_attenuation_0(_S647, _S648, _S649, cluster_2) * density_0, _S653 * _S659), 1.0f);
         cluster_2 = cluster_2 + u32(1);
     }
     return base_1;
 }
 
-fn with_shares_0( _S659 : u32,  _S660 : Components_0,  _S661 : Yarns_0) -> Components_0
+fn with_shares_0( _S660 : u32,  _S661 : Components_0,  _S662 : Yarns_0) -> Components_0
 {
     var result_7 : Components_0;
-    var _S662 : f32 = min(_S660.hole_0 * _S661.shares_0.z, 1.0f);
-    result_7.hole_0 = _S662;
-    var _S663 : f32 = _S661.shares_0.x;
-    result_7.diffuse_warp_0 = _S660.diffuse_warp_0 * _S663;
-    var _S664 : f32 = _S661.shares_0.y;
-    result_7.diffuse_weft_0 = _S660.diffuse_weft_0 * _S664;
-    result_7.specular_warp_0 = _S660.specular_warp_0 * _S663;
-    result_7.specular_weft_0 = _S660.specular_weft_0 * _S664;
-    result_7.light_visibility_1 = _S660.light_visibility_1 * select(1.0f, (1.0f - _S662) / max(1.0f - _S660.hole_0, 9.99999997475242708e-07f), (fabrics_0[_S659].is_irregular_0) != u32(0));
+    var _S663 : f32 = min(_S661.hole_0 * _S662.shares_0.z, 1.0f);
+    result_7.hole_0 = _S663;
+    var _S664 : f32 = _S662.shares_0.x;
+    result_7.diffuse_warp_0 = _S661.diffuse_warp_0 * _S664;
+    var _S665 : f32 = _S662.shares_0.y;
+    result_7.diffuse_weft_0 = _S661.diffuse_weft_0 * _S665;
+    result_7.specular_warp_0 = _S661.specular_warp_0 * _S664;
+    result_7.specular_weft_0 = _S661.specular_weft_0 * _S665;
+    result_7.light_visibility_1 = _S661.light_visibility_1 * select(1.0f, (1.0f - _S663) / max(1.0f - _S661.hole_0, 9.99999997475242708e-07f), (fabrics_0[_S660].is_irregular_0) != u32(0));
     return result_7;
 }
 
-fn as_seen_0( _S665 : u32,  _S666 : ClusteredView_0,  _S667 : Components_0) -> Components_0
+fn as_seen_0( _S666 : u32,  _S667 : ClusteredView_0,  _S668 : Components_0) -> Components_0
 {
-    var whole_1 : Components_0 = _S667;
-    whole_1.hole_0 = _S666.even_hole_0;
-    return with_shares_0(_S665, whole_1, _S666.yarns_0);
+    var whole_1 : Components_0 = _S668;
+    whole_1.hole_0 = _S667.even_hole_0;
+    return with_shares_0(_S666, whole_1, _S667.yarns_0);
 }
 
-fn under_sheen_0( _S668 : u32,  _S669 : ClusteredView_0,  _S670 : vec3<f32>,  _S671 : f32,  _S672 : vec3<f32>) -> vec3<f32>
+fn diffuse_kept_0( _S669 : u32,  _S670 : vec3<f32>,  _S671 : vec3<f32>) -> f32
 {
-    var _S673 : f32 = fabrics_0[_S668].sheen_strength_0;
-    if((fabrics_0[_S668].sheen_strength_0) <= 0.0f)
+    return (1.0f - fabrics_0[_S669].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S670.z), 0.0f))) * (1.0f - fabrics_0[_S669].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S671.z), 0.0f)));
+}
+
+fn highlight_rise_0( _S672 : u32,  _S673 : vec3<f32>,  _S674 : vec3<f32>) -> f32
+{
+    var _S675 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S673, _S674) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S672].grazing_gain_0 * fourth_power_0(_S675) * _S675;
+}
+
+fn towards_grazing_0( _S676 : u32,  _S677 : Albedos_0,  _S678 : vec3<f32>,  _S679 : vec3<f32>) -> Albedos_0
+{
+    var _S680 : f32 = diffuse_kept_0(_S676, _S678, _S679);
+    var result_8 : Albedos_0 = _S677;
+    var _S681 : vec3<f32> = vec3<f32>(_S680);
+    result_8.diffuse_reflect_0 = result_8.diffuse_reflect_0 * _S681;
+    result_8.diffuse_transmit_0 = result_8.diffuse_transmit_0 * _S681;
+    result_8.specular_reflect_0 = result_8.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S676, _S678, _S679));
+    return result_8;
+}
+
+fn shaded_0( _S682 : u32,  _S683 : Components_0,  _S684 : FamilyAlbedos_0,  _S685 : vec3<f32>,  _S686 : vec3<f32>,  _S687 : bool) -> vec3<f32>
+{
+    var _S688 : Albedos_0 = towards_grazing_0(_S682, _S684.warp_3, _S685, _S686);
+    var _S689 : Albedos_0 = towards_grazing_0(_S682, _S684.weft_3, _S685, _S686);
+    if(_S687)
     {
-        return _S670;
+        return _S688.diffuse_transmit_0 * vec3<f32>(_S683.diffuse_warp_0) + _S689.diffuse_transmit_0 * vec3<f32>(_S683.diffuse_weft_0) + _S688.specular_transmit_0 * vec3<f32>(_S683.specular_warp_0) + _S689.specular_transmit_0 * vec3<f32>(_S683.specular_weft_0);
     }
-    var _S674 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S672, _S669.base_0.back_6), _S669.base_0.view_3, _S673, fabrics_0[_S668].sheen_roughness_0);
-    return vec3<f32>(_S674.y) * _S670 + vec3<f32>((_S671 * _S674.x));
+    return _S688.diffuse_reflect_0 * vec3<f32>(_S683.diffuse_warp_0) + _S689.diffuse_reflect_0 * vec3<f32>(_S683.diffuse_weft_0) + _S688.specular_reflect_0 * vec3<f32>(_S683.specular_warp_0) + _S689.specular_reflect_0 * vec3<f32>(_S683.specular_weft_0);
 }
 
-fn clustered_base_value_0( _S675 : u32,  _S676 : ClusteredView_0,  _S677 : vec3<f32>) -> vec3<f32>
+fn under_sheen_0( _S690 : u32,  _S691 : ClusteredView_0,  _S692 : vec3<f32>,  _S693 : f32,  _S694 : vec3<f32>) -> vec3<f32>
 {
-    var _S678 : BaseTaps_0 = base_taps_0(_S676.base_0, _S677);
-    var _S679 : Components_0 = as_seen_0(_S675, _S676, clustered_base_0(_S675, _S676.base_0, _S678));
-    return under_sheen_0(_S675, _S676, shaded_0(_S679, _S676.albedos_7, _S678.transmits_1) + bounced_value_0(_S676.bounced_2, _S677, _S676.view_7), _S679.light_visibility_1 + _S676.hole_1, _S677);
+    var _S695 : f32 = fabrics_0[_S690].sheen_strength_0;
+    if((fabrics_0[_S690].sheen_strength_0) <= 0.0f)
+    {
+        return _S692;
+    }
+    var _S696 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S694, _S691.base_0.back_6), _S691.base_0.view_3, _S695, fabrics_0[_S690].sheen_roughness_0);
+    return vec3<f32>(_S696.y) * _S692 + vec3<f32>((_S693 * _S696.x));
+}
+
+fn clustered_base_value_0( _S697 : u32,  _S698 : ClusteredView_0,  _S699 : vec3<f32>) -> vec3<f32>
+{
+    var _S700 : BaseTaps_0 = base_taps_0(_S698.base_0, _S699);
+    var _S701 : Components_0 = as_seen_0(_S697, _S698, clustered_base_0(_S697, _S698.base_0, _S700));
+    return under_sheen_0(_S697, _S698, shaded_0(_S697, _S701, _S698.albedos_6, _S699, _S698.view_7, _S700.transmits_1) + bounced_value_0(_S698.bounced_2, _S699, _S698.view_7) * vec3<f32>(diffuse_kept_0(_S697, _S699, _S698.view_7)), _S701.light_visibility_1 + _S698.hole_1, _S699);
 }
 
 struct TexelTerms_0
@@ -2520,108 +2552,108 @@ struct TexelTerms_0
      known_0 : Components_0,
 };
 
-fn coefficient_0( _S680 : u32,  _S681 : u32,  _S682 : u32) -> f32
+fn coefficient_0( _S702 : u32,  _S703 : u32,  _S704 : u32) -> f32
 {
-    var _S683 : i32 = i32(table_byte_0(fabrics_0[_S680].clustered_0.coefficients_0, _S681 * (fabrics_0[_S680].clustered_0.rank_0 + u32(3)) + _S682));
-    return f32(select(_S683, _S683 - i32(256), _S683 > i32(127)));
+    var _S705 : i32 = i32(table_byte_0(fabrics_0[_S702].clustered_0.coefficients_0, _S703 * (fabrics_0[_S702].clustered_0.rank_0 + u32(3)) + _S704));
+    return f32(select(_S705, _S705 - i32(256), _S705 > i32(127)));
 }
 
-fn at_texel_0( _S684 : u32,  _S685 : ViewedBase_0,  _S686 : u32,  _S687 : BaseTaps_0) -> TexelTerms_0
+fn at_texel_0( _S706 : u32,  _S707 : ViewedBase_0,  _S708 : u32,  _S709 : BaseTaps_0) -> TexelTerms_0
 {
-    var _S688 : Clustered_std430_0 = fabrics_0[_S684].clustered_0;
-    var _S689 : u32 = fabrics_0[_S684].clustered_0.columns_0 * fabrics_0[_S684].clustered_0.rows_0;
-    var _S690 : u32 = _S685.face_6 * _S689 + _S686;
-    var _S691 : u32 = table_byte_0(fabrics_0[_S684].clustered_0.labels_0, _S690);
+    var _S710 : Clustered_std430_0 = fabrics_0[_S706].clustered_0;
+    var _S711 : u32 = fabrics_0[_S706].clustered_0.columns_0 * fabrics_0[_S706].clustered_0.rows_0;
+    var _S712 : u32 = _S707.face_6 * _S711 + _S708;
+    var _S713 : u32 = table_byte_0(fabrics_0[_S706].clustered_0.labels_0, _S712);
     var terms_2 : TexelTerms_0;
-    var _S692 : Components_0 = no_components_0();
-    terms_2.own_2 = _S692;
-    terms_2.known_0 = _S692;
-    if(_S691 >= (fabrics_0[_S684].clustered_0.clusters_0))
+    var _S714 : Components_0 = no_components_0();
+    terms_2.own_2 = _S714;
+    terms_2.known_0 = _S714;
+    if(_S713 >= (fabrics_0[_S706].clustered_0.clusters_0))
     {
         return terms_2;
     }
-    var _S693 : f32 = cluster_density_0(_S684, _S685, _S687, _S691, u32(0));
+    var _S715 : f32 = cluster_density_0(_S706, _S707, _S709, _S713, u32(0));
     var number_9 : u32 = u32(1);
-    var density_2 : f32 = _S693;
+    var density_2 : f32 = _S715;
     for(;;)
     {
-        if(number_9 <= (_S688.rank_0))
+        if(number_9 <= (_S710.rank_0))
         {
         }
         else
         {
             break;
         }
-        var density_3 : f32 = density_2 + coefficient_0(_S684, _S690, number_9 - u32(1)) * cluster_density_0(_S684, _S685, _S687, _S691, number_9);
+        var density_3 : f32 = density_2 + coefficient_0(_S706, _S712, number_9 - u32(1)) * cluster_density_0(_S706, _S707, _S709, _S713, number_9);
         number_9 = number_9 + u32(1);
         density_2 = density_3;
     }
-    var _S694 : f32 = cluster_attenuation_0(_S684, _S685, _S687, _S691) * density_2;
-    var _S695 : f32 = clustered_cosine_0(_S687, vec3<f32>(coefficient_0(_S684, _S690, _S688.rank_0), coefficient_0(_S684, _S690, _S688.rank_0 + u32(1)), coefficient_0(_S684, _S690, _S688.rank_0 + u32(2))));
-    var _S696 : f32 = abs(_S687.facing_0.z);
-    var _S697 : f32 = gaussian_visibility_0(_S688.texels_2 + (select(_S685.face_6, u32(1) - _S685.face_6, _S687.transmits_1) * _S689 + _S686) * u32(12), vec3<f32>(_S687.facing_0.xy, _S696));
-    var _S698 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S684].diffuse_blend_0) * _S696;
-    var _S699 : f32 = cluster_visibility_0(_S684, _S687, _S691);
-    var _S700 : bool = _S691 < (_S688.clusters_0 / u32(2));
-    var _S701 : f32 = 0.31830987334251404f * fabrics_0[_S684].diffuse_blend_0;
-    terms_2.own_2 = of_family_0(_S700, _S697 * (_S698 + _S701 * max(_S695, 0.0f)), _S697 * _S694, _S697);
-    terms_2.known_0 = of_family_0(_S700, _S699 * (_S698 + _S701 * _S695), _S699 * _S694, _S699);
+    var _S716 : f32 = cluster_attenuation_0(_S706, _S707, _S709, _S713) * density_2;
+    var _S717 : f32 = clustered_cosine_0(_S709, vec3<f32>(coefficient_0(_S706, _S712, _S710.rank_0), coefficient_0(_S706, _S712, _S710.rank_0 + u32(1)), coefficient_0(_S706, _S712, _S710.rank_0 + u32(2))));
+    var _S718 : f32 = abs(_S709.facing_0.z);
+    var _S719 : f32 = gaussian_visibility_0(_S710.texels_2 + (select(_S707.face_6, u32(1) - _S707.face_6, _S709.transmits_1) * _S711 + _S708) * u32(12), vec3<f32>(_S709.facing_0.xy, _S718));
+    var _S720 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S706].diffuse_blend_0) * _S718;
+    var _S721 : f32 = cluster_visibility_0(_S706, _S709, _S713);
+    var _S722 : bool = _S713 < (_S710.clusters_0 / u32(2));
+    var _S723 : f32 = 0.31830987334251404f * fabrics_0[_S706].diffuse_blend_0;
+    terms_2.own_2 = of_family_0(_S722, _S719 * (_S720 + _S723 * max(_S717, 0.0f)), _S719 * _S716, _S719);
+    terms_2.known_0 = of_family_0(_S722, _S721 * (_S720 + _S723 * _S717), _S721 * _S716, _S721);
     return terms_2;
 }
 
-fn texel_albedos_0( _S702 : u32,  _S703 : ClusteredView_0,  _S704 : u32) -> Albedos_0
+fn texel_albedos_0( _S724 : u32,  _S725 : ClusteredView_0,  _S726 : u32) -> Albedos_0
 {
-    var _S705 : u32 = _S703.base_0.face_6 * fabrics_0[_S702].clustered_0.columns_0 * fabrics_0[_S702].clustered_0.rows_0 + _S704;
-    var _S706 : bool = (table_byte_0(fabrics_0[_S702].clustered_0.labels_0, _S705)) < (fabrics_0[_S702].clustered_0.clusters_0 / u32(2));
-    var _S707 : u32 = select(fabrics_0[_S702].weft_0, fabrics_0[_S702].warp_0, _S706);
-    var _S708 : u32 = fabrics_0[_S702].clustered_0.texels_2 + _S705 * u32(12) + u32(9);
-    var _S709 : Albedos_0 = table_albedos_0(families_0[_S707].albedo_table_0 + min(u32(table_number_0(_S708)) + u32(1024) * u32(table_number_0(_S708 + u32(1))), u32(families_0[_S707].count_0) - u32(1)) * families_0[_S707].albedo_stride_0);
-    if((fabrics_0[_S702].is_irregular_0) == u32(0))
+    var _S727 : u32 = _S725.base_0.face_6 * fabrics_0[_S724].clustered_0.columns_0 * fabrics_0[_S724].clustered_0.rows_0 + _S726;
+    var _S728 : bool = (table_byte_0(fabrics_0[_S724].clustered_0.labels_0, _S727)) < (fabrics_0[_S724].clustered_0.clusters_0 / u32(2));
+    var _S729 : u32 = select(fabrics_0[_S724].weft_0, fabrics_0[_S724].warp_0, _S728);
+    var _S730 : u32 = fabrics_0[_S724].clustered_0.texels_2 + _S727 * u32(12) + u32(9);
+    var _S731 : Albedos_0 = table_albedos_0(families_0[_S729].albedo_table_0 + min(u32(table_number_0(_S730)) + u32(1024) * u32(table_number_0(_S730 + u32(1))), u32(families_0[_S729].count_0) - u32(1)) * families_0[_S729].albedo_stride_0);
+    if((fabrics_0[_S724].is_irregular_0) == u32(0))
     {
-        return _S709;
+        return _S731;
     }
-    return toned_0(_S702, _S707, _S709, select_vector_0(_S706, _S703.yarns_0.warp_1, _S703.yarns_0.weft_1));
+    return toned_0(_S724, _S729, _S731, select_vector_0(_S728, _S725.yarns_0.warp_1, _S725.yarns_0.weft_1));
 }
 
-fn clustered_residual_0( _S710 : u32,  _S711 : ClusteredView_0,  _S712 : u32,  _S713 : vec3<f32>,  _S714 : vec3<f32>) -> vec3<f32>
+fn clustered_residual_0( _S732 : u32,  _S733 : ClusteredView_0,  _S734 : u32,  _S735 : vec3<f32>,  _S736 : vec3<f32>) -> vec3<f32>
 {
-    var _S715 : BaseTaps_0 = base_taps_0(_S711.base_0, _S714);
-    var _S716 : TexelTerms_0 = at_texel_0(_S710, _S711.base_0, _S712, _S715);
+    var _S737 : BaseTaps_0 = base_taps_0(_S733.base_0, _S736);
+    var _S738 : TexelTerms_0 = at_texel_0(_S732, _S733.base_0, _S734, _S737);
     var own_3 : FamilyAlbedos_0;
-    var _S717 : Albedos_0 = tinted_0(texel_albedos_0(_S710, _S711, _S712), _S713);
-    own_3.warp_3 = _S717;
-    own_3.weft_3 = _S717;
-    var _S718 : Components_0 = as_seen_0(_S710, _S711, _S716.own_2);
-    var _S719 : Components_0 = as_seen_0(_S710, _S711, _S716.known_0);
-    return under_sheen_0(_S710, _S711, shaded_0(_S718, own_3, _S715.transmits_1) - shaded_0(_S719, _S711.albedos_7, _S715.transmits_1), _S718.light_visibility_1 - _S719.light_visibility_1, _S714);
+    var _S739 : Albedos_0 = tinted_0(texel_albedos_0(_S732, _S733, _S734), _S735);
+    own_3.warp_3 = _S739;
+    own_3.weft_3 = _S739;
+    var _S740 : Components_0 = as_seen_0(_S732, _S733, _S738.own_2);
+    var _S741 : Components_0 = as_seen_0(_S732, _S733, _S738.known_0);
+    return under_sheen_0(_S732, _S733, shaded_0(_S732, _S740, own_3, _S736, _S733.view_7, _S737.transmits_1) - shaded_0(_S732, _S741, _S733.albedos_6, _S736, _S733.view_7, _S737.transmits_1), _S740.light_visibility_1 - _S741.light_visibility_1, _S736);
 }
 
-fn passed_by_sheen_0( _S720 : u32,  _S721 : f32,  _S722 : vec3<f32>) -> f32
+fn passed_by_sheen_0( _S742 : u32,  _S743 : f32,  _S744 : vec3<f32>) -> f32
 {
-    var _S723 : f32 = fabrics_0[_S720].sheen_strength_0;
-    if((fabrics_0[_S720].sheen_strength_0) <= 0.0f)
+    var _S745 : f32 = fabrics_0[_S742].sheen_strength_0;
+    if((fabrics_0[_S742].sheen_strength_0) <= 0.0f)
     {
-        return _S721;
+        return _S743;
     }
-    return _S721 * (1.0f - _S723 * sheen_lobe_0(abs(_S722.z), fabrics_0[_S720].sheen_roughness_0).z);
+    return _S743 * (1.0f - _S745 * sheen_lobe_0(abs(_S744.z), fabrics_0[_S742].sheen_roughness_0).z);
 }
 
-fn light_of_clustered_0( _S724 : u32,  _S725 : VisiblePoint_0,  _S726 : vec2<u32>,  _S727 : vec3<f32>) -> vec4<f32>
+fn light_of_clustered_0( _S746 : u32,  _S747 : VisiblePoint_0,  _S748 : vec2<u32>,  _S749 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S725.draft_dx_0;
-    footprint_1.dy_0 = _S725.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S724, _S725.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S728 : vec3<f32> = to_local_0(_S725, _S725.view_0);
-    var _S729 : Clustered_std430_0 = fabrics_0[_S724].clustered_0;
-    var _S730 : u32 = mixed_0(mixed_0(_S726.x + u32(65536) * _S726.y) + frame_record_0.pass_number_0 * u32(2654435769));
-    var _S731 : ClusteredView_0 = clustered_view_0(_S724, footprint_1, _S728, _S727, _S730);
-    var _S732 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_1.dx_0 = _S747.draft_dx_0;
+    footprint_1.dy_0 = _S747.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S746, _S747.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S750 : vec3<f32> = to_local_0(_S747, _S747.view_0);
+    var _S751 : Clustered_std430_0 = fabrics_0[_S746].clustered_0;
+    var _S752 : u32 = mixed_0(mixed_0(_S748.x + u32(65536) * _S748.y) + frame_record_0.pass_number_0 * u32(2654435769));
+    var _S753 : ClusteredView_0 = clustered_view_0(_S746, footprint_1, _S750, _S749, _S752);
+    var _S754 : vec3<f32> = vec3<f32>(0.0f);
     var term_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S732;
+    var radiance_1 : vec3<f32> = _S754;
     for(;;)
     {
-        if(term_1 <= (_S729.samples_1))
+        if(term_1 <= (_S751.samples_1))
         {
         }
         else
@@ -2631,7 +2663,7 @@ fn light_of_clustered_0( _S724 : u32,  _S725 : VisiblePoint_0,  _S726 : vec2<u32
         var texel_0 : u32;
         if(term_1 > u32(0))
         {
-            texel_0 = residual_texel_0(_S724, _S731, _S730, term_1 - u32(1));
+            texel_0 = residual_texel_0(_S746, _S753, _S752, term_1 - u32(1));
         }
         else
         {
@@ -2648,61 +2680,61 @@ fn light_of_clustered_0( _S724 : u32,  _S725 : VisiblePoint_0,  _S726 : vec2<u32
             {
                 break;
             }
-            var _S733 : f32 = visibility_at_0(number_10, _S726);
-            if(_S733 <= 0.0f)
+            var _S755 : f32 = visibility_at_0(number_10, _S748);
+            if(_S755 <= 0.0f)
             {
                 number_10 = number_10 + u32(1);
                 continue;
             }
-            var _S734 : LightSample_0 = light_sample_0(number_10, _S726, _S725.position_4);
-            var _S735 : vec3<f32> = to_local_0(_S725, _S734.towards_1);
-            var value_1 : vec3<f32>;
+            var _S756 : LightSample_0 = light_sample_0(number_10, _S748, _S747.position_4);
+            var _S757 : vec3<f32> = to_local_0(_S747, _S756.towards_1);
+            var value_2 : vec3<f32>;
             if(term_1 == u32(0))
             {
-                value_1 = clustered_base_value_0(_S724, _S731, _S735);
+                value_2 = clustered_base_value_0(_S746, _S753, _S757);
             }
             else
             {
-                value_1 = clustered_residual_0(_S724, _S731, texel_0, _S727, _S735) / vec3<f32>(f32(_S729.samples_1));
+                value_2 = clustered_residual_0(_S746, _S753, texel_0, _S749, _S757) / vec3<f32>(f32(_S751.samples_1));
             }
-            radiance_2 = radiance_2 + vec3<f32>(_S733) * _S734.irradiance_1 * value_1;
+            radiance_2 = radiance_2 + vec3<f32>(_S755) * _S756.irradiance_1 * value_2;
             number_10 = number_10 + u32(1);
         }
         term_1 = term_1 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S724, _S731.hole_1, _S728));
+    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S746, _S753.hole_1, _S750));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_clustered(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S736 : u32 = id_0.x;
-    var _S737 : bool;
-    if(_S736 >= (frame_record_0.width_0))
+    var _S758 : u32 = id_0.x;
+    var _S759 : bool;
+    if(_S758 >= (frame_record_0.width_0))
     {
-        _S737 = true;
+        _S759 = true;
     }
     else
     {
-        _S737 = (id_0.y) >= (frame_record_0.height_0);
+        _S759 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S737)
+    if(_S759)
     {
         return;
     }
-    var _S738 : u32 = id_0.y * frame_record_0.width_0 + _S736;
-    var _S739 : u32 = layers_0[_S738].face_0;
-    if((layers_0[_S738].face_0) == u32(0))
+    var _S760 : u32 = id_0.y * frame_record_0.width_0 + _S758;
+    var _S761 : u32 = layers_0[_S760].face_0;
+    if((layers_0[_S760].face_0) == u32(0))
     {
         return;
     }
-    var _S740 : u32 = _S739 - u32(1);
-    var _S741 : u32 = fabric_of_0(_S740);
-    var _S742 : vec2<u32> = id_0.xy;
-    var _S743 : VisiblePoint_0 = visible_point_0(_S741, _S740, _S742);
-    accumulate_0(_S738, light_of_clustered_0(_S741, _S743, _S742, filtered_albedo_0(_S741, _S743)));
+    var _S762 : u32 = _S761 - u32(1);
+    var _S763 : u32 = fabric_of_0(_S762);
+    var _S764 : vec2<u32> = id_0.xy;
+    var _S765 : VisiblePoint_0 = visible_point_0(_S763, _S762, _S764);
+    accumulate_0(_S760, light_of_clustered_0(_S763, _S765, _S764, filtered_albedo_0(_S763, _S765)));
     return;
 }
 

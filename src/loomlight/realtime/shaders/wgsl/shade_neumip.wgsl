@@ -195,6 +195,8 @@ struct Fabric_std430_0
     @align(4) per_relief_0 : f32,
     @align(4) diffuse_blend_0 : f32,
     @align(4) optical_depth_0 : f32,
+    @align(4) grazing_gain_0 : f32,
+    @align(4) grazing_loss_0 : f32,
     @align(4) sheen_strength_0 : f32,
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,

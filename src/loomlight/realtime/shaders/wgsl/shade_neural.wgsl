@@ -195,6 +195,8 @@ struct Fabric_std430_0
     @align(4) per_relief_0 : f32,
     @align(4) diffuse_blend_0 : f32,
     @align(4) optical_depth_0 : f32,
+    @align(4) grazing_gain_0 : f32,
+    @align(4) grazing_loss_0 : f32,
     @align(4) sheen_strength_0 : f32,
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
@@ -2709,6 +2711,12 @@ fn tinted_0( albedos_5 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
     return result_3;
 }
 
+fn fourth_power_0( value_1 : f32) -> f32
+{
+    var _S390 : f32 = value_1 * value_1;
+    return _S390 * _S390;
+}
+
 struct FaceRadiance_0
 {
      warp_8 : vec3<f32>,
@@ -2730,47 +2738,47 @@ struct FaceSends_0
 
 fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_2 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S390 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_2;
+    var _S391 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_2;
     var found_0 : FaceRadiance_0;
-    var _S391 : vec3<f32> = sends_0.sky_warp_0 + _S390 * sends_0.crossing_warp_0;
-    found_0.warp_8 = _S391;
-    var _S392 : vec3<f32> = sends_0.sky_weft_0 + _S390 * sends_0.crossing_weft_0;
-    found_0.weft_8 = _S392;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S391 + vec3<f32>(sends_0.blocks_weft_0) * _S392;
+    var _S392 : vec3<f32> = sends_0.sky_warp_0 + _S391 * sends_0.crossing_warp_0;
+    found_0.warp_8 = _S392;
+    var _S393 : vec3<f32> = sends_0.sky_weft_0 + _S391 * sends_0.crossing_weft_0;
+    found_0.weft_8 = _S393;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S392 + vec3<f32>(sends_0.blocks_weft_0) * _S393;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S393 : f32 = 1.0f - view_2.z;
-    var _S394 : f32 = _S393 * _S393;
+    var _S394 : f32 = 1.0f - view_2.z;
+    var _S395 : f32 = _S394 * _S394;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S395 : f32 = view_2.x;
-    var _S396 : f32 = _S395 * _S395;
-    var _S397 : f32 = view_2.y;
-    var _S398 : f32 = _S397 * _S397;
-    (*terms_0)[i32(1)] = sqrt(max(_S396 + _S398, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S394;
-    (*terms_0)[i32(3)] = _S394 * _S394;
-    (*terms_0)[i32(4)] = _S396 - _S398;
+    var _S396 : f32 = view_2.x;
+    var _S397 : f32 = _S396 * _S396;
+    var _S398 : f32 = view_2.y;
+    var _S399 : f32 = _S398 * _S398;
+    (*terms_0)[i32(1)] = sqrt(max(_S397 + _S399, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S395;
+    (*terms_0)[i32(3)] = _S395 * _S395;
+    (*terms_0)[i32(4)] = _S397 - _S399;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_3 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S399 : f32 = 1.0f - view_3.z;
-    var _S400 : f32 = _S399 * _S399;
+    var _S400 : f32 = 1.0f - view_3.z;
+    var _S401 : f32 = _S400 * _S400;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S401 : f32 = view_3.x;
-    var _S402 : f32 = _S401 * _S401;
-    var _S403 : f32 = view_3.y;
-    var _S404 : f32 = _S403 * _S403;
-    (*terms_1)[i32(1)] = sqrt(max(_S402 + _S404, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S400;
-    (*terms_1)[i32(3)] = _S400 * _S400;
-    (*terms_1)[i32(4)] = _S402 - _S404;
+    var _S402 : f32 = view_3.x;
+    var _S403 : f32 = _S402 * _S402;
+    var _S404 : f32 = view_3.y;
+    var _S405 : f32 = _S404 * _S404;
+    (*terms_1)[i32(1)] = sqrt(max(_S403 + _S405, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S401;
+    (*terms_1)[i32(3)] = _S401 * _S401;
+    (*terms_1)[i32(4)] = _S403 - _S405;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
@@ -2808,11 +2816,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S405 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S406 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S406 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S407 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_9 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_9 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_9) + _S406 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S406 * interior_0.far_1 + yarn_2.back_9 * _S405;
+    bounced_0.reflected_0 = yarn_2.back_9 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_9 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_9) + _S407 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S407 * interior_0.far_1 + yarn_2.back_9 * _S406;
     bounced_0.is_covered_0 = false;
     return bounced_0;
 }
@@ -2828,8 +2836,8 @@ fn sum_of_0( first_27 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S407 : f32 = light_2.z;
-    return select_vector_2((_S407 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S407) * 0.31830987334251404f));
+    var _S408 : f32 = light_2.z;
+    return select_vector_2((_S408 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S408) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_13 : f32,  y_5 : f32) -> f32
@@ -2849,40 +2857,40 @@ fn sheen_reflectance_0( x_15 : f32,  y_7 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S408 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S409 : f32 = 2.0f * sqrt(_S408) - 1.0f;
-    var _S410 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S409, _S410), 0.00999999977648258f, 1.0f), clamp((1.0f - _S408) * sheen_shear_0(_S409, _S410), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S409, _S410), -60.0f, 60.0f))));
+    var _S409 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S410 : f32 = 2.0f * sqrt(_S409) - 1.0f;
+    var _S411 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S410, _S411), 0.00999999977648258f, 1.0f), clamp((1.0f - _S409) * sheen_shear_0(_S410, _S411), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S410, _S411), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S411 : f32 = light_3.z;
-    if(((_S411 <= 0.0f) | (((view_5.z) <= 0.0f))))
+    var _S412 : f32 = light_3.z;
+    if(((_S412 <= 0.0f) | (((view_5.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S412 : vec2<f32> = view_5.xy;
-    var _S413 : f32 = dot(_S412, _S412);
-    var _S414 : vec2<f32> = select_vector_1(_S413 > 9.99999968265522539e-21f, _S412 * vec2<f32>(rsqrt_0(max(_S413, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S415 : f32 = scale_1 * dot(light_3.xy, _S414) + shear_0 * _S411;
-    var _S416 : f32 = scale_1 * (light_3.y * _S414.x - light_3.x * _S414.y);
-    var _S417 : f32 = _S415 * _S415 + _S416 * _S416 + _S411 * _S411;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S411 / max(_S417 * _S417, 9.99999968265522539e-21f);
+    var _S413 : vec2<f32> = view_5.xy;
+    var _S414 : f32 = dot(_S413, _S413);
+    var _S415 : vec2<f32> = select_vector_1(_S414 > 9.99999968265522539e-21f, _S413 * vec2<f32>(rsqrt_0(max(_S414, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S416 : f32 = scale_1 * dot(light_3.xy, _S415) + shear_0 * _S412;
+    var _S417 : f32 = scale_1 * (light_3.y * _S415.x - light_3.x * _S415.y);
+    var _S418 : f32 = _S416 * _S416 + _S417 * _S417 + _S412 * _S412;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S412 / max(_S418 * _S418, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S418 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
-    var _S419 : f32 = strength_0 * _S418.z;
-    return vec2<f32>(_S419 * transformed_cosine_0(light_4, view_6, _S418.x, _S418.y), 1.0f - _S419);
+    var _S419 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
+    var _S420 : f32 = strength_0 * _S419.z;
+    return vec2<f32>(_S420 * transformed_cosine_0(light_4, view_6, _S419.x, _S419.y), 1.0f - _S420);
 }
 
 fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
 {
-    var _S420 : f32 = layers_0[index_8].share_0;
+    var _S421 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_5;
-    layers_0[index_8].share_0 = _S420 * (1.0f - light_5.w);
+    layers_0[index_8].share_0 = _S421 * (1.0f - light_5.w);
     return;
 }
 
@@ -2906,152 +2914,152 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S421 : u32,  _S422 : u32,  _S423 : u32,  _S424 : vec2<f32>) -> f32
+fn uneven_shift_0( _S422 : u32,  _S423 : u32,  _S424 : u32,  _S425 : vec2<f32>) -> f32
 {
-    var _S425 : f32 = families_0[_S423].period_0 / families_0[_S423].count_0;
-    var _S426 : u32 = hash_key_0(_S422, ((fabrics_0[_S421].seed_0) ^ (u32(625341585))));
-    var _S427 : vec2<f32> = vec2<f32>(_S424.x, _S424.y / 4.0f) / vec2<f32>(_S425);
-    return 0.20000000298023224f * sqrt(families_0[_S423].slub_0) * _S425 * (uneven_octave_0(_S426, _S427) * 0.66666668653488159f + uneven_octave_0(_S426 + u32(1), vec2<f32>(2.0f) * _S427 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S426 : f32 = families_0[_S424].period_0 / families_0[_S424].count_0;
+    var _S427 : u32 = hash_key_0(_S423, ((fabrics_0[_S422].seed_0) ^ (u32(625341585))));
+    var _S428 : vec2<f32> = vec2<f32>(_S425.x, _S425.y / 4.0f) / vec2<f32>(_S426);
+    return 0.20000000298023224f * sqrt(families_0[_S424].slub_0) * _S426 * (uneven_octave_0(_S427, _S428) * 0.66666668653488159f + uneven_octave_0(_S427 + u32(1), vec2<f32>(2.0f) * _S428 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S428 : u32,  _S429 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S429 : u32,  _S430 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S428].has_detail_0) == u32(0), _S429, _S429 + vec2<f32>(uneven_shift_0(_S428, u32(0), fabrics_0[_S428].warp_0, _S429), uneven_shift_0(_S428, u32(1), fabrics_0[_S428].weft_0, _S429.yx)));
+    return select_vector_1((fabrics_0[_S429].has_detail_0) == u32(0), _S430, _S430 + vec2<f32>(uneven_shift_0(_S429, u32(0), fabrics_0[_S429].warp_0, _S430), uneven_shift_0(_S429, u32(1), fabrics_0[_S429].weft_0, _S430.yx)));
 }
 
-fn face_point_0( _S430 : u32,  _S431 : u32,  _S432 : f32,  _S433 : f32) -> VisiblePoint_0
+fn face_point_0( _S431 : u32,  _S432 : u32,  _S433 : f32,  _S434 : f32) -> VisiblePoint_0
 {
-    var _S434 : u32 = u32(3) * _S431;
-    var _S435 : Vertex_0 = vertex_at_0(_S434);
-    var _S436 : Vertex_0 = vertex_at_0(_S434 + u32(1));
-    var _S437 : Vertex_0 = vertex_at_0(_S434 + u32(2));
-    var _S438 : vec3<f32> = position_of_0(_S435);
-    var _S439 : vec3<f32> = position_of_0(_S436) - _S438;
-    var _S440 : vec3<f32> = position_of_0(_S437) - _S438;
-    var _S441 : f32 = _S436.u_0 - _S435.u_0;
-    var _S442 : f32 = _S436.v_0 - _S435.v_0;
-    var _S443 : vec2<f32> = vec2<f32>(_S441, _S442);
-    var _S444 : f32 = _S437.u_0 - _S435.u_0;
-    var _S445 : f32 = _S437.v_0 - _S435.v_0;
-    var _S446 : vec2<f32> = vec2<f32>(_S444, _S445);
-    var _S447 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S441 * _S445 - _S442 * _S444) < 0.0f));
-    var _S448 : vec3<f32> = _S447 * (vec3<f32>(_S445) * _S439 - vec3<f32>(_S442) * _S440);
-    var _S449 : vec3<f32> = _S447 * (vec3<f32>(_S441) * _S440 - vec3<f32>(_S444) * _S439);
+    var _S435 : u32 = u32(3) * _S432;
+    var _S436 : Vertex_0 = vertex_at_0(_S435);
+    var _S437 : Vertex_0 = vertex_at_0(_S435 + u32(1));
+    var _S438 : Vertex_0 = vertex_at_0(_S435 + u32(2));
+    var _S439 : vec3<f32> = position_of_0(_S436);
+    var _S440 : vec3<f32> = position_of_0(_S437) - _S439;
+    var _S441 : vec3<f32> = position_of_0(_S438) - _S439;
+    var _S442 : f32 = _S437.u_0 - _S436.u_0;
+    var _S443 : f32 = _S437.v_0 - _S436.v_0;
+    var _S444 : vec2<f32> = vec2<f32>(_S442, _S443);
+    var _S445 : f32 = _S438.u_0 - _S436.u_0;
+    var _S446 : f32 = _S438.v_0 - _S436.v_0;
+    var _S447 : vec2<f32> = vec2<f32>(_S445, _S446);
+    var _S448 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S442 * _S446 - _S443 * _S445) < 0.0f));
+    var _S449 : vec3<f32> = _S448 * (vec3<f32>(_S446) * _S440 - vec3<f32>(_S443) * _S441);
+    var _S450 : vec3<f32> = _S448 * (vec3<f32>(_S442) * _S441 - vec3<f32>(_S445) * _S440);
     var point_1 : VisiblePoint_0;
-    var _S450 : vec3<f32> = vec3<f32>(_S432);
     var _S451 : vec3<f32> = vec3<f32>(_S433);
-    var _S452 : vec3<f32> = normalize(vec3<f32>((1.0f - _S432 - _S433)) * normal_of_0(_S435) + _S450 * normal_of_0(_S436) + _S451 * normal_of_0(_S437));
-    point_1.normal_0 = _S452;
-    var _S453 : vec3<f32> = normalize(_S448 - _S452 * vec3<f32>(dot(_S452, _S448)));
-    point_1.axis_x_0 = _S453;
-    point_1.axis_y_0 = cross(_S452, _S453);
-    var _S454 : vec3<f32> = normalize(cross(_S439, _S440));
-    point_1.face_normal_0 = select_vector_2((dot(_S454, _S452)) < 0.0f, (vec3<f32>(0) - _S454), _S454);
-    point_1.position_4 = _S438 + _S450 * _S439 + _S451 * _S440;
-    point_1.view_0 = _S452;
-    var _S455 : vec2<f32> = vec2<f32>(_S435.u_0, _S435.v_0) + vec2<f32>(_S432) * _S443 + vec2<f32>(_S433) * _S446;
-    point_1.uv_1 = _S455;
-    var _S456 : bool = (dot(cross(_S448, _S449), _S452)) < 0.0f;
-    var _S457 : vec2<f32> = vec2<f32>(fabrics_0[_S430].uv_width_0, select(fabrics_0[_S430].uv_height_0, - fabrics_0[_S430].uv_height_0, _S456));
-    point_1.draft_per_uv_0 = _S457;
-    point_1.draft_0 = uneven_place_0(_S430, _S455 * _S457 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S430].uv_height_0, _S456)));
-    var _S458 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S458;
-    point_1.draft_dy_0 = _S458;
+    var _S452 : vec3<f32> = vec3<f32>(_S434);
+    var _S453 : vec3<f32> = normalize(vec3<f32>((1.0f - _S433 - _S434)) * normal_of_0(_S436) + _S451 * normal_of_0(_S437) + _S452 * normal_of_0(_S438));
+    point_1.normal_0 = _S453;
+    var _S454 : vec3<f32> = normalize(_S449 - _S453 * vec3<f32>(dot(_S453, _S449)));
+    point_1.axis_x_0 = _S454;
+    point_1.axis_y_0 = cross(_S453, _S454);
+    var _S455 : vec3<f32> = normalize(cross(_S440, _S441));
+    point_1.face_normal_0 = select_vector_2((dot(_S455, _S453)) < 0.0f, (vec3<f32>(0) - _S455), _S455);
+    point_1.position_4 = _S439 + _S451 * _S440 + _S452 * _S441;
+    point_1.view_0 = _S453;
+    var _S456 : vec2<f32> = vec2<f32>(_S436.u_0, _S436.v_0) + vec2<f32>(_S433) * _S444 + vec2<f32>(_S434) * _S447;
+    point_1.uv_1 = _S456;
+    var _S457 : bool = (dot(cross(_S449, _S450), _S453)) < 0.0f;
+    var _S458 : vec2<f32> = vec2<f32>(fabrics_0[_S431].uv_width_0, select(fabrics_0[_S431].uv_height_0, - fabrics_0[_S431].uv_height_0, _S457));
+    point_1.draft_per_uv_0 = _S458;
+    point_1.draft_0 = uneven_place_0(_S431, _S456 * _S458 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S431].uv_height_0, _S457)));
+    var _S459 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S459;
+    point_1.draft_dy_0 = _S459;
     return point_1;
 }
 
-fn visible_point_0( _S459 : u32,  _S460 : u32,  _S461 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S460 : u32,  _S461 : u32,  _S462 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S462 : u32 = u32(3) * _S460;
-    var _S463 : Vertex_0 = vertex_at_0(_S462);
-    var _S464 : Vertex_0 = vertex_at_0(_S462 + u32(1));
-    var _S465 : Vertex_0 = vertex_at_0(_S462 + u32(2));
-    var _S466 : vec3<f32> = position_of_0(_S463);
-    var _S467 : vec3<f32> = position_of_0(_S464) - _S466;
-    var _S468 : vec3<f32> = position_of_0(_S465) - _S466;
-    var _S469 : vec3<f32> = cross(_S467, _S468);
-    var _S470 : f32 = f32(frame_record_0.width_0);
-    var _S471 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S470));
-    var _S472 : f32 = f32(frame_record_0.height_0);
-    var _S473 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S472));
-    var _S474 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S461.x) + 0.5f - 0.5f * _S470)) * _S471 + vec3<f32>((f32(_S461.y) + 0.5f - 0.5f * _S472)) * _S473;
-    var _S475 : f32 = dot(_S474, _S469);
-    var _S476 : f32 = 1.0f / select(1.00000000317107685e-30f, _S475, (abs(_S475)) > 1.00000000317107685e-30f);
-    var _S477 : vec3<f32> = _S466 - camera_origin_0();
-    var _S478 : vec3<f32> = vec3<f32>((dot(_S477, _S469) * _S476));
-    var _S479 : vec3<f32> = _S474 * _S478 - _S477;
-    var _S480 : vec3<f32> = _S478 * (_S471 - _S474 * vec3<f32>((dot(_S471, _S469) * _S476)));
-    var _S481 : vec3<f32> = _S478 * (_S473 - _S474 * vec3<f32>((dot(_S473, _S469) * _S476)));
-    var _S482 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S469), 1.00000000317107685e-30f)));
-    var _S483 : vec3<f32> = cross(_S468, _S469) * _S482;
-    var _S484 : vec3<f32> = cross(_S469, _S467) * _S482;
-    var _S485 : vec2<f32> = vec2<f32>(_S464.u_0 - _S463.u_0, _S464.v_0 - _S463.v_0);
-    var _S486 : vec2<f32> = vec2<f32>(_S465.u_0 - _S463.u_0, _S465.v_0 - _S463.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S459, _S460, dot(_S479, _S483), dot(_S479, _S484));
-    point_2.position_4 = _S466 + _S479;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S474));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S480, _S483)) * _S485 + vec2<f32>(dot(_S480, _S484)) * _S486) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S481, _S483)) * _S485 + vec2<f32>(dot(_S481, _S484)) * _S486) * point_2.draft_per_uv_0;
+    var _S463 : u32 = u32(3) * _S461;
+    var _S464 : Vertex_0 = vertex_at_0(_S463);
+    var _S465 : Vertex_0 = vertex_at_0(_S463 + u32(1));
+    var _S466 : Vertex_0 = vertex_at_0(_S463 + u32(2));
+    var _S467 : vec3<f32> = position_of_0(_S464);
+    var _S468 : vec3<f32> = position_of_0(_S465) - _S467;
+    var _S469 : vec3<f32> = position_of_0(_S466) - _S467;
+    var _S470 : vec3<f32> = cross(_S468, _S469);
+    var _S471 : f32 = f32(frame_record_0.width_0);
+    var _S472 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S471));
+    var _S473 : f32 = f32(frame_record_0.height_0);
+    var _S474 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S473));
+    var _S475 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S462.x) + 0.5f - 0.5f * _S471)) * _S472 + vec3<f32>((f32(_S462.y) + 0.5f - 0.5f * _S473)) * _S474;
+    var _S476 : f32 = dot(_S475, _S470);
+    var _S477 : f32 = 1.0f / select(1.00000000317107685e-30f, _S476, (abs(_S476)) > 1.00000000317107685e-30f);
+    var _S478 : vec3<f32> = _S467 - camera_origin_0();
+    var _S479 : vec3<f32> = vec3<f32>((dot(_S478, _S470) * _S477));
+    var _S480 : vec3<f32> = _S475 * _S479 - _S478;
+    var _S481 : vec3<f32> = _S479 * (_S472 - _S475 * vec3<f32>((dot(_S472, _S470) * _S477)));
+    var _S482 : vec3<f32> = _S479 * (_S474 - _S475 * vec3<f32>((dot(_S474, _S470) * _S477)));
+    var _S483 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S470), 1.00000000317107685e-30f)));
+    var _S484 : vec3<f32> = cross(_S469, _S470) * _S483;
+    var _S485 : vec3<f32> = cross(_S470, _S468) * _S483;
+    var _S486 : vec2<f32> = vec2<f32>(_S465.u_0 - _S464.u_0, _S465.v_0 - _S464.v_0);
+    var _S487 : vec2<f32> = vec2<f32>(_S466.u_0 - _S464.u_0, _S466.v_0 - _S464.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S460, _S461, dot(_S480, _S484), dot(_S480, _S485));
+    point_2.position_4 = _S467 + _S480;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S475));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S481, _S484)) * _S486 + vec2<f32>(dot(_S481, _S485)) * _S487) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S482, _S484)) * _S486 + vec2<f32>(dot(_S482, _S485)) * _S487) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S487 : u32,  _S488 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S488 : u32,  _S489 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S489 : u32 = fabrics_0[_S487].albedo_map_levels_0;
-    if((fabrics_0[_S487].albedo_map_levels_0) == u32(0))
+    var _S490 : u32 = fabrics_0[_S488].albedo_map_levels_0;
+    if((fabrics_0[_S488].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S490 : vec2<f32> = vec2<f32>(fabrics_0[_S487].uv_width_0, fabrics_0[_S487].uv_height_0);
-    var _S491 : vec2<f32> = _S488.draft_dx_0 / _S490;
-    var _S492 : vec2<f32> = _S488.draft_dy_0 / _S490;
-    var _S493 : u32 = _S489 - u32(1);
-    var _S494 : u32 = (u32(1) << (_S493));
-    var _S495 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S491.x * _S492.y - _S491.y * _S492.x), 9.99999968265522539e-21f) * (square_1(f32(_S494)) / 3.0f)), 0.0f, f32(_S489) - 1.0f);
-    var _S496 : u32 = min(u32(_S495), max(_S489, u32(2)) - u32(2));
-    var _S497 : u32 = min(_S496 + u32(1), _S493);
-    var _S498 : u32 = (u32(1) << ((u32(2) * _S489)));
-    return mix(map_level_0(fabrics_0[_S487].albedo_map_0 + (_S498 - ((_S498 >> ((u32(2) * _S496))))) / u32(3), (_S494 >> (_S496)), _S488.uv_1), map_level_0(fabrics_0[_S487].albedo_map_0 + (_S498 - ((_S498 >> ((u32(2) * _S497))))) / u32(3), (_S494 >> (_S497)), _S488.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S495 - f32(_S496))) - 1.0f) / 3.0f)));
+    var _S491 : vec2<f32> = vec2<f32>(fabrics_0[_S488].uv_width_0, fabrics_0[_S488].uv_height_0);
+    var _S492 : vec2<f32> = _S489.draft_dx_0 / _S491;
+    var _S493 : vec2<f32> = _S489.draft_dy_0 / _S491;
+    var _S494 : u32 = _S490 - u32(1);
+    var _S495 : u32 = (u32(1) << (_S494));
+    var _S496 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S492.x * _S493.y - _S492.y * _S493.x), 9.99999968265522539e-21f) * (square_1(f32(_S495)) / 3.0f)), 0.0f, f32(_S490) - 1.0f);
+    var _S497 : u32 = min(u32(_S496), max(_S490, u32(2)) - u32(2));
+    var _S498 : u32 = min(_S497 + u32(1), _S494);
+    var _S499 : u32 = (u32(1) << ((u32(2) * _S490)));
+    return mix(map_level_0(fabrics_0[_S488].albedo_map_0 + (_S499 - ((_S499 >> ((u32(2) * _S497))))) / u32(3), (_S495 >> (_S497)), _S489.uv_1), map_level_0(fabrics_0[_S488].albedo_map_0 + (_S499 - ((_S499 >> ((u32(2) * _S498))))) / u32(3), (_S495 >> (_S498)), _S489.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S496 - f32(_S497))) - 1.0f) / 3.0f)));
 }
 
-fn is_layered_0( _S499 : u32) -> bool
+fn is_layered_0( _S500 : u32) -> bool
 {
-    return (HAS_LAYERS_0 & (((fabrics_0[_S499].planes_0) != u32(0))));
+    return (HAS_LAYERS_0 & (((fabrics_0[_S500].planes_0) != u32(0))));
 }
 
-fn irregular_key_0( _S500 : u32,  _S501 : u32) -> u32
+fn irregular_key_0( _S501 : u32,  _S502 : u32) -> u32
 {
-    return hash_key_0(_S501, ((fabrics_0[_S500].seed_0) ^ (u32(1821285621))));
+    return hash_key_0(_S502, ((fabrics_0[_S501].seed_0) ^ (u32(1821285621))));
 }
 
-fn irregular_place_0( _S502 : u32,  _S503 : vec2<f32>,  _S504 : f32) -> vec2<f32>
+fn irregular_place_0( _S503 : u32,  _S504 : vec2<f32>,  _S505 : f32) -> vec2<f32>
 {
-    var _S505 : u32 = fabrics_0[_S502].warp_0;
-    var _S506 : u32 = fabrics_0[_S502].weft_0;
-    var _S507 : bool = (((((fabrics_0[_S502].is_irregular_0) != u32(0)) & ((!is_layered_0(_S502))))) & (((max(moved_share_0(fabrics_0[_S502].warp_0, _S504), moved_share_0(fabrics_0[_S502].weft_0, _S504))) > 0.0f)));
+    var _S506 : u32 = fabrics_0[_S503].warp_0;
+    var _S507 : u32 = fabrics_0[_S503].weft_0;
+    var _S508 : bool = (((((fabrics_0[_S503].is_irregular_0) != u32(0)) & ((!is_layered_0(_S503))))) & (((max(moved_share_0(fabrics_0[_S503].warp_0, _S505), moved_share_0(fabrics_0[_S503].weft_0, _S505))) > 0.0f)));
     var number_5 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S503;
+    var moved_0 : vec2<f32> = _S504;
     for(;;)
     {
-        if(number_5 < select(u32(0), u32(2), _S507))
+        if(number_5 < select(u32(0), u32(2), _S508))
         {
         }
         else
         {
             break;
         }
-        var _S508 : bool = number_5 == u32(0);
-        var _S509 : u32 = select(_S506, _S505, _S508);
-        var _S510 : vec2<f32> = select_vector_1(_S508, _S503, _S503.yx);
-        var _S511 : u32 = irregular_key_0(_S502, number_5);
-        var _S512 : f32 = _S510.x;
-        var _S513 : Cell_0 = locate_0(_S509, _S512);
-        var _S514 : f32 = irregular_thread_0(_S509, _S512, _S513);
-        var _S515 : f32 = select(1.0f, -1.0f, (_S513.across_0) < 0.0f);
-        var _S516 : vec2<f32> = vec2<f32>(0.0f);
-        var other_3 : vec2<f32> = _S516;
-        var own_2 : vec2<f32> = _S516;
+        var _S509 : bool = number_5 == u32(0);
+        var _S510 : u32 = select(_S507, _S506, _S509);
+        var _S511 : vec2<f32> = select_vector_1(_S509, _S504, _S504.yx);
+        var _S512 : u32 = irregular_key_0(_S503, number_5);
+        var _S513 : f32 = _S511.x;
+        var _S514 : Cell_0 = locate_0(_S510, _S513);
+        var _S515 : f32 = irregular_thread_0(_S510, _S513, _S514);
+        var _S516 : f32 = select(1.0f, -1.0f, (_S514.across_0) < 0.0f);
+        var _S517 : vec2<f32> = vec2<f32>(0.0f);
+        var other_3 : vec2<f32> = _S517;
+        var own_2 : vec2<f32> = _S517;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -3062,23 +3070,23 @@ fn irregular_place_0( _S502 : u32,  _S503 : vec2<f32>,  _S504 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S517 : vec2<f32> = irregular_at_0(_S509, _S511, _S514 + _S515 * f32(neighbour_0), _S510.y).xy;
-            var _S518 : u32 = neighbour_0 + u32(1);
+            var _S518 : vec2<f32> = irregular_at_0(_S510, _S512, _S515 + _S516 * f32(neighbour_0), _S511.y).xy;
+            var _S519 : u32 = neighbour_0 + u32(1);
             own_2 = other_3;
-            other_3 = _S517;
-            neighbour_0 = _S518;
+            other_3 = _S518;
+            neighbour_0 = _S519;
         }
-        var _S519 : f32 = _S513.below_0 + _S513.above_0;
-        var _S520 : f32 = min(_S513.half_width_1 / _S519, 0.5f);
-        var _S521 : f32 = min(_S520 * (2.0f + own_2.y + other_3.y), 1.0f);
-        var _S522 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
-        var _S523 : f32 = _S522.x;
-        var _S524 : f32 = _S521 * _S523 / (_S523 + _S522.y);
-        var _S525 : f32 = abs(_S513.across_0) / _S519;
-        var _S526 : f32 = 1.0f - _S521;
-        var _S527 : f32 = _S525 - _S524;
-        var _S528 : f32 = moved_share_0(_S509, _S504) * _S515 * _S519 * (select(select((_S527 - _S526) / max(_S521 - _S524, 9.99999997475242708e-07f) * _S520 + (1.0f - _S520), _S527 / max(_S526, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S520) + _S520, _S527 < _S526), _S525 * _S520 / _S524, _S527 < 0.0f) - _S525);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S508, vec2<f32>(_S528, 0.0f), vec2<f32>(0.0f, _S528));
+        var _S520 : f32 = _S514.below_0 + _S514.above_0;
+        var _S521 : f32 = min(_S514.half_width_1 / _S520, 0.5f);
+        var _S522 : f32 = min(_S521 * (2.0f + own_2.y + other_3.y), 1.0f);
+        var _S523 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
+        var _S524 : f32 = _S523.x;
+        var _S525 : f32 = _S522 * _S524 / (_S524 + _S523.y);
+        var _S526 : f32 = abs(_S514.across_0) / _S520;
+        var _S527 : f32 = 1.0f - _S522;
+        var _S528 : f32 = _S526 - _S525;
+        var _S529 : f32 = moved_share_0(_S510, _S505) * _S516 * _S520 * (select(select((_S528 - _S527) / max(_S522 - _S525, 9.99999997475242708e-07f) * _S521 + (1.0f - _S521), _S528 / max(_S527, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S521) + _S521, _S528 < _S527), _S526 * _S521 / _S525, _S528 < 0.0f) - _S526);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S509, vec2<f32>(_S529, 0.0f), vec2<f32>(0.0f, _S529));
         number_5 = number_5 + u32(1);
         moved_0 = moved_1;
     }
@@ -3096,23 +3104,23 @@ struct NeuralView_0
      back_10 : bool,
 };
 
-fn anisotropic_taps_0( _S529 : u32,  _S530 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S530 : u32,  _S531 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S531 : vec3<f32> = row_of_taps_0(_S530);
-    var _S532 : vec2<f32> = _S530.dx_0;
-    var _S533 : vec2<f32> = _S530.dy_0;
-    var _S534 : f32 = dot(_S532, _S532) + dot(_S533, _S533);
-    var _S535 : f32 = _S530.dx_0.x * _S530.dy_0.y - _S530.dx_0.y * _S530.dy_0.x;
-    var _S536 : f32 = 0.5f * (_S534 + sqrt(max(_S534 * _S534 - 4.0f * _S535 * _S535, 0.0f)));
-    var _S537 : bool = ((_S536 < (5.5f * (_S534 - _S536))) & ((_S534 > (8.0f * fabrics_0[_S529].neural_0.pitch_0 * fabrics_0[_S529].neural_0.pitch_0))));
-    var _S538 : vec2<f32> = vec2<f32>(fabrics_0[_S529].neural_0.ends_per_mm_0, fabrics_0[_S529].neural_0.picks_per_mm_0);
+    var _S532 : vec3<f32> = row_of_taps_0(_S531);
+    var _S533 : vec2<f32> = _S531.dx_0;
+    var _S534 : vec2<f32> = _S531.dy_0;
+    var _S535 : f32 = dot(_S533, _S533) + dot(_S534, _S534);
+    var _S536 : f32 = _S531.dx_0.x * _S531.dy_0.y - _S531.dx_0.y * _S531.dy_0.x;
+    var _S537 : f32 = 0.5f * (_S535 + sqrt(max(_S535 * _S535 - 4.0f * _S536 * _S536, 0.0f)));
+    var _S538 : bool = ((_S537 < (5.5f * (_S535 - _S537))) & ((_S535 > (8.0f * fabrics_0[_S530].neural_0.pitch_0 * fabrics_0[_S530].neural_0.pitch_0))));
+    var _S539 : vec2<f32> = vec2<f32>(fabrics_0[_S530].neural_0.ends_per_mm_0, fabrics_0[_S530].neural_0.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S530.centre_0 * _S538;
-    taps_1.side_2 = select(_S531.x, sqrt(0.125f * _S534), _S537) / fabrics_0[_S529].neural_0.pitch_0;
-    var _S539 : vec2<f32> = vec2<f32>(0.25f);
-    var _S540 : vec2<f32> = _S531.yz;
-    taps_1.first_21 = select_vector_1(_S537, _S539 * _S530.dx_0, _S540) * _S538;
-    taps_1.second_0 = select_vector_1(_S537, _S539 * _S530.dy_0, vec2<f32>(0.5f) * _S540) * _S538;
+    taps_1.centre_1 = _S531.centre_0 * _S539;
+    taps_1.side_2 = select(_S532.x, sqrt(0.125f * _S535), _S538) / fabrics_0[_S530].neural_0.pitch_0;
+    var _S540 : vec2<f32> = vec2<f32>(0.25f);
+    var _S541 : vec2<f32> = _S532.yz;
+    taps_1.first_21 = select_vector_1(_S538, _S540 * _S531.dx_0, _S541) * _S539;
+    taps_1.second_0 = select_vector_1(_S538, _S540 * _S531.dy_0, vec2<f32>(0.5f) * _S541) * _S539;
     return taps_1;
 }
 
@@ -3124,19 +3132,19 @@ struct Hit_0
      height_5 : f32,
 };
 
-fn whole_plane_0( _S541 : u32) -> Plane_0
+fn whole_plane_0( _S542 : u32) -> Plane_0
 {
     var plane_5 : Plane_0;
-    plane_5.warp_1 = fabrics_0[_S541].warp_0;
-    plane_5.weft_1 = fabrics_0[_S541].weft_0;
-    plane_5.run_words_1 = fabrics_0[_S541].run_words_0;
-    plane_5.ends_2 = fabrics_0[_S541].ends_1;
+    plane_5.warp_1 = fabrics_0[_S542].warp_0;
+    plane_5.weft_1 = fabrics_0[_S542].weft_0;
+    plane_5.run_words_1 = fabrics_0[_S542].run_words_0;
+    plane_5.ends_2 = fabrics_0[_S542].ends_1;
     plane_5.end_numbers_0 = u32(0);
     plane_5.pick_numbers_0 = u32(0);
-    plane_5.max_heights_1 = fabrics_0[_S541].max_heights_0;
-    plane_5.max_height_columns_1 = fabrics_0[_S541].max_height_columns_0;
-    plane_5.height_low_1 = fabrics_0[_S541].height_low_0;
-    plane_5.height_high_1 = fabrics_0[_S541].height_high_0;
+    plane_5.max_heights_1 = fabrics_0[_S542].max_heights_0;
+    plane_5.max_height_columns_1 = fabrics_0[_S542].max_height_columns_0;
+    plane_5.height_low_1 = fabrics_0[_S542].height_low_0;
+    plane_5.height_high_1 = fabrics_0[_S542].height_high_0;
     plane_5.front_level_0 = 0.0f;
     plane_5.back_level_0 = 0.0f;
     plane_5.start_x_0 = 0.0f;
@@ -3146,146 +3154,146 @@ fn whole_plane_0( _S541 : u32) -> Plane_0
     return plane_5;
 }
 
-fn plane_order_0( _S542 : u32,  _S543 : f32,  _S544 : f32,  _S545 : bool) -> u32
+fn plane_order_0( _S543 : u32,  _S544 : f32,  _S545 : f32,  _S546 : bool) -> u32
 {
-    var _S546 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S542].plane_axes_0 + u32(1), _S544).thread_1 * fabrics_0[_S542].ends_1 + locate_varied_0(fabrics_0[_S542].plane_axes_0, _S543).thread_1, (fabrics_0[_S542].stacks_0) > u32(1));
-    return fabrics_0[_S542].plane_orders_0 + u32(2) * fabrics_0[_S542].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S542].regions_0 + _S546 / u32(4)] >> ((u32(8) * (_S546 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S545));
+    var _S547 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S543].plane_axes_0 + u32(1), _S545).thread_1 * fabrics_0[_S543].ends_1 + locate_varied_0(fabrics_0[_S543].plane_axes_0, _S544).thread_1, (fabrics_0[_S543].stacks_0) > u32(1));
+    return fabrics_0[_S543].plane_orders_0 + u32(2) * fabrics_0[_S543].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S543].regions_0 + _S547 / u32(4)] >> ((u32(8) * (_S547 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S546));
 }
 
-fn first_bounds_0( _S547 : u32,  _S548 : u32,  _S549 : f32,  _S550 : f32,  _S551 : bool,  _S552 : bool,  _S553 : bool) -> vec3<f32>
+fn first_bounds_0( _S548 : u32,  _S549 : u32,  _S550 : f32,  _S551 : f32,  _S552 : bool,  _S553 : bool,  _S554 : bool) -> vec3<f32>
 {
-    var _S554 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S547].plane_records_0 + words_0[_S548] * u32(16)), _S549, _S550, _S551, _S552, _S553);
-    var _S555 : Cell_0 = locate_varied_0(fabrics_0[_S547].plane_axes_0, _S549);
-    var _S556 : Cell_0 = locate_varied_0(fabrics_0[_S547].plane_axes_0 + u32(1), _S550);
-    var _S557 : bool = (fabrics_0[_S547].stacks_0) == u32(1);
-    return vec3<f32>(_S554.x + table_number_0(_S548 + u32(1)), min(_S554.y, select(select(_S555.below_0, _S555.above_0, _S552), 1.0e+06f, _S557)), min(_S554.z, select(select(_S556.below_0, _S556.above_0, _S553), 1.0e+06f, _S557)));
+    var _S555 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S548].plane_records_0 + words_0[_S549] * u32(16)), _S550, _S551, _S552, _S553, _S554);
+    var _S556 : Cell_0 = locate_varied_0(fabrics_0[_S548].plane_axes_0, _S550);
+    var _S557 : Cell_0 = locate_varied_0(fabrics_0[_S548].plane_axes_0 + u32(1), _S551);
+    var _S558 : bool = (fabrics_0[_S548].stacks_0) == u32(1);
+    return vec3<f32>(_S555.x + table_number_0(_S549 + u32(1)), min(_S555.y, select(select(_S556.below_0, _S556.above_0, _S553), 1.0e+06f, _S558)), min(_S555.z, select(select(_S557.below_0, _S557.above_0, _S554), 1.0e+06f, _S558)));
 }
 
-fn plane_shown_0( _S558 : u32,  _S559 : f32,  _S560 : f32,  _S561 : bool,  _S562 : bool,  _S563 : bool) -> PlaneHere_0
+fn plane_shown_0( _S559 : u32,  _S560 : f32,  _S561 : f32,  _S562 : bool,  _S563 : bool,  _S564 : bool) -> PlaneHere_0
 {
     var here_6 : PlaneHere_0;
-    here_6.plane_3 = whole_plane_0(_S558);
+    here_6.plane_3 = whole_plane_0(_S559);
     here_6.number_1 = u32(0);
     here_6.level_1 = 0.0f;
     here_6.edge_x_0 = 1.0e+06f;
     here_6.edge_y_0 = 1.0e+06f;
     here_6.bounds_0 = vec3<f32>(0.0f);
-    if(!is_layered_0(_S558))
+    if(!is_layered_0(_S559))
     {
         return here_6;
     }
-    var _S564 : u32 = plane_order_0(_S558, _S559, _S560, _S561);
-    var _S565 : vec3<f32> = first_bounds_0(_S558, _S564, _S559, _S560, _S561, _S562, _S563);
-    here_6.bounds_0 = _S565;
-    var _S566 : bool = (fabrics_0[_S558].stacks_0) == u32(1);
-    here_6.edge_x_0 = select(_S565.y, 1.0e+06f, _S566);
-    here_6.edge_y_0 = select(_S565.z, 1.0e+06f, _S566);
+    var _S565 : u32 = plane_order_0(_S559, _S560, _S561, _S562);
+    var _S566 : vec3<f32> = first_bounds_0(_S559, _S565, _S560, _S561, _S562, _S563, _S564);
+    here_6.bounds_0 = _S566;
+    var _S567 : bool = (fabrics_0[_S559].stacks_0) == u32(1);
+    here_6.edge_x_0 = select(_S566.y, 1.0e+06f, _S567);
+    here_6.edge_y_0 = select(_S566.z, 1.0e+06f, _S567);
     var is_hole_0 : bool = true;
     var rank_1 : u32 = u32(0);
     for(;;)
     {
-        if(((rank_1 < (fabrics_0[_S558].planes_0)) & (is_hole_0)))
+        if(((rank_1 < (fabrics_0[_S559].planes_0)) & (is_hole_0)))
         {
         }
         else
         {
             break;
         }
-        var _S567 : u32 = _S564 + u32(2) * rank_1;
-        var _S568 : u32 = words_0[_S567];
-        here_6.number_1 = _S568;
-        here_6.level_1 = table_number_0(_S567 + u32(1));
-        here_6.plane_3 = plane_at_0(fabrics_0[_S558].plane_records_0 + _S568 * u32(16));
-        var _S569 : Cell_0 = locate_varied_0(here_6.plane_3.warp_1, _S559 - here_6.plane_3.start_x_0);
-        var _S570 : Cell_0 = locate_varied_0(here_6.plane_3.weft_1, _S560 - here_6.plane_3.start_y_0);
-        var is_hole_1 : bool = !((((abs(_S569.across_0)) < (_S569.half_width_1)) | (((abs(_S570.across_0)) < (_S570.half_width_1)))));
-        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S569, _S562), is_hole_1));
-        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S570, _S563), is_hole_1));
-        var _S571 : u32 = rank_1 + u32(1);
+        var _S568 : u32 = _S565 + u32(2) * rank_1;
+        var _S569 : u32 = words_0[_S568];
+        here_6.number_1 = _S569;
+        here_6.level_1 = table_number_0(_S568 + u32(1));
+        here_6.plane_3 = plane_at_0(fabrics_0[_S559].plane_records_0 + _S569 * u32(16));
+        var _S570 : Cell_0 = locate_varied_0(here_6.plane_3.warp_1, _S560 - here_6.plane_3.start_x_0);
+        var _S571 : Cell_0 = locate_varied_0(here_6.plane_3.weft_1, _S561 - here_6.plane_3.start_y_0);
+        var is_hole_1 : bool = !((((abs(_S570.across_0)) < (_S570.half_width_1)) | (((abs(_S571.across_0)) < (_S571.half_width_1)))));
+        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S570, _S563), is_hole_1));
+        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S571, _S564), is_hole_1));
+        var _S572 : u32 = rank_1 + u32(1);
         is_hole_0 = is_hole_1;
-        rank_1 = _S571;
+        rank_1 = _S572;
     }
     return here_6;
 }
 
-fn sample_at_0( _S572 : u32,  _S573 : f32,  _S574 : f32,  _S575 : bool) -> Sample_0
+fn sample_at_0( _S573 : u32,  _S574 : f32,  _S575 : f32,  _S576 : bool) -> Sample_0
 {
-    return sample_in_0(plane_shown_0(_S572, _S573, _S574, _S575, true, true), _S573, _S574, _S575);
+    return sample_in_0(plane_shown_0(_S573, _S574, _S575, _S576, true, true), _S574, _S575, _S576);
 }
 
-fn steps_per_length_0( _S576 : u32,  _S577 : SearchQuality_0,  _S578 : vec3<f32>) -> f32
+fn steps_per_length_0( _S577 : u32,  _S578 : SearchQuality_0,  _S579 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S578.x) * fabrics_0[_S576].threads_per_x_0, abs(_S578.y) * fabrics_0[_S576].threads_per_y_0) * _S577.steps_per_thread_0, abs(_S578.z) * fabrics_0[_S576].per_relief_0 * _S577.steps_per_relief_0);
+    return max(max(abs(_S579.x) * fabrics_0[_S577].threads_per_x_0, abs(_S579.y) * fabrics_0[_S577].threads_per_y_0) * _S578.steps_per_thread_0, abs(_S579.z) * fabrics_0[_S577].per_relief_0 * _S578.steps_per_relief_0);
 }
 
-fn plane_count_0( _S579 : u32) -> u32
+fn plane_count_0( _S580 : u32) -> u32
 {
-    return select(u32(1), fabrics_0[_S579].planes_0, is_layered_0(_S579));
+    return select(u32(1), fabrics_0[_S580].planes_0, is_layered_0(_S580));
 }
 
-fn probe_0( _S580 : u32,  _S581 : f32,  _S582 : f32,  _S583 : bool,  _S584 : bool,  _S585 : bool) -> Probe_0
+fn probe_0( _S581 : u32,  _S582 : f32,  _S583 : f32,  _S584 : bool,  _S585 : bool,  _S586 : bool) -> Probe_0
 {
-    var _S586 : PlaneHere_0 = plane_shown_0(_S580, _S581, _S582, _S583, _S584, _S585);
-    var _S587 : Sample_0 = sample_in_0(_S586, _S581, _S582, _S583);
+    var _S587 : PlaneHere_0 = plane_shown_0(_S581, _S582, _S583, _S584, _S585, _S586);
+    var _S588 : Sample_0 = sample_in_0(_S587, _S582, _S583, _S584);
     var probe_1 : Probe_0;
-    probe_1.height_3 = _S587.height_2;
-    probe_1.hole_1 = _S587.shown_2.hole_0;
-    probe_1.slope_x_1 = _S587.slope_x_0;
-    probe_1.slope_y_1 = _S587.slope_y_0;
-    var _S588 : bool = !is_layered_0(_S580);
-    probe_1.yarn_1 = select(_S587.crossing_3.weft_2.thread_1 * u32(2), _S587.crossing_3.warp_2.thread_1 * u32(2) + u32(1), _S587.shown_2.is_warp_0) * plane_count_0(_S580) + _S586.number_1;
-    probe_1.cell_max_0 = select(_S586.bounds_0.x, cell_maximum_0(_S586.plane_3, _S587.crossing_3), _S588);
-    probe_1.side_x_0 = select(_S586.bounds_0.y, select(_S587.crossing_3.warp_2.below_0, _S587.crossing_3.warp_2.above_0, _S584), _S588);
-    probe_1.side_y_0 = select(_S586.bounds_0.z, select(_S587.crossing_3.weft_2.below_0, _S587.crossing_3.weft_2.above_0, _S585), _S588);
-    probe_1.edge_x_1 = min(_S586.edge_x_0, outline_distance_0(_S587.crossing_3.warp_2, _S587.shown_2, _S587.run_2, !_S587.shown_2.is_warp_0, _S584));
-    probe_1.edge_y_1 = min(_S586.edge_y_0, outline_distance_0(_S587.crossing_3.weft_2, _S587.shown_2, _S587.run_2, _S587.shown_2.is_warp_0, _S585));
+    probe_1.height_3 = _S588.height_2;
+    probe_1.hole_1 = _S588.shown_2.hole_0;
+    probe_1.slope_x_1 = _S588.slope_x_0;
+    probe_1.slope_y_1 = _S588.slope_y_0;
+    var _S589 : bool = !is_layered_0(_S581);
+    probe_1.yarn_1 = select(_S588.crossing_3.weft_2.thread_1 * u32(2), _S588.crossing_3.warp_2.thread_1 * u32(2) + u32(1), _S588.shown_2.is_warp_0) * plane_count_0(_S581) + _S587.number_1;
+    probe_1.cell_max_0 = select(_S587.bounds_0.x, cell_maximum_0(_S587.plane_3, _S588.crossing_3), _S589);
+    probe_1.side_x_0 = select(_S587.bounds_0.y, select(_S588.crossing_3.warp_2.below_0, _S588.crossing_3.warp_2.above_0, _S585), _S589);
+    probe_1.side_y_0 = select(_S587.bounds_0.z, select(_S588.crossing_3.weft_2.below_0, _S588.crossing_3.weft_2.above_0, _S586), _S589);
+    probe_1.edge_x_1 = min(_S587.edge_x_0, outline_distance_0(_S588.crossing_3.warp_2, _S588.shown_2, _S588.run_2, !_S588.shown_2.is_warp_0, _S585));
+    probe_1.edge_y_1 = min(_S587.edge_y_0, outline_distance_0(_S588.crossing_3.weft_2, _S588.shown_2, _S588.run_2, _S588.shown_2.is_warp_0, _S586));
     return probe_1;
 }
 
-fn is_free_0( _S589 : u32,  _S590 : SearchQuality_0,  _S591 : vec3<f32>,  _S592 : vec3<f32>,  _S593 : bool,  _S594 : f32) -> bool
+fn is_free_0( _S590 : u32,  _S591 : SearchQuality_0,  _S592 : vec3<f32>,  _S593 : vec3<f32>,  _S594 : bool,  _S595 : f32) -> bool
 {
-    var _S595 : f32 = _S592.z;
-    if(_S595 <= 0.0f)
+    var _S596 : f32 = _S593.z;
+    if(_S596 <= 0.0f)
     {
         return false;
     }
-    var _S596 : f32 = 1.0f / max(_S590.shadow_share_0 * steps_per_length_0(_S589, _S590, _S592), 9.99999971718068537e-10f);
-    var _S597 : StepControl_0 = step_control_0(_S592.xy, _S596);
+    var _S597 : f32 = 1.0f / max(_S591.shadow_share_0 * steps_per_length_0(_S590, _S591, _S593), 9.99999971718068537e-10f);
+    var _S598 : StepControl_0 = step_control_0(_S593.xy, _S597);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S591.z + _S595 * distance_2) < _S594))))
+        if(((count_4 < u32(1024)) & (((_S592.z + _S596 * distance_2) < _S595))))
         {
         }
         else
         {
             break;
         }
-        var _S598 : vec3<f32> = _S591 + _S592 * vec3<f32>(distance_2);
-        var _S599 : Probe_0 = probe_0(_S589, _S598.x, _S598.y, _S593, _S597.right_1, _S597.up_1);
-        var _S600 : f32 = _S598.z;
-        var _S601 : f32 = _S600 - _S599.height_3;
-        var _S602 : f32 = _S595 - _S599.slope_x_1 * _S592.x - _S599.slope_y_1 * _S592.y;
-        if(((!_S599.hole_1) & ((_S601 < 0.0f))))
+        var _S599 : vec3<f32> = _S592 + _S593 * vec3<f32>(distance_2);
+        var _S600 : Probe_0 = probe_0(_S590, _S599.x, _S599.y, _S594, _S598.right_1, _S598.up_1);
+        var _S601 : f32 = _S599.z;
+        var _S602 : f32 = _S601 - _S600.height_3;
+        var _S603 : f32 = _S596 - _S600.slope_x_1 * _S593.x - _S600.slope_y_1 * _S593.y;
+        if(((!_S600.hole_1) & ((_S602 < 0.0f))))
         {
             return false;
         }
-        var _S603 : f32 = way_back_to_dip_0(previous_3, _S601, _S602, last_step_0, _S599);
-        if(_S603 >= 0.0f)
+        var _S604 : f32 = way_back_to_dip_0(previous_3, _S602, _S603, last_step_0, _S600);
+        if(_S604 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S603;
-            distance_2 = distance_2 - _S603;
+            var last_step_1 : f32 = last_step_0 - _S604;
+            distance_2 = distance_2 - _S604;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S604 : bool = _S600 > (_S599.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S597, _S599, _S601, _S602), max(StepControl_to_cell_exit_0(_S597, _S599.side_x_0, _S599.side_y_0), _S596), _S604);
+        var _S605 : bool = _S601 > (_S600.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S598, _S600, _S602, _S603), max(StepControl_to_cell_exit_0(_S598, _S600.side_x_0, _S600.side_y_0), _S597), _S605);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S601, _S602, _S599, _S604);
+        previous_3 = after_sample_0(_S602, _S603, _S600, _S605);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -3293,13 +3301,13 @@ fn is_free_0( _S589 : u32,  _S590 : SearchQuality_0,  _S591 : vec3<f32>,  _S592 
     return true;
 }
 
-fn passes_through_0( _S605 : u32,  _S606 : SearchQuality_0,  _S607 : f32,  _S608 : f32,  _S609 : vec3<f32>,  _S610 : bool) -> bool
+fn passes_through_0( _S606 : u32,  _S607 : SearchQuality_0,  _S608 : f32,  _S609 : f32,  _S610 : vec3<f32>,  _S611 : bool) -> bool
 {
-    if(!sample_at_0(_S605, _S607, _S608, _S610).shown_2.hole_0)
+    if(!sample_at_0(_S606, _S608, _S609, _S611).shown_2.hole_0)
     {
         return false;
     }
-    var _S611 : vec3<f32> = vec3<f32>(_S607, _S608, 0.0f);
+    var _S612 : vec3<f32> = vec3<f32>(_S608, _S609, 0.0f);
     var passes_0 : bool = true;
     var side_3 : u32 = u32(0);
     for(;;)
@@ -3311,10 +3319,10 @@ fn passes_through_0( _S605 : u32,  _S606 : SearchQuality_0,  _S607 : f32,  _S608
         {
             break;
         }
-        var _S612 : bool = is_free_0(_S605, _S606, _S611, select_vector_2(side_3 == u32(0), _S609, vec3<f32>(- _S609.x, - _S609.y, _S609.z)), _S610 != (side_3 == u32(1)), fabrics_0[_S605].height_high_0);
-        var _S613 : u32 = side_3 + u32(1);
-        passes_0 = _S612;
-        side_3 = _S613;
+        var _S613 : bool = is_free_0(_S606, _S607, _S612, select_vector_2(side_3 == u32(0), _S610, vec3<f32>(- _S610.x, - _S610.y, _S610.z)), _S611 != (side_3 == u32(1)), fabrics_0[_S606].height_high_0);
+        var _S614 : u32 = side_3 + u32(1);
+        passes_0 = _S613;
+        side_3 = _S614;
     }
     return passes_0;
 }
@@ -3329,40 +3337,40 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn plane_of_0( _S614 : u32,  _S615 : u32) -> Plane_0
+fn plane_of_0( _S615 : u32,  _S616 : u32) -> Plane_0
 {
-    if(!is_layered_0(_S614))
+    if(!is_layered_0(_S615))
     {
-        return whole_plane_0(_S614);
+        return whole_plane_0(_S615);
     }
-    return plane_at_0(fabrics_0[_S614].plane_records_0 + _S615 * u32(16));
+    return plane_at_0(fabrics_0[_S615].plane_records_0 + _S616 * u32(16));
 }
 
-fn max_height_along_0( _S616 : u32,  _S617 : f32,  _S618 : f32,  _S619 : f32,  _S620 : vec3<f32>,  _S621 : bool) -> f32
+fn max_height_along_0( _S617 : u32,  _S618 : f32,  _S619 : f32,  _S620 : f32,  _S621 : vec3<f32>,  _S622 : bool) -> f32
 {
-    var _S622 : f32 = _S620.x;
-    var _S623 : f32 = _S620.y;
-    var _S624 : u32 = select(u32(0), u32(1), _S622 > 0.0f) + select(u32(0), u32(2), _S623 > 0.0f);
-    var _S625 : f32 = max(abs(_S622) * fabrics_0[_S616].threads_per_x_0, abs(_S623) * fabrics_0[_S616].threads_per_y_0) / _S620.z;
+    var _S623 : f32 = _S621.x;
+    var _S624 : f32 = _S621.y;
+    var _S625 : u32 = select(u32(0), u32(1), _S623 > 0.0f) + select(u32(0), u32(2), _S624 > 0.0f);
+    var _S626 : f32 = max(abs(_S623) * fabrics_0[_S617].threads_per_x_0, abs(_S624) * fabrics_0[_S617].threads_per_y_0) / _S621.z;
     var levels_4 : vec4<f32> = vec4<f32>(-1.00000001504746622e+30f);
     var number_6 : u32 = u32(0);
     for(;;)
     {
-        if(number_6 < (plane_count_0(_S616)))
+        if(number_6 < (plane_count_0(_S617)))
         {
         }
         else
         {
             break;
         }
-        var _S626 : Plane_0 = plane_of_0(_S616, number_6);
-        var _S627 : u32 = (words_0[_S626.max_heights_1 + u32(4) * (locate_0(_S626.weft_1, _S618 - _S626.start_y_0).thread_1 / u32(2) * _S626.max_height_columns_1 + locate_0(_S626.warp_1, _S617 - _S626.start_x_0).thread_1 / u32(2)) + _S624] >> (u32(select(i32(0), i32(4), _S621))));
-        var _S628 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S627 & (u32(15)))), f32((((_S627 >> (u32(8)))) & (u32(15)))), f32((((_S627 >> (u32(16)))) & (u32(15)))), f32((((_S627 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S626.height_high_1) + vec4<f32>(select(_S626.front_level_0, _S626.back_level_0, _S621)));
-        var _S629 : u32 = number_6 + u32(1);
-        levels_4 = _S628;
-        number_6 = _S629;
+        var _S627 : Plane_0 = plane_of_0(_S617, number_6);
+        var _S628 : u32 = (words_0[_S627.max_heights_1 + u32(4) * (locate_0(_S627.weft_1, _S619 - _S627.start_y_0).thread_1 / u32(2) * _S627.max_height_columns_1 + locate_0(_S627.warp_1, _S618 - _S627.start_x_0).thread_1 / u32(2)) + _S625] >> (u32(select(i32(0), i32(4), _S622))));
+        var _S629 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S628 & (u32(15)))), f32((((_S628 >> (u32(8)))) & (u32(15)))), f32((((_S628 >> (u32(16)))) & (u32(15)))), f32((((_S628 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S627.height_high_1) + vec4<f32>(select(_S627.front_level_0, _S627.back_level_0, _S622)));
+        var _S630 : u32 = number_6 + u32(1);
+        levels_4 = _S629;
+        number_6 = _S630;
     }
-    var max_height_0 : f32 = fabrics_0[_S616].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S617].height_high_0;
     var number_7 : i32 = i32(3);
     for(;;)
     {
@@ -3373,7 +3381,7 @@ fn max_height_along_0( _S616 : u32,  _S617 : f32,  _S618 : f32,  _S619 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S619) * _S625) <= (PYRAMID_RADII_0[number_7]))
+        if(((max_height_0 - _S620) * _S626) <= (PYRAMID_RADII_0[number_7]))
         {
             max_height_0 = min(max_height_0, levels_4[number_7]);
         }
@@ -3382,20 +3390,20 @@ fn max_height_along_0( _S616 : u32,  _S617 : f32,  _S618 : f32,  _S619 : f32,  _
     return max_height_0;
 }
 
-fn cell_bounds_0( _S630 : u32,  _S631 : f32,  _S632 : f32,  _S633 : bool,  _S634 : bool,  _S635 : bool) -> vec3<f32>
+fn cell_bounds_0( _S631 : u32,  _S632 : f32,  _S633 : f32,  _S634 : bool,  _S635 : bool,  _S636 : bool) -> vec3<f32>
 {
-    if(is_layered_0(_S630))
+    if(is_layered_0(_S631))
     {
-        return first_bounds_0(_S630, plane_order_0(_S630, _S631, _S632, _S633), _S631, _S632, _S633, _S634, _S635);
+        return first_bounds_0(_S631, plane_order_0(_S631, _S632, _S633, _S634), _S632, _S633, _S634, _S635, _S636);
     }
-    return bounds_in_0(whole_plane_0(_S630), _S631, _S632, _S633, _S634, _S635);
+    return bounds_in_0(whole_plane_0(_S631), _S632, _S633, _S634, _S635, _S636);
 }
 
-fn first_sample_height_0( _S636 : u32,  _S637 : ViewRay_0,  _S638 : StepControl_0,  _S639 : bool) -> f32
+fn first_sample_height_0( _S637 : u32,  _S638 : ViewRay_0,  _S639 : StepControl_0,  _S640 : bool) -> f32
 {
-    var _S640 : f32 = max_height_along_0(_S636, _S637.origin_0.x, _S637.origin_0.y, 0.0f, vec3<f32>(_S637.slope_1, 1.0f), _S639);
+    var _S641 : f32 = max_height_along_0(_S637, _S638.origin_0.x, _S638.origin_0.y, 0.0f, vec3<f32>(_S638.slope_1, 1.0f), _S640);
     var count_5 : u32 = u32(0);
-    var height_7 : f32 = _S640;
+    var height_7 : f32 = _S641;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -3405,12 +3413,12 @@ fn first_sample_height_0( _S636 : u32,  _S637 : ViewRay_0,  _S638 : StepControl_
         {
             break;
         }
-        var _S641 : vec2<f32> = ViewRay_at_0(_S637, height_7);
-        var _S642 : vec3<f32> = cell_bounds_0(_S636, _S641.x, _S641.y, _S639, _S638.right_1, _S638.up_1);
-        var _S643 : f32 = height_7 - _S642.x;
-        var _S644 : f32 = StepControl_to_cell_exit_0(_S638, _S642.y, _S642.z);
-        var height_8 : f32 = height_7 - clamp(_S643, 0.0f, _S644);
-        if(_S643 <= _S644)
+        var _S642 : vec2<f32> = ViewRay_at_0(_S638, height_7);
+        var _S643 : vec3<f32> = cell_bounds_0(_S637, _S642.x, _S642.y, _S640, _S639.right_1, _S639.up_1);
+        var _S644 : f32 = height_7 - _S643.x;
+        var _S645 : f32 = StepControl_to_cell_exit_0(_S639, _S643.y, _S643.z);
+        var height_8 : f32 = height_7 - clamp(_S644, 0.0f, _S645);
+        if(_S644 <= _S645)
         {
             height_7 = height_8;
             break;
@@ -3421,12 +3429,12 @@ fn first_sample_height_0( _S636 : u32,  _S637 : ViewRay_0,  _S638 : StepControl_
     return height_7;
 }
 
-fn search_down_0( _S645 : u32,  _S646 : ViewRay_0,  _S647 : StepControl_0,  _S648 : bool) -> ViewRayEnd_0
+fn search_down_0( _S646 : u32,  _S647 : ViewRay_0,  _S648 : StepControl_0,  _S649 : bool) -> ViewRayEnd_0
 {
-    var _S649 : f32 = fabrics_0[_S645].height_low_0 - (fabrics_0[_S645].height_high_0 - fabrics_0[_S645].height_low_0);
+    var _S650 : f32 = fabrics_0[_S646].height_low_0 - (fabrics_0[_S646].height_high_0 - fabrics_0[_S646].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S645, _S646, _S647, _S648);
-    end_1.last_step_3 = _S647.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S646, _S647, _S648, _S649);
+    end_1.last_step_3 = _S648.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -3441,140 +3449,140 @@ fn search_down_0( _S645 : u32,  _S646 : ViewRay_0,  _S647 : StepControl_0,  _S64
         {
             break;
         }
-        var _S650 : vec2<f32> = ViewRay_at_0(_S646, end_1.height_6);
-        var _S651 : Probe_0 = probe_0(_S645, _S650.x, _S650.y, _S648, _S647.right_1, _S647.up_1);
-        var _S652 : f32 = end_1.height_6 - _S651.height_3;
-        var _S653 : f32 = ViewRay_rate_0(_S646, _S651);
-        end_1.depth_0 = - _S652;
-        end_1.rate_4 = _S653;
-        var _S654 : bool = !_S651.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S654))) & (((end_1.previous_4.yarn_0) == (_S651.yarn_1))));
-        if((((_S654 & ((_S652 <= 0.0f)))) | (((end_1.height_6) <= _S649))))
+        var _S651 : vec2<f32> = ViewRay_at_0(_S647, end_1.height_6);
+        var _S652 : Probe_0 = probe_0(_S646, _S651.x, _S651.y, _S649, _S648.right_1, _S648.up_1);
+        var _S653 : f32 = end_1.height_6 - _S652.height_3;
+        var _S654 : f32 = ViewRay_rate_0(_S647, _S652);
+        end_1.depth_0 = - _S653;
+        end_1.rate_4 = _S654;
+        var _S655 : bool = !_S652.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S655))) & (((end_1.previous_4.yarn_0) == (_S652.yarn_1))));
+        if((((_S655 & ((_S653 <= 0.0f)))) | (((end_1.height_6) <= _S650))))
         {
             break;
         }
-        var _S655 : f32 = way_back_to_dip_0(end_1.previous_4, _S652, _S653, end_1.last_step_3, _S651);
-        if(_S655 >= 0.0f)
+        var _S656 : f32 = way_back_to_dip_0(end_1.previous_4, _S653, _S654, end_1.last_step_3, _S652);
+        if(_S656 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S655;
-            end_1.last_step_3 = end_1.last_step_3 - _S655;
+            end_1.height_6 = end_1.height_6 + _S656;
+            end_1.last_step_3 = end_1.last_step_3 - _S656;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S656 : f32 = min(StepControl_to_cell_exit_0(_S647, _S651.side_x_0, _S651.side_y_0), end_1.height_6 - _S651.cell_max_0);
-        var _S657 : f32 = StepControl_to_next_sample_0(_S647, _S651, _S652, _S653);
-        end_1.previous_4 = after_sample_0(_S652, _S653, _S651, _S656 > _S657);
-        var _S658 : f32 = max(_S656, _S657);
-        end_1.last_step_3 = _S658;
-        end_1.height_6 = end_1.height_6 - _S658;
+        var _S657 : f32 = min(StepControl_to_cell_exit_0(_S648, _S652.side_x_0, _S652.side_y_0), end_1.height_6 - _S652.cell_max_0);
+        var _S658 : f32 = StepControl_to_next_sample_0(_S648, _S652, _S653, _S654);
+        end_1.previous_4 = after_sample_0(_S653, _S654, _S652, _S657 > _S658);
+        var _S659 : f32 = max(_S657, _S658);
+        end_1.last_step_3 = _S659;
+        end_1.height_6 = end_1.height_6 - _S659;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S659 : u32,  _S660 : ViewRay_0,  _S661 : StepControl_0,  _S662 : bool,  _S663 : ViewRayEnd_0,  _S664 : u32) -> f32
+fn refined_height_0( _S660 : u32,  _S661 : ViewRay_0,  _S662 : StepControl_0,  _S663 : bool,  _S664 : ViewRayEnd_0,  _S665 : u32) -> f32
 {
-    var _S665 : f32 = fabrics_0[_S659].height_high_0 - fabrics_0[_S659].height_low_0;
-    var above_2 : f32 = _S663.height_6 + _S663.last_step_3;
-    var above_gap_1 : f32 = clamp(_S663.previous_4.clearance_0, 0.0f, _S665);
-    var under_gap_1 : f32 = clamp(_S663.depth_0, 0.0f, _S665);
-    var middle_0 : f32 = select(between_0(above_2, _S663.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S663.previous_4.rate_0 * _S663.last_step_3, _S663.rate_4 * _S663.last_step_3) * _S663.last_step_3, _S663.smooth_0);
+    var _S666 : f32 = fabrics_0[_S660].height_high_0 - fabrics_0[_S660].height_low_0;
+    var above_2 : f32 = _S664.height_6 + _S664.last_step_3;
+    var above_gap_1 : f32 = clamp(_S664.previous_4.clearance_0, 0.0f, _S666);
+    var under_gap_1 : f32 = clamp(_S664.depth_0, 0.0f, _S666);
+    var middle_0 : f32 = select(between_0(above_2, _S664.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S664.previous_4.rate_0 * _S664.last_step_3, _S664.rate_4 * _S664.last_step_3) * _S664.last_step_3, _S664.smooth_0);
     var side_4 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S663.height_6;
+    var under_1 : f32 = _S664.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S664)
+        if(i_1 < _S665)
         {
         }
         else
         {
             break;
         }
-        var _S666 : vec2<f32> = ViewRay_at_0(_S660, middle_0);
-        var _S667 : Probe_0 = probe_0(_S659, _S666.x, _S666.y, _S662, _S661.right_1, _S661.up_1);
-        var _S668 : f32 = clamp(middle_0 - select(_S667.height_3, -1.0e+09f, _S667.hole_1), - _S665, _S665);
-        if(_S668 <= 0.0f)
+        var _S667 : vec2<f32> = ViewRay_at_0(_S661, middle_0);
+        var _S668 : Probe_0 = probe_0(_S660, _S667.x, _S667.y, _S663, _S662.right_1, _S662.up_1);
+        var _S669 : f32 = clamp(middle_0 - select(_S668.height_3, -1.0e+09f, _S668.hole_1), - _S666, _S666);
+        if(_S669 <= 0.0f)
         {
-            var _S669 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_4 > 0.0f);
-            var _S670 : f32 = - _S668;
+            var _S670 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_4 > 0.0f);
+            var _S671 : f32 = - _S669;
             under_1 = middle_0;
-            above_gap_2 = _S669;
-            under_gap_2 = _S670;
+            above_gap_2 = _S670;
+            under_gap_2 = _S671;
             side_4 = 1.0f;
         }
         else
         {
-            var _S671 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_4 < 0.0f);
+            var _S672 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_4 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S668;
-            under_gap_2 = _S671;
+            above_gap_2 = _S669;
+            under_gap_2 = _S672;
             side_4 = -1.0f;
         }
-        var _S672 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S668 / min(ViewRay_rate_0(_S660, _S667), -9.99999997475242708e-07f), under_1, above_3), _S663.smooth_0);
-        var _S673 : u32 = i_1 + u32(1);
-        middle_0 = _S672;
-        i_1 = _S673;
+        var _S673 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S669 / min(ViewRay_rate_0(_S661, _S668), -9.99999997475242708e-07f), under_1, above_3), _S664.smooth_0);
+        var _S674 : u32 = i_1 + u32(1);
+        middle_0 = _S673;
+        i_1 = _S674;
     }
-    return select(under_1, middle_0, _S663.smooth_0);
+    return select(under_1, middle_0, _S664.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S674 : u32,  _S675 : SearchQuality_0,  _S676 : f32,  _S677 : f32,  _S678 : vec3<f32>,  _S679 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S675 : u32,  _S676 : SearchQuality_0,  _S677 : f32,  _S678 : f32,  _S679 : vec3<f32>,  _S680 : bool) -> Hit_0
 {
-    var _S680 : f32 = max(_S678.z, 0.00009999999747379f);
+    var _S681 : f32 = max(_S679.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S676, _S677);
-    var _S681 : vec2<f32> = _S678.xy / vec2<f32>(_S680);
-    ray_0.slope_1 = _S681;
-    var _S682 : StepControl_0 = step_control_0((vec2<f32>(0) - _S681), 1.0f / max(steps_per_length_0(_S674, _S675, _S678) / _S680, 9.99999971718068537e-10f));
-    var _S683 : ViewRayEnd_0 = search_down_0(_S674, ray_0, _S682, _S679);
+    ray_0.origin_0 = vec2<f32>(_S677, _S678);
+    var _S682 : vec2<f32> = _S679.xy / vec2<f32>(_S681);
+    ray_0.slope_1 = _S682;
+    var _S683 : StepControl_0 = step_control_0((vec2<f32>(0) - _S682), 1.0f / max(steps_per_length_0(_S675, _S676, _S679) / _S681, 9.99999971718068537e-10f));
+    var _S684 : ViewRayEnd_0 = search_down_0(_S675, ray_0, _S683, _S680);
     var hit_0 : Hit_0;
     hit_0.hole_3 = false;
-    var _S684 : f32 = refined_height_0(_S674, ray_0, _S682, _S679, _S683, _S675.refinements_0);
-    hit_0.height_5 = _S684;
-    var _S685 : vec2<f32> = ViewRay_at_0(ray_0, _S684);
-    hit_0.x_16 = _S685.x;
-    hit_0.y_8 = _S685.y;
+    var _S685 : f32 = refined_height_0(_S675, ray_0, _S683, _S680, _S684, _S676.refinements_0);
+    hit_0.height_5 = _S685;
+    var _S686 : vec2<f32> = ViewRay_at_0(ray_0, _S685);
+    hit_0.x_16 = _S686.x;
+    hit_0.y_8 = _S686.y;
     return hit_0;
 }
 
-fn first_hit_0( _S686 : u32,  _S687 : SearchQuality_0,  _S688 : f32,  _S689 : f32,  _S690 : vec3<f32>,  _S691 : bool) -> Hit_0
+fn first_hit_0( _S687 : u32,  _S688 : SearchQuality_0,  _S689 : f32,  _S690 : f32,  _S691 : vec3<f32>,  _S692 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S686, _S687, _S688, _S689, _S690, _S691))
+    if(!passes_through_0(_S687, _S688, _S689, _S690, _S691, _S692))
     {
-        return first_hit_of_yarn_0(_S686, _S687, _S688, _S689, _S690, _S691);
+        return first_hit_of_yarn_0(_S687, _S688, _S689, _S690, _S691, _S692);
     }
     var hit_1 : Hit_0;
-    hit_1.x_16 = _S688;
-    hit_1.y_8 = _S689;
+    hit_1.x_16 = _S689;
+    hit_1.y_8 = _S690;
     hit_1.height_5 = 0.0f;
     hit_1.hole_3 = true;
     return hit_1;
 }
 
-fn taps_at_yarns_0( _S692 : u32,  _S693 : Footprint_0,  _S694 : AnisotropicTaps_0,  _S695 : vec3<f32>,  _S696 : bool) -> AnisotropicTaps_0
+fn taps_at_yarns_0( _S693 : u32,  _S694 : Footprint_0,  _S695 : AnisotropicTaps_0,  _S696 : vec3<f32>,  _S697 : bool) -> AnisotropicTaps_0
 {
-    var _S697 : f32 = 1.0f - clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(_S694), 9.99999997475242708e-07f) / 0.25f) * 0.48089835047721863f, 0.0f, 1.0f);
-    if(_S697 <= 0.0f)
+    var _S698 : f32 = 1.0f - clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(_S695), 9.99999997475242708e-07f) / 0.25f) * 0.48089835047721863f, 0.0f, 1.0f);
+    if(_S698 <= 0.0f)
     {
-        return _S694;
+        return _S695;
     }
-    var _S698 : Hit_0 = first_hit_0(_S692, default_quality_0(), _S693.centre_0.x, _S693.centre_0.y, _S695, _S696);
-    if(_S698.hole_3)
+    var _S699 : Hit_0 = first_hit_0(_S693, default_quality_0(), _S694.centre_0.x, _S694.centre_0.y, _S696, _S697);
+    if(_S699.hole_3)
     {
-        return _S694;
+        return _S695;
     }
-    var moved_2 : AnisotropicTaps_0 = _S694;
-    moved_2.centre_1 = moved_2.centre_1 + vec2<f32>(_S697) * vec2<f32>(fabrics_0[_S692].neural_0.ends_per_mm_0, fabrics_0[_S692].neural_0.picks_per_mm_0) * (vec2<f32>(_S698.x_16, _S698.y_8) - _S693.centre_0);
+    var moved_2 : AnisotropicTaps_0 = _S695;
+    moved_2.centre_1 = moved_2.centre_1 + vec2<f32>(_S698) * vec2<f32>(fabrics_0[_S693].neural_0.ends_per_mm_0, fabrics_0[_S693].neural_0.picks_per_mm_0) * (vec2<f32>(_S699.x_16, _S699.y_8) - _S694.centre_0);
     return moved_2;
 }
 
-fn add_texel_0( _S699 : u32,  _S700 : u32,  _S701 : f32,  _S702 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S700 : u32,  _S701 : u32,  _S702 : f32,  _S703 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S703 : u32 = fabrics_0[_S699].neural_0.latents_0 + _S700 * u32(8);
+    var _S704 : u32 = fabrics_0[_S700].neural_0.latents_0 + _S701 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -3585,34 +3593,34 @@ fn add_texel_0( _S699 : u32,  _S700 : u32,  _S701 : f32,  _S702 : ptr<function, 
         {
             break;
         }
-        var _S704 : Eight_0 = eight_halves_0(packed_numbers_0[_S703 + part_0]);
-        var _S705 : i32 = i32(u32(8) * part_0);
-        (*_S702)[_S705] = (*_S702)[_S705] + _S701 * _S704.low_0[i32(0)];
-        (*_S702)[_S705 + i32(4)] = (*_S702)[_S705 + i32(4)] + _S701 * _S704.high_0[i32(0)];
-        var _S706 : i32 = _S705 + i32(1);
-        (*_S702)[_S706] = (*_S702)[_S706] + _S701 * _S704.low_0[i32(1)];
-        (*_S702)[_S706 + i32(4)] = (*_S702)[_S706 + i32(4)] + _S701 * _S704.high_0[i32(1)];
-        var _S707 : i32 = _S705 + i32(2);
-        (*_S702)[_S707] = (*_S702)[_S707] + _S701 * _S704.low_0[i32(2)];
-        (*_S702)[_S707 + i32(4)] = (*_S702)[_S707 + i32(4)] + _S701 * _S704.high_0[i32(2)];
-        var _S708 : i32 = _S705 + i32(3);
-        (*_S702)[_S708] = (*_S702)[_S708] + _S701 * _S704.low_0[i32(3)];
-        (*_S702)[_S708 + i32(4)] = (*_S702)[_S708 + i32(4)] + _S701 * _S704.high_0[i32(3)];
+        var _S705 : Eight_0 = eight_halves_0(packed_numbers_0[_S704 + part_0]);
+        var _S706 : i32 = i32(u32(8) * part_0);
+        (*_S703)[_S706] = (*_S703)[_S706] + _S702 * _S705.low_0[i32(0)];
+        (*_S703)[_S706 + i32(4)] = (*_S703)[_S706 + i32(4)] + _S702 * _S705.high_0[i32(0)];
+        var _S707 : i32 = _S706 + i32(1);
+        (*_S703)[_S707] = (*_S703)[_S707] + _S702 * _S705.low_0[i32(1)];
+        (*_S703)[_S707 + i32(4)] = (*_S703)[_S707 + i32(4)] + _S702 * _S705.high_0[i32(1)];
+        var _S708 : i32 = _S706 + i32(2);
+        (*_S703)[_S708] = (*_S703)[_S708] + _S702 * _S705.low_0[i32(2)];
+        (*_S703)[_S708 + i32(4)] = (*_S703)[_S708 + i32(4)] + _S702 * _S705.high_0[i32(2)];
+        var _S709 : i32 = _S706 + i32(3);
+        (*_S703)[_S709] = (*_S703)[_S709] + _S702 * _S705.low_0[i32(3)];
+        (*_S703)[_S709 + i32(4)] = (*_S703)[_S709 + i32(4)] + _S702 * _S705.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S709 : u32,  _S710 : u32,  _S711 : bool,  _S712 : vec2<f32>,  _S713 : f32,  _S714 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S710 : u32,  _S711 : u32,  _S712 : bool,  _S713 : vec2<f32>,  _S714 : f32,  _S715 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S715 : Neural_std430_0 = fabrics_0[_S709].neural_0;
-    var _S716 : u32 = fabrics_0[_S709].neural_0.levels_1 + u32(4) * _S710;
-    var _S717 : f32 = table_number_0(_S716);
-    var _S718 : f32 = table_number_0(_S716 + u32(1));
-    var _S719 : f32 = table_number_0(_S716 + u32(2));
-    var _S720 : vec2<f32> = _S712 * vec2<f32>(table_number_0(_S716 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S710 > u32(3)) & ((_S710 < (fabrics_0[_S709].neural_0.top_level_0))))));
-    var _S721 : vec2<f32> = floor(_S720);
-    var _S722 : vec2<f32> = _S720 - _S721;
+    var _S716 : Neural_std430_0 = fabrics_0[_S710].neural_0;
+    var _S717 : u32 = fabrics_0[_S710].neural_0.levels_1 + u32(4) * _S711;
+    var _S718 : f32 = table_number_0(_S717);
+    var _S719 : f32 = table_number_0(_S717 + u32(1));
+    var _S720 : f32 = table_number_0(_S717 + u32(2));
+    var _S721 : vec2<f32> = _S713 * vec2<f32>(table_number_0(_S717 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S711 > u32(3)) & ((_S711 < (fabrics_0[_S710].neural_0.top_level_0))))));
+    var _S722 : vec2<f32> = floor(_S721);
+    var _S723 : vec2<f32> = _S721 - _S722;
     var corner_1 : u32 = u32(0);
     for(;;)
     {
@@ -3623,16 +3631,16 @@ fn add_level_0( _S709 : u32,  _S710 : u32,  _S711 : bool,  _S712 : vec2<f32>,  _
         {
             break;
         }
-        var _S723 : f32 = f32((corner_1 & (u32(1))));
-        var _S724 : f32 = f32((corner_1 >> (u32(1))));
-        var _S725 : vec2<f32> = mix(vec2<f32>(1.0f) - _S722, _S722, vec2<f32>(_S723, _S724));
-        add_texel_0(_S709, u32(_S717 + wrapped_0(_S721.y + _S724, _S719) * _S718 + wrapped_0(_S721.x + _S723, _S718)) + select(u32(0), _S715.texels_0, _S711), _S713 * _S725.x * _S725.y, &((*_S714)));
+        var _S724 : f32 = f32((corner_1 & (u32(1))));
+        var _S725 : f32 = f32((corner_1 >> (u32(1))));
+        var _S726 : vec2<f32> = mix(vec2<f32>(1.0f) - _S723, _S723, vec2<f32>(_S724, _S725));
+        add_texel_0(_S710, u32(_S718 + wrapped_0(_S722.y + _S725, _S720) * _S719 + wrapped_0(_S722.x + _S724, _S719)) + select(u32(0), _S716.texels_0, _S712), _S714 * _S726.x * _S726.y, &((*_S715)));
         corner_1 = corner_1 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S726 : u32,  _S727 : AnisotropicTaps_0,  _S728 : vec3<f32>,  _S729 : bool,  _S730 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S727 : u32,  _S728 : AnisotropicTaps_0,  _S729 : vec3<f32>,  _S730 : bool,  _S731 : ptr<function, array<f32, i32(88)>>)
 {
     var k_0 : i32 = i32(0);
     for(;;)
@@ -3644,28 +3652,28 @@ fn code_footprint_0( _S726 : u32,  _S727 : AnisotropicTaps_0,  _S728 : vec3<f32>
         {
             break;
         }
-        (*_S730)[k_0] = 0.0f;
+        (*_S731)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S731 : vec2<f32> = vec2<f32>(fabrics_0[_S726].neural_0.ends_0, fabrics_0[_S726].neural_0.picks_0);
-    var _S732 : f32 = f32(fabrics_0[_S726].neural_0.top_level_0);
-    var _S733 : f32 = clamp(binary_logarithm_0(max(_S727.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S732);
-    var _S734 : f32 = min(floor(_S733), _S732 - 1.0f);
-    var _S735 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S727));
+    var _S732 : vec2<f32> = vec2<f32>(fabrics_0[_S727].neural_0.ends_0, fabrics_0[_S727].neural_0.picks_0);
+    var _S733 : f32 = f32(fabrics_0[_S727].neural_0.top_level_0);
+    var _S734 : f32 = clamp(binary_logarithm_0(max(_S728.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S733);
+    var _S735 : f32 = min(floor(_S734), _S733 - 1.0f);
+    var _S736 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S728));
     var number_8 : u32 = u32(0);
     for(;;)
     {
-        if(number_8 < (u32(2) * _S735))
+        if(number_8 < (u32(2) * _S736))
         {
         }
         else
         {
             break;
         }
-        var _S736 : vec2<f32> = AnisotropicTaps_place_0(_S727, (number_8 >> (u32(1))));
-        var _S737 : bool = ((number_8 & (u32(1)))) != u32(0);
-        var _S738 : f32 = _S733 - _S734;
-        add_level_0(_S726, u32(_S734) + select(u32(0), u32(1), _S737), _S729, clamp(_S736 - _S731 * floor(_S736 / _S731), vec2<f32>(0.0f), _S731), select(1.0f - _S738, _S738, _S737) / f32(_S735), &((*_S730)));
+        var _S737 : vec2<f32> = AnisotropicTaps_place_0(_S728, (number_8 >> (u32(1))));
+        var _S738 : bool = ((number_8 & (u32(1)))) != u32(0);
+        var _S739 : f32 = _S734 - _S735;
+        add_level_0(_S727, u32(_S735) + select(u32(0), u32(1), _S738), _S730, clamp(_S737 - _S732 * floor(_S737 / _S732), vec2<f32>(0.0f), _S732), select(1.0f - _S739, _S739, _S738) / f32(_S736), &((*_S731)));
         number_8 = number_8 + u32(1);
     }
     var number_9 : i32 = i32(0);
@@ -3688,7 +3696,7 @@ fn code_footprint_0( _S726 : u32,  _S727 : AnisotropicTaps_0,  _S728 : vec3<f32>
             {
                 break;
             }
-            var offset_1 : f32 = _S728[number_9] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_1 : f32 = _S729[number_9] - (f32(bin_0) + 0.5f) / 8.0f;
             var offset_2 : f32;
             if(number_9 < i32(2))
             {
@@ -3698,7 +3706,7 @@ fn code_footprint_0( _S726 : u32,  _S727 : AnisotropicTaps_0,  _S728 : vec3<f32>
             {
                 offset_2 = offset_1;
             }
-            (*_S730)[i32(64) + number_9 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
+            (*_S731)[i32(64) + number_9 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_9 = number_9 + i32(1);
@@ -3706,152 +3714,152 @@ fn code_footprint_0( _S726 : u32,  _S727 : AnisotropicTaps_0,  _S728 : vec3<f32>
     return;
 }
 
-fn crown_fibres_0( _S739 : u32,  _S740 : bool,  _S741 : bool) -> vec3<f32>
+fn crown_fibres_0( _S740 : u32,  _S741 : bool,  _S742 : bool) -> vec3<f32>
 {
-    if(_S740)
+    if(_S741)
     {
-        return vec3<f32>(select(1.0f, -1.0f, _S741) * fabrics_0[_S739].neural_0.warp_x_0, fabrics_0[_S739].neural_0.warp_y_0, fabrics_0[_S739].neural_0.warp_roughness_0);
+        return vec3<f32>(select(1.0f, -1.0f, _S742) * fabrics_0[_S740].neural_0.warp_x_0, fabrics_0[_S740].neural_0.warp_y_0, fabrics_0[_S740].neural_0.warp_roughness_0);
     }
-    return vec3<f32>(fabrics_0[_S739].neural_0.weft_x_0, select(1.0f, -1.0f, _S741) * fabrics_0[_S739].neural_0.weft_y_0, fabrics_0[_S739].neural_0.weft_roughness_0);
+    return vec3<f32>(fabrics_0[_S740].neural_0.weft_x_0, select(1.0f, -1.0f, _S742) * fabrics_0[_S740].neural_0.weft_y_0, fabrics_0[_S740].neural_0.weft_roughness_0);
 }
 
-fn yarns_over_0( _S742 : u32,  _S743 : Footprint_0,  _S744 : bool) -> Yarns_0
+fn yarns_over_0( _S743 : u32,  _S744 : Footprint_0,  _S745 : bool) -> Yarns_0
 {
-    var _S745 : vec2<f32> = _S743.dx_0;
-    var _S746 : vec2<f32> = _S743.dy_0;
-    var _S747 : vec2<f32> = sqrt(_S745 * _S745 + _S746 * _S746);
-    var _S748 : f32 = Footprint_spread_side_0(_S743);
-    var _S749 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S749, _S749, vec3<f32>(0.0f));
-    var _S750 : bool = (fabrics_0[_S742].is_irregular_0) != u32(0);
+    var _S746 : vec2<f32> = _S744.dx_0;
+    var _S747 : vec2<f32> = _S744.dy_0;
+    var _S748 : vec2<f32> = sqrt(_S746 * _S746 + _S747 * _S747);
+    var _S749 : f32 = Footprint_spread_side_0(_S744);
+    var _S750 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S750, _S750, vec3<f32>(0.0f));
+    var _S751 : bool = (fabrics_0[_S743].is_irregular_0) != u32(0);
     var number_10 : u32 = u32(0);
     for(;;)
     {
-        if(number_10 < select(u32(0), u32(2), _S750))
+        if(number_10 < select(u32(0), u32(2), _S751))
         {
         }
         else
         {
             break;
         }
-        var _S751 : bool = number_10 == u32(0);
-        var _S752 : u32 = select(fabrics_0[_S742].weft_0, fabrics_0[_S742].warp_0, _S751);
-        var _S753 : vec2<f32> = select_vector_1(_S751, _S743.centre_0, _S743.centre_0.yx);
-        var _S754 : vec2<f32> = select_vector_1(_S751, _S747, _S747.yx);
-        var _S755 : f32 = _S753.x;
-        var _S756 : Cell_0 = locate_0(_S752, _S755);
-        var yarn_3 : vec4<f32> = irregular_over_0(_S752, irregular_key_0(_S742, number_10), irregular_thread_0(_S752, _S755, _S756) + _S756.below_0 / (_S756.below_0 + _S756.above_0), _S754.x * (families_0[_S752].count_0 / families_0[_S752].period_0), _S753.y, _S754.y);
-        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S752, _S748));
+        var _S752 : bool = number_10 == u32(0);
+        var _S753 : u32 = select(fabrics_0[_S743].weft_0, fabrics_0[_S743].warp_0, _S752);
+        var _S754 : vec2<f32> = select_vector_1(_S752, _S744.centre_0, _S744.centre_0.yx);
+        var _S755 : vec2<f32> = select_vector_1(_S752, _S748, _S748.yx);
+        var _S756 : f32 = _S754.x;
+        var _S757 : Cell_0 = locate_0(_S753, _S756);
+        var yarn_3 : vec4<f32> = irregular_over_0(_S753, irregular_key_0(_S743, number_10), irregular_thread_0(_S753, _S756, _S757) + _S757.below_0 / (_S757.below_0 + _S757.above_0), _S755.x * (families_0[_S753].count_0 / families_0[_S753].period_0), _S754.y, _S755.y);
+        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S753, _S749));
         yarns_1.warp_3 = yarns_1.weft_3;
         yarns_1.weft_3 = yarn_3;
         number_10 = number_10 + u32(1);
     }
-    var _S757 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S742].warp_0].cover_0, families_0[fabrics_0[_S742].weft_0].cover_0);
-    var _S758 : f32 = select(fabrics_0[_S742].warp_on_top_0, 1.0f - fabrics_0[_S742].warp_on_top_0, _S744);
-    var _S759 : vec3<f32> = shown_of_covers_0(_S757, _S758);
-    var _S760 : vec3<f32> = select_vector_2(_S750, shown_of_covers_0(saturate(_S757 + _S757 * vec2<f32>(yarns_1.warp_3.y, yarns_1.weft_3.y)), _S758) / max(_S759, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_1.shares_0 = _S760;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S760.z, (_S759.z) > 0.00009999999747379f);
+    var _S758 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S743].warp_0].cover_0, families_0[fabrics_0[_S743].weft_0].cover_0);
+    var _S759 : f32 = select(fabrics_0[_S743].warp_on_top_0, 1.0f - fabrics_0[_S743].warp_on_top_0, _S745);
+    var _S760 : vec3<f32> = shown_of_covers_0(_S758, _S759);
+    var _S761 : vec3<f32> = select_vector_2(_S751, shown_of_covers_0(saturate(_S758 + _S758 * vec2<f32>(yarns_1.warp_3.y, yarns_1.weft_3.y)), _S759) / max(_S760, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_1.shares_0 = _S761;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S761.z, (_S760.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn neural_view_0( _S761 : u32,  _S762 : Footprint_0,  _S763 : vec3<f32>,  _S764 : ptr<function, NeuralView_0>)
+fn neural_view_0( _S762 : u32,  _S763 : Footprint_0,  _S764 : vec3<f32>,  _S765 : ptr<function, NeuralView_0>)
 {
-    var _S765 : bool = (_S763.z) < 0.0f;
-    var _S766 : vec3<f32> = to_face_frame_0(_S763, _S765);
-    var _S767 : AnisotropicTaps_0 = taps_at_yarns_0(_S761, _S762, anisotropic_taps_0(_S761, _S762), _S766, _S765);
-    var _S768 : vec3<f32> = footprint_coordinates_0(_S767);
+    var _S766 : bool = (_S764.z) < 0.0f;
+    var _S767 : vec3<f32> = to_face_frame_0(_S764, _S766);
+    var _S768 : AnisotropicTaps_0 = taps_at_yarns_0(_S762, _S763, anisotropic_taps_0(_S762, _S763), _S767, _S766);
+    var _S769 : vec3<f32> = footprint_coordinates_0(_S768);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S761].neural_0.network_0;
+    weights_23.first_2 = fabrics_0[_S762].neural_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S761, _S767, _S768, _S765, &(inputs_23));
+    code_footprint_0(_S762, _S768, _S769, _S766, &(inputs_23));
     var hidden_1 : array<f32, i32(64)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(68)>;
     dense_part_8(weights_23, u32(712), false, &(hidden_1), &(fused_0));
-    fused_0[i32(64)] = _S766.x;
-    fused_0[i32(65)] = _S766.y;
-    var _S769 : vec2<f32> = _S766.xy;
-    fused_0[i32(66)] = dot(crown_fibres_0(_S761, true, _S765).xy, _S769);
-    fused_0[i32(67)] = dot(crown_fibres_0(_S761, false, _S765).xy, _S769);
+    fused_0[i32(64)] = _S767.x;
+    fused_0[i32(65)] = _S767.y;
+    var _S770 : vec2<f32> = _S767.xy;
+    fused_0[i32(66)] = dot(crown_fibres_0(_S762, true, _S766).xy, _S770);
+    fused_0[i32(67)] = dot(crown_fibres_0(_S762, false, _S766).xy, _S770);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(1232), false, &(fused_0), &(of_hole_0));
     var hole_4 : array<f32, i32(1)>;
     dense_5(weights_23, u32(1380), false, &(of_hole_0), &(hole_4));
-    var _S770 : array<f32, i32(64)> = (*_S764).sums_12;
-    dense_4(weights_23, u32(1392), false, &(fused_0), &(_S770));
-    (*_S764).sums_12 = _S770;
-    var _S771 : f32 = clamp(hole_4[i32(0)], 0.0f, 1.0f);
-    (*_S764).even_hole_0 = _S771;
-    (*_S764).yarns_0 = yarns_over_0(_S761, _S762, _S765);
-    (*_S764).hole_2 = min(_S771 * (*_S764).yarns_0.shares_0.z, 1.0f);
-    (*_S764).correction_weight_0 = correction_weight_of_0(_S768.z);
-    (*_S764).view_7 = _S766;
-    (*_S764).back_10 = _S765;
+    var _S771 : array<f32, i32(64)> = (*_S765).sums_12;
+    dense_4(weights_23, u32(1392), false, &(fused_0), &(_S771));
+    (*_S765).sums_12 = _S771;
+    var _S772 : f32 = clamp(hole_4[i32(0)], 0.0f, 1.0f);
+    (*_S765).even_hole_0 = _S772;
+    (*_S765).yarns_0 = yarns_over_0(_S762, _S763, _S766);
+    (*_S765).hole_2 = min(_S772 * (*_S765).yarns_0.shares_0.z, 1.0f);
+    (*_S765).correction_weight_0 = correction_weight_of_0(_S769.z);
+    (*_S765).view_7 = _S767;
+    (*_S765).back_10 = _S766;
     return;
 }
 
-fn stack_share_0( _S772 : u32,  _S773 : vec2<f32>,  _S774 : vec2<f32>,  _S775 : u32) -> f32
+fn stack_share_0( _S773 : u32,  _S774 : vec2<f32>,  _S775 : vec2<f32>,  _S776 : u32) -> f32
 {
-    if((fabrics_0[_S772].stacks_0) == u32(1))
+    if((fabrics_0[_S773].stacks_0) == u32(1))
     {
         return 1.0f;
     }
-    var _S776 : u32 = fabrics_0[_S772].plane_axes_0 + u32(1);
-    var _S777 : Stretch_0 = stretch_of_0(fabrics_0[_S772].plane_axes_0, _S773.x, _S774.x);
-    var _S778 : Stretch_0 = stretch_of_0(_S776, _S773.y, _S774.y);
-    return clamp(integral_on_top_0(fabrics_0[_S772].plane_axes_0, _S777, _S778, u32(families_0[_S776].count_0), _S775) / (lengths_0(fabrics_0[_S772].plane_axes_0, _S777).x * lengths_0(_S776, _S778).x), 0.0f, 1.0f);
+    var _S777 : u32 = fabrics_0[_S773].plane_axes_0 + u32(1);
+    var _S778 : Stretch_0 = stretch_of_0(fabrics_0[_S773].plane_axes_0, _S774.x, _S775.x);
+    var _S779 : Stretch_0 = stretch_of_0(_S777, _S774.y, _S775.y);
+    return clamp(integral_on_top_0(fabrics_0[_S773].plane_axes_0, _S778, _S779, u32(families_0[_S777].count_0), _S776) / (lengths_0(fabrics_0[_S773].plane_axes_0, _S778).x * lengths_0(_S777, _S779).x), 0.0f, 1.0f);
 }
 
-fn albedos_over_0( _S779 : u32,  _S780 : Footprint_0,  _S781 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S780 : u32,  _S781 : Footprint_0,  _S782 : bool) -> FamilyAlbedos_0
 {
-    var _S782 : vec2<f32> = _S780.dx_0;
-    var _S783 : vec2<f32> = _S780.dy_0;
-    var _S784 : vec2<f32> = sqrt(_S782 * _S782 + _S783 * _S783);
-    var _S785 : vec3<f32> = vec3<f32>(0.0f);
-    var _S786 : Albedos_0 = Albedos_x24init_0(_S785, _S785, _S785, _S785);
-    var sums_13 : FamilyAlbedos_0 = FamilyAlbedos_x24init_0(_S786, _S786);
-    var _S787 : vec2<f32> = vec2<f32>(0.0f);
+    var _S783 : vec2<f32> = _S781.dx_0;
+    var _S784 : vec2<f32> = _S781.dy_0;
+    var _S785 : vec2<f32> = sqrt(_S783 * _S783 + _S784 * _S784);
+    var _S786 : vec3<f32> = vec3<f32>(0.0f);
+    var _S787 : Albedos_0 = Albedos_x24init_0(_S786, _S786, _S786, _S786);
+    var sums_13 : FamilyAlbedos_0 = FamilyAlbedos_x24init_0(_S787, _S787);
+    var _S788 : vec2<f32> = vec2<f32>(0.0f);
     var number_11 : u32 = u32(0);
-    var areas_0 : vec2<f32> = _S787;
+    var areas_0 : vec2<f32> = _S788;
     for(;;)
     {
-        if(number_11 < (plane_count_0(_S779)))
+        if(number_11 < (plane_count_0(_S780)))
         {
         }
         else
         {
             break;
         }
-        var _S788 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S779, number_11), _S780.centre_0, _S784, _S781);
-        if(!is_layered_0(_S779))
+        var _S789 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S780, number_11), _S781.centre_0, _S785, _S782);
+        if(!is_layered_0(_S780))
         {
-            return _S788;
+            return _S789;
         }
-        var _S789 : PlaneShares_0 = PlaneShares_x24init_0(0.0f, _S785, _S785);
-        var warp_10 : PlaneShares_0 = _S789;
-        var weft_10 : PlaneShares_0 = _S789;
+        var _S790 : PlaneShares_0 = PlaneShares_x24init_0(0.0f, _S786, _S786);
+        var warp_10 : PlaneShares_0 = _S790;
+        var weft_10 : PlaneShares_0 = _S790;
         var stack_0 : u32 = u32(0);
         for(;;)
         {
-            if(stack_0 < (fabrics_0[_S779].stacks_0))
+            if(stack_0 < (fabrics_0[_S780].stacks_0))
             {
             }
             else
             {
                 break;
             }
-            var _S790 : f32 = stack_share_0(_S779, _S780.centre_0, _S784, stack_0);
-            var _S791 : u32 = fabrics_0[_S779].plane_shares_0 + u32(14) * (u32(2) * (stack_0 * fabrics_0[_S779].planes_0 + number_11) + select(u32(0), u32(1), _S781));
-            var _S792 : PlaneShares_0 = with_shares_at_0(warp_10, _S790, _S791);
-            var _S793 : PlaneShares_0 = with_shares_at_0(weft_10, _S790, _S791 + u32(7));
-            var _S794 : u32 = stack_0 + u32(1);
-            warp_10 = _S792;
-            weft_10 = _S793;
-            stack_0 = _S794;
+            var _S791 : f32 = stack_share_0(_S780, _S781.centre_0, _S785, stack_0);
+            var _S792 : u32 = fabrics_0[_S780].plane_shares_0 + u32(14) * (u32(2) * (stack_0 * fabrics_0[_S780].planes_0 + number_11) + select(u32(0), u32(1), _S782));
+            var _S793 : PlaneShares_0 = with_shares_at_0(warp_10, _S791, _S792);
+            var _S794 : PlaneShares_0 = with_shares_at_0(weft_10, _S791, _S792 + u32(7));
+            var _S795 : u32 = stack_0 + u32(1);
+            warp_10 = _S793;
+            weft_10 = _S794;
+            stack_0 = _S795;
         }
-        sums_13.warp_5 = with_plane_0(sums_13.warp_5, _S788.warp_5, warp_10);
-        sums_13.weft_5 = with_plane_0(sums_13.weft_5, _S788.weft_5, weft_10);
+        sums_13.warp_5 = with_plane_0(sums_13.warp_5, _S789.warp_5, warp_10);
+        sums_13.weft_5 = with_plane_0(sums_13.weft_5, _S789.weft_5, weft_10);
         var areas_1 : vec2<f32> = areas_0 + vec2<f32>(warp_10.area_0, weft_10.area_0);
         number_11 = number_11 + u32(1);
         areas_0 = areas_1;
@@ -3862,34 +3870,34 @@ fn albedos_over_0( _S779 : u32,  _S780 : Footprint_0,  _S781 : bool) -> FamilyAl
     return means_0;
 }
 
-fn toned_0( _S795 : u32,  _S796 : u32,  _S797 : Albedos_0,  _S798 : vec4<f32>) -> Albedos_0
+fn toned_0( _S796 : u32,  _S797 : u32,  _S798 : Albedos_0,  _S799 : vec4<f32>) -> Albedos_0
 {
-    var _S799 : vec3<f32> = _S797.diffuse_reflect_0 + _S797.diffuse_transmit_0;
-    var _S800 : vec3<f32> = vec3<f32>(1.0f);
-    var _S801 : vec3<f32> = _S800 - vec3<f32>(fabrics_0[_S795].layer_bound_0) * max(_S797.specular_reflect_0, _S797.specular_transmit_0);
-    var _S802 : vec3<f32> = vec3<f32>(0.0f);
-    var _S803 : vec3<f32> = max(_S800 - _S799, _S802) / (_S800 + _S799);
-    var _S804 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S805 : vec3<f32> = (_S801 / max(_S799, _S804) - _S800) / max(vec3<f32>(0.89999997615814209f) * _S803, _S804);
-    var _S806 : vec3<f32> = _S800 - vec3<f32>((saturate(min(min(_S805.x, _S805.y), _S805.z)) * _S798.z)) * _S803;
-    var _S807 : vec3<f32> = min(vec3<f32>(families_0[_S796].nep_red_0, families_0[_S796].nep_green_0, families_0[_S796].nep_blue_0), _S801);
-    var found_1 : Albedos_0 = _S797;
-    var _S808 : f32 = _S798.w;
-    var _S809 : vec3<f32> = _S806 * _S797.diffuse_transmit_0 * vec3<f32>((1.0f - _S808));
-    found_1.diffuse_transmit_0 = _S809;
-    found_1.diffuse_reflect_0 = clamp(mix(_S806 * _S797.diffuse_reflect_0, _S807, vec3<f32>(_S808)), _S802, max(_S801 - _S809, _S802));
+    var _S800 : vec3<f32> = _S798.diffuse_reflect_0 + _S798.diffuse_transmit_0;
+    var _S801 : vec3<f32> = vec3<f32>(1.0f);
+    var _S802 : vec3<f32> = _S801 - vec3<f32>(fabrics_0[_S796].layer_bound_0) * max(_S798.specular_reflect_0, _S798.specular_transmit_0);
+    var _S803 : vec3<f32> = vec3<f32>(0.0f);
+    var _S804 : vec3<f32> = max(_S801 - _S800, _S803) / (_S801 + _S800);
+    var _S805 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S806 : vec3<f32> = (_S802 / max(_S800, _S805) - _S801) / max(vec3<f32>(0.89999997615814209f) * _S804, _S805);
+    var _S807 : vec3<f32> = _S801 - vec3<f32>((saturate(min(min(_S806.x, _S806.y), _S806.z)) * _S799.z)) * _S804;
+    var _S808 : vec3<f32> = min(vec3<f32>(families_0[_S797].nep_red_0, families_0[_S797].nep_green_0, families_0[_S797].nep_blue_0), _S802);
+    var found_1 : Albedos_0 = _S798;
+    var _S809 : f32 = _S799.w;
+    var _S810 : vec3<f32> = _S807 * _S798.diffuse_transmit_0 * vec3<f32>((1.0f - _S809));
+    found_1.diffuse_transmit_0 = _S810;
+    found_1.diffuse_reflect_0 = clamp(mix(_S807 * _S798.diffuse_reflect_0, _S808, vec3<f32>(_S809)), _S803, max(_S802 - _S810, _S803));
     return found_1;
 }
 
-fn with_tones_0( _S810 : u32,  _S811 : FamilyAlbedos_0,  _S812 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S811 : u32,  _S812 : FamilyAlbedos_0,  _S813 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S810].is_irregular_0) == u32(0))
+    if((fabrics_0[_S811].is_irregular_0) == u32(0))
     {
-        return _S811;
+        return _S812;
     }
     var result_5 : FamilyAlbedos_0;
-    result_5.warp_5 = toned_0(_S810, fabrics_0[_S810].warp_0, _S811.warp_5, _S812.warp_3);
-    result_5.weft_5 = toned_0(_S810, fabrics_0[_S810].weft_0, _S811.weft_5, _S812.weft_3);
+    result_5.warp_5 = toned_0(_S811, fabrics_0[_S811].warp_0, _S812.warp_5, _S813.warp_3);
+    result_5.weft_5 = toned_0(_S811, fabrics_0[_S811].weft_0, _S812.weft_5, _S813.weft_3);
     return result_5;
 }
 
@@ -3898,13 +3906,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S813 : u32,  _S814 : vec2<u32>) -> f32
+fn visibility_at_0( _S814 : u32,  _S815 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S813 * frame_record_0.height_0 + _S814.y) * frame_record_0.width_0 + _S814.x];
+    return visibilities_0[(_S814 * frame_record_0.height_0 + _S815.y) * frame_record_0.width_0 + _S815.x];
 }
 
 struct LightSample_0
@@ -3914,52 +3922,52 @@ struct LightSample_0
      distance_4 : f32,
 };
 
-fn environment_texel_0( _S815 : u32,  _S816 : u32) -> vec3<f32>
+fn environment_texel_0( _S816 : u32,  _S817 : u32) -> vec3<f32>
 {
-    var _S817 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S815 * frame_record_0.environment_columns_0 + _S816);
-    return vec3<f32>(scene_number_0(_S817), scene_number_0(_S817 + u32(1)), scene_number_0(_S817 + u32(2)));
+    var _S818 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S816 * frame_record_0.environment_columns_0 + _S817);
+    return vec3<f32>(scene_number_0(_S818), scene_number_0(_S818 + u32(1)), scene_number_0(_S818 + u32(2)));
 }
 
-fn sample_environment_0( _S818 : vec2<f32>,  _S819 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S819 : vec2<f32>,  _S820 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S820 : u32 = frame_record_0.environment_rows_0;
-    var _S821 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S818.y);
-    var _S822 : u32 = frame_record_0.environment_columns_0;
-    var _S823 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S821.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S818.x);
-    var _S824 : vec3<f32> = environment_texel_0(_S821.index_7, _S823.index_7);
-    (*_S819) = _S824 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S824), 9.99999968265522539e-21f)));
-    var _S825 : f32 = 3.14159274101257324f / f32(_S820);
-    var _S826 : f32 = mix(sine_cosine_0(f32(_S821.index_7) * _S825).y, sine_cosine_0(f32(_S821.index_7 + u32(1)) * _S825).y, _S821.remainder_0);
-    var _S827 : f32 = sqrt(max(1.0f - _S826 * _S826, 0.0f));
-    var _S828 : vec2<f32> = sine_cosine_0((f32(_S823.index_7) + _S823.remainder_0) * (6.28318548202514648f / f32(_S822)));
-    var _S829 : f32 = _S827 * _S828.x;
-    var _S830 : f32 = - _S827 * _S828.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S829 + frame_record_0.environment_sine_0 * _S830, _S826, frame_record_0.environment_cosine_0 * _S830 - frame_record_0.environment_sine_0 * _S829);
+    var _S821 : u32 = frame_record_0.environment_rows_0;
+    var _S822 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S819.y);
+    var _S823 : u32 = frame_record_0.environment_columns_0;
+    var _S824 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S822.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S819.x);
+    var _S825 : vec3<f32> = environment_texel_0(_S822.index_7, _S824.index_7);
+    (*_S820) = _S825 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S825), 9.99999968265522539e-21f)));
+    var _S826 : f32 = 3.14159274101257324f / f32(_S821);
+    var _S827 : f32 = mix(sine_cosine_0(f32(_S822.index_7) * _S826).y, sine_cosine_0(f32(_S822.index_7 + u32(1)) * _S826).y, _S822.remainder_0);
+    var _S828 : f32 = sqrt(max(1.0f - _S827 * _S827, 0.0f));
+    var _S829 : vec2<f32> = sine_cosine_0((f32(_S824.index_7) + _S824.remainder_0) * (6.28318548202514648f / f32(_S823)));
+    var _S830 : f32 = _S828 * _S829.x;
+    var _S831 : f32 = - _S828 * _S829.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S830 + frame_record_0.environment_sine_0 * _S831, _S827, frame_record_0.environment_cosine_0 * _S831 - frame_record_0.environment_sine_0 * _S830);
 }
 
-fn light_sample_0( _S831 : u32,  _S832 : vec2<u32>,  _S833 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S832 : u32,  _S833 : vec2<u32>,  _S834 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_4 = 1.00000001504746622e+30f;
-    var _S834 : u32 = frame_record_0.lights_0;
-    if(_S831 >= (frame_record_0.lights_0))
+    var _S835 : u32 = frame_record_0.lights_0;
+    if(_S832 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S835 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S832, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S831 - _S834), u32(3)), &(weight_3));
-        sample_1.towards_0 = _S835;
+        var _S836 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S833, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S832 - _S835), u32(3)), &(weight_3));
+        sample_1.towards_0 = _S836;
         sample_1.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S836 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S831);
-    sample_1.irradiance_1 = vec3<f32>(_S836.red_0, _S836.green_0, _S836.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S836.x_12, _S836.y_4, _S836.z_1);
-    if((_S836.is_point_0) != u32(0))
+    var _S837 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S832);
+    sample_1.irradiance_1 = vec3<f32>(_S837.red_0, _S837.green_0, _S837.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S837.x_12, _S837.y_4, _S837.z_1);
+    if((_S837.is_point_0) != u32(0))
     {
-        var _S837 : vec3<f32> = sample_1.towards_0 - _S833;
-        var _S838 : f32 = max(square_0(_S837), 9.999999960041972e-13f);
-        sample_1.distance_4 = sqrt(_S838);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S838);
-        sample_1.towards_0 = normalize(_S837);
+        var _S838 : vec3<f32> = sample_1.towards_0 - _S834;
+        var _S839 : f32 = max(square_0(_S838), 9.999999960041972e-13f);
+        sample_1.distance_4 = sqrt(_S839);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S839);
+        sample_1.towards_0 = normalize(_S838);
     }
     return sample_1;
 }
@@ -3974,16 +3982,16 @@ struct Components_0
      hole_5 : f32,
 };
 
-fn code_light_0( _S839 : u32,  _S840 : vec3<f32>,  _S841 : vec3<f32>,  _S842 : bool,  _S843 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S840 : u32,  _S841 : vec3<f32>,  _S842 : vec3<f32>,  _S843 : bool,  _S844 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S843)[i32(0)] = _S840.x;
-    (*_S843)[i32(1)] = _S840.y;
-    (*_S843)[i32(2)] = _S840.z;
-    var _S844 : vec3<f32> = _S840 + _S841;
-    var _S845 : f32 = _S844.z;
-    var _S846 : f32 = _S845 * _S845 + 0.00009999999747379f;
-    var _S847 : vec2<f32> = _S844.xy;
-    var _S848 : f32 = 1.0f / (dot(_S847, _S847) + _S846);
+    (*_S844)[i32(0)] = _S841.x;
+    (*_S844)[i32(1)] = _S841.y;
+    (*_S844)[i32(2)] = _S841.z;
+    var _S845 : vec3<f32> = _S841 + _S842;
+    var _S846 : f32 = _S845.z;
+    var _S847 : f32 = _S846 * _S846 + 0.00009999999747379f;
+    var _S848 : vec2<f32> = _S845.xy;
+    var _S849 : f32 = 1.0f / (dot(_S848, _S848) + _S847);
     var family_20 : i32 = i32(0);
     for(;;)
     {
@@ -3994,12 +4002,12 @@ fn code_light_0( _S839 : u32,  _S840 : vec3<f32>,  _S841 : vec3<f32>,  _S842 : b
         {
             break;
         }
-        var _S849 : vec3<f32> = crown_fibres_0(_S839, family_20 == i32(0), _S842);
-        var _S850 : vec2<f32> = _S849.xy;
-        (*_S843)[i32(3) + family_20] = dot(_S850, _S840.xy);
-        var _S851 : f32 = dot(_S850, _S847);
-        var _S852 : f32 = _S851 * _S851;
-        var _S853 : f32 = (0.75f * _S851 / (0.5f * sqrt(_S852 + _S846) + abs(_S851)) + 0.5f) * 8.0f;
+        var _S850 : vec3<f32> = crown_fibres_0(_S840, family_20 == i32(0), _S843);
+        var _S851 : vec2<f32> = _S850.xy;
+        (*_S844)[i32(3) + family_20] = dot(_S851, _S841.xy);
+        var _S852 : f32 = dot(_S851, _S848);
+        var _S853 : f32 = _S852 * _S852;
+        var _S854 : f32 = (0.75f * _S852 / (0.5f * sqrt(_S853 + _S847) + abs(_S852)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -4010,26 +4018,26 @@ fn code_light_0( _S839 : u32,  _S840 : vec3<f32>,  _S841 : vec3<f32>,  _S842 : b
             {
                 break;
             }
-            (*_S843)[i32(5) + family_20 * i32(16) + bin_1] = bump_0(_S853 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S844)[i32(5) + family_20 * i32(16) + bin_1] = bump_0(_S854 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S854 : f32 = _S849.z;
-        var _S855 : f32 = _S854 * _S854;
-        var _S856 : f32 = _S852 * _S848 * (1.0f - _S855) + _S855;
-        (*_S843)[i32(37) + family_20] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S855 * _S854 / (_S856 * _S856));
+        var _S855 : f32 = _S850.z;
+        var _S856 : f32 = _S855 * _S855;
+        var _S857 : f32 = _S853 * _S849 * (1.0f - _S856) + _S856;
+        (*_S844)[i32(37) + family_20] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S856 * _S855 / (_S857 * _S857));
         family_20 = family_20 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S857 : u32,  _S858 : u32,  _S859 : u32,  _S860 : vec3<f32>,  _S861 : vec3<f32>,  _S862 : bool,  _S863 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S858 : u32,  _S859 : u32,  _S860 : u32,  _S861 : vec3<f32>,  _S862 : vec3<f32>,  _S863 : bool,  _S864 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S864 : vec3<f32> = _S860 + _S861;
-    var _S865 : f32 = 1.0f / (square_0(_S864) + 0.00009999999747379f);
-    var _S866 : f32 = _S864.x;
-    var _S867 : f32 = select(_S866, - _S866, ((_S858 == u32(0)) & (_S862)));
-    var _S868 : f32 = _S864.y;
-    var _S869 : f32 = select(_S868, - _S868, ((_S858 == u32(1)) & (_S862)));
+    var _S865 : vec3<f32> = _S861 + _S862;
+    var _S866 : f32 = 1.0f / (square_0(_S865) + 0.00009999999747379f);
+    var _S867 : f32 = _S865.x;
+    var _S868 : f32 = select(_S867, - _S867, ((_S859 == u32(0)) & (_S863)));
+    var _S869 : f32 = _S865.y;
+    var _S870 : f32 = select(_S869, - _S869, ((_S859 == u32(1)) & (_S863)));
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
     for(;;)
@@ -4041,42 +4049,42 @@ fn mixed_bundles_0( _S857 : u32,  _S858 : u32,  _S859 : u32,  _S860 : vec3<f32>,
         {
             break;
         }
-        var _S870 : u32 = _S858 * u32(25);
-        var _S871 : u32 = fabrics_0[_S857].neural_0.bundles_0 + u32(4) * (_S870 + bundle_1);
-        var _S872 : f32 = dot(vec3<f32>(table_number_0(_S871), table_number_0(_S871 + u32(1)), table_number_0(_S871 + u32(2))), vec3<f32>(_S867, _S869, _S864.z));
-        var _S873 : f32 = _S872 * _S872 * _S865 + table_number_0(_S871 + u32(3));
-        var sum_3 : f32 = sum_2 + max((*_S863)[_S859 + _S870 + select(bundle_1, mirrored_bundle_0(bundle_1), _S862)], (*_S863)[_S859 + _S870 + select(bundle_1, mirrored_bundle_0(bundle_1), _S862)] * 0.00999999977648258f) / (_S873 * _S873);
+        var _S871 : u32 = _S859 * u32(25);
+        var _S872 : u32 = fabrics_0[_S858].neural_0.bundles_0 + u32(4) * (_S871 + bundle_1);
+        var _S873 : f32 = dot(vec3<f32>(table_number_0(_S872), table_number_0(_S872 + u32(1)), table_number_0(_S872 + u32(2))), vec3<f32>(_S868, _S870, _S865.z));
+        var _S874 : f32 = _S873 * _S873 * _S866 + table_number_0(_S872 + u32(3));
+        var sum_3 : f32 = sum_2 + max((*_S864)[_S860 + _S871 + select(bundle_1, mirrored_bundle_0(bundle_1), _S863)], (*_S864)[_S860 + _S871 + select(bundle_1, mirrored_bundle_0(bundle_1), _S863)] * 0.00999999977648258f) / (_S874 * _S874);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn with_shares_0( _S874 : u32,  _S875 : Components_0,  _S876 : Yarns_0) -> Components_0
+fn with_shares_0( _S875 : u32,  _S876 : Components_0,  _S877 : Yarns_0) -> Components_0
 {
     var result_6 : Components_0;
-    var _S877 : f32 = min(_S875.hole_5 * _S876.shares_0.z, 1.0f);
-    result_6.hole_5 = _S877;
-    var _S878 : f32 = _S876.shares_0.x;
-    result_6.diffuse_warp_0 = _S875.diffuse_warp_0 * _S878;
-    var _S879 : f32 = _S876.shares_0.y;
-    result_6.diffuse_weft_0 = _S875.diffuse_weft_0 * _S879;
-    result_6.specular_warp_0 = _S875.specular_warp_0 * _S878;
-    result_6.specular_weft_0 = _S875.specular_weft_0 * _S879;
-    result_6.light_visibility_1 = _S875.light_visibility_1 * select(1.0f, (1.0f - _S877) / max(1.0f - _S875.hole_5, 9.99999997475242708e-07f), (fabrics_0[_S874].is_irregular_0) != u32(0));
+    var _S878 : f32 = min(_S876.hole_5 * _S877.shares_0.z, 1.0f);
+    result_6.hole_5 = _S878;
+    var _S879 : f32 = _S877.shares_0.x;
+    result_6.diffuse_warp_0 = _S876.diffuse_warp_0 * _S879;
+    var _S880 : f32 = _S877.shares_0.y;
+    result_6.diffuse_weft_0 = _S876.diffuse_weft_0 * _S880;
+    result_6.specular_warp_0 = _S876.specular_warp_0 * _S879;
+    result_6.specular_weft_0 = _S876.specular_weft_0 * _S880;
+    result_6.light_visibility_1 = _S876.light_visibility_1 * select(1.0f, (1.0f - _S878) / max(1.0f - _S876.hole_5, 9.99999997475242708e-07f), (fabrics_0[_S875].is_irregular_0) != u32(0));
     return result_6;
 }
 
-fn neural_components_0( _S880 : u32,  _S881 : ptr<function, NeuralView_0>,  _S882 : vec3<f32>) -> Components_0
+fn neural_components_0( _S881 : u32,  _S882 : ptr<function, NeuralView_0>,  _S883 : vec3<f32>) -> Components_0
 {
-    var _S883 : bool = (*_S881).back_10;
-    var _S884 : vec3<f32> = to_face_frame_0(_S882, (*_S881).back_10);
-    var _S885 : vec3<f32> = (*_S881).view_7;
+    var _S884 : bool = (*_S882).back_10;
+    var _S885 : vec3<f32> = to_face_frame_0(_S883, (*_S882).back_10);
+    var _S886 : vec3<f32> = (*_S882).view_7;
     var weights_24 : HalfWeights_0;
-    var _S886 : Neural_std430_0 = fabrics_0[_S880].neural_0;
-    weights_24.first_2 = fabrics_0[_S880].neural_0.network_0;
+    var _S887 : Neural_std430_0 = fabrics_0[_S881].neural_0;
+    weights_24.first_2 = fabrics_0[_S881].neural_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S880, _S884, (*_S881).view_7, (*_S881).back_10, &(directions_0));
+    code_light_0(_S881, _S885, (*_S882).view_7, (*_S882).back_10, &(directions_0));
     var skip_0 : array<f32, i32(64)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -4088,7 +4096,7 @@ fn neural_components_0( _S880 : u32,  _S881 : ptr<function, NeuralView_0>,  _S88
         {
             break;
         }
-        skip_0[k_1] = (*_S881).sums_12[k_1];
+        skip_0[k_1] = (*_S882).sums_12[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(1976), true, &(directions_0), &(skip_0));
@@ -4148,27 +4156,27 @@ fn neural_components_0( _S880 : u32,  _S881 : ptr<function, NeuralView_0>,  _S88
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(3864), false, &(hidden_2), &(outputs_17));
-    var _S887 : bool;
-    if((_S886.is_corrected_0) != u32(0))
+    var _S888 : bool;
+    if((_S887.is_corrected_0) != u32(0))
     {
-        _S887 = (_S884.z) > 0.0f;
+        _S888 = (_S885.z) > 0.0f;
     }
     else
     {
-        _S887 = false;
+        _S888 = false;
     }
-    if(_S887)
+    if(_S888)
     {
-        _S887 = ((*_S881).correction_weight_0) > 0.0f;
+        _S888 = ((*_S882).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S887 = false;
+        _S888 = false;
     }
-    if(_S887)
+    if(_S888)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S886.correction_0;
+        fitted_0.first_0 = _S887.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -4181,119 +4189,141 @@ fn neural_components_0( _S880 : u32,  _S881 : ptr<function, NeuralView_0>,  _S88
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S881).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S882).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    var _S888 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S884.z) > 0.0f);
+    var _S889 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S885.z) > 0.0f);
     var result_7 : Components_0;
-    var _S889 : f32 = unmapped_0(outputs_17[i32(0)], _S888);
-    result_7.diffuse_warp_0 = _S889;
-    var _S890 : f32 = unmapped_0(outputs_17[i32(1)], _S888);
-    result_7.diffuse_weft_0 = _S890;
-    var _S891 : f32 = 2979.9580078125f * _S888;
-    var _S892 : f32 = mixed_bundles_0(_S880, u32(0), u32(2), _S884, _S885, _S883, &(outputs_17));
-    result_7.specular_warp_0 = clamp(_S892, 0.0f, _S891);
-    var _S893 : f32 = mixed_bundles_0(_S880, u32(1), u32(2), _S884, _S885, _S883, &(outputs_17));
-    result_7.specular_weft_0 = clamp(_S893, 0.0f, _S891);
-    result_7.hole_5 = (*_S881).even_hole_0;
-    result_7.light_visibility_1 = min(light_visibility_of_0(_S889 + _S890, _S884, _S885, fabrics_0[_S880].diffuse_blend_0), 1.0f - (*_S881).even_hole_0);
-    return with_shares_0(_S880, result_7, (*_S881).yarns_0);
+    var _S890 : f32 = unmapped_0(outputs_17[i32(0)], _S889);
+    result_7.diffuse_warp_0 = _S890;
+    var _S891 : f32 = unmapped_0(outputs_17[i32(1)], _S889);
+    result_7.diffuse_weft_0 = _S891;
+    var _S892 : f32 = 2979.9580078125f * _S889;
+    var _S893 : f32 = mixed_bundles_0(_S881, u32(0), u32(2), _S885, _S886, _S884, &(outputs_17));
+    result_7.specular_warp_0 = clamp(_S893, 0.0f, _S892);
+    var _S894 : f32 = mixed_bundles_0(_S881, u32(1), u32(2), _S885, _S886, _S884, &(outputs_17));
+    result_7.specular_weft_0 = clamp(_S894, 0.0f, _S892);
+    result_7.hole_5 = (*_S882).even_hole_0;
+    result_7.light_visibility_1 = min(light_visibility_of_0(_S890 + _S891, _S885, _S886, fabrics_0[_S881].diffuse_blend_0), 1.0f - (*_S882).even_hole_0);
+    return with_shares_0(_S881, result_7, (*_S882).yarns_0);
 }
 
-fn openness_number_0( _S894 : u32,  _S895 : u32) -> f32
+fn diffuse_kept_0( _S895 : u32,  _S896 : vec3<f32>,  _S897 : vec3<f32>) -> f32
 {
-    return table_number_0(fabrics_0[_S894].openness_0 + _S895);
+    return (1.0f - fabrics_0[_S895].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S896.z), 0.0f))) * (1.0f - fabrics_0[_S895].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S897.z), 0.0f)));
 }
 
-fn scattered_by_0( _S896 : u32,  _S897 : Albedos_0,  _S898 : u32,  _S899 : vec3<f32>) -> Scattered_0
+fn highlight_rise_0( _S898 : u32,  _S899 : vec3<f32>,  _S900 : vec3<f32>) -> f32
 {
-    var _S900 : u32 = u32(159) + u32(2) * _S898;
+    var _S901 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S899, _S900) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S898].grazing_gain_0 * fourth_power_0(_S901) * _S901;
+}
+
+fn towards_grazing_0( _S902 : u32,  _S903 : Albedos_0,  _S904 : vec3<f32>,  _S905 : vec3<f32>) -> Albedos_0
+{
+    var _S906 : f32 = diffuse_kept_0(_S902, _S904, _S905);
+    var result_8 : Albedos_0 = _S903;
+    var _S907 : vec3<f32> = vec3<f32>(_S906);
+    result_8.diffuse_reflect_0 = result_8.diffuse_reflect_0 * _S907;
+    result_8.diffuse_transmit_0 = result_8.diffuse_transmit_0 * _S907;
+    result_8.specular_reflect_0 = result_8.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S902, _S904, _S905));
+    return result_8;
+}
+
+fn openness_number_0( _S908 : u32,  _S909 : u32) -> f32
+{
+    return table_number_0(fabrics_0[_S908].openness_0 + _S909);
+}
+
+fn scattered_by_0( _S910 : u32,  _S911 : Albedos_0,  _S912 : u32,  _S913 : vec3<f32>) -> Scattered_0
+{
+    var _S914 : u32 = u32(159) + u32(2) * _S912;
     var yarn_4 : Scattered_0;
-    yarn_4.back_9 = _S899 * _S897.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S896, _S900)) * _S897.specular_reflect_0;
-    yarn_4.through_0 = _S899 * _S897.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S896, _S900 + u32(1))) * _S897.specular_transmit_0;
+    yarn_4.back_9 = _S913 * _S911.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S910, _S914)) * _S911.specular_reflect_0;
+    yarn_4.through_0 = _S913 * _S911.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S910, _S914 + u32(1))) * _S911.specular_transmit_0;
     return yarn_4;
 }
 
-fn sent_0( _S901 : u32,  _S902 : u32,  _S903 : vec3<f32>,  _S904 : vec3<f32>,  _S905 : vec3<f32>,  _S906 : vec3<f32>,  _S907 : ptr<function, vec3<f32>>,  _S908 : ptr<function, vec3<f32>>)
+fn sent_0( _S915 : u32,  _S916 : u32,  _S917 : vec3<f32>,  _S918 : vec3<f32>,  _S919 : vec3<f32>,  _S920 : vec3<f32>,  _S921 : ptr<function, vec3<f32>>,  _S922 : ptr<function, vec3<f32>>)
 {
-    var _S909 : u32 = u32(146) + u32(4) * _S902;
-    var _S910 : f32 = openness_number_0(_S901, _S909 + u32(1));
-    var _S911 : f32 = openness_number_0(_S901, _S909 + u32(2));
-    var _S912 : vec3<f32> = vec3<f32>(1.0f);
-    var _S913 : vec3<f32> = _S912 - _S905 * vec3<f32>(openness_number_0(_S901, _S909));
-    var _S914 : vec3<f32> = _S912 - _S906 * vec3<f32>(openness_number_0(_S901, _S909 + u32(3)));
-    var _S915 : vec3<f32> = _S912 / (_S913 * _S914 - _S905 * _S906 * vec3<f32>((_S910 * _S911)));
-    (*_S907) = (_S903 * _S914 + _S905 * vec3<f32>(_S910) * _S904) * _S915;
-    (*_S908) = (_S904 * _S913 + _S906 * vec3<f32>(_S911) * _S903) * _S915;
+    var _S923 : u32 = u32(146) + u32(4) * _S916;
+    var _S924 : f32 = openness_number_0(_S915, _S923 + u32(1));
+    var _S925 : f32 = openness_number_0(_S915, _S923 + u32(2));
+    var _S926 : vec3<f32> = vec3<f32>(1.0f);
+    var _S927 : vec3<f32> = _S926 - _S919 * vec3<f32>(openness_number_0(_S915, _S923));
+    var _S928 : vec3<f32> = _S926 - _S920 * vec3<f32>(openness_number_0(_S915, _S923 + u32(3)));
+    var _S929 : vec3<f32> = _S926 / (_S927 * _S928 - _S919 * _S920 * vec3<f32>((_S924 * _S925)));
+    (*_S921) = (_S917 * _S928 + _S919 * vec3<f32>(_S924) * _S918) * _S929;
+    (*_S922) = (_S918 * _S927 + _S920 * vec3<f32>(_S925) * _S917) * _S929;
     return;
 }
 
-fn face_sends_0( _S916 : u32,  _S917 : u32,  _S918 : Scattered_0,  _S919 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S930 : u32,  _S931 : u32,  _S932 : Scattered_0,  _S933 : Scattered_0) -> FaceSends_0
 {
-    var _S920 : u32 = u32(2) * _S917;
-    var _S921 : u32 = u32(142) + _S920;
-    var _S922 : f32 = openness_number_0(_S916, _S921);
-    var _S923 : f32 = openness_number_0(_S916, _S921 + u32(1));
-    var _S924 : vec3<f32> = vec3<f32>((1.0f - _S922)) * _S918.back_9;
-    var _S925 : vec3<f32> = vec3<f32>((1.0f - _S923)) * _S919.back_9;
+    var _S934 : u32 = u32(2) * _S931;
+    var _S935 : u32 = u32(142) + _S934;
+    var _S936 : f32 = openness_number_0(_S930, _S935);
+    var _S937 : f32 = openness_number_0(_S930, _S935 + u32(1));
+    var _S938 : vec3<f32> = vec3<f32>((1.0f - _S936)) * _S932.back_9;
+    var _S939 : vec3<f32> = vec3<f32>((1.0f - _S937)) * _S933.back_9;
     var sends_1 : FaceSends_0;
-    var _S926 : u32 = u32(154) + _S920;
-    var _S927 : f32 = openness_number_0(_S916, _S926);
-    sends_1.blocks_warp_0 = _S927;
-    var _S928 : f32 = openness_number_0(_S916, _S926 + u32(1));
-    sends_1.blocks_weft_0 = _S928;
-    sends_1.open_0 = _S927 * _S922 + _S928 * _S923;
-    var _S929 : vec3<f32> = vec3<f32>(_S922) * _S918.back_9;
-    var _S930 : vec3<f32> = vec3<f32>(_S923) * _S919.back_9;
-    var _S931 : vec3<f32> = sends_1.sky_warp_0;
-    var _S932 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S916, _S917, _S929, _S930, _S924, _S925, &(_S931), &(_S932));
-    sends_1.sky_warp_0 = _S931;
-    sends_1.sky_weft_0 = _S932;
-    var _S933 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S934 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S916, _S917, _S918.through_0, _S919.through_0, _S924, _S925, &(_S933), &(_S934));
-    sends_1.crossing_warp_0 = _S933;
-    sends_1.crossing_weft_0 = _S934;
+    var _S940 : u32 = u32(154) + _S934;
+    var _S941 : f32 = openness_number_0(_S930, _S940);
+    sends_1.blocks_warp_0 = _S941;
+    var _S942 : f32 = openness_number_0(_S930, _S940 + u32(1));
+    sends_1.blocks_weft_0 = _S942;
+    sends_1.open_0 = _S941 * _S936 + _S942 * _S937;
+    var _S943 : vec3<f32> = vec3<f32>(_S936) * _S932.back_9;
+    var _S944 : vec3<f32> = vec3<f32>(_S937) * _S933.back_9;
+    var _S945 : vec3<f32> = sends_1.sky_warp_0;
+    var _S946 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S930, _S931, _S943, _S944, _S938, _S939, &(_S945), &(_S946));
+    sends_1.sky_warp_0 = _S945;
+    sends_1.sky_weft_0 = _S946;
+    var _S947 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S948 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S930, _S931, _S932.through_0, _S933.through_0, _S938, _S939, &(_S947), &(_S948));
+    sends_1.crossing_warp_0 = _S947;
+    sends_1.crossing_weft_0 = _S948;
     return sends_1;
 }
 
-fn interior_between_0( _S935 : u32,  _S936 : u32,  _S937 : u32,  _S938 : vec3<f32>,  _S939 : bool) -> Interior_0
+fn interior_between_0( _S949 : u32,  _S950 : u32,  _S951 : u32,  _S952 : vec3<f32>,  _S953 : bool) -> Interior_0
 {
-    var _S940 : Scattered_0 = scattered_by_0(_S935, table_albedos_0(_S936), u32(0), _S938);
-    var _S941 : Scattered_0 = scattered_by_0(_S935, table_albedos_0(_S937), u32(1), _S938);
-    var _S942 : FaceSends_0 = face_sends_0(_S935, select(u32(0), u32(1), _S939), _S940, _S941);
-    var _S943 : FaceSends_0 = face_sends_0(_S935, select(u32(1), u32(0), _S939), _S940, _S941);
-    var _S944 : vec3<f32> = vec3<f32>(_S942.blocks_warp_0);
-    var _S945 : vec3<f32> = vec3<f32>(_S942.blocks_weft_0);
-    var _S946 : vec3<f32> = _S944 * _S942.crossing_warp_0 + _S945 * _S942.crossing_weft_0;
-    var _S947 : vec3<f32> = vec3<f32>(_S943.blocks_warp_0);
-    var _S948 : vec3<f32> = vec3<f32>(_S943.blocks_weft_0);
-    var _S949 : vec3<f32> = _S947 * _S943.crossing_warp_0 + _S948 * _S943.crossing_weft_0;
-    var _S950 : f32 = 1.0f - _S942.open_0;
-    var _S951 : f32 = 1.0f - _S943.open_0;
-    var _S952 : vec3<f32> = vec3<f32>(1.0f);
-    var _S953 : vec3<f32> = _S952 / (_S952 - _S946 * _S949 * vec3<f32>((_S950 * _S951)));
-    var _S954 : vec3<f32> = _S949 * (vec3<f32>(_S942.open_0) + vec3<f32>(_S950) * (_S944 * _S942.sky_warp_0 + _S945 * _S942.sky_weft_0)) * _S953;
-    var _S955 : vec3<f32> = _S946 * (vec3<f32>(_S943.open_0) + vec3<f32>(_S951) * (_S947 * _S943.sky_warp_0 + _S948 * _S943.sky_weft_0)) * _S953;
-    var _S956 : FaceRadiance_0 = face_radiance_0(_S942, _S943.open_0, _S954, _S955);
-    var _S957 : FaceRadiance_0 = face_radiance_0(_S943, _S942.open_0, _S955, _S954);
+    var _S954 : Scattered_0 = scattered_by_0(_S949, table_albedos_0(_S950), u32(0), _S952);
+    var _S955 : Scattered_0 = scattered_by_0(_S949, table_albedos_0(_S951), u32(1), _S952);
+    var _S956 : FaceSends_0 = face_sends_0(_S949, select(u32(0), u32(1), _S953), _S954, _S955);
+    var _S957 : FaceSends_0 = face_sends_0(_S949, select(u32(1), u32(0), _S953), _S954, _S955);
+    var _S958 : vec3<f32> = vec3<f32>(_S956.blocks_warp_0);
+    var _S959 : vec3<f32> = vec3<f32>(_S956.blocks_weft_0);
+    var _S960 : vec3<f32> = _S958 * _S956.crossing_warp_0 + _S959 * _S956.crossing_weft_0;
+    var _S961 : vec3<f32> = vec3<f32>(_S957.blocks_warp_0);
+    var _S962 : vec3<f32> = vec3<f32>(_S957.blocks_weft_0);
+    var _S963 : vec3<f32> = _S961 * _S957.crossing_warp_0 + _S962 * _S957.crossing_weft_0;
+    var _S964 : f32 = 1.0f - _S956.open_0;
+    var _S965 : f32 = 1.0f - _S957.open_0;
+    var _S966 : vec3<f32> = vec3<f32>(1.0f);
+    var _S967 : vec3<f32> = _S966 / (_S966 - _S960 * _S963 * vec3<f32>((_S964 * _S965)));
+    var _S968 : vec3<f32> = _S963 * (vec3<f32>(_S956.open_0) + vec3<f32>(_S964) * (_S958 * _S956.sky_warp_0 + _S959 * _S956.sky_weft_0)) * _S967;
+    var _S969 : vec3<f32> = _S960 * (vec3<f32>(_S957.open_0) + vec3<f32>(_S965) * (_S961 * _S957.sky_warp_0 + _S962 * _S957.sky_weft_0)) * _S967;
+    var _S970 : FaceRadiance_0 = face_radiance_0(_S956, _S957.open_0, _S968, _S969);
+    var _S971 : FaceRadiance_0 = face_radiance_0(_S957, _S956.open_0, _S969, _S968);
     var interior_1 : Interior_0;
-    interior_1.warp_9 = _S956.warp_8;
-    interior_1.weft_9 = _S956.weft_8;
-    interior_1.leaked_1 = _S956.leaked_0;
-    interior_1.far_1 = _S957.mean_1;
-    interior_1.far_leaked_0 = _S957.leaked_0;
+    interior_1.warp_9 = _S970.warp_8;
+    interior_1.weft_9 = _S970.weft_8;
+    interior_1.leaked_1 = _S970.leaked_0;
+    interior_1.far_1 = _S971.mean_1;
+    interior_1.far_leaked_0 = _S971.leaked_0;
     return interior_1;
 }
 
-fn interior_of_0( _S958 : u32,  _S959 : vec3<f32>,  _S960 : bool) -> Interior_0
+fn interior_of_0( _S972 : u32,  _S973 : vec3<f32>,  _S974 : bool) -> Interior_0
 {
-    return interior_between_0(_S958, families_0[fabrics_0[_S958].warp_0].cloth_mean_0, families_0[fabrics_0[_S958].weft_0].cloth_mean_0, _S959, _S960);
+    return interior_between_0(_S972, families_0[fabrics_0[_S972].warp_0].cloth_mean_0, families_0[fabrics_0[_S972].weft_0].cloth_mean_0, _S973, _S974);
 }
 
-fn blocked_of_terms_0( _S961 : u32,  _S962 : u32,  _S963 : array<f32, i32(6)>,  _S964 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S975 : u32,  _S976 : u32,  _S977 : array<f32, i32(6)>,  _S978 : u32) -> Blocked_0
 {
     var shares_3 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
@@ -4310,14 +4340,14 @@ fn blocked_of_terms_0( _S961 : u32,  _S962 : u32,  _S963 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S964)
+            if(term_0 < _S978)
             {
             }
             else
             {
                 break;
             }
-            shares_3[share_4] = shares_3[share_4] + openness_number_0(_S961, _S962 + share_4 * _S964 + term_0) * _S963[term_0];
+            shares_3[share_4] = shares_3[share_4] + openness_number_0(_S975, _S976 + share_4 * _S978 + term_0) * _S977[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_3[share_4] = saturate(shares_3[share_4]);
@@ -4330,17 +4360,17 @@ fn blocked_of_terms_0( _S961 : u32,  _S962 : u32,  _S963 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_from_0( _S965 : u32,  _S966 : vec3<f32>,  _S967 : bool,  _S968 : bool) -> Blocked_0
+fn blocked_from_0( _S979 : u32,  _S980 : vec3<f32>,  _S981 : bool,  _S982 : bool) -> Blocked_0
 {
     var terms_2 : array<f32, i32(6)>;
-    view_terms_0(_S966, &(terms_2));
-    return blocked_of_terms_0(_S965, (select(u32(0), u32(2), _S968) + select(u32(1), u32(0), _S967)) * u32(15), terms_2, u32(5));
+    view_terms_0(_S980, &(terms_2));
+    return blocked_of_terms_0(_S979, (select(u32(0), u32(2), _S982) + select(u32(1), u32(0), _S981)) * u32(15), terms_2, u32(5));
 }
 
-fn warp_seen_from_0( _S969 : u32,  _S970 : vec3<f32>,  _S971 : bool) -> f32
+fn warp_seen_from_0( _S983 : u32,  _S984 : vec3<f32>,  _S985 : bool) -> f32
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_1(_S970, &(terms_3));
+    view_terms_1(_S984, &(terms_3));
     var term_1 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -4352,90 +4382,90 @@ fn warp_seen_from_0( _S969 : u32,  _S970 : vec3<f32>,  _S971 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S969, u32(132) + select(u32(0), u32(5), _S971) + term_1) * terms_3[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S983, u32(132) + select(u32(0), u32(5), _S985) + term_1) * terms_3[term_1];
         term_1 = term_1 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S972 : u32,  _S973 : FamilyAlbedos_0,  _S974 : vec3<f32>,  _S975 : Interior_0,  _S976 : Blocked_0,  _S977 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S986 : u32,  _S987 : FamilyAlbedos_0,  _S988 : vec3<f32>,  _S989 : Interior_0,  _S990 : Blocked_0,  _S991 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S976, scattered_by_0(_S972, _S973.warp_5, u32(0), _S974), _S975), bounced_by_0(_S977, scattered_by_0(_S972, _S973.weft_5, u32(1), _S974), _S975));
+    return sum_of_0(bounced_by_0(_S990, scattered_by_0(_S986, _S987.warp_5, u32(0), _S988), _S989), bounced_by_0(_S991, scattered_by_0(_S986, _S987.weft_5, u32(1), _S988), _S989));
 }
 
-fn bounced_far_0( _S978 : u32,  _S979 : FamilyAlbedos_0,  _S980 : vec3<f32>,  _S981 : Interior_0,  _S982 : vec3<f32>,  _S983 : bool,  _S984 : f32,  _S985 : f32,  _S986 : f32) -> Bounced_0
+fn bounced_far_0( _S992 : u32,  _S993 : FamilyAlbedos_0,  _S994 : vec3<f32>,  _S995 : Interior_0,  _S996 : vec3<f32>,  _S997 : bool,  _S998 : f32,  _S999 : f32,  _S1000 : f32) -> Bounced_0
 {
-    var _S987 : Blocked_0 = blocked_from_0(_S978, _S982, true, _S983);
-    var _S988 : Blocked_0 = blocked_from_0(_S978, _S982, false, _S983);
-    var _S989 : f32 = _S984 / max(1.0f - _S987.by_warp_0 - _S987.by_weft_0, 0.10000000149011612f);
-    var _S990 : f32 = (0.0020000000949949f * warp_seen_from_0(_S978, _S982, _S983) + _S989) / (_S989 + _S985 / max(1.0f - _S988.by_warp_0 - _S988.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S991 : f32 = 1.0f - _S986;
-    return bounced_of_families_0(_S978, _S979, _S980, _S981, scaled_0(_S987, _S990 * _S991), scaled_0(_S988, (1.0f - _S990) * _S991));
+    var _S1001 : Blocked_0 = blocked_from_0(_S992, _S996, true, _S997);
+    var _S1002 : Blocked_0 = blocked_from_0(_S992, _S996, false, _S997);
+    var _S1003 : f32 = _S998 / max(1.0f - _S1001.by_warp_0 - _S1001.by_weft_0, 0.10000000149011612f);
+    var _S1004 : f32 = (0.0020000000949949f * warp_seen_from_0(_S992, _S996, _S997) + _S1003) / (_S1003 + _S999 / max(1.0f - _S1002.by_warp_0 - _S1002.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S1005 : f32 = 1.0f - _S1000;
+    return bounced_of_families_0(_S992, _S993, _S994, _S995, scaled_0(_S1001, _S1004 * _S1005), scaled_0(_S1002, (1.0f - _S1004) * _S1005));
 }
 
-fn bounced_over_0( _S992 : u32,  _S993 : Components_0,  _S994 : CloseUp_0,  _S995 : FamilyAlbedos_0,  _S996 : vec3<f32>,  _S997 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S1006 : u32,  _S1007 : Components_0,  _S1008 : CloseUp_0,  _S1009 : FamilyAlbedos_0,  _S1010 : vec3<f32>,  _S1011 : vec3<f32>) -> Bounced_0
 {
-    var _S998 : bool = (_S997.z) < 0.0f;
-    var _S999 : Interior_0 = interior_of_0(_S992, _S996, _S998);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S992, _S995, _S996, _S999, to_face_frame_0(_S997, _S998), _S998, _S993.diffuse_warp_0, _S993.diffuse_weft_0, _S993.hole_5);
-    if((_S994.weight_2) > 0.0f)
+    var _S1012 : bool = (_S1011.z) < 0.0f;
+    var _S1013 : Interior_0 = interior_of_0(_S1006, _S1010, _S1012);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S1006, _S1009, _S1010, _S1013, to_face_frame_0(_S1011, _S1012), _S1012, _S1007.diffuse_warp_0, _S1007.diffuse_weft_0, _S1007.hole_5);
+    if((_S1008.weight_2) > 0.0f)
     {
-        var _S1000 : Bounced_0 = bounced_of_families_0(_S992, _S995, _S996, _S999, _S994.warp_7, _S994.weft_7);
-        var _S1001 : vec3<f32> = vec3<f32>(_S994.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1000.reflected_0, _S1001);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1000.transmitted_0, _S1001);
+        var _S1014 : Bounced_0 = bounced_of_families_0(_S1006, _S1009, _S1010, _S1013, _S1008.warp_7, _S1008.weft_7);
+        var _S1015 : vec3<f32> = vec3<f32>(_S1008.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1014.reflected_0, _S1015);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1014.transmitted_0, _S1015);
     }
     return bounced_2;
 }
 
-fn composed_0( _S1002 : u32,  _S1003 : Components_0,  _S1004 : CloseUp_0,  _S1005 : FamilyAlbedos_0,  _S1006 : vec3<f32>,  _S1007 : vec3<f32>,  _S1008 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S1016 : u32,  _S1017 : Components_0,  _S1018 : CloseUp_0,  _S1019 : FamilyAlbedos_0,  _S1020 : vec3<f32>,  _S1021 : vec3<f32>,  _S1022 : vec3<f32>) -> vec3<f32>
 {
-    var _S1009 : Albedos_0 = tinted_0(_S1005.warp_5, _S1006);
-    var _S1010 : Albedos_0 = tinted_0(_S1005.weft_5, _S1006);
-    var _S1011 : vec3<f32> = vec3<f32>(_S1003.diffuse_warp_0);
-    var _S1012 : vec3<f32> = vec3<f32>(_S1003.diffuse_weft_0);
-    var _S1013 : vec3<f32> = vec3<f32>(_S1003.specular_warp_0);
-    var _S1014 : vec3<f32> = vec3<f32>(_S1003.specular_weft_0);
-    var _S1015 : vec3<f32> = _S1009.diffuse_reflect_0 * _S1011 + _S1010.diffuse_reflect_0 * _S1012 + _S1009.specular_reflect_0 * _S1013 + _S1010.specular_reflect_0 * _S1014;
-    var _S1016 : f32 = _S1008.z;
+    var _S1023 : Albedos_0 = towards_grazing_0(_S1016, tinted_0(_S1019.warp_5, _S1020), _S1021, _S1022);
+    var _S1024 : Albedos_0 = towards_grazing_0(_S1016, tinted_0(_S1019.weft_5, _S1020), _S1021, _S1022);
+    var _S1025 : vec3<f32> = vec3<f32>(_S1017.diffuse_warp_0);
+    var _S1026 : vec3<f32> = vec3<f32>(_S1017.diffuse_weft_0);
+    var _S1027 : vec3<f32> = vec3<f32>(_S1017.specular_warp_0);
+    var _S1028 : vec3<f32> = vec3<f32>(_S1017.specular_weft_0);
+    var _S1029 : vec3<f32> = _S1023.diffuse_reflect_0 * _S1025 + _S1024.diffuse_reflect_0 * _S1026 + _S1023.specular_reflect_0 * _S1027 + _S1024.specular_reflect_0 * _S1028;
+    var _S1030 : f32 = _S1022.z;
     var body_0 : vec3<f32>;
-    if((_S1007.z * _S1016) < 0.0f)
+    if((_S1021.z * _S1030) < 0.0f)
     {
-        body_0 = _S1009.diffuse_transmit_0 * _S1011 + _S1010.diffuse_transmit_0 * _S1012 + _S1009.specular_transmit_0 * _S1013 + _S1010.specular_transmit_0 * _S1014;
+        body_0 = _S1023.diffuse_transmit_0 * _S1025 + _S1024.diffuse_transmit_0 * _S1026 + _S1023.specular_transmit_0 * _S1027 + _S1024.specular_transmit_0 * _S1028;
     }
     else
     {
-        body_0 = _S1015;
+        body_0 = _S1029;
     }
-    if((fabrics_0[_S1002].openness_0) != u32(4294967295))
+    if((fabrics_0[_S1016].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1002, _S1003, _S1004, _S1005, _S1006, _S1008), _S1007, _S1008);
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1016, _S1017, _S1018, _S1019, _S1020, _S1022), _S1021, _S1022) * vec3<f32>(diffuse_kept_0(_S1016, _S1021, _S1022));
     }
-    var _S1017 : f32 = fabrics_0[_S1002].sheen_strength_0;
-    if((fabrics_0[_S1002].sheen_strength_0) <= 0.0f)
+    var _S1031 : f32 = fabrics_0[_S1016].sheen_strength_0;
+    if((fabrics_0[_S1016].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S1018 : bool = _S1016 < 0.0f;
-    var _S1019 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1007, _S1018), to_face_frame_0(_S1008, _S1018), _S1017, fabrics_0[_S1002].sheen_roughness_0);
-    return vec3<f32>(_S1019.y) * body_0 + vec3<f32>(((_S1003.light_visibility_1 + _S1003.hole_5) * _S1019.x));
+    var _S1032 : bool = _S1030 < 0.0f;
+    var _S1033 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1021, _S1032), to_face_frame_0(_S1022, _S1032), _S1031, fabrics_0[_S1016].sheen_roughness_0);
+    return vec3<f32>(_S1033.y) * body_0 + vec3<f32>(((_S1017.light_visibility_1 + _S1017.hole_5) * _S1033.x));
 }
 
-fn light_of_neural_0( _S1020 : u32,  _S1021 : VisiblePoint_0,  _S1022 : vec2<u32>,  _S1023 : vec3<f32>) -> vec4<f32>
+fn light_of_neural_0( _S1034 : u32,  _S1035 : VisiblePoint_0,  _S1036 : vec2<u32>,  _S1037 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S1021.draft_dx_0;
-    footprint_1.dy_0 = _S1021.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S1020, _S1021.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S1024 : vec3<f32> = to_local_0(_S1021, _S1021.view_0);
+    footprint_1.dx_0 = _S1035.draft_dx_0;
+    footprint_1.dy_0 = _S1035.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S1034, _S1035.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S1038 : vec3<f32> = to_local_0(_S1035, _S1035.view_0);
     var activations_0 : NeuralView_0;
-    neural_view_0(_S1020, footprint_1, _S1024, &(activations_0));
-    var _S1025 : f32 = _S1024.z;
-    var _S1026 : FamilyAlbedos_0 = with_tones_0(_S1020, albedos_over_0(_S1020, footprint_1, _S1025 < 0.0f), activations_0.yarns_0);
-    var _S1027 : vec3<f32> = vec3<f32>(0.0f);
+    neural_view_0(_S1034, footprint_1, _S1038, &(activations_0));
+    var _S1039 : f32 = _S1038.z;
+    var _S1040 : FamilyAlbedos_0 = with_tones_0(_S1034, albedos_over_0(_S1034, footprint_1, _S1039 < 0.0f), activations_0.yarns_0);
+    var _S1041 : vec3<f32> = vec3<f32>(0.0f);
     var number_12 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S1027;
+    var radiance_1 : vec3<f32> = _S1041;
     for(;;)
     {
         if(number_12 < (light_sample_count_0()))
@@ -4445,24 +4475,24 @@ fn light_of_neural_0( _S1020 : u32,  _S1021 : VisiblePoint_0,  _S1022 : vec2<u32
         {
             break;
         }
-        var _S1028 : f32 = visibility_at_0(number_12, _S1022);
-        if(_S1028 <= 0.0f)
+        var _S1042 : f32 = visibility_at_0(number_12, _S1036);
+        if(_S1042 <= 0.0f)
         {
             number_12 = number_12 + u32(1);
             continue;
         }
-        var _S1029 : LightSample_0 = light_sample_0(number_12, _S1022, _S1021.position_4);
-        var _S1030 : vec3<f32> = to_local_0(_S1021, _S1029.towards_0);
-        var _S1031 : Components_0 = neural_components_0(_S1020, &(activations_0), _S1030);
-        radiance_1 = radiance_1 + vec3<f32>(_S1028) * _S1029.irradiance_1 * composed_0(_S1020, _S1031, no_close_up_0(), _S1026, _S1023, _S1030, _S1024);
+        var _S1043 : LightSample_0 = light_sample_0(number_12, _S1036, _S1035.position_4);
+        var _S1044 : vec3<f32> = to_local_0(_S1035, _S1043.towards_0);
+        var _S1045 : Components_0 = neural_components_0(_S1034, &(activations_0), _S1044);
+        radiance_1 = radiance_1 + vec3<f32>(_S1042) * _S1043.irradiance_1 * composed_0(_S1034, _S1045, no_close_up_0(), _S1040, _S1037, _S1044, _S1038);
         number_12 = number_12 + u32(1);
     }
     var hole_6 : f32 = activations_0.hole_2;
-    var _S1032 : f32 = fabrics_0[_S1020].sheen_strength_0;
+    var _S1046 : f32 = fabrics_0[_S1034].sheen_strength_0;
     var hole_7 : f32;
-    if((fabrics_0[_S1020].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S1034].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_6 * (1.0f - _S1032 * sheen_lobe_0(abs(_S1025), fabrics_0[_S1020].sheen_roughness_0).z);
+        hole_7 = hole_6 * (1.0f - _S1046 * sheen_lobe_0(abs(_S1039), fabrics_0[_S1034].sheen_roughness_0).z);
     }
     else
     {
@@ -4475,31 +4505,31 @@ fn light_of_neural_0( _S1020 : u32,  _S1021 : VisiblePoint_0,  _S1022 : vec2<u32
 @workgroup_size(8, 8, 1)
 fn shade_neural(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S1033 : u32 = id_0.x;
-    var _S1034 : bool;
-    if(_S1033 >= (frame_record_0.width_0))
+    var _S1047 : u32 = id_0.x;
+    var _S1048 : bool;
+    if(_S1047 >= (frame_record_0.width_0))
     {
-        _S1034 = true;
+        _S1048 = true;
     }
     else
     {
-        _S1034 = (id_0.y) >= (frame_record_0.height_0);
+        _S1048 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S1034)
+    if(_S1048)
     {
         return;
     }
-    var _S1035 : u32 = id_0.y * frame_record_0.width_0 + _S1033;
-    var _S1036 : u32 = layers_0[_S1035].face_0;
-    if((layers_0[_S1035].face_0) == u32(0))
+    var _S1049 : u32 = id_0.y * frame_record_0.width_0 + _S1047;
+    var _S1050 : u32 = layers_0[_S1049].face_0;
+    if((layers_0[_S1049].face_0) == u32(0))
     {
         return;
     }
-    var _S1037 : u32 = _S1036 - u32(1);
-    var _S1038 : u32 = fabric_of_0(_S1037);
-    var _S1039 : vec2<u32> = id_0.xy;
-    var _S1040 : VisiblePoint_0 = visible_point_0(_S1038, _S1037, _S1039);
-    accumulate_0(_S1035, light_of_neural_0(_S1038, _S1040, _S1039, filtered_albedo_0(_S1038, _S1040)));
+    var _S1051 : u32 = _S1050 - u32(1);
+    var _S1052 : u32 = fabric_of_0(_S1051);
+    var _S1053 : vec2<u32> = id_0.xy;
+    var _S1054 : VisiblePoint_0 = visible_point_0(_S1052, _S1051, _S1053);
+    accumulate_0(_S1049, light_of_neural_0(_S1052, _S1054, _S1053, filtered_albedo_0(_S1052, _S1054)));
     return;
 }
 

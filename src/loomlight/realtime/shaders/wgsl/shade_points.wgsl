@@ -195,6 +195,8 @@ struct Fabric_std430_0
     @align(4) per_relief_0 : f32,
     @align(4) diffuse_blend_0 : f32,
     @align(4) optical_depth_0 : f32,
+    @align(4) grazing_gain_0 : f32,
+    @align(4) grazing_loss_0 : f32,
     @align(4) sheen_strength_0 : f32,
     @align(4) sheen_roughness_0 : f32,
     @align(4) fibre_noise_0 : f32,
@@ -1204,9 +1206,10 @@ struct YarnPoint_0
      hairs_0 : Hairs_0,
      hair_cover_0 : f32,
      place_3 : vec2<f32>,
+     plane_4 : f32,
 };
 
-fn YarnPoint_x24init_0( back_10 : bool,  hole_3 : bool,  is_warp_2 : bool,  x_11 : f32,  y_5 : f32,  height_6 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  surface_normal_1 : vec3<f32>,  diffuse_gain_1 : f32,  roughness_2 : f32,  albedos_1 : Albedos_0,  hairs_1 : Hairs_0,  hair_cover_1 : f32,  place_4 : vec2<f32>) -> YarnPoint_0
+fn YarnPoint_x24init_0( back_10 : bool,  hole_3 : bool,  is_warp_2 : bool,  x_11 : f32,  y_5 : f32,  height_6 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  surface_normal_1 : vec3<f32>,  diffuse_gain_1 : f32,  roughness_2 : f32,  albedos_1 : Albedos_0,  hairs_1 : Hairs_0,  hair_cover_1 : f32,  place_4 : vec2<f32>,  plane_5 : f32) -> YarnPoint_0
 {
     var _S156 : YarnPoint_0;
     _S156.back_9 = back_10;
@@ -1224,6 +1227,7 @@ fn YarnPoint_x24init_0( back_10 : bool,  hole_3 : bool,  is_warp_2 : bool,  x_11
     _S156.hairs_0 = hairs_1;
     _S156.hair_cover_0 = hair_cover_1;
     _S156.place_3 = place_4;
+    _S156.plane_4 = plane_5;
     return _S156;
 }
 
@@ -1281,6 +1285,7 @@ struct SurfacePoint_0
      x_13 : f32,
      y_6 : f32,
      shown_share_0 : f32,
+     plane_6 : f32,
 };
 
 fn ply_offset_0( family_13 : u32,  point_1 : SurfacePoint_0,  back_11 : bool) -> f32
@@ -1569,20 +1574,26 @@ fn scene_light_0( first_5 : u32) -> Light_0
     return record_2;
 }
 
+fn fourth_power_0( value_1 : f32) -> f32
+{
+    var _S196 : f32 = value_1 * value_1;
+    return _S196 * _S196;
+}
+
 fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_7 : vec3<f32>,  blend_1 : f32) -> f32
 {
-    var _S196 : f32 = light_1.z;
-    if(_S196 <= 0.0f)
+    var _S197 : f32 = light_1.z;
+    if(_S197 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S196, 0.0f), max(dot(light_1, normal_7), 0.0f), blend_1);
+    return 0.31830987334251404f * mix(max(_S197, 0.0f), max(dot(light_1, normal_7), 0.0f), blend_1);
 }
 
 fn projected_area_1( direction_4 : vec3<f32>,  tangent_6 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S197 : f32 = dot(direction_4, tangent_6);
-    return sqrt(max((roughness_3 + 1.0f) * (roughness_3 - 1.0f) * _S197 * _S197 + 1.0f, roughness_3 * roughness_3));
+    var _S198 : f32 = dot(direction_4, tangent_6);
+    return sqrt(max((roughness_3 + 1.0f) * (roughness_3 - 1.0f) * _S198 * _S198 + 1.0f, roughness_3 * roughness_3));
 }
 
 fn mean_attenuation_0( depth_1 : f32) -> f32
@@ -1596,45 +1607,45 @@ fn mean_attenuation_0( depth_1 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_4 : f32) -> f32
 {
-    var _S198 : f32 = roughness_4 * roughness_4;
-    var _S199 : f32 = squared_along_0 * (1.0f - _S198) + _S198;
-    return 0.31830987334251404f * _S198 * roughness_4 / (_S199 * _S199);
+    var _S199 : f32 = roughness_4 * roughness_4;
+    var _S200 : f32 = squared_along_0 * (1.0f - _S199) + _S199;
+    return 0.31830987334251404f * _S199 * roughness_4 / (_S200 * _S200);
 }
 
 fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_7 : vec3<f32>,  roughness_5 : f32) -> f32
 {
-    var _S200 : vec3<f32> = light_2 + view_1;
-    var _S201 : f32 = dot(_S200, tangent_7);
-    return flake_density_0(min(_S201 * _S201 / max(square_0(_S200), 9.999999960041972e-13f), 1.0f), roughness_5);
+    var _S201 : vec3<f32> = light_2 + view_1;
+    var _S202 : f32 = dot(_S201, tangent_7);
+    return flake_density_0(min(_S202 * _S202 / max(square_0(_S201), 9.999999960041972e-13f), 1.0f), roughness_5);
 }
 
 fn reflection_0( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_8 : vec3<f32>,  tangent_8 : vec3<f32>,  roughness_6 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S202 : f32 = dot(light_3, normal_8);
-    var _S203 : f32 = dot(view_2, normal_8);
-    if(((_S202 <= 0.0f) | ((_S203 <= 0.0f))))
+    var _S203 : f32 = dot(light_3, normal_8);
+    var _S204 : f32 = dot(view_2, normal_8);
+    if(((_S203 <= 0.0f) | ((_S204 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S204 : f32 = max(_S202, 9.99999997475242708e-07f);
     var _S205 : f32 = max(_S203, 9.99999997475242708e-07f);
-    var _S206 : f32 = projected_area_1(light_3, tangent_8, roughness_6) * _S205 + projected_area_1(view_2, tangent_8, roughness_6) * _S204;
-    var _S207 : f32 = optical_depth_1 * _S206 / (_S204 * _S205);
-    return 0.25f * density_between_0(light_3, view_2, tangent_8, roughness_6) * (_S207 * mean_attenuation_0(_S207)) * _S204 / _S206;
+    var _S206 : f32 = max(_S204, 9.99999997475242708e-07f);
+    var _S207 : f32 = projected_area_1(light_3, tangent_8, roughness_6) * _S206 + projected_area_1(view_2, tangent_8, roughness_6) * _S205;
+    var _S208 : f32 = optical_depth_1 * _S207 / (_S205 * _S206);
+    return 0.25f * density_between_0(light_3, view_2, tangent_8, roughness_6) * (_S208 * mean_attenuation_0(_S208)) * _S205 / _S207;
 }
 
 fn transmission_1( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_9 : vec3<f32>,  tangent_9 : vec3<f32>,  roughness_7 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S208 : f32 = - dot(light_4, normal_9);
-    var _S209 : f32 = dot(view_3, normal_9);
-    if(((_S208 <= 0.0f) | ((_S209 <= 0.0f))))
+    var _S209 : f32 = - dot(light_4, normal_9);
+    var _S210 : f32 = dot(view_3, normal_9);
+    if(((_S209 <= 0.0f) | ((_S210 <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S210 : f32 = 1.0f / max(_S209, 9.99999997475242708e-07f);
-    var _S211 : f32 = projected_area_1(light_4, tangent_9, roughness_7) / max(_S208, 9.99999997475242708e-07f);
-    var _S212 : f32 = projected_area_1(view_3, tangent_9, roughness_7) * _S210;
-    return density_between_0(light_4, view_3, tangent_9, roughness_7) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S211, _S212)) * mean_attenuation_0(optical_depth_2 * abs(_S211 - _S212)) * _S210;
+    var _S211 : f32 = 1.0f / max(_S210, 9.99999997475242708e-07f);
+    var _S212 : f32 = projected_area_1(light_4, tangent_9, roughness_7) / max(_S209, 9.99999997475242708e-07f);
+    var _S213 : f32 = projected_area_1(view_3, tangent_9, roughness_7) * _S211;
+    return density_between_0(light_4, view_3, tangent_9, roughness_7) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S212, _S213)) * mean_attenuation_0(optical_depth_2 * abs(_S212 - _S213)) * _S211;
 }
 
 fn sheen_scale_0( x_15 : f32,  y_8 : f32) -> f32
@@ -1654,46 +1665,46 @@ fn sheen_reflectance_0( x_17 : f32,  y_10 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_8 : f32) -> vec3<f32>
 {
-    var _S213 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S214 : f32 = 2.0f * sqrt(_S213) - 1.0f;
-    var _S215 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S214, _S215), 0.00999999977648258f, 1.0f), clamp((1.0f - _S213) * sheen_shear_0(_S214, _S215), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S214, _S215), -60.0f, 60.0f))));
+    var _S214 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S215 : f32 = 2.0f * sqrt(_S214) - 1.0f;
+    var _S216 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S215, _S216), 0.00999999977648258f, 1.0f), clamp((1.0f - _S214) * sheen_shear_0(_S215, _S216), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S215, _S216), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_5 : vec3<f32>,  view_4 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S216 : f32 = light_5.z;
-    if(((_S216 <= 0.0f) | (((view_4.z) <= 0.0f))))
+    var _S217 : f32 = light_5.z;
+    if(((_S217 <= 0.0f) | (((view_4.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S217 : vec2<f32> = view_4.xy;
-    var _S218 : f32 = dot(_S217, _S217);
-    var _S219 : vec2<f32> = select_vector_1(_S218 > 9.99999968265522539e-21f, _S217 * vec2<f32>(rsqrt_0(max(_S218, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S220 : f32 = scale_0 * dot(light_5.xy, _S219) + shear_0 * _S216;
-    var _S221 : f32 = scale_0 * (light_5.y * _S219.x - light_5.x * _S219.y);
-    var _S222 : f32 = _S220 * _S220 + _S221 * _S221 + _S216 * _S216;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S216 / max(_S222 * _S222, 9.99999968265522539e-21f);
+    var _S218 : vec2<f32> = view_4.xy;
+    var _S219 : f32 = dot(_S218, _S218);
+    var _S220 : vec2<f32> = select_vector_1(_S219 > 9.99999968265522539e-21f, _S218 * vec2<f32>(rsqrt_0(max(_S219, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S221 : f32 = scale_0 * dot(light_5.xy, _S220) + shear_0 * _S217;
+    var _S222 : f32 = scale_0 * (light_5.y * _S220.x - light_5.x * _S220.y);
+    var _S223 : f32 = _S221 * _S221 + _S222 * _S222 + _S217 * _S217;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S217 / max(_S223 * _S223, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_6 : vec3<f32>,  view_5 : vec3<f32>,  strength_0 : f32,  roughness_9 : f32) -> vec2<f32>
 {
-    var _S223 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_9);
-    var _S224 : f32 = strength_0 * _S223.z;
-    return vec2<f32>(_S224 * transformed_cosine_0(light_6, view_5, _S223.x, _S223.y), 1.0f - _S224);
+    var _S224 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_9);
+    var _S225 : f32 = strength_0 * _S224.z;
+    return vec2<f32>(_S225 * transformed_cosine_0(light_6, view_5, _S224.x, _S224.y), 1.0f - _S225);
 }
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_6 : vec3<f32>) -> vec3<f32>
 {
-    var _S225 : f32 = light_7.z;
-    return select_vector_0((_S225 * view_6.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S225) * 0.31830987334251404f));
+    var _S226 : f32 = light_7.z;
+    return select_vector_0((_S226 * view_6.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S226) * 0.31830987334251404f));
 }
 
 fn accumulate_0( index_7 : u32,  light_8 : vec4<f32>)
 {
-    var _S226 : f32 = layers_0[index_7].share_0;
+    var _S227 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_8;
-    layers_0[index_7].share_0 = _S226 * (1.0f - light_8.w);
+    layers_0[index_7].share_0 = _S227 * (1.0f - light_8.w);
     return;
 }
 
@@ -1717,152 +1728,152 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S227 : u32,  _S228 : u32,  _S229 : u32,  _S230 : vec2<f32>) -> f32
+fn uneven_shift_0( _S228 : u32,  _S229 : u32,  _S230 : u32,  _S231 : vec2<f32>) -> f32
 {
-    var _S231 : f32 = families_0[_S229].period_0 / families_0[_S229].count_0;
-    var _S232 : u32 = hash_key_0(_S228, ((fabrics_0[_S227].seed_0) ^ (u32(625341585))));
-    var _S233 : vec2<f32> = vec2<f32>(_S230.x, _S230.y / 4.0f) / vec2<f32>(_S231);
-    return 0.20000000298023224f * sqrt(families_0[_S229].slub_0) * _S231 * (uneven_octave_0(_S232, _S233) * 0.66666668653488159f + uneven_octave_0(_S232 + u32(1), vec2<f32>(2.0f) * _S233 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S232 : f32 = families_0[_S230].period_0 / families_0[_S230].count_0;
+    var _S233 : u32 = hash_key_0(_S229, ((fabrics_0[_S228].seed_0) ^ (u32(625341585))));
+    var _S234 : vec2<f32> = vec2<f32>(_S231.x, _S231.y / 4.0f) / vec2<f32>(_S232);
+    return 0.20000000298023224f * sqrt(families_0[_S230].slub_0) * _S232 * (uneven_octave_0(_S233, _S234) * 0.66666668653488159f + uneven_octave_0(_S233 + u32(1), vec2<f32>(2.0f) * _S234 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S234 : u32,  _S235 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S235 : u32,  _S236 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S234].has_detail_0) == u32(0), _S235, _S235 + vec2<f32>(uneven_shift_0(_S234, u32(0), fabrics_0[_S234].warp_0, _S235), uneven_shift_0(_S234, u32(1), fabrics_0[_S234].weft_0, _S235.yx)));
+    return select_vector_1((fabrics_0[_S235].has_detail_0) == u32(0), _S236, _S236 + vec2<f32>(uneven_shift_0(_S235, u32(0), fabrics_0[_S235].warp_0, _S236), uneven_shift_0(_S235, u32(1), fabrics_0[_S235].weft_0, _S236.yx)));
 }
 
-fn face_point_0( _S236 : u32,  _S237 : u32,  _S238 : f32,  _S239 : f32) -> VisiblePoint_0
+fn face_point_0( _S237 : u32,  _S238 : u32,  _S239 : f32,  _S240 : f32) -> VisiblePoint_0
 {
-    var _S240 : u32 = u32(3) * _S237;
-    var _S241 : Vertex_0 = vertex_at_0(_S240);
-    var _S242 : Vertex_0 = vertex_at_0(_S240 + u32(1));
-    var _S243 : Vertex_0 = vertex_at_0(_S240 + u32(2));
-    var _S244 : vec3<f32> = position_of_0(_S241);
-    var _S245 : vec3<f32> = position_of_0(_S242) - _S244;
-    var _S246 : vec3<f32> = position_of_0(_S243) - _S244;
-    var _S247 : f32 = _S242.u_0 - _S241.u_0;
-    var _S248 : f32 = _S242.v_0 - _S241.v_0;
-    var _S249 : vec2<f32> = vec2<f32>(_S247, _S248);
-    var _S250 : f32 = _S243.u_0 - _S241.u_0;
-    var _S251 : f32 = _S243.v_0 - _S241.v_0;
-    var _S252 : vec2<f32> = vec2<f32>(_S250, _S251);
-    var _S253 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S247 * _S251 - _S248 * _S250) < 0.0f));
-    var _S254 : vec3<f32> = _S253 * (vec3<f32>(_S251) * _S245 - vec3<f32>(_S248) * _S246);
-    var _S255 : vec3<f32> = _S253 * (vec3<f32>(_S247) * _S246 - vec3<f32>(_S250) * _S245);
+    var _S241 : u32 = u32(3) * _S238;
+    var _S242 : Vertex_0 = vertex_at_0(_S241);
+    var _S243 : Vertex_0 = vertex_at_0(_S241 + u32(1));
+    var _S244 : Vertex_0 = vertex_at_0(_S241 + u32(2));
+    var _S245 : vec3<f32> = position_of_0(_S242);
+    var _S246 : vec3<f32> = position_of_0(_S243) - _S245;
+    var _S247 : vec3<f32> = position_of_0(_S244) - _S245;
+    var _S248 : f32 = _S243.u_0 - _S242.u_0;
+    var _S249 : f32 = _S243.v_0 - _S242.v_0;
+    var _S250 : vec2<f32> = vec2<f32>(_S248, _S249);
+    var _S251 : f32 = _S244.u_0 - _S242.u_0;
+    var _S252 : f32 = _S244.v_0 - _S242.v_0;
+    var _S253 : vec2<f32> = vec2<f32>(_S251, _S252);
+    var _S254 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S248 * _S252 - _S249 * _S251) < 0.0f));
+    var _S255 : vec3<f32> = _S254 * (vec3<f32>(_S252) * _S246 - vec3<f32>(_S249) * _S247);
+    var _S256 : vec3<f32> = _S254 * (vec3<f32>(_S248) * _S247 - vec3<f32>(_S251) * _S246);
     var point_2 : VisiblePoint_0;
-    var _S256 : vec3<f32> = vec3<f32>(_S238);
     var _S257 : vec3<f32> = vec3<f32>(_S239);
-    var _S258 : vec3<f32> = normalize(vec3<f32>((1.0f - _S238 - _S239)) * normal_of_0(_S241) + _S256 * normal_of_0(_S242) + _S257 * normal_of_0(_S243));
-    point_2.normal_0 = _S258;
-    var _S259 : vec3<f32> = normalize(_S254 - _S258 * vec3<f32>(dot(_S258, _S254)));
-    point_2.axis_x_0 = _S259;
-    point_2.axis_y_0 = cross(_S258, _S259);
-    var _S260 : vec3<f32> = normalize(cross(_S245, _S246));
-    point_2.face_normal_0 = select_vector_0((dot(_S260, _S258)) < 0.0f, (vec3<f32>(0) - _S260), _S260);
-    point_2.position_4 = _S244 + _S256 * _S245 + _S257 * _S246;
-    point_2.view_0 = _S258;
-    var _S261 : vec2<f32> = vec2<f32>(_S241.u_0, _S241.v_0) + vec2<f32>(_S238) * _S249 + vec2<f32>(_S239) * _S252;
-    point_2.uv_1 = _S261;
-    var _S262 : bool = (dot(cross(_S254, _S255), _S258)) < 0.0f;
-    var _S263 : vec2<f32> = vec2<f32>(fabrics_0[_S236].uv_width_0, select(fabrics_0[_S236].uv_height_0, - fabrics_0[_S236].uv_height_0, _S262));
-    point_2.draft_per_uv_0 = _S263;
-    point_2.draft_0 = uneven_place_0(_S236, _S261 * _S263 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S236].uv_height_0, _S262)));
-    var _S264 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S264;
-    point_2.draft_dy_0 = _S264;
+    var _S258 : vec3<f32> = vec3<f32>(_S240);
+    var _S259 : vec3<f32> = normalize(vec3<f32>((1.0f - _S239 - _S240)) * normal_of_0(_S242) + _S257 * normal_of_0(_S243) + _S258 * normal_of_0(_S244));
+    point_2.normal_0 = _S259;
+    var _S260 : vec3<f32> = normalize(_S255 - _S259 * vec3<f32>(dot(_S259, _S255)));
+    point_2.axis_x_0 = _S260;
+    point_2.axis_y_0 = cross(_S259, _S260);
+    var _S261 : vec3<f32> = normalize(cross(_S246, _S247));
+    point_2.face_normal_0 = select_vector_0((dot(_S261, _S259)) < 0.0f, (vec3<f32>(0) - _S261), _S261);
+    point_2.position_4 = _S245 + _S257 * _S246 + _S258 * _S247;
+    point_2.view_0 = _S259;
+    var _S262 : vec2<f32> = vec2<f32>(_S242.u_0, _S242.v_0) + vec2<f32>(_S239) * _S250 + vec2<f32>(_S240) * _S253;
+    point_2.uv_1 = _S262;
+    var _S263 : bool = (dot(cross(_S255, _S256), _S259)) < 0.0f;
+    var _S264 : vec2<f32> = vec2<f32>(fabrics_0[_S237].uv_width_0, select(fabrics_0[_S237].uv_height_0, - fabrics_0[_S237].uv_height_0, _S263));
+    point_2.draft_per_uv_0 = _S264;
+    point_2.draft_0 = uneven_place_0(_S237, _S262 * _S264 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S237].uv_height_0, _S263)));
+    var _S265 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S265;
+    point_2.draft_dy_0 = _S265;
     return point_2;
 }
 
-fn visible_point_0( _S265 : u32,  _S266 : u32,  _S267 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S266 : u32,  _S267 : u32,  _S268 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S268 : u32 = u32(3) * _S266;
-    var _S269 : Vertex_0 = vertex_at_0(_S268);
-    var _S270 : Vertex_0 = vertex_at_0(_S268 + u32(1));
-    var _S271 : Vertex_0 = vertex_at_0(_S268 + u32(2));
-    var _S272 : vec3<f32> = position_of_0(_S269);
-    var _S273 : vec3<f32> = position_of_0(_S270) - _S272;
-    var _S274 : vec3<f32> = position_of_0(_S271) - _S272;
-    var _S275 : vec3<f32> = cross(_S273, _S274);
-    var _S276 : f32 = f32(frame_record_0.width_0);
-    var _S277 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S276));
-    var _S278 : f32 = f32(frame_record_0.height_0);
-    var _S279 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S278));
-    var _S280 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S267.x) + 0.5f - 0.5f * _S276)) * _S277 + vec3<f32>((f32(_S267.y) + 0.5f - 0.5f * _S278)) * _S279;
-    var _S281 : f32 = dot(_S280, _S275);
-    var _S282 : f32 = 1.0f / select(1.00000000317107685e-30f, _S281, (abs(_S281)) > 1.00000000317107685e-30f);
-    var _S283 : vec3<f32> = _S272 - camera_origin_0();
-    var _S284 : vec3<f32> = vec3<f32>((dot(_S283, _S275) * _S282));
-    var _S285 : vec3<f32> = _S280 * _S284 - _S283;
-    var _S286 : vec3<f32> = _S284 * (_S277 - _S280 * vec3<f32>((dot(_S277, _S275) * _S282)));
-    var _S287 : vec3<f32> = _S284 * (_S279 - _S280 * vec3<f32>((dot(_S279, _S275) * _S282)));
-    var _S288 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S275), 1.00000000317107685e-30f)));
-    var _S289 : vec3<f32> = cross(_S274, _S275) * _S288;
-    var _S290 : vec3<f32> = cross(_S275, _S273) * _S288;
-    var _S291 : vec2<f32> = vec2<f32>(_S270.u_0 - _S269.u_0, _S270.v_0 - _S269.v_0);
-    var _S292 : vec2<f32> = vec2<f32>(_S271.u_0 - _S269.u_0, _S271.v_0 - _S269.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S265, _S266, dot(_S285, _S289), dot(_S285, _S290));
-    point_3.position_4 = _S272 + _S285;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S280));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S286, _S289)) * _S291 + vec2<f32>(dot(_S286, _S290)) * _S292) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S287, _S289)) * _S291 + vec2<f32>(dot(_S287, _S290)) * _S292) * point_3.draft_per_uv_0;
+    var _S269 : u32 = u32(3) * _S267;
+    var _S270 : Vertex_0 = vertex_at_0(_S269);
+    var _S271 : Vertex_0 = vertex_at_0(_S269 + u32(1));
+    var _S272 : Vertex_0 = vertex_at_0(_S269 + u32(2));
+    var _S273 : vec3<f32> = position_of_0(_S270);
+    var _S274 : vec3<f32> = position_of_0(_S271) - _S273;
+    var _S275 : vec3<f32> = position_of_0(_S272) - _S273;
+    var _S276 : vec3<f32> = cross(_S274, _S275);
+    var _S277 : f32 = f32(frame_record_0.width_0);
+    var _S278 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S277));
+    var _S279 : f32 = f32(frame_record_0.height_0);
+    var _S280 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S279));
+    var _S281 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S268.x) + 0.5f - 0.5f * _S277)) * _S278 + vec3<f32>((f32(_S268.y) + 0.5f - 0.5f * _S279)) * _S280;
+    var _S282 : f32 = dot(_S281, _S276);
+    var _S283 : f32 = 1.0f / select(1.00000000317107685e-30f, _S282, (abs(_S282)) > 1.00000000317107685e-30f);
+    var _S284 : vec3<f32> = _S273 - camera_origin_0();
+    var _S285 : vec3<f32> = vec3<f32>((dot(_S284, _S276) * _S283));
+    var _S286 : vec3<f32> = _S281 * _S285 - _S284;
+    var _S287 : vec3<f32> = _S285 * (_S278 - _S281 * vec3<f32>((dot(_S278, _S276) * _S283)));
+    var _S288 : vec3<f32> = _S285 * (_S280 - _S281 * vec3<f32>((dot(_S280, _S276) * _S283)));
+    var _S289 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S276), 1.00000000317107685e-30f)));
+    var _S290 : vec3<f32> = cross(_S275, _S276) * _S289;
+    var _S291 : vec3<f32> = cross(_S276, _S274) * _S289;
+    var _S292 : vec2<f32> = vec2<f32>(_S271.u_0 - _S270.u_0, _S271.v_0 - _S270.v_0);
+    var _S293 : vec2<f32> = vec2<f32>(_S272.u_0 - _S270.u_0, _S272.v_0 - _S270.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S266, _S267, dot(_S286, _S290), dot(_S286, _S291));
+    point_3.position_4 = _S273 + _S286;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S281));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S287, _S290)) * _S292 + vec2<f32>(dot(_S287, _S291)) * _S293) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S288, _S290)) * _S292 + vec2<f32>(dot(_S288, _S291)) * _S293) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S293 : u32,  _S294 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S294 : u32,  _S295 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S295 : u32 = fabrics_0[_S293].albedo_map_levels_0;
-    if((fabrics_0[_S293].albedo_map_levels_0) == u32(0))
+    var _S296 : u32 = fabrics_0[_S294].albedo_map_levels_0;
+    if((fabrics_0[_S294].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S296 : vec2<f32> = vec2<f32>(fabrics_0[_S293].uv_width_0, fabrics_0[_S293].uv_height_0);
-    var _S297 : vec2<f32> = _S294.draft_dx_0 / _S296;
-    var _S298 : vec2<f32> = _S294.draft_dy_0 / _S296;
-    var _S299 : u32 = _S295 - u32(1);
-    var _S300 : u32 = (u32(1) << (_S299));
-    var _S301 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S297.x * _S298.y - _S297.y * _S298.x), 9.99999968265522539e-21f) * (square_1(f32(_S300)) / 3.0f)), 0.0f, f32(_S295) - 1.0f);
-    var _S302 : u32 = min(u32(_S301), max(_S295, u32(2)) - u32(2));
-    var _S303 : u32 = min(_S302 + u32(1), _S299);
-    var _S304 : u32 = (u32(1) << ((u32(2) * _S295)));
-    return mix(map_level_0(fabrics_0[_S293].albedo_map_0 + (_S304 - ((_S304 >> ((u32(2) * _S302))))) / u32(3), (_S300 >> (_S302)), _S294.uv_1), map_level_0(fabrics_0[_S293].albedo_map_0 + (_S304 - ((_S304 >> ((u32(2) * _S303))))) / u32(3), (_S300 >> (_S303)), _S294.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S301 - f32(_S302))) - 1.0f) / 3.0f)));
+    var _S297 : vec2<f32> = vec2<f32>(fabrics_0[_S294].uv_width_0, fabrics_0[_S294].uv_height_0);
+    var _S298 : vec2<f32> = _S295.draft_dx_0 / _S297;
+    var _S299 : vec2<f32> = _S295.draft_dy_0 / _S297;
+    var _S300 : u32 = _S296 - u32(1);
+    var _S301 : u32 = (u32(1) << (_S300));
+    var _S302 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S298.x * _S299.y - _S298.y * _S299.x), 9.99999968265522539e-21f) * (square_1(f32(_S301)) / 3.0f)), 0.0f, f32(_S296) - 1.0f);
+    var _S303 : u32 = min(u32(_S302), max(_S296, u32(2)) - u32(2));
+    var _S304 : u32 = min(_S303 + u32(1), _S300);
+    var _S305 : u32 = (u32(1) << ((u32(2) * _S296)));
+    return mix(map_level_0(fabrics_0[_S294].albedo_map_0 + (_S305 - ((_S305 >> ((u32(2) * _S303))))) / u32(3), (_S301 >> (_S303)), _S295.uv_1), map_level_0(fabrics_0[_S294].albedo_map_0 + (_S305 - ((_S305 >> ((u32(2) * _S304))))) / u32(3), (_S301 >> (_S304)), _S295.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S302 - f32(_S303))) - 1.0f) / 3.0f)));
 }
 
-fn is_layered_0( _S305 : u32) -> bool
+fn is_layered_0( _S306 : u32) -> bool
 {
-    return (HAS_LAYERS_0 & (((fabrics_0[_S305].planes_0) != u32(0))));
+    return (HAS_LAYERS_0 & (((fabrics_0[_S306].planes_0) != u32(0))));
 }
 
-fn irregular_key_0( _S306 : u32,  _S307 : u32) -> u32
+fn irregular_key_0( _S307 : u32,  _S308 : u32) -> u32
 {
-    return hash_key_0(_S307, ((fabrics_0[_S306].seed_0) ^ (u32(1821285621))));
+    return hash_key_0(_S308, ((fabrics_0[_S307].seed_0) ^ (u32(1821285621))));
 }
 
-fn irregular_place_0( _S308 : u32,  _S309 : vec2<f32>,  _S310 : f32) -> vec2<f32>
+fn irregular_place_0( _S309 : u32,  _S310 : vec2<f32>,  _S311 : f32) -> vec2<f32>
 {
-    var _S311 : u32 = fabrics_0[_S308].warp_0;
-    var _S312 : u32 = fabrics_0[_S308].weft_0;
-    var _S313 : bool = (((((fabrics_0[_S308].is_irregular_0) != u32(0)) & ((!is_layered_0(_S308))))) & (((max(moved_share_0(fabrics_0[_S308].warp_0, _S310), moved_share_0(fabrics_0[_S308].weft_0, _S310))) > 0.0f)));
+    var _S312 : u32 = fabrics_0[_S309].warp_0;
+    var _S313 : u32 = fabrics_0[_S309].weft_0;
+    var _S314 : bool = (((((fabrics_0[_S309].is_irregular_0) != u32(0)) & ((!is_layered_0(_S309))))) & (((max(moved_share_0(fabrics_0[_S309].warp_0, _S311), moved_share_0(fabrics_0[_S309].weft_0, _S311))) > 0.0f)));
     var number_3 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S309;
+    var moved_0 : vec2<f32> = _S310;
     for(;;)
     {
-        if(number_3 < select(u32(0), u32(2), _S313))
+        if(number_3 < select(u32(0), u32(2), _S314))
         {
         }
         else
         {
             break;
         }
-        var _S314 : bool = number_3 == u32(0);
-        var _S315 : u32 = select(_S312, _S311, _S314);
-        var _S316 : vec2<f32> = select_vector_1(_S314, _S309, _S309.yx);
-        var _S317 : u32 = irregular_key_0(_S308, number_3);
-        var _S318 : f32 = _S316.x;
-        var _S319 : Cell_0 = locate_0(_S315, _S318);
-        var _S320 : f32 = irregular_thread_0(_S315, _S318, _S319);
-        var _S321 : f32 = select(1.0f, -1.0f, (_S319.across_0) < 0.0f);
-        var _S322 : vec2<f32> = vec2<f32>(0.0f);
-        var other_2 : vec2<f32> = _S322;
-        var own_1 : vec2<f32> = _S322;
+        var _S315 : bool = number_3 == u32(0);
+        var _S316 : u32 = select(_S313, _S312, _S315);
+        var _S317 : vec2<f32> = select_vector_1(_S315, _S310, _S310.yx);
+        var _S318 : u32 = irregular_key_0(_S309, number_3);
+        var _S319 : f32 = _S317.x;
+        var _S320 : Cell_0 = locate_0(_S316, _S319);
+        var _S321 : f32 = irregular_thread_0(_S316, _S319, _S320);
+        var _S322 : f32 = select(1.0f, -1.0f, (_S320.across_0) < 0.0f);
+        var _S323 : vec2<f32> = vec2<f32>(0.0f);
+        var other_2 : vec2<f32> = _S323;
+        var own_1 : vec2<f32> = _S323;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -1873,23 +1884,23 @@ fn irregular_place_0( _S308 : u32,  _S309 : vec2<f32>,  _S310 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S323 : vec2<f32> = irregular_at_0(_S315, _S317, _S320 + _S321 * f32(neighbour_0), _S316.y).xy;
-            var _S324 : u32 = neighbour_0 + u32(1);
+            var _S324 : vec2<f32> = irregular_at_0(_S316, _S318, _S321 + _S322 * f32(neighbour_0), _S317.y).xy;
+            var _S325 : u32 = neighbour_0 + u32(1);
             own_1 = other_2;
-            other_2 = _S323;
-            neighbour_0 = _S324;
+            other_2 = _S324;
+            neighbour_0 = _S325;
         }
-        var _S325 : f32 = _S319.below_0 + _S319.above_0;
-        var _S326 : f32 = min(_S319.half_width_1 / _S325, 0.5f);
-        var _S327 : f32 = min(_S326 * (2.0f + own_1.y + other_2.y), 1.0f);
-        var _S328 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_2.x), vec2<f32>(0.25f)));
-        var _S329 : f32 = _S328.x;
-        var _S330 : f32 = _S327 * _S329 / (_S329 + _S328.y);
-        var _S331 : f32 = abs(_S319.across_0) / _S325;
-        var _S332 : f32 = 1.0f - _S327;
-        var _S333 : f32 = _S331 - _S330;
-        var _S334 : f32 = moved_share_0(_S315, _S310) * _S321 * _S325 * (select(select((_S333 - _S332) / max(_S327 - _S330, 9.99999997475242708e-07f) * _S326 + (1.0f - _S326), _S333 / max(_S332, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S326) + _S326, _S333 < _S332), _S331 * _S326 / _S330, _S333 < 0.0f) - _S331);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S314, vec2<f32>(_S334, 0.0f), vec2<f32>(0.0f, _S334));
+        var _S326 : f32 = _S320.below_0 + _S320.above_0;
+        var _S327 : f32 = min(_S320.half_width_1 / _S326, 0.5f);
+        var _S328 : f32 = min(_S327 * (2.0f + own_1.y + other_2.y), 1.0f);
+        var _S329 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_2.x), vec2<f32>(0.25f)));
+        var _S330 : f32 = _S329.x;
+        var _S331 : f32 = _S328 * _S330 / (_S330 + _S329.y);
+        var _S332 : f32 = abs(_S320.across_0) / _S326;
+        var _S333 : f32 = 1.0f - _S328;
+        var _S334 : f32 = _S332 - _S331;
+        var _S335 : f32 = moved_share_0(_S316, _S311) * _S322 * _S326 * (select(select((_S334 - _S333) / max(_S328 - _S331, 9.99999997475242708e-07f) * _S327 + (1.0f - _S327), _S334 / max(_S333, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S327) + _S327, _S334 < _S333), _S332 * _S327 / _S331, _S334 < 0.0f) - _S332);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S315, vec2<f32>(_S335, 0.0f), vec2<f32>(0.0f, _S335));
         number_3 = number_3 + u32(1);
         moved_0 = moved_1;
     }
@@ -1904,168 +1915,168 @@ struct Hit_0
      height_8 : f32,
 };
 
-fn whole_plane_0( _S335 : u32) -> Plane_0
+fn whole_plane_0( _S336 : u32) -> Plane_0
 {
-    var plane_4 : Plane_0;
-    plane_4.warp_1 = fabrics_0[_S335].warp_0;
-    plane_4.weft_1 = fabrics_0[_S335].weft_0;
-    plane_4.run_words_1 = fabrics_0[_S335].run_words_0;
-    plane_4.ends_2 = fabrics_0[_S335].ends_1;
-    plane_4.end_numbers_0 = u32(0);
-    plane_4.pick_numbers_0 = u32(0);
-    plane_4.max_heights_1 = fabrics_0[_S335].max_heights_0;
-    plane_4.max_height_columns_1 = fabrics_0[_S335].max_height_columns_0;
-    plane_4.height_low_1 = fabrics_0[_S335].height_low_0;
-    plane_4.height_high_1 = fabrics_0[_S335].height_high_0;
-    plane_4.front_level_0 = 0.0f;
-    plane_4.back_level_0 = 0.0f;
-    plane_4.start_x_0 = 0.0f;
-    plane_4.start_y_0 = 0.0f;
-    plane_4.fine_x_0 = 0.0f;
-    plane_4.fine_y_0 = 0.0f;
-    return plane_4;
+    var plane_7 : Plane_0;
+    plane_7.warp_1 = fabrics_0[_S336].warp_0;
+    plane_7.weft_1 = fabrics_0[_S336].weft_0;
+    plane_7.run_words_1 = fabrics_0[_S336].run_words_0;
+    plane_7.ends_2 = fabrics_0[_S336].ends_1;
+    plane_7.end_numbers_0 = u32(0);
+    plane_7.pick_numbers_0 = u32(0);
+    plane_7.max_heights_1 = fabrics_0[_S336].max_heights_0;
+    plane_7.max_height_columns_1 = fabrics_0[_S336].max_height_columns_0;
+    plane_7.height_low_1 = fabrics_0[_S336].height_low_0;
+    plane_7.height_high_1 = fabrics_0[_S336].height_high_0;
+    plane_7.front_level_0 = 0.0f;
+    plane_7.back_level_0 = 0.0f;
+    plane_7.start_x_0 = 0.0f;
+    plane_7.start_y_0 = 0.0f;
+    plane_7.fine_x_0 = 0.0f;
+    plane_7.fine_y_0 = 0.0f;
+    return plane_7;
 }
 
-fn plane_order_0( _S336 : u32,  _S337 : f32,  _S338 : f32,  _S339 : bool) -> u32
+fn plane_order_0( _S337 : u32,  _S338 : f32,  _S339 : f32,  _S340 : bool) -> u32
 {
-    var _S340 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S336].plane_axes_0 + u32(1), _S338).thread_2 * fabrics_0[_S336].ends_1 + locate_varied_0(fabrics_0[_S336].plane_axes_0, _S337).thread_2, (fabrics_0[_S336].stacks_0) > u32(1));
-    return fabrics_0[_S336].plane_orders_0 + u32(2) * fabrics_0[_S336].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S336].regions_0 + _S340 / u32(4)] >> ((u32(8) * (_S340 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S339));
+    var _S341 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S337].plane_axes_0 + u32(1), _S339).thread_2 * fabrics_0[_S337].ends_1 + locate_varied_0(fabrics_0[_S337].plane_axes_0, _S338).thread_2, (fabrics_0[_S337].stacks_0) > u32(1));
+    return fabrics_0[_S337].plane_orders_0 + u32(2) * fabrics_0[_S337].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S337].regions_0 + _S341 / u32(4)] >> ((u32(8) * (_S341 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S340));
 }
 
-fn first_bounds_0( _S341 : u32,  _S342 : u32,  _S343 : f32,  _S344 : f32,  _S345 : bool,  _S346 : bool,  _S347 : bool) -> vec3<f32>
+fn first_bounds_0( _S342 : u32,  _S343 : u32,  _S344 : f32,  _S345 : f32,  _S346 : bool,  _S347 : bool,  _S348 : bool) -> vec3<f32>
 {
-    var _S348 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S341].plane_records_0 + words_0[_S342] * u32(16)), _S343, _S344, _S345, _S346, _S347);
-    var _S349 : Cell_0 = locate_varied_0(fabrics_0[_S341].plane_axes_0, _S343);
-    var _S350 : Cell_0 = locate_varied_0(fabrics_0[_S341].plane_axes_0 + u32(1), _S344);
-    var _S351 : bool = (fabrics_0[_S341].stacks_0) == u32(1);
-    return vec3<f32>(_S348.x + table_number_0(_S342 + u32(1)), min(_S348.y, select(select(_S349.below_0, _S349.above_0, _S346), 1.0e+06f, _S351)), min(_S348.z, select(select(_S350.below_0, _S350.above_0, _S347), 1.0e+06f, _S351)));
+    var _S349 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S342].plane_records_0 + words_0[_S343] * u32(16)), _S344, _S345, _S346, _S347, _S348);
+    var _S350 : Cell_0 = locate_varied_0(fabrics_0[_S342].plane_axes_0, _S344);
+    var _S351 : Cell_0 = locate_varied_0(fabrics_0[_S342].plane_axes_0 + u32(1), _S345);
+    var _S352 : bool = (fabrics_0[_S342].stacks_0) == u32(1);
+    return vec3<f32>(_S349.x + table_number_0(_S343 + u32(1)), min(_S349.y, select(select(_S350.below_0, _S350.above_0, _S347), 1.0e+06f, _S352)), min(_S349.z, select(select(_S351.below_0, _S351.above_0, _S348), 1.0e+06f, _S352)));
 }
 
-fn plane_shown_0( _S352 : u32,  _S353 : f32,  _S354 : f32,  _S355 : bool,  _S356 : bool,  _S357 : bool) -> PlaneHere_0
+fn plane_shown_0( _S353 : u32,  _S354 : f32,  _S355 : f32,  _S356 : bool,  _S357 : bool,  _S358 : bool) -> PlaneHere_0
 {
     var here_6 : PlaneHere_0;
-    here_6.plane_3 = whole_plane_0(_S352);
+    here_6.plane_3 = whole_plane_0(_S353);
     here_6.number_1 = u32(0);
     here_6.level_1 = 0.0f;
     here_6.edge_x_0 = 1.0e+06f;
     here_6.edge_y_0 = 1.0e+06f;
     here_6.bounds_0 = vec3<f32>(0.0f);
-    if(!is_layered_0(_S352))
+    if(!is_layered_0(_S353))
     {
         return here_6;
     }
-    var _S358 : u32 = plane_order_0(_S352, _S353, _S354, _S355);
-    var _S359 : vec3<f32> = first_bounds_0(_S352, _S358, _S353, _S354, _S355, _S356, _S357);
-    here_6.bounds_0 = _S359;
-    var _S360 : bool = (fabrics_0[_S352].stacks_0) == u32(1);
-    here_6.edge_x_0 = select(_S359.y, 1.0e+06f, _S360);
-    here_6.edge_y_0 = select(_S359.z, 1.0e+06f, _S360);
+    var _S359 : u32 = plane_order_0(_S353, _S354, _S355, _S356);
+    var _S360 : vec3<f32> = first_bounds_0(_S353, _S359, _S354, _S355, _S356, _S357, _S358);
+    here_6.bounds_0 = _S360;
+    var _S361 : bool = (fabrics_0[_S353].stacks_0) == u32(1);
+    here_6.edge_x_0 = select(_S360.y, 1.0e+06f, _S361);
+    here_6.edge_y_0 = select(_S360.z, 1.0e+06f, _S361);
     var is_hole_0 : bool = true;
     var rank_1 : u32 = u32(0);
     for(;;)
     {
-        if(((rank_1 < (fabrics_0[_S352].planes_0)) & (is_hole_0)))
+        if(((rank_1 < (fabrics_0[_S353].planes_0)) & (is_hole_0)))
         {
         }
         else
         {
             break;
         }
-        var _S361 : u32 = _S358 + u32(2) * rank_1;
-        var _S362 : u32 = words_0[_S361];
-        here_6.number_1 = _S362;
-        here_6.level_1 = table_number_0(_S361 + u32(1));
-        here_6.plane_3 = plane_at_0(fabrics_0[_S352].plane_records_0 + _S362 * u32(16));
-        var _S363 : Cell_0 = locate_varied_0(here_6.plane_3.warp_1, _S353 - here_6.plane_3.start_x_0);
-        var _S364 : Cell_0 = locate_varied_0(here_6.plane_3.weft_1, _S354 - here_6.plane_3.start_y_0);
-        var is_hole_1 : bool = !((((abs(_S363.across_0)) < (_S363.half_width_1)) | (((abs(_S364.across_0)) < (_S364.half_width_1)))));
-        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S363, _S356), is_hole_1));
-        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S364, _S357), is_hole_1));
-        var _S365 : u32 = rank_1 + u32(1);
+        var _S362 : u32 = _S359 + u32(2) * rank_1;
+        var _S363 : u32 = words_0[_S362];
+        here_6.number_1 = _S363;
+        here_6.level_1 = table_number_0(_S362 + u32(1));
+        here_6.plane_3 = plane_at_0(fabrics_0[_S353].plane_records_0 + _S363 * u32(16));
+        var _S364 : Cell_0 = locate_varied_0(here_6.plane_3.warp_1, _S354 - here_6.plane_3.start_x_0);
+        var _S365 : Cell_0 = locate_varied_0(here_6.plane_3.weft_1, _S355 - here_6.plane_3.start_y_0);
+        var is_hole_1 : bool = !((((abs(_S364.across_0)) < (_S364.half_width_1)) | (((abs(_S365.across_0)) < (_S365.half_width_1)))));
+        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S364, _S357), is_hole_1));
+        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S365, _S358), is_hole_1));
+        var _S366 : u32 = rank_1 + u32(1);
         is_hole_0 = is_hole_1;
-        rank_1 = _S365;
+        rank_1 = _S366;
     }
     return here_6;
 }
 
-fn sample_at_0( _S366 : u32,  _S367 : f32,  _S368 : f32,  _S369 : bool) -> Sample_0
+fn sample_at_0( _S367 : u32,  _S368 : f32,  _S369 : f32,  _S370 : bool) -> Sample_0
 {
-    return sample_in_0(plane_shown_0(_S366, _S367, _S368, _S369, true, true), _S367, _S368, _S369);
+    return sample_in_0(plane_shown_0(_S367, _S368, _S369, _S370, true, true), _S368, _S369, _S370);
 }
 
-fn steps_per_length_0( _S370 : u32,  _S371 : SearchQuality_0,  _S372 : vec3<f32>) -> f32
+fn steps_per_length_0( _S371 : u32,  _S372 : SearchQuality_0,  _S373 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S372.x) * fabrics_0[_S370].threads_per_x_0, abs(_S372.y) * fabrics_0[_S370].threads_per_y_0) * _S371.steps_per_thread_0, abs(_S372.z) * fabrics_0[_S370].per_relief_0 * _S371.steps_per_relief_0);
+    return max(max(abs(_S373.x) * fabrics_0[_S371].threads_per_x_0, abs(_S373.y) * fabrics_0[_S371].threads_per_y_0) * _S372.steps_per_thread_0, abs(_S373.z) * fabrics_0[_S371].per_relief_0 * _S372.steps_per_relief_0);
 }
 
-fn plane_count_0( _S373 : u32) -> u32
+fn plane_count_0( _S374 : u32) -> u32
 {
-    return select(u32(1), fabrics_0[_S373].planes_0, is_layered_0(_S373));
+    return select(u32(1), fabrics_0[_S374].planes_0, is_layered_0(_S374));
 }
 
-fn probe_0( _S374 : u32,  _S375 : f32,  _S376 : f32,  _S377 : bool,  _S378 : bool,  _S379 : bool) -> Probe_0
+fn probe_0( _S375 : u32,  _S376 : f32,  _S377 : f32,  _S378 : bool,  _S379 : bool,  _S380 : bool) -> Probe_0
 {
-    var _S380 : PlaneHere_0 = plane_shown_0(_S374, _S375, _S376, _S377, _S378, _S379);
-    var _S381 : Sample_0 = sample_in_0(_S380, _S375, _S376, _S377);
+    var _S381 : PlaneHere_0 = plane_shown_0(_S375, _S376, _S377, _S378, _S379, _S380);
+    var _S382 : Sample_0 = sample_in_0(_S381, _S376, _S377, _S378);
     var probe_1 : Probe_0;
-    probe_1.height_3 = _S381.height_2;
-    probe_1.hole_1 = _S381.shown_2.hole_0;
-    probe_1.slope_x_1 = _S381.slope_x_0;
-    probe_1.slope_y_1 = _S381.slope_y_0;
-    var _S382 : bool = !is_layered_0(_S374);
-    probe_1.yarn_1 = select(_S381.crossing_3.weft_2.thread_2 * u32(2), _S381.crossing_3.warp_2.thread_2 * u32(2) + u32(1), _S381.shown_2.is_warp_0) * plane_count_0(_S374) + _S380.number_1;
-    probe_1.cell_max_0 = select(_S380.bounds_0.x, cell_maximum_0(_S380.plane_3, _S381.crossing_3), _S382);
-    probe_1.side_x_0 = select(_S380.bounds_0.y, select(_S381.crossing_3.warp_2.below_0, _S381.crossing_3.warp_2.above_0, _S378), _S382);
-    probe_1.side_y_0 = select(_S380.bounds_0.z, select(_S381.crossing_3.weft_2.below_0, _S381.crossing_3.weft_2.above_0, _S379), _S382);
-    probe_1.edge_x_1 = min(_S380.edge_x_0, outline_distance_0(_S381.crossing_3.warp_2, _S381.shown_2, _S381.run_2, !_S381.shown_2.is_warp_0, _S378));
-    probe_1.edge_y_1 = min(_S380.edge_y_0, outline_distance_0(_S381.crossing_3.weft_2, _S381.shown_2, _S381.run_2, _S381.shown_2.is_warp_0, _S379));
+    probe_1.height_3 = _S382.height_2;
+    probe_1.hole_1 = _S382.shown_2.hole_0;
+    probe_1.slope_x_1 = _S382.slope_x_0;
+    probe_1.slope_y_1 = _S382.slope_y_0;
+    var _S383 : bool = !is_layered_0(_S375);
+    probe_1.yarn_1 = select(_S382.crossing_3.weft_2.thread_2 * u32(2), _S382.crossing_3.warp_2.thread_2 * u32(2) + u32(1), _S382.shown_2.is_warp_0) * plane_count_0(_S375) + _S381.number_1;
+    probe_1.cell_max_0 = select(_S381.bounds_0.x, cell_maximum_0(_S381.plane_3, _S382.crossing_3), _S383);
+    probe_1.side_x_0 = select(_S381.bounds_0.y, select(_S382.crossing_3.warp_2.below_0, _S382.crossing_3.warp_2.above_0, _S379), _S383);
+    probe_1.side_y_0 = select(_S381.bounds_0.z, select(_S382.crossing_3.weft_2.below_0, _S382.crossing_3.weft_2.above_0, _S380), _S383);
+    probe_1.edge_x_1 = min(_S381.edge_x_0, outline_distance_0(_S382.crossing_3.warp_2, _S382.shown_2, _S382.run_2, !_S382.shown_2.is_warp_0, _S379));
+    probe_1.edge_y_1 = min(_S381.edge_y_0, outline_distance_0(_S382.crossing_3.weft_2, _S382.shown_2, _S382.run_2, _S382.shown_2.is_warp_0, _S380));
     return probe_1;
 }
 
-fn is_free_0( _S383 : u32,  _S384 : SearchQuality_0,  _S385 : vec3<f32>,  _S386 : vec3<f32>,  _S387 : bool,  _S388 : f32) -> bool
+fn is_free_0( _S384 : u32,  _S385 : SearchQuality_0,  _S386 : vec3<f32>,  _S387 : vec3<f32>,  _S388 : bool,  _S389 : f32) -> bool
 {
-    var _S389 : f32 = _S386.z;
-    if(_S389 <= 0.0f)
+    var _S390 : f32 = _S387.z;
+    if(_S390 <= 0.0f)
     {
         return false;
     }
-    var _S390 : f32 = 1.0f / max(_S384.shadow_share_0 * steps_per_length_0(_S383, _S384, _S386), 9.99999971718068537e-10f);
-    var _S391 : StepControl_0 = step_control_0(_S386.xy, _S390);
+    var _S391 : f32 = 1.0f / max(_S385.shadow_share_0 * steps_per_length_0(_S384, _S385, _S387), 9.99999971718068537e-10f);
+    var _S392 : StepControl_0 = step_control_0(_S387.xy, _S391);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_2 : u32 = u32(0);
     var distance_1 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_2 < u32(1024)) & (((_S385.z + _S389 * distance_1) < _S388))))
+        if(((count_2 < u32(1024)) & (((_S386.z + _S390 * distance_1) < _S389))))
         {
         }
         else
         {
             break;
         }
-        var _S392 : vec3<f32> = _S385 + _S386 * vec3<f32>(distance_1);
-        var _S393 : Probe_0 = probe_0(_S383, _S392.x, _S392.y, _S387, _S391.right_1, _S391.up_1);
-        var _S394 : f32 = _S392.z;
-        var _S395 : f32 = _S394 - _S393.height_3;
-        var _S396 : f32 = _S389 - _S393.slope_x_1 * _S386.x - _S393.slope_y_1 * _S386.y;
-        if(((!_S393.hole_1) & ((_S395 < 0.0f))))
+        var _S393 : vec3<f32> = _S386 + _S387 * vec3<f32>(distance_1);
+        var _S394 : Probe_0 = probe_0(_S384, _S393.x, _S393.y, _S388, _S392.right_1, _S392.up_1);
+        var _S395 : f32 = _S393.z;
+        var _S396 : f32 = _S395 - _S394.height_3;
+        var _S397 : f32 = _S390 - _S394.slope_x_1 * _S387.x - _S394.slope_y_1 * _S387.y;
+        if(((!_S394.hole_1) & ((_S396 < 0.0f))))
         {
             return false;
         }
-        var _S397 : f32 = way_back_to_dip_0(previous_3, _S395, _S396, last_step_0, _S393);
-        if(_S397 >= 0.0f)
+        var _S398 : f32 = way_back_to_dip_0(previous_3, _S396, _S397, last_step_0, _S394);
+        if(_S398 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S397;
-            distance_1 = distance_1 - _S397;
+            var last_step_1 : f32 = last_step_0 - _S398;
+            distance_1 = distance_1 - _S398;
             last_step_0 = last_step_1;
             count_2 = count_2 + u32(1);
             continue;
         }
-        var _S398 : bool = _S394 > (_S393.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S391, _S393, _S395, _S396), max(StepControl_to_cell_exit_0(_S391, _S393.side_x_0, _S393.side_y_0), _S390), _S398);
+        var _S399 : bool = _S395 > (_S394.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S392, _S394, _S396, _S397), max(StepControl_to_cell_exit_0(_S392, _S394.side_x_0, _S394.side_y_0), _S391), _S399);
         var distance_2 : f32 = distance_1 + last_step_2;
-        previous_3 = after_sample_0(_S395, _S396, _S393, _S398);
+        previous_3 = after_sample_0(_S396, _S397, _S394, _S399);
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_2 = count_2 + u32(1);
@@ -2073,13 +2084,13 @@ fn is_free_0( _S383 : u32,  _S384 : SearchQuality_0,  _S385 : vec3<f32>,  _S386 
     return true;
 }
 
-fn passes_through_0( _S399 : u32,  _S400 : SearchQuality_0,  _S401 : f32,  _S402 : f32,  _S403 : vec3<f32>,  _S404 : bool) -> bool
+fn passes_through_0( _S400 : u32,  _S401 : SearchQuality_0,  _S402 : f32,  _S403 : f32,  _S404 : vec3<f32>,  _S405 : bool) -> bool
 {
-    if(!sample_at_0(_S399, _S401, _S402, _S404).shown_2.hole_0)
+    if(!sample_at_0(_S400, _S402, _S403, _S405).shown_2.hole_0)
     {
         return false;
     }
-    var _S405 : vec3<f32> = vec3<f32>(_S401, _S402, 0.0f);
+    var _S406 : vec3<f32> = vec3<f32>(_S402, _S403, 0.0f);
     var passes_0 : bool = true;
     var side_2 : u32 = u32(0);
     for(;;)
@@ -2091,10 +2102,10 @@ fn passes_through_0( _S399 : u32,  _S400 : SearchQuality_0,  _S401 : f32,  _S402
         {
             break;
         }
-        var _S406 : bool = is_free_0(_S399, _S400, _S405, select_vector_0(side_2 == u32(0), _S403, vec3<f32>(- _S403.x, - _S403.y, _S403.z)), _S404 != (side_2 == u32(1)), fabrics_0[_S399].height_high_0);
-        var _S407 : u32 = side_2 + u32(1);
-        passes_0 = _S406;
-        side_2 = _S407;
+        var _S407 : bool = is_free_0(_S400, _S401, _S406, select_vector_0(side_2 == u32(0), _S404, vec3<f32>(- _S404.x, - _S404.y, _S404.z)), _S405 != (side_2 == u32(1)), fabrics_0[_S400].height_high_0);
+        var _S408 : u32 = side_2 + u32(1);
+        passes_0 = _S407;
+        side_2 = _S408;
     }
     return passes_0;
 }
@@ -2109,40 +2120,40 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn plane_of_0( _S408 : u32,  _S409 : u32) -> Plane_0
+fn plane_of_0( _S409 : u32,  _S410 : u32) -> Plane_0
 {
-    if(!is_layered_0(_S408))
+    if(!is_layered_0(_S409))
     {
-        return whole_plane_0(_S408);
+        return whole_plane_0(_S409);
     }
-    return plane_at_0(fabrics_0[_S408].plane_records_0 + _S409 * u32(16));
+    return plane_at_0(fabrics_0[_S409].plane_records_0 + _S410 * u32(16));
 }
 
-fn max_height_along_0( _S410 : u32,  _S411 : f32,  _S412 : f32,  _S413 : f32,  _S414 : vec3<f32>,  _S415 : bool) -> f32
+fn max_height_along_0( _S411 : u32,  _S412 : f32,  _S413 : f32,  _S414 : f32,  _S415 : vec3<f32>,  _S416 : bool) -> f32
 {
-    var _S416 : f32 = _S414.x;
-    var _S417 : f32 = _S414.y;
-    var _S418 : u32 = select(u32(0), u32(1), _S416 > 0.0f) + select(u32(0), u32(2), _S417 > 0.0f);
-    var _S419 : f32 = max(abs(_S416) * fabrics_0[_S410].threads_per_x_0, abs(_S417) * fabrics_0[_S410].threads_per_y_0) / _S414.z;
+    var _S417 : f32 = _S415.x;
+    var _S418 : f32 = _S415.y;
+    var _S419 : u32 = select(u32(0), u32(1), _S417 > 0.0f) + select(u32(0), u32(2), _S418 > 0.0f);
+    var _S420 : f32 = max(abs(_S417) * fabrics_0[_S411].threads_per_x_0, abs(_S418) * fabrics_0[_S411].threads_per_y_0) / _S415.z;
     var levels_4 : vec4<f32> = vec4<f32>(-1.00000001504746622e+30f);
     var number_4 : u32 = u32(0);
     for(;;)
     {
-        if(number_4 < (plane_count_0(_S410)))
+        if(number_4 < (plane_count_0(_S411)))
         {
         }
         else
         {
             break;
         }
-        var _S420 : Plane_0 = plane_of_0(_S410, number_4);
-        var _S421 : u32 = (words_0[_S420.max_heights_1 + u32(4) * (locate_0(_S420.weft_1, _S412 - _S420.start_y_0).thread_2 / u32(2) * _S420.max_height_columns_1 + locate_0(_S420.warp_1, _S411 - _S420.start_x_0).thread_2 / u32(2)) + _S418] >> (u32(select(i32(0), i32(4), _S415))));
-        var _S422 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S421 & (u32(15)))), f32((((_S421 >> (u32(8)))) & (u32(15)))), f32((((_S421 >> (u32(16)))) & (u32(15)))), f32((((_S421 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S420.height_high_1) + vec4<f32>(select(_S420.front_level_0, _S420.back_level_0, _S415)));
-        var _S423 : u32 = number_4 + u32(1);
-        levels_4 = _S422;
-        number_4 = _S423;
+        var _S421 : Plane_0 = plane_of_0(_S411, number_4);
+        var _S422 : u32 = (words_0[_S421.max_heights_1 + u32(4) * (locate_0(_S421.weft_1, _S413 - _S421.start_y_0).thread_2 / u32(2) * _S421.max_height_columns_1 + locate_0(_S421.warp_1, _S412 - _S421.start_x_0).thread_2 / u32(2)) + _S419] >> (u32(select(i32(0), i32(4), _S416))));
+        var _S423 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S422 & (u32(15)))), f32((((_S422 >> (u32(8)))) & (u32(15)))), f32((((_S422 >> (u32(16)))) & (u32(15)))), f32((((_S422 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S421.height_high_1) + vec4<f32>(select(_S421.front_level_0, _S421.back_level_0, _S416)));
+        var _S424 : u32 = number_4 + u32(1);
+        levels_4 = _S423;
+        number_4 = _S424;
     }
-    var max_height_0 : f32 = fabrics_0[_S410].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S411].height_high_0;
     var number_5 : i32 = i32(3);
     for(;;)
     {
@@ -2153,7 +2164,7 @@ fn max_height_along_0( _S410 : u32,  _S411 : f32,  _S412 : f32,  _S413 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S413) * _S419) <= (PYRAMID_RADII_0[number_5]))
+        if(((max_height_0 - _S414) * _S420) <= (PYRAMID_RADII_0[number_5]))
         {
             max_height_0 = min(max_height_0, levels_4[number_5]);
         }
@@ -2162,20 +2173,20 @@ fn max_height_along_0( _S410 : u32,  _S411 : f32,  _S412 : f32,  _S413 : f32,  _
     return max_height_0;
 }
 
-fn cell_bounds_0( _S424 : u32,  _S425 : f32,  _S426 : f32,  _S427 : bool,  _S428 : bool,  _S429 : bool) -> vec3<f32>
+fn cell_bounds_0( _S425 : u32,  _S426 : f32,  _S427 : f32,  _S428 : bool,  _S429 : bool,  _S430 : bool) -> vec3<f32>
 {
-    if(is_layered_0(_S424))
+    if(is_layered_0(_S425))
     {
-        return first_bounds_0(_S424, plane_order_0(_S424, _S425, _S426, _S427), _S425, _S426, _S427, _S428, _S429);
+        return first_bounds_0(_S425, plane_order_0(_S425, _S426, _S427, _S428), _S426, _S427, _S428, _S429, _S430);
     }
-    return bounds_in_0(whole_plane_0(_S424), _S425, _S426, _S427, _S428, _S429);
+    return bounds_in_0(whole_plane_0(_S425), _S426, _S427, _S428, _S429, _S430);
 }
 
-fn first_sample_height_0( _S430 : u32,  _S431 : ViewRay_0,  _S432 : StepControl_0,  _S433 : bool) -> f32
+fn first_sample_height_0( _S431 : u32,  _S432 : ViewRay_0,  _S433 : StepControl_0,  _S434 : bool) -> f32
 {
-    var _S434 : f32 = max_height_along_0(_S430, _S431.origin_0.x, _S431.origin_0.y, 0.0f, vec3<f32>(_S431.slope_1, 1.0f), _S433);
+    var _S435 : f32 = max_height_along_0(_S431, _S432.origin_0.x, _S432.origin_0.y, 0.0f, vec3<f32>(_S432.slope_1, 1.0f), _S434);
     var count_3 : u32 = u32(0);
-    var height_10 : f32 = _S434;
+    var height_10 : f32 = _S435;
     for(;;)
     {
         if(count_3 < u32(1024))
@@ -2185,12 +2196,12 @@ fn first_sample_height_0( _S430 : u32,  _S431 : ViewRay_0,  _S432 : StepControl_
         {
             break;
         }
-        var _S435 : vec2<f32> = ViewRay_at_0(_S431, height_10);
-        var _S436 : vec3<f32> = cell_bounds_0(_S430, _S435.x, _S435.y, _S433, _S432.right_1, _S432.up_1);
-        var _S437 : f32 = height_10 - _S436.x;
-        var _S438 : f32 = StepControl_to_cell_exit_0(_S432, _S436.y, _S436.z);
-        var height_11 : f32 = height_10 - clamp(_S437, 0.0f, _S438);
-        if(_S437 <= _S438)
+        var _S436 : vec2<f32> = ViewRay_at_0(_S432, height_10);
+        var _S437 : vec3<f32> = cell_bounds_0(_S431, _S436.x, _S436.y, _S434, _S433.right_1, _S433.up_1);
+        var _S438 : f32 = height_10 - _S437.x;
+        var _S439 : f32 = StepControl_to_cell_exit_0(_S433, _S437.y, _S437.z);
+        var height_11 : f32 = height_10 - clamp(_S438, 0.0f, _S439);
+        if(_S438 <= _S439)
         {
             height_10 = height_11;
             break;
@@ -2201,12 +2212,12 @@ fn first_sample_height_0( _S430 : u32,  _S431 : ViewRay_0,  _S432 : StepControl_
     return height_10;
 }
 
-fn search_down_0( _S439 : u32,  _S440 : ViewRay_0,  _S441 : StepControl_0,  _S442 : bool) -> ViewRayEnd_0
+fn search_down_0( _S440 : u32,  _S441 : ViewRay_0,  _S442 : StepControl_0,  _S443 : bool) -> ViewRayEnd_0
 {
-    var _S443 : f32 = fabrics_0[_S439].height_low_0 - (fabrics_0[_S439].height_high_0 - fabrics_0[_S439].height_low_0);
+    var _S444 : f32 = fabrics_0[_S440].height_low_0 - (fabrics_0[_S440].height_high_0 - fabrics_0[_S440].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_9 = first_sample_height_0(_S439, _S440, _S441, _S442);
-    end_1.last_step_3 = _S441.epsilon_0;
+    end_1.height_9 = first_sample_height_0(_S440, _S441, _S442, _S443);
+    end_1.last_step_3 = _S442.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_2 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2221,299 +2232,300 @@ fn search_down_0( _S439 : u32,  _S440 : ViewRay_0,  _S441 : StepControl_0,  _S44
         {
             break;
         }
-        var _S444 : vec2<f32> = ViewRay_at_0(_S440, end_1.height_9);
-        var _S445 : Probe_0 = probe_0(_S439, _S444.x, _S444.y, _S442, _S441.right_1, _S441.up_1);
-        var _S446 : f32 = end_1.height_9 - _S445.height_3;
-        var _S447 : f32 = ViewRay_rate_0(_S440, _S445);
-        end_1.depth_2 = - _S446;
-        end_1.rate_4 = _S447;
-        var _S448 : bool = !_S445.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S448))) & (((end_1.previous_4.yarn_0) == (_S445.yarn_1))));
-        if((((_S448 & ((_S446 <= 0.0f)))) | (((end_1.height_9) <= _S443))))
+        var _S445 : vec2<f32> = ViewRay_at_0(_S441, end_1.height_9);
+        var _S446 : Probe_0 = probe_0(_S440, _S445.x, _S445.y, _S443, _S442.right_1, _S442.up_1);
+        var _S447 : f32 = end_1.height_9 - _S446.height_3;
+        var _S448 : f32 = ViewRay_rate_0(_S441, _S446);
+        end_1.depth_2 = - _S447;
+        end_1.rate_4 = _S448;
+        var _S449 : bool = !_S446.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S449))) & (((end_1.previous_4.yarn_0) == (_S446.yarn_1))));
+        if((((_S449 & ((_S447 <= 0.0f)))) | (((end_1.height_9) <= _S444))))
         {
             break;
         }
-        var _S449 : f32 = way_back_to_dip_0(end_1.previous_4, _S446, _S447, end_1.last_step_3, _S445);
-        if(_S449 >= 0.0f)
+        var _S450 : f32 = way_back_to_dip_0(end_1.previous_4, _S447, _S448, end_1.last_step_3, _S446);
+        if(_S450 >= 0.0f)
         {
-            end_1.height_9 = end_1.height_9 + _S449;
-            end_1.last_step_3 = end_1.last_step_3 - _S449;
+            end_1.height_9 = end_1.height_9 + _S450;
+            end_1.last_step_3 = end_1.last_step_3 - _S450;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S450 : f32 = min(StepControl_to_cell_exit_0(_S441, _S445.side_x_0, _S445.side_y_0), end_1.height_9 - _S445.cell_max_0);
-        var _S451 : f32 = StepControl_to_next_sample_0(_S441, _S445, _S446, _S447);
-        end_1.previous_4 = after_sample_0(_S446, _S447, _S445, _S450 > _S451);
-        var _S452 : f32 = max(_S450, _S451);
-        end_1.last_step_3 = _S452;
-        end_1.height_9 = end_1.height_9 - _S452;
+        var _S451 : f32 = min(StepControl_to_cell_exit_0(_S442, _S446.side_x_0, _S446.side_y_0), end_1.height_9 - _S446.cell_max_0);
+        var _S452 : f32 = StepControl_to_next_sample_0(_S442, _S446, _S447, _S448);
+        end_1.previous_4 = after_sample_0(_S447, _S448, _S446, _S451 > _S452);
+        var _S453 : f32 = max(_S451, _S452);
+        end_1.last_step_3 = _S453;
+        end_1.height_9 = end_1.height_9 - _S453;
         count_4 = count_4 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S453 : u32,  _S454 : ViewRay_0,  _S455 : StepControl_0,  _S456 : bool,  _S457 : ViewRayEnd_0,  _S458 : u32) -> f32
+fn refined_height_0( _S454 : u32,  _S455 : ViewRay_0,  _S456 : StepControl_0,  _S457 : bool,  _S458 : ViewRayEnd_0,  _S459 : u32) -> f32
 {
-    var _S459 : f32 = fabrics_0[_S453].height_high_0 - fabrics_0[_S453].height_low_0;
-    var above_2 : f32 = _S457.height_9 + _S457.last_step_3;
-    var above_gap_1 : f32 = clamp(_S457.previous_4.clearance_0, 0.0f, _S459);
-    var under_gap_1 : f32 = clamp(_S457.depth_2, 0.0f, _S459);
-    var middle_0 : f32 = select(between_0(above_2, _S457.height_9, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S457.previous_4.rate_0 * _S457.last_step_3, _S457.rate_4 * _S457.last_step_3) * _S457.last_step_3, _S457.smooth_0);
+    var _S460 : f32 = fabrics_0[_S454].height_high_0 - fabrics_0[_S454].height_low_0;
+    var above_2 : f32 = _S458.height_9 + _S458.last_step_3;
+    var above_gap_1 : f32 = clamp(_S458.previous_4.clearance_0, 0.0f, _S460);
+    var under_gap_1 : f32 = clamp(_S458.depth_2, 0.0f, _S460);
+    var middle_0 : f32 = select(between_0(above_2, _S458.height_9, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S458.previous_4.rate_0 * _S458.last_step_3, _S458.rate_4 * _S458.last_step_3) * _S458.last_step_3, _S458.smooth_0);
     var side_3 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S457.height_9;
+    var under_1 : f32 = _S458.height_9;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S458)
+        if(i_1 < _S459)
         {
         }
         else
         {
             break;
         }
-        var _S460 : vec2<f32> = ViewRay_at_0(_S454, middle_0);
-        var _S461 : Probe_0 = probe_0(_S453, _S460.x, _S460.y, _S456, _S455.right_1, _S455.up_1);
-        var _S462 : f32 = clamp(middle_0 - select(_S461.height_3, -1.0e+09f, _S461.hole_1), - _S459, _S459);
-        if(_S462 <= 0.0f)
+        var _S461 : vec2<f32> = ViewRay_at_0(_S455, middle_0);
+        var _S462 : Probe_0 = probe_0(_S454, _S461.x, _S461.y, _S457, _S456.right_1, _S456.up_1);
+        var _S463 : f32 = clamp(middle_0 - select(_S462.height_3, -1.0e+09f, _S462.hole_1), - _S460, _S460);
+        if(_S463 <= 0.0f)
         {
-            var _S463 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
-            var _S464 : f32 = - _S462;
+            var _S464 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
+            var _S465 : f32 = - _S463;
             under_1 = middle_0;
-            above_gap_2 = _S463;
-            under_gap_2 = _S464;
+            above_gap_2 = _S464;
+            under_gap_2 = _S465;
             side_3 = 1.0f;
         }
         else
         {
-            var _S465 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
+            var _S466 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S462;
-            under_gap_2 = _S465;
+            above_gap_2 = _S463;
+            under_gap_2 = _S466;
             side_3 = -1.0f;
         }
-        var _S466 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S462 / min(ViewRay_rate_0(_S454, _S461), -9.99999997475242708e-07f), under_1, above_3), _S457.smooth_0);
-        var _S467 : u32 = i_1 + u32(1);
-        middle_0 = _S466;
-        i_1 = _S467;
+        var _S467 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S463 / min(ViewRay_rate_0(_S455, _S462), -9.99999997475242708e-07f), under_1, above_3), _S458.smooth_0);
+        var _S468 : u32 = i_1 + u32(1);
+        middle_0 = _S467;
+        i_1 = _S468;
     }
-    return select(under_1, middle_0, _S457.smooth_0);
+    return select(under_1, middle_0, _S458.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S468 : u32,  _S469 : SearchQuality_0,  _S470 : f32,  _S471 : f32,  _S472 : vec3<f32>,  _S473 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S469 : u32,  _S470 : SearchQuality_0,  _S471 : f32,  _S472 : f32,  _S473 : vec3<f32>,  _S474 : bool) -> Hit_0
 {
-    var _S474 : f32 = max(_S472.z, 0.00009999999747379f);
+    var _S475 : f32 = max(_S473.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S470, _S471);
-    var _S475 : vec2<f32> = _S472.xy / vec2<f32>(_S474);
-    ray_0.slope_1 = _S475;
-    var _S476 : StepControl_0 = step_control_0((vec2<f32>(0) - _S475), 1.0f / max(steps_per_length_0(_S468, _S469, _S472) / _S474, 9.99999971718068537e-10f));
-    var _S477 : ViewRayEnd_0 = search_down_0(_S468, ray_0, _S476, _S473);
+    ray_0.origin_0 = vec2<f32>(_S471, _S472);
+    var _S476 : vec2<f32> = _S473.xy / vec2<f32>(_S475);
+    ray_0.slope_1 = _S476;
+    var _S477 : StepControl_0 = step_control_0((vec2<f32>(0) - _S476), 1.0f / max(steps_per_length_0(_S469, _S470, _S473) / _S475, 9.99999971718068537e-10f));
+    var _S478 : ViewRayEnd_0 = search_down_0(_S469, ray_0, _S477, _S474);
     var hit_0 : Hit_0;
     hit_0.hole_5 = false;
-    var _S478 : f32 = refined_height_0(_S468, ray_0, _S476, _S473, _S477, _S469.refinements_0);
-    hit_0.height_8 = _S478;
-    var _S479 : vec2<f32> = ViewRay_at_0(ray_0, _S478);
-    hit_0.x_18 = _S479.x;
-    hit_0.y_11 = _S479.y;
+    var _S479 : f32 = refined_height_0(_S469, ray_0, _S477, _S474, _S478, _S470.refinements_0);
+    hit_0.height_8 = _S479;
+    var _S480 : vec2<f32> = ViewRay_at_0(ray_0, _S479);
+    hit_0.x_18 = _S480.x;
+    hit_0.y_11 = _S480.y;
     return hit_0;
 }
 
-fn first_hit_0( _S480 : u32,  _S481 : SearchQuality_0,  _S482 : f32,  _S483 : f32,  _S484 : vec3<f32>,  _S485 : bool) -> Hit_0
+fn first_hit_0( _S481 : u32,  _S482 : SearchQuality_0,  _S483 : f32,  _S484 : f32,  _S485 : vec3<f32>,  _S486 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S480, _S481, _S482, _S483, _S484, _S485))
+    if(!passes_through_0(_S481, _S482, _S483, _S484, _S485, _S486))
     {
-        return first_hit_of_yarn_0(_S480, _S481, _S482, _S483, _S484, _S485);
+        return first_hit_of_yarn_0(_S481, _S482, _S483, _S484, _S485, _S486);
     }
     var hit_1 : Hit_0;
-    hit_1.x_18 = _S482;
-    hit_1.y_11 = _S483;
+    hit_1.x_18 = _S483;
+    hit_1.y_11 = _S484;
     hit_1.height_8 = 0.0f;
     hit_1.hole_5 = true;
     return hit_1;
 }
 
-fn surface_of_0( _S486 : u32,  _S487 : Sample_0,  _S488 : f32,  _S489 : f32,  _S490 : bool) -> SurfacePoint_0
+fn surface_of_0( _S487 : u32,  _S488 : Sample_0,  _S489 : f32,  _S490 : f32,  _S491 : bool) -> SurfacePoint_0
 {
-    var _S491 : u32 = select(fabrics_0[_S486].weft_0, fabrics_0[_S486].warp_0, _S487.shown_2.is_warp_0);
-    var _S492 : f32 = families_0[_S491].twist_sine_0 * select(1.0f, -1.0f, _S490);
-    var _S493 : f32 = families_0[_S491].twist_cosine_0;
-    var _S494 : f32 = select(-1.0f, 1.0f, _S487.shown_2.is_warp_0);
-    var _S495 : vec2<f32> = fibre_direction_0(_S487.slope_across_0, _S494 * _S487.slope_along_0, _S492, families_0[_S491].twist_cosine_0);
-    var _S496 : f32 = _S495.x;
-    var _S497 : f32 = _S495.y;
-    var _S498 : f32 = select(_S487.slope_y_0, _S487.slope_x_0, _S487.shown_2.is_warp_0) * _S496 + _S494 * select(_S487.slope_x_0, _S487.slope_y_0, _S487.shown_2.is_warp_0) * _S497;
-    var _S499 : f32 = select(_S487.crossing_3.weft_2.half_width_1, _S487.crossing_3.warp_2.half_width_1, _S487.shown_2.is_warp_0) * 1.0154266357421875f;
-    var _S500 : f32 = _S499 * arc_sine_0(clamp(_S487.section_1.across_1 / _S499, -1.0f, 1.0f));
-    var _S501 : f32 = select(_S487.here_0.plane_3.start_x_0 - _S488, _S489 - _S487.here_0.plane_3.start_y_0, _S487.shown_2.is_warp_0);
+    var _S492 : u32 = select(fabrics_0[_S487].weft_0, fabrics_0[_S487].warp_0, _S488.shown_2.is_warp_0);
+    var _S493 : f32 = families_0[_S492].twist_sine_0 * select(1.0f, -1.0f, _S491);
+    var _S494 : f32 = families_0[_S492].twist_cosine_0;
+    var _S495 : f32 = select(-1.0f, 1.0f, _S488.shown_2.is_warp_0);
+    var _S496 : vec2<f32> = fibre_direction_0(_S488.slope_across_0, _S495 * _S488.slope_along_0, _S493, families_0[_S492].twist_cosine_0);
+    var _S497 : f32 = _S496.x;
+    var _S498 : f32 = _S496.y;
+    var _S499 : f32 = select(_S488.slope_y_0, _S488.slope_x_0, _S488.shown_2.is_warp_0) * _S497 + _S495 * select(_S488.slope_x_0, _S488.slope_y_0, _S488.shown_2.is_warp_0) * _S498;
+    var _S500 : f32 = select(_S488.crossing_3.weft_2.half_width_1, _S488.crossing_3.warp_2.half_width_1, _S488.shown_2.is_warp_0) * 1.0154266357421875f;
+    var _S501 : f32 = _S500 * arc_sine_0(clamp(_S488.section_1.across_1 / _S500, -1.0f, 1.0f));
+    var _S502 : f32 = select(_S488.here_0.plane_3.start_x_0 - _S489, _S490 - _S488.here_0.plane_3.start_y_0, _S488.shown_2.is_warp_0);
     var point_4 : SurfacePoint_0;
-    point_4.hole_4 = _S487.shown_2.hole_0;
-    point_4.is_warp_5 = _S487.shown_2.is_warp_0;
-    point_4.warp_thread_0 = _S487.crossing_3.warp_2.thread_2;
-    point_4.weft_thread_0 = _S487.crossing_3.weft_2.thread_2;
-    if(is_layered_0(_S486))
+    point_4.hole_4 = _S488.shown_2.hole_0;
+    point_4.is_warp_5 = _S488.shown_2.is_warp_0;
+    point_4.warp_thread_0 = _S488.crossing_3.warp_2.thread_2;
+    point_4.weft_thread_0 = _S488.crossing_3.weft_2.thread_2;
+    if(is_layered_0(_S487))
     {
-        point_4.warp_thread_0 = words_0[_S487.here_0.plane_3.end_numbers_0 + point_4.warp_thread_0];
-        point_4.weft_thread_0 = words_0[_S487.here_0.plane_3.pick_numbers_0 + point_4.weft_thread_0];
+        point_4.warp_thread_0 = words_0[_S488.here_0.plane_3.end_numbers_0 + point_4.warp_thread_0];
+        point_4.weft_thread_0 = words_0[_S488.here_0.plane_3.pick_numbers_0 + point_4.weft_thread_0];
     }
-    point_4.height_7 = _S487.height_2;
-    point_4.normal_5 = normalize(vec3<f32>(- _S487.slope_x_0, - _S487.slope_y_0, 1.0f));
-    point_4.tangent_4 = normalize(select_vector_0(_S487.shown_2.is_warp_0, vec3<f32>(_S496, _S497, _S498), vec3<f32>(- _S497, _S496, _S498)));
-    point_4.across_2 = _S487.section_1.across_1;
-    point_4.fibre_across_0 = _S500 * _S493 + _S501 * _S492;
-    point_4.fibre_along_0 = _S501 * _S493 - _S500 * _S492;
-    var _S502 : f32 = run_share_0(_S487.shown_2.word_0);
-    point_4.shown_share_0 = select(1.0f - _S502, _S502, _S487.shown_2.on_top_0);
-    point_4.x_13 = _S488;
-    point_4.y_6 = _S489;
+    point_4.height_7 = _S488.height_2;
+    point_4.plane_6 = _S488.here_0.level_1;
+    point_4.normal_5 = normalize(vec3<f32>(- _S488.slope_x_0, - _S488.slope_y_0, 1.0f));
+    point_4.tangent_4 = normalize(select_vector_0(_S488.shown_2.is_warp_0, vec3<f32>(_S497, _S498, _S499), vec3<f32>(- _S498, _S497, _S499)));
+    point_4.across_2 = _S488.section_1.across_1;
+    point_4.fibre_across_0 = _S501 * _S494 + _S502 * _S493;
+    point_4.fibre_along_0 = _S502 * _S494 - _S501 * _S493;
+    var _S503 : f32 = run_share_0(_S488.shown_2.word_0);
+    point_4.shown_share_0 = select(1.0f - _S503, _S503, _S488.shown_2.on_top_0);
+    point_4.x_13 = _S489;
+    point_4.y_6 = _S490;
     return point_4;
 }
 
-fn surface_met_0( _S503 : u32,  _S504 : f32,  _S505 : f32,  _S506 : f32,  _S507 : vec3<f32>,  _S508 : bool) -> SurfacePoint_0
+fn surface_met_0( _S504 : u32,  _S505 : f32,  _S506 : f32,  _S507 : f32,  _S508 : vec3<f32>,  _S509 : bool) -> SurfacePoint_0
 {
-    var _S509 : Sample_0 = sample_at_0(_S503, _S504, _S505, _S508);
-    var point_5 : SurfacePoint_0 = surface_of_0(_S503, _S509, _S504, _S505, _S508);
-    var _S510 : u32 = select(fabrics_0[_S503].weft_0, fabrics_0[_S503].warp_0, point_5.is_warp_5);
-    var _S511 : f32 = select(_S509.crossing_3.weft_2.half_width_1, _S509.crossing_3.warp_2.half_width_1, point_5.is_warp_5) * 1.0154266357421875f;
-    var _S512 : f32 = _S509.dive_1.z;
-    var _S513 : f32 = _S509.slope_along_0 - (1.0f - _S512) * _S509.dive_1.y / families_0[_S510].height_scale_0;
-    var _S514 : f32 = rsqrt_0(_S513 * _S513 + 1.0f);
-    var _S515 : f32 = _S507.x;
-    var _S516 : f32 = _S507.y;
-    var _S517 : f32 = select(_S516, _S515, point_5.is_warp_5);
-    var _S518 : f32 = _S507.z;
-    var _S519 : f32 = (_S518 / families_0[_S510].height_scale_0 - _S513 * select(_S515, _S516, point_5.is_warp_5)) * _S514;
-    var _S520 : f32 = square_1(_S511);
-    var _S521 : f32 = sqrt(max(_S520 - square_1(point_5.across_2), 0.0f)) - (_S509.height_2 + _S512 * _S509.dive_1.x - _S506) / families_0[_S510].height_scale_0 * _S514;
-    var _S522 : f32 = square_1(_S517) + square_1(_S519) + 9.999999960041972e-13f;
-    var _S523 : f32 = point_5.across_2 * _S517 + _S521 * _S519;
-    var _S524 : f32 = square_1(point_5.across_2) + square_1(_S521) - _S520;
-    var _S525 : f32 = sqrt(max(square_1(_S523) - _S522 * _S524, 0.0f));
-    var _S526 : f32 = clamp(select((_S525 - _S523) / _S522, - _S524 / max(_S523 + _S525, 9.999999960041972e-13f), _S523 > 0.0f), - _S511, _S511);
-    var _S527 : f32 = point_5.across_2 + _S526 * _S517;
-    point_5.across_2 = _S527;
-    var _S528 : vec2<f32> = normalize(vec2<f32>(_S527, _S521 + _S526 * _S519));
-    var _S529 : f32 = select(-1.0f, 1.0f, point_5.is_warp_5);
-    var _S530 : f32 = families_0[_S510].twist_sine_0 * select(1.0f, -1.0f, _S508);
-    var _S531 : f32 = _S528.x;
-    var _S532 : f32 = _S530 * _S531 * _S514;
-    var _S533 : f32 = _S528.y;
-    var _S534 : f32 = - _S530 * _S533;
-    var _S535 : f32 = families_0[_S510].twist_cosine_0 * _S514 - _S529 * _S513 * _S532;
-    var _S536 : f32 = families_0[_S510].height_scale_0 * (families_0[_S510].twist_cosine_0 * _S529 * _S513 * _S514 + _S532);
-    var _S537 : f32 = families_0[_S510].height_scale_0 * _S531;
-    var _S538 : f32 = - families_0[_S510].height_scale_0 * _S513 * _S514 * _S533;
-    point_5.normal_5 = normalize(vec3<f32>(select(_S538, _S537, point_5.is_warp_5), select(_S537, _S538, point_5.is_warp_5), _S514 * _S533));
-    point_5.tangent_4 = normalize(vec3<f32>(select(- _S535, _S534, point_5.is_warp_5), select(_S534, _S535, point_5.is_warp_5), _S536));
-    var _S539 : f32 = _S511 * angle_of_0(_S528);
-    var _S540 : f32 = select(- _S504 - _S526 * _S515, _S505 + _S526 * _S516, point_5.is_warp_5);
-    point_5.fibre_across_0 = _S539 * families_0[_S510].twist_cosine_0 + _S540 * _S530;
-    point_5.fibre_along_0 = _S540 * families_0[_S510].twist_cosine_0 - _S539 * _S530;
-    var _S541 : f32 = 0.00999999977648258f * _S511;
-    var _S542 : f32 = - _S541;
-    var _S543 : bool = _S526 < _S542;
-    var _S544 : f32 = select(_S541, _S542, _S517 < 0.0f);
-    var _S545 : f32 = max(_S526, 0.0f);
-    point_5.x_13 = point_5.x_13 + select(_S545 * _S515, select(0.0f, _S544, point_5.is_warp_5), _S543);
-    point_5.y_6 = point_5.y_6 + select(_S545 * _S516, select(_S544, 0.0f, point_5.is_warp_5), _S543);
-    point_5.height_7 = select(_S506 + _S526 * _S518, _S506, _S543);
+    var _S510 : Sample_0 = sample_at_0(_S504, _S505, _S506, _S509);
+    var point_5 : SurfacePoint_0 = surface_of_0(_S504, _S510, _S505, _S506, _S509);
+    var _S511 : u32 = select(fabrics_0[_S504].weft_0, fabrics_0[_S504].warp_0, point_5.is_warp_5);
+    var _S512 : f32 = select(_S510.crossing_3.weft_2.half_width_1, _S510.crossing_3.warp_2.half_width_1, point_5.is_warp_5) * 1.0154266357421875f;
+    var _S513 : f32 = _S510.dive_1.z;
+    var _S514 : f32 = _S510.slope_along_0 - (1.0f - _S513) * _S510.dive_1.y / families_0[_S511].height_scale_0;
+    var _S515 : f32 = rsqrt_0(_S514 * _S514 + 1.0f);
+    var _S516 : f32 = _S508.x;
+    var _S517 : f32 = _S508.y;
+    var _S518 : f32 = select(_S517, _S516, point_5.is_warp_5);
+    var _S519 : f32 = _S508.z;
+    var _S520 : f32 = (_S519 / families_0[_S511].height_scale_0 - _S514 * select(_S516, _S517, point_5.is_warp_5)) * _S515;
+    var _S521 : f32 = square_1(_S512);
+    var _S522 : f32 = sqrt(max(_S521 - square_1(point_5.across_2), 0.0f)) - (_S510.height_2 + _S513 * _S510.dive_1.x - _S507) / families_0[_S511].height_scale_0 * _S515;
+    var _S523 : f32 = square_1(_S518) + square_1(_S520) + 9.999999960041972e-13f;
+    var _S524 : f32 = point_5.across_2 * _S518 + _S522 * _S520;
+    var _S525 : f32 = square_1(point_5.across_2) + square_1(_S522) - _S521;
+    var _S526 : f32 = sqrt(max(square_1(_S524) - _S523 * _S525, 0.0f));
+    var _S527 : f32 = clamp(select((_S526 - _S524) / _S523, - _S525 / max(_S524 + _S526, 9.999999960041972e-13f), _S524 > 0.0f), - _S512, _S512);
+    var _S528 : f32 = point_5.across_2 + _S527 * _S518;
+    point_5.across_2 = _S528;
+    var _S529 : vec2<f32> = normalize(vec2<f32>(_S528, _S522 + _S527 * _S520));
+    var _S530 : f32 = select(-1.0f, 1.0f, point_5.is_warp_5);
+    var _S531 : f32 = families_0[_S511].twist_sine_0 * select(1.0f, -1.0f, _S509);
+    var _S532 : f32 = _S529.x;
+    var _S533 : f32 = _S531 * _S532 * _S515;
+    var _S534 : f32 = _S529.y;
+    var _S535 : f32 = - _S531 * _S534;
+    var _S536 : f32 = families_0[_S511].twist_cosine_0 * _S515 - _S530 * _S514 * _S533;
+    var _S537 : f32 = families_0[_S511].height_scale_0 * (families_0[_S511].twist_cosine_0 * _S530 * _S514 * _S515 + _S533);
+    var _S538 : f32 = families_0[_S511].height_scale_0 * _S532;
+    var _S539 : f32 = - families_0[_S511].height_scale_0 * _S514 * _S515 * _S534;
+    point_5.normal_5 = normalize(vec3<f32>(select(_S539, _S538, point_5.is_warp_5), select(_S538, _S539, point_5.is_warp_5), _S515 * _S534));
+    point_5.tangent_4 = normalize(vec3<f32>(select(- _S536, _S535, point_5.is_warp_5), select(_S535, _S536, point_5.is_warp_5), _S537));
+    var _S540 : f32 = _S512 * angle_of_0(_S529);
+    var _S541 : f32 = select(- _S505 - _S527 * _S516, _S506 + _S527 * _S517, point_5.is_warp_5);
+    point_5.fibre_across_0 = _S540 * families_0[_S511].twist_cosine_0 + _S541 * _S531;
+    point_5.fibre_along_0 = _S541 * families_0[_S511].twist_cosine_0 - _S540 * _S531;
+    var _S542 : f32 = 0.00999999977648258f * _S512;
+    var _S543 : f32 = - _S542;
+    var _S544 : bool = _S527 < _S543;
+    var _S545 : f32 = select(_S542, _S543, _S518 < 0.0f);
+    var _S546 : f32 = max(_S527, 0.0f);
+    point_5.x_13 = point_5.x_13 + select(_S546 * _S516, select(0.0f, _S545, point_5.is_warp_5), _S544);
+    point_5.y_6 = point_5.y_6 + select(_S546 * _S517, select(_S545, 0.0f, point_5.is_warp_5), _S544);
+    point_5.height_7 = select(_S507 + _S527 * _S519, _S507, _S544);
     return point_5;
 }
 
-fn hairs_over_0( _S546 : u32,  _S547 : SurfacePoint_0,  _S548 : bool,  _S549 : f32) -> Hairs_0
+fn hairs_over_0( _S547 : u32,  _S548 : SurfacePoint_0,  _S549 : bool,  _S550 : f32) -> Hairs_0
 {
     var hairs_2 : Hairs_0;
-    hairs_2.place_1 = vec2<f32>(_S547.x_13, _S547.y_6);
-    hairs_2.below_1 = fabrics_0[_S546].height_high_0 - _S547.height_7;
-    hairs_2.back_7 = _S548;
-    hairs_2.size_3 = _S549;
+    hairs_2.place_1 = vec2<f32>(_S548.x_13, _S548.y_6);
+    hairs_2.below_1 = fabrics_0[_S547].height_high_0 - _S548.height_7;
+    hairs_2.back_7 = _S549;
+    hairs_2.size_3 = _S550;
     return hairs_2;
 }
 
-fn has_hairs_0( _S550 : u32) -> bool
+fn has_hairs_0( _S551 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S550].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S550].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S551].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S551].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_towards_0( _S551 : u32,  _S552 : Hairs_0,  _S553 : vec3<f32>,  _S554 : f32) -> Hair_0
+fn hair_towards_0( _S552 : u32,  _S553 : Hairs_0,  _S554 : vec3<f32>,  _S555 : f32) -> Hair_0
 {
-    var _S555 : f32 = fabrics_0[_S551].fibre_size_0;
-    var _S556 : f32 = 17.0f * fabrics_0[_S551].fibre_size_0;
-    var _S557 : f32 = fade_0(_S554, _S556);
-    var _S558 : vec2<f32> = _S553.xy / vec2<f32>(max(_S553.z, 0.3333333432674408f));
-    var _S559 : u32 = hash_key_0(select(u32(0), u32(1), _S552.back_7), ((fabrics_0[_S551].seed_0) ^ (u32(1013904242))));
-    var _S560 : f32 = fabrics_0[_S551].fibre_size_0 / max(_S554, 0.07000000029802322f * fabrics_0[_S551].fibre_size_0);
-    const _S561 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S556 : f32 = fabrics_0[_S552].fibre_size_0;
+    var _S557 : f32 = 17.0f * fabrics_0[_S552].fibre_size_0;
+    var _S558 : f32 = fade_0(_S555, _S557);
+    var _S559 : vec2<f32> = _S554.xy / vec2<f32>(max(_S554.z, 0.3333333432674408f));
+    var _S560 : u32 = hash_key_0(select(u32(0), u32(1), _S553.back_7), ((fabrics_0[_S552].seed_0) ^ (u32(1013904242))));
+    var _S561 : f32 = fabrics_0[_S552].fibre_size_0 / max(_S555, 0.07000000029802322f * fabrics_0[_S552].fibre_size_0);
+    const _S562 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_3 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S561;
+    var hair_across_0 : vec2<f32> = _S562;
     var hair_away_0 : f32 = 0.0f;
     var is_warp_6 : bool = false;
     var number_6 : u32 = u32(0);
     for(;;)
     {
-        if(((_S557 > 0.0f) & ((number_6 < u32(18)))))
+        if(((_S558 > 0.0f) & ((number_6 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S562 : u32 = number_6 / u32(9);
-        var _S563 : u32 = number_6 / u32(3) - u32(3) * _S562;
-        var _S564 : vec2<f32> = (vec2<f32>(((f32(_S562) * 6.0f + 2.0f) * _S555 + _S552.below_1)) * _S558 + _S552.place_1) / vec2<f32>(_S556);
-        var _S565 : vec2<f32> = floor(_S564) + vec2<f32>(f32(number_6 - u32(3) * _S563 - u32(9) * _S562), f32(_S563)) - vec2<f32>(1.0f);
-        var _S566 : u32 = hash_bits_0(_S559 + _S562, u32(i32(_S565.x)) * u32(65536) + u32(i32(_S565.y)));
-        var _S567 : u32 = hash_bits_0(_S559, _S566);
-        var _S568 : vec2<f32> = _S564 - _S565 - vec2<f32>(share_of_0(_S566), share_of_0((_S566 >> (u32(10)))));
-        var _S569 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S566 >> (u32(20)))));
-        var _S570 : f32 = mix(5.0f, 16.0f, share_of_0((_S567 >> (u32(10))))) / 17.0f;
-        var _S571 : f32 = _S568.x;
-        var _S572 : f32 = _S569.y;
-        var _S573 : f32 = _S568.y;
-        var _S574 : f32 = _S569.x;
-        var _S575 : f32 = (_S571 * _S572 + _S573 * _S574) / _S570;
-        var _S576 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S567 >> (u32(20)))) - 1.0f);
-        var _S577 : f32 = 0.5f * (2.0f * share_of_0((_S566 ^ (_S567))) - 1.0f);
-        var _S578 : f32 = _S575 * (3.0f * _S577 * _S575 + 2.0f * _S576);
-        var _S579 : f32 = rsqrt_0(_S578 * _S578 + 1.0f);
-        var _S580 : f32 = (_S573 * _S572 - _S571 * _S574 - _S570 * _S575 * _S575 * (_S577 * _S575 + _S576)) * _S579 * 17.0f;
-        var _S581 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S575)), 0.0f) * _S560;
-        var _S582 : f32 = clamp(_S581 + 0.5f - abs(_S580) * _S560, 0.0f, min(2.0f * _S581, 1.0f));
-        var _S583 : bool = ((((_S567 >> (u32(30)))) & (u32(1)))) == u32(1);
-        var _S584 : bool = (((((share_of_0(_S567)) < (families_0[select(fabrics_0[_S551].weft_0, fabrics_0[_S551].warp_0, _S583)].hairiness_0)) & (((abs(_S575)) < 1.0f)))) & ((_S582 > cover_3)));
-        var _S585 : vec2<f32> = vec2<f32>(- _S574 - _S578 * _S572, _S572 - _S578 * _S574) * vec2<f32>(_S579);
-        var _S586 : f32 = select(cover_3, _S582, _S584);
-        var _S587 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S585.x, _S584), select(hair_across_0.y, _S585.y, _S584));
-        var _S588 : f32 = select(hair_away_0, _S580, _S584);
-        var _S589 : bool = select(is_warp_6, _S583, _S584);
-        var _S590 : u32 = number_6 + u32(1);
-        cover_3 = _S586;
-        hair_across_0 = _S587;
-        hair_away_0 = _S588;
-        is_warp_6 = _S589;
-        number_6 = _S590;
+        var _S563 : u32 = number_6 / u32(9);
+        var _S564 : u32 = number_6 / u32(3) - u32(3) * _S563;
+        var _S565 : vec2<f32> = (vec2<f32>(((f32(_S563) * 6.0f + 2.0f) * _S556 + _S553.below_1)) * _S559 + _S553.place_1) / vec2<f32>(_S557);
+        var _S566 : vec2<f32> = floor(_S565) + vec2<f32>(f32(number_6 - u32(3) * _S564 - u32(9) * _S563), f32(_S564)) - vec2<f32>(1.0f);
+        var _S567 : u32 = hash_bits_0(_S560 + _S563, u32(i32(_S566.x)) * u32(65536) + u32(i32(_S566.y)));
+        var _S568 : u32 = hash_bits_0(_S560, _S567);
+        var _S569 : vec2<f32> = _S565 - _S566 - vec2<f32>(share_of_0(_S567), share_of_0((_S567 >> (u32(10)))));
+        var _S570 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S567 >> (u32(20)))));
+        var _S571 : f32 = mix(5.0f, 16.0f, share_of_0((_S568 >> (u32(10))))) / 17.0f;
+        var _S572 : f32 = _S569.x;
+        var _S573 : f32 = _S570.y;
+        var _S574 : f32 = _S569.y;
+        var _S575 : f32 = _S570.x;
+        var _S576 : f32 = (_S572 * _S573 + _S574 * _S575) / _S571;
+        var _S577 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S568 >> (u32(20)))) - 1.0f);
+        var _S578 : f32 = 0.5f * (2.0f * share_of_0((_S567 ^ (_S568))) - 1.0f);
+        var _S579 : f32 = _S576 * (3.0f * _S578 * _S576 + 2.0f * _S577);
+        var _S580 : f32 = rsqrt_0(_S579 * _S579 + 1.0f);
+        var _S581 : f32 = (_S574 * _S573 - _S572 * _S575 - _S571 * _S576 * _S576 * (_S578 * _S576 + _S577)) * _S580 * 17.0f;
+        var _S582 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S576)), 0.0f) * _S561;
+        var _S583 : f32 = clamp(_S582 + 0.5f - abs(_S581) * _S561, 0.0f, min(2.0f * _S582, 1.0f));
+        var _S584 : bool = ((((_S568 >> (u32(30)))) & (u32(1)))) == u32(1);
+        var _S585 : bool = (((((share_of_0(_S568)) < (families_0[select(fabrics_0[_S552].weft_0, fabrics_0[_S552].warp_0, _S584)].hairiness_0)) & (((abs(_S576)) < 1.0f)))) & ((_S583 > cover_3)));
+        var _S586 : vec2<f32> = vec2<f32>(- _S575 - _S579 * _S573, _S573 - _S579 * _S575) * vec2<f32>(_S580);
+        var _S587 : f32 = select(cover_3, _S583, _S585);
+        var _S588 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S586.x, _S585), select(hair_across_0.y, _S586.y, _S585));
+        var _S589 : f32 = select(hair_away_0, _S581, _S585);
+        var _S590 : bool = select(is_warp_6, _S584, _S585);
+        var _S591 : u32 = number_6 + u32(1);
+        cover_3 = _S587;
+        hair_across_0 = _S588;
+        hair_away_0 = _S589;
+        is_warp_6 = _S590;
+        number_6 = _S591;
     }
-    var _S591 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S592 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_1 = _S557 * cover_3;
-    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S591) * hair_across_0, sqrt(1.0f - _S591 * _S591));
+    hair_1.cover_1 = _S558 * cover_3;
+    hair_1.normal_3 = vec3<f32>(vec2<f32>(_S592) * hair_across_0, sqrt(1.0f - _S592 * _S592));
     hair_1.tangent_2 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     hair_1.is_warp_3 = is_warp_6;
-    hair_1.shade_0 = _S557 * 0.03255363181233406f * (families_0[fabrics_0[_S551].warp_0].hairiness_0 + families_0[fabrics_0[_S551].weft_0].hairiness_0);
+    hair_1.shade_0 = _S558 * 0.03255363181233406f * (families_0[fabrics_0[_S552].warp_0].hairiness_0 + families_0[fabrics_0[_S552].weft_0].hairiness_0);
     return hair_1;
 }
 
-fn thread_of_family_0( _S592 : u32,  _S593 : SurfacePoint_0) -> i32
+fn thread_of_family_0( _S593 : u32,  _S594 : SurfacePoint_0) -> i32
 {
-    var _S594 : u32 = select(fabrics_0[_S592].weft_0, fabrics_0[_S592].warp_0, _S593.is_warp_5);
-    return i32(floor((select(_S593.y_6, _S593.x_13, _S593.is_warp_5) - _S593.across_2) / families_0[_S594].period_0)) * i32(families_0[_S594].count_0) + i32(select(_S593.weft_thread_0, _S593.warp_thread_0, _S593.is_warp_5));
+    var _S595 : u32 = select(fabrics_0[_S593].weft_0, fabrics_0[_S593].warp_0, _S594.is_warp_5);
+    return i32(floor((select(_S594.y_6, _S594.x_13, _S594.is_warp_5) - _S594.across_2) / families_0[_S595].period_0)) * i32(families_0[_S595].count_0) + i32(select(_S594.weft_thread_0, _S594.warp_thread_0, _S594.is_warp_5));
 }
 
-fn thread_number_0( _S595 : u32,  _S596 : SurfacePoint_0) -> u32
+fn thread_number_0( _S596 : u32,  _S597 : SurfacePoint_0) -> u32
 {
-    return u32(thread_of_family_0(_S595, _S596)) * u32(2) + select(u32(0), u32(1), _S596.is_warp_5);
+    return u32(thread_of_family_0(_S596, _S597)) * u32(2) + select(u32(0), u32(1), _S597.is_warp_5);
 }
 
 struct FibreNoise_0
@@ -2527,245 +2539,246 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S597 : u32,  _S598 : u32,  _S599 : SurfacePoint_0,  _S600 : u32,  _S601 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S598 : u32,  _S599 : u32,  _S600 : SurfacePoint_0,  _S601 : u32,  _S602 : f32) -> FibreNoise_0
 {
-    var _S602 : f32 = 5.0f * fabrics_0[_S597].fibre_size_0;
-    var _S603 : vec2<f32> = wave_noise_0(hash_key_0(_S600, ((fabrics_0[_S597].seed_0) ^ (u32(458671337)))), _S599.fibre_along_0 / (25.0f * fabrics_0[_S597].fibre_size_0));
-    var _S604 : f32 = _S599.fibre_across_0 + families_0[_S598].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S597].fibre_size_0 * _S603.x;
-    var _S605 : vec3<f32> = fibre_cell_0(_S604, _S599.fibre_along_0, fabrics_0[_S597].fibre_size_0);
-    var _S606 : vec3<f32> = fibre_cell_0(_S604, _S599.fibre_along_0, _S602);
+    var _S603 : f32 = 5.0f * fabrics_0[_S598].fibre_size_0;
+    var _S604 : vec2<f32> = wave_noise_0(hash_key_0(_S601, ((fabrics_0[_S598].seed_0) ^ (u32(458671337)))), _S600.fibre_along_0 / (25.0f * fabrics_0[_S598].fibre_size_0));
+    var _S605 : f32 = _S600.fibre_across_0 + families_0[_S599].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S598].fibre_size_0 * _S604.x;
+    var _S606 : vec3<f32> = fibre_cell_0(_S605, _S600.fibre_along_0, fabrics_0[_S598].fibre_size_0);
+    var _S607 : vec3<f32> = fibre_cell_0(_S605, _S600.fibre_along_0, _S603);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S600, ((fabrics_0[_S597].seed_0) ^ (u32(1757159915)))), _S606);
-    noise_0.bundle_offset_0 = _S606.z;
-    noise_0.bundle_weight_0 = fade_0(_S601, _S602);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S600, ((fabrics_0[_S597].seed_0) ^ (u32(48610963)))), _S605);
-    noise_0.fibre_weight_0 = fade_0(_S601, fabrics_0[_S597].fibre_size_0);
-    noise_0.offset_2 = _S605.z;
-    noise_0.slope_2 = 0.5f * _S603.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S601, ((fabrics_0[_S598].seed_0) ^ (u32(1757159915)))), _S607);
+    noise_0.bundle_offset_0 = _S607.z;
+    noise_0.bundle_weight_0 = fade_0(_S602, _S603);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S601, ((fabrics_0[_S598].seed_0) ^ (u32(48610963)))), _S606);
+    noise_0.fibre_weight_0 = fade_0(_S602, fabrics_0[_S598].fibre_size_0);
+    noise_0.offset_2 = _S606.z;
+    noise_0.slope_2 = 0.5f * _S604.y;
     return noise_0;
 }
 
-fn turned_frame_0( _S607 : u32,  _S608 : u32,  _S609 : SurfacePoint_0,  _S610 : bool,  _S611 : u32,  _S612 : f32) -> YarnFrame_0
+fn turned_frame_0( _S608 : u32,  _S609 : u32,  _S610 : SurfacePoint_0,  _S611 : bool,  _S612 : u32,  _S613 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_6 = _S609.normal_5;
-    frame_2.tangent_5 = _S609.tangent_4;
+    frame_2.normal_6 = _S610.normal_5;
+    frame_2.tangent_5 = _S610.tangent_4;
     frame_2.loss_0 = 0.0f;
     frame_2.shade_2 = 0.0f;
-    if((families_0[_S608].has_plies_0) > 0.0f)
+    if((families_0[_S609].has_plies_0) > 0.0f)
     {
-        var _S613 : f32 = fade_0(_S612, 1.0f / families_0[_S608].plies_per_mm_0);
-        var _S614 : f32 = _S613 * 0.62000000476837158f * ply_offset_0(_S608, _S609, _S610);
-        var _S615 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
-        var _S616 : vec3<f32> = vec3<f32>(families_0[_S608].ply_cosine_0);
-        var _S617 : vec3<f32> = vec3<f32>(select(families_0[_S608].ply_sine_0, - families_0[_S608].ply_sine_0, _S610));
-        var _S618 : vec3<f32> = _S616 * _S615 + _S617 * frame_2.tangent_5;
-        var _S619 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S614 * _S614));
-        var _S620 : vec3<f32> = vec3<f32>(_S614);
-        frame_2.tangent_5 = _S616 * (_S616 * frame_2.tangent_5 - _S617 * _S615) + _S617 * (_S619 * _S618 - _S620 * frame_2.normal_6);
-        frame_2.normal_6 = _S619 * frame_2.normal_6 + _S620 * _S618;
-        frame_2.loss_0 = _S613 * _S613 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
+        var _S614 : f32 = fade_0(_S613, 1.0f / families_0[_S609].plies_per_mm_0);
+        var _S615 : f32 = _S614 * 0.62000000476837158f * ply_offset_0(_S609, _S610, _S611);
+        var _S616 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
+        var _S617 : vec3<f32> = vec3<f32>(families_0[_S609].ply_cosine_0);
+        var _S618 : vec3<f32> = vec3<f32>(select(families_0[_S609].ply_sine_0, - families_0[_S609].ply_sine_0, _S611));
+        var _S619 : vec3<f32> = _S617 * _S616 + _S618 * frame_2.tangent_5;
+        var _S620 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S615 * _S615));
+        var _S621 : vec3<f32> = vec3<f32>(_S615);
+        frame_2.tangent_5 = _S617 * (_S617 * frame_2.tangent_5 - _S618 * _S616) + _S618 * (_S620 * _S619 - _S621 * frame_2.normal_6);
+        frame_2.normal_6 = _S620 * frame_2.normal_6 + _S621 * _S619;
+        frame_2.loss_0 = _S614 * _S614 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
     }
-    var _S621 : f32 = families_0[_S608].fibre_tilt_0;
-    if((families_0[_S608].fibre_tilt_0) > 0.0f)
+    var _S622 : f32 = families_0[_S609].fibre_tilt_0;
+    if((families_0[_S609].fibre_tilt_0) > 0.0f)
     {
-        var _S622 : FibreNoise_0 = fibre_noise_at_0(_S607, _S608, _S609, _S611, _S612);
-        var _S623 : f32 = 1.09858846664428711f * _S621 * (_S622.bundle_weight_0 * _S622.bundle_0.x + _S622.fibre_weight_0 * (_S622.fibre_0.x + _S622.offset_2));
-        var _S624 : f32 = _S621 * (1.42099642753601074f * (_S622.bundle_weight_0 * _S622.bundle_0.y + _S622.fibre_weight_0 * _S622.fibre_0.y) - _S622.bundle_weight_0 * _S622.slope_2);
-        var _S625 : f32 = square_1(_S622.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S621 * _S621 * ((0.24761904776096344f * (square_1(_S622.bundle_weight_0) + _S625) + _S625 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S626 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
-        var _S627 : vec2<f32> = sine_cosine_0(_S623);
+        var _S623 : FibreNoise_0 = fibre_noise_at_0(_S608, _S609, _S610, _S612, _S613);
+        var _S624 : f32 = 1.09858846664428711f * _S622 * (_S623.bundle_weight_0 * _S623.bundle_0.x + _S623.fibre_weight_0 * (_S623.fibre_0.x + _S623.offset_2));
+        var _S625 : f32 = _S622 * (1.42099642753601074f * (_S623.bundle_weight_0 * _S623.bundle_0.y + _S623.fibre_weight_0 * _S623.fibre_0.y) - _S623.bundle_weight_0 * _S623.slope_2);
+        var _S626 : f32 = square_1(_S623.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S622 * _S622 * ((0.24761904776096344f * (square_1(_S623.bundle_weight_0) + _S626) + _S626 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S627 : vec3<f32> = cross(frame_2.tangent_5, frame_2.normal_6);
         var _S628 : vec2<f32> = sine_cosine_0(_S624);
-        var _S629 : vec3<f32> = vec3<f32>(_S627.y);
-        var _S630 : vec3<f32> = vec3<f32>(_S627.x);
-        var _S631 : vec3<f32> = _S629 * _S626 - _S630 * frame_2.normal_6;
-        frame_2.normal_6 = _S629 * frame_2.normal_6 + _S630 * _S626;
-        frame_2.tangent_5 = vec3<f32>(_S628.y) * frame_2.tangent_5 + vec3<f32>(_S628.x) * _S631;
+        var _S629 : vec2<f32> = sine_cosine_0(_S625);
+        var _S630 : vec3<f32> = vec3<f32>(_S628.y);
+        var _S631 : vec3<f32> = vec3<f32>(_S628.x);
+        var _S632 : vec3<f32> = _S630 * _S627 - _S631 * frame_2.normal_6;
+        frame_2.normal_6 = _S630 * frame_2.normal_6 + _S631 * _S627;
+        frame_2.tangent_5 = vec3<f32>(_S629.y) * frame_2.tangent_5 + vec3<f32>(_S629.x) * _S632;
     }
     return frame_2;
 }
 
-fn uncoloured_point_0( _S632 : u32,  _S633 : SurfacePoint_0,  _S634 : vec3<f32>,  _S635 : bool,  _S636 : bool,  _S637 : f32) -> YarnPoint_0
+fn uncoloured_point_0( _S633 : u32,  _S634 : SurfacePoint_0,  _S635 : vec3<f32>,  _S636 : bool,  _S637 : bool,  _S638 : f32) -> YarnPoint_0
 {
-    var _S638 : u32 = fabrics_0[_S632].warp_0;
-    var _S639 : u32 = fabrics_0[_S632].weft_0;
-    var _S640 : u32 = select(fabrics_0[_S632].weft_0, fabrics_0[_S632].warp_0, _S633.is_warp_5);
-    var _S641 : bool = (((fabrics_0[_S632].has_detail_0) != u32(0)) & ((_S637 >= 0.0f)));
-    var _S642 : vec3<f32> = vec3<f32>(0.0f);
-    var _S643 : vec2<f32> = vec2<f32>(0.0f);
-    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S642, _S642, _S642, 0.0f, 0.0f, Albedos_x24init_0(_S642, _S642, _S642, _S642), Hairs_x24init_0(_S643, 0.0f, false, 0.0f), 0.0f, _S643);
-    point_6.hairs_0 = hairs_over_0(_S632, _S633, _S635, _S637);
+    var _S639 : u32 = fabrics_0[_S633].warp_0;
+    var _S640 : u32 = fabrics_0[_S633].weft_0;
+    var _S641 : u32 = select(fabrics_0[_S633].weft_0, fabrics_0[_S633].warp_0, _S634.is_warp_5);
+    var _S642 : bool = (((fabrics_0[_S633].has_detail_0) != u32(0)) & ((_S638 >= 0.0f)));
+    var _S643 : vec3<f32> = vec3<f32>(0.0f);
+    var _S644 : vec2<f32> = vec2<f32>(0.0f);
+    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S643, _S643, _S643, 0.0f, 0.0f, Albedos_x24init_0(_S643, _S643, _S643, _S643), Hairs_x24init_0(_S644, 0.0f, false, 0.0f), 0.0f, _S644, 0.0f);
+    point_6.hairs_0 = hairs_over_0(_S633, _S634, _S636, _S638);
     point_6.hair_cover_0 = 1.0f;
-    var _S644 : Hair_0 = Hair_x24init_0(0.0f, _S642, _S642, false, 0.0f);
-    point_6.is_warp_1 = _S633.is_warp_5;
-    var _S645 : bool = (_S641 & ((has_hairs_0(_S632))));
+    var _S645 : Hair_0 = Hair_x24init_0(0.0f, _S643, _S643, false, 0.0f);
+    point_6.is_warp_1 = _S634.is_warp_5;
+    var _S646 : bool = (_S642 & ((has_hairs_0(_S633))));
     var hair_2 : Hair_0;
-    if(_S645)
+    if(_S646)
     {
-        var _S646 : Hair_0 = hair_towards_0(_S632, point_6.hairs_0, _S634, _S637);
-        point_6.hair_cover_0 = _S646.cover_1;
-        point_6.is_warp_1 = select(_S633.is_warp_5, _S646.is_warp_3, (_S646.cover_1) > 0.5f);
-        hair_2 = _S646;
+        var _S647 : Hair_0 = hair_towards_0(_S633, point_6.hairs_0, _S635, _S638);
+        point_6.hair_cover_0 = _S647.cover_1;
+        point_6.is_warp_1 = select(_S634.is_warp_5, _S647.is_warp_3, (_S647.cover_1) > 0.5f);
+        hair_2 = _S647;
     }
     else
     {
-        hair_2 = _S644;
+        hair_2 = _S645;
     }
-    var _S647 : u32 = select(_S639, _S638, point_6.is_warp_1);
-    point_6.back_9 = _S635;
-    point_6.hole_2 = _S636;
-    point_6.x_10 = _S633.x_13;
-    point_6.y_4 = _S633.y_6;
-    point_6.place_3 = vec2<f32>(_S633.x_13, _S633.y_6);
-    point_6.height_5 = _S633.height_7 + hair_2.cover_1 * point_6.hairs_0.below_1;
-    point_6.normal_1 = _S633.normal_5;
-    point_6.tangent_0 = _S633.tangent_4;
-    point_6.surface_normal_0 = normalize(mix(_S633.normal_5, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
+    var _S648 : u32 = select(_S640, _S639, point_6.is_warp_1);
+    point_6.back_9 = _S636;
+    point_6.hole_2 = _S637;
+    point_6.x_10 = _S634.x_13;
+    point_6.y_4 = _S634.y_6;
+    point_6.place_3 = vec2<f32>(_S634.x_13, _S634.y_6);
+    point_6.plane_4 = _S634.plane_6;
+    point_6.height_5 = _S634.height_7 + hair_2.cover_1 * point_6.hairs_0.below_1;
+    point_6.normal_1 = _S634.normal_5;
+    point_6.tangent_0 = _S634.tangent_4;
+    point_6.surface_normal_0 = normalize(mix(_S634.normal_5, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
     point_6.diffuse_gain_0 = 1.0f;
-    if(_S641)
+    if(_S642)
     {
-        var _S648 : YarnFrame_0 = turned_frame_0(_S632, _S640, _S633, _S635, thread_number_0(_S632, _S633), _S637);
+        var _S649 : YarnFrame_0 = turned_frame_0(_S633, _S641, _S634, _S636, thread_number_0(_S633, _S634), _S638);
         var frame_3 : YarnFrame_0;
-        if(_S645)
+        if(_S646)
         {
-            frame_3 = under_hair_0(_S648, hair_2);
+            frame_3 = under_hair_0(_S649, hair_2);
         }
         else
         {
-            frame_3 = _S648;
+            frame_3 = _S649;
         }
         point_6.normal_1 = frame_3.normal_6;
         point_6.tangent_0 = frame_3.tangent_5;
-        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S632].diffuse_blend_0);
+        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S633].diffuse_blend_0);
     }
-    point_6.roughness_1 = families_0[_S647].roughness_0;
+    point_6.roughness_1 = families_0[_S648].roughness_0;
     return point_6;
 }
 
-fn toned_0( _S649 : u32,  _S650 : u32,  _S651 : Albedos_0,  _S652 : vec4<f32>) -> Albedos_0
+fn toned_0( _S650 : u32,  _S651 : u32,  _S652 : Albedos_0,  _S653 : vec4<f32>) -> Albedos_0
 {
-    var _S653 : vec3<f32> = _S651.diffuse_reflect_0 + _S651.diffuse_transmit_0;
-    var _S654 : vec3<f32> = vec3<f32>(1.0f);
-    var _S655 : vec3<f32> = _S654 - vec3<f32>(fabrics_0[_S649].layer_bound_0) * max(_S651.specular_reflect_0, _S651.specular_transmit_0);
-    var _S656 : vec3<f32> = vec3<f32>(0.0f);
-    var _S657 : vec3<f32> = max(_S654 - _S653, _S656) / (_S654 + _S653);
-    var _S658 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S659 : vec3<f32> = (_S655 / max(_S653, _S658) - _S654) / max(vec3<f32>(0.89999997615814209f) * _S657, _S658);
-    var _S660 : vec3<f32> = _S654 - vec3<f32>((saturate(min(min(_S659.x, _S659.y), _S659.z)) * _S652.z)) * _S657;
-    var _S661 : vec3<f32> = min(vec3<f32>(families_0[_S650].nep_red_0, families_0[_S650].nep_green_0, families_0[_S650].nep_blue_0), _S655);
-    var found_1 : Albedos_0 = _S651;
-    var _S662 : f32 = _S652.w;
-    var _S663 : vec3<f32> = _S660 * _S651.diffuse_transmit_0 * vec3<f32>((1.0f - _S662));
-    found_1.diffuse_transmit_0 = _S663;
-    found_1.diffuse_reflect_0 = clamp(mix(_S660 * _S651.diffuse_reflect_0, _S661, vec3<f32>(_S662)), _S656, max(_S655 - _S663, _S656));
+    var _S654 : vec3<f32> = _S652.diffuse_reflect_0 + _S652.diffuse_transmit_0;
+    var _S655 : vec3<f32> = vec3<f32>(1.0f);
+    var _S656 : vec3<f32> = _S655 - vec3<f32>(fabrics_0[_S650].layer_bound_0) * max(_S652.specular_reflect_0, _S652.specular_transmit_0);
+    var _S657 : vec3<f32> = vec3<f32>(0.0f);
+    var _S658 : vec3<f32> = max(_S655 - _S654, _S657) / (_S655 + _S654);
+    var _S659 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S660 : vec3<f32> = (_S656 / max(_S654, _S659) - _S655) / max(vec3<f32>(0.89999997615814209f) * _S658, _S659);
+    var _S661 : vec3<f32> = _S655 - vec3<f32>((saturate(min(min(_S660.x, _S660.y), _S660.z)) * _S653.z)) * _S658;
+    var _S662 : vec3<f32> = min(vec3<f32>(families_0[_S651].nep_red_0, families_0[_S651].nep_green_0, families_0[_S651].nep_blue_0), _S656);
+    var found_1 : Albedos_0 = _S652;
+    var _S663 : f32 = _S653.w;
+    var _S664 : vec3<f32> = _S661 * _S652.diffuse_transmit_0 * vec3<f32>((1.0f - _S663));
+    found_1.diffuse_transmit_0 = _S664;
+    found_1.diffuse_reflect_0 = clamp(mix(_S661 * _S652.diffuse_reflect_0, _S662, vec3<f32>(_S663)), _S657, max(_S656 - _S664, _S657));
     return found_1;
 }
 
-fn toned_at_0( _S664 : u32,  _S665 : bool,  _S666 : Albedos_0,  _S667 : f32,  _S668 : vec2<f32>) -> Albedos_0
+fn toned_at_0( _S665 : u32,  _S666 : bool,  _S667 : Albedos_0,  _S668 : f32,  _S669 : vec2<f32>) -> Albedos_0
 {
-    var _S669 : u32 = select(fabrics_0[_S664].weft_0, fabrics_0[_S664].warp_0, _S665);
-    return toned_0(_S664, _S669, _S666, irregular_at_0(_S669, irregular_key_0(_S664, select(u32(1), u32(0), _S665)), _S667, select(_S668.x, _S668.y, _S665)));
+    var _S670 : u32 = select(fabrics_0[_S665].weft_0, fabrics_0[_S665].warp_0, _S666);
+    return toned_0(_S665, _S670, _S667, irregular_at_0(_S670, irregular_key_0(_S665, select(u32(1), u32(0), _S666)), _S668, select(_S669.x, _S669.y, _S666)));
 }
 
-fn varies_at_0( _S670 : u32,  _S671 : f32) -> bool
+fn varies_at_0( _S671 : u32,  _S672 : f32) -> bool
 {
-    return (((((fabrics_0[_S670].fibre_noise_0) > 0.0f) | (((fabrics_0[_S670].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S670].has_detail_0) != u32(0)) & ((_S671 >= 0.0f))))));
+    return (((((fabrics_0[_S671].fibre_noise_0) > 0.0f) | (((fabrics_0[_S671].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S671].has_detail_0) != u32(0)) & ((_S672 >= 0.0f))))));
 }
 
-fn detail_gain_0( _S672 : u32,  _S673 : u32,  _S674 : SurfacePoint_0,  _S675 : bool,  _S676 : u32,  _S677 : f32) -> vec2<f32>
+fn detail_gain_0( _S673 : u32,  _S674 : u32,  _S675 : SurfacePoint_0,  _S676 : bool,  _S677 : u32,  _S678 : f32) -> vec2<f32>
 {
-    var _S678 : vec2<f32> = vec2<f32>(0.0f);
+    var _S679 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S673].has_plies_0) > 0.0f)
+    if((families_0[_S674].has_plies_0) > 0.0f)
     {
-        gain_2 = groove_0(0.94999998807907104f * fade_0(_S677, 1.0f / families_0[_S673].plies_per_mm_0), ply_offset_0(_S673, _S674, _S675));
+        gain_2 = groove_0(0.94999998807907104f * fade_0(_S678, 1.0f / families_0[_S674].plies_per_mm_0), ply_offset_0(_S674, _S675, _S676));
     }
     else
     {
-        gain_2 = _S678;
+        gain_2 = _S679;
     }
-    if((families_0[_S673].fibre_tone_0) > 0.0f)
+    if((families_0[_S674].fibre_tone_0) > 0.0f)
     {
-        var _S679 : FibreNoise_0 = fibre_noise_at_0(_S672, _S673, _S674, _S676, _S677);
-        var _S680 : f32 = 4.5f * families_0[_S673].fibre_tone_0;
-        gain_2 = gain_2 + vec2<f32>(families_0[_S673].fibre_tone_0) * vec2<f32>(_S679.bundle_weight_0 * _S679.bundle_0.y + _S679.fibre_weight_0 * _S679.fibre_0.y, _S679.bundle_weight_0 + _S679.fibre_weight_0) + (groove_0(_S680 * (_S679.bundle_weight_0 * (0.5f * (_S679.bundle_0.x - 1.0f) + 1.0f)), _S679.bundle_offset_0) + groove_0(_S680 * _S679.fibre_weight_0, _S679.offset_2));
+        var _S680 : FibreNoise_0 = fibre_noise_at_0(_S673, _S674, _S675, _S677, _S678);
+        var _S681 : f32 = 4.5f * families_0[_S674].fibre_tone_0;
+        gain_2 = gain_2 + vec2<f32>(families_0[_S674].fibre_tone_0) * vec2<f32>(_S680.bundle_weight_0 * _S680.bundle_0.y + _S680.fibre_weight_0 * _S680.fibre_0.y, _S680.bundle_weight_0 + _S680.fibre_weight_0) + (groove_0(_S681 * (_S680.bundle_weight_0 * (0.5f * (_S680.bundle_0.x - 1.0f) + 1.0f)), _S680.bundle_offset_0) + groove_0(_S681 * _S680.fibre_weight_0, _S680.offset_2));
     }
-    if((families_0[_S673].slub_0) > 0.0f)
+    if((families_0[_S674].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S673].slub_0 * fade_0(_S677, 1.0f / families_0[_S673].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S676, ((fabrics_0[_S672].seed_0) ^ (u32(1373058189)))), select(- _S674.x_13, _S674.y_6, _S674.is_warp_5) * families_0[_S673].slubs_per_mm_0).x, 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S674].slub_0 * fade_0(_S678, 1.0f / families_0[_S674].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S677, ((fabrics_0[_S673].seed_0) ^ (u32(1373058189)))), select(- _S675.x_13, _S675.y_6, _S675.is_warp_5) * families_0[_S674].slubs_per_mm_0).x, 1.0f);
     }
     return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
 }
 
-fn vary_albedos_0( _S681 : u32,  _S682 : Albedos_0,  _S683 : u32,  _S684 : u32,  _S685 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S682 : u32,  _S683 : Albedos_0,  _S684 : u32,  _S685 : u32,  _S686 : vec2<f32>) -> Albedos_0
 {
-    var _S686 : vec3<f32> = max(_S682.specular_reflect_0, _S682.specular_transmit_0);
-    var _S687 : vec3<f32> = _S682.diffuse_reflect_0 + _S682.diffuse_transmit_0;
-    var _S688 : vec3<f32> = vec3<f32>(fabrics_0[_S681].layer_bound_0);
-    var _S689 : vec3<f32> = vec3<f32>(1.0f);
-    var _S690 : vec3<f32> = _S689 - _S688 * _S686;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S683, fabrics_0[_S681].colour_noise_0, fabrics_0[_S681].seed_0), _S687, _S690);
-    var _S691 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S685.y, vec3<f32>(colour_1) * _S687, _S690) * _S685.x)));
-    var _S692 : f32 = bounded_gain_0(fibre_gain_0(_S683, _S684, fabrics_0[_S681].fibre_noise_0, fabrics_0[_S681].seed_0), _S686, min((_S689 - _S691 * _S687) / _S688, vec3<f32>(1.0f)));
+    var _S687 : vec3<f32> = max(_S683.specular_reflect_0, _S683.specular_transmit_0);
+    var _S688 : vec3<f32> = _S683.diffuse_reflect_0 + _S683.diffuse_transmit_0;
+    var _S689 : vec3<f32> = vec3<f32>(fabrics_0[_S682].layer_bound_0);
+    var _S690 : vec3<f32> = vec3<f32>(1.0f);
+    var _S691 : vec3<f32> = _S690 - _S689 * _S687;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S684, fabrics_0[_S682].colour_noise_0, fabrics_0[_S682].seed_0), _S688, _S691);
+    var _S692 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S686.y, vec3<f32>(colour_1) * _S688, _S691) * _S686.x)));
+    var _S693 : f32 = bounded_gain_0(fibre_gain_0(_S684, _S685, fabrics_0[_S682].fibre_noise_0, fabrics_0[_S682].seed_0), _S687, min((_S690 - _S692 * _S688) / _S689, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S691 * _S682.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S691 * _S682.diffuse_transmit_0;
-    var _S693 : vec3<f32> = vec3<f32>(_S692);
-    varied_0.specular_reflect_0 = _S693 * _S682.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S693 * _S682.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S692 * _S683.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S692 * _S683.diffuse_transmit_0;
+    var _S694 : vec3<f32> = vec3<f32>(_S693);
+    varied_0.specular_reflect_0 = _S694 * _S683.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S694 * _S683.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S694 : u32,  _S695 : SurfacePoint_0,  _S696 : Albedos_0,  _S697 : bool,  _S698 : f32,  _S699 : f32) -> Albedos_0
+fn varied_at_0( _S695 : u32,  _S696 : SurfacePoint_0,  _S697 : Albedos_0,  _S698 : bool,  _S699 : f32,  _S700 : f32) -> Albedos_0
 {
-    var _S700 : u32 = thread_number_0(_S694, _S695);
-    var _S701 : vec3<f32> = fibre_cell_0(_S695.fibre_across_0, _S695.fibre_along_0, fabrics_0[_S694].fibre_size_0);
-    var _S702 : vec2<f32> = vec2<f32>(0.0f);
+    var _S701 : u32 = thread_number_0(_S695, _S696);
+    var _S702 : vec3<f32> = fibre_cell_0(_S696.fibre_across_0, _S696.fibre_along_0, fabrics_0[_S695].fibre_size_0);
+    var _S703 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S694].has_detail_0) != u32(0)) & ((_S698 >= 0.0f))))
+    if((((fabrics_0[_S695].has_detail_0) != u32(0)) & ((_S699 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S694, select(fabrics_0[_S694].weft_0, fabrics_0[_S694].warp_0, _S695.is_warp_5), _S695, _S697, _S700, _S698) * vec2<f32>(1.0f - _S699, 1.0f);
+        gain_3 = detail_gain_0(_S695, select(fabrics_0[_S695].weft_0, fabrics_0[_S695].warp_0, _S696.is_warp_5), _S696, _S698, _S701, _S699) * vec2<f32>(1.0f - _S700, 1.0f);
     }
     else
     {
-        gain_3 = _S702;
+        gain_3 = _S703;
     }
-    return vary_albedos_0(_S694, _S696, _S700, u32(i32(_S701.x)) * u32(65536) + u32(i32(floor(_S701.y))), gain_3);
+    return vary_albedos_0(_S695, _S697, _S701, u32(i32(_S702.x)) * u32(65536) + u32(i32(floor(_S702.y))), gain_3);
 }
 
-fn yarn_point_of_0( _S703 : u32,  _S704 : SurfacePoint_0,  _S705 : vec3<f32>,  _S706 : bool,  _S707 : bool,  _S708 : f32) -> YarnPoint_0
+fn yarn_point_of_0( _S704 : u32,  _S705 : SurfacePoint_0,  _S706 : vec3<f32>,  _S707 : bool,  _S708 : bool,  _S709 : f32) -> YarnPoint_0
 {
-    var point_7 : YarnPoint_0 = uncoloured_point_0(_S703, _S704, _S705, _S706, _S707, _S708);
-    point_7.albedos_0 = albedos_of_0(select(fabrics_0[_S703].weft_0, fabrics_0[_S703].warp_0, point_7.is_warp_1), select(_S704.weft_thread_0, _S704.warp_thread_0, point_7.is_warp_1));
-    if((fabrics_0[_S703].is_irregular_0) != u32(0))
+    var point_7 : YarnPoint_0 = uncoloured_point_0(_S704, _S705, _S706, _S707, _S708, _S709);
+    point_7.albedos_0 = albedos_of_0(select(fabrics_0[_S704].weft_0, fabrics_0[_S704].warp_0, point_7.is_warp_1), select(_S705.weft_thread_0, _S705.warp_thread_0, point_7.is_warp_1));
+    if((fabrics_0[_S704].is_irregular_0) != u32(0))
     {
-        point_7.albedos_0 = toned_at_0(_S703, point_7.is_warp_1, point_7.albedos_0, f32(thread_of_family_0(_S703, _S704)), vec2<f32>(_S704.x_13, _S704.y_6));
+        point_7.albedos_0 = toned_at_0(_S704, point_7.is_warp_1, point_7.albedos_0, f32(thread_of_family_0(_S704, _S705)), vec2<f32>(_S705.x_13, _S705.y_6));
     }
-    var _S709 : bool = (((((fabrics_0[_S703].has_detail_0) != u32(0)) & ((_S708 >= 0.0f)))) & ((has_hairs_0(_S703))));
-    if(varies_at_0(_S703, _S708))
+    var _S710 : bool = (((((fabrics_0[_S704].has_detail_0) != u32(0)) & ((_S709 >= 0.0f)))) & ((has_hairs_0(_S704))));
+    if(varies_at_0(_S704, _S709))
     {
-        point_7.albedos_0 = varied_at_0(_S703, _S704, point_7.albedos_0, _S706, _S708, select(0.0f, point_7.hair_cover_0, _S709));
+        point_7.albedos_0 = varied_at_0(_S704, _S705, point_7.albedos_0, _S707, _S709, select(0.0f, point_7.hair_cover_0, _S710));
     }
     return point_7;
 }
 
-fn locate_yarn_0( _S710 : u32,  _S711 : SearchQuality_0,  _S712 : f32,  _S713 : f32,  _S714 : vec3<f32>,  _S715 : f32) -> YarnPoint_0
+fn locate_yarn_0( _S711 : u32,  _S712 : SearchQuality_0,  _S713 : f32,  _S714 : f32,  _S715 : vec3<f32>,  _S716 : f32) -> YarnPoint_0
 {
-    var _S716 : bool = (_S714.z) < 0.0f;
-    var _S717 : vec3<f32> = to_face_frame_0(_S714, _S716);
-    var _S718 : Hit_0 = first_hit_0(_S710, _S711, _S712, _S713, _S717, _S716);
-    var point_8 : YarnPoint_0 = yarn_point_of_0(_S710, surface_met_0(_S710, _S718.x_18, _S718.y_11, _S718.height_8, _S717, _S716), _S717, _S716, _S718.hole_5, _S715);
-    point_8.place_3 = vec2<f32>(_S718.x_18, _S718.y_11);
+    var _S717 : bool = (_S715.z) < 0.0f;
+    var _S718 : vec3<f32> = to_face_frame_0(_S715, _S717);
+    var _S719 : Hit_0 = first_hit_0(_S711, _S712, _S713, _S714, _S718, _S717);
+    var point_8 : YarnPoint_0 = yarn_point_of_0(_S711, surface_met_0(_S711, _S719.x_18, _S719.y_11, _S719.height_8, _S718, _S717), _S718, _S717, _S719.hole_5, _S716);
+    point_8.place_3 = vec2<f32>(_S719.x_18, _S719.y_11);
     return point_8;
 }
 
-fn openness_number_0( _S719 : u32,  _S720 : u32) -> f32
+fn openness_number_0( _S720 : u32,  _S721 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S719].openness_0 + _S720);
+    return table_number_0(fabrics_0[_S720].openness_0 + _S721);
 }
 
-fn blocked_of_terms_0( _S721 : u32,  _S722 : u32,  _S723 : array<f32, i32(6)>,  _S724 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S722 : u32,  _S723 : u32,  _S724 : array<f32, i32(6)>,  _S725 : u32) -> Blocked_0
 {
     var shares_0 : array<f32, i32(3)>;
     var share_3 : u32 = u32(0);
@@ -2782,14 +2795,14 @@ fn blocked_of_terms_0( _S721 : u32,  _S722 : u32,  _S723 : array<f32, i32(6)>,  
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S724)
+            if(term_0 < _S725)
             {
             }
             else
             {
                 break;
             }
-            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S721, _S722 + share_3 * _S724 + term_0) * _S723[term_0];
+            shares_0[share_3] = shares_0[share_3] + openness_number_0(_S722, _S723 + share_3 * _S725 + term_0) * _S724[term_0];
             term_0 = term_0 + u32(1);
         }
         shares_0[share_3] = saturate(shares_0[share_3]);
@@ -2802,92 +2815,92 @@ fn blocked_of_terms_0( _S721 : u32,  _S722 : u32,  _S723 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_at_0( _S725 : u32,  _S726 : bool,  _S727 : bool,  _S728 : f32,  _S729 : f32) -> Blocked_0
+fn blocked_at_0( _S726 : u32,  _S727 : bool,  _S728 : bool,  _S729 : f32,  _S730 : f32) -> Blocked_0
 {
-    var _S730 : f32 = _S729 * openness_number_0(_S725, u32(158));
-    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S728, _S730, _S728 * _S728, _S728 * _S730, _S730 * _S730 );
-    return blocked_of_terms_0(_S725, u32(60) + (select(u32(0), u32(2), _S727) + select(u32(1), u32(0), _S726)) * u32(18), terms_0, u32(6));
+    var _S731 : f32 = _S730 * openness_number_0(_S726, u32(158));
+    var terms_0 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S729, _S731, _S729 * _S729, _S729 * _S731, _S731 * _S731 );
+    return blocked_of_terms_0(_S726, u32(60) + (select(u32(0), u32(2), _S728) + select(u32(1), u32(0), _S727)) * u32(18), terms_0, u32(6));
 }
 
-fn scattered_by_0( _S731 : u32,  _S732 : Albedos_0,  _S733 : u32,  _S734 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S732 : u32,  _S733 : Albedos_0,  _S734 : u32,  _S735 : vec3<f32>) -> Scattered_0
 {
-    var _S735 : u32 = u32(159) + u32(2) * _S733;
+    var _S736 : u32 = u32(159) + u32(2) * _S734;
     var yarn_4 : Scattered_0;
-    yarn_4.back_12 = _S734 * _S732.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S731, _S735)) * _S732.specular_reflect_0;
-    yarn_4.through_0 = _S734 * _S732.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S731, _S735 + u32(1))) * _S732.specular_transmit_0;
+    yarn_4.back_12 = _S735 * _S733.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S732, _S736)) * _S733.specular_reflect_0;
+    yarn_4.through_0 = _S735 * _S733.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S732, _S736 + u32(1))) * _S733.specular_transmit_0;
     return yarn_4;
 }
 
-fn sent_0( _S736 : u32,  _S737 : u32,  _S738 : vec3<f32>,  _S739 : vec3<f32>,  _S740 : vec3<f32>,  _S741 : vec3<f32>,  _S742 : ptr<function, vec3<f32>>,  _S743 : ptr<function, vec3<f32>>)
+fn sent_0( _S737 : u32,  _S738 : u32,  _S739 : vec3<f32>,  _S740 : vec3<f32>,  _S741 : vec3<f32>,  _S742 : vec3<f32>,  _S743 : ptr<function, vec3<f32>>,  _S744 : ptr<function, vec3<f32>>)
 {
-    var _S744 : u32 = u32(146) + u32(4) * _S737;
-    var _S745 : f32 = openness_number_0(_S736, _S744 + u32(1));
-    var _S746 : f32 = openness_number_0(_S736, _S744 + u32(2));
-    var _S747 : vec3<f32> = vec3<f32>(1.0f);
-    var _S748 : vec3<f32> = _S747 - _S740 * vec3<f32>(openness_number_0(_S736, _S744));
-    var _S749 : vec3<f32> = _S747 - _S741 * vec3<f32>(openness_number_0(_S736, _S744 + u32(3)));
-    var _S750 : vec3<f32> = _S747 / (_S748 * _S749 - _S740 * _S741 * vec3<f32>((_S745 * _S746)));
-    (*_S742) = (_S738 * _S749 + _S740 * vec3<f32>(_S745) * _S739) * _S750;
-    (*_S743) = (_S739 * _S748 + _S741 * vec3<f32>(_S746) * _S738) * _S750;
+    var _S745 : u32 = u32(146) + u32(4) * _S738;
+    var _S746 : f32 = openness_number_0(_S737, _S745 + u32(1));
+    var _S747 : f32 = openness_number_0(_S737, _S745 + u32(2));
+    var _S748 : vec3<f32> = vec3<f32>(1.0f);
+    var _S749 : vec3<f32> = _S748 - _S741 * vec3<f32>(openness_number_0(_S737, _S745));
+    var _S750 : vec3<f32> = _S748 - _S742 * vec3<f32>(openness_number_0(_S737, _S745 + u32(3)));
+    var _S751 : vec3<f32> = _S748 / (_S749 * _S750 - _S741 * _S742 * vec3<f32>((_S746 * _S747)));
+    (*_S743) = (_S739 * _S750 + _S741 * vec3<f32>(_S746) * _S740) * _S751;
+    (*_S744) = (_S740 * _S749 + _S742 * vec3<f32>(_S747) * _S739) * _S751;
     return;
 }
 
-fn face_sends_0( _S751 : u32,  _S752 : u32,  _S753 : Scattered_0,  _S754 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S752 : u32,  _S753 : u32,  _S754 : Scattered_0,  _S755 : Scattered_0) -> FaceSends_0
 {
-    var _S755 : u32 = u32(2) * _S752;
-    var _S756 : u32 = u32(142) + _S755;
-    var _S757 : f32 = openness_number_0(_S751, _S756);
-    var _S758 : f32 = openness_number_0(_S751, _S756 + u32(1));
-    var _S759 : vec3<f32> = vec3<f32>((1.0f - _S757)) * _S753.back_12;
+    var _S756 : u32 = u32(2) * _S753;
+    var _S757 : u32 = u32(142) + _S756;
+    var _S758 : f32 = openness_number_0(_S752, _S757);
+    var _S759 : f32 = openness_number_0(_S752, _S757 + u32(1));
     var _S760 : vec3<f32> = vec3<f32>((1.0f - _S758)) * _S754.back_12;
+    var _S761 : vec3<f32> = vec3<f32>((1.0f - _S759)) * _S755.back_12;
     var sends_1 : FaceSends_0;
-    var _S761 : u32 = u32(154) + _S755;
-    var _S762 : f32 = openness_number_0(_S751, _S761);
-    sends_1.blocks_warp_0 = _S762;
-    var _S763 : f32 = openness_number_0(_S751, _S761 + u32(1));
-    sends_1.blocks_weft_0 = _S763;
-    sends_1.open_0 = _S762 * _S757 + _S763 * _S758;
-    var _S764 : vec3<f32> = vec3<f32>(_S757) * _S753.back_12;
+    var _S762 : u32 = u32(154) + _S756;
+    var _S763 : f32 = openness_number_0(_S752, _S762);
+    sends_1.blocks_warp_0 = _S763;
+    var _S764 : f32 = openness_number_0(_S752, _S762 + u32(1));
+    sends_1.blocks_weft_0 = _S764;
+    sends_1.open_0 = _S763 * _S758 + _S764 * _S759;
     var _S765 : vec3<f32> = vec3<f32>(_S758) * _S754.back_12;
-    var _S766 : vec3<f32> = sends_1.sky_warp_0;
-    var _S767 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S751, _S752, _S764, _S765, _S759, _S760, &(_S766), &(_S767));
-    sends_1.sky_warp_0 = _S766;
-    sends_1.sky_weft_0 = _S767;
-    var _S768 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S769 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S751, _S752, _S753.through_0, _S754.through_0, _S759, _S760, &(_S768), &(_S769));
-    sends_1.crossing_warp_0 = _S768;
-    sends_1.crossing_weft_0 = _S769;
+    var _S766 : vec3<f32> = vec3<f32>(_S759) * _S755.back_12;
+    var _S767 : vec3<f32> = sends_1.sky_warp_0;
+    var _S768 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S752, _S753, _S765, _S766, _S760, _S761, &(_S767), &(_S768));
+    sends_1.sky_warp_0 = _S767;
+    sends_1.sky_weft_0 = _S768;
+    var _S769 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S770 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S752, _S753, _S754.through_0, _S755.through_0, _S760, _S761, &(_S769), &(_S770));
+    sends_1.crossing_warp_0 = _S769;
+    sends_1.crossing_weft_0 = _S770;
     return sends_1;
 }
 
-fn interior_between_0( _S770 : u32,  _S771 : u32,  _S772 : u32,  _S773 : vec3<f32>,  _S774 : bool) -> Interior_0
+fn interior_between_0( _S771 : u32,  _S772 : u32,  _S773 : u32,  _S774 : vec3<f32>,  _S775 : bool) -> Interior_0
 {
-    var _S775 : Scattered_0 = scattered_by_0(_S770, table_albedos_0(_S771), u32(0), _S773);
-    var _S776 : Scattered_0 = scattered_by_0(_S770, table_albedos_0(_S772), u32(1), _S773);
-    var _S777 : FaceSends_0 = face_sends_0(_S770, select(u32(0), u32(1), _S774), _S775, _S776);
-    var _S778 : FaceSends_0 = face_sends_0(_S770, select(u32(1), u32(0), _S774), _S775, _S776);
-    var _S779 : vec3<f32> = vec3<f32>(_S777.blocks_warp_0);
-    var _S780 : vec3<f32> = vec3<f32>(_S777.blocks_weft_0);
-    var _S781 : vec3<f32> = _S779 * _S777.crossing_warp_0 + _S780 * _S777.crossing_weft_0;
-    var _S782 : vec3<f32> = vec3<f32>(_S778.blocks_warp_0);
-    var _S783 : vec3<f32> = vec3<f32>(_S778.blocks_weft_0);
-    var _S784 : vec3<f32> = _S782 * _S778.crossing_warp_0 + _S783 * _S778.crossing_weft_0;
-    var _S785 : f32 = 1.0f - _S777.open_0;
+    var _S776 : Scattered_0 = scattered_by_0(_S771, table_albedos_0(_S772), u32(0), _S774);
+    var _S777 : Scattered_0 = scattered_by_0(_S771, table_albedos_0(_S773), u32(1), _S774);
+    var _S778 : FaceSends_0 = face_sends_0(_S771, select(u32(0), u32(1), _S775), _S776, _S777);
+    var _S779 : FaceSends_0 = face_sends_0(_S771, select(u32(1), u32(0), _S775), _S776, _S777);
+    var _S780 : vec3<f32> = vec3<f32>(_S778.blocks_warp_0);
+    var _S781 : vec3<f32> = vec3<f32>(_S778.blocks_weft_0);
+    var _S782 : vec3<f32> = _S780 * _S778.crossing_warp_0 + _S781 * _S778.crossing_weft_0;
+    var _S783 : vec3<f32> = vec3<f32>(_S779.blocks_warp_0);
+    var _S784 : vec3<f32> = vec3<f32>(_S779.blocks_weft_0);
+    var _S785 : vec3<f32> = _S783 * _S779.crossing_warp_0 + _S784 * _S779.crossing_weft_0;
     var _S786 : f32 = 1.0f - _S778.open_0;
-    var _S787 : vec3<f32> = vec3<f32>(1.0f);
-    var _S788 : vec3<f32> = _S787 / (_S787 - _S781 * _S784 * vec3<f32>((_S785 * _S786)));
-    var _S789 : vec3<f32> = _S784 * (vec3<f32>(_S777.open_0) + vec3<f32>(_S785) * (_S779 * _S777.sky_warp_0 + _S780 * _S777.sky_weft_0)) * _S788;
-    var _S790 : vec3<f32> = _S781 * (vec3<f32>(_S778.open_0) + vec3<f32>(_S786) * (_S782 * _S778.sky_warp_0 + _S783 * _S778.sky_weft_0)) * _S788;
-    var _S791 : FaceRadiance_0 = face_radiance_0(_S777, _S778.open_0, _S789, _S790);
-    var _S792 : FaceRadiance_0 = face_radiance_0(_S778, _S777.open_0, _S790, _S789);
+    var _S787 : f32 = 1.0f - _S779.open_0;
+    var _S788 : vec3<f32> = vec3<f32>(1.0f);
+    var _S789 : vec3<f32> = _S788 / (_S788 - _S782 * _S785 * vec3<f32>((_S786 * _S787)));
+    var _S790 : vec3<f32> = _S785 * (vec3<f32>(_S778.open_0) + vec3<f32>(_S786) * (_S780 * _S778.sky_warp_0 + _S781 * _S778.sky_weft_0)) * _S789;
+    var _S791 : vec3<f32> = _S782 * (vec3<f32>(_S779.open_0) + vec3<f32>(_S787) * (_S783 * _S779.sky_warp_0 + _S784 * _S779.sky_weft_0)) * _S789;
+    var _S792 : FaceRadiance_0 = face_radiance_0(_S778, _S779.open_0, _S790, _S791);
+    var _S793 : FaceRadiance_0 = face_radiance_0(_S779, _S778.open_0, _S791, _S790);
     var interior_1 : Interior_0;
-    interior_1.warp_4 = _S791.warp_3;
-    interior_1.weft_4 = _S791.weft_3;
-    interior_1.leaked_1 = _S791.leaked_0;
-    interior_1.far_1 = _S792.mean_0;
-    interior_1.far_leaked_0 = _S792.leaked_0;
+    interior_1.warp_4 = _S792.warp_3;
+    interior_1.weft_4 = _S792.weft_3;
+    interior_1.leaked_1 = _S792.leaked_0;
+    interior_1.far_1 = _S793.mean_0;
+    interior_1.far_leaked_0 = _S793.leaked_0;
     return interior_1;
 }
 
@@ -2897,19 +2910,19 @@ struct Behind_0
      is_covered_1 : bool,
 };
 
-fn layers_behind_0( _S793 : u32,  _S794 : YarnPoint_0,  _S795 : vec3<f32>) -> Behind_0
+fn layers_behind_0( _S794 : u32,  _S795 : YarnPoint_0,  _S796 : vec3<f32>) -> Behind_0
 {
-    var _S796 : f32 = _S794.place_3.x;
-    var _S797 : f32 = _S794.place_3.y;
-    var _S798 : PlaneHere_0 = plane_shown_0(_S793, _S796, _S797, _S794.back_9, true, true);
-    var _S799 : u32 = plane_order_0(_S793, _S796, _S797, _S794.back_9);
+    var _S797 : f32 = _S795.place_3.x;
+    var _S798 : f32 = _S795.place_3.y;
+    var _S799 : PlaneHere_0 = plane_shown_0(_S794, _S797, _S798, _S795.back_9, true, true);
+    var _S800 : u32 = plane_order_0(_S794, _S797, _S798, _S795.back_9);
     var behind_0 : Behind_0;
     behind_0.scattered_0.back_12 = vec3<f32>(0.0f);
     behind_0.scattered_0.through_0 = vec3<f32>(1.0f);
     behind_0.is_covered_1 = false;
-    var _S800 : u32 = fabrics_0[_S793].planes_0;
+    var _S801 : u32 = fabrics_0[_S794].planes_0;
     var nearer_0 : u32 = u32(0);
-    var left_0 : u32 = fabrics_0[_S793].planes_0;
+    var left_0 : u32 = fabrics_0[_S794].planes_0;
     var is_shown_0 : bool = false;
     for(;;)
     {
@@ -2920,54 +2933,54 @@ fn layers_behind_0( _S793 : u32,  _S794 : YarnPoint_0,  _S795 : vec3<f32>) -> Be
         {
             break;
         }
-        var _S801 : u32 = left_0 - u32(1);
-        var _S802 : u32 = words_0[_S799 + u32(2) * _S801];
-        var is_shown_1 : bool = (is_shown_0 | ((_S802 == (_S798.number_1))));
-        var _S803 : Plane_0 = plane_at_0(fabrics_0[_S793].plane_records_0 + _S802 * u32(16));
-        var _S804 : Crossing_0 = crossing_at_0(_S803, _S796, _S797, _S794.back_9);
-        var _S805 : Shown_0 = shown_at_0(_S804, _S794.back_9);
-        var _S806 : u32 = select(fabrics_0[_S793].weft_0, fabrics_0[_S793].warp_0, _S805.is_warp_0);
-        var _S807 : Scattered_0 = beneath_0(scattered_evenly_0(_S806, albedos_of_0(_S806, words_0[select(_S803.pick_numbers_0 + _S804.weft_2.thread_2, _S803.end_numbers_0 + _S804.warp_2.thread_2, _S805.is_warp_0)]), _S795), behind_0.scattered_0);
-        var _S808 : bool = ((((!_S805.hole_0) & ((!is_shown_1)))) & ((!(((left_0 < _S800) & ((_S802 == nearer_0)))))));
-        behind_0.scattered_0.back_12 = select_vector_0(_S808, _S807.back_12, behind_0.scattered_0.back_12);
-        behind_0.scattered_0.through_0 = select_vector_0(_S808, _S807.through_0, behind_0.scattered_0.through_0);
-        behind_0.is_covered_1 = ((behind_0.is_covered_1) | (_S808));
-        nearer_0 = _S802;
-        left_0 = _S801;
+        var _S802 : u32 = left_0 - u32(1);
+        var _S803 : u32 = words_0[_S800 + u32(2) * _S802];
+        var is_shown_1 : bool = (is_shown_0 | ((_S803 == (_S799.number_1))));
+        var _S804 : Plane_0 = plane_at_0(fabrics_0[_S794].plane_records_0 + _S803 * u32(16));
+        var _S805 : Crossing_0 = crossing_at_0(_S804, _S797, _S798, _S795.back_9);
+        var _S806 : Shown_0 = shown_at_0(_S805, _S795.back_9);
+        var _S807 : u32 = select(fabrics_0[_S794].weft_0, fabrics_0[_S794].warp_0, _S806.is_warp_0);
+        var _S808 : Scattered_0 = beneath_0(scattered_evenly_0(_S807, albedos_of_0(_S807, words_0[select(_S804.pick_numbers_0 + _S805.weft_2.thread_2, _S804.end_numbers_0 + _S805.warp_2.thread_2, _S806.is_warp_0)]), _S796), behind_0.scattered_0);
+        var _S809 : bool = ((((!_S806.hole_0) & ((!is_shown_1)))) & ((!(((left_0 < _S801) & ((_S803 == nearer_0)))))));
+        behind_0.scattered_0.back_12 = select_vector_0(_S809, _S808.back_12, behind_0.scattered_0.back_12);
+        behind_0.scattered_0.through_0 = select_vector_0(_S809, _S808.through_0, behind_0.scattered_0.through_0);
+        behind_0.is_covered_1 = ((behind_0.is_covered_1) | (_S809));
+        nearer_0 = _S803;
+        left_0 = _S802;
         is_shown_0 = is_shown_1;
     }
     return behind_0;
 }
 
-fn bounced_at_0( _S809 : u32,  _S810 : YarnPoint_0,  _S811 : vec3<f32>) -> Bounced_0
+fn bounced_at_0( _S810 : u32,  _S811 : YarnPoint_0,  _S812 : vec3<f32>) -> Bounced_0
 {
     var found_2 : Bounced_0;
-    var _S812 : vec3<f32> = vec3<f32>(0.0f);
-    found_2.reflected_0 = _S812;
-    found_2.transmitted_0 = _S812;
+    var _S813 : vec3<f32> = vec3<f32>(0.0f);
+    found_2.reflected_0 = _S813;
+    found_2.transmitted_0 = _S813;
     found_2.is_covered_0 = false;
-    if(_S810.hole_2)
+    if(_S811.hole_2)
     {
         return found_2;
     }
-    if((fabrics_0[_S809].openness_0) != u32(4294967295))
+    if((fabrics_0[_S810].openness_0) != u32(4294967295))
     {
-        found_2 = bounced_by_0(blocked_at_0(_S809, _S810.is_warp_1, _S810.back_9, _S810.surface_normal_0.z, _S810.height_5), scattered_by_0(_S809, _S810.albedos_0, select(u32(1), u32(0), _S810.is_warp_1), _S811), interior_between_0(_S809, families_0[fabrics_0[_S809].warp_0].colour_mean_0, families_0[fabrics_0[_S809].weft_0].colour_mean_0, _S811, _S810.back_9));
+        found_2 = bounced_by_0(blocked_at_0(_S810, _S811.is_warp_1, _S811.back_9, _S811.surface_normal_0.z, _S811.height_5 - _S811.plane_4), scattered_by_0(_S810, _S811.albedos_0, select(u32(1), u32(0), _S811.is_warp_1), _S812), interior_between_0(_S810, families_0[fabrics_0[_S810].warp_0].colour_mean_0, families_0[fabrics_0[_S810].weft_0].colour_mean_0, _S812, _S811.back_9));
     }
-    if(!is_layered_0(_S809))
-    {
-        return found_2;
-    }
-    var _S813 : Behind_0 = layers_behind_0(_S809, _S810, _S811);
-    if(!_S813.is_covered_1)
+    if(!is_layered_0(_S810))
     {
         return found_2;
     }
-    var own_2 : Scattered_0 = scattered_evenly_0(select(fabrics_0[_S809].weft_0, fabrics_0[_S809].warp_0, _S810.is_warp_1), _S810.albedos_0, _S811);
+    var _S814 : Behind_0 = layers_behind_0(_S810, _S811, _S812);
+    if(!_S814.is_covered_1)
+    {
+        return found_2;
+    }
+    var own_2 : Scattered_0 = scattered_evenly_0(select(fabrics_0[_S810].weft_0, fabrics_0[_S810].warp_0, _S811.is_warp_1), _S811.albedos_0, _S812);
     own_2.through_0 = own_2.through_0 + found_2.transmitted_0;
-    var _S814 : Scattered_0 = beneath_0(own_2, _S813.scattered_0);
-    found_2.reflected_0 = found_2.reflected_0 + (_S814.back_12 - own_2.back_12);
-    found_2.transmitted_0 = _S814.through_0;
+    var _S815 : Scattered_0 = beneath_0(own_2, _S814.scattered_0);
+    found_2.reflected_0 = found_2.reflected_0 + (_S815.back_12 - own_2.back_12);
+    found_2.transmitted_0 = _S815.through_0;
     found_2.is_covered_0 = true;
     return found_2;
 }
@@ -2977,13 +2990,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S815 : u32,  _S816 : vec2<u32>) -> f32
+fn visibility_at_0( _S816 : u32,  _S817 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S815 * frame_record_0.height_0 + _S816.y) * frame_record_0.width_0 + _S816.x];
+    return visibilities_0[(_S816 * frame_record_0.height_0 + _S817.y) * frame_record_0.width_0 + _S817.x];
 }
 
 struct LightSample_0
@@ -2993,216 +3006,239 @@ struct LightSample_0
      distance_3 : f32,
 };
 
-fn environment_texel_0( _S817 : u32,  _S818 : u32) -> vec3<f32>
+fn environment_texel_0( _S818 : u32,  _S819 : u32) -> vec3<f32>
 {
-    var _S819 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S817 * frame_record_0.environment_columns_0 + _S818);
-    return vec3<f32>(scene_number_0(_S819), scene_number_0(_S819 + u32(1)), scene_number_0(_S819 + u32(2)));
+    var _S820 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S818 * frame_record_0.environment_columns_0 + _S819);
+    return vec3<f32>(scene_number_0(_S820), scene_number_0(_S820 + u32(1)), scene_number_0(_S820 + u32(2)));
 }
 
-fn sample_environment_0( _S820 : vec2<f32>,  _S821 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S821 : vec2<f32>,  _S822 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S822 : u32 = frame_record_0.environment_rows_0;
-    var _S823 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S820.y);
-    var _S824 : u32 = frame_record_0.environment_columns_0;
-    var _S825 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S823.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S820.x);
-    var _S826 : vec3<f32> = environment_texel_0(_S823.index_6, _S825.index_6);
-    (*_S821) = _S826 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S826), 9.99999968265522539e-21f)));
-    var _S827 : f32 = 3.14159274101257324f / f32(_S822);
-    var _S828 : f32 = mix(sine_cosine_0(f32(_S823.index_6) * _S827).y, sine_cosine_0(f32(_S823.index_6 + u32(1)) * _S827).y, _S823.remainder_0);
-    var _S829 : f32 = sqrt(max(1.0f - _S828 * _S828, 0.0f));
-    var _S830 : vec2<f32> = sine_cosine_0((f32(_S825.index_6) + _S825.remainder_0) * (6.28318548202514648f / f32(_S824)));
-    var _S831 : f32 = _S829 * _S830.x;
-    var _S832 : f32 = - _S829 * _S830.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S831 + frame_record_0.environment_sine_0 * _S832, _S828, frame_record_0.environment_cosine_0 * _S832 - frame_record_0.environment_sine_0 * _S831);
+    var _S823 : u32 = frame_record_0.environment_rows_0;
+    var _S824 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S821.y);
+    var _S825 : u32 = frame_record_0.environment_columns_0;
+    var _S826 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S824.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S821.x);
+    var _S827 : vec3<f32> = environment_texel_0(_S824.index_6, _S826.index_6);
+    (*_S822) = _S827 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S827), 9.99999968265522539e-21f)));
+    var _S828 : f32 = 3.14159274101257324f / f32(_S823);
+    var _S829 : f32 = mix(sine_cosine_0(f32(_S824.index_6) * _S828).y, sine_cosine_0(f32(_S824.index_6 + u32(1)) * _S828).y, _S824.remainder_0);
+    var _S830 : f32 = sqrt(max(1.0f - _S829 * _S829, 0.0f));
+    var _S831 : vec2<f32> = sine_cosine_0((f32(_S826.index_6) + _S826.remainder_0) * (6.28318548202514648f / f32(_S825)));
+    var _S832 : f32 = _S830 * _S831.x;
+    var _S833 : f32 = - _S830 * _S831.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S832 + frame_record_0.environment_sine_0 * _S833, _S829, frame_record_0.environment_cosine_0 * _S833 - frame_record_0.environment_sine_0 * _S832);
 }
 
-fn light_sample_0( _S833 : u32,  _S834 : vec2<u32>,  _S835 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S834 : u32,  _S835 : vec2<u32>,  _S836 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_3 = 1.00000001504746622e+30f;
-    var _S836 : u32 = frame_record_0.lights_0;
-    if(_S833 >= (frame_record_0.lights_0))
+    var _S837 : u32 = frame_record_0.lights_0;
+    if(_S834 >= (frame_record_0.lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S837 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S834, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S833 - _S836), u32(3)), &(weight_0));
-        sample_1.towards_0 = _S837;
+        var _S838 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S835, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S834 - _S837), u32(3)), &(weight_0));
+        sample_1.towards_0 = _S838;
         sample_1.irradiance_1 = weight_0 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S838 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S833);
-    sample_1.irradiance_1 = vec3<f32>(_S838.red_0, _S838.green_0, _S838.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S838.x_14, _S838.y_7, _S838.z_1);
-    if((_S838.is_point_0) != u32(0))
+    var _S839 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S834);
+    sample_1.irradiance_1 = vec3<f32>(_S839.red_0, _S839.green_0, _S839.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S839.x_14, _S839.y_7, _S839.z_1);
+    if((_S839.is_point_0) != u32(0))
     {
-        var _S839 : vec3<f32> = sample_1.towards_0 - _S835;
-        var _S840 : f32 = max(square_0(_S839), 9.999999960041972e-13f);
-        sample_1.distance_3 = sqrt(_S840);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S840);
-        sample_1.towards_0 = normalize(_S839);
+        var _S840 : vec3<f32> = sample_1.towards_0 - _S836;
+        var _S841 : f32 = max(square_0(_S840), 9.999999960041972e-13f);
+        sample_1.distance_3 = sqrt(_S841);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S841);
+        sample_1.towards_0 = normalize(_S840);
     }
     return sample_1;
 }
 
-fn hairs_lit_0( _S841 : u32,  _S842 : Hairs_0,  _S843 : vec3<f32>) -> f32
+fn diffuse_kept_0( _S842 : u32,  _S843 : vec3<f32>,  _S844 : vec3<f32>) -> f32
 {
-    return 1.0f - 0.5f * hair_towards_0(_S841, _S842, _S843, _S842.size_3 + fabrics_0[_S841].fibre_size_0).cover_1;
+    return (1.0f - fabrics_0[_S842].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S843.z), 0.0f))) * (1.0f - fabrics_0[_S842].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S844.z), 0.0f)));
 }
 
-fn under_hairs_0( _S844 : u32,  _S845 : YarnPoint_0,  _S846 : vec3<f32>) -> f32
+fn highlight_rise_0( _S845 : u32,  _S846 : vec3<f32>,  _S847 : vec3<f32>) -> f32
 {
-    if((((_S845.hair_cover_0) >= 1.0f) | (((_S846.z) <= 0.0f))))
+    var _S848 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S846, _S847) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S845].grazing_gain_0 * fourth_power_0(_S848) * _S848;
+}
+
+fn towards_grazing_0( _S849 : u32,  _S850 : Albedos_0,  _S851 : vec3<f32>,  _S852 : vec3<f32>) -> Albedos_0
+{
+    var _S853 : f32 = diffuse_kept_0(_S849, _S851, _S852);
+    var result_1 : Albedos_0 = _S850;
+    var _S854 : vec3<f32> = vec3<f32>(_S853);
+    result_1.diffuse_reflect_0 = result_1.diffuse_reflect_0 * _S854;
+    result_1.diffuse_transmit_0 = result_1.diffuse_transmit_0 * _S854;
+    result_1.specular_reflect_0 = result_1.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S849, _S851, _S852));
+    return result_1;
+}
+
+fn hairs_lit_0( _S855 : u32,  _S856 : Hairs_0,  _S857 : vec3<f32>) -> f32
+{
+    return 1.0f - 0.5f * hair_towards_0(_S855, _S856, _S857, _S856.size_3 + fabrics_0[_S855].fibre_size_0).cover_1;
+}
+
+fn under_hairs_0( _S858 : u32,  _S859 : YarnPoint_0,  _S860 : vec3<f32>) -> f32
+{
+    if((((_S859.hair_cover_0) >= 1.0f) | (((_S860.z) <= 0.0f))))
     {
         return 1.0f;
     }
-    return mix(hairs_lit_0(_S844, _S845.hairs_0, _S846), 1.0f, _S845.hair_cover_0);
+    return mix(hairs_lit_0(_S858, _S859.hairs_0, _S860), 1.0f, _S859.hair_cover_0);
 }
 
-fn scattered_1( _S847 : u32,  _S848 : YarnPoint_0,  _S849 : vec3<f32>,  _S850 : vec3<f32>) -> vec3<f32>
+fn scattered_1( _S861 : u32,  _S862 : YarnPoint_0,  _S863 : vec3<f32>,  _S864 : vec3<f32>) -> vec3<f32>
 {
-    var _S851 : vec3<f32> = vec3<f32>(0.0f);
-    var _S852 : bool = !_S848.hole_2;
-    var _S853 : f32 = _S849.z;
-    var value_1 : vec3<f32>;
-    if((_S852 & ((_S853 > 0.0f))))
+    var _S865 : vec3<f32> = vec3<f32>(0.0f);
+    var _S866 : Albedos_0 = towards_grazing_0(_S861, _S862.albedos_0, _S863, _S864);
+    var _S867 : bool = !_S862.hole_2;
+    var _S868 : f32 = _S863.z;
+    var value_2 : vec3<f32>;
+    if((_S867 & ((_S868 > 0.0f))))
     {
-        value_1 = (_S848.albedos_0.diffuse_reflect_0 * vec3<f32>(_S848.diffuse_gain_0) * vec3<f32>(diffuse_reflection_0(_S849, _S848.normal_1, fabrics_0[_S847].diffuse_blend_0)) + _S848.albedos_0.specular_reflect_0 * vec3<f32>(reflection_0(_S849, _S850, _S848.normal_1, _S848.tangent_0, _S848.roughness_1, fabrics_0[_S847].optical_depth_0))) * vec3<f32>(under_hairs_0(_S847, _S848, _S849));
+        value_2 = (_S866.diffuse_reflect_0 * vec3<f32>(_S862.diffuse_gain_0) * vec3<f32>(diffuse_reflection_0(_S863, _S862.normal_1, fabrics_0[_S861].diffuse_blend_0)) + _S866.specular_reflect_0 * vec3<f32>(reflection_0(_S863, _S864, _S862.normal_1, _S862.tangent_0, _S862.roughness_1, fabrics_0[_S861].optical_depth_0))) * vec3<f32>(under_hairs_0(_S861, _S862, _S863));
     }
     else
     {
-        if((_S852 & ((_S853 < 0.0f))))
+        if((_S867 & ((_S868 < 0.0f))))
         {
-            value_1 = _S848.albedos_0.diffuse_transmit_0 * vec3<f32>(_S848.diffuse_gain_0) * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S849), _S848.normal_1, fabrics_0[_S847].diffuse_blend_0)) + _S848.albedos_0.specular_transmit_0 * vec3<f32>(transmission_1(_S849, _S850, _S848.normal_1, _S848.tangent_0, _S848.roughness_1, fabrics_0[_S847].optical_depth_0));
+            value_2 = _S866.diffuse_transmit_0 * vec3<f32>(_S862.diffuse_gain_0) * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S863), _S862.normal_1, fabrics_0[_S861].diffuse_blend_0)) + _S866.specular_transmit_0 * vec3<f32>(transmission_1(_S863, _S864, _S862.normal_1, _S862.tangent_0, _S862.roughness_1, fabrics_0[_S861].optical_depth_0));
         }
         else
         {
-            value_1 = _S851;
+            value_2 = _S865;
         }
     }
-    var _S854 : f32 = fabrics_0[_S847].sheen_strength_0;
-    if((fabrics_0[_S847].sheen_strength_0) <= 0.0f)
+    var _S869 : f32 = fabrics_0[_S861].sheen_strength_0;
+    if((fabrics_0[_S861].sheen_strength_0) <= 0.0f)
     {
-        return value_1;
+        return value_2;
     }
-    var _S855 : vec2<f32> = sheen_with_transmittance_0(_S849, _S850, _S854, fabrics_0[_S847].sheen_roughness_0);
-    return vec3<f32>(_S855.y) * value_1 + vec3<f32>(_S855.x);
+    var _S870 : vec2<f32> = sheen_with_transmittance_0(_S863, _S864, _S869, fabrics_0[_S861].sheen_roughness_0);
+    return vec3<f32>(_S870.y) * value_2 + vec3<f32>(_S870.x);
 }
 
-fn surface_at_0( _S856 : u32,  _S857 : f32,  _S858 : f32,  _S859 : bool) -> SurfacePoint_0
+fn surface_at_0( _S871 : u32,  _S872 : f32,  _S873 : f32,  _S874 : bool) -> SurfacePoint_0
 {
-    return surface_of_0(_S856, sample_at_0(_S856, _S857, _S858, _S859), _S857, _S858, _S859);
+    return surface_of_0(_S871, sample_at_0(_S871, _S872, _S873, _S874), _S872, _S873, _S874);
 }
 
-fn unoccluded_0( _S860 : u32,  _S861 : SearchQuality_0,  _S862 : f32,  _S863 : f32,  _S864 : f32,  _S865 : vec3<f32>,  _S866 : bool) -> bool
+fn unoccluded_0( _S875 : u32,  _S876 : SearchQuality_0,  _S877 : f32,  _S878 : f32,  _S879 : f32,  _S880 : vec3<f32>,  _S881 : bool) -> bool
 {
-    if((_S865.z) <= 0.0f)
+    if((_S880.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S860, _S861, vec3<f32>(_S862, _S863, _S864 + fabrics_0[_S860].lift_0), _S865, _S866, max_height_along_0(_S860, _S862, _S863, _S864, _S865, _S866));
+    return is_free_0(_S875, _S876, vec3<f32>(_S877, _S878, _S879 + fabrics_0[_S875].lift_0), _S880, _S881, max_height_along_0(_S875, _S877, _S878, _S879, _S880, _S881));
 }
 
-fn is_lit_0( _S867 : u32,  _S868 : SearchQuality_0,  _S869 : YarnPoint_0,  _S870 : vec3<f32>) -> bool
+fn is_lit_0( _S882 : u32,  _S883 : SearchQuality_0,  _S884 : YarnPoint_0,  _S885 : vec3<f32>) -> bool
 {
-    if(_S869.hole_2)
+    if(_S884.hole_2)
     {
         return true;
     }
-    var _S871 : vec3<f32> = to_face_frame_0(_S870, _S869.back_9);
-    var _S872 : f32 = _S871.z;
-    var _S873 : bool = _S872 < 0.0f;
+    var _S886 : vec3<f32> = to_face_frame_0(_S885, _S884.back_9);
+    var _S887 : f32 = _S886.z;
+    var _S888 : bool = _S887 < 0.0f;
     var normal_10 : vec3<f32>;
     var height_12 : f32;
-    if(_S873)
+    if(_S888)
     {
-        var _S874 : SurfacePoint_0 = surface_at_0(_S867, _S869.x_10, _S869.y_4, !_S869.back_9);
-        normal_10 = _S874.normal_5;
-        height_12 = _S874.height_7;
+        var _S889 : SurfacePoint_0 = surface_at_0(_S882, _S884.x_10, _S884.y_4, !_S884.back_9);
+        normal_10 = _S889.normal_5;
+        height_12 = _S889.height_7;
     }
     else
     {
-        normal_10 = _S869.surface_normal_0;
-        height_12 = _S869.height_5;
+        normal_10 = _S884.surface_normal_0;
+        height_12 = _S884.height_5;
     }
-    var _S875 : vec3<f32> = vec3<f32>(_S871.xy, abs(_S872));
-    if((dot(normal_10, _S875)) <= 0.0f)
+    var _S890 : vec3<f32> = vec3<f32>(_S886.xy, abs(_S887));
+    if((dot(normal_10, _S890)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S867, _S868, _S869.x_10, _S869.y_4, height_12, _S875, (_S869.back_9) != _S873);
+    return unoccluded_0(_S882, _S883, _S884.x_10, _S884.y_4, height_12, _S890, (_S884.back_9) != _S888);
 }
 
-fn evaluate_with_0( _S876 : u32,  _S877 : SearchQuality_0,  _S878 : YarnPoint_0,  _S879 : Bounced_0,  _S880 : vec3<f32>,  _S881 : vec3<f32>) -> vec3<f32>
+fn evaluate_with_0( _S891 : u32,  _S892 : SearchQuality_0,  _S893 : YarnPoint_0,  _S894 : Bounced_0,  _S895 : vec3<f32>,  _S896 : vec3<f32>) -> vec3<f32>
 {
-    var _S882 : vec3<f32> = to_face_frame_0(_S881, _S878.back_9);
-    var shown_4 : YarnPoint_0 = _S878;
-    if(_S879.is_covered_0)
+    var _S897 : vec3<f32> = to_face_frame_0(_S896, _S893.back_9);
+    var shown_4 : YarnPoint_0 = _S893;
+    if(_S894.is_covered_0)
     {
-        var _S883 : vec3<f32> = vec3<f32>(0.0f);
-        shown_4.albedos_0.diffuse_transmit_0 = _S883;
-        shown_4.albedos_0.specular_transmit_0 = _S883;
+        var _S898 : vec3<f32> = vec3<f32>(0.0f);
+        shown_4.albedos_0.diffuse_transmit_0 = _S898;
+        shown_4.albedos_0.specular_transmit_0 = _S898;
     }
-    var _S884 : vec3<f32> = scattered_1(_S876, shown_4, to_face_frame_0(_S880, _S878.back_9), _S882);
-    var _S885 : bool;
-    if((max(_S884.x, max(_S884.y, _S884.z))) <= 0.0f)
+    var _S899 : vec3<f32> = scattered_1(_S891, shown_4, to_face_frame_0(_S895, _S893.back_9), _S897);
+    var _S900 : bool;
+    if((max(_S899.x, max(_S899.y, _S899.z))) <= 0.0f)
     {
-        _S885 = true;
-    }
-    else
-    {
-        _S885 = !is_lit_0(_S876, _S877, _S878, _S880);
-    }
-    var value_2 : vec3<f32>;
-    if(_S885)
-    {
-        value_2 = vec3<f32>(0.0f);
+        _S900 = true;
     }
     else
     {
-        value_2 = _S884;
+        _S900 = !is_lit_0(_S891, _S892, _S893, _S895);
     }
-    var between_1 : vec3<f32> = bounced_value_0(_S879, _S880, _S881);
-    var _S886 : f32 = fabrics_0[_S876].sheen_strength_0;
+    var value_3 : vec3<f32>;
+    if(_S900)
+    {
+        value_3 = vec3<f32>(0.0f);
+    }
+    else
+    {
+        value_3 = _S899;
+    }
+    var between_1 : vec3<f32> = bounced_value_0(_S894, _S895, _S896) * vec3<f32>(diffuse_kept_0(_S891, _S895, _S896));
+    var _S901 : f32 = fabrics_0[_S891].sheen_strength_0;
     var between_2 : vec3<f32>;
-    if((fabrics_0[_S876].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S891].sheen_strength_0) > 0.0f)
     {
-        between_2 = between_1 * vec3<f32>((1.0f - _S886 * sheen_lobe_0(abs(_S882.z), fabrics_0[_S876].sheen_roughness_0).z));
+        between_2 = between_1 * vec3<f32>((1.0f - _S901 * sheen_lobe_0(abs(_S897.z), fabrics_0[_S891].sheen_roughness_0).z));
     }
     else
     {
         between_2 = between_1;
     }
-    return value_2 + between_2;
+    return value_3 + between_2;
 }
 
-fn straight_through_0( _S887 : u32,  _S888 : YarnPoint_0,  _S889 : vec3<f32>) -> f32
+fn straight_through_0( _S902 : u32,  _S903 : YarnPoint_0,  _S904 : vec3<f32>) -> f32
 {
-    if(!_S888.hole_2)
+    if(!_S903.hole_2)
     {
         return 0.0f;
     }
-    var _S890 : f32 = fabrics_0[_S887].sheen_strength_0;
-    if((fabrics_0[_S887].sheen_strength_0) <= 0.0f)
+    var _S905 : f32 = fabrics_0[_S902].sheen_strength_0;
+    if((fabrics_0[_S902].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S890 * sheen_lobe_0(abs(_S889.z), fabrics_0[_S887].sheen_roughness_0).z;
+    return 1.0f - _S905 * sheen_lobe_0(abs(_S904.z), fabrics_0[_S902].sheen_roughness_0).z;
 }
 
-fn light_of_point_0( _S891 : u32,  _S892 : VisiblePoint_0,  _S893 : vec2<u32>,  _S894 : vec3<f32>,  _S895 : vec2<f32>) -> vec4<f32>
+fn light_of_point_0( _S906 : u32,  _S907 : VisiblePoint_0,  _S908 : vec2<u32>,  _S909 : vec3<f32>,  _S910 : vec2<f32>) -> vec4<f32>
 {
-    var _S896 : SearchQuality_0 = default_quality_0();
-    var _S897 : vec3<f32> = to_local_0(_S892, _S892.view_0);
+    var _S911 : SearchQuality_0 = default_quality_0();
+    var _S912 : vec3<f32> = to_local_0(_S907, _S907.view_0);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S895;
-    footprint_0.dx_0 = _S892.draft_dx_0;
-    footprint_0.dy_0 = _S892.draft_dy_0;
-    var _S898 : YarnPoint_0 = locate_yarn_0(_S891, _S896, _S895.x, _S895.y, _S897, Footprint_spread_side_0(footprint_0));
-    var point_9 : YarnPoint_0 = _S898;
-    var _S899 : Bounced_0 = bounced_at_0(_S891, _S898, _S894);
-    point_9.albedos_0 = tinted_0(point_9.albedos_0, _S894);
-    var _S900 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S910;
+    footprint_0.dx_0 = _S907.draft_dx_0;
+    footprint_0.dy_0 = _S907.draft_dy_0;
+    var _S913 : YarnPoint_0 = locate_yarn_0(_S906, _S911, _S910.x, _S910.y, _S912, Footprint_spread_side_0(footprint_0));
+    var point_9 : YarnPoint_0 = _S913;
+    var _S914 : Bounced_0 = bounced_at_0(_S906, _S913, _S909);
+    point_9.albedos_0 = tinted_0(point_9.albedos_0, _S909);
+    var _S915 : vec3<f32> = vec3<f32>(0.0f);
     var number_7 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S900;
+    var radiance_1 : vec3<f32> = _S915;
     for(;;)
     {
         if(number_7 < (light_sample_count_0()))
@@ -3212,51 +3248,51 @@ fn light_of_point_0( _S891 : u32,  _S892 : VisiblePoint_0,  _S893 : vec2<u32>,  
         {
             break;
         }
-        var _S901 : f32 = visibility_at_0(number_7, _S893);
-        if(_S901 <= 0.0f)
+        var _S916 : f32 = visibility_at_0(number_7, _S908);
+        if(_S916 <= 0.0f)
         {
             number_7 = number_7 + u32(1);
             continue;
         }
-        var _S902 : LightSample_0 = light_sample_0(number_7, _S893, _S892.position_4);
-        radiance_1 = radiance_1 + vec3<f32>(_S901) * _S902.irradiance_1 * evaluate_with_0(_S891, _S896, point_9, _S899, to_local_0(_S892, _S902.towards_0), _S897);
+        var _S917 : LightSample_0 = light_sample_0(number_7, _S908, _S907.position_4);
+        radiance_1 = radiance_1 + vec3<f32>(_S916) * _S917.irradiance_1 * evaluate_with_0(_S906, _S911, point_9, _S914, to_local_0(_S907, _S917.towards_0), _S912);
         number_7 = number_7 + u32(1);
     }
-    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S891, point_9, _S897));
+    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S906, point_9, _S912));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S903 : u32 = id_0.x;
-    var _S904 : bool;
-    if(_S903 >= (frame_record_0.width_0))
+    var _S918 : u32 = id_0.x;
+    var _S919 : bool;
+    if(_S918 >= (frame_record_0.width_0))
     {
-        _S904 = true;
+        _S919 = true;
     }
     else
     {
-        _S904 = (id_0.y) >= (frame_record_0.height_0);
+        _S919 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S904)
+    if(_S919)
     {
         return;
     }
-    var _S905 : vec2<u32> = id_0.xy;
-    var _S906 : u32 = id_0.y * frame_record_0.width_0 + _S903;
-    var _S907 : u32 = layers_0[_S906].face_0;
-    if((layers_0[_S906].face_0) == u32(0))
+    var _S920 : vec2<u32> = id_0.xy;
+    var _S921 : u32 = id_0.y * frame_record_0.width_0 + _S918;
+    var _S922 : u32 = layers_0[_S921].face_0;
+    if((layers_0[_S921].face_0) == u32(0))
     {
         return;
     }
-    var _S908 : u32 = _S907 - u32(1);
-    var _S909 : u32 = fabric_of_0(_S908);
-    var _S910 : VisiblePoint_0 = visible_point_0(_S909, _S908, _S905);
-    var _S911 : vec3<f32> = filtered_albedo_0(_S909, _S910);
-    var _S912 : vec4<f32> = vec4<f32>(0.0f);
+    var _S923 : u32 = _S922 - u32(1);
+    var _S924 : u32 = fabric_of_0(_S923);
+    var _S925 : VisiblePoint_0 = visible_point_0(_S924, _S923, _S920);
+    var _S926 : vec3<f32> = filtered_albedo_0(_S924, _S925);
+    var _S927 : vec4<f32> = vec4<f32>(0.0f);
     var k_0 : u32 = u32(0);
-    var sum_0 : vec4<f32> = _S912;
+    var sum_0 : vec4<f32> = _S927;
     for(;;)
     {
         if(k_0 < (frame_record_0.samples_0))
@@ -3266,12 +3302,12 @@ fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        var _S913 : vec2<f32> = pixel_sequence_0(_S905, frame_record_0.pass_number_0 * frame_record_0.samples_0 + k_0, u32(1)) - vec2<f32>(0.5f);
-        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(_S909, _S910, _S905, _S911, irregular_place_0(_S909, _S910.draft_0 + vec2<f32>(_S913.x) * _S910.draft_dx_0 + vec2<f32>(_S913.y) * _S910.draft_dy_0, 0.0f));
+        var _S928 : vec2<f32> = pixel_sequence_0(_S920, frame_record_0.pass_number_0 * frame_record_0.samples_0 + k_0, u32(1)) - vec2<f32>(0.5f);
+        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(_S924, _S925, _S920, _S926, irregular_place_0(_S924, _S925.draft_0 + vec2<f32>(_S928.x) * _S925.draft_dx_0 + vec2<f32>(_S928.y) * _S925.draft_dy_0, 0.0f));
         k_0 = k_0 + u32(1);
         sum_0 = sum_1;
     }
-    accumulate_0(_S906, sum_0 / vec4<f32>(f32(frame_record_0.samples_0)));
+    accumulate_0(_S921, sum_0 / vec4<f32>(f32(frame_record_0.samples_0)));
     return;
 }
 
