@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import math
+import warnings
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.errors import LoomlightWarning
+from loomlight.fabric import load_fabric
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
+_LAYERED = Path(__file__).parents[2] / "examples" / "layered"
 PLAIN = np.array([[True, False], [False, True]])
 TWILL = np.array([[(end - pick) % 4 != 0 for end in range(4)] for pick in range(4)])
 SATIN = np.array([[(2 * end) % 5 != pick for end in range(5)] for pick in range(5)])
@@ -35,6 +41,13 @@ def even_layout(
         )
 
     return ClothLayout(warp_on_top, family(ends), family(picks))
+
+
+def layered_layout(name: str) -> ClothLayout:
+    """The layout of one of the examples of layered cloth, without ties, which shaders do not draw."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", LoomlightWarning)  # that it has layers
+        return replace(load_fabric(_LAYERED / f"{name}.wif").layout(), ties=())
 
 
 def random_layout(rng: np.random.Generator, uneven: bool) -> ClothLayout:

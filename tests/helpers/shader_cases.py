@@ -6,6 +6,7 @@ case says; beside them the bar of `parity.py` holds.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache, partial
@@ -16,6 +17,7 @@ import numpy as np
 from drjit.llvm.ad import UInt
 from numpy.typing import NDArray
 
+from loomlight.core.errors import LoomlightWarning
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.fabric.read import edited_fabric
@@ -54,6 +56,14 @@ def _fabric_of(name: str) -> Fabric:
     """An example, "even" without irregular yarns."""
     fabric = load_fabric(EXAMPLES / f"{name.removeprefix('even ')}.toml")
     return edited_fabric(fabric, {"variation.irregularity": 0}) if name.startswith("even") else fabric
+
+
+def _layered(name: str) -> Fabric:
+    """An example of layered cloth, with light between its yarns and under sheen."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", LoomlightWarning)  # that it has layers
+        fabric = load_fabric(EXAMPLES / "layered" / f"{name}.wif")
+    return edited_fabric(fabric, {"interreflection": True, "sheen.strength": 0.3, "warp.gap": 0.3})
 
 
 @dataclass(frozen=True)
@@ -109,6 +119,11 @@ CASES: dict[str, ShaderCase] = {
     **{
         f"lobes, {name}": ShaderCase("lobes", _of("lobes", partial(_fabric_of, name)), _SEARCHES)
         for name in ("denim", "even denim", "damask", "silk-satin")
+    },
+    **{
+        f"{model}, {name}": ShaderCase(model, _of(model, partial(_layered, name)), _SEARCHES)
+        for model in ("lobes", "point")
+        for name in ("double-plain", "pattern-double-weave")
     },
     # Of threads of two colours more shows.
     "lobes, wool-houndstooth": ShaderCase(

@@ -17,7 +17,7 @@ from loomlight.models.lobes.tables import given_numbers
 from loomlight.models.neural.model import NeuralModel
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.records import BUFFERS
-from loomlight.realtime.slangc import compile_shader
+from loomlight.realtime.slangc import LAYERED, compile_shader
 from loomlight.realtime.words import Packed, pack_fabrics
 
 _GROUP = 64
@@ -86,7 +86,7 @@ def mapped(
     if fabric is not None:
         packed = fabric if isinstance(fabric, Packed) else _pack(*fabric, neural=neural)
         resources |= {name: adapter.storage(values) for name, values in packed.buffers().items()}
-    pipeline = adapter.pipeline(wgsl, "map_rows")
+    pipeline = adapter.pipeline(wgsl, "map_rows", fabric is not None and packed.is_layered)
     group = adapter.bindings(pipeline, wgsl, resources)
     encoder = adapter.device.create_command_encoder()
     compute = encoder.begin_compute_pass()
@@ -122,4 +122,4 @@ def _compiled(source: str) -> str:
     with TemporaryDirectory() as folder:
         file = Path(folder) / f"map_{hashlib.sha1(source.encode()).hexdigest()[:8]}.slang"
         file.write_text(source, encoding="utf-8")
-        return compile_shader(file, "wgsl", ["map_rows"]).decode()
+        return compile_shader(file, "wgsl", ["map_rows"], LAYERED).decode()

@@ -6,14 +6,11 @@ Covers: realtime/records.py, realtime/words.py
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
-from loomlight.core.errors import LoomlightWarning
-from loomlight.fabric import load_fabric
 from loomlight.realtime.records import BUFFERS, RECORDS, numpy_type, slang_structs
 from loomlight.realtime.words import WordTable, pack_fabrics
 from loomlight.yarn.geometry import YarnGeometry
-from tests.helpers.layouts import TWILL, even_layout, random_layout
+from tests.helpers.layouts import TWILL, even_layout, layered_layout, random_layout
 from tests.helpers.parity import appearance
 
 
@@ -67,8 +64,30 @@ def test_threads_alike_share_one_row() -> None:
     assert families["albedo_stride"].tolist() == [0, 0]
 
 
-def test_shaders_say_that_they_show_one_layer() -> None:
-    """Of cloth that has two."""
-    fabric = load_fabric("examples/layered/stitched-double-cloth.wif")
-    with pytest.warns(LoomlightWarning, match="this cloth has 2 layers"):
-        pack_fabrics([(fabric.layout(), fabric.appearance())])
+def test_orders_of_planes_are_those_of_the_cloth() -> None:
+    """Nearest first from either face; the last plane stands for those that a stack has not."""
+    layout = layered_layout("pocket")
+    assert layout.stacking is not None
+    packed = pack_fabrics([(layout, appearance(np.random.default_rng(0), layout, False, True))])
+    assert packed.is_layered
+    record, count = packed.fabrics[0], len(layout.layers)
+    first, size = int(record["plane_orders"]), len(layout.stacking.ranks) * 2 * count * 2
+    orders = packed.words[first : first + size].reshape(-1, 2, count, 2)
+    for stack, ranks in enumerate(layout.stacking.ranks):
+        order = sorted(np.flatnonzero(ranks >= 0), key=lambda plane: ranks[plane])
+        for face, nearest_first in enumerate((order, order[::-1])):
+            padded = [*nearest_first, *[nearest_first[-1]] * (count - len(order))]
+            assert orders[stack, face, :, 0].tolist() == padded
+            heights = orders[stack, face, :, 1].view(np.float32)
+            assert (np.diff(heights[: len(order)]) < 0).all()
+
+
+def test_records_of_layers_stand_behind_those_of_all_fabrics() -> None:
+    """A fabric without layers among two with them keeps the place of its families."""
+    rng = np.random.default_rng(0)
+    layouts = [layered_layout("double-plain"), even_layout(TWILL), layered_layout("four-layers")]
+    packed = pack_fabrics([(layout, appearance(rng, layout, False, False)) for layout in layouts])
+    assert packed.fabrics["warp"].tolist() == [0, 2, 4]
+    assert packed.fabrics["planes"].tolist() == [2, 0, 4]
+    assert packed.fabrics["plane_axes"].tolist() == [6, 0, 12]
+    assert len(packed.families) == 6 + 2 * 3 + 2 * 5

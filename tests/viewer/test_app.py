@@ -19,11 +19,14 @@ from safetensors.numpy import load
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 
-from loomlight.fabric import fabric_from_text
+from loomlight.core.errors import LoomlightWarning
+from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.realtime.materials import tables_for
+from loomlight.realtime.records import numpy_type
 from loomlight.realtime.words import pack_fabrics
 from loomlight.viewer.app import Access, is_loopback, read_body
 from loomlight.viewer.limited_reader import MAX_UPLOAD
+from loomlight.viewer.messages import fabric_json
 from tests.limits import HANG
 from tests.viewer.conftest import Served
 
@@ -157,7 +160,7 @@ def test_unknown_formats_and_models_are_told_so(local: Served) -> None:
         ({"format": "zip", "size": "many"}, "size = 'many' is no whole number"),
     ):
         assert said in error_of(local.ask("POST", "/api/save", json.dumps(asked | fabric).encode()))
-    answer = local.ask("POST", "/api/tables", json.dumps({"model": "lobes", **fabric}).encode())
+    answer = local.ask("POST", "/api/tables", json.dumps({"model": "neumip", **fabric}).encode())
     assert "has no tables" in error_of(answer)
     assert error_of(local.ask("GET", "/api/nothing")) == "There is no /api/nothing here."
 
@@ -174,6 +177,17 @@ def test_tables_of_a_model(local: Served) -> None:
     assert {name: part.tobytes() for name, part in tables.items()} == {
         name: values.tobytes() for name, values in packed.items()
     }
+
+
+def test_tables_of_cloth_in_layers(local: Served) -> None:
+    """The page asks for those of its own models, once it is told how many layers there are."""
+    with pytest.warns(LoomlightWarning, match="2 layers"):
+        fabric = load_fabric(WIF.parent / "layered" / "double-plain.wif")
+    asked = {"model": "point", **fabric_json(fabric)}
+    tables = load(local.ask("POST", "/api/tables", json.dumps(asked).encode())[2])
+    assert tables["fabrics"].view(numpy_type("Fabric"))["planes"] == [2]
+    answer = local.ask("POST", "/api/openness", json.dumps(fabric_json(fabric)).encode())
+    assert json.loads(answer[2])["planes"] == [2]
 
 
 def test_openness_of_yarns(local: Served) -> None:

@@ -75,18 +75,21 @@ class FootprintAlbedos:
     In layered cloth those of all layers, as much of each as a face shows through the gaps before it.
 
     Attributes:
+        planes: of each layer of the cloth; one where it lies in one plane.
+        seen: how much of each of several layers shows; None of one.
         tables: colours of the warp and of the weft, of the front layer.
     """
 
     def __init__(self, geometry: ClothGeometry, appearance: Appearance) -> None:
         """Computes the tables; families whose threads are all the same need none."""
         if isinstance(geometry, YarnGeometry):
-            self._planes = [_Plane.of(geometry, appearance)]
+            self.planes = [Plane.of(geometry, appearance)]
+            self.seen: Seen | None = None
         else:
             layers = zip(geometry.layers, geometry.layout.layers, strict=True)
-            self._planes = [_Plane.of(own, appearance, layer) for own, layer in layers]
-            self._seen = _Seen.of(geometry.layout, self._planes, appearance)
-        self.tables = self._planes[0].tables
+            self.planes = [Plane.of(own, appearance, layer) for own, layer in layers]
+            self.seen = Seen.of(geometry.layout, self.planes, appearance)
+        self.tables = self.planes[0].tables
         self._uploaded: dict[type, list[_Uploaded]] = {}
         self._shares: dict[type, _Shares] = {}
         self.appearance = appearance
@@ -103,18 +106,18 @@ class FootprintAlbedos:
     @property
     def varied(self) -> bool:
         """Whether threads of a family differ, so that means depend on the position."""
-        return any(len(tables.axes) > 0 for plane in self._planes for tables in plane.tables)
+        return any(len(tables.axes) > 0 for plane in self.planes for tables in plane.tables)
 
     @property
     def bytes(self) -> int:
         """Size of the tables on a device."""
-        tables = (tables for plane in self._planes for tables in plane.tables)
+        tables = (tables for plane in self.planes for tables in plane.tables)
         return sum(of_family.areas.nbytes + of_family.threads.nbytes for of_family in tables)
 
     @property
     def truncation(self) -> float:
         """Largest error of a thread's albedo, from principal axes that were dropped."""
-        return max(tables.truncation for plane in self._planes for tables in plane.tables)
+        return max(tables.truncation for plane in self.planes for tables in plane.tables)
 
     def over(self, footprint: Footprint, back: Mask) -> tuple[Albedos, Albedos]:
         """Mean albedos of (warp, weft) over footprints, as their axis-aligned boxes: Color3 each, 0 to 1.
@@ -135,9 +138,9 @@ class FootprintAlbedos:
     def upload(self, types: ArrayTypes) -> None:
         """Uploads the tables to a backend, which otherwise happens at first use."""
         if types.Float not in self._uploaded:
-            self._uploaded[types.Float] = [_Uploaded(plane, types) for plane in self._planes]
-            if len(self._planes) > 1:
-                self._shares[types.Float] = _Shares(self._seen, types)
+            self._uploaded[types.Float] = [_Uploaded(plane, types) for plane in self.planes]
+            if self.seen is not None:
+                self._shares[types.Float] = _Shares(self.seen, types)
             if self.appearance.openness is not None:
                 self._between[types.Float] = Interreflection(self.appearance, types)
 
@@ -154,7 +157,7 @@ class FootprintAlbedos:
 
 
 @dataclass(eq=False)
-class _Plane:
+class Plane:
     """Colours of threads that lie in one plane.
 
     Attributes:
@@ -192,7 +195,7 @@ class _Plane:
 
 
 @dataclass(eq=False)
-class _Seen:
+class Seen:
     """How much of layered cloth each layer shows, and what the layers behind it make of light.
 
     Attributes:
@@ -215,7 +218,7 @@ class _Seen:
     unit: float
 
     @classmethod
-    def of(cls, layout: ClothLayout, planes: Sequence[_Plane], appearance: Appearance) -> Self:
+    def of(cls, layout: ClothLayout, planes: Sequence[Plane], appearance: Appearance) -> Self:
         """From what each layer shows by itself."""
         stacking, count = layout.stacking, len(layout.layers)
         ranks = np.arange(count, dtype=np.int8)[None] if stacking is None else stacking.ranks
@@ -256,9 +259,26 @@ class _Seen:
                 regions[1:, 1:, stack][part] = np.rint(sums / unit).astype(np.int64).astype(np.uint32)
         return cls(areas, through, returned, stacking.shares(), (axes[0], axes[1]), regions, unit)
 
+    @property
+    def numbers(self) -> NDArray[np.float64]:
+        """Area, what passes, and what is added [stacks, layers, 2 faces, 2 families, 7]."""
+        passing = self.areas[..., None] * self.through[..., None, :]
+        added = self.areas[..., None] * self.returned
+        return np.concatenate([self.areas[..., None], passing, added], axis=-1)
+
+    def front_means(self, planes: Sequence[Plane]) -> NDArray[np.float64]:
+        """Mean albedos of warp and weft over all of the front [2 families, 12]."""
+        numbers = np.tensordot(self.shares, self.numbers[:, :, 0], 1)
+        albedos = np.array([[tables.mean.reshape(-1, 3) for tables in plane.tables] for plane in planes])
+        area, passing, added = numbers[..., :1], numbers[..., 1:4], numbers[..., 4:]
+        weights = np.stack([area + 0 * passing, passing, area + 0 * passing, passing], axis=2)
+        sums = (albedos * weights).sum(axis=0)
+        sums[:, 0] += added.sum(axis=0)
+        return (sums / np.maximum(area.sum(axis=0), 1e-6)[:, None]).reshape(2, -1)
+
 
 def _add_ties(areas: NDArray[np.float64], layout: ClothLayout, ranks: NDArray[Any]) -> None:
-    """Changes the areas that layers show, see `_Seen`, by those of ties, which cover some of them."""
+    """Changes the areas that layers show, see `Seen`, by those of ties, which cover some of them."""
     shares = np.ones(1) if layout.stacking is None else layout.stacking.shares()
     for tied in layout.ties:
         families = tied.layer.layout.warp, tied.layer.layout.weft
@@ -273,7 +293,7 @@ def _add_ties(areas: NDArray[np.float64], layout: ClothLayout, ranks: NDArray[An
         areas[outermost, tied.own, face, family] += share
 
 
-def _mean_scattered(plane: _Plane, appearance: Appearance) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _mean_scattered(plane: Plane, appearance: Appearance) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """R and T of the yarns of warp and weft of a plane at one scattering, of light from all around [2, 3]."""
     found = []
     for tables, family in zip(plane.tables, (appearance.warp, appearance.weft), strict=True):
@@ -287,13 +307,9 @@ def _mean_scattered(plane: _Plane, appearance: Appearance) -> tuple[NDArray[np.f
 class _Shares:
     """How much of each family a face shows of each layer, and what layers behind add, on one backend."""
 
-    def __init__(self, seen: _Seen, types: ArrayTypes) -> None:
+    def __init__(self, seen: Seen, types: ArrayTypes) -> None:
         self._types = types
-        # Of each number: by stack, layer, face and family.
-        passing = seen.areas[..., None] * seen.through[..., None, :]
-        added = seen.areas[..., None] * seen.returned
-        numbers = np.concatenate([seen.areas[..., None], passing, added], axis=-1)
-        self._numbers = opaque(types.Float, numbers)
+        self._numbers = opaque(types.Float, seen.numbers)
         self._axes = [_Axis(family, types) for family in seen.axes]
         self._regions = None if seen.regions is None else PairedEntries(seen.regions, types)
         self._unit = dr.opaque(types.Float, seen.unit)
@@ -524,7 +540,7 @@ class _Axis:
 class _Uploaded:
     """Both families on one backend."""
 
-    def __init__(self, plane: _Plane, types: ArrayTypes) -> None:
+    def __init__(self, plane: Plane, types: ArrayTypes) -> None:
         self._axes = tuple(_Axis(family, types) for family in plane.families)
         self._colours = tuple(_Colours(table, types) for table in plane.tables)
         self._start = None if plane.start == (0.0, 0.0) else opaque(types.Float, plane.start)

@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 import shutil
 import tomllib
+import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from string import Template
 from typing import Any
 
-from loomlight.core.errors import LoomlightError
+from loomlight.core.errors import LoomlightError, LoomlightWarning
 from loomlight.models.registry import REALTIME_MODELS, Shaders
 from loomlight.realtime.materials import Material, look_of, source_of, tables_for
 from loomlight.realtime.records import BUFFERS, QUERY, RECORDS, Fields
@@ -318,7 +319,17 @@ def write_buffers(
     Raises:
         InputError: the model does not take the material.
     """
-    packed = pack_fabrics([look_of(material, model)], [repeat_mm], [tables_for(material, model)])
+    look = look_of(material, model)
+    if look is not None and look[0].depth > 1:
+        # Libraries are compiled without layers, which would cost all cloth time.
+        warnings.warn(
+            f"Exported shaders show a single plane, and this cloth has {look[0].depth} layers: render, play, "
+            "maps and textured materials show them.",
+            LoomlightWarning,
+            stacklevel=3,
+        )
+        look = replace(look[0], layers=(), stacking=None, ties=()), look[1]
+    packed = pack_fabrics([look], [repeat_mm], [tables_for(material, model)])
     described = []
     for binding, (name, (kind, _)) in enumerate(BUFFERS.items()):
         if name in REALTIME_MODELS[model].buffers:

@@ -30,8 +30,8 @@ from loomlight.realtime.records import numpy_type, offset_of
 from loomlight.realtime.slangc import SHADERS
 from loomlight.realtime.words import pack_fabrics
 from loomlight.scattering.appearance import Appearance
-from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.stack import cloth_geometry
 
 # A sum of products.
 Size: TypeAlias = tuple[tuple[int | str, ...], ...]
@@ -191,7 +191,7 @@ class BakePlan:
 
 def plan_bake(layout: ClothLayout, per_family: int) -> BakePlan:
     """The plan of a fabric's bake with so many groups of each family, 1 to 64, on average."""
-    geometry = YarnGeometry(layout)
+    geometry = cloth_geometry(layout)
     spacing = coverage.spacing_of(geometry, per_family)
     picks, ends = layout.warp_on_top.shape
     columns, rows = (coverage.nodes_along(side, spacing) for side in geometry.size)
@@ -285,6 +285,7 @@ class LobesBaker:
         }
         resources |= {alias: resources[name] for alias, name in ALIASES.items()}
         steps = self._own_storage("steps", _steps(plan))
+        is_layered = bool(records[number]["planes"] > 0)
         encoder = self._adapter.device.create_command_encoder()
         for is_repeated, of_sequence in groupby(DISPATCHES, lambda one: bool(one.each)):
             sequence = list(of_sequence)
@@ -304,11 +305,13 @@ class LobesBaker:
                         )
                         if dispatch.clears:
                             encoder.clear_buffer(resources[dispatch.clears])
-                        self._encode(encoder, dispatch, threads, resources)
+                        self._encode(encoder, dispatch, threads, resources, is_layered)
         self._adapter.device.queue.submit([encoder.finish()])
 
-    def _encode(self, encoder: Any, dispatch: Dispatch, threads: int, resources: Mapping[str, Any]) -> None:
-        pipeline = self._adapter.pipeline(module_text(dispatch.module), dispatch.entry)
+    def _encode(
+        self, encoder: Any, dispatch: Dispatch, threads: int, resources: Mapping[str, Any], is_layered: bool
+    ) -> None:
+        pipeline = self._adapter.pipeline(module_text(dispatch.module), dispatch.entry, is_layered)
         used = "\n".join(declarations_of(dispatch.module, dispatch.entry))
         count = -(-threads // dispatch.group)
         compute = encoder.begin_compute_pass()
@@ -450,7 +453,7 @@ class FabricBuffers:
         self.plans = [
             replace(
                 plan_bake(layout, groups),
-                joint=bake_joint(YarnGeometry(layout), look.diffuse_blend, groups, llvm_float()),
+                joint=bake_joint(cloth_geometry(layout), look.diffuse_blend, groups, llvm_float()),
             )
             for layout, look in looks
         ]

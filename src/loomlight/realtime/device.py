@@ -36,6 +36,8 @@ _RAISED_LIMITS = (
     "max-buffer-size",
     "max-storage-buffers-per-shader-stage",
 )
+# The number of the constant of `planes.slang`, by which hosts choose it.
+_LAYERED = re.compile(r"@id\((\d+)\) override HAS_LAYERS_\d+ ")
 _BINDING = re.compile(r"@binding\((\d+)\) @group\(0\) var(?:<[\w, ]+>)? (\w+?)_\d+ ")
 
 
@@ -52,7 +54,7 @@ class Adapter:
     name: str
     is_software: bool
     device: Any
-    _pipelines: dict[tuple[str, str], Any] = field(default_factory=dict)
+    _pipelines: dict[tuple[str, str, bool], Any] = field(default_factory=dict)
 
     def storage(self, values: NDArray[Any]) -> Any:
         """A storage buffer with these values, at least 16 bytes."""
@@ -79,14 +81,21 @@ class Adapter:
         size = -(-count * np.dtype(kind).itemsize // 4) * 4
         return np.frombuffer(self.device.queue.read_buffer(buffer, 0, size), kind, count).copy()
 
-    def pipeline(self, wgsl: str, entry: str) -> Any:
-        """The compute pipeline of an entry point, compiled once."""
-        if (wgsl, entry) not in self._pipelines:
+    def pipeline(self, wgsl: str, entry: str, is_layered: bool = False) -> Any:
+        """The compute pipeline of an entry point, compiled once.
+
+        Args:
+            is_layered: whether any cloth has layers (`planes.slang`); without, nothing of them is computed.
+        """
+        declared = _LAYERED.search(wgsl)
+        is_layered = is_layered and declared is not None
+        if (wgsl, entry, is_layered) not in self._pipelines:
             module = self.device.create_shader_module(code=wgsl)
-            self._pipelines[wgsl, entry] = self.device.create_compute_pipeline(
-                layout="auto", compute={"module": module, "entry_point": entry}
+            constants = {} if declared is None else {declared[1]: int(is_layered)}
+            self._pipelines[wgsl, entry, is_layered] = self.device.create_compute_pipeline(
+                layout="auto", compute={"module": module, "entry_point": entry, "constants": constants}
             )
-        return self._pipelines[wgsl, entry]
+        return self._pipelines[wgsl, entry, is_layered]
 
     def bindings(self, pipeline: Any, wgsl: str, resources: Mapping[str, Any]) -> Any:
         """The bind group that gives a shader's globals the buffers or textures of the same names."""

@@ -45,6 +45,8 @@ FAMILY: Fields = (
     ("twist_cosine", "float", "cos ψ"),
     ("level", "float", "height of one level of a cell's maximum, before β"),
     ("roughness", "float", "α"),
+    ("layer_turned", "float", "share of light from all around that a fibre layer of albedo 1 sends back"),
+    ("layer_through", "float", "share that it scatters through"),
     ("albedo_table", "uint", "four albedos of each thread, twelve words each"),
     ("albedo_stride", "uint", "words from one thread's albedos to the next; 0 where they are alike"),
     ("before", "uint", "visible widths and cells of all threads before each [n + 1, 2]"),
@@ -52,6 +54,7 @@ FAMILY: Fields = (
     ("smallest_box", "float", "least width of a box across the family"),
     ("quantities", "uint", "1 and the principal coordinates of albedos; 1 where threads are alike"),
     ("colour_mean", "uint", "mean of the twelve albedos over the threads"),
+    ("cloth_mean", "uint", "the same over what the front of the cloth shows of its layers"),
     ("colour_axes", "uint", "albedos that a principal coordinate of 1 adds [quantities − 1, 12]"),
     ("colour_threads", "uint", "quantities of each thread, and integrals before it [n + 1, 3, quantities]"),
     ("colour_areas", "uint", "summed areas of crossings with the family on top [m + 1, n + 1, quantities]"),
@@ -116,6 +119,40 @@ FABRIC: Fields = (
     ("mean_hole", "float", "share of light that passes straight through, on average"),
     ("latent", "Latent", "latents of the model latent"),
     ("clustered", "Clustered", "tables of the model clustered"),
+    ("planes", "uint", "layers of cloth that lie upon one another; 0 where one plane is all there is"),
+    ("plane_records", "uint", "their records (`Plane`)"),
+    ("plane_axes", "uint", "index of two records of families: all threads of the draft, without gaps"),
+    ("stacks", "uint", "orders of the planes"),
+    (
+        "plane_orders",
+        "uint",
+        "number and level of the planes from the front, and from the back [stacks, 2, planes, 2]",
+    ),
+    (
+        "regions",
+        "uint",
+        "the stack at each crossing of the draft, a byte each [picks, ends]; where there are several",
+    ),
+    ("plane_shares", "uint", "what a face shows of each plane [stacks, planes, 2 faces, 2 families, 7]"),
+    ("is_coloured", "uint", "1 where mean albedos depend on the place"),
+)
+
+# A layer of cloth, among the words.
+PLANE: Fields = (
+    ("warp", "uint", "index of the record of its ends"),
+    ("weft", "uint", "index of the record of its picks"),
+    ("run_words", "uint", "as those of a fabric, of its threads"),
+    ("ends", "uint", "its threads of the warp"),
+    ("end_numbers", "uint", "of each, its number in the draft"),
+    ("pick_numbers", "uint", "the same of its threads of the weft"),
+    ("max_heights", "uint", "max-height pyramid"),
+    ("max_height_columns", "uint", "⌈ends / 2⌉"),
+    ("height_low", "float", "no thread of it is lower, from its plane"),
+    ("height_high", "float", "no thread is higher"),
+    ("front_level", "float", "highest of its planes where it is the first from the front; NOWHERE_FIRST"),
+    ("back_level", "float", "the same from the back"),
+    *_vector("start", "where its first cells begin in the draft", _PLANE),
+    *_vector("fine", "its finest cells", _PLANE),
 )
 
 LIGHT: Fields = (
@@ -261,6 +298,7 @@ RECORDS: dict[str, Fields] = {
     "Family": FAMILY,
     **_of_models(),
     "Fabric": FABRIC,
+    "Plane": PLANE,
     "Light": LIGHT,
     "Frame": FRAME,
     "Vertex": VERTEX,
@@ -286,8 +324,9 @@ BUFFERS: dict[str, tuple[str, bool]] = {
 # storage buffers, which is what every adapter of WebGPU binds.
 VISIBILITY_BINDING = len(BUFFERS)
 FRAME_BINDING = VISIBILITY_BINDING + 1
-# Records among the words of a scene.
+# Records among the words of a scene, and among those of fabrics.
 _SCENE_RECORDS = ("Light", "Vertex")
+_WORD_RECORDS = ("Plane",)
 # Buffers of the kernels that bake, behind those. `tables` is the buffer of words as kernels write it, and
 # `record_words` that of fabrics; `texel_counters` is `texel_counts` while threads add to it.
 BAKE_BUFFERS: dict[str, tuple[str, bool]] = {
@@ -335,16 +374,18 @@ def slang_structs() -> str:
     lines.append(f"[[vk::binding({VISIBILITY_BINDING}, 0)]] Texture2D<uint> visible_faces;")
     lines.append(f"[[vk::binding({FRAME_BINDING}, 0)]] ConstantBuffer<Frame> frame_record;")
     for record in _SCENE_RECORDS:
-        lines += _reader(record)
+        lines += _reader(record, f"scene_{record.lower()}", "scene_words")
+    for record in _WORD_RECORDS:
+        lines += _reader(record, f"{record.lower()}_at", "words")
     return "\n".join(lines) + "\n"
 
 
-def _reader(record: str) -> list[str]:
-    """A Slang function that reads a record from the words of a scene, of which it begins at `first`."""
+def _reader(record: str, function: str, buffer: str) -> list[str]:
+    """A Slang function that reads a record from the words of a buffer, of which it begins at `first`."""
     fields = RECORDS[record]
     lines = ["", f"static const uint {record.upper()}_WORDS = {len(fields)}u;", ""]
-    lines += [f"{record} scene_{record.lower()}(uint first)", "{", f"    {record} record;"]
+    lines += [f"{record} {function}(uint first)", "{", f"    {record} record;"]
     for number, (name, kind, _) in enumerate(fields):
-        word = f"scene_words[first + {number}u]"
+        word = f"{buffer}[first + {number}u]"
         lines.append(f"    record.{name} = {word if kind == 'uint' else f'asfloat({word})'};")
     return [*lines, "    return record;", "}"]

@@ -313,12 +313,13 @@ class Renderer:
             yarns = [look for look in looks if look is not None]
             fabrics = FabricBuffers(self.adapter, yarns, uv_size_mm, describe=self._scene.describe_maps)
             self._resources.update(fabrics.buffers)
-            self._is_open = fabrics.is_open
+            self._is_open, self._is_layered = fabrics.is_open, fabrics.packed.is_layered
             return
         models = [tables_for(material, self.model) for material in materials]
         packed = pack_fabrics(looks, uv_size_mm, models)
         self._scene.describe_maps(packed.fabrics)
         self._is_open = bool(packed.fabrics["is_open"].any())
+        self._is_layered = packed.is_layered
         for name, values in packed.buffers().items():
             self._store(name, values)
 
@@ -387,7 +388,7 @@ class Renderer:
 
     def _compute(self, entry: str, groups: Sequence[int]) -> None:
         wgsl = _wgsl(entry)
-        pipeline = self.adapter.pipeline(wgsl, entry)
+        pipeline = self.adapter.pipeline(wgsl, entry, self._is_layered)
         encoder = self.adapter.device.create_command_encoder()
         compute = encoder.begin_compute_pass()
         compute.set_pipeline(pipeline)

@@ -58,6 +58,8 @@ class Target:
     options: tuple[str, ...] = ()
 
 
+# Of shaders that know layers of cloth, where their host says that there are any (`planes.slang`).
+LAYERED = ("-DLAYERED",)
 # By slangc's names of them.
 TARGETS = {
     "wgsl": Target("wgsl"),

@@ -7,9 +7,8 @@ their models into the buffers `fabrics`, `families`, `words` and `packed_numbers
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any, TypeAlias
 
@@ -18,19 +17,20 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate import footprint_albedos
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
-from loomlight.core.errors import LoomlightWarning
 from loomlight.core.tables import Layer, Number, Packing, Shared, Size, Table, Tables
 from loomlight.models.fabric_model import ALBEDOS
 from loomlight.models.interface import ShaderTables
 from loomlight.realtime.records import numpy_type
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.detail import family_numbers
+from loomlight.scattering.fibre import mean_layer_shares
 from loomlight.scattering.irregularity import IrregularYarns
 from loomlight.scattering.variation import FIBRES_ACROSS
 from loomlight.yarn import rays
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
-from loomlight.yarn.threads import CELL_MAX_LEVELS, FamilyTables
+from loomlight.yarn.stack import StackedGeometry, cloth_geometry
+from loomlight.yarn.threads import CELL_MAX_LEVELS, FamilyTables, place_family
 
 # --------------------------------------------------------------------------------------------------- networks
 # Networks as shaders read them: elements of four 32-bit words that hold eight halves or four singles.
@@ -235,6 +235,10 @@ def fill(record: np.void, values: Mapping[str, float]) -> None:
 MIN_OPEN_SHARE = 1e-3
 # In the place of the first word of a fabric's openness: there is no light between its yarns.
 NO_OPENNESS = 0xFFFFFFFF
+# Level of a plane that is nowhere the first of a face, millimetres.
+NOWHERE_FIRST = -1e30
+# What a face shows of a family of a plane: its area, light that passes, light that comes back.
+PLANE_SHARES = 7
 Record = NDArray[np.void]
 
 
@@ -244,7 +248,7 @@ class Packed:
 
     Attributes:
         fabrics: records [n].
-        families: records of the warp and the weft of each [2 n].
+        families: records of the warp and the weft of each [2 n], then those of layers.
         words: of all tables.
         packed_numbers: networks and latents [m, 4].
     """
@@ -253,6 +257,11 @@ class Packed:
     families: Record
     words: Words
     packed_numbers: Elements
+
+    @property
+    def is_layered(self) -> bool:
+        """Whether any of the fabrics has layers."""
+        return bool((self.fabrics["planes"] > 0).any())
 
     def buffers(self) -> dict[str, NDArray[Any]]:
         """Contents of buffers by name."""
@@ -278,52 +287,61 @@ def pack_fabrics(
     """
     buffers = Buffers()
     records = np.zeros(len(fabrics), numpy_type("Fabric"))
-    families = np.zeros((len(fabrics), 2), numpy_type("Family"))
+    layers = [0 if fabric is None else len(fabric[0].layers) for fabric in fabrics]
+    # Two of all threads, and two of each layer.
+    first_of_layers = np.cumsum([2 * len(fabrics), *(2 * (count + 1) * (count > 0) for count in layers)])
+    families = np.zeros(int(first_of_layers[-1]), numpy_type("Family"))
     for number, fabric in enumerate(fabrics):
         size = (100.0, 100.0) if uv_size_mm is None else uv_size_mm[number]
         fill(records[number], {"warp": 2 * number, "weft": 2 * number + 1})
         fill(records[number], {"uv_width": size[0], "uv_height": size[1], "openness": NO_OPENNESS})
         if fabric is not None:
-            _pack_fabric(records[number], families[number], buffers.words, *fabric)
+            own = families[2 * number : 2 * number + 2]
+            _pack_fabric(records[number], own, families, int(first_of_layers[number]), buffers.words, *fabric)
         shown = None if models is None else models[number]
         if shown is not None:
             write_tables(records[number][shown.tables.record], shown, buffers)
             if fabric is None:
                 fill(records[number], shown.of_source)
-    return Packed(records, families.ravel(), buffers.words.words(), buffers.numbers.elements())
-
-
-def _warn_of_layers(layout: ClothLayout) -> None:
-    """Warns of cloth whose layers shaders do not know."""
-    if layout.depth > 1:
-        warnings.warn(
-            f"Shaders show a single plane, and this cloth has {layout.depth} layers: render, maps and "
-            "textured materials show them.",
-            LoomlightWarning,
-            stacklevel=3,
-        )
+    return Packed(records, families, buffers.words.words(), buffers.numbers.elements())
 
 
 def _pack_fabric(
-    record: np.void, families: Record, table: WordTable, layout: ClothLayout, appearance: Appearance
+    record: np.void,
+    own: Record,
+    families: Record,
+    first: int,
+    table: WordTable,
+    layout: ClothLayout,
+    appearance: Appearance,
 ) -> None:
-    _warn_of_layers(layout)
-    geometry = YarnGeometry(layout)
-    warp, weft = geometry.families
+    """Writes the record of a fabric, those of its families, and from `first` on those of its layers."""
+    # Shaders draw layers without ties, and without the relief that these quilt.
+    layout = replace(layout, ties=())
+    geometry = cloth_geometry(layout)
     means = FootprintAlbedos(geometry, appearance)
-    _pack_family(families[0], table, warp, layout.warp, appearance.warp)
-    _pack_family(families[1], table, weft, layout.weft, appearance.weft)
-    for of_family, threads, colours in zip(families, (warp, weft), means.tables, strict=True):
-        _pack_colours(of_family, table, threads, colours)
-    run_words, max_heights = geometry.words
+    if isinstance(geometry, YarnGeometry):
+        threads = geometry.families
+    else:
+        threads = (place_family(layout.warp), place_family(layout.weft))
+    looks = (appearance.warp, appearance.weft)
+    for of_family, tables, of_layout, look in zip(
+        own, threads, (layout.warp, layout.weft), looks, strict=True
+    ):
+        _pack_threads(of_family, table, tables, of_layout)
+        _pack_look(of_family, table, look, appearance.optical_depth)
+    if isinstance(geometry, YarnGeometry):
+        for of_family, tables, colours in zip(own, threads, means.tables, strict=True):
+            _pack_colours(of_family, table, tables, colours)
+            of_family["cloth_mean"] = of_family["colour_mean"]
+        surface = _pack_crossings(table, geometry)
+    else:
+        surface = _pack_stack(own, families, first, table, geometry, appearance, means)
     fine_x, fine_y = geometry.finest
     low, high = geometry.height_bounds
     variation = appearance.variation
-    values = {
-        "run_words": table.add(run_words),
-        "ends": run_words.shape[1],
-        "max_heights": table.add(max_heights),
-        "max_height_columns": max_heights.shape[1],
+    values = surface | {
+        "ends": layout.warp_on_top.shape[1],
         "height_low": low,
         "height_high": high,
         "lift": rays.LIFT * min(fine_x, fine_y),
@@ -348,17 +366,115 @@ def _pack_fabric(
         "is_open": int(layout.open_area > MIN_OPEN_SHARE),
         "is_irregular": int(appearance.is_irregular),
         "warp_on_top": layout.warp_on_top.mean(),
+        "is_coloured": int(means.varied),
     }
     fill(record, values)
     if appearance.is_irregular:
-        _pack_irregular(families, table, geometry, appearance)
+        _pack_irregular(own, table, layout, appearance)
 
 
-def _pack_irregular(
-    families: Record, table: WordTable, geometry: YarnGeometry, appearance: Appearance
-) -> None:
+def _pack_crossings(table: WordTable, geometry: YarnGeometry) -> dict[str, int]:
+    """Words of the runs of one plane, and its max-height pyramid."""
+    run_words, max_heights = geometry.words
+    return {
+        "run_words": table.add(run_words),
+        "max_heights": table.add(max_heights),
+        "max_height_columns": max_heights.shape[1],
+    }
+
+
+def _pack_stack(
+    own: Record,
+    families: Record,
+    first: int,
+    table: WordTable,
+    geometry: StackedGeometry,
+    appearance: Appearance,
+    means: FootprintAlbedos,
+) -> dict[str, int]:
+    """Appends the planes of layered cloth, their order, and how much of each shows.
+
+    Args:
+        own: records of the warp and the weft of all threads.
+        first: index of the first record among `families` that is left for the layers.
+
+    Returns:
+        fields of the fabric that say where they are.
+    """
+    seen, layout, stacking = means.seen, geometry.layout, geometry.layout.stacking
+    assert seen is not None
+    for of_family, look, mean in zip(
+        own, (appearance.warp, appearance.weft), seen.front_means(means.planes), strict=True
+    ):
+        rows = np.concatenate([np.asarray(getattr(look, name), np.float64) for name in ALBEDOS], axis=1)
+        values = {"quantities": 1, "colour_mean": table.add(rows.mean(axis=0)), "cloth_mean": table.add(mean)}
+        fill(of_family, values)
+    for axis, (threads, of_layout) in enumerate(zip(seen.axes, (layout.warp, layout.weft), strict=True)):
+        _pack_threads(families[first + axis], table, threads, of_layout, with_tables=True)
+        _pack_lengths(families[first + axis], table, threads)
+    fields: dict[str, int] = {
+        "planes": len(geometry.layers),
+        "plane_axes": first,
+        "stacks": len(geometry.ranks),
+        "plane_orders": table.add(_plane_orders(geometry)),
+        "plane_shares": table.add(seen.numbers),
+        "regions": table.add(packed_bytes(np.zeros(4, np.uint8) if stacking is None else stacking.regions)),
+    }
+    if seen.regions is not None:
+        stacks = len(geometry.ranks)
+        areas = table.add(np.ascontiguousarray(seen.regions[..., :stacks]))
+        fill(families[first], {"quantities": stacks, "colour_areas": areas, "area_unit": seen.unit})
+    records = np.zeros(len(geometry.layers), numpy_type("Plane"))
+    for number, (plane, layer, colours) in enumerate(
+        zip(geometry.layers, layout.layers, means.planes, strict=True)
+    ):
+        of_plane = first + 2 * (number + 1)
+        pairs = zip(plane.families, (layer.layout.warp, layer.layout.weft), colours.tables, strict=True)
+        for family, (threads, of_layout, of_family) in enumerate(pairs):
+            _pack_threads(families[of_plane + family], table, threads, of_layout, with_tables=True)
+            _pack_colours(families[of_plane + family], table, threads, of_family)
+        low, high = plane.height_bounds
+        front, back = geometry.highest_first[number]
+        values = _pack_crossings(table, plane) | {
+            "warp": of_plane,
+            "weft": of_plane + 1,
+            "ends": layer.ends.size,
+            "end_numbers": table.add(layer.ends),
+            "pick_numbers": table.add(layer.picks),
+            "height_low": low,
+            "height_high": high,
+            "front_level": max(front, NOWHERE_FIRST),
+            "back_level": max(back, NOWHERE_FIRST),
+            "start_x": layer.start[0],
+            "start_y": layer.start[1],
+            "fine_x": plane.finest[0],
+            "fine_y": plane.finest[1],
+        }
+        fill(records[number], values)
+    fields["plane_records"] = table.add(records.view(np.uint32))
+    return fields
+
+
+def _plane_orders(geometry: StackedGeometry) -> Words:
+    """Number and level of the planes of each stack from either face, nearest first [stacks, 2, planes, 2].
+
+    The last one stands for those that a stack has not.
+    """
+    ranks, levels = geometry.ranks, geometry.levels
+    orders = np.zeros((len(ranks), 2, ranks.shape[1], 2), np.uint32)
+    for stack, of_stack in enumerate(ranks):
+        order = np.argsort(np.where(of_stack < 0, 127, of_stack), kind="stable")
+        order = order[: np.count_nonzero(of_stack >= 0)]
+        for face, (side, nearest_first) in enumerate(((1, order), (-1, order[::-1]))):
+            padded = np.pad(nearest_first, (0, ranks.shape[1] - order.size), mode="edge")
+            orders[stack, face, :, 0] = padded
+            orders[stack, face, :, 1] = (side * levels[stack, padded]).astype(np.float32).view(np.uint32)
+    return orders
+
+
+def _pack_irregular(families: Record, table: WordTable, layout: ClothLayout, appearance: Appearance) -> None:
     """How the yarns of both families vary; families that vary alike share a table."""
-    yarns = IrregularYarns(geometry, appearance)
+    yarns = IrregularYarns(YarnGeometry(layout), appearance)
     places: dict[int, int] = {}
     for record, family, cover, of_family in zip(
         families, (appearance.warp, appearance.weft), yarns.covers, yarns.tables, strict=True
@@ -374,13 +490,18 @@ def _pack_irregular(
         fill(record, values)
 
 
-def _pack_family(
+def _pack_threads(
     record: np.void,
     table: WordTable,
     threads: FamilyTables,
     layout: FamilyLayout,
-    appearance: FamilyAppearance,
+    with_tables: bool = False,
 ) -> None:
+    """Where the threads of a family lie in a plane, and how they bend.
+
+    Args:
+        with_tables: also of threads that are alike.
+    """
     count = threads.lower.size
     size = float(threads.upper[0] - threads.lower[0])
     bins = math.ceil(threads.period / threads.finest) + 1
@@ -400,13 +521,12 @@ def _pack_family(
         "twist_sine": math.sin(layout.twist),
         "twist_cosine": math.cos(layout.twist),
         "level": threads.highest / CELL_MAX_LEVELS,
-        "roughness": appearance.roughness,
     }
     rows = np.stack(
         [np.sin(threads.inclination), np.tan(threads.inclination / 2), threads.arc, threads.edge_drop], axis=1
     )
     values["bend_table"] = table.add(rows[:1] if threads.uniform else rows)
-    if not threads.uniform:
+    if with_tables or not threads.uniform:
         first = threads.lower[0]
         lower, upper = threads.lower - first, threads.upper - first
         edges = np.arange(bins) * (threads.period / bins)
@@ -415,7 +535,18 @@ def _pack_family(
         values["place_table"] = table.add(
             np.stack([lower, upper, threads.centre - first, threads.half_width], axis=1)
         )
-    values |= family_numbers(appearance.detail)
+    fill(record, values)
+
+
+def _pack_look(record: np.void, table: WordTable, appearance: FamilyAppearance, optical_depth: float) -> None:
+    """What the yarns of a family scatter."""
+    turned, through = mean_layer_shares(appearance.roughness, optical_depth)
+    values = {
+        "roughness": appearance.roughness,
+        "layer_turned": float(turned),
+        "layer_through": float(through),
+        **family_numbers(appearance.detail),
+    }
     albedos = np.stack([np.asarray(getattr(appearance, name), np.float64) for name in ALBEDOS], axis=1)
     alike = bool(np.allclose(albedos, albedos[:1], rtol=0, atol=1e-12))
     values["albedo_table"] = table.add(albedos[:1] if alike else albedos)
@@ -423,16 +554,25 @@ def _pack_family(
     fill(record, values)
 
 
-def _pack_colours(
-    record: np.void, table: WordTable, threads: FamilyTables, colours: footprint_albedos.FamilyColours
-) -> None:
+def _pack_lengths(record: np.void, table: WordTable, threads: FamilyTables) -> None:
+    """Visible widths and cells of the threads of a family before each."""
     lengths = np.stack([2 * threads.half_width, threads.upper - threads.lower], axis=1)
     before = np.concatenate([np.zeros((1, 2)), np.cumsum(lengths, axis=0)])
-    quantities = len(colours.axes) + 1
     values = {
         "before": table.add(before),
         "visible_total": before[-1, 0],
         "smallest_box": footprint_albedos.MIN_BOX * threads.period / threads.lower.size,
+    }
+    fill(record, values)
+
+
+def _pack_colours(
+    record: np.void, table: WordTable, threads: FamilyTables, colours: footprint_albedos.FamilyColours
+) -> None:
+    """Albedos of the threads of a family over footprints."""
+    _pack_lengths(record, table, threads)
+    quantities = len(colours.axes) + 1
+    values = {
         "quantities": quantities,
         "colour_mean": table.add(colours.mean),
         "colour_axes": table.add(colours.axes),

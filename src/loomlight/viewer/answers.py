@@ -84,8 +84,8 @@ FORMATS = {
     "zip": "application/zip",
     "glb": "model/gltf-binary",
 }
-# Models whose tables the page does not bake itself.
-TABLES = ("neural", "clustered")
+# Models whose tables the page does not bake itself, and those whose layers of cloth it does not find.
+TABLES = ("neural", "clustered", "lobes", "point")
 # Texels of the longer side of maps; more than these take gigabytes meanwhile.
 MAP_SIZES = (16, 4096)
 
@@ -144,10 +144,10 @@ def tables_of(fabric: Fabric, model: str) -> bytes:
     Its tensors are the buffers of `realtime.tables.Packed` as bytes, by name.
 
     Raises:
-        InputError: a model whose tables the page bakes itself, or that does not take the fabric.
+        InputError: a model without tables for pages, or that does not take the fabric.
     """
     if model not in TABLES:
-        raise InputError(f'model = "{model}" has no tables to send: use {" or ".join(TABLES)}.')
+        raise InputError(f'model = "{model}" has no tables to send: use {", ".join(TABLES)}.')
     from safetensors.numpy import save
 
     from loomlight.core.llvm import require_llvm

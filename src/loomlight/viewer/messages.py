@@ -258,11 +258,11 @@ def fabric_of_json(values: Mapping[str, Any]) -> Fabric:
 
 
 def openness_json(fabric: Fabric) -> dict[str, list[float]]:
-    """Flat lists by name: the tables of `Openness`, and joint visibility.
+    """Flat lists by name: the tables of `Openness`, joint visibility, and how many layers the cloth has.
 
-    "joint" has the words of `LobeTables.joint`. All depend on where yarns lie, on roughness, optical depth
-    and the diffuse blend alone, whatever the colours are and whether or not the fields ask for light between
-    yarns.
+    "joint" has the words of `LobeTables.joint`, "planes" one number. All depend on where yarns lie, on
+    roughness, optical depth and the diffuse blend alone, whatever the colours are and whether or not the
+    fields ask for light between yarns.
 
     Raises:
         MissingDependencyError: no usable LLVM library.
@@ -274,13 +274,15 @@ def openness_json(fabric: Fabric) -> dict[str, list[float]]:
     from loomlight.models.lobes.tables import bake_joint
     from loomlight.realtime.words import packed_bytes
     from loomlight.scattering.openness import openness_of
-    from loomlight.yarn.geometry import YarnGeometry
+    from loomlight.yarn.stack import cloth_geometry
 
     appearance = fabric.appearance()
     openness = appearance.openness
     if openness is None:
         roughness = appearance.warp.roughness, appearance.weft.roughness
         openness = openness_of(fabric.layout(), appearance.diffuse_blend, roughness, appearance.optical_depth)
-    joint = bake_joint(YarnGeometry(fabric.layout()), appearance.diffuse_blend, DEFAULT_GROUPS, llvm_float())
+    geometry = cloth_geometry(fabric.layout())
+    joint = bake_joint(geometry, appearance.diffuse_blend, DEFAULT_GROUPS, llvm_float())
     lists = {name: part.ravel().tolist() for name, part in openness.all_tables().items()}
-    return lists | {"joint": packed_bytes(joint).tolist()}
+    planes = [fabric.layout().depth]
+    return lists | {"joint": packed_bytes(joint).tolist(), "planes": planes}

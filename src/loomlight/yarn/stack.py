@@ -140,14 +140,9 @@ class _Placed:
         self.cells = [upload_family(place_family(family), types) for family in (layout.warp, layout.weft)]
         self._ends = dr.opaque(types.UInt32, layout.warp_on_top.shape[1])
         self._regions = upload(types.UInt32, self.stacking.regions.ravel().astype(np.uint32))
-        # Of each layer where it is the first of a face: the highest of its planes, none if it is nowhere.
-        highest_first = [
-            np.where(of_face == 0, side * levels, -np.inf).max(axis=0)
-            for side, of_face in zip((1, -1), of_faces, strict=True)
-        ]
         self.highest_first = [
             [dr.opaque(types.Float, float(level)) for level in of_layer]
-            for of_layer in np.stack(highest_first, axis=1)
+            for of_layer in _highest_first(ranks, levels)
         ]
 
     def order(self, x: Float, y: Float, back: Mask) -> _Order:
@@ -172,6 +167,16 @@ class _Placed:
             return side * dr.gather(types.Float, self._levels, stack * count + number)
 
         return _Order(ranks, level)
+
+
+def _highest_first(ranks: NDArray[np.int8], levels: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Of each layer where it is the first of a face: the highest of its planes, else −∞ [layers, 2]."""
+    last = ranks.max(axis=1, keepdims=True)
+    faces = [
+        np.where(first, side * levels, -np.inf).max(axis=0)
+        for side, first in ((1, ranks == 0), (-1, (ranks >= 0) & (ranks == last)))
+    ]
+    return np.stack(faces, axis=1)
 
 
 class StackedGeometry:
@@ -262,6 +267,11 @@ class StackedGeometry:
             depth = 2 * np.cumsum(reach) - reach
             levels[stack, order] = reach.sum() - depth
         return levels
+
+    @property
+    def highest_first(self) -> NDArray[np.float64]:
+        """Highest plane of each layer where it is the first of a face, else −∞ [layers, 2], millimetres."""
+        return _highest_first(self.ranks, self.levels)
 
     @property
     def _lifts(self) -> NDArray[np.float64]:

@@ -18,7 +18,7 @@ import pytest
 
 from loomlight.core.colour import srgb_to_linear
 from loomlight.core.errors import MissingDependencyError
-from loomlight.fabric import fabric_from_text
+from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.device import default_adapter
 from loomlight.viewer.answers import tables_of
@@ -30,6 +30,7 @@ from tests.viewer.e2e.test_export import exported, picture_of
 
 SIZE = 64
 FABRIC = 'weave = "twill 3/1"\nends_per_cm = 24\npicks_per_cm = 18\nwarp.color = "#20305c"\n'
+LAYERS = ROOT / "examples" / "layered" / "pattern-double-weave.wif"
 PAGE = """<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,">
 <script type="module">window.web = await import("./module/loomlight-web.js");</script>"""
 # The renderer of a model on a canvas that lets through what lies behind it, and seconds until it could draw.
@@ -161,6 +162,23 @@ SAME_SIZE = """(async () => {
 })()"""
 
 
+# Base64 of the linear picture of a fabric by tables that Python packed, before and behind.
+SERVED = """async ({ fabric, size, model }) => {
+  const renderer = await web.ClothRenderer.create({ size: [size, size], budget: null });
+  const piece = { ...web.fabricOf(fabric), openness: null, uvSizeMm: [20, 20] };
+  renderer.setPieces([{ mesh: web.rectangle(0.02, 0.02), ...piece }]);
+  const content = await (await fetch(`layers-${model}.tables`)).arrayBuffer();
+  renderer.setTables(model, new Uint8Array(content), { samples: 1 });
+  renderer.setLights([{ kind: "directional", towards: [0.5, 0.3, 0.8] }]);
+  renderer.setCamera({ origin: [0, -0.01, 0.03], target: [0, 0, 0] });
+  await renderer.ready();
+  await renderer.render(1);
+  const { data } = await renderer.readLinear();
+  renderer.destroy();
+  return btoa(Array.from(new Uint8Array(data.buffer), (byte) => String.fromCharCode(byte)).join(""));
+}"""
+
+
 class _Quiet(SimpleHTTPRequestHandler):
     def log_message(self, format: str, *arguments: object) -> None:
         """Says nothing of requests."""
@@ -178,6 +196,7 @@ def page(tmp_path_factory: pytest.TempPathFactory, playwright: Any) -> Iterator[
     (folder / "index.html").write_text(PAGE)
     for model in ("neural", "clustered"):
         (folder / f"{model}.tables").write_bytes(tables_of(fabric_from_text(FABRIC), model))
+    (folder / "layers-point.tables").write_bytes(tables_of(load_fabric(LAYERS), "point"))
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(folder)))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     with launched(playwright, SWIFTSHADER) as browser, visiting(browser) as visit:
@@ -217,6 +236,22 @@ def test_chromium_draws_what_the_python_host_draws(page: Any, model: str) -> Non
     grazed = 0.02 if model in ("lobes", "point") else 0.0
     assert (difference > 1e-4).mean() <= grazed
     assert difference.max() < (0.05 if grazed else 1e-4)
+
+
+@pytest.mark.slow
+def test_chromium_draws_layers_as_the_python_host_draws_them(page: Any) -> None:
+    """Those of tables that Python packs: the page compiles its kernels with layers for them."""
+    scene = {"fabric": FABRIC, "size": SIZE, "model": "point"}
+    begin = time.perf_counter()
+    drawn = base64.b64decode(page.evaluate(SERVED, scene))
+    print(f"point of layers: drawn after {time.perf_counter() - begin:.1f} s")
+    theirs = np.frombuffer(drawn, np.float32).reshape(SIZE, SIZE, 4)
+    host = Renderer([Cloth(rectangle(0.02, 0.02), load_fabric(LAYERS), (20.0, 20.0))], (SIZE, SIZE), "point")
+    light = DirectionalLight((0.5, 0.3, 0.8))
+    ours = host.render(Camera((0, -0.01, 0.03)), [light], passes=1, samples=1).linear
+    assert theirs[..., :3].std() > 0.03
+    difference = np.abs(theirs - ours).max(axis=2)
+    assert (difference > 1e-4).mean() <= 0.02
 
 
 @pytest.mark.slow

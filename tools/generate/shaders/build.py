@@ -17,7 +17,14 @@ from pathlib import Path
 from loomlight.core.files import replacing
 from loomlight.realtime.bake import DISPATCHES, OPENNESS_KERNEL, manifest
 from loomlight.realtime.records import slang_structs
-from loomlight.realtime.slangc import PROCESSES, SHADERS, compile_entries, digest_of, slang_sources
+from loomlight.realtime.slangc import (
+    LAYERED,
+    PROCESSES,
+    SHADERS,
+    compile_entries,
+    digest_of,
+    slang_sources,
+)
 from tools.generate.shaders.constants import slang_constants
 from tools.generate.shaders.web_constants import web_files
 
@@ -56,7 +63,7 @@ def generated_files(modules: Collection[str] = ()) -> dict[str, bytes]:
     jobs = {name: job for name, job in _jobs().items() if not modules or job[0] in modules}
     # Threads wait for the compiler's processes.
     with ThreadPoolExecutor(PROCESSES) as pool:
-        codes = pool.map(lambda job: compile_entries(job[0], "wgsl", job[1]), jobs.values())
+        codes = pool.map(lambda job: compile_entries(job[0], "wgsl", job[1], LAYERED), jobs.values())
         return dict(zip(jobs, codes, strict=True))
 
 
@@ -79,7 +86,7 @@ def digests() -> dict[str, str]:
 
     Compiling all takes half a minute, so a test compares these with the record of the last build.
     """
-    jobs = {name: repr(job).encode() for name, job in _jobs().items()}
+    jobs = {name: repr((job, LAYERED)).encode() for name, job in _jobs().items()}
     stored = {path.name: path.read_bytes() for path in WGSL.iterdir()}
     return {"sources": digest_of(slang_sources() | jobs), "shaders": digest_of(stored)}
 

@@ -82,7 +82,7 @@ export function App({ store, server, health, onView }: Props) {
 
   const tables: TableSource = async (model, fabric) => {
     if (server === null || !server.hasPython)
-      throw new ServerError(`The model ${MODEL_NAMES[model][0]} is baked by Python, and this page runs without it: start \`loomlight view\`.`);
+      throw new ServerError(`The model ${MODEL_NAMES[model === "point" ? "point-1" : model][0]} is baked by Python, and this page runs without it: start \`loomlight view\`.`);
     return server.tables(model, fabricForServer(fabric));
   };
 

@@ -101,6 +101,7 @@ export class Passes {
 
   /** Adds a pass of so many samples a pixel, or of all directions that `view` takes to its environment. */
   add(view: View, cloth: ClothBuffers, plan: Plan, samples: number): void {
+    this.device.isLayered = cloth.isLayered;
     const [width, height] = this.size;
     const pass = { width, height, passes: this.count, samples, castsShadows: plan.castsShadows, summed: this.count + 1 };
     const resources = this.prepare(this.targets, view, cloth, pass);
@@ -114,6 +115,7 @@ export class Passes {
 
   /** Draws an area of the next pass of a picture of means; `endPass` counts the pass. */
   addArea(area: Area, whole: View, cloth: ClothBuffers, plan: Plan, samples: number): void {
+    this.device.isLayered = cloth.isLayered;
     const view = { ...whole, environmentSamples: Math.min(whole.environmentSamples, AREA_ENVIRONMENT_SAMPLES) };
     const [width, height] = this.size;
     const pass = { width, height, passes: this.count, samples, castsShadows: plan.castsShadows, summed: 1 };
@@ -149,6 +151,7 @@ export class Passes {
   /** Shows what there is by another exposure, if it is another. */
   expose(view: View, cloth: ClothBuffers): void {
     if (view.exposure === this.exposure || !this.hasPicture) return;
+    this.device.isLayered = cloth.isLayered;
     const [width, height] = this.size;
     const pass = { width, height, passes: 0, samples: 1, castsShadows: false, summed: this.summed };
     this.toneMap(view, this.prepare(this.targets, view, cloth, pass), width, height);

@@ -75,14 +75,15 @@ export function ready(device: Device, cloth: ClothBuffers, plan: Plan, previews:
     names.map((name) => device.kernel(name, name)).every((kernel) => kernel !== undefined);
   const canPreview = previews !== "none" && has([...ALWAYS, ENTRIES.point]);
   if (previews === "first" && device.isSoftware) return canPreview ? PREVIEW : null;
-  cloth.fabrics.useTables(plan.model === "lobes");
+  const bakes = plan.model === "lobes" && cloth.servedContent === null;
+  cloth.fabrics.useTables(bakes);
   const names: ShaderName[] = [...ALWAYS];
   if (plan.layers > 1) names.push("next_layer");
   if (plan.castsShadows) names.push("cast_shadows");
   names.push(ENTRIES[plan.model]);
   // Each of these begins what it lacks. Two kernels compile at a time: beside the preview's short ones, then the model's,
   // which takes longest, and beside it all of the bake.
-  const parts = [has(names), plan.model !== "lobes" || cloth.fabrics.bake(), cloth.findOpenness(onFound)];
+  const parts = [has(names), !bakes || cloth.fabrics.bake(), cloth.findOpenness(onFound)];
   if (parts.every((part) => part)) return { ...plan, isPreview: false };
   return canPreview ? PREVIEW : null;
 }

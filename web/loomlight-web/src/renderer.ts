@@ -203,17 +203,17 @@ export class ClothRenderer {
   }
 
   /**
-   * Shows the only piece by `neural` or `clustered`, whose tables Python packs: `content` is the answer of
-   * `/api/tables` of `loomlight view`.
+   * Shows the only piece by tables that Python packs: `content` is the answer of `/api/tables` of `loomlight view`. So it
+   * is with `neural` and `clustered`, and with `lobes` and `point` of cloth in layers; for `options` see `setModel`.
    *
-   * @throws InputError another model, content that is no tables, or several pieces.
+   * @throws InputError no such model, content that is no tables, or several pieces.
    */
-  setTables(model: ModelName, content: Uint8Array): void {
-    if (OWN_MODELS.includes(model) || !Object.hasOwn(ENTRIES, model))
-      throw new InputError(`model = "${model}" takes no tables: use neural or clustered.`);
+  setTables(model: ModelName, content: Uint8Array, options: { readonly samples?: number; readonly passes?: number } = {}): void {
+    if (!Object.hasOwn(ENTRIES, model))
+      throw new InputError(`model = "${model}" is unknown here: use ${Object.keys(ENTRIES).join(", ")}.`);
     this.require().setTables(model, content);
     this.model = model;
-    [this.samples, this.mostPasses] = [DEFAULT_SAMPLES, MAX_PASSES];
+    [this.samples, this.mostPasses] = [options.samples ?? DEFAULT_SAMPLES, options.passes ?? MAX_PASSES];
     this.passes.forget();
   }
 
@@ -414,11 +414,11 @@ export class ClothRenderer {
     this.passes = new Passes(this.device, this.width, this.height);
     if (canvas) this.presenter = new Presenter(this.device, canvas, transparent ?? false);
     this.keepCounts();
-    const { model, cloth } = this;
+    const { model, cloth, samples, mostPasses } = this;
     [this.cloth, this.pending] = [null, 0];
     if (cloth !== null) {
       this.setPieces(cloth.pieces, cloth.casters);
-      if (cloth.servedContent !== null) this.setTables(model, cloth.servedContent);
+      if (cloth.servedContent !== null) this.setTables(model, cloth.servedContent, { samples, passes: mostPasses });
     }
     this.passes.forget();
   }
@@ -448,6 +448,7 @@ export class ClothRenderer {
   /** What can be drawn of what was asked for, or in its place meanwhile; begins what is missing. */
   private prepare(previews: Previews): ReadyPlan | null {
     const cloth = this.require();
+    this.device.isLayered = cloth.isLayered;
     const castsShadows = this.view.shadows && !cloth.scene.isFlat;
     const asked: Plan = { model: this.model, castsShadows, layers: cloth.layers };
     const { plan, missing } = possible(this.device, cloth, asked);

@@ -10,8 +10,11 @@ export function isServed(model: Model): model is ServedModel {
   return (SERVED_MODELS as readonly Model[]).includes(model);
 }
 
+/** What tables are asked for: of cloth in layers those of the page's own models too, as Python alone finds layers. */
+export type TableName = ServedModel | "lobes" | "point";
+
 /** The tables of a model for a fabric, as the server's answer. */
-export type TableSource = (model: ServedModel, fabric: Fabric) => Promise<Uint8Array>;
+export type TableSource = (model: TableName, fabric: Fabric) => Promise<Uint8Array>;
 
 interface Tables {
   readonly fabric: Fabric;
@@ -22,18 +25,18 @@ export class ServedModels {
   private readonly source: TableSource;
   private readonly onArrival: () => void;
   private readonly onFault: (sentence: string) => void;
-  private readonly found = new Map<ServedModel, Tables>();
-  private readonly wanted = new Map<ServedModel, Fabric>();
-  private readonly busy = new Set<ServedModel>();
+  private readonly found = new Map<TableName, Tables>();
+  private readonly wanted = new Map<TableName, Fabric>();
+  private readonly busy = new Set<TableName>();
   /** What was said last, so that each edit does not say it again. */
-  private readonly said = new Map<ServedModel, string>();
+  private readonly said = new Map<TableName, string>();
 
   constructor(source: TableSource, onArrival: () => void, onFault: (sentence: string) => void) {
     [this.source, this.onArrival, this.onFault] = [source, onArrival, onFault];
   }
 
   /** The newest tables that are here, maybe of an older fabric; those of this one are asked for. Null for none yet. */
-  tables(model: ServedModel, fabric: Fabric): Uint8Array | null {
+  tables(model: TableName, fabric: Fabric): Uint8Array | null {
     const found = this.found.get(model);
     if (found?.fabric !== fabric && this.wanted.get(model) !== fabric) {
       this.wanted.set(model, fabric);
@@ -42,7 +45,7 @@ export class ServedModels {
     return found?.content ?? null;
   }
 
-  private async ask(model: ServedModel): Promise<void> {
+  private async ask(model: TableName): Promise<void> {
     if (this.busy.has(model)) return;
     this.busy.add(model);
     for (let asked: Fabric | undefined; asked !== this.wanted.get(model); ) {
@@ -58,7 +61,7 @@ export class ServedModels {
     this.busy.delete(model);
   }
 
-  private say(model: ServedModel, sentence: string): void {
+  private say(model: TableName, sentence: string): void {
     if (this.said.get(model) === sentence) return;
     this.said.set(model, sentence);
     this.onFault(sentence);

@@ -288,14 +288,17 @@ export class WebGpuView implements ClothView {
         shape.casters,
       );
     else if (given.fabric !== fabric || given.openness !== openness) renderer.setFabric(0, fields, draft, openness);
-    const tables = isServed(model) ? this.served.tables(model, fabric) : null;
+    const [own, samples, passes] = MODELS[isServed(model) ? "lobes" : model];
+    const name = isServed(model) ? model : own;
+    // The server says with the openness of yarns how many layers the cloth has.
+    const isLayered = (openness?.planes?.[0] ?? 1) > 1;
+    const tables = isServed(model) || isLayered ? this.served.tables(name, fabric) : null;
     const isShown = given.shape === shape && given.print === print && given.model === model && given.tables === tables;
-    // Until its tables are here, a model of Python's gives way to the page's own.
-    if (isServed(model) && tables !== null) {
-      if (!isShown) renderer.setTables(model, tables);
+    // Until its tables are here, a model of Python's gives way to the page's own, and layers to one plane.
+    if (tables !== null) {
+      if (!isShown) renderer.setTables(name, tables, isServed(model) ? {} : { samples, passes });
     } else {
-      const [name, samples, passes] = MODELS[isServed(model) ? "lobes" : model];
-      renderer.setModel(name, { samples, passes });
+      renderer.setModel(own, { samples, passes });
     }
     this.given.set(renderer, { shape, fabric, openness, print, model, tables });
   }

@@ -16,6 +16,8 @@ import { wordsOfTable } from "./bake_plan.ts";
 export interface Openness extends OpennessTables {
   /** Words of the factors of joint visibility, which `lobes` reads; without them its ratios are 1. */
   readonly joint?: readonly number[];
+  /** How many layers the cloth has, one number: tables of Python draw them. */
+  readonly planes?: readonly number[];
 }
 
 /** Albedos of one colour channel, in the order of `ALBEDOS`. */

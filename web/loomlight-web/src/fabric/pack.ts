@@ -17,6 +17,7 @@ import { colourTables, type ColourTables } from "./footprint_albedos.ts";
 import { geometryOf, heightBounds, type Geometry } from "./geometry.ts";
 import { coverOfThreads, depthPerGain, irregularTable, type IrregularTable } from "./irregularity.ts";
 import { halfWidth, hasIrregularYarns, sizeOf, type ClothLayout, type FamilyLayout, type Look } from "./look.ts";
+import { meanLayerShares } from "./openness.ts";
 import { pairwiseSum } from "./sums.ts";
 import { areAlike, finestOf, type FamilyTables } from "./threads.ts";
 
@@ -118,8 +119,8 @@ function packFabric(
 ): void {
   const { layout, appearance } = look;
   const { warp, weft } = geometry;
-  families.set(2 * number, familyValues(table, warp, layout.warp, appearance.warp));
-  families.set(2 * number + 1, familyValues(table, weft, layout.weft, appearance.weft));
+  families.set(2 * number, familyValues(table, warp, layout.warp, appearance.warp, appearance.opticalDepth));
+  families.set(2 * number + 1, familyValues(table, weft, layout.weft, appearance.weft, appearance.opticalDepth));
   families.set(2 * number, colourValues(table, warp, colours[0]));
   families.set(2 * number + 1, colourValues(table, weft, colours[1]));
   const areIrregular = hasIrregularYarns(appearance);
@@ -156,6 +157,7 @@ function packFabric(
     is_open: meanHole > MIN_OPEN_SHARE ? 1 : 0,
     is_irregular: areIrregular ? 1 : 0,
     warp_on_top: pairwiseSum(layout.warpOnTop) / layout.warpOnTop.length,
+    is_coloured: colours.some(({ quantities }) => quantities > 1) ? 1 : 0,
   });
   if (areIrregular)
     irregularValues(table, [warp, weft], appearance).forEach((values, family) => families.set(2 * number + family, values));
@@ -197,7 +199,9 @@ function familyValues(
   threads: FamilyTables,
   layout: FamilyLayout,
   appearance: FamilyAppearance,
+  opticalDepth: number,
 ): Values {
+  const [turned, through] = meanLayerShares(appearance.roughness, opticalDepth);
   const count = threads.lower.length;
   const size = threads.upper[0]! - threads.lower[0]!;
   const bins = Math.ceil(threads.period / finestOf(threads)) + 1;
@@ -224,6 +228,8 @@ function familyValues(
     twist_cosine: Math.cos(layout.twist),
     level: threads.highest / CELL_MAX_LEVELS,
     roughness: appearance.roughness,
+    layer_turned: turned,
+    layer_through: through,
     bend_table: table.addNumbers(rows),
     ...detailNumbers(appearance.detail, meanWidth(layout), layout.twist),
   };
@@ -283,6 +289,7 @@ function colourValues(table: WordTable, threads: FamilyTables, colours: ColourTa
     area_unit: colours.unit,
     crossing_area: colours.crossing,
   };
+  values["cloth_mean"] = values["colour_mean"]!;
   if (colours.quantities > 1) {
     values["colour_threads"] = table.addNumbers(colours.threads);
     values["colour_areas"] = table.addWords(colours.areas);

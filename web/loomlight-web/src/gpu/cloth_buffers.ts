@@ -113,6 +113,11 @@ export class ClothBuffers {
     return this.served?.content ?? null;
   }
 
+  /** Whether what is shown has layers: those of Python alone, as the page finds none in a drawdown. */
+  get isLayered(): boolean {
+    return this.served?.buffers.isLayered ?? false;
+  }
+
   /** @throws InputError a mesh without uv, or another number of meshes. */
   setMeshes(meshes: readonly Mesh[], casters: readonly Caster[]): void {
     if (meshes.length !== this.pieces.length)

@@ -14,6 +14,9 @@ const AT_A_TIME = 2;
 // Of the sizes of tables: every adapter binds the eight storage buffers of the largest shader.
 const RAISED_LIMITS = ["maxStorageBufferBindingSize", "maxBufferSize"] as const;
 
+// The number of the constant of `planes.slang`.
+const LAYERED = /@id\((\d+)\) override HAS_LAYERS_\d+ /;
+
 /** Buffers and views by the names that shaders have for them. */
 export type Resources = Readonly<Record<string, GPUBuffer | GPUBufferBinding | GPUTextureView>>;
 
@@ -38,6 +41,8 @@ export class Device {
   readonly isSoftware: boolean;
   /** Resolves with a sentence when the device is lost, but not after `destroy`. */
   readonly lost: Promise<string>;
+  /** Whether the cloth that is drawn next has layers: kernels are compiled with them, or faster without. */
+  isLayered = false;
   private readonly kernels = new Map<string, Kernel>();
   private readonly compiling = new Map<string, Promise<void>>();
   /** Why kernels could not be compiled. */
@@ -107,7 +112,7 @@ export class Device {
 
   /** The kernel of an entry point of a shader if it is compiled; else undefined, and compiling begins. */
   kernel(shader: ShaderName, entry: string, bindings?: Readonly<Record<string, number>>): Kernel | undefined {
-    const key = `${shader} ${entry}`;
+    const key = this.keyOf(shader, entry);
     if (!this.compiling.has(key)) {
       const compiling = this.compile(key, shader, entry, bindings).catch((error: unknown) => {
         this.faults.set(key, error instanceof Error ? error : new Error(String(error)));
@@ -119,7 +124,7 @@ export class Device {
 
   /** Why the browser could not compile a kernel that was asked for, if so. */
   fault(shader: ShaderName, entry: string = shader): Error | undefined {
-    return this.faults.get(`${shader} ${entry}`);
+    return this.faults.get(this.keyOf(shader, entry));
   }
 
   /** Share of the kernels that were asked for which are compiled, or cannot be: 0 to 1. */
@@ -170,18 +175,26 @@ export class Device {
     entry: string,
     bindings?: Readonly<Record<string, number>>,
   ): Promise<void> {
+    const isLayered = this.isLayered;
     await this.turn();
     try {
       const code = shaderText(shader);
+      // The constant of `planes.slang`: without layers nothing of them is computed.
+      const declared = LAYERED.exec(code);
+      const constants: Record<string, number> = declared === null ? {} : { [declared[1]!]: isLayered ? 1 : 0 };
       const pipeline = await this.gpu.createComputePipelineAsync({
         layout: "auto",
-        compute: { module: this.gpu.createShaderModule({ code, label: shader }), entryPoint: entry },
+        compute: { module: this.gpu.createShaderModule({ code, label: shader }), entryPoint: entry, constants },
       });
       this.kernels.set(key, { pipeline, bindings: bindings ?? bindingsOf(code) });
     } finally {
       this.running--;
       this.waiting.shift()?.();
     }
+  }
+
+  private keyOf(shader: ShaderName, entry: string): string {
+    return `${shader} ${entry} ${this.isLayered ? "layered" : ""}`;
   }
 
   /** Resolves when a kernel may be compiled. */

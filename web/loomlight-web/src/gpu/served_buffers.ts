@@ -35,7 +35,9 @@ export function readTables(content: Uint8Array): ServedTables {
     return new Uint32Array(new Uint8Array(content.subarray(first + start, first + stop)).buffer);
   };
   const tables = Object.fromEntries(NAMES.map((name) => [name, words(name)])) as unknown as ServedTables;
-  if (tables.fabrics.length !== RECORDS.Fabric.words || tables.families.length !== 2 * RECORDS.Family.words)
+  // Layers have records of families of their own behind the two.
+  const families = tables.families.length / RECORDS.Family.words;
+  if (tables.fabrics.length !== RECORDS.Fabric.words || families < 2 || families % 2 !== 0)
     throw fault("are of another version of loomlight");
   return tables;
 }
@@ -59,6 +61,11 @@ export class ServedBuffers {
   /** Whether light passes through holes. */
   get isOpen(): boolean {
     return this.record.get(0, "is_open") === 1;
+  }
+
+  /** Whether the fabric has layers. */
+  get isLayered(): boolean {
+    return this.record.get(0, "planes") > 0;
   }
 
   /** What the scene adds to the record of the fabric. */

@@ -223,6 +223,14 @@ struct Fabric_std430_0
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
     @align(4) clustered_0 : Clustered_std430_0,
+    @align(4) planes_0 : u32,
+    @align(4) plane_records_0 : u32,
+    @align(4) plane_axes_0 : u32,
+    @align(4) stacks_0 : u32,
+    @align(4) plane_orders_0 : u32,
+    @align(4) regions_0 : u32,
+    @align(4) plane_shares_0 : u32,
+    @align(4) is_coloured_0 : u32,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;

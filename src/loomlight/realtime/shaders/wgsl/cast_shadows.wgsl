@@ -217,6 +217,14 @@ struct Fabric_std430_0
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
     @align(4) clustered_0 : Clustered_std430_0,
+    @align(4) planes_0 : u32,
+    @align(4) plane_records_0 : u32,
+    @align(4) plane_axes_0 : u32,
+    @align(4) stacks_0 : u32,
+    @align(4) plane_orders_0 : u32,
+    @align(4) regions_0 : u32,
+    @align(4) plane_shares_0 : u32,
+    @align(4) is_coloured_0 : u32,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -242,6 +250,8 @@ struct Family_std430_0
     @align(4) twist_cosine_0 : f32,
     @align(4) level_0 : f32,
     @align(4) roughness_0 : f32,
+    @align(4) layer_turned_0 : f32,
+    @align(4) layer_through_0 : f32,
     @align(4) albedo_table_0 : u32,
     @align(4) albedo_stride_0 : u32,
     @align(4) before_0 : u32,
@@ -249,6 +259,7 @@ struct Family_std430_0
     @align(4) smallest_box_0 : f32,
     @align(4) quantities_0 : u32,
     @align(4) colour_mean_0 : u32,
+    @align(4) cloth_mean_0 : u32,
     @align(4) colour_axes_0 : u32,
     @align(4) colour_threads_0 : u32,
     @align(4) colour_areas_0 : u32,
@@ -569,6 +580,8 @@ fn to_face_frame_0( direction_2 : vec3<f32>,  back_2 : bool) -> vec3<f32>
     return vec3<f32>(direction_2.xy, select(_S43, - _S43, back_2));
 }
 
+@id(0) override HAS_LAYERS_0 : bool = true;
+
 fn fade_0( size_1 : f32,  period_1 : f32) -> f32
 {
     return clamp((1.0f - size_1 / period_1) * 1.33333337306976318f, 0.0f, 1.0f);
@@ -738,6 +751,89 @@ fn default_quality_0() -> SearchQuality_0
     return quality_0;
 }
 
+struct Plane_0
+{
+     warp_1 : u32,
+     weft_1 : u32,
+     run_words_1 : u32,
+     ends_2 : u32,
+     end_numbers_0 : u32,
+     pick_numbers_0 : u32,
+     max_heights_1 : u32,
+     max_height_columns_1 : u32,
+     height_low_1 : f32,
+     height_high_1 : f32,
+     front_level_0 : f32,
+     back_level_0 : f32,
+     start_x_0 : f32,
+     start_y_0 : f32,
+     fine_x_0 : f32,
+     fine_y_0 : f32,
+};
+
+fn plane_at_0( first_2 : u32) -> Plane_0
+{
+    var record_2 : Plane_0;
+    record_2.warp_1 = words_0[first_2];
+    record_2.weft_1 = words_0[first_2 + u32(1)];
+    record_2.run_words_1 = words_0[first_2 + u32(2)];
+    record_2.ends_2 = words_0[first_2 + u32(3)];
+    record_2.end_numbers_0 = words_0[first_2 + u32(4)];
+    record_2.pick_numbers_0 = words_0[first_2 + u32(5)];
+    record_2.max_heights_1 = words_0[first_2 + u32(6)];
+    record_2.max_height_columns_1 = words_0[first_2 + u32(7)];
+    record_2.height_low_1 = (bitcast<f32>((words_0[first_2 + u32(8)])));
+    record_2.height_high_1 = (bitcast<f32>((words_0[first_2 + u32(9)])));
+    record_2.front_level_0 = (bitcast<f32>((words_0[first_2 + u32(10)])));
+    record_2.back_level_0 = (bitcast<f32>((words_0[first_2 + u32(11)])));
+    record_2.start_x_0 = (bitcast<f32>((words_0[first_2 + u32(12)])));
+    record_2.start_y_0 = (bitcast<f32>((words_0[first_2 + u32(13)])));
+    record_2.fine_x_0 = (bitcast<f32>((words_0[first_2 + u32(14)])));
+    record_2.fine_y_0 = (bitcast<f32>((words_0[first_2 + u32(15)])));
+    return record_2;
+}
+
+struct Crossing_0
+{
+     warp_2 : Cell_0,
+     weft_2 : Cell_0,
+     warp_word_0 : u32,
+     weft_word_0 : u32,
+     warp_above_0 : bool,
+};
+
+fn crossing_at_0( plane_0 : Plane_0,  x_6 : f32,  y_2 : f32,  back_3 : bool) -> Crossing_0
+{
+    var crossing_0 : Crossing_0;
+    crossing_0.warp_2 = locate_0(plane_0.warp_1, x_6 - plane_0.start_x_0);
+    crossing_0.weft_2 = locate_0(plane_0.weft_1, y_2 - plane_0.start_y_0);
+    var _S68 : u32 = plane_0.run_words_1 + u32(2) * (crossing_0.weft_2.thread_2 * plane_0.ends_2 + crossing_0.warp_2.thread_2);
+    var _S69 : u32 = words_0[_S68];
+    crossing_0.warp_word_0 = _S69;
+    crossing_0.weft_word_0 = words_0[_S68 + u32(1)];
+    crossing_0.warp_above_0 = (((_S69 & (u32(1)))) == u32(1)) != back_3;
+    return crossing_0;
+}
+
+fn cell_maximum_0( plane_1 : Plane_0,  crossing_1 : Crossing_0) -> f32
+{
+    var _S70 : u32 = select(plane_1.weft_1, plane_1.warp_1, crossing_1.warp_above_0);
+    return f32((select(crossing_1.weft_word_0, crossing_1.warp_word_0, crossing_1.warp_above_0) >> (u32(28)))) * families_0[_S70].height_scale_0 * families_0[_S70].level_0;
+}
+
+fn bounds_in_0( plane_2 : Plane_0,  x_7 : f32,  y_3 : f32,  back_4 : bool,  right_0 : bool,  up_0 : bool) -> vec3<f32>
+{
+    var _S71 : Crossing_0 = crossing_at_0(plane_2, x_7, y_3, back_4);
+    return vec3<f32>(cell_maximum_0(plane_2, _S71), select(_S71.warp_2.below_0, _S71.warp_2.above_0, right_0), select(_S71.weft_2.below_0, _S71.weft_2.above_0, up_0));
+}
+
+fn hole_edge_0( cell_6 : Cell_0,  forwards_0 : bool) -> f32
+{
+    var _S72 : f32 = select(- cell_6.across_0, cell_6.across_0, forwards_0);
+    var _S73 : f32 = - cell_6.half_width_1;
+    return select(select(cell_6.half_width_1, _S73, _S72 < _S73) - _S72, 2.0f * select(cell_6.below_0, cell_6.above_0, forwards_0) + _S72 - cell_6.half_width_1, _S72 >= (cell_6.half_width_1));
+}
+
 struct Shown_0
 {
      is_warp_0 : bool,
@@ -746,53 +842,44 @@ struct Shown_0
      word_0 : u32,
 };
 
-struct Crossing_0
+fn shown_at_0( crossing_2 : Crossing_0,  back_5 : bool) -> Shown_0
 {
-     warp_1 : Cell_0,
-     weft_1 : Cell_0,
-     warp_word_0 : u32,
-     weft_word_0 : u32,
-     warp_above_0 : bool,
-};
-
-fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
-{
-    var _S68 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
+    var _S74 : bool = (abs(crossing_2.warp_2.across_0)) < (crossing_2.warp_2.half_width_1);
     var shown_0 : Shown_0;
-    var _S69 : bool = !((abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1));
-    var _S70 : bool = (_S68 & (((_S69 | ((crossing_0.warp_above_0))))));
-    shown_0.is_warp_0 = _S70;
-    shown_0.hole_0 = ((!_S68) & (_S69));
-    var _S71 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S70);
-    shown_0.word_0 = _S71;
-    shown_0.on_top_0 = (((_S71 & (u32(1)))) == u32(1)) != back_3;
+    var _S75 : bool = !((abs(crossing_2.weft_2.across_0)) < (crossing_2.weft_2.half_width_1));
+    var _S76 : bool = (_S74 & (((_S75 | ((crossing_2.warp_above_0))))));
+    shown_0.is_warp_0 = _S76;
+    shown_0.hole_0 = ((!_S74) & (_S75));
+    var _S77 : u32 = select(crossing_2.weft_word_0, crossing_2.warp_word_0, _S76);
+    shown_0.word_0 = _S77;
+    shown_0.on_top_0 = (((_S77 & (u32(1)))) == u32(1)) != back_5;
     return shown_0;
 }
 
-fn select_cell_0( is_first_0 : bool,  first_2 : Cell_0,  second_0 : Cell_0) -> Cell_0
+fn select_cell_0( is_first_0 : bool,  first_3 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
-    var cell_6 : Cell_0;
-    cell_6.thread_2 = select(second_0.thread_2, first_2.thread_2, is_first_0);
-    cell_6.across_0 = select(second_0.across_0, first_2.across_0, is_first_0);
-    cell_6.half_width_1 = select(second_0.half_width_1, first_2.half_width_1, is_first_0);
-    cell_6.below_0 = select(second_0.below_0, first_2.below_0, is_first_0);
-    cell_6.above_0 = select(second_0.above_0, first_2.above_0, is_first_0);
-    return cell_6;
+    var cell_7 : Cell_0;
+    cell_7.thread_2 = select(second_0.thread_2, first_3.thread_2, is_first_0);
+    cell_7.across_0 = select(second_0.across_0, first_3.across_0, is_first_0);
+    cell_7.half_width_1 = select(second_0.half_width_1, first_3.half_width_1, is_first_0);
+    cell_7.below_0 = select(second_0.below_0, first_3.below_0, is_first_0);
+    cell_7.above_0 = select(second_0.above_0, first_3.above_0, is_first_0);
+    return cell_7;
 }
 
 fn boundary_0( family_9 : u32,  thread_4 : u32,  step_0 : i32) -> f32
 {
-    var _S72 : vec2<f32> = turns_and_remainder_0(family_9, f32(i32(thread_4) + step_0));
-    return fma(_S72.x, families_0[family_9].period_0, table_number_0(families_0[family_9].place_table_0 + u32(_S72.y) * u32(4)));
+    var _S78 : vec2<f32> = turns_and_remainder_0(family_9, f32(i32(thread_4) + step_0));
+    return fma(_S78.x, families_0[family_9].period_0, table_number_0(families_0[family_9].place_table_0 + u32(_S78.y) * u32(4)));
 }
 
-fn span_0( family_10 : u32,  thread_5 : u32,  first_3 : i32,  last_0 : i32) -> f32
+fn span_0( family_10 : u32,  thread_5 : u32,  first_4 : i32,  last_0 : i32) -> f32
 {
     if((families_0[family_10].is_alike_0) != u32(0))
     {
-        return f32(last_0 - first_3) * families_0[family_10].size_0;
+        return f32(last_0 - first_4) * families_0[family_10].size_0;
     }
-    return boundary_0(family_10, thread_5, last_0) - boundary_0(family_10, thread_5, first_3);
+    return boundary_0(family_10, thread_5, last_0) - boundary_0(family_10, thread_5, first_4);
 }
 
 struct Bend_0
@@ -804,11 +891,11 @@ struct Bend_0
 
 fn bend_of_0( family_11 : u32,  thread_6 : u32) -> Bend_0
 {
-    var _S73 : u32 = families_0[family_11].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_11].is_alike_0) != u32(0));
+    var _S79 : u32 = families_0[family_11].bend_table_0 + select(thread_6 * u32(4), u32(0), (families_0[family_11].is_alike_0) != u32(0));
     var bend_0 : Bend_0;
-    bend_0.sine_0 = table_number_0(_S73);
-    bend_0.half_tangent_0 = table_number_0(_S73 + u32(1));
-    bend_0.arc_0 = table_number_0(_S73 + u32(2));
+    bend_0.sine_0 = table_number_0(_S79);
+    bend_0.half_tangent_0 = table_number_0(_S79 + u32(1));
+    bend_0.arc_0 = table_number_0(_S79 + u32(2));
     return bend_0;
 }
 
@@ -828,35 +915,35 @@ struct Run_0
 
 fn unpack_0( own_0 : u32,  other_0 : u32,  thread_7 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
-    var _S74 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
-    var _S75 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
-    var _S76 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
-    var _S77 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
+    var _S80 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
+    var _S81 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
+    var _S82 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
+    var _S83 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
     var run_0 : Run_0;
-    var _S78 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
-    run_0.straight_0 = _S78;
-    var _S79 : i32 = - _S74;
-    var _S80 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S79, i32(0));
-    run_0.from_start_0 = _S80;
-    var _S81 : i32 = _S75 + i32(1);
-    var _S82 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S81);
-    run_0.to_end_0 = _S82;
-    var _S83 : bool = _S80 < _S82;
-    run_0.near_start_0 = _S83;
-    var _S84 : i32 = select(_S81, _S79 - _S76, _S83);
-    var _S85 : i32 = select(_S81 + _S77, _S79, _S83);
+    var _S84 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
+    run_0.straight_0 = _S84;
+    var _S85 : i32 = - _S80;
+    var _S86 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_2, _S85, i32(0));
+    run_0.from_start_0 = _S86;
+    var _S87 : i32 = _S81 + i32(1);
+    var _S88 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_2, i32(1), _S87);
+    run_0.to_end_0 = _S88;
+    var _S89 : bool = _S86 < _S88;
+    run_0.near_start_0 = _S89;
+    var _S90 : i32 = select(_S87, _S85 - _S82, _S89);
+    var _S91 : i32 = select(_S87 + _S83, _S85, _S89);
     run_0.bend_1 = bend_of_0(own_0, thread_7);
-    run_0.distance_1 = select(min(_S80, _S82), 1.0e+06f, _S78);
-    run_0.reach_0 = min(0.5f * (_S80 + _S82), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S84, _S85), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S74 == i32(0);
-    run_0.last_crossing_0 = _S75 == i32(0);
+    run_0.distance_1 = select(min(_S86, _S88), 1.0e+06f, _S84);
+    run_0.reach_0 = min(0.5f * (_S86 + _S88), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_2, _S90, _S91), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S80 == i32(0);
+    run_0.last_crossing_0 = _S81 == i32(0);
     return run_0;
 }
 
-fn square_1( x_6 : f32) -> f32
+fn square_1( x_8 : f32) -> f32
 {
-    return x_6 * x_6;
+    return x_8 * x_8;
 }
 
 struct Section_0
@@ -866,16 +953,16 @@ struct Section_0
      slope_0 : f32,
 };
 
-fn section_at_0( cell_7 : Cell_0) -> Section_0
+fn section_at_0( cell_8 : Cell_0) -> Section_0
 {
-    var _S86 : f32 = cell_7.half_width_1 * 1.0154266357421875f;
+    var _S92 : f32 = cell_8.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S87 : f32 = clamp(cell_7.across_0, - cell_7.half_width_1, cell_7.half_width_1);
-    section_0.across_1 = _S87;
-    var _S88 : f32 = _S86 * _S86 - square_1(_S87);
-    var _S89 : f32 = rsqrt_0(_S88);
-    section_0.drop_0 = _S86 - _S88 * _S89;
-    section_0.slope_0 = - _S87 * _S89;
+    var _S93 : f32 = clamp(cell_8.across_0, - cell_8.half_width_1, cell_8.half_width_1);
+    section_0.across_1 = _S93;
+    var _S94 : f32 = _S92 * _S92 - square_1(_S93);
+    var _S95 : f32 = rsqrt_0(_S94);
+    section_0.drop_0 = _S92 - _S94 * _S95;
+    section_0.slope_0 = - _S93 * _S95;
     return section_0;
 }
 
@@ -886,33 +973,99 @@ fn edge_drop_0( family_12 : u32,  thread_8 : u32,  step_1 : i32) -> f32
 
 fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec3<f32>
 {
-    var _S90 : bool = (crossed_1.below_0) < (crossed_1.above_0);
-    var _S91 : f32 = min(crossed_1.below_0, crossed_1.above_0);
-    var _S92 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S90) - crossed_1.half_width_1;
-    var _S93 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S90);
-    var _S94 : f32;
+    var _S96 : bool = (crossed_1.below_0) < (crossed_1.above_0);
+    var _S97 : f32 = min(crossed_1.below_0, crossed_1.above_0);
+    var _S98 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S96) - crossed_1.half_width_1;
+    var _S99 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S96);
+    var _S100 : f32;
     if(shown_1.on_top_0)
     {
-        _S94 = 0.0f;
+        _S100 = 0.0f;
     }
     else
     {
-        _S94 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
+        _S100 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, i32(0));
     }
-    var _S95 : f32;
-    if((shown_1.on_top_0) != _S93)
+    var _S101 : f32;
+    if((shown_1.on_top_0) != _S99)
     {
-        _S95 = 0.0f;
+        _S101 = 0.0f;
     }
     else
     {
-        _S95 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S90));
+        _S101 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_2, select(i32(1), i32(-1), _S96));
     }
-    var _S96 : f32 = 2.0f * _S92;
-    var _S97 : f32 = 1.0f / max(_S96, 9.999999960041972e-13f);
-    var _S98 : f32 = clamp((_S92 - _S91) * _S97, 0.0f, 1.0f);
-    var _S99 : f32 = clamp((0.44999998807907104f - _S96 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
-    return vec3<f32>(_S94 + (_S95 - _S94) * (_S98 * _S98 * (3.0f - 2.0f * _S98)), (_S94 - _S95) * (6.0f * _S98 * (1.0f - _S98) * _S97) * select(-1.0f, 1.0f, _S90), _S99 * _S99 * (3.0f - 2.0f * _S99));
+    var _S102 : f32 = 2.0f * _S98;
+    var _S103 : f32 = 1.0f / max(_S102, 9.999999960041972e-13f);
+    var _S104 : f32 = clamp((_S98 - _S97) * _S103, 0.0f, 1.0f);
+    var _S105 : f32 = clamp((0.44999998807907104f - _S102 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
+    return vec3<f32>(_S100 + (_S101 - _S100) * (_S104 * _S104 * (3.0f - 2.0f * _S104)), (_S100 - _S101) * (6.0f * _S104 * (1.0f - _S104) * _S103) * select(-1.0f, 1.0f, _S96), _S105 * _S105 * (3.0f - 2.0f * _S105));
+}
+
+struct PlaneHere_0
+{
+     plane_3 : Plane_0,
+     number_2 : u32,
+     level_1 : f32,
+     edge_x_0 : f32,
+     edge_y_0 : f32,
+     bounds_0 : vec3<f32>,
+};
+
+struct Sample_0
+{
+     here_0 : PlaneHere_0,
+     crossing_3 : Crossing_0,
+     shown_2 : Shown_0,
+     run_2 : Run_0,
+     section_1 : Section_0,
+     height_2 : f32,
+     slope_across_0 : f32,
+     slope_along_0 : f32,
+     dive_1 : vec3<f32>,
+     slope_x_0 : f32,
+     slope_y_0 : f32,
+};
+
+fn sample_in_0( here_1 : PlaneHere_0,  x_9 : f32,  y_4 : f32,  back_6 : bool) -> Sample_0
+{
+    var sample_0 : Sample_0;
+    sample_0.here_0 = here_1;
+    var _S106 : Crossing_0 = crossing_at_0(here_1.plane_3, x_9, y_4, back_6);
+    sample_0.crossing_3 = _S106;
+    var _S107 : Shown_0 = shown_at_0(_S106, back_6);
+    sample_0.shown_2 = _S107;
+    var _S108 : u32 = select(here_1.plane_3.weft_1, here_1.plane_3.warp_1, _S107.is_warp_0);
+    var _S109 : u32 = select(here_1.plane_3.warp_1, here_1.plane_3.weft_1, _S107.is_warp_0);
+    var _S110 : Cell_0 = select_cell_0(_S107.is_warp_0, sample_0.crossing_3.warp_2, sample_0.crossing_3.weft_2);
+    var _S111 : Cell_0 = select_cell_0(_S107.is_warp_0, sample_0.crossing_3.weft_2, sample_0.crossing_3.warp_2);
+    var _S112 : Run_0 = unpack_0(_S108, _S109, _S110.thread_2, _S111, _S107.word_0);
+    var _S113 : Section_0 = section_at_0(_S110);
+    var _S114 : bool = ((_S107.on_top_0) & (((_S112.distance_1) < (_S113.drop_0 * _S112.bend_1.sine_0))));
+    var _S115 : f32 = select(-1.0f, 1.0f, ((_S107.on_top_0) & ((!_S114))));
+    var _S116 : f32 = select(_S112.reach_0, _S112.other_reach_0, _S114);
+    var _S117 : f32 = select(max(_S116 - _S112.distance_1, 0.0f), _S116 + _S112.distance_1, _S114);
+    var _S118 : f32 = _S116 / _S112.bend_1.sine_0 - _S115 * _S113.drop_0;
+    var _S119 : f32 = _S117 * _S117;
+    var _S120 : f32 = max(_S118 * _S118 - _S119, 9.99999968265522539e-21f);
+    var _S121 : f32 = rsqrt_0(_S120);
+    var _S122 : f32 = _S119 / (_S120 * _S121 + _S118);
+    var _S123 : bool = _S117 > 0.0f;
+    var _S124 : f32 = select(-1.0f, 1.0f, _S107.on_top_0) * select(-1.0f, 1.0f, _S112.near_start_0);
+    var _S125 : f32 = _S113.slope_0 * select(1.0f, _S118 * _S121, _S123);
+    sample_0.slope_across_0 = _S125;
+    var _S126 : f32 = select(0.0f, _S124 * _S117 * _S121, _S123);
+    sample_0.slope_along_0 = _S126;
+    var _S127 : vec3<f32> = dive_0(_S109, _S107, _S112, _S111);
+    sample_0.dive_1 = _S127;
+    sample_0.height_2 = select(families_0[_S108].height_scale_0 * _S115, 0.0f, _S112.straight_0) * (_S116 * _S112.bend_1.half_tangent_0 - _S122) - families_0[_S108].height_scale_0 * _S113.drop_0 - _S127.x + here_1.level_1;
+    var _S128 : f32 = families_0[_S108].height_scale_0 * _S125;
+    var _S129 : f32 = families_0[_S108].height_scale_0 * _S126 - _S127.y;
+    sample_0.slope_x_0 = select(_S129, _S128, _S107.is_warp_0);
+    sample_0.slope_y_0 = select(_S128, _S129, _S107.is_warp_0);
+    sample_0.run_2 = _S112;
+    sample_0.section_1 = _S113;
+    return sample_0;
 }
 
 struct StepControl_0
@@ -921,8 +1074,8 @@ struct StepControl_0
      epsilon_0 : f32,
      per_x_0 : f32,
      per_y_0 : f32,
-     right_0 : bool,
-     up_0 : bool,
+     right_1 : bool,
+     up_1 : bool,
 };
 
 fn step_control_0( direction_3 : vec2<f32>,  step_3 : f32) -> StepControl_0
@@ -930,12 +1083,12 @@ fn step_control_0( direction_3 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S100 : f32 = direction_3.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S100), 9.99999971718068537e-10f);
-    var _S101 : f32 = direction_3.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S101), 9.99999971718068537e-10f);
-    control_0.right_0 = _S100 > 0.0f;
-    control_0.up_0 = _S101 > 0.0f;
+    var _S130 : f32 = direction_3.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S130), 9.99999971718068537e-10f);
+    var _S131 : f32 = direction_3.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S131), 9.99999971718068537e-10f);
+    control_0.right_1 = _S130 > 0.0f;
+    control_0.up_1 = _S131 > 0.0f;
     return control_0;
 }
 
@@ -957,63 +1110,63 @@ fn no_previous_sample_0() -> PreviousSample_0
     return previous_0;
 }
 
-fn outline_distance_0( cell_8 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
+fn outline_distance_0( cell_9 : Cell_0,  shown_3 : Shown_0,  run_3 : Run_0,  lengthwise_0 : bool,  forwards_1 : bool) -> f32
 {
-    var _S102 : f32 = select(- cell_8.across_0, cell_8.across_0, forwards_0);
-    var _S103 : f32 = select(cell_8.below_0, cell_8.above_0, forwards_0);
-    var _S104 : f32 = - cell_8.half_width_1;
-    var _S105 : bool = _S102 < _S104;
-    var _S106 : bool = _S102 >= (cell_8.half_width_1);
-    var _S107 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
-    var _S108 : f32 = select(cell_8.half_width_1, _S104, _S105) - _S102;
-    var _S109 : f32 = select(_S103, 2.0f * _S103 + _S102 - cell_8.half_width_1, ((shown_2.hole_0) | (((_S107 & ((!shown_2.on_top_0)))))));
-    if((((_S107 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S105)))))))
+    var _S132 : f32 = select(- cell_9.across_0, cell_9.across_0, forwards_1);
+    var _S133 : f32 = select(cell_9.below_0, cell_9.above_0, forwards_1);
+    var _S134 : f32 = - cell_9.half_width_1;
+    var _S135 : bool = _S132 < _S134;
+    var _S136 : bool = _S132 >= (cell_9.half_width_1);
+    var _S137 : bool = (((lengthwise_0 & ((!select(run_3.first_crossing_0, run_3.last_crossing_0, forwards_1))))) & ((!shown_3.hole_0)));
+    var _S138 : f32 = select(cell_9.half_width_1, _S134, _S135) - _S132;
+    var _S139 : f32 = select(_S133, 2.0f * _S133 + _S132 - cell_9.half_width_1, ((shown_3.hole_0) | (((_S137 & ((!shown_3.on_top_0)))))));
+    if((((_S137 & ((shown_3.on_top_0)))) & ((!((select(run_3.last_crossing_0, run_3.first_crossing_0, forwards_1) & (_S135)))))))
     {
-        return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
+        return select(run_3.from_start_0, run_3.to_end_0, forwards_1);
     }
-    return select(_S108, _S109, _S106);
+    return select(_S138, _S139, _S136);
 }
 
 struct Probe_0
 {
-     height_2 : f32,
+     height_3 : f32,
      hole_1 : bool,
-     slope_x_0 : f32,
-     slope_y_0 : f32,
+     slope_x_1 : f32,
+     slope_y_1 : f32,
      yarn_1 : u32,
      cell_max_0 : f32,
      side_x_0 : f32,
      side_y_0 : f32,
-     edge_x_0 : f32,
-     edge_y_0 : f32,
+     edge_x_1 : f32,
+     edge_y_1 : f32,
 };
 
-fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
+fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_2 : Probe_0) -> f32
 {
-    var _S110 : f32 = previous_1.rate_0 * step_4;
-    var _S111 : f32 = rate_1 * step_4;
-    if(((((((((!previous_1.known_0) | ((here_0.hole_1)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
+    var _S140 : f32 = previous_1.rate_0 * step_4;
+    var _S141 : f32 = rate_1 * step_4;
+    if(((((((((!previous_1.known_0) | ((here_2.hole_1)))) | (((previous_1.yarn_0) != (here_2.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((((3.0f * previous_1.clearance_0 + _S110) >= 0.0f) & (((3.0f * clearance_1 - _S111) >= 0.0f))))
+    if((((3.0f * previous_1.clearance_0 + _S140) >= 0.0f) & (((3.0f * clearance_1 - _S141) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S112 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S113 : f32 = 6.0f * _S112 - 4.0f * _S110 - 2.0f * _S111;
-    var _S114 : f32 = -2.0f * _S110 / max(_S113 + sqrt(max(_S113 * _S113 - 4.0f * (3.0f * (_S110 + _S111 - 2.0f * _S112)) * _S110, 0.0f)), 9.99999968265522539e-21f);
-    var _S115 : f32 = 1.0f - _S114;
-    return select(-1.0f, _S115 * step_4, ((((_S114 > 0.01999999955296516f) & ((_S115 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S114 + 1.0f) + _S110 * _S114) * _S115 * _S115 + (clearance_1 * (2.0f * _S115 + 1.0f) - _S111 * _S115) * _S114 * _S114) < 0.0f))));
+    var _S142 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S143 : f32 = 6.0f * _S142 - 4.0f * _S140 - 2.0f * _S141;
+    var _S144 : f32 = -2.0f * _S140 / max(_S143 + sqrt(max(_S143 * _S143 - 4.0f * (3.0f * (_S140 + _S141 - 2.0f * _S142)) * _S140, 0.0f)), 9.99999968265522539e-21f);
+    var _S145 : f32 = 1.0f - _S144;
+    return select(-1.0f, _S145 * step_4, ((((_S144 > 0.01999999955296516f) & ((_S145 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S144 + 1.0f) + _S140 * _S144) * _S145 * _S145 + (clearance_1 * (2.0f * _S145 + 1.0f) - _S141 * _S145) * _S144 * _S144) < 0.0f))));
 }
 
-fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
+fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_3 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
 {
     var previous_2 : PreviousSample_0;
-    previous_2.clearance_0 = select(clearance_2, 1.0e+09f, here_1.hole_1);
+    previous_2.clearance_0 = select(clearance_2, 1.0e+09f, here_3.hole_1);
     previous_2.rate_0 = rate_2;
-    previous_2.yarn_0 = here_1.yarn_1;
-    previous_2.known_0 = ((!here_1.hole_1) & ((!is_cell_exit_0)));
+    previous_2.yarn_0 = here_3.yarn_1;
+    previous_2.known_0 = ((!here_3.hole_1) & ((!is_cell_exit_0)));
     return previous_2;
 }
 
@@ -1022,10 +1175,10 @@ fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_1 : f32,  side_y_
     return max(min(side_x_1 * this_1.per_x_0, side_y_1 * this_1.per_y_0), 0.0f) + this_1.epsilon_0;
 }
 
-fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
+fn StepControl_to_next_sample_0( this_2 : StepControl_0,  here_4 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S116 : f32 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
-    return min(this_2.step_2, select(max(_S116, 0.0f) + this_2.epsilon_0, _S116 - this_2.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S116 + clearance_3) < 0.0f)))) & ((_S116 > (2.0f * this_2.epsilon_0))))));
+    var _S146 : f32 = min(here_4.edge_x_1 * this_2.per_x_0, here_4.edge_y_1 * this_2.per_y_0);
+    return min(this_2.step_2, select(max(_S146, 0.0f) + this_2.epsilon_0, _S146 - this_2.epsilon_0, ((((!here_4.hole_1) & (((rate_3 * _S146 + clearance_3) < 0.0f)))) & ((_S146 > (2.0f * this_2.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -1034,22 +1187,22 @@ struct ViewRay_0
      slope_1 : vec2<f32>,
 };
 
-fn ViewRay_at_0( this_3 : ViewRay_0,  height_3 : f32) -> vec2<f32>
+fn ViewRay_at_0( this_3 : ViewRay_0,  height_4 : f32) -> vec2<f32>
 {
-    return this_3.origin_2 + this_3.slope_1 * vec2<f32>(height_3);
+    return this_3.origin_2 + this_3.slope_1 * vec2<f32>(height_4);
 }
 
-fn ViewRay_rate_0( this_4 : ViewRay_0,  here_3 : Probe_0) -> f32
+fn ViewRay_rate_0( this_4 : ViewRay_0,  here_5 : Probe_0) -> f32
 {
-    return here_3.slope_x_0 * this_4.slope_1.x + here_3.slope_y_0 * this_4.slope_1.y - 1.0f;
+    return here_5.slope_x_1 * this_4.slope_1.x + here_5.slope_y_1 * this_4.slope_1.y - 1.0f;
 }
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S117 : f32 = end_0 - start_1;
-    var _S118 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S117;
-    var _S119 : f32 = 3.0f * _S117 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S117, 9.99999968265522539e-21f);
+    var _S147 : f32 = end_0 - start_1;
+    var _S148 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S147;
+    var _S149 : f32 = 3.0f * _S147 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S147, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -1060,10 +1213,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S120 : f32 = clamp(share_1 - (((_S118 * share_1 + _S119) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S118 * share_1 + 2.0f * _S119) * share_1 + start_rate_0, 0.10000000149011612f * _S117 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S121 : i32 = i_0 + i32(1);
-        share_1 = _S120;
-        i_0 = _S121;
+        var _S150 : f32 = clamp(share_1 - (((_S148 * share_1 + _S149) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S148 * share_1 + 2.0f * _S149) * share_1 + start_rate_0, 0.10000000149011612f * _S147 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S151 : i32 = i_0 + i32(1);
+        share_1 = _S150;
+        i_0 = _S151;
     }
     return share_1;
 }
@@ -1073,9 +1226,9 @@ fn between_0( above_1 : f32,  under_0 : f32,  above_gap_0 : f32,  under_gap_0 : 
     return clamp(above_gap_0 / max(above_gap_0 + under_gap_0, 9.99999968265522539e-21f), 0.01999999955296516f, 0.98000001907348633f) * (under_0 - above_1) + above_1;
 }
 
-fn arc_tangent_quotient_0( x_7 : f32,  y_2 : f32) -> f32
+fn arc_tangent_quotient_0( x_10 : f32,  y_5 : f32) -> f32
 {
-    return ((((((0.0f * x_7 + 0.00809729471802711f) * x_7 + -0.0377517081797123f) * x_7 + 0.08475969731807709f) * x_7 + -0.13537675142288208f) * x_7 + 0.19895026087760925f) * x_7 + -0.33327975869178772f) * x_7 + 0.99999970197677612f;
+    return ((((((0.0f * x_10 + 0.00809729471802711f) * x_10 + -0.0377517081797123f) * x_10 + 0.08475969731807709f) * x_10 + -0.13537675142288208f) * x_10 + 0.19895026087760925f) * x_10 + -0.33327975869178772f) * x_10 + 0.99999970197677612f;
 }
 
 fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
@@ -1083,14 +1236,14 @@ fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
 }
 
-fn arc_tangent_0( y_3 : f32,  x_8 : f32) -> f32
+fn arc_tangent_0( y_6 : f32,  x_11 : f32) -> f32
 {
-    var _S122 : f32 = abs(x_8);
-    var _S123 : f32 = abs(y_3);
-    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S122, _S123) / max(max(_S122, _S123), 1.00000000317107685e-30f));
-    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S123 > _S122);
-    var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_8 < 0.0f);
-    return select(angle_2, - angle_2, y_3 < 0.0f);
+    var _S152 : f32 = abs(x_11);
+    var _S153 : f32 = abs(y_6);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S152, _S153) / max(max(_S152, _S153), 1.00000000317107685e-30f));
+    var angle_1 : f32 = select(angle_0, 1.57079637050628662f - angle_0, _S153 > _S152);
+    var angle_2 : f32 = select(angle_1, 3.14159274101257324f - angle_1, x_11 < 0.0f);
+    return select(angle_2, - angle_2, y_6 < 0.0f);
 }
 
 struct NodeTaps_0
@@ -1102,32 +1255,32 @@ struct NodeTaps_0
 
 fn node_taps_of_0( direction_4 : vec3<f32>,  azimuths_0 : u32) -> NodeTaps_0
 {
-    var _S124 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
-    var _S125 : f32 = floor(_S124);
-    var _S126 : f32 = _S124 - _S125;
-    var _S127 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
-    var _S128 : f32 = 7.0f * _S127 * sqrt(_S127);
-    var _S129 : f32 = min(floor(_S128), 6.0f);
-    var _S130 : f32 = _S128 - _S129;
-    var _S131 : u32 = u32(i32(_S125) + i32(azimuths_0)) % azimuths_0;
-    var _S132 : u32 = u32(_S129);
-    var _S133 : u32 = _S131 * u32(8) + _S132;
-    var _S134 : u32 = (_S131 + u32(1)) % azimuths_0;
-    var _S135 : u32 = _S134 * u32(8) + _S132;
+    var _S154 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * (0.5f * f32(azimuths_0) * 0.31830987334251404f);
+    var _S155 : f32 = floor(_S154);
+    var _S156 : f32 = _S154 - _S155;
+    var _S157 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
+    var _S158 : f32 = 7.0f * _S157 * sqrt(_S157);
+    var _S159 : f32 = min(floor(_S158), 6.0f);
+    var _S160 : f32 = _S158 - _S159;
+    var _S161 : u32 = u32(i32(_S155) + i32(azimuths_0)) % azimuths_0;
+    var _S162 : u32 = u32(_S159);
+    var _S163 : u32 = _S161 * u32(8) + _S162;
+    var _S164 : u32 = (_S161 + u32(1)) % azimuths_0;
+    var _S165 : u32 = _S164 * u32(8) + _S162;
     var taps_0 : NodeTaps_0;
-    taps_0.nodes_0 = vec4<u32>(_S133, _S133 + u32(1), _S135, _S135 + u32(1));
-    var _S136 : f32 = 1.0f - _S126;
-    var _S137 : f32 = 1.0f - _S130;
-    var _S138 : vec4<u32> = vec4<u32>(vec4<f32>(_S136 * _S137, _S136 * _S130, _S126 * _S137, _S126 * _S130) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
-    taps_0.weights_0 = _S138;
-    taps_0.inverse_sum_0 = 1.0f / f32(_S138.x + _S138.y + _S138.z + _S138.w);
+    taps_0.nodes_0 = vec4<u32>(_S163, _S163 + u32(1), _S165, _S165 + u32(1));
+    var _S166 : f32 = 1.0f - _S156;
+    var _S167 : f32 = 1.0f - _S160;
+    var _S168 : vec4<u32> = vec4<u32>(vec4<f32>(_S166 * _S167, _S166 * _S160, _S156 * _S167, _S156 * _S160) * vec4<f32>(252.0f) + vec4<f32>(0.5f));
+    taps_0.weights_0 = _S168;
+    taps_0.inverse_sum_0 = 1.0f / f32(_S168.x + _S168.y + _S168.z + _S168.w);
     return taps_0;
 }
 
 fn node_taps_0( direction_5 : vec3<f32>) -> NodeTaps_0
 {
-    var _S139 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
-    return _S139;
+    var _S169 : NodeTaps_0 = node_taps_of_0(direction_5, u32(32));
+    return _S169;
 }
 
 fn wrapped_cell_0( position_5 : f32,  count_2 : f32) -> f32
@@ -1142,113 +1295,113 @@ fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
 
 fn interpolate_0( taps_1 : NodeTaps_0,  packs_1 : vec4<u32>) -> vec4<f32>
 {
-    var _S140 : vec4<u32> = vec4<u32>(u32(16711935));
-    var _S141 : vec4<u32> = ((packs_1 & (_S140))) * taps_1.weights_0;
-    var _S142 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S140))) * taps_1.weights_0;
-    return bytes_of_sums_0(_S141.x + _S141.y + _S141.z + _S141.w, _S142.x + _S142.y + _S142.z + _S142.w) * vec4<f32>(taps_1.inverse_sum_0);
+    var _S170 : vec4<u32> = vec4<u32>(u32(16711935));
+    var _S171 : vec4<u32> = ((packs_1 & (_S170))) * taps_1.weights_0;
+    var _S172 : vec4<u32> = ((((packs_1 >> (vec4<u32>(u32(8))))) & (_S170))) * taps_1.weights_0;
+    return bytes_of_sums_0(_S171.x + _S171.y + _S171.z + _S171.w, _S172.x + _S172.y + _S172.z + _S172.w) * vec4<f32>(taps_1.inverse_sum_0);
 }
 
 fn interpolate_table_0( taps_2 : NodeTaps_0,  table_1 : u32,  stride_0 : u32) -> vec4<f32>
 {
-    var _S143 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
-    return interpolate_0(taps_2, vec4<u32>(words_0[_S143.x], words_0[_S143.y], words_0[_S143.z], words_0[_S143.w]));
+    var _S173 : vec4<u32> = vec4<u32>(table_1) + taps_2.nodes_0 * vec4<u32>(stride_0);
+    return interpolate_0(taps_2, vec4<u32>(words_0[_S173.x], words_0[_S173.y], words_0[_S173.z], words_0[_S173.w]));
 }
 
 struct Yarns_0
 {
-     warp_2 : vec4<f32>,
-     weft_2 : vec4<f32>,
+     warp_3 : vec4<f32>,
+     weft_3 : vec4<f32>,
      shares_0 : vec3<f32>,
 };
 
-fn Yarns_x24init_0( warp_3 : vec4<f32>,  weft_3 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
+fn Yarns_x24init_0( warp_4 : vec4<f32>,  weft_4 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
 {
-    var _S144 : Yarns_0;
-    _S144.warp_2 = warp_3;
-    _S144.weft_2 = weft_3;
-    _S144.shares_0 = shares_1;
-    return _S144;
+    var _S174 : Yarns_0;
+    _S174.warp_3 = warp_4;
+    _S174.weft_3 = weft_4;
+    _S174.shares_0 = shares_1;
+    return _S174;
 }
 
 fn irregular_over_0( family_13 : u32,  key_4 : u32,  place_1 : f32,  width_2 : f32,  along_1 : f32,  length_0 : f32) -> vec4<f32>
 {
-    var _S145 : f32 = max(width_2, 0.0625f);
-    var _S146 : f32 = min(_S145, 64.0f);
-    var _S147 : f32 = max(length_0 / 2.0f, 1.0f);
-    var _S148 : f32 = along_1 / 2.0f - 0.5f * _S147;
-    var _S149 : f32 = 0.5f * _S146;
-    var _S150 : vec2<f32> = floor(vec2<f32>(place_1 - _S149, place_1 + _S149) / vec2<f32>(64.0f));
-    var _S151 : vec4<f32> = vec4<f32>(0.0f);
-    var number_2 : u32 = u32(0);
-    var sums_2 : vec4<f32> = _S151;
+    var _S175 : f32 = max(width_2, 0.0625f);
+    var _S176 : f32 = min(_S175, 64.0f);
+    var _S177 : f32 = max(length_0 / 2.0f, 1.0f);
+    var _S178 : f32 = along_1 / 2.0f - 0.5f * _S177;
+    var _S179 : f32 = 0.5f * _S176;
+    var _S180 : vec2<f32> = floor(vec2<f32>(place_1 - _S179, place_1 + _S179) / vec2<f32>(64.0f));
+    var _S181 : vec4<f32> = vec4<f32>(0.0f);
+    var number_3 : u32 = u32(0);
+    var sums_2 : vec4<f32> = _S181;
     for(;;)
     {
-        if(number_2 < u32(6))
+        if(number_3 < u32(6))
         {
         }
         else
         {
             break;
         }
-        var _S152 : bool = number_2 >= u32(3);
-        var _S153 : u32 = select(number_2, number_2 - u32(3), _S152);
-        var _S154 : f32 = select(-1.0f, 1.0f, _S152);
-        var _S155 : f32 = _S150.y;
-        var _S156 : f32 = _S150.x;
-        var _S157 : f32 = select(_S156, _S155, _S152);
-        var _S158 : f32 = place_1 + _S154 * 0.5f * _S146 - 64.0f * _S157;
-        var _S159 : f32 = clamp(floor(_S158), 0.0f, 63.0f);
-        var _S160 : f32 = _S158 - _S159;
-        var _S161 : f32 = select(select(64.0f, 0.0f, _S152), _S159 + f32(_S153), _S153 < u32(2));
-        var _S162 : f32 = _S154 * select(select(select(0.0f, -1.0f, _S156 != _S155), _S160, _S153 == u32(1)), 1.0f - _S160, _S153 == u32(0));
-        if(_S162 == 0.0f)
+        var _S182 : bool = number_3 >= u32(3);
+        var _S183 : u32 = select(number_3, number_3 - u32(3), _S182);
+        var _S184 : f32 = select(-1.0f, 1.0f, _S182);
+        var _S185 : f32 = _S180.y;
+        var _S186 : f32 = _S180.x;
+        var _S187 : f32 = select(_S186, _S185, _S182);
+        var _S188 : f32 = place_1 + _S184 * 0.5f * _S176 - 64.0f * _S187;
+        var _S189 : f32 = clamp(floor(_S188), 0.0f, 63.0f);
+        var _S190 : f32 = _S188 - _S189;
+        var _S191 : f32 = select(select(64.0f, 0.0f, _S182), _S189 + f32(_S183), _S183 < u32(2));
+        var _S192 : f32 = _S184 * select(select(select(0.0f, -1.0f, _S186 != _S185), _S190, _S183 == u32(1)), 1.0f - _S190, _S183 == u32(0));
+        if(_S192 == 0.0f)
         {
-            number_2 = number_2 + u32(1);
+            number_3 = number_3 + u32(1);
             continue;
         }
-        var _S163 : u32 = hash_bits_0(key_4, u32(i32(_S157)));
-        sums_2 = sums_2 + vec4<f32>(_S162) * irregular_integral_0(family_13, ((_S163 & (u32(127)))) + u32(_S161), _S148 + f32((_S163 >> (u32(22)))), _S147);
-        number_2 = number_2 + u32(1);
+        var _S193 : u32 = hash_bits_0(key_4, u32(i32(_S187)));
+        sums_2 = sums_2 + vec4<f32>(_S192) * irregular_integral_0(family_13, ((_S193 & (u32(127)))) + u32(_S191), _S178 + f32((_S193 >> (u32(22)))), _S177);
+        number_3 = number_3 + u32(1);
     }
-    return sums_2 * irregular_units_0(family_13) * vec4<f32>((sqrt(_S146 / _S145) / (_S146 * _S147)));
+    return sums_2 * irregular_units_0(family_13) * vec4<f32>((sqrt(_S176 / _S175) / (_S176 * _S177)));
 }
 
 fn shown_of_covers_0( covers_0 : vec2<f32>,  warp_on_top_1 : f32) -> vec3<f32>
 {
-    var _S164 : f32 = covers_0.x;
-    var _S165 : f32 = covers_0.y;
-    return vec3<f32>(_S164 * (1.0f - _S165 * (1.0f - warp_on_top_1)), _S165 * (1.0f - _S164 * warp_on_top_1), (1.0f - _S164) * (1.0f - _S165));
+    var _S194 : f32 = covers_0.x;
+    var _S195 : f32 = covers_0.y;
+    return vec3<f32>(_S194 * (1.0f - _S195 * (1.0f - warp_on_top_1)), _S195 * (1.0f - _S194 * warp_on_top_1), (1.0f - _S194) * (1.0f - _S195));
 }
 
-fn sheen_scale_0( x_9 : f32,  y_4 : f32) -> f32
+fn sheen_scale_0( x_12 : f32,  y_7 : f32) -> f32
 {
-    return (((((0.0f * x_9 + (((((-1.1402510404586792f * y_4 + 0.40672621130943298f) * y_4 + 1.65398800373077393f) * y_4 + -1.29730904102325439f) * y_4 + 0.30570998787879944f) * y_4 + -0.0220868494361639f)) * x_9 + (((((-0.21142719686031342f * y_4 + 1.05947399139404297f) * y_4 + -0.41116121411323547f) * y_4 + -0.93859231472015381f) * y_4 + 0.51606941223144531f) * y_4 + 0.05409301072359085f)) * x_9 + (((((1.22944498062133789f * y_4 + -0.45962560176849365f) * y_4 + -1.63861405849456787f) * y_4 + 1.33565104007720947f) * y_4 + -0.45725581049919128f) * y_4 + 0.08243165910243988f)) * x_9 + (((((0.39779931306838989f * y_4 + -1.18879103660583496f) * y_4 + 0.28251591324806213f) * y_4 + 1.168984055519104f) * y_4 + -0.76864629983901978f) * y_4 + 0.0091691892594099f)) * x_9 + (((((-0.26563560962677002f * y_4 + -0.19379159808158875f) * y_4 + 0.2677634060382843f) * y_4 + 0.00270519289188087f) * y_4 + 0.14349560439586639f) * y_4 + 0.10290180146694183f)) * x_9 + (((((-0.20701569318771362f * y_4 + 0.24526430666446686f) * y_4 + 0.19551840424537659f) * y_4 + 0.07586126774549484f) * y_4 + 0.38894739747047424f) * y_4 + 0.15043120086193085f);
+    return (((((0.0f * x_12 + (((((-1.1402510404586792f * y_7 + 0.40672621130943298f) * y_7 + 1.65398800373077393f) * y_7 + -1.29730904102325439f) * y_7 + 0.30570998787879944f) * y_7 + -0.0220868494361639f)) * x_12 + (((((-0.21142719686031342f * y_7 + 1.05947399139404297f) * y_7 + -0.41116121411323547f) * y_7 + -0.93859231472015381f) * y_7 + 0.51606941223144531f) * y_7 + 0.05409301072359085f)) * x_12 + (((((1.22944498062133789f * y_7 + -0.45962560176849365f) * y_7 + -1.63861405849456787f) * y_7 + 1.33565104007720947f) * y_7 + -0.45725581049919128f) * y_7 + 0.08243165910243988f)) * x_12 + (((((0.39779931306838989f * y_7 + -1.18879103660583496f) * y_7 + 0.28251591324806213f) * y_7 + 1.168984055519104f) * y_7 + -0.76864629983901978f) * y_7 + 0.0091691892594099f)) * x_12 + (((((-0.26563560962677002f * y_7 + -0.19379159808158875f) * y_7 + 0.2677634060382843f) * y_7 + 0.00270519289188087f) * y_7 + 0.14349560439586639f) * y_7 + 0.10290180146694183f)) * x_12 + (((((-0.20701569318771362f * y_7 + 0.24526430666446686f) * y_7 + 0.19551840424537659f) * y_7 + 0.07586126774549484f) * y_7 + 0.38894739747047424f) * y_7 + 0.15043120086193085f);
 }
 
-fn sheen_shear_0( x_10 : f32,  y_5 : f32) -> f32
+fn sheen_shear_0( x_13 : f32,  y_8 : f32) -> f32
 {
-    return ((((0.0f * x_10 + (((((-0.10608240216970444f * y_5 + 1.99214303493499756f) * y_5 + -1.42255294322967529f) * y_5 + -1.09495604038238525f) * y_5 + 0.59180057048797607f) * y_5 + 0.06902855634689331f)) * x_10 + (((((-0.46220690011978149f * y_5 + -0.29113379120826721f) * y_5 + 1.39025199413299561f) * y_5 + 0.35589990019798279f) * y_5 + -1.17120099067687988f) * y_5 + 0.15940259397029877f)) * x_10 + (((((2.26068711280822754f * y_5 + -3.64728999137878418f) * y_5 + -0.72173482179641724f) * y_5 + 3.07659196853637695f) * y_5 + -0.6827620267868042f) * y_5 + -0.3039557933807373f)) * x_10 + (((((0.81201767921447754f * y_5 + 0.36014080047607422f) * y_5 + -1.72646903991699219f) * y_5 + -0.22630110383033752f) * y_5 + 0.89514690637588501f) * y_5 + -0.10397960245609283f)) * x_10 + (((((-0.37648698687553406f * y_5 + 1.10974001884460449f) * y_5 + 0.17824520170688629f) * y_5 + -1.04968702793121338f) * y_5 + 0.1461234986782074f) * y_5 + -0.00475129019469023f);
+    return ((((0.0f * x_13 + (((((-0.10608240216970444f * y_8 + 1.99214303493499756f) * y_8 + -1.42255294322967529f) * y_8 + -1.09495604038238525f) * y_8 + 0.59180057048797607f) * y_8 + 0.06902855634689331f)) * x_13 + (((((-0.46220690011978149f * y_8 + -0.29113379120826721f) * y_8 + 1.39025199413299561f) * y_8 + 0.35589990019798279f) * y_8 + -1.17120099067687988f) * y_8 + 0.15940259397029877f)) * x_13 + (((((2.26068711280822754f * y_8 + -3.64728999137878418f) * y_8 + -0.72173482179641724f) * y_8 + 3.07659196853637695f) * y_8 + -0.6827620267868042f) * y_8 + -0.3039557933807373f)) * x_13 + (((((0.81201767921447754f * y_8 + 0.36014080047607422f) * y_8 + -1.72646903991699219f) * y_8 + -0.22630110383033752f) * y_8 + 0.89514690637588501f) * y_8 + -0.10397960245609283f)) * x_13 + (((((-0.37648698687553406f * y_8 + 1.10974001884460449f) * y_8 + 0.17824520170688629f) * y_8 + -1.04968702793121338f) * y_8 + 0.1461234986782074f) * y_8 + -0.00475129019469023f);
 }
 
-fn sheen_reflectance_0( x_11 : f32,  y_6 : f32) -> f32
+fn sheen_reflectance_0( x_14 : f32,  y_9 : f32) -> f32
 {
-    return ((((0.0f * x_11 + (((((12.95646953582763672f * y_6 + -21.38032913208007812f) * y_6 + -7.37853097915649414f) * y_6 + 34.55607986450195312f) * y_6 + -23.61347007751464844f) * y_6 + 5.00126314163208008f)) * x_11 + (((((10.91487026214599609f * y_6 + -6.08202791213989258f) * y_6 + -38.2036285400390625f) * y_6 + 53.3440399169921875f) * y_6 + -21.91996002197265625f) * y_6 + 2.01606011390686035f)) * x_11 + (((((-14.52206039428710938f * y_6 + 36.803619384765625f) * y_6 + -22.94047927856445312f) * y_6 + -10.07973003387451172f) * y_6 + 15.77003955841064453f) * y_6 + -4.92722177505493164f)) * x_11 + (((((-7.62505722045898438f * y_6 + 1.27310299873352051f) * y_6 + 31.19523048400878906f) * y_6 + -44.39989852905273438f) * y_6 + 26.44947052001953125f) * y_6 + -8.73507976531982422f)) * x_11 + (((((5.65633487701416016f * y_6 + -17.66820907592773438f) * y_6 + 24.65356063842773438f) * y_6 + -19.38941001892089844f) * y_6 + 11.06159019470214844f) * y_6 + -3.06573700904846191f);
+    return ((((0.0f * x_14 + (((((12.95646953582763672f * y_9 + -21.38032913208007812f) * y_9 + -7.37853097915649414f) * y_9 + 34.55607986450195312f) * y_9 + -23.61347007751464844f) * y_9 + 5.00126314163208008f)) * x_14 + (((((10.91487026214599609f * y_9 + -6.08202791213989258f) * y_9 + -38.2036285400390625f) * y_9 + 53.3440399169921875f) * y_9 + -21.91996002197265625f) * y_9 + 2.01606011390686035f)) * x_14 + (((((-14.52206039428710938f * y_9 + 36.803619384765625f) * y_9 + -22.94047927856445312f) * y_9 + -10.07973003387451172f) * y_9 + 15.77003955841064453f) * y_9 + -4.92722177505493164f)) * x_14 + (((((-7.62505722045898438f * y_9 + 1.27310299873352051f) * y_9 + 31.19523048400878906f) * y_9 + -44.39989852905273438f) * y_9 + 26.44947052001953125f) * y_9 + -8.73507976531982422f)) * x_14 + (((((5.65633487701416016f * y_9 + -17.66820907592773438f) * y_9 + 24.65356063842773438f) * y_9 + -19.38941001892089844f) * y_9 + 11.06159019470214844f) * y_9 + -3.06573700904846191f);
 }
 
-fn exponential_0( x_12 : f32) -> f32
+fn exponential_0( x_15 : f32) -> f32
 {
-    var _S166 : f32 = clamp(x_12, -87.0f, 88.0f);
-    var _S167 : f32 = floor(_S166 * 1.4426950216293335f + 0.5f);
-    var _S168 : f32 = _S166 - _S167 * 0.693359375f + _S167 * 0.00021219444170129f;
-    return select(((((((0.00019875691214111f * _S168 + 0.00139819993637502f) * _S168 + 0.00833345204591751f) * _S168 + 0.04166579619050026f) * _S168 + 0.1666666567325592f) * _S168 + 0.5f) * _S168 * _S168 + _S168 + 1.0f) * (bitcast<f32>(((u32(i32(_S167) + i32(127)) << (u32(23)))))), 0.0f, x_12 < -87.0f);
+    var _S196 : f32 = clamp(x_15, -87.0f, 88.0f);
+    var _S197 : f32 = floor(_S196 * 1.4426950216293335f + 0.5f);
+    var _S198 : f32 = _S196 - _S197 * 0.693359375f + _S197 * 0.00021219444170129f;
+    return select(((((((0.00019875691214111f * _S198 + 0.00139819993637502f) * _S198 + 0.00833345204591751f) * _S198 + 0.04166579619050026f) * _S198 + 0.1666666567325592f) * _S198 + 0.5f) * _S198 * _S198 + _S198 + 1.0f) * (bitcast<f32>(((u32(i32(_S197) + i32(127)) << (u32(23)))))), 0.0f, x_15 < -87.0f);
 }
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S169 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S170 : f32 = 2.0f * sqrt(_S169) - 1.0f;
-    var _S171 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S170, _S171), 0.00999999977648258f, 1.0f), clamp((1.0f - _S169) * sheen_shear_0(_S170, _S171), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S170, _S171), -60.0f, 60.0f))));
+    var _S199 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S200 : f32 = 2.0f * sqrt(_S199) - 1.0f;
+    var _S201 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S200, _S201), 0.00999999977648258f, 1.0f), clamp((1.0f - _S199) * sheen_shear_0(_S200, _S201), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S200, _S201), -60.0f, 60.0f))));
 }
 
 fn camera_right_0() -> vec3<f32>
@@ -1271,93 +1424,93 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S172 : u32,  _S173 : u32,  _S174 : u32,  _S175 : vec2<f32>) -> f32
+fn uneven_shift_0( _S202 : u32,  _S203 : u32,  _S204 : u32,  _S205 : vec2<f32>) -> f32
 {
-    var _S176 : f32 = families_0[_S174].period_0 / families_0[_S174].count_0;
-    var _S177 : u32 = hash_key_0(_S173, ((fabrics_0[_S172].seed_0) ^ (u32(625341585))));
-    var _S178 : vec2<f32> = vec2<f32>(_S175.x, _S175.y / 4.0f) / vec2<f32>(_S176);
-    return 0.20000000298023224f * sqrt(families_0[_S174].slub_0) * _S176 * (uneven_octave_0(_S177, _S178) * 0.66666668653488159f + uneven_octave_0(_S177 + u32(1), vec2<f32>(2.0f) * _S178 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S206 : f32 = families_0[_S204].period_0 / families_0[_S204].count_0;
+    var _S207 : u32 = hash_key_0(_S203, ((fabrics_0[_S202].seed_0) ^ (u32(625341585))));
+    var _S208 : vec2<f32> = vec2<f32>(_S205.x, _S205.y / 4.0f) / vec2<f32>(_S206);
+    return 0.20000000298023224f * sqrt(families_0[_S204].slub_0) * _S206 * (uneven_octave_0(_S207, _S208) * 0.66666668653488159f + uneven_octave_0(_S207 + u32(1), vec2<f32>(2.0f) * _S208 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S179 : u32,  _S180 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S209 : u32,  _S210 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S179].has_detail_0) == u32(0), _S180, _S180 + vec2<f32>(uneven_shift_0(_S179, u32(0), fabrics_0[_S179].warp_0, _S180), uneven_shift_0(_S179, u32(1), fabrics_0[_S179].weft_0, _S180.yx)));
+    return select_vector_1((fabrics_0[_S209].has_detail_0) == u32(0), _S210, _S210 + vec2<f32>(uneven_shift_0(_S209, u32(0), fabrics_0[_S209].warp_0, _S210), uneven_shift_0(_S209, u32(1), fabrics_0[_S209].weft_0, _S210.yx)));
 }
 
-fn face_point_0( _S181 : u32,  _S182 : u32,  _S183 : f32,  _S184 : f32) -> VisiblePoint_0
+fn face_point_0( _S211 : u32,  _S212 : u32,  _S213 : f32,  _S214 : f32) -> VisiblePoint_0
 {
-    var _S185 : u32 = u32(3) * _S182;
-    var _S186 : Vertex_0 = vertex_at_0(_S185);
-    var _S187 : Vertex_0 = vertex_at_0(_S185 + u32(1));
-    var _S188 : Vertex_0 = vertex_at_0(_S185 + u32(2));
-    var _S189 : vec3<f32> = position_of_0(_S186);
-    var _S190 : vec3<f32> = position_of_0(_S187) - _S189;
-    var _S191 : vec3<f32> = position_of_0(_S188) - _S189;
-    var _S192 : f32 = _S187.u_0 - _S186.u_0;
-    var _S193 : f32 = _S187.v_0 - _S186.v_0;
-    var _S194 : vec2<f32> = vec2<f32>(_S192, _S193);
-    var _S195 : f32 = _S188.u_0 - _S186.u_0;
-    var _S196 : f32 = _S188.v_0 - _S186.v_0;
-    var _S197 : vec2<f32> = vec2<f32>(_S195, _S196);
-    var _S198 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S192 * _S196 - _S193 * _S195) < 0.0f));
-    var _S199 : vec3<f32> = _S198 * (vec3<f32>(_S196) * _S190 - vec3<f32>(_S193) * _S191);
-    var _S200 : vec3<f32> = _S198 * (vec3<f32>(_S192) * _S191 - vec3<f32>(_S195) * _S190);
+    var _S215 : u32 = u32(3) * _S212;
+    var _S216 : Vertex_0 = vertex_at_0(_S215);
+    var _S217 : Vertex_0 = vertex_at_0(_S215 + u32(1));
+    var _S218 : Vertex_0 = vertex_at_0(_S215 + u32(2));
+    var _S219 : vec3<f32> = position_of_0(_S216);
+    var _S220 : vec3<f32> = position_of_0(_S217) - _S219;
+    var _S221 : vec3<f32> = position_of_0(_S218) - _S219;
+    var _S222 : f32 = _S217.u_0 - _S216.u_0;
+    var _S223 : f32 = _S217.v_0 - _S216.v_0;
+    var _S224 : vec2<f32> = vec2<f32>(_S222, _S223);
+    var _S225 : f32 = _S218.u_0 - _S216.u_0;
+    var _S226 : f32 = _S218.v_0 - _S216.v_0;
+    var _S227 : vec2<f32> = vec2<f32>(_S225, _S226);
+    var _S228 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S222 * _S226 - _S223 * _S225) < 0.0f));
+    var _S229 : vec3<f32> = _S228 * (vec3<f32>(_S226) * _S220 - vec3<f32>(_S223) * _S221);
+    var _S230 : vec3<f32> = _S228 * (vec3<f32>(_S222) * _S221 - vec3<f32>(_S225) * _S220);
     var point_1 : VisiblePoint_0;
-    var _S201 : vec3<f32> = vec3<f32>(_S183);
-    var _S202 : vec3<f32> = vec3<f32>(_S184);
-    var _S203 : vec3<f32> = normalize(vec3<f32>((1.0f - _S183 - _S184)) * normal_of_0(_S186) + _S201 * normal_of_0(_S187) + _S202 * normal_of_0(_S188));
-    point_1.normal_0 = _S203;
-    var _S204 : vec3<f32> = normalize(_S199 - _S203 * vec3<f32>(dot(_S203, _S199)));
-    point_1.axis_x_0 = _S204;
-    point_1.axis_y_0 = cross(_S203, _S204);
-    var _S205 : vec3<f32> = normalize(cross(_S190, _S191));
-    point_1.face_normal_0 = select_vector_0((dot(_S205, _S203)) < 0.0f, (vec3<f32>(0) - _S205), _S205);
-    point_1.position_0 = _S189 + _S201 * _S190 + _S202 * _S191;
-    point_1.view_0 = _S203;
-    var _S206 : vec2<f32> = vec2<f32>(_S186.u_0, _S186.v_0) + vec2<f32>(_S183) * _S194 + vec2<f32>(_S184) * _S197;
-    point_1.uv_0 = _S206;
-    var _S207 : bool = (dot(cross(_S199, _S200), _S203)) < 0.0f;
-    var _S208 : vec2<f32> = vec2<f32>(fabrics_0[_S181].uv_width_0, select(fabrics_0[_S181].uv_height_0, - fabrics_0[_S181].uv_height_0, _S207));
-    point_1.draft_per_uv_0 = _S208;
-    point_1.draft_0 = uneven_place_0(_S181, _S206 * _S208 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S181].uv_height_0, _S207)));
-    var _S209 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S209;
-    point_1.draft_dy_0 = _S209;
+    var _S231 : vec3<f32> = vec3<f32>(_S213);
+    var _S232 : vec3<f32> = vec3<f32>(_S214);
+    var _S233 : vec3<f32> = normalize(vec3<f32>((1.0f - _S213 - _S214)) * normal_of_0(_S216) + _S231 * normal_of_0(_S217) + _S232 * normal_of_0(_S218));
+    point_1.normal_0 = _S233;
+    var _S234 : vec3<f32> = normalize(_S229 - _S233 * vec3<f32>(dot(_S233, _S229)));
+    point_1.axis_x_0 = _S234;
+    point_1.axis_y_0 = cross(_S233, _S234);
+    var _S235 : vec3<f32> = normalize(cross(_S220, _S221));
+    point_1.face_normal_0 = select_vector_0((dot(_S235, _S233)) < 0.0f, (vec3<f32>(0) - _S235), _S235);
+    point_1.position_0 = _S219 + _S231 * _S220 + _S232 * _S221;
+    point_1.view_0 = _S233;
+    var _S236 : vec2<f32> = vec2<f32>(_S216.u_0, _S216.v_0) + vec2<f32>(_S213) * _S224 + vec2<f32>(_S214) * _S227;
+    point_1.uv_0 = _S236;
+    var _S237 : bool = (dot(cross(_S229, _S230), _S233)) < 0.0f;
+    var _S238 : vec2<f32> = vec2<f32>(fabrics_0[_S211].uv_width_0, select(fabrics_0[_S211].uv_height_0, - fabrics_0[_S211].uv_height_0, _S237));
+    point_1.draft_per_uv_0 = _S238;
+    point_1.draft_0 = uneven_place_0(_S211, _S236 * _S238 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S211].uv_height_0, _S237)));
+    var _S239 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S239;
+    point_1.draft_dy_0 = _S239;
     return point_1;
 }
 
-fn visible_point_0( _S210 : u32,  _S211 : u32,  _S212 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S240 : u32,  _S241 : u32,  _S242 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S213 : u32 = u32(3) * _S211;
-    var _S214 : Vertex_0 = vertex_at_0(_S213);
-    var _S215 : Vertex_0 = vertex_at_0(_S213 + u32(1));
-    var _S216 : Vertex_0 = vertex_at_0(_S213 + u32(2));
-    var _S217 : vec3<f32> = position_of_0(_S214);
-    var _S218 : vec3<f32> = position_of_0(_S215) - _S217;
-    var _S219 : vec3<f32> = position_of_0(_S216) - _S217;
-    var _S220 : vec3<f32> = cross(_S218, _S219);
-    var _S221 : f32 = f32(frame_record_0.width_0);
-    var _S222 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S221));
-    var _S223 : f32 = f32(frame_record_0.height_0);
-    var _S224 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S223));
-    var _S225 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S212.x) + 0.5f - 0.5f * _S221)) * _S222 + vec3<f32>((f32(_S212.y) + 0.5f - 0.5f * _S223)) * _S224;
-    var _S226 : f32 = dot(_S225, _S220);
-    var _S227 : f32 = 1.0f / select(1.00000000317107685e-30f, _S226, (abs(_S226)) > 1.00000000317107685e-30f);
-    var _S228 : vec3<f32> = _S217 - camera_origin_0();
-    var _S229 : vec3<f32> = vec3<f32>((dot(_S228, _S220) * _S227));
-    var _S230 : vec3<f32> = _S225 * _S229 - _S228;
-    var _S231 : vec3<f32> = _S229 * (_S222 - _S225 * vec3<f32>((dot(_S222, _S220) * _S227)));
-    var _S232 : vec3<f32> = _S229 * (_S224 - _S225 * vec3<f32>((dot(_S224, _S220) * _S227)));
-    var _S233 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S220), 1.00000000317107685e-30f)));
-    var _S234 : vec3<f32> = cross(_S219, _S220) * _S233;
-    var _S235 : vec3<f32> = cross(_S220, _S218) * _S233;
-    var _S236 : vec2<f32> = vec2<f32>(_S215.u_0 - _S214.u_0, _S215.v_0 - _S214.v_0);
-    var _S237 : vec2<f32> = vec2<f32>(_S216.u_0 - _S214.u_0, _S216.v_0 - _S214.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S210, _S211, dot(_S230, _S234), dot(_S230, _S235));
-    point_2.position_0 = _S217 + _S230;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S225));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S231, _S234)) * _S236 + vec2<f32>(dot(_S231, _S235)) * _S237) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S232, _S234)) * _S236 + vec2<f32>(dot(_S232, _S235)) * _S237) * point_2.draft_per_uv_0;
+    var _S243 : u32 = u32(3) * _S241;
+    var _S244 : Vertex_0 = vertex_at_0(_S243);
+    var _S245 : Vertex_0 = vertex_at_0(_S243 + u32(1));
+    var _S246 : Vertex_0 = vertex_at_0(_S243 + u32(2));
+    var _S247 : vec3<f32> = position_of_0(_S244);
+    var _S248 : vec3<f32> = position_of_0(_S245) - _S247;
+    var _S249 : vec3<f32> = position_of_0(_S246) - _S247;
+    var _S250 : vec3<f32> = cross(_S248, _S249);
+    var _S251 : f32 = f32(frame_record_0.width_0);
+    var _S252 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S251));
+    var _S253 : f32 = f32(frame_record_0.height_0);
+    var _S254 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S253));
+    var _S255 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S242.x) + 0.5f - 0.5f * _S251)) * _S252 + vec3<f32>((f32(_S242.y) + 0.5f - 0.5f * _S253)) * _S254;
+    var _S256 : f32 = dot(_S255, _S250);
+    var _S257 : f32 = 1.0f / select(1.00000000317107685e-30f, _S256, (abs(_S256)) > 1.00000000317107685e-30f);
+    var _S258 : vec3<f32> = _S247 - camera_origin_0();
+    var _S259 : vec3<f32> = vec3<f32>((dot(_S258, _S250) * _S257));
+    var _S260 : vec3<f32> = _S255 * _S259 - _S258;
+    var _S261 : vec3<f32> = _S259 * (_S252 - _S255 * vec3<f32>((dot(_S252, _S250) * _S257)));
+    var _S262 : vec3<f32> = _S259 * (_S254 - _S255 * vec3<f32>((dot(_S254, _S250) * _S257)));
+    var _S263 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S250), 1.00000000317107685e-30f)));
+    var _S264 : vec3<f32> = cross(_S249, _S250) * _S263;
+    var _S265 : vec3<f32> = cross(_S250, _S248) * _S263;
+    var _S266 : vec2<f32> = vec2<f32>(_S245.u_0 - _S244.u_0, _S245.v_0 - _S244.v_0);
+    var _S267 : vec2<f32> = vec2<f32>(_S246.u_0 - _S244.u_0, _S246.v_0 - _S244.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S240, _S241, dot(_S260, _S264), dot(_S260, _S265));
+    point_2.position_0 = _S247 + _S260;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S255));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S261, _S264)) * _S266 + vec2<f32>(dot(_S261, _S265)) * _S267) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S262, _S264)) * _S266 + vec2<f32>(dot(_S262, _S265)) * _S267) * point_2.draft_per_uv_0;
     return point_2;
 }
 
@@ -1373,80 +1526,80 @@ struct LightSample_0
      distance_2 : f32,
 };
 
-fn environment_texel_0( _S238 : u32,  _S239 : u32) -> vec3<f32>
+fn environment_texel_0( _S268 : u32,  _S269 : u32) -> vec3<f32>
 {
-    var _S240 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S238 * frame_record_0.environment_columns_0 + _S239);
-    return vec3<f32>(scene_number_0(_S240), scene_number_0(_S240 + u32(1)), scene_number_0(_S240 + u32(2)));
+    var _S270 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S268 * frame_record_0.environment_columns_0 + _S269);
+    return vec3<f32>(scene_number_0(_S270), scene_number_0(_S270 + u32(1)), scene_number_0(_S270 + u32(2)));
 }
 
-fn sample_environment_0( _S241 : vec2<f32>,  _S242 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S271 : vec2<f32>,  _S272 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S243 : u32 = frame_record_0.environment_rows_0;
-    var _S244 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S241.y);
-    var _S245 : u32 = frame_record_0.environment_columns_0;
-    var _S246 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S244.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S241.x);
-    var _S247 : vec3<f32> = environment_texel_0(_S244.index_2, _S246.index_2);
-    (*_S242) = _S247 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S247), 9.99999968265522539e-21f)));
-    var _S248 : f32 = 3.14159274101257324f / f32(_S243);
-    var _S249 : f32 = mix(sine_cosine_0(f32(_S244.index_2) * _S248).y, sine_cosine_0(f32(_S244.index_2 + u32(1)) * _S248).y, _S244.remainder_0);
-    var _S250 : f32 = sqrt(max(1.0f - _S249 * _S249, 0.0f));
-    var _S251 : vec2<f32> = sine_cosine_0((f32(_S246.index_2) + _S246.remainder_0) * (6.28318548202514648f / f32(_S245)));
-    var _S252 : f32 = _S250 * _S251.x;
-    var _S253 : f32 = - _S250 * _S251.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S252 + frame_record_0.environment_sine_0 * _S253, _S249, frame_record_0.environment_cosine_0 * _S253 - frame_record_0.environment_sine_0 * _S252);
+    var _S273 : u32 = frame_record_0.environment_rows_0;
+    var _S274 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S271.y);
+    var _S275 : u32 = frame_record_0.environment_columns_0;
+    var _S276 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S274.index_2 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S271.x);
+    var _S277 : vec3<f32> = environment_texel_0(_S274.index_2, _S276.index_2);
+    (*_S272) = _S277 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S277), 9.99999968265522539e-21f)));
+    var _S278 : f32 = 3.14159274101257324f / f32(_S273);
+    var _S279 : f32 = mix(sine_cosine_0(f32(_S274.index_2) * _S278).y, sine_cosine_0(f32(_S274.index_2 + u32(1)) * _S278).y, _S274.remainder_0);
+    var _S280 : f32 = sqrt(max(1.0f - _S279 * _S279, 0.0f));
+    var _S281 : vec2<f32> = sine_cosine_0((f32(_S276.index_2) + _S276.remainder_0) * (6.28318548202514648f / f32(_S275)));
+    var _S282 : f32 = _S280 * _S281.x;
+    var _S283 : f32 = - _S280 * _S281.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S282 + frame_record_0.environment_sine_0 * _S283, _S279, frame_record_0.environment_cosine_0 * _S283 - frame_record_0.environment_sine_0 * _S282);
 }
 
-fn light_sample_0( _S254 : u32,  _S255 : vec2<u32>,  _S256 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S284 : u32,  _S285 : vec2<u32>,  _S286 : vec3<f32>) -> LightSample_0
 {
-    var sample_0 : LightSample_0;
-    sample_0.distance_2 = 1.00000001504746622e+30f;
-    var _S257 : u32 = frame_record_0.lights_0;
-    if(_S254 >= (frame_record_0.lights_0))
+    var sample_1 : LightSample_0;
+    sample_1.distance_2 = 1.00000001504746622e+30f;
+    var _S287 : u32 = frame_record_0.lights_0;
+    if(_S284 >= (frame_record_0.lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S258 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S255, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S254 - _S257), u32(3)), &(weight_0));
-        sample_0.towards_0 = _S258;
-        sample_0.irradiance_1 = weight_0 / vec3<f32>(f32(frame_record_0.environment_samples_0));
-        return sample_0;
+        var _S288 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S285, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S284 - _S287), u32(3)), &(weight_0));
+        sample_1.towards_0 = _S288;
+        sample_1.irradiance_1 = weight_0 / vec3<f32>(f32(frame_record_0.environment_samples_0));
+        return sample_1;
     }
-    var _S259 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S254);
-    sample_0.irradiance_1 = vec3<f32>(_S259.red_0, _S259.green_0, _S259.blue_0);
-    sample_0.towards_0 = vec3<f32>(_S259.x_3, _S259.y_1, _S259.z_1);
-    if((_S259.is_point_0) != u32(0))
+    var _S289 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S284);
+    sample_1.irradiance_1 = vec3<f32>(_S289.red_0, _S289.green_0, _S289.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S289.x_3, _S289.y_1, _S289.z_1);
+    if((_S289.is_point_0) != u32(0))
     {
-        var _S260 : vec3<f32> = sample_0.towards_0 - _S256;
-        var _S261 : f32 = max(square_0(_S260), 9.999999960041972e-13f);
-        sample_0.distance_2 = sqrt(_S261);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S261);
-        sample_0.towards_0 = normalize(_S260);
+        var _S290 : vec3<f32> = sample_1.towards_0 - _S286;
+        var _S291 : f32 = max(square_0(_S290), 9.999999960041972e-13f);
+        sample_1.distance_2 = sqrt(_S291);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S291);
+        sample_1.towards_0 = normalize(_S290);
     }
-    return sample_0;
+    return sample_1;
 }
 
-fn seen_position_0( _S262 : u32,  _S263 : vec2<u32>) -> vec3<f32>
+fn seen_position_0( _S292 : u32,  _S293 : vec2<u32>) -> vec3<f32>
 {
-    var _S264 : u32 = u32(3) * _S262;
-    var _S265 : vec3<f32> = position_of_0(vertex_at_0(_S264));
-    var _S266 : vec3<f32> = position_of_0(vertex_at_0(_S264 + u32(1))) - _S265;
-    var _S267 : vec3<f32> = position_of_0(vertex_at_0(_S264 + u32(2))) - _S265;
-    var _S268 : vec3<f32> = cross(_S266, _S267);
-    var _S269 : f32 = 1.0f / max(square_0(_S268), 1.00000000317107685e-30f);
-    var _S270 : f32 = f32(frame_record_0.width_0);
-    var _S271 : f32 = f32(frame_record_0.height_0);
-    var _S272 : vec3<f32> = camera_forward_0() + camera_right_0() * vec3<f32>((2.0f * (f32(_S263.x) + 0.5f + frame_record_0.jitter_x_0 - 0.5f * _S270) / _S270)) - camera_up_0() * vec3<f32>((2.0f * (f32(_S263.y) + 0.5f + frame_record_0.jitter_y_0 - 0.5f * _S271) / _S271));
-    var _S273 : f32 = dot(_S272, _S268);
-    var _S274 : vec3<f32> = _S265 - camera_origin_0();
-    var _S275 : vec3<f32> = _S272 * vec3<f32>((dot(_S274, _S268) / select(1.00000000317107685e-30f, _S273, (abs(_S273)) > 1.00000000317107685e-30f))) - _S274;
-    var _S276 : f32 = clamp(dot(_S275, cross(_S267, _S268)) * _S269, 0.0f, 1.0f);
-    return _S265 + vec3<f32>(_S276) * _S266 + vec3<f32>(clamp(dot(_S275, cross(_S268, _S266)) * _S269, 0.0f, 1.0f - _S276)) * _S267;
+    var _S294 : u32 = u32(3) * _S292;
+    var _S295 : vec3<f32> = position_of_0(vertex_at_0(_S294));
+    var _S296 : vec3<f32> = position_of_0(vertex_at_0(_S294 + u32(1))) - _S295;
+    var _S297 : vec3<f32> = position_of_0(vertex_at_0(_S294 + u32(2))) - _S295;
+    var _S298 : vec3<f32> = cross(_S296, _S297);
+    var _S299 : f32 = 1.0f / max(square_0(_S298), 1.00000000317107685e-30f);
+    var _S300 : f32 = f32(frame_record_0.width_0);
+    var _S301 : f32 = f32(frame_record_0.height_0);
+    var _S302 : vec3<f32> = camera_forward_0() + camera_right_0() * vec3<f32>((2.0f * (f32(_S293.x) + 0.5f + frame_record_0.jitter_x_0 - 0.5f * _S300) / _S300)) - camera_up_0() * vec3<f32>((2.0f * (f32(_S293.y) + 0.5f + frame_record_0.jitter_y_0 - 0.5f * _S301) / _S301));
+    var _S303 : f32 = dot(_S302, _S298);
+    var _S304 : vec3<f32> = _S295 - camera_origin_0();
+    var _S305 : vec3<f32> = _S302 * vec3<f32>((dot(_S304, _S298) / select(1.00000000317107685e-30f, _S303, (abs(_S303)) > 1.00000000317107685e-30f))) - _S304;
+    var _S306 : f32 = clamp(dot(_S305, cross(_S297, _S298)) * _S299, 0.0f, 1.0f);
+    return _S295 + vec3<f32>(_S306) * _S296 + vec3<f32>(clamp(dot(_S305, cross(_S298, _S296)) * _S299, 0.0f, 1.0f - _S306)) * _S297;
 }
 
-fn nearest_hit_0( _S277 : vec3<f32>,  _S278 : vec3<f32>,  _S279 : f32,  _S280 : f32,  _S281 : u32,  _S282 : bool) -> Hit_0
+fn nearest_hit_0( _S307 : vec3<f32>,  _S308 : vec3<f32>,  _S309 : f32,  _S310 : f32,  _S311 : u32,  _S312 : bool) -> Hit_0
 {
-    var _S283 : vec3<f32> = vec3<f32>(inverse_of_0(_S278.x), inverse_of_0(_S278.y), inverse_of_0(_S278.z));
+    var _S313 : vec3<f32> = vec3<f32>(inverse_of_0(_S308.x), inverse_of_0(_S308.y), inverse_of_0(_S308.z));
     var found_0 : Hit_0;
     found_0.face_2 = u32(4294967295);
-    found_0.distance_0 = _S280;
+    found_0.distance_0 = _S310;
     found_0.weight_b_0 = 0.0f;
     found_0.weight_c_0 = 0.0f;
     var node_2 : u32 = u32(1);
@@ -1460,56 +1613,56 @@ fn nearest_hit_0( _S277 : vec3<f32>,  _S278 : vec3<f32>,  _S279 : f32,  _S280 : 
             break;
         }
         var node_3 : u32;
-        if(!meets_node_0(node_2, _S277, _S283, _S279, found_0.distance_0))
+        if(!meets_node_0(node_2, _S307, _S313, _S309, found_0.distance_0))
         {
             node_3 = following_node_0(node_2);
         }
         else
         {
-            var _S284 : u32 = frame_record_0.leaves_0;
+            var _S314 : u32 = frame_record_0.leaves_0;
             if(node_2 < (frame_record_0.leaves_0))
             {
                 node_3 = node_2 * u32(2);
             }
             else
             {
-                var _S285 : u32 = frame_record_0.leaf_faces_0 + u32(4) * (node_2 - _S284);
-                var _S286 : u32 = following_node_0(node_2);
-                var number_3 : u32 = u32(0);
-                node_3 = _S286;
+                var _S315 : u32 = frame_record_0.leaf_faces_0 + u32(4) * (node_2 - _S314);
+                var _S316 : u32 = following_node_0(node_2);
+                var number_4 : u32 = u32(0);
+                node_3 = _S316;
                 for(;;)
                 {
-                    if(number_3 < u32(4))
+                    if(number_4 < u32(4))
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S287 : u32 = scene_words_0[_S285 + number_3];
-                    if(((_S287 == u32(4294967295)) | ((_S287 == _S281))))
+                    var _S317 : u32 = scene_words_0[_S315 + number_4];
+                    if(((_S317 == u32(4294967295)) | ((_S317 == _S311))))
                     {
-                        number_3 = number_3 + u32(1);
+                        number_4 = number_4 + u32(1);
                         continue;
                     }
-                    var _S288 : Hit_0 = meet_face_0(_S287, _S277, _S278);
-                    if((((((_S288.face_2) == u32(4294967295)) | (((_S288.distance_0) <= _S279)))) | (((_S288.distance_0) >= (found_0.distance_0)))))
+                    var _S318 : Hit_0 = meet_face_0(_S317, _S307, _S308);
+                    if((((((_S318.face_2) == u32(4294967295)) | (((_S318.distance_0) <= _S309)))) | (((_S318.distance_0) >= (found_0.distance_0)))))
                     {
-                        number_3 = number_3 + u32(1);
+                        number_4 = number_4 + u32(1);
                         continue;
                     }
-                    found_0 = _S288;
-                    var _S289 : bool;
-                    if(_S282)
+                    found_0 = _S318;
+                    var _S319 : bool;
+                    if(_S312)
                     {
-                        _S289 = (fabrics_0[fabric_of_0(_S287)].is_open_0) == u32(0);
+                        _S319 = (fabrics_0[fabric_of_0(_S317)].is_open_0) == u32(0);
                     }
                     else
                     {
-                        _S289 = false;
+                        _S319 = false;
                     }
                     var node_4 : u32;
-                    if(_S289)
+                    if(_S319)
                     {
                         node_4 = u32(0);
                     }
@@ -1518,7 +1671,7 @@ fn nearest_hit_0( _S277 : vec3<f32>,  _S278 : vec3<f32>,  _S279 : f32,  _S280 : 
                         node_4 = node_3;
                     }
                     node_3 = node_4;
-                    number_3 = number_3 + u32(1);
+                    number_4 = number_4 + u32(1);
                 }
             }
         }
@@ -1527,38 +1680,43 @@ fn nearest_hit_0( _S277 : vec3<f32>,  _S278 : vec3<f32>,  _S279 : f32,  _S280 : 
     return found_0;
 }
 
-fn irregular_key_0( _S290 : u32,  _S291 : u32) -> u32
+fn is_layered_0( _S320 : u32) -> bool
 {
-    return hash_key_0(_S291, ((fabrics_0[_S290].seed_0) ^ (u32(1821285621))));
+    return (HAS_LAYERS_0 & (((fabrics_0[_S320].planes_0) != u32(0))));
 }
 
-fn irregular_place_0( _S292 : u32,  _S293 : vec2<f32>,  _S294 : f32) -> vec2<f32>
+fn irregular_key_0( _S321 : u32,  _S322 : u32) -> u32
 {
-    var _S295 : u32 = fabrics_0[_S292].warp_0;
-    var _S296 : u32 = fabrics_0[_S292].weft_0;
-    var _S297 : bool = (((fabrics_0[_S292].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S292].warp_0, _S294), moved_share_0(fabrics_0[_S292].weft_0, _S294))) > 0.0f)));
-    var number_4 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S293;
+    return hash_key_0(_S322, ((fabrics_0[_S321].seed_0) ^ (u32(1821285621))));
+}
+
+fn irregular_place_0( _S323 : u32,  _S324 : vec2<f32>,  _S325 : f32) -> vec2<f32>
+{
+    var _S326 : u32 = fabrics_0[_S323].warp_0;
+    var _S327 : u32 = fabrics_0[_S323].weft_0;
+    var _S328 : bool = (((((fabrics_0[_S323].is_irregular_0) != u32(0)) & ((!is_layered_0(_S323))))) & (((max(moved_share_0(fabrics_0[_S323].warp_0, _S325), moved_share_0(fabrics_0[_S323].weft_0, _S325))) > 0.0f)));
+    var number_5 : u32 = u32(0);
+    var moved_0 : vec2<f32> = _S324;
     for(;;)
     {
-        if(number_4 < select(u32(0), u32(2), _S297))
+        if(number_5 < select(u32(0), u32(2), _S328))
         {
         }
         else
         {
             break;
         }
-        var _S298 : bool = number_4 == u32(0);
-        var _S299 : u32 = select(_S296, _S295, _S298);
-        var _S300 : vec2<f32> = select_vector_1(_S298, _S293, _S293.yx);
-        var _S301 : u32 = irregular_key_0(_S292, number_4);
-        var _S302 : f32 = _S300.x;
-        var _S303 : Cell_0 = locate_0(_S299, _S302);
-        var _S304 : f32 = irregular_thread_0(_S299, _S302, _S303);
-        var _S305 : f32 = select(1.0f, -1.0f, (_S303.across_0) < 0.0f);
-        var _S306 : vec2<f32> = vec2<f32>(0.0f);
-        var other_2 : vec2<f32> = _S306;
-        var own_1 : vec2<f32> = _S306;
+        var _S329 : bool = number_5 == u32(0);
+        var _S330 : u32 = select(_S327, _S326, _S329);
+        var _S331 : vec2<f32> = select_vector_1(_S329, _S324, _S324.yx);
+        var _S332 : u32 = irregular_key_0(_S323, number_5);
+        var _S333 : f32 = _S331.x;
+        var _S334 : Cell_0 = locate_0(_S330, _S333);
+        var _S335 : f32 = irregular_thread_0(_S330, _S333, _S334);
+        var _S336 : f32 = select(1.0f, -1.0f, (_S334.across_0) < 0.0f);
+        var _S337 : vec2<f32> = vec2<f32>(0.0f);
+        var other_2 : vec2<f32> = _S337;
+        var own_1 : vec2<f32> = _S337;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -1569,24 +1727,24 @@ fn irregular_place_0( _S292 : u32,  _S293 : vec2<f32>,  _S294 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S307 : vec2<f32> = irregular_at_0(_S299, _S301, _S304 + _S305 * f32(neighbour_0), _S300.y).xy;
-            var _S308 : u32 = neighbour_0 + u32(1);
+            var _S338 : vec2<f32> = irregular_at_0(_S330, _S332, _S335 + _S336 * f32(neighbour_0), _S331.y).xy;
+            var _S339 : u32 = neighbour_0 + u32(1);
             own_1 = other_2;
-            other_2 = _S307;
-            neighbour_0 = _S308;
+            other_2 = _S338;
+            neighbour_0 = _S339;
         }
-        var _S309 : f32 = _S303.below_0 + _S303.above_0;
-        var _S310 : f32 = min(_S303.half_width_1 / _S309, 0.5f);
-        var _S311 : f32 = min(_S310 * (2.0f + own_1.y + other_2.y), 1.0f);
-        var _S312 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_2.x), vec2<f32>(0.25f)));
-        var _S313 : f32 = _S312.x;
-        var _S314 : f32 = _S311 * _S313 / (_S313 + _S312.y);
-        var _S315 : f32 = abs(_S303.across_0) / _S309;
-        var _S316 : f32 = 1.0f - _S311;
-        var _S317 : f32 = _S315 - _S314;
-        var _S318 : f32 = moved_share_0(_S299, _S294) * _S305 * _S309 * (select(select((_S317 - _S316) / max(_S311 - _S314, 9.99999997475242708e-07f) * _S310 + (1.0f - _S310), _S317 / max(_S316, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S310) + _S310, _S317 < _S316), _S315 * _S310 / _S314, _S317 < 0.0f) - _S315);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S298, vec2<f32>(_S318, 0.0f), vec2<f32>(0.0f, _S318));
-        number_4 = number_4 + u32(1);
+        var _S340 : f32 = _S334.below_0 + _S334.above_0;
+        var _S341 : f32 = min(_S334.half_width_1 / _S340, 0.5f);
+        var _S342 : f32 = min(_S341 * (2.0f + own_1.y + other_2.y), 1.0f);
+        var _S343 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_2.x), vec2<f32>(0.25f)));
+        var _S344 : f32 = _S343.x;
+        var _S345 : f32 = _S342 * _S344 / (_S344 + _S343.y);
+        var _S346 : f32 = abs(_S334.across_0) / _S340;
+        var _S347 : f32 = 1.0f - _S342;
+        var _S348 : f32 = _S346 - _S345;
+        var _S349 : f32 = moved_share_0(_S330, _S325) * _S336 * _S340 * (select(select((_S348 - _S347) / max(_S342 - _S345, 9.99999997475242708e-07f) * _S341 + (1.0f - _S341), _S348 / max(_S347, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S341) + _S341, _S348 < _S347), _S346 * _S341 / _S345, _S348 < 0.0f) - _S346);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S329, vec2<f32>(_S349, 0.0f), vec2<f32>(0.0f, _S349));
+        number_5 = number_5 + u32(1);
         moved_0 = moved_1;
     }
     return moved_0;
@@ -1599,166 +1757,189 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S319 : u32,  _S320 : Footprint_0,  _S321 : f32) -> Regime_0
+fn regime_of_0( _S350 : u32,  _S351 : Footprint_0,  _S352 : f32) -> Regime_0
 {
-    var _S322 : f32 = Footprint_spread_side_0(_S320);
-    var _S323 : f32 = clamp((binary_logarithm_0(max(_S322, 9.99999971718068537e-10f)) - fabrics_0[_S319].lobes_0.unit_level_0 - -0.51457315683364868f) / 1.51457309722900391f, 0.0f, 1.0f);
+    var _S353 : f32 = Footprint_spread_side_0(_S351);
+    var _S354 : f32 = clamp((binary_logarithm_0(max(_S353, 9.99999971718068537e-10f)) - fabrics_0[_S350].lobes_0.unit_level_0 - -0.51457315683364868f) / 1.51457309722900391f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S324 : f32 = _S323 * _S323 * (3.0f - 2.0f * _S323);
-    regime_0.prefiltered_0 = _S324;
-    var _S325 : f32 = _S322 * fabrics_0[_S319].lobes_0.threads_per_mm_0;
-    regime_0.threads_1 = _S325;
-    regime_0.points_0 = select(0.0f, clamp(_S325 * 12.0f, 1.0f, max(mix(8.0f, 4.0f, _S324) / _S321, 1.0f)), _S324 < 1.0f);
+    var _S355 : f32 = _S354 * _S354 * (3.0f - 2.0f * _S354);
+    regime_0.prefiltered_0 = _S355;
+    var _S356 : f32 = _S353 * fabrics_0[_S350].lobes_0.threads_per_mm_0;
+    regime_0.threads_1 = _S356;
+    regime_0.points_0 = select(0.0f, clamp(_S356 * 12.0f, 1.0f, max(mix(8.0f, 4.0f, _S355) / _S352, 1.0f)), _S355 < 1.0f);
     return regime_0;
 }
 
 struct Hit_1
 {
-     x_13 : f32,
-     y_7 : f32,
+     x_16 : f32,
+     y_10 : f32,
      hole_2 : bool,
-     height_4 : f32,
-};
-
-struct Sample_0
-{
-     crossing_1 : Crossing_0,
-     shown_3 : Shown_0,
-     run_3 : Run_0,
-     section_1 : Section_0,
      height_5 : f32,
-     slope_across_0 : f32,
-     slope_along_0 : f32,
-     dive_1 : vec3<f32>,
-     slope_x_1 : f32,
-     slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S326 : u32,  _S327 : f32,  _S328 : f32,  _S329 : bool) -> Crossing_0
+fn whole_plane_0( _S357 : u32) -> Plane_0
 {
-    var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S326].warp_0, _S327);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S326].weft_0, _S328);
-    var _S330 : u32 = fabrics_0[_S326].run_words_0 + u32(2) * (crossing_2.weft_1.thread_2 * fabrics_0[_S326].ends_1 + crossing_2.warp_1.thread_2);
-    var _S331 : u32 = words_0[_S330];
-    crossing_2.warp_word_0 = _S331;
-    crossing_2.weft_word_0 = words_0[_S330 + u32(1)];
-    crossing_2.warp_above_0 = (((_S331 & (u32(1)))) == u32(1)) != _S329;
-    return crossing_2;
+    var plane_4 : Plane_0;
+    plane_4.warp_1 = fabrics_0[_S357].warp_0;
+    plane_4.weft_1 = fabrics_0[_S357].weft_0;
+    plane_4.run_words_1 = fabrics_0[_S357].run_words_0;
+    plane_4.ends_2 = fabrics_0[_S357].ends_1;
+    plane_4.end_numbers_0 = u32(0);
+    plane_4.pick_numbers_0 = u32(0);
+    plane_4.max_heights_1 = fabrics_0[_S357].max_heights_0;
+    plane_4.max_height_columns_1 = fabrics_0[_S357].max_height_columns_0;
+    plane_4.height_low_1 = fabrics_0[_S357].height_low_0;
+    plane_4.height_high_1 = fabrics_0[_S357].height_high_0;
+    plane_4.front_level_0 = 0.0f;
+    plane_4.back_level_0 = 0.0f;
+    plane_4.start_x_0 = 0.0f;
+    plane_4.start_y_0 = 0.0f;
+    plane_4.fine_x_0 = 0.0f;
+    plane_4.fine_y_0 = 0.0f;
+    return plane_4;
 }
 
-fn sample_at_0( _S332 : u32,  _S333 : f32,  _S334 : f32,  _S335 : bool) -> Sample_0
+fn plane_order_0( _S358 : u32,  _S359 : f32,  _S360 : f32,  _S361 : bool) -> u32
 {
-    var sample_1 : Sample_0;
-    var _S336 : Crossing_0 = crossing_at_0(_S332, _S333, _S334, _S335);
-    sample_1.crossing_1 = _S336;
-    var _S337 : Shown_0 = shown_at_0(_S336, _S335);
-    sample_1.shown_3 = _S337;
-    var _S338 : u32 = select(fabrics_0[_S332].weft_0, fabrics_0[_S332].warp_0, _S337.is_warp_0);
-    var _S339 : u32 = select(fabrics_0[_S332].warp_0, fabrics_0[_S332].weft_0, _S337.is_warp_0);
-    var _S340 : Cell_0 = select_cell_0(_S337.is_warp_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1);
-    var _S341 : Cell_0 = select_cell_0(_S337.is_warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1);
-    var _S342 : Run_0 = unpack_0(_S338, _S339, _S340.thread_2, _S341, _S337.word_0);
-    var _S343 : Section_0 = section_at_0(_S340);
-    var _S344 : bool = ((_S337.on_top_0) & (((_S342.distance_1) < (_S343.drop_0 * _S342.bend_1.sine_0))));
-    var _S345 : f32 = select(-1.0f, 1.0f, ((_S337.on_top_0) & ((!_S344))));
-    var _S346 : f32 = select(_S342.reach_0, _S342.other_reach_0, _S344);
-    var _S347 : f32 = select(max(_S346 - _S342.distance_1, 0.0f), _S346 + _S342.distance_1, _S344);
-    var _S348 : f32 = _S346 / _S342.bend_1.sine_0 - _S345 * _S343.drop_0;
-    var _S349 : f32 = _S347 * _S347;
-    var _S350 : f32 = max(_S348 * _S348 - _S349, 9.99999968265522539e-21f);
-    var _S351 : f32 = rsqrt_0(_S350);
-    var _S352 : f32 = _S349 / (_S350 * _S351 + _S348);
-    var _S353 : bool = _S347 > 0.0f;
-    var _S354 : f32 = select(-1.0f, 1.0f, _S337.on_top_0) * select(-1.0f, 1.0f, _S342.near_start_0);
-    var _S355 : f32 = _S343.slope_0 * select(1.0f, _S348 * _S351, _S353);
-    sample_1.slope_across_0 = _S355;
-    var _S356 : f32 = select(0.0f, _S354 * _S347 * _S351, _S353);
-    sample_1.slope_along_0 = _S356;
-    var _S357 : vec3<f32> = dive_0(_S339, _S337, _S342, _S341);
-    sample_1.dive_1 = _S357;
-    sample_1.height_5 = select(families_0[_S338].height_scale_0 * _S345, 0.0f, _S342.straight_0) * (_S346 * _S342.bend_1.half_tangent_0 - _S352) - families_0[_S338].height_scale_0 * _S343.drop_0 - _S357.x;
-    var _S358 : f32 = families_0[_S338].height_scale_0 * _S355;
-    var _S359 : f32 = families_0[_S338].height_scale_0 * _S356 - _S357.y;
-    sample_1.slope_x_1 = select(_S359, _S358, _S337.is_warp_0);
-    sample_1.slope_y_1 = select(_S358, _S359, _S337.is_warp_0);
-    sample_1.run_3 = _S342;
-    sample_1.section_1 = _S343;
-    return sample_1;
+    var _S362 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S358].plane_axes_0 + u32(1), _S360).thread_2 * fabrics_0[_S358].ends_1 + locate_varied_0(fabrics_0[_S358].plane_axes_0, _S359).thread_2, (fabrics_0[_S358].stacks_0) > u32(1));
+    return fabrics_0[_S358].plane_orders_0 + u32(2) * fabrics_0[_S358].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S358].regions_0 + _S362 / u32(4)] >> ((u32(8) * (_S362 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S361));
 }
 
-fn steps_per_length_0( _S360 : u32,  _S361 : SearchQuality_0,  _S362 : vec3<f32>) -> f32
+fn first_bounds_0( _S363 : u32,  _S364 : u32,  _S365 : f32,  _S366 : f32,  _S367 : bool,  _S368 : bool,  _S369 : bool) -> vec3<f32>
 {
-    return max(max(abs(_S362.x) * fabrics_0[_S360].threads_per_x_0, abs(_S362.y) * fabrics_0[_S360].threads_per_y_0) * _S361.steps_per_thread_0, abs(_S362.z) * fabrics_0[_S360].per_relief_0 * _S361.steps_per_relief_0);
+    var _S370 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S363].plane_records_0 + words_0[_S364] * u32(16)), _S365, _S366, _S367, _S368, _S369);
+    var _S371 : Cell_0 = locate_varied_0(fabrics_0[_S363].plane_axes_0, _S365);
+    var _S372 : Cell_0 = locate_varied_0(fabrics_0[_S363].plane_axes_0 + u32(1), _S366);
+    var _S373 : bool = (fabrics_0[_S363].stacks_0) == u32(1);
+    return vec3<f32>(_S370.x + table_number_0(_S364 + u32(1)), min(_S370.y, select(select(_S371.below_0, _S371.above_0, _S368), 1.0e+06f, _S373)), min(_S370.z, select(select(_S372.below_0, _S372.above_0, _S369), 1.0e+06f, _S373)));
 }
 
-fn cell_maximum_0( _S363 : u32,  _S364 : Crossing_0) -> f32
+fn plane_shown_0( _S374 : u32,  _S375 : f32,  _S376 : f32,  _S377 : bool,  _S378 : bool,  _S379 : bool) -> PlaneHere_0
 {
-    var _S365 : u32 = select(fabrics_0[_S363].weft_0, fabrics_0[_S363].warp_0, _S364.warp_above_0);
-    return f32((select(_S364.weft_word_0, _S364.warp_word_0, _S364.warp_above_0) >> (u32(28)))) * families_0[_S365].height_scale_0 * families_0[_S365].level_0;
-}
-
-fn probe_0( _S366 : u32,  _S367 : f32,  _S368 : f32,  _S369 : bool,  _S370 : bool,  _S371 : bool) -> Probe_0
-{
-    var _S372 : Sample_0 = sample_at_0(_S366, _S367, _S368, _S369);
-    var probe_1 : Probe_0;
-    probe_1.height_2 = _S372.height_5;
-    probe_1.hole_1 = _S372.shown_3.hole_0;
-    probe_1.slope_x_0 = _S372.slope_x_1;
-    probe_1.slope_y_0 = _S372.slope_y_1;
-    probe_1.yarn_1 = select(_S372.crossing_1.weft_1.thread_2 * u32(2), _S372.crossing_1.warp_1.thread_2 * u32(2) + u32(1), _S372.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S366, _S372.crossing_1);
-    probe_1.side_x_0 = select(_S372.crossing_1.warp_1.below_0, _S372.crossing_1.warp_1.above_0, _S370);
-    probe_1.side_y_0 = select(_S372.crossing_1.weft_1.below_0, _S372.crossing_1.weft_1.above_0, _S371);
-    probe_1.edge_x_0 = outline_distance_0(_S372.crossing_1.warp_1, _S372.shown_3, _S372.run_3, !_S372.shown_3.is_warp_0, _S370);
-    probe_1.edge_y_0 = outline_distance_0(_S372.crossing_1.weft_1, _S372.shown_3, _S372.run_3, _S372.shown_3.is_warp_0, _S371);
-    return probe_1;
-}
-
-fn is_free_0( _S373 : u32,  _S374 : SearchQuality_0,  _S375 : vec3<f32>,  _S376 : vec3<f32>,  _S377 : bool,  _S378 : f32) -> bool
-{
-    var _S379 : f32 = _S376.z;
-    if(_S379 <= 0.0f)
+    var here_6 : PlaneHere_0;
+    here_6.plane_3 = whole_plane_0(_S374);
+    here_6.number_2 = u32(0);
+    here_6.level_1 = 0.0f;
+    here_6.edge_x_0 = 1.0e+06f;
+    here_6.edge_y_0 = 1.0e+06f;
+    here_6.bounds_0 = vec3<f32>(0.0f);
+    if(!is_layered_0(_S374))
     {
-        return false;
+        return here_6;
     }
-    var _S380 : f32 = 1.0f / max(_S374.shadow_share_0 * steps_per_length_0(_S373, _S374, _S376), 9.99999971718068537e-10f);
-    var _S381 : StepControl_0 = step_control_0(_S376.xy, _S380);
-    var previous_3 : PreviousSample_0 = no_previous_sample_0();
-    var count_3 : u32 = u32(0);
-    var distance_3 : f32 = 0.0f;
-    var last_step_0 : f32 = 0.0f;
+    var _S380 : u32 = plane_order_0(_S374, _S375, _S376, _S377);
+    var _S381 : vec3<f32> = first_bounds_0(_S374, _S380, _S375, _S376, _S377, _S378, _S379);
+    here_6.bounds_0 = _S381;
+    var _S382 : bool = (fabrics_0[_S374].stacks_0) == u32(1);
+    here_6.edge_x_0 = select(_S381.y, 1.0e+06f, _S382);
+    here_6.edge_y_0 = select(_S381.z, 1.0e+06f, _S382);
+    var is_hole_0 : bool = true;
+    var rank_1 : u32 = u32(0);
     for(;;)
     {
-        if(((count_3 < u32(1024)) & (((_S375.z + _S379 * distance_3) < _S378))))
+        if(((rank_1 < (fabrics_0[_S374].planes_0)) & (is_hole_0)))
         {
         }
         else
         {
             break;
         }
-        var _S382 : vec3<f32> = _S375 + _S376 * vec3<f32>(distance_3);
-        var _S383 : Probe_0 = probe_0(_S373, _S382.x, _S382.y, _S377, _S381.right_0, _S381.up_0);
-        var _S384 : f32 = _S382.z;
-        var _S385 : f32 = _S384 - _S383.height_2;
-        var _S386 : f32 = _S379 - _S383.slope_x_0 * _S376.x - _S383.slope_y_0 * _S376.y;
-        if(((!_S383.hole_1) & ((_S385 < 0.0f))))
+        var _S383 : u32 = _S380 + u32(2) * rank_1;
+        var _S384 : u32 = words_0[_S383];
+        here_6.number_2 = _S384;
+        here_6.level_1 = table_number_0(_S383 + u32(1));
+        here_6.plane_3 = plane_at_0(fabrics_0[_S374].plane_records_0 + _S384 * u32(16));
+        var _S385 : Cell_0 = locate_varied_0(here_6.plane_3.warp_1, _S375 - here_6.plane_3.start_x_0);
+        var _S386 : Cell_0 = locate_varied_0(here_6.plane_3.weft_1, _S376 - here_6.plane_3.start_y_0);
+        var is_hole_1 : bool = !((((abs(_S385.across_0)) < (_S385.half_width_1)) | (((abs(_S386.across_0)) < (_S386.half_width_1)))));
+        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S385, _S378), is_hole_1));
+        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S386, _S379), is_hole_1));
+        var _S387 : u32 = rank_1 + u32(1);
+        is_hole_0 = is_hole_1;
+        rank_1 = _S387;
+    }
+    return here_6;
+}
+
+fn sample_at_0( _S388 : u32,  _S389 : f32,  _S390 : f32,  _S391 : bool) -> Sample_0
+{
+    return sample_in_0(plane_shown_0(_S388, _S389, _S390, _S391, true, true), _S389, _S390, _S391);
+}
+
+fn steps_per_length_0( _S392 : u32,  _S393 : SearchQuality_0,  _S394 : vec3<f32>) -> f32
+{
+    return max(max(abs(_S394.x) * fabrics_0[_S392].threads_per_x_0, abs(_S394.y) * fabrics_0[_S392].threads_per_y_0) * _S393.steps_per_thread_0, abs(_S394.z) * fabrics_0[_S392].per_relief_0 * _S393.steps_per_relief_0);
+}
+
+fn plane_count_0( _S395 : u32) -> u32
+{
+    return select(u32(1), fabrics_0[_S395].planes_0, is_layered_0(_S395));
+}
+
+fn probe_0( _S396 : u32,  _S397 : f32,  _S398 : f32,  _S399 : bool,  _S400 : bool,  _S401 : bool) -> Probe_0
+{
+    var _S402 : PlaneHere_0 = plane_shown_0(_S396, _S397, _S398, _S399, _S400, _S401);
+    var _S403 : Sample_0 = sample_in_0(_S402, _S397, _S398, _S399);
+    var probe_1 : Probe_0;
+    probe_1.height_3 = _S403.height_2;
+    probe_1.hole_1 = _S403.shown_2.hole_0;
+    probe_1.slope_x_1 = _S403.slope_x_0;
+    probe_1.slope_y_1 = _S403.slope_y_0;
+    var _S404 : bool = !is_layered_0(_S396);
+    probe_1.yarn_1 = select(_S403.crossing_3.weft_2.thread_2 * u32(2), _S403.crossing_3.warp_2.thread_2 * u32(2) + u32(1), _S403.shown_2.is_warp_0) * plane_count_0(_S396) + _S402.number_2;
+    probe_1.cell_max_0 = select(_S402.bounds_0.x, cell_maximum_0(_S402.plane_3, _S403.crossing_3), _S404);
+    probe_1.side_x_0 = select(_S402.bounds_0.y, select(_S403.crossing_3.warp_2.below_0, _S403.crossing_3.warp_2.above_0, _S400), _S404);
+    probe_1.side_y_0 = select(_S402.bounds_0.z, select(_S403.crossing_3.weft_2.below_0, _S403.crossing_3.weft_2.above_0, _S401), _S404);
+    probe_1.edge_x_1 = min(_S402.edge_x_0, outline_distance_0(_S403.crossing_3.warp_2, _S403.shown_2, _S403.run_2, !_S403.shown_2.is_warp_0, _S400));
+    probe_1.edge_y_1 = min(_S402.edge_y_0, outline_distance_0(_S403.crossing_3.weft_2, _S403.shown_2, _S403.run_2, _S403.shown_2.is_warp_0, _S401));
+    return probe_1;
+}
+
+fn is_free_0( _S405 : u32,  _S406 : SearchQuality_0,  _S407 : vec3<f32>,  _S408 : vec3<f32>,  _S409 : bool,  _S410 : f32) -> bool
+{
+    var _S411 : f32 = _S408.z;
+    if(_S411 <= 0.0f)
+    {
+        return false;
+    }
+    var _S412 : f32 = 1.0f / max(_S406.shadow_share_0 * steps_per_length_0(_S405, _S406, _S408), 9.99999971718068537e-10f);
+    var _S413 : StepControl_0 = step_control_0(_S408.xy, _S412);
+    var previous_3 : PreviousSample_0 = no_previous_sample_0();
+    var count_3 : u32 = u32(0);
+    var distance_3 : f32 = 0.0f;
+    var last_step_0 : f32 = 0.0f;
+    for(;;)
+    {
+        if(((count_3 < u32(1024)) & (((_S407.z + _S411 * distance_3) < _S410))))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S414 : vec3<f32> = _S407 + _S408 * vec3<f32>(distance_3);
+        var _S415 : Probe_0 = probe_0(_S405, _S414.x, _S414.y, _S409, _S413.right_1, _S413.up_1);
+        var _S416 : f32 = _S414.z;
+        var _S417 : f32 = _S416 - _S415.height_3;
+        var _S418 : f32 = _S411 - _S415.slope_x_1 * _S408.x - _S415.slope_y_1 * _S408.y;
+        if(((!_S415.hole_1) & ((_S417 < 0.0f))))
         {
             return false;
         }
-        var _S387 : f32 = way_back_to_dip_0(previous_3, _S385, _S386, last_step_0, _S383);
-        if(_S387 >= 0.0f)
+        var _S419 : f32 = way_back_to_dip_0(previous_3, _S417, _S418, last_step_0, _S415);
+        if(_S419 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S387;
-            distance_3 = distance_3 - _S387;
+            var last_step_1 : f32 = last_step_0 - _S419;
+            distance_3 = distance_3 - _S419;
             last_step_0 = last_step_1;
             count_3 = count_3 + u32(1);
             continue;
         }
-        var _S388 : bool = _S384 > (_S383.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S381, _S383, _S385, _S386), max(StepControl_to_cell_exit_0(_S381, _S383.side_x_0, _S383.side_y_0), _S380), _S388);
+        var _S420 : bool = _S416 > (_S415.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S413, _S415, _S417, _S418), max(StepControl_to_cell_exit_0(_S413, _S415.side_x_0, _S415.side_y_0), _S412), _S420);
         var distance_4 : f32 = distance_3 + last_step_2;
-        previous_3 = after_sample_0(_S385, _S386, _S383, _S388);
+        previous_3 = after_sample_0(_S417, _S418, _S415, _S420);
         distance_3 = distance_4;
         last_step_0 = last_step_2;
         count_3 = count_3 + u32(1);
@@ -1766,13 +1947,13 @@ fn is_free_0( _S373 : u32,  _S374 : SearchQuality_0,  _S375 : vec3<f32>,  _S376 
     return true;
 }
 
-fn passes_through_0( _S389 : u32,  _S390 : SearchQuality_0,  _S391 : f32,  _S392 : f32,  _S393 : vec3<f32>,  _S394 : bool) -> bool
+fn passes_through_0( _S421 : u32,  _S422 : SearchQuality_0,  _S423 : f32,  _S424 : f32,  _S425 : vec3<f32>,  _S426 : bool) -> bool
 {
-    if(!sample_at_0(_S389, _S391, _S392, _S394).shown_3.hole_0)
+    if(!sample_at_0(_S421, _S423, _S424, _S426).shown_2.hole_0)
     {
         return false;
     }
-    var _S395 : vec3<f32> = vec3<f32>(_S391, _S392, 0.0f);
+    var _S427 : vec3<f32> = vec3<f32>(_S423, _S424, 0.0f);
     var passes_0 : bool = true;
     var side_1 : u32 = u32(0);
     for(;;)
@@ -1784,10 +1965,10 @@ fn passes_through_0( _S389 : u32,  _S390 : SearchQuality_0,  _S391 : f32,  _S392
         {
             break;
         }
-        var _S396 : bool = is_free_0(_S389, _S390, _S395, select_vector_0(side_1 == u32(0), _S393, vec3<f32>(- _S393.x, - _S393.y, _S393.z)), _S394 != (side_1 == u32(1)), fabrics_0[_S389].height_high_0);
-        var _S397 : u32 = side_1 + u32(1);
-        passes_0 = _S396;
-        side_1 = _S397;
+        var _S428 : bool = is_free_0(_S421, _S422, _S427, select_vector_0(side_1 == u32(0), _S425, vec3<f32>(- _S425.x, - _S425.y, _S425.z)), _S426 != (side_1 == u32(1)), fabrics_0[_S421].height_high_0);
+        var _S429 : u32 = side_1 + u32(1);
+        passes_0 = _S428;
+        side_1 = _S429;
     }
     return passes_0;
 }
@@ -1802,44 +1983,73 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S398 : u32,  _S399 : f32,  _S400 : f32,  _S401 : f32,  _S402 : vec3<f32>,  _S403 : bool) -> f32
+fn plane_of_0( _S430 : u32,  _S431 : u32) -> Plane_0
 {
-    var _S404 : f32 = _S402.x;
-    var _S405 : f32 = _S402.y;
-    var _S406 : u32 = (words_0[fabrics_0[_S398].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S398].weft_0, _S400).thread_2 / u32(2) * fabrics_0[_S398].max_height_columns_0 + locate_0(fabrics_0[_S398].warp_0, _S399).thread_2 / u32(2)) + (select(u32(0), u32(1), _S404 > 0.0f) + select(u32(0), u32(2), _S405 > 0.0f))] >> (u32(select(i32(0), i32(4), _S403))));
-    var _S407 : f32 = max(abs(_S404) * fabrics_0[_S398].threads_per_x_0, abs(_S405) * fabrics_0[_S398].threads_per_y_0) / _S402.z;
-    var _S408 : f32 = fabrics_0[_S398].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S398].height_high_0;
-    var number_5 : i32 = i32(3);
+    if(!is_layered_0(_S430))
+    {
+        return whole_plane_0(_S430);
+    }
+    return plane_at_0(fabrics_0[_S430].plane_records_0 + _S431 * u32(16));
+}
+
+fn max_height_along_0( _S432 : u32,  _S433 : f32,  _S434 : f32,  _S435 : f32,  _S436 : vec3<f32>,  _S437 : bool) -> f32
+{
+    var _S438 : f32 = _S436.x;
+    var _S439 : f32 = _S436.y;
+    var _S440 : u32 = select(u32(0), u32(1), _S438 > 0.0f) + select(u32(0), u32(2), _S439 > 0.0f);
+    var _S441 : f32 = max(abs(_S438) * fabrics_0[_S432].threads_per_x_0, abs(_S439) * fabrics_0[_S432].threads_per_y_0) / _S436.z;
+    var levels_4 : vec4<f32> = vec4<f32>(-1.00000001504746622e+30f);
+    var number_6 : u32 = u32(0);
     for(;;)
     {
-        if(number_5 >= i32(0))
+        if(number_6 < (plane_count_0(_S432)))
         {
         }
         else
         {
             break;
         }
-        if(((max_height_0 - _S401) * _S407) <= (PYRAMID_RADII_0[number_5]))
+        var _S442 : Plane_0 = plane_of_0(_S432, number_6);
+        var _S443 : u32 = (words_0[_S442.max_heights_1 + u32(4) * (locate_0(_S442.weft_1, _S434 - _S442.start_y_0).thread_2 / u32(2) * _S442.max_height_columns_1 + locate_0(_S442.warp_1, _S433 - _S442.start_x_0).thread_2 / u32(2)) + _S440] >> (u32(select(i32(0), i32(4), _S437))));
+        var _S444 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S443 & (u32(15)))), f32((((_S443 >> (u32(8)))) & (u32(15)))), f32((((_S443 >> (u32(16)))) & (u32(15)))), f32((((_S443 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S442.height_high_1) + vec4<f32>(select(_S442.front_level_0, _S442.back_level_0, _S437)));
+        var _S445 : u32 = number_6 + u32(1);
+        levels_4 = _S444;
+        number_6 = _S445;
+    }
+    var max_height_0 : f32 = fabrics_0[_S432].height_high_0;
+    var number_7 : i32 = i32(3);
+    for(;;)
+    {
+        if(number_7 >= i32(0))
         {
-            max_height_0 = min(max_height_0, f32((((_S406 >> (u32(i32(8) * number_5)))) & (u32(15)))) * 0.06666667014360428f * _S408);
         }
-        number_5 = number_5 - i32(1);
+        else
+        {
+            break;
+        }
+        if(((max_height_0 - _S435) * _S441) <= (PYRAMID_RADII_0[number_7]))
+        {
+            max_height_0 = min(max_height_0, levels_4[number_7]);
+        }
+        number_7 = number_7 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S409 : u32,  _S410 : f32,  _S411 : f32,  _S412 : bool,  _S413 : bool,  _S414 : bool) -> vec3<f32>
+fn cell_bounds_0( _S446 : u32,  _S447 : f32,  _S448 : f32,  _S449 : bool,  _S450 : bool,  _S451 : bool) -> vec3<f32>
 {
-    var _S415 : Crossing_0 = crossing_at_0(_S409, _S410, _S411, _S412);
-    return vec3<f32>(cell_maximum_0(_S409, _S415), select(_S415.warp_1.below_0, _S415.warp_1.above_0, _S413), select(_S415.weft_1.below_0, _S415.weft_1.above_0, _S414));
+    if(is_layered_0(_S446))
+    {
+        return first_bounds_0(_S446, plane_order_0(_S446, _S447, _S448, _S449), _S447, _S448, _S449, _S450, _S451);
+    }
+    return bounds_in_0(whole_plane_0(_S446), _S447, _S448, _S449, _S450, _S451);
 }
 
-fn first_sample_height_0( _S416 : u32,  _S417 : ViewRay_0,  _S418 : StepControl_0,  _S419 : bool) -> f32
+fn first_sample_height_0( _S452 : u32,  _S453 : ViewRay_0,  _S454 : StepControl_0,  _S455 : bool) -> f32
 {
-    var _S420 : f32 = max_height_along_0(_S416, _S417.origin_2.x, _S417.origin_2.y, 0.0f, vec3<f32>(_S417.slope_1, 1.0f), _S419);
+    var _S456 : f32 = max_height_along_0(_S452, _S453.origin_2.x, _S453.origin_2.y, 0.0f, vec3<f32>(_S453.slope_1, 1.0f), _S455);
     var count_4 : u32 = u32(0);
-    var height_7 : f32 = _S420;
+    var height_7 : f32 = _S456;
     for(;;)
     {
         if(count_4 < u32(1024))
@@ -1849,12 +2059,12 @@ fn first_sample_height_0( _S416 : u32,  _S417 : ViewRay_0,  _S418 : StepControl_
         {
             break;
         }
-        var _S421 : vec2<f32> = ViewRay_at_0(_S417, height_7);
-        var _S422 : vec3<f32> = cell_bounds_0(_S416, _S421.x, _S421.y, _S419, _S418.right_0, _S418.up_0);
-        var _S423 : f32 = height_7 - _S422.x;
-        var _S424 : f32 = StepControl_to_cell_exit_0(_S418, _S422.y, _S422.z);
-        var height_8 : f32 = height_7 - clamp(_S423, 0.0f, _S424);
-        if(_S423 <= _S424)
+        var _S457 : vec2<f32> = ViewRay_at_0(_S453, height_7);
+        var _S458 : vec3<f32> = cell_bounds_0(_S452, _S457.x, _S457.y, _S455, _S454.right_1, _S454.up_1);
+        var _S459 : f32 = height_7 - _S458.x;
+        var _S460 : f32 = StepControl_to_cell_exit_0(_S454, _S458.y, _S458.z);
+        var height_8 : f32 = height_7 - clamp(_S459, 0.0f, _S460);
+        if(_S459 <= _S460)
         {
             height_7 = height_8;
             break;
@@ -1865,12 +2075,12 @@ fn first_sample_height_0( _S416 : u32,  _S417 : ViewRay_0,  _S418 : StepControl_
     return height_7;
 }
 
-fn search_down_0( _S425 : u32,  _S426 : ViewRay_0,  _S427 : StepControl_0,  _S428 : bool) -> ViewRayEnd_0
+fn search_down_0( _S461 : u32,  _S462 : ViewRay_0,  _S463 : StepControl_0,  _S464 : bool) -> ViewRayEnd_0
 {
-    var _S429 : f32 = fabrics_0[_S425].height_low_0 - (fabrics_0[_S425].height_high_0 - fabrics_0[_S425].height_low_0);
+    var _S465 : f32 = fabrics_0[_S461].height_low_0 - (fabrics_0[_S461].height_high_0 - fabrics_0[_S461].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S425, _S426, _S427, _S428);
-    end_1.last_step_3 = _S427.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S461, _S462, _S463, _S464);
+    end_1.last_step_3 = _S463.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -1885,116 +2095,116 @@ fn search_down_0( _S425 : u32,  _S426 : ViewRay_0,  _S427 : StepControl_0,  _S42
         {
             break;
         }
-        var _S430 : vec2<f32> = ViewRay_at_0(_S426, end_1.height_6);
-        var _S431 : Probe_0 = probe_0(_S425, _S430.x, _S430.y, _S428, _S427.right_0, _S427.up_0);
-        var _S432 : f32 = end_1.height_6 - _S431.height_2;
-        var _S433 : f32 = ViewRay_rate_0(_S426, _S431);
-        end_1.depth_0 = - _S432;
-        end_1.rate_4 = _S433;
-        var _S434 : bool = !_S431.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S434))) & (((end_1.previous_4.yarn_0) == (_S431.yarn_1))));
-        if((((_S434 & ((_S432 <= 0.0f)))) | (((end_1.height_6) <= _S429))))
+        var _S466 : vec2<f32> = ViewRay_at_0(_S462, end_1.height_6);
+        var _S467 : Probe_0 = probe_0(_S461, _S466.x, _S466.y, _S464, _S463.right_1, _S463.up_1);
+        var _S468 : f32 = end_1.height_6 - _S467.height_3;
+        var _S469 : f32 = ViewRay_rate_0(_S462, _S467);
+        end_1.depth_0 = - _S468;
+        end_1.rate_4 = _S469;
+        var _S470 : bool = !_S467.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S470))) & (((end_1.previous_4.yarn_0) == (_S467.yarn_1))));
+        if((((_S470 & ((_S468 <= 0.0f)))) | (((end_1.height_6) <= _S465))))
         {
             break;
         }
-        var _S435 : f32 = way_back_to_dip_0(end_1.previous_4, _S432, _S433, end_1.last_step_3, _S431);
-        if(_S435 >= 0.0f)
+        var _S471 : f32 = way_back_to_dip_0(end_1.previous_4, _S468, _S469, end_1.last_step_3, _S467);
+        if(_S471 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S435;
-            end_1.last_step_3 = end_1.last_step_3 - _S435;
+            end_1.height_6 = end_1.height_6 + _S471;
+            end_1.last_step_3 = end_1.last_step_3 - _S471;
             count_5 = count_5 + u32(1);
             continue;
         }
-        var _S436 : f32 = min(StepControl_to_cell_exit_0(_S427, _S431.side_x_0, _S431.side_y_0), end_1.height_6 - _S431.cell_max_0);
-        var _S437 : f32 = StepControl_to_next_sample_0(_S427, _S431, _S432, _S433);
-        end_1.previous_4 = after_sample_0(_S432, _S433, _S431, _S436 > _S437);
-        var _S438 : f32 = max(_S436, _S437);
-        end_1.last_step_3 = _S438;
-        end_1.height_6 = end_1.height_6 - _S438;
+        var _S472 : f32 = min(StepControl_to_cell_exit_0(_S463, _S467.side_x_0, _S467.side_y_0), end_1.height_6 - _S467.cell_max_0);
+        var _S473 : f32 = StepControl_to_next_sample_0(_S463, _S467, _S468, _S469);
+        end_1.previous_4 = after_sample_0(_S468, _S469, _S467, _S472 > _S473);
+        var _S474 : f32 = max(_S472, _S473);
+        end_1.last_step_3 = _S474;
+        end_1.height_6 = end_1.height_6 - _S474;
         count_5 = count_5 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S439 : u32,  _S440 : ViewRay_0,  _S441 : StepControl_0,  _S442 : bool,  _S443 : ViewRayEnd_0,  _S444 : u32) -> f32
+fn refined_height_0( _S475 : u32,  _S476 : ViewRay_0,  _S477 : StepControl_0,  _S478 : bool,  _S479 : ViewRayEnd_0,  _S480 : u32) -> f32
 {
-    var _S445 : f32 = fabrics_0[_S439].height_high_0 - fabrics_0[_S439].height_low_0;
-    var above_2 : f32 = _S443.height_6 + _S443.last_step_3;
-    var above_gap_1 : f32 = clamp(_S443.previous_4.clearance_0, 0.0f, _S445);
-    var under_gap_1 : f32 = clamp(_S443.depth_0, 0.0f, _S445);
-    var middle_0 : f32 = select(between_0(above_2, _S443.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S443.previous_4.rate_0 * _S443.last_step_3, _S443.rate_4 * _S443.last_step_3) * _S443.last_step_3, _S443.smooth_0);
+    var _S481 : f32 = fabrics_0[_S475].height_high_0 - fabrics_0[_S475].height_low_0;
+    var above_2 : f32 = _S479.height_6 + _S479.last_step_3;
+    var above_gap_1 : f32 = clamp(_S479.previous_4.clearance_0, 0.0f, _S481);
+    var under_gap_1 : f32 = clamp(_S479.depth_0, 0.0f, _S481);
+    var middle_0 : f32 = select(between_0(above_2, _S479.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S479.previous_4.rate_0 * _S479.last_step_3, _S479.rate_4 * _S479.last_step_3) * _S479.last_step_3, _S479.smooth_0);
     var side_2 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S443.height_6;
+    var under_1 : f32 = _S479.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S444)
+        if(i_1 < _S480)
         {
         }
         else
         {
             break;
         }
-        var _S446 : vec2<f32> = ViewRay_at_0(_S440, middle_0);
-        var _S447 : Probe_0 = probe_0(_S439, _S446.x, _S446.y, _S442, _S441.right_0, _S441.up_0);
-        var _S448 : f32 = clamp(middle_0 - select(_S447.height_2, -1.0e+09f, _S447.hole_1), - _S445, _S445);
-        if(_S448 <= 0.0f)
+        var _S482 : vec2<f32> = ViewRay_at_0(_S476, middle_0);
+        var _S483 : Probe_0 = probe_0(_S475, _S482.x, _S482.y, _S478, _S477.right_1, _S477.up_1);
+        var _S484 : f32 = clamp(middle_0 - select(_S483.height_3, -1.0e+09f, _S483.hole_1), - _S481, _S481);
+        if(_S484 <= 0.0f)
         {
-            var _S449 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
-            var _S450 : f32 = - _S448;
+            var _S485 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_2 > 0.0f);
+            var _S486 : f32 = - _S484;
             under_1 = middle_0;
-            above_gap_2 = _S449;
-            under_gap_2 = _S450;
+            above_gap_2 = _S485;
+            under_gap_2 = _S486;
             side_2 = 1.0f;
         }
         else
         {
-            var _S451 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
+            var _S487 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_2 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S448;
-            under_gap_2 = _S451;
+            above_gap_2 = _S484;
+            under_gap_2 = _S487;
             side_2 = -1.0f;
         }
-        var _S452 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S448 / min(ViewRay_rate_0(_S440, _S447), -9.99999997475242708e-07f), under_1, above_3), _S443.smooth_0);
-        var _S453 : u32 = i_1 + u32(1);
-        middle_0 = _S452;
-        i_1 = _S453;
+        var _S488 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S484 / min(ViewRay_rate_0(_S476, _S483), -9.99999997475242708e-07f), under_1, above_3), _S479.smooth_0);
+        var _S489 : u32 = i_1 + u32(1);
+        middle_0 = _S488;
+        i_1 = _S489;
     }
-    return select(under_1, middle_0, _S443.smooth_0);
+    return select(under_1, middle_0, _S479.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S454 : u32,  _S455 : SearchQuality_0,  _S456 : f32,  _S457 : f32,  _S458 : vec3<f32>,  _S459 : bool) -> Hit_1
+fn first_hit_of_yarn_0( _S490 : u32,  _S491 : SearchQuality_0,  _S492 : f32,  _S493 : f32,  _S494 : vec3<f32>,  _S495 : bool) -> Hit_1
 {
-    var _S460 : f32 = max(_S458.z, 0.00009999999747379f);
+    var _S496 : f32 = max(_S494.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_2 = vec2<f32>(_S456, _S457);
-    var _S461 : vec2<f32> = _S458.xy / vec2<f32>(_S460);
-    ray_0.slope_1 = _S461;
-    var _S462 : StepControl_0 = step_control_0((vec2<f32>(0) - _S461), 1.0f / max(steps_per_length_0(_S454, _S455, _S458) / _S460, 9.99999971718068537e-10f));
-    var _S463 : ViewRayEnd_0 = search_down_0(_S454, ray_0, _S462, _S459);
+    ray_0.origin_2 = vec2<f32>(_S492, _S493);
+    var _S497 : vec2<f32> = _S494.xy / vec2<f32>(_S496);
+    ray_0.slope_1 = _S497;
+    var _S498 : StepControl_0 = step_control_0((vec2<f32>(0) - _S497), 1.0f / max(steps_per_length_0(_S490, _S491, _S494) / _S496, 9.99999971718068537e-10f));
+    var _S499 : ViewRayEnd_0 = search_down_0(_S490, ray_0, _S498, _S495);
     var hit_1 : Hit_1;
     hit_1.hole_2 = false;
-    var _S464 : f32 = refined_height_0(_S454, ray_0, _S462, _S459, _S463, _S455.refinements_0);
-    hit_1.height_4 = _S464;
-    var _S465 : vec2<f32> = ViewRay_at_0(ray_0, _S464);
-    hit_1.x_13 = _S465.x;
-    hit_1.y_7 = _S465.y;
+    var _S500 : f32 = refined_height_0(_S490, ray_0, _S498, _S495, _S499, _S491.refinements_0);
+    hit_1.height_5 = _S500;
+    var _S501 : vec2<f32> = ViewRay_at_0(ray_0, _S500);
+    hit_1.x_16 = _S501.x;
+    hit_1.y_10 = _S501.y;
     return hit_1;
 }
 
-fn first_hit_0( _S466 : u32,  _S467 : SearchQuality_0,  _S468 : f32,  _S469 : f32,  _S470 : vec3<f32>,  _S471 : bool) -> Hit_1
+fn first_hit_0( _S502 : u32,  _S503 : SearchQuality_0,  _S504 : f32,  _S505 : f32,  _S506 : vec3<f32>,  _S507 : bool) -> Hit_1
 {
-    if(!passes_through_0(_S466, _S467, _S468, _S469, _S470, _S471))
+    if(!passes_through_0(_S502, _S503, _S504, _S505, _S506, _S507))
     {
-        return first_hit_of_yarn_0(_S466, _S467, _S468, _S469, _S470, _S471);
+        return first_hit_of_yarn_0(_S502, _S503, _S504, _S505, _S506, _S507);
     }
     var hit_2 : Hit_1;
-    hit_2.x_13 = _S468;
-    hit_2.y_7 = _S469;
-    hit_2.height_4 = 0.0f;
+    hit_2.x_16 = _S504;
+    hit_2.y_10 = _S505;
+    hit_2.height_5 = 0.0f;
     hit_2.hole_2 = true;
     return hit_2;
 }
@@ -2004,132 +2214,132 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S472 : u32,  _S473 : f32) -> vec3<f32>
+fn pyramid_level_0( _S508 : u32,  _S509 : f32) -> vec3<f32>
 {
-    var _S474 : u32 = fabrics_0[_S472].lobes_0.levels_0 + u32(4) * u32(min(_S473, fabrics_0[_S472].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S474), table_number_0(_S474 + u32(1)), table_number_0(_S474 + u32(2)));
+    var _S510 : u32 = fabrics_0[_S508].lobes_0.levels_0 + u32(4) * u32(min(_S509, fabrics_0[_S508].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S510), table_number_0(_S510 + u32(1)), table_number_0(_S510 + u32(2)));
 }
 
-fn coverage_taps_0( _S475 : u32,  _S476 : Footprint_0,  _S477 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S511 : u32,  _S512 : Footprint_0,  _S513 : bool) -> CoverageTaps_0
 {
-    var _S478 : Lobes_std430_0 = fabrics_0[_S475].lobes_0;
-    var _S479 : f32 = Footprint_spread_side_0(_S476) * fabrics_0[_S475].lobes_0.inverse_base_size_0;
-    var _S480 : vec3<f32> = pyramid_level_0(_S475, floor(binary_logarithm_0(max(0.68000000715255737f * _S479, 1.0f))));
-    var _S481 : f32 = 1.0f / max(_S479, 9.99999997475242708e-07f);
-    var _S482 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S475].warp_0].inverse_period_0, families_0[fabrics_0[_S475].weft_0].inverse_period_0);
-    var _S483 : vec2<f32> = _S476.centre_0 * _S482;
-    var _S484 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S481 * _S481), 0.0f, 1.0f)), 0.3333333432674408f * _S481), 1.0f));
-    var _S485 : vec2<f32> = _S476.dx_0 * _S482 * _S484;
-    var _S486 : vec2<f32> = _S476.dy_0 * _S482 * _S484;
+    var _S514 : Lobes_std430_0 = fabrics_0[_S511].lobes_0;
+    var _S515 : f32 = Footprint_spread_side_0(_S512) * fabrics_0[_S511].lobes_0.inverse_base_size_0;
+    var _S516 : vec3<f32> = pyramid_level_0(_S511, floor(binary_logarithm_0(max(0.68000000715255737f * _S515, 1.0f))));
+    var _S517 : f32 = 1.0f / max(_S515, 9.99999997475242708e-07f);
+    var _S518 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S511].warp_0].inverse_period_0, families_0[fabrics_0[_S511].weft_0].inverse_period_0);
+    var _S519 : vec2<f32> = _S512.centre_0 * _S518;
+    var _S520 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S517 * _S517), 0.0f, 1.0f)), 0.3333333432674408f * _S517), 1.0f));
+    var _S521 : vec2<f32> = _S512.dx_0 * _S518 * _S520;
+    var _S522 : vec2<f32> = _S512.dy_0 * _S518 * _S520;
     var taps_3 : CoverageTaps_0;
-    var number_6 : u32 = u32(0);
+    var number_8 : u32 = u32(0);
     for(;;)
     {
-        if(number_6 < u32(9))
+        if(number_8 < u32(9))
         {
         }
         else
         {
             break;
         }
-        var _S487 : vec2<f32> = _S483 + vec2<f32>(TAP_OFFSETS_0[number_6].x) * _S485 + vec2<f32>(TAP_OFFSETS_0[number_6].y) * _S486;
-        var _S488 : f32 = _S480.y;
-        taps_3.nodes_1[number_6] = select(u32(0), _S478.face_nodes_0, _S477) + u32(wrapped_cell_0(_S487.y, _S480.z) * _S488 + wrapped_cell_0(_S487.x, _S488) + _S480.x);
-        number_6 = number_6 + u32(1);
+        var _S523 : vec2<f32> = _S519 + vec2<f32>(TAP_OFFSETS_0[number_8].x) * _S521 + vec2<f32>(TAP_OFFSETS_0[number_8].y) * _S522;
+        var _S524 : f32 = _S516.y;
+        taps_3.nodes_1[number_8] = select(u32(0), _S514.face_nodes_0, _S513) + u32(wrapped_cell_0(_S523.y, _S516.z) * _S524 + wrapped_cell_0(_S523.x, _S524) + _S516.x);
+        number_8 = number_8 + u32(1);
     }
     return taps_3;
 }
 
-fn coverage_of_holes_0( _S489 : u32,  _S490 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S525 : u32,  _S526 : CoverageTaps_0) -> f32
 {
-    var number_7 : u32 = u32(0);
+    var number_9 : u32 = u32(0);
     var total_0 : u32 = u32(0);
     for(;;)
     {
-        if(number_7 < u32(9))
+        if(number_9 < u32(9))
         {
         }
         else
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S489].lobes_0.coverage_holes_0 + _S490.nodes_1[number_7] / u32(4)] >> ((u32(8) * (_S490.nodes_1[number_7] % u32(4)))))) & (u32(255))));
-        number_7 = number_7 + u32(1);
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S525].lobes_0.coverage_holes_0 + _S526.nodes_1[number_9] / u32(4)] >> ((u32(8) * (_S526.nodes_1[number_9] % u32(4)))))) & (u32(255))));
+        number_9 = number_9 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S491 : u32,  _S492 : CoverageTaps_0,  _S493 : NodeTaps_0,  _S494 : bool) -> f32
+fn prefiltered_hole_0( _S527 : u32,  _S528 : CoverageTaps_0,  _S529 : NodeTaps_0,  _S530 : bool) -> f32
 {
-    var _S495 : f32 = interpolate_table_0(_S493, fabrics_0[_S491].lobes_0.projected_area_0 + fabrics_0[_S491].lobes_0.packs_0, fabrics_0[_S491].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S491, _S492) * _S495 * _S495 * select(fabrics_0[_S491].lobes_0.front_hole_weight_0, fabrics_0[_S491].lobes_0.back_hole_weight_0, _S494), 1.0f);
+    var _S531 : f32 = interpolate_table_0(_S529, fabrics_0[_S527].lobes_0.projected_area_0 + fabrics_0[_S527].lobes_0.packs_0, fabrics_0[_S527].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S527, _S528) * _S531 * _S531 * select(fabrics_0[_S527].lobes_0.front_hole_weight_0, fabrics_0[_S527].lobes_0.back_hole_weight_0, _S530), 1.0f);
 }
 
-fn yarns_over_0( _S496 : u32,  _S497 : Footprint_0,  _S498 : bool) -> Yarns_0
+fn yarns_over_0( _S532 : u32,  _S533 : Footprint_0,  _S534 : bool) -> Yarns_0
 {
-    var _S499 : vec2<f32> = _S497.dx_0;
-    var _S500 : vec2<f32> = _S497.dy_0;
-    var _S501 : vec2<f32> = sqrt(_S499 * _S499 + _S500 * _S500);
-    var _S502 : f32 = Footprint_spread_side_0(_S497);
-    var _S503 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S503, _S503, vec3<f32>(0.0f));
-    var _S504 : bool = (fabrics_0[_S496].is_irregular_0) != u32(0);
-    var number_8 : u32 = u32(0);
+    var _S535 : vec2<f32> = _S533.dx_0;
+    var _S536 : vec2<f32> = _S533.dy_0;
+    var _S537 : vec2<f32> = sqrt(_S535 * _S535 + _S536 * _S536);
+    var _S538 : f32 = Footprint_spread_side_0(_S533);
+    var _S539 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S539, _S539, vec3<f32>(0.0f));
+    var _S540 : bool = (fabrics_0[_S532].is_irregular_0) != u32(0);
+    var number_10 : u32 = u32(0);
     for(;;)
     {
-        if(number_8 < select(u32(0), u32(2), _S504))
+        if(number_10 < select(u32(0), u32(2), _S540))
         {
         }
         else
         {
             break;
         }
-        var _S505 : bool = number_8 == u32(0);
-        var _S506 : u32 = select(fabrics_0[_S496].weft_0, fabrics_0[_S496].warp_0, _S505);
-        var _S507 : vec2<f32> = select_vector_1(_S505, _S497.centre_0, _S497.centre_0.yx);
-        var _S508 : vec2<f32> = select_vector_1(_S505, _S501, _S501.yx);
-        var _S509 : f32 = _S507.x;
-        var _S510 : Cell_0 = locate_0(_S506, _S509);
-        var yarn_2 : vec4<f32> = irregular_over_0(_S506, irregular_key_0(_S496, number_8), irregular_thread_0(_S506, _S509, _S510) + _S510.below_0 / (_S510.below_0 + _S510.above_0), _S508.x * (families_0[_S506].count_0 / families_0[_S506].period_0), _S507.y, _S508.y);
-        yarn_2[i32(1)] = yarn_2[i32(1)] * (1.0f - moved_share_0(_S506, _S502));
-        yarns_0.warp_2 = yarns_0.weft_2;
-        yarns_0.weft_2 = yarn_2;
-        number_8 = number_8 + u32(1);
+        var _S541 : bool = number_10 == u32(0);
+        var _S542 : u32 = select(fabrics_0[_S532].weft_0, fabrics_0[_S532].warp_0, _S541);
+        var _S543 : vec2<f32> = select_vector_1(_S541, _S533.centre_0, _S533.centre_0.yx);
+        var _S544 : vec2<f32> = select_vector_1(_S541, _S537, _S537.yx);
+        var _S545 : f32 = _S543.x;
+        var _S546 : Cell_0 = locate_0(_S542, _S545);
+        var yarn_2 : vec4<f32> = irregular_over_0(_S542, irregular_key_0(_S532, number_10), irregular_thread_0(_S542, _S545, _S546) + _S546.below_0 / (_S546.below_0 + _S546.above_0), _S544.x * (families_0[_S542].count_0 / families_0[_S542].period_0), _S543.y, _S544.y);
+        yarn_2[i32(1)] = yarn_2[i32(1)] * (1.0f - moved_share_0(_S542, _S538));
+        yarns_0.warp_3 = yarns_0.weft_3;
+        yarns_0.weft_3 = yarn_2;
+        number_10 = number_10 + u32(1);
     }
-    var _S511 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S496].warp_0].cover_0, families_0[fabrics_0[_S496].weft_0].cover_0);
-    var _S512 : f32 = select(fabrics_0[_S496].warp_on_top_0, 1.0f - fabrics_0[_S496].warp_on_top_0, _S498);
-    var _S513 : vec3<f32> = shown_of_covers_0(_S511, _S512);
-    var _S514 : vec3<f32> = select_vector_0(_S504, shown_of_covers_0(saturate(_S511 + _S511 * vec2<f32>(yarns_0.warp_2.y, yarns_0.weft_2.y)), _S512) / max(_S513, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_0.shares_0 = _S514;
-    yarns_0.shares_0[i32(2)] = select(1.0f, _S514.z, (_S513.z) > 0.00009999999747379f);
+    var _S547 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S532].warp_0].cover_0, families_0[fabrics_0[_S532].weft_0].cover_0);
+    var _S548 : f32 = select(fabrics_0[_S532].warp_on_top_0, 1.0f - fabrics_0[_S532].warp_on_top_0, _S534);
+    var _S549 : vec3<f32> = shown_of_covers_0(_S547, _S548);
+    var _S550 : vec3<f32> = select_vector_0(_S540, shown_of_covers_0(saturate(_S547 + _S547 * vec2<f32>(yarns_0.warp_3.y, yarns_0.weft_3.y)), _S548) / max(_S549, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_0.shares_0 = _S550;
+    yarns_0.shares_0[i32(2)] = select(1.0f, _S550.z, (_S549.z) > 0.00009999999747379f);
     return yarns_0;
 }
 
-fn passed_share_0( _S515 : u32,  _S516 : VisiblePoint_0,  _S517 : vec3<f32>,  _S518 : f32,  _S519 : vec2<f32>) -> f32
+fn passed_share_0( _S551 : u32,  _S552 : VisiblePoint_0,  _S553 : vec3<f32>,  _S554 : f32,  _S555 : vec2<f32>) -> f32
 {
-    if((fabrics_0[_S515].has_yarns_0) == u32(0))
+    if((fabrics_0[_S551].has_yarns_0) == u32(0))
     {
-        return fabrics_0[_S515].mean_hole_0;
+        return fabrics_0[_S551].mean_hole_0;
     }
-    var _S520 : vec3<f32> = to_local_0(_S516, _S517);
-    var _S521 : bool = (_S520.z) < 0.0f;
-    var _S522 : vec3<f32> = to_face_frame_0(_S520, _S521);
-    var _S523 : bool = (fabrics_0[_S515].lobes_0.is_baked_0) != u32(0);
-    var _S524 : vec2<f32> = (_S519 - vec2<f32>(0.5f)) * vec2<f32>(_S518);
-    var _S525 : vec2<f32> = vec2<f32>(0.0f);
+    var _S556 : vec3<f32> = to_local_0(_S552, _S553);
+    var _S557 : bool = (_S556.z) < 0.0f;
+    var _S558 : vec3<f32> = to_face_frame_0(_S556, _S557);
+    var _S559 : bool = (fabrics_0[_S551].lobes_0.is_baked_0) != u32(0);
+    var _S560 : vec2<f32> = (_S555 - vec2<f32>(0.5f)) * vec2<f32>(_S554);
+    var _S561 : vec2<f32> = vec2<f32>(0.0f);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = irregular_place_0(_S515, _S516.draft_0 + select_vector_1(_S523, _S525, _S524), select(0.0f, _S518, _S523));
-    footprint_0.dx_0 = vec2<f32>(_S518, 0.0f);
-    footprint_0.dy_0 = vec2<f32>(0.0f, _S518);
-    var _S526 : f32 = select(0.0f, regime_of_0(_S515, footprint_0, 1.0f).prefiltered_0, _S523);
+    footprint_0.centre_0 = irregular_place_0(_S551, _S552.draft_0 + select_vector_1(_S559, _S561, _S560), select(0.0f, _S554, _S559));
+    footprint_0.dx_0 = vec2<f32>(_S554, 0.0f);
+    footprint_0.dy_0 = vec2<f32>(0.0f, _S554);
+    var _S562 : f32 = select(0.0f, regime_of_0(_S551, footprint_0, 1.0f).prefiltered_0, _S559);
     var share_2 : f32;
-    if(_S526 < 1.0f)
+    if(_S562 < 1.0f)
     {
-        var _S527 : vec2<f32> = footprint_0.centre_0 + select_vector_1(_S523, _S524, _S525);
-        if(first_hit_0(_S515, default_quality_0(), _S527.x, _S527.y, _S522, _S521).hole_2)
+        var _S563 : vec2<f32> = footprint_0.centre_0 + select_vector_1(_S559, _S560, _S561);
+        if(first_hit_0(_S551, default_quality_0(), _S563.x, _S563.y, _S558, _S557).hole_2)
         {
-            share_2 = 1.0f - _S526;
+            share_2 = 1.0f - _S562;
         }
         else
         {
@@ -2140,118 +2350,118 @@ fn passed_share_0( _S515 : u32,  _S516 : VisiblePoint_0,  _S517 : vec3<f32>,  _S
     {
         share_2 = 0.0f;
     }
-    if(_S526 > 0.0f)
+    if(_S562 > 0.0f)
     {
-        var _S528 : NodeTaps_0 = node_taps_0(_S522);
-        var nodes_2 : NodeTaps_0 = _S528;
-        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((select(u32(0), u32(1), _S521) * u32(256)));
-        share_2 = share_2 + _S526 * prefiltered_hole_0(_S515, coverage_taps_0(_S515, footprint_0, _S521), nodes_2, _S521);
+        var _S564 : NodeTaps_0 = node_taps_0(_S558);
+        var nodes_2 : NodeTaps_0 = _S564;
+        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((select(u32(0), u32(1), _S557) * u32(256)));
+        share_2 = share_2 + _S562 * prefiltered_hole_0(_S551, coverage_taps_0(_S551, footprint_0, _S557), nodes_2, _S557);
     }
-    var _S529 : f32 = min(share_2 * select(1.0f, yarns_over_0(_S515, footprint_0, _S521).shares_0.z, _S523), 1.0f);
-    var _S530 : f32 = fabrics_0[_S515].sheen_strength_0;
-    if((fabrics_0[_S515].sheen_strength_0) > 0.0f)
+    var _S565 : f32 = min(share_2 * select(1.0f, yarns_over_0(_S551, footprint_0, _S557).shares_0.z, _S559), 1.0f);
+    var _S566 : f32 = fabrics_0[_S551].sheen_strength_0;
+    if((fabrics_0[_S551].sheen_strength_0) > 0.0f)
     {
-        share_2 = _S529 * (1.0f - _S530 * sheen_lobe_0(_S522.z, fabrics_0[_S515].sheen_roughness_0).z);
+        share_2 = _S565 * (1.0f - _S566 * sheen_lobe_0(_S558.z, fabrics_0[_S551].sheen_roughness_0).z);
     }
     else
     {
-        share_2 = _S529;
+        share_2 = _S565;
     }
     return share_2;
 }
 
-fn visibility_of_0( _S531 : VisiblePoint_0,  _S532 : u32,  _S533 : vec2<u32>,  _S534 : u32) -> f32
+fn visibility_of_0( _S567 : VisiblePoint_0,  _S568 : u32,  _S569 : vec2<u32>,  _S570 : u32) -> f32
 {
-    var _S535 : bool;
-    var _S536 : LightSample_0 = light_sample_0(_S534, _S533, _S531.position_0);
-    var _S537 : vec3<f32> = seen_position_0(_S532, _S533) + vec3<f32>((select(1.0f, -1.0f, (dot(_S536.towards_0, _S531.face_normal_0)) < 0.0f) * frame_record_0.ray_offset_0)) * _S531.face_normal_0;
-    var _S538 : vec2<f32> = _S531.draft_dx_0;
-    var _S539 : vec2<f32> = _S531.draft_dy_0;
-    var _S540 : f32 = sqrt(0.5f * (dot(_S538, _S538) + dot(_S539, _S539)));
+    var _S571 : bool;
+    var _S572 : LightSample_0 = light_sample_0(_S570, _S569, _S567.position_0);
+    var _S573 : vec3<f32> = seen_position_0(_S568, _S569) + vec3<f32>((select(1.0f, -1.0f, (dot(_S572.towards_0, _S567.face_normal_0)) < 0.0f) * frame_record_0.ray_offset_0)) * _S567.face_normal_0;
+    var _S574 : vec2<f32> = _S567.draft_dx_0;
+    var _S575 : vec2<f32> = _S567.draft_dy_0;
+    var _S576 : f32 = sqrt(0.5f * (dot(_S574, _S574) + dot(_S575, _S575)));
     var nearest_1 : f32 = 0.0f;
-    var without_0 : u32 = _S532;
+    var without_0 : u32 = _S568;
     var layer_0 : u32 = u32(0);
     var visibility_0 : f32 = 1.0f;
     for(;;)
     {
-        var _S541 : bool = layer_0 < u32(8);
-        var _S542 : bool = visibility_0 > 0.00100000004749745f;
-        _S535 = _S542;
-        if((_S541 & (_S542)))
+        var _S577 : bool = layer_0 < u32(8);
+        var _S578 : bool = visibility_0 > 0.00100000004749745f;
+        _S571 = _S578;
+        if((_S577 & (_S578)))
         {
         }
         else
         {
             break;
         }
-        var _S543 : Hit_0 = nearest_hit_0(_S537, _S536.towards_0, nearest_1, _S536.distance_2, without_0, true);
-        if((_S543.face_2) == u32(4294967295))
+        var _S579 : Hit_0 = nearest_hit_0(_S573, _S572.towards_0, nearest_1, _S572.distance_2, without_0, true);
+        if((_S579.face_2) == u32(4294967295))
         {
             break;
         }
-        var _S544 : u32 = fabric_of_0(_S543.face_2);
-        var _S545 : VisiblePoint_0 = face_point_0(_S544, _S543.face_2, _S543.weight_b_0, _S543.weight_c_0);
-        var _S546 : vec2<f32> = pixel_sequence_0(_S533, frame_record_0.pass_number_0, u32(5) + u32(2) * (u32(8) * _S534 + layer_0));
-        var _S547 : f32;
-        if((fabrics_0[_S544].is_open_0) != u32(0))
+        var _S580 : u32 = fabric_of_0(_S579.face_2);
+        var _S581 : VisiblePoint_0 = face_point_0(_S580, _S579.face_2, _S579.weight_b_0, _S579.weight_c_0);
+        var _S582 : vec2<f32> = pixel_sequence_0(_S569, frame_record_0.pass_number_0, u32(5) + u32(2) * (u32(8) * _S570 + layer_0));
+        var _S583 : f32;
+        if((fabrics_0[_S580].is_open_0) != u32(0))
         {
-            var _S548 : f32 = passed_share_0(_S544, _S545, (vec3<f32>(0) - _S536.towards_0), _S540, _S546);
-            _S547 = _S548;
+            var _S584 : f32 = passed_share_0(_S580, _S581, (vec3<f32>(0) - _S572.towards_0), _S576, _S582);
+            _S583 = _S584;
         }
         else
         {
-            _S547 = 0.0f;
+            _S583 = 0.0f;
         }
-        var visibility_1 : f32 = visibility_0 * _S547;
-        var _S549 : u32 = layer_0 + u32(1);
-        nearest_1 = _S543.distance_0;
-        without_0 = _S543.face_2;
-        layer_0 = _S549;
+        var visibility_1 : f32 = visibility_0 * _S583;
+        var _S585 : u32 = layer_0 + u32(1);
+        nearest_1 = _S579.distance_0;
+        without_0 = _S579.face_2;
+        layer_0 = _S585;
         visibility_0 = visibility_1;
     }
-    return select(0.0f, visibility_0, _S535);
+    return select(0.0f, visibility_0, _S571);
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S550 : u32 = id_0.x;
-    var _S551 : bool;
-    if(_S550 >= (frame_record_0.width_0))
+    var _S586 : u32 = id_0.x;
+    var _S587 : bool;
+    if(_S586 >= (frame_record_0.width_0))
     {
-        _S551 = true;
+        _S587 = true;
     }
     else
     {
-        _S551 = (id_0.y) >= (frame_record_0.height_0);
+        _S587 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S551)
+    if(_S587)
     {
         return;
     }
-    var _S552 : u32 = id_0.y * frame_record_0.width_0 + _S550;
-    var _S553 : u32 = layers_0[_S552].face_0;
-    if((layers_0[_S552].face_0) == u32(0))
+    var _S588 : u32 = id_0.y * frame_record_0.width_0 + _S586;
+    var _S589 : u32 = layers_0[_S588].face_0;
+    if((layers_0[_S588].face_0) == u32(0))
     {
         return;
     }
-    var _S554 : u32 = _S553 - u32(1);
-    var _S555 : vec2<u32> = id_0.xy;
-    var _S556 : VisiblePoint_0 = visible_point_0(fabric_of_0(_S554), _S554, _S555);
-    var number_9 : u32 = u32(0);
+    var _S590 : u32 = _S589 - u32(1);
+    var _S591 : vec2<u32> = id_0.xy;
+    var _S592 : VisiblePoint_0 = visible_point_0(fabric_of_0(_S590), _S590, _S591);
+    var number_11 : u32 = u32(0);
     for(;;)
     {
-        if(number_9 < (light_sample_count_0()))
+        if(number_11 < (light_sample_count_0()))
         {
         }
         else
         {
             break;
         }
-        var _S557 : f32 = visibility_of_0(_S556, _S554, _S555, number_9);
-        visibilities_0[number_9 * frame_record_0.width_0 * frame_record_0.height_0 + _S552] = _S557;
-        number_9 = number_9 + u32(1);
+        var _S593 : f32 = visibility_of_0(_S592, _S590, _S591, number_11);
+        visibilities_0[number_11 * frame_record_0.width_0 * frame_record_0.height_0 + _S588] = _S593;
+        number_11 = number_11 + u32(1);
     }
     return;
 }

@@ -217,6 +217,14 @@ struct Fabric_std430_0
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
     @align(4) clustered_0 : Clustered_std430_0,
+    @align(4) planes_0 : u32,
+    @align(4) plane_records_0 : u32,
+    @align(4) plane_axes_0 : u32,
+    @align(4) stacks_0 : u32,
+    @align(4) plane_orders_0 : u32,
+    @align(4) regions_0 : u32,
+    @align(4) plane_shares_0 : u32,
+    @align(4) is_coloured_0 : u32,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -242,6 +250,8 @@ struct Family_std430_0
     @align(4) twist_cosine_0 : f32,
     @align(4) level_0 : f32,
     @align(4) roughness_0 : f32,
+    @align(4) layer_turned_0 : f32,
+    @align(4) layer_through_0 : f32,
     @align(4) albedo_table_0 : u32,
     @align(4) albedo_stride_0 : u32,
     @align(4) before_0 : u32,
@@ -249,6 +259,7 @@ struct Family_std430_0
     @align(4) smallest_box_0 : f32,
     @align(4) quantities_0 : u32,
     @align(4) colour_mean_0 : u32,
+    @align(4) cloth_mean_0 : u32,
     @align(4) colour_axes_0 : u32,
     @align(4) colour_threads_0 : u32,
     @align(4) colour_areas_0 : u32,
@@ -476,6 +487,8 @@ fn Footprint_spread_side_0( this_0 : Footprint_0) -> f32
     var _S32 : vec2<f32> = this_0.dy_0;
     return sqrt(0.5f * (dot(_S31, _S31) + dot(_S32, _S32)));
 }
+
+@id(0) override HAS_LAYERS_0 : bool = true;
 
 fn fade_0( size_1 : f32,  period_1 : f32) -> f32
 {
@@ -983,6 +996,80 @@ fn shown_of_covers_0( covers_0 : vec2<f32>,  warp_on_top_1 : f32) -> vec3<f32>
     return vec3<f32>(_S197 * (1.0f - _S198 * (1.0f - warp_on_top_1)), _S198 * (1.0f - _S197 * warp_on_top_1), (1.0f - _S197) * (1.0f - _S198));
 }
 
+struct Albedos_0
+{
+     diffuse_reflect_0 : vec3<f32>,
+     diffuse_transmit_0 : vec3<f32>,
+     specular_reflect_0 : vec3<f32>,
+     specular_transmit_0 : vec3<f32>,
+};
+
+fn Albedos_x24init_0( diffuse_reflect_1 : vec3<f32>,  diffuse_transmit_1 : vec3<f32>,  specular_reflect_1 : vec3<f32>,  specular_transmit_1 : vec3<f32>) -> Albedos_0
+{
+    var _S199 : Albedos_0;
+    _S199.diffuse_reflect_0 = diffuse_reflect_1;
+    _S199.diffuse_transmit_0 = diffuse_transmit_1;
+    _S199.specular_reflect_0 = specular_reflect_1;
+    _S199.specular_transmit_0 = specular_transmit_1;
+    return _S199;
+}
+
+struct FamilyAlbedos_0
+{
+     warp_3 : Albedos_0,
+     weft_3 : Albedos_0,
+};
+
+fn FamilyAlbedos_x24init_0( warp_4 : Albedos_0,  weft_4 : Albedos_0) -> FamilyAlbedos_0
+{
+    var _S200 : FamilyAlbedos_0;
+    _S200.warp_3 = warp_4;
+    _S200.weft_3 = weft_4;
+    return _S200;
+}
+
+struct Plane_0
+{
+     warp_5 : u32,
+     weft_5 : u32,
+     run_words_1 : u32,
+     ends_2 : u32,
+     end_numbers_0 : u32,
+     pick_numbers_0 : u32,
+     max_heights_1 : u32,
+     max_height_columns_1 : u32,
+     height_low_1 : f32,
+     height_high_1 : f32,
+     front_level_0 : f32,
+     back_level_0 : f32,
+     start_x_0 : f32,
+     start_y_0 : f32,
+     fine_x_0 : f32,
+     fine_y_0 : f32,
+};
+
+fn plane_at_0( first_5 : u32) -> Plane_0
+{
+    var record_1 : Plane_0;
+    record_1.warp_5 = words_0[first_5];
+    record_1.weft_5 = words_0[first_5 + u32(1)];
+    record_1.run_words_1 = words_0[first_5 + u32(2)];
+    record_1.ends_2 = words_0[first_5 + u32(3)];
+    record_1.end_numbers_0 = words_0[first_5 + u32(4)];
+    record_1.pick_numbers_0 = words_0[first_5 + u32(5)];
+    record_1.max_heights_1 = words_0[first_5 + u32(6)];
+    record_1.max_height_columns_1 = words_0[first_5 + u32(7)];
+    record_1.height_low_1 = (bitcast<f32>((words_0[first_5 + u32(8)])));
+    record_1.height_high_1 = (bitcast<f32>((words_0[first_5 + u32(9)])));
+    record_1.front_level_0 = (bitcast<f32>((words_0[first_5 + u32(10)])));
+    record_1.back_level_0 = (bitcast<f32>((words_0[first_5 + u32(11)])));
+    record_1.start_x_0 = (bitcast<f32>((words_0[first_5 + u32(12)])));
+    record_1.start_y_0 = (bitcast<f32>((words_0[first_5 + u32(13)])));
+    record_1.fine_x_0 = (bitcast<f32>((words_0[first_5 + u32(14)])));
+    record_1.fine_y_0 = (bitcast<f32>((words_0[first_5 + u32(15)])));
+    return record_1;
+}
+
 struct Bound_0
 {
      thread_3 : u32,
@@ -995,16 +1082,16 @@ struct Bound_0
 
 fn bound_at_0( family_10 : u32,  position_5 : f32) -> Bound_0
 {
-    var _S199 : Cell_0 = locate_0(family_10, position_5);
-    var _S200 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S199.thread_1 + u32(1));
+    var _S201 : Cell_0 = locate_0(family_10, position_5);
+    var _S202 : f32 = table_number_0(families_0[family_10].before_0 + u32(2) * _S201.thread_1 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_3 = _S199.thread_1;
-    bound_0.turns_3 = round((position_5 - families_0[family_10].start_0 - _S200 - _S199.below_0) * families_0[family_10].inverse_period_0);
-    bound_0.cell_5 = _S199.below_0;
-    var _S201 : f32 = 2.0f * _S199.half_width_1;
-    bound_0.width_3 = _S201;
-    bound_0.visible_0 = clamp((_S199.across_0 + _S199.half_width_1) / _S201, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S199.below_0, _S199.below_0 - _S199.across_0 - _S199.half_width_1) + max(_S199.across_0 - _S199.half_width_1, 0.0f);
+    bound_0.thread_3 = _S201.thread_1;
+    bound_0.turns_3 = round((position_5 - families_0[family_10].start_0 - _S202 - _S201.below_0) * families_0[family_10].inverse_period_0);
+    bound_0.cell_5 = _S201.below_0;
+    var _S203 : f32 = 2.0f * _S201.half_width_1;
+    bound_0.width_3 = _S203;
+    bound_0.visible_0 = clamp((_S201.across_0 + _S201.half_width_1) / _S203, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S201.below_0, _S201.below_0 - _S201.across_0 - _S201.half_width_1) + max(_S201.across_0 - _S201.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1016,11 +1103,11 @@ struct Stretch_0
 
 fn stretch_of_0( family_11 : u32,  centre_1 : f32,  size_4 : f32) -> Stretch_0
 {
-    var _S202 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
-    var _S203 : f32 = 0.5f * max(size_4, families_0[family_11].smallest_box_0);
+    var _S204 : f32 = centre_1 - floor((centre_1 - families_0[family_11].start_0) * families_0[family_11].inverse_period_0) * families_0[family_11].period_0;
+    var _S205 : f32 = 0.5f * max(size_4, families_0[family_11].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_0 = bound_at_0(family_11, _S202 - _S203);
-    stretch_0.high_0 = bound_at_0(family_11, _S202 + _S203);
+    stretch_0.low_0 = bound_at_0(family_11, _S204 - _S205);
+    stretch_0.high_0 = bound_at_0(family_11, _S204 + _S205);
     return stretch_0;
 }
 
@@ -1028,14 +1115,6 @@ fn table_colour_0( index_3 : u32) -> vec3<f32>
 {
     return vec3<f32>(table_number_0(index_3), table_number_0(index_3 + u32(1)), table_number_0(index_3 + u32(2)));
 }
-
-struct Albedos_0
-{
-     diffuse_reflect_0 : vec3<f32>,
-     diffuse_transmit_0 : vec3<f32>,
-     specular_reflect_0 : vec3<f32>,
-     specular_transmit_0 : vec3<f32>,
-};
 
 fn table_albedos_0( row_2 : u32) -> Albedos_0
 {
@@ -1054,25 +1133,25 @@ fn Stretch_turns_0( this_2 : Stretch_0) -> f32
 
 fn lengths_0( family_12 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S204 : f32 = Stretch_turns_0(stretch_1);
-    var _S205 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_0.thread_3;
-    var _S206 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_0.thread_3;
-    var _S207 : f32 = table_number_0(_S206) - table_number_0(_S205);
-    var _S208 : f32 = table_number_0(_S206 + u32(1)) - table_number_0(_S205 + u32(1));
-    return vec3<f32>(_S207 + stretch_1.high_0.visible_0 * stretch_1.high_0.width_3 - stretch_1.low_0.visible_0 * stretch_1.low_0.width_3 + _S204 * families_0[family_12].visible_total_0, _S208 - _S207 + stretch_1.high_0.gap_0 - stretch_1.low_0.gap_0 + _S204 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S208 + stretch_1.high_0.cell_5 - stretch_1.low_0.cell_5 + _S204 * families_0[family_12].period_0);
+    var _S206 : f32 = Stretch_turns_0(stretch_1);
+    var _S207 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.low_0.thread_3;
+    var _S208 : u32 = families_0[family_12].before_0 + u32(2) * stretch_1.high_0.thread_3;
+    var _S209 : f32 = table_number_0(_S208) - table_number_0(_S207);
+    var _S210 : f32 = table_number_0(_S208 + u32(1)) - table_number_0(_S207 + u32(1));
+    return vec3<f32>(_S209 + stretch_1.high_0.visible_0 * stretch_1.high_0.width_3 - stretch_1.low_0.visible_0 * stretch_1.low_0.width_3 + _S206 * families_0[family_12].visible_total_0, _S210 - _S209 + stretch_1.high_0.gap_0 - stretch_1.low_0.gap_0 + _S206 * (families_0[family_12].period_0 - families_0[family_12].visible_total_0), _S210 + stretch_1.high_0.cell_5 - stretch_1.low_0.cell_5 + _S206 * families_0[family_12].period_0);
 }
 
 fn integrals_along_0( family_13 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S209 : u32 = u32(3) * families_0[family_13].quantities_0;
-    var _S210 : u32 = families_0[family_13].colour_threads_0 + _S209 * stretch_2.low_0.thread_3 + quantity_0;
-    var _S211 : u32 = families_0[family_13].colour_threads_0 + _S209 * stretch_2.high_0.thread_3 + quantity_0;
-    var _S212 : u32 = families_0[family_13].colour_threads_0 + _S209 * u32(families_0[family_13].count_0) + quantity_0;
-    var _S213 : f32 = table_number_0(_S210);
-    var _S214 : f32 = table_number_0(_S211);
-    var _S215 : f32 = Stretch_turns_0(stretch_2);
-    var _S216 : u32 = u32(2) * families_0[family_13].quantities_0;
-    return vec2<f32>(table_number_0(_S211 + families_0[family_13].quantities_0) - table_number_0(_S210 + families_0[family_13].quantities_0) + _S214 * stretch_2.high_0.visible_0 * stretch_2.high_0.width_3 - _S213 * stretch_2.low_0.visible_0 * stretch_2.low_0.width_3 + _S215 * table_number_0(_S212 + families_0[family_13].quantities_0), table_number_0(_S211 + _S216) - table_number_0(_S210 + _S216) + _S214 * stretch_2.high_0.cell_5 - _S213 * stretch_2.low_0.cell_5 + _S215 * table_number_0(_S212 + _S216));
+    var _S211 : u32 = u32(3) * families_0[family_13].quantities_0;
+    var _S212 : u32 = families_0[family_13].colour_threads_0 + _S211 * stretch_2.low_0.thread_3 + quantity_0;
+    var _S213 : u32 = families_0[family_13].colour_threads_0 + _S211 * stretch_2.high_0.thread_3 + quantity_0;
+    var _S214 : u32 = families_0[family_13].colour_threads_0 + _S211 * u32(families_0[family_13].count_0) + quantity_0;
+    var _S215 : f32 = table_number_0(_S212);
+    var _S216 : f32 = table_number_0(_S213);
+    var _S217 : f32 = Stretch_turns_0(stretch_2);
+    var _S218 : u32 = u32(2) * families_0[family_13].quantities_0;
+    return vec2<f32>(table_number_0(_S213 + families_0[family_13].quantities_0) - table_number_0(_S212 + families_0[family_13].quantities_0) + _S216 * stretch_2.high_0.visible_0 * stretch_2.high_0.width_3 - _S215 * stretch_2.low_0.visible_0 * stretch_2.low_0.width_3 + _S217 * table_number_0(_S214 + families_0[family_13].quantities_0), table_number_0(_S213 + _S218) - table_number_0(_S212 + _S218) + _S216 * stretch_2.high_0.cell_5 - _S215 * stretch_2.low_0.cell_5 + _S217 * table_number_0(_S214 + _S218));
 }
 
 fn Stretch_wraps_0( this_3 : Stretch_0) -> bool
@@ -1082,16 +1161,16 @@ fn Stretch_wraps_0( this_3 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_4 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S217 : u32 = entries_0.z;
-    var _S218 : u32 = entries_0.x;
-    return vec4<u32>(_S217 - _S218 + select(u32(0), whole_0, Stretch_wraps_0(this_4)), entries_0.w - _S217, entries_0.y - _S218, whole_0);
+    var _S219 : u32 = entries_0.z;
+    var _S220 : u32 = entries_0.x;
+    return vec4<u32>(_S219 - _S220 + select(u32(0), whole_0, Stretch_wraps_0(this_4)), entries_0.w - _S219, entries_0.y - _S220, whole_0);
 }
 
 fn row_differences_0( across_1 : Stretch_0,  row_3 : u32,  count_1 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S219 : u32 = row_3 + across_1.low_0.thread_3 * quantities_1;
-    var _S220 : u32 = row_3 + across_1.high_0.thread_3 * quantities_1;
-    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S219], words_0[_S219 + quantities_1], words_0[_S220], words_0[_S220 + quantities_1]), words_0[row_3 + count_1 * quantities_1]);
+    var _S221 : u32 = row_3 + across_1.low_0.thread_3 * quantities_1;
+    var _S222 : u32 = row_3 + across_1.high_0.thread_3 * quantities_1;
+    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S221], words_0[_S221 + quantities_1], words_0[_S222], words_0[_S222 + quantities_1]), words_0[row_3 + count_1 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_5 : Stretch_0) -> vec4<f32>
@@ -1101,25 +1180,25 @@ fn Stretch_weights_0( this_5 : Stretch_0) -> vec4<f32>
 
 fn integral_on_top_0( family_14 : u32,  across_2 : Stretch_0,  along_2 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S221 : u32 = u32(families_0[family_14].count_0);
-    var _S222 : u32 = (_S221 + u32(1)) * families_0[family_14].quantities_0;
-    var _S223 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
-    var _S224 : vec4<u32> = row_differences_0(across_2, _S223 + along_2.low_0.thread_3 * _S222, _S221, families_0[family_14].quantities_0);
-    var _S225 : vec4<u32> = row_differences_0(across_2, _S223 + along_2.high_0.thread_3 * _S222, _S221, families_0[family_14].quantities_0);
-    var _S226 : vec4<u32> = row_differences_0(across_2, _S223 + crossing_count_0 * _S222, _S221, families_0[family_14].quantities_0);
-    var _S227 : vec4<f32> = Stretch_weights_0(across_2);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S225 - _S224 + select_vector_3(Stretch_wraps_0(along_2), _S226, vec4<u32>(vec4<i32>(i32(0)))))), _S227), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S223 + (along_2.high_0.thread_3 + u32(1)) * _S222, _S221, families_0[family_14].quantities_0) - _S225)), _S227), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S223 + (along_2.low_0.thread_3 + u32(1)) * _S222, _S221, families_0[family_14].quantities_0) - _S224)), _S227), dot(vec4<f32>(vec4<i32>(_S226)), _S227)), Stretch_weights_0(along_2)) * families_0[family_14].area_unit_0;
+    var _S223 : u32 = u32(families_0[family_14].count_0);
+    var _S224 : u32 = (_S223 + u32(1)) * families_0[family_14].quantities_0;
+    var _S225 : u32 = families_0[family_14].colour_areas_0 + quantity_1;
+    var _S226 : vec4<u32> = row_differences_0(across_2, _S225 + along_2.low_0.thread_3 * _S224, _S223, families_0[family_14].quantities_0);
+    var _S227 : vec4<u32> = row_differences_0(across_2, _S225 + along_2.high_0.thread_3 * _S224, _S223, families_0[family_14].quantities_0);
+    var _S228 : vec4<u32> = row_differences_0(across_2, _S225 + crossing_count_0 * _S224, _S223, families_0[family_14].quantities_0);
+    var _S229 : vec4<f32> = Stretch_weights_0(across_2);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S227 - _S226 + select_vector_3(Stretch_wraps_0(along_2), _S228, vec4<u32>(vec4<i32>(i32(0)))))), _S229), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S225 + (along_2.high_0.thread_3 + u32(1)) * _S224, _S223, families_0[family_14].quantities_0) - _S227)), _S229), dot(vec4<f32>(vec4<i32>(row_differences_0(across_2, _S225 + (along_2.low_0.thread_3 + u32(1)) * _S224, _S223, families_0[family_14].quantities_0) - _S226)), _S229), dot(vec4<f32>(vec4<i32>(_S228)), _S229)), Stretch_weights_0(along_2)) * families_0[family_14].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_4 : u32) -> Albedos_0
 {
-    var _S228 : Albedos_0 = table_albedos_0(row_4);
+    var _S230 : Albedos_0 = table_albedos_0(row_4);
     var sum_0 : Albedos_0;
-    var _S229 : vec3<f32> = vec3<f32>(weight_0);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S229 * _S228.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S229 * _S228.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S229 * _S228.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S229 * _S228.specular_transmit_0;
+    var _S231 : vec3<f32> = vec3<f32>(weight_0);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S231 * _S230.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S231 * _S230.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S231 * _S230.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S231 * _S230.specular_transmit_0;
     return sum_0;
 }
 
@@ -1130,7 +1209,7 @@ fn mean_albedos_0( family_15 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  othe
     {
         return albedos_2;
     }
-    var _S230 : vec3<f32> = lengths_0(crossing_0, other_0);
+    var _S232 : vec3<f32> = lengths_0(crossing_0, other_0);
     var is_exposed_0 : bool = false;
     var weight_1 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -1143,24 +1222,24 @@ fn mean_albedos_0( family_15 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  othe
         {
             break;
         }
-        var _S231 : vec2<f32> = integrals_along_0(family_15, own_0, quantity_2);
-        var _S232 : f32 = integral_on_top_0(family_15, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
-        var _S233 : f32 = _S231.x;
-        var _S234 : f32 = _S233 * _S230.x;
-        var _S235 : f32 = select(_S232, _S234 - _S232, back_3);
-        var _S236 : bool = quantity_2 == u32(0);
-        if(_S236)
+        var _S233 : vec2<f32> = integrals_along_0(family_15, own_0, quantity_2);
+        var _S234 : f32 = integral_on_top_0(family_15, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
+        var _S235 : f32 = _S233.x;
+        var _S236 : f32 = _S235 * _S232.x;
+        var _S237 : f32 = select(_S234, _S236 - _S234, back_3);
+        var _S238 : bool = quantity_2 == u32(0);
+        if(_S238)
         {
-            is_exposed_0 = _S235 > (16.0f * families_0[family_15].area_unit_0 * min(_S234 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S234);
+            is_exposed_0 = _S237 > (16.0f * families_0[family_15].area_unit_0 * min(_S236 / families_0[family_15].crossing_area_0, 1.0f) + 0.00000999999974738f * _S236);
         }
-        var _S237 : f32 = _S233 * _S230.y + select(0.0f, _S235, is_exposed_0) + 0.000244140625f * _S230.z * _S231.y;
-        if(_S236)
+        var _S239 : f32 = _S235 * _S232.y + select(0.0f, _S237, is_exposed_0) + 0.000244140625f * _S232.z * _S233.y;
+        if(_S238)
         {
-            weight_1 = 1.0f / max(_S237, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S239, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S237 * weight_1, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S239 * weight_1, families_0[family_15].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1171,18 +1250,76 @@ fn mean_albedos_0( family_15 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  othe
     return albedos_2;
 }
 
-fn tinted_0( albedos_3 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
+fn albedos_in_0( plane_0 : Plane_0,  centre_2 : vec2<f32>,  size_5 : vec2<f32>,  back_4 : bool) -> FamilyAlbedos_0
 {
-    var result_0 : Albedos_0 = albedos_3;
-    result_0.diffuse_reflect_0 = result_0.diffuse_reflect_0 * tint_0;
-    result_0.diffuse_transmit_0 = result_0.diffuse_transmit_0 * tint_0;
+    var _S240 : Stretch_0 = stretch_of_0(plane_0.warp_5, centre_2.x - plane_0.start_x_0, size_5.x);
+    var _S241 : Stretch_0 = stretch_of_0(plane_0.weft_5, centre_2.y - plane_0.start_y_0, size_5.y);
+    var albedos_3 : FamilyAlbedos_0;
+    albedos_3.warp_3 = mean_albedos_0(plane_0.warp_5, plane_0.weft_5, _S240, _S241, back_4);
+    albedos_3.weft_3 = mean_albedos_0(plane_0.weft_5, plane_0.warp_5, _S241, _S240, back_4);
+    return albedos_3;
+}
+
+struct PlaneShares_0
+{
+     area_0 : f32,
+     passed_0 : vec3<f32>,
+     added_0 : vec3<f32>,
+};
+
+fn PlaneShares_x24init_0( area_1 : f32,  passed_1 : vec3<f32>,  added_1 : vec3<f32>) -> PlaneShares_0
+{
+    var _S242 : PlaneShares_0;
+    _S242.area_0 = area_1;
+    _S242.passed_0 = passed_1;
+    _S242.added_0 = added_1;
+    return _S242;
+}
+
+fn with_shares_at_0( sums_3 : PlaneShares_0,  share_1 : f32,  first_6 : u32) -> PlaneShares_0
+{
+    var result_0 : PlaneShares_0;
+    result_0.area_0 = sums_3.area_0 + share_1 * table_number_0(first_6);
+    var _S243 : vec3<f32> = vec3<f32>(share_1);
+    result_0.passed_0 = sums_3.passed_0 + _S243 * vec3<f32>(table_number_0(first_6 + u32(1)), table_number_0(first_6 + u32(2)), table_number_0(first_6 + u32(3)));
+    result_0.added_0 = sums_3.added_0 + _S243 * vec3<f32>(table_number_0(first_6 + u32(4)), table_number_0(first_6 + u32(5)), table_number_0(first_6 + u32(6)));
     return result_0;
+}
+
+fn with_plane_0( sums_4 : Albedos_0,  albedos_4 : Albedos_0,  shares_2 : PlaneShares_0) -> Albedos_0
+{
+    var result_1 : Albedos_0;
+    var _S244 : vec3<f32> = vec3<f32>(shares_2.area_0);
+    result_1.diffuse_reflect_0 = sums_4.diffuse_reflect_0 + _S244 * albedos_4.diffuse_reflect_0 + shares_2.added_0;
+    result_1.diffuse_transmit_0 = sums_4.diffuse_transmit_0 + shares_2.passed_0 * albedos_4.diffuse_transmit_0;
+    result_1.specular_reflect_0 = sums_4.specular_reflect_0 + _S244 * albedos_4.specular_reflect_0;
+    result_1.specular_transmit_0 = sums_4.specular_transmit_0 + shares_2.passed_0 * albedos_4.specular_transmit_0;
+    return result_1;
+}
+
+fn divided_0( sums_5 : Albedos_0,  area_2 : f32) -> Albedos_0
+{
+    var result_2 : Albedos_0;
+    var _S245 : vec3<f32> = vec3<f32>((1.0f / max(area_2, 9.99999997475242708e-07f)));
+    result_2.diffuse_reflect_0 = sums_5.diffuse_reflect_0 * _S245;
+    result_2.diffuse_transmit_0 = sums_5.diffuse_transmit_0 * _S245;
+    result_2.specular_reflect_0 = sums_5.specular_reflect_0 * _S245;
+    result_2.specular_transmit_0 = sums_5.specular_transmit_0 * _S245;
+    return result_2;
+}
+
+fn tinted_0( albedos_5 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
+{
+    var result_3 : Albedos_0 = albedos_5;
+    result_3.diffuse_reflect_0 = result_3.diffuse_reflect_0 * tint_0;
+    result_3.diffuse_transmit_0 = result_3.diffuse_transmit_0 * tint_0;
+    return result_3;
 }
 
 struct FaceRadiance_0
 {
-     warp_3 : vec3<f32>,
-     weft_3 : vec3<f32>,
+     warp_6 : vec3<f32>,
+     weft_6 : vec3<f32>,
      mean_0 : vec3<f32>,
      leaked_0 : vec3<f32>,
 };
@@ -1198,32 +1335,32 @@ struct FaceSends_0
      blocks_weft_0 : f32,
 };
 
-fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
+fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_2 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S238 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S246 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_2;
     var found_0 : FaceRadiance_0;
-    var _S239 : vec3<f32> = sends_0.sky_warp_0 + _S238 * sends_0.crossing_warp_0;
-    found_0.warp_3 = _S239;
-    var _S240 : vec3<f32> = sends_0.sky_weft_0 + _S238 * sends_0.crossing_weft_0;
-    found_0.weft_3 = _S240;
-    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S239 + vec3<f32>(sends_0.blocks_weft_0) * _S240;
+    var _S247 : vec3<f32> = sends_0.sky_warp_0 + _S246 * sends_0.crossing_warp_0;
+    found_0.warp_6 = _S247;
+    var _S248 : vec3<f32> = sends_0.sky_weft_0 + _S246 * sends_0.crossing_weft_0;
+    found_0.weft_6 = _S248;
+    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S247 + vec3<f32>(sends_0.blocks_weft_0) * _S248;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S241 : f32 = 1.0f - view_2.z;
-    var _S242 : f32 = _S241 * _S241;
+    var _S249 : f32 = 1.0f - view_2.z;
+    var _S250 : f32 = _S249 * _S249;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S243 : f32 = view_2.x;
-    var _S244 : f32 = _S243 * _S243;
-    var _S245 : f32 = view_2.y;
-    var _S246 : f32 = _S245 * _S245;
-    (*terms_0)[i32(1)] = sqrt(max(_S244 + _S246, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S242;
-    (*terms_0)[i32(3)] = _S242 * _S242;
-    (*terms_0)[i32(4)] = _S244 - _S246;
+    var _S251 : f32 = view_2.x;
+    var _S252 : f32 = _S251 * _S251;
+    var _S253 : f32 = view_2.y;
+    var _S254 : f32 = _S253 * _S253;
+    (*terms_0)[i32(1)] = sqrt(max(_S252 + _S254, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S250;
+    (*terms_0)[i32(3)] = _S250 * _S250;
+    (*terms_0)[i32(4)] = _S252 - _S254;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
@@ -1232,6 +1369,7 @@ struct Bounced_0
 {
      reflected_0 : vec3<f32>,
      transmitted_0 : vec3<f32>,
+     is_covered_0 : bool,
 };
 
 struct Blocked_0
@@ -1243,14 +1381,14 @@ struct Blocked_0
 
 struct Scattered_0
 {
-     back_4 : vec3<f32>,
+     back_5 : vec3<f32>,
      through_0 : vec3<f32>,
 };
 
 struct Interior_0
 {
-     warp_4 : vec3<f32>,
-     weft_4 : vec3<f32>,
+     warp_7 : vec3<f32>,
+     weft_7 : vec3<f32>,
      leaked_1 : vec3<f32>,
      far_1 : vec3<f32>,
      far_leaked_0 : vec3<f32>,
@@ -1258,25 +1396,26 @@ struct Interior_0
 
 fn bounced_by_0( blocked_0 : Blocked_0,  yarn_0 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S247 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
-    var _S248 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_0.through_0;
+    var _S255 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
+    var _S256 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_0.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_0.back_4 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_4 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_4) + _S248 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S248 * interior_0.far_1 + yarn_0.back_4 * _S247;
+    bounced_0.reflected_0 = yarn_0.back_5 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_7 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_7) + _S256 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S256 * interior_0.far_1 + yarn_0.back_5 * _S255;
+    bounced_0.is_covered_0 = false;
     return bounced_0;
 }
 
-fn texel_along_0( share_1 : f32,  first_5 : u32,  extent_1 : f32,  count_2 : u32) -> u32
+fn texel_along_0( share_2 : f32,  first_7 : u32,  extent_1 : f32,  count_2 : u32) -> u32
 {
-    var _S249 : f32 = min(floor(share_1 * extent_1), extent_1 - 1.0f);
-    var _S250 : f32 = f32(count_2);
-    var _S251 : u32 = first_5 + min(u32(max(_S249 - floor(_S249 / _S250) * _S250, 0.0f)), count_2 - u32(1));
-    return select(_S251, _S251 - count_2, _S251 >= count_2);
+    var _S257 : f32 = min(floor(share_2 * extent_1), extent_1 - 1.0f);
+    var _S258 : f32 = f32(count_2);
+    var _S259 : u32 = first_7 + min(u32(max(_S257 - floor(_S257 / _S258) * _S258, 0.0f)), count_2 - u32(1));
+    return select(_S259, _S259 - count_2, _S259 >= count_2);
 }
 
-fn texel_of_0( tables_6 : ptr<function, Clustered_std430_0>,  box_4 : TexelBox_0,  share_2 : vec2<f32>) -> u32
+fn texel_of_0( tables_6 : ptr<function, Clustered_std430_0>,  box_4 : TexelBox_0,  share_3 : vec2<f32>) -> u32
 {
-    return texel_along_0(share_2.y, box_4.first_2.y, box_4.extent_0.y, (*tables_6).rows_0) * (*tables_6).columns_0 + texel_along_0(share_2.x, box_4.first_2.x, box_4.extent_0.x, (*tables_6).columns_0);
+    return texel_along_0(share_3.y, box_4.first_2.y, box_4.extent_0.y, (*tables_6).rows_0) * (*tables_6).columns_0 + texel_along_0(share_3.x, box_4.first_2.x, box_4.extent_0.x, (*tables_6).columns_0);
 }
 
 fn uniform_hash_0( thread_4 : u32,  cell_6 : u32,  stream_1 : u32) -> f32
@@ -1286,9 +1425,9 @@ fn uniform_hash_0( thread_4 : u32,  cell_6 : u32,  stream_1 : u32) -> f32
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_4 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S252 : u32 = pixel_0.x;
-    var _S253 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S252, _S253, stream_2), uniform_hash_0(_S252, _S253, stream_2 + u32(1))) + vec2<f32>(f32((index_4 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S260 : u32 = pixel_0.x;
+    var _S261 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S260, _S261, stream_2), uniform_hash_0(_S260, _S261, stream_2 + u32(1))) + vec2<f32>(f32((index_4 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_5 : u32) -> f32
@@ -1315,22 +1454,22 @@ fn choose_0( table_1 : u32,  count_3 : u32,  number_4 : f32) -> Choice_0
         {
             break;
         }
-        var _S254 : u32 = (low_1 + high_1) / u32(2);
-        if((scene_number_0(table_1 + _S254)) <= number_4)
+        var _S262 : u32 = (low_1 + high_1) / u32(2);
+        if((scene_number_0(table_1 + _S262)) <= number_4)
         {
-            low_1 = _S254;
+            low_1 = _S262;
         }
         else
         {
-            high_1 = _S254;
+            high_1 = _S262;
         }
     }
-    var _S255 : u32 = table_1 + low_1;
-    var _S256 : f32 = scene_number_0(_S255);
-    var _S257 : f32 = scene_number_0(_S255 + u32(1));
+    var _S263 : u32 = table_1 + low_1;
+    var _S264 : f32 = scene_number_0(_S263);
+    var _S265 : f32 = scene_number_0(_S263 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_6 = low_1;
-    choice_0.remainder_0 = saturate((number_4 - _S256) / max(_S257 - _S256, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_4 - _S264) / max(_S265 - _S264, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1341,16 +1480,16 @@ fn mean_1( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_7 : f32) -> vec2<f32>
 {
-    var _S258 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
-    var _S259 : f32 = x_7 - _S258 * 1.5703125f - _S258 * 0.00048375129699707f - _S258 * 7.54979012640433211e-08f;
-    var _S260 : f32 = _S259 * _S259;
-    var _S261 : f32 = ((-0.00019515295571182f * _S260 + 0.00833216123282909f) * _S260 - 0.16666655242443085f) * _S260 * _S259 + _S259;
-    var _S262 : f32 = ((0.00002443315679557f * _S260 - 0.00138873164542019f) * _S260 + 0.04166664555668831f) * _S260 * _S260 - 0.5f * _S260 + 1.0f;
-    var _S263 : u32 = (u32(i32(_S258)) & (u32(3)));
-    var _S264 : vec2<f32> = select_vector_1(((_S263 & (u32(1)))) != u32(0), vec2<f32>(_S262, _S261), vec2<f32>(_S261, _S262));
-    var _S265 : f32 = _S264.x;
-    var _S266 : f32 = _S264.y;
-    return vec2<f32>(select(_S265, - _S265, ((_S263 & (u32(2)))) != u32(0)), select(_S266, - _S266, (((_S263 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S266 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
+    var _S267 : f32 = x_7 - _S266 * 1.5703125f - _S266 * 0.00048375129699707f - _S266 * 7.54979012640433211e-08f;
+    var _S268 : f32 = _S267 * _S267;
+    var _S269 : f32 = ((-0.00019515295571182f * _S268 + 0.00833216123282909f) * _S268 - 0.16666655242443085f) * _S268 * _S267 + _S267;
+    var _S270 : f32 = ((0.00002443315679557f * _S268 - 0.00138873164542019f) * _S268 + 0.04166664555668831f) * _S268 * _S268 - 0.5f * _S268 + 1.0f;
+    var _S271 : u32 = (u32(i32(_S266)) & (u32(3)));
+    var _S272 : vec2<f32> = select_vector_1(((_S271 & (u32(1)))) != u32(0), vec2<f32>(_S270, _S269), vec2<f32>(_S269, _S270));
+    var _S273 : f32 = _S272.x;
+    var _S274 : f32 = _S272.y;
+    return vec2<f32>(select(_S273, - _S273, ((_S271 & (u32(2)))) != u32(0)), select(_S274, - _S274, (((_S271 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
@@ -1364,17 +1503,17 @@ struct Light_0
      blue_0 : f32,
 };
 
-fn scene_light_0( first_6 : u32) -> Light_0
+fn scene_light_0( first_8 : u32) -> Light_0
 {
-    var record_1 : Light_0;
-    record_1.is_point_0 = scene_words_0[first_6];
-    record_1.x_8 = (bitcast<f32>((scene_words_0[first_6 + u32(1)])));
-    record_1.y_2 = (bitcast<f32>((scene_words_0[first_6 + u32(2)])));
-    record_1.z_1 = (bitcast<f32>((scene_words_0[first_6 + u32(3)])));
-    record_1.red_0 = (bitcast<f32>((scene_words_0[first_6 + u32(4)])));
-    record_1.green_0 = (bitcast<f32>((scene_words_0[first_6 + u32(5)])));
-    record_1.blue_0 = (bitcast<f32>((scene_words_0[first_6 + u32(6)])));
-    return record_1;
+    var record_2 : Light_0;
+    record_2.is_point_0 = scene_words_0[first_8];
+    record_2.x_8 = (bitcast<f32>((scene_words_0[first_8 + u32(1)])));
+    record_2.y_2 = (bitcast<f32>((scene_words_0[first_8 + u32(2)])));
+    record_2.z_1 = (bitcast<f32>((scene_words_0[first_8 + u32(3)])));
+    record_2.red_0 = (bitcast<f32>((scene_words_0[first_8 + u32(4)])));
+    record_2.green_0 = (bitcast<f32>((scene_words_0[first_8 + u32(5)])));
+    record_2.blue_0 = (bitcast<f32>((scene_words_0[first_8 + u32(6)])));
+    return record_2;
 }
 
 struct BaseTaps_0
@@ -1382,14 +1521,14 @@ struct BaseTaps_0
      facing_0 : vec3<f32>,
      transmits_1 : bool,
      around_0 : BinTaps_0,
-     first_7 : u32,
+     first_9 : u32,
      half_vector_0 : BinTaps_0,
 };
 
 struct ViewedBase_0
 {
      view_3 : vec3<f32>,
-     back_5 : bool,
+     back_6 : bool,
      face_6 : u32,
      box_5 : TexelBox_0,
 };
@@ -1397,15 +1536,15 @@ struct ViewedBase_0
 fn base_taps_0( seen_0 : ViewedBase_0,  light_1 : vec3<f32>) -> BaseTaps_0
 {
     var taps_1 : BaseTaps_0;
-    var _S267 : vec3<f32> = to_face_frame_0(light_1, seen_0.back_5);
-    taps_1.facing_0 = _S267;
-    var _S268 : f32 = _S267.z;
-    var _S269 : bool = _S268 < 0.0f;
-    taps_1.transmits_1 = _S269;
-    taps_1.around_0 = bin_taps_0(vec3<f32>(_S267.xy, abs(_S268)), u32(32));
-    taps_1.first_7 = (seen_0.face_6 * u32(2) + select(u32(0), u32(1), _S269)) * u32(1024);
-    var _S270 : vec3<f32> = _S267 + seen_0.view_3;
-    var half_vector_1 : vec3<f32> = _S270 * vec3<f32>((1.0f / sqrt(max(square_0(_S270), 9.999999960041972e-13f))));
+    var _S275 : vec3<f32> = to_face_frame_0(light_1, seen_0.back_6);
+    taps_1.facing_0 = _S275;
+    var _S276 : f32 = _S275.z;
+    var _S277 : bool = _S276 < 0.0f;
+    taps_1.transmits_1 = _S277;
+    taps_1.around_0 = bin_taps_0(vec3<f32>(_S275.xy, abs(_S276)), u32(32));
+    taps_1.first_9 = (seen_0.face_6 * u32(2) + select(u32(0), u32(1), _S277)) * u32(1024);
+    var _S278 : vec3<f32> = _S275 + seen_0.view_3;
+    var half_vector_1 : vec3<f32> = _S278 * vec3<f32>((1.0f / sqrt(max(square_0(_S278), 9.999999960041972e-13f))));
     taps_1.half_vector_0 = bin_taps_0(select_vector_2((half_vector_1.z) < 0.0f, (vec3<f32>(0) - half_vector_1), half_vector_1), u32(32));
     return taps_1;
 }
@@ -1434,49 +1573,49 @@ fn no_components_0() -> Components_0
 
 fn clustered_cosine_0( taps_2 : BaseTaps_0,  normal_1 : vec3<f32>) -> f32
 {
-    var _S271 : f32 = 0.0078740157186985f * dot(normal_1, taps_2.facing_0);
-    return select(_S271, - _S271, taps_2.transmits_1);
+    var _S279 : f32 = 0.0078740157186985f * dot(normal_1, taps_2.facing_0);
+    return select(_S279, - _S279, taps_2.transmits_1);
 }
 
 fn projected_area_1( direction_3 : vec3<f32>,  tangent_0 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S272 : f32 = dot(direction_3, tangent_0);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S272 * _S272 + 1.0f, roughness_1 * roughness_1));
+    var _S280 : f32 = dot(direction_3, tangent_0);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S280 * _S280 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn of_family_0( is_warp_0 : bool,  diffuse_0 : f32,  specular_0 : f32,  light_visibility_2 : f32) -> Components_0
 {
-    var result_1 : Components_0 = no_components_0();
-    result_1.diffuse_warp_0 = select(0.0f, diffuse_0, is_warp_0);
-    result_1.diffuse_weft_0 = select(diffuse_0, 0.0f, is_warp_0);
-    result_1.specular_warp_0 = select(0.0f, specular_0, is_warp_0);
-    result_1.specular_weft_0 = select(specular_0, 0.0f, is_warp_0);
-    result_1.light_visibility_1 = light_visibility_2;
-    return result_1;
+    var result_4 : Components_0 = no_components_0();
+    result_4.diffuse_warp_0 = select(0.0f, diffuse_0, is_warp_0);
+    result_4.diffuse_weft_0 = select(diffuse_0, 0.0f, is_warp_0);
+    result_4.specular_warp_0 = select(0.0f, specular_0, is_warp_0);
+    result_4.specular_weft_0 = select(specular_0, 0.0f, is_warp_0);
+    result_4.light_visibility_1 = light_visibility_2;
+    return result_4;
 }
 
-fn with_added_0( sums_3 : Components_0,  more_0 : Components_0,  weight_2 : f32) -> Components_0
+fn with_added_0( sums_6 : Components_0,  more_0 : Components_0,  weight_2 : f32) -> Components_0
 {
-    var result_2 : Components_0;
-    result_2.diffuse_warp_0 = sums_3.diffuse_warp_0 + weight_2 * more_0.diffuse_warp_0;
-    result_2.diffuse_weft_0 = sums_3.diffuse_weft_0 + weight_2 * more_0.diffuse_weft_0;
-    result_2.specular_warp_0 = sums_3.specular_warp_0 + weight_2 * more_0.specular_warp_0;
-    result_2.specular_weft_0 = sums_3.specular_weft_0 + weight_2 * more_0.specular_weft_0;
-    result_2.light_visibility_1 = sums_3.light_visibility_1 + weight_2 * more_0.light_visibility_1;
-    result_2.hole_0 = sums_3.hole_0 + weight_2 * more_0.hole_0;
-    return result_2;
+    var result_5 : Components_0;
+    result_5.diffuse_warp_0 = sums_6.diffuse_warp_0 + weight_2 * more_0.diffuse_warp_0;
+    result_5.diffuse_weft_0 = sums_6.diffuse_weft_0 + weight_2 * more_0.diffuse_weft_0;
+    result_5.specular_warp_0 = sums_6.specular_warp_0 + weight_2 * more_0.specular_warp_0;
+    result_5.specular_weft_0 = sums_6.specular_weft_0 + weight_2 * more_0.specular_weft_0;
+    result_5.light_visibility_1 = sums_6.light_visibility_1 + weight_2 * more_0.light_visibility_1;
+    result_5.hole_0 = sums_6.hole_0 + weight_2 * more_0.hole_0;
+    return result_5;
 }
 
 fn fourth_power_0( value_1 : f32) -> f32
 {
-    var _S273 : f32 = value_1 * value_1;
-    return _S273 * _S273;
+    var _S281 : f32 = value_1 * value_1;
+    return _S281 * _S281;
 }
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S274 : f32 = light_2.z;
-    return select_vector_2((_S274 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S274) * 0.31830987334251404f));
+    var _S282 : f32 = light_2.z;
+    return select_vector_2((_S282 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S282) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_9 : f32,  y_3 : f32) -> f32
@@ -1496,33 +1635,33 @@ fn sheen_reflectance_0( x_11 : f32,  y_5 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_2 : f32) -> vec3<f32>
 {
-    var _S275 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S276 : f32 = 2.0f * sqrt(_S275) - 1.0f;
-    var _S277 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_2, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S276, _S277), 0.00999999977648258f, 1.0f), clamp((1.0f - _S275) * sheen_shear_0(_S276, _S277), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S276, _S277), -60.0f, 60.0f))));
+    var _S283 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S284 : f32 = 2.0f * sqrt(_S283) - 1.0f;
+    var _S285 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_2, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S284, _S285), 0.00999999977648258f, 1.0f), clamp((1.0f - _S283) * sheen_shear_0(_S284, _S285), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S284, _S285), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S278 : f32 = light_3.z;
-    if(((_S278 <= 0.0f) | (((view_5.z) <= 0.0f))))
+    var _S286 : f32 = light_3.z;
+    if(((_S286 <= 0.0f) | (((view_5.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S279 : vec2<f32> = view_5.xy;
-    var _S280 : f32 = dot(_S279, _S279);
-    var _S281 : vec2<f32> = select_vector_1(_S280 > 9.99999968265522539e-21f, _S279 * vec2<f32>(rsqrt_0(max(_S280, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S282 : f32 = scale_0 * dot(light_3.xy, _S281) + shear_0 * _S278;
-    var _S283 : f32 = scale_0 * (light_3.y * _S281.x - light_3.x * _S281.y);
-    var _S284 : f32 = _S282 * _S282 + _S283 * _S283 + _S278 * _S278;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S278 / max(_S284 * _S284, 9.99999968265522539e-21f);
+    var _S287 : vec2<f32> = view_5.xy;
+    var _S288 : f32 = dot(_S287, _S287);
+    var _S289 : vec2<f32> = select_vector_1(_S288 > 9.99999968265522539e-21f, _S287 * vec2<f32>(rsqrt_0(max(_S288, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S290 : f32 = scale_0 * dot(light_3.xy, _S289) + shear_0 * _S286;
+    var _S291 : f32 = scale_0 * (light_3.y * _S289.x - light_3.x * _S289.y);
+    var _S292 : f32 = _S290 * _S290 + _S291 * _S291 + _S286 * _S286;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S286 / max(_S292 * _S292, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_3 : f32) -> vec2<f32>
 {
-    var _S285 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_3);
-    var _S286 : f32 = strength_0 * _S285.z;
-    return vec2<f32>(_S286 * transformed_cosine_0(light_4, view_6, _S285.x, _S285.y), 1.0f - _S286);
+    var _S293 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_3);
+    var _S294 : f32 = strength_0 * _S293.z;
+    return vec2<f32>(_S294 * transformed_cosine_0(light_4, view_6, _S293.x, _S293.y), 1.0f - _S294);
 }
 
 fn table_byte_0( table_2 : u32,  index_7 : u32) -> u32
@@ -1532,16 +1671,16 @@ fn table_byte_0( table_2 : u32,  index_7 : u32) -> u32
 
 fn gaussian_visibility_0( row_5 : u32,  towards_0 : vec3<f32>) -> f32
 {
-    var _S287 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(3)), table_number_0(row_5 + u32(4)), table_number_0(row_5 + u32(5))));
-    var _S288 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(6)), table_number_0(row_5 + u32(7)), table_number_0(row_5 + u32(8))));
-    return min(max(dot(towards_0, vec3<f32>(table_number_0(row_5), table_number_0(row_5 + u32(1)), table_number_0(row_5 + u32(2)))), 0.0f) * exponential_0(- (_S287 * _S287 + _S288 * _S288)), 1.0f);
+    var _S295 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(3)), table_number_0(row_5 + u32(4)), table_number_0(row_5 + u32(5))));
+    var _S296 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(6)), table_number_0(row_5 + u32(7)), table_number_0(row_5 + u32(8))));
+    return min(max(dot(towards_0, vec3<f32>(table_number_0(row_5), table_number_0(row_5 + u32(1)), table_number_0(row_5 + u32(2)))), 0.0f) * exponential_0(- (_S295 * _S295 + _S296 * _S296)), 1.0f);
 }
 
 fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
 {
-    var _S289 : f32 = layers_0[index_8].share_0;
+    var _S297 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_5;
-    layers_0[index_8].share_0 = _S289 * (1.0f - light_5.w);
+    layers_0[index_8].share_0 = _S297 * (1.0f - light_5.w);
     return;
 }
 
@@ -1565,147 +1704,152 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S290 : u32,  _S291 : u32,  _S292 : u32,  _S293 : vec2<f32>) -> f32
+fn uneven_shift_0( _S298 : u32,  _S299 : u32,  _S300 : u32,  _S301 : vec2<f32>) -> f32
 {
-    var _S294 : f32 = families_0[_S292].period_0 / families_0[_S292].count_0;
-    var _S295 : u32 = hash_key_0(_S291, ((fabrics_0[_S290].seed_0) ^ (u32(625341585))));
-    var _S296 : vec2<f32> = vec2<f32>(_S293.x, _S293.y / 4.0f) / vec2<f32>(_S294);
-    return 0.20000000298023224f * sqrt(families_0[_S292].slub_0) * _S294 * (uneven_octave_0(_S295, _S296) * 0.66666668653488159f + uneven_octave_0(_S295 + u32(1), vec2<f32>(2.0f) * _S296 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S302 : f32 = families_0[_S300].period_0 / families_0[_S300].count_0;
+    var _S303 : u32 = hash_key_0(_S299, ((fabrics_0[_S298].seed_0) ^ (u32(625341585))));
+    var _S304 : vec2<f32> = vec2<f32>(_S301.x, _S301.y / 4.0f) / vec2<f32>(_S302);
+    return 0.20000000298023224f * sqrt(families_0[_S300].slub_0) * _S302 * (uneven_octave_0(_S303, _S304) * 0.66666668653488159f + uneven_octave_0(_S303 + u32(1), vec2<f32>(2.0f) * _S304 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S297 : u32,  _S298 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S305 : u32,  _S306 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S297].has_detail_0) == u32(0), _S298, _S298 + vec2<f32>(uneven_shift_0(_S297, u32(0), fabrics_0[_S297].warp_0, _S298), uneven_shift_0(_S297, u32(1), fabrics_0[_S297].weft_0, _S298.yx)));
+    return select_vector_1((fabrics_0[_S305].has_detail_0) == u32(0), _S306, _S306 + vec2<f32>(uneven_shift_0(_S305, u32(0), fabrics_0[_S305].warp_0, _S306), uneven_shift_0(_S305, u32(1), fabrics_0[_S305].weft_0, _S306.yx)));
 }
 
-fn face_point_0( _S299 : u32,  _S300 : u32,  _S301 : f32,  _S302 : f32) -> VisiblePoint_0
+fn face_point_0( _S307 : u32,  _S308 : u32,  _S309 : f32,  _S310 : f32) -> VisiblePoint_0
 {
-    var _S303 : u32 = u32(3) * _S300;
-    var _S304 : Vertex_0 = vertex_at_0(_S303);
-    var _S305 : Vertex_0 = vertex_at_0(_S303 + u32(1));
-    var _S306 : Vertex_0 = vertex_at_0(_S303 + u32(2));
-    var _S307 : vec3<f32> = position_of_0(_S304);
-    var _S308 : vec3<f32> = position_of_0(_S305) - _S307;
-    var _S309 : vec3<f32> = position_of_0(_S306) - _S307;
-    var _S310 : f32 = _S305.u_0 - _S304.u_0;
-    var _S311 : f32 = _S305.v_0 - _S304.v_0;
-    var _S312 : vec2<f32> = vec2<f32>(_S310, _S311);
-    var _S313 : f32 = _S306.u_0 - _S304.u_0;
-    var _S314 : f32 = _S306.v_0 - _S304.v_0;
-    var _S315 : vec2<f32> = vec2<f32>(_S313, _S314);
-    var _S316 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S310 * _S314 - _S311 * _S313) < 0.0f));
-    var _S317 : vec3<f32> = _S316 * (vec3<f32>(_S314) * _S308 - vec3<f32>(_S311) * _S309);
-    var _S318 : vec3<f32> = _S316 * (vec3<f32>(_S310) * _S309 - vec3<f32>(_S313) * _S308);
+    var _S311 : u32 = u32(3) * _S308;
+    var _S312 : Vertex_0 = vertex_at_0(_S311);
+    var _S313 : Vertex_0 = vertex_at_0(_S311 + u32(1));
+    var _S314 : Vertex_0 = vertex_at_0(_S311 + u32(2));
+    var _S315 : vec3<f32> = position_of_0(_S312);
+    var _S316 : vec3<f32> = position_of_0(_S313) - _S315;
+    var _S317 : vec3<f32> = position_of_0(_S314) - _S315;
+    var _S318 : f32 = _S313.u_0 - _S312.u_0;
+    var _S319 : f32 = _S313.v_0 - _S312.v_0;
+    var _S320 : vec2<f32> = vec2<f32>(_S318, _S319);
+    var _S321 : f32 = _S314.u_0 - _S312.u_0;
+    var _S322 : f32 = _S314.v_0 - _S312.v_0;
+    var _S323 : vec2<f32> = vec2<f32>(_S321, _S322);
+    var _S324 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S318 * _S322 - _S319 * _S321) < 0.0f));
+    var _S325 : vec3<f32> = _S324 * (vec3<f32>(_S322) * _S316 - vec3<f32>(_S319) * _S317);
+    var _S326 : vec3<f32> = _S324 * (vec3<f32>(_S318) * _S317 - vec3<f32>(_S321) * _S316);
     var point_1 : VisiblePoint_0;
-    var _S319 : vec3<f32> = vec3<f32>(_S301);
-    var _S320 : vec3<f32> = vec3<f32>(_S302);
-    var _S321 : vec3<f32> = normalize(vec3<f32>((1.0f - _S301 - _S302)) * normal_of_0(_S304) + _S319 * normal_of_0(_S305) + _S320 * normal_of_0(_S306));
-    point_1.normal_0 = _S321;
-    var _S322 : vec3<f32> = normalize(_S317 - _S321 * vec3<f32>(dot(_S321, _S317)));
-    point_1.axis_x_0 = _S322;
-    point_1.axis_y_0 = cross(_S321, _S322);
-    var _S323 : vec3<f32> = normalize(cross(_S308, _S309));
-    point_1.face_normal_0 = select_vector_2((dot(_S323, _S321)) < 0.0f, (vec3<f32>(0) - _S323), _S323);
-    point_1.position_4 = _S307 + _S319 * _S308 + _S320 * _S309;
-    point_1.view_0 = _S321;
-    var _S324 : vec2<f32> = vec2<f32>(_S304.u_0, _S304.v_0) + vec2<f32>(_S301) * _S312 + vec2<f32>(_S302) * _S315;
-    point_1.uv_1 = _S324;
-    var _S325 : bool = (dot(cross(_S317, _S318), _S321)) < 0.0f;
-    var _S326 : vec2<f32> = vec2<f32>(fabrics_0[_S299].uv_width_0, select(fabrics_0[_S299].uv_height_0, - fabrics_0[_S299].uv_height_0, _S325));
-    point_1.draft_per_uv_0 = _S326;
-    point_1.draft_0 = uneven_place_0(_S299, _S324 * _S326 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S299].uv_height_0, _S325)));
-    var _S327 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S327;
-    point_1.draft_dy_0 = _S327;
+    var _S327 : vec3<f32> = vec3<f32>(_S309);
+    var _S328 : vec3<f32> = vec3<f32>(_S310);
+    var _S329 : vec3<f32> = normalize(vec3<f32>((1.0f - _S309 - _S310)) * normal_of_0(_S312) + _S327 * normal_of_0(_S313) + _S328 * normal_of_0(_S314));
+    point_1.normal_0 = _S329;
+    var _S330 : vec3<f32> = normalize(_S325 - _S329 * vec3<f32>(dot(_S329, _S325)));
+    point_1.axis_x_0 = _S330;
+    point_1.axis_y_0 = cross(_S329, _S330);
+    var _S331 : vec3<f32> = normalize(cross(_S316, _S317));
+    point_1.face_normal_0 = select_vector_2((dot(_S331, _S329)) < 0.0f, (vec3<f32>(0) - _S331), _S331);
+    point_1.position_4 = _S315 + _S327 * _S316 + _S328 * _S317;
+    point_1.view_0 = _S329;
+    var _S332 : vec2<f32> = vec2<f32>(_S312.u_0, _S312.v_0) + vec2<f32>(_S309) * _S320 + vec2<f32>(_S310) * _S323;
+    point_1.uv_1 = _S332;
+    var _S333 : bool = (dot(cross(_S325, _S326), _S329)) < 0.0f;
+    var _S334 : vec2<f32> = vec2<f32>(fabrics_0[_S307].uv_width_0, select(fabrics_0[_S307].uv_height_0, - fabrics_0[_S307].uv_height_0, _S333));
+    point_1.draft_per_uv_0 = _S334;
+    point_1.draft_0 = uneven_place_0(_S307, _S332 * _S334 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S307].uv_height_0, _S333)));
+    var _S335 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S335;
+    point_1.draft_dy_0 = _S335;
     return point_1;
 }
 
-fn visible_point_0( _S328 : u32,  _S329 : u32,  _S330 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S336 : u32,  _S337 : u32,  _S338 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S331 : u32 = u32(3) * _S329;
-    var _S332 : Vertex_0 = vertex_at_0(_S331);
-    var _S333 : Vertex_0 = vertex_at_0(_S331 + u32(1));
-    var _S334 : Vertex_0 = vertex_at_0(_S331 + u32(2));
-    var _S335 : vec3<f32> = position_of_0(_S332);
-    var _S336 : vec3<f32> = position_of_0(_S333) - _S335;
-    var _S337 : vec3<f32> = position_of_0(_S334) - _S335;
-    var _S338 : vec3<f32> = cross(_S336, _S337);
-    var _S339 : f32 = f32(frame_record_0.width_0);
-    var _S340 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S339));
-    var _S341 : f32 = f32(frame_record_0.height_0);
-    var _S342 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S341));
-    var _S343 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S330.x) + 0.5f - 0.5f * _S339)) * _S340 + vec3<f32>((f32(_S330.y) + 0.5f - 0.5f * _S341)) * _S342;
-    var _S344 : f32 = dot(_S343, _S338);
-    var _S345 : f32 = 1.0f / select(1.00000000317107685e-30f, _S344, (abs(_S344)) > 1.00000000317107685e-30f);
-    var _S346 : vec3<f32> = _S335 - camera_origin_0();
-    var _S347 : vec3<f32> = vec3<f32>((dot(_S346, _S338) * _S345));
-    var _S348 : vec3<f32> = _S343 * _S347 - _S346;
-    var _S349 : vec3<f32> = _S347 * (_S340 - _S343 * vec3<f32>((dot(_S340, _S338) * _S345)));
-    var _S350 : vec3<f32> = _S347 * (_S342 - _S343 * vec3<f32>((dot(_S342, _S338) * _S345)));
-    var _S351 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S338), 1.00000000317107685e-30f)));
-    var _S352 : vec3<f32> = cross(_S337, _S338) * _S351;
-    var _S353 : vec3<f32> = cross(_S338, _S336) * _S351;
-    var _S354 : vec2<f32> = vec2<f32>(_S333.u_0 - _S332.u_0, _S333.v_0 - _S332.v_0);
-    var _S355 : vec2<f32> = vec2<f32>(_S334.u_0 - _S332.u_0, _S334.v_0 - _S332.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S328, _S329, dot(_S348, _S352), dot(_S348, _S353));
-    point_2.position_4 = _S335 + _S348;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S343));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S349, _S352)) * _S354 + vec2<f32>(dot(_S349, _S353)) * _S355) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S350, _S352)) * _S354 + vec2<f32>(dot(_S350, _S353)) * _S355) * point_2.draft_per_uv_0;
+    var _S339 : u32 = u32(3) * _S337;
+    var _S340 : Vertex_0 = vertex_at_0(_S339);
+    var _S341 : Vertex_0 = vertex_at_0(_S339 + u32(1));
+    var _S342 : Vertex_0 = vertex_at_0(_S339 + u32(2));
+    var _S343 : vec3<f32> = position_of_0(_S340);
+    var _S344 : vec3<f32> = position_of_0(_S341) - _S343;
+    var _S345 : vec3<f32> = position_of_0(_S342) - _S343;
+    var _S346 : vec3<f32> = cross(_S344, _S345);
+    var _S347 : f32 = f32(frame_record_0.width_0);
+    var _S348 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S347));
+    var _S349 : f32 = f32(frame_record_0.height_0);
+    var _S350 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S349));
+    var _S351 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S338.x) + 0.5f - 0.5f * _S347)) * _S348 + vec3<f32>((f32(_S338.y) + 0.5f - 0.5f * _S349)) * _S350;
+    var _S352 : f32 = dot(_S351, _S346);
+    var _S353 : f32 = 1.0f / select(1.00000000317107685e-30f, _S352, (abs(_S352)) > 1.00000000317107685e-30f);
+    var _S354 : vec3<f32> = _S343 - camera_origin_0();
+    var _S355 : vec3<f32> = vec3<f32>((dot(_S354, _S346) * _S353));
+    var _S356 : vec3<f32> = _S351 * _S355 - _S354;
+    var _S357 : vec3<f32> = _S355 * (_S348 - _S351 * vec3<f32>((dot(_S348, _S346) * _S353)));
+    var _S358 : vec3<f32> = _S355 * (_S350 - _S351 * vec3<f32>((dot(_S350, _S346) * _S353)));
+    var _S359 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S346), 1.00000000317107685e-30f)));
+    var _S360 : vec3<f32> = cross(_S345, _S346) * _S359;
+    var _S361 : vec3<f32> = cross(_S346, _S344) * _S359;
+    var _S362 : vec2<f32> = vec2<f32>(_S341.u_0 - _S340.u_0, _S341.v_0 - _S340.v_0);
+    var _S363 : vec2<f32> = vec2<f32>(_S342.u_0 - _S340.u_0, _S342.v_0 - _S340.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S336, _S337, dot(_S356, _S360), dot(_S356, _S361));
+    point_2.position_4 = _S343 + _S356;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S351));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S357, _S360)) * _S362 + vec2<f32>(dot(_S357, _S361)) * _S363) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S358, _S360)) * _S362 + vec2<f32>(dot(_S358, _S361)) * _S363) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S356 : u32,  _S357 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S364 : u32,  _S365 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S358 : u32 = fabrics_0[_S356].albedo_map_levels_0;
-    if((fabrics_0[_S356].albedo_map_levels_0) == u32(0))
+    var _S366 : u32 = fabrics_0[_S364].albedo_map_levels_0;
+    if((fabrics_0[_S364].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S359 : vec2<f32> = vec2<f32>(fabrics_0[_S356].uv_width_0, fabrics_0[_S356].uv_height_0);
-    var _S360 : vec2<f32> = _S357.draft_dx_0 / _S359;
-    var _S361 : vec2<f32> = _S357.draft_dy_0 / _S359;
-    var _S362 : u32 = _S358 - u32(1);
-    var _S363 : u32 = (u32(1) << (_S362));
-    var _S364 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S360.x * _S361.y - _S360.y * _S361.x), 9.99999968265522539e-21f) * (square_1(f32(_S363)) / 3.0f)), 0.0f, f32(_S358) - 1.0f);
-    var _S365 : u32 = min(u32(_S364), max(_S358, u32(2)) - u32(2));
-    var _S366 : u32 = min(_S365 + u32(1), _S362);
-    var _S367 : u32 = (u32(1) << ((u32(2) * _S358)));
-    return mix(map_level_0(fabrics_0[_S356].albedo_map_0 + (_S367 - ((_S367 >> ((u32(2) * _S365))))) / u32(3), (_S363 >> (_S365)), _S357.uv_1), map_level_0(fabrics_0[_S356].albedo_map_0 + (_S367 - ((_S367 >> ((u32(2) * _S366))))) / u32(3), (_S363 >> (_S366)), _S357.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S364 - f32(_S365))) - 1.0f) / 3.0f)));
+    var _S367 : vec2<f32> = vec2<f32>(fabrics_0[_S364].uv_width_0, fabrics_0[_S364].uv_height_0);
+    var _S368 : vec2<f32> = _S365.draft_dx_0 / _S367;
+    var _S369 : vec2<f32> = _S365.draft_dy_0 / _S367;
+    var _S370 : u32 = _S366 - u32(1);
+    var _S371 : u32 = (u32(1) << (_S370));
+    var _S372 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S368.x * _S369.y - _S368.y * _S369.x), 9.99999968265522539e-21f) * (square_1(f32(_S371)) / 3.0f)), 0.0f, f32(_S366) - 1.0f);
+    var _S373 : u32 = min(u32(_S372), max(_S366, u32(2)) - u32(2));
+    var _S374 : u32 = min(_S373 + u32(1), _S370);
+    var _S375 : u32 = (u32(1) << ((u32(2) * _S366)));
+    return mix(map_level_0(fabrics_0[_S364].albedo_map_0 + (_S375 - ((_S375 >> ((u32(2) * _S373))))) / u32(3), (_S371 >> (_S373)), _S365.uv_1), map_level_0(fabrics_0[_S364].albedo_map_0 + (_S375 - ((_S375 >> ((u32(2) * _S374))))) / u32(3), (_S371 >> (_S374)), _S365.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S372 - f32(_S373))) - 1.0f) / 3.0f)));
 }
 
-fn irregular_key_0( _S368 : u32,  _S369 : u32) -> u32
+fn is_layered_0( _S376 : u32) -> bool
 {
-    return hash_key_0(_S369, ((fabrics_0[_S368].seed_0) ^ (u32(1821285621))));
+    return (HAS_LAYERS_0 & (((fabrics_0[_S376].planes_0) != u32(0))));
 }
 
-fn irregular_place_0( _S370 : u32,  _S371 : vec2<f32>,  _S372 : f32) -> vec2<f32>
+fn irregular_key_0( _S377 : u32,  _S378 : u32) -> u32
 {
-    var _S373 : u32 = fabrics_0[_S370].warp_0;
-    var _S374 : u32 = fabrics_0[_S370].weft_0;
-    var _S375 : bool = (((fabrics_0[_S370].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S370].warp_0, _S372), moved_share_0(fabrics_0[_S370].weft_0, _S372))) > 0.0f)));
+    return hash_key_0(_S378, ((fabrics_0[_S377].seed_0) ^ (u32(1821285621))));
+}
+
+fn irregular_place_0( _S379 : u32,  _S380 : vec2<f32>,  _S381 : f32) -> vec2<f32>
+{
+    var _S382 : u32 = fabrics_0[_S379].warp_0;
+    var _S383 : u32 = fabrics_0[_S379].weft_0;
+    var _S384 : bool = (((((fabrics_0[_S379].is_irregular_0) != u32(0)) & ((!is_layered_0(_S379))))) & (((max(moved_share_0(fabrics_0[_S379].warp_0, _S381), moved_share_0(fabrics_0[_S379].weft_0, _S381))) > 0.0f)));
     var number_5 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S371;
+    var moved_0 : vec2<f32> = _S380;
     for(;;)
     {
-        if(number_5 < select(u32(0), u32(2), _S375))
+        if(number_5 < select(u32(0), u32(2), _S384))
         {
         }
         else
         {
             break;
         }
-        var _S376 : bool = number_5 == u32(0);
-        var _S377 : u32 = select(_S374, _S373, _S376);
-        var _S378 : vec2<f32> = select_vector_1(_S376, _S371, _S371.yx);
-        var _S379 : u32 = irregular_key_0(_S370, number_5);
-        var _S380 : f32 = _S378.x;
-        var _S381 : Cell_0 = locate_0(_S377, _S380);
-        var _S382 : f32 = irregular_thread_0(_S377, _S380, _S381);
-        var _S383 : f32 = select(1.0f, -1.0f, (_S381.across_0) < 0.0f);
-        var _S384 : vec2<f32> = vec2<f32>(0.0f);
-        var other_1 : vec2<f32> = _S384;
-        var own_1 : vec2<f32> = _S384;
+        var _S385 : bool = number_5 == u32(0);
+        var _S386 : u32 = select(_S383, _S382, _S385);
+        var _S387 : vec2<f32> = select_vector_1(_S385, _S380, _S380.yx);
+        var _S388 : u32 = irregular_key_0(_S379, number_5);
+        var _S389 : f32 = _S387.x;
+        var _S390 : Cell_0 = locate_0(_S386, _S389);
+        var _S391 : f32 = irregular_thread_0(_S386, _S389, _S390);
+        var _S392 : f32 = select(1.0f, -1.0f, (_S390.across_0) < 0.0f);
+        var _S393 : vec2<f32> = vec2<f32>(0.0f);
+        var other_1 : vec2<f32> = _S393;
+        var own_1 : vec2<f32> = _S393;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -1716,34 +1860,28 @@ fn irregular_place_0( _S370 : u32,  _S371 : vec2<f32>,  _S372 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S385 : vec2<f32> = irregular_at_0(_S377, _S379, _S382 + _S383 * f32(neighbour_0), _S378.y).xy;
-            var _S386 : u32 = neighbour_0 + u32(1);
+            var _S394 : vec2<f32> = irregular_at_0(_S386, _S388, _S391 + _S392 * f32(neighbour_0), _S387.y).xy;
+            var _S395 : u32 = neighbour_0 + u32(1);
             own_1 = other_1;
-            other_1 = _S385;
-            neighbour_0 = _S386;
+            other_1 = _S394;
+            neighbour_0 = _S395;
         }
-        var _S387 : f32 = _S381.below_0 + _S381.above_0;
-        var _S388 : f32 = min(_S381.half_width_1 / _S387, 0.5f);
-        var _S389 : f32 = min(_S388 * (2.0f + own_1.y + other_1.y), 1.0f);
-        var _S390 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
-        var _S391 : f32 = _S390.x;
-        var _S392 : f32 = _S389 * _S391 / (_S391 + _S390.y);
-        var _S393 : f32 = abs(_S381.across_0) / _S387;
-        var _S394 : f32 = 1.0f - _S389;
-        var _S395 : f32 = _S393 - _S392;
-        var _S396 : f32 = moved_share_0(_S377, _S372) * _S383 * _S387 * (select(select((_S395 - _S394) / max(_S389 - _S392, 9.99999997475242708e-07f) * _S388 + (1.0f - _S388), _S395 / max(_S394, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S388) + _S388, _S395 < _S394), _S393 * _S388 / _S392, _S395 < 0.0f) - _S393);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S376, vec2<f32>(_S396, 0.0f), vec2<f32>(0.0f, _S396));
+        var _S396 : f32 = _S390.below_0 + _S390.above_0;
+        var _S397 : f32 = min(_S390.half_width_1 / _S396, 0.5f);
+        var _S398 : f32 = min(_S397 * (2.0f + own_1.y + other_1.y), 1.0f);
+        var _S399 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
+        var _S400 : f32 = _S399.x;
+        var _S401 : f32 = _S398 * _S400 / (_S400 + _S399.y);
+        var _S402 : f32 = abs(_S390.across_0) / _S396;
+        var _S403 : f32 = 1.0f - _S398;
+        var _S404 : f32 = _S402 - _S401;
+        var _S405 : f32 = moved_share_0(_S386, _S381) * _S392 * _S396 * (select(select((_S404 - _S403) / max(_S398 - _S401, 9.99999997475242708e-07f) * _S397 + (1.0f - _S397), _S404 / max(_S403, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S397) + _S397, _S404 < _S403), _S402 * _S397 / _S401, _S404 < 0.0f) - _S402);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S385, vec2<f32>(_S405, 0.0f), vec2<f32>(0.0f, _S405));
         number_5 = number_5 + u32(1);
         moved_0 = moved_1;
     }
     return moved_0;
 }
-
-struct FamilyAlbedos_0
-{
-     warp_5 : Albedos_0,
-     weft_5 : Albedos_0,
-};
 
 struct ClusteredView_0
 {
@@ -1751,334 +1889,433 @@ struct ClusteredView_0
      yarns_0 : Yarns_0,
      even_hole_0 : f32,
      hole_1 : f32,
-     albedos_4 : FamilyAlbedos_0,
+     albedos_6 : FamilyAlbedos_0,
      bounced_2 : Bounced_0,
      view_7 : vec3<f32>,
 };
 
-fn viewed_base_0( _S397 : u32,  _S398 : Footprint_0,  _S399 : vec3<f32>,  _S400 : f32) -> ViewedBase_0
+fn viewed_base_0( _S406 : u32,  _S407 : Footprint_0,  _S408 : vec3<f32>,  _S409 : f32) -> ViewedBase_0
 {
     var seen_1 : ViewedBase_0;
-    var _S401 : bool = (_S399.z) < 0.0f;
-    seen_1.back_5 = _S401;
-    var _S402 : vec3<f32> = to_face_frame_0(_S399, _S401);
-    seen_1.view_3 = _S402;
-    var _S403 : u32 = select(u32(0), u32(1), _S401);
-    seen_1.face_6 = _S403;
-    var _S404 : Clustered_std430_0 = fabrics_0[_S397].clustered_0;
-    var _S405 : f32 = _S400 - 0.5f;
-    var _S406 : TexelBox_0 = texel_box_0(&(_S404), _S398, vec2<f32>(0.0f), _S405);
-    var _S407 : vec2<f32> = parallax_offset_0(&(_S404), _S406, _S403, _S402);
-    var _S408 : TexelBox_0 = texel_box_0(&(_S404), _S398, _S407, _S405);
-    seen_1.box_5 = _S408;
+    var _S410 : bool = (_S408.z) < 0.0f;
+    seen_1.back_6 = _S410;
+    var _S411 : vec3<f32> = to_face_frame_0(_S408, _S410);
+    seen_1.view_3 = _S411;
+    var _S412 : u32 = select(u32(0), u32(1), _S410);
+    seen_1.face_6 = _S412;
+    var _S413 : Clustered_std430_0 = fabrics_0[_S406].clustered_0;
+    var _S414 : f32 = _S409 - 0.5f;
+    var _S415 : TexelBox_0 = texel_box_0(&(_S413), _S407, vec2<f32>(0.0f), _S414);
+    var _S416 : vec2<f32> = parallax_offset_0(&(_S413), _S415, _S412, _S411);
+    var _S417 : TexelBox_0 = texel_box_0(&(_S413), _S407, _S416, _S414);
+    seen_1.box_5 = _S417;
     return seen_1;
 }
 
-fn texel_hole_0( _S409 : u32,  _S410 : ViewedBase_0) -> f32
+fn texel_hole_0( _S418 : u32,  _S419 : ViewedBase_0) -> f32
 {
     var cluster_0 : u32 = u32(0);
     var covered_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S411 : Clustered_std430_0 = fabrics_0[_S409].clustered_0;
-        if(cluster_0 < (_S411.clusters_0))
+        var _S420 : Clustered_std430_0 = fabrics_0[_S418].clustered_0;
+        if(cluster_0 < (_S420.clusters_0))
         {
         }
         else
         {
             break;
         }
-        var _S412 : f32 = box_mean_0(&(_S411), _S410.box_5, _S410.face_6, cluster_0);
-        var covered_1 : f32 = covered_0 + _S412;
+        var _S421 : f32 = box_mean_0(&(_S420), _S419.box_5, _S419.face_6, cluster_0);
+        var covered_1 : f32 = covered_0 + _S421;
         cluster_0 = cluster_0 + u32(1);
         covered_0 = covered_1;
     }
     return clamp(1.0f - covered_0, 0.0f, 1.0f);
 }
 
-fn yarns_over_0( _S413 : u32,  _S414 : Footprint_0,  _S415 : bool) -> Yarns_0
+fn yarns_over_0( _S422 : u32,  _S423 : Footprint_0,  _S424 : bool) -> Yarns_0
 {
-    var _S416 : vec2<f32> = _S414.dx_0;
-    var _S417 : vec2<f32> = _S414.dy_0;
-    var _S418 : vec2<f32> = sqrt(_S416 * _S416 + _S417 * _S417);
-    var _S419 : f32 = Footprint_spread_side_0(_S414);
-    var _S420 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S420, _S420, vec3<f32>(0.0f));
-    var _S421 : bool = (fabrics_0[_S413].is_irregular_0) != u32(0);
+    var _S425 : vec2<f32> = _S423.dx_0;
+    var _S426 : vec2<f32> = _S423.dy_0;
+    var _S427 : vec2<f32> = sqrt(_S425 * _S425 + _S426 * _S426);
+    var _S428 : f32 = Footprint_spread_side_0(_S423);
+    var _S429 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S429, _S429, vec3<f32>(0.0f));
+    var _S430 : bool = (fabrics_0[_S422].is_irregular_0) != u32(0);
     var number_6 : u32 = u32(0);
     for(;;)
     {
-        if(number_6 < select(u32(0), u32(2), _S421))
+        if(number_6 < select(u32(0), u32(2), _S430))
         {
         }
         else
         {
             break;
         }
-        var _S422 : bool = number_6 == u32(0);
-        var _S423 : u32 = select(fabrics_0[_S413].weft_0, fabrics_0[_S413].warp_0, _S422);
-        var _S424 : vec2<f32> = select_vector_1(_S422, _S414.centre_0, _S414.centre_0.yx);
-        var _S425 : vec2<f32> = select_vector_1(_S422, _S418, _S418.yx);
-        var _S426 : f32 = _S424.x;
-        var _S427 : Cell_0 = locate_0(_S423, _S426);
-        var yarn_1 : vec4<f32> = irregular_over_0(_S423, irregular_key_0(_S413, number_6), irregular_thread_0(_S423, _S426, _S427) + _S427.below_0 / (_S427.below_0 + _S427.above_0), _S425.x * (families_0[_S423].count_0 / families_0[_S423].period_0), _S424.y, _S425.y);
-        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S423, _S419));
+        var _S431 : bool = number_6 == u32(0);
+        var _S432 : u32 = select(fabrics_0[_S422].weft_0, fabrics_0[_S422].warp_0, _S431);
+        var _S433 : vec2<f32> = select_vector_1(_S431, _S423.centre_0, _S423.centre_0.yx);
+        var _S434 : vec2<f32> = select_vector_1(_S431, _S427, _S427.yx);
+        var _S435 : f32 = _S433.x;
+        var _S436 : Cell_0 = locate_0(_S432, _S435);
+        var yarn_1 : vec4<f32> = irregular_over_0(_S432, irregular_key_0(_S422, number_6), irregular_thread_0(_S432, _S435, _S436) + _S436.below_0 / (_S436.below_0 + _S436.above_0), _S434.x * (families_0[_S432].count_0 / families_0[_S432].period_0), _S433.y, _S434.y);
+        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S432, _S428));
         yarns_1.warp_1 = yarns_1.weft_1;
         yarns_1.weft_1 = yarn_1;
         number_6 = number_6 + u32(1);
     }
-    var _S428 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S413].warp_0].cover_0, families_0[fabrics_0[_S413].weft_0].cover_0);
-    var _S429 : f32 = select(fabrics_0[_S413].warp_on_top_0, 1.0f - fabrics_0[_S413].warp_on_top_0, _S415);
-    var _S430 : vec3<f32> = shown_of_covers_0(_S428, _S429);
-    var _S431 : vec3<f32> = select_vector_2(_S421, shown_of_covers_0(saturate(_S428 + _S428 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S429) / max(_S430, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_1.shares_0 = _S431;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S431.z, (_S430.z) > 0.00009999999747379f);
+    var _S437 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S422].warp_0].cover_0, families_0[fabrics_0[_S422].weft_0].cover_0);
+    var _S438 : f32 = select(fabrics_0[_S422].warp_on_top_0, 1.0f - fabrics_0[_S422].warp_on_top_0, _S424);
+    var _S439 : vec3<f32> = shown_of_covers_0(_S437, _S438);
+    var _S440 : vec3<f32> = select_vector_2(_S430, shown_of_covers_0(saturate(_S437 + _S437 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S438) / max(_S439, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_1.shares_0 = _S440;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S440.z, (_S439.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn albedos_over_0( _S432 : u32,  _S433 : Footprint_0,  _S434 : bool) -> FamilyAlbedos_0
+fn plane_count_0( _S441 : u32) -> u32
 {
-    var _S435 : vec2<f32> = _S433.dx_0;
-    var _S436 : vec2<f32> = _S433.dy_0;
-    var _S437 : vec2<f32> = sqrt(_S435 * _S435 + _S436 * _S436);
-    var _S438 : Stretch_0 = stretch_of_0(fabrics_0[_S432].warp_0, _S433.centre_0.x, _S437.x);
-    var _S439 : Stretch_0 = stretch_of_0(fabrics_0[_S432].weft_0, _S433.centre_0.y, _S437.y);
-    var albedos_5 : FamilyAlbedos_0;
-    albedos_5.warp_5 = mean_albedos_0(fabrics_0[_S432].warp_0, fabrics_0[_S432].weft_0, _S438, _S439, _S434);
-    albedos_5.weft_5 = mean_albedos_0(fabrics_0[_S432].weft_0, fabrics_0[_S432].warp_0, _S439, _S438, _S434);
-    return albedos_5;
+    return select(u32(1), fabrics_0[_S441].planes_0, is_layered_0(_S441));
 }
 
-fn toned_0( _S440 : u32,  _S441 : u32,  _S442 : Albedos_0,  _S443 : vec4<f32>) -> Albedos_0
+fn whole_plane_0( _S442 : u32) -> Plane_0
 {
-    var _S444 : vec3<f32> = _S442.diffuse_reflect_0 + _S442.diffuse_transmit_0;
-    var _S445 : vec3<f32> = vec3<f32>(1.0f);
-    var _S446 : vec3<f32> = _S445 - vec3<f32>(fabrics_0[_S440].layer_bound_0) * max(_S442.specular_reflect_0, _S442.specular_transmit_0);
-    var _S447 : vec3<f32> = vec3<f32>(0.0f);
-    var _S448 : vec3<f32> = max(_S445 - _S444, _S447) / (_S445 + _S444);
-    var _S449 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S450 : vec3<f32> = (_S446 / max(_S444, _S449) - _S445) / max(vec3<f32>(0.89999997615814209f) * _S448, _S449);
-    var _S451 : vec3<f32> = _S445 - vec3<f32>((saturate(min(min(_S450.x, _S450.y), _S450.z)) * _S443.z)) * _S448;
-    var _S452 : vec3<f32> = min(vec3<f32>(families_0[_S441].nep_red_0, families_0[_S441].nep_green_0, families_0[_S441].nep_blue_0), _S446);
-    var found_1 : Albedos_0 = _S442;
-    var _S453 : f32 = _S443.w;
-    var _S454 : vec3<f32> = _S451 * _S442.diffuse_transmit_0 * vec3<f32>((1.0f - _S453));
-    found_1.diffuse_transmit_0 = _S454;
-    found_1.diffuse_reflect_0 = clamp(mix(_S451 * _S442.diffuse_reflect_0, _S452, vec3<f32>(_S453)), _S447, max(_S446 - _S454, _S447));
-    return found_1;
+    var plane_1 : Plane_0;
+    plane_1.warp_5 = fabrics_0[_S442].warp_0;
+    plane_1.weft_5 = fabrics_0[_S442].weft_0;
+    plane_1.run_words_1 = fabrics_0[_S442].run_words_0;
+    plane_1.ends_2 = fabrics_0[_S442].ends_1;
+    plane_1.end_numbers_0 = u32(0);
+    plane_1.pick_numbers_0 = u32(0);
+    plane_1.max_heights_1 = fabrics_0[_S442].max_heights_0;
+    plane_1.max_height_columns_1 = fabrics_0[_S442].max_height_columns_0;
+    plane_1.height_low_1 = fabrics_0[_S442].height_low_0;
+    plane_1.height_high_1 = fabrics_0[_S442].height_high_0;
+    plane_1.front_level_0 = 0.0f;
+    plane_1.back_level_0 = 0.0f;
+    plane_1.start_x_0 = 0.0f;
+    plane_1.start_y_0 = 0.0f;
+    plane_1.fine_x_0 = 0.0f;
+    plane_1.fine_y_0 = 0.0f;
+    return plane_1;
 }
 
-fn with_tones_0( _S455 : u32,  _S456 : FamilyAlbedos_0,  _S457 : Yarns_0) -> FamilyAlbedos_0
+fn plane_of_0( _S443 : u32,  _S444 : u32) -> Plane_0
 {
-    if((fabrics_0[_S455].is_irregular_0) == u32(0))
+    if(!is_layered_0(_S443))
     {
-        return _S456;
+        return whole_plane_0(_S443);
     }
-    var result_3 : FamilyAlbedos_0;
-    result_3.warp_5 = toned_0(_S455, fabrics_0[_S455].warp_0, _S456.warp_5, _S457.warp_1);
-    result_3.weft_5 = toned_0(_S455, fabrics_0[_S455].weft_0, _S456.weft_5, _S457.weft_1);
-    return result_3;
+    return plane_at_0(fabrics_0[_S443].plane_records_0 + _S444 * u32(16));
 }
 
-fn openness_number_0( _S458 : u32,  _S459 : u32) -> f32
+fn stack_share_0( _S445 : u32,  _S446 : vec2<f32>,  _S447 : vec2<f32>,  _S448 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S458].openness_0 + _S459);
+    if((fabrics_0[_S445].stacks_0) == u32(1))
+    {
+        return 1.0f;
+    }
+    var _S449 : u32 = fabrics_0[_S445].plane_axes_0 + u32(1);
+    var _S450 : Stretch_0 = stretch_of_0(fabrics_0[_S445].plane_axes_0, _S446.x, _S447.x);
+    var _S451 : Stretch_0 = stretch_of_0(_S449, _S446.y, _S447.y);
+    return clamp(integral_on_top_0(fabrics_0[_S445].plane_axes_0, _S450, _S451, u32(families_0[_S449].count_0), _S448) / (lengths_0(fabrics_0[_S445].plane_axes_0, _S450).x * lengths_0(_S449, _S451).x), 0.0f, 1.0f);
 }
 
-fn scattered_by_0( _S460 : u32,  _S461 : Albedos_0,  _S462 : u32,  _S463 : vec3<f32>) -> Scattered_0
+fn albedos_over_0( _S452 : u32,  _S453 : Footprint_0,  _S454 : bool) -> FamilyAlbedos_0
 {
-    var _S464 : u32 = u32(159) + u32(2) * _S462;
-    var yarn_2 : Scattered_0;
-    yarn_2.back_4 = _S463 * _S461.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S460, _S464)) * _S461.specular_reflect_0;
-    yarn_2.through_0 = _S463 * _S461.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S460, _S464 + u32(1))) * _S461.specular_transmit_0;
-    return yarn_2;
-}
-
-fn sent_0( _S465 : u32,  _S466 : u32,  _S467 : vec3<f32>,  _S468 : vec3<f32>,  _S469 : vec3<f32>,  _S470 : vec3<f32>,  _S471 : ptr<function, vec3<f32>>,  _S472 : ptr<function, vec3<f32>>)
-{
-    var _S473 : u32 = u32(146) + u32(4) * _S466;
-    var _S474 : f32 = openness_number_0(_S465, _S473 + u32(1));
-    var _S475 : f32 = openness_number_0(_S465, _S473 + u32(2));
-    var _S476 : vec3<f32> = vec3<f32>(1.0f);
-    var _S477 : vec3<f32> = _S476 - _S469 * vec3<f32>(openness_number_0(_S465, _S473));
-    var _S478 : vec3<f32> = _S476 - _S470 * vec3<f32>(openness_number_0(_S465, _S473 + u32(3)));
-    var _S479 : vec3<f32> = _S476 / (_S477 * _S478 - _S469 * _S470 * vec3<f32>((_S474 * _S475)));
-    (*_S471) = (_S467 * _S478 + _S469 * vec3<f32>(_S474) * _S468) * _S479;
-    (*_S472) = (_S468 * _S477 + _S470 * vec3<f32>(_S475) * _S467) * _S479;
-    return;
-}
-
-fn face_sends_0( _S480 : u32,  _S481 : u32,  _S482 : Scattered_0,  _S483 : Scattered_0) -> FaceSends_0
-{
-    var _S484 : u32 = u32(2) * _S481;
-    var _S485 : u32 = u32(142) + _S484;
-    var _S486 : f32 = openness_number_0(_S480, _S485);
-    var _S487 : f32 = openness_number_0(_S480, _S485 + u32(1));
-    var _S488 : vec3<f32> = vec3<f32>((1.0f - _S486)) * _S482.back_4;
-    var _S489 : vec3<f32> = vec3<f32>((1.0f - _S487)) * _S483.back_4;
-    var sends_1 : FaceSends_0;
-    var _S490 : u32 = u32(154) + _S484;
-    var _S491 : f32 = openness_number_0(_S480, _S490);
-    sends_1.blocks_warp_0 = _S491;
-    var _S492 : f32 = openness_number_0(_S480, _S490 + u32(1));
-    sends_1.blocks_weft_0 = _S492;
-    sends_1.open_0 = _S491 * _S486 + _S492 * _S487;
-    var _S493 : vec3<f32> = vec3<f32>(_S486) * _S482.back_4;
-    var _S494 : vec3<f32> = vec3<f32>(_S487) * _S483.back_4;
-    var _S495 : vec3<f32> = sends_1.sky_warp_0;
-    var _S496 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S480, _S481, _S493, _S494, _S488, _S489, &(_S495), &(_S496));
-    sends_1.sky_warp_0 = _S495;
-    sends_1.sky_weft_0 = _S496;
-    var _S497 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S498 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S480, _S481, _S482.through_0, _S483.through_0, _S488, _S489, &(_S497), &(_S498));
-    sends_1.crossing_warp_0 = _S497;
-    sends_1.crossing_weft_0 = _S498;
-    return sends_1;
-}
-
-fn interior_of_0( _S499 : u32,  _S500 : vec3<f32>,  _S501 : bool) -> Interior_0
-{
-    var _S502 : Scattered_0 = scattered_by_0(_S499, table_albedos_0(families_0[fabrics_0[_S499].warp_0].colour_mean_0), u32(0), _S500);
-    var _S503 : Scattered_0 = scattered_by_0(_S499, table_albedos_0(families_0[fabrics_0[_S499].weft_0].colour_mean_0), u32(1), _S500);
-    var _S504 : FaceSends_0 = face_sends_0(_S499, select(u32(0), u32(1), _S501), _S502, _S503);
-    var _S505 : FaceSends_0 = face_sends_0(_S499, select(u32(1), u32(0), _S501), _S502, _S503);
-    var _S506 : vec3<f32> = vec3<f32>(_S504.blocks_warp_0);
-    var _S507 : vec3<f32> = vec3<f32>(_S504.blocks_weft_0);
-    var _S508 : vec3<f32> = _S506 * _S504.crossing_warp_0 + _S507 * _S504.crossing_weft_0;
-    var _S509 : vec3<f32> = vec3<f32>(_S505.blocks_warp_0);
-    var _S510 : vec3<f32> = vec3<f32>(_S505.blocks_weft_0);
-    var _S511 : vec3<f32> = _S509 * _S505.crossing_warp_0 + _S510 * _S505.crossing_weft_0;
-    var _S512 : f32 = 1.0f - _S504.open_0;
-    var _S513 : f32 = 1.0f - _S505.open_0;
-    var _S514 : vec3<f32> = vec3<f32>(1.0f);
-    var _S515 : vec3<f32> = _S514 / (_S514 - _S508 * _S511 * vec3<f32>((_S512 * _S513)));
-    var _S516 : vec3<f32> = _S511 * (vec3<f32>(_S504.open_0) + vec3<f32>(_S512) * (_S506 * _S504.sky_warp_0 + _S507 * _S504.sky_weft_0)) * _S515;
-    var _S517 : vec3<f32> = _S508 * (vec3<f32>(_S505.open_0) + vec3<f32>(_S513) * (_S509 * _S505.sky_warp_0 + _S510 * _S505.sky_weft_0)) * _S515;
-    var _S518 : FaceRadiance_0 = face_radiance_0(_S504, _S505.open_0, _S516, _S517);
-    var _S519 : FaceRadiance_0 = face_radiance_0(_S505, _S504.open_0, _S517, _S516);
-    var interior_1 : Interior_0;
-    interior_1.warp_4 = _S518.warp_3;
-    interior_1.weft_4 = _S518.weft_3;
-    interior_1.leaked_1 = _S518.leaked_0;
-    interior_1.far_1 = _S519.mean_0;
-    interior_1.far_leaked_0 = _S519.leaked_0;
-    return interior_1;
-}
-
-fn blocked_of_terms_0( _S520 : u32,  _S521 : u32,  _S522 : array<f32, i32(6)>,  _S523 : u32) -> Blocked_0
-{
-    var shares_2 : array<f32, i32(3)>;
-    var share_3 : u32 = u32(0);
+    var _S455 : vec2<f32> = _S453.dx_0;
+    var _S456 : vec2<f32> = _S453.dy_0;
+    var _S457 : vec2<f32> = sqrt(_S455 * _S455 + _S456 * _S456);
+    var _S458 : vec3<f32> = vec3<f32>(0.0f);
+    var _S459 : Albedos_0 = Albedos_x24init_0(_S458, _S458, _S458, _S458);
+    var sums_7 : FamilyAlbedos_0 = FamilyAlbedos_x24init_0(_S459, _S459);
+    var _S460 : vec2<f32> = vec2<f32>(0.0f);
+    var number_7 : u32 = u32(0);
+    var areas_0 : vec2<f32> = _S460;
     for(;;)
     {
-        if(share_3 < u32(3))
+        if(number_7 < (plane_count_0(_S452)))
         {
         }
         else
         {
             break;
         }
-        shares_2[share_3] = 0.0f;
-        var term_0 : u32 = u32(0);
+        var _S461 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S452, number_7), _S453.centre_0, _S457, _S454);
+        if(!is_layered_0(_S452))
+        {
+            return _S461;
+        }
+        var _S462 : PlaneShares_0 = PlaneShares_x24init_0(0.0f, _S458, _S458);
+        var warp_8 : PlaneShares_0 = _S462;
+        var weft_8 : PlaneShares_0 = _S462;
+        var stack_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S523)
+            if(stack_0 < (fabrics_0[_S452].stacks_0))
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_3] = shares_2[share_3] + openness_number_0(_S520, _S521 + share_3 * _S523 + term_0) * _S522[term_0];
-            term_0 = term_0 + u32(1);
+            var _S463 : f32 = stack_share_0(_S452, _S453.centre_0, _S457, stack_0);
+            var _S464 : u32 = fabrics_0[_S452].plane_shares_0 + u32(14) * (u32(2) * (stack_0 * fabrics_0[_S452].planes_0 + number_7) + select(u32(0), u32(1), _S454));
+            var _S465 : PlaneShares_0 = with_shares_at_0(warp_8, _S463, _S464);
+            var _S466 : PlaneShares_0 = with_shares_at_0(weft_8, _S463, _S464 + u32(7));
+            var _S467 : u32 = stack_0 + u32(1);
+            warp_8 = _S465;
+            weft_8 = _S466;
+            stack_0 = _S467;
         }
-        shares_2[share_3] = saturate(shares_2[share_3]);
-        share_3 = share_3 + u32(1);
+        sums_7.warp_3 = with_plane_0(sums_7.warp_3, _S461.warp_3, warp_8);
+        sums_7.weft_3 = with_plane_0(sums_7.weft_3, _S461.weft_3, weft_8);
+        var areas_1 : vec2<f32> = areas_0 + vec2<f32>(warp_8.area_0, weft_8.area_0);
+        number_7 = number_7 + u32(1);
+        areas_0 = areas_1;
     }
-    var blocked_1 : Blocked_0;
-    blocked_1.by_warp_0 = shares_2[i32(0)] * shares_2[i32(2)];
-    blocked_1.by_weft_0 = shares_2[i32(0)] * (1.0f - shares_2[i32(2)]);
-    blocked_1.far_0 = shares_2[i32(1)];
-    return blocked_1;
+    var means_0 : FamilyAlbedos_0;
+    means_0.warp_3 = divided_0(sums_7.warp_3, areas_0.x);
+    means_0.weft_3 = divided_0(sums_7.weft_3, areas_0.y);
+    return means_0;
 }
 
-fn blocked_from_0( _S524 : u32,  _S525 : vec3<f32>,  _S526 : bool,  _S527 : bool) -> Blocked_0
+fn toned_0( _S468 : u32,  _S469 : u32,  _S470 : Albedos_0,  _S471 : vec4<f32>) -> Albedos_0
 {
-    var terms_1 : array<f32, i32(6)>;
-    view_terms_0(_S525, &(terms_1));
-    return blocked_of_terms_0(_S524, (select(u32(0), u32(2), _S527) + select(u32(1), u32(0), _S526)) * u32(15), terms_1, u32(5));
+    var _S472 : vec3<f32> = _S470.diffuse_reflect_0 + _S470.diffuse_transmit_0;
+    var _S473 : vec3<f32> = vec3<f32>(1.0f);
+    var _S474 : vec3<f32> = _S473 - vec3<f32>(fabrics_0[_S468].layer_bound_0) * max(_S470.specular_reflect_0, _S470.specular_transmit_0);
+    var _S475 : vec3<f32> = vec3<f32>(0.0f);
+    var _S476 : vec3<f32> = max(_S473 - _S472, _S475) / (_S473 + _S472);
+    var _S477 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S478 : vec3<f32> = (_S474 / max(_S472, _S477) - _S473) / max(vec3<f32>(0.89999997615814209f) * _S476, _S477);
+    var _S479 : vec3<f32> = _S473 - vec3<f32>((saturate(min(min(_S478.x, _S478.y), _S478.z)) * _S471.z)) * _S476;
+    var _S480 : vec3<f32> = min(vec3<f32>(families_0[_S469].nep_red_0, families_0[_S469].nep_green_0, families_0[_S469].nep_blue_0), _S474);
+    var found_1 : Albedos_0 = _S470;
+    var _S481 : f32 = _S471.w;
+    var _S482 : vec3<f32> = _S479 * _S470.diffuse_transmit_0 * vec3<f32>((1.0f - _S481));
+    found_1.diffuse_transmit_0 = _S482;
+    found_1.diffuse_reflect_0 = clamp(mix(_S479 * _S470.diffuse_reflect_0, _S480, vec3<f32>(_S481)), _S475, max(_S474 - _S482, _S475));
+    return found_1;
 }
 
-fn family_share_0( _S528 : u32,  _S529 : u32,  _S530 : f32) -> vec2<f32>
+fn with_tones_0( _S483 : u32,  _S484 : FamilyAlbedos_0,  _S485 : Yarns_0) -> FamilyAlbedos_0
 {
-    var _S531 : bool = _S529 < (fabrics_0[_S528].clustered_0.clusters_0 / u32(2));
-    return vec2<f32>(select(0.0f, _S530, _S531), select(_S530, 0.0f, _S531));
+    if((fabrics_0[_S483].is_irregular_0) == u32(0))
+    {
+        return _S484;
+    }
+    var result_6 : FamilyAlbedos_0;
+    result_6.warp_3 = toned_0(_S483, fabrics_0[_S483].warp_0, _S484.warp_3, _S485.warp_1);
+    result_6.weft_3 = toned_0(_S483, fabrics_0[_S483].weft_0, _S484.weft_3, _S485.weft_1);
+    return result_6;
 }
 
-fn clustered_shown_0( _S532 : u32,  _S533 : ViewedBase_0) -> vec2<f32>
+fn openness_number_0( _S486 : u32,  _S487 : u32) -> f32
 {
-    var _S534 : Clustered_std430_0 = fabrics_0[_S532].clustered_0;
-    var _S535 : u32 = _S534.clusters_0;
-    var _S536 : vec2<f32> = vec2<f32>(0.0f);
-    var cluster_1 : u32 = u32(0);
-    var shown_0 : vec2<f32> = _S536;
+    return table_number_0(fabrics_0[_S486].openness_0 + _S487);
+}
+
+fn scattered_by_0( _S488 : u32,  _S489 : Albedos_0,  _S490 : u32,  _S491 : vec3<f32>) -> Scattered_0
+{
+    var _S492 : u32 = u32(159) + u32(2) * _S490;
+    var yarn_2 : Scattered_0;
+    yarn_2.back_5 = _S491 * _S489.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S488, _S492)) * _S489.specular_reflect_0;
+    yarn_2.through_0 = _S491 * _S489.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S488, _S492 + u32(1))) * _S489.specular_transmit_0;
+    return yarn_2;
+}
+
+fn sent_0( _S493 : u32,  _S494 : u32,  _S495 : vec3<f32>,  _S496 : vec3<f32>,  _S497 : vec3<f32>,  _S498 : vec3<f32>,  _S499 : ptr<function, vec3<f32>>,  _S500 : ptr<function, vec3<f32>>)
+{
+    var _S501 : u32 = u32(146) + u32(4) * _S494;
+    var _S502 : f32 = openness_number_0(_S493, _S501 + u32(1));
+    var _S503 : f32 = openness_number_0(_S493, _S501 + u32(2));
+    var _S504 : vec3<f32> = vec3<f32>(1.0f);
+    var _S505 : vec3<f32> = _S504 - _S497 * vec3<f32>(openness_number_0(_S493, _S501));
+    var _S506 : vec3<f32> = _S504 - _S498 * vec3<f32>(openness_number_0(_S493, _S501 + u32(3)));
+    var _S507 : vec3<f32> = _S504 / (_S505 * _S506 - _S497 * _S498 * vec3<f32>((_S502 * _S503)));
+    (*_S499) = (_S495 * _S506 + _S497 * vec3<f32>(_S502) * _S496) * _S507;
+    (*_S500) = (_S496 * _S505 + _S498 * vec3<f32>(_S503) * _S495) * _S507;
+    return;
+}
+
+fn face_sends_0( _S508 : u32,  _S509 : u32,  _S510 : Scattered_0,  _S511 : Scattered_0) -> FaceSends_0
+{
+    var _S512 : u32 = u32(2) * _S509;
+    var _S513 : u32 = u32(142) + _S512;
+    var _S514 : f32 = openness_number_0(_S508, _S513);
+    var _S515 : f32 = openness_number_0(_S508, _S513 + u32(1));
+    var _S516 : vec3<f32> = vec3<f32>((1.0f - _S514)) * _S510.back_5;
+    var _S517 : vec3<f32> = vec3<f32>((1.0f - _S515)) * _S511.back_5;
+    var sends_1 : FaceSends_0;
+    var _S518 : u32 = u32(154) + _S512;
+    var _S519 : f32 = openness_number_0(_S508, _S518);
+    sends_1.blocks_warp_0 = _S519;
+    var _S520 : f32 = openness_number_0(_S508, _S518 + u32(1));
+    sends_1.blocks_weft_0 = _S520;
+    sends_1.open_0 = _S519 * _S514 + _S520 * _S515;
+    var _S521 : vec3<f32> = vec3<f32>(_S514) * _S510.back_5;
+    var _S522 : vec3<f32> = vec3<f32>(_S515) * _S511.back_5;
+    var _S523 : vec3<f32> = sends_1.sky_warp_0;
+    var _S524 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S508, _S509, _S521, _S522, _S516, _S517, &(_S523), &(_S524));
+    sends_1.sky_warp_0 = _S523;
+    sends_1.sky_weft_0 = _S524;
+    var _S525 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S526 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S508, _S509, _S510.through_0, _S511.through_0, _S516, _S517, &(_S525), &(_S526));
+    sends_1.crossing_warp_0 = _S525;
+    sends_1.crossing_weft_0 = _S526;
+    return sends_1;
+}
+
+fn interior_between_0( _S527 : u32,  _S528 : u32,  _S529 : u32,  _S530 : vec3<f32>,  _S531 : bool) -> Interior_0
+{
+    var _S532 : Scattered_0 = scattered_by_0(_S527, table_albedos_0(_S528), u32(0), _S530);
+    var _S533 : Scattered_0 = scattered_by_0(_S527, table_albedos_0(_S529), u32(1), _S530);
+    var _S534 : FaceSends_0 = face_sends_0(_S527, select(u32(0), u32(1), _S531), _S532, _S533);
+    var _S535 : FaceSends_0 = face_sends_0(_S527, select(u32(1), u32(0), _S531), _S532, _S533);
+    var _S536 : vec3<f32> = vec3<f32>(_S534.blocks_warp_0);
+    var _S537 : vec3<f32> = vec3<f32>(_S534.blocks_weft_0);
+    var _S538 : vec3<f32> = _S536 * _S534.crossing_warp_0 + _S537 * _S534.crossing_weft_0;
+    var _S539 : vec3<f32> = vec3<f32>(_S535.blocks_warp_0);
+    var _S540 : vec3<f32> = vec3<f32>(_S535.blocks_weft_0);
+    var _S541 : vec3<f32> = _S539 * _S535.crossing_warp_0 + _S540 * _S535.crossing_weft_0;
+    var _S542 : f32 = 1.0f - _S534.open_0;
+    var _S543 : f32 = 1.0f - _S535.open_0;
+    var _S544 : vec3<f32> = vec3<f32>(1.0f);
+    var _S545 : vec3<f32> = _S544 / (_S544 - _S538 * _S541 * vec3<f32>((_S542 * _S543)));
+    var _S546 : vec3<f32> = _S541 * (vec3<f32>(_S534.open_0) + vec3<f32>(_S542) * (_S536 * _S534.sky_warp_0 + _S537 * _S534.sky_weft_0)) * _S545;
+    var _S547 : vec3<f32> = _S538 * (vec3<f32>(_S535.open_0) + vec3<f32>(_S543) * (_S539 * _S535.sky_warp_0 + _S540 * _S535.sky_weft_0)) * _S545;
+    var _S548 : FaceRadiance_0 = face_radiance_0(_S534, _S535.open_0, _S546, _S547);
+    var _S549 : FaceRadiance_0 = face_radiance_0(_S535, _S534.open_0, _S547, _S546);
+    var interior_1 : Interior_0;
+    interior_1.warp_7 = _S548.warp_6;
+    interior_1.weft_7 = _S548.weft_6;
+    interior_1.leaked_1 = _S548.leaked_0;
+    interior_1.far_1 = _S549.mean_0;
+    interior_1.far_leaked_0 = _S549.leaked_0;
+    return interior_1;
+}
+
+fn interior_of_0( _S550 : u32,  _S551 : vec3<f32>,  _S552 : bool) -> Interior_0
+{
+    return interior_between_0(_S550, families_0[fabrics_0[_S550].warp_0].cloth_mean_0, families_0[fabrics_0[_S550].weft_0].cloth_mean_0, _S551, _S552);
+}
+
+fn blocked_of_terms_0( _S553 : u32,  _S554 : u32,  _S555 : array<f32, i32(6)>,  _S556 : u32) -> Blocked_0
+{
+    var shares_3 : array<f32, i32(3)>;
+    var share_4 : u32 = u32(0);
     for(;;)
     {
-        if(cluster_1 < _S535)
+        if(share_4 < u32(3))
         {
         }
         else
         {
             break;
         }
-        var _S537 : f32 = box_mean_0(&(_S534), _S533.box_5, _S533.face_6, cluster_1);
-        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S532, cluster_1, _S537);
+        shares_3[share_4] = 0.0f;
+        var term_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(term_0 < _S556)
+            {
+            }
+            else
+            {
+                break;
+            }
+            shares_3[share_4] = shares_3[share_4] + openness_number_0(_S553, _S554 + share_4 * _S556 + term_0) * _S555[term_0];
+            term_0 = term_0 + u32(1);
+        }
+        shares_3[share_4] = saturate(shares_3[share_4]);
+        share_4 = share_4 + u32(1);
+    }
+    var blocked_1 : Blocked_0;
+    blocked_1.by_warp_0 = shares_3[i32(0)] * shares_3[i32(2)];
+    blocked_1.by_weft_0 = shares_3[i32(0)] * (1.0f - shares_3[i32(2)]);
+    blocked_1.far_0 = shares_3[i32(1)];
+    return blocked_1;
+}
+
+fn blocked_from_0( _S557 : u32,  _S558 : vec3<f32>,  _S559 : bool,  _S560 : bool) -> Blocked_0
+{
+    var terms_1 : array<f32, i32(6)>;
+    view_terms_0(_S558, &(terms_1));
+    return blocked_of_terms_0(_S557, (select(u32(0), u32(2), _S560) + select(u32(1), u32(0), _S559)) * u32(15), terms_1, u32(5));
+}
+
+fn family_share_0( _S561 : u32,  _S562 : u32,  _S563 : f32) -> vec2<f32>
+{
+    var _S564 : bool = _S562 < (fabrics_0[_S561].clustered_0.clusters_0 / u32(2));
+    return vec2<f32>(select(0.0f, _S563, _S564), select(_S563, 0.0f, _S564));
+}
+
+fn clustered_shown_0( _S565 : u32,  _S566 : ViewedBase_0) -> vec2<f32>
+{
+    var _S567 : Clustered_std430_0 = fabrics_0[_S565].clustered_0;
+    var _S568 : u32 = _S567.clusters_0;
+    var _S569 : vec2<f32> = vec2<f32>(0.0f);
+    var cluster_1 : u32 = u32(0);
+    var shown_0 : vec2<f32> = _S569;
+    for(;;)
+    {
+        if(cluster_1 < _S568)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S570 : f32 = box_mean_0(&(_S567), _S566.box_5, _S566.face_6, cluster_1);
+        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S565, cluster_1, _S570);
         cluster_1 = cluster_1 + u32(1);
         shown_0 = shown_1;
     }
     return shown_0;
 }
 
-fn clustered_view_0( _S538 : u32,  _S539 : Footprint_0,  _S540 : vec3<f32>,  _S541 : vec3<f32>,  _S542 : u32) -> ClusteredView_0
+fn clustered_view_0( _S571 : u32,  _S572 : Footprint_0,  _S573 : vec3<f32>,  _S574 : vec3<f32>,  _S575 : u32) -> ClusteredView_0
 {
     var seen_2 : ClusteredView_0;
-    var _S543 : ViewedBase_0 = viewed_base_0(_S538, _S539, _S540, uniform_of_0(_S542, u32(0)));
-    seen_2.base_0 = _S543;
-    seen_2.view_7 = _S540;
-    var _S544 : f32 = texel_hole_0(_S538, _S543);
-    seen_2.even_hole_0 = _S544;
-    var _S545 : Yarns_0 = yarns_over_0(_S538, _S539, seen_2.base_0.back_5);
-    seen_2.yarns_0 = _S545;
-    seen_2.hole_1 = min(_S544 * seen_2.yarns_0.shares_0.z, 1.0f);
-    var _S546 : FamilyAlbedos_0 = with_tones_0(_S538, albedos_over_0(_S538, _S539, seen_2.base_0.back_5), _S545);
-    seen_2.albedos_4.warp_5 = tinted_0(_S546.warp_5, _S541);
-    seen_2.albedos_4.weft_5 = tinted_0(_S546.weft_5, _S541);
-    var _S547 : vec3<f32> = vec3<f32>(0.0f);
-    seen_2.bounced_2.reflected_0 = _S547;
-    seen_2.bounced_2.transmitted_0 = _S547;
-    if((fabrics_0[_S538].openness_0) == u32(4294967295))
+    var _S576 : ViewedBase_0 = viewed_base_0(_S571, _S572, _S573, uniform_of_0(_S575, u32(0)));
+    seen_2.base_0 = _S576;
+    seen_2.view_7 = _S573;
+    var _S577 : f32 = texel_hole_0(_S571, _S576);
+    seen_2.even_hole_0 = _S577;
+    var _S578 : Yarns_0 = yarns_over_0(_S571, _S572, seen_2.base_0.back_6);
+    seen_2.yarns_0 = _S578;
+    seen_2.hole_1 = min(_S577 * seen_2.yarns_0.shares_0.z, 1.0f);
+    var _S579 : FamilyAlbedos_0 = with_tones_0(_S571, albedos_over_0(_S571, _S572, seen_2.base_0.back_6), _S578);
+    seen_2.albedos_6.warp_3 = tinted_0(_S579.warp_3, _S574);
+    seen_2.albedos_6.weft_3 = tinted_0(_S579.weft_3, _S574);
+    var _S580 : vec3<f32> = vec3<f32>(0.0f);
+    seen_2.bounced_2.reflected_0 = _S580;
+    seen_2.bounced_2.transmitted_0 = _S580;
+    if((fabrics_0[_S571].openness_0) == u32(4294967295))
     {
         return seen_2;
     }
-    var _S548 : Interior_0 = interior_of_0(_S538, _S541, seen_2.base_0.back_5);
-    var _S549 : Bounced_0 = bounced_by_0(blocked_from_0(_S538, seen_2.base_0.view_3, true, seen_2.base_0.back_5), scattered_by_0(_S538, _S546.warp_5, u32(0), _S541), _S548);
-    var _S550 : Bounced_0 = bounced_by_0(blocked_from_0(_S538, seen_2.base_0.view_3, false, seen_2.base_0.back_5), scattered_by_0(_S538, _S546.weft_5, u32(1), _S541), _S548);
-    var _S551 : vec2<f32> = clustered_shown_0(_S538, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
-    var _S552 : vec3<f32> = vec3<f32>(_S551.x);
-    var _S553 : vec3<f32> = vec3<f32>(_S551.y);
-    seen_2.bounced_2.reflected_0 = _S552 * _S549.reflected_0 + _S553 * _S550.reflected_0;
-    seen_2.bounced_2.transmitted_0 = _S552 * _S549.transmitted_0 + _S553 * _S550.transmitted_0;
+    var _S581 : Interior_0 = interior_of_0(_S571, _S574, seen_2.base_0.back_6);
+    var _S582 : Bounced_0 = bounced_by_0(blocked_from_0(_S571, seen_2.base_0.view_3, true, seen_2.base_0.back_6), scattered_by_0(_S571, _S579.warp_3, u32(0), _S574), _S581);
+    var _S583 : Bounced_0 = bounced_by_0(blocked_from_0(_S571, seen_2.base_0.view_3, false, seen_2.base_0.back_6), scattered_by_0(_S571, _S579.weft_3, u32(1), _S574), _S581);
+    var _S584 : vec2<f32> = clustered_shown_0(_S571, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
+    var _S585 : vec3<f32> = vec3<f32>(_S584.x);
+    var _S586 : vec3<f32> = vec3<f32>(_S584.y);
+    seen_2.bounced_2.reflected_0 = _S585 * _S582.reflected_0 + _S586 * _S583.reflected_0;
+    seen_2.bounced_2.transmitted_0 = _S585 * _S582.transmitted_0 + _S586 * _S583.transmitted_0;
     return seen_2;
 }
 
-fn residual_texel_0( _S554 : u32,  _S555 : ClusteredView_0,  _S556 : u32,  _S557 : u32) -> u32
+fn residual_texel_0( _S587 : u32,  _S588 : ClusteredView_0,  _S589 : u32,  _S590 : u32) -> u32
 {
-    var _S558 : u32 = _S556 + _S557 * u32(1663821227);
-    var _S559 : Clustered_std430_0 = fabrics_0[_S554].clustered_0;
-    var _S560 : u32 = texel_of_0(&(_S559), _S555.base_0.box_5, vec2<f32>(uniform_of_0(_S558, u32(1)), uniform_of_0(_S558, u32(2))));
-    return _S560;
+    var _S591 : u32 = _S589 + _S590 * u32(1663821227);
+    var _S592 : Clustered_std430_0 = fabrics_0[_S587].clustered_0;
+    var _S593 : u32 = texel_of_0(&(_S592), _S588.base_0.box_5, vec2<f32>(uniform_of_0(_S591, u32(1)), uniform_of_0(_S591, u32(2))));
+    return _S593;
 }
 
 fn light_sample_count_0() -> u32
@@ -2086,13 +2323,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S561 : u32,  _S562 : vec2<u32>) -> f32
+fn visibility_at_0( _S594 : u32,  _S595 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S561 * frame_record_0.height_0 + _S562.y) * frame_record_0.width_0 + _S562.x];
+    return visibilities_0[(_S594 * frame_record_0.height_0 + _S595.y) * frame_record_0.width_0 + _S595.x];
 }
 
 struct LightSample_0
@@ -2102,211 +2339,211 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S563 : u32,  _S564 : u32) -> vec3<f32>
+fn environment_texel_0( _S596 : u32,  _S597 : u32) -> vec3<f32>
 {
-    var _S565 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S563 * frame_record_0.environment_columns_0 + _S564);
-    return vec3<f32>(scene_number_0(_S565), scene_number_0(_S565 + u32(1)), scene_number_0(_S565 + u32(2)));
+    var _S598 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S596 * frame_record_0.environment_columns_0 + _S597);
+    return vec3<f32>(scene_number_0(_S598), scene_number_0(_S598 + u32(1)), scene_number_0(_S598 + u32(2)));
 }
 
-fn sample_environment_0( _S566 : vec2<f32>,  _S567 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S599 : vec2<f32>,  _S600 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S568 : u32 = frame_record_0.environment_rows_0;
-    var _S569 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S566.y);
-    var _S570 : u32 = frame_record_0.environment_columns_0;
-    var _S571 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S569.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S566.x);
-    var _S572 : vec3<f32> = environment_texel_0(_S569.index_6, _S571.index_6);
-    (*_S567) = _S572 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S572), 9.99999968265522539e-21f)));
-    var _S573 : f32 = 3.14159274101257324f / f32(_S568);
-    var _S574 : f32 = mix(sine_cosine_0(f32(_S569.index_6) * _S573).y, sine_cosine_0(f32(_S569.index_6 + u32(1)) * _S573).y, _S569.remainder_0);
-    var _S575 : f32 = sqrt(max(1.0f - _S574 * _S574, 0.0f));
-    var _S576 : vec2<f32> = sine_cosine_0((f32(_S571.index_6) + _S571.remainder_0) * (6.28318548202514648f / f32(_S570)));
-    var _S577 : f32 = _S575 * _S576.x;
-    var _S578 : f32 = - _S575 * _S576.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S577 + frame_record_0.environment_sine_0 * _S578, _S574, frame_record_0.environment_cosine_0 * _S578 - frame_record_0.environment_sine_0 * _S577);
+    var _S601 : u32 = frame_record_0.environment_rows_0;
+    var _S602 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S599.y);
+    var _S603 : u32 = frame_record_0.environment_columns_0;
+    var _S604 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S602.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S599.x);
+    var _S605 : vec3<f32> = environment_texel_0(_S602.index_6, _S604.index_6);
+    (*_S600) = _S605 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S605), 9.99999968265522539e-21f)));
+    var _S606 : f32 = 3.14159274101257324f / f32(_S601);
+    var _S607 : f32 = mix(sine_cosine_0(f32(_S602.index_6) * _S606).y, sine_cosine_0(f32(_S602.index_6 + u32(1)) * _S606).y, _S602.remainder_0);
+    var _S608 : f32 = sqrt(max(1.0f - _S607 * _S607, 0.0f));
+    var _S609 : vec2<f32> = sine_cosine_0((f32(_S604.index_6) + _S604.remainder_0) * (6.28318548202514648f / f32(_S603)));
+    var _S610 : f32 = _S608 * _S609.x;
+    var _S611 : f32 = - _S608 * _S609.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S610 + frame_record_0.environment_sine_0 * _S611, _S607, frame_record_0.environment_cosine_0 * _S611 - frame_record_0.environment_sine_0 * _S610);
 }
 
-fn light_sample_0( _S579 : u32,  _S580 : vec2<u32>,  _S581 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S612 : u32,  _S613 : vec2<u32>,  _S614 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S582 : u32 = frame_record_0.lights_0;
-    if(_S579 >= (frame_record_0.lights_0))
+    var _S615 : u32 = frame_record_0.lights_0;
+    if(_S612 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S583 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S580, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S579 - _S582), u32(3)), &(weight_3));
-        sample_0.towards_1 = _S583;
+        var _S616 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S613, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S612 - _S615), u32(3)), &(weight_3));
+        sample_0.towards_1 = _S616;
         sample_0.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S584 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S579);
-    sample_0.irradiance_1 = vec3<f32>(_S584.red_0, _S584.green_0, _S584.blue_0);
-    sample_0.towards_1 = vec3<f32>(_S584.x_8, _S584.y_2, _S584.z_1);
-    if((_S584.is_point_0) != u32(0))
+    var _S617 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S612);
+    sample_0.irradiance_1 = vec3<f32>(_S617.red_0, _S617.green_0, _S617.blue_0);
+    sample_0.towards_1 = vec3<f32>(_S617.x_8, _S617.y_2, _S617.z_1);
+    if((_S617.is_point_0) != u32(0))
     {
-        var _S585 : vec3<f32> = sample_0.towards_1 - _S581;
-        var _S586 : f32 = max(square_0(_S585), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S586);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S586);
-        sample_0.towards_1 = normalize(_S585);
+        var _S618 : vec3<f32> = sample_0.towards_1 - _S614;
+        var _S619 : f32 = max(square_0(_S618), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S619);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S619);
+        sample_0.towards_1 = normalize(_S618);
     }
     return sample_0;
 }
 
-fn cluster_density_0( _S587 : u32,  _S588 : ViewedBase_0,  _S589 : BaseTaps_0,  _S590 : u32,  _S591 : u32) -> f32
+fn cluster_density_0( _S620 : u32,  _S621 : ViewedBase_0,  _S622 : BaseTaps_0,  _S623 : u32,  _S624 : u32) -> f32
 {
-    return BinTaps_read_0(_S589.half_vector_0, fabrics_0[_S587].clustered_0.basis_0, _S588.face_6 * u32(1024), fabrics_0[_S587].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S587].clustered_0.rank_0), _S591 * fabrics_0[_S587].clustered_0.clusters_0 + _S590);
+    return BinTaps_read_0(_S622.half_vector_0, fabrics_0[_S620].clustered_0.basis_0, _S621.face_6 * u32(1024), fabrics_0[_S620].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S620].clustered_0.rank_0), _S624 * fabrics_0[_S620].clustered_0.clusters_0 + _S623);
 }
 
-fn cluster_visibility_0( _S592 : u32,  _S593 : BaseTaps_0,  _S594 : u32) -> f32
+fn cluster_visibility_0( _S625 : u32,  _S626 : BaseTaps_0,  _S627 : u32) -> f32
 {
-    return BinTaps_read_0(_S593.around_0, fabrics_0[_S592].clustered_0.light_0, _S593.first_7, fabrics_0[_S592].clustered_0.clusters_0, _S594);
+    return BinTaps_read_0(_S626.around_0, fabrics_0[_S625].clustered_0.light_0, _S626.first_9, fabrics_0[_S625].clustered_0.clusters_0, _S627);
 }
 
-fn clustered_diffuse_0( _S595 : u32,  _S596 : BaseTaps_0,  _S597 : f32,  _S598 : vec3<f32>) -> f32
+fn clustered_diffuse_0( _S628 : u32,  _S629 : BaseTaps_0,  _S630 : f32,  _S631 : vec3<f32>) -> f32
 {
-    return 0.31830987334251404f * ((1.0f - fabrics_0[_S595].diffuse_blend_0) * abs(_S596.facing_0.z) * _S597 + fabrics_0[_S595].diffuse_blend_0 * clustered_cosine_0(_S596, _S598));
+    return 0.31830987334251404f * ((1.0f - fabrics_0[_S628].diffuse_blend_0) * abs(_S629.facing_0.z) * _S630 + fabrics_0[_S628].diffuse_blend_0 * clustered_cosine_0(_S629, _S631));
 }
 
-fn cluster_attenuation_0( _S599 : u32,  _S600 : ViewedBase_0,  _S601 : BaseTaps_0,  _S602 : u32) -> f32
+fn cluster_attenuation_0( _S632 : u32,  _S633 : ViewedBase_0,  _S634 : BaseTaps_0,  _S635 : u32) -> f32
 {
-    var _S603 : u32 = fabrics_0[_S599].clustered_0.moments_1 + (_S600.face_6 * fabrics_0[_S599].clustered_0.clusters_0 + _S602) * u32(8);
-    var _S604 : vec3<f32> = vec3<f32>(table_number_0(_S603), table_number_0(_S603 + u32(1)), table_number_0(_S603 + u32(2)));
-    var _S605 : vec3<f32> = vec3<f32>(table_number_0(_S603 + u32(3)), table_number_0(_S603 + u32(4)), table_number_0(_S603 + u32(5)));
-    var _S606 : f32 = table_number_0(_S603 + u32(7));
-    var _S607 : f32 = fabrics_0[_S599].optical_depth_0;
-    var _S608 : f32 = dot(_S601.facing_0, _S604);
-    var _S609 : f32 = max(dot(_S600.view_3, _S604), 0.10000000149011612f);
-    var _S610 : f32 = projected_area_1(_S601.facing_0, _S605, _S606) / max(select(_S608, - _S608, _S601.transmits_1), 0.10000000149011612f);
-    var _S611 : f32 = projected_area_1(_S600.view_3, _S605, _S606) / _S609;
-    if(!_S601.transmits_1)
+    var _S636 : u32 = fabrics_0[_S632].clustered_0.moments_1 + (_S633.face_6 * fabrics_0[_S632].clustered_0.clusters_0 + _S635) * u32(8);
+    var _S637 : vec3<f32> = vec3<f32>(table_number_0(_S636), table_number_0(_S636 + u32(1)), table_number_0(_S636 + u32(2)));
+    var _S638 : vec3<f32> = vec3<f32>(table_number_0(_S636 + u32(3)), table_number_0(_S636 + u32(4)), table_number_0(_S636 + u32(5)));
+    var _S639 : f32 = table_number_0(_S636 + u32(7));
+    var _S640 : f32 = fabrics_0[_S632].optical_depth_0;
+    var _S641 : f32 = dot(_S634.facing_0, _S637);
+    var _S642 : f32 = max(dot(_S633.view_3, _S637), 0.10000000149011612f);
+    var _S643 : f32 = projected_area_1(_S634.facing_0, _S638, _S639) / max(select(_S641, - _S641, _S634.transmits_1), 0.10000000149011612f);
+    var _S644 : f32 = projected_area_1(_S633.view_3, _S638, _S639) / _S642;
+    if(!_S634.transmits_1)
     {
-        var _S612 : f32 = _S610 + _S611;
-        return 0.25f * (1.0f - exponential_0(- _S607 * _S612)) / (_S612 * _S609);
+        var _S645 : f32 = _S643 + _S644;
+        return 0.25f * (1.0f - exponential_0(- _S640 * _S645)) / (_S645 * _S642);
     }
-    var _S613 : f32 = max(_S607 * abs(_S610 - _S611), 0.00100000004749745f);
-    return 0.25f * _S607 * exponential_0(- _S607 * min(_S610, _S611)) * (1.0f - exponential_0(- _S613)) / (_S613 * _S609);
+    var _S646 : f32 = max(_S640 * abs(_S643 - _S644), 0.00100000004749745f);
+    return 0.25f * _S640 * exponential_0(- _S640 * min(_S643, _S644)) * (1.0f - exponential_0(- _S646)) / (_S646 * _S642);
 }
 
-fn clustered_base_0( _S614 : u32,  _S615 : ViewedBase_0,  _S616 : BaseTaps_0) -> Components_0
+fn clustered_base_0( _S647 : u32,  _S648 : ViewedBase_0,  _S649 : BaseTaps_0) -> Components_0
 {
-    var _S617 : Clustered_std430_0 = fabrics_0[_S614].clustered_0;
-    var _S618 : u32 = _S617.clusters_0;
-    var _S619 : u32 = _S617.rank_0;
+    var _S650 : Clustered_std430_0 = fabrics_0[_S647].clustered_0;
+    var _S651 : u32 = _S650.clusters_0;
+    var _S652 : u32 = _S650.rank_0;
     var base_1 : Components_0 = no_components_0();
     var cluster_2 : u32 = u32(0);
     for(;;)
     {
-        if(cluster_2 < _S618)
+        if(cluster_2 < _S651)
         {
         }
         else
         {
             break;
         }
-        var _S620 : f32 = box_mean_1(&(_S617), _S615.box_5, _S615.face_6, cluster_2);
-        if(_S620 <= 0.0f)
+        var _S653 : f32 = box_mean_1(&(_S650), _S648.box_5, _S648.face_6, cluster_2);
+        if(_S653 <= 0.0f)
         {
             cluster_2 = cluster_2 + u32(1);
             continue;
         }
-        var _S621 : f32 = _S620 * cluster_density_0(_S614, _S615, _S616, cluster_2, u32(0));
-        var number_7 : u32 = u32(1);
-        var density_0 : f32 = _S621;
+        var _S654 : f32 = _S653 * cluster_density_0(_S647, _S648, _S649, cluster_2, u32(0));
+        var number_8 : u32 = u32(1);
+        var density_0 : f32 = _S654;
         for(;;)
         {
-            if(number_7 <= _S619)
+            if(number_8 <= _S652)
             {
             }
             else
             {
                 break;
             }
-            var _S622 : f32 = box_mean_1(&(_S617), _S615.box_5, _S615.face_6, number_7 * _S618 + cluster_2);
-            var density_1 : f32 = density_0 + _S622 * cluster_density_0(_S614, _S615, _S616, cluster_2, number_7);
-            number_7 = number_7 + u32(1);
+            var _S655 : f32 = box_mean_1(&(_S650), _S648.box_5, _S648.face_6, number_8 * _S651 + cluster_2);
+            var density_1 : f32 = density_0 + _S655 * cluster_density_0(_S647, _S648, _S649, cluster_2, number_8);
+            number_8 = number_8 + u32(1);
             density_0 = density_1;
         }
-        var _S623 : f32 = box_mean_1(&(_S617), _S615.box_5, _S615.face_6, (_S619 + u32(1)) * _S618 + cluster_2);
-        var _S624 : f32 = box_mean_1(&(_S617), _S615.box_5, _S615.face_6, (_S619 + u32(2)) * _S618 + cluster_2);
-        var _S625 : f32 = box_mean_1(&(_S617), _S615.box_5, _S615.face_6, (_S619 + u32(3)) * _S618 + cluster_2);
-        var _S626 : f32 = cluster_visibility_0(_S614, _S616, cluster_2);
-        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S618 / u32(2)), _S626 * clustered_diffuse_0(_S614, _S616, _S620, vec3<f32>(_S623, _S624, _S625)), _S626 * cluster_attenuation_0(_S614, _S615, _S616, cluster_2) * density_0, _S620 * _S626), 1.0f);
+        var _S656 : f32 = box_mean_1(&(_S650), _S648.box_5, _S648.face_6, (_S652 + u32(1)) * _S651 + cluster_2);
+        var _S657 : f32 = box_mean_1(&(_S650), _S648.box_5, _S648.face_6, (_S652 + u32(2)) * _S651 + cluster_2);
+        var _S658 : f32 = box_mean_1(&(_S650), _S648.box_5, _S648.face_6, (_S652 + u32(3)) * _S651 + cluster_2);
+        var _S659 : f32 = cluster_visibility_0(_S647, _S649, cluster_2);
+        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S651 / u32(2)), _S659 * clustered_diffuse_0(_S647, _S649, _S653, vec3<f32>(_S656, _S657, _S658)), _S659 * cluster_attenuation_0(_S647, _S648, _S649, cluster_2) * density_0, _S653 * _S659), 1.0f);
         cluster_2 = cluster_2 + u32(1);
     }
     return base_1;
 }
 
-fn with_shares_0( _S627 : u32,  _S628 : Components_0,  _S629 : Yarns_0) -> Components_0
+fn with_shares_0( _S660 : u32,  _S661 : Components_0,  _S662 : Yarns_0) -> Components_0
 {
-    var result_4 : Components_0;
-    var _S630 : f32 = min(_S628.hole_0 * _S629.shares_0.z, 1.0f);
-    result_4.hole_0 = _S630;
-    var _S631 : f32 = _S629.shares_0.x;
-    result_4.diffuse_warp_0 = _S628.diffuse_warp_0 * _S631;
-    var _S632 : f32 = _S629.shares_0.y;
-    result_4.diffuse_weft_0 = _S628.diffuse_weft_0 * _S632;
-    result_4.specular_warp_0 = _S628.specular_warp_0 * _S631;
-    result_4.specular_weft_0 = _S628.specular_weft_0 * _S632;
-    result_4.light_visibility_1 = _S628.light_visibility_1 * select(1.0f, (1.0f - _S630) / max(1.0f - _S628.hole_0, 9.99999997475242708e-07f), (fabrics_0[_S627].is_irregular_0) != u32(0));
-    return result_4;
+    var result_7 : Components_0;
+    var _S663 : f32 = min(_S661.hole_0 * _S662.shares_0.z, 1.0f);
+    result_7.hole_0 = _S663;
+    var _S664 : f32 = _S662.shares_0.x;
+    result_7.diffuse_warp_0 = _S661.diffuse_warp_0 * _S664;
+    var _S665 : f32 = _S662.shares_0.y;
+    result_7.diffuse_weft_0 = _S661.diffuse_weft_0 * _S665;
+    result_7.specular_warp_0 = _S661.specular_warp_0 * _S664;
+    result_7.specular_weft_0 = _S661.specular_weft_0 * _S665;
+    result_7.light_visibility_1 = _S661.light_visibility_1 * select(1.0f, (1.0f - _S663) / max(1.0f - _S661.hole_0, 9.99999997475242708e-07f), (fabrics_0[_S660].is_irregular_0) != u32(0));
+    return result_7;
 }
 
-fn as_seen_0( _S633 : u32,  _S634 : ClusteredView_0,  _S635 : Components_0) -> Components_0
+fn as_seen_0( _S666 : u32,  _S667 : ClusteredView_0,  _S668 : Components_0) -> Components_0
 {
-    var whole_1 : Components_0 = _S635;
-    whole_1.hole_0 = _S634.even_hole_0;
-    return with_shares_0(_S633, whole_1, _S634.yarns_0);
+    var whole_1 : Components_0 = _S668;
+    whole_1.hole_0 = _S667.even_hole_0;
+    return with_shares_0(_S666, whole_1, _S667.yarns_0);
 }
 
-fn diffuse_kept_0( _S636 : u32,  _S637 : vec3<f32>,  _S638 : vec3<f32>) -> f32
+fn diffuse_kept_0( _S669 : u32,  _S670 : vec3<f32>,  _S671 : vec3<f32>) -> f32
 {
-    return (1.0f - fabrics_0[_S636].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S637.z), 0.0f))) * (1.0f - fabrics_0[_S636].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S638.z), 0.0f)));
+    return (1.0f - fabrics_0[_S669].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S670.z), 0.0f))) * (1.0f - fabrics_0[_S669].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S671.z), 0.0f)));
 }
 
-fn highlight_rise_0( _S639 : u32,  _S640 : vec3<f32>,  _S641 : vec3<f32>) -> f32
+fn highlight_rise_0( _S672 : u32,  _S673 : vec3<f32>,  _S674 : vec3<f32>) -> f32
 {
-    var _S642 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S640, _S641) + 0.5f, 9.99999993922529029e-09f, 1.0f));
-    return fabrics_0[_S639].grazing_gain_0 * fourth_power_0(_S642) * _S642;
+    var _S675 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S673, _S674) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S672].grazing_gain_0 * fourth_power_0(_S675) * _S675;
 }
 
-fn towards_grazing_0( _S643 : u32,  _S644 : Albedos_0,  _S645 : vec3<f32>,  _S646 : vec3<f32>) -> Albedos_0
+fn towards_grazing_0( _S676 : u32,  _S677 : Albedos_0,  _S678 : vec3<f32>,  _S679 : vec3<f32>) -> Albedos_0
 {
-    var _S647 : f32 = diffuse_kept_0(_S643, _S645, _S646);
-    var result_5 : Albedos_0 = _S644;
-    var _S648 : vec3<f32> = vec3<f32>(_S647);
-    result_5.diffuse_reflect_0 = result_5.diffuse_reflect_0 * _S648;
-    result_5.diffuse_transmit_0 = result_5.diffuse_transmit_0 * _S648;
-    result_5.specular_reflect_0 = result_5.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S643, _S645, _S646));
-    return result_5;
+    var _S680 : f32 = diffuse_kept_0(_S676, _S678, _S679);
+    var result_8 : Albedos_0 = _S677;
+    var _S681 : vec3<f32> = vec3<f32>(_S680);
+    result_8.diffuse_reflect_0 = result_8.diffuse_reflect_0 * _S681;
+    result_8.diffuse_transmit_0 = result_8.diffuse_transmit_0 * _S681;
+    result_8.specular_reflect_0 = result_8.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S676, _S678, _S679));
+    return result_8;
 }
 
-fn shaded_0( _S649 : u32,  _S650 : Components_0,  _S651 : FamilyAlbedos_0,  _S652 : vec3<f32>,  _S653 : vec3<f32>,  _S654 : bool) -> vec3<f32>
+fn shaded_0( _S682 : u32,  _S683 : Components_0,  _S684 : FamilyAlbedos_0,  _S685 : vec3<f32>,  _S686 : vec3<f32>,  _S687 : bool) -> vec3<f32>
 {
-    var _S655 : Albedos_0 = towards_grazing_0(_S649, _S651.warp_5, _S652, _S653);
-    var _S656 : Albedos_0 = towards_grazing_0(_S649, _S651.weft_5, _S652, _S653);
-    if(_S654)
+    var _S688 : Albedos_0 = towards_grazing_0(_S682, _S684.warp_3, _S685, _S686);
+    var _S689 : Albedos_0 = towards_grazing_0(_S682, _S684.weft_3, _S685, _S686);
+    if(_S687)
     {
-        return _S655.diffuse_transmit_0 * vec3<f32>(_S650.diffuse_warp_0) + _S656.diffuse_transmit_0 * vec3<f32>(_S650.diffuse_weft_0) + _S655.specular_transmit_0 * vec3<f32>(_S650.specular_warp_0) + _S656.specular_transmit_0 * vec3<f32>(_S650.specular_weft_0);
+        return _S688.diffuse_transmit_0 * vec3<f32>(_S683.diffuse_warp_0) + _S689.diffuse_transmit_0 * vec3<f32>(_S683.diffuse_weft_0) + _S688.specular_transmit_0 * vec3<f32>(_S683.specular_warp_0) + _S689.specular_transmit_0 * vec3<f32>(_S683.specular_weft_0);
     }
-    return _S655.diffuse_reflect_0 * vec3<f32>(_S650.diffuse_warp_0) + _S656.diffuse_reflect_0 * vec3<f32>(_S650.diffuse_weft_0) + _S655.specular_reflect_0 * vec3<f32>(_S650.specular_warp_0) + _S656.specular_reflect_0 * vec3<f32>(_S650.specular_weft_0);
+    return _S688.diffuse_reflect_0 * vec3<f32>(_S683.diffuse_warp_0) + _S689.diffuse_reflect_0 * vec3<f32>(_S683.diffuse_weft_0) + _S688.specular_reflect_0 * vec3<f32>(_S683.specular_warp_0) + _S689.specular_reflect_0 * vec3<f32>(_S683.specular_weft_0);
 }
 
-fn under_sheen_0( _S657 : u32,  _S658 : ClusteredView_0,  _S659 : vec3<f32>,  _S660 : f32,  _S661 : vec3<f32>) -> vec3<f32>
+fn under_sheen_0( _S690 : u32,  _S691 : ClusteredView_0,  _S692 : vec3<f32>,  _S693 : f32,  _S694 : vec3<f32>) -> vec3<f32>
 {
-    var _S662 : f32 = fabrics_0[_S657].sheen_strength_0;
-    if((fabrics_0[_S657].sheen_strength_0) <= 0.0f)
+    var _S695 : f32 = fabrics_0[_S690].sheen_strength_0;
+    if((fabrics_0[_S690].sheen_strength_0) <= 0.0f)
     {
-        return _S659;
+        return _S692;
     }
-    var _S663 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S661, _S658.base_0.back_5), _S658.base_0.view_3, _S662, fabrics_0[_S657].sheen_roughness_0);
-    return vec3<f32>(_S663.y) * _S659 + vec3<f32>((_S660 * _S663.x));
+    var _S696 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S694, _S691.base_0.back_6), _S691.base_0.view_3, _S695, fabrics_0[_S690].sheen_roughness_0);
+    return vec3<f32>(_S696.y) * _S692 + vec3<f32>((_S693 * _S696.x));
 }
 
-fn clustered_base_value_0( _S664 : u32,  _S665 : ClusteredView_0,  _S666 : vec3<f32>) -> vec3<f32>
+fn clustered_base_value_0( _S697 : u32,  _S698 : ClusteredView_0,  _S699 : vec3<f32>) -> vec3<f32>
 {
-    var _S667 : BaseTaps_0 = base_taps_0(_S665.base_0, _S666);
-    var _S668 : Components_0 = as_seen_0(_S664, _S665, clustered_base_0(_S664, _S665.base_0, _S667));
-    return under_sheen_0(_S664, _S665, shaded_0(_S664, _S668, _S665.albedos_4, _S666, _S665.view_7, _S667.transmits_1) + bounced_value_0(_S665.bounced_2, _S666, _S665.view_7) * vec3<f32>(diffuse_kept_0(_S664, _S666, _S665.view_7)), _S668.light_visibility_1 + _S665.hole_1, _S666);
+    var _S700 : BaseTaps_0 = base_taps_0(_S698.base_0, _S699);
+    var _S701 : Components_0 = as_seen_0(_S697, _S698, clustered_base_0(_S697, _S698.base_0, _S700));
+    return under_sheen_0(_S697, _S698, shaded_0(_S697, _S701, _S698.albedos_6, _S699, _S698.view_7, _S700.transmits_1) + bounced_value_0(_S698.bounced_2, _S699, _S698.view_7) * vec3<f32>(diffuse_kept_0(_S697, _S699, _S698.view_7)), _S701.light_visibility_1 + _S698.hole_1, _S699);
 }
 
 struct TexelTerms_0
@@ -2315,108 +2552,108 @@ struct TexelTerms_0
      known_0 : Components_0,
 };
 
-fn coefficient_0( _S669 : u32,  _S670 : u32,  _S671 : u32) -> f32
+fn coefficient_0( _S702 : u32,  _S703 : u32,  _S704 : u32) -> f32
 {
-    var _S672 : i32 = i32(table_byte_0(fabrics_0[_S669].clustered_0.coefficients_0, _S670 * (fabrics_0[_S669].clustered_0.rank_0 + u32(3)) + _S671));
-    return f32(select(_S672, _S672 - i32(256), _S672 > i32(127)));
+    var _S705 : i32 = i32(table_byte_0(fabrics_0[_S702].clustered_0.coefficients_0, _S703 * (fabrics_0[_S702].clustered_0.rank_0 + u32(3)) + _S704));
+    return f32(select(_S705, _S705 - i32(256), _S705 > i32(127)));
 }
 
-fn at_texel_0( _S673 : u32,  _S674 : ViewedBase_0,  _S675 : u32,  _S676 : BaseTaps_0) -> TexelTerms_0
+fn at_texel_0( _S706 : u32,  _S707 : ViewedBase_0,  _S708 : u32,  _S709 : BaseTaps_0) -> TexelTerms_0
 {
-    var _S677 : Clustered_std430_0 = fabrics_0[_S673].clustered_0;
-    var _S678 : u32 = fabrics_0[_S673].clustered_0.columns_0 * fabrics_0[_S673].clustered_0.rows_0;
-    var _S679 : u32 = _S674.face_6 * _S678 + _S675;
-    var _S680 : u32 = table_byte_0(fabrics_0[_S673].clustered_0.labels_0, _S679);
+    var _S710 : Clustered_std430_0 = fabrics_0[_S706].clustered_0;
+    var _S711 : u32 = fabrics_0[_S706].clustered_0.columns_0 * fabrics_0[_S706].clustered_0.rows_0;
+    var _S712 : u32 = _S707.face_6 * _S711 + _S708;
+    var _S713 : u32 = table_byte_0(fabrics_0[_S706].clustered_0.labels_0, _S712);
     var terms_2 : TexelTerms_0;
-    var _S681 : Components_0 = no_components_0();
-    terms_2.own_2 = _S681;
-    terms_2.known_0 = _S681;
-    if(_S680 >= (fabrics_0[_S673].clustered_0.clusters_0))
+    var _S714 : Components_0 = no_components_0();
+    terms_2.own_2 = _S714;
+    terms_2.known_0 = _S714;
+    if(_S713 >= (fabrics_0[_S706].clustered_0.clusters_0))
     {
         return terms_2;
     }
-    var _S682 : f32 = cluster_density_0(_S673, _S674, _S676, _S680, u32(0));
-    var number_8 : u32 = u32(1);
-    var density_2 : f32 = _S682;
+    var _S715 : f32 = cluster_density_0(_S706, _S707, _S709, _S713, u32(0));
+    var number_9 : u32 = u32(1);
+    var density_2 : f32 = _S715;
     for(;;)
     {
-        if(number_8 <= (_S677.rank_0))
+        if(number_9 <= (_S710.rank_0))
         {
         }
         else
         {
             break;
         }
-        var density_3 : f32 = density_2 + coefficient_0(_S673, _S679, number_8 - u32(1)) * cluster_density_0(_S673, _S674, _S676, _S680, number_8);
-        number_8 = number_8 + u32(1);
+        var density_3 : f32 = density_2 + coefficient_0(_S706, _S712, number_9 - u32(1)) * cluster_density_0(_S706, _S707, _S709, _S713, number_9);
+        number_9 = number_9 + u32(1);
         density_2 = density_3;
     }
-    var _S683 : f32 = cluster_attenuation_0(_S673, _S674, _S676, _S680) * density_2;
-    var _S684 : f32 = clustered_cosine_0(_S676, vec3<f32>(coefficient_0(_S673, _S679, _S677.rank_0), coefficient_0(_S673, _S679, _S677.rank_0 + u32(1)), coefficient_0(_S673, _S679, _S677.rank_0 + u32(2))));
-    var _S685 : f32 = abs(_S676.facing_0.z);
-    var _S686 : f32 = gaussian_visibility_0(_S677.texels_2 + (select(_S674.face_6, u32(1) - _S674.face_6, _S676.transmits_1) * _S678 + _S675) * u32(12), vec3<f32>(_S676.facing_0.xy, _S685));
-    var _S687 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S673].diffuse_blend_0) * _S685;
-    var _S688 : f32 = cluster_visibility_0(_S673, _S676, _S680);
-    var _S689 : bool = _S680 < (_S677.clusters_0 / u32(2));
-    var _S690 : f32 = 0.31830987334251404f * fabrics_0[_S673].diffuse_blend_0;
-    terms_2.own_2 = of_family_0(_S689, _S686 * (_S687 + _S690 * max(_S684, 0.0f)), _S686 * _S683, _S686);
-    terms_2.known_0 = of_family_0(_S689, _S688 * (_S687 + _S690 * _S684), _S688 * _S683, _S688);
+    var _S716 : f32 = cluster_attenuation_0(_S706, _S707, _S709, _S713) * density_2;
+    var _S717 : f32 = clustered_cosine_0(_S709, vec3<f32>(coefficient_0(_S706, _S712, _S710.rank_0), coefficient_0(_S706, _S712, _S710.rank_0 + u32(1)), coefficient_0(_S706, _S712, _S710.rank_0 + u32(2))));
+    var _S718 : f32 = abs(_S709.facing_0.z);
+    var _S719 : f32 = gaussian_visibility_0(_S710.texels_2 + (select(_S707.face_6, u32(1) - _S707.face_6, _S709.transmits_1) * _S711 + _S708) * u32(12), vec3<f32>(_S709.facing_0.xy, _S718));
+    var _S720 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S706].diffuse_blend_0) * _S718;
+    var _S721 : f32 = cluster_visibility_0(_S706, _S709, _S713);
+    var _S722 : bool = _S713 < (_S710.clusters_0 / u32(2));
+    var _S723 : f32 = 0.31830987334251404f * fabrics_0[_S706].diffuse_blend_0;
+    terms_2.own_2 = of_family_0(_S722, _S719 * (_S720 + _S723 * max(_S717, 0.0f)), _S719 * _S716, _S719);
+    terms_2.known_0 = of_family_0(_S722, _S721 * (_S720 + _S723 * _S717), _S721 * _S716, _S721);
     return terms_2;
 }
 
-fn texel_albedos_0( _S691 : u32,  _S692 : ClusteredView_0,  _S693 : u32) -> Albedos_0
+fn texel_albedos_0( _S724 : u32,  _S725 : ClusteredView_0,  _S726 : u32) -> Albedos_0
 {
-    var _S694 : u32 = _S692.base_0.face_6 * fabrics_0[_S691].clustered_0.columns_0 * fabrics_0[_S691].clustered_0.rows_0 + _S693;
-    var _S695 : bool = (table_byte_0(fabrics_0[_S691].clustered_0.labels_0, _S694)) < (fabrics_0[_S691].clustered_0.clusters_0 / u32(2));
-    var _S696 : u32 = select(fabrics_0[_S691].weft_0, fabrics_0[_S691].warp_0, _S695);
-    var _S697 : u32 = fabrics_0[_S691].clustered_0.texels_2 + _S694 * u32(12) + u32(9);
-    var _S698 : Albedos_0 = table_albedos_0(families_0[_S696].albedo_table_0 + min(u32(table_number_0(_S697)) + u32(1024) * u32(table_number_0(_S697 + u32(1))), u32(families_0[_S696].count_0) - u32(1)) * families_0[_S696].albedo_stride_0);
-    if((fabrics_0[_S691].is_irregular_0) == u32(0))
+    var _S727 : u32 = _S725.base_0.face_6 * fabrics_0[_S724].clustered_0.columns_0 * fabrics_0[_S724].clustered_0.rows_0 + _S726;
+    var _S728 : bool = (table_byte_0(fabrics_0[_S724].clustered_0.labels_0, _S727)) < (fabrics_0[_S724].clustered_0.clusters_0 / u32(2));
+    var _S729 : u32 = select(fabrics_0[_S724].weft_0, fabrics_0[_S724].warp_0, _S728);
+    var _S730 : u32 = fabrics_0[_S724].clustered_0.texels_2 + _S727 * u32(12) + u32(9);
+    var _S731 : Albedos_0 = table_albedos_0(families_0[_S729].albedo_table_0 + min(u32(table_number_0(_S730)) + u32(1024) * u32(table_number_0(_S730 + u32(1))), u32(families_0[_S729].count_0) - u32(1)) * families_0[_S729].albedo_stride_0);
+    if((fabrics_0[_S724].is_irregular_0) == u32(0))
     {
-        return _S698;
+        return _S731;
     }
-    return toned_0(_S691, _S696, _S698, select_vector_0(_S695, _S692.yarns_0.warp_1, _S692.yarns_0.weft_1));
+    return toned_0(_S724, _S729, _S731, select_vector_0(_S728, _S725.yarns_0.warp_1, _S725.yarns_0.weft_1));
 }
 
-fn clustered_residual_0( _S699 : u32,  _S700 : ClusteredView_0,  _S701 : u32,  _S702 : vec3<f32>,  _S703 : vec3<f32>) -> vec3<f32>
+fn clustered_residual_0( _S732 : u32,  _S733 : ClusteredView_0,  _S734 : u32,  _S735 : vec3<f32>,  _S736 : vec3<f32>) -> vec3<f32>
 {
-    var _S704 : BaseTaps_0 = base_taps_0(_S700.base_0, _S703);
-    var _S705 : TexelTerms_0 = at_texel_0(_S699, _S700.base_0, _S701, _S704);
+    var _S737 : BaseTaps_0 = base_taps_0(_S733.base_0, _S736);
+    var _S738 : TexelTerms_0 = at_texel_0(_S732, _S733.base_0, _S734, _S737);
     var own_3 : FamilyAlbedos_0;
-    var _S706 : Albedos_0 = tinted_0(texel_albedos_0(_S699, _S700, _S701), _S702);
-    own_3.warp_5 = _S706;
-    own_3.weft_5 = _S706;
-    var _S707 : Components_0 = as_seen_0(_S699, _S700, _S705.own_2);
-    var _S708 : Components_0 = as_seen_0(_S699, _S700, _S705.known_0);
-    return under_sheen_0(_S699, _S700, shaded_0(_S699, _S707, own_3, _S703, _S700.view_7, _S704.transmits_1) - shaded_0(_S699, _S708, _S700.albedos_4, _S703, _S700.view_7, _S704.transmits_1), _S707.light_visibility_1 - _S708.light_visibility_1, _S703);
+    var _S739 : Albedos_0 = tinted_0(texel_albedos_0(_S732, _S733, _S734), _S735);
+    own_3.warp_3 = _S739;
+    own_3.weft_3 = _S739;
+    var _S740 : Components_0 = as_seen_0(_S732, _S733, _S738.own_2);
+    var _S741 : Components_0 = as_seen_0(_S732, _S733, _S738.known_0);
+    return under_sheen_0(_S732, _S733, shaded_0(_S732, _S740, own_3, _S736, _S733.view_7, _S737.transmits_1) - shaded_0(_S732, _S741, _S733.albedos_6, _S736, _S733.view_7, _S737.transmits_1), _S740.light_visibility_1 - _S741.light_visibility_1, _S736);
 }
 
-fn passed_by_sheen_0( _S709 : u32,  _S710 : f32,  _S711 : vec3<f32>) -> f32
+fn passed_by_sheen_0( _S742 : u32,  _S743 : f32,  _S744 : vec3<f32>) -> f32
 {
-    var _S712 : f32 = fabrics_0[_S709].sheen_strength_0;
-    if((fabrics_0[_S709].sheen_strength_0) <= 0.0f)
+    var _S745 : f32 = fabrics_0[_S742].sheen_strength_0;
+    if((fabrics_0[_S742].sheen_strength_0) <= 0.0f)
     {
-        return _S710;
+        return _S743;
     }
-    return _S710 * (1.0f - _S712 * sheen_lobe_0(abs(_S711.z), fabrics_0[_S709].sheen_roughness_0).z);
+    return _S743 * (1.0f - _S745 * sheen_lobe_0(abs(_S744.z), fabrics_0[_S742].sheen_roughness_0).z);
 }
 
-fn light_of_clustered_0( _S713 : u32,  _S714 : VisiblePoint_0,  _S715 : vec2<u32>,  _S716 : vec3<f32>) -> vec4<f32>
+fn light_of_clustered_0( _S746 : u32,  _S747 : VisiblePoint_0,  _S748 : vec2<u32>,  _S749 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S714.draft_dx_0;
-    footprint_1.dy_0 = _S714.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S713, _S714.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S717 : vec3<f32> = to_local_0(_S714, _S714.view_0);
-    var _S718 : Clustered_std430_0 = fabrics_0[_S713].clustered_0;
-    var _S719 : u32 = mixed_0(mixed_0(_S715.x + u32(65536) * _S715.y) + frame_record_0.pass_number_0 * u32(2654435769));
-    var _S720 : ClusteredView_0 = clustered_view_0(_S713, footprint_1, _S717, _S716, _S719);
-    var _S721 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_1.dx_0 = _S747.draft_dx_0;
+    footprint_1.dy_0 = _S747.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S746, _S747.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S750 : vec3<f32> = to_local_0(_S747, _S747.view_0);
+    var _S751 : Clustered_std430_0 = fabrics_0[_S746].clustered_0;
+    var _S752 : u32 = mixed_0(mixed_0(_S748.x + u32(65536) * _S748.y) + frame_record_0.pass_number_0 * u32(2654435769));
+    var _S753 : ClusteredView_0 = clustered_view_0(_S746, footprint_1, _S750, _S749, _S752);
+    var _S754 : vec3<f32> = vec3<f32>(0.0f);
     var term_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S721;
+    var radiance_1 : vec3<f32> = _S754;
     for(;;)
     {
-        if(term_1 <= (_S718.samples_1))
+        if(term_1 <= (_S751.samples_1))
         {
         }
         else
@@ -2426,78 +2663,78 @@ fn light_of_clustered_0( _S713 : u32,  _S714 : VisiblePoint_0,  _S715 : vec2<u32
         var texel_0 : u32;
         if(term_1 > u32(0))
         {
-            texel_0 = residual_texel_0(_S713, _S720, _S719, term_1 - u32(1));
+            texel_0 = residual_texel_0(_S746, _S753, _S752, term_1 - u32(1));
         }
         else
         {
             texel_0 = u32(0);
         }
-        var number_9 : u32 = u32(0);
+        var number_10 : u32 = u32(0);
         var radiance_2 : vec3<f32> = radiance_1;
         for(;;)
         {
-            if(number_9 < (light_sample_count_0()))
+            if(number_10 < (light_sample_count_0()))
             {
             }
             else
             {
                 break;
             }
-            var _S722 : f32 = visibility_at_0(number_9, _S715);
-            if(_S722 <= 0.0f)
+            var _S755 : f32 = visibility_at_0(number_10, _S748);
+            if(_S755 <= 0.0f)
             {
-                number_9 = number_9 + u32(1);
+                number_10 = number_10 + u32(1);
                 continue;
             }
-            var _S723 : LightSample_0 = light_sample_0(number_9, _S715, _S714.position_4);
-            var _S724 : vec3<f32> = to_local_0(_S714, _S723.towards_1);
+            var _S756 : LightSample_0 = light_sample_0(number_10, _S748, _S747.position_4);
+            var _S757 : vec3<f32> = to_local_0(_S747, _S756.towards_1);
             var value_2 : vec3<f32>;
             if(term_1 == u32(0))
             {
-                value_2 = clustered_base_value_0(_S713, _S720, _S724);
+                value_2 = clustered_base_value_0(_S746, _S753, _S757);
             }
             else
             {
-                value_2 = clustered_residual_0(_S713, _S720, texel_0, _S716, _S724) / vec3<f32>(f32(_S718.samples_1));
+                value_2 = clustered_residual_0(_S746, _S753, texel_0, _S749, _S757) / vec3<f32>(f32(_S751.samples_1));
             }
-            radiance_2 = radiance_2 + vec3<f32>(_S722) * _S723.irradiance_1 * value_2;
-            number_9 = number_9 + u32(1);
+            radiance_2 = radiance_2 + vec3<f32>(_S755) * _S756.irradiance_1 * value_2;
+            number_10 = number_10 + u32(1);
         }
         term_1 = term_1 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S713, _S720.hole_1, _S717));
+    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S746, _S753.hole_1, _S750));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_clustered(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S725 : u32 = id_0.x;
-    var _S726 : bool;
-    if(_S725 >= (frame_record_0.width_0))
+    var _S758 : u32 = id_0.x;
+    var _S759 : bool;
+    if(_S758 >= (frame_record_0.width_0))
     {
-        _S726 = true;
+        _S759 = true;
     }
     else
     {
-        _S726 = (id_0.y) >= (frame_record_0.height_0);
+        _S759 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S726)
+    if(_S759)
     {
         return;
     }
-    var _S727 : u32 = id_0.y * frame_record_0.width_0 + _S725;
-    var _S728 : u32 = layers_0[_S727].face_0;
-    if((layers_0[_S727].face_0) == u32(0))
+    var _S760 : u32 = id_0.y * frame_record_0.width_0 + _S758;
+    var _S761 : u32 = layers_0[_S760].face_0;
+    if((layers_0[_S760].face_0) == u32(0))
     {
         return;
     }
-    var _S729 : u32 = _S728 - u32(1);
-    var _S730 : u32 = fabric_of_0(_S729);
-    var _S731 : vec2<u32> = id_0.xy;
-    var _S732 : VisiblePoint_0 = visible_point_0(_S730, _S729, _S731);
-    accumulate_0(_S727, light_of_clustered_0(_S730, _S732, _S731, filtered_albedo_0(_S730, _S732)));
+    var _S762 : u32 = _S761 - u32(1);
+    var _S763 : u32 = fabric_of_0(_S762);
+    var _S764 : vec2<u32> = id_0.xy;
+    var _S765 : VisiblePoint_0 = visible_point_0(_S763, _S762, _S764);
+    accumulate_0(_S760, light_of_clustered_0(_S763, _S765, _S764, filtered_albedo_0(_S763, _S765)));
     return;
 }
 

@@ -217,6 +217,14 @@ struct Fabric_std430_0
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
     @align(4) clustered_0 : Clustered_std430_0,
+    @align(4) planes_0 : u32,
+    @align(4) plane_records_0 : u32,
+    @align(4) plane_axes_0 : u32,
+    @align(4) stacks_0 : u32,
+    @align(4) plane_orders_0 : u32,
+    @align(4) regions_0 : u32,
+    @align(4) plane_shares_0 : u32,
+    @align(4) is_coloured_0 : u32,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -242,6 +250,8 @@ struct Family_std430_0
     @align(4) twist_cosine_0 : f32,
     @align(4) level_0 : f32,
     @align(4) roughness_0 : f32,
+    @align(4) layer_turned_0 : f32,
+    @align(4) layer_through_0 : f32,
     @align(4) albedo_table_0 : u32,
     @align(4) albedo_stride_0 : u32,
     @align(4) before_0 : u32,
@@ -249,6 +259,7 @@ struct Family_std430_0
     @align(4) smallest_box_0 : f32,
     @align(4) quantities_0 : u32,
     @align(4) colour_mean_0 : u32,
+    @align(4) cloth_mean_0 : u32,
     @align(4) colour_axes_0 : u32,
     @align(4) colour_threads_0 : u32,
     @align(4) colour_areas_0 : u32,

@@ -217,6 +217,14 @@ struct Fabric_std430_0
     @align(4) mean_hole_0 : f32,
     @align(4) latent_0 : Latent_std430_0,
     @align(4) clustered_0 : Clustered_std430_0,
+    @align(4) planes_0 : u32,
+    @align(4) plane_records_0 : u32,
+    @align(4) plane_axes_0 : u32,
+    @align(4) stacks_0 : u32,
+    @align(4) plane_orders_0 : u32,
+    @align(4) regions_0 : u32,
+    @align(4) plane_shares_0 : u32,
+    @align(4) is_coloured_0 : u32,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -242,6 +250,8 @@ struct Family_std430_0
     @align(4) twist_cosine_0 : f32,
     @align(4) level_0 : f32,
     @align(4) roughness_0 : f32,
+    @align(4) layer_turned_0 : f32,
+    @align(4) layer_through_0 : f32,
     @align(4) albedo_table_0 : u32,
     @align(4) albedo_stride_0 : u32,
     @align(4) before_0 : u32,
@@ -249,6 +259,7 @@ struct Family_std430_0
     @align(4) smallest_box_0 : f32,
     @align(4) quantities_0 : u32,
     @align(4) colour_mean_0 : u32,
+    @align(4) cloth_mean_0 : u32,
     @align(4) colour_axes_0 : u32,
     @align(4) colour_threads_0 : u32,
     @align(4) colour_areas_0 : u32,
@@ -1496,6 +1507,8 @@ fn Footprint_spread_side_0( this_2 : Footprint_0) -> f32
     return sqrt(0.5f * (dot(_S170, _S170) + dot(_S171, _S171)));
 }
 
+@id(0) override HAS_LAYERS_0 : bool = true;
+
 fn fade_0( size_1 : f32,  period_1 : f32) -> f32
 {
     return clamp((1.0f - size_1 / period_1) * 1.33333337306976318f, 0.0f, 1.0f);
@@ -1703,6 +1716,89 @@ fn default_quality_0() -> SearchQuality_0
     return quality_0;
 }
 
+struct Plane_0
+{
+     warp_1 : u32,
+     weft_1 : u32,
+     run_words_1 : u32,
+     ends_2 : u32,
+     end_numbers_0 : u32,
+     pick_numbers_0 : u32,
+     max_heights_1 : u32,
+     max_height_columns_1 : u32,
+     height_low_1 : f32,
+     height_high_1 : f32,
+     front_level_0 : f32,
+     back_level_0 : f32,
+     start_x_0 : f32,
+     start_y_0 : f32,
+     fine_x_0 : f32,
+     fine_y_0 : f32,
+};
+
+fn plane_at_0( first_22 : u32) -> Plane_0
+{
+    var record_1 : Plane_0;
+    record_1.warp_1 = words_0[first_22];
+    record_1.weft_1 = words_0[first_22 + u32(1)];
+    record_1.run_words_1 = words_0[first_22 + u32(2)];
+    record_1.ends_2 = words_0[first_22 + u32(3)];
+    record_1.end_numbers_0 = words_0[first_22 + u32(4)];
+    record_1.pick_numbers_0 = words_0[first_22 + u32(5)];
+    record_1.max_heights_1 = words_0[first_22 + u32(6)];
+    record_1.max_height_columns_1 = words_0[first_22 + u32(7)];
+    record_1.height_low_1 = (bitcast<f32>((words_0[first_22 + u32(8)])));
+    record_1.height_high_1 = (bitcast<f32>((words_0[first_22 + u32(9)])));
+    record_1.front_level_0 = (bitcast<f32>((words_0[first_22 + u32(10)])));
+    record_1.back_level_0 = (bitcast<f32>((words_0[first_22 + u32(11)])));
+    record_1.start_x_0 = (bitcast<f32>((words_0[first_22 + u32(12)])));
+    record_1.start_y_0 = (bitcast<f32>((words_0[first_22 + u32(13)])));
+    record_1.fine_x_0 = (bitcast<f32>((words_0[first_22 + u32(14)])));
+    record_1.fine_y_0 = (bitcast<f32>((words_0[first_22 + u32(15)])));
+    return record_1;
+}
+
+struct Crossing_0
+{
+     warp_2 : Cell_0,
+     weft_2 : Cell_0,
+     warp_word_0 : u32,
+     weft_word_0 : u32,
+     warp_above_0 : bool,
+};
+
+fn crossing_at_0( plane_0 : Plane_0,  x_8 : f32,  y_1 : f32,  back_3 : bool) -> Crossing_0
+{
+    var crossing_0 : Crossing_0;
+    crossing_0.warp_2 = locate_0(plane_0.warp_1, x_8 - plane_0.start_x_0);
+    crossing_0.weft_2 = locate_0(plane_0.weft_1, y_1 - plane_0.start_y_0);
+    var _S216 : u32 = plane_0.run_words_1 + u32(2) * (crossing_0.weft_2.thread_1 * plane_0.ends_2 + crossing_0.warp_2.thread_1);
+    var _S217 : u32 = words_0[_S216];
+    crossing_0.warp_word_0 = _S217;
+    crossing_0.weft_word_0 = words_0[_S216 + u32(1)];
+    crossing_0.warp_above_0 = (((_S217 & (u32(1)))) == u32(1)) != back_3;
+    return crossing_0;
+}
+
+fn cell_maximum_0( plane_1 : Plane_0,  crossing_1 : Crossing_0) -> f32
+{
+    var _S218 : u32 = select(plane_1.weft_1, plane_1.warp_1, crossing_1.warp_above_0);
+    return f32((select(crossing_1.weft_word_0, crossing_1.warp_word_0, crossing_1.warp_above_0) >> (u32(28)))) * families_0[_S218].height_scale_0 * families_0[_S218].level_0;
+}
+
+fn bounds_in_0( plane_2 : Plane_0,  x_9 : f32,  y_2 : f32,  back_4 : bool,  right_0 : bool,  up_0 : bool) -> vec3<f32>
+{
+    var _S219 : Crossing_0 = crossing_at_0(plane_2, x_9, y_2, back_4);
+    return vec3<f32>(cell_maximum_0(plane_2, _S219), select(_S219.warp_2.below_0, _S219.warp_2.above_0, right_0), select(_S219.weft_2.below_0, _S219.weft_2.above_0, up_0));
+}
+
+fn hole_edge_0( cell_5 : Cell_0,  forwards_0 : bool) -> f32
+{
+    var _S220 : f32 = select(- cell_5.across_0, cell_5.across_0, forwards_0);
+    var _S221 : f32 = - cell_5.half_width_1;
+    return select(select(cell_5.half_width_1, _S221, _S220 < _S221) - _S220, 2.0f * select(cell_5.below_0, cell_5.above_0, forwards_0) + _S220 - cell_5.half_width_1, _S220 >= (cell_5.half_width_1));
+}
+
 struct Shown_0
 {
      is_warp_0 : bool,
@@ -1711,53 +1807,44 @@ struct Shown_0
      word_0 : u32,
 };
 
-struct Crossing_0
+fn shown_at_0( crossing_2 : Crossing_0,  back_5 : bool) -> Shown_0
 {
-     warp_1 : Cell_0,
-     weft_1 : Cell_0,
-     warp_word_0 : u32,
-     weft_word_0 : u32,
-     warp_above_0 : bool,
-};
-
-fn shown_at_0( crossing_0 : Crossing_0,  back_3 : bool) -> Shown_0
-{
-    var _S216 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
+    var _S222 : bool = (abs(crossing_2.warp_2.across_0)) < (crossing_2.warp_2.half_width_1);
     var shown_0 : Shown_0;
-    var _S217 : bool = !((abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1));
-    var _S218 : bool = (_S216 & (((_S217 | ((crossing_0.warp_above_0))))));
-    shown_0.is_warp_0 = _S218;
-    shown_0.hole_0 = ((!_S216) & (_S217));
-    var _S219 : u32 = select(crossing_0.weft_word_0, crossing_0.warp_word_0, _S218);
-    shown_0.word_0 = _S219;
-    shown_0.on_top_0 = (((_S219 & (u32(1)))) == u32(1)) != back_3;
+    var _S223 : bool = !((abs(crossing_2.weft_2.across_0)) < (crossing_2.weft_2.half_width_1));
+    var _S224 : bool = (_S222 & (((_S223 | ((crossing_2.warp_above_0))))));
+    shown_0.is_warp_0 = _S224;
+    shown_0.hole_0 = ((!_S222) & (_S223));
+    var _S225 : u32 = select(crossing_2.weft_word_0, crossing_2.warp_word_0, _S224);
+    shown_0.word_0 = _S225;
+    shown_0.on_top_0 = (((_S225 & (u32(1)))) == u32(1)) != back_5;
     return shown_0;
 }
 
-fn select_cell_0( is_first_0 : bool,  first_22 : Cell_0,  second_1 : Cell_0) -> Cell_0
+fn select_cell_0( is_first_0 : bool,  first_23 : Cell_0,  second_1 : Cell_0) -> Cell_0
 {
-    var cell_5 : Cell_0;
-    cell_5.thread_1 = select(second_1.thread_1, first_22.thread_1, is_first_0);
-    cell_5.across_0 = select(second_1.across_0, first_22.across_0, is_first_0);
-    cell_5.half_width_1 = select(second_1.half_width_1, first_22.half_width_1, is_first_0);
-    cell_5.below_0 = select(second_1.below_0, first_22.below_0, is_first_0);
-    cell_5.above_0 = select(second_1.above_0, first_22.above_0, is_first_0);
-    return cell_5;
+    var cell_6 : Cell_0;
+    cell_6.thread_1 = select(second_1.thread_1, first_23.thread_1, is_first_0);
+    cell_6.across_0 = select(second_1.across_0, first_23.across_0, is_first_0);
+    cell_6.half_width_1 = select(second_1.half_width_1, first_23.half_width_1, is_first_0);
+    cell_6.below_0 = select(second_1.below_0, first_23.below_0, is_first_0);
+    cell_6.above_0 = select(second_1.above_0, first_23.above_0, is_first_0);
+    return cell_6;
 }
 
 fn boundary_0( family_9 : u32,  thread_3 : u32,  step_0 : i32) -> f32
 {
-    var _S220 : vec2<f32> = turns_and_remainder_0(family_9, f32(i32(thread_3) + step_0));
-    return fma(_S220.x, families_0[family_9].period_0, table_number_0(families_0[family_9].place_table_0 + u32(_S220.y) * u32(4)));
+    var _S226 : vec2<f32> = turns_and_remainder_0(family_9, f32(i32(thread_3) + step_0));
+    return fma(_S226.x, families_0[family_9].period_0, table_number_0(families_0[family_9].place_table_0 + u32(_S226.y) * u32(4)));
 }
 
-fn span_0( family_10 : u32,  thread_4 : u32,  first_23 : i32,  last_0 : i32) -> f32
+fn span_0( family_10 : u32,  thread_4 : u32,  first_24 : i32,  last_0 : i32) -> f32
 {
     if((families_0[family_10].is_alike_0) != u32(0))
     {
-        return f32(last_0 - first_23) * families_0[family_10].size_0;
+        return f32(last_0 - first_24) * families_0[family_10].size_0;
     }
-    return boundary_0(family_10, thread_4, last_0) - boundary_0(family_10, thread_4, first_23);
+    return boundary_0(family_10, thread_4, last_0) - boundary_0(family_10, thread_4, first_24);
 }
 
 struct Bend_0
@@ -1769,11 +1856,11 @@ struct Bend_0
 
 fn bend_of_0( family_11 : u32,  thread_5 : u32) -> Bend_0
 {
-    var _S221 : u32 = families_0[family_11].bend_table_0 + select(thread_5 * u32(4), u32(0), (families_0[family_11].is_alike_0) != u32(0));
+    var _S227 : u32 = families_0[family_11].bend_table_0 + select(thread_5 * u32(4), u32(0), (families_0[family_11].is_alike_0) != u32(0));
     var bend_0 : Bend_0;
-    bend_0.sine_0 = table_number_0(_S221);
-    bend_0.half_tangent_0 = table_number_0(_S221 + u32(1));
-    bend_0.arc_0 = table_number_0(_S221 + u32(2));
+    bend_0.sine_0 = table_number_0(_S227);
+    bend_0.half_tangent_0 = table_number_0(_S227 + u32(1));
+    bend_0.arc_0 = table_number_0(_S227 + u32(2));
     return bend_0;
 }
 
@@ -1793,29 +1880,29 @@ struct Run_0
 
 fn unpack_0( own_0 : u32,  other_0 : u32,  thread_6 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
-    var _S222 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
-    var _S223 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
-    var _S224 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
-    var _S225 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
+    var _S228 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
+    var _S229 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
+    var _S230 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
+    var _S231 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
     var run_0 : Run_0;
-    var _S226 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
-    run_0.straight_0 = _S226;
-    var _S227 : i32 = - _S222;
-    var _S228 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S227, i32(0));
-    run_0.from_start_0 = _S228;
-    var _S229 : i32 = _S223 + i32(1);
-    var _S230 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, i32(1), _S229);
-    run_0.to_end_0 = _S230;
-    var _S231 : bool = _S228 < _S230;
-    run_0.near_start_0 = _S231;
-    var _S232 : i32 = select(_S229, _S227 - _S224, _S231);
-    var _S233 : i32 = select(_S229 + _S225, _S227, _S231);
+    var _S232 : bool = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
+    run_0.straight_0 = _S232;
+    var _S233 : i32 = - _S228;
+    var _S234 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S233, i32(0));
+    run_0.from_start_0 = _S234;
+    var _S235 : i32 = _S229 + i32(1);
+    var _S236 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, i32(1), _S235);
+    run_0.to_end_0 = _S236;
+    var _S237 : bool = _S234 < _S236;
+    run_0.near_start_0 = _S237;
+    var _S238 : i32 = select(_S235, _S233 - _S230, _S237);
+    var _S239 : i32 = select(_S235 + _S231, _S233, _S237);
     run_0.bend_1 = bend_of_0(own_0, thread_6);
-    run_0.distance_0 = select(min(_S228, _S230), 1.0e+06f, _S226);
-    run_0.reach_0 = min(0.5f * (_S228 + _S230), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S232, _S233), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S222 == i32(0);
-    run_0.last_crossing_0 = _S223 == i32(0);
+    run_0.distance_0 = select(min(_S234, _S236), 1.0e+06f, _S232);
+    run_0.reach_0 = min(0.5f * (_S234 + _S236), run_0.bend_1.arc_0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S238, _S239), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S228 == i32(0);
+    run_0.last_crossing_0 = _S229 == i32(0);
     return run_0;
 }
 
@@ -1826,16 +1913,16 @@ struct Section_0
      slope_0 : f32,
 };
 
-fn section_at_0( cell_6 : Cell_0) -> Section_0
+fn section_at_0( cell_7 : Cell_0) -> Section_0
 {
-    var _S234 : f32 = cell_6.half_width_1 * 1.0154266357421875f;
+    var _S240 : f32 = cell_7.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S235 : f32 = clamp(cell_6.across_0, - cell_6.half_width_1, cell_6.half_width_1);
-    section_0.across_1 = _S235;
-    var _S236 : f32 = _S234 * _S234 - square_1(_S235);
-    var _S237 : f32 = rsqrt_0(_S236);
-    section_0.drop_0 = _S234 - _S236 * _S237;
-    section_0.slope_0 = - _S235 * _S237;
+    var _S241 : f32 = clamp(cell_7.across_0, - cell_7.half_width_1, cell_7.half_width_1);
+    section_0.across_1 = _S241;
+    var _S242 : f32 = _S240 * _S240 - square_1(_S241);
+    var _S243 : f32 = rsqrt_0(_S242);
+    section_0.drop_0 = _S240 - _S242 * _S243;
+    section_0.slope_0 = - _S241 * _S243;
     return section_0;
 }
 
@@ -1846,33 +1933,99 @@ fn edge_drop_0( family_12 : u32,  thread_7 : u32,  step_1 : i32) -> f32
 
 fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec3<f32>
 {
-    var _S238 : bool = (crossed_1.below_0) < (crossed_1.above_0);
-    var _S239 : f32 = min(crossed_1.below_0, crossed_1.above_0);
-    var _S240 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S238) - crossed_1.half_width_1;
-    var _S241 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S238);
-    var _S242 : f32;
+    var _S244 : bool = (crossed_1.below_0) < (crossed_1.above_0);
+    var _S245 : f32 = min(crossed_1.below_0, crossed_1.above_0);
+    var _S246 : f32 = select(crossed_1.above_0 + crossed_1.across_0, crossed_1.below_0 - crossed_1.across_0, _S244) - crossed_1.half_width_1;
+    var _S247 : bool = select(run_1.last_crossing_0, run_1.first_crossing_0, _S244);
+    var _S248 : f32;
     if(shown_1.on_top_0)
     {
-        _S242 = 0.0f;
+        _S248 = 0.0f;
     }
     else
     {
-        _S242 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, i32(0));
+        _S248 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, i32(0));
     }
-    var _S243 : f32;
-    if((shown_1.on_top_0) != _S241)
+    var _S249 : f32;
+    if((shown_1.on_top_0) != _S247)
     {
-        _S243 = 0.0f;
+        _S249 = 0.0f;
     }
     else
     {
-        _S243 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, select(i32(1), i32(-1), _S238));
+        _S249 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, select(i32(1), i32(-1), _S244));
     }
-    var _S244 : f32 = 2.0f * _S240;
-    var _S245 : f32 = 1.0f / max(_S244, 9.999999960041972e-13f);
-    var _S246 : f32 = clamp((_S240 - _S239) * _S245, 0.0f, 1.0f);
-    var _S247 : f32 = clamp((0.44999998807907104f - _S244 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
-    return vec3<f32>(_S242 + (_S243 - _S242) * (_S246 * _S246 * (3.0f - 2.0f * _S246)), (_S242 - _S243) * (6.0f * _S246 * (1.0f - _S246) * _S245) * select(-1.0f, 1.0f, _S238), _S247 * _S247 * (3.0f - 2.0f * _S247));
+    var _S250 : f32 = 2.0f * _S246;
+    var _S251 : f32 = 1.0f / max(_S250, 9.999999960041972e-13f);
+    var _S252 : f32 = clamp((_S246 - _S245) * _S251, 0.0f, 1.0f);
+    var _S253 : f32 = clamp((0.44999998807907104f - _S250 / crossed_1.half_width_1) * 4.0000004768371582f, 0.0f, 1.0f);
+    return vec3<f32>(_S248 + (_S249 - _S248) * (_S252 * _S252 * (3.0f - 2.0f * _S252)), (_S248 - _S249) * (6.0f * _S252 * (1.0f - _S252) * _S251) * select(-1.0f, 1.0f, _S244), _S253 * _S253 * (3.0f - 2.0f * _S253));
+}
+
+struct PlaneHere_0
+{
+     plane_3 : Plane_0,
+     number_1 : u32,
+     level_1 : f32,
+     edge_x_0 : f32,
+     edge_y_0 : f32,
+     bounds_0 : vec3<f32>,
+};
+
+struct Sample_0
+{
+     here_0 : PlaneHere_0,
+     crossing_3 : Crossing_0,
+     shown_2 : Shown_0,
+     run_2 : Run_0,
+     section_1 : Section_0,
+     height_2 : f32,
+     slope_across_0 : f32,
+     slope_along_0 : f32,
+     dive_1 : vec3<f32>,
+     slope_x_0 : f32,
+     slope_y_0 : f32,
+};
+
+fn sample_in_0( here_1 : PlaneHere_0,  x_10 : f32,  y_3 : f32,  back_6 : bool) -> Sample_0
+{
+    var sample_0 : Sample_0;
+    sample_0.here_0 = here_1;
+    var _S254 : Crossing_0 = crossing_at_0(here_1.plane_3, x_10, y_3, back_6);
+    sample_0.crossing_3 = _S254;
+    var _S255 : Shown_0 = shown_at_0(_S254, back_6);
+    sample_0.shown_2 = _S255;
+    var _S256 : u32 = select(here_1.plane_3.weft_1, here_1.plane_3.warp_1, _S255.is_warp_0);
+    var _S257 : u32 = select(here_1.plane_3.warp_1, here_1.plane_3.weft_1, _S255.is_warp_0);
+    var _S258 : Cell_0 = select_cell_0(_S255.is_warp_0, sample_0.crossing_3.warp_2, sample_0.crossing_3.weft_2);
+    var _S259 : Cell_0 = select_cell_0(_S255.is_warp_0, sample_0.crossing_3.weft_2, sample_0.crossing_3.warp_2);
+    var _S260 : Run_0 = unpack_0(_S256, _S257, _S258.thread_1, _S259, _S255.word_0);
+    var _S261 : Section_0 = section_at_0(_S258);
+    var _S262 : bool = ((_S255.on_top_0) & (((_S260.distance_0) < (_S261.drop_0 * _S260.bend_1.sine_0))));
+    var _S263 : f32 = select(-1.0f, 1.0f, ((_S255.on_top_0) & ((!_S262))));
+    var _S264 : f32 = select(_S260.reach_0, _S260.other_reach_0, _S262);
+    var _S265 : f32 = select(max(_S264 - _S260.distance_0, 0.0f), _S264 + _S260.distance_0, _S262);
+    var _S266 : f32 = _S264 / _S260.bend_1.sine_0 - _S263 * _S261.drop_0;
+    var _S267 : f32 = _S265 * _S265;
+    var _S268 : f32 = max(_S266 * _S266 - _S267, 9.99999968265522539e-21f);
+    var _S269 : f32 = rsqrt_0(_S268);
+    var _S270 : f32 = _S267 / (_S268 * _S269 + _S266);
+    var _S271 : bool = _S265 > 0.0f;
+    var _S272 : f32 = select(-1.0f, 1.0f, _S255.on_top_0) * select(-1.0f, 1.0f, _S260.near_start_0);
+    var _S273 : f32 = _S261.slope_0 * select(1.0f, _S266 * _S269, _S271);
+    sample_0.slope_across_0 = _S273;
+    var _S274 : f32 = select(0.0f, _S272 * _S265 * _S269, _S271);
+    sample_0.slope_along_0 = _S274;
+    var _S275 : vec3<f32> = dive_0(_S257, _S255, _S260, _S259);
+    sample_0.dive_1 = _S275;
+    sample_0.height_2 = select(families_0[_S256].height_scale_0 * _S263, 0.0f, _S260.straight_0) * (_S264 * _S260.bend_1.half_tangent_0 - _S270) - families_0[_S256].height_scale_0 * _S261.drop_0 - _S275.x + here_1.level_1;
+    var _S276 : f32 = families_0[_S256].height_scale_0 * _S273;
+    var _S277 : f32 = families_0[_S256].height_scale_0 * _S274 - _S275.y;
+    sample_0.slope_x_0 = select(_S277, _S276, _S255.is_warp_0);
+    sample_0.slope_y_0 = select(_S276, _S277, _S255.is_warp_0);
+    sample_0.run_2 = _S260;
+    sample_0.section_1 = _S261;
+    return sample_0;
 }
 
 struct StepControl_0
@@ -1881,8 +2034,8 @@ struct StepControl_0
      epsilon_0 : f32,
      per_x_0 : f32,
      per_y_0 : f32,
-     right_0 : bool,
-     up_0 : bool,
+     right_1 : bool,
+     up_1 : bool,
 };
 
 fn step_control_0( direction_2 : vec2<f32>,  step_3 : f32) -> StepControl_0
@@ -1890,12 +2043,12 @@ fn step_control_0( direction_2 : vec2<f32>,  step_3 : f32) -> StepControl_0
     var control_0 : StepControl_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    var _S248 : f32 = direction_2.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S248), 9.99999971718068537e-10f);
-    var _S249 : f32 = direction_2.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S249), 9.99999971718068537e-10f);
-    control_0.right_0 = _S248 > 0.0f;
-    control_0.up_0 = _S249 > 0.0f;
+    var _S278 : f32 = direction_2.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S278), 9.99999971718068537e-10f);
+    var _S279 : f32 = direction_2.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S279), 9.99999971718068537e-10f);
+    control_0.right_1 = _S278 > 0.0f;
+    control_0.up_1 = _S279 > 0.0f;
     return control_0;
 }
 
@@ -1917,63 +2070,63 @@ fn no_previous_sample_0() -> PreviousSample_0
     return previous_0;
 }
 
-fn outline_distance_0( cell_7 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
+fn outline_distance_0( cell_8 : Cell_0,  shown_3 : Shown_0,  run_3 : Run_0,  lengthwise_0 : bool,  forwards_1 : bool) -> f32
 {
-    var _S250 : f32 = select(- cell_7.across_0, cell_7.across_0, forwards_0);
-    var _S251 : f32 = select(cell_7.below_0, cell_7.above_0, forwards_0);
-    var _S252 : f32 = - cell_7.half_width_1;
-    var _S253 : bool = _S250 < _S252;
-    var _S254 : bool = _S250 >= (cell_7.half_width_1);
-    var _S255 : bool = (((lengthwise_0 & ((!select(run_2.first_crossing_0, run_2.last_crossing_0, forwards_0))))) & ((!shown_2.hole_0)));
-    var _S256 : f32 = select(cell_7.half_width_1, _S252, _S253) - _S250;
-    var _S257 : f32 = select(_S251, 2.0f * _S251 + _S250 - cell_7.half_width_1, ((shown_2.hole_0) | (((_S255 & ((!shown_2.on_top_0)))))));
-    if((((_S255 & ((shown_2.on_top_0)))) & ((!((select(run_2.last_crossing_0, run_2.first_crossing_0, forwards_0) & (_S253)))))))
+    var _S280 : f32 = select(- cell_8.across_0, cell_8.across_0, forwards_1);
+    var _S281 : f32 = select(cell_8.below_0, cell_8.above_0, forwards_1);
+    var _S282 : f32 = - cell_8.half_width_1;
+    var _S283 : bool = _S280 < _S282;
+    var _S284 : bool = _S280 >= (cell_8.half_width_1);
+    var _S285 : bool = (((lengthwise_0 & ((!select(run_3.first_crossing_0, run_3.last_crossing_0, forwards_1))))) & ((!shown_3.hole_0)));
+    var _S286 : f32 = select(cell_8.half_width_1, _S282, _S283) - _S280;
+    var _S287 : f32 = select(_S281, 2.0f * _S281 + _S280 - cell_8.half_width_1, ((shown_3.hole_0) | (((_S285 & ((!shown_3.on_top_0)))))));
+    if((((_S285 & ((shown_3.on_top_0)))) & ((!((select(run_3.last_crossing_0, run_3.first_crossing_0, forwards_1) & (_S283)))))))
     {
-        return select(run_2.from_start_0, run_2.to_end_0, forwards_0);
+        return select(run_3.from_start_0, run_3.to_end_0, forwards_1);
     }
-    return select(_S256, _S257, _S254);
+    return select(_S286, _S287, _S284);
 }
 
 struct Probe_0
 {
-     height_2 : f32,
+     height_3 : f32,
      hole_1 : bool,
-     slope_x_0 : f32,
-     slope_y_0 : f32,
+     slope_x_1 : f32,
+     slope_y_1 : f32,
      yarn_1 : u32,
      cell_max_0 : f32,
      side_x_0 : f32,
      side_y_0 : f32,
-     edge_x_0 : f32,
-     edge_y_0 : f32,
+     edge_x_1 : f32,
+     edge_y_1 : f32,
 };
 
-fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
+fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_2 : Probe_0) -> f32
 {
-    var _S258 : f32 = previous_1.rate_0 * step_4;
-    var _S259 : f32 = rate_1 * step_4;
-    if(((((((((!previous_1.known_0) | ((here_0.hole_1)))) | (((previous_1.yarn_0) != (here_0.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
+    var _S288 : f32 = previous_1.rate_0 * step_4;
+    var _S289 : f32 = rate_1 * step_4;
+    if(((((((((!previous_1.known_0) | ((here_2.hole_1)))) | (((previous_1.yarn_0) != (here_2.yarn_1))))) | (((previous_1.rate_0) >= 0.0f)))) | ((rate_1 <= 0.0f))))
     {
         return -1.0f;
     }
-    if((((3.0f * previous_1.clearance_0 + _S258) >= 0.0f) & (((3.0f * clearance_1 - _S259) >= 0.0f))))
+    if((((3.0f * previous_1.clearance_0 + _S288) >= 0.0f) & (((3.0f * clearance_1 - _S289) >= 0.0f))))
     {
         return -1.0f;
     }
-    var _S260 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S261 : f32 = 6.0f * _S260 - 4.0f * _S258 - 2.0f * _S259;
-    var _S262 : f32 = -2.0f * _S258 / max(_S261 + sqrt(max(_S261 * _S261 - 4.0f * (3.0f * (_S258 + _S259 - 2.0f * _S260)) * _S258, 0.0f)), 9.99999968265522539e-21f);
-    var _S263 : f32 = 1.0f - _S262;
-    return select(-1.0f, _S263 * step_4, ((((_S262 > 0.01999999955296516f) & ((_S263 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S262 + 1.0f) + _S258 * _S262) * _S263 * _S263 + (clearance_1 * (2.0f * _S263 + 1.0f) - _S259 * _S263) * _S262 * _S262) < 0.0f))));
+    var _S290 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S291 : f32 = 6.0f * _S290 - 4.0f * _S288 - 2.0f * _S289;
+    var _S292 : f32 = -2.0f * _S288 / max(_S291 + sqrt(max(_S291 * _S291 - 4.0f * (3.0f * (_S288 + _S289 - 2.0f * _S290)) * _S288, 0.0f)), 9.99999968265522539e-21f);
+    var _S293 : f32 = 1.0f - _S292;
+    return select(-1.0f, _S293 * step_4, ((((_S292 > 0.01999999955296516f) & ((_S293 > 0.01999999955296516f)))) & ((((previous_1.clearance_0 * (2.0f * _S292 + 1.0f) + _S288 * _S292) * _S293 * _S293 + (clearance_1 * (2.0f * _S293 + 1.0f) - _S289 * _S293) * _S292 * _S292) < 0.0f))));
 }
 
-fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
+fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_3 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
 {
     var previous_2 : PreviousSample_0;
-    previous_2.clearance_0 = select(clearance_2, 1.0e+09f, here_1.hole_1);
+    previous_2.clearance_0 = select(clearance_2, 1.0e+09f, here_3.hole_1);
     previous_2.rate_0 = rate_2;
-    previous_2.yarn_0 = here_1.yarn_1;
-    previous_2.known_0 = ((!here_1.hole_1) & ((!is_cell_exit_0)));
+    previous_2.yarn_0 = here_3.yarn_1;
+    previous_2.known_0 = ((!here_3.hole_1) & ((!is_cell_exit_0)));
     return previous_2;
 }
 
@@ -1982,10 +2135,10 @@ fn StepControl_to_cell_exit_0( this_4 : StepControl_0,  side_x_1 : f32,  side_y_
     return max(min(side_x_1 * this_4.per_x_0, side_y_1 * this_4.per_y_0), 0.0f) + this_4.epsilon_0;
 }
 
-fn StepControl_to_next_sample_0( this_5 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
+fn StepControl_to_next_sample_0( this_5 : StepControl_0,  here_4 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
 {
-    var _S264 : f32 = min(here_2.edge_x_0 * this_5.per_x_0, here_2.edge_y_0 * this_5.per_y_0);
-    return min(this_5.step_2, select(max(_S264, 0.0f) + this_5.epsilon_0, _S264 - this_5.epsilon_0, ((((!here_2.hole_1) & (((rate_3 * _S264 + clearance_3) < 0.0f)))) & ((_S264 > (2.0f * this_5.epsilon_0))))));
+    var _S294 : f32 = min(here_4.edge_x_1 * this_5.per_x_0, here_4.edge_y_1 * this_5.per_y_0);
+    return min(this_5.step_2, select(max(_S294, 0.0f) + this_5.epsilon_0, _S294 - this_5.epsilon_0, ((((!here_4.hole_1) & (((rate_3 * _S294 + clearance_3) < 0.0f)))) & ((_S294 > (2.0f * this_5.epsilon_0))))));
 }
 
 struct ViewRay_0
@@ -1994,22 +2147,22 @@ struct ViewRay_0
      slope_1 : vec2<f32>,
 };
 
-fn ViewRay_at_0( this_6 : ViewRay_0,  height_3 : f32) -> vec2<f32>
+fn ViewRay_at_0( this_6 : ViewRay_0,  height_4 : f32) -> vec2<f32>
 {
-    return this_6.origin_0 + this_6.slope_1 * vec2<f32>(height_3);
+    return this_6.origin_0 + this_6.slope_1 * vec2<f32>(height_4);
 }
 
-fn ViewRay_rate_0( this_7 : ViewRay_0,  here_3 : Probe_0) -> f32
+fn ViewRay_rate_0( this_7 : ViewRay_0,  here_5 : Probe_0) -> f32
 {
-    return here_3.slope_x_0 * this_7.slope_1.x + here_3.slope_y_0 * this_7.slope_1.y - 1.0f;
+    return here_5.slope_x_1 * this_7.slope_1.x + here_5.slope_y_1 * this_7.slope_1.y - 1.0f;
 }
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S265 : f32 = end_0 - start_1;
-    var _S266 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S265;
-    var _S267 : f32 = 3.0f * _S265 - 2.0f * start_rate_0 - end_rate_0;
-    var share_1 : f32 = start_1 / max(- _S265, 9.99999968265522539e-21f);
+    var _S295 : f32 = end_0 - start_1;
+    var _S296 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S295;
+    var _S297 : f32 = 3.0f * _S295 - 2.0f * start_rate_0 - end_rate_0;
+    var share_1 : f32 = start_1 / max(- _S295, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -2020,10 +2173,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S268 : f32 = clamp(share_1 - (((_S266 * share_1 + _S267) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S266 * share_1 + 2.0f * _S267) * share_1 + start_rate_0, 0.10000000149011612f * _S265 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S269 : i32 = i_0 + i32(1);
-        share_1 = _S268;
-        i_0 = _S269;
+        var _S298 : f32 = clamp(share_1 - (((_S296 * share_1 + _S297) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S296 * share_1 + 2.0f * _S297) * share_1 + start_rate_0, 0.10000000149011612f * _S295 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S299 : i32 = i_0 + i32(1);
+        share_1 = _S298;
+        i_0 = _S299;
     }
     return share_1;
 }
@@ -2045,86 +2198,86 @@ fn wrapped_0( index_3 : f32,  count_1 : f32) -> f32
 
 fn AnisotropicTaps_has_steps_0( this_8 : AnisotropicTaps_0) -> bool
 {
-    var _S270 : vec2<f32> = this_8.first_21;
-    var _S271 : vec2<f32> = this_8.second_0;
-    return (max(dot(_S270, _S270), dot(_S271, _S271))) > 0.0f;
+    var _S300 : vec2<f32> = this_8.first_21;
+    var _S301 : vec2<f32> = this_8.second_0;
+    return (max(dot(_S300, _S300), dot(_S301, _S301))) > 0.0f;
 }
 
-fn AnisotropicTaps_place_0( this_9 : AnisotropicTaps_0,  number_1 : u32) -> vec2<f32>
+fn AnisotropicTaps_place_0( this_9 : AnisotropicTaps_0,  number_2 : u32) -> vec2<f32>
 {
-    return this_9.centre_1 + vec2<f32>(select(-1.0f, 1.0f, number_1 >= u32(2))) * this_9.first_21 + vec2<f32>(select(-1.0f, 1.0f, ((number_1 & (u32(1)))) != u32(0))) * this_9.second_0;
+    return this_9.centre_1 + vec2<f32>(select(-1.0f, 1.0f, number_2 >= u32(2))) * this_9.first_21 + vec2<f32>(select(-1.0f, 1.0f, ((number_2 & (u32(1)))) != u32(0))) * this_9.second_0;
 }
 
 fn bump_0( distance_1 : f32) -> f32
 {
-    var _S272 : f32 = max(1.0f - distance_1 * distance_1, 0.0f);
-    return _S272 * _S272;
+    var _S302 : f32 = max(1.0f - distance_1 * distance_1, 0.0f);
+    return _S302 * _S302;
 }
 
 struct Yarns_0
 {
-     warp_2 : vec4<f32>,
-     weft_2 : vec4<f32>,
+     warp_3 : vec4<f32>,
+     weft_3 : vec4<f32>,
      shares_0 : vec3<f32>,
 };
 
-fn Yarns_x24init_0( warp_3 : vec4<f32>,  weft_3 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
+fn Yarns_x24init_0( warp_4 : vec4<f32>,  weft_4 : vec4<f32>,  shares_1 : vec3<f32>) -> Yarns_0
 {
-    var _S273 : Yarns_0;
-    _S273.warp_2 = warp_3;
-    _S273.weft_2 = weft_3;
-    _S273.shares_0 = shares_1;
-    return _S273;
+    var _S303 : Yarns_0;
+    _S303.warp_3 = warp_4;
+    _S303.weft_3 = weft_4;
+    _S303.shares_0 = shares_1;
+    return _S303;
 }
 
 fn irregular_over_0( family_13 : u32,  key_4 : u32,  place_1 : f32,  width_2 : f32,  along_1 : f32,  length_0 : f32) -> vec4<f32>
 {
-    var _S274 : f32 = max(width_2, 0.0625f);
-    var _S275 : f32 = min(_S274, 64.0f);
-    var _S276 : f32 = max(length_0 / 2.0f, 1.0f);
-    var _S277 : f32 = along_1 / 2.0f - 0.5f * _S276;
-    var _S278 : f32 = 0.5f * _S275;
-    var _S279 : vec2<f32> = floor(vec2<f32>(place_1 - _S278, place_1 + _S278) / vec2<f32>(64.0f));
-    var _S280 : vec4<f32> = vec4<f32>(0.0f);
-    var number_2 : u32 = u32(0);
-    var sums_8 : vec4<f32> = _S280;
+    var _S304 : f32 = max(width_2, 0.0625f);
+    var _S305 : f32 = min(_S304, 64.0f);
+    var _S306 : f32 = max(length_0 / 2.0f, 1.0f);
+    var _S307 : f32 = along_1 / 2.0f - 0.5f * _S306;
+    var _S308 : f32 = 0.5f * _S305;
+    var _S309 : vec2<f32> = floor(vec2<f32>(place_1 - _S308, place_1 + _S308) / vec2<f32>(64.0f));
+    var _S310 : vec4<f32> = vec4<f32>(0.0f);
+    var number_3 : u32 = u32(0);
+    var sums_8 : vec4<f32> = _S310;
     for(;;)
     {
-        if(number_2 < u32(6))
+        if(number_3 < u32(6))
         {
         }
         else
         {
             break;
         }
-        var _S281 : bool = number_2 >= u32(3);
-        var _S282 : u32 = select(number_2, number_2 - u32(3), _S281);
-        var _S283 : f32 = select(-1.0f, 1.0f, _S281);
-        var _S284 : f32 = _S279.y;
-        var _S285 : f32 = _S279.x;
-        var _S286 : f32 = select(_S285, _S284, _S281);
-        var _S287 : f32 = place_1 + _S283 * 0.5f * _S275 - 64.0f * _S286;
-        var _S288 : f32 = clamp(floor(_S287), 0.0f, 63.0f);
-        var _S289 : f32 = _S287 - _S288;
-        var _S290 : f32 = select(select(64.0f, 0.0f, _S281), _S288 + f32(_S282), _S282 < u32(2));
-        var _S291 : f32 = _S283 * select(select(select(0.0f, -1.0f, _S285 != _S284), _S289, _S282 == u32(1)), 1.0f - _S289, _S282 == u32(0));
-        if(_S291 == 0.0f)
+        var _S311 : bool = number_3 >= u32(3);
+        var _S312 : u32 = select(number_3, number_3 - u32(3), _S311);
+        var _S313 : f32 = select(-1.0f, 1.0f, _S311);
+        var _S314 : f32 = _S309.y;
+        var _S315 : f32 = _S309.x;
+        var _S316 : f32 = select(_S315, _S314, _S311);
+        var _S317 : f32 = place_1 + _S313 * 0.5f * _S305 - 64.0f * _S316;
+        var _S318 : f32 = clamp(floor(_S317), 0.0f, 63.0f);
+        var _S319 : f32 = _S317 - _S318;
+        var _S320 : f32 = select(select(64.0f, 0.0f, _S311), _S318 + f32(_S312), _S312 < u32(2));
+        var _S321 : f32 = _S313 * select(select(select(0.0f, -1.0f, _S315 != _S314), _S319, _S312 == u32(1)), 1.0f - _S319, _S312 == u32(0));
+        if(_S321 == 0.0f)
         {
-            number_2 = number_2 + u32(1);
+            number_3 = number_3 + u32(1);
             continue;
         }
-        var _S292 : u32 = hash_bits_0(key_4, u32(i32(_S286)));
-        sums_8 = sums_8 + vec4<f32>(_S291) * irregular_integral_0(family_13, ((_S292 & (u32(127)))) + u32(_S290), _S277 + f32((_S292 >> (u32(22)))), _S276);
-        number_2 = number_2 + u32(1);
+        var _S322 : u32 = hash_bits_0(key_4, u32(i32(_S316)));
+        sums_8 = sums_8 + vec4<f32>(_S321) * irregular_integral_0(family_13, ((_S322 & (u32(127)))) + u32(_S320), _S307 + f32((_S322 >> (u32(22)))), _S306);
+        number_3 = number_3 + u32(1);
     }
-    return sums_8 * irregular_units_0(family_13) * vec4<f32>((sqrt(_S275 / _S274) / (_S275 * _S276)));
+    return sums_8 * irregular_units_0(family_13) * vec4<f32>((sqrt(_S305 / _S304) / (_S305 * _S306)));
 }
 
 fn shown_of_covers_0( covers_0 : vec2<f32>,  warp_on_top_1 : f32) -> vec3<f32>
 {
-    var _S293 : f32 = covers_0.x;
-    var _S294 : f32 = covers_0.y;
-    return vec3<f32>(_S293 * (1.0f - _S294 * (1.0f - warp_on_top_1)), _S294 * (1.0f - _S293 * warp_on_top_1), (1.0f - _S293) * (1.0f - _S294));
+    var _S323 : f32 = covers_0.x;
+    var _S324 : f32 = covers_0.y;
+    return vec3<f32>(_S323 * (1.0f - _S324 * (1.0f - warp_on_top_1)), _S324 * (1.0f - _S323 * warp_on_top_1), (1.0f - _S323) * (1.0f - _S324));
 }
 
 fn correction_weight_of_0( coded_size_0 : f32) -> f32
@@ -2132,11 +2285,43 @@ fn correction_weight_of_0( coded_size_0 : f32) -> f32
     return clamp((coded_size_0 - 0.4869367778301239f) * 6.16096401214599609f, 0.0f, 1.0f);
 }
 
+struct Albedos_0
+{
+     diffuse_reflect_0 : vec3<f32>,
+     diffuse_transmit_0 : vec3<f32>,
+     specular_reflect_0 : vec3<f32>,
+     specular_transmit_0 : vec3<f32>,
+};
+
+fn Albedos_x24init_0( diffuse_reflect_1 : vec3<f32>,  diffuse_transmit_1 : vec3<f32>,  specular_reflect_1 : vec3<f32>,  specular_transmit_1 : vec3<f32>) -> Albedos_0
+{
+    var _S325 : Albedos_0;
+    _S325.diffuse_reflect_0 = diffuse_reflect_1;
+    _S325.diffuse_transmit_0 = diffuse_transmit_1;
+    _S325.specular_reflect_0 = specular_reflect_1;
+    _S325.specular_transmit_0 = specular_transmit_1;
+    return _S325;
+}
+
+struct FamilyAlbedos_0
+{
+     warp_5 : Albedos_0,
+     weft_5 : Albedos_0,
+};
+
+fn FamilyAlbedos_x24init_0( warp_6 : Albedos_0,  weft_6 : Albedos_0) -> FamilyAlbedos_0
+{
+    var _S326 : FamilyAlbedos_0;
+    _S326.warp_5 = warp_6;
+    _S326.weft_5 = weft_6;
+    return _S326;
+}
+
 struct Bound_0
 {
      thread_8 : u32,
      turns_2 : f32,
-     cell_8 : f32,
+     cell_9 : f32,
      visible_0 : f32,
      width_3 : f32,
      gap_0 : f32,
@@ -2144,16 +2329,16 @@ struct Bound_0
 
 fn bound_at_0( family_14 : u32,  position_5 : f32) -> Bound_0
 {
-    var _S295 : Cell_0 = locate_0(family_14, position_5);
-    var _S296 : f32 = table_number_0(families_0[family_14].before_0 + u32(2) * _S295.thread_1 + u32(1));
+    var _S327 : Cell_0 = locate_0(family_14, position_5);
+    var _S328 : f32 = table_number_0(families_0[family_14].before_0 + u32(2) * _S327.thread_1 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_8 = _S295.thread_1;
-    bound_0.turns_2 = round((position_5 - families_0[family_14].start_0 - _S296 - _S295.below_0) * families_0[family_14].inverse_period_0);
-    bound_0.cell_8 = _S295.below_0;
-    var _S297 : f32 = 2.0f * _S295.half_width_1;
-    bound_0.width_3 = _S297;
-    bound_0.visible_0 = clamp((_S295.across_0 + _S295.half_width_1) / _S297, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S295.below_0, _S295.below_0 - _S295.across_0 - _S295.half_width_1) + max(_S295.across_0 - _S295.half_width_1, 0.0f);
+    bound_0.thread_8 = _S327.thread_1;
+    bound_0.turns_2 = round((position_5 - families_0[family_14].start_0 - _S328 - _S327.below_0) * families_0[family_14].inverse_period_0);
+    bound_0.cell_9 = _S327.below_0;
+    var _S329 : f32 = 2.0f * _S327.half_width_1;
+    bound_0.width_3 = _S329;
+    bound_0.visible_0 = clamp((_S327.across_0 + _S327.half_width_1) / _S329, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S327.below_0, _S327.below_0 - _S327.across_0 - _S327.half_width_1) + max(_S327.across_0 - _S327.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -2165,11 +2350,11 @@ struct Stretch_0
 
 fn stretch_of_0( family_15 : u32,  centre_2 : f32,  size_3 : f32) -> Stretch_0
 {
-    var _S298 : f32 = centre_2 - floor((centre_2 - families_0[family_15].start_0) * families_0[family_15].inverse_period_0) * families_0[family_15].period_0;
-    var _S299 : f32 = 0.5f * max(size_3, families_0[family_15].smallest_box_0);
+    var _S330 : f32 = centre_2 - floor((centre_2 - families_0[family_15].start_0) * families_0[family_15].inverse_period_0) * families_0[family_15].period_0;
+    var _S331 : f32 = 0.5f * max(size_3, families_0[family_15].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_7 = bound_at_0(family_15, _S298 - _S299);
-    stretch_0.high_7 = bound_at_0(family_15, _S298 + _S299);
+    stretch_0.low_7 = bound_at_0(family_15, _S330 - _S331);
+    stretch_0.high_7 = bound_at_0(family_15, _S330 + _S331);
     return stretch_0;
 }
 
@@ -2177,14 +2362,6 @@ fn table_colour_0( index_4 : u32) -> vec3<f32>
 {
     return vec3<f32>(table_number_0(index_4), table_number_0(index_4 + u32(1)), table_number_0(index_4 + u32(2)));
 }
-
-struct Albedos_0
-{
-     diffuse_reflect_0 : vec3<f32>,
-     diffuse_transmit_0 : vec3<f32>,
-     specular_reflect_0 : vec3<f32>,
-     specular_transmit_0 : vec3<f32>,
-};
 
 fn table_albedos_0( row_7 : u32) -> Albedos_0
 {
@@ -2203,25 +2380,25 @@ fn Stretch_turns_0( this_10 : Stretch_0) -> f32
 
 fn lengths_0( family_16 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S300 : f32 = Stretch_turns_0(stretch_1);
-    var _S301 : u32 = families_0[family_16].before_0 + u32(2) * stretch_1.low_7.thread_8;
-    var _S302 : u32 = families_0[family_16].before_0 + u32(2) * stretch_1.high_7.thread_8;
-    var _S303 : f32 = table_number_0(_S302) - table_number_0(_S301);
-    var _S304 : f32 = table_number_0(_S302 + u32(1)) - table_number_0(_S301 + u32(1));
-    return vec3<f32>(_S303 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_3 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_3 + _S300 * families_0[family_16].visible_total_0, _S304 - _S303 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S300 * (families_0[family_16].period_0 - families_0[family_16].visible_total_0), _S304 + stretch_1.high_7.cell_8 - stretch_1.low_7.cell_8 + _S300 * families_0[family_16].period_0);
+    var _S332 : f32 = Stretch_turns_0(stretch_1);
+    var _S333 : u32 = families_0[family_16].before_0 + u32(2) * stretch_1.low_7.thread_8;
+    var _S334 : u32 = families_0[family_16].before_0 + u32(2) * stretch_1.high_7.thread_8;
+    var _S335 : f32 = table_number_0(_S334) - table_number_0(_S333);
+    var _S336 : f32 = table_number_0(_S334 + u32(1)) - table_number_0(_S333 + u32(1));
+    return vec3<f32>(_S335 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_3 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_3 + _S332 * families_0[family_16].visible_total_0, _S336 - _S335 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S332 * (families_0[family_16].period_0 - families_0[family_16].visible_total_0), _S336 + stretch_1.high_7.cell_9 - stretch_1.low_7.cell_9 + _S332 * families_0[family_16].period_0);
 }
 
 fn integrals_along_0( family_17 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S305 : u32 = u32(3) * families_0[family_17].quantities_0;
-    var _S306 : u32 = families_0[family_17].colour_threads_0 + _S305 * stretch_2.low_7.thread_8 + quantity_0;
-    var _S307 : u32 = families_0[family_17].colour_threads_0 + _S305 * stretch_2.high_7.thread_8 + quantity_0;
-    var _S308 : u32 = families_0[family_17].colour_threads_0 + _S305 * u32(families_0[family_17].count_0) + quantity_0;
-    var _S309 : f32 = table_number_0(_S306);
-    var _S310 : f32 = table_number_0(_S307);
-    var _S311 : f32 = Stretch_turns_0(stretch_2);
-    var _S312 : u32 = u32(2) * families_0[family_17].quantities_0;
-    return vec2<f32>(table_number_0(_S307 + families_0[family_17].quantities_0) - table_number_0(_S306 + families_0[family_17].quantities_0) + _S310 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_3 - _S309 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_3 + _S311 * table_number_0(_S308 + families_0[family_17].quantities_0), table_number_0(_S307 + _S312) - table_number_0(_S306 + _S312) + _S310 * stretch_2.high_7.cell_8 - _S309 * stretch_2.low_7.cell_8 + _S311 * table_number_0(_S308 + _S312));
+    var _S337 : u32 = u32(3) * families_0[family_17].quantities_0;
+    var _S338 : u32 = families_0[family_17].colour_threads_0 + _S337 * stretch_2.low_7.thread_8 + quantity_0;
+    var _S339 : u32 = families_0[family_17].colour_threads_0 + _S337 * stretch_2.high_7.thread_8 + quantity_0;
+    var _S340 : u32 = families_0[family_17].colour_threads_0 + _S337 * u32(families_0[family_17].count_0) + quantity_0;
+    var _S341 : f32 = table_number_0(_S338);
+    var _S342 : f32 = table_number_0(_S339);
+    var _S343 : f32 = Stretch_turns_0(stretch_2);
+    var _S344 : u32 = u32(2) * families_0[family_17].quantities_0;
+    return vec2<f32>(table_number_0(_S339 + families_0[family_17].quantities_0) - table_number_0(_S338 + families_0[family_17].quantities_0) + _S342 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_3 - _S341 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_3 + _S343 * table_number_0(_S340 + families_0[family_17].quantities_0), table_number_0(_S339 + _S344) - table_number_0(_S338 + _S344) + _S342 * stretch_2.high_7.cell_9 - _S341 * stretch_2.low_7.cell_9 + _S343 * table_number_0(_S340 + _S344));
 }
 
 fn Stretch_wraps_0( this_11 : Stretch_0) -> bool
@@ -2231,16 +2408,16 @@ fn Stretch_wraps_0( this_11 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_12 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S313 : u32 = entries_0.z;
-    var _S314 : u32 = entries_0.x;
-    return vec4<u32>(_S313 - _S314 + select(u32(0), whole_0, Stretch_wraps_0(this_12)), entries_0.w - _S313, entries_0.y - _S314, whole_0);
+    var _S345 : u32 = entries_0.z;
+    var _S346 : u32 = entries_0.x;
+    return vec4<u32>(_S345 - _S346 + select(u32(0), whole_0, Stretch_wraps_0(this_12)), entries_0.w - _S345, entries_0.y - _S346, whole_0);
 }
 
 fn row_differences_0( across_2 : Stretch_0,  row_8 : u32,  count_2 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S315 : u32 = row_8 + across_2.low_7.thread_8 * quantities_1;
-    var _S316 : u32 = row_8 + across_2.high_7.thread_8 * quantities_1;
-    return Stretch_differences_0(across_2, vec4<u32>(words_0[_S315], words_0[_S315 + quantities_1], words_0[_S316], words_0[_S316 + quantities_1]), words_0[row_8 + count_2 * quantities_1]);
+    var _S347 : u32 = row_8 + across_2.low_7.thread_8 * quantities_1;
+    var _S348 : u32 = row_8 + across_2.high_7.thread_8 * quantities_1;
+    return Stretch_differences_0(across_2, vec4<u32>(words_0[_S347], words_0[_S347 + quantities_1], words_0[_S348], words_0[_S348 + quantities_1]), words_0[row_8 + count_2 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_13 : Stretch_0) -> vec4<f32>
@@ -2250,36 +2427,36 @@ fn Stretch_weights_0( this_13 : Stretch_0) -> vec4<f32>
 
 fn integral_on_top_0( family_18 : u32,  across_3 : Stretch_0,  along_2 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S317 : u32 = u32(families_0[family_18].count_0);
-    var _S318 : u32 = (_S317 + u32(1)) * families_0[family_18].quantities_0;
-    var _S319 : u32 = families_0[family_18].colour_areas_0 + quantity_1;
-    var _S320 : vec4<u32> = row_differences_0(across_3, _S319 + along_2.low_7.thread_8 * _S318, _S317, families_0[family_18].quantities_0);
-    var _S321 : vec4<u32> = row_differences_0(across_3, _S319 + along_2.high_7.thread_8 * _S318, _S317, families_0[family_18].quantities_0);
-    var _S322 : vec4<u32> = row_differences_0(across_3, _S319 + crossing_count_0 * _S318, _S317, families_0[family_18].quantities_0);
-    var _S323 : vec4<f32> = Stretch_weights_0(across_3);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S321 - _S320 + select_vector_3(Stretch_wraps_0(along_2), _S322, vec4<u32>(vec4<i32>(i32(0)))))), _S323), dot(vec4<f32>(vec4<i32>(row_differences_0(across_3, _S319 + (along_2.high_7.thread_8 + u32(1)) * _S318, _S317, families_0[family_18].quantities_0) - _S321)), _S323), dot(vec4<f32>(vec4<i32>(row_differences_0(across_3, _S319 + (along_2.low_7.thread_8 + u32(1)) * _S318, _S317, families_0[family_18].quantities_0) - _S320)), _S323), dot(vec4<f32>(vec4<i32>(_S322)), _S323)), Stretch_weights_0(along_2)) * families_0[family_18].area_unit_0;
+    var _S349 : u32 = u32(families_0[family_18].count_0);
+    var _S350 : u32 = (_S349 + u32(1)) * families_0[family_18].quantities_0;
+    var _S351 : u32 = families_0[family_18].colour_areas_0 + quantity_1;
+    var _S352 : vec4<u32> = row_differences_0(across_3, _S351 + along_2.low_7.thread_8 * _S350, _S349, families_0[family_18].quantities_0);
+    var _S353 : vec4<u32> = row_differences_0(across_3, _S351 + along_2.high_7.thread_8 * _S350, _S349, families_0[family_18].quantities_0);
+    var _S354 : vec4<u32> = row_differences_0(across_3, _S351 + crossing_count_0 * _S350, _S349, families_0[family_18].quantities_0);
+    var _S355 : vec4<f32> = Stretch_weights_0(across_3);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S353 - _S352 + select_vector_3(Stretch_wraps_0(along_2), _S354, vec4<u32>(vec4<i32>(i32(0)))))), _S355), dot(vec4<f32>(vec4<i32>(row_differences_0(across_3, _S351 + (along_2.high_7.thread_8 + u32(1)) * _S350, _S349, families_0[family_18].quantities_0) - _S353)), _S355), dot(vec4<f32>(vec4<i32>(row_differences_0(across_3, _S351 + (along_2.low_7.thread_8 + u32(1)) * _S350, _S349, families_0[family_18].quantities_0) - _S352)), _S355), dot(vec4<f32>(vec4<i32>(_S354)), _S355)), Stretch_weights_0(along_2)) * families_0[family_18].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_9 : u32) -> Albedos_0
 {
-    var _S324 : Albedos_0 = table_albedos_0(row_9);
+    var _S356 : Albedos_0 = table_albedos_0(row_9);
     var sum_0 : Albedos_0;
-    var _S325 : vec3<f32> = vec3<f32>(weight_0);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S325 * _S324.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S325 * _S324.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S325 * _S324.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S325 * _S324.specular_transmit_0;
+    var _S357 : vec3<f32> = vec3<f32>(weight_0);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S357 * _S356.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S357 * _S356.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S357 * _S356.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S357 * _S356.specular_transmit_0;
     return sum_0;
 }
 
-fn mean_albedos_0( family_19 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_4 : bool) -> Albedos_0
+fn mean_albedos_0( family_19 : u32,  crossing_4 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_7 : bool) -> Albedos_0
 {
     var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_19].colour_mean_0);
     if((families_0[family_19].quantities_0) == u32(1))
     {
         return albedos_2;
     }
-    var _S326 : vec3<f32> = lengths_0(crossing_1, other_2);
+    var _S358 : vec3<f32> = lengths_0(crossing_4, other_2);
     var is_exposed_0 : bool = false;
     var weight_1 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -2292,24 +2469,24 @@ fn mean_albedos_0( family_19 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
         {
             break;
         }
-        var _S327 : vec2<f32> = integrals_along_0(family_19, own_1, quantity_2);
-        var _S328 : f32 = integral_on_top_0(family_19, own_1, other_2, u32(families_0[crossing_1].count_0), quantity_2);
-        var _S329 : f32 = _S327.x;
-        var _S330 : f32 = _S329 * _S326.x;
-        var _S331 : f32 = select(_S328, _S330 - _S328, back_4);
-        var _S332 : bool = quantity_2 == u32(0);
-        if(_S332)
+        var _S359 : vec2<f32> = integrals_along_0(family_19, own_1, quantity_2);
+        var _S360 : f32 = integral_on_top_0(family_19, own_1, other_2, u32(families_0[crossing_4].count_0), quantity_2);
+        var _S361 : f32 = _S359.x;
+        var _S362 : f32 = _S361 * _S358.x;
+        var _S363 : f32 = select(_S360, _S362 - _S360, back_7);
+        var _S364 : bool = quantity_2 == u32(0);
+        if(_S364)
         {
-            is_exposed_0 = _S331 > (16.0f * families_0[family_19].area_unit_0 * min(_S330 / families_0[family_19].crossing_area_0, 1.0f) + 0.00000999999974738f * _S330);
+            is_exposed_0 = _S363 > (16.0f * families_0[family_19].area_unit_0 * min(_S362 / families_0[family_19].crossing_area_0, 1.0f) + 0.00000999999974738f * _S362);
         }
-        var _S333 : f32 = _S329 * _S326.y + select(0.0f, _S331, is_exposed_0) + 0.000244140625f * _S326.z * _S327.y;
-        if(_S332)
+        var _S365 : f32 = _S361 * _S358.y + select(0.0f, _S363, is_exposed_0) + 0.000244140625f * _S358.z * _S359.y;
+        if(_S364)
         {
-            weight_1 = 1.0f / max(_S333, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S365, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S333 * weight_1, families_0[family_19].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S365 * weight_1, families_0[family_19].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -2320,16 +2497,74 @@ fn mean_albedos_0( family_19 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
     return albedos_2;
 }
 
-fn uniform_hash_0( thread_9 : u32,  cell_9 : u32,  stream_1 : u32) -> f32
+fn albedos_in_0( plane_4 : Plane_0,  centre_3 : vec2<f32>,  size_4 : vec2<f32>,  back_8 : bool) -> FamilyAlbedos_0
 {
-    return (f32(((hash_bits_0(hash_key_0(thread_9, stream_1), cell_9)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+    var _S366 : Stretch_0 = stretch_of_0(plane_4.warp_1, centre_3.x - plane_4.start_x_0, size_4.x);
+    var _S367 : Stretch_0 = stretch_of_0(plane_4.weft_1, centre_3.y - plane_4.start_y_0, size_4.y);
+    var albedos_3 : FamilyAlbedos_0;
+    albedos_3.warp_5 = mean_albedos_0(plane_4.warp_1, plane_4.weft_1, _S366, _S367, back_8);
+    albedos_3.weft_5 = mean_albedos_0(plane_4.weft_1, plane_4.warp_1, _S367, _S366, back_8);
+    return albedos_3;
+}
+
+struct PlaneShares_0
+{
+     area_0 : f32,
+     passed_0 : vec3<f32>,
+     added_0 : vec3<f32>,
+};
+
+fn PlaneShares_x24init_0( area_1 : f32,  passed_1 : vec3<f32>,  added_1 : vec3<f32>) -> PlaneShares_0
+{
+    var _S368 : PlaneShares_0;
+    _S368.area_0 = area_1;
+    _S368.passed_0 = passed_1;
+    _S368.added_0 = added_1;
+    return _S368;
+}
+
+fn with_shares_at_0( sums_9 : PlaneShares_0,  share_2 : f32,  first_25 : u32) -> PlaneShares_0
+{
+    var result_0 : PlaneShares_0;
+    result_0.area_0 = sums_9.area_0 + share_2 * table_number_0(first_25);
+    var _S369 : vec3<f32> = vec3<f32>(share_2);
+    result_0.passed_0 = sums_9.passed_0 + _S369 * vec3<f32>(table_number_0(first_25 + u32(1)), table_number_0(first_25 + u32(2)), table_number_0(first_25 + u32(3)));
+    result_0.added_0 = sums_9.added_0 + _S369 * vec3<f32>(table_number_0(first_25 + u32(4)), table_number_0(first_25 + u32(5)), table_number_0(first_25 + u32(6)));
+    return result_0;
+}
+
+fn with_plane_0( sums_10 : Albedos_0,  albedos_4 : Albedos_0,  shares_2 : PlaneShares_0) -> Albedos_0
+{
+    var result_1 : Albedos_0;
+    var _S370 : vec3<f32> = vec3<f32>(shares_2.area_0);
+    result_1.diffuse_reflect_0 = sums_10.diffuse_reflect_0 + _S370 * albedos_4.diffuse_reflect_0 + shares_2.added_0;
+    result_1.diffuse_transmit_0 = sums_10.diffuse_transmit_0 + shares_2.passed_0 * albedos_4.diffuse_transmit_0;
+    result_1.specular_reflect_0 = sums_10.specular_reflect_0 + _S370 * albedos_4.specular_reflect_0;
+    result_1.specular_transmit_0 = sums_10.specular_transmit_0 + shares_2.passed_0 * albedos_4.specular_transmit_0;
+    return result_1;
+}
+
+fn divided_0( sums_11 : Albedos_0,  area_2 : f32) -> Albedos_0
+{
+    var result_2 : Albedos_0;
+    var _S371 : vec3<f32> = vec3<f32>((1.0f / max(area_2, 9.99999997475242708e-07f)));
+    result_2.diffuse_reflect_0 = sums_11.diffuse_reflect_0 * _S371;
+    result_2.diffuse_transmit_0 = sums_11.diffuse_transmit_0 * _S371;
+    result_2.specular_reflect_0 = sums_11.specular_reflect_0 * _S371;
+    result_2.specular_transmit_0 = sums_11.specular_transmit_0 * _S371;
+    return result_2;
+}
+
+fn uniform_hash_0( thread_9 : u32,  cell_10 : u32,  stream_1 : u32) -> f32
+{
+    return (f32(((hash_bits_0(hash_key_0(thread_9, stream_1), cell_10)) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
 }
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_5 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S334 : u32 = pixel_0.x;
-    var _S335 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S334, _S335, stream_2), uniform_hash_0(_S334, _S335, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S372 : u32 = pixel_0.x;
+    var _S373 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S372, _S373, stream_2), uniform_hash_0(_S372, _S373, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_6 : u32) -> f32
@@ -2343,7 +2578,7 @@ struct Choice_0
      remainder_0 : f32,
 };
 
-fn choose_0( table_0 : u32,  count_3 : u32,  number_3 : f32) -> Choice_0
+fn choose_0( table_0 : u32,  count_3 : u32,  number_4 : f32) -> Choice_0
 {
     var high_8 : u32 = count_3;
     var low_8 : u32 = u32(0);
@@ -2356,22 +2591,22 @@ fn choose_0( table_0 : u32,  count_3 : u32,  number_3 : f32) -> Choice_0
         {
             break;
         }
-        var _S336 : u32 = (low_8 + high_8) / u32(2);
-        if((scene_number_0(table_0 + _S336)) <= number_3)
+        var _S374 : u32 = (low_8 + high_8) / u32(2);
+        if((scene_number_0(table_0 + _S374)) <= number_4)
         {
-            low_8 = _S336;
+            low_8 = _S374;
         }
         else
         {
-            high_8 = _S336;
+            high_8 = _S374;
         }
     }
-    var _S337 : u32 = table_0 + low_8;
-    var _S338 : f32 = scene_number_0(_S337);
-    var _S339 : f32 = scene_number_0(_S337 + u32(1));
+    var _S375 : u32 = table_0 + low_8;
+    var _S376 : f32 = scene_number_0(_S375);
+    var _S377 : f32 = scene_number_0(_S375 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_7 = low_8;
-    choice_0.remainder_0 = saturate((number_3 - _S338) / max(_S339 - _S338, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_4 - _S376) / max(_S377 - _S376, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -2380,42 +2615,42 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
-fn sine_cosine_0( x_8 : f32) -> vec2<f32>
+fn sine_cosine_0( x_11 : f32) -> vec2<f32>
 {
-    var _S340 : f32 = floor(x_8 * 0.63661974668502808f + 0.5f);
-    var _S341 : f32 = x_8 - _S340 * 1.5703125f - _S340 * 0.00048375129699707f - _S340 * 7.54979012640433211e-08f;
-    var _S342 : f32 = _S341 * _S341;
-    var _S343 : f32 = ((-0.00019515295571182f * _S342 + 0.00833216123282909f) * _S342 - 0.16666655242443085f) * _S342 * _S341 + _S341;
-    var _S344 : f32 = ((0.00002443315679557f * _S342 - 0.00138873164542019f) * _S342 + 0.04166664555668831f) * _S342 * _S342 - 0.5f * _S342 + 1.0f;
-    var _S345 : u32 = (u32(i32(_S340)) & (u32(3)));
-    var _S346 : vec2<f32> = select_vector_1(((_S345 & (u32(1)))) != u32(0), vec2<f32>(_S344, _S343), vec2<f32>(_S343, _S344));
-    var _S347 : f32 = _S346.x;
-    var _S348 : f32 = _S346.y;
-    return vec2<f32>(select(_S347, - _S347, ((_S345 & (u32(2)))) != u32(0)), select(_S348, - _S348, (((_S345 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S378 : f32 = floor(x_11 * 0.63661974668502808f + 0.5f);
+    var _S379 : f32 = x_11 - _S378 * 1.5703125f - _S378 * 0.00048375129699707f - _S378 * 7.54979012640433211e-08f;
+    var _S380 : f32 = _S379 * _S379;
+    var _S381 : f32 = ((-0.00019515295571182f * _S380 + 0.00833216123282909f) * _S380 - 0.16666655242443085f) * _S380 * _S379 + _S379;
+    var _S382 : f32 = ((0.00002443315679557f * _S380 - 0.00138873164542019f) * _S380 + 0.04166664555668831f) * _S380 * _S380 - 0.5f * _S380 + 1.0f;
+    var _S383 : u32 = (u32(i32(_S378)) & (u32(3)));
+    var _S384 : vec2<f32> = select_vector_1(((_S383 & (u32(1)))) != u32(0), vec2<f32>(_S382, _S381), vec2<f32>(_S381, _S382));
+    var _S385 : f32 = _S384.x;
+    var _S386 : f32 = _S384.y;
+    return vec2<f32>(select(_S385, - _S385, ((_S383 & (u32(2)))) != u32(0)), select(_S386, - _S386, (((_S383 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
 {
      is_point_0 : u32,
-     x_9 : f32,
-     y_1 : f32,
+     x_12 : f32,
+     y_4 : f32,
      z_1 : f32,
      red_0 : f32,
      green_0 : f32,
      blue_0 : f32,
 };
 
-fn scene_light_0( first_24 : u32) -> Light_0
+fn scene_light_0( first_26 : u32) -> Light_0
 {
-    var record_1 : Light_0;
-    record_1.is_point_0 = scene_words_0[first_24];
-    record_1.x_9 = (bitcast<f32>((scene_words_0[first_24 + u32(1)])));
-    record_1.y_1 = (bitcast<f32>((scene_words_0[first_24 + u32(2)])));
-    record_1.z_1 = (bitcast<f32>((scene_words_0[first_24 + u32(3)])));
-    record_1.red_0 = (bitcast<f32>((scene_words_0[first_24 + u32(4)])));
-    record_1.green_0 = (bitcast<f32>((scene_words_0[first_24 + u32(5)])));
-    record_1.blue_0 = (bitcast<f32>((scene_words_0[first_24 + u32(6)])));
-    return record_1;
+    var record_2 : Light_0;
+    record_2.is_point_0 = scene_words_0[first_26];
+    record_2.x_12 = (bitcast<f32>((scene_words_0[first_26 + u32(1)])));
+    record_2.y_4 = (bitcast<f32>((scene_words_0[first_26 + u32(2)])));
+    record_2.z_1 = (bitcast<f32>((scene_words_0[first_26 + u32(3)])));
+    record_2.red_0 = (bitcast<f32>((scene_words_0[first_26 + u32(4)])));
+    record_2.green_0 = (bitcast<f32>((scene_words_0[first_26 + u32(5)])));
+    record_2.blue_0 = (bitcast<f32>((scene_words_0[first_26 + u32(6)])));
+    return record_2;
 }
 
 fn unmapped_0( output_9 : f32,  scale_0 : f32) -> f32
@@ -2430,9 +2665,9 @@ fn mirrored_bundle_0( bundle_0 : u32) -> u32
 
 fn light_visibility_of_0( diffuse_0 : f32,  light_1 : vec3<f32>,  view_1 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S349 : f32 = max(abs(light_1.z), 0.00100000004749745f);
-    var _S350 : vec2<f32> = light_1.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S349, (0.59700000286102295f * _S349 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S350, view_1.xy) * rsqrt_0(max(dot(_S350, _S350), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    var _S387 : f32 = max(abs(light_1.z), 0.00100000004749745f);
+    var _S388 : vec2<f32> = light_1.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S387, (0.59700000286102295f * _S387 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S388, view_1.xy) * rsqrt_0(max(dot(_S388, _S388), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
 struct Blocked_0
@@ -2454,38 +2689,38 @@ fn no_blocked_0() -> Blocked_0
 struct CloseUp_0
 {
      weight_2 : f32,
-     warp_4 : Blocked_0,
-     weft_4 : Blocked_0,
+     warp_7 : Blocked_0,
+     weft_7 : Blocked_0,
 };
 
 fn no_close_up_0() -> CloseUp_0
 {
     var nothing_1 : CloseUp_0;
     nothing_1.weight_2 = 0.0f;
-    var _S351 : Blocked_0 = no_blocked_0();
-    nothing_1.warp_4 = _S351;
-    nothing_1.weft_4 = _S351;
+    var _S389 : Blocked_0 = no_blocked_0();
+    nothing_1.warp_7 = _S389;
+    nothing_1.weft_7 = _S389;
     return nothing_1;
 }
 
-fn tinted_0( albedos_3 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
+fn tinted_0( albedos_5 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
 {
-    var result_0 : Albedos_0 = albedos_3;
-    result_0.diffuse_reflect_0 = result_0.diffuse_reflect_0 * tint_0;
-    result_0.diffuse_transmit_0 = result_0.diffuse_transmit_0 * tint_0;
-    return result_0;
+    var result_3 : Albedos_0 = albedos_5;
+    result_3.diffuse_reflect_0 = result_3.diffuse_reflect_0 * tint_0;
+    result_3.diffuse_transmit_0 = result_3.diffuse_transmit_0 * tint_0;
+    return result_3;
 }
 
 fn fourth_power_0( value_1 : f32) -> f32
 {
-    var _S352 : f32 = value_1 * value_1;
-    return _S352 * _S352;
+    var _S390 : f32 = value_1 * value_1;
+    return _S390 * _S390;
 }
 
 struct FaceRadiance_0
 {
-     warp_5 : vec3<f32>,
-     weft_5 : vec3<f32>,
+     warp_8 : vec3<f32>,
+     weft_8 : vec3<f32>,
      mean_1 : vec3<f32>,
      leaked_0 : vec3<f32>,
 };
@@ -2501,78 +2736,79 @@ struct FaceSends_0
      blocks_weft_0 : f32,
 };
 
-fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_0 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
+fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_2 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S353 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_0;
+    var _S391 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_2;
     var found_0 : FaceRadiance_0;
-    var _S354 : vec3<f32> = sends_0.sky_warp_0 + _S353 * sends_0.crossing_warp_0;
-    found_0.warp_5 = _S354;
-    var _S355 : vec3<f32> = sends_0.sky_weft_0 + _S353 * sends_0.crossing_weft_0;
-    found_0.weft_5 = _S355;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S354 + vec3<f32>(sends_0.blocks_weft_0) * _S355;
+    var _S392 : vec3<f32> = sends_0.sky_warp_0 + _S391 * sends_0.crossing_warp_0;
+    found_0.warp_8 = _S392;
+    var _S393 : vec3<f32> = sends_0.sky_weft_0 + _S391 * sends_0.crossing_weft_0;
+    found_0.weft_8 = _S393;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S392 + vec3<f32>(sends_0.blocks_weft_0) * _S393;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_2 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S356 : f32 = 1.0f - view_2.z;
-    var _S357 : f32 = _S356 * _S356;
+    var _S394 : f32 = 1.0f - view_2.z;
+    var _S395 : f32 = _S394 * _S394;
     (*terms_0)[i32(0)] = 1.0f;
-    var _S358 : f32 = view_2.x;
-    var _S359 : f32 = _S358 * _S358;
-    var _S360 : f32 = view_2.y;
-    var _S361 : f32 = _S360 * _S360;
-    (*terms_0)[i32(1)] = sqrt(max(_S359 + _S361, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S357;
-    (*terms_0)[i32(3)] = _S357 * _S357;
-    (*terms_0)[i32(4)] = _S359 - _S361;
+    var _S396 : f32 = view_2.x;
+    var _S397 : f32 = _S396 * _S396;
+    var _S398 : f32 = view_2.y;
+    var _S399 : f32 = _S398 * _S398;
+    (*terms_0)[i32(1)] = sqrt(max(_S397 + _S399, 9.999999960041972e-13f));
+    (*terms_0)[i32(2)] = _S395;
+    (*terms_0)[i32(3)] = _S395 * _S395;
+    (*terms_0)[i32(4)] = _S397 - _S399;
     (*terms_0)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_3 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S362 : f32 = 1.0f - view_3.z;
-    var _S363 : f32 = _S362 * _S362;
+    var _S400 : f32 = 1.0f - view_3.z;
+    var _S401 : f32 = _S400 * _S400;
     (*terms_1)[i32(0)] = 1.0f;
-    var _S364 : f32 = view_3.x;
-    var _S365 : f32 = _S364 * _S364;
-    var _S366 : f32 = view_3.y;
-    var _S367 : f32 = _S366 * _S366;
-    (*terms_1)[i32(1)] = sqrt(max(_S365 + _S367, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S363;
-    (*terms_1)[i32(3)] = _S363 * _S363;
-    (*terms_1)[i32(4)] = _S365 - _S367;
+    var _S402 : f32 = view_3.x;
+    var _S403 : f32 = _S402 * _S402;
+    var _S404 : f32 = view_3.y;
+    var _S405 : f32 = _S404 * _S404;
+    (*terms_1)[i32(1)] = sqrt(max(_S403 + _S405, 9.999999960041972e-13f));
+    (*terms_1)[i32(2)] = _S401;
+    (*terms_1)[i32(3)] = _S401 * _S401;
+    (*terms_1)[i32(4)] = _S403 - _S405;
     (*terms_1)[i32(5)] = 0.0f;
     return;
 }
 
-fn scaled_0( blocked_0 : Blocked_0,  share_2 : f32) -> Blocked_0
+fn scaled_0( blocked_0 : Blocked_0,  share_3 : f32) -> Blocked_0
 {
-    var result_1 : Blocked_0;
-    result_1.by_warp_0 = share_2 * blocked_0.by_warp_0;
-    result_1.by_weft_0 = share_2 * blocked_0.by_weft_0;
-    result_1.far_0 = share_2 * blocked_0.far_0;
-    return result_1;
+    var result_4 : Blocked_0;
+    result_4.by_warp_0 = share_3 * blocked_0.by_warp_0;
+    result_4.by_weft_0 = share_3 * blocked_0.by_weft_0;
+    result_4.far_0 = share_3 * blocked_0.far_0;
+    return result_4;
 }
 
 struct Bounced_0
 {
      reflected_0 : vec3<f32>,
      transmitted_0 : vec3<f32>,
+     is_covered_0 : bool,
 };
 
 struct Scattered_0
 {
-     back_5 : vec3<f32>,
+     back_9 : vec3<f32>,
      through_0 : vec3<f32>,
 };
 
 struct Interior_0
 {
-     warp_6 : vec3<f32>,
-     weft_6 : vec3<f32>,
+     warp_9 : vec3<f32>,
+     weft_9 : vec3<f32>,
      leaked_1 : vec3<f32>,
      far_1 : vec3<f32>,
      far_leaked_0 : vec3<f32>,
@@ -2580,79 +2816,81 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S368 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S369 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S406 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S407 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_5 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_6 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_6) + _S369 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S369 * interior_0.far_1 + yarn_2.back_5 * _S368;
+    bounced_0.reflected_0 = yarn_2.back_9 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_9 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_9) + _S407 * interior_0.far_leaked_0;
+    bounced_0.transmitted_0 = _S407 * interior_0.far_1 + yarn_2.back_9 * _S406;
+    bounced_0.is_covered_0 = false;
     return bounced_0;
 }
 
-fn sum_of_0( first_25 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
+fn sum_of_0( first_27 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 {
     var sum_1 : Bounced_0;
-    sum_1.reflected_0 = first_25.reflected_0 + second_2.reflected_0;
-    sum_1.transmitted_0 = first_25.transmitted_0 + second_2.transmitted_0;
+    sum_1.reflected_0 = first_27.reflected_0 + second_2.reflected_0;
+    sum_1.transmitted_0 = first_27.transmitted_0 + second_2.transmitted_0;
+    sum_1.is_covered_0 = false;
     return sum_1;
 }
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_2 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S370 : f32 = light_2.z;
-    return select_vector_2((_S370 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S370) * 0.31830987334251404f));
+    var _S408 : f32 = light_2.z;
+    return select_vector_2((_S408 * view_4.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S408) * 0.31830987334251404f));
 }
 
-fn sheen_scale_0( x_10 : f32,  y_2 : f32) -> f32
+fn sheen_scale_0( x_13 : f32,  y_5 : f32) -> f32
 {
-    return (((((0.0f * x_10 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_10 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_10 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_10 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_10 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_10 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
+    return (((((0.0f * x_13 + (((((-1.1402510404586792f * y_5 + 0.40672621130943298f) * y_5 + 1.65398800373077393f) * y_5 + -1.29730904102325439f) * y_5 + 0.30570998787879944f) * y_5 + -0.0220868494361639f)) * x_13 + (((((-0.21142719686031342f * y_5 + 1.05947399139404297f) * y_5 + -0.41116121411323547f) * y_5 + -0.93859231472015381f) * y_5 + 0.51606941223144531f) * y_5 + 0.05409301072359085f)) * x_13 + (((((1.22944498062133789f * y_5 + -0.45962560176849365f) * y_5 + -1.63861405849456787f) * y_5 + 1.33565104007720947f) * y_5 + -0.45725581049919128f) * y_5 + 0.08243165910243988f)) * x_13 + (((((0.39779931306838989f * y_5 + -1.18879103660583496f) * y_5 + 0.28251591324806213f) * y_5 + 1.168984055519104f) * y_5 + -0.76864629983901978f) * y_5 + 0.0091691892594099f)) * x_13 + (((((-0.26563560962677002f * y_5 + -0.19379159808158875f) * y_5 + 0.2677634060382843f) * y_5 + 0.00270519289188087f) * y_5 + 0.14349560439586639f) * y_5 + 0.10290180146694183f)) * x_13 + (((((-0.20701569318771362f * y_5 + 0.24526430666446686f) * y_5 + 0.19551840424537659f) * y_5 + 0.07586126774549484f) * y_5 + 0.38894739747047424f) * y_5 + 0.15043120086193085f);
 }
 
-fn sheen_shear_0( x_11 : f32,  y_3 : f32) -> f32
+fn sheen_shear_0( x_14 : f32,  y_6 : f32) -> f32
 {
-    return ((((0.0f * x_11 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_11 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_11 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_11 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_11 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
+    return ((((0.0f * x_14 + (((((-0.10608240216970444f * y_6 + 1.99214303493499756f) * y_6 + -1.42255294322967529f) * y_6 + -1.09495604038238525f) * y_6 + 0.59180057048797607f) * y_6 + 0.06902855634689331f)) * x_14 + (((((-0.46220690011978149f * y_6 + -0.29113379120826721f) * y_6 + 1.39025199413299561f) * y_6 + 0.35589990019798279f) * y_6 + -1.17120099067687988f) * y_6 + 0.15940259397029877f)) * x_14 + (((((2.26068711280822754f * y_6 + -3.64728999137878418f) * y_6 + -0.72173482179641724f) * y_6 + 3.07659196853637695f) * y_6 + -0.6827620267868042f) * y_6 + -0.3039557933807373f)) * x_14 + (((((0.81201767921447754f * y_6 + 0.36014080047607422f) * y_6 + -1.72646903991699219f) * y_6 + -0.22630110383033752f) * y_6 + 0.89514690637588501f) * y_6 + -0.10397960245609283f)) * x_14 + (((((-0.37648698687553406f * y_6 + 1.10974001884460449f) * y_6 + 0.17824520170688629f) * y_6 + -1.04968702793121338f) * y_6 + 0.1461234986782074f) * y_6 + -0.00475129019469023f);
 }
 
-fn sheen_reflectance_0( x_12 : f32,  y_4 : f32) -> f32
+fn sheen_reflectance_0( x_15 : f32,  y_7 : f32) -> f32
 {
-    return ((((0.0f * x_12 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_12 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_12 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_12 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_12 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
+    return ((((0.0f * x_15 + (((((12.95646953582763672f * y_7 + -21.38032913208007812f) * y_7 + -7.37853097915649414f) * y_7 + 34.55607986450195312f) * y_7 + -23.61347007751464844f) * y_7 + 5.00126314163208008f)) * x_15 + (((((10.91487026214599609f * y_7 + -6.08202791213989258f) * y_7 + -38.2036285400390625f) * y_7 + 53.3440399169921875f) * y_7 + -21.91996002197265625f) * y_7 + 2.01606011390686035f)) * x_15 + (((((-14.52206039428710938f * y_7 + 36.803619384765625f) * y_7 + -22.94047927856445312f) * y_7 + -10.07973003387451172f) * y_7 + 15.77003955841064453f) * y_7 + -4.92722177505493164f)) * x_15 + (((((-7.62505722045898438f * y_7 + 1.27310299873352051f) * y_7 + 31.19523048400878906f) * y_7 + -44.39989852905273438f) * y_7 + 26.44947052001953125f) * y_7 + -8.73507976531982422f)) * x_15 + (((((5.65633487701416016f * y_7 + -17.66820907592773438f) * y_7 + 24.65356063842773438f) * y_7 + -19.38941001892089844f) * y_7 + 11.06159019470214844f) * y_7 + -3.06573700904846191f);
 }
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S371 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S372 : f32 = 2.0f * sqrt(_S371) - 1.0f;
-    var _S373 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S372, _S373), 0.00999999977648258f, 1.0f), clamp((1.0f - _S371) * sheen_shear_0(_S372, _S373), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S372, _S373), -60.0f, 60.0f))));
+    var _S409 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S410 : f32 = 2.0f * sqrt(_S409) - 1.0f;
+    var _S411 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S410, _S411), 0.00999999977648258f, 1.0f), clamp((1.0f - _S409) * sheen_shear_0(_S410, _S411), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S410, _S411), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_3 : vec3<f32>,  view_5 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S374 : f32 = light_3.z;
-    if(((_S374 <= 0.0f) | (((view_5.z) <= 0.0f))))
+    var _S412 : f32 = light_3.z;
+    if(((_S412 <= 0.0f) | (((view_5.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S375 : vec2<f32> = view_5.xy;
-    var _S376 : f32 = dot(_S375, _S375);
-    var _S377 : vec2<f32> = select_vector_1(_S376 > 9.99999968265522539e-21f, _S375 * vec2<f32>(rsqrt_0(max(_S376, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S378 : f32 = scale_1 * dot(light_3.xy, _S377) + shear_0 * _S374;
-    var _S379 : f32 = scale_1 * (light_3.y * _S377.x - light_3.x * _S377.y);
-    var _S380 : f32 = _S378 * _S378 + _S379 * _S379 + _S374 * _S374;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S374 / max(_S380 * _S380, 9.99999968265522539e-21f);
+    var _S413 : vec2<f32> = view_5.xy;
+    var _S414 : f32 = dot(_S413, _S413);
+    var _S415 : vec2<f32> = select_vector_1(_S414 > 9.99999968265522539e-21f, _S413 * vec2<f32>(rsqrt_0(max(_S414, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S416 : f32 = scale_1 * dot(light_3.xy, _S415) + shear_0 * _S412;
+    var _S417 : f32 = scale_1 * (light_3.y * _S415.x - light_3.x * _S415.y);
+    var _S418 : f32 = _S416 * _S416 + _S417 * _S417 + _S412 * _S412;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S412 / max(_S418 * _S418, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S381 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
-    var _S382 : f32 = strength_0 * _S381.z;
-    return vec2<f32>(_S382 * transformed_cosine_0(light_4, view_6, _S381.x, _S381.y), 1.0f - _S382);
+    var _S419 : vec3<f32> = sheen_lobe_0(view_6.z, roughness_2);
+    var _S420 : f32 = strength_0 * _S419.z;
+    return vec2<f32>(_S420 * transformed_cosine_0(light_4, view_6, _S419.x, _S419.y), 1.0f - _S420);
 }
 
 fn accumulate_0( index_8 : u32,  light_5 : vec4<f32>)
 {
-    var _S383 : f32 = layers_0[index_8].share_0;
+    var _S421 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_5;
-    layers_0[index_8].share_0 = _S383 * (1.0f - light_5.w);
+    layers_0[index_8].share_0 = _S421 * (1.0f - light_5.w);
     return;
 }
 
@@ -2676,147 +2914,152 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S384 : u32,  _S385 : u32,  _S386 : u32,  _S387 : vec2<f32>) -> f32
+fn uneven_shift_0( _S422 : u32,  _S423 : u32,  _S424 : u32,  _S425 : vec2<f32>) -> f32
 {
-    var _S388 : f32 = families_0[_S386].period_0 / families_0[_S386].count_0;
-    var _S389 : u32 = hash_key_0(_S385, ((fabrics_0[_S384].seed_0) ^ (u32(625341585))));
-    var _S390 : vec2<f32> = vec2<f32>(_S387.x, _S387.y / 4.0f) / vec2<f32>(_S388);
-    return 0.20000000298023224f * sqrt(families_0[_S386].slub_0) * _S388 * (uneven_octave_0(_S389, _S390) * 0.66666668653488159f + uneven_octave_0(_S389 + u32(1), vec2<f32>(2.0f) * _S390 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S426 : f32 = families_0[_S424].period_0 / families_0[_S424].count_0;
+    var _S427 : u32 = hash_key_0(_S423, ((fabrics_0[_S422].seed_0) ^ (u32(625341585))));
+    var _S428 : vec2<f32> = vec2<f32>(_S425.x, _S425.y / 4.0f) / vec2<f32>(_S426);
+    return 0.20000000298023224f * sqrt(families_0[_S424].slub_0) * _S426 * (uneven_octave_0(_S427, _S428) * 0.66666668653488159f + uneven_octave_0(_S427 + u32(1), vec2<f32>(2.0f) * _S428 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S391 : u32,  _S392 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S429 : u32,  _S430 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S391].has_detail_0) == u32(0), _S392, _S392 + vec2<f32>(uneven_shift_0(_S391, u32(0), fabrics_0[_S391].warp_0, _S392), uneven_shift_0(_S391, u32(1), fabrics_0[_S391].weft_0, _S392.yx)));
+    return select_vector_1((fabrics_0[_S429].has_detail_0) == u32(0), _S430, _S430 + vec2<f32>(uneven_shift_0(_S429, u32(0), fabrics_0[_S429].warp_0, _S430), uneven_shift_0(_S429, u32(1), fabrics_0[_S429].weft_0, _S430.yx)));
 }
 
-fn face_point_0( _S393 : u32,  _S394 : u32,  _S395 : f32,  _S396 : f32) -> VisiblePoint_0
+fn face_point_0( _S431 : u32,  _S432 : u32,  _S433 : f32,  _S434 : f32) -> VisiblePoint_0
 {
-    var _S397 : u32 = u32(3) * _S394;
-    var _S398 : Vertex_0 = vertex_at_0(_S397);
-    var _S399 : Vertex_0 = vertex_at_0(_S397 + u32(1));
-    var _S400 : Vertex_0 = vertex_at_0(_S397 + u32(2));
-    var _S401 : vec3<f32> = position_of_0(_S398);
-    var _S402 : vec3<f32> = position_of_0(_S399) - _S401;
-    var _S403 : vec3<f32> = position_of_0(_S400) - _S401;
-    var _S404 : f32 = _S399.u_0 - _S398.u_0;
-    var _S405 : f32 = _S399.v_0 - _S398.v_0;
-    var _S406 : vec2<f32> = vec2<f32>(_S404, _S405);
-    var _S407 : f32 = _S400.u_0 - _S398.u_0;
-    var _S408 : f32 = _S400.v_0 - _S398.v_0;
-    var _S409 : vec2<f32> = vec2<f32>(_S407, _S408);
-    var _S410 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S404 * _S408 - _S405 * _S407) < 0.0f));
-    var _S411 : vec3<f32> = _S410 * (vec3<f32>(_S408) * _S402 - vec3<f32>(_S405) * _S403);
-    var _S412 : vec3<f32> = _S410 * (vec3<f32>(_S404) * _S403 - vec3<f32>(_S407) * _S402);
+    var _S435 : u32 = u32(3) * _S432;
+    var _S436 : Vertex_0 = vertex_at_0(_S435);
+    var _S437 : Vertex_0 = vertex_at_0(_S435 + u32(1));
+    var _S438 : Vertex_0 = vertex_at_0(_S435 + u32(2));
+    var _S439 : vec3<f32> = position_of_0(_S436);
+    var _S440 : vec3<f32> = position_of_0(_S437) - _S439;
+    var _S441 : vec3<f32> = position_of_0(_S438) - _S439;
+    var _S442 : f32 = _S437.u_0 - _S436.u_0;
+    var _S443 : f32 = _S437.v_0 - _S436.v_0;
+    var _S444 : vec2<f32> = vec2<f32>(_S442, _S443);
+    var _S445 : f32 = _S438.u_0 - _S436.u_0;
+    var _S446 : f32 = _S438.v_0 - _S436.v_0;
+    var _S447 : vec2<f32> = vec2<f32>(_S445, _S446);
+    var _S448 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S442 * _S446 - _S443 * _S445) < 0.0f));
+    var _S449 : vec3<f32> = _S448 * (vec3<f32>(_S446) * _S440 - vec3<f32>(_S443) * _S441);
+    var _S450 : vec3<f32> = _S448 * (vec3<f32>(_S442) * _S441 - vec3<f32>(_S445) * _S440);
     var point_1 : VisiblePoint_0;
-    var _S413 : vec3<f32> = vec3<f32>(_S395);
-    var _S414 : vec3<f32> = vec3<f32>(_S396);
-    var _S415 : vec3<f32> = normalize(vec3<f32>((1.0f - _S395 - _S396)) * normal_of_0(_S398) + _S413 * normal_of_0(_S399) + _S414 * normal_of_0(_S400));
-    point_1.normal_0 = _S415;
-    var _S416 : vec3<f32> = normalize(_S411 - _S415 * vec3<f32>(dot(_S415, _S411)));
-    point_1.axis_x_0 = _S416;
-    point_1.axis_y_0 = cross(_S415, _S416);
-    var _S417 : vec3<f32> = normalize(cross(_S402, _S403));
-    point_1.face_normal_0 = select_vector_2((dot(_S417, _S415)) < 0.0f, (vec3<f32>(0) - _S417), _S417);
-    point_1.position_4 = _S401 + _S413 * _S402 + _S414 * _S403;
-    point_1.view_0 = _S415;
-    var _S418 : vec2<f32> = vec2<f32>(_S398.u_0, _S398.v_0) + vec2<f32>(_S395) * _S406 + vec2<f32>(_S396) * _S409;
-    point_1.uv_1 = _S418;
-    var _S419 : bool = (dot(cross(_S411, _S412), _S415)) < 0.0f;
-    var _S420 : vec2<f32> = vec2<f32>(fabrics_0[_S393].uv_width_0, select(fabrics_0[_S393].uv_height_0, - fabrics_0[_S393].uv_height_0, _S419));
-    point_1.draft_per_uv_0 = _S420;
-    point_1.draft_0 = uneven_place_0(_S393, _S418 * _S420 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S393].uv_height_0, _S419)));
-    var _S421 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S421;
-    point_1.draft_dy_0 = _S421;
+    var _S451 : vec3<f32> = vec3<f32>(_S433);
+    var _S452 : vec3<f32> = vec3<f32>(_S434);
+    var _S453 : vec3<f32> = normalize(vec3<f32>((1.0f - _S433 - _S434)) * normal_of_0(_S436) + _S451 * normal_of_0(_S437) + _S452 * normal_of_0(_S438));
+    point_1.normal_0 = _S453;
+    var _S454 : vec3<f32> = normalize(_S449 - _S453 * vec3<f32>(dot(_S453, _S449)));
+    point_1.axis_x_0 = _S454;
+    point_1.axis_y_0 = cross(_S453, _S454);
+    var _S455 : vec3<f32> = normalize(cross(_S440, _S441));
+    point_1.face_normal_0 = select_vector_2((dot(_S455, _S453)) < 0.0f, (vec3<f32>(0) - _S455), _S455);
+    point_1.position_4 = _S439 + _S451 * _S440 + _S452 * _S441;
+    point_1.view_0 = _S453;
+    var _S456 : vec2<f32> = vec2<f32>(_S436.u_0, _S436.v_0) + vec2<f32>(_S433) * _S444 + vec2<f32>(_S434) * _S447;
+    point_1.uv_1 = _S456;
+    var _S457 : bool = (dot(cross(_S449, _S450), _S453)) < 0.0f;
+    var _S458 : vec2<f32> = vec2<f32>(fabrics_0[_S431].uv_width_0, select(fabrics_0[_S431].uv_height_0, - fabrics_0[_S431].uv_height_0, _S457));
+    point_1.draft_per_uv_0 = _S458;
+    point_1.draft_0 = uneven_place_0(_S431, _S456 * _S458 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S431].uv_height_0, _S457)));
+    var _S459 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S459;
+    point_1.draft_dy_0 = _S459;
     return point_1;
 }
 
-fn visible_point_0( _S422 : u32,  _S423 : u32,  _S424 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S460 : u32,  _S461 : u32,  _S462 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S425 : u32 = u32(3) * _S423;
-    var _S426 : Vertex_0 = vertex_at_0(_S425);
-    var _S427 : Vertex_0 = vertex_at_0(_S425 + u32(1));
-    var _S428 : Vertex_0 = vertex_at_0(_S425 + u32(2));
-    var _S429 : vec3<f32> = position_of_0(_S426);
-    var _S430 : vec3<f32> = position_of_0(_S427) - _S429;
-    var _S431 : vec3<f32> = position_of_0(_S428) - _S429;
-    var _S432 : vec3<f32> = cross(_S430, _S431);
-    var _S433 : f32 = f32(frame_record_0.width_0);
-    var _S434 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S433));
-    var _S435 : f32 = f32(frame_record_0.height_0);
-    var _S436 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S435));
-    var _S437 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S424.x) + 0.5f - 0.5f * _S433)) * _S434 + vec3<f32>((f32(_S424.y) + 0.5f - 0.5f * _S435)) * _S436;
-    var _S438 : f32 = dot(_S437, _S432);
-    var _S439 : f32 = 1.0f / select(1.00000000317107685e-30f, _S438, (abs(_S438)) > 1.00000000317107685e-30f);
-    var _S440 : vec3<f32> = _S429 - camera_origin_0();
-    var _S441 : vec3<f32> = vec3<f32>((dot(_S440, _S432) * _S439));
-    var _S442 : vec3<f32> = _S437 * _S441 - _S440;
-    var _S443 : vec3<f32> = _S441 * (_S434 - _S437 * vec3<f32>((dot(_S434, _S432) * _S439)));
-    var _S444 : vec3<f32> = _S441 * (_S436 - _S437 * vec3<f32>((dot(_S436, _S432) * _S439)));
-    var _S445 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S432), 1.00000000317107685e-30f)));
-    var _S446 : vec3<f32> = cross(_S431, _S432) * _S445;
-    var _S447 : vec3<f32> = cross(_S432, _S430) * _S445;
-    var _S448 : vec2<f32> = vec2<f32>(_S427.u_0 - _S426.u_0, _S427.v_0 - _S426.v_0);
-    var _S449 : vec2<f32> = vec2<f32>(_S428.u_0 - _S426.u_0, _S428.v_0 - _S426.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S422, _S423, dot(_S442, _S446), dot(_S442, _S447));
-    point_2.position_4 = _S429 + _S442;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S437));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S443, _S446)) * _S448 + vec2<f32>(dot(_S443, _S447)) * _S449) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S444, _S446)) * _S448 + vec2<f32>(dot(_S444, _S447)) * _S449) * point_2.draft_per_uv_0;
+    var _S463 : u32 = u32(3) * _S461;
+    var _S464 : Vertex_0 = vertex_at_0(_S463);
+    var _S465 : Vertex_0 = vertex_at_0(_S463 + u32(1));
+    var _S466 : Vertex_0 = vertex_at_0(_S463 + u32(2));
+    var _S467 : vec3<f32> = position_of_0(_S464);
+    var _S468 : vec3<f32> = position_of_0(_S465) - _S467;
+    var _S469 : vec3<f32> = position_of_0(_S466) - _S467;
+    var _S470 : vec3<f32> = cross(_S468, _S469);
+    var _S471 : f32 = f32(frame_record_0.width_0);
+    var _S472 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S471));
+    var _S473 : f32 = f32(frame_record_0.height_0);
+    var _S474 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S473));
+    var _S475 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S462.x) + 0.5f - 0.5f * _S471)) * _S472 + vec3<f32>((f32(_S462.y) + 0.5f - 0.5f * _S473)) * _S474;
+    var _S476 : f32 = dot(_S475, _S470);
+    var _S477 : f32 = 1.0f / select(1.00000000317107685e-30f, _S476, (abs(_S476)) > 1.00000000317107685e-30f);
+    var _S478 : vec3<f32> = _S467 - camera_origin_0();
+    var _S479 : vec3<f32> = vec3<f32>((dot(_S478, _S470) * _S477));
+    var _S480 : vec3<f32> = _S475 * _S479 - _S478;
+    var _S481 : vec3<f32> = _S479 * (_S472 - _S475 * vec3<f32>((dot(_S472, _S470) * _S477)));
+    var _S482 : vec3<f32> = _S479 * (_S474 - _S475 * vec3<f32>((dot(_S474, _S470) * _S477)));
+    var _S483 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S470), 1.00000000317107685e-30f)));
+    var _S484 : vec3<f32> = cross(_S469, _S470) * _S483;
+    var _S485 : vec3<f32> = cross(_S470, _S468) * _S483;
+    var _S486 : vec2<f32> = vec2<f32>(_S465.u_0 - _S464.u_0, _S465.v_0 - _S464.v_0);
+    var _S487 : vec2<f32> = vec2<f32>(_S466.u_0 - _S464.u_0, _S466.v_0 - _S464.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S460, _S461, dot(_S480, _S484), dot(_S480, _S485));
+    point_2.position_4 = _S467 + _S480;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S475));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S481, _S484)) * _S486 + vec2<f32>(dot(_S481, _S485)) * _S487) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S482, _S484)) * _S486 + vec2<f32>(dot(_S482, _S485)) * _S487) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S450 : u32,  _S451 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S488 : u32,  _S489 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S452 : u32 = fabrics_0[_S450].albedo_map_levels_0;
-    if((fabrics_0[_S450].albedo_map_levels_0) == u32(0))
+    var _S490 : u32 = fabrics_0[_S488].albedo_map_levels_0;
+    if((fabrics_0[_S488].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S453 : vec2<f32> = vec2<f32>(fabrics_0[_S450].uv_width_0, fabrics_0[_S450].uv_height_0);
-    var _S454 : vec2<f32> = _S451.draft_dx_0 / _S453;
-    var _S455 : vec2<f32> = _S451.draft_dy_0 / _S453;
-    var _S456 : u32 = _S452 - u32(1);
-    var _S457 : u32 = (u32(1) << (_S456));
-    var _S458 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S454.x * _S455.y - _S454.y * _S455.x), 9.99999968265522539e-21f) * (square_1(f32(_S457)) / 3.0f)), 0.0f, f32(_S452) - 1.0f);
-    var _S459 : u32 = min(u32(_S458), max(_S452, u32(2)) - u32(2));
-    var _S460 : u32 = min(_S459 + u32(1), _S456);
-    var _S461 : u32 = (u32(1) << ((u32(2) * _S452)));
-    return mix(map_level_0(fabrics_0[_S450].albedo_map_0 + (_S461 - ((_S461 >> ((u32(2) * _S459))))) / u32(3), (_S457 >> (_S459)), _S451.uv_1), map_level_0(fabrics_0[_S450].albedo_map_0 + (_S461 - ((_S461 >> ((u32(2) * _S460))))) / u32(3), (_S457 >> (_S460)), _S451.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S458 - f32(_S459))) - 1.0f) / 3.0f)));
+    var _S491 : vec2<f32> = vec2<f32>(fabrics_0[_S488].uv_width_0, fabrics_0[_S488].uv_height_0);
+    var _S492 : vec2<f32> = _S489.draft_dx_0 / _S491;
+    var _S493 : vec2<f32> = _S489.draft_dy_0 / _S491;
+    var _S494 : u32 = _S490 - u32(1);
+    var _S495 : u32 = (u32(1) << (_S494));
+    var _S496 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S492.x * _S493.y - _S492.y * _S493.x), 9.99999968265522539e-21f) * (square_1(f32(_S495)) / 3.0f)), 0.0f, f32(_S490) - 1.0f);
+    var _S497 : u32 = min(u32(_S496), max(_S490, u32(2)) - u32(2));
+    var _S498 : u32 = min(_S497 + u32(1), _S494);
+    var _S499 : u32 = (u32(1) << ((u32(2) * _S490)));
+    return mix(map_level_0(fabrics_0[_S488].albedo_map_0 + (_S499 - ((_S499 >> ((u32(2) * _S497))))) / u32(3), (_S495 >> (_S497)), _S489.uv_1), map_level_0(fabrics_0[_S488].albedo_map_0 + (_S499 - ((_S499 >> ((u32(2) * _S498))))) / u32(3), (_S495 >> (_S498)), _S489.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S496 - f32(_S497))) - 1.0f) / 3.0f)));
 }
 
-fn irregular_key_0( _S462 : u32,  _S463 : u32) -> u32
+fn is_layered_0( _S500 : u32) -> bool
 {
-    return hash_key_0(_S463, ((fabrics_0[_S462].seed_0) ^ (u32(1821285621))));
+    return (HAS_LAYERS_0 & (((fabrics_0[_S500].planes_0) != u32(0))));
 }
 
-fn irregular_place_0( _S464 : u32,  _S465 : vec2<f32>,  _S466 : f32) -> vec2<f32>
+fn irregular_key_0( _S501 : u32,  _S502 : u32) -> u32
 {
-    var _S467 : u32 = fabrics_0[_S464].warp_0;
-    var _S468 : u32 = fabrics_0[_S464].weft_0;
-    var _S469 : bool = (((fabrics_0[_S464].is_irregular_0) != u32(0)) & (((max(moved_share_0(fabrics_0[_S464].warp_0, _S466), moved_share_0(fabrics_0[_S464].weft_0, _S466))) > 0.0f)));
-    var number_4 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S465;
+    return hash_key_0(_S502, ((fabrics_0[_S501].seed_0) ^ (u32(1821285621))));
+}
+
+fn irregular_place_0( _S503 : u32,  _S504 : vec2<f32>,  _S505 : f32) -> vec2<f32>
+{
+    var _S506 : u32 = fabrics_0[_S503].warp_0;
+    var _S507 : u32 = fabrics_0[_S503].weft_0;
+    var _S508 : bool = (((((fabrics_0[_S503].is_irregular_0) != u32(0)) & ((!is_layered_0(_S503))))) & (((max(moved_share_0(fabrics_0[_S503].warp_0, _S505), moved_share_0(fabrics_0[_S503].weft_0, _S505))) > 0.0f)));
+    var number_5 : u32 = u32(0);
+    var moved_0 : vec2<f32> = _S504;
     for(;;)
     {
-        if(number_4 < select(u32(0), u32(2), _S469))
+        if(number_5 < select(u32(0), u32(2), _S508))
         {
         }
         else
         {
             break;
         }
-        var _S470 : bool = number_4 == u32(0);
-        var _S471 : u32 = select(_S468, _S467, _S470);
-        var _S472 : vec2<f32> = select_vector_1(_S470, _S465, _S465.yx);
-        var _S473 : u32 = irregular_key_0(_S464, number_4);
-        var _S474 : f32 = _S472.x;
-        var _S475 : Cell_0 = locate_0(_S471, _S474);
-        var _S476 : f32 = irregular_thread_0(_S471, _S474, _S475);
-        var _S477 : f32 = select(1.0f, -1.0f, (_S475.across_0) < 0.0f);
-        var _S478 : vec2<f32> = vec2<f32>(0.0f);
-        var other_3 : vec2<f32> = _S478;
-        var own_2 : vec2<f32> = _S478;
+        var _S509 : bool = number_5 == u32(0);
+        var _S510 : u32 = select(_S507, _S506, _S509);
+        var _S511 : vec2<f32> = select_vector_1(_S509, _S504, _S504.yx);
+        var _S512 : u32 = irregular_key_0(_S503, number_5);
+        var _S513 : f32 = _S511.x;
+        var _S514 : Cell_0 = locate_0(_S510, _S513);
+        var _S515 : f32 = irregular_thread_0(_S510, _S513, _S514);
+        var _S516 : f32 = select(1.0f, -1.0f, (_S514.across_0) < 0.0f);
+        var _S517 : vec2<f32> = vec2<f32>(0.0f);
+        var other_3 : vec2<f32> = _S517;
+        var own_2 : vec2<f32> = _S517;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -2827,24 +3070,24 @@ fn irregular_place_0( _S464 : u32,  _S465 : vec2<f32>,  _S466 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S479 : vec2<f32> = irregular_at_0(_S471, _S473, _S476 + _S477 * f32(neighbour_0), _S472.y).xy;
-            var _S480 : u32 = neighbour_0 + u32(1);
+            var _S518 : vec2<f32> = irregular_at_0(_S510, _S512, _S515 + _S516 * f32(neighbour_0), _S511.y).xy;
+            var _S519 : u32 = neighbour_0 + u32(1);
             own_2 = other_3;
-            other_3 = _S479;
-            neighbour_0 = _S480;
+            other_3 = _S518;
+            neighbour_0 = _S519;
         }
-        var _S481 : f32 = _S475.below_0 + _S475.above_0;
-        var _S482 : f32 = min(_S475.half_width_1 / _S481, 0.5f);
-        var _S483 : f32 = min(_S482 * (2.0f + own_2.y + other_3.y), 1.0f);
-        var _S484 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
-        var _S485 : f32 = _S484.x;
-        var _S486 : f32 = _S483 * _S485 / (_S485 + _S484.y);
-        var _S487 : f32 = abs(_S475.across_0) / _S481;
-        var _S488 : f32 = 1.0f - _S483;
-        var _S489 : f32 = _S487 - _S486;
-        var _S490 : f32 = moved_share_0(_S471, _S466) * _S477 * _S481 * (select(select((_S489 - _S488) / max(_S483 - _S486, 9.99999997475242708e-07f) * _S482 + (1.0f - _S482), _S489 / max(_S488, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S482) + _S482, _S489 < _S488), _S487 * _S482 / _S486, _S489 < 0.0f) - _S487);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S470, vec2<f32>(_S490, 0.0f), vec2<f32>(0.0f, _S490));
-        number_4 = number_4 + u32(1);
+        var _S520 : f32 = _S514.below_0 + _S514.above_0;
+        var _S521 : f32 = min(_S514.half_width_1 / _S520, 0.5f);
+        var _S522 : f32 = min(_S521 * (2.0f + own_2.y + other_3.y), 1.0f);
+        var _S523 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
+        var _S524 : f32 = _S523.x;
+        var _S525 : f32 = _S522 * _S524 / (_S524 + _S523.y);
+        var _S526 : f32 = abs(_S514.across_0) / _S520;
+        var _S527 : f32 = 1.0f - _S522;
+        var _S528 : f32 = _S526 - _S525;
+        var _S529 : f32 = moved_share_0(_S510, _S505) * _S516 * _S520 * (select(select((_S528 - _S527) / max(_S522 - _S525, 9.99999997475242708e-07f) * _S521 + (1.0f - _S521), _S528 / max(_S527, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S521) + _S521, _S528 < _S527), _S526 * _S521 / _S525, _S528 < 0.0f) - _S526);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S509, vec2<f32>(_S529, 0.0f), vec2<f32>(0.0f, _S529));
+        number_5 = number_5 + u32(1);
         moved_0 = moved_1;
     }
     return moved_0;
@@ -2852,182 +3095,205 @@ fn irregular_place_0( _S464 : u32,  _S465 : vec2<f32>,  _S466 : f32) -> vec2<f32
 
 struct NeuralView_0
 {
-     sums_9 : array<f32, i32(64)>,
+     sums_12 : array<f32, i32(64)>,
      even_hole_0 : f32,
      hole_2 : f32,
      yarns_0 : Yarns_0,
      correction_weight_0 : f32,
      view_7 : vec3<f32>,
-     back_6 : bool,
+     back_10 : bool,
 };
 
-fn anisotropic_taps_0( _S491 : u32,  _S492 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S530 : u32,  _S531 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S493 : vec3<f32> = row_of_taps_0(_S492);
-    var _S494 : vec2<f32> = _S492.dx_0;
-    var _S495 : vec2<f32> = _S492.dy_0;
-    var _S496 : f32 = dot(_S494, _S494) + dot(_S495, _S495);
-    var _S497 : f32 = _S492.dx_0.x * _S492.dy_0.y - _S492.dx_0.y * _S492.dy_0.x;
-    var _S498 : f32 = 0.5f * (_S496 + sqrt(max(_S496 * _S496 - 4.0f * _S497 * _S497, 0.0f)));
-    var _S499 : bool = ((_S498 < (5.5f * (_S496 - _S498))) & ((_S496 > (8.0f * fabrics_0[_S491].neural_0.pitch_0 * fabrics_0[_S491].neural_0.pitch_0))));
-    var _S500 : vec2<f32> = vec2<f32>(fabrics_0[_S491].neural_0.ends_per_mm_0, fabrics_0[_S491].neural_0.picks_per_mm_0);
+    var _S532 : vec3<f32> = row_of_taps_0(_S531);
+    var _S533 : vec2<f32> = _S531.dx_0;
+    var _S534 : vec2<f32> = _S531.dy_0;
+    var _S535 : f32 = dot(_S533, _S533) + dot(_S534, _S534);
+    var _S536 : f32 = _S531.dx_0.x * _S531.dy_0.y - _S531.dx_0.y * _S531.dy_0.x;
+    var _S537 : f32 = 0.5f * (_S535 + sqrt(max(_S535 * _S535 - 4.0f * _S536 * _S536, 0.0f)));
+    var _S538 : bool = ((_S537 < (5.5f * (_S535 - _S537))) & ((_S535 > (8.0f * fabrics_0[_S530].neural_0.pitch_0 * fabrics_0[_S530].neural_0.pitch_0))));
+    var _S539 : vec2<f32> = vec2<f32>(fabrics_0[_S530].neural_0.ends_per_mm_0, fabrics_0[_S530].neural_0.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S492.centre_0 * _S500;
-    taps_1.side_2 = select(_S493.x, sqrt(0.125f * _S496), _S499) / fabrics_0[_S491].neural_0.pitch_0;
-    var _S501 : vec2<f32> = vec2<f32>(0.25f);
-    var _S502 : vec2<f32> = _S493.yz;
-    taps_1.first_21 = select_vector_1(_S499, _S501 * _S492.dx_0, _S502) * _S500;
-    taps_1.second_0 = select_vector_1(_S499, _S501 * _S492.dy_0, vec2<f32>(0.5f) * _S502) * _S500;
+    taps_1.centre_1 = _S531.centre_0 * _S539;
+    taps_1.side_2 = select(_S532.x, sqrt(0.125f * _S535), _S538) / fabrics_0[_S530].neural_0.pitch_0;
+    var _S540 : vec2<f32> = vec2<f32>(0.25f);
+    var _S541 : vec2<f32> = _S532.yz;
+    taps_1.first_21 = select_vector_1(_S538, _S540 * _S531.dx_0, _S541) * _S539;
+    taps_1.second_0 = select_vector_1(_S538, _S540 * _S531.dy_0, vec2<f32>(0.5f) * _S541) * _S539;
     return taps_1;
 }
 
 struct Hit_0
 {
-     x_13 : f32,
-     y_5 : f32,
+     x_16 : f32,
+     y_8 : f32,
      hole_3 : bool,
-     height_4 : f32,
-};
-
-struct Sample_0
-{
-     crossing_2 : Crossing_0,
-     shown_3 : Shown_0,
-     run_3 : Run_0,
-     section_1 : Section_0,
      height_5 : f32,
-     slope_across_0 : f32,
-     slope_along_0 : f32,
-     dive_1 : vec3<f32>,
-     slope_x_1 : f32,
-     slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S503 : u32,  _S504 : f32,  _S505 : f32,  _S506 : bool) -> Crossing_0
+fn whole_plane_0( _S542 : u32) -> Plane_0
 {
-    var crossing_3 : Crossing_0;
-    crossing_3.warp_1 = locate_0(fabrics_0[_S503].warp_0, _S504);
-    crossing_3.weft_1 = locate_0(fabrics_0[_S503].weft_0, _S505);
-    var _S507 : u32 = fabrics_0[_S503].run_words_0 + u32(2) * (crossing_3.weft_1.thread_1 * fabrics_0[_S503].ends_1 + crossing_3.warp_1.thread_1);
-    var _S508 : u32 = words_0[_S507];
-    crossing_3.warp_word_0 = _S508;
-    crossing_3.weft_word_0 = words_0[_S507 + u32(1)];
-    crossing_3.warp_above_0 = (((_S508 & (u32(1)))) == u32(1)) != _S506;
-    return crossing_3;
+    var plane_5 : Plane_0;
+    plane_5.warp_1 = fabrics_0[_S542].warp_0;
+    plane_5.weft_1 = fabrics_0[_S542].weft_0;
+    plane_5.run_words_1 = fabrics_0[_S542].run_words_0;
+    plane_5.ends_2 = fabrics_0[_S542].ends_1;
+    plane_5.end_numbers_0 = u32(0);
+    plane_5.pick_numbers_0 = u32(0);
+    plane_5.max_heights_1 = fabrics_0[_S542].max_heights_0;
+    plane_5.max_height_columns_1 = fabrics_0[_S542].max_height_columns_0;
+    plane_5.height_low_1 = fabrics_0[_S542].height_low_0;
+    plane_5.height_high_1 = fabrics_0[_S542].height_high_0;
+    plane_5.front_level_0 = 0.0f;
+    plane_5.back_level_0 = 0.0f;
+    plane_5.start_x_0 = 0.0f;
+    plane_5.start_y_0 = 0.0f;
+    plane_5.fine_x_0 = 0.0f;
+    plane_5.fine_y_0 = 0.0f;
+    return plane_5;
 }
 
-fn sample_at_0( _S509 : u32,  _S510 : f32,  _S511 : f32,  _S512 : bool) -> Sample_0
+fn plane_order_0( _S543 : u32,  _S544 : f32,  _S545 : f32,  _S546 : bool) -> u32
 {
-    var sample_0 : Sample_0;
-    var _S513 : Crossing_0 = crossing_at_0(_S509, _S510, _S511, _S512);
-    sample_0.crossing_2 = _S513;
-    var _S514 : Shown_0 = shown_at_0(_S513, _S512);
-    sample_0.shown_3 = _S514;
-    var _S515 : u32 = select(fabrics_0[_S509].weft_0, fabrics_0[_S509].warp_0, _S514.is_warp_0);
-    var _S516 : u32 = select(fabrics_0[_S509].warp_0, fabrics_0[_S509].weft_0, _S514.is_warp_0);
-    var _S517 : Cell_0 = select_cell_0(_S514.is_warp_0, sample_0.crossing_2.warp_1, sample_0.crossing_2.weft_1);
-    var _S518 : Cell_0 = select_cell_0(_S514.is_warp_0, sample_0.crossing_2.weft_1, sample_0.crossing_2.warp_1);
-    var _S519 : Run_0 = unpack_0(_S515, _S516, _S517.thread_1, _S518, _S514.word_0);
-    var _S520 : Section_0 = section_at_0(_S517);
-    var _S521 : bool = ((_S514.on_top_0) & (((_S519.distance_0) < (_S520.drop_0 * _S519.bend_1.sine_0))));
-    var _S522 : f32 = select(-1.0f, 1.0f, ((_S514.on_top_0) & ((!_S521))));
-    var _S523 : f32 = select(_S519.reach_0, _S519.other_reach_0, _S521);
-    var _S524 : f32 = select(max(_S523 - _S519.distance_0, 0.0f), _S523 + _S519.distance_0, _S521);
-    var _S525 : f32 = _S523 / _S519.bend_1.sine_0 - _S522 * _S520.drop_0;
-    var _S526 : f32 = _S524 * _S524;
-    var _S527 : f32 = max(_S525 * _S525 - _S526, 9.99999968265522539e-21f);
-    var _S528 : f32 = rsqrt_0(_S527);
-    var _S529 : f32 = _S526 / (_S527 * _S528 + _S525);
-    var _S530 : bool = _S524 > 0.0f;
-    var _S531 : f32 = select(-1.0f, 1.0f, _S514.on_top_0) * select(-1.0f, 1.0f, _S519.near_start_0);
-    var _S532 : f32 = _S520.slope_0 * select(1.0f, _S525 * _S528, _S530);
-    sample_0.slope_across_0 = _S532;
-    var _S533 : f32 = select(0.0f, _S531 * _S524 * _S528, _S530);
-    sample_0.slope_along_0 = _S533;
-    var _S534 : vec3<f32> = dive_0(_S516, _S514, _S519, _S518);
-    sample_0.dive_1 = _S534;
-    sample_0.height_5 = select(families_0[_S515].height_scale_0 * _S522, 0.0f, _S519.straight_0) * (_S523 * _S519.bend_1.half_tangent_0 - _S529) - families_0[_S515].height_scale_0 * _S520.drop_0 - _S534.x;
-    var _S535 : f32 = families_0[_S515].height_scale_0 * _S532;
-    var _S536 : f32 = families_0[_S515].height_scale_0 * _S533 - _S534.y;
-    sample_0.slope_x_1 = select(_S536, _S535, _S514.is_warp_0);
-    sample_0.slope_y_1 = select(_S535, _S536, _S514.is_warp_0);
-    sample_0.run_3 = _S519;
-    sample_0.section_1 = _S520;
-    return sample_0;
+    var _S547 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S543].plane_axes_0 + u32(1), _S545).thread_1 * fabrics_0[_S543].ends_1 + locate_varied_0(fabrics_0[_S543].plane_axes_0, _S544).thread_1, (fabrics_0[_S543].stacks_0) > u32(1));
+    return fabrics_0[_S543].plane_orders_0 + u32(2) * fabrics_0[_S543].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S543].regions_0 + _S547 / u32(4)] >> ((u32(8) * (_S547 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S546));
 }
 
-fn steps_per_length_0( _S537 : u32,  _S538 : SearchQuality_0,  _S539 : vec3<f32>) -> f32
+fn first_bounds_0( _S548 : u32,  _S549 : u32,  _S550 : f32,  _S551 : f32,  _S552 : bool,  _S553 : bool,  _S554 : bool) -> vec3<f32>
 {
-    return max(max(abs(_S539.x) * fabrics_0[_S537].threads_per_x_0, abs(_S539.y) * fabrics_0[_S537].threads_per_y_0) * _S538.steps_per_thread_0, abs(_S539.z) * fabrics_0[_S537].per_relief_0 * _S538.steps_per_relief_0);
+    var _S555 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S548].plane_records_0 + words_0[_S549] * u32(16)), _S550, _S551, _S552, _S553, _S554);
+    var _S556 : Cell_0 = locate_varied_0(fabrics_0[_S548].plane_axes_0, _S550);
+    var _S557 : Cell_0 = locate_varied_0(fabrics_0[_S548].plane_axes_0 + u32(1), _S551);
+    var _S558 : bool = (fabrics_0[_S548].stacks_0) == u32(1);
+    return vec3<f32>(_S555.x + table_number_0(_S549 + u32(1)), min(_S555.y, select(select(_S556.below_0, _S556.above_0, _S553), 1.0e+06f, _S558)), min(_S555.z, select(select(_S557.below_0, _S557.above_0, _S554), 1.0e+06f, _S558)));
 }
 
-fn cell_maximum_0( _S540 : u32,  _S541 : Crossing_0) -> f32
+fn plane_shown_0( _S559 : u32,  _S560 : f32,  _S561 : f32,  _S562 : bool,  _S563 : bool,  _S564 : bool) -> PlaneHere_0
 {
-    var _S542 : u32 = select(fabrics_0[_S540].weft_0, fabrics_0[_S540].warp_0, _S541.warp_above_0);
-    return f32((select(_S541.weft_word_0, _S541.warp_word_0, _S541.warp_above_0) >> (u32(28)))) * families_0[_S542].height_scale_0 * families_0[_S542].level_0;
-}
-
-fn probe_0( _S543 : u32,  _S544 : f32,  _S545 : f32,  _S546 : bool,  _S547 : bool,  _S548 : bool) -> Probe_0
-{
-    var _S549 : Sample_0 = sample_at_0(_S543, _S544, _S545, _S546);
-    var probe_1 : Probe_0;
-    probe_1.height_2 = _S549.height_5;
-    probe_1.hole_1 = _S549.shown_3.hole_0;
-    probe_1.slope_x_0 = _S549.slope_x_1;
-    probe_1.slope_y_0 = _S549.slope_y_1;
-    probe_1.yarn_1 = select(_S549.crossing_2.weft_1.thread_1 * u32(2), _S549.crossing_2.warp_1.thread_1 * u32(2) + u32(1), _S549.shown_3.is_warp_0);
-    probe_1.cell_max_0 = cell_maximum_0(_S543, _S549.crossing_2);
-    probe_1.side_x_0 = select(_S549.crossing_2.warp_1.below_0, _S549.crossing_2.warp_1.above_0, _S547);
-    probe_1.side_y_0 = select(_S549.crossing_2.weft_1.below_0, _S549.crossing_2.weft_1.above_0, _S548);
-    probe_1.edge_x_0 = outline_distance_0(_S549.crossing_2.warp_1, _S549.shown_3, _S549.run_3, !_S549.shown_3.is_warp_0, _S547);
-    probe_1.edge_y_0 = outline_distance_0(_S549.crossing_2.weft_1, _S549.shown_3, _S549.run_3, _S549.shown_3.is_warp_0, _S548);
-    return probe_1;
-}
-
-fn is_free_0( _S550 : u32,  _S551 : SearchQuality_0,  _S552 : vec3<f32>,  _S553 : vec3<f32>,  _S554 : bool,  _S555 : f32) -> bool
-{
-    var _S556 : f32 = _S553.z;
-    if(_S556 <= 0.0f)
+    var here_6 : PlaneHere_0;
+    here_6.plane_3 = whole_plane_0(_S559);
+    here_6.number_1 = u32(0);
+    here_6.level_1 = 0.0f;
+    here_6.edge_x_0 = 1.0e+06f;
+    here_6.edge_y_0 = 1.0e+06f;
+    here_6.bounds_0 = vec3<f32>(0.0f);
+    if(!is_layered_0(_S559))
     {
-        return false;
+        return here_6;
     }
-    var _S557 : f32 = 1.0f / max(_S551.shadow_share_0 * steps_per_length_0(_S550, _S551, _S553), 9.99999971718068537e-10f);
-    var _S558 : StepControl_0 = step_control_0(_S553.xy, _S557);
-    var previous_3 : PreviousSample_0 = no_previous_sample_0();
-    var count_4 : u32 = u32(0);
-    var distance_2 : f32 = 0.0f;
-    var last_step_0 : f32 = 0.0f;
+    var _S565 : u32 = plane_order_0(_S559, _S560, _S561, _S562);
+    var _S566 : vec3<f32> = first_bounds_0(_S559, _S565, _S560, _S561, _S562, _S563, _S564);
+    here_6.bounds_0 = _S566;
+    var _S567 : bool = (fabrics_0[_S559].stacks_0) == u32(1);
+    here_6.edge_x_0 = select(_S566.y, 1.0e+06f, _S567);
+    here_6.edge_y_0 = select(_S566.z, 1.0e+06f, _S567);
+    var is_hole_0 : bool = true;
+    var rank_1 : u32 = u32(0);
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S552.z + _S556 * distance_2) < _S555))))
+        if(((rank_1 < (fabrics_0[_S559].planes_0)) & (is_hole_0)))
         {
         }
         else
         {
             break;
         }
-        var _S559 : vec3<f32> = _S552 + _S553 * vec3<f32>(distance_2);
-        var _S560 : Probe_0 = probe_0(_S550, _S559.x, _S559.y, _S554, _S558.right_0, _S558.up_0);
-        var _S561 : f32 = _S559.z;
-        var _S562 : f32 = _S561 - _S560.height_2;
-        var _S563 : f32 = _S556 - _S560.slope_x_0 * _S553.x - _S560.slope_y_0 * _S553.y;
-        if(((!_S560.hole_1) & ((_S562 < 0.0f))))
+        var _S568 : u32 = _S565 + u32(2) * rank_1;
+        var _S569 : u32 = words_0[_S568];
+        here_6.number_1 = _S569;
+        here_6.level_1 = table_number_0(_S568 + u32(1));
+        here_6.plane_3 = plane_at_0(fabrics_0[_S559].plane_records_0 + _S569 * u32(16));
+        var _S570 : Cell_0 = locate_varied_0(here_6.plane_3.warp_1, _S560 - here_6.plane_3.start_x_0);
+        var _S571 : Cell_0 = locate_varied_0(here_6.plane_3.weft_1, _S561 - here_6.plane_3.start_y_0);
+        var is_hole_1 : bool = !((((abs(_S570.across_0)) < (_S570.half_width_1)) | (((abs(_S571.across_0)) < (_S571.half_width_1)))));
+        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S570, _S563), is_hole_1));
+        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S571, _S564), is_hole_1));
+        var _S572 : u32 = rank_1 + u32(1);
+        is_hole_0 = is_hole_1;
+        rank_1 = _S572;
+    }
+    return here_6;
+}
+
+fn sample_at_0( _S573 : u32,  _S574 : f32,  _S575 : f32,  _S576 : bool) -> Sample_0
+{
+    return sample_in_0(plane_shown_0(_S573, _S574, _S575, _S576, true, true), _S574, _S575, _S576);
+}
+
+fn steps_per_length_0( _S577 : u32,  _S578 : SearchQuality_0,  _S579 : vec3<f32>) -> f32
+{
+    return max(max(abs(_S579.x) * fabrics_0[_S577].threads_per_x_0, abs(_S579.y) * fabrics_0[_S577].threads_per_y_0) * _S578.steps_per_thread_0, abs(_S579.z) * fabrics_0[_S577].per_relief_0 * _S578.steps_per_relief_0);
+}
+
+fn plane_count_0( _S580 : u32) -> u32
+{
+    return select(u32(1), fabrics_0[_S580].planes_0, is_layered_0(_S580));
+}
+
+fn probe_0( _S581 : u32,  _S582 : f32,  _S583 : f32,  _S584 : bool,  _S585 : bool,  _S586 : bool) -> Probe_0
+{
+    var _S587 : PlaneHere_0 = plane_shown_0(_S581, _S582, _S583, _S584, _S585, _S586);
+    var _S588 : Sample_0 = sample_in_0(_S587, _S582, _S583, _S584);
+    var probe_1 : Probe_0;
+    probe_1.height_3 = _S588.height_2;
+    probe_1.hole_1 = _S588.shown_2.hole_0;
+    probe_1.slope_x_1 = _S588.slope_x_0;
+    probe_1.slope_y_1 = _S588.slope_y_0;
+    var _S589 : bool = !is_layered_0(_S581);
+    probe_1.yarn_1 = select(_S588.crossing_3.weft_2.thread_1 * u32(2), _S588.crossing_3.warp_2.thread_1 * u32(2) + u32(1), _S588.shown_2.is_warp_0) * plane_count_0(_S581) + _S587.number_1;
+    probe_1.cell_max_0 = select(_S587.bounds_0.x, cell_maximum_0(_S587.plane_3, _S588.crossing_3), _S589);
+    probe_1.side_x_0 = select(_S587.bounds_0.y, select(_S588.crossing_3.warp_2.below_0, _S588.crossing_3.warp_2.above_0, _S585), _S589);
+    probe_1.side_y_0 = select(_S587.bounds_0.z, select(_S588.crossing_3.weft_2.below_0, _S588.crossing_3.weft_2.above_0, _S586), _S589);
+    probe_1.edge_x_1 = min(_S587.edge_x_0, outline_distance_0(_S588.crossing_3.warp_2, _S588.shown_2, _S588.run_2, !_S588.shown_2.is_warp_0, _S585));
+    probe_1.edge_y_1 = min(_S587.edge_y_0, outline_distance_0(_S588.crossing_3.weft_2, _S588.shown_2, _S588.run_2, _S588.shown_2.is_warp_0, _S586));
+    return probe_1;
+}
+
+fn is_free_0( _S590 : u32,  _S591 : SearchQuality_0,  _S592 : vec3<f32>,  _S593 : vec3<f32>,  _S594 : bool,  _S595 : f32) -> bool
+{
+    var _S596 : f32 = _S593.z;
+    if(_S596 <= 0.0f)
+    {
+        return false;
+    }
+    var _S597 : f32 = 1.0f / max(_S591.shadow_share_0 * steps_per_length_0(_S590, _S591, _S593), 9.99999971718068537e-10f);
+    var _S598 : StepControl_0 = step_control_0(_S593.xy, _S597);
+    var previous_3 : PreviousSample_0 = no_previous_sample_0();
+    var count_4 : u32 = u32(0);
+    var distance_2 : f32 = 0.0f;
+    var last_step_0 : f32 = 0.0f;
+    for(;;)
+    {
+        if(((count_4 < u32(1024)) & (((_S592.z + _S596 * distance_2) < _S595))))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S599 : vec3<f32> = _S592 + _S593 * vec3<f32>(distance_2);
+        var _S600 : Probe_0 = probe_0(_S590, _S599.x, _S599.y, _S594, _S598.right_1, _S598.up_1);
+        var _S601 : f32 = _S599.z;
+        var _S602 : f32 = _S601 - _S600.height_3;
+        var _S603 : f32 = _S596 - _S600.slope_x_1 * _S593.x - _S600.slope_y_1 * _S593.y;
+        if(((!_S600.hole_1) & ((_S602 < 0.0f))))
         {
             return false;
         }
-        var _S564 : f32 = way_back_to_dip_0(previous_3, _S562, _S563, last_step_0, _S560);
-        if(_S564 >= 0.0f)
+        var _S604 : f32 = way_back_to_dip_0(previous_3, _S602, _S603, last_step_0, _S600);
+        if(_S604 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S564;
-            distance_2 = distance_2 - _S564;
+            var last_step_1 : f32 = last_step_0 - _S604;
+            distance_2 = distance_2 - _S604;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S565 : bool = _S561 > (_S560.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S558, _S560, _S562, _S563), max(StepControl_to_cell_exit_0(_S558, _S560.side_x_0, _S560.side_y_0), _S557), _S565);
+        var _S605 : bool = _S601 > (_S600.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S598, _S600, _S602, _S603), max(StepControl_to_cell_exit_0(_S598, _S600.side_x_0, _S600.side_y_0), _S597), _S605);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S562, _S563, _S560, _S565);
+        previous_3 = after_sample_0(_S602, _S603, _S600, _S605);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -3035,13 +3301,13 @@ fn is_free_0( _S550 : u32,  _S551 : SearchQuality_0,  _S552 : vec3<f32>,  _S553 
     return true;
 }
 
-fn passes_through_0( _S566 : u32,  _S567 : SearchQuality_0,  _S568 : f32,  _S569 : f32,  _S570 : vec3<f32>,  _S571 : bool) -> bool
+fn passes_through_0( _S606 : u32,  _S607 : SearchQuality_0,  _S608 : f32,  _S609 : f32,  _S610 : vec3<f32>,  _S611 : bool) -> bool
 {
-    if(!sample_at_0(_S566, _S568, _S569, _S571).shown_3.hole_0)
+    if(!sample_at_0(_S606, _S608, _S609, _S611).shown_2.hole_0)
     {
         return false;
     }
-    var _S572 : vec3<f32> = vec3<f32>(_S568, _S569, 0.0f);
+    var _S612 : vec3<f32> = vec3<f32>(_S608, _S609, 0.0f);
     var passes_0 : bool = true;
     var side_3 : u32 = u32(0);
     for(;;)
@@ -3053,10 +3319,10 @@ fn passes_through_0( _S566 : u32,  _S567 : SearchQuality_0,  _S568 : f32,  _S569
         {
             break;
         }
-        var _S573 : bool = is_free_0(_S566, _S567, _S572, select_vector_2(side_3 == u32(0), _S570, vec3<f32>(- _S570.x, - _S570.y, _S570.z)), _S571 != (side_3 == u32(1)), fabrics_0[_S566].height_high_0);
-        var _S574 : u32 = side_3 + u32(1);
-        passes_0 = _S573;
-        side_3 = _S574;
+        var _S613 : bool = is_free_0(_S606, _S607, _S612, select_vector_2(side_3 == u32(0), _S610, vec3<f32>(- _S610.x, - _S610.y, _S610.z)), _S611 != (side_3 == u32(1)), fabrics_0[_S606].height_high_0);
+        var _S614 : u32 = side_3 + u32(1);
+        passes_0 = _S613;
+        side_3 = _S614;
     }
     return passes_0;
 }
@@ -3071,44 +3337,73 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S575 : u32,  _S576 : f32,  _S577 : f32,  _S578 : f32,  _S579 : vec3<f32>,  _S580 : bool) -> f32
+fn plane_of_0( _S615 : u32,  _S616 : u32) -> Plane_0
 {
-    var _S581 : f32 = _S579.x;
-    var _S582 : f32 = _S579.y;
-    var _S583 : u32 = (words_0[fabrics_0[_S575].max_heights_0 + u32(4) * (locate_0(fabrics_0[_S575].weft_0, _S577).thread_1 / u32(2) * fabrics_0[_S575].max_height_columns_0 + locate_0(fabrics_0[_S575].warp_0, _S576).thread_1 / u32(2)) + (select(u32(0), u32(1), _S581 > 0.0f) + select(u32(0), u32(2), _S582 > 0.0f))] >> (u32(select(i32(0), i32(4), _S580))));
-    var _S584 : f32 = max(abs(_S581) * fabrics_0[_S575].threads_per_x_0, abs(_S582) * fabrics_0[_S575].threads_per_y_0) / _S579.z;
-    var _S585 : f32 = fabrics_0[_S575].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S575].height_high_0;
-    var number_5 : i32 = i32(3);
+    if(!is_layered_0(_S615))
+    {
+        return whole_plane_0(_S615);
+    }
+    return plane_at_0(fabrics_0[_S615].plane_records_0 + _S616 * u32(16));
+}
+
+fn max_height_along_0( _S617 : u32,  _S618 : f32,  _S619 : f32,  _S620 : f32,  _S621 : vec3<f32>,  _S622 : bool) -> f32
+{
+    var _S623 : f32 = _S621.x;
+    var _S624 : f32 = _S621.y;
+    var _S625 : u32 = select(u32(0), u32(1), _S623 > 0.0f) + select(u32(0), u32(2), _S624 > 0.0f);
+    var _S626 : f32 = max(abs(_S623) * fabrics_0[_S617].threads_per_x_0, abs(_S624) * fabrics_0[_S617].threads_per_y_0) / _S621.z;
+    var levels_4 : vec4<f32> = vec4<f32>(-1.00000001504746622e+30f);
+    var number_6 : u32 = u32(0);
     for(;;)
     {
-        if(number_5 >= i32(0))
+        if(number_6 < (plane_count_0(_S617)))
         {
         }
         else
         {
             break;
         }
-        if(((max_height_0 - _S578) * _S584) <= (PYRAMID_RADII_0[number_5]))
+        var _S627 : Plane_0 = plane_of_0(_S617, number_6);
+        var _S628 : u32 = (words_0[_S627.max_heights_1 + u32(4) * (locate_0(_S627.weft_1, _S619 - _S627.start_y_0).thread_1 / u32(2) * _S627.max_height_columns_1 + locate_0(_S627.warp_1, _S618 - _S627.start_x_0).thread_1 / u32(2)) + _S625] >> (u32(select(i32(0), i32(4), _S622))));
+        var _S629 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S628 & (u32(15)))), f32((((_S628 >> (u32(8)))) & (u32(15)))), f32((((_S628 >> (u32(16)))) & (u32(15)))), f32((((_S628 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S627.height_high_1) + vec4<f32>(select(_S627.front_level_0, _S627.back_level_0, _S622)));
+        var _S630 : u32 = number_6 + u32(1);
+        levels_4 = _S629;
+        number_6 = _S630;
+    }
+    var max_height_0 : f32 = fabrics_0[_S617].height_high_0;
+    var number_7 : i32 = i32(3);
+    for(;;)
+    {
+        if(number_7 >= i32(0))
         {
-            max_height_0 = min(max_height_0, f32((((_S583 >> (u32(i32(8) * number_5)))) & (u32(15)))) * 0.06666667014360428f * _S585);
         }
-        number_5 = number_5 - i32(1);
+        else
+        {
+            break;
+        }
+        if(((max_height_0 - _S620) * _S626) <= (PYRAMID_RADII_0[number_7]))
+        {
+            max_height_0 = min(max_height_0, levels_4[number_7]);
+        }
+        number_7 = number_7 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S586 : u32,  _S587 : f32,  _S588 : f32,  _S589 : bool,  _S590 : bool,  _S591 : bool) -> vec3<f32>
+fn cell_bounds_0( _S631 : u32,  _S632 : f32,  _S633 : f32,  _S634 : bool,  _S635 : bool,  _S636 : bool) -> vec3<f32>
 {
-    var _S592 : Crossing_0 = crossing_at_0(_S586, _S587, _S588, _S589);
-    return vec3<f32>(cell_maximum_0(_S586, _S592), select(_S592.warp_1.below_0, _S592.warp_1.above_0, _S590), select(_S592.weft_1.below_0, _S592.weft_1.above_0, _S591));
+    if(is_layered_0(_S631))
+    {
+        return first_bounds_0(_S631, plane_order_0(_S631, _S632, _S633, _S634), _S632, _S633, _S634, _S635, _S636);
+    }
+    return bounds_in_0(whole_plane_0(_S631), _S632, _S633, _S634, _S635, _S636);
 }
 
-fn first_sample_height_0( _S593 : u32,  _S594 : ViewRay_0,  _S595 : StepControl_0,  _S596 : bool) -> f32
+fn first_sample_height_0( _S637 : u32,  _S638 : ViewRay_0,  _S639 : StepControl_0,  _S640 : bool) -> f32
 {
-    var _S597 : f32 = max_height_along_0(_S593, _S594.origin_0.x, _S594.origin_0.y, 0.0f, vec3<f32>(_S594.slope_1, 1.0f), _S596);
+    var _S641 : f32 = max_height_along_0(_S637, _S638.origin_0.x, _S638.origin_0.y, 0.0f, vec3<f32>(_S638.slope_1, 1.0f), _S640);
     var count_5 : u32 = u32(0);
-    var height_7 : f32 = _S597;
+    var height_7 : f32 = _S641;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -3118,12 +3413,12 @@ fn first_sample_height_0( _S593 : u32,  _S594 : ViewRay_0,  _S595 : StepControl_
         {
             break;
         }
-        var _S598 : vec2<f32> = ViewRay_at_0(_S594, height_7);
-        var _S599 : vec3<f32> = cell_bounds_0(_S593, _S598.x, _S598.y, _S596, _S595.right_0, _S595.up_0);
-        var _S600 : f32 = height_7 - _S599.x;
-        var _S601 : f32 = StepControl_to_cell_exit_0(_S595, _S599.y, _S599.z);
-        var height_8 : f32 = height_7 - clamp(_S600, 0.0f, _S601);
-        if(_S600 <= _S601)
+        var _S642 : vec2<f32> = ViewRay_at_0(_S638, height_7);
+        var _S643 : vec3<f32> = cell_bounds_0(_S637, _S642.x, _S642.y, _S640, _S639.right_1, _S639.up_1);
+        var _S644 : f32 = height_7 - _S643.x;
+        var _S645 : f32 = StepControl_to_cell_exit_0(_S639, _S643.y, _S643.z);
+        var height_8 : f32 = height_7 - clamp(_S644, 0.0f, _S645);
+        if(_S644 <= _S645)
         {
             height_7 = height_8;
             break;
@@ -3134,12 +3429,12 @@ fn first_sample_height_0( _S593 : u32,  _S594 : ViewRay_0,  _S595 : StepControl_
     return height_7;
 }
 
-fn search_down_0( _S602 : u32,  _S603 : ViewRay_0,  _S604 : StepControl_0,  _S605 : bool) -> ViewRayEnd_0
+fn search_down_0( _S646 : u32,  _S647 : ViewRay_0,  _S648 : StepControl_0,  _S649 : bool) -> ViewRayEnd_0
 {
-    var _S606 : f32 = fabrics_0[_S602].height_low_0 - (fabrics_0[_S602].height_high_0 - fabrics_0[_S602].height_low_0);
+    var _S650 : f32 = fabrics_0[_S646].height_low_0 - (fabrics_0[_S646].height_high_0 - fabrics_0[_S646].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S602, _S603, _S604, _S605);
-    end_1.last_step_3 = _S604.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S646, _S647, _S648, _S649);
+    end_1.last_step_3 = _S648.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -3154,140 +3449,140 @@ fn search_down_0( _S602 : u32,  _S603 : ViewRay_0,  _S604 : StepControl_0,  _S60
         {
             break;
         }
-        var _S607 : vec2<f32> = ViewRay_at_0(_S603, end_1.height_6);
-        var _S608 : Probe_0 = probe_0(_S602, _S607.x, _S607.y, _S605, _S604.right_0, _S604.up_0);
-        var _S609 : f32 = end_1.height_6 - _S608.height_2;
-        var _S610 : f32 = ViewRay_rate_0(_S603, _S608);
-        end_1.depth_0 = - _S609;
-        end_1.rate_4 = _S610;
-        var _S611 : bool = !_S608.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S611))) & (((end_1.previous_4.yarn_0) == (_S608.yarn_1))));
-        if((((_S611 & ((_S609 <= 0.0f)))) | (((end_1.height_6) <= _S606))))
+        var _S651 : vec2<f32> = ViewRay_at_0(_S647, end_1.height_6);
+        var _S652 : Probe_0 = probe_0(_S646, _S651.x, _S651.y, _S649, _S648.right_1, _S648.up_1);
+        var _S653 : f32 = end_1.height_6 - _S652.height_3;
+        var _S654 : f32 = ViewRay_rate_0(_S647, _S652);
+        end_1.depth_0 = - _S653;
+        end_1.rate_4 = _S654;
+        var _S655 : bool = !_S652.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S655))) & (((end_1.previous_4.yarn_0) == (_S652.yarn_1))));
+        if((((_S655 & ((_S653 <= 0.0f)))) | (((end_1.height_6) <= _S650))))
         {
             break;
         }
-        var _S612 : f32 = way_back_to_dip_0(end_1.previous_4, _S609, _S610, end_1.last_step_3, _S608);
-        if(_S612 >= 0.0f)
+        var _S656 : f32 = way_back_to_dip_0(end_1.previous_4, _S653, _S654, end_1.last_step_3, _S652);
+        if(_S656 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S612;
-            end_1.last_step_3 = end_1.last_step_3 - _S612;
+            end_1.height_6 = end_1.height_6 + _S656;
+            end_1.last_step_3 = end_1.last_step_3 - _S656;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S613 : f32 = min(StepControl_to_cell_exit_0(_S604, _S608.side_x_0, _S608.side_y_0), end_1.height_6 - _S608.cell_max_0);
-        var _S614 : f32 = StepControl_to_next_sample_0(_S604, _S608, _S609, _S610);
-        end_1.previous_4 = after_sample_0(_S609, _S610, _S608, _S613 > _S614);
-        var _S615 : f32 = max(_S613, _S614);
-        end_1.last_step_3 = _S615;
-        end_1.height_6 = end_1.height_6 - _S615;
+        var _S657 : f32 = min(StepControl_to_cell_exit_0(_S648, _S652.side_x_0, _S652.side_y_0), end_1.height_6 - _S652.cell_max_0);
+        var _S658 : f32 = StepControl_to_next_sample_0(_S648, _S652, _S653, _S654);
+        end_1.previous_4 = after_sample_0(_S653, _S654, _S652, _S657 > _S658);
+        var _S659 : f32 = max(_S657, _S658);
+        end_1.last_step_3 = _S659;
+        end_1.height_6 = end_1.height_6 - _S659;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S616 : u32,  _S617 : ViewRay_0,  _S618 : StepControl_0,  _S619 : bool,  _S620 : ViewRayEnd_0,  _S621 : u32) -> f32
+fn refined_height_0( _S660 : u32,  _S661 : ViewRay_0,  _S662 : StepControl_0,  _S663 : bool,  _S664 : ViewRayEnd_0,  _S665 : u32) -> f32
 {
-    var _S622 : f32 = fabrics_0[_S616].height_high_0 - fabrics_0[_S616].height_low_0;
-    var above_2 : f32 = _S620.height_6 + _S620.last_step_3;
-    var above_gap_1 : f32 = clamp(_S620.previous_4.clearance_0, 0.0f, _S622);
-    var under_gap_1 : f32 = clamp(_S620.depth_0, 0.0f, _S622);
-    var middle_0 : f32 = select(between_0(above_2, _S620.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S620.previous_4.rate_0 * _S620.last_step_3, _S620.rate_4 * _S620.last_step_3) * _S620.last_step_3, _S620.smooth_0);
+    var _S666 : f32 = fabrics_0[_S660].height_high_0 - fabrics_0[_S660].height_low_0;
+    var above_2 : f32 = _S664.height_6 + _S664.last_step_3;
+    var above_gap_1 : f32 = clamp(_S664.previous_4.clearance_0, 0.0f, _S666);
+    var under_gap_1 : f32 = clamp(_S664.depth_0, 0.0f, _S666);
+    var middle_0 : f32 = select(between_0(above_2, _S664.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S664.previous_4.rate_0 * _S664.last_step_3, _S664.rate_4 * _S664.last_step_3) * _S664.last_step_3, _S664.smooth_0);
     var side_4 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S620.height_6;
+    var under_1 : f32 = _S664.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S621)
+        if(i_1 < _S665)
         {
         }
         else
         {
             break;
         }
-        var _S623 : vec2<f32> = ViewRay_at_0(_S617, middle_0);
-        var _S624 : Probe_0 = probe_0(_S616, _S623.x, _S623.y, _S619, _S618.right_0, _S618.up_0);
-        var _S625 : f32 = clamp(middle_0 - select(_S624.height_2, -1.0e+09f, _S624.hole_1), - _S622, _S622);
-        if(_S625 <= 0.0f)
+        var _S667 : vec2<f32> = ViewRay_at_0(_S661, middle_0);
+        var _S668 : Probe_0 = probe_0(_S660, _S667.x, _S667.y, _S663, _S662.right_1, _S662.up_1);
+        var _S669 : f32 = clamp(middle_0 - select(_S668.height_3, -1.0e+09f, _S668.hole_1), - _S666, _S666);
+        if(_S669 <= 0.0f)
         {
-            var _S626 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_4 > 0.0f);
-            var _S627 : f32 = - _S625;
+            var _S670 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_4 > 0.0f);
+            var _S671 : f32 = - _S669;
             under_1 = middle_0;
-            above_gap_2 = _S626;
-            under_gap_2 = _S627;
+            above_gap_2 = _S670;
+            under_gap_2 = _S671;
             side_4 = 1.0f;
         }
         else
         {
-            var _S628 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_4 < 0.0f);
+            var _S672 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_4 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S625;
-            under_gap_2 = _S628;
+            above_gap_2 = _S669;
+            under_gap_2 = _S672;
             side_4 = -1.0f;
         }
-        var _S629 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S625 / min(ViewRay_rate_0(_S617, _S624), -9.99999997475242708e-07f), under_1, above_3), _S620.smooth_0);
-        var _S630 : u32 = i_1 + u32(1);
-        middle_0 = _S629;
-        i_1 = _S630;
+        var _S673 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S669 / min(ViewRay_rate_0(_S661, _S668), -9.99999997475242708e-07f), under_1, above_3), _S664.smooth_0);
+        var _S674 : u32 = i_1 + u32(1);
+        middle_0 = _S673;
+        i_1 = _S674;
     }
-    return select(under_1, middle_0, _S620.smooth_0);
+    return select(under_1, middle_0, _S664.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S631 : u32,  _S632 : SearchQuality_0,  _S633 : f32,  _S634 : f32,  _S635 : vec3<f32>,  _S636 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S675 : u32,  _S676 : SearchQuality_0,  _S677 : f32,  _S678 : f32,  _S679 : vec3<f32>,  _S680 : bool) -> Hit_0
 {
-    var _S637 : f32 = max(_S635.z, 0.00009999999747379f);
+    var _S681 : f32 = max(_S679.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S633, _S634);
-    var _S638 : vec2<f32> = _S635.xy / vec2<f32>(_S637);
-    ray_0.slope_1 = _S638;
-    var _S639 : StepControl_0 = step_control_0((vec2<f32>(0) - _S638), 1.0f / max(steps_per_length_0(_S631, _S632, _S635) / _S637, 9.99999971718068537e-10f));
-    var _S640 : ViewRayEnd_0 = search_down_0(_S631, ray_0, _S639, _S636);
+    ray_0.origin_0 = vec2<f32>(_S677, _S678);
+    var _S682 : vec2<f32> = _S679.xy / vec2<f32>(_S681);
+    ray_0.slope_1 = _S682;
+    var _S683 : StepControl_0 = step_control_0((vec2<f32>(0) - _S682), 1.0f / max(steps_per_length_0(_S675, _S676, _S679) / _S681, 9.99999971718068537e-10f));
+    var _S684 : ViewRayEnd_0 = search_down_0(_S675, ray_0, _S683, _S680);
     var hit_0 : Hit_0;
     hit_0.hole_3 = false;
-    var _S641 : f32 = refined_height_0(_S631, ray_0, _S639, _S636, _S640, _S632.refinements_0);
-    hit_0.height_4 = _S641;
-    var _S642 : vec2<f32> = ViewRay_at_0(ray_0, _S641);
-    hit_0.x_13 = _S642.x;
-    hit_0.y_5 = _S642.y;
+    var _S685 : f32 = refined_height_0(_S675, ray_0, _S683, _S680, _S684, _S676.refinements_0);
+    hit_0.height_5 = _S685;
+    var _S686 : vec2<f32> = ViewRay_at_0(ray_0, _S685);
+    hit_0.x_16 = _S686.x;
+    hit_0.y_8 = _S686.y;
     return hit_0;
 }
 
-fn first_hit_0( _S643 : u32,  _S644 : SearchQuality_0,  _S645 : f32,  _S646 : f32,  _S647 : vec3<f32>,  _S648 : bool) -> Hit_0
+fn first_hit_0( _S687 : u32,  _S688 : SearchQuality_0,  _S689 : f32,  _S690 : f32,  _S691 : vec3<f32>,  _S692 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S643, _S644, _S645, _S646, _S647, _S648))
+    if(!passes_through_0(_S687, _S688, _S689, _S690, _S691, _S692))
     {
-        return first_hit_of_yarn_0(_S643, _S644, _S645, _S646, _S647, _S648);
+        return first_hit_of_yarn_0(_S687, _S688, _S689, _S690, _S691, _S692);
     }
     var hit_1 : Hit_0;
-    hit_1.x_13 = _S645;
-    hit_1.y_5 = _S646;
-    hit_1.height_4 = 0.0f;
+    hit_1.x_16 = _S689;
+    hit_1.y_8 = _S690;
+    hit_1.height_5 = 0.0f;
     hit_1.hole_3 = true;
     return hit_1;
 }
 
-fn taps_at_yarns_0( _S649 : u32,  _S650 : Footprint_0,  _S651 : AnisotropicTaps_0,  _S652 : vec3<f32>,  _S653 : bool) -> AnisotropicTaps_0
+fn taps_at_yarns_0( _S693 : u32,  _S694 : Footprint_0,  _S695 : AnisotropicTaps_0,  _S696 : vec3<f32>,  _S697 : bool) -> AnisotropicTaps_0
 {
-    var _S654 : f32 = 1.0f - clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(_S651), 9.99999997475242708e-07f) / 0.25f) * 0.48089835047721863f, 0.0f, 1.0f);
-    if(_S654 <= 0.0f)
+    var _S698 : f32 = 1.0f - clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(_S695), 9.99999997475242708e-07f) / 0.25f) * 0.48089835047721863f, 0.0f, 1.0f);
+    if(_S698 <= 0.0f)
     {
-        return _S651;
+        return _S695;
     }
-    var _S655 : Hit_0 = first_hit_0(_S649, default_quality_0(), _S650.centre_0.x, _S650.centre_0.y, _S652, _S653);
-    if(_S655.hole_3)
+    var _S699 : Hit_0 = first_hit_0(_S693, default_quality_0(), _S694.centre_0.x, _S694.centre_0.y, _S696, _S697);
+    if(_S699.hole_3)
     {
-        return _S651;
+        return _S695;
     }
-    var moved_2 : AnisotropicTaps_0 = _S651;
-    moved_2.centre_1 = moved_2.centre_1 + vec2<f32>(_S654) * vec2<f32>(fabrics_0[_S649].neural_0.ends_per_mm_0, fabrics_0[_S649].neural_0.picks_per_mm_0) * (vec2<f32>(_S655.x_13, _S655.y_5) - _S650.centre_0);
+    var moved_2 : AnisotropicTaps_0 = _S695;
+    moved_2.centre_1 = moved_2.centre_1 + vec2<f32>(_S698) * vec2<f32>(fabrics_0[_S693].neural_0.ends_per_mm_0, fabrics_0[_S693].neural_0.picks_per_mm_0) * (vec2<f32>(_S699.x_16, _S699.y_8) - _S694.centre_0);
     return moved_2;
 }
 
-fn add_texel_0( _S656 : u32,  _S657 : u32,  _S658 : f32,  _S659 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S700 : u32,  _S701 : u32,  _S702 : f32,  _S703 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S660 : u32 = fabrics_0[_S656].neural_0.latents_0 + _S657 * u32(8);
+    var _S704 : u32 = fabrics_0[_S700].neural_0.latents_0 + _S701 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -3298,34 +3593,34 @@ fn add_texel_0( _S656 : u32,  _S657 : u32,  _S658 : f32,  _S659 : ptr<function, 
         {
             break;
         }
-        var _S661 : Eight_0 = eight_halves_0(packed_numbers_0[_S660 + part_0]);
-        var _S662 : i32 = i32(u32(8) * part_0);
-        (*_S659)[_S662] = (*_S659)[_S662] + _S658 * _S661.low_0[i32(0)];
-        (*_S659)[_S662 + i32(4)] = (*_S659)[_S662 + i32(4)] + _S658 * _S661.high_0[i32(0)];
-        var _S663 : i32 = _S662 + i32(1);
-        (*_S659)[_S663] = (*_S659)[_S663] + _S658 * _S661.low_0[i32(1)];
-        (*_S659)[_S663 + i32(4)] = (*_S659)[_S663 + i32(4)] + _S658 * _S661.high_0[i32(1)];
-        var _S664 : i32 = _S662 + i32(2);
-        (*_S659)[_S664] = (*_S659)[_S664] + _S658 * _S661.low_0[i32(2)];
-        (*_S659)[_S664 + i32(4)] = (*_S659)[_S664 + i32(4)] + _S658 * _S661.high_0[i32(2)];
-        var _S665 : i32 = _S662 + i32(3);
-        (*_S659)[_S665] = (*_S659)[_S665] + _S658 * _S661.low_0[i32(3)];
-        (*_S659)[_S665 + i32(4)] = (*_S659)[_S665 + i32(4)] + _S658 * _S661.high_0[i32(3)];
+        var _S705 : Eight_0 = eight_halves_0(packed_numbers_0[_S704 + part_0]);
+        var _S706 : i32 = i32(u32(8) * part_0);
+        (*_S703)[_S706] = (*_S703)[_S706] + _S702 * _S705.low_0[i32(0)];
+        (*_S703)[_S706 + i32(4)] = (*_S703)[_S706 + i32(4)] + _S702 * _S705.high_0[i32(0)];
+        var _S707 : i32 = _S706 + i32(1);
+        (*_S703)[_S707] = (*_S703)[_S707] + _S702 * _S705.low_0[i32(1)];
+        (*_S703)[_S707 + i32(4)] = (*_S703)[_S707 + i32(4)] + _S702 * _S705.high_0[i32(1)];
+        var _S708 : i32 = _S706 + i32(2);
+        (*_S703)[_S708] = (*_S703)[_S708] + _S702 * _S705.low_0[i32(2)];
+        (*_S703)[_S708 + i32(4)] = (*_S703)[_S708 + i32(4)] + _S702 * _S705.high_0[i32(2)];
+        var _S709 : i32 = _S706 + i32(3);
+        (*_S703)[_S709] = (*_S703)[_S709] + _S702 * _S705.low_0[i32(3)];
+        (*_S703)[_S709 + i32(4)] = (*_S703)[_S709 + i32(4)] + _S702 * _S705.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S666 : u32,  _S667 : u32,  _S668 : bool,  _S669 : vec2<f32>,  _S670 : f32,  _S671 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S710 : u32,  _S711 : u32,  _S712 : bool,  _S713 : vec2<f32>,  _S714 : f32,  _S715 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S672 : Neural_std430_0 = fabrics_0[_S666].neural_0;
-    var _S673 : u32 = fabrics_0[_S666].neural_0.levels_1 + u32(4) * _S667;
-    var _S674 : f32 = table_number_0(_S673);
-    var _S675 : f32 = table_number_0(_S673 + u32(1));
-    var _S676 : f32 = table_number_0(_S673 + u32(2));
-    var _S677 : vec2<f32> = _S669 * vec2<f32>(table_number_0(_S673 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S667 > u32(3)) & ((_S667 < (fabrics_0[_S666].neural_0.top_level_0))))));
-    var _S678 : vec2<f32> = floor(_S677);
-    var _S679 : vec2<f32> = _S677 - _S678;
+    var _S716 : Neural_std430_0 = fabrics_0[_S710].neural_0;
+    var _S717 : u32 = fabrics_0[_S710].neural_0.levels_1 + u32(4) * _S711;
+    var _S718 : f32 = table_number_0(_S717);
+    var _S719 : f32 = table_number_0(_S717 + u32(1));
+    var _S720 : f32 = table_number_0(_S717 + u32(2));
+    var _S721 : vec2<f32> = _S713 * vec2<f32>(table_number_0(_S717 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S711 > u32(3)) & ((_S711 < (fabrics_0[_S710].neural_0.top_level_0))))));
+    var _S722 : vec2<f32> = floor(_S721);
+    var _S723 : vec2<f32> = _S721 - _S722;
     var corner_1 : u32 = u32(0);
     for(;;)
     {
@@ -3336,16 +3631,16 @@ fn add_level_0( _S666 : u32,  _S667 : u32,  _S668 : bool,  _S669 : vec2<f32>,  _
         {
             break;
         }
-        var _S680 : f32 = f32((corner_1 & (u32(1))));
-        var _S681 : f32 = f32((corner_1 >> (u32(1))));
-        var _S682 : vec2<f32> = mix(vec2<f32>(1.0f) - _S679, _S679, vec2<f32>(_S680, _S681));
-        add_texel_0(_S666, u32(_S674 + wrapped_0(_S678.y + _S681, _S676) * _S675 + wrapped_0(_S678.x + _S680, _S675)) + select(u32(0), _S672.texels_0, _S668), _S670 * _S682.x * _S682.y, &((*_S671)));
+        var _S724 : f32 = f32((corner_1 & (u32(1))));
+        var _S725 : f32 = f32((corner_1 >> (u32(1))));
+        var _S726 : vec2<f32> = mix(vec2<f32>(1.0f) - _S723, _S723, vec2<f32>(_S724, _S725));
+        add_texel_0(_S710, u32(_S718 + wrapped_0(_S722.y + _S725, _S720) * _S719 + wrapped_0(_S722.x + _S724, _S719)) + select(u32(0), _S716.texels_0, _S712), _S714 * _S726.x * _S726.y, &((*_S715)));
         corner_1 = corner_1 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S683 : u32,  _S684 : AnisotropicTaps_0,  _S685 : vec3<f32>,  _S686 : bool,  _S687 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S727 : u32,  _S728 : AnisotropicTaps_0,  _S729 : vec3<f32>,  _S730 : bool,  _S731 : ptr<function, array<f32, i32(88)>>)
 {
     var k_0 : i32 = i32(0);
     for(;;)
@@ -3357,34 +3652,34 @@ fn code_footprint_0( _S683 : u32,  _S684 : AnisotropicTaps_0,  _S685 : vec3<f32>
         {
             break;
         }
-        (*_S687)[k_0] = 0.0f;
+        (*_S731)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S688 : vec2<f32> = vec2<f32>(fabrics_0[_S683].neural_0.ends_0, fabrics_0[_S683].neural_0.picks_0);
-    var _S689 : f32 = f32(fabrics_0[_S683].neural_0.top_level_0);
-    var _S690 : f32 = clamp(binary_logarithm_0(max(_S684.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S689);
-    var _S691 : f32 = min(floor(_S690), _S689 - 1.0f);
-    var _S692 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S684));
-    var number_6 : u32 = u32(0);
+    var _S732 : vec2<f32> = vec2<f32>(fabrics_0[_S727].neural_0.ends_0, fabrics_0[_S727].neural_0.picks_0);
+    var _S733 : f32 = f32(fabrics_0[_S727].neural_0.top_level_0);
+    var _S734 : f32 = clamp(binary_logarithm_0(max(_S728.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S733);
+    var _S735 : f32 = min(floor(_S734), _S733 - 1.0f);
+    var _S736 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S728));
+    var number_8 : u32 = u32(0);
     for(;;)
     {
-        if(number_6 < (u32(2) * _S692))
+        if(number_8 < (u32(2) * _S736))
         {
         }
         else
         {
             break;
         }
-        var _S693 : vec2<f32> = AnisotropicTaps_place_0(_S684, (number_6 >> (u32(1))));
-        var _S694 : bool = ((number_6 & (u32(1)))) != u32(0);
-        var _S695 : f32 = _S690 - _S691;
-        add_level_0(_S683, u32(_S691) + select(u32(0), u32(1), _S694), _S686, clamp(_S693 - _S688 * floor(_S693 / _S688), vec2<f32>(0.0f), _S688), select(1.0f - _S695, _S695, _S694) / f32(_S692), &((*_S687)));
-        number_6 = number_6 + u32(1);
+        var _S737 : vec2<f32> = AnisotropicTaps_place_0(_S728, (number_8 >> (u32(1))));
+        var _S738 : bool = ((number_8 & (u32(1)))) != u32(0);
+        var _S739 : f32 = _S734 - _S735;
+        add_level_0(_S727, u32(_S735) + select(u32(0), u32(1), _S738), _S730, clamp(_S737 - _S732 * floor(_S737 / _S732), vec2<f32>(0.0f), _S732), select(1.0f - _S739, _S739, _S738) / f32(_S736), &((*_S731)));
+        number_8 = number_8 + u32(1);
     }
-    var number_7 : i32 = i32(0);
+    var number_9 : i32 = i32(0);
     for(;;)
     {
-        if(number_7 < i32(3))
+        if(number_9 < i32(3))
         {
         }
         else
@@ -3401,9 +3696,9 @@ fn code_footprint_0( _S683 : u32,  _S684 : AnisotropicTaps_0,  _S685 : vec3<f32>
             {
                 break;
             }
-            var offset_1 : f32 = _S685[number_7] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_1 : f32 = _S729[number_9] - (f32(bin_0) + 0.5f) / 8.0f;
             var offset_2 : f32;
-            if(number_7 < i32(2))
+            if(number_9 < i32(2))
             {
                 offset_2 = offset_1 - round(offset_1);
             }
@@ -3411,147 +3706,199 @@ fn code_footprint_0( _S683 : u32,  _S684 : AnisotropicTaps_0,  _S685 : vec3<f32>
             {
                 offset_2 = offset_1;
             }
-            (*_S687)[i32(64) + number_7 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
+            (*_S731)[i32(64) + number_9 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
-        number_7 = number_7 + i32(1);
+        number_9 = number_9 + i32(1);
     }
     return;
 }
 
-fn crown_fibres_0( _S696 : u32,  _S697 : bool,  _S698 : bool) -> vec3<f32>
+fn crown_fibres_0( _S740 : u32,  _S741 : bool,  _S742 : bool) -> vec3<f32>
 {
-    if(_S697)
+    if(_S741)
     {
-        return vec3<f32>(select(1.0f, -1.0f, _S698) * fabrics_0[_S696].neural_0.warp_x_0, fabrics_0[_S696].neural_0.warp_y_0, fabrics_0[_S696].neural_0.warp_roughness_0);
+        return vec3<f32>(select(1.0f, -1.0f, _S742) * fabrics_0[_S740].neural_0.warp_x_0, fabrics_0[_S740].neural_0.warp_y_0, fabrics_0[_S740].neural_0.warp_roughness_0);
     }
-    return vec3<f32>(fabrics_0[_S696].neural_0.weft_x_0, select(1.0f, -1.0f, _S698) * fabrics_0[_S696].neural_0.weft_y_0, fabrics_0[_S696].neural_0.weft_roughness_0);
+    return vec3<f32>(fabrics_0[_S740].neural_0.weft_x_0, select(1.0f, -1.0f, _S742) * fabrics_0[_S740].neural_0.weft_y_0, fabrics_0[_S740].neural_0.weft_roughness_0);
 }
 
-fn yarns_over_0( _S699 : u32,  _S700 : Footprint_0,  _S701 : bool) -> Yarns_0
+fn yarns_over_0( _S743 : u32,  _S744 : Footprint_0,  _S745 : bool) -> Yarns_0
 {
-    var _S702 : vec2<f32> = _S700.dx_0;
-    var _S703 : vec2<f32> = _S700.dy_0;
-    var _S704 : vec2<f32> = sqrt(_S702 * _S702 + _S703 * _S703);
-    var _S705 : f32 = Footprint_spread_side_0(_S700);
-    var _S706 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S706, _S706, vec3<f32>(0.0f));
-    var _S707 : bool = (fabrics_0[_S699].is_irregular_0) != u32(0);
-    var number_8 : u32 = u32(0);
+    var _S746 : vec2<f32> = _S744.dx_0;
+    var _S747 : vec2<f32> = _S744.dy_0;
+    var _S748 : vec2<f32> = sqrt(_S746 * _S746 + _S747 * _S747);
+    var _S749 : f32 = Footprint_spread_side_0(_S744);
+    var _S750 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S750, _S750, vec3<f32>(0.0f));
+    var _S751 : bool = (fabrics_0[_S743].is_irregular_0) != u32(0);
+    var number_10 : u32 = u32(0);
     for(;;)
     {
-        if(number_8 < select(u32(0), u32(2), _S707))
+        if(number_10 < select(u32(0), u32(2), _S751))
         {
         }
         else
         {
             break;
         }
-        var _S708 : bool = number_8 == u32(0);
-        var _S709 : u32 = select(fabrics_0[_S699].weft_0, fabrics_0[_S699].warp_0, _S708);
-        var _S710 : vec2<f32> = select_vector_1(_S708, _S700.centre_0, _S700.centre_0.yx);
-        var _S711 : vec2<f32> = select_vector_1(_S708, _S704, _S704.yx);
-        var _S712 : f32 = _S710.x;
-        var _S713 : Cell_0 = locate_0(_S709, _S712);
-        var yarn_3 : vec4<f32> = irregular_over_0(_S709, irregular_key_0(_S699, number_8), irregular_thread_0(_S709, _S712, _S713) + _S713.below_0 / (_S713.below_0 + _S713.above_0), _S711.x * (families_0[_S709].count_0 / families_0[_S709].period_0), _S710.y, _S711.y);
-        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S709, _S705));
-        yarns_1.warp_2 = yarns_1.weft_2;
-        yarns_1.weft_2 = yarn_3;
-        number_8 = number_8 + u32(1);
+        var _S752 : bool = number_10 == u32(0);
+        var _S753 : u32 = select(fabrics_0[_S743].weft_0, fabrics_0[_S743].warp_0, _S752);
+        var _S754 : vec2<f32> = select_vector_1(_S752, _S744.centre_0, _S744.centre_0.yx);
+        var _S755 : vec2<f32> = select_vector_1(_S752, _S748, _S748.yx);
+        var _S756 : f32 = _S754.x;
+        var _S757 : Cell_0 = locate_0(_S753, _S756);
+        var yarn_3 : vec4<f32> = irregular_over_0(_S753, irregular_key_0(_S743, number_10), irregular_thread_0(_S753, _S756, _S757) + _S757.below_0 / (_S757.below_0 + _S757.above_0), _S755.x * (families_0[_S753].count_0 / families_0[_S753].period_0), _S754.y, _S755.y);
+        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S753, _S749));
+        yarns_1.warp_3 = yarns_1.weft_3;
+        yarns_1.weft_3 = yarn_3;
+        number_10 = number_10 + u32(1);
     }
-    var _S714 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S699].warp_0].cover_0, families_0[fabrics_0[_S699].weft_0].cover_0);
-    var _S715 : f32 = select(fabrics_0[_S699].warp_on_top_0, 1.0f - fabrics_0[_S699].warp_on_top_0, _S701);
-    var _S716 : vec3<f32> = shown_of_covers_0(_S714, _S715);
-    var _S717 : vec3<f32> = select_vector_2(_S707, shown_of_covers_0(saturate(_S714 + _S714 * vec2<f32>(yarns_1.warp_2.y, yarns_1.weft_2.y)), _S715) / max(_S716, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_1.shares_0 = _S717;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S717.z, (_S716.z) > 0.00009999999747379f);
+    var _S758 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S743].warp_0].cover_0, families_0[fabrics_0[_S743].weft_0].cover_0);
+    var _S759 : f32 = select(fabrics_0[_S743].warp_on_top_0, 1.0f - fabrics_0[_S743].warp_on_top_0, _S745);
+    var _S760 : vec3<f32> = shown_of_covers_0(_S758, _S759);
+    var _S761 : vec3<f32> = select_vector_2(_S751, shown_of_covers_0(saturate(_S758 + _S758 * vec2<f32>(yarns_1.warp_3.y, yarns_1.weft_3.y)), _S759) / max(_S760, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_1.shares_0 = _S761;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S761.z, (_S760.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn neural_view_0( _S718 : u32,  _S719 : Footprint_0,  _S720 : vec3<f32>,  _S721 : ptr<function, NeuralView_0>)
+fn neural_view_0( _S762 : u32,  _S763 : Footprint_0,  _S764 : vec3<f32>,  _S765 : ptr<function, NeuralView_0>)
 {
-    var _S722 : bool = (_S720.z) < 0.0f;
-    var _S723 : vec3<f32> = to_face_frame_0(_S720, _S722);
-    var _S724 : AnisotropicTaps_0 = taps_at_yarns_0(_S718, _S719, anisotropic_taps_0(_S718, _S719), _S723, _S722);
-    var _S725 : vec3<f32> = footprint_coordinates_0(_S724);
+    var _S766 : bool = (_S764.z) < 0.0f;
+    var _S767 : vec3<f32> = to_face_frame_0(_S764, _S766);
+    var _S768 : AnisotropicTaps_0 = taps_at_yarns_0(_S762, _S763, anisotropic_taps_0(_S762, _S763), _S767, _S766);
+    var _S769 : vec3<f32> = footprint_coordinates_0(_S768);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S718].neural_0.network_0;
+    weights_23.first_2 = fabrics_0[_S762].neural_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S718, _S724, _S725, _S722, &(inputs_23));
+    code_footprint_0(_S762, _S768, _S769, _S766, &(inputs_23));
     var hidden_1 : array<f32, i32(64)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(68)>;
     dense_part_8(weights_23, u32(712), false, &(hidden_1), &(fused_0));
-    fused_0[i32(64)] = _S723.x;
-    fused_0[i32(65)] = _S723.y;
-    var _S726 : vec2<f32> = _S723.xy;
-    fused_0[i32(66)] = dot(crown_fibres_0(_S718, true, _S722).xy, _S726);
-    fused_0[i32(67)] = dot(crown_fibres_0(_S718, false, _S722).xy, _S726);
+    fused_0[i32(64)] = _S767.x;
+    fused_0[i32(65)] = _S767.y;
+    var _S770 : vec2<f32> = _S767.xy;
+    fused_0[i32(66)] = dot(crown_fibres_0(_S762, true, _S766).xy, _S770);
+    fused_0[i32(67)] = dot(crown_fibres_0(_S762, false, _S766).xy, _S770);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(1232), false, &(fused_0), &(of_hole_0));
     var hole_4 : array<f32, i32(1)>;
     dense_5(weights_23, u32(1380), false, &(of_hole_0), &(hole_4));
-    var _S727 : array<f32, i32(64)> = (*_S721).sums_9;
-    dense_4(weights_23, u32(1392), false, &(fused_0), &(_S727));
-    (*_S721).sums_9 = _S727;
-    var _S728 : f32 = clamp(hole_4[i32(0)], 0.0f, 1.0f);
-    (*_S721).even_hole_0 = _S728;
-    (*_S721).yarns_0 = yarns_over_0(_S718, _S719, _S722);
-    (*_S721).hole_2 = min(_S728 * (*_S721).yarns_0.shares_0.z, 1.0f);
-    (*_S721).correction_weight_0 = correction_weight_of_0(_S725.z);
-    (*_S721).view_7 = _S723;
-    (*_S721).back_6 = _S722;
+    var _S771 : array<f32, i32(64)> = (*_S765).sums_12;
+    dense_4(weights_23, u32(1392), false, &(fused_0), &(_S771));
+    (*_S765).sums_12 = _S771;
+    var _S772 : f32 = clamp(hole_4[i32(0)], 0.0f, 1.0f);
+    (*_S765).even_hole_0 = _S772;
+    (*_S765).yarns_0 = yarns_over_0(_S762, _S763, _S766);
+    (*_S765).hole_2 = min(_S772 * (*_S765).yarns_0.shares_0.z, 1.0f);
+    (*_S765).correction_weight_0 = correction_weight_of_0(_S769.z);
+    (*_S765).view_7 = _S767;
+    (*_S765).back_10 = _S766;
     return;
 }
 
-struct FamilyAlbedos_0
+fn stack_share_0( _S773 : u32,  _S774 : vec2<f32>,  _S775 : vec2<f32>,  _S776 : u32) -> f32
 {
-     warp_7 : Albedos_0,
-     weft_7 : Albedos_0,
-};
-
-fn albedos_over_0( _S729 : u32,  _S730 : Footprint_0,  _S731 : bool) -> FamilyAlbedos_0
-{
-    var _S732 : vec2<f32> = _S730.dx_0;
-    var _S733 : vec2<f32> = _S730.dy_0;
-    var _S734 : vec2<f32> = sqrt(_S732 * _S732 + _S733 * _S733);
-    var _S735 : Stretch_0 = stretch_of_0(fabrics_0[_S729].warp_0, _S730.centre_0.x, _S734.x);
-    var _S736 : Stretch_0 = stretch_of_0(fabrics_0[_S729].weft_0, _S730.centre_0.y, _S734.y);
-    var albedos_4 : FamilyAlbedos_0;
-    albedos_4.warp_7 = mean_albedos_0(fabrics_0[_S729].warp_0, fabrics_0[_S729].weft_0, _S735, _S736, _S731);
-    albedos_4.weft_7 = mean_albedos_0(fabrics_0[_S729].weft_0, fabrics_0[_S729].warp_0, _S736, _S735, _S731);
-    return albedos_4;
+    if((fabrics_0[_S773].stacks_0) == u32(1))
+    {
+        return 1.0f;
+    }
+    var _S777 : u32 = fabrics_0[_S773].plane_axes_0 + u32(1);
+    var _S778 : Stretch_0 = stretch_of_0(fabrics_0[_S773].plane_axes_0, _S774.x, _S775.x);
+    var _S779 : Stretch_0 = stretch_of_0(_S777, _S774.y, _S775.y);
+    return clamp(integral_on_top_0(fabrics_0[_S773].plane_axes_0, _S778, _S779, u32(families_0[_S777].count_0), _S776) / (lengths_0(fabrics_0[_S773].plane_axes_0, _S778).x * lengths_0(_S777, _S779).x), 0.0f, 1.0f);
 }
 
-fn toned_0( _S737 : u32,  _S738 : u32,  _S739 : Albedos_0,  _S740 : vec4<f32>) -> Albedos_0
+fn albedos_over_0( _S780 : u32,  _S781 : Footprint_0,  _S782 : bool) -> FamilyAlbedos_0
 {
-    var _S741 : vec3<f32> = _S739.diffuse_reflect_0 + _S739.diffuse_transmit_0;
-    var _S742 : vec3<f32> = vec3<f32>(1.0f);
-    var _S743 : vec3<f32> = _S742 - vec3<f32>(fabrics_0[_S737].layer_bound_0) * max(_S739.specular_reflect_0, _S739.specular_transmit_0);
-    var _S744 : vec3<f32> = vec3<f32>(0.0f);
-    var _S745 : vec3<f32> = max(_S742 - _S741, _S744) / (_S742 + _S741);
-    var _S746 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S747 : vec3<f32> = (_S743 / max(_S741, _S746) - _S742) / max(vec3<f32>(0.89999997615814209f) * _S745, _S746);
-    var _S748 : vec3<f32> = _S742 - vec3<f32>((saturate(min(min(_S747.x, _S747.y), _S747.z)) * _S740.z)) * _S745;
-    var _S749 : vec3<f32> = min(vec3<f32>(families_0[_S738].nep_red_0, families_0[_S738].nep_green_0, families_0[_S738].nep_blue_0), _S743);
-    var found_1 : Albedos_0 = _S739;
-    var _S750 : f32 = _S740.w;
-    var _S751 : vec3<f32> = _S748 * _S739.diffuse_transmit_0 * vec3<f32>((1.0f - _S750));
-    found_1.diffuse_transmit_0 = _S751;
-    found_1.diffuse_reflect_0 = clamp(mix(_S748 * _S739.diffuse_reflect_0, _S749, vec3<f32>(_S750)), _S744, max(_S743 - _S751, _S744));
+    var _S783 : vec2<f32> = _S781.dx_0;
+    var _S784 : vec2<f32> = _S781.dy_0;
+    var _S785 : vec2<f32> = sqrt(_S783 * _S783 + _S784 * _S784);
+    var _S786 : vec3<f32> = vec3<f32>(0.0f);
+    var _S787 : Albedos_0 = Albedos_x24init_0(_S786, _S786, _S786, _S786);
+    var sums_13 : FamilyAlbedos_0 = FamilyAlbedos_x24init_0(_S787, _S787);
+    var _S788 : vec2<f32> = vec2<f32>(0.0f);
+    var number_11 : u32 = u32(0);
+    var areas_0 : vec2<f32> = _S788;
+    for(;;)
+    {
+        if(number_11 < (plane_count_0(_S780)))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S789 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S780, number_11), _S781.centre_0, _S785, _S782);
+        if(!is_layered_0(_S780))
+        {
+            return _S789;
+        }
+        var _S790 : PlaneShares_0 = PlaneShares_x24init_0(0.0f, _S786, _S786);
+        var warp_10 : PlaneShares_0 = _S790;
+        var weft_10 : PlaneShares_0 = _S790;
+        var stack_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(stack_0 < (fabrics_0[_S780].stacks_0))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var _S791 : f32 = stack_share_0(_S780, _S781.centre_0, _S785, stack_0);
+            var _S792 : u32 = fabrics_0[_S780].plane_shares_0 + u32(14) * (u32(2) * (stack_0 * fabrics_0[_S780].planes_0 + number_11) + select(u32(0), u32(1), _S782));
+            var _S793 : PlaneShares_0 = with_shares_at_0(warp_10, _S791, _S792);
+            var _S794 : PlaneShares_0 = with_shares_at_0(weft_10, _S791, _S792 + u32(7));
+            var _S795 : u32 = stack_0 + u32(1);
+            warp_10 = _S793;
+            weft_10 = _S794;
+            stack_0 = _S795;
+        }
+        sums_13.warp_5 = with_plane_0(sums_13.warp_5, _S789.warp_5, warp_10);
+        sums_13.weft_5 = with_plane_0(sums_13.weft_5, _S789.weft_5, weft_10);
+        var areas_1 : vec2<f32> = areas_0 + vec2<f32>(warp_10.area_0, weft_10.area_0);
+        number_11 = number_11 + u32(1);
+        areas_0 = areas_1;
+    }
+    var means_0 : FamilyAlbedos_0;
+    means_0.warp_5 = divided_0(sums_13.warp_5, areas_0.x);
+    means_0.weft_5 = divided_0(sums_13.weft_5, areas_0.y);
+    return means_0;
+}
+
+fn toned_0( _S796 : u32,  _S797 : u32,  _S798 : Albedos_0,  _S799 : vec4<f32>) -> Albedos_0
+{
+    var _S800 : vec3<f32> = _S798.diffuse_reflect_0 + _S798.diffuse_transmit_0;
+    var _S801 : vec3<f32> = vec3<f32>(1.0f);
+    var _S802 : vec3<f32> = _S801 - vec3<f32>(fabrics_0[_S796].layer_bound_0) * max(_S798.specular_reflect_0, _S798.specular_transmit_0);
+    var _S803 : vec3<f32> = vec3<f32>(0.0f);
+    var _S804 : vec3<f32> = max(_S801 - _S800, _S803) / (_S801 + _S800);
+    var _S805 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S806 : vec3<f32> = (_S802 / max(_S800, _S805) - _S801) / max(vec3<f32>(0.89999997615814209f) * _S804, _S805);
+    var _S807 : vec3<f32> = _S801 - vec3<f32>((saturate(min(min(_S806.x, _S806.y), _S806.z)) * _S799.z)) * _S804;
+    var _S808 : vec3<f32> = min(vec3<f32>(families_0[_S797].nep_red_0, families_0[_S797].nep_green_0, families_0[_S797].nep_blue_0), _S802);
+    var found_1 : Albedos_0 = _S798;
+    var _S809 : f32 = _S799.w;
+    var _S810 : vec3<f32> = _S807 * _S798.diffuse_transmit_0 * vec3<f32>((1.0f - _S809));
+    found_1.diffuse_transmit_0 = _S810;
+    found_1.diffuse_reflect_0 = clamp(mix(_S807 * _S798.diffuse_reflect_0, _S808, vec3<f32>(_S809)), _S803, max(_S802 - _S810, _S803));
     return found_1;
 }
 
-fn with_tones_0( _S752 : u32,  _S753 : FamilyAlbedos_0,  _S754 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S811 : u32,  _S812 : FamilyAlbedos_0,  _S813 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S752].is_irregular_0) == u32(0))
+    if((fabrics_0[_S811].is_irregular_0) == u32(0))
     {
-        return _S753;
+        return _S812;
     }
-    var result_2 : FamilyAlbedos_0;
-    result_2.warp_7 = toned_0(_S752, fabrics_0[_S752].warp_0, _S753.warp_7, _S754.warp_2);
-    result_2.weft_7 = toned_0(_S752, fabrics_0[_S752].weft_0, _S753.weft_7, _S754.weft_2);
-    return result_2;
+    var result_5 : FamilyAlbedos_0;
+    result_5.warp_5 = toned_0(_S811, fabrics_0[_S811].warp_0, _S812.warp_5, _S813.warp_3);
+    result_5.weft_5 = toned_0(_S811, fabrics_0[_S811].weft_0, _S812.weft_5, _S813.weft_3);
+    return result_5;
 }
 
 fn light_sample_count_0() -> u32
@@ -3559,13 +3906,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S755 : u32,  _S756 : vec2<u32>) -> f32
+fn visibility_at_0( _S814 : u32,  _S815 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S755 * frame_record_0.height_0 + _S756.y) * frame_record_0.width_0 + _S756.x];
+    return visibilities_0[(_S814 * frame_record_0.height_0 + _S815.y) * frame_record_0.width_0 + _S815.x];
 }
 
 struct LightSample_0
@@ -3575,52 +3922,52 @@ struct LightSample_0
      distance_4 : f32,
 };
 
-fn environment_texel_0( _S757 : u32,  _S758 : u32) -> vec3<f32>
+fn environment_texel_0( _S816 : u32,  _S817 : u32) -> vec3<f32>
 {
-    var _S759 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S757 * frame_record_0.environment_columns_0 + _S758);
-    return vec3<f32>(scene_number_0(_S759), scene_number_0(_S759 + u32(1)), scene_number_0(_S759 + u32(2)));
+    var _S818 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S816 * frame_record_0.environment_columns_0 + _S817);
+    return vec3<f32>(scene_number_0(_S818), scene_number_0(_S818 + u32(1)), scene_number_0(_S818 + u32(2)));
 }
 
-fn sample_environment_0( _S760 : vec2<f32>,  _S761 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S819 : vec2<f32>,  _S820 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S762 : u32 = frame_record_0.environment_rows_0;
-    var _S763 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S760.y);
-    var _S764 : u32 = frame_record_0.environment_columns_0;
-    var _S765 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S763.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S760.x);
-    var _S766 : vec3<f32> = environment_texel_0(_S763.index_7, _S765.index_7);
-    (*_S761) = _S766 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S766), 9.99999968265522539e-21f)));
-    var _S767 : f32 = 3.14159274101257324f / f32(_S762);
-    var _S768 : f32 = mix(sine_cosine_0(f32(_S763.index_7) * _S767).y, sine_cosine_0(f32(_S763.index_7 + u32(1)) * _S767).y, _S763.remainder_0);
-    var _S769 : f32 = sqrt(max(1.0f - _S768 * _S768, 0.0f));
-    var _S770 : vec2<f32> = sine_cosine_0((f32(_S765.index_7) + _S765.remainder_0) * (6.28318548202514648f / f32(_S764)));
-    var _S771 : f32 = _S769 * _S770.x;
-    var _S772 : f32 = - _S769 * _S770.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S771 + frame_record_0.environment_sine_0 * _S772, _S768, frame_record_0.environment_cosine_0 * _S772 - frame_record_0.environment_sine_0 * _S771);
+    var _S821 : u32 = frame_record_0.environment_rows_0;
+    var _S822 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S819.y);
+    var _S823 : u32 = frame_record_0.environment_columns_0;
+    var _S824 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S822.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S819.x);
+    var _S825 : vec3<f32> = environment_texel_0(_S822.index_7, _S824.index_7);
+    (*_S820) = _S825 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S825), 9.99999968265522539e-21f)));
+    var _S826 : f32 = 3.14159274101257324f / f32(_S821);
+    var _S827 : f32 = mix(sine_cosine_0(f32(_S822.index_7) * _S826).y, sine_cosine_0(f32(_S822.index_7 + u32(1)) * _S826).y, _S822.remainder_0);
+    var _S828 : f32 = sqrt(max(1.0f - _S827 * _S827, 0.0f));
+    var _S829 : vec2<f32> = sine_cosine_0((f32(_S824.index_7) + _S824.remainder_0) * (6.28318548202514648f / f32(_S823)));
+    var _S830 : f32 = _S828 * _S829.x;
+    var _S831 : f32 = - _S828 * _S829.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S830 + frame_record_0.environment_sine_0 * _S831, _S827, frame_record_0.environment_cosine_0 * _S831 - frame_record_0.environment_sine_0 * _S830);
 }
 
-fn light_sample_0( _S773 : u32,  _S774 : vec2<u32>,  _S775 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S832 : u32,  _S833 : vec2<u32>,  _S834 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_4 = 1.00000001504746622e+30f;
-    var _S776 : u32 = frame_record_0.lights_0;
-    if(_S773 >= (frame_record_0.lights_0))
+    var _S835 : u32 = frame_record_0.lights_0;
+    if(_S832 >= (frame_record_0.lights_0))
     {
         var weight_3 : vec3<f32>;
-        var _S777 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S774, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S773 - _S776), u32(3)), &(weight_3));
-        sample_1.towards_0 = _S777;
+        var _S836 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S833, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S832 - _S835), u32(3)), &(weight_3));
+        sample_1.towards_0 = _S836;
         sample_1.irradiance_1 = weight_3 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S778 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S773);
-    sample_1.irradiance_1 = vec3<f32>(_S778.red_0, _S778.green_0, _S778.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S778.x_9, _S778.y_1, _S778.z_1);
-    if((_S778.is_point_0) != u32(0))
+    var _S837 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S832);
+    sample_1.irradiance_1 = vec3<f32>(_S837.red_0, _S837.green_0, _S837.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S837.x_12, _S837.y_4, _S837.z_1);
+    if((_S837.is_point_0) != u32(0))
     {
-        var _S779 : vec3<f32> = sample_1.towards_0 - _S775;
-        var _S780 : f32 = max(square_0(_S779), 9.999999960041972e-13f);
-        sample_1.distance_4 = sqrt(_S780);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S780);
-        sample_1.towards_0 = normalize(_S779);
+        var _S838 : vec3<f32> = sample_1.towards_0 - _S834;
+        var _S839 : f32 = max(square_0(_S838), 9.999999960041972e-13f);
+        sample_1.distance_4 = sqrt(_S839);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S839);
+        sample_1.towards_0 = normalize(_S838);
     }
     return sample_1;
 }
@@ -3635,16 +3982,16 @@ struct Components_0
      hole_5 : f32,
 };
 
-fn code_light_0( _S781 : u32,  _S782 : vec3<f32>,  _S783 : vec3<f32>,  _S784 : bool,  _S785 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S840 : u32,  _S841 : vec3<f32>,  _S842 : vec3<f32>,  _S843 : bool,  _S844 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S785)[i32(0)] = _S782.x;
-    (*_S785)[i32(1)] = _S782.y;
-    (*_S785)[i32(2)] = _S782.z;
-    var _S786 : vec3<f32> = _S782 + _S783;
-    var _S787 : f32 = _S786.z;
-    var _S788 : f32 = _S787 * _S787 + 0.00009999999747379f;
-    var _S789 : vec2<f32> = _S786.xy;
-    var _S790 : f32 = 1.0f / (dot(_S789, _S789) + _S788);
+    (*_S844)[i32(0)] = _S841.x;
+    (*_S844)[i32(1)] = _S841.y;
+    (*_S844)[i32(2)] = _S841.z;
+    var _S845 : vec3<f32> = _S841 + _S842;
+    var _S846 : f32 = _S845.z;
+    var _S847 : f32 = _S846 * _S846 + 0.00009999999747379f;
+    var _S848 : vec2<f32> = _S845.xy;
+    var _S849 : f32 = 1.0f / (dot(_S848, _S848) + _S847);
     var family_20 : i32 = i32(0);
     for(;;)
     {
@@ -3655,12 +4002,12 @@ fn code_light_0( _S781 : u32,  _S782 : vec3<f32>,  _S783 : vec3<f32>,  _S784 : b
         {
             break;
         }
-        var _S791 : vec3<f32> = crown_fibres_0(_S781, family_20 == i32(0), _S784);
-        var _S792 : vec2<f32> = _S791.xy;
-        (*_S785)[i32(3) + family_20] = dot(_S792, _S782.xy);
-        var _S793 : f32 = dot(_S792, _S789);
-        var _S794 : f32 = _S793 * _S793;
-        var _S795 : f32 = (0.75f * _S793 / (0.5f * sqrt(_S794 + _S788) + abs(_S793)) + 0.5f) * 8.0f;
+        var _S850 : vec3<f32> = crown_fibres_0(_S840, family_20 == i32(0), _S843);
+        var _S851 : vec2<f32> = _S850.xy;
+        (*_S844)[i32(3) + family_20] = dot(_S851, _S841.xy);
+        var _S852 : f32 = dot(_S851, _S848);
+        var _S853 : f32 = _S852 * _S852;
+        var _S854 : f32 = (0.75f * _S852 / (0.5f * sqrt(_S853 + _S847) + abs(_S852)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -3671,26 +4018,26 @@ fn code_light_0( _S781 : u32,  _S782 : vec3<f32>,  _S783 : vec3<f32>,  _S784 : b
             {
                 break;
             }
-            (*_S785)[i32(5) + family_20 * i32(16) + bin_1] = bump_0(_S795 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S844)[i32(5) + family_20 * i32(16) + bin_1] = bump_0(_S854 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S796 : f32 = _S791.z;
-        var _S797 : f32 = _S796 * _S796;
-        var _S798 : f32 = _S794 * _S790 * (1.0f - _S797) + _S797;
-        (*_S785)[i32(37) + family_20] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S797 * _S796 / (_S798 * _S798));
+        var _S855 : f32 = _S850.z;
+        var _S856 : f32 = _S855 * _S855;
+        var _S857 : f32 = _S853 * _S849 * (1.0f - _S856) + _S856;
+        (*_S844)[i32(37) + family_20] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S856 * _S855 / (_S857 * _S857));
         family_20 = family_20 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S799 : u32,  _S800 : u32,  _S801 : u32,  _S802 : vec3<f32>,  _S803 : vec3<f32>,  _S804 : bool,  _S805 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S858 : u32,  _S859 : u32,  _S860 : u32,  _S861 : vec3<f32>,  _S862 : vec3<f32>,  _S863 : bool,  _S864 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S806 : vec3<f32> = _S802 + _S803;
-    var _S807 : f32 = 1.0f / (square_0(_S806) + 0.00009999999747379f);
-    var _S808 : f32 = _S806.x;
-    var _S809 : f32 = select(_S808, - _S808, ((_S800 == u32(0)) & (_S804)));
-    var _S810 : f32 = _S806.y;
-    var _S811 : f32 = select(_S810, - _S810, ((_S800 == u32(1)) & (_S804)));
+    var _S865 : vec3<f32> = _S861 + _S862;
+    var _S866 : f32 = 1.0f / (square_0(_S865) + 0.00009999999747379f);
+    var _S867 : f32 = _S865.x;
+    var _S868 : f32 = select(_S867, - _S867, ((_S859 == u32(0)) & (_S863)));
+    var _S869 : f32 = _S865.y;
+    var _S870 : f32 = select(_S869, - _S869, ((_S859 == u32(1)) & (_S863)));
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
     for(;;)
@@ -3702,42 +4049,42 @@ fn mixed_bundles_0( _S799 : u32,  _S800 : u32,  _S801 : u32,  _S802 : vec3<f32>,
         {
             break;
         }
-        var _S812 : u32 = _S800 * u32(25);
-        var _S813 : u32 = fabrics_0[_S799].neural_0.bundles_0 + u32(4) * (_S812 + bundle_1);
-        var _S814 : f32 = dot(vec3<f32>(table_number_0(_S813), table_number_0(_S813 + u32(1)), table_number_0(_S813 + u32(2))), vec3<f32>(_S809, _S811, _S806.z));
-        var _S815 : f32 = _S814 * _S814 * _S807 + table_number_0(_S813 + u32(3));
-        var sum_3 : f32 = sum_2 + max((*_S805)[_S801 + _S812 + select(bundle_1, mirrored_bundle_0(bundle_1), _S804)], (*_S805)[_S801 + _S812 + select(bundle_1, mirrored_bundle_0(bundle_1), _S804)] * 0.00999999977648258f) / (_S815 * _S815);
+        var _S871 : u32 = _S859 * u32(25);
+        var _S872 : u32 = fabrics_0[_S858].neural_0.bundles_0 + u32(4) * (_S871 + bundle_1);
+        var _S873 : f32 = dot(vec3<f32>(table_number_0(_S872), table_number_0(_S872 + u32(1)), table_number_0(_S872 + u32(2))), vec3<f32>(_S868, _S870, _S865.z));
+        var _S874 : f32 = _S873 * _S873 * _S866 + table_number_0(_S872 + u32(3));
+        var sum_3 : f32 = sum_2 + max((*_S864)[_S860 + _S871 + select(bundle_1, mirrored_bundle_0(bundle_1), _S863)], (*_S864)[_S860 + _S871 + select(bundle_1, mirrored_bundle_0(bundle_1), _S863)] * 0.00999999977648258f) / (_S874 * _S874);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn with_shares_0( _S816 : u32,  _S817 : Components_0,  _S818 : Yarns_0) -> Components_0
+fn with_shares_0( _S875 : u32,  _S876 : Components_0,  _S877 : Yarns_0) -> Components_0
 {
-    var result_3 : Components_0;
-    var _S819 : f32 = min(_S817.hole_5 * _S818.shares_0.z, 1.0f);
-    result_3.hole_5 = _S819;
-    var _S820 : f32 = _S818.shares_0.x;
-    result_3.diffuse_warp_0 = _S817.diffuse_warp_0 * _S820;
-    var _S821 : f32 = _S818.shares_0.y;
-    result_3.diffuse_weft_0 = _S817.diffuse_weft_0 * _S821;
-    result_3.specular_warp_0 = _S817.specular_warp_0 * _S820;
-    result_3.specular_weft_0 = _S817.specular_weft_0 * _S821;
-    result_3.light_visibility_1 = _S817.light_visibility_1 * select(1.0f, (1.0f - _S819) / max(1.0f - _S817.hole_5, 9.99999997475242708e-07f), (fabrics_0[_S816].is_irregular_0) != u32(0));
-    return result_3;
+    var result_6 : Components_0;
+    var _S878 : f32 = min(_S876.hole_5 * _S877.shares_0.z, 1.0f);
+    result_6.hole_5 = _S878;
+    var _S879 : f32 = _S877.shares_0.x;
+    result_6.diffuse_warp_0 = _S876.diffuse_warp_0 * _S879;
+    var _S880 : f32 = _S877.shares_0.y;
+    result_6.diffuse_weft_0 = _S876.diffuse_weft_0 * _S880;
+    result_6.specular_warp_0 = _S876.specular_warp_0 * _S879;
+    result_6.specular_weft_0 = _S876.specular_weft_0 * _S880;
+    result_6.light_visibility_1 = _S876.light_visibility_1 * select(1.0f, (1.0f - _S878) / max(1.0f - _S876.hole_5, 9.99999997475242708e-07f), (fabrics_0[_S875].is_irregular_0) != u32(0));
+    return result_6;
 }
 
-fn neural_components_0( _S822 : u32,  _S823 : ptr<function, NeuralView_0>,  _S824 : vec3<f32>) -> Components_0
+fn neural_components_0( _S881 : u32,  _S882 : ptr<function, NeuralView_0>,  _S883 : vec3<f32>) -> Components_0
 {
-    var _S825 : bool = (*_S823).back_6;
-    var _S826 : vec3<f32> = to_face_frame_0(_S824, (*_S823).back_6);
-    var _S827 : vec3<f32> = (*_S823).view_7;
+    var _S884 : bool = (*_S882).back_10;
+    var _S885 : vec3<f32> = to_face_frame_0(_S883, (*_S882).back_10);
+    var _S886 : vec3<f32> = (*_S882).view_7;
     var weights_24 : HalfWeights_0;
-    var _S828 : Neural_std430_0 = fabrics_0[_S822].neural_0;
-    weights_24.first_2 = fabrics_0[_S822].neural_0.network_0;
+    var _S887 : Neural_std430_0 = fabrics_0[_S881].neural_0;
+    weights_24.first_2 = fabrics_0[_S881].neural_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S822, _S826, (*_S823).view_7, (*_S823).back_6, &(directions_0));
+    code_light_0(_S881, _S885, (*_S882).view_7, (*_S882).back_10, &(directions_0));
     var skip_0 : array<f32, i32(64)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -3749,7 +4096,7 @@ fn neural_components_0( _S822 : u32,  _S823 : ptr<function, NeuralView_0>,  _S82
         {
             break;
         }
-        skip_0[k_1] = (*_S823).sums_9[k_1];
+        skip_0[k_1] = (*_S882).sums_12[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(1976), true, &(directions_0), &(skip_0));
@@ -3809,27 +4156,27 @@ fn neural_components_0( _S822 : u32,  _S823 : ptr<function, NeuralView_0>,  _S82
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(3864), false, &(hidden_2), &(outputs_17));
-    var _S829 : bool;
-    if((_S828.is_corrected_0) != u32(0))
+    var _S888 : bool;
+    if((_S887.is_corrected_0) != u32(0))
     {
-        _S829 = (_S826.z) > 0.0f;
+        _S888 = (_S885.z) > 0.0f;
     }
     else
     {
-        _S829 = false;
+        _S888 = false;
     }
-    if(_S829)
+    if(_S888)
     {
-        _S829 = ((*_S823).correction_weight_0) > 0.0f;
+        _S888 = ((*_S882).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S829 = false;
+        _S888 = false;
     }
-    if(_S829)
+    if(_S888)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S828.correction_0;
+        fitted_0.first_0 = _S887.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -3842,185 +4189,190 @@ fn neural_components_0( _S822 : u32,  _S823 : ptr<function, NeuralView_0>,  _S82
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S823).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S882).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    var _S830 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S826.z) > 0.0f);
-    var result_4 : Components_0;
-    var _S831 : f32 = unmapped_0(outputs_17[i32(0)], _S830);
-    result_4.diffuse_warp_0 = _S831;
-    var _S832 : f32 = unmapped_0(outputs_17[i32(1)], _S830);
-    result_4.diffuse_weft_0 = _S832;
-    var _S833 : f32 = 2979.9580078125f * _S830;
-    var _S834 : f32 = mixed_bundles_0(_S822, u32(0), u32(2), _S826, _S827, _S825, &(outputs_17));
-    result_4.specular_warp_0 = clamp(_S834, 0.0f, _S833);
-    var _S835 : f32 = mixed_bundles_0(_S822, u32(1), u32(2), _S826, _S827, _S825, &(outputs_17));
-    result_4.specular_weft_0 = clamp(_S835, 0.0f, _S833);
-    result_4.hole_5 = (*_S823).even_hole_0;
-    result_4.light_visibility_1 = min(light_visibility_of_0(_S831 + _S832, _S826, _S827, fabrics_0[_S822].diffuse_blend_0), 1.0f - (*_S823).even_hole_0);
-    return with_shares_0(_S822, result_4, (*_S823).yarns_0);
+    var _S889 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S885.z) > 0.0f);
+    var result_7 : Components_0;
+    var _S890 : f32 = unmapped_0(outputs_17[i32(0)], _S889);
+    result_7.diffuse_warp_0 = _S890;
+    var _S891 : f32 = unmapped_0(outputs_17[i32(1)], _S889);
+    result_7.diffuse_weft_0 = _S891;
+    var _S892 : f32 = 2979.9580078125f * _S889;
+    var _S893 : f32 = mixed_bundles_0(_S881, u32(0), u32(2), _S885, _S886, _S884, &(outputs_17));
+    result_7.specular_warp_0 = clamp(_S893, 0.0f, _S892);
+    var _S894 : f32 = mixed_bundles_0(_S881, u32(1), u32(2), _S885, _S886, _S884, &(outputs_17));
+    result_7.specular_weft_0 = clamp(_S894, 0.0f, _S892);
+    result_7.hole_5 = (*_S882).even_hole_0;
+    result_7.light_visibility_1 = min(light_visibility_of_0(_S890 + _S891, _S885, _S886, fabrics_0[_S881].diffuse_blend_0), 1.0f - (*_S882).even_hole_0);
+    return with_shares_0(_S881, result_7, (*_S882).yarns_0);
 }
 
-fn diffuse_kept_0( _S836 : u32,  _S837 : vec3<f32>,  _S838 : vec3<f32>) -> f32
+fn diffuse_kept_0( _S895 : u32,  _S896 : vec3<f32>,  _S897 : vec3<f32>) -> f32
 {
-    return (1.0f - fabrics_0[_S836].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S837.z), 0.0f))) * (1.0f - fabrics_0[_S836].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S838.z), 0.0f)));
+    return (1.0f - fabrics_0[_S895].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S896.z), 0.0f))) * (1.0f - fabrics_0[_S895].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S897.z), 0.0f)));
 }
 
-fn highlight_rise_0( _S839 : u32,  _S840 : vec3<f32>,  _S841 : vec3<f32>) -> f32
+fn highlight_rise_0( _S898 : u32,  _S899 : vec3<f32>,  _S900 : vec3<f32>) -> f32
 {
-    var _S842 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S840, _S841) + 0.5f, 9.99999993922529029e-09f, 1.0f));
-    return fabrics_0[_S839].grazing_gain_0 * fourth_power_0(_S842) * _S842;
+    var _S901 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S899, _S900) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S898].grazing_gain_0 * fourth_power_0(_S901) * _S901;
 }
 
-fn towards_grazing_0( _S843 : u32,  _S844 : Albedos_0,  _S845 : vec3<f32>,  _S846 : vec3<f32>) -> Albedos_0
+fn towards_grazing_0( _S902 : u32,  _S903 : Albedos_0,  _S904 : vec3<f32>,  _S905 : vec3<f32>) -> Albedos_0
 {
-    var _S847 : f32 = diffuse_kept_0(_S843, _S845, _S846);
-    var result_5 : Albedos_0 = _S844;
-    var _S848 : vec3<f32> = vec3<f32>(_S847);
-    result_5.diffuse_reflect_0 = result_5.diffuse_reflect_0 * _S848;
-    result_5.diffuse_transmit_0 = result_5.diffuse_transmit_0 * _S848;
-    result_5.specular_reflect_0 = result_5.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S843, _S845, _S846));
-    return result_5;
+    var _S906 : f32 = diffuse_kept_0(_S902, _S904, _S905);
+    var result_8 : Albedos_0 = _S903;
+    var _S907 : vec3<f32> = vec3<f32>(_S906);
+    result_8.diffuse_reflect_0 = result_8.diffuse_reflect_0 * _S907;
+    result_8.diffuse_transmit_0 = result_8.diffuse_transmit_0 * _S907;
+    result_8.specular_reflect_0 = result_8.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S902, _S904, _S905));
+    return result_8;
 }
 
-fn openness_number_0( _S849 : u32,  _S850 : u32) -> f32
+fn openness_number_0( _S908 : u32,  _S909 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S849].openness_0 + _S850);
+    return table_number_0(fabrics_0[_S908].openness_0 + _S909);
 }
 
-fn scattered_by_0( _S851 : u32,  _S852 : Albedos_0,  _S853 : u32,  _S854 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S910 : u32,  _S911 : Albedos_0,  _S912 : u32,  _S913 : vec3<f32>) -> Scattered_0
 {
-    var _S855 : u32 = u32(159) + u32(2) * _S853;
+    var _S914 : u32 = u32(159) + u32(2) * _S912;
     var yarn_4 : Scattered_0;
-    yarn_4.back_5 = _S854 * _S852.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S851, _S855)) * _S852.specular_reflect_0;
-    yarn_4.through_0 = _S854 * _S852.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S851, _S855 + u32(1))) * _S852.specular_transmit_0;
+    yarn_4.back_9 = _S913 * _S911.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S910, _S914)) * _S911.specular_reflect_0;
+    yarn_4.through_0 = _S913 * _S911.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S910, _S914 + u32(1))) * _S911.specular_transmit_0;
     return yarn_4;
 }
 
-fn sent_0( _S856 : u32,  _S857 : u32,  _S858 : vec3<f32>,  _S859 : vec3<f32>,  _S860 : vec3<f32>,  _S861 : vec3<f32>,  _S862 : ptr<function, vec3<f32>>,  _S863 : ptr<function, vec3<f32>>)
+fn sent_0( _S915 : u32,  _S916 : u32,  _S917 : vec3<f32>,  _S918 : vec3<f32>,  _S919 : vec3<f32>,  _S920 : vec3<f32>,  _S921 : ptr<function, vec3<f32>>,  _S922 : ptr<function, vec3<f32>>)
 {
-    var _S864 : u32 = u32(146) + u32(4) * _S857;
-    var _S865 : f32 = openness_number_0(_S856, _S864 + u32(1));
-    var _S866 : f32 = openness_number_0(_S856, _S864 + u32(2));
-    var _S867 : vec3<f32> = vec3<f32>(1.0f);
-    var _S868 : vec3<f32> = _S867 - _S860 * vec3<f32>(openness_number_0(_S856, _S864));
-    var _S869 : vec3<f32> = _S867 - _S861 * vec3<f32>(openness_number_0(_S856, _S864 + u32(3)));
-    var _S870 : vec3<f32> = _S867 / (_S868 * _S869 - _S860 * _S861 * vec3<f32>((_S865 * _S866)));
-    (*_S862) = (_S858 * _S869 + _S860 * vec3<f32>(_S865) * _S859) * _S870;
-    (*_S863) = (_S859 * _S868 + _S861 * vec3<f32>(_S866) * _S858) * _S870;
+    var _S923 : u32 = u32(146) + u32(4) * _S916;
+    var _S924 : f32 = openness_number_0(_S915, _S923 + u32(1));
+    var _S925 : f32 = openness_number_0(_S915, _S923 + u32(2));
+    var _S926 : vec3<f32> = vec3<f32>(1.0f);
+    var _S927 : vec3<f32> = _S926 - _S919 * vec3<f32>(openness_number_0(_S915, _S923));
+    var _S928 : vec3<f32> = _S926 - _S920 * vec3<f32>(openness_number_0(_S915, _S923 + u32(3)));
+    var _S929 : vec3<f32> = _S926 / (_S927 * _S928 - _S919 * _S920 * vec3<f32>((_S924 * _S925)));
+    (*_S921) = (_S917 * _S928 + _S919 * vec3<f32>(_S924) * _S918) * _S929;
+    (*_S922) = (_S918 * _S927 + _S920 * vec3<f32>(_S925) * _S917) * _S929;
     return;
 }
 
-fn face_sends_0( _S871 : u32,  _S872 : u32,  _S873 : Scattered_0,  _S874 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S930 : u32,  _S931 : u32,  _S932 : Scattered_0,  _S933 : Scattered_0) -> FaceSends_0
 {
-    var _S875 : u32 = u32(2) * _S872;
-    var _S876 : u32 = u32(142) + _S875;
-    var _S877 : f32 = openness_number_0(_S871, _S876);
-    var _S878 : f32 = openness_number_0(_S871, _S876 + u32(1));
-    var _S879 : vec3<f32> = vec3<f32>((1.0f - _S877)) * _S873.back_5;
-    var _S880 : vec3<f32> = vec3<f32>((1.0f - _S878)) * _S874.back_5;
+    var _S934 : u32 = u32(2) * _S931;
+    var _S935 : u32 = u32(142) + _S934;
+    var _S936 : f32 = openness_number_0(_S930, _S935);
+    var _S937 : f32 = openness_number_0(_S930, _S935 + u32(1));
+    var _S938 : vec3<f32> = vec3<f32>((1.0f - _S936)) * _S932.back_9;
+    var _S939 : vec3<f32> = vec3<f32>((1.0f - _S937)) * _S933.back_9;
     var sends_1 : FaceSends_0;
-    var _S881 : u32 = u32(154) + _S875;
-    var _S882 : f32 = openness_number_0(_S871, _S881);
-    sends_1.blocks_warp_0 = _S882;
-    var _S883 : f32 = openness_number_0(_S871, _S881 + u32(1));
-    sends_1.blocks_weft_0 = _S883;
-    sends_1.open_0 = _S882 * _S877 + _S883 * _S878;
-    var _S884 : vec3<f32> = vec3<f32>(_S877) * _S873.back_5;
-    var _S885 : vec3<f32> = vec3<f32>(_S878) * _S874.back_5;
-    var _S886 : vec3<f32> = sends_1.sky_warp_0;
-    var _S887 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S871, _S872, _S884, _S885, _S879, _S880, &(_S886), &(_S887));
-    sends_1.sky_warp_0 = _S886;
-    sends_1.sky_weft_0 = _S887;
-    var _S888 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S889 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S871, _S872, _S873.through_0, _S874.through_0, _S879, _S880, &(_S888), &(_S889));
-    sends_1.crossing_warp_0 = _S888;
-    sends_1.crossing_weft_0 = _S889;
+    var _S940 : u32 = u32(154) + _S934;
+    var _S941 : f32 = openness_number_0(_S930, _S940);
+    sends_1.blocks_warp_0 = _S941;
+    var _S942 : f32 = openness_number_0(_S930, _S940 + u32(1));
+    sends_1.blocks_weft_0 = _S942;
+    sends_1.open_0 = _S941 * _S936 + _S942 * _S937;
+    var _S943 : vec3<f32> = vec3<f32>(_S936) * _S932.back_9;
+    var _S944 : vec3<f32> = vec3<f32>(_S937) * _S933.back_9;
+    var _S945 : vec3<f32> = sends_1.sky_warp_0;
+    var _S946 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S930, _S931, _S943, _S944, _S938, _S939, &(_S945), &(_S946));
+    sends_1.sky_warp_0 = _S945;
+    sends_1.sky_weft_0 = _S946;
+    var _S947 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S948 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S930, _S931, _S932.through_0, _S933.through_0, _S938, _S939, &(_S947), &(_S948));
+    sends_1.crossing_warp_0 = _S947;
+    sends_1.crossing_weft_0 = _S948;
     return sends_1;
 }
 
-fn interior_of_0( _S890 : u32,  _S891 : vec3<f32>,  _S892 : bool) -> Interior_0
+fn interior_between_0( _S949 : u32,  _S950 : u32,  _S951 : u32,  _S952 : vec3<f32>,  _S953 : bool) -> Interior_0
 {
-    var _S893 : Scattered_0 = scattered_by_0(_S890, table_albedos_0(families_0[fabrics_0[_S890].warp_0].colour_mean_0), u32(0), _S891);
-    var _S894 : Scattered_0 = scattered_by_0(_S890, table_albedos_0(families_0[fabrics_0[_S890].weft_0].colour_mean_0), u32(1), _S891);
-    var _S895 : FaceSends_0 = face_sends_0(_S890, select(u32(0), u32(1), _S892), _S893, _S894);
-    var _S896 : FaceSends_0 = face_sends_0(_S890, select(u32(1), u32(0), _S892), _S893, _S894);
-    var _S897 : vec3<f32> = vec3<f32>(_S895.blocks_warp_0);
-    var _S898 : vec3<f32> = vec3<f32>(_S895.blocks_weft_0);
-    var _S899 : vec3<f32> = _S897 * _S895.crossing_warp_0 + _S898 * _S895.crossing_weft_0;
-    var _S900 : vec3<f32> = vec3<f32>(_S896.blocks_warp_0);
-    var _S901 : vec3<f32> = vec3<f32>(_S896.blocks_weft_0);
-    var _S902 : vec3<f32> = _S900 * _S896.crossing_warp_0 + _S901 * _S896.crossing_weft_0;
-    var _S903 : f32 = 1.0f - _S895.open_0;
-    var _S904 : f32 = 1.0f - _S896.open_0;
-    var _S905 : vec3<f32> = vec3<f32>(1.0f);
-    var _S906 : vec3<f32> = _S905 / (_S905 - _S899 * _S902 * vec3<f32>((_S903 * _S904)));
-    var _S907 : vec3<f32> = _S902 * (vec3<f32>(_S895.open_0) + vec3<f32>(_S903) * (_S897 * _S895.sky_warp_0 + _S898 * _S895.sky_weft_0)) * _S906;
-    var _S908 : vec3<f32> = _S899 * (vec3<f32>(_S896.open_0) + vec3<f32>(_S904) * (_S900 * _S896.sky_warp_0 + _S901 * _S896.sky_weft_0)) * _S906;
-    var _S909 : FaceRadiance_0 = face_radiance_0(_S895, _S896.open_0, _S907, _S908);
-    var _S910 : FaceRadiance_0 = face_radiance_0(_S896, _S895.open_0, _S908, _S907);
+    var _S954 : Scattered_0 = scattered_by_0(_S949, table_albedos_0(_S950), u32(0), _S952);
+    var _S955 : Scattered_0 = scattered_by_0(_S949, table_albedos_0(_S951), u32(1), _S952);
+    var _S956 : FaceSends_0 = face_sends_0(_S949, select(u32(0), u32(1), _S953), _S954, _S955);
+    var _S957 : FaceSends_0 = face_sends_0(_S949, select(u32(1), u32(0), _S953), _S954, _S955);
+    var _S958 : vec3<f32> = vec3<f32>(_S956.blocks_warp_0);
+    var _S959 : vec3<f32> = vec3<f32>(_S956.blocks_weft_0);
+    var _S960 : vec3<f32> = _S958 * _S956.crossing_warp_0 + _S959 * _S956.crossing_weft_0;
+    var _S961 : vec3<f32> = vec3<f32>(_S957.blocks_warp_0);
+    var _S962 : vec3<f32> = vec3<f32>(_S957.blocks_weft_0);
+    var _S963 : vec3<f32> = _S961 * _S957.crossing_warp_0 + _S962 * _S957.crossing_weft_0;
+    var _S964 : f32 = 1.0f - _S956.open_0;
+    var _S965 : f32 = 1.0f - _S957.open_0;
+    var _S966 : vec3<f32> = vec3<f32>(1.0f);
+    var _S967 : vec3<f32> = _S966 / (_S966 - _S960 * _S963 * vec3<f32>((_S964 * _S965)));
+    var _S968 : vec3<f32> = _S963 * (vec3<f32>(_S956.open_0) + vec3<f32>(_S964) * (_S958 * _S956.sky_warp_0 + _S959 * _S956.sky_weft_0)) * _S967;
+    var _S969 : vec3<f32> = _S960 * (vec3<f32>(_S957.open_0) + vec3<f32>(_S965) * (_S961 * _S957.sky_warp_0 + _S962 * _S957.sky_weft_0)) * _S967;
+    var _S970 : FaceRadiance_0 = face_radiance_0(_S956, _S957.open_0, _S968, _S969);
+    var _S971 : FaceRadiance_0 = face_radiance_0(_S957, _S956.open_0, _S969, _S968);
     var interior_1 : Interior_0;
-    interior_1.warp_6 = _S909.warp_5;
-    interior_1.weft_6 = _S909.weft_5;
-    interior_1.leaked_1 = _S909.leaked_0;
-    interior_1.far_1 = _S910.mean_1;
-    interior_1.far_leaked_0 = _S910.leaked_0;
+    interior_1.warp_9 = _S970.warp_8;
+    interior_1.weft_9 = _S970.weft_8;
+    interior_1.leaked_1 = _S970.leaked_0;
+    interior_1.far_1 = _S971.mean_1;
+    interior_1.far_leaked_0 = _S971.leaked_0;
     return interior_1;
 }
 
-fn blocked_of_terms_0( _S911 : u32,  _S912 : u32,  _S913 : array<f32, i32(6)>,  _S914 : u32) -> Blocked_0
+fn interior_of_0( _S972 : u32,  _S973 : vec3<f32>,  _S974 : bool) -> Interior_0
 {
-    var shares_2 : array<f32, i32(3)>;
-    var share_3 : u32 = u32(0);
+    return interior_between_0(_S972, families_0[fabrics_0[_S972].warp_0].cloth_mean_0, families_0[fabrics_0[_S972].weft_0].cloth_mean_0, _S973, _S974);
+}
+
+fn blocked_of_terms_0( _S975 : u32,  _S976 : u32,  _S977 : array<f32, i32(6)>,  _S978 : u32) -> Blocked_0
+{
+    var shares_3 : array<f32, i32(3)>;
+    var share_4 : u32 = u32(0);
     for(;;)
     {
-        if(share_3 < u32(3))
+        if(share_4 < u32(3))
         {
         }
         else
         {
             break;
         }
-        shares_2[share_3] = 0.0f;
+        shares_3[share_4] = 0.0f;
         var term_0 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S914)
+            if(term_0 < _S978)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_3] = shares_2[share_3] + openness_number_0(_S911, _S912 + share_3 * _S914 + term_0) * _S913[term_0];
+            shares_3[share_4] = shares_3[share_4] + openness_number_0(_S975, _S976 + share_4 * _S978 + term_0) * _S977[term_0];
             term_0 = term_0 + u32(1);
         }
-        shares_2[share_3] = saturate(shares_2[share_3]);
-        share_3 = share_3 + u32(1);
+        shares_3[share_4] = saturate(shares_3[share_4]);
+        share_4 = share_4 + u32(1);
     }
     var blocked_2 : Blocked_0;
-    blocked_2.by_warp_0 = shares_2[i32(0)] * shares_2[i32(2)];
-    blocked_2.by_weft_0 = shares_2[i32(0)] * (1.0f - shares_2[i32(2)]);
-    blocked_2.far_0 = shares_2[i32(1)];
+    blocked_2.by_warp_0 = shares_3[i32(0)] * shares_3[i32(2)];
+    blocked_2.by_weft_0 = shares_3[i32(0)] * (1.0f - shares_3[i32(2)]);
+    blocked_2.far_0 = shares_3[i32(1)];
     return blocked_2;
 }
 
-fn blocked_from_0( _S915 : u32,  _S916 : vec3<f32>,  _S917 : bool,  _S918 : bool) -> Blocked_0
+fn blocked_from_0( _S979 : u32,  _S980 : vec3<f32>,  _S981 : bool,  _S982 : bool) -> Blocked_0
 {
     var terms_2 : array<f32, i32(6)>;
-    view_terms_0(_S916, &(terms_2));
-    return blocked_of_terms_0(_S915, (select(u32(0), u32(2), _S918) + select(u32(1), u32(0), _S917)) * u32(15), terms_2, u32(5));
+    view_terms_0(_S980, &(terms_2));
+    return blocked_of_terms_0(_S979, (select(u32(0), u32(2), _S982) + select(u32(1), u32(0), _S981)) * u32(15), terms_2, u32(5));
 }
 
-fn warp_seen_from_0( _S919 : u32,  _S920 : vec3<f32>,  _S921 : bool) -> f32
+fn warp_seen_from_0( _S983 : u32,  _S984 : vec3<f32>,  _S985 : bool) -> f32
 {
     var terms_3 : array<f32, i32(6)>;
-    view_terms_1(_S920, &(terms_3));
+    view_terms_1(_S984, &(terms_3));
     var term_1 : u32 = u32(0);
-    var share_4 : f32 = 0.0f;
+    var share_5 : f32 = 0.0f;
     for(;;)
     {
         if(term_1 < u32(5))
@@ -4030,117 +4382,117 @@ fn warp_seen_from_0( _S919 : u32,  _S920 : vec3<f32>,  _S921 : bool) -> f32
         {
             break;
         }
-        var share_5 : f32 = share_4 + openness_number_0(_S919, u32(132) + select(u32(0), u32(5), _S921) + term_1) * terms_3[term_1];
+        var share_6 : f32 = share_5 + openness_number_0(_S983, u32(132) + select(u32(0), u32(5), _S985) + term_1) * terms_3[term_1];
         term_1 = term_1 + u32(1);
-        share_4 = share_5;
+        share_5 = share_6;
     }
-    return saturate(share_4);
+    return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S922 : u32,  _S923 : FamilyAlbedos_0,  _S924 : vec3<f32>,  _S925 : Interior_0,  _S926 : Blocked_0,  _S927 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S986 : u32,  _S987 : FamilyAlbedos_0,  _S988 : vec3<f32>,  _S989 : Interior_0,  _S990 : Blocked_0,  _S991 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S926, scattered_by_0(_S922, _S923.warp_7, u32(0), _S924), _S925), bounced_by_0(_S927, scattered_by_0(_S922, _S923.weft_7, u32(1), _S924), _S925));
+    return sum_of_0(bounced_by_0(_S990, scattered_by_0(_S986, _S987.warp_5, u32(0), _S988), _S989), bounced_by_0(_S991, scattered_by_0(_S986, _S987.weft_5, u32(1), _S988), _S989));
 }
 
-fn bounced_far_0( _S928 : u32,  _S929 : FamilyAlbedos_0,  _S930 : vec3<f32>,  _S931 : Interior_0,  _S932 : vec3<f32>,  _S933 : bool,  _S934 : f32,  _S935 : f32,  _S936 : f32) -> Bounced_0
+fn bounced_far_0( _S992 : u32,  _S993 : FamilyAlbedos_0,  _S994 : vec3<f32>,  _S995 : Interior_0,  _S996 : vec3<f32>,  _S997 : bool,  _S998 : f32,  _S999 : f32,  _S1000 : f32) -> Bounced_0
 {
-    var _S937 : Blocked_0 = blocked_from_0(_S928, _S932, true, _S933);
-    var _S938 : Blocked_0 = blocked_from_0(_S928, _S932, false, _S933);
-    var _S939 : f32 = _S934 / max(1.0f - _S937.by_warp_0 - _S937.by_weft_0, 0.10000000149011612f);
-    var _S940 : f32 = (0.0020000000949949f * warp_seen_from_0(_S928, _S932, _S933) + _S939) / (_S939 + _S935 / max(1.0f - _S938.by_warp_0 - _S938.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S941 : f32 = 1.0f - _S936;
-    return bounced_of_families_0(_S928, _S929, _S930, _S931, scaled_0(_S937, _S940 * _S941), scaled_0(_S938, (1.0f - _S940) * _S941));
+    var _S1001 : Blocked_0 = blocked_from_0(_S992, _S996, true, _S997);
+    var _S1002 : Blocked_0 = blocked_from_0(_S992, _S996, false, _S997);
+    var _S1003 : f32 = _S998 / max(1.0f - _S1001.by_warp_0 - _S1001.by_weft_0, 0.10000000149011612f);
+    var _S1004 : f32 = (0.0020000000949949f * warp_seen_from_0(_S992, _S996, _S997) + _S1003) / (_S1003 + _S999 / max(1.0f - _S1002.by_warp_0 - _S1002.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S1005 : f32 = 1.0f - _S1000;
+    return bounced_of_families_0(_S992, _S993, _S994, _S995, scaled_0(_S1001, _S1004 * _S1005), scaled_0(_S1002, (1.0f - _S1004) * _S1005));
 }
 
-fn bounced_over_0( _S942 : u32,  _S943 : Components_0,  _S944 : CloseUp_0,  _S945 : FamilyAlbedos_0,  _S946 : vec3<f32>,  _S947 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S1006 : u32,  _S1007 : Components_0,  _S1008 : CloseUp_0,  _S1009 : FamilyAlbedos_0,  _S1010 : vec3<f32>,  _S1011 : vec3<f32>) -> Bounced_0
 {
-    var _S948 : bool = (_S947.z) < 0.0f;
-    var _S949 : Interior_0 = interior_of_0(_S942, _S946, _S948);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S942, _S945, _S946, _S949, to_face_frame_0(_S947, _S948), _S948, _S943.diffuse_warp_0, _S943.diffuse_weft_0, _S943.hole_5);
-    if((_S944.weight_2) > 0.0f)
+    var _S1012 : bool = (_S1011.z) < 0.0f;
+    var _S1013 : Interior_0 = interior_of_0(_S1006, _S1010, _S1012);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S1006, _S1009, _S1010, _S1013, to_face_frame_0(_S1011, _S1012), _S1012, _S1007.diffuse_warp_0, _S1007.diffuse_weft_0, _S1007.hole_5);
+    if((_S1008.weight_2) > 0.0f)
     {
-        var _S950 : Bounced_0 = bounced_of_families_0(_S942, _S945, _S946, _S949, _S944.warp_4, _S944.weft_4);
-        var _S951 : vec3<f32> = vec3<f32>(_S944.weight_2);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S950.reflected_0, _S951);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S950.transmitted_0, _S951);
+        var _S1014 : Bounced_0 = bounced_of_families_0(_S1006, _S1009, _S1010, _S1013, _S1008.warp_7, _S1008.weft_7);
+        var _S1015 : vec3<f32> = vec3<f32>(_S1008.weight_2);
+        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1014.reflected_0, _S1015);
+        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1014.transmitted_0, _S1015);
     }
     return bounced_2;
 }
 
-fn composed_0( _S952 : u32,  _S953 : Components_0,  _S954 : CloseUp_0,  _S955 : FamilyAlbedos_0,  _S956 : vec3<f32>,  _S957 : vec3<f32>,  _S958 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S1016 : u32,  _S1017 : Components_0,  _S1018 : CloseUp_0,  _S1019 : FamilyAlbedos_0,  _S1020 : vec3<f32>,  _S1021 : vec3<f32>,  _S1022 : vec3<f32>) -> vec3<f32>
 {
-    var _S959 : Albedos_0 = towards_grazing_0(_S952, tinted_0(_S955.warp_7, _S956), _S957, _S958);
-    var _S960 : Albedos_0 = towards_grazing_0(_S952, tinted_0(_S955.weft_7, _S956), _S957, _S958);
-    var _S961 : vec3<f32> = vec3<f32>(_S953.diffuse_warp_0);
-    var _S962 : vec3<f32> = vec3<f32>(_S953.diffuse_weft_0);
-    var _S963 : vec3<f32> = vec3<f32>(_S953.specular_warp_0);
-    var _S964 : vec3<f32> = vec3<f32>(_S953.specular_weft_0);
-    var _S965 : vec3<f32> = _S959.diffuse_reflect_0 * _S961 + _S960.diffuse_reflect_0 * _S962 + _S959.specular_reflect_0 * _S963 + _S960.specular_reflect_0 * _S964;
-    var _S966 : f32 = _S958.z;
+    var _S1023 : Albedos_0 = towards_grazing_0(_S1016, tinted_0(_S1019.warp_5, _S1020), _S1021, _S1022);
+    var _S1024 : Albedos_0 = towards_grazing_0(_S1016, tinted_0(_S1019.weft_5, _S1020), _S1021, _S1022);
+    var _S1025 : vec3<f32> = vec3<f32>(_S1017.diffuse_warp_0);
+    var _S1026 : vec3<f32> = vec3<f32>(_S1017.diffuse_weft_0);
+    var _S1027 : vec3<f32> = vec3<f32>(_S1017.specular_warp_0);
+    var _S1028 : vec3<f32> = vec3<f32>(_S1017.specular_weft_0);
+    var _S1029 : vec3<f32> = _S1023.diffuse_reflect_0 * _S1025 + _S1024.diffuse_reflect_0 * _S1026 + _S1023.specular_reflect_0 * _S1027 + _S1024.specular_reflect_0 * _S1028;
+    var _S1030 : f32 = _S1022.z;
     var body_0 : vec3<f32>;
-    if((_S957.z * _S966) < 0.0f)
+    if((_S1021.z * _S1030) < 0.0f)
     {
-        body_0 = _S959.diffuse_transmit_0 * _S961 + _S960.diffuse_transmit_0 * _S962 + _S959.specular_transmit_0 * _S963 + _S960.specular_transmit_0 * _S964;
+        body_0 = _S1023.diffuse_transmit_0 * _S1025 + _S1024.diffuse_transmit_0 * _S1026 + _S1023.specular_transmit_0 * _S1027 + _S1024.specular_transmit_0 * _S1028;
     }
     else
     {
-        body_0 = _S965;
+        body_0 = _S1029;
     }
-    if((fabrics_0[_S952].openness_0) != u32(4294967295))
+    if((fabrics_0[_S1016].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S952, _S953, _S954, _S955, _S956, _S958), _S957, _S958) * vec3<f32>(diffuse_kept_0(_S952, _S957, _S958));
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1016, _S1017, _S1018, _S1019, _S1020, _S1022), _S1021, _S1022) * vec3<f32>(diffuse_kept_0(_S1016, _S1021, _S1022));
     }
-    var _S967 : f32 = fabrics_0[_S952].sheen_strength_0;
-    if((fabrics_0[_S952].sheen_strength_0) <= 0.0f)
+    var _S1031 : f32 = fabrics_0[_S1016].sheen_strength_0;
+    if((fabrics_0[_S1016].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S968 : bool = _S966 < 0.0f;
-    var _S969 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S957, _S968), to_face_frame_0(_S958, _S968), _S967, fabrics_0[_S952].sheen_roughness_0);
-    return vec3<f32>(_S969.y) * body_0 + vec3<f32>(((_S953.light_visibility_1 + _S953.hole_5) * _S969.x));
+    var _S1032 : bool = _S1030 < 0.0f;
+    var _S1033 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1021, _S1032), to_face_frame_0(_S1022, _S1032), _S1031, fabrics_0[_S1016].sheen_roughness_0);
+    return vec3<f32>(_S1033.y) * body_0 + vec3<f32>(((_S1017.light_visibility_1 + _S1017.hole_5) * _S1033.x));
 }
 
-fn light_of_neural_0( _S970 : u32,  _S971 : VisiblePoint_0,  _S972 : vec2<u32>,  _S973 : vec3<f32>) -> vec4<f32>
+fn light_of_neural_0( _S1034 : u32,  _S1035 : VisiblePoint_0,  _S1036 : vec2<u32>,  _S1037 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S971.draft_dx_0;
-    footprint_1.dy_0 = _S971.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S970, _S971.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S974 : vec3<f32> = to_local_0(_S971, _S971.view_0);
+    footprint_1.dx_0 = _S1035.draft_dx_0;
+    footprint_1.dy_0 = _S1035.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S1034, _S1035.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S1038 : vec3<f32> = to_local_0(_S1035, _S1035.view_0);
     var activations_0 : NeuralView_0;
-    neural_view_0(_S970, footprint_1, _S974, &(activations_0));
-    var _S975 : f32 = _S974.z;
-    var _S976 : FamilyAlbedos_0 = with_tones_0(_S970, albedos_over_0(_S970, footprint_1, _S975 < 0.0f), activations_0.yarns_0);
-    var _S977 : vec3<f32> = vec3<f32>(0.0f);
-    var number_9 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S977;
+    neural_view_0(_S1034, footprint_1, _S1038, &(activations_0));
+    var _S1039 : f32 = _S1038.z;
+    var _S1040 : FamilyAlbedos_0 = with_tones_0(_S1034, albedos_over_0(_S1034, footprint_1, _S1039 < 0.0f), activations_0.yarns_0);
+    var _S1041 : vec3<f32> = vec3<f32>(0.0f);
+    var number_12 : u32 = u32(0);
+    var radiance_1 : vec3<f32> = _S1041;
     for(;;)
     {
-        if(number_9 < (light_sample_count_0()))
+        if(number_12 < (light_sample_count_0()))
         {
         }
         else
         {
             break;
         }
-        var _S978 : f32 = visibility_at_0(number_9, _S972);
-        if(_S978 <= 0.0f)
+        var _S1042 : f32 = visibility_at_0(number_12, _S1036);
+        if(_S1042 <= 0.0f)
         {
-            number_9 = number_9 + u32(1);
+            number_12 = number_12 + u32(1);
             continue;
         }
-        var _S979 : LightSample_0 = light_sample_0(number_9, _S972, _S971.position_4);
-        var _S980 : vec3<f32> = to_local_0(_S971, _S979.towards_0);
-        var _S981 : Components_0 = neural_components_0(_S970, &(activations_0), _S980);
-        radiance_1 = radiance_1 + vec3<f32>(_S978) * _S979.irradiance_1 * composed_0(_S970, _S981, no_close_up_0(), _S976, _S973, _S980, _S974);
-        number_9 = number_9 + u32(1);
+        var _S1043 : LightSample_0 = light_sample_0(number_12, _S1036, _S1035.position_4);
+        var _S1044 : vec3<f32> = to_local_0(_S1035, _S1043.towards_0);
+        var _S1045 : Components_0 = neural_components_0(_S1034, &(activations_0), _S1044);
+        radiance_1 = radiance_1 + vec3<f32>(_S1042) * _S1043.irradiance_1 * composed_0(_S1034, _S1045, no_close_up_0(), _S1040, _S1037, _S1044, _S1038);
+        number_12 = number_12 + u32(1);
     }
     var hole_6 : f32 = activations_0.hole_2;
-    var _S982 : f32 = fabrics_0[_S970].sheen_strength_0;
+    var _S1046 : f32 = fabrics_0[_S1034].sheen_strength_0;
     var hole_7 : f32;
-    if((fabrics_0[_S970].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S1034].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_6 * (1.0f - _S982 * sheen_lobe_0(abs(_S975), fabrics_0[_S970].sheen_roughness_0).z);
+        hole_7 = hole_6 * (1.0f - _S1046 * sheen_lobe_0(abs(_S1039), fabrics_0[_S1034].sheen_roughness_0).z);
     }
     else
     {
@@ -4153,31 +4505,31 @@ fn light_of_neural_0( _S970 : u32,  _S971 : VisiblePoint_0,  _S972 : vec2<u32>, 
 @workgroup_size(8, 8, 1)
 fn shade_neural(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S983 : u32 = id_0.x;
-    var _S984 : bool;
-    if(_S983 >= (frame_record_0.width_0))
+    var _S1047 : u32 = id_0.x;
+    var _S1048 : bool;
+    if(_S1047 >= (frame_record_0.width_0))
     {
-        _S984 = true;
+        _S1048 = true;
     }
     else
     {
-        _S984 = (id_0.y) >= (frame_record_0.height_0);
+        _S1048 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S984)
+    if(_S1048)
     {
         return;
     }
-    var _S985 : u32 = id_0.y * frame_record_0.width_0 + _S983;
-    var _S986 : u32 = layers_0[_S985].face_0;
-    if((layers_0[_S985].face_0) == u32(0))
+    var _S1049 : u32 = id_0.y * frame_record_0.width_0 + _S1047;
+    var _S1050 : u32 = layers_0[_S1049].face_0;
+    if((layers_0[_S1049].face_0) == u32(0))
     {
         return;
     }
-    var _S987 : u32 = _S986 - u32(1);
-    var _S988 : u32 = fabric_of_0(_S987);
-    var _S989 : vec2<u32> = id_0.xy;
-    var _S990 : VisiblePoint_0 = visible_point_0(_S988, _S987, _S989);
-    accumulate_0(_S985, light_of_neural_0(_S988, _S990, _S989, filtered_albedo_0(_S988, _S990)));
+    var _S1051 : u32 = _S1050 - u32(1);
+    var _S1052 : u32 = fabric_of_0(_S1051);
+    var _S1053 : vec2<u32> = id_0.xy;
+    var _S1054 : VisiblePoint_0 = visible_point_0(_S1052, _S1051, _S1053);
+    accumulate_0(_S1049, light_of_neural_0(_S1052, _S1054, _S1053, filtered_albedo_0(_S1052, _S1054)));
     return;
 }
 
