@@ -29,6 +29,7 @@ WITH_COMMANDS = [*PAGES, *sorted((ROOT / "docs/research/models").glob("*.md"))]
 # What never ends, takes hours or needs other machines: its words are checked, and that its files exist.
 NOT_RUN = {
     r"loomlight render .*'frames/": "frames of a simulation take minutes",
+    r"loomlight export .*-o (denim-u3m|coat-u3m|denim-addon)": "fits that tests of exporters make too",
     r"loomlight render .*--mesh (shirt\.usd|garments/)": "garments that a package has, and a script writes",
     r"loomlight view(?!.*--export)": "a server runs until it is stopped",
     r"loomlight play(?!.* -o )": "a window waits for its user",
