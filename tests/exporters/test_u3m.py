@@ -26,7 +26,7 @@ from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.core.picture_settings import Worn
-from loomlight.exporters import export, u3m
+from loomlight.exporters import export, fit, u3m
 from loomlight.exporters.u3m import composition, construction, file_name, u3m_grid, u3m_of
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.facts import cloth_facts
@@ -370,9 +370,14 @@ def test_faults_leave_nothing(arguments: list[str], says: str, refused: Callable
     assert says in refused(arguments, lambda given: run(["export", "twill 2/1", *given]))
 
 
+def few_queries() -> Any:
+    """A fit of so few queries that it takes no time, and is not good."""
+    return patch.multiple(fit, _REFLECTED=120, _TRANSMITTED=40)
+
+
 @pytest.mark.parametrize("to", ["u3m", "u3ma"])
 def test_a_garment_is_a_material_for_each_of_its_fabrics(tmp_path: Path, to: str) -> None:
-    with patch.object(u3m, "_MIN_SIDE", 16):
+    with patch.object(u3m, "_MIN_SIDE", 16), few_queries():
         folder = export(
             FABRIC, to, tmp_path / "coat", dpi=60, cloths={"lining": "plain", "cuffs": Worn("twill 2/1")}
         )
@@ -395,6 +400,6 @@ def test_a_garment_is_a_material_for_each_of_its_fabrics(tmp_path: Path, to: str
 def test_cloths_that_cannot_be_written_leave_nothing(
     tmp_path: Path, cloths: dict[str, Any], words: str
 ) -> None:
-    with patch.object(u3m, "_MIN_SIDE", 16), pytest.raises(InputError, match=re.escape(words)):
+    with patch.object(u3m, "_MIN_SIDE", 16), few_queries(), pytest.raises(InputError, match=re.escape(words)):
         export(FABRIC, "u3m", tmp_path / "coat", dpi=60, cloths=cloths)
     assert list(tmp_path.iterdir()) == []

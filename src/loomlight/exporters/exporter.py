@@ -249,14 +249,18 @@ def _write_each(
     The first has the name of its fabric, the others those of the garment's parts.
     """
     target = TARGETS[to]
-    found: dict[str, object] = {}
+    # Faults of any come before the work of the first.
+    taken: dict[str, tuple[Material, str]] = {}
     for part, fabric in cloths.items():
         material, chosen = _taken(fabric, to, model)
         name = file_name(part or source_of(material).name)
-        if name in found:
+        if name in taken:
             raise InputError(
                 f'Two cloths would be written as "{name}": give the part another name by --cloth.'
             )
+        taken[name] = material, chosen
+    found: dict[str, object] = {}
+    for name, (material, chosen) in taken.items():
         place = folder / f"{name}{target.suffix}"
         if not target.suffix:
             place.mkdir()
