@@ -107,7 +107,7 @@ def test_answers_are_of_the_right_kind_and_range(name: str, cloth: str) -> None:
 @pytest.mark.quick("neural", "point")
 @separable_models_once
 def test_value_is_made_of_components_and_albedos(name: str) -> None:
-    """Chen2024 eq. 8, written out again, for a fabric without sheen, light between yarns, rise of highlights."""
+    """Chen2024 eq. 8, written out again, without sheen, light between yarns and rise of highlights."""
     plainer = edited_fabric(
         fabric("translucent satin"), {"interreflection": False, "warp.specular_grazing": 0.0}
     )

@@ -12,6 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from loomlight.fabric import Fabric, fabric_from_text
+from loomlight.fabric.read import edited_fabric
 from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class, model_names
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
@@ -33,9 +34,16 @@ def bake_cheaply(name: str, cloth: Fabric) -> Model:
 
 
 @cache
-def built(name: str, cloth: str) -> Model:
-    """A model of one of `CLOTHS`, baked once for all tests of a process."""
-    return bake_cheaply(name, fabric_from_text(CLOTHS[cloth]))
+def built(name: str, cloth: str, between_yarns: bool = True) -> Model:
+    """A model of one of `CLOTHS`, baked once for all tests of a process.
+
+    Args:
+        between_yarns: whether yarns light each other, where the fabric does not say it.
+    """
+    chosen = fabric_from_text(CLOTHS[cloth])
+    if not between_yarns:
+        chosen = edited_fabric(chosen, {"interreflection": False})
+    return bake_cheaply(name, chosen)
 
 
 every_model = pytest.mark.parametrize("name", model_names())
