@@ -20,7 +20,8 @@ FIXTURES = Path(__file__).parents[2] / "cases" / "drafts"
 # Of everything that the page may load, compressed as web servers do; and of what is not three.js's, which
 # reads meshes and pictures of the user's own.
 MAX_BUNDLE = 3 << 20
-MAX_OWN = 350_000
+# Mostly shaders: with layers and the rise of highlights they make it 359 kB.
+MAX_OWN = 380_000
 
 
 def test_bundle_is_small(client: Path) -> None:
