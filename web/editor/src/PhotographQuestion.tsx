@@ -1,7 +1,7 @@
 /** Asks what a picture is that has more colours than a drawdown: one pixel a crossing, a print, or a mistake. */
 import { useEffect, useRef } from "preact/hooks";
 
-export type Meant = "drawdown" | "print" | "nothing";
+export type Meant = "drawdown" | "print" | "cloth" | "nothing";
 
 interface Props {
   readonly name: string;
@@ -22,6 +22,7 @@ export function PhotographQuestion({ name, onAnswer }: Props) {
       <p>{name} has more than a dozen colours. A drawdown has one pixel a crossing, dark where the warp is on top and light where the weft is.</p>
       <div class="row">
         {choice("print", "Print it on the cloth", true)}
+        {choice("cloth", "It is a photograph of cloth")}
         {choice("drawdown", "Read it as a drawdown")}
         {choice("nothing", "Leave it")}
       </div>
