@@ -1,4 +1,4 @@
-"""Pictures of cloth that a formula draws, of round threads, turned and noisy; and of what is no cloth."""
+"""Pictures of cloth, drawn by a formula with round threads or rendered; and of what is no cloth."""
 
 from __future__ import annotations
 
@@ -7,6 +7,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
+
+from loomlight.capturing.photographer import Light, photograph, straight
+from loomlight.core.colour import linear_to_srgb
+from loomlight.fabric import fabric_from_text
 
 Colours = list[tuple[float, float, float]]
 BLUE, CREAM, RED = (0.2, 0.3, 0.5), (0.85, 0.8, 0.7), (0.6, 0.15, 0.15)
@@ -66,3 +70,23 @@ def save(path: Path, encoded: NDArray[np.float64], **options: object) -> Path:
     """Writes encoded RGB as a picture file."""
     Image.fromarray(np.rint(255 * encoded).astype(np.uint8)).save(path, **options)  # type: ignore[arg-type]
     return path
+
+
+TWILL = """
+weave = "twill 2/1"
+ends_per_cm = 16
+picks_per_cm = 14
+yarn = "worsted"
+[warp]
+color = "#3a5a86"
+[weft]
+color = "#cfc3a8"
+"""
+# Of the cloth in the picture of it.
+WIDTH_MM = 12.0
+
+
+def photographed_twill(path: Path) -> Path:
+    """Writes a photograph of a twill, as a camera with a flash would take it, and returns its path."""
+    picture = photograph(fabric_from_text(TWILL), straight((300, 300), WIDTH_MM, 0.02), Light(), 4)
+    return save(path, linear_to_srgb(picture))

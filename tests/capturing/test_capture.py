@@ -15,33 +15,19 @@ from PIL import Image
 
 import loomlight
 from loomlight.capturing.captured import Captured
-from loomlight.capturing.photographer import Light, photograph, straight
 from loomlight.capturing.thread_grid import blurred
 from loomlight.cli.main import run
 from loomlight.core.colour import delta_e_2000, lab_of_linear, linear_to_srgb, parse_colour
 from loomlight.core.errors import InputError
-from loomlight.fabric import fabric_from_text, load_fabric
+from loomlight.fabric import load_fabric
 from loomlight.weave.named import named_weave
-from tests.capturing.pictures import knitted, save, woven
-
-FABRIC = """
-weave = "twill 2/1"
-ends_per_cm = 16
-picks_per_cm = 14
-yarn = "worsted"
-[warp]
-color = "#3a5a86"
-[weft]
-color = "#cfc3a8"
-"""
-WIDTH_MM = 12.0
+from tests.capturing.pictures import WIDTH_MM, knitted, photographed_twill, save, woven
 
 
 @pytest.fixture(scope="module")
 def photo(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A photograph of a fabric."""
-    picture = photograph(fabric_from_text(FABRIC), straight((300, 300), WIDTH_MM, 0.02), Light(), 4)
-    return save(tmp_path_factory.mktemp("capture") / "photo.png", linear_to_srgb(picture))
+    """A photograph of a twill."""
+    return photographed_twill(tmp_path_factory.mktemp("capture") / "photo.png")
 
 
 @pytest.mark.slow

@@ -6,11 +6,11 @@ Each photograph has a process of its own, which is ended when nobody waits for i
 from __future__ import annotations
 
 import json
-import subprocess
 import sys
 import threading
 from collections.abc import AsyncIterator
 from pathlib import Path
+from subprocess import DEVNULL, PIPE, Popen
 from tempfile import TemporaryDirectory
 
 import anyio
@@ -57,10 +57,10 @@ async def capture_lines(
         file = Path(folder) / shown
         file.write_bytes(content)
         arguments = (str(file), str(MEMORY_BYTES), str(seconds), str(width_mm), light)
-        process = subprocess.Popen(
+        process = Popen(
             [sys.executable, "-m", "loomlight.viewer.capture_worker", *arguments],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
+            stdout=PIPE,
+            stderr=DEVNULL,
             env=environment(),
         )
         timer = threading.Timer(seconds, process.kill)
