@@ -317,7 +317,8 @@ def _cloth_and_tile(face: _Seen, choice: WeaveChoice) -> tuple[Cloth, Tile]:
         (picks[0], ends[0]),
         once=not (ends[1] and picks[1]),
     )
-    return Cloth(Draft(drawdown), (roles[0], roles[1]), per_cm), tile
+    colours = len(choice.warp.colours), len(choice.weft.colours)
+    return Cloth(Draft(drawdown), (roles[0], roles[1]), colours, per_cm), tile
 
 
 def _fitted_repeat(of_weave: int, order: ColourOrder, available: int) -> tuple[int, bool]:
