@@ -222,14 +222,14 @@ def _class_of(_variant: str) -> type:
             return self._seen(scene, sensor, seed, spp, start, look)
 
         def layers(self, scene: Any, sensor: Any, seed: Any, spp: int, start: int = 0) -> Any:
-            """Albedo, normal and distance of what the camera sees; see `camera_layers`.
+            """Albedo, normal, distance and roughness of what the camera sees; see `camera_layers`.
 
             Args:
                 spp: samples a pixel.
                 start: number of the first of them, where others were taken before.
 
             Returns:
-                a tensor [height, width, 8].
+                a tensor [height, width, 9].
             """
 
             def look(render: _Render, first: FirstFootprint, ray: Any, number: Any) -> Any:

@@ -95,6 +95,11 @@ class PointBsdf(SeparableBsdf):
         return dr.select(self.point.hole, 0, self.point.albedos.diffuse_reflect)
 
     @property
+    def roughness(self) -> Float:
+        """α of the yarn that shows."""
+        return self.point.roughness
+
+    @property
     def albedos(self) -> FamilyAlbedos:
         """Albedos of the thread that shows; 0 for the other family."""
         return families_of(self.point)
@@ -168,6 +173,14 @@ class SamplesBsdf(FootprintBsdf):
     def diffuse_reflectance(self) -> Color3:
         """Mean diffuse albedo of the points, holes counted as 0."""
         return self._mean(lambda point: [dr.select(point.hole, 0, point.albedos.diffuse_reflect)])[0]
+
+    @property
+    def roughness(self) -> Float:
+        """Mean α of the yarn at the points, but those that are holes."""
+        total, seen = self._mean(
+            lambda point: [dr.select(point.hole, 0, part) for part in (point.roughness, 1)]
+        )
+        return total / maximum(seen, 1e-6)
 
     def value_and_null_transmission(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
         """Both in one pass over the points; shadows are searched where light is reflected."""
