@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import tempfile
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -120,10 +120,10 @@ def _swatch(number: int, settings: Capture) -> tuple[dict[str, Any], Pixels | No
     with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
         warnings.simplefilter("ignore", LoomlightWarning)
         path = Path(folder) / f"{number}.jpg"
-        picture, exposure = photographed(fabric, rng, settings)
+        picture, shot = photographed(fabric, rng, settings)
         Image.fromarray(picture).save(path, quality=QUALITY, subsampling=0)
         try:
-            found = capture(path, width_mm=WIDTH_MM, white=to_hex(np.full(3, WHITE_PAPER * exposure)))
+            found = capture(path, width_mm=WIDTH_MM, white=to_hex(np.full(3, WHITE_PAPER * shot.exposure)))
         except InputError as error:
             return row | {"refused": str(error).replace(folder, "")}, None
         return row | compared(found, fabric), found.sheet()
@@ -162,16 +162,46 @@ def _colours(rng: np.random.Generator) -> tuple[str, str]:
     return first, first if rng.random() < 0.2 else other
 
 
-def photographed(fabric: Fabric, rng: np.random.Generator, settings: Capture) -> tuple[Pixels, float]:
-    """A photograph, 8-bit sRGB [height, width, 3], and its exposure: what white that faces the light has."""
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """How a swatch was photographed, so that another piece of its cloth can be photographed alike.
+
+    Attributes:
+        framing: of the cloth.
+        samples: a pixel.
+        seed: of their places, and of the noise.
+        exposure: what white that faces the light has.
+    """
+
+    framing: Framing
+    samples: int
+    seed: int
+    exposure: float
+
+    def of(self, fabric: Fabric) -> Pixels:
+        """A photograph of a fabric, 8-bit sRGB [height, width, 3]."""
+        return self._developed(self._light_from(fabric))
+
+    def _light_from(self, fabric: Fabric) -> NDArray[np.float64]:
+        """Linear RGB [height, width, 3], darker towards the corners."""
+        seen = photograph(fabric, self.framing, Light(), self.samples, self.seed)
+        place = (np.arange(len(seen)) + 0.5) / len(seen) - 0.5
+        return np.asarray(seen * (1 - FALL_OFF * 2 * (place[:, None] ** 2 + place[None, :] ** 2))[..., None])
+
+    def _developed(self, linear: NDArray[np.float64]) -> Pixels:
+        noise = np.random.default_rng([self.seed, 1]).standard_normal(linear.shape)
+        encoded = linear_to_srgb(self.exposure * linear) + NOISE * noise
+        return np.rint(255 * np.clip(encoded, 0, 1)).astype(np.uint8)
+
+
+def photographed(fabric: Fabric, rng: np.random.Generator, settings: Capture) -> tuple[Pixels, Shot]:
+    """A photograph of a fabric, 8-bit sRGB [height, width, 3], and how it was taken."""
     side = settings.pixels
     framing = tilted(side, float(rng.uniform(-TURN, TURN)), rng.uniform(-TILT, TILT, size=2) / np.sqrt(2))
-    seen = photograph(fabric, framing, Light(), settings.spp, seed=int(rng.integers(1 << 31)))
-    place = (np.arange(side) + 0.5) / side - 0.5
-    linear = seen * (1 - FALL_OFF * 2 * (place[:, None] ** 2 + place[None, :] ** 2))[..., None]
-    exposure = min(1.0, 0.9 / float(np.quantile(linear, 0.998)))
-    encoded = linear_to_srgb(exposure * linear) + NOISE * rng.standard_normal(linear.shape)
-    return np.rint(255 * np.clip(encoded, 0, 1)).astype(np.uint8), exposure
+    shot = Shot(framing, settings.spp, int(rng.integers(1 << 31)), 1.0)
+    linear = shot._light_from(fabric)
+    shot = replace(shot, exposure=min(1.0, 0.9 / float(np.quantile(linear, 0.998))))
+    return shot._developed(linear), shot
 
 
 def tilted(side: int, turn: float, tilt: NDArray[np.float64]) -> Framing:

@@ -116,7 +116,14 @@ def test_both_ends_of_a_range_are_allowed(plugin: str, tmp_path: Path) -> None:
     params = mi.traverse(scene)
     bsdf = next(shape.bsdf() for shape in scene.shapes() if shape.bsdf().id() == "mine")
     start = next(key for key in params.keys() if key.endswith("sheen.strength")).partition("sheen")[0]  # noqa: SIM118
-    for name in ("warp.roughness", "warp.height_scale", "weft.twist", "sheen.strength", "sheen.roughness"):
+    for name in (
+        "warp.roughness",
+        "warp.specular_grazing",
+        "warp.height_scale",
+        "weft.twist",
+        "sheen.strength",
+        "sheen.roughness",
+    ):
         parameter = parameter_of(name, None)
         for bound in (parameter.low, parameter.high):
             params[f"{start}{name}"] = bound
@@ -134,7 +141,9 @@ def test_sheen_comes_back_after_none() -> None:
     np.testing.assert_allclose(mean_value(bsdf), before, rtol=1e-5)
 
 
-@pytest.mark.parametrize("name", ["warp.roughness", "weft.height_scale", "warp.inclination", "weft.twist"])
+@pytest.mark.parametrize(
+    "name", ["warp.roughness", "weft.specular_grazing", "weft.height_scale", "warp.inclination", "weft.twist"]
+)
 def test_ranges_are_those_of_the_fabric_file(name: str) -> None:
     cloth = fabric_from_text("plain")
     parameter = parameter_of(name, None)
@@ -274,6 +283,37 @@ def test_colours_thread_by_thread(plugin: str, bakings: list[str]) -> None:
     params.update()
     assert (mean_value(bsdf) < before).all()
     assert len(bakings) == made
+
+
+@edited_plugins
+def test_the_rise_towards_grazing_bakes_nothing(plugin: str, bakings: list[str]) -> None:
+    """And is that of the fabric; what diffuse light loses to it follows the roughness."""
+    single = {"interreflection": False}
+    bsdf = woven(plugin, **single)
+    params, made, before = mi.traverse(bsdf), len(bakings), mean_value(bsdf)
+    params["weft.specular_grazing"] = 3.0
+    params.update()
+    assert len(bakings) == made
+    risen = mean_value(bsdf)
+    np.testing.assert_allclose(
+        risen, mean_value(woven(plugin, weft_specular_grazing=3.0, **single)), rtol=1e-4
+    )
+    # In the mean over directions highlights gain little more than diffuse light loses.
+    assert np.abs(risen / before - 1).max() > 5e-4
+    params["weft.specular_grazing"] = 0.0
+    params.update()
+    np.testing.assert_allclose(mean_value(bsdf), before, rtol=1e-4)
+
+
+def test_what_diffuse_light_loses_to_the_rise_follows_the_roughness() -> None:
+    risen = {"interreflection": False, "weft_specular_grazing": 3.0}
+    bsdf = woven("woven_point", **risen)
+    params = mi.traverse(bsdf)
+    params["warp.roughness"] = 0.8
+    params.update()
+    np.testing.assert_allclose(
+        mean_value(bsdf), mean_value(woven("woven_point", warp_roughness=0.8, **risen)), rtol=1e-4
+    )
 
 
 @pytest.mark.slow

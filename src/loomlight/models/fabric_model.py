@@ -35,10 +35,11 @@ from loomlight.yarn.stack import cloth_geometry
 FAMILIES = ("warp", "weft")
 ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 _YARN_NUMBERS = ("height_scale", "inclination", "twist")
+_GLOSS_NUMBERS = ("roughness", "specular_grazing")
 # Ranges of parameters of yarns as in the fabric file, angles in degrees; others are albedos or sheen.
 _ANGLES = ("inclination", "twist")
 _RANGES = {
-    name: yarn_range(f"{name}_deg" if name in _ANGLES else name) for name in ("roughness", *_YARN_NUMBERS)
+    name: yarn_range(f"{name}_deg" if name in _ANGLES else name) for name in (*_GLOSS_NUMBERS, *_YARN_NUMBERS)
 }
 # In single precision, and radians to degrees and back, the last digits move.
 _SAME = 1e-6
@@ -102,8 +103,8 @@ class FabricModel(Model):
 class FilteredFabricModel(FabricModel):
     """A model of a fabric that averages over footprints: numbers of yarns and albedos are edited live.
 
-    Scene parameters: ``warp.roughness``, ``warp.height_scale``, ``warp.inclination`` and ``warp.twist``
-    (radians), the same of ``weft``; ``warp.color``, as fabric files have it, in linear RGB; the albedos
+    Scene parameters: ``warp.roughness``, ``warp.specular_grazing``, ``warp.height_scale``,
+    ``warp.inclination`` and ``warp.twist`` (radians), the same of ``weft``; ``warp.color``, as fabric files have it, in linear RGB; the albedos
     ``warp.diffuse_reflect`` …; ``sheen.strength`` and ``sheen.roughness`` where there is sheen. Where
     threads of a family differ, they are arrays ``warp.colors``, three numbers a thread, and ``warp.albedos``:
     a row a thread, four albedos a row, three numbers an albedo. Albedos of families whose threads are alike
@@ -230,7 +231,8 @@ def _numbers_of(fabric: Fabric) -> dict[str, float]:
     layout, appearance = fabric.layout(), fabric.appearance()
     found = {}
     for family in FAMILIES:
-        found[f"{family}.roughness"] = getattr(appearance, family).roughness
+        for name in _GLOSS_NUMBERS:
+            found[f"{family}.{name}"] = getattr(getattr(appearance, family), name)
         for name in _YARN_NUMBERS:
             found[f"{family}.{name}"] = getattr(getattr(layout, family), name)
     found["sheen.strength"] = appearance.sheen.strength

@@ -33,6 +33,7 @@ from loomlight.models.fabric_model import (
     colour_parameters,
     fabric_in_loom,
     fabric_source,
+    number_of,
     parameter_of,
     recolour,
 )
@@ -40,6 +41,7 @@ from loomlight.models.interface import FootprintBsdf, Values
 from loomlight.models.options import Options
 from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, SeparableBsdf
+from loomlight.scattering.grazing import Grazing
 from loomlight.scattering.point import (
     Albedos,
     DirectionSample,
@@ -58,6 +60,8 @@ from loomlight.yarn.visibility import first_hit
 
 _BENDS = ("height_scale", "twist")
 _SHEEN = ("sheen.strength", "sheen.roughness")
+# What the rise of highlights follows from, of each family.
+_RISE = ("specular_grazing", "roughness")
 DEFAULT_POINTS = 32
 MAX_POINTS = 1 << 16
 
@@ -69,7 +73,7 @@ class PointBsdf(SeparableBsdf):
     def __init__(
         self, model: YarnScattering, view: Vec3, footprint: Footprint, tint: Tint | None, active: Mask
     ) -> None:
-        super().__init__(view, footprint, model.appearance.sheen, model.appearance.grazing)
+        super().__init__(view, footprint, model.appearance.sheen, model.grazing)
         self._model = model
         centre, back = footprint.centre, array_types(view.x).Bool(view.z < 0)
         # Derivatives of where a ray meets yarn would be wrong as well as dear.
@@ -245,10 +249,11 @@ class YarnPointModel(FabricModel):
     """A model that looks at points of the footprint.
 
     Scene parameters: ``warp.roughness``, ``warp.height_scale``, ``warp.twist`` (radians), the albedos
-    ``warp.diffuse_reflect`` … and ``warp.color``, the same of ``weft``; ``sheen.strength`` and
-    ``sheen.roughness`` where there is sheen. Where threads of a family differ, they are arrays
-    ``warp.colors`` and ``warp.albedos``: a row a thread, four albedos a row, four numbers an albedo of which
-    the last is unused. Of `point` all but colours are differentiable; shadows and holes are held fixed.
+    ``warp.diffuse_reflect`` …, ``warp.specular_grazing`` and ``warp.color``, the same of ``weft``;
+    ``sheen.strength`` and ``sheen.roughness`` where there is sheen. Where threads of a family differ, they
+    are arrays ``warp.colors`` and ``warp.albedos``: a row a thread, four albedos a row, four numbers an
+    albedo of which the last is unused. Of `point` all but colours and the rise towards grazing are
+    differentiable; shadows and holes are held fixed.
     """
 
     conserves_energy = True
@@ -310,6 +315,9 @@ class YarnPointModel(FabricModel):
             for name, value in zip(_SHEEN, self.point_model.sheen, strict=True):
                 found[name] = types.Float(float(value))
         shown = {name: parameter_of(name, value, differentiable=True) for name, value in found.items()}
+        for name in FAMILIES:
+            gain = getattr(self.fabric.appearance(), name).specular_grazing
+            shown[f"{name}.{_RISE[0]}"] = parameter_of(_RISE[0], types.Float(gain))
         return {**shown, **colour_parameters(self.fabric, types)}
 
     def bound_to(self, values: Values) -> Self:
@@ -327,13 +335,28 @@ class YarnPointModel(FabricModel):
         return bound
 
     def updated(self, values: Values, changed: frozenset[str]) -> Self:
-        """The same model, whose albedos follow edited colours."""
+        """The same model, whose albedos follow edited colours; another one if highlights rise otherwise."""
         changed |= recolour(self.fabric, values, changed)
         types = array_types(values["warp.roughness"].value)
         for name, family in zip(FAMILIES, self.point_model.parameters(types), strict=True):
             if f"{name}.albedos" in changed:
                 family.follow_table()
-        return self
+        if not changed & {f"{name}.{part}" for name in FAMILIES for part in _RISE}:
+            return self
+        gain, roughness = (
+            sum(number_of(values[f"{name}.{part}"]) for name in FAMILIES) / 2 for part in _RISE
+        )
+        grazing = Grazing.of(gain, roughness)
+        model, model.point_model = copy(self), copy(self.point_model)
+        if gain > 0:
+            # The loss follows the roughness, which optimisers edit at every step: a literal would be compiled.
+            grazing = Grazing(gain, dr.opaque(types.Float, grazing.loss))
+        model.point_model.grazing = grazing
+        return model
+
+    def literals(self) -> tuple[float, ...]:
+        """How highlights rise."""
+        return (self.point_model.grazing.gain,)
 
 
 @final

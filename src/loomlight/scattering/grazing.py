@@ -30,11 +30,11 @@ class Grazing:
 
     Attributes:
         gain: g, what their albedos gain at grazing, 0 to 4; 0 is no rise.
-        loss: q g, what diffuse light loses at grazing, 0 to 1.
+        loss: q g, what diffuse light loses at grazing, 0 to 1; a number or a Dr.Jit scalar.
     """
 
     gain: float = 0.0
-    loss: float = 0.0
+    loss: float | Float = 0.0
 
     @classmethod
     def of(cls, gain: float, roughness: float) -> Grazing:

@@ -252,6 +252,7 @@ class YarnScattering:
         appearance: what scatters.
         quality: how finely rays are searched.
         sheen: strength and roughness, numbers or Dr.Jit scalars; None without sheen.
+        grazing: how highlights rise.
         irregular: how yarns vary along themselves; None shows even ones, as tables of models do.
     """
 
@@ -266,7 +267,7 @@ class YarnScattering:
         self.appearance = appearance
         self.quality = quality
         self.irregular = irregular if irregular is not None and irregular.is_on else None
-        self._grazing = appearance.grazing
+        self.grazing = appearance.grazing
         sheen = appearance.sheen
         # None without sheen, so that it costs nothing then.
         self.sheen: tuple[Float, Float] | None = (
@@ -635,7 +636,7 @@ class YarnScattering:
         depth = types.Float(self.appearance.optical_depth)
         frame = (point.normal, point.tangent, point.roughness, depth)
         above, below = light.z > 0, light.z < 0
-        albedos = towards_grazing(point.albedos, self._grazing, light, view)
+        albedos = towards_grazing(point.albedos, self.grazing, light, view)
         near = albedos.diffuse_reflect * point.diffuse(diffuse_reflection(light, point.normal, blend))
         near += albedos.specular_reflect * reflection(light, view, *frame)
         near *= point.under_hairs(light)
@@ -653,8 +654,8 @@ class YarnScattering:
         """f·cos of light between yarns, directions in the frame of the face, 1/sr; no shadow falls on it."""
         reflected, transmitted = point.bounced
         value = dr.select(light.z > 0, reflected, transmitted) * (abs(light.z) * dr.inv_pi)
-        if self._grazing.gain > 0:
-            value *= self._grazing.kept(light, view)
+        if self.grazing.gain > 0:
+            value *= self.grazing.kept(light, view)
         if self.sheen is not None:
             value *= sheen_transmittance(view, *self.sheen)
         return value
@@ -689,8 +690,8 @@ class YarnScattering:
         turned, through = layer_albedo_estimate(view, point.normal, point.tangent, point.roughness, depth)
         albedos = point.albedos
         reflected = channel_mean(albedos.specular_reflect)
-        if self._grazing.gain > 0:
-            reflected += self._grazing.rise_towards(view)
+        if self.grazing.gain > 0:
+            reflected += self.grazing.rise_towards(view)
         specular = reflected * turned + channel_mean(albedos.specular_transmit) * through
         reflect, transmit, more_reflect, more_transmit = self._diffuse_albedos(point)
         reflect, transmit = reflect + more_reflect, transmit + more_transmit

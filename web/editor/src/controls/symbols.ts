@@ -50,6 +50,15 @@ export const YARN_QUANTITIES: Readonly<Record<string, Quantity>> = {
     ends: ["silk", "wool"],
     standard: ROUGHNESS,
   },
+  specular_grazing: {
+    label: "Rise towards the edge",
+    tip: "What the highlight gains where the cloth is seen or lit flat; warp and weft share the mean (specular_grazing)",
+    low: 0,
+    high: 4,
+    step: 0.05,
+    ends: ["level", "strong"],
+    standard: 0,
+  },
   height_scale: {
     label: "Relief",
     tip: "β: multiplies the heights of the yarns",

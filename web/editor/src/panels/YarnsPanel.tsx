@@ -67,7 +67,7 @@ export function YarnsPanel({ fabric, dispatch, isFlat }: PanelProps) {
         <h2>Yarn</h2>
         <KindField fabric={fabric} dispatch={dispatch} families={families} />
         <CountField fabric={fabric} dispatch={dispatch} families={families} />
-        {["gap", "specular", "roughness", "translucency"].map((key) => (
+        {["gap", "specular", "roughness", "specular_grazing", "translucency"].map((key) => (
           <YarnSlider key={key} fabric={fabric} dispatch={dispatch} families={families} name={key} />
         ))}
         <ColourField fabric={fabric} dispatch={dispatch} families={families} {...TINT} />
