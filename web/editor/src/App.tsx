@@ -6,7 +6,7 @@ import type { Server } from "./api.ts";
 import { ServerError } from "./api.ts";
 import { Edited } from "./controls/written.tsx";
 import { ExportDialog } from "./ExportDialog.tsx";
-import { ACCEPTED, download, fabricFiles, MESHES, NoDraft, openFabric, pngOf, stemOf, wifFile } from "./files.ts";
+import { ACCEPTED, download, MESHES, NoDraft, openFabric, pngOf, saveFabric, stemOf, wifFile, type Meaning } from "./files.ts";
 import { Guard } from "./Guard.tsx";
 import type { Health } from "./health.ts";
 import { addCard, CARDS } from "./keeping/cards.ts";
@@ -56,7 +56,7 @@ export function App({ store, server, health, onView }: Props) {
   const [isDropping, setDropping] = useState(false);
   const [isFlat, setFlat] = useState(false);
   const [isExporting, setExporting] = useState(false);
-  const [question, setQuestion] = useState<{ readonly name: string; readonly answer: (meant: Meant) => void } | null>(null);
+  const [question, setQuestion] = useState<{ readonly name: string; readonly colours: number; readonly answer: (meant: Meant) => void } | null>(null);
   const view = useRef<ClothView | null>(null);
   const chooser = useRef<HTMLInputElement>(null);
   const { dispatch } = store;
@@ -95,12 +95,13 @@ export function App({ store, server, health, onView }: Props) {
     }
   };
 
-  /** What a picture is that looks like a photograph; a print is laid on the cloth. */
-  const askOf = async (file: File): Promise<boolean> => {
-    const meant = await new Promise<Meant>((answer) => setQuestion({ name: file.name, answer }));
+  /** What a picture of many colours is; a print is laid on the cloth. */
+  const askOf = async (file: File, colours: number): Promise<Meaning> => {
+    const meant = await new Promise<Meant>((answer) => setQuestion({ name: file.name, colours, answer }));
     setQuestion(null);
-    if (meant === "print") await openPrint(file);
-    return meant === "drawdown";
+    if (meant !== "print") return meant;
+    await openPrint(file);
+    return "nothing";
   };
 
   const open = (files: readonly File[]): Promise<void> => {
@@ -131,6 +132,7 @@ export function App({ store, server, health, onView }: Props) {
       if (rest.length === 0) return;
       const { fabric, warnings } = await openFabric(rest, server, askOf);
       dispatch({ type: "fabric/open", fabric });
+      if (fabric.artwork !== undefined) dispatch({ type: "tab/show", tab: "weave" });
       for (const warning of warnings.slice(0, 2)) tell("warning", warning, "file");
     }, "file");
   };
@@ -152,7 +154,7 @@ export function App({ store, server, health, onView }: Props) {
   const save = (format: SaveFormat): Promise<void> =>
     attempt(async () => {
       const { fabric } = store.state;
-      if (format === "toml") for (const file of fabricFiles(fabric)) download(file.name, file.content, "application/toml");
+      if (format === "toml") await saveFabric(fabric);
       if (format === "wif") {
         const file = wifFile(fabric);
         download(file.name, file.content);
@@ -288,10 +290,10 @@ export function App({ store, server, health, onView }: Props) {
           <ExportDialog fabric={state.fabric} server={server} view={view.current} onClose={() => setExporting(false)} />
         </Guard>
       )}
-      {question !== null && <PhotographQuestion name={question.name} onAnswer={question.answer} />}
+      {question !== null && <PhotographQuestion name={question.name} colours={question.colours} onAnswer={question.answer} />}
       {isDropping && (
         <div class="dropping" aria-hidden="true">
-          Drop a draft, a fabric or a mesh
+          Drop a draft, an artwork, a fabric or a mesh
         </div>
       )}
     </div>
