@@ -104,11 +104,11 @@ class FilteredFabricModel(FabricModel):
     """A model of a fabric that averages over footprints: numbers of yarns and albedos are edited live.
 
     Scene parameters: ``warp.roughness``, ``warp.specular_grazing``, ``warp.height_scale``,
-    ``warp.inclination`` and ``warp.twist`` (radians), the same of ``weft``; ``warp.color``, as fabric files have it, in linear RGB; the albedos
-    ``warp.diffuse_reflect`` …; ``sheen.strength`` and ``sheen.roughness`` where there is sheen. Where
-    threads of a family differ, they are arrays ``warp.colors``, three numbers a thread, and ``warp.albedos``:
-    a row a thread, four albedos a row, three numbers an albedo. Albedos of families whose threads are alike
-    are differentiable.
+    ``warp.inclination`` and ``warp.twist`` (radians), the same of ``weft``; ``warp.color``, as fabric files
+    have it, in linear RGB; the albedos ``warp.diffuse_reflect`` …; ``sheen.strength`` and ``sheen.roughness``
+    where there is sheen. Where threads of a family differ, they are arrays ``warp.colors``, three numbers a
+    thread, and ``warp.albedos``: a row a thread, four albedos a row, three numbers an albedo. Albedos of
+    families whose threads are alike are differentiable.
     """
 
     filters = True

@@ -349,7 +349,7 @@ class YarnPointModel(FabricModel):
         grazing = Grazing.of(gain, roughness)
         model, model.point_model = copy(self), copy(self.point_model)
         if gain > 0:
-            # The loss follows the roughness, which optimisers edit at every step: a literal would be compiled.
+            # The loss follows the roughness, which optimisers edit at every step: a literal is compiled.
             grazing = Grazing(gain, dr.opaque(types.Float, grazing.loss))
         model.point_model.grazing = grazing
         return model
