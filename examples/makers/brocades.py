@@ -46,7 +46,8 @@ class Repeat:
         """How far each pixel lies right of a place and above it, in widths of an end, the shorter way."""
         across = (np.arange(self.ends) + 0.5 - end + self.ends / 2) % self.ends - self.ends / 2
         along = (np.arange(self.rows) + 0.5 - row + self.rows / 2) % self.rows - self.rows / 2
-        return np.broadcast_arrays(across[None], self.row * along[:, None])
+        x, y = np.broadcast_arrays(across[None], self.row * along[:, None])
+        return x, y
 
     def blank(self, colour: int) -> Index:
         return np.full((self.rows, self.ends), colour, np.uint8)
