@@ -36,25 +36,37 @@ class Repeat:
         ends: columns.
         rows: of pixels.
         row: height of a row, of the width of an end.
+        scale: ends of a unit in which the design is drawn.
     """
 
     ends: int
     rows: int
     row: float
+    scale: float
 
-    def from_place(self, end: float, row: float) -> tuple[Plane, Plane]:
-        """How far each pixel lies right of a place and above it, in widths of an end, the shorter way."""
-        across = (np.arange(self.ends) + 0.5 - end + self.ends / 2) % self.ends - self.ends / 2
-        along = (np.arange(self.rows) + 0.5 - row + self.rows / 2) % self.rows - self.rows / 2
-        x, y = np.broadcast_arrays(across[None], self.row * along[:, None])
+    @property
+    def size(self) -> tuple[float, float]:
+        """Of the repeat, in units of the design."""
+        return self.ends / self.scale, self.row * self.rows / self.scale
+
+    def from_place(self, across: float, along: float) -> tuple[Plane, Plane]:
+        """How far each pixel lies right of a place and above it, in units, the shorter way round.
+
+        Args:
+            across, along: the place, in repeats.
+        """
+        right = ((np.arange(self.ends) + 0.5) / self.ends - across + 0.5) % 1 - 0.5
+        above = ((np.arange(self.rows) + 0.5) / self.rows - along + 0.5) % 1 - 0.5
+        width, height = self.size
+        x, y = np.broadcast_arrays(width * right[None], height * above[:, None])
         return x, y
 
     def blank(self, colour: int) -> Index:
         return np.full((self.rows, self.ends), colour, np.uint8)
 
 
-JAMDANI = Repeat(ends=1600, rows=1440, row=1.25)
-POMEGRANATES = Repeat(ends=1280, rows=1600, row=1.2)
+JAMDANI = Repeat(ends=800, rows=720, row=1.25, scale=0.5)
+POMEGRANATES = Repeat(ends=640, rows=800, row=1.2, scale=0.5)
 
 
 def main(folder: Path = OUTPUT) -> None:
@@ -85,18 +97,16 @@ def _put(index: Index, inside: NDArray[np.bool_], colour: int) -> None:
 def jamdani(repeat: Repeat) -> Index:
     """Two bands of sprays in half drop, and a border of lozenges between narrow lines."""
     index = repeat.blank(CLEAR)
-    for row, shift in ((330, 0.0), (690, 0.5)):
+    for along, shift in ((0.23, 0.0), (0.48, 0.5)):
         for column in range(4):
-            _spray(
-                index, repeat, repeat.ends / 4 * (column + 0.25 + shift), row, lean=1 if column % 2 else -1
-            )
-    _border(index, repeat, 1140)
+            _spray(index, repeat, ((column + 0.25 + shift) / 4, along), lean=1 if column % 2 else -1)
+    _border(index, repeat, 0.79)
     return index
 
 
-def _spray(index: Index, repeat: Repeat, end: float, row: float, lean: int) -> None:
+def _spray(index: Index, repeat: Repeat, place: tuple[float, float], lean: int) -> None:
     """A flower of six petals on a bent stem with two leaves, which leans to a side."""
-    x, y = repeat.from_place(end, row)
+    x, y = repeat.from_place(*place)
     x = lean * x
     stem = np.abs(x - 0.0022 * (y + 20) ** 2) < 5
     _put(index, stem & (y > -120) & (y < 20), EDGE)
@@ -116,10 +126,10 @@ def _spray(index: Index, repeat: Repeat, end: float, row: float, lean: int) -> N
     _put(index, away < 13, VEIN)
 
 
-def _border(index: Index, repeat: Repeat, row: float) -> None:
+def _border(index: Index, repeat: Repeat, along: float) -> None:
     """Lozenges within lozenges, a line of beads and a solid line above and below."""
-    x, y = repeat.from_place(0, row)
-    pitch = repeat.ends / 10
+    x, y = repeat.from_place(0, along)
+    pitch = repeat.size[0] / 10
     in_cell = np.abs((x + pitch / 2) % pitch - pitch / 2)
     lozenge = in_cell + np.abs(y)
     for size, colour in ((78, EDGE), (68, PETAL), (48, VEIN), (38, PETAL), (18, EDGE)):
@@ -136,24 +146,24 @@ def _border(index: Index, repeat: Repeat, row: float) -> None:
 def pomegranates(repeat: Repeat) -> Index:
     """Pomegranates in an ogival trellis of leaves, in half drop."""
     index = repeat.blank(GROUND)
-    ends, rows = repeat.ends, repeat.rows
+    width, height = repeat.size
     # Waves of opposite phase, two of each a repeat, make the ogees.
     x, y = repeat.from_place(0, 0)
-    wave = ends / 4 * np.cos(2 * np.pi * y / (rows * repeat.row))
+    wave = width / 4 * np.cos(2 * np.pi * y / height)
     for sign in (-1, 1):
-        from_band = np.abs((x - sign * wave + ends / 4) % (ends / 2) - ends / 4)
+        from_band = np.abs((x - sign * wave + width / 4) % (width / 2) - width / 4)
         _put(index, from_band < 26, GREEN)
         _put(index, from_band < 17, TRELLIS)
         _put(index, (from_band < 17) & ((y % 48) < 14), GOLD)
-    for place in range(8):
-        half_drop, across, along = place % 2, place // 2 % 2, place // 4
-        _pomegranate(index, repeat, ends * (across / 2 + half_drop / 4), rows * (along / 2 + half_drop / 4))
+    for number in range(8):
+        half_drop, across, along = number % 2 / 4, number // 2 % 2 / 2, number // 4 / 2
+        _pomegranate(index, repeat, (across + half_drop, along + half_drop))
     return index
 
 
-def _pomegranate(index: Index, repeat: Repeat, end: float, row: float) -> None:
+def _pomegranate(index: Index, repeat: Repeat, place: tuple[float, float]) -> None:
     """A fruit that is open, with its seeds, a crown above it and leaves around its foot."""
-    x, y = repeat.from_place(end, row)
+    x, y = repeat.from_place(*place)
     x_beside = np.abs(x)
     for angle in (-0.9, 0.25, 0.95):
         along, beside = _turned(x_beside, y + 130, angle)

@@ -38,7 +38,7 @@ class Shown:
 
 
 DENIM = Shown("denim.toml", "draft", (1200, 760), SWIFTSHADER)
-ARTWORK = Shown("artwork/pomegranates.toml", "weave", (1200, 760), ())
+ARTWORK = Shown("artwork/peonies.toml", "weave", (1200, 760), ())
 
 
 def make(output: Path, shown: Shown) -> None:
