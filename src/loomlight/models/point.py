@@ -99,6 +99,13 @@ class PointBsdf(SeparableBsdf):
         return dr.select(self.point.hole, 0, self.point.albedos.diffuse_reflect)
 
     @property
+    def shown(self) -> tuple[Float, Float]:
+        """1 of the family whose yarn shows, 0 of the other one; both 0 in holes."""
+        types = array_types(self.view.x)
+        warp, weft = (self.point.is_warp & ~self.point.hole, ~self.point.is_warp & ~self.point.hole)
+        return dr.select(warp, types.Float(1), 0), dr.select(weft, types.Float(1), 0)
+
+    @property
     def roughness(self) -> Float:
         """α of the yarn that shows."""
         return self.point.roughness
