@@ -31,6 +31,7 @@ from loomlight.weave.wif_writer import write_wif
 FABRIC_SUFFIX = ".toml"
 # Of the spread of a kind of yarn: an error above it says that the photograph adds nothing.
 _UNKNOWN = 0.8
+_OF_THE_KIND = "of the kind of yarn; the photograph does not fix it"
 _DIGITS = 3
 # A weave that is less sure than this, and a repeat that differs by more of 255, are told of.
 SURE, GOOD_ROOT = 0.8, 20.0
@@ -196,6 +197,11 @@ class Captured:
             )
         return found
 
+    @property
+    def unfixed(self) -> list[str]:
+        """Fields that the photograph does not fix, so that they are of the kind of yarn: "warp.roughness"."""
+        return [f"{family}.{name}" for (family, name), note in self._notes().items() if note == _OF_THE_KIND]
+
     # ------------------------------------------------------------------------------------------------- fields
 
     def _fields(self, folder: str | os.PathLike[str], draft: str | None) -> dict[str, Any]:
@@ -258,7 +264,7 @@ class Captured:
                 if name == "fill":
                     notes[family, "gap"] = f"± {error * value:.2g}"
                 elif error > _UNKNOWN * PARAMETERS[name].spread:
-                    notes[family, name] = "of the kind of yarn; the photograph does not fix it"
+                    notes[family, name] = _OF_THE_KIND
                 else:
                     notes[family, name] = f"± {error * value:.2g}"
         return notes

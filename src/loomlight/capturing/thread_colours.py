@@ -12,6 +12,8 @@ from loomlight.core.colour import delta_e_2000, lab_of_linear, srgb_to_linear
 
 # Threads of one dye differ by less (CIEDE2000): shades of uneven yarns, and noise, reach about 4.
 _SAME_DYE = 7.0
+# The same of one thread alone: a stripe of one differs by more.
+_LONE = 14.0
 MAX_COLOURS = 8
 # Threads that may break an order that repeats, as a share.
 _MAX_BREAKS = 0.06
@@ -36,6 +38,17 @@ class ColourOrder:
     def of_threads(self, count: int) -> NDArray[np.intp]:
         """The colour of each thread of the table [count]."""
         return np.asarray(self.order[(np.arange(count) + self.first) % len(self.order)])
+
+
+def grouped_order(order: ColourOrder, times: int, ahead: int) -> ColourOrder:
+    """The order of threads of which so many lie in the place of one.
+
+    Args:
+        ahead: threads before column 0, or row 0, of the finer table from the first one of the coarser.
+    """
+    if times == 1:
+        return order
+    return ColourOrder(order.colours, order.order.repeat(times), times * order.first + ahead, order.repeats)
 
 
 def colour_orders(crossings: Crossings, warp_up: NDArray[np.bool_]) -> tuple[ColourOrder, ColourOrder]:
@@ -89,11 +102,14 @@ def _clusters(threads: NDArray[np.float64], weight: NDArray[np.intp]) -> NDArray
         groups[one] += groups.pop(other)
         means.pop(other)
         means[one] = np.average(labs[groups[one]], axis=0, weights=weight[groups[one]])
-    # A single thread of its own shade among many is unevenness.
-    if len(groups) > 1:
-        large = [group for group in groups if len(group) > 1 or len(threads) < 8]
-        if len(large) == 1:
-            groups = [list(range(len(threads)))]
+    # A single thread of nearly the same shade among many is unevenness.
+    if len(threads) >= 8:
+        for lone in [group for group in groups if len(group) == 1]:
+            others = [group for group in groups if group is not lone]
+            off = [float(delta_e_2000(labs[lone].mean(axis=0), labs[group].mean(axis=0))) for group in others]
+            if off and min(off) < _LONE:
+                others[int(np.argmin(off))] += lone
+                groups = others
     labels = np.zeros(len(threads), np.intp)
     for label, group in enumerate(sorted(groups, key=min)):
         labels[group] = label

@@ -24,6 +24,8 @@ MIN_THREAD_PX, MIN_THREADS = 6.0, 6.0
 MAX_TURN = 10.0
 # Of the turns that are tried, degrees; a picture's rows are told apart by a third of that.
 _TURN_STEP = 0.5
+# A photograph is usually turned by no more than this (a deviation), and turns that differ by less are one.
+_USUAL_TURN, _SAME_TURN = 4.0, 1.6
 # Edges of so much of the picture's height are taken to lie in one line: threads of uneven yarn wander.
 _STRIP = 0.4
 # Height of the autocorrelation's peaks over its dips, of its value at 0: below it nothing repeats. Noise has
@@ -73,9 +75,29 @@ class ThreadGrid:
     warp: Family
     weft: Family
 
+    def regrouped(self, times: tuple[float, float], start: tuple[float, float] = (0.0, 0.0)) -> ThreadGrid:
+        """The grid in which each thread counts as so many of warp and weft, a fraction joins several.
+
+        Args:
+            start: numbers of this grid that become 0, for warp and weft.
+        """
+        warp, weft = (
+            replace(family, number=(family.number - first) * count, per_px=family.per_px * count)
+            for family, count, first in zip((self.warp, self.weft), times, start, strict=True)
+        )
+        return ThreadGrid(warp, weft)
+
 
 def find_grid(shade: Plane) -> ThreadGrid:
-    """The grid of threads.
+    """The likeliest grid of threads; see `find_grids`."""
+    return find_grids(shade)[0]
+
+
+def find_grids(shade: Plane) -> list[ThreadGrid]:
+    """Grids of threads that a picture may show, likeliest first.
+
+    Twisted yarns that swell between their crossings are shaded in slanting lines, whose turn is another:
+    where the strongest lines are turned far, the strongest among nearly upright ones are tried too.
 
     Args:
         shade: encoded colours [height, width, channels], 0 to 1.
@@ -88,10 +110,33 @@ def find_grid(shade: Plane) -> ThreadGrid:
     spectra = [_Spectrum(edges) for edges in (warp_edges, weft_edges)]
     # Threads cross at right angles: one turn for both, which rows and columns see in opposite ways.
     turns = np.radians(np.arange(-MAX_TURN, MAX_TURN + _TURN_STEP / 2, _TURN_STEP))
-    turn = max(turns, key=lambda each: spectra[0].repeats(each) + spectra[1].repeats(-each))
+    strength = np.array([spectra[0].repeats(turn) + spectra[1].repeats(-turn) for turn in turns])
+    upright = strength * np.exp(-0.5 * np.square(turns / np.radians(_USUAL_TURN)))
+    tried = [float(turns[np.argmax(strength)]), float(turns[np.argmax(upright)])]
+    if abs(tried[0] - tried[1]) < np.radians(_SAME_TURN):
+        tried.pop()
+    found, fault = [], None
+    for turn in tried:
+        try:
+            found.append(_turned_grid(shade, (warp_edges, weft_edges), spectra, turn))
+        except InputError as error:
+            fault = fault or error
+    if fault is not None and not found:
+        raise fault
+    return found
+
+
+def _turned_grid(
+    shade: Plane, edges: tuple[Plane, Plane], spectra: list[_Spectrum], turn: float
+) -> ThreadGrid:
+    """The grid whose threads are turned by about so many radians.
+
+    Raises:
+        InputError: no period, or threads that are too fine.
+    """
     light = shade.mean(axis=-1)
-    warp = _family(warp_edges, light, spectra[0], turn)
-    weft = _family(weft_edges, light.T, spectra[1], -turn)
+    warp = _family(edges[0], light, spectra[0], turn)
+    weft = _family(edges[1], light.T, spectra[1], -turn)
     # Of rows that count downwards, picks count upwards.
     number = -weft.number.T
     number = number - np.floor(number.min())

@@ -28,21 +28,29 @@ class Tile:
     """One repeat, of picks upwards and ends to the right.
 
     Attributes:
-        linear: linear RGB [picks · samples, ends · samples, 3]; row 0 is the lowest.
-        counts: pixels that each mean is of [picks · samples, ends · samples]; 0 where none is.
-        variance: of encoded pixels about these means, a mean over channels [picks · samples, ends · samples].
-        samples: a thread.
+        linear: linear RGB [rows, columns, 3], of so many samples a thread; row 0 is the lowest.
+        counts: pixels that each mean is of [rows, columns]; 0 where none is.
+        variance: of encoded pixels about these means, a mean over channels [rows, columns].
+        samples: rows a pick and columns an end.
+        pixels: of the picture that a sample has.
     """
 
     linear: NDArray[np.float64]
     counts: NDArray[np.float64]
     variance: NDArray[np.float64]
-    samples: int
+    samples: tuple[int, int]
+    pixels: float = 1.0
 
     @property
     def repeat(self) -> tuple[int, int]:
         """Picks and ends."""
-        return self.linear.shape[0] // self.samples, self.linear.shape[1] // self.samples
+        return self.linear.shape[0] // self.samples[0], self.linear.shape[1] // self.samples[1]
+
+    @property
+    def repeats(self) -> float:
+        """How often the repeat is seen, about."""
+        shown = self.counts[self.counts > 0]
+        return float(np.median(shown) / self.pixels) if shown.size else 0.0
 
     @property
     def within(self) -> float:
@@ -62,6 +70,7 @@ def folded(
     origin: tuple[float, float],
     repeat: tuple[int, int],
     once: bool = False,
+    samples: tuple[int, int] | None = None,
 ) -> Tile:
     """The mean repeat of a picture.
 
@@ -70,16 +79,19 @@ def folded(
         origin: numbers of the end and of the pick, in the grid's, at which a repeat begins.
         repeat: picks and ends.
         once: it does not repeat: only its first place counts.
+        samples: rows a pick and columns an end; as many as the picture has pixels by default.
     """
     picks, ends = repeat
-    pixels = 1 / max(grid.warp.per_px, grid.weft.per_px)
-    samples = int(np.clip(round(pixels), MIN_SAMPLES_A_THREAD, MAX_SAMPLES_A_THREAD))
-    x = np.mod(grid.warp.number - origin[0], ends) * samples
-    y = np.mod(grid.weft.number - origin[1], picks) * samples
-    columns = np.minimum(x.astype(np.intp), ends * samples - 1)
-    rows = np.minimum(y.astype(np.intp), picks * samples - 1)
-    size = picks * samples * ends * samples
-    index = (rows * ends * samples + columns).ravel()
+    if samples is None:
+        pixels = 1 / max(grid.warp.per_px, grid.weft.per_px)
+        samples = (int(np.clip(round(pixels), MIN_SAMPLES_A_THREAD, MAX_SAMPLES_A_THREAD)),) * 2
+    height, width = picks * samples[0], ends * samples[1]
+    x = np.mod(grid.warp.number - origin[0], ends) * samples[1]
+    y = np.mod(grid.weft.number - origin[1], picks) * samples[0]
+    columns = np.minimum(x.astype(np.intp), width - 1)
+    rows = np.minimum(y.astype(np.intp), height - 1)
+    size = height * width
+    index = (rows * width + columns).ravel()
     if once:
         number_x, number_y = grid.warp.number - origin[0], grid.weft.number - origin[1]
         counted = ((number_x >= 0) & (number_x < ends) & (number_y >= 0) & (number_y < picks)).ravel()
@@ -94,18 +106,21 @@ def folded(
         sums = [np.bincount(index, channel.ravel(), size) for channel in np.moveaxis(picture, -1, 0)]
         return np.asarray(np.stack(sums, axis=-1) / np.maximum(counts, 1)[:, None])
 
-    shape = (picks * samples, ends * samples)
+    shape = (height, width)
     squares = means(np.square(encoded)) - np.square(means(encoded))
     variance = np.maximum(squares, 0).mean(axis=-1).reshape(shape)
-    return Tile(means(linear).reshape(*shape, 3), counts.reshape(shape), variance, samples)
+    pixels = 1 / (grid.warp.per_px * grid.weft.per_px * samples[0] * samples[1])
+    return Tile(means(linear).reshape(*shape, 3), counts.reshape(shape), variance, samples, pixels)
 
 
-def rendered(fabric: Fabric, samples: int, light: Light, spp: int = 1, seed: int = 0) -> NDArray[np.float64]:
-    """One repeat of a fabric from above, linear RGB [picks · samples, ends · samples, 3]."""
+def rendered(
+    fabric: Fabric, samples: tuple[int, int], light: Light, spp: int = 1, seed: int = 0
+) -> NDArray[np.float64]:
+    """One repeat of a fabric from above, linear RGB [rows, columns, 3], samples as a `Tile` has them."""
     width, height = fabric.repeat_mm
     ends, picks = fabric.draft.ends, fabric.draft.picks
     times = [max(1, ceil(_MIN_RENDERED / count)) for count in (ends, picks)]
-    columns, rows = ends * samples, picks * samples
+    columns, rows = ends * samples[1], picks * samples[0]
     # A large repeat is rendered once, and fibres average out over its threads.
     framing = Framing(
         (columns * times[0], rows * times[1]),

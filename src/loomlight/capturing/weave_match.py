@@ -111,6 +111,16 @@ def _canonical(structure: Structure) -> bytes:
     )
 
 
+@cache
+def _names_of_candidates() -> dict[tuple[tuple[int, int], bytes], str]:
+    return {(shape, _canonical(named_weave(name).drawdown)): name for name, _, shape in candidates()}
+
+
+def candidate_name(structure: Structure) -> str | None:
+    """The name of the weave that is tried and is this structure in some place; None if none is."""
+    return _names_of_candidates().get((structure.shape, _canonical(structure)))
+
+
 def fit_weaves(crossings: list[Crossings]) -> list[WeaveFit]:
     """All weaves in their best places, best first.
 

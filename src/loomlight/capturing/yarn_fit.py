@@ -191,6 +191,16 @@ class YarnFitter:
         self._last: tuple[tuple[object, ...], Fabric] | None = None
 
     @property
+    def within(self) -> float:
+        """Mean square of the photograph's encoded pixels about their mean repeat."""
+        return self._tile.within
+
+    @property
+    def repeats(self) -> float:
+        """How often the repeat is seen, about."""
+        return self._tile.repeats
+
+    @property
     def samples(self) -> int:
         """Independent values of the tile."""
         return max(int(self._target.size / _SAMPLES_A_VALUE), 16)
@@ -205,7 +215,7 @@ class YarnFitter:
             (np.broadcast_to(picks[:, None], up.shape), ~up, self._cloth.colours[1]),
         ):
             each = [on_top & (role == number) for number in range(count)]
-            found.append([np.kron(mask, np.ones(2 * (self._tile.samples,), bool)) for mask in each])
+            found.append([np.kron(mask, np.ones(self._tile.samples, bool)) for mask in each])
         return found
 
     def sharp(self, yarns: Yarns) -> Numbers:

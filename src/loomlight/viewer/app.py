@@ -21,7 +21,7 @@ from starlette.exceptions import HTTPException
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import ClientDisconnect, HTTPConnection, Request
-from starlette.responses import JSONResponse, PlainTextResponse, RedirectResponse, Response
+from starlette.responses import JSONResponse, PlainTextResponse, RedirectResponse, Response, StreamingResponse
 from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -30,6 +30,7 @@ from loomlight.core.errors import LoomlightError
 from loomlight.fabric.fabric import Fabric
 from loomlight.viewer.answers import ANSWERS, answer
 from loomlight.viewer.limited_reader import MAX_MESH, MAX_UPLOAD, DraftReader, MeshReader
+from loomlight.viewer.photo_capture import MAX_PHOTO, capture_lines, width_and_light
 from loomlight.viewer.picture import MAX_BYTES
 from loomlight.viewer.picture_worker import PictureMaker
 from loomlight.viewer.session import gallery_pictures, session
@@ -109,12 +110,23 @@ def editor_app(client: Path, fabric: Fabric | str | None, access: Access) -> Sta
             watching.cancel()
         return Response(png, media_type="image/png", headers={"content-encoding": "identity"})
 
+    async def read_photo(request: Request) -> Response:
+        asked = request.query_params
+        width_mm, light = width_and_light(asked.get("width_mm", ""), asked.get("light", "flash"))
+        content = await read_body(request, MAX_PHOTO)
+        lines = capture_lines(content, asked.get("name", "photo.jpg"), width_mm, light)
+        # Compressed, lines would wait for each other.
+        return StreamingResponse(
+            lines, media_type="application/x-ndjson", headers={"content-encoding": "identity"}
+        )
+
     return Starlette(
         routes=[
             Route("/api/session", _answered(get_session)),
             Route("/api/wif", _answered(read_draft), methods=["POST"]),
             Route("/api/mesh", _answered(read_mesh), methods=["POST"]),
             Route("/api/picture", _answered(draw), methods=["POST"]),
+            Route("/api/capture", _answered(read_photo), methods=["POST"]),
             *(Route(f"/{place}", _answered(make), methods=["POST"]) for place in ANSWERS),
             Route("/api/{rest:path}", _answered(_unknown), methods=["GET", "POST"]),
             Mount("/gallery", StaticFiles(directory=gallery_pictures())),

@@ -112,7 +112,7 @@ class LimitedReader:
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
-                env=_environment(),
+                env=environment(),
             )
             self._end = weakref.finalize(self, _ended, self._process, folder)
         return self._process
@@ -179,7 +179,7 @@ def _ended(process: subprocess.Popen[bytes], folder: TemporaryDirectory[str]) ->
     folder.cleanup()
 
 
-def _environment() -> dict[str, str]:
+def environment() -> dict[str, str]:
     """This process's, with the places that it imports from; pools of threads would take address space."""
     places = os.pathsep.join(place for place in sys.path if place)
     return {**os.environ, "PYTHONPATH": places, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}

@@ -29,7 +29,7 @@ def serve(read: Reader, what: str) -> None:
     Args:
         what: a file is, for sentences: "draft".
     """
-    _limit_memory(int(sys.argv[2]))
+    limit_memory(int(sys.argv[2]))
     folder, seconds = Path(sys.argv[1]), float(sys.argv[3])
     given, answers = sys.stdin.buffer, sys.stdout.buffer
     # What libraries print would be taken for answers.
@@ -37,7 +37,7 @@ def serve(read: Reader, what: str) -> None:
     while len(head := given.read(REQUEST.size)) == REQUEST.size:
         name_size, content_size = REQUEST.unpack(head)
         file = folder / given.read(name_size).decode()
-        _allow_time(seconds)
+        allow_time(seconds)
         file.write_bytes(given.read(content_size))
         is_read, answer = _answer(read, file, what)
         file.unlink()
@@ -49,9 +49,9 @@ def _answer(read: Reader, file: Path, what: str) -> tuple[bool, bytes]:
     try:
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always")
-            return True, read(file, lambda: [_without_folder(str(each.message), file) for each in told])
+            return True, read(file, lambda: [without_folder(str(each.message), file) for each in told])
     except LoomlightError as error:
-        sentence = _without_folder(str(error), file)
+        sentence = without_folder(str(error), file)
     except MemoryError:
         sentence = f"{file.name} takes more memory than a {what} may."
     except Exception as error:  # a reader's defect must not look like the server's
@@ -59,11 +59,12 @@ def _answer(read: Reader, file: Path, what: str) -> tuple[bool, bytes]:
     return False, json.dumps({"error": sentence}).encode()
 
 
-def _without_folder(sentence: str, file: Path) -> str:
+def without_folder(sentence: str, file: Path) -> str:
+    """A sentence in which the file has no folder: it is of no use to who sent the file."""
     return sentence.replace(str(file), file.name)
 
 
-def _limit_memory(memory_bytes: int) -> None:
+def limit_memory(memory_bytes: int) -> None:
     """Limits this process; Windows has no such limits, there the server's time limit alone holds."""
     try:
         import resource
@@ -73,7 +74,7 @@ def _limit_memory(memory_bytes: int) -> None:
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def _allow_time(seconds: float) -> None:
+def allow_time(seconds: float) -> None:
     """So many seconds of the processor from now on; it ends the process."""
     try:
         import resource

@@ -135,6 +135,28 @@ class Session(Json):
     largest_upload: Annotated[int, Field(description="Largest file that the server reads, bytes.")]
 
 
+class CaptureJson(Json):
+    """A fabric that a photograph shows, and how well it is known."""
+
+    fabric: FabricJson
+    summary: Annotated[str, Field(description="Weave, setts and kind of yarn in a line.")]
+    doubts: Annotated[list[str], Field(description="Sentences on what cannot be relied on.")]
+    unfixed: Annotated[
+        list[str],
+        Field(
+            description="Fields that the photograph does not fix, and the kind of yarn does: warp.roughness."
+        ),
+    ]
+
+
+class CaptureLine(Json):
+    """A line of the answer to a photograph: how far the work is, 0 to 1, and in the last what it came to."""
+
+    share: float
+    found: CaptureJson | None = None
+    error: Annotated[str | None, Field(description="A sentence, where there is no fabric.")] = None
+
+
 def draft_json(draft: Draft) -> JsonObject:
     """A draft as JSON; notes and private sections of a WIF are left out."""
     return {

@@ -4,6 +4,7 @@ import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import type { Server } from "./api.ts";
 import { ServerError } from "./api.ts";
+import { CaptureDialog, warningsOf } from "./CaptureDialog.tsx";
 import { Edited } from "./controls/written.tsx";
 import { ExportDialog } from "./ExportDialog.tsx";
 import { ACCEPTED, download, MESHES, NoDraft, openFabric, pngOf, saveFabric, stemOf, wifFile, type Meaning } from "./files.ts";
@@ -22,7 +23,7 @@ import { WeavePanel } from "./panels/WeavePanel.tsx";
 import { YarnsPanel } from "./panels/YarnsPanel.tsx";
 import { MODEL_NAMES, Stage } from "./Stage.tsx";
 import { TABS, type Notice, type Tab } from "./state/document.ts";
-import { fabricForServer } from "./state/fabric_json.ts";
+import { fabricForServer, fabricFromJson } from "./state/fabric_json.ts";
 import type { Store } from "./state/store.ts";
 import { TopBar, type SaveFormat } from "./TopBar.tsx";
 import { renderCommand } from "./view/camera_options.ts";
@@ -45,6 +46,8 @@ const TAB_NAMES: Readonly<Record<Tab, string>> = {
   finish: "Finish",
   light: "Light",
 };
+const CAPTURE_NEEDS_SERVER =
+  "A fabric is made of a photograph by Python, and this page runs without it: start `loomlight view`, or use the command `loomlight capture`.";
 /** Pictures of surroundings. */
 const SURROUNDINGS = /\.(hdr|exr)$/i;
 
@@ -57,6 +60,7 @@ export function App({ store, server, health, onView }: Props) {
   const [isFlat, setFlat] = useState(false);
   const [isExporting, setExporting] = useState(false);
   const [question, setQuestion] = useState<{ readonly name: string; readonly colours: number; readonly answer: (meant: Meant) => void } | null>(null);
+  const [photograph, setPhotograph] = useState<File | null>(null);
   const view = useRef<ClothView | null>(null);
   const chooser = useRef<HTMLInputElement>(null);
   const { dispatch } = store;
@@ -99,9 +103,15 @@ export function App({ store, server, health, onView }: Props) {
   const askOf = async (file: File, colours: number): Promise<Meaning> => {
     const meant = await new Promise<Meant>((answer) => setQuestion({ name: file.name, colours, answer }));
     setQuestion(null);
-    if (meant !== "print") return meant;
-    await openPrint(file);
+    if (meant === "print") await openPrint(file);
+    else if (meant === "cloth") startCapture(file);
+    else return meant;
     return "nothing";
+  };
+
+  const startCapture = (file: File): void => {
+    if (server === null || !server.hasPython || server.host !== null) throw new ServerError(CAPTURE_NEEDS_SERVER);
+    setPhotograph(file);
   };
 
   const open = (files: readonly File[]): Promise<void> => {
@@ -291,6 +301,18 @@ export function App({ store, server, health, onView }: Props) {
         </Guard>
       )}
       {question !== null && <PhotographQuestion name={question.name} colours={question.colours} onAnswer={question.answer} />}
+      {photograph !== null && (
+        <CaptureDialog
+          file={photograph}
+          server={server!}
+          onFound={(found) => {
+            dispatch({ type: "fabric/open", fabric: fabricFromJson(found.fabric) });
+            tell("done", `${photograph.name}: ${found.summary}.`, "file");
+            for (const warning of warningsOf(found)) tell("warning", warning, "file");
+          }}
+          onClose={() => setPhotograph(null)}
+        />
+      )}
       {isDropping && (
         <div class="dropping" aria-hidden="true">
           Drop a draft, an artwork, a fabric or a mesh

@@ -4,7 +4,7 @@ import { useEffect, useRef } from "preact/hooks";
 
 import type { Meaning } from "./files.ts";
 
-export type Meant = Meaning | "print";
+export type Meant = Meaning | "print" | "cloth";
 
 interface Props {
   readonly name: string;
@@ -32,6 +32,7 @@ export function PhotographQuestion({ name, colours, onAnswer }: Props) {
       <div class="row">
         {isArtwork && choice("artwork", "Make its colours weaves", true)}
         {choice("print", "Print it on the cloth", !isArtwork)}
+        {choice("cloth", "It is a photograph of cloth")}
         {choice("drawdown", "Read it as a drawdown")}
         {choice("nothing", "Leave it")}
       </div>

@@ -6,7 +6,7 @@
  * says so. A widget's page names `frame`, and asks the notebook around it. Draft JSON is what `src/loomlight/viewer/messages.py` reads and writes.
  */
 
-import type { DraftJson, FabricJson, Session } from "loomlight-fabric";
+import type { CaptureJson, CaptureLine, DraftJson, FabricJson, Session } from "loomlight-fabric";
 import type { Openness } from "loomlight-web";
 
 import { FrameHost } from "./embedding.ts";
@@ -89,6 +89,23 @@ export class Server {
     return (await this.post("api/picture", stage, signal)).blob();
   }
 
+  /**
+   * The fabric that a photograph of cloth shows, so many millimetres wide; it takes minutes.
+   *
+   * @param report is told the share that is done.
+   */
+  async capture(file: File, millimetres: number, light: string, report: (share: number) => void, signal: AbortSignal): Promise<CaptureJson> {
+    const asked = new URLSearchParams({ name: file.name, width_mm: String(millimetres), light });
+    const response = await this.post(`api/capture?${asked}`, await file.arrayBuffer(), signal);
+    for await (const line of linesOf(response.body!)) {
+      const { share, found, error } = JSON.parse(line) as CaptureLine;
+      if (error != null) throw new ServerError(error);
+      if (found != null) return found;
+      report(share);
+    }
+    throw new ServerError(GONE);
+  }
+
   /** Tells the notebook of an edit; does nothing for a page of its own. */
   async tell(fabric: FabricJson): Promise<void> {
     if (this.host !== null) await this.post("api/fabric", JSON.stringify(fabric));
@@ -102,6 +119,17 @@ export class Server {
     }
     const token = this.session.token;
     return reach(place, { method: "POST", body, signal: signal ?? null, headers: token === null ? {} : { "X-Loomlight-Token": token } });
+  }
+}
+
+/** Lines of a text, each as it comes. */
+async function* linesOf(body: ReadableStream<Uint8Array>): AsyncGenerator<string> {
+  const reader = body.pipeThrough(new TextDecoderStream() as TransformStream<Uint8Array, string>).getReader();
+  let held = "";
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    const lines = (held + part.value).split("\n");
+    held = lines.pop()!;
+    yield* lines;
   }
 }
 

@@ -41,7 +41,7 @@ const MAX = 64 * 2 ** 20;
 /** A file that is a mesh. */
 export const MESHES = /\.(obj|glb|gltf|ply|usd[acz]?)$/i;
 /** What the dialogue offers. */
-export const ACCEPTED = ".toml,.json,.wif,.dtx,.wpo,.twa,.png,.obj,.ply,.glb,.usd,.usda,.usdc,.usdz,.hdr,.exr,.ase,.gpl,.csv";
+export const ACCEPTED = ".toml,.json,.wif,.dtx,.wpo,.twa,.png,.obj,.ply,.glb,.usd,.usda,.usdc,.usdz,.hdr,.exr,.ase,.gpl,.csv,.jpg,.jpeg,.webp";
 
 export interface Opened {
   readonly fabric: Fabric;

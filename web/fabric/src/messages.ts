@@ -88,3 +88,22 @@ export interface Session {
   /** Largest file that the server reads, bytes. */
   largest_upload: number;
 }
+
+/** A fabric that a photograph shows, and how well it is known. */
+export interface CaptureJson {
+  fabric: FabricJson;
+  /** Weave, setts and kind of yarn in a line. */
+  summary: string;
+  /** Sentences on what cannot be relied on. */
+  doubts: string[];
+  /** Fields that the photograph does not fix, and the kind of yarn does: warp.roughness. */
+  unfixed: string[];
+}
+
+/** A line of the answer to a photograph: how far the work is, 0 to 1, and in the last what it came to. */
+export interface CaptureLine {
+  share: number;
+  found: CaptureJson | null;
+  /** A sentence, where there is no fabric. */
+  error: string | null;
+}

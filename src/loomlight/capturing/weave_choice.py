@@ -1,0 +1,226 @@
+"""Which weave a photograph shows: the likeliest ones of its crossings, rendered beside it.
+
+All are judged by one yardstick: what crossings show of a structure, and what its render, of the likeliest of
+a few kinds of yarn, leaves of the photograph. Renders are compared in samples of one size, so that a pair of
+threads and a single one twice as thick are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from math import lcm
+
+import numpy as np
+
+from loomlight.capturing.captured import WeaveChoice
+from loomlight.capturing.crossings import Crossings
+from loomlight.capturing.grouped import MAX_GROUP, core_of, grouped, groupings
+from loomlight.capturing.photo import Photo
+from loomlight.capturing.photographer import Light
+from loomlight.capturing.thread_colours import ColourOrder, colour_orders
+from loomlight.capturing.thread_grid import ThreadGrid
+from loomlight.capturing.tile import Tile, folded
+from loomlight.capturing.weave_match import WeaveFit, complement_of, placed
+from loomlight.capturing.yarn_fit import MODEL_ERROR, Cloth, Fit, YarnFitter
+from loomlight.weave.draft import Draft
+
+Report = Callable[[int, int], None]
+# Sides that a window may be at, degrees from the right, and the kind of yarn that is tried under each.
+_WINDOWS, _MATT = (0.0, 90.0, 180.0, 270.0), "cotton"
+# Kinds of yarn that weaves are rendered in: matt, glossy and between.
+_TRIED_KINDS = ("cotton", "worsted", "viscose", "silk")
+# Weaves that are rendered beside the photograph, and by how much likelier the best may be than another.
+_RENDERED, _MARGIN = 3, 0.35
+# Threads a side of the repeat that yarns are fitted to; of a larger one it is a part.
+_MAX_FITTED = 32
+# Samples of a thread that may be a group of two, three or four; of groups larger than these only if one of
+# two is likelier than a single thread.
+_GROUP_SAMPLES, _FIRST_LIMIT = 12, 2
+# What renders err by is alike over a whole photograph, so that crossings are fewer witnesses than they count
+# as: logarithms of likelihoods are divided by this. Of 45 swatches that were then sure, 44 were right.
+_TEMPER = 4.0
+# Repeats in the picture that a mean is taken of at least.
+_MIN_REPEATS = 1.8
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """A photograph with its threads."""
+
+    photo: Photo
+    grid: ThreadGrid
+    crossings: Crossings
+
+
+@dataclass(frozen=True, eq=False)
+class Hypothesis:
+    """A weave, and what its render leaves of the photograph.
+
+    Attributes:
+        seen: the photograph, with the threads of this weave.
+        choice: structure, place and colours; its confidence is not known yet.
+        start: the likeliest yarns.
+        within: mean square of encoded pixels about the mean of many repeats; infinite if one is seen.
+        left: mean square of what is left of the photograph.
+        votes: crossings that count.
+    """
+
+    seen: Seen
+    choice: WeaveChoice
+    start: Fit
+    within: float
+    left: float
+    votes: float
+
+    @property
+    def fit(self) -> WeaveFit:
+        """Structure and place."""
+        return self.choice.fit
+
+
+def chosen(
+    face: Seen, fits: list[WeaveFit], light: Light, report: Report
+) -> tuple[Seen, WeaveChoice, YarnFitter, Fit]:
+    """The likeliest weave with its threads, how sure it is, and its yarns so far."""
+    if len(fits) == 1:
+        choice = choice_of(face, fits[0])
+        return face, choice, *begun(face, choice, light)
+    found = hypotheses(face, fits, light, report)
+    scores = likelihoods(found)
+    best = found[int(np.argmax(scores))]
+    shares = np.exp((scores - scores.max()) / _TEMPER)
+    # Two places or grids of one weave are no rivals.
+    same = np.array([each.fit.name == best.fit.name != "" or each is best for each in found])
+    confidence = float(shares[same].sum() / shares.sum())
+    choice = replace(best.choice, confidence=confidence)
+    return best.seen, choice, *begun(best.seen, choice, light)
+
+
+def hypotheses(face: Seen, fits: list[WeaveFit], light: Light, report: Report) -> list[Hypothesis]:
+    """The likeliest weaves of the crossings, rendered."""
+    votes = face.crossings.votes
+    tried = [fit for fit in fits[:_RENDERED] if fits[0].score - fit.score < _MARGIN * votes]
+    opposite = complement_of(fits[0], fits)
+    if opposite is not None and all(
+        (opposite.name, opposite.shift) != (fit.name, fit.shift) for fit in tried
+    ):
+        tried.append(opposite)
+    found = []
+    for number, fit in enumerate(tried):
+        found += _with_groups(face, fit, light, votes)
+        report(number + 1, len(tried))
+    return found
+
+
+def _with_groups(face: Seen, fit: WeaveFit, light: Light, votes: float) -> list[Hypothesis]:
+    """A weave, and those in which one of its threads is a group of several, or a group of them one."""
+    encoded = face.photo.encoded
+    core = core_of(encoded, fit, face.grid, face.crossings)
+    sizes = 1 / core.grid.weft.per_px, 1 / core.grid.warp.per_px
+    pairs = [times for times in groupings(core, sizes, _FIRST_LIMIT) if times != core.times]
+    if not pairs:
+        return [_rendered(face, choice_of(face, fit), light, votes)]
+    done = {core.times: _rendered(face, choice_of(face, fit), light, votes, core.times)}
+
+    def render(times: tuple[int, int]) -> None:
+        group = grouped(encoded, core, times)
+        seen = Seen(face.photo, group.grid, group.crossings)
+        done[times] = _rendered(seen, WeaveChoice(group.fit, 1.0, *group.orders), light, votes, times)
+
+    for times in pairs:
+        render(times)
+    # A group of two that is likelier than a single thread may be one of three or four.
+    scores = likelihoods([*done.values()])
+    best = [*done][int(np.argmax(scores))]
+    for times in groupings(core, sizes, MAX_GROUP):
+        if times not in done and all(
+            more == count or count > 1 for more, count in zip(times, best, strict=True)
+        ):
+            render(times)
+    return [*done.values()]
+
+
+def likelihoods(found: list[Hypothesis]) -> np.ndarray:
+    """Logarithms of how likely each hypothesis is [n], but for a common term."""
+    left = np.array([each.left for each in found])
+    # What the best repeat cannot explain none can: beyond that, a render is off.
+    best = min(min(each.within for each in found), float(left.min()))
+    off = left - best + MODEL_ERROR**2
+    votes = np.array([each.votes for each in found])
+    shown = np.array([0.5 * (each.fit.score + each.fit.unsigned) for each in found])
+    return np.asarray(shown - 0.5 * votes * (np.log(left) + np.log(off)))
+
+
+def _rendered(
+    seen: Seen, choice: WeaveChoice, light: Light, votes: float, times: tuple[int, int] | None = None
+) -> Hypothesis:
+    """A weave in the likeliest of a few kinds of yarn; a group of `times` picks and ends is one thread."""
+    samples = None if times is None else (_GROUP_SAMPLES // times[0], _GROUP_SAMPLES // times[1])
+    fitter, start = begun(seen, choice, light, samples)
+    # A mean of few repeats follows what is chance in them.
+    repeats = fitter.repeats
+    within = fitter.within * repeats / (repeats - 1) if repeats > _MIN_REPEATS else np.inf
+    return Hypothesis(seen, choice, start, within, fitter.within + start.cost, votes)
+
+
+def begun(
+    seen: Seen, choice: WeaveChoice, light: Light, samples: tuple[int, int] | None = None
+) -> tuple[YarnFitter, Fit]:
+    """A weave with the likeliest of a few kinds of yarn."""
+    cloth, tile = cloth_and_tile(seen, choice, samples)
+    fitter = YarnFitter(cloth, tile, light)
+    colours = choice.warp.colours, choice.weft.colours
+    starts = [fitter.begun(kind, colours, steps=1) for kind in _TRIED_KINDS]
+    return fitter, min(starts, key=lambda start: start.cost)
+
+
+def light_of(face: Seen, fit: WeaveFit, kind: str) -> Light:
+    """The light of a kind; of windows the one at the side from which a matt cloth looks likest."""
+    if kind == "flash":
+        return Light(kind)
+    choice = choice_of(face, fit)
+    cloth, tile = cloth_and_tile(face, choice)
+    colours = choice.warp.colours, choice.weft.colours
+    windows = [Light(kind, azimuth) for azimuth in _WINDOWS]
+    return min(windows, key=lambda each: YarnFitter(cloth, tile, each).begun(_MATT, colours, steps=1).cost)
+
+
+def choice_of(face: Seen, fit: WeaveFit) -> WeaveChoice:
+    """A weave with the orders of its colours, as sure as it is where there is no other."""
+    return WeaveChoice(fit, 1.0, *colour_orders(face.crossings, fit.table(face.crossings.shape)))
+
+
+def cloth_and_tile(
+    face: Seen, choice: WeaveChoice, samples: tuple[int, int] | None = None
+) -> tuple[Cloth, Tile]:
+    """The repeat of weave and colours from the lower left crossing on, and its mean in the photograph."""
+    fit, orders = choice.fit, (choice.warp, choice.weft)
+    shape = face.crossings.shape
+    ends, picks = (
+        _fitted_repeat(of_weave, order, available)
+        for of_weave, order, available in zip(fit.structure.shape[::-1], orders, shape[::-1], strict=True)
+    )
+    drawdown = placed(fit.structure, fit.shift, (picks[0], ends[0]))
+    roles = tuple(order.of_threads(count) for order, (count, _) in zip(orders, (ends, picks), strict=True))
+    grid, photo = face.grid, face.photo
+    per_cm = (10 * grid.warp.per_px * photo.px_per_mm, 10 * grid.weft.per_px * photo.px_per_mm)
+    tile = folded(
+        photo.linear,
+        photo.encoded,
+        grid,
+        (float(face.crossings.first[0]), float(face.crossings.first[1])),
+        (picks[0], ends[0]),
+        once=not (ends[1] and picks[1]),
+        samples=samples,
+    )
+    colours = len(choice.warp.colours), len(choice.weft.colours)
+    return Cloth(Draft(drawdown), (roles[0], roles[1]), colours, per_cm), tile
+
+
+def _fitted_repeat(of_weave: int, order: ColourOrder, available: int) -> tuple[int, bool]:
+    """Threads of the repeat that yarns are fitted to, and whether it is a whole one."""
+    whole = lcm(of_weave, len(order.order))
+    if order.repeats and whole <= max(_MAX_FITTED, of_weave):
+        return whole, True
+    return min(max(_MAX_FITTED // of_weave, 1) * of_weave, available), False
