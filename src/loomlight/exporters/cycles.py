@@ -29,7 +29,9 @@ _MIN_COSINE = 0.12
 # Most of a picture is seen, and lit, from nearer to the normal: there the mean is kept.
 _FACING = 0.5
 # Lights by which the texels' own factors are found.
-_LIGHTS, _PRIOR = 16, 0.05
+_MIN_LIGHTS, _MAX_LIGHTS, _PRIOR = 4, 16, 0.05
+# Queries in all, unless lights were too few, and texels whose factors are found at once: 300 MB.
+_MAX_QUERIES, _MAX_BAND = 1 << 23, 1 << 18
 # f·cos of a white sheet under a light from straight above, 1/sr.
 _WHITE = 1 / np.pi
 # Diffuse roughnesses that are tried, and bounds of the factors of layers.
@@ -112,30 +114,42 @@ def with_light_of_texels(
     each texel's base colour, by channel, is fitted over lights as from a white sky, seen from above, as other
     lines of sight end at other texels. Gloss is shaded alike.
     """
-    rows, columns = material.cover.shape
-    row, column = (part.ravel() for part in np.indices((rows, columns)))
-    known = material.cover[row, column] > MIN_COVER
-    row, column = row[known], column[known]
+    row, column = np.nonzero(material.cover > MIN_COVER)
+    lights = sky_lights(int(np.clip(_MAX_QUERIES // max(len(row), 1), _MIN_LIGHTS, _MAX_LIGHTS)))
+    base, specular = material.base.copy(), material.specular.copy()
+    for first in range(0, len(row), _MAX_BAND):
+        of_band = row[first : first + _MAX_BAND], column[first : first + _MAX_BAND]
+        factor = _light_of_band(material, grid, model, blend, *of_band, lights)
+        base[of_band] *= factor
+        specular[of_band] *= np.minimum(factor.mean(-1, keepdims=True), 1)
+    return replace(material, base=np.minimum(base, 1), specular=specular)
+
+
+def _light_of_band(
+    material: FittedMaterial,
+    grid: TexelGrid,
+    model: Model,
+    blend: float,
+    row: NDArray[np.int64],
+    column: NDArray[np.int64],
+    lights: Numbers,
+) -> Numbers:
+    """The factors of texels [n, 3]."""
     middles = grid.places(np.asarray(row + 0.5, float), np.asarray(column + 0.5, float)).T
-    place = _at(material, row, column)
+    place, cover = _at(material, row, column), material.cover[row, column, None]
     view = np.broadcast_to([0.0, 0.0, 1.0], (len(row), 3))
     product, square = np.zeros((len(row), 3)), np.zeros((len(row), 3))
-    cover = material.cover[row, column, None]
-    for light in sky_lights(_LIGHTS):
-        lights = np.broadcast_to(light, view.shape)
-        truth = _values(model, material, middles, view, lights)
-        diffuse = cover * diffuse_of(place, lights, view, blend, 0.0)
-        glossy = cover * evaluate_gltf(replace(place, base=0 * place.base), lights, view)
+    for each in lights:
+        light = np.broadcast_to(each, view.shape)
+        truth = _values(model, material, middles, view, light)
+        diffuse = cover * diffuse_of(place, light, view, blend, 0.0)
+        glossy = cover * evaluate_gltf(replace(place, base=0 * place.base), light, view)
         weight = _weight(diffuse + glossy, truth)
         product += weight * (truth - glossy) * diffuse
         square += weight * diffuse**2
     # Texels that hardly reflect keep what they have.
     prior = _PRIOR * square.mean(0)
-    factor = np.clip((product + prior) / (square + prior), _MIN_FACTOR / 2, _MAX_FACTOR)
-    base, specular = material.base.copy(), material.specular.copy()
-    base[row, column] *= factor
-    specular[row, column] *= np.minimum(factor.mean(-1, keepdims=True), 1)
-    return replace(material, base=np.minimum(base, 1), specular=specular)
+    return np.clip((product + prior) / (square + prior), _MIN_FACTOR / 2, _MAX_FACTOR)
 
 
 def sky_lights(count: int) -> Numbers:
