@@ -15,7 +15,7 @@ from PIL import Image
 from loomlight.fabric import load_fabric
 from tests.limits import HANG
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit, visiting, wait_until
+from tests.viewer.e2e.conftest import AXE, Visit, visiting, wait_until
 from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor, pixels_of, pixels_other_than
 
 # Red, white and navy; more of the first, fewest of the last.
@@ -206,3 +206,17 @@ def test_a_reload_and_a_link_keep_the_artwork(served: Served, visit: Visit, artw
         by_id(other.page, "artwork-c00000-1").fill("satin 5")
         by_id(other.page, "artwork-c00000-1").press("Enter")
         assert fabric_of(other.page)["fields"]["weaves"]["#c00000"] == "satin 5"
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm install in web/")
+def test_the_list_of_colours_is_accessible_and_fits(served: Served, visit: Visit, artwork: Path) -> None:
+    visit.page.set_viewport_size({"width": 390, "height": 844})
+    open_editor(served, visit)
+    by_id(visit.page, "files").set_input_files(artwork)
+    wait_until(visit.page, "window.loomlight.fabric().fields.weaves !== undefined")
+    by_id(visit.page, "artwork-wefts-more").click()
+    assert visit.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    visit.page.evaluate(AXE.read_text(encoding="utf-8"))
+    found = visit.page.evaluate("axe.run()")["violations"]
+    assert [(fault["id"], [node["html"][:120] for node in fault["nodes"]]) for fault in found] == []

@@ -8,6 +8,7 @@ import {
   loadDraft,
   validateFields,
   weaveArtwork,
+  type Artwork,
   type ArtworkJson,
   type Draft,
   type DraftJson,
@@ -59,8 +60,17 @@ export function fabricText(fabric: Fabric): string {
 export function fabricToJson(fabric: Fabric): StoredFabric {
   const fields = { ...fabric.fields } as Record<string, unknown>;
   if (isNamed(fabric)) return { fields };
-  const artwork = fabric.artwork === undefined ? {} : { artwork: artworkToJson(fabric.artwork) };
+  const artwork = fabric.artwork === undefined ? {} : { artwork: jsonOf(fabric.artwork) };
   return isArtwork(fabric) ? { fields, ...artwork } : { fields, draft: draftToJson(fabric.draft), ...artwork };
+}
+
+const jsonOfArtwork = new WeakMap<Artwork, ArtworkJson>();
+
+/** The artwork's JSON, which is made once: edits leave the picture as it is. */
+function jsonOf(artwork: Artwork): ArtworkJson {
+  const json = jsonOfArtwork.get(artwork) ?? artworkToJson(artwork);
+  jsonOfArtwork.set(artwork, json);
+  return json;
 }
 
 /** The fabric as the server takes it, with its whole draft. */
