@@ -147,13 +147,22 @@ def _figures(settings: ServerLoad, server: int) -> Figures:
 
 def _resident_mib(server: int) -> dict[str, float]:
     """Of the server, and of the processes that it started."""
-    tasks = Path(f"/proc/{server}/task").iterdir()
-    children = sorted({pid for task in tasks for pid in (task / "children").read_text().split()})
+    tasks = list(Path(f"/proc/{server}/task").iterdir())
+    children = sorted({pid for task in tasks for pid in _read(task / "children").split()})
     return {"server": _rss(server), "readers": sum(_rss(int(pid)) for pid in children)}
 
 
 def _rss(process: int) -> float:
-    return int(Path(f"/proc/{process}/statm").read_text().split()[1]) * 4096 / _MIB
+    pages = _read(Path(f"/proc/{process}/statm")).split()
+    return int(pages[1]) * 4096 / _MIB if pages else 0.0
+
+
+def _read(file: Path) -> str:
+    """What the system says of a process or a thread; nothing if it has ended since it was listed."""
+    try:
+        return file.read_text()
+    except (FileNotFoundError, ProcessLookupError):
+        return ""
 
 
 def tables(figures: Figures) -> list[Table]:

@@ -1,4 +1,4 @@
-"""Threads that lie together are taken for one, and one for several that do, in the same place of the cloth."""
+"""Threads that lie together are taken for one, and one for several, in the same place of the cloth."""
 
 from __future__ import annotations
 

@@ -26,6 +26,17 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+def test_a_fabric_file_gives_its_draft_the_setts() -> None:
+    Path("cloth.toml").write_text('weave = "twill 2/1"\nepi = 50.8\npicks_per_cm = 16\n')
+    Path("bare.toml").write_text('weave = "twill 2/1"\n')
+    for name in ("cloth", "bare"):
+        assert run(["weave", "convert", f"{name}.toml", "-o", f"{name}.wif"]) == 0
+    warp, weft = (getattr(load_draft("cloth.wif"), family).spacing_mm for family in ("warp", "weft"))
+    np.testing.assert_allclose(warp, [0.5] * 3)
+    np.testing.assert_allclose(weft, [0.625] * 3)
+    assert load_draft("bare.wif").warp.spacing_mm is None
+
+
 @pytest.mark.parametrize("suffix", SAVED_SUFFIXES)
 def test_every_kind_of_file_is_the_draft_again(suffix: str) -> None:
     assert run(["weave", "convert", "houndstooth", "-o", f"a{suffix}"]) == 0

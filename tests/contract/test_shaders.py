@@ -23,6 +23,7 @@ from loomlight.models.interface import Model
 from loomlight.models.registry import REALTIME_MODELS
 from loomlight.models.texture.neumip import CHANNELS
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
+from loomlight.scattering.fibre import mean_layer_shares
 from tests.helpers.arrays import pairs, vectors
 from tests.helpers.parity import share_beyond
 from tests.helpers.shader_cases import (
@@ -186,6 +187,36 @@ def test_parts_are_those_of_the_model(case: str) -> None:
     model = model_of(case)
     expected = SHADERS[CASES[case].model].python(model, bsdf_of(model, rows), rows)
     require_parts(case, answered(case, rows, value=False), expected)
+
+
+@pytest.mark.quick("point, slubby")
+@pytest.mark.parametrize("case", ["point, slubby", "lobes, denim", "lobes, slubby"])
+def test_guides_are_those_of_the_model(case: str) -> None:
+    """Albedo, roughness and normal as denoisers take them, of what the view shows."""
+    rows = case_rows(case, COUNT)
+    model, name = model_of(case), CASES[case].model
+    results = ["a.x; a.y; a.z; a.w", "n.x; n.y; n.z"]
+    guide = "cloth_auxiliary(0u, centre, dx, dy, view, {part}u)"
+    body = f"let a = {guide.format(part=1)}; let n = {guide.format(part=2)};"
+    found = mapped(f"cloth_{name} footprint", body, ";".join(results), rows, packed(model))
+    at: Any = bsdf_of(model, rows)
+    warp, weft = (np.array(part) for part in at.shown)
+    is_seen = (np.array(at.hole) < 1) | (name == "lobes")
+    share = np.where(warp + weft > 0, np.maximum(warp, 0) / np.maximum(warp + weft, 1e-30), 0.5)
+    back = []
+    for family, albedos in zip(("warp", "weft"), (at.albedos.warp, at.albedos.weft), strict=True):
+        look = getattr(model.source.appearance(), family)
+        turned = mean_layer_shares(look.roughness, model.source.appearance().optical_depth)[0]
+        back.append(np.array(albedos.diffuse_reflect) + turned * np.array(albedos.specular_reflect))
+    albedo = share * back[0] + (1 - share) * back[1]
+    side = np.sign(rows["view"][:, 2])
+    normal = np.stack([0 * side, 0 * side, side])
+    if name == "point":
+        normal = np.array(at.point.normal) * np.stack([1 + 0 * side, 1 + 0 * side, side])
+    # Of `lobes`, a light at the eye grazes the yarn's edge wherever the eye does: rounding decides there.
+    flips = 1.5e-2 if name == "lobes" else CASES[case].flips
+    for column, values in enumerate([*albedo, np.array(at.roughness), *normal]):
+        assert share_beyond(found[:, column], np.where(is_seen, values, 0)) <= flips, column
 
 
 @pytest.mark.slow

@@ -8,19 +8,39 @@ from __future__ import annotations
 import json
 import tomllib
 import zipfile
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
+import drjit as dr
 import numpy as np
 import pytest
+from drjit.llvm import Array2f, Array3f, Float
 
 from loomlight.core.colour import srgb_to_linear
+from loomlight.core.footprint import Footprint
 from loomlight.core.images import read_picture
 from loomlight.core.llvm import require_llvm
 from loomlight.exporters import export
-from loomlight.exporters.blender import DENSITIES, FAMILIES, density_maps, heights_of
-from loomlight.exporters.cycles import CyclesLayers, rough_over_lambert
+from loomlight.exporters.blender import (
+    DENSITIES,
+    FAMILIES,
+    MAX_TEXELS,
+    density_maps,
+    heights_of,
+    repeats_of,
+)
+from loomlight.exporters.cycles import (
+    CyclesLayers,
+    diffuse_of,
+    rough_over_lambert,
+    sky_lights,
+    with_light_of_texels,
+)
 from loomlight.exporters.fit import FittedMaterial
-from loomlight.exporters.texels import Texels
+from loomlight.exporters.texels import TexelGrid, Texels
+from loomlight.fabric import fabric_from_text
+from loomlight.models.registry import make_model
 
 require_llvm()
 WARP, WEFT = np.array([0.4, 0.2, 0.1]), np.array([0.05, 0.1, 0.3])
@@ -120,6 +140,66 @@ def test_rough_reflection_takes_no_light(roughness: float) -> None:
     views = np.array([[0.6, 0, 0.8]] * 2)
     towards, away = rough_over_lambert(normal[:2], lights, views, np.full((2, 3), 0.2), roughness)[:, 0]
     assert (towards > away) == (roughness > 0)
+
+
+def test_two_diffuse_layers_share_the_light() -> None:
+    """About the normals of yarns and about the mesh's own, as `lobes` has it."""
+    material, _ = _texels(np.full(1, 0.5))
+    tilted = np.array([[0.6, 0, 0.8]])
+    place = replace(material, normal=tilted, base=np.ones((1, 3)), weight=0.0)
+    above = np.array([[0.0, 0, 1]])
+    # The tilt is 0.8; seen from above Cycles hides x + x² − x³ of it, of x = 1 / 0.8², clipped to 1: nothing.
+    for blend in (0.0, 0.5, 1.0):
+        found = diffuse_of(place, above, above, blend, 0.0).ravel()
+        assert found == pytest.approx([(0.8 * blend + 1 - blend) / np.pi] * 3)
+
+
+@pytest.mark.slow
+def test_texels_are_as_bright_as_the_model_has_them() -> None:
+    """Under a sky: of two like texels that the model shades unlike, each gets its own."""
+    fabric = fabric_from_text('weave = "plain"\n[warp]\nroughness = 0.9\n[weft]\nroughness = 0.9\n')
+    grid, model = TexelGrid(fabric, 8, 8), make_model("lobes", fabric)
+    texels = grid.filled()
+    shape = texels.cover.shape
+    one, up = np.ones(shape), np.broadcast_to([0.0, 0, 1], (*shape, 3))
+    plain, _ = _texels(one)
+    alike = replace(plain, base=np.full((*shape, 3), 0.4), normal=up, cover=texels.cover, size=grid.size)
+    lit = with_light_of_texels(alike, grid, model, 0.5)
+    # Light from all around, seen from above, by many points of each texel.
+    lights = sky_lights(64)
+    expected = np.zeros(shape)
+    for light in lights:
+        expected += shown_by(model, grid, light)
+    expected /= len(lights)
+    found = lit.base.mean(-1) / np.pi * np.mean(lights[:, 2])
+    seen = texels.cover > 0.5
+    before = np.abs(0.4 / np.pi * np.mean(lights[:, 2]) - expected)[seen].mean()
+    # What is left are highlights, which are no part of the base.
+    assert np.abs(found - expected)[seen].mean() < 0.3 * before
+
+
+def shown_by(model: Any, grid: TexelGrid, light: np.ndarray) -> np.ndarray:
+    """Grey value of each texel from above under a light [rows, columns], 1/sr."""
+    row, column = (part.ravel() for part in np.indices((grid.rows, grid.columns)))
+    places = grid.places(row + 0.5, column + 0.5).astype(np.float32)
+    width, height = grid.step
+    zero = dr.opaque(Float, 0.0, len(row))
+    footprint = Footprint(
+        Array2f(*(Float(part) for part in places)), Array2f(width, zero), Array2f(zero, height)
+    )
+    value = model.at(Array3f(zero, zero, zero + 1), footprint).value(
+        Array3f(*(Float(np.full(len(row), part, np.float32)) for part in light))
+    )
+    return np.asarray(value).mean(axis=0).reshape(grid.rows, grid.columns)
+
+
+def test_maps_of_uneven_yarns_hold_many_threads() -> None:
+    uneven = fabric_from_text('weave = "twill 3/1"\nyarn = "linen"\n')
+    assert repeats_of(uneven) == (16, 16)
+    wide = fabric_from_text('weave = "satin 40/7"\nyarn = "linen"\n')
+    across, up = repeats_of(wide)
+    assert (across, up) == (2, 2)
+    assert 8 * 40 * across <= MAX_TEXELS
 
 
 @pytest.mark.slow

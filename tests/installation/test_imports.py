@@ -35,7 +35,7 @@ NEED = {
         "training.parallel",
         "training.soap",
     ],
-    "anyio": ["viewer.app"],
+    "anyio": ["viewer.app", "viewer.photo_capture"],
     "anywidget": ["viewer.widget"],
 }
 

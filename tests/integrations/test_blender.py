@@ -203,7 +203,7 @@ def test_a_fault_is_one_sentence_and_changes_nothing(
 ) -> None:
     (tmp_path / "a.toml").write_text("weave = \n")
     (tmp_path / "b.toml").write_text('weave = "damask 40000"\n')
-    manifest = '{"format": 1, "fabric": "x", "colors": {"warp": [1, 1, 1], "weft": [1, 1, 1]}}'
+    manifest = '{"format": 2, "fabric": "x", "colors": {"warp": [1, 1, 1], "weft": [1, 1, 1]}}'
     programs = {
         "old": """echo 'Error: --to "blender" is unknown: use one of slang.' >&2; exit 2""",
         "nonsense": 'mkdir "$6"',

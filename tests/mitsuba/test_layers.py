@@ -1,4 +1,4 @@
-"""Layers of pictures: albedo, normal and depth of what the camera sees, through holes too.
+"""Layers of pictures: albedo, normal, depth and roughness of what the camera sees, through holes too.
 
 Covers: mitsuba/layers.py
 """
@@ -19,8 +19,9 @@ from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba.plugins import material_bsdf
 from loomlight.mitsuba.rendering import render_layers
+from tests.marks import slow
 
-LAYERS = ("albedo", "normal", "depth")
+LAYERS = ("albedo", "normal", "depth", "roughness")
 
 
 def wall(bsdf: Any, away: float, size: float) -> dict[str, Any]:
@@ -66,6 +67,53 @@ def test_the_middle_of_cloth_with_holes_shows_what_is_behind() -> None:
     np.testing.assert_allclose((without["albedo"] - found["albedo"]).mean(), 0.25 * 0.8, rtol=0.05)
 
 
+@pytest.mark.parametrize("model", ["lobes", "point", "samples", slow("clustered")])
+@pytest.mark.parametrize("threads", [0.2, 8.0])
+def test_cloth_of_one_roughness_has_it_at_every_distance(model: str, threads: float) -> None:
+    even = fabric_from_text(
+        'weave = "twill 3/1"\n[warp]\nroughness = 0.3\n[weft]\nroughness = 0.3\ngap = 0.3\n'
+    )
+    layer = roughness_of(even, model, threads)
+    # Rounding of single precision, over some 30 samples a pixel.
+    np.testing.assert_allclose(layer, 0.3, rtol=1e-5)
+
+
+@pytest.mark.parametrize("model", ["lobes", "point"])
+def test_near_by_each_yarn_has_its_own_roughness_and_far_away_their_mean(model: str) -> None:
+    unlike = fabric_from_text(
+        'weave = "twill 3/1"\n[warp]\nroughness = 0.2\n[weft]\nroughness = 0.6\n'
+        "[variation]\nirregularity = 0\n"
+    )
+    near = roughness_of(unlike, model, 0.02)
+    # Edges of yarns cross a pixel now and then; all others show one family alone.
+    alone = np.isclose(near, 0.2, atol=1e-4) | np.isclose(near, 0.6, atol=1e-4)
+    assert alone.mean() > 0.8
+    far = roughness_of(unlike, model, 8.0).mean()
+    # A 3/1 twill shows its warp three times as often; gaps and heights change that a little.
+    np.testing.assert_allclose(far, 0.75 * 0.2 + 0.25 * 0.6, atol=0.05)
+
+
+def test_other_surfaces_have_the_roughness_that_they_show() -> None:
+    def of(bsdf: dict[str, Any]) -> float:
+        return float(render_layers(scene(wall=wall(bsdf, 2.0, 2.0)), ["roughness"])["roughness"][4, 4, 0])
+
+    np.testing.assert_allclose(of(grey(0.4)), 1.0)
+    np.testing.assert_allclose(of({"type": "roughconductor", "alpha": 0.2}), 0.2, rtol=1e-6)
+    np.testing.assert_allclose(of({"type": "principled", "roughness": 0.3}), 0.09, rtol=1e-6)
+    unlike = {"type": "roughconductor", "alpha_u": 0.1, "alpha_v": 0.4}
+    np.testing.assert_allclose(of(unlike), 0.2, rtol=1e-6)
+    np.testing.assert_allclose(of({"type": "conductor"}), 0.0)
+
+
+def roughness_of(fabric: Any, model: str, threads: float) -> Any:
+    """The layer of cloth that fills the picture, whose pixels are so many threads wide."""
+    picture_mm = 9 * threads * float(fabric.layout().warp.spacing.mean())
+    # The picture is 2 · tan 10° wide a unit away, of a square of 2 units.
+    uv = float(picture_mm / np.tan(np.radians(10)))
+    cloth = wall(material_bsdf(fabric, model=model)((uv, uv)), 1.0, 1.0)
+    return render_layers(scene(cloth=cloth), ["roughness"])["roughness"]
+
+
 def test_a_picture_has_the_layers_that_were_asked_for() -> None:
     fabric = fabric_from_text('weave = "plain"\n[warp]\ncolor = "#c02020"\n[weft]\ncolor = "#2020c0"\n')
     shown: dict[str, Any] = {"spp": 1, "size": (24, 16), "denoise": "off", "zoom": 60.0}
@@ -105,15 +153,28 @@ def test_the_command_writes_one_file(tmp_path: Path, capsys: pytest.CaptureFixtu
         *(f"albedo.{c}" for c in "RGB"),
         *(f"normal.{c}" for c in "XYZ"),
         "depth.Z",
+        "roughness.Y",
     }
-    for wrong, words in (
-        (["-o", str(tmp_path / "cloth.png")], "layers of an .exr"),
-        (["-o", str(path), "--turntable", "4"], "goes with single pictures"),
-    ):
-        assert run([*arguments, *wrong]) == 2
-        assert words in capsys.readouterr().err
+    for wrong in ("cloth.png", "cloth.gif"):
+        turn = ["--turntable", "4"] if wrong.endswith("gif") else []
+        assert run([*arguments, "-o", str(tmp_path / wrong), *turn]) == 2
+        assert "layers of an .exr" in capsys.readouterr().err
+
+
+def test_pictures_of_a_turn_have_their_own_layers(tmp_path: Path) -> None:
+    arguments = ["render", "plain", "--scene", "drape", "--size", "16x12", "--spp", "1", "--aov", "normal"]
+    assert run([*arguments, "--turntable", "2", "-o", str(tmp_path / "cloth.exr")]) == 0
+    normals = [
+        OpenEXR.File(str(tmp_path / f"cloth-{number}.exr"), separate_channels=True)
+        .channels()["normal.X"]
+        .pixels
+        for number in ("000", "001")
+    ]
+    # The drape's folds face to the left and to the right, and other ones half a turn later.
+    assert all(found.min() < -0.2 and found.max() > 0.2 for found in normals)
+    assert np.abs(normals[1] - normals[0]).max() > 0.2
 
 
 def test_an_unknown_layer_is_one_sentence() -> None:
-    with pytest.raises(InputError, match="give names of albedo, normal, depth"):
-        loomlight.RenderSettings(aov="albedo,roughness")
+    with pytest.raises(InputError, match="give names of albedo, normal, depth, roughness"):
+        loomlight.RenderSettings(aov="albedo,gloss")

@@ -98,6 +98,14 @@ def test_all_but_vertices_stands_still(tmp_path: Path) -> None:
     np.testing.assert_allclose(alone, cloth.picture(frames[1]), rtol=1e-4, atol=1e-5)
 
 
+def test_layers_are_those_of_each_frame(tmp_path: Path) -> None:
+    frames = frames_in(tmp_path, [0 * RIGHT, 0.5 * SIDE * RIGHT])
+    cloth = MovingCloth("plain", frames, SMALL.changed(aov="depth", denoise="off"))
+    first, second = (cloth.picture(frame).layers["depth"][..., 0] for frame in frames)
+    # Paper is seen where the square was: half of a side of it is a tenth of the way to the camera, or more.
+    assert np.abs(first - second).max() > 0.1 * first.mean()
+
+
 def test_kernels_are_compiled_for_the_first_frame_alone(tmp_path: Path) -> None:
     dr.flush_kernel_cache()
     frames = frames_in(tmp_path, [0 * RIGHT, SIDE * RIGHT])

@@ -1,6 +1,6 @@
 """The integrator against Mitsuba's own, and the footprints that it hands to BSDFs.
 
-Covers: mitsuba/pixels.py, mitsuba/path.py, mitsuba/bsdf.py
+Covers: mitsuba/pixels.py, mitsuba/path.py, mitsuba/path_vertices.py, mitsuba/camera_walk.py, mitsuba/bsdf.py
 """
 
 from __future__ import annotations

@@ -20,9 +20,17 @@ OF_TRAININGS = tuple(
 # They run other programs, which are installed by hand.
 OF_PROGRAMS = ("accuracy/blender",)
 
+# They measure what another study does by other settings, and are that study when they are small.
+SAME_WHEN_SMALL = {
+    "accuracy/image_benchmark": "accuracy/comparison_denim",
+    "accuracy/realtime_frames_256": "accuracy/realtime_frames",
+    "papers/zeltner2024/speed_six_layers": "papers/zeltner2024/speed",
+    "papers/zhu2024/table1_large": "papers/zhu2024/table1_cylinder",
+}
+
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", list(catalogue()))
+@pytest.mark.parametrize("name", [name for name in catalogue() if name not in SAME_WHEN_SMALL])
 def test_every_study_runs_when_it_is_small(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -57,6 +65,13 @@ def test_studies_say_what_they_are(name: str) -> None:
     assert set(study.stands_on) <= set(PROBES)
     assert set(study.small) <= set(declared(type(study.settings)))
     study.settings.changed(**study.small)
+
+
+@pytest.mark.parametrize(("name", "other"), SAME_WHEN_SMALL.items())
+def test_studies_that_are_not_run_are_those_that_are(name: str, other: str) -> None:
+    left_out, run = find_study(name), find_study(other)
+    assert (left_out.run, left_out.tables) == (run.run, run.tables)
+    assert left_out.settings.changed(**left_out.small) == run.settings.changed(**run.small)
 
 
 def test_every_record_is_one_of_a_study() -> None:

@@ -22,6 +22,7 @@ from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.fabric.facts import cloth_facts
 from loomlight.fabric.yarns import with_yarns
+from loomlight.viewer.messages import artwork_json
 from loomlight.weave import Draft, load_draft, named_weave
 from loomlight.weave.named import weave_names
 from loomlight.weave.wif_writer import wif_text_of
@@ -232,3 +233,138 @@ def test_pictures_are_read_by_the_same_rule(colours: str, tmp_path: Path) -> Non
     draft = load_draft(path)
     bits = np.unpackbits(np.frombuffer(base64.b64decode(answer["drawdown"]), np.uint8), count=16)
     assert np.array_equal(bits.astype(bool).reshape(4, 4), draft.drawdown)
+
+
+# Text of a fabric file after `image`, and colours and size of a random picture.
+ARTWORKS = {
+    "damask": (
+        """ends_per_cm = 30
+[weaves]
+"#c00000" = "satin 8/3"
+"#FFF" = "sateen 8/3"
+"#336" = "twill 2/2 s"
+""",
+        ["#c00000", "#ffffff", "#333366"],
+        (48, 40),
+    ),
+    "a weave that is cut": (
+        """[weaves]
+"#c00000" = "satin 7/2"
+"#ffffff" = "plain"
+""",
+        ["#c00000", "#ffffff"],
+        (48, 40),
+    ),
+    "two wefts in an order": (
+        """picks_per_cm = 24
+[weaves]
+"#c00000" = ["plain", "satin 16"]
+"#ffffff" = ["satin 16", "sateen 8/3"]
+"#00c000" = ["twill 1/3", "BACK"]
+[artwork]
+order = "2x1, 2"
+[weft]
+color = ["#e8e0cc", "#c8902c"]
+""",
+        ["#c00000", "#ffffff", "#00c000"],
+        (64, 32),
+    ),
+    "extra wefts": (
+        """epi = 120
+[weaves]
+"#c00000" = ["plain", "back", "back"]
+"#ffffff" = ["plain", "sateen 8/3", "back"]
+"#00c000" = ["twill 2/2", "back", "satin 5"]
+[artwork]
+regulator = 2
+longest_float = 6
+""",
+        ["#c00000", "#ffffff", "#00c000"],
+        (40, 40),
+    ),
+    "the nearest colour": (
+        """[weaves]
+"#f00000" = "satin 5"
+"#0000f0" = "sateen 5"
+[artwork]
+nearest = true
+""",
+        ["#e01010", "#1020d0", "#802080"],
+        (50, 30),
+    ),
+    "a colour that no pixel has": (
+        """[weaves]
+"#c00000" = "plain"
+"#ffffff" = "basket 2/2"
+"#010203" = "weft rib 12"
+""",
+        ["#c00000", "#ffffff"],
+        (32, 32),
+    ),
+}
+REFUSED_ARTWORKS = [
+    """[weaves]\n"#c00000" = "satin 8/3"\n"#c0ffee" = "plain"\n""",
+    """[weaves]\n"#c00000" = "satin 8/2"\n"#ffffff" = "plain"\n""",
+    """[weaves]\n"#c00000" = ["back", "back"]\n"#ffffff" = ["plain", "plain"]\n""",
+    """[weaves]\n"#c00000" = "back"\n"#ffffff" = "plain"\n""",
+    """[weaves]\n"#c00000" = "plain"\n"#ffffff" = "plain"\n[artwork]\norder = "1 2"\n""",
+    """[weaves]\n"#c00000" = ["plain", "crepe"]\n"#ffffff" = ["plain", "crepe"]\n[artwork]\nregulator = 3""",
+    """[weaves]\n"#c00000" = "satin 16"\n"#ffffff" = "sateen 16"\n[artwork]\nlongest_float = 2\n""",
+]
+
+
+def _artwork_question(path: Path, toml: str, colours: list[str], size: tuple[int, int]) -> dict[str, Any]:
+    """Writes an artwork of blots and its fabric file, and asks the web package for its cloth."""
+    width, height = size
+    draws = np.random.default_rng(len(toml))
+    # Blots four pixels wide, and single pixels among them.
+    blots = draws.integers(len(colours), size=(height // 4 + 1, width // 4 + 1)).repeat(4, 0).repeat(4, 1)
+    single = draws.integers(len(colours), size=(height, width))
+    index = np.where(draws.random((height, width)) < 0.05, single, blots[:height, :width])
+    palette = np.array([ImageColor.getrgb(colour) for colour in colours], np.uint8)
+    Image.fromarray(palette[index]).save(path)
+    text = f'image = "{path.name}"\n{toml}'
+    path.with_suffix(".toml").write_text(text)
+    opaque = np.full((height, width, 1), 255, np.uint8)
+    rgba = base64.b64encode(np.concatenate([palette[index], opaque], axis=2).tobytes()).decode()
+    return {
+        "kind": "artwork",
+        "name": path.name,
+        "toml": text,
+        "rgba": rgba,
+        "width": width,
+        "height": height,
+    }
+
+
+def test_artworks_are_woven_the_same(tmp_path: Path) -> None:
+    questions = [
+        _artwork_question(tmp_path / f"art{number}.png", *case)
+        for number, case in enumerate(ARTWORKS.values())
+    ]
+    for question, answer in zip(questions, _ask(questions), strict=True):
+        file = tmp_path / question["name"]
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            fabric = load_fabric(file.with_suffix(".toml"))
+        _assert_same(answer, fabric)
+        said = [str(warning.message) for warning in caught if "is cut where" in str(warning.message)]
+        assert said == ([] if answer["cut"] is None else [answer["cut"].replace(file.name, str(file))])
+        assert answer["json"] == artwork_json(fabric)
+
+
+def test_artworks_that_cannot_be_woven_are_refused_in_the_same_words(tmp_path: Path) -> None:
+    # The commonest of two colours that the first one names no weave for is told of.
+    questions = [
+        _artwork_question(tmp_path / f"bad{number}.png", toml, colours, (32, 32))
+        for number, toml in enumerate(REFUSED_ARTWORKS)
+        for colours in [["#c00000", "#ffffff", "#00ff00"] if number == 0 else ["#c00000", "#ffffff"]]
+    ]
+    for question, answer in zip(questions, _ask(questions), strict=True):
+        file = tmp_path / question["name"]
+        with pytest.raises(InputError) as refusal:
+            load_fabric(file.with_suffix(".toml"))
+        expected = (
+            str(refusal.value).replace(f"{file.with_suffix('.toml')}: ", "").replace(str(file), file.name)
+        )
+        assert answer["error"] == expected

@@ -21,9 +21,9 @@ def test_geometries_of_one_layout_share_their_tables(monkeypatch: pytest.MonkeyP
         packed.append(on_top.shape)
         return pack_runs(on_top)
 
-    monkeypatch.setattr("loomlight.yarn.geometry.pack_runs", counted)
+    monkeypatch.setattr("loomlight.yarn.tables.pack_runs", counted)
     # Other layouts of the same threads may be in memory still.
-    monkeypatch.setattr("loomlight.yarn.geometry._cache", weakref.WeakKeyDictionary())
+    monkeypatch.setattr("loomlight.yarn.tables._cache", weakref.WeakKeyDictionary())
     layout = even_layout(TWILL)
     first, second = YarnGeometry(layout), YarnGeometry(layout)
     assert len(packed) == 2  # warp and weft
@@ -48,7 +48,7 @@ def test_words_are_found_by_whole_numbers_where_float32_does_not_tell_them_apart
     back = Bool(rng.random(5000) < 0.5)
     points = []
     for most_exact in (1 << 24, 1):
-        monkeypatch.setattr("loomlight.yarn.geometry._MAX_EXACT", most_exact)
+        monkeypatch.setattr("loomlight.yarn.tables._MAX_EXACT", most_exact)
         points.append(YarnGeometry(even_layout(drawdown)).surface(x, y, back))
     for name in ("height", "is_warp", "hole", "warp_thread", "weft_thread"):
         first, second = (np.asarray(getattr(point, name)) for point in points)
@@ -59,7 +59,7 @@ def test_tables_do_not_depend_on_how_many_threads_are_packed_at_once(monkeypatch
     drawdown = np.random.default_rng(6).random((37, 23)) < 0.5
     whole = YarnGeometry(even_layout(drawdown))
     monkeypatch.setattr("loomlight.yarn.threads._BLOCK", 100)
-    monkeypatch.setattr("loomlight.yarn.geometry._BLOCK", 30)
+    monkeypatch.setattr("loomlight.yarn.max_heights._BLOCK", 30)
     parts = YarnGeometry(even_layout(drawdown, gap=0.2 + 1e-12))
     for first, second in zip(whole.words, parts.words, strict=True):
         assert np.array_equal(first, second)

@@ -10,7 +10,8 @@ import pytest
 from drjit.llvm.ad import Bool, Float
 
 from loomlight.core.llvm import require_llvm
-from loomlight.yarn.geometry import PYRAMID_RADII, TILE_CELLS, YarnGeometry, pack_max_heights
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.max_heights import PYRAMID_RADII, TILE_CELLS, pack_max_heights
 from tests.helpers.layouts import random_layout
 
 require_llvm()

@@ -116,6 +116,7 @@ RECIPES: dict[str, Recipe] = {
     ),
     "which-model.jpg": Recipe(("tools.generate.model_sheet {out}/picture.png",)),
     "neural.jpg": Recipe(("studies papers/chen2024/fig5 -o {out}",), picture="papers/chen2024/fig5.png"),
+    "editor-artwork.jpg": Recipe(("tools.generate.editor_picture {out}/picture.png --artwork",), ("page",)),
     "editor.png": Recipe(("tools.generate.editor_picture {out}/picture.png",), ("page",)),
     "realtime.png": Recipe(("tools.generate.frame_picture {out}/picture.png",), ("shaders",)),
     "realtime_play.png": Recipe(

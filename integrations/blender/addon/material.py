@@ -127,15 +127,9 @@ class _Cloth:
         turn = tree.math("MULTIPLY", tree.math("ARCTAN2", sine, cosine), 0.25 / 3.141592653589793)
         # 4. Layers.
         surface = tree.separate(self._map("surface"))
-        principled = tree.node("ShaderNodeBsdfPrincipled")
-        tree.feed(
-            principled, **{"Base Color": base, "Specular IOR Level": 0.0, "Roughness": 1.0, "Normal": normal}
-        )
-        # Blender before 4.4 has smooth diffuse layers alone.
-        if "Diffuse Roughness" in principled.inputs:
-            tree.feed(principled, **{"Diffuse Roughness": self._blended("diffuse_roughness")})
-        tree.feed(principled, **{"Sheen Weight": tree.input(SHEEN)})
-        tree.feed(principled, **{"Sheen Roughness": float(self._manifest["sheen"]["roughness"])})
+        about_mesh, about_yarns = self._diffuse(base), self._diffuse(base)
+        tree.link(normal, about_yarns.inputs["Normal"])
+        diffuse = tree.mix_shader(float(self._manifest["diffuse_blend"]), about_mesh, about_yarns)
         glossy = tree.node("ShaderNodeBsdfAnisotropic", distribution="GGX")
         tree.feed(
             glossy, Color=self._map("glossy"), Roughness=surface[0], Anisotropy=fibres[2], Rotation=turn
@@ -143,15 +137,23 @@ class _Cloth:
         tree.feed(glossy, Normal=normal, Tangent=tangent)
         translucent = tree.node("ShaderNodeBsdfTranslucent")
         tree.feed(translucent, Color=through, Normal=normal)
-        cloth = tree.add(tree.add(principled, glossy), translucent)
+        cloth = tree.add(tree.add(diffuse, glossy), translucent)
         # 5. Holes.
-        mixed = tree.node("ShaderNodeMixShader")
-        tree.link(surface[1], mixed.inputs[0])
-        tree.link(tree.node("ShaderNodeBsdfTransparent").outputs[0], mixed.inputs[1])
-        tree.link(cloth, mixed.inputs[2])
-        tree.output("BSDF", mixed.outputs[0])
+        tree.output("BSDF", tree.mix_shader(surface[1], tree.node("ShaderNodeBsdfTransparent"), cloth))
         tree.output("Displacement", self._displacement(heights))
         tree.arrange()
+
+    def _diffuse(self, base: Socket) -> bpy.types.Node:
+        """A diffuse layer under the sheen, about the mesh's normal unless another one is plugged in."""
+        tree = self._tree
+        principled = tree.node("ShaderNodeBsdfPrincipled")
+        tree.feed(principled, **{"Base Color": base, "Specular IOR Level": 0.0, "Roughness": 1.0})
+        # Blender before 4.4 has smooth diffuse layers alone.
+        if "Diffuse Roughness" in principled.inputs:
+            tree.feed(principled, **{"Diffuse Roughness": self._blended("diffuse_roughness")})
+        tree.feed(principled, **{"Sheen Weight": tree.input(SHEEN)})
+        tree.feed(principled, **{"Sheen Roughness": float(self._manifest["sheen"]["roughness"])})
+        return principled
 
     def _sockets(self) -> None:
         for family, name in COLOURS.items():

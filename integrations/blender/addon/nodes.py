@@ -140,6 +140,16 @@ class NodeTree:
             self.link(part if isinstance(part, Socket) else part.outputs[0], to)
         return made.outputs[0]
 
+    def mix_shader(
+        self, factor: Value, one: bpy.types.Node | Socket, other: bpy.types.Node | Socket
+    ) -> Socket:
+        """`one` where the factor is 0, `other` where it is 1, of shaders."""
+        made = self.node("ShaderNodeMixShader")
+        self.link(factor, made.inputs[0])
+        for part, to in zip((one, other), list(made.inputs)[1:], strict=True):
+            self.link(part if isinstance(part, Socket) else part.outputs[0], to)
+        return made.outputs[0]
+
     def smoothstep(self, logarithm: Socket, low: float, high: float) -> Socket:
         """0 below `low`, 1 above `high`, of a number whose natural logarithm is given."""
         made = self.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP")

@@ -37,7 +37,8 @@ from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance, FamilyAppe
 from loomlight.scattering.fibre import mean_layer_shares
 from loomlight.scattering.interreflection import Interreflection
 from loomlight.scattering.point import Albedos
-from loomlight.yarn.geometry import Cell, YarnGeometry, upload_family
+from loomlight.yarn.cells import Cell, upload_family
+from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, Layer
 from loomlight.yarn.stack import ClothGeometry
 from loomlight.yarn.threads import FamilyTables, place_family

@@ -313,6 +313,7 @@ def _gathered(point: YarnPoint, index: UInt) -> YarnPoint:
         x=gather(point.x),
         y=gather(point.y),
         height=gather(point.height),
+        plane=gather(point.plane),
         normal=gather(point.normal),
         tangent=gather(point.tangent),
         is_warp=gather(point.is_warp),

@@ -102,7 +102,8 @@ def aligned_picture(
     )
     per_mm = photo.shape[1] / width_mm
     per_cm = 10 * grid.warp.per_px * per_mm, 10 * grid.weft.per_px * per_mm
-    cloth = Cloth(Draft(drawdown), (roles[0], roles[1]), per_cm)
+    colours = len(yarns.colours[0]), len(yarns.colours[1])
+    cloth = Cloth(Draft(drawdown), (roles[0], roles[1]), colours, per_cm)
     first = crossings.first[0] - _BORDER, crossings.first[1] - _BORDER
     framing = ThreadFraming(grid, first, (10 / per_cm[0], 10 / per_cm[1]), width_mm)
     sharp = photograph(even_fabric(cloth, yarns), framing, light, samples)

@@ -214,7 +214,8 @@ def cloth_and_tile(
         once=not (ends[1] and picks[1]),
         samples=samples,
     )
-    return Cloth(Draft(drawdown), (roles[0], roles[1]), per_cm), tile
+    colours = len(choice.warp.colours), len(choice.weft.colours)
+    return Cloth(Draft(drawdown), (roles[0], roles[1]), colours, per_cm), tile
 
 
 def _fitted_repeat(of_weave: int, order: ColourOrder, available: int) -> tuple[int, bool]:

@@ -70,11 +70,13 @@ class Cloth:
     Attributes:
         draft: one repeat of weave and colours, without colours.
         roles: which of its colours each end, and each pick, of the repeat has.
+        colours: how many warp and weft have; what is fitted of a long order need not show all of them.
         per_cm: threads a centimetre of warp and weft.
     """
 
     draft: Draft
     roles: tuple[NDArray[np.intp], NDArray[np.intp]]
+    colours: tuple[int, int]
     per_cm: tuple[float, float]
 
 
@@ -208,11 +210,11 @@ class YarnFitter:
         up = self._cloth.draft.drawdown
         ends, picks = self._cloth.roles
         found = []
-        for role, on_top in (
-            (np.broadcast_to(ends[None, :], up.shape), up),
-            (np.broadcast_to(picks[:, None], up.shape), ~up),
+        for role, on_top, count in (
+            (np.broadcast_to(ends[None, :], up.shape), up, self._cloth.colours[0]),
+            (np.broadcast_to(picks[:, None], up.shape), ~up, self._cloth.colours[1]),
         ):
-            each = [on_top & (role == number) for number in range(int(role.max()) + 1)]
+            each = [on_top & (role == number) for number in range(count)]
             found.append([np.kron(mask, np.ones(self._tile.samples, bool)) for mask in each])
         return found
 

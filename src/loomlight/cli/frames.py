@@ -127,7 +127,7 @@ def write_frames(
     """
     import numpy as np
 
-    from loomlight.core.images import read_picture, write_animation, write_image
+    from loomlight.core.images import read_picture, write_animation, write_picture
     from loomlight.mesh.moving import frames_per_second as own_rate
     from loomlight.mitsuba.moving import MovingCloth
 
@@ -160,7 +160,7 @@ def write_frames(
     with progress(what, unit="frame") as report:
         for count, (frame, path, of) in enumerate(left):
             note_left(_left(output, len(chosen) - len(left) + count, len(chosen)))
-            write_image(path, cloth.picture(frame))
+            write_picture(path, cloth.picture(frame))
             record.add(path, of)
             if not animated:
                 done(path)

@@ -101,7 +101,7 @@ def render(
         )
     settings = RenderSettings(**given)
     if settings.aov is not None:
-        _require_layers_fit(settings.aov, outputs, one=numbered is None)
+        _require_layers_fit(settings.aov, outputs)
     cloths = [cloth.fabric if isinstance(cloth, Worn) else cloth for cloth in settings.cloths.values()]
     read = [*fabrics, settings.scene, settings.mesh, settings.environment, *cloths]
     read += [] if moving is None else {frame.path for frame in moving.frames}
@@ -118,14 +118,8 @@ def render(
             _write_picture(what, fabric, path, settings)
 
 
-def _require_layers_fit(aov: str, outputs: list[Path], one: bool) -> None:
-    """Raises InputError unless outputs are single pictures that hold layers.
-
-    Args:
-        one: each output is one picture.
-    """
-    if not one:
-        raise InputError(f"--aov {aov} goes with single pictures: leave it out, or --turntable and --frames.")
+def _require_layers_fit(aov: str, outputs: list[Path]) -> None:
+    """Raises InputError unless outputs are files that hold layers."""
     for path in outputs:
         if path.suffix.lower() != ".exr":
             raise InputError(f"--aov {aov} are layers of an .exr, and {path} is none: name the output .exr.")
@@ -141,16 +135,13 @@ def _check_save_mesh(settings: RenderSettings, read: list[str | os.PathLike[str]
 
 
 def _write_picture(what: str, fabric: str, path: Path, settings: RenderSettings) -> None:
-    from loomlight.core.images import write_image, write_layers
+    from loomlight.core.images import write_picture
     from loomlight.mitsuba import pictures
 
     written = _Written(path)
     with progress(what, milliseconds=True) as report, written.restored_on_faults():
         picture = pictures.render(fabric, settings=settings, progress=report, partial=written.refine)
-        if picture.layers:
-            write_layers(path, picture, picture.layers)
-        else:
-            write_image(path, picture)
+        write_picture(path, picture)
     done(path)
 
 
@@ -241,7 +232,7 @@ def write_turn(what: str, fabric: str, path: Path, count: int, settings: RenderS
     """Writes `count` pictures of one turn to `turn_paths`."""
     animated = is_animation(path)
     paths = turn_paths(path, count)
-    from loomlight.core.images import encoded, write_animation, write_image
+    from loomlight.core.images import encoded, write_animation, write_picture
     from loomlight.mitsuba.pictures import turntable
 
     frames = []
@@ -250,7 +241,7 @@ def write_turn(what: str, fabric: str, path: Path, count: int, settings: RenderS
             if animated:
                 frames.append(encoded(picture))
             else:
-                write_image(paths[number], picture)
+                write_picture(paths[number], picture)
                 done(paths[number])
             report(number + 1, count)
     if animated:

@@ -138,7 +138,7 @@ def convert(
     layout = BitmapLayout(lifted, first_pick, first_end)
     read_as = BitmapLayout(read_lifted or "black", read_first_pick or "bottom", read_first_end or "left")
     is_bitmap = len(drafts) > 1 or order is not None or any((read_lifted, read_first_pick, read_first_end))
-    draft = draft_of_bitmaps(drafts, order, read_as) if is_bitmap else draft_from(drafts[0])
+    draft = draft_of_bitmaps(drafts, order, read_as) if is_bitmap else _measured(drafts[0])
     if layer is not None:
         draft = _draft_of_layer(draft, layer, drafts[0])
     if not each_weft:
@@ -306,12 +306,16 @@ def print_(
 
 
 def _measured(argument: str) -> Draft:
-    """The draft of an argument; that of a fabric with the spacings that its file gives."""
+    """The draft of an argument; that of a fabric with the spacings of its setts, where its file gives any."""
     if Path(argument).suffix.lower() not in FABRIC_SUFFIXES:
         return draft_from(argument)
+    from loomlight.fabric.resolve import threads_per_cm
     from loomlight.sources.load import fabric_of_path
 
-    resolved = fabric_of_path(argument).resolved
+    fabric = fabric_of_path(argument)
+    if all(threads_per_cm(fabric.fields, family) is None for family in ("warp", "weft")):
+        return fabric.draft
+    resolved = fabric.resolved
     warp, weft = resolved.draft.warp, resolved.draft.weft
     return replace(
         resolved.draft,

@@ -36,7 +36,7 @@ _MAX_16_BITS = 65535
 # Of the streams of output, which all threads share.
 _SILENCE = threading.Lock()
 _EXR_CHANNELS = {1: "Y", 3: "RGB", 4: "RGBA"}
-_LAYER_CHANNELS = {"albedo": "RGB", "normal": "XYZ", "depth": "Z"}
+_LAYER_CHANNELS = {"albedo": "RGB", "normal": "XYZ", "depth": "Z", "roughness": "Y"}
 
 
 def write_image(path: str | os.PathLike[str], linear: ArrayLike) -> None:
@@ -492,8 +492,8 @@ class Picture(np.ndarray[Any, np.dtype[np.float32]]):
     """Linear RGB [height, width, 3], float32: a NumPy array that notebooks display.
 
     Attributes:
-        layers: what else the camera saw, by the names of the setting `aov`: [height, width, 3], of the depth
-            [height, width, 1].
+        layers: what else the camera saw, by the names of the setting `aov`: [height, width, 3], of depth
+            and roughness [height, width, 1].
     """
 
     layers: dict[str, NDArray[np.float32]]
@@ -506,6 +506,18 @@ class Picture(np.ndarray[Any, np.dtype[np.float32]]):
         """The picture in sRGB as PNG; None of what is sliced out of one and is no picture any more."""
         is_picture = self.ndim == 3 and self.shape[2] == 3 and self.size > 0
         return png_bytes(encoded(self)) if is_picture else None
+
+
+def write_picture(path: str | os.PathLike[str], picture: Picture) -> None:
+    """Writes a picture, with its layers if it has any; see `write_image` and `write_layers`.
+
+    Raises:
+        InputError: a suffix that is none of `WRITTEN_SUFFIXES`, or a path that cannot be written.
+    """
+    if picture.layers:
+        write_layers(path, picture, picture.layers)
+    else:
+        write_image(path, picture)
 
 
 def draw_by(kind: type[_Drawn], drawing: Callable[[_Drawn], NDArray[np.uint8]]) -> None:

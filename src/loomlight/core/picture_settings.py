@@ -24,7 +24,7 @@ MAX_SIDE = 16384
 MAX_WINDOW = 1e5
 DENOISING = ("auto", "off")
 # Layers of a picture.
-LAYERS = ("albedo", "normal", "depth")
+LAYERS = ("albedo", "normal", "depth", "roughness")
 
 
 @documented
@@ -182,8 +182,8 @@ class RenderSettings(Settings):
     )
     aov: str | None = setting(
         None,
-        "Layers of an .exr beside the picture, for denoisers and compositing: some of albedo, normal and "
-        "depth, with commas between.",
+        "Layers of an .exr beside the picture, for denoisers and compositing: some of albedo, normal, "
+        "depth and roughness, with commas between.",
         otherwise="none",
         fits=lambda names: set(layer_names(names)) <= set(LAYERS),
         expected=f"names of {', '.join(LAYERS)}, with commas between",

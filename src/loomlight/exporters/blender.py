@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from loomlight.core.colour import linear_to_srgb
-from loomlight.exporters.cycles import CyclesLayers, cycles_layers
+from loomlight.exporters.cycles import CyclesLayers, cycles_layers, with_light_of_texels
 from loomlight.exporters.fit import FittedMaterial, fit_texels
 from loomlight.exporters.gltf import eight_bits
 from loomlight.exporters.texels import MIN_COVER, TexelGrid, Texels, texture_grid, tile_repeats
@@ -31,11 +31,13 @@ from loomlight.models.registry import make_model
 Numbers = NDArray[np.float64]
 FAMILIES = ("warp", "weft")
 # The form of the folder; the add-on says which it reads.
-FORMAT = 1
+FORMAT = 2
 # Texels of a density, in threads: near, eight a thread, is the default of `texture_grid`.
 DENSITIES: dict[str, float | None] = {"near": None, "mid": 1.0, "far": 8.0}
 # A side, of any density: Blender holds some twenty such pictures.
 MAX_TEXELS = 2048
+# Texels a thread of the nearest density, and threads across maps of uneven yarns: fewer show as a pattern.
+_TEXELS_A_THREAD, _THREADS = 8, 64
 # Share of what is seen that lies too deep to count for heights.
 _DEEP = 0.02
 # Reflectance of a family's colour below which weights would grow without bound.
@@ -59,7 +61,7 @@ def write_maps(folder: Path, fabric: Fabric, model: str, distance: float | None)
     materials = {name: _write_density(folder, name, bare, fitted, colours) for name in DENSITIES}
     heights, (low, high) = heights_of(materials["near"][0])
     Image.fromarray(heights).save(folder / "maps" / "height.png")
-    across, up = tile_repeats(bare)
+    across, up = repeats_of(bare)
     width, height = bare.layout().size
     sheen = fabric.appearance().sheen
     return {
@@ -68,9 +70,18 @@ def write_maps(folder: Path, fabric: Fabric, model: str, distance: float | None)
         "size_mm": [across * float(width), up * float(height)],
         "colors": {name: colour.tolist() for name, colour in colours.items()},
         "sheen": {"strength": sheen.strength, "roughness": sheen.roughness},
+        "diffuse_blend": bare.appearance().diffuse_blend,
         "height": {"file": "maps/height.png", "low_mm": low, "high_mm": high},
         "densities": [described for _, described in materials.values()],
     }
+
+
+def repeats_of(fabric: Fabric) -> tuple[int, int]:
+    """Repeats across and up that maps hold: of uneven yarns `_THREADS`, fewer if texels are too many."""
+    picks, ends = fabric.layout().warp_on_top.shape
+    across, up = tile_repeats(fabric, _THREADS)
+    most = MAX_TEXELS // _TEXELS_A_THREAD
+    return min(across, max(most // ends, 1)), min(up, max(most // picks, 1))
 
 
 def _without_sheen(fabric: Fabric) -> Fabric:
@@ -88,9 +99,12 @@ def _write_density(
 ) -> tuple[FittedMaterial, dict[str, object]]:
     """Writes the maps of one density; returns the material, and what the manifest says of them."""
     columns, rows = _grid(fabric, DENSITIES[name])
-    grid = TexelGrid(fabric, columns, rows)
+    grid = TexelGrid(fabric, columns, rows, repeats_of(fabric))
     material = fit_texels(fabric, model, grid, "gltf")
-    layers = cycles_layers(material, grid, model)
+    blend = fabric.appearance().diffuse_blend
+    if name == "near":
+        material = with_light_of_texels(material, grid, model, blend)
+    layers = cycles_layers(material, grid, model, blend)
     maps = density_maps(material, layers, grid.filled(), colours)
     entry: dict[str, object] = {
         "name": name,
@@ -108,13 +122,14 @@ def _write_density(
 def _grid(fabric: Fabric, threads: float | None) -> tuple[int, int]:
     """Columns and rows of texels that are so many threads wide, fewer where that are too many."""
     layout = fabric.layout()
-    width, height = np.multiply(layout.size, tile_repeats(fabric))
+    repeats = repeats_of(fabric)
+    width, height = np.multiply(layout.size, repeats)
     texel = max(width, height) / MAX_TEXELS
     if threads is not None:
         texel = max(texel, threads * math.sqrt(float(np.prod(layout.size)) / layout.warp_on_top.size))
-    columns, rows = texture_grid(fabric, None)
+    columns, rows = texture_grid(fabric, None, repeats)
     if threads is not None or max(columns, rows) > MAX_TEXELS:
-        columns, rows = texture_grid(fabric, texel)
+        columns, rows = texture_grid(fabric, texel, repeats)
     return columns, rows
 
 

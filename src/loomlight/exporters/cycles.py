@@ -1,8 +1,9 @@
 """How Cycles shades a fitted material, and the numbers by which it then comes nearest to a model.
 
-Blender's diffuse layer may be rough: it scatters back towards the light, as cloth does whose yarns shade each
-other. And Cycles darkens diffuse light from directions that the surface beneath a map of normals hides. With
-both in the formula, the fit's diffuse and glossy layers are weighed anew.
+Two diffuse layers share the light as the model has it, one about the normals of yarns, one about the mesh's
+own. Blender's may be rough: they scatter back towards the light, as cloth does whose yarns shade each other.
+And Cycles darkens diffuse light from directions that the surface beneath a map of normals hides. With all of
+it in the formula, the fit's diffuse and glossy layers are weighed anew.
 """
 
 from __future__ import annotations
@@ -27,6 +28,12 @@ _QUERIES = 6000
 _MIN_COSINE = 0.12
 # Most of a picture is seen, and lit, from nearer to the normal: there the mean is kept.
 _FACING = 0.5
+# Lights by which the texels' own factors are found.
+_MIN_LIGHTS, _MAX_LIGHTS, _PRIOR = 4, 16, 0.05
+# Queries in all, unless lights were too few, and texels whose factors are found at once: 300 MB.
+_MAX_QUERIES, _MAX_BAND = 1 << 23, 1 << 18
+# f·cos of a white sheet under a light from straight above, 1/sr.
+_WHITE = 1 / np.pi
 # Diffuse roughnesses that are tried, and bounds of the factors of layers.
 _ROUGHNESSES = np.linspace(0.0, 1.0, 6)
 _MIN_FACTOR, _MAX_FACTOR = 0.25, 4.0
@@ -49,8 +56,12 @@ class CyclesLayers:
     error: float
 
 
-def cycles_layers(material: FittedMaterial, grid: TexelGrid, model: Model) -> CyclesLayers:
-    """The layers by which Cycles shows the material nearest to a model, over views that pictures have."""
+def cycles_layers(material: FittedMaterial, grid: TexelGrid, model: Model, blend: float) -> CyclesLayers:
+    """The layers by which Cycles shows the material nearest to a model, over views that pictures have.
+
+    Args:
+        blend: w, the share of diffuse light that follows the yarns' normals, 0 to 1.
+    """
     rng = np.random.default_rng(11)
     rows, columns = material.cover.shape
     row, column = rng.integers(0, rows, _QUERIES), rng.integers(0, columns, _QUERIES)
@@ -64,18 +75,90 @@ def cycles_layers(material: FittedMaterial, grid: TexelGrid, model: Model) -> Cy
     view, light, truth = view[seen], light[seen], truth[seen]
     cover = material.cover[row, column, None]
     place = _at(material, row, column)
-    lambert = cover * evaluate_gltf(replace(place, weight=0.0), light, view)
-    taken = 1 - place.weight * place.specular.max(-1, keepdims=True)
     glossy = cover * evaluate_gltf(replace(place, base=0 * place.base), light, view)
-    lambert *= taken * _unhidden(place.normal, light)[:, None]
-    # A display shows differences of square roots, roughly.
-    weight = 1 / (truth.mean(-1, keepdims=True) + 0.05 * float(truth.mean()))
+    expected = cover * diffuse_of(place, light, view, blend, 0.0) + glossy
+    weight = _weight(expected, truth)
     facing = (light[:, 2] > _FACING) & (view[:, 2] > _FACING)
     found = []
     for roughness in _ROUGHNESSES:
-        diffuse = lambert * rough_over_lambert(place.normal, light, view, place.base, float(roughness))
+        diffuse = cover * diffuse_of(place, light, view, blend, float(roughness))
         found.append(_weighed(diffuse, glossy, truth, weight, facing, float(roughness)))
     return min(found, key=lambda layers: layers.error)
+
+
+def diffuse_of(
+    place: StandardMaterial, light: Numbers, view: Numbers, blend: float, roughness: float
+) -> Numbers:
+    """What both diffuse layers reflect of lights above, f·cos [n, 3], 1/sr.
+
+    Args:
+        blend: share of the layer about the yarns' normals, 0 to 1.
+        roughness: of both layers, 0 to 1.
+    """
+    below = 1 - place.weight * place.specular.max(-1)
+    albedo = place.base * ((1 - place.transmission) * below)[:, None]
+    face = np.broadcast_to([0.0, 0.0, 1.0], place.normal.shape)
+    total: Numbers | float = 0.0
+    for normal, share in ((place.normal, blend), (face, 1 - blend)):
+        lit = np.maximum((normal * light).sum(-1), 0) * _unhidden(normal, light) * share / np.pi
+        total = total + lit[:, None] * rough_over_lambert(normal, light, view, albedo, roughness)
+    return albedo * total
+
+
+def with_light_of_texels(
+    material: FittedMaterial, grid: TexelGrid, model: Model, blend: float
+) -> FittedMaterial:
+    """The material, each of whose texels reflects as much more or less as the model has it there.
+
+    Yarns shade each other, and a texel deep between them sees less of any light than one on top. A factor of
+    each texel's base colour, by channel, is fitted over lights as from a white sky, seen from above, as other
+    lines of sight end at other texels. Gloss is shaded alike.
+    """
+    row, column = np.nonzero(material.cover > MIN_COVER)
+    lights = sky_lights(int(np.clip(_MAX_QUERIES // max(len(row), 1), _MIN_LIGHTS, _MAX_LIGHTS)))
+    base, specular = material.base.copy(), material.specular.copy()
+    for first in range(0, len(row), _MAX_BAND):
+        of_band = row[first : first + _MAX_BAND], column[first : first + _MAX_BAND]
+        factor = _light_of_band(material, grid, model, blend, *of_band, lights)
+        base[of_band] *= factor
+        specular[of_band] *= np.minimum(factor.mean(-1, keepdims=True), 1)
+    return replace(material, base=np.minimum(base, 1), specular=specular)
+
+
+def _light_of_band(
+    material: FittedMaterial,
+    grid: TexelGrid,
+    model: Model,
+    blend: float,
+    row: NDArray[np.int64],
+    column: NDArray[np.int64],
+    lights: Numbers,
+) -> Numbers:
+    """The factors of texels [n, 3]."""
+    middles = grid.places(np.asarray(row + 0.5, float), np.asarray(column + 0.5, float)).T
+    place, cover = _at(material, row, column), material.cover[row, column, None]
+    view = np.broadcast_to([0.0, 0.0, 1.0], (len(row), 3))
+    product, square = np.zeros((len(row), 3)), np.zeros((len(row), 3))
+    for each in lights:
+        light = np.broadcast_to(each, view.shape)
+        truth = _values(model, material, middles, view, light)
+        diffuse = cover * diffuse_of(place, light, view, blend, 0.0)
+        glossy = cover * evaluate_gltf(replace(place, base=0 * place.base), light, view)
+        weight = _weight(diffuse + glossy, truth)
+        product += weight * (truth - glossy) * diffuse
+        square += weight * diffuse**2
+    # Texels that hardly reflect keep what they have.
+    prior = _PRIOR * square.mean(0)
+    return np.clip((product + prior) / (square + prior), _MIN_FACTOR / 2, _MAX_FACTOR)
+
+
+def sky_lights(count: int) -> Numbers:
+    """Unit vectors [count, 3] spread evenly over a hemisphere, in proportion to their cosine."""
+    number = np.arange(count)
+    square = (number + 0.5) / count
+    azimuth = number * np.pi * (3 - np.sqrt(5))
+    radius = np.sqrt(square)
+    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), np.sqrt(1 - square)], axis=-1)
 
 
 def _weighed(
@@ -100,16 +183,25 @@ def _weighed(
     return CyclesLayers(float(factors[0]), float(factors[1]), roughness, float(error))
 
 
-def _shown_alike(found: Numbers, truth: Numbers) -> float:
-    """The factor of values that makes the mean of their square roots, as displays show, that of the truth.
+def _weight(expected: Numbers, truth: Numbers) -> Numbers:
+    """Weights [n, 1] of squared differences: a display shows those of square roots, roughly.
 
-    The mean itself would make cloth too bright wherever highlights are not: those of single yarns are missed.
+    They are of what the material makes of a query. Of the truth, they would weigh shadows most, which the
+    material has not.
+    """
+    return np.asarray(1 / (expected.mean(-1, keepdims=True) + 0.05 * float(truth.mean())))
+
+
+def _shown_alike(found: Numbers, truth: Numbers) -> float:
+    """The factor of values that makes their mean that of the truth, where displays clip both at white.
+
+    Highlights beyond would make cloth too bright wherever they are not.
     """
     low, high = _MIN_FACTOR, _MAX_FACTOR
-    wanted = np.sqrt(truth).mean()
+    wanted = np.minimum(truth, _WHITE).mean()
     for _ in range(24):
         middle = 0.5 * (low + high)
-        low, high = (middle, high) if np.sqrt(middle * found).mean() < wanted else (low, middle)
+        low, high = (middle, high) if np.minimum(middle * found, _WHITE).mean() < wanted else (low, middle)
     return 0.5 * (low + high)
 
 

@@ -12,6 +12,7 @@ import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -68,6 +69,11 @@ class Density:
         """Width and height of a texel."""
         (width, height), (columns, rows) = self.cloth.material.size, self.texels
         return width / columns, height / rows
+
+    @cached_property
+    def standard(self) -> dict[str, Picture]:
+        """Textures of the fit as glTF and three.js read them, by what they hold."""
+        return material_textures(self.cloth.reflecting())
 
     def orm(self) -> Picture:
         """Occlusion, roughness and metal, as glTF and Unreal pack them."""
@@ -166,12 +172,22 @@ def power_of_two(side: int) -> int:
     return min(max(nearest, _MIN_SIDE), _MAX_SIDE)
 
 
-def _write_textures(folder: Path, textures: Mapping[str, Picture]) -> list[str]:
-    """Writes NAME.png into a new folder, and returns the paths relative to the folder above."""
-    folder.mkdir(parents=True)
-    for name, pixels in textures.items():
-        (folder / f"{name}.png").write_bytes(png_bytes(pixels))
-    return [f"{folder.name}/{name}.png" for name in textures]
+def _write_textures(
+    folder: Path, pack: Pack, textures_of: Callable[[Density], Mapping[str, Picture]]
+) -> list[str]:
+    """Writes LABEL/NAME.png of each density into new folders, and returns these paths.
+
+    Args:
+        textures_of: the textures of a density by their names.
+    """
+    names = []
+    for each in pack.densities:
+        (folder / each.label).mkdir(parents=True)
+        for name, pixels in textures_of(each).items():
+            path = f"{each.label}/{name}.png"
+            (folder / path).write_bytes(png_bytes(pixels))
+            names.append(path)
+    return names
 
 
 def _fill(template: str, words: Mapping[str, object]) -> str:
@@ -212,17 +228,16 @@ def write_unreal(folder: Path, fabric: Fabric, model: str, distance: float | Non
         InputError: what a fit raises.
     """
     pack = _pack(fabric, model, distance)
-    names = []
-    for each in pack.densities:
-        stem = f"T_{pack.title}_{each.label.capitalize()}"
-        names += _write_textures(
-            folder / each.label,
-            {
-                f"{stem}_BC": each.simple.base_color(each.opaque),
-                f"{stem}_N": each.simple.normal_map(y_down=True),
-                f"{stem}_ORM": each.orm(),
-            },
-        )
+
+    def textures(density: Density) -> dict[str, Picture]:
+        stem = f"T_{pack.title}_{density.label.capitalize()}"
+        return {
+            f"{stem}_BC": density.simple.base_color(density.opaque),
+            f"{stem}_N": density.simple.normal_map(y_down=True),
+            f"{stem}_ORM": density.orm(),
+        }
+
+    names = _write_textures(folder, pack, textures)
     words = pack.words | {"masked": not pack.densities[0].opaque}
     names.append(_write(folder, "import_into_unreal.py", "import_into_unreal.py.in", words))
     names.append(_write(folder, "README.md", "unreal.md", words))
@@ -239,33 +254,35 @@ def write_unity(folder: Path, fabric: Fabric, model: str, distance: float | None
         InputError: what a fit raises.
     """
     pack = _pack(fabric, model, distance)
-    names = []
-    for each in pack.densities:
-        stem = f"{pack.title}_{each.label.capitalize()}"
-        rough = each.simple.roughness
+
+    def textures(density: Density) -> dict[str, Picture]:
+        stem = f"{pack.title}_{density.label.capitalize()}"
+        rough = density.simple.roughness
         zero, one = np.zeros_like(rough), np.ones_like(rough)
-        textures = {
-            f"{stem}_BaseMap": each.simple.base_color(each.opaque),
-            f"{stem}_Normal": each.simple.normal_map(),
+        return {
+            f"{stem}_BaseMap": density.simple.base_color(density.opaque),
+            f"{stem}_Normal": density.simple.normal_map(),
             f"{stem}_MaskMap": eight_bits(np.stack([zero, one, zero, 1 - rough], axis=-1)),
         }
-        made = _write_textures(folder / each.label, textures)
-        names += made
-        for name in made:
-            kind = "normal" if name.endswith("_Normal.png") else "default"
-            settings = {
-                # Any number will do that no other asset has; the same pack keeps its own.
-                "guid": hashlib.md5(
-                    f"loomlight {pack.name} {name}".encode(), usedforsecurity=False
-                ).hexdigest(),
-                "srgb": int(name.endswith("_BaseMap.png")),
-                "type": {"default": 0, "normal": 1}[kind],
-                "transparent": int(name.endswith("_BaseMap.png") and not each.opaque),
-                "max_size": max(each.texels),
-            }
-            names.append(_write(folder, f"{name}.meta", "unity.meta.in", settings))
+
+    names = _write_textures(folder, pack, textures)
+    names += [_write(folder, f"{name}.meta", "unity.meta.in", _unity_import(pack, name)) for name in names]
     names.append(_write(folder, "README.md", "unity.md", pack.words))
     return _facts(pack, names)
+
+
+def _unity_import(pack: Pack, name: str) -> dict[str, object]:
+    """How Unity is to import a texture, whose path in the pack is `name`."""
+    density = next(each for each in pack.densities if name.startswith(f"{each.label}/"))
+    is_colour = name.endswith("_BaseMap.png")
+    return {
+        # Any number will do that no other asset has; the same pack keeps its own.
+        "guid": hashlib.md5(f"loomlight {pack.name} {name}".encode(), usedforsecurity=False).hexdigest(),
+        "srgb": int(is_colour),
+        "type": int(name.endswith("_Normal.png")),
+        "transparent": int(is_colour and not density.opaque),
+        "max_size": max(density.texels),
+    }
 
 
 # ----------------------------------------------------------------------------------------------------- Godot
@@ -278,20 +295,23 @@ def write_godot(folder: Path, fabric: Fabric, model: str, distance: float | None
         InputError: what a fit raises.
     """
     pack = _pack(fabric, model, distance)
-    names = []
-    for each in pack.densities:
-        textures = {
-            "albedo": each.simple.base_color(each.opaque),
-            "normal": each.simple.normal_map(),
-            "orm": each.orm(),
+
+    def textures(density: Density) -> dict[str, Picture]:
+        found = {
+            "albedo": density.simple.base_color(density.opaque),
+            "normal": density.simple.normal_map(),
+            "orm": density.orm(),
         }
-        passed = each.cloth.passed
+        passed = density.cloth.passed
         if passed.max() > 0:
-            textures["backlight"] = eight_bits(linear_to_srgb(passed))
-        named = {f"{pack.key}_{each.label}_{name}": pixels for name, pixels in textures.items()}
-        names += _write_textures(folder / each.label, named)
-        path = f"{pack.key}_{each.label}.tres"
-        (folder / path).write_text(_godot_material(pack, each, [*textures]), encoding="utf-8")
+            found["backlight"] = eight_bits(linear_to_srgb(passed))
+        return {f"{pack.key}_{density.label}_{name}": pixels for name, pixels in found.items()}
+
+    names = _write_textures(folder, pack, textures)
+    for each in pack.densities:
+        stem, path = f"{each.label}/{pack.key}_{each.label}_", f"{pack.key}_{each.label}.tres"
+        own = [name.removeprefix(stem).removesuffix(".png") for name in names if name.startswith(stem)]
+        (folder / path).write_text(_godot_material(pack, each, own), encoding="utf-8")
         names.append(path)
     names.append(_write(folder, "README.md", "godot.md", pack.words))
     return _facts(pack, names)
@@ -336,15 +356,16 @@ def write_threejs(folder: Path, fabric: Fabric, model: str, distance: float | No
         InputError: what a fit raises.
     """
     pack = _pack(fabric, model, distance)
-    names = []
-    for each in pack.densities:
-        made = material_textures(each.cloth.reflecting())
-        textures = {
-            "base_color": made["base_color"][..., :3] if each.opaque else made["base_color"],
+
+    def textures(density: Density) -> dict[str, Picture]:
+        made = density.standard
+        return {
+            "base_color": made["base_color"][..., :3] if density.opaque else made["base_color"],
             "normal": made["normal"],
             "roughness": made["metallic_roughness"],
         } | ({"anisotropy": made["anisotropy"]} if "anisotropy" in made else {})
-        names += _write_textures(folder / each.label, textures)
+
+    names = _write_textures(folder, pack, textures)
     numbers = ",\n".join(_three_numbers(each) for each in pack.densities)
     words = pack.words | {"cloths": numbers, "quoted": json.dumps(pack.name)}
     names.append(_write(folder, "material.js", "material.js.in", words))
@@ -355,7 +376,7 @@ def write_threejs(folder: Path, fabric: Fabric, model: str, distance: float | No
 def _three_numbers(density: Density) -> str:
     """What material.js knows of a density."""
     fit: FittedMaterial = density.cloth.material
-    has_anisotropy = "anisotropy" in material_textures(density.cloth.reflecting())
+    has_anisotropy = "anisotropy" in density.standard
     peak = peak_of(fit.specular) / DIELECTRIC
     return (
         f"  {density.label}: {{ opaque: {str(density.opaque).lower()}, "

@@ -123,7 +123,9 @@ def fit_texels(
     # Ask the model.
     queries = _queries(grid.columns, grid.rows, sides)
     owner, row, column = queries.taps()
-    texels = grid.at(row % grid.rows, column % grid.columns)
+    # Coarse grids have fewer texels than there are queries, and the more points each.
+    asked, of_tap = np.unique(row % grid.rows * grid.columns + column % grid.columns, return_inverse=True)
+    texels = grid.at(*np.divmod(asked, grid.columns)).where(of_tap)
     first = np.flatnonzero(np.diff(owner, prepend=-1))
     is_covered = np.add.reduceat(texels.cover, first) > MIN_COVER
     queries, texels = queries.where(is_covered), texels.where(is_covered[owner])

@@ -92,13 +92,15 @@ def frames(normal: Numbers) -> tuple[Numbers, Numbers]:
     return x, np.cross(normal, x)
 
 
-def texture_grid(fabric: Fabric, texel_mm: float | None) -> tuple[int, int]:
-    """Columns and rows of texels of `tile_repeats`; by default eight a thread.
+def texture_grid(
+    fabric: Fabric, texel_mm: float | None, repeats: tuple[int, int] | None = None
+) -> tuple[int, int]:
+    """Columns and rows of texels of `repeats`, by default `tile_repeats`; without a size, eight a thread.
 
     Raises:
         InputError: more than 4096 a side.
     """
-    (width, height), (across, up) = fabric.layout().size, tile_repeats(fabric)
+    (width, height), (across, up) = fabric.layout().size, repeats or tile_repeats(fabric)
     if texel_mm is None:
         picks, ends = fabric.layout().warp_on_top.shape
         columns, rows = 8 * across * ends, 8 * up * picks
@@ -114,8 +116,8 @@ def texture_grid(fabric: Fabric, texel_mm: float | None) -> tuple[int, int]:
     return columns, rows
 
 
-def tile_repeats(fabric: Fabric) -> tuple[int, int]:
-    """Repeats across and up that textures hold: one, or more where yarns are uneven.
+def tile_repeats(fabric: Fabric, threads: int = _UNEVEN_THREADS) -> tuple[int, int]:
+    """Repeats across and up that textures hold: one, or where yarns are uneven as many as have these threads.
 
     Few threads that differ would show as a pattern.
     """
@@ -124,7 +126,7 @@ def tile_repeats(fabric: Fabric) -> tuple[int, int]:
     is_uneven = any(family.detail.is_on for family in (appearance.warp, appearance.weft))
     if not (is_uneven or appearance.is_irregular or appearance.variation.colour_noise > 0):
         return 1, 1
-    return -(-_UNEVEN_THREADS // ends), -(-_UNEVEN_THREADS // picks)
+    return -(-threads // ends), -(-threads // picks)
 
 
 class TexelGrid:

@@ -176,7 +176,7 @@ class ClothSurface:
                 before, after = (dr.sum(of.diffuse_reflect + of.diffuse_transmit) for of in (toned, varied))
                 gain *= dr.select(before > 0, after / before, 1)
         # Find how open it lies.
-        blocked = self._between.blocked_at(point.is_warp, behind, point.normal.z, point.height)
+        blocked = self._between.blocked_at(point.is_warp, behind, point.normal.z, point.height - point.plane)
         openness = dr.select(point.hole, 1, 1 - blocked.by_warp - blocked.by_weft)
         level = dr.select(point.hole, 0, point.height)
         ends, picks = types.UInt32(point.warp_thread), types.UInt32(point.weft_thread)

@@ -9,7 +9,8 @@ from __future__ import annotations
 import os
 import tomllib
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, get_args
 
@@ -37,7 +38,7 @@ from loomlight.fabric.fields import (
 from loomlight.fabric.map_fields import require_maps
 from loomlight.fabric.resolve import threads_per_cm
 from loomlight.scattering.albedo import Albedos
-from loomlight.weave.artwork import BACK, Artwork, weave_artwork
+from loomlight.weave.artwork import BACK, Artwork, colour_index, weave_artwork
 from loomlight.weave.bitmaps import parse_order
 from loomlight.weave.draft import Draft
 from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
@@ -229,11 +230,48 @@ def _artwork_of(fields: FabricFile, folder: str) -> Artwork:
     )
 
 
+@dataclass(frozen=True)
+class ArtworkPicture:
+    """The picture of a fabric whose colours are weaves.
+
+    Attributes:
+        colours: "#rrggbb" in small letters.
+        index: which of them each pixel has, uint8 [rows, ends], the bottom row first.
+        drafts: the drawdowns of drafts' files among the weaves, bool [picks, ends], by their names.
+    """
+
+    colours: Sequence[str]
+    index: NDArray[np.uint8]
+    drafts: Mapping[str, NDArray[np.bool_]]
+
+
+def picture_of_artwork(fields: FabricFile, folder: str) -> ArtworkPicture:
+    """The picture that a fabric file with `weaves` names, read from `folder`.
+
+    Raises:
+        InputError: it is not there, or no more what the file says.
+    """
+    artwork = _artwork_of(fields, folder)
+    path = _file_of(str(fields.image), folder, "image")
+    colours = list(artwork.weaves)
+    drafts = {
+        name: structure
+        for colour, names in artwork.names.items()
+        for name, structure in zip(names, artwork.weaves[colour], strict=True)
+        if structure is not None and _is_draft(name)
+    }
+    return ArtworkPicture(colours, colour_index(path, colours, artwork.nearest), drafts)
+
+
+def _is_draft(name: str) -> bool:
+    return Path(name).suffix.lower() in DRAFT_SUFFIXES
+
+
 def _structure(name: str, folder: str, colour: str) -> NDArray[np.bool_] | None:
     """The drawdown of one of `weaves`; None of a weft on the back."""
     if name.strip().lower() == BACK_WEAVE:
         return BACK
-    if Path(name).suffix.lower() in DRAFT_SUFFIXES:
+    if _is_draft(name):
         return load_draft(_file_of(name, folder, f'weaves."{colour}"')).drawdown
     with speaking_of(f'weaves."{colour}"'):
         return named_weave(name).drawdown

@@ -84,6 +84,9 @@ class SurfaceBsdf(Protocol):
     ) -> tuple[Color3, Color3]:
         """f·cos [3] of active lanes, and the share [3] that passes straight through, of entering ones."""
 
+    def roughness(self, si: mi.SurfaceInteraction3f, active: Mask) -> Float:
+        """α of what is seen, 0 to 1."""
+
     def eval_pdf_sample_and_null_transmission(
         self,
         ctx: mi.BSDFContext,
@@ -121,6 +124,21 @@ class ForeignBsdf:
         value: Any = self._bsdf.eval(ctx, si, wo, active)
         return value, self._bsdf.eval_null_transmission(si, entering)
 
+    def roughness(self, si: mi.SurfaceInteraction3f, active: Mask) -> Float:
+        """α where the BSDF shows it as an attribute; else 0 of smooth mirrors, 1 of all others."""
+        if self._has("alpha"):
+            return self._bsdf.eval_attribute_1("alpha", si, active)
+        if self._has("alpha_u"):
+            u, v = (self._bsdf.eval_attribute_1(name, si, active) for name in ("alpha_u", "alpha_v"))
+            return dr.sqrt(u * v)
+        if self._has("roughness"):
+            # Of the principled BSDF, whose α is its square.
+            return dr.square(self._bsdf.eval_attribute_1("roughness", si, active))
+        return mi.Float(0 if mi.has_flag(self._bsdf.flags(), mi.BSDFFlags.DeltaReflection) else 1)
+
+    def _has(self, name: str) -> bool:
+        return bool(dr.all(self._bsdf.has_attribute(name)))
+
     def eval_pdf_sample_and_null_transmission(
         self,
         ctx: mi.BSDFContext,
@@ -148,6 +166,10 @@ class NoBsdf:
     def eval_and_null_transmission(self, *_: Any) -> tuple[Color3, Color3]:
         """Nothing."""
         return mi.Spectrum(0), mi.Spectrum(0)
+
+    def roughness(self, *_: Any) -> Float:
+        """That of a diffuse surface."""
+        return mi.Float(1)
 
     def eval_pdf_sample_and_null_transmission(self, *_: Any) -> tuple[Color3, Float, Any, Color3, Color3]:
         """Nothing, and no direction."""
@@ -213,6 +235,14 @@ class SceneTraits:
 
         found: tuple[Color3, Color3] = dr.dispatch(si.bsdf(), call, si, wo, active, entering)
         return found
+
+    def roughness(self, si: mi.SurfaceInteraction3f, active: Mask) -> Float:
+        """Each lane's answer, of the BSDF that it has met; see `SurfaceBsdf`."""
+
+        def call(bsdf: Any, *asked: Any) -> Any:
+            return self._surface(bsdf).roughness(*asked)
+
+        return dr.dispatch(si.bsdf(), call, si, active)
 
     def eval_pdf_sample_and_null_transmission(
         self,
@@ -592,6 +622,14 @@ def made_class() -> Any:
             active, entering = active & _is_seen(si), entering & _is_seen(si)
             found: tuple[Any, Any] = self._asked(ask, si, active | entering, wo, active, entering)
             return found
+
+        def roughness(self, si: mi.SurfaceInteraction3f, active: Mask = True) -> Any:
+            """α of what is seen, 0 to 1."""
+
+            def ask(at: FootprintBsdf, si: Any, active: Mask) -> Any:
+                return dr.select(active, mi.Float(at.roughness), 0)
+
+            return self._asked(ask, si, active & _is_seen(si))
 
         @nested
         def eval_null_transmission(self, si: mi.SurfaceInteraction3f, active: Mask = True) -> Any:

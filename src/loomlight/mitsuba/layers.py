@@ -16,7 +16,7 @@ from loomlight.mitsuba.denoising import lattice_point
 from loomlight.mitsuba.pixels import FirstFootprint
 
 # Of the arrays of `camera_layers`, in their order.
-_PLANES = {"albedo": slice(0, 3), "normal": slice(3, 6), "depth": slice(6, 7)}
+_PLANES = {"albedo": slice(0, 3), "normal": slice(3, 6), "depth": slice(6, 7), "roughness": slice(7, 8)}
 # Rays of smaller shares end.
 _LEAST_SHARE = 1e-3
 
@@ -25,7 +25,7 @@ _LEAST_SHARE = 1e-3
 def camera_layers(
     scene: Any, traits: SceneTraits, first: FirstFootprint, ray: Any, number: Any, max_passes: int
 ) -> list[Any]:
-    """Albedo, normal and distance of what camera rays see, through holes too.
+    """Albedo, normal, distance and roughness of what camera rays see, through holes too.
 
     The albedo is the share of light from all over a surface's own side that comes to the eye: it shows the
     weave of every model, where a mean of yarns' albedos would not.
@@ -36,14 +36,14 @@ def camera_layers(
         max_passes: rays that pass through so many holes end.
 
     Returns:
-        eight arrays: albedo [3], normal of the world [3], distance from the camera's near plane times cover,
-        and cover, the share of the ray that meets a surface.
+        nine arrays: albedo [3], normal of the world [3], distance from the camera's near plane and α, both
+        times cover, and cover, the share of the ray that meets a surface.
     """
     ray = mi.Ray3f(dr.detach(ray))
     active = mi.Bool(True)
     share, passes, travelled = mi.Spectrum(1), mi.UInt32(0), mi.Float(0)
     albedo, normal = mi.Spectrum(0), mi.Vector3f(0)
-    distance, cover = mi.Float(0), mi.Float(0)
+    distance, roughness, cover = mi.Float(0), mi.Float(0), mi.Float(0)
     while dr.hint(active, exclude=[first, traits], label="camera_layers"):
         si = scene.ray_intersect(ray, mi.RayFlags.All, coherent=True, active=active)
         filters = mi.Bool(traits.filters) & ((si.bsdf().flags() & FILTERS) != 0)
@@ -56,12 +56,13 @@ def camera_layers(
         travelled += dr.select(valid, si.t, 0)
         normal += dr.select(valid, mi.Vector3f(si.sh_frame.n) * met, 0)
         distance += travelled * met
+        roughness += dr.select(valid, traits.roughness(si, valid), 0) * met
         cover += met
         share *= dr.select(valid, through, 0)
         passes += 1
         ray = si.spawn_ray(ray.d)
         active = valid & (dr.max(share) > _LEAST_SHARE) & (passes < max_passes)
-    return [*albedo, *normal, distance, cover]
+    return [*albedo, *normal, distance, roughness, cover]
 
 
 def _light_of(number: Any) -> Any:
@@ -73,13 +74,13 @@ def layers_of(planes: NDArray[np.float32], names: Sequence[str]) -> dict[str, ND
     """Layers by their names, [height, width, 3] or [height, width, 1], of means over pixels.
 
     Args:
-        planes: of `camera_layers` [height, width, 8].
+        planes: of `camera_layers` [height, width, 9].
         names: of layers that are wanted.
     """
-    cover = planes[..., 7:]
+    cover = planes[..., 8:]
     found = {name: planes[..., _PLANES[name]] for name in names}
     if "albedo" in found:
         found["albedo"] = np.clip(found["albedo"], 0, 1)
-    if "depth" in found:
-        found["depth"] = np.where(cover > 0, found["depth"] / np.maximum(cover, 1e-6), 0)
+    for name in found.keys() & {"depth", "roughness"}:
+        found[name] = np.where(cover > 0, found[name] / np.maximum(cover, 1e-6), 0)
     return found

@@ -25,6 +25,7 @@ from loomlight.mitsuba.pictures import (
     scene_options,
     shown_material,
     warn_of_hidden_weave,
+    with_layers,
 )
 from loomlight.mitsuba.plugins import material_bsdf
 from loomlight.mitsuba.rendering import render
@@ -130,7 +131,7 @@ class MovingCloth:
         return digest.hexdigest()
 
     def picture(self, frame: Frame, **options: Any) -> Picture:
-        """The linear picture [height, width, 3] of a frame.
+        """The linear picture [height, width, 3] of a frame, with layers; see `render`.
 
         Args:
             options: of `rendering.render`, other than the settings: spp, seed, denoise and so on.
@@ -140,7 +141,7 @@ class MovingCloth:
         """
         self.show(frame)
         picture = render(self.shown.scene, integrator=self.shown.integrator, **{**self._options, **options})
-        return picture.view(Picture)
+        return with_layers(picture, self.shown, self._settings)
 
     def show(self, frame: Frame) -> None:
         """Moves the cloth's vertices to where they are in a frame.

@@ -72,8 +72,8 @@ def render(
 ) -> Picture:
     """Linear RGB [height, width, 3] of a material on a piece of cloth, a mesh, or marked shapes of a scene.
 
-    Its `layers` are those of the setting `aov`: arrays [height, width, 3] by their names, of the depth
-    [height, width, 1].
+    Its `layers` are those of the setting `aov`: arrays [height, width, 3] by their names, of depth and
+    roughness [height, width, 1].
 
     Args:
         material: a fabric or another source; a model; or the path of a fabric file, a draft or a `.loom`; or
@@ -104,11 +104,16 @@ def render(
             partial(job.coarse_picture(job.coarse_size))
     with estimate.step("bake"):
         shown, close_up = job.scene_and_inset()
-    picture = job.refined_picture(shown, close_up, estimate, partial).view(Picture)
-    if chosen.aov is not None:
-        names = layer_names(chosen.aov)
-        picture.layers = render_layers(shown.scene, names, seed=chosen.seed, integrator=shown.integrator)
-    return picture
+    return with_layers(job.refined_picture(shown, close_up, estimate, partial), shown, chosen)
+
+
+def with_layers(picture: NDArray[np.float32], shown: ClothScene, settings: RenderSettings) -> Picture:
+    """A picture with the layers of its setting `aov`, of what the scene's camera sees now."""
+    found = picture.view(Picture)
+    if settings.aov is not None:
+        names = layer_names(settings.aov)
+        found.layers = render_layers(shown.scene, names, seed=settings.seed, integrator=shown.integrator)
+    return found
 
 
 def shown_material(material: Material, settings: RenderSettings) -> MaterialSpec:
@@ -389,8 +394,8 @@ def turntable(
     scene: str | os.PathLike[str] | None = None,
     settings: RenderSettings | None = None,
     **changes: Unpack[RenderKeywords],
-) -> Iterator[NDArray[np.float32]]:
-    """`count` pictures of one turn of a material on a built-in scene or a mesh; see `render`.
+) -> Iterator[Picture]:
+    """`count` pictures of one turn of a material on a built-in scene or a mesh, with layers; see `render`.
 
     Raises:
         InputError: a scene file, or a material or value that cannot be used.
@@ -410,7 +415,8 @@ def turntable(
     shown.integrator.soft_terminator = chosen.soft_terminator
     turning = Turntable(shown, chosen.zoom, about_middle=chosen.mesh is not None)
     warn_of_hidden_weave(spec.source, shown.pixel_mm(), chosen)
-    yield from turning.pictures(count, **picture_options(chosen))
+    for picture in turning.pictures(count, **picture_options(chosen)):
+        yield with_layers(picture, shown, chosen)
 
 
 class Turntable:

@@ -96,6 +96,11 @@ class FootprintBsdf(ABC):
         return self.hole
 
     @property
+    def roughness(self) -> Float:
+        """α of what the view sees of the footprint, 0 to 1; 1, as of diffuse surfaces, if none is known."""
+        return array_types(self.view.x).Float(1)
+
+    @property
     @abstractmethod
     def diffuse_reflectance(self) -> Color3:
         """Mean diffuse albedo over the footprint, holes counted as 0."""

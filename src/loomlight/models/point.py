@@ -99,6 +99,18 @@ class PointBsdf(SeparableBsdf):
         return dr.select(self.point.hole, 0, self.point.albedos.diffuse_reflect)
 
     @property
+    def shown(self) -> tuple[Float, Float]:
+        """1 of the family whose yarn shows, 0 of the other one; both 0 in holes."""
+        types = array_types(self.view.x)
+        warp, weft = (self.point.is_warp & ~self.point.hole, ~self.point.is_warp & ~self.point.hole)
+        return dr.select(warp, types.Float(1), 0), dr.select(weft, types.Float(1), 0)
+
+    @property
+    def roughness(self) -> Float:
+        """α of the yarn that shows."""
+        return self.point.roughness
+
+    @property
     def albedos(self) -> FamilyAlbedos:
         """Albedos of the thread that shows; 0 for the other family."""
         return families_of(self.point)
@@ -172,6 +184,14 @@ class SamplesBsdf(FootprintBsdf):
     def diffuse_reflectance(self) -> Color3:
         """Mean diffuse albedo of the points, holes counted as 0."""
         return self._mean(lambda point: [dr.select(point.hole, 0, point.albedos.diffuse_reflect)])[0]
+
+    @property
+    def roughness(self) -> Float:
+        """Mean α of the yarn at the points, but those that are holes."""
+        total, seen = self._mean(
+            lambda point: [dr.select(point.hole, 0, part) for part in (point.roughness, 1)]
+        )
+        return total / maximum(seen, 1e-6)
 
     def value_and_null_transmission(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
         """Both in one pass over the points; shadows are searched where light is reflected."""

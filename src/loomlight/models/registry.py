@@ -87,6 +87,10 @@ class ModelEntry:
 
 
 _FOOTPRINT = "the mean over the footprint of a pixel: one call a pixel and light"
+_GUIDES = (
+    "`cloth_auxiliary`, without the light and with a `part` as its last argument, gives what guides a "
+    "denoiser: part 1 the mean albedo and, fourth, the roughness α, 2 the normal"
+)
 _NETWORKS = ("fabrics", "words", "packed_numbers")
 MODELS: dict[str, ModelEntry] = {
     "lobes": ModelEntry(
@@ -96,12 +100,13 @@ MODELS: dict[str, ModelEntry] = {
         "prefiltered: each sample averages over its pixel; the default",
         shaders=Shaders(
             "shade_lobes",
-            _FOOTPRINT,
+            f"{_FOOTPRINT}; {_GUIDES}",
             "About 7,000 floating-point operations a pixel and light far away and close by, 19,000 where a "
             "pixel is about half a thread. Far away 60 frames a second of 1920 × 1080 take 0.7 TFLOP/s; the "
             "tables stay in the caches.",
             "loomlight.models.lobes.tables:LobeTables",
             bakes_on_adapter=True,
+            second="cloth_auxiliary",
         ),
     ),
     "point": ModelEntry(
@@ -111,8 +116,9 @@ MODELS: dict[str, ModelEntry] = {
         "single yarn points: exact, but noisy where threads are small",
         shaders=Shaders(
             "shade_points",
-            "one point of the cloth, `centre`; average several centres a pixel",
+            f"one point of the cloth, `centre`; average several centres a pixel; {_GUIDES}",
             "About 3,000 floating-point operations for each point of a pixel and light.",
+            second="cloth_auxiliary",
         ),
     ),
     "samples": ModelEntry(
@@ -177,8 +183,7 @@ MODELS: dict[str, ModelEntry] = {
         baking_extra="train",
         shaders=Shaders(
             "shade_latent",
-            f"{_FOOTPRINT}; `cloth_auxiliary`, without the light and with a `part` as its last argument, "
-            "gives what guides a denoiser: part 1 the mean albedo and, fourth, the roughness α, 2 the normal",
+            f"{_FOOTPRINT}; {_GUIDES}",
             "About 5,000 floating-point operations a pixel and light with the decoder 2x32, 2,300 with 2x16, "
             "24,000 with 3x64.",
             "loomlight.models.texture.tables:LatentTables",

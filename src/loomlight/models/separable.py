@@ -101,6 +101,12 @@ class SeparableBsdf(FootprintBsdf):
         return self.evaluate(light, active).components
 
     @property
+    def shown(self) -> tuple[Float, Float]:
+        """How much of warp and of weft the view shows, both times one factor."""
+        found = self.evaluate(self.view).components
+        return found.diffuse_warp, found.diffuse_weft
+
+    @property
     def between(self) -> BetweenYarns | None:
         """Light between yarns; None without."""
         return None
@@ -219,6 +225,7 @@ class FilteredBsdf(SeparableBsdf):
             tint: see `Model.at`.
         """
         super().__init__(view, footprint, appearance.sheen, appearance.grazing)
+        self._alpha = appearance.warp.roughness, appearance.weft.roughness
         self._means, self._irregular, self._tint = means, irregular, tint
         self._back = array_types(view.x).Bool(view.z < 0)
 
@@ -227,6 +234,13 @@ class FilteredBsdf(SeparableBsdf):
         """Mean albedos of the threads over footprints, without parallax."""
         mean = FamilyAlbedos(*self._means.over(self.footprint, self._back))
         return tinted(self.irregular_albedos(mean), self._tint)
+
+    @property
+    def roughness(self) -> Float:
+        """α of the families' fibres, each by how much the view shows of it, 0 to 1."""
+        warp, weft = (maximum(part, 0) for part in self.shown)
+        share = dr.select(warp + weft > 0, warp / maximum(warp + weft, 1e-30), 0.5)
+        return dr.lerp(array_types(share).Float(self._alpha[1]), self._alpha[0], share)
 
     @property
     def coloured_footprint(self) -> Footprint:

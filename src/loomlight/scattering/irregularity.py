@@ -46,7 +46,8 @@ from loomlight.core.footprint import Box, Footprint
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Irregularity
 from loomlight.scattering.detail import fade
 from loomlight.scattering.variation import FourColours, hash_bits, hash_key
-from loomlight.yarn.geometry import Cell, YarnGeometry, upload_family
+from loomlight.yarn.cells import Cell, upload_family
+from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.threads import FamilyTables
 
 # Threads and steps of a table, threads of a block, length of a step in millimetres.

@@ -58,6 +58,7 @@ class YarnPoint:
         back: the face behind is seen.
         hole: the ray passes through; only sheen and delta transmission are left.
         x, y, height: where, millimetres.
+        plane: height of the plane that its yarn lies in, millimetres.
         normal, tangent: of the yarn and its fibres [3], turned by detail.
         is_warp: the family.
         roughness: α.
@@ -74,6 +75,7 @@ class YarnPoint:
     x: Float
     y: Float
     height: Float
+    plane: Float
     normal: Vec3
     tangent: Vec3
     is_warp: Mask
@@ -388,6 +390,7 @@ class YarnScattering:
             x=point.x,
             y=point.y,
             height=height,
+            plane=point.plane,
             normal=point.normal if frame is None else frame.normal,
             tangent=point.tangent if frame is None else frame.tangent,
             is_warp=is_warp,
@@ -397,7 +400,7 @@ class YarnScattering:
             hairs=None if hair is None else (hairs, hair.cover),
             diffuse_gain=None if frame is None else diffuse_gain(frame, self.appearance.diffuse_blend),
         )
-        found.bounced = self._bounced(found, tint, point.plane)
+        found.bounced = self._bounced(found, tint)
         sheets = self.surface.sheets(x, y, back)
         return self._upon(found, sheets, tint) if sheets else found
 
@@ -447,12 +450,8 @@ class YarnScattering:
         )
         return albedos, dr.select(sheet.is_warp, warp.roughness, weft.roughness)
 
-    def _bounced(self, point: YarnPoint, tint: Tint | None, plane: Float) -> tuple[Color3, Color3] | None:
-        """Albedos of light between yarns at a point, reflected and transmitted; 0 in holes.
-
-        Args:
-            plane: height of the plane that its yarn lies in, millimetres.
-        """
+    def _bounced(self, point: YarnPoint, tint: Tint | None) -> tuple[Color3, Color3] | None:
+        """Albedos of light between yarns at a point, reflected and transmitted; 0 in holes."""
         types = array_types(point.roughness)
         between = self.between_yarns(types)
         if between is None:
@@ -463,7 +462,7 @@ class YarnScattering:
             for family, colour in zip(self.parameters(types), colours_of(tint), strict=True)
         )
         normal = point.normal if point.surface_normal is None else point.surface_normal
-        blocked = between.blocked_at(point.is_warp, point.back, normal.z, point.height - plane)
+        blocked = between.blocked_at(point.is_warp, point.back, normal.z, point.height - point.plane)
         own = scattered_by(point.albedos, point.roughness, depth)
         reflected, transmitted = bounced(blocked, own, between.interior(warp, weft, point.back))
         return dr.select(point.hole, 0, reflected), dr.select(point.hole, 0, transmitted)

@@ -18,7 +18,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from loomlight.core.errors import InputError
 from loomlight.core.sentences import speaking_of
 from loomlight.fabric.fabric import Fabric, make_fabric
-from loomlight.fabric.read import validate_fields
+from loomlight.fabric.read import picture_of_artwork, validate_fields
 from loomlight.fabric.resolve import MAXIMUM_CROSSINGS
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan, Threads
 
@@ -82,6 +82,31 @@ class DraftJson(Json):
     loom: LoomJson | None = None
 
 
+class DrawnJson(Json):
+    """A drawdown that [weaves] of an artwork names, a draft's file; `drawdown` as in a draft."""
+
+    name: str
+    ends: Count
+    picks: Count
+    drawdown: str
+
+
+class ArtworkJson(Json):
+    """The picture of a fabric whose colours are weaves, and the drafts' files among these."""
+
+    ends: Count
+    rows: Count
+    colours: Annotated[list[str], Field(description='"#rrggbb".')]
+    runs: Annotated[
+        str,
+        Field(
+            description="Which colour each pixel has, the bottom row first: base64 of runs, a byte of the "
+            "colour and the length in groups of 7 bits, the lowest first, all but the last with a high bit."
+        ),
+    ]
+    drafts: list[DrawnJson]
+
+
 class FabricJson(Json):
     """A fabric: the keys of a fabric file, and the draft that they name, before they colour and repeat it."""
 
@@ -105,6 +130,7 @@ class Session(Json):
     has_python: Annotated[bool, Field(description="Whether a server answers the page.")]
     token: Annotated[str | None, Field(description="That the page must send to that server.")]
     fabric: FabricJson
+    artwork: Annotated[ArtworkJson | None, Field(description="The picture of which the fabric is woven.")]
     gallery: list[GalleryEntry]
     largest_upload: Annotated[int, Field(description="Largest file that the server reads, bytes.")]
 
@@ -260,6 +286,44 @@ def fabric_json(fabric: Fabric) -> JsonObject:
         "fields": {key: value for key, value in fields.items() if value != {}},
         "draft": draft_json(fabric.named_draft),
     }
+
+
+def artwork_json(fabric: Fabric) -> JsonObject | None:
+    """The picture of a fabric whose colours are weaves as JSON, see `ArtworkJson`; None of another fabric.
+
+    None too where the picture is not at hand, or is no more the one that was woven: a `.loom` has none.
+    """
+    if not fabric.fields.weaves:
+        return None
+    try:
+        picture = picture_of_artwork(fabric.fields, fabric.folder)
+    except InputError:
+        return None
+    if picture.index.shape[1] != fabric.named_draft.ends:
+        return None
+    drafts = [
+        {
+            "name": name,
+            "ends": drawn.shape[1],
+            "picks": drawn.shape[0],
+            "drawdown": base64.b64encode(np.packbits(drawn).tobytes()).decode(),
+        }
+        for name, drawn in picture.drafts.items()
+    ]
+    rows, ends = picture.index.shape
+    runs = base64.b64encode(_runs(picture.index.ravel())).decode()
+    return {"ends": ends, "rows": rows, "colours": list(picture.colours), "runs": runs, "drafts": drafts}
+
+
+def _runs(values: NDArray[np.uint8]) -> bytes:
+    """Runs of equal values as `ArtworkJson` has them."""
+    first = np.flatnonzero(np.diff(values.astype(np.int16), prepend=-1))
+    lengths = np.diff(first, append=len(values))
+    # Groups of 7 bits, up to the one above which nothing of the length is left.
+    groups = np.stack([lengths >> shift for shift in range(0, 35, 7)], axis=1)
+    is_used = np.concatenate([np.ones((len(first), 2), np.bool_), groups[:, 1:] > 0], axis=1)
+    coded = np.where(groups < 128, groups, (groups & 127) | 128)
+    return np.concatenate([values[first, None], coded], axis=1).astype(np.uint8)[is_used].tobytes()
 
 
 def fabric_of_json(values: Mapping[str, Any]) -> Fabric:

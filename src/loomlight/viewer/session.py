@@ -11,7 +11,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.read import load_fabric
 from loomlight.sources.load import fabric_of_path
 from loomlight.viewer.limited_reader import MAX_UPLOAD
-from loomlight.viewer.messages import Session, fabric_json
+from loomlight.viewer.messages import Session, artwork_json, fabric_json
 
 VERSION = 1
 # The fabric of the gallery that the editor shows when it is opened without one.
@@ -42,6 +42,7 @@ def session(fabric: Fabric | str | None, *, has_python: bool, token: str | None 
             "has_python": has_python,
             "token": token,
             "fabric": fabric_json(shown),
+            "artwork": artwork_json(shown),
             "gallery": gallery(),
             "largest_upload": MAX_UPLOAD,
         }

@@ -102,7 +102,7 @@ def weave_artwork(
             f"and {height * len(cycle)} picks, and at most {MAXIMUM_THREADS} of each can be used."
         )
     colours = list(artwork.weaves)
-    index = _colour_index(path, colours, artwork.nearest)
+    index = colour_index(path, colours, artwork.nearest)
     _warn_of_cuts(path, artwork, index.shape)
     warp_up = _woven(index, artwork)
     loose = _loose(index, artwork)
@@ -155,7 +155,7 @@ def _require_weavable(artwork: Artwork) -> None:
 # --------------------------------------------------------------------------------------------------- colours
 
 
-def _colour_index(path: str | os.PathLike[str], colours: Sequence[str], nearest: bool) -> NDArray[np.uint8]:
+def colour_index(path: str | os.PathLike[str], colours: Sequence[str], nearest: bool) -> NDArray[np.uint8]:
     """Which of the colours each pixel has, [rows, ends], the bottom row first.
 
     Raises:

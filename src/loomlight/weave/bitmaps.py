@@ -29,7 +29,7 @@ _FORMATS = {".png": "PNG", ".bmp": "BMP", ".tif": "TIFF", ".tiff": "TIFF"}
 # How far a pixel may be from black or white, of 1: what JPEG or a colour profile does to them is less.
 _PURE = 0.1
 # Of wefts that a bitmap knows by number alone, sRGB: those that are told apart most easily come first.
-_WEFT_COLOURS = (
+WEFT_COLOURS = (
     WEFT_COLOUR, "#b3352c", "#d8a023", "#3f7d4e", "#2f6f9f", "#8a4f8f", "#c7703a", "#6b6b6b",
     "#88a04a", "#4aa3a0", "#d27f96", "#7a5a3c", "#a9b8c9", "#5c4a8a", "#c2b280", "#1f1f1f",
 )  # fmt: skip
@@ -215,7 +215,7 @@ def draft_of_wefts(wefts: Sequence[NDArray[np.bool_]], order: Sequence[int] = ()
 
 def weft_palette(wefts: int) -> NDArray[np.float64]:
     """A colour for the warp and one for each weft, linear RGB [wefts + 1, 3], to tell them apart."""
-    return np.array([parse_colour(colour, "weft") for colour in (WARP_COLOUR, *_WEFT_COLOURS[:wefts])])
+    return np.array([parse_colour(colour, "weft") for colour in (WARP_COLOUR, *WEFT_COLOURS[:wefts])])
 
 
 def order_text(order: Sequence[int]) -> str:

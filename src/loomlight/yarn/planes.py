@@ -15,18 +15,10 @@ import numpy as np
 
 from loomlight.core.arrays import Float, Int, Mask, UInt
 from loomlight.core.backend import ArrayTypes, array_types, move, upload
-from loomlight.yarn.geometry import (
-    TILE_CELLS,
-    Cell,
-    Count,
-    UniformFamily,
-    prepare_layout,
-    read_max_heights,
-    select_cell,
-    thread_rows,
-    upload_family,
-)
+from loomlight.yarn.cells import Cell, Count, UniformFamily, select_cell, thread_rows, upload_family
 from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.max_heights import TILE_CELLS, read_max_heights
+from loomlight.yarn.tables import prepare_layout
 from loomlight.yarn.threads import CELL_MAX_LEVELS, FamilyTables
 
 # Of the values of all planes that of the plane of each lane.

@@ -15,8 +15,10 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, Mask, UInt
 from loomlight.core.backend import ArrayTypes, clip, upload
-from loomlight.yarn.geometry import PYRAMID_RADII, CellBounds, Count, Relief
+from loomlight.yarn.cells import Count
+from loomlight.yarn.geometry import CellBounds, Relief
 from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.max_heights import PYRAMID_RADII
 
 # Most nodes of the grid along either side.
 _MAX_NODES = 256

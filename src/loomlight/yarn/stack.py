@@ -20,24 +20,23 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, upload
+from loomlight.yarn.cells import Cell, upload_family
 from loomlight.yarn.flanks import Sheet, SurfacePoint, Tube, meet_tube
 from loomlight.yarn.geometry import (
-    Cell,
     CellBounds,
     Crossing,
     Probe,
     Relief,
     Run,
-    Scalars,
     Shown,
     YarnGeometry,
     next_outline,
     shown_surface,
-    upload_family,
 )
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.planes import Choose, PlaneTables, choose_cell, chooser, first_of
 from loomlight.yarn.quilt import QuiltRelief, quilted, wadding_of
+from loomlight.yarn.tables import Scalars
 from loomlight.yarn.threads import CELL_MAX_LEVELS, CELL_MAX_SHIFT, place_family, section_drop
 
 # Ranks in a word, and bits of each: the largest is of layers that are absent, and where none shows.

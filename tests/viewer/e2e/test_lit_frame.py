@@ -196,7 +196,8 @@ def page(tmp_path_factory: pytest.TempPathFactory, playwright: Any) -> Iterator[
     (folder / "index.html").write_text(PAGE)
     for model in ("neural", "clustered"):
         (folder / f"{model}.tables").write_bytes(tables_of(fabric_from_text(FABRIC), model))
-    (folder / "layers-point.tables").write_bytes(tables_of(load_fabric(LAYERS), "point"))
+    for model in ("point", "lobes"):
+        (folder / f"layers-{model}.tables").write_bytes(tables_of(load_fabric(LAYERS), model))
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(folder)))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     with launched(playwright, SWIFTSHADER) as browser, visiting(browser) as visit:
@@ -239,14 +240,15 @@ def test_chromium_draws_what_the_python_host_draws(page: Any, model: str) -> Non
 
 
 @pytest.mark.slow
-def test_chromium_draws_layers_as_the_python_host_draws_them(page: Any) -> None:
+@pytest.mark.parametrize("model", ["point", "lobes"])
+def test_chromium_draws_layers_as_the_python_host_draws_them(page: Any, model: str) -> None:
     """Those of tables that Python packs: the page compiles its kernels with layers for them."""
-    scene = {"fabric": FABRIC, "size": SIZE, "model": "point"}
+    scene = {"fabric": FABRIC, "size": SIZE, "model": model}
     begin = time.perf_counter()
     drawn = base64.b64decode(page.evaluate(SERVED, scene))
-    print(f"point of layers: drawn after {time.perf_counter() - begin:.1f} s")
+    print(f"{model} of layers: drawn after {time.perf_counter() - begin:.1f} s")
     theirs = np.frombuffer(drawn, np.float32).reshape(SIZE, SIZE, 4)
-    host = Renderer([Cloth(rectangle(0.02, 0.02), load_fabric(LAYERS), (20.0, 20.0))], (SIZE, SIZE), "point")
+    host = Renderer([Cloth(rectangle(0.02, 0.02), load_fabric(LAYERS), (20.0, 20.0))], (SIZE, SIZE), model)
     light = DirectionalLight((0.5, 0.3, 0.8))
     ours = host.render(Camera((0, -0.01, 0.03)), [light], passes=1, samples=1).linear
     assert theirs[..., :3].std() > 0.03

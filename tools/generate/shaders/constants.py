@@ -45,7 +45,7 @@ from loomlight.scattering import (
     sheen_coefficients,
     variation,
 )
-from loomlight.yarn import flanks, geometry, rays, threads
+from loomlight.yarn import flanks, max_heights, rays, threads
 from tools.generate.shaders.neural_constants import neural_constants
 
 Value: TypeAlias = float | str | Sequence["Value"]
@@ -61,7 +61,7 @@ MODULES: dict[str, tuple[ModuleType, ...]] = {
         directions,
         fibre,
         flanks,
-        geometry,
+        max_heights,
         groups,
         hairs,
         hemisphere,
@@ -122,7 +122,7 @@ _DERIVED: dict[str, Value] = {
     "NEUMIP_SCALE": 1 / neumip.EXPOSURE,
 }
 _FLOAT_ARRAYS: dict[str, Sequence[float]] = {
-    "PYRAMID_RADII": geometry.PYRAMID_RADII,
+    "PYRAMID_RADII": max_heights.PYRAMID_RADII,
     "RING_COSINES": [float(z) for z in hemisphere.node_directions()[: hemisphere.RINGS, 2]],
 }
 _POLYNOMIALS: dict[str, Sequence[Sequence[float]]] = {

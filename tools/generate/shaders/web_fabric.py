@@ -13,6 +13,7 @@ from typing import Any
 
 from loomlight.fabric import resolve
 from loomlight.fabric.fields import (
+    BACK_WEAVE,
     ArtworkTable,
     FabricFile,
     SheenTable,
@@ -23,6 +24,8 @@ from loomlight.fabric.fields import (
 )
 from loomlight.fabric.yarns import GAP, PRESETS
 from loomlight.scattering.appearance import Irregularity, Sheen, Variation
+from loomlight.weave.artwork import MAX_COLOURS
+from loomlight.weave.bitmaps import MAX_WEFTS, WEFT_COLOURS
 
 _HEADER = """\
 // Fields of a fabric file with their types and ranges, under the same keys as the TOML file; defaults; kinds
@@ -91,7 +94,12 @@ def fabric_typescript() -> str:
     constants: dict[str, float | str] = {"GAP": GAP} | {name: getattr(resolve, name) for name in _DEFAULTS}
     constants |= {"SHEEN_STRENGTH": Sheen().strength, "SHEEN_ROUGHNESS": Sheen().roughness}
     constants |= {"IRREGULARITY": Variation().irregularity}
+    constants |= {"MAX_COLOURS": MAX_COLOURS, "MAX_WEFTS": MAX_WEFTS, "BACK_WEAVE": BACK_WEAVE}
     lines += [f"export const {name} = {json.dumps(value)};" for name, value in constants.items()]
+    lines += [
+        "/** Of wefts that an artwork knows by number alone, sRGB. */",
+        f"export const WEFT_COLOURS = {json.dumps(WEFT_COLOURS)} as const;",
+    ]
     irregularity = {
         key: {"name": name, "standard": getattr(Irregularity(), name), "isAmount": name in resolve.AMOUNTS}
         for key, name in resolve.IRREGULARITY_FIELDS.items()

@@ -7,7 +7,7 @@ import { ServerError } from "./api.ts";
 import { CaptureDialog, warningsOf } from "./CaptureDialog.tsx";
 import { Edited } from "./controls/written.tsx";
 import { ExportDialog } from "./ExportDialog.tsx";
-import { ACCEPTED, download, fabricFiles, MESHES, NoDraft, openFabric, pngOf, stemOf, wifFile } from "./files.ts";
+import { ACCEPTED, download, MESHES, NoDraft, openFabric, pngOf, saveFabric, stemOf, wifFile, type Meaning } from "./files.ts";
 import { Guard } from "./Guard.tsx";
 import type { Health } from "./health.ts";
 import { addCard, CARDS } from "./keeping/cards.ts";
@@ -59,8 +59,8 @@ export function App({ store, server, health, onView }: Props) {
   const [isDropping, setDropping] = useState(false);
   const [isFlat, setFlat] = useState(false);
   const [isExporting, setExporting] = useState(false);
+  const [question, setQuestion] = useState<{ readonly name: string; readonly colours: number; readonly answer: (meant: Meant) => void } | null>(null);
   const [photograph, setPhotograph] = useState<File | null>(null);
-  const [question, setQuestion] = useState<{ readonly name: string; readonly answer: (meant: Meant) => void } | null>(null);
   const view = useRef<ClothView | null>(null);
   const chooser = useRef<HTMLInputElement>(null);
   const { dispatch } = store;
@@ -99,13 +99,14 @@ export function App({ store, server, health, onView }: Props) {
     }
   };
 
-  /** What a picture is that looks like a photograph; a print is laid on the cloth. */
-  const askOf = async (file: File): Promise<boolean> => {
-    const meant = await new Promise<Meant>((answer) => setQuestion({ name: file.name, answer }));
+  /** What a picture of many colours is; a print is laid on the cloth. */
+  const askOf = async (file: File, colours: number): Promise<Meaning> => {
+    const meant = await new Promise<Meant>((answer) => setQuestion({ name: file.name, colours, answer }));
     setQuestion(null);
     if (meant === "print") await openPrint(file);
-    if (meant === "cloth") startCapture(file);
-    return meant === "drawdown";
+    else if (meant === "cloth") startCapture(file);
+    else return meant;
+    return "nothing";
   };
 
   const startCapture = (file: File): void => {
@@ -141,6 +142,7 @@ export function App({ store, server, health, onView }: Props) {
       if (rest.length === 0) return;
       const { fabric, warnings } = await openFabric(rest, server, askOf);
       dispatch({ type: "fabric/open", fabric });
+      if (fabric.artwork !== undefined) dispatch({ type: "tab/show", tab: "weave" });
       for (const warning of warnings.slice(0, 2)) tell("warning", warning, "file");
     }, "file");
   };
@@ -162,7 +164,7 @@ export function App({ store, server, health, onView }: Props) {
   const save = (format: SaveFormat): Promise<void> =>
     attempt(async () => {
       const { fabric } = store.state;
-      if (format === "toml") for (const file of fabricFiles(fabric)) download(file.name, file.content, "application/toml");
+      if (format === "toml") await saveFabric(fabric);
       if (format === "wif") {
         const file = wifFile(fabric);
         download(file.name, file.content);
@@ -298,7 +300,7 @@ export function App({ store, server, health, onView }: Props) {
           <ExportDialog fabric={state.fabric} server={server} view={view.current} onClose={() => setExporting(false)} />
         </Guard>
       )}
-      {question !== null && <PhotographQuestion name={question.name} onAnswer={question.answer} />}
+      {question !== null && <PhotographQuestion name={question.name} colours={question.colours} onAnswer={question.answer} />}
       {photograph !== null && (
         <CaptureDialog
           file={photograph}
@@ -313,7 +315,7 @@ export function App({ store, server, health, onView }: Props) {
       )}
       {isDropping && (
         <div class="dropping" aria-hidden="true">
-          Drop a draft, a fabric or a mesh
+          Drop a draft, an artwork, a fabric or a mesh
         </div>
       )}
     </div>

@@ -2,7 +2,7 @@
 import { messageOf } from "loomlight-fabric";
 import { Component, type ComponentChildren } from "preact";
 
-import { download, fabricFiles } from "./files.ts";
+import { saveFabric } from "./files.ts";
 import type { Health } from "./health.ts";
 import type { Store } from "./state/store.ts";
 
@@ -38,11 +38,7 @@ export class Guard extends Component<Props, { readonly fault: unknown }> {
   }
 
   private save(): void {
-    try {
-      for (const { name, content } of fabricFiles(this.props.store.state.fabric)) download(name, content);
-    } catch (error) {
-      this.setState({ fault: error });
-    }
+    saveFabric(this.props.store.state.fabric).catch((error: unknown) => this.setState({ fault: error }));
   }
 
   override render({ part, store, children }: Props) {

@@ -12,16 +12,22 @@ import { isTable, tableOf, type Table } from "./state/json_table.ts";
  * @throws InputError another file, or one of which nothing is left; the message says what is wrong.
  */
 export async function fabricOfAside(text: string): Promise<{ fabric: Fabric; faults: readonly string[] }> {
-  const { fields, draft } = await fabricIn(text);
+  const { fields, ...drawn } = await fabricIn(text);
   try {
-    return { fabric: fabricFromJson({ fields, draft }), faults: [] };
+    return { fabric: fabricFromJson({ fields, ...drawn }), faults: [] };
   } catch (error) {
-    return repaired(fields, draft, error);
+    return repaired(fields, drawn, error);
   }
 }
 
+/** What a fabric's JSON has beside its fields. */
+interface Drawn {
+  readonly draft: unknown;
+  readonly artwork: unknown;
+}
+
 /** The JSON of the fabric: of a document, of a fabric alone, or of a link. */
-async function fabricIn(text: string): Promise<{ fields: Table; draft: unknown }> {
+async function fabricIn(text: string): Promise<Drawn & { fields: Table }> {
   const file = parsed(text, "it is no file that this page has set aside");
   if (typeof file["text"] !== "string") throw new InputError("it is no file that this page has set aside.");
   const content = file["text"];
@@ -29,7 +35,7 @@ async function fabricIn(text: string): Promise<{ fields: Table; draft: unknown }
   const json = content.startsWith("#") ? await jsonOfLink(content).catch(() => null) : parsed(content, damaged);
   const fabric = tableOf(tableOf(json)["fields"] === undefined ? tableOf(json)["fabric"] : json);
   if (Object.keys(fabric).length === 0) throw new InputError(`${damaged}.`);
-  return { fields: tableOf(fabric["fields"]), draft: fabric["draft"] };
+  return { fields: tableOf(fabric["fields"]), draft: fabric["draft"], artwork: fabric["artwork"] };
 }
 
 function parsed(text: string, fault: string): Table {
@@ -41,12 +47,12 @@ function parsed(text: string, fault: string): Table {
 }
 
 /** The fabric of the draft alone, and then of every further field that it takes. */
-function repaired(fields: Table, draft: unknown, why: unknown): { fabric: Fabric; faults: readonly string[] } {
-  const named = Object.entries(fields).filter(([key]) => ["weave", "draft", "image"].includes(key));
+function repaired(fields: Table, drawn: Drawn, why: unknown): { fabric: Fabric; faults: readonly string[] } {
+  const named = Object.entries(fields).filter(([key]) => ["weave", "draft", "image", "weaves"].includes(key));
   let kept: Table = Object.fromEntries(named);
   let fabric: Fabric;
   try {
-    fabric = fabricFromJson({ fields: kept, draft });
+    fabric = fabricFromJson({ fields: kept, ...drawn });
   } catch {
     throw why; // the draft itself
   }
@@ -61,7 +67,7 @@ function repaired(fields: Table, draft: unknown, why: unknown): { fabric: Fabric
   for (const [key, inner, value] of others) {
     const more = { ...kept, [key]: inner === null ? value : { ...tableOf(kept[key]), [inner]: value } };
     try {
-      fabric = fabricFromJson({ fields: more, draft });
+      fabric = fabricFromJson({ fields: more, ...drawn });
       kept = more;
     } catch (error) {
       faults.push(messageOf(error));

@@ -141,7 +141,7 @@ function rememberOpened(name: string): void {
 
 function given(server: Server | null): Fabric {
   try {
-    if (server !== null) return fabricFromJson(server.session.fabric);
+    if (server !== null) return fabricFromJson({ ...server.session.fabric, artwork: server.session.artwork });
   } catch {
     // A server of another version: the page's own fabric serves.
   }

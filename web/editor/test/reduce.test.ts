@@ -122,5 +122,9 @@ describe("panels", () => {
     expect(rgba[at]!).toBeGreaterThan(rgba[at + 2]! + 50);
     const beside = ((height - 4) * width + 12) * 4;
     expect(rgba[beside + 2]!).toBeGreaterThan(rgba[beside]! + 50);
+    // From afar each crossing is a pixel; the lower row is the last.
+    const far = clothPicture(woven(first(fields).fabric), { pixels: 1, gap: { warp: 0.1, weft: 0.1 } });
+    const isRed = [0, 1, 2, 3].map((pixel) => far.rgba[4 * pixel]! > far.rgba[4 * pixel + 2]! + 50);
+    expect([far.width, far.height, ...isRed]).toEqual([2, 2, false, true, true, false]);
   });
 });

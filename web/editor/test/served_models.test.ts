@@ -32,6 +32,10 @@ test("tables are asked for one at a time, and then for the latest edit", async (
   await settle();
   expect(served.tables("neural", third)).toEqual(Uint8Array.of(2));
   expect([asked.length, arrivals]).toEqual([2, 2]);
+  // Of another cloth none are: the page shows it by itself.
+  const other = { fields: { weave: "satin 8/3" }, draft: loadDraft({ weave: "satin 8/3" }) };
+  expect(served.tables("neural", other)).toBe(null);
+  expect(served.tables("neural", third)).toEqual(Uint8Array.of(2));
 });
 
 test("a refusal is told once, and the next edit is asked for again", async () => {

@@ -14,7 +14,7 @@ export interface SurfaceMaps {
   readonly [name: string]: string | SurfaceMaps | number | boolean | readonly (string | number)[];
 }
 
-/** [weaves] as the file has it: what the colours of an artwork are, one weave a weft; Python weaves it, pages keep it. */
+/** [weaves] as the file has it: what the colours of an artwork are, one weave a weft. */
 export interface ArtworkWeaves {
   readonly [colour: string]: string | readonly string[];
 }

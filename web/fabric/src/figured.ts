@@ -1,4 +1,5 @@
 /** Figured cloth: a motif in one structure on a ground in another, as a jacquard loom weaves damask. */
+import { bindFloats } from "./binding.ts";
 import { parseColour } from "./colour.ts";
 import { isUp, makeDraft, structureOf, type Draft, type Structure } from "./draft.ts";
 import { InputError } from "./errors.ts";
@@ -38,83 +39,6 @@ function figured(mask: Mask, figure: Structure, ground: Structure, floatLimit: n
   });
   bindFloats(structure, floatLimit);
   return structure;
-}
-
-/** One thread of a cloth: its crossings are `first + k·step` in the drawdown, k < count. */
-interface Line {
-  readonly first: number;
-  readonly step: number;
-  readonly count: number;
-}
-
-const endLine = (cloth: Structure, end: number): Line => ({ first: end, step: cloth.ends, count: cloth.picks });
-const pickLine = (cloth: Structure, pick: number): Line => ({ first: pick * cloth.ends, step: 1, count: cloth.ends });
-
-const ROUNDS = 8;
-
-/**
- * Adds binding points, in place, to floats longer than `limit` on either face.
- *
- * Each is put as near the middle of its float as it can be without making a float of the other family too long.
- */
-function bindFloats(cloth: Structure, limit: number): void {
-  for (let round = 0; round < ROUNDS; round++) {
-    const longEnds = longLines(cloth, cloth.ends, (end) => endLine(cloth, end), limit);
-    for (const end of longEnds) bindThread(cloth, endLine(cloth, end), limit, end, (pick) => pickLine(cloth, pick));
-    const longPicks = longLines(cloth, cloth.picks, (pick) => pickLine(cloth, pick), limit);
-    for (const pick of longPicks) bindThread(cloth, pickLine(cloth, pick), limit, pick, (end) => endLine(cloth, end));
-    if (longEnds.length === 0 && longPicks.length === 0) return;
-  }
-  throw new InputError(`No binding keeps every float of the figure to ${limit} threads; allow longer ones.`);
-}
-
-function longLines(cloth: Structure, count: number, line: (index: number) => Line, limit: number): number[] {
-  return Array.from({ length: count }, (_, index) => index).filter((index) =>
-    floats(cloth, line(index)).some(([, length]) => length > limit),
-  );
-}
-
-/** Start and length of each run of equal crossings of a thread, which repeats. */
-function floats(cloth: Structure, line: Line): [number, number][] {
-  const at = (index: number): number => cloth.drawdown[line.first + (index % line.count) * line.step]!;
-  const starts: number[] = [];
-  for (let index = 0; index < line.count; index++) if (at(index) !== at(index + line.count - 1)) starts.push(index);
-  if (starts.length === 0) return [[0, line.count]];
-  return starts.map((start, index) => [start, (starts[index + 1] ?? starts[0]! + line.count) - start]);
-}
-
-function bindThread(
-  cloth: Structure,
-  line: Line,
-  limit: number,
-  thread: number,
-  across: (crossing: number) => Line,
-): void {
-  for (const [start, length] of floats(cloth, line)) {
-    if (length <= limit) continue;
-    const middle = start + Math.floor(length / 2);
-    const candidates = Array.from({ length: Math.max(length - 2, 0) }, (_, index) => start + 1 + index);
-    candidates.sort((a, b) => Math.abs(a - middle) - Math.abs(b - middle));
-    for (const candidate of candidates) {
-      const crossing = candidate % line.count;
-      const at = line.first + crossing * line.step;
-      cloth.drawdown[at] = 1 - cloth.drawdown[at]!;
-      if (floatThrough(cloth, across(crossing), thread) <= limit) break;
-      cloth.drawdown[at] = 1 - cloth.drawdown[at]!;
-    }
-  }
-}
-
-/** The length of the float of a thread that holds its crossing `at`. */
-function floatThrough(cloth: Structure, line: Line, at: number): number {
-  const value = (index: number): number =>
-    cloth.drawdown[line.first + ((at + index + line.count) % line.count) * line.step]!;
-  let after = 1;
-  while (after < line.count && value(after) === value(0)) after++;
-  if (after === line.count) return line.count;
-  let before = 0;
-  while (value(-before - 1) === value(0)) before++;
-  return after + before;
 }
 
 function check(name: string, ends: number, picks: number, multiple: number, lowest: number): void {

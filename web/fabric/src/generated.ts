@@ -180,6 +180,11 @@ export const NEP_COLOUR = "#e4dccb";
 export const SHEEN_STRENGTH = 0.0;
 export const SHEEN_ROUGHNESS = 0.4;
 export const IRREGULARITY = 1.0;
+export const MAX_COLOURS = 255;
+export const MAX_WEFTS = 16;
+export const BACK_WEAVE = "back";
+/** Of wefts that an artwork knows by number alone, sRGB. */
+export const WEFT_COLOURS = ["#efe7d6", "#b3352c", "#d8a023", "#3f7d4e", "#2f6f9f", "#8a4f8f", "#c7703a", "#6b6b6b", "#88a04a", "#4aa3a0", "#d27f96", "#7a5a3c", "#a9b8c9", "#5c4a8a", "#c2b280", "#1f1f1f"] as const;
 /** Numbers of uneven yarns by their fields; [variation] irregularity multiplies amounts. */
 export const IRREGULARITY_FIELDS = {
   "mass_cv": {

@@ -1,4 +1,8 @@
 /** Fabric files and weave drafts: named weaves, WIF, loom plans, colours and spacings. No DOM and no GPU. */
+export { artworkFacts, DRAFT_FILE, weaveArtwork, type Artwork, type ArtworkFacts } from "./artwork.ts";
+export { plainHex, weaveLists } from "./artwork_fields.ts";
+export { artworkFromJson, artworkToJson } from "./artwork_json.ts";
+export { artworkOfPixels, colourCount, colourShares, firstWeaves, pixelsOfArtwork } from "./artwork_picture.ts";
 export * from "./block.ts";
 export { withYarns } from "./yarns.ts";
 export * from "./colour.ts";
@@ -20,7 +24,7 @@ export { asLiftplan, asTreadling, deriveLoomPlan, movedShafts, planDrawdown, wea
 export { namedWeave, weaveNames } from "./named.ts";
 export { clamp, rint } from "./numbers.ts";
 export { fromPalette, pickRows, repeatDraft, WARP_COLOUR, WEFT_COLOUR, withPalette } from "./palette.ts";
-export { draftOfPixels, looksPhotographed } from "./picture.ts";
+export { draftOfPixels, looksPhotographed, requireSize } from "./picture.ts";
 export * from "./orders.ts";
 export * from "./spacing.ts";
 export * from "./textile.ts";

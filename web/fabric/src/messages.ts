@@ -55,6 +55,25 @@ export interface GalleryEntry {
   picture: string | null;
 }
 
+/** The picture of a fabric whose colours are weaves, and the drafts' files among these. */
+export interface ArtworkJson {
+  ends: number;
+  rows: number;
+  /** "#rrggbb". */
+  colours: string[];
+  /** Which colour each pixel has, the bottom row first: base64 of runs, a byte of the colour and the length in groups of 7 bits, the lowest first, all but the last with a high bit. */
+  runs: string;
+  drafts: DrawnJson[];
+}
+
+/** A drawdown that [weaves] of an artwork names, a draft's file; `drawdown` as in a draft. */
+export interface DrawnJson {
+  name: string;
+  ends: number;
+  picks: number;
+  drawdown: string;
+}
+
 /** What a page begins with. */
 export interface Session {
   version: number;
@@ -63,6 +82,8 @@ export interface Session {
   /** That the page must send to that server. */
   token: string | null;
   fabric: FabricJson;
+  /** The picture of which the fabric is woven. */
+  artwork: ArtworkJson | null;
   gallery: GalleryEntry[];
   /** Largest file that the server reads, bytes. */
   largest_upload: number;

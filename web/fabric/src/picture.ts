@@ -22,11 +22,7 @@ const ALIKE = 0.25;
  * @throws InputError too large a picture, or one of a single colour or of several on one side of half.
  */
 export function draftOfPixels(rgba: Uint8ClampedArray, width: number, height: number, file: string): Draft {
-  if (Math.max(width, height) > MAXIMUM_THREADS)
-    throw new InputError(
-      `${file} has ${width} x ${height} pixels; a drawdown has one pixel a crossing, and at most ${MAXIMUM_THREADS} ` +
-        "ends and picks can be used.",
-    );
+  requireSize(width, height, file);
   const colourAt = (at: number): Rgb => {
     const alpha = rgba[4 * at + 3]! / 255;
     const onWhite = (channel: number): number => 1 - alpha * (1 - rgba[4 * at + channel]! / 255);
@@ -56,6 +52,15 @@ export function draftOfPixels(rgba: Uint8ClampedArray, width: number, height: nu
   return makeDraft(structure, { name: file.replace(/\.[^.]*$/, "") });
 }
 
+/** Raises InputError where a picture has more pixels a side than ends or picks can be used. */
+export function requireSize(width: number, height: number, file: string): void {
+  if (Math.max(width, height) > MAXIMUM_THREADS)
+    throw new InputError(
+      `${file} has ${width} x ${height} pixels; a drawdown or an artwork has one pixel an end and a pick, and at most ` +
+        `${MAXIMUM_THREADS} ends and picks can be used.`,
+    );
+}
+
 /** Whether a picture has more colours than one that was drawn, as photographs have. */
 export function looksPhotographed(rgba: Uint8ClampedArray): boolean {
   const colours = new Set<number>();
@@ -68,7 +73,8 @@ function squared(one: Rgb, other: Rgb): number {
   return (one[0] - other[0]) ** 2 + (one[1] - other[1]) ** 2 + (one[2] - other[2]) ** 2;
 }
 
-function luma(colour: Rgb): number {
+/** How bright an eye finds a colour, of sRGB-encoded levels in [0, 1]. */
+export function luma(colour: Rgb): number {
   return colour[0] * LUMA[0] + colour[1] * LUMA[1] + colour[2] * LUMA[2];
 }
 

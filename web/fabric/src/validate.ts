@@ -1,4 +1,5 @@
 /** Validation of a fabric's fields; each fault is one sentence: field, value, and what would be right. */
+import { requireWeaves, weftOrder } from "./artwork_fields.ts";
 import { closeMatch } from "./close_match.ts";
 import { coloursInOrder, isOneColour, parseColour } from "./colour.ts";
 import { InputError } from "./errors.ts";
@@ -104,18 +105,10 @@ function validMap(value: unknown, name: string): SurfaceMaps[string] {
   throw new InputError(`${name} = ${shown(value)} cannot be used: write the path of a picture, "FILE.png", or a table.`);
 }
 
-/** Weaves of an artwork as they are; Python says more of what they name. */
+/** Weaves of an artwork; what they name is looked up where it is woven. */
 function validWeaves(value: unknown, name: string): ArtworkWeaves {
-  if (!isTable(value))
-    throw new InputError(`${name} is no table: write a weave a colour, "#c00000" = "satin 8/3".`);
-  for (const [colour, given] of Object.entries(value)) {
-    const listed: readonly unknown[] = Array.isArray(given) ? given : [given];
-    if (listed.length === 0 || !listed.every((weave) => typeof weave === "string" && weave.trim() !== ""))
-      throw new InputError(
-        `${name}."${colour.slice(0, 40)}" names no weave: write one in quotes, "satin 8/3", or a list of one a weft.`,
-      );
-  }
-  return value as ArtworkWeaves;
+  if (!isTable(value)) throw new InputError(`${name} is no table: write a weave a colour, "#c00000" = "satin 8/3".`);
+  return requireWeaves(value, name);
 }
 
 function validYarn(value: unknown, name: string): string {
@@ -196,12 +189,22 @@ function requireConsistent(fields: FabricFields): void {
       'it has no weave: write weave = "twill 3/1", draft = "file.wif" or image = "file.png".',
     );
   refuseTogether(fields, sources, "");
+  requireArtwork(fields);
   refuseTogether(fields, ["ends_per_cm", "epi"], "");
   refuseTogether(fields, ["picks_per_cm", "ppi"], "");
   for (const family of FAMILIES) {
     refuseTogether(fields[family] ?? {}, ["width_mm", "gap"], `${family}.`);
     requireCount(fields[family]?.count, family);
   }
+}
+
+function requireArtwork({ image, weaves, artwork }: FabricFields): void {
+  const isWoven = Object.keys(weaves ?? {}).length > 0;
+  if (isWoven && image === undefined)
+    throw new InputError('weaves say what the colours of an artwork are: write image = "artwork.png" with them.');
+  if (artwork !== undefined && !isWoven)
+    throw new InputError('[artwork] says how [weaves] are woven, and there are none: write "#c00000" = "satin 8/3" there.');
+  if (artwork?.order !== undefined) weftOrder(artwork.order, "artwork.order");
 }
 
 function requireCount(count: string | undefined, family: FamilyName): void {

@@ -1,5 +1,8 @@
 /** What this package makes of weaves and files, as JSON that a test compares with the Python package. */
 import {
+  artworkFromJson,
+  artworkOfPixels,
+  artworkToJson,
   bendsOf,
   bitsToText,
   clothFacts,
@@ -13,6 +16,7 @@ import {
   planDrawdown,
   readToml,
   readWif,
+  weaveArtwork,
   writeToml,
   writeWif,
   type Draft,
@@ -24,7 +28,8 @@ export type Question =
   | { kind: "weave"; text: string }
   | { kind: "wif"; name: string; base64: string }
   | { kind: "toml"; text: string }
-  | { kind: "picture"; name: string; rgba: string; width: number; height: number };
+  | { kind: "picture"; name: string; rgba: string; width: number; height: number }
+  | { kind: "artwork"; name: string; toml: string; rgba: string; width: number; height: number };
 
 /** The answer to a question, `{ error }` for input that is refused. */
 export function report(question: Question): object {
@@ -48,6 +53,14 @@ export function report(question: Question): object {
         const { name, rgba, width, height } = question;
         const draft = draftOfPixels(new Uint8ClampedArray(Buffer.from(rgba, "base64")), width, height, name);
         return fabric({ image: name }, draft);
+      }
+      case "artwork": {
+        const { name, rgba, width, height } = question;
+        const fields = readToml(question.toml);
+        const read = artworkOfPixels(new Uint8ClampedArray(Buffer.from(rgba, "base64")), width, height, name, fields);
+        const json = artworkToJson(read);
+        const { draft, longestFloat, cut } = weaveArtwork(artworkFromJson(json), fields, name);
+        return { ...fabric(fields, draft), longestFloat, cut, json };
       }
       case "toml": {
         const fields = readToml(question.text);

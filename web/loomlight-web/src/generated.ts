@@ -413,7 +413,7 @@ export const FLANK_BESIDE = 0.01;
 export const FILLED_GAP = 0.2;
 export const OPEN_GAP = 0.45;
 
-// yarn.geometry
+// yarn.max_heights
 export const PYRAMID_RADII = [1, 2, 4, 8] as const;
 export const TILE_CELLS = 2;
 export const QUADRANTS = 4;

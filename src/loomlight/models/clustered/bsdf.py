@@ -534,12 +534,15 @@ class ClusteredBsdf(FilteredBsdf):
     def bounced(self, evaluation: Evaluation) -> Bounced | None:
         """Albedos of light between yarns by the families' shares of the texels: no estimate."""
         del evaluation
-        if self.between is None:
-            return None
+        return None if self.between is None else self.between.of_shares(*self.shown)
+
+    @property
+    def shown(self) -> tuple[Float, Float]:
+        """Shares of warp and of weft in what the view shows: no estimate."""
         warp, weft = self._base.shown_over(self._cluster_means)
         if self.yarns is not None:
             warp, weft = warp * self.yarns.shares[0], weft * self.yarns.shares[1]
-        return self.between.of_shares(warp, weft)
+        return warp, weft
 
     def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
         """Base and residual of the components: unbiased estimates, of either sign."""

@@ -125,7 +125,7 @@ def point_sampled(
         values = [dr.select(point.hole, array_types(view.x).Float(1), 0)]
         if between is not None:
             normal = point.normal if point.surface_normal is None else point.surface_normal
-            blocked = between.blocked_at(point.is_warp, point.back, normal.z, point.height)
+            blocked = between.blocked_at(point.is_warp, point.back, normal.z, point.height - point.plane)
             for family in (point.is_warp, ~point.is_warp):
                 for part in (blocked.by_warp, blocked.by_weft, blocked.far):
                     values.append(dr.select(family & ~point.hole, part, 0))

@@ -100,6 +100,11 @@ class StandardBsdf(FootprintBsdf):
         """Mean diffuse albedo over the footprint, holes counted as 0."""
         return self._cover * self._reflect
 
+    @property
+    def roughness(self) -> Float:
+        """Geometric mean of α along both axes, widened by what the footprint averages."""
+        return dr.sqrt(self._alpha_x * self._alpha_y)
+
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos, 1/sr."""
         del active

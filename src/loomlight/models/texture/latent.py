@@ -297,6 +297,11 @@ class LatentBsdf(TexturedBsdf):
         found = self._device.auxiliary(self._latent)
         return replace(found, normal=to_face_frame(found.normal, self._back))
 
+    @property
+    def roughness(self) -> Float:
+        """α as the network decodes it, 0 to 1."""
+        return self.auxiliary.roughness
+
     @cached_property
     def _latent(self) -> list[Float]:
         types, shape = self._types, self._model.weights.shape

@@ -6,6 +6,7 @@ import type { GalleryEntry } from "loomlight-fabric";
 import { Fault, useWritten } from "../controls/written.tsx";
 import type { Fabric } from "../state/document.ts";
 import { refusalOf, type Dispatch } from "../state/store.ts";
+import { ArtworkSection } from "./ArtworkSection.tsx";
 import { isFound } from "./found.ts";
 import { Gallery } from "./Gallery.tsx";
 
@@ -38,6 +39,7 @@ export function WeavePanel({ fabric, gallery, dispatch, onOpen }: Props) {
   const groups = GROUPS.map(([title, weaves]) => [title, weaves.filter((weave) => isFound(sought, weave, title))] as const).filter(([, weaves]) => weaves.length > 0);
   return (
     <>
+      <ArtworkSection fabric={fabric} dispatch={dispatch} />
       <input
         class="text gallery-search"
         type="search"
@@ -67,7 +69,7 @@ export function WeavePanel({ fabric, gallery, dispatch, onOpen }: Props) {
           <Fault text={written.fault} />
         </form>
         <p class="note">
-          Or your own: drop a draft (.wif), a picture of a drawdown or a fabric on the page, or{" "}
+          Or your own: drop a draft (.wif), a picture of a drawdown, an artwork whose colours are weaves, or a fabric on the page, or{" "}
           <button type="button" class="text-button" data-testid="open-own" onClick={onOpen}>
             choose a file
           </button>

@@ -2,6 +2,7 @@
 import { InputError, loadDraft, validateFields, type FabricFields } from "loomlight-fabric";
 
 import type { Fabric } from "../state/document.ts";
+import { rewoven } from "./artwork.ts";
 
 /** Fields that say the same thing twice: a new value of one takes the place of the others. A count beside a gap weighs. */
 const INSTEAD_OF: Readonly<Partial<Record<string, readonly string[]>>> = {
@@ -36,7 +37,7 @@ export function withFields(fabric: Fabric, values: Plain): Fabric {
     const others = Object.hasOwn(INSTEAD_OF, field) ? INSTEAD_OF[field] : undefined;
     if (value !== undefined) for (const other of others ?? []) fields = replaced(fields, other, undefined);
   }
-  return { ...fabric, fields: validateFields(fields) };
+  return rewoven(fabric, validateFields(fields));
 }
 
 function replaced(fields: Plain, field: string, value: unknown): Plain {

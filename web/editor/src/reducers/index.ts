@@ -2,6 +2,7 @@
 import type { Action, FabricAction } from "../state/actions.ts";
 import { TABS, type Fabric, type State } from "../state/document.ts";
 import { usable } from "../state/usable.ts";
+import { withReading, withWefts } from "./artwork.ts";
 import { requireOneOf } from "./checks.ts";
 import { withColourEdit } from "./colours.ts";
 import { withDraftEdit } from "./draft.ts";
@@ -56,6 +57,10 @@ function edited(fabric: Fabric, action: FabricAction): Fabric {
       return withFields(fabric, action.values);
     case "weave/choose":
       return withWeave(fabric, action.weave);
+    case "artwork/read":
+      return withReading(fabric, action.as);
+    case "artwork/wefts":
+      return withWefts(fabric, action.wefts);
     case "colour/paint":
     case "colour/swap":
     case "colour/order":

@@ -9,6 +9,8 @@ export type FabricAction =
   | { readonly type: "field/set"; readonly field: string; readonly value: unknown; readonly stroke?: string }
   | { readonly type: "fields/set"; readonly values: Readonly<Record<string, unknown>>; readonly stroke?: string }
   | { readonly type: "weave/choose"; readonly weave: string }
+  | { readonly type: "artwork/read"; readonly as: "weaves" | "drawdown" }
+  | { readonly type: "artwork/wefts"; readonly wefts: number }
   | { readonly type: "draft/crossing"; readonly pick: number; readonly end: number; readonly isUp: boolean; readonly stroke?: string }
   | { readonly type: "draft/thread"; readonly end: number; readonly shaft: number; readonly stroke?: string }
   | { readonly type: "draft/tie"; readonly treadle: number; readonly shaft: number; readonly isIn: boolean; readonly stroke?: string }

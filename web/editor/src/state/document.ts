@@ -1,5 +1,5 @@
 /** The one document of the page: everything that a view shows is a function of it. */
-import { colouredDraft, type Draft, type FabricFields } from "loomlight-fabric";
+import { colouredDraft, type Artwork, type Draft, type FabricFields } from "loomlight-fabric";
 
 import { STUDIO_AZIMUTH, STUDIO_ELEVATION } from "../view/studio.ts";
 
@@ -7,6 +7,8 @@ import { STUDIO_AZIMUTH, STUDIO_ELEVATION } from "../view/studio.ts";
 export interface Fabric {
   readonly fields: FabricFields;
   readonly draft: Draft;
+  /** The picture that the draft was read of, or woven of where the fields have weaves of its colours; if it is at hand. */
+  readonly artwork?: Artwork;
 }
 
 /** The pieces of cloth that can be shown. */
@@ -140,6 +142,21 @@ export function woven(fabric: Fabric): Draft {
 /** What to call a fabric. */
 export function nameOf(fabric: Fabric): string {
   return fabric.fields.name ?? (fabric.draft.name || fabric.fields.weave || "Untitled cloth");
+}
+
+/** A fabric whose draft is woven of an artwork that is at hand. */
+export interface WovenOfArtwork extends Fabric {
+  readonly artwork: Artwork;
+}
+
+/** Whether the draft is woven of a picture whose colours are weaves. */
+export function isArtwork(fabric: Fabric): fabric is WovenOfArtwork {
+  return fabric.artwork !== undefined && hasWeaves(fabric.fields);
+}
+
+/** Whether the fields say which weaves the colours of an artwork are. */
+export function hasWeaves({ weaves }: FabricFields): boolean {
+  return weaves !== undefined && Object.keys(weaves).length > 0;
 }
 
 /** Whether the fields name the draft by a weave's name, so that the fabric file alone holds it. */

@@ -13,7 +13,7 @@ const known = new WeakSet<Fabric>();
  */
 export function usable(given: Fabric): Fabric {
   if (known.has(given)) return given;
-  const fabric = { fields: validateFields(given.fields), draft: given.draft };
+  const fabric = { ...given, fields: validateFields(given.fields) };
   requireInterlacing(fabric.draft);
   const draft = woven(fabric);
   const { weight } = clothFacts(fabric.fields, draft);

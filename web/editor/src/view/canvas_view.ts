@@ -8,6 +8,8 @@ import { paperHex } from "./paper.ts";
 
 /** Pixels of the picture of one repeat along its longer side, about. */
 const PICTURE_SIDE = 1200;
+/** Of more crossings than that each is one pixel. */
+const DETAILED = 2 ** 20;
 /** CSS pixels of an arrow key. */
 const KEY_STEP = 24;
 /** Side of a print, as on the swatch of the lit view. */
@@ -64,11 +66,16 @@ export class CanvasView implements ClothView {
   }
 
   get zoom(): number {
-    return Math.log(this.scale / FARTHEST) / Math.log(CLOSEST / FARTHEST);
+    return Math.log(this.scale / this.farthest) / Math.log(CLOSEST / this.farthest);
   }
 
   set zoom(zoom: number) {
-    this.zoomTo(FARTHEST * (CLOSEST / FARTHEST) ** zoom, this.canvas.clientWidth / 2, this.canvas.clientHeight / 2);
+    this.zoomTo(this.farthest * (CLOSEST / this.farthest) ** zoom, this.canvas.clientWidth / 2, this.canvas.clientHeight / 2);
+  }
+
+  /** So far off that the repeat is seen whole. */
+  private get farthest(): number {
+    return this.shown === null ? FARTHEST : Math.min(FARTHEST, firstScale(woven(this.shown.fabric).ends));
   }
 
   readonly orbit = null;
@@ -176,7 +183,8 @@ export class CanvasView implements ClothView {
     let levels = this.pictures.get(fabric);
     if (levels === undefined) {
       const draft = woven(fabric);
-      const pixels = clamp(Math.floor(PICTURE_SIDE / Math.max(draft.ends, draft.picks)), 2, 40);
+      const isDetailed = draft.ends * draft.picks <= DETAILED;
+      const pixels = isDetailed ? clamp(Math.floor(PICTURE_SIDE / Math.max(draft.ends, draft.picks)), 2, 40) : 1;
       const { width, height, rgba } = clothPicture(draft, { pixels, gap: gapsOf(fabric) });
       const finest = canvasOf(width, height);
       finest.getContext("2d")!.putImageData(new ImageData(rgba, width, height), 0, 0);
@@ -193,7 +201,7 @@ export class CanvasView implements ClothView {
   }
 
   private zoomTo(scale: number, x: number, y: number): void {
-    const bounded = clamp(scale, FARTHEST, CLOSEST);
+    const bounded = clamp(scale, this.farthest, CLOSEST);
     const ratio = bounded / this.scale;
     const bottom = this.canvas.clientHeight - Math.min(this.canvas.clientWidth, this.canvas.clientHeight) * 0.098;
     this.offset = { x: x - (x - this.offset.x) * ratio, y: y - bottom - (y - bottom - this.offset.y) * ratio };
@@ -248,7 +256,7 @@ export class CanvasView implements ClothView {
 }
 
 function firstScale(ends: number): number {
-  return Math.min(FIRST, Math.max(2, FIGURE_WIDTH / Math.max(ends, 1)));
+  return Math.min(FIRST, FIGURE_WIDTH / Math.max(ends, 1));
 }
 
 function canvasOf(width: number, height: number): HTMLCanvasElement {

@@ -24,9 +24,10 @@ export interface PictureOptions {
 const LIGHT = [-0.42, 0.5, 0.76] as const;
 const GROUND = 0.012;
 
-/** The picture of one repeat. */
+/** The picture of one repeat; of one pixel a thread, the colours of what is on top. */
 export function clothPicture(draft: Draft, options: PictureOptions): ClothPicture {
   const { pixels, gap } = options;
+  if (pixels === 1) return farPicture(draft, gap);
   const { ends, picks, drawdown } = draft;
   const width = ends * pixels;
   const height = picks * pixels;
@@ -54,6 +55,30 @@ export function clothPicture(draft: Draft, options: PictureOptions): ClothPictur
         }
     }
   return { width, height, rgba };
+}
+
+/** One pixel a crossing: the thread on top in the mean shade of a float of three. */
+function farPicture(draft: Draft, gap: PictureOptions["gap"]): ClothPicture {
+  const { ends, picks, drawdown } = draft;
+  const rgba = new Uint8ClampedArray(ends * picks * 4);
+  const words = new Uint32Array(rgba.buffer);
+  const [warp, weft] = [farColours(draft, true, ends, gap), farColours(draft, false, picks, gap)];
+  for (let pick = 0, cell = 0; pick < picks; pick++)
+    for (let end = 0, place = (picks - 1 - pick) * ends; end < ends; end++, cell++, place++)
+      words[place] = drawdown[cell] === 1 ? warp[end]! : weft[pick]!;
+  return { width: ends, height: picks, rgba };
+}
+
+/** Pixels of the threads of a family, as words of a picture. */
+function farColours(draft: Draft, isWarp: boolean, count: number, gap: PictureOptions["gap"]): Uint32Array {
+  const found = new Uint8ClampedArray(4 * count).fill(255);
+  const places = [-0.75, -0.25, 0.25, 0.75];
+  for (let thread = 0; thread < count; thread++) {
+    const shades = places.flatMap((x) => places.map((y) => shade(draft, isWarp, thread, x, y, [-1, 3], gap)));
+    for (let channel = 0; channel < 3; channel++)
+      found[4 * thread + channel] = 255 * linearToSrgb(shades.reduce((sum, colour) => sum + colour[channel]!, 0) / shades.length);
+  }
+  return new Uint32Array(found.buffer);
 }
 
 function coverOf(isWarp: boolean, x: number, y: number, gap: PictureOptions["gap"]): boolean {

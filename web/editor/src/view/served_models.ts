@@ -35,14 +35,18 @@ export class ServedModels {
     [this.source, this.onArrival, this.onFault] = [source, onArrival, onFault];
   }
 
-  /** The newest tables that are here, maybe of an older fabric; those of this one are asked for. Null for none yet. */
+  /**
+   * The newest tables that are here, maybe of an older edit; those of this fabric are asked for.
+   *
+   * @returns null for none yet, or for ones of another cloth, which the page shows by itself meanwhile.
+   */
   tables(model: TableName, fabric: Fabric): Uint8Array | null {
     const found = this.found.get(model);
     if (found?.fabric !== fabric && this.wanted.get(model) !== fabric) {
       this.wanted.set(model, fabric);
       void this.ask(model);
     }
-    return found?.content ?? null;
+    return found !== undefined && isEdit(found.fabric, fabric) ? found.content : null;
   }
 
   private async ask(model: TableName): Promise<void> {
@@ -66,4 +70,9 @@ export class ServedModels {
     this.said.set(model, sentence);
     this.onFault(sentence);
   }
+}
+
+/** Whether two fabrics are one cloth before and after an edit, as far as sizes tell. */
+function isEdit({ draft: before }: Fabric, { draft: after }: Fabric): boolean {
+  return before.ends === after.ends && before.picks === after.picks;
 }

@@ -3525,7 +3525,7 @@ fn with_blocked_0( _S869 : u32,  _S870 : Blocked_0,  _S871 : YarnPoint_0,  _S872
     {
         return _S870;
     }
-    var _S874 : Blocked_0 = blocked_at_0(_S869, _S872, _S871.back_9, _S871.surface_normal_0.z, _S871.height_7);
+    var _S874 : Blocked_0 = blocked_at_0(_S869, _S872, _S871.back_9, _S871.surface_normal_0.z, _S871.height_7 - _S871.plane_6);
     var result_7 : Blocked_0;
     result_7.by_warp_0 = _S870.by_warp_0 + _S873 * _S874.by_warp_0;
     result_7.by_weft_0 = _S870.by_weft_0 + _S873 * _S874.by_weft_0;
