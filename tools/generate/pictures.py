@@ -108,7 +108,7 @@ RECIPES: dict[str, Recipe] = {
     "yarn-fibres.jpg": Recipe(("studies look/yarn_fibres -o {out}",), picture="look/yarn_fibres.png"),
     "yarn-flanks.jpg": Recipe(("studies accuracy/flanks -o {out}",), picture="accuracy/flanks.png"),
     "blender.jpg": Recipe(
-        ("studies accuracy/blender --fabrics denim,linen --spp 16 --blender-spp 16 -o {out}",),
+        ("studies accuracy/blender --spp 16 --blender-spp 16 -o {out}",),
         picture="accuracy/blender.png",
     ),
     "measured-cloth.jpg": Recipe(
