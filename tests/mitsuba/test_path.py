@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba import path
+from loomlight.mitsuba import camera_walk
 from loomlight.mitsuba.bsdf import SceneTraits
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.plugins import material_bsdf
@@ -366,7 +366,7 @@ def test_roulette_of_light_through_holes_changes_no_expectation(monkeypatch: pyt
         return np.array(each, np.float64)[..., :3].mean(axis=-1)
 
     gambled = pictures()
-    monkeypatch.setattr(path, "_MAX_STEP_IN_NOISE", 1e-6)
+    monkeypatch.setattr(camera_walk, "_MAX_STEP_IN_NOISE", 1e-6)
     whole = pictures()
     noise, least_noise = (each.std(axis=0, ddof=1) for each in (gambled, whole))
     shadow = noise > 1.5 * least_noise
