@@ -140,3 +140,10 @@ def visiting(browser: Any, **options: Any) -> Iterator[Visit]:
 def wait_until(page: Any, condition: str) -> None:
     """Waits for a condition in the page, as long as a busy machine needs."""
     wait_for(page, condition, HANG)
+
+
+def address_of(page: Any) -> str:
+    """The part of the page's address after "#", once it carries the fabric as it is now."""
+    wait_until(page, "window.loomlight.isAddressed()")
+    found: str = page.evaluate("location.hash")
+    return found

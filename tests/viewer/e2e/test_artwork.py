@@ -15,7 +15,7 @@ from PIL import Image
 from loomlight.fabric import load_fabric
 from tests.limits import HANG
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import AXE, Visit, visiting, wait_until
+from tests.viewer.e2e.conftest import AXE, Visit, address_of, visiting, wait_until
 from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor, pixels_of, pixels_other_than
 
 # Red, white and navy; more of the first, fewest of the last.
@@ -193,8 +193,7 @@ def test_a_reload_and_a_link_keep_the_artwork(served: Served, visit: Visit, artw
     by_id(visit.page, "artwork-ffffff-1").fill("basket 2/2")
     by_id(visit.page, "artwork-ffffff-1").press("Enter")
     made = fabric_of(visit.page)
-    wait_until(visit.page, "location.hash.startsWith('#f=')")
-    address = visit.page.evaluate("location.hash")
+    address = address_of(visit.page)
     visit.page.reload()
     wait_until(visit.page, "window.loomlight?.statistics()?.frames > 0")
     assert fabric_of(visit.page) == made

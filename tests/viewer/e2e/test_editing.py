@@ -13,7 +13,7 @@ from PIL import Image
 
 from tests.limits import HANG
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import AXE, Visit, visiting, wait_until
+from tests.viewer.e2e.conftest import AXE, Visit, address_of, visiting, wait_until
 
 FIXTURES = Path(__file__).parents[2] / "cases" / "drafts"
 SIZES = {"desk": (1440, 900), "small": (1024, 768), "phone": (390, 844)}
@@ -260,8 +260,7 @@ def test_the_address_carries_the_fabric_and_a_reload_loses_nothing(served: Serve
     by_id(visit.page, "tab-yarns").click()
     by_id(visit.page, "field-both.roughness").press("End")
     made = fabric_of(visit.page)
-    wait_until(visit.page, "location.hash.startsWith('#f=')")
-    address = visit.page.evaluate("location.hash")
+    address = address_of(visit.page)
     visit.page.reload()
     wait_until(visit.page, "window.loomlight?.statistics()?.frames > 0")
     assert fabric_of(visit.page) == made

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit, visiting, wait_until
+from tests.viewer.e2e.conftest import Visit, address_of, visiting, wait_until
 from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor
 
 THIN = {"weave": "plain", "ends_per_cm": 15, "warp": {"count": "thin"}}
@@ -62,7 +62,7 @@ def test_a_count_is_read_as_mills_write_it_and_nonsense_is_told_beside_it(page: 
         assert by_id(page, "field-both.count").input_value() == text
         assert fabric_of(page)["fields"]["warp"]["count"] == "20s"
     assert by_id(page, "notice-fault").count() == 0
-    wait_until(page, "location.hash.startsWith('#f=')")
+    address_of(page)
     reload(page)
     assert fabric_of(page)["fields"]["weft"]["count"] == "20s"
     by_id(page, "tab-yarns").click()
@@ -146,7 +146,7 @@ def test_undo_survives_a_reload_and_so_does_the_light(page: Any) -> None:
     for weave in ("plain", "satin-5-2", "satin-8-3"):
         by_id(page, f"weave-{weave}").click()
     by_id(page, "undo").click()
-    wait_until(page, "location.hash.startsWith('#f=')")
+    address_of(page)
     reload(page)
     assert page.evaluate("window.loomlight.state().scene.exposure") == 1.5
     by_id(page, "redo").click()
@@ -206,7 +206,7 @@ def test_what_fails_as_soon_as_it_is_given_back_is_set_aside(page: Any) -> None:
 @pytest.mark.slow
 def test_a_fabric_that_kills_its_tab_is_shown_no_third_time(page: Any) -> None:
     by_id(page, "weave-satin-5-2").click()
-    wait_until(page, "location.hash.startsWith('#f=')")
+    address_of(page)
     page.add_init_script(
         "if (!sessionStorage.done) sessionStorage['loomlight.starts'] = '2'; sessionStorage.done = 1;"
     )

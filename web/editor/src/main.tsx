@@ -72,7 +72,10 @@ function keepChanges(store: Store, health: Health): void {
       store.dispatch({ type: "notice/add", kind: "warning", text: "The browser has no room to keep this fabric: save it as a file." });
     }
     if (health.isWell) keepGood(state);
-    void linkOf(state.fabric).then((link) => history.replaceState(null, "", link === null ? location.pathname : `#${link}`));
+    void linkOf(state.fabric).then((link) => {
+      // A fabric that has been edited since has an address of its own on the way.
+      if (store.state.fabric === state.fabric) history.replaceState(null, "", link === null ? location.pathname : `#${link}`);
+    });
   };
   store.subscribe((state, before) => {
     if (state.fabric === before.fabric && state.scene === before.scene && state.comparison === before.comparison) return;

@@ -1,4 +1,5 @@
 /** `window.loomlight`: what tests of the page read. */
+import { linkOf } from "./link.ts";
 import type { Fabric } from "./state/document.ts";
 import { fabricForServer } from "./state/fabric_json.ts";
 import type { Store } from "./state/store.ts";
@@ -13,6 +14,8 @@ declare global {
     loomlight?: {
       /** The fabric as the server takes it. */
       fabric(): ReturnType<typeof fabricForServer>;
+      /** Whether the address carries the fabric as it is now: it follows an edit after a while. */
+      isAddressed(): Promise<boolean>;
       /** sRGB pixels of the cloth, as a plain list. */
       readPixels(): Promise<{ width: number; height: number; data: number[] }>;
       statistics(): Record<string, unknown> | null;
@@ -27,6 +30,7 @@ export function exposeForTests(store: Store): Handle {
   let view: ClothView | null = null;
   window.loomlight = {
     fabric: () => fabricForServer(store.state.fabric as Fabric),
+    isAddressed: async () => location.hash === `#${await linkOf(store.state.fabric)}`,
     readPixels: async () => {
       if (view === null) throw new Error("no view yet");
       const { width, height, data } = await view.readPixels();
