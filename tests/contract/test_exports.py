@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import runpy
 from collections.abc import Callable, Iterator
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from unittest.mock import patch
 
@@ -20,7 +20,7 @@ import pytest
 from loomlight.core.images import read_picture
 from loomlight.core.llvm import require_llvm
 from loomlight.exporters import export, shaders
-from loomlight.exporters.shaders import LANGUAGES, library
+from loomlight.exporters.shaders import LANGUAGES, library, spirv_library
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Model
 from loomlight.models.neural.model import NeuralModel, NeuralOptions
@@ -33,7 +33,7 @@ from studies.instruments.counted_library import CountedLibrary, queries_of
 from tests.helpers.arrays import vectors
 from tests.helpers.commands import run_compiler
 from tests.helpers.parity import share_beyond
-from tests.helpers.shader_cases import bsdf_of, footprint_rows
+from tests.helpers.shader_cases import bsdf_of, footprint_rows, layered_fabric
 from tests.helpers.untrained import random_latent, random_neumip, small_clustered, with_samples
 from tests.marks import slow_among
 
@@ -138,6 +138,29 @@ def test_cuda_text_computes_what_the_model_computes(model: str) -> None:
     assert share_beyond(found[:, 3], through) <= 2e-3
     assert 500 < counts.operations < (20_000 if model != "neural" else 250_000)
     assert 0 < counts.loaded_bytes < 20 * counts.operations
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("model", ["lobes", "point"])
+def test_cloth_in_layers_is_shown_with_its_planes(model: str) -> None:
+    """Layers change places, and holes of the front show what lies behind; the bars are those of frames."""
+    fabric, rows = layered_fabric("pattern-double-weave"), footprint_rows(2000, 3)
+    found, _ = CountedLibrary(fabric, model).answers(queries_of(*rows.values()))
+    at = bsdf_of(make_model(model, fabric), rows)
+    value = np.array(at.value(vectors(rows["light"]))).T
+    assert share_beyond(found[:, :3], value) <= 3e-3
+    assert share_beyond(found[:, 3], np.array(at.null_transmission)) <= 3e-3
+
+
+@pytest.mark.parametrize("language", slow_among([*LANGUAGES, "spirv"], {*LANGUAGES, "spirv"} - {"cuda"}))
+def test_code_knows_layers_where_the_cloth_has_some(language: str, tmp_path: Path) -> None:
+    code = (spirv_library if language == "spirv" else partial(library, language))("point")
+    other = (spirv_library if language == "spirv" else partial(library, language))("point", True)
+    assert code != other
+    if language == "spirv":
+        for number, words in enumerate((code, other)):
+            (tmp_path / f"{number}.spv").write_bytes(words)
+            run_compiler("spirv-val", "--target-env", "vulkan1.1", f"{number}.spv", cwd=tmp_path)
 
 
 @pytest.mark.slow

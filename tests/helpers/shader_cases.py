@@ -58,7 +58,7 @@ def _fabric_of(name: str) -> Fabric:
     return edited_fabric(fabric, {"variation.irregularity": 0}) if name.startswith("even") else fabric
 
 
-def _layered(name: str) -> Fabric:
+def layered_fabric(name: str) -> Fabric:
     """An example of layered cloth, with light between its yarns and under sheen."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", LoomlightWarning)  # that it has layers
@@ -123,7 +123,7 @@ CASES: dict[str, ShaderCase] = {
         for name in ("denim", "even denim", "damask", "silk-satin")
     },
     **{
-        f"{model}, {_LAYERED}": ShaderCase(model, _of(model, partial(_layered, _LAYERED)), _SEARCHES)
+        f"{model}, {_LAYERED}": ShaderCase(model, _of(model, partial(layered_fabric, _LAYERED)), _SEARCHES)
         for model in ("lobes", "point")
     },
     # Of threads of two colours more shows.

@@ -103,7 +103,7 @@ def test_a_double_weave_warns_in_one_sentence(case: Path) -> None:
         load_draft(case)
     assert [str(warning.message) for warning in caught] == [
         f"{case} holds 2 layers of cloth that no thread binds together (2 ends and 2 picks lie above 2 ends "
-        "and 2 picks); neural, clustered, exported shaders and pages without Python show a single plane."
+        "and 2 picks); neural and clustered do not take it, and pages without Python show a single plane."
     ]
 
 

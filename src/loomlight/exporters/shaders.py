@@ -5,20 +5,19 @@ from __future__ import annotations
 import re
 import shutil
 import tomllib
-import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from string import Template
 from typing import Any
 
-from loomlight.core.errors import LoomlightError, LoomlightWarning
+from loomlight.core.errors import LoomlightError
 from loomlight.models.registry import REALTIME_MODELS, Shaders
 from loomlight.realtime.materials import Material, look_of, source_of, tables_for
 from loomlight.realtime.records import BUFFERS, QUERY, RECORDS, Fields
 from loomlight.realtime.slangc import SHADERS, TARGETS, library_code
-from loomlight.realtime.words import pack_fabrics
+from loomlight.realtime.words import Packed, pack_fabrics
 
 _OWN = Path(__file__).parent / "languages"
 _IMPORT = re.compile(r"^import (\w+);", re.MULTILINE)
@@ -38,33 +37,37 @@ def write_shaders(folder: Path, material: Material, model: str, language: str) -
     from loomlight.core.llvm import require_llvm
 
     require_llvm()
+    look = look_of(material, model)
+    is_layered = look is not None and look[0].depth > 1
     if language == "slang":
-        code = _write_modules(folder, model)
+        code = _write_modules(folder, model, is_layered)
     elif language == "spirv":
-        (folder / "cloth_queries.spv").write_bytes(library_code("spirv", model))
+        (folder / "cloth_queries.spv").write_bytes(spirv_library(model, is_layered))
         code = ["cloth_queries.spv"]
     else:
-        code = _write_text(folder, model, language)
+        code = _write_text(folder, model, language, is_layered)
     (folder / "cloth.h").write_text(c_header(), encoding="utf-8")
     source = source_of(material)
     width, height = source.repeat_mm
     repeat = (float(width), float(height))
-    buffers = write_buffers(folder, material, model, repeat)
+    packed = pack_fabrics([look], [repeat], [tables_for(material, model)])
+    buffers = write_buffers(folder, packed, model)
     (folder / "README.md").write_text(
-        shader_instructions(source.name, model, language, code, buffers, repeat), encoding="utf-8"
+        shader_instructions(source.name, model, language, code, buffers, repeat, is_layered), encoding="utf-8"
     )
     return {
         "code": code,
         "function": "cloth_value",
         "repeat_mm": list(repeat),
         "buffers": buffers,
+        "knows_layers": is_layered,
         "records": described_records(),
     }
 
 
-def _write_text(folder: Path, model: str, language: str) -> list[str]:
+def _write_text(folder: Path, model: str, language: str, is_layered: bool) -> list[str]:
     suffix = TARGETS[language].suffix
-    text = library(language, model)
+    text = library(language, model, is_layered)
     names = [f"cloth.{suffix}", f"cloth_queries.{suffix}"]
     if language == "cuda":
         text = '#include "cloth_prelude.h"\n' + text
@@ -78,7 +81,7 @@ def _write_text(folder: Path, model: str, language: str) -> list[str]:
     return names
 
 
-def _write_modules(folder: Path, model: str) -> list[str]:
+def _write_modules(folder: Path, model: str, is_layered: bool) -> list[str]:
     """The module of a library and all that it imports."""
     wanted, names = [f"cloth_{model}"], []
     while wanted:
@@ -86,6 +89,8 @@ def _write_modules(folder: Path, model: str) -> list[str]:
         if name not in names:
             names.append(name)
             text = (SHADERS / f"{name}.slang").read_text(encoding="utf-8")
+            if name == "planes" and is_layered:
+                text = _knowing_layers(text, r"bool HAS_LAYERS = false")
             (folder / f"{name}.slang").write_text(text, encoding="utf-8")
             wanted += _IMPORT.findall(text)
     return [f"{name}.slang" for name in names]
@@ -281,8 +286,12 @@ LANGUAGES = {
 
 
 @cache
-def library(language: str, model: str) -> str:
+def library(language: str, model: str, is_layered: bool = False) -> str:
     """The text of the library of a model in a language of `LANGUAGES`: everything that `cloth_value` needs.
+
+    Args:
+        is_layered: whether it shows cloth in layers with its planes, which makes it slower; it shows other
+            cloth too.
 
     Raises:
         MissingDependencyError: it would have to be compiled, and there is no compiler.
@@ -301,6 +310,8 @@ def library(language: str, model: str) -> str:
         raise LoomlightError(
             f"The library of {model} reads {left[0]} in {language}: a query belongs to the kernel."
         )
+    if is_layered:
+        text = _knowing_layers(text, r"\b(?:bool|fn) is_layered_\d+\([^}]*?\bfalse\b")
     for name in _PUBLIC:
         text = re.sub(rf"\b{name}_0\b", name, text)
     for before, after in rules.renamed:
@@ -308,28 +319,51 @@ def library(language: str, model: str) -> str:
     return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
 
 
+def _knowing_layers(text: str, constant: str) -> str:
+    """Code with `HAS_LAYERS` true, where `planes.slang` or what slangc made of it has false.
+
+    Args:
+        constant: pattern of what ends with that "false".
+
+    Raises:
+        LoomlightError: it is not there once.
+    """
+    found = list(re.finditer(constant, text))
+    if len(found) != 1:
+        raise LoomlightError(
+            f"The code says {len(found)} times whether it knows layers, where it should once."
+        )
+    start, end = found[0].span()
+    return text[:start] + "true".join(text[start:end].rsplit("false", 1)) + text[end:]
+
+
+_SPEC_CONSTANT_TRUE, _SPEC_CONSTANT_FALSE = 48, 49
+
+
+def spirv_library(model: str, is_layered: bool = False) -> bytes:
+    """The kernel of a model's library in SPIR-V; hosts may set its constant 0, whether it knows layers.
+
+    Args:
+        is_layered: what the constant is when no host sets it.
+
+    Raises:
+        MissingDependencyError: it would have to be compiled, and there is no compiler.
+    """
+    code = bytearray(library_code("spirv", model))
+    words, at = memoryview(code).cast("I"), 5  # behind the header
+    while at < len(words):
+        if words[at] & 0xFFFF == _SPEC_CONSTANT_TRUE and not is_layered:
+            words[at] += _SPEC_CONSTANT_FALSE - _SPEC_CONSTANT_TRUE
+        at += words[at] >> 16
+    words.release()
+    return bytes(code)
+
+
 # ------------------------------------------------------------------------------------------- buffers as files
 
 
-def write_buffers(
-    folder: Path, material: Material, model: str, repeat_mm: tuple[float, float]
-) -> list[dict[str, Any]]:
-    """Writes a file NAME.bin, little-endian, of each buffer of a library, and returns their description.
-
-    Raises:
-        InputError: the model does not take the material.
-    """
-    look = look_of(material, model)
-    if look is not None and look[0].depth > 1:
-        # Libraries are compiled without layers, which would cost all cloth time.
-        warnings.warn(
-            f"Exported shaders show a single plane, and this cloth has {look[0].depth} layers: render, play, "
-            "maps and textured materials show them.",
-            LoomlightWarning,
-            stacklevel=3,
-        )
-        look = replace(look[0], layers=(), stacking=None, ties=()), look[1]
-    packed = pack_fabrics([look], [repeat_mm], [tables_for(material, model)])
+def write_buffers(folder: Path, packed: Packed, model: str) -> list[dict[str, Any]]:
+    """Writes a file NAME.bin, little-endian, of each buffer that a library reads; returns what they hold."""
     described = []
     for binding, (name, (kind, _)) in enumerate(BUFFERS.items()):
         if name in REALTIME_MODELS[model].buffers:
@@ -366,6 +400,10 @@ def _described(fields: Fields) -> list[dict[str, Any]]:
 
 
 _FOLDER = Path(__file__).parent / "languages"
+_WITH_LAYERS = (
+    " This cloth lies in layers, so the code knows them: it costs more of each layer, shows cloth in one plane "
+    "too, and code exported of such cloth is faster for that."
+)
 
 
 def shader_instructions(
@@ -375,6 +413,7 @@ def shader_instructions(
     code: Sequence[str],
     buffers: Sequence[dict[str, Any]],
     repeat_mm: tuple[float, float],
+    is_layered: bool = False,
 ) -> str:
     """The text of README.md.
 
@@ -382,6 +421,7 @@ def shader_instructions(
         code: names of the files of code.
         buffers: as the manifest describes them.
         repeat_mm: size of the draft's repeat.
+        is_layered: whether the code knows layers.
     """
     with (_FOLDER / "languages.toml").open("rb") as file:
         of_language = tomllib.load(file)[language]
@@ -405,6 +445,7 @@ def shader_instructions(
             width=width,
             height=height,
             rows="\n".join(rows),
+            layers=_WITH_LAYERS if is_layered else "",
             cost=REALTIME_MODELS[model].cost,
         )
     )

@@ -65,8 +65,9 @@ TARGETS = {
     "wgsl": Target("wgsl"),
     "hlsl": Target("hlsl", ("-profile", "sm_6_0")),
     "glsl": Target("glsl", ("-profile", "glsl_450")),
-    # Drivers optimise; the optimiser and validator that slangc would load are not in its wheel.
-    "spirv": Target("spv", ("-profile", "spirv_1_3", "-O0", "-skip-spirv-validation")),
+    # Drivers optimise; the optimiser and validator that slangc would load are not in its wheel. Whether it
+    # knows layers is a constant in the text of other languages, here one that hosts and exports may set.
+    "spirv": Target("spv", ("-profile", "spirv_1_3", "-O0", "-skip-spirv-validation", *LAYERED)),
     "metal": Target("metal"),
     "cuda": Target("cu"),
 }

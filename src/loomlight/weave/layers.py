@@ -856,8 +856,8 @@ def warn_of_layers(warp_up: NDArray[np.bool_], file: str) -> None:
         (ends, picks), (under_ends, under_picks) = sizes[:2]
         warnings.warn(
             f"{file} holds {len(sizes)} layers of cloth that no thread binds together ({ends} ends and "
-            f"{picks} picks lie above {under_ends} ends and {under_picks} picks); neural, clustered, "
-            "exported shaders and pages without Python show a single plane.",
+            f"{picks} picks lie above {under_ends} ends and {under_picks} picks); neural "
+            "and clustered do not take it, and pages without Python show a single plane.",
             LoomlightWarning,
             stacklevel=3,
         )

@@ -49,7 +49,7 @@ export function warnOfLayers(structure: Structure, file: string, warn: Warn): vo
   if (upper === undefined || under === undefined) return;
   warn(
     `${file} holds ${sizes.length} layers of cloth that no thread binds together (${upper[0]} ends and ${upper[1]} ` +
-      `picks lie above ${under[0]} ends and ${under[1]} picks); neural, clustered, ` +
-      `exported shaders and pages without Python show a single plane.`,
+      `picks lie above ${under[0]} ends and ${under[1]} picks); neural ` +
+      `and clustered do not take it, and pages without Python show a single plane.`,
   );
 }
