@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -15,32 +14,23 @@ from PIL import Image
 from loomlight.fabric import load_fabric
 from tests.limits import HANG
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import AXE, Visit, address_of, visiting, wait_until
-from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor, pixels_of, pixels_other_than
+from tests.viewer.e2e.pages import (
+    AXE,
+    Visit,
+    address_of,
+    by_id,
+    fabric_of,
+    open_editor,
+    pixels_of,
+    pixels_other_than,
+    visiting,
+    wait_for_cloth,
+    wait_until,
+)
 
 # Red, white and navy; more of the first, fewest of the last.
 COLOURS = ("#c00000", "#ffffff", "#001040")
 SIZE = (48, 32)
-
-
-@pytest.fixture(scope="module")
-def opened(served: Served, browser: Any) -> Iterator[Visit]:
-    """One page for all tests of the module."""
-    with visiting(browser) as visit:
-        open_editor(served, visit)
-        yield visit
-
-
-@pytest.fixture
-def editor(opened: Visit) -> Iterator[Any]:
-    """The page with a twill; whatever a test makes is undone."""
-    yield opened.page
-    while by_id(opened.page, "undo").is_enabled():
-        by_id(opened.page, "undo").click()
-    for button in opened.page.get_by_label("Dismiss").all():
-        button.click()
-    by_id(opened.page, "tab-weave").click()
-    assert opened.complaints == []
 
 
 @pytest.fixture(scope="module")
@@ -195,7 +185,7 @@ def test_a_reload_and_a_link_keep_the_artwork(served: Served, visit: Visit, artw
     made = fabric_of(visit.page)
     address = address_of(visit.page)
     visit.page.reload()
-    wait_until(visit.page, "window.loomlight?.statistics()?.frames > 0")
+    wait_for_cloth(visit.page)
     assert fabric_of(visit.page) == made
     by_id(visit.page, "undo").click()
     assert fabric_of(visit.page)["fields"]["weaves"]["#ffffff"] == "sateen 8/3"

@@ -10,7 +10,7 @@ import pytest
 
 from tests.capturing.pictures import WIDTH_MM, photographed_twill
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit, wait_until
+from tests.viewer.e2e.pages import Visit, wait_until
 
 
 def asked_about(visit: Visit, served: Served, photo: Path) -> Any:

@@ -7,8 +7,7 @@ from typing import Any
 import pytest
 
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit, wait_until
-from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor
+from tests.viewer.e2e.pages import Visit, by_id, fabric_of, open_editor, wait_until
 
 _TABLE = "Name;L*;a*;b*\n# D50\nSignal 3;54,29;80,81;69,89\nNavy;29,57;68,30;-112,03\n"
 

@@ -11,8 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit, visiting, wait_until
-from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor
+from tests.viewer.e2e.pages import Visit, by_id, fabric_of, open_editor, visiting, wait_until
 
 SIDE = 16
 

@@ -8,8 +8,7 @@ from typing import Any
 import pytest
 
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit, wait_until
-from tests.viewer.e2e.test_editing import SIZES, by_id, fabric_of, open_editor
+from tests.viewer.e2e.pages import SIZES, Visit, by_id, fabric_of, open_editor, wait_until
 
 
 @pytest.fixture

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -13,62 +12,22 @@ from PIL import Image
 
 from tests.limits import HANG
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import AXE, Visit, address_of, visiting, wait_until
+from tests.viewer.e2e.pages import (
+    AXE,
+    SIZES,
+    Visit,
+    address_of,
+    by_id,
+    fabric_of,
+    open_editor,
+    pixels_of,
+    pixels_other_than,
+    visiting,
+    wait_for_cloth,
+    wait_until,
+)
 
 FIXTURES = Path(__file__).parents[2] / "cases" / "drafts"
-SIZES = {"desk": (1440, 900), "small": (1024, 768), "phone": (390, 844)}
-
-
-@pytest.fixture(scope="module")
-def opened(served: Served, browser: Any) -> Iterator[Visit]:
-    """One page for all tests of a module: to load it takes longer than a test."""
-    with visiting(browser) as visit:
-        open_editor(served, visit)
-        yield visit
-
-
-@pytest.fixture
-def editor(opened: Visit) -> Iterator[Any]:
-    """The page as it opens: a twill, the panel of weaves, no notices. Whatever a test makes is undone."""
-    yield opened.page
-    while by_id(opened.page, "undo").is_enabled():
-        by_id(opened.page, "undo").click()
-    for button in opened.page.get_by_label("Dismiss").all():
-        button.click()
-    by_id(opened.page, "tab-weave").click()
-    assert opened.complaints == []
-
-
-def open_editor(served: Served, visit: Visit, after: str = "") -> None:
-    visit.page.goto(f"http://127.0.0.1:{served.port}/{after}")
-    wait_until(visit.page, "window.loomlight?.statistics()?.frames > 0")
-
-
-def fabric_of(page: Any) -> dict[str, Any]:
-    found: dict[str, Any] = page.evaluate("window.loomlight.fabric()")
-    return found
-
-
-def by_id(page: Any, name: str) -> Any:
-    return page.get_by_test_id(name)
-
-
-def pixels_of(page: Any) -> list[int]:
-    """Red, green and blue of every hundredth pixel that is shown."""
-    picked = "window.loomlight.readPixels().then(({data}) => data.filter((_, at) => at % 400 < 3))"
-    found: list[int] = page.evaluate(picked)
-    return found
-
-
-def pixels_other_than(page: Any, before: list[int]) -> list[int]:
-    """The pixels, once they are others than before."""
-    end = time.monotonic() + HANG
-    while time.monotonic() < end:
-        now = pixels_of(page)
-        if now != before:
-            return now
-        page.wait_for_timeout(20)
-    raise AssertionError("the picture stays as it was")
 
 
 def click_cell(page: Any, column: int, row_from_top: int) -> None:
@@ -262,7 +221,7 @@ def test_the_address_carries_the_fabric_and_a_reload_loses_nothing(served: Serve
     made = fabric_of(visit.page)
     address = address_of(visit.page)
     visit.page.reload()
-    wait_until(visit.page, "window.loomlight?.statistics()?.frames > 0")
+    wait_for_cloth(visit.page)
     assert fabric_of(visit.page) == made
     with visiting(visit.page.context.browser) as other:
         open_editor(served, other, address)

@@ -7,7 +7,6 @@ Covers: viewer/answers.py
 
 from __future__ import annotations
 
-import io
 import json
 import struct
 import zipfile
@@ -17,60 +16,23 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from PIL import Image
 
 from loomlight.fabric.maps import sample_maps, write_maps
 from loomlight.fabric.read import load_fabric
 from loomlight.models.registry import model_from_loom
 from loomlight.viewer.answers import saved
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit, wait_until
+from tests.viewer.e2e.pages import Visit, exported, open_editor, picture_of
 
 FABRIC = "twill 3/1"  # what `served` opens
-# Notes whether progress was ever shown, even if it was gone before a test could look.
-WATCH = """() => {
-  window.progressWasShown = false;
-  new MutationObserver(() => {
-    window.progressWasShown ||= document.querySelector("[data-testid=export-progress]") !== null;
-  }).observe(document.body, { childList: true, subtree: true });
-}"""
 PAPER = (245, 241, 232)
-
-
-def exported(page: Any, kind: str, **given: str | bool) -> Path:
-    """The file that the dialogue makes of one kind, with what is filled in by name."""
-    if not page.get_by_test_id("export").is_visible():
-        page.get_by_test_id("save").click()
-        page.get_by_test_id("save-export").click()
-    page.get_by_test_id(f"export-kind-{kind}").click()
-    for name, value in given.items():
-        field = page.get_by_test_id(f"export-{name}")
-        if isinstance(value, bool):
-            field.set_checked(value)
-        elif name == "model":
-            field.select_option(value)
-        else:
-            field.fill(value)
-            field.press("Tab")
-    page.evaluate(WATCH)
-    with page.expect_download() as downloaded:
-        page.get_by_test_id("export-start").click()
-    if kind == "gltf":  # the others may be there at once
-        assert page.evaluate("window.progressWasShown")
-    page.get_by_test_id("export-done").wait_for()
-    assert downloaded.value.suggested_filename in page.get_by_test_id("export-done").inner_text()
-    return Path(downloaded.value.path())
 
 
 @pytest.fixture
 def editor(served: Served, visit: Visit) -> Any:
-    visit.page.goto(f"http://127.0.0.1:{served.port}/")
-    wait_until(visit.page, "window.loomlight?.statistics()?.frames > 0")
+    """A page of each test's own: its dialogue stays open."""
+    open_editor(served, visit)
     return visit.page
-
-
-def picture_of(content: Path | bytes) -> NDArray[np.uint8]:
-    return np.asarray(Image.open(io.BytesIO(content) if isinstance(content, bytes) else content))
 
 
 @pytest.mark.slow

@@ -15,8 +15,7 @@ import pytest
 
 from tests.limits import HANG
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit, visiting, wait_until
-from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor
+from tests.viewer.e2e.pages import Visit, by_id, fabric_of, open_editor, visiting, wait_until
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 PLY = """ply
@@ -36,23 +35,12 @@ end_header
 UV = "property float s\nproperty float t\n"
 
 
-@pytest.fixture(scope="module")
-def opened(served: Served, browser: Any) -> Iterator[Any]:
-    """One page for all files."""
-    with visiting(browser) as visit:
-        open_editor(served, visit)
-        yield visit.page
-        assert visit.complaints == []
-
-
 @pytest.fixture
-def page(opened: Any) -> Iterator[Any]:
-    """The page without notices; whatever a test opens, the fabric stays."""
-    for button in opened.get_by_label("Dismiss").all():
-        button.click()
-    made = fabric_of(opened)
-    yield opened
-    assert fabric_of(opened) == made
+def page(editor: Any) -> Iterator[Any]:
+    """The page; whatever a test opens, the fabric stays."""
+    made = fabric_of(editor)
+    yield editor
+    assert fabric_of(editor) == made
 
 
 @pytest.mark.parametrize(

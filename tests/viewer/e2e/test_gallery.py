@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit, wait_until
-from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor
+from tests.viewer.e2e.pages import Visit, by_id, fabric_of, open_editor, wait_until
 
 
 @pytest.mark.slow

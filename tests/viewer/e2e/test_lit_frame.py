@@ -25,8 +25,7 @@ from loomlight.viewer.answers import tables_of
 from loomlight.viewer.messages import openness_json
 from tests.limits import HANG
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import ROOT, SWIFTSHADER, launched, visiting, wait_until
-from tests.viewer.e2e.test_export import exported, picture_of
+from tests.viewer.e2e.pages import ROOT, SWIFTSHADER, exported, launched, picture_of, visiting, wait_until
 
 SIZE = 64
 FABRIC = 'weave = "twill 3/1"\nends_per_cm = 24\npicks_per_cm = 18\nwarp.color = "#20305c"\n'

@@ -5,15 +5,21 @@ from __future__ import annotations
 import base64
 import json
 import zlib
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit, address_of, visiting, wait_until
-from tests.viewer.e2e.test_editing import by_id, fabric_of, open_editor
+from tests.viewer.e2e.pages import (
+    Visit,
+    address_of,
+    by_id,
+    fabric_of,
+    open_editor,
+    wait_for_cloth,
+    wait_until,
+)
 
 THIN = {"weave": "plain", "ends_per_cm": 15, "warp": {"count": "thin"}}
 
@@ -25,18 +31,9 @@ def page(served: Served, visit: Visit) -> Any:
     return visit.page
 
 
-@pytest.fixture(scope="module")
-def unchanged(served: Served, browser: Any) -> Iterator[Any]:
-    """One page for tests that leave it as it is."""
-    with visiting(browser) as visit:
-        open_editor(served, visit)
-        yield visit.page
-        assert visit.complaints == []
-
-
 def reload(page: Any) -> None:
     page.reload()
-    wait_until(page, "window.loomlight?.statistics()?.frames > 0")
+    wait_for_cloth(page)
 
 
 def enter(page: Any, field: str, text: str) -> None:
@@ -83,18 +80,16 @@ def test_a_count_is_read_as_mills_write_it_and_nonsense_is_told_beside_it(page: 
     ],
 )
 def test_what_cannot_be_is_told_beside_its_field(
-    unchanged: Any, tab: str, field: str, text: str, said: str
+    editor: Any, tab: str, field: str, text: str, said: str
 ) -> None:
-    page = unchanged
-    kept = page.evaluate("JSON.stringify([window.loomlight.fabric(), window.loomlight.state().scene])")
-    by_id(page, f"tab-{tab}").click()
-    enter(page, field, text)
-    assert said in page.locator(".fault").inner_text()
-    assert by_id(page, field).input_value() == text
-    assert (
-        page.evaluate("JSON.stringify([window.loomlight.fabric(), window.loomlight.state().scene])") == kept
-    )
-    by_id(page, field).press("Escape")  # takes the fault away
+    held = "JSON.stringify([window.loomlight.fabric(), window.loomlight.state().scene])"
+    kept = editor.evaluate(held)
+    by_id(editor, f"tab-{tab}").click()
+    enter(editor, field, text)
+    assert said in editor.locator(".fault").inner_text()
+    assert by_id(editor, field).input_value() == text
+    assert editor.evaluate(held) == kept
+    by_id(editor, field).press("Escape")  # takes the fault away
 
 
 @pytest.mark.slow

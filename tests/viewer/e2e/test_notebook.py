@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 
 from tests.limits import HANG
-from tests.viewer.e2e.conftest import ROOT, SWIFTSHADER, launched, visiting, wait_until
+from tests.viewer.e2e.pages import ROOT, SWIFTSHADER, launched, visiting, wait_for_cloth, wait_until
 
 CELLS = (
     "import loomlight\ncloth = loomlight.view('twill 3/1')\ncloth",
@@ -118,7 +118,7 @@ def test_page_and_python_follow_each_other(notebook: str, playwright: Any) -> No
         page.evaluate(RUN, 0)
         element = page.wait_for_selector(FRAME)
         frame = element.content_frame()
-        wait_until(frame, "window.loomlight?.statistics()?.frames > 0")
+        wait_for_cloth(frame)
         assert frame.evaluate("window.loomlight.fabric().fields.weave") == "twill 3/1"
         # It lies in the notebook's frame and keeps nothing in the notebook's storage.
         assert frame.evaluate("Object.keys(localStorage).filter((key) => key.startsWith('loomlight'))") == []

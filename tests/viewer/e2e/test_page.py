@@ -14,7 +14,7 @@ import pytest
 from loomlight.viewer.app import Access
 from loomlight.viewer.client import export_site
 from tests.viewer.conftest import Served, serving
-from tests.viewer.e2e.conftest import AXE, Visit, wait_until
+from tests.viewer.e2e.pages import AXE, Visit, wait_for_cloth, wait_until
 
 FIXTURES = Path(__file__).parents[2] / "cases" / "drafts"
 # Of everything that the page may load, compressed as web servers do; and of what is not three.js's, which
@@ -93,7 +93,7 @@ def test_address_names_a_fabric_of_the_gallery_and_a_frame_shows_the_cloth_alone
 def test_edits_go_on_without_the_server_and_nothing_is_lost(client: Path, visit: Visit) -> None:
     running = serving(client, Access.for_host("127.0.0.1"))
     visit.page.goto(f"http://127.0.0.1:{next(running).port}/")
-    wait_until(visit.page, "window.loomlight?.statistics()?.frames > 0")
+    wait_for_cloth(visit.page)
     running.close()  # as when the terminal is closed
     visit.page.get_by_test_id("tab-yarns").click()
     visit.page.get_by_test_id("field-both.roughness").press("End")

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from tests.limits import HANG
-from tests.viewer.e2e.conftest import ROOT, SWIFTSHADER, launched, visiting, wait_until
+from tests.viewer.e2e.pages import ROOT, SWIFTSHADER, launched, visiting, wait_until
 
 # What three drew last, read before the browser takes it.
 DRAWN = """() => new Promise((resolve) => requestAnimationFrame(() => resolve(

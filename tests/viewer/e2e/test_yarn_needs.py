@@ -7,8 +7,7 @@ from typing import Any
 import pytest
 
 from tests.viewer.conftest import Served
-from tests.viewer.e2e.conftest import Visit
-from tests.viewer.e2e.test_editing import by_id, open_editor
+from tests.viewer.e2e.pages import Visit, by_id, open_editor
 
 
 def _write(page: Any, field: str, text: str) -> None:
