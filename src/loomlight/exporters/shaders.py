@@ -401,8 +401,8 @@ def _described(fields: Fields) -> list[dict[str, Any]]:
 
 _FOLDER = Path(__file__).parent / "languages"
 _WITH_LAYERS = (
-    " This cloth lies in layers, so the code knows them: it costs more of each layer, shows cloth in one plane "
-    "too, and code exported of such cloth is faster for that."
+    " This cloth lies in layers, and the code knows them: it costs more of each layer and shows cloth in one "
+    "plane too, but code exported of such cloth is faster for that."
 )
 
 
