@@ -151,6 +151,28 @@ def test_a_picture_of_two_colours_is_a_drawdown_until_one_says_so(editor: Any, t
     assert fabric_of(editor) == drawn
 
 
+def test_a_picture_of_many_colours_is_woven_in_its_main_ones(editor: Any, tmp_path: Path) -> None:
+    """Three areas with noise, as a squeezed photograph of a drawing has."""
+    index = np.repeat(np.array([0, 1, 1, 2]), 16)[None].repeat(48, 0)
+    painted = np.array([[int(colour[at : at + 2], 16) for at in (1, 3, 5)] for colour in COLOURS])[index]
+    noise = np.random.default_rng(1).integers(-6, 7, painted.shape)
+    Image.fromarray(np.clip(painted + noise, 0, 255).astype(np.uint8)).save(tmp_path / "poster.png")
+    by_id(editor, "files").set_input_files(tmp_path / "poster.png")
+    by_id(editor, "picture-colours-count").fill("1")
+    by_id(editor, "picture-colours-count").press("Enter")
+    assert "2 to 24 colours" in by_id(editor, "photograph").inner_text()
+    by_id(editor, "picture-colours-count").fill("3")
+    by_id(editor, "picture-colours-count").press("Enter")
+    by_id(editor, "picture-is-main-colours").click()
+    wait_until(editor, "window.loomlight.fabric().fields.image === 'poster.png'")
+    made = fabric_of(editor)
+    assert sorted(made["fields"]["weaves"].values()) == ["sateen 8/3", "satin 8/3", "twill 2/2"]
+    assert (made["draft"]["ends"], made["draft"]["picks"]) == (64, 48)
+    files = saved_files(editor, 2, tmp_path)
+    fabric = load_fabric(next(file for file in files if file.suffix == ".toml"))
+    np.testing.assert_array_equal(fabric.draft.drawdown, drawdown_of(made))
+
+
 def test_what_is_no_artwork_is_told_and_changes_nothing(editor: Any, artwork: Path, tmp_path: Path) -> None:
     before = fabric_of(editor)
     photograph = tmp_path / "photograph.png"

@@ -7,7 +7,7 @@ import { ServerError } from "./api.ts";
 import { CaptureDialog, warningsOf } from "./CaptureDialog.tsx";
 import { Edited } from "./controls/written.tsx";
 import { ExportDialog } from "./ExportDialog.tsx";
-import { ACCEPTED, download, MESHES, NoDraft, openFabric, pngOf, saveFabric, stemOf, wifFile, type Meaning } from "./files.ts";
+import { ACCEPTED, download, MESHES, NoDraft, openFabric, pngOf, saveFabric, stemOf, wifFile, type Meaning, type Unclear } from "./files.ts";
 import { Guard } from "./Guard.tsx";
 import type { Health } from "./health.ts";
 import { addCard, CARDS } from "./keeping/cards.ts";
@@ -59,7 +59,7 @@ export function App({ store, server, health, onView }: Props) {
   const [isDropping, setDropping] = useState(false);
   const [isFlat, setFlat] = useState(false);
   const [isExporting, setExporting] = useState(false);
-  const [question, setQuestion] = useState<{ readonly name: string; readonly colours: number; readonly answer: (meant: Meant) => void } | null>(null);
+  const [question, setQuestion] = useState<{ readonly picture: Unclear; readonly answer: (meant: Meant) => void } | null>(null);
   const [photograph, setPhotograph] = useState<File | null>(null);
   const view = useRef<ClothView | null>(null);
   const chooser = useRef<HTMLInputElement>(null);
@@ -100,11 +100,11 @@ export function App({ store, server, health, onView }: Props) {
   };
 
   /** What a picture of many colours is; a print is laid on the cloth. */
-  const askOf = async (file: File, colours: number): Promise<Meaning> => {
-    const meant = await new Promise<Meant>((answer) => setQuestion({ name: file.name, colours, answer }));
+  const askOf = async (picture: Unclear): Promise<Meaning> => {
+    const meant = await new Promise<Meant>((answer) => setQuestion({ picture, answer }));
     setQuestion(null);
-    if (meant === "print") await openPrint(file);
-    else if (meant === "cloth") startCapture(file);
+    if (meant === "print") await openPrint(picture.file);
+    else if (meant === "cloth") startCapture(picture.file);
     else return meant;
     return "nothing";
   };
@@ -300,7 +300,7 @@ export function App({ store, server, health, onView }: Props) {
           <ExportDialog fabric={state.fabric} server={server} view={view.current} onClose={() => setExporting(false)} />
         </Guard>
       )}
-      {question !== null && <PhotographQuestion name={question.name} colours={question.colours} onAnswer={question.answer} />}
+      {question !== null && <PhotographQuestion picture={question.picture} onAnswer={question.answer} />}
       {photograph !== null && (
         <CaptureDialog
           file={photograph}

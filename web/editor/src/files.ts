@@ -6,6 +6,7 @@ import {
   draftFromJson,
   draftOfPixels,
   firstWeaves,
+  inMainColours,
   InputError,
   loadDraft,
   looksPhotographed,
@@ -48,11 +49,21 @@ export interface Opened {
   readonly warnings: readonly string[];
 }
 
-/** What a picture is whose colours do not tell: a design whose colours are weaves, a drawdown, or none to be woven. */
-export type Meaning = "artwork" | "drawdown" | "nothing";
+/**
+ * What a picture is whose colours do not tell: a design whose colours are weaves, one of so many main colours, a drawdown,
+ * or none to be woven.
+ */
+export type Meaning = "artwork" | "drawdown" | "nothing" | { readonly mainColours: number };
 
-/** Asks what a picture of so many colours is, more than a drawing has. */
-export type Ask = (file: File, colours: number) => Promise<Meaning>;
+/** A picture of which one has to ask, as it has more colours than a drawing. */
+export interface Unclear {
+  readonly file: File;
+  readonly colours: number;
+  readonly pixels: Pixels;
+}
+
+/** Asks what a picture is. */
+export type Ask = (picture: Unclear) => Promise<Meaning>;
 
 /** A picture that was not to be read after all. */
 export class NoDraft extends Error {}
@@ -120,19 +131,24 @@ async function openArtwork(toml: File, fields: FabricFields, files: readonly Fil
  * A drawdown keeps its picture, so that it can be read as artwork after all.
  */
 async function openPicture(file: File, ask: Ask): Promise<Fabric> {
-  const { data, width, height } = await pixelsOf(file);
+  const pixels = await pixelsOf(file);
+  const { data, width, height } = pixels;
   const colours = colourCount(data);
-  const meaning = looksPhotographed(data) ? await ask(file, colours) : colours > 2 ? "artwork" : "drawdown";
+  const meaning = looksPhotographed(data) ? await ask({ file, colours, pixels }) : colours > 2 ? "artwork" : "drawdown";
   if (meaning === "nothing") throw new NoDraft();
-  const fields: FabricFields = { image: file.name };
-  const artwork = meaning === "artwork" || colours <= MAX_COLOURS ? artworkOfPixels(data, width, height, file.name) : null;
-  if (meaning === "artwork") {
-    const weaves = firstWeaves(artwork!);
-    return { fields: { ...fields, weaves }, draft: weaveArtwork(artwork!, { ...fields, weaves }, file.name).draft, artwork: artwork! };
-  }
+  if (typeof meaning === "object") return artworkOf(inMainColours(data, width, height, meaning.mainColours), width, height, file.name);
+  if (meaning === "artwork") return artworkOf(data, width, height, file.name);
   const draft = draftOfPixels(data, width, height, file.name);
   requireWoven(draft, file.name);
-  return { fields, draft, ...(artwork === null ? {} : { artwork }) };
+  const artwork = colours <= MAX_COLOURS ? artworkOfPixels(data, width, height, file.name) : null;
+  return { fields: { image: file.name }, draft, ...(artwork === null ? {} : { artwork }) };
+}
+
+/** The fabric of a picture each of whose colours is a weave. */
+function artworkOf(data: Uint8ClampedArray, width: number, height: number, image: string): Fabric {
+  const artwork = artworkOfPixels(data, width, height, image);
+  const fields: FabricFields = { image, weaves: firstWeaves(artwork) };
+  return { fields, draft: weaveArtwork(artwork, fields, image).draft, artwork };
 }
 
 /** What of a file of what was set aside can be, and in a sentence what cannot. */

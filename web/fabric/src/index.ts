@@ -24,6 +24,7 @@ export { asLiftplan, asTreadling, deriveLoomPlan, movedShafts, planDrawdown, wea
 export { namedWeave, weaveNames } from "./named.ts";
 export { clamp, rint } from "./numbers.ts";
 export { fromPalette, pickRows, repeatDraft, WARP_COLOUR, WEFT_COLOUR, withPalette } from "./palette.ts";
+export { inMainColours } from "./main_colours.ts";
 export { draftOfPixels, looksPhotographed, requireSize } from "./picture.ts";
 export * from "./orders.ts";
 export * from "./spacing.ts";
