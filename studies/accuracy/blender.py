@@ -41,6 +41,8 @@ FABRICS = ("denim", "linen", "silk-satin", "gabardine", "organza", "tweed")
 # Widths of cloth in the middle of the picture, millimetres, and the largest FLIP that there is to be.
 WIDTHS = {"10 mm": (10.0, 0.25), "200 mm": (200.0, 0.15), "500 mm": (500.0, 0.15)}
 MAX_COLOUR_DIFFERENCE = 3.0
+# The maps that are shown most.
+_SHOWN = {"10 mm": "near", "200 mm": "mid", "500 mm": "far"}
 PICTURE = REPOSITORY / "integrations" / "blender" / "picture.py"
 # The sheet: side and height of its waves, metres, their number, and vertices a side.
 _SIDE, _WAVE, _WAVES, _VERTICES = 0.8, 0.012, 5, 241
@@ -72,9 +74,11 @@ def measure(settings: Blender, run: Run) -> Found:
         fabric = load_fabric(example(name))
         with tempfile.TemporaryDirectory() as temporary:
             maps = export(fabric, "blender", Path(temporary) / "maps")
-            size = json.loads((maps / "manifest.json").read_text(encoding="utf-8"))["size_mm"]
-            sheet = waves((size[0] / 2, size[1] / 2))
+            densities = json.loads((maps / "manifest.json").read_text(encoding="utf-8"))["densities"]
+            sizes = {density["name"]: density["size_mm"] for density in densities}
             for width in listed(settings.widths):
+                across, up = sizes[_SHOWN[width]]
+                sheet = waves((across / 2, up / 2))
                 view = view_of(sheet, WIDTHS[width][0])
                 truth, counted = of_lobes(fabric, sheet, view, settings)
                 found = of_blender(maps, sheet, view, settings, Path(temporary))

@@ -1,8 +1,12 @@
-"""Exports opened by three.js beside `loomlight render`: a cushion by glTF and by USD, in the light of a room.
+"""Exports opened by engines beside `loomlight render`: a cushion by glTF and USD, under a sun and a sky.
 
 The cushion of the examples, seen from its front so that a pixel is a texel of the textures (1080 rows and 26°
-of view are cut to a square), lit by the room of the examples alone: Mitsuba shows `lobes`, three.js what its
-own loaders make of the files in Chromium, USD as UsdPreviewSurface.
+of view are cut to a square). Mitsuba shows `lobes`; three.js, Babylon.js, Filament and PlayCanvas show what
+their own loaders make of the files in Chromium, USD as UsdPreviewSurface. Of an even sky no engine's filter
+of surroundings can be wrong, so that the light is the same for all.
+
+Cards of one material, seen from straight above, say what is an engine's own: how bright it shows them by the
+sky and by the sun, over the formulas of glTF.
 """
 
 from __future__ import annotations
@@ -22,41 +26,56 @@ from loomlight.core.picture_settings import GarmentSettings
 from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.metrics import flip_mean
 from loomlight.evaluation.table import Table
-from loomlight.exporters.fit import FittedMaterial
+from loomlight.exporters.fit import TEXEL_FIELDS, FittedMaterial
 from loomlight.exporters.garment import clothed_garment
 from loomlight.exporters.garment_gltf import garment_glb, textures_of
 from loomlight.exporters.materials import fitted
+from loomlight.exporters.standards import StandardMaterial, evaluate_gltf
 from loomlight.exporters.usd import write_package
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.read import load_fabric
 from loomlight.mesh.reading import read_mesh
 from loomlight.mitsuba import choose_variant, material_bsdf, render, to_shape, uv_size
-from loomlight.mitsuba.lights import environment_dict
 from studies.harness.study import EXAMPLES, Figures, Found, Run, Study, example, listed, names, on_display
+from studies.instruments.engine_page import ENGINES, EnginePage, Light, engine_page, missing
 from studies.instruments.sheet import Row, Tile, contact_sheet
-from studies.instruments.three_page import ThreePage, missing, three_page
 
-FABRICS = ("denim", "linen", "silk-satin", "wool-houndstooth")
+FABRICS = ("denim", "linen", "silk-satin", "wool-houndstooth", "tweed", "organza")
 # From the camera to the front of the cushion, metres.
-DISTANCES = {"30 cm": 0.3, "2 m": 2.0}
-_MESH, _ROOM, _FRONT = EXAMPLES / "cushion.obj", EXAMPLES / "room.exr", 0.09
+DISTANCES = {"30 cm": 0.3, "1 m": 1.0, "2 m": 2.0}
+_MESH, _FRONT = EXAMPLES / "cushion.obj", 0.09
 _ROWS, _DEGREES, _SECONDS = 1080, 26.0, 120.0
-FORMATS = ("glTF", "USD")
+# Radiance of the sky, irradiance across the rays of the sun, and where it stands.
+_SKY, _SUN = 0.25, float(np.pi)
+_TO_SUN = (-0.4466, 0.4963, 0.7444)
+LIGHTS = {"sun": Light(_SKY, _SUN, _TO_SUN), "sky": Light(_SKY)}
+# What is opened in an engine: the file, by its format.
+FILES = {"glTF": "cloth.glb", "USD": "cloth.usdz"}
+PROGRAMS = {
+    **{f"glTF in {engine}": (engine, FILES["glTF"]) for engine in ENGINES},
+    "USD in three.js": ("three.js", FILES["USD"]),
+}
 
 
 @dataclass(frozen=True)
 class OpenedExports(Settings):
     fabrics: str = names(",".join(FABRICS), "Example fabrics.")
     distances: str = names(",".join(DISTANCES), "From the camera to the cloth.", tuple(DISTANCES))
+    programs: str = names(",".join(PROGRAMS), "What opens what.", tuple(PROGRAMS))
+    light: str = names("sun", "A sun and an even sky, or the sky alone.", tuple(LIGHTS))
+    cards: bool = setting(True, "Also compares cards of one material with glTF's formulas.")
     side: int = setting(256, "Pixels of a picture.", low=8)
     spp: int = setting(64, "Samples a pixel of Mitsuba's pictures.", low=1)
 
 
 def measure(settings: OpenedExports, run: Run) -> Found:
-    """FLIP, the difference of mean colours and the ratio of means, by fabric, distance and format."""
-    if missing():
-        raise InputError(f"accuracy/opened_exports draws with three.js, and {missing()}.")
+    """FLIP, the difference of mean colours and the ratio of means, by fabric, distance and program."""
+    programs = {name: PROGRAMS[name] for name in listed(settings.programs)}
+    for engine, _ in programs.values():
+        if missing(engine):
+            raise InputError(f"accuracy/opened_exports draws with {engine}, and {missing(engine)}.")
     choose_variant(None)
+    cards = _cards(list(dict.fromkeys(engine for engine, _ in programs.values()))) if settings.cards else []
     rows, tiles = [], []
     for name in listed(settings.fabrics):
         fabric = load_fabric(example(name))
@@ -64,27 +83,31 @@ def measure(settings: OpenedExports, run: Run) -> Found:
             truth = _by_mitsuba(fabric, DISTANCES[label], settings)
             with tempfile.TemporaryDirectory() as folder:
                 _export(fabric, fitted(fabric, "lobes", DISTANCES[label]), Path(folder))
-                with three_page(Path(folder), _SECONDS, _ROOM) as page:
-                    drawn = [_by_three(page, file, DISTANCES[label], settings) for file in _FILES]
+                drawn = _by_engines(Path(folder), programs, DISTANCES[label], settings)
+                sizes = {file: (Path(folder) / file).stat().st_size / 1e6 for file in FILES.values()}
             row = [Tile(on_display(truth))]
-            for kind, picture in zip(FORMATS, drawn, strict=True):
+            for program, picture in drawn.items():
                 found = _errors(picture, truth)
-                rows.append({"fabric": name, "distance": label, "format": kind} | found)
-                row.append(Tile(on_display(picture), f"FLIP {found['flip']:.3f}"))
+                size = sizes[programs[program][1]]
+                rows.append(
+                    {"fabric": name, "distance": label, "program": program, "megabytes": size} | found
+                )
+                row.append(
+                    Tile(on_display(picture), f"FLIP {found['flip']:.3f}, × {found['brightness']:.2f}")
+                )
             tiles.append(Row(f"{name}, {label}", row))
             run.report(len(tiles), len(listed(settings.fabrics)) * len(listed(settings.distances)))
-    sheet = contact_sheet("Exports in three.js", ["loomlight render", *FORMATS], tiles)
-    return Found({"pictures": rows}, sheet)
+    sheet = contact_sheet("Exports in engines", ["loomlight render", *programs], tiles)
+    return Found({"pictures": rows, "cards": cards}, sheet)
 
 
-_FILES = ("cloth.glb", "cloth.usdz")
-
-
-def _export(fabric: Fabric, fit: FittedMaterial, folder: Path) -> None:
-    """The cushion in a material that is fitted already, as both files."""
-    garment = clothed_garment(fabric, GarmentSettings(mesh=_MESH), lambda _: fit)
-    (folder / _FILES[0]).write_bytes(garment_glb(garment, [textures_of(cloth) for cloth in garment.cloths]))
-    write_package(folder / _FILES[1], garment)
+def _export(fabric: Fabric, fit: FittedMaterial, folder: Path, mesh: Path = _MESH) -> None:
+    """A mesh in a material that is fitted already, as both files."""
+    garment = clothed_garment(fabric, GarmentSettings(mesh=mesh), lambda _: fit)
+    (folder / FILES["glTF"]).write_bytes(
+        garment_glb(garment, [textures_of(cloth) for cloth in garment.cloths])
+    )
+    write_package(folder / FILES["USD"], garment)
 
 
 def _view(distance: float, side: int) -> tuple[tuple[float, float, float], float]:
@@ -94,25 +117,41 @@ def _view(distance: float, side: int) -> tuple[tuple[float, float, float], float
 
 
 def _by_mitsuba(fabric: Fabric, distance: float, settings: OpenedExports) -> NDArray[np.float32]:
-    mesh = read_mesh(_MESH)
+    mesh, light = read_mesh(_MESH), LIGHTS[settings.light]
     eye, degrees = _view(distance, settings.side)
     towards: Any = mi.ScalarTransform4f().look_at(list(eye), [0, 0, 0], [0, 1, 0])
     film = {"type": "hdrfilm", "width": settings.side, "height": settings.side, "rfilter": {"type": "box"}}
-    scene = mi.load_dict(
-        {
-            "type": "scene",
-            "shape": to_shape(mesh, material_bsdf(fabric)(uv_size(mesh, 1.0))),
-            "room": environment_dict(_ROOM),
-            "sensor": {"type": "perspective", "fov": degrees, "to_world": towards, "film": film},
-        }
-    )
+    parts: dict[str, Any] = {
+        "type": "scene",
+        "shape": to_shape(mesh, material_bsdf(fabric)(uv_size(mesh, 1.0))),
+        "sky": {"type": "constant", "radiance": {"type": "rgb", "value": light.sky}},
+        "sensor": {"type": "perspective", "fov": degrees, "to_world": towards, "film": film},
+    }
+    if light.sun > 0:
+        downwards = [-part for part in light.to_sun]
+        sun = {"type": "rgb", "value": light.sun}
+        parts["sun"] = {"type": "directional", "direction": downwards, "irradiance": sun}
     integrator = mi.load_dict({"type": "footprint_path", "max_depth": 4})
-    return render(scene, spp=settings.spp, integrator=integrator, denoise="off")
+    return render(mi.load_dict(parts), spp=settings.spp, integrator=integrator, denoise="off")
 
 
-def _by_three(page: ThreePage, file: str, distance: float, settings: OpenedExports) -> NDArray[np.float32]:
+def _by_engines(
+    folder: Path, programs: dict[str, tuple[str, str]], distance: float, settings: OpenedExports
+) -> dict[str, NDArray[np.float32]]:
+    """Pictures by program, linear RGB."""
+    found = {}
+    for engine in dict.fromkeys(engine for engine, _ in programs.values()):
+        with engine_page(folder, _SECONDS, engine=engine) as page:
+            for program, (of_program, file) in programs.items():
+                if of_program == engine:
+                    found[program] = _by_engine(page, file, distance, settings)
+    return {program: found[program] for program in programs}
+
+
+def _by_engine(page: EnginePage, file: str, distance: float, settings: OpenedExports) -> NDArray[np.float32]:
     eye, degrees = _view(distance, settings.side)
-    _, picture = page.draw(file, eye, degrees=degrees, side=settings.side)
+    light = LIGHTS[settings.light]
+    _, picture = page.draw(file, eye, degrees=degrees, side=settings.side, light=light)
     return srgb_to_linear(picture / 255).astype(np.float32)
 
 
@@ -125,26 +164,124 @@ def _errors(picture: NDArray[np.float32], truth: NDArray[np.float32]) -> Figures
     }
 
 
+# ---------------------------------------------------------------------------------------------------- cards
+
+# Base colour, reflectance at normal incidence, at grazing angles, α along x and along y.
+CARDS = {
+    "matt": (0.5, 0.0, 0.0, 1.0, 1.0),
+    "glossy as glass": (0.0, 0.04, 1.0, 0.3, 0.3),
+    "glossy as yarns": (0.0, 0.4, 0.12, 0.3, 0.3),
+    "anisotropic": (0.0, 0.4, 0.12, 0.6, 0.15),
+}
+_CARD_MM, _RAYS = 25.0, 1 << 18
+
+
+def _cards(engines: list[str]) -> list[Figures]:
+    """How bright each engine shows each card by the sky and by the sun, over the formulas of glTF."""
+    rows = []
+    for name, numbers in CARDS.items():
+        card = _card(*numbers)
+        expected = _by_formula(card)
+        with tempfile.TemporaryDirectory() as folder:
+            square = Path(folder) / "square.obj"
+            corners = [(x, y) for y in (0, 1) for x in (0, 1)]
+            lines = [f"v {x - 0.5} {y - 0.5} 0\nvt {x} {y}" for x, y in corners]
+            square.write_text("\n".join([*lines, "f 1/1 2/2 4/4 3/3", ""]), encoding="utf-8")
+            _export(load_fabric("plain"), card, Path(folder), square)
+            for engine in engines:
+                with engine_page(Path(folder), _SECONDS, engine=engine) as page:
+                    shown = [_mean_of_card(page, light) for light in (Light(_SKY), Light(0.0, _SUN, _TO_SUN))]
+                ratios = [float(seen / due) for seen, due in zip(shown, expected, strict=True)]
+                rows.append({"card": name, "engine": engine, "sky": ratios[0], "sun": ratios[1]})
+    return rows
+
+
+def _card(base: float, reflectance: float, grazing: float, along_x: float, along_y: float) -> FittedMaterial:
+    """A material of the same numbers in all texels."""
+
+    def texels(value: float | list[float]) -> NDArray[np.float64]:
+        return np.array(np.broadcast_to(value, (4, 4, *np.shape(value))), np.float64)
+
+    is_wide_along_x = along_x >= along_y
+    x, y = [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]
+    return FittedMaterial(
+        base=texels([base] * 3),
+        transmission=texels(0.0),
+        transmit=texels([0.0] * 3),
+        specular=texels([reflectance] * 3),
+        weight=grazing,
+        alpha_x=texels(max(along_x, along_y)),
+        alpha_y=texels(min(along_x, along_y)),
+        normal=texels([0.0, 0.0, 1.0]),
+        axis_x=texels(x if is_wide_along_x else y),
+        axis_y=texels(y if is_wide_along_x else [-1.0, 0.0, 0.0]),
+        sheen=np.zeros(3),
+        sheen_roughness=0.5,
+        size=(_CARD_MM, _CARD_MM),
+        cover=texels(1.0),
+        height=texels(0.0),
+        direction=texels((x if is_wide_along_x else y)[:2]),
+        error=0.0,
+        brightness=1.0,
+    )
+
+
+def _by_formula(card: FittedMaterial) -> tuple[float, float]:
+    """What the formulas of glTF show of a card by the sky and by the sun, from straight above."""
+
+    def shown(light: NDArray[np.float64]) -> NDArray[np.float64]:
+        count = len(light)
+        texel = {name: np.repeat(getattr(card, name)[:1, 0], count, axis=0) for name in TEXEL_FIELDS}
+        material = StandardMaterial(
+            **texel, weight=card.weight, sheen=card.sheen, sheen_roughness=card.sheen_roughness
+        )
+        return evaluate_gltf(material, light, np.broadcast_to([0.0, 0.0, 1.0], light.shape)).mean(axis=-1)
+
+    rng = np.random.default_rng(1)
+    cosine, azimuth = rng.uniform(size=_RAYS), rng.uniform(0, 2 * np.pi, _RAYS)
+    sine = np.sqrt(1 - cosine**2)
+    sky = np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=-1)
+    by_sky = float(shown(sky).mean() * 2 * np.pi * _SKY)
+    return by_sky, float(shown(np.array([_TO_SUN]))[0] * _SUN)
+
+
+def _mean_of_card(page: EnginePage, light: Light) -> float:
+    eye, degrees = _view(0.3, 64)
+    _, picture = page.draw(FILES["glTF"], eye, degrees=degrees, side=64, light=light)
+    return float(srgb_to_linear(picture / 255).mean())
+
+
 def tables(figures: Figures) -> list[Table]:
-    """Errors by fabric, distance and format."""
+    """Errors by fabric, distance and program."""
     columns = ["FLIP", "CIEDE2000 of mean colours", "brightness over render's"]
     rows = {
-        f"{row['fabric']}, {row['distance']}, {row['format']}": [
+        f"{row['fabric']}, {row['distance']}, {row['program']}": [
             row["flip"],
             row["colour_difference"],
             row["brightness"],
         ]
         for row in figures["pictures"]
     }
-    return [Table("Exports opened by three.js", columns, rows)]
+    cards = {f"{row['card']}, {row['engine']}": [row["sky"], row["sun"]] for row in figures.get("cards", [])}
+    return [
+        Table("Exports opened by engines", columns, rows),
+        Table("Cards opened by engines", ["by an even sky", "by a sun"], cards),
+    ]
 
 
 STUDY = Study(
     "accuracy/opened_exports",
-    "how near what three.js shows of glTF and USD comes to `loomlight render`, on a cushion in a room",
+    "how near what engines show of glTF and USD comes to `loomlight render`, on a cushion",
     OpenedExports(),
     measure,
     tables,
     stands_on=("lobes",),
-    small={"fabrics": "denim", "distances": "2 m", "side": 32, "spp": 4},
+    small={
+        "fabrics": "denim",
+        "distances": "2 m",
+        "programs": "glTF in three.js",
+        "side": 32,
+        "spp": 4,
+        "cards": False,
+    },
 )

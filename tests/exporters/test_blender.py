@@ -158,7 +158,7 @@ def test_two_diffuse_layers_share_the_light() -> None:
 def test_texels_are_as_bright_as_the_model_has_them() -> None:
     """Under a sky: of two like texels that the model shades unlike, each gets its own."""
     fabric = fabric_from_text('weave = "plain"\n[warp]\nroughness = 0.9\n[weft]\nroughness = 0.9\n')
-    grid, model = TexelGrid(fabric, 8, 8), make_model("lobes", fabric)
+    grid, model = TexelGrid(fabric, 8, 8, (1, 1)), make_model("lobes", fabric)
     texels = grid.filled()
     shape = texels.cover.shape
     one, up = np.ones(shape), np.broadcast_to([0.0, 0, 1], (*shape, 3))
@@ -195,10 +195,11 @@ def shown_by(model: Any, grid: TexelGrid, light: np.ndarray) -> np.ndarray:
 
 def test_maps_of_uneven_yarns_hold_many_threads() -> None:
     uneven = fabric_from_text('weave = "twill 3/1"\nyarn = "linen"\n')
-    assert repeats_of(uneven) == (16, 16)
+    assert [repeats_of(uneven, name) for name in DENSITIES] == [(32, 32), (128, 128), (256, 256)]
+    assert repeats_of(fabric_from_text('weave = "twill 3/1"\n'), "far") == (1, 1)
     wide = fabric_from_text('weave = "satin 40/7"\nyarn = "linen"\n')
-    across, up = repeats_of(wide)
-    assert (across, up) == (2, 2)
+    across, up = repeats_of(wide, "near")
+    assert (across, up) == (3, 3)
     assert 8 * 40 * across <= MAX_TEXELS
 
 

@@ -24,6 +24,7 @@ from loomlight.exporters import engines, export
 from loomlight.exporters.engines import ENGINES, power_of_two
 from loomlight.exporters.fit import FittedMaterial
 from loomlight.exporters.metal_rough import metal_rough
+from loomlight.exporters.texels import TextureSize
 from tests.helpers.standard_materials import plain_material
 
 # A normal that leans to the right and up, and α of 0.36: a roughness of 0.6.
@@ -32,10 +33,11 @@ FABRIC = "twill 2/1"
 OPENGL, DIRECTX = np.round(255 * (0.5 + 0.5 * LEANING)), np.round(255 * (0.5 + 0.5 * LEANING * [1, -1, 1]))
 
 
-def fit(fabric: Any, model: Any, columns: int, rows: int, cover: float = 1.0) -> FittedMaterial:
+def fit(fabric: Any, model: Any, size: TextureSize, cover: float = 1.0) -> FittedMaterial:
+    """Of `near` 4 × 8 mm, of `far`, which is made second and has fewer texels, 40 × 80."""
     return plain_material(
-        size=(4.0, 8.0),
-        shape=(rows, columns),
+        size=(4.0, 8.0) if size.columns > 16 else (40.0, 80.0),
+        shape=(size.rows, size.columns),
         normal=LEANING,
         alpha_x=0.36,
         alpha_y=0.36,
@@ -77,7 +79,8 @@ def test_every_pack_holds_two_densities_of_powers_of_two(engine: str, tmp_path: 
         sides = {Image.open(file).size for file in (folder / label).glob("*.png")}
         assert sides == {tuple(found["texels"])}
         assert all(side & (side - 1) == 0 for side in found["texels"])
-        assert np.multiply(found["texels"], found["texel_mm"]) == pytest.approx([4, 8])
+        assert np.multiply(found["texels"], found["texel_mm"]) == pytest.approx(found["repeat_mm"])
+        assert found["repeat_mm"] == ([4, 8] if label == "near" else [40, 80])
     assert manifest["densities"]["near"]["texels"] > manifest["densities"]["far"]["texels"]
 
 
@@ -87,7 +90,8 @@ def test_instructions_say_the_size_and_leave_nothing_open(engine: str, tmp_path:
     folder = export(FABRIC, engine, tmp_path / "out")
     text = (folder / "README.md").read_text()
     assert "{{" not in text
-    assert "4 × 8 mm" in text
+    assert "| 4 × 8 |" in text
+    assert "| 40 × 80 |" in text
     assert "about 1 m away" in text
     assert all(
         "{{" not in file.read_text() for file in folder.rglob("*") if file.suffix != ".png" and file.is_file()
@@ -143,7 +147,7 @@ def test_colours_are_srgb_with_opacity_where_there_are_holes(
     request.getfixturevalue("net")
     found = pixels(export(FABRIC, engine, tmp_path / "net") / name)
     assert found[3] in (127, 128)
-    expected = metal_rough(fit(None, None, 1, 1)).base[0, 0]
+    expected = metal_rough(fit(None, None, TextureSize(1, 1, (1, 1)))).base[0, 0]
     if engine == "threejs":  # which has sheen and transmission apart
         expected = 0.7 * np.array([0.3, 0.35, 0.4])
     # Half a step of 8 bits.
@@ -170,10 +174,13 @@ def test_godots_materials_name_their_textures_and_sizes(tmp_path: Path) -> None:
         used = set(re.findall(r'ExtResource\("(\w+)"\)', text))
         assert used == set(resources)
         # Of uv in metres, and of a material with holes, which writes depth before it blends.
-        assert "uv1_scale = Vector3(250.0000, 125.0000, 1)" in text
+        scale = "250.0000, 125.0000" if label == "near" else "25.0000, 12.5000"
+        assert f"uv1_scale = Vector3({scale}, 1)" in text
         assert "transparency = 4" in text
         specular = float(re.search(r"metallic_specular = ([\d.]+)", text)[1])
-        assert 0.16 * specular**2 == pytest.approx(metal_rough(fit(None, None, 1, 1)).reflectance, abs=1e-3)
+        assert 0.16 * specular**2 == pytest.approx(
+            metal_rough(fit(None, None, TextureSize(1, 1, (1, 1)))).reflectance, abs=1e-3
+        )
 
 
 @pytest.mark.usefixtures("dense")
@@ -223,6 +230,11 @@ def test_unreals_script_imports_every_texture(tmp_path: Path, monkeypatch: pytes
     places = [call.args[1:] for call in parts.MaterialEditingLibrary.connect_material_property.call_args_list]
     kinds = parts.MaterialProperty
     assert len(places) == 2 * 6
+    numbers = parts.MaterialEditingLibrary.create_material_expression.return_value
+    repeats = [
+        call.args[1] for call in numbers.set_editor_property.call_args_list if call.args[0] == "default_value"
+    ]
+    assert repeats == [250, 125, 25, 12.5]
     for pin, place in (("G", kinds.MP_ROUGHNESS), ("A", kinds.MP_OPACITY_MASK), ("RGB", kinds.MP_NORMAL)):
         assert (pin, place) in places
 

@@ -107,11 +107,11 @@ def test_what_is_reflected_and_passed_stays_the_same() -> None:
     """f of both is base · (1 − factor) and colour · factor, in each channel."""
     cloth = cloth_of()
     reflected, passed = 0.7 * np.array([0.3, 0.35, 0.4]), 0.3 * np.array([0.5, 0.3, 0.1])
-    for made, lets_through in ((cloth.reflecting(), False), (cloth.least_passing(), True)):
+    for made, lets_through in ((cloth.reflecting(), 0), (cloth.half_passing(), 0.5)):
         assert made.base[0, 0] * (1 - made.transmission[0, 0]) == pytest.approx(reflected)
         assert made.transmit[0, 0] * made.transmission[0, 0] == pytest.approx(passed * lets_through)
     # No smaller factor lets so much red through.
-    assert cloth.least_passing().transmission[0, 0] == pytest.approx(passed.max())
+    assert cloth.half_passing().transmission[0, 0] == pytest.approx(passed.max() / 2)
 
 
 @pytest.fixture

@@ -16,7 +16,7 @@ import pytest
 from loomlight.core.colour import srgb_to_linear
 from loomlight.exporters import engines, export, garment_gltf, usd
 from loomlight.exporters.fit import FittedMaterial
-from studies.instruments.three_page import ThreePage, missing, three_page
+from studies.instruments.engine_page import EnginePage, engine_page, missing
 from tests.helpers.standard_materials import plain_material
 from tests.limits import HANG
 
@@ -60,11 +60,11 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def page(folder: Path) -> Iterator[ThreePage]:
+def page(folder: Path) -> Iterator[EnginePage]:
     pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
     if missing():
         pytest.skip(missing())
-    with three_page(folder, HANG) as opened:
+    with engine_page(folder, HANG) as opened:
         yield opened
 
 
@@ -76,7 +76,7 @@ def quarters(picture: np.ndarray, row: int, column: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize("file", ["gltf/cloth.glb", "square.usdz", "pack/material.js"])
-def test_colours_sizes_and_directions_are_those_of_the_textures(page: ThreePage, file: str) -> None:
+def test_colours_sizes_and_directions_are_those_of_the_textures(page: EnginePage, file: str) -> None:
     """Four times 25 mm along the square; light in the upper left quarter of each."""
     names, picture = page.draw(file, half=0.05)
     if not file.endswith(".js"):
@@ -90,7 +90,7 @@ def test_colours_sizes_and_directions_are_those_of_the_textures(page: ThreePage,
 
 
 @pytest.mark.parametrize("file", ["gltf/cloth.glb", "square.usdz"])
-def test_mirrored_islands_are_turned_and_not_mirrored(page: ThreePage, file: str) -> None:
+def test_mirrored_islands_are_turned_and_not_mirrored(page: EnginePage, file: str) -> None:
     """A half turn puts the light quarter to the lower right; a mirror would put it to the upper right."""
     _, picture = page.draw(file, half=0.05)
     for row, column in ((0, 0), (3, 1)):

@@ -78,7 +78,7 @@ def test_sizes_are_true(exported: Path) -> None:
     scale = material["normalTexture"]["extensions"]["KHR_texture_transform"]["scale"]
     assert scale == pytest.approx([100 / width, 100 / height])
     pixels = read_picture(exported / "textures" / "normal.png")
-    columns, rows = texture_grid(FABRIC, 1000 * np.radians(26) / 1080)
+    columns, rows, _ = texture_grid(FABRIC, 1000 * np.radians(26) / 1080)
     assert pixels.shape[:2] == (rows, columns)
 
 
@@ -209,7 +209,7 @@ def test_holes_hold_the_colour_beside_them() -> None:
     """Filters between texels mix in what holes hold: never black."""
     yarns = "[warp]\nwidth_mm = 0.3\n[weft]\nwidth_mm = 0.3\n"
     net = fabric_from_text(f'weave = "plain"\nends_per_cm = 10\npicks_per_cm = 10\n{yarns}')
-    texels = next(TexelGrid(net, 16, 16).bands())
+    texels = next(TexelGrid(net, 16, 16, (1, 1)).bands())
     cover = texels.cover.reshape(16, 16)
     holes = cover < 0.02
     assert holes.any()
@@ -227,7 +227,7 @@ def test_a_texture_without_anisotropy_is_left_out() -> None:
 
 
 def test_texels_are_means_of_the_surface() -> None:
-    texels = next(TexelGrid(FABRIC, 12, 9).bands())
+    texels = next(TexelGrid(FABRIC, 12, 9, (1, 1)).bands())
     assert np.linalg.norm(texels.normal, axis=-1) == pytest.approx(np.ones(108))
     assert texels.share.sum(-1)[texels.cover > 0] == pytest.approx(1)
     assert 0.7 < texels.cover.mean() < 1
@@ -242,8 +242,8 @@ def test_textures_hold_what_uneven_yarns_show() -> None:
         'weave = "plain"\nends_per_cm = 10\npicks_per_cm = 10\nwarp.yarn = "wool"\nweft.yarn = "wool"\n'
         "[variation]\ncolour_noise = 0.3\n"
     )
-    assert (tile_repeats(FABRIC), tile_repeats(wool)) == ((1, 1), (12, 12))
-    grid = TexelGrid(wool, 48, 48)
+    assert tile_repeats(FABRIC, None) == (1, 1)
+    grid = TexelGrid(wool, 48, 48, (12, 12))
     assert grid.size == pytest.approx((24, 24))
     texels = next(grid.bands())
     warp = texels.diffuse[..., 0, 0][texels.share[..., 0] > 0.9]
@@ -253,6 +253,15 @@ def test_textures_hold_what_uneven_yarns_show() -> None:
     step = (grid.places(row, column) - np.stack([column, row]) / 2).T.reshape(48, 48, 2)
     assert 0.02 < step.std() < 0.1
     assert np.abs(step[0] - step[-1]).max() < 0.1
+
+
+def test_textures_of_uneven_yarns_are_as_large_as_texels_allow() -> None:
+    """1024 texels or threads a side, of threads of a millimetre; not fewer than 24 threads."""
+    wool = fabric_from_text('weave = "plain"\nends_per_cm = 10\npicks_per_cm = 10\nyarn = "wool"\n')
+    for texel, threads in ((None, 128), (0.5, 512), (1.0, 1024), (4.0, 1024), (0.01, 24)):
+        assert tile_repeats(wool, texel) == (threads // 2, threads // 2)
+        columns, rows, _ = texture_grid(wool, texel)
+        assert max(columns, rows) <= max(1024, 24 / (texel or 1))
 
 
 def test_too_many_texels_are_refused() -> None:

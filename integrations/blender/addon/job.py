@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 # The form of the folder of maps that material.py reads.
-FORMAT = 2
+FORMAT = 3
 _MAX_WORDS = 1 << 16
 
 

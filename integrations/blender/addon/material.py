@@ -104,6 +104,7 @@ class _Cloth:
         self._place_on_surface = self._place = self._place_in_tile()
         heights = self._heights()
         self._place = self._seen_place(tangent, heights, tree.math("SUBTRACT", near, displaced))
+        self._places = self._places_in_tiles()
         # 1. Diffuse reflection: a weight times a colour, a family each.
         parts = [self._map(family) for family in COLOURS]
         own = [tree.colour(self._manifest["colors"][family]) for family in COLOURS]
@@ -175,8 +176,21 @@ class _Cloth:
         width = tree.math("MULTIPLY", has_none, tree.input(WIDTH))
         scale = tree.vector("ADD", scale, tree.combine(width, width, width))
         uv = tree.node("ShaderNodeUVMap").outputs["UV"]
-        across, up = map(float, self._manifest["size_mm"])
+        across, up = self._size(0)
         return tree.vector("MULTIPLY", tree.vector("MULTIPLY", uv, scale), (1 / across, 1 / up, 0.0))
+
+    def _size(self, density: int) -> tuple[float, float]:
+        """Width and height of what the maps of a density hold, millimetres."""
+        width, height = map(float, self._manifest["densities"][density]["size_mm"])
+        return width, height
+
+    def _places_in_tiles(self) -> list[Socket]:
+        """The place that is seen on the maps of each density."""
+        near, found = self._size(0), [self._place]
+        for density in range(1, len(self._manifest["densities"])):
+            across, up = (own / other for own, other in zip(near, self._size(density), strict=True))
+            found.append(self._tree.vector("MULTIPLY", self._place, (across, up, 0.0)))
+        return found
 
     def _fades_by_distance(self) -> list[Socket]:
         """How far each density has faded into the next, 0 to 1."""
@@ -193,9 +207,9 @@ class _Cloth:
         """A map as values, its densities blended."""
         tree = self._tree
         values = []
-        for density in self._manifest["densities"]:
+        for density, place in zip(self._manifest["densities"], self._places, strict=True):
             described = density["maps"][key]
-            node = self._image(described["file"], bool(described["is_color"]))
+            node = self._image(described["file"], bool(described["is_color"]), place)
             peak = float(described["peak"])
             colour = node.outputs["Color"]
             values.append(colour if peak == 1.0 else tree.vector("MULTIPLY", colour, (peak, peak, peak)))
@@ -204,10 +218,10 @@ class _Cloth:
             found = tree.mix(fade, found, value)
         return found
 
-    def _image(self, file: str, is_colour: bool) -> bpy.types.Node:
-        """A picture at the place that is seen."""
+    def _image(self, file: str, is_colour: bool, place: Socket) -> bpy.types.Node:
+        """A picture at a place on it."""
         node = self._tree.node("ShaderNodeTexImage", image=self._load(file, is_colour), extension="REPEAT")
-        self._tree.link(self._place, node.inputs["Vector"])
+        self._tree.link(place, node.inputs["Vector"])
         return node
 
     def _load(self, file: str, is_colour: bool) -> bpy.types.Image:
@@ -257,7 +271,7 @@ class _Cloth:
         front = tree.math("MULTIPLY", amount, tree.math("SUBTRACT", 1.0, geometry.outputs["Backfacing"]))
         # Steeper lines would be looked at too seldom.
         slope = tree.math("DIVIDE", front, tree.math("MAXIMUM", above, _MIN_COSINE))
-        width, height = map(float, self._manifest["size_mm"])
+        width, height = self._size(0)
         step = tree.combine(
             tree.math("MULTIPLY", along, tree.math("MULTIPLY", slope, 1 / width)),
             tree.math("MULTIPLY", across, tree.math("MULTIPLY", slope, 1 / height)),

@@ -20,7 +20,7 @@ from loomlight.core.colour import linear_to_srgb
 from loomlight.exporters.cycles import CyclesLayers, cycles_layers, with_light_of_texels
 from loomlight.exporters.fit import FittedMaterial, fit_texels
 from loomlight.exporters.gltf import eight_bits
-from loomlight.exporters.texels import MIN_COVER, TexelGrid, Texels, texture_grid, tile_repeats
+from loomlight.exporters.texels import MIN_COVER, TexelGrid, Texels, TextureSize, texture_grid, tile_repeats
 from loomlight.fabric.colour import faded
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.fields import SheenTable
@@ -31,13 +31,14 @@ from loomlight.models.registry import make_model
 Numbers = NDArray[np.float64]
 FAMILIES = ("warp", "weft")
 # The form of the folder; the add-on says which it reads.
-FORMAT = 2
-# Texels of a density, in threads: near, eight a thread, is the default of `texture_grid`.
-DENSITIES: dict[str, float | None] = {"near": None, "mid": 1.0, "far": 8.0}
+FORMAT = 3
+# Texels of a density, in threads: near, eight a thread, is the default of `texture_grid`. And how many
+# threads its maps hold at most of uneven yarns, which show as a pattern in pictures that hold more.
+DENSITIES: dict[str, tuple[float | None, int]] = {"near": (None, 128), "mid": (1.0, 512), "far": (8.0, 1024)}
 # A side, of any density: Blender holds some twenty such pictures.
 MAX_TEXELS = 2048
-# Texels a thread of the nearest density, and threads across maps of uneven yarns: fewer show as a pattern.
-_TEXELS_A_THREAD, _THREADS = 8, 64
+# Texels a thread of the nearest density.
+_TEXELS_A_THREAD = 8
 # Share of what is seen that lies too deep to count for heights.
 _DEEP = 0.02
 # Reflectance of a family's colour below which weights would grow without bound.
@@ -61,13 +62,10 @@ def write_maps(folder: Path, fabric: Fabric, model: str, distance: float | None)
     materials = {name: _write_density(folder, name, bare, fitted, colours) for name in DENSITIES}
     heights, (low, high) = heights_of(materials["near"][0])
     Image.fromarray(heights).save(folder / "maps" / "height.png")
-    across, up = repeats_of(bare)
-    width, height = bare.layout().size
     sheen = fabric.appearance().sheen
     return {
         "format": FORMAT,
         "loomlight": version("loomlight"),
-        "size_mm": [across * float(width), up * float(height)],
         "colors": {name: colour.tolist() for name, colour in colours.items()},
         "sheen": {"strength": sheen.strength, "roughness": sheen.roughness},
         "diffuse_blend": bare.appearance().diffuse_blend,
@@ -76,11 +74,12 @@ def write_maps(folder: Path, fabric: Fabric, model: str, distance: float | None)
     }
 
 
-def repeats_of(fabric: Fabric) -> tuple[int, int]:
-    """Repeats across and up that maps hold: of uneven yarns `_THREADS`, fewer if texels are too many."""
+def repeats_of(fabric: Fabric, density: str) -> tuple[int, int]:
+    """Repeats across and up that the maps of a density hold, fewer of uneven yarns if texels are too many."""
     picks, ends = fabric.layout().warp_on_top.shape
-    across, up = tile_repeats(fabric, _THREADS)
-    most = MAX_TEXELS // _TEXELS_A_THREAD
+    threads, held = DENSITIES[density]
+    across, up = tile_repeats(fabric, None, threads=held, texels=_TEXELS_A_THREAD * held)
+    most = int(MAX_TEXELS * (threads or 1 / _TEXELS_A_THREAD))
     return min(across, max(most // ends, 1)), min(up, max(most // picks, 1))
 
 
@@ -98,8 +97,8 @@ def _write_density(
     folder: Path, name: str, fabric: Fabric, model: Model, colours: dict[str, Numbers]
 ) -> tuple[FittedMaterial, dict[str, object]]:
     """Writes the maps of one density; returns the material, and what the manifest says of them."""
-    columns, rows = _grid(fabric, DENSITIES[name])
-    grid = TexelGrid(fabric, columns, rows, repeats_of(fabric))
+    columns, rows, repeats = _grid(fabric, name)
+    grid = TexelGrid(fabric, columns, rows, repeats)
     material = fit_texels(fabric, model, grid, "gltf")
     blend = fabric.appearance().diffuse_blend
     if name == "near":
@@ -108,6 +107,7 @@ def _write_density(
     maps = density_maps(material, layers, grid.filled(), colours)
     entry: dict[str, object] = {
         "name": name,
+        "size_mm": [*material.size],
         "texel_mm": max(material.size[0] / columns, material.size[1] / rows),
     }
     described = {}
@@ -119,18 +119,18 @@ def _write_density(
     return material, entry | {"texels": [columns, rows], "maps": described} | facts
 
 
-def _grid(fabric: Fabric, threads: float | None) -> tuple[int, int]:
-    """Columns and rows of texels that are so many threads wide, fewer where that are too many."""
-    layout = fabric.layout()
-    repeats = repeats_of(fabric)
+def _grid(fabric: Fabric, density: str) -> TextureSize:
+    """Textures of a density, whose texels are larger where those were too many."""
+    layout, (threads, _) = fabric.layout(), DENSITIES[density]
+    repeats = repeats_of(fabric, density)
     width, height = np.multiply(layout.size, repeats)
     texel = max(width, height) / MAX_TEXELS
     if threads is not None:
         texel = max(texel, threads * math.sqrt(float(np.prod(layout.size)) / layout.warp_on_top.size))
-    columns, rows = texture_grid(fabric, None, repeats)
-    if threads is not None or max(columns, rows) > MAX_TEXELS:
-        columns, rows = texture_grid(fabric, texel, repeats)
-    return columns, rows
+    size = texture_grid(fabric, None, repeats)
+    if threads is not None or max(size.columns, size.rows) > MAX_TEXELS:
+        size = texture_grid(fabric, texel, repeats)
+    return size
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,7 +26,7 @@ from loomlight.exporters.gltf import eight_bits, material_textures, peak_of, png
 from loomlight.exporters.materials import PIXEL
 from loomlight.exporters.metal_rough import MetalRough, metal_rough
 from loomlight.exporters.standards import DIELECTRIC
-from loomlight.exporters.texels import texture_grid
+from loomlight.exporters.texels import TextureSize, texture_grid
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.registry import make_model
 
@@ -70,6 +70,21 @@ class Density:
         (width, height), (columns, rows) = self.cloth.material.size, self.texels
         return width / columns, height / rows
 
+    @property
+    def words(self) -> dict[str, object]:
+        """What instructions say of it, by names that begin with its label."""
+        (width, height), (columns, rows) = self.cloth.material.size, self.texels
+        said = {
+            "texels": f"{columns} × {rows}",
+            "mm": "{:.3g} × {:.3g}".format(*self.texel_mm),
+            "size": f"{width:.4g} × {height:.4g}",
+            "width": f"{width:.6g}",
+            "height": f"{height:.6g}",
+            "across": f"{1000 / width:.4f}",
+            "up": f"{1000 / height:.4f}",
+        }
+        return {f"{self.label}_{key}": value for key, value in said.items()}
+
     @cached_property
     def standard(self) -> dict[str, Picture]:
         """Textures of the fit as glTF and three.js read them, by what they hold."""
@@ -96,11 +111,6 @@ class Pack:
     densities: tuple[Density, Density]
 
     @property
-    def size(self) -> tuple[float, float]:
-        """Of what textures hold, millimetres; the same of both densities."""
-        return self.densities[0].cloth.material.size
-
-    @property
     def switch_metres(self) -> float:
         """Up to where `near` is the better one: halfway, by ratio, between the distances of both.
 
@@ -116,17 +126,11 @@ class Pack:
         reflectance = near.simple.reflectance
         grey = round(255 * float(linear_to_srgb(np.array(reflectance))))
         return {
+            **near.words,
+            **far.words,
             "name": self.name,
             "key": self.key,
             "title": self.title,
-            "width": f"{self.size[0]:.4g}",
-            "height": f"{self.size[1]:.4g}",
-            "across": f"{1000 / self.size[0]:.4f}",
-            "up": f"{1000 / self.size[1]:.4f}",
-            "near_texels": "{} × {}".format(*near.texels),
-            "far_texels": "{} × {}".format(*far.texels),
-            "near_mm": "{:.3g} × {:.3g}".format(*near.texel_mm),
-            "far_mm": "{:.3g} × {:.3g}".format(*far.texel_mm),
             "far_metres": f"{far.metres:g}",
             "switch": f"{self.switch_metres:.2g}",
             "reflectance": f"{100 * reflectance:.1f}",
@@ -158,8 +162,9 @@ def _pack(fabric: Fabric, model: str, distance: float | None) -> Pack:
     key = file_name(fabric.name) or "cloth"
     found: list[Density] = []
     for label, at in (("near", None), ("far", metres)):
-        columns, rows = texture_grid(fabric, None if at is None else 1000 * at * PIXEL)
-        fit = fit_material(fabric, baked, power_of_two(columns), power_of_two(rows))
+        size = texture_grid(fabric, None if at is None else 1000 * at * PIXEL)
+        rounded = TextureSize(power_of_two(size.columns), power_of_two(size.rows), size.repeats)
+        fit = fit_material(fabric, baked, rounded)
         cloth = GarmentCloth(name, key, fit)
         opaque = found[0].opaque if found else cloth.is_opaque
         found.append(Density(label, at, cloth, metal_rough(fit), opaque))
@@ -199,10 +204,10 @@ def _fill(template: str, words: Mapping[str, object]) -> str:
 def _facts(pack: Pack, names: list[str]) -> dict[str, object]:
     return {
         "files": names,
-        "repeat_mm": [*pack.size],
         "densities": {
             each.label: {
                 "distance_m": each.metres,
+                "repeat_mm": [*each.cloth.material.size],
                 "texels": [*each.texels],
                 "texel_mm": [*each.texel_mm],
                 "relative_rms_error": round(each.cloth.material.error, 4),
@@ -323,7 +328,7 @@ def _godot_material(pack: Pack, density: Density, textures: list[str]) -> str:
     for name in textures:
         path = f"{density.label}/{pack.key}_{density.label}_{name}.png"
         lines.append(f'[ext_resource type="Texture2D" path="{path}" id="{name}"]')
-    words = pack.words
+    words, label = pack.words, density.label
     lines += [
         "",
         "[resource]",
@@ -339,7 +344,7 @@ def _godot_material(pack: Pack, density: Density, textures: list[str]) -> str:
         "normal_enabled = true",
         'normal_texture = ExtResource("normal")',
         "texture_filter = 5",  # linear, anisotropic mipmaps
-        f"uv1_scale = Vector3({words['across']}, {words['up']}, 1)",
+        f"uv1_scale = Vector3({words[f'{label}_across']}, {words[f'{label}_up']}, 1)",
     ]
     if "backlight" in textures:
         lines += ["backlight_enabled = true", 'backlight_texture = ExtResource("backlight")']
@@ -379,7 +384,8 @@ def _three_numbers(density: Density) -> str:
     has_anisotropy = "anisotropy" in density.standard
     peak = peak_of(fit.specular) / DIELECTRIC
     return (
-        f"  {density.label}: {{ opaque: {str(density.opaque).lower()}, "
+        f"  {density.label}: {{ widthMm: {density.words[f'{density.label}_width']}, "
+        f"heightMm: {density.words[f'{density.label}_height']}, opaque: {str(density.opaque).lower()}, "
         f"anisotropy: {str(has_anisotropy).lower()}, specular: {fit.weight:.5f}, "
         f"specularColor: {peak:.5f}, sheen: {float(fit.sheen.max()):.5f}, "
         f"sheenRoughness: {fit.sheen_roughness:.5f} }}"

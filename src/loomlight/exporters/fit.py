@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
 from loomlight.exporters.standards import STANDARDS, Numbers, StandardMaterial
-from loomlight.exporters.texels import MIN_COVER, TexelGrid, Texels, frames, nearest_covered
+from loomlight.exporters.texels import MIN_COVER, TexelGrid, Texels, TextureSize, frames, nearest_covered
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model
 
@@ -106,9 +106,9 @@ TEXEL_FIELDS = (
 _MAPS = (*TEXEL_FIELDS, "direction", "cover", "height")
 
 
-def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> FittedMaterial:
-    """The material of glTF nearest to a model, in `columns` × `rows` texels of `tile_repeats`."""
-    return fit_texels(fabric, model, TexelGrid(fabric, columns, rows), "gltf")
+def fit_material(fabric: Fabric, model: Model, size: TextureSize) -> FittedMaterial:
+    """The material of glTF nearest to a model, in textures of a size."""
+    return fit_texels(fabric, model, TexelGrid(fabric, *size), "gltf")
 
 
 def fit_texels(

@@ -63,7 +63,7 @@ def textures_of(cloth: GarmentCloth) -> dict[str, NDArray[np.uint8]]:
     rest too bright.
     """
     if not cloth.is_opaque:
-        return material_textures(cloth.least_passing())
+        return material_textures(cloth.half_passing())
     made = material_textures(cloth.reflecting())
     opaque = {name: pixels for name, pixels in made.items() if not name.startswith("diffuse_transmission")}
     return opaque | {"base_color": opaque["base_color"][..., :3]}

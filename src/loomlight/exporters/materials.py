@@ -24,8 +24,8 @@ def fitted(fabric: Fabric, model: str, distance: float | None) -> FittedMaterial
     from loomlight.core.llvm import require_llvm
 
     require_llvm()
-    columns, rows = texture_grid(fabric, None if distance is None else 1000 * distance * PIXEL)
-    return fit_material(fabric, make_model(model, fabric), columns, rows)
+    size = texture_grid(fabric, None if distance is None else 1000 * distance * PIXEL)
+    return fit_material(fabric, make_model(model, fabric), size)
 
 
 def write_gltf(folder: Path, fabric: Fabric, model: str, distance: float | None) -> dict[str, object]:

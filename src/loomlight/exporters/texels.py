@@ -10,6 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 from drjit.llvm import Float
@@ -20,20 +22,26 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.maps import ClothSurface
 
 Numbers = NDArray[np.float64]
-# Points across a texel, at least, and across the finest thread.
-_POINTS_PER_TEXEL, _POINTS_PER_THREAD = 4, 8
+# Points across a texel, at least, and across the finest thread, where they do not come to more than so many.
+_POINTS_PER_TEXEL, _POINTS_PER_THREAD, _LEAST_PER_THREAD = 4, 8, 4
+_POINTS_IN_ALL = 1 << 24
 # Points that are looked at at once: their arrays stay near the processor, and take 100 MB.
 _MAX_POINTS = 1 << 19
 _MAX_TEXTURE = 4096
 # Texels whose means are gathered at once: 500 MB.
 _MAX_BAND = 1 << 20
-# Threads across textures of uneven yarns, at least.
-_UNEVEN_THREADS = 24
+# Texels a thread where no size of texels is given.
+_TEXELS_PER_THREAD = 8
+# Threads across textures of uneven yarns, at least, and texels and threads at most: they show as a pattern
+# where a picture holds several, and a few megabytes and half a minute buy no more.
+_FEWEST_THREADS, _UNEVEN_TEXELS, _UNEVEN_THREADS = 24, 1024, 1024
 # Texels that yarns cover less are holes, which say nothing of the yarns.
 MIN_COVER = 0.02
 # Slopes about the mean normal are at most this, or a few points at the outline of a yarn would outweigh all
 # others.
 _STEEPEST = 3.0
+# The albedos that texels hold, by their names in an appearance.
+_ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect")
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,18 +100,26 @@ def frames(normal: Numbers) -> tuple[Numbers, Numbers]:
     return x, np.cross(normal, x)
 
 
+class TextureSize(NamedTuple):
+    """Columns and rows of texels, and the repeats across and up that they hold."""
+
+    columns: int
+    rows: int
+    repeats: tuple[int, int]
+
+
 def texture_grid(
     fabric: Fabric, texel_mm: float | None, repeats: tuple[int, int] | None = None
-) -> tuple[int, int]:
-    """Columns and rows of texels of `repeats`, by default `tile_repeats`; without a size, eight a thread.
+) -> TextureSize:
+    """Textures of `repeats`, by default `tile_repeats`, whose texels are so large; by default eight a thread.
 
     Raises:
         InputError: more than 4096 a side.
     """
-    (width, height), (across, up) = fabric.layout().size, repeats or tile_repeats(fabric)
+    (width, height), (across, up) = fabric.layout().size, repeats or tile_repeats(fabric, texel_mm)
     if texel_mm is None:
         picks, ends = fabric.layout().warp_on_top.shape
-        columns, rows = 8 * across * ends, 8 * up * picks
+        columns, rows = _TEXELS_PER_THREAD * across * ends, _TEXELS_PER_THREAD * up * picks
         factor = max(1.0, max(columns, rows) / _MAX_TEXTURE)
         columns, rows = int(columns / factor), int(rows / factor)
     else:
@@ -113,27 +129,37 @@ def texture_grid(
             f"Textures of {columns} × {rows} texels are too large, at most {_MAX_TEXTURE} a side: "
             "choose a larger distance."
         )
-    return columns, rows
+    return TextureSize(columns, rows, (across, up))
 
 
-def tile_repeats(fabric: Fabric, threads: int = _UNEVEN_THREADS) -> tuple[int, int]:
-    """Repeats across and up that textures hold: one, or where yarns are uneven as many as have these threads.
+def tile_repeats(
+    fabric: Fabric, texel_mm: float | None, threads: int = _UNEVEN_THREADS, texels: int = _UNEVEN_TEXELS
+) -> tuple[int, int]:
+    """Repeats across and up that textures hold: one, or of uneven yarns as many as have so many threads.
 
-    Few threads that differ would show as a pattern.
+    Args:
+        texel_mm: side of a texel; None is eight a thread.
+        threads, texels: across textures of uneven yarns at most; of threads at least 24.
     """
     picks, ends = fabric.layout().warp_on_top.shape
     appearance = fabric.appearance()
     is_uneven = any(family.detail.is_on for family in (appearance.warp, appearance.weft))
     if not (is_uneven or appearance.is_irregular or appearance.variation.colour_noise > 0):
         return 1, 1
-    return -(-threads // ends), -(-threads // picks)
+
+    def count(side_mm: float, of_repeat: int) -> int:
+        own = _TEXELS_PER_THREAD * of_repeat if texel_mm is None else side_mm / texel_mm
+        return max(-(-_FEWEST_THREADS // of_repeat), int(min(threads / of_repeat, texels / own)))
+
+    width, height = map(float, fabric.layout().size)
+    return count(width, ends), count(height, picks)
 
 
 class TexelGrid:
     """The texels of whole repeats of a fabric: row 0 at the lower edge, column 0 at the left.
 
     Args:
-        repeats: across and up; by default `tile_repeats`.
+        repeats: across and up.
         back: of the face behind, in the same places: its frame is the front's with z turned.
     """
 
@@ -142,11 +168,11 @@ class TexelGrid:
         fabric: Fabric,
         columns: int,
         rows: int,
-        repeats: tuple[int, int] | None = None,
+        repeats: tuple[int, int],
         back: bool = False,
     ) -> None:
         self.columns, self.rows, self.back = columns, rows, back
-        across, up = repeats or tile_repeats(fabric)
+        across, up = repeats
         layout = fabric.layout()
         picks, ends = layout.warp_on_top.shape
         width, height = map(float, layout.size)
@@ -154,8 +180,10 @@ class TexelGrid:
         self._fabric = fabric
         self._surface = ClothSurface(fabric, Float, (across, up))
         # Points across and up in a texel.
+        crossings = across * ends * up * picks
+        per_thread = min(max(math.sqrt(_POINTS_IN_ALL / crossings), _LEAST_PER_THREAD), _POINTS_PER_THREAD)
         self._points = tuple(
-            max(_POINTS_PER_TEXEL, math.ceil(_POINTS_PER_THREAD * threads / texels))
+            max(_POINTS_PER_TEXEL, math.ceil(per_thread * threads / texels))
             for threads, texels in ((across * ends, columns), (up * picks, rows))
         )
 
@@ -217,58 +245,67 @@ class TexelGrid:
         side = math.sqrt(0.5 * (step_x**2 + step_y**2))
         point = self._surface.at(x, y, side, self.back)
 
-        def of_texels(values: NDArray[np.generic]) -> Numbers:
-            """Points of each texel [texels, points, ...]."""
-            return values.reshape(len(row), nx * ny, *values.shape[1:]).astype(np.float64)
+        def of_texels(values: NDArray[np.generic]) -> NDArray[np.float32]:
+            """Points of each texel [texels, points]: single precision tells more of a mean than they do."""
+            return values.reshape(len(row), nx * ny).astype(np.float32, copy=False)
+
+        def parts_of(values: NDArray[np.generic]) -> list[NDArray[np.float32]]:
+            """The same of the components of vectors; each by itself, which is quicker than together."""
+            return [of_texels(np.ascontiguousarray(part)) for part in values.T]
+
+        def mean_of(values: NDArray[np.floating], weight: NDArray[np.floating]) -> Numbers:
+            """Sums over the points of each texel [texels]."""
+            return np.einsum("tp,tp->t", values, weight).astype(np.float64)
 
         # Take the means of what the yarns show.
-        seen = of_texels(~point.hole)
-        weights = seen[..., None] * np.stack(
-            [of_texels(point.warp_share), of_texels(1 - point.warp_share)], axis=-1
-        )
-        visible = np.maximum(seen.sum(1), 1e-9)
-        share = weights.sum(1) / visible[:, None]
-        normals, tangents = of_texels(point.normal), of_texels(point.tangent)
-        mean = (normals * seen[..., None]).sum(1) / visible[:, None]
+        seen, warp = of_texels(~point.hole), of_texels(point.warp_share)
+        weights = [seen * warp, seen * (1 - warp)]
+        visible = np.maximum(seen.sum(1, dtype=np.float64), 1e-9)
+        sums = np.stack([each.sum(1, dtype=np.float64) for each in weights], axis=-1)
+        normals, tangents = parts_of(point.normal), parts_of(point.tangent)
+        mean = np.stack([mean_of(part, seen) for part in normals], axis=-1) / visible[:, None]
         length = np.linalg.norm(mean, axis=-1, keepdims=True)
         normal = np.where(length > 1e-6, mean / np.maximum(length, 1e-6), [0.0, 0, 1])
+
+        def along(vectors: list[NDArray[np.float32]], axis: Numbers) -> NDArray[np.float32]:
+            """Dot products with a vector of each texel [texels, 3]."""
+            x, y, z = (part[:, None] for part in axis.T.astype(np.float32))
+            return np.asarray(vectors[0] * x + vectors[1] * y + vectors[2] * z)
+
         # Take the covariance of slopes, and the mean of directions.
-        axis_x, axis_y = (axis[:, None] for axis in frames(normal))
-        up = np.maximum((normals * normal[:, None]).sum(-1), 0.05)
-        slopes = np.stack([(normals * axis).sum(-1) / -up for axis in (axis_x, axis_y)], axis=-1)
-        slopes = np.clip(slopes, -_STEEPEST, _STEEPEST)
-        covariance = np.einsum("tp,tpi,tpj->tij", seen, slopes, slopes) / visible[:, None, None]
-        flat = np.stack([(tangents * axis).sum(-1) for axis in (axis_x, axis_y)], axis=-1)
-        direction = np.stack([_mean_axis(flat, weights[..., f]) for f in range(2)], axis=-2)
+        axes = frames(normal)
+        up = np.maximum(along(normals, normal), np.float32(0.05))
+        slopes = [np.clip(along(normals, axis) / -up, -_STEEPEST, _STEEPEST) for axis in axes]
+        covariance = np.empty((len(row), 2, 2))
+        for i, j in ((0, 0), (0, 1), (1, 1)):
+            covariance[:, i, j] = covariance[:, j, i] = mean_of(slopes[i] * slopes[j], seen) / visible
+        flat = [along(tangents, axis) for axis in axes]
+        cosines, sines = flat[0] ** 2 - flat[1] ** 2, 2 * flat[0] * flat[1]
+        direction = np.stack([_mean_axis(mean_of(cosines, w), mean_of(sines, w)) for w in weights], axis=-2)
         # Take the means of albedos.
-        gain, albedos = of_texels(point.gain), []
-        for name in ("diffuse_reflect", "diffuse_transmit", "specular_reflect"):
-            means = []
-            for f, family in enumerate((appearance.warp, appearance.weft)):
-                table = np.asarray(getattr(family, name), np.float64)
-                colours = of_texels(table[point.threads[f]])
-                if name != "specular_reflect":
-                    colours = colours * gain
-                sums = (colours * weights[..., f, None]).sum(1)
-                means.append(sums / np.maximum(weights[..., f].sum(1), 1e-9)[:, None])
-            albedos.append(np.stack(means, axis=-2))
+        gains = parts_of(point.gain)
+        means = {name: np.empty((len(row), 2, 3)) for name in _ALBEDOS}
+        for f, family in enumerate((appearance.warp, appearance.weft)):
+            threads, total = point.threads[f], np.maximum(sums[:, f], 1e-9)
+            for name, (channel, gain) in product(_ALBEDOS, enumerate(gains)):
+                table = np.asarray(getattr(family, name), np.float32)[:, channel]
+                weight = weights[f] if name == "specular_reflect" else weights[f] * gain
+                means[name][:, f, channel] = mean_of(of_texels(table[threads]), weight) / total
         return Texels(
-            cover=seen.mean(1),
-            height=(of_texels(point.height) * seen).sum(1) / visible,
-            share=share,
+            cover=seen.mean(1, dtype=np.float64),
+            height=mean_of(of_texels(point.height), seen) / visible,
+            share=sums / visible[:, None],
             normal=normal,
             covariance=covariance,
             direction=direction,
-            diffuse=albedos[0],
-            transmit=albedos[1],
-            specular=albedos[2],
+            diffuse=means["diffuse_reflect"],
+            transmit=means["diffuse_transmit"],
+            specular=means["specular_reflect"],
             alpha=np.array([family.roughness for family in (appearance.warp, appearance.weft)]),
         )
 
 
-def _mean_axis(vectors: Numbers, weights: Numbers) -> Numbers:
-    """Mean of directions without a sign [..., points, 2] by doubled angles; (1, 0) where there are none."""
-    x, y = vectors[..., 0], vectors[..., 1]
-    cosine, sine = ((weights * v).sum(-1) for v in (x * x - y * y, 2 * x * y))
+def _mean_axis(cosine: Numbers, sine: Numbers) -> Numbers:
+    """Mean of directions without a sign [..., 2], by sums of doubled angles; (1, 0) where there are none."""
     angle = 0.5 * np.arctan2(sine, cosine)
     return np.stack([np.cos(angle), np.sin(angle)], axis=-1)

@@ -110,7 +110,7 @@ def u3m_grid(fabric: Fabric, dpi: float) -> tuple[int, int, tuple[int, int]]:
     if not MIN_DPI <= dpi <= MAX_DPI:
         raise InputError(f"--dpi {dpi:g} is out of range: write texels an inch, {MIN_DPI:g} to {MAX_DPI:g}.")
     texels = [side * dpi / _INCH_MM for side in fabric.layout().size]
-    least = tile_repeats(fabric)
+    least = tile_repeats(fabric, _INCH_MM / dpi)
     counts = [max(few, int(np.ceil(_MIN_SIDE / each))) for few, each in zip(least, texels, strict=True)]
     columns, rows = (max(1, round(each * count)) for each, count in zip(texels, counts, strict=True))
     if max(columns, rows) > _MAX_SIDE or columns * rows > _MAX_TEXELS:

@@ -130,7 +130,11 @@ class ClothSurface:
         width, height = self._tile
         x, y = x - width * np.floor(x / width), y - height * np.floor(y / height)
         band = np.minimum(_PLACE_BAND * self._spacings, self._tile)
-        return x, y, _faded(self._displacement, x, y, self._tile, band)
+        shift = self._displacement(x, y)
+        in_bands = np.flatnonzero((x < band[0]) | (y < band[1]))
+        if in_bands.size:
+            shift[:, in_bands] = _faded(self._displacement, x[in_bands], y[in_bands], self._tile, band)
+        return x, y, shift
 
     def _displacement(self, x: NDArray[Any], y: NDArray[Any]) -> NDArray[np.float64]:
         """By how much the threads at places are displaced [2, n], millimetres."""
