@@ -6,6 +6,7 @@ Covers: capturing/sheet.py, capturing/photographer.py, cli/capture.py
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -19,9 +20,9 @@ from loomlight.capturing.thread_grid import blurred
 from loomlight.cli.main import run
 from loomlight.core.colour import delta_e_2000, lab_of_linear, linear_to_srgb, parse_colour
 from loomlight.core.errors import InputError
-from loomlight.fabric import load_fabric
+from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.weave.named import named_weave
-from tests.capturing.pictures import WIDTH_MM, knitted, photographed_twill, save, woven
+from tests.capturing.pictures import TWILL, WIDTH_MM, knitted, photographed_twill, save, woven
 
 
 @pytest.fixture(scope="module")
@@ -62,10 +63,18 @@ def test_a_photograph_becomes_its_fabric(photo: Path, tmp_path: Path) -> None:
     render, shown = linear_to_srgb(found.render()), linear_to_srgb(found.linear)
     light = np.corrcoef(render.mean(axis=-1).ravel(), shown.mean(axis=-1).ravel())[0, 1]
     assert light > 0.8
-    # Each number that was fitted has its error, or says that the photograph does not fix it.
+    # Each number that was fitted lies within the bounds beside it.
     lines = [line for line in output.read_text().splitlines() if line.startswith(("roughness", "specular"))]
     assert len(lines) == 4
-    assert all("±" in line or "does not fix it" in line for line in lines)
+    for line in lines:
+        value, low, high = (float(text) for text in re.findall(r"\d+\.\d+|\d+", line)[:3])
+        assert low < value < high
+    # So does what it was woven with.
+    for number, family in enumerate(
+        (fabric_from_text(TWILL).resolved.warp, fabric_from_text(TWILL).resolved.weft)
+    ):
+        low, high = found.fit.bounds("roughness", number)
+        assert low < family.roughness < high
 
 
 @pytest.mark.slow

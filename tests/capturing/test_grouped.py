@@ -50,13 +50,13 @@ def test_stripes_of_groups_are_those_of_their_threads() -> None:
 
 
 def test_groups_make_named_weaves_of_threads_that_are_wide_enough() -> None:
-    picture = woven(named_weave("plain").drawdown, px=(13.0, 26.0), size=(260, 260))
+    picture = woven(named_weave("plain").drawdown, px=(8.0, 26.0), size=(260, 260))
     grid = find_grid(picture)
     crossings = find_crossings(picture, grid)
     core = core_of(
         picture, fit_structure("plain", named_weave("plain").drawdown, [crossings]), grid, crossings
     )
-    # Six pixels a thread: two ends of 13, four picks of 26.
-    found = set(groupings(core, (26.0, 13.0), 4))
+    # Three pixels of a pair, six of more threads: two ends of 8, four picks of 26.
+    found = set(groupings(core, (26.0, 8.0), 4))
     assert {(1, 1), (2, 1), (1, 2), (2, 2), (4, 1)} <= found
     assert all(ends <= 2 for _, ends in found)

@@ -19,7 +19,7 @@ from loomlight.capturing.thread_colours import colour_orders
 from loomlight.capturing.thread_grid import find_grids
 from loomlight.capturing.weave_choice import Seen, chosen, light_of
 from loomlight.capturing.weave_match import WeaveFit, fit_drafts, fit_structure, fit_weaves
-from loomlight.capturing.yarn_fit import KINDS, Fit, YarnFitter
+from loomlight.capturing.yarn_fit import KINDS, Fit, YarnFitter, with_model_errors
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.files import PIXEL_SUFFIXES, require_file
 from loomlight.core.images import write_pixels
@@ -145,7 +145,7 @@ def capture(
         report(65 + 10 * (number + 1), _STEPS)
         if fitted.cost < best.fit.cost:
             best = keep(fitted)
-    best = keep(fitter.improved(best.fit, apart=True, steps=2, tell=better))
+    best = keep(with_model_errors(fitter.improved(best.fit, apart=True, steps=2, tell=better), kinds))
     report(95, _STEPS)
     if sheet is not None:
         write_pixels(sheet, best.sheet())

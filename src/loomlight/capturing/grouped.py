@@ -19,6 +19,9 @@ from loomlight.capturing.weave_match import Structure, WeaveFit, candidate_name
 
 # Threads that may lie together as one.
 MAX_GROUP = 4
+# Pixels of each thread of a pair below which no groove between them is seen: means of many repeats show what
+# a single thread of so few pixels does not. Larger groups are rare, and looked for where threads are wide.
+_MIN_PAIRED_PX = 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +78,10 @@ def groupings(core: Grouping, px: tuple[float, float], limit: int) -> Iterator[t
 
 def _is_named(core: Grouping, times: tuple[int, int], px: tuple[float, float]) -> bool:
     """Whether groups make a weave with a name, of threads that are wide enough to be seen."""
-    wide = all(size / count >= MIN_THREAD_PX or count == 1 for size, count in zip(px, times, strict=True))
+    wide = all(
+        count == 1 or size / count >= (_MIN_PAIRED_PX if count == 2 else MIN_THREAD_PX)
+        for size, count in zip(px, times, strict=True)
+    )
     return wide and candidate_name(_repeated(core.fit.structure, times)) is not None
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from math import lcm
 
 import numpy as np
+from numpy.typing import NDArray
 
 from loomlight.capturing.captured import WeaveChoice
 from loomlight.capturing.crossings import Crossings
@@ -31,14 +32,21 @@ _WINDOWS, _MATT = (0.0, 90.0, 180.0, 270.0), "cotton"
 # Kinds of yarn that weaves are rendered in: matt, glossy and between.
 _TRIED_KINDS = ("cotton", "worsted", "viscose", "silk")
 # Weaves that are rendered beside the photograph, and by how much likelier the best may be than another.
-_RENDERED, _MARGIN = 3, 0.35
+_RENDERED, _MARGIN = 3, 0.6
 # Threads a side of the repeat that yarns are fitted to; of a larger one it is a part.
 _MAX_FITTED = 32
 # Samples of a thread that may be a group of two, three or four; of groups larger than these only if one of
 # two is likelier than a single thread.
 _GROUP_SAMPLES, _FIRST_LIMIT = 12, 2
+# Evidence of a crossing at which half of the weaves are right, and the share of the variance between repeats
+# that a render may be off by: fitted to 52 swatches of seeds 69, 71 and 72 (studies/accuracy/capture.py).
+_HALF_RIGHT, _FAR_OFF = 0.2, 0.3
+# Another weave is told of where it is so likely beside the likeliest, and at most so many are.
+_RIVAL, _MAX_RIVALS = 0.1, 2
+# Groups of three or four threads are so much rarer than pairs, a logarithm times _TEMPER.
+_RARE = -8.0
 # What renders err by is alike over a whole photograph, so that crossings are fewer witnesses than they count
-# as: logarithms of likelihoods are divided by this. Of 45 swatches that were then sure, 44 were right.
+# as: logarithms of likelihoods are divided by this.
 _TEMPER = 4.0
 # Repeats in the picture that a mean is taken of at least.
 _MIN_REPEATS = 1.8
@@ -62,21 +70,29 @@ class Hypothesis:
         choice: structure, place and colours; its confidence is not known yet.
         start: the likeliest yarns.
         within: mean square of encoded pixels about the mean of many repeats; infinite if one is seen.
-        left: mean square of what is left of the photograph.
+        cost: mean square of what the render leaves of that mean.
         votes: crossings that count.
+        prior: logarithm of how much rarer such a weave is than a common one.
     """
 
     seen: Seen
     choice: WeaveChoice
     start: Fit
     within: float
-    left: float
+    cost: float
     votes: float
+    prior: float = 0.0
 
     @property
     def fit(self) -> WeaveFit:
         """Structure and place."""
         return self.choice.fit
+
+    @property
+    def evidence(self) -> float:
+        """What a crossing shows of it, a logarithm of a likelihood; less where its render is far off."""
+        explained = _FAR_OFF * self.within / self.cost if np.isfinite(self.within) else 1.0
+        return max(self.fit.score / self.votes, 0.0) * min(explained, 1.0)
 
 
 def chosen(
@@ -92,16 +108,41 @@ def chosen(
     shares = np.exp((scores - scores.max()) / _TEMPER)
     # Two places or grids of one weave are no rivals.
     same = np.array([each.fit.name == best.fit.name != "" or each is best for each in found])
-    confidence = float(shares[same].sum() / shares.sum())
-    choice = replace(best.choice, confidence=confidence)
+    confidence = _share(found, same) * reliability(best.evidence)
+    likeliest = [
+        found[number].fit.name for number in np.argsort(-shares) if shares[number] > _RIVAL * shares.max()
+    ]
+    rivals = [name for name in dict.fromkeys(likeliest) if name not in ("", best.fit.name)]
+    choice = replace(best.choice, confidence=confidence, rivals=tuple(rivals[:_MAX_RIVALS]))
     return best.seen, choice, *begun(best.seen, choice, light)
+
+
+def _share(found: list[Hypothesis], same: NDArray[np.bool_]) -> float:
+    """The share of some hypotheses in the likelihood of all, with shading as it should be, or turned round.
+
+    The smaller counts: highlights turn it round, but a weave that is likely only then is not sure.
+    """
+    ways = [likelihoods(found, signed) for signed in (0.0, 0.5, 1.0)]
+    parts = [np.exp((scores - scores.max()) / _TEMPER) for scores in ways]
+    return min(float(part[same].sum() / part.sum()) for part in parts)
+
+
+def reliability(evidence: float) -> float:
+    """How often the likeliest weave is right where crossings show so much of it, beside all that was tried.
+
+    Where they show little, threads may be other than was thought, and then no weave that is tried is right.
+    """
+    return evidence**2 / (evidence**2 + _HALF_RIGHT**2)
 
 
 def hypotheses(face: Seen, fits: list[WeaveFit], light: Light, report: Report) -> list[Hypothesis]:
     """The likeliest weaves of the crossings, rendered."""
     votes = face.crossings.votes
     tried = [fit for fit in fits[:_RENDERED] if fits[0].score - fit.score < _MARGIN * votes]
-    opposite = complement_of(fits[0], fits)
+    # Highlights part crossings too: the likeliest weave with a name stands beside one without.
+    named = next(fit for fit in fits if fit.name)
+    tried += [] if named in tried else [named]
+    opposite = complement_of(named, fits)
     if opposite is not None and all(
         (opposite.name, opposite.shift) != (fit.name, fit.shift) for fit in tried
     ):
@@ -141,15 +182,27 @@ def _with_groups(face: Seen, fit: WeaveFit, light: Light, votes: float) -> list[
     return [*done.values()]
 
 
-def likelihoods(found: list[Hypothesis]) -> np.ndarray:
-    """Logarithms of how likely each hypothesis is [n], but for a common term."""
-    left = np.array([each.left for each in found])
-    # What the best repeat cannot explain none can: beyond that, a render is off.
-    best = min(min(each.within for each in found), float(left.min()))
+def likelihoods(found: list[Hypothesis], signed: float = 0.5) -> NDArray[np.float64]:
+    """Logarithms of how likely each hypothesis is [n], but for a common term.
+
+    Args:
+        signed: weight, 0 to 1, of what shading says of which family is on top.
+    """
+    cost = np.array([each.cost for each in found])
+    within = np.array([each.within for each in found])
+    # What the best repeat cannot explain none can: beyond that, a render is off. How much pixels differ from
+    # repeat to repeat is not known of what is seen once: it is as much as that of the best.
+    best = float(within.min()) if np.isfinite(within.min()) else 0.0
+    left = np.where(np.isfinite(within), within, best) + cost
     off = left - best + MODEL_ERROR**2
     votes = np.array([each.votes for each in found])
-    shown = np.array([0.5 * (each.fit.score + each.fit.unsigned) for each in found])
-    return np.asarray(shown - 0.5 * votes * (np.log(left) + np.log(off)))
+    shown = np.array([signed * each.fit.score + (1 - signed) * each.fit.unsigned for each in found])
+    # A draft that was made of these crossings fits what is chance in them, such as highlights.
+    is_named = np.array([each.fit.name != "" for each in found])
+    if is_named.any():
+        shown = np.where(is_named, shown, 0.5 * (shown + np.minimum(shown, shown[is_named].max())))
+    prior = np.array([each.prior for each in found])
+    return np.asarray(prior + shown - 0.5 * votes * (np.log(left) + np.log(off)))
 
 
 def _rendered(
@@ -161,7 +214,8 @@ def _rendered(
     # A mean of few repeats follows what is chance in them.
     repeats = fitter.repeats
     within = fitter.within * repeats / (repeats - 1) if repeats > _MIN_REPEATS else np.inf
-    return Hypothesis(seen, choice, start, within, fitter.within + start.cost, votes)
+    is_rare = times is not None and max(times) > _FIRST_LIMIT
+    return Hypothesis(seen, choice, start, within, start.cost, votes, _RARE if is_rare else 0.0)
 
 
 def begun(

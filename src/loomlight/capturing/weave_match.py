@@ -228,8 +228,17 @@ def _best_place(name: str, structure: Structure, evidence: list[_Evidence]) -> W
         of_back, unsigned_of_back, _ = behind.best(~structure[:, ::-1])
         score, unsigned = score + of_back, unsigned + unsigned_of_back
     # A structure of many crossings has as many more places where chance may fit it.
-    chance = float(np.log(structure.size))
+    chance = float(np.log(structure.size)) + _unseen(structure.shape, evidence[0].shape)
     return WeaveFit(name, structure, shift, score - chance, unsigned - chance)
+
+
+def _unseen(repeat: tuple[int, int], shape: tuple[int, int]) -> float:
+    """What a repeat that the picture shows once or barely costs, in logarithms of a likelihood.
+
+    A thread that was not seen again in a second repeat is a free choice of two, not one that was checked.
+    """
+    missing = [max(0.0, 2 * threads - shown) for threads, shown in zip(repeat, shape, strict=True)]
+    return float(np.log(2) * sum(missing))
 
 
 class _Evidence:

@@ -33,30 +33,39 @@ class Parameter:
     Attributes:
         low, high: its range in fabric files, or narrower.
         spread: a standard deviation by which yarns of one kind differ, of its logarithm.
+        misfit: a standard error of its logarithm that our renders add, as uneven yarns look like even ones.
         step: of differences, of its logarithm.
     """
 
     low: float
     high: float
     spread: float
+    misfit: float
     step: float = 0.06
 
 
 PARAMETERS = {
-    "roughness": Parameter(0.05, 0.9, 0.35),
-    "specular": Parameter(0.02, 1.0, 0.5),
-    "height_scale": Parameter(0.3, 1.8, 0.25),
+    "roughness": Parameter(0.05, 0.9, 0.35, 0.25),
+    "specular": Parameter(0.02, 1.0, 0.5, 0.3),
+    "height_scale": Parameter(0.3, 1.8, 0.25, 0.15),
     # Of the width that yarn fills, 1 − gap.
-    "fill": Parameter(0.4, 0.99, 0.1, 0.03),
+    "fill": Parameter(0.4, 0.99, 0.1, 0.05, 0.03),
 }
+# A kind whose render leaves so much more of the photograph than the likest, as a share, counts e times less.
+_FARTHER = 0.25
+# Standard errors to either side between which 9 of 10 lie.
+NINE_OF_TEN = 1.645
+# CIEDE2000 that colours are off by at most in 9 of 10, and that more a root mean square of 255 left.
+_COLOUR_ERROR = 1.5, 0.35
 # Kinds that differ enough in a photograph; others are like one of them.
 KINDS = ("cotton", "mercerised cotton", "linen", "wool", "worsted", "silk", "viscose")
 # Errors of encoded values that no fit of ours is free of: what our yarns are not.
 MODEL_ERROR = 0.01
 # Deviation of encoded pixels that every place has.
 NOISE = 0.03
-# Values of neighbouring samples of a tile err alike: one in so many is independent.
-_SAMPLES_A_VALUE = 16.0
+# Values of neighbouring samples of a tile err alike, and a render by the same all over it: one in so many is
+# independent.
+_SAMPLES_A_VALUE = 48.0
 _MIN_COLOUR, _MAX_COLOUR = 2e-3, 1.0
 _BLURS = (0.3, 0.5, 0.8, 1.2, 1.8, 2.5)
 _MIN_BLUR, _MAX_BLUR = 0.15, 4.0
@@ -106,12 +115,45 @@ class Fit:
         cost: mean square of what is left, of encoded values.
         picture: the rendered repeat, as unsharp as the photographed one, linear RGB.
         errors: a standard error of the logarithm of each number, for warp and weft; empty until it is known.
+        model_errors: what our renders and the choice of a kind add to it, of the logarithm of each number.
     """
 
     yarns: Yarns
     cost: float
     picture: Numbers
     errors: dict[str, tuple[float, float]] = field(default_factory=dict)
+    model_errors: dict[str, float] = field(default_factory=dict)
+
+    def bounds(self, name: str, family: int) -> tuple[float, float]:
+        """Between which a number of warp (0) or weft (1) lies in 9 of 10 photographs."""
+        value, parameter = self.yarns.numbers[name][family], PARAMETERS[name]
+        known = self.errors.get(name, (parameter.spread, parameter.spread))[family]
+        reach = float(np.exp(NINE_OF_TEN * np.hypot(known, self.model_errors.get(name, parameter.misfit))))
+        return max(value / reach, parameter.low), min(value * reach, parameter.high)
+
+    @property
+    def colour_error(self) -> float:
+        """CIEDE2000 within which colours are in 9 of 10 photographs."""
+        return _COLOUR_ERROR[0] + _COLOUR_ERROR[1] * 255 * float(np.sqrt(self.cost))
+
+
+def with_model_errors(fit: Fit, kinds: Sequence[Fit]) -> Fit:
+    """The fit with what it may be off by as other kinds of yarn look much the same.
+
+    Args:
+        kinds: each in the photograph's colours.
+    """
+    cost = np.array([kind.cost for kind in kinds])
+    weight = np.exp(-(cost / cost.min() - 1) / _FARTHER)
+    weight /= weight.sum()
+    found = {}
+    for name, parameter in PARAMETERS.items():
+        values = np.log(
+            [yarns_of_kind(each.yarns.kind, each.yarns.colours).numbers[name][0] for each in kinds]
+        )
+        variance = float(weight @ np.square(values - weight @ values))
+        found[name] = float(np.sqrt(variance + parameter.misfit**2))
+    return replace(fit, model_errors=found)
 
 
 def yarns_of_kind(kind: str, colours: tuple[Numbers, Numbers]) -> Yarns:
