@@ -40,8 +40,8 @@ BAR = 3.0
 _PLACES = 4
 # Shifts that are told from none, and what two pictures overlap at least, as shares of a picture.
 _LEAST_SHIFT, _LEAST_OVERLAP = 0.03, 0.1
-# f·π of a light from above, for the display.
-_BRIGHT = 2.0
+# Mean of a picture on the display, linear.
+_SHOWN_MEAN = 0.25
 
 
 @dataclass(frozen=True)
@@ -87,9 +87,8 @@ def measure(settings: SeenRepeats, run: Run) -> Found:
                         "contrast": float(picture.mean(axis=-1).std() / picture.mean()),
                     }
                 )
-                shown.append(
-                    Tile(on_display((_BRIGHT * picture).astype(np.float32)), f"{found:.1f} deviations")
-                )
+                bright = _SHOWN_MEAN / picture.mean() * picture
+                shown.append(Tile(on_display(bright.astype(np.float32)), f"{found:.1f} deviations"))
             tiles.append(Row(f"{name}, {width:g} mm", shown))
         run.report(len(tiles), len(listed(settings.fabrics)) * len(settings.widths.split(",")))
     return Found({"pictures": rows}, contact_sheet("Repeats of textures", [*kinds], tiles))
