@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import tempfile
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -75,34 +76,51 @@ def measure(settings: OpenedExports, run: Run) -> Found:
         if missing(engine):
             raise InputError(f"accuracy/opened_exports draws with {engine}, and {missing(engine)}.")
     choose_variant(None)
-    cards = _cards(list(dict.fromkeys(engine for engine, _ in programs.values()))) if settings.cards else []
+    fabrics, distances = listed(settings.fabrics), listed(settings.distances)
+    truths: dict[str, NDArray[np.float32]] = {}
+    sizes: dict[str, float] = {}
+    with tempfile.TemporaryDirectory() as temporary:
+        root = Path(temporary)
+        # 1. What Mitsuba shows, and the files.
+        for name, label in product(fabrics, distances):
+            fabric, place = load_fabric(example(name)), f"{name}, {label}"
+            truths[place] = _by_mitsuba(fabric, DISTANCES[label], settings)
+            _export(fabric, fitted(fabric, "lobes", DISTANCES[label]), root / place)
+            sizes |= {
+                f"{place}/{file}": (root / place / file).stat().st_size / 1e6 for file in FILES.values()
+            }
+            run.report(len(truths), 2 * len(fabrics) * len(distances))
+        cards = _write_cards(root) if settings.cards else {}
+        # 2. What engines show, each in one page: to start it takes longer than to draw.
+        drawn: dict[tuple[str, str], NDArray[np.float32]] = {}
+        shown: list[Figures] = []
+        for engine in dict.fromkeys(engine for engine, _ in programs.values()):
+            with engine_page(root, _SECONDS, engine=engine) as page:
+                for card, expected in cards.items():
+                    shown.append({"card": card, "engine": engine} | _of_card(page, card, expected))
+                for (program, (of_program, file)), place in product(programs.items(), truths):
+                    if of_program == engine:
+                        distance = DISTANCES[place.partition(", ")[2]]
+                        drawn[program, place] = _by_engine(page, f"{place}/{file}", distance, settings)
+    # 3. How far they are apart.
     rows, tiles = [], []
-    for name in listed(settings.fabrics):
-        fabric = load_fabric(example(name))
-        for label in listed(settings.distances):
-            truth = _by_mitsuba(fabric, DISTANCES[label], settings)
-            with tempfile.TemporaryDirectory() as folder:
-                _export(fabric, fitted(fabric, "lobes", DISTANCES[label]), Path(folder))
-                drawn = _by_engines(Path(folder), programs, DISTANCES[label], settings)
-                sizes = {file: (Path(folder) / file).stat().st_size / 1e6 for file in FILES.values()}
-            row = [Tile(on_display(truth))]
-            for program, picture in drawn.items():
-                found = _errors(picture, truth)
-                size = sizes[programs[program][1]]
-                rows.append(
-                    {"fabric": name, "distance": label, "program": program, "megabytes": size} | found
-                )
-                row.append(
-                    Tile(on_display(picture), f"FLIP {found['flip']:.3f}, × {found['brightness']:.2f}")
-                )
-            tiles.append(Row(f"{name}, {label}", row))
-            run.report(len(tiles), len(listed(settings.fabrics)) * len(listed(settings.distances)))
+    for place, truth in truths.items():
+        name, _, label = place.partition(", ")
+        row = [Tile(on_display(truth))]
+        for program, (_, file) in programs.items():
+            picture = drawn[program, place]
+            found = _errors(picture, truth)
+            said = {"fabric": name, "distance": label, "program": program}
+            rows.append(said | {"megabytes": sizes[f"{place}/{file}"]} | found)
+            row.append(Tile(on_display(picture), f"FLIP {found['flip']:.3f}, × {found['brightness']:.2f}"))
+        tiles.append(Row(place, row))
     sheet = contact_sheet("Exports in engines", ["loomlight render", *programs], tiles)
-    return Found({"pictures": rows, "cards": cards}, sheet)
+    return Found({"pictures": rows, "cards": shown}, sheet)
 
 
 def _export(fabric: Fabric, fit: FittedMaterial, folder: Path, mesh: Path = _MESH) -> None:
-    """A mesh in a material that is fitted already, as both files."""
+    """A mesh in a material that is fitted already, as both files in a new folder."""
+    folder.mkdir()
     garment = clothed_garment(fabric, GarmentSettings(mesh=mesh), lambda _: fit)
     (folder / FILES["glTF"]).write_bytes(
         garment_glb(garment, [textures_of(cloth) for cloth in garment.cloths])
@@ -135,19 +153,6 @@ def _by_mitsuba(fabric: Fabric, distance: float, settings: OpenedExports) -> NDA
     return render(mi.load_dict(parts), spp=settings.spp, integrator=integrator, denoise="off")
 
 
-def _by_engines(
-    folder: Path, programs: dict[str, tuple[str, str]], distance: float, settings: OpenedExports
-) -> dict[str, NDArray[np.float32]]:
-    """Pictures by program, linear RGB."""
-    found = {}
-    for engine in dict.fromkeys(engine for engine, _ in programs.values()):
-        with engine_page(folder, _SECONDS, engine=engine) as page:
-            for program, (of_program, file) in programs.items():
-                if of_program == engine:
-                    found[program] = _by_engine(page, file, distance, settings)
-    return {program: found[program] for program in programs}
-
-
 def _by_engine(page: EnginePage, file: str, distance: float, settings: OpenedExports) -> NDArray[np.float32]:
     eye, degrees = _view(distance, settings.side)
     light = LIGHTS[settings.light]
@@ -176,24 +181,25 @@ CARDS = {
 _CARD_MM, _RAYS = 25.0, 1 << 18
 
 
-def _cards(engines: list[str]) -> list[Figures]:
-    """How bright each engine shows each card by the sky and by the sun, over the formulas of glTF."""
-    rows = []
+def _write_cards(root: Path) -> dict[str, tuple[float, float]]:
+    """Writes folders of cards, and returns what glTF's formulas show of each by the sky and by the sun."""
+    square = root / "square.obj"
+    corners = [(x, y) for y in (0, 1) for x in (0, 1)]
+    lines = [f"v {x - 0.5} {y - 0.5} 0\nvt {x} {y}" for x, y in corners]
+    square.write_text("\n".join([*lines, "f 1/1 2/2 4/4 3/3", ""]), encoding="utf-8")
+    found = {}
     for name, numbers in CARDS.items():
         card = _card(*numbers)
-        expected = _by_formula(card)
-        with tempfile.TemporaryDirectory() as folder:
-            square = Path(folder) / "square.obj"
-            corners = [(x, y) for y in (0, 1) for x in (0, 1)]
-            lines = [f"v {x - 0.5} {y - 0.5} 0\nvt {x} {y}" for x, y in corners]
-            square.write_text("\n".join([*lines, "f 1/1 2/2 4/4 3/3", ""]), encoding="utf-8")
-            _export(load_fabric("plain"), card, Path(folder), square)
-            for engine in engines:
-                with engine_page(Path(folder), _SECONDS, engine=engine) as page:
-                    shown = [_mean_of_card(page, light) for light in (Light(_SKY), Light(0.0, _SUN, _TO_SUN))]
-                ratios = [float(seen / due) for seen, due in zip(shown, expected, strict=True)]
-                rows.append({"card": name, "engine": engine, "sky": ratios[0], "sun": ratios[1]})
-    return rows
+        _export(load_fabric("plain"), card, root / name, square)
+        found[name] = _by_formula(card)
+    return found
+
+
+def _of_card(page: EnginePage, name: str, expected: tuple[float, float]) -> Figures:
+    """How bright an engine shows a card by the sky and by the sun, over the formulas."""
+    lights = (Light(_SKY), Light(0.0, _SUN, _TO_SUN))
+    sky, sun = (_mean_of_card(page, name, light) / due for light, due in zip(lights, expected, strict=True))
+    return {"sky": float(sky), "sun": float(sun)}
 
 
 def _card(base: float, reflectance: float, grazing: float, along_x: float, along_y: float) -> FittedMaterial:
@@ -245,9 +251,9 @@ def _by_formula(card: FittedMaterial) -> tuple[float, float]:
     return by_sky, float(shown(np.array([_TO_SUN]))[0] * _SUN)
 
 
-def _mean_of_card(page: EnginePage, light: Light) -> float:
+def _mean_of_card(page: EnginePage, name: str, light: Light) -> float:
     eye, degrees = _view(0.3, 64)
-    _, picture = page.draw(FILES["glTF"], eye, degrees=degrees, side=64, light=light)
+    _, picture = page.draw(f"{name}/{FILES['glTF']}", eye, degrees=degrees, side=64, light=light)
     return float(srgb_to_linear(picture / 255).mean())
 
 

@@ -256,7 +256,7 @@ def test_textures_hold_what_uneven_yarns_show() -> None:
 
 
 def test_textures_of_uneven_yarns_are_as_large_as_texels_allow() -> None:
-    """1024 texels or threads a side, of threads of a millimetre; not fewer than 24 threads."""
+    """1024 texels a side, of threads of a millimetre, and a million crossings; not fewer than 24 threads."""
     wool = fabric_from_text('weave = "plain"\nends_per_cm = 10\npicks_per_cm = 10\nyarn = "wool"\n')
     for texel, threads in ((None, 128), (0.5, 512), (1.0, 1024), (4.0, 1024), (0.01, 24)):
         assert tile_repeats(wool, texel) == (threads // 2, threads // 2)

@@ -78,7 +78,7 @@ def repeats_of(fabric: Fabric, density: str) -> tuple[int, int]:
     """Repeats across and up that the maps of a density hold, fewer of uneven yarns if texels are too many."""
     picks, ends = fabric.layout().warp_on_top.shape
     threads, held = DENSITIES[density]
-    across, up = tile_repeats(fabric, None, threads=held, texels=_TEXELS_A_THREAD * held)
+    across, up = tile_repeats(fabric, None, _TEXELS_A_THREAD * held)
     most = int(MAX_TEXELS * (threads or 1 / _TEXELS_A_THREAD))
     return min(across, max(most // ends, 1)), min(up, max(most // picks, 1))
 

@@ -32,9 +32,9 @@ _MAX_TEXTURE = 4096
 _MAX_BAND = 1 << 20
 # Texels a thread where no size of texels is given.
 _TEXELS_PER_THREAD = 8
-# Threads across textures of uneven yarns, at least, and texels and threads at most: they show as a pattern
-# where a picture holds several, and a few megabytes and half a minute buy no more.
-_FEWEST_THREADS, _UNEVEN_TEXELS, _UNEVEN_THREADS = 24, 1024, 1024
+# Threads across textures of uneven yarns, at least, and texels across and crossings at most: they show as a
+# pattern where a picture holds several, and a few megabytes and half a minute buy no more.
+_FEWEST_THREADS, _UNEVEN_TEXELS, _UNEVEN_CROSSINGS = 24, 1024, 1 << 20
 # Texels that yarns cover less are holes, which say nothing of the yarns.
 MIN_COVER = 0.02
 # Slopes about the mean normal are at most this, or a few points at the outline of a yarn would outweigh all
@@ -132,14 +132,12 @@ def texture_grid(
     return TextureSize(columns, rows, (across, up))
 
 
-def tile_repeats(
-    fabric: Fabric, texel_mm: float | None, threads: int = _UNEVEN_THREADS, texels: int = _UNEVEN_TEXELS
-) -> tuple[int, int]:
-    """Repeats across and up that textures hold: one, or of uneven yarns as many as have so many threads.
+def tile_repeats(fabric: Fabric, texel_mm: float | None, texels: int = _UNEVEN_TEXELS) -> tuple[int, int]:
+    """Repeats across and up that textures hold: one, or of uneven yarns as many as there is room for.
 
     Args:
         texel_mm: side of a texel; None is eight a thread.
-        threads, texels: across textures of uneven yarns at most; of threads at least 24.
+        texels: across textures of uneven yarns at most, unless that were less than 24 threads.
     """
     picks, ends = fabric.layout().warp_on_top.shape
     appearance = fabric.appearance()
@@ -147,12 +145,12 @@ def tile_repeats(
     if not (is_uneven or appearance.is_irregular or appearance.variation.colour_noise > 0):
         return 1, 1
 
-    def count(side_mm: float, of_repeat: int) -> int:
-        own = _TEXELS_PER_THREAD * of_repeat if texel_mm is None else side_mm / texel_mm
-        return max(-(-_FEWEST_THREADS // of_repeat), int(min(threads / of_repeat, texels / own)))
-
-    width, height = map(float, fabric.layout().size)
-    return count(width, ends), count(height, picks)
+    threads = np.array([ends, picks])
+    sides = threads * _TEXELS_PER_THREAD if texel_mm is None else np.divide(fabric.layout().size, texel_mm)
+    counts = texels / np.asarray(sides, float)
+    counts *= min(1.0, math.sqrt(_UNEVEN_CROSSINGS / np.prod(counts * threads)))
+    across, up = np.maximum(counts.astype(int), -(-_FEWEST_THREADS // threads))
+    return int(across), int(up)
 
 
 class TexelGrid:
