@@ -3,7 +3,8 @@
 Each swatch is a named weave of a kind of yarn, in colours, setts and irregularities drawn by chance, 20 mm
 of it under a flash: turned up to 4° against the picture, tilted up to 5°, darker towards its corners, exposed
 so that next to nothing is white, with noise of 2.5 of 255, and as JPEG. It is captured from that file, by
-its width and by the colour of white paper in it.
+its width and by the colour of white paper in it. A window lies within 15° of the middle of a side, 30° to 50°
+high, and its light falls by a third across the picture.
 
 Weaves count as right when the drawdown is the same in some place. Colours differ by CIEDE2000 from the
 nearest found in the same family; the largest counts. Bounds hold if both families lie within those that stand
@@ -19,7 +20,7 @@ from __future__ import annotations
 import itertools
 import tempfile
 import warnings
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -28,7 +29,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from loomlight.capturing.capture import capture
+from loomlight.capturing.capture import LIGHTS, capture
 from loomlight.capturing.captured import Captured
 from loomlight.capturing.photo import WHITE_PAPER
 from loomlight.capturing.photographer import CAMERA_WIDTHS, Framing, Light, photograph
@@ -69,6 +70,8 @@ WEAVES = (
 COLOURED = ("houndstooth 4", "gingham 8", "pinstripe 12", "denim")
 KINDS = ("cotton", "combed cotton", "mercerised cotton", "linen", "wool", "worsted", "silk", "viscose")
 WIDTH_MM, NOISE, QUALITY = 20.0, 0.01, 90
+# A window is so far from the middle of a side, and so high, degrees; its light falls by a share across.
+WINDOW_TURN, WINDOW_ELEVATIONS, WINDOW_FALL_OFF = 15.0, (30.0, 50.0), 0.3
 TURN, TILT, FALL_OFF = np.radians(4.0), np.radians(5.0), 0.15
 # Where another piece of a cloth lies, repeats across and up.
 _REPEATS_ON = 7, 11
@@ -91,6 +94,7 @@ class Capture(Settings):
     count: int = setting(40, "Swatches.", low=1)
     pixels: int = setting(640, "Of a side of a photograph.", low=200)
     spp: int = setting(9, "Samples a pixel of it.", low=1)
+    light: str = setting("flash", "Of the photographs.", choices=LIGHTS)
     seed: int = setting(90, "Of fabrics and photographs; capture was mended on 67 to 72.", low=0)
 
 
@@ -167,7 +171,8 @@ def _swatch(number: int, settings: Capture) -> tuple[dict[str, Any], Pixels | No
         picture, shot = photographed(fabric, rng, settings)
         Image.fromarray(picture).save(path, quality=QUALITY, subsampling=0)
         try:
-            found = capture(path, width_mm=WIDTH_MM, white=to_hex(np.full(3, WHITE_PAPER * shot.exposure)))
+            white = to_hex(np.full(3, WHITE_PAPER * shot.exposure))
+            found = capture(path, width_mm=WIDTH_MM, white=white, light=settings.light)
         except InputError as error:
             return row | {"refused": str(error).replace(folder, "")}, None
         return row | compared(found, fabric) | {
@@ -217,18 +222,25 @@ class Shot:
         samples: a pixel.
         seed: of their places, and of the noise.
         exposure: what white that faces the light has.
+        light: of the photograph.
     """
 
     framing: Framing
     samples: int
     seed: int
-    exposure: float
+    exposure: float = 1.0
+    light: Light = field(default_factory=Light)
 
     def light_from(self, fabric: Fabric) -> NDArray[np.float64]:
-        """Linear RGB [height, width, 3], darker towards the corners."""
-        seen = photograph(fabric, self.framing, Light(), self.samples, self.seed)
-        place = (np.arange(len(seen)) + 0.5) / len(seen) - 0.5
-        return np.asarray(seen * (1 - FALL_OFF * 2 * (place[:, None] ** 2 + place[None, :] ** 2))[..., None])
+        """Linear RGB [height, width, 3], darker towards the corners, and away from a window."""
+        seen = photograph(fabric, self.framing, self.light, self.samples, self.seed)
+        x = (np.arange(len(seen)) + 0.5) / len(seen) - 0.5
+        y = -x[:, None]
+        strength = 1 - FALL_OFF * 2 * (x**2 + y**2)
+        if self.light.kind == "window":
+            azimuth = np.radians(self.light.azimuth)
+            strength *= 1 + WINDOW_FALL_OFF * (x * np.cos(azimuth) + y * np.sin(azimuth))
+        return np.asarray(seen * strength[..., None])
 
     def developed(self, linear: NDArray[np.float64]) -> Pixels:
         """8-bit sRGB of linear RGB [height, width, 3], with noise."""
@@ -241,7 +253,10 @@ def photographed(fabric: Fabric, rng: np.random.Generator, settings: Capture) ->
     """A photograph of a fabric, 8-bit sRGB [height, width, 3], and how it was taken."""
     side = settings.pixels
     framing = tilted(side, float(rng.uniform(-TURN, TURN)), rng.uniform(-TILT, TILT, size=2) / np.sqrt(2))
-    shot = Shot(framing, settings.spp, int(rng.integers(1 << 31)), 1.0)
+    shot = Shot(framing, settings.spp, int(rng.integers(1 << 31)))
+    if settings.light == "window":
+        azimuth = 90.0 * int(rng.integers(4)) + rng.uniform(-WINDOW_TURN, WINDOW_TURN)
+        shot = replace(shot, light=Light("window", azimuth, rng.uniform(*WINDOW_ELEVATIONS)))
     linear = shot.light_from(fabric)
     shot = replace(shot, exposure=min(1.0, 0.9 / float(np.quantile(linear, 0.998))))
     return shot.developed(linear), shot
@@ -260,7 +275,7 @@ def tilted(side: int, turn: float, tilt: NDArray[np.float64]) -> Framing:
     step, camera = WIDTH_MM / side, away * axis
     rays = np.stack([step * right, -step * up, -away * axis - step * side / 2 * (right - up)], axis=1)
     onto = np.stack([camera[2] * rays[0] - camera[0] * rays[2], camera[2] * rays[1] - camera[1] * rays[2]])
-    matrix = np.stack([-onto[0], -onto[1], -rays[2]])
+    matrix = np.stack([onto[0], onto[1], -rays[2]])
     return Framing((side, side), matrix, WIDTH_MM, (float(np.tan(tilt[0])), float(np.tan(tilt[1]))))
 
 
@@ -269,7 +284,7 @@ def compared(found: Captured, fabric: Fabric) -> dict[str, Any]:
     truth = fabric.resolved
     setts = [found.setts[0].value, found.setts[1].value]
     given = [fabric.fields.ends_per_cm, fabric.fields.picks_per_cm]
-    roughness, colours, rough, gaps = [], [], [], []
+    roughness, rough, gaps = [], [], []
     widths = fabric.layout().warp, fabric.layout().weft
     for number, family in enumerate((truth.warp, truth.weft)):
         mine = found.fit.yarns.numbers["roughness"][number]
@@ -278,9 +293,7 @@ def compared(found: Captured, fabric: Fabric) -> dict[str, Any]:
         low, high = found.fit.bounds("fill", number)
         gaps.append(low <= 1 - widths[number].open_share <= high)
         roughness.append(abs(mine / family.roughness - 1))
-        labs = lab_of_linear(found.fit.yarns.colours[number])
-        for colour in np.unique(family.colours, axis=0):
-            colours.append(float(delta_e_2000(lab_of_linear(colour)[None], labs).min()))
+    colours = delta_e_of(found, fabric)
     picture = found.render()
     return {
         "found": found.weave,
@@ -288,19 +301,29 @@ def compared(found: Captured, fabric: Fabric) -> dict[str, Any]:
         "doubts": len(found.doubts),
         "weave_right": same_weave(found.choice.fit.structure, fabric.named_draft.drawdown),
         "sett": max(abs(mine / float(true or 1) - 1) for mine, true in zip(setts, given, strict=True)),
-        "delta_e": max(colours),
+        "delta_e": colours,
         "roughness": max(roughness),
         "sett_held": all(
             abs(sett.value - float(true or 0)) <= sett.reach
             for sett, true in zip(found.setts, given, strict=True)
         ),
-        "colours_held": max(colours) <= found.fit.colour_error,
+        "colours_held": colours <= found.fit.colour_error,
         "roughness_held": all(rough),
         "gap_held": all(gaps),
         "kind_found": found.fit.yarns.kind,
         "rms_255": 255 * float(np.sqrt(found.fit.cost)),
         "flip": flip_mean(picture, found.linear, np.ones(picture.shape[:2], bool)),
     }
+
+
+def delta_e_of(found: Captured, fabric: Fabric) -> float:
+    """The largest difference of a colour from the nearest found in the same family, CIEDE2000."""
+    largest = 0.0
+    for number, family in enumerate((fabric.resolved.warp, fabric.resolved.weft)):
+        labs = lab_of_linear(found.fit.yarns.colours[number])
+        for colour in np.unique(family.colours, axis=0):
+            largest = max(largest, float(delta_e_2000(lab_of_linear(colour)[None], labs).min()))
+    return largest
 
 
 def other_piece(fabric: Fabric, picture: Pixels, shot: Shot) -> float:
@@ -365,12 +388,23 @@ def _reliability_table(bins: list[dict[str, Any]]) -> Table:
     return Table("How sure of its weave, and how often right", ["swatches", "sure", "right"], rows)
 
 
-STUDY = Study(
-    "accuracy/capture",
-    "fabrics captured from rendered photographs against those that were photographed",
-    Capture(),
-    measure,
-    tables,
-    stands_on=("point",),
-    small={"count": 1, "pixels": 240, "spp": 1},
+STUDIES = (
+    Study(
+        "accuracy/capture",
+        "fabrics captured from rendered photographs against those that were photographed",
+        Capture(),
+        measure,
+        tables,
+        stands_on=("point",),
+        small={"count": 1, "pixels": 240, "spp": 1},
+    ),
+    Study(
+        "accuracy/capture_window",
+        "the same by the light of a window",
+        Capture(count=10, light="window"),
+        measure,
+        tables,
+        stands_on=("point",),
+        small={"count": 1, "pixels": 240, "spp": 1},
+    ),
 )

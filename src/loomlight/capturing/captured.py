@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from loomlight.capturing.aligned import aligned_picture
 from loomlight.capturing.crossings import Crossings
+from loomlight.capturing.lighting import patchiness
 from loomlight.capturing.photographer import Light, Linear
 from loomlight.capturing.sheet import capture_sheet
 from loomlight.capturing.thread_colours import ColourOrder
@@ -35,6 +36,8 @@ _OF_THE_KIND = "of the kind of yarn; the photograph does not fix it"
 _DIGITS = 3
 # A weave that is less sure than this, and a repeat that differs by more of 255, are told of.
 SURE, GOOD_ROOT = 0.8, 20.0
+# Brightest over darkest part of the picture from which on a shadow or a label is told of.
+_PATCHY = 1.6
 # Pixels of a thread from which on weaves are told apart well.
 GOOD_PX = 10.0
 
@@ -195,6 +198,13 @@ class Captured:
         found = []
         if self.choice.confidence < SURE:
             found.append(self._guess())
+        up = self.choice.fit.table(self.crossings.shape)
+        uneven = patchiness(self.crossings, up, (self.choice.warp, self.choice.weft))
+        if uneven > _PATCHY:
+            found.append(
+                f"some of the picture is {uneven:.1f} times as bright as the rest, as if a shadow, a fold or "
+                "a label lay on it: crop that away, or light all of the cloth alike."
+            )
         left = 255 * float(np.sqrt(self.fit.cost))
         if left > GOOD_ROOT:
             found.append(

@@ -15,6 +15,8 @@ from loomlight.core.errors import InputError
 MAX_UNEVENNESS = 3.0
 _REC709 = np.array([0.2126, 0.7152, 0.0722])
 _DARKEST = 2e-3
+# Threads a side of a part of which the light is compared with that of others.
+_PART = 5
 
 
 def light_over(
@@ -25,7 +27,7 @@ def light_over(
     warp_up: NDArray[np.bool_],
     orders: tuple[ColourOrder, ColourOrder],
 ) -> NDArray[np.float64]:
-    """Relative brightness of the light at each pixel [height, width], 1 on average.
+    """Relative brightness of the light at each pixel [height, width], 1 at the middle of the picture.
 
     Crossings of one colour that lie on top differ by their light alone: a plane and a bowl are fitted to the
     logarithms of all of them, beside a level for each colour of each family.
@@ -58,8 +60,29 @@ def light_over(
             f"{path} is unevenly lit, {whole:.1f} times as bright on one side as on another: lay the cloth "
             "flat, and light all of it alike."
         )
-    relative = np.exp(smooth)
-    return np.asarray(relative / relative.mean())
+    # The bowl and the plane are 0 at the middle, where cameras have no fall-off, and white is looked at.
+    return np.asarray(np.exp(smooth))
+
+
+def patchiness(
+    crossings: Crossings, warp_up: NDArray[np.bool_], orders: tuple[ColourOrder, ColourOrder]
+) -> float:
+    """Brightest over darkest part of evenly lit cloth, of its colours: 1 without shadows, folds and labels.
+
+    Parts are squares of five threads a side; a median of each leaves out single threads of another shade.
+    """
+    picks, ends = crossings.shape
+    warp, weft = orders[0].of_threads(ends), orders[1].of_threads(picks)
+    level = np.where(warp_up, warp[None, :], len(orders[0].colours) + weft[:, None])
+    light = np.log(np.maximum(srgb_to_linear(np.clip(crossings.colour, 0, 1)) @ _REC709, _DARKEST))
+    for each in np.unique(level):
+        light[level == each] -= np.median(light[level == each])
+    parts = [
+        float(np.median(light[row : row + _PART, column : column + _PART]))
+        for row in range(0, picks - _PART + 1, _PART)
+        for column in range(0, ends - _PART + 1, _PART)
+    ]
+    return float(np.exp(max(parts) - min(parts))) if parts else 1.0
 
 
 def _terms(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -27,7 +27,7 @@ Linear = NDArray[np.float32]
 # Of the camera over the cloth, in widths of the picture.
 CAMERA_WIDTHS = 10.0
 # A window is 36 degrees wide, seen from the cloth: so many directions, a golden turn apart, stand for it.
-_WINDOW_ELEVATION, _WINDOW_RADIUS, _WINDOW_LIGHTS = 40.0, 18.0, 4
+_WINDOW_RADIUS, _WINDOW_LIGHTS = 18.0, 4
 _GOLDEN_TURN = 2.399963
 # Samples traced at once: 100 MB of what the point model holds.
 _LANES = 1 << 20
@@ -40,14 +40,16 @@ class Light:
     Attributes:
         kind: "flash" at the camera, or "window", from a side.
         azimuth: of a window, degrees from the right of the picture, anticlockwise.
+        elevation: of the middle of a window, degrees above the cloth.
     """
 
     kind: str = "flash"
     azimuth: float = 90.0
+    elevation: float = 40.0
 
     def directions(self) -> NDArray[np.float64]:
         """Unit vectors [n, 3] towards the parts of a window, in the frame of the cloth."""
-        azimuth, elevation = np.radians(self.azimuth), np.radians(_WINDOW_ELEVATION)
+        azimuth, elevation = np.radians(self.azimuth), np.radians(self.elevation)
         number = np.arange(_WINDOW_LIGHTS)
         radius = np.radians(_WINDOW_RADIUS) * np.sqrt((number + 0.5) / _WINDOW_LIGHTS)
         up, aside = radius * np.sin(_GOLDEN_TURN * number), radius * np.cos(_GOLDEN_TURN * number)
