@@ -217,7 +217,7 @@ def tables(figures: Figures) -> list[Table]:
             float(np.median([row["delta_e"] for row in right])) if right else "",
         ]
     columns = ["right", "right and sure", "refused, or a guess", "wrong and sure", "CIEDE2000"]
-    return [Table(f"{figures['count']} swatches with each flaw", columns, rows)]
+    return [Table("Swatches with each flaw", columns, rows)]
 
 
 STUDY = Study(

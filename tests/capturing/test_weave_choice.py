@@ -5,19 +5,25 @@ Covers: capturing/weave_choice.py
 
 from __future__ import annotations
 
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from loomlight.capturing.captured import SURE, Captured, WeaveChoice
-from loomlight.capturing.crossings import Crossings
-from loomlight.capturing.photographer import Light
+from loomlight.capturing.crossings import Crossings, find_crossings
+from loomlight.capturing.photo import read_photo
+from loomlight.capturing.photographer import Light, photograph, straight
 from loomlight.capturing.thread_colours import ColourOrder
-from loomlight.capturing.weave_choice import Hypothesis, likelihoods, reliability
-from loomlight.capturing.weave_match import WeaveFit, fit_structure
+from loomlight.capturing.thread_grid import find_grid
+from loomlight.capturing.weave_choice import Hypothesis, Seen, chosen, light_of, likelihoods, reliability
+from loomlight.capturing.weave_match import WeaveFit, fit_structure, fit_weaves
 from loomlight.capturing.yarn_fit import Fit, yarns_of_kind
+from loomlight.core.colour import linear_to_srgb
+from loomlight.fabric import fabric_from_text
 from loomlight.weave.named import named_weave
+from tests.capturing.pictures import TWILL, save
 
 VOTES = 100.0
 
@@ -118,3 +124,46 @@ def captured(confidence: float, rivals: tuple[str, ...], pixels: float, shade: f
         crossings=crossings,
         fit=Fit(yarns_of_kind("cotton", (colours, colours)), 1e-4, colours),
     )
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("azimuth", [0.0, 90.0, 180.0, 270.0])
+def test_the_side_of_a_window_is_found(azimuth: float, tmp_path: Path) -> None:
+    """Also of one that is not quite at the middle of the side, and higher than it is taken to be."""
+    fabric = fabric_from_text(TWILL)
+    light = Light("window", azimuth + 12, 50.0)
+    picture = photograph(fabric, straight((240, 240), 10.0, 0.02), light, 4)
+    path = save(tmp_path / "photo.png", linear_to_srgb(np.clip(picture, 0, 1)))
+    photo = read_photo(path, 10.0)
+    grid = find_grid(photo.encoded)
+    crossings = find_crossings(photo.encoded, grid)
+    fit = fit_structure("twill 2/1 z", fabric.draft.drawdown, [crossings])
+    assert light_of(Seen(photo, grid, crossings), fit, "window").azimuth == azimuth
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("weave", "kind"), [("plain", "cotton"), ("basket 2/2", "cotton"), ("basket 2/2", "worsted")]
+)
+def test_pairs_of_four_pixels_a_thread_are_told_from_single_threads_or_said_to_be_a_guess(
+    weave: str, kind: str, tmp_path: Path
+) -> None:
+    """Threads of a plain weave are as wide here as pairs are, so that crossings look the same."""
+    sett = 36.0 if weave == "basket 2/2" else 18.0
+    fabric = fabric_from_text(
+        f'weave = "{weave}"\nyarn = "{kind}"\nends_per_cm = {sett}\npicks_per_cm = {sett}\n'
+        '[warp]\ncolor = "#3a5a86"\n[weft]\ncolor = "#cfc3a8"\n'
+    )
+    picture = photograph(fabric, straight((260, 260), 18.0, 0.02), Light(), 9)
+    photo = read_photo(save(tmp_path / "photo.png", linear_to_srgb(picture)), 18.0)
+    grid = find_grid(photo.encoded)
+    face = Seen(photo, grid, find_crossings(photo.encoded, grid))
+    fits = fit_weaves([face.crossings])
+    assert fits[0].name == "plain"
+    _, choice, _, _ = chosen(face, fits, Light(), lambda done, total: None)
+    if kind == "cotton":
+        assert choice.fit.name == weave
+    else:
+        # Highlights of worsted hide the groove of a pair.
+        assert choice.confidence < SURE
+        assert weave in (choice.fit.name, *choice.rivals)

@@ -109,7 +109,7 @@ def _require_exposed(path: str | os.PathLike[str], linear: NDArray[np.float64]) 
     if clipped > _MAX_CLIPPED:
         raise InputError(
             f"{path} is overexposed: {100 * clipped:.0f} % of its pixels are as bright as can be; expose it "
-            "less, so that nothing of the cloth is pure white."
+            "less and sharpen nothing, so that none of the cloth is pure white."
         )
     if float(linear.mean()) < _MIN_LIGHT:
         raise InputError(f"{path} is too dark to tell threads apart; expose it more.")

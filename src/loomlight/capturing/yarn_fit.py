@@ -129,7 +129,8 @@ class Fit:
         value, parameter = self.yarns.numbers[name][family], PARAMETERS[name]
         known = self.errors.get(name, (parameter.spread, parameter.spread))[family]
         reach = float(np.exp(NINE_OF_TEN * np.hypot(known, self.model_errors.get(name, parameter.misfit))))
-        return max(value / reach, parameter.low), min(value * reach, parameter.high)
+        # Fits stay a little below 1, which yarns may have.
+        return max(value / reach, parameter.low), min(value * reach, max(parameter.high, 1.0))
 
     @property
     def colour_error(self) -> float:
