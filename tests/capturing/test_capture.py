@@ -86,7 +86,7 @@ def test_the_command_says_what_it_wrote(
     assert run([*words, "--weave", "twill 2/1"]) == 0
     printed = capsys.readouterr().out.splitlines()
     assert printed[0] == str(output)
-    assert printed[1].startswith(f"{tmp_path / 'fabric-sheet.png'} (twill 2/1, 100 % sure; ")
+    assert printed[1].startswith(f"{tmp_path / 'fabric-sheet.png'} (twill 2/1, as given; ")
     assert load_fabric(output).fields.weave == "twill 2/1"
 
 

@@ -5,6 +5,7 @@ Covers: capturing/weave_choice.py
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -91,6 +92,12 @@ def test_a_guess_says_what_else_it_may_be_and_what_to_do(
     assert len(found.doubts) == 1
     assert said in found.doubts[0]
     assert ("Move nearer" in found.doubts[0]) == (pixels < 10)
+
+
+def test_a_weave_that_was_given_is_no_guess() -> None:
+    found = replace(captured(0.3, ("basket 2/2",), 7.0), is_given=True)
+    (doubt,) = found.doubts
+    assert "explains the picture poorly" in doubt
 
 
 def test_a_sure_weave_has_no_doubts() -> None:

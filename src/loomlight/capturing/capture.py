@@ -122,6 +122,7 @@ def capture(
         grid=face.grid,
         crossings=face.crossings,
         fit=start,
+        is_given=given is not None,
         draft_file=None if draft is None else str(draft),
     )
 

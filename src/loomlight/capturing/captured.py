@@ -85,6 +85,7 @@ class Captured:
         choice: the weave and the order of colours.
         grid, crossings: where threads lie in the photograph, and what their crossings show.
         fit: of the yarns.
+        is_given: whether the user said which weave it is.
         draft_file: that the user gave.
     """
 
@@ -96,6 +97,7 @@ class Captured:
     grid: ThreadGrid
     crossings: Crossings
     fit: Fit
+    is_given: bool = False
     draft_file: str | None = None
     _renders: dict[int, Linear] = field(default_factory=dict, init=False, repr=False)
 
@@ -187,8 +189,10 @@ class Captured:
     def summary(self) -> str:
         """Weave, setts and kind of yarn in a line."""
         warp, weft = self.setts
+        weave = self.weave or (self.draft_file and f"the weave of {self.draft_file}")
+        sure = "as given" if self.is_given else f"{100 * self.choice.confidence:.0f} % sure"
         return (
-            f"{self.weave or 'a weave without a name'}, {100 * self.choice.confidence:.0f} % sure; "
+            f"{weave or 'a weave without a name'}, {sure}; "
             f"{warp.value:.1f} ends and {weft.value:.1f} picks/cm; yarn like {self.fit.yarns.kind}"
         )
 
@@ -214,7 +218,12 @@ class Captured:
         return found
 
     def _guess(self) -> str:
-        """That the weave is one, which others look like it, and what to do."""
+        """That the weave is one, which others look like it, and what to do; of a given one its poor fit."""
+        if self.is_given:
+            return (
+                f"{self.weave or self.draft_file} explains the picture poorly: see on the sheet whether "
+                "it is that weave, and whether its warp runs up the picture."
+            )
         named = " or ".join(self.choice.rivals)
         rivals = f", and {named} looks nearly the same" if named else ""
         pixels = 1 / max(self.grid.warp.per_px, self.grid.weft.per_px)
@@ -272,7 +281,9 @@ class Captured:
         lines = [
             f"Captured from {Path(self.photo).name}, {self.width_mm:g} mm wide, lit by a {self.light.kind}.",
         ]
-        if self.weave:
+        if self.is_given:
+            lines.append("The weave was given.")
+        elif self.weave:
             lines.append(
                 f"The weave is {self.weave} with a confidence of {100 * self.choice.confidence:.0f} %."
             )
