@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import gc
 import math
 import os
 import sys
@@ -46,6 +47,13 @@ def pytest_collection_modifyitems(config: pytest.Config, items: Sequence[pytest.
     wrong = {name: cases for name, cases in unseen.items() if cases}
     if wrong and not any("::" in each for each in config.args):
         raise pytest.UsageError(f"the mark quick names cases that there are not: {wrong}")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_finish() -> None:
+    """Modules and tests stay to the end: Python's collector need not look through them time and again."""
+    gc.collect()
+    gc.freeze()
 
 
 def pytest_deselected(items: Sequence[pytest.Item]) -> None:
