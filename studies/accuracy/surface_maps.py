@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from loomlight.core.backend import array_types
+from loomlight.core.backend import array_types, upload_vector
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.core.settings import Settings, setting
@@ -34,8 +34,9 @@ from studies.harness.study import Figures, Found, Run, Study, example, listed, n
 from studies.instruments.timing import least_times
 
 FIELDS = ("roughness", "gap", "specular", "height_scale", "wear")
-# Variants of a picture of many greys.
-LEVELS = 4
+# Shares of a field's range that pictures of many greys span.
+SHARES = (1.0, 0.4)
+CASES = ("none", "color", "wear", "wear and gap")
 
 
 @dataclass(frozen=True)
@@ -43,10 +44,14 @@ class Levels(Settings):
     queries: int = setting(4000, "Of each fabric.", low=1)
     fabrics: str = names("denim,linen", "Example fabrics.")
     fields: str = names(",".join(FIELDS), "Fields that maps change.", FIELDS)
+    levels: int = setting(4, "Variants of a picture of many greys.", low=2)
 
 
 @dataclass(frozen=True)
 class Times(Settings):
+    maps: str = names(
+        ",".join(CASES), "What the pictures have; the first is what others cost more than.", CASES
+    )
     rounds: int = setting(4, "Pictures of each.", low=1)
     size: tuple[int, int] = setting((480, 360), "Pixels.", low=8)
     spp: int = setting(32, "Samples a pixel.", low=1)
@@ -61,13 +66,11 @@ def values(fabric: Fabric, count: int, seed: int = 5) -> NDArray[np.float64]:
         z = np.sqrt(rng.random(count) * 0.98 + 0.02)
         angle = 2 * np.pi * rng.random(count)
         across = np.sqrt(1 - z * z)
-        return types.Vector3(
-            *(row.astype(np.float32) for row in (across * np.cos(angle), across * np.sin(angle), z))
-        )
+        return upload_vector(types.Vector3, (across * np.cos(angle), across * np.sin(angle), z))
 
     view, light = directions(), directions()
     width, height = fabric.repeat_mm
-    centre = types.Vector2(*((rng.random(count) * side).astype(np.float32) for side in (width, height)))
+    centre = upload_vector(types.Vector2, rng.random((2, count)) * np.array([[width], [height]]))
     side = 3 * float(fabric.layout().warp.spacing.mean())
     model = make_model("lobes", fabric)
     model.upload(types)
@@ -83,12 +86,12 @@ def measure_levels(settings: Levels, run: Run) -> Found:
         fabric = load_fabric(example(name))
         for field in listed(settings.fields):
             low, high = range_of(fields_of(field)[0])
-            for share in (1.0, 0.4):
+            for share in SHARES:
                 ends = low, low + share * (high - low)
                 errors = []
-                knots = np.linspace(*ends, LEVELS)
+                knots = np.linspace(*ends, settings.levels)
                 seen = [values(with_number(fabric, field, float(knot)), settings.queries) for knot in knots]
-                for first in range(LEVELS - 1):
+                for first in range(settings.levels - 1):
                     between = float(knots[first : first + 2].mean())
                     middle = values(with_number(fabric, field, between), settings.queries)
                     mixed = (seen[first] + seen[first + 1]) / 2
@@ -129,13 +132,14 @@ def measure_times(settings: Times, run: Run) -> Found:
             "wear": {"wear": ramp},
             "wear and gap": {"wear": ramp, "gap": {"picture": ramp, "high": 0.4}},
         }
+        chosen = {name: cases[name] for name in listed(settings.maps)}
         pictures = [
             partial(render, fabric, size=size, spp=spp, inset=False, maps=maps)
-            for maps in cases.values()
+            for maps in chosen.values()
             for size, spp in (((32, 24), 1), (settings.size, settings.spp))
         ]
         seconds = [spent.cpu_seconds for spent in least_times(pictures, settings.rounds)]
-    for case, start, picture in zip(cases, seconds[::2], seconds[1::2], strict=True):
+    for case, start, picture in zip(chosen, seconds[::2], seconds[1::2], strict=True):
         rows.append({"maps": case, "start": start, "picture": picture, "ratio": picture / seconds[1]})
     return Found({"times": rows})
 
@@ -147,7 +151,7 @@ def tables_of_levels(figures: Figures) -> list[Table]:
     for fabric, field in dict.fromkeys((row["fabric"], row["field"]) for row in found):
         own = [row for row in found if (row["fabric"], row["field"]) == (fabric, field)]
         # The whole range comes first.
-        parts = own[: LEVELS - 1], own[LEVELS - 1 :]
+        parts = np.split(np.array(own), len(SHARES))
         rows[f"{fabric}, `{field}`"] = [100 * max(row["error"] for row in part) for part in parts]
     columns = ["whole range, %", "lowest four tenths, %"]
     return [Table("Largest error of a mixture in the middle", columns, rows)]
@@ -167,7 +171,7 @@ STUDIES = (
         measure_levels,
         tables_of_levels,
         stands_on=("lobes",),
-        small={"queries": 100, "fabrics": "denim", "fields": "roughness"},
+        small={"queries": 100, "fabrics": "denim", "fields": "roughness", "levels": 2},
     ),
     Study(
         "accuracy/surface_maps_times",
@@ -176,6 +180,6 @@ STUDIES = (
         measure_times,
         tables_of_times,
         stands_on=("lobes", "picture", "lobes cost"),
-        small={"rounds": 1, "size": (32, 24), "spp": 1},
+        small={"maps": "none,wear", "rounds": 1, "size": (32, 24), "spp": 1},
     ),
 )

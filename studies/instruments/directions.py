@@ -6,6 +6,8 @@ import numpy as np
 from drjit.llvm import Array3f
 from numpy.typing import NDArray
 
+from loomlight.core.backend import upload_vector
+
 Floats = NDArray[np.float64]
 
 
@@ -30,7 +32,7 @@ def by_cosine(rng: np.random.Generator, count: int) -> Floats:
 
 def as_vectors(columns: Floats) -> Array3f:
     """Vectors [3, n] for Dr.Jit."""
-    return Array3f(np.ascontiguousarray(columns, np.float32))
+    return upload_vector(Array3f, columns)
 
 
 def copies(vector: Floats | tuple[float, float, float], count: int) -> Array3f:

@@ -26,7 +26,7 @@ from loomlight.aggregate.components import (
 )
 from loomlight.aggregate.tables import Grid
 from loomlight.core.arrays import Float, FloatType, Vec3
-from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.backend import ArrayTypes, array_types, upload, upload_vector
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.point import YarnScattering
@@ -162,9 +162,9 @@ def brute_force(
         positions = centres[part, None] + offsets * sizes[part, None]
         column, row = np.moveaxis(np.floor((positions - corner) / step) % [grid.columns, grid.rows], -1, 0)
         texel = (row * grid.columns + column).astype(np.uint32).ravel()
-        x, y = grid.points(types, types.UInt32(texel))
+        x, y = grid.points(types, upload(types.UInt32, texel))
         light, view = (
-            types.Vector3(np.repeat(vectors[part], samples, axis=0).T.astype(np.float32).copy())
+            upload_vector(types.Vector3, np.repeat(vectors[part], samples, axis=0).T)
             for vectors in (light_vectors, view_vectors)
         )
         point = probes[0].locate(x, y, view)
@@ -223,12 +223,12 @@ class _Sums:
 
 def _directions(types: ArrayTypes, directions: ArrayLike, count: int) -> Vec3:
     vectors = np.broadcast_to(np.asarray(directions, np.float64), (count, 3))
-    return types.Vector3(np.ascontiguousarray(vectors.T, dtype=np.float32))
+    return upload_vector(types.Vector3, vectors.T)
 
 
 def _uniform(types: ArrayTypes, numbers: NDArray[np.float32]) -> Any:
     """Numbers of [0, 1) moved to [−1/2, 1/2)."""
-    return types.Float(np.ascontiguousarray(numbers)) - 0.5
+    return upload(types.Float, numbers) - 0.5
 
 
 def _spread(types: ArrayTypes, vector: Vec3, count: int) -> Vec3:

@@ -38,13 +38,24 @@ def test_a_frame_is_written_off_screen(tmp_path: Path, capsys: pytest.CaptureFix
     assert pixels[8, 12, 2] > pixels[8, 12, 0] > 0  # blue cloth
 
 
-def test_a_loom_is_shown_with_the_model_that_it_holds(tmp_path: Path) -> None:
-    fabric = load_fabric(EXAMPLES / "denim.toml")
-    write_loom(tmp_path / "denim.loom", make_model("point", fabric).to_loom())
+@pytest.fixture
+def loom(tmp_path: Path) -> Path:
+    """A material of `point`, which is not what a window shows of a fabric."""
+    file = tmp_path / "denim.loom"
+    write_loom(file, make_model("point", load_fabric(EXAMPLES / "denim.toml")).to_loom())
+    return file
+
+
+def test_a_loom_is_shown_with_the_model_that_it_holds(loom: Path) -> None:
+    settings = PlaySettings(scene="flat", size=(16, 12))
+    assert [_viewer(file, settings).model for file in (loom, EXAMPLES / "denim.toml")] == ["point", "lobes"]
+
+
+@pytest.mark.slow
+def test_a_loom_is_shown_as_its_fabric(loom: Path, tmp_path: Path) -> None:
     options = ["--scene", "flat", "--size", "16x12", "--passes", "1"]
     pictures = []
-    for name, more in (("denim.loom", []), ("denim.toml", ["--model", "point"])):
-        path = tmp_path / name if name.endswith(".loom") else EXAMPLES / name
+    for path, more in ((loom, []), (EXAMPLES / "denim.toml", ["--model", "point"])):
         assert run(["play", str(path), *more, *options, "-o", str(tmp_path / "a.png")]) == 0
         pictures.append(read_picture(tmp_path / "a.png"))
     np.testing.assert_array_equal(*pictures)

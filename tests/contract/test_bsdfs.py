@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f, Float
 
+from loomlight.core.backend import upload, upload_vector
 from loomlight.core.footprint import Footprint
 from loomlight.mitsuba import render
 from loomlight.mitsuba.bsdf import SceneTraits
@@ -70,7 +71,10 @@ def test_weight_is_value_over_density(plugin: str, side: float, tmp_path: Path) 
     bsdf, rng, count = woven(plugin, tmp_path, sheen_strength=0.4), np.random.default_rng(2), 4000
     si = interactions(rng.random((count, 2)), unit_vectors(rng, count), np.full(count, side))
     bs, weight = bsdf.sample(
-        mi.BSDFContext(), si, mi.Float(rng.random(count, np.float32)), mi.Point2f(rng.random((2, count)))
+        mi.BSDFContext(),
+        si,
+        upload(mi.Float, rng.random(count)),
+        upload_vector(mi.Point2f, rng.random((2, count))),
     )
     dr.eval(bs, weight)
     found, pdf = bsdf.eval_pdf(mi.BSDFContext(), si, bs.wo)
@@ -93,8 +97,8 @@ def test_all_at_once_is_each_alone(plugin: str, tmp_path: Path) -> None:
     """`eval_pdf_sample` against `eval`, `pdf` and `sample`; `eval_and_null_transmission` against both."""
     bsdf, rng, count, rtol = woven(plugin, tmp_path), np.random.default_rng(3), 1000, RTOL
     si, *_ = random_interactions(count)
-    wo, lobe = vectors(unit_vectors(rng, count)), mi.Float(rng.random(count, np.float32))
-    square = mi.Point2f(rng.random((2, count)))
+    wo, lobe = vectors(unit_vectors(rng, count)), upload(mi.Float, rng.random(count))
+    square = upload_vector(mi.Point2f, rng.random((2, count)))
     context = mi.BSDFContext()
     value, pdf, bs, weight = bsdf.eval_pdf_sample(context, si, wo, lobe, square)
     alone, alone_weight = bsdf.sample(context, si, lobe, square)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from typing import Any
 
 import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Array3f, Float, UInt32
 
-from loomlight.core.backend import clip, maximum, minimum
+from loomlight.core.backend import clip, maximum, minimum, upload, upload_vector
 from loomlight.core.llvm import require_llvm
+from studies.instruments.timing import launched_kernels
 
 require_llvm()
 
@@ -45,3 +48,24 @@ def test_derivatives_are_dr_jits() -> None:
         gradients.append(list(dr.grad(value)))
     assert gradients[0] == gradients[1]
     assert gradients[0][::2] == [0, 3]
+
+
+def test_kernels_do_not_depend_on_where_numpy_keeps_numbers() -> None:
+    """Vectors whose components begin at any address need one kernel; read in place they need several."""
+    memory = np.arange(400, dtype=np.float32)
+
+    def kernels(vector_of: Callable[[Any], Any]) -> int:
+        texts = set()
+        for start in range(4):
+            rows = memory[start : start + 300].reshape(3, 100)
+            vector = vector_of(rows)
+            (kernel,) = launched_kernels(lambda vector=vector: dr.eval(dr.dot(vector, vector) + 1))
+            texts.add(kernel["hash"])
+        return len(texts)
+
+    assert kernels(lambda rows: upload_vector(Array3f, rows)) == 1
+    assert kernels(lambda rows: Array3f(*(Float(row) for row in rows))) > 1
+    np.testing.assert_array_equal(
+        upload_vector(Array3f, memory[:300].reshape(3, 100)).numpy().ravel(), memory[:300]
+    )
+    np.testing.assert_array_equal(upload(UInt32, memory[:9]).numpy(), np.arange(9))

@@ -41,6 +41,7 @@ def test_every_example_is_tested_listed_and_short() -> None:
     assert [name for name in files if f"examples/{name}.py" not in readme] == []
 
 
+@pytest.mark.usefixtures("less_work")
 @pytest.mark.parametrize("name", [name if name in FAST else slow(name) for name in LEAVES])
 def test_an_example_runs(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

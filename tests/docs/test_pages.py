@@ -7,7 +7,6 @@ import re
 import shlex
 import shutil
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -17,7 +16,6 @@ from loomlight.capturing.photographer import Light, photograph, straight
 from loomlight.cli.main import app, run
 from loomlight.core.colour import linear_to_srgb
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba.pictures import RenderJob
 from loomlight.models.registry import MODELS
 from studies.instruments import towel
 from tests.capturing.pictures import save
@@ -75,11 +73,13 @@ def arguments_of(command: str) -> list[str]:
 
 
 def smaller(arguments: list[str]) -> list[str]:
-    """The same words with a quarter of the texels each way, where an option counts them."""
+    """The same words with a quarter of the texels each way, where an option counts them, and short turns."""
     found = list(arguments)
     for place, word in enumerate(arguments[1:], 1):
-        if arguments[place - 1] in ("--resolution", "--pixels-per-mm"):
+        if arguments[place - 1] in ("--resolution", "--pixels-per-mm", "--dpi"):
             found[place] = re.sub(r"\d+", lambda count: str(max(1, int(count[0]) // 4)), word)
+        if arguments[place - 1] == "--turntable":
+            found[place] = "3"
     return found
 
 
@@ -94,11 +94,10 @@ def require_words(arguments: list[str]) -> None:
 
 # Fabrics that `examples/*.toml` stands for: one that is drawn, one that is seen through.
 FABRICS = ("linen", "organza")
-FEW_SAMPLES = 4
 
 
 @pytest.fixture
-def clone(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def clone(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, less_work: None) -> Path:
     """A folder with what a fresh clone has beside the code, of fabrics what the page names and two more."""
     shutil.copytree(ROOT / "examples", tmp_path / "examples", ignore=shutil.ignore_patterns("*.py"))
     text = page.read_text(encoding="utf-8")
@@ -112,16 +111,6 @@ def clone(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         cloth = fabric_from_text('weave = "twill 2/1"\nends_per_cm = 13\npicks_per_cm = 12\n')
         seen = photograph(cloth, straight((300, 300), 20.0), Light(), 4)
         save(tmp_path / "photo.jpg", linear_to_srgb(seen), quality=95)
-    # A quarter of the pixels, and a few samples of each: the words stay the same, and pages take less time.
-    begin = RenderJob.__post_init__
-
-    def begin_smaller(job: RenderJob) -> None:
-        few = replace(job.settings, spp=min(job.settings.spp, FEW_SAMPLES))
-        object.__setattr__(job, "settings", few)
-        begin(job)
-        job._size = job._size[0] // 2, job._size[1] // 2
-
-    monkeypatch.setattr(RenderJob, "__post_init__", begin_smaller)
     return tmp_path
 
 

@@ -26,12 +26,14 @@ from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.core.picture_settings import Worn
-from loomlight.exporters import export, fit, u3m
+from loomlight.exporters import export, u3m
 from loomlight.exporters.u3m import composition, construction, file_name, u3m_grid, u3m_of
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.facts import cloth_facts
 from loomlight.sources.u3m_file import U3mFile, archive_bytes, is_relative_path, read_u3m, write_u3ma
 from loomlight.weave.structures import plain, satin, twill
+from tests.helpers.standard_materials import few_queries
+from tests.marks import slow
 
 require_llvm()
 DATA = os.environ.get("LOOMLIGHT_DATA")
@@ -370,12 +372,7 @@ def test_faults_leave_nothing(arguments: list[str], says: str, refused: Callable
     assert says in refused(arguments, lambda given: run(["export", "twill 2/1", *given]))
 
 
-def few_queries() -> Any:
-    """A fit of so few queries that it takes no time, and is not good."""
-    return patch.multiple(fit, _REFLECTED=120, _TRANSMITTED=40)
-
-
-@pytest.mark.parametrize("to", ["u3m", "u3ma"])
+@pytest.mark.parametrize("to", [slow("u3m"), "u3ma"])
 def test_a_garment_is_a_material_for_each_of_its_fabrics(tmp_path: Path, to: str) -> None:
     with patch.object(u3m, "_MIN_SIDE", 16), few_queries():
         folder = export(

@@ -1,4 +1,7 @@
-"""Rows of NumPy as arrays of Dr.Jit's LLVM backend."""
+"""Rows of NumPy as arrays of Dr.Jit's LLVM backend.
+
+They are copied: kernels that read NumPy's memory are compiled for its alignment, which is chance.
+"""
 
 from __future__ import annotations
 
@@ -8,22 +11,26 @@ import numpy as np
 from drjit.llvm.ad import Array2f, Array3f, Float
 from numpy.typing import NDArray
 
+from loomlight.core.backend import upload, upload_vector
+
 
 def floats(values: NDArray[Any]) -> Float:
     """Numbers [n]."""
-    return Float(np.ascontiguousarray(values, np.float32))
+    return upload(Float, values)
 
 
 def pairs(rows: NDArray[Any]) -> Array2f:
     """Points [n, 2]."""
-    return Array2f(np.ascontiguousarray(rows.T, np.float32))
+    return upload_vector(Array2f, rows.T)
 
 
 def vectors(rows: NDArray[Any]) -> Array3f:
     """Vectors [n, 3]."""
-    return Array3f(np.ascontiguousarray(rows.T, np.float32))
+    return upload_vector(Array3f, rows.T)
 
 
 def numbers(rng: np.random.Generator, count: int) -> tuple[Float, Array2f]:
     """What samplers take: uniform numbers, and pairs of them."""
-    return Float(rng.random(count, np.float32)), Array2f(rng.random((2, count), np.float32))
+    return upload(Float, rng.random(count, np.float32)), upload_vector(
+        Array2f, rng.random((2, count), np.float32)
+    )

@@ -9,6 +9,7 @@ import drjit as dr
 import mitsuba as mi
 import numpy as np
 
+from loomlight.core.backend import upload, upload_vector
 from loomlight.mitsuba.props import _field
 from loomlight.models.bake import bake, save
 from loomlight.models.registry import MODELS, model_class
@@ -18,20 +19,20 @@ from tests.helpers.fabrics import CHEAPEST as FABRIC_CHEAPEST
 
 def vectors(values: np.ndarray) -> Any:
     """Rows [n, 3] as Mitsuba's vectors."""
-    return mi.Vector3f(np.ascontiguousarray(values.T, np.float32))
+    return upload_vector(mi.Vector3f, values.T)
 
 
 def interactions(uv: np.ndarray, views: np.ndarray, sides: np.ndarray) -> Any:
     """Points of cloth in the identity frame; footprints are squares of these sides in uv."""
     count = len(uv)
     si = dr.zeros(mi.SurfaceInteraction3f, count)
-    si.uv = mi.Point2f(np.ascontiguousarray(uv.T, np.float32))
+    si.uv = upload_vector(mi.Point2f, uv.T)
     si.n = mi.Normal3f(0, 0, 1)
     si.sh_frame = mi.Frame3f(mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0), mi.Vector3f(0, 0, 1))
     si.dp_du, si.dp_dv = mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0)
     si.wi = vectors(views)
     si.t = mi.Float(1)
-    side = mi.Float(sides.astype(np.float32))
+    side = upload(mi.Float, sides)
     si.duv_dx, si.duv_dy = mi.Vector2f(side, 0), mi.Vector2f(0, side)
     return si
 

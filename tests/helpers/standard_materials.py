@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 
+from loomlight.exporters import fit
 from loomlight.exporters.fit import FittedMaterial
 
 
@@ -38,3 +40,8 @@ def plain_material(
         brightness=1.0,
     )
     return replace(made, **{name: value for name, value in changes.items() if name not in maps})
+
+
+def few_queries() -> Any:
+    """A fit of so few queries that it takes no time, and is not good."""
+    return patch.multiple(fit, _REFLECTED=120, _TRANSMITTED=40)

@@ -18,6 +18,7 @@ from loomlight.fabric.surface_maps import with_maps
 from loomlight.mesh.cloth_mesh import ClothMesh
 from loomlight.mesh.picture_places import FILE_UV, PicturePlace, picture_uv
 from loomlight.mitsuba import build_scene, material_bsdf
+from tests.marks import slow
 
 CLOTH = 'weave = "plain"\nends_per_cm = 20\ninterreflection = false\nwarp.specular = 0\nweft.specular = 0\n'
 GREY = CLOTH + 'warp.albedo = "#808080"\nweft.albedo = "#808080"'
@@ -63,7 +64,7 @@ def test_pictures_lie_on_uv_row_by_row_from_the_top(tmp_path: Path) -> None:
     np.testing.assert_array_equal(found > 0.02, [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 0]])
 
 
-@pytest.mark.parametrize("model", ["lobes", "point"])
+@pytest.mark.parametrize("model", [slow("lobes"), "point"])
 def test_a_mixture_is_the_mean_of_its_variants(model: str, tmp_path: Path) -> None:
     """z-test of a grey three tenths of the way between two fabrics against the mean of both, on a thread."""
     (tmp_path / "dark.toml").write_text(CLOTH + 'warp.albedo = "#202020"\nweft.albedo = "#202020"')
@@ -93,12 +94,12 @@ def test_far_away_shares_are_those_of_the_footprint(tmp_path: Path) -> None:
     assert abs(lit.mean() - 0.5) < 4 * 0.5 / np.sqrt(len(uv))
 
 
-def test_values_match_densities_of_samples(tmp_path: Path) -> None:
+@pytest.mark.parametrize("model", [slow("lobes"), "point"])
+def test_values_match_densities_of_samples(model: str, tmp_path: Path) -> None:
     """weight·pdf = value of the variant that the very same place shows."""
     grey = {"picture": picture(tmp_path / "g.png", [[128]]), "low": 0.2, "high": 0.6, "mode": "replace"}
-    bsdf = of(
-        fabric_from_text(GREY), {"roughness": grey, "wear": picture(tmp_path / "w.png", [[0, 90, 255]])}
-    )
+    maps = {"roughness": grey, "wear": picture(tmp_path / "w.png", [[0, 90, 255]])}
+    bsdf = of(fabric_from_text(GREY), maps, model)
     rng = mi.load_dict({"type": "independent"})
     rng.seed(1, 2000)
     si = dr.zeros(mi.SurfaceInteraction3f, 2000)

@@ -120,7 +120,7 @@ def test_the_edges_of_tall_frames_are_lit(light: str) -> None:
 @pytest.mark.parametrize("light", ["studio", "directional"])
 def test_light_from_behind_comes_through_flat_cloth(light: str) -> None:
     """The paper stands aside, and what is around the cloth is as dark everywhere."""
-    sheer = material_bsdf(fabric_from_text('weave = "plain"\n[warp]\ncolor = "#ffffff"\n'))
+    sheer = material_bsdf(fabric_from_text('weave = "plain"\n[warp]\ncolor = "#ffffff"\n'), "point")
     shown = build_scene("flat", sheer, size=(24, 24), zoom=0.6, light=light, light_from=(180, 40))
     picture = render(shown.scene, integrator=shown.integrator, spp=16)
     corners = picture[[0, 0, -1, -1], [0, -1, 0, -1]]

@@ -71,7 +71,7 @@ class Slice:
         boxes = texel_boxes(self.grid, np.asarray(centres), np.asarray(sizes), self._float_type)
         entries = (self.grid.columns + 1) * (self.grid.rows + 1)
         means = [
-            box_means(self._table, types.UInt32(channel * entries), self.grid, boxes).numpy()
+            box_means(self._table, dr.opaque(types.UInt32, channel * entries), self.grid, boxes).numpy()
             for channel in range(len(self.channels))
         ]
         return np.stack(means, axis=1)

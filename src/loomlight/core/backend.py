@@ -130,6 +130,11 @@ def upload(kind: FloatType, values: ArrayLike) -> Array:
     return array
 
 
+def upload_vector(kind: Any, columns: ArrayLike) -> Any:
+    """Components [size, n] as a Dr.Jit vector of type `kind`, each copied as `upload` does."""
+    return kind(*(upload(dr.value_t(kind), column) for column in np.asarray(columns)))
+
+
 def move(kind: FloatType, values: NDArray[Any]) -> tuple[Array, NDArray[Any]]:
     """`upload`, and the numbers again: on the CPU in the array's memory, so that they are held once."""
     array = upload(kind, values)

@@ -14,6 +14,7 @@ import numpy as np
 from drjit.llvm import Array2f, Array3f
 from numpy.typing import NDArray
 
+from loomlight.core.backend import upload_vector
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel, LobesOptions
@@ -54,9 +55,7 @@ def lobes_at(fabric: Fabric, pairs: Pairs) -> tuple[FilteredBsdf, Array3f]:
     model = LobesModel.for_source(fabric, LobesOptions())
     width, height = fabric.repeat_mm
     count = len(pairs)
-    light, view = (
-        Array3f(np.ascontiguousarray(vectors.T, np.float32)) for vectors in (pairs.light, pairs.view)
-    )
+    light, view = (upload_vector(Array3f, vectors.T) for vectors in (pairs.light, pairs.view))
     zero = np.zeros(count, np.float32)
     # Ten repeats.
     sides = np.full(count, 10 * width, np.float32), np.full(count, 10 * height, np.float32)

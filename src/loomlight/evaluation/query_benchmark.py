@@ -39,7 +39,7 @@ from loomlight.aggregate.components import (
 )
 from loomlight.aggregate.queries import BANDS, QuerySet, admits_transmission, fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
-from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.backend import ArrayTypes, array_types, upload, upload_vector
 from loomlight.core.errors import InputError
 from loomlight.core.files import cache_folder, replacing
 from loomlight.core.footprint import Footprint
@@ -286,10 +286,7 @@ def _sheen_lobe(lights: NDArray[np.float64], views: NDArray[np.float64]) -> NDAr
     """f·cos of an unshadowed sheen of strength 1 and the default roughness [n], 1/sr."""
     types = array_types(llvm_float())
     # Both on one side: those on the back are turned to the front.
-    light, view = (
-        types.Vector3(np.ascontiguousarray(np.c_[v[:, :2], abs(v[:, 2])].T, dtype=np.float32))
-        for v in (lights, views)
-    )
+    light, view = (upload_vector(types.Vector3, np.c_[v[:, :2], abs(v[:, 2])].T) for v in (lights, views))
     return np.asarray(sheen(light, view, 1.0, Sheen().roughness).numpy(), np.float64)
 
 
@@ -552,7 +549,7 @@ def _sampled(
     """Means of colours, channels and light visibility over the samples of each chosen query."""
     count, samples, _ = positions.shape
     light, view, footprint = _arrays(types, queries, np.repeat(chosen, samples))
-    s, t = (types.Float(part.astype(np.float32)) for part in (positions - 0.5).reshape(-1, 2).T.copy())
+    s, t = (upload(types.Float, part) for part in (positions - 0.5).reshape(-1, 2).T)
     position = footprint.at(s, t)
     plain = without_sheen_and_variation(model)
     point = trace_views(plain, position.x, position.y, view).point
@@ -570,20 +567,20 @@ def _sampled(
 def _arrays(types: ArrayTypes, queries: QuerySet, index: NDArray[np.intp]) -> tuple[Any, Any, Footprint]:
     pair = index // queries.sizes.shape[1]
     light, view = (
-        types.Vector3(np.ascontiguousarray(vectors[number].T, dtype=np.float32))
+        upload_vector(types.Vector3, vectors[number].T)
         for vectors, number in (
             (queries.lights, queries.pairs[pair, 0]),
             (queries.views, queries.pairs[pair, 1]),
         )
     )
     centre = queries.centres.reshape(-1, 2)[index].T
-    side = types.Float(queries.sizes.ravel()[index].astype(np.float32))
+    side = upload(types.Float, queries.sizes.ravel()[index])
     nothing = dr.zeros(types.Float)
     return (
         light,
         view,
         Footprint(
-            types.Vector2(np.ascontiguousarray(centre, dtype=np.float32)),
+            upload_vector(types.Vector2, centre),
             types.Vector2(side, nothing),
             types.Vector2(nothing, side),
         ),

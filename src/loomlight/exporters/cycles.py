@@ -16,6 +16,7 @@ from drjit.llvm import Array2f as Vector2
 from drjit.llvm import Array3f, Float
 from numpy.typing import NDArray
 
+from loomlight.core.backend import upload_vector
 from loomlight.core.footprint import Footprint
 from loomlight.exporters.fit import TEXEL_FIELDS, FittedMaterial
 from loomlight.exporters.standards import StandardMaterial, evaluate_gltf
@@ -222,8 +223,8 @@ def _values(model: Model, material: FittedMaterial, place: Numbers, view: Number
     rows, columns = material.cover.shape
     zero = dr.zeros(Float, len(place))
     across, up = (zero + side / count for side, count in zip(material.size, (columns, rows), strict=True))
-    centre = Vector2(*(Float(part) for part in place.T))
-    to_view, to_light = (Array3f(*(np.float32(part) for part in vectors.T)) for vectors in (view, light))
+    centre = upload_vector(Vector2, place.T)
+    to_view, to_light = (upload_vector(Array3f, vectors.T) for vectors in (view, light))
     value = model.at(to_view, Footprint(centre, Vector2(across, zero), Vector2(zero, up))).value(to_light)
     return np.stack([np.asarray(part.numpy(), np.float64) for part in value], axis=-1)
 

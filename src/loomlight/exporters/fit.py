@@ -18,6 +18,7 @@ from drjit.llvm import Array2f as Vector2
 from drjit.llvm import Array3f, Float
 from numpy.typing import NDArray
 
+from loomlight.core.backend import upload, upload_vector
 from loomlight.core.footprint import Footprint
 from loomlight.exporters.standards import STANDARDS, Numbers, StandardMaterial
 from loomlight.exporters.texels import MIN_COVER, TexelGrid, Texels, TextureSize, frames, nearest_covered
@@ -257,13 +258,13 @@ def _answers(model: Model, grid: TexelGrid, queries: _Queries) -> Numbers:
     step_x, step_y = grid.step
     side = queries.side.astype(np.float64)
     place = grid.places(queries.row + side / 2, queries.column + side / 2)
-    centre = Vector2(*(Float(part) for part in place.astype(np.float32)))
-    zero, width, height = dr.zeros(Float, len(side)), Float(side * step_x), Float(side * step_y)
+    centre = upload_vector(Vector2, place)
+    width, height = upload(Float, side * step_x), upload(Float, side * step_y)
+    zero = dr.zeros(Float, len(side))
     footprint = Footprint(centre, Vector2(width, zero), Vector2(zero, height))
     to_front = [1, 1, -1] if grid.back else [1, 1, 1]
     view, light = (
-        Array3f(*(np.float32(part) for part in (vectors * to_front).T))
-        for vectors in (queries.view, queries.light)
+        upload_vector(Array3f, (vectors * to_front).T) for vectors in (queries.view, queries.light)
     )
     value = model.at(view, footprint).value(light)
     return np.stack([np.asarray(part.numpy(), np.float64) for part in value], axis=-1)

@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, Mask, Vec3
+from loomlight.core.backend import upload, upload_vector
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.mesh.cloth_mesh import ClothMesh, joined
 from loomlight.mitsuba.meshes import check_scene_meshes, to_shape
@@ -79,8 +80,8 @@ class PeriodicPaths(Btf):
         """Estimates of f·cos by a path each [n, 3]; see `Btf.values`."""
         found = np.empty((len(points), 3), np.float32)
         for number, part in enumerate(_batches(len(points))):
-            x, y = (mi.Float(np.ascontiguousarray(row)) for row in points[part].T)
-            light, view = (mi.Vector3f(np.ascontiguousarray(rows[part].T)) for rows in (lights, views))
+            x, y = (upload(mi.Float, row) for row in points[part].T)
+            light, view = (upload_vector(mi.Vector3f, rows[part].T) for rows in (lights, views))
             key = np.random.SeedSequence([*seed, number]).generate_state(1)[0]
             sampler: Any = mi.load_dict({"type": "independent"})
             sampler.seed(int(key), dr.width(x))
@@ -91,8 +92,8 @@ class PeriodicPaths(Btf):
         """1 where the view ray passes straight through, else 0 [n]; see `Btf.holes`."""
         found = np.empty(len(points), np.float32)
         for part in _batches(len(points)):
-            x, y = (mi.Float(np.ascontiguousarray(row)) for row in points[part].T)
-            view = mi.Vector3f(np.ascontiguousarray(views[part].T))
+            x, y = (upload(mi.Float, row) for row in points[part].T)
+            view = upload_vector(mi.Vector3f, views[part].T)
             ray = self._view_ray(x, y, view)
             found[part] = ~np.array(self._tile.scene.ray_test(ray))
         return found

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
-from loomlight.core.backend import ArrayTypes
+from loomlight.core.backend import ArrayTypes, upload
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
@@ -269,7 +269,7 @@ def _albedo_values(family: FamilyAppearance, types: ArrayTypes) -> dict[str, Any
     rows = np.stack([np.asarray(getattr(family, name), np.float64) for name in ALBEDOS], axis=1)
     if np.allclose(rows, rows[:1], rtol=0, atol=1e-12):
         return {name: types.Color3(*row.tolist()) for name, row in zip(ALBEDOS, rows[0], strict=True)}
-    return {"albedos": types.Float(rows.astype(np.float32).ravel())}
+    return {"albedos": upload(types.Float, rows)}
 
 
 def colour_parameters(fabric: Fabric, types: ArrayTypes) -> Values:
@@ -281,7 +281,7 @@ def colour_parameters(fabric: Fabric, types: ArrayTypes) -> Values:
         if (rows == rows[:1]).all():
             found[f"{family}.color"] = parameter_of("color", types.Color3(*rows[0].tolist()))
         else:
-            found[f"{family}.colors"] = parameter_of("colors", types.Float(rows.astype(np.float32).ravel()))
+            found[f"{family}.colors"] = parameter_of("colors", upload(types.Float, rows))
     return found
 
 

@@ -20,7 +20,7 @@ from scipy.cluster.vq import kmeans2
 
 from loomlight.aggregate.components import colours
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
-from loomlight.core.backend import array_types, clip, minimum
+from loomlight.core.backend import array_types, clip, minimum, upload
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.evaluation.metrics import picture_error
@@ -76,7 +76,7 @@ def visibility_clusters(fabric: Fabric, count: int) -> Alphas:
     width, height = fabric.repeat_mm
     line = (np.arange(_TEXELS) + 0.5) / _TEXELS
     y, x = (part.ravel() for part in np.meshgrid(line * height, line * width, indexing="ij"))
-    place_x, place_y = (types.Float(part.astype(np.float32)) for part in (x, y))
+    place_x, place_y = (upload(types.Float, part) for part in (x, y))
     _, hole = model.surface.height(place_x, place_y, types.Bool(False))
     point = model.at(place_x, place_y, types.Bool(False), hole)
     seen = np.empty((_TEXELS**2, _RINGS, _SECTORS))
@@ -85,7 +85,9 @@ def visibility_clusters(fabric: Fabric, count: int) -> Alphas:
             z = (ring + 0.5) / _RINGS
             azimuth = 2 * np.pi * (sector + 0.5) / _SECTORS
             radius = np.sqrt(1 - z * z)
-            light = types.Vector3(float(radius * np.cos(azimuth)), float(radius * np.sin(azimuth)), z)
+            direction = radius * np.cos(azimuth), radius * np.sin(azimuth), z
+            # No literals: every direction would be a kernel of its own.
+            light = types.Vector3(*(dr.opaque(types.Float, float(part)) for part in direction))
             lit = dr.select(model.visibility(point, light), types.Float(1), 0)
             seen[:, ring, sector] = np.broadcast_to(lit.numpy(), (_TEXELS**2,))
     rows = seen.reshape(_TEXELS**2, -1)
@@ -106,8 +108,8 @@ class _Tables:
         types = array_types(llvm_float())
         self._shape = alphas.clusters.shape
         self._bins = alphas.values.shape[1:]
-        self._clusters = types.UInt32(alphas.clusters.ravel().astype(np.uint32))
-        self._values = types.Float(alphas.values.ravel().astype(np.float32))
+        self._clusters = upload(types.UInt32, alphas.clusters)
+        self._values = upload(types.Float, alphas.values)
         self._size = size
         dr.eval(self._clusters, self._values)
 

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, FloatType, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
+from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, upload
 from loomlight.yarn.visibility import AZIMUTHS
 
 LOBE_NUMBERS = 9
@@ -69,7 +69,7 @@ def lobe_values(lobes: NDArray[np.float32], direction: NDArray[np.float64]) -> N
 
 def _fit(types: ArrayTypes, sines: NDArray[np.uint8], saturating: bool) -> tuple[NDArray[np.float32], float]:
     rng = np.random.default_rng(0)
-    horizon = [types.Float(sines[:, a].astype(np.float32) / 255) for a in range(AZIMUTHS)]
+    horizon = [upload(types.Float, sines[:, a] / np.float32(255)) for a in range(AZIMUTHS)]
     values = _start(types, sines)
     first = [dr.zeros(types.Float, len(sines)) for _ in values]
     second = [dr.zeros(types.Float, len(sines)) for _ in values]
@@ -135,7 +135,7 @@ def _start(types: ArrayTypes, sines: NDArray[np.uint8]) -> list[Float]:
     tilt_y = (free * np.sin(azimuth)).mean(axis=1)
     flat = np.zeros(len(sines))
     columns = [tilt_x, tilt_y, flat + 1, flat + 0.1, flat, flat, flat + math.log(2.0)]
-    return [types.Float(column.astype(np.float32)) for column in columns]
+    return [upload(types.Float, column) for column in columns]
 
 
 def _azimuth_bin(index: int) -> int:

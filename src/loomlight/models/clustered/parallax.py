@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Array, Float, FloatType, UInt, Vec2, Vec3
-from loomlight.core.backend import array_types, maximum
+from loomlight.core.backend import array_types, maximum, upload, upload_vector
 from loomlight.models.clustered.square_map import bin_centres, bin_taps
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import first_hit
@@ -98,13 +98,13 @@ def parallax_tables(
     """Coefficients [2 faces, rows, columns, 4], and mean and components, millimetres [2, bins, 5]."""
     columns, rows = counts
     types = array_types(float_type)
-    directions = types.Vector3(np.ascontiguousarray(side_views().T, np.float32))
+    directions = upload_vector(types.Vector3, side_views().T)
 
     def heights(back: bool, texels: NDArray[np.intp]) -> NDArray[np.float32]:
         """r by texel and direction [n, bins]; 0 where a ray passes through."""
         lane = dr.arange(types.UInt32, len(texels) * PARALLAX_BINS**2)
         texel = lane // PARALLAX_BINS**2
-        index = dr.gather(types.UInt32, types.UInt32(texels.astype(np.uint32)), texel)
+        index = dr.gather(types.UInt32, upload(types.UInt32, texels), texel)
         towards = dr.gather(types.Vector3, directions, lane - texel * PARALLAX_BINS**2)
         row = index // columns
         x = (types.Float(index - row * columns) + 0.5) * (geometry.size[0] / columns)

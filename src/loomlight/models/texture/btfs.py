@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, Vec3
-from loomlight.core.backend import array_types
+from loomlight.core.backend import array_types, upload, upload_vector
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
@@ -99,8 +99,8 @@ class FabricBtf(EncodedBtf):
     ) -> _Floats:
         for first in range(0, len(points), _BATCH):
             part = slice(first, first + _BATCH)
-            x, y = (self.types.Float(np.ascontiguousarray(row)) for row in points[part].T)
-            vectors = (self.types.Vector3(np.ascontiguousarray(rows[part].T)) for rows in directions)
+            x, y = (upload(self.types.Float, row) for row in points[part].T)
+            vectors = (upload_vector(self.types.Vector3, rows[part].T) for rows in directions)
             found[part] = evaluate(x, y, *vectors)
         return found
 

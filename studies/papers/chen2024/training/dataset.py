@@ -16,7 +16,7 @@ from safetensors.numpy import load_file, save_file
 
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
-from loomlight.core.backend import array_types
+from loomlight.core.backend import array_types, upload, upload_vector
 from loomlight.core.files import replacing
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.neural.encoded_fabric import Fibres, footprints_in_threads
@@ -160,8 +160,8 @@ def seen_in_threads(
     Rays that pass through stay where they cross the plane.
     """
     types = array_types(float_type)
-    view = types.Vector3(*np.repeat(views, centres.shape[1], axis=0).astype(np.float32).T)
-    x, y = (types.Float(np.ascontiguousarray(centres[..., axis].ravel(), np.float32)) for axis in (0, 1))
+    view = upload_vector(types.Vector3, np.repeat(views, centres.shape[1], axis=0).T)
+    x, y = (upload(types.Float, centres[..., axis]) for axis in (0, 1))
     back = view.z < 0
     hit = first_hit(model.surface, x, y, to_face_frame(view, back), back, quality=model.quality)
     x, y = dr.select(hit.hole, x, hit.x), dr.select(hit.hole, y, hit.y)

@@ -192,12 +192,12 @@ def _stop_at(step: int):
 def test_killed_training_goes_on(dataset: Path, tmp_path: Path) -> None:
     """kill −9 twice, each time once some further checkpoints are there, in a process of its own."""
     config = tmp_path / "tiny.toml"
-    config.write_text(TINY.format(steps=60, decoder_steps=60, decoder_hidden=24, optimiser="soap"))
+    config.write_text(TINY.format(steps=12, decoder_steps=12, decoder_hidden=24, optimiser="soap"))
     whole = load_file(train_neural(read_config(config), _with_dataset(dataset, tmp_path / "whole")))
     folder = _with_dataset(dataset, tmp_path / "killed")
     command = [sys.executable, "-c", _COMMAND, str(config), str(folder)]
     # The first within the training of the whole, the second within that of the decoder.
-    for checkpoints in ("7", "80"):
+    for checkpoints in ("5", "12"):
         done = subprocess.run([*command, checkpoints], stderr=subprocess.DEVNULL)
         assert done.returncode == -signal.SIGKILL
     subprocess.run([*command, "0"], check=True, stderr=subprocess.DEVNULL)
