@@ -20,7 +20,7 @@ from loomlight.capturing.weave_match import (
     fit_structure,
     fit_weaves,
 )
-from loomlight.core.colour import delta_e_2000, lab_of_linear, srgb_to_linear
+from loomlight.core.colour import delta_e_2000, lab_of_linear, linear_to_srgb, srgb_to_linear
 from loomlight.weave.named import named_weave
 from tests.capturing.pictures import BLUE, CREAM, RED, knitted, woven
 
@@ -61,10 +61,21 @@ def test_the_back_adds_to_what_the_face_says() -> None:
 def test_the_complement_is_the_same_cloth_with_families_changed() -> None:
     _, crossings = seen(woven(named_weave("twill 2/1 z").drawdown))
     fits = fit_weaves([crossings])
-    other = complement_of(fits[0], fits)
+    other = complement_of(fits[0], fits, crossings)
     assert other is not None
     assert other.name == "twill 1/2 z"
     assert np.array_equal(other.table(crossings.shape), ~fits[0].table(crossings.shape))
+
+
+def test_the_complement_of_a_weave_that_is_its_own_is_likely_as_in_its_place() -> None:
+    """Colours say of both the same, and shading the opposite."""
+    _, crossings = seen(woven(named_weave("twill 2/2 z").drawdown))
+    fits = fit_weaves([crossings])
+    other = complement_of(fits[0], fits, crossings)
+    assert other is not None
+    assert other.name == fits[0].name == "twill 2/2 z"
+    assert np.array_equal(other.table(crossings.shape), ~fits[0].table(crossings.shape))
+    assert other.score < fits[0].score - crossings.votes
 
 
 def test_no_weave_is_tried_twice() -> None:
@@ -107,6 +118,22 @@ def test_threads_of_one_dye_are_one_colour() -> None:
     _, crossings = seen(woven(named_weave("plain").drawdown, warp=shades))  # type: ignore[arg-type]
     warp, _ = colour_orders(crossings, fitted(crossings, "plain").table(crossings.shape))
     assert len(warp.colours) == 1
+
+
+@pytest.mark.parametrize(("factor", "colours"), [(1.5, 1), (3.0, 2)])
+def test_shades_without_order_are_unevenness_and_colours_are_not(factor: float, colours: int) -> None:
+    """A yarn of two shades, CIEDE2000 9 and 24 apart, in an order that does not repeat."""
+    up = np.indices((24, 24)).sum(axis=0) % 2 == 0
+    light = np.random.default_rng(3).integers(0, 2, 24) == 1
+    assert light.any()
+    assert not light.all()
+    shown = np.where(up[..., None], np.where(light, factor, 1.0)[None, :, None] * 0.2, 0.6) * np.ones(3)
+    shown = linear_to_srgb(shown)
+    crossings = Crossings(shown, shown[..., 0], shown[..., 0], (0, 0))
+    warp, weft = colour_orders(crossings, up)
+    assert len(warp.colours) == colours
+    assert warp.repeats == (colours == 1)
+    assert len(weft.colours) == 1
 
 
 def test_light_that_falls_off_is_found_beside_colours() -> None:

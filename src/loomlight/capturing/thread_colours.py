@@ -14,6 +14,8 @@ from loomlight.core.colour import delta_e_2000, lab_of_linear, srgb_to_linear
 _SAME_DYE = 7.0
 # The same of one thread alone: a stripe of one differs by more.
 _LONE = 14.0
+# Shades that differ by less and follow one another without order are unevenness too: stripes repeat.
+_UNEVEN = 12.0
 MAX_COLOURS = 8
 # Threads that may break an order that repeats, as a share.
 _MAX_BREAKS = 0.06
@@ -81,10 +83,19 @@ def _order(shown: NDArray[np.float64], on_top: NDArray[np.bool_]) -> ColourOrder
         ]
     )
     period = _period(labels, len(colours))
+    if period is None and _largest_difference(colours) < _UNEVEN:
+        mean = np.average(threads[seen], axis=0, weights=weight[seen])
+        return ColourOrder(mean[None], np.zeros(1, np.intp), 0, True)
     if period is None:
         return ColourOrder(colours, labels, 0, False)
     repeat = np.array([np.bincount(labels[start::period]).argmax() for start in range(period)], np.intp)
     return ColourOrder(colours, repeat, 0, True)
+
+
+def _largest_difference(colours: NDArray[np.float64]) -> float:
+    """CIEDE2000 between the two of linear RGB [k, 3] that differ most."""
+    labs = lab_of_linear(colours)
+    return float(delta_e_2000(labs[:, None], labs[None, :]).max())
 
 
 def _clusters(threads: NDArray[np.float64], weight: NDArray[np.intp]) -> NDArray[np.intp]:

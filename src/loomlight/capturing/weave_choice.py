@@ -120,11 +120,11 @@ def chosen(
 def _share(found: list[Hypothesis], same: NDArray[np.bool_]) -> float:
     """The share of some hypotheses in the likelihood of all, with shading as it should be, or turned round.
 
-    The smaller counts: highlights turn it round, but a weave that is likely only then is not sure.
+    The mean counts: highlights turn it round, but a weave that is likely only then is not sure.
     """
     ways = [likelihoods(found, signed) for signed in (0.0, 0.5, 1.0)]
     parts = [np.exp((scores - scores.max()) / _TEMPER) for scores in ways]
-    return min(float(part[same].sum() / part.sum()) for part in parts)
+    return float(np.mean([part[same].sum() / part.sum() for part in parts]))
 
 
 def reliability(evidence: float) -> float:
@@ -142,7 +142,7 @@ def hypotheses(face: Seen, fits: list[WeaveFit], light: Light, report: Report) -
     # Highlights part crossings too: the likeliest weave with a name stands beside one without.
     named = next(fit for fit in fits if fit.name)
     tried += [] if named in tried else [named]
-    opposite = complement_of(named, fits)
+    opposite = complement_of(named, fits, face.crossings)
     if opposite is not None and all(
         (opposite.name, opposite.shift) != (fit.name, fit.shift) for fit in tried
     ):

@@ -200,8 +200,12 @@ def fit_structure(name: str, structure: Structure, crossings: list[Crossings]) -
     return _best_place(name, structure, [_Evidence(part) for part in crossings])
 
 
-def complement_of(fit: WeaveFit, fits: list[WeaveFit]) -> WeaveFit | None:
-    """Of the fits of all weaves that of the cloth whose families have changed places; None if unnamed."""
+def complement_of(fit: WeaveFit, fits: list[WeaveFit], face: Crossings) -> WeaveFit | None:
+    """Of the fits of all weaves that of the cloth whose families have changed places; None if unnamed.
+
+    Args:
+        face: the crossings that tell how likely it is in this place.
+    """
     opposite = ~fit.structure
     wanted = opposite.shape, _canonical(opposite)
     for other in fits:
@@ -217,7 +221,10 @@ def complement_of(fit: WeaveFit, fits: list[WeaveFit]) -> WeaveFit | None:
                 (fit.shift[0] + place[0]) % opposite.shape[0],
                 (fit.shift[1] + place[1]) % opposite.shape[1],
             )
-            return WeaveFit(other.name, other.structure, shift, other.score, fit.unsigned)
+            # The other may be likeliest in another place, as a twill is that is its own complement.
+            signed, _ = _Evidence(face).scores(other.structure)
+            score = other.score - float(signed.max() - signed[shift])
+            return WeaveFit(other.name, other.structure, shift, score, fit.unsigned)
     return None
 
 
