@@ -73,11 +73,11 @@ def arguments_of(command: str) -> list[str]:
 
 
 def smaller(arguments: list[str]) -> list[str]:
-    """The same words with a quarter of the texels each way, where an option counts them, and short turns."""
+    """The same words with an eighth of the texels each way, where an option counts them, and short turns."""
     found = list(arguments)
     for place, word in enumerate(arguments[1:], 1):
         if arguments[place - 1] in ("--resolution", "--pixels-per-mm", "--dpi"):
-            found[place] = re.sub(r"\d+", lambda count: str(max(1, int(count[0]) // 4)), word)
+            found[place] = re.sub(r"\d+", lambda count: str(max(1, int(count[0]) // 8)), word)
         if arguments[place - 1] == "--turntable":
             found[place] = "3"
     return found

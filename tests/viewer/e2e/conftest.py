@@ -92,12 +92,11 @@ def opened(served: Served, browser: Any) -> Iterator[Visit]:
 
 @pytest.fixture
 def editor(opened: Visit) -> Iterator[Any]:
-    """The page as it opens: a twill, the panel of weaves, no notices. Whatever a test makes is undone."""
+    """The page as it opens, a twill without notices, in any panel. Whatever a test makes is undone."""
     page = opened.page
     yield page
     while by_id(page, "undo").is_enabled():
         by_id(page, "undo").click()
     for button in page.get_by_label("Dismiss").all():
         button.click()
-    by_id(page, "tab-weave").click()
     assert opened.complaints == []

@@ -142,6 +142,7 @@ def test_a_dropped_draft_is_shown_and_a_broken_one_told(editor: Any, tmp_path: P
 
 def test_a_fault_in_a_weave_is_told_with_what_would_be_right(editor: Any) -> None:
     kept = fabric_of(editor)
+    by_id(editor, "tab-weave").click()
     by_id(editor, "weave-name").fill("satin 8/2")
     by_id(editor, "weave-apply").click()
     assert "3, 5" in editor.locator(".fault").inner_text()
@@ -231,6 +232,7 @@ def test_the_address_carries_the_fabric_and_a_reload_loses_nothing(served: Serve
 def test_before_and_after_are_wiped(editor: Any) -> None:
     by_id(editor, "compare").click()
     by_id(editor, "compare-keep").click()
+    by_id(editor, "tab-weave").click()
     by_id(editor, "weave-houndstooth-4").click()
     wipe = by_id(editor, "wipe")
     wipe.press("ArrowLeft")
