@@ -35,7 +35,7 @@ _UNKNOWN = 0.8
 _OF_THE_KIND = "of the kind of yarn; the photograph does not fix it"
 _DIGITS = 3
 # A weave that is less sure than this, and a repeat that differs by more of 255, are told of.
-SURE, GOOD_ROOT = 0.8, 20.0
+SURE, GOOD_ROOT = 0.8, 10.0
 # Brightest over darkest part of the picture from which on a shadow or a label is told of.
 _PATCHY = 1.6
 # Pixels of a thread from which on weaves are told apart well.

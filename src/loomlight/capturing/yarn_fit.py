@@ -53,6 +53,8 @@ PARAMETERS = {
 }
 # A kind whose render leaves so much more of the photograph than the likest, as a share, counts e times less.
 _FARTHER = 0.25
+# Root mean square of 255 that renders of cloths usually leave at most.
+_USUAL_ROOT = 5.0
 # Standard errors to either side between which 9 of 10 lie.
 NINE_OF_TEN = 1.645
 # CIEDE2000 that colours are off by at most in 9 of 10, and that more a root mean square of 255 left.
@@ -147,13 +149,15 @@ def with_model_errors(fit: Fit, kinds: Sequence[Fit]) -> Fit:
     cost = np.array([kind.cost for kind in kinds])
     weight = np.exp(-(cost / cost.min() - 1) / _FARTHER)
     weight /= weight.sum()
+    # What a render leaves beyond what it usually does is more than uneven yarns.
+    off = max(255 * float(np.sqrt(fit.cost)) / _USUAL_ROOT, 1.0)
     found = {}
     for name, parameter in PARAMETERS.items():
         values = np.log(
             [yarns_of_kind(each.yarns.kind, each.yarns.colours).numbers[name][0] for each in kinds]
         )
         variance = float(weight @ np.square(values - weight @ values))
-        found[name] = float(np.sqrt(variance + parameter.misfit**2))
+        found[name] = float(np.sqrt(variance + (off * parameter.misfit) ** 2))
     return replace(fit, model_errors=found)
 
 
