@@ -156,6 +156,49 @@ def test_colours_are_srgb_with_opacity_where_there_are_holes(
     assert len(pixels(export(FABRIC, engine, tmp_path / "dense") / name)) == 3
 
 
+def test_packs_are_the_same_material_as_each_engine_reads_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Unlike texels, read by the documented channels, hands of normals and spaces of colours."""
+
+    def varied(fabric: Any, model: Any, size: TextureSize) -> FittedMaterial:
+        rng = np.random.default_rng(3)
+        shape = (size.rows, size.columns)
+        normal = rng.normal(size=(*shape, 3)) * [0.3, 0.3, 0] + [0, 0, 1]
+        return plain_material(
+            shape=shape,
+            base=rng.uniform(0.1, 0.6, (*shape, 3)),
+            normal=normal / np.linalg.norm(normal, axis=-1, keepdims=True),
+            alpha_x=(alpha := rng.uniform(0.1, 1, shape)),
+            alpha_y=alpha,
+            cover=rng.uniform(0.2, 1, shape),
+        )
+
+    monkeypatch.setattr(engines, "fit_material", varied)
+    monkeypatch.setattr(engines, "make_model", lambda model, fabric: None)
+
+    def picture(engine: str, name: str) -> np.ndarray:
+        return np.asarray(Image.open(tmp_path / engine / "near" / name), int)
+
+    for engine in ("unreal", "unity", "godot"):
+        export(FABRIC, engine, tmp_path / engine)
+    # Godot: OpenGL's normals, roughness in green.
+    colour = picture("godot", "twill-2-1_near_albedo.png")
+    normal = picture("godot", "twill-2-1_near_normal.png")
+    rough = picture("godot", "twill-2-1_near_orm.png")[..., 1]
+    # Unreal: DirectX's normals, roughness in green.
+    assert (picture("unreal", "T_Twill21_Near_BC.png") == colour).all()
+    assert (picture("unreal", "T_Twill21_Near_ORM.png")[..., 1] == rough).all()
+    turned = picture("unreal", "T_Twill21_Near_N.png")
+    assert (turned[..., [0, 2]] == normal[..., [0, 2]]).all()
+    assert np.abs(255 - turned[..., 1] - normal[..., 1]).max() <= 1
+    # Unity: OpenGL's normals, smoothness in alpha.
+    assert (picture("unity", "Twill21_Near_BaseMap.png") == colour).all()
+    assert (picture("unity", "Twill21_Near_Normal.png") == normal).all()
+    assert np.abs(255 - picture("unity", "Twill21_Near_MaskMap.png")[..., 3] - rough).max() <= 1
+    assert np.ptp(rough) > 100
+
+
 def test_sides_are_the_nearest_powers_of_two() -> None:
     assert [power_of_two(side) for side in (1, 20, 45, 46, 192, 5000)] == [16, 16, 32, 64, 256, 4096]
 
