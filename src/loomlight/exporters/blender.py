@@ -34,7 +34,7 @@ FAMILIES = ("warp", "weft")
 FORMAT = 3
 # Texels of a density, in threads: near, eight a thread, is the default of `texture_grid`. And how many
 # threads its maps hold at most of uneven yarns, which show as a pattern in pictures that hold more.
-DENSITIES: dict[str, tuple[float | None, int]] = {"near": (None, 128), "mid": (1.0, 512), "far": (8.0, 1024)}
+DENSITIES: dict[str, tuple[float | None, int]] = {"near": (None, 96), "mid": (1.0, 512), "far": (8.0, 1024)}
 # A side, of any density: Blender holds some twenty such pictures.
 MAX_TEXELS = 2048
 # Texels a thread of the nearest density.

@@ -32,7 +32,7 @@ _FACING = 0.5
 # Lights by which the texels' own factors are found.
 _MIN_LIGHTS, _MAX_LIGHTS, _PRIOR = 4, 16, 0.05
 # Queries in all, unless lights were too few, and texels whose factors are found at once: 300 MB.
-_MAX_QUERIES, _MAX_BAND = 1 << 23, 1 << 18
+_MAX_QUERIES, _MAX_BAND = 1 << 22, 1 << 18
 # f·cos of a white sheet under a light from straight above, 1/sr.
 _WHITE = 1 / np.pi
 # Diffuse roughnesses that are tried, and bounds of the factors of layers.

@@ -24,7 +24,7 @@ from loomlight.fabric.maps import ClothSurface
 Numbers = NDArray[np.float64]
 # Points across a texel, at least, and across the finest thread, where they do not come to more than so many.
 _POINTS_PER_TEXEL, _POINTS_PER_THREAD, _LEAST_PER_THREAD = 4, 8, 4
-_POINTS_IN_ALL = 1 << 24
+_POINTS_IN_ALL = 1 << 23
 # Points that are looked at at once: their arrays stay near the processor, and take 100 MB.
 _MAX_POINTS = 1 << 19
 _MAX_TEXTURE = 4096
