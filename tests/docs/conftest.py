@@ -16,7 +16,7 @@ FEW_SAMPLES = 4
 FEWER = {
     u3m: {"_MIN_SIDE": 16, "DEFAULT_DPI": 60},
     engines: {"_MAX_SIDE": 128},
-    blender: {"MAX_TEXELS": 256, "_THREADS": 8},
+    blender: {"MAX_TEXELS": 256, "DENSITIES": {"near": (None, 8), "mid": (1.0, 16), "far": (8.0, 16)}},
 }
 
 
