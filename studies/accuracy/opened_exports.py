@@ -269,10 +269,10 @@ def tables(figures: Figures) -> list[Table]:
         for row in figures["pictures"]
     }
     cards = {f"{row['card']}, {row['engine']}": [row["sky"], row["sun"]] for row in figures.get("cards", [])}
-    return [
-        Table("Exports opened by engines", columns, rows),
-        Table("Cards opened by engines", ["by an even sky", "by a sun"], cards),
-    ]
+    found = [Table("Exports opened by engines", columns, rows)]
+    if cards:
+        found.append(Table("Cards opened by engines", ["by an even sky", "by a sun"], cards))
+    return found
 
 
 STUDY = Study(
