@@ -71,6 +71,15 @@ def test_static_folder_needs_no_python(plain_server: str, visit: Visit) -> None:
     visit.page.get_by_test_id("save").click()
     visit.page.get_by_test_id("save-export").click()
     assert not visit.page.get_by_test_id("export-start").is_disabled()  # a picture, by the page itself
+    # What is being typed stays when the page draws itself anew, which it does whenever it likes.
+    width = visit.page.get_by_test_id("export-width")
+    width.fill("90")
+    visit.page.evaluate("document.querySelector('[data-testid=export-transparent]').click()")
+    visit.page.evaluate("window.settled()")
+    assert width.input_value() == "90"
+    width.press("Tab")
+    visit.page.evaluate("window.settled()")
+    assert width.input_value() == "90"
     for kind in ("maps", "gltf", "loom"):
         visit.page.get_by_test_id(f"export-kind-{kind}").click()
         assert "loomlight view" in visit.page.get_by_test_id("export-needs-python").inner_text()

@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 
 import type { Server } from "./api.ts";
 import { Segmented } from "./controls/Segmented.tsx";
+import { Fault, numberOf, useWritten } from "./controls/written.tsx";
 import { download, pngOf, stemOf } from "./files.ts";
 import type { Fabric } from "./state/document.ts";
 import { fabricForServer } from "./state/fabric_json.ts";
@@ -177,24 +178,16 @@ interface WholeProps {
 
 /** A whole number; what is out of range becomes the nearest that is not. */
 function Whole({ label, unit, value, low, high, onValue, testid }: WholeProps) {
+  const written = useWritten(String(value), (text) => {
+    const number = numberOf(text);
+    if (number === null) return `"${text}" is no number.`;
+    onValue(clamp(Math.round(number), low, high));
+    return null;
+  });
   return (
     <label title={`${low} to ${high} ${unit}`}>
-      {label}{" "}
-      <input
-        type="number"
-        min={low}
-        max={high}
-        step={1}
-        value={value}
-        data-testid={testid}
-        onChange={(event) => {
-          const given = Math.round(event.currentTarget.valueAsNumber);
-          const kept = Number.isFinite(given) ? clamp(given, low, high) : value;
-          event.currentTarget.value = String(kept);
-          onValue(kept);
-        }}
-      />{" "}
-      {unit}
+      {label} <input {...written.input} inputMode="numeric" data-testid={testid} /> {unit}
+      <Fault text={written.fault} />
     </label>
   );
 }
