@@ -16,6 +16,8 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, settings
 
+from loomlight.core.llvm import compile_quickly
+
 # Before torch is loaded: MKL's sums otherwise depend on where arrays lie, and trainings repeat bit for bit.
 os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
 
@@ -85,6 +87,12 @@ def own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
         yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def quick_kernels() -> None:
+    """For tests of what Dr.Jit computes without a function of ours that asks for LLVM."""
+    compile_quickly()
 
 
 @pytest.fixture(scope="module", autouse=True)
